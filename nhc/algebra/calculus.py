@@ -1,0 +1,169 @@
+"""Passes over the graph: reachable nodes, substitution, forward and reverse derivatives.
+
+All passes loop over node numbers (children come before parents), so deep expressions need no deep stack.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+
+from nhc.algebra.graph import ADD, BINARY, MUL, NEG, POW, Graph, Node
+
+
+def reachable(graph: Graph, roots: Iterable[Node], within: int = -1) -> list[Node]:
+    """The nodes that the roots are made of, in increasing order; with ``within``, only those that contain one of its symbols."""
+    seen: set[Node] = set()
+    stack = [root for root in roots if graph.deps[root] & within or within == -1]
+    while stack:
+        node = stack.pop()
+        if node in seen:
+            continue
+        seen.add(node)
+        stack.extend(c for c in graph.children(node) if c not in seen and (within == -1 or graph.deps[c] & within))
+    return sorted(seen)
+
+
+def substitute(graph: Graph, roots: Sequence[Node], mapping: Mapping[Node, Node]) -> list[Node]:
+    """The roots with symbols (or whole nodes) replaced; what does not contain them is kept as it is."""
+    mask = 0
+    for key in mapping:
+        mask |= graph.deps[key]
+    new: dict[Node, Node] = dict(mapping)
+    for node in reachable(graph, roots, mask):
+        if node in new:
+            continue
+        new[node] = rebuild(graph, node, [new.get(c, c) for c in graph.children(node)])
+        label = graph.labels.get(node)
+        if label is not None and new[node] != node:
+            graph.labels.setdefault(new[node], label)
+    return [new.get(root, root) for root in roots]
+
+
+def rebuild(graph: Graph, node: Node, children: Sequence[Node]) -> Node:
+    """The node's operation on other children."""
+    op = graph.op[node]
+    if not children:
+        return node
+    if op == ADD:
+        return graph.add(*children)
+    if op == MUL:
+        return graph.mul(*children)
+    if op == NEG:
+        return graph.neg(*children)
+    if op == POW:
+        return graph.power(children[0], graph.b[node])
+    return graph.function(op, *children)
+
+
+def partials(graph: Graph, node: Node) -> tuple[Node, ...]:
+    """The derivatives of an operation with respect to each of its operands."""
+    op, x = graph.op[node], graph.a[node]
+    g = graph
+    if op == ADD:
+        return (g.one, g.one)
+    if op == MUL:
+        return (g.b[node], x)
+    if op == NEG:
+        return (g.number(-1),)
+    if op == POW:
+        n = g.b[node]
+        return (g.mul(g.number(n), g.power(x, n - 1)),)
+    if op in BINARY:
+        return _binary_partials(g, op, node, x, g.b[node])
+    return (_unary_derivative(g, op, node, x),)
+
+
+def _unary_derivative(g: Graph, op: str, node: Node, x: Node) -> Node:
+    if op == "sin":
+        return g.function("cos", x)
+    if op == "cos":
+        return g.neg(g.function("sin", x))
+    if op == "asin":
+        return g.inverse(g.function("sqrt", g.sub(g.one, g.power(x, 2))))
+    if op == "acos":
+        return g.neg(g.inverse(g.function("sqrt", g.sub(g.one, g.power(x, 2)))))
+    if op == "atan":
+        return g.inverse(g.add(g.one, g.power(x, 2)))
+    if op == "sinh":
+        return g.function("cosh", x)
+    if op == "cosh":
+        return g.function("sinh", x)
+    if op == "tanh":
+        return g.sub(g.one, g.power(node, 2))
+    if op == "exp":
+        return node
+    if op == "log":
+        return g.inverse(x)
+    if op == "sqrt":
+        return g.inverse(g.mul(g.number(2), node))
+    if op == "abs":
+        return g.function("sign", x)
+    if op == "sign":  # zero almost everywhere
+        return g.zero
+    raise ValueError(f"no derivative is known for `{op}`")
+
+
+def _binary_partials(g: Graph, op: str, node: Node, x: Node, y: Node) -> tuple[Node, Node]:
+    if op == "atan2":  # atan2(x, y) = angle of (y, x)
+        inverse = g.inverse(g.add(g.power(x, 2), g.power(y, 2)))
+        return g.mul(y, inverse), g.neg(g.mul(x, inverse))
+    if op == "powf":
+        slope = g.mul(y, g.function("powf", x, g.sub(y, g.one)))
+        growth = g.zero if g.value(y) is not None else g.mul(node, g.function("log", x))
+        return slope, growth
+    # min and max: one half of 1 + sign, almost everywhere
+    half_sign = g.function("sign", g.sub(x, y))
+    up = g.div(g.add(g.one, half_sign), g.number(2))
+    down = g.div(g.sub(g.one, half_sign), g.number(2))
+    return (up, down) if op == "max" else (down, up)
+
+
+def tangent(graph: Graph, roots: Sequence[Node], seeds: Mapping[Node, Node]) -> list[Node]:
+    """Directional derivatives of the roots along the vector whose components are the seeds (symbol -> component)."""
+    mask = graph.mask(tuple(seeds))
+    dot: dict[Node, Node] = {symbol: value for symbol, value in seeds.items() if value != graph.zero}
+    for node in reachable(graph, roots, mask):
+        if node in seeds:
+            continue
+        terms = graph.zero
+        children = graph.children(node)
+        if any(c in dot for c in children):
+            for child, partial in zip(children, partials(graph, node), strict=True):
+                if child in dot:
+                    terms = graph.add(terms, graph.mul(partial, dot[child]))
+        if terms != graph.zero:
+            dot[node] = terms
+    return [dot.get(root, graph.zero) for root in roots]
+
+
+def gradient(graph: Graph, root: Node, wrt: Sequence[Node]) -> list[Node]:
+    """d root / d symbol for each symbol, by one reverse sweep."""
+    return pullback_gradient(graph, [(root, graph.one)], wrt)
+
+
+def pullback_gradient(graph: Graph, weighted: Sequence[tuple[Node, Node]], wrt: Sequence[Node]) -> list[Node]:
+    """sum of weight_k * d root_k / d symbol for each symbol, by one reverse sweep (weights are not differentiated)."""
+    mask = graph.mask(wrt)
+    bar: dict[Node, Node] = {}
+    for root, weight in weighted:
+        bar[root] = graph.add(bar.get(root, graph.zero), weight)
+    for node in reversed(reachable(graph, [root for root, _ in weighted], mask)):
+        seed = bar.get(node, graph.zero)
+        if seed == graph.zero:
+            continue
+        children = graph.children(node)
+        if not children:
+            continue
+        for child, partial in zip(children, partials(graph, node), strict=True):
+            if graph.deps[child] & mask:
+                bar[child] = graph.add(bar.get(child, graph.zero), graph.mul(seed, partial))
+    return [bar.get(symbol, graph.zero) for symbol in wrt]
+
+
+def derivative(graph: Graph, root: Node, symbol: Node) -> Node:
+    return tangent(graph, [root], {symbol: graph.one})[0]
+
+
+def count(graph: Graph, roots: Sequence[Node]) -> int:
+    """Operations that the shared roots cost; leaves and signs are free."""
+    return sum(1 for n in reachable(graph, roots) if graph.children(n) and graph.op[n] != NEG)

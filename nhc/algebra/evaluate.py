@@ -1,0 +1,86 @@
+"""Evaluation of nodes in floats and, through any object with the same functions, in other arithmetics (mpmath)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from nhc.algebra.calculus import reachable
+from nhc.algebra.graph import ADD, MUL, NEG, NUM, PI, POW, SYM, Graph, Node
+
+
+class Floats:
+    """Double precision by the standard library; IEEE results where ``math`` would raise."""
+
+    pi = math.pi
+    sin, cos, asin, acos, atan, atan2 = math.sin, math.cos, math.asin, math.acos, math.atan, math.atan2
+    sinh, cosh, tanh, exp, log, sqrt = math.sinh, math.cosh, math.tanh, math.exp, math.log, math.sqrt
+
+    @staticmethod
+    def number(numerator: int, denominator: int) -> float:
+        return numerator / denominator
+
+
+class Mpmath:
+    """mpmath at its current precision (``mpmath.workdps``)."""
+
+    def __init__(self) -> None:
+        import mpmath
+
+        self._mp = mpmath.mp
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._mp, {"asin": "asin", "acos": "acos", "atan": "atan"}.get(name, name))
+
+    def number(self, numerator: int, denominator: int) -> Any:
+        return self._mp.mpf(numerator) / denominator
+
+
+def evaluate(graph: Graph, roots: Sequence[Node], values: Mapping[Node, Any], arithmetic: Any = Floats) -> list[Any]:
+    """Values of the roots; ``values`` gives each symbol one.
+
+    Raises:
+        KeyError: a symbol without a value.
+        ArithmeticError, ValueError: a pole, or a function outside its domain.
+    """
+    known: dict[Node, Any] = dict(values)
+    for node in reachable(graph, roots):
+        if node in known:
+            continue
+        op, a, b = graph.op[node], graph.a[node], graph.b[node]
+        if op == ADD:
+            known[node] = known[a] + known[b]
+        elif op == MUL:
+            known[node] = known[a] * known[b]
+        elif op == NEG:
+            known[node] = -known[a]
+        elif op == POW:
+            known[node] = known[a] ** b
+        elif op == NUM:
+            value = graph.value(node)
+            assert value is not None
+            known[node] = arithmetic.number(value.numerator, value.denominator)
+        elif op == PI:
+            known[node] = +arithmetic.pi
+        elif op == SYM:
+            raise KeyError(graph.symbols[a].name)
+        else:
+            known[node] = _apply(arithmetic, op, *(known[c] for c in graph.children(node)))
+    return [known[root] for root in roots]
+
+
+def _apply(arithmetic: Any, op: str, x: Any, y: Any = None) -> Any:
+    if op == "abs":
+        return abs(x)
+    if op == "sign":
+        return (x > 0) - (x < 0)
+    if op == "min":
+        return min(x, y)
+    if op == "max":
+        return max(x, y)
+    if op == "powf":
+        return x**y
+    if y is not None:
+        return getattr(arithmetic, op)(x, y)
+    return getattr(arithmetic, op)(x)

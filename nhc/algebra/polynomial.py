@@ -1,0 +1,246 @@
+"""Canonical Laurent polynomials over the graph: what is small enough is brought to one form modulo sin^2 + cos^2 = 1.
+
+A monomial is a tuple of (node, exponent) pairs in increasing order of node, a polynomial maps monomials to rationals.  An atom is
+whatever is not a sum, product or integer power (symbols, sin, sqrt, reciprocals of sums).  Everything is bounded by ``limit``
+terms: what would grow past it raises :class:`TooLarge` and the caller keeps the graph's own form.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from fractions import Fraction
+
+from nhc.algebra.calculus import reachable
+from nhc.algebra.graph import ADD, MUL, NEG, NUM, POW, Graph, Node
+
+Monomial = tuple[tuple[Node, int], ...]
+Polynomial = dict[Monomial, Fraction]
+
+ONE: Monomial = ()
+
+
+class TooLarge(Exception):
+    """The canonical form has more terms than allowed."""
+
+
+def polynomial(graph: Graph, node: Node, limit: int = 300, circle: bool = True) -> Polynomial:
+    """The node as a canonical polynomial; with ``circle``, cos^2 is written 1 - sin^2."""
+    return _Expander(graph, limit, circle).expand([node])[0]
+
+
+class _Expander:
+    def __init__(self, graph: Graph, limit: int, circle: bool) -> None:
+        self.graph, self.limit, self.circle = graph, limit, circle
+        self.memo: dict[Node, Polynomial] = {}
+
+    def expand(self, roots: Iterable[Node]) -> list[Polynomial]:
+        roots = list(roots)
+        for node in reachable(self.graph, roots):
+            if node not in self.memo:
+                self.memo[node] = self._expand_one(node)
+        return [self.memo[root] for root in roots]
+
+    def _expand_one(self, node: Node) -> Polynomial:
+        g, op = self.graph, self.graph.op[node]
+        if op == NUM:
+            value = g.value(node)
+            return {ONE: value} if value else {}
+        if op == ADD:
+            return self._bounded(_add(self.memo[g.a[node]], self.memo[g.b[node]]))
+        if op == NEG:
+            return {m: -c for m, c in self.memo[g.a[node]].items()}
+        if op == MUL:
+            return self._times(self.memo[g.a[node]], self.memo[g.b[node]])
+        if op == POW:
+            return self._power(node, g.a[node], g.b[node])
+        return {((node, 1),): Fraction(1)}
+
+    def _power(self, node: Node, base: Node, n: int) -> Polynomial:
+        inner = self.memo[base]
+        if n < 0:
+            if len(inner) == 1:
+                ((monomial, c),) = inner.items()
+                return {tuple((f, e * n) for f, e in monomial): c**n}
+            inverse = node if n == -1 else self.graph.power(base, -1)
+            return {((inverse, -n),): Fraction(1)}
+        result = {ONE: Fraction(1)}
+        for _ in range(n):
+            result = self._times(result, inner)
+        return result
+
+    def _times(self, p: Polynomial, q: Polynomial) -> Polynomial:
+        if len(p) * len(q) > 40 * self.limit:
+            raise TooLarge
+        result: Polynomial = {}
+        for m1, c1 in p.items():
+            for m2, c2 in q.items():
+                m = _merge(m1, m2)
+                c = result.get(m, Fraction(0)) + c1 * c2
+                if c:
+                    result[m] = c
+                else:
+                    result.pop(m, None)
+        if self.circle:
+            result = self._reduce(result)
+        return self._bounded(result)
+
+    def _reduce(self, p: Polynomial) -> Polynomial:
+        """cos^2 -> 1 - sin^2, until no square of a cosine is left."""
+        g = self.graph
+        pending, done = list(p.items()), Polynomial()
+        while pending:
+            monomial, c = pending.pop()
+            for k, (factor, e) in enumerate(monomial):
+                if e >= 2 and g.op[factor] == "cos":
+                    rest = monomial[:k] + (((factor, e - 2),) if e > 2 else ()) + monomial[k + 1 :]
+                    sine = g.function("sin", g.a[factor])
+                    pending.append((rest, c))
+                    pending.append((_merge(rest, ((sine, 2),)), -c))
+                    break
+            else:
+                c += done.get(monomial, Fraction(0))
+                if c:
+                    done[monomial] = c
+                else:
+                    done.pop(monomial, None)
+        return done
+
+    def _bounded(self, p: Polynomial) -> Polynomial:
+        if len(p) > self.limit:
+            raise TooLarge
+        return p
+
+
+def _add(p: Polynomial, q: Polynomial) -> Polynomial:
+    result = dict(p)
+    for m, c in q.items():
+        c += result.get(m, Fraction(0))
+        if c:
+            result[m] = c
+        else:
+            result.pop(m, None)
+    return result
+
+
+def _merge(m1: Monomial, m2: Monomial) -> Monomial:
+    if not m1:
+        return m2
+    if not m2:
+        return m1
+    exponents = dict(m1)
+    for factor, e in m2:
+        e += exponents.get(factor, 0)
+        if e:
+            exponents[factor] = e
+        else:
+            exponents.pop(factor, None)
+    return tuple(sorted(exponents.items()))
+
+
+# --- back to the graph, factored --------------------------------------------------------------------------
+
+
+def to_node(graph: Graph, p: Polynomial) -> Node:
+    """A short expression for the polynomial: common factors out first, sums of squares of sin and cos as 1."""
+    if not p:
+        return graph.zero
+    shortest = p
+    for _ in range(6):  # sin^2 -> 1 - cos^2 where that leaves fewer terms
+        candidate = _swap_sines(graph, shortest)
+        if candidate is None:
+            break
+        shortest = candidate
+    return _horner(graph, shortest)
+
+
+def _swap_sines(graph: Graph, p: Polynomial) -> Polynomial | None:
+    """The polynomial with one angle's sin^2 written 1 - cos^2, if that has fewer terms."""
+    sines = sorted({f for m in p for f, e in m if e >= 2 and graph.op[f] == "sin"})
+    for sine in sines:
+        cosine = graph.function("cos", graph.a[sine])
+        result: Polynomial = {}
+        for monomial, c in p.items():
+            exponents = dict(monomial)
+            e = exponents.get(sine, 0)
+            if e < 2:
+                result = _add(result, {monomial: c})
+                continue
+            exponents[sine] = e - 2
+            rest = tuple(sorted((f, k) for f, k in exponents.items() if k))
+            result = _add(result, {rest: c})
+            result = _add(result, {_merge(rest, ((cosine, 2),)): -c})
+        if len(result) < len(p):
+            return result
+    return None
+
+
+def _horner(graph: Graph, p: Polynomial) -> Node:
+    common = _common(p)
+    if common:
+        rest = {_divide(m, common): c for m, c in p.items()}
+        return graph.mul(_monomial(graph, common, Fraction(1)), _horner(graph, rest))
+    if len(p) == 1:
+        ((m, c),) = p.items()
+        return _monomial(graph, m, c)
+    factor = _most_frequent(p)
+    if factor is None:
+        return graph.sum([_monomial(graph, m, c) for m, c in sorted(p.items())])
+    inside = {m: c for m, c in p.items() if any(f == factor[0] and e * factor[1] > 0 for f, e in m)}
+    outside = {m: c for m, c in p.items() if m not in inside}
+    return graph.add(_horner(graph, inside), _horner(graph, outside))
+
+
+def _common(p: Polynomial) -> Monomial:
+    """The largest monomial that divides every term."""
+    if len(p) < 2:
+        return ONE
+    first, *others = p
+    exponents = dict(first)
+    for m in others:
+        own = dict(m)
+        for f in list(exponents):
+            a, b = exponents[f], own.get(f, 0)
+            e = min(a, b) if a > 0 and b > 0 else max(a, b) if a < 0 and b < 0 else 0
+            if e:
+                exponents[f] = e
+            else:
+                del exponents[f]
+    return tuple(sorted(exponents.items()))
+
+
+def _divide(m: Monomial, by: Monomial) -> Monomial:
+    return _merge(m, tuple((f, -e) for f, e in by))
+
+
+def _most_frequent(p: Polynomial) -> tuple[Node, int] | None:
+    seen: dict[tuple[Node, int], int] = {}
+    for m in p:
+        for f, e in m:
+            key = (f, 1 if e > 0 else -1)
+            seen[key] = seen.get(key, 0) + 1
+    best = max(seen, key=lambda key: (seen[key], -key[0], key[1]), default=None)
+    return best if best is not None and seen[best] > 1 else None
+
+
+def _monomial(graph: Graph, m: Monomial, c: Fraction) -> Node:
+    top = graph.product([graph.power(f, e) for f, e in m if e > 0])
+    bottom = graph.product([graph.power(f, -e) for f, e in m if e < 0])
+    result = graph.mul(graph.number(abs(c)), top)
+    if bottom != graph.one:
+        result = graph.div(result, bottom)
+    return graph.neg(result) if c < 0 else result
+
+
+def normalise(graph: Graph, node: Node, limit: int = 300) -> Node:
+    """The node in canonical short form, or the node itself where that would be longer than ``limit`` terms."""
+    try:
+        p = polynomial(graph, node, limit)
+    except TooLarge:
+        return node
+    return to_node(graph, p)
+
+
+def shortest(graph: Graph, node: Node, cost: Callable[[Node], int], limit: int = 300) -> Node:
+    """The cheaper of the node and its canonical form."""
+    candidate = normalise(graph, node, limit)
+    return candidate if cost(candidate) < cost(node) else node

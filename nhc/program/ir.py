@@ -1,0 +1,222 @@
+"""The intermediate representation that every emitter prints.
+
+Supported: straight-line functions over scalars; loads, lets, guards, dense solves, stores, one scalar result.
+Not supported, on purpose: loops, branches, arrays as values, calls between functions, side effects.
+
+Names in the IR are identifiers over ``[A-Za-z0-9_]``, unique in their function; a language's own reserved words
+are that language's affair (``emit/<language>/names.py``).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from fractions import Fraction
+
+# --- expressions -----------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True)
+class Number:
+    """An exact rational; the printer rounds it once, to the nearest double."""
+
+    value: Fraction
+
+
+@dataclass(frozen=True, slots=True)
+class Pi:
+    """The circle's number."""
+
+
+@dataclass(frozen=True, slots=True)
+class Ref:
+    """A name that an earlier Load, Let or Solve of the same function has bound."""
+
+    name: str
+
+
+@dataclass(frozen=True, slots=True)
+class Negate:
+    operand: Expr
+
+
+@dataclass(frozen=True, slots=True)
+class Binary:
+    """``op`` is one of ``+ - * /``."""
+
+    op: str
+    left: Expr
+    right: Expr
+
+
+@dataclass(frozen=True, slots=True)
+class Power:
+    """An integer power with ``exponent >= 2`` that was not worth unrolling, or a negative one."""
+
+    base: Expr
+    exponent: int
+
+
+@dataclass(frozen=True, slots=True)
+class Call:
+    """A function of the language: sin cos tan asin acos atan atan2 sinh cosh tanh exp log sqrt abs sign min max,
+    and ``pow`` (a power whose exponent is no integer)."""
+
+    function: str
+    arguments: tuple[Expr, ...]
+
+
+Expr = Number | Pi | Ref | Negate | Binary | Power | Call
+
+# --- statements ------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True)
+class Origin:
+    """Where a statement comes from: the number of the equation and the place in the spec."""
+
+    equation: str = ""  # "I.2.15"
+    place: str = ""  # "chaplygin_sleigh.yaml:14:4"
+
+
+@dataclass(frozen=True, slots=True)
+class Section:
+    """A comment that heads the statements after it, e.g. "parameters only"."""
+
+    title: str
+    origin: Origin = Origin()
+
+
+@dataclass(frozen=True, slots=True)
+class Load:
+    """``name = array[index]``; for ``t``, ``array`` is "t" and ``index`` is -1 (a scalar argument)."""
+
+    name: str
+    array: str
+    index: int
+    about: str = ""  # "theta [rad]"
+
+
+@dataclass(frozen=True, slots=True)
+class Let:
+    name: str
+    value: Expr
+    origin: Origin = Origin()
+
+
+@dataclass(frozen=True, slots=True)
+class Guard:
+    """Leave with the nonzero status ``status`` unless ``|value| > tolerance * scale`` (so a NaN leaves too)."""
+
+    value: Expr
+    scale: Expr
+    tolerance: float
+    status: int
+    what: str  # "the block of dependent velocities (y) is singular"
+
+
+@dataclass(frozen=True, slots=True)
+class Solve:
+    """Dense ``matrix @ x = column`` for each column, by elimination with row pivoting; ``names[c][i]`` binds x_i of column c.
+
+    Leaves with ``status`` when a pivot is no larger than ``tolerance`` times the largest entry of its row of the matrix.
+    ``matrix[i][j]`` and ``columns[c][i]`` are expressions (often Number(0)).
+    """
+
+    matrix: tuple[tuple[Expr, ...], ...]
+    columns: tuple[tuple[Expr, ...], ...]
+    names: tuple[tuple[str, ...], ...]
+    tolerance: float
+    status: int
+    what: str
+
+
+@dataclass(frozen=True, slots=True)
+class Store:
+    """``array[index] = value``."""
+
+    array: str
+    index: int
+    value: Expr
+    about: str = ""  # "theta''"
+    origin: Origin = Origin()
+
+
+@dataclass(frozen=True, slots=True)
+class Result:
+    """The scalar value of a function that returns one (energy)."""
+
+    value: Expr
+    origin: Origin = Origin()
+
+
+Statement = Section | Load | Let | Guard | Solve | Store | Result
+
+
+@dataclass(frozen=True, slots=True)
+class Argument:
+    """``t`` has no size; others are arrays of ``size`` doubles."""
+
+    name: str
+    size: int  # -1 for a scalar
+
+
+@dataclass(frozen=True, slots=True)
+class Function:
+    """``name`` without the system's prefix: rhs, velocities, ...
+
+    ``output`` is the array that Stores write (None: a scalar Result). ``finite`` says that the emitter must leave with a nonzero
+    status when an output is not finite (every function that can meet a singular point of the spec's own expressions).
+    """
+
+    name: str
+    about: str
+    inputs: tuple[Argument, ...]
+    output: Argument | None
+    body: tuple[Statement, ...]
+    equation: str = ""
+    adds: int = 0
+    multiplications: int = 0
+    divisions: int = 0
+    calls: int = 0
+
+
+@dataclass(frozen=True, slots=True)
+class Quantity:
+    """A name of the spec with what is known of it."""
+
+    name: str  # as the spec writes it (Greek folded): "theta", "theta'", "v"
+    identifier: str  # over [A-Za-z0-9_]: "theta", "theta_dot", "v"
+    unit: str = ""
+    about: str = ""
+    default: Fraction | float | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class SceneData:
+    """What a driver needs: a consistent start. ``y`` and ``p`` are doubles in the program's order."""
+
+    name: str
+    about: str
+    y: tuple[float, ...]
+    p: tuple[float, ...]
+    time: tuple[float, float]
+    need: tuple[str, ...]
+    tolerance: float
+
+
+@dataclass(frozen=True, slots=True)
+class Program:
+    system: str
+    about: str
+    source: str  # the spec's file name, no folder
+    formulation: str
+    equation: str  # the equations of motion's number, "I.2.15"
+    reason: str  # why this formulation
+    coordinates: tuple[Quantity, ...]
+    state: tuple[Quantity, ...]
+    parameters: tuple[Quantity, ...]
+    constraints: tuple[Quantity, ...]
+    outputs: tuple[Quantity, ...]
+    functions: tuple[Function, ...]
+    scenes: tuple[SceneData, ...] = ()
+    notes: tuple[str, ...] = field(default=())
