@@ -1,7 +1,7 @@
 """nhc compiles a description of a mechanical system with nonholonomic constraints into its equations of motion.
 
-The two functions here are the whole of the public interface for Python; they import what they need when they are called, so that
-``import nhc`` costs nothing.
+The two functions here are the whole of the public interface for Python; they import what they need when they are called,
+so that ``import nhc`` costs nothing.
 """
 
 from __future__ import annotations
@@ -37,9 +37,11 @@ def compile(
     driver: bool = False,
     array: str = "",
 ) -> dict[str, str]:
-    """Compile the spec at ``path`` into ``language`` (c, python, latex): file names with their texts, nothing is written.
+    """Compile the spec at ``path`` into ``language`` (c, python, latex) and return file names with their texts.
 
-    The options are those of ``nhc emit``; empty ones leave the choice to the spec.
+    Nothing is written.  The options are those of ``nhc emit``; empty ones leave the choice to the spec.
+
+    Raises ``nhc.diagnostics.SpecError`` as ``load`` does, and for options that do not fit the spec.
     """
     from nhc.language import read
     from nhc.pipeline import Options, emit

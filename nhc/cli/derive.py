@@ -1,0 +1,49 @@
+"""``nhc derive``: the equations, to read."""
+
+from __future__ import annotations
+
+import click
+
+from nhc.cli.options import explain_option, formulation_option, output_option, spec_argument
+from nhc.cli.specs import open_spec
+from nhc.cli.terminal import Failure
+from nhc.cli.write import deliver
+
+
+@click.command("derive")
+@spec_argument
+@formulation_option
+@click.option("--to", type=click.Choice(["text", "latex", "json"]), default="text", show_default=True)
+@explain_option
+@click.option("--scene", metavar="NAME", default="", help="Take the parameters of this scene.")
+@click.option("--dump", metavar="STAGE", help="Print what a stage of the compiler hands on, in place of the equations.")
+@output_option
+@click.option("--force", is_flag=True, help="Replace the file after `-o` when it exists.")
+def command(
+    spec: str,
+    formulation: str | None,
+    to: str,
+    explain: bool,
+    scene: str,
+    dump: str | None,
+    output: str | None,
+    force: bool,
+) -> int:
+    """Derive the equations of motion.
+
+    Prints the derivation of SPEC: the data, the 2-form, the equations of motion, each with its number in the thesis.
+    """
+    source = open_spec(spec)
+    from nhc import pipeline
+
+    options = pipeline.Options(formulation=formulation or "", scene=scene, to=to, explain=explain)
+    if dump is None:
+        text = pipeline.derive(source, options)
+    else:
+        stages = {stage.name: stage.about for stage in pipeline.STAGES}
+        if dump not in stages:
+            lines = [f"{name}: {about}" for name, about in stages.items()]
+            raise Failure(f"no stage `{dump}`; the stages are {', '.join(stages)}", lines, "E0502")
+        text = pipeline.dump(source, dump, options)
+    deliver(text, output, force=force)
+    return 0

@@ -1,0 +1,94 @@
+"""``nhc doctor``: what is there, and what is missing for which verb."""
+
+from __future__ import annotations
+
+import os
+import platform
+import shutil
+import subprocess
+import sys
+from importlib.metadata import PackageNotFoundError, version
+from pathlib import Path
+
+import click
+
+from nhc.cli.options import json_option
+from nhc.cli.specs import gallery_paths
+from nhc.cli.terminal import Exit, put, put_json
+from nhc.version import __version__
+
+REQUIRED = ("sympy", "click", "pyyaml", "jinja2")
+EXTRAS = {
+    "sim": ("numpy", "scipy"),
+    "plot": ("matplotlib",),
+    "reference": ("heyoka",),
+    "sundials": ("scikit-sundae",),
+    "bench": ("pydy", "casadi", "symengine"),
+}
+TOOLS = {"cc": "compiles emitted C", "clang": "a second opinion on emitted C", "pdflatex": "typesets emitted LaTeX"}
+
+Row = tuple[str, bool, str]  # name, found, detail
+
+
+@click.command("doctor")
+@json_option
+def command(as_json: bool) -> int:
+    """Say what nhc finds on this machine.
+
+    The exit code is 1 when something is missing that nhc cannot do without.
+    """
+    needed = [
+        ("python", True, f"{platform.python_version()} ({sys.executable})"),
+        *map(_package, REQUIRED),
+        *_folders(),
+    ]
+    optional = [_tool(name, purpose) for name, purpose in TOOLS.items()]
+    optional += [(f"{extra}: {row[0]}", *row[1:]) for extra, names in EXTRAS.items() for row in map(_package, names)]
+    well = all(found for _, found, _ in needed)
+    if as_json:
+        rows = {"needed": needed, "optional": optional}
+        tree = {key: [{"name": n, "found": f, "detail": d} for n, f, d in value] for key, value in rows.items()}
+        put_json("nhc.doctor/1", {"ok": well, **tree})
+    else:
+        put(f"nhc {__version__}")
+        for title, rows_ in (("needed", needed), ("optional", optional)):
+            put(f"\n{title}")
+            width = max(len(name) for name, _, _ in rows_)
+            for name, found, detail in rows_:
+                put(f"  {'ok     ' if found else 'missing'}  {name:<{width}}  {detail}".rstrip())
+    return Exit.DONE if well else Exit.FAILED
+
+
+def _package(name: str) -> Row:
+    try:
+        return name, True, version(name)
+    except PackageNotFoundError:
+        return name, False, ""
+
+
+def _folders() -> list[Row]:
+    from nhc.resources import specs_dir, templates_dir
+
+    folders: list[Row] = []
+    for name, find in (("templates", templates_dir), ("specs", specs_dir)):
+        try:
+            folder: Path = find()
+        except FileNotFoundError as error:
+            folders.append((name, False, str(error)))
+            continue
+        detail = f"{folder} ({len(gallery_paths())} specs)" if name == "specs" else str(folder)
+        folders.append((name, folder.is_dir(), detail))
+    return folders
+
+
+def _tool(name: str, purpose: str) -> Row:
+    """Find a program and the first line in which it names its version; ``CC`` takes the place of ``cc``."""
+    wanted = (os.environ.get("CC") or name) if name == "cc" else name
+    path = shutil.which(wanted)
+    if path is None:
+        return name, False, f"{purpose}; no `{wanted}` on the path"
+    try:
+        done = subprocess.run([path, "--version"], capture_output=True, text=True, timeout=20, check=False)
+    except (OSError, subprocess.TimeoutExpired):
+        return name, False, f"{path} does not run"
+    return name, True, (done.stdout.splitlines() or [path])[0]

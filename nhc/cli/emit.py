@@ -1,0 +1,87 @@
+"""``nhc emit``: the equations, to compile and to run."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+
+import click
+
+from nhc.cli.options import formulation_option, spec_argument
+from nhc.cli.specs import open_spec
+from nhc.cli.terminal import Failure, put
+from nhc.cli.write import compare_files, place_files, refuse_to_overwrite, write_files
+
+
+def _split(context: click.Context, parameter: click.Parameter, value: str | None) -> tuple[str, ...]:
+    return tuple(name.strip() for name in (value or "").split(",") if name.strip())
+
+
+@click.command("emit")
+@spec_argument
+@click.option("--lang", "-l", "language", type=click.Choice(["c", "python", "latex"]), required=True)
+@click.option("-o", "output", metavar="DIR|FILE", help="Where to write; default: the current folder, `-`: stdout.")
+@click.option(
+    "--stdout", "to_stdout", is_flag=True, help="Write to stdout; each of several files under a line with its name."
+)
+@formulation_option
+@click.option("--scene", metavar="NAME", default="", help="Emit for this scene: its parameters, and what it needs.")
+@click.option("--only", metavar="A,B", callback=_split, help="Emit only these functions, such as rhs,energy.")
+@click.option("--driver", is_flag=True, help="With C: add a main() that integrates a scene and prints CSV.")
+@click.option("--array", type=click.Choice(["numpy", "jax"]), help="With Python: functions that broadcast over arrays.")
+@click.option("--check", "compare", is_flag=True, help="Write nothing; exit with 1 when the files differ.")
+@click.option("--force", is_flag=True, help="Overwrite files that were edited by hand.")
+def command(
+    spec: str,
+    language: str,
+    output: str | None,
+    to_stdout: bool,
+    formulation: str | None,
+    scene: str,
+    only: tuple[str, ...],
+    driver: bool,
+    array: str | None,
+    compare: bool,
+    force: bool,
+) -> int:
+    """Write the equations as C, Python or LaTeX.
+
+    The files of SPEC carry its name; the paths that were written are said on stderr.
+    """
+    if driver and language != "c":
+        raise click.UsageError(f"`--driver` is for `--lang c`, not for {language}")
+    if array and language != "python":
+        raise click.UsageError(f"`--array` is for `--lang python`, not for {language}")
+    if to_stdout and output not in (None, "-"):
+        raise click.UsageError("`--stdout` and `-o` exclude one another")
+    if compare and (to_stdout or output == "-"):
+        raise click.UsageError("`--check` compares with files; stdout holds none")
+    source = open_spec(spec)
+    from nhc.pipeline import Options, emit
+
+    options = Options(formulation=formulation or "", scene=scene, only=only, driver=driver, array=array or "")
+    files = emit(source, language, options)
+    if to_stdout or output == "-":
+        _print(files, titled=to_stdout)
+        return 0
+    placed = place_files(files, output)
+    if compare:
+        return compare_files(placed)
+    if not force:
+        refuse_to_overwrite(placed)
+    write_files(placed)
+    return 0
+
+
+def _print(files: Mapping[str, str], *, titled: bool) -> None:
+    """Put one file to stdout as it is; several need titles, as ``head`` prints them."""
+    if len(files) == 1:
+        put(next(iter(files.values())))
+        return
+    if not titled:
+        names = ", ".join(Path(name).name for name in files)
+        advice = ["name a folder after `-o`, or give `--stdout` to see all of them with their names"]
+        raise Failure(f"{len(files)} files ({names}) do not go to one stdout", advice)
+    for name, text in files.items():
+        put(f"==> {name} <==")
+        put(text)

@@ -1,0 +1,116 @@
+"""``nhc`` itself: the table of verbs, and the one place where exceptions become exit codes."""
+
+from __future__ import annotations
+
+import os
+import sys
+import traceback
+from collections.abc import Sequence
+from difflib import get_close_matches
+from importlib import import_module
+
+import click
+
+from nhc.cli.terminal import Exit, Failure, say, set_up_streams, silence_streams, wants_colour
+from nhc.version import __version__
+
+# Each verb is the command `command` in the module of the same name; the line here is the first of its help text (tests
+# hold them equal), so that `nhc --help` imports none of them.
+VERBS = {
+    "new": "Write a first spec to start from.",
+    "check": "Check specs and say what was found.",
+    "derive": "Derive the equations of motion.",
+    "emit": "Write the equations as C, Python or LaTeX.",
+    "gallery": "List the specs that come with nhc, print or copy one.",
+    "explain": "Explain a diagnostic code or an equation number.",
+    "cite": "List the literature behind a spec and its equations.",
+    "schema": "Print the JSON Schema of the spec language.",
+    "doctor": "Say what nhc finds on this machine.",
+}
+
+
+class LazyGroup(click.Group):
+    """A group that imports the module of a verb when the verb is used."""
+
+    def list_commands(self, ctx: click.Context) -> list[str]:
+        """Return the verbs in the order in which a user meets them."""
+        return list(VERBS)
+
+    def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
+        """Import and return one verb."""
+        if cmd_name not in VERBS:
+            return None
+        command = import_module(f"nhc.cli.{cmd_name}").command
+        assert isinstance(command, click.Command)
+        return command
+
+    def resolve_command(
+        self, ctx: click.Context, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        """Find the verb, or name the nearest one."""
+        verb = args[0]
+        if verb not in VERBS and not verb.startswith("-"):
+            near = get_close_matches(verb, VERBS, n=1)
+            hint = f"did you mean `{near[0]}`?" if near else f"the verbs are {', '.join(VERBS)}"
+            raise click.UsageError(f"no verb `{verb}`; {hint}", ctx)
+        return super().resolve_command(ctx, args)
+
+    def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        """List the verbs from the table."""
+        with formatter.section("Verbs"):
+            formatter.write_dl(list(VERBS.items()))
+
+
+@click.group(cls=LazyGroup, context_settings={"help_option_names": ["-h", "--help"]}, subcommand_metavar="VERB ...")
+@click.version_option(__version__, message="nhc %(version)s")
+def nhc() -> None:
+    """Compile nonholonomic mechanics: one spec in, the equations of motion as LaTeX, C and Python out.
+
+    SPEC is a file, `-` for stdin, or the name of a gallery spec when no such file exists.  The result goes to stdout,
+    all else to stderr.
+
+    Exit codes: 0 done, 1 the spec has errors or a check failed, 2 usage, 3 numerical failure, 70 internal error.
+    """
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run ``nhc`` with ``arguments`` (default: those of the process) and return its exit code."""
+    set_up_streams()
+    try:
+        code = nhc.main(list(sys.argv[1:] if arguments is None else arguments), prog_name="nhc", standalone_mode=False)
+        sys.stdout.flush()
+        return int(code or Exit.DONE)
+    except SystemExit as leave:
+        # click leaves by itself after a shell completion, and with 1 when a pipe breaks inside a verb
+        if leave.code != 1:
+            return int(leave.code or 0)
+        silence_streams()
+        return Exit.BROKEN_PIPE
+    except BrokenPipeError:
+        silence_streams()
+        return Exit.BROKEN_PIPE
+    except click.Abort:
+        return Exit.INTERRUPTED
+    except click.ClickException as error:
+        error.show()
+        return Exit.USAGE
+    except Failure as failure:
+        say(str(failure))
+        return failure.exit
+    except Exception as error:
+        return _report(error)
+
+
+def _report(error: Exception) -> Exit:
+    """Turn any other exception into text: the errors of a spec with their places, a defect of nhc in one line."""
+    from nhc.diagnostics import SpecError, render_text
+
+    if isinstance(error, SpecError):
+        say(render_text(error.source, error.diagnostics, wants_colour(sys.stderr)))
+        return Exit.FAILED
+    if os.environ.get("NHC_DEBUG") == "1":
+        traceback.print_exception(error)
+    text = " ".join(str(error).split())
+    say(f"internal error: {type(error).__name__}: {text}" if text else f"internal error: {type(error).__name__}")
+    say("  = help: this is a defect of nhc, please report it with the spec; NHC_DEBUG=1 shows where it happened")
+    return Exit.INTERNAL

@@ -1,0 +1,45 @@
+"""``nhc explain``: pages on diagnostics and on equations."""
+
+from __future__ import annotations
+
+import click
+from click.shell_completion import CompletionItem
+
+from nhc.cli.terminal import Failure, put
+
+
+def _complete(ctx: click.Context, parameter: click.Parameter, incomplete: str) -> list[CompletionItem]:
+    from nhc.diagnostics import codes
+    from nhc.thesis import EQUATIONS
+
+    return [CompletionItem(name) for name in (*codes(), *EQUATIONS) if name.startswith(incomplete.upper())]
+
+
+@click.command("explain")
+@click.argument("subject", metavar="[CODE|EQUATION]", required=False, shell_complete=_complete)
+def command(subject: str | None) -> int:
+    """Explain a diagnostic code or an equation number.
+
+    CODE is what a message shows in brackets, such as E0302; EQUATION is a number of the thesis, such as I.4.9.
+    Without one, lists all of them.
+    """
+    from nhc.diagnostics import TITLES, nearest, page
+    from nhc.thesis import EQUATIONS, equation_page
+
+    if subject is None:
+        for code, title in TITLES.items():
+            put(f"{code}   {title}")
+        put("")
+        put(f"equations: {', '.join(EQUATIONS)}")
+        return 0
+    code = subject.strip().upper()
+    if code in TITLES:
+        put(page(code))
+        return 0
+    number = next((known for known in EQUATIONS if known.upper() == code.strip("()")), None)
+    if number is None:
+        near = nearest(code, [*TITLES, *EQUATIONS])
+        advice = f"did you mean `{near}`?" if near else "`nhc explain` lists all codes and equations"
+        raise Failure(f"`{subject}` is no diagnostic code and no equation number", [advice])
+    put(equation_page(number))
+    return 0

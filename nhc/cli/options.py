@@ -1,0 +1,23 @@
+"""Arguments and options that several verbs share."""
+
+from __future__ import annotations
+
+import click
+
+from nhc.cli.specs import complete_spec
+
+# the language's own list stands in its JSON Schema; tests hold this one equal to it
+FORMULATIONS = ("auto", "newton", "lagrange", "euler-lagrange", "chaplygin", "voronec", "multipliers")
+
+spec_argument = click.argument("spec", shell_complete=complete_spec)
+specs_argument = click.argument("specs", metavar="SPEC...", nargs=-1, required=True, shell_complete=complete_spec)
+formulation_option = click.option(
+    "--formulation",
+    "-f",
+    type=click.Choice(FORMULATIONS),
+    default=None,
+    help="The formulation to derive, in place of the spec's own.",
+)
+json_option = click.option("--json", "as_json", is_flag=True, help="Print JSON with a versioned schema.")
+explain_option = click.option("--explain", is_flag=True, help="Say what was found out on the way, and why.")
+output_option = click.option("-o", "output", metavar="FILE", help="Write to FILE in place of stdout (`-`).")

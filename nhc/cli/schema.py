@@ -1,0 +1,21 @@
+"""``nhc schema``: what an editor needs to complete a spec."""
+
+from __future__ import annotations
+
+import json
+
+import click
+
+from nhc.cli.options import output_option
+from nhc.cli.write import deliver
+
+
+@click.command("schema")
+@output_option
+@click.option("--force", is_flag=True, help="Replace the file after `-o` when it exists.")
+def command(output: str | None, force: bool) -> int:
+    """Print the JSON Schema of the spec language."""
+    from nhc.language import schema
+
+    deliver(json.dumps(schema(), indent=2, ensure_ascii=False), output, force=force)
+    return 0

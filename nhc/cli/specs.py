@@ -1,0 +1,61 @@
+"""From what a user types for SPEC to the text of a spec."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+from click.shell_completion import CompletionItem
+
+from nhc.cli.terminal import Failure, describe_os_error, say
+
+if TYPE_CHECKING:
+    from nhc.language import Source
+
+
+def gallery_paths() -> dict[str, Path]:
+    """Return the gallery's specs by name, in alphabetical order."""
+    from nhc.resources import specs_dir
+
+    return {path.stem: path for path in sorted(specs_dir().glob("*.yaml"))}
+
+
+def open_spec(spec: str) -> Source:
+    """Return the text of ``spec``: a file, ``-`` for stdin, or the name of a gallery spec when no such file exists."""
+    from nhc.diagnostics import Source
+    from nhc.language import read
+
+    if spec == "-":
+        try:
+            return Source("<stdin>", sys.stdin.buffer.read().decode())
+        except UnicodeDecodeError as error:
+            raise Failure(
+                f"what comes from stdin is not UTF-8: byte {error.start} is no part of a character"
+            ) from error
+    path = Path(spec)
+    if not path.exists():
+        gallery = gallery_paths()
+        if spec not in gallery:
+            raise Failure(f"no file `{spec}`, and no spec of the gallery has that name", _advise(spec, list(gallery)))
+        say(f"no file `{spec}`, taking the spec of that name from the gallery")
+        path = gallery[spec]
+    try:
+        return read(str(path))
+    except OSError as error:
+        raise Failure(f"cannot read `{spec}`: {describe_os_error(error)}") from error
+
+
+def complete_spec(ctx: click.Context, parameter: click.Parameter, incomplete: str) -> list[CompletionItem]:
+    """Offer files and the gallery's names to the shell."""
+    names = [CompletionItem(name) for name in gallery_paths() if incomplete and name.startswith(incomplete)]
+    return [*names, CompletionItem(incomplete, type="file")]
+
+
+def _advise(spec: str, names: list[str]) -> list[str]:
+    from nhc.diagnostics import nearest
+
+    near = nearest(Path(spec).stem, names)
+    advice = [f"did you mean the gallery's `{near}`?"] if near else []
+    return [*advice, "`nhc gallery` lists the gallery, `nhc new NAME` writes a first spec"]

@@ -1,0 +1,82 @@
+"""What the verbs say, where they say it, and with which exit code they end.
+
+The result of a verb goes to stdout, everything else to stderr; colour is used on a terminal only and never under
+``NO_COLOR``.
+"""
+
+from __future__ import annotations
+
+import io
+import json
+import os
+import sys
+from collections.abc import Sequence
+from enum import IntEnum
+from typing import Any, TextIO
+
+from nhc.version import __version__
+
+
+class Exit(IntEnum):
+    """The exit codes of ``nhc``; a script may rely on them."""
+
+    DONE = 0
+    FAILED = 1  # the spec has errors, or a check failed
+    USAGE = 2
+    NUMERICAL = 3
+    INTERNAL = 70  # sysexits' EX_SOFTWARE
+    INTERRUPTED = 130  # 128 + SIGINT, as shells have it
+    BROKEN_PIPE = 141  # 128 + SIGPIPE, as for any program whose reader left
+
+
+class Failure(Exception):
+    """A verb cannot go on for a reason outside the text of a spec: a file that is not there, or must not be replaced."""
+
+    def __init__(self, message: str, help: Sequence[str] = (), code: str = "", exit: Exit = Exit.USAGE) -> None:
+        super().__init__(message)
+        self.message = message
+        self.help = tuple(help)
+        self.code = code
+        self.exit = exit
+
+    def __str__(self) -> str:
+        head = f"error[{self.code}]" if self.code else "error"
+        return "\n".join([f"{head}: {self.message}", *(f"  = help: {line}" for line in self.help)])
+
+
+def put(text: str) -> None:
+    """Write a result to stdout, with a final line break."""
+    sys.stdout.write(text if text.endswith("\n") else text + "\n")
+
+
+def put_json(schema: str, data: dict[str, Any]) -> None:
+    """Write ``data`` to stdout as JSON under a versioned schema name such as ``nhc.check/1``."""
+    put(json.dumps({"schema": schema, "nhc": __version__, **data}, indent=2, ensure_ascii=False))
+
+
+def say(text: str) -> None:
+    """Write a message to stderr."""
+    sys.stderr.write(text if text.endswith("\n") else text + "\n")
+
+
+def wants_colour(stream: TextIO) -> bool:
+    """Say whether ``stream`` is a terminal that takes colour (NO_COLOR set and not empty, or a dumb terminal: no)."""
+    return stream.isatty() and not os.environ.get("NO_COLOR") and os.environ.get("TERM") != "dumb"
+
+
+def set_up_streams() -> None:
+    """Make both streams UTF-8 with plain line feeds: emitted text is the same bytes on a pipe as in a file."""
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(encoding="utf-8", newline="\n", errors="backslashreplace")
+
+
+def silence_streams() -> None:
+    """Point stdout to the null device, so that the interpreter's last flush does not complain about a closed pipe."""
+    if isinstance(sys.stdout, io.TextIOWrapper):
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+
+
+def describe_os_error(error: OSError) -> str:
+    """Return the reason of ``error`` in lower case, without number and path: ``no such file or directory``."""
+    return (error.strerror or str(error)).lower()

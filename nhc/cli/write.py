@@ -1,0 +1,124 @@
+"""Files on disk: all of an emission or nothing, and never over a file that a user has edited."""
+
+from __future__ import annotations
+
+import os
+import shutil
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from pathlib import Path
+
+from nhc.cli.terminal import Exit, Failure, describe_os_error, put, say
+from nhc.stamp import is_untouched
+
+
+def deliver(text: str, output: str | None, *, force: bool = False) -> None:
+    """Give one text to stdout (``output`` None or ``-``) or write it to the file ``output``."""
+    if output is None or output == "-":
+        put(text)
+        return
+    path = Path(output)
+    if path.is_dir():
+        raise Failure(f"`{output}` is a folder", ["name a file after `-o`"])
+    if not force:
+        refuse_to_overwrite({path: text}, edited_only=False)
+    write_files({path: text})
+
+
+def place_files(files: Mapping[str, str], output: str | None) -> dict[Path, str]:
+    """Decide where ``files`` (name -> text) go: into the folder ``output``, by default the current one.
+
+    A single file goes to ``output`` itself when the suffix says that it is such a file.
+    """
+    target = Path(output or ".")
+    if len(files) == 1 and not target.is_dir():
+        ((name, text),) = files.items()
+        if target.suffix == Path(name).suffix:
+            return {target: text}
+    if target.exists() and not target.is_dir():
+        raise Failure(f"`{output}` is a file, but {len(files)} files are to be written", ["name a folder after `-o`"])
+    return {target / name: text for name, text in files.items()}
+
+
+def compare_files(files: Mapping[Path, str]) -> Exit:
+    """Say which of ``files`` are missing or differ on disk; writes nothing."""
+    result = Exit.DONE
+    for path, text in files.items():
+        current = _read(path)
+        if current != text:
+            say(f"{'missing' if current is None else 'differs'}: {path}")
+            result = Exit.FAILED
+    return result
+
+
+def refuse_to_overwrite(files: Mapping[Path, str], *, edited_only: bool = True) -> None:
+    """Raise ``Failure`` when one of ``files`` exists with another text.
+
+    With ``edited_only`` a file that still is as nhc wrote it may go: its stamp fits its text.
+    """
+    for path, text in files.items():
+        current = _read(path)
+        if current is None or current == text or (edited_only and is_untouched(current)):
+            continue
+        reason = "is not as nhc wrote it: someone has edited it" if edited_only else "exists"
+        advice = ["keep your changes under another name, or give `--force` to lose them"]
+        raise Failure(f"`{path}` {reason}", advice, "E0501", Exit.FAILED)
+
+
+def write_files(files: Mapping[Path, str]) -> None:
+    """Write all of ``files`` or none, each by renaming a finished temporary file, and say so on stderr."""
+    changed = {path: text for path, text in files.items() if _read(path) != text}
+    try:
+        with _written_beside(changed) as temporaries:
+            _replace_all(temporaries)
+    except OSError as error:
+        raise Failure(
+            f"cannot write `{error.filename}`: {describe_os_error(error)}", ["nothing was written"]
+        ) from error
+    for path in files:
+        say(f"{'wrote' if path in changed else 'unchanged'} {path}")
+
+
+@contextmanager
+def _written_beside(files: Mapping[Path, str]) -> Iterator[dict[Path, Path]]:
+    """Write each text beside its place and yield temporary -> final; what is left of them at the end is removed."""
+    temporaries: dict[Path, Path] = {}
+    try:
+        for path, text in files.items():
+            final = path.resolve()  # a link stays a link
+            final.parent.mkdir(parents=True, exist_ok=True)
+            temporary = final.with_name(f".{final.name}.{os.getpid()}.tmp")
+            temporaries[temporary] = final
+            temporary.write_bytes(text.encode())
+            if final.exists():
+                shutil.copymode(final, temporary)
+        yield temporaries
+    finally:
+        for temporary in temporaries:
+            temporary.unlink(missing_ok=True)
+
+
+def _replace_all(temporaries: Mapping[Path, Path]) -> None:
+    """Move every temporary to its place; when one cannot move, put the earlier ones back as they were."""
+    before: dict[Path, bytes | None] = {}
+    try:
+        for temporary, final in temporaries.items():
+            before[final] = final.read_bytes() if final.exists() else None
+            os.replace(temporary, final)
+    except OSError:
+        for final, content in before.items():
+            if content is None:
+                final.unlink(missing_ok=True)
+            elif final.is_file():
+                final.write_bytes(content)
+        raise
+
+
+def _read(path: Path) -> str | None:
+    """Return the text of ``path`` with its line ends as they are, None when there is no such file."""
+    try:
+        return path.read_bytes().decode(errors="replace")
+    except FileNotFoundError:
+        return None
+    except OSError as error:
+        raise Failure(f"cannot read `{path}`: {describe_os_error(error)}") from error
