@@ -1,7 +1,7 @@
 """nhc compiles a description of a mechanical system with nonholonomic constraints into its equations of motion.
 
-The two functions here are the whole of the public interface for Python; they import what they need when they are called,
-so that ``import nhc`` costs nothing.
+The two functions here are the whole of the public interface for Python; they import what they need when called, so that
+``import nhc`` costs nothing.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """The mark by which nhc knows its own work: a hash of the text inside the text.
 
-A renderer writes ``PLACEHOLDER`` once into one of the first lines; ``stamp`` replaces its zeros by the hash of everything
-else.  A file whose mark no longer fits its text was edited by hand, and is not overwritten unasked.
+A renderer writes ``PLACEHOLDER`` once into one of the first lines; ``stamp`` replaces its zeros by the hash of all the
+rest.  A file whose mark no longer fits its text was edited by hand, and is not overwritten unasked.
 """
 
 from __future__ import annotations

@@ -1,0 +1,81 @@
+# make demo   derive, emit, compile, run and typeset one system into build/demo
+# make test   every check and every test
+# Both need a Python from 3.11 on, a C compiler and nothing else; what they install goes into .venv.
+
+VENV := .venv
+BIN := $(VENV)/bin
+PIP := $(BIN)/python -m pip --disable-pip-version-check --quiet
+DEMO := build/demo
+SYSTEM := chaplygin_sleigh
+CC ?= cc
+CFLAGS ?= -O2
+CWARN := -std=c99 -Wall -Wextra -Wpedantic -Wconversion -Werror
+
+.DEFAULT_GOAL := help
+.PHONY: help demo test check goldens clean
+
+help:
+	@sed -n 's/^# \(make .*\)/\1/p' Makefile
+	@echo "make check    the lints only"
+	@echo "make goldens  rewrite the expected files of the tests; read the difference before you commit it"
+	@echo "make clean    remove build/"
+
+# A python3 that is on the path need not run (version managers leave such shims): each candidate is tried.
+$(BIN)/python:
+	@for python in $(PYTHON) python3 python3.14 python3.13 python3.12 python3.11; do \
+	    if $$python -c 'import sys; sys.exit(sys.version_info < (3, 11))' >/dev/null 2>&1; then \
+	        echo "making $(VENV) with $$python"; \
+	        $$python -m venv $(VENV) || { rm -rf $(VENV); echo "error: $$python cannot make a virtual environment (on Debian: apt-get install python3-venv)" >&2; exit 1; }; \
+	        exit 0; \
+	    fi; \
+	done; \
+	echo "error: no Python from 3.11 on among python3 and python3.11 ... python3.14; give one with make PYTHON=/path/to/python" >&2; \
+	exit 1
+
+$(VENV)/installed: pyproject.toml | $(BIN)/python
+	@echo "installing nhc into $(VENV)"
+	@$(PIP) install -e .
+	@touch $@
+
+$(VENV)/installed-dev: pyproject.toml | $(BIN)/python
+	@echo "installing nhc and what its tests need into $(VENV)"
+	@$(PIP) install -e '.[dev]'
+	@touch $@ $(VENV)/installed
+
+demo: $(VENV)/installed
+	@command -v $(CC) >/dev/null || { echo "error: no C compiler \`$(CC)\`" >&2; exit 1; }
+	@rm -rf $(DEMO)
+	$(BIN)/nhc check $(SYSTEM)
+	$(BIN)/nhc emit $(SYSTEM) --lang latex -o $(DEMO)
+	$(BIN)/nhc emit $(SYSTEM) --lang c --driver -o $(DEMO)
+	$(BIN)/nhc emit $(SYSTEM) --lang python -o $(DEMO)
+	$(CC) $(CFLAGS) $(CWARN) -o $(DEMO)/$(SYSTEM) $(DEMO)/*.c -lm
+	$(DEMO)/$(SYSTEM) > $(DEMO)/$(SYSTEM).csv
+	@if command -v pdflatex >/dev/null; then \
+	    echo "pdflatex $(SYSTEM).tex"; \
+	    (cd $(DEMO) && for pass in 1 2; do pdflatex -interaction=nonstopmode -halt-on-error $(SYSTEM).tex >pdflatex.log || { tail -n 30 pdflatex.log; exit 1; }; done); \
+	else \
+	    echo "no pdflatex here: $(DEMO)/$(SYSTEM).tex is left to be typeset"; \
+	fi
+	@echo
+	@echo "The sleigh's run, $(DEMO)/$(SYSTEM).csv:"
+	@sed -n '1,2p;$$p' $(DEMO)/$(SYSTEM).csv
+	@echo
+	@echo "Everything stands in $(DEMO):"
+	@ls $(DEMO)
+
+test: check
+	$(BIN)/python -m pytest -n 2
+
+check: $(VENV)/installed-dev
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+	$(BIN)/mypy
+	$(BIN)/lint-imports
+
+goldens: $(VENV)/installed-dev
+	$(BIN)/python -m pytest --update
+	git --no-pager diff --stat -- tests
+
+clean:
+	rm -rf build

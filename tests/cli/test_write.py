@@ -1,0 +1,101 @@
+"""Files on disk: guarded, atomic, all or none."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import pytest
+
+from nhc.cli import write
+from nhc.cli.terminal import Exit, Failure
+from nhc.stamp import PLACEHOLDER, stamp
+
+
+def _emitted(body: str) -> str:
+    return stamp(f"# {PLACEHOLDER}\n{body}\n")
+
+
+def test_several_files_go_into_a_folder_and_one_may_be_named(tmp_path: Path) -> None:
+    two = {"a.h": "", "a.c": ""}
+    assert set(write.place_files(two, None)) == {Path("a.h"), Path("a.c")}
+    assert set(write.place_files(two, str(tmp_path / "new"))) == {tmp_path / "new/a.h", tmp_path / "new/a.c"}
+    assert set(write.place_files({"a.py": ""}, str(tmp_path / "b.py"))) == {tmp_path / "b.py"}
+    assert set(write.place_files({"a.py": ""}, str(tmp_path / "b"))) == {tmp_path / "b/a.py"}
+    (tmp_path / "file").write_text("")
+    with pytest.raises(Failure, match="is a file"):
+        write.place_files(two, str(tmp_path / "file"))
+
+
+def test_own_files_are_replaced_and_edited_ones_are_not(tmp_path: Path) -> None:
+    path = tmp_path / "model.py"
+    path.write_text(_emitted("old"))
+    write.refuse_to_overwrite({path: _emitted("new")})
+    path.write_text(_emitted("old") + "# mine\n")
+    with pytest.raises(Failure, match="edited") as caught:
+        write.refuse_to_overwrite({path: _emitted("new")})
+    assert (caught.value.code, caught.value.exit) == ("E0501", Exit.FAILED)
+    path.write_text("no mark at all")
+    with pytest.raises(Failure, match="E0501"):
+        write.refuse_to_overwrite({path: _emitted("new")})
+    path.write_bytes(b"\xff\xfe no text at all")
+    with pytest.raises(Failure, match="E0501"):
+        write.refuse_to_overwrite({path: _emitted("new")})
+
+
+def test_written_files_have_the_bytes_and_nothing_is_left_beside_them(tmp_path: Path) -> None:
+    files = {tmp_path / "deep/a.c": "θ\n", tmp_path / "deep/a.h": "x"}
+    write.write_files(files)
+    assert {path.name: path.read_bytes() for path in (tmp_path / "deep").iterdir()} == {
+        "a.c": "θ\n".encode(),
+        "a.h": b"x",
+    }
+
+
+def test_unchanged_files_are_not_touched(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = tmp_path / "a.c"
+    path.write_text("same")
+    os.utime(path, (1, 1))
+    write.write_files({path: "same", tmp_path / "b.c": "new"})
+    assert path.stat().st_mtime == 1
+    assert capsys.readouterr().err == f"unchanged {path}\nwrote {tmp_path / 'b.c'}\n"
+
+
+def test_mode_and_link_survive(tmp_path: Path) -> None:
+    real, link = tmp_path / "real.c", tmp_path / "link.c"
+    real.write_text("old")
+    real.chmod(0o640)
+    link.symlink_to(real)
+    write.write_files({link: "new"})
+    assert link.is_symlink()
+    assert real.read_text() == "new"
+    assert real.stat().st_mode & 0o777 == 0o640
+
+
+@pytest.mark.parametrize("failing", [1, 2, 3])
+def test_all_or_none_when_a_rename_fails(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, failing: int) -> None:
+    names = ["a", "b", "c"]
+    (tmp_path / "a").write_text("old a")
+    (tmp_path / "b").write_text("old b")
+    replace, count = os.replace, 0
+
+    def fail_once(source: Path, target: Path) -> None:
+        nonlocal count
+        count += 1
+        if count == failing:
+            raise PermissionError(13, "Permission denied", str(target))
+        replace(source, target)
+
+    monkeypatch.setattr(os, "replace", fail_once)
+    with pytest.raises(Failure, match="cannot write .*permission denied"):
+        write.write_files({tmp_path / name: f"new {name}" for name in names})
+    assert {path.name: path.read_text() for path in tmp_path.iterdir()} == {"a": "old a", "b": "old b"}
+
+
+def test_compare_names_what_is_missing_or_differs(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / "a").write_text("a")
+    (tmp_path / "b").write_text("b")
+    assert write.compare_files({tmp_path / "a": "a"}) == Exit.DONE
+    assert write.compare_files({tmp_path / name: "a" for name in "abc"}) == Exit.FAILED
+    assert capsys.readouterr().err == f"differs: {tmp_path / 'b'}\nmissing: {tmp_path / 'c'}\n"
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["a", "b"]

@@ -1,0 +1,42 @@
+"""Shared by all tests: ``--update`` rewrites expected files, ``golden`` compares with them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parent.parent
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    """Add ``--update``."""
+    parser.addoption("--update", action="store_true", help="rewrite the expected files in place of comparing with them")
+
+
+@pytest.fixture
+def update(request: pytest.FixtureRequest) -> bool:
+    """Whether expected files are to be rewritten."""
+    return bool(request.config.getoption("--update"))
+
+
+@pytest.fixture
+def root() -> Path:
+    """The top of the repository."""
+    return ROOT
+
+
+@pytest.fixture
+def golden(update: bool) -> Callable[[Path, str], None]:
+    """A function ``golden(path, text)`` that compares ``text`` with the expected file, or rewrites it under ``--update``."""
+
+    def compare(path: Path, text: str) -> None:
+        if update:
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_bytes(text.encode())
+            return
+        assert path.is_file(), f"no expected file {path.relative_to(ROOT)}; `pytest --update` writes it"
+        assert text == path.read_bytes().decode(), f"{path.relative_to(ROOT)} differs; `pytest --update` rewrites it"
+
+    return compare
