@@ -29,7 +29,7 @@ def root() -> Path:
 
 @pytest.fixture
 def golden(update: bool) -> Callable[[Path, str], None]:
-    """A function ``golden(path, text)`` that compares ``text`` with the expected file, or rewrites it under ``--update``."""
+    """A function ``golden(path, text)`` that compares ``text`` with a file, or rewrites that under ``--update``."""
 
     def compare(path: Path, text: str) -> None:
         if update:

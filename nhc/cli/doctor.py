@@ -67,10 +67,10 @@ def _package(name: str) -> Row:
 
 
 def _folders() -> list[Row]:
-    from nhc.resources import specs_dir, templates_dir
+    from nhc.resources import find_specs, find_templates
 
     folders: list[Row] = []
-    for name, find in (("templates", templates_dir), ("specs", specs_dir)):
+    for name, find in (("templates", find_templates), ("specs", find_specs)):
         try:
             folder: Path = find()
         except FileNotFoundError as error:

@@ -17,9 +17,9 @@ if TYPE_CHECKING:
 
 def gallery_paths() -> dict[str, Path]:
     """Return the gallery's specs by name, in alphabetical order."""
-    from nhc.resources import specs_dir
+    from nhc.resources import find_specs
 
-    return {path.stem: path for path in sorted(specs_dir().glob("*.yaml"))}
+    return {path.stem: path for path in sorted(find_specs().glob("*.yaml"))}
 
 
 def open_spec(spec: str) -> Source:

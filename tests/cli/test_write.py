@@ -87,7 +87,7 @@ def test_all_or_none_when_a_rename_fails(tmp_path: Path, monkeypatch: pytest.Mon
         replace(source, target)
 
     monkeypatch.setattr(os, "replace", fail_once)
-    with pytest.raises(Failure, match="cannot write .*permission denied"):
+    with pytest.raises(Failure, match=r"cannot write .*permission denied"):
         write.write_files({tmp_path / name: f"new {name}" for name in names})
     assert {path.name: path.read_text() for path in tmp_path.iterdir()} == {"a": "old a", "b": "old b"}
 

@@ -31,7 +31,7 @@ class Step:
 
 
 def parse(text: str) -> tuple[list[Step], tuple[str, ...]]:
-    """Return the steps of a transcript and the lines after the last one; a blank line followed by `$` or `#` ends a step."""
+    """Return the steps of a transcript and the lines after the last one; a line `$` or `#` ends a step."""
     steps: list[Step] = []
     before: list[str] = []
     lines = text.splitlines()
