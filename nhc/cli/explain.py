@@ -24,17 +24,18 @@ def command(subject: str | None) -> int:
     Without one, lists all of them.
     """
     from nhc.diagnostics import TITLES, nearest, page
-    from nhc.thesis import EQUATIONS, equation_page
 
-    if subject is None:
-        for code, title in TITLES.items():
-            put(f"{code}   {title}")
-        put("")
-        put(f"equations: {', '.join(EQUATIONS)}")
-        return 0
-    code = subject.strip().upper()
+    code = (subject or "").strip().upper()
     if code in TITLES:
         put(page(code))
+        return 0
+    from nhc.thesis import EQUATIONS, equation_page
+
+    if not code:
+        for known, title in TITLES.items():
+            put(f"{known}   {title}")
+        put("")
+        put(f"equations: {', '.join(EQUATIONS)}")
         return 0
     number = next((known for known in EQUATIONS if known.upper() == code.strip("()")), None)
     if number is None:

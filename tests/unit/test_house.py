@@ -172,3 +172,18 @@ def test_nothing_is_left_undone() -> None:
     }
     found.pop(Path(__file__).relative_to(ROOT).as_posix(), None)
     assert found == {}
+
+
+def test_links_of_documents_lead_somewhere() -> None:
+    documents = [ROOT / "README.md", ROOT / "CHANGELOG.md", *sorted((ROOT / "docs").rglob("*.md"))]
+    dead, count = [], 0
+    for path in documents:
+        prose = re.sub(r"^```.*?^```$", "", path.read_text(), flags=re.MULTILINE | re.DOTALL)
+        for target in re.findall(r"\]\(([^()\s]+)\)", prose):
+            if re.match(r"[a-z]+:", target):
+                continue
+            count += 1
+            if not (path.parent / target.split("#")[0]).exists():
+                dead.append(f"{path.relative_to(ROOT)}: {target}")
+    assert count > 5
+    assert dead == []

@@ -1,0 +1,160 @@
+"""The table of verbs, and how exceptions become exit codes."""
+
+from __future__ import annotations
+
+import io
+import os
+import signal
+import subprocess
+import sys
+import time
+from importlib import import_module
+from pathlib import Path
+
+import click
+import pytest
+
+from nhc.cli import explain, main
+from nhc.cli.entry import VERBS
+from nhc.cli.terminal import Exit, Failure, wants_colour
+
+MODULES = {path.stem for path in Path(explain.__file__).parent.glob("*.py")}
+HELPERS = {"__init__", "entry", "options", "specs", "terminal", "write"}
+
+
+def test_each_verb_has_its_module() -> None:
+    assert set(VERBS) == MODULES - HELPERS
+
+
+@pytest.mark.parametrize("verb", VERBS)
+def test_the_table_says_what_the_verb_says(verb: str) -> None:
+    command = import_module(f"nhc.cli.{verb}").command
+    assert isinstance(command, click.Command)
+    assert command.name == verb
+    assert (command.help or "").splitlines()[0] == VERBS[verb]
+
+
+@pytest.mark.parametrize("verb", VERBS)
+@pytest.mark.parametrize("option", ["-h", "--help"])
+def test_each_verb_helps(verb: str, option: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main([verb, option]) == Exit.DONE
+    out, err = capsys.readouterr()
+    assert out.startswith(f"Usage: nhc {verb}")
+    assert err == ""
+
+
+def _raise(monkeypatch: pytest.MonkeyPatch, error: BaseException) -> int:
+    def fail(code: str) -> str:
+        raise error
+
+    monkeypatch.setattr("nhc.diagnostics.page", fail)
+    return main(["explain", "E0101"])
+
+
+def test_a_defect_is_one_line_and_70(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    monkeypatch.delenv("NHC_DEBUG", raising=False)
+    assert _raise(monkeypatch, KeyError("two\nlines")) == 70
+    out, err = capsys.readouterr()
+    assert out == ""
+    assert err.startswith("internal error: KeyError: 'two\\nlines'\n")
+    assert "please report" in err
+    assert "Traceback" not in err
+
+
+def test_a_defect_shows_its_place_when_asked(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setenv("NHC_DEBUG", "1")
+    assert _raise(monkeypatch, KeyError("x")) == 70
+    assert "Traceback" in capsys.readouterr().err
+
+
+def test_deep_recursion_is_a_defect_not_a_crash(monkeypatch: pytest.MonkeyPatch) -> None:
+    assert _raise(monkeypatch, RecursionError("too deep")) == 70
+
+
+def test_failures_carry_their_code(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    assert _raise(monkeypatch, Failure("no", ["do this"], "E0501", Exit.FAILED)) == 1
+    assert capsys.readouterr().err == "error[E0501]: no\n  = help: do this\n"
+
+
+def test_an_interrupt_is_130(monkeypatch: pytest.MonkeyPatch) -> None:
+    assert _raise(monkeypatch, KeyboardInterrupt()) == 130
+
+
+def test_an_interrupt_from_outside_is_130() -> None:
+    with subprocess.Popen(
+        [sys.executable, "-m", "nhc", "check", "-"], stdin=subprocess.PIPE, stderr=subprocess.PIPE
+    ) as child:
+        assert child.stdin is not None
+        deadline = time.monotonic() + 30
+        while child.poll() is None and time.monotonic() < deadline:
+            time.sleep(0.5)  # it waits for stdin once it has started
+            child.send_signal(signal.SIGINT)
+            try:
+                child.wait(1)
+            except subprocess.TimeoutExpired:
+                continue
+        assert child.returncode == 130
+        assert child.stderr is not None
+        assert b"Traceback" not in child.stderr.read()
+
+
+@pytest.mark.parametrize("arguments", [["explain"], ["gallery", "chaplygin_sleigh"], ["--help"]], ids=" ".join)
+def test_a_closed_pipe_is_silent(arguments: list[str]) -> None:
+    reader, writer = os.pipe()
+    os.close(reader)
+    try:
+        command = [sys.executable, "-m", "nhc", *arguments]
+        done = subprocess.run(command, stdout=writer, stderr=subprocess.PIPE, text=True, check=False, timeout=60)
+    finally:
+        os.close(writer)
+    assert (done.returncode, done.stderr) == (141, "")
+
+
+class Terminal(io.StringIO):
+    """A stream that calls itself a terminal."""
+
+    def isatty(self) -> bool:
+        return True
+
+
+def test_colour_is_for_terminals_that_want_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delenv("NO_COLOR", raising=False)
+    monkeypatch.setenv("TERM", "xterm")
+    assert wants_colour(Terminal())
+    assert not wants_colour(io.StringIO())
+    monkeypatch.setenv("TERM", "dumb")
+    assert not wants_colour(Terminal())
+    monkeypatch.setenv("TERM", "xterm")
+    monkeypatch.setenv("NO_COLOR", "1")
+    assert not wants_colour(Terminal())
+    monkeypatch.setenv("NO_COLOR", "")  # set but empty counts as not set
+    assert wants_colour(Terminal())
+
+
+@pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])
+def test_completion_scripts_are_printed(shell: str) -> None:
+    environment = {**os.environ, "_NHC_COMPLETE": f"{shell}_source"}
+    done = subprocess.run(
+        [sys.executable, "-m", "nhc"], env=environment, capture_output=True, text=True, check=False, timeout=60
+    )
+    assert done.returncode == 0
+    assert "_NHC_COMPLETE" in done.stdout
+
+
+@pytest.mark.parametrize(
+    ("typed", "offered"),
+    [
+        ("nhc ch", "plain,check"),
+        ("nhc emit --la", "plain,--lang"),
+        ("nhc derive chaplygin_s", "plain,chaplygin_sleigh"),
+    ],
+)
+def test_words_are_completed(typed: str, offered: str) -> None:
+    count = len(typed.split()) - 1
+    environment = {**os.environ, "_NHC_COMPLETE": "bash_complete", "COMP_WORDS": typed, "COMP_CWORD": str(count)}
+    done = subprocess.run(
+        [sys.executable, "-m", "nhc"], env=environment, capture_output=True, text=True, check=False, timeout=60
+    )
+    assert offered in done.stdout.splitlines(), done.stderr
