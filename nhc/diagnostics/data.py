@@ -1,0 +1,120 @@
+"""Diagnostics as data: made where a mistake is found, rendered last."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from enum import Enum
+
+from .codes import TITLES
+from .source import Source, Span
+
+
+class Severity(Enum):
+    """How bad it is; only an error stops the compiler."""
+
+    ERROR = "error"
+    WARNING = "warning"
+    NOTE = "note"
+
+
+@dataclass(frozen=True, slots=True)
+class Label:
+    """A marked place with a few words (possibly none) to be written beside the mark."""
+
+    span: Span
+    text: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Diagnostic:
+    """One finding. ``labels[0]`` is the primary place; ``help`` holds instructions that show the right spelling."""
+
+    code: str
+    severity: Severity
+    message: str
+    labels: tuple[Label, ...]
+    notes: tuple[str, ...] = ()
+    help: tuple[str, ...] = ()
+
+    @property
+    def span(self) -> Span:
+        """The primary place."""
+        return self.labels[0].span
+
+
+def _order(diagnostic: Diagnostic) -> tuple[int, int, str, str]:
+    return (diagnostic.span.start, diagnostic.span.end, diagnostic.code, diagnostic.message)
+
+
+class SpecError(Exception):
+    """A spec cannot be compiled; carries every diagnostic that was found, in the order of their places."""
+
+    def __init__(self, diagnostics: Iterable[Diagnostic], source: Source) -> None:
+        self.diagnostics: tuple[Diagnostic, ...] = tuple(diagnostics)
+        self.source = source
+        super().__init__(self.diagnostics, source)
+
+    def __str__(self) -> str:
+        parts = []
+        for diagnostic in self.diagnostics:
+            line, column = self.source.position(diagnostic.span.start)
+            parts.append(f"{self.source.path}:{line}:{column}: {diagnostic.code}: {diagnostic.message}")
+        return "\n".join(parts)
+
+
+class Bag:
+    """Collects diagnostics of one source, so that all are reported at once."""
+
+    def __init__(self, source: Source) -> None:
+        self.source = source
+        self._found: list[Diagnostic] = []
+
+    def add(self, diagnostic: Diagnostic) -> None:
+        """Add a finding; raises ``KeyError`` for a code that is not registered (an error of nhc, not of the user)."""
+        if diagnostic.code not in TITLES:
+            raise KeyError(diagnostic.code)
+        self._found.append(diagnostic)
+
+    def error(
+        self,
+        code: str,
+        message: str,
+        span: Span,
+        label: str = "",
+        *,
+        labels: tuple[Label, ...] = (),
+        notes: tuple[str, ...] = (),
+        help: tuple[str, ...] = (),
+    ) -> None:
+        """Add an error at ``span``; ``labels`` are further places."""
+        self.add(Diagnostic(code, Severity.ERROR, message, (Label(span, label), *labels), notes, help))
+
+    def warning(
+        self,
+        code: str,
+        message: str,
+        span: Span,
+        label: str = "",
+        *,
+        labels: tuple[Label, ...] = (),
+        notes: tuple[str, ...] = (),
+        help: tuple[str, ...] = (),
+    ) -> None:
+        """Add a warning at ``span``; ``labels`` are further places."""
+        self.add(Diagnostic(code, Severity.WARNING, message, (Label(span, label), *labels), notes, help))
+
+    @property
+    def diagnostics(self) -> tuple[Diagnostic, ...]:
+        """What was found so far, in the order of the places, without repetitions."""
+        return tuple(dict.fromkeys(sorted(self._found, key=_order)))
+
+    @property
+    def has_errors(self) -> bool:
+        """Whether an error was found."""
+        return any(diagnostic.severity is Severity.ERROR for diagnostic in self._found)
+
+    def raise_if_errors(self) -> None:
+        """Raise ``SpecError`` with everything that was found, if there is an error among it."""
+        if self.has_errors:
+            raise SpecError(self.diagnostics, self.source)

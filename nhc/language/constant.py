@@ -1,0 +1,92 @@
+"""The value of an expression of numbers and ``pi``."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from fractions import Fraction
+
+from nhc.diagnostics import Span
+
+from .syntax import Binary, Call, Name, Negate, Number, Prime, Syntax, fold_tree
+
+_FUNCTIONS: dict[str, Callable[..., float]] = {
+    "sin": math.sin,
+    "cos": math.cos,
+    "tan": math.tan,
+    "asin": math.asin,
+    "acos": math.acos,
+    "atan": math.atan,
+    "atan2": math.atan2,
+    "sinh": math.sinh,
+    "cosh": math.cosh,
+    "tanh": math.tanh,
+    "exp": math.exp,
+    "log": math.log,
+    "sqrt": math.sqrt,
+    "abs": abs,
+    "sign": lambda value: float((value > 0) - (value < 0)),
+    "min": min,
+    "max": max,
+}
+
+
+class ConstantError(Exception):
+    """The expression has no real, finite value."""
+
+    def __init__(self, code: str, message: str, span: Span) -> None:
+        super().__init__(message)
+        self.code = code
+        self.message = message
+        self.span = span
+
+
+def _apply(op: str, left: Fraction | float, right: Fraction | float) -> Fraction | float:
+    match op:
+        case "+":
+            return left + right
+        case "-":
+            return left - right
+        case "*":
+            return left * right
+        case "/":
+            return left / right
+        case _:
+            return math.pow(left, right)
+
+
+def _visit(node: Syntax, parts: tuple[Fraction | float, ...]) -> Fraction | float:
+    value: Fraction | float
+    try:
+        match node:
+            case Number():
+                return node.value
+            case Negate():
+                return -parts[0]
+            case Binary():
+                value = _apply(node.op, parts[0], parts[1])
+            case Call():
+                value = _FUNCTIONS[node.function](*(float(part) for part in parts))
+            case Name():
+                return math.pi
+            case Prime():
+                raise ConstantError("E0212", "time derivative of a constant", node.span)
+            case _:
+                raise ConstantError("E0314", "value is not constant", node.span)
+        if math.isfinite(float(value)):
+            return value
+    except ZeroDivisionError:
+        raise ConstantError("E0417", "division by zero", node.span) from None
+    except (ValueError, OverflowError):
+        pass
+    if isinstance(node, Binary) and node.op == "^" and parts[0] == 0:
+        raise ConstantError("E0417", "division by zero", node.span)
+    raise ConstantError("E0313", "the expression has no real, finite value", node.span)
+
+
+def evaluate(tree: Syntax) -> Fraction | float:
+    """Return the value: exact where only ``+ - * /`` and numbers stand, a double otherwise.
+
+    The only names in it must be ``pi``. Raises ``ConstantError`` where there is no real, finite value.
+    """
+    return fold_tree(tree, _visit)

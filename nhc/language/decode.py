@@ -1,0 +1,311 @@
+"""Nodes to a Spec, or to all the diagnostics at once."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field
+from fractions import Fraction
+
+from nhc.diagnostics import Bag, Source, Span, SpecError, nearest
+
+from .keys import SPEC_KEYS, SYSTEM_PATTERN, VERSION
+from .names import fold
+from .nodes import Node, Table, Text
+from .order import order_definitions
+from .parser import parse_equation, parse_expression
+from .scenes import decode_scenes
+from .scope import Scope, check_form, check_name
+from .sections import decode_coordinates, decode_parameters
+from .shape import Shapes
+from .spec import FORMULATIONS, Constraint, Coordinate, Definition, Holonomic, Parameter, Spec
+from .syntax import Name, Number, Syntax
+from .unit_check import check_units
+from .yaml_reader import read_nodes
+
+_DECLARING = ("coordinates", "parameters", "define", "quasi_velocities", "outputs")
+_Equation = tuple[str, Span, Syntax, Syntax]
+
+
+@dataclass(slots=True)
+class _Draft:
+    """What is known of the spec while it is decoded."""
+
+    coordinates: list[Coordinate] = field(default_factory=list)
+    parameters: list[Parameter] = field(default_factory=list)
+    define: list[Definition] = field(default_factory=list)
+    quasi: list[Definition] = field(default_factory=list)
+    outputs: list[Definition] = field(default_factory=list)
+    forces: list[Definition] = field(default_factory=list)
+    order: tuple[str, ...] = ()
+    velocities: dict[str, bool] = field(default_factory=dict)
+
+
+class _Decoder:
+    def __init__(self, source: Source, root: Table, bag: Bag) -> None:
+        self.source = source
+        self.root = root
+        self.bag = bag
+        self.shapes = Shapes(bag)
+        self.scope = Scope(bag)
+        self.draft = _Draft()
+
+    def run(self) -> Spec:
+        place = self.root.entries[0][0].span if self.root.entries else self.root.span
+        meant = self.shapes.check_keys(self.root, SPEC_KEYS, "the spec", place)
+        self.scope.open = any(key in _DECLARING for key in meant)
+        version, system = self._version(), self._system()
+        self._declare()
+        self._resolve_named()
+        kinetic = self._expression("T")
+        potential_kind, potential = self._potential()
+        forces = self._forces()
+        outputs = self._entries(self.draft.outputs, "output")
+        constraints = self._constraints()
+        holonomic = self._holonomic(constraints)
+        dependent = self._dependent(len(self._equations_of("constraints")) + len(self._equations_of("holonomic")))
+        spec = Spec(
+            origin=self.source,
+            version=version,
+            system=system,
+            about=self._text("about"),
+            sources=self._sources(),
+            coordinates=tuple(self.draft.coordinates),
+            parameters=tuple(self.draft.parameters),
+            definitions=self._in_order(),
+            kinetic=kinetic or Number(Fraction(0), Span(0, 0)),
+            potential=potential,
+            potential_kind=potential_kind,
+            forces=forces,
+            constraints=constraints,
+            holonomic=holonomic,
+            quasi_velocities=tuple(self.draft.quasi),
+            named_order=self.draft.order,
+            dependent=dependent,
+            formulation=self._formulation(),
+            outputs=outputs,
+            scenes=decode_scenes(self.root.get("scenes"), self.shapes, self.scope, self.draft.parameters),
+            key_spans=tuple((text.value, text.span) for text, _ in self.root.entries),
+        )
+        if not self.bag.has_errors:
+            check_units(spec, self.bag)
+        self.bag.raise_if_errors()
+        return spec
+
+    # --- single values ---
+
+    def _version(self) -> int:
+        node = self.root.get("nhc")
+        text = self.shapes.text(node, "the language version") if node else None
+        if text is not None and text.value != str(VERSION):
+            help = f"write `nhc: {VERSION}`"
+            self.bag.error("E0309", f"unsupported language version `{text.value}`", text.span, help=(help,))
+        return VERSION
+
+    def _system(self) -> str:
+        node = self.root.get("system")
+        text = self.shapes.text(node, "the system's name") if node else None
+        if text is None:
+            return ""
+        if not re.fullmatch(SYSTEM_PATTERN, text.value):
+            better = re.sub("[^a-z0-9_]+", "_", fold(text.value).lower()).strip("_")
+            help = f"write `{better}`" if re.fullmatch(SYSTEM_PATTERN, better) else "write a name such as `my_system`"
+            message = f"`{text.value}` is no name of a system: lower case letters, digits and `_`, a letter first"
+            self.bag.error("E0310", message, text.span, help=(help,))
+        return text.value
+
+    def _text(self, key: str) -> str:
+        node = self.root.get(key)
+        text = self.shapes.text(node) if node else None
+        return text.value if text else ""
+
+    def _sources(self) -> tuple[str, ...]:
+        node = self.root.get("source")
+        if node is None:
+            return ()
+        if isinstance(node, Text):
+            return (node.value,)
+        items = self.shapes.items(node, "a list of texts")
+        texts = [self.shapes.text(item) for item in items.items] if items else []
+        return tuple(text.value for text in texts if text)
+
+    def _formulation(self) -> str:
+        node = self.root.get("formulation")
+        text = self.shapes.text(node, "a formulation") if node else None
+        if text is None:
+            return "auto"
+        if text.value not in FORMULATIONS:
+            near = nearest(text.value, FORMULATIONS)
+            known = ", ".join(f"`{name}`" for name in FORMULATIONS)
+            help = (f"did you mean `{near}`?",) if near else (f"one of {known}",)
+            self.bag.error("E0312", f"unknown formulation `{text.value}`", text.span, help=help)
+        return text.value
+
+    # --- names ---
+
+    def _declare(self) -> None:
+        draft, shapes, scope = self.draft, self.shapes, self.scope
+        draft.coordinates = decode_coordinates(self.root.get("coordinates"), shapes, scope)
+        draft.parameters = decode_parameters(self.root.get("parameters"), shapes, scope)
+        draft.define = self._named("define", "define")
+        draft.quasi = self._named("quasi_velocities", "quasi")
+        draft.outputs = self._named("outputs", "output")
+
+    def _named(self, key: str, kind: str) -> list[Definition]:
+        """Declare the names of a section and parse their expressions, without looking names up yet."""
+        node = self.root.get(key)
+        if node is None:
+            return []
+        table = self.shapes.table(node, "a mapping of names to expressions", "write `name: expression`")
+        if table is None:
+            self.scope.open = True
+            return []
+        found = []
+        for text, value in table.entries:
+            tree = self._parse(value)
+            if kind == "output" and isinstance(tree, Name) and self.scope.show_definition(text, tree.name):
+                found.append(Definition(tree.name, tree, text.span))
+                continue
+            name = self.scope.declare(text, kind)
+            if name is not None and tree is not None:
+                found.append(Definition(name, tree, text.span))
+        return found
+
+    def _resolve_named(self) -> None:
+        draft = self.draft
+        draft.define = [Definition(d.name, self.scope.resolve(d.value, ""), d.span) for d in draft.define]
+        draft.quasi = [Definition(d.name, self.scope.resolve(d.value, ""), d.span) for d in draft.quasi]
+        named = {d.name: d.value for d in (*draft.define, *draft.quasi)}
+        spans = {d.name: d.span for d in (*draft.define, *draft.quasi)}
+        draft.order = order_definitions(named, spans, self.bag)
+        for name in draft.order:
+            draft.velocities[name] = self.scope.holds_velocities(named[name], draft.velocities)
+
+    def _in_order(self) -> tuple[Definition, ...]:
+        by_name = {definition.name: definition for definition in self.draft.define}
+        return tuple(by_name[name] for name in self.draft.order if name in by_name)
+
+    # --- expressions ---
+
+    def _parse(self, node: Node) -> Syntax | None:
+        text = self.shapes.text(node, "an expression")
+        return parse_expression(text.value, text.locate, self.bag) if text else None
+
+    def _check(self, tree: Syntax, place: str) -> Syntax:
+        resolved = self.scope.resolve(tree, place)
+        self.scope.holds_velocities(resolved, self.draft.velocities)
+        return resolved
+
+    def _expression(self, key: str) -> Syntax | None:
+        node = self.root.get(key)
+        tree = self._parse(node) if node is not None else None
+        return self._check(tree, "") if tree is not None else None
+
+    def _potential(self) -> tuple[str, Syntax | None]:
+        force_function, potential = self._expression("U"), self._expression("V")
+        keys = {text.value: text for text, _ in self.root.entries}
+        if "U" in keys and "V" in keys:
+            help = "keep one: `U` is the force function (Q_i = + dU/dq_i), `V` the potential energy (Q_i = - dV/dq_i)"
+            self.bag.error("E0311", "both `U` and `V` are given", keys["V"].span, help=(help,))
+        if "U" in keys:
+            return "U", force_function
+        return ("V", potential) if "V" in keys else ("", None)
+
+    def _entries(self, definitions: list[Definition], place: str) -> tuple[Definition, ...]:
+        return tuple(Definition(d.name, self._check(d.value, place), d.span) for d in definitions)
+
+    def _forces(self) -> tuple[Definition, ...]:
+        node = self.root.get("forces")
+        table = self.shapes.table(node, "a mapping of coordinates to expressions") if node is not None else None
+        found: dict[str, Definition] = {}
+        for text, value in table.entries if table else ():
+            name = fold(text.value)
+            tree = self._parse(value)
+            if not self.scope.check_coordinate(text):
+                continue
+            if name in found:
+                self.bag.error("E0305", f"the force on `{name}` is given twice", text.span, help=("add them up",))
+            elif tree is not None:
+                found[name] = Definition(name, self._check(tree, ""), text.span)
+        return tuple(found.values())
+
+    # --- constraints ---
+
+    def _equations_of(self, key: str) -> tuple[Node, ...]:
+        node = self.root.get(key)
+        items = self.shapes.items(node, "a list of equations", "write `- name: left = right`") if node else None
+        return items.items if items else ()
+
+    def _equations(self, key: str, prefix: str, taken: dict[str, Span]) -> list[_Equation]:
+        found: list[_Equation] = []
+        for index, item in enumerate(self._equations_of(key), start=1):
+            name, span, value = f"{prefix}{index}", item.span, item
+            if isinstance(item, Table):
+                if len(item.entries) != 1:
+                    message = f"an entry of `{key}` holds one name with its equation, found {len(item.entries)}"
+                    place = item.entries[1][0].span if len(item.entries) > 1 else item.span
+                    self.bag.error("E0301", message, place, help=("begin each equation with `- `",))
+                    continue
+                text, value = item.entries[0]
+                name, span = fold(text.value), text.span
+                if not check_name(text, self.bag):
+                    continue
+            if name in taken:
+                self.bag.error("E0305", f"two constraints are named `{name}`", span, help=("rename one of them",))
+            taken.setdefault(name, span)
+            text_node = self.shapes.text(value, "an equation")
+            sides = parse_equation(text_node.value, text_node.locate, self.bag) if text_node else None
+            if sides is not None:
+                found.append((name, span, *sides))
+        return found
+
+    def _constraints(self) -> tuple[Constraint, ...]:
+        self.taken: dict[str, Span] = {}
+        found = []
+        for name, span, left, right in self._equations("constraints", "c", self.taken):
+            left, right = self._check(left, "equation"), self._check(right, "equation")
+            form = check_form(left, right, self.draft.velocities, self.bag)
+            found.append(Constraint(name, left, right, form, span))
+        return tuple(found)
+
+    def _holonomic(self, constraints: tuple[Constraint, ...]) -> tuple[Holonomic, ...]:
+        return tuple(
+            Holonomic(name, self._check(left, ""), self._check(right, ""), span)
+            for name, span, left, right in self._equations("holonomic", "h", self.taken)
+        )
+
+    def _dependent(self, count: int) -> tuple[str, ...]:
+        node = self.root.get("dependent")
+        items = self.shapes.items(node, "a list of coordinates", "write `[x, y]`") if node is not None else None
+        if items is None:
+            return ()
+        found: dict[str, None] = {}
+        for item in items.items:
+            text = self.shapes.text(item, "the name of a coordinate")
+            if text is None:
+                continue
+            name = self.scope.velocity_of(text.value) or fold(text.value)
+            if not self.scope.kind(name) == "coordinate" and not self.scope.check_coordinate(text):
+                continue
+            if name in found:
+                self.bag.error("E0305", f"`{name}` stands twice in `dependent`", text.span)
+            found[name] = None
+        if len(items.items) != count:
+            message = f"`dependent` names {len(items.items)} velocities, but there are {count} constraints"
+            help = "name one velocity for each constraint, or leave `dependent` out and let nhc choose"
+            self.bag.error("E0315", message, items.span, help=(help,))
+        return tuple(found)
+
+
+def decode(source: Source) -> Spec:
+    """Return the Spec of a source; raises ``SpecError`` with every diagnostic, in the order of their places."""
+    bag = Bag(source)
+    root = read_nodes(source, bag)
+    if root is None:
+        if not bag.has_errors:
+            bag.error("E0111", "the spec is empty", Span(0, 0), help=("begin with `nhc: 1`; `nhc new NAME` writes an example",))
+        raise SpecError(bag.diagnostics, source)
+    if not isinstance(root, Table):
+        start = root.span.start
+        bag.error("E0301", "a spec is a mapping of keys to values", Span(start, start + 1), help=("begin with `nhc: 1`",))
+        raise SpecError(bag.diagnostics, source)
+    return _Decoder(source, root, bag).run()

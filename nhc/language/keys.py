@@ -1,0 +1,65 @@
+"""The one table of the keys of a spec; the decoder's checks, the JSON Schema and the reference are made from it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from .spec import FORMULATIONS
+
+VERSION = 1
+SYSTEM_PATTERN = "[a-z][a-z0-9_]*"
+
+
+@dataclass(frozen=True, slots=True)
+class Key:
+    """One key of a mapping. ``kind`` names the shape of its value (see ``schema.SHAPES``)."""
+
+    name: str
+    kind: str
+    required: bool
+    about: str
+    choices: tuple[str, ...] = ()
+
+
+SPEC_KEYS = (
+    Key("nhc", "version", True, f"language version; {VERSION} is the only one"),
+    Key("system", "system", True, f"name of files and functions, `{SYSTEM_PATTERN}`"),
+    Key("about", "text", False, "what the system is, in a sentence"),
+    Key("source", "texts", False, "where the system comes from: a list of citations"),
+    Key("coordinates", "coordinates", True, "generalized coordinates: a list of names, or each name with `unit`, `about`, `range`"),
+    Key("parameters", "parameters", False, "constants: each name with its number, or with `value`, `unit`, `about`"),
+    Key("define", "expressions", False, "named expressions, in any order without a cycle"),
+    Key("T", "expression", True, "kinetic energy"),
+    Key("U", "expression", False, "force function, Q_i = + dU/dq_i; not together with `V`"),
+    Key("V", "expression", False, "potential energy, Q_i = - dV/dq_i; not together with `U`"),
+    Key("forces", "expressions", False, "further generalized forces, by coordinate"),
+    Key("constraints", "equations", False, "constraints linear in the velocities: a list of `text` or `name: text`"),
+    Key("holonomic", "equations", False, "constraints `f(q, t) = 0`: a list of `text` or `name: text`"),
+    Key("quasi_velocities", "expressions", False, "the forms that the constraints leave free, in order"),
+    Key("dependent", "names", False, "the coordinates whose velocities the constraints are solved for"),
+    Key("formulation", "choice", False, "how the equations are formed; `auto` if left out", FORMULATIONS),
+    Key("outputs", "expressions", False, "named quantities besides the state; `T`, `U`, `V`, `energy` may stand in them"),
+    Key("scenes", "scenes", False, "concrete situations, by name"),
+)
+
+COORDINATE_KEYS = (
+    Key("unit", "unit", False, "unit, such as `m` or `rad`"),
+    Key("about", "text", False, "what it is"),
+    Key("range", "interval", False, "where it is meant to stay: `[low, high]`"),
+)
+
+PARAMETER_KEYS = (
+    Key("value", "number", False, "a number or a constant expression such as `pi/10`; without it each scene must give one"),
+    Key("unit", "unit", False, "unit, such as `kg*m^2`"),
+    Key("about", "text", False, "what it is"),
+)
+
+SCENE_KEYS = (
+    Key("about", "text", False, "what happens in it"),
+    Key("parameters", "numbers", False, "values of parameters in this scene"),
+    Key("initial", "start", False, "values of coordinates, velocities (`x'`) and quasi-velocities; what is left out is 0"),
+    Key("time", "interval", True, "start and end: `[0, 20]`"),
+    Key("need", "names", False, "what is wanted: coordinates, velocities, quasi-velocities, outputs, `energy`, `reactions`; "
+        "all coordinates if left out"),
+    Key("tolerance", "number", False, "wanted relative accuracy of what is needed; 1e-8 if left out"),
+)

@@ -1,0 +1,279 @@
+"""Expressions to syntax trees, by operator precedence on an explicit stack.
+
+    equation   = expression "=" expression
+    expression = term { ("+" | "-" | "*" | "/" | "^") term }     precedence: + -  <  * /  <  unary -  <  ^ (to the right)
+    term       = { "-" } primary { "'" }
+    primary    = number | name | "(" expression ")" | function "(" expression { "," expression } ")"
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from fractions import Fraction
+
+from nhc.diagnostics import Bag, Span, nearest
+
+from .names import DOT, FUNCTIONS, SPELLINGS
+from .numbers import exact
+from .syntax import Binary, Call, Name, Negate, Number, Prime, Syntax
+from .tokens import LONGEST, ExpressionError, Locate, Token, tokenise
+
+DEEPEST = 200  # parentheses, calls, unary minus and right-hand powers inside one another
+_LEVEL = {"+": 10, "-": 10, "*": 20, "/": 20, "^": 40}
+_NEGATE = 30
+_ARITY = {**FUNCTIONS, DOT: (1, 1)}
+
+
+@dataclass(slots=True)
+class _Frame:
+    """A pending operator, or an open parenthesis (``kind`` "(" ; ``function`` is empty for a plain one)."""
+
+    kind: str
+    level: int
+    token: Token
+    function: str = ""
+    arguments: list[tuple[Syntax, int, int]] = field(default_factory=list)
+
+
+class _Parser:
+    """Operands are kept with their offsets in the text, parentheses included, so that spans come out whole."""
+
+    def __init__(self, text: str, locate: Locate, equation: bool) -> None:
+        self.text = text
+        self.locate = locate
+        self.equation = equation
+        self.operands: list[tuple[Syntax, int, int]] = []
+        self.frames: list[_Frame] = []
+        self.depth = 0
+        self.sides: list[Syntax] = []
+        self.equals: Token | None = None
+
+    def run(self) -> list[Syntax]:
+        if len(self.text) > LONGEST:
+            raise ExpressionError(
+                "E0205", f"expression longer than {LONGEST} characters", self.locate(0, 1), "name parts of it under `define`"
+            )
+        if not self.text.strip():
+            raise ExpressionError("E0211", "empty expression", self.locate(0, len(self.text)), "")
+        wants_operand = True
+        previous: Token | None = None
+        for token in tokenise(self.text, self.locate):
+            wants_operand = self._operand(token) if wants_operand else self._operator(token, previous)
+            previous = token
+        return self.sides
+
+    # --- where a term is expected ---
+
+    def _operand(self, token: Token) -> bool:
+        match token.kind:
+            case "number":
+                self._push(Number(self._value(token), self._span(token)), token.start, token.end)
+                return False
+            case "name":
+                self._push(Name(token.text, self._span(token)), token.start, token.end)
+                return False
+            case "-":
+                self._open(_Frame("negate", _NEGATE, token))
+                return True
+            case "(":
+                self._open(_Frame("(", 0, token))
+                return True
+            case _:
+                raise self._unexpected(token)
+
+    def _value(self, token: Token) -> Fraction:
+        try:
+            value = exact(token.text)
+            return value if value is not None else Fraction(0)
+        except ValueError as error:
+            shown = token.text if len(token.text) <= 24 else token.text[:20] + "..."
+            raise ExpressionError("E0210", f"the number `{shown}` {error}", self._span(token)) from None
+
+    def _unexpected(self, token: Token) -> ExpressionError:
+        if token.kind == "end":
+            at = self.locate(max(0, token.start - 1), token.end)
+            return ExpressionError("E0202", "the expression ends where a term is expected", at)
+        if token.kind == ")" and self.frames and self.frames[-1].kind == "(" and self.frames[-1].function:
+            name = self.frames[-1].function
+            return ExpressionError("E0206", f"`{name}` needs an argument", self._span(token), f"write `{name}(x)`")
+        help = {"+": "leave the `+` out", "prime": "the prime stands after a name or a parenthesis: `x'`"}.get(token.kind, "")
+        return ExpressionError(
+            "E0202", f"expected a number, a name or `(`, found `{token.text}`", self._span(token), help
+        )
+
+    # --- where an operator is expected ---
+
+    def _operator(self, token: Token, previous: Token | None) -> bool:
+        match token.kind:
+            case "+" | "-" | "*" | "/" | "^":
+                level = _LEVEL[token.kind]
+                self._reduce(level if token.kind != "^" else level + 1)
+                frame = _Frame(token.kind, level, token)
+                if token.kind == "^":
+                    self._open(frame)
+                else:
+                    self.frames.append(frame)
+                return True
+            case "prime":
+                self._prime(token, previous)
+                return False
+            case ")":
+                self._close(token)
+                return False
+            case ",":
+                self._comma(token)
+                return True
+            case "=":
+                self._equal(token)
+                return True
+            case "end":
+                self._end(token)
+                return False
+            case _:
+                return self._juxtaposed(token, previous)
+
+    def _juxtaposed(self, token: Token, previous: Token | None) -> bool:
+        if token.kind == "(" and previous is not None and previous.kind == "name":
+            self.operands.pop()
+            self._check_function(previous)
+            self._open(_Frame("(", 0, previous, previous.text))
+            return True
+        node, start, end = self.operands[-1]
+        left = self.text[start:end] if isinstance(node, Number | Name) else self.text[start:end].strip()
+        left = left if len(left) <= 24 else "..."
+        right = "(...)" if token.kind == "(" else token.text
+        raise ExpressionError(
+            "E0203",
+            f"expected an operator before `{token.text}`; multiplication is never implicit",
+            self.locate(start, token.end) if previous and previous.end == token.start else self._span(token),
+            f"write `{left}*{right}`",
+        )
+
+    def _check_function(self, name: Token) -> None:
+        if name.text in _ARITY:
+            return
+        meant = SPELLINGS.get(name.text) or nearest(name.text, _ARITY)
+        help = f"write `{name.text}*(...)` for a product"
+        if name.text == "pow":
+            help = "write `x^y`"
+        elif meant and not len(name.text) == 1:
+            help = f"did you mean `{meant}`? {help}"
+        raise ExpressionError("E0206", f"`{name.text}` is not a function", self._span(name), help)
+
+    def _prime(self, token: Token, previous: Token | None) -> None:
+        node, start, _ = self.operands[-1]
+        if previous is not None and previous.kind == "prime" and isinstance(node, Prime):
+            raise ExpressionError(
+                "E0207",
+                "second time derivative",
+                self.locate(start, token.end),
+                "a spec speaks of positions and velocities only; accelerations are what nhc derives",
+            )
+        self.operands[-1] = (Prime(node, self.locate(start, token.end)), start, token.end)
+
+    def _close(self, token: Token) -> None:
+        self._reduce(0)
+        if not self.frames:
+            raise ExpressionError("E0204", "`)` without its `(`", self._span(token))
+        frame = self.frames.pop()
+        self.depth -= 1
+        node, start, end = self.operands.pop()
+        if not frame.function:
+            self._push(node, frame.token.start, token.end)
+            return
+        arguments = (*(argument for argument, _, _ in frame.arguments), node)
+        span = self.locate(frame.token.start, token.end)
+        least, most = _ARITY[frame.function]
+        if not least <= len(arguments) <= most:
+            count = f"{least} argument{'s' if least > 1 else ''}"
+            raise ExpressionError("E0206", f"`{frame.function}` takes {count}, found {len(arguments)}", span)
+        call: Syntax = Prime(node, span) if frame.function == DOT else Call(frame.function, arguments, span)
+        self._push(call, frame.token.start, token.end)
+
+    def _comma(self, token: Token) -> None:
+        self._reduce(0)
+        if not self.frames or not self.frames[-1].function:
+            raise ExpressionError(
+                "E0202", "`,` outside of a function's arguments", self._span(token), "decimal numbers are written with `.`"
+            )
+        self.frames[-1].arguments.append(self.operands.pop())
+
+    def _equal(self, token: Token) -> None:
+        self._reduce(0)
+        if self.frames:
+            raise ExpressionError("E0208", "`=` inside of a parenthesis", self._span(token))
+        if not self.equation:
+            raise ExpressionError(
+                "E0208", "`=` in an expression", self._span(token), "only constraints and `holonomic` hold equations"
+            )
+        if self.equals is not None:
+            raise ExpressionError("E0208", "more than one `=`", self._span(token), "write one equation per entry")
+        self.equals = token
+        self._finish()
+
+    def _end(self, token: Token) -> None:
+        self._reduce(0)
+        if self.frames:
+            opening = self.frames[-1].token
+            raise ExpressionError("E0204", "`(` is never closed", self.locate(opening.start, opening.end), "add `)`")
+        if self.equation and self.equals is None:
+            whole = self.locate(0, len(self.text))
+            raise ExpressionError("E0208", "expected an equation, found no `=`", whole, "write `... = 0`")
+        self._finish()
+
+    # --- the stacks ---
+
+    def _finish(self) -> None:
+        self.sides.append(self.operands.pop()[0])
+
+    def _push(self, node: Syntax, start: int, end: int) -> None:
+        self.operands.append((node, start, end))
+
+    def _open(self, frame: _Frame) -> None:
+        self.depth += 1
+        if self.depth > DEEPEST:
+            raise ExpressionError(
+                "E0205",
+                f"expression nested deeper than {DEEPEST}",
+                self._span(frame.token),
+                "name parts of it under `define`",
+            )
+        self.frames.append(frame)
+
+    def _reduce(self, level: int) -> None:
+        """Apply the pending operators that bind at least as tightly as ``level``, up to an open parenthesis."""
+        while self.frames and self.frames[-1].kind != "(" and self.frames[-1].level >= level:
+            frame = self.frames.pop()
+            right, right_start, end = self.operands.pop()
+            if frame.kind == "negate":
+                self.depth -= 1
+                self._push(Negate(right, self.locate(frame.token.start, end)), frame.token.start, end)
+                continue
+            if frame.kind == "^":
+                self.depth -= 1
+            left, start, _ = self.operands.pop()
+            node = Binary(frame.kind, left, right, self.locate(start, end), self._span(frame.token))
+            self._push(node, start, end)
+
+    def _span(self, token: Token) -> Span:
+        return self.locate(token.start, token.end)
+
+
+def _run(text: str, locate: Locate, bag: Bag, equation: bool) -> list[Syntax]:
+    try:
+        return _Parser(text, locate, equation).run()
+    except ExpressionError as error:
+        bag.error(error.code, error.message, error.span, help=(error.help,) if error.help else ())
+        return []
+
+
+def parse_expression(text: str, locate: Locate, bag: Bag) -> Syntax | None:
+    """Parse one expression; a mistake goes into ``bag`` and gives None. Names are not looked up yet."""
+    sides = _run(text, locate, bag, equation=False)
+    return sides[0] if sides else None
+
+
+def parse_equation(text: str, locate: Locate, bag: Bag) -> tuple[Syntax, Syntax] | None:
+    """Parse ``left = right``; a mistake goes into ``bag`` and gives None."""
+    sides = _run(text, locate, bag, equation=True)
+    return (sides[0], sides[1]) if len(sides) == 2 else None

@@ -1,0 +1,196 @@
+"""Scenes: overrides, starts, times, needs."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+
+from nhc.diagnostics import nearest
+
+from .keys import SCENE_KEYS
+from .names import fold
+from .nodes import Items, Node, Text
+from .parser import parse_expression
+from .scope import Scope, check_name, names_in
+from .shape import Shapes
+from .spec import DEFAULT_TOLERANCE, Initial, Need, Override, Parameter, Scene
+from .syntax import Number, Syntax
+
+_OWN_NEEDS = ("energy", "reactions")
+
+
+def decode_scenes(
+    node: Node | None, shapes: Shapes, scope: Scope, parameters: Sequence[Parameter]
+) -> tuple[Scene, ...]:
+    """Return the scenes; ``parameters`` are those of the spec."""
+    table = shapes.table(node, "a mapping of scenes by name", "write `name:` with its keys below") if node else None
+    if table is None:
+        return ()
+    reader = _SceneReader(shapes, scope, parameters)
+    found: dict[str, Scene] = {}
+    for text, value in table.entries:
+        good = check_name(text, shapes.bag)
+        scene = reader.read(text, value)
+        name = fold(text.value)
+        if good and name in found:
+            shapes.bag.error("E0305", f"two scenes are named `{name}`", text.span, help=("rename one of them",))
+        elif scene is not None:
+            found[name] = scene
+    return tuple(found.values())
+
+
+class _SceneReader:
+    def __init__(self, shapes: Shapes, scope: Scope, parameters: Sequence[Parameter]) -> None:
+        self.shapes = shapes
+        self.scope = scope
+        self.bag = shapes.bag
+        self.parameters = parameters
+
+    def read(self, text: Text, value: Node) -> Scene | None:
+        help = f"write `{text.value}: {{time: [0, 10]}}`"
+        table = self.shapes.table(value, f"a mapping for scene `{text.value}`", help)
+        if table is None:
+            return None
+        what = f"scene `{text.value}`"
+        self.shapes.check_keys(table, SCENE_KEYS, what, text.span)
+        overrides = self._overrides(table.get("parameters"))
+        self._check_values(text, overrides)
+        about = table.get("about")
+        about_text = self.shapes.text(about) if about is not None else None
+        initial = self._initial(table.get("initial"))
+        time_node = table.get("time")
+        time = self.shapes.interval(time_node, "`time`") if time_node is not None else None
+        return Scene(
+            name=fold(text.value),
+            span=text.span,
+            about=about_text.value if about_text else "",
+            parameters=overrides,
+            initial=initial,
+            time=time or (Fraction(0), Fraction(1)),
+            need=self._need(table.get("need")),
+            tolerance=self._tolerance(table.get("tolerance")),
+        )
+
+    def _unknown(self, text: Text, what: str, known: Sequence[str]) -> None:
+        if self.scope.open:
+            return
+        name = fold(text.value)
+        near = nearest(name, known)
+        if near:
+            help = f"did you mean `{near}`?"
+        elif known:
+            help = "known: " + ", ".join(f"`{other}`" for other in known[:12])
+        else:
+            help = "the spec declares none"
+        self.bag.error("E0419", f"`{text.value}` is no {what}", text.span, help=(help,))
+
+    def _overrides(self, node: Node | None) -> tuple[Override, ...]:
+        table = self.shapes.table(node, "a mapping of parameters to numbers") if node is not None else None
+        found: dict[str, Override] = {}
+        for text, value in table.entries if table else ():
+            name = fold(text.value)
+            number = self.shapes.constant(value, f"parameter `{text.value}`")
+            if self.scope.kind(name) != "parameter":
+                self._unknown(text, "parameter", self.scope.of_kind("parameter"))
+            elif name in found:
+                self.bag.error("E0305", f"`{name}` is set twice", text.span, help=("keep one of them",))
+            else:
+                found[name] = Override(name, number if number is not None else Fraction(0), text.span)
+        return tuple(found.values())
+
+    def _check_values(self, text: Text, overrides: tuple[Override, ...]) -> None:
+        given = {override.name for override in overrides}
+        missing = [p.name for p in self.parameters if p.value is None and p.name not in given]
+        if missing and not self.bag.has_errors:
+            names = ", ".join(f"`{name}`" for name in missing)
+            plural = "s" if len(missing) > 1 else ""
+            help = f"write `parameters: {{{missing[0]}: 1.0}}` in the scene, or give a value under `parameters`"
+            message = f"scene `{text.value}` has no value for the parameter{plural} {names}"
+            self.bag.error("E0418", message, text.span, help=(help,))
+
+    def _initial(self, node: Node | None) -> tuple[Initial, ...]:
+        table = self.shapes.table(node, "a mapping of start values") if node is not None else None
+        found: dict[tuple[str, str], Initial] = {}
+        for text, value in table.entries if table else ():
+            tree = self._start_value(value)
+            target = self._target(text)
+            if target is None:
+                known = self.scope.of_kind("coordinate", "quasi")
+                velocities = tuple(f"{name}'" for name in self.scope.of_kind("coordinate"))
+                self._unknown(text, "coordinate, velocity or quasi-velocity", (*known, *velocities))
+            elif target in found:
+                self.bag.error("E0305", f"the start of `{text.value}` is set twice", text.span, help=("keep one",))
+            else:
+                found[target] = Initial(*target, tree or Number(Fraction(0), value.span), text.span)
+        return tuple(found.values())
+
+    def _target(self, text: Text) -> tuple[str, str] | None:
+        name = fold(text.value)
+        kind = self.scope.kind(name)
+        if kind in ("coordinate", "quasi"):
+            return kind, name
+        velocity = self.scope.velocity_of(text.value)
+        return ("velocity", velocity) if velocity is not None else None
+
+    def _start_value(self, node: Node) -> Syntax | None:
+        text = self.shapes.text(node, "a number")
+        # YAML lets a number carry a plus; an expression does not
+        plus = len(text.value) - len(text.value.removeprefix("+")) if text is not None and text.plain else 0
+        if text is None:
+            return None
+        tree = parse_expression(
+            text.value[plus:], lambda start, end: text.locate(start + plus, end + plus), self.bag
+        )
+        if tree is None:
+            return None
+        tree = self.scope.resolve(tree, "")
+        self.scope.holds_velocities(tree, {})
+        for name in names_in(tree):
+            if self.scope.kind(name) not in ("parameter", "") or name == "t":
+                message = f"`{name}` is not constant: a start value holds numbers, `pi` and parameters only"
+                self.bag.error("E0314", message, text.span)
+        return tree
+
+    def _need(self, node: Node | None) -> tuple[Need, ...]:
+        if isinstance(node, Text):
+            node = Items((node,), node.span)
+        items = self.shapes.items(node, "a list of names", "write `[x, y]`") if node is not None else None
+        found: dict[tuple[str, str], Need] = {}
+        for item in items.items if items else ():
+            text = self.shapes.text(item, "a name")
+            need = self._needed(text) if text is not None else None
+            if text is None:
+                continue
+            if need is None:
+                known = (*self.scope.of_kind("coordinate", "quasi", "output"), *self.scope.shown)
+                velocities = tuple(f"{name}'" for name in self.scope.of_kind("coordinate"))
+                self._unknown(text, "quantity that a scene can need", (*known, *velocities, *_OWN_NEEDS))
+            elif (need.kind, need.name) in found:
+                self.bag.error("E0305", f"`{text.value}` is needed twice", text.span, help=("keep one of them",))
+            else:
+                found[need.kind, need.name] = need
+        if items is None or not items.items:
+            names = self.scope.of_kind("coordinate")
+            return tuple(Need("coordinate", name, self.scope.names[name].span) for name in names)
+        return tuple(found.values())
+
+    def _needed(self, text: Text) -> Need | None:
+        name = fold(text.value)
+        kind = "output" if name in self.scope.shown else self.scope.kind(name)
+        if kind in ("coordinate", "quasi", "output"):
+            return Need(kind, name, text.span)
+        velocity = self.scope.velocity_of(text.value)
+        if velocity is not None:
+            return Need("velocity", f"{velocity}'", text.span)
+        return Need(name, name, text.span) if name in _OWN_NEEDS else None
+
+    def _tolerance(self, node: Node | None) -> Fraction:
+        value = self.shapes.number(node, "`tolerance`") if node is not None else None
+        if value is None:
+            return DEFAULT_TOLERANCE
+        if not 0 < value < 1 and node is not None:
+            help = "write a relative accuracy such as `1e-8`"
+            self.bag.error("E0313", "`tolerance` must lie between 0 and 1", node.span, help=(help,))
+            return DEFAULT_TOLERANCE
+        return value
+

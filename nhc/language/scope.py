@@ -1,0 +1,229 @@
+"""What the names of a spec mean: declarations, look-up, velocities."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from nhc.diagnostics import Bag, Label, Span, nearest
+
+from .names import DOT, ENERGIES, FUNCTIONS, PI, RESERVED, TIME, fold, is_name
+from .nodes import Text
+from .syntax import Differential, Name, Number, Prime, Syntax, fold_tree, rebuild, walk
+
+_SEARCHES = 50  # unknown names for which a near one is looked for; the search is slow
+_ENERGY = "energy"
+_KINDS = {
+    "coordinate": "a coordinate",
+    "parameter": "a parameter",
+    "define": "a name of `define`",
+    "quasi": "a quasi-velocity",
+    "output": "an output",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Declared:
+    """``kind`` is coordinate, parameter, define, quasi or output."""
+
+    kind: str
+    span: Span
+
+
+class Scope:
+    """The declared names. ``open`` says that a declaring section could not be read: unknown names are passed over then."""
+
+    def __init__(self, bag: Bag) -> None:
+        self.bag = bag
+        self.names: dict[str, Declared] = {}
+        self.open = False
+        self.shown: dict[str, Span] = {}  # names of `define` that are outputs as well, under their own names
+        self._searches = 0
+
+    # --- declarations ---
+
+    def declare(self, text: Text, kind: str) -> str | None:
+        """Declare a name; return it folded, or None where it is refused."""
+        name = fold(text.value)
+        if not check_name(text, self.bag):
+            return None
+        if name in RESERVED:
+            what = "a function" if name in FUNCTIONS or name == DOT else "a constant" if name == PI else "time"
+            help = f"take another name, such as `{name}_1`"
+            self.bag.error("E0306", f"`{name}` is {what} of the language", text.span, help=(help,))
+            return None
+        if name in self.names:
+            first = self.names[name]
+            label = Label(first.span, f"first declared here, as {_KINDS[first.kind]}")
+            self.bag.error("E0305", f"`{name}` is declared twice", text.span, labels=(label,), help=("rename one of them",))
+            return None
+        self.names[name] = Declared(kind, text.span)
+        return name
+
+    def show_definition(self, text: Text, target: str) -> bool:
+        """Take ``X: X`` under ``outputs`` for what it plainly means: the defined ``X`` is an output too."""
+        name = fold(text.value)
+        if name != target or self.kind(name) != "define" or name in self.shown:
+            return False
+        self.shown[name] = text.span
+        return True
+
+    def kind(self, name: str) -> str:
+        """Return what kind of thing a name is; empty for an undeclared one."""
+        return self.names[name].kind if name in self.names else ""
+
+    def of_kind(self, *kinds: str) -> tuple[str, ...]:
+        """Return the names of some kinds, in the order of their declarations."""
+        return tuple(name for name, declared in self.names.items() if declared.kind in kinds)
+
+    def check_coordinate(self, text: Text) -> bool:
+        """Say whether a text names a coordinate; report it where it does not."""
+        name = fold(text.value)
+        kind = self.kind(name)
+        if kind == "coordinate":
+            return True
+        if not self.open:
+            near = nearest(name, self.of_kind("coordinate"))
+            known = ", ".join(f"`{other}`" for other in self.of_kind("coordinate"))
+            help = f"did you mean `{near}`?" if near else f"the coordinates are {known}"
+            self.bag.error("E0302", f"unknown coordinate `{text.value}`", text.span, help=(help,))
+        return False
+
+    def velocity_of(self, text: str) -> str | None:
+        """Return the coordinate whose velocity a text such as ``x'`` or ``xdot`` names."""
+        name = fold(text.replace("\u2032", "'").strip())
+        base = ""
+        if name.endswith("'"):
+            base = name[:-1].strip()
+        elif name.endswith("dot") and name not in self.names:
+            base = name[:-3]
+        return base if self.kind(base) == "coordinate" else None
+
+    # --- look-up ---
+
+    def resolve(self, tree: Syntax, place: str) -> Syntax:
+        """Give every name of an expression its meaning; what has none is reported.
+
+        ``place`` is "equation" (differentials are known), "output" (energies are known) or empty.
+        """
+
+        def visit(node: Syntax, parts: tuple[Syntax, ...]) -> Syntax:
+            if isinstance(node, Name):
+                return self._look_up(node, place)
+            node = rebuild(node, parts)
+            if isinstance(node, Prime):
+                self._check_prime(node)
+            return node
+
+        return fold_tree(tree, visit)
+
+    def _look_up(self, node: Name, place: str) -> Syntax:
+        name = node.name
+        if name in FUNCTIONS or name == DOT:
+            help = f"write `{name}(...)`"
+            self.bag.error("E0206", f"`{name}` is a function and needs its argument", node.span, help=(help,))
+            return node
+        kind = self.kind(name)
+        if (kind and kind != "output") or name in (PI, TIME):
+            return node
+        if name in ENERGIES and place == "output" and not kind:
+            return node
+        if name.endswith("dot") and self.kind(name[:-3]) in ("coordinate", "define"):
+            return Prime(Name(name[:-3], node.span), node.span)
+        is_form = name.startswith("d") and (name == "dt" or self.kind(name[1:]) == "coordinate")
+        if is_form and place == "equation":
+            return Differential(name[1:], node.span)
+        if not self.open:
+            self._report_unknown(node, kind, is_form)
+        return node
+
+    def _report_unknown(self, node: Name, kind: str, is_form: bool) -> None:
+        name = node.name
+        if is_form:
+            help = f"differentials stand in `constraints` only; the velocity is `{name[1:]}'`"
+            self.bag.error("E0209", f"the differential `{name}` outside of a constraint", node.span, help=(help,))
+            return
+        help = ""
+        if kind == "output":
+            help = f"`{name}` is an output; move it to `define` to use it elsewhere"
+        elif name in ENERGIES:
+            help = f"`{name}` is known under `outputs` only"
+        else:
+            self._searches += 1
+            known = (*self.of_kind("coordinate", "parameter", "define", "quasi"), TIME, PI)
+            near = nearest(name, known) if self._searches <= _SEARCHES else None
+            help = f"did you mean `{near}`?" if near else "declare it under `parameters`, `coordinates` or `define`"
+        self.bag.error("E0302", f"unknown name `{name}`", node.span, help=(help,))
+
+    def _check_prime(self, node: Prime) -> None:
+        inner = node.operand
+        constant = isinstance(inner, Number)
+        if isinstance(inner, Name):
+            constant = inner.name in (PI, TIME) or self.kind(inner.name) == "parameter"
+        if constant:
+            what = f"`{inner.name}`" if isinstance(inner, Name) else "a number"
+            value = "1" if isinstance(inner, Name) and inner.name == TIME else "0"
+            self.bag.error("E0212", f"the time derivative of {what} is {value}", node.span, help=(f"write `{value}`",))
+
+    # --- velocities ---
+
+    def holds_velocities(self, tree: Syntax, known: Mapping[str, bool], report: bool = True) -> bool:
+        """Say whether an expression holds velocities; a time derivative of something that does is reported (E0414).
+
+        ``known`` says the same of the names of ``define`` and ``quasi_velocities``.
+        """
+
+        def visit(node: Syntax, parts: tuple[bool, ...]) -> bool:
+            if isinstance(node, Name):
+                return known.get(node.name, node.name in ("T", _ENERGY) and node.name not in self.names)
+            if isinstance(node, Prime):
+                if parts[0] and report:
+                    self._report_velocities(node, known)
+                return True
+            return any(parts)
+
+        return fold_tree(tree, visit)
+
+    def _report_velocities(self, node: Prime, known: Mapping[str, bool]) -> None:
+        inner = node.operand
+        labels: tuple[Label, ...] = ()
+        what = "an expression that holds velocities"
+        if isinstance(inner, Name):
+            what = f"`{inner.name}`, which holds velocities"
+            if known.get(inner.name) and inner.name in self.names:
+                labels = (Label(self.names[inner.name].span, "declared here"),)
+        help = "the prime is for positions; accelerations are what nhc derives"
+        self.bag.error("E0414", f"time derivative of {what}", node.span, labels=labels, help=(help,))
+
+
+def check_name(text: Text, bag: Bag) -> bool:
+    """Report a text that is no name."""
+    if is_name(text.value):
+        return True
+    help = "a name is made of letters, digits and `_`, and starts with a letter"
+    bag.error("E0307", f"`{text.value[:40]}` is not a name", text.span, help=(help,))
+    return False
+
+
+def names_in(tree: Syntax) -> tuple[str, ...]:
+    """Return the names that stand in an expression, each once, in the order of their first places."""
+    return tuple(dict.fromkeys(node.name for node in walk(tree) if isinstance(node, Name)))
+
+
+def check_form(left: Syntax, right: Syntax, known: Mapping[str, bool], bag: Bag) -> str:
+    """Return the form of a constraint, "velocity" or "differential"; report one that mixes them."""
+    form: Differential | None = None
+    velocity: Syntax | None = None
+    for side in (left, right):
+        for node in walk(side):
+            if isinstance(node, Differential):
+                form = form or node
+            elif isinstance(node, Prime) or (isinstance(node, Name) and known.get(node.name, False)):
+                velocity = velocity or node
+    if form is not None and velocity is not None:
+        label = Label(velocity.span, "a velocity")
+        help = "write the whole constraint with velocities, or with differentials (`dt` for the free term)"
+        message = "a constraint mixes differentials with velocities"
+        bag.error("E0209", message, form.span, "a differential", labels=(label,), help=(help,))
+    return "differential" if form is not None else "velocity"
+

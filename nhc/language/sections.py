@@ -1,0 +1,95 @@
+"""The sections that declare coordinates and parameters."""
+
+from __future__ import annotations
+
+from .keys import COORDINATE_KEYS, PARAMETER_KEYS
+from .nodes import Items, Node, Table, Text
+from .scope import Scope
+from .shape import Shapes
+from .spec import Coordinate, Parameter
+from .units import UnitError, parse_unit
+
+
+def _read_text(table: Table, key: str, shapes: Shapes) -> str:
+    node = table.get(key)
+    text = shapes.text(node) if node is not None else None
+    return text.value if text else ""
+
+
+def _read_unit(table: Table, shapes: Shapes) -> str:
+    node = table.get("unit")
+    text = shapes.text(node, "a unit") if node is not None else None
+    if text is None:
+        return ""
+    try:
+        parse_unit(text.value)
+    except UnitError as error:
+        shapes.bag.error("E0316", error.message, text.locate(error.start, error.end), help=(error.help,))
+    return text.value
+
+
+def _entries(node: Node | None, key: str, shapes: Shapes, scope: Scope) -> list[tuple[Text, Node | None]]:
+    """Return the names of a section with their values; the names of a list have none."""
+    if node is None:
+        return []
+    if isinstance(node, Items):
+        texts = [shapes.text(item, "a name") for item in node.items]
+        scope.open = scope.open or None in texts
+        return [(text, None) for text in texts if text is not None]
+    table = shapes.table(node, f"a list or mapping of {key}", "write `[x, y]`, or one name per line with what is known of it")
+    if table is None:
+        scope.open = True
+        return []
+    return list(table.entries)
+
+
+def decode_coordinates(node: Node | None, shapes: Shapes, scope: Scope) -> list[Coordinate]:
+    """Declare the coordinates; at least one is needed."""
+    entries = _entries(node, "coordinates", shapes, scope)
+    if isinstance(node, Items | Table) and not entries and not scope.open:
+        shapes.bag.error("E0301", "at least one coordinate is needed", node.span, help=("write `coordinates: [x]`",))
+        scope.open = True
+    if node is None:
+        scope.open = True
+    found = []
+    for text, value in entries:
+        name = scope.declare(text, "coordinate")
+        coordinate = _decode_coordinate(name or "", text, value, shapes)
+        if name is not None:
+            found.append(coordinate)
+    return found
+
+
+def _decode_coordinate(name: str, text: Text, value: Node | None, shapes: Shapes) -> Coordinate:
+    what = f"coordinate `{text.value}`"
+    help = f"write `{text.value}: {{unit: m, about: ...}}`, or list the names: `coordinates: [{text.value}, ...]`"
+    table = shapes.table(value, f"a mapping for {what}", help) if value is not None else None
+    if table is None:
+        return Coordinate(name, text.span)
+    shapes.check_keys(table, COORDINATE_KEYS, what, text.span)
+    node = table.get("range")
+    range_ = shapes.interval(node, f"the range of `{text.value}`") if node is not None else None
+    return Coordinate(name, text.span, _read_unit(table, shapes), _read_text(table, "about", shapes), range_)
+
+
+def decode_parameters(node: Node | None, shapes: Shapes, scope: Scope) -> list[Parameter]:
+    """Declare the parameters."""
+    found = []
+    for text, value in _entries(node, "parameters", shapes, scope):
+        name = scope.declare(text, "parameter")
+        parameter = _decode_parameter(name or "", text, value, shapes)
+        if name is not None:
+            found.append(parameter)
+    return found
+
+
+def _decode_parameter(name: str, text: Text, value: Node | None, shapes: Shapes) -> Parameter:
+    what = f"parameter `{text.value}`"
+    if value is None:
+        return Parameter(name, text.span)
+    if not isinstance(value, Table):
+        return Parameter(name, text.span, shapes.constant(value, what))
+    shapes.check_keys(value, PARAMETER_KEYS, what, text.span)
+    node = value.get("value")
+    number = shapes.constant(node, what) if node is not None else None
+    return Parameter(name, text.span, number, _read_unit(value, shapes), _read_text(value, "about", shapes))

@@ -1,0 +1,138 @@
+"""Nodes to values of a wanted shape; what has another shape is reported."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+
+from nhc.diagnostics import Bag, Label, Span, nearest
+
+from .constant import ConstantError, evaluate
+from .keys import Key
+from .names import FUNCTIONS, PI
+from .nodes import Items, Node, Table, Text, describe
+from .numbers import exact
+from .parser import parse_expression
+from .syntax import Name, Negate, Number, Syntax, walk
+from .yaml_reader import is_empty
+
+
+def _first(node: Node) -> Span:
+    """The place to mark for a whole node: itself, or the first character of a list or mapping."""
+    return node.span if isinstance(node, Text) else Span(node.span.start, node.span.start + 1)
+
+
+class Shapes:
+    """Asks nodes for shapes; an empty value has been reported already and is passed over in silence."""
+
+    def __init__(self, bag: Bag) -> None:
+        self.bag = bag
+
+    def _wrong(self, node: Node, wanted: str, help: str) -> None:
+        if not is_empty(node):
+            message = f"expected {wanted}, found {describe(node)}"
+            self.bag.error("E0301", message, _first(node), help=(help,) if help else ())
+
+    def text(self, node: Node, wanted: str = "a text", help: str = "") -> Text | None:
+        """Return a text that is not empty."""
+        if isinstance(node, Text):
+            return None if is_empty(node) else node
+        self._wrong(node, wanted, help)
+        return None
+
+    def table(self, node: Node, wanted: str = "a mapping", help: str = "") -> Table | None:
+        """Return a mapping."""
+        if isinstance(node, Table):
+            return node
+        self._wrong(node, wanted, help)
+        return None
+
+    def items(self, node: Node, wanted: str = "a list", help: str = "") -> Items | None:
+        """Return a list."""
+        if isinstance(node, Items):
+            return node
+        self._wrong(node, wanted, help)
+        return None
+
+    def check_keys(self, table: Table, keys: Sequence[Key], what: str, place: Span) -> tuple[str, ...]:
+        """Report unknown and missing keys of a mapping; return the known keys that unknown ones may have meant."""
+        known = [key.name for key in keys]
+        present = {text.value for text, _ in table.entries}
+        meant: list[str] = []
+        for text, _ in table.entries:
+            if text.value in known:
+                continue
+            near = nearest(text.value, known)
+            meant.extend([near] if near else [])
+            help = f"did you mean `{near}`?" if near else "known keys: " + ", ".join(f"`{name}`" for name in known)
+            self.bag.error("E0303", f"unknown key `{text.value}` in {what}", text.span, help=(help,))
+        for key in keys:
+            if key.required and key.name not in present and key.name not in meant:
+                about = f"`{key.name}`: {key.about}"
+                self.bag.error("E0304", f"missing key `{key.name}` in {what}", place, help=(about,))
+        return tuple(meant)
+
+    def constant(self, node: Node, what: str) -> Fraction | Syntax | None:
+        """Return a number, or an expression of numbers and ``pi`` that has a value."""
+        text = self.text(node, f"{what}: a number")
+        if text is None:
+            return None
+        try:
+            value = exact(text.value)
+        except ValueError as error:
+            self.bag.error("E0210", f"the number {error}", text.span)
+            return None
+        if value is not None:
+            return value
+        tree = parse_expression(text.value, text.locate, self.bag)
+        if tree is None or not self._is_constant(tree, what):
+            return None
+        return literal(tree) if literal(tree) is not None else tree
+
+    def _is_constant(self, tree: Syntax, what: str) -> bool:
+        for node in walk(tree):
+            if isinstance(node, Name) and node.name != PI:
+                if node.name in FUNCTIONS:
+                    self.bag.error("E0206", f"`{node.name}` needs its argument in parentheses", node.span)
+                    return False
+                message = f"`{node.name}` is not constant: {what} holds numbers and `pi` only"
+                self.bag.error("E0314", message, node.span)
+                return False
+        try:
+            evaluate(tree)
+        except ConstantError as error:
+            self.bag.error(error.code, error.message, error.span)
+            return False
+        return True
+
+    def number(self, node: Node, what: str) -> Fraction | None:
+        """Return a number; a constant expression is taken by its value."""
+        value = self.constant(node, what)
+        if value is None or isinstance(value, Fraction):
+            return value
+        return Fraction(evaluate(value))
+
+    def interval(self, node: Node, what: str) -> tuple[Fraction, Fraction] | None:
+        """Return two numbers of which the second is larger."""
+        items = self.items(node, f"{what}: a list of two numbers", "write `[low, high]`")
+        if items is None:
+            return None
+        if len(items.items) != 2:
+            message = f"expected {what}: a list of two numbers, found {len(items.items)}"
+            self.bag.error("E0301", message, items.span, help=("write `[low, high]`",))
+            return None
+        low, high = (self.number(item, what) for item in items.items)
+        if low is None or high is None:
+            return None
+        if low >= high:
+            first = Label(items.items[0].span, "not before this")
+            self.bag.error("E0313", f"{what} ends where it starts, or before", items.items[1].span, labels=(first,))
+            return None
+        return low, high
+
+
+def literal(tree: Syntax) -> Fraction | None:
+    """Return the value of a number with or without a minus, None for any other expression."""
+    if isinstance(tree, Negate) and isinstance(tree.operand, Number):
+        return -tree.operand.value
+    return tree.value if isinstance(tree, Number) else None

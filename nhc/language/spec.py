@@ -1,0 +1,146 @@
+"""The Spec: a spec's whole content, names resolved, as frozen data with places."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+
+from nhc.diagnostics import Source, Span
+
+from .syntax import Syntax
+
+DEFAULT_TOLERANCE = Fraction(1, 10**8)
+FORMULATIONS = ("auto", "newton", "lagrange", "euler-lagrange", "chaplygin", "voronec", "multipliers")
+
+
+@dataclass(frozen=True, slots=True)
+class Coordinate:
+    """A generalized coordinate; ``range`` is where it is meant to stay."""
+
+    name: str
+    span: Span
+    unit: str = ""
+    about: str = ""
+    range: tuple[Fraction, Fraction] | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Parameter:
+    """A constant of the system: a number, a constant expression (``pi/10``), or None where each scene gives it."""
+
+    name: str
+    span: Span
+    value: Fraction | Syntax | None = None
+    unit: str = ""
+    about: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Definition:
+    """A name with its expression: an entry of ``define``, ``quasi_velocities``, ``forces`` or ``outputs``."""
+
+    name: str
+    value: Syntax
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Constraint:
+    """``left = right``; ``form`` is "velocity" (x' and so on) or "differential" (dx, dt)."""
+
+    name: str
+    left: Syntax
+    right: Syntax
+    form: str
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Holonomic:
+    """``left = right`` between positions and time."""
+
+    name: str
+    left: Syntax
+    right: Syntax
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Override:
+    """A scene's own value of a parameter."""
+
+    name: str
+    value: Fraction | Syntax
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Initial:
+    """A scene's start: ``kind`` is "coordinate", "velocity" (of the coordinate ``name``) or "quasi"; the value holds
+    numbers, ``pi`` and parameters only."""
+
+    kind: str
+    name: str
+    value: Syntax
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Need:
+    """What a scene needs: ``kind`` is "coordinate", "velocity" (``name`` is ``x'``), "quasi", "output", "energy" or
+    "reactions"."""
+
+    kind: str
+    name: str
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Scene:
+    """A concrete situation; what ``initial`` leaves out is 0; ``need`` is never empty."""
+
+    name: str
+    span: Span
+    about: str
+    parameters: tuple[Override, ...]
+    initial: tuple[Initial, ...]
+    time: tuple[Fraction, Fraction]
+    need: tuple[Need, ...]
+    tolerance: Fraction
+
+
+@dataclass(frozen=True)
+class Spec:
+    """One decoded spec.
+
+    ``definitions`` are in an order in which each needs only earlier ones (quasi-velocities aside); ``named_order`` is such
+    an order of the names of definitions and quasi-velocities together. ``potential_kind`` is "U", "V" or "".
+    ``definitions``, ``quasi_velocities``, ``forces`` and ``outputs`` hold names of the spec's own; ``T``, ``U``, ``V`` and
+    ``energy`` may stand in outputs and then mean nhc's, unless the spec declares them.
+    """
+
+    origin: Source
+    version: int
+    system: str
+    about: str
+    sources: tuple[str, ...]
+    coordinates: tuple[Coordinate, ...]
+    parameters: tuple[Parameter, ...]
+    definitions: tuple[Definition, ...]
+    kinetic: Syntax
+    potential: Syntax | None
+    potential_kind: str
+    forces: tuple[Definition, ...]
+    constraints: tuple[Constraint, ...]
+    holonomic: tuple[Holonomic, ...]
+    quasi_velocities: tuple[Definition, ...]
+    named_order: tuple[str, ...]
+    dependent: tuple[str, ...]
+    formulation: str
+    outputs: tuple[Definition, ...]
+    scenes: tuple[Scene, ...]
+    key_spans: tuple[tuple[str, Span], ...]
+
+    def key_span(self, key: str) -> Span:
+        """Return the place of a top-level key (``constraints``); the spec's start where it is not written."""
+        return dict(self.key_spans).get(key, Span(0, 0))

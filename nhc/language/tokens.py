@@ -1,0 +1,104 @@
+"""The words of an expression."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+
+from nhc.diagnostics import Span
+
+from .names import continues_name, fold, starts_name
+
+LONGEST = 100_000  # characters of an expression
+_NUMBER = re.compile(r"(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
+_SIGNS = {"**": "^", "+": "+", "-": "-", "*": "*", "/": "/", "^": "^", "(": "(", ")": ")", ",": ",", "=": "="}
+_INSTEAD = {
+    "\u2212": "write `-`",
+    "\u2013": "write `-`",
+    "\u00b7": "write `*`",
+    "\u22c5": "write `*`",
+    "\u00d7": "write `*`",
+    "\u00f7": "write `/`",
+    "\u2019": "write the plain prime `'`",
+    "\u00b2": "write `^2`",
+    "\u00b3": "write `^3`",
+    "[": "use round parentheses",
+    "]": "use round parentheses",
+    "{": "use round parentheses",
+    "}": "use round parentheses",
+    "|": "write `abs(...)`",
+    '"': "write `'` twice only for a second derivative, which the language has not",
+    "%": "the language has no remainder",
+    "<": "the language has no comparisons",
+    ">": "the language has no comparisons",
+}
+
+
+class ExpressionError(Exception):
+    """The first mistake of one expression; becomes a diagnostic in ``parse``."""
+
+    def __init__(self, code: str, message: str, span: Span, help: str = "") -> None:
+        super().__init__(message)
+        self.code = code
+        self.message = message
+        self.span = span
+        self.help = help
+
+
+@dataclass(frozen=True, slots=True)
+class Token:
+    """``kind`` is number, name, prime, end, or the sign itself; ``text`` is folded for names."""
+
+    kind: str
+    text: str
+    start: int
+    end: int
+
+
+Locate = Callable[[int, int], Span]  # offsets in the expression's text -> place in the source
+
+
+def tokenise(text: str, locate: Locate) -> Iterator[Token]:
+    """Yield the words of a text and an ``end``; raises ``ExpressionError`` at what is no word."""
+    at, size = 0, len(text)
+    while at < size:
+        character = text[at]
+        if character in " \t\n\r":
+            at += 1
+            continue
+        token = _next(text, at, locate)
+        yield token
+        at = token.end
+    yield Token("end", "", size, size)
+
+
+def _next(text: str, at: int, locate: Locate) -> Token:
+    character = text[at]
+    found = _NUMBER.match(text, at)
+    if found:
+        return _number(text, at, found.end(), locate)
+    if character in "'\u2032":
+        return Token("prime", "'", at, at + 1)
+    sign = "**" if text.startswith("**", at) else character
+    if sign in _SIGNS:
+        return Token(_SIGNS[sign], sign, at, at + len(sign))
+    if starts_name(character):
+        end = at + 1
+        while end < len(text) and continues_name(text[end]):
+            end += 1
+        name = fold(text[at:end])
+        if name.isidentifier():
+            return Token("name", name, at, end)
+    shown = character if character.isprintable() else f"U+{ord(character):04X}"
+    raise ExpressionError("E0201", f"unexpected character `{shown}`", locate(at, at + 1), _INSTEAD.get(character, ""))
+
+
+def _number(text: str, start: int, end: int, locate: Locate) -> Token:
+    if end < len(text) and (text[end] == "." or (text[end] == "_" and text[end + 1 : end + 2].isdigit())):
+        while end < len(text) and (text[end] in "._" or text[end].isdigit()):
+            end += 1
+        raise ExpressionError(
+            "E0210", f"malformed number `{text[start:end]}`", locate(start, end), "write digits with at most one `.`"
+        )
+    return Token("number", text[start:end], start, end)

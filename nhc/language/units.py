@@ -1,0 +1,169 @@
+"""Units of measurement: their texts and dimensions. Scale does not matter here, so ``km`` and ``m`` are both a length."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from fractions import Fraction
+
+_BASE = ("m", "kg", "s", "A", "K", "mol", "cd")
+Dimension = tuple[Fraction, ...]  # the powers of metre, kilogram, second, ampere, kelvin, mole, candela
+
+
+def _dimension(m: int = 0, kg: int = 0, s: int = 0, A: int = 0, K: int = 0, mol: int = 0, cd: int = 0) -> Dimension:
+    return tuple(Fraction(power) for power in (m, kg, s, A, K, mol, cd))
+
+
+ONE = _dimension()
+SECOND = _dimension(s=1)
+ENERGY = _dimension(m=2, kg=1, s=-2)
+
+# International System of Units, 9th brochure (2019), tables 2, 4 and 8
+_UNITS: dict[str, Dimension] = {
+    "1": ONE,
+    "rad": ONE,
+    "sr": ONE,
+    "deg": ONE,
+    "m": _dimension(m=1),
+    "g": _dimension(kg=1),
+    "s": SECOND,
+    "min": SECOND,
+    "h": SECOND,
+    "A": _dimension(A=1),
+    "K": _dimension(K=1),
+    "mol": _dimension(mol=1),
+    "cd": _dimension(cd=1),
+    "N": _dimension(m=1, kg=1, s=-2),
+    "J": ENERGY,
+    "eV": ENERGY,
+    "W": _dimension(m=2, kg=1, s=-3),
+    "Pa": _dimension(m=-1, kg=1, s=-2),
+    "bar": _dimension(m=-1, kg=1, s=-2),
+    "Hz": _dimension(s=-1),
+    "C": _dimension(s=1, A=1),
+    "V": _dimension(m=2, kg=1, s=-3, A=-1),
+    "F": _dimension(m=-2, kg=-1, s=4, A=2),
+    "ohm": _dimension(m=2, kg=1, s=-3, A=-2),
+    "S": _dimension(m=-2, kg=-1, s=3, A=2),
+    "Wb": _dimension(m=2, kg=1, s=-2, A=-1),
+    "T": _dimension(kg=1, s=-2, A=-1),
+    "H": _dimension(m=2, kg=1, s=-2, A=-2),
+    "L": _dimension(m=3),
+    "l": _dimension(m=3),
+    "t": _dimension(kg=1),
+}
+_PREFIXES = ("da", *"QRYZEPTGMkhdcmunpfazyrq", "\u00b5", "\u03bc")
+_UNPREFIXED = ("1", "min", "h", "deg")
+_WORD = re.compile(r"\s*(?:([A-Za-z\u00b5\u03bc\u03a9\u2126]+|1)|(\*\*|[*/^()\u00b7\u22c5])|([-+]?[0-9]+)|([\u00b2\u00b3]))")
+_HELP = "units are written like `kg*m^2/s^2`, `N*m`, `rad`, `1`"
+
+
+class UnitError(Exception):
+    """A text is no unit; ``start`` and ``end`` are offsets in it."""
+
+    def __init__(self, message: str, start: int, end: int, help: str = _HELP) -> None:
+        super().__init__(message)
+        self.message = message
+        self.start = start
+        self.end = end
+        self.help = help
+
+
+def multiply(left: Dimension, right: Dimension) -> Dimension:
+    """Return the dimension of a product."""
+    return tuple(first + second for first, second in zip(left, right, strict=True))
+
+
+def raise_to(base: Dimension, power: Fraction) -> Dimension:
+    """Return the dimension of a power."""
+    return tuple(part * power for part in base)
+
+
+def show(dimension: Dimension) -> str:
+    """Return a dimension as a product of base units: ``kg*m^2/s^2``; ``1`` for none."""
+    named = sorted(zip(_BASE, dimension, strict=True), key=lambda item: ("kg", "m").index(item[0]) if item[0] in "kgm" else 9)
+    above = [_power(name, power) for name, power in named if power > 0]
+    below = [_power(name, -power) for name, power in named if power < 0]
+    return "/".join(["*".join(above) or "1", *below])
+
+
+def _power(name: str, power: Fraction) -> str:
+    if power == 1:
+        return name
+    return f"{name}^{power}" if power.denominator == 1 else f"{name}^({power})"
+
+
+def _unit(text: str, start: int) -> Dimension:
+    name = text.replace("\u03a9", "ohm").replace("\u2126", "ohm")
+    if name in _UNITS:
+        return _UNITS[name]
+    for prefix in _PREFIXES:
+        rest = name.removeprefix(prefix)
+        if rest != name and rest in _UNITS and rest not in _UNPREFIXED:
+            return _UNITS[rest]
+    raise UnitError(f"unknown unit `{text}`", start, start + len(text))
+
+
+@dataclass(slots=True)
+class _Word:
+    kind: str  # unit, sign, power
+    text: str
+    start: int
+    end: int
+
+
+def _split(text: str) -> list[_Word]:
+    words: list[_Word] = []
+    at, size = 0, len(text.rstrip())
+    while at < size:
+        found = _WORD.match(text, at)
+        after_power = bool(words) and words[-1].text in ("^", "**")
+        number = re.compile(r"\s*([-+]?[0-9]+)").match(text, at) if after_power else None
+        if number:
+            words.append(_Word("power", number.group(1), number.start(1), number.end(1)))
+            at = number.end()
+            continue
+        if not found:
+            while text[at] == " ":
+                at += 1
+            raise UnitError(f"unexpected `{text[at]}` in a unit", at, at + 1)
+        kind = ("unit", "sign", "power", "power")[(found.lastindex or 1) - 1]
+        group = found.lastindex or 1
+        words.append(_Word(kind, found.group(group), found.start(group), found.end(group)))
+        at = found.end()
+    return words
+
+
+def parse_unit(text: str) -> Dimension:
+    """Return the dimension of a unit's text; raises ``UnitError``.
+
+    A product is written with ``*``, a space or a middle dot; ``/`` divides by the one factor after it; ``^`` takes an integer.
+    """
+    words = _split(text)
+    stack: list[tuple[Dimension, int]] = []  # what stands before each open parenthesis, and the sign of its power
+    total, sign, last = ONE, 1, ONE
+    wants = True
+    for index, word in enumerate(words):
+        follower = words[index + 1].text if index + 1 < len(words) else ""
+        if word.kind == "unit":
+            last = raise_to(_unit(word.text, word.start), Fraction(sign))
+            total, sign, wants = multiply(total, last), 1, False
+        elif word.text == "(":
+            stack.append((total, sign))
+            total, sign, wants = ONE, 1, True
+        elif word.text == ")" and stack and not wants:
+            before, sign = stack.pop()
+            last = raise_to(total, Fraction(sign))
+            total, sign = multiply(before, last), 1
+        elif word.kind == "power" and not wants:
+            power = Fraction({"\u00b2": 2, "\u00b3": 3}.get(word.text) or int(word.text))
+            total = multiply(total, raise_to(last, power - 1))
+        elif word.text in ("^", "**") and not wants and follower.lstrip("+-").isdigit():
+            continue
+        elif word.text in ("*", "/", "\u00b7", "\u22c5") and not wants:
+            sign, wants = (-1 if word.text == "/" else 1), True
+        else:
+            raise UnitError(f"unexpected `{word.text}` in a unit", word.start, word.end)
+    if wants or stack:
+        raise UnitError("a unit is incomplete", 0, len(text))
+    return total

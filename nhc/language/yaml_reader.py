@@ -1,0 +1,183 @@
+"""YAML to nodes with places, from the parser's events; what this language leaves out of YAML is refused here."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from typing import Any
+
+import yaml
+
+from nhc.diagnostics import Bag, Label, Source, Span
+
+from .nodes import Items, Node, Table, Text
+from .places import align
+
+_DEEPEST = 32  # lists and mappings inside one another; a valid spec needs four
+_UNPRINTABLE = re.compile("[^\t\n\x20-\x7e\x85\xa0-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]|\ufeff")
+_BREAK = re.compile("[\x85\u2028\u2029]")
+_NULL = ("", "~", "null", "Null", "NULL")
+_FAST: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
+
+
+class Stop(Exception):
+    """Reading cannot go on; its reason is in the bag."""
+
+
+@dataclass(slots=True)
+class _Open:
+    """A list or mapping that is being read."""
+
+    start: int
+    mapping: bool
+    items: list[Node] = field(default_factory=list)
+
+
+def _events(text: str, loader: Any) -> Iterator[Any]:
+    return iter(yaml.parse(text, Loader=loader))
+
+
+def _scan(source: Source, bag: Bag) -> list[Any]:
+    """Return the events; a syntax error is always told by PyYAML's own parser, so that it does not depend on libyaml."""
+    for loader in dict.fromkeys((_FAST, yaml.SafeLoader)):
+        try:
+            return list(_events(source.text, loader))
+        except yaml.MarkedYAMLError as error:
+            if loader is yaml.SafeLoader:
+                _report_syntax(error, bag)
+        except yaml.YAMLError as error:
+            if loader is yaml.SafeLoader:
+                bag.error("E0104", f"YAML: {str(error).splitlines()[0].lower()}", Span(0, 0))
+    raise Stop
+
+
+def _report_syntax(error: yaml.MarkedYAMLError, bag: Bag) -> None:
+    mark = error.problem_mark or error.context_mark
+    at = mark.index if mark else 0
+    problem = (error.problem or "syntax error").rstrip(".").replace("\n", " ")
+    labels = ()
+    if error.context_mark and error.context and error.context_mark.index != at:
+        start = error.context_mark.index
+        labels = (Label(Span(start, start + 1), str(error.context)),)
+    help = "put a text that holds `: `, ` #` or commas between quotes"
+    if "cannot start any token" in problem:
+        help = "put the text between quotes, and indent with spaces"
+    bag.error("E0104", f"YAML: {problem}", Span(at, at + 1), labels=labels, help=(help,))
+
+
+def _check_characters(source: Source, bag: Bag) -> None:
+    found = _UNPRINTABLE.search(source.text) or _BREAK.search(source.text)
+    if found:
+        code = f"U+{ord(found.group()):04X}"
+        bag.error("E0102", f"the character {code} is not allowed in a spec", Span(*found.span()), help=("remove it",))
+        raise Stop
+
+
+def read_nodes(source: Source, bag: Bag) -> Node | None:
+    """Return the one document of a source; what is wrong goes into ``bag``, and None says that nothing could be read."""
+    try:
+        _check_characters(source, bag)
+        return _build(source, _scan(source, bag), bag)
+    except Stop:
+        return None
+
+
+def _build(source: Source, events: list[Any], bag: Bag) -> Node | None:
+    stack: list[_Open] = []
+    root: Node | None = None
+    documents = 0
+    for event in events:
+        node: Node | None = None
+        match event:
+            case yaml.DocumentStartEvent():
+                documents += 1
+                if documents > 1:
+                    _refuse_document(event, bag)
+                    break
+            case yaml.MappingStartEvent() | yaml.SequenceStartEvent():
+                _check_properties(source, event, bag)
+                if len(stack) >= _DEEPEST:
+                    span = Span(event.start_mark.index, event.start_mark.index + 1)
+                    bag.error("E0110", f"lists and mappings nested deeper than {_DEEPEST}", span)
+                    raise Stop
+                stack.append(_Open(event.start_mark.index, isinstance(event, yaml.MappingStartEvent)))
+            case yaml.MappingEndEvent() | yaml.SequenceEndEvent():
+                node = _close(source, stack.pop(), event.end_mark.index, bag)
+            case yaml.ScalarEvent():
+                _check_properties(source, event, bag)
+                node = _text(source, event)
+            case yaml.AliasEvent():
+                span = Span(event.start_mark.index, event.end_mark.index)
+                bag.error("E0106", f"alias `*{event.anchor}`", span, help=("write the value out",))
+                node = Text("*", span, plain=False)
+        if node is not None and stack:
+            stack[-1].items.append(node)
+        elif node is not None:
+            root = node
+    return root
+
+
+def _refuse_document(event: Any, bag: Bag) -> None:
+    at = event.start_mark.index
+    bag.error("E0108", "a second document in one file", Span(at, at + 3), help=("put each spec into its own file",))
+
+
+def _check_properties(source: Source, event: Any, bag: Bag) -> None:
+    start = event.start_mark.index
+    if event.anchor is not None:
+        at = source.text.find("&", start)
+        span = Span(at, at + 1 + len(event.anchor)) if at >= 0 else Span(start, start + 1)
+        bag.error("E0106", f"anchor `&{event.anchor}`", span, help=("write the value out where it is needed",))
+    if event.tag is not None:
+        at = source.text.find("!", start)
+        span = Span(at, at + 1) if at >= 0 else Span(start, start + 1)
+        bag.error("E0107", "a YAML tag", span, help=("remove it: the language knows the type of every value",))
+
+
+def _text(source: Source, event: Any) -> Text:
+    start, end = event.start_mark.index, event.end_mark.index
+    style = event.style or ""
+    if event.anchor is not None or event.tag is not None:
+        return Text(event.value, Span(start, end), not style)
+    if style in ("|", ">"):
+        while end > start + 1 and source.text[end - 1] in " \n":
+            end -= 1
+    offsets = align(source.text, start, end, event.value, style)
+    return Text(event.value, Span(start, end), plain=not style, offsets=offsets)
+
+
+def _close(source: Source, opened: _Open, end: int, bag: Bag) -> Node:
+    while end > opened.start + 1 and source.text[end - 1] in " \t\n":
+        end -= 1
+    span = Span(opened.start, end)
+    if not opened.mapping:
+        for item in opened.items:
+            _check_filled(item, item.span, "entry of a list", bag)
+        return Items(tuple(opened.items), span)
+    entries: list[tuple[Text, Node]] = []
+    seen: dict[str, Text] = {}
+    for key, value in zip(opened.items[::2], opened.items[1::2], strict=True):
+        if not isinstance(key, Text):
+            bag.error("E0301", "a key must be a text", Span(key.span.start, key.span.start + 1))
+            continue
+        if key.value in seen:
+            first = Label(seen[key.value].span, "first here")
+            bag.error("E0105", f"duplicate key `{key.value}`", key.span, labels=(first,), help=("keep one of them",))
+            continue
+        seen[key.value] = key
+        _check_filled(value, key.span, f"value of `{key.value}`", bag)
+        entries.append((key, value))
+    return Table(tuple(entries), span)
+
+
+def is_empty(node: Node) -> bool:
+    """Say whether a node is a value that is not there (nothing, ``~``, ``null``, or a blank text)."""
+    return isinstance(node, Text) and (not node.value.strip() or (node.plain and node.value in _NULL))
+
+
+def _check_filled(node: Node, place: Span, what: str, bag: Bag) -> None:
+    if is_empty(node):
+        span = node.span if node.span.end > node.span.start else place
+        help = "give it a value, or remove it; a text with commas inside `{ }` or `[ ]` needs quotes"
+        bag.error("E0109", f"empty {what}", span, help=(help,))
