@@ -6,7 +6,7 @@ import click
 
 from nhc.cli.specs import complete_spec
 
-# the language's own list stands in its JSON Schema; tests hold this one equal to it
+# nhc.language.FORMULATIONS again, which takes too long to import for a help text; a test holds them equal
 FORMULATIONS = ("auto", "newton", "lagrange", "euler-lagrange", "chaplygin", "voronec", "multipliers")
 
 spec_argument = click.argument("spec", shell_complete=complete_spec)

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
 from click.shell_completion import CompletionItem
 
-from nhc.cli.terminal import Failure, describe_os_error, say
+from nhc.cli.terminal import Failure, say
 
 if TYPE_CHECKING:
     from nhc.language import Source
@@ -23,28 +22,20 @@ def gallery_paths() -> dict[str, Path]:
 
 
 def open_spec(spec: str) -> Source:
-    """Return the text of ``spec``: a file, ``-`` for stdin, or the name of a gallery spec when no such file exists."""
-    from nhc.diagnostics import Source
-    from nhc.language import read
+    """Return the text of ``spec``: a file, ``-`` for stdin, or the name of a gallery spec when no such file exists.
 
-    if spec == "-":
-        try:
-            return Source("<stdin>", sys.stdin.buffer.read().decode())
-        except UnicodeDecodeError as error:
-            raise Failure(
-                f"what comes from stdin is not UTF-8: byte {error.start} is no part of a character"
-            ) from error
-    path = Path(spec)
-    if not path.exists():
-        gallery = gallery_paths()
-        if spec not in gallery:
-            raise Failure(f"no file `{spec}`, and no spec of the gallery has that name", _advise(spec, list(gallery)))
-        say(f"no file `{spec}`, taking the spec of that name from the gallery")
-        path = gallery[spec]
-    try:
-        return read(str(path))
-    except OSError as error:
-        raise Failure(f"cannot read `{spec}`: {describe_os_error(error)}") from error
+    Raises ``nhc.diagnostics.SpecError`` for what cannot be read as text, ``Failure`` when there is nothing of that name.
+    """
+    from nhc.language import Source, read
+
+    if spec == "-" or Path(spec).exists():
+        return read(spec)
+    gallery = gallery_paths()
+    if spec not in gallery:
+        raise Failure(f"no file `{spec}`, and no spec of the gallery has that name", _advise(spec, list(gallery)))
+    say(f"no file `{spec}`, taking the spec of that name from the gallery")
+    # the same name as of a copy, so that what is made from it does not depend on where nhc is installed
+    return Source(gallery[spec].name, read(gallery[spec]).text)
 
 
 def complete_spec(ctx: click.Context, parameter: click.Parameter, incomplete: str) -> list[CompletionItem]:

@@ -14,8 +14,10 @@ from pathlib import Path
 import click
 import pytest
 
+from nhc import language
 from nhc.cli import explain, main
 from nhc.cli.entry import VERBS
+from nhc.cli.options import FORMULATIONS
 from nhc.cli.terminal import Exit, Failure, wants_colour
 
 MODULES = {path.stem for path in Path(explain.__file__).parent.glob("*.py")}
@@ -32,6 +34,10 @@ def test_the_table_says_what_the_verb_says(verb: str) -> None:
     assert isinstance(command, click.Command)
     assert command.name == verb
     assert (command.help or "").splitlines()[0] == VERBS[verb]
+
+
+def test_the_formulations_are_those_of_the_language() -> None:
+    assert FORMULATIONS == language.FORMULATIONS
 
 
 @pytest.mark.parametrize("verb", VERBS)
