@@ -91,14 +91,25 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return Exit.BROKEN_PIPE
     except click.Abort:
         return Exit.INTERRUPTED
-    except click.ClickException as error:
+    except click.exceptions.NoArgsIsHelpError as error:
         error.show()
+        return Exit.USAGE
+    except click.ClickException as error:
+        say(_describe_usage_error(error))
         return Exit.USAGE
     except Failure as failure:
         say(str(failure))
         return failure.exit
     except Exception as error:
         return _report(error)
+
+
+def _describe_usage_error(error: click.ClickException) -> str:
+    """Put click's message into the house's form: lower case, one line, no final stop, and what to do."""
+    words = " ".join(error.format_message().split()).removesuffix(".")
+    context = getattr(error, "ctx", None)
+    path = context.command_path if context else "nhc"
+    return f"error: {words[:1].lower()}{words[1:]}\n  = help: `{path} -h` shows what it takes"
 
 
 def _report(error: Exception) -> Exit:

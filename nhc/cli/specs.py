@@ -24,7 +24,7 @@ def gallery_paths() -> dict[str, Path]:
 def open_spec(spec: str) -> Source:
     """Return the text of ``spec``: a file, ``-`` for stdin, or the name of a gallery spec when no such file exists.
 
-    Raises ``nhc.diagnostics.SpecError`` for what cannot be read as text, ``Failure`` when there is nothing of that name.
+    Raises ``nhc.diagnostics.SpecError`` for what cannot be read as text, ``Failure`` for an unknown name.
     """
     from nhc.language import Source, read
 
@@ -33,7 +33,7 @@ def open_spec(spec: str) -> Source:
     gallery = gallery_paths()
     if spec not in gallery:
         raise Failure(f"no file `{spec}`, and no spec of the gallery has that name", _advise(spec, list(gallery)))
-    say(f"no file `{spec}`, taking the spec of that name from the gallery")
+    say(f"taking `{spec}` from the gallery")
     # the same name as of a copy, so that what is made from it does not depend on where nhc is installed
     return Source(gallery[spec].name, read(gallery[spec]).text)
 

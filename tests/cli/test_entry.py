@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import io
 import os
 import signal
@@ -164,3 +165,21 @@ def test_words_are_completed(typed: str, offered: str) -> None:
         [sys.executable, "-m", "nhc"], env=environment, capture_output=True, text=True, check=False, timeout=60
     )
     assert offered in done.stdout.splitlines(), done.stderr
+
+
+@pytest.mark.parametrize(("no_color", "coloured"), [("", True), ("1", False)])
+def test_a_terminal_gets_colour_unless_it_does_not_want_it(tmp_path: Path, no_color: str, coloured: bool) -> None:
+    (tmp_path / "bad.yaml").write_text("nhc: 1\nsystem: bad\ncoordinates: [x]\nT: y\n")
+    ours, theirs = os.openpty()
+    environment = {**os.environ, "TERM": "xterm", "NO_COLOR": no_color}
+    command = [sys.executable, "-m", "nhc", "check", str(tmp_path / "bad.yaml")]
+    with subprocess.Popen(command, stdout=theirs, stderr=theirs, env=environment) as child:
+        os.close(theirs)
+        shown = b""
+        with contextlib.suppress(OSError):  # EIO ends a terminal that nobody writes to any more
+            while part := os.read(ours, 4096):
+                shown += part
+    os.close(ours)
+    assert child.returncode == 1
+    assert b"error[E" in shown.replace(b"\x1b[1;31m", b"")
+    assert (b"\x1b[" in shown) is coloured

@@ -1,0 +1,52 @@
+"""What ``nhc doctor`` says of a whole and of a broken installation."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from nhc.cli import main
+from nhc.cli.doctor import EXTRAS, REQUIRED
+
+
+def test_this_installation_is_well(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["doctor", "--json"]) == 0
+    tree = json.loads(capsys.readouterr().out)
+    assert (tree["schema"], tree["ok"]) == ("nhc.doctor/1", True)
+    needed = {row["name"]: row for row in tree["needed"]}
+    assert set(needed) == {"python", *REQUIRED, "templates", "specs"}
+    assert all(row["found"] and row["detail"] for row in needed.values())
+
+
+def test_the_text_names_what_the_tree_names(capsys: pytest.CaptureFixture[str]) -> None:
+    main(["doctor", "--json"])
+    tree = json.loads(capsys.readouterr().out)
+    assert main(["doctor"]) == 0
+    text = capsys.readouterr().out
+    assert all(row["name"] in text for row in tree["needed"] + tree["optional"])
+
+
+def test_a_missing_folder_is_said_and_fails(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def fail() -> Path:
+        raise FileNotFoundError("the folder `templates` is not part of this installation")
+
+    monkeypatch.setattr("nhc.resources.find_templates", fail)
+    assert main(["doctor"]) == 1
+    assert "missing  templates  the folder `templates`" in capsys.readouterr().out
+
+
+def test_a_missing_tool_is_no_failure(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    monkeypatch.setenv("PATH", "")
+    monkeypatch.setenv("CC", "no-such-compiler")
+    assert main(["doctor"]) == 0
+    assert "no `no-such-compiler` on the path" in capsys.readouterr().out
+
+
+def test_requirements_and_extras_are_those_of_the_package(root: Path) -> None:
+    text = (root / "pyproject.toml").read_text()
+    for name in (*REQUIRED, *(package for packages in EXTRAS.values() for package in packages)):
+        assert f'"{name}>=' in text
