@@ -47,6 +47,7 @@ class FieldPoint:
         self._generators: dict[tuple[object, ...], int] = {}
         self._denominators: dict[tuple[str, Monomial], int] = {}
         self._arguments: dict[Node, Polynomial] = {}
+        self._used: set[tuple[str, Monomial]] = set()
 
     # --- generators ---------------------------------------------------------------------------------------
 
@@ -90,18 +91,15 @@ class FieldPoint:
             for monomial, c in argument.items():
                 key = (family, monomial)
                 known = self._denominators.get(key)
-                if known is not None and known % c.denominator:
-                    # a finer point is needed than one already used: start afresh with the finer one
-                    for stale in [n for n, o in enumerate(self.graph.op) if o in _PERIODIC + _EXPONENTIAL]:
-                        if stale in self.values:
-                            raise Unlucky
+                if known is not None and known % c.denominator and key in self._used:
+                    raise Unlucky  # a finer point is needed than one already used: the caller draws another
                 self._denominators[key] = lcm(known or 1, c.denominator)
 
     def _argument(self, node: Node) -> Polynomial:
         known = self._arguments.get(node)
         if known is None:
             try:
-                known = polynomial(self.graph, node, limit=60)
+                known = polynomial(self.graph, node, limit=60, circle=False)
             except TooLarge:
                 known = {((node, 1),): Fraction(1)}
             self._arguments[node] = known
@@ -143,16 +141,21 @@ class FieldPoint:
             if len(monomial) == 1 and self.graph.op[monomial[0][0]] == PI and monomial[0][1] == 1 and 2 % k.denominator == 0:
                 ck, sk = ((1, 0), (0, 1), (-1, 0), (0, -1))[int(2 * k) % 4]
             else:
-                denominator = self._denominators[("angle", monomial)]
+                denominator = self._denominator("angle", monomial)
                 u = self._generator("angle", *self._key(monomial))
                 ck, sk = self._rotation(u, int(k * denominator))
             c, s = (c * ck - s * sk) % self.prime, (s * ck + c * sk) % self.prime
         return c, s
 
+    def _denominator(self, family: str, monomial: Monomial) -> int:
+        self._used.add((family, monomial))
+        return self._denominators[(family, monomial)]
+
     def _key(self, monomial: Monomial) -> tuple[object, ...]:
         """A monomial by the values of its atoms, so that two spellings of one atom share a generator."""
-        parts = sorted((self.values.get(f, 0) if self.graph.op[f] != SYM else self._symbol(f), e) for f, e in monomial)
-        return ("one",) if monomial == ONE else tuple(parts)
+        if monomial == ONE:
+            return ("one",)
+        return tuple(sorted(zip(self.evaluate([f for f, _ in monomial]), [e for _, e in monomial], strict=True)))
 
     def _rotation(self, u: int, k: int) -> tuple[int, int]:
         """k-th power of the point ((1 - u^2)/(1 + u^2), 2u/(1 + u^2)) of the circle; p = 3 mod 4, so 1 + u^2 is never zero."""
@@ -172,7 +175,7 @@ class FieldPoint:
     def _exponential(self, op: str, argument: Polynomial) -> int:
         p, e = self.prime, 1
         for monomial, k in argument.items():
-            denominator = self._denominators[("exponent", monomial)]
+            denominator = self._denominator("exponent", monomial)
             e = e * pow(self._generator("exponent", *self._key(monomial)), int(k * denominator), p) % p
         if op == "exp":
             return e

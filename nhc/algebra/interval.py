@@ -1,0 +1,107 @@
+"""Interval bounds on nodes: a sound answer to "can this vanish?".
+
+Coordinates range over given intervals (all reals when unknown), parameters are points.  Outward rounding is replaced by a relative
+margin, since the question is whether a bound is clearly away from zero.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+
+from nhc.algebra.calculus import reachable
+from nhc.algebra.graph import ADD, MUL, NEG, NUM, PI, POW, SYM, Graph, Node
+
+Interval = tuple[float, float]
+EVERYTHING: Interval = (-math.inf, math.inf)
+_MARGIN = 1e-9
+
+
+def bounds(graph: Graph, root: Node, known: Mapping[Node, Interval]) -> Interval:
+    """An interval that contains every value of the root for symbols in their intervals."""
+    value: dict[Node, Interval] = {}
+    for node in reachable(graph, [root]):
+        value[node] = _bound(graph, node, value, known)
+    return value[root]
+
+
+def cannot_vanish(graph: Graph, root: Node, known: Mapping[Node, Interval]) -> bool:
+    low, high = bounds(graph, root, known)
+    size = max(abs(low), abs(high)) if math.isfinite(low) and math.isfinite(high) else 1.0
+    return low > _MARGIN * size or high < -_MARGIN * size
+
+
+def _bound(g: Graph, node: Node, value: Mapping[Node, Interval], known: Mapping[Node, Interval]) -> Interval:
+    op, a, b = g.op[node], g.a[node], g.b[node]
+    if op == NUM:
+        number = g.value(node)
+        assert number is not None
+        return float(number), float(number)
+    if op == SYM:
+        return known.get(node, EVERYTHING)
+    if op == PI:
+        return math.pi, math.pi
+    if op == ADD:
+        (p, q), (r, s) = value[a], value[b]
+        return p + r, q + s
+    if op == NEG:
+        p, q = value[a]
+        return -q, -p
+    if op == MUL:
+        return _product(value[a], value[b])
+    if op == POW:
+        return _power(value[a], b)
+    return _function(op, value[a])
+
+
+def _product(x: Interval, y: Interval) -> Interval:
+    corners = [0.0 if 0.0 in (p, q) else p * q for p in x for q in y]
+    return min(corners), max(corners)
+
+
+def _power(x: Interval, n: int) -> Interval:
+    if n < 0:
+        low, high = _power(x, -n)
+        if low > 0 or high < 0:
+            return 1 / high, 1 / low
+        return (0.0 if low >= 0 else -math.inf), math.inf
+    try:
+        corners = [end**n for end in x]
+    except OverflowError:
+        return (0.0, math.inf) if n % 2 == 0 else EVERYTHING
+    if n % 2 == 0 and x[0] < 0 < x[1]:
+        corners.append(0.0)
+    return min(corners), max(corners)
+
+
+def _function(op: str, x: Interval) -> Interval:
+    low, high = x
+    if op in ("sin", "cos"):
+        if low == high and math.isfinite(low):
+            at = math.sin(low) if op == "sin" else math.cos(low)
+            return at, at
+        return _wave(op, low, high)
+    if op == "tanh" or op == "sign":
+        return -1.0, 1.0
+    if op == "cosh":
+        return 1.0, math.inf
+    if op == "exp":
+        return (0.0 if low == -math.inf else math.exp(min(low, 700)) * (1 - 1e-12)), math.inf
+    if op == "sqrt":
+        return math.sqrt(max(low, 0.0)), math.sqrt(high) if high >= 0 else math.inf
+    if op == "abs":
+        return (0.0 if low <= 0 <= high else min(abs(low), abs(high))), max(abs(low), abs(high))
+    if op in ("asin", "atan"):
+        return -math.pi / 2, math.pi / 2
+    return EVERYTHING
+
+
+def _wave(op: str, low: float, high: float) -> Interval:
+    if not math.isfinite(high - low) or high - low >= 2 * math.pi:
+        return -1.0, 1.0
+    shift = 0.0 if op == "cos" else -math.pi / 2  # sin x = cos(x - pi/2)
+    p, q = low + shift, high + shift
+    ends = [math.cos(p), math.cos(q)]
+    top = 1.0 if math.floor(q / (2 * math.pi)) > math.floor(p / (2 * math.pi)) or p <= 0 <= q else max(ends)
+    bottom = -1.0 if math.floor((q - math.pi) / (2 * math.pi)) > math.floor((p - math.pi) / (2 * math.pi)) else min(ends)
+    return bottom, top

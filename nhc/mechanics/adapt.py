@@ -1,0 +1,145 @@
+"""Regular adapted coframes: free forms that complete the constraints wherever the constraints themselves have full rank.
+
+Constraint rows with a pivot that cannot vanish are set aside, each with its column.  What remains, k rows, is completed on k + 1 columns by the
+row of its signed maximal minors: its determinant with the rows is the sum of the squares of all the minors (Cauchy-Binet), which vanishes
+only where the rows lose rank.  For a knife edge this is the velocity along the edge.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import combinations
+
+from nhc.algebra.graph import Node
+from nhc.algebra.interval import cannot_vanish
+from nhc.algebra.linear import determinant_of
+from nhc.algebra.modular import rank
+from nhc.algebra.polynomial import normalise
+from nhc.mechanics.frame import coordinate_form
+from nhc.mechanics.regularity import intervals
+from nhc.mechanics.system import Form, System
+
+_MOST_ROWS = 3
+
+
+def adapted_forms(system: System) -> tuple[Form, ...] | None:
+    """n - l free forms, or None where no small completion is found."""
+    rows, columns = _set_pivots_aside(system)
+    free_columns = [j for j in range(system.n) if j not in columns]
+    if not rows:
+        return tuple(coordinate_form(system, j) for j in free_columns)
+    if len(rows) > _MOST_ROWS:
+        return None
+    best = _minor_form(system, rows, free_columns)
+    if best is None:
+        return None
+    form, used, replaced = best
+    kept = [j for j in free_columns if j not in used]
+    return (form, *(coordinate_form(system, j) for j in kept)) if not replaced else None
+
+
+def _set_pivots_aside(system: System) -> tuple[list[int], set[int]]:
+    """(rows that stay, columns of the pivots): pivots cannot vanish, and the rows that stay do not contain their columns."""
+    g, known = system.graph, intervals(system)
+    rows, columns = list(range(system.l)), set[int]()
+    progress = True
+    while progress:
+        progress = False
+        for row in rows:
+            for j, entry in enumerate(system.constraints[row].coefficients):
+                if entry == g.zero or j in columns:
+                    continue
+                elsewhere = any(system.constraints[r].coefficients[j] != g.zero for r in rows if r != row)
+                if not elsewhere and cannot_vanish(g, normalise(g, entry, 60), known):
+                    rows.remove(row)
+                    columns.add(j)
+                    progress = True
+                    break
+            if progress:
+                break
+    return rows, columns
+
+
+def _minor_form(
+    system: System, rows: Sequence[int], columns: Sequence[int]
+) -> tuple[Form, tuple[int, ...], bool] | None:
+    """The row of signed minors on the best k + 1 columns; the rows must not reach outside them."""
+    g, size = system.graph, len(rows)
+    known = intervals(system)
+    found = []
+    for subset in combinations(columns, size + 1):
+        block = [[system.constraints[r].coefficients[j] for j in subset] for r in rows]
+        if rank(g, block) < size:
+            continue
+        minors = []
+        for k in range(size + 1):
+            minor = determinant_of(g, [[*row[:k], *row[k + 1 :]] for row in block])
+            minors.append(normalise(g, g.neg(minor) if k % 2 else minor, 120))
+        gram = normalise(g, g.sum([g.power(m, 2) for m in minors]), 200)
+        found.append((not cannot_vanish(g, gram, known), len(found), subset, minors, gram))
+    if not found:
+        return None
+    singular, _, subset, minors, _ = min(found)
+    coefficients = [g.zero] * system.n
+    sign = _leading_sign(system, minors)
+    for j, minor in zip(subset, minors, strict=True):
+        coefficients[j] = g.neg(minor) if sign < 0 else minor
+    name = unused_name(system, "v")
+    outside = [j for j in columns if j not in subset]
+    reaches = any(system.constraints[r].coefficients[j] != g.zero for r in rows for j in outside)
+    return Form(name, tuple(coefficients), g.zero), subset, singular and reaches
+
+
+def _leading_sign(system: System, minors: Sequence[Node]) -> int:
+    """So that the first nonzero minor does not start with a minus sign."""
+    g = system.graph
+    first = next((m for m in minors if m != g.zero), g.one)
+    coefficient, _ = g.split_coefficient(first)
+    return -1 if coefficient < 0 else 1
+
+
+def unused_name(system: System, wish: str) -> str:
+    spec = system.spec
+    taken = {
+        *(c.name for c in spec.coordinates),
+        *(p.name for p in spec.parameters),
+        *(d.name for d in spec.definitions),
+        *(d.name for d in spec.quasi_velocities),
+        *(o.name for o in spec.outputs),
+    }
+    name, k = wish, 1
+    while name in taken:
+        k += 1
+        name = f"{wish}{k}"
+    return name
+
+
+def complete(system: System) -> tuple[tuple[Form, ...], tuple[str, ...]]:
+    """The spec's quasi-velocities, completed to n - l free forms; (forms, names of what was added).
+
+    Raises:
+        nhc.algebra.linear.Singular: they are too many or no basis.
+    """
+    from nhc.algebra.linear import Singular
+
+    g, wanted = system.graph, system.n - system.l
+    forms = list(system.quasi)
+    if len(forms) > wanted:
+        raise Singular
+    rows = [list(f.coefficients) for f in (*system.constraints, *forms)]
+    if rank(g, rows) < len(rows):
+        raise Singular
+    if not forms:
+        adapted = adapted_forms(system)
+        if adapted is not None:
+            return adapted, tuple(f.name for f in adapted)
+    pool = [*(adapted_forms(system) or ()), *(coordinate_form(system, j) for j in range(system.n))]
+    added: list[str] = []
+    for form in pool:
+        if len(forms) == wanted:
+            break
+        trial = [*rows, list(form.coefficients)]
+        if rank(g, trial) == len(trial):
+            rows, added = trial, [*added, form.name]
+            forms.append(form)
+    return tuple(forms), tuple(added)

@@ -1,0 +1,122 @@
+"""The associated system of Omega as a program: one for all formulations.
+
+A formulation fixes a motion: the velocities w it keeps, the kinematics q' = K(q, w, t), and the vectors e_mu that the constraints
+leave free.  Omega = A_mu ^ (omega_mu - w_mu dt), so its interior product with the motion's field X is A_mu(X) times the contact forms:
+the rows of the velocities' differentials hold by the kinematics, the rows A_mu(X) = 0 are the equations of motion, and the dt row is
+their combination with the weights -w_mu (Omega(X, X) = 0), the theorem of energy.  A_mu(X) is evaluated by directional derivatives of
+T's velocity forms (:mod:`nhc.mechanics.kinetic`); no coefficient is ever expanded.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from nhc.algebra.calculus import substitute, tangent
+from nhc.algebra.graph import Node
+from nhc.mechanics.kinetic import Kinetic, exterior_derivative
+from nhc.mechanics.system import System
+
+
+@dataclass(frozen=True)
+class Motion:
+    """The vector field X: q' = ``velocities``(q, w, t), w' = ``rates``, t' = 1; ``vectors`` are dq/dw_mu."""
+
+    w: tuple[Node, ...]
+    rates: tuple[Node, ...]
+    velocities: tuple[Node, ...]
+    vectors: tuple[tuple[Node, ...], ...]
+
+
+@dataclass(frozen=True)
+class Row:
+    """A(X) = mass_nu w'_nu - force."""
+
+    mass: tuple[Node, ...]
+    force: Node
+
+
+@dataclass(frozen=True)
+class Equations:
+    """mass @ w' = force over the motion's w; with multipliers, the bordered system for (q'', lambda).
+
+    ``definite``: the matrix is symmetric and positive wherever the motion is regular, so that LDL^T needs no pivoting.
+    ``reactions`` are the rows of the constraints' own vectors (empty for the bordered system, whose unknowns they are).
+    ``guards`` are (quantity, scale) pairs that must not vanish for the frame to exist.
+    """
+
+    system: System
+    formulation: str
+    number: str
+    motion: Motion
+    mass: tuple[tuple[Node, ...], ...]
+    force: tuple[Node, ...]
+    definite: bool
+    multipliers: tuple[Node, ...]
+    reactions: tuple[Row, ...]
+    guards: tuple[tuple[Node, Node], ...]
+    forms: tuple[tuple[Node, ...], Node] | tuple[()] = ()
+
+
+class Projector:
+    """Contracts the Lagrange expression of one system with vectors along one motion."""
+
+    def __init__(self, system: System, kinetic: Kinetic, motion: Motion) -> None:
+        self.system, self.kinetic, self.motion = system, kinetic, motion
+        g = system.graph
+        on_motion = dict(zip(system.v, motion.velocities, strict=True))
+        self.u = substitute(g, kinetic.atoms, on_motion)
+        to_motion = dict(zip(kinetic.u, self.u, strict=True))
+        count = len(kinetic.u)
+        flat = [entry for row in kinetic.hessian for entry in row]
+        values = substitute(g, [*kinetic.slope, *flat], to_motion)
+        self.pi = values[:count]
+        self.hessian = [values[count + k * count : count + (k + 1) * count] for k in range(count)]
+        self._to_motion = {**on_motion, **to_motion}
+        self.columns = [self.components(e) for e in motion.vectors]  # W_k(e_nu)
+        seeds = {**dict(zip(system.q, motion.velocities, strict=True)), system.t: g.one}
+        self._seeds = seeds
+        drift = tangent(g, self.u, seeds)
+        explicit = substitute(g, self._explicit_rates(), self._to_motion)
+        self.pi_drift = [
+            g.add(explicit[k], g.sum([g.mul(self.hessian[k][j], drift[j]) for j in range(count)])) for k in range(count)
+        ]
+
+    def components(self, e: Sequence[Node]) -> list[Node]:
+        """W_k(e) for every velocity form."""
+        g = self.system.graph
+        return substitute(
+            g, tangent(g, self.kinetic.atoms, dict(zip(self.system.v, e, strict=True))), self._to_motion
+        )
+
+    def _explicit_rates(self) -> list[Node]:
+        """d pi_k / dt at fixed u: only where T's coefficients move."""
+        return tangent(self.system.graph, self.kinetic.slope, self._seeds)
+
+    def row(self, e: Sequence[Node]) -> Row:
+        """A(X) for the vector e: mass_nu w'_nu - force."""
+        g, system = self.system.graph, self.system
+        weights = self.components(e)
+        mass, force_terms = [], []
+        for column in self.columns:
+            total = g.zero
+            for k, weight in enumerate(weights):
+                if weight == g.zero:
+                    continue
+                inertia = g.sum([g.mul(self.hessian[k][j], c) for j, c in enumerate(column) if c != g.zero])
+                total = g.add(total, g.mul(weight, inertia))
+            mass.append(total)
+        for k, weight in enumerate(weights):
+            force_terms.append(g.mul(weight, self.pi_drift[k]))
+            if not self.kinetic.exact[k]:
+                turn = exterior_derivative(system, self.kinetic.forms[k], self.motion.velocities, g.one, e)
+                force_terms.append(g.mul(self.pi[k], turn))
+        inertial = g.sum(force_terms)
+        along = dict(zip(system.q, e, strict=True))
+        applied = g.sum([g.mul(q, x) for q, x in zip(self._applied(), e, strict=True)])
+        slopes = substitute(g, tangent(g, [self.kinetic.tau], along), self._to_motion)[0]
+        potential = tangent(g, [system.U], along)[0]
+        return Row(tuple(mass), g.sub(g.add(g.add(slopes, potential), applied), inertial))
+
+    def _applied(self) -> list[Node]:
+        return substitute(self.system.graph, self.system.Q, self._to_motion)

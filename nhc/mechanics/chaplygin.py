@@ -1,0 +1,76 @@
+"""Čaplygin's equations (I.3, III.3 with the sign of its last line; the boxed line of I.3 has the other one, erratum E1).
+
+The hypotheses: T, the constraints and the forces do not contain the dependent coordinates q_alpha nor t, and b_alpha = 0.
+The generalization keeps what is essential (T and b_alphamu free of q_alpha) and adds b_alpha, t and forces:
+
+    d/dt dT*/dq'_mu - dT*/dq_mu + p_alpha [(d_mu b_alphanu - d_nu b_alphamu) q'_nu + d_mu b_alpha - d_t b_alphamu] = Q_mu + b_alphamu Q_alpha
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from nhc.algebra.calculus import derivative, gradient
+from nhc.algebra.graph import Node
+from nhc.algebra.modular import are_zero
+from nhc.mechanics.voronec import Reduced, applied_force, motion_rate
+from nhc.thesis import equation
+
+
+@dataclass(frozen=True)
+class Hypotheses:
+    """``broken`` are the hypotheses of I.3 that fail, each with the symbol that breaks it; ``fatal`` those without which
+    the generalized equations do not hold either."""
+
+    broken: tuple[str, ...]
+    fatal: tuple[str, ...]
+
+
+@equation("I.3")
+def hypotheses(reduced: Reduced) -> Hypotheses:
+    """Check I.3 exactly."""
+    system, g = reduced.system, reduced.graph
+    fatal, broken = [], []
+    entries = [entry for row in reduced.b for entry in row]
+    for alpha in reduced.alpha:
+        q, name = system.q[alpha], system.q_names[alpha]
+        if not are_zero(g, [derivative(g, system.T, q)])[0]:
+            fatal.append(f"T contains the dependent coordinate `{name}`")
+        if not all(are_zero(g, [derivative(g, entry, q) for entry in entries])):
+            fatal.append(f"the coefficients b of the constraints contain the dependent coordinate `{name}`")
+        if not all(are_zero(g, [derivative(g, b, q) for b in reduced.b_0])):
+            broken.append(f"the affine part b_alpha of the constraints contains the dependent coordinate `{name}`")
+        if not are_zero(g, [system.force(alpha)])[0]:
+            broken.append(f"a force acts on the dependent coordinate `{name}`")
+        for i in range(system.n):
+            if i != alpha and not are_zero(g, [derivative(g, system.force(i), q)])[0]:
+                broken.append(f"the force on `{system.q_names[i]}` contains the dependent coordinate `{name}`")
+    if not all(are_zero(g, reduced.b_0)):
+        broken.append("the constraints are not homogeneous (b_alpha is not zero)")
+    if not all(are_zero(g, [derivative(g, x, system.t) for x in (system.T, system.U, *entries, *reduced.b_0)])):
+        broken.append("the time t occurs in T, U or the constraints")
+    return Hypotheses((*fatal, *broken), tuple(fatal))
+
+
+@equation("I.3.2", "III.3")
+def printed_rows(reduced: Reduced, rates: tuple[Node, ...]) -> list[Node]:
+    """The generalized equations above, left minus right, with q''_mu = ``rates``."""
+    g, system = reduced.graph, reduced.system
+    rows = []
+    for k, momentum in enumerate(gradient(g, reduced.T_star, reduced.v_mu)):
+        row = g.sub(motion_rate(reduced, momentum, rates), derivative(g, reduced.T_star, system.q[reduced.mu[k]]))
+        for a, p in enumerate(reduced.p_alpha):
+            row = g.add(row, g.mul(p, curl_term(reduced, a, k)))
+        rows.append(g.sub(row, applied_force(reduced, k)))
+    return rows
+
+
+def curl_term(reduced: Reduced, a: int, k: int) -> Node:
+    """(d_mu b_alphanu - d_nu b_alphamu) q'_nu + d_mu b_alpha - d_t b_alphamu."""
+    g, system = reduced.graph, reduced.system
+    mu = system.q[reduced.mu[k]]
+    total = g.sub(derivative(g, reduced.b_0[a], mu), derivative(g, reduced.b[a][k], system.t))
+    for m, nu in enumerate(reduced.mu):
+        curl = g.sub(derivative(g, reduced.b[a][m], mu), derivative(g, reduced.b[a][k], system.q[nu]))
+        total = g.add(total, g.mul(curl, reduced.v_mu[m]))
+    return total

@@ -1,0 +1,196 @@
+"""Which formulation, on which coframe, and why."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from nhc.algebra.linear import Singular
+from nhc.diagnostics import Bag, Span
+from nhc.mechanics import chaplygin, newton, voronec
+from nhc.mechanics.adapt import complete
+from nhc.mechanics.frame import Frame, coordinate_frame, make_frame
+from nhc.mechanics.regularity import Choice as DependentChoice
+from nhc.mechanics.regularity import choose_dependent, judge
+from nhc.mechanics.system import Form, System
+
+FORMULATIONS = ("newton", "lagrange", "euler-lagrange", "chaplygin", "voronec", "multipliers")
+NUMBERS = {
+    "newton": "II.1.3",
+    "lagrange": "II.3",
+    "chaplygin": "III.3",
+    "voronec": "I.4.9",
+    "multipliers": "I.4.1",
+}
+
+
+@dataclass(frozen=True)
+class Formulation:
+    """A formulation with its frame (None: the coordinate velocities themselves).
+
+    ``broken`` are hypotheses of the thesis that fail although the generalized equations hold.
+    """
+
+    name: str
+    number: str
+    frame: Frame | None
+    dependent: DependentChoice | None
+    added: tuple[str, ...]
+    reason: str
+    broken: tuple[str, ...] = ()
+
+
+class NotApplicable(Exception):
+    """The formulation does not apply; ``reasons`` say why, ``where`` is the place to look at."""
+
+    def __init__(self, formulation: str, reasons: Iterable[str], code: str = "E0411", key: str = "constraints") -> None:
+        self.formulation, self.reasons, self.code, self.key = formulation, tuple(reasons), code, key
+        super().__init__(formulation, self.reasons)
+
+
+def formulate(system: System, name: str = "") -> Formulation:
+    """The formulation of that name (or of the spec, or the best) on this system.
+
+    Raises:
+        nhc.diagnostics.SpecError: it does not apply.
+    """
+    wanted = name or system.spec.formulation or "auto"
+    try:
+        return choose(system) if wanted == "auto" else build(system, wanted)
+    except NotApplicable as error:
+        bag = Bag(system.spec.origin)
+        span = system.spec.key_span("formulation") if not name else system.spec.key_span(error.key)
+        message = error.reasons[0] if error.code != "E0411" else f"`{error.formulation}` does not apply to this system"
+        notes = error.reasons if error.code == "E0411" else error.reasons[1:]
+        bag.error(error.code, message, span if error.code == "E0411" else _key_span(system, error.key), notes=notes, help=(_help(error),))
+        bag.raise_if_errors()
+        raise
+
+
+def _key_span(system: System, key: str) -> Span:
+    return system.spec.key_span(key)
+
+
+def _help(error: NotApplicable) -> str:
+    if error.code == "E0406":
+        return "give forms that are independent of each other and of the constraints, or fewer: nhc completes them"
+    if error.code == "E0407":
+        return "choose other dependent velocities, or leave `dependent:` out: nhc chooses them"
+    if error.formulation in ("newton", "lagrange"):
+        return "use `formulation: multipliers`, or leave it out"
+    return "use `formulation: voronec` or `euler-lagrange`, or leave it out"
+
+
+def build(system: System, name: str) -> Formulation:
+    """The named formulation.
+
+    Raises:
+        NotApplicable: a hypothesis that it cannot do without is broken.
+    """
+    if name == "newton":
+        reasons = newton.broken_hypotheses(system)
+        if reasons:
+            raise NotApplicable(name, reasons)
+        return Formulation(name, NUMBERS[name], None, None, (), "free particles with constant masses")
+    if name == "lagrange":
+        if system.constraints:
+            raise NotApplicable(name, [f"the system has {system.l} constraint(s), and Lagrange's equations of T* are wrong"])
+        return Formulation(name, NUMBERS[name], None, None, (), "no constraints")
+    if name == "multipliers":
+        reason = "all velocities kept, reactions as unknowns"
+        return Formulation(name, NUMBERS[name], None, None, (), reason)
+    if name == "euler-lagrange":
+        return _euler_lagrange(system)
+    return _reduced(system, name)
+
+
+def _euler_lagrange(system: System) -> Formulation:
+    try:
+        forms, added = complete(system)
+        frame = make_frame(system, forms, [_symbol(system, form) for form in forms])
+    except Singular:
+        raise NotApplicable(
+            "euler-lagrange",
+            [f"these quasi-velocities are no basis together with the {system.l} constraint(s)"
+             if system.l else "these quasi-velocities are no basis"],
+            "E0406",
+            "quasi_velocities",
+        ) from None
+    number = "I.2.15" if system.l else "I.2.14"
+    reason = "quasi-velocities of the spec" if not added else f"coframe completed by nhc with {', '.join(added)}"
+    return Formulation("euler-lagrange", number, frame, None, added, reason)
+
+
+def _symbol(system: System, form: Form) -> int:
+    """A coordinate's differential keeps the velocity's own symbol; other forms get a quasi-velocity's."""
+    if form.name in system.q_names and not any(form is own for own in system.quasi):
+        return system.v[system.q_names.index(form.name)]
+    return system.graph.symbol(form.name, "quasi")
+
+
+def dependent_of(system: System) -> DependentChoice:
+    if not system.dependent:
+        return choose_dependent(system)
+    if len(system.dependent) != system.l:
+        reasons = [f"`dependent` names {len(system.dependent)} velocities, the constraints determine {system.l}"]
+        raise NotApplicable("voronec", reasons, "E0407", "dependent")
+    return judge(system, tuple(sorted(system.dependent)))
+
+
+def _reduced(system: System, name: str) -> Formulation:
+    if not system.constraints:
+        raise NotApplicable(name, ["the system has no constraints: these are Lagrange's equations"])
+    choice = dependent_of(system)
+    try:
+        frame = coordinate_frame(system, choice.dependent)
+    except Singular:
+        names = ", ".join(f"`{system.q_names[i]}'`" for i in choice.dependent)
+        raise NotApplicable(
+            name, [f"the constraints cannot be solved for {names}: the block is singular everywhere"], "E0407", "dependent"
+        ) from None
+    reason = "dependent velocities of the spec" if system.dependent else "dependent velocities chosen by nhc"
+    if name == "voronec":
+        return Formulation(name, NUMBERS[name], frame, choice, (), reason)
+    found = chaplygin.hypotheses(voronec.reduce(frame, choice.dependent))
+    if found.fatal:
+        raise NotApplicable(name, found.fatal)
+    return Formulation(name, NUMBERS[name], frame, choice, (), reason, found.broken)
+
+
+def choose(system: System) -> Formulation:
+    """The cheapest formulation that is valid and regular: the spec's own quasi-velocities or dependent velocities first."""
+    if system.quasi:
+        return build(system, "euler-lagrange")
+    if not system.constraints:
+        return build(system, "lagrange")
+    if system.dependent:
+        return _reduced_or_voronec(system)
+    choice = choose_dependent(system)
+    if choice.regular:
+        return _reduced_or_voronec(system)
+    try:
+        adapted = build(system, "euler-lagrange")
+    except NotApplicable:
+        return build(system, "multipliers")
+    return adapted
+
+
+def _reduced_or_voronec(system: System) -> Formulation:
+    try:
+        return build(system, "chaplygin")
+    except NotApplicable as error:
+        if error.code != "E0411":
+            raise
+        return build(system, "voronec")
+
+
+def applicable(system: System) -> list[Formulation]:
+    """Every formulation that applies, the reference (multipliers or Lagrange) first."""
+    order = ("multipliers", "lagrange", "newton", "euler-lagrange", "voronec", "chaplygin")
+    found = []
+    for name in order:
+        try:
+            found.append(build(system, name))
+        except NotApplicable:
+            continue
+    return found

@@ -1,0 +1,172 @@
+"""Formulation -> Equations: one builder for all of them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from nhc.algebra.calculus import count, tangent
+from nhc.algebra.evaluate import evaluate
+from nhc.algebra.graph import Graph, Node
+from nhc.algebra.modular import are_zero
+from nhc.algebra.polynomial import normalise
+from nhc.mechanics.associate import Equations, Motion, Projector, Row
+from nhc.mechanics.choose import Formulation
+from nhc.mechanics.frame import total_derivative
+from nhc.mechanics.kinetic import Kinetic, kinetic_structure
+from nhc.mechanics.multipliers import multiplier_symbols
+from nhc.mechanics.regularity import trial_points
+from nhc.mechanics.system import System
+
+_SMALL = 60  # terms of a canonical polynomial that may still be shorter than what it came from
+
+
+def motion_of(system: System, formulation: Formulation) -> Motion:
+    """The kept velocities with their rates, and the kinematics."""
+    g, frame = system.graph, formulation.frame
+    if frame is None:
+        unit = tuple(tuple(g.one if i == j else g.zero for i in range(system.n)) for j in range(system.n))
+        return Motion(system.v, rate_symbols(system, system.v), system.v, unit)
+    return Motion(frame.free, rate_symbols(system, frame.free), frame.kinematics, frame.free_vectors)
+
+
+def rate_symbols(system: System, w: Sequence[Node]) -> tuple[Node, ...]:
+    """Symbols for the rates of the kept velocities."""
+    g = system.graph
+    symbols = [g.symbol_of(node) for node in w]
+    return tuple(
+        g.symbol(s.name, "acceleration" if s.kind == "velocity" else "rate") for s in symbols if s is not None
+    )
+
+
+def equations_of(system: System, formulation: Formulation, kinetic: Kinetic | None = None) -> Equations:
+    """The associated system of a formulation's Omega, as mass matrix, right side, and rows of the reactions."""
+    motion = motion_of(system, formulation)
+    projector = Projector(system, kinetic or kinetic_structure(system), motion)
+    rows = [projector.row(e) for e in motion.vectors]
+    reactions: list[Row] = []
+    if formulation.frame is not None:
+        reactions = [projector.row(e) for e in formulation.frame.vectors[: system.l]]
+    rows, reactions = _polish(system.graph, rows, reactions)
+    bordered = formulation.name == "multipliers" and system.l > 0
+    return Equations(
+        system=system,
+        formulation=formulation.name,
+        number=formulation.number,
+        motion=motion,
+        mass=_symmetric(rows),
+        force=tuple(row.force for row in rows),
+        definite=not bordered and _is_definite(system, rows),
+        multipliers=multiplier_symbols(system) if bordered else (),
+        reactions=tuple(reactions),
+        guards=formulation.frame.guards if formulation.frame is not None else (),
+    )
+
+
+def _symmetric(rows: Sequence[Row]) -> tuple[tuple[Node, ...], ...]:
+    """The mass matrix with its upper triangle mirrored, so that equal entries are one node."""
+    size = len(rows)
+    return tuple(tuple(rows[min(i, j)].mass[max(i, j)] for j in range(size)) for i in range(size))
+
+
+@dataclass(frozen=True)
+class _Candidate:
+    rows: list[Row]
+    reactions: list[Row]
+
+    def cost(self, graph: Graph) -> int:
+        return count(graph, [n for row in self.rows for n in (*row.mass, row.force)])
+
+
+def _polish(graph: Graph, rows: list[Row], reactions: list[Row]) -> tuple[list[Row], list[Row]]:
+    """Entries that vanish become zero (exact test); then the shorter of the shared graph and the canonical polynomials."""
+    entries = [n for row in (*rows, *reactions) for n in (*row.mass, row.force)]
+    vanishing = {n for n, zero in zip(entries, are_zero(graph, entries), strict=True) if zero}
+    clean = [_map(row, lambda n: graph.zero if n in vanishing else n) for row in rows]
+    clean_reactions = [_map(row, lambda n: graph.zero if n in vanishing else n) for row in reactions]
+    plain = _Candidate(clean, clean_reactions)
+    canonical = _Candidate(
+        [_map(row, lambda n: normalise(graph, n, _SMALL)) for row in clean],
+        [_map(row, lambda n: normalise(graph, n, _SMALL)) for row in clean_reactions],
+    )
+    best = canonical if canonical.cost(graph) < plain.cost(graph) else plain
+    return best.rows, best.reactions
+
+
+def _map(row: Row, change) -> Row:  # type: ignore[no-untyped-def]
+    return Row(tuple(change(n) for n in row.mass), change(row.force))
+
+
+def _is_definite(system: System, rows: Sequence[Row]) -> bool:
+    """Whether the mass matrix is positive definite at every trial point where it can be evaluated."""
+    flat = [rows[min(i, j)].mass[max(i, j)] for i in range(len(rows)) for j in range(len(rows))]
+    size, seen = len(rows), 0
+    for point in trial_points(system):
+        for symbol in system.graph.symbols_in(system.graph.sum([system.graph.power(n, 2) for n in flat])):
+            point.setdefault(symbol, 0.37)
+        try:
+            values = [float(x) for x in evaluate(system.graph, flat, point)]
+        except (ArithmeticError, ValueError):
+            continue
+        if not _positive([values[i * size : (i + 1) * size] for i in range(size)]):
+            return False
+        seen += 1
+    return seen > 0
+
+
+def _positive(matrix: list[list[float]]) -> bool:
+    size = len(matrix)
+    for k in range(size):
+        if not matrix[k][k] > 0.0:
+            return False
+        for i in range(k + 1, size):
+            factor = matrix[i][k] / matrix[k][k]
+            matrix[i] = [x - factor * y for x, y in zip(matrix[i], matrix[k], strict=True)]
+    return True
+
+
+def accelerations(equations: Equations) -> tuple[Node, ...]:
+    """q''_i in terms of (q, w, t) and the rates' symbols."""
+    motion, system = equations.motion, equations.system
+    rates = dict(zip(motion.w, motion.rates, strict=True))
+    return tuple(total_derivative(system, node, motion.velocities, rates) for node in motion.velocities)
+
+
+def reaction_values(equations: Equations) -> tuple[Node, ...]:
+    """lambda_alpha = the rows of the constraints' own vectors, with the rates' symbols."""
+    g = equations.system.graph
+    rates = equations.motion.rates
+    return tuple(
+        g.sub(g.sum([g.mul(m, rate) for m, rate in zip(row.mass, rates, strict=True)]), row.force)
+        for row in equations.reactions
+    )
+
+
+def bordered_system(equations: Equations) -> tuple[list[list[Node]], list[Node]]:
+    """[M -A^T; -A 0] (q'', lambda) = (force, A' q' + a'): symmetric, regular wherever the motion is determined."""
+    system, g = equations.system, equations.system.graph
+    n, zero = system.n, g.zero
+    still = {v: zero for v in system.v}
+    matrix = [[*equations.mass[i], *(g.neg(c.coefficients[i]) for c in system.constraints)] for i in range(n)]
+    matrix += [[*(g.neg(a) for a in c.coefficients), *([zero] * system.l)] for c in system.constraints]
+    from nhc.mechanics.frame import form_value
+
+    moved = [total_derivative(system, form_value(g, c, system.v), system.v, still) for c in system.constraints]
+    return matrix, [*equations.force, *moved]
+
+
+def outputs_on_motion(equations: Equations) -> list[tuple[str, Node]]:
+    """The spec's outputs in terms of the kept state."""
+    from nhc.algebra.calculus import substitute
+
+    system = equations.system
+    on = dict(zip(system.v, equations.motion.velocities, strict=True))
+    nodes = substitute(system.graph, [node for _, node in system.outputs], on)
+    return [(name, node) for (name, _), node in zip(system.outputs, nodes, strict=True)]
+
+
+def rate_along(equations: Equations, node: Node) -> Node:
+    """d/dt of a function of (q, t) on the motion."""
+    system = equations.system
+    seeds = {**dict(zip(system.q, equations.motion.velocities, strict=True)), system.t: system.graph.one}
+    return tangent(system.graph, [node], seeds)[0]

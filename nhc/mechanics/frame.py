@@ -1,0 +1,175 @@
+"""Coframes of quasi-velocities and the frames dual to them (I.2.1 - I.2.5), with gamma and epsilon (I.2.11).
+
+A frame has n forms omega_i = a_ij q'_j + a_{i,n+1}; the first l are the constraints.  Its inverse gives the vectors
+``e_j`` (columns b_ij) and the drift ``e_0`` (b_{i,n+1} = -b_ik a_{k,n+1}), so that q'_i = b_ij omega_j + b_{i,n+1}.
+The coordinate coframe of Čaplygin and Voronec is the one whose free forms are dq_mu.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+from nhc.algebra.calculus import derivative, gradient, tangent
+from nhc.algebra.graph import Graph, Node
+from nhc.algebra.linear import solve
+from nhc.mechanics.system import Form, System
+from nhc.thesis import equation
+
+
+@dataclass(frozen=True)
+class Frame:
+    """``vectors[j][i]`` is b_ij; ``omega`` are the symbols of the n quasi-velocities, those of the constraints first."""
+
+    system: System
+    forms: tuple[Form, ...]
+    vectors: tuple[tuple[Node, ...], ...]
+    drift: tuple[Node, ...]
+    omega: tuple[Node, ...]
+    guards: tuple[tuple[Node, Node], ...]
+
+    @property
+    def graph(self) -> Graph:
+        return self.system.graph
+
+    @property
+    def free(self) -> tuple[Node, ...]:
+        """omega_mu, the velocities that the constraints leave free."""
+        return self.omega[self.system.l :]
+
+    @property
+    def free_vectors(self) -> tuple[tuple[Node, ...], ...]:
+        return self.vectors[self.system.l :]
+
+    @cached_property
+    @equation("I.2.4")
+    def kinematics(self) -> tuple[Node, ...]:
+        """q'_i = b_imu omega_mu + b_{i,n+1}, on the constraints."""
+        return self._velocities(self.free, self.free_vectors)
+
+    @cached_property
+    def all_kinematics(self) -> tuple[Node, ...]:
+        """q'_i = b_ij omega_j + b_{i,n+1} with all n quasi-velocities, before the constraints are used."""
+        return self._velocities(self.omega, self.vectors)
+
+    def _velocities(self, omega: Sequence[Node], vectors: Sequence[Sequence[Node]]) -> tuple[Node, ...]:
+        g = self.graph
+        return tuple(
+            g.add(g.sum([g.mul(e[i], w) for e, w in zip(vectors, omega, strict=True)]), self.drift[i])
+            for i in range(self.system.n)
+        )
+
+    @equation("I.2.5")
+    def along(self, function: Node, j: int) -> Node:
+        """d function / d pi_j = b_ij d function / d q_i."""
+        return tangent(self.graph, [function], dict(zip(self.system.q, self.vectors[j], strict=True)))[0]
+
+    def along_time(self, function: Node) -> Node:
+        """d function / d pi_{n+1} = d/dt + b_{j,n+1} d/dq_j (Remark 3 of I.2)."""
+        seeds = dict(zip(self.system.q, self.drift, strict=True))
+        return tangent(self.graph, [function], {**seeds, self.system.t: self.graph.one})[0]
+
+    @equation("I.2.11")
+    def gamma(self, i: int, t: int, j: int) -> Node:
+        """gamma^i_tj = (da_ir/dq_s - da_is/dq_r) b_st b_rj; t = n stands for the time index n + 1 (then it is epsilon^i_j)."""
+        g = self.graph
+        first = (*self.vectors[t], g.zero) if t < self.system.n else (*self.drift, g.one)
+        second = self.vectors[j]
+        total = g.zero
+        for s, bs in enumerate(first):
+            if bs == g.zero:
+                continue
+            for r, br in enumerate(second):
+                if br == g.zero or r == s:
+                    continue
+                total = g.add(total, g.mul(g.mul(self._curl(i)[r][s], bs), br))
+        return total
+
+    def epsilon(self, i: int, j: int) -> Node:
+        """epsilon^i_j = gamma^i_{n+1,j}; zero for homogeneous quasi-velocities that do not contain the time."""
+        return self.gamma(i, self.system.n, j)
+
+    @cached_property
+    def _curls(self) -> dict[int, list[list[Node]]]:
+        return {}
+
+    def _curl(self, i: int) -> list[list[Node]]:
+        """[r][s] = da_ir/dq_s - da_is/dq_r with q_{n+1} = t."""
+        if i not in self._curls:
+            g, form = self.graph, self.forms[i]
+            variables = (*self.system.q, self.system.t)
+            slopes = [gradient(g, a, variables) for a in (*form.coefficients, form.constant)]
+            size = len(variables)
+            self._curls[i] = [[g.sub(slopes[r][s], slopes[s][r]) for s in range(size)] for r in range(size)]
+        return self._curls[i]
+
+    def velocity_of(self, form: Form) -> Node:
+        """The value of a velocity form on the motion's q'."""
+        g = self.graph
+        terms = [g.mul(a, v) for a, v in zip(form.coefficients, self.kinematics, strict=True)]
+        return g.add(g.sum(terms), form.constant)
+
+
+def form_value(graph: Graph, form: Form, v: Sequence[Node]) -> Node:
+    """a_i v_i + a_0."""
+    return graph.add(graph.sum([graph.mul(a, x) for a, x in zip(form.coefficients, v, strict=True)]), form.constant)
+
+
+def make_frame(system: System, free: Sequence[Form], symbols: Sequence[Node]) -> Frame:
+    """The frame whose forms are the system's constraints and ``free``, in this order.
+
+    Raises:
+        nhc.algebra.linear.Singular: the forms are no basis.
+    """
+    g = system.graph
+    forms = (*system.constraints, *free)
+    rows = [list(form.coefficients) for form in forms]
+    n = system.n
+    identity = [[g.one if i == j else g.zero for i in range(n)] for j in range(n)]
+    offset = [g.neg(form.constant) for form in forms]
+    result = solve(g, rows, [*identity, offset])
+    constrained = tuple(g.symbol(f"omega_{form.name}", "quasi") for form in system.constraints)
+    return Frame(
+        system=system,
+        forms=forms,
+        vectors=tuple(tuple(x) for x in result.unknowns[:-1]),
+        drift=tuple(result.unknowns[-1]),
+        omega=(*constrained, *symbols),
+        guards=tuple(result.guards),
+    )
+
+
+def coordinate_form(system: System, i: int) -> Form:
+    """dq_i as a form."""
+    g = system.graph
+    return Form(
+        name=system.q_names[i],
+        coefficients=tuple(g.one if j == i else g.zero for j in range(system.n)),
+        constant=g.zero,
+    )
+
+
+def coordinate_frame(system: System, dependent: Sequence[int]) -> Frame:
+    """The coframe (omega_alpha, dq_mu) of Čaplygin and Voronec: (I.1.2) solved for the dependent velocities."""
+    independent = [i for i in range(system.n) if i not in dependent]
+    return make_frame(system, [coordinate_form(system, i) for i in independent], [system.v[i] for i in independent])
+
+
+@equation("I.1.2")
+def dependent_coefficients(
+    frame: Frame, dependent: Sequence[int]
+) -> tuple[tuple[tuple[Node, ...], ...], tuple[Node, ...]]:
+    """(b_alpha_mu, b_alpha) of q'_alpha = b_alpha_mu q'_mu + b_alpha, read off the coordinate frame."""
+    b = tuple(tuple(e[alpha] for e in frame.free_vectors) for alpha in dependent)
+    return b, tuple(frame.drift[alpha] for alpha in dependent)
+
+
+def total_derivative(system: System, node: Node, velocities: Sequence[Node], rates: dict[Node, Node]) -> Node:
+    """d/dt along q' = velocities, t' = 1 and the given rates of further symbols."""
+    seeds = {**dict(zip(system.q, velocities, strict=True)), system.t: system.graph.one, **rates}
+    return tangent(system.graph, [node], seeds)[0]
+
+
+def partial(system: System, node: Node, symbol: Node) -> Node:
+    return derivative(system.graph, node, symbol)

@@ -1,0 +1,129 @@
+"""The structure of the kinetic energy: T as a function of velocity forms.
+
+T is read as tau(u, q, t) where the u_k are the largest subexpressions of T that are affine in the velocities.  With u_k = W_ki q'_i + W_k0
+and pi_k = d tau/d u_k, the Lagrange expression contracted with a vector e is
+
+    e . (d/dt dT/dq' - dT/dq) = W_k(e) pi'_k + pi_k domega_k(X, e) - e(tau),
+
+where omega_k = W_ki dq_i + W_k0 dt and X is the motion.  The middle term vanishes where omega_k is exact, as it is whenever the user
+gave a position and let nhc differentiate it; nothing is expanded, and the cost is a small multiple of T's own.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from nhc.algebra.calculus import gradient, reachable, substitute, tangent
+from nhc.algebra.graph import ADD, MUL, NEG, POW, Graph, Node
+from nhc.algebra.linear import linear_form
+from nhc.algebra.modular import are_zero
+from nhc.mechanics.system import Form, System
+
+
+@dataclass(frozen=True)
+class Kinetic:
+    """``atoms`` are the velocity forms as they stand in T, ``u`` their symbols in ``tau``; ``slope[k]`` is pi_k, ``hessian[k][j]`` its derivative by u_j."""
+
+    forms: tuple[Form, ...]
+    atoms: tuple[Node, ...]
+    u: tuple[Node, ...]
+    tau: Node
+    slope: tuple[Node, ...]
+    hessian: tuple[tuple[Node, ...], ...]
+    exact: tuple[bool, ...]
+
+
+def velocity_degrees(graph: Graph, root: Node, velocities: Sequence[Node]) -> dict[Node, int]:
+    """Degree in the velocities of every node under the root; a node that is no polynomial in them has degree 99."""
+    mask = graph.mask(tuple(velocities))
+    degree: dict[Node, int] = {}
+    for node in reachable(graph, [root]):
+        op = graph.op[node]
+        if not graph.depends(node, mask):
+            degree[node] = 0
+        elif not graph.children(node):
+            degree[node] = 1
+        elif op == ADD:
+            degree[node] = max(degree[graph.a[node]], degree[graph.b[node]])
+        elif op == MUL:
+            degree[node] = min(99, degree[graph.a[node]] + degree[graph.b[node]])
+        elif op == NEG:
+            degree[node] = degree[graph.a[node]]
+        elif op == POW and graph.b[node] > 0:
+            degree[node] = min(99, degree[graph.a[node]] * graph.b[node])
+        else:
+            degree[node] = 99
+    return degree
+
+
+def _atoms(graph: Graph, root: Node, degree: dict[Node, int]) -> list[Node]:
+    """The largest nodes of degree one under the root, in the order of their numbers."""
+    found: set[Node] = set()
+    stack, seen = [root], set()
+    while stack:
+        node = stack.pop()
+        if node in seen or degree[node] == 0:
+            continue
+        seen.add(node)
+        if graph.op[node] == NEG and degree[node] == 1:
+            node = graph.a[node]
+        if degree[node] == 1:
+            found.add(_without_factor(graph, node, degree))
+            continue
+        stack.extend(graph.children(node))
+    return sorted(found)
+
+
+def _without_factor(graph: Graph, node: Node, degree: dict[Node, int]) -> Node:
+    """A form times a function is that function times a simpler form."""
+    while graph.op[node] == MUL or graph.op[node] == NEG:
+        children = graph.children(node)
+        moving = [c for c in children if degree[c]]
+        if len(moving) != 1:
+            break
+        node = moving[0]
+    return node
+
+
+def kinetic_structure(system: System) -> Kinetic:
+    """T's velocity forms; where T is no polynomial in the velocities they are the velocities themselves."""
+    g = system.graph
+    degree = velocity_degrees(g, system.T, system.v)
+    atoms = [] if degree[system.T] == 99 else _atoms(g, system.T, degree)
+    mask = g.mask(system.v)
+    u = tuple(g.symbol(f"u{k + 1}", "form") for k in range(len(atoms)))
+    tau = substitute(g, [system.T], dict(zip(atoms, u, strict=True)))[0] if atoms else system.T
+    if not atoms or g.depends(tau, mask):
+        atoms = [v for v in system.v if g.depends(system.T, g.deps[v])]
+        u = tuple(g.symbol(f"u{k + 1}", "form") for k in range(len(atoms)))
+        tau = substitute(g, [system.T], dict(zip(atoms, u, strict=True)))[0]
+    forms = tuple(
+        Form(f"u{k + 1}", *linear_form(g, atom, system.v), place=g.labels.get(atom, "")) for k, atom in enumerate(atoms)
+    )
+    slope = tuple(gradient(g, tau, u))
+    hessian = tuple(tuple(gradient(g, pi, u)) for pi in slope)
+    return Kinetic(forms, tuple(atoms), u, tau, slope, hessian, _exactness(system, forms))
+
+
+def _exactness(system: System, forms: Sequence[Form]) -> tuple[bool, ...]:
+    """For each form whether its exterior derivative vanishes identically."""
+    g = system.graph
+    first = tuple(g.symbol(f"first_{i}", "test") for i in range(system.n + 1))
+    second = tuple(g.symbol(f"second_{i}", "test") for i in range(system.n))
+    values = [exterior_derivative(system, form, first[:-1], first[-1], second) for form in forms]
+    return tuple(are_zero(g, values))
+
+
+def exterior_derivative(
+    system: System, form: Form, x: Sequence[Node], x_time: Node, e: Sequence[Node]
+) -> Node:
+    """domega(X, e) for omega = W_i dq_i + W_0 dt, X = (x, x_time) and a vector e without time component."""
+    g = system.graph
+    along_x = {**dict(zip(system.q, x, strict=True)), system.t: x_time}
+    along_e = dict(zip(system.q, e, strict=True))
+    moved = tangent(g, form.coefficients, along_x)
+    turned = tangent(g, [*form.coefficients, form.constant], along_e)
+    total = g.sum([g.mul(a, b) for a, b in zip(moved, e, strict=True)])
+    back = g.sum([g.mul(a, b) for a, b in zip(turned, (*x, x_time), strict=True)])
+    return g.sub(total, back)

@@ -1,0 +1,253 @@
+"""Spec -> System: syntax trees become nodes, constraints become forms, and what cannot be mechanics is refused with its place."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from nhc.algebra.calculus import tangent
+from nhc.algebra.graph import Graph, Node
+from nhc.algebra.linear import NotLinear, linear_form
+from nhc.algebra.modular import are_zero, rank
+from nhc.diagnostics import Bag, Span
+from nhc.language import Spec
+from nhc.language.syntax import Binary, Call, Differential, Name, Negate, Number, Prime, Syntax, fold_tree
+from nhc.mechanics.system import Form, System
+
+
+class Resolver:
+    """Builds nodes for one spec; ``names`` grows as definitions are read."""
+
+    def __init__(self, spec: Spec) -> None:
+        self.spec, self.graph, self.bag = spec, Graph(), Bag(spec.origin)
+        g = self.graph
+        self.t = g.symbol("t", "time")
+        self.q = tuple(g.symbol(c.name, "coordinate") for c in spec.coordinates)
+        self.v = tuple(g.symbol(c.name, "velocity") for c in spec.coordinates)
+        self.p = tuple(g.symbol(c.name, "parameter") for c in spec.parameters)
+        self.names: dict[str, Node] = {"t": self.t, "pi": g.pi()}
+        self.names.update((c.name, node) for c, node in zip(spec.coordinates, self.q, strict=True))
+        self.names.update((c.name, node) for c, node in zip(spec.parameters, self.p, strict=True))
+        self._rates = {**dict(zip(self.q, self.v, strict=True)), self.t: g.one}
+
+    # --- expressions --------------------------------------------------------------------------------------
+
+    def node(self, tree: Syntax, names: Mapping[str, Node] | None = None) -> Node:
+        """The node of a syntax tree; a division by a constant zero is reported and stands as zero."""
+        known = self.names if names is None else names
+        return fold_tree(tree, lambda part, operands: self._visit(part, operands, known))
+
+    def _visit(self, part: Syntax, operands: tuple[Node, ...], names: Mapping[str, Node]) -> Node:
+        g = self.graph
+        match part:
+            case Number():
+                return g.number(part.value)
+            case Name():
+                return names[part.name]
+            case Differential():
+                return g.one if part.name == "t" else self.v[self._coordinate(part.name)]
+            case Negate():
+                return g.neg(operands[0])
+            case Prime():
+                rate = tangent(g, [operands[0]], self._rates)[0]
+                if operands[0] in g.labels and g.children(rate):
+                    g.labels.setdefault(rate, f"{g.labels[operands[0]]}_dot")
+                return rate
+            case Call():
+                return g.function(part.function, *operands)
+            case Binary():
+                return self._binary(part, operands)
+
+    def _binary(self, part: Binary, operands: tuple[Node, ...]) -> Node:
+        g, (x, y) = self.graph, operands
+        if part.op == "+":
+            return g.add(x, y)
+        if part.op == "-":
+            return g.sub(x, y)
+        if part.op == "*":
+            return g.mul(x, y)
+        exponent = g.value(y)
+        divides = part.op == "/" or (exponent is not None and exponent < 0)
+        if divides and (g.value(y) if part.op == "/" else g.value(x)) == 0:
+            self.bag.error("E0417", "this divides by zero", part.right.span if part.op == "/" else part.span)
+            return g.zero
+        if part.op == "/":
+            return g.div(x, y)
+        if exponent is not None and exponent.denominator == 1 and abs(exponent) <= 1000:
+            return g.power(x, int(exponent))
+        return g.function("powf", x, y)
+
+    def _coordinate(self, name: str) -> int:
+        return next(i for i, c in enumerate(self.spec.coordinates) if c.name == name)
+
+    def place(self, span: Span) -> str:
+        line, column = self.spec.origin.position(span.start)
+        return f"{line}:{column}"
+
+    # --- forms --------------------------------------------------------------------------------------------
+
+    def form(self, name: str, node: Node, span: Span, code: str, what: str) -> Form:
+        """A velocity form, or a diagnostic and a zero form in its place."""
+        try:
+            coefficients, constant = linear_form(self.graph, node, self.v)
+        except NotLinear as error:
+            symbol = self.graph.symbol_of(error.symbol)
+            assert symbol is not None
+            self.bag.error(
+                code,
+                f"{what} `{name}` is not linear in `{symbol.name}'`",
+                span,
+                help=(f"write {what} as a sum of terms `a(q, t)*x'`; a nonlinear velocity relation has no place in this theory",),
+            )
+            coefficients, constant = (self.graph.zero,) * len(self.q), self.graph.zero
+        return Form(name, coefficients, constant, self.place(span))
+
+
+def resolve(spec: Spec) -> System:
+    """The system that a spec declares.
+
+    Raises:
+        nhc.diagnostics.SpecError: everything that is wrong with it as mechanics, all at once.
+    """
+    build = Resolver(spec)
+    _define(build)
+    T = build.node(spec.kinetic)
+    U = _potential(build)
+    Q = [build.graph.zero] * len(spec.coordinates)
+    for force in spec.forces:
+        Q[build._coordinate(force.name)] = build.node(force.value)
+    constraints = _constraints(build)
+    quasi = tuple(
+        build.form(entry.name, build.names[entry.name], entry.value.span, "E0412", "the quasi-velocity")
+        for entry in spec.quasi_velocities
+    )
+    energies = {"T": T, "U": U, "V": build.graph.neg(U), "energy": build.graph.sub(T, U)}
+    visible = {**energies, **build.names}
+    outputs = tuple((entry.name, build.node(entry.value, visible)) for entry in spec.outputs)
+    build.bag.raise_if_errors()
+    system = System(
+        spec=spec,
+        graph=build.graph,
+        t=build.t,
+        q=build.q,
+        v=build.v,
+        p=build.p,
+        T=T,
+        U=U,
+        Q=tuple(Q),
+        constraints=constraints,
+        quasi=quasi,
+        dependent=tuple(build._coordinate(name) for name in spec.dependent),
+        outputs=outputs,
+        places=_places(build),
+    )
+    _check_rank(build, system)
+    _check_kinetic(build, system)
+    build.bag.raise_if_errors()
+    return system
+
+
+def _define(build: Resolver) -> None:
+    values = {entry.name: entry.value for entry in (*build.spec.definitions, *build.spec.quasi_velocities)}
+    for name in build.spec.named_order:
+        node = build.node(values[name])
+        build.names[name] = node
+        if build.graph.children(node):
+            build.graph.labels.setdefault(node, name)
+
+
+def _potential(build: Resolver) -> Node:
+    spec, g = build.spec, build.graph
+    if spec.potential is None:
+        return g.zero
+    node = build.node(spec.potential)
+    moving = [v for v, slope in zip(build.v, tangent_slopes(g, node, build.v), strict=True) if slope]
+    if moving:
+        symbol = g.symbol_of(moving[0])
+        assert symbol is not None
+        build.bag.error(
+            "E0405",
+            f"`{spec.potential_kind}` depends on the velocity `{symbol.name}'`",
+            spec.potential.span,
+            help=("put what depends on velocities into `forces:`, or into `T` when it belongs to the Lagrangian",),
+        )
+    return node if spec.potential_kind == "U" else g.neg(node)
+
+
+def tangent_slopes(graph: Graph, node: Node, symbols: Sequence[Node]) -> list[bool]:
+    """For each symbol whether the node depends on it (exactly, not only by sight)."""
+    seen = [s for s in symbols if graph.depends(node, graph.deps[s])]
+    slopes = [tangent(graph, [node], {s: graph.one})[0] for s in seen]
+    moving = dict(zip(seen, (not z for z in are_zero(graph, slopes)), strict=True))
+    return [moving.get(s, False) for s in symbols]
+
+
+def _constraints(build: Resolver) -> tuple[Form, ...]:
+    """Constraints in their order, then the holonomic ones as their derivatives."""
+    g, rows = build.graph, []
+    for entry in build.spec.constraints:
+        node = g.sub(build.node(entry.left), build.node(entry.right))
+        rows.append(build.form(entry.name, node, entry.span, "E0401", "the constraint"))
+    for held in build.spec.holonomic:
+        f = g.sub(build.node(held.left), build.node(held.right))
+        if any(tangent_slopes(g, f, build.v)):
+            build.bag.error("E0415", f"the holonomic constraint `{held.name}` depends on velocities", held.span,
+                            help=("move it to `constraints:`",))
+            continue
+        rate = tangent(g, [f], build._rates)[0]
+        form = build.form(held.name, rate, held.span, "E0401", "the constraint")
+        rows.append(Form(form.name, form.coefficients, form.constant, form.place, f))
+    return tuple(rows)
+
+
+def _places(build: Resolver) -> dict[str, str]:
+    spec = build.spec
+    places = {"T": build.place(spec.kinetic.span)}
+    if spec.potential is not None:
+        places["U"] = build.place(spec.potential.span)
+    for entry in (*spec.forces, *spec.outputs, *spec.quasi_velocities):
+        places[entry.name] = build.place(entry.value.span)
+    return places
+
+
+def _check_rank(build: Resolver, system: System) -> None:
+    """Dependent constraints and contradictory ones, row by row."""
+    g, kept = build.graph, []
+    spans = [c.span for c in build.spec.constraints] + [h.span for h in build.spec.holonomic]
+    for form, span in zip(system.constraints, spans, strict=True):
+        linear = [list(f.coefficients) for f in (*kept, form)]
+        if rank(g, linear) == len(linear):
+            kept.append(form)
+            continue
+        full = [[*f.coefficients, f.constant] for f in (*kept, form)]
+        if rank(g, full) == len(full):
+            build.bag.error("E0403", f"the constraint `{form.name}` contradicts those before it", span,
+                            help=("remove it, or correct its terms: together they ask for `0 = 1`",))
+        else:
+            build.bag.error("E0402", f"the constraint `{form.name}` follows from those before it", span,
+                            notes=(f"the rows have rank {len(kept)}, so the reactions would not be unique",),
+                            help=("remove it",))
+
+
+def _check_kinetic(build: Resolver, system: System) -> None:
+    """The matrix d2T/dq'dq' bordered by the constraints must be regular, else the motion is not determined."""
+    from nhc.algebra.calculus import gradient
+
+    if build.bag.has_errors:
+        return
+    g, n, zero = build.graph, system.n, build.graph.zero
+    p = gradient(g, system.T, system.v)
+    mass = [gradient(g, momentum, system.v) for momentum in p]
+    rows = [[*mass[i], *(c.coefficients[i] for c in system.constraints)] for i in range(n)]
+    rows += [[*c.coefficients, *([zero] * system.l)] for c in system.constraints]
+    if rank(g, rows) == len(rows):
+        return
+    bare = [system.q_names[i] for i in range(n) if all(are_zero(g, mass[i]))]
+    what = ", ".join(f"`{name}'`" for name in bare)
+    message = f"`T` has no second-order part in {what}" if bare else "the mass matrix is singular for every state"
+    build.bag.error(
+        "E0404",
+        message,
+        build.spec.kinetic.span,
+        notes=("the accelerations would not be determined by the forces",),
+        help=("give each coordinate an inertia, or remove the coordinate",),
+    )

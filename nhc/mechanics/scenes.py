@@ -1,0 +1,207 @@
+"""A scene's start: parameter values, positions, and velocities that satisfy the constraints.
+
+Given velocities and quasi-velocities are equations beside the constraints; what is left free is zero, independent velocities first, so that
+dependent ones follow from the constraints.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from nhc.algebra.evaluate import evaluate
+from nhc.algebra.graph import Node
+from nhc.diagnostics import Bag
+from nhc.language.spec import Scene
+from nhc.mechanics.regularity import choose_dependent, constant_value
+from nhc.mechanics.system import Form, System
+
+TOLERANCE = 1e-9
+"""How far, relative to the size of its terms, a given start may be from satisfying the constraints."""
+
+
+@dataclass(frozen=True)
+class Start:
+    """``p`` in the spec's order; ``q`` and ``v`` at ``time[0]``."""
+
+    scene: Scene
+    time: tuple[float, float]
+    p: tuple[float, ...]
+    q: tuple[float, ...]
+    v: tuple[float, ...]
+
+    def values(self, system: System) -> dict[Node, float]:
+        """Every symbol of the system with its value."""
+        return {
+            system.t: self.time[0],
+            **dict(zip(system.p, self.p, strict=True)),
+            **dict(zip(system.q, self.q, strict=True)),
+            **dict(zip(system.v, self.v, strict=True)),
+        }
+
+
+def start_of(system: System, scene: Scene) -> Start:
+    """The consistent start of a scene.
+
+    Raises:
+        nhc.diagnostics.SpecError: a parameter without value, or a start that violates the constraints.
+    """
+    bag = Bag(system.spec.origin)
+    p = _parameters(system, scene, bag)
+    bag.raise_if_errors()
+    names = {c.name: value for c, value in zip(system.spec.parameters, p, strict=True)}
+    given = {(entry.kind, entry.name): constant_value(entry.value, names) for entry in scene.initial}
+    q = tuple(given.get(("coordinate", name), 0.0) for name in system.q_names)
+    time = (float(scene.time[0]), float(scene.time[1]))
+    place = {system.t: time[0], **dict(zip(system.p, p, strict=True)), **dict(zip(system.q, q, strict=True))}
+    _check_positions(system, scene, place, bag)
+    v = _velocities(system, scene, place, given, bag)
+    bag.raise_if_errors()
+    return Start(scene, time, p, q, v)
+
+
+def _parameters(system: System, scene: Scene, bag: Bag) -> tuple[float, ...]:
+    from fractions import Fraction
+
+    override = {entry.name: entry.value for entry in scene.parameters}
+    values, names = [], dict[str, float]()
+    for parameter in system.spec.parameters:
+        value = override.get(parameter.name, parameter.value)
+        if value is None:
+            bag.error(
+                "E0418",
+                f"the scene `{scene.name}` gives no value to the parameter `{parameter.name}`",
+                scene.span,
+                help=(f"add `parameters: {{{parameter.name}: ...}}` to the scene, or a value under `parameters:`",),
+            )
+            value = Fraction(1)
+        number = float(value) if isinstance(value, Fraction) else constant_value(value, names)
+        names[parameter.name] = number
+        values.append(number)
+    return tuple(values)
+
+
+def _check_positions(system: System, scene: Scene, place: dict[Node, float], bag: Bag) -> None:
+    for form in system.constraints:
+        if form.equation is None:
+            continue
+        try:
+            off = float(evaluate(system.graph, [form.equation], place)[0])
+        except (ArithmeticError, ValueError):
+            off = math.nan
+        if not abs(off) <= 1e-6:
+            bag.error(
+                "E0409",
+                f"the scene `{scene.name}` starts off the constraint `{form.name}` by {off:.3g}",
+                scene.span,
+                help=("give initial coordinates that satisfy it",),
+            )
+
+
+def _velocities(
+    system: System, scene: Scene, place: dict[Node, float], given: dict[tuple[str, str], float], bag: Bag
+) -> tuple[float, ...]:
+    rows: list[list[float]] = []
+    right: list[float] = []
+    names: list[str] = []
+
+    def add(form: Form, value: float, what: str) -> None:
+        numbers = [float(x) for x in evaluate(system.graph, [*form.coefficients, form.constant], place)]
+        rows.append(numbers[:-1])
+        right.append(value - numbers[-1])
+        names.append(what)
+
+    try:
+        for form in system.constraints:
+            add(form, 0.0, f"the constraint `{form.name}`")
+        fixed = len(rows)
+        for (kind, name), value in given.items():
+            if kind == "velocity":
+                add(_unit(system, name), value, f"`{name}'`")
+            elif kind == "quasi":
+                add(next(f for f in system.quasi if f.name == name), value, f"`{name}`")
+    except (ArithmeticError, ValueError) as error:
+        bag.error("E0409", f"the scene `{scene.name}` starts at a singular point: {error}", scene.span,
+                  help=("start a little beside it",))
+        return (0.0,) * system.n
+    order = _free_order(system, given)
+    solver = _RowSpace(system.n)
+    for k, (row, value) in enumerate(zip(rows, right, strict=True)):
+        off = solver.add(row, value)
+        if off is None or abs(off) <= TOLERANCE:
+            continue
+        bag.error(
+            "E0409",
+            f"the initial velocities of the scene `{scene.name}` violate the constraints by {abs(off):.3g}",
+            next((e.span for e in scene.initial if names[k] in (f"`{e.name}`", f"`{e.name}'`")), scene.span),
+            notes=(f"{names[k]} does not fit the {fixed} constraint(s) and the values before it",),
+            help=("leave the dependent velocities out: they follow from the constraints",),
+        )
+    for form in order:
+        numbers = [float(x) for x in evaluate(system.graph, [*form.coefficients, form.constant], place)]
+        solver.add(numbers[:-1], -numbers[-1])
+    return tuple(solver.solution())
+
+
+def _unit(system: System, name: str) -> Form:
+    from nhc.mechanics.frame import coordinate_form
+
+    return coordinate_form(system, system.q_names.index(name))
+
+
+def _free_order(system: System, given: dict[tuple[str, str], float]) -> list[Form]:
+    """What is set to zero, first come first served: quasi-velocities when the scene speaks in them, else independent velocities."""
+    from nhc.mechanics.frame import coordinate_form
+
+    dependent = system.dependent or choose_dependent(system).dependent
+    independent = [i for i in range(system.n) if i not in dependent]
+    coordinates = [coordinate_form(system, i) for i in (*independent, *dependent)]
+    if any(kind == "quasi" for kind, _ in given):
+        return [*system.quasi, *coordinates]
+    return coordinates
+
+
+class _RowSpace:
+    """Linear equations taken one by one; each is reduced by those before it."""
+
+    def __init__(self, size: int) -> None:
+        self.size = size
+        self.rows: list[tuple[int, list[float], float]] = []
+
+    def add(self, row: Sequence[float], value: float) -> float | None:
+        """None if the equation was new; else by how much it contradicts the earlier ones (relative to its terms)."""
+        row, scale = list(row), max((abs(x) for x in row), default=0.0)
+        size = max(scale, abs(value), 1e-300)
+        for column, known, right in self.rows:
+            factor = row[column]
+            if factor:
+                row = [x - factor * y for x, y in zip(row, known, strict=True)]
+                value -= factor * right
+        pivot = max(range(self.size), key=lambda j: abs(row[j]))
+        if abs(row[pivot]) <= 1e-9 * max(scale, 1e-300):
+            return value / size
+        inverse = 1.0 / row[pivot]
+        row, value = [x * inverse for x in row], value * inverse
+        self.rows = [
+            (c, [x - known[pivot] * y for x, y in zip(known, row, strict=True)], right - known[pivot] * value)
+            for c, known, right in self.rows
+        ]
+        self.rows.append((pivot, row, value))
+        return None
+
+    def solution(self) -> list[float]:
+        result = [0.0] * self.size
+        for column, _, value in self.rows:
+            result[column] = value
+        return result
+
+
+def kept_velocities(system: System, forms: Sequence[Form], start: Start) -> list[float]:
+    """The values of velocity forms at the start."""
+    place = start.values(system)
+    result = []
+    for form in forms:
+        numbers = [float(x) for x in evaluate(system.graph, [*form.coefficients, form.constant], place)]
+        result.append(sum(a * v for a, v in zip(numbers[:-1], start.v, strict=True)) + numbers[-1])
+    return result

@@ -1,0 +1,278 @@
+"""Plan -> Function: nodes become lets and expressions, in an order in which everything is known when it is used.
+
+A node gets a name when it is used twice, when the user named it, or when the expression would become too long to read.  Parameter-only
+work comes first, under its own section.  Dead code does not arise: only what the targets, guards and solves need is visited.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from fractions import Fraction
+
+from nhc.algebra.calculus import reachable
+from nhc.algebra.graph import ADD, BINARY, MUL, NEG, NUM, PI, POW, SYM, UNARY, Graph, Node
+from nhc.program.ir import (
+    Binary,
+    Call,
+    Expr,
+    Function,
+    Guard,
+    Let,
+    Load,
+    Negate,
+    Number,
+    Pi,
+    Power,
+    Ref,
+    Result,
+    Section,
+    Solve,
+    Statement,
+    Store,
+)
+from nhc.program.naming import Namer
+from nhc.program.passes import count_operations
+from nhc.program.plan import FunctionPlan, GuardPlan, SolvePlan
+
+_LONG = 10  # operations in one expression
+_ONE = Fraction(1)
+_UNROLLED = 4  # integer powers up to this are products
+
+
+class Lowering:
+    """Lowers one plan."""
+
+    def __init__(self, graph: Graph, plan: FunctionPlan, parameters: Iterable[Node]) -> None:
+        self.graph, self.plan = graph, plan
+        self.parameter_mask = graph.mask(tuple(parameters))
+        reserved = {argument.name for argument in plan.inputs} | ({plan.output.name} if plan.output else set())
+        self.namer = Namer(graph, reserved)
+        self.names: dict[Node, str] = {}
+        self.body: list[Statement] = []
+        self.needed = reachable(graph, self._roots())
+        self.stages = self._stages()
+
+    def _roots(self) -> list[Node]:
+        plan = self.plan
+        roots = [target.node for target in plan.targets]
+        if plan.result is not None:
+            roots.append(plan.result)
+        for guard in plan.guards:
+            roots += [guard.value, guard.scale]
+        for solve in plan.solves:
+            roots += [n for row in (*solve.matrix, *solve.columns) for n in row]
+        return roots
+
+    # --- which nodes get a name -----------------------------------------------------------------------------
+
+    def _stages(self) -> dict[Node, int]:
+        """0 before any solve, k + 1 for what uses the unknowns of solve k."""
+        masks = [self.graph.mask([s for column in solve.symbols for s in column]) for solve in self.plan.solves]
+        return {
+            node: max((k + 1 for k, mask in enumerate(masks) if self.graph.depends(node, mask)), default=0)
+            for node in self.needed
+        }
+
+    def _constant(self, node: Node) -> bool:
+        deps = self.graph.deps[node]
+        return deps != 0 and not deps & ~self.parameter_mask
+
+    def _uses(self) -> dict[Node, int]:
+        """How often each node is needed by others; a minus sign passes its uses on."""
+        g = self.graph
+        uses: dict[Node, int] = dict.fromkeys(self.needed, 0)
+        for root in self._roots():
+            uses[root] += 1
+        for node in reversed(self.needed):
+            weight = uses[node] if g.op[node] == NEG else 1
+            for child in g.children(node):
+                uses[child] += weight
+            if g.op[node] == POW and 2 <= abs(g.b[node]) <= _UNROLLED:
+                uses[g.a[node]] += 1
+        return uses
+
+    def choose_names(self) -> list[Node]:
+        """The nodes that become lets, in increasing order."""
+        g, uses, size = self.graph, self._uses(), dict[Node, int]()
+        chosen: list[Node] = []
+        boundary = self._constant_boundary()
+        for node in self.needed:
+            children = g.children(node)
+            if not children:
+                size[node] = 0
+                continue
+            size[node] = 1 + sum(size[c] for c in children)
+            if g.op[node] == NEG:
+                size[node] -= 1
+                continue
+            if uses[node] > 1 or node in boundary or size[node] > _LONG or g.op[node] in ("sin", "cos"):
+                chosen.append(node)
+                size[node] = 0
+        return chosen
+
+    def _constant_boundary(self) -> set[Node]:
+        """Parameter-only nodes that other work uses: the largest ones."""
+        g, boundary = self.graph, set[Node]()
+        for node in self.needed:
+            if self._constant(node):
+                continue
+            for child in g.children(node):
+                inner = g.a[child] if g.op[child] == NEG else child
+                if self._constant(inner) and g.children(inner):
+                    boundary.add(inner)
+        return boundary
+
+    # --- statements ---------------------------------------------------------------------------------------
+
+    def lower(self) -> Function:
+        self._load()
+        lets = self.choose_names()
+        self._parameter_section([n for n in lets if self._constant(n)])
+        guards = sorted(self.plan.guards, key=lambda guard: max(guard.value, guard.scale))
+        moving = [n for n in lets if not self._constant(n)]
+        for stage in range(len(self.plan.solves) + 1):
+            if stage:
+                self._solve(self.plan.solves[stage - 1])
+            for node in moving:
+                if self.stages[node] != stage:
+                    continue
+                while guards and stage == self._guard_stage(guards[0]) and max(guards[0].value, guards[0].scale) < node:
+                    self._guard(guards.pop(0))
+                self._let(node)
+            while guards and self._guard_stage(guards[0]) == stage:
+                self._guard(guards.pop(0))
+        self._store()
+        return self._function()
+
+    def _guard_stage(self, guard: GuardPlan) -> int:
+        return max(self.stages[guard.value], self.stages[guard.scale])
+
+    def _load(self) -> None:
+        present = set(self.needed)
+        wanted = [(symbol, place) for symbol, place in self.plan.loads.items() if symbol in present]
+        for symbol, (array, index, about) in wanted:
+            if index < 0:  # the scalar argument is its own name
+                self.names[symbol] = array
+                continue
+            self.names[symbol] = self.namer.symbol(symbol)
+            self.body.append(Load(self.names[symbol], array, index, about))
+
+    def _parameter_section(self, lets: list[Node]) -> None:
+        if lets:
+            self.body.append(Section("parameters only"))
+            for node in lets:
+                self._let(node)
+        self.body.append(Section("state"))
+
+    def _let(self, node: Node) -> None:
+        value = self.expression(node)
+        self.names[node] = self.namer.node(node, self._constant(node))
+        self.body.append(Let(self.names[node], value))
+
+    def _guard(self, guard: GuardPlan) -> None:
+        self.body.append(
+            Guard(self.expression(guard.value), self.expression(guard.scale), guard.tolerance, guard.status, guard.what)
+        )
+
+    def _solve(self, solve: SolvePlan) -> None:
+        names = []
+        for column in solve.symbols:
+            for symbol in column:
+                self.names[symbol] = self.namer.symbol(symbol)
+            names.append(tuple(self.names[symbol] for symbol in column))
+        self.body.append(
+            Solve(
+                tuple(tuple(self.expression(n) for n in row) for row in solve.matrix),
+                tuple(tuple(self.expression(n) for n in column) for column in solve.columns),
+                tuple(names),
+                solve.tolerance,
+                solve.status,
+                solve.what,
+            )
+        )
+
+    def _store(self) -> None:
+        plan = self.plan
+        for target in plan.targets:
+            assert plan.output is not None
+            value = self.expression(target.node)
+            self.body.append(Store(plan.output.name, target.index, value, target.about, target.origin))
+        if plan.result is not None:
+            self.body.append(Result(self.expression(plan.result)))
+
+    def _function(self) -> Function:
+        plan, body = self.plan, tuple(self.body)
+        adds, multiplications, divisions, calls = count_operations(body)
+        return Function(
+            plan.name, plan.about, plan.inputs, plan.output, body, plan.equation, adds, multiplications, divisions, calls
+        )
+
+    # --- expressions ----------------------------------------------------------------------------------------
+
+    def expression(self, node: Node) -> Expr:
+        """The node in terms of names; depth is bounded because long expressions were given names."""
+        name = self.names.get(node)
+        if name is not None:
+            return Ref(name)
+        g, op = self.graph, self.graph.op[node]
+        if op == NUM:
+            value = g.value(node)
+            assert value is not None
+            return Number(value)
+        if op == PI:
+            return Pi()
+        if op == SYM:
+            raise KeyError(f"`{g.symbols[g.a[node]].name}` is not an argument of `{self.plan.name}`")
+        if op == NEG:
+            return self._negated(g.a[node])
+        if op == ADD:
+            return self._sum(g.a[node], g.b[node])
+        if op == MUL:
+            return self._product(g.a[node], g.b[node])
+        if op == POW:
+            return self._power(g.a[node], g.b[node])
+        assert op in UNARY or op in BINARY
+        return Call("pow" if op == "powf" else op, tuple(self.expression(c) for c in g.children(node)))
+
+    def _negated(self, inner: Node) -> Expr:
+        g = self.graph
+        if g.op[inner] == ADD and inner not in self.names and g.op[g.b[inner]] == NEG:
+            return Binary("-", self.expression(g.a[g.b[inner]]), self.expression(g.a[inner]))  # -(x - y) = y - x
+        return Negate(self.expression(inner))
+
+    def _sum(self, x: Node, y: Node) -> Expr:
+        g = self.graph
+        if g.op[y] == NEG and y not in self.names:
+            return Binary("-", self.expression(x), self.expression(g.a[y]))
+        return Binary("+", self.expression(x), self.expression(y))
+
+    def _product(self, x: Node, y: Node) -> Expr:
+        bx, by = self._denominator(x), self._denominator(y)
+        if by is not None:
+            return Binary("/", self.expression(x), by)
+        if bx is not None:
+            return Binary("/", self.expression(y), bx)
+        return Binary("*", self.expression(x), self.expression(y))
+
+    def _denominator(self, node: Node) -> Expr | None:
+        """d where the node is 1/d and has no name of its own."""
+        g = self.graph
+        if g.op[node] == POW and g.b[node] < 0 and node not in self.names:
+            return self._power(g.a[node], -g.b[node])
+        return None
+
+    def _power(self, base: Node, n: int) -> Expr:
+        if n < 0:
+            return Binary("/", Number(_ONE), self._power(base, -n))
+        inner = self.expression(base)
+        if n > _UNROLLED:
+            return Power(inner, n)
+        result = inner
+        for _ in range(n - 1):
+            result = Binary("*", result, inner)
+        return result
+
+
+def lower_function(graph: Graph, plan: FunctionPlan, parameters: Iterable[Node]) -> Function:
+    return Lowering(graph, plan, parameters).lower()
+

@@ -1,0 +1,78 @@
+"""Passes over statements: operation counts, free names."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from nhc.program.ir import (
+    Binary,
+    Call,
+    Expr,
+    Guard,
+    Let,
+    Load,
+    Negate,
+    Number,
+    Pi,
+    Power,
+    Ref,
+    Result,
+    Section,
+    Solve,
+    Statement,
+    Store,
+)
+
+
+def expressions(statement: Statement) -> Iterator[Expr]:
+    """The expressions that a statement evaluates."""
+    match statement:
+        case Let() | Store() | Result():
+            yield statement.value
+        case Guard():
+            yield statement.value
+            yield statement.scale
+        case Solve():
+            for row in (*statement.matrix, *statement.columns):
+                yield from row
+        case Section() | Load():
+            return
+
+
+def walk(expression: Expr) -> Iterator[Expr]:
+    """Every part of an expression, itself first."""
+    yield expression
+    match expression:
+        case Binary():
+            yield from walk(expression.left)
+            yield from walk(expression.right)
+        case Negate():
+            yield from walk(expression.operand)
+        case Power():
+            yield from walk(expression.base)
+        case Call():
+            for argument in expression.arguments:
+                yield from walk(argument)
+        case Number() | Pi() | Ref():
+            return
+
+
+def count_operations(body: Iterable[Statement]) -> tuple[int, int, int, int]:
+    """(additions, multiplications, divisions, calls); a dense solve counts its elimination."""
+    adds = multiplications = divisions = calls = 0
+    for statement in body:
+        if isinstance(statement, Solve):
+            size, columns = len(statement.matrix), len(statement.columns)
+            work = sum(k * (k - 1) + k * columns for k in range(1, size + 1)) + columns * size * (size - 1) // 2
+            adds, multiplications, divisions = adds + work, multiplications + work, divisions + size * (1 + columns)
+        for expression in expressions(statement):
+            for part in walk(expression):
+                if isinstance(part, Binary):
+                    adds += part.op in "+-"
+                    multiplications += part.op == "*"
+                    divisions += part.op == "/"
+                elif isinstance(part, Power):
+                    multiplications += max(1, part.exponent.bit_length())
+                elif isinstance(part, Call):
+                    calls += 1
+    return adds, multiplications, divisions, calls

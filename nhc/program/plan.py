@@ -1,0 +1,107 @@
+"""What a function has to compute, in nodes: the step between equations and statements."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from nhc.algebra.graph import Graph, Node
+from nhc.program.ir import Argument, Origin
+
+
+@dataclass(frozen=True)
+class Target:
+    """``array[index] = node``."""
+
+    index: int
+    node: Node
+    about: str = ""
+    origin: Origin = Origin()
+
+
+@dataclass(frozen=True)
+class GuardPlan:
+    """``|value|`` must exceed ``tolerance * scale``."""
+
+    value: Node
+    scale: Node
+    tolerance: float
+    status: int
+    what: str
+
+
+@dataclass(frozen=True)
+class SolvePlan:
+    """A dense system whose solution binds ``symbols[c][i]``; later stages may use them."""
+
+    matrix: tuple[tuple[Node, ...], ...]
+    columns: tuple[tuple[Node, ...], ...]
+    symbols: tuple[tuple[Node, ...], ...]
+    tolerance: float
+    status: int
+    what: str
+
+
+@dataclass(frozen=True)
+class FunctionPlan:
+    """``loads`` maps a symbol to (array, index, about); ``result`` is the scalar value of a function without output array."""
+
+    name: str
+    about: str
+    equation: str
+    inputs: tuple[Argument, ...]
+    output: Argument | None
+    loads: dict[Node, tuple[str, int, str]]
+    targets: tuple[Target, ...] = ()
+    result: Node | None = None
+    guards: tuple[GuardPlan, ...] = ()
+    solves: tuple[SolvePlan, ...] = ()
+
+
+@dataclass(frozen=True)
+class Factors:
+    """L (unit lower, below the diagonal), the pivots d and their reciprocals of a symmetric matrix L D L^T."""
+
+    lower: tuple[tuple[Node, ...], ...]
+    pivots: tuple[Node, ...]
+    reciprocals: tuple[Node, ...]
+
+
+def factor(graph: Graph, matrix: Sequence[Sequence[Node]]) -> Factors:
+    """L D L^T of a symmetric matrix, unrolled; structural zeros cost nothing."""
+    size = len(matrix)
+    work = [list(row) for row in matrix]
+    lower = [[graph.zero] * size for _ in range(size)]
+    pivots, reciprocals = [], []
+    for k in range(size):
+        pivot = work[k][k]
+        reciprocal = graph.inverse(pivot)
+        pivots.append(pivot)
+        reciprocals.append(reciprocal)
+        for i in range(k + 1, size):
+            if work[i][k] != graph.zero:
+                lower[i][k] = graph.mul(work[i][k], reciprocal)
+        for i in range(k + 1, size):
+            if lower[i][k] == graph.zero:
+                continue
+            for j in range(k + 1, i + 1):
+                if work[j][k] != graph.zero:
+                    work[i][j] = graph.sub(work[i][j], graph.mul(lower[i][k], work[j][k]))
+                    work[j][i] = work[i][j]
+    return Factors(tuple(tuple(row) for row in lower), tuple(pivots), tuple(reciprocals))
+
+
+def solve_factored(graph: Graph, factors: Factors, right: Sequence[Node]) -> list[Node]:
+    """x with L D L^T x = right."""
+    size = len(right)
+    y = list(right)
+    for i in range(size):
+        for k in range(i):
+            if factors.lower[i][k] != graph.zero and y[k] != graph.zero:
+                y[i] = graph.sub(y[i], graph.mul(factors.lower[i][k], y[k]))
+    x = [graph.mul(value, reciprocal) for value, reciprocal in zip(y, factors.reciprocals, strict=True)]
+    for i in reversed(range(size)):
+        for k in range(i + 1, size):
+            if factors.lower[k][i] != graph.zero and x[k] != graph.zero:
+                x[i] = graph.sub(x[i], graph.mul(factors.lower[k][i], x[k]))
+    return x

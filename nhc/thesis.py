@@ -1,0 +1,29 @@
+"""The numbered equations of A. Vigneront's thesis (Namur 1977), and the code that implements them.
+
+``@equation("I.4.9")`` ties a function to a number; the same number stands in emitted comments, LaTeX tags and tests.
+The registry knows of every number whether it is implemented, shown by a test, or not needed (with the reason).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TypeVar
+
+F = TypeVar("F", bound=Callable[..., object])
+
+IMPLEMENTED: dict[str, list[str]] = {}
+"""number -> qualified names of the functions that implement it (filled as modules are imported)."""
+
+
+def equation(*numbers: str) -> Callable[[F], F]:
+    """Tie a function to numbered equations of the thesis."""
+
+    def tie(function: F) -> F:
+        for number in numbers:
+            place = f"{function.__module__}.{function.__qualname__}"
+            names = IMPLEMENTED.setdefault(number, [])
+            if place not in names:
+                names.append(place)
+        return function
+
+    return tie
