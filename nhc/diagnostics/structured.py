@@ -30,7 +30,7 @@ def _item(source: Source, diagnostic: Diagnostic) -> dict[str, Any]:
 
 
 def to_json(source: Source, diagnostics: Iterable[Diagnostic]) -> dict[str, Any]:
-    """Return the diagnostics as a tree that ``json.dumps`` takes; lines and columns count from 1, ends are exclusive."""
+    """Return the diagnostics as a tree for ``json.dumps``; lines and columns count from 1, ends are exclusive."""
     return {
         "nhc_diagnostics": SCHEMA_VERSION,
         "file": source.path,

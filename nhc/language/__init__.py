@@ -4,6 +4,7 @@ from nhc.diagnostics import Source
 
 from .decode import decode
 from .reading import read
+from .schema import reference_table, schema
 from .spec import (
     FORMULATIONS,
     Constraint,
@@ -17,7 +18,9 @@ from .spec import (
     Scene,
     Spec,
 )
-from .syntax import Binary, Call, Differential, Name, Negate, Number, Prime, Syntax
+from .syntax import Binary, Call, Differential, Name, Negate, Number, Prime, Syntax, fold_tree, same, walk
+from .template import template
+from .unparse import unparse
 
 __all__ = [
     "FORMULATIONS",
@@ -41,5 +44,12 @@ __all__ = [
     "Spec",
     "Syntax",
     "decode",
+    "fold_tree",
     "read",
+    "reference_table",
+    "same",
+    "schema",
+    "template",
+    "unparse",
+    "walk",
 ]

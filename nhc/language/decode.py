@@ -284,7 +284,7 @@ class _Decoder:
             if text is None:
                 continue
             name = self.scope.velocity_of(text.value) or fold(text.value)
-            if not self.scope.kind(name) == "coordinate" and not self.scope.check_coordinate(text):
+            if self.scope.kind(name) != "coordinate" and not self.scope.check_coordinate(text):
                 continue
             if name in found:
                 self.bag.error("E0305", f"`{name}` stands twice in `dependent`", text.span)
@@ -302,10 +302,12 @@ def decode(source: Source) -> Spec:
     root = read_nodes(source, bag)
     if root is None:
         if not bag.has_errors:
-            bag.error("E0111", "the spec is empty", Span(0, 0), help=("begin with `nhc: 1`; `nhc new NAME` writes an example",))
+            help = "begin with `nhc: 1`; `nhc new NAME` writes an example"
+            bag.error("E0111", "the spec is empty", Span(0, 0), help=(help,))
         raise SpecError(bag.diagnostics, source)
     if not isinstance(root, Table):
         start = root.span.start
-        bag.error("E0301", "a spec is a mapping of keys to values", Span(start, start + 1), help=("begin with `nhc: 1`",))
+        place = Span(start, start + 1)
+        bag.error("E0301", "a spec is a mapping of keys to values", place, help=("begin with `nhc: 1`",))
         raise SpecError(bag.diagnostics, source)
     return _Decoder(source, root, bag).run()

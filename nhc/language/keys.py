@@ -26,7 +26,7 @@ SPEC_KEYS = (
     Key("system", "system", True, f"name of files and functions, `{SYSTEM_PATTERN}`"),
     Key("about", "text", False, "what the system is, in a sentence"),
     Key("source", "texts", False, "where the system comes from: a list of citations"),
-    Key("coordinates", "coordinates", True, "generalized coordinates: a list of names, or each name with `unit`, `about`, `range`"),
+    Key("coordinates", "coordinates", True, "a list of names, or each name with `unit`, `about`, `range`"),
     Key("parameters", "parameters", False, "constants: each name with its number, or with `value`, `unit`, `about`"),
     Key("define", "expressions", False, "named expressions, in any order without a cycle"),
     Key("T", "expression", True, "kinetic energy"),
@@ -38,7 +38,7 @@ SPEC_KEYS = (
     Key("quasi_velocities", "expressions", False, "the forms that the constraints leave free, in order"),
     Key("dependent", "names", False, "the coordinates whose velocities the constraints are solved for"),
     Key("formulation", "choice", False, "how the equations are formed; `auto` if left out", FORMULATIONS),
-    Key("outputs", "expressions", False, "named quantities besides the state; `T`, `U`, `V`, `energy` may stand in them"),
+    Key("outputs", "expressions", False, "named quantities besides the state; `T`, `U`, `V`, `energy` may be used"),
     Key("scenes", "scenes", False, "concrete situations, by name"),
 )
 
@@ -49,17 +49,21 @@ COORDINATE_KEYS = (
 )
 
 PARAMETER_KEYS = (
-    Key("value", "number", False, "a number or a constant expression such as `pi/10`; without it each scene must give one"),
+    Key("value", "number", False, "a number or a constant such as `pi/10`; without it each scene must give one"),
     Key("unit", "unit", False, "unit, such as `kg*m^2`"),
     Key("about", "text", False, "what it is"),
+)
+
+_NEED = (
+    "what is wanted: coordinates, velocities, quasi-velocities, outputs, `energy`, `reactions`; "
+    "all coordinates if left out"
 )
 
 SCENE_KEYS = (
     Key("about", "text", False, "what happens in it"),
     Key("parameters", "numbers", False, "values of parameters in this scene"),
-    Key("initial", "start", False, "values of coordinates, velocities (`x'`) and quasi-velocities; what is left out is 0"),
+    Key("initial", "start", False, "coordinates, velocities (`x'`) and quasi-velocities at the start; 0 if left out"),
     Key("time", "interval", True, "start and end: `[0, 20]`"),
-    Key("need", "names", False, "what is wanted: coordinates, velocities, quasi-velocities, outputs, `energy`, `reactions`; "
-        "all coordinates if left out"),
+    Key("need", "names", False, _NEED),
     Key("tolerance", "number", False, "wanted relative accuracy of what is needed; 1e-8 if left out"),
 )

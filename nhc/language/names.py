@@ -44,13 +44,12 @@ SPELLINGS: dict[str, str] = {
 }
 
 _LOWER = (
-    "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi omicron pi rho sigma sigma tau upsilon "
-    "phi chi psi omega"
-).split()
-GREEK: dict[str, str] = {chr(0x3B1 + index): name for index, name in enumerate(_LOWER)}
-GREEK.update(
-    {chr(0x391 + index): name.capitalize() for index, name in enumerate(_LOWER) if index != 17}  # no capital final sigma
+    *("alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "iota", "kappa", "lambda", "mu", "nu"),
+    *("xi", "omicron", "pi", "rho", "sigma", "sigma", "tau", "upsilon", "phi", "chi", "psi", "omega"),
 )
+_FINAL_SIGMA = 17  # it has no capital
+GREEK: dict[str, str] = {chr(0x3B1 + index): name for index, name in enumerate(_LOWER)}
+GREEK.update({chr(0x391 + index): name.capitalize() for index, name in enumerate(_LOWER) if index != _FINAL_SIGMA})
 _TABLE = str.maketrans(GREEK)
 
 

@@ -9,8 +9,10 @@ from nhc.diagnostics import Span
 
 @dataclass(frozen=True, slots=True)
 class Text:
-    """A scalar. ``offsets[i]`` is the place of character i in the source, with one more entry for the end; empty where
-    escapes hide it. ``plain`` says that it stands without quotes."""
+    """A scalar; ``plain`` says that it stands without quotes.
+
+    ``offsets[i]`` is the place of character i in the source, with one more entry for the end; empty where escapes hide it.
+    """
 
     value: str
     span: Span

@@ -1,9 +1,9 @@
 """Expressions to syntax trees, by operator precedence on an explicit stack.
 
-    equation   = expression "=" expression
-    expression = term { ("+" | "-" | "*" | "/" | "^") term }     precedence: + -  <  * /  <  unary -  <  ^ (to the right)
-    term       = { "-" } primary { "'" }
-    primary    = number | name | "(" expression ")" | function "(" expression { "," expression } ")"
+equation   = expression "=" expression
+expression = term { ("+" | "-" | "*" | "/" | "^") term }     + -  <  * /  <  unary -  <  ^ (to the right)
+term       = { "-" } primary { "'" }
+primary    = number | name | "(" expression ")" | function "(" expression { "," expression } ")"
 """
 
 from __future__ import annotations
@@ -51,7 +51,10 @@ class _Parser:
     def run(self) -> list[Syntax]:
         if len(self.text) > LONGEST:
             raise ExpressionError(
-                "E0205", f"expression longer than {LONGEST} characters", self.locate(0, 1), "name parts of it under `define`"
+                "E0205",
+                f"expression longer than {LONGEST} characters",
+                self.locate(0, 1),
+                "name parts of it under `define`",
             )
         if not self.text.strip():
             raise ExpressionError("E0211", "empty expression", self.locate(0, len(self.text)), "")
@@ -96,7 +99,8 @@ class _Parser:
         if token.kind == ")" and self.frames and self.frames[-1].kind == "(" and self.frames[-1].function:
             name = self.frames[-1].function
             return ExpressionError("E0206", f"`{name}` needs an argument", self._span(token), f"write `{name}(x)`")
-        help = {"+": "leave the `+` out", "prime": "the prime stands after a name or a parenthesis: `x'`"}.get(token.kind, "")
+        advice = {"+": "leave the `+` out", "prime": "the prime stands after a name or a parenthesis: `x'`"}
+        help = advice.get(token.kind, "")
         return ExpressionError(
             "E0202", f"expected a number, a name or `(`, found `{token.text}`", self._span(token), help
         )
@@ -156,7 +160,7 @@ class _Parser:
         help = f"write `{name.text}*(...)` for a product"
         if name.text == "pow":
             help = "write `x^y`"
-        elif meant and not len(name.text) == 1:
+        elif meant and len(name.text) != 1:
             help = f"did you mean `{meant}`? {help}"
         raise ExpressionError("E0206", f"`{name.text}` is not a function", self._span(name), help)
 
@@ -177,7 +181,7 @@ class _Parser:
             raise ExpressionError("E0204", "`)` without its `(`", self._span(token))
         frame = self.frames.pop()
         self.depth -= 1
-        node, start, end = self.operands.pop()
+        node = self.operands.pop()[0]
         if not frame.function:
             self._push(node, frame.token.start, token.end)
             return
@@ -194,7 +198,10 @@ class _Parser:
         self._reduce(0)
         if not self.frames or not self.frames[-1].function:
             raise ExpressionError(
-                "E0202", "`,` outside of a function's arguments", self._span(token), "decimal numbers are written with `.`"
+                "E0202",
+                "`,` outside of a function's arguments",
+                self._span(token),
+                "decimal numbers are written with `.`",
             )
         self.frames[-1].arguments.append(self.operands.pop())
 
@@ -244,7 +251,7 @@ class _Parser:
         """Apply the pending operators that bind at least as tightly as ``level``, up to an open parenthesis."""
         while self.frames and self.frames[-1].kind != "(" and self.frames[-1].level >= level:
             frame = self.frames.pop()
-            right, right_start, end = self.operands.pop()
+            right, _, end = self.operands.pop()
             if frame.kind == "negate":
                 self.depth -= 1
                 self._push(Negate(right, self.locate(frame.token.start, end)), frame.token.start, end)

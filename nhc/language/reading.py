@@ -37,7 +37,8 @@ def read(path: str | Path) -> Source:
     except (OSError, ValueError) as error:
         reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
         message = f"cannot read `{name}`: {reason.lower()}"
-        raise _refuse(name, "", "E0101", message, nowhere, "give the path of a spec, or `-` for standard input") from None
+        help = "give the path of a spec, or `-` for standard input"
+        raise _refuse(name, "", "E0101", message, nowhere, help) from None
     if len(data) > LARGEST:
         raise _refuse(name, "", "E0103", f"the file is larger than 1 MiB ({LARGEST} bytes)", nowhere)
     data = data.removeprefix(b"\xef\xbb\xbf")

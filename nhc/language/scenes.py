@@ -138,9 +138,7 @@ class _SceneReader:
         plus = len(text.value) - len(text.value.removeprefix("+")) if text is not None and text.plain else 0
         if text is None:
             return None
-        tree = parse_expression(
-            text.value[plus:], lambda start, end: text.locate(start + plus, end + plus), self.bag
-        )
+        tree = parse_expression(text.value[plus:], lambda start, end: text.locate(start + plus, end + plus), self.bag)
         if tree is None:
             return None
         tree = self.scope.resolve(tree, "")
@@ -193,4 +191,3 @@ class _SceneReader:
             self.bag.error("E0313", "`tolerance` must lie between 0 and 1", node.span, help=(help,))
             return DEFAULT_TOLERANCE
         return value
-

@@ -31,7 +31,7 @@ class Declared:
 
 
 class Scope:
-    """The declared names. ``open`` says that a declaring section could not be read: unknown names are passed over then."""
+    """The declared names. ``open``: a declaring section could not be read, so unknown names are passed over."""
 
     def __init__(self, bag: Bag) -> None:
         self.bag = bag
@@ -55,7 +55,8 @@ class Scope:
         if name in self.names:
             first = self.names[name]
             label = Label(first.span, f"first declared here, as {_KINDS[first.kind]}")
-            self.bag.error("E0305", f"`{name}` is declared twice", text.span, labels=(label,), help=("rename one of them",))
+            message = f"`{name}` is declared twice"
+            self.bag.error("E0305", message, text.span, labels=(label,), help=("rename one of them",))
             return None
         self.names[name] = Declared(kind, text.span)
         return name
@@ -226,4 +227,3 @@ def check_form(left: Syntax, right: Syntax, known: Mapping[str, bool], bag: Bag)
         message = "a constraint mixes differentials with velocities"
         bag.error("E0209", message, form.span, "a differential", labels=(label,), help=(help,))
     return "differential" if form is not None else "velocity"
-

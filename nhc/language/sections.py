@@ -36,7 +36,8 @@ def _entries(node: Node | None, key: str, shapes: Shapes, scope: Scope) -> list[
         texts = [shapes.text(item, "a name") for item in node.items]
         scope.open = scope.open or None in texts
         return [(text, None) for text in texts if text is not None]
-    table = shapes.table(node, f"a list or mapping of {key}", "write `[x, y]`, or one name per line with what is known of it")
+    help = "write `[x, y]`, or one name per line with what is known of it"
+    table = shapes.table(node, f"a list or mapping of {key}", help)
     if table is None:
         scope.open = True
         return []

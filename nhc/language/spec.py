@@ -76,8 +76,10 @@ class Override:
 
 @dataclass(frozen=True, slots=True)
 class Initial:
-    """A scene's start: ``kind`` is "coordinate", "velocity" (of the coordinate ``name``) or "quasi"; the value holds
-    numbers, ``pi`` and parameters only."""
+    """A scene's start: ``kind`` is "coordinate", "velocity" (of the coordinate ``name``) or "quasi".
+
+    The value holds numbers, ``pi`` and parameters only.
+    """
 
     kind: str
     name: str
@@ -87,8 +89,10 @@ class Initial:
 
 @dataclass(frozen=True, slots=True)
 class Need:
-    """What a scene needs: ``kind`` is "coordinate", "velocity" (``name`` is ``x'``), "quasi", "output", "energy" or
-    "reactions"."""
+    """What a scene needs.
+
+    ``kind`` is "coordinate", "velocity" (``name`` is ``x'``), "quasi", "output", "energy" or "reactions".
+    """
 
     kind: str
     name: str
@@ -113,10 +117,10 @@ class Scene:
 class Spec:
     """One decoded spec.
 
-    ``definitions`` are in an order in which each needs only earlier ones (quasi-velocities aside); ``named_order`` is such
-    an order of the names of definitions and quasi-velocities together. ``potential_kind`` is "U", "V" or "".
-    ``definitions``, ``quasi_velocities``, ``forces`` and ``outputs`` hold names of the spec's own; ``T``, ``U``, ``V`` and
-    ``energy`` may stand in outputs and then mean nhc's, unless the spec declares them.
+    ``definitions`` are in an order in which each needs only earlier ones (quasi-velocities aside); ``named_order`` is
+    such an order of the names of definitions and quasi-velocities together. ``potential_kind`` is "U", "V" or "".
+    ``T``, ``U``, ``V`` and ``energy`` may stand in outputs and then mean nhc's, unless the spec declares them. An output
+    may bear the name of a definition; its value is that name then.
     """
 
     origin: Source

@@ -1,7 +1,7 @@
 """Syntax trees of expressions.
 
-A tree may be as deep as its text is long (``1 + 1 + ...``), so nothing here recurses: every walk uses an explicit stack,
-and nodes compare by identity; ``same`` compares what two trees say.
+A tree may be as deep as its text is long (``1 + 1 + ...``), so nothing here recurses: every walk uses an explicit
+stack, and nodes compare by identity; ``same`` compares what two trees say.
 """
 
 from __future__ import annotations

@@ -2,10 +2,201 @@
 
 from __future__ import annotations
 
-from nhc.diagnostics import Bag
+from dataclasses import dataclass
+from fractions import Fraction
 
-from .spec import Spec
+from nhc.diagnostics import Bag, Label
+
+from .names import ENERGIES, PI, TIME
+from .spec import Constraint, Definition, Holonomic, Spec
+from .syntax import Binary, Call, Differential, Name, Negate, Number, Prime, Syntax, fold_tree
+from .units import ENERGY, ONE, SECOND, Dimension, multiply, parse_unit, raise_to, show
+
+_SAME = ("abs", "min", "max")  # functions whose value has the dimension of their arguments
+_PER_SECOND = raise_to(SECOND, Fraction(-1))
+_PER_SECOND_2 = raise_to(SECOND, Fraction(-2))
+# an energy, or all of the mechanics divided by a mass or by a moment of inertia, which leaves the motion as it is
+_KINETIC = (ENERGY, multiply(raise_to(parse_unit("m"), Fraction(2)), _PER_SECOND_2), _PER_SECOND_2)
+
+
+@dataclass(frozen=True, slots=True)
+class _Quantity:
+    """``dimension`` is None where it is not known; ``any`` marks the number 0, which fits everything.
+
+    ``number`` is the value of an expression of numbers.
+    """
+
+    dimension: Dimension | None
+    any: bool = False
+    number: Fraction | None = None
+
+
+_UNKNOWN = _Quantity(None)
+
+
+class _Checker:
+    def __init__(self, spec: Spec, bag: Bag) -> None:
+        self.bag = bag
+        self.names: dict[str, _Quantity] = {TIME: _Quantity(SECOND), PI: _Quantity(ONE)}
+        for name, unit in _units(spec):
+            self.names[name] = _Quantity(parse_unit(unit))
+
+    def measure(self, tree: Syntax) -> _Quantity:
+        """Return the quantity of an expression; what does not fit in it is reported once, where it stands."""
+        return fold_tree(tree, self._visit)
+
+    def _visit(self, node: Syntax, parts: tuple[_Quantity, ...]) -> _Quantity:
+        match node:
+            case Number():
+                return _Quantity(ONE, any=node.value == 0, number=node.value)
+            case Name():
+                return self.names.get(node.name, _UNKNOWN)
+            case Differential():
+                return self.names[node.name]
+            case Negate():
+                number = parts[0].number
+                return _Quantity(parts[0].dimension, parts[0].any, -number if number is not None else None)
+            case Prime():
+                return self._scale(parts[0], _PER_SECOND)
+            case Call():
+                return self._call(node, parts)
+            case Binary():
+                return self._binary(node, parts[0], parts[1])
+
+    @staticmethod
+    def _scale(quantity: _Quantity, by: Dimension) -> _Quantity:
+        return _UNKNOWN if quantity.dimension is None else _Quantity(multiply(quantity.dimension, by), quantity.any)
+
+    def _binary(self, node: Binary, left: _Quantity, right: _Quantity) -> _Quantity:
+        if node.op in "+-":
+            result = self._common(node, left, right)
+        elif node.op == "^":
+            result = self._power(node, left, right)
+        elif left.dimension is None or right.dimension is None:
+            result = _UNKNOWN
+        else:
+            other = right.dimension if node.op == "*" else raise_to(right.dimension, Fraction(-1))
+            result = _Quantity(multiply(left.dimension, other), left.any or (right.any and node.op == "*"))
+        return _Quantity(result.dimension, result.any, _combine(node.op, left.number, right.number))
+
+    def _common(self, node: Binary, left: _Quantity, right: _Quantity) -> _Quantity:
+        if left.any or right.any:
+            return left if right.any else right
+        if left.dimension is None or right.dimension is None:
+            return left if right.dimension is None else right
+        if left.dimension != right.dimension:
+            word = "added to" if node.op == "+" else "less"
+            what = f"{show(left.dimension)} {word} {show(right.dimension)}"
+            labels = (Label(node.left.span, show(left.dimension)), Label(node.right.span, show(right.dimension)))
+            bare = left.number is not None or right.number is not None
+            help = ("a bare number has no unit: make it a parameter with its unit",) if bare else ()
+            self.bag.error("E0413", f"units do not fit: {what}", node.operator, labels=labels, help=help)
+            return _UNKNOWN
+        return _Quantity(left.dimension)
+
+    def _power(self, node: Binary, base: _Quantity, exponent: _Quantity) -> _Quantity:
+        if exponent.dimension not in (None, ONE) and not exponent.any:
+            self._report(node.right, exponent, "an exponent must have no unit")
+            return _UNKNOWN
+        if base.dimension is None or base.dimension == ONE:
+            return base
+        if exponent.number is None:
+            self._report(node.left, base, "what has a unit takes constant exponents only")
+            return _UNKNOWN
+        return _Quantity(raise_to(base.dimension, exponent.number), base.any)
+
+    def _call(self, node: Call, parts: tuple[_Quantity, ...]) -> _Quantity:
+        if node.function == "sqrt":
+            return _UNKNOWN if parts[0].dimension is None else _Quantity(raise_to(parts[0].dimension, Fraction(1, 2)))
+        if node.function in (*_SAME, "atan2"):
+            known = [(part, tree) for part, tree in zip(parts, node.arguments, strict=True) if not part.any]
+            for part, tree in known[1:]:
+                if None not in (part.dimension, known[0][0].dimension) and part.dimension != known[0][0].dimension:
+                    self._report(tree, part, f"the arguments of `{node.function}` must have one unit")
+                    return _UNKNOWN
+            if node.function == "atan2":
+                return _Quantity(ONE)
+            return known[0][0] if known else parts[0]
+        if node.function != "sign":
+            for part, tree in zip(parts, node.arguments, strict=True):
+                if part.dimension not in (None, ONE) and not part.any:
+                    self._report(tree, part, f"the argument of `{node.function}` must have no unit")
+        return _Quantity(ONE)
+
+    def _report(self, tree: Syntax, quantity: _Quantity, rule: str) -> None:
+        shown = show(quantity.dimension or ONE)
+        self.bag.error("E0413", f"units do not fit: {rule}, found {shown}", tree.span, shown)
+
+    def demand(self, tree: Syntax, wanted: tuple[Dimension, ...], what: str) -> _Quantity:
+        """Measure an expression and report one of another dimension than those wanted."""
+        found = self.measure(tree)
+        if wanted and found.dimension is not None and not found.any and found.dimension not in wanted:
+            message = f"units do not fit: {what} must be {show(wanted[0])}, found {show(found.dimension)}"
+            self.bag.error("E0413", message, tree.span, show(found.dimension))
+            return _UNKNOWN
+        return found
+
+    def equate(self, item: Constraint | Holonomic) -> None:
+        """Measure both sides of an equation and report different ones."""
+        left, right = self.measure(item.left), self.measure(item.right)
+        if left.any or right.any or None in (left.dimension, right.dimension) or left.dimension == right.dimension:
+            return
+        message = f"units do not fit: {show(left.dimension or ONE)} = {show(right.dimension or ONE)}"
+        label = Label(item.left.span, show(left.dimension or ONE))
+        self.bag.error("E0413", message, item.right.span, show(right.dimension or ONE), labels=(label,))
+
+
+def _combine(op: str, left: Fraction | None, right: Fraction | None) -> Fraction | None:
+    """Return the value of an operation on numbers, as far as exponents need it."""
+    if left is None or right is None or op == "^" or (op == "/" and right == 0):
+        return None
+    match op:
+        case "+":
+            return left + right
+        case "-":
+            return left - right
+        case "*":
+            return left * right
+        case _:
+            return left / right
+
+
+def _units(spec: Spec) -> list[tuple[str, str]]:
+    coordinates = [(coordinate.name, coordinate.unit) for coordinate in spec.coordinates]
+    return [*coordinates, *((parameter.name, parameter.unit) for parameter in spec.parameters)]
 
 
 def check_units(spec: Spec, bag: Bag) -> None:
-    """Report what does not fit (E0413); says nothing where a coordinate or parameter has no unit."""
+    """Report what does not fit (E0413); says nothing where a coordinate or parameter has no unit.
+
+    Time is in seconds, numbers have no unit, 0 fits everything. T must be an energy (or an energy per mass or per
+    moment of inertia), U and V the same as T, and a force times its coordinate too.
+    """
+    if not all(unit for _, unit in _units(spec)):
+        return
+    checker = _Checker(spec, bag)
+    values: dict[str, Syntax] = {item.name: item.value for item in (*spec.definitions, *spec.quasi_velocities)}
+    for name in spec.named_order:
+        checker.names[name] = checker.measure(values[name])
+    kinetic = checker.demand(spec.kinetic, _KINETIC, "the kinetic energy")
+    energy = kinetic.dimension
+    if spec.potential is not None:
+        checker.demand(spec.potential, (energy,) if energy else (), f"`{spec.potential_kind}`, like `T`,")
+    for force in spec.forces:
+        _check_force(checker, force, energy)
+    for constraint in spec.constraints:
+        checker.equate(constraint)
+    for holonomic in spec.holonomic:
+        checker.equate(holonomic)
+    for name in ENERGIES:
+        checker.names.setdefault(name, _Quantity(energy))
+    for output in spec.outputs:
+        checker.measure(output.value)
+
+
+def _check_force(checker: _Checker, force: Definition, energy: Dimension | None) -> None:
+    coordinate = checker.names[force.name].dimension
+    wanted: tuple[Dimension, ...] = ()
+    if energy is not None and coordinate is not None:
+        wanted = (multiply(energy, raise_to(coordinate, Fraction(-1))),)
+    checker.demand(force.value, wanted, f"the force on `{force.name}`")

@@ -1,4 +1,4 @@
-"""Units of measurement: their texts and dimensions. Scale does not matter here, so ``km`` and ``m`` are both a length."""
+"""Units: their texts and dimensions. Scale does not matter here, so ``km`` and ``m`` are both a length."""
 
 from __future__ import annotations
 
@@ -54,7 +54,10 @@ _UNITS: dict[str, Dimension] = {
 }
 _PREFIXES = ("da", *"QRYZEPTGMkhdcmunpfazyrq", "\u00b5", "\u03bc")
 _UNPREFIXED = ("1", "min", "h", "deg")
-_WORD = re.compile(r"\s*(?:([A-Za-z\u00b5\u03bc\u03a9\u2126]+|1)|(\*\*|[*/^()\u00b7\u22c5])|([-+]?[0-9]+)|([\u00b2\u00b3]))")
+_LETTERS = r"[A-Za-z\u00b5\u03bc\u03a9\u2126]+|1"
+_WORD = re.compile(rf"\s*(?:({_LETTERS})|(\*\*|[*/^()\u00b7\u22c5])|([-+]?[0-9]+)|([\u00b2\u00b3]))")
+_EXPONENT = re.compile(r"\s*([-+]?[0-9]+)")
+_ORDER = {"kg": 0, "m": 1}  # mass and length are written first
 _HELP = "units are written like `kg*m^2/s^2`, `N*m`, `rad`, `1`"
 
 
@@ -81,7 +84,7 @@ def raise_to(base: Dimension, power: Fraction) -> Dimension:
 
 def show(dimension: Dimension) -> str:
     """Return a dimension as a product of base units: ``kg*m^2/s^2``; ``1`` for none."""
-    named = sorted(zip(_BASE, dimension, strict=True), key=lambda item: ("kg", "m").index(item[0]) if item[0] in "kgm" else 9)
+    named = sorted(zip(_BASE, dimension, strict=True), key=lambda item: _ORDER.get(item[0], 2))
     above = [_power(name, power) for name, power in named if power > 0]
     below = [_power(name, -power) for name, power in named if power < 0]
     return "/".join(["*".join(above) or "1", *below])
@@ -118,7 +121,7 @@ def _split(text: str) -> list[_Word]:
     while at < size:
         found = _WORD.match(text, at)
         after_power = bool(words) and words[-1].text in ("^", "**")
-        number = re.compile(r"\s*([-+]?[0-9]+)").match(text, at) if after_power else None
+        number = _EXPONENT.match(text, at) if after_power else None
         if number:
             words.append(_Word("power", number.group(1), number.start(1), number.end(1)))
             at = number.end()
@@ -137,7 +140,8 @@ def _split(text: str) -> list[_Word]:
 def parse_unit(text: str) -> Dimension:
     """Return the dimension of a unit's text; raises ``UnitError``.
 
-    A product is written with ``*``, a space or a middle dot; ``/`` divides by the one factor after it; ``^`` takes an integer.
+    A product is written with ``*``, a space or a middle dot; ``/`` divides by the one factor after it; ``^`` takes an
+    integer.
     """
     words = _split(text)
     stack: list[tuple[Dimension, int]] = []  # what stands before each open parenthesis, and the sign of its power

@@ -39,7 +39,7 @@ def _events(text: str, loader: Any) -> Iterator[Any]:
 
 
 def _scan(source: Source, bag: Bag) -> list[Any]:
-    """Return the events; a syntax error is always told by PyYAML's own parser, so that it does not depend on libyaml."""
+    """Return the events; a syntax error is always told by PyYAML's own parser, so it does not depend on libyaml."""
     for loader in dict.fromkeys((_FAST, yaml.SafeLoader)):
         try:
             return list(_events(source.text, loader))
@@ -56,7 +56,7 @@ def _report_syntax(error: yaml.MarkedYAMLError, bag: Bag) -> None:
     mark = error.problem_mark or error.context_mark
     at = mark.index if mark else 0
     problem = (error.problem or "syntax error").rstrip(".").replace("\n", " ")
-    labels = ()
+    labels: tuple[Label, ...] = ()
     if error.context_mark and error.context and error.context_mark.index != at:
         start = error.context_mark.index
         labels = (Label(Span(start, start + 1), str(error.context)),)
@@ -75,7 +75,7 @@ def _check_characters(source: Source, bag: Bag) -> None:
 
 
 def read_nodes(source: Source, bag: Bag) -> Node | None:
-    """Return the one document of a source; what is wrong goes into ``bag``, and None says that nothing could be read."""
+    """Return the one document of a source; what is wrong goes into ``bag``; None: nothing could be read."""
     try:
         _check_characters(source, bag)
         return _build(source, _scan(source, bag), bag)
@@ -89,6 +89,7 @@ def _build(source: Source, events: list[Any], bag: Bag) -> Node | None:
     documents = 0
     for event in events:
         node: Node | None = None
+        start, end = event.start_mark.index, event.end_mark.index
         match event:
             case yaml.DocumentStartEvent():
                 documents += 1
@@ -98,17 +99,17 @@ def _build(source: Source, events: list[Any], bag: Bag) -> Node | None:
             case yaml.MappingStartEvent() | yaml.SequenceStartEvent():
                 _check_properties(source, event, bag)
                 if len(stack) >= _DEEPEST:
-                    span = Span(event.start_mark.index, event.start_mark.index + 1)
+                    span = Span(start, start + 1)
                     bag.error("E0110", f"lists and mappings nested deeper than {_DEEPEST}", span)
                     raise Stop
-                stack.append(_Open(event.start_mark.index, isinstance(event, yaml.MappingStartEvent)))
+                stack.append(_Open(start, isinstance(event, yaml.MappingStartEvent)))
             case yaml.MappingEndEvent() | yaml.SequenceEndEvent():
-                node = _close(source, stack.pop(), event.end_mark.index, bag)
+                node = _close(source, stack.pop(), end, bag)
             case yaml.ScalarEvent():
                 _check_properties(source, event, bag)
                 node = _text(source, event)
             case yaml.AliasEvent():
-                span = Span(event.start_mark.index, event.end_mark.index)
+                span = Span(start, end)
                 bag.error("E0106", f"alias `*{event.anchor}`", span, help=("write the value out",))
                 node = Text("*", span, plain=False)
         if node is not None and stack:

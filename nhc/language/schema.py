@@ -1,0 +1,104 @@
+"""The JSON Schema of a spec (draft 2020-12), for editors; made from the table of keys."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from .keys import COORDINATE_KEYS, PARAMETER_KEYS, SCENE_KEYS, SPEC_KEYS, SYSTEM_PATTERN, VERSION, Key
+
+_NAME = "^[A-Za-z_\\u0080-\\uffff][A-Za-z0-9_\\u0080-\\uffff]*$"
+_TARGET = "^[A-Za-z_\\u0080-\\uffff][A-Za-z0-9_\\u0080-\\uffff]*['\\u2032]?$"
+_FILLED = {"type": "string", "minLength": 1}
+_VALUE = {"anyOf": [{"type": "number"}, _FILLED]}
+_EXPRESSION = _VALUE
+
+
+def _named(value: dict[str, Any], pattern: str = _NAME) -> dict[str, Any]:
+    return {"type": "object", "propertyNames": {"pattern": pattern}, "additionalProperties": value}
+
+
+def _listed(item: dict[str, Any]) -> dict[str, Any]:
+    return {"type": "array", "items": item}
+
+
+_EQUATION = {
+    "anyOf": [
+        {"type": "string", "pattern": "="},
+        {**_named({"type": "string", "pattern": "="}), "minProperties": 1, "maxProperties": 1},
+    ]
+}
+
+
+def _object(keys: Sequence[Key]) -> dict[str, Any]:
+    found: dict[str, Any] = {
+        "type": "object",
+        "properties": {key.name: {"description": key.about, **_shape(key)} for key in keys},
+        "additionalProperties": False,
+    }
+    required = [key.name for key in keys if key.required]
+    return {**found, "required": required} if required else found
+
+
+def _shape(key: Key) -> dict[str, Any]:
+    match key.kind:
+        case "version":
+            return {"const": VERSION}
+        case "system":
+            return {"type": "string", "pattern": f"^{SYSTEM_PATTERN}$"}
+        case "text":
+            return {"type": ["string", "number", "boolean"]}
+        case "unit":
+            return {"anyOf": [_FILLED, {"const": 1}]}
+        case "texts":
+            return {"anyOf": [_FILLED, _listed(_FILLED)]}
+        case "choice":
+            return {"enum": list(key.choices)}
+        case "expression" | "number":
+            return _VALUE
+        case "expressions" | "numbers":
+            return _named(_VALUE)
+        case "start":
+            return _named(_VALUE, _TARGET)
+        case "equations":
+            return _listed(_EQUATION)
+        case "names":
+            return _listed({"type": "string", "pattern": _TARGET})
+        case "interval":
+            return {**_listed(_VALUE), "minItems": 2, "maxItems": 2}
+        case "coordinates":
+            names = {**_listed({"type": "string", "pattern": _NAME}), "minItems": 1, "uniqueItems": True}
+            return {"anyOf": [names, {**_named(_object(COORDINATE_KEYS)), "minProperties": 1}]}
+        case "parameters":
+            names = {**_listed({"type": "string", "pattern": _NAME}), "uniqueItems": True}
+            return {"anyOf": [names, _named({"anyOf": [_VALUE, _object(PARAMETER_KEYS)]})]}
+        case "scenes":
+            return _named(_object(SCENE_KEYS))
+        case _:
+            raise ValueError(key.kind)
+
+
+def schema() -> dict[str, Any]:
+    """Return the schema as a tree that ``json.dumps`` takes."""
+    return {
+        "$schema": "https://json-schema.org/draft/2020-12/schema",
+        "title": f"nhc spec, language version {VERSION}",
+        **_object(SPEC_KEYS),
+        "not": {"required": ["U", "V"]},
+    }
+
+
+def reference_table() -> str:
+    """Return the keys of the language as Markdown tables, for the reference."""
+    parts = []
+    titles = ("spec", "coordinate", "parameter", "scene")
+    for title, keys in zip(titles, (SPEC_KEYS, COORDINATE_KEYS, PARAMETER_KEYS, SCENE_KEYS), strict=True):
+        rows = [f"| `{key.name}` | {'yes' if key.required else ''} | {_about(key)} |" for key in keys]
+        head = [f"### Keys of a {title}", "", "| key | required | what it is |", "|---|---|---|"]
+        parts.append("\n".join([*head, *rows]))
+    return "\n\n".join(parts) + "\n"
+
+
+def _about(key: Key) -> str:
+    choices = ", ".join(f"`{choice}`" for choice in key.choices)
+    return f"{key.about}: {choices}" if choices else key.about
