@@ -11,7 +11,7 @@ from nhc.diagnostics import Span
 class Text:
     """A scalar; ``plain`` says that it stands without quotes.
 
-    ``offsets[i]`` is the place of character i in the source, with one more entry for the end; empty where escapes hide it.
+    ``offsets[i]`` is the place of character i in the source, with one more for the end; empty where escapes hide it.
     """
 
     value: str

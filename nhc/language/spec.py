@@ -119,8 +119,8 @@ class Spec:
 
     ``definitions`` are in an order in which each needs only earlier ones (quasi-velocities aside); ``named_order`` is
     such an order of the names of definitions and quasi-velocities together. ``potential_kind`` is "U", "V" or "".
-    ``T``, ``U``, ``V`` and ``energy`` may stand in outputs and then mean nhc's, unless the spec declares them. An output
-    may bear the name of a definition; its value is that name then.
+    ``T``, ``U``, ``V`` and ``energy`` may stand in outputs and then mean nhc's, unless the spec declares them. An
+    output may bear the name of a definition; its value is that name then.
     """
 
     origin: Source
