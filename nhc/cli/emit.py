@@ -52,15 +52,21 @@ def command(
         raise click.UsageError(f"`--driver` is for `--lang c`, not for {language}")
     if array and language != "python":
         raise click.UsageError(f"`--array` is for `--lang python`, not for {language}")
+    if only and language == "latex":
+        raise click.UsageError("`--only` picks functions; LaTeX has none")
     if to_stdout and output not in (None, "-"):
         raise click.UsageError("`--stdout` and `-o` exclude one another")
     if compare and (to_stdout or output == "-"):
         raise click.UsageError("`--check` compares with files; stdout holds none")
     source = open_spec(spec)
+    from nhc.emit import EmitError
     from nhc.pipeline import Options, emit
 
     options = Options(formulation=formulation or "", scene=scene, only=only, driver=driver, array=array or "")
-    files = emit(source, language, options)
+    try:
+        files = emit(source, language, options)
+    except EmitError as error:
+        raise Failure(str(error)) from error
     if to_stdout or output == "-":
         _print(files, titled=to_stdout)
         return 0

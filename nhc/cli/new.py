@@ -7,7 +7,7 @@ from pathlib import Path
 
 import click
 
-from nhc.cli.terminal import Failure
+from nhc.cli.terminal import Failure, say
 from nhc.cli.write import deliver
 
 
@@ -32,4 +32,6 @@ def command(name: str, output: str | None, force: bool) -> int:
     if target != "-" and (Path(target).is_dir() or not Path(target).suffix):
         target = str(Path(target) / f"{name}.yaml")
     deliver(template(name), target, force=force)
+    if target != "-":
+        say("`nhc schema -o nhc.schema.json` beside it lets an editor complete and check it")
     return 0

@@ -31,7 +31,7 @@ class Step:
 
 
 def parse(text: str) -> tuple[list[Step], tuple[str, ...]]:
-    """Return the steps of a transcript and the lines after the last one; a line `$` or `#` ends a step."""
+    """Return the steps of a transcript and the lines after the last one; a step ends at `$`, or at `#` after a blank."""
     steps: list[Step] = []
     before: list[str] = []
     lines = text.splitlines()
@@ -43,7 +43,9 @@ def parse(text: str) -> tuple[list[Step], tuple[str, ...]]:
             continue
         command, at = lines[at][2:], at + 1
         expected: list[str] = []
-        while at < len(lines) and not lines[at].startswith(("$ ", "# ")):
+        while at < len(lines) and not lines[at].startswith("$ "):
+            if lines[at].startswith("# ") and expected and not expected[-1]:
+                break
             expected.append(lines[at])
             at += 1
         tail: list[str] = []
