@@ -31,7 +31,7 @@ class Step:
 
 
 def parse(text: str) -> tuple[list[Step], tuple[str, ...]]:
-    """Return the steps of a transcript and the lines after the last one; a step ends at `$`, or at `#` after a blank."""
+    """Return the steps of a transcript and the lines after the last; a step ends at `$`, or at `#` after a blank."""
     steps: list[Step] = []
     before: list[str] = []
     lines = text.splitlines()
