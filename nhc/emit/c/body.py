@@ -1,0 +1,212 @@
+"""The statements of one C function."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from fractions import Fraction
+
+from nhc.emit.c.literals import PI, print_comment, print_double
+from nhc.emit.expressions import ATOM, ExpressionPrinter, Text
+from nhc.emit.names import Scope
+from nhc.emit.text import wrap
+from nhc.program.ir import (
+    Binary,
+    Call,
+    Expr,
+    Guard,
+    Let,
+    Load,
+    Number,
+    Origin,
+    Result,
+    Section,
+    Solve,
+    Statement,
+    Store,
+)
+
+WIDTH = 110
+FUNCTIONS = {"abs": "fabs"}
+HELPERS = {"sign": "sign", "min": "minimum", "max": "maximum"}  # functions that this file must bring itself
+
+
+@dataclass(frozen=True, slots=True)
+class CDialect:
+    """C's leaves; ``helpers`` collects the static functions that the file needs, ``prefix`` is the system's name."""
+
+    prefix: str
+    helpers: set[str]
+
+    def print_number(self, value: Fraction) -> str:
+        return print_double(value)
+
+    def print_pi(self) -> str:
+        return PI
+
+    def print_power(self, base: Text, exponent: int) -> Text:
+        return Text(f"pow({base.text}, {exponent}.0)", ATOM)
+
+    def print_call(self, function: str, arguments: tuple[str, ...]) -> str:
+        if function not in HELPERS:
+            return f"{FUNCTIONS.get(function, function)}({', '.join(arguments)})"
+        helper = HELPERS[function]
+        self.helpers.add(helper)
+        if function == "sign":
+            return f"{self.prefix}_{helper}({arguments[0]})"
+        text = arguments[0]
+        for argument in arguments[1:]:
+            text = f"{self.prefix}_{helper}({text}, {argument})"
+        return text
+
+
+def bound_test(guard: Guard) -> Expr:
+    """What the guarded value's magnitude must exceed: ``tolerance * scale``."""
+    bound = Number(Fraction(guard.tolerance))
+    return bound if guard.scale == Number(Fraction(1)) else Binary("*", bound, guard.scale)
+
+
+def print_singular(prefix: str, code: int) -> str:
+    """The enumerator of a singular block."""
+    return f"{prefix.upper()}_SINGULAR_{code}"
+
+
+def print_origin(origin: Origin) -> str:
+    """``(I.2.15) chaplygin_sleigh.yaml:14:4``, or nothing."""
+    equation = f"({origin.equation})" if origin.equation else ""
+    return print_comment(f"{equation} {origin.place}")
+
+
+def wrap_code(text: str, indent: str) -> list[str]:
+    """One statement, broken at blanks; the printer sets blanks round binary operators and after commas only."""
+    if len(indent) + len(text) <= WIDTH:
+        return [indent + text]
+    lines: list[str] = []
+    line = indent
+    for word in text.split(" "):
+        if len(line) + len(word) + 1 > WIDTH and line.strip():
+            lines.append(line.rstrip())
+            line = indent + "    "
+        line += word + " "
+    lines.append(line.rstrip())
+    return lines
+
+
+class BodyPrinter:
+    """Prints statements one after the other into ``lines``.
+
+    ``element(array, index)`` is how the function reaches an entry of an array, ``leave(code)`` what it returns from a
+    singular block, ``used`` the names that something reads, ``helpers`` collects the static functions that are needed.
+    """
+
+    def __init__(
+        self,
+        prefix: str,
+        scope: Scope,
+        helpers: set[str],
+        element: Callable[[str, int], str],
+        leave: Callable[[int], str],
+        used: frozenset[str],
+    ) -> None:
+        self.prefix = prefix
+        self.scope = scope
+        self.helpers = helpers
+        self.element = element
+        self.leave = leave
+        self.used = used
+        self.indent = "    "
+        self.lines: list[str] = []
+        self.printer = ExpressionPrinter(CDialect(prefix, helpers), scope)
+        self._origin = ""
+
+    def add(self, text: str) -> None:
+        """One line of code, broken where it is too long."""
+        self.lines += wrap_code(text, self.indent)
+
+    def add_comment(self, text: str) -> None:
+        """A comment on its own lines; ``text`` must have gone through ``print_comment``."""
+        if text:
+            self.lines += [f"{self.indent}/* {line} */" for line in wrap(text, WIDTH - len(self.indent) - 6)]
+
+    def add_noted(self, code: str, about: str) -> None:
+        """Code with a remark: behind it where there is room, else above it."""
+        note = print_comment(about)
+        if note and len(self.indent) + len(code) + len(note) + 7 <= WIDTH:
+            self.lines.append(f"{self.indent}{code} /* {note} */")
+        else:
+            self.add_comment(note)
+            self.add(code)
+
+    def mark_origin(self, origin: Origin) -> None:
+        """Say where the next statements come from, when that changes."""
+        text = print_origin(origin)
+        if text and text != self._origin:
+            self._origin = text
+            self.add_comment(text)
+
+    def print_all(self, body: tuple[Statement, ...]) -> None:
+        """All statements of a body, in order."""
+        for statement in body:
+            self.print_statement(statement)
+
+    def print_statement(self, statement: Statement) -> None:
+        """One statement."""
+        if isinstance(statement, Section):
+            if self.lines:
+                self.lines.append("")
+            self.add_comment(print_comment(statement.title))
+            self.mark_origin(statement.origin)
+        elif isinstance(statement, Load):
+            source = self.element(statement.array, statement.index)
+            if source != self.scope[statement.name]:
+                self.add_noted(f"const double {self.scope[statement.name]} = {source};", statement.about)
+        elif isinstance(statement, Let):
+            self.mark_origin(statement.origin)
+            self.add(f"const double {self.scope[statement.name]} = {self.printer.print(statement.value)};")
+        elif isinstance(statement, Guard):
+            self.print_guard(statement)
+        elif isinstance(statement, Solve):
+            self.print_solve(statement)
+        elif isinstance(statement, Store):
+            self.mark_origin(statement.origin)
+            target = self.element(statement.array, statement.index)
+            self.add_noted(f"{target} = {self.printer.print(statement.value)};", statement.about)
+        elif isinstance(statement, Result):
+            self.mark_origin(statement.origin)
+            self.add(f"return {self.printer.print(statement.value)};")
+
+    def print_test(self, guard: Guard) -> str:
+        """The condition under which the guard's block is singular; a NaN makes it true."""
+        value = self.printer.print(Call("abs", (guard.value,)))
+        return f"!({value} > {self.printer.print(bound_test(guard))})"
+
+    def print_guard(self, guard: Guard) -> None:
+        """Leave where the block is singular."""
+        self.add_comment(print_comment(guard.what))
+        self.add(f"if ({self.print_test(guard)}) {{")
+        self.lines.append(f"{self.indent}    return {self.leave(guard.status)};")
+        self.lines.append(f"{self.indent}}}")
+
+    def print_solve(self, solve: Solve) -> None:
+        """Fill the matrix with its right sides, eliminate, name the solutions."""
+        self.helpers.add("solve")
+        size, sides = len(solve.matrix), len(solve.columns)
+        width = size + sides
+        array = self.scope.fresh("block")
+        self.add_comment(
+            print_comment(f"the matrix beside its right sides, row by row; {solve.what} where it has no pivot")
+        )
+        self.lines.append(f"{self.indent}double {array}[{size * width}];")
+        for i, row in enumerate(solve.matrix):
+            for j, entry in enumerate((*row, *(column[i] for column in solve.columns))):
+                self.add(f"{array}[{i * width + j}] = {self.printer.print(entry)};")
+        tolerance = print_double(Fraction(solve.tolerance))
+        self.add(f"if ({self.prefix}_solve({size}, {width}, {array}, {tolerance}) != 0) {{")
+        self.lines.append(f"{self.indent}    return {self.leave(solve.status)};")
+        self.lines.append(f"{self.indent}}}")
+        for c, names in enumerate(solve.names):
+            for i, name in enumerate(names):
+                if name in self.used:
+                    self.lines.append(
+                        f"{self.indent}const double {self.scope[name]} = {array}[{i * width + size + c}];"
+                    )

@@ -1,0 +1,197 @@
+"""A program as ``<s>.h``, ``<s>.c`` and, where a driver is asked for, ``<s>_main.c``."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from nhc.emit.c.batch import mark_unused, print_batch
+from nhc.emit.c.body import BodyPrinter, print_singular
+from nhc.emit.c.driver import list_driver_functions, make_driver
+from nhc.emit.c.header import frame, print_file_comment, print_function_comment, print_source_comment
+from nhc.emit.c.literals import print_comment, print_float, print_string
+from nhc.emit.c.names import make_scope
+from nhc.emit.environment import File
+from nhc.emit.options import BATCH, EmitError, EmitOptions, check_options, select_functions
+from nhc.emit.statements import drop_unused, find_not_finite, list_missing, list_statuses, list_used_names
+from nhc.program.ir import Argument, Function, Load, Program, Quantity, Solve
+
+
+@dataclass(frozen=True, slots=True)
+class PrintedFunction:
+    """What a template places: the comment above the prototype, the prototype, the body."""
+
+    comment: tuple[str, ...]
+    prototype: str
+    definition: str
+    body: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Constant:
+    """An enumerator with its remark."""
+
+    name: str
+    value: int
+    about: str
+
+
+@dataclass(frozen=True, slots=True)
+class Table:
+    """A constant array; ``remark`` says so where the array is there for C's sake only."""
+
+    declaration: str
+    entries: tuple[str, ...]
+    remark: str
+
+
+def list_files(program: Program, options: EmitOptions) -> tuple[File, ...]:
+    """The files of the C back end.  Raises EmitError for an option that the program cannot meet."""
+    has_rhs = any(function.name == "rhs" for function in program.functions)
+    check_options(program, options, (BATCH,) if has_rhs else ())
+    driver = make_driver(program, options.scene) if options.driver else None
+    wanted = options.only
+    if wanted and driver is not None:
+        wanted += list_driver_functions(driver)
+    batch = has_rhs and (not wanted or BATCH in wanted)
+    if batch and wanted and needs_scalar_rhs(program):
+        wanted += ("rhs",)  # the batch calls it for each state
+    only_batch = bool(wanted) and all(name == BATCH for name in wanted)
+    functions = () if only_batch else select_functions(program, wanted)
+    helpers: set[str] = set()
+    printed = [print_function(program, function, helpers) for function in functions]
+    if batch:
+        (rhs,) = (function for function in program.functions if function.name == "rhs")
+        printed.append(print_batch_function(program, rhs, helpers))
+    name = program.system
+    shared: dict[str, object] = {"name": name, "capitals": name.upper(), "functions": tuple(printed)}
+    header = File(f"{name}.h", "c/model.h.jinja", shared | make_header_context(program, functions, batch))
+    source = File(f"{name}.c", "c/model.c.jinja", shared | make_source_context(program, helpers, functions))
+    if driver is None:
+        return header, source
+    return header, source, File(f"{name}_main.c", "c/model_main.c.jinja", driver)
+
+
+def needs_scalar_rhs(program: Program) -> bool:
+    """Whether the batch must gather each state and call ``rhs``."""
+    return any(f.name == "rhs" and any(isinstance(s, Solve) for s in f.body) for f in program.functions)
+
+
+def make_header_context(program: Program, functions: tuple[Function, ...], batch: bool) -> dict[str, object]:
+    """What ``model.h.jinja`` uses besides the functions."""
+    return {
+        "comment": print_file_comment(program, functions, f"{program.system}.h"),
+        "sizes": list_sizes(program),
+        "statuses": list_codes(program),
+        "tables": tuple(table.declaration for table in list_tables(program)),
+        "batch": batch,
+    }
+
+
+def make_source_context(program: Program, helpers: set[str], functions: tuple[Function, ...]) -> dict[str, object]:
+    """What ``model.c.jinja`` uses besides the functions."""
+    sizes = [len(s.matrix) for f in functions for s in f.body if isinstance(s, Solve)]
+    return {
+        "comment": print_source_comment(program),
+        "tables": list_tables(program),
+        "helpers": tuple(sorted(helpers)),
+        "largest_block": max(sizes, default=0),
+    }
+
+
+def list_sizes(program: Program) -> tuple[Constant, ...]:
+    """The enumerators of the sizes."""
+    capitals = program.system.upper()
+    return (
+        Constant(f"{capitals}_NQ", len(program.coordinates), "coordinates"),
+        Constant(f"{capitals}_NY", len(program.state), "state: the coordinates and the velocities that are kept"),
+        Constant(f"{capitals}_NP", len(program.parameters), "parameters"),
+        Constant(f"{capitals}_NC", len(program.constraints), "constraints"),
+        Constant(f"{capitals}_NOUT", len(program.outputs), "outputs"),
+    )
+
+
+def list_codes(program: Program) -> tuple[Constant, ...]:
+    """The enumerators of the return codes."""
+    capitals = program.system.upper()
+    return (
+        Constant(f"{capitals}_OK", 0, "the result is good"),
+        *(
+            Constant(print_singular(program.system, status.code), status.code, print_comment(status.what))
+            for status in list_statuses(program)
+        ),
+        Constant(f"{capitals}_NOT_FINITE", find_not_finite(program), "a result is infinite or not a number"),
+    )
+
+
+def list_tables(program: Program) -> tuple[Table, ...]:
+    """Names and defaults; C99 has no empty array, so an empty table gets one entry that nothing reads."""
+    name = program.system
+    defaults = tuple(print_default(quantity) for quantity in program.parameters)
+    unused = "no entry counts: C99 has no empty array"
+    return (
+        *(
+            Table(f"const char *const {name}_{kind}_names[]", entries or ('""',), "" if entries else unused)
+            for kind, entries in (
+                ("coordinate", tuple(print_string(q.name) for q in program.coordinates)),
+                ("state", tuple(print_string(q.name) for q in program.state)),
+                ("parameter", tuple(print_string(q.name) for q in program.parameters)),
+            )
+        ),
+        Table(f"const double {name}_parameter_defaults[]", defaults or ("0.0",), "" if defaults else unused),
+    )
+
+
+def print_default(quantity: Quantity) -> str:
+    """A default as a double; NaN where the spec gives none, so that a forgotten parameter cannot pass unseen."""
+    if quantity.default is None:
+        return "NAN"
+    try:
+        return print_float(float(quantity.default))
+    except OverflowError:
+        raise EmitError(f"the default of `{quantity.name}` is too large for a double (1.8e308)") from None
+
+
+def print_argument(argument: Argument, written: bool) -> str:
+    """One argument of a prototype."""
+    if argument.size < 0:
+        return f"double {argument.name}"
+    return f"{'double' if written else 'const double'} *{argument.name}"
+
+
+def print_function(program: Program, function: Function, helpers: set[str]) -> PrintedFunction:
+    """A function of the program; its ``int`` is 0 only if every entry of its output is finite."""
+    prefix, capitals, output = program.system, program.system.upper(), function.output
+    body = drop_unused(function.body)
+    arguments = function.inputs if output is None else (*function.inputs, output)
+    scope = make_scope(program, arguments, body, ())
+    for statement in body:
+        if isinstance(statement, Load) and statement.index < 0:
+            scope.alias(statement.name, statement.array)  # the argument itself: it needs no copy
+    printer = BodyPrinter(
+        prefix,
+        scope,
+        helpers,
+        lambda array, index: array if index < 0 else f"{array}[{index}]",
+        (lambda code: "NAN") if output is None else (lambda code: print_singular(prefix, code)),
+        frozenset(list_used_names(body)),
+    )
+    printer.lines += mark_unused(function, body)
+    printer.print_all((*body, *list_missing(function)))
+    if output is not None and output.size:
+        helpers.add("finish")
+        printer.lines.append(f"    return {prefix}_finish({output.size}, {output.name});")
+    elif output is not None:
+        printer.lines += [f"    (void){output.name};", f"    return {capitals}_OK;"]
+    texts = ", ".join(print_argument(argument, argument is output) for argument in arguments)
+    prototype = f"{'double' if output is None else 'int'} {prefix}_{function.name}({texts})"
+    return PrintedFunction(print_function_comment(program, function), prototype, prototype, tuple(printer.lines))
+
+
+def print_batch_function(program: Program, rhs: Function, helpers: set[str]) -> PrintedFunction:
+    """``rhs_batch``; the definition promises the compiler what the header asks of the caller."""
+    head = f"int {program.system}_{BATCH}(size_t count, const double *t, const double *y, const double *p, double *"
+    comment = (
+        "rhs for count states at once, a structure of arrays: entry k of state i is y[k*count + i], its time t[i];",
+        "the parameters are shared. Nonzero when any of the states is singular. dydt must not overlap the inputs.",
+    )
+    return PrintedFunction(frame(comment), f"{head}dydt)", f"{head}restrict dydt)", print_batch(program, rhs, helpers))

@@ -1,0 +1,53 @@
+"""The one Jinja environment of all languages.
+
+Jinja2 is imported when the first text is rendered, never before: start-up time matters.
+"""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from nhc.resources import find_templates
+from nhc.stamp import stamp
+
+if TYPE_CHECKING:
+    from jinja2 import Environment
+
+
+@dataclass(frozen=True, slots=True)
+class File:
+    """One file to be made: its name, the template it comes from and exactly what that template may use."""
+
+    name: str
+    template: str
+    context: Mapping[str, object]
+
+
+@functools.cache
+def create_environment() -> Environment:
+    """Delimiters that no target language uses; an unknown variable is an error, never an empty text."""
+    from jinja2 import Environment, FileSystemLoader, StrictUndefined
+
+    return Environment(
+        loader=FileSystemLoader(find_templates(), encoding="utf-8"),
+        block_start_string="<%",
+        block_end_string="%>",
+        variable_start_string="<<",
+        variable_end_string=">>",
+        comment_start_string="<#",
+        comment_end_string="#>",
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        keep_trailing_newline=True,
+        autoescape=False,
+        auto_reload=False,
+    )
+
+
+def render_file(file: File) -> str:
+    """The text of one file, stamped; texts of the user are values here and never templates."""
+    return stamp(create_environment().get_template(file.template).render(file.context))

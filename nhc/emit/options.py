@@ -1,0 +1,46 @@
+"""What a caller may ask of a back end, and which functions that means."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from nhc.program.ir import Function, Program
+
+ARRAYS = ("", "numpy", "jax")
+BATCH = "rhs_batch"
+
+
+class EmitError(ValueError):
+    """The program cannot be printed as asked; the message says why, in one line for the user."""
+
+
+@dataclass(frozen=True, slots=True)
+class EmitOptions:
+    """``only``: names of functions (empty: all); ``driver``: C with a ``main``; ``array``: Python over arrays;
+    ``scene``: the driver knows this scene alone (empty: all of them).
+    """
+
+    only: tuple[str, ...] = ()
+    driver: bool = False
+    array: str = ""
+    scene: str = ""
+
+
+def check_options(program: Program, options: EmitOptions, extra: tuple[str, ...] = ()) -> None:
+    """Raise EmitError for a name that the program does not have; ``extra`` are functions that the language adds."""
+    known = tuple(function.name for function in program.functions) + extra
+    for name in options.only:
+        if name not in known:
+            raise EmitError(f"no function `{name}` in this program; there are {', '.join(known)}")
+    if options.array not in ARRAYS:
+        raise EmitError(f"no array library `{options.array}`; there are numpy and jax")
+    scenes = tuple(scene.name for scene in program.scenes)
+    if options.scene and options.scene not in scenes:
+        raise EmitError(f"no scene `{options.scene}` in this program; there are {', '.join(scenes) or 'none'}")
+
+
+def select_functions(program: Program, wanted: tuple[str, ...]) -> tuple[Function, ...]:
+    """The functions named in ``wanted`` (empty: all), in the program's order."""
+    if not wanted:
+        return program.functions
+    return tuple(function for function in program.functions if function.name in wanted)

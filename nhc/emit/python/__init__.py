@@ -1,0 +1,1 @@
+"""The Python back end: plain ``math``, NumPy or JAX."""

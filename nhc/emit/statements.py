@@ -1,0 +1,141 @@
+"""Facts about straight-line code that every back end needs: what is used, what depends on parameters alone."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from fractions import Fraction
+
+from nhc.program.ir import (
+    Binary,
+    Call,
+    Expr,
+    Function,
+    Guard,
+    Let,
+    Load,
+    Negate,
+    Number,
+    Power,
+    Program,
+    Ref,
+    Result,
+    Section,
+    Solve,
+    Statement,
+    Store,
+)
+
+ZERO = Number(Fraction(0))
+
+
+def list_expressions(statement: Statement) -> tuple[Expr, ...]:
+    """The expressions that a statement evaluates."""
+    if isinstance(statement, Let | Store | Result):
+        return (statement.value,)
+    if isinstance(statement, Guard):
+        return (statement.value, statement.scale)
+    if isinstance(statement, Solve):
+        rows = statement.matrix + statement.columns
+        return tuple(entry for row in rows for entry in row)
+    return ()
+
+
+def iterate_refs(expression: Expr) -> Iterator[str]:
+    """The names that an expression uses, with repetitions; a sum may be thousands of terms deep, hence the stack."""
+    stack: list[Expr] = [expression]
+    while stack:
+        node = stack.pop()
+        if isinstance(node, Ref):
+            yield node.name
+        elif isinstance(node, Negate):
+            stack.append(node.operand)
+        elif isinstance(node, Binary):
+            stack += (node.left, node.right)
+        elif isinstance(node, Power):
+            stack.append(node.base)
+        elif isinstance(node, Call):
+            stack += node.arguments
+
+
+def collect_refs(statement: Statement) -> set[str]:
+    """The names that a statement uses."""
+    return {name for expression in list_expressions(statement) for name in iterate_refs(expression)}
+
+
+def list_used_names(body: tuple[Statement, ...]) -> set[str]:
+    """The names that reach a guard, a solve, a store or a result."""
+    used: set[str] = set()
+    for statement in reversed(body):
+        if not isinstance(statement, Let) or statement.name in used:
+            used |= collect_refs(statement)
+    return used
+
+
+def drop_unused(body: tuple[Statement, ...]) -> tuple[Statement, ...]:
+    """The body without loads and lets that nothing uses: compilers and linters complain of them."""
+    used = list_used_names(body)
+    kept = [s for s in body if not isinstance(s, Load | Let) or s.name in used]
+    return tuple(
+        statement
+        for position, statement in enumerate(kept)
+        if not (
+            isinstance(statement, Section) and (position + 1 == len(kept) or isinstance(kept[position + 1], Section))
+        )
+    )
+
+
+def split_hoisted(body: tuple[Statement, ...]) -> tuple[tuple[Statement, ...], tuple[Statement, ...]]:
+    """Statements that depend on the parameters alone (they may leave a loop over states), and the rest."""
+    outside: list[Statement] = []
+    inside: list[Statement] = []
+    fixed: set[str] = set()
+    for statement in body:
+        if isinstance(statement, Load) and statement.array == "p":
+            fixed.add(statement.name)
+            outside.append(statement)
+        elif isinstance(statement, Let | Guard) and collect_refs(statement) <= fixed:
+            if isinstance(statement, Let):
+                fixed.add(statement.name)
+            outside.append(statement)
+        elif not isinstance(statement, Section):
+            inside.append(statement)
+    return tuple(outside), tuple(inside)
+
+
+def fill_stores(function: Function) -> tuple[Store, ...]:
+    """The stores of a function, one per entry of the output and in its order; an entry that is never stored is zero."""
+    output = function.output
+    if output is None:
+        return ()
+    stored = {s.index: s for s in function.body if isinstance(s, Store)}
+    return tuple(stored.get(index, Store(output.name, index, ZERO)) for index in range(output.size))
+
+
+def list_missing(function: Function) -> tuple[Store, ...]:
+    """Stores of zero for the entries of the output that the body leaves out."""
+    written = {s.index for s in function.body if isinstance(s, Store)}
+    return tuple(store for store in fill_stores(function) if store.index not in written)
+
+
+@dataclass(frozen=True, slots=True)
+class Status:
+    """A nonzero return code and its meaning."""
+
+    code: int
+    what: str
+
+
+def list_statuses(program: Program) -> tuple[Status, ...]:
+    """The singular blocks of all functions by code; whatever is selected, a code keeps its meaning."""
+    meanings: dict[int, str] = {}
+    for function in program.functions:
+        for statement in function.body:
+            if isinstance(statement, Guard | Solve):
+                meanings.setdefault(statement.status, statement.what)
+    return tuple(Status(code, meanings[code]) for code in sorted(meanings))
+
+
+def find_not_finite(program: Program) -> int:
+    """The code for a result that is not finite: one more than the last singular block's."""
+    return max((status.code for status in list_statuses(program)), default=0) + 1

@@ -1,0 +1,51 @@
+"""Texts of the user on their way into comments and docstrings: cleaned, folded to ASCII, wrapped."""
+
+from __future__ import annotations
+
+import re
+import textwrap
+import unicodedata
+
+PUNCTUATION = {
+    "\u2010": "-", "\u2011": "-", "\u2012": "-", "\u2013": "-", "\u2014": "-", "\u2212": "-",
+    "\u2018": "'", "\u2019": "'", "\u201c": "'", "\u201d": "'", "\u2032": "'", "\u2033": "''",
+    "\u00b7": "*", "\u22c5": "*", "\u00d7": "x", "\u00df": "ss", "\u00f8": "o", "\u00d8": "O",
+    "\u0142": "l", "\u0141": "L", "\u00e6": "ae", "\u2265": ">=", "\u2264": "<=",
+}  # fmt: skip
+
+
+def clean(text: str) -> str:
+    """One line without control, format (bidirectional!) and unassigned characters; runs of blanks become one."""
+    visible = (" " if c.isspace() else c for c in text if c.isspace() or not unicodedata.category(c).startswith("C"))
+    return " ".join("".join(visible).split())
+
+
+def fold_ascii(text: str) -> str:
+    """ASCII for a text: accents are dropped, Greek letters named, the rest is written <U+XXXX>."""
+    return "".join(_fold_character(character) for character in text)
+
+
+def _fold_character(character: str) -> str:
+    if character.isascii():
+        return character
+    if character in PUNCTUATION:
+        return PUNCTUATION[character]
+    name = unicodedata.name(character, "")
+    greek = re.fullmatch(r"GREEK (SMALL|CAPITAL) LETTER (\w+)( WITH .*)?", name)
+    if greek:
+        return greek[2].lower() if greek[1] == "SMALL" else greek[2].capitalize()
+    decomposed = unicodedata.normalize("NFKD", character)
+    kept = "".join(c for c in decomposed if not unicodedata.combining(c))
+    return kept if kept.isascii() else f"<U+{ord(character):04X}>"
+
+
+def wrap(text: str, width: int, hanging: str = "") -> list[str]:
+    """Lines of at most ``width`` characters (a longer word stays whole); ``hanging`` indents all but the first."""
+    return textwrap.wrap(
+        text, width, subsequent_indent=hanging, break_long_words=False, break_on_hyphens=False, expand_tabs=False
+    )
+
+
+def count_operations(adds: int, multiplications: int, divisions: int, calls: int) -> str:
+    """The operation counts of one function, as a header prints them."""
+    return f"{adds} +-, {multiplications} *, {divisions} /, {calls} calls"
