@@ -13,7 +13,7 @@ from nhc.stamp import is_untouched
 
 
 def deliver(text: str, output: str | None, *, force: bool = False) -> None:
-    """Give one text with a final line break to stdout (``output`` None or ``-``), or write it to the file ``output``."""
+    """Give one text with a final line break to stdout (``output`` None or ``-``), or write it to that file."""
     text = text if text.endswith("\n") else text + "\n"
     if output is None or output == "-":
         put(text)
