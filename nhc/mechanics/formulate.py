@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from nhc.algebra.calculus import count, tangent
+from nhc.algebra.calculus import count
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.modular import are_zero
@@ -98,31 +98,41 @@ def _map(row: Row, change) -> Row:  # type: ignore[no-untyped-def]
 
 
 def _is_definite(system: System, rows: Sequence[Row]) -> bool:
-    """Whether the mass matrix is positive definite at every trial point where it can be evaluated."""
+    """Whether the mass matrix is positive at every trial point (points where it is singular tell nothing)."""
     flat = [rows[min(i, j)].mass[max(i, j)] for i in range(len(rows)) for j in range(len(rows))]
     size, seen = len(rows), 0
     for point in trial_points(system):
-        for symbol in system.graph.symbols_in(system.graph.sum([system.graph.power(n, 2) for n in flat])):
+        for symbol in _symbols(system.graph, flat):
             point.setdefault(symbol, 0.37)
         try:
             values = [float(x) for x in evaluate(system.graph, flat, point)]
         except (ArithmeticError, ValueError):
             continue
-        if not _positive([values[i * size : (i + 1) * size] for i in range(size)]):
+        signs = _pivot_signs([values[i * size : (i + 1) * size] for i in range(size)])
+        if -1 in signs:
             return False
-        seen += 1
+        seen += 0 not in signs
     return seen > 0
 
 
-def _positive(matrix: list[list[float]]) -> bool:
+def _symbols(graph: Graph, nodes: Sequence[Node]) -> list[Node]:
+    return sorted({symbol for node in nodes for symbol in graph.symbols_in(node)})
+
+
+def _pivot_signs(matrix: list[list[float]]) -> list[int]:
+    """Signs of the pivots of a symmetric matrix without exchanges; ends at the first one that is zero to rounding."""
     size = len(matrix)
+    scale = max((abs(x) for row in matrix for x in row), default=0.0)
+    signs = []
     for k in range(size):
-        if not matrix[k][k] > 0.0:
-            return False
+        pivot = matrix[k][k]
+        if abs(pivot) <= 1e-11 * scale:
+            return [*signs, 0]
+        signs.append(1 if pivot > 0 else -1)
         for i in range(k + 1, size):
-            factor = matrix[i][k] / matrix[k][k]
+            factor = matrix[i][k] / pivot
             matrix[i] = [x - factor * y for x, y in zip(matrix[i], matrix[k], strict=True)]
-    return True
+    return signs
 
 
 def accelerations(equations: Equations) -> tuple[Node, ...]:
@@ -153,20 +163,3 @@ def bordered_system(equations: Equations) -> tuple[list[list[Node]], list[Node]]
 
     moved = [total_derivative(system, form_value(g, c, system.v), system.v, still) for c in system.constraints]
     return matrix, [*equations.force, *moved]
-
-
-def outputs_on_motion(equations: Equations) -> list[tuple[str, Node]]:
-    """The spec's outputs in terms of the kept state."""
-    from nhc.algebra.calculus import substitute
-
-    system = equations.system
-    on = dict(zip(system.v, equations.motion.velocities, strict=True))
-    nodes = substitute(system.graph, [node for _, node in system.outputs], on)
-    return [(name, node) for (name, _), node in zip(system.outputs, nodes, strict=True)]
-
-
-def rate_along(equations: Equations, node: Node) -> Node:
-    """d/dt of a function of (q, t) on the motion."""
-    system = equations.system
-    seeds = {**dict(zip(system.q, equations.motion.velocities, strict=True)), system.t: system.graph.one}
-    return tangent(system.graph, [node], seeds)[0]

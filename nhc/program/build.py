@@ -7,9 +7,10 @@ from dataclasses import dataclass, field
 
 from nhc.algebra.calculus import gradient, substitute
 from nhc.algebra.graph import Node
+from nhc.algebra.shorten import shorten
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choose import Formulation
-from nhc.mechanics.formulate import accelerations, bordered_system, outputs_on_motion, reaction_values
+from nhc.mechanics.formulate import accelerations, bordered_system, reaction_values
 from nhc.mechanics.frame import coordinate_form, form_value
 from nhc.mechanics.system import Form, System
 from nhc.program.ir import Argument, Function, Origin
@@ -83,7 +84,7 @@ class Planner:
             return
         if equations.definite:
             self.factors = factor(g, equations.mass)
-            values = solve_factored(g, self.factors, equations.force)
+            values = shorten(g, solve_factored(g, self.factors, equations.force))
             self.solved = dict(zip(rates, values, strict=True))
             what = "the mass matrix is singular"
             self.mass_guards = tuple(
@@ -126,6 +127,11 @@ class Planner:
         return tuple(
             GuardPlan(value, scale, _FRAME_TOLERANCE, SINGULAR_FRAME, what) for value, scale in self.equations.guards
         )
+
+    def on_motion(self, nodes: Sequence[Node]) -> list[Node]:
+        """Functions of (q, q', t) in terms of the kept state, shortened."""
+        on = dict(zip(self.system.v, self.equations.motion.velocities, strict=True))
+        return shorten(self.graph, substitute(self.graph, nodes, on))
 
     def known(self, nodes: Sequence[Node]) -> list[Node]:
         """Nodes with the rates' symbols replaced by their values (dense unknowns stay symbols)."""
@@ -171,14 +177,16 @@ class Planner:
 
     def accelerations(self) -> FunctionPlan:
         system = self.system
-        values = self.known(accelerations(self.equations))
+        values = shorten(self.graph, self.known(accelerations(self.equations)))
         nodes = [(a, f"{name}''", "") for a, name in zip(values, system.q_names, strict=True)]
         return self.plan("accelerations", "all accelerations q'' on the motion", self.equations.number, system.n, nodes,
                          self.frame_guards() + self.mass_guards, self.solves)
 
     def reactions(self) -> FunctionPlan:
         system = self.system
-        values = self.equations.multipliers or self.known(reaction_values(self.equations))
+        values: Sequence[Node] = self.equations.multipliers
+        if not values:
+            values = shorten(self.graph, self.known(reaction_values(self.equations)))
         nodes = [
             (value, f"reaction of {form.name}: Q_i gains lambda_{k + 1} a_{k + 1}i", form.place)
             for k, (value, form) in enumerate(zip(values, system.constraints, strict=True))
@@ -187,13 +195,15 @@ class Planner:
                          self.frame_guards() + self.mass_guards, self.solves)
 
     def outputs(self) -> FunctionPlan:
-        nodes = [(node, name, self.system.places.get(name, "")) for name, node in outputs_on_motion(self.equations)]
+        values = self.on_motion([node for _, node in self.system.outputs])
+        nodes = [
+            (node, name, self.system.places.get(name, ""))
+            for (name, _), node in zip(self.system.outputs, values, strict=True)
+        ]
         return self.plan("outputs", "the spec's outputs", "", len(nodes), nodes, self.frame_guards())
 
     def energy(self) -> FunctionPlan:
-        system = self.system
-        on = dict(zip(system.v, self.equations.motion.velocities, strict=True))
-        value = substitute(self.graph, [system.energy], on)[0]
+        value = self.on_motion([self.system.energy])[0]
         return FunctionPlan("energy", "T + V", "II.1.4", (_T, self.y, self.p), None, self.state_loads, (), value)
 
     def state(self) -> FunctionPlan:
@@ -262,7 +272,10 @@ class Planner:
         if not matrix:
             return (), [[] for _ in range(count)]
         if self.equations.definite:
-            return (), [solve_factored(g, self.factors, self.known(column)) for column in columns]
+            solved = [solve_factored(g, self.factors, self.known(column)) for column in columns]
+            flat = shorten(g, [node for column in solved for node in column])
+            size = len(matrix)
+            return (), [flat[k * size : (k + 1) * size] for k in range(len(columns))]
         symbols = [
             [g.symbol(f"d{i}_{j}", "unknown") for i in range(len(matrix))] for j in range(len(columns))
         ]

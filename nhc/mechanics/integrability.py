@@ -1,0 +1,131 @@
+"""Are the constraints integrable?  Frobenius' test and the growth vector of the allowed directions.
+
+The vectors e_mu span ker A, the drift is X_0 = d/dt + e_0.  Their Lie brackets, taken again and again, span a space whose terminal rank
+at a generic point is n (+ 1 with the drift) minus the number of hidden holonomic constraints.  Ranks are computed modulo a prime at a
+random point, so they are exact up to the probability of :mod:`nhc.algebra.modular`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from nhc.algebra.calculus import gradient, tangent
+from nhc.algebra.graph import Graph, Node
+from nhc.algebra.linear import solve
+from nhc.algebra.modular import are_zero, rank
+from nhc.mechanics.frame import Frame, coordinate_frame
+from nhc.mechanics.regularity import choose_dependent
+from nhc.mechanics.system import Form, System
+from nhc.thesis import equation
+
+Field = tuple[Node, ...]
+
+
+@dataclass(frozen=True)
+class Integrability:
+    """``growth``: ranks of the successive brackets of ker A; ``hidden``: how many holonomic constraints are in disguise;
+    ``closed``: names of constraints that are integrable by themselves; ``affine``, ``rheonomic``: kinds of the rows."""
+
+    growth: tuple[int, ...]
+    hidden: int
+    closed: tuple[str, ...]
+    affine: bool
+    rheonomic: bool
+
+
+def classify(system: System, frame: Frame | None = None) -> Integrability:
+    """The constraints' integrability (``growth`` is (n,) without constraints)."""
+    g, n = system.graph, system.n
+    if not system.constraints:
+        return Integrability((n,), 0, (), False, False)
+    frame = frame or coordinate_frame(system, choose_dependent(system).dependent)
+    affine = not all(are_zero(g, frame.drift))
+    entries = [x for form in system.constraints for x in (*form.coefficients, form.constant)]
+    rheonomic = any(g.depends(x, g.deps[system.t]) for x in entries)
+    growth = growth_vector(g, system.q, frame.free_vectors)
+    hidden = n - growth[-1]
+    if affine or rheonomic:
+        fields = [(*e, g.zero) for e in frame.free_vectors] + [(*frame.drift, g.one)]
+        hidden = n + 1 - growth_vector(g, (*system.q, system.t), fields)[-1]
+    closed = tuple(form.name for form in system.constraints if is_integrable(system, form))
+    return Integrability(growth, hidden, closed, affine, rheonomic)
+
+
+def growth_vector(graph: Graph, variables: Sequence[Node], fields: Sequence[Field]) -> tuple[int, ...]:
+    """Ranks of D_1 = span(fields), D_{k+1} = D_k + [D_1, D_k] until they stop growing or fill the space."""
+    base = [tuple(f) for f in fields]
+    newest, everything = list(base), list(base)
+    ranks = [rank(graph, everything)]
+    while ranks[-1] < len(variables):
+        brackets = [lie_bracket(graph, variables, x, y) for x in base for y in newest if x != y]
+        grown: list[Field] = []
+        current = ranks[-1]
+        for field in brackets:
+            if all(node == graph.zero for node in field):
+                continue
+            found = rank(graph, [*everything, field])
+            if found > current:
+                current = found
+                everything.append(field)
+                grown.append(field)
+        if current == ranks[-1]:
+            break
+        ranks.append(current)
+        newest = grown
+    return tuple(ranks)
+
+
+def lie_bracket(graph: Graph, variables: Sequence[Node], x: Field, y: Field) -> Field:
+    """[x, y] = x(y) - y(x), componentwise."""
+    along_x = tangent(graph, y, dict(zip(variables, x, strict=True)))
+    along_y = tangent(graph, x, dict(zip(variables, y, strict=True)))
+    return tuple(graph.sub(a, b) for a, b in zip(along_x, along_y, strict=True))
+
+
+def is_integrable(system: System, form: Form) -> bool:
+    """omega ^ d omega = 0 for one constraint form alone (Frobenius), time counted as a coordinate."""
+    g = system.graph
+    variables = (*system.q, system.t)
+    a = (*form.coefficients, form.constant)
+    slopes = [gradient(g, x, variables) for x in a]
+    size = len(variables)
+    terms = []
+    for i in range(size):
+        for j in range(i + 1, size):
+            for k in range(j + 1, size):
+                term = g.zero
+                for r, s, t in ((i, j, k), (j, k, i), (k, i, j)):
+                    term = g.add(term, g.mul(a[r], g.sub(slopes[t][s], slopes[s][t])))
+                terms.append(term)
+    return all(are_zero(g, terms))
+
+
+@equation("I.1.1")
+def frobenius_obstruction(frame: Frame) -> list[tuple[int, int, int]]:
+    """(alpha, mu, nu) with gamma^alpha_munu != 0: the brackets that leave ker A; nu = n is the drift (epsilon)."""
+    system, found = frame.system, []
+    for alpha in range(system.l):
+        for mu in range(system.l, system.n):
+            for nu in (*range(mu + 1, system.n), system.n):
+                if not are_zero(frame.graph, [frame.gamma(alpha, nu, mu)])[0]:
+                    found.append((alpha, mu, nu))
+    return found
+
+
+def cyclic_coordinates(system: System) -> list[int]:
+    """Coordinates that T, U, Q and the constraints do not contain."""
+    g = system.graph
+    nodes = [system.T, system.U, *system.Q, *(x for f in system.constraints for x in (*f.coefficients, f.constant))]
+    result = []
+    for i, q in enumerate(system.q):
+        seen = [n for n in nodes if g.depends(n, g.deps[q])]
+        if all(are_zero(g, tangent(g, seen, {q: g.one}))):
+            result.append(i)
+    return result
+
+
+def span_coefficients(graph: Graph, rows: Sequence[Sequence[Node]], target: Sequence[Node]) -> list[Node]:
+    """c with c_k rows_k = target for a square regular set of rows."""
+    columns = [[row[i] for row in rows] for i in range(len(target))]
+    return solve(graph, columns, [list(target)]).unknowns[0]

@@ -1,0 +1,206 @@
+"""The compiler in one page: each stage with what it takes and what it gives.
+
+    read       file -> Source -> YAML nodes with positions
+    decode     nodes -> Spec
+    resolve    Spec -> System
+    choose     System -> Formulation
+    form       System, Formulation -> Omega on paper
+    associate  System, Formulation -> Equations
+    lower      Equations -> Program
+    render     Program (LaTeX: the derivation) -> files as text
+
+Stages are pure; the names below are those of ``--dump``.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+from nhc.diagnostics import Bag, Diagnostic, Source, SpecError
+from nhc.language import Spec, decode
+from nhc.mechanics.associate import Equations
+from nhc.mechanics.choose import Formulation, formulate
+from nhc.mechanics.formulate import equations_of
+from nhc.mechanics.resolve import resolve
+from nhc.mechanics.scenes import start_of
+from nhc.mechanics.system import System
+from nhc.program.build import FUNCTIONS
+from nhc.program.ir import Program
+from nhc.program.model import build_program
+from nhc.stamp import stamp
+
+if TYPE_CHECKING:
+    from nhc.program.paper import Derivation
+
+
+@dataclass(frozen=True, slots=True)
+class Stage:
+    """A stage's name and what its dump shows."""
+
+    name: str
+    about: str
+
+
+STAGES = (
+    Stage("read", "the YAML nodes with their positions"),
+    Stage("decode", "the spec: declarations and expressions, names resolved"),
+    Stage("resolve", "the system: T, U, Q and the constraint rows over the graph"),
+    Stage("choose", "the formulation, its coframe, and why"),
+    Stage("form", "the 2-form Omega in its coframe"),
+    Stage("associate", "the associated system: automatic rows, equations of motion, energy"),
+    Stage("lower", "the program: functions of let, guard, solve, store"),
+    Stage("render", "the names and sizes of the emitted files"),
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Options:
+    """``formulation``, ``scene``: names or empty; ``to``: text, latex or json; ``only``: functions; ``array``: numpy or jax."""
+
+    formulation: str = ""
+    scene: str = ""
+    to: str = "text"
+    only: tuple[str, ...] = ()
+    driver: bool = False
+    array: str = ""
+    explain: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Report:
+    """What a check found: warnings, facts as lines, and the same as data."""
+
+    diagnostics: tuple[Diagnostic, ...]
+    facts: tuple[str, ...]
+    data: dict[str, Any] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True)
+class Model:
+    """A spec that has been carried as far as its equations."""
+
+    spec: Spec
+    system: System
+    formulation: Formulation
+    equations: Equations
+
+
+def model(source: Source, options: Options = Options()) -> Model:
+    """decode, resolve, choose, associate.
+
+    Raises:
+        SpecError: everything that is wrong with the spec.
+    """
+    spec = decode(source)
+    _check_scene_name(spec, options.scene)
+    system = resolve(spec)
+    formulation = formulate(system, options.formulation)
+    return Model(spec, system, formulation, equations_of(system, formulation))
+
+
+def _check_scene_name(spec: Spec, scene: str) -> None:
+    if not scene or any(s.name == scene for s in spec.scenes):
+        return
+    bag = Bag(spec.origin)
+    known = ", ".join(f"`{s.name}`" for s in spec.scenes) or "none"
+    bag.error("E0503", f"no scene `{scene}`", spec.key_span("scenes"), notes=(f"the spec's scenes: {known}",),
+              help=("name one of them after `--scene`, or add it under `scenes:`",))
+    bag.raise_if_errors()
+
+
+def program(source: Source, options: Options = Options()) -> Program:
+    """The program of a spec, as the emitters read it."""
+    made = model(source, options)
+    return build_program(made.system, made.formulation, made.equations, only=options.only, scene=options.scene)
+
+
+def check(source: Source) -> Report:
+    """All errors (raised) or all warnings and facts of a spec.
+
+    Raises:
+        SpecError: the spec has errors.
+    """
+    from nhc.mechanics.facts import describe
+
+    spec = decode(source)
+    system = resolve(spec)
+    formulation = formulate(system)
+    bag = Bag(source)
+    for scene in spec.scenes:
+        try:
+            start_of(system, scene)
+        except SpecError as error:
+            for diagnostic in error.diagnostics:
+                bag.add(diagnostic)
+    bag.raise_if_errors()
+    facts = describe(system, formulation, bag)
+    return Report(bag.diagnostics, facts.lines, facts.data)
+
+
+def derivation(source: Source, options: Options) -> Derivation:
+    """The derivation on paper.
+
+    Raises:
+        SpecError: the spec has errors.
+    """
+    from nhc.program import paper
+
+    made = model(source, options)
+    return paper.derivation(made.system, made.formulation, made.equations)
+
+
+def derive(source: Source, options: Options = Options()) -> str:
+    """The derivation as text, LaTeX or JSON."""
+    made = derivation(source, options)
+    if options.to == "latex":
+        from nhc.emit import latex
+
+        return stamp(latex.render(made))
+    from nhc.emit import text
+
+    if options.to == "json":
+        import json
+
+        return json.dumps(text.derivation_json(made), indent=2, ensure_ascii=False) + "\n"
+    return text.print_derivation(made)
+
+
+def emit(source: Source, language: str, options: Options = Options()) -> dict[str, str]:
+    """File name -> text, stamped.
+
+    Raises:
+        SpecError: the spec has errors.
+        nhc.emit.EmitError: an option that this spec has no answer for.
+    """
+    if language == "latex":
+        from nhc.emit import latex
+
+        made = derivation(source, options)
+        return {f"{made.system.name}.tex": stamp(latex.render(made))}
+    from nhc.emit import EmitOptions, render
+
+    wanted = EmitOptions(only=options.only, driver=options.driver, array=options.array, scene=options.scene)
+    needed = options.only if not options.driver else ()
+    made_program = program(source, Options(options.formulation, options.scene, only=_functions(needed)))
+    return {name: stamp(text) for name, text in render(made_program, language, wanted).items()}
+
+
+def _functions(only: tuple[str, ...]) -> tuple[str, ...]:
+    """The IR's functions behind the emitted ones that are asked for."""
+    return tuple(dict.fromkeys("rhs" if name == "rhs_batch" else name for name in only if name in (*FUNCTIONS, "rhs_batch")))
+
+
+def dump(source: Source, stage: str, options: Options = Options()) -> str:
+    """What a stage hands on, as text."""
+    from nhc.dump import DUMPS
+
+    return DUMPS[stage](source, options)
+
+
+def cite(source: Source) -> str:
+    """What to cite for a spec: its own sources, and the sources of the formulation used."""
+    from nhc.mechanics.citations import citation
+
+    made = model(source)
+    return citation(made.system, made.formulation)

@@ -1,0 +1,81 @@
+"""System, Formulation, Equations -> Program: names, units, defaults, scenes, and the functions."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+
+from nhc.diagnostics import SpecError
+from nhc.language.spec import Parameter, Scene
+from nhc.mechanics.associate import Equations
+from nhc.mechanics.choose import Formulation
+from nhc.mechanics.regularity import parameter_value
+from nhc.mechanics.scenes import kept_velocities, start_of
+from nhc.mechanics.system import System
+from nhc.program.build import Planner, build_functions
+from nhc.program.ir import Program, Quantity, SceneData
+from nhc.program.naming import identifier
+
+
+def build_program(
+    system: System,
+    formulation: Formulation,
+    equations: Equations,
+    only: Sequence[str] = (),
+    scene: str = "",
+) -> Program:
+    """The emitters' input; ``only`` names functions, ``scene`` keeps one scene (and its parameter values as defaults)."""
+    planner = Planner(equations, formulation)
+    spec = system.spec
+    scenes = tuple(made for s in spec.scenes if not scene or s.name == scene if (made := _scene(system, planner, s, scene)))
+    chosen = next((s for s in scenes if s.name == scene), None)
+    return Program(
+        system=spec.system,
+        about=spec.about,
+        source=spec.origin.path.rsplit("/", 1)[-1],
+        formulation=formulation.name,
+        equation=formulation.number,
+        reason=formulation.reason,
+        coordinates=tuple(Quantity(c.name, identifier(c.name), c.unit, c.about) for c in spec.coordinates),
+        state=_state(system, planner),
+        parameters=tuple(
+            Quantity(p.name, identifier(p.name), p.unit, p.about, _default(p, k, chosen))
+            for k, p in enumerate(spec.parameters)
+        ),
+        constraints=tuple(Quantity(c.name, identifier(c.name)) for c in system.constraints),
+        outputs=tuple(Quantity(name, identifier(name)) for name, _ in system.outputs),
+        functions=build_functions(planner, only),
+        scenes=scenes,
+        notes=_notes(formulation),
+    )
+
+
+def _state(system: System, planner: Planner) -> tuple[Quantity, ...]:
+    coordinates = [Quantity(c.name, identifier(c.name), c.unit, c.about) for c in system.spec.coordinates]
+    kept = [Quantity(name, identifier(name)) for name in planner.kept_names()]
+    return (*coordinates, *kept)
+
+
+def _default(parameter: Parameter, index: int, scene: SceneData | None) -> Fraction | float | None:
+    if scene is not None:
+        return scene.p[index]
+    if parameter.value is None or isinstance(parameter.value, Fraction):
+        return parameter.value
+    return parameter_value(parameter.value)
+
+
+def _scene(system: System, planner: Planner, scene: Scene, asked: str) -> SceneData | None:
+    """The scene's start; a scene that cannot start is left out unless it was asked for by name."""
+    try:
+        start = start_of(system, scene)
+    except SpecError:
+        if asked == scene.name:
+            raise
+        return None
+    y = (*start.q, *kept_velocities(system, planner.kept_forms(), start))
+    need = tuple(entry.name for entry in scene.need)
+    return SceneData(scene.name, scene.about, y, start.p, start.time, need, float(scene.tolerance))
+
+
+def _notes(formulation: Formulation) -> tuple[str, ...]:
+    return tuple(f"hypothesis of I.3 that fails (the generalized equations are used): {text}" for text in formulation.broken)
