@@ -9,7 +9,7 @@ from fractions import Fraction
 from nhc.emit.c.literals import PI, print_comment, print_double
 from nhc.emit.expressions import ATOM, ExpressionPrinter, Text
 from nhc.emit.names import Scope
-from nhc.emit.text import wrap
+from nhc.emit.prose import wrap
 from nhc.program.ir import (
     Binary,
     Call,

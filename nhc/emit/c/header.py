@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from nhc.emit.c.literals import print_comment
-from nhc.emit.text import count_operations, wrap
+from nhc.emit.prose import count_operations, wrap
 from nhc.program.ir import Function, Program, Quantity
 from nhc.stamp import PLACEHOLDER
 from nhc.version import __version__

@@ -6,7 +6,7 @@ import re
 from fractions import Fraction
 
 from nhc.emit.options import EmitError
-from nhc.emit.text import clean, fold_ascii
+from nhc.emit.prose import clean, fold_ascii
 
 PI = "3.141592653589793"  # the double nearest to pi; M_PI is not C99
 

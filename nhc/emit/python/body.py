@@ -11,8 +11,8 @@ from fractions import Fraction
 
 from nhc.emit.expressions import ATOM, POWER, ExpressionPrinter, Text, enclose
 from nhc.emit.names import Scope
+from nhc.emit.prose import wrap
 from nhc.emit.python.literals import print_comment, print_float
-from nhc.emit.text import wrap
 from nhc.program.ir import (
     Binary,
     Call,

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from nhc.emit.prose import count_operations, wrap
 from nhc.emit.python.literals import print_docstring
 from nhc.emit.python.names import spell
-from nhc.emit.text import count_operations, wrap
 from nhc.program.ir import Argument, Function, Program, Quantity
 from nhc.stamp import PLACEHOLDER
 from nhc.version import __version__

@@ -5,7 +5,7 @@ from __future__ import annotations
 from fractions import Fraction
 
 from nhc.emit.options import EmitError
-from nhc.emit.text import clean
+from nhc.emit.prose import clean
 
 
 def print_float(value: Fraction | float) -> str:
