@@ -21,7 +21,7 @@ def test_a_wheel_is_complete(root: Path, tmp_path: Path) -> None:
     for folder in ("templates", "specs"):
         wanted = {path.relative_to(root).as_posix() for path in (root / folder).rglob("*") if path.is_file()}
         assert wanted
-        assert {f"nhc/_resources/{name}" for name in wanted} <= inside
+        assert {f"nhc/_data/{name}" for name in wanted} <= inside
     assert {path.split("/")[0] for path in inside if ".dist-info" not in path} == {"nhc"}
 
     environment = {**os.environ, "PYTHONPATH": str(tmp_path / "site")}
