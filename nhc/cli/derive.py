@@ -14,6 +14,7 @@ from nhc.cli.write import deliver
 @spec_argument
 @formulation_option
 @click.option("--to", type=click.Choice(["text", "latex", "json"]), default="text", show_default=True)
+@click.option("--json", "to", flag_value="json", help="The same as `--to json`.")
 @explain_option
 @click.option("--scene", metavar="NAME", default="", help="Take the parameters of this scene.")
 @click.option("--dump", metavar="STAGE", help="Print what a stage of the compiler hands on, in place of the equations.")
