@@ -86,7 +86,7 @@ def count(function: Function) -> str:
 def print_function_comment(program: Program, function: Function) -> tuple[str, ...]:
     """What a function computes, the number of its equation and the sizes of its output."""
     number = f" ({function.equation})" if function.equation else ""
-    texts = [f"{function.about}{number}"]
+    texts = [f"{function.about or function.name}{number}"]
     if function.output is not None:
         texts.append(f"{function.output.name}: {function.output.size} entries")
     else:

@@ -63,7 +63,7 @@ def list_files(program: Program, options: EmitOptions) -> tuple[File, ...]:
         (rhs,) = (function for function in program.functions if function.name == "rhs")
         printed.append(print_batch_function(program, rhs, helpers))
     name = program.system
-    shared: dict[str, object] = {"name": name, "capitals": name.upper(), "functions": tuple(printed)}
+    shared: dict[str, object] = {"capitals": name.upper(), "functions": tuple(printed)}
     header = File(f"{name}.h", "c/model.h.jinja", shared | make_header_context(program, functions, batch))
     source = File(f"{name}.c", "c/model.c.jinja", shared | make_source_context(program, helpers, functions))
     if driver is None:
@@ -91,6 +91,7 @@ def make_source_context(program: Program, helpers: set[str], functions: tuple[Fu
     """What ``model.c.jinja`` uses besides the functions."""
     sizes = [len(s.matrix) for f in functions for s in f.body if isinstance(s, Solve)]
     return {
+        "name": program.system,
         "comment": print_source_comment(program),
         "tables": list_tables(program),
         "helpers": tuple(sorted(helpers)),
