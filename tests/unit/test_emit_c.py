@@ -199,8 +199,8 @@ def test_the_batch_is_the_scalar_function(program: Program, p: list[float], tmp_
 
 def test_empty_arrays_and_entries_that_are_never_stored(tmp_path: Path) -> None:
     library = load(make_oscillator(), tmp_path)
-    for function in (library.oscillator_reactions, library.oscillator_outputs):
-        assert call(function, [[1.0, 2.0], [3.0]], 0) == (0, [])
+    for empty in (library.oscillator_reactions, library.oscillator_outputs):
+        assert call(empty, [[1.0, 2.0], [3.0]], 0) == (0, [])
     assert call(library.oscillator_residuals, [[1.0], [2.0], [3.0]], 0) == (0, [])
     assert call(library.oscillator_jacobian, [[1.0, 2.0], [3.0]], 4) == (0, [0.0, 1.0, -3.0, 0.0])
     names = (ctypes.c_char_p * 2).in_dll(library, "oscillator_state_names")
