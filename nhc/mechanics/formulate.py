@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
-from nhc.algebra.calculus import count
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.modular import are_zero
-from nhc.algebra.polynomial import normalise
+from nhc.algebra.shorten import shorten
 from nhc.mechanics.associate import Equations, Motion, Projector, Row
 from nhc.mechanics.choose import Formulation
 from nhc.mechanics.frame import total_derivative
@@ -17,8 +15,6 @@ from nhc.mechanics.kinetic import Kinetic, kinetic_structure
 from nhc.mechanics.multipliers import multiplier_symbols
 from nhc.mechanics.regularity import trial_points
 from nhc.mechanics.system import System
-
-_SMALL = 60  # terms of a canonical polynomial that may still be shorter than what it came from
 
 
 def motion_of(system: System, formulation: Formulation) -> Motion:
@@ -69,32 +65,16 @@ def _symmetric(rows: Sequence[Row]) -> tuple[tuple[Node, ...], ...]:
     return tuple(tuple(rows[min(i, j)].mass[max(i, j)] for j in range(size)) for i in range(size))
 
 
-@dataclass(frozen=True)
-class _Candidate:
-    rows: list[Row]
-    reactions: list[Row]
-
-    def cost(self, graph: Graph) -> int:
-        return count(graph, [n for row in self.rows for n in (*row.mass, row.force)])
-
-
 def _polish(graph: Graph, rows: list[Row], reactions: list[Row]) -> tuple[list[Row], list[Row]]:
-    """Entries that vanish become zero (exact test); then the shorter of the shared graph and the canonical polynomials."""
-    entries = [n for row in (*rows, *reactions) for n in (*row.mass, row.force)]
-    vanishing = {n for n, zero in zip(entries, are_zero(graph, entries), strict=True) if zero}
-    clean = [_map(row, lambda n: graph.zero if n in vanishing else n) for row in rows]
-    clean_reactions = [_map(row, lambda n: graph.zero if n in vanishing else n) for row in reactions]
-    plain = _Candidate(clean, clean_reactions)
-    canonical = _Candidate(
-        [_map(row, lambda n: normalise(graph, n, _SMALL)) for row in clean],
-        [_map(row, lambda n: normalise(graph, n, _SMALL)) for row in clean_reactions],
-    )
-    best = canonical if canonical.cost(graph) < plain.cost(graph) else plain
-    return best.rows, best.reactions
-
-
-def _map(row: Row, change) -> Row:  # type: ignore[no-untyped-def]
-    return Row(tuple(change(n) for n in row.mass), change(row.force))
+    """Entries that vanish identically become zero (exact test); then shorter equal expressions where there are any."""
+    together = [*rows, *reactions]
+    entries = [n for row in together for n in (*row.mass, row.force)]
+    zero = are_zero(graph, entries)
+    entries = [graph.zero if vanishes else n for n, vanishes in zip(entries, zero, strict=True)]
+    size = len(rows) + 1
+    own = shorten(graph, entries[: len(rows) * size]) + shorten(graph, entries[len(rows) * size :])
+    made = [Row(tuple(own[k : k + size - 1]), own[k + size - 1]) for k in range(0, len(own), size)]
+    return made[: len(rows)], made[len(rows) :]
 
 
 def _is_definite(system: System, rows: Sequence[Row]) -> bool:

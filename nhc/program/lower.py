@@ -151,10 +151,7 @@ class Lowering:
         present = set(self.needed)
         wanted = [(symbol, place) for symbol, place in self.plan.loads.items() if symbol in present]
         for symbol, (array, index, about) in wanted:
-            if index < 0:  # the scalar argument is its own name
-                self.names[symbol] = array
-                continue
-            self.names[symbol] = self.namer.symbol(symbol)
+            self.names[symbol] = array if index < 0 else self.namer.symbol(symbol)  # a scalar argument is its own name
             self.body.append(Load(self.names[symbol], array, index, about))
 
     def _parameter_section(self, lets: list[Node]) -> None:

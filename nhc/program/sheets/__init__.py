@@ -1,0 +1,1 @@
+"""The sheets of a derivation, one module per part."""

@@ -1,0 +1,167 @@
+"""Sheets before lowering: the same statements over graph nodes, and the desk on which they are made."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+from nhc.algebra.calculus import count
+from nhc.algebra.graph import NEG, Node
+from nhc.algebra.modular import are_zero
+from nhc.algebra.polynomial import shortest
+from nhc.exterior import Form
+from nhc.mechanics.associate import Equations
+from nhc.mechanics.choose import Formulation
+from nhc.mechanics.system import System
+from nhc.program.sheets.model import Formula, Mark, Prose, Table
+
+_CANONICAL = 60  # terms of a canonical polynomial that may be shorter than what it came from
+_WORTH = 250  # operations beyond which no canonical form is tried
+
+Part = tuple[Node, tuple[Mark, ...]]
+_KINDS = {"velocity": 1, "rate": 1, "acceleration": 2}
+
+
+@dataclass(frozen=True, slots=True)
+class Draft:
+    """A statement over nodes; see :class:`nhc.program.sheets.model.Statement`."""
+
+    left: tuple[Part, ...]
+    right: tuple[Part, ...]
+    relation: str = "="
+    equation: str = ""
+    place: str = ""
+    note: str = ""
+    label: Mark | None = None
+
+
+DraftItem = Draft | Formula | Prose | Table
+
+
+@dataclass
+class DraftSheet:
+    """A section in the making."""
+
+    key: str
+    title: str
+    items: list[DraftItem] = field(default_factory=list)
+
+    def say(self, text: str) -> None:
+        self.items.append(Prose(text))
+
+    def add(self, *items: DraftItem) -> None:
+        self.items.extend(items)
+
+
+class Desk:
+    """One derivation's system, and how its nodes become parts of statements."""
+
+    def __init__(self, system: System, formulation: Formulation, equations: Equations) -> None:
+        self.system, self.formulation, self.equations = system, formulation, equations
+        self.graph = system.graph
+        self._short: dict[Node, Node] = {}
+        self._sizes: dict[Node, int] = {}
+
+    # --- nodes ------------------------------------------------------------------------------------------------
+
+    def short(self, node: Node) -> Node:
+        """The node in canonical form where that is small and shorter."""
+        known = self._short.get(node)
+        if known is None:
+            known = node
+            if self.graph.children(node) and count(self.graph, [node]) <= _WORTH:
+                known = shortest(self.graph, node, self.size, _CANONICAL)
+            self._short[node] = known
+        return known
+
+    def size(self, node: Node) -> int:
+        """Operations of the expression written out; signs are free."""
+        g, stack = self.graph, [node]
+        while stack:
+            top = stack[-1]
+            waiting = [c for c in g.children(top) if c not in self._sizes]
+            if waiting:
+                stack.extend(waiting)
+                continue
+            stack.pop()
+            own = 0 if not g.children(top) or g.op[top] == NEG else 1
+            self._sizes[top] = own + sum(self._sizes[c] for c in g.children(top))
+        return self._sizes[node]
+
+    def nonzero(self, nodes: Sequence[Node]) -> list[bool]:
+        """Which nodes do not vanish identically (exact test)."""
+        return [not zero for zero in are_zero(self.graph, nodes)]
+
+    # --- marks ------------------------------------------------------------------------------------------------
+
+    def mark(self, symbol: Node, further: int = 0) -> Mark:
+        """How a symbol is written; ``further`` dots on top."""
+        known = self.graph.symbol_of(symbol)
+        assert known is not None
+        for k, form in enumerate(self.system.constraints):
+            if known.kind == "multiplier" and known.name == f"lambda_{form.name}":
+                return Mark("lambda", (form.name,))
+            frame = self.formulation.frame
+            if frame is not None and frame.omega[k] == symbol:
+                return Mark("omega", (form.name,), dots=further)
+        return Mark(known.name, dots=_KINDS.get(known.kind, 0) + further)
+
+    def coordinate(self, i: int, dots: int = 0) -> Mark:
+        return Mark(self.system.q_names[i], dots=dots)
+
+    def basis(self, form: Form) -> list[Mark]:
+        """The marks of a coframe's basis: (omega, domega, dt) of all velocities or of the free ones."""
+        count_, n = (len(form.coframe) - 1) // 2, self.system.n
+        frame, name = self.formulation.frame, self.formulation.name
+        if frame is None or name != "euler-lagrange":
+            dependent = () if count_ == n or self.formulation.dependent is None else self.formulation.dependent.dependent
+            kept = [i for i in range(n) if i not in dependent]
+            heads = [Mark(self.system.q_names[i], prefix="d") for i in kept]
+            rates = [Mark(self.system.q_names[i], dots=1, prefix="d") for i in kept]
+            return [*heads, *rates, Mark("t", prefix="d")]
+        first = n - count_
+        heads = [self.quasi_differential(j) for j in range(first, n)]
+        speeds = [self.mark(w) for w in frame.omega[first:]]
+        rates = [Mark(m.base, m.lower, m.upper, m.dots, "d") for m in speeds]
+        return [*heads, *rates, Mark("t", prefix="d")]
+
+    def quasi_differential(self, j: int) -> Mark:
+        """dpi_j; a coordinate's own differential where the form is one."""
+        frame = self.formulation.frame
+        assert frame is not None
+        if j >= self.system.l and frame.omega[j] in self.system.v:
+            return Mark(self.system.q_names[self.system.v.index(frame.omega[j])], prefix="d")
+        return Mark("pi", (frame.forms[j].name,), prefix="d")
+
+    # --- parts ------------------------------------------------------------------------------------------------
+
+    def name(self, mark: Mark) -> tuple[Part, ...]:
+        return ((self.graph.one, (mark,)),)
+
+    def value(self, node: Node) -> tuple[Part, ...]:
+        """The node alone, in short form."""
+        node = self.short(node)
+        return () if node == self.graph.zero else ((node, ()),)
+
+    def plain(self, node: Node) -> tuple[Part, ...]:
+        """The node as it stands."""
+        return () if node == self.graph.zero else ((node, ()),)
+
+    def linear(self, coefficients: Sequence[Node], marks: Sequence[Mark], constant: Node | None = None) -> tuple[Part, ...]:
+        """sum coefficient_k mark_k + constant without the terms that vanish identically."""
+        nodes = [*coefficients, *(() if constant is None else (constant,))]
+        factors: list[tuple[Mark, ...]] = [(mark,) for mark in marks]
+        factors += [()] * (constant is not None)
+        kept = self.nonzero(nodes)
+        return tuple((self.short(n), f) for n, f, keep in zip(nodes, factors, kept, strict=True) if keep)
+
+    def form(self, form: Form) -> tuple[Part, ...]:
+        """A form's nonzero coefficients with the wedges of their basis forms."""
+        basis = self.basis(form)
+        indices = sorted(form.terms)
+        kept = self.nonzero([form.terms[index] for index in indices])
+        return tuple(
+            (self.short(form.terms[index]), tuple(basis[k] for k in index))
+            for index, keep in zip(indices, kept, strict=True)
+            if keep
+        )

@@ -1,0 +1,114 @@
+"""What a derivation on paper is made of; the printers of text and LaTeX read nothing else.
+
+Supported: prose, tables, general formulas as the thesis prints them, and statements ``left = right`` whose sides are sums of
+coefficients times basis elements.
+Not supported, on purpose: graph nodes, simplification, decisions about what to show.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from nhc.mechanics.system import System
+from nhc.program.ir import Expr
+
+
+@dataclass(frozen=True, slots=True)
+class Mark:
+    """A symbol: ``base`` and indices are names of the spec or of the thesis ("theta", "gamma"); ``prefix`` is "d" or "".
+
+    ``dots`` counts time derivatives; ``star`` says that the constraints have been used.
+    """
+
+    base: str
+    lower: tuple[str, ...] = ()
+    upper: tuple[str, ...] = ()
+    dots: int = 0
+    prefix: str = ""
+    star: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Term:
+    """``coefficient`` times the wedge of ``factors`` (one factor: a basis form or a rate; none: the coefficient alone)."""
+
+    coefficient: Expr
+    factors: tuple[Mark, ...] = ()
+
+
+Side = tuple[Term, ...]
+"""A sum; the empty one is zero."""
+
+
+@dataclass(frozen=True, slots=True)
+class Statement:
+    """``left relation right`` with the thesis's number, the place in the spec and a note.
+
+    ``label`` heads the line (the basis form whose row it is).
+    """
+
+    left: Side
+    right: Side
+    relation: str = "="
+    equation: str = ""
+    place: str = ""
+    note: str = ""
+    label: Mark | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Formula:
+    """A general formula in both spellings."""
+
+    text: str
+    latex: str
+    equation: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Prose:
+    """A sentence; what stands between back-ticks is a name of the spec."""
+
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class Table:
+    """Rows of cells: a mark, or text."""
+
+    head: tuple[str, ...]
+    rows: tuple[tuple[str | Mark, ...], ...]
+
+
+Item = Statement | Formula | Prose | Table
+
+
+@dataclass(frozen=True, slots=True)
+class Sheet:
+    """One section; ``lets`` are the abbreviations that its items use and no earlier sheet has introduced."""
+
+    key: str
+    title: str
+    lets: tuple[Statement, ...]
+    items: tuple[Item, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Symbol:
+    """How a name of the expressions is written; factors of a product are sorted by ``rank``."""
+
+    mark: Mark
+    rank: int
+
+
+@dataclass(frozen=True)
+class Derivation:
+    """``symbols`` knows every name that stands in an expression; ``lets`` finds an abbreviation by its name."""
+
+    system: System
+    formulation: str
+    equation: str
+    sheets: tuple[Sheet, ...]
+    symbols: Mapping[str, Symbol]
+    lets: Mapping[str, Statement]

@@ -1,0 +1,157 @@
+"""Draft sheets -> sheets: nodes become expressions, and long or repeated ones abbreviations.
+
+The style of paper: sines and cosines are written out, integer powers stay powers, and an abbreviation is made only for what the
+user named under ``define:``, for what is long and used more than once, and for what would be too long to read.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Sequence
+
+from nhc.algebra.calculus import reachable
+from nhc.algebra.graph import NEG, SYM, Node
+from nhc.program.ir import Expr, Power, Ref
+from nhc.program.lower import Lowering
+from nhc.program.naming import identifier
+from nhc.program.plan import FunctionPlan, Target
+from nhc.program.sheets.draft import Desk, Draft, DraftSheet, Part
+from nhc.program.sheets.model import Item, Mark, Sheet, Statement, Symbol, Term
+
+_REPEATED = 8  # operations from which a repeated expression gets a name
+_LONG = 40  # operations beyond which any expression does
+_NAMED = 2  # operations from which a name of the user's is kept
+_LETTERS = ("z", "k", "h", "s", "u", "zeta", "chi", "xi", "Z")
+_RANKS = {"parameter": 1, "time": 2, "coordinate": 3, "velocity": 5, "quasi": 5, "rate": 6, "acceleration": 6}
+_LET_RANK, _OTHER_RANK = 4, 7
+
+
+class PaperLowering(Lowering):
+    """One lowering for all sheets, so that an abbreviation means the same everywhere."""
+
+    def __init__(self, desk: Desk, roots: Sequence[Node]) -> None:
+        targets = tuple(Target(k, root) for k, root in enumerate(roots))
+        plan = FunctionPlan("derivation", "", "", (), None, {}, targets)
+        super().__init__(desk.graph, plan, desk.system.p)
+        self.desk = desk
+        self.symbols: dict[str, Symbol] = {}
+        self.owners = self._owners()
+        self.chosen = frozenset(self.choose_names())
+        self.letter = self._free_letter()
+        self._name_symbols()
+
+    def _owners(self) -> set[Node]:
+        """The first node that bears each of the user's names: what follows from it by substitution is no longer it."""
+        first: dict[str, Node] = {}
+        for node, label in sorted(self.graph.labels.items()):
+            first.setdefault(label, node)
+        return set(first.values())
+
+    def _free_letter(self) -> str:
+        spec = self.desk.system.spec
+        used = [e.name for group in (spec.coordinates, spec.parameters, spec.definitions, spec.quasi_velocities) for e in group]
+        return next(
+            letter for letter in (*_LETTERS, "zz") if not any(re.fullmatch(rf"{letter}(_?\d+|)", name) for name in used)
+        )
+
+    def _name_symbols(self) -> None:
+        for node in self.needed:
+            if self.graph.op[node] == SYM:
+                symbol = self.graph.symbol_of(node)
+                assert symbol is not None
+                name = self.names[node] = self.namer.symbol(node)
+                self.symbols[name] = Symbol(self.desk.mark(node), _RANKS.get(symbol.kind, _OTHER_RANK))
+
+    # --- which nodes get a name -------------------------------------------------------------------------------
+
+    def choose_names(self) -> list[Node]:
+        g, uses, size = self.graph, self._uses(), dict[Node, int]()
+        chosen: list[Node] = []
+        for node in self.needed:
+            size[node] = sum(size[c] for c in g.children(node))
+            if not g.children(node) or g.op[node] == NEG:
+                continue
+            size[node] += 1
+            labelled = node in self.owners and size[node] >= _NAMED
+            if labelled or (uses[node] > 1 and size[node] >= _REPEATED) or size[node] > _LONG:
+                chosen.append(node)
+                size[node] = 1
+        return chosen
+
+    def _uses(self) -> dict[Node, int]:
+        """How often each node is an operand; standing alone in a statement does not count."""
+        g = self.graph
+        uses: dict[Node, int] = dict.fromkeys(self.needed, 0)
+        for node in reversed(self.needed):
+            weight = max(1, uses[node]) if g.op[node] == NEG else 1
+            for child in g.children(node):
+                uses[child] += weight
+        return uses
+
+    # --- abbreviations ----------------------------------------------------------------------------------------
+
+    def lets_below(self, roots: Iterable[Node]) -> list[tuple[str, Statement]]:
+        """The abbreviations that the roots need and that have not been made yet, in order."""
+        inner = [child for root in roots for child in self.graph.children(root)]
+        found = []
+        for node in reachable(self.graph, inner):
+            if node not in self.chosen or node in self.names:
+                continue
+            value = self.expression(node)
+            name, mark = self._abbreviate(node)
+            statement = Statement((Term(Ref(name), ()),), (Term(value),))
+            self.symbols[name] = Symbol(mark, 1 if self._constant(node) else _LET_RANK)
+            self.names[node] = name
+            found.append((name, statement))
+        return found
+
+    def _abbreviate(self, node: Node) -> tuple[str, Mark]:
+        label = self.graph.labels.get(node)
+        if label is None or node not in self.owners:
+            name = self.namer.numbered(self.letter)
+            return name, Mark(self.letter, (name[len(self.letter) :],))
+        if label.endswith("_dot"):
+            return self.namer.unique(identifier(label)), Mark(label.removesuffix("_dot"), dots=1)
+        return self.namer.unique(identifier(label)), Mark(label)
+
+    def written_out(self, node: Node) -> Expr:
+        """The node's own expression, also where it is an abbreviation elsewhere; a long one stays abbreviated."""
+        name = self.names.pop(node, None) if node in self.chosen else None
+        try:
+            return self.expression(node)
+        finally:
+            if name is not None:
+                self.names[node] = name
+
+    def _power(self, base: Node, n: int) -> Expr:
+        return super()._power(base, n) if n <= 1 else Power(self.expression(base), n)
+
+
+def _roots(drafts: Iterable[Draft]) -> list[Node]:
+    return [node for draft in drafts for node, _ in (*draft.left, *draft.right)]
+
+
+def _side(lowering: PaperLowering, parts: Sequence[Part]) -> tuple[Term, ...]:
+    return tuple(Term(lowering.written_out(node), factors) for node, factors in parts)
+
+
+def write_sheets(
+    desk: Desk, drafts: Sequence[DraftSheet]
+) -> tuple[tuple[Sheet, ...], dict[str, Symbol], dict[str, Statement]]:
+    """The sheets, the symbols of their expressions, and all abbreviations by name."""
+    every = [item for sheet in drafts for item in sheet.items if isinstance(item, Draft)]
+    lowering = PaperLowering(desk, _roots(every))
+    sheets: list[Sheet] = []
+    known: dict[str, Statement] = {}
+    for sheet in drafts:
+        own = lowering.lets_below(_roots(item for item in sheet.items if isinstance(item, Draft)))
+        known.update(own)
+        items: list[Item] = []
+        for item in sheet.items:
+            if isinstance(item, Draft):
+                left, right = _side(lowering, item.left), _side(lowering, item.right)
+                items.append(Statement(left, right, item.relation, item.equation, item.place, item.note, item.label))
+            else:
+                items.append(item)
+        sheets.append(Sheet(sheet.key, sheet.title, tuple(statement for _, statement in own), tuple(items)))
+    return tuple(sheets), lowering.symbols, known

@@ -1,0 +1,124 @@
+"""Emitted models, compiled and loaded, for tests."""
+
+from __future__ import annotations
+
+import ctypes
+import importlib.util
+import json
+import shutil
+import subprocess
+import sys
+from dataclasses import dataclass
+from functools import lru_cache
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import pytest
+
+from nhc.language import read
+from nhc.mechanics.choose import applicable
+from nhc.mechanics.resolve import resolve
+from nhc.language import decode
+from nhc.pipeline import Options, emit
+
+ROOT = Path(__file__).resolve().parent.parent
+SPECS = ROOT / "specs"
+GALLERY = tuple(sorted(path.stem for path in SPECS.glob("*.yaml")))
+STRICT = ("-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror")
+COMPILER = shutil.which("cc") or shutil.which("gcc") or shutil.which("clang")
+
+
+def reference(name: str) -> list[dict[str, Any]]:
+    return json.loads((ROOT / "tests" / "reference" / f"{name}.json").read_text())
+
+
+def spec_path(name: str) -> Path:
+    return SPECS / f"{name}.yaml"
+
+
+@lru_cache(maxsize=None)
+def formulations(name: str) -> tuple[str, ...]:
+    """The formulations that apply to a gallery system."""
+    return tuple(f.name for f in applicable(resolve(decode(read(str(spec_path(name)))))))
+
+
+def cases(names: tuple[str, ...] | list[str]) -> list[Any]:
+    return [pytest.param(n, f, id=f"{n}-{f}") for n in names for f in formulations(n)]
+
+
+def python_model(text: str, name: str) -> ModuleType:
+    """A module from emitted Python text."""
+    spec = importlib.util.spec_from_loader(f"emitted_{name}", loader=None)
+    assert spec is not None
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[module.__name__] = module
+    exec(compile(text, f"{name}.py", "exec"), module.__dict__)
+    return module
+
+
+@dataclass
+class CModel:
+    """Emitted C through ctypes; functions take and return lists, a nonzero status raises."""
+
+    name: str
+    library: ctypes.CDLL
+    sizes: dict[str, int]
+
+    def __call__(self, function: str, size: int, t: float, *arrays: Any) -> list[float]:
+        out = (ctypes.c_double * max(size, 1))()
+        call = getattr(self.library, f"{self.name}_{function}")
+        call.restype = ctypes.c_int
+        status = call(ctypes.c_double(t), *(doubles(a) for a in arrays), out)
+        if status:
+            raise ArithmeticError(status)
+        return list(out[:size])
+
+    def energy(self, t: float, y: Any, p: Any) -> float:
+        call = getattr(self.library, f"{self.name}_energy")
+        call.restype = ctypes.c_double
+        return float(call(ctypes.c_double(t), doubles(y), doubles(p)))
+
+    def defaults(self, count: int) -> list[float]:
+        return list((ctypes.c_double * max(count, 1)).in_dll(self.library, f"{self.name}_parameter_defaults"))[:count]
+
+
+def doubles(values: Any) -> Any:
+    values = [float(x) for x in values]
+    return (ctypes.c_double * max(len(values), 1))(*values)
+
+
+def compile_c(files: dict[str, str], folder: Path, name: str, flags: tuple[str, ...] = ("-O1",), *, library: bool = True) -> Path:
+    """Compile emitted C strictly; returns the shared library, or the program with the driver."""
+    assert COMPILER is not None
+    for file, text in files.items():
+        (folder / file).write_text(text)
+    target = folder / (f"lib{name}.so" if library else name)
+    sources = [str(folder / f) for f in files if f.endswith(".c") and not (library and f.endswith("_main.c"))]
+    shared = ("-shared", "-fPIC") if library else ()
+    done = subprocess.run(
+        [COMPILER, *STRICT, *flags, *shared, *sources, "-lm", "-o", str(target)], capture_output=True, text=True
+    )
+    assert done.returncode == 0, done.stderr
+    return target
+
+
+def c_model(name: str, formulation: str, folder: Path, flags: tuple[str, ...] = ("-O1",)) -> CModel:
+    """A gallery system through emitted C."""
+    files = emit(read(str(spec_path(name))), "c", Options(formulation=formulation))
+    path = compile_c(files, folder, name, flags)
+    return CModel(name, ctypes.CDLL(str(path)), {})
+
+
+def emitted_python(name: str, formulation: str = "", array: str = "") -> ModuleType:
+    files = emit(read(str(spec_path(name))), "python", Options(formulation=formulation, array=array))
+    (text,) = files.values()
+    return python_model(text, name)
+
+
+def error(found: Any, expected: Any) -> float:
+    """Largest difference, relative to the larger of 1 and the largest expected entry."""
+    found, expected = [float(x) for x in found], [float(x) for x in expected]
+    assert len(found) == len(expected)
+    scale = max([1.0, *(abs(x) for x in expected)])
+    return max([abs(a - b) / scale for a, b in zip(found, expected, strict=True)], default=0.0)
