@@ -15,7 +15,7 @@ from nhc.algebra.graph import Graph, Node
 from nhc.algebra.modular import are_zero
 from nhc.algebra.polynomial import normalise
 
-Matrix = tuple[tuple[Node, ...], ...]
+Weakness = Callable[[Sequence[Node], Sequence[Node]], list[int]]
 
 
 class NotLinear(Exception):
@@ -60,9 +60,11 @@ def solve(
     graph: Graph,
     matrix: Sequence[Sequence[Node]],
     columns: Sequence[Sequence[Node]],
-    cost: Callable[[Node], int] | None = None,
+    weakness: Weakness | None = None,
 ) -> Elimination:
     """x with matrix @ x = column for each column (``columns[c][i]``); ``unknowns[c][i]``.
+
+    ``weakness(pivots, scales)`` counts for each pivot at how many ordinary points it is small; large blocks avoid such pivots.
 
     Raises:
         Singular: the determinant vanishes identically.
@@ -79,7 +81,7 @@ def solve(
             [graph.sub(column[i], _row_times(graph, matrix[i], zero_entry[i], x[c], done)) for i in rows]
             for c, column in enumerate(columns)
         ]
-        solved, guards = _solve_block(graph, block, right)
+        solved, guards = _solve_block(graph, block, right, weakness)
         result.guards.extend(guards)
         for c in range(len(columns)):
             for k, j in enumerate(cols):
@@ -171,11 +173,11 @@ def _components(size: int, edges: Sequence[Sequence[int]]) -> list[list[int]]:
 
 
 def _solve_block(
-    graph: Graph, block: Sequence[Sequence[Node]], columns: Sequence[Sequence[Node]]
+    graph: Graph, block: Sequence[Sequence[Node]], columns: Sequence[Sequence[Node]], weakness: Weakness | None
 ) -> tuple[list[list[Node]], list[tuple[Node, Node]]]:
     size = len(block)
     if size > 3:
-        return _eliminate(graph, block, columns)
+        return _eliminate(graph, block, columns, weakness)
     determinant = normalise(graph, determinant_of(graph, block), 120)
     if are_zero(graph, [determinant])[0]:
         raise Singular
@@ -212,15 +214,15 @@ def determinant_of(graph: Graph, block: Sequence[Sequence[Node]]) -> Node:
 
 
 def _eliminate(
-    graph: Graph, block: Sequence[Sequence[Node]], columns: Sequence[Sequence[Node]]
+    graph: Graph, block: Sequence[Sequence[Node]], columns: Sequence[Sequence[Node]], weakness: Weakness | None
 ) -> tuple[list[list[Node]], list[tuple[Node, Node]]]:
-    """Elimination in a fixed order; the pivot of each step is a constant where there is one, else the cheapest nonzero entry."""
+    """Elimination in a fixed order; each pivot is a constant where there is one, else the one that is weak most rarely."""
     size = len(block)
     rows = [[*row, *(column[i] for column in columns)] for i, row in enumerate(block)]
     guards: list[tuple[Node, Node]] = []
     order: list[int] = []
     for step in range(size):
-        row, column = _pivot(graph, rows, step, order, size)
+        row, column = _pivot(graph, rows, step, order, size, weakness)
         rows[step], rows[row] = rows[row], rows[step]
         order.append(column)
         pivot = rows[step][column]
@@ -246,10 +248,20 @@ def _eliminate(
     return solved, guards
 
 
-def _pivot(graph: Graph, rows: list[list[Node]], step: int, used: list[int], size: int) -> tuple[int, int]:
+def _pivot(
+    graph: Graph, rows: list[list[Node]], step: int, used: list[int], size: int, weakness: Weakness | None
+) -> tuple[int, int]:
     candidates = [(i, j) for i in range(step, size) for j in range(size) if j not in used and rows[i][j] != graph.zero]
     zero = are_zero(graph, [rows[i][j] for i, j in candidates])
     alive = [c for c, z in zip(candidates, zero, strict=True) if not z]
     if not alive:
         raise Singular
-    return min(alive, key=lambda c: (graph.value(rows[c[0]][c[1]]) is None, bin(graph.deps[rows[c[0]][c[1]]]).count("1"), c))
+    constant = [(i, j) for i, j in alive if graph.value(rows[i][j]) is not None]
+    if constant:
+        return constant[0]
+    weak = [0] * len(alive)
+    if weakness is not None:
+        scales = {i: graph.sum([graph.function("abs", rows[i][j]) for j in range(size)]) for i, _ in alive}
+        weak = weakness([rows[i][j] for i, j in alive], [scales[i] for i, _ in alive])
+    order = {c: (w, graph.deps[rows[c[0]][c[1]]].bit_count(), c) for c, w in zip(alive, weak, strict=True)}
+    return min(alive, key=lambda c: order[c])

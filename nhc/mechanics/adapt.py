@@ -16,7 +16,7 @@ from nhc.algebra.linear import determinant_of
 from nhc.algebra.modular import rank
 from nhc.algebra.polynomial import normalise
 from nhc.mechanics.frame import coordinate_form
-from nhc.mechanics.regularity import intervals
+from nhc.mechanics.regularity import choose_dependent, coframe_weakness, intervals
 from nhc.mechanics.system import Form, System
 
 _MOST_ROWS = 3
@@ -129,17 +129,38 @@ def complete(system: System) -> tuple[tuple[Form, ...], tuple[str, ...]]:
     rows = [list(f.coefficients) for f in (*system.constraints, *forms)]
     if rank(g, rows) < len(rows):
         raise Singular
-    if not forms:
-        adapted = adapted_forms(system)
-        if adapted is not None:
-            return adapted, tuple(f.name for f in adapted)
-    pool = [*(adapted_forms(system) or ()), *(coordinate_form(system, j) for j in range(system.n))]
-    added: list[str] = []
+    candidates = [_extend(system, forms, wanted, pool) for pool in _pools(system)]
+    best = min(candidates, key=lambda made: coframe_weakness(system, (*system.constraints, *made)))
+    return best, tuple(_spelled(system, form) for form in best[len(forms) :])
+
+
+def _pools(system: System) -> list[list[Form]]:
+    """Forms to complete with, the preferred ones first: what the spec's dependent velocities leave free, what nhc's own choice
+    of them leaves free, and the adapted coframe; each ends with whatever coordinate is still needed."""
+    every = [coordinate_form(system, j) for j in range(system.n)]
+    choices = [system.dependent] if system.dependent else []
+    choices.append(choose_dependent(system).dependent)
+    pools = [[every[j] for j in range(system.n) if j not in dependent] + every for dependent in choices]
+    adapted = adapted_forms(system)
+    if adapted is not None:
+        pools.append([*adapted, *every])
+    return pools
+
+
+def _extend(system: System, forms: Sequence[Form], wanted: int, pool: Sequence[Form]) -> tuple[Form, ...]:
+    """The forms with the first of the pool that are independent of them and of the constraints."""
+    made = list(forms)
+    rows = [list(f.coefficients) for f in (*system.constraints, *made)]
     for form in pool:
-        if len(forms) == wanted:
+        if len(made) == wanted:
             break
         trial = [*rows, list(form.coefficients)]
-        if rank(g, trial) == len(trial):
-            rows, added = trial, [*added, form.name]
-            forms.append(form)
-    return tuple(forms), tuple(added)
+        if rank(system.graph, trial) == len(trial):
+            rows = trial
+            made.append(form)
+    return tuple(made)
+
+
+def _spelled(system: System, form: Form) -> str:
+    """The velocity of a form as the language writes it."""
+    return f"{form.name}'" if form.name in system.q_names else form.name

@@ -14,6 +14,7 @@ from functools import cached_property
 from nhc.algebra.calculus import derivative, gradient, tangent
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.linear import solve
+from nhc.mechanics.regularity import pivot_weakness
 from nhc.mechanics.system import Form, System
 from nhc.thesis import equation
 
@@ -128,7 +129,7 @@ def make_frame(system: System, free: Sequence[Form], symbols: Sequence[Node]) ->
     n = system.n
     identity = [[g.one if i == j else g.zero for i in range(n)] for j in range(n)]
     offset = [g.neg(form.constant) for form in forms]
-    result = solve(g, rows, [*identity, offset])
+    result = solve(g, rows, [*identity, offset], pivot_weakness(system))
     constrained = tuple(g.symbol(f"omega_{form.name}", "quasi") for form in system.constraints)
     return Frame(
         system=system,

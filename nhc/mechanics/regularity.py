@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import random
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import combinations
 
@@ -14,9 +14,10 @@ from nhc.algebra.interval import Interval, cannot_vanish
 from nhc.algebra.linear import determinant_of
 from nhc.algebra.polynomial import normalise
 from nhc.language.syntax import Syntax
-from nhc.mechanics.system import System
+from nhc.mechanics.system import Form, System
 
 _TRIALS = 12
+_WEAK = 0.03  # of the largest determinant that rows of these lengths can have (per row)
 _MANY = 250  # subsets of columns that are tried one by one
 
 
@@ -91,46 +92,96 @@ def intervals(system: System) -> dict[Node, Interval]:
 
 
 def trial_points(system: System) -> list[dict[Node, float]]:
-    """Random states, and the special ones (zero, quarter turns) where careless choices are singular."""
+    """The scenes' own starts and their neighbourhood, the special states (zero, quarter turns) where careless choices are
+    singular, and random ones.  Velocities are random throughout."""
     rng = random.Random(7)
-    parameters = default_values(system)
-    points = []
-    for k in range(_TRIALS):
-        special = (0.0, math.pi / 2, math.pi / 4, math.pi) if k < 4 else ()
-        point = dict(parameters)
-        for j, symbol in enumerate(system.q):
-            coordinate = system.spec.coordinates[j]
-            if coordinate.range is not None:
-                low, high = (float(end) for end in coordinate.range)
-                point[symbol] = rng.uniform(low, high)
-            else:
-                point[symbol] = special[(k + j * (k > 1)) % 4] if special and k != 0 else 0.0 if k == 0 else rng.uniform(-3, 3)
-        for symbol in system.v:
-            point[symbol] = rng.uniform(-1, 1)
-        point[system.t] = rng.uniform(0, 2)
-        points.append(point)
+    points = [_state_at(system, rng, start, spread) for start in _scene_starts(system) for spread in (0.0, 0.2)]
+    quarter = (0.0, math.pi / 2, math.pi / 4, math.pi)
+    for k in range(4):
+        angles = [quarter[(k + j * (k > 1)) % 4] if k else 0.0 for j in range(system.n)]
+        points.append(_state_at(system, rng, angles, 0.0))
+    points += [_state_at(system, rng, [0.0] * system.n, 3.0) for _ in range(_TRIALS - 4)]
     return points
 
 
-def sampled_rows(system: System) -> list[list[list[float]]]:
-    """The constraint matrix at each trial point where it can be evaluated."""
+def _scene_starts(system: System) -> list[list[float]]:
+    """Initial coordinates of the first scenes (velocities play no part in regularity)."""
+    starts = []
+    parameters = dict(zip((p.name for p in system.spec.parameters), default_values(system).values(), strict=True))
+    for scene in system.spec.scenes[:3]:
+        given = {e.name: constant_value(e.value, parameters) for e in scene.initial if e.kind == "coordinate"}
+        starts.append([given.get(name, 0.0) for name in system.q_names])
+    return starts
+
+
+def _state_at(system: System, rng: random.Random, centre: Sequence[float], spread: float) -> dict[Node, float]:
+    point = dict(default_values(system))
+    for symbol, coordinate, middle in zip(system.q, system.spec.coordinates, centre, strict=True):
+        value = middle + rng.uniform(-spread, spread)
+        if coordinate.range is not None and spread > 1.0:
+            value = rng.uniform(float(coordinate.range[0]), float(coordinate.range[1]))
+        point[symbol] = value
+    for symbol in system.v:
+        point[symbol] = rng.uniform(-1, 1)
+    point[system.t] = rng.uniform(0, 2)
+    return point
+
+
+def sampled_rows(system: System, forms: Sequence[Form]) -> list[list[list[float]]]:
+    """The matrix of the forms' coefficients at each trial point where it can be evaluated."""
     g = system.graph
-    flat = [a for form in system.constraints for a in form.coefficients]
+    flat = [a for form in forms for a in form.coefficients]
     result = []
     for point in trial_points(system):
         try:
             values = evaluate(g, flat, point)
         except (ArithmeticError, ValueError):
             continue
-        result.append([[float(x) for x in values[r * system.n : (r + 1) * system.n]] for r in range(system.l)])
+        result.append([[float(x) for x in values[r * system.n : (r + 1) * system.n]] for r in range(len(forms))])
     return result
 
 
 def relative_determinant(matrix: Sequence[Sequence[float]], columns: Sequence[int]) -> float:
-    """|det| of the columns divided by the product of the norms of the whole rows (Hadamard): in [0, 1]."""
+    """|det| of the columns over the product of the norms of the whole rows (Hadamard), its l-th root: in [0, 1]."""
+    if not matrix:
+        return 1.0
     block = [[row[j] for j in columns] for row in matrix]
-    scale = math.prod(max(math.sqrt(sum(x * x for x in row)), 1e-300) for row in matrix)
-    return abs(_float_determinant(block)) / scale
+    scale = math.prod(math.sqrt(sum(x * x for x in row)) for row in matrix)
+    if scale == 0.0:
+        return 0.0
+    return float((abs(_float_determinant(block)) / scale) ** (1.0 / len(matrix)))
+
+
+def pivot_weakness(system: System) -> Callable[[Sequence[Node], Sequence[Node]], list[int]]:
+    """A measure for elimination: at how many trial points a pivot is small against its row (its scale)."""
+    points = trial_points(system)
+
+    def measure(pivots: Sequence[Node], scales: Sequence[Node]) -> list[int]:
+        counts = [0] * len(pivots)
+        for point in points:
+            try:
+                values = evaluate(system.graph, [*pivots, *scales], point)
+            except (ArithmeticError, ValueError):
+                continue
+            for k in range(len(pivots)):
+                counts[k] += not abs(values[k]) > _WEAK * abs(values[len(pivots) + k])
+        return counts
+
+    return measure
+
+
+def weakness(values: Sequence[float]) -> tuple[int, float]:
+    """How often a choice is close to singular, and how weak it is on the whole: smaller is better."""
+    if not values:
+        return 10**6, 0.0
+    low = sorted(values)[: max(1, len(values) // 2)]
+    return sum(value < _WEAK for value in values), -round(sum(low) / len(low), 3)
+
+
+def coframe_weakness(system: System, forms: Sequence[Form]) -> tuple[int, float]:
+    """The weakness of n forms as a coframe."""
+    every = range(system.n)
+    return weakness([relative_determinant(matrix, every) for matrix in sampled_rows(system, forms)])
 
 
 def _float_determinant(block: list[list[float]]) -> float:
@@ -154,16 +205,14 @@ def choose_dependent(system: System) -> Choice:
     n, lower = system.n, system.l
     if lower == 0:
         return Choice((), system.graph.one, True)
-    samples = sampled_rows(system)
+    samples = sampled_rows(system, system.constraints)
     if math.comb(n, lower) <= _MANY:
         candidates = [list(c) for c in combinations(range(n), lower)]
     else:
         candidates = [_greedy(system, samples)]
-    scored = []
-    for columns in candidates:
-        values = [relative_determinant(matrix, columns) for matrix in samples] or [0.0]
-        weak = sum(value < 1e-3 for value in values)
-        scored.append((weak, -round(sum(sorted(values)[: max(1, len(values) // 2)]) / len(values), 3), columns))
+    scored = [
+        (*weakness([relative_determinant(matrix, columns) for matrix in samples]), columns) for columns in candidates
+    ]
     scored.sort()
     best: Choice | None = None
     for weak, _, columns in scored[:8]:
