@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from nhc.emit.c.batch import mark_unused, print_batch
-from nhc.emit.c.body import BodyPrinter, print_singular
+from nhc.emit.c.body import BodyPrinter, print_singular, wrap_code
 from nhc.emit.c.driver import list_driver_functions, make_driver
 from nhc.emit.c.header import frame, print_file_comment, print_function_comment, print_source_comment
 from nhc.emit.c.literals import print_comment, print_float, print_string
@@ -184,7 +184,7 @@ def print_function(program: Program, function: Function, helpers: set[str]) -> P
     elif output is not None:
         printer.lines += [f"    (void){output.name};", f"    return {capitals}_OK;"]
     texts = ", ".join(print_argument(argument, argument is output) for argument in arguments)
-    prototype = f"{'double' if output is None else 'int'} {prefix}_{function.name}({texts})"
+    prototype = wrap_prototype(f"{'double' if output is None else 'int'} {prefix}_{function.name}({texts})")
     return PrintedFunction(print_function_comment(program, function), prototype, prototype, tuple(printer.lines))
 
 
@@ -195,4 +195,10 @@ def print_batch_function(program: Program, rhs: Function, helpers: set[str]) -> 
         "rhs for count states at once, a structure of arrays: entry k of state i is y[k*count + i], its time t[i];",
         "the parameters are shared. Nonzero when any of the states is singular. dydt must not overlap the inputs.",
     )
-    return PrintedFunction(frame(comment), f"{head}dydt)", f"{head}restrict dydt)", print_batch(program, rhs, helpers))
+    prototype, definition = wrap_prototype(f"{head}dydt)"), wrap_prototype(f"{head}restrict dydt)")
+    return PrintedFunction(frame(comment), prototype, definition, print_batch(program, rhs, helpers))
+
+
+def wrap_prototype(text: str) -> str:
+    """A prototype, on several lines where it is long."""
+    return "\n".join(wrap_code(text, ""))
