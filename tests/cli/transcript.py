@@ -86,10 +86,15 @@ def run(command: str, folder: Path, *, merged: bool = False) -> list[str]:
 
 
 def matches(expected: tuple[str, ...], actual: list[str]) -> bool:
-    """Compare line by line, where an expected ``...`` (or ``! ...``) stands for any number of lines."""
+    """Compare line by line, where an expected ``...`` (or ``! ...``) stands for any number of lines but no exit code."""
+    codes = [[line for line in lines if line.startswith("[exit ")] for lines in (expected, actual)]
+    return codes[0] == codes[1] and _match(expected, actual)
+
+
+def _match(expected: tuple[str, ...], actual: list[str]) -> bool:
     if not expected:
         return not actual
     head, rest = expected[0], expected[1:]
     if head in ("...", "! ..."):
-        return any(matches(rest, actual[skip:]) for skip in range(len(actual) + 1))
-    return bool(actual) and actual[0] == head and matches(rest, actual[1:])
+        return any(_match(rest, actual[skip:]) for skip in range(len(actual) + 1))
+    return bool(actual) and actual[0] == head and _match(rest, actual[1:])
