@@ -86,7 +86,7 @@ def run(command: str, folder: Path, *, merged: bool = False) -> list[str]:
 
 
 def matches(expected: tuple[str, ...], actual: list[str]) -> bool:
-    """Compare line by line, where an expected ``...`` (or ``! ...``) stands for any number of lines but no exit code."""
+    """Compare line by line; an expected ``...`` (or ``! ...``) stands for any number of lines, but for no exit code."""
     codes = [[line for line in lines if line.startswith("[exit ")] for lines in (expected, actual)]
     return codes[0] == codes[1] and _match(expected, actual)
 
