@@ -30,7 +30,6 @@ TITLES: dict[str, str] = {
     "E0208": "misplaced or missing `=`",
     "E0209": "differential out of place",
     "E0210": "malformed number",
-    "E0211": "empty expression",
     "E0212": "time derivative of a constant",
     "E0301": "wrong type of value",
     "E0302": "unknown name",

@@ -9,7 +9,7 @@ from fractions import Fraction
 from nhc.diagnostics import Bag, Source, Span, SpecError, nearest
 
 from .keys import SPEC_KEYS, SYSTEM_PATTERN, VERSION
-from .names import fold
+from .names import fold, is_name
 from .nodes import Node, Table, Text
 from .order import order_definitions
 from .parser import parse_equation, parse_expression
@@ -20,7 +20,7 @@ from .shape import Shapes
 from .spec import FORMULATIONS, Constraint, Coordinate, Definition, Holonomic, Parameter, Spec
 from .syntax import Name, Number, Syntax
 from .unit_check import check_units
-from .yaml_reader import read_nodes
+from .yaml_reader import is_empty, read_nodes
 
 _DECLARING = ("coordinates", "parameters", "define", "quasi_velocities", "outputs")
 _Equation = tuple[str, Span, Syntax, Syntax]
@@ -114,19 +114,17 @@ class _Decoder:
         return text.value
 
     def _text(self, key: str) -> str:
-        node = self.root.get(key)
-        text = self.shapes.text(node) if node else None
-        return text.value if text else ""
+        return self.shapes.line(self.root.get(key))
 
     def _sources(self) -> tuple[str, ...]:
         node = self.root.get("source")
         if node is None:
             return ()
         if isinstance(node, Text):
-            return (node.value,)
+            return tuple(line for line in (self.shapes.line(node),) if line)
         items = self.shapes.items(node, "a list of texts")
-        texts = [self.shapes.text(item) for item in items.items] if items else []
-        return tuple(text.value for text in texts if text)
+        lines = [self.shapes.line(item) for item in items.items] if items else []
+        return tuple(line for line in lines if line)
 
     def _formulation(self) -> str:
         node = self.root.get("formulation")
@@ -161,6 +159,8 @@ class _Decoder:
             return []
         found = []
         for text, value in table.entries:
+            if is_empty(value) and not is_name(text.value):
+                continue  # the end of a text with a comma in it, reported as an empty value
             tree = self._parse(value)
             if kind == "output" and isinstance(tree, Name) and self.scope.show_definition(text, tree.name):
                 found.append(Definition(tree.name, tree, text.span))
@@ -290,10 +290,14 @@ class _Decoder:
                 self.bag.error("E0305", f"`{name}` stands twice in `dependent`", text.span)
             found[name] = None
         if len(items.items) != count:
-            message = f"`dependent` names {len(items.items)} velocities, but there are {count} constraints"
+            message = f"`dependent` names {len(items.items)} velocities, but there {_count(count)}"
             help = "name one velocity for each constraint, or leave `dependent` out and let nhc choose"
             self.bag.error("E0315", message, items.span, help=(help,))
         return tuple(found)
+
+
+def _count(constraints: int) -> str:
+    return "is 1 constraint" if constraints == 1 else f"are {constraints} constraints"
 
 
 def decode(source: Source) -> Spec:

@@ -56,8 +56,6 @@ class _Parser:
                 self.locate(0, 1),
                 "name parts of it under `define`",
             )
-        if not self.text.strip():
-            raise ExpressionError("E0211", "empty expression", self.locate(0, len(self.text)), "")
         wants_operand = True
         previous: Token | None = None
         for token in tokenise(self.text, self.locate):
@@ -156,10 +154,12 @@ class _Parser:
     def _check_function(self, name: Token) -> None:
         if name.text in _ARITY:
             return
-        meant = SPELLINGS.get(name.text) or nearest(name.text, _ARITY)
+        meant = nearest(name.text, _ARITY)
         help = f"write `{name.text}*(...)` for a product"
         if name.text == "pow":
             help = "write `x^y`"
+        elif name.text in SPELLINGS:
+            help = f"write `{SPELLINGS[name.text]}`"
         elif meant and len(name.text) != 1:
             help = f"did you mean `{meant}`? {help}"
         raise ExpressionError("E0206", f"`{name.text}` is not a function", self._span(name), help)

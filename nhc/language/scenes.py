@@ -55,15 +55,13 @@ class _SceneReader:
         self.shapes.check_keys(table, SCENE_KEYS, what, text.span)
         overrides = self._overrides(table.get("parameters"))
         self._check_values(text, overrides)
-        about = table.get("about")
-        about_text = self.shapes.text(about) if about is not None else None
         initial = self._initial(table.get("initial"))
         time_node = table.get("time")
         time = self.shapes.interval(time_node, "`time`") if time_node is not None else None
         return Scene(
             name=fold(text.value),
             span=text.span,
-            about=about_text.value if about_text else "",
+            about=self.shapes.line(table.get("about")),
             parameters=overrides,
             initial=initial,
             time=time or (Fraction(0), Fraction(1)),
@@ -101,7 +99,7 @@ class _SceneReader:
     def _check_values(self, text: Text, overrides: tuple[Override, ...]) -> None:
         given = {override.name for override in overrides}
         missing = [p.name for p in self.parameters if p.value is None and p.name not in given]
-        if missing and not self.bag.has_errors:
+        if missing:
             names = ", ".join(f"`{name}`" for name in missing)
             plural = "s" if len(missing) > 1 else ""
             help = f"write `parameters: {{{missing[0]}: 1.0}}` in the scene, or give a value under `parameters`"

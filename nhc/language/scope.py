@@ -48,9 +48,9 @@ class Scope:
         if not check_name(text, self.bag):
             return None
         if name in RESERVED:
-            what = "a function" if name in FUNCTIONS or name == DOT else "a constant" if name == PI else "time"
+            what = "a function" if name in FUNCTIONS or name == DOT else "a constant" if name == PI else "the time"
             help = f"take another name, such as `{name}_1`"
-            self.bag.error("E0306", f"`{name}` is {what} of the language", text.span, help=(help,))
+            self.bag.error("E0306", f"`{name}` is {what} in this language", text.span, help=(help,))
             return None
         if name in self.names:
             first = self.names[name]

@@ -2,18 +2,15 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
+
 from .keys import COORDINATE_KEYS, PARAMETER_KEYS
 from .nodes import Items, Node, Table, Text
 from .scope import Scope
 from .shape import Shapes
 from .spec import Coordinate, Parameter
+from .syntax import Syntax
 from .units import UnitError, parse_unit
-
-
-def _read_text(table: Table, key: str, shapes: Shapes) -> str:
-    node = table.get(key)
-    text = shapes.text(node) if node is not None else None
-    return text.value if text else ""
 
 
 def _read_unit(table: Table, shapes: Shapes) -> str:
@@ -25,7 +22,7 @@ def _read_unit(table: Table, shapes: Shapes) -> str:
         parse_unit(text.value)
     except UnitError as error:
         shapes.bag.error("E0316", error.message, text.locate(error.start, error.end), help=(error.help,))
-    return text.value
+    return " ".join(text.value.split())
 
 
 def _entries(node: Node | None, key: str, shapes: Shapes, scope: Scope) -> list[tuple[Text, Node | None]]:
@@ -70,7 +67,7 @@ def _decode_coordinate(name: str, text: Text, value: Node | None, shapes: Shapes
     shapes.check_keys(table, COORDINATE_KEYS, what, text.span)
     node = table.get("range")
     range_ = shapes.interval(node, f"the range of `{text.value}`") if node is not None else None
-    return Coordinate(name, text.span, _read_unit(table, shapes), _read_text(table, "about", shapes), range_)
+    return Coordinate(name, text.span, _read_unit(table, shapes), shapes.line(table.get("about")), range_)
 
 
 def decode_parameters(node: Node | None, shapes: Shapes, scope: Scope) -> list[Parameter]:
@@ -84,13 +81,19 @@ def decode_parameters(node: Node | None, shapes: Shapes, scope: Scope) -> list[P
     return found
 
 
+def _value(node: Node, what: str, shapes: Shapes) -> Fraction | Syntax:
+    """Return the value; 0 stands for one that has been refused, so that nothing else is said of it."""
+    value = shapes.constant(node, what)
+    return Fraction(0) if value is None else value
+
+
 def _decode_parameter(name: str, text: Text, value: Node | None, shapes: Shapes) -> Parameter:
     what = f"parameter `{text.value}`"
     if value is None:
         return Parameter(name, text.span)
     if not isinstance(value, Table):
-        return Parameter(name, text.span, shapes.constant(value, what))
+        return Parameter(name, text.span, _value(value, what, shapes))
     shapes.check_keys(value, PARAMETER_KEYS, what, text.span)
     node = value.get("value")
-    number = shapes.constant(node, what) if node is not None else None
-    return Parameter(name, text.span, number, _read_unit(value, shapes), _read_text(value, "about", shapes))
+    number = _value(node, what, shapes) if node is not None else None
+    return Parameter(name, text.span, number, _read_unit(value, shapes), shapes.line(value.get("about")))

@@ -40,6 +40,11 @@ class Shapes:
         self._wrong(node, wanted, help)
         return None
 
+    def line(self, node: Node | None, wanted: str = "a text") -> str:
+        """Return a text on one line, so that it can stand in a comment of any language; empty where there is none."""
+        text = self.text(node, wanted) if node is not None else None
+        return " ".join(text.value.split()) if text else ""
+
     def table(self, node: Node, wanted: str = "a mapping", help: str = "") -> Table | None:
         """Return a mapping."""
         if isinstance(node, Table):
@@ -59,8 +64,8 @@ class Shapes:
         known = [key.name for key in keys]
         present = {text.value for text, _ in table.entries}
         meant: list[str] = []
-        for text, _ in table.entries:
-            if text.value in known:
+        for text, value in table.entries:
+            if text.value in known or is_empty(value):  # an empty value has been reported
                 continue
             near = nearest(text.value, known)
             meant.extend([near] if near else [])
@@ -74,7 +79,7 @@ class Shapes:
 
     def constant(self, node: Node, what: str) -> Fraction | Syntax | None:
         """Return a number, or an expression of numbers and ``pi`` that has a value."""
-        text = self.text(node, f"{what}: a number")
+        text = self.text(node, f"a number for {what}")
         if text is None:
             return None
         try:
@@ -114,11 +119,11 @@ class Shapes:
 
     def interval(self, node: Node, what: str) -> tuple[Fraction, Fraction] | None:
         """Return two numbers of which the second is larger."""
-        items = self.items(node, f"{what}: a list of two numbers", "write `[low, high]`")
+        items = self.items(node, f"a list of two numbers for {what}", "write `[low, high]`")
         if items is None:
             return None
         if len(items.items) != 2:
-            message = f"expected {what}: a list of two numbers, found {len(items.items)}"
+            message = f"expected two numbers for {what}, found {len(items.items)}"
             self.bag.error("E0301", message, items.span, help=("write `[low, high]`",))
             return None
         low, high = (self.number(item, what) for item in items.items)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -15,8 +14,10 @@ from .nodes import Items, Node, Table, Text
 from .places import align
 
 _DEEPEST = 32  # lists and mappings inside one another; a valid spec needs four
+_RETOLD = 1 << 16  # characters up to which a syntax error is told by the slower parser
 _UNPRINTABLE = re.compile("[^\t\n\x20-\x7e\x85\xa0-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]|\ufeff")
 _BREAK = re.compile("[\x85\u2028\u2029]")
+_ALIAS = "\0alias"  # stands for an alias, which is refused where it is read
 _NULL = ("", "~", "null", "Null", "NULL")
 _FAST: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 
@@ -34,21 +35,42 @@ class _Open:
     items: list[Node] = field(default_factory=list)
 
 
-def _events(text: str, loader: Any) -> Iterator[Any]:
-    return iter(yaml.parse(text, Loader=loader))
+def _take_events(text: str, loader: Any, bag: Bag) -> list[Any]:
+    """Return the events, but stop where the nesting gets too deep: libyaml takes quadratic time there."""
+    events: list[Any] = []
+    depth = 0
+    for event in yaml.parse(text, Loader=loader):
+        events.append(event)
+        if isinstance(event, yaml.CollectionStartEvent):
+            depth += 1
+        elif isinstance(event, yaml.CollectionEndEvent):
+            depth -= 1
+        if depth > _DEEPEST:
+            at = event.start_mark.index
+            bag.error("E0110", f"lists and mappings nested deeper than {_DEEPEST}", Span(at, at + 1))
+            raise Stop
+    return events
 
 
 def _scan(source: Source, bag: Bag) -> list[Any]:
-    """Return the events; a syntax error is always told by PyYAML's own parser, so it does not depend on libyaml."""
-    for loader in dict.fromkeys((_FAST, yaml.SafeLoader)):
+    """Return the events.
+
+    A syntax error is told by PyYAML's own parser, so that it does not depend on libyaml; but not in a very large file,
+    where that parser takes long.
+    """
+    loaders = tuple(dict.fromkeys((_FAST, yaml.SafeLoader)))
+    last = loaders[0] if len(source.text) > _RETOLD else loaders[-1]
+    for loader in loaders:
         try:
-            return list(_events(source.text, loader))
+            return _take_events(source.text, loader, bag)
         except yaml.MarkedYAMLError as error:
-            if loader is yaml.SafeLoader:
+            if loader is last:
                 _report_syntax(error, bag)
+                break
         except yaml.YAMLError as error:
-            if loader is yaml.SafeLoader:
+            if loader is last:
                 bag.error("E0104", f"YAML: {str(error).splitlines()[0].lower()}", Span(0, 0))
+                break
     raise Stop
 
 
@@ -98,20 +120,16 @@ def _build(source: Source, events: list[Any], bag: Bag) -> Node | None:
                     break
             case yaml.MappingStartEvent() | yaml.SequenceStartEvent():
                 _check_properties(source, event, bag)
-                if len(stack) >= _DEEPEST:
-                    span = Span(start, start + 1)
-                    bag.error("E0110", f"lists and mappings nested deeper than {_DEEPEST}", span)
-                    raise Stop
                 stack.append(_Open(start, isinstance(event, yaml.MappingStartEvent)))
             case yaml.MappingEndEvent() | yaml.SequenceEndEvent():
                 node = _close(source, stack.pop(), end, bag)
             case yaml.ScalarEvent():
                 _check_properties(source, event, bag)
-                node = _text(source, event)
+                node = _text(source, event, bag)
             case yaml.AliasEvent():
                 span = Span(start, end)
                 bag.error("E0106", f"alias `*{event.anchor}`", span, help=("write the value out",))
-                node = Text("*", span, plain=False)
+                node = Text(_ALIAS, span, plain=False)
         if node is not None and stack:
             stack[-1].items.append(node)
         elif node is not None:
@@ -136,8 +154,12 @@ def _check_properties(source: Source, event: Any, bag: Bag) -> None:
         bag.error("E0107", "a YAML tag", span, help=("remove it: the language knows the type of every value",))
 
 
-def _text(source: Source, event: Any) -> Text:
+def _text(source: Source, event: Any, bag: Bag) -> Text:
     start, end = event.start_mark.index, event.end_mark.index
+    hidden = _UNPRINTABLE.search(event.value)
+    if hidden:
+        message = f"the escape of the character U+{ord(hidden.group()):04X} is not allowed in a spec"
+        bag.error("E0102", message, Span(start, end), help=("remove it",))
     style = event.style or ""
     if event.anchor is not None or event.tag is not None:
         return Text(event.value, Span(start, end), not style)
@@ -154,7 +176,7 @@ def _close(source: Source, opened: _Open, end: int, bag: Bag) -> Node:
     span = Span(opened.start, end)
     if not opened.mapping:
         for item in opened.items:
-            _check_filled(item, item.span, "entry of a list", bag)
+            _check_filled(source, item, item.span, "entry of a list", bag)
         return Items(tuple(opened.items), span)
     entries: list[tuple[Text, Node]] = []
     seen: dict[str, Text] = {}
@@ -167,18 +189,23 @@ def _close(source: Source, opened: _Open, end: int, bag: Bag) -> Node:
             bag.error("E0105", f"duplicate key `{key.value}`", key.span, labels=(first,), help=("keep one of them",))
             continue
         seen[key.value] = key
-        _check_filled(value, key.span, f"value of `{key.value}`", bag)
+        _check_filled(source, value, key.span, f"value of `{key.value}`", bag)
         entries.append((key, value))
     return Table(tuple(entries), span)
 
 
 def is_empty(node: Node) -> bool:
     """Say whether a node is a value that is not there (nothing, ``~``, ``null``, or a blank text)."""
-    return isinstance(node, Text) and (not node.value.strip() or (node.plain and node.value in _NULL))
+    if not isinstance(node, Text):
+        return False
+    return not node.value.strip() or node.value == _ALIAS or (node.plain and node.value in _NULL)
 
 
-def _check_filled(node: Node, place: Span, what: str, bag: Bag) -> None:
-    if is_empty(node):
+def _check_filled(source: Source, node: Node, place: Span, what: str, bag: Bag) -> None:
+    if is_empty(node) and isinstance(node, Text) and node.value != _ALIAS:
         span = node.span if node.span.end > node.span.start else place
-        help = "give it a value, or remove it; a text with commas inside `{ }` or `[ ]` needs quotes"
+        after_colon = source.text[place.end :].lstrip(" ").startswith(":")
+        help = "give it a value, or remove it"
+        if span == place and not after_colon:
+            help = "a text with commas inside `{ }` or `[ ]` needs quotes"
         bag.error("E0109", f"empty {what}", span, help=(help,))

@@ -1,0 +1,249 @@
+"""The Spec: what decode makes of a valid spec."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import jsonschema
+import pytest
+
+from nhc.diagnostics import Source, SpecError
+from nhc.language import (
+    Differential,
+    Name,
+    Number,
+    Prime,
+    Spec,
+    decode,
+    reference_table,
+    schema,
+    template,
+    unparse,
+    walk,
+)
+from nhc.language.keys import COORDINATE_KEYS, PARAMETER_KEYS, SCENE_KEYS, SPEC_KEYS
+from nhc.language.units import UnitError, parse_unit, show
+from nhc.resources import find_specs
+
+FULL = """\
+nhc: 1
+system: chaplygin_sleigh
+about: A rigid body
+  on a knife edge.
+source: ["Chaplygin 1911", "Neimark and Fufaev 1972, ch. III"]
+coordinates:
+  x: {unit: m, about: "place, along", range: [-1, 2*pi]}
+  y: {}
+  \u03b8: {unit: rad}
+parameters:
+  m: {value: 1.0, unit: kg, about: mass}
+  I: 0.3
+  a: pi/10
+  k: {about: no value}
+define:
+  vy: Ydot
+  vx: x' - a*sin(theta)*thetadot
+  Y: y + a*sin(\u03b8)
+T: m/2*(vx^2 + vy^2) + I/2*w^2
+V: k*x^2
+forces:
+  theta: -0.1*w
+constraints:
+  - -sin(theta)*dx + cos(theta)*dy - k*dt = 0
+  - slip: -sin(theta)*x' + cos(theta)*y' = 0
+holonomic:
+  - x^2 + y^2 = 1
+quasi_velocities:
+  v: cos(theta)*x' + sin(theta)*y'
+  w: theta'
+dependent: [y, x', theta]
+formulation: multipliers
+outputs:
+  speed: v
+  work: T - V + energy
+  Y: Y
+scenes:
+  glide:
+    about: starts straight
+    parameters: {k: 2, a: 2/5}
+    initial: {\u03b8: 0.1, x': -1e-3, v: 2*pi*m, w: +0.5}
+    time: [0, 6*pi]
+    need: [x, theta', v, work, Y, energy, reactions]
+    tolerance: 1e-6
+  rest: {time: [0, 1], parameters: {k: 1}}
+"""
+
+
+def make(text: str) -> Spec:
+    return decode(Source("a.yaml", text))
+
+
+def test_everything_arrives() -> None:
+    spec = make(FULL)
+    assert (spec.version, spec.system, spec.about) == (1, "chaplygin_sleigh", "A rigid body on a knife edge.")
+    assert spec.sources == ("Chaplygin 1911", "Neimark and Fufaev 1972, ch. III")
+    assert [c.name for c in spec.coordinates] == ["x", "y", "theta"]
+    assert spec.coordinates[0].about == "place, along"
+    assert spec.coordinates[0].range is not None
+    assert float(spec.coordinates[0].range[1]) == pytest.approx(6.283185307179586, abs=0)
+    values = [p.value for p in spec.parameters]
+    assert values[:2] == [1, Fraction(3, 10)]
+    assert values[3] is None
+    assert unparse(values[2]) == "pi/10"  # type: ignore[arg-type]
+    assert [d.name for d in spec.definitions] == ["Y", "vy", "vx"]
+    assert unparse(spec.definitions[1].value) == "Y'"
+    assert unparse(spec.definitions[2].value) == "x' - a*sin(theta)*theta'"
+    order = spec.named_order
+    assert sorted(order) == ["Y", "v", "vx", "vy", "w"]
+    assert order.index("Y") < order.index("vy")
+    assert unparse(spec.kinetic) == "m/2*(vx^2 + vy^2) + I/2*w^2"
+    assert (spec.potential_kind, [f.name for f in spec.forces]) == ("V", ["theta"])
+    assert [(c.name, c.form) for c in spec.constraints] == [("c1", "differential"), ("slip", "velocity")]
+    forms = [node.name for node in walk(spec.constraints[0].left) if isinstance(node, Differential)]
+    assert forms == ["x", "y", "t"]
+    assert [(h.name, unparse(h.left), unparse(h.right)) for h in spec.holonomic] == [("h1", "x^2 + y^2", "1")]
+    assert [q.name for q in spec.quasi_velocities] == ["v", "w"]
+    assert (spec.dependent, spec.formulation) == (("y", "x", "theta"), "multipliers")
+    assert [o.name for o in spec.outputs] == ["speed", "work", "Y"]
+
+
+def test_scenes_arrive() -> None:
+    glide, rest = make(FULL).scenes
+    assert (glide.name, glide.about, glide.tolerance) == ("glide", "starts straight", Fraction(1, 10**6))
+    assert [p.name for p in glide.parameters] == ["k", "a"]
+    assert glide.parameters[0].value == 2
+    assert [(i.kind, i.name, unparse(i.value)) for i in glide.initial] == [
+        ("coordinate", "theta", "0.1"),
+        ("velocity", "x", "-0.001"),
+        ("quasi", "v", "2*pi*m"),
+        ("quasi", "w", "0.5"),
+    ]
+    assert [float(time) for time in glide.time] == [0, pytest.approx(18.84955592153876)]
+    assert [(n.kind, n.name) for n in glide.need] == [
+        ("coordinate", "x"),
+        ("velocity", "theta'"),
+        ("quasi", "v"),
+        ("output", "work"),
+        ("output", "Y"),
+        ("energy", "energy"),
+        ("reactions", "reactions"),
+    ]
+    assert [n.name for n in rest.need] == ["x", "y", "theta"]
+    assert (rest.tolerance, rest.initial, rest.time) == (Fraction(1, 10**8), (), (0, 1))
+
+
+def test_places_arrive() -> None:
+    spec = make(FULL)
+    text = spec.origin.text
+    assert text[spec.key_span("V").start :].startswith("V: k")
+    assert spec.origin.position(spec.constraints[1].span.start) == (25, 5)
+    assert spec.key_span("U").end == 0
+
+
+def test_a_declared_name_wins() -> None:
+    spec = make(
+        "nhc: 1\nsystem: s\ncoordinates: [x, dy, y]\nparameters: {xdot: 2, T: 3}\nT: xdot*x'^2\n"
+        "constraints: [dy*dx + xdot*dt = 0]\noutputs: {energy: T, e: T^2}\n"
+        "scenes: {s: {time: [0, 1], need: [energy]}}\n"
+    )
+    assert not any(isinstance(node, Prime) and unparse(node) == "xdot'" for node in walk(spec.kinetic))
+    assert unparse(spec.kinetic) == "xdot*x'^2"
+    assert unparse(spec.constraints[0].left) == "dy*dx + xdot*dt"
+    assert [type(n).__name__ for n in walk(spec.constraints[0].left) if not isinstance(n, Number)][3:5] == [
+        "Differential",
+        "Binary",
+    ]
+    assert isinstance(spec.outputs[0].value, Name)
+    assert spec.scenes[0].need[0].kind == "output"
+
+
+@pytest.mark.parametrize("path", sorted(find_specs().glob("*.yaml")), ids=lambda path: path.stem)
+def test_the_gallery_fits_the_schema(path: object) -> None:
+    import yaml
+
+    text = path.read_text(encoding="utf-8")  # type: ignore[attr-defined]
+    make(text)
+    jsonschema.Draft202012Validator(schema()).validate(yaml.safe_load(text))
+
+
+def test_the_schema_is_made_of_the_table() -> None:
+    tree = schema()
+    jsonschema.Draft202012Validator.check_schema(tree)
+    assert list(tree["properties"]) == [key.name for key in SPEC_KEYS]
+    assert tree["required"] == ["nhc", "system", "coordinates", "T"]
+    validator = jsonschema.Draft202012Validator(tree)
+    good = {"nhc": 1, "system": "s", "coordinates": ["x"], "T": "x'^2"}
+    assert validator.is_valid(good)
+    for change in (
+        {"nhc": 2},
+        {"system": "S"},
+        {"coordinates": []},
+        {"U": 0, "V": 0},
+        {"extra": 1},
+        {"constraints": ["x"]},
+    ):
+        assert not validator.is_valid({**good, **change})
+    table = reference_table()
+    for key in (*SPEC_KEYS, *COORDINATE_KEYS, *PARAMETER_KEYS, *SCENE_KEYS):
+        assert f"| `{key.name}` |" in table
+
+
+def test_the_template_decodes() -> None:
+    text = template("My-Sleigh")
+    assert text.startswith("# yaml-language-server: $schema=./nhc.schema.json\n")
+    spec = make(text)
+    assert (spec.system, [scene.name for scene in spec.scenes]) == ("my_sleigh", ["glide"])
+    with pytest.raises(ValueError, match="is no name"):
+        template("123")
+
+
+@pytest.mark.parametrize(
+    ("text", "dimension"),
+    [
+        *(("kg", "kg"), ("m/s^2", "m/s^2"), ("N*m", "kg*m^2/s^2"), ("kg m^2", "kg*m^2"), ("rad", "1"), ("deg", "1")),
+        *(("1", "1"), ("1/s", "1/s"), ("km/h", "m/s"), ("W/(m^2*K)", "kg/s^3/K"), ("m\u00b2\u00b7s^-1", "m^2/s")),
+        *(("\u03a9", "kg*m^2/s^3/A^2"), ("mN", "kg*m/s^2"), ("cm", "m"), ("1/(m s)^2", "1/m^2/s^2"), ("m**2", "m^2")),
+    ],
+)
+def test_units(text: str, dimension: str) -> None:
+    assert show(parse_unit(text)) == dimension
+
+
+@pytest.mark.parametrize("text", ["metre", "", "kg*", "/s", "m^x", "m^", "(m", "m)", "2", "m^0.5", "m?"])
+def test_texts_that_are_no_units(text: str) -> None:
+    with pytest.raises(UnitError) as caught:
+        parse_unit(text)
+    assert 0 <= caught.value.start <= caught.value.end <= len(text)
+
+
+UNITS = (
+    "nhc: 1\nsystem: s\ncoordinates: {x: {unit: m}}\nparameters: {m: {value: 1, unit: kg}, w: {value: 1, unit: 1/s}}\n"
+)
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "T: m/2*x'^2",
+        "T: m/2*x'^2 + 0",
+        "T: x'^2/2",
+        "T: m/2*x'^2 + m*(x*w)^2*cos(w*t)^2 + m*abs(x)*sqrt(x^2)*w^2",
+        "T: m*x'^2*exp(0)*min(1, sin(w*t))",
+        "T: m/2*x'^2\nV: m*(w*x)^(4/2)",
+    ],
+)
+def test_units_that_fit(line: str) -> None:
+    make(UNITS + line + "\n")
+
+
+@pytest.mark.parametrize(
+    "line", ["T: m*x'", "T: m*x'^2 + x", "T: m*x'^2\nV: m*x", "T: m*x'^2*sin(t)", "T: m*x'^2 - m*w^t", "T: m*x'^2*x^w"]
+)
+def test_units_that_do_not_fit(line: str) -> None:
+    with pytest.raises(SpecError) as caught:
+        make(UNITS + line + "\n")
+    assert {found.code for found in caught.value.diagnostics} == {"E0413"}
+
+
+def test_no_units_no_analysis() -> None:
+    make(UNITS.replace(", w: {value: 1, unit: 1/s}", ", w: 1") + "T: m*x'^2 + m + x\n")
