@@ -104,8 +104,13 @@ def _check_scene_name(spec: Spec, scene: str) -> None:
         return
     bag = Bag(spec.origin)
     known = ", ".join(f"`{s.name}`" for s in spec.scenes) or "none"
-    bag.error("E0503", f"no scene `{scene}`", spec.key_span("scenes"), notes=(f"the spec's scenes: {known}",),
-              help=("name one of them after `--scene`, or add it under `scenes:`",))
+    bag.error(
+        "E0503",
+        f"no scene `{scene}`",
+        spec.key_span("scenes"),
+        notes=(f"the spec's scenes: {known}",),
+        help=("name one of them after `--scene`, or add it under `scenes:`",),
+    )
     bag.raise_if_errors()
 
 
@@ -188,7 +193,9 @@ def emit(source: Source, language: str, options: Options = Options()) -> dict[st
 
 def _functions(only: tuple[str, ...]) -> tuple[str, ...]:
     """The IR's functions behind the emitted ones that are asked for."""
-    return tuple(dict.fromkeys("rhs" if name == "rhs_batch" else name for name in only if name in (*FUNCTIONS, "rhs_batch")))
+    return tuple(
+        dict.fromkeys("rhs" if name == "rhs_batch" else name for name in only if name in (*FUNCTIONS, "rhs_batch"))
+    )
 
 
 def dump(source: Source, stage: str, options: Options = Options()) -> str:

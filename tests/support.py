@@ -9,17 +9,16 @@ import shutil
 import subprocess
 import sys
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cache
 from pathlib import Path
 from types import ModuleType
 from typing import Any
 
 import pytest
 
-from nhc.language import read
+from nhc.language import decode, read
 from nhc.mechanics.choose import applicable
 from nhc.mechanics.resolve import resolve
-from nhc.language import decode
 from nhc.pipeline import Options, emit
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -37,7 +36,7 @@ def spec_path(name: str) -> Path:
     return SPECS / f"{name}.yaml"
 
 
-@lru_cache(maxsize=None)
+@cache
 def formulations(name: str) -> tuple[str, ...]:
     """The formulations that apply to a gallery system."""
     return tuple(f.name for f in applicable(resolve(decode(read(str(spec_path(name)))))))
@@ -88,7 +87,9 @@ def doubles(values: Any) -> Any:
     return (ctypes.c_double * max(len(values), 1))(*values)
 
 
-def compile_c(files: dict[str, str], folder: Path, name: str, flags: tuple[str, ...] = ("-O1",), *, library: bool = True) -> Path:
+def compile_c(
+    files: dict[str, str], folder: Path, name: str, flags: tuple[str, ...] = ("-O1",), *, library: bool = True
+) -> Path:
     """Compile emitted C strictly; returns the shared library, or the program with the driver."""
     assert COMPILER is not None
     for file, text in files.items():

@@ -14,6 +14,7 @@ Not supported: relations, piecewise expressions, complex numbers.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from fractions import Fraction
 from math import isqrt
@@ -25,7 +26,19 @@ BINARY = frozenset({"atan2", "min", "max", "powf"})
 _ODD = frozenset({"sin", "asin", "atan", "sinh", "tanh", "sign"})
 _EVEN = frozenset({"cos", "cosh", "abs"})
 # value at zero, where it is rational
-_AT_ZERO = {"sin": 0, "cos": 1, "asin": 0, "atan": 0, "sinh": 0, "cosh": 1, "tanh": 0, "exp": 1, "sqrt": 0, "abs": 0, "sign": 0}
+_AT_ZERO = {
+    "sin": 0,
+    "cos": 1,
+    "asin": 0,
+    "atan": 0,
+    "sinh": 0,
+    "cosh": 1,
+    "tanh": 0,
+    "exp": 1,
+    "sqrt": 0,
+    "abs": 0,
+    "sign": 0,
+}
 
 Node = int
 
@@ -162,9 +175,8 @@ class Graph:
         common = self._common_factor(x, y)
         if common is not None:
             return common
-        if abs(kx) == abs(ky) and self._is_circle(px, py):
-            if kx == ky:  # k sin^2 + k cos^2
-                return self.number(kx)
+        if kx == ky and self._is_circle(px, py):  # k sin^2 + k cos^2
+            return self.number(kx)
         return self._make(ADD, x, y, self.deps[x] | self.deps[y])
 
     def _is_circle(self, p: Node, q: Node) -> bool:
@@ -200,7 +212,7 @@ class Graph:
     def sub(self, x: Node, y: Node) -> Node:
         return self.add(x, self.neg(y))
 
-    def sum(self, terms: list[Node] | tuple[Node, ...]) -> Node:
+    def sum(self, terms: Iterable[Node]) -> Node:
         total = self.zero
         for term in terms:
             total = self.add(total, term)
@@ -256,7 +268,7 @@ class Graph:
     def split_power(self, node: Node) -> tuple[Node, int]:
         return (self.a[node], self.b[node]) if self.op[node] == POW else (node, 1)
 
-    def product(self, factors: list[Node] | tuple[Node, ...]) -> Node:
+    def product(self, factors: Iterable[Node]) -> Node:
         result = self.one
         for factor in factors:
             result = self.mul(result, factor)

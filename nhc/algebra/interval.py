@@ -103,5 +103,7 @@ def _wave(op: str, low: float, high: float) -> Interval:
     p, q = low + shift, high + shift
     ends = [math.cos(p), math.cos(q)]
     top = 1.0 if math.floor(q / (2 * math.pi)) > math.floor(p / (2 * math.pi)) or p <= 0 <= q else max(ends)
-    bottom = -1.0 if math.floor((q - math.pi) / (2 * math.pi)) > math.floor((p - math.pi) / (2 * math.pi)) else min(ends)
+    bottom = (
+        -1.0 if math.floor((q - math.pi) / (2 * math.pi)) > math.floor((p - math.pi) / (2 * math.pi)) else min(ends)
+    )
     return bottom, top

@@ -81,7 +81,8 @@ def solve(
             [graph.sub(column[i], _row_times(graph, matrix[i], zero_entry[i], x[c], done)) for i in rows]
             for c, column in enumerate(columns)
         ]
-        solved, guards = _solve_block(graph, block, right, weakness)
+        scales = [row_scale(graph, [matrix[i]]) for i in rows]
+        solved, guards = _solve_block(graph, block, right, scales, weakness)
         result.guards.extend(guards)
         for c in range(len(columns)):
             for k, j in enumerate(cols):
@@ -173,15 +174,20 @@ def _components(size: int, edges: Sequence[Sequence[int]]) -> list[list[int]]:
 
 
 def _solve_block(
-    graph: Graph, block: Sequence[Sequence[Node]], columns: Sequence[Sequence[Node]], weakness: Weakness | None
+    graph: Graph,
+    block: Sequence[Sequence[Node]],
+    columns: Sequence[Sequence[Node]],
+    scales: Sequence[Node],
+    weakness: Weakness | None,
 ) -> tuple[list[list[Node]], list[tuple[Node, Node]]]:
+    """Unknowns and guards of one block; ``scales`` are the 1-norms of its whole rows."""
     size = len(block)
     if size > 3:
         return _eliminate(graph, block, columns, weakness)
     determinant = normalise(graph, determinant_of(graph, block), 120)
     if are_zero(graph, [determinant])[0]:
         raise Singular
-    guards = [] if graph.value(determinant) is not None else [(determinant, row_scale(graph, block))]
+    guards = [] if graph.value(determinant) is not None else [(determinant, graph.product(scales))]
     solved = []
     for column in columns:
         row = []
@@ -193,7 +199,7 @@ def _solve_block(
 
 
 def row_scale(graph: Graph, block: Sequence[Sequence[Node]]) -> Node:
-    """Product of the 1-norms of the rows: what the determinant is measured against."""
+    """Product of the 1-norms of the rows: what a determinant is measured against."""
     return graph.product([graph.sum([graph.function("abs", entry) for entry in row]) for row in block])
 
 

@@ -95,7 +95,7 @@ def d(form: Form) -> Form:
             if not structure:
                 continue
             before = Form(coframe, position, {index[:position]: g.one})
-            middle = Form(coframe, 2, dict(structure))
+            middle = Form(coframe, 2, {pair: value for pair, value in structure.items()})
             after = Form(coframe, form.degree - position - 1, {index[position + 1 :]: g.one})
             term = wedge(wedge(before, middle), after).scaled(value)
             total = total + (-term if position % 2 else term)

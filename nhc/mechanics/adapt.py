@@ -66,7 +66,7 @@ def _minor_form(
     """The row of signed minors on the best k + 1 columns; the rows must not reach outside them."""
     g, size = system.graph, len(rows)
     known = intervals(system)
-    found = []
+    found: list[tuple[bool, int, tuple[int, ...], list[Node], Node]] = []
     for subset in combinations(columns, size + 1):
         block = [[system.constraints[r].coefficients[j] for j in subset] for r in rows]
         if rank(g, block) < size:
@@ -136,7 +136,8 @@ def complete(system: System) -> tuple[tuple[Form, ...], tuple[str, ...]]:
 
 def _pools(system: System) -> list[list[Form]]:
     """Forms to complete with, the preferred ones first: what the spec's dependent velocities leave free, what nhc's own choice
-    of them leaves free, and the adapted coframe; each ends with whatever coordinate is still needed."""
+    of them leaves free, and the adapted coframe; each ends with whatever coordinate is still needed.
+    """
     every = [coordinate_form(system, j) for j in range(system.n)]
     choices = [system.dependent] if system.dependent else []
     choices.append(choose_dependent(system).dependent)

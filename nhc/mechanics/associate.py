@@ -85,9 +85,7 @@ class Projector:
     def components(self, e: Sequence[Node]) -> list[Node]:
         """W_k(e) for every velocity form."""
         g = self.system.graph
-        return substitute(
-            g, tangent(g, self.kinetic.atoms, dict(zip(self.system.v, e, strict=True))), self._to_motion
-        )
+        return substitute(g, tangent(g, self.kinetic.atoms, dict(zip(self.system.v, e, strict=True))), self._to_motion)
 
     def _explicit_rates(self) -> list[Node]:
         """d pi_k / dt at fixed u: only where T's coefficients move."""

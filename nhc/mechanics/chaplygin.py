@@ -20,7 +20,8 @@ from nhc.thesis import equation
 @dataclass(frozen=True)
 class Hypotheses:
     """``broken`` are the hypotheses of I.3 that fail, each with the symbol that breaks it; ``fatal`` those without which
-    the generalized equations do not hold either."""
+    the generalized equations do not hold either.
+    """
 
     broken: tuple[str, ...]
     fatal: tuple[str, ...]

@@ -62,7 +62,13 @@ def formulate(system: System, name: str = "") -> Formulation:
         span = system.spec.key_span("formulation") if not name else system.spec.key_span(error.key)
         message = error.reasons[0] if error.code != "E0411" else f"`{error.formulation}` does not apply to this system"
         notes = error.reasons if error.code == "E0411" else error.reasons[1:]
-        bag.error(error.code, message, span if error.code == "E0411" else _key_span(system, error.key), notes=notes, help=(_help(error),))
+        bag.error(
+            error.code,
+            message,
+            span if error.code == "E0411" else _key_span(system, error.key),
+            notes=notes,
+            help=(_help(error),),
+        )
         bag.raise_if_errors()
         raise
 
@@ -94,7 +100,9 @@ def build(system: System, name: str) -> Formulation:
         return Formulation(name, NUMBERS[name], None, None, (), "free particles with constant masses")
     if name == "lagrange":
         if system.constraints:
-            raise NotApplicable(name, [f"the system has {system.l} constraint(s), and Lagrange's equations of T* are wrong"])
+            raise NotApplicable(
+                name, [f"the system has {system.l} constraint(s), and Lagrange's equations of T* are wrong"]
+            )
         return Formulation(name, NUMBERS[name], None, None, (), "no constraints")
     if name == "multipliers":
         reason = "all velocities kept, reactions as unknowns"
@@ -111,8 +119,11 @@ def _euler_lagrange(system: System) -> Formulation:
     except Singular:
         raise NotApplicable(
             "euler-lagrange",
-            [f"these quasi-velocities are no basis together with the {system.l} constraint(s)"
-             if system.l else "these quasi-velocities are no basis"],
+            [
+                f"these quasi-velocities are no basis together with the {system.l} constraint(s)"
+                if system.l
+                else "these quasi-velocities are no basis"
+            ],
             "E0406",
             "quasi_velocities",
         ) from None
@@ -146,7 +157,10 @@ def _reduced(system: System, name: str) -> Formulation:
     except Singular:
         names = ", ".join(f"`{system.q_names[i]}'`" for i in choice.dependent)
         raise NotApplicable(
-            name, [f"the constraints cannot be solved for {names}: the block is singular everywhere"], "E0407", "dependent"
+            name,
+            [f"the constraints cannot be solved for {names}: the block is singular everywhere"],
+            "E0407",
+            "dependent",
         ) from None
     reason = "dependent velocities of the spec" if system.dependent else "dependent velocities chosen by nhc"
     if name == "voronec":

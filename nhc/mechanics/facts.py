@@ -45,7 +45,9 @@ def describe(system: System, formulation: Formulation, bag: Bag) -> Facts:
     names = [f.name for f in applicable(system)]
     facts.say("applicable", names, f"formulations that apply: {', '.join(names)}")
     line = f"formulation: {formulation.name} ({formulation.number}), {formulation.reason}"
-    facts.say("formulation", {"name": formulation.name, "number": formulation.number, "reason": formulation.reason}, line)
+    facts.say(
+        "formulation", {"name": formulation.name, "number": formulation.number, "reason": formulation.reason}, line
+    )
     _nonsmooth(system, bag)
     return facts
 
@@ -98,8 +100,11 @@ def _dependent(system: System, facts: Facts, bag: Bag) -> None:
     else:
         limit = f"determinant {to_text(system.graph, choice.determinant)}"
     regular = "never singular" if choice.regular else "singular where it vanishes"
-    facts.say("dependent", [system.q_names[i] for i in choice.dependent],
-              f"dependent velocities ({who}): {names}; {limit}, {regular}")
+    facts.say(
+        "dependent",
+        [system.q_names[i] for i in choice.dependent],
+        f"dependent velocities ({who}): {names}; {limit}, {regular}",
+    )
     if system.dependent and not choice.regular and choice.determinant is not None:
         bag.warning(
             "W0408",

@@ -30,9 +30,7 @@ def rate_symbols(system: System, w: Sequence[Node]) -> tuple[Node, ...]:
     """Symbols for the rates of the kept velocities."""
     g = system.graph
     symbols = [g.symbol_of(node) for node in w]
-    return tuple(
-        g.symbol(s.name, "acceleration" if s.kind == "velocity" else "rate") for s in symbols if s is not None
-    )
+    return tuple(g.symbol(s.name, "acceleration" if s.kind == "velocity" else "rate") for s in symbols if s is not None)
 
 
 def equations_of(system: System, formulation: Formulation, kinetic: Kinetic | None = None) -> Equations:
@@ -103,7 +101,7 @@ def _pivot_signs(matrix: list[list[float]]) -> list[int]:
     """Signs of the pivots of a symmetric matrix without exchanges; ends at the first one that is zero to rounding."""
     size = len(matrix)
     scale = max((abs(x) for row in matrix for x in row), default=0.0)
-    signs = []
+    signs: list[int] = []
     for k in range(size):
         pivot = matrix[k][k]
         if abs(pivot) <= 1e-11 * scale:

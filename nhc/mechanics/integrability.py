@@ -25,7 +25,8 @@ Field = tuple[Node, ...]
 @dataclass(frozen=True)
 class Integrability:
     """``growth``: ranks of the successive brackets of ker A; ``hidden``: how many holonomic constraints are in disguise;
-    ``closed``: names of constraints that are integrable by themselves; ``affine``, ``rheonomic``: kinds of the rows."""
+    ``closed``: names of constraints that are integrable by themselves; ``affine``, ``rheonomic``: kinds of the rows.
+    """
 
     growth: tuple[int, ...]
     hidden: int

@@ -115,9 +115,7 @@ def _exactness(system: System, forms: Sequence[Form]) -> tuple[bool, ...]:
     return tuple(are_zero(g, values))
 
 
-def exterior_derivative(
-    system: System, form: Form, x: Sequence[Node], x_time: Node, e: Sequence[Node]
-) -> Node:
+def exterior_derivative(system: System, form: Form, x: Sequence[Node], x_time: Node, e: Sequence[Node]) -> Node:
     """domega(X, e) for omega = W_i dq_i + W_0 dt, X = (x, x_time) and a vector e without time component."""
     g = system.graph
     along_x = {**dict(zip(system.q, x, strict=True)), system.t: x_time}

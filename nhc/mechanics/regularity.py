@@ -93,7 +93,8 @@ def intervals(system: System) -> dict[Node, Interval]:
 
 def trial_points(system: System) -> list[dict[Node, float]]:
     """The scenes' own starts and their neighbourhood, the special states (zero, quarter turns) where careless choices are
-    singular, and random ones.  Velocities are random throughout."""
+    singular, and random ones.  Velocities are random throughout.
+    """
     rng = random.Random(7)
     points = [_state_at(system, rng, start, spread) for start in _scene_starts(system) for spread in (0.0, 0.2)]
     quarter = (0.0, math.pi / 2, math.pi / 4, math.pi)

@@ -68,7 +68,8 @@ class Resolver:
         exponent = g.value(y)
         divides = part.op == "/" or (exponent is not None and exponent < 0)
         if divides and (g.value(y) if part.op == "/" else g.value(x)) == 0:
-            self.bag.error("E0417", "this divides by zero", part.right.span if part.op == "/" else part.span)
+            place = part.right.span if part.op == "/" else part.span
+            self.bag.error("E0417", "this divides by zero", place, help=("remove the division, or mend the divisor",))
             return g.zero
         if part.op == "/":
             return g.div(x, y)
@@ -96,7 +97,9 @@ class Resolver:
                 code,
                 f"{what} `{name}` is not linear in `{symbol.name}'`",
                 span,
-                help=(f"write {what} as a sum of terms `a(q, t)*x'`; a nonlinear velocity relation has no place in this theory",),
+                help=(
+                    f"write {what} as a sum of terms `a(q, t)*x'`; a nonlinear velocity relation has no place in this theory",
+                ),
             )
             coefficients, constant = (self.graph.zero,) * len(self.q), self.graph.zero
         return Form(name, coefficients, constant, self.place(span))
@@ -141,6 +144,8 @@ def resolve(spec: Spec) -> System:
         places=_places(build),
     )
     _check_rank(build, system)
+    if not build.bag.has_errors:
+        _check_freedom(build, system)
     _check_kinetic(build, system)
     build.bag.raise_if_errors()
     return system
@@ -190,8 +195,12 @@ def _constraints(build: Resolver) -> tuple[Form, ...]:
     for held in build.spec.holonomic:
         f = g.sub(build.node(held.left), build.node(held.right))
         if any(tangent_slopes(g, f, build.v)):
-            build.bag.error("E0415", f"the holonomic constraint `{held.name}` depends on velocities", held.span,
-                            help=("move it to `constraints:`",))
+            build.bag.error(
+                "E0415",
+                f"the holonomic constraint `{held.name}` depends on velocities",
+                held.span,
+                help=("move it to `constraints:`",),
+            )
             continue
         rate = tangent(g, [f], build._rates)[0]
         form = build.form(held.name, rate, held.span, "E0401", "the constraint")
@@ -209,9 +218,21 @@ def _places(build: Resolver) -> dict[str, str]:
     return places
 
 
+def _check_freedom(build: Resolver, system: System) -> None:
+    """As many constraints as coordinates leave nothing to derive."""
+    if system.l >= system.n:
+        build.bag.error(
+            "E0420",
+            f"{system.l} constraints leave no free velocity in {system.n} coordinate(s)",
+            build.spec.key_span("constraints" if build.spec.constraints else "holonomic"),
+            help=("remove a constraint, or declare the coordinate that is missing",),
+        )
+
+
 def _check_rank(build: Resolver, system: System) -> None:
     """Dependent constraints and contradictory ones, row by row."""
-    g, kept = build.graph, []
+    g = build.graph
+    kept: list[Form] = []
     spans = [c.span for c in build.spec.constraints] + [h.span for h in build.spec.holonomic]
     for form, span in zip(system.constraints, spans, strict=True):
         linear = [list(f.coefficients) for f in (*kept, form)]
@@ -220,12 +241,20 @@ def _check_rank(build: Resolver, system: System) -> None:
             continue
         full = [[*f.coefficients, f.constant] for f in (*kept, form)]
         if rank(g, full) == len(full):
-            build.bag.error("E0403", f"the constraint `{form.name}` contradicts those before it", span,
-                            help=("remove it, or correct its terms: together they ask for `0 = 1`",))
+            build.bag.error(
+                "E0403",
+                f"the constraint `{form.name}` contradicts those before it",
+                span,
+                help=("remove it, or correct its terms: together they ask for `0 = 1`",),
+            )
         else:
-            build.bag.error("E0402", f"the constraint `{form.name}` follows from those before it", span,
-                            notes=(f"the rows have rank {len(kept)}, so the reactions would not be unique",),
-                            help=("remove it",))
+            build.bag.error(
+                "E0402",
+                f"the constraint `{form.name}` follows from those before it",
+                span,
+                notes=(f"the rows have rank {len(kept)}, so the reactions would not be unique",),
+                help=("remove it",),
+            )
 
 
 def _check_kinetic(build: Resolver, system: System) -> None:

@@ -121,9 +121,13 @@ def _velocities(
                 add(_unit(system, name), value, f"`{name}'`")
             elif kind == "quasi":
                 add(next(f for f in system.quasi if f.name == name), value, f"`{name}`")
-    except (ArithmeticError, ValueError) as error:
-        bag.error("E0409", f"the scene `{scene.name}` starts at a singular point: {error}", scene.span,
-                  help=("start a little beside it",))
+    except (ArithmeticError, ValueError):
+        bag.error(
+            "E0409",
+            f"the scene `{scene.name}` starts at a singular point of the constraints",
+            scene.span,
+            help=("start a little beside it",),
+        )
         return (0.0,) * system.n
     order = _free_order(system, given)
     solver = _RowSpace(system.n)

@@ -124,9 +124,15 @@ class Planner:
         if self.formulation.dependent is not None:
             names = ", ".join(f"{self.system.q_names[i]}'" for i in self.formulation.dependent.dependent)
             what = f"the constraints cannot be solved for {names}"
+        # a constant determinant is only held against zero: its scale would be work in every state
         return tuple(
-            GuardPlan(value, scale, _FRAME_TOLERANCE, SINGULAR_FRAME, what) for value, scale in self.equations.guards
+            GuardPlan(value, value if self._is_constant(value) else scale, _FRAME_TOLERANCE, SINGULAR_FRAME, what)
+            for value, scale in self.equations.guards
         )
+
+    def _is_constant(self, node: Node) -> bool:
+        """Made of parameters and numbers only."""
+        return not self.graph.deps[node] & ~self.graph.mask(self.system.p)
 
     def on_motion(self, nodes: Sequence[Node]) -> list[Node]:
         """Functions of (q, q', t) in terms of the kept state, shortened."""
@@ -140,18 +146,38 @@ class Planner:
     # --- plans ------------------------------------------------------------------------------------------------
 
     def plan(
-        self, name: str, about: str, equation: str, size: int, nodes: Sequence[tuple[Node, str, str]],
-        guards: tuple[GuardPlan, ...] = (), solves: tuple[SolvePlan, ...] = (),
+        self,
+        name: str,
+        about: str,
+        equation: str,
+        size: int,
+        nodes: Sequence[tuple[Node, str, str]],
+        guards: tuple[GuardPlan, ...] = (),
+        solves: tuple[SolvePlan, ...] = (),
     ) -> FunctionPlan:
         """A function of (t, y, p) that writes ``nodes`` (value, about, place) into its output array."""
-        output = {"rhs": "dydt", "velocities": "qdot", "accelerations": "qddot", "reactions": "lambda",
-                  "jacobian": "J", "outputs": "out"}[name]
+        output = {
+            "rhs": "dydt",
+            "velocities": "qdot",
+            "accelerations": "qddot",
+            "reactions": "lambda",
+            "jacobian": "J",
+            "outputs": "out",
+        }[name]
         targets = tuple(
             Target(k, node, about_, Origin(equation, place)) for k, (node, about_, place) in enumerate(nodes)
         )
         return FunctionPlan(
-            name, about, equation, (_T, self.y, self.p), Argument(output, size), self.state_loads, targets,
-            None, guards, solves,
+            name,
+            about,
+            equation,
+            (_T, self.y, self.p),
+            Argument(output, size),
+            self.state_loads,
+            targets,
+            None,
+            guards,
+            solves,
         )
 
     def rhs(self) -> FunctionPlan:
@@ -159,8 +185,15 @@ class Planner:
         rates = self.known(motion.rates)
         nodes = [(node, f"{name}'", "") for node, name in zip(motion.velocities, system.q_names, strict=True)]
         nodes += [(node, f"{name}'", system.places["T"]) for node, name in zip(rates, self.kept_names(), strict=True)]
-        return self.plan("rhs", "right-hand side dy/dt = f(t, y; p)", self.equations.number, self.y.size, nodes,
-                         self.frame_guards() + self.mass_guards, self.solves)
+        return self.plan(
+            "rhs",
+            "right-hand side dy/dt = f(t, y; p)",
+            self.equations.number,
+            self.y.size,
+            nodes,
+            self.frame_guards() + self.mass_guards,
+            self.solves,
+        )
 
     def kept_names(self) -> list[str]:
         found = []
@@ -173,14 +206,23 @@ class Planner:
     def velocities(self) -> FunctionPlan:
         system = self.system
         nodes = [(v, f"{name}'", "") for v, name in zip(self.equations.motion.velocities, system.q_names, strict=True)]
-        return self.plan("velocities", "all velocities q' from the state", "I.2.4", system.n, nodes, self.frame_guards())
+        return self.plan(
+            "velocities", "all velocities q' from the state", "I.2.4", system.n, nodes, self.frame_guards()
+        )
 
     def accelerations(self) -> FunctionPlan:
         system = self.system
         values = shorten(self.graph, self.known(accelerations(self.equations)))
         nodes = [(a, f"{name}''", "") for a, name in zip(values, system.q_names, strict=True)]
-        return self.plan("accelerations", "all accelerations q'' on the motion", self.equations.number, system.n, nodes,
-                         self.frame_guards() + self.mass_guards, self.solves)
+        return self.plan(
+            "accelerations",
+            "all accelerations q'' on the motion",
+            self.equations.number,
+            system.n,
+            nodes,
+            self.frame_guards() + self.mass_guards,
+            self.solves,
+        )
 
     def reactions(self) -> FunctionPlan:
         system = self.system
@@ -191,8 +233,15 @@ class Planner:
             (value, f"reaction of {form.name}: Q_i gains lambda_{k + 1} a_{k + 1}i", form.place)
             for k, (value, form) in enumerate(zip(values, system.constraints, strict=True))
         ]
-        return self.plan("reactions", "reactions lambda: Q_i gains lambda_a a_ai", "I.4.1", system.l, nodes,
-                         self.frame_guards() + self.mass_guards, self.solves)
+        return self.plan(
+            "reactions",
+            "reactions lambda: Q_i gains lambda_a a_ai",
+            "I.4.1",
+            system.l,
+            nodes,
+            self.frame_guards() + self.mass_guards,
+            self.solves,
+        )
 
     def outputs(self) -> FunctionPlan:
         values = self.on_motion([node for _, node in self.system.outputs])
@@ -211,8 +260,15 @@ class Planner:
         system = self.system
         nodes = [*system.q, *(form_value(self.graph, form, system.v) for form in self.kept_forms())]
         targets = tuple(Target(k, node) for k, node in enumerate(nodes))
-        return FunctionPlan("state", "the state y from coordinates and velocities", "I.2.1", self._motion_arguments(),
-                            Argument("y", self.y.size), self.motion_loads, targets)
+        return FunctionPlan(
+            "state",
+            "the state y from coordinates and velocities",
+            "I.2.1",
+            self._motion_arguments(),
+            Argument("y", self.y.size),
+            self.motion_loads,
+            targets,
+        )
 
     def kept_forms(self) -> tuple[Form, ...]:
         frame = self.formulation.frame
@@ -230,8 +286,15 @@ class Planner:
             Target(k, form_value(self.graph, form, system.v), f"{form.name} = 0", Origin("I.1.1", form.place))
             for k, form in enumerate(system.constraints)
         )
-        return FunctionPlan("residuals", "left sides of the constraints, zero on every motion", "I.1.1",
-                            self._motion_arguments(), Argument("r", system.l), self.motion_loads, targets)
+        return FunctionPlan(
+            "residuals",
+            "left sides of the constraints, zero on every motion",
+            "I.1.1",
+            self._motion_arguments(),
+            Argument("r", system.l),
+            self.motion_loads,
+            targets,
+        )
 
     def positions(self) -> FunctionPlan | None:
         """f(q, t) of the holonomic constraints; None where there are none."""
@@ -244,8 +307,15 @@ class Planner:
             for k, form in enumerate(held)
             if form.equation is not None
         )
-        return FunctionPlan("positions", "residuals of the holonomic constraints at position level", "",
-                            (_T, Argument("q", system.n), self.p), Argument("f", len(held)), self.motion_loads, targets)
+        return FunctionPlan(
+            "positions",
+            "residuals of the holonomic constraints at position level",
+            "",
+            (_T, Argument("q", system.n), self.p),
+            Argument("f", len(held)),
+            self.motion_loads,
+            targets,
+        )
 
     def jacobian(self) -> FunctionPlan:
         """d rhs / d y: the rates by implicit differentiation of mass w' - force, with the factors already at hand."""
@@ -262,8 +332,15 @@ class Planner:
         solves, columns = self._jacobian_columns(matrix, [list(column) for column in zip(*slopes, strict=True)], len(y))
         rates = [[column[k] for column in columns] for k in range(len(motion.rates))]
         nodes = [(node, "", "") for row in (*rows, *rates) for node in row]
-        return self.plan("jacobian", "d rhs_i / d y_j, row-major", self.equations.number, len(y) ** 2, nodes,
-                         self.frame_guards() + self.mass_guards, solves)
+        return self.plan(
+            "jacobian",
+            "d rhs_i / d y_j, row-major",
+            self.equations.number,
+            len(y) ** 2,
+            nodes,
+            self.frame_guards() + self.mass_guards,
+            solves,
+        )
 
     def _jacobian_columns(
         self, matrix: list[list[Node]], columns: list[list[Node]], count: int
@@ -276,9 +353,7 @@ class Planner:
             flat = shorten(g, [node for column in solved for node in column])
             size = len(matrix)
             return (), [flat[k * size : (k + 1) * size] for k in range(len(columns))]
-        symbols = [
-            [g.symbol(f"d{i}_{j}", "unknown") for i in range(len(matrix))] for j in range(len(columns))
-        ]
+        symbols = [[g.symbol(f"d{i}_{j}", "unknown") for i in range(len(matrix))] for j in range(len(columns))]
         return (*self.solves, self._dense_solve(matrix, columns, symbols)), symbols
 
 

@@ -201,7 +201,16 @@ class Lowering:
         plan, body = self.plan, tuple(self.body)
         adds, multiplications, divisions, calls = count_operations(body)
         return Function(
-            plan.name, plan.about, plan.inputs, plan.output, body, plan.equation, adds, multiplications, divisions, calls
+            plan.name,
+            plan.about,
+            plan.inputs,
+            plan.output,
+            body,
+            plan.equation,
+            adds,
+            multiplications,
+            divisions,
+            calls,
         )
 
     # --- expressions ----------------------------------------------------------------------------------------
@@ -272,4 +281,3 @@ class Lowering:
 
 def lower_function(graph: Graph, plan: FunctionPlan, parameters: Iterable[Node]) -> Function:
     return Lowering(graph, plan, parameters).lower()
-

@@ -27,7 +27,9 @@ def build_program(
     """The emitters' input; ``only`` names functions, ``scene`` keeps one scene (and its parameter values as defaults)."""
     planner = Planner(equations, formulation)
     spec = system.spec
-    scenes = tuple(made for s in spec.scenes if not scene or s.name == scene if (made := _scene(system, planner, s, scene)))
+    scenes = tuple(
+        made for s in spec.scenes if not scene or s.name == scene if (made := _scene(system, planner, s, scene))
+    )
     chosen = next((s for s in scenes if s.name == scene), None)
     return Program(
         system=spec.system,
@@ -78,4 +80,6 @@ def _scene(system: System, planner: Planner, scene: Scene, asked: str) -> SceneD
 
 
 def _notes(formulation: Formulation) -> tuple[str, ...]:
-    return tuple(f"hypothesis of I.3 that fails (the generalized equations are used): {text}" for text in formulation.broken)
+    return tuple(
+        f"hypothesis of I.3 that fails (the generalized equations are used): {text}" for text in formulation.broken
+    )

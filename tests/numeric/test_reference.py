@@ -62,4 +62,6 @@ def test_the_jacobian_is_the_derivative_of_the_right_hand_side(name: str, formul
         up[j] += h
         down[j] -= h
         slope = [(a - b) / (up[j] - down[j]) for a, b in zip(model.rhs(t, up), model.rhs(t, down), strict=True)]
-        assert max(abs(a - row[j]) for a, row in zip(slope, rows, strict=True)) < 2e-7 * scale * max(1.0, abs(y[j])) + 1e-6
+        assert (
+            max(abs(a - row[j]) for a, row in zip(slope, rows, strict=True)) < 2e-7 * scale * max(1.0, abs(y[j])) + 1e-6
+        )
