@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -39,7 +40,8 @@ def _take_events(text: str, loader: Any, bag: Bag) -> list[Any]:
     """Return the events, but stop where the nesting gets too deep: libyaml takes quadratic time there."""
     events: list[Any] = []
     depth = 0
-    for event in yaml.parse(text, Loader=loader):
+    parsed: Iterator[Any] = yaml.parse(text, Loader=loader)
+    for event in parsed:
         events.append(event)
         if isinstance(event, yaml.CollectionStartEvent):
             depth += 1
