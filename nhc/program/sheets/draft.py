@@ -114,7 +114,9 @@ class Desk:
         count_, n = (len(form.coframe) - 1) // 2, self.system.n
         frame, name = self.formulation.frame, self.formulation.name
         if frame is None or name != "euler-lagrange":
-            dependent = () if count_ == n or self.formulation.dependent is None else self.formulation.dependent.dependent
+            dependent = (
+                () if count_ == n or self.formulation.dependent is None else self.formulation.dependent.dependent
+            )
             kept = [i for i in range(n) if i not in dependent]
             heads = [Mark(self.system.q_names[i], prefix="d") for i in kept]
             rates = [Mark(self.system.q_names[i], dots=1, prefix="d") for i in kept]
@@ -147,7 +149,9 @@ class Desk:
         """The node as it stands."""
         return () if node == self.graph.zero else ((node, ()),)
 
-    def linear(self, coefficients: Sequence[Node], marks: Sequence[Mark], constant: Node | None = None) -> tuple[Part, ...]:
+    def linear(
+        self, coefficients: Sequence[Node], marks: Sequence[Mark], constant: Node | None = None
+    ) -> tuple[Part, ...]:
         """sum coefficient_k mark_k + constant without the terms that vanish identically."""
         nodes = [*coefficients, *(() if constant is None else (constant,))]
         factors: list[tuple[Mark, ...]] = [(mark,) for mark in marks]
@@ -155,13 +159,14 @@ class Desk:
         kept = self.nonzero(nodes)
         return tuple((self.short(n), f) for n, f, keep in zip(nodes, factors, kept, strict=True) if keep)
 
+    def shortened(self, form: Form) -> Form:
+        """The form with its coefficients in short form; those that vanish identically are gone."""
+        indices = sorted(form.terms)
+        kept = self.nonzero([form.terms[index] for index in indices])
+        terms = {i: self.short(form.terms[i]) for i, keep in zip(indices, kept, strict=True) if keep}
+        return Form(form.coframe, form.degree, terms)
+
     def form(self, form: Form) -> tuple[Part, ...]:
         """A form's nonzero coefficients with the wedges of their basis forms."""
         basis = self.basis(form)
-        indices = sorted(form.terms)
-        kept = self.nonzero([form.terms[index] for index in indices])
-        return tuple(
-            (self.short(form.terms[index]), tuple(basis[k] for k in index))
-            for index, keep in zip(indices, kept, strict=True)
-            if keep
-        )
+        return tuple((n, tuple(basis[k] for k in index)) for index, n in self.shortened(form).terms.items())

@@ -18,7 +18,7 @@ from nhc.program.ir import Expr
 class Mark:
     """A symbol: ``base`` and indices are names of the spec or of the thesis ("theta", "gamma"); ``prefix`` is "d" or "".
 
-    ``dots`` counts time derivatives; ``star`` says that the constraints have been used.
+    ``dots`` counts time derivatives; ``star`` says that the constraints have been used, ``at`` is an argument, "(X)".
     """
 
     base: str
@@ -27,6 +27,7 @@ class Mark:
     dots: int = 0
     prefix: str = ""
     star: bool = False
+    at: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -92,6 +93,10 @@ class Sheet:
     title: str
     lets: tuple[Statement, ...]
     items: tuple[Item, ...]
+
+
+RANK_STEP = 1000
+"""Between the ranks of two kinds of symbols; within a kind the spec's order counts."""
 
 
 @dataclass(frozen=True, slots=True)

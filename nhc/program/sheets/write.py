@@ -11,19 +11,19 @@ from collections.abc import Iterable, Sequence
 
 from nhc.algebra.calculus import reachable
 from nhc.algebra.graph import NEG, SYM, Node
-from nhc.program.ir import Expr, Power, Ref
+from nhc.program.ir import Expr, Negate, Power, Ref
 from nhc.program.lower import Lowering
 from nhc.program.naming import identifier
 from nhc.program.plan import FunctionPlan, Target
 from nhc.program.sheets.draft import Desk, Draft, DraftSheet, Part
-from nhc.program.sheets.model import Item, Mark, Sheet, Statement, Symbol, Term
+from nhc.program.sheets.model import RANK_STEP, Item, Mark, Sheet, Statement, Symbol, Term
 
 _REPEATED = 8  # operations from which a repeated expression gets a name
 _LONG = 40  # operations beyond which any expression does
 _NAMED = 2  # operations from which a name of the user's is kept
 _LETTERS = ("z", "k", "h", "s", "u", "zeta", "chi", "xi", "Z")
 _RANKS = {"parameter": 1, "time": 2, "coordinate": 3, "velocity": 5, "quasi": 5, "rate": 6, "acceleration": 6}
-_LET_RANK, _OTHER_RANK = 4, 7
+_CONSTANT_RANK, _LET_RANK, _OTHER_RANK = 2, 4, 7
 
 
 class PaperLowering(Lowering):
@@ -38,6 +38,8 @@ class PaperLowering(Lowering):
         self.owners = self._owners()
         self.chosen = frozenset(self.choose_names())
         self.letter = self._free_letter()
+        system = desk.system
+        self.positions = {node: k for group in (system.p, system.q, system.v) for k, node in enumerate(group)}
         self._name_symbols()
 
     def _owners(self) -> set[Node]:
@@ -49,7 +51,11 @@ class PaperLowering(Lowering):
 
     def _free_letter(self) -> str:
         spec = self.desk.system.spec
-        used = [e.name for group in (spec.coordinates, spec.parameters, spec.definitions, spec.quasi_velocities) for e in group]
+        used = [
+            e.name
+            for group in (spec.coordinates, spec.parameters, spec.definitions, spec.quasi_velocities)
+            for e in group
+        ]
         return next(
             letter for letter in (*_LETTERS, "zz") if not any(re.fullmatch(rf"{letter}(_?\d+|)", name) for name in used)
         )
@@ -60,7 +66,8 @@ class PaperLowering(Lowering):
                 symbol = self.graph.symbol_of(node)
                 assert symbol is not None
                 name = self.names[node] = self.namer.symbol(node)
-                self.symbols[name] = Symbol(self.desk.mark(node), _RANKS.get(symbol.kind, _OTHER_RANK))
+                rank = _RANKS.get(symbol.kind, _OTHER_RANK) * RANK_STEP + self.positions.get(node, 0)
+                self.symbols[name] = Symbol(self.desk.mark(node), rank)
 
     # --- which nodes get a name -------------------------------------------------------------------------------
 
@@ -92,7 +99,7 @@ class PaperLowering(Lowering):
 
     def lets_below(self, roots: Iterable[Node]) -> list[tuple[str, Statement]]:
         """The abbreviations that the roots need and that have not been made yet, in order."""
-        inner = [child for root in roots for child in self.graph.children(root)]
+        inner = [child for root in roots for child in self.graph.children(self._body(root))]
         found = []
         for node in reachable(self.graph, inner):
             if node not in self.chosen or node in self.names:
@@ -100,7 +107,7 @@ class PaperLowering(Lowering):
             value = self.expression(node)
             name, mark = self._abbreviate(node)
             statement = Statement((Term(Ref(name), ()),), (Term(value),))
-            self.symbols[name] = Symbol(mark, 1 if self._constant(node) else _LET_RANK)
+            self.symbols[name] = Symbol(mark, (_CONSTANT_RANK if self._constant(node) else _LET_RANK) * RANK_STEP)
             self.names[node] = name
             found.append((name, statement))
         return found
@@ -115,13 +122,19 @@ class PaperLowering(Lowering):
         return self.namer.unique(identifier(label)), Mark(label)
 
     def written_out(self, node: Node) -> Expr:
-        """The node's own expression, also where it is an abbreviation elsewhere; a long one stays abbreviated."""
+        """The node's own expression, also where it is an abbreviation elsewhere."""
+        body = self._body(node)
+        if body != node:
+            return Negate(self.written_out(body))
         name = self.names.pop(node, None) if node in self.chosen else None
         try:
             return self.expression(node)
         finally:
             if name is not None:
                 self.names[node] = name
+
+    def _body(self, node: Node) -> Node:
+        return self.graph.a[node] if self.graph.op[node] == NEG else node
 
     def _power(self, base: Node, n: int) -> Expr:
         return super()._power(base, n) if n <= 1 else Power(self.expression(base), n)

@@ -1,0 +1,219 @@
+"""Marks and expressions in LaTeX, in pieces of estimated width."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+
+from nhc.emit.latex.spelling import spell_base, spell_index
+from nhc.emit.layout import Piece, nest, total
+from nhc.emit.terms import Product, flatten_product, flatten_sum, is_sum, is_unit, list_terms
+from nhc.program.ir import Binary, Call, Expr, Negate, Number, Pi, Power, Ref
+from nhc.program.sheets.model import Mark, Side, Symbol
+
+_FRACTION = 190.0  # widest numerator or denominator that is set as a fraction, in points
+_FUNCTIONS = {
+    "asin": r"\arcsin", "acos": r"\arccos", "atan": r"\arctan", "atan2": r"\operatorname{atan2}", "log": r"\ln",
+    "sign": r"\operatorname{sgn}",
+}  # fmt: skip
+_DOTS = ("", r"\dot", r"\ddot", r"\dddot")
+
+
+def print_mark(mark: Mark) -> str:
+    r"""``\ddot{\theta}``, ``dx``, ``\gamma^{slip}_{v,w}``."""
+    base, own = spell_base(mark.base)
+    if mark.dots:
+        base = f"{_DOTS[mark.dots]}{{{base}}}"
+    lower = ",".join([*(spell_index(x) for x in own), *(spell_index(x) for x in mark.lower)])
+    upper = ",".join([*("*" for _ in range(mark.star)), *(spell_index(x) for x in mark.upper)])
+    text = base + (f"^{{{upper}}}" if upper else "") + (f"_{{{lower}}}" if lower else "")
+    return (r"d" if mark.prefix else "") + text + mark.at
+
+
+def estimate(text: str) -> float:
+    """The width of a formula without fractions, in points at ten points' size; rather too wide than too narrow."""
+    width, depth, small = 0.0, 0, [1.0]
+    for token in re.findall(r"\\[A-Za-z]+|\\.|[_^]\{|[{}]|[_^].|.", text):
+        if token in ("_{", "^{"):
+            small.append(small[-1] * 0.72)
+            depth += 1
+        elif token == "{":
+            small.append(small[-1])
+        elif token == "}":
+            if len(small) > 1:
+                small.pop()
+        else:
+            width += _token_width(token) * small[-1]
+    return width
+
+
+def _token_width(token: str) -> float:
+    if token in (r"\dot", r"\ddot", r"\mathit", r"\mathrm", r"\operatorname", r"\boldsymbol", r"\left", r"\right", r"\text"):
+        return 0.0
+    if token in (r"\sin", r"\cos", r"\ln", r"\exp", r"\sqrt"):
+        return 15.0
+    if token in (r"\sinh", r"\cosh", r"\tanh", r"\min", r"\max"):
+        return 21.0
+    if token in (r"\arcsin", r"\arccos", r"\arctan"):
+        return 29.0
+    if token == r"\,":
+        return 1.7
+    if token in ("+", "-", "="):
+        return 12.5
+    if token in (r"\wedge", r"\neq"):
+        return 11.5
+    if token in (r"\Bigl", r"\Bigr", r"\bigl", r"\bigr"):
+        return 2.0
+    if token in "().,|;[]'":
+        return 4.0
+    if token in "mwMW" or token in (r"\Omega", r"\Theta", r"\omega", r"\varphi", r"\psi"):
+        return 8.6
+    return 4.6 if token.isspace() else 6.2
+
+
+def _piece(text: str, breaks: int = 0) -> Piece:
+    return Piece(text, estimate(text), breaks)
+
+
+@dataclass(frozen=True, slots=True)
+class LatexMath:
+    """Prints over one derivation's symbols."""
+
+    symbols: Mapping[str, Symbol]
+
+    def pieces(self, expression: Expr) -> list[Piece]:
+        """The terms of a sum with their signs, breakable before each sign."""
+        found: list[Piece] = []
+        for k, (negative, term) in enumerate(flatten_sum(expression)):
+            found += _signed(k == 0, negative, self._term(term))
+        return found
+
+    def side(self, side: Side) -> list[Piece]:
+        """A sum of coefficients times basis elements; the empty one is 0."""
+        if not side:
+            return [_piece("0")]
+        found: list[Piece] = []
+        for k, (negative, term) in enumerate(list_terms(side)):
+            basis = r" \wedge ".join(print_mark(mark) for mark in term.factors)
+            if not term.factors:
+                body = self._term(term.coefficient)
+            elif is_unit(term.coefficient):
+                body = [_piece(basis)]
+            elif is_sum(term.coefficient):
+                body = [*_enclose(self.pieces(term.coefficient)), _piece(rf"\,{basis}")]
+            else:
+                body = [*self._term(term.coefficient), _piece(rf"\,{basis}")]
+            found += _signed(k == 0, negative, body)
+        return found
+
+    def _term(self, term: Expr) -> list[Piece]:
+        product = flatten_product(term, self.symbols)
+        sign = [_piece("-")] if product.negative else []
+        over = self._factors(product.over)
+        under = self._factors(product.under)
+        if not product.under:
+            return [*sign, *_numbered(product.number, over)]
+        if product.number.denominator != 1:
+            under = [_piece(str(product.number.denominator)), *_thin(under)]
+        if product.number.numerator != 1 or not over:
+            over = [_piece(str(product.number.numerator)), *_thin(over)]
+        return [*sign, *self._quotient(product, over, under)]
+
+    def _quotient(self, product: Product, over: list[Piece], under: list[Piece]) -> list[Piece]:
+        """A fraction where both parts are narrow and flat, else its denominator with a negative exponent."""
+        below = self.pieces(product.under[0]) if len(product.under) == 1 and product.number.denominator == 1 else under
+        if max(total(over), total(below)) <= _FRACTION and not any(r"\frac" in piece.text for piece in (*over, *below)):
+            top, bottom = _join(over), _join(below)
+            return [Piece(rf"\frac{{{top}}}{{{bottom}}}", max(total(over), total(below)) + 4.0)]
+        inverse = [*_enclose(below), _piece("^{-1}")]
+        if [piece.text for piece in over] == ["1"]:
+            return inverse
+        return [*over, _piece(r"\,"), *inverse]
+
+    def _factors(self, factors: tuple[Expr, ...]) -> list[Piece]:
+        found: list[Piece] = []
+        for factor in factors:
+            body = self._factor(factor)
+            found += _thin(body) if found else body
+        return found
+
+    def _factor(self, factor: Expr) -> list[Piece]:
+        match factor:
+            case Number():
+                return [_number(factor.value)]
+            case Pi():
+                return [_piece(r"\pi")]
+            case Ref():
+                return [_piece(print_mark(self.symbols[factor.name].mark))]
+            case Power():
+                return self._power(factor)
+            case Call():
+                return self._call(factor)
+            case Binary() | Negate():
+                return _enclose(self.pieces(factor))
+
+    def _power(self, power: Power) -> list[Piece]:
+        base, exponent = power.base, power.exponent
+        if isinstance(base, Call) and base.function in ("sin", "cos", "sinh", "cosh", "tanh"):
+            return self._call(base, f"^{{{exponent}}}")
+        if isinstance(base, Ref):
+            mark = self.symbols[base.name].mark
+            text = print_mark(mark)
+            safe = text if not (mark.star or mark.upper) else f"({text})"
+            return [_piece(f"{safe}^{{{exponent}}}")]
+        return [*_enclose(self.pieces(base)), _piece(f"^{{{exponent}}}")]
+
+    def _call(self, call: Call, exponent: str = "") -> list[Piece]:
+        inner = [self.pieces(argument) for argument in call.arguments]
+        if call.function == "pow":
+            return [*_enclose(inner[0]), _piece(f"^{{{_join(inner[1])}}}")]
+        if call.function == "sqrt" and total(inner[0]) <= _FRACTION:
+            return [Piece(rf"\sqrt{{{_join(inner[0])}}}", total(inner[0]) + 9.0)]
+        if call.function == "sqrt":
+            return [*_enclose(inner[0]), _piece("^{1/2}")]
+        if call.function == "abs":
+            return [_piece("|"), *nest(inner[0]), _piece("|")]
+        head = _piece(_FUNCTIONS.get(call.function, f"\\{call.function}") + exponent)
+        if len(call.arguments) == 1 and isinstance(call.arguments[0], Ref):
+            return [head, _piece(" "), *inner[0]]
+        arguments = [piece for k, part in enumerate(inner) for piece in ([_piece(r",\,")] if k else []) + part]
+        return [head, *_enclose(arguments)]
+
+
+def _numbered(number: Fraction, over: list[Piece]) -> list[Piece]:
+    if number == 1 and over:
+        return over
+    return [_number(number), *(_thin(over) if over else [])]
+
+
+def _number(value: Fraction) -> Piece:
+    if value < 0:
+        inner = _number(-value)
+        return Piece(f"(-{inner.text})", inner.width + 14.0)
+    if value.denominator == 1:
+        return _piece(str(value.numerator))
+    digits = max(len(str(value.numerator)), len(str(value.denominator)))
+    return Piece(rf"\tfrac{{{value.numerator}}}{{{value.denominator}}}", 4.0 * digits + 3.0)
+
+
+def _thin(pieces: list[Piece]) -> list[Piece]:
+    return [_piece(r"\,"), *pieces]
+
+
+def _join(pieces: list[Piece]) -> str:
+    return "".join(piece.text for piece in pieces)
+
+
+def _enclose(pieces: list[Piece]) -> list[Piece]:
+    """Parentheses, larger ones round fractions; they may open on one line and close on another."""
+    big = any(r"\frac" in piece.text for piece in pieces)
+    opening, closing = (r"\Bigl(", r"\Bigr)") if big else ("(", ")")
+    return [_piece(opening), *nest(pieces), _piece(closing)]
+
+
+def _signed(first: bool, negative: bool, body: list[Piece]) -> list[Piece]:
+    if first:
+        return [_piece("-"), *body] if negative else body
+    return [_piece(" - " if negative else " + ", 1), *body]

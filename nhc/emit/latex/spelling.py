@@ -1,0 +1,84 @@
+"""Names and texts in LaTeX: Greek by name, indices below, the user's words escaped."""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+
+from nhc.emit.prose import PUNCTUATION, clean
+
+_GREEK = (
+    "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma tau upsilon phi chi psi omega"
+    " Gamma Delta Theta Lambda Xi Pi Sigma Upsilon Phi Psi Omega"
+).split()  # fmt: skip
+_LATIN_CAPITALS = {"Alpha": "A", "Beta": "B", "Epsilon": "E", "Zeta": "Z", "Eta": "H", "Iota": "I", "Kappa": "K"}
+_LATIN_CAPITALS |= {"Mu": "M", "Nu": "N", "Omicron": "O", "Rho": "P", "Tau": "T", "Chi": "X", "omicron": "o"}
+_SPELLED = {"epsilon": r"\varepsilon", "phi": r"\varphi"}
+_SPECIAL = {"Omega_form": r"\boldsymbol{\Omega}", "Theta_form": r"\boldsymbol{\theta}"}
+_SYMBOLS = {
+    "\\": r"\textbackslash{}", "{": r"\{", "}": r"\}", "$": r"\$", "&": r"\&", "#": r"\#", "%": r"\%", "_": r"\_",
+    "^": r"\textasciicircum{}", "~": r"\textasciitilde{}", "<": r"\textless{}", ">": r"\textgreater{}", "|": r"\textbar{}",
+    '"': r"\textquotedbl{}", "`": r"\textasciigrave{}",
+}  # fmt: skip
+_ACCENTS = {"\u0300": r"\`", "\u0301": r"\'", "\u0302": r"\^", "\u0303": r"\~", "\u0304": r"\=", "\u0306": r"\u",
+            "\u0307": r"\.", "\u0308": r'\"', "\u030a": r"\r", "\u030b": r"\H", "\u030c": r"\v", "\u0327": r"\c",
+            "\u0328": r"\k"}  # fmt: skip
+
+
+def spell_base(name: str) -> tuple[str, tuple[str, ...]]:
+    """(LaTeX of the base, further lower indices): ``theta1`` is theta with index 1, ``r_R`` r with R, ``mass`` one italic word."""
+    if name in _SPECIAL:
+        return _SPECIAL[name], ()
+    head, *rest = name.split("_")
+    indices = tuple(part for part in rest if part)
+    match = re.fullmatch(r"([A-Za-z]+?)(\d+\w*)", head)
+    if match and (len(match[1]) == 1 or match[1] in _GREEK):
+        head, indices = match[1], (match[2], *indices)
+    if not head:
+        return r"\_", indices
+    return spell_word(head), indices
+
+
+def spell_word(word: str) -> str:
+    """One word in math: a letter, a Greek letter, or an italic (upright with digits) word."""
+    if word in _GREEK:
+        return _SPELLED.get(word, f"\\{word}")
+    if word in _LATIN_CAPITALS:
+        return rf"\mathrm{{{_LATIN_CAPITALS[word]}}}"
+    if len(word) == 1 and word.isascii():
+        return word
+    if word.isdigit():
+        return word
+    if not word.isascii():
+        return rf"\text{{{escape(word)}}}"
+    return rf"\mathit{{{word}}}"
+
+
+def spell_index(index: str) -> str:
+    """An index: what stands below a symbol, itself perhaps with an index."""
+    base, lower = spell_base(index)
+    return base if not lower else f"{base}{','.join(lower)}" if all(x.isdigit() for x in lower) else (
+        f"{base}_{{{','.join(spell_word(x) for x in lower)}}}"
+    )
+
+
+def escape(text: str) -> str:
+    """The user's text as LaTeX text; characters that the fonts do not have are named by their code."""
+    return "".join(_escape_character(character) for character in clean(text))
+
+
+def _escape_character(character: str) -> str:
+    if character in _SYMBOLS:
+        return _SYMBOLS[character]
+    if character.isascii():
+        return character
+    if character in PUNCTUATION:
+        return "".join(_SYMBOLS.get(c, c) for c in PUNCTUATION[character])
+    greek = re.fullmatch(r"GREEK (SMALL|CAPITAL) LETTER (\w+)( WITH .*)?", unicodedata.name(character, ""))
+    if greek:
+        word = greek[2].lower() if greek[1] == "SMALL" else greek[2].capitalize()
+        return f"${spell_word('lambda' if word == 'lamda' else 'Lambda' if word == 'Lamda' else word)}$"
+    base, *marks = unicodedata.normalize("NFD", character)
+    if base.isascii() and len(marks) == 1 and marks[0] in _ACCENTS:
+        return f"{_ACCENTS[marks[0]]}{{{base}}}"
+    return rf"\textless{{}}U+{ord(character):04X}\textgreater{{}}"

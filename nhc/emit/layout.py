@@ -1,0 +1,56 @@
+"""Lines of limited width from a run of pieces."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import NamedTuple
+
+_ENOUGH = 0.45
+"""Share of a line that must be full before a break at a better place is preferred to a later one."""
+
+
+class Piece(NamedTuple):
+    """A text with its width; ``breaks`` is 0, or the depth of parentheses (1: none) of a place where a line may end before it."""
+
+    text: str
+    width: float
+    breaks: int = 0
+
+
+def nest(pieces: Iterable[Piece]) -> list[Piece]:
+    """The pieces one pair of parentheses deeper."""
+    return [piece._replace(breaks=piece.breaks + 1) if piece.breaks else piece for piece in pieces]
+
+
+def fill(pieces: Sequence[Piece], first: float, rest: float) -> list[str]:
+    """The pieces on lines no wider than ``first`` and ``rest``, unless a single unbreakable run is.
+
+    A line ends where the parentheses are least deep, as long as it is reasonably full.
+    """
+    lines: list[str] = []
+    start, limit = 0, first
+    while start < len(pieces):
+        end = _line_end(pieces, start, limit)
+        lines.append("".join(piece.text for piece in pieces[start:end]))
+        start, limit = end, rest
+    return lines or [""]
+
+
+def _line_end(pieces: Sequence[Piece], start: int, limit: float) -> int:
+    used = 0.0
+    places: list[tuple[int, float]] = []
+    for k in range(start, len(pieces)):
+        if pieces[k].breaks and k > start:
+            places.append((k, used))
+        used += pieces[k].width
+        if used > limit and places:
+            break
+    else:
+        return len(pieces)
+    full = [place for place in places if place[1] >= _ENOUGH * limit] or places[-1:]
+    return min(full, key=lambda place: (pieces[place[0]].breaks, -place[0]))[0]
+
+
+def total(pieces: Iterable[Piece]) -> float:
+    """The width of the pieces on one line."""
+    return sum(piece.width for piece in pieces)

@@ -1,0 +1,120 @@
+"""Expressions as a reader orders them: sums with the positive terms first, products with numbers and parameters first."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+
+from nhc.program.ir import Binary, Call, Expr, Negate, Number, Pi, Power, Ref
+from nhc.program.sheets.model import RANK_STEP, Side, Symbol, Term
+
+_NUMBER, _PI, _CALL, _SUM = 0, 1, 3 * RANK_STEP, 8 * RANK_STEP
+
+
+@dataclass(frozen=True, slots=True)
+class Product:
+    """``number * over... / under...`` with a positive number; ``negative`` is its sign."""
+
+    negative: bool
+    number: Fraction
+    over: tuple[Expr, ...]
+    under: tuple[Expr, ...]
+
+
+def flatten_sum(expression: Expr) -> list[tuple[bool, Expr]]:
+    """(negative, term) for each term; one that is positive comes first where there is one."""
+    found: list[tuple[bool, Expr]] = []
+    stack = [(False, expression)]
+    while stack:
+        negative, part = stack.pop()
+        match part:
+            case Binary(op="+" | "-"):
+                stack.append((negative != (part.op == "-"), part.right))
+                stack.append((negative, part.left))
+            case Negate():
+                stack.append((not negative, part.operand))
+            case Number() if part.value < 0:
+                found.append((not negative, Number(-part.value)))
+            case _:
+                found.append((negative, part))
+    first = next((k for k, (negative, _) in enumerate(found) if not negative), 0)
+    return [found[first], *found[:first], *found[first + 1 :]]
+
+
+def flatten_product(expression: Expr, symbols: Mapping[str, Symbol]) -> Product:
+    """The factors of a term, in reading order."""
+    negative, number = False, Fraction(1)
+    over: list[Expr] = []
+    under: list[Expr] = []
+    stack = [(False, expression)]
+    while stack:
+        below, part = stack.pop()
+        match part:
+            case Binary(op="*" | "/"):
+                stack.append((below != (part.op == "/"), part.right))
+                stack.append((below, part.left))
+            case Negate():
+                negative = not negative
+                stack.append((below, part.operand))
+            case Number() if part.value != 0:
+                negative = negative != (part.value < 0)
+                number = number / abs(part.value) if below else number * abs(part.value)
+            case _:
+                (under if below else over).append(part)
+    return Product(negative, number, _ordered(over, symbols), _ordered(under, symbols))
+
+
+def _ordered(factors: list[Expr], symbols: Mapping[str, Symbol]) -> tuple[Expr, ...]:
+    return tuple(sorted(factors, key=lambda factor: _rank(factor, symbols)))
+
+
+def _rank(factor: Expr, symbols: Mapping[str, Symbol]) -> int:
+    match factor:
+        case Number():
+            return _NUMBER
+        case Pi():
+            return _PI
+        case Ref():
+            return symbols[factor.name].rank
+        case Power():
+            return _rank(factor.base, symbols)
+        case Call():
+            inner = factor.arguments[0]
+            return _CALL + (_rank(inner, symbols) % RANK_STEP if isinstance(inner, Ref) else RANK_STEP // 2)
+        case _:
+            return _SUM
+
+
+def is_sum(expression: Expr) -> bool:
+    """Whether the expression has several terms."""
+    return len(flatten_sum(expression)) > 1
+
+
+def is_unit(expression: Expr) -> bool:
+    """Whether the expression is 1 or -1."""
+    return isinstance(expression, Number) and abs(expression.value) == 1
+
+
+def list_terms(side: Side) -> list[tuple[bool, Term]]:
+    """(negative, term) of a side: a lone sum without factors is split, other signs are taken out of the coefficients."""
+    found: list[tuple[bool, Term]] = []
+    for term in side:
+        parts = flatten_sum(term.coefficient)
+        if not term.factors:
+            found.extend((negative, Term(part)) for negative, part in parts)
+        elif len(parts) == 1:
+            found.append((parts[0][0], Term(parts[0][1], term.factors)))
+        elif all(negative for negative, _ in parts):
+            found.append((True, Term(_negated(parts), term.factors)))
+        else:
+            found.append((False, term))
+    return found
+
+
+def _negated(parts: list[tuple[bool, Expr]]) -> Expr:
+    """The sum of terms that are all negative, with its sign changed."""
+    total = parts[0][1]
+    for _, part in parts[1:]:
+        total = Binary("+", total, part)
+    return total

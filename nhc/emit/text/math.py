@@ -1,0 +1,132 @@
+"""Marks and expressions as plain text, in the spelling of the spec language."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+
+from nhc.emit.layout import Piece, nest
+from nhc.emit.terms import flatten_product, flatten_sum, is_sum, is_unit, list_terms
+from nhc.program.ir import Binary, Call, Expr, Negate, Number, Pi, Power, Ref
+from nhc.program.sheets.model import Mark, Side, Symbol
+
+_SUM, _PRODUCT, _POWER, _ATOM = range(4)
+_SPECIAL = {"Omega_form": "Omega", "Theta_form": "Theta", "epsilon": "eps"}
+
+
+def print_mark(mark: Mark) -> str:
+    """``theta''``, ``dx'``, ``gamma^slip_{v,w}``."""
+    base = _SPECIAL.get(mark.base, mark.base)
+    if mark.star:
+        base += "*"
+    if mark.upper:
+        base += "^" + ",".join(mark.upper)
+    if len(mark.lower) == 1:
+        base += f"_{mark.lower[0]}" if not mark.lower[0].isdigit() else mark.lower[0]
+    elif mark.lower:
+        base += "_{" + ",".join(mark.lower) + "}"
+    return f"{mark.prefix}{base}{chr(39) * mark.dots}{mark.at}"
+
+
+@dataclass(frozen=True, slots=True)
+class TextMath:
+    """Prints over one derivation's symbols."""
+
+    symbols: Mapping[str, Symbol]
+
+    def expression(self, expression: Expr) -> str:
+        return "".join(piece.text for piece in self.pieces(expression))
+
+    def pieces(self, expression: Expr) -> list[Piece]:
+        """The terms of a sum with their signs, breakable before each sign."""
+        found: list[Piece] = []
+        for k, (negative, term) in enumerate(flatten_sum(expression)):
+            found += _signed(k == 0, negative, self._term(term))
+        return found
+
+    def side(self, side: Side) -> list[Piece]:
+        """A sum of coefficients times basis elements; the empty one is 0."""
+        if not side:
+            return [_piece("0")]
+        found: list[Piece] = []
+        for k, (negative, term) in enumerate(list_terms(side)):
+            basis = " ^ ".join(print_mark(mark) for mark in term.factors)
+            if not term.factors:
+                body = self._term(term.coefficient)
+            elif is_unit(term.coefficient):
+                body = [_piece(basis)]
+            elif is_sum(term.coefficient):
+                body = [_piece("("), *nest(self.pieces(term.coefficient)), _piece(f") {basis}")]
+            else:
+                body = [*self._term(term.coefficient), _piece(f" {basis}")]
+            found += _signed(k == 0, negative, body)
+        return found
+
+    def _term(self, term: Expr) -> list[Piece]:
+        """A product; its sign has been taken out."""
+        product = flatten_product(term, self.symbols)
+        number = product.number
+        top: list[Piece] = []
+        if number.numerator != 1 or not product.over:
+            top.append(_piece(str(number.numerator)))
+        for factor in product.over:
+            if top:
+                top.append(_piece("*"))
+            top += self._factor(factor)
+        under = [self._factor(factor) for factor in product.under]
+        if number.denominator != 1:
+            under.insert(0, [_piece(str(number.denominator))])
+        if product.negative:  # a minus inside a product that the sum did not see
+            top.insert(0, _piece("-"))
+        if not under:
+            return top
+        if len(under) == 1:
+            return [*top, _piece("/"), *under[0]]
+        bottom = [piece for k, part in enumerate(under) for piece in ([_piece("*")] if k else []) + part]
+        return [*top, _piece("/("), *bottom, _piece(")")]
+
+    def _factor(self, factor: Expr) -> list[Piece]:
+        match factor:
+            case Number():
+                return [_piece(_fraction(factor.value))]
+            case Pi():
+                return [_piece("pi")]
+            case Ref():
+                return [_piece(print_mark(self.symbols[factor.name].mark))]
+            case Power():
+                exponent = str(factor.exponent) if factor.exponent > 0 else f"({factor.exponent})"
+                return [*self._base(factor.base), _piece(f"^{exponent}")]
+            case Call():
+                return self._call(factor)
+            case Binary() | Negate():
+                return [_piece("("), *nest(self.pieces(factor)), _piece(")")]
+
+    def _base(self, base: Expr) -> list[Piece]:
+        if isinstance(base, Ref | Call | Pi) and not (isinstance(base, Call) and base.function == "pow"):
+            return self._factor(base)
+        return [_piece("("), *nest(self.pieces(base)), _piece(")")]
+
+    def _call(self, call: Call) -> list[Piece]:
+        if call.function == "pow":
+            base, exponent = call.arguments
+            return [*self._base(base), _piece("^("), *nest(self.pieces(exponent)), _piece(")")]
+        inner = [
+            piece for k, a in enumerate(call.arguments) for piece in ([_piece(", ")] if k else []) + self.pieces(a)
+        ]
+        return [_piece(f"{call.function}("), *inner, _piece(")")]
+
+
+def _piece(text: str) -> Piece:
+    return Piece(text, len(text))
+
+
+def _fraction(value: Fraction) -> str:
+    return str(value) if value.denominator == 1 and value >= 0 else f"({value})"
+
+
+def _signed(first: bool, negative: bool, body: list[Piece]) -> list[Piece]:
+    if first:
+        return [_piece("-"), *body] if negative else body
+    sign = " - " if negative else " + "
+    return [Piece(sign, len(sign), 1), *body]

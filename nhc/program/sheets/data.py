@@ -1,0 +1,108 @@
+"""The data: coordinates, parameters, T, U, Q, the constraints (I.1.1), and why this formulation."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from nhc.language import Scene, unparse
+from nhc.language.unparse import show_number
+from nhc.program.sheets.draft import Desk, Draft, DraftSheet
+from nhc.program.sheets.model import Mark, Table
+
+
+def data_sheet(desk: Desk, scene: Scene | None) -> DraftSheet:
+    """Coordinates and parameters with units and values (the scene's where one is given), energies, forces, constraints."""
+    sheet = DraftSheet("data", "The system")
+    system = desk.system
+    sheet.say("The coordinates are")
+    rows = [(Mark(c.name), c.about, c.unit) for c in system.spec.coordinates]
+    sheet.add(_table(("coordinate", "meaning", "unit"), rows))
+    _parameters(desk, sheet, scene)
+    sheet.say("The kinetic energy is")
+    sheet.add(Draft(desk.name(Mark("T")), desk.plain(system.T), place=system.places["T"]))
+    if desk.graph.zero != system.U:
+        sheet.say("and the force function, whose derivatives are the forces of the potential (Q = +dU/dq),")
+        sheet.add(Draft(desk.name(Mark("U")), desk.plain(system.U), place=system.places.get("U", "")))
+    acting = [i for i in range(system.n) if system.Q[i] != desk.graph.zero]
+    if acting:
+        sheet.say("The forces without potential are")
+        for i in acting:
+            name = system.q_names[i]
+            sheet.add(Draft(desk.name(Mark("Q", (name,))), desk.plain(system.Q[i]), place=system.places.get(name, "")))
+    _constraints(desk, sheet)
+    return sheet
+
+
+def _parameters(desk: Desk, sheet: DraftSheet, scene: Scene | None) -> None:
+    parameters = desk.system.spec.parameters
+    if not parameters:
+        return
+    given = {entry.name: entry.value for entry in scene.parameters} if scene is not None else {}
+    sheet.say(f"The parameters, with the values of the scene `{scene.name}`, are" if scene else "The parameters are")
+    rows = []
+    for parameter in parameters:
+        value = given.get(parameter.name, parameter.value)
+        shown = "" if value is None else show_number(value) if isinstance(value, Fraction) else unparse(value)
+        rows.append((Mark(parameter.name), shown or "given by each scene", parameter.unit, parameter.about))
+    sheet.add(_table(("parameter", "value", "unit", "meaning"), rows))
+
+
+def _table(
+    head: tuple[str, ...],
+    rows: list[tuple[Mark | str, ...]] | list[tuple[Mark, str, str]] | list[tuple[Mark, str, str, str]],
+) -> Table:
+    """The table without the columns that hold nothing."""
+    kept = [k for k in range(len(head)) if any(row[k] != "" for row in rows)]
+    return Table(tuple(head[k] for k in kept), tuple(tuple(row[k] for k in kept) for row in rows))
+
+
+def _constraints(desk: Desk, sheet: DraftSheet) -> None:
+    system = desk.system
+    if not system.constraints:
+        sheet.say(f"There are no constraints: the system has {system.n} degree(s) of freedom.")
+        return
+    count, n = system.l, system.n
+    sheet.say(
+        f"The motion obeys {'one constraint' if count == 1 else f'{count} constraints'}, linear in the velocities;"
+        f" {n - count} of the {n} velocities {'is' if n - count == 1 else 'are'} free:"
+    )
+    rates = [desk.coordinate(i, 1) for i in range(n)]
+    for form in system.constraints:
+        left = desk.linear(form.coefficients, rates, form.constant)
+        sheet.add(Draft(left, (), equation="I.1.1", place=form.place, note=form.name))
+    held = [form for form in system.constraints if form.equation is not None]
+    if held:
+        names = ", ".join(f"`{form.name}`" for form in held)
+        sheet.say(f"Of these, {names} {'is the derivative' if len(held) == 1 else 'are derivatives'} of the holonomic")
+        for form in held:
+            assert form.equation is not None
+            sheet.add(Draft(desk.plain(form.equation), (), place=form.place, note=form.name))
+
+
+def reason_sheet(desk: Desk) -> DraftSheet:
+    """Which formulation, why, and which hypotheses hold."""
+    formulation = desk.formulation
+    sheet = DraftSheet("formulation", "The formulation")
+    title = TITLES[formulation.name]
+    sheet.say(f"The equations are {title}. Why these: {formulation.reason.rstrip('.')}.")
+    if formulation.name == "chaplygin":
+        if formulation.broken:
+            sheet.say("Of the hypotheses of I.3 these do not hold, and the generalized equations are used:")
+            for line in formulation.broken:
+                sheet.say(f"- {line}.")
+        else:
+            sheet.say(
+                "The hypotheses of I.3 hold: T, the constraints and the forces contain neither the dependent coordinates"
+                " nor the time, and the constraints are homogeneous."
+            )
+    return sheet
+
+
+TITLES = {
+    "newton": "Newton's",
+    "lagrange": "Lagrange's",
+    "euler-lagrange": "the Euler-Lagrange equations in quasi-velocities (Poincaré, Hamel)",
+    "chaplygin": "Čaplygin's",
+    "voronec": "Voronec's",
+    "multipliers": "Lagrange's with multipliers",
+}

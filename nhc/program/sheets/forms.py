@@ -1,0 +1,164 @@
+"""T on the constraints, the one-form theta, Omega_c, Omega_d and Omega."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from nhc.algebra.calculus import count, gradient, substitute
+from nhc.algebra.graph import Node
+from nhc.exterior import Form, basis_form, one_form, wedge
+from nhc.mechanics import euler_lagrange, lagrange, multipliers, voronec
+from nhc.mechanics.rows import omega_of
+from nhc.program.sheets.draft import Desk, Draft, DraftSheet
+from nhc.program.sheets.formulas import OMEGA, THETA, THETA_QUASI
+from nhc.program.sheets.model import Mark
+
+MOST_TERMS = 400
+"""Nonzero coefficients of Omega beyond which it is printed in factored form only."""
+_MOST_OPERATIONS = 2500  # of all coefficients together
+_MOST_WORK = 1500  # operations of T times coordinates, beyond which the coefficients are not even computed
+
+
+@dataclass(frozen=True)
+class Forms:
+    """Omega = ``exact`` + ``dynamic`` (+ the reactions' work); ``whole`` is None where it is too long to be written out."""
+
+    exact: Form | None
+    dynamic: Form | None
+    whole: Form | None
+
+
+def make_forms(desk: Desk) -> Forms:
+    """The expanded forms, or nothing where they would fill pages."""
+    system, name, frame = desk.system, desk.formulation.name, desk.formulation.frame
+    if count(desk.graph, [system.T]) * system.n > _MOST_WORK:
+        return Forms(None, None, None)
+    whole = desk.shortened(omega_of(system, desk.formulation))
+    if name in ("newton", "lagrange", "multipliers"):
+        parts = Forms(lagrange.kinetic_two_form(system), lagrange.dynamic_two_form(system), whole)
+    elif name == "euler-lagrange":
+        assert frame is not None
+        exact = euler_lagrange.restrict(frame, euler_lagrange.kinetic_two_form(frame))
+        dynamic = euler_lagrange.restrict(frame, euler_lagrange.dynamic_two_form(frame))
+        parts = Forms(exact, dynamic, whole)
+    else:
+        dynamic = _reduced_work(desk, whole)
+        parts = Forms(whole - dynamic, dynamic, whole)
+    if len(whole.terms) > MOST_TERMS or count(desk.graph, list(whole.terms.values())) > _MOST_OPERATIONS:
+        return Forms(None, None, None)
+    return parts
+
+
+def _reduced(desk: Desk) -> voronec.Reduced:
+    assert desk.formulation.frame is not None and desk.formulation.dependent is not None
+    return voronec.reduce(desk.formulation.frame, desk.formulation.dependent.dependent)
+
+
+def _reduced_work(desk: Desk, whole: Form) -> Form:
+    """(Q_mu + b_alphamu Q_alpha) dq_mu ^ dt."""
+    reduced = _reduced(desk)
+    work = one_form(whole.coframe, {k: voronec.applied_force(reduced, k) for k in range(len(reduced.mu))})
+    return wedge(work, basis_form(whole.coframe, 2 * len(reduced.mu)))
+
+
+def energy_sheet(desk: Desk) -> DraftSheet | None:
+    """T on the constraints and the momenta that need all of T."""
+    name, system, g = desk.formulation.name, desk.system, desk.graph
+    if desk.formulation.frame is None:
+        return None
+    sheet = DraftSheet("kinetic", "The kinetic energy on the constraints" if system.l else "The kinetic energy")
+    if name == "euler-lagrange":
+        frame = desk.formulation.frame
+        energy = euler_lagrange.quasi_energy(frame)
+        on = {w: g.zero for w in frame.omega[: system.l]}
+        nodes = substitute(g, [energy, *gradient(g, energy, frame.omega)], on)
+        sheet.add(Draft(desk.name(Mark("T", star=bool(system.l))), desk.value(nodes[0])))
+        if system.l:
+            sheet.say(
+                "The momenta belong to the full T, in all quasi-velocities; the constraints are used after differentiation:"
+            )
+        else:
+            sheet.say("with the momenta")
+        for form, node in zip(frame.forms, nodes[1:], strict=True):
+            sheet.add(Draft(desk.name(Mark("p", (form.name,), star=True)), desk.value(node)))
+        return sheet
+    reduced = _reduced(desk)
+    number = "I.3.3" if name == "chaplygin" else "I.4.3"
+    sheet.add(Draft(desk.name(Mark("T", star=True)), desk.value(reduced.T_star), equation=number))
+    sheet.say("The momenta of the dependent velocities are those of the full T, on the constraints:")
+    for alpha, p in zip(reduced.alpha, reduced.p_alpha, strict=True):
+        sheet.add(Draft(desk.name(Mark("p", (system.q_names[alpha],))), desk.value(p)))
+    return sheet
+
+
+def form_sheet(desk: Desk, forms: Forms) -> DraftSheet:
+    """theta, Omega_c, Omega_d, Omega: general formulas first, then this system's."""
+    sheet = DraftSheet("form", "The 2-form")
+    name, system = desk.formulation.name, desk.system
+    if name == "euler-lagrange":
+        sheet.add(THETA_QUASI)
+    else:
+        sheet.add(THETA)
+    if forms.whole is None:
+        sheet.add(OMEGA[name])
+        sheet.say(
+            "Written out in the coframe, the coefficients of Omega would fill pages. They are not expanded here:"
+            " the contractions of its factors with the motion are the equations of motion below."
+        )
+        return sheet
+    _theta(desk, sheet)
+    if name == "euler-lagrange" and system.l:
+        sheet.say(
+            "On the constraints (put into Omega after d, never into theta) its exterior derivative and the forces' part are"
+        )
+    else:
+        sheet.say(
+            "Its exterior derivative, with the constraint terms, and the forces' part are"
+            if system.l and name in ("chaplygin", "voronec")
+            else "Its exterior derivative and the forces' part are"
+        )
+    assert forms.exact is not None and forms.dynamic is not None
+    numbers = _NUMBERS[name]
+    sheet.add(Draft(desk.name(Mark("Omega_form", ("c",))), desk.form(forms.exact), equation=numbers[0]))
+    sheet.add(Draft(desk.name(Mark("Omega_form", ("d",))), desk.form(forms.dynamic), equation=numbers[1]))
+    sheet.add(OMEGA[name])
+    if name == "multipliers":
+        reactions = _reaction_work(desk)
+        sheet.say("The reactions work like forces:")
+        sheet.add(Draft(desk.name(Mark("Omega_form", ("r",))), desk.form(reactions)))
+    total = [("Omega_c", forms.exact), ("Omega_d", forms.dynamic)]
+    if all(form.terms for _, form in total) or name == "multipliers":
+        sheet.say("Together:")
+        sheet.add(Draft(desk.name(Mark("Omega_form")), desk.form(forms.whole), equation=numbers[2]))
+    return sheet
+
+
+_NUMBERS = {
+    "newton": ("II.1.4", "II.1.5", "II.1.3"),
+    "lagrange": ("II.3.1", "II.2.3", "II.3"),
+    "multipliers": ("II.3.1", "II.2.3", "I.4.1"),
+    "euler-lagrange": ("III.2.4", "III.2.1", "III.2.5"),
+    "chaplygin": ("III.3", "III.3.1", "III.3"),
+    "voronec": ("III.4.1", "II.2.3", "III.4"),
+}
+
+
+def _theta(desk: Desk, sheet: DraftSheet) -> None:
+    name, system, frame = desk.formulation.name, desk.system, desk.formulation.frame
+    sheet.say("For this system")
+    if name == "euler-lagrange":
+        assert frame is not None
+        theta, number = euler_lagrange.kinetic_one_form(frame), "III.2.2"
+    else:
+        theta, number = lagrange.kinetic_one_form(system), "II.2.2"
+    sheet.add(Draft(desk.name(Mark("Theta_form")), desk.form(theta), equation=number))
+
+
+def _reaction_work(desk: Desk) -> Form:
+    g, system = desk.graph, desk.system
+    coframe = lagrange.phase_coframe(system)
+    total: dict[int, Node] = {}
+    for symbol, form in zip(multipliers.multiplier_symbols(system), system.constraints, strict=True):
+        for i, a in enumerate(form.coefficients):
+            total[i] = g.add(total.get(i, g.zero), g.mul(symbol, a))
+    return wedge(one_form(coframe, total), basis_form(coframe, 2 * system.n))

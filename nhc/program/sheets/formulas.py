@@ -1,0 +1,117 @@
+"""The general formulas of the thesis (corrected where it errs), in both spellings."""
+
+from __future__ import annotations
+
+from nhc.program.sheets.model import Formula
+
+GAMMA = Formula(
+    "d(dpi_i) = gamma^i_mj dpi_m ^ dpi_j (m < j) - eps^i_j dpi_j ^ dt,"
+    "  gamma^i_tj = (da_ir/dq_s - da_is/dq_r) b_st b_rj,  eps^i_j = gamma^i_(n+1)j",
+    r"\begin{gathered} d(d\pi_i) = \sum_{m<j} \gamma^i_{mj}\, d\pi_m \wedge d\pi_j - \varepsilon^i_j\, d\pi_j \wedge dt, \\"
+    r" \gamma^i_{tj} = \Bigl(\frac{\partial a_{ir}}{\partial q_s} - \frac{\partial a_{is}}{\partial q_r}\Bigr) b_{st} b_{rj},"
+    r" \qquad \varepsilon^i_j = \gamma^i_{n+1,j} \end{gathered}",
+    "I.2.11",
+)
+
+THETA = Formula(
+    "Theta = p_i dq_i - (p_i q_i' - T) dt,  p_i = dT/dq_i'",
+    r"\boldsymbol{\theta} = p_i\, dq_i - (p_i \dot q_i - T)\, dt, \qquad p_i = \frac{\partial T}{\partial \dot q_i}",
+    "II.2.2",
+)
+THETA_QUASI = Formula(
+    "Theta = p*_j dpi_j - (p*_j omega_j - T) dt,  p*_j = dT/domega_j",
+    r"\boldsymbol{\theta} = p^*_j\, d\pi_j - (p^*_j \omega_j - T)\, dt, \qquad p^*_j = \frac{\partial T}{\partial \omega_j}",
+    "III.2.2",
+)
+
+OMEGA = {
+    "newton": Formula(
+        "Omega = (m_i dv_i - X_i dt) ^ (dx_i - v_i dt)",
+        r"\boldsymbol{\Omega} = (m_i\, dv_i - X_i\, dt) \wedge (dx_i - v_i\, dt)",
+        "II.1.3",
+    ),
+    "lagrange": Formula(
+        "Omega = d Theta + Q_i dq_i ^ dt = (dp_i - (dT/dq_i + Q_i) dt) ^ (dq_i - q_i' dt)",
+        r"\boldsymbol{\Omega} = d\boldsymbol{\theta} + Q_i\, dq_i \wedge dt"
+        r" = \Bigl(dp_i - \Bigl(\frac{\partial T}{\partial q_i} + Q_i\Bigr) dt\Bigr) \wedge (dq_i - \dot q_i\, dt)",
+        "II.3",
+    ),
+    "multipliers": Formula(
+        "Omega = (dp_i - (dT/dq_i + Q_i + lambda_a a_ai) dt) ^ (dq_i - q_i' dt)",
+        r"\boldsymbol{\Omega} = \Bigl(dp_i - \Bigl(\frac{\partial T}{\partial q_i} + Q_i + \lambda_\alpha a_{\alpha i}\Bigr) dt\Bigr)"
+        r" \wedge (dq_i - \dot q_i\, dt)",
+        "I.4.1",
+    ),
+    "euler-lagrange": Formula(
+        "Omega = [dp*_j + ((gamma^i_mj omega_m + eps^i_j) p*_i - dT/dpi_j - P_j) dt] ^ eta_j"
+        " + p*_i gamma^i_mj eta_m ^ eta_j (m < j),  eta_j = dpi_j - omega_j dt",
+        r"\begin{gathered} \boldsymbol{\Omega} = \Bigl[dp^*_j + \Bigl((\gamma^i_{mj} \omega_m + \varepsilon^i_j)\, p^*_i"
+        r" - \frac{\partial T}{\partial \pi_j} - P_j\Bigr) dt\Bigr] \wedge \eta_j"
+        r" + \sum_{m<j} p^*_i \gamma^i_{mj}\, \eta_m \wedge \eta_j, \\ \eta_j = d\pi_j - \omega_j\, dt \end{gathered}",
+        "III.2.5",
+    ),
+    "voronec": Formula(
+        "Omega = (d(dT*/dq_m') - p_a db_am - R_m dt) ^ (dq_m - q_m' dt),"
+        "  R_m = (dT/dq_m + Q_m) + b_am (dT/dq_a + Q_a),  dq_a = b_am dq_m + b_a dt",
+        r"\begin{gathered} \boldsymbol{\Omega} = \Bigl(d\frac{\partial T^*}{\partial \dot q_\mu} - p_\alpha\, db_{\alpha\mu}"
+        r" - R_\mu\, dt\Bigr) \wedge (dq_\mu - \dot q_\mu\, dt), \\ R_\mu = \frac{\partial T}{\partial q_\mu} + Q_\mu"
+        r" + b_{\alpha\mu} \Bigl(\frac{\partial T}{\partial q_\alpha} + Q_\alpha\Bigr), \qquad"
+        r" dq_\alpha = b_{\alpha\mu}\, dq_\mu + b_\alpha\, dt \end{gathered}",
+        "III.4",
+    ),
+}
+OMEGA["chaplygin"] = Formula(OMEGA["voronec"].text, OMEGA["voronec"].latex, "III.3")
+
+EQUATIONS = {
+    "newton": Formula("m_i v_i' = X_i", r"m_i \dot v_i = X_i", "II.1.3"),
+    "lagrange": Formula(
+        "d/dt dT/dq_i' - dT/dq_i = Q_i",
+        r"\frac{d}{dt} \frac{\partial T}{\partial \dot q_i} - \frac{\partial T}{\partial q_i} = Q_i",
+        "II.3",
+    ),
+    "multipliers": Formula(
+        "d/dt dT/dq_i' - dT/dq_i = Q_i + lambda_a a_ai",
+        r"\frac{d}{dt} \frac{\partial T}{\partial \dot q_i} - \frac{\partial T}{\partial q_i} = Q_i + \lambda_\alpha a_{\alpha i}",
+        "I.4.1",
+    ),
+    "euler-lagrange": Formula(
+        "d/dt dT/domega_m + (gamma^i_nm omega_n + eps^i_m) dT/domega_i - dT/dpi_m = P_m,  P_m = b_im Q_i,"
+        "  i over all n quasi-velocities",
+        r"\frac{d}{dt} \frac{\partial T}{\partial \omega_\mu} + (\gamma^i_{\nu\mu} \omega_\nu + \varepsilon^i_\mu)"
+        r" \frac{\partial T}{\partial \omega_i} - \frac{\partial T}{\partial \pi_\mu} = P_\mu = b_{i\mu} Q_i,"
+        r" \qquad i = 1, \dots, n",
+        "I.2.15",
+    ),
+    "chaplygin": Formula(
+        "d/dt dT*/dq_m' - dT*/dq_m + p_a [(db_an/dq_m - db_am/dq_n) q_n' + db_a/dq_m - db_am/dt] = Q_m + b_am Q_a",
+        r"\frac{d}{dt} \frac{\partial T^*}{\partial \dot q_\mu} - \frac{\partial T^*}{\partial q_\mu} + p_\alpha \Bigl["
+        r"\Bigl(\frac{\partial b_{\alpha\nu}}{\partial q_\mu} - \frac{\partial b_{\alpha\mu}}{\partial q_\nu}\Bigr) \dot q_\nu"
+        r" + \frac{\partial b_\alpha}{\partial q_\mu} - \frac{\partial b_{\alpha\mu}}{\partial t}\Bigr] = Q_\mu + b_{\alpha\mu} Q_\alpha",
+        "III.3",
+    ),
+    "voronec": Formula(
+        "d/dt dT*/dq_m' = dT*/dq_m + b_bm dT*/dq_b + Q_m + b_bm Q_b"
+        " + p_a {b_am' - (d/dq_m + b_bm d/dq_b)(b_an q_n' + b_a)}",
+        r"\begin{split} \frac{d}{dt} \frac{\partial T^*}{\partial \dot q_\mu} = {} & \frac{\partial T^*}{\partial q_\mu}"
+        r" + b_{\beta\mu} \frac{\partial T^*}{\partial q_\beta} + Q_\mu + b_{\beta\mu} Q_\beta \\ & + p_\alpha \Bigl\{"
+        r"\dot b_{\alpha\mu} - \Bigl(\frac{\partial}{\partial q_\mu} + b_{\beta\mu} \frac{\partial}{\partial q_\beta}\Bigr)"
+        r" (b_{\alpha\nu} \dot q_\nu + b_\alpha)\Bigr\} \end{split}",
+        "I.4.9",
+    ),
+}
+POINCARE = Formula(
+    EQUATIONS["euler-lagrange"].text,
+    EQUATIONS["euler-lagrange"].latex.replace(r"\mu", "j").replace(r"\nu", "m"),
+    "I.2.14",
+)
+
+CONTRACTION = Formula(
+    "i_X Omega = A_m(X) (omega_m - w_m dt)  for  Omega = A_m ^ (omega_m - w_m dt)",
+    r"\boldsymbol{\Omega} = A_\mu \wedge (\omega_\mu - w_\mu\, dt) \quad\Longrightarrow\quad"
+    r" i_X \boldsymbol{\Omega} = A_\mu(X)\, (\omega_\mu - w_\mu\, dt)",
+)
+ENERGY_THEOREM = Formula(
+    "d/dt (p_i q_i' - T - U) = Q_i q_i' - dT/dt - dU/dt - lambda_a a_a   (Q without the potential's part, d/dt at fixed q, q')",
+    r"\frac{d}{dt} (p_i \dot q_i - T - U) = Q_i \dot q_i - \frac{\partial T}{\partial t} - \frac{\partial U}{\partial t}"
+    r" - \lambda_\alpha a_\alpha \qquad (Q_i \text{ without the potential's part})",
+)

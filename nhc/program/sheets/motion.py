@@ -1,0 +1,199 @@
+"""The associated system, the equations of motion, the reactions and the energy."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from nhc.algebra.calculus import count, derivative, substitute
+from nhc.algebra.graph import Node
+from nhc.algebra.linear import Singular, solve
+from nhc.mechanics.formulate import bordered_system
+from nhc.mechanics.multipliers import multiplier_symbols
+from nhc.mechanics.rows import ENERGY, MOTION, associated_rows, energy_identity, motion_components
+from nhc.program.sheets.draft import Desk, Draft, DraftSheet, Part
+from nhc.program.sheets.forms import Forms
+from nhc.program.sheets.formulas import CONTRACTION, ENERGY_THEOREM, EQUATIONS, POINCARE
+from nhc.program.sheets.model import Mark
+
+_SOLVED = 3  # rates up to which the system is solved on paper
+_SHORT = 60  # operations of a solved rate that is still worth printing
+_WORTH = 300  # operations of mass and force up to which solving is tried
+
+
+def associated_sheet(desk: Desk, forms: Forms) -> DraftSheet:
+    """i_X Omega row by row, each claim tested exactly."""
+    sheet = DraftSheet("associated", "The associated system")
+    motion, system = desk.equations.motion, desk.system
+    sheet.add(CONTRACTION)
+    if forms.whole is None:
+        sheet.say(
+            "So the rows of the velocities' differentials hold automatically, the rows A(X) = 0 are the equations of motion,"
+            " and the row of dt is their combination: the theorem of energy."
+        )
+        return sheet
+    components = motion_components(system, motion)
+    rows = associated_rows(forms.whole, components)
+    basis = desk.basis(forms.whole)
+    sheet.say("The motion is the field X with i_X Omega = 0; along the coframe its components are")
+    for mark, node in zip(basis, components, strict=True):
+        sheet.add(Draft(desk.name(replace(mark, at="(X)")), desk.plain(node)))
+    automatic = sum(row.kind == "automatic" for row in rows)
+    if automatic == len(motion.w):
+        sheet.say(
+            f"Of its {len(rows)} rows {automatic} hold automatically (exactly tested), those of the velocities' differentials."
+        )
+    sheet.say("The others:")
+    for row, mark in zip(rows, basis, strict=True):
+        if row.kind == MOTION:
+            sheet.add(Draft(desk.value(row.node), (), equation="III.1.1", label=mark))
+    identity = energy_identity(forms.whole, rows, components)
+    (last,) = [row for row in rows if row.kind == ENERGY]
+    weighted = desk.graph.sum(
+        [desk.graph.mul(w, row.node) for w, row in zip(motion.w, rows[: len(motion.w)], strict=True)]
+    )
+    if not any(desk.nonzero([identity, desk.graph.add(last.node, weighted)])):
+        sheet.say(
+            "The row of dt is the sum of these, each times minus its velocity (exactly tested): the theorem of energy,"
+            " a consequence of the equations of motion."
+        )
+    return sheet
+
+
+def motion_sheet(desk: Desk) -> DraftSheet:
+    """mass w' = force, the kinematics that complete it, and the solution where it is short."""
+    sheet = DraftSheet("motion", "The equations of motion")
+    equations, system, name = desk.equations, desk.system, desk.formulation.name
+    motion = equations.motion
+    sheet.add(POINCARE if name == "euler-lagrange" and not system.l else EQUATIONS[name])
+    rates = [desk.mark(rate) for rate in motion.rates]
+    sheet.say("For this system" if rates else "No velocity is free: the constraints alone determine the motion.")
+    for k, (row, force) in enumerate(zip(equations.mass, equations.force, strict=True)):
+        right: tuple[Part, ...] = desk.value(force)
+        if equations.multipliers:
+            coefficients = [form.coefficients[k] for form in system.constraints]
+            marks = [desk.mark(symbol) for symbol in multiplier_symbols(system)]
+            right += desk.linear(coefficients, marks)
+        sheet.add(Draft(desk.linear(row, rates), right, equation=equations.number, place=system.places["T"]))
+    if equations.multipliers:
+        _constraint_rates(desk, sheet)
+        return sheet
+    _kinematics(desk, sheet)
+    _solution(desk, sheet)
+    return sheet
+
+
+def _constraint_rates(desk: Desk, sheet: DraftSheet) -> None:
+    """The differentiated constraints; with them the system is linear in the accelerations and the multipliers."""
+    system, g = desk.system, desk.graph
+    sheet.say(
+        "completed by the rates of the constraints. The whole is linear in the accelerations and the multipliers, with a symmetric"
+        " matrix that is regular wherever the constraints are independent; the emitted code solves it with row pivoting."
+    )
+    _, right = bordered_system(desk.equations)
+    rates = [desk.mark(rate) for rate in desk.equations.motion.rates]
+    for form, value in zip(system.constraints, right[system.n :], strict=True):
+        sheet.add(
+            Draft(desk.linear(form.coefficients, rates), desk.value(g.neg(value)), place=form.place, equation="I.1.1")
+        )
+
+
+def _kinematics(desk: Desk, sheet: DraftSheet) -> None:
+    system, motion = desk.system, desk.equations.motion
+    drafts = []
+    speeds = [desk.mark(w) for w in motion.w]
+    drift = desk.formulation.frame.drift if desk.formulation.frame is not None else (desk.graph.zero,) * system.n
+    for i in range(system.n):
+        left = desk.coordinate(i, 1)
+        right = desk.linear([e[i] for e in motion.vectors], speeds, drift[i])
+        if right != ((desk.graph.one, (left,)),):
+            number = "I.2.4" if desk.formulation.name == "euler-lagrange" else "I.1.2"
+            drafts.append(Draft(desk.name(left), right, equation=number))
+    if drafts:
+        sheet.say("together with the kinematics")
+        sheet.add(*drafts)
+
+
+def _solution(desk: Desk, sheet: DraftSheet) -> None:
+    equations, g = desk.equations, desk.graph
+    rates = equations.motion.rates
+    if not rates or _already_solved(desk):
+        return
+    nodes = [x for row in equations.mass for x in row] + list(equations.force)
+    if len(rates) <= _SOLVED and count(g, nodes) <= _WORTH:
+        try:
+            (values,) = solve(g, equations.mass, [list(equations.force)]).unknowns
+        except Singular:
+            values = []
+        short = [desk.short(value) for value in values]
+        if short and all(desk.size(value) <= _SHORT for value in short):
+            sheet.say("Solved for the rates:")
+            for rate, value in zip(rates, short, strict=True):
+                sheet.add(Draft(desk.name(desk.mark(rate)), desk.value(value)))
+            return
+    if equations.definite:
+        sheet.say(
+            "The matrix on the left is symmetric and positive wherever the motion is regular. The emitted code solves the system by its"
+            " factors L D L^T without pivoting, written out entry by entry."
+        )
+    else:
+        sheet.say(
+            "The matrix on the left is symmetric but not definite; the emitted code solves the system with row pivoting."
+        )
+
+
+def _already_solved(desk: Desk) -> bool:
+    g, mass = desk.graph, desk.equations.mass
+    return all(x == (g.one if i == j else g.zero) for i, row in enumerate(mass) for j, x in enumerate(row))
+
+
+def reaction_sheet(desk: Desk) -> DraftSheet | None:
+    """lambda_alpha from the constraints' own vectors; with multipliers they are unknowns already."""
+    system, equations, g = desk.system, desk.equations, desk.graph
+    if not equations.reactions:
+        return None
+    sheet = DraftSheet("reactions", "The reactions")
+    sheet.say("Q_i gains lambda_alpha a_alpha_i from the constraint alpha; on the motion")
+    rates = [desk.mark(rate) for rate in equations.motion.rates]
+    for symbol, row, form in zip(multiplier_symbols(system), equations.reactions, system.constraints, strict=True):
+        right = (*desk.linear(row.mass, rates), *desk.value(g.neg(row.force)))
+        sheet.add(Draft(desk.name(desk.mark(symbol)), right, equation="I.4.1", place=form.place))
+    return sheet
+
+
+def energy_theorem_sheet(desk: Desk) -> DraftSheet:
+    """T + V on the motion, and what changes p q' - T - U: terms that vanish identically are left out."""
+    sheet = DraftSheet("energy", "The energy")
+    system, g, motion = desk.system, desk.graph, desk.equations.motion
+    on = dict(zip(system.v, motion.velocities, strict=True))
+    slope = g.sum([g.mul(p, v) for p, v in zip(_momenta(desk), system.v, strict=True)])
+    generalized = g.sub(g.sub(slope, system.T), system.U)
+    power = g.sum([g.mul(q, v) for q, v in zip(system.Q, system.v, strict=True)])
+    change = g.sub(g.sub(power, derivative(g, system.T, system.t)), derivative(g, system.U, system.t))
+    energy, whole, change = substitute(g, [system.energy, generalized, change], on)
+    reactions = [form.constant for form in system.constraints]
+    reactions_matter = any(desk.nonzero(reactions))
+    changes, differs = desk.nonzero([change, g.sub(energy, whole)])
+    sheet.add(Draft(desk.name(Mark("E")), desk.value(energy), equation="II.1.4"))
+    if not changes and not reactions_matter and not differs:
+        sheet.say(
+            "T is homogeneous quadratic in the velocities and nothing depends on the time: the energy E is constant."
+        )
+        return sheet
+    sheet.add(ENERGY_THEOREM)
+    mark = Mark("E")
+    if differs:
+        sheet.say("Here T is not homogeneous quadratic in the velocities; what the theorem speaks of is")
+        mark = Mark("H")
+        sheet.add(Draft(desk.name(mark), desk.value(whole)))
+    right: tuple[Part, ...] = desk.value(change)
+    marks = [desk.mark(symbol) for symbol in multiplier_symbols(system)]
+    right += desk.linear([g.neg(a) for a in reactions], marks) if reactions_matter else ()
+    sheet.say("so that on the motion" if right else "which is constant:")
+    sheet.add(Draft(desk.name(Mark(mark.base, dots=1)), right))
+    return sheet
+
+
+def _momenta(desk: Desk) -> list[Node]:
+    from nhc.mechanics.lagrange import momenta
+
+    return momenta(desk.system)
