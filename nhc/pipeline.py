@@ -31,6 +31,7 @@ from nhc.program.model import build_program
 from nhc.stamp import stamp
 
 if TYPE_CHECKING:
+    from nhc.mechanics.certificate import Certificate
     from nhc.program.paper import Derivation
 
 
@@ -143,6 +144,29 @@ def check(source: Source) -> Report:
     return Report(bag.diagnostics, facts.lines, facts.data)
 
 
+def compare(source: Source) -> tuple[System, Certificate]:
+    """Whether all formulations agree on a spec, decided exactly.
+
+    Raises:
+        SpecError: the spec has errors.
+    """
+    from nhc.mechanics.certificate import certify
+
+    system = resolve(decode(source))
+    return system, certify(system)
+
+
+def check_certificate(source: Source, text: str) -> list[str]:
+    """What is wrong with a certificate that was written for this spec; nothing where it holds.
+
+    Raises:
+        SpecError: the spec has errors.
+    """
+    from nhc.mechanics.certificate_file import verify
+
+    return verify(text, resolve(decode(source)), source.text)[0]
+
+
 def derivation(source: Source, options: Options) -> Derivation:
     """The derivation on paper.
 
@@ -192,10 +216,9 @@ def emit(source: Source, language: str, options: Options = Options()) -> dict[st
 
 
 def _functions(only: tuple[str, ...]) -> tuple[str, ...]:
-    """The IR's functions behind the emitted ones that are asked for."""
-    return tuple(
-        dict.fromkeys("rhs" if name == "rhs_batch" else name for name in only if name in (*FUNCTIONS, "rhs_batch"))
-    )
+    """The IR's functions behind the emitted ones that are asked for; all of them when a name is wrong (the emitter says so)."""
+    wanted = tuple(dict.fromkeys("rhs" if name == "rhs_batch" else name for name in only))
+    return wanted if all(name in FUNCTIONS for name in wanted) else ()
 
 
 def dump(source: Source, stage: str, options: Options = Options()) -> str:
