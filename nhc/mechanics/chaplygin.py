@@ -53,7 +53,7 @@ def hypotheses(reduced: Reduced) -> Hypotheses:
     return Hypotheses((*fatal, *broken), tuple(fatal))
 
 
-@equation("I.3.2", "III.3")
+@equation("I.3", "I.3.2", "III.3")
 def printed_rows(reduced: Reduced, rates: tuple[Node, ...]) -> list[Node]:
     """The generalized equations above, left minus right, with q''_mu = ``rates``."""
     g, system = reduced.graph, reduced.system

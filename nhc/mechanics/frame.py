@@ -117,6 +117,7 @@ def form_value(graph: Graph, form: Form, v: Sequence[Node]) -> Node:
     return graph.add(graph.sum([graph.mul(a, x) for a, x in zip(form.coefficients, v, strict=True)]), form.constant)
 
 
+@equation("I.2.1", "I.2.2")
 def make_frame(system: System, free: Sequence[Form], symbols: Sequence[Node]) -> Frame:
     """The frame whose forms are the system's constraints and ``free``, in this order.
 
@@ -151,6 +152,7 @@ def coordinate_form(system: System, i: int) -> Form:
     )
 
 
+@equation("I.3.1")
 def coordinate_frame(system: System, dependent: Sequence[int]) -> Frame:
     """The coframe (omega_alpha, dq_mu) of Čaplygin and Voronec: (I.1.2) solved for the dependent velocities."""
     independent = [i for i in range(system.n) if i not in dependent]

@@ -47,11 +47,13 @@ def dynamic_two_form(system: System) -> Form:
     return wedge(work, basis_form(coframe, 2 * system.n))
 
 
+@equation("II.3")
 def omega(system: System) -> Form:
     """Omega = Omega_c + Omega_d."""
     return kinetic_two_form(system) + dynamic_two_form(system)
 
 
+@equation("II.3")
 def printed_rows(system: System, rates: tuple[Node, ...]) -> list[Node]:
     """d/dt dT/dq'_i - dT/dq_i - Q_i, with q'' = ``rates``."""
     g = system.graph

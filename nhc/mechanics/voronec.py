@@ -78,7 +78,7 @@ def reduce(frame: Frame, dependent: tuple[int, ...]) -> Reduced:
     )
 
 
-@equation("I.4.9", "I.4.4", "I.4.8")
+@equation("I.4.9", "I.4.4", "I.4.8", "III.4")
 def printed_rows(reduced: Reduced, rates: tuple[Node, ...]) -> list[Node]:
     """d/dt dT*/dq'_mu minus the right side above, with q''_mu = ``rates``."""
     g, frame = reduced.graph, reduced.frame
@@ -126,7 +126,7 @@ def reduced_coframe(reduced: Reduced) -> Coframe:
     return Coframe(g, tuple(names), (*system.q, *reduced.v_mu, system.t), tuple(dual))
 
 
-@equation("III.4.1", "III.4.2", "III.4.3", "III.4.4", "III.3.1")
+@equation("III.4", "III.4.1", "III.4.2", "III.4.3", "III.4.4", "III.3.1")
 def omega(reduced: Reduced) -> Form:
     """(d(dT*/dq'_mu) - p_alpha db_alphamu - R_mu dt) ^ (dq_mu - q'_mu dt), the master form of ch. III."""
     g, m = reduced.graph, len(reduced.mu)

@@ -1,8 +1,4 @@
-"""The numbered equations of A. Vigneront's thesis (Namur 1977), and the code that implements them.
-
-``@equation("I.4.9")`` ties a function to a number; the same number stands in emitted comments, LaTeX tags and tests.
-The registry knows of every number whether it is implemented, shown by a test, or not needed (with the reason).
-"""
+"""``@equation("I.4.9")`` ties a function to a number of the thesis."""
 
 from __future__ import annotations
 
