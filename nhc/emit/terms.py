@@ -9,7 +9,7 @@ from fractions import Fraction
 from nhc.program.ir import Binary, Call, Expr, Negate, Number, Pi, Power, Ref
 from nhc.program.sheets.model import RANK_STEP, Side, Symbol, Term
 
-_NUMBER, _PI, _CALL, _SUM = 0, 1, 3 * RANK_STEP, 8 * RANK_STEP
+_NUMBER, _PI, _SUM, _CALL = 0, 1, 8 * RANK_STEP, 9 * RANK_STEP
 
 
 @dataclass(frozen=True, slots=True)

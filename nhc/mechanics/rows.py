@@ -1,12 +1,13 @@
 """The associated system of Omega, read off its expanded coefficients: i_X Omega in the coframe, row by row.
 
-This is Omega's face on paper; :mod:`nhc.mechanics.associate` is its face as a program, and ``tests/numeric/test_two_faces.py`` shows
-that the two are one.  With Omega = A_mu ^ (omega_mu - w_mu dt) and a field X whose components along the omega_mu are w_mu,
+This is Omega's face on paper; :mod:`nhc.mechanics.associate` is its face as a program, and
+``tests/numeric/test_two_faces.py`` shows that the two are one.  With Omega = A_mu ^ (omega_mu - w_mu dt) and a field X whose
+components along the omega_mu are w_mu,
 
     i_X Omega = A_mu(X) (omega_mu - w_mu dt),
 
-so the coefficients of the velocities' differentials vanish, those of the omega_mu are the equations of motion, and that of dt is their
-combination with -w_mu: the theorem of energy.  Nothing of this is assumed here; each claim is tested exactly.
+so the coefficients of the velocities' differentials vanish, those of the omega_mu are the equations of motion, and that of dt
+is their combination with -w_mu: the theorem of energy.  Nothing of this is assumed here; each claim is tested exactly.
 """
 
 from __future__ import annotations
@@ -60,8 +61,9 @@ def motion_components(system: System, motion: Motion) -> tuple[Node, ...]:
 def associated_rows(omega: Form, components: Sequence[Node]) -> tuple[AssociatedRow, ...]:
     """All rows of i_X Omega, X given by its components along the coframe (velocities, rates, 1).
 
-    A row of a velocity's differential is ``automatic`` when it vanishes identically (exact test) and ``motion`` otherwise, so that a
-    2-form which is not made of contact forms shows itself; the rows of the omega_mu are ``motion``, that of dt is ``energy``.
+    A row of a velocity's differential is ``automatic`` when it vanishes identically (exact test) and ``motion`` otherwise, so
+    that a 2-form which is not made of contact forms shows itself; the rows of the omega_mu are ``motion``, that of dt is
+    ``energy``.
     """
     contracted = interior(components, omega)
     count = (len(omega.coframe) - 1) // 2

@@ -1,7 +1,8 @@
 """Omega on paper: a formulation's derivation as data that text and LaTeX print alike.
 
-Every coefficient is brought to canonical form where that is small and shorter, tested for zero exactly, and lowered with abbreviations
-for what repeats: the output is linear in the graph, whatever the system.  What would fill pages is said in its factored form.
+Every coefficient is brought to canonical form where that is small and shorter, tested for zero exactly, and lowered with
+abbreviations for what repeats: the output is linear in the graph, whatever the system.  What would fill pages is said in its
+factored form.
 """
 
 from __future__ import annotations

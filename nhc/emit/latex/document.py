@@ -5,12 +5,13 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import groupby
 
 from nhc.emit.environment import create_environment
 from nhc.emit.latex.math import LatexMath, estimate, print_mark
-from nhc.emit.latex.spelling import escape
+from nhc.emit.latex.spelling import escape, escape_part, spell_unit
 from nhc.emit.layout import fill, total
-from nhc.emit.prose import fold_ascii
+from nhc.emit.prose import clean, fold_ascii
 from nhc.program.sheets.model import Derivation, Formula, Item, Mark, Prose, Sheet, Statement, Table
 from nhc.stamp import PLACEHOLDER
 from nhc.version import __version__
@@ -19,6 +20,8 @@ TEMPLATE = "latex/derivation.tex.jinja"
 _LINE = 440.0  # points between the margins, less a little
 _TAG = 52.0  # a tag and the space before it
 _HANGING = 24.0
+_MOST_ROWS = 40  # of a table on one page
+_LONG_CELL = 55  # characters from which a column is set as a paragraph
 _ALIGNED = 120.0  # widest left side that is aligned at its relation
 
 
@@ -27,7 +30,38 @@ class Section:
     """What the template places."""
 
     title: str
-    blocks: tuple[str, ...]
+    paragraphs: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class _Block:
+    """A sentence (``opens``: it starts a paragraph unless it follows another) or what belongs to the one before."""
+
+    text: str
+    opens: bool = False
+
+
+def _paragraphs(blocks: Sequence[_Block]) -> tuple[str, ...]:
+    """A sentence with its displays is one paragraph, so that no blank line stands before a display."""
+    found: list[list[str]] = []
+    for block in blocks:
+        if block.opens or not found:
+            found.append([])
+        found[-1].append(block.text)
+    return tuple("\n".join(paragraph) for paragraph in found)
+
+
+def _kind(item: Item) -> str:
+    """Neighbours of the same kind are printed together."""
+    match item:
+        case Statement():
+            return f"statement {item.equation}"
+        case Prose():
+            return "point" if item.text.startswith("- ") else "prose"
+        case Formula():
+            return "formula"
+        case Table():
+            return "table"
 
 
 def render(derivation: Derivation) -> str:
@@ -62,38 +96,40 @@ class _Printer:
         self.names |= {f"{name}{dots}" for name in system.q_names for dots in ("'", "''")}
 
     def section(self, sheet: Sheet) -> Section:
-        blocks: list[str] = []
+        blocks = self._blocks(sheet.items[: sheet.lets_at])
         if sheet.lets:
-            blocks += ["With the abbreviations", self._aligned(sheet.lets)]
-        blocks += self._blocks(sheet.items)
-        return Section(escape(sheet.title), tuple(blocks))
+            blocks += [_Block("With the abbreviations", True), _Block(self._aligned(sheet.lets))]
+        blocks += self._blocks(sheet.items[sheet.lets_at :])
+        return Section(escape(sheet.title), _paragraphs(blocks))
 
-    def _blocks(self, items: Sequence[Item]) -> list[str]:
-        blocks: list[str] = []
-        group: list[Statement] = []
-        for item in items:
-            if group and not (isinstance(item, Statement) and item.equation == group[0].equation):
-                blocks.append(self._aligned(group))
-                group = []
-            match item:
-                case Statement():
-                    group.append(item)
-                case Prose():
-                    blocks.append(self._prose(item.text))
-                case Formula():
-                    blocks.append(self._formula(item))
-                case Table():
-                    blocks.append(self._table(item))
-        return [*blocks, self._aligned(group)] if group else blocks
+    def _blocks(self, items: Sequence[Item]) -> list[_Block]:
+        """Statements of one number are one display, points of a list one list."""
+        blocks: list[_Block] = []
+        for kind, run in groupby(items, _kind):
+            members = list(run)
+            if kind == "point":
+                points = "\n".join(rf"\item {self._prose(m.text[2:])}" for m in members if isinstance(m, Prose))
+                blocks.append(_Block(f"\\begin{{itemize}}\n{points}\n\\end{{itemize}}"))
+                continue
+            if isinstance(members[0], Statement):
+                blocks.append(_Block(self._aligned([m for m in members if isinstance(m, Statement)])))
+                continue
+            for member in members:
+                match member:
+                    case Prose():
+                        blocks.append(_Block(self._prose(member.text), True))
+                    case Formula():
+                        blocks.append(_Block(self._formula(member)))
+                    case Table():
+                        blocks += [_Block(part, True) for part in self._tables(member)]
+        return blocks
 
     # --- prose and tables -------------------------------------------------------------------------------------
 
     def _prose(self, text: str) -> str:
         """Names between back-ticks that stand for quantities are set as math, others as words."""
-        item = text.startswith("- ")
-        pieces = re.split(r"`([^`]*)`", text.removeprefix("- "))
-        shown = "".join(self._name(part) if k % 2 else escape(part) for k, part in enumerate(pieces))
-        return rf"\item {shown}" if item else shown
+        pieces = re.split(r"`([^`]*)`", clean(text))
+        return "".join(self._name(part) if k % 2 else escape_part(part) for k, part in enumerate(pieces))
 
     def _name(self, name: str) -> str:
         if name not in self.names:
@@ -101,17 +137,29 @@ class _Printer:
         bare = name.rstrip("'")
         return f"${print_mark(Mark(bare, dots=len(name) - len(bare)))}$"
 
-    def _table(self, table: Table) -> str:
-        columns = "l" * len(table.head)
-        widest = max(range(len(table.head)), key=lambda k: max(len(r[k]) if isinstance(r[k], str) else 1 for r in table.rows))
-        columns = columns[:widest] + r"p{0.55\linewidth}" + columns[widest + 1 :]
-        lines = [rf"\begin{{longtable}}[l]{{@{{\qquad}}{columns}@{{}}}}"]
-        lines.append(" & ".join(rf"\emph{{{escape(title)}}}" for title in table.head) + r" \\")
-        lines.append(r"\hline \endhead")
-        for row in table.rows:
-            cells = [escape(cell) if isinstance(cell, str) else f"${print_mark(cell)}$" for cell in row]
+    def _tables(self, table: Table) -> list[str]:
+        """The table in parts that fit a page."""
+        parts = [table.rows[k : k + _MOST_ROWS] for k in range(0, len(table.rows), _MOST_ROWS)]
+        return [self._table(table.head, part) for part in parts]
+
+    def _table(self, head: tuple[str, ...], rows: Sequence[tuple[str | Mark, ...]]) -> str:
+        lengths = [max(_length(row[k]) for row in rows) for k in range(len(head))]
+        widest = lengths.index(max(lengths))
+        columns = ["l"] * len(head)
+        if lengths[widest] > _LONG_CELL:
+            others = sum(lengths) - lengths[widest]
+            columns[widest] = rf"p{{{max(0.3, min(0.55, 0.85 - 0.012 * others)):.2f}\linewidth}}"
+        lines = [rf"\begin{{tabular}}{{@{{\qquad}}{''.join(columns)}@{{}}}}"]
+        lines.append(" & ".join(rf"\emph{{{escape(title)}}}" for title in head) + r" \\")
+        for row in rows:
+            cells = [self._cell(cell, title) for cell, title in zip(row, head, strict=True)]
             lines.append(" & ".join(cells) + r" \\")
-        return "\n".join([*lines, r"\end{longtable}"])
+        return "\n".join([*lines, r"\end{tabular}"])
+
+    def _cell(self, cell: str | Mark, title: str) -> str:
+        if isinstance(cell, Mark):
+            return f"${print_mark(cell)}$"
+        return spell_unit(cell) if title == "unit" else escape(cell)
 
     # --- displays ---------------------------------------------------------------------------------------------
 
@@ -152,3 +200,7 @@ class _Printer:
             return [f"{rows[0]} {relation} {after[0].strip()}{tail}"]
         rows[0] += tail
         return [*rows, rf"&\quad {relation} {after[0].strip()}", *(rf"&\qquad {line.strip()}" for line in after[1:])]
+
+
+def _length(cell: str | Mark) -> int:
+    return len(cell) if isinstance(cell, str) else 1

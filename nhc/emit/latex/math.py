@@ -11,13 +11,14 @@ from nhc.emit.latex.spelling import spell_base, spell_index
 from nhc.emit.layout import Piece, nest, total
 from nhc.emit.terms import Product, flatten_product, flatten_sum, is_sum, is_unit, list_terms
 from nhc.program.ir import Binary, Call, Expr, Negate, Number, Pi, Power, Ref
-from nhc.program.sheets.model import Mark, Side, Symbol
+from nhc.program.sheets.model import RANK_STEP, Mark, Side, Symbol
 
 _FRACTION = 190.0  # widest numerator or denominator that is set as a fraction, in points
 _FUNCTIONS = {
     "asin": r"\arcsin", "acos": r"\arccos", "atan": r"\arctan", "atan2": r"\operatorname{atan2}", "log": r"\ln",
     "sign": r"\operatorname{sgn}",
 }  # fmt: skip
+_MARK = "@"  # no identifier of the IR
 _DOTS = ("", r"\dot", r"\ddot", r"\dddot")
 
 
@@ -53,7 +54,7 @@ def _token_width(token: str) -> float:
     if token in (r"\dot", r"\ddot", r"\mathit", r"\mathrm", r"\operatorname", r"\boldsymbol", r"\left", r"\right", r"\text"):
         return 0.0
     if token in (r"\sin", r"\cos", r"\ln", r"\exp", r"\sqrt"):
-        return 15.0
+        return 13.5
     if token in (r"\sinh", r"\cosh", r"\tanh", r"\min", r"\max"):
         return 21.0
     if token in (r"\arcsin", r"\arccos", r"\arctan"):
@@ -68,9 +69,11 @@ def _token_width(token: str) -> float:
         return 2.0
     if token in "().,|;[]'":
         return 4.0
+    if token.isdigit() or (len(token) == 1 and token.islower() and token not in "mw"):
+        return 5.1
     if token in "mwMW" or token in (r"\Omega", r"\Theta", r"\omega", r"\varphi", r"\psi"):
         return 8.6
-    return 4.6 if token.isspace() else 6.2
+    return 0.0 if token.isspace() else 7.0 if token.isupper() else 5.9
 
 
 def _piece(text: str, breaks: int = 0) -> Piece:
@@ -97,7 +100,9 @@ class LatexMath:
         found: list[Piece] = []
         for k, (negative, term) in enumerate(list_terms(side)):
             basis = r" \wedge ".join(print_mark(mark) for mark in term.factors)
-            if not term.factors:
+            if len(term.factors) == 1 and not term.factors[0].prefix and not is_sum(term.coefficient):
+                body = self._with_mark(term.coefficient, term.factors[0])
+            elif not term.factors:
                 body = self._term(term.coefficient)
             elif is_unit(term.coefficient):
                 body = [_piece(basis)]
@@ -107,6 +112,11 @@ class LatexMath:
                 body = [*self._term(term.coefficient), _piece(rf"\,{basis}")]
             found += _signed(k == 0, negative, body)
         return found
+
+    def _with_mark(self, coefficient: Expr, mark: Mark) -> list[Piece]:
+        """A product with a rate or velocity at its place among the factors: before sines and cosines."""
+        whole = Binary("*", coefficient, Ref(_MARK))
+        return LatexMath({**self.symbols, _MARK: Symbol(mark, 7 * RANK_STEP)})._term(whole)
 
     def _term(self, term: Expr) -> list[Piece]:
         product = flatten_product(term, self.symbols)
@@ -161,7 +171,7 @@ class LatexMath:
         if isinstance(base, Ref):
             mark = self.symbols[base.name].mark
             text = print_mark(mark)
-            safe = text if not (mark.star or mark.upper) else f"({text})"
+            safe = f"({text})" if mark.star or mark.upper else f"{{{text}}}" if mark.dots else text
             return [_piece(f"{safe}^{{{exponent}}}")]
         return [*_enclose(self.pieces(base)), _piece(f"^{{{exponent}}}")]
 

@@ -7,10 +7,9 @@ import unicodedata
 
 from nhc.emit.prose import PUNCTUATION, clean
 
-_GREEK = (
-    "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma tau upsilon phi chi psi omega"
-    " Gamma Delta Theta Lambda Xi Pi Sigma Upsilon Phi Psi Omega"
-).split()  # fmt: skip
+_GREEK = frozenset(
+    ["alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "iota", "kappa", "lambda", "mu", "nu", "xi", "pi", "rho", "sigma", "tau", "upsilon", "phi", "chi", "psi", "omega", "Gamma", "Delta", "Theta", "Lambda", "Xi", "Pi", "Sigma", "Upsilon", "Phi", "Psi", "Omega"]
+)
 _LATIN_CAPITALS = {"Alpha": "A", "Beta": "B", "Epsilon": "E", "Zeta": "Z", "Eta": "H", "Iota": "I", "Kappa": "K"}
 _LATIN_CAPITALS |= {"Mu": "M", "Nu": "N", "Omicron": "O", "Rho": "P", "Tau": "T", "Chi": "X", "omicron": "o"}
 _SPELLED = {"epsilon": r"\varepsilon", "phi": r"\varphi"}
@@ -64,7 +63,19 @@ def spell_index(index: str) -> str:
 
 def escape(text: str) -> str:
     """The user's text as LaTeX text; characters that the fonts do not have are named by their code."""
-    return "".join(_escape_character(character) for character in clean(text))
+    return escape_part(clean(text))
+
+
+def escape_part(text: str) -> str:
+    """A part of a text that is clean already; blanks at its ends stay."""
+    return "".join(_escape_character(character) for character in text)
+
+
+def spell_unit(unit: str) -> str:
+    """``kg*m^2`` as kg m with a raised 2."""
+    parts = re.split(r"\^\(?(-?\d+(?:/\d+)?)\)?", clean(unit))
+    shown = [f"$^{{{part}}}$" if k % 2 else escape_part(part).replace("*", r"\,") for k, part in enumerate(parts)]
+    return "".join(shown)
 
 
 def _escape_character(character: str) -> str:
@@ -78,7 +89,7 @@ def _escape_character(character: str) -> str:
     if greek:
         word = greek[2].lower() if greek[1] == "SMALL" else greek[2].capitalize()
         return f"${spell_word('lambda' if word == 'lamda' else 'Lambda' if word == 'Lamda' else word)}$"
-    base, *marks = unicodedata.normalize("NFD", character)
+    base, *marks = tuple(unicodedata.normalize("NFD", character))
     if base.isascii() and len(marks) == 1 and marks[0] in _ACCENTS:
         return f"{_ACCENTS[marks[0]]}{{{base}}}"
     return rf"\textless{{}}U+{ord(character):04X}\textgreater{{}}"

@@ -5,10 +5,10 @@ from __future__ import annotations
 from typing import Any
 
 from nhc.emit.prose import clean
+from nhc.emit.text.math import print_mark
 from nhc.emit.text.program import print_program
 from nhc.emit.text.sheets import TextSheets
 from nhc.program.sheets.model import Derivation, Formula, Item, Prose, Sheet, Statement, Table
-from nhc.emit.text.math import print_mark
 
 __all__ = ["derivation_json", "print_derivation", "print_equations", "print_form", "print_program"]
 

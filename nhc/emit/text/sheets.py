@@ -8,8 +8,8 @@ from collections.abc import Iterable, Sequence
 from nhc.emit.layout import Piece, fill
 from nhc.emit.prose import clean
 from nhc.emit.text.math import TextMath, print_mark
-from nhc.program.passes import walk
 from nhc.program.ir import Ref
+from nhc.program.passes import walk
 from nhc.program.sheets.model import Derivation, Formula, Item, Prose, Sheet, Statement, Table, Term
 
 WIDTH = 100
@@ -31,9 +31,11 @@ class TextSheets:
             lines += ["abbreviations", "", *self._statements(missing), ""]
         for sheet in sheets:
             lines += [sheet.title, "-" * len(sheet.title), ""]
+            head, tail = sheet.items[: sheet.lets_at], sheet.items[sheet.lets_at :]
+            lines += [*self._items(head), ""] if head else []
             if sheet.lets:
                 lines += ["With the abbreviations", *self._statements(sheet.lets), ""]
-            lines += [*self._items(sheet.items), ""]
+            lines += [*self._items(tail), ""]
         return "\n".join(lines).rstrip() + "\n"
 
     def _missing(self, sheets: Sequence[Sheet]) -> list[Statement]:

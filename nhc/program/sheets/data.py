@@ -21,7 +21,7 @@ def data_sheet(desk: Desk, scene: Scene | None) -> DraftSheet:
     sheet.say("The kinetic energy is")
     sheet.add(Draft(desk.name(Mark("T")), desk.plain(system.T), place=system.places["T"]))
     if desk.graph.zero != system.U:
-        sheet.say("and the force function, whose derivatives are the forces of the potential (Q = +dU/dq),")
+        sheet.say("and the force function, whose derivatives are the forces of the potential,")
         sheet.add(Draft(desk.name(Mark("U")), desk.plain(system.U), place=system.places.get("U", "")))
     acting = [i for i in range(system.n) if system.Q[i] != desk.graph.zero]
     if acting:

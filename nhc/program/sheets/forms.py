@@ -102,14 +102,15 @@ def form_sheet(desk: Desk, forms: Forms) -> DraftSheet:
     if forms.whole is None:
         sheet.add(OMEGA[name])
         sheet.say(
-            "Written out in the coframe, the coefficients of Omega would fill pages. They are not expanded here:"
+            "Written out in the coframe, the coefficients of the 2-form would fill pages. They are not expanded here:"
             " the contractions of its factors with the motion are the equations of motion below."
         )
         return sheet
     _theta(desk, sheet)
     if name == "euler-lagrange" and system.l:
         sheet.say(
-            "On the constraints (put into Omega after d, never into theta) its exterior derivative and the forces' part are"
+            "On the constraints, which are used after differentiation, never before,"
+            " its exterior derivative and the forces' part are"
         )
     else:
         sheet.say(

@@ -38,8 +38,8 @@ OMEGA = {
     ),
     "multipliers": Formula(
         "Omega = (dp_i - (dT/dq_i + Q_i + lambda_a a_ai) dt) ^ (dq_i - q_i' dt)",
-        r"\boldsymbol{\Omega} = \Bigl(dp_i - \Bigl(\frac{\partial T}{\partial q_i} + Q_i + \lambda_\alpha a_{\alpha i}\Bigr) dt\Bigr)"
-        r" \wedge (dq_i - \dot q_i\, dt)",
+        r"\boldsymbol{\Omega} = \Bigl(dp_i - \Bigl(\frac{\partial T}{\partial q_i} + Q_i + \lambda_\alpha a_{\alpha i}\Bigr)"
+        r" dt\Bigr) \wedge (dq_i - \dot q_i\, dt)",
         "I.4.1",
     ),
     "euler-lagrange": Formula(
@@ -86,7 +86,8 @@ EQUATIONS = {
         "d/dt dT*/dq_m' - dT*/dq_m + p_a [(db_an/dq_m - db_am/dq_n) q_n' + db_a/dq_m - db_am/dt] = Q_m + b_am Q_a",
         r"\frac{d}{dt} \frac{\partial T^*}{\partial \dot q_\mu} - \frac{\partial T^*}{\partial q_\mu} + p_\alpha \Bigl["
         r"\Bigl(\frac{\partial b_{\alpha\nu}}{\partial q_\mu} - \frac{\partial b_{\alpha\mu}}{\partial q_\nu}\Bigr) \dot q_\nu"
-        r" + \frac{\partial b_\alpha}{\partial q_\mu} - \frac{\partial b_{\alpha\mu}}{\partial t}\Bigr] = Q_\mu + b_{\alpha\mu} Q_\alpha",
+        r" + \frac{\partial b_\alpha}{\partial q_\mu} - \frac{\partial b_{\alpha\mu}}{\partial t}\Bigr]"
+        r" = Q_\mu + b_{\alpha\mu} Q_\alpha",
         "III.3",
     ),
     "voronec": Formula(
@@ -114,4 +115,9 @@ ENERGY_THEOREM = Formula(
     "d/dt (p_i q_i' - T - U) = Q_i q_i' - dT/dt - dU/dt - lambda_a a_a   (Q without the potential's part, d/dt at fixed q, q')",
     r"\frac{d}{dt} (p_i \dot q_i - T - U) = Q_i \dot q_i - \frac{\partial T}{\partial t} - \frac{\partial U}{\partial t}"
     r" - \lambda_\alpha a_\alpha \qquad (Q_i \text{ without the potential's part})",
+)
+REACTION = Formula(
+    "Q_i becomes Q_i + lambda_a a_ai",
+    r"Q_i \;\longrightarrow\; Q_i + \lambda_\alpha a_{\alpha i}",
+    "I.4.1",
 )

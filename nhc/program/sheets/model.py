@@ -94,6 +94,11 @@ class Sheet:
     lets: tuple[Statement, ...]
     items: tuple[Item, ...]
 
+    @property
+    def lets_at(self) -> int:
+        """The item before which the abbreviations stand: after the tables."""
+        return max((k + 1 for k, item in enumerate(self.items) if isinstance(item, Table)), default=0)
+
 
 RANK_STEP = 1000
 """Between the ranks of two kinds of symbols; within a kind the spec's order counts."""

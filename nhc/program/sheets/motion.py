@@ -12,7 +12,7 @@ from nhc.mechanics.multipliers import multiplier_symbols
 from nhc.mechanics.rows import ENERGY, MOTION, associated_rows, energy_identity, motion_components
 from nhc.program.sheets.draft import Desk, Draft, DraftSheet, Part
 from nhc.program.sheets.forms import Forms
-from nhc.program.sheets.formulas import CONTRACTION, ENERGY_THEOREM, EQUATIONS, POINCARE
+from nhc.program.sheets.formulas import CONTRACTION, ENERGY_THEOREM, EQUATIONS, POINCARE, REACTION
 from nhc.program.sheets.model import Mark
 
 _SOLVED = 3  # rates up to which the system is solved on paper
@@ -27,14 +27,14 @@ def associated_sheet(desk: Desk, forms: Forms) -> DraftSheet:
     sheet.add(CONTRACTION)
     if forms.whole is None:
         sheet.say(
-            "So the rows of the velocities' differentials hold automatically, the rows A(X) = 0 are the equations of motion,"
-            " and the row of dt is their combination: the theorem of energy."
+            "So the rows of the velocities' differentials hold automatically, those of the velocity forms are the equations of"
+            " motion, and the row of dt is their combination: the theorem of energy."
         )
         return sheet
     components = motion_components(system, motion)
     rows = associated_rows(forms.whole, components)
     basis = desk.basis(forms.whole)
-    sheet.say("The motion is the field X with i_X Omega = 0; along the coframe its components are")
+    sheet.say("The motion is the field X for which this vanishes; its components along the coframe are")
     for mark, node in zip(basis, components, strict=True):
         sheet.add(Draft(desk.name(replace(mark, at="(X)")), desk.plain(node)))
     automatic = sum(row.kind == "automatic" for row in rows)
@@ -132,8 +132,8 @@ def _solution(desk: Desk, sheet: DraftSheet) -> None:
             return
     if equations.definite:
         sheet.say(
-            "The matrix on the left is symmetric and positive wherever the motion is regular. The emitted code solves the system by its"
-            " factors L D L^T without pivoting, written out entry by entry."
+            "The matrix on the left is symmetric and positive wherever the motion is regular. The emitted code solves the system"
+            " by its factors L D L^T without pivoting, written out entry by entry."
         )
     else:
         sheet.say(
@@ -152,7 +152,9 @@ def reaction_sheet(desk: Desk) -> DraftSheet | None:
     if not equations.reactions:
         return None
     sheet = DraftSheet("reactions", "The reactions")
-    sheet.say("Q_i gains lambda_alpha a_alpha_i from the constraint alpha; on the motion")
+    sheet.say("Each constraint adds its reaction to the forces:")
+    sheet.add(REACTION)
+    sheet.say("On the motion")
     rates = [desk.mark(rate) for rate in equations.motion.rates]
     for symbol, row, form in zip(multiplier_symbols(system), equations.reactions, system.constraints, strict=True):
         right = (*desk.linear(row.mass, rates), *desk.value(g.neg(row.force)))
