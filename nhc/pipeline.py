@@ -132,6 +132,7 @@ def check(source: Source) -> Report:
     spec = decode(source)
     system = resolve(spec)
     formulation = formulate(system)
+    equations_of(system, formulation)  # refuses what the forces do not determine
     bag = Bag(source)
     for scene in spec.scenes:
         try:

@@ -80,6 +80,14 @@ class FieldPoint:
             self.values[node] = self._value(node)
         return [self.values[root] for root in roots]
 
+    def prepare(self, roots: Iterable[Node]) -> None:
+        """Announce what will be evaluated later, in several calls: the points of the circle are then fine enough for all of it.
+
+        Raises:
+            Unlucky: something evaluated before needs them finer.
+        """
+        self._prepare(reachable(self.graph, roots))
+
     def _prepare(self, nodes: Sequence[Node]) -> None:
         """Least common denominators of the coefficients of each monomial in angles and exponents."""
         for node in nodes:
@@ -138,7 +146,12 @@ class FieldPoint:
     def _circle(self, argument: Polynomial) -> tuple[int, int]:
         c, s = 1, 0
         for monomial, k in argument.items():
-            if len(monomial) == 1 and self.graph.op[monomial[0][0]] == PI and monomial[0][1] == 1 and 2 % k.denominator == 0:
+            if (
+                len(monomial) == 1
+                and self.graph.op[monomial[0][0]] == PI
+                and monomial[0][1] == 1
+                and 2 % k.denominator == 0
+            ):
                 ck, sk = ((1, 0), (0, 1), (-1, 0), (0, -1))[int(2 * k) % 4]
             else:
                 denominator = self._denominator("angle", monomial)

@@ -1,13 +1,15 @@
 """What each derivation claims of the motion, as small linear systems that can be solved at a point of any field.
 
-A claim is a regular system ``matrix @ x = right`` for the rates (and multipliers, where they are unknowns), with the accelerations and
-the reactions as affine functions of x.  Nothing is solved symbolically: solutions of large systems are never written out.
+A claim is a regular system ``matrix @ x = right`` for the rates (and multipliers, where they are unknowns), with the
+accelerations and the reactions as affine functions of x.  Nothing is solved symbolically: solutions of large systems are
+never written out.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import TypeVar
 
 from nhc.algebra.elimination import solve_double, solve_modulo
 from nhc.algebra.evaluate import evaluate
@@ -21,13 +23,17 @@ from nhc.mechanics.formulate import bordered_system, motion_of, rate_symbols
 from nhc.mechanics.frame import Frame, total_derivative
 from nhc.mechanics.system import System
 
+V = TypeVar("V", int, float)
+
 Affine = tuple[tuple[Node, ...], Node]
 """(coefficients of the unknowns, constant)."""
+
+Guards = tuple[tuple[Node, Node], ...]
 
 
 @dataclass(frozen=True)
 class Claim:
-    """``reactions`` is empty where a derivation says nothing of them."""
+    """``guards`` are (quantity, scale) pairs that must not vanish; ``reactions`` is empty where nothing is said of them."""
 
     name: str
     number: str
@@ -35,6 +41,7 @@ class Claim:
     right: tuple[Node, ...]
     accelerations: tuple[Affine, ...]
     reactions: tuple[Affine, ...]
+    guards: Guards = ()
 
     def nodes(self) -> list[Node]:
         """Every node that has to be evaluated."""
@@ -53,7 +60,10 @@ class Wrong:
 
 
 def reference_claim(system: System) -> Claim:
-    """d'Alembert with multipliers, straight from T by (I.4.1) and the differentiated constraints: independent of the compiler's rows."""
+    """d'Alembert with multipliers, straight from T by (I.4.1), and the differentiated constraints.
+
+    It shares no row with the compiler's associated system.
+    """
     rates = rate_symbols(system, system.v)
     symbols = multipliers.multiplier_symbols(system)
     rows = [*multipliers.printed_rows(system, rates), *multipliers.constraint_rates(system, rates)]
@@ -75,6 +85,7 @@ def formulation_claim(equations: Equations) -> Claim:
         equations.force,
         _accelerations(system, equations.motion),
         reactions,
+        equations.guards,
     )
 
 
@@ -102,7 +113,7 @@ def _wrong_claim(system: System, formulation: Formulation, name: str, rows: Sequ
     rates = rate_symbols(system, formulation.frame.free)
     matrix, right = _linear_rows(system.graph, rows, rates)
     accelerations = _accelerations(system, motion_of(system, formulation))
-    return Claim(name, formulation.number, _freeze(matrix), tuple(right), accelerations, ())
+    return Claim(name, formulation.number, _freeze(matrix), tuple(right), accelerations, (), formulation.frame.guards)
 
 
 def _linear_rows(graph: Graph, rows: Sequence[Node], unknowns: Sequence[Node]) -> tuple[list[list[Node]], list[Node]]:
@@ -139,10 +150,10 @@ def solve_exactly(claim: Claim, point: FieldPoint) -> tuple[list[int], list[int]
         nhc.algebra.linear.Singular: the claim determines no motion there.
         nhc.algebra.modular.Unlucky: the point lies on a pole.
     """
-    p = point.prime
-    x = solve_modulo(*_split(claim, point.evaluate(claim.nodes())), p)
-    tail = _affine_rows(claim, point.evaluate(claim.nodes()))
-    values = [(sum(a * b for a, b in zip(row[:-1], x, strict=True)) + row[-1]) % p for row in tail]
+    p, known = point.prime, point.evaluate(claim.nodes())
+    x = solve_modulo(*_split(claim, known), p)
+    rows = _affine_rows(claim, known)
+    values = [(sum(a * b for a, b in zip(row[:-1], x, strict=True)) + row[-1]) % p for row in rows]
     n = len(claim.accelerations)
     return values[:n], values[n:]
 
@@ -160,13 +171,13 @@ def solve_in_doubles(claim: Claim, graph: Graph, state: dict[Node, float]) -> tu
     return found[:n], found[n:]
 
 
-def _split[V: (int, float)](claim: Claim, values: Sequence[V]) -> tuple[list[list[V]], list[V]]:
+def _split(claim: Claim, values: Sequence[V]) -> tuple[list[list[V]], list[V]]:
     size = len(claim.right)
     matrix = [list(values[i * size : (i + 1) * size]) for i in range(size)]
     return matrix, list(values[size * size : size * size + size])
 
 
-def _affine_rows[V: (int, float)](claim: Claim, values: Sequence[V]) -> list[list[V]]:
+def _affine_rows(claim: Claim, values: Sequence[V]) -> list[list[V]]:
     size = len(claim.right)
     rest = values[size * size + size :]
     return [list(rest[k : k + size + 1]) for k in range(0, len(rest), size + 1)]
@@ -181,6 +192,7 @@ class Velocities:
 
     symbols: tuple[Node, ...]
     nodes: tuple[Node, ...]
+    guards: Guards = ()
 
     def standing(self) -> dict[Node, Node]:
         return dict(zip(self.symbols, self.nodes, strict=True))
@@ -202,7 +214,4 @@ def admissible_velocities(system: System, base: Frame | None, formulations: Sequ
                 motion[symbol] = substitute(system.graph, [value], dict(zip(system.v, motion.values(), strict=False)))[
                     0
                 ]
-    return Velocities(tuple(motion), tuple(motion.values()))
-
-
-Draw = Callable[[int], int]
+    return Velocities(tuple(motion), tuple(motion.values()), base.guards if base is not None else ())

@@ -1,0 +1,103 @@
+"""``nhc compare``: do all formulations agree, and how far off are the tempting wrong ones?"""
+
+from __future__ import annotations
+
+from math import ceil
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from nhc.cli.options import json_option, spec_argument
+from nhc.cli.specs import open_spec
+from nhc.cli.terminal import Exit, Failure, describe_os_error, put, put_json, say
+from nhc.cli.write import deliver
+
+if TYPE_CHECKING:
+    from nhc.mechanics.certificate import Certificate, Rejection
+
+
+@click.command("compare")
+@spec_argument
+@click.option("--certificate", metavar="FILE", help="Write the certificate to FILE (`-`: stdout, alone).")
+@click.option("--check-certificate", "old", metavar="FILE", help="Check a certificate that was written before.")
+@click.option("--force", is_flag=True, help="Replace the file after `--certificate` when it exists.")
+@json_option
+def command(spec: str, certificate: str | None, old: str | None, force: bool, as_json: bool) -> int:
+    """Show that all formulations of a spec agree.
+
+    Solves every formulation that applies to SPEC at random points of a prime field and compares accelerations and reactions
+    exactly with Lagrange's equations with multipliers; then measures how far tempting wrong derivations are off.  The exit
+    code is 1 when the formulations disagree or a certificate does not hold.
+    """
+    if old is not None and (certificate is not None or as_json):
+        raise click.UsageError("`--check-certificate` excludes `--certificate` and `--json`")
+    source = open_spec(spec)
+    from nhc import pipeline
+    from nhc.mechanics.certificate_file import is_sound, to_data, write
+
+    if old is not None:
+        return _check(pipeline.check_certificate(source, _read(old)), old)
+    made = pipeline.compare(source)[1]
+    if as_json:
+        data = to_data(made, source.text)
+        put_json("nhc.compare/1", {key: data[key] for key in data if key not in ("schema", "nhc")})
+    elif certificate != "-":
+        _print(made)
+    if certificate is not None:
+        deliver(write(made, source.text), certificate, force=force)
+    return Exit.DONE if is_sound(made) else Exit.FAILED
+
+
+def _read(path: str) -> str:
+    try:
+        return Path(path).read_bytes().decode(errors="replace")
+    except OSError as error:
+        raise Failure(f"cannot read `{path}`: {describe_os_error(error)}") from error
+
+
+def _check(wrong: list[str], path: str) -> int:
+    if not wrong:
+        put(f"{path}: holds")
+        return Exit.DONE
+    put(f"{path}: does not hold")
+    for line in wrong:
+        say(f"  {line}")
+    return Exit.FAILED
+
+
+def _print(made: Certificate) -> None:
+    from nhc.mechanics.certificate_file import power_of_ten
+
+    names = len(made.agreements)
+    verdict = f"{names} formulations agree" if made.holds else "the formulations disagree"
+    put(f"{made.system}: {verdict}, for all values of the parameters")
+    width = max(len(a.name) for a in made.agreements)
+    for a in made.agreements:
+        exact = [
+            f"{what} {'equal' if same else 'DIFFERENT'}"
+            for what, same in (("accelerations", a.accelerations), ("reactions", a.reactions))
+        ]
+        far = power_of_ten(max(a.distance.accelerations, a.distance.reactions))
+        put(
+            f"  {a.name:{width}}  {a.number:6}  {', '.join(exact)}; in doubles within {far} at {a.distance.states} states"
+        )
+    put(
+        f"exact: {len(made.points)} points modulo primes of 61 bits against I.4.1 straight from T;"
+        f" a difference of degree {made.degree}"
+    )
+    put(f"  or less passes unseen with a probability below 10^{ceil(made.log10_bound)}")
+    if made.rejections:
+        put("wrong derivations, and how far their accelerations are from the truth (relative):")
+    width = max((len(r.name) for r in made.rejections), default=0)
+    for r in made.rejections:
+        put(f"  {r.name:{width}}  {_fate(r)}")
+
+
+def _fate(r: Rejection) -> str:
+    number = f" (erratum {r.erratum})" if r.erratum else ""
+    if r.told_apart is None:
+        return f"determines no motion: {r.about}{number}"
+    if not r.told_apart:
+        return f"this system cannot tell it apart: {r.about}{number}"
+    return f"{r.distance.accelerations:.2g} off: {r.about}{number}"

@@ -1,0 +1,209 @@
+"""The agreement certificate: all formulations that apply predict the same accelerations and reactions, decided exactly.
+
+At random points of a prime field, with velocities that satisfy the constraints, the linear system of every formulation is
+solved modulo the prime and its q'' and lambda are compared with those of the reference, d'Alembert's equations with
+multipliers taken straight from T (I.4.1).  Where a formulation differs from the reference as rational functions of degree d,
+one point shows it except with probability d/p (Schwartz 1980, Zippel 1979); points multiply.  ``simplify`` plays no part.
+The same systems are solved in double precision, and so are the derivations of :mod:`nhc.mechanics.wrong`, whose distance from
+the truth is measured.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from nhc.algebra.degree import Degrees
+from nhc.algebra.linear import Singular
+from nhc.algebra.modular import PRIMES, FieldPoint, Unlucky
+from nhc.mechanics.choose import applicable
+from nhc.mechanics.claims import (
+    Claim,
+    Velocities,
+    Wrong,
+    admissible_velocities,
+    formulation_claim,
+    reference_claim,
+    solve_exactly,
+    wrong_claims,
+)
+from nhc.mechanics.distances import Distance, measure, states_of
+from nhc.mechanics.formulate import equations_of
+from nhc.mechanics.frame import Frame, coordinate_frame
+from nhc.mechanics.kinetic import kinetic_structure
+from nhc.mechanics.regularity import choose_dependent
+from nhc.mechanics.system import System
+
+POINTS = 3
+_MOST_DRAWS = 4000
+
+
+@dataclass(frozen=True)
+class Agreement:
+    """One formulation beside the reference; ``distance`` is the double-precision difference."""
+
+    name: str
+    number: str
+    accelerations: bool
+    reactions: bool
+    distance: Distance
+
+
+@dataclass(frozen=True)
+class Rejection:
+    """A wrong derivation: ``told_apart`` if its accelerations differ exactly (None: it determines none)."""
+
+    name: str
+    erratum: str
+    about: str
+    told_apart: bool | None
+    distance: Distance
+
+
+@dataclass(frozen=True)
+class Point:
+    """A place in a prime field; ``seed`` draws it again, ``digest`` is the hash of the reference's q'' and lambda there."""
+
+    prime: int
+    seed: int
+    digest: str
+
+
+@dataclass(frozen=True)
+class Certificate:
+    """What was compared, where, and what came out; ``degree`` is d of the bound, ``states`` how many double-precision states."""
+
+    system: str
+    seed: int
+    points: tuple[Point, ...]
+    degree: int
+    states: int
+    agreements: tuple[Agreement, ...]
+    rejections: tuple[Rejection, ...]
+
+    @property
+    def holds(self) -> bool:
+        """Whether every formulation agrees exactly in accelerations and reactions."""
+        return all(a.accelerations and a.reactions for a in self.agreements)
+
+    @property
+    def log10_bound(self) -> float:
+        """log10 of the probability that two different derivations pass: the product of d/p over the points."""
+        return sum(min(0.0, math.log10(self.degree) - math.log10(point.prime)) for point in self.points)
+
+
+def certify(system: System, points: int = POINTS, seed: int = 1) -> Certificate:
+    """Compare every formulation that applies.
+
+    Raises:
+        nhc.algebra.modular.Unlucky: no regular point was found in the field.
+    """
+    formulations = applicable(system)
+    kinetic = kinetic_structure(system)
+    reference = reference_claim(system)
+    claims = [formulation_claim(equations_of(system, f, kinetic)) for f in formulations]
+    wrongs = wrong_claims(system, formulations)
+    base = _base_frame(system, [f.frame for f in formulations if f.name == "voronec"])
+    velocities = admissible_velocities(system, base, formulations)
+    seen = [_Look(reference, claims, wrongs, velocities, system, k, seed) for k in range(points)]
+    states = states_of(system, velocities, reference)
+    return Certificate(
+        system=system.name,
+        seed=seed,
+        points=tuple(look.point for look in seen),
+        degree=_degree(system, reference, claims, velocities),
+        states=len(states),
+        agreements=tuple(
+            Agreement(
+                claim.name,
+                claim.number,
+                all(look.equal[k][0] for look in seen),
+                all(look.equal[k][1] for look in seen),
+                measure(system, claim, states),
+            )
+            for k, claim in enumerate(claims)
+        ),
+        rejections=tuple(
+            Rejection(
+                one.claim.name,
+                one.erratum,
+                one.about,
+                _any([look.apart[k] for look in seen]),
+                measure(system, one.claim, states),
+            )
+            for k, one in enumerate(wrongs)
+        ),
+    )
+
+
+def _base_frame(system: System, known: Sequence[Frame | None]) -> Frame | None:
+    """The frame whose free velocities are drawn: the one of the reduced formulations, where there is one."""
+    if not system.constraints:
+        return None
+    if known and known[0] is not None:
+        return known[0]
+    return coordinate_frame(system, choose_dependent(system).dependent)
+
+
+def _any(found: Sequence[bool | None]) -> bool | None:
+    known = [x for x in found if x is not None]
+    return any(known) if known else None
+
+
+class _Look:
+    """All claims at one random point: ``equal[k]`` = (accelerations, reactions), ``apart[k]`` for the wrong ones."""
+
+    def __init__(
+        self,
+        reference: Claim,
+        claims: Sequence[Claim],
+        wrongs: Sequence[Wrong],
+        velocities: Velocities,
+        system: System,
+        index: int,
+        seed: int,
+    ) -> None:
+        prime = PRIMES[index % len(PRIMES)]
+        everything = [n for c in (reference, *claims, *(w.claim for w in wrongs)) for n in c.nodes()]
+        for attempt in range(1, _MOST_DRAWS):
+            self.seed = (seed * 1009 + index) * 100_003 + attempt
+            point = FieldPoint(system.graph, self.seed, prime)
+            try:
+                point.prepare([*velocities.nodes, *everything])
+                values = point.evaluate(velocities.nodes)
+                point.evaluate([], dict(zip(velocities.symbols, values, strict=True)))
+                truth = solve_exactly(reference, point)
+                found = [solve_exactly(claim, point) for claim in claims]
+                self.apart = [_differs(one.claim, point, truth[0]) for one in wrongs]
+            except (Unlucky, Singular):
+                continue
+            self.equal = [(q == truth[0], r == truth[1]) for q, r in found]
+            text = ",".join(str(x) for x in (*truth[0], *truth[1]))
+            self.point = Point(prime, self.seed, hashlib.sha256(text.encode()).hexdigest())
+            return
+        raise Unlucky
+
+
+def _differs(claim: Claim, point: FieldPoint, truth: Sequence[int]) -> bool | None:
+    """Whether a wrong claim's accelerations differ at the point; None where it determines none."""
+    try:
+        return solve_exactly(claim, point)[0] != list(truth)
+    except Singular:
+        return None
+
+
+def _degree(system: System, reference: Claim, claims: Sequence[Claim], velocities: Velocities) -> int:
+    """d of the bound: a difference of two solutions by Cramer's rule has numerator and denominator of no larger degree."""
+    nodes = [n for claim in (reference, *claims) for n in claim.nodes()]
+    degrees = Degrees(system.graph, nodes, velocities.standing())
+    own = [_claim_degree(claim, degrees) for claim in claims]
+    return degrees.inflate(_claim_degree(reference, degrees) + max(own))
+
+
+def _claim_degree(claim: Claim, degrees: Degrees) -> int:
+    """Degree of q'' and lambda as quotients: the determinant row by row, then the affine map to the outputs."""
+    rows = [degrees.over_common([*row, b]) for row, b in zip(claim.matrix, claim.right, strict=True)]
+    outputs = [degrees.over_common([*c, d]) for c, d in (*claim.accelerations, *claim.reactions)]
+    return 2 * sum(rows) + max(outputs, default=0)

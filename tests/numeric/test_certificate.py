@@ -1,0 +1,179 @@
+"""The agreement certificate on every gallery system, and that it can fail."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from functools import cache
+
+import pytest
+
+from nhc.algebra.degree import Degrees
+from nhc.algebra.elimination import null_space, solve_double, solve_modulo
+from nhc.algebra.graph import Graph
+from nhc.algebra.linear import Singular
+from nhc.algebra.modular import PRIMES
+from nhc.language import decode, read
+from nhc.mechanics import certificate as module
+from nhc.mechanics.certificate import Certificate, certify
+from nhc.mechanics.certificate_file import is_sound, power_of_ten, verify, write
+from nhc.mechanics.choose import applicable
+from nhc.mechanics.claims import wrong_claims
+from nhc.mechanics.resolve import resolve
+from nhc.mechanics.system import System
+from tests.support import GALLERY, spec_path
+
+# what each system can tell from the truth, measured beforehand by another program at random states
+ON_REDUCED = ("lagrange_of_T_star", "boxed_I_3_sign", "I_4_9_mu_thrice", "noaffine")
+TELLS = {
+    "chaplygin_sleigh": (True, True, False, False),
+    "skate_incline": (True, True, False, False),
+    "vertical_disk": (False, False, False, False),
+    "nh_particle": (True, True, False, False),
+    "voronec_particle": (True, True, True, False),
+    "affine_voronec": (True, True, True, True),
+    "chaotic": (True, True, False, False),
+    "charged_sleigh": (True, True, False, False),
+    "snakeboard": (True, True, False, False),
+    "diff_drive": (True, True, False, False),
+    "n_trailer3": (True, True, True, False),
+    "rolling_disk": (True, True, False, False),
+    "ball_on_table": (True, True, True, True),
+    "chaplygin_ball": (True, True, False, False),
+    "suslov": (True, True, False, False),
+    "veselova": (True, True, False, False),
+    "rattleback": (True, True, False, False),
+    "cartesian_pendulum": (False, False, False, False),
+}
+
+
+@cache
+def system_of(name: str) -> System:
+    return resolve(decode(read(str(spec_path(name)))))
+
+
+@cache
+def certificate_of(name: str) -> Certificate:
+    return certify(system_of(name))
+
+
+@pytest.mark.parametrize("name", GALLERY)
+def test_all_formulations_agree(name: str) -> None:
+    found = certificate_of(name)
+    assert found.holds
+    assert is_sound(found)
+    assert found.log10_bound < -30
+    assert found.states >= 9
+    assert {a.name for a in found.agreements} == {f.name for f in applicable(system_of(name))}
+    for a in found.agreements:
+        assert max(a.distance.accelerations, a.distance.reactions) < 1e-9, a
+        assert a.distance.states >= 6, a
+
+
+@pytest.mark.parametrize("name", sorted(TELLS))
+def test_wrong_derivations(name: str) -> None:
+    found = {r.name: r for r in certificate_of(name).rejections}
+    assert tuple(found[key].told_apart for key in ON_REDUCED) == TELLS[name]
+    for r in found.values():
+        if r.told_apart:
+            assert r.distance.accelerations > 1e-3, r
+        else:
+            assert r.distance.accelerations < 1e-9, r
+
+
+def test_the_printed_sum_over_free_momenta_is_told_apart() -> None:
+    """Erratum E3 on every truly nonholonomic system whose quasi-velocities can show it."""
+    for name in ("chaplygin_sleigh", "nh_particle", "rolling_disk", "snakeboard", "suslov", "veselova", "rattleback"):
+        found = {r.name: r for r in certificate_of(name).rejections}
+        assert found["III_2_6_as_printed"].told_apart, name
+    assert {r.name: r for r in certificate_of("free_rigid_body").rejections}["III_2_4_doubled_gamma"].told_apart
+
+
+def test_a_wrong_formulation_is_found(monkeypatch: pytest.MonkeyPatch) -> None:
+    system = system_of("nh_particle")
+    wrong = wrong_claims(system, applicable(system))[0].claim
+    original = module.formulation_claim
+
+    def mistaken(equations: object) -> object:
+        right = original(equations)  # type: ignore[arg-type]
+        return replace(wrong, name=right.name, reactions=right.reactions) if right.name == "voronec" else right
+
+    monkeypatch.setattr(module, "formulation_claim", mistaken)
+    found = certify(system)
+    assert not found.holds
+    assert [a.name for a in found.agreements if not a.accelerations] == ["voronec"]
+
+
+def test_a_wrong_reaction_is_found(monkeypatch: pytest.MonkeyPatch) -> None:
+    system = system_of("nh_particle")
+    original, g = module.formulation_claim, system.graph
+
+    def mistaken(equations: object) -> object:
+        right = original(equations)  # type: ignore[arg-type]
+        if right.name != "chaplygin":
+            return right
+        (coefficients, constant), *others = right.reactions
+        return replace(right, reactions=((coefficients, g.neg(constant)), *others))
+
+    monkeypatch.setattr(module, "formulation_claim", mistaken)
+    found = certify(system)
+    assert [(a.accelerations, a.reactions) for a in found.agreements if a.name == "chaplygin"] == [(True, False)]
+
+
+def test_a_written_certificate_holds_and_a_changed_one_does_not() -> None:
+    system = system_of("chaplygin_sleigh")
+    text = write(certificate_of("chaplygin_sleigh"), system.spec.origin.text)
+    assert text == write(certify(system), system.spec.origin.text)
+    assert verify(text, system, system.spec.origin.text)[0] == []
+    assert verify(text, system, system.spec.origin.text + "# other\n")[0] == ["it was written for another text of the spec"]
+    data = json.loads(text)
+    for change, complaint in (
+        (lambda d: d["points"][0].update(sha256="0" * 64), "`points`"),
+        (lambda d: d["points"].pop(), "`log10_bound`"),
+        (lambda d: d.update(degree="3"), "`degree`"),
+        (lambda d: d["formulations"].pop(), "`formulations`"),
+        (lambda d: d["formulations"][1].update(reactions="different"), "`formulations`"),
+        (lambda d: d["formulations"][1]["double"].update(states=1), "`formulations`"),
+        (lambda d: d["wrong_derivations"][0].update(told_apart=False), "`wrong_derivations`"),
+        (lambda d: d["wrong_derivations"][0].update(distance="1.0e-9"), "`wrong_derivations`"),
+        (lambda d: d.update(points=7), "its points"),
+        (lambda d: d.update(schema="nhc.certificate/0"), "it is not a certificate"),
+    ):
+        changed = json.loads(json.dumps(data))
+        change(changed)
+        found = verify(json.dumps(changed), system, system.spec.origin.text)[0]
+        assert any(complaint in line for line in found), (complaint, found)
+    assert verify("[", system, "")[0] == ["it is not JSON"]
+
+
+def test_power_of_ten_rounds_up() -> None:
+    assert [power_of_ten(x) for x in (0.0, 2e-16, 1e-12, 1.1e-12, 5.0)] == ["1e-15", "1e-15", "1e-12", "1e-11", "1e1"]
+
+
+def test_degrees_bound_what_they_should() -> None:
+    g = Graph()
+    x, y = g.symbol("x"), g.symbol("y")
+    sine = g.function("sin", x)
+    quotient = g.div(g.add(g.power(x, 3), y), g.add(x, g.one))
+    both = g.add(quotient, g.div(y, g.add(x, g.one)))
+    root = g.function("sqrt", g.add(x, y))
+    found = Degrees(g, [quotient, both, sine, root])
+    assert found.over_common([quotient]) == 3
+    assert found.over_common([both]) == 3  # one common denominator, not two
+    assert found.over_common([sine]) == 2
+    assert found.over_common([quotient, sine]) == 5
+    assert found.roots == 1
+    assert found.inflate(3) == 2 * 3 * 4
+
+
+def test_elimination() -> None:
+    p = PRIMES[0]
+    assert solve_modulo([[0, 2], [3, 1]], [4, 5], p) == [1, 2]
+    assert solve_double([[0.0, 2.0], [3.0, 1.0]], [4.0, 5.0]) == pytest.approx([1.0, 2.0])
+    with pytest.raises(Singular):
+        solve_modulo([[1, 2], [2, 4]], [1, 1], p)
+    with pytest.raises(Singular):
+        solve_double([[1.0, 2.0], [2.0, 4.0]], [1.0, 1.0])
+    (vector,) = null_space([[1, 2, 3], [0, 1, 1]], 3, p)
+    assert [(a + 2 * b + 3 * c) % p for a, b, c in [vector]] == [0]
+    assert vector[2] == 1
