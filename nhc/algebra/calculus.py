@@ -12,14 +12,14 @@ from nhc.algebra.graph import ADD, BINARY, MUL, NEG, POW, Graph, Node
 
 def reachable(graph: Graph, roots: Iterable[Node], within: int = -1) -> list[Node]:
     """The nodes that the roots are made of, in increasing order; with ``within``, only those that contain one of its symbols."""
-    seen: set[Node] = set()
-    stack = [root for root in roots if graph.deps[root] & within or within == -1]
+    kids, deps = graph.kids, graph.deps
+    seen = {root for root in roots if within == -1 or deps[root] & within}
+    stack = list(seen)
     while stack:
-        node = stack.pop()
-        if node in seen:
-            continue
-        seen.add(node)
-        stack.extend(c for c in graph.children(node) if c not in seen and (within == -1 or graph.deps[c] & within))
+        for child in kids[stack.pop()]:
+            if child not in seen and (within == -1 or deps[child] & within):
+                seen.add(child)
+                stack.append(child)
     return sorted(seen)
 
 

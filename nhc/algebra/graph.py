@@ -18,7 +18,7 @@ from collections.abc import Iterable
 from fractions import Fraction
 from math import isqrt
 
-from nhc.algebra.nodes import ADD, BINARY, MUL, NEG, NUM, PI, POW, SYM, UNARY, Node, NodeStore, Symbol
+from nhc.algebra.nodes import ADD, BINARY, MUL, NEG, NUM, ONE, PI, POW, SYM, UNARY, Node, NodeStore, Symbol
 
 __all__ = ["ADD", "BINARY", "MUL", "NEG", "NUM", "PI", "POW", "SYM", "UNARY", "Graph", "Node", "Symbol"]
 
@@ -120,25 +120,30 @@ class Graph(NodeStore):
     def mul(self, x: Node, y: Node) -> Node:
         if x == self.zero or y == self.zero:
             return self.zero
+        if x == self.one:
+            return y
+        if y == self.one:
+            return x
         (kx, px), (ky, py) = self.split_coefficient(x), self.split_coefficient(y)
-        k = kx * ky
-        if px == self.one:
-            return self.mul_number(k, py)
-        if py == self.one:
-            return self.mul_number(k, px)
+        k = ky if kx is ONE else kx if ky is ONE else kx * ky
+        if px == self.one or py == self.one:
+            return self.scale(k, py if px == self.one else px)
         (bx, ex), (by, ey) = self.split_power(px), self.split_power(py)
         if bx == by:
-            return self.mul(self.number(k), self.power(bx, ex + ey))
-        cancelled = self._cancel(px, by, ey) or self._cancel(py, bx, ex)
-        if cancelled is not None:
-            return self.mul(self.number(k), cancelled)
+            return self.mul_number(k, self.power(bx, ex + ey))
+        if self.op[px] == MUL or self.op[py] == MUL:
+            cancelled = self._cancel(px, by, ey) or self._cancel(py, bx, ex)
+            if cancelled is not None:
+                return self.mul_number(k, cancelled)
         if px > py:
             px, py = py, px
-        return self.scale(k, self._make(MUL, px, py, self.deps[px] | self.deps[py]))
+        product = self._make(MUL, px, py, self.deps[px] | self.deps[py])
+        return product if k is ONE else self.scale(k, product)
 
     def mul_number(self, k: Fraction, x: Node) -> Node:
+        """k*x for a rational k and any x."""
         kx, px = self.split_coefficient(x)
-        return self.scale(k * kx, px)
+        return self.scale(k if kx is ONE else k * kx, px)
 
     def _cancel(self, product: Node, base: Node, exponent: int) -> Node | None:
         """(u * base^m) * base^exponent, where m and exponent have opposite signs: one factor less."""

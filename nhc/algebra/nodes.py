@@ -9,7 +9,10 @@ NUM, SYM, PI, ADD, MUL, NEG, POW = "num", "sym", "pi", "add", "mul", "neg", "pow
 UNARY = frozenset({"sin", "cos", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp", "log", "sqrt", "abs", "sign"})
 BINARY = frozenset({"atan2", "min", "max", "powf"})
 
+_LEAVES, _DYADIC = frozenset({NUM, SYM, PI}), BINARY | {ADD, MUL}
+
 Node = int
+ONE, MINUS_ONE = Fraction(1), Fraction(-1)
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,6 +31,7 @@ class NodeStore:
         self.a: list[int] = []
         self.b: list[int] = []
         self.deps: list[int] = []  # bit k: depends on the symbol number k
+        self.kids: list[tuple[int, ...]] = []  # the operands that are nodes
         self.symbols: list[Symbol] = []
         self.labels: dict[Node, str] = {}  # names that the user gave, printed as such
         self._symbol_nodes: list[Node] = []
@@ -71,6 +75,7 @@ class NodeStore:
         self.a.append(a)
         self.b.append(b)
         self.deps.append(deps)
+        self.kids.append(() if op in _LEAVES else (a, b) if op in _DYADIC else (a,))
         return len(self.op) - 1
 
     def _make(self, op: str, a: int, b: int, deps: int) -> Node:
@@ -90,12 +95,7 @@ class NodeStore:
         return self.symbols[self.a[node]] if self.op[node] == SYM else None
 
     def children(self, node: Node) -> tuple[Node, ...]:
-        op = self.op[node]
-        if op in (NUM, SYM, PI):
-            return ()
-        if op in (ADD, MUL) or op in BINARY:
-            return (self.a[node], self.b[node])
-        return (self.a[node],)
+        return self.kids[node]
 
     def depends(self, node: Node, mask: int) -> bool:
         """Whether the node contains one of the symbols of ``mask`` (see :meth:`mask`)."""
@@ -118,11 +118,15 @@ class NodeStore:
 
     def split_coefficient(self, node: Node) -> tuple[Fraction, Node]:
         """(k, x) with node = k*x, k rational, x without a rational factor in front."""
-        sign = 1
-        if self.op[node] == NEG:
-            sign, node = -1, self.a[node]
-        if self.op[node] == MUL and self.op[self.a[node]] == NUM:
-            return sign * self._numbers[self.a[self.a[node]]], self.b[node]
-        if self.op[node] == NUM:
-            return sign * self._numbers[self.a[node]], self.one
-        return Fraction(sign), node
+        op, a = self.op, self.a
+        negative = op[node] == NEG
+        if negative:
+            node = a[node]
+        kind = op[node]
+        if kind == NUM:
+            value, node = self._numbers[a[node]], self.one
+        elif kind == MUL and op[a[node]] == NUM:
+            value, node = self._numbers[a[a[node]]], self.b[node]
+        else:
+            return (MINUS_ONE if negative else ONE), node
+        return (-value if negative else value), node

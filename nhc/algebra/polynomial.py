@@ -14,7 +14,8 @@ from nhc.algebra.calculus import reachable
 from nhc.algebra.graph import ADD, MUL, NEG, NUM, POW, Graph, Node
 
 Monomial = tuple[tuple[Node, int], ...]
-Polynomial = dict[Monomial, Fraction]
+Coefficient = int | Fraction
+Polynomial = dict[Monomial, Coefficient]
 
 ONE: Monomial = ()
 
@@ -44,7 +45,8 @@ class _Expander:
         g, op = self.graph, self.graph.op[node]
         if op == NUM:
             value = g.value(node)
-            return {ONE: value} if value else {}
+            assert value is not None
+            return {ONE: value.numerator if value.denominator == 1 else value} if value else {}
         if op == ADD:
             return self._bounded(_add(self.memo[g.a[node]], self.memo[g.b[node]]))
         if op == NEG:
@@ -53,17 +55,17 @@ class _Expander:
             return self._times(self.memo[g.a[node]], self.memo[g.b[node]])
         if op == POW:
             return self._power(node, g.a[node], g.b[node])
-        return {((node, 1),): Fraction(1)}
+        return {((node, 1),): 1}
 
     def _power(self, node: Node, base: Node, n: int) -> Polynomial:
         inner = self.memo[base]
         if n < 0:
             if len(inner) == 1:
                 ((monomial, c),) = inner.items()
-                return {tuple((f, e * n) for f, e in monomial): c**n}
+                return {tuple((f, e * n) for f, e in monomial): Fraction(c) ** n}
             inverse = node if n == -1 else self.graph.power(base, -1)
-            return {((inverse, -n),): Fraction(1)}
-        result = {ONE: Fraction(1)}
+            return {((inverse, -n),): 1}
+        result: Polynomial = {ONE: 1}
         for _ in range(n):
             result = self._times(result, inner)
         return result
@@ -75,7 +77,7 @@ class _Expander:
         for m1, c1 in p.items():
             for m2, c2 in q.items():
                 m = _merge(m1, m2)
-                c = result.get(m, Fraction(0)) + c1 * c2
+                c = result.get(m, 0) + c1 * c2
                 if c:
                     result[m] = c
                 else:
@@ -98,7 +100,7 @@ class _Expander:
                     pending.append((_merge(rest, ((sine, 2),)), -c))
                     break
             else:
-                c += done.get(monomial, Fraction(0))
+                c += done.get(monomial, 0)
                 if c:
                     done[monomial] = c
                 else:
@@ -114,7 +116,7 @@ class _Expander:
 def _add(p: Polynomial, q: Polynomial) -> Polynomial:
     result = dict(p)
     for m, c in q.items():
-        c += result.get(m, Fraction(0))
+        c += result.get(m, 0)
         if c:
             result[m] = c
         else:
@@ -178,7 +180,7 @@ def _horner(graph: Graph, p: Polynomial) -> Node:
     common = _common(p)
     if common:
         rest = {_divide(m, common): c for m, c in p.items()}
-        return graph.mul(_monomial(graph, common, Fraction(1)), _horner(graph, rest))
+        return graph.mul(_monomial(graph, common, 1), _horner(graph, rest))
     if len(p) == 1:
         ((m, c),) = p.items()
         return _monomial(graph, m, c)
@@ -222,7 +224,7 @@ def _most_frequent(p: Polynomial) -> tuple[Node, int] | None:
     return best if best is not None and seen[best] > 1 else None
 
 
-def _monomial(graph: Graph, m: Monomial, c: Fraction) -> Node:
+def _monomial(graph: Graph, m: Monomial, c: Coefficient) -> Node:
     top = graph.product([graph.power(f, e) for f, e in m if e > 0])
     bottom = graph.product([graph.power(f, -e) for f, e in m if e < 0])
     result = graph.mul(graph.number(abs(c)), top)
@@ -233,11 +235,18 @@ def _monomial(graph: Graph, m: Monomial, c: Fraction) -> Node:
 
 def normalise(graph: Graph, node: Node, limit: int = 300) -> Node:
     """The node in canonical short form, or the node itself where that would be longer than ``limit`` terms."""
-    try:
-        p = polynomial(graph, node, limit)
-    except TooLarge:
-        return node
-    return to_node(graph, p)
+    return normalise_all(graph, [node], limit)[0]
+
+
+def normalise_all(graph: Graph, nodes: Iterable[Node], limit: int = 300) -> list[Node]:
+    """Each node in canonical short form where that has at most ``limit`` terms; common parts are expanded once."""
+    expander, result = _Expander(graph, limit, True), []
+    for node in nodes:
+        try:
+            result.append(to_node(graph, expander.expand([node])[0]))
+        except TooLarge:
+            result.append(node)
+    return result
 
 
 def shortest(graph: Graph, node: Node, cost: Callable[[Node], int], limit: int = 300) -> Node:

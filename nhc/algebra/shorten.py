@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from nhc.algebra.calculus import count
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.polynomial import normalise
+from nhc.algebra.polynomial import normalise_all
 
 _TERMS = 40
 """Terms of a canonical polynomial that may still be shorter than what it came from."""
@@ -19,5 +19,5 @@ def shorten(graph: Graph, nodes: Sequence[Node]) -> list[Node]:
     before = count(graph, nodes)
     if before == 0 or before > _LARGE:
         return list(nodes)
-    canonical = [normalise(graph, node, _TERMS) for node in nodes]
+    canonical = normalise_all(graph, nodes, _TERMS)
     return canonical if count(graph, canonical) < before else list(nodes)

@@ -129,6 +129,8 @@ def complete(system: System) -> tuple[tuple[Form, ...], tuple[str, ...]]:
     rows = [list(f.coefficients) for f in (*system.constraints, *forms)]
     if rank(g, rows) < len(rows):
         raise Singular
+    if len(forms) == wanted:
+        return tuple(forms), ()
     candidates = [_extend(system, forms, wanted, pool) for pool in _pools(system)]
     best = min(candidates, key=lambda made: coframe_weakness(system, (*system.constraints, *made)))
     return best, tuple(_spelled(system, form) for form in best[len(forms) :])

@@ -8,11 +8,14 @@ The generalization keeps what is essential (T and b_alphamu free of q_alpha) and
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
-from nhc.algebra.calculus import derivative, gradient
+from nhc.algebra.calculus import derivative, gradient, tangent
 from nhc.algebra.graph import Node
 from nhc.algebra.modular import are_zero
+from nhc.mechanics.frame import Frame, dependent_coefficients
+from nhc.mechanics.system import System
 from nhc.mechanics.voronec import Reduced, applied_force, motion_rate
 from nhc.thesis import equation
 
@@ -28,29 +31,48 @@ class Hypotheses:
 
 
 @equation("I.3")
-def hypotheses(reduced: Reduced) -> Hypotheses:
-    """Check I.3 exactly."""
-    system, g = reduced.system, reduced.graph
-    fatal, broken = [], []
-    entries = [entry for row in reduced.b for entry in row]
-    for alpha in reduced.alpha:
-        q, name = system.q[alpha], system.q_names[alpha]
-        if not are_zero(g, [derivative(g, system.T, q)])[0]:
+def hypotheses(frame: Frame, dependent: Sequence[int]) -> Hypotheses:
+    """Check I.3 exactly; once one is broken without which nothing holds, the others are not asked."""
+    system, g = frame.system, frame.graph
+    b, b_0 = dependent_coefficients(frame, dependent)
+    entries = [entry for row in b for entry in row]
+    fatal: list[str] = []
+    for alpha in dependent:
+        name = system.q_names[alpha]
+        if _contains(system, [system.T], alpha):
             fatal.append(f"T contains the dependent coordinate `{name}`")
-        if not all(are_zero(g, [derivative(g, entry, q) for entry in entries])):
+        if _contains(system, entries, alpha):
             fatal.append(f"the coefficients b of the constraints contain the dependent coordinate `{name}`")
-        if not all(are_zero(g, [derivative(g, b, q) for b in reduced.b_0])):
-            broken.append(f"the affine part b_alpha of the constraints contains the dependent coordinate `{name}`")
-        if not are_zero(g, [system.force(alpha)])[0]:
-            broken.append(f"a force acts on the dependent coordinate `{name}`")
-        for i in range(system.n):
-            if i != alpha and not are_zero(g, [derivative(g, system.force(i), q)])[0]:
-                broken.append(f"the force on `{system.q_names[i]}` contains the dependent coordinate `{name}`")
-    if not all(are_zero(g, reduced.b_0)):
+    if fatal:
+        return Hypotheses(tuple(fatal), tuple(fatal))
+    broken = [text for alpha in dependent for text in _outside(system, b_0, alpha)]
+    if not all(are_zero(g, b_0)):
         broken.append("the constraints are not homogeneous (b_alpha is not zero)")
-    if not all(are_zero(g, [derivative(g, x, system.t) for x in (system.T, system.U, *entries, *reduced.b_0)])):
+    timed = [derivative(g, x, system.t) for x in (system.T, system.U, *entries, *b_0)]
+    if not all(are_zero(g, timed)):
         broken.append("the time t occurs in T, U or the constraints")
-    return Hypotheses((*fatal, *broken), tuple(fatal))
+    return Hypotheses(tuple(broken), ())
+
+
+def _contains(system: System, nodes: Sequence[Node], i: int) -> bool:
+    """Whether one of the nodes depends on q_i (exactly)."""
+    g, q = system.graph, system.q[i]
+    seen = [node for node in nodes if g.depends(node, g.deps[q])]
+    return not all(are_zero(g, tangent(g, seen, {q: g.one})))
+
+
+def _outside(system: System, b_0: Sequence[Node], alpha: int) -> list[str]:
+    """Hypotheses on forces and on the affine part that the dependent coordinate breaks."""
+    name, broken = system.q_names[alpha], []
+    if _contains(system, b_0, alpha):
+        broken.append(f"the affine part b_alpha of the constraints contains the dependent coordinate `{name}`")
+    forces = [system.force(i) for i in range(system.n)]
+    if not are_zero(system.graph, [forces[alpha]])[0]:
+        broken.append(f"a force acts on the dependent coordinate `{name}`")
+    for i, force in enumerate(forces):
+        if i != alpha and _contains(system, [force], alpha):
+            broken.append(f"the force on `{system.q_names[i]}` contains the dependent coordinate `{name}`")
+    return broken
 
 
 @equation("I.3", "I.3.2", "III.3")

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from nhc.algebra.linear import Singular
 from nhc.diagnostics import Bag, Span
-from nhc.mechanics import chaplygin, newton, voronec
+from nhc.mechanics import chaplygin, newton
 from nhc.mechanics.adapt import complete
 from nhc.mechanics.frame import Frame, coordinate_frame, make_frame
 from nhc.mechanics.regularity import Choice as DependentChoice
@@ -165,7 +165,7 @@ def _reduced(system: System, name: str) -> Formulation:
     reason = "dependent velocities of the spec" if system.dependent else "dependent velocities chosen by nhc"
     if name == "voronec":
         return Formulation(name, NUMBERS[name], frame, choice, (), reason)
-    found = chaplygin.hypotheses(voronec.reduce(frame, choice.dependent))
+    found = chaplygin.hypotheses(frame, choice.dependent)
     if found.fatal:
         raise NotApplicable(name, found.fatal)
     return Formulation(name, NUMBERS[name], frame, choice, (), reason, found.broken)

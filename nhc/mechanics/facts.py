@@ -9,7 +9,7 @@ from nhc.algebra.calculus import reachable
 from nhc.algebra.interval import cannot_vanish
 from nhc.algebra.show import to_text
 from nhc.diagnostics import Bag
-from nhc.mechanics import chaplygin, voronec
+from nhc.mechanics import chaplygin
 from nhc.mechanics.choose import Formulation, applicable, dependent_of
 from nhc.mechanics.frame import coordinate_frame
 from nhc.mechanics.integrability import classify, cyclic_coordinates
@@ -113,7 +113,7 @@ def _dependent(system: System, facts: Facts, bag: Bag) -> None:
             help=("leave `dependent:` out, or use quasi-velocities that stay regular",),
         )
     try:
-        found = chaplygin.hypotheses(voronec.reduce(coordinate_frame(system, choice.dependent), choice.dependent))
+        found = chaplygin.hypotheses(coordinate_frame(system, choice.dependent), choice.dependent)
     except ArithmeticError:
         return
     text = "; ".join(found.broken) if found.broken else "all hold"

@@ -10,6 +10,7 @@ from nhc.algebra.modular import are_zero
 from nhc.algebra.shorten import shorten
 from nhc.mechanics.associate import Equations, Motion, Projector, Row
 from nhc.mechanics.choose import Formulation
+from nhc.mechanics.determined import check_determined
 from nhc.mechanics.frame import total_derivative
 from nhc.mechanics.kinetic import Kinetic, kinetic_structure
 from nhc.mechanics.multipliers import multiplier_symbols
@@ -43,6 +44,7 @@ def equations_of(system: System, formulation: Formulation, kinetic: Kinetic | No
         reactions = [projector.row(e) for e in formulation.frame.vectors[: system.l]]
     rows, reactions = _polish(system.graph, rows, reactions)
     bordered = formulation.name == "multipliers" and system.l > 0
+    check_determined(system, [row.mass for row in rows], bordered=bordered)
     return Equations(
         system=system,
         formulation=formulation.name,

@@ -146,7 +146,6 @@ def resolve(spec: Spec) -> System:
     _check_rank(build, system)
     if not build.bag.has_errors:
         _check_freedom(build, system)
-    _check_kinetic(build, system)
     build.bag.raise_if_errors()
     return system
 
@@ -255,28 +254,3 @@ def _check_rank(build: Resolver, system: System) -> None:
                 notes=(f"the rows have rank {len(kept)}, so the reactions would not be unique",),
                 help=("remove it",),
             )
-
-
-def _check_kinetic(build: Resolver, system: System) -> None:
-    """The matrix d2T/dq'dq' bordered by the constraints must be regular, else the motion is not determined."""
-    from nhc.algebra.calculus import gradient
-
-    if build.bag.has_errors:
-        return
-    g, n, zero = build.graph, system.n, build.graph.zero
-    p = gradient(g, system.T, system.v)
-    mass = [gradient(g, momentum, system.v) for momentum in p]
-    rows = [[*mass[i], *(c.coefficients[i] for c in system.constraints)] for i in range(n)]
-    rows += [[*c.coefficients, *([zero] * system.l)] for c in system.constraints]
-    if rank(g, rows) == len(rows):
-        return
-    bare = [system.q_names[i] for i in range(n) if all(are_zero(g, mass[i]))]
-    what = ", ".join(f"`{name}'`" for name in bare)
-    message = f"`T` has no second-order part in {what}" if bare else "the mass matrix is singular for every state"
-    build.bag.error(
-        "E0404",
-        message,
-        build.spec.kinetic.span,
-        notes=("the accelerations would not be determined by the forces",),
-        help=("give each coordinate an inertia, or remove the coordinate",),
-    )
