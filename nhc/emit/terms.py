@@ -66,7 +66,16 @@ def flatten_product(expression: Expr, symbols: Mapping[str, Symbol]) -> Product:
 
 
 def _ordered(factors: list[Expr], symbols: Mapping[str, Symbol]) -> tuple[Expr, ...]:
-    return tuple(sorted(factors, key=lambda factor: _rank(factor, symbols)))
+    return tuple(sorted(_gathered(factors), key=lambda factor: _rank(factor, symbols)))
+
+
+def _gathered(factors: list[Expr]) -> list[Expr]:
+    """Equal factors as one power."""
+    exponents: dict[Expr, int] = {}
+    for factor in factors:
+        base, n = (factor.base, factor.exponent) if isinstance(factor, Power) else (factor, 1)
+        exponents[base] = exponents.get(base, 0) + n
+    return [base if n == 1 else Power(base, n) for base, n in exponents.items() if n]
 
 
 def _rank(factor: Expr, symbols: Mapping[str, Symbol]) -> int:

@@ -134,13 +134,24 @@ class LatexMath:
     def _quotient(self, product: Product, over: list[Piece], under: list[Piece]) -> list[Piece]:
         """A fraction where both parts are narrow and flat, else its denominator with a negative exponent."""
         below = self.pieces(product.under[0]) if len(product.under) == 1 and product.number.denominator == 1 else under
-        if max(total(over), total(below)) <= _FRACTION and not any(r"\frac" in piece.text for piece in (*over, *below)):
-            top, bottom = _join(over), _join(below)
-            return [Piece(rf"\frac{{{top}}}{{{bottom}}}", max(total(over), total(below)) + 4.0)]
-        inverse = [*_enclose(below), _piece("^{-1}")]
+        above = self.pieces(product.over[0]) if len(product.over) == 1 and product.number.numerator == 1 else over
+        width = max(total(above), total(below))
+        if width <= _FRACTION and not any(r"\frac" in piece.text for piece in (*above, *below)):
+            return [Piece(rf"\frac{{{_join(above)}}}{{{_join(below)}}}", width + 4.0)]
+        inverse = self._inverse(product, below)
         if [piece.text for piece in over] == ["1"]:
             return inverse
         return [*over, _piece(r"\,"), *inverse]
+
+    def _inverse(self, product: Product, below: list[Piece]) -> list[Piece]:
+        lone = product.under[0] if len(product.under) == 1 and product.number.denominator == 1 else None
+        match lone:
+            case Ref():
+                return self._power(Power(lone, -1))
+            case Power():
+                return self._power(Power(lone.base, -lone.exponent))
+            case _:
+                return [*_enclose(below), _piece("^{-1}")]
 
     def _factors(self, factors: tuple[Expr, ...]) -> list[Piece]:
         found: list[Piece] = []

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from nhc.algebra.calculus import count
 from nhc.algebra.graph import NEG, Node
 from nhc.algebra.modular import are_zero
-from nhc.algebra.polynomial import shortest
+from nhc.algebra.polynomial import normalise
 from nhc.exterior import Form
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choose import Formulation
@@ -70,7 +70,8 @@ class Desk:
         if known is None:
             known = node
             if self.graph.children(node) and count(self.graph, [node]) <= _WORTH:
-                known = shortest(self.graph, node, self.size, _CANONICAL)
+                candidate = normalise(self.graph, node, _CANONICAL)
+                known = candidate if self.size(candidate) < self.size(node) else node
             self._short[node] = known
         return known
 

@@ -39,7 +39,9 @@ class PaperLowering(Lowering):
         self.chosen = frozenset(self.choose_names())
         self.letter = self._free_letter()
         system = desk.system
-        self.positions = {node: k for group in (system.p, system.q, system.v) for k, node in enumerate(group)}
+        quasi = desk.formulation.frame.omega if desk.formulation.frame is not None else ()
+        groups = (system.p, system.q, quasi, system.v)
+        self.positions = {node: k for group in groups for k, node in enumerate(group)}
         self._name_symbols()
 
     def _owners(self) -> set[Node]:

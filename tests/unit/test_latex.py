@@ -1,0 +1,155 @@
+"""The LaTeX document: names, escaping, width, and that pdflatex runs clean on it."""
+
+from __future__ import annotations
+
+import re
+import shutil
+import subprocess
+import time
+from pathlib import Path
+
+import pytest
+
+from nhc.emit.environment import create_environment
+from nhc.emit.latex import list_context, render
+from nhc.emit.latex.document import TEMPLATE
+from nhc.emit.latex.math import estimate, print_mark
+from nhc.emit.latex.spelling import escape, spell_unit
+from nhc.language import Source, decode, read
+from nhc.mechanics.choose import formulate
+from nhc.mechanics.formulate import equations_of
+from nhc.mechanics.resolve import resolve
+from nhc.program.paper import Derivation, Mark, derivation
+from nhc.stamp import PLACEHOLDER, is_untouched, stamp
+
+SPECS = Path(__file__).resolve().parents[2] / "specs"
+LATEX = shutil.which("pdflatex")
+COMPILED = (
+    "chaplygin_sleigh",
+    "rolling_disk",
+    "snakeboard",
+    "ball_on_table",
+    "voronec_particle",
+    "free_rigid_body",
+    "double_pendulum",
+    "bicycle",
+    "rattleback",
+    "diff_drive",
+)
+
+
+def derive(source: Source, formulation: str = "") -> Derivation:
+    system = resolve(decode(source))
+    chosen = formulate(system, formulation)
+    return derivation(system, chosen, equations_of(system, chosen))
+
+
+def load(name: str, formulation: str = "") -> Derivation:
+    return derive(read(str(SPECS / f"{name}.yaml")), formulation)
+
+
+@pytest.mark.parametrize(
+    ("mark", "wanted"),
+    [
+        (Mark("theta", dots=2), r"\ddot{\theta}"),
+        (Mark("theta1", dots=1), r"\dot{\theta}_{1}"),
+        (Mark("x", dots=1, prefix="d"), r"d\dot{x}"),
+        (Mark("pi", ("slip",), prefix="d"), r"d\pi_{\mathit{slip}}"),
+        (Mark("gamma", ("v", "w"), ("slip",)), r"\gamma^{\mathit{slip}}_{v,w}"),
+        (Mark("p", ("w",), star=True), "p^{*}_{w}"),
+        (Mark("r_R"), "r_{R}"),
+        (Mark("lam"), r"\mathit{lam}"),
+        (Mark("Omega_form", ("c",)), r"\boldsymbol{\Omega}_{c}"),
+        (Mark("Beta"), r"\mathrm{B}"),
+    ],
+)
+def test_marks(mark: Mark, wanted: str) -> None:
+    assert print_mark(mark) == wanted
+
+
+def test_text_of_the_user_is_escaped() -> None:
+    assert escape("50% of {a_b} & $x^2$ #1 ~ \\input") == (
+        r"50\% of \{a\_b\} \& \$x\textasciicircum{}2\$ \#1 \textasciitilde{} \textbackslash{}input"
+    )
+    assert escape("Čaplygin, é, θ") == r"\v{C}aplygin, \'{e}, $\theta$"
+    assert escape("\u202eevil") == "evil"
+    assert escape("雪") == r"\textless{}U+96EA\textgreater{}"
+    assert spell_unit("kg*m^2/s^2") == r"kg\,m$^{2}$/s$^{2}$"
+
+
+def test_widths_grow_with_the_formula() -> None:
+    assert estimate("a + b") > estimate("a")
+    assert estimate("x_{abc}") < estimate("xabc")
+
+
+def test_document_is_stamped_numbered_and_sectioned() -> None:
+    text = render(load("chaplygin_sleigh"))
+    assert text.count(PLACEHOLDER) == 1
+    assert is_untouched(stamp(text))
+    for number in ("I.1.1", "I.2.3", "I.2.4", "I.2.11", "III.2.4", "III.2.5", "III.1.1", "I.2.15", "I.4.1", "II.1.4"):
+        assert rf"\tag{{{number}}}" in text
+    assert text.count(r"\section{") == 9
+    assert r"m\,\dot{v} &= m\,a\,w^{2}" in text
+    assert r"\dot{w} &= -\frac{m\,a\,v\,w}{J + m\,a^{2}}" in text
+
+
+def test_the_same_text_twice() -> None:
+    assert render(load("ball_on_table")) == render(load("ball_on_table"))
+
+
+def test_the_template_uses_what_it_is_given() -> None:
+    from jinja2 import meta
+
+    environment = create_environment()
+    assert environment.loader is not None
+    source, _, _ = environment.loader.get_source(environment, TEMPLATE)
+    assert meta.find_undeclared_variables(environment.parse(source)) == set(list_context(load("pendulum")))
+
+
+def test_the_bicycle_is_short_and_quick() -> None:
+    source = read(str(SPECS / "bicycle.yaml"))
+    system = resolve(decode(source))
+    chosen = formulate(system)
+    equations = equations_of(system, chosen)
+    start = time.perf_counter()
+    text = render(derivation(system, chosen, equations))
+    assert time.perf_counter() - start < 6  # a third of it on a quiet machine
+    assert len(text.encode()) < 300_000
+
+
+def compile_document(text: str, folder: Path) -> str:
+    """The log of one run of pdflatex."""
+    assert LATEX is not None
+    (folder / "model.tex").write_text(text)
+    command = [LATEX, "-interaction=nonstopmode", "-halt-on-error", "model.tex"]
+    done = subprocess.run(command, cwd=folder, capture_output=True, timeout=120, check=False)
+    log = (folder / "model.log").read_text(errors="replace")
+    assert done.returncode == 0, log[-2000:]
+    return log
+
+
+def check_clean(log: str) -> None:
+    widths = [float(width) for width in re.findall(r"Overfull \\hbox \(([\d.]+)pt", log)]
+    assert max(widths, default=0.0) <= 20.0
+    assert "Warning" not in log
+
+
+if LATEX is not None:
+
+    @pytest.mark.parametrize("name", COMPILED)
+    def test_pdflatex_runs_clean(name: str, tmp_path: Path) -> None:
+        check_clean(compile_document(stamp(render(load(name))), tmp_path))
+
+    @pytest.mark.parametrize("formulation", ["multipliers", "voronec", "chaplygin"])
+    def test_every_formulation_compiles(formulation: str, tmp_path: Path) -> None:
+        check_clean(compile_document(render(load("rolling_disk", formulation)), tmp_path))
+
+    def test_hostile_texts_compile(tmp_path: Path) -> None:
+        text = (
+            "nhc: 1\nsystem: hostile\nabout: '50% \\\\end{document} $ & # _ ^ ~ {} ünder 雪 `x`'\n"
+            "coordinates:\n  lambda_1: {about: 'a & b', unit: m}\n  thetadotdot: {unit: '1'}\n"
+            "parameters: {Omega: 1, mass_of_the_thing: 2, S: 0.1}\n"
+            "T: mass_of_the_thing/2*(lambda_1'^2 + exp(-S*lambda_1)*thetadotdot'^2)\n"
+            "U: -Omega*abs(lambda_1) + sqrt(1 + thetadotdot^2) + atan2(lambda_1, 2)\n"
+        )
+        check_clean(compile_document(render(derive(Source("hostile.yaml", text))), tmp_path))

@@ -1,0 +1,203 @@
+"""The derivation on paper: what it says, that it says it exactly, and that both printers read the same data."""
+
+from __future__ import annotations
+
+import json
+import math
+import operator
+import random
+from collections.abc import Callable
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+from nhc.algebra.evaluate import evaluate
+from nhc.emit.layout import Piece, fill
+from nhc.emit.terms import flatten_product, flatten_sum
+from nhc.emit.text import derivation_json, print_derivation, print_equations, print_form
+from nhc.language import Source, decode, read
+from nhc.mechanics.associate import Equations
+from nhc.mechanics.choose import formulate
+from nhc.mechanics.formulate import equations_of
+from nhc.mechanics.resolve import resolve
+from nhc.program.ir import Binary, Call, Expr, Negate, Number, Pi, Power, Ref
+from nhc.program.paper import SHEETS, Derivation, Statement, derivation
+
+SPECS = Path(__file__).resolve().parents[2] / "specs"
+OPERATORS = {"+": operator.add, "-": operator.sub, "*": operator.mul, "/": operator.truediv}
+GALLERY = sorted(path.stem for path in SPECS.glob("*.yaml"))
+
+
+@cache
+def derive(name: str, formulation: str = "") -> tuple[Derivation, Equations]:
+    system = resolve(decode(read(str(SPECS / f"{name}.yaml"))))
+    chosen = formulate(system, formulation)
+    equations = equations_of(system, chosen)
+    return derivation(system, chosen, equations), equations
+
+
+def sheet_items(made: Derivation, key: str) -> list[Statement]:
+    (sheet,) = [sheet for sheet in made.sheets if sheet.key == key]
+    return [item for item in sheet.items if isinstance(item, Statement)]
+
+
+# --- the text -------------------------------------------------------------------------------------------------
+
+
+def test_sleigh_reads_like_the_thesis() -> None:
+    text = print_derivation(derive("chaplygin_sleigh")[0])
+    for line in (
+        "  dpi_slip = -sin(theta) dx + cos(theta) dy   (I.2.3)",
+        "  y' = cos(theta) omega_slip + sin(theta) v",
+        "  gamma^slip_{v,w} = 1   (I.2.11)",
+        "  p*_slip = m*a*w",
+        "  dpi_v:  m*(v' - a*w^2) = 0   (III.1.1)",
+        "  m v' = m*a*w^2   (I.2.15)",
+        "  (J + m*a^2) w' = -m*a*v*w",
+        "  w' = -m*a*v*w/(J + m*a^2)",
+        "  lambda_slip = m*a w' + m*v*w   (I.4.1)",
+        "Of its 5 rows 2 hold automatically (exactly tested), those of the velocities' differentials.",
+    ):
+        assert line in text.splitlines(), line
+
+
+def test_broken_hypotheses_are_said() -> None:
+    text = print_derivation(derive("ball_on_table")[0])
+    assert "- the constraints are not homogeneous (b_alpha is not zero)." in text
+    assert "E' = -y*Omega lambda_roll_x + x*Omega lambda_roll_y" in text
+
+
+def test_energy_that_is_not_conserved_is_said() -> None:
+    text = print_derivation(derive("bead_on_rod")[0])
+    assert "T is not homogeneous quadratic" in text
+    assert "which is constant:" in text
+
+
+def test_parts_bring_their_abbreviations() -> None:
+    made, _ = derive("voronec_particle")
+    known = set(made.lets)
+    for text in (print_form(made), print_equations(made)):
+        lines = text.splitlines()
+        defined = {line.split(" = ")[0].strip() for line in lines if line.startswith("  ") and " = " in line}
+        for name in known:
+            used = any(f"{name}*" in line or f"*{name}" in line for line in lines)
+            assert not used or name in defined, name
+
+
+@pytest.mark.parametrize("name", GALLERY)
+def test_every_system_has_its_sheets(name: str) -> None:
+    made, equations = derive(name)
+    keys = [sheet.key for sheet in made.sheets]
+    assert keys == [key for key in SHEETS if key in keys]
+    assert {"data", "formulation", "form", "associated", "motion", "energy"} <= set(keys)
+    rates = [s for s in sheet_items(made, "motion") if s.equation == equations.number]
+    assert len(rates) >= len(equations.motion.w)
+    text = print_derivation(made)
+    assert max(len(line) for line in text.splitlines()[4:]) <= 100
+    data = derivation_json(made)
+    assert data["nhc_derivation"] == 1
+    assert [sheet["key"] for sheet in data["sheets"]] == keys
+    assert json.loads(json.dumps(data)) == data
+
+
+# --- exactness ------------------------------------------------------------------------------------------------
+
+
+def value(expression: Expr, known: dict[str, float]) -> float:
+    """An independent evaluation of the IR, for functions that the gallery uses."""
+    match expression:
+        case Number():
+            return float(expression.value)
+        case Pi():
+            return math.pi
+        case Ref():
+            return known[expression.name]
+        case Negate():
+            return -value(expression.operand, known)
+        case Power():
+            return value(expression.base, known) ** expression.exponent
+        case Call():
+            function: Callable[..., float] = getattr(math, expression.function)
+            return function(*(value(argument, known) for argument in expression.arguments))
+        case Binary():
+            return OPERATORS[expression.op](value(expression.left, known), value(expression.right, known))
+
+
+@pytest.mark.parametrize("name", GALLERY)
+def test_printed_equations_are_the_program_s(name: str) -> None:
+    """Mass and force of the motion sheet, evaluated through all abbreviations, equal those of the associated system."""
+    made, equations = derive(name)
+    g, system, rng = equations.system.graph, equations.system, random.Random(3)
+    symbols = (*system.q, *equations.motion.w, *system.p, system.t)
+    place = {symbol: rng.uniform(0.4, 0.9) for symbol in symbols}
+    marks = {}
+    for symbol, number in place.items():
+        kind = g.symbol_of(symbol)
+        assert kind is not None
+        marks[(kind.name, 1 if kind.kind == "velocity" else 0)] = number
+    known = {
+        name: marks[(s.mark.base, s.mark.dots)] for name, s in made.symbols.items() if (s.mark.base, s.mark.dots) in marks
+    }
+    for let, statement in made.lets.items():
+        if let not in known:
+            try:
+                known[let] = value(statement.right[0].coefficient, known)
+            except KeyError:
+                continue  # it needs rates, velocities that are not kept, or the constraints' own
+    rows = [s for s in sheet_items(made, "motion") if s.equation == equations.number][: len(equations.motion.w)]
+    wanted = evaluate(g, [n for row in equations.mass for n in row] + list(equations.force), place)
+    size = len(rows)
+    for k, row in enumerate(rows):
+        mass = [float(x) for x in wanted[k * size : (k + 1) * size]]
+        printed = [value(term.coefficient, known) for term in row.left]
+        assert sum(printed) == pytest.approx(sum(mass), rel=1e-9, abs=1e-9)
+        force = sum(value(term.coefficient, known) for term in row.right if not term.factors)
+        assert force == pytest.approx(float(wanted[size * size + k]), rel=1e-9, abs=1e-9)
+
+
+def test_a_big_system_stays_short() -> None:
+    made, _ = derive("bicycle")
+    assert sum(len(sheet.lets) for sheet in made.sheets) < 1500
+    assert "would fill pages" in " ".join(print_form(made).split())
+
+
+def test_names_of_the_user_come_back() -> None:
+    made, _ = derive("chaplygin_sleigh")
+    assert "  X' = x' - a*theta'*sin(theta)" in print_derivation(made).splitlines()
+
+
+def test_automatic_letters_avoid_the_spec_s() -> None:
+    text = (
+        "nhc: 1\nsystem: letters\ncoordinates: [z, k]\nparameters: {h: 1, s: 2}\n"
+        "T: (z'^2*(1 + h*cos(z) + s*sin(k) + h*s*cos(z*k))^2 + k'^2*(1 + h*cos(z) + s*sin(k) + h*s*cos(z*k))^4)/2\n"
+    )
+    system = resolve(decode(Source("letters.yaml", text)))
+    chosen = formulate(system)
+    made = derivation(system, chosen, equations_of(system, chosen))
+    assert made.lets
+    assert all(not name.startswith(("z", "k", "h", "s")) for name in made.lets)
+
+
+# --- reading order --------------------------------------------------------------------------------------------
+
+
+def test_sums_start_with_a_positive_term() -> None:
+    x, y = Ref("x"), Ref("y")
+    assert flatten_sum(Binary("+", Negate(x), y)) == [(False, y), (True, x)]
+    assert flatten_sum(Binary("-", x, Binary("-", y, Number(2)))) == [(False, x), (True, y), (False, Number(2))]
+
+
+def test_equal_factors_become_a_power() -> None:
+    made, _ = derive("chaplygin_sleigh")
+    a = next(name for name, symbol in made.symbols.items() if symbol.mark.base == "a")
+    product = flatten_product(Binary("*", Ref(a), Binary("*", Negate(Ref(a)), Number(3))), made.symbols)
+    assert (product.negative, product.number, product.over, product.under) == (True, 3, (Power(Ref(a), 2),), ())
+
+
+def test_lines_end_outside_parentheses_where_they_can() -> None:
+    pieces = [Piece("aaaa", 4), Piece(" + bb", 5, 1), Piece(" + (c", 5, 1), Piece(" + d)", 5, 2)]
+    assert fill(pieces, 15, 15) == ["aaaa + bb", " + (c + d)"]
+    assert fill(pieces, 15, 9) == ["aaaa + bb", " + (c", " + d)"]
+    assert fill([Piece("x" * 30, 30)], 10, 10) == ["x" * 30]
+    assert fill([], 10, 10) == [""]
