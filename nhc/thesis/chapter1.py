@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from nhc.thesis.entries import Equation
 
-_DERIVED = "a step of the derivation from points and virtual work; nhc starts from T, and its outcome (I.2.13) is implemented"
+_DERIVED = (
+    "a step of the derivation from points and virtual work; nhc starts from T, and its outcome (I.2.13) is implemented"
+)
 
 EQUATIONS = (
     Equation(
@@ -74,7 +76,7 @@ EQUATIONS = (
         "I.2.10",
         "the transposition term in the momenta of quasi-velocities",
         r"p_j[(\delta q_j)' - \delta\dot q_j] = p^*_i a_{ij}[(\delta q_j)' - \delta\dot q_j]",
-        test="tests/thesis/test_errata.py::test_E12",
+        test="tests/thesis/test_errata_in_print.py::test_E12",
     ),
     Equation(
         "I.2.11",
@@ -153,7 +155,7 @@ EQUATIONS = (
         "slopes of T*",
         r"\frac{\partial T^*}{\partial q_\mu} = \frac{\partial T}{\partial q_\mu}"
         r" + p_\alpha\frac{\partial b_{\alpha\nu}}{\partial q_\mu}\dot q_\nu",
-        test="tests/thesis/test_errata.py::test_E14",
+        test="tests/thesis/test_errata_in_print.py::test_E14",
     ),
     Equation(
         "I.4.1",
@@ -206,7 +208,7 @@ EQUATIONS = (
         r"\frac{\partial T^*}{\partial q_j} = \frac{\partial T}{\partial q_j}"
         r" + p_\alpha\frac{\partial}{\partial q_j}(b_{\alpha\nu}\dot q_\nu + b_\alpha)",
         ("nhc.mechanics.voronec.printed_rows",),
-        "tests/thesis/test_errata.py::test_E14",
+        "tests/thesis/test_errata_in_print.py::test_E14",
         errata=("E14",),
     ),
     Equation(

@@ -30,7 +30,7 @@ EQUATIONS = (
         "its kinetic part is exact",
         r"\Omega_c = d(m v_i\,dx_i - T\,dt)",
         ("nhc.mechanics.lagrange.kinetic_two_form",),
-        "tests/thesis/test_errata.py::test_E9",
+        "tests/thesis/test_errata_in_print.py::test_E9",
     ),
     Equation(
         "II.1.5",
@@ -42,7 +42,7 @@ EQUATIONS = (
         "II.2.1",
         "the kinetic 1-form of a system of points",
         r"\int_S \vec V_M\cdot d\vec{OM}\,dm - \tfrac12 dt\int_S \vec V_M^2\,dm",
-        test="tests/thesis/test_errata.py::test_E13",
+        test="tests/thesis/test_errata_in_print.py::test_E13",
         errata=("E13",),
     ),
     Equation(

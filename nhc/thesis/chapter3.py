@@ -87,7 +87,7 @@ EQUATIONS = (
         "the slopes of T on the constraints",
         r"\frac{\partial T}{\partial q_i}dq_i\wedge dt = \left(\frac{\partial T^*}{\partial q_\mu}"
         r" - p_\alpha\frac{\partial b_{\alpha\nu}}{\partial q_\mu}\dot q_\nu\right)dq_\mu\wedge dt",
-        test="tests/thesis/test_errata.py::test_E15",
+        test="tests/thesis/test_errata_in_print.py::test_E15",
         errata=("E15",),
     ),
     Equation(
@@ -95,7 +95,7 @@ EQUATIONS = (
         "the momenta against the velocities' differentials",
         r"\frac{\partial T}{\partial\dot q_i}d\dot q_i\wedge dt = \frac{\partial T^*}{\partial\dot q_\mu}d\dot q_\mu\wedge dt"
         r" + p_\alpha\dot q_\mu\,db_{\alpha\mu}\wedge dt",
-        test="tests/thesis/test_errata.py::test_E15",
+        test="tests/thesis/test_errata_in_print.py::test_E15",
         errata=("E15",),
     ),
     Equation(
@@ -138,7 +138,7 @@ EQUATIONS = (
         r"\tilde\Omega = \left(d\frac{\partial T^*}{\partial\dot q_\mu} - p_\alpha\,db_{\alpha\mu} - R_\mu\,dt\right)"
         r"\wedge(dq_\mu - \dot q_\mu\,dt)",
         ("nhc.mechanics.voronec.omega", "nhc.mechanics.voronec.printed_rows"),
-        "tests/thesis/test_errata.py::test_E16",
+        "tests/thesis/test_errata_in_print.py::test_E16",
         errata=("E7", "E8"),
     ),
     Equation(

@@ -6,7 +6,8 @@ from nhc.thesis.entries import Erratum
 
 
 def _erratum(number: int, title: str, place: str, printed: str, correction: str, evidence: str) -> Erratum:
-    test = f"tests/thesis/test_errata.py::test_E{number}"
+    file = "test_errata" if number <= 8 else "test_errata_in_print"
+    test = f"tests/thesis/{file}.py::test_E{number}"
     return Erratum(f"E{number}", title, place, printed, correction, evidence, test)
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 from functools import cache
 from pathlib import Path
@@ -145,3 +145,13 @@ def kernel(form: ExteriorForm, values: Mapping[Node, float]) -> list[float]:
     flat = evaluate(g, [row.coefficient(j) for row in rows for j in range(size)], values)
     table = np.array(flat, dtype=float).reshape(size - 1, size)
     return list(np.linalg.solve(table[:, :-1], -table[:, -1]))
+
+
+def state_of(system: System, seed: int = 11) -> Values:
+    """A random state of an unconstrained system, with q' in place of quasi-velocities."""
+    values = any_states(generic_frame(system), 1, seed)[0]
+    return {**values, **{v: 0.3 + 0.2 * k for k, v in enumerate(system.v)}}
+
+
+def dot(g: Graph, x: Sequence[Node], y: Sequence[Node]) -> Node:
+    return g.sum([g.mul(a, b) for a, b in zip(x, y, strict=True)])

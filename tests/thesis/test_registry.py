@@ -17,7 +17,19 @@ for module in pkgutil.iter_modules(nhc.mechanics.__path__):
     importlib.import_module(f"nhc.mechanics.{module.name}")
 
 # how many equations the text numbers in each section
-SECTIONS = {"I.1": 2, "I.2": 15, "I.3": 4, "I.4": 9, "II.1": 5, "II.2": 3, "II.3": 1, "III.1": 2, "III.2": 6, "III.3": 7, "III.4": 5}
+SECTIONS = {
+    "I.1": 2,
+    "I.2": 15,
+    "I.3": 4,
+    "I.4": 9,
+    "II.1": 5,
+    "II.2": 3,
+    "II.3": 1,
+    "III.1": 2,
+    "III.2": 6,
+    "III.3": 7,
+    "III.4": 5,
+}
 UNNUMBERED = {"I.3", "II.3", "III.3", "III.4"}
 
 
