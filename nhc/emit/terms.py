@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
@@ -38,8 +39,36 @@ def flatten_sum(expression: Expr) -> list[tuple[bool, Expr]]:
                 found.append((not negative, Number(-part.value)))
             case _:
                 found.append((negative, part))
+    found = _collected(found)
     first = next((k for k, (negative, _) in enumerate(found) if not negative), 0)
     return [found[first], *found[:first], *found[first + 1 :]]
+
+
+def _collected(terms: list[tuple[bool, Expr]]) -> list[tuple[bool, Expr]]:
+    """Terms of the same factors as one; a sum that the graph keeps in two halves may hold them twice."""
+    if len(terms) < 2:
+        return terms
+    products = [flatten_product(term, {}) for _, term in terms]
+    totals: dict[object, Fraction] = {}
+    first: dict[object, int] = {}
+    keys = [(frozenset(Counter(p.over).items()), frozenset(Counter(p.under).items())) for p in products]
+    for k, (key, product) in enumerate(zip(keys, products, strict=True)):
+        sign = -1 if terms[k][0] != product.negative else 1
+        totals[key] = totals.get(key, Fraction(0)) + sign * product.number
+        first.setdefault(key, k)
+    if len(totals) == len(terms):
+        return terms
+    kept = [k for k, key in enumerate(keys) if first[key] == k and totals[key]]
+    return [(totals[keys[k]] < 0, _product(abs(totals[keys[k]]), products[k])) for k in kept] or [(False, Number(Fraction(0)))]
+
+
+def _product(number: Fraction, product: Product) -> Expr:
+    total: Expr = Number(number)
+    for k, factor in enumerate(product.over):
+        total = factor if k == 0 and number == 1 else Binary("*", total, factor)
+    for factor in product.under:
+        total = Binary("/", total, factor)
+    return total
 
 
 def flatten_product(expression: Expr, symbols: Mapping[str, Symbol]) -> Product:
@@ -85,7 +114,7 @@ def _rank(factor: Expr, symbols: Mapping[str, Symbol]) -> int:
         case Pi():
             return _PI
         case Ref():
-            return symbols[factor.name].rank
+            return symbols[factor.name].rank if symbols else 0
         case Power():
             return _rank(factor.base, symbols)
         case Call():

@@ -7,6 +7,7 @@ import math
 import operator
 import random
 from collections.abc import Callable
+from fractions import Fraction
 from functools import cache
 from pathlib import Path
 
@@ -15,13 +16,14 @@ import pytest
 from nhc.algebra.evaluate import evaluate
 from nhc.emit.layout import Piece, fill
 from nhc.emit.terms import flatten_product, flatten_sum
-from nhc.emit.text import derivation_json, print_derivation, print_equations, print_form
+from nhc.emit.text import derivation_json, print_derivation, print_equations, print_form, print_program
 from nhc.language import Source, decode, read
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choose import formulate
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.resolve import resolve
 from nhc.program.ir import Binary, Call, Expr, Negate, Number, Pi, Power, Ref
+from nhc.program.model import build_program
 from nhc.program.paper import SHEETS, Derivation, Statement, derivation
 
 SPECS = Path(__file__).resolve().parents[2] / "specs"
@@ -185,13 +187,21 @@ def test_automatic_letters_avoid_the_spec_s() -> None:
 def test_sums_start_with_a_positive_term() -> None:
     x, y = Ref("x"), Ref("y")
     assert flatten_sum(Binary("+", Negate(x), y)) == [(False, y), (True, x)]
-    assert flatten_sum(Binary("-", x, Binary("-", y, Number(2)))) == [(False, x), (True, y), (False, Number(2))]
+    assert flatten_sum(Binary("-", x, Binary("-", y, Number(Fraction(2))))) == [(False, x), (True, y), (False, Number(Fraction(2)))]
+
+
+def test_equal_terms_are_added() -> None:
+    x, y = Ref("x"), Ref("y")
+    twice = Binary("+", Binary("+", Binary("*", x, y), x), Binary("*", y, x))
+    assert flatten_sum(twice) == [(False, Binary("*", Binary("*", Number(Fraction(2)), x), y)), (False, x)]
+    assert flatten_sum(Binary("-", x, x)) == [(False, Number(Fraction(0)))]
+    assert flatten_sum(Binary("-", Binary("+", x, y), x)) == [(False, y)]
 
 
 def test_equal_factors_become_a_power() -> None:
     made, _ = derive("chaplygin_sleigh")
     a = next(name for name, symbol in made.symbols.items() if symbol.mark.base == "a")
-    product = flatten_product(Binary("*", Ref(a), Binary("*", Negate(Ref(a)), Number(3))), made.symbols)
+    product = flatten_product(Binary("*", Ref(a), Binary("*", Negate(Ref(a)), Number(Fraction(3)))), made.symbols)
     assert (product.negative, product.number, product.over, product.under) == (True, 3, (Power(Ref(a), 2),), ())
 
 
@@ -201,3 +211,30 @@ def test_lines_end_outside_parentheses_where_they_can() -> None:
     assert fill(pieces, 15, 9) == ["aaaa + bb", " + (c", " + d)"]
     assert fill([Piece("x" * 30, 30)], 10, 10) == ["x" * 30]
     assert fill([], 10, 10) == [""]
+
+
+# --- the program ----------------------------------------------------------------------------------------------
+
+
+def test_a_program_prints_one_statement_a_line() -> None:
+    made, equations = derive("chaplygin_sleigh")
+    program = build_program(equations.system, formulate(equations.system), equations)
+    text = print_program(program)
+    lines = text.splitlines()
+    assert lines[0] == "program chaplygin_sleigh  (from chaplygin_sleigh.yaml)"
+    assert "constraints: slip" in lines
+    heads = [line for line in lines if line.startswith("function ")]
+    assert [head.split("(")[0].split()[1] for head in heads] == [function.name for function in program.functions]
+    assert all(" calls" in head for head in heads)
+    statements = sum(len(function.body) for function in program.functions)
+    assert sum(line.startswith("  ") for line in lines) >= statements
+    assert made.system is equations.system
+
+
+def test_a_dense_solve_is_printed_row_by_row() -> None:
+    _, equations = derive("rolling_disk", "multipliers")
+    program = build_program(equations.system, formulate(equations.system, "multipliers"), equations, only=("rhs",))
+    lines = print_program(program).splitlines()
+    (head,) = [k for k, line in enumerate(lines) if line.startswith("  solve size ")]
+    size = equations.system.n + equations.system.l
+    assert all(line.startswith("    row [") for line in lines[head + 1 : head + 1 + size])
