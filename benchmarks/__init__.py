@@ -1,0 +1,1 @@
+"""Benchmarks: what nhc promises, measured beside its peers.  ``python -m benchmarks`` writes docs/performance.md."""

@@ -1,0 +1,227 @@
+"""Specs of the benchmark systems, as text.
+
+Each system is written in two styles: ``positions`` (named positions, nhc differentiates them) and ``expanded``
+(the kinetic energy and the constraints written out in the velocities, as a textbook prints them); and with or
+without quasi-velocities.  Without them nhc has to choose its own.
+"""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+STYLES = ("positions", "expanded")
+ROOT = Path(__file__).resolve().parent.parent
+
+Section = tuple[str, list[str] | str]
+
+
+def spec(name: str, style: str = "positions", *, velocities: bool = True) -> str:
+    """The YAML text of ``sleigh``, ``disk``, ``bicycle``, ``trailers<N>``, ``snake<N>`` or ``pendulum<N>``.
+
+    ``bicycle`` is the gallery's own file and has one style.
+
+    Raises:
+        KeyError: no such system or style.
+    """
+    family, count = split_name(name)
+    if style not in STYLES:
+        raise KeyError(style)
+    text = _FAMILIES[family](count, style == "expanded")
+    return text if velocities else drop_section(text, "quasi_velocities")
+
+
+def split_name(name: str) -> tuple[str, int]:
+    """``trailers5`` -> ``("trailers", 5)``; a system without a size has 0."""
+    found = re.fullmatch(r"([a-z]+)(\d*)", name)
+    if found is None:
+        raise KeyError(name)
+    return found[1], int(found[2] or 0)
+
+
+def drop_section(text: str, key: str) -> str:
+    """The spec without one of its top-level sections."""
+    return re.sub(rf"(?m)^{key}:.*\n(?:[ -].*\n)*", "", text)
+
+
+def _assemble(name: str, sections: list[Section]) -> str:
+    lines = ["nhc: 1", f"system: {name}"]
+    for key, body in sections:
+        if isinstance(body, str):
+            lines.append(f"{key}: {body}")
+        elif body:
+            lines += [f"{key}:", *(f"  {line}" for line in body)]
+    return "\n".join(lines) + "\n"
+
+
+def _scene(initial: str) -> Section:
+    """A start at rest away from symmetric points."""
+    return "scenes", ["start:", f"  initial: {{{initial}}}", "  time: [0, 1]"]
+
+
+def _sleigh(_: int, expanded: bool) -> str:
+    positions: list[Section] = [
+        ("define", ["X: x + a*cos(theta)", "Y: y + a*sin(theta)"]),
+        ("T", "m/2*(X'^2 + Y'^2) + J/2*theta'^2"),
+    ]
+    long = "m/2*(x'^2 + y'^2) + (J + m*a^2)/2*theta'^2 + m*a*theta'*(cos(theta)*y' - sin(theta)*x')"
+    return _assemble(
+        "sleigh",
+        [
+            ("coordinates", "[x, y, theta]"),
+            ("parameters", "{m: 1, J: 0.5, a: 0.7}"),
+            *([("T", long)] if expanded else positions),
+            ("constraints", ["- slip: -sin(theta)*x' + cos(theta)*y' = 0"]),
+            ("quasi_velocities", ["v: cos(theta)*x' + sin(theta)*y'", "w: theta'"]),
+            _scene("theta: 0.1"),
+        ],
+    )
+
+
+def _disk(_: int, expanded: bool) -> str:
+    spin = "(psi' + cos(theta)*phi')"
+    long = f"m/2*(x'^2 + y'^2 + R^2*cos(theta)^2*theta'^2) + A/2*(theta'^2 + sin(theta)^2*phi'^2) + C/2*{spin}^2"
+    short = "m/2*(x'^2 + y'^2 + z'^2) + A/2*(theta'^2 + w_u^2) + C/2*w_n^2"
+    return _assemble(
+        "disk",
+        [
+            ("coordinates", "[x, y, phi, theta, psi]"),
+            ("parameters", "{m: 1, R: 0.5, A: 0.0625, C: 0.125, g: 9.81}"),
+            *([] if expanded else [("define", ["z: R*sin(theta)"])]),
+            ("T", long if expanded else short.replace("w_u", "(sin(theta)*phi')").replace("w_n", spin)),
+            ("V", "m*g*R*sin(theta)" if expanded else "m*g*z"),
+            (
+                "constraints",
+                [
+                    f"- roll_x: x' + R*cos(phi)*{spin} - R*sin(theta)*sin(phi)*theta' = 0",
+                    f"- roll_y: y' + R*sin(phi)*{spin} + R*sin(theta)*cos(phi)*theta' = 0",
+                ],
+            ),
+            ("quasi_velocities", ["w_t: theta'", "w_u: sin(theta)*phi'", "w_n: psi' + cos(theta)*phi'"]),
+            _scene("phi: 0.1, theta: 1.2"),
+        ],
+    )
+
+
+def _trailers(count: int, expanded: bool) -> str:
+    """A car of wheelbase L with a steered front axle, and trailers hitched axle to axle."""
+    axles = range(1, count + 1)
+    define, squares = [], ["x'^2 + y'^2"]
+    rows = [
+        "- rear: -sin(theta0)*x' + cos(theta0)*y' = 0",
+        "- front: -sin(theta0 + phi)*x' + cos(theta0 + phi)*y' + L*cos(phi)*theta0' = 0"
+        if expanded
+        else "- front: -sin(theta0 + phi)*xf' + cos(theta0 + phi)*yf' = 0",
+    ]
+    if not expanded:
+        define = ["xf: x + L*cos(theta0)", "yf: y + L*sin(theta0)"]
+    turns = "".join(f" + theta{i}'^2" for i in axles)
+    for i in axles:
+        before = i - 1 or ""
+        if expanded:
+            along = "".join(f" + L*sin(theta{j})*theta{j}'" for j in range(1, i + 1))
+            across = "".join(f" - L*cos(theta{j})*theta{j}'" for j in range(1, i + 1))
+            squares.append(f"(x'{along})^2 + (y'{across})^2")
+            arms = "".join(f" - L*cos(theta{i} - theta{j})*theta{j}'" for j in range(1, i))
+            rows.append(f"- axle{i}: -sin(theta{i})*x' + cos(theta{i})*y'{arms} - L*theta{i}' = 0")
+        else:
+            define += [f"x{i}: x{before} - L*cos(theta{i})", f"y{i}: y{before} - L*sin(theta{i})"]
+            squares.append(f"x{i}'^2 + y{i}'^2")
+            rows.append(f"- axle{i}: -sin(theta{i})*x{i}' + cos(theta{i})*y{i}' = 0")
+    trailers = " + ".join(squares[1:])
+    return _assemble(
+        f"trailers{count}",
+        [
+            ("coordinates", "[x, y, theta0, phi, " + ", ".join(f"theta{i}" for i in axles) + "]"),
+            ("parameters", "{m0: 1, J0: 0.1, Js: 0.02, m: 0.5, J: 0.05, L: 0.8}"),
+            ("define", define),
+            (
+                "T",
+                f"m0/2*({squares[0]}) + J0/2*theta0'^2 + Js/2*(theta0' + phi')^2 + m/2*({trailers})"
+                f" + J/2*({turns[3:]})",
+            ),
+            ("constraints", rows),
+            ("quasi_velocities", ["v: cos(theta0)*x' + sin(theta0)*y'", "w: phi'"]),
+            _scene("phi: 0.2, " + ", ".join(f"theta{i}: {0.05 * (i % 7 + 1):.2f}" for i in axles)),
+        ],
+    )
+
+
+def _snake(count: int, expanded: bool) -> str:
+    """Links hinged in a row, a knife edge under the middle of each."""
+    links = range(1, count + 1)
+    define, squares, rows = [], ["x'^2 + y'^2"], ["- edge1: -sin(theta1)*x' + cos(theta1)*y' = 0"]
+    for i in links[1:]:
+        before = i - 1 if i > 2 else ""
+        if expanded:
+            arms = [(1, 1), *((j, 2) for j in range(2, i)), (i, 1)]
+            factor = {1: "a", 2: "2*a"}
+            along = "".join(f" + {factor[k]}*sin(theta{j})*theta{j}'" for j, k in arms)
+            across = "".join(f" - {factor[k]}*cos(theta{j})*theta{j}'" for j, k in arms)
+            squares.append(f"(x'{along})^2 + (y'{across})^2")
+            lever = "".join(f" - {factor[k]}*cos(theta{i} - theta{j})*theta{j}'" for j, k in arms[:-1])
+            rows.append(f"- edge{i}: -sin(theta{i})*x' + cos(theta{i})*y'{lever} - a*theta{i}' = 0")
+        else:
+            last = i - 1
+            define += [
+                f"x{i}: x{before} - a*cos(theta{last}) - a*cos(theta{i})",
+                f"y{i}: y{before} - a*sin(theta{last}) - a*sin(theta{i})",
+            ]
+            squares.append(f"x{i}'^2 + y{i}'^2")
+            rows.append(f"- edge{i}: -sin(theta{i})*x{i}' + cos(theta{i})*y{i}' = 0")
+    turns = " + ".join(f"theta{i}'^2" for i in links)
+    return _assemble(
+        f"snake{count}",
+        [
+            ("coordinates", "[x, y, " + ", ".join(f"theta{i}" for i in links) + "]"),
+            ("parameters", "{m: 1, J: 0.1, a: 0.5}"),
+            ("define", define),
+            ("T", f"m/2*({' + '.join(squares)}) + J/2*({turns})"),
+            ("constraints", rows),
+            ("quasi_velocities", ["v: cos(theta1)*x' + sin(theta1)*y'", "w: theta1'"]),
+            _scene(", ".join(f"theta{i}: {0.3 * (-1) ** i / (i % 3 + 1):.3f}" for i in links)),
+        ],
+    )
+
+
+def _pendulum(count: int, expanded: bool) -> str:
+    """Point masses on massless rods in a row under a cart on a rail; angles from the vertical."""
+    bobs = range(1, count + 1)
+    define, squares, heights = [], [], []
+    for i in bobs:
+        before = i - 1 if i > 1 else ""
+        if expanded:
+            along = "".join(f" + l*cos(theta{j})*theta{j}'" for j in range(1, i + 1))
+            across = "".join(f" + l*sin(theta{j})*theta{j}'" for j in range(1, i + 1))
+            squares.append(f"(x'{along})^2 + ({across[3:]})^2")
+            heights.append(f"{count - i + 1}*cos(theta{i})")
+        else:
+            define.append(f"x{i}: x{before} + l*sin(theta{i})")
+            define.append(f"y{i}: " + (f"y{before} - l*cos(theta{i})" if i > 1 else "-l*cos(theta1)"))
+            squares.append(f"x{i}'^2 + y{i}'^2")
+    potential = f"-m*g*l*({' + '.join(heights)})" if expanded else f"m*g*({' + '.join(f'y{i}' for i in bobs)})"
+    return _assemble(
+        f"pendulum{count}",
+        [
+            ("coordinates", "[x, " + ", ".join(f"theta{i}" for i in bobs) + "]"),
+            ("parameters", "{M: 1.5, m: 0.5, l: 0.7, g: 9.81}"),
+            ("define", define),
+            ("T", f"M/2*x'^2 + m/2*({' + '.join(squares)})"),
+            ("V", potential),
+            _scene(", ".join(f"theta{i}: {0.1 * (i % 5 + 1):.1f}" for i in bobs)),
+        ],
+    )
+
+
+def _bicycle(_: int, __: bool) -> str:
+    return (ROOT / "specs" / "bicycle.yaml").read_text(encoding="utf-8")
+
+
+_FAMILIES = {
+    "sleigh": _sleigh,
+    "disk": _disk,
+    "trailers": _trailers,
+    "snake": _snake,
+    "pendulum": _pendulum,
+    "bicycle": _bicycle,
+}

@@ -1,0 +1,50 @@
+"""The benchmark systems: their specs decode, and the hand-written C agrees with nhc's at random states."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from benchmarks.models import Compiled, difference, hand_sources, names, nhc_sources, parameters, source, states
+from benchmarks.systems import STYLES, drop_section, spec
+from nhc.language import decode
+from nhc.mechanics.resolve import resolve
+
+SYSTEMS = ("sleigh", "disk", "trailers3", "snake3", "pendulum3", "bicycle")
+SIZES = {
+    "sleigh": (3, 1),
+    "disk": (5, 2),
+    "trailers3": (7, 5),
+    "snake3": (5, 3),
+    "pendulum3": (4, 0),
+    "bicycle": (9, 6),
+}
+
+
+@pytest.mark.parametrize("style", STYLES)
+@pytest.mark.parametrize("name", SYSTEMS)
+def test_spec_decodes_with_the_stated_size(name: str, style: str) -> None:
+    for velocities in (True, False):
+        system = resolve(decode(source(name, style, velocities=velocities)))
+        assert (len(system.q), len(system.constraints)) == SIZES[name]
+        assert bool(system.spec.quasi_velocities) == (velocities and name not in ("pendulum3", "bicycle"))
+
+
+def test_a_section_is_dropped_with_its_lines_and_nothing_else() -> None:
+    text = spec("sleigh")
+    assert drop_section(text, "quasi_velocities").count("\n") == text.count("\n") - 3
+    assert drop_section(text, "coordinates") == text.replace("coordinates: [x, y, theta]\n", "")
+
+
+@pytest.mark.parametrize("name", ["sleigh", "disk", "trailers3", "snake3", "pendulum3"])
+def test_hand_written_c_agrees(name: str, tmp_path: Path) -> None:
+    hand = hand_sources(name)
+    assert hand is not None
+    by_hand = Compiled(hand, tmp_path / "hand", ("-std=c99", "-O1", "-Wall", "-Wextra", "-Werror"))
+    values = parameters(name)
+    size = sum(map(len, names(name)))
+    for style in STYLES:
+        emitted = Compiled(nhc_sources(name, style), tmp_path / style, ("-std=c99", "-O1"))
+        for y in states(name, size):
+            assert difference(by_hand(0.0, y, values), emitted(0.0, y, values)) < 1e-12
