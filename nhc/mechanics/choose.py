@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from nhc.algebra.linear import Singular
+from nhc.algebra.modular import rank
 from nhc.diagnostics import Bag, Span
 from nhc.mechanics import chaplygin, newton
 from nhc.mechanics.adapt import complete
 from nhc.mechanics.frame import Frame, coordinate_frame, make_frame
 from nhc.mechanics.regularity import Choice as DependentChoice
-from nhc.mechanics.regularity import choose_dependent, judge
+from nhc.mechanics.regularity import choose_dependent, judge, weak_where_constraints_are_not
 from nhc.mechanics.system import Form, System
 
 FORMULATIONS = ("newton", "lagrange", "euler-lagrange", "chaplygin", "voronec", "multipliers")
@@ -140,28 +141,30 @@ def _symbol(system: System, form: Form) -> int:
 
 
 def dependent_of(system: System) -> DependentChoice:
+    """The spec's dependent velocities, or nhc's choice.
+
+    Raises:
+        NotApplicable: the spec's are too few, too many, or singular everywhere.
+    """
     if not system.dependent:
         return choose_dependent(system)
     if len(system.dependent) != system.l:
         reasons = [f"`dependent` names {len(system.dependent)} velocities, the constraints determine {system.l}"]
         raise NotApplicable("voronec", reasons, "E0407", "dependent")
-    return judge(system, tuple(sorted(system.dependent)))
+    dependent = tuple(sorted(system.dependent))
+    block = [[form.coefficients[j] for j in dependent] for form in system.constraints]
+    if rank(system.graph, block) < system.l:
+        names = ", ".join(f"`{system.q_names[i]}'`" for i in dependent)
+        reasons = [f"the constraints cannot be solved for {names}: the block is singular everywhere"]
+        raise NotApplicable("voronec", reasons, "E0407", "dependent")
+    return judge(system, dependent)
 
 
 def _reduced(system: System, name: str) -> Formulation:
     if not system.constraints:
         raise NotApplicable(name, ["the system has no constraints: these are Lagrange's equations"])
     choice = dependent_of(system)
-    try:
-        frame = coordinate_frame(system, choice.dependent)
-    except Singular:
-        names = ", ".join(f"`{system.q_names[i]}'`" for i in choice.dependent)
-        raise NotApplicable(
-            name,
-            [f"the constraints cannot be solved for {names}: the block is singular everywhere"],
-            "E0407",
-            "dependent",
-        ) from None
+    frame = coordinate_frame(system, choice.dependent)
     reason = "dependent velocities of the spec" if system.dependent else "dependent velocities chosen by nhc"
     if name == "voronec":
         return Formulation(name, NUMBERS[name], frame, choice, (), reason)
@@ -172,21 +175,32 @@ def _reduced(system: System, name: str) -> Formulation:
 
 
 def choose(system: System) -> Formulation:
-    """The cheapest formulation that is valid and regular: the spec's own quasi-velocities or dependent velocities first."""
+    """The cheapest formulation that is valid and regular.
+
+    The spec's own quasi-velocities come first.  Dependent velocities are taken where their block cannot vanish; else the adapted
+    coframe, unless it is weak at an ordinary state where the constraints are not: then the multipliers.
+    """
     if system.quasi:
         return build(system, "euler-lagrange")
     if not system.constraints:
         return build(system, "lagrange")
-    if system.dependent:
-        return _reduced_or_voronec(system)
-    choice = choose_dependent(system)
+    choice = dependent_of(system)
     if choice.regular:
         return _reduced_or_voronec(system)
     try:
         adapted = build(system, "euler-lagrange")
     except NotApplicable:
         return build(system, "multipliers")
-    return adapted
+    assert adapted.frame is not None
+    if weak_where_constraints_are_not(system, adapted.frame.forms):
+        multipliers = build(system, "multipliers")
+        why = "every coframe that was tried is singular at an ordinary state; all velocities kept"
+        return replace(multipliers, reason=why)
+    names = ", ".join(f"{system.q_names[i]}'" for i in choice.dependent)
+    whose = "of the spec" if system.dependent else "that nhc would choose"
+    return replace(
+        adapted, reason=f"{adapted.reason}: the dependent velocities {whose} ({names}) are singular somewhere"
+    )
 
 
 def _reduced_or_voronec(system: System) -> Formulation:

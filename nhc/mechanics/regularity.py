@@ -92,17 +92,23 @@ def intervals(system: System) -> dict[Node, Interval]:
 
 
 def trial_points(system: System) -> list[dict[Node, float]]:
-    """The scenes' own starts and their neighbourhood, the special states (zero, quarter turns) where careless choices are
-    singular, and random ones.  Velocities are random throughout.
+    """Ordinary states, the special ones (quarter turns) where careless choices are singular, and random ones.
+
+    Velocities are random throughout.
     """
-    rng = random.Random(7)
-    points = [_state_at(system, rng, start, spread) for start in _scene_starts(system) for spread in (0.0, 0.2)]
+    rng = random.Random(11)
     quarter = (0.0, math.pi / 2, math.pi / 4, math.pi)
-    for k in range(4):
-        angles = [quarter[(k + j * (k > 1)) % 4] if k else 0.0 for j in range(system.n)]
-        points.append(_state_at(system, rng, angles, 0.0))
-    points += [_state_at(system, rng, [0.0] * system.n, 3.0) for _ in range(_TRIALS - 4)]
-    return points
+    turned = [[quarter[(k + j * (k > 1)) % 4] for j in range(system.n)] for k in range(1, 4)]
+    special = [_state_at(system, rng, angles, 0.0) for angles in turned]
+    drawn = [_state_at(system, rng, [0.0] * system.n, 3.0) for _ in range(_TRIALS - 4)]
+    return ordinary_points(system) + special + drawn
+
+
+def ordinary_points(system: System) -> list[dict[Node, float]]:
+    """The scenes' own starts and zero, each with its neighbourhood."""
+    rng = random.Random(7)
+    starts = [*_scene_starts(system), [0.0] * system.n]
+    return [_state_at(system, rng, start, spread) for start in starts for spread in (0.0, 0.2)]
 
 
 def _scene_starts(system: System) -> list[list[float]]:
@@ -128,12 +134,14 @@ def _state_at(system: System, rng: random.Random, centre: Sequence[float], sprea
     return point
 
 
-def sampled_rows(system: System, forms: Sequence[Form]) -> list[list[list[float]]]:
-    """The matrix of the forms' coefficients at each trial point where it can be evaluated."""
+def sampled_rows(
+    system: System, forms: Sequence[Form], points: Sequence[dict[Node, float]] | None = None
+) -> list[list[list[float]]]:
+    """The matrix of the forms' coefficients at each point (trial points by default) where it can be evaluated."""
     g = system.graph
     flat = [a for form in forms for a in form.coefficients]
     result = []
-    for point in trial_points(system):
+    for point in trial_points(system) if points is None else points:
         try:
             values = evaluate(g, flat, point)
         except (ArithmeticError, ValueError):
@@ -177,6 +185,34 @@ def weakness(values: Sequence[float]) -> tuple[int, float]:
         return 10**6, 0.0
     low = sorted(values)[: max(1, len(values) // 2)]
     return sum(value < _WEAK for value in values), -round(sum(low) / len(low), 3)
+
+
+def weak_where_constraints_are_not(system: System, forms: Sequence[Form]) -> int:
+    """At how many ordinary states (see :func:`ordinary_points`) the coframe is weak although the constraints have full rank."""
+    matrices = sampled_rows(system, forms, ordinary_points(system))
+    count = 0
+    for matrix in matrices:
+        if _full_rank(matrix[: system.l]) and relative_determinant(matrix, range(system.n)) < _WEAK:
+            count += 1
+    return count
+
+
+def _full_rank(rows: Sequence[Sequence[float]]) -> bool:
+    """Clearly independent rows: elimination with full pivoting leaves no small pivot."""
+    work = [list(row) for row in rows]
+    norms = [math.sqrt(sum(x * x for x in row)) for row in work]
+    for step in range(len(work)):
+        best, i, j = max(
+            (abs(x) / max(norms[i], 1e-300), i, j) for i, row in enumerate(work) if i >= step for j, x in enumerate(row)
+        )
+        if best < _WEAK:
+            return False
+        work[step], work[i] = work[i], work[step]
+        norms[step], norms[i] = norms[i], norms[step]
+        for k in range(step + 1, len(work)):
+            factor = work[k][j] / work[step][j]
+            work[k] = [x - factor * y for x, y in zip(work[k], work[step], strict=True)]
+    return True
 
 
 def coframe_weakness(system: System, forms: Sequence[Form]) -> tuple[int, float]:
