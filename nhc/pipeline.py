@@ -33,6 +33,7 @@ from nhc.stamp import stamp
 if TYPE_CHECKING:
     from nhc.mechanics.certificate import Certificate
     from nhc.program.paper import Derivation
+    from nhc.study.motion import Findings, Request
 
 
 @dataclass(frozen=True, slots=True)
@@ -227,6 +228,21 @@ def dump(source: Source, stage: str, options: Options = Options()) -> str:
     from nhc.dump import DUMPS
 
     return DUMPS[stage](source, options)
+
+
+def linearize(source: Source, request: Request, options: Options = Options()) -> Findings:
+    """A steady motion, the matrix and the eigenvalues about it (needs numpy: the extra ``sim``).
+
+    Raises:
+        SpecError: the spec or the request has errors.
+        nhc.study.steady.NotSteady: no steady motion is found.
+    """
+    from nhc.mechanics.linearize import reduced
+    from nhc.study.motion import linearise
+
+    made = model(source, options)
+    formulation = made.formulation if options.formulation else reduced(made.system, made.formulation)
+    return linearise(equations_of(made.system, formulation), formulation, request)
 
 
 def cite(source: Source) -> str:

@@ -21,6 +21,7 @@ VERBS = {
     "check": "Check specs and say what was found.",
     "derive": "Derive the equations of motion.",
     "emit": "Write the equations as C, Python or LaTeX.",
+    "linearize": "Linearise about an equilibrium or a steady motion.",
     "compare": "Show that all formulations of a spec agree.",
     "gallery": "List the specs that come with nhc, print or copy one.",
     "explain": "Explain a diagnostic code or an equation number.",

@@ -1,0 +1,214 @@
+"""``nhc linearize``: a steady motion, the matrix about it, its eigenvalues, and where they cross the axis."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from nhc.cli.options import formulation_option, json_option, spec_argument
+from nhc.cli.specs import open_spec
+from nhc.cli.terminal import Exit, Failure, put, put_json
+
+if TYPE_CHECKING:
+    from nhc.study.linearize import Sweep
+    from nhc.study.motion import Findings
+
+SweepRange = tuple[str, float, float, int]
+
+
+def _read_sweep(context: click.Context, parameter: click.Parameter, value: str | None) -> SweepRange | None:
+    """``speed=1:8:29``."""
+    if value is None:
+        return None
+    name, _, span = value.partition("=")
+    try:
+        low, high, count = span.split(":")
+        found = (name.strip(), float(low), float(high), int(count))
+    except ValueError:
+        raise click.BadParameter("it takes `NAME=LO:HI:COUNT`, such as `speed=1:8:29`") from None
+    if not (found[0] and found[1] < found[2] and 2 <= found[3] <= 10_000 and math.isfinite(found[2] - found[1])):
+        raise click.BadParameter("LO must be less than HI, and COUNT between 2 and 10000")
+    return found
+
+
+@click.command("linearize")
+@spec_argument
+@click.option("--about", metavar="MOTION", required=True, help="A scene, or `name=value,...`: where to look from.")
+@click.option("--set", "settings", metavar="A=1,...", multiple=True, help="Change values of it: state or parameters.")
+@click.option(
+    "--hold", "holds", metavar="A,B|A=1", multiple=True, help="Look only where these keep their value, or have it."
+)
+@click.option(
+    "--sweep", metavar="NAME=LO:HI:COUNT", callback=_read_sweep, help="Eigenvalues along NAME, and crossings."
+)
+@formulation_option
+@json_option
+def command(
+    spec: str,
+    about: str,
+    settings: tuple[str, ...],
+    holds: tuple[str, ...],
+    sweep: SweepRange | None,
+    formulation: str | None,
+    as_json: bool,
+) -> int:
+    """Linearise about an equilibrium or a steady motion.
+
+    Finds the steady motion of SPEC that is nearest to MOTION, prints the matrix of small perturbations and its
+    eigenvalues.  A motion is steady when all of its state but the cyclic coordinates stands still.
+    """
+    source = open_spec(spec)
+    try:
+        from nhc.study.motion import Request
+        from nhc.study.steady import NotSteady
+    except ModuleNotFoundError as error:
+        if (error.name or "").split(".")[0] not in ("numpy", "scipy"):
+            raise
+        advice = ["install it with `pip install 'nhc[sim]'`"]
+        raise Failure(f"`nhc linearize` needs {error.name}, which is not installed", advice) from error
+    from nhc.pipeline import Options, linearize
+
+    try:
+        request = Request(about, settings, holds, sweep)
+        found = linearize(source, request, Options(formulation=formulation or ""))
+    except NotSteady as error:
+        reached = f"; the rates that should vanish reach {error.residual:.3g}" if math.isfinite(error.residual) else ""
+        advice = ["start nearer to a steady motion, or fix more of it with `--hold`"] if reached else []
+        raise Failure(f"{error}{reached}", advice, exit=Exit.NUMERICAL) from error
+    if as_json:
+        put_json("nhc.linearize/1", describe(found))
+    else:
+        put("\n".join([*_motion_lines(found), "", *_matrix_lines(found), "", *_eigenvalue_lines(found)]))
+        if found.swept is not None and sweep is not None:
+            put("\n".join(["", *_sweep_lines(sweep[0], found.swept)]))
+    return 0
+
+
+def describe(found: Findings) -> dict[str, Any]:
+    """The findings as a tree: numbers in full, the state by names."""
+    from nhc.study.linearize import eigenvalues, verdict
+
+    flow, made = found.flow, found.linearisation
+    names = [flow.names[i] for i in made.rest]
+    tree: dict[str, Any] = {
+        "system": flow.system.name,
+        "formulation": found.formulation.name,
+        "kind": "equilibrium" if made.steady.equilibrium else "steady motion",
+        "state": dict(zip(flow.names, made.steady.y, strict=True)),
+        "parameters": dict(zip((p.name for p in flow.system.spec.parameters), found.model.p, strict=True)),
+        "residual": made.steady.residual,
+        "steps": made.steady.steps,
+        "cyclic": [flow.names[i] for i in found.model.cyclic],
+        "entries": names,
+        "matrix": made.full.tolist(),
+        "admissible": made.basis.tolist(),
+        "structural_zeros": made.family,
+        "family": [dict(zip(names, row, strict=True)) for row in made.null.tolist()],
+        "eigenvalues": [{"real": x.real, "imag": x.imag} for x in eigenvalues(made)],
+        "verdict": verdict(made),
+        "symbolic": [list(row) for row in found.paper],
+        "symbolic_at": dict(found.held),
+        "notes": [*made.notes, *([f"no symbolic matrix: {found.why}"] if found.why else [])],
+    }
+    if found.swept is not None:
+        points = zip(found.swept.values, found.swept.points, strict=True)
+        tree["sweep"] = [
+            {"value": v, "eigenvalues": [{"real": x.real, "imag": x.imag} for x in eigenvalues(p)]} for v, p in points
+        ]
+        tree["crossings"] = [
+            {"value": c.value, "kind": c.kind, "frequency": c.frequency, "error": c.error, "up": c.unstable_above}
+            for c in found.swept.crossings
+        ]
+    return tree
+
+
+def _motion_lines(found: Findings) -> list[str]:
+    flow, steady = found.flow, found.linearisation.steady
+    kind = "equilibrium" if steady.equilibrium else "steady motion"
+    head = f"{flow.system.name}, {found.formulation.name} ({found.formulation.number}): {kind}"
+    shown = max(steady.residual, 0.0)
+    lines = [head, f"  rates that should vanish: {_short(shown)} at most, after {steady.steps} step(s)"]
+    width = max(len(name) for name in flow.names)
+    for i, (name, value) in enumerate(zip(flow.names, steady.y, strict=True)):
+        lines.append(
+            f"  {name:{width}} = {value if abs(value) > 1e-13 else 0:.15g}{'  (cyclic)' if i in found.model.cyclic else ''}"
+        )
+    return lines
+
+
+def _short(value: float) -> str:
+    """A residual: its size matters, its digits are rounding."""
+    return "0" if value == 0 else f"below 1e{math.floor(math.log10(value)) + 1:+03d}"
+
+
+def _matrix_lines(found: Findings) -> list[str]:
+    made = found.linearisation
+    names = [found.flow.names[i] for i in made.rest]
+    lines = [f"matrix of perturbations of ({', '.join(names)}), entries that are not zero"]
+    size = max(1.0, float(abs(made.full).max(initial=0.0)))
+    entries = []
+    for r, row in enumerate(names):
+        for c, column in enumerate(names):
+            value = float(made.full[r, c])
+            if abs(value) > 1e-13 * size:
+                paper = f"  {found.paper[r][c]}" if found.paper else ""
+                entries.append((f"{row} <- {column}", f"{value:.12g}", paper))
+    left, right = (max((len(e[k]) for e in entries), default=0) for k in (0, 1))
+    lines += [f"  {label:{left}}  {value:>{right}}{paper}".rstrip() for label, value, paper in entries]
+    if found.paper:
+        lines.append("  as expressions at " + ", ".join(f"{name} = {text}" for name, text in found.held))
+    else:
+        lines.append(f"  no expressions: {found.why}")
+    return lines
+
+
+def _eigenvalue_lines(found: Findings) -> list[str]:
+    from nhc.study.linearize import eigenvalues, verdict
+
+    made = found.linearisation
+    left_out = len(made.rest) - len(made.basis)
+    lines = ["eigenvalues"]
+    for x in eigenvalues(made):
+        lines.append("  " + _eigenvalue(x))
+    if made.family:
+        lines.append(f"  {made.family} structural zero(s), left out: the steady motions form a family")
+    if left_out:
+        lines.append(f"  {left_out} direction(s) left out: the constraints, open or hidden, do not allow them")
+    lines += [f"  note: {note}" for note in made.notes]
+    told = {"stable": "stable to first order", "unstable": "unstable", "marginal": "marginal: undecided to first order"}
+    return [*lines, f"verdict: {told[verdict(made)]}"]
+
+
+def _eigenvalue(x: complex) -> str:
+    if x.imag == 0:
+        return f"{_rounded(x.real, x):>20}"
+    text = f"{_rounded(x.real, x):>20} {'+' if x.imag > 0 else '-'} {abs(x.imag):.12g} i"
+    return f"{text}  damping ratio {-_clean(x.real, x) / abs(x) + 0.0:.6g}, period {2 * math.pi / abs(x.imag):.6g}"
+
+
+def _clean(part: float, x: complex) -> float:
+    """Rounding beside the other part shows as zero."""
+    return 0.0 if abs(part) <= 1e-12 * max(1.0, abs(x)) else part
+
+
+def _rounded(part: float, x: complex) -> str:
+    return f"{_clean(part, x) + 0.0:.12g}"
+
+
+def _sweep_lines(name: str, swept: Sweep) -> list[str]:
+    from nhc.study.linearize import eigenvalues
+
+    lines = [f"along {name}: number of growing and of all eigenvalues, the largest real part"]
+    for value, point in zip(swept.values, swept.points, strict=True):
+        parts = [_clean(x.real, x) for x in eigenvalues(point)]
+        growing = sum(part > 1e-9 for part in parts)
+        largest = f"{max(parts) + 0.0:.10g}" if parts else "none"
+        lines.append(f"  {value:<14.10g} {growing} of {len(parts)}  {largest}")
+    lines.append("crossings")
+    for c in swept.crossings:
+        period = f", frequency {c.frequency:.10g}" if c.frequency else ""
+        side = "above" if c.unstable_above else "below"
+        lines.append(f"  {name} = {c.value:.13g}: {c.kind}{period}; more of them grow {side}")
+    return lines if swept.crossings else [*lines, "  none"]

@@ -1,0 +1,147 @@
+"""A motion named on the command line: a scene, or ``name=value`` pairs, as a scene's start and as nodes."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from fractions import Fraction
+
+from nhc.algebra.graph import Node
+from nhc.diagnostics import Bag, Source, Span, nearest
+from nhc.language import Initial, Name, Override, Prime, Scene, Spec, Syntax, walk
+from nhc.language.names import fold
+from nhc.language.parser import parse_expression
+from nhc.mechanics.frame import Frame
+from nhc.mechanics.linearize import Flow, kept_forms
+from nhc.mechanics.resolve import Resolver
+from nhc.mechanics.scenes import Start, kept_velocities
+
+
+@dataclass(frozen=True)
+class Pair:
+    """``name = value``; the value holds numbers, pi and parameters."""
+
+    name: str
+    value: Syntax
+    span: Span
+
+
+def read_pairs(text: str, option: str) -> tuple[Source, tuple[Pair, ...]]:
+    """The pairs of ``a=1, b'=-v/2``; commas inside parentheses do not part them.
+
+    Raises:
+        nhc.diagnostics.SpecError: with places in the option's text.
+    """
+    source = Source(option, text)
+    bag, pairs = Bag(source), []
+    for start, part in _split(text):
+        name, equals, value = part.partition("=")
+        span = Span(start, start + len(part))
+        if not equals:
+            bag.error(
+                "E0208", f"`{part.strip()}` has no `=`", span, help=("write `name=value`, several parted by commas",)
+            )
+            continue
+        offset = start + len(name) + 1
+        tree = parse_expression(value, lambda a, b, offset=offset: Span(offset + a, offset + b), bag)  # type: ignore[misc]
+        if tree is not None:
+            pairs.append(Pair(fold(name.replace("\u2032", "'").replace(" ", "")), tree, span))
+    bag.raise_if_errors()
+    return source, tuple(pairs)
+
+
+def _split(text: str) -> list[tuple[int, str]]:
+    parts, depth, start = [], 0, 0
+    for k, character in enumerate(text):
+        depth += (character == "(") - (character == ")")
+        if character == "," and depth == 0:
+            parts.append((start, text[start:k]))
+            start = k + 1
+    parts.append((start, text[start:]))
+    return [(offset, part) for offset, part in parts if part.strip()]
+
+
+def scene_about(spec: Spec, about: str, settings: Sequence[str] = ()) -> Scene:
+    """The scene that ``about`` names, or an empty one with its pairs; then the pairs of ``settings``.
+
+    Raises:
+        nhc.diagnostics.SpecError: an unknown scene or name, or a value that is not constant.
+    """
+    chosen = next((scene for scene in spec.scenes if scene.name == about.strip()), None)
+    base = chosen or Scene("about", Span(0, 0), "", (), (), (Fraction(0), Fraction(1)), (), Fraction(1, 10**8))
+    if chosen is None and about.strip() and "=" not in about:
+        bag = Bag(Source("--about", about))
+        known = ", ".join(f"`{scene.name}`" for scene in spec.scenes) or "none"
+        bag.error(
+            "E0503",
+            f"no scene `{about.strip()}`",
+            Span(0, len(about)),
+            notes=(f"the spec's scenes: {known}",),
+            help=("name one of them, or write `name=value` pairs",),
+        )
+        bag.raise_if_errors()
+    texts = [*([("--about", about)] if chosen is None else []), *(("--set", text) for text in settings)]
+    for option, text in texts:
+        source, pairs = read_pairs(text, option)
+        bag = Bag(source)
+        for pair in pairs:
+            base = _with_pair(spec, base, pair, bag)
+        bag.raise_if_errors()
+    return base
+
+
+def _with_pair(spec: Spec, scene: Scene, pair: Pair, bag: Bag) -> Scene:
+    parameters = tuple(p.name for p in spec.parameters)
+    allowed = ("pi",) if pair.name in parameters else (*parameters, "pi")
+    place = spec.key_span("coordinates")  # what is wrong with the start is reported in the spec's text
+    for node in walk(pair.value):
+        if isinstance(node, Prime) or (isinstance(node, Name) and node.name not in allowed):
+            help = "a value holds numbers, `pi` and parameters only, that of a parameter no other parameters"
+            bag.error("E0314", f"`{pair.name}` has a value that is not constant", node.span, help=(help,))
+            return scene
+    if pair.name in parameters:
+        kept = tuple(entry for entry in scene.parameters if entry.name != pair.name)
+        return replace(scene, parameters=(*kept, Override(pair.name, pair.value, place)))
+    target = _target(spec, pair.name)
+    if target is None:
+        coordinates = [c.name for c in spec.coordinates]
+        known = [*coordinates, *(f"{c}'" for c in coordinates), *(d.name for d in spec.quasi_velocities), *parameters]
+        near = nearest(pair.name, known)
+        help = f"did you mean `{near}`?" if near else "known: " + ", ".join(f"`{k}`" for k in known[:12])
+        bag.error(
+            "E0419", f"`{pair.name}` is no coordinate, velocity, quasi-velocity or parameter", pair.span, help=(help,)
+        )
+        return scene
+    initial = tuple(entry for entry in scene.initial if (entry.kind, entry.name) != target)
+    return replace(scene, initial=(*initial, Initial(*target, pair.value, place)))
+
+
+def _target(spec: Spec, name: str) -> tuple[str, str] | None:
+    coordinates = [c.name for c in spec.coordinates]
+    if name in coordinates:
+        return "coordinate", name
+    if any(d.name == name for d in spec.quasi_velocities):
+        return "quasi", name
+    for tail in ("'", "dot"):
+        if name.endswith(tail) and name.removesuffix(tail) in coordinates:
+            return "velocity", name.removesuffix(tail)
+    return None
+
+
+def state_of(flow: Flow, frame: Frame | None, start: Start) -> tuple[float, ...]:
+    """The start as a state of the flow."""
+    return (*start.q, *kept_velocities(flow.system, kept_forms(flow.system, frame), start))
+
+
+def point_of(flow: Flow, scene: Scene) -> dict[Node, Node] | None:
+    """The scene's start as nodes over the parameters; None where a given velocity is not one that the state keeps."""
+    system, build = flow.system, Resolver(flow.system.spec)
+    build.graph = g = system.graph
+    names = {"pi": g.pi(), **{p.name: node for p, node in zip(system.spec.parameters, system.p, strict=True)}}
+    point = dict.fromkeys(flow.y, g.zero)
+    for entry in scene.initial:
+        name = f"{entry.name}'" if entry.kind == "velocity" else entry.name
+        if name not in flow.names:
+            return None
+        point[flow.y[flow.names.index(name)]] = build.node(entry.value, names)
+    return point

@@ -1,0 +1,1 @@
+"""Studies of a model: linearisation, charts, stability."""

@@ -1,0 +1,166 @@
+"""From what a user asks about (a scene, pairs, holds, a sweep) to linearisations: what ``nhc linearize`` runs."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from nhc.algebra.graph import Node
+from nhc.algebra.linear import Singular
+from nhc.algebra.show import to_text
+from nhc.diagnostics import Bag, Source, Span, nearest
+from nhc.mechanics.about import point_of, read_pairs, scene_about, state_of
+from nhc.mechanics.associate import Equations
+from nhc.mechanics.choose import Formulation
+from nhc.mechanics.frame import coordinate_frame
+from nhc.mechanics.linearize import Flow, Leaf, cyclic_of, flow_of, is_autonomous, leaf_of, quantity, symbolic_matrix
+from nhc.mechanics.regularity import choose_dependent, constant_value
+from nhc.mechanics.scenes import start_of
+from nhc.study.linearize import Branch, Linearisation, Sweep, linearise_at, sweep
+from nhc.study.steady import Hold, NotSteady, Steady, SteadyModel, find_steady
+from nhc.study.tape import Tapes
+
+_SNAP = 1e-11
+
+
+@dataclass(frozen=True)
+class Request:
+    """``about``: a scene or pairs; ``settings``, ``holds``: more pairs; ``sweep``: name, first and last value, count."""
+
+    about: str
+    settings: tuple[str, ...] = ()
+    holds: tuple[str, ...] = ()
+    sweep: tuple[str, float, float, int] | None = None
+
+
+@dataclass(frozen=True)
+class Findings:
+    """What was found; ``paper`` holds the matrix as text (rows of texts) or is empty, ``why`` says why it is."""
+
+    flow: Flow
+    formulation: Formulation
+    model: SteadyModel
+    linearisation: Linearisation
+    paper: tuple[tuple[str, ...], ...]
+    held: tuple[tuple[str, str], ...]
+    why: str
+    swept: Sweep | None
+
+
+def steady_model(equations: Equations, formulation: Formulation, p: Sequence[float]) -> SteadyModel:
+    """A model's field with what is cyclic in it and its leaves, at the parameters ``p``.
+
+    Raises:
+        NotSteady: the field depends on the time.
+    """
+    flow, system = flow_of(equations), equations.system
+    if not is_autonomous(flow, p):
+        raise NotSteady("the equations of motion depend on the time: nothing is steady", math.inf)
+    frame, leaf = formulation.frame, Leaf(system.n)
+    if system.constraints:
+        try:
+            leaf = leaf_of(system, frame or coordinate_frame(system, choose_dependent(system).dependent))
+        except Singular:
+            raise NotSteady("the constraints cannot be solved for any velocities", math.inf) from None
+    return SteadyModel(flow, frame, leaf, cyclic_of(flow), tuple(p), Tapes(flow.graph, flow.y))
+
+
+def linearise(equations: Equations, formulation: Formulation, request: Request) -> Findings:
+    """Find the steady motion, linearise about it, and sweep if asked.
+
+    Raises:
+        nhc.diagnostics.SpecError: unknown names, or a guess that violates the constraints.
+        NotSteady: no steady motion is found.
+    """
+    system = equations.system
+    scene = scene_about(system.spec, request.about, request.settings)
+    start = start_of(system, scene)
+    model = steady_model(equations, formulation, start.p)
+    flow = model.flow
+    guess = state_of(flow, formulation.frame, start)
+    holds = tuple(hold for text in request.holds for hold in _read_holds(model, text, guess))
+    steady = find_steady(model, guess, holds)
+    made = linearise_at(model, steady)
+    point = point_of(flow, scene)
+    place = _exact_place(flow, point, model.values(guess), steady)
+    paper = symbolic_matrix(flow, model.rest, place) if place else "the state is no expression in the parameters"
+    swept = _sweep(model, guess, holds, request.sweep) if request.sweep else None
+    if isinstance(paper, str):
+        return Findings(flow, formulation, model, made, (), (), paper, swept)
+    rows = tuple(tuple(to_text(flow.graph, node) for node in row) for row in paper.entries)
+    held = tuple((name, to_text(flow.graph, node)) for name, node in paper.held)
+    return Findings(flow, formulation, model, made, rows, held, "", swept)
+
+
+def _exact_place(
+    flow: Flow, point: dict[Node, Node] | None, guess: dict[Node, float], steady: Steady
+) -> dict[Node, Node] | None:
+    """The steady state as nodes: the guess's own expressions where it did not move, else zero and quarter turns."""
+    if point is None:
+        return None
+    g, place = flow.graph, {}
+    for symbol, value in zip(flow.y, steady.y, strict=True):
+        turns = round(value / (math.pi / 2))
+        if abs(value - guess[symbol]) <= _SNAP * (1.0 + abs(value)):
+            place[symbol] = point[symbol]
+        elif abs(value - turns * math.pi / 2) <= _SNAP and symbol in flow.system.q:
+            place[symbol] = g.mul(g.div(g.number(turns), g.number(2)), g.pi())
+        else:
+            return None
+    return place
+
+
+def _read_holds(model: SteadyModel, text: str, guess: Sequence[float]) -> list[Hold]:
+    """``speed=5`` holds a value, ``roll`` that of the guess."""
+    parameters = dict(zip((p.name for p in model.flow.system.spec.parameters), model.p, strict=True))
+    if "=" in text:
+        pairs = [(pair.name, constant_value(pair.value, parameters)) for pair in read_pairs(text, "--hold")[1]]
+    else:
+        names = [name.strip() for name in text.split(",") if name.strip()]
+        pairs = [(name, model.value(guess, named_quantity(model.flow, name, "--hold"))) for name in names]
+    return [Hold(name, named_quantity(model.flow, name, "--hold"), value) for name, value in pairs]
+
+
+def named_quantity(flow: Flow, name: str, option: str) -> Node:
+    """A quantity of the state by its name.
+
+    Raises:
+        nhc.diagnostics.SpecError: there is none.
+    """
+    node = quantity(flow, name)
+    if node is not None:
+        return node
+    system = flow.system
+    known = [
+        *flow.names,
+        *(f"{q}'" for q in system.q_names),
+        *(f.name for f in system.quasi),
+        *(o for o, _ in system.outputs),
+    ]
+    near = nearest(name, known)
+    bag = Bag(Source(option, name))
+    help = f"did you mean `{near}`?" if near else "known: " + ", ".join(f"`{k}`" for k in known[:12])
+    bag.error(
+        "E0419", f"`{name}` is no coordinate, velocity, quasi-velocity or output", Span(0, len(name)), help=(help,)
+    )
+    bag.raise_if_errors()
+    return flow.graph.zero
+
+
+def branch_of(model: SteadyModel, guess: Sequence[float], name: str, holds: tuple[Hold, ...] = ()) -> Branch:
+    """Steady motions along a parameter, or along a quantity of the state that is held at each value."""
+    parameters = [p.name for p in model.flow.system.spec.parameters]
+    if name in parameters:
+        index = parameters.index(name)
+        return Branch(lambda value: (model.with_parameter(index, value), holds), guess)
+    node = named_quantity(model.flow, name, "--sweep")
+    return Branch(lambda value: (model, (*holds, Hold(name, node, value))), guess)
+
+
+def _sweep(
+    model: SteadyModel, guess: Sequence[float], holds: tuple[Hold, ...], request: tuple[str, float, float, int]
+) -> Sweep:
+    name, low, high, count = request
+    branch = branch_of(model, guess, name, holds)
+    return sweep(branch, [low + (high - low) * k / (count - 1) for k in range(count)])

@@ -1,0 +1,232 @@
+"""Steady motions as numbers: the field of a model at a point, and the nearest steady motion to a guess."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nhc.algebra.calculus import gradient
+from nhc.algebra.graph import Node
+from nhc.mechanics.frame import Frame, form_value
+from nhc.mechanics.linearize import Flow, Leaf
+from nhc.study.tape import Tapes
+
+Vector = NDArray[np.float64]
+Matrix = NDArray[np.float64]
+
+RANK = 1e-9
+"""Singular values below this part of the largest one count as zero."""
+_STEPS, _HALVINGS = 100, 40
+
+
+class NotSteady(ArithmeticError):
+    """No steady motion was found; ``residual`` is the best that was reached."""
+
+    def __init__(self, message: str, residual: float) -> None:
+        super().__init__(message)
+        self.residual = residual
+
+
+@dataclass(frozen=True)
+class Hold:
+    """A quantity that a steady motion shall have: ``node`` over the state equals ``value``."""
+
+    name: str
+    node: Node
+    value: float
+
+
+@dataclass(frozen=True)
+class SteadyModel:
+    """A field with its parameters' values; ``rest`` are the entries of the state that are not cyclic."""
+
+    flow: Flow
+    frame: Frame | None
+    leaf: Leaf
+    cyclic: tuple[int, ...]
+    p: tuple[float, ...]
+    tapes: Tapes
+
+    @cached_property
+    def rest(self) -> tuple[int, ...]:
+        return tuple(i for i in range(len(self.flow.y)) if i not in self.cyclic)
+
+    def with_parameter(self, index: int, value: float) -> SteadyModel:
+        return replace(self, p=(*self.p[:index], value, *self.p[index + 1 :]))
+
+    def values(self, y: Sequence[float]) -> dict[Node, float]:
+        """Each symbol of the state, the parameters and the time with its value."""
+        system = self.flow.system
+        return {
+            system.t: 0.0,  # the field does not depend on it
+            **dict(zip(system.p, self.p, strict=True)),
+            **{node: float(x) for node, x in zip(self.flow.y, y, strict=True)},
+        }
+
+    def field(self, y: Sequence[float]) -> tuple[Vector, Matrix]:
+        """f(y) of shape (NY,) and df/dy of shape (NY, NY), exact but for rounding.
+
+        Raises:
+            ArithmeticError: the model is singular at y.
+        """
+        flow, values = self.flow, self.values(y)
+        size, unknowns, kept = len(flow.y), len(flow.unknowns), flow.kept
+        heads = [*flow.velocities, *flow.right, *(x for row in flow.matrix for x in row)]
+        numbers = self.tapes.numbers(heads, values)
+        n = len(flow.velocities)
+        matrix = numbers[n + unknowns :].reshape(unknowns, unknowns)
+        solution = _solve(matrix, numbers[n : n + unknowns])
+        values.update(zip(flow.unknowns, (float(x) for x in solution), strict=True))
+        tails = [x for row in (*flow.velocity_slopes, *flow.residual_slopes) for x in row]
+        slopes = self.tapes.numbers(tails, values).reshape(n + unknowns, size)
+        rates = _solve(matrix, slopes[n:])[:kept]
+        return np.concatenate([numbers[:n], solution[:kept]]), np.vstack([slopes[:n], rates])
+
+    def mass(self, y: Sequence[float]) -> Matrix:
+        """The matrix of the kept velocities' rates at y (with multipliers: the bordered one)."""
+        size = len(self.flow.unknowns)
+        flat = [x for row in self.flow.matrix for x in row]
+        return self.tapes.numbers(flat, self.values(y)).reshape(size, size)
+
+    def value(self, y: Sequence[float], node: Node) -> float:
+        """A function of the state."""
+        return float(self.tapes.numbers([node], self.values(y))[0])
+
+    @cached_property
+    def _conditions(self) -> tuple[tuple[Node, ...], tuple[tuple[Node, ...], ...]]:
+        """Constraints that the state itself has to meet: positions, and velocities where all of them are kept."""
+        flow, system = self.flow, self.flow.system
+        nodes = [form.equation for form in system.constraints if form.equation is not None]
+        if self.frame is None:
+            nodes += [form_value(flow.graph, form, system.v) for form in system.constraints]
+        return tuple(nodes), tuple(tuple(gradient(flow.graph, node, flow.y)) for node in nodes)
+
+    def conditions(self, y: Sequence[float]) -> tuple[Vector, Matrix]:
+        """Residuals of shape (K,) of the constraints on the state, and their slopes (K, NY)."""
+        nodes, slopes = self._conditions
+        values = self.values(y)
+        flat = self.tapes.numbers([x for row in slopes for x in row], values)
+        return self.tapes.numbers(nodes, values), flat.reshape(len(nodes), len(self.flow.y))
+
+    def normals(self, y: Sequence[float]) -> Matrix | None:
+        """Orthonormal rows (over q) across the leaf through y; None where the brackets do not span the leaf there."""
+        n, leaf = self.flow.system.n, self.leaf
+        if leaf.dimension == n:
+            return np.zeros((0, n))
+        rows = leaf.normals or leaf.fields
+        try:
+            flat = self.tapes.numbers([x for row in rows for x in row], self.values(y)).reshape(len(rows), n)
+        except ArithmeticError:
+            return None
+        lengths = np.linalg.norm(flat, axis=1, keepdims=True)
+        _, sizes, right = np.linalg.svd(flat / np.maximum(lengths, 1e-300))
+        found = int(np.sum(sizes > 1e-8 * sizes[0]))
+        if leaf.normals:
+            return right[:found] if found == n - leaf.dimension else None
+        return right[found:] if found == leaf.dimension else None
+
+
+def _solve(matrix: Matrix, right: Matrix) -> Matrix:
+    if not matrix.size:
+        return right
+    try:
+        return np.asarray(np.linalg.solve(matrix, right))
+    except np.linalg.LinAlgError:
+        raise ArithmeticError("the accelerations are not determined") from None
+
+
+@dataclass(frozen=True)
+class Steady:
+    """A steady motion: the state, the largest rate that is left of what should stand still, the steps taken."""
+
+    y: tuple[float, ...]
+    residual: float
+    steps: int
+    equilibrium: bool
+
+
+def find_steady(model: SteadyModel, guess: Sequence[float], holds: Sequence[Hold] = ()) -> Steady:
+    """The steady motion near the guess: damped Gauss-Newton with steps of least norm.
+
+    Without ``holds`` the nearest member of the family of steady motions is found; the steps keep to the leaf of the guess (to first
+    order in each step), so that what a hidden holonomic constraint holds stays what it was, unless a hold or a holonomic constraint
+    sets it.
+
+    Raises:
+        NotSteady: the iteration ends elsewhere, or the model is singular on the way.
+    """
+    y = np.array(guess, dtype=float)
+    try:
+        return _iterate(model, y, holds)
+    except ArithmeticError as error:
+        if isinstance(error, NotSteady):
+            raise
+        raise NotSteady(f"the model is singular on the way: {error}", float("inf")) from None
+
+
+def _iterate(model: SteadyModel, y: Vector, holds: Sequence[Hold]) -> Steady:
+    value, slopes, scale = _equations(model, y, holds)
+    for step in range(_STEPS + 1):
+        size = float(np.max(np.abs(value), initial=0.0))
+        across = _bound(model, y, slopes[len(model.rest) :])
+        stacked = np.vstack([slopes, across])
+        move = -np.linalg.lstsq(stacked, np.concatenate([value, np.zeros(len(across))]), rcond=RANK)[0]
+        done = float(np.linalg.norm(move)) <= 1e-14 * (1.0 + float(np.linalg.norm(y)))
+        if done or size == 0.0:
+            return _accept(model, y, size, scale, step)
+        factor = 1.0
+        for _ in range(_HALVINGS):
+            trial = y + factor * move
+            try:
+                next_value, next_slopes, next_scale = _equations(model, trial, holds)
+            except ArithmeticError:
+                factor /= 2
+                continue
+            if float(np.linalg.norm(next_value)) < (1.0 - 1e-4 * factor) * float(np.linalg.norm(value)):
+                break
+            factor /= 2
+        else:
+            return _accept(model, y, size, scale, step)
+        y, value, slopes, scale = trial, next_value, next_slopes, next_scale
+    raise NotSteady(f"no steady motion after {_STEPS} steps from there", size)
+
+
+def _accept(model: SteadyModel, y: Vector, size: float, scale: float, steps: int) -> Steady:
+    """The iteration can do no better: either rounding is all that is left, or there is nothing to find."""
+    if size > 1e-9 * scale:
+        raise NotSteady("the iteration stops where the motion is not steady", size)
+    n = model.flow.system.n
+    still = bool(np.max(np.abs(model.field(list(y))[0][:n]), initial=0.0) <= 1e-9 * scale)
+    return Steady(tuple(float(x) for x in y), size, steps, still)
+
+
+def _equations(model: SteadyModel, y: Vector, holds: Sequence[Hold]) -> tuple[Vector, Matrix, float]:
+    """Rates of the rest, conditions and holds, with their slopes and the size that rounding is measured by."""
+    state = [float(x) for x in y]
+    rates, jacobian = model.field(state)
+    off, across = model.conditions(state)
+    rest = list(model.rest)
+    values = model.values(state)
+    wanted = np.array([model.value(state, hold.node) - hold.value for hold in holds])
+    rows = [model.tapes.slopes(hold.node, values) for hold in holds]
+    held = np.array(rows).reshape(len(holds), len(state))
+    scale = max(1.0, float(np.max(np.abs(jacobian[rest]), initial=0.0)))
+    return np.concatenate([rates[rest], off, wanted]), np.vstack([jacobian[rest], across, held]), scale
+
+
+def _bound(model: SteadyModel, y: Vector, set_by: Matrix) -> Matrix:
+    """Directions (rows over y) in which the steps do not go: across the leaf, but for what other equations set."""
+    found = model.normals([float(x) for x in y])
+    if found is None or not len(found):
+        return np.zeros((0, len(y)))
+    normals = np.hstack([found, np.zeros((len(found), len(y) - found.shape[1]))])
+    for row in set_by:
+        size = float(np.linalg.norm(row))
+        inside = normals @ row
+        if size and len(normals) and float(np.linalg.norm(inside)) > (1.0 - 1e-9) * size:
+            normals = np.linalg.svd(inside[None, :] / size)[2][1:] @ normals
+    return normals
