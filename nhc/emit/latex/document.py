@@ -10,7 +10,7 @@ from itertools import groupby
 from nhc.emit.environment import create_environment
 from nhc.emit.latex.math import LatexMath, estimate, print_mark
 from nhc.emit.latex.spelling import escape, escape_part, spell_unit
-from nhc.emit.layout import fill, total
+from nhc.emit.layout import Piece, fill, total
 from nhc.emit.prose import clean, fold_ascii
 from nhc.program.sheets.model import Derivation, Formula, Item, Mark, Prose, Sheet, Statement, Table
 from nhc.stamp import PLACEHOLDER
@@ -170,19 +170,20 @@ class _Printer:
 
     def _aligned(self, statements: Sequence[Statement]) -> str:
         """One block, its tag on the first line; aligned at the relations where the left sides are short."""
-        widths = [total(self.math.side(s.left)) + self._label_width(s) for s in statements]
+        lefts = [self.math.side(s.left) for s in statements]
+        widths = [total(left) + self._label_width(s) for left, s in zip(lefts, statements, strict=True)]
         column = max(widths) if max(widths) <= _ALIGNED else 0.0
         rows: list[str] = []
         for k, statement in enumerate(statements):
             tag = statement.equation if k == 0 else ""
-            rows += self._rows(statement, column, tag)
+            rows += self._rows(statement, lefts[k], column, tag)
         return "\\begin{align*}\n  " + " \\\\\n  ".join(rows) + "\n\\end{align*}"
 
     def _label_width(self, statement: Statement) -> float:
         return 0.0 if statement.label is None else estimate(print_mark(statement.label)) + 20.0
 
-    def _rows(self, statement: Statement, column: float, tag: str) -> list[str]:
-        left, right = self.math.side(statement.left), self.math.side(statement.right)
+    def _rows(self, statement: Statement, left: list[Piece], column: float, tag: str) -> list[str]:
+        right = self.math.side(statement.right)
         label = "" if statement.label is None else rf"{print_mark(statement.label)}\colon\quad "
         relation = {"=": "=", "!=": r"\neq"}[statement.relation]
         note = rf"\qquad \text{{({escape(statement.note)})}}" if statement.note else ""

@@ -6,6 +6,7 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import lru_cache
 
 from nhc.emit.latex.spelling import spell_base, spell_index
 from nhc.emit.layout import Piece, nest, total
@@ -22,6 +23,7 @@ _MARK = "@"  # no identifier of the IR
 _DOTS = ("", r"\dot", r"\ddot", r"\dddot")
 
 
+@lru_cache(maxsize=4096)
 def print_mark(mark: Mark) -> str:
     r"""``\ddot{\theta}``, ``dx``, ``\gamma^{slip}_{v,w}``."""
     base, own = spell_base(mark.base)
@@ -33,6 +35,7 @@ def print_mark(mark: Mark) -> str:
     return (r"d" if mark.prefix else "") + text + mark.at
 
 
+@lru_cache(maxsize=16384)
 def estimate(text: str) -> float:
     """The width of a formula without fractions, in points at ten points' size; rather too wide than too narrow."""
     width, depth, small = 0.0, 0, [1.0]

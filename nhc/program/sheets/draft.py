@@ -17,6 +17,7 @@ from nhc.program.sheets.model import Formula, Mark, Prose, Table
 
 _CANONICAL = 60  # terms of a canonical polynomial that may be shorter than what it came from
 _WORTH = 250  # operations beyond which no canonical form is tried
+_WRITTEN = 3000  # the same for the expression written out
 
 Part = tuple[Node, tuple[Mark, ...]]
 _KINDS = {"velocity": 1, "rate": 1, "acceleration": 2}
@@ -69,7 +70,7 @@ class Desk:
         known = self._short.get(node)
         if known is None:
             known = node
-            if self.graph.children(node) and count(self.graph, [node]) <= _WORTH:
+            if self.graph.children(node) and self.size(node) <= _WRITTEN and count(self.graph, [node]) <= _WORTH:
                 candidate = normalise(self.graph, node, _CANONICAL)
                 known = candidate if self.size(candidate) < self.size(node) else node
             self._short[node] = known
