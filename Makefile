@@ -12,12 +12,13 @@ CFLAGS ?= -O2
 CWARN := -std=c99 -Wall -Wextra -Wpedantic -Wconversion -Werror
 
 .DEFAULT_GOAL := help
-.PHONY: help demo test check goldens clean
+.PHONY: help demo test check goldens fuzz clean
 
 help:
 	@sed -n 's/^# \(make .*\)/\1/p' Makefile
 	@echo "make check    the lints only"
 	@echo "make goldens  rewrite the expected files of the tests; read the difference before you commit it"
+	@echo "make fuzz     fuzz the reader, the parser and the emission; FUZZ_INPUTS and FUZZ_SPECS say how much"
 	@echo "make clean    remove build/"
 
 # A python3 that is on the path need not run (version managers leave such shims): each candidate is tried.
@@ -76,6 +77,13 @@ check: $(VENV)/installed-dev
 goldens: $(VENV)/installed-dev
 	$(BIN)/python -m pytest --update
 	git --no-pager diff --stat -- tests
+
+# a night's run: make fuzz FUZZ_INPUTS=20000000 FUZZ_SPECS=20000 FUZZ_SEED=7
+FUZZ_INPUTS ?= 200000
+FUZZ_SPECS ?= 300
+FUZZ_SEED ?= 1
+fuzz: $(VENV)/installed-dev
+	$(BIN)/python -m tests.fuzz.run --inputs $(FUZZ_INPUTS) --specs $(FUZZ_SPECS) --seed $(FUZZ_SEED)
 
 clean:
 	rm -rf build

@@ -57,7 +57,8 @@ def fold(name: str) -> str:
     """Return the one spelling of a name: NFKC, Greek letters by their English names (``θ1`` is ``theta1``)."""
     if name.isascii():
         return name
-    return unicodedata.normalize("NFKC", name).translate(_TABLE)
+    # twice: a mark that combines with no Greek letter may combine with the last letter of its English name
+    return unicodedata.normalize("NFKC", unicodedata.normalize("NFKC", name).translate(_TABLE))
 
 
 def starts_name(character: str) -> bool:
@@ -73,10 +74,14 @@ def continues_name(character: str) -> bool:
 
 
 def is_name(text: str) -> bool:
-    """Say whether a whole text is a name (folded or not)."""
-    return (
-        bool(text)
-        and starts_name(text[0])
-        and all(continues_name(character) for character in text)
-        and fold(text).isidentifier()
-    )
+    """Say whether a whole text is a name (folded or not); one whose folding is none, such as ``L·``, is not."""
+    return _is_plain(text) and is_folded(fold(text))
+
+
+def is_folded(name: str) -> bool:
+    """Say whether a folded text is a name, so that it can be written and read again."""
+    return _is_plain(name) and name.isidentifier()
+
+
+def _is_plain(text: str) -> bool:
+    return bool(text) and starts_name(text[0]) and all(continues_name(character) for character in text)

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from nhc.diagnostics import Span
 
-from .names import continues_name, fold, starts_name
+from .names import continues_name, fold, is_folded, starts_name
 
 LONGEST = 100_000  # characters of an expression
 _NUMBER = re.compile(r"(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
@@ -88,7 +88,7 @@ def _next(text: str, at: int, locate: Locate) -> Token:
         while end < len(text) and continues_name(text[end]):
             end += 1
         name = fold(text[at:end])
-        if name.isidentifier():
+        if is_folded(name):
             return Token("name", name, at, end)
     shown = character if character.isprintable() else f"U+{ord(character):04X}"
     raise ExpressionError("E0201", f"unexpected character `{shown}`", locate(at, at + 1), _INSTEAD.get(character, ""))

@@ -49,7 +49,7 @@ HANDFUL = (
 SYSTEMS = HANDFUL if SIZE == 1 else GALLERY
 EXACT = tuple(name for name in SYSTEMS if len(take_apart(read(str(spec_path(name)))).coordinates) <= 6)
 TOLERANCE = 1e-9
-TAME = 1e4
+TAME, LARGEST = 1e3, 1e5
 
 
 def draft_of(name: str) -> Draft:
@@ -69,7 +69,7 @@ def is_tame(model: ModuleType, p: list[float], state: State) -> bool:
         forces = model.reactions(state.t, y, p)
     except ArithmeticError:
         return False
-    return max([abs(x) for x in (*here, *forces)], default=0.0) < TAME
+    return max([abs(x) for x in (*here, *forces)], default=0.0) < LARGEST
 
 
 def tame_states(model: ModuleType, p: list[float], rng: random.Random, count: int) -> list[State]:
