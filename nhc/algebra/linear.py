@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 
-from nhc.algebra.calculus import gradient, substitute
+from nhc.algebra.calculus import gradient, rebuild, substitute
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.modular import are_zero
 from nhc.algebra.polynomial import normalise
@@ -89,6 +89,74 @@ def solve(
                 x[c][j] = solved[c][k]
         done.extend(cols)
     return result
+
+
+def solve_rows(
+    graph: Graph,
+    rows: Sequence[Node],
+    unknowns: Sequence[Node],
+    matrix: Sequence[Sequence[Node]],
+    weakness: Weakness | None = None,
+) -> tuple[list[Node], list[tuple[Node, Node]]]:
+    """(values of the unknowns, guards) for rows = 0, each row linear in the unknowns with the coefficients ``matrix``.
+
+    What rows share stays shared: known unknowns are put into the rows' own nodes, so that a chain of n bodies costs n.
+
+    Raises:
+        Singular: the determinant vanishes identically.
+    """
+    zero_entry = _zero_pattern(graph, matrix)
+    blocks = block_order(len(rows), lambda i, j: not zero_entry[i][j])
+    known = Substitution(graph, unknowns)
+    guards: list[tuple[Node, Node]] = []
+    for part, columns in blocks:
+        block = [[graph.zero if zero_entry[i][j] else matrix[i][j] for j in columns] for i in part]
+        right = [graph.neg(known.without_others(rows[i])) for i in part]
+        scales = [row_scale(graph, [matrix[i]]) for i in part]
+        (solved,), found = _solve_block(graph, block, [right], scales, weakness)
+        guards.extend(found)
+        for j, value in zip(columns, solved, strict=True):
+            known.learn(unknowns[j], value)
+    return [known.values[symbol] for symbol in unknowns], guards
+
+
+class Substitution:
+    """Values for symbols that become known one after another; what is fully known is rebuilt once."""
+
+    def __init__(self, graph: Graph, symbols: Sequence[Node]) -> None:
+        self.graph, self.values = graph, dict[Node, Node]()
+        self._open = graph.mask(tuple(symbols))
+        self._all = self._open
+        self._memo: dict[Node, Node] = {}
+
+    def learn(self, symbol: Node, value: Node) -> None:
+        self.values[symbol] = self._memo[symbol] = value
+        self._open &= ~self.graph.deps[symbol]
+
+    def without_others(self, root: Node) -> Node:
+        """The root with known symbols at their values and all others zero."""
+        g, new = self.graph, dict[Node, Node]()
+        stack = [root]
+        while stack:
+            node = stack[-1]
+            if node in new or node in self._memo or not g.deps[node] & self._all:
+                stack.pop()
+                continue
+            missing = [c for c in g.children(node) if g.deps[c] & self._all and c not in new and c not in self._memo]
+            if missing:
+                stack.extend(missing)
+                continue
+            stack.pop()
+            open_now = bool(g.deps[node] & self._open)
+            if not g.children(node):
+                new[node] = g.zero
+                continue
+            built = rebuild(g, node, [self._memo.get(c, new.get(c, c)) for c in g.children(node)])
+            (new if open_now else self._memo)[node] = built
+            label = g.labels.get(node)
+            if label is not None and not open_now:
+                g.labels.setdefault(built, label)
+        return self._memo.get(root, new.get(root, root))
 
 
 def _row_times(graph: Graph, row: Sequence[Node], zero: Sequence[bool], x: Sequence[Node], done: Sequence[int]) -> Node:

@@ -11,9 +11,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-from nhc.algebra.calculus import derivative, gradient, tangent
+from nhc.algebra.calculus import derivative, gradient, substitute, tangent
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.linear import solve
+from nhc.algebra.linear import solve_rows
 from nhc.mechanics.regularity import pivot_weakness
 from nhc.mechanics.system import Form, System
 from nhc.thesis import equation
@@ -21,7 +21,10 @@ from nhc.thesis import equation
 
 @dataclass(frozen=True)
 class Frame:
-    """``vectors[j][i]`` is b_ij; ``omega`` are the symbols of the n quasi-velocities, those of the constraints first."""
+    """``vectors[j][i]`` is b_ij; ``omega`` are the symbols of the n quasi-velocities, those of the constraints first.
+
+    ``all_kinematics`` is q'_i = b_ij omega_j + b_{i,n+1} with all n of them, before the constraints are used.
+    """
 
     system: System
     forms: tuple[Form, ...]
@@ -29,6 +32,7 @@ class Frame:
     drift: tuple[Node, ...]
     omega: tuple[Node, ...]
     guards: tuple[tuple[Node, Node], ...]
+    all_kinematics: tuple[Node, ...]
 
     @property
     def graph(self) -> Graph:
@@ -47,19 +51,8 @@ class Frame:
     @equation("I.2.4")
     def kinematics(self) -> tuple[Node, ...]:
         """q'_i = b_imu omega_mu + b_{i,n+1}, on the constraints."""
-        return self._velocities(self.free, self.free_vectors)
-
-    @cached_property
-    def all_kinematics(self) -> tuple[Node, ...]:
-        """q'_i = b_ij omega_j + b_{i,n+1} with all n quasi-velocities, before the constraints are used."""
-        return self._velocities(self.omega, self.vectors)
-
-    def _velocities(self, omega: Sequence[Node], vectors: Sequence[Sequence[Node]]) -> tuple[Node, ...]:
-        g = self.graph
-        return tuple(
-            g.add(g.sum([g.mul(e[i], w) for e, w in zip(vectors, omega, strict=True)]), self.drift[i])
-            for i in range(self.system.n)
-        )
+        held = {w: self.graph.zero for w in self.omega[: self.system.l]}
+        return tuple(substitute(self.graph, self.all_kinematics, held))
 
     @equation("I.2.5")
     def along(self, function: Node, j: int) -> Node:
@@ -113,32 +106,38 @@ class Frame:
 
 
 def form_value(graph: Graph, form: Form, v: Sequence[Node]) -> Node:
-    """a_i v_i + a_0."""
+    """a_i v_i + a_0, in the spec's own words where there are any (``v`` are then the velocities' symbols)."""
+    if form.value is not None:
+        return form.value
     return graph.add(graph.sum([graph.mul(a, x) for a, x in zip(form.coefficients, v, strict=True)]), form.constant)
 
 
-@equation("I.2.1", "I.2.2")
 def make_frame(system: System, free: Sequence[Form], symbols: Sequence[Node]) -> Frame:
     """The frame whose forms are the system's constraints and ``free``, in this order.
 
     Raises:
         nhc.algebra.linear.Singular: the forms are no basis.
     """
-    g = system.graph
+    g, n = system.graph, system.n
     forms = (*system.constraints, *free)
-    rows = [list(form.coefficients) for form in forms]
-    n = system.n
-    identity = [[g.one if i == j else g.zero for i in range(n)] for j in range(n)]
-    offset = [g.neg(form.constant) for form in forms]
-    result = solve(g, rows, [*identity, offset], pivot_weakness(system))
     constrained = tuple(g.symbol(f"omega_{form.name}", "quasi") for form in system.constraints)
+    omega = (*constrained, *symbols)
+    # a kept velocity may be its own symbol: the unknowns get symbols of their own
+    unknowns = [g.symbol(name, "unknown") for name in system.q_names]
+    renamed = dict(zip(system.v, unknowns, strict=True))
+    values = substitute(g, [form_value(g, form, system.v) for form in forms], renamed)
+    rows = [g.sub(value, w) for value, w in zip(values, omega, strict=True)]
+    matrix = [list(form.coefficients) for form in forms]
+    found, guards = solve_rows(g, rows, unknowns, matrix, pivot_weakness(system))
+    still = {w: g.zero for w in omega}
     return Frame(
         system=system,
         forms=forms,
-        vectors=tuple(tuple(x) for x in result.unknowns[:-1]),
-        drift=tuple(result.unknowns[-1]),
-        omega=(*constrained, *symbols),
-        guards=tuple(result.guards),
+        vectors=tuple(tuple(tangent(g, found, {w: g.one})) for w in omega),
+        drift=tuple(substitute(g, found, still)),
+        omega=omega,
+        guards=tuple(guards),
+        all_kinematics=tuple(found),
     )
 
 

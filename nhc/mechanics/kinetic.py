@@ -99,7 +99,8 @@ def kinetic_structure(system: System) -> Kinetic:
         u = tuple(g.symbol(f"u{k + 1}", "form") for k in range(len(atoms)))
         tau = substitute(g, [system.T], dict(zip(atoms, u, strict=True)))[0]
     forms = tuple(
-        Form(f"u{k + 1}", *linear_form(g, atom, system.v), place=g.labels.get(atom, "")) for k, atom in enumerate(atoms)
+        Form(f"u{k + 1}", *linear_form(g, atom, system.v), place=g.labels.get(atom, ""), value=atom)
+        for k, atom in enumerate(atoms)
     )
     slope = tuple(gradient(g, tau, u))
     hessian = tuple(tuple(gradient(g, pi, u)) for pi in slope)

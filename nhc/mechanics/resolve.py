@@ -101,8 +101,9 @@ class Resolver:
                     f"write {what} as a sum of terms `a(q, t)*x'`; a nonlinear velocity relation has no place in this theory",
                 ),
             )
-            coefficients, constant = (self.graph.zero,) * len(self.q), self.graph.zero
-        return Form(name, coefficients, constant, self.place(span))
+            node = constant = self.graph.zero
+            coefficients = (self.graph.zero,) * len(self.q)
+        return Form(name, coefficients, constant, self.place(span), value=node)
 
 
 def resolve(spec: Spec) -> System:
@@ -203,7 +204,7 @@ def _constraints(build: Resolver) -> tuple[Form, ...]:
             continue
         rate = tangent(g, [f], build._rates)[0]
         form = build.form(held.name, rate, held.span, "E0401", "the constraint")
-        rows.append(Form(form.name, form.coefficients, form.constant, form.place, f))
+        rows.append(Form(form.name, form.coefficients, form.constant, form.place, f, rate))
     return tuple(rows)
 
 

@@ -17,7 +17,8 @@ from nhc.language import Spec
 class Form:
     """A velocity form: coefficients_i * q'_i + constant; as a constraint it is zero, as a quasi-velocity it is omega.
 
-    ``equation`` is f for a holonomic constraint f(q, t) = 0, whose derivative the form is.
+    ``equation`` is f for a holonomic constraint f(q, t) = 0, whose derivative the form is.  ``value`` is the form as the spec wrote
+    it, over the velocities' symbols, where it was written: it shares what the coefficients repeat.
     """
 
     name: str
@@ -25,6 +26,7 @@ class Form:
     constant: Node
     place: str = ""
     equation: Node | None = None
+    value: Node | None = None
 
 
 @dataclass(frozen=True, slots=True)
