@@ -3,8 +3,8 @@
 The functions of the language are sent to the field so that the identities between them stay true:
 
 - an angle is written as a polynomial; each of its monomials (with the least common denominator of its coefficients) owns a point of
-  the circle by the rational parametrisation, and sin and cos of the angle come from the powers of those points (so sin 2x, sin(x + y)
-  and shifts by quarter turns agree with sin x, cos x);
+  the circle by the rational parametrisation, and sin and cos of the angle come from the powers of those points (so sin 2x,
+  sin(x + y) and shifts by quarter turns agree with sin x, cos x);
 - exp, sinh, cosh, tanh likewise, with one invertible generator per monomial;
 - sqrt is the square root that is itself a square (points where the argument has none are drawn again), odd roots exist and are
   unique because (p - 1)/2 is prime;
@@ -20,16 +20,22 @@ import random
 from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 from math import lcm
+from weakref import WeakKeyDictionary
 
 from nhc.algebra.calculus import reachable
 from nhc.algebra.graph import ADD, MUL, NEG, NUM, PI, POW, SYM, Graph, Node
 from nhc.algebra.polynomial import ONE, Monomial, Polynomial, TooLarge, polynomial
 
-PRIMES = (2305843009213691579, 2305843009213690799, 2305843009213686707, 2305843009213685819)
-"""Safe primes below 2**61, all 3 modulo 4."""
+PRIMES = (2305843009213057079, 2305843009178326439, 2305843009101690119, 2305843009045133879)
+"""Safe primes below 2**61, all 7 modulo 8, modulo each of which 2, 3, 5, ..., 47 are squares: the roots of the numbers that
+occur in specs exist, and sqrt(4*x) is 2*sqrt(x) and not its negative."""
 
 _PERIODIC = ("sin", "cos")
 _EXPONENTIAL = ("exp", "sinh", "cosh", "tanh")
+_SIGNED = ("sign", "abs", "min", "max")
+_ROOTS = ("sqrt", "powf")
+_SQUARES: WeakKeyDictionary[Graph, dict[Node, bool]] = WeakKeyDictionary()
+_SIGNED_POINTS = 48  # a sign is right by chance at every second point
 
 
 class Unlucky(Exception):
@@ -273,16 +279,54 @@ def are_zero(graph: Graph, nodes: Sequence[Node], count: int = 2, seed: int = 1)
     pending = [n for n in nodes if n != graph.zero and graph.value(n) is None]
     if not pending:
         return [n == graph.zero for n in nodes]
-    rows = sample(graph, pending, count, seed)
+    rows = sample(graph, pending, _enough(graph, pending, count), seed)
     vanishes = {n: all(row[k] == 0 for row in rows) for k, n in enumerate(pending)}
     return [vanishes.get(n, n == graph.zero) for n in nodes]
 
 
+def _enough(graph: Graph, nodes: Sequence[Node], count: int) -> int:
+    """More points where signs occur: with n of them the answer is wrong with probability 2**-n and not (degree/p)**n.
+
+    The root of a square is a sign in disguise: sqrt(x^2) is x at every second point.
+    """
+    for node in reachable(graph, nodes):
+        op = graph.op[node]
+        if op in _SIGNED or (op in _ROOTS and graph.deps[node] and _is_square(graph, graph.a[node])):
+            return max(count, _SIGNED_POINTS)
+    return count
+
+
+def _is_square(graph: Graph, node: Node) -> bool:
+    """Whether the node's values are squares at every one of some random points (known from then on)."""
+    known = _SQUARES.setdefault(graph, {})
+    if node not in known:
+        known[node] = _squares_only(graph, node)
+    return known[node]
+
+
+def _squares_only(graph: Graph, node: Node) -> bool:
+    seen = 0
+    for attempt in range(400):
+        prime = PRIMES[attempt % len(PRIMES)]
+        try:
+            value = FieldPoint(graph, 5_000_011 + attempt, prime).evaluate([node])[0]
+        except Unlucky:
+            continue
+        if value and pow(value, (prime - 1) // 2, prime) != 1:
+            return False
+        seen += 1
+        if seen == 24:
+            break
+    return True
+
+
 def is_zero(graph: Graph, node: Node) -> bool:
+    """Whether the node vanishes identically."""
     return are_zero(graph, [node])[0]
 
 
 def are_equal(graph: Graph, left: Sequence[Node], right: Sequence[Node], count: int = 2) -> bool:
+    """Whether the two lists agree entry by entry."""
     return all(are_zero(graph, [graph.sub(x, y) for x, y in zip(left, right, strict=True)], count))
 
 
@@ -292,8 +336,9 @@ def rank(graph: Graph, rows: Sequence[Sequence[Node]], seed: int = 1) -> int:
         return 0
     width = len(rows[0])
     flat = [entry for row in rows for entry in row]
-    values = sample(graph, flat, 1, seed)[0]
-    return _rank_modulo([values[i * width : (i + 1) * width] for i in range(len(rows))], PRIMES[0])
+    points = sample(graph, flat, _enough(graph, flat, 1), seed)
+    matrices = [[values[i * width : (i + 1) * width] for i in range(len(rows))] for values in points]
+    return max(_rank_modulo(matrix, PRIMES[k % len(PRIMES)]) for k, matrix in enumerate(matrices))
 
 
 def _rank_modulo(matrix: list[list[int]], p: int) -> int:

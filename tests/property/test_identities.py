@@ -1,0 +1,138 @@
+"""The exact identity test: identities of the language's functions are recognised, near misses are not."""
+
+from __future__ import annotations
+
+import pytest
+
+from nhc.algebra.graph import Graph, Node
+from nhc.algebra.modular import PRIMES, are_zero, is_zero, rank
+from nhc.diagnostics import Bag, Source, Span
+from nhc.language.parser import parse_expression
+from nhc.language.syntax import Binary, Call, Name, Negate, Number, Syntax, fold_tree
+
+IDENTITIES = [
+    ("sin(2*x)", "2*sin(x)*cos(x)"),
+    ("cos(3*x)", "4*cos(x)^3 - 3*cos(x)"),
+    ("sin(x + y)", "sin(x)*cos(y) + cos(x)*sin(y)"),
+    ("cos(x - 2*y)", "cos(x)*cos(2*y) + sin(x)*sin(2*y)"),
+    ("sin(x/2)^2", "(1 - cos(x))/2"),
+    ("sin(x + pi/2)", "cos(x)"),
+    ("tan(x + y)", "(tan(x) + tan(y))/(1 - tan(x)*tan(y))"),
+    ("tan(x)^2 + 1", "1/cos(x)^2"),
+    ("sin(x*y + x*z)", "sin(x*(y + z))"),
+    ("exp(x + y)", "exp(x)*exp(y)"),
+    ("exp(-x)*exp(x)", "1"),
+    ("exp(x/2)^2", "exp(x)"),
+    ("cosh(x)^2 - sinh(x)^2", "1"),
+    ("sinh(2*x)", "2*sinh(x)*cosh(x)"),
+    ("tanh(x)", "(exp(2*x) - 1)/(exp(2*x) + 1)"),
+    ("tanh(x + y)", "(tanh(x) + tanh(y))/(1 + tanh(x)*tanh(y))"),
+    ("sqrt(x)^2", "x"),
+    ("1/sqrt(x)", "sqrt(x)/x"),
+    ("sqrt(4*x)", "2*sqrt(x)"),
+    ("sqrt(2*x)", "sqrt(2)*sqrt(x)"),
+    ("sqrt(3)/3*x", "x/sqrt(3)"),
+    ("sqrt(8/27)", "2*sqrt(6)/9"),
+    ("x^(1/3)*x^(2/3)", "x"),
+    ("x^(3/2)", "x*sqrt(x)"),
+    ("x^(2/5)*x^(1/10)", "sqrt(x)"),
+    ("(x^2 - y^2)/(x - y)", "x + y"),
+    ("atan(x + y) + atan(-x - y)", "0"),
+    ("abs(-x*y)", "abs(x*y)"),
+    ("abs(x)^2", "x^2"),
+    ("x*sign(x)", "abs(x)"),
+    ("max(x, y) + min(x, y)", "x + y"),
+]
+NEAR_MISSES = [
+    ("sin(2*x)", "2*sin(x)"),
+    ("sin(x + y)", "sin(x)*cos(y) - cos(x)*sin(y)"),
+    ("sin(x)^2 + cos(y)^2", "1"),
+    ("cos(x + pi/2)", "sin(x)"),
+    ("sin(x + pi)", "sin(x)"),
+    ("exp(x + y)", "exp(x) + exp(y)"),
+    ("exp(2*x)", "exp(x)"),
+    ("cosh(x)^2 + sinh(x)^2", "1"),
+    ("tanh(2*x)", "2*tanh(x)"),
+    ("sqrt(4*x)", "-2*sqrt(x)"),
+    ("sqrt(2)*x", "x"),
+    ("sqrt(x^2)", "x"),
+    ("sqrt(x^2 + 2*x*y + y^2)", "x + y"),
+    ("sqrt(9*x^2)", "3*x"),
+    ("(x^4)^(1/4)", "x"),
+    ("sqrt(x + y)", "sqrt(x) + sqrt(y)"),
+    ("x^(1/3)", "x^(1/2)"),
+    ("x^(1/3)*x^(1/3)", "x"),
+    ("tan(x)^2", "1/cos(x)^2 + 1"),
+    ("atan(x)", "x"),
+    ("abs(x)", "x"),
+    ("max(x, y)", "x"),
+    ("sign(x)*sign(y)", "1"),
+    ("abs(x + y)", "abs(x) + abs(y)"),
+    ("min(x, y)", "max(x, y)"),
+    ("log(x)", "exp(x)"),
+    ("x + 1/1000000000000", "x"),
+    ("pi", "22/7"),
+]
+
+
+def node_of(g: Graph, text: str) -> Node:
+    tree = parse_expression(text, Span, Bag(Source("test", text)))
+    assert tree is not None
+    return fold_tree(tree, lambda part, operands: _visit(g, part, operands))
+
+
+def _visit(g: Graph, part: Syntax, operands: tuple[Node, ...]) -> Node:
+    match part:
+        case Number():
+            return g.number(part.value)
+        case Name():
+            return g.pi() if part.name == "pi" else g.symbol(part.name)
+        case Negate():
+            return g.neg(operands[0])
+        case Call():
+            return g.function(part.function, *operands)
+        case Binary():
+            known = {"+": g.add, "-": g.sub, "*": g.mul, "/": g.div}
+            if part.op in known:
+                return known[part.op](*operands)
+            return g.function("powf", *operands)
+        case _:
+            raise AssertionError(part)
+
+
+@pytest.mark.parametrize(("left", "right"), IDENTITIES)
+def test_identity_is_recognised(left: str, right: str) -> None:
+    g = Graph()
+    assert is_zero(g, g.sub(node_of(g, left), node_of(g, right)))
+
+
+@pytest.mark.parametrize(("left", "right"), NEAR_MISSES)
+def test_near_miss_is_rejected(left: str, right: str) -> None:
+    g = Graph()
+    assert not is_zero(g, g.sub(node_of(g, left), node_of(g, right)))
+
+
+def test_primes_are_what_the_field_needs() -> None:
+    """Safe primes (Fermat's test to a few bases), 3 modulo 4, with roots of the small numbers."""
+    assert len(set(PRIMES)) == len(PRIMES) >= 4
+    for p in PRIMES:
+        assert 2**60 < p < 2**61
+        assert p % 8 == 7
+        for q in (p, (p - 1) // 2):
+            assert all(pow(base, q - 1, q) == 1 for base in (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37))
+        assert all(pow(k, (p - 1) // 2, p) == 1 for k in range(1, 53))
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_the_root_of_a_square_is_not_its_base(seed: int) -> None:
+    """At every second point of the field it is: a few points do not tell."""
+    g = Graph()
+    assert not any(are_zero(g, [node_of(g, "sqrt(x^2) - x"), node_of(g, "sqrt(x^2) + x")], seed=seed))
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_rank_with_signs(seed: int) -> None:
+    g = Graph()
+    rows = [[node_of(g, "abs(x)"), node_of(g, "x")], [g.one, g.one]]
+    assert rank(g, rows, seed) == 2
+    assert rank(g, [[node_of(g, "abs(x)"), node_of(g, "x")], [node_of(g, "x"), node_of(g, "abs(x)")]], seed) == 1
