@@ -11,7 +11,8 @@ EQUATIONS = (
         "III.1.1",
         "the associated system of a monomial",
         r"\Omega = u_1\wedge u_2:\quad u_1 = 0,\ u_2 = 0",
-        test="tests/thesis/test_diagrams.py::test_monomial",
+        ("nhc.mechanics.rows.associated_rows",),
+        "tests/thesis/test_diagrams.py::test_monomial",
     ),
     Equation(
         "III.1.2",
@@ -28,9 +29,9 @@ EQUATIONS = (
     ),
     Equation(
         "III.2.2",
-        "the part of the kinetic form beside dt",
+        "the part of the kinetic form beside dt; on a motion it gives the theorem of energy",
         r"d\left[(p^*_j\omega_j - T)\,dt\right] = d(p^*_j\omega_j - T)\wedge dt",
-        ("nhc.mechanics.euler_lagrange.kinetic_two_form",),
+        ("nhc.mechanics.conserved.power", "nhc.mechanics.euler_lagrange.kinetic_two_form"),
         errata=("E4",),
     ),
     Equation(

@@ -10,7 +10,8 @@ class Equation:
     """One number of the thesis.
 
     ``latex`` is the corrected formula.  ``places`` are the functions that implement it, ``test`` is one that shows it,
-    ``reason`` says why neither is needed; at least one of the three is given.  ``errata`` are the numbers of what is wrong in print.
+    ``reason`` says why neither is needed; at least one of the three is given.  ``errata`` are the numbers of what is wrong in
+    print.
     """
 
     number: str

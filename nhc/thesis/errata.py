@@ -52,7 +52,7 @@ _LIST = (
         "Euler's theorem used beyond its reach",
         "II.3, III.2 after III.2.5, III.3",
         "d2T/dq'_k dq_i q'_k = 2 dT/dq_i; and the automatic rows read A*/2 (dpi - omega dt) = 0",
-        "the first holds for T homogeneous and quadratic in the velocities; the Hessian of T = A* omega omega/2 is A*, without a half",
+        "the first holds for T homogeneous quadratic in the velocities; the Hessian of T = A* omega omega/2 is A*, with no half",
         "exact on the double pendulum, off on the pumped pendulum; the Hessian of the rigid body is its inertia",
     ),
     _erratum(
@@ -60,8 +60,8 @@ _LIST = (
         "false steps that cancel",
         "III.3.4 to III.3.7, III.4.4, III.4.5",
         "d2T*/dq'dq' without the terms in b_alphanu; T_alphabeta b_betamu + T_alphamu = 0; T_alphaq + T_alphabeta db/dq q' = 0",
-        "d(dT*/dq'_mu) = dp_mu + b_alphamu dp_alpha + p_alpha db_alphamu; the two zeros confuse (dT/dq'_alpha)* with the derivative "
-        "of T*, which has no q'_alpha. The final Omega is right",
+        "d(dT*/dq'_mu) = dp_mu + b_alphamu dp_alpha + p_alpha db_alphamu; the two zeros confuse (dT/dq'_alpha)* with the "
+        "derivative of T*, which has no q'_alpha. The final Omega is right",
         "on the particle z' = y x' at y = 0.7 the three relations are off by 0.49, 0.7 and x'; the corrected one holds exactly",
     ),
     _erratum(
@@ -78,7 +78,7 @@ _LIST = (
         "III.4, Omega",
         "a 2-form with -dT*/dq'_mu dq'_mu ^ dt and no terms in b_alpha or t",
         "(d(dT*/dq'_mu) - p_alpha db_alphamu - R_mu dt) ^ (dq_mu - q'_mu dt)",
-        "both have the same kernel for Voronec's particle; with affine constraints, with terms of first degree in T or with the time "
+        "both have the same kernel for Voronec's particle; with affine constraints, terms of first degree in T or the time "
         "in the constraints only the corrected one has the motion for its kernel",
     ),
     _erratum(

@@ -52,9 +52,9 @@ def equation_table() -> str:
 
 _TABLE_HEAD = """# The thesis's equations
 
-Every number of A. Vigneront, *Formes extérieures en mécanique des systèmes non holonomes* (Namur 1977), with the formula as it should
-stand and what nhc does with it. `I.3`, `II.3`, `III.3` and `III.4` stand for the unnumbered final equations of those sections.
-Summation and indices as in the text: i, j, k, m = 1..n, r, s, t = 1..n+1, alpha, beta, gamma = 1..l, mu, nu, sigma = l+1..n.
+Every number of A. Vigneront, *Formes extérieures en mécanique des systèmes non holonomes* (Namur 1977), with the formula as it
+should stand and what nhc does with it. `I.3`, `II.3`, `III.3` and `III.4` stand for the unnumbered final equations of those
+sections. Summation and indices as in the text: i, j, k, m = 1..n, r, s, t = 1..n+1, alpha, beta, gamma = 1..l, mu, nu, sigma = l+1..n.
 This file is written from `nhc/thesis/`; `pytest --update tests/thesis` rewrites it.
 
 | number | statement | formula | status | where | errata |
@@ -82,7 +82,7 @@ def errata_page() -> str:
 
 _ERRATA_HEAD = """# Errata
 
-What does not hold as it stands in the available text of the thesis, whether by a slip of the mathematics, of the pen or of the scan.
+What does not hold as it stands in the available text of the thesis, whether by a slip of the mathematics, the pen or the scan.
 Each entry has a test that builds the printed formula with nhc's own graph and forms, and shows on systems of the gallery that it
 disagrees with Lagrange's equations with multipliers (or with an exact identity) where the corrected one agrees. The wrong variants
 themselves are kept in `nhc/mechanics/wrong.py`. This file is written from `nhc/thesis/errata.py`; `pytest --update tests/thesis`

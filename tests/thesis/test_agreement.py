@@ -1,4 +1,4 @@
-"""All right formulations agree with Lagrange's equations with multipliers, exactly and in doubles; the wrong ones differ where they must.
+"""The right formulations agree with Lagrange's equations with multipliers, exactly and in doubles; the wrong ones differ.
 
 Systems and dependent velocities are those of the table in which the project's theory was checked; the pattern of who errs where is
 asserted, not the numbers.
@@ -84,7 +84,7 @@ def test_hamel_agrees(name: str, dependent: str, _holds: bool | None, _right: se
     rates = rates_of(frame.graph, len(frame.free))
     rows = euler_lagrange.printed_rows(frame, rates)
     assert are_equal(frame.graph, rows, projected_truth(frame, rates))
-    assert error_of(frame, rows, rates, random_states(frame, 3)) < 2e-12
+    assert error_of(frame, rows, rates, random_states(frame, 3)) < (1e-11 if name == "roller_racer" else 1e-12)
 
 
 @pytest.mark.parametrize(("name", "dependent", "holds", "_right"), TABLE, ids=IDS)
