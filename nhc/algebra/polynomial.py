@@ -26,10 +26,12 @@ class TooLarge(Exception):
 
 def polynomial(graph: Graph, node: Node, limit: int = 300, circle: bool = True) -> Polynomial:
     """The node as a canonical polynomial; with ``circle``, cos^2 is written 1 - sin^2."""
-    return _Expander(graph, limit, circle).expand([node])[0]
+    return Expander(graph, limit, circle).expand([node])[0]
 
 
-class _Expander:
+class Expander:
+    """Expands nodes once each; ``memo`` holds what is known."""
+
     def __init__(self, graph: Graph, limit: int, circle: bool) -> None:
         self.graph, self.limit, self.circle = graph, limit, circle
         self.memo: dict[Node, Polynomial] = {}
@@ -38,10 +40,10 @@ class _Expander:
         roots = list(roots)
         for node in reachable(self.graph, roots):
             if node not in self.memo:
-                self.memo[node] = self._expand_one(node)
+                self.memo[node] = self.expand_one(node)
         return [self.memo[root] for root in roots]
 
-    def _expand_one(self, node: Node) -> Polynomial:
+    def expand_one(self, node: Node) -> Polynomial:
         g, op = self.graph, self.graph.op[node]
         if op == NUM:
             value = g.value(node)
@@ -240,7 +242,7 @@ def normalise(graph: Graph, node: Node, limit: int = 300) -> Node:
 
 def normalise_all(graph: Graph, nodes: Iterable[Node], limit: int = 300) -> list[Node]:
     """Each node in canonical short form where that has at most ``limit`` terms; common parts are expanded once."""
-    expander, result = _Expander(graph, limit, True), []
+    expander, result = Expander(graph, limit, True), []
     for node in nodes:
         try:
             result.append(to_node(graph, expander.expand([node])[0]))
