@@ -30,9 +30,10 @@ class Sources:
     flags: tuple[str, ...] = ()
 
 
-def nhc_sources(name: str, style: str = "positions", *, velocities: bool = True, batch: bool = False) -> Sources:
-    """What ``nhc emit --lang c --only rhs`` writes."""
-    only = ("rhs", "rhs_batch") if batch else ("rhs",)
+def nhc_sources(
+    name: str, style: str = "positions", *, velocities: bool = True, only: tuple[str, ...] = ("rhs",)
+) -> Sources:
+    """What ``nhc emit --lang c --only rhs`` writes, or another choice of functions (empty: all)."""
     files = emit(source(name, style, velocities=velocities), "c", Options(only=only))
     return Sources(f"{name}_rhs", files)
 

@@ -1,0 +1,1 @@
+"""The same systems in the hands of other tools."""

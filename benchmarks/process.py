@@ -1,0 +1,96 @@
+"""Whole processes: wall time of nhc beside Python importing sympy.physics.mechanics; compile times of emitted C.
+
+``python -m benchmarks.process``.  Commands are run in turn, round by round, so that a busy machine slows all of them.
+"""
+
+from __future__ import annotations
+
+import os
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+from dataclasses import dataclass
+from pathlib import Path
+
+from benchmarks.models import COMPILER, nhc_sources, write
+from benchmarks.systems import ROOT
+
+PYTHON = sys.executable
+IMPORT = "import sympy.physics.mechanics"
+BICYCLE = str(ROOT / "specs" / "bicycle.yaml")
+COMPILED = ("sleigh", "disk", "trailers5", "trailers20", "snake5", "snake20", "pendulum5", "pendulum20", "bicycle")
+
+
+@dataclass(frozen=True)
+class Walls:
+    """Median seconds of each command, and the size of the bicycle's LaTeX in bytes."""
+
+    imported: float
+    help: float
+    emit_c: float
+    emit_rhs: float
+    emit_latex: float
+    latex_bytes: int
+
+
+def measure(rounds: int = 7) -> Walls:
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        nhc = [PYTHON, "-m", "nhc"]
+        commands = {
+            "imported": [PYTHON, "-c", IMPORT],
+            "help": [*nhc, "--help"],
+            "emit_c": [*nhc, "emit", BICYCLE, "--lang", "c", "-o", str(folder / "c")],
+            "emit_rhs": [*nhc, "emit", BICYCLE, "--lang", "c", "--only", "rhs", "-o", str(folder / "rhs")],
+            "emit_latex": [*nhc, "emit", BICYCLE, "--lang", "latex", "-o", str(folder / "latex")],
+        }
+        walls: dict[str, list[float]] = {key: [] for key in commands}
+        for key, command in commands.items():
+            _wall(command)  # warm: bytecode and disk
+            walls[key].clear()
+        for _ in range(rounds):
+            for key, command in commands.items():
+                walls[key].append(_wall(command))
+        latex = sum(path.stat().st_size for path in (folder / "latex").glob("*.tex"))
+        return Walls(**{key: statistics.median(values) for key, values in walls.items()}, latex_bytes=latex)
+
+
+def _wall(command: list[str]) -> float:
+    environment = {**os.environ, "PYTHONPATH": str(ROOT)}
+    start = time.perf_counter()
+    done = subprocess.run(command, capture_output=True, env=environment, text=True)
+    spent = time.perf_counter() - start
+    if done.returncode:
+        raise RuntimeError(f"{' '.join(command)}: {done.stderr}")
+    return spent
+
+
+def compile_seconds(system: str, *, everything: bool = False, rounds: int = 3) -> float:
+    """Least wall seconds of ``cc -O2 -c`` on the emitted C: the right-hand side, or every function."""
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        paths = write(nhc_sources(system, only=() if everything else ("rhs",)), folder)
+        command = [COMPILER, "-std=c99", "-O2", "-c", *paths, "-o", str(folder / "model.o")]
+        return min(_wall(command) for _ in range(rounds))
+
+
+def main() -> None:
+    walls = measure()
+    print(f"python -c '{IMPORT}' {walls.imported * 1e3:.0f} ms")
+    for label, value in (
+        ("nhc --help", walls.help),
+        ("nhc emit bicycle --lang c", walls.emit_c),
+        ("nhc emit bicycle --lang c --only rhs", walls.emit_rhs),
+        ("nhc emit bicycle --lang latex", walls.emit_latex),
+    ):
+        print(f"{label:40}{value * 1e3:8.0f} ms{value / walls.imported:8.3f}")
+    print(f"LaTeX of the bicycle: {walls.latex_bytes} bytes")
+    for system in COMPILED:
+        print(f"cc -O2 {system:12}{compile_seconds(system):8.3f} s", flush=True)
+    print(f"cc -O2 bicycle, every function {compile_seconds('bicycle', everything=True, rounds=1):8.3f} s")
+
+
+if __name__ == "__main__":
+    main()
