@@ -35,16 +35,23 @@ def test_transcript(path: Path, tmp_path: Path, update: bool) -> None:
 
 @pytest.mark.parametrize("path", DOCUMENTS, ids=lambda path: path.relative_to(ROOT).as_posix())
 def test_document(path: Path, tmp_path: Path) -> None:
+    """Blocks in their order: `console` ones are run, those with a file's name after the language are written there."""
     folder = tmp_path / "session"
     folder.mkdir()
-    blocks = re.findall(r"^```console\n(.*?)^```$", path.read_text(), re.MULTILINE | re.DOTALL)
-    assert blocks
-    for block in blocks:
+    blocks = re.findall(r"^```([^\n]*)\n(.*?)^```$", path.read_text(), re.MULTILINE | re.DOTALL)
+    sessions = 0
+    for info, block in blocks:
+        for file in re.findall(r" (\w+\.\w+)", info):
+            (folder / file).write_text(block)
+        if info != "console":
+            continue
         steps, _ = parse(block)
         assert steps, f"a block without a command:\n{block}"
+        sessions += 1
         for step in steps:
             actual = run(step.command, folder, merged=True)
             assert matches(step.expected, actual), _differ(step.command, step.expected, actual)
+    assert sessions
 
 
 def _differ(command: str, expected: tuple[str, ...], actual: list[str]) -> str:
