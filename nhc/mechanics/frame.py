@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-from nhc.algebra.calculus import derivative, gradient, substitute, tangent
+from nhc.algebra.calculus import gradient, substitute, tangent
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.linear import solve_rows
 from nhc.mechanics.regularity import pivot_weakness
@@ -112,13 +112,14 @@ def form_value(graph: Graph, form: Form, v: Sequence[Node]) -> Node:
     return graph.add(graph.sum([graph.mul(a, x) for a, x in zip(form.coefficients, v, strict=True)]), form.constant)
 
 
+@equation("I.2.1", "I.2.2")
 def make_frame(system: System, free: Sequence[Form], symbols: Sequence[Node]) -> Frame:
     """The frame whose forms are the system's constraints and ``free``, in this order.
 
     Raises:
         nhc.algebra.linear.Singular: the forms are no basis.
     """
-    g, n = system.graph, system.n
+    g = system.graph
     forms = (*system.constraints, *free)
     constrained = tuple(g.symbol(f"omega_{form.name}", "quasi") for form in system.constraints)
     omega = (*constrained, *symbols)
@@ -171,7 +172,3 @@ def total_derivative(system: System, node: Node, velocities: Sequence[Node], rat
     """d/dt along q' = velocities, t' = 1 and the given rates of further symbols."""
     seeds = {**dict(zip(system.q, velocities, strict=True)), system.t: system.graph.one, **rates}
     return tangent(system.graph, [node], seeds)[0]
-
-
-def partial(system: System, node: Node, symbol: Node) -> Node:
-    return derivative(system.graph, node, symbol)

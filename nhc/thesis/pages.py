@@ -54,7 +54,8 @@ _TABLE_HEAD = """# The thesis's equations
 
 Every number of A. Vigneront, *Formes extérieures en mécanique des systèmes non holonomes* (Namur 1977), with the formula as it
 should stand and what nhc does with it. `I.3`, `II.3`, `III.3` and `III.4` stand for the unnumbered final equations of those
-sections. Summation and indices as in the text: i, j, k, m = 1..n, r, s, t = 1..n+1, alpha, beta, gamma = 1..l, mu, nu, sigma = l+1..n.
+sections. Summation and indices as in the text: i, j, k, m = 1..n, r, s, t = 1..n+1, alpha, beta, gamma = 1..l,
+mu, nu, sigma = l+1..n.
 This file is written from `nhc/thesis/`; `pytest --update tests/thesis` rewrites it.
 
 | number | statement | formula | status | where | errata |
