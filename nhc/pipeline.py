@@ -122,8 +122,8 @@ def program(source: Source, options: Options = Options()) -> Program:
     return build_program(made.system, made.formulation, made.equations, only=options.only, scene=options.scene)
 
 
-def check(source: Source) -> Report:
-    """All errors (raised) or all warnings and facts of a spec.
+def check(source: Source, *, explain: bool = True) -> Report:
+    """All errors (raised) or all warnings and facts of a spec; without ``explain`` those that take time are left out.
 
     Raises:
         SpecError: the spec has errors.
@@ -142,7 +142,7 @@ def check(source: Source) -> Report:
             for diagnostic in error.diagnostics:
                 bag.add(diagnostic)
     bag.raise_if_errors()
-    facts = describe(system, formulation, bag)
+    facts = describe(system, formulation, bag, explain=explain)
     return Report(bag.diagnostics, facts.lines, facts.data)
 
 
@@ -178,7 +178,8 @@ def derivation(source: Source, options: Options) -> Derivation:
     from nhc.program import paper
 
     made = model(source, options)
-    return paper.derivation(made.system, made.formulation, made.equations)
+    scene = next((s for s in made.spec.scenes if s.name == options.scene), None)
+    return paper.derivation(made.system, made.formulation, made.equations, scene)
 
 
 def derive(source: Source, options: Options = Options()) -> str:

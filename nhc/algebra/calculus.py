@@ -161,6 +161,7 @@ def pullback_gradient(graph: Graph, weighted: Sequence[tuple[Node, Node]], wrt: 
 
 
 def derivative(graph: Graph, root: Node, symbol: Node) -> Node:
+    """d root / d symbol."""
     return tangent(graph, [root], {symbol: graph.one})[0]
 
 

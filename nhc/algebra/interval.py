@@ -26,6 +26,7 @@ def bounds(graph: Graph, root: Node, known: Mapping[Node, Interval]) -> Interval
 
 
 def cannot_vanish(graph: Graph, root: Node, known: Mapping[Node, Interval]) -> bool:
+    """Whether the root is bounded away from zero for symbols in their intervals."""
     low, high = bounds(graph, root, known)
     size = max(abs(low), abs(high)) if math.isfinite(low) and math.isfinite(high) else 1.0
     return low > _MARGIN * size or high < -_MARGIN * size

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from fractions import Fraction
 
@@ -101,7 +102,7 @@ class NodeStore:
         """Whether the node contains one of the symbols of ``mask`` (see :meth:`mask`)."""
         return bool(self.deps[node] & mask)
 
-    def mask(self, symbols: list[Node] | tuple[Node, ...]) -> int:
+    def mask(self, symbols: Iterable[Node]) -> int:
         result = 0
         for node in symbols:
             result |= self.deps[node]

@@ -229,7 +229,7 @@ def _most_frequent(p: Polynomial) -> tuple[Node, int] | None:
 def _monomial(graph: Graph, m: Monomial, c: Coefficient) -> Node:
     top = graph.product([graph.power(f, e) for f, e in m if e > 0])
     bottom = graph.product([graph.power(f, -e) for f, e in m if e < 0])
-    result = graph.mul(graph.number(abs(c)), top)
+    result = graph.mul(graph.number(-c if c < 0 else c), top)
     if bottom != graph.one:
         result = graph.div(result, bottom)
     return graph.neg(result) if c < 0 else result

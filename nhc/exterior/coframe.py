@@ -1,7 +1,8 @@
 """Coframes: bases of one-forms over the graph, with what d needs to know of them.
 
-A coframe knows how a function's differential reads in it, and the exterior derivatives of its basis forms (its structure equations).
-Two kinds are built here: coordinate differentials (d of each is zero) and general ones given by their rows over coordinates.
+A coframe knows how a function's differential reads in it, and the exterior derivatives of its basis forms (its
+structure equations). Two kinds are built here: coordinate differentials (d of each is zero) and general ones given by
+their rows over coordinates.
 """
 
 from __future__ import annotations
@@ -17,9 +18,11 @@ TwoFormTerms = Mapping[tuple[int, int], Node]
 
 @dataclass(frozen=True)
 class Coframe:
-    """``variables`` are the coordinates of the chart; ``dual[k][r]`` are the components of the k-th dual vector along them.
+    """``variables`` are the coordinates of the chart; ``dual[k][r]`` are the components of the k-th dual vector along
+    them.
 
-    ``structure[k]`` holds the coefficients of d(basis_k) in the basis, for increasing index pairs; a missing k means closed.
+    ``structure[k]`` holds the coefficients of d(basis_k) in the basis, for increasing index pairs; a missing k means
+    closed.
     """
 
     graph: Graph
@@ -59,7 +62,8 @@ def general_coframe(
 ) -> Coframe:
     """The forms ``rows[k][r] d(variables[r])`` with their dual vectors; the structure equations are computed.
 
-    d(basis_k) = sum over r < s of (dc_kr/dx_s - dc_ks/dx_r) dx_s ^ dx_r, read in the basis by contraction with the dual vectors.
+    d(basis_k) = sum over r < s of (dc_kr/dx_s - dc_ks/dx_r) dx_s ^ dx_r, read in the basis by contraction with the
+    dual vectors.
     """
     structure: dict[int, dict[tuple[int, int], Node]] = {}
     size = len(variables)

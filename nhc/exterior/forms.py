@@ -59,18 +59,22 @@ class Form:
 
 
 def function_form(coframe: Coframe, value: Node) -> Form:
+    """A function as a form of degree 0."""
     return Form(coframe, 0, _nonzero(coframe.graph, {(): value}))
 
 
 def one_form(coframe: Coframe, coefficients: Mapping[int, Node]) -> Form:
+    """The sum of coefficients[k] times the basis form k."""
     return Form(coframe, 1, _nonzero(coframe.graph, {(k,): c for k, c in coefficients.items()}))
 
 
 def basis_form(coframe: Coframe, k: int) -> Form:
+    """The k-th form of the coframe itself."""
     return Form(coframe, 1, {(k,): coframe.graph.one})
 
 
 def wedge(left: Form, right: Form) -> Form:
+    """left ^ right."""
     g = left.graph
     collected: dict[Index, Node] = {}
     for i, a in left.terms.items():

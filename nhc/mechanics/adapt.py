@@ -1,8 +1,10 @@
-"""Regular adapted coframes: free forms that complete the constraints wherever the constraints themselves have full rank.
+"""Regular adapted coframes: free forms that complete the constraints wherever the constraints themselves have full
+rank.
 
-Constraint rows with a pivot that cannot vanish are set aside, each with its column.  What remains, k rows, is completed on k + 1 columns by the
-row of its signed maximal minors: its determinant with the rows is the sum of the squares of all the minors (Cauchy-Binet), which vanishes
-only where the rows lose rank.  For a knife edge this is the velocity along the edge.
+Constraint rows with a pivot that cannot vanish are set aside, each with its column.  What remains, k rows, is
+completed on k + 1 columns by the row of its signed maximal minors: its determinant with the rows is the sum of the
+squares of all the minors (Cauchy-Binet), which vanishes only where the rows lose rank.  For a knife edge this is the
+velocity along the edge.
 """
 
 from __future__ import annotations
@@ -39,7 +41,9 @@ def adapted_forms(system: System) -> tuple[Form, ...] | None:
 
 
 def _set_pivots_aside(system: System) -> tuple[list[int], set[int]]:
-    """(rows that stay, columns of the pivots): pivots cannot vanish, and the rows that stay do not contain their columns."""
+    """(rows that stay, columns of the pivots): pivots cannot vanish, and the rows that stay do not contain their
+    columns.
+    """
     g, known = system.graph, intervals(system)
     rows, columns = list(range(system.l)), set[int]()
     progress = True
@@ -99,6 +103,7 @@ def _leading_sign(system: System, minors: Sequence[Node]) -> int:
 
 
 def unused_name(system: System, wish: str) -> str:
+    """The wish, or the wish with a number, so that it is no name of the spec."""
     spec = system.spec
     taken = {
         *(c.name for c in spec.coordinates),
@@ -137,8 +142,8 @@ def complete(system: System) -> tuple[tuple[Form, ...], tuple[str, ...]]:
 
 
 def _pools(system: System) -> list[list[Form]]:
-    """Forms to complete with, the preferred ones first: what the spec's dependent velocities leave free, what nhc's own choice
-    of them leaves free, and the adapted coframe; each ends with whatever coordinate is still needed.
+    """Forms to complete with, the preferred ones first: what the spec's dependent velocities leave free, what nhc's
+    own choice of them leaves free, and the adapted coframe; each ends with whatever coordinate is still needed.
     """
     every = [coordinate_form(system, j) for j in range(system.n)]
     choices = [system.dependent] if system.dependent else []

@@ -1,10 +1,11 @@
 """The associated system of Omega as a program: one for all formulations.
 
-A formulation fixes a motion: the velocities w it keeps, the kinematics q' = K(q, w, t), and the vectors e_mu that the constraints
-leave free.  Omega = A_mu ^ (omega_mu - w_mu dt), so its interior product with the motion's field X is A_mu(X) times the contact forms:
-the rows of the velocities' differentials hold by the kinematics, the rows A_mu(X) = 0 are the equations of motion, and the dt row is
-their combination with the weights -w_mu (Omega(X, X) = 0), the theorem of energy.  A_mu(X) is evaluated by directional derivatives of
-T's velocity forms (:mod:`nhc.mechanics.kinetic`); no coefficient is ever expanded.
+A formulation fixes a motion: the velocities w it keeps, the kinematics q' = K(q, w, t), and the vectors e_mu that the
+constraints leave free.  Omega = A_mu ^ (omega_mu - w_mu dt), so its interior product with the motion's field X is
+A_mu(X) times the contact forms: the rows of the velocities' differentials hold by the kinematics, the rows A_mu(X) =
+0 are the equations of motion, and the dt row is their combination with the weights -w_mu (Omega(X, X) = 0), the
+theorem of energy.  A_mu(X) is evaluated by directional derivatives of T's velocity forms
+(:mod:`nhc.mechanics.kinetic`); no coefficient is ever expanded.
 """
 
 from __future__ import annotations

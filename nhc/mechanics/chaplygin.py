@@ -1,9 +1,11 @@
-"""Čaplygin's equations (I.3, III.3 with the sign of its last line; the boxed line of I.3 has the other one, erratum E1).
+"""Čaplygin's equations (I.3, III.3 with the sign of its last line; the boxed line of I.3 has the other one, erratum
+E1).
 
-The hypotheses: T, the constraints and the forces do not contain the dependent coordinates q_alpha nor t, and b_alpha = 0.
-The generalization keeps what is essential (T and b_alphamu free of q_alpha) and adds b_alpha, t and forces:
+The hypotheses: T, the constraints and the forces do not contain the dependent coordinates q_alpha nor t, and b_alpha
+= 0. The generalization keeps what is essential (T and b_alphamu free of q_alpha) and adds b_alpha, t and forces:
 
-    d/dt dT*/dq'_mu - dT*/dq_mu + p_alpha [(d_mu b_alphanu - d_nu b_alphamu) q'_nu + d_mu b_alpha - d_t b_alphamu] = Q_mu + b_alphamu Q_alpha
+    d/dt dT*/dq'_mu - dT*/dq_mu + p_alpha [(d_mu b_alphanu - d_nu b_alphamu) q'_nu + d_mu b_alpha - d_t b_alphamu] =
+    Q_mu + b_alphamu Q_alpha
 """
 
 from __future__ import annotations
@@ -22,8 +24,8 @@ from nhc.thesis import equation
 
 @dataclass(frozen=True)
 class Hypotheses:
-    """``broken`` are the hypotheses of I.3 that fail, each with the symbol that breaks it; ``fatal`` those without which
-    the generalized equations do not hold either.
+    """``broken`` are the hypotheses of I.3 that fail, each with the symbol that breaks it; ``fatal`` those without
+    which the generalized equations do not hold either.
     """
 
     broken: tuple[str, ...]

@@ -1,7 +1,9 @@
-"""The Euler-Lagrange equations in quasi-velocities: Poincaré without constraints (I.2.14), Hamel with them (I.2.15, III.2).
+"""The Euler-Lagrange equations in quasi-velocities: Poincaré without constraints (I.2.14), Hamel with them (I.2.15,
+III.2).
 
-The sum over i in gamma^i_numu p*_i runs over all n quasi-velocities, also over those that the constraints hold at zero (erratum E3);
-T is taken in all of them, and omega_alpha = 0 is used after differentiation: in Omega, never in theta.
+The sum over i in gamma^i_numu p*_i runs over all n quasi-velocities, also over those that the constraints hold at
+zero (erratum E3); T is taken in all of them, and omega_alpha = 0 is used after differentiation: in Omega, never in
+theta.
 """
 
 from __future__ import annotations
@@ -74,7 +76,7 @@ def unconstrained_omega(frame: Frame) -> Form:
 
 def restrict(frame: Frame, form: Form) -> Form:
     """The form on the constraints: dpi_alpha = 0, omega_alpha = 0, domega_alpha = 0."""
-    system, g, n, lower = frame.system, frame.graph, frame.system.n, frame.system.l
+    g, n, lower = frame.graph, frame.system.n, frame.system.l
     keep = [*range(lower, n), *range(n + lower, 2 * n), 2 * n]
     source = form.coframe
     target = Coframe(
@@ -95,7 +97,9 @@ def omega(frame: Frame) -> Form:
 
 @equation("I.2.15", "I.2.14", "III.2.6", "I.2.13")
 def printed_rows(frame: Frame, rates: tuple[Node, ...]) -> list[Node]:
-    """d/dt dT/domega_mu + (gamma^i_numu omega_nu + epsilon^i_mu) dT/domega_i - dT/dpi_mu - P_mu, omega'_mu = ``rates``."""
+    """d/dt dT/domega_mu + (gamma^i_numu omega_nu + epsilon^i_mu) dT/domega_i - dT/dpi_mu - P_mu, omega'_mu =
+    ``rates``.
+    """
     system, g, lower = frame.system, frame.graph, frame.system.l
     energy = quasi_energy(frame)
     momenta = gradient(g, energy, frame.omega)

@@ -1,8 +1,9 @@
 """Are the constraints integrable?  Frobenius' test and the growth vector of the allowed directions.
 
-The vectors e_mu span ker A, the drift is X_0 = d/dt + e_0.  Their Lie brackets, taken again and again, span a space whose terminal rank
-at a generic point is n (+ 1 with the drift) minus the number of hidden holonomic constraints.  Ranks are computed modulo a prime at a
-random point, so they are exact up to the probability of :mod:`nhc.algebra.modular`.
+The vectors e_mu span ker A, the drift is X_0 = d/dt + e_0.  Their Lie brackets, taken again and again, span a space
+whose terminal rank at a generic point is n (+ 1 with the drift) minus the number of hidden holonomic constraints.
+Ranks are computed modulo a prime at a random point, so they are exact up to the probability of
+:mod:`nhc.algebra.modular`.
 """
 
 from __future__ import annotations
@@ -13,7 +14,7 @@ from dataclasses import dataclass
 from nhc.algebra.calculus import gradient, tangent
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.linear import solve
-from nhc.algebra.modular import are_zero, rank
+from nhc.algebra.modular import PRIMES, FieldPoint, Unlucky, are_zero
 from nhc.mechanics.frame import Frame, coordinate_frame
 from nhc.mechanics.regularity import choose_dependent
 from nhc.mechanics.system import Form, System
@@ -21,11 +22,14 @@ from nhc.thesis import equation
 
 Field = tuple[Node, ...]
 
+_MOST_DRAWS = 4000
+
 
 @dataclass(frozen=True)
 class Integrability:
-    """``growth``: ranks of the successive brackets of ker A; ``hidden``: how many holonomic constraints are in disguise;
-    ``closed``: names of constraints that are integrable by themselves; ``affine``, ``rheonomic``: kinds of the rows.
+    """``growth``: ranks of the successive brackets of ker A; ``hidden``: how many holonomic constraints are in
+    disguise; ``closed``: names of constraints that are integrable by themselves; ``affine``, ``rheonomic``: kinds of
+    the rows.
     """
 
     growth: tuple[int, ...]
@@ -54,27 +58,87 @@ def classify(system: System, frame: Frame | None = None) -> Integrability:
 
 
 def growth_vector(graph: Graph, variables: Sequence[Node], fields: Sequence[Field]) -> tuple[int, ...]:
-    """Ranks of D_1 = span(fields), D_{k+1} = D_k + [D_1, D_k] until they stop growing or fill the space."""
+    """Ranks of D_1 = span(fields), D_{k+1} = D_k + [D_1, D_k] until they stop growing or fill the space.
+
+    All ranks are taken at one random point, which is drawn once.
+    """
     base = [tuple(f) for f in fields]
-    newest, everything = list(base), list(base)
-    ranks = [rank(graph, everything)]
+    newest = list(base)
+    span = _Span(graph)
+    for field in base:
+        span.add(field)
+    ranks = [span.rank]
     while ranks[-1] < len(variables):
-        brackets = [lie_bracket(graph, variables, x, y) for x in base for y in newest if x != y]
         grown: list[Field] = []
-        current = ranks[-1]
-        for field in brackets:
-            if all(node == graph.zero for node in field):
-                continue
-            found = rank(graph, [*everything, field])
-            if found > current:
-                current = found
-                everything.append(field)
-                grown.append(field)
-        if current == ranks[-1]:
+        for x in base:
+            for y in newest:
+                field = lie_bracket(graph, variables, x, y) if x != y else ()
+                if any(node != graph.zero for node in field) and span.add(field):
+                    grown.append(field)
+        if span.rank == ranks[-1]:
             break
-        ranks.append(current)
+        ranks.append(span.rank)
         newest = grown
     return tuple(ranks)
+
+
+class _Span:
+    """The span of fields at a random point of the prime field; where a new field has no value there, another point is drawn."""
+
+    def __init__(self, graph: Graph) -> None:
+        self.graph, self.fields = graph, list[Field]()
+        self._rows: list[tuple[int, list[int]]] = []  # pivot column, row with a 1 there
+        self._seed = 0
+        self._point = self._draw()
+
+    @property
+    def rank(self) -> int:
+        return len(self._rows)
+
+    def add(self, field: Field) -> bool:
+        """Whether the field was independent of those before it."""
+        while True:
+            try:
+                row = self._point.evaluate(field)
+                break
+            except Unlucky:
+                self._redraw()
+        independent = self._reduce(row)
+        if independent:
+            self.fields.append(field)
+        return independent
+
+    def _draw(self) -> FieldPoint:
+        self._seed += 1
+        if self._seed > _MOST_DRAWS:
+            raise Unlucky
+        return FieldPoint(self.graph, 9_000_011 + self._seed, PRIMES[0])
+
+    def _redraw(self) -> None:
+        """Move to a point where all fields so far have values."""
+        while True:
+            self._point = self._draw()
+            try:
+                rows = [self._point.evaluate(field) for field in self.fields]
+            except Unlucky:
+                continue
+            self._rows = []
+            for row in rows:
+                self._reduce(row)
+            return
+
+    def _reduce(self, row: Sequence[int]) -> bool:
+        p, work = self._point.prime, list(row)
+        for column, known in self._rows:
+            factor = work[column]
+            if factor:
+                work = [(x - factor * y) % p for x, y in zip(work, known, strict=True)]
+        pivot = next((j for j, x in enumerate(work) if x), -1)
+        if pivot < 0:
+            return False
+        inverse = pow(work[pivot], -1, p)
+        self._rows.append((pivot, [x * inverse % p for x in work]))
+        return True
 
 
 def lie_bracket(graph: Graph, variables: Sequence[Node], x: Field, y: Field) -> Field:

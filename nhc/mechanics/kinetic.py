@@ -1,12 +1,13 @@
 """The structure of the kinetic energy: T as a function of velocity forms.
 
-T is read as tau(u, q, t) where the u_k are the largest subexpressions of T that are affine in the velocities.  With u_k = W_ki q'_i + W_k0
-and pi_k = d tau/d u_k, the Lagrange expression contracted with a vector e is
+T is read as tau(u, q, t) where the u_k are the largest subexpressions of T that are affine in the velocities.  With
+u_k = W_ki q'_i + W_k0 and pi_k = d tau/d u_k, the Lagrange expression contracted with a vector e is
 
     e . (d/dt dT/dq' - dT/dq) = W_k(e) pi'_k + pi_k domega_k(X, e) - e(tau),
 
-where omega_k = W_ki dq_i + W_k0 dt and X is the motion.  The middle term vanishes where omega_k is exact, as it is whenever the user
-gave a position and let nhc differentiate it; nothing is expanded, and the cost is a small multiple of T's own.
+where omega_k = W_ki dq_i + W_k0 dt and X is the motion.  The middle term vanishes where omega_k is exact, as it is
+whenever the user gave a position and let nhc differentiate it; nothing is expanded, and the cost is a small multiple
+of T's own.
 """
 
 from __future__ import annotations
@@ -23,7 +24,9 @@ from nhc.mechanics.system import Form, System
 
 @dataclass(frozen=True)
 class Kinetic:
-    """``atoms`` are the velocity forms as they stand in T, ``u`` their symbols in ``tau``; ``slope[k]`` is pi_k, ``hessian[k][j]`` its derivative by u_j."""
+    """``atoms`` are the velocity forms as they stand in T, ``u`` their symbols in ``tau``; ``slope[k]`` is pi_k,
+    ``hessian[k][j]`` its derivative by u_j.
+    """
 
     forms: tuple[Form, ...]
     atoms: tuple[Node, ...]

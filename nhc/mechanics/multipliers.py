@@ -11,6 +11,7 @@ from nhc.thesis import equation
 
 
 def multiplier_symbols(system: System) -> tuple[Node, ...]:
+    """lambda_alpha, one for each constraint."""
     return tuple(system.graph.symbol(f"lambda_{form.name}", "multiplier") for form in system.constraints)
 
 

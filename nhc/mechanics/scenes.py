@@ -1,7 +1,7 @@
 """A scene's start: parameter values, positions, and velocities that satisfy the constraints.
 
-Given velocities and quasi-velocities are equations beside the constraints; what is left free is zero, independent velocities first, so that
-dependent ones follow from the constraints.
+Given velocities and quasi-velocities are equations beside the constraints; what is left free is zero, independent
+velocities first, so that dependent ones follow from the constraints.
 """
 
 from __future__ import annotations
@@ -155,7 +155,9 @@ def _unit(system: System, name: str) -> Form:
 
 
 def _free_order(system: System, given: dict[tuple[str, str], float]) -> list[Form]:
-    """What is set to zero, first come first served: quasi-velocities when the scene speaks in them, else independent velocities."""
+    """What is set to zero, first come first served: quasi-velocities when the scene speaks in them, else independent
+    velocities.
+    """
     from nhc.mechanics.frame import coordinate_form
 
     dependent = system.dependent or choose_dependent(system).dependent

@@ -1,8 +1,8 @@
 """A mechanical system as nodes of one graph: what every formulation starts from.
 
-Index conventions are the thesis's: ``i, j, k`` run over the n coordinates, ``alpha, beta`` over the l constraints, ``mu, nu`` over the
-n - l free velocities, ``r, s`` over coordinates and time.  Q_i of the potential is +dU/dq_i, and a reaction enters as
-Q_i + lambda_alpha a_alpha_i.
+Index conventions are the thesis's: ``i, j, k`` run over the n coordinates, ``alpha, beta`` over the l constraints,
+``mu, nu`` over the n - l free velocities, ``r, s`` over coordinates and time.  Q_i of the potential is +dU/dq_i, and
+a reaction enters as Q_i + lambda_alpha a_alpha_i.
 """
 
 from __future__ import annotations
@@ -17,8 +17,8 @@ from nhc.language import Spec
 class Form:
     """A velocity form: coefficients_i * q'_i + constant; as a constraint it is zero, as a quasi-velocity it is omega.
 
-    ``equation`` is f for a holonomic constraint f(q, t) = 0, whose derivative the form is.  ``value`` is the form as the spec wrote
-    it, over the velocities' symbols, where it was written: it shares what the coefficients repeat.
+    ``equation`` is f for a holonomic constraint f(q, t) = 0, whose derivative the form is.  ``value`` is the form as
+    the spec wrote it, over the velocities' symbols, where it was written: it shares what the coefficients repeat.
     """
 
     name: str

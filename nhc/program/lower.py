@@ -1,7 +1,8 @@
 """Plan -> Function: nodes become lets and expressions, in an order in which everything is known when it is used.
 
-A node gets a name when it is used twice, when the user named it, or when the expression would become too long to read.  Parameter-only
-work comes first, under its own section.  Dead code does not arise: only what the targets, guards and solves need is visited.
+A node gets a name when it is used twice, when the user named it, or when the expression would become too long to
+read.  Parameter-only work comes first, under its own section.  Dead code does not arise: only what the targets,
+guards and solves need is visited.
 """
 
 from __future__ import annotations
@@ -280,4 +281,5 @@ class Lowering:
 
 
 def lower_function(graph: Graph, plan: FunctionPlan, parameters: Iterable[Node]) -> Function:
+    """The plan's function; ``parameters`` are the symbols whose work comes first."""
     return Lowering(graph, plan, parameters).lower()

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from nhc.algebra.graph import Graph, Node
 from nhc.program.ir import Argument, Origin
@@ -16,7 +16,7 @@ class Target:
     index: int
     node: Node
     about: str = ""
-    origin: Origin = Origin()
+    origin: Origin = field(default_factory=Origin)
 
 
 @dataclass(frozen=True)
