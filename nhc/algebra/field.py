@@ -1,0 +1,249 @@
+"""Evaluation in a prime field.
+
+The functions of the language are sent to the field so that the identities between them stay true:
+
+- an angle is written as a polynomial; each of its monomials (with the least common denominator of its coefficients) owns a point of
+  the circle by the rational parametrisation, and sin and cos of the angle come from the powers of those points (so sin 2x,
+  sin(x + y) and shifts by quarter turns agree with sin x, cos x);
+- exp, sinh, cosh, tanh likewise, with one invertible generator per monomial;
+- sqrt is the square root that is itself a square (points where the argument has none are drawn again), odd roots exist and are
+  unique because (p - 1)/2 is prime;
+- every other function is an independent generator, fixed by its name and the value of its argument.
+
+Hence equal expressions always have equal values; unequal ones of degree d agree at a random point with probability at most d/p
+(Schwartz 1980, Zippel 1979).  p is a safe prime of 61 bits.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Iterable, Mapping, Sequence
+from fractions import Fraction
+from math import lcm
+
+from nhc.algebra.calculus import reachable
+from nhc.algebra.graph import ADD, MUL, NEG, NUM, PI, POW, SYM, Graph, Node
+from nhc.algebra.polynomial import ONE, Monomial, Polynomial, TooLarge, polynomial
+
+PRIMES = (2305843009213057079, 2305843009178326439, 2305843009101690119, 2305843009045133879)
+"""Safe primes below 2**61, all 7 modulo 8, modulo each of which 2, 3, 5, ..., 47 are squares: the roots of the numbers that
+occur in specs exist, and sqrt(4*x) is 2*sqrt(x) and not its negative."""
+
+_PERIODIC = ("sin", "cos")
+_EXPONENTIAL = ("exp", "sinh", "cosh", "tanh")
+
+
+class Unlucky(Exception):
+    """The point lies on a pole, or a square root has no value there: draw another."""
+
+
+class FieldPoint:
+    """A random point of the field: values for symbols, generators for angles and exponentials."""
+
+    def __init__(self, graph: Graph, seed: int, prime: int = PRIMES[0]) -> None:
+        self.graph, self.prime = graph, prime
+        self._random = random.Random(seed)
+        self._salt = self._random.getrandbits(61)
+        self.values: dict[Node, int] = {}
+        self._generators: dict[tuple[object, ...], int] = {}
+        self._denominators: dict[tuple[str, Monomial], int] = {}
+        self._arguments: dict[Node, Polynomial] = {}
+        self._used: set[tuple[str, Monomial]] = set()
+
+    # --- generators ---------------------------------------------------------------------------------------
+
+    def _generator(self, *key: object) -> int:
+        """A random nonzero element that belongs to the key; the order of the questions does not matter."""
+        value = self._generators.get(key)
+        if value is None:
+            value = random.Random(repr((self._salt, key))).randrange(2, self.prime - 1)
+            self._generators[key] = value
+        return value
+
+    def _symbol(self, node: Node) -> int:
+        symbol = self.graph.symbol_of(node)
+        assert symbol is not None
+        return self._generator("symbol", symbol.kind, symbol.name)
+
+    # --- evaluation ---------------------------------------------------------------------------------------
+
+    def evaluate(self, roots: Iterable[Node], fixed: Mapping[Node, int] | None = None) -> list[int]:
+        """Residues of the roots.  ``fixed`` gives symbols a value of the caller's choice.
+
+        Raises:
+            Unlucky: a reciprocal of zero, or a square root that does not exist at this point.
+        """
+        roots = list(roots)
+        self.values.update(fixed or {})
+        todo = [node for node in reachable(self.graph, roots) if node not in self.values]
+        self._prepare(todo)
+        for node in todo:
+            self.values[node] = self._value(node)
+        return [self.values[root] for root in roots]
+
+    def prepare(self, roots: Iterable[Node]) -> None:
+        """Announce what will be evaluated later, in several calls: the points of the circle are then fine enough for all of it.
+
+        Raises:
+            Unlucky: something evaluated before needs them finer.
+        """
+        self._prepare(reachable(self.graph, roots))
+
+    def _prepare(self, nodes: Sequence[Node]) -> None:
+        """Least common denominators of the coefficients of each monomial in angles and exponents."""
+        for node in nodes:
+            op = self.graph.op[node]
+            family = "angle" if op in _PERIODIC else "exponent" if op in _EXPONENTIAL else ""
+            if not family:
+                continue
+            argument = self._argument(self.graph.a[node])
+            for monomial, c in argument.items():
+                key = (family, monomial)
+                known = self._denominators.get(key)
+                if known is not None and known % c.denominator and key in self._used:
+                    raise Unlucky  # a finer point is needed than one already used: the caller draws another
+                self._denominators[key] = lcm(known or 1, c.denominator)
+
+    def _argument(self, node: Node) -> Polynomial:
+        known = self._arguments.get(node)
+        if known is None:
+            try:
+                known = polynomial(self.graph, node, limit=60, circle=False)
+            except TooLarge:
+                known = {((node, 1),): Fraction(1)}
+            self._arguments[node] = known
+        return known
+
+    def _value(self, node: Node) -> int:
+        g, p, op = self.graph, self.prime, self.graph.op[node]
+        if op == ADD:
+            return (self.values[g.a[node]] + self.values[g.b[node]]) % p
+        if op == MUL:
+            return self.values[g.a[node]] * self.values[g.b[node]] % p
+        if op == NEG:
+            return -self.values[g.a[node]] % p
+        if op == POW:
+            return self._power(self.values[g.a[node]], g.b[node])
+        if op == NUM:
+            value = g.value(node)
+            assert value is not None
+            return value.numerator * pow(value.denominator, -1, p) % p
+        if op == SYM:
+            return self._symbol(node)
+        if op == PI:
+            return self._generator("pi")
+        if op in _PERIODIC:
+            c, s = self._circle(self._argument(g.a[node]))
+            return s if op == "sin" else c
+        if op in _EXPONENTIAL:
+            return self._exponential(op, self._argument(g.a[node]))
+        return self._other(op, node)
+
+    def _power(self, base: int, n: int) -> int:
+        if n < 0 and base == 0:
+            raise Unlucky
+        return pow(base, n, self.prime)
+
+    def _circle(self, argument: Polynomial) -> tuple[int, int]:
+        c, s = 1, 0
+        for monomial, k in argument.items():
+            if (
+                len(monomial) == 1
+                and self.graph.op[monomial[0][0]] == PI
+                and monomial[0][1] == 1
+                and 2 % k.denominator == 0
+            ):
+                ck, sk = ((1, 0), (0, 1), (-1, 0), (0, -1))[int(2 * k) % 4]
+            else:
+                denominator = self._denominator("angle", monomial)
+                u = self._generator("angle", *self._key(monomial))
+                ck, sk = self._rotation(u, int(k * denominator))
+            c, s = (c * ck - s * sk) % self.prime, (s * ck + c * sk) % self.prime
+        return c, s
+
+    def _denominator(self, family: str, monomial: Monomial) -> int:
+        self._used.add((family, monomial))
+        return self._denominators[(family, monomial)]
+
+    def _key(self, monomial: Monomial) -> tuple[object, ...]:
+        """A monomial by the values of its atoms, so that two spellings of one atom share a generator."""
+        if monomial == ONE:
+            return ("one",)
+        return tuple(sorted(zip(self.evaluate([f for f, _ in monomial]), [e for _, e in monomial], strict=True)))
+
+    def _rotation(self, u: int, k: int) -> tuple[int, int]:
+        """k-th power of the point ((1 - u^2)/(1 + u^2), 2u/(1 + u^2)) of the circle; p = 3 mod 4, so 1 + u^2 is never zero."""
+        p = self.prime
+        scale = pow(1 + u * u, -1, p)
+        c, s = (1 - u * u) * scale % p, 2 * u * scale % p
+        if k < 0:
+            s, k = -s % p, -k
+        rc, rs = 1, 0
+        while k:
+            if k & 1:
+                rc, rs = (rc * c - rs * s) % p, (rs * c + rc * s) % p
+            c, s = (c * c - s * s) % p, 2 * c * s % p
+            k >>= 1
+        return rc, rs
+
+    def _exponential(self, op: str, argument: Polynomial) -> int:
+        p, e = self.prime, 1
+        for monomial, k in argument.items():
+            denominator = self._denominator("exponent", monomial)
+            e = e * pow(self._generator("exponent", *self._key(monomial)), int(k * denominator), p) % p
+        if op == "exp":
+            return e
+        inverse, half = pow(e, -1, p), (p + 1) // 2
+        sinh, cosh = (e - inverse) * half % p, (e + inverse) * half % p
+        if op == "tanh":
+            return sinh * self._power(cosh, -1) % p
+        return sinh if op == "sinh" else cosh
+
+    def _other(self, op: str, node: Node) -> int:
+        g, p = self.graph, self.prime
+        x = self.values[g.a[node]]
+        if op == "sqrt":
+            if x and pow(x, (p - 1) // 2, p) != 1:
+                raise Unlucky
+            return pow(x, (p + 1) // 4, p)
+        if op == "sign":
+            return self._sign(x)
+        if op == "abs":
+            return x * self._sign(x) % p
+        if op in ("min", "max"):
+            y = self.values[g.b[node]]
+            distance = (x - y) * self._sign((x - y) % p) % p
+            return (x + y + (distance if op == "max" else -distance)) * ((p + 1) // 2) % p
+        if op == "powf":
+            return self._root_power(x, g.b[node])
+        if op == "atan2":
+            return self._generator(op, x, self.values[g.b[node]])
+        return self._generator(op, x)
+
+    def _sign(self, x: int) -> int:
+        """+1 or -1, odd in x."""
+        p = self.prime
+        if x == 0:
+            return 0
+        low = min(x, p - x)
+        sign = 1 if self._generator("sign", low) & 1 else p - 1
+        return sign if x == low else p - sign
+
+    def _root_power(self, x: int, exponent: Node) -> int:
+        """x ** exponent, with x**(u + v) = x**u x**v kept for rational multiples of one monomial."""
+        p, result = self.prime, 1
+        if x == 0:
+            raise Unlucky
+        for monomial, k in self._argument(exponent).items():
+            if monomial != ONE:
+                generator = self._generator("powf", x, *self._key(monomial))
+                result = result * pow(generator, int(k * 5040), p) % p if 5040 % k.denominator == 0 else generator
+                continue
+            root = k.denominator
+            base = x
+            while root % 2 == 0:
+                if pow(base, (p - 1) // 2, p) != 1:
+                    raise Unlucky
+                base, root = pow(base, (p + 1) // 4, p), root // 2
+            result = result * pow(base, k.numerator * pow(root, -1, p - 1) if root > 1 else k.numerator, p) % p
+        return result
