@@ -66,7 +66,7 @@ def command(
     try:
         files = emit(source, language, options)
     except EmitError as error:
-        raise Failure(str(error)) from error
+        raise Failure(str(error), code="E0504") from error
     if to_stdout or output == "-":
         _print(files, titled=to_stdout)
         return 0

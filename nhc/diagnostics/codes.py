@@ -67,11 +67,10 @@ TITLES: dict[str, str] = {
     "E0418": "parameter without a value",
     "E0419": "scene names an unknown thing",
     "E0420": "no motion is left",
-    "E0421": "output of the wrong kind",
     "E0501": "file was edited by hand",
-    "E0502": "unknown formulation, language or stage",
+    "E0502": "unknown stage",
     "E0503": "no such scene",
-    "E0504": "nothing to emit",
+    "E0504": "cannot be emitted as asked",
 }
 
 

@@ -12,12 +12,9 @@ from nhc.diagnostics import Source, SpecError
 from nhc.pipeline import check
 
 ROOT = Path(__file__).resolve().parents[2]
-BASE = {
-    "nhc": "nhc: 1\n",
-    "system": "system: example\n",
-    "coordinates": "coordinates: [x, y, z, theta]\n",
-    "parameters": "parameters: {m: 1, a: 2, b: 3, c: 0.5, g: 9.81, k: 4, l: 1.5, eps: 0.01}\n",
-}
+SPECS = ROOT / "specs"
+COORDINATES = ("x", "y", "z", "theta")
+PARAMETERS = {"m": "1", "a": "2", "b": "3", "c": "0.5", "g": "9.81", "k": "4", "l": "1.5", "eps": "0.01"}
 _SECTION = re.compile(r"^(\w+):", re.MULTILINE)
 _BLOCK = re.compile(r"^```([^\n]*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 
@@ -51,27 +48,32 @@ def is_whole(text: str) -> bool:
 
 
 def complete(fragment: str) -> str:
-    """The fragment with what it lacks of a spec above it; T is that of unit masses at the coordinates."""
+    """The fragment with what it lacks of a spec above it.
+
+    Coordinates are those that occur in it, all of them where it has no T; T is that of unit masses at the coordinates;
+    parameters are those of the table above whose names it does not declare itself.
+    """
     if is_whole(fragment):
         return fragment
     given = set(_SECTION.findall(fragment))
-    above = "".join(text for key, text in BASE.items() if key not in given)
-    if "T" not in given:
-        squares = " + ".join(f"{name}'^2/2" for name in _coordinates(fragment))
-        above += f"T: {squares}\n"
-    return above + fragment
+    made = {"nhc": "1", "system": "example"}
+    occurring = [name for name in COORDINATES if "T" not in given or re.search(rf"\b{name}\b", fragment)]
+    made["coordinates"] = f"[{', '.join(occurring)}]"
+    declared = re.split(r"^scenes:", fragment, flags=re.MULTILINE)[0]
+    others = [name for name in PARAMETERS if not re.search(rf"(^|[{{,])\s*{name}:", declared, re.MULTILINE)]
+    made["parameters"] = f"{{{', '.join(f'{name}: {PARAMETERS[name]}' for name in others)}}}"
+    named = _coordinates(fragment) if "coordinates" in given else occurring
+    made["T"] = " + ".join(f"{name}'^2/2" for name in named)
+    return "".join(f"{key}: {value}\n" for key, value in made.items() if key not in given) + fragment
 
 
 def _coordinates(fragment: str) -> list[str]:
-    """The names of the fragment's coordinates, where they can be read; else those of the base."""
+    """The names of the fragment's own coordinates, where they can be read."""
     try:
-        tree = yaml.safe_load(fragment)
+        named = yaml.safe_load(fragment)["coordinates"]
     except yaml.YAMLError:
-        tree = None
-    named = tree.get("coordinates") if isinstance(tree, dict) else None
-    if not isinstance(named, list | dict):
-        named = yaml.safe_load(BASE["coordinates"])["coordinates"]
-    return [str(name) for name in named if str(name).isidentifier()] or ["x"]
+        named = COORDINATES
+    return [name for name in named if isinstance(name, str) and name.isidentifier()] or ["x"]
 
 
 def found_in(text: str) -> list[str]:
