@@ -128,8 +128,7 @@ def _motion_lines(found: Findings) -> list[str]:
     flow, steady = found.flow, found.linearisation.steady
     kind = "equilibrium" if steady.equilibrium else "steady motion"
     head = f"{flow.system.name}, {found.formulation.name} ({found.formulation.number}): {kind}"
-    shown = max(steady.residual, 0.0)
-    lines = [head, f"  rates that should vanish: {_short(shown)} at most, after {steady.steps} step(s)"]
+    lines = [head, f"  what should stand still does, {_short(steady.residual)}"]
     width = max(len(name) for name in flow.names)
     for i, (name, value) in enumerate(zip(flow.names, steady.y, strict=True)):
         lines.append(
@@ -139,8 +138,8 @@ def _motion_lines(found: Findings) -> list[str]:
 
 
 def _short(value: float) -> str:
-    """A residual: its size matters, its digits are rounding."""
-    return "0" if value == 0 else f"below 1e{math.floor(math.log10(value)) + 1:+03d}"
+    """A residual: its size matters, its digits are rounding (`--json` has them)."""
+    return "to rounding" if value < 1e-11 else f"to {10.0 ** math.ceil(math.log10(value)):.0e}"
 
 
 def _matrix_lines(found: Findings) -> list[str]:

@@ -140,7 +140,9 @@ def named_quantity(flow: Flow, name: str, option: str) -> Node:
     ]
     near = nearest(name, known)
     bag = Bag(Source(option, name))
-    help = f"did you mean `{near}`?" if near else "known: " + ", ".join(f"`{k}`" for k in known[:12])
+    help = (
+        f"did you mean `{near}`?" if near else "known: " + ", ".join(f"`{k}`" for k in list(dict.fromkeys(known))[:12])
+    )
     bag.error(
         "E0419", f"`{name}` is no coordinate, velocity, quasi-velocity or output", Span(0, len(name)), help=(help,)
     )

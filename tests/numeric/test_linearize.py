@@ -1,0 +1,391 @@
+"""Linearisation about steady motions: published numbers, closed forms, and what is refused.
+
+Meijaard, Papadopoulos, Ruina and Schwab 2007 (bicycle); O'Reilly 1996 and the catalogue's formulas (disk); Kane and Levinson 1982
+(rattleback); Neimark and Fufaev 1972 (ball on a turntable, sleigh).
+"""
+
+from __future__ import annotations
+
+import json
+import math
+import sys
+from functools import cache
+
+import numpy as np
+import pytest
+
+from nhc.algebra.evaluate import evaluate
+from nhc.algebra.graph import Graph
+from nhc.cli import main
+from nhc.diagnostics import SpecError
+from nhc.language import Source, read
+from nhc.mechanics.linearize import solve_modulo
+from nhc.pipeline import Options, linearize, model
+from nhc.study.linearize import eigenvalues, verdict
+from nhc.study.motion import Findings, Request, named_quantity, steady_model
+from nhc.study.steady import Hold, NotSteady, SteadyModel, find_steady
+from nhc.study.tape import Tape
+from tests.support import spec_path
+
+
+@cache
+def find(
+    name: str,
+    about: str,
+    formulation: str = "",
+    settings: tuple[str, ...] = (),
+    holds: tuple[str, ...] = (),
+    sweep: tuple[str, float, float, int] | None = None,
+) -> Findings:
+    request = Request(about, settings, holds, sweep)
+    return linearize(read(str(spec_path(name))), request, Options(formulation=formulation))
+
+
+def cyclic(found: Findings) -> list[str]:
+    return [found.flow.names[i] for i in found.model.cyclic]
+
+
+def matches(found: list[complex], expected: list[complex], tolerance: float) -> bool:
+    """The same numbers, in any order, relative to the larger of 1 and each of them."""
+    left = list(found)
+    for x in expected:
+        near = min(left, key=lambda y: abs(y - x), default=math.inf)
+        if abs(near - x) > tolerance * max(1.0, abs(x)):
+            return False
+        left.remove(near)
+    return not left
+
+
+# --- the bicycle: M, C1, K0, K2, eigenvalues and speeds of the benchmark ----------------------------------------
+
+M = np.array([[80.81722, 2.31941332208709], [2.31941332208709, 0.29784188199686]])
+C1 = np.array([[0.0, 33.86641391492494], [-0.85035641456978, 1.68540397397560]])
+K0 = np.array([[-80.95, -2.59951685249872], [-2.59951685249872, -0.80329488458618]])
+K2 = np.array([[0.0, 76.59734589573222], [0.0, 2.65431523794604]])
+AT_5 = [
+    -14.0783896927982473,
+    complex(-0.775341882195841832, 4.46486771378822507),
+    complex(-0.775341882195841832, -4.46486771378822507),
+    -0.322866429004087157,
+]
+STRAIGHT = "z=-0.3, thR'=-5/r_R"
+
+
+@pytest.mark.parametrize("formulation", ["voronec", "euler-lagrange", "multipliers"])
+def test_the_bicycle_has_the_published_eigenvalues(formulation: str) -> None:
+    found = find("bicycle", STRAIGHT, formulation)
+    assert found.linearisation.steady.residual < 1e-12
+    assert matches(eigenvalues(found.linearisation), AT_5, 1e-11)
+    assert verdict(found.linearisation) == "stable"
+
+
+def test_the_bicycle_leaves_out_what_its_hidden_constraints_forbid() -> None:
+    found = find("bicycle", STRAIGHT, "voronec")
+    assert cyclic(found) == ["x", "y", "z", "yaw", "thR", "thF"]
+    made = found.linearisation
+    assert len(made.rest) == 6 and len(made.basis) == 5  # the pitch hangs on roll and steer
+    assert made.family == 1  # any speed
+    assert abs(abs(made.null[0][list(made.rest).index(11)]) - 1.0) < 1e-12  # along thR'
+
+
+@pytest.mark.parametrize("speed", [0.0, 4.0, 5.0, 8.0])
+def test_the_bicycle_has_the_published_matrices(speed: float) -> None:
+    """M q'' + v C1 q' + (g K0 + v^2 K2) q = 0 over q = (lean, steer)."""
+    found = find("bicycle", f"z=-0.3, thR'=-{speed}/r_R", "voronec")
+    y = found.linearisation.steady.y
+    mass = found.model.mass(y)[:2, :2]
+    assert np.abs(mass - M).max() < 1e-10
+    names = [found.flow.names[i] for i in found.linearisation.rest]
+    lean_steer, rates = ([names.index(x) for x in pair] for pair in (["roll", "steer"], ["roll'", "steer'"]))
+    full = found.linearisation.full
+    stiffness, damping = -mass @ full[np.ix_(rates, lean_steer)], -mass @ full[np.ix_(rates, rates)]
+    assert np.abs(stiffness - (9.81 * K0 + speed**2 * K2)).max() < 1e-9
+    assert np.abs(damping - speed * C1).max() < 1e-10
+
+
+def test_the_bicycle_has_the_published_speeds_of_weave_and_capsize() -> None:
+    found = find("bicycle", STRAIGHT, "voronec", sweep=("speed", 1.0, 8.0, 8))
+    assert found.swept is not None
+    weave, capsize = found.swept.crossings
+    assert weave.value == pytest.approx(4.2923825363411040675, abs=1e-10)
+    assert weave.frequency > 3 and not weave.unstable_above
+    assert capsize.value == pytest.approx(6.0242620153883590426, abs=1e-10)
+    assert capsize.frequency == 0 and capsize.unstable_above
+
+
+def test_two_real_eigenvalues_that_meet_are_no_crossing() -> None:
+    """At 0.684 m/s two growing real eigenvalues of the bicycle become the weave pair; nothing crosses the axis."""
+    found = find("bicycle", STRAIGHT, "voronec", sweep=("speed", 0.4, 1.2, 5))
+    assert found.swept is not None and found.swept.crossings == ()
+
+
+def test_a_bicycle_turns_steadily_without_hands() -> None:
+    found = find(
+        "bicycle", "z=-0.3, roll=0.1, thR'=-7/r_R", "voronec", holds=("roll=0.1, front_height=0, rear_height=0",)
+    )
+    made = found.linearisation
+    y = dict(zip(found.flow.names, made.steady.y, strict=True))
+    assert made.steady.residual < 1e-9 and abs(y["roll"] - 0.1) < 1e-12
+    assert abs(y["steer"]) > 1e-3 and 3 < -0.3 * y["thR'"] < 10
+    assert abs(found.model.value(made.steady.y, named_quantity(found.flow, "front_height", "--hold"))) < 1e-12
+    assert abs(found.model.field(made.steady.y)[0][3]) > 0.01  # the heading turns
+
+
+# --- the rolling disk: critical speeds in closed form --------------------------------------------------------
+
+DISK = {"m": 1.0, "R": 0.5, "A": 0.0625, "C": 0.125, "g": 9.81}
+
+
+@pytest.mark.parametrize(("A", "C"), [(0.0625, 0.125), (0.125, 0.25), (0.07, 0.11)])
+def test_the_disk_needs_its_speed_to_roll_upright(A: float, C: float) -> None:
+    found = find("rolling_disk", "theta=pi/2", settings=(f"A={A}, C={C}",), sweep=("w_n", 0.5, 8.0, 4))
+    assert found.swept is not None
+    (crossing,) = found.swept.crossings
+    expected = math.sqrt(A * 9.81 * 0.5 / (C * (C + 0.25)))
+    assert crossing.value == pytest.approx(expected, abs=1e-9)
+    assert not crossing.unstable_above
+
+
+@pytest.mark.parametrize("A", [0.0625, 0.125])
+def test_the_disk_needs_its_speed_to_spin_upright(A: float) -> None:
+    found = find("rolling_disk", "theta=pi/2", settings=(f"A={A}",), sweep=("w_u", 0.5, 8.0, 4))
+    assert found.swept is not None
+    (crossing,) = found.swept.crossings
+    assert crossing.value == pytest.approx(math.sqrt(9.81 * 0.5 / (A + 0.25)), abs=1e-9)
+
+
+def test_a_crossing_along_a_parameter() -> None:
+    """The same threshold solved for R: w^2 = A m g R / (C (C + m R^2))."""
+    found = find("rolling_disk", "theta=pi/2, w_n=2", holds=("w_n",), sweep=("g", 1.0, 9.0, 3))
+    assert found.swept is not None
+    (crossing,) = found.swept.crossings
+    assert crossing.value == pytest.approx(4.0 * 0.125 * 0.375 / (0.0625 * 0.5), abs=1e-9)
+
+
+@pytest.mark.parametrize("formulation", ["euler-lagrange", "chaplygin", "voronec"])
+def test_the_disk_rolls_in_steady_circles(formulation: str) -> None:
+    """(C + m R^2) w_n W sin = A W^2 sin cos - m g R cos, with W the rate of the heading."""
+    found = find("rolling_disk", "theta=1.2, phi'=-1.5, psi'=3.5", formulation, holds=("theta",))
+    made = found.linearisation
+    assert made.steady.residual < 1e-10 and not made.steady.equilibrium
+    assert cyclic(found) == ["x", "y", "phi", "psi"]
+    y = made.steady.y
+    turn = found.model.field(y)[0]
+    d = DISK
+    w_n, heading, s, c = turn[4] + turn[2] * math.cos(y[3]), turn[2], math.sin(y[3]), math.cos(y[3])
+    left = (d["C"] + d["m"] * d["R"] ** 2) * w_n * heading * s
+    assert left == pytest.approx(d["A"] * heading**2 * s * c - d["m"] * d["g"] * d["R"] * c, abs=1e-9)
+    assert made.family == 2 and len(eigenvalues(made)) == 2
+
+
+def test_the_matrix_of_the_disk_is_printed_in_symbols() -> None:
+    found = find("rolling_disk", "theta=pi/2, w_n=3")
+    assert found.held == (("theta", "1/2*pi"), ("w_t", "0"), ("w_u", "0"), ("w_n", "w_n"))
+    assert found.paper[0] == ("0", "1", "0", "0")
+    values = {**DISK, "w_n": 3.0}
+    numbers = [[_number(text, values) for text in row] for row in found.paper]
+    assert np.abs(np.array(numbers) - found.linearisation.full).max() < 1e-12
+
+
+def _number(text: str, values: dict[str, float]) -> float:
+    """A printed entry, read back by the language's own parser."""
+    from nhc.diagnostics import Bag, Span
+    from nhc.language.parser import parse_expression
+    from nhc.mechanics.regularity import constant_value
+
+    bag = Bag(Source("entry", text))
+    tree = parse_expression(text, lambda start, end: Span(start, end), bag)
+    bag.raise_if_errors()
+    assert tree is not None
+    return constant_value(tree, values)
+
+
+# --- rattleback, ball, sleigh, pendulums -----------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(("spin", "sign"), [(-5, 1), (5, -1)])
+def test_the_rattleback_prefers_a_sense(spin: int, sign: int) -> None:
+    found = find("rattleback", f"w3={spin}")
+    a, b = complex(-0.202521 * sign, 34.143692), complex(2.120692 * sign, 109.392323)
+    made = found.linearisation
+    assert cyclic(found) == ["x", "y", "z", "gamma"]
+    assert made.family == 1
+    assert all(min(abs(x - e) for x in eigenvalues(made)) < 1e-6 for e in (a, b, a.conjugate(), b.conjugate()))
+    assert len(eigenvalues(made)) == 4 and verdict(made) == "unstable"
+
+
+def test_the_rattleback_in_other_velocities() -> None:
+    expected = eigenvalues(find("rattleback", "w3=-5").linearisation)
+    found = find("rattleback", "gamma'=-5", "voronec").linearisation
+    assert matches(eigenvalues(found), expected, 1e-9)
+
+
+def test_with_multipliers_a_turning_motion_is_not_steady() -> None:
+    """x' and y' turn with the heading there: what is found near a spin is the equilibrium, and it says so."""
+    found = find("rattleback", "gamma'=-5", "multipliers").linearisation
+    assert found.steady.equilibrium
+    assert not find("rattleback", "w3=-5").linearisation.steady.equilibrium
+
+
+def test_the_ball_on_the_turntable_circles_at_two_sevenths() -> None:
+    found = find("ball_on_table", "theta=1", holds=("x, y, theta, phi, psi",))
+    made = found.linearisation
+    assert made.steady.equilibrium
+    fast = [x for x in eigenvalues(made) if abs(x) > 1e-6]
+    assert matches(fast, [0.4j, -0.4j], 1e-12)  # 2/7 of 1.4
+
+
+@pytest.mark.parametrize(("push", "expected"), [(1.0, "stable"), (-1.0, "unstable")])
+def test_the_sleigh_is_stable_when_pulled(push: float, expected: str) -> None:
+    """w' = -m a v w/(J + m a^2): one eigenvalue, its sign that of -v."""
+    found = find("chaplygin_sleigh", f"x'={push}", "voronec")
+    made = found.linearisation
+    values = dict(zip((p.name for p in found.flow.system.spec.parameters), found.model.p, strict=True))
+    m, a, J = values["m"], values["a"], values["J"]
+    assert matches(eigenvalues(made), [-m * a * push / (J + m * a * a)], 1e-12)
+    assert verdict(made) == expected and made.family == 2  # any heading, any speed
+
+
+def test_the_pendulum_up_and_down() -> None:
+    down, up = find("pendulum", "theta=0.3"), find("pendulum", "theta=2.9")
+    assert down.linearisation.steady.equilibrium and abs(down.linearisation.steady.y[0]) < 1e-12
+    assert abs(up.linearisation.steady.y[0] - math.pi) < 1e-12
+    assert verdict(down.linearisation) == "marginal" and verdict(up.linearisation) == "unstable"
+    assert down.paper[1][0] == "-g/l" and up.paper[1][0] == "g/l"
+
+
+def test_a_held_pendulum_in_cartesian_coordinates() -> None:
+    """A holonomic constraint: positions stay on it, and the perturbation across it is left out."""
+    found = find("holonomic_pendulum", "x=0.6, y=-0.8", "multipliers")
+    made = found.linearisation
+    assert float(np.abs(found.model.conditions(made.steady.y)[0]).max()) < 1e-10
+    assert len(made.rest) == 4 and len(made.basis) == 2
+    frequency = max(abs(x) for x in eigenvalues(made))
+    assert frequency == pytest.approx(math.sqrt(9.81), rel=1e-9)
+
+
+def test_a_rotating_body_is_unstable_about_its_middle_axis() -> None:
+    for axis, expected in ((1, "marginal"), (2, "unstable"), (3, "marginal")):
+        found = find("free_rigid_body", f"theta=1, {_spin_name(axis)}=2")
+        assert cyclic(found) == ["phi", "theta", "psi"]
+        assert verdict(found.linearisation) == expected
+        assert found.linearisation.family == 1
+
+
+def _spin_name(axis: int) -> str:
+    spec = model(read(str(spec_path("free_rigid_body")))).spec
+    return spec.quasi_velocities[axis - 1].name
+
+
+# --- what is refused --------------------------------------------------------------------------------------------
+
+
+def test_what_never_stands_still_is_refused() -> None:
+    with pytest.raises(NotSteady) as caught:
+        find("skate_incline", "reference")
+    assert caught.value.residual == pytest.approx(4.9, abs=0.1)
+    with pytest.raises(NotSteady, match="depend on the time"):
+        find("pumped_pendulum", "reference")
+
+
+@pytest.mark.parametrize(
+    ("request_", "code"),
+    [
+        (Request("nothing"), "E0503"),
+        (Request("thete=1"), "E0419"),
+        (Request("theta=oops"), "E0314"),
+        (Request("theta"), "E0503"),
+        (Request("theta=1, 2"), "E0208"),
+        (Request("theta=1", settings=("m=l",)), "E0314"),
+        (Request("theta=1", holds=("nothing",)), "E0419"),
+        (Request("theta=1", sweep=("nothing", 0.0, 1.0, 3)), "E0419"),
+    ],
+)
+def test_requests_are_checked(request_: Request, code: str) -> None:
+    with pytest.raises(SpecError) as caught:
+        linearize(read(str(spec_path("pendulum"))), request_)
+    assert [d.code for d in caught.value.diagnostics] == [code]
+
+
+def test_a_hold_that_nothing_meets_is_refused() -> None:
+    with pytest.raises(NotSteady):
+        find("pendulum", "theta=1", holds=("theta=1",))
+
+
+def test_the_field_is_the_emitted_one() -> None:
+    """Field and slopes against the emitted Python at a state that is not steady."""
+    from tests.support import emitted_python, error, reference
+
+    made = model(read(str(spec_path("rolling_disk"))), Options(formulation="voronec"))
+    emitted = emitted_python("rolling_disk", "voronec")
+    numbers: SteadyModel = steady_model(made.equations, made.formulation, emitted.DEFAULTS)
+    states = next(e["states"] for e in reference("pointwise") if e["system"] == "rolling_disk")
+    for state in states:
+        y = emitted.state(0.0, [float(x) for x in state["q"]], [float(x) for x in state["v"]])
+        rates, slopes = numbers.field(y)
+        assert error(rates, emitted.rhs(0.0, y)) < 1e-12
+        assert error(slopes.ravel(), [x for row in emitted.jacobian(0.0, y) for x in row]) < 1e-11
+
+
+def test_steps_keep_to_the_leaf() -> None:
+    """Without a hold the front wheel of the bicycle stays on the ground to first order; with one, exactly."""
+    made = model(read(str(spec_path("bicycle"))), Options(formulation="voronec"))
+    found = find("bicycle", STRAIGHT, "voronec")
+    guess = list(found.linearisation.steady.y)
+    guess[6] = 0.02  # a little steer
+    height = named_quantity(found.flow, "front_height", "--hold")
+    held = find_steady(found.model, guess, [Hold("front_height", height, 0.0)])
+    assert abs(found.model.value(held.y, height)) < 1e-12
+    free = find_steady(found.model, guess)
+    before = found.model.value(guess, height)
+    assert abs(found.model.value(free.y, height) - before) < 2e-3
+    assert made.system.l == 6
+
+
+def test_the_command_line_gives_the_same_in_full(capsys: pytest.CaptureFixture[str]) -> None:
+    arguments = ["linearize", "rolling_disk", "--about", "theta=pi/2, w_n=3", "--sweep", "w_n=1:4:2", "--json"]
+    assert main(arguments) == 0
+    tree = json.loads(capsys.readouterr().out)
+    made = find("rolling_disk", "theta=pi/2, w_n=3").linearisation
+    assert tree["schema"] == "nhc.linearize/1"
+    assert tree["matrix"] == made.full.tolist() and tree["structural_zeros"] == made.family == 2
+    assert [complex(x["real"], x["imag"]) for x in tree["eigenvalues"]] == eigenvalues(made)
+    assert tree["crossings"][0]["value"] == pytest.approx(2.557342370508877, abs=1e-12)
+    assert [point["value"] for point in tree["sweep"]] == [1.0, 4.0]
+
+
+def test_without_numpy_the_extra_is_named(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    for name in [name for name in sys.modules if name.startswith("nhc.study")]:
+        monkeypatch.delitem(sys.modules, name)
+    monkeypatch.setitem(sys.modules, "numpy", None)
+    assert main(["linearize", "pendulum", "--about", "theta=0"]) == 2
+    error = capsys.readouterr().err
+    assert "needs numpy" in error and "nhc[sim]" in error
+
+
+def test_rare_functions_on_a_tape() -> None:
+    """Each function of the language against the plain evaluator, and poles as arithmetic errors."""
+    g = Graph()
+    x, y = g.symbol("x"), g.symbol("y")
+    unary = ("sin", "cos", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp", "log", "sqrt", "abs", "sign")
+    nodes = [g.function(name, x) for name in unary]
+    nodes += [g.function(name, x, y) for name in ("atan2", "min", "max", "powf")]
+    nodes += [g.neg(g.mul(x, y)), g.power(x, -3), g.mul(g.pi(), g.add(x, y)), g.number(7)]
+    at = {x: 0.3, y: 0.7}
+    assert list(Tape(g, nodes)(at)) == pytest.approx(evaluate(g, nodes, at), rel=1e-15)
+    for node in (
+        g.inverse(x),
+        g.function("log", x),
+        g.function("sqrt", g.sub(x, y)),
+        g.function("powf", g.sub(x, y), y),
+    ):
+        with pytest.raises(ArithmeticError):
+            Tape(g, [node])({x: 0.0, y: 0.7})
+
+
+def test_linear_systems_in_a_prime_field() -> None:
+    p = 10_007
+    matrix = [[0, 2, 1], [3, 0, 5], [7, 1, 0]]
+    x = [[5], [11], [13]]
+    right = [[sum(a * b[0] for a, b in zip(row, x, strict=True)) % p] for row in matrix]
+    assert solve_modulo(matrix, right, p) == x
