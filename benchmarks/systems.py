@@ -19,7 +19,7 @@ Section = tuple[str, list[str] | str]
 def spec(name: str, style: str = "positions", *, velocities: bool = True) -> str:
     """The YAML text of ``sleigh``, ``disk``, ``bicycle``, ``trailers<N>``, ``snake<N>`` or ``pendulum<N>``.
 
-    ``bicycle`` is the gallery's own file and has one style.
+    ``bicycle`` is the gallery's own file with three rates named as quasi-velocities, and has one style.
 
     Raises:
         KeyError: no such system or style.
@@ -214,7 +214,9 @@ def _pendulum(count: int, expanded: bool) -> str:
 
 
 def _bicycle(_: int, __: bool) -> str:
-    return (ROOT / "specs" / "bicycle.yaml").read_text(encoding="utf-8")
+    given = "quasi_velocities:\n  u_roll: roll'\n  u_steer: steer'\n  u_rear: thR'\n"
+    text = (ROOT / "specs" / "bicycle.yaml").read_text(encoding="utf-8")
+    return text.replace("dependent: [", given + "dependent: [", 1)
 
 
 _FAMILIES = {

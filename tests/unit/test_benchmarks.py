@@ -28,7 +28,7 @@ def test_spec_decodes_with_the_stated_size(name: str, style: str) -> None:
     for velocities in (True, False):
         system = resolve(decode(source(name, style, velocities=velocities)))
         assert (len(system.q), len(system.constraints)) == SIZES[name]
-        assert bool(system.spec.quasi_velocities) == (velocities and name not in ("pendulum3", "bicycle"))
+        assert bool(system.spec.quasi_velocities) == (velocities and name != "pendulum3")
 
 
 def test_a_section_is_dropped_with_its_lines_and_nothing_else() -> None:
