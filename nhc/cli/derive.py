@@ -2,12 +2,18 @@
 
 from __future__ import annotations
 
+import sys
+from typing import TYPE_CHECKING
+
 import click
 
 from nhc.cli.options import explain_option, formulation_option, output_option, spec_argument
 from nhc.cli.specs import open_spec
-from nhc.cli.terminal import Failure
+from nhc.cli.terminal import Failure, say, wants_colour
 from nhc.cli.write import deliver
+
+if TYPE_CHECKING:
+    from nhc.diagnostics import Source
 
 
 @click.command("derive")
@@ -46,5 +52,25 @@ def command(
             lines = [f"{name}: {about}" for name, about in stages.items()]
             raise Failure(f"no stage `{dump}`; the stages are {', '.join(stages)}", lines, "E0502")
         text = pipeline.dump(source, dump, options)
+    if explain:
+        _explain(source, formulation)
     deliver(text, output, force=force)
     return 0
+
+
+def _explain(source: Source, asked: str | None) -> None:
+    """Say what ``nhc check`` finds; nothing of it keeps the derivation back, a scene that cannot start included."""
+    from nhc.diagnostics import SpecError, render_text
+    from nhc.pipeline import check
+
+    try:
+        report = check(source)
+        diagnostics, facts = report.diagnostics, report.facts
+    except SpecError as error:
+        diagnostics, facts = error.diagnostics, ()
+    if diagnostics:
+        say(render_text(source, diagnostics, wants_colour(sys.stderr)))
+    for fact in facts:
+        say(fact)
+    if asked:
+        say(f"asked for: {asked}")

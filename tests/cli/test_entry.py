@@ -90,9 +90,12 @@ def test_an_interrupt_is_130(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_an_interrupt_from_outside_is_130() -> None:
-    with subprocess.Popen(
-        [sys.executable, "-m", "nhc", "check", "-"], stdin=subprocess.PIPE, stderr=subprocess.PIPE
-    ) as child:
+    # a shell starts background jobs with the signal ignored, and children inherit that
+    restore = (
+        "import os, signal, sys; signal.signal(signal.SIGINT, signal.SIG_DFL); os.execv(sys.executable, sys.argv[1:])"
+    )
+    command = [sys.executable, "-c", restore, sys.executable, "-m", "nhc", "check", "-"]
+    with subprocess.Popen(command, stdin=subprocess.PIPE, stderr=subprocess.PIPE) as child:
         assert child.stdin is not None
         deadline = time.monotonic() + 30
         while child.poll() is None and time.monotonic() < deadline:
