@@ -113,7 +113,7 @@ class Degrees:
         for monomial, k in self._arguments[argument].items():
             key: Key = ("circle", monomial)
             self._size[key] = 2
-            turns = int(abs(k) * self._denominators[("angle", monomial)])
+            turns = int(abs(Fraction(k)) * self._denominators[("angle", monomial)])
             top += 2 * turns
             bottom[key] = bottom.get(key, 0) + turns
         return Degree(top, bottom)
@@ -123,7 +123,7 @@ class Degrees:
         for monomial, k in self._arguments[self.graph.a[node]].items():
             key: Key = ("exponential", monomial)
             self._size[key] = 1
-            count = int(abs(k) * self._denominators[("exponent", monomial)])
+            count = int(abs(Fraction(k)) * self._denominators[("exponent", monomial)])
             turns += count
             if k < 0 or op != "exp":
                 bottom[key] = bottom.get(key, 0) + count

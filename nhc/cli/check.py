@@ -29,7 +29,7 @@ def command(specs: tuple[str, ...], explain: bool, concise: bool, as_json: bool)
     """
     if concise and as_json:
         raise click.UsageError("`--concise` and `--json` exclude one another")
-    results = [_check_one(spec) for spec in specs]
+    results = [_check_one(spec, explain=explain or as_json) for spec in specs]
     if as_json:
         put_json("nhc.check/1", {"specs": [_as_json(result) for result in results]})
     else:
@@ -49,13 +49,13 @@ class Result:
     data: Mapping[str, Any]
 
 
-def _check_one(spec: str) -> Result:
+def _check_one(spec: str, *, explain: bool) -> Result:
     from nhc.diagnostics import SpecError
     from nhc.pipeline import check
 
     try:
         source = open_spec(spec)
-        report = check(source)
+        report = check(source, explain=explain)
     except SpecError as error:
         return Result(error.source, False, error.diagnostics, (), {})
     return Result(source, True, tuple(report.diagnostics), tuple(report.facts), report.data)

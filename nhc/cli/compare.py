@@ -82,16 +82,17 @@ def _print(made: Certificate) -> None:
         put(
             f"  {a.name:{width}}  {a.number:6}  {', '.join(exact)}; in doubles within {far} at {a.distance.states} states"
         )
-    put(
-        f"exact: {len(made.points)} points modulo primes of 61 bits against I.4.1 straight from T;"
-        f" a difference of degree {made.degree}"
-    )
-    put(f"  or less passes unseen with a probability below 10^{ceil(made.log10_bound)}")
+    put(f"exact: {len(made.points)} points modulo primes of 61 bits against I.4.1 straight from T;")
+    put(f"  a difference passes unseen with a probability below 10^{ceil(made.log10_bound)} ({_why(made)})")
     if made.rejections:
         put("wrong derivations, and how far their accelerations are from the truth (relative):")
     width = max((len(r.name) for r in made.rejections), default=0)
     for r in made.rejections:
         put(f"  {r.name:{width}}  {_fate(r)}")
+
+
+def _why(made: Certificate) -> str:
+    return "signs occur: 1/2 at each point" if made.signed else f"degree {made.degree:.3g} or less"
 
 
 def _fate(r: Rejection) -> str:

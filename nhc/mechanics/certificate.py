@@ -3,7 +3,7 @@
 At random points of a prime field, with velocities that satisfy the constraints, the linear system of every formulation is
 solved modulo the prime and its q'' and lambda are compared with those of the reference, d'Alembert's equations with
 multipliers taken straight from T (I.4.1).  Where a formulation differs from the reference as rational functions of degree d,
-one point shows it except with probability d/p (Schwartz 1980, Zippel 1979); points multiply.  ``simplify`` plays no part.
+one point shows it except with probability d/p (Schwartz 1980, Zippel 1979), or 1/2 where signs occur; points multiply.  ``simplify`` plays no part.
 The same systems are solved in double precision, and so are the derivations of :mod:`nhc.mechanics.wrong`, whose distance from
 the truth is measured.
 """
@@ -17,7 +17,7 @@ from dataclasses import dataclass
 
 from nhc.algebra.degree import Degrees
 from nhc.algebra.linear import Singular
-from nhc.algebra.modular import PRIMES, FieldPoint, Unlucky
+from nhc.algebra.modular import PRIMES, FieldPoint, Unlucky, enough_points
 from nhc.mechanics.choose import applicable
 from nhc.mechanics.claims import (
     Claim,
@@ -73,12 +73,16 @@ class Point:
 
 @dataclass(frozen=True)
 class Certificate:
-    """What was compared, where, and what came out; ``degree`` is d of the bound, ``states`` how many double-precision states."""
+    """What was compared, where, and what came out; ``degree`` is d of the bound, ``states`` how many double-precision states.
+
+    ``signed``: signs occur (abs, sign, min, max, or the root of a square); each is right by chance at every second point.
+    """
 
     system: str
     seed: int
     points: tuple[Point, ...]
     degree: int
+    signed: bool
     states: int
     agreements: tuple[Agreement, ...]
     rejections: tuple[Rejection, ...]
@@ -91,7 +95,9 @@ class Certificate:
     @property
     def log10_bound(self) -> float:
         """log10 of the probability that two different derivations pass: the product of d/p over the points."""
-        return sum(min(0.0, math.log10(self.degree) - math.log10(point.prime)) for point in self.points)
+        least = math.log10(0.5) if self.signed else -math.inf
+        logs = [math.log10(self.degree) - math.log10(point.prime) for point in self.points]
+        return sum(min(0.0, max(least, x)) for x in logs)
 
 
 def certify(system: System, points: int = POINTS, seed: int = 1) -> Certificate:
@@ -107,13 +113,15 @@ def certify(system: System, points: int = POINTS, seed: int = 1) -> Certificate:
     wrongs = wrong_claims(system, formulations)
     base = _base_frame(system, [f.frame for f in formulations if f.name == "voronec"])
     velocities = admissible_velocities(system, base, formulations)
-    seen = [_Look(reference, claims, wrongs, velocities, system, k, seed) for k in range(points)]
+    needed = enough_points(system.graph, [n for claim in (reference, *claims) for n in claim.nodes()], points)
+    seen = [_Look(reference, claims, wrongs if k < points else [], velocities, system, k, seed) for k in range(needed)]
     states = states_of(system, velocities, reference)
     return Certificate(
         system=system.name,
         seed=seed,
         points=tuple(look.point for look in seen),
         degree=_degree(system, reference, claims, velocities),
+        signed=needed > points,
         states=len(states),
         agreements=tuple(
             Agreement(
@@ -130,7 +138,7 @@ def certify(system: System, points: int = POINTS, seed: int = 1) -> Certificate:
                 one.claim.name,
                 one.erratum,
                 one.about,
-                _any([look.apart[k] for look in seen]),
+                _any([look.apart[k] for look in seen[:points]]),
                 measure(system, one.claim, states),
             )
             for k, one in enumerate(wrongs)

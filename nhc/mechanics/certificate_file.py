@@ -12,7 +12,7 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
-from nhc.mechanics.certificate import Certificate, certify
+from nhc.mechanics.certificate import POINTS, Certificate, certify
 from nhc.mechanics.system import System
 from nhc.version import __version__
 
@@ -31,6 +31,7 @@ def to_data(certificate: Certificate, spec_text: str) -> dict[str, Any]:
         "holds": certificate.holds,
         "reference": "I.4.1",
         "degree": str(certificate.degree),
+        "signed": certificate.signed,
         "log10_bound": math.ceil(certificate.log10_bound),
         "seed": certificate.seed,
         "points": [{"prime": p.prime, "seed": p.seed, "sha256": p.digest} for p in certificate.points],
@@ -93,9 +94,9 @@ def verify(text: str, system: System, spec_text: str) -> tuple[list[str], Certif
     if old.get("spec_sha256") != hash_text(spec_text):
         return ["it was written for another text of the spec"], None
     points, seed = old.get("points"), old.get("seed")
-    if not isinstance(points, list) or not 1 <= len(points) <= 16 or type(seed) is not int:
+    if not isinstance(points, list) or not 1 <= len(points) <= 64 or type(seed) is not int:
         return ["its points are missing or malformed"], None
-    again = certify(system, len(points), seed)
+    again = certify(system, min(len(points), POINTS), seed)
     fresh = certify(system, 1, seed + 1)
     found = differences(old, to_data(again, spec_text))
     if not is_sound(again) or not is_sound(fresh):
@@ -106,7 +107,7 @@ def verify(text: str, system: System, spec_text: str) -> tuple[list[str], Certif
 def differences(old: Mapping[str, Any], new: Mapping[str, Any]) -> list[str]:
     """Where two certificates differ, beyond rounding; the version of nhc that wrote them may differ."""
     found = []
-    for key in ("system", "holds", "reference", "degree", "log10_bound", "points", "states"):
+    for key in ("system", "holds", "reference", "degree", "signed", "log10_bound", "points", "states"):
         if old.get(key) != new[key]:
             found.append(f"`{key}` is not what is found now")
     for key in ("formulations", "wrong_derivations"):

@@ -7,14 +7,18 @@ from typing import Any
 
 from nhc.algebra.calculus import reachable
 from nhc.algebra.interval import cannot_vanish
+from nhc.algebra.modular import are_zero
 from nhc.algebra.show import to_text
 from nhc.diagnostics import Bag
 from nhc.mechanics import chaplygin
 from nhc.mechanics.choose import Formulation, applicable, dependent_of
+from nhc.mechanics.conserved import Integral, find_conserved
 from nhc.mechanics.frame import coordinate_frame
-from nhc.mechanics.integrability import classify, cyclic_coordinates
+from nhc.mechanics.integrability import Integrability, classify, cyclic_coordinates
+from nhc.mechanics.integrals import PositionIntegral, find_position_integrals
 from nhc.mechanics.kinetic import velocity_degrees
-from nhc.mechanics.regularity import intervals
+from nhc.mechanics.regularity import choose_dependent, intervals
+from nhc.mechanics.singular import find_rank_loss
 from nhc.mechanics.system import System
 
 
@@ -30,18 +34,21 @@ class Facts:
         self.lines = (*self.lines, line)
 
 
-def describe(system: System, formulation: Formulation, bag: Bag) -> Facts:
-    """Facts of the system; warnings go to the bag."""
+def describe(system: System, formulation: Formulation, bag: Bag, *, explain: bool = True) -> Facts:
+    """Facts of the system; warnings go to the bag.  Without ``explain`` what is conserved is not searched for."""
     facts = Facts()
     n, lower = system.n, system.l
     facts.say("degrees", {"n": n, "l": lower}, f"{n} coordinates, {lower} constraints, {n - lower} free velocities")
     _kinetic(system, facts)
+    integrals: tuple[PositionIntegral, ...] = ()
     if lower:
-        _constraints(system, facts, bag)
+        integrals = _constraints(system, facts, bag)
         _dependent(system, facts, bag)
     _quasi(system, formulation, bag)
     cyclic = [system.q_names[i] for i in cyclic_coordinates(system)]
     facts.say("cyclic", cyclic, f"cyclic coordinates: {', '.join(cyclic) or 'none'}")
+    if explain:
+        _conserved(system, formulation, integrals, facts)
     names = [f.name for f in applicable(system)]
     facts.say("applicable", names, f"formulations that apply: {', '.join(names)}")
     line = f"formulation: {formulation.name} ({formulation.number}), {formulation.reason}"
@@ -59,36 +66,113 @@ def _kinetic(system: System, facts: Facts) -> None:
     facts.say("rheonomic", timed, f"T: {text}{', contains the time' if timed else ''}")
 
 
-def _constraints(system: System, facts: Facts, bag: Bag) -> None:
+def _constraints(system: System, facts: Facts, bag: Bag) -> tuple[PositionIntegral, ...]:
     found = classify(system)
     kinds = [word for word, holds in (("affine", found.affine), ("time-dependent", found.rheonomic)) if holds]
     kind = ", ".join(kinds) or "homogeneous, scleronomic"
     growth = ", ".join(str(r) for r in found.growth)
     facts.say("growth", list(found.growth), f"constraints: {kind}; growth vector of ker A: ({growth})")
-    if found.hidden:
-        text = f"{found.hidden} of {system.l} constraint(s) integrable (holonomic in disguise)"
+    facts.data.update({"affine": found.affine, "time_dependent": found.rheonomic, "kinds": _kinds(system, found)})
+    if found.hidden == system.l:
+        text = "all constraints are integrable: the system is holonomic"
+    elif found.hidden:
+        text = f"{found.hidden} of {system.l} constraints integrable (holonomic in disguise), the others truly nonholonomic"
     else:
         text = "no integrable combination: truly nonholonomic"
     facts.say("hidden", found.hidden, f"integrability: {text}")
+    integrals = _integrals(system, found, facts)
+    _warn_integrable(system, found, integrals, bag)
+    _rank_loss(system, facts)
+    return integrals
+
+
+def _kinds(system: System, found: Integrability) -> list[dict[str, object]]:
+    """Each constraint by itself."""
+    g = system.graph
+    kinds: list[dict[str, object]] = []
+    for form in system.constraints:
+        timed = any(g.depends(x, g.deps[system.t]) for x in (*form.coefficients, form.constant))
+        affine = not are_zero(g, [form.constant])[0]
+        alone = form.name in found.closed
+        kinds.append({"name": form.name, "affine": affine, "time_dependent": timed, "integrable_alone": alone})
+    return kinds
+
+
+def _integrals(system: System, found: Integrability, facts: Facts) -> tuple[PositionIntegral, ...]:
+    if not found.hidden:
+        return ()
+    frame = coordinate_frame(system, choose_dependent(system).dependent)
+    integrals = find_position_integrals(system, frame, found.hidden, found.closed)
+    data = [{"integral": i.text, "constraints": list(i.names)} for i in integrals]
+    lost = found.hidden - len(integrals)
+    lines = [f"{i.text} = const (from {' and '.join(i.names)})" for i in integrals]
+    if lost:
+        lines.append(f"{lost} not found in elementary functions")
+    facts.say("integrals", data, f"integrals: {'; '.join(lines)}")
+    return integrals
+
+
+def _warn_integrable(system: System, found: Integrability, integrals: tuple[PositionIntegral, ...], bag: Bag) -> None:
+    """Integrable constraints that the spec does not give under ``holonomic:``."""
     spans = {c.name: c.span for c in system.spec.constraints}
     written = {form.name for form in system.constraints if form.equation is not None}
-    hidden = found.hidden - len(written)
     named = [name for name in found.closed if name not in written]
     for name in named:
+        own = [i.text for i in integrals if i.names == (name,)]
         bag.warning(
             "W0410",
             f"the constraint `{name}` is integrable: it is a holonomic constraint in disguise",
             spans[name],
+            notes=(f"its integral is `{own[0]} = const`",) if own else (),
             help=("give its integral under `holonomic:`, so that positions are held to it too",),
         )
-    if hidden > len(named):
+    combined = found.hidden - len(written) - len(named)
+    if combined > 0:
+        growth = ", ".join(str(r) for r in found.growth)
+        texts = [f"an integral is `{i.text} = const`" for i in integrals if len(i.names) > 1]
         bag.warning(
             "W0410",
-            f"{hidden} combination(s) of the constraints are integrable (holonomic in disguise)",
+            f"{combined} combination(s) of the constraints are integrable (holonomic in disguise)",
             system.spec.key_span("constraints"),
-            notes=(f"the growth vector of the allowed directions is ({growth}) in {system.n} coordinates",),
+            notes=(f"the growth vector of the allowed directions is ({growth}) in {system.n} coordinates", *texts),
             help=("positions are not held to the integral by the velocities alone: watch the drift",),
         )
+
+
+def _rank_loss(system: System, facts: Facts) -> None:
+    found = find_rank_loss(system)
+    minors = [to_text(system.graph, minor, 100) for minor in found.minors]
+    if found.regular is None:
+        text = "too large to decide where it is lost"
+    elif found.regular:
+        text = "full everywhere"
+    else:
+        text = f"lost where {' = '.join(minors)} = 0: the motion is undefined there"
+    facts.say("rank", {"full": found.regular, "lost_where_all_vanish": minors}, f"rank of the constraints: {text}")
+
+
+def _conserved(system: System, formulation: Formulation, integrals: tuple[PositionIntegral, ...], facts: Facts) -> None:
+    """Energy or its balance, and the constants of the motion that were found."""
+    frame = coordinate_frame(system, choose_dependent(system).dependent) if system.l else None
+    found = find_conserved(system, frame, formulation.frame, [i.node for i in integrals])
+    if found.energy:
+        line = "energy: T + V is conserved"
+    else:
+        line = f"energy: T + V is not conserved: {', '.join(found.power)}"
+    if found.jacobi is not None:
+        line += f"; p q' - T + V is{'' if found.jacobi else ' not'}"
+    facts.say("energy", {"conserved": found.energy, "power": list(found.power), "generalized": found.jacobi}, line)
+    data = [{"integral": i.text, "where_zero": list(i.where), "moving_energy": i.moving} for i in found.integrals]
+    texts = [_spell(i) for i in found.integrals]
+    facts.say("conserved", data, f"constants of the motion: {', '.join(texts) or 'none'} among {found.tried}")
+    if found.outputs:
+        facts.say("constant_outputs", list(found.outputs), f"outputs that are constant: {', '.join(found.outputs)}")
+
+
+def _spell(integral: Integral) -> str:
+    kind = "the moving energy " if integral.moving else ""
+    where = f" (for {', '.join(f'{name} = 0' for name in integral.where)})" if integral.where else ""
+    return f"{kind}{integral.text}{where}"
 
 
 def _dependent(system: System, facts: Facts, bag: Bag) -> None:

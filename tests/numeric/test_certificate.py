@@ -13,6 +13,7 @@ from nhc.algebra.elimination import null_space, solve_double, solve_modulo
 from nhc.algebra.graph import Graph
 from nhc.algebra.linear import Singular
 from nhc.algebra.modular import PRIMES
+from nhc.diagnostics import Source
 from nhc.language import decode, read
 from nhc.mechanics import certificate as module
 from nhc.mechanics.certificate import Certificate, certify
@@ -62,11 +63,11 @@ def test_all_formulations_agree(name: str) -> None:
     found = certificate_of(name)
     assert found.holds
     assert is_sound(found)
-    assert found.log10_bound < -30
+    assert found.log10_bound < (-14 if found.signed else -30)
     assert found.states >= 9
     assert {a.name for a in found.agreements} == {f.name for f in applicable(system_of(name))}
     for a in found.agreements:
-        assert max(a.distance.accelerations, a.distance.reactions) < 1e-9, a
+        assert max(a.distance.accelerations, a.distance.reactions) < 1e-8, a
         assert a.distance.states >= 6, a
 
 
@@ -78,7 +79,7 @@ def test_wrong_derivations(name: str) -> None:
         if r.told_apart:
             assert r.distance.accelerations > 1e-3, r
         else:
-            assert r.distance.accelerations < 1e-9, r
+            assert r.distance.accelerations < 1e-7, r
 
 
 def test_the_printed_sum_over_free_momenta_is_told_apart() -> None:
@@ -125,7 +126,9 @@ def test_a_written_certificate_holds_and_a_changed_one_does_not() -> None:
     text = write(certificate_of("chaplygin_sleigh"), system.spec.origin.text)
     assert text == write(certify(system), system.spec.origin.text)
     assert verify(text, system, system.spec.origin.text)[0] == []
-    assert verify(text, system, system.spec.origin.text + "# other\n")[0] == ["it was written for another text of the spec"]
+    assert verify(text, system, system.spec.origin.text + "# other\n")[0] == [
+        "it was written for another text of the spec"
+    ]
     data = json.loads(text)
     for change, complaint in (
         (lambda d: d["points"][0].update(sha256="0" * 64), "`points`"),
@@ -144,6 +147,17 @@ def test_a_written_certificate_holds_and_a_changed_one_does_not() -> None:
         found = verify(json.dumps(changed), system, system.spec.origin.text)[0]
         assert any(complaint in line for line in found), (complaint, found)
     assert verify("[", system, "")[0] == ["it is not JSON"]
+
+
+def test_signs_are_right_by_chance_at_every_second_point() -> None:
+    """More points, and a bound that says so."""
+    text = (
+        "nhc: 1\nsystem: rough\ncoordinates: [x, y, z]\nT: (x'^2 + y'^2 + z'^2)/2\nforces:\n  x: -abs(x')*x'\n"
+        "constraints:\n  - c: z' - y*x' = 0\n"
+    )
+    found = certify(resolve(decode(Source("rough.yaml", text))))
+    assert (found.holds, found.signed, len(found.points)) == (True, True, 48)
+    assert -15 < found.log10_bound < -14
 
 
 def test_power_of_ten_rounds_up() -> None:

@@ -1,0 +1,279 @@
+"""What the motion conserves: energy or the exact balance of its power, momenta, moving energies, and small combinations.
+
+Candidates are momenta p_i, rotations x_a p_b - x_b p_a, the spec's quasi-velocities, squares, and the energy, momenta also
+times a parameter of the constraints.  All constant combinations that do not change are found by exact linear algebra at random
+points of the motion in a prime field, so cancellations between them (a moving energy E - Omega J, Noether's theorem with a
+rotation that turns several coordinates) need no guess.  What is found is tested again modulo another prime; what was not among
+the candidates is not found.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from itertools import combinations
+
+from nhc.algebra.calculus import count, gradient, substitute, tangent
+from nhc.algebra.graph import Graph, Node
+from nhc.algebra.modular import PRIMES, Unlucky, are_zero, enough_points, rank
+from nhc.algebra.relations import find_relations, without
+from nhc.mechanics.frame import Frame, form_value, total_derivative
+from nhc.mechanics.regularity import default_values
+from nhc.mechanics.sampling import Sampler
+from nhc.mechanics.system import System
+from nhc.thesis import equation
+
+_SPARE = 6  # points more than candidates
+_BUDGET = 260_000  # candidates times operations of the reference at one point
+_MOST = 60  # candidates
+ENERGY, MOMENTUM = "energy", "momentum"
+
+
+@dataclass(frozen=True)
+class Candidate:
+    """A function of q, q' and t with the text that names it; ``kind`` is energy, momentum or empty."""
+
+    text: str
+    node: Node
+    kind: str = ""
+
+
+@dataclass(frozen=True)
+class Integral:
+    """A constant of the motion; ``where`` are the parameters that have to be zero for it.
+
+    ``moving``: the energy less momenta times constants, as it is seen from a moving frame.
+    """
+
+    text: str
+    node: Node
+    where: tuple[str, ...] = ()
+    moving: bool = False
+
+
+@dataclass(frozen=True)
+class Conserved:
+    """What was found.
+
+    ``energy``: whether T + V is constant; ``power``: the terms of its rate, as texts; ``jacobi``: whether p q' - T + V is, where
+    that is another function; ``integrals``: functionally independent; ``outputs``: the spec's own that are constant;
+    ``tried``: in words.
+    """
+
+    energy: bool
+    power: tuple[str, ...]
+    jacobi: bool | None
+    integrals: tuple[Integral, ...]
+    outputs: tuple[str, ...]
+    tried: str
+
+
+def find_conserved(
+    system: System, frame: Frame | None, adapted: Frame | None = None, known: Sequence[Node] = ()
+) -> Conserved:
+    """Search for more than the constants that are ``known`` (integrals of the constraints).
+
+    ``frame`` is one whose free velocities are coordinate velocities (None: no constraints), ``adapted`` the frame of the
+    quasi-velocities, if any.
+    """
+    sampler = Sampler(system, frame)
+    g = system.graph
+    generalized = generalized_energy(system)
+    differs = not are_zero(g, [g.sub(generalized, system.energy)])[0]
+    outputs = [Candidate(name, node) for name, node in system.outputs]
+    tested = [Candidate("E", system.energy), Candidate("p q' - T + V", generalized), *outputs]
+    constant = _are_constant(sampler, tested)
+    candidates, tried = list_candidates(system, sampler, adapted)
+    found = _search(sampler, candidates, frame, known)
+    zero = [symbol for symbol, value in default_values(system).items() if value == 0.0]
+    if zero:
+        names = tuple(system.symbol_name(symbol) for symbol in zero)
+        special = _search(Sampler(system, frame, zero), candidates, frame, [*known, *(i.node for i in found)])
+        found += [replace(i, where=names) for i in special]
+    return Conserved(
+        energy=constant[0],
+        power=() if constant[0] else tuple(power_terms(system)),
+        jacobi=constant[1] if differs else None,
+        integrals=tuple(found),
+        outputs=tuple(c.text for c, holds in zip(outputs, constant[2:], strict=True) if holds),
+        tried=tried,
+    )
+
+
+def generalized_energy(system: System) -> Node:
+    """p_i q'_i - T - U: the energy for T homogeneous quadratic in the velocities, Jacobi's function else."""
+    g = system.graph
+    p = gradient(g, system.T, system.v)
+    return g.sub(g.sum([g.mul(a, v) for a, v in zip(p, system.v, strict=True)]), g.add(system.T, system.U))
+
+
+@equation("III.2.2")
+def power(system: System, multipliers: Sequence[Node]) -> Node:
+    """d/dt (p q' - T - U) = Q q' - dT/dt - dU/dt - lambda_alpha a_alpha (the dt component of i_X Omega)."""
+    g = system.graph
+    explicit = tangent(g, [system.T, system.U], {system.t: g.one})
+    work = [g.mul(q, v) for q, v in zip(system.Q, system.v, strict=True)]
+    driven = [g.mul(s, form.constant) for s, form in zip(multipliers, system.constraints, strict=True)]
+    return g.sub(g.sum(work), g.sum([*explicit, *driven]))
+
+
+def power_terms(system: System) -> list[str]:
+    """The terms of the balance that do not vanish, in words."""
+    g = system.graph
+    terms = []
+    for i, q in enumerate(system.Q):
+        if not are_zero(g, [q])[0]:
+            terms.append(f"the force on `{system.q_names[i]}`")
+    explicit = tangent(g, [system.T, system.U], {system.t: g.one})
+    terms += [f"{name} contains the time" for name, z in zip(("T", "U"), are_zero(g, explicit), strict=True) if not z]
+    for form in system.constraints:
+        if not are_zero(g, [form.constant])[0]:
+            terms.append(f"the reaction of the moving constraint `{form.name}`")
+    if not are_zero(g, [g.sub(generalized_energy(system), system.energy)])[0]:
+        terms.append("T is not homogeneous quadratic in the velocities")
+    return terms
+
+
+# --- candidates -------------------------------------------------------------------------------------------
+
+
+def list_candidates(system: System, sampler: Sampler, frame: Frame | None) -> tuple[list[Candidate], str]:
+    """Candidates, simplest first, and what they are in words; fewer for systems whose points are dear.
+
+    The energy comes last, so that a combination with it is named as an energy.
+    """
+    g = system.graph
+    p = gradient(g, system.T, system.v)
+    cost = max(1, count(g, sampler.reference.nodes()))
+    budget = min(_MOST, _BUDGET // cost)
+    momenta = [Candidate(f"p_{name}", p[i], MOMENTUM) for i, name in enumerate(system.q_names)]
+    turns = _rotations(system, p)
+    scaled = [
+        Candidate(f"{system.symbol_name(s)} {c.text}", g.mul(s, c.node), MOMENTUM)
+        for s in _constraint_parameters(system)
+        for c in (*momenta, *turns)
+    ]
+    groups = [
+        ("momenta and the energy", momenta),
+        ("quasi-velocities and their momenta", _quasi(system, p, frame)),
+        ("rotations of coordinate pairs", turns),
+        ("squares of coordinates and velocities", _squares(system)),
+        ("momenta and rotations times a parameter of the constraints", scaled),
+    ]
+    kept, words = list[Candidate](), list[str]()
+    for word, group in groups:
+        if group and (not words or len(kept) + len(group) <= budget):
+            kept += group
+            words.append(word)
+    kept += [Candidate("E", system.energy, ENERGY), Candidate("(p q' - T + V)", generalized_energy(system), ENERGY)]
+    return kept, "constant combinations of " + ", ".join(words)
+
+
+def _quasi(system: System, p: Sequence[Node], frame: Frame | None) -> list[Candidate]:
+    """The spec's quasi-velocities, and the momenta p*_mu = p_i b_i,mu of the frame's: constant in Cetaev's cyclic case (I.2.14)."""
+    g = system.graph
+    found = [Candidate(form.name, form_value(g, form, system.v)) for form in system.quasi]
+    if frame is None:
+        return found
+    for symbol, e in zip(frame.free, frame.free_vectors, strict=True):
+        known = g.symbol_of(symbol)
+        if known is not None and known.kind == "quasi":
+            found.append(Candidate(f"p*_{known.name}", g.sum([g.mul(a, b) for a, b in zip(p, e, strict=True)])))
+    return found
+
+
+def _rotations(system: System, p: Sequence[Node]) -> list[Candidate]:
+    """x_a p_b - x_b p_a for pairs of coordinates of one unit that are no angles."""
+    g, found = system.graph, []
+    units = [c.unit or "" for c in system.spec.coordinates]
+    for i, j in combinations(range(system.n), 2):
+        if units[i] != units[j] or units[i] in ("rad", "deg"):
+            continue
+        x, y = system.q_names[i], system.q_names[j]
+        turn = g.sub(g.mul(system.q[i], p[j]), g.mul(system.q[j], p[i]))
+        found.append(Candidate(f"({x} p_{y} - {y} p_{x})", turn, MOMENTUM))
+    return found
+
+
+def _squares(system: System) -> list[Candidate]:
+    g = system.graph
+    velocities = zip(system.q_names, system.v, strict=True)
+    positions = zip(system.q_names, system.q, strict=True)
+    found = [Candidate(f"{name}'^2", g.power(v, 2)) for name, v in velocities]
+    return found + [Candidate(f"{name}^2", g.power(q, 2)) for name, q in positions]
+
+
+def _constraint_parameters(system: System) -> list[Node]:
+    """The parameters that the constraints contain."""
+    g = system.graph
+    entries = [x for form in system.constraints for x in (*form.coefficients, form.constant)]
+    return [s for s in system.p if any(g.depends(x, g.deps[s]) for x in entries)]
+
+
+# --- the search -------------------------------------------------------------------------------------------
+
+
+def _are_constant(sampler: Sampler, candidates: Sequence[Candidate]) -> list[bool]:
+    rates = _rates(sampler, candidates)
+    each = enough_points(sampler.system.graph, [*rates, *sampler.reference.nodes()], 2) // 2
+    rows = [row for prime in PRIMES[:2] for row in sampler.residues(rates, each, prime)]
+    return [all(row[k] == 0 for row in rows) for k in range(len(rates))]
+
+
+def _rates(sampler: Sampler, candidates: Sequence[Candidate]) -> list[Node]:
+    """d/dt of each, with the accelerations' symbols."""
+    system = sampler.system
+    moving = dict(zip(system.v, sampler.rates, strict=True))
+    return [total_derivative(system, c.node, system.v, moving) for c in candidates]
+
+
+def _search(
+    sampler: Sampler, candidates: Sequence[Candidate], frame: Frame | None, known: Sequence[Node]
+) -> list[Integral]:
+    """Independent constants beyond ``known`` among the constant combinations of the candidates."""
+    g, width = sampler.system.graph, len(candidates)
+    rates = _rates(sampler, candidates)
+    try:
+        rows = sampler.residues([*rates, *(c.node for c in candidates)], width + _SPARE, PRIMES[0])
+    except Unlucky:
+        return []
+    constant = find_relations([row[:width] for row in rows], width, PRIMES[0])
+    trivial = find_relations([row[width:] for row in rows], width, PRIMES[0])
+    integrals: list[Integral] = []
+    for vector in without(constant, trivial):
+        node = combine(g, vector, candidates)
+        nodes = [*known, *(i.node for i in integrals)]
+        if not _is_independent(sampler, frame, nodes, node):
+            continue
+        if _are_constant(sampler, [Candidate("", node)])[0]:
+            kinds = {c.kind for k, c in zip(vector, candidates, strict=True) if k}
+            integrals.append(Integral(spell(vector, candidates), node, moving={ENERGY, MOMENTUM} <= kinds))
+    return integrals
+
+
+def _is_independent(sampler: Sampler, frame: Frame | None, known: Sequence[Node], node: Node) -> bool:
+    """Whether the node's differential on the constraints is independent of those of the known ones."""
+    system, g = sampler.system, sampler.system.graph
+    free = frame.free if frame is not None else system.v
+    nodes = [*known, node]
+    if frame is not None:
+        nodes = substitute(g, nodes, dict(zip(system.v, frame.kinematics, strict=True)))
+    nodes = substitute(g, nodes, dict.fromkeys(sampler.zeroed, g.zero))
+    return rank(g, [gradient(g, x, (*system.q, *free, system.t)) for x in nodes]) == len(nodes)
+
+
+def combine(graph: Graph, vector: Sequence[Fraction], candidates: Sequence[Candidate]) -> Node:
+    """sum k_j candidate_j."""
+    return graph.sum([graph.mul(graph.number(k), c.node) for k, c in zip(vector, candidates, strict=True) if k])
+
+
+def spell(vector: Sequence[Fraction], candidates: Sequence[Candidate]) -> str:
+    """The combination as text, the last candidate (its leading one) first."""
+    terms = [(k, c.text) for k, c in zip(vector, candidates, strict=True) if k]
+    text = ""
+    for k, name in reversed(terms):
+        size = "" if abs(k) == 1 else f"{abs(k)} "
+        sign = ("-" if k < 0 else "") if not text else (" - " if k < 0 else " + ")
+        text += f"{sign}{size}{name}"
+    return text

@@ -1,0 +1,51 @@
+"""Random points of a prime field that lie on the motion: admissible velocities, and the true accelerations and reactions."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from nhc.algebra.graph import Node
+from nhc.algebra.linear import Singular
+from nhc.algebra.modular import FieldPoint, Unlucky
+from nhc.mechanics.claims import admissible_velocities, reference_claim, solve_exactly
+from nhc.mechanics.formulate import rate_symbols
+from nhc.mechanics.frame import Frame
+from nhc.mechanics.multipliers import multiplier_symbols
+from nhc.mechanics.system import System
+
+_MOST_DRAWS = 4000
+
+
+class Sampler:
+    """Draws points on the motion; parameters in ``zeroed`` are zero, all others are random."""
+
+    def __init__(self, system: System, frame: Frame | None, zeroed: Sequence[Node] = ()) -> None:
+        self.system, self.zeroed = system, tuple(zeroed)
+        self.reference = reference_claim(system)
+        self.velocities = admissible_velocities(system, frame, [])
+        self.rates = rate_symbols(system, system.v)
+        self.multipliers = multiplier_symbols(system)
+
+    def residues(self, roots: Sequence[Node], count: int, prime: int, seed: int = 1) -> list[list[int]]:
+        """The roots, which may contain q, q', q'', lambda and t, at ``count`` points.
+
+        Raises:
+            Unlucky: no regular point was found.
+        """
+        found: list[list[int]] = []
+        for attempt in range(1, _MOST_DRAWS):
+            if len(found) == count:
+                return found
+            try:
+                found.append(self._at(FieldPoint(self.system.graph, seed * 1_000_033 + attempt, prime), roots))
+            except (Unlucky, Singular):
+                continue
+        raise Unlucky
+
+    def _at(self, point: FieldPoint, roots: Sequence[Node]) -> list[int]:
+        point.prepare([*self.velocities.nodes, *self.reference.nodes(), *roots])
+        velocities = point.evaluate(self.velocities.nodes, dict.fromkeys(self.zeroed, 0))
+        point.evaluate([], dict(zip(self.velocities.symbols, velocities, strict=True)))
+        accelerations, reactions = solve_exactly(self.reference, point)
+        fixed = dict(zip((*self.rates, *self.multipliers), (*accelerations, *reactions), strict=True))
+        return point.evaluate(roots, fixed)

@@ -1,0 +1,254 @@
+"""What kind of constraint is this, what is conserved: answers known beforehand, and claims tested along other ways."""
+
+from __future__ import annotations
+
+from functools import cache
+
+import pytest
+
+from nhc.algebra.calculus import gradient
+from nhc.algebra.modular import PRIMES, rank
+from nhc.algebra.relations import find_relations, rational, without
+from nhc.diagnostics import Bag, Source
+from nhc.language import decode, read
+from nhc.mechanics.choose import dependent_of, formulate
+from nhc.mechanics.conserved import find_conserved, generalized_energy, power
+from nhc.mechanics.facts import Facts, describe
+from nhc.mechanics.frame import coordinate_frame, total_derivative
+from nhc.mechanics.integrability import classify
+from nhc.mechanics.integrals import find_position_integrals
+from nhc.mechanics.resolve import resolve
+from nhc.mechanics.sampling import Sampler
+from nhc.mechanics.singular import find_rank_loss
+from nhc.mechanics.system import System
+from tests.support import GALLERY, spec_path
+
+# growth vector of ker A and number of holonomic constraints in disguise
+GROWTH = {
+    "cartesian_pendulum": ((1,), 1),
+    "chaplygin_sleigh": ((2, 3), 0),
+    "nh_particle": ((2, 3), 0),
+    "contact_oscillator": ((2, 3), 0),
+    "cvt": ((2, 3), 0),
+    "suslov": ((2, 3), 0),
+    "veselova": ((2, 3), 0),
+    "chaotic": ((6, 7), 0),
+    "vertical_disk": ((2, 3, 4), 0),
+    "roller_racer": ((2, 3, 4), 0),
+    "rolling_disk": ((3, 4, 5), 0),
+    "chaplygin_ball": ((3, 5), 0),
+    "snakeboard": ((4, 6), 0),
+    "n_trailer3": ((2, 3, 4, 5, 6), 0),
+    "diff_drive": ((2, 3, 4), 1),
+    "rattleback": ((3, 5), 1),
+    "disk_chain2": ((4, 6, 8), 0),
+    "bicycle": ((3, 5, 7), 2),
+}
+
+INTEGRALS = {
+    "cartesian_pendulum": ["rod"],
+    "holonomic_pendulum": ["rod"],
+    "diff_drive": ["roll_R roll_L"],
+    "rattleback": ["roll_z"],
+    "bicycle": ["rear_z", "front_z"],
+}
+
+
+def build(text: str) -> System:
+    return resolve(decode(Source("test.yaml", text)))
+
+
+def constrained(coordinates: str, *rows: str, parameters: str = "{}", T: str = "") -> System:
+    energy = T or "(" + " + ".join(f"{name.strip()}'^2" for name in coordinates.split(",")) + ")/2"
+    lines = "\n".join(f"  - {row}" for row in rows)
+    text = f"nhc: 1\nsystem: test\ncoordinates: [{coordinates}]\n"
+    if parameters != "{}":
+        text += f"parameters: {parameters}\n"
+    return build(f"{text}T: {energy}\nconstraints:\n{lines}\n")
+
+
+@cache
+def system_of(name: str) -> System:
+    return resolve(decode(read(str(spec_path(name)))))
+
+
+@cache
+def facts_of(name: str) -> Facts:
+    system = system_of(name)
+    return describe(system, formulate(system), Bag(system.spec.origin))
+
+
+def frame_of(system: System):  # type: ignore[no-untyped-def]
+    return coordinate_frame(system, dependent_of(system).dependent) if system.l else None
+
+
+# --- integrability ----------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", sorted(GROWTH))
+def test_growth_vectors(name: str) -> None:
+    found = classify(system_of(name))
+    assert (found.growth, found.hidden) == GROWTH[name]
+
+
+def test_one_letter_decides() -> None:
+    """x' + y.z' = 0 is nonholonomic, x' + z.z' = 0 is not."""
+    good = constrained("x, y, z, w, u", "c: x' + y*z' + w*u' = 0")
+    bad = constrained("x, y, z, w, u", "c: x' + z*z' + u*u' = 0")
+    assert (classify(good).growth, classify(good).hidden) == ((4, 5), 0)
+    assert (classify(bad).growth, classify(bad).hidden, classify(bad).closed) == ((4,), 1, ("c",))
+    (integral,) = find_position_integrals(bad, frame_of(bad), 1, ("c",))
+    assert integral.text in ("u^2 + 2*x + z^2", "2*x + z^2 + u^2", "z^2 + 2*x + u^2", "u^2 + z^2 + 2*x")
+
+
+@pytest.mark.parametrize("name", sorted(INTEGRALS))
+def test_integrals_of_the_gallery_imply_the_constraints(name: str) -> None:
+    """df is a combination of the constraint forms that are named, and of no others."""
+    system = system_of(name)
+    g, kinds = system.graph, classify(system)
+    found = find_position_integrals(system, frame_of(system), kinds.hidden, kinds.closed)
+    assert [" ".join(i.names) for i in found] == INTEGRALS[name]
+    for integral in found:
+        slope = gradient(g, integral.node, (*system.q, system.t))
+        own = [[*f.coefficients, f.constant] for f in system.constraints if f.name in integral.names]
+        assert rank(g, [*own, slope]) == len(own)
+        assert rank(g, [slope]) == 1
+
+
+@pytest.mark.parametrize(
+    ("coordinates", "row", "expected"),
+    [
+        ("x, y", "c: y*x' + x*y' = 0", "x*y"),
+        ("x, y", "c: x*y' - y*x' = 0", "y/x"),
+        ("x, y", "c: cos(x)*y*x' + sin(x)*y' = 0", "y*sin(x)"),
+        ("x, y", "c: x' = 2*t", "x - t^2"),
+        ("x, y", "c: x' = cos(t)", "x - sin(t)"),
+        ("x, y", "c: x' = 3", "x - 3*t"),
+        ("x, y", "c: x*x' + y' = 0", "x^2 + 2*y"),
+        ("x, y, z", "c: x*z*y' + y*z*x' + x*y*z' = 0", "log(x) + log(y) + log(z)"),
+    ],
+)
+def test_elementary_integrals(coordinates: str, row: str, expected: str) -> None:
+    system = constrained(coordinates, row)
+    g = system.graph
+    kinds = classify(system)
+    found = find_position_integrals(system, frame_of(system), kinds.hidden, kinds.closed)
+    assert kinds.hidden == len(found) == 1, (kinds, expected)
+    slope = gradient(g, found[0].node, (*system.q, system.t))
+    (form,) = system.constraints
+    assert rank(g, [slope, [*form.coefficients, form.constant]]) == 1
+    assert rank(g, [slope]) == 1
+
+
+def test_an_integral_that_is_not_elementary_is_said_to_be_missing() -> None:
+    system = constrained("x, y", "c: exp(-x^2)*x' + exp(-y^4)*y' = 0")
+    bag = Bag(system.spec.origin)
+    facts = describe(system, formulate(system), bag)
+    assert facts.data["hidden"] == 1
+    assert facts.data["integrals"] == []
+    assert "integrals: 1 not found in elementary functions" in facts.lines
+    assert [d.code for d in bag.diagnostics].count("W0410") == 1
+
+
+def test_affine_constraints_count_time() -> None:
+    steady = classify(constrained("x, y, z", "c: z' - y*x' = 1"))
+    assert (steady.affine, steady.rheonomic, steady.hidden) == (True, False, 0)
+    moving = classify(constrained("x, y", "c: x' = cos(t)"))
+    assert (moving.affine, moving.rheonomic, moving.hidden, moving.closed) == (True, True, 1, ("c",))
+
+
+# --- singular sets ----------------------------------------------------------------------------------------
+
+
+def test_rank_loss() -> None:
+    assert find_rank_loss(system_of("snakeboard")).regular is False
+    assert len(find_rank_loss(system_of("snakeboard")).minors) == 3
+    assert facts_of("cartesian_pendulum").data["rank"] == {"full": False, "lost_where_all_vanish": ["x", "y"]}
+    for name in ("chaplygin_sleigh", "roller_racer", "rolling_disk", "diff_drive", "rattleback"):
+        assert find_rank_loss(system_of(name)).regular is True, name
+
+
+# --- what is conserved ------------------------------------------------------------------------------------
+
+
+def conserved(name: str) -> dict[str, tuple[str, ...]]:
+    return {entry["integral"]: tuple(entry["where_zero"]) for entry in facts_of(name).data["conserved"]}
+
+
+def test_the_moving_energy_of_the_ball_on_a_table() -> None:
+    """E - Omega (m (x y' - y x') + I omega_z) for a steady table; omega_z is constant by itself."""
+    found = conserved("ball_on_table")
+    assert found["p_phi"] == ()
+    assert found["E - Omega0 (x p_y - y p_x)"] == ("Omega1",)
+    assert [e["moving_energy"] for e in facts_of("ball_on_table").data["conserved"]] == [False, False, True]
+    assert not facts_of("ball_on_table").data["energy"]["conserved"]
+
+
+def test_conserved_momenta() -> None:
+    assert {"p_phi", "p_psi", "E"} <= set(conserved("heavy_top"))
+    assert {"p_x", "p_y", "p_psi", "(x p_y - y p_x) + p_phi", "E"} == set(conserved("smooth_tippe_top"))
+    assert set(conserved("vertical_disk")) == {"p_phi", "p_theta"}  # the energy is a function of them
+    assert set(conserved("snakeboard")) == {"p_p_f + p_p_b"}
+    assert set(conserved("chaplygin_sleigh")) == {"E"}  # x and y are cyclic, their momenta change
+    assert facts_of("chaplygin_sleigh").data["cyclic"] == ["x", "y"]
+
+
+def test_further_integrals() -> None:
+    assert facts_of("contact_oscillator").data["constant_outputs"] == ["H_y", "R"]
+    assert "y^2 + y'^2" in conserved("contact_oscillator")
+    assert facts_of("routh_sphere").data["constant_outputs"] == ["jellett", "routh"]
+    assert facts_of("veselova").data["constant_outputs"] == ["L_x", "L_y"]
+
+
+def test_the_generalized_energy_of_a_bead_on_a_rod() -> None:
+    data = facts_of("bead_on_rod").data["energy"]
+    assert (data["conserved"], data["generalized"]) == (False, True)
+    assert "(p q' - T + V)" in conserved("bead_on_rod")
+
+
+@pytest.mark.parametrize("name", [n for n in GALLERY if n != "bicycle"])
+def test_the_power_balance_is_exact(name: str) -> None:
+    """d/dt (p q' - T - U) = Q q' - dT/dt - dU/dt - lambda a_0 on the motion, modulo two primes."""
+    system = system_of(name)
+    sampler = Sampler(system, frame_of(system))
+    moving = dict(zip(system.v, sampler.rates, strict=True))
+    rate = total_derivative(system, generalized_energy(system), system.v, moving)
+    gap = system.graph.sub(rate, power(system, sampler.multipliers))
+    for prime in PRIMES[:2]:
+        assert sampler.residues([gap], 2, prime) == [[0], [0]]
+
+
+@pytest.mark.parametrize("name", ["ball_on_table", "smooth_tippe_top", "nh_particle", "heavy_top"])
+def test_integrals_do_not_change_and_are_independent(name: str) -> None:
+    system = system_of(name)
+    formulation = formulate(system)
+    found = find_conserved(system, frame_of(system), formulation.frame)
+    zero = [s for s in system.p if any(system.symbol_name(s) in i.where for i in found.integrals)]
+    sampler = Sampler(system, frame_of(system), zero)
+    moving = dict(zip(system.v, sampler.rates, strict=True))
+    rates = [total_derivative(system, i.node, system.v, moving) for i in found.integrals]
+    assert sampler.residues(rates, 1, PRIMES[2], seed=5) == [[0] * len(rates)]
+    assert rank(system.graph, [gradient(system.graph, i.node, (*system.q, *system.v)) for i in found.integrals]) == len(
+        rates
+    )
+
+
+def test_relations() -> None:
+    p = PRIMES[0]
+    assert str(rational(-7 * pow(3, -1, p) % p, p)) == "-7/3"
+    assert rational(123456789012345678, p) is None
+    rows = [[x, y, 2 * x - 3 * y] for x, y in ((1, 2), (5, 3), (7, 11), (13, 4))]
+    (vector,) = find_relations(rows, 3, p)
+    assert [str(x) for x in vector] == ["-2", "3", "1"]
+    assert without([vector], [vector]) == []
+    assert without([vector], []) == [vector]
+
+
+@pytest.mark.parametrize("name", GALLERY)
+def test_facts_are_the_same_as_lines_and_data(name: str) -> None:
+    facts = facts_of(name)
+    assert {"degrees", "energy", "conserved", "cyclic", "applicable", "formulation"} <= set(facts.data)
+    assert all("\n" not in line and line for line in facts.lines)
+    if system_of(name).l:
+        assert [k["name"] for k in facts.data["kinds"]] == [f.name for f in system_of(name).constraints]
+        assert len(facts.data["integrals"] if facts.data["hidden"] else []) == facts.data["hidden"]
