@@ -57,9 +57,9 @@ class Graph(NodeStore):
             x, y, kx, ky, px, py = y, x, ky, kx, py, px
         if kx < 0:  # the sign of a sum is that of its first term
             return self.neg(self.add(self.neg(x), self.neg(y)))
-        common = self._common_factor(x, y)
-        if common is not None:
-            return common
+        shorter = self._common_factor(x, y) or self._cancel_terms(x, y) or self._cancel_terms(y, x)
+        if shorter is not None:
+            return shorter
         if kx == ky and self._is_circle(px, py):  # k sin^2 + k cos^2
             return self.number(kx)
         return self._make(ADD, x, y, self.deps[x] | self.deps[y])
@@ -84,6 +84,19 @@ class Graph(NodeStore):
                     k, m = fx[1 - i], fy[1 - j]
                     total = self.add(self.neg(k) if nx else k, self.neg(m) if ny else m)
                     return self.mul(total, fx[i])
+        return None
+
+    def _cancel_terms(self, x: Node, y: Node) -> Node | None:
+        """x + (u - x) -> u, for the terms of a sum y or of -y."""
+        negative = self.op[y] == NEG
+        total = self.a[y] if negative else y
+        if self.op[total] != ADD:
+            return None
+        wanted = x if negative else self.neg(x)
+        first, second = self.a[total], self.b[total]
+        if wanted in (first, second):
+            rest = second if wanted == first else first
+            return self.neg(rest) if negative else rest
         return None
 
     def neg(self, x: Node) -> Node:

@@ -10,8 +10,8 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 
-from nhc.algebra.calculus import gradient, rebuild, substitute
-from nhc.algebra.graph import Graph, Node
+from nhc.algebra.calculus import gradient, reachable, rebuild, substitute
+from nhc.algebra.graph import ADD, MUL, NEG, POW, Graph, Node
 from nhc.algebra.modular import are_zero
 from nhc.algebra.polynomial import normalise
 
@@ -267,8 +267,28 @@ def _solve_block(
 
 
 def row_scale(graph: Graph, block: Sequence[Sequence[Node]]) -> Node:
-    """Product of the 1-norms of the rows: what a determinant is measured against."""
-    return graph.product([graph.sum([graph.function("abs", entry) for entry in row]) for row in block])
+    """Product over the rows of how large their entries can be: what a determinant is measured against."""
+    return graph.product([graph.sum([size_of(graph, entry) for entry in row]) for row in block])
+
+
+def size_of(graph: Graph, root: Node) -> Node:
+    """A bound on |root| that does not vanish with it: sines and cosines count 1, differences count as sums."""
+    size: dict[Node, Node] = {}
+    for node in reachable(graph, [root]):
+        op, a, b = graph.op[node], graph.a[node], graph.b[node]
+        if op == ADD:
+            size[node] = graph.add(size[a], size[b])
+        elif op == MUL:
+            size[node] = graph.mul(size[a], size[b])
+        elif op == NEG:
+            size[node] = size[a]
+        elif op == POW and b > 0:
+            size[node] = graph.power(size[a], b)
+        elif op in ("sin", "cos"):
+            size[node] = graph.one
+        else:
+            size[node] = graph.function("abs", node)
+    return size[root]
 
 
 def determinant_of(graph: Graph, block: Sequence[Sequence[Node]]) -> Node:
@@ -301,7 +321,7 @@ def _eliminate(
         order.append(column)
         pivot = rows[step][column]
         if graph.value(pivot) is None:
-            guards.append((pivot, graph.sum([graph.function("abs", rows[step][j]) for j in range(size)])))
+            guards.append((pivot, row_scale(graph, [rows[step][:size]])))
         inverse = graph.inverse(pivot)
         rows[step] = [graph.mul(entry, inverse) if entry != graph.zero else entry for entry in rows[step]]
         for i in range(size):

@@ -88,7 +88,7 @@ class Planner:
             self.solved = dict(zip(rates, values, strict=True))
             what = "the mass matrix is singular"
             self.mass_guards = tuple(
-                GuardPlan(pivot, equations.mass[k][k], _MASS_TOLERANCE, SINGULAR_MASS, what)
+                GuardPlan(pivot, self._mass_scale(pivot, equations.mass[k][k]), _MASS_TOLERANCE, SINGULAR_MASS, what)
                 for k, pivot in enumerate(self.factors.pivots)
                 if not self._constant_positive(pivot)
             )
@@ -96,6 +96,10 @@ class Planner:
         matrix, right = self._dense()
         unknowns = (*rates, *equations.multipliers)
         self.solves = (self._dense_solve(matrix, [right], [unknowns]),)
+
+    def _mass_scale(self, pivot: Node, entry: Node) -> Node:
+        """The diagonal entry that a pivot came from; zero where they are the same (then only zero is refused)."""
+        return self.graph.zero if pivot == entry else entry
 
     def _constant_positive(self, pivot: Node) -> bool:
         """A number, or a parameter standing alone: no guard is worth its cost."""
@@ -124,9 +128,15 @@ class Planner:
         if self.formulation.dependent is not None:
             names = ", ".join(f"{self.system.q_names[i]}'" for i in self.formulation.dependent.dependent)
             what = f"the constraints cannot be solved for {names}"
-        # a constant determinant is only held against zero: its scale would be work in every state
+        # a constant determinant is only held against zero: its scale would be work for nothing
         return tuple(
-            GuardPlan(value, value if self._is_constant(value) else scale, _FRAME_TOLERANCE, SINGULAR_FRAME, what)
+            GuardPlan(
+                value,
+                self.graph.zero if self._is_constant(value) else scale,
+                _FRAME_TOLERANCE,
+                SINGULAR_FRAME,
+                what,
+            )
             for value, scale in self.equations.guards
         )
 

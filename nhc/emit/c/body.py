@@ -62,6 +62,8 @@ class CDialect:
 
 def bound_test(guard: Guard) -> Expr:
     """What the guarded value's magnitude must exceed: ``tolerance * scale``."""
+    if guard.scale == Number(Fraction(0)):
+        return guard.scale
     bound = Number(Fraction(guard.tolerance))
     return bound if guard.scale == Number(Fraction(1)) else Binary("*", bound, guard.scale)
 

@@ -183,7 +183,9 @@ class BodyPrinter:
     def print_guard(self, guard: Guard) -> None:
         """Raise, or mask where nothing can be raised, unless the block is regular; a NaN is not."""
         bound: Expr = Number(Fraction(guard.tolerance))
-        if guard.scale != Number(Fraction(1)):
+        if guard.scale == Number(Fraction(0)):
+            bound = guard.scale
+        elif guard.scale != Number(Fraction(1)):
             bound = Binary("*", bound, guard.scale)
         test = f"{self.print_value(Call('abs', (guard.value,)), 28)} > {self.print_value(bound, 30)}"
         self.add_comment(guard.what, self.indent)
