@@ -3,9 +3,9 @@
 At random points of a prime field, with velocities that satisfy the constraints, the linear system of every formulation is
 solved modulo the prime and its q'' and lambda are compared with those of the reference, d'Alembert's equations with
 multipliers taken straight from T (I.4.1).  Where a formulation differs from the reference as rational functions of degree d,
-one point shows it except with probability d/p (Schwartz 1980, Zippel 1979), or 1/2 where signs occur; points multiply.  ``simplify`` plays no part.
-The same systems are solved in double precision, and so are the derivations of :mod:`nhc.mechanics.wrong`, whose distance from
-the truth is measured.
+one point shows it except with probability d/p (Schwartz 1980, Zippel 1979), or 1/2 where signs occur (then more points are
+taken); points multiply.  ``simplify`` plays no part.  The same systems are solved in double precision, and so are the
+derivations of :mod:`nhc.mechanics.wrong`, whose distance from the truth is measured.
 """
 
 from __future__ import annotations
