@@ -9,21 +9,19 @@ from __future__ import annotations
 
 import gc
 import math
-import signal
 import statistics
 import sys
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
-from types import FrameType
 
+from benchmarks.capped import CAP, run_capped
 from benchmarks.models import source
 from nhc.diagnostics import Source
 from nhc.pipeline import Options, program
 
 SYSTEMS = ("sleigh", "disk", "trailers5", "trailers10", "snake5", "pendulum5", "pendulum10", "bicycle")
 SCALING = (5, 10, 20, 50, 100)
-CAP = 60.0
 
 
 @dataclass(frozen=True)
@@ -38,10 +36,6 @@ class Derivation:
     @property
     def ratio(self) -> float:
         return self.kane / self.nhc
-
-
-class _TooLongError(Exception):
-    """The peer has used its time."""
 
 
 def measure(system: str, rounds: int = 5) -> Derivation:
@@ -69,23 +63,14 @@ def time_kane(system: str, cap: float = CAP) -> tuple[float, bool]:
 
     from benchmarks.peers.kane import derive
 
-    def stop(_: int, __: FrameType | None) -> None:
-        raise _TooLongError
-
     def run() -> None:
         made = derive(system)
         cse([made.mass_matrix, made.forcing, made.rates])
 
     clear_cache()
-    before = signal.signal(signal.SIGALRM, stop)
-    signal.setitimer(signal.ITIMER_REAL, cap)
-    try:
-        return _time(run), False
-    except _TooLongError:
-        return cap, True
-    finally:
-        signal.setitimer(signal.ITIMER_REAL, 0)
-        signal.signal(signal.SIGALRM, before)
+    gc.collect()
+    timed = run_capped(run, cap)
+    return timed.seconds, timed.capped
 
 
 def measure_scaling(family: str, sizes: tuple[int, ...] = SCALING, rounds: int = 3) -> dict[int, float]:

@@ -177,7 +177,8 @@ def _snake(count: int) -> Any:
 
 
 def _pendulum(count: int) -> Any:
-    x, *angles = q = dynamicsymbols(f"x theta1:{count + 1}")
+    q = dynamicsymbols(f"x theta1:{count + 1}")
+    angles = q[1:]
     v, *turn = u = dynamicsymbols(f"v w1:{count + 1}")
     M, m, length, g = parameters = list(symbols("M m l g"))
     t = dynamicsymbols._t

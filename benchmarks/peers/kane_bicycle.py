@@ -10,6 +10,12 @@ from typing import Any
 from sympy import symbols
 from sympy.physics.mechanics import KanesMethod, Point, ReferenceFrame, RigidBody, dynamicsymbols, inertia
 
+# approximately the set of Meijaard et al., in the order of the parameters below
+VALUES = (
+    *(0.35, 0.3, 1.2566, 0.0321, 0.3, 0.9534, 0.03, 0.2, 0.3, 0.4, 0.0603, 0.12, 0.1405, 0.28),
+    *(9.2, 11.0, 2.8, -2.4, 0.05892, 0.06, 0.00708, 0.00756, 9.81, 85.0, 4.0, 3.0, 2.0),
+)
+
 
 def bicycle(_: int) -> Any:
     """The method, its bodies, loads and parameters."""
