@@ -19,6 +19,7 @@ help:
 	@echo "make check    the lints only"
 	@echo "make goldens  rewrite the expected files of the tests; read the difference before you commit it"
 	@echo "make fuzz     fuzz the reader, the parser and the emission; FUZZ_INPUTS and FUZZ_SPECS say how much"
+	@echo "make bench    measure nhc beside its peers and write docs/performance.md (needs valgrind, takes many minutes)"
 	@echo "make clean    remove build/"
 
 # A python3 that is on the path need not run (version managers leave such shims): each candidate is tried.
@@ -41,6 +42,11 @@ $(VENV)/installed: pyproject.toml | $(BIN)/python
 $(VENV)/installed-dev: pyproject.toml | $(BIN)/python
 	@echo "installing nhc and what its tests need into $(VENV)"
 	@$(PIP) install -e '.[dev]'
+	@touch $@ $(VENV)/installed
+
+$(VENV)/installed-bench: pyproject.toml | $(BIN)/python
+	@echo "installing nhc and the peers it is measured against into $(VENV)"
+	@$(PIP) install -e '.[sim,bench]'
 	@touch $@ $(VENV)/installed
 
 demo: $(VENV)/installed
@@ -84,6 +90,10 @@ FUZZ_SPECS ?= 300
 FUZZ_SEED ?= 1
 fuzz: $(VENV)/installed-dev
 	$(BIN)/python -m tests.fuzz.run --inputs $(FUZZ_INPUTS) --specs $(FUZZ_SPECS) --seed $(FUZZ_SEED)
+
+bench: $(VENV)/installed-bench
+	@command -v valgrind >/dev/null || { echo "error: no valgrind, which counts the instructions (on Debian: apt-get install valgrind)" >&2; exit 1; }
+	$(BIN)/python -m benchmarks
 
 clean:
 	rm -rf build

@@ -1,0 +1,184 @@
+"""Run every benchmark and write ``docs/performance.md``: ``python -m benchmarks`` (or ``make bench``)."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+from benchmarks import batch, derivation, instructions, process
+from benchmarks.chart import draw_scaling
+from benchmarks.systems import ROOT, split_name
+from benchmarks.table import Row, describe_machine, print_rows
+
+PAGE = ROOT / "docs" / "performance.md"
+CHART = ROOT / "docs" / "derivation.svg"
+_TIGHT = 1.10
+_LOOSE = 1.30
+
+_HEAD = """\
+# Performance
+
+Written by `make bench` (`python -m benchmarks`), which holds every peer and every hand-written reference; nothing here is
+typed in.  Each row's ratio comes from one run, nhc and peer interleaved or counted the same way.  Targets that are missed
+say so.  Times are medians; instruction counts are callgrind's and repeat to within a percent.
+
+Machine: {machine}.
+"""
+
+_DERIVATION = """\
+## From spec to program
+
+nhc from the YAML text to the program of the right-hand side that the emitters print (solved for the velocities' rates);
+SymPy from frames and points through `KanesMethod` to `cse` of mass matrix and forcing (not solved; its import not counted),
+with the speeds its users choose, in the same process.  A peer that takes longer than {cap:.0f} s is stopped there.  The ratio
+is peer / nhc.  SymPy's bicycle leaves out the wheels' places and turns, nhc's keeps them.
+"""
+
+_SCALING = """\
+Time against size, from the specs in positions ([chart](derivation.svg)); the exponent is the slope of the larger half in
+log-log, 1 is linear.
+"""
+
+_PROCESS = """\
+## Whole processes
+
+Wall time of a command from start to end, against `python -c "{command}"`, run in turn.
+"""
+
+_INSTRUCTIONS = """\
+## Instructions per right-hand side
+
+callgrind, libm included, `-O3` for x86-64 without options, averaged over 8 random states; the spec in positions with its
+quasi-velocities.  By hand: `benchmarks/hand/`, the recursion an expert writes, checked against nhc's C in the tests to
+1e-12.  CasADi: Kane's form assembled with CasADi's derivatives, the same state, its own unrolled LDL^T and cse.  PyDy: mass
+matrix and forcing from its C generator and an LU solve in C, which is kinder to it than its own call of numpy's.
+"""
+
+_VARIANTS = """\
+The same systems from other specs, as ratios to the hand-written C: the energy and constraints written out in full, and
+without quasi-velocities (nhc chooses; the state is then another one).
+"""
+
+_BATCH = """\
+## Batches
+
+`rhs_batch` per state (`{flags}`) against the scalar `rhs` (`-O3`) of the same file, in one C program, interleaved.
+"""
+
+_COMPILE = """\
+## Compile time
+
+`{compiler} -O2 -c`, seconds, the right-hand side alone; the last row is a whole file with every function.
+"""
+
+
+def main() -> None:
+    sections = [
+        _HEAD.format(machine=describe_machine()),
+        *_section(_DERIVATION.format(cap=derivation.CAP), derivation_rows()),
+        *_scaling(),
+        *_section(_PROCESS.format(command=process.IMPORT.replace('"', "'")), process_rows()),
+        *_instructions(),
+        *_section(_BATCH.format(flags=" ".join(batch.WIDE)), batch_rows()),
+        *_section(_COMPILE.format(compiler=Path(process.COMPILER).name), compile_rows()),
+    ]
+    PAGE.write_text("\n".join(sections) + "\n", encoding="utf-8")
+    print(f"wrote {PAGE.relative_to(ROOT)}", file=sys.stderr)
+
+
+def _section(text: str, rows: Iterator[Row]) -> list[str]:
+    found = []
+    for row in rows:
+        print(print_rows([row])[-1], file=sys.stderr, flush=True)
+        found.append(row)
+    return [text, *print_rows(found), ""]
+
+
+def derivation_rows() -> Iterator[Row]:
+    for system in derivation.SYSTEMS:
+        made = derivation.measure(system)
+        mark = "> " if made.capped else ""
+        yield Row(
+            system,
+            f"{made.nhc * 1e3:.2f} ms",
+            f"{mark}{made.kane * 1e3:.0f} ms",
+            made.ratio,
+            200,
+            at_least=True,
+            bound=made.capped,
+        )
+
+
+def _scaling() -> list[str]:
+    times = {family: derivation.measure_scaling(family) for family in ("trailers", "snake")}
+    CHART.write_text(draw_scaling(times), encoding="utf-8")
+    lines = ["| | " + " | ".join(str(n) for n in derivation.SCALING) + " | exponent |"]
+    lines.append("|---" * (len(derivation.SCALING) + 2) + "|")
+    for family, found in times.items():
+        cells = " | ".join(f"{seconds * 1e3:.1f} ms" for seconds in found.values())
+        lines.append(f"| {family} | {cells} | {derivation.slope(found):.2f} |")
+    print("\n".join(lines), file=sys.stderr, flush=True)
+    return [_SCALING, *lines, ""]
+
+
+def process_rows() -> Iterator[Row]:
+    walls = process.measure()
+    peer = f"{walls.imported * 1e3:.0f} ms"
+    for what, seconds, target in (
+        ("`nhc --help`", walls.help, 0.3),
+        ("`nhc emit specs/bicycle.yaml --lang c`", walls.emit_c, 0.35),
+        ("`nhc emit specs/bicycle.yaml --lang c --only rhs`", walls.emit_rhs, None),
+    ):
+        yield Row(what, f"{seconds * 1e3:.0f} ms", peer, seconds / walls.imported, target)
+    yield Row("LaTeX of the bicycle, seconds", f"{walls.emit_latex:.2f} s", "2 s", walls.emit_latex / 2, 1)
+    size = walls.latex_bytes / 1e3
+    yield Row("LaTeX of the bicycle, size", f"{size:.0f} kB", "300 kB", size / 300, 1)
+
+
+def _instructions() -> list[str]:
+    found = []
+    for system in instructions.SYSTEMS:
+        found.append(instructions.measure(system))
+        print("\n".join(print_rows(instruction_rows(found[-1]))[2:]), file=sys.stderr, flush=True)
+    heads = [f"{style}{'' if given else ', no quasi-velocities'}" for style, given in instructions.VARIANTS]
+    lines = ["| | " + " | ".join(heads) + " |", "|---" * (len(heads) + 1) + "|"]
+    for counts in found:
+        if counts.hand:
+            cells = " | ".join(f"{counts.nhc[variant] / counts.hand:.3f}" for variant in instructions.VARIANTS)
+            lines.append(f"| {counts.system} | {cells} |")
+    rows = [row for counts in found for row in instruction_rows(counts)]
+    return [_INSTRUCTIONS, *print_rows(rows), "", _VARIANTS, *lines, ""]
+
+
+def instruction_rows(counts: instructions.Counts) -> list[Row]:
+    loose = split_name(counts.system)[0] in ("pendulum", "bicycle")
+    peers = (
+        ("by hand", counts.hand, _LOOSE if loose else _TIGHT),
+        ("CasADi", counts.casadi, 0.8),
+        ("PyDy", counts.pydy, 0.5),
+    )
+    return [
+        Row(f"{counts.system}, {label}", f"{counts.main:.0f}", f"{value:.0f}", counts.main / value, target)
+        for label, value, target in peers
+        if value is not None
+    ]
+
+
+def batch_rows() -> Iterator[Row]:
+    for system in batch.SYSTEMS:
+        made = batch.measure(system)
+        what = f"{system}, {made.lanes} states per call"
+        yield Row(what, f"{made.batch:.2f} ns", f"{made.plain:.2f} ns", made.ratio, 0.15)
+
+
+def compile_rows() -> Iterator[Row]:
+    for system in process.COMPILED:
+        seconds = process.compile_seconds(system)
+        yield Row(system, f"{seconds:.3f} s", "1 s", seconds, 1)
+    seconds = process.compile_seconds("bicycle", everything=True, rounds=1)
+    yield Row("bicycle, every function", f"{seconds:.3f} s", "1 s", seconds, 1)
+
+
+if __name__ == "__main__":
+    main()
