@@ -16,6 +16,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from nhc.algebra.degree import Degrees
+from nhc.algebra.draw import MOST_DRAWS, draw_points
 from nhc.algebra.linear import Singular
 from nhc.algebra.modular import PRIMES, FieldPoint, Unlucky, enough_points
 from nhc.mechanics.choose import applicable
@@ -37,7 +38,6 @@ from nhc.mechanics.regularity import choose_dependent
 from nhc.mechanics.system import System
 
 POINTS = 3
-_MOST_DRAWS = 4000
 
 
 @dataclass(frozen=True)
@@ -175,11 +175,11 @@ class _Look:
     ) -> None:
         prime = PRIMES[index % len(PRIMES)]
         everything = [n for c in (reference, *claims, *(w.claim for w in wrongs)) for n in c.nodes()]
-        for attempt in range(1, _MOST_DRAWS):
-            self.seed = (seed * 1009 + index) * 100_003 + attempt
-            point = FieldPoint(system.graph, self.seed, prime)
+        start = (seed * 1009 + index) * 100_003
+        moving = system.graph.mask(velocities.symbols)
+        nodes = [*velocities.nodes, *everything]
+        for self.seed, point in draw_points(system.graph, nodes, prime, range(start, start + MOST_DRAWS), later=moving):
             try:
-                point.prepare([*velocities.nodes, *everything])
                 values = point.evaluate(velocities.nodes)
                 point.evaluate([], dict(zip(velocities.symbols, values, strict=True)))
                 truth = solve_exactly(reference, point)

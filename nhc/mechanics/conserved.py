@@ -27,6 +27,7 @@ from nhc.thesis import equation
 _SPARE = 6  # points more than candidates
 _BUDGET = 260_000  # candidates times operations of the reference at one point
 _MOST = 60  # candidates
+_MOST_POINTS = 8  # modulo each of two primes, where signs occur
 ENERGY, MOMENTUM = "energy", "momentum"
 
 
@@ -216,7 +217,7 @@ def _constraint_parameters(system: System) -> list[Node]:
 
 def _are_constant(sampler: Sampler, candidates: Sequence[Candidate]) -> list[bool]:
     rates = _rates(sampler, candidates)
-    each = enough_points(sampler.system.graph, [*rates, *sampler.reference.nodes()], 2) // 2
+    each = min(_MOST_POINTS, enough_points(sampler.system.graph, [*rates, *sampler.reference.nodes()], 2) // 2)
     rows = [row for prime in PRIMES[:2] for row in sampler.residues(rates, each, prime)]
     return [all(row[k] == 0 for row in rows) for k in range(len(rates))]
 

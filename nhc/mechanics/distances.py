@@ -17,9 +17,8 @@ from nhc.mechanics.system import System
 
 _SPECIAL = 4  # the first of the trial points stand where careless choices are singular
 
-_NEAR = (
-    1e-4  # states closer to a frame's singular set, relative to the scale of its determinant, tell of conditioning only
-)
+_NEAR = 1e-7
+"""Relative to the scale of a determinant: states closer to a frame's singular set tell of its conditioning only."""
 
 
 @dataclass(frozen=True)

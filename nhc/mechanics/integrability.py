@@ -12,9 +12,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from nhc.algebra.calculus import gradient, tangent
+from nhc.algebra.draw import MOST_DRAWS, draw_points
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.linear import solve
-from nhc.algebra.modular import PRIMES, FieldPoint, Unlucky, are_zero
+from nhc.algebra.modular import PRIMES, FieldPoint, Unlucky, are_zero, enough_points
 from nhc.mechanics.frame import Frame, coordinate_frame
 from nhc.mechanics.regularity import choose_dependent
 from nhc.mechanics.system import Form, System
@@ -22,7 +23,10 @@ from nhc.thesis import equation
 
 Field = tuple[Node, ...]
 
-_MOST_DRAWS = 4000
+Rows = list[tuple[int, list[int]]]
+"""Pivot column, and a row with a 1 there."""
+
+_MOST_POINTS = 12
 
 
 @dataclass(frozen=True)
@@ -60,11 +64,11 @@ def classify(system: System, frame: Frame | None = None) -> Integrability:
 def growth_vector(graph: Graph, variables: Sequence[Node], fields: Sequence[Field]) -> tuple[int, ...]:
     """Ranks of D_1 = span(fields), D_{k+1} = D_k + [D_1, D_k] until they stop growing or fill the space.
 
-    All ranks are taken at one random point, which is drawn once.
+    All ranks are taken at the same random points, one of them where no signs occur.
     """
     base = [tuple(f) for f in fields]
     newest = list(base)
-    span = _Span(graph)
+    span = _Span(graph, [node for field in base for node in field])
     for field in base:
         span.add(field)
     ranks = [span.rank]
@@ -83,62 +87,58 @@ def growth_vector(graph: Graph, variables: Sequence[Node], fields: Sequence[Fiel
 
 
 class _Span:
-    """The span of fields at a random point of the prime field; where a new field has no value there, another point is drawn."""
+    """The span of fields at random points of the prime field; its rank is the largest found.
 
-    def __init__(self, graph: Graph) -> None:
-        self.graph, self.fields = graph, list[Field]()
-        self._rows: list[tuple[int, list[int]]] = []  # pivot column, row with a 1 there
-        self._seed = 0
-        self._point = self._draw()
+    One point is enough but where signs occur (the root of a square), which may be the wrong ones at every second point.
+    """
+
+    def __init__(self, graph: Graph, nodes: Sequence[Node]) -> None:
+        self.graph = graph
+        self._seeds = iter(range(9_000_011, 9_000_011 + MOST_DRAWS))
+        self._nodes = list(nodes)
+        self._fields: list[Field] = []
+        count = min(_MOST_POINTS, enough_points(graph, nodes, 1))
+        self._points = [self._draw() for _ in range(count)]
 
     @property
     def rank(self) -> int:
-        return len(self._rows)
+        return max(len(rows) for _, rows in self._points)
 
     def add(self, field: Field) -> bool:
         """Whether the field was independent of those before it."""
-        while True:
+        before = self.rank
+        self._fields.append(field)
+        for k, (point, rows) in enumerate(self._points):
             try:
-                row = self._point.evaluate(field)
-                break
+                _reduce(rows, point.evaluate(field), point.prime)
             except Unlucky:
-                self._redraw()
-        independent = self._reduce(row)
-        if independent:
-            self.fields.append(field)
-        return independent
+                self._points[k] = self._draw()
+        return self.rank > before
 
-    def _draw(self) -> FieldPoint:
-        self._seed += 1
-        if self._seed > _MOST_DRAWS:
-            raise Unlucky
-        return FieldPoint(self.graph, 9_000_011 + self._seed, PRIMES[0])
-
-    def _redraw(self) -> None:
-        """Move to a point where all fields so far have values."""
-        while True:
-            self._point = self._draw()
+    def _draw(self) -> tuple[FieldPoint, Rows]:
+        """A point where all fields so far have values, with their span there."""
+        for _, point in draw_points(self.graph, self._nodes, PRIMES[0], self._seeds):
+            rows: Rows = []
             try:
-                rows = [self._point.evaluate(field) for field in self.fields]
+                for field in self._fields:
+                    _reduce(rows, point.evaluate(field), point.prime)
             except Unlucky:
                 continue
-            self._rows = []
-            for row in rows:
-                self._reduce(row)
-            return
+            return point, rows
+        raise Unlucky
 
-    def _reduce(self, row: Sequence[int]) -> bool:
-        p, work = self._point.prime, list(row)
-        for column, known in self._rows:
-            factor = work[column]
-            if factor:
-                work = [(x - factor * y) % p for x, y in zip(work, known, strict=True)]
-        pivot = next((j for j, x in enumerate(work) if x), -1)
-        if pivot < 0:
-            return False
+
+def _reduce(rows: Rows, row: Sequence[int], p: int) -> None:
+    """Add what is new of a row."""
+    work = list(row)
+    for column, known in rows:
+        factor = work[column]
+        if factor:
+            work = [(x - factor * y) % p for x, y in zip(work, known, strict=True)]
+    pivot = next((j for j, x in enumerate(work) if x), -1)
+    if pivot >= 0:
         inverse = pow(work[pivot], -1, p)
-        self._rows.append((pivot, [x * inverse % p for x in work]))
-        return True
+        rows.append((pivot, [x * inverse % p for x in work]))
 
 
 def lie_bracket(graph: Graph, variables: Sequence[Node], x: Field, y: Field) -> Field:

@@ -14,8 +14,9 @@ from dataclasses import dataclass
 from itertools import combinations_with_replacement
 
 from nhc.algebra.calculus import gradient, reachable, tangent
+from nhc.algebra.draw import MOST_DRAWS, draw_points
 from nhc.algebra.graph import ADD, MUL, NEG, POW, SYM, Graph, Node
-from nhc.algebra.modular import PRIMES, FieldPoint, Unlucky, are_zero, rank
+from nhc.algebra.modular import PRIMES, Unlucky, are_zero, rank
 from nhc.algebra.relations import find_relations, without
 from nhc.mechanics.conserved import Candidate, combine
 from nhc.mechanics.frame import Frame
@@ -24,7 +25,6 @@ from nhc.mechanics.system import Form, System
 
 _MOST = 150  # candidates
 _SPARE = 8  # equations more than candidates
-_MOST_DRAWS = 4000
 _LONGEST = 160  # characters of a text that is still worth printing
 
 
@@ -171,13 +171,12 @@ def _rows(graph: Graph, directions: Sequence[Sequence[Node]], width: int) -> lis
     """Values of every candidate's derivatives at enough points: one row for each direction and point."""
     rows: list[list[int]] = []
     flat = [node for row in directions for node in row]
-    for attempt in range(1, _MOST_DRAWS):
-        if len(rows) >= width + _SPARE * len(directions):
-            return rows
-        point = FieldPoint(graph, 7_000_003 + attempt, PRIMES[0])
+    for _, point in draw_points(graph, flat, PRIMES[0], range(7_000_003, 7_000_003 + MOST_DRAWS)):
         try:
             values = point.evaluate(flat)
         except Unlucky:
             continue
         rows += [values[k : k + width] for k in range(0, len(values), width)]
+        if len(rows) >= width + _SPARE * len(directions):
+            return rows
     raise Unlucky

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from nhc.algebra.draw import MOST_DRAWS, draw_points
 from nhc.algebra.graph import Node
 from nhc.algebra.linear import Singular
 from nhc.algebra.modular import FieldPoint, Unlucky
@@ -12,8 +13,6 @@ from nhc.mechanics.formulate import rate_symbols
 from nhc.mechanics.frame import Frame
 from nhc.mechanics.multipliers import multiplier_symbols
 from nhc.mechanics.system import System
-
-_MOST_DRAWS = 4000
 
 
 class Sampler:
@@ -33,18 +32,21 @@ class Sampler:
             Unlucky: no regular point was found.
         """
         found: list[list[int]] = []
-        for attempt in range(1, _MOST_DRAWS):
-            if len(found) == count:
-                return found
+        everything = [*self.velocities.nodes, *self.reference.nodes(), *roots]
+        zeros = dict.fromkeys(self.zeroed, 0)
+        moving = self.system.graph.mask((*self.system.v, *self.rates, *self.multipliers))
+        seeds = range(seed * 1_000_033, seed * 1_000_033 + MOST_DRAWS)
+        for _, point in draw_points(self.system.graph, everything, prime, seeds, zeros, moving):
             try:
-                found.append(self._at(FieldPoint(self.system.graph, seed * 1_000_033 + attempt, prime), roots))
+                found.append(self._at(point, roots))
             except (Unlucky, Singular):
                 continue
+            if len(found) == count:
+                return found
         raise Unlucky
 
     def _at(self, point: FieldPoint, roots: Sequence[Node]) -> list[int]:
-        point.prepare([*self.velocities.nodes, *self.reference.nodes(), *roots])
-        velocities = point.evaluate(self.velocities.nodes, dict.fromkeys(self.zeroed, 0))
+        velocities = point.evaluate(self.velocities.nodes)
         point.evaluate([], dict(zip(self.velocities.symbols, velocities, strict=True)))
         accelerations, reactions = solve_exactly(self.reference, point)
         fixed = dict(zip((*self.rates, *self.multipliers), (*accelerations, *reactions), strict=True))
