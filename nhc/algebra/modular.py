@@ -19,6 +19,7 @@ __all__ = ["PRIMES", "FieldPoint", "Unlucky", "are_equal", "are_zero", "is_zero"
 _SIGNED = ("sign", "abs", "min", "max")
 _ROOTS = ("sqrt", "powf")
 _SQUARES: WeakKeyDictionary[Graph, dict[Node, bool]] = WeakKeyDictionary()
+_RANK_POINTS = 8
 _SIGNED_POINTS = 48  # a sign is right by chance at every second point
 
 
@@ -47,9 +48,18 @@ def are_zero(graph: Graph, nodes: Sequence[Node], count: int = 2, seed: int = 1)
     pending = [n for n in nodes if n != graph.zero and graph.value(n) is None]
     if not pending:
         return [n == graph.zero for n in nodes]
-    rows = sample(graph, pending, enough_points(graph, pending, count), seed)
-    vanishes = {n: all(row[k] == 0 for row in rows) for k, n in enumerate(pending)}
-    return [vanishes.get(n, n == graph.zero) for n in nodes]
+    alive = _vanishing(graph, pending, count, seed)
+    more = enough_points(graph, alive, count)
+    if more > count:  # only what has vanished so far, and holds signs, needs the further points
+        alive = _vanishing(graph, alive, more - count, seed + 1)
+    vanishing = {graph.zero, *alive}
+    return [n in vanishing for n in nodes]
+
+
+def _vanishing(graph: Graph, nodes: Sequence[Node], count: int, seed: int) -> list[Node]:
+    """Those of the nodes that are zero at all of ``count`` points."""
+    rows = sample(graph, nodes, count, seed) if nodes else []
+    return [n for k, n in enumerate(nodes) if all(row[k] == 0 for row in rows)]
 
 
 def enough_points(graph: Graph, nodes: Sequence[Node], count: int) -> int:
@@ -104,7 +114,8 @@ def rank(graph: Graph, rows: Sequence[Sequence[Node]], seed: int = 1) -> int:
         return 0
     width = len(rows[0])
     flat = [entry for row in rows for entry in row]
-    points = sample(graph, flat, enough_points(graph, flat, 1), seed)
+    # a rank is too small only at special points; signs make half of the points special for an entry
+    points = sample(graph, flat, min(enough_points(graph, flat, 1), _RANK_POINTS), seed)
     matrices = [[values[i * width : (i + 1) * width] for i in range(len(rows))] for values in points]
     return max(_rank_modulo(matrix, PRIMES[k % len(PRIMES)]) for k, matrix in enumerate(matrices))
 
