@@ -7,7 +7,9 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from benchmarks import batch, derivation, instructions, process
+from benchmarks.capped import CAP
 from benchmarks.chart import draw_scaling
+from benchmarks.models import COMPILER
 from benchmarks.systems import ROOT, split_name
 from benchmarks.table import Row, describe_machine, print_rows
 
@@ -76,12 +78,12 @@ _COMPILE = """\
 def main() -> None:
     sections = [
         _HEAD.format(machine=describe_machine()),
-        *_section(_DERIVATION.format(cap=derivation.CAP), derivation_rows()),
+        *_section(_DERIVATION.format(cap=CAP), derivation_rows()),
         *_scaling(),
         *_section(_PROCESS.format(command=process.IMPORT.replace('"', "'")), process_rows()),
         *_instructions(),
         *_section(_BATCH.format(flags=" ".join(batch.WIDE)), batch_rows()),
-        *_section(_COMPILE.format(compiler=Path(process.COMPILER).name), compile_rows()),
+        *_section(_COMPILE.format(compiler=Path(COMPILER).name), compile_rows()),
     ]
     PAGE.write_text("\n".join(sections) + "\n", encoding="utf-8")
     print(f"wrote {PAGE.relative_to(ROOT)}", file=sys.stderr)

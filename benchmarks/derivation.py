@@ -14,6 +14,7 @@ import sys
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 
 from benchmarks.capped import CAP, run_capped
 from benchmarks.models import source
@@ -78,7 +79,7 @@ def measure_scaling(family: str, sizes: tuple[int, ...] = SCALING, rounds: int =
     found = {}
     for count in sizes:
         text = source(f"{family}{count}")
-        found[count] = min(_time(lambda text=text: derive_nhc(text)) for _ in range(rounds if count < 50 else 1))
+        found[count] = min(_time(partial(derive_nhc, text)) for _ in range(rounds if count < 50 else 1))
     return found
 
 
@@ -86,7 +87,8 @@ def slope(times: dict[int, float]) -> float:
     """Exponent of the power law through the points with the larger half of the sizes."""
     points = [(math.log(n), math.log(s)) for n, s in sorted(times.items())][len(times) // 2 :]
     mean_x, mean_y = (sum(column) / len(points) for column in zip(*points, strict=True))
-    return sum((x - mean_x) * (y - mean_y) for x, y in points) / sum((x - mean_x) ** 2 for x, _ in points)
+    rise = sum((x - mean_x) * (y - mean_y) for x, y in points)
+    return float(rise / sum((x - mean_x) ** 2 for x, _ in points))
 
 
 def _time(run: Callable[[], None]) -> float:
