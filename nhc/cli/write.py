@@ -80,6 +80,21 @@ def write_files(files: Mapping[Path, str]) -> None:
         say(f"{'wrote' if path in changed else 'unchanged'} {path}")
 
 
+def write_bytes(path: Path, content: bytes) -> None:
+    """Write one file, text or not, by renaming a finished temporary one, and say so on stderr."""
+    final = path.resolve()
+    temporary = final.with_name(f".{final.name}.{os.getpid()}.tmp")
+    try:
+        final.parent.mkdir(parents=True, exist_ok=True)
+        temporary.write_bytes(content)
+        os.replace(temporary, final)
+    except OSError as error:
+        raise Failure(f"cannot write `{path}`: {describe_os_error(error)}", ["nothing was written"]) from error
+    finally:
+        temporary.unlink(missing_ok=True)
+    say(f"wrote {path}")
+
+
 @contextmanager
 def _written_beside(files: Mapping[Path, str]) -> Iterator[dict[Path, Path]]:
     """Write each text beside its place and yield temporary -> final; what is left of them at the end is removed."""

@@ -1,0 +1,174 @@
+"""``nhc run``: a scene, integrated."""
+
+from __future__ import annotations
+
+import math
+import sys
+import time
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from nhc.cli.options import formulation_option, spec_argument
+from nhc.cli.specs import open_spec
+from nhc.cli.terminal import Exit, Failure, put, say
+
+if TYPE_CHECKING:
+    from nhc.simulate.run import Trajectory
+
+# nhc.simulate.methods again, which takes too long to import for a help text; a test holds them equal
+METHODS = ("dop853", "dopri5", "rk4", "gauss4", "gauss6", "radau5")
+KINDS = (".csv", ".npz", ".svg", ".html")
+
+
+def _split(context: click.Context, parameter: click.Parameter, value: str | None) -> tuple[str, ...]:
+    return tuple(name.strip() for name in (value or "").split(",") if name.strip())
+
+
+def _positive(context: click.Context, parameter: click.Parameter, value: float | None) -> float:
+    if value is not None and not (value > 0 and math.isfinite(value)):
+        raise click.BadParameter("it must be positive")
+    return value or 0.0
+
+
+@click.command("run")
+@spec_argument
+@click.option("--scene", metavar="NAME", default="", help="The scene to run; default: the first.")
+@click.option("-o", "output", metavar="FILE", help="A .csv, .npz, .svg or .html file; default: CSV on stdout (`-`).")
+@click.option(
+    "--need", "needs", metavar="A,B", callback=_split, help="What is wanted, in place of the scene's own need."
+)
+@click.option("--points", type=click.IntRange(2, 10_000_000), default=201, help="Number of rows; default: 201.")
+@click.option("--method", "-m", type=click.Choice(METHODS), default="dop853", help="The integrator; default: dop853.")
+@click.option("--tol", "tolerance", type=float, callback=_positive, help="Relative accuracy; default: the scene's.")
+@click.option("--step", type=float, callback=_positive, help="Fixed steps of this length in place of adaptive ones.")
+@click.option("--until", metavar="EXPR", default="", help="Stop when this expression in the spec's names crosses zero.")
+@formulation_option
+@click.option("--python", "interpreted", is_flag=True, help="Run the emitted Python, without a compiler.")
+@click.option("--force", is_flag=True, help="Overwrite FILE when it exists.")
+def command(
+    spec: str,
+    scene: str,
+    output: str | None,
+    needs: tuple[str, ...],
+    points: int,
+    method: str,
+    tolerance: float,
+    step: float,
+    until: str,
+    formulation: str | None,
+    interpreted: bool,
+    force: bool,
+) -> int:
+    """Integrate a scene and write its trajectory.
+
+    Emits C with the integrator beside the equations, compiles it once into the cache, and runs it; without a compiler it runs
+    the emitted Python.
+    """
+    target = _check_target(output, force)
+    if tolerance >= 1:
+        raise click.UsageError("`--tol` is a relative accuracy, such as 1e-8")
+    source = open_spec(spec)
+    from nhc.simulate.opening import RunError, open_scene
+    from nhc.simulate.run import Settings, needs_jacobian, run
+
+    page = target is not None and target.suffix == ".html"
+    try:
+        job = open_scene(source, scene, formulation or "", needs, until, needs_jacobian(method), page)
+    except RunError as error:
+        raise Failure(str(error), error.help) from error
+    if not scene:
+        say(f"taking the scene `{job.scene.name}`")
+    settings = Settings(method, tolerance, step, points, not interpreted)
+    bar = Progress(*job.time)
+    found = run(job, settings, bar.show)
+    bar.clear()
+    for note in found.notes:
+        say(f"note: {note}")
+    if found.ended in ("done", "event"):
+        _deliver(found, target)
+        return 0
+    return _report(found, target)
+
+
+def _check_target(output: str | None, force: bool) -> Path | None:
+    """The file to be written; None for stdout."""
+    if output in (None, "-"):
+        return None
+    assert output is not None
+    path = Path(output)
+    if path.suffix not in KINDS:
+        raise click.UsageError(f"`{output}` should end in {', '.join(KINDS)}")
+    if path.is_dir():
+        raise Failure(f"`{output}` is a folder", ["name a file after `-o`"])
+    if path.exists() and not force:
+        raise Failure(f"`{output}` exists", ["give `--force` to overwrite it"], "E0501", Exit.FAILED)
+    return path
+
+
+def _deliver(found: Trajectory, target: Path | None) -> None:
+    from nhc.report.trajectory import csv_text, make_file
+
+    if found.ended == "event":
+        say(f"stopped at t = {found.times[-1]!r}: {found.reason}")
+    if target is None:
+        put(csv_text(found))
+        return
+    from nhc.cli.write import write_bytes
+
+    write_bytes(target, make_file(found, target.suffix))
+    outcome = found.outcome
+    how = "C" if found.compiled else "Python"
+    say(
+        f"{len(found.times)} rows, {found.method} in {how}: {outcome.steps} steps ({outcome.rejected} rejected), "
+        f"{outcome.calls} right-hand sides"
+    )
+
+
+def _report(found: Trajectory, target: Path | None) -> int:
+    """A run that did not come to its end: what there is goes to a file whose name says so."""
+    from nhc.report.trajectory import make_file
+    from nhc.simulate.run import describe_state
+
+    state = describe_state(found.job, found.outcome)
+    where = f"at t = {found.outcome.t!r}"
+    if found.ended == "stopped":
+        say(f"interrupted {where}, {len(found.times)} of the rows are there")
+    if target is not None and len(found.times) > 1 and found.ended == "stopped":
+        from nhc.cli.write import write_bytes
+
+        write_bytes(target.with_name(f"{target.stem}.partial{target.suffix}"), make_file(found, target.suffix))
+    if found.ended == "stopped":
+        return Exit.INTERRUPTED
+    scene, method = found.job.scene.name, found.method
+    advice = [f"the state there: {state}", "nothing was written"]
+    raise Failure(f"the scene `{scene}` fails {where} ({method}): {found.reason}", advice, exit=Exit.NUMERICAL)
+
+
+class Progress:
+    """A bar on a terminal, after half a second."""
+
+    WIDTH = 30
+
+    def __init__(self, start: float, end: float) -> None:
+        self.start, self.end = start, end
+        self.began = time.monotonic()
+        self.wanted = sys.stderr.isatty()
+        self.shown = False
+
+    def show(self, t: float) -> None:
+        """Draw the part that is done."""
+        if not self.wanted or time.monotonic() - self.began < 0.5:
+            return
+        part = min(max((t - self.start) / (self.end - self.start), 0.0), 1.0)
+        full = round(part * self.WIDTH)
+        sys.stderr.write(f"\r[{'#' * full}{'.' * (self.WIDTH - full)}] {100 * part:3.0f} %  t = {t:.6g} ")
+        sys.stderr.flush()
+        self.shown = True
+
+    def clear(self) -> None:
+        """Take the bar away."""
+        if self.shown:
+            sys.stderr.write("\r" + " " * (self.WIDTH + 40) + "\r")
+            sys.stderr.flush()

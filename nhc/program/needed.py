@@ -1,0 +1,124 @@
+"""What a run needs beside the right-hand side: one function for all wanted quantities, one for what must be watched.
+
+``needed`` takes the state to the columns of a trajectory; it does not mind whether a quantity belongs to the
+formulation's state, for everything is an expression in (t, y, p).  ``watch`` takes it to the values whose change of
+sign ends a run: the user's event first, then the determinants that the formulation divides by.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from nhc.algebra.graph import Node
+from nhc.algebra.shorten import shorten
+from nhc.mechanics.formulate import reaction_values
+from nhc.mechanics.frame import form_value
+from nhc.program.build import Planner
+from nhc.program.ir import Argument, Function, Origin
+from nhc.program.lower import lower_function
+from nhc.program.plan import FunctionPlan, GuardPlan, Target
+
+_T = Argument("t", -1)
+
+
+@dataclass(frozen=True)
+class Column:
+    """``heading`` as a CSV has it; ``group`` is need, energy, residual or position; ``unit`` where the spec gives one."""
+
+    heading: str
+    group: str
+    node: Node
+    unit: str = ""
+
+
+def list_columns(planner: Planner, needs: Sequence[str]) -> list[Column]:
+    """The columns behind names of coordinates, velocities, quasi-velocities, outputs, ``energy`` and ``reactions``.
+
+    Raises:
+        KeyError: a name that the spec does not have.
+    """
+    system = planner.system
+    units = {c.name: c.unit for c in system.spec.coordinates}
+    named: dict[str, Node] = dict(zip(system.q_names, system.q, strict=True))
+    moving: dict[str, Node] = {f"{name}'": v for name, v in zip(system.q_names, system.v, strict=True)}
+    moving.update((form.name, form_value(system.graph, form, system.v)) for form in system.quasi)
+    moving.update(system.outputs)
+    moving.setdefault("energy", system.energy)
+    wanted = [name for name in needs if name in moving]
+    named.update(zip(wanted, planner.on_motion([moving[name] for name in wanted]), strict=True))
+    found: list[Column] = []
+    for need in needs:
+        if need == "reactions" and need not in named:
+            values = reactions_of(planner)
+            rows = zip(system.constraints, values, strict=True)
+            found += [Column(f"lambda_{form.name}", "need", value) for form, value in rows]
+        else:
+            found.append(Column(need, "need", named[need], units.get(need, "")))
+    return found
+
+
+def reactions_of(planner: Planner) -> list[Node]:
+    """lambda_a in terms of the state and of the unknowns of the planner's solves."""
+    if planner.equations.multipliers:
+        return list(planner.equations.multipliers)
+    return shorten(planner.graph, planner.known(reaction_values(planner.equations)))
+
+
+def list_checks(planner: Planner) -> list[Column]:
+    """The energy, the constraints' left sides, and the holonomic ones at position level."""
+    system = planner.system
+    forms = [form_value(system.graph, form, system.v) for form in system.constraints]
+    energy, *residuals = planner.on_motion([system.energy, *forms])
+    found = [Column("energy", "energy", energy)]
+    found += [Column(f.name, "residual", r) for f, r in zip(system.constraints, residuals, strict=True)]
+    found += [Column(f.name, "position", f.equation) for f in system.constraints if f.equation is not None]
+    return found
+
+
+def needed_function(planner: Planner, columns: Sequence[Column]) -> Function:
+    """out[k] is column k."""
+    nodes = [column.node for column in columns]
+    names = [column.heading for column in columns]
+    solves = planner.graph.mask([s for plan in planner.solves for column in plan.symbols for s in column])
+    dense = any(planner.graph.depends(node, solves) for node in nodes) if planner.solves else False
+    guards = planner.frame_guards() + (planner.mass_guards if "lambda" in " ".join(names) else ())
+    return _function(planner, "needed", "what the run needs, in the order of its columns", nodes, names, guards, dense)
+
+
+def watch_function(planner: Planner, event: Node | None) -> tuple[Function | None, tuple[str, ...]]:
+    """The values that end a run when they change sign, with what each means; None where nothing needs a watch."""
+    nodes = [] if event is None else planner.on_motion([event])
+    about = [""] * len(nodes)
+    for guard in planner.frame_guards():
+        if not planner._is_constant(guard.value) and guard.value not in nodes:
+            nodes.append(guard.value)
+            about.append(guard.what)
+    if not nodes:
+        return None, ()
+    return _function(planner, "watch", "values whose change of sign ends a run", nodes, about, (), False), tuple(about)
+
+
+def _function(
+    planner: Planner,
+    name: str,
+    about: str,
+    nodes: Sequence[Node],
+    names: Sequence[str],
+    guards: tuple[GuardPlan, ...],
+    dense: bool,
+) -> Function:
+    targets = tuple(Target(k, node, text, Origin()) for k, (node, text) in enumerate(zip(nodes, names, strict=True)))
+    plan = FunctionPlan(
+        name,
+        about,
+        "",
+        (_T, planner.y, planner.p),
+        Argument("out", len(targets)),
+        planner.state_loads,
+        targets,
+        None,
+        guards,
+        planner.solves if dense else (),
+    )
+    return lower_function(planner.graph, plan, planner.system.p)

@@ -1,0 +1,138 @@
+"""A trajectory as one picture, and as a page of its own without anything from elsewhere."""
+
+from __future__ import annotations
+
+import json
+import math
+from html import escape
+
+from nhc.emit.environment import create_environment
+from nhc.report.svg import Axis, Chart, Series, draw, draw_inside, find_frame, legend_rows
+from nhc.simulate.run import Trajectory, relative_change
+from nhc.version import __version__
+
+WIDTH, PANEL = 760, 340
+TINY = 1e-20
+MOST_READ = 2000  # rows that the page carries as numbers
+
+
+def list_charts(found: Trajectory) -> list[Chart]:
+    """One chart of what is needed for each unit, so that no axis carries two."""
+    units: dict[str, list[int]] = {}
+    for k, column in enumerate(found.job.columns):
+        units.setdefault(column.unit, []).append(k)
+    charts: list[Chart] = []
+    for unit, indices in units.items():
+        names = [found.headings[k] for k in indices]
+        label = names[0] if len(names) == 1 else "value"
+        series = tuple(Series(found.headings[k], found.times, [row[k] for row in found.rows]) for k in indices)
+        title = f"{found.job.program.system}: {found.job.scene.name}" if not charts else ""
+        y = Axis(f"{label} [{unit}]" if unit else label)
+        charts.append(Chart(title, Axis("t", exact=True), y, series, WIDTH, PANEL))
+    return charts
+
+
+def list_check_charts(found: Trajectory) -> list[Chart]:
+    """The energy's relative change, and how far the constraints are off."""
+    checks = found.job.checks
+    charts: list[Chart] = []
+    for group, title in (
+        ("energy", "energy: change relative to its largest magnitude"),
+        ("residual", "constraints: left sides"),
+        ("position", "holonomic constraints: position residuals"),
+    ):
+        indices = [k for k, column in enumerate(checks) if column.group == group]
+        if not indices or not found.checks:
+            continue
+        series = []
+        for k in indices:
+            values = [row[k] for row in found.checks]
+            if group == "energy":
+                values = relative_change(values)
+            series.append(
+                Series(checks[k].heading, found.times, [max(abs(v), TINY) if v else math.nan for v in values])
+            )
+        if all(math.isnan(y) for s in series for y in s.y):
+            continue  # exactly zero: the table says so
+        charts.append(Chart(title, Axis("t", exact=True), Axis("magnitude", log=True), tuple(series), WIDTH, PANEL))
+    return charts
+
+
+def make_picture(found: Trajectory) -> str:
+    """The needed quantities over time, one panel for each unit."""
+    charts = list_charts(found)
+    if len(charts) == 1:
+        return draw(charts[0])
+    height = PANEL * len(charts)
+    panels = [f'<g transform="translate(0 {PANEL * k})">\n{draw_inside(chart)}\n</g>' for k, chart in enumerate(charts)]
+    head = (
+        f'<svg xmlns="http://www.w3.org/2000/svg" width="{WIDTH}" height="{height}" '
+        f'viewBox="0 0 {WIDTH} {height}" font-family="sans-serif" font-size="12">\n'
+        '<rect width="100%" height="100%" fill="#ffffff"/>\n'
+    )
+    return head + "\n".join(panels) + "\n</svg>\n"
+
+
+def make_page(found: Trajectory) -> str:
+    """A self-contained HTML page: facts, charts with a reading of values under the pointer, checks."""
+    job, outcome = found.job, found.outcome
+    steps = f"{outcome.steps} steps, {outcome.rejected} rejected, {outcome.calls} right-hand sides"
+    facts = [
+        ("scene", f"{job.scene.name}{': ' + job.scene.about if job.scene.about else ''}"),
+        ("equations", f"{job.program.formulation} ({job.program.equation})"),
+        ("method", f"{found.method} as {'compiled C' if found.compiled else 'Python'}; {steps}"),
+        ("time", f"{found.times[0]!r} to {found.times[-1]!r}, {len(found.times)} rows"),
+        (
+            "parameters",
+            ", ".join(f"{q.name} = {v!r}" for q, v in zip(job.program.parameters, job.p, strict=True)) or "none",
+        ),
+        *_summary(found),
+    ]
+    if found.ended == "event":
+        facts.append(("ended", found.reason))
+    if found.ended not in ("done", "event"):
+        facts.append(("incomplete", f"{found.reason} at t = {outcome.t!r}"))
+    charts = (*list_charts(found), *list_check_charts(found))
+    context = {
+        "title": escape(f"{job.program.system}: {job.scene.name}"),
+        "about": escape(job.program.about),
+        "facts": [(escape(name), escape(text)) for name, text in facts],
+        "charts": [draw(chart) for chart in charts],
+        "data": json.dumps([_readable(chart) for chart in charts], separators=(",", ":")).replace("<", "\\u003c"),
+        "version": __version__,
+    }
+    return create_environment().get_template("html/run.html.jinja").render(context)
+
+
+def _summary(found: Trajectory) -> list[tuple[str, str]]:
+    """The largest violation of each kind of check."""
+    facts = []
+    for group, name in (("energy", "energy"), ("residual", "constraints"), ("position", "holonomic constraints")):
+        indices = [k for k, column in enumerate(found.job.checks) if column.group == group]
+        if not indices or not found.checks:
+            continue
+        columns = [[row[k] for row in found.checks] for k in indices]
+        if group == "energy":
+            columns = [relative_change(column) for column in columns]
+        worst = max(abs(x) for column in columns for x in column)
+        what = "relative change at most" if group == "energy" else "off by at most"
+        facts.append((name, f"{what} {worst:.3g}"))
+    return facts
+
+
+def _readable(chart: Chart) -> dict[str, object]:
+    """What the page's script needs to read a value under the pointer; long series are thinned by a stride."""
+    frame = find_frame(chart, len(legend_rows(chart)))
+    times = chart.series[0].x
+    stride = max(1, len(times) // MOST_READ)
+    return {
+        "left": frame.left,
+        "top": frame.top,
+        "width": frame.x.length,
+        "height": frame.y.length,
+        "low": frame.x.low,
+        "high": frame.x.high,
+        "names": [series.label for series in chart.series],
+        "x": [float(f"{x:.9g}") for x in times[::stride]],
+        "y": [[None if math.isnan(y) else float(f"{y:.9g}") for y in s.y[::stride]] for s in chart.series],
+    }

@@ -1,0 +1,207 @@
+"""Line charts as SVG: axes, ticks, lines, markers, legend; the same text for the same data."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from html import escape
+
+from nhc.report.ticks import Scale, linear_scale, log_scale
+
+# Okabe and Ito: told apart by most eyes
+COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000", "#8c6d1f")
+DASHES = ("", "6 3", "2 3", "9 3 2 3")
+MOST = 2000  # points of a line; more do not show
+LEFT, RIGHT, TOP, BOTTOM, ROW = 68, 16, 30, 46, 17
+
+
+@dataclass(frozen=True, slots=True)
+class Series:
+    """A line; ``markers`` puts a dot on each point."""
+
+    label: str
+    x: Sequence[float]
+    y: Sequence[float]
+    markers: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Axis:
+    """``log``: logarithmic; ``exact``: ends where the data end."""
+
+    label: str
+    log: bool = False
+    exact: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Chart:
+    """``equal``: one unit is as long upwards as sideways."""
+
+    title: str
+    x: Axis
+    y: Axis
+    series: tuple[Series, ...]
+    width: int = 720
+    height: int = 380
+    equal: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Frame:
+    """Where a chart's plot stands in the picture."""
+
+    left: float
+    top: float
+    x: Scale
+    y: Scale
+
+    def point(self, x: float, y: float) -> tuple[float, float]:
+        """Pixels from the picture's upper left corner."""
+        return self.left + self.x.place(x), self.top + self.y.length - self.y.place(y)
+
+
+def draw(chart: Chart) -> str:
+    """A whole SVG document."""
+    return (
+        f'<svg xmlns="http://www.w3.org/2000/svg" width="{chart.width}" height="{chart.height}" '
+        f'viewBox="0 0 {chart.width} {chart.height}" font-family="sans-serif" font-size="12">\n'
+        f'<rect width="100%" height="100%" fill="#ffffff"/>\n{draw_inside(chart)}\n</svg>\n'
+    )
+
+
+def draw_inside(chart: Chart) -> str:
+    """The chart's elements without the ``svg`` around them."""
+    legend = legend_rows(chart)
+    frame = find_frame(chart, len(legend))
+    parts = [_text(chart.width / 2, 18, chart.title, "middle", ' font-size="14" font-weight="bold"')]
+    parts += _draw_axes(chart, frame)
+    for k, series in enumerate(chart.series):
+        parts += _draw_series(series, frame, k)
+    parts += _draw_legend(chart, legend)
+    return "\n".join(parts)
+
+
+def find_frame(chart: Chart, legend_rows: int) -> Frame:
+    """The plot's place and its scales."""
+    width = chart.width - LEFT - RIGHT
+    height = chart.height - TOP - BOTTOM - ROW * legend_rows
+    xs = [v for s in chart.series for v in s.x]
+    ys = [v for s in chart.series for v in s.y]
+    x = _scale(chart.x, xs, width, 8)
+    y = _scale(chart.y, ys, height, 6)
+    if chart.equal and not (x.log or y.log):
+        per_pixel = max((x.high - x.low) / width, (y.high - y.low) / height)
+        x = _around(x, per_pixel * width, width, 8)
+        y = _around(y, per_pixel * height, height, 6)
+    return Frame(LEFT, TOP, x, y)
+
+
+def _around(scale: Scale, span: float, length: float, count: int) -> Scale:
+    middle = 0.5 * (scale.low + scale.high)
+    return linear_scale(middle - span / 2, middle + span / 2, length, count, exact=True)
+
+
+def _scale(axis: Axis, values: Sequence[float], length: float, count: int) -> Scale:
+    good = [v for v in values if math.isfinite(v) and (v > 0 or not axis.log)]
+    if axis.log:
+        return log_scale(min(good, default=0.1), max(good, default=1.0), length)
+    return linear_scale(min(good, default=0.0), max(good, default=1.0), length, count, axis.exact)
+
+
+def thin(xs: Sequence[float], ys: Sequence[float], most: int = MOST) -> list[tuple[float, float]]:
+    """At most about ``most`` points that look the same: of each stretch the first, the lowest, the highest and the last."""
+    points = list(zip(xs, ys, strict=True))
+    if len(points) <= most:
+        return points
+    size = math.ceil(4 * len(points) / most)
+    kept: list[tuple[float, float]] = []
+    for start in range(0, len(points), size):
+        part = points[start : start + size]
+        order = range(len(part))
+        chosen = {0, len(part) - 1, min(order, key=lambda i: part[i][1]), max(order, key=lambda i: part[i][1])}
+        kept += [part[i] for i in sorted(chosen)]
+    return kept
+
+
+def _draw_series(series: Series, frame: Frame, index: int) -> list[str]:
+    colour, dash = COLOURS[index % len(COLOURS)], DASHES[index // len(COLOURS) % len(DASHES)]
+    runs: list[list[tuple[float, float]]] = [[]]
+    for x, y in thin(series.x, series.y):
+        place = frame.point(x, y)
+        if all(map(math.isfinite, place)):
+            runs[-1].append(place)
+        elif runs[-1]:
+            runs.append([])
+    style = f' stroke-dasharray="{dash}"' if dash else ""
+    parts = []
+    for run in runs:
+        if len(run) > 1:
+            path = " ".join(f"{x:.2f},{y:.2f}" for x, y in run)
+            parts.append(
+                f'<polyline points="{path}" fill="none" stroke="{colour}" stroke-width="1.6" stroke-linejoin="round"{style}/>'
+            )
+        if series.markers or len(run) == 1:
+            parts += [f'<circle cx="{x:.2f}" cy="{y:.2f}" r="2.8" fill="{colour}"/>' for x, y in run]
+    return parts
+
+
+def _draw_axes(chart: Chart, frame: Frame) -> list[str]:
+    x, y = frame.x, frame.y
+    right, bottom = frame.left + x.length, frame.top + y.length
+    parts = []
+    for place, text in x.ticks:
+        at = frame.left + place
+        parts.append(_line(at, frame.top, at, bottom, "#e4e4e4"))
+        parts.append(_text(at, bottom + 16, text, "middle"))
+    for place, text in y.ticks:
+        at = bottom - place
+        parts.append(_line(frame.left, at, right, at, "#e4e4e4"))
+        parts.append(_text(frame.left - 6, at + 4, text, "end"))
+    parts.append(
+        f'<rect x="{frame.left:.2f}" y="{frame.top:.2f}" width="{x.length:.2f}" height="{y.length:.2f}" '
+        'fill="none" stroke="#555555"/>'
+    )
+    parts.append(_text(frame.left + x.length / 2, bottom + 34, chart.x.label, "middle"))
+    middle = frame.top + y.length / 2
+    if chart.y.label:
+        parts.append(_text(14, middle, chart.y.label, "middle", f' transform="rotate(-90 14 {middle:.2f})"'))
+    return parts
+
+
+def legend_rows(chart: Chart) -> list[list[tuple[int, str, float]]]:
+    """(series, text, place from the left) in rows; nothing where the axis's label says it already."""
+    if len(chart.series) == 1 and chart.series[0].label in ("", chart.y.label):
+        return []
+    rows: list[list[tuple[int, str, float]]] = [[]]
+    at = float(LEFT)
+    for k, series in enumerate(chart.series):
+        width = 34 + 7.2 * len(series.label)
+        if rows[-1] and at + width > chart.width - RIGHT:
+            rows.append([])
+            at = float(LEFT)
+        rows[-1].append((k, series.label, at))
+        at += width
+    return rows if rows[-1] else []
+
+
+def _draw_legend(chart: Chart, rows: list[list[tuple[int, str, float]]]) -> list[str]:
+    parts = []
+    for r, row in enumerate(rows):
+        y = chart.height - ROW * (len(rows) - r) + 8
+        for k, text, x in row:
+            colour, dash = COLOURS[k % len(COLOURS)], DASHES[k // len(COLOURS) % len(DASHES)]
+            style = f' stroke-dasharray="{dash}"' if dash else ""
+            ends = f'x1="{x:.2f}" y1="{y - 4:.2f}" x2="{x + 20:.2f}" y2="{y - 4:.2f}"'
+            parts.append(f'<line {ends} stroke="{colour}" stroke-width="2"{style}/>')
+            parts.append(_text(x + 25, y, text, "start"))
+    return parts
+
+
+def _line(x1: float, y1: float, x2: float, y2: float, colour: str) -> str:
+    return f'<line x1="{x1:.2f}" y1="{y1:.2f}" x2="{x2:.2f}" y2="{y2:.2f}" stroke="{colour}"/>'
+
+
+def _text(x: float, y: float, text: str, anchor: str, more: str = "") -> str:
+    return f'<text x="{x:.2f}" y="{y:.2f}" text-anchor="{anchor}" fill="#222222"{more}>{escape(text)}</text>'

@@ -1,0 +1,1 @@
+"""Runs of a scene: emitted models compiled or loaded, integrators beside them, trajectories."""

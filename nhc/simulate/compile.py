@@ -1,0 +1,146 @@
+"""Compiled models in a cache: the same sources, flags and compiler give the same file, and it is made once.
+
+The cache is ``$NHC_CACHE``, else ``nhc`` in the user's cache folder (``$XDG_CACHE_HOME`` or ``~/.cache``).  An
+entry is a folder named by the hash of everything that went into it; it appears by a rename, so that it is whole or
+not there.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import platform
+import shutil
+import subprocess
+import sys
+import tempfile
+from collections.abc import Mapping, Sequence
+from functools import cache
+from pathlib import Path
+
+FLAGS = ("-std=c99", "-O2", "-fPIC", "-shared", "-fvisibility=hidden", "-fno-math-errno", "-fno-trapping-math")
+TIME_LIMIT = 600.0  # seconds
+
+
+class CompileError(Exception):
+    """There is no compiler, or it refuses the emitted source; ``missing`` says which."""
+
+    def __init__(self, message: str, missing: bool = False) -> None:
+        super().__init__(message)
+        self.missing = missing
+
+
+def cache_folder() -> Path:
+    """Where compiled models are kept."""
+    if os.environ.get("NHC_CACHE"):
+        return Path(os.environ["NHC_CACHE"])
+    base = os.environ.get("XDG_CACHE_HOME") or str(Path.home() / ".cache")
+    return Path(base) / "nhc"
+
+
+def find_compiler() -> str:
+    """The path of ``$CC``, cc, gcc or clang; empty where there is none."""
+    for name in (os.environ.get("CC", ""), "cc", "gcc", "clang"):
+        found = shutil.which(name) if name else None
+        if found:
+            return found
+    return ""
+
+
+@cache
+def compiler_version(compiler: str) -> str:
+    """What the compiler says of itself."""
+    try:
+        done = subprocess.run([compiler, "--version"], capture_output=True, text=True, timeout=30, check=False)
+    except (OSError, subprocess.TimeoutExpired) as error:
+        raise CompileError(f"`{compiler} --version` fails: {error}", missing=True) from error
+    return done.stdout + done.stderr
+
+
+@cache
+def machine_flags() -> tuple[str, ...]:
+    """Flags for what this processor has; 128-bit vectors, for wider ones stall on the stages' small loops."""
+    if platform.machine() != "x86_64":
+        return ()
+    try:
+        known = set(Path("/proc/cpuinfo").read_text().split("flags", 1)[1].split("\n", 1)[0].split())
+    except (OSError, IndexError):
+        return ()
+    if {"avx2", "bmi1", "bmi2", "fma", "movbe", "f16c"} <= known:
+        return ("-march=x86-64-v3", "-mprefer-vector-width=128")
+    return ()
+
+
+def build(sources: Mapping[str, str], unit: str, flags: Sequence[str] = ()) -> Path:
+    """The shared library of the translation unit ``unit``, one of ``sources`` (file name -> text).
+
+    Raises:
+        CompileError: no compiler, or the source does not compile.
+    """
+    compiler = find_compiler()
+    if not compiler:
+        raise CompileError("no C compiler (looked for $CC, cc, gcc, clang)", missing=True)
+    options = (*FLAGS, *_accepted(compiler), *flags)
+    entry = cache_folder() / _key(sources, unit, options, compiler)
+    library = entry / f"{Path(unit).stem}.so"
+    if not library.exists():
+        _compile(sources, unit, (compiler, *options), library)
+    return library
+
+
+@cache
+def _accepted(compiler: str) -> tuple[str, ...]:
+    """The machine's flags where the compiler takes them."""
+    wanted = machine_flags()
+    if not wanted:
+        return ()
+    try:
+        done = subprocess.run(
+            [compiler, *wanted, "-Werror", "-E", "-x", "c", os.devnull], capture_output=True, timeout=30, check=False
+        )
+    except (OSError, subprocess.TimeoutExpired):
+        return ()
+    return wanted if done.returncode == 0 else ()
+
+
+def _key(sources: Mapping[str, str], unit: str, options: Sequence[str], compiler: str) -> str:
+    digest = hashlib.sha256()
+    parts = [unit, *options, compiler_version(compiler), sys.platform, platform.machine()]
+    for name in sorted(sources):
+        parts += [name, sources[name]]
+    for part in parts:
+        digest.update(f"{len(part)}:{part}".encode())
+    return digest.hexdigest()[:32]
+
+
+def _compile(sources: Mapping[str, str], unit: str, command: Sequence[str], library: Path) -> None:
+    """Compile in a folder beside the entry and rename it into place; who comes second keeps the first one's."""
+    entry = library.parent
+    try:
+        entry.parent.mkdir(parents=True, exist_ok=True)
+        work = Path(tempfile.mkdtemp(prefix=f".{entry.name}.", dir=entry.parent))
+    except OSError as error:
+        raise CompileError(f"cannot write into the cache `{entry.parent}`: {error.strerror}") from error
+    try:
+        for name, text in sources.items():
+            (work / name).write_text(text, encoding="utf-8")
+        done = subprocess.run(
+            [*command, unit, "-lm", "-o", library.name],
+            cwd=work,
+            capture_output=True,
+            text=True,
+            timeout=TIME_LIMIT,
+            check=False,
+        )
+        if done.returncode != 0:
+            first = next((line for line in done.stderr.splitlines() if "error" in line), done.stderr.strip()[:200])
+            raise CompileError(f"`{Path(command[0]).name}` does not compile the emitted source: {first}")
+        try:
+            os.rename(work, entry)
+        except OSError as error:
+            if not library.exists():
+                raise CompileError(f"cannot write into the cache `{entry.parent}`: {error.strerror}") from error
+    except subprocess.TimeoutExpired as error:
+        raise CompileError(f"the compiler takes longer than {TIME_LIMIT:.0f} s") from error
+    finally:
+        shutil.rmtree(work, ignore_errors=True)

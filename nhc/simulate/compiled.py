@@ -1,0 +1,133 @@
+"""A compiled run through ctypes; the loop is inside C, one call does it all."""
+
+from __future__ import annotations
+
+import ctypes
+from collections.abc import Sequence
+from pathlib import Path
+
+from nhc.simulate.task import ModelError, News, Outcome, Task
+
+_Doubles = ctypes.POINTER(ctypes.c_double)
+
+
+class _Task(ctypes.Structure):
+    _fields_ = (
+        ("p", _Doubles),
+        ("y", _Doubles),
+        ("times", _Doubles),
+        ("rows", ctypes.c_long),
+        ("tolerance", ctypes.c_double),
+        ("step", ctypes.c_double),
+        ("longest", ctypes.c_double),
+        ("most", ctypes.c_long),
+    )
+
+
+class _News(ctypes.Structure):
+    _fields_ = (("t", ctypes.c_double), ("stop", ctypes.c_int))
+
+
+class CompiledNews(News):
+    """The same two values where C sees them."""
+
+    def __init__(self) -> None:
+        self.shared = _News()
+
+    @property
+    def t(self) -> float:
+        return float(self.shared.t)
+
+    @t.setter
+    def t(self, value: float) -> None:
+        self.shared.t = value
+
+    @property
+    def stop(self) -> bool:
+        return bool(self.shared.stop)
+
+    @stop.setter
+    def stop(self, value: bool) -> None:
+        self.shared.stop = int(value)
+
+
+class CompiledModel:
+    """``<s>_run.so``: its methods, and the quantities of a run."""
+
+    compiled = True
+
+    def __init__(self, path: Path, system: str, states: int, needed: int) -> None:
+        self.library = ctypes.CDLL(str(path))
+        self.system, self.states, self.needed = system, states, needed
+
+        class Found(ctypes.Structure):
+            _fields_ = (
+                ("outcome", ctypes.c_int),
+                ("status", ctypes.c_int),
+                ("rows", ctypes.c_long),
+                ("steps", ctypes.c_long),
+                ("rejected", ctypes.c_long),
+                ("calls", ctypes.c_long),
+                ("jacobians", ctypes.c_long),
+                ("t", ctypes.c_double),
+                ("y", ctypes.c_double * states),
+                ("h", ctypes.c_double),
+            )
+
+        self._Found = Found
+
+    def news(self) -> CompiledNews:
+        return CompiledNews()
+
+    def integrate(self, task: Task, method: str, news: News) -> Outcome:
+        """Run one method; the interpreter's lock is free meanwhile, so another thread may read ``news`` and ask to stop."""
+        assert isinstance(news, CompiledNews)
+        size, count = self.states, len(task.times)
+        times, rows, found = _doubles(task.times), (ctypes.c_double * (count * size))(), self._Found()
+        given = _Task(
+            ctypes.cast(_doubles(task.p), _Doubles),
+            ctypes.cast(_doubles(task.y), _Doubles),
+            ctypes.cast(times, _Doubles),
+            count,
+            task.tolerance,
+            task.step,
+            task.longest,
+            task.most,
+        )
+        function = getattr(self.library, f"{self.system}_{method}")
+        function(ctypes.byref(given), rows, ctypes.byref(found), ctypes.byref(news.shared))
+        flat = list(rows[: found.rows * size])
+        return Outcome(
+            found.outcome,
+            found.status,
+            found.t,
+            list(found.y),
+            found.h,
+            found.steps,
+            found.rejected,
+            found.calls,
+            found.jacobians,
+            [flat[k : k + size] for k in range(0, len(flat), size)],
+        )
+
+    def quantities(
+        self, times: Sequence[float], states: Sequence[Sequence[float]], p: Sequence[float]
+    ) -> list[list[float]]:
+        """The needed columns at each row.
+
+        Raises:
+            ModelError: they have no value there.
+        """
+        width, failed = self.needed, ctypes.c_long(0)
+        out = (ctypes.c_double * max(len(times) * width, 1))()
+        flat = _doubles([x for state in states for x in state])
+        function = getattr(self.library, f"{self.system}_needed_rows")
+        status = function(ctypes.c_long(len(times)), _doubles(times), flat, _doubles(p), out, ctypes.byref(failed))
+        if status:
+            raise ModelError(failed.value, status)
+        values = list(out[: len(times) * width])
+        return [values[k : k + width] for k in range(0, len(values), width)]
+
+
+def _doubles(values: Sequence[float]) -> ctypes.Array[ctypes.c_double]:
+    return (ctypes.c_double * max(len(values), 1))(*values)

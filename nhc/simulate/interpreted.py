@@ -1,0 +1,94 @@
+"""The same run without a compiler: the emitted Python model under methods in Python.  Slow; also the oracle for the C."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from importlib.abc import InspectLoader
+from importlib.util import module_from_spec, spec_from_loader
+from types import ModuleType
+from typing import Any
+
+from nhc.emit import EmitOptions, render
+from nhc.program.ir import Program
+from nhc.simulate.methods import RUNGE_KUTTA
+from nhc.simulate.methods.loop import integrate
+from nhc.simulate.task import ModelError, News, Outcome, Task
+
+
+class _Text(InspectLoader):
+    """A module whose source is a text that nhc has emitted."""
+
+    def __init__(self, text: str) -> None:
+        self.text = text
+
+    def get_source(self, fullname: str) -> str:
+        return self.text
+
+    def is_package(self, fullname: str) -> bool:
+        return False
+
+
+def load_text(text: str, name: str) -> ModuleType:
+    """The module of an emitted text; it is not entered into ``sys.modules``."""
+    loader = _Text(text)
+    spec = spec_from_loader(f"emitted_{name}", loader)
+    assert spec is not None
+    module = module_from_spec(spec)
+    loader.exec_module(module)
+    return module
+
+
+class InterpretedModel:
+    """The Python counterpart of ``CompiledModel``."""
+
+    compiled = False
+
+    def __init__(self, program: Program, events: int) -> None:
+        names = tuple(function.name for function in program.functions)
+        (text,) = render(program, "python", EmitOptions(only=names)).values()
+        self.module: Any = load_text(text, program.system)
+        self.events = events
+        self.watched = "watch" in names
+
+    def news(self) -> News:
+        return News()
+
+    # the model as the methods see it; a singular point raises an ArithmeticError with its ``status``
+
+    def rhs(self, t: float, y: Sequence[float], p: Sequence[float]) -> list[float]:
+        values: list[float] = self.module.rhs(t, y, p)
+        return values
+
+    def jacobian(self, t: float, y: Sequence[float], p: Sequence[float]) -> list[list[float]]:
+        values: list[list[float]] = self.module.jacobian(t, y, p)
+        return values
+
+    def watch(self, t: float, y: Sequence[float], p: Sequence[float]) -> list[float]:
+        values: list[float] = self.module.watch(t, y, p) if self.watched else []
+        return values
+
+    def integrate(self, task: Task, method: str, news: News) -> Outcome:
+        """Run one method."""
+        return integrate(self, RUNGE_KUTTA[method], task, news)
+
+    def quantities(
+        self, times: Sequence[float], states: Sequence[Sequence[float]], p: Sequence[float]
+    ) -> list[list[float]]:
+        """The needed columns at each row.
+
+        Raises:
+            ModelError: they have no value there.
+        """
+        rows: list[list[float]] = []
+        for row, (t, y) in enumerate(zip(times, states, strict=True)):
+            try:
+                rows.append(self.module.needed(t, y, p))
+            except ArithmeticError as error:
+                raise ModelError(row, getattr(error, "status", 0)) from error
+        return rows
+
+
+def is_finite(values: Sequence[float]) -> bool:
+    """Whether all values are numbers."""
+    return all(map(math.isfinite, values))

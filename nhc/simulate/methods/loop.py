@@ -1,0 +1,217 @@
+"""The loop around a Runge-Kutta method in Python, step for step as ``templates/c/methods/loop.c.jinja`` has it."""
+
+from __future__ import annotations
+
+import math
+import sys
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Protocol
+
+from nhc.simulate.methods import collocation, explicit
+from nhc.simulate.methods.step import Model, NoSolution, Step
+from nhc.simulate.methods.tableau import Explicit, Tableau
+from nhc.simulate.task import (
+    CROSSED,
+    DONE,
+    EVENT,
+    NO_SOLUTION,
+    SINGULAR,
+    STOPPED,
+    TOO_MANY,
+    UNDERFLOW,
+    News,
+    Outcome,
+    Task,
+)
+
+_EPSILON = sys.float_info.epsilon
+_PIECES = 8
+
+
+class Watched(Model, Protocol):
+    """A model with values to watch."""
+
+    @property
+    def events(self) -> int: ...
+
+    @property
+    def watched(self) -> bool: ...
+
+    def watch(self, t: float, y: Sequence[float], p: Sequence[float]) -> list[float]: ...
+
+
+@dataclass
+class _Run:
+    model: Watched
+    method: Tableau
+    task: Task
+    news: News
+    step: Step
+    states: list[list[float]]
+    steps: int = 0
+    rejected: int = 0
+    next: float = 0.0
+    growth: float = 6.0
+    before: list[float] = field(default_factory=list)
+
+    def leave(self, kind: int, status: int = 0) -> Outcome:
+        s = self.step
+        return Outcome(kind, status, s.t, list(s.y), s.h, self.steps, self.rejected, s.calls, s.jacobians, self.states)
+
+
+def integrate(model: Watched, method: Tableau, task: Task, news: News) -> Outcome:
+    """Fill the rows of a task; the outcome says how far it came."""
+    step = Step(model, task.p, task.times[0], list(task.y), 0.0 if task.step > 0 else task.tolerance)
+    run = _Run(model, method, task, news, step, [list(task.y)])
+    try:
+        step.slope = step.rhs(step.t, step.y)
+        run.before = model.watch(step.t, step.y, task.p)
+        run.next = _guess(step, task.times[-1] - task.times[0])
+        while True:
+            done = _advance(run)
+            if done is not None:
+                return done
+    except ArithmeticError as error:
+        return run.leave(SINGULAR, getattr(error, "status", 0))
+
+
+def _guess(step: Step, duration: float) -> float:
+    size, speed = max(map(abs, step.y), default=0.0), max(map(abs, step.slope), default=0.0)
+    wish = 0.01 * size / speed if size > 1e-5 and speed > 1e-5 else 1e-6
+    return min(wish, 0.01 * abs(duration))
+
+
+def _plan(run: _Run) -> tuple[float, float] | None:
+    """(end of the next step, its length without sign); None where the step is too short to count."""
+    task, s = run.task, run.step
+    start, end = task.times[0], task.times[-1]
+    sign, rest = math.copysign(1.0, end - start), abs(end - s.t)
+    if task.step > 0:
+        count = math.ceil(abs(end - start) / task.step - 1e-9)
+        last = run.steps + 1 >= count
+        reach = end if last else start + (end - start) * ((run.steps + 1) / count)
+        return reach, abs(reach - s.t)
+    run.next = min(run.next, task.longest if task.longest > 0 else abs(end - start))
+    last = run.next >= 0.999 * rest
+    h = rest if last else run.next
+    reach = end if last else s.t + sign * h
+    return None if reach == s.t or (not last and h < 4 * _EPSILON * abs(s.t)) else (reach, h)
+
+
+def _attempt(run: _Run) -> tuple[float, int]:
+    """(error relative to what is allowed, outcome to leave with where it is no number)."""
+    s = run.step
+    module = explicit if isinstance(run.method, Explicit) else collocation
+    try:
+        error = module.attempt(s, run.method)
+    except NoSolution:
+        return math.nan, NO_SOLUTION
+    except ArithmeticError as singular:
+        s.status = getattr(singular, "status", 0)
+        return math.nan, SINGULAR if s.status else UNDERFLOW
+    good = all(map(math.isfinite, s.reached))
+    return (error if good else math.nan), UNDERFLOW
+
+
+def _advance(run: _Run) -> Outcome | None:
+    """One step, accepted or not; an outcome where the run ends."""
+    task, s = run.task, run.step
+    duration = abs(task.times[-1] - task.times[0])
+    if run.news.stop:
+        return run.leave(STOPPED)
+    if run.steps + run.rejected >= task.most:
+        return run.leave(TOO_MANY)
+    plan = _plan(run)
+    if plan is None:
+        return run.leave(UNDERFLOW)
+    reach, h = plan
+    s.h, s.status = reach - s.t, 0
+    error, reason = _attempt(run)
+    exponent = -1.0 / max(run.method.exponent, 1)
+    if not 0.0 <= error <= 1.0:
+        run.rejected += 1
+        run.growth, s.first = 1.0, True
+        run.next = h * (max(0.9 * error**exponent, 0.333) if error > 1.0 else 0.25)
+        if task.step > 0 or run.next < 4 * _EPSILON * max(abs(s.t), 1e-3 * duration):
+            return run.leave(reason, s.status)
+        return None
+    if task.step <= 0:
+        growth = 0.9 * error**exponent if error > 0 else run.growth
+        run.next = h * min(run.growth, max(growth, 0.333))
+    run.growth = 6.0
+    return _accept(run, reach)
+
+
+def _accept(run: _Run, reach: float) -> Outcome | None:
+    task, s, model = run.task, run.step, run.model
+    cut, which = 2.0, -1
+    if model.watched:
+        after = model.watch(reach, s.reached, task.p)
+        if model.events or _change(run.before, after) >= 0:
+            cut, which = _find_event(run)
+        run.before = _keep_signs(run.before, after)
+    _fill(run, cut)
+    run.steps += 1
+    if which >= 0:
+        s.y, s.t = _point(run, cut), s.t + cut * s.h
+        return run.leave(EVENT if which < model.events else CROSSED, which)
+    s.t, s.y, s.slope, s.first = reach, s.reached, s.arrived, False
+    s.size = [max(a, abs(b)) for a, b in zip(s.size, s.y, strict=True)]
+    run.news.t = reach
+    return run.leave(DONE) if reach == task.times[-1] else None
+
+
+def _point(run: _Run, part: float) -> list[float]:
+    s = run.step
+    if s.shape is None:
+        module = explicit if isinstance(run.method, Explicit) else collocation
+        s.shape = module.shape(s, run.method)
+    return s.interpolate(part)
+
+
+def _fill(run: _Run, cut: float) -> None:
+    s, times = run.step, run.task.times
+    while len(run.states) < len(times):
+        part = (times[len(run.states)] - s.t) / s.h
+        if part > cut or part > 1.0 + 1e-12:
+            return
+        run.states.append(list(s.reached) if part >= 1.0 - 1e-12 else _point(run, part))
+
+
+def _change(before: Sequence[float], after: Sequence[float]) -> int:
+    """A watched value that has changed its sign, or -1."""
+    pairs = zip(before, after, strict=True)
+    return next((i for i, (a, b) in enumerate(pairs) if a != 0.0 and (a < 0.0) != (b < 0.0)), -1)
+
+
+def _keep_signs(before: Sequence[float], after: Sequence[float]) -> list[float]:
+    """The values before the next piece; a zero keeps the sign that came before it."""
+    return [b if b != 0.0 else a for a, b in zip(before, after, strict=True)]
+
+
+def _find_event(run: _Run) -> tuple[float, int]:
+    """(part of the step, index of the watched value) where one changes its sign; (2, -1) where none does."""
+    s, left = run.step, 0.0
+    _point(run, 0.5)  # makes the interpolant
+
+    def look(part: float, y: list[float]) -> list[float]:
+        return run.model.watch(s.t + part * s.h, y, run.task.p)
+
+    for piece in range(1, _PIECES + 1):
+        right = piece / _PIECES
+        after = look(right, s.reached if piece == _PIECES else _point(run, right))
+        which = _change(run.before, after)
+        if which < 0:
+            run.before, left = _keep_signs(run.before, after), right
+            continue
+        while right - left > _EPSILON and left < 0.5 * (left + right) < right:
+            middle = 0.5 * (left + right)
+            after = look(middle, _point(run, middle))
+            found = _change(run.before, after)
+            if found < 0:
+                run.before, left = _keep_signs(run.before, after), middle
+            else:
+                which, right = found, middle
+        return right, which
+    return 2.0, -1

@@ -1,0 +1,128 @@
+"""From a spec's text to a scene that is ready to run."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from nhc.diagnostics import Bag, Source, Span, nearest
+from nhc.language import Spec, decode
+from nhc.language.parser import parse_expression
+from nhc.language.scope import Declared, Scope
+from nhc.language.spec import Definition, Scene
+from nhc.language.syntax import Syntax
+from nhc.mechanics.choose import formulate
+from nhc.mechanics.formulate import equations_of
+from nhc.mechanics.resolve import resolve
+from nhc.mechanics.scenes import start_of
+from nhc.simulate.prepare import Job, prepare
+
+_EVENT = "until"
+
+
+class RunError(Exception):
+    """What was asked does not fit the spec; ``help`` says what would."""
+
+    def __init__(self, message: str, help: tuple[str, ...] = ()) -> None:
+        super().__init__(message)
+        self.help = help
+
+
+def open_scene(
+    source: Source,
+    scene: str = "",
+    formulation: str = "",
+    needs: tuple[str, ...] = (),
+    until: str = "",
+    jacobian: bool = False,
+    checks: bool = False,
+) -> Job:
+    """The job of a scene (default: the first); ``until`` is an expression in the spec's names whose zero ends the run.
+
+    Raises:
+        nhc.diagnostics.SpecError: the spec or the expression has errors.
+        RunError: no such scene or quantity.
+    """
+    spec = decode(source)
+    chosen = find_scene(spec, scene)
+    wanted = tuple(dict.fromkeys(find_need(spec, need) for need in needs))
+    if until:
+        tree = parse_event(spec, until)
+        spec = replace(spec, outputs=(*spec.outputs, Definition(_EVENT, tree, Span(0, 0))))
+    system = resolve(spec)
+    event = None
+    if until:
+        event = system.outputs[-1][1]
+        system = replace(system, outputs=system.outputs[:-1])
+    form = formulate(system, formulation)
+    equations = equations_of(system, form)
+    return prepare(equations, form, start_of(system, chosen), wanted, event, jacobian, checks)
+
+
+def find_scene(spec: Spec, name: str) -> Scene:
+    """The scene of that name, or the first one."""
+    if not spec.scenes:
+        advice = ("add one under `scenes:`, with `initial:` and `time: [start, end]`",)
+        raise RunError("this spec has no scene to run", advice)
+    if not name:
+        return spec.scenes[0]
+    for scene in spec.scenes:
+        if scene.name == name:
+            return scene
+    names = [scene.name for scene in spec.scenes]
+    near = nearest(name, names)
+    hint = f"did you mean `{near}`?" if near else f"the spec's scenes: {', '.join(names)}"
+    raise RunError(f"no scene `{name}`", (hint,))
+
+
+def list_needs(spec: Spec) -> tuple[str, ...]:
+    """Everything that a run can be asked for."""
+    return (
+        *(c.name for c in spec.coordinates),
+        *(f"{c.name}'" for c in spec.coordinates),
+        *(q.name for q in spec.quasi_velocities),
+        *(o.name for o in spec.outputs),
+        "energy",
+        "reactions",
+    )
+
+
+def find_need(spec: Spec, text: str) -> str:
+    """The needed name that a text means; ``xdot`` is ``x'`` while nothing else has that name."""
+    from nhc.language.names import fold
+
+    name, known = fold(text.replace("\u2032", "'").strip()), list_needs(spec)
+    if name in known:
+        return name
+    if name.endswith("dot") and f"{name[:-3]}'" in known:
+        return f"{name[:-3]}'"
+    near = nearest(name, known)
+    hint = f"did you mean `{near}`?" if near else f"it can be {', '.join(known)}"
+    raise RunError(f"no quantity `{text}` in this spec", (hint,))
+
+
+def parse_event(spec: Spec, text: str) -> Syntax:
+    """The tree of an expression in the spec's names, as an output would be read.
+
+    Raises:
+        nhc.diagnostics.SpecError: with the places in the text.
+    """
+    bag = Bag(Source("--until", text))
+    tree = parse_expression(text, Span, bag)
+    if tree is not None:
+        scope = Scope(bag)
+        for kind, entries in (
+            ("coordinate", spec.coordinates),
+            ("parameter", spec.parameters),
+            ("define", spec.definitions),
+            ("quasi", spec.quasi_velocities),
+        ):
+            scope.names.update((entry.name, Declared(kind, entry.span)) for entry in entries)
+        tree = scope.resolve(tree, "output")
+        held: dict[str, bool] = {}
+        named = {d.name: d.value for d in (*spec.definitions, *spec.quasi_velocities)}
+        for name in spec.named_order:
+            held[name] = scope.holds_velocities(named[name], held, report=False)
+        scope.holds_velocities(tree, held)
+    bag.raise_if_errors()
+    assert tree is not None
+    return tree

@@ -1,0 +1,84 @@
+"""From equations and a scene to what is integrated: program, start, columns."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+from nhc.algebra.graph import Node
+from nhc.emit.statements import list_statuses
+from nhc.language.spec import Scene
+from nhc.mechanics.associate import Equations
+from nhc.mechanics.choose import Formulation
+from nhc.mechanics.scenes import Start, kept_velocities
+from nhc.program.build import Planner, build_functions
+from nhc.program.ir import Program
+from nhc.program.model import build_program
+from nhc.program.needed import Column, list_checks, list_columns, needed_function, watch_function
+
+
+@dataclass(frozen=True)
+class Job:
+    """A scene that is ready to run.  ``columns`` are what the user needs, ``checks`` energy and residuals after
+    them; ``needed`` of the program computes both, in this order.  ``meanings``: of the model's status codes;
+    ``watched``: what a change of sign of each watched value means, the first ``events`` being the user's.
+    """
+
+    program: Program
+    scene: Scene
+    formulation: Formulation
+    y: tuple[float, ...]
+    p: tuple[float, ...]
+    time: tuple[float, float]
+    tolerance: float
+    columns: tuple[Column, ...]
+    checks: tuple[Column, ...]
+    meanings: dict[int, str]
+    watched: tuple[str, ...]
+    events: int
+
+    @property
+    def state_names(self) -> tuple[str, ...]:
+        return tuple(quantity.name for quantity in self.program.state)
+
+
+def prepare(
+    equations: Equations,
+    formulation: Formulation,
+    start: Start,
+    needs: Sequence[str] = (),
+    event: Node | None = None,
+    jacobian: bool = False,
+    checks: bool = False,
+) -> Job:
+    """The job of a scene; ``needs`` are names (default: the scene's own).
+
+    Raises:
+        KeyError: a need that the spec does not have.
+    """
+    system, scene = equations.system, start.scene
+    planner = Planner(equations, formulation)
+    wanted = tuple(needs) or tuple(need.name for need in scene.need)
+    columns = list_columns(planner, wanted)
+    checked = list_checks(planner) if checks else []
+    watch, about = watch_function(planner, event)
+    functions = build_functions(planner, ("rhs", "jacobian") if jacobian else ("rhs",))
+    functions += (needed_function(planner, [*columns, *checked]),)
+    functions += () if watch is None else (watch,)
+    frame = build_program(system, formulation, equations, only=("residuals",))
+    program = replace(frame, functions=functions, scenes=())
+    meanings = {status.code: status.what for status in list_statuses(program)}
+    return Job(
+        program=program,
+        scene=scene,
+        formulation=formulation,
+        y=(*start.q, *kept_velocities(system, planner.kept_forms(), start)),
+        p=start.p,
+        time=start.time,
+        tolerance=float(scene.tolerance),
+        columns=tuple(columns),
+        checks=tuple(checked),
+        meanings=meanings,
+        watched=about,
+        events=0 if event is None else 1,
+    )

@@ -1,0 +1,243 @@
+"""A run: the best model that this machine can have, a method, and what came out of it, complete or not."""
+
+from __future__ import annotations
+
+import math
+import threading
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+from nhc.simulate.compile import CompileError, build
+from nhc.simulate.compiled import CompiledModel
+from nhc.simulate.interpreted import InterpretedModel
+from nhc.simulate.methods import DEFAULT, RUNGE_KUTTA
+from nhc.simulate.methods.tableau import Collocation
+from nhc.simulate.prepare import Job
+from nhc.simulate.source import write_source
+from nhc.simulate.task import (
+    CROSSED,
+    DONE,
+    EVENT,
+    NO_SOLUTION,
+    SINGULAR,
+    STOPPED,
+    TOO_MANY,
+    UNDERFLOW,
+    ModelError,
+    News,
+    Outcome,
+    Task,
+)
+
+SAFETY = 0.01  # of the wanted accuracy, for errors add up and grow
+LEAST_TOLERANCE = 3e-15
+POINTS = 201
+MOST_HALVINGS = 20
+Model = CompiledModel | InterpretedModel
+Show = Callable[[float], None]
+
+
+@dataclass(frozen=True, slots=True)
+class Settings:
+    """``tolerance`` 0: the scene's; ``step`` 0: adaptive, or found by halving for a method with fixed steps."""
+
+    method: str = DEFAULT
+    tolerance: float = 0.0
+    step: float = 0.0
+    points: int = POINTS
+    compiled: bool = True
+
+
+@dataclass(frozen=True)
+class Trajectory:
+    """``rows`` follow the job's columns and ``checks`` its checks, one row for each of ``times``.
+
+    ``ended`` is "done" or "event"; else "stopped" or "failed", and then the rows end before the end.
+    """
+
+    job: Job
+    method: str
+    compiled: bool
+    times: tuple[float, ...]
+    rows: tuple[tuple[float, ...], ...]
+    checks: tuple[tuple[float, ...], ...]
+    outcome: Outcome
+    ended: str
+    reason: str
+    step: float
+    seconds: float
+    notes: tuple[str, ...]
+
+    @property
+    def headings(self) -> tuple[str, ...]:
+        return tuple(column.heading for column in self.job.columns)
+
+
+def load(job: Job, method: str, compiled: bool = True) -> tuple[Model, tuple[str, ...]]:
+    """The compiled model, or the emitted Python where there is no compiler; notes say so."""
+    notes: tuple[str, ...] = ()
+    if compiled:
+        try:
+            sources = write_source(job.program, [RUNGE_KUTTA[method]], job.events)
+            path = build(sources, f"{job.program.system}_run.c")
+            width = len(job.columns) + len(job.checks)
+            return CompiledModel(path, job.program.system, len(job.y), width), ()
+        except CompileError as error:
+            notes = (f"{error}; running the emitted Python, which is some hundred times slower",)
+    return InterpretedModel(job.program, job.events), notes
+
+
+def needs_jacobian(method: str) -> bool:
+    """Whether a method uses the emitted Jacobian."""
+    return isinstance(RUNGE_KUTTA[method], Collocation)
+
+
+def list_times(start: float, end: float, points: int) -> tuple[float, ...]:
+    """Equally spaced times, the first and the last exactly the ends."""
+    inner = (start + (end - start) * (k / (points - 1)) for k in range(1, points - 1))
+    return (start, *inner, end)
+
+
+def run(job: Job, settings: Settings, show: Show | None = None) -> Trajectory:
+    """Integrate a job; ``show`` is told the time reached, some times a second.  Ctrl-C stops it and keeps what there is."""
+    model, notes = load(job, settings.method, settings.compiled)
+    tolerance = settings.tolerance or job.tolerance
+    times = list_times(*job.time, settings.points)
+    task = Task(job.p, job.y, times, max(SAFETY * tolerance, LEAST_TOLERANCE), settings.step)
+    before = time.perf_counter()
+    if settings.step <= 0 and not RUNGE_KUTTA[settings.method].adaptive:
+        task, more = _find_step(model, task, settings.method, tolerance, show)
+        notes += more
+    outcome = _integrate(model, task, settings.method, show)
+    seconds = time.perf_counter() - before
+    return collect(job, settings.method, model, task, outcome, seconds, notes)
+
+
+def _integrate(model: Model, task: Task, method: str, show: Show | None) -> Outcome:
+    """In a thread of its own, so that Ctrl-C is heard here."""
+    news = model.news()
+    news.t = task.times[0]
+    found: list[Outcome] = []
+    broken: list[BaseException] = []
+
+    def work() -> None:
+        try:
+            found.append(model.integrate(task, method, news))
+        except BaseException as error:  # carried to the thread that waits
+            broken.append(error)
+
+    thread = threading.Thread(target=work, daemon=True)
+    thread.start()
+    _wait(thread, news, show)
+    if broken:
+        raise broken[0]
+    return found[0]
+
+
+def _wait(thread: threading.Thread, news: News, show: Show | None) -> None:
+    while thread.is_alive():
+        try:
+            thread.join(0.1)
+            if show is not None and thread.is_alive():
+                show(news.t)
+        except KeyboardInterrupt:
+            news.stop = True
+
+
+def _find_step(
+    model: Model, task: Task, method: str, tolerance: float, show: Show | None
+) -> tuple[Task, tuple[str, ...]]:
+    """Halve the step until the end no longer moves by more than the tolerance; the last step is the one taken."""
+    duration = abs(task.times[-1] - task.times[0])
+    ends = (task.times[0], task.times[-1])
+    step, former = duration / 64, None
+    for _ in range(MOST_HALVINGS):
+        trial = replace(task, times=ends, step=step)
+        outcome = _integrate(model, trial, method, show)
+        if outcome.kind == STOPPED:
+            break
+        if outcome.kind == DONE:
+            if former is not None and _is_close(former, outcome.y, task.y, tolerance):
+                break
+            former = outcome.y
+        else:
+            former = None
+        step /= 2
+    return replace(task, step=step), (f"steps of {step:.6g} reach the tolerance (found by halving)",)
+
+
+def _is_close(a: list[float], b: list[float], start: tuple[float, ...] | object, tolerance: float) -> bool:
+    size = max(1e-300, *(abs(x) for x in b))
+    return all(abs(x - y) <= tolerance * max(abs(y), 1e-3 * size) for x, y in zip(a, b, strict=True))
+
+
+def collect(
+    job: Job, method: str, model: Model, task: Task, outcome: Outcome, seconds: float, notes: tuple[str, ...]
+) -> Trajectory:
+    """Rows of what is needed out of rows of states; a quantity without value ends the trajectory there."""
+    times, states = list(task.times[: len(outcome.states)]), outcome.states
+    if outcome.kind == EVENT and outcome.t > times[-1]:
+        times, states = [*times, outcome.t], [*states, outcome.y]
+    ended, reason = _describe(job, outcome)
+    try:
+        rows = model.quantities(times, states, job.p)
+    except ModelError as error:
+        times, states = times[: error.row], states[: error.row]
+        rows = model.quantities(times, states, job.p)
+        where = task.times[error.row] if error.row < len(task.times) else outcome.t
+        outcome = replace(outcome, t=where)
+        ended, reason = (
+            "failed",
+            f"a needed quantity has no value: {job.meanings.get(error.status, 'it is not finite')}",
+        )
+    width = len(job.columns)
+    return Trajectory(
+        job,
+        method,
+        model.compiled,
+        tuple(times),
+        tuple(tuple(row[:width]) for row in rows),
+        tuple(tuple(row[width:]) for row in rows),
+        outcome,
+        ended,
+        reason,
+        task.step,
+        seconds,
+        notes,
+    )
+
+
+def _describe(job: Job, outcome: Outcome) -> tuple[str, str]:
+    """(how it ended, why)."""
+    match outcome.kind:
+        case 0:
+            return "done", ""
+        case 4:
+            return "event", "the expression of `--until` crosses zero"
+    if outcome.kind == STOPPED:
+        return "stopped", "interrupted"
+    meaning = job.meanings.get(outcome.status, "a result is not finite")
+    reasons = {
+        SINGULAR: meaning,
+        UNDERFLOW: "the step size underflows: the motion approaches a singularity, or is not smooth there",
+        TOO_MANY: "it takes too many steps",
+        NO_SOLUTION: f"the equations of the implicit step are not solved (step {abs(outcome.h):.3g}); take a smaller one",
+    }
+    if outcome.kind == CROSSED:
+        what = job.watched[outcome.status]
+        return "failed", f"{what}: their determinant changes its sign here, and results beyond it would be wrong"
+    return "failed", reasons.get(outcome.kind, "it fails")
+
+
+def describe_state(job: Job, outcome: Outcome, longest: int = 12) -> str:
+    """``x = 1, y = 2, ...`` at the place where a run ended."""
+    pairs = list(zip(job.state_names, outcome.y, strict=True))
+    shown = ", ".join(f"{name} = {value:.9g}" for name, value in pairs[:longest])
+    return shown + (", ..." if len(pairs) > longest else "")
+
+
+def relative_change(values: list[float]) -> list[float]:
+    """value - first value, relative to the largest magnitude met, or as it is where all is zero."""
+    size = max((abs(x) for x in values if math.isfinite(x)), default=0.0) or 1.0
+    return [(x - values[0]) / size for x in values]

@@ -1,0 +1,141 @@
+"""The C of a run: the emitted model with integrators beside it, as one translation unit."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from nhc.emit import EmitOptions, render
+from nhc.emit.environment import File, render_file
+from nhc.program.ir import Function, Load, Program
+from nhc.simulate.methods.tableau import Collocation, Explicit, Tableau
+from nhc.stamp import PLACEHOLDER
+from nhc.version import __version__
+
+CUBIC = 3  # terms of an interpolant that every method has
+
+
+@dataclass(frozen=True, slots=True)
+class Line:
+    """An entry of a generated switch or table."""
+
+    index: int
+    sum: str
+
+
+@dataclass(frozen=True, slots=True)
+class ExplicitText:
+    """What ``explicit.c.jinja`` places; ``extra`` is the last slope that only the interpolant needs, or 0."""
+
+    name: str
+    template: str
+    nodes: str
+    stages: tuple[Line, ...]
+    end: int
+    extra: int
+    errors: tuple[str, ...]
+    dense: tuple[Line, ...]
+    exponent: int
+
+
+@dataclass(frozen=True, slots=True)
+class CollocationText:
+    """What ``collocation.c.jinja`` places."""
+
+    name: str
+    template: str
+    count: int
+    nodes: str
+    rows: str
+    advance: str
+    errors: str
+    pole: str
+    stiff: bool
+    exponent: int
+
+
+def print_sum(row: Sequence[float], array: str = "s->k") -> str:
+    """``a0 * s->k[0][i] + ...`` without the terms that are zero."""
+    terms = [f"{weight!r} * {array}[{j}][i]" for j, weight in enumerate(row) if weight]
+    return " + ".join(terms).replace("+ -", "- ")
+
+
+def print_row(row: Sequence[float]) -> str:
+    """Numbers between commas."""
+    return ", ".join(repr(value) for value in row)
+
+
+def describe_explicit(method: Explicit) -> ExplicitText:
+    """An explicit method's tableau as text."""
+    last = len(method.rows)
+    return ExplicitText(
+        name=method.name,
+        template=f"c/methods/{method.name}.c.jinja",
+        nodes=print_row(method.nodes),
+        stages=tuple(Line(j + 1, print_sum(row)) for j, row in enumerate(method.rows)),
+        end=method.stages,
+        extra=last if last > method.stages else 0,
+        errors=tuple(print_sum(row) for row in method.errors),
+        dense=tuple(Line(CUBIC + j, print_sum(row)) for j, row in enumerate(method.dense)),
+        exponent=max(method.exponent, 1),
+    )
+
+
+def describe_collocation(method: Collocation) -> CollocationText:
+    """An implicit method's tableau as text."""
+    return CollocationText(
+        name=method.name,
+        template=f"c/methods/{method.name}.c.jinja",
+        count=len(method.nodes),
+        nodes=print_row(method.nodes),
+        rows=", ".join("{" + print_row(row) + "}" for row in method.rows),
+        advance=print_row(method.advance),
+        errors=print_row(method.errors),
+        pole=repr(method.pole),
+        stiff=method.adaptive,
+        exponent=max(method.exponent, 1),
+    )
+
+
+def describe(method: Tableau) -> ExplicitText | CollocationText:
+    """A method's tableau as text."""
+    return describe_explicit(method) if isinstance(method, Explicit) else describe_collocation(method)
+
+
+def write_source(program: Program, methods: Sequence[Tableau], events: int) -> dict[str, str]:
+    """File name -> text of ``<s>.h``, ``<s>.c`` and ``<s>_run.c``; the last one includes the others.
+
+    ``program`` has rhs and needed, jacobian for an implicit method, and watch where something is watched, the first ``events`` of
+    its values being the user's.
+    """
+    functions = {function.name: function for function in program.functions}
+    model = render(program, "c", EmitOptions(only=tuple(functions)))
+    implicit = [method for method in methods if isinstance(method, Collocation)]
+    explicit = [method for method in methods if isinstance(method, Explicit)]
+    context: dict[str, object] = {
+        "name": program.system,
+        "capitals": program.system.upper(),
+        "head": f"{program.system}_run.c: integrates {program.system}, emitted by nhc {__version__} ({PLACEHOLDER})",
+        "declarations": tuple(declare(program.system, function) for function in program.functions),
+        "slopes": max(3, *(len(m.rows) + 1 for m in explicit)) if explicit else 3,
+        "shapes": max([5, *(CUBIC + len(m.dense) for m in explicit)]),
+        "watched": size(functions.get("watch")),
+        "events": events,
+        "needed": size(functions["needed"]),
+        "collocations": bool(implicit),
+        "timed": any(isinstance(s, Load) and s.index < 0 for s in functions["rhs"].body),
+        "methods": tuple(describe(method) for method in methods),
+    }
+    return model | {f"{program.system}_run.c": render_file(File("run.c", "c/run.c.jinja", context))}
+
+
+def size(function: Function | None) -> int:
+    """Entries of a function's output."""
+    return function.output.size if function is not None and function.output is not None else 0
+
+
+def declare(system: str, function: Function) -> str:
+    """The declaration that makes a function of the model internal."""
+    arguments = ["double t" if a.size < 0 else f"const double *{a.name}" for a in function.inputs]
+    assert function.output is not None
+    return f"static int {system}_{function.name}({', '.join(arguments)}, double *{function.output.name});"

@@ -1,0 +1,59 @@
+"""What an integration is asked for and what comes out of it, whoever does it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+DONE, SINGULAR, UNDERFLOW, STOPPED, EVENT, TOO_MANY, NO_SOLUTION, CROSSED = range(8)
+MOST_STEPS = 1_000_000_000
+
+
+@dataclass(frozen=True, slots=True)
+class Task:
+    """``times``: the rows wanted, from the start to the end.  ``tolerance``: relative to each component's size so far;
+    ``step``: fixed steps of at most that length, where positive; ``longest``: no adaptive step is longer, where positive.
+    """
+
+    p: Sequence[float]
+    y: Sequence[float]
+    times: Sequence[float]
+    tolerance: float
+    step: float = 0.0
+    longest: float = 0.0
+    most: int = MOST_STEPS
+
+
+@dataclass(slots=True)
+class Outcome:
+    """``kind`` is one of the constants above, ``status`` the model's code (SINGULAR) or the watched value's index.
+
+    ``states`` are the rows that were reached; ``t, y`` is where it ended, ``h`` the last step's length.
+    """
+
+    kind: int
+    status: int
+    t: float
+    y: list[float]
+    h: float
+    steps: int = 0
+    rejected: int = 0
+    calls: int = 0
+    jacobians: int = 0
+    states: list[list[float]] = field(default_factory=list)
+
+
+class News:
+    """Shared between the integration and whoever waits for it: the time reached, and a wish to stop."""
+
+    def __init__(self) -> None:
+        self.t = 0.0
+        self.stop = False
+
+
+class ModelError(ArithmeticError):
+    """A quantity of a run cannot be computed: the model is singular at row ``row``, with the emitted ``status``."""
+
+    def __init__(self, row: int, status: int) -> None:
+        super().__init__(f"singular at row {row}, status {status}")
+        self.row, self.status = row, status
