@@ -33,6 +33,7 @@ from nhc.stamp import stamp
 if TYPE_CHECKING:
     from nhc.mechanics.certificate import Certificate
     from nhc.program.paper import Derivation
+    from nhc.program.reduced import SceneModel
     from nhc.study.motion import Findings, Request
 
 
@@ -58,7 +59,10 @@ STAGES = (
 
 @dataclass(frozen=True, slots=True)
 class Options:
-    """``formulation``, ``scene``: names or empty; ``to``: text, latex or json; ``only``: functions; ``array``: numpy or jax."""
+    """``formulation``, ``scene``: names or empty; ``to``: text, latex or json; ``only``: functions; ``array``: numpy or jax.
+
+    ``reduce``: the scene's smallest model in place of the full one; ``fold``: with its parameter values put in.
+    """
 
     formulation: str = ""
     scene: str = ""
@@ -67,6 +71,9 @@ class Options:
     driver: bool = False
     array: str = ""
     explain: bool = False
+    simplify: float = 0.0
+    reduce: bool = False
+    fold: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -117,9 +124,33 @@ def _check_scene_name(spec: Spec, scene: str) -> None:
 
 
 def program(source: Source, options: Options = Options()) -> Program:
-    """The program of a spec, as the emitters read it."""
+    """The program of a spec, as the emitters read it; with ``reduce`` the smallest one that delivers what the scene needs.
+
+    Raises:
+        SpecError: everything that is wrong with the spec.
+    """
+    if options.reduce and options.scene:
+        from nhc.program.reduced import build_scene_program
+
+        return build_scene_program(reduce_scene(source, options), options.only)
     made = model(source, options)
     return build_program(made.system, made.formulation, made.equations, only=options.only, scene=options.scene)
+
+
+def reduce_scene(source: Source, options: Options) -> SceneModel:
+    """The smallest model that delivers what a scene needs, with all that was tried for it.
+
+    Raises:
+        SpecError: everything that is wrong with the spec.
+    """
+    from nhc.program.reduced import scene_model
+
+    spec = decode(source)
+    _check_scene_name(spec, options.scene)
+    scene = next(s for s in spec.scenes if s.name == options.scene)
+    system = resolve(spec)
+    fixed = (options.formulation or spec.formulation or "auto") != "auto"
+    return scene_model(system, formulate(system, options.formulation), scene, only_base=fixed, fold=options.fold)
 
 
 def check(source: Source, *, explain: bool = True) -> Report:
@@ -179,7 +210,7 @@ def derivation(source: Source, options: Options) -> Derivation:
 
     made = model(source, options)
     scene = next((s for s in made.spec.scenes if s.name == options.scene), None)
-    return paper.derivation(made.system, made.formulation, made.equations, scene)
+    return paper.derivation(made.system, made.formulation, made.equations, scene, options.simplify)
 
 
 def derive(source: Source, options: Options = Options()) -> str:
@@ -214,7 +245,9 @@ def emit(source: Source, language: str, options: Options = Options()) -> dict[st
 
     wanted = EmitOptions(only=options.only, driver=options.driver, array=options.array, scene=options.scene)
     needed = options.only if not options.driver else ()
-    made_program = program(source, Options(options.formulation, options.scene, only=_functions(needed)))
+    reduced = bool(options.scene)
+    asked = Options(options.formulation, options.scene, only=_functions(needed), reduce=reduced, fold=options.fold)
+    made_program = program(source, asked)
     return {name: stamp(text) for name, text in render(made_program, language, wanted).items()}
 
 

@@ -24,6 +24,9 @@ if TYPE_CHECKING:
 @explain_option
 @click.option("--scene", metavar="NAME", default="", help="Take the parameters of this scene.")
 @click.option("--dump", metavar="STAGE", help="Print what a stage of the compiler hands on, in place of the equations.")
+@click.option(
+    "--simplify", metavar="SECONDS", type=float, default=0.0, help="Let SymPy simplify what is printed, so long at most."
+)
 @output_option
 @click.option("--force", is_flag=True, help="Replace the file after `-o` when it exists.")
 def command(
@@ -33,6 +36,7 @@ def command(
     explain: bool,
     scene: str,
     dump: str | None,
+    simplify: float,
     output: str | None,
     force: bool,
 ) -> int:
@@ -43,7 +47,7 @@ def command(
     source = open_spec(spec)
     from nhc import pipeline
 
-    options = pipeline.Options(formulation=formulation or "", scene=scene, to=to, explain=explain)
+    options = pipeline.Options(formulation=formulation or "", scene=scene, to=to, explain=explain, simplify=simplify)
     if dump is None:
         text = pipeline.derive(source, options)
     else:

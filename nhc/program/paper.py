@@ -42,10 +42,17 @@ SHEETS = ("data", "formulation", "kinematics", "kinetic", "form", "associated", 
 
 
 def derivation(
-    system: System, formulation: Formulation, equations: Equations, scene: Scene | None = None
+    system: System,
+    formulation: Formulation,
+    equations: Equations,
+    scene: Scene | None = None,
+    simplify: float = 0.0,
 ) -> Derivation:
-    """The sheets of one derivation, the parameters' values being those of ``scene`` where one is given."""
-    desk = Desk(system, formulation, equations)
+    """The sheets of one derivation, the parameters' values being those of ``scene`` where one is given.
+
+    ``simplify`` gives SymPy that many seconds on what is printed (0: none; the text then is the same on every machine).
+    """
+    desk = Desk(system, formulation, equations, simplify)
     forms = make_forms(desk)
     makers: tuple[Callable[[], DraftSheet | None], ...] = (
         lambda: data_sheet(desk, scene),

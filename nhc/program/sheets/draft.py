@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 
 from nhc.algebra.calculus import count
@@ -57,11 +57,14 @@ class DraftSheet:
 class Desk:
     """One derivation's system, and how its nodes become parts of statements."""
 
-    def __init__(self, system: System, formulation: Formulation, equations: Equations) -> None:
+    def __init__(
+        self, system: System, formulation: Formulation, equations: Equations, simplify: float = 0.0
+    ) -> None:
         self.system, self.formulation, self.equations = system, formulation, equations
         self.graph = system.graph
         self._short: dict[Node, Node] = {}
         self._sizes: dict[Node, int] = {}
+        self._simplify = self._simplifier(simplify)
 
     # --- nodes ------------------------------------------------------------------------------------------------
 
@@ -73,8 +76,17 @@ class Desk:
             if self.graph.children(node) and self.size(node) <= _WRITTEN and count(self.graph, [node]) <= _WORTH:
                 candidate = normalise(self.graph, node, _CANONICAL)
                 known = candidate if self.size(candidate) < self.size(node) else node
+                known = self._simplify(known)
             self._short[node] = known
         return known
+
+    def _simplifier(self, seconds: float) -> Callable[[Node], Node]:
+        """SymPy's simplify within a time limit, only where it was asked for."""
+        if seconds <= 0:
+            return lambda node: node
+        from nhc.algebra.bridge import Simplifier
+
+        return Simplifier(self.graph, seconds, self.size)
 
     def size(self, node: Node) -> int:
         """Operations of the expression written out; signs are free."""
