@@ -18,6 +18,7 @@ from nhc.study.steady import RANK, Hold, Matrix, NotSteady, Steady, SteadyModel,
 MARGINAL = 1e-8
 """Real parts below this, relative to the matrix, count as zero."""
 _NEARBY = 1e-2
+_FLOOR = 1e-5  # a matrix of rounding has rank 0
 _BISECTIONS = 60
 
 
@@ -95,7 +96,7 @@ def _split(matrix: Matrix, count: int | None = None) -> tuple[Matrix, Matrix]:
         return matrix, matrix
     _, sizes, right = np.linalg.svd(matrix)
     if count is None:
-        count = int(np.sum(sizes <= RANK * max(float(sizes[0]), 1e-300)))
+        count = int(np.sum(sizes <= RANK * max(float(sizes[0]), _FLOOR)))
     kept = len(matrix) - count
     return right[kept:], right[:kept]
 

@@ -20,7 +20,7 @@ Matrix = NDArray[np.float64]
 
 RANK = 1e-9
 """Singular values below this part of the largest one count as zero."""
-_STEPS, _HALVINGS = 100, 40
+_STEPS, _HALVINGS, _LEAST = 100, 40, 0.05
 
 
 class NotSteady(ArithmeticError):
@@ -150,7 +150,7 @@ class Steady:
 
 
 def find_steady(model: SteadyModel, guess: Sequence[float], holds: Sequence[Hold] = ()) -> Steady:
-    """The steady motion near the guess: damped Gauss-Newton with steps of least norm.
+    """The steady motion near the guess: damped Gauss-Newton (Levenberg) steps of least norm.
 
     Without ``holds`` the nearest member of the family of steady motions is found; the steps keep to the leaf of the guess (to first
     order in each step), so that what a hidden holonomic constraint holds stays what it was, unless a hold or a holonomic constraint
@@ -170,15 +170,13 @@ def find_steady(model: SteadyModel, guess: Sequence[float], holds: Sequence[Hold
 
 def _iterate(model: SteadyModel, y: Vector, holds: Sequence[Hold]) -> Steady:
     value, slopes, scale = _equations(model, y, holds)
+    before, damping = np.zeros_like(y), 1.0
     for step in range(_STEPS + 1):
         size = float(np.max(np.abs(value), initial=0.0))
-        across = _bound(model, y, slopes[len(model.rest) :])
-        stacked = np.vstack([slopes, across])
-        move = -np.linalg.lstsq(stacked, np.concatenate([value, np.zeros(len(across))]), rcond=RANK)[0]
-        done = float(np.linalg.norm(move)) <= 1e-14 * (1.0 + float(np.linalg.norm(y)))
-        if done or size == 0.0:
+        move = _step(value, slopes, _bound(model, y, slopes[len(model.rest) :]), damping)
+        if size == 0.0 or float(np.linalg.norm(move)) <= 1e-14 * (1.0 + float(np.linalg.norm(y))):
             return _accept(model, y, size, scale, step)
-        factor = 1.0
+        factor = 2.0 if _halves(before, move) else 1.0
         for _ in range(_HALVINGS):
             trial = y + factor * move
             try:
@@ -186,13 +184,38 @@ def _iterate(model: SteadyModel, y: Vector, holds: Sequence[Hold]) -> Steady:
             except ArithmeticError:
                 factor /= 2
                 continue
-            if float(np.linalg.norm(next_value)) < (1.0 - 1e-4 * factor) * float(np.linalg.norm(value)):
+            if float(np.linalg.norm(next_value)) < (1.0 - 1e-4 * min(1.0, factor)) * float(np.linalg.norm(value)):
                 break
             factor /= 2
         else:
-            return _accept(model, y, size, scale, step)
+            if damping == 0.0 or size <= 1e-12 * scale:
+                return _accept(model, y, size, scale, step)
+            damping = 0.0  # what is left lies along weak directions: plain Gauss-Newton from here on
+            continue
+        before = move
+        if damping:
+            damping = max(damping / 3, _LEAST) if factor >= 1.0 else min(damping * 3, 1.0)
         y, value, slopes, scale = trial, next_value, next_slopes, next_scale
     raise NotSteady(f"no steady motion after {_STEPS} steps from there", size)
+
+
+def _step(value: Vector, slopes: Matrix, across: Matrix, damping: float) -> Vector:
+    """Levenberg's step with ``damping`` |value|, within ``across``: quadratic also where solutions are not isolated, as in a
+    family of steady motions, whose own directions are weak near it and must not be taken for wanted (Yamashita and Fukushima 2001).
+    """
+    inside = np.eye(slopes.shape[1])
+    if len(across):
+        inside = np.linalg.svd(across)[2][len(across) :]
+    left, sizes, right = np.linalg.svd(slopes @ inside.T, full_matrices=False)
+    damping *= float(np.linalg.norm(value))
+    weights = np.where(sizes > RANK * sizes.max(initial=0.0), sizes / np.maximum(sizes**2 + damping**2, 1e-300), 0.0)
+    return np.asarray(-(weights * (left.T @ value)) @ right @ inside)
+
+
+def _halves(before: Vector, move: Vector) -> bool:
+    """Steps that halve again and again lead to a double root: twice the step is right."""
+    size, last = float(np.linalg.norm(move)), float(np.linalg.norm(before))
+    return 0.45 * last < size < 0.55 * last and float(before @ move) > 0.99 * size * last
 
 
 def _accept(model: SteadyModel, y: Vector, size: float, scale: float, steps: int) -> Steady:
@@ -224,9 +247,13 @@ def _bound(model: SteadyModel, y: Vector, set_by: Matrix) -> Matrix:
     if found is None or not len(found):
         return np.zeros((0, len(y)))
     normals = np.hstack([found, np.zeros((len(found), len(y) - found.shape[1]))])
-    for row in set_by:
-        size = float(np.linalg.norm(row))
-        inside = normals @ row
-        if size and len(normals) and float(np.linalg.norm(inside)) > (1.0 - 1e-9) * size:
-            normals = np.linalg.svd(inside[None, :] / size)[2][1:] @ normals
-    return normals
+    lengths = np.linalg.norm(set_by, axis=1)
+    shares = set_by @ normals.T
+    own = shares[np.linalg.norm(shares, axis=1) > (1.0 - 1e-9) * lengths]
+    return np.asarray(_null_rows(own) @ normals) if own.any() else normals
+
+
+def _null_rows(matrix: Matrix) -> Matrix:
+    """Orthonormal rows that span the null space."""
+    _, sizes, right = np.linalg.svd(matrix)
+    return np.asarray(right[int(np.sum(sizes > RANK * sizes[0])) :])
