@@ -38,8 +38,8 @@ is peer / nhc.  SymPy's bicycle leaves out the wheels' places and turns, nhc's k
 """
 
 _SCALING = """\
-Time against size, from the specs in positions ([chart](derivation.svg)); the exponent is the slope of the larger half in
-log-log, 1 is linear.
+Time against size, from the specs in positions ([chart](derivation.svg)); the exponent is the slope of a line
+through all points in log-log, 1 is linear.
 """
 
 _PROCESS = """\

@@ -84,8 +84,8 @@ def measure_scaling(family: str, sizes: tuple[int, ...] = SCALING, rounds: int =
 
 
 def slope(times: dict[int, float]) -> float:
-    """Exponent of the power law through the points with the larger half of the sizes."""
-    points = [(math.log(n), math.log(s)) for n, s in sorted(times.items())][len(times) // 2 :]
+    """Exponent of the power law through all points (least squares in log-log)."""
+    points = [(math.log(n), math.log(s)) for n, s in times.items()]
     mean_x, mean_y = (sum(column) / len(points) for column in zip(*points, strict=True))
     rise = sum((x - mean_x) * (y - mean_y) for x, y in points)
     return float(rise / sum((x - mean_x) ** 2 for x, _ in points))
