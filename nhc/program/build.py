@@ -47,14 +47,10 @@ class Planner:
     def __post_init__(self) -> None:
         system = self.system
         self.graph = system.graph
-        self.y = Argument("y", system.n + len(self.equations.motion.w))
-        self.p = Argument("p", len(system.p))
-        self.state_loads = {
-            system.t: ("t", -1, "time"),
-            **{node: ("y", i, _about(system, i)) for i, node in enumerate(system.q)},
-            **{node: ("y", system.n + k, "") for k, node in enumerate(self.equations.motion.w)},
-            **self._parameter_loads(),
-        }
+        self.parameters: tuple[Node, ...] = system.p
+        self.kept_q: tuple[int, ...] = tuple(range(system.n))
+        self.kept_w: tuple[int, ...] = tuple(range(len(self.equations.motion.w)))
+        self._arrange()
         self.motion_loads = {
             system.t: ("t", -1, "time"),
             **{node: ("q", i, _about(system, i)) for i, node in enumerate(system.q)},
@@ -62,6 +58,19 @@ class Planner:
             **self._parameter_loads(),
         }
         self._solve()
+
+    def _arrange(self) -> None:
+        """The arguments y and p of functions of the state, from the coordinates and velocities that are kept."""
+        system, w = self.system, self.equations.motion.w
+        self.y_nodes = (*(system.q[i] for i in self.kept_q), *(w[k] for k in self.kept_w))
+        self.y = Argument("y", len(self.y_nodes))
+        self.p = Argument("p", len(self.parameters))
+        abouts = [*(_about(system, i) for i in self.kept_q), *("" for _ in self.kept_w)]
+        self.state_loads = {
+            system.t: ("t", -1, "time"),
+            **{node: ("y", k, about) for k, (node, about) in enumerate(zip(self.y_nodes, abouts, strict=True))},
+            **self._parameter_loads(),
+        }
 
     @property
     def system(self) -> System:
@@ -142,7 +151,7 @@ class Planner:
 
     def _is_constant(self, node: Node) -> bool:
         """Made of parameters and numbers only."""
-        return not self.graph.deps[node] & ~self.graph.mask(self.system.p)
+        return not self.graph.deps[node] & ~self.graph.mask(self.parameters)
 
     def on_motion(self, nodes: Sequence[Node]) -> list[Node]:
         """Functions of (q, q', t) in terms of the kept state, shortened."""
@@ -193,8 +202,9 @@ class Planner:
     def rhs(self) -> FunctionPlan:
         system, motion = self.system, self.equations.motion
         rates = self.known(motion.rates)
-        nodes = [(node, f"{name}'", "") for node, name in zip(motion.velocities, system.q_names, strict=True)]
-        nodes += [(node, f"{name}'", system.places["T"]) for node, name in zip(rates, self.kept_names(), strict=True)]
+        names, q_names = self.kept_names(), system.q_names
+        nodes = [(motion.velocities[i], f"{q_names[i]}'", "") for i in self.kept_q]
+        nodes += [(rates[k], f"{names[k]}'", system.places["T"]) for k in self.kept_w]
         return self.plan(
             "rhs",
             "right-hand side dy/dt = f(t, y; p)",
@@ -268,7 +278,9 @@ class Planner:
     def state(self) -> FunctionPlan:
         """y from (q, q'): the kept velocities are the values of their forms, without projection."""
         system = self.system
-        nodes = [*system.q, *(form_value(self.graph, form, system.v) for form in self.kept_forms())]
+        forms = self.kept_forms()
+        nodes = [system.q[i] for i in self.kept_q]
+        nodes += [form_value(self.graph, forms[k], system.v) for k in self.kept_w]
         targets = tuple(Target(k, node) for k, node in enumerate(nodes))
         return FunctionPlan(
             "state",
@@ -329,9 +341,8 @@ class Planner:
 
     def jacobian(self) -> FunctionPlan:
         """d rhs / d y: the rates by implicit differentiation of mass w' - force, with the factors already at hand."""
-        system, g, motion = self.system, self.graph, self.equations.motion
-        y = (*system.q, *motion.w)
-        rows = [gradient(g, node, y) for node in motion.velocities]
+        g, motion, y = self.graph, self.equations.motion, self.y_nodes
+        rows = [gradient(g, motion.velocities[i], y) for i in self.kept_q]
         matrix, right = self._dense() if motion.rates else ([], [])
         unknowns = (*motion.rates, *self.equations.multipliers)
         residual = [
@@ -340,7 +351,7 @@ class Planner:
         ]
         slopes = [gradient(g, node, y) for node in residual]
         solves, columns = self._jacobian_columns(matrix, [list(column) for column in zip(*slopes, strict=True)], len(y))
-        rates = [[column[k] for column in columns] for k in range(len(motion.rates))]
+        rates = [[column[k] for column in columns] for k in self.kept_w]
         nodes = [(node, "", "") for row in (*rows, *rates) for node in row]
         return self.plan(
             "jacobian",
@@ -381,5 +392,5 @@ def build_functions(planner: Planner, only: Sequence[str] = ()) -> tuple[Functio
             continue
         plan = getattr(planner, name)()
         if plan is not None:
-            functions.append(lower_function(planner.graph, plan, planner.system.p))
+            functions.append(lower_function(planner.graph, plan, planner.parameters))
     return tuple(functions)

@@ -39,7 +39,7 @@ def build_program(
         equation=formulation.number,
         reason=formulation.reason,
         coordinates=tuple(Quantity(c.name, identifier(c.name), c.unit, c.about) for c in spec.coordinates),
-        state=_state(system, planner),
+        state=state_quantities(system, planner),
         parameters=tuple(
             Quantity(p.name, identifier(p.name), p.unit, p.about, _default(p, k, chosen))
             for k, p in enumerate(spec.parameters)
@@ -52,7 +52,8 @@ def build_program(
     )
 
 
-def _state(system: System, planner: Planner) -> tuple[Quantity, ...]:
+def state_quantities(system: System, planner: Planner) -> tuple[Quantity, ...]:
+    """The full state: the coordinates, then the kept velocities."""
     coordinates = [Quantity(c.name, identifier(c.name), c.unit, c.about) for c in system.spec.coordinates]
     kept = [Quantity(name, identifier(name)) for name in planner.kept_names()]
     return (*coordinates, *kept)

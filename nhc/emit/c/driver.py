@@ -49,12 +49,12 @@ def find_columns(program: Program, need: str) -> tuple[Column, ...]:
     for index, quantity in enumerate(program.state):
         if quantity.name == need:
             return (Column(need, "STATE", index),)
-    for index, quantity in enumerate(program.coordinates):
-        if need == f"{quantity.name}'":
-            return (Column(need, "VELOCITY", index),)
     for index, quantity in enumerate(program.outputs):
         if quantity.name == need:
             return (Column(need, "OUTPUT", index),)
+    for index, quantity in enumerate(program.coordinates):
+        if need == f"{quantity.name}'":
+            return (Column(need, "VELOCITY", index),)
     if need == "energy":
         return (Column(need, "ENERGY", 0),)
     if need == "reactions":

@@ -1,0 +1,97 @@
+"""``nhc reduce``: the smallest model that delivers what a scene needs, and why."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from nhc.cli.options import formulation_option, json_option, spec_argument
+from nhc.cli.specs import open_spec
+from nhc.cli.terminal import put, put_json
+
+if TYPE_CHECKING:
+    from nhc.program.reduced import SceneModel, Tried
+
+
+@click.command("reduce")
+@spec_argument
+@click.option("--scene", metavar="NAME", required=True, help="The scene whose needs the model has to deliver.")
+@formulation_option
+@click.option("--fold", is_flag=True, help="Put the scene's parameter values in first.")
+@json_option
+def command(spec: str, scene: str, formulation: str | None, fold: bool, as_json: bool) -> int:
+    """Explain the smallest exact model of a scene.
+
+    Says which entries of the state the scene's needs depend on, why the others are left out, which formulations were tried
+    and what each would cost.  `nhc emit --scene` writes this model.
+    """
+    source = open_spec(spec)
+    from nhc.pipeline import Options, reduce_scene
+
+    made = reduce_scene(source, Options(formulation=formulation or "", scene=scene, fold=fold))
+    if as_json:
+        put_json("nhc.reduce/1", _data(made))
+    else:
+        _print(made)
+    return 0
+
+
+def _data(made: SceneModel) -> dict[str, Any]:
+    reduction = made.reduction
+    return {
+        "system": made.system.name,
+        "scene": made.scene.name,
+        "need": [column.name for column in reduction.outputs],
+        "full": {"formulation": made.full_formulation, "state": made.full_state, "operations": made.full_operations},
+        "reduced": {
+            "formulation": reduction.formulation.name,
+            "state": reduction.state,
+            "operations": made.operations,
+            "constants": [reduction.names[i] for i in reduction.constants],
+        },
+        "left_out": [{"name": omission.name, "reason": omission.reason} for omission in reduction.left],
+        "tried": [
+            {
+                "formulation": tried.formulation,
+                "reason": tried.reason,
+                "state": tried.state,
+                "constants": tried.constants,
+                "operations": tried.operations if not tried.rejected else None,
+                "cost": tried.cost if not tried.rejected else None,
+                "rejected": tried.rejected or None,
+            }
+            for tried in made.tried
+        ],
+        "chosen": made.chosen,
+    }
+
+
+def _print(made: SceneModel) -> None:
+    reduction = made.reduction
+    put(f"{made.system.name}, scene {made.scene.name}: needs {', '.join(c.name for c in reduction.outputs)}")
+    put(f"full     {_size(made.full_state, made.full_operations)}, {made.full_formulation}")
+    put(
+        f"reduced  {_size(reduction.state, made.operations)}, {reduction.formulation.name}: {reduction.formulation.reason}"
+    )
+    if reduction.left:
+        put("left out")
+        width = max(len(omission.name) for omission in reduction.left)
+        for omission in reduction.left:
+            put(f"  {omission.name:{width}}  {omission.reason}")
+    quadratures = [reduction.names[i] for i in reduction.kept if i not in reduction.driving]
+    if quadratures and len(reduction.kept) > 1:
+        put(f"by quadrature, nothing else depends on them: {', '.join(quadratures)}")
+    put("tried (cost: operations, with weights for divisions, functions and entries of the state)")
+    for k, tried in enumerate(made.tried):
+        put(f"  {'*' if k == made.chosen else ' '} {_trial(tried)}")
+
+
+def _size(state: tuple[str, ...], operations: int) -> str:
+    return f"{len(state)} equations ({', '.join(state)}), {operations} operations"
+
+
+def _trial(tried: Tried) -> str:
+    constants = f", constant {', '.join(tried.constants)}" if tried.constants else ""
+    cost = tried.rejected or f"{tried.operations} operations, cost {tried.cost}"
+    return f"{tried.formulation}: {len(tried.state)} ({', '.join(tried.state)}){constants}; {cost}; {tried.reason}"

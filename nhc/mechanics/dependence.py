@@ -1,0 +1,123 @@
+"""What the rates of a state depend on, exactly: by values in a prime field, so that a dependence that cancels does not count.
+
+One entry of the state is given another value at a random point; what changes depends on it.  Values and not slopes are compared,
+because a sign depends on its argument although its slope is zero.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from nhc.algebra.calculus import reachable
+from nhc.algebra.graph import Node
+from nhc.algebra.modular import PRIMES, FieldPoint, Unlucky
+from nhc.mechanics.linearize import Flow, solve_modulo
+
+_POINTS, _DRAWS, _CHANGES = 2, 400, 60
+_SIGNED = ("sign", "abs", "min", "max")
+_SIGNED_CHANGES = 24  # a sign stays the same at every second change
+
+
+@dataclass(frozen=True)
+class Dependence:
+    """``rates[j]`` are the entries of the state that y'_j depends on, ``needs[k]`` those of the k-th further quantity.
+
+    ``still[j]``: y'_j vanishes identically, y_j is a constant of the motion; ``zero[k]`` likewise for the quantities.
+    """
+
+    rates: tuple[frozenset[int], ...]
+    needs: tuple[frozenset[int], ...]
+    still: tuple[bool, ...]
+    zero: tuple[bool, ...]
+
+    def closure(self, needs: Sequence[int]) -> frozenset[int]:
+        """The entries that the given quantities depend on, directly or through the rates of other entries."""
+        found = {j for k in needs for j in self.needs[k]}
+        todo = sorted(found)
+        while todo:
+            new = self.rates[todo.pop()] - found
+            found |= new
+            todo += sorted(new)
+        return frozenset(found)
+
+
+def values_at(flow: Flow, needs: Sequence[Node], point: FieldPoint) -> list[int]:
+    """Residues of all rates of the state, then of the needs (functions of the state, the rates and the multipliers).
+
+    Raises:
+        Unlucky: the motion is singular at this point.
+    """
+    size = len(flow.unknowns)
+    flat = point.evaluate([*(x for row in flow.matrix for x in row), *flow.right])
+    matrix = [flat[k * size : (k + 1) * size] for k in range(size)]
+    right = [[x] for x in flat[size * size :]]
+    solved = [row[0] for row in solve_modulo(matrix, right, point.prime)] if size else []
+    found = point.evaluate([*flow.velocities, *needs], dict(zip(flow.unknowns, solved, strict=True)))
+    n = len(flow.velocities)
+    return [*found[:n], *solved[: flow.kept], *found[n:]]
+
+
+def find_dependence(flow: Flow, needs: Sequence[Node]) -> Dependence:
+    """Which entries of the state each rate and each need depends on (missed with a probability of degree/p**2).
+
+    Raises:
+        Unlucky: the motion is singular everywhere.
+    """
+    size = len(flow.y)
+    depends = [[False] * size for _ in range(size + len(needs))]
+    zero = [True] * (size + len(needs))
+    seed = 0
+    for index in range(_POINTS):
+        prime = PRIMES[index]
+        base, values, seed = _base(flow, needs, seed, prime)
+        zero = [z and not value for z, value in zip(zero, values, strict=True)]
+        for j in range(size):
+            changed = _changed(flow, needs, base, seed, j, values)
+            for row, differs in zip(depends, changed, strict=True):
+                row[j] = row[j] or differs
+    sets = [frozenset(j for j, found in enumerate(row) if found) for row in depends]
+    return Dependence(tuple(sets[:size]), tuple(sets[size:]), tuple(zero[:size]), tuple(zero[size:]))
+
+
+def _roots(flow: Flow, needs: Sequence[Node]) -> list[Node]:
+    return [*flow.velocities, *needs, *(x for row in flow.matrix for x in row), *flow.right]
+
+
+def _base(flow: Flow, needs: Sequence[Node], seed: int, prime: int) -> tuple[FieldPoint, list[int], int]:
+    for draw in range(seed + 1, seed + 1 + _DRAWS):
+        point = FieldPoint(flow.graph, 3_000_017 + draw, prime)
+        try:
+            point.prepare(_roots(flow, needs))
+            return point, values_at(flow, needs, point), draw
+        except Unlucky:
+            continue
+    raise Unlucky
+
+
+def _changed(
+    flow: Flow, needs: Sequence[Node], base: FieldPoint, seed: int, j: int, values: Sequence[int]
+) -> list[bool]:
+    """What has another value when y_j has; everything where no other regular value is found."""
+    g, prime = flow.graph, base.prime
+    roots = _roots(flow, needs)
+    mask = g.mask((flow.y[j], *flow.unknowns))
+    carried = {node: value for node, value in base.values.items() if not g.depends(node, mask)}
+    signed = any(g.op[node] in _SIGNED for node in reachable(g, roots))
+    rng = random.Random(1_000_003 * seed + j)
+    differs, seen = [False] * len(values), 0
+    for _ in range(_CHANGES):
+        point = FieldPoint(g, 3_000_017 + seed, prime)
+        try:
+            point.prepare(roots)
+            point.values.update(carried)
+            point.values[flow.y[j]] = rng.randrange(2, prime - 1)
+            found = values_at(flow, needs, point)
+        except Unlucky:
+            continue
+        differs = [d or x != y for d, x, y in zip(differs, found, values, strict=True)]
+        seen += 1
+        if seen == (_SIGNED_CHANGES if signed else 1):
+            return differs
+    return differs if seen else [True] * len(values)

@@ -1,0 +1,274 @@
+"""The smallest exact model of what a scene needs: which entries of the state it keeps, and why it leaves out the others.
+
+An entry stays when what is needed depends on it, directly or through the rates of entries that stay.  An entry that stays but whose
+rate vanishes identically is a constant of the motion and becomes a parameter (Routh, where it is a momentum).  What stays does not
+depend on what is left out, so any value may stand for the latter in its equations; the one that makes them short is taken.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from nhc.algebra.calculus import count, substitute
+from nhc.algebra.graph import Node
+from nhc.algebra.interval import Interval, cannot_vanish
+from nhc.algebra.modular import PRIMES, FieldPoint, Unlucky
+from nhc.language.spec import Need, Scene
+from nhc.mechanics.associate import Equations
+from nhc.mechanics.choose import Formulation
+from nhc.mechanics.dependence import Dependence, find_dependence
+from nhc.mechanics.formulate import reaction_values
+from nhc.mechanics.frame import form_value
+from nhc.mechanics.linearize import Flow, flow_of, solve_modulo
+
+_DRAWS = 60
+
+
+@dataclass(frozen=True)
+class Wanted:
+    """A column of what a scene needs: its name in a trajectory, and its value over (q, w, t), rates and multipliers."""
+
+    name: str
+    node: Node
+    unit: str = ""
+    about: str = ""
+
+
+@dataclass(frozen=True)
+class Omission:
+    """An entry of the state that the scene's model does not hold, with the reason in words."""
+
+    name: str
+    reason: str
+
+
+@dataclass(frozen=True)
+class Reduction:
+    """``kept`` and ``constants`` are indices into the full state ``names``; ``fixed`` has the values that stand for the rest.
+
+    ``outputs`` are the columns of the scene's needs; on ``driving`` entries others that are kept depend; ``regular`` says that
+    no guard of the frame can vanish any more.
+    """
+
+    equations: Equations
+    formulation: Formulation
+    names: tuple[str, ...]
+    kept: tuple[int, ...]
+    constants: tuple[int, ...]
+    left: tuple[Omission, ...]
+    fixed: tuple[tuple[Node, Node], ...]
+    outputs: tuple[Wanted, ...]
+    driving: tuple[int, ...]
+    regular: bool
+
+    @property
+    def state(self) -> tuple[str, ...]:
+        """The names of the entries that are kept."""
+        return tuple(self.names[i] for i in self.kept)
+
+
+def list_needs(equations: Equations, scene: Scene) -> list[Wanted]:
+    """The columns of a trajectory of the scene, in the order of its ``need``."""
+    return [column for need in scene.need for column in _columns(equations, need)]
+
+
+def _columns(equations: Equations, need: Need) -> list[Wanted]:
+    system, g = equations.system, equations.system.graph
+    on = dict(zip(system.v, equations.motion.velocities, strict=True))
+    if need.kind == "coordinate":
+        i = system.q_names.index(need.name)
+        declared = system.spec.coordinates[i]
+        return [Wanted(need.name, system.q[i], declared.unit, declared.about)]
+    if need.kind == "velocity":
+        return [Wanted(need.name, equations.motion.velocities[system.q_names.index(need.name.removesuffix("'"))])]
+    if need.kind == "reactions":
+        values = equations.multipliers or reaction_values(equations)
+        return [Wanted(f"lambda_{c.name}", node) for c, node in zip(system.constraints, values, strict=True)]
+    if need.kind == "energy":
+        node, about = system.energy, "T + V"
+    elif need.kind == "quasi":
+        node, about = form_value(g, next(f for f in system.quasi if f.name == need.name), system.v), ""
+    else:
+        node, about = dict(system.outputs)[need.name], ""
+    return [Wanted(need.name, substitute(g, [node], on)[0], "", about)]
+
+
+def reduce_equations(
+    equations: Equations,
+    formulation: Formulation,
+    scene: Scene,
+    known: Mapping[Node, Interval],
+    folded: Mapping[Node, Node] | None = None,
+) -> Reduction:
+    """The reduction of one formulation's equations to what the scene needs.
+
+    ``known`` bounds parameters and coordinates; ``folded`` are parameters whose values are put in first.
+
+    Raises:
+        nhc.algebra.modular.Unlucky: the motion is singular everywhere.
+    """
+    columns = list_needs(equations, scene)
+    flow, nodes = flow_of(equations), [c.node for c in columns]
+    if folded:
+        flow, nodes = _fold(flow, nodes, folded)
+    dependence = find_dependence(flow, nodes)
+    closure = dependence.closure(range(len(nodes)))
+    constants = [i for i in sorted(closure) if dependence.still[i]]
+    kept = [i for i in sorted(closure) if not dependence.still[i]]
+    if not kept:  # a model has a state, be it one that stands still
+        kept, constants = (constants[:1] or [0]), constants[1:]
+    fixed, regular = _fix(flow, nodes, [*kept, *constants], known, equations.guards)
+    return Reduction(
+        equations=equations,
+        formulation=formulation,
+        names=flow.names,
+        kept=tuple(kept),
+        constants=tuple(constants),
+        left=tuple(_reasons(flow, dependence, kept, constants)),
+        fixed=tuple({**(folded or {}), **fixed}.items()),
+        outputs=tuple(columns),
+        driving=tuple(i for i in kept if any(i in dependence.rates[j] for j in kept if j != i)),
+        regular=regular,
+    )
+
+
+def _fold(flow: Flow, nodes: Sequence[Node], folded: Mapping[Node, Node]) -> tuple[Flow, list[Node]]:
+    g, size = flow.graph, len(flow.unknowns)
+    flat = [x for row in flow.matrix for x in row]
+    new = substitute(g, [*flow.velocities, *flat, *flow.right, *nodes], folded)
+    n = len(flow.velocities)
+    matrix = tuple(tuple(new[n + k * size : n + (k + 1) * size]) for k in range(size))
+    start = n + size * size
+    right = tuple(new[start : start + size])
+    return Flow(flow.equations, flow.y, tuple(new[:n]), matrix, right, flow.unknowns), new[start + size :]
+
+
+def _reasons(flow: Flow, dependence: Dependence, kept: Sequence[int], constants: Sequence[int]) -> list[Omission]:
+    found = []
+    for i, name in enumerate(flow.names):
+        if i in kept:
+            continue
+        users = [flow.names[j] for j, rates in enumerate(dependence.rates) if i in rates and j != i]
+        if i in constants:
+            reason = "constant of the motion: it is a parameter, which the scene's start sets"
+        elif not users and i < flow.system.n:
+            reason = "cyclic and not needed: nothing depends on it"
+        elif not users:
+            reason = "decoupled and not needed: nothing else depends on it"
+        else:
+            reason = f"decoupled: only what is left out depends on it ({', '.join(users)})"
+        found.append(Omission(name, reason))
+    return found
+
+
+# --- what stands for the entries that are left out --------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class _Model:
+    """What the reduced equations are made of: rates of the held coordinates, matrix @ unknowns = right, needs, guards."""
+
+    unknowns: tuple[Node, ...]
+    rates: tuple[int, ...]
+    velocities: tuple[Node, ...]
+    matrix: tuple[Node, ...]
+    right: tuple[Node, ...]
+    needs: tuple[Node, ...]
+    guards: tuple[Node, ...]
+
+    @property
+    def nodes(self) -> tuple[Node, ...]:
+        return (*self.velocities, *self.matrix, *self.right, *self.needs, *self.guards)
+
+    def put(self, flow: Flow, symbol: Node, value: Node) -> _Model:
+        """The model with a value in place of a symbol.
+
+        Raises:
+            ZeroDivisionError: it is singular there.
+        """
+        parts = (self.velocities, self.matrix, self.right, self.needs, self.guards)
+        new = iter(substitute(flow.graph, self.nodes, {symbol: value}))
+        return _Model(self.unknowns, self.rates, *(tuple(next(new) for _ in part) for part in parts))
+
+    def observe(self, point: FieldPoint) -> list[int]:
+        """Residues of everything that is held or needed.
+
+        Raises:
+            Unlucky: the model is singular at this point.
+        """
+        size = len(self.unknowns)
+        flat = point.evaluate([*self.matrix, *self.right, *self.guards])
+        matrix = [flat[k * size : (k + 1) * size] for k in range(size)]
+        right = [[x] for x in flat[size * size : size * (size + 1)]]
+        if not all(flat[size * (size + 1) :]):
+            raise Unlucky
+        solved = [row[0] for row in solve_modulo(matrix, right, point.prime)] if size else []
+        found = point.evaluate([*self.velocities, *self.needs], dict(zip(self.unknowns, solved, strict=True)))
+        return [*(solved[k] for k in self.rates), *found]
+
+    def weak(self, flow: Flow, known: Mapping[Node, Interval]) -> int:
+        """How many guards may vanish somewhere."""
+        return sum(not cannot_vanish(flow.graph, node, known) for node in self.guards)
+
+
+def _fix(
+    flow: Flow,
+    nodes: Sequence[Node],
+    held: Sequence[int],
+    known: Mapping[Node, Interval],
+    guards: Sequence[tuple[Node, Node]],
+) -> tuple[dict[Node, Node], bool]:
+    """Values for all entries but the held ones, velocities first; and whether the guards cannot vanish with them."""
+    n = flow.system.n
+    model = _Model(
+        flow.unknowns,
+        tuple(i - n for i in held if i >= n),
+        tuple(flow.velocities[i] for i in held if i < n),
+        tuple(x for row in flow.matrix for x in row),
+        flow.right,
+        tuple(nodes),
+        tuple(value for value, _ in guards),
+    )
+    fixed: dict[Node, Node] = {}
+    for i in reversed(range(len(flow.y))):
+        if i not in held:
+            fixed[flow.y[i]], model = _put_best(flow, model, i, known)
+    return fixed, not model.weak(flow, known)
+
+
+def _put_best(flow: Flow, model: _Model, i: int, known: Mapping[Node, Interval]) -> tuple[Node, _Model]:
+    """The value for one entry that leaves the fewest guards and the shortest expressions; 1 and 2 where 0 is singular."""
+    g, symbol = flow.graph, flow.y[i]
+    if not any(g.depends(node, g.deps[symbol]) for node in model.nodes):
+        return g.zero, model
+    first = [g.zero, g.div(g.pi(), g.number(2))] if i < flow.system.n else [g.zero]
+    for values in (first, [g.one], [g.number(2)]):
+        found = []
+        for k, value in enumerate(values):
+            try:
+                made = model.put(flow, symbol, value)
+            except ZeroDivisionError:
+                continue
+            if _agree(flow, model, made):
+                found.append((made.weak(flow, known), count(g, made.nodes), k, value, made))
+        if found:
+            return min(found)[3:]
+    raise Unlucky
+
+
+def _agree(flow: Flow, before: _Model, after: _Model) -> bool:
+    """Whether the second model is regular and has the rates and needs of the first."""
+    nodes = [*before.nodes, *after.nodes]
+    for draw in range(_DRAWS):
+        found = []
+        for model in (before, after):
+            point = FieldPoint(flow.graph, 9_000_011 + draw, PRIMES[1])
+            try:
+                point.prepare(nodes)
+                found.append(model.observe(point))
+            except Unlucky:
+                break
+        if len(found) == 2:
+            return found[0] == found[1]
+    return False

@@ -1,0 +1,226 @@
+"""The model of a scene: never larger than the full one, equal to it on all that the scene needs, and as small as theory says."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import cache
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+from nhc.diagnostics import Source
+from nhc.emit import EmitOptions, render
+from nhc.language import decode, read
+from nhc.pipeline import Options, emit, program, reduce_scene
+from nhc.program.reduced import SceneModel, build_scene_program
+from tests.support import COMPILER, GALLERY, compile_c, emitted_python, error, python_model, spec_path
+
+SCENES = [(name, scene.name) for name in GALLERY for scene in decode(read(str(spec_path(name)))).scenes]
+LONGEST = {"bicycle": 0.1, "rattleback": 0.5}  # seconds; their right-hand sides take long in Python
+ENTRIES = {
+    ("rolling_disk", "lean"): 4,
+    ("chaplygin_sleigh", "speeds_only"): 2,
+    ("rattleback", "wrong_way"): 5,
+    ("suslov", "rates_only"): 2,
+    ("free_rigid_body", "flip"): 3,
+    ("spherical_pendulum", "conical"): 2,
+    ("heavy_top", "reference"): 4,
+    ("heavy_top", "sleeping"): 3,  # momenta lose digits where it stands up
+    ("bicycle", "upright_again"): 6,
+    ("ball_on_table", "modulated"): 2,
+}
+
+
+@cache
+def reduction(name: str, scene: str, formulation: str = "") -> SceneModel:
+    return reduce_scene(read(str(spec_path(name))), Options(formulation=formulation, scene=scene))
+
+
+@cache
+def reduced_python(name: str, scene: str) -> ModuleType:
+    (text,) = render(build_scene_program(reduction(name, scene)), "python", EmitOptions(scene=scene)).values()
+    return python_model(text, f"{name}_{scene}")
+
+
+@cache
+def full_python(name: str) -> ModuleType:
+    return emitted_python(name)
+
+
+def integrate(model: ModuleType, y: Any, p: Any, start: float, end: float) -> Any:
+    """States at eleven times."""
+    times = np.linspace(start, end, 11)
+    done = solve_ivp(
+        lambda t, y: model.rhs(t, y, p), (start, end), y, "DOP853", times, rtol=1e-12, atol=1e-13, max_step=0.1
+    )
+    assert done.success
+    return times, done.y.T
+
+
+def needed(model: ModuleType, need: Any, t: float, y: Any, p: Any) -> Iterator[float]:
+    """The columns of a scene's needs from a full model."""
+    for name in need:
+        if name in model.STATE:
+            yield y[model.STATE.index(name)]
+        elif name in model.OUTPUTS:
+            yield model.outputs(t, y, p)[model.OUTPUTS.index(name)]
+        elif name == "energy":
+            yield model.energy(t, y, p)
+        elif name == "reactions":
+            yield from model.reactions(t, y, p)
+        else:
+            yield model.velocities(t, y, p)[model.COORDINATES.index(name.removesuffix("'"))]
+
+
+@pytest.mark.parametrize(("name", "scene"), SCENES)
+def test_the_model_of_a_scene_is_the_full_one_on_its_needs(name: str, scene: str) -> None:
+    made = reduction(name, scene)
+    assert len(made.reduction.kept) <= len(made.full_state)
+    assert made.tried[0].operations <= made.full_operations  # of the same formulation
+    source = read(str(spec_path(name)))
+    full_scene = program(source, Options(scene=scene, only=("rhs",))).scenes[0]
+    small_scene = build_scene_program(made).scenes[0]
+    full, small = full_python(name), reduced_python(name, scene)
+    start, end = full_scene.time
+    end = min(end, start + LONGEST.get(name, 1.0))
+    times, states = integrate(full, full_scene.y, full_scene.p, start, end)
+    _, fewer = integrate(small, small_scene.y, small_scene.p, start, end)
+    for t, y, z in zip(times, states, fewer, strict=True):
+        expected = list(needed(full, full_scene.need, t, y, full_scene.p))
+        assert error(small.outputs(t, z, small_scene.p), expected) < 1e-9
+        q, qdot = y[: len(full.COORDINATES)], full.velocities(t, y, full_scene.p)
+        same = small.state(t, q, qdot, small_scene.p)
+        assert error(small.outputs(t, same, small_scene.p), expected) < 1e-10
+        rates = dict(zip(small.STATE, small.rhs(t, same, small_scene.p), strict=True))
+        held = [i for i, coordinate in enumerate(full.COORDINATES) if coordinate in rates]
+        assert error([rates[full.COORDINATES[i]] for i in held], [qdot[i] for i in held]) < 1e-10
+
+
+@pytest.mark.parametrize(("name", "scene"), ENTRIES)
+def test_sizes_of_theory(name: str, scene: str) -> None:
+    assert len(reduction(name, scene).reduction.kept) == ENTRIES[name, scene]
+
+
+def test_the_ball_on_a_table_needs_four_equations_before_its_momenta_are_used() -> None:
+    sizes = [len(tried.state) for tried in reduction("ball_on_table", "modulated").tried if not tried.constants]
+    assert min(sizes) == 4
+
+
+def with_need(name: str, need: str) -> Source:
+    """A gallery spec whose scene `asked` is its first one with other needs."""
+    source = read(str(spec_path(name)))
+    scene = decode(source).scenes[0]
+    text = source.text[scene.span.start :]
+    block = text.split("\n  ", 1)[1] if text.startswith(scene.name) else text
+    lines = [line for line in _first_scene(block) if not line.strip().startswith("need:")]
+    return Source(source.path, f"{source.text.rstrip()}\n  asked:\n" + "\n".join(lines) + f"\n    need: {need}\n")
+
+
+def _first_scene(block: str) -> list[str]:
+    lines = block.splitlines()
+    body = []
+    for line in ["  " + lines[0], *lines[1:]]:
+        if line.strip() and not line.startswith("    "):
+            break
+        body.append(line)
+    return [line for line in body if line.strip()]
+
+
+@pytest.mark.parametrize(
+    ("name", "need", "state"),
+    [
+        ("n_trailer3", "[theta1, v]", ("theta0", "theta1", "theta2", "theta3", "v")),
+        ("n_trailer3", "[theta0]", ("theta0",)),
+        ("vertical_disk", "[x, y]", ("x", "y", "phi")),
+        ("vertical_disk", "[theta]", ("theta",)),
+        ("chaplygin_sleigh", "[theta]", ("theta", "v", "w")),
+        ("point_mass", "[z]", ("z", "z'")),
+        ("chaplygin_ball", "[w1, w2, w3]", ("theta", "psi", "w1", "w2", "w3")),
+        ("rolling_disk", "[energy]", ("theta", "w_t", "w_u", "w_n")),
+    ],
+)
+def test_what_a_need_depends_on(name: str, need: str, state: tuple[str, ...]) -> None:
+    assert reduce_scene(with_need(name, need), Options(scene="asked")).reduction.state == state
+
+
+def test_the_users_formulation_is_kept() -> None:
+    made = reduction("ball_on_table", "modulated", "voronec")
+    assert made.reduction.formulation.name == "voronec"
+    assert len(made.tried) == 1
+
+
+def test_reasons() -> None:
+    left = {omission.name: omission.reason for omission in reduction("vertical_disk", "reference").reduction.left}
+    assert all(reason.startswith("constant of the motion") for reason in left.values())
+    assert sorted(left) == ["phi'", "theta'"]
+    left = {omission.name: omission.reason for omission in reduction("rolling_disk", "lean").reduction.left}
+    assert left["psi"].startswith("cyclic and not needed")
+    assert left["phi"] == "decoupled: only what is left out depends on it (x, y)"
+
+
+FRICTION = """nhc: 1
+system: dry
+coordinates: [x, y]
+parameters: {k: 0.5, h: 0}
+T: (x'^2 + y'^2)/2
+forces:
+  x: -sign(y)*k + h*y
+  y: -y
+scenes:
+  alone: {initial: {x: 1, y: 1}, time: [0, 1], need: [x]}
+  other: {initial: {x: 1, y: 1}, time: [0, 1], need: [y]}
+"""
+
+
+def test_a_sign_is_a_dependence_though_its_slope_is_zero() -> None:
+    text = FRICTION.replace(" + h*y", "")
+    made = reduce_scene(Source("dry.yaml", text.replace(", h: 0", "")), Options(scene="alone"))
+    assert made.reduction.state == ("x", "y", "x'", "y'")
+    made = reduce_scene(Source("dry.yaml", text.replace(", h: 0", "")), Options(scene="other"))
+    assert made.reduction.state == ("y", "y'")
+
+
+def test_a_dependence_that_cancels_does_not_count() -> None:
+    text = FRICTION.replace("-sign(y)*k + h*y", "sin(y)^2*k + k*cos(y)^2 - x")
+    made = reduce_scene(Source("dry.yaml", text), Options(scene="alone"))
+    assert made.reduction.state == ("x", "x'")
+
+
+def test_folded_values_reduce_further() -> None:
+    text = FRICTION.replace("-sign(y)*k", "-x")
+    source = Source("dry.yaml", text)
+    assert len(reduce_scene(source, Options(scene="alone")).reduction.kept) == 4
+    made = reduce_scene(source, Options(scene="alone", fold=True))
+    assert made.reduction.state == ("x", "x'")
+
+
+@pytest.mark.parametrize("name", ["ball_on_table", "rolling_disk", "spherical_pendulum"])
+def test_jacobian(name: str) -> None:
+    scene = {"ball_on_table": "modulated", "rolling_disk": "lean", "spherical_pendulum": "conical"}[name]
+    small = reduced_python(name, scene)
+    data = build_scene_program(reduction(name, scene)).scenes[0]
+    t, y = 0.3, [x + 0.1 for x in data.y]
+    found, step = small.jacobian(t, y, data.p), 1e-6
+    for j in range(len(y)):
+        up = small.rhs(t, [x + step * (i == j) for i, x in enumerate(y)], data.p)
+        down = small.rhs(t, [x - step * (i == j) for i, x in enumerate(y)], data.p)
+        assert error([row[j] for row in found], [(a - b) / (2 * step) for a, b in zip(up, down, strict=True)]) < 1e-7
+
+
+@pytest.mark.skipif(COMPILER is None, reason="no C compiler on this machine")
+@pytest.mark.parametrize(
+    ("name", "scene"), [("ball_on_table", "modulated"), ("rolling_disk", "lean"), ("holonomic_pendulum", "reference")]
+)
+def test_c_driver_prints_what_is_needed(name: str, scene: str, tmp_path: Path) -> None:
+    import subprocess
+
+    files = emit(read(str(spec_path(name))), "c", Options(scene=scene, driver=True))
+    program_path = compile_c(files, tmp_path, name, library=False)
+    done = subprocess.run([str(program_path), scene, "5"], capture_output=True, text=True, check=True)
+    rows = done.stdout.splitlines()
+    assert rows[0].split(",") == ["t", *(column.name for column in reduction(name, scene).reduction.outputs)]
+    assert len(rows) == 6
