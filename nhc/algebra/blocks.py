@@ -1,0 +1,211 @@
+"""Order and blocks of a linear system over the graph: matching, components, Cramer's rule, elimination.
+
+Blocks up to 3 x 3 are solved by Cramer's rule, whose determinants are brought to canonical form, larger ones by elimination in a
+fixed order.  Each determinant that is not a constant is returned as a guard: it must not vanish.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from nhc.algebra.calculus import reachable
+from nhc.algebra.graph import ADD, MUL, NEG, POW, Graph, Node
+from nhc.algebra.modular import are_zero
+from nhc.algebra.polynomial import normalise
+
+Weakness = Callable[[Sequence[Node], Sequence[Node]], list[int]]
+
+
+class Singular(Exception):
+    """The matrix has no inverse, identically."""
+
+
+def block_order(size: int, nonzero: Callable[[int, int], bool]) -> list[tuple[list[int], list[int]]]:
+    """Blocks (rows, columns) in an order in which each needs only the unknowns of earlier ones.
+
+    Raises:
+        Singular: there is no perfect matching (structurally singular).
+    """
+    match_of_column = _matching(size, nonzero)
+    row_of = match_of_column
+    # edge i -> j: the unknown of matched column i needs that of column j
+    needs = [[j for j in range(size) if j != i and nonzero(row_of[i], j)] for i in range(size)]
+    return [([row_of[j] for j in sorted(part)], sorted(part)) for part in _components(size, needs)]
+
+
+def _matching(size: int, nonzero: Callable[[int, int], bool]) -> list[int]:
+    row_of = [-1] * size
+
+    def augment(row: int, seen: set[int]) -> bool:
+        for column in range(size):
+            if nonzero(row, column) and column not in seen:
+                seen.add(column)
+                if row_of[column] < 0 or augment(row_of[column], seen):
+                    row_of[column] = row
+                    return True
+        return False
+
+    for row in range(size):
+        if not augment(row, set()):
+            raise Singular
+    return row_of
+
+
+def _components(size: int, edges: Sequence[Sequence[int]]) -> list[list[int]]:
+    """Strongly connected components, each after those it points to (Tarjan 1972), without recursion."""
+    index, low = [-1] * size, [0] * size
+    on_stack, stack, result = [False] * size, [], []
+    counter = 0
+    for start in range(size):
+        if index[start] >= 0:
+            continue
+        work: list[tuple[int, int]] = [(start, 0)]
+        while work:
+            node, position = work.pop()
+            if position == 0:
+                index[node] = low[node] = counter
+                counter += 1
+                stack.append(node)
+                on_stack[node] = True
+            for k in range(position, len(edges[node])):
+                target = edges[node][k]
+                if index[target] < 0:
+                    work.append((node, k + 1))
+                    work.append((target, 0))
+                    break
+                if on_stack[target]:
+                    low[node] = min(low[node], index[target])
+            else:
+                if low[node] == index[node]:
+                    part = []
+                    while True:
+                        top = stack.pop()
+                        on_stack[top] = False
+                        part.append(top)
+                        if top == node:
+                            break
+                    result.append(part)
+                if work:
+                    parent = work[-1][0]
+                    low[parent] = min(low[parent], low[node])
+    return result
+
+
+def solve_block(
+    graph: Graph,
+    block: Sequence[Sequence[Node]],
+    columns: Sequence[Sequence[Node]],
+    scales: Sequence[Node],
+    weakness: Weakness | None,
+) -> tuple[list[list[Node]], list[tuple[Node, Node]]]:
+    """Unknowns and guards of one block; ``scales`` are the 1-norms of its whole rows."""
+    size = len(block)
+    if size > 3:
+        return _eliminate(graph, block, columns, weakness)
+    determinant = normalise(graph, determinant_of(graph, block), 120)
+    if are_zero(graph, [determinant])[0]:
+        raise Singular
+    guards = [] if graph.value(determinant) is not None else [(determinant, graph.product(scales))]
+    solved = []
+    for column in columns:
+        row = []
+        for k in range(size):
+            replaced = [[*r[:k], column[i], *r[k + 1 :]] for i, r in enumerate(block)]
+            row.append(graph.div(determinant_of(graph, replaced), determinant))
+        solved.append(row)
+    return solved, guards
+
+
+def row_scale(graph: Graph, block: Sequence[Sequence[Node]]) -> Node:
+    """Product over the rows of how large their entries can be: what a determinant is measured against."""
+    return graph.product([graph.sum([size_of(graph, entry) for entry in row]) for row in block])
+
+
+def size_of(graph: Graph, root: Node) -> Node:
+    """A bound on |root| that does not vanish with it: sines and cosines count 1, differences count as sums."""
+    size: dict[Node, Node] = {}
+    for node in reachable(graph, [root]):
+        op, a, b = graph.op[node], graph.a[node], graph.b[node]
+        if op == ADD:
+            size[node] = graph.add(size[a], size[b])
+        elif op == MUL:
+            size[node] = graph.mul(size[a], size[b])
+        elif op == NEG:
+            size[node] = size[a]
+        elif op == POW and b > 0:
+            size[node] = graph.power(size[a], b)
+        elif op in ("sin", "cos"):
+            size[node] = graph.one
+        else:
+            size[node] = graph.function("abs", node)
+    return size[root]
+
+
+def determinant_of(graph: Graph, block: Sequence[Sequence[Node]]) -> Node:
+    """By expansion along the first row (meant for small blocks)."""
+    if not block:
+        return graph.one
+    if len(block) == 1:
+        return block[0][0]
+    total = graph.zero
+    for j, entry in enumerate(block[0]):
+        if entry == graph.zero:
+            continue
+        minor = [[*row[:j], *row[j + 1 :]] for row in block[1:]]
+        term = graph.mul(entry, determinant_of(graph, minor))
+        total = graph.sub(total, term) if j % 2 else graph.add(total, term)
+    return total
+
+
+def _eliminate(
+    graph: Graph, block: Sequence[Sequence[Node]], columns: Sequence[Sequence[Node]], weakness: Weakness | None
+) -> tuple[list[list[Node]], list[tuple[Node, Node]]]:
+    """Elimination in a fixed order; each pivot is a constant where there is one, else the one that is weak most rarely."""
+    size = len(block)
+    rows = [[*row, *(column[i] for column in columns)] for i, row in enumerate(block)]
+    guards: list[tuple[Node, Node]] = []
+    order: list[int] = []
+    for step in range(size):
+        row, column = _pivot(graph, rows, step, order, size, weakness)
+        rows[step], rows[row] = rows[row], rows[step]
+        order.append(column)
+        pivot = rows[step][column]
+        if graph.value(pivot) is None:
+            guards.append((pivot, row_scale(graph, [rows[step][:size]])))
+        inverse = graph.inverse(pivot)
+        rows[step] = [graph.mul(entry, inverse) if entry != graph.zero else entry for entry in rows[step]]
+        for i in range(size):
+            factor = rows[i][column]
+            if i == step or factor == graph.zero:
+                continue
+            rows[i] = [
+                graph.sub(x, graph.mul(factor, y)) if y != graph.zero else x
+                for x, y in zip(rows[i], rows[step], strict=True)
+            ]
+            rows[i][column] = graph.zero
+    solved = []
+    for c in range(len(columns)):
+        x = [graph.zero] * size
+        for step, column in enumerate(order):
+            x[column] = rows[step][size + c]
+        solved.append(x)
+    return solved, guards
+
+
+def _pivot(
+    graph: Graph, rows: list[list[Node]], step: int, used: list[int], size: int, weakness: Weakness | None
+) -> tuple[int, int]:
+    candidates = [(i, j) for i in range(step, size) for j in range(size) if j not in used and rows[i][j] != graph.zero]
+    zero = are_zero(graph, [rows[i][j] for i, j in candidates])
+    alive = [c for c, z in zip(candidates, zero, strict=True) if not z]
+    if not alive:
+        raise Singular
+    constant = [(i, j) for i, j in alive if graph.value(rows[i][j]) is not None]
+    if constant:
+        return constant[0]
+    weak = [0] * len(alive)
+    if weakness is not None:
+        scales = {i: graph.sum([graph.function("abs", rows[i][j]) for j in range(size)]) for i, _ in alive}
+        weak = weakness([rows[i][j] for i, j in alive], [scales[i] for i, _ in alive])
+    order = {c: (w, graph.deps[rows[c[0]][c[1]]].bit_count(), c) for c, w in zip(alive, weak, strict=True)}
+    return min(alive, key=lambda c: order[c])
