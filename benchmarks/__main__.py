@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Iterator
+from importlib.util import find_spec
 from pathlib import Path
 
 from benchmarks import batch, derivation, instructions, process
@@ -150,7 +151,19 @@ def _instructions() -> list[str]:
             cells = " | ".join(f"{counts.nhc[variant] / counts.hand:.3f}" for variant in instructions.VARIANTS)
             lines.append(f"| {counts.system} | {cells} |")
     rows = [row for counts in found for row in instruction_rows(counts)]
-    return [_INSTRUCTIONS, *print_rows(rows), "", _VARIANTS, *lines, ""]
+    return [_INSTRUCTIONS, *print_rows(rows), "", _describe_missing(found), "", _VARIANTS, *lines, ""]
+
+
+def _describe_missing(found: list[instructions.Counts]) -> str:
+    """Which peers have no row, and why."""
+    said = []
+    for label, package in (("CasADi", "casadi"), ("PyDy", "pydy")):
+        missing = [counts.system for counts in found if getattr(counts, package) is None]
+        if find_spec(package) is None:
+            said.append(f"{label} was not installed for this run.")
+        elif missing:
+            said.append(f"{label} was stopped after {CAP:.0f} s on {', '.join(missing)}.")
+    return " ".join(said)
 
 
 def instruction_rows(counts: instructions.Counts) -> list[Row]:
