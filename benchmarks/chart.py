@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable
 
 Place = Callable[[float, float], tuple[float, float]]
-_WIDTH, _HEIGHT, _LEFT, _BOTTOM, _TOP, _RIGHT = 640, 400, 70, 50, 20, 120
+_WIDTH, _HEIGHT, _LEFT, _BOTTOM, _TOP, _RIGHT = 640, 400, 90, 50, 20, 120
 _STYLES = ("#1b6ca8", "#c8553d")
 
 
@@ -34,13 +34,15 @@ def draw_scaling(times: dict[str, dict[int, float]]) -> str:
     x, y = place(math.sqrt(sizes[0] * sizes[-1]), 10.0**low)
     lines.append(f'<text x="{x}" y="{y + 40}" text-anchor="middle">number of trailers or links</text>')
     lines.append(_draw_linear(place, sizes, next(iter(times.values())), high))
+    ends = {family: found[max(found)] for family, found in times.items()}
     for (family, found), colour in zip(times.items(), _STYLES, strict=False):
         points = [place(n, seconds * 1e3) for n, seconds in sorted(found.items())]
         path = " ".join(f"{x},{y}" for x, y in points)
         lines.append(f'<polyline points="{path}" fill="none" stroke="{colour}" stroke-width="2"/>')
         lines += [f'<circle cx="{x}" cy="{y}" r="3.5" fill="{colour}"/>' for x, y in points]
         x, y = points[-1]
-        lines.append(f'<text x="{x + 10}" y="{y + 4}" fill="{colour}">{family}</text>')
+        aside = -4 if ends[family] == max(ends.values()) else 12  # names of lines that end close together stand apart
+        lines.append(f'<text x="{x + 10}" y="{y + aside}" fill="{colour}">{family}</text>')
     return "\n".join([*lines, "</svg>"]) + "\n"
 
 
