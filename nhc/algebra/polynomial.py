@@ -61,6 +61,8 @@ class Expander:
 
     def _power(self, node: Node, base: Node, n: int) -> Polynomial:
         inner = self.memo[base]
+        if abs(n) > self.limit:
+            raise TooLarge
         if n < 0:
             if len(inner) == 1:
                 ((monomial, c),) = inner.items()

@@ -140,8 +140,8 @@ def try_input(seed: int, index: int, tally: Tally, watch: Watch) -> None:
         watch.seen.clear()
 
 
-def warm_up() -> None:
+def warm_up(watch: Watch) -> None:
     """Import what is imported late, so that nothing is left to do but reading."""
-    scratch, watch = Tally(), Watch()
+    scratch = Tally()
     for index in range(60):
         try_input(-1, index, scratch, watch)

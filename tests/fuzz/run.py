@@ -15,6 +15,7 @@ import tempfile
 import time
 from collections.abc import Sequence
 from concurrent.futures import ProcessPoolExecutor
+from functools import cache
 from pathlib import Path
 
 from nhc.pipeline import Options, derive
@@ -28,14 +29,20 @@ CHUNK = 5000  # inputs that one task runs
 BATCH = 25  # models in one shared library
 
 
+@cache
+def the_watch() -> Watch:
+    """The one watch of this process: an audit hook cannot be taken off again."""
+    return Watch()
+
+
 def run_inputs(seed: int, first: int, count: int) -> Tally:
     """Inputs ``first`` to ``first + count`` in an empty folder, watched."""
     tally, here = Tally(), os.getcwd()
     with tempfile.TemporaryDirectory() as folder:
         os.chdir(folder)
         try:
-            warm_up()
-            watch = Watch()
+            watch = the_watch()
+            warm_up(watch)
             for index in range(first, first + count):
                 try_input(seed, index, tally, watch)
             left = sorted(os.listdir(folder))
@@ -63,14 +70,15 @@ def run_specs(seeds: Sequence[int]) -> tuple[float, float, list[str]]:
 def fuzz_reader(seed: int, first: int, inputs: int, jobs: int) -> Tally:
     start, total = time.perf_counter(), Tally()
     ends = range(first, first + inputs, CHUNK)
-    with ProcessPoolExecutor(jobs, max_tasks_per_child=20) as pool:
+    with ProcessPoolExecutor(jobs) as pool:
         tasks = [pool.submit(run_inputs, seed, k, min(CHUNK, first + inputs - k)) for k in ends]
         for task in tasks:
             total.add(task.result())
     print(
         f"reader: {total.inputs} inputs in {time.perf_counter() - start:.0f} s: {total.valid} valid ({total.resolved} of "
         f"them resolved), {total.refused} refused with diagnostics, slowest {total.slowest:.2f} s "
-        f"(input {total.slowest_input}, bound {SLOW:g} s), {len(total.failures)} failures"
+        f"(input {total.slowest_input}, bound {SLOW:g} s), {len(total.failures)} failures",
+        flush=True,
     )
     return total
 
@@ -78,7 +86,7 @@ def fuzz_reader(seed: int, first: int, inputs: int, jobs: int) -> Tally:
 def fuzz_emission(seed: int, count: int, jobs: int) -> list[str]:
     start, failures, between, back_ends = time.perf_counter(), list[str](), 0.0, 0.0
     seeds = range(seed * 1_000_000, seed * 1_000_000 + count)
-    with ProcessPoolExecutor(jobs, max_tasks_per_child=20) as pool:
+    with ProcessPoolExecutor(jobs) as pool:
         for one, other, failed in pool.map(run_specs, [seeds[k : k + BATCH] for k in range(0, count, BATCH)]):
             between, back_ends = max(between, one), max(back_ends, other)
             failures += failed

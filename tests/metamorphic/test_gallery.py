@@ -119,7 +119,7 @@ def test_changes_leave_the_motion_of_the_gallery(name: str) -> None:
     check_draft(draft_of(name), random.Random(f"{name} {SIZE}"))
 
 
-@settings(max_examples=8 * SIZE, derandomize=SIZE == 1, deadline=None, suppress_health_check=list(HealthCheck))
+@settings(max_examples=4 * SIZE, derandomize=SIZE == 1, deadline=None, suppress_health_check=list(HealthCheck))
 @given(seed=st.integers(0, 2**32), n=st.integers(1, 5))
 def test_changes_leave_the_motion_of_random_specs(seed: int, n: int) -> None:
     rng = random.Random(seed)

@@ -12,7 +12,7 @@ AMBIGUOUS = ("I", "O", "l")  # good names of mechanics that pycodestyle's E741 r
 
 KEYWORDS = """
 False None True and as assert async await break class continue def del elif else except finally for from
-global if import in is lambda nonlocal not or pass raise return try while with yield
+global if import in is lambda nonlocal not or pass raise return try while with yield __debug__
 """
 
 # a fixed list, not dir(builtins): that differs from one Python to the next
