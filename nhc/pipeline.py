@@ -33,7 +33,7 @@ from nhc.stamp import stamp
 if TYPE_CHECKING:
     from nhc.mechanics.certificate import Certificate
     from nhc.program.paper import Derivation
-    from nhc.program.reduced import SceneModel
+    from nhc.program.scene_model import SceneModel
     from nhc.study.motion import Findings, Request
 
 
@@ -143,7 +143,7 @@ def reduce_scene(source: Source, options: Options) -> SceneModel:
     Raises:
         SpecError: everything that is wrong with the spec.
     """
-    from nhc.program.reduced import scene_model
+    from nhc.program.scene_model import scene_model
 
     spec = decode(source)
     _check_scene_name(spec, options.scene)

@@ -11,7 +11,7 @@ from nhc.cli.specs import open_spec
 from nhc.cli.terminal import put, put_json
 
 if TYPE_CHECKING:
-    from nhc.program.reduced import SceneModel, Tried
+    from nhc.program.scene_model import SceneModel, Tried
 
 
 @click.command("reduce")

@@ -3,19 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
-from nhc.algebra.calculus import gradient, substitute
+from nhc.algebra.calculus import gradient
 from nhc.algebra.graph import Node
 from nhc.algebra.shorten import shorten
-from nhc.mechanics.associate import Equations
-from nhc.mechanics.choose import Formulation
-from nhc.mechanics.formulate import accelerations, bordered_system, reaction_values
+from nhc.mechanics.formulate import accelerations, reaction_values
 from nhc.mechanics.frame import coordinate_form, form_value
-from nhc.mechanics.system import Form, System
+from nhc.mechanics.system import Form
 from nhc.program.ir import Argument, Function, Origin
 from nhc.program.lower import lower_function
-from nhc.program.plan import FunctionPlan, GuardPlan, SolvePlan, Target, factor, solve_factored
+from nhc.program.plan import FunctionPlan, SolvePlan, Target, solve_factored
+from nhc.program.planner import T_ARGUMENT, PlannerBase
 
 FUNCTIONS = (
     "rhs",
@@ -29,175 +28,11 @@ FUNCTIONS = (
     "jacobian",
     "outputs",
 )
-SINGULAR_FRAME, SINGULAR_MASS = 1, 2
-_FRAME_TOLERANCE, _MASS_TOLERANCE, _BORDERED_TOLERANCE = 1e-12, 1e-14, 1e-13
-_T = Argument("t", -1)
 
 
 @dataclass
-class Planner:
-    """Plans of one model; nodes that several functions need are made once."""
-
-    equations: Equations
-    formulation: Formulation
-    solved: dict[Node, Node] = field(default_factory=dict)
-    mass_guards: tuple[GuardPlan, ...] = ()
-    solves: tuple[SolvePlan, ...] = ()
-
-    def __post_init__(self) -> None:
-        system = self.system
-        self.graph = system.graph
-        self.parameters: tuple[Node, ...] = system.p
-        self.kept_q: tuple[int, ...] = tuple(range(system.n))
-        self.kept_w: tuple[int, ...] = tuple(range(len(self.equations.motion.w)))
-        self._arrange()
-        self.motion_loads = {
-            system.t: ("t", -1, "time"),
-            **{node: ("q", i, _about(system, i)) for i, node in enumerate(system.q)},
-            **{node: ("qdot", i, "") for i, node in enumerate(system.v)},
-            **self._parameter_loads(),
-        }
-        self._solve()
-
-    def _arrange(self) -> None:
-        """The arguments y and p of functions of the state, from the coordinates and velocities that are kept."""
-        system, w = self.system, self.equations.motion.w
-        self.y_nodes = (*(system.q[i] for i in self.kept_q), *(w[k] for k in self.kept_w))
-        self.y = Argument("y", len(self.y_nodes))
-        self.p = Argument("p", len(self.parameters))
-        abouts = [*(_about(system, i) for i in self.kept_q), *("" for _ in self.kept_w)]
-        self.state_loads = {
-            system.t: ("t", -1, "time"),
-            **{node: ("y", k, about) for k, (node, about) in enumerate(zip(self.y_nodes, abouts, strict=True))},
-            **self._parameter_loads(),
-        }
-
-    @property
-    def system(self) -> System:
-        return self.equations.system
-
-    def _parameter_loads(self) -> dict[Node, tuple[str, int, str]]:
-        found = {}
-        for k, (node, parameter) in enumerate(zip(self.system.p, self.system.spec.parameters, strict=True)):
-            unit = f" [{parameter.unit}]" if parameter.unit else ""
-            found[node] = ("p", k, f"{parameter.about}{unit}".strip())
-        return found
-
-    # --- the rates ------------------------------------------------------------------------------------------
-
-    def _solve(self) -> None:
-        """Express the rates: by the unrolled factorization, or as unknowns of a dense solve with pivoting."""
-        equations, g = self.equations, self.graph
-        rates = equations.motion.rates
-        if not rates:
-            return
-        if equations.definite:
-            self.factors = factor(g, equations.mass)
-            values = shorten(g, solve_factored(g, self.factors, equations.force))
-            self.solved = dict(zip(rates, values, strict=True))
-            what = "the mass matrix is singular"
-            self.mass_guards = tuple(
-                GuardPlan(pivot, self._mass_scale(pivot, equations.mass[k][k]), _MASS_TOLERANCE, SINGULAR_MASS, what)
-                for k, pivot in enumerate(self.factors.pivots)
-                if not self._constant_positive(pivot)
-            )
-            return
-        matrix, right = self._dense()
-        unknowns = (*rates, *equations.multipliers)
-        self.solves = (self._dense_solve(matrix, [right], [unknowns]),)
-
-    def _mass_scale(self, pivot: Node, entry: Node) -> Node:
-        """The diagonal entry that a pivot came from; zero where they are the same (then only zero is refused)."""
-        return self.graph.zero if pivot == entry else entry
-
-    def _constant_positive(self, pivot: Node) -> bool:
-        """A number, or a parameter standing alone: no guard is worth its cost."""
-        return self.graph.value(pivot) is not None
-
-    def _dense(self) -> tuple[list[list[Node]], list[Node]]:
-        if self.equations.multipliers:
-            return bordered_system(self.equations)
-        return [list(row) for row in self.equations.mass], list(self.equations.force)
-
-    def _dense_solve(
-        self, matrix: Sequence[Sequence[Node]], columns: Sequence[Sequence[Node]], symbols: Sequence[Sequence[Node]]
-    ) -> SolvePlan:
-        what = "the constraints and the mass matrix do not determine the accelerations"
-        return SolvePlan(
-            tuple(tuple(row) for row in matrix),
-            tuple(tuple(column) for column in columns),
-            tuple(tuple(column) for column in symbols),
-            _BORDERED_TOLERANCE,
-            SINGULAR_MASS,
-            what,
-        )
-
-    def frame_guards(self) -> tuple[GuardPlan, ...]:
-        what = "the coframe is singular"
-        if self.formulation.dependent is not None:
-            names = ", ".join(f"{self.system.q_names[i]}'" for i in self.formulation.dependent.dependent)
-            what = f"the constraints cannot be solved for {names}"
-        # a constant determinant is only held against zero: its scale would be work for nothing
-        return tuple(
-            GuardPlan(
-                value,
-                self.graph.zero if self._is_constant(value) else scale,
-                _FRAME_TOLERANCE,
-                SINGULAR_FRAME,
-                what,
-            )
-            for value, scale in self.equations.guards
-        )
-
-    def _is_constant(self, node: Node) -> bool:
-        """Made of parameters and numbers only."""
-        return not self.graph.deps[node] & ~self.graph.mask(self.parameters)
-
-    def on_motion(self, nodes: Sequence[Node]) -> list[Node]:
-        """Functions of (q, q', t) in terms of the kept state, shortened."""
-        on = dict(zip(self.system.v, self.equations.motion.velocities, strict=True))
-        return shorten(self.graph, substitute(self.graph, nodes, on))
-
-    def known(self, nodes: Sequence[Node]) -> list[Node]:
-        """Nodes with the rates' symbols replaced by their values (dense unknowns stay symbols)."""
-        return substitute(self.graph, nodes, self.solved) if self.solved else list(nodes)
-
-    # --- plans ------------------------------------------------------------------------------------------------
-
-    def plan(
-        self,
-        name: str,
-        about: str,
-        equation: str,
-        size: int,
-        nodes: Sequence[tuple[Node, str, str]],
-        guards: tuple[GuardPlan, ...] = (),
-        solves: tuple[SolvePlan, ...] = (),
-    ) -> FunctionPlan:
-        """A function of (t, y, p) that writes ``nodes`` (value, about, place) into its output array."""
-        output = {
-            "rhs": "dydt",
-            "velocities": "qdot",
-            "accelerations": "qddot",
-            "reactions": "lambda",
-            "jacobian": "J",
-            "outputs": "out",
-        }[name]
-        targets = tuple(
-            Target(k, node, about_, Origin(equation, place)) for k, (node, about_, place) in enumerate(nodes)
-        )
-        return FunctionPlan(
-            name,
-            about,
-            equation,
-            (_T, self.y, self.p),
-            Argument(output, size),
-            self.state_loads,
-            targets,
-            None,
-            guards,
-            solves,
-        )
+class Planner(PlannerBase):
+    """Plans of one model's functions."""
 
     def rhs(self) -> FunctionPlan:
         system, motion = self.system, self.equations.motion
@@ -214,14 +49,6 @@ class Planner:
             self.frame_guards() + self.mass_guards,
             self.solves,
         )
-
-    def kept_names(self) -> list[str]:
-        found = []
-        for node in self.equations.motion.w:
-            symbol = self.graph.symbol_of(node)
-            assert symbol is not None
-            found.append(f"{symbol.name}'" if symbol.kind == "velocity" else symbol.name)
-        return found
 
     def velocities(self) -> FunctionPlan:
         system = self.system
@@ -273,7 +100,9 @@ class Planner:
 
     def energy(self) -> FunctionPlan:
         value = self.on_motion([self.system.energy])[0]
-        return FunctionPlan("energy", "T + V", "II.1.4", (_T, self.y, self.p), None, self.state_loads, (), value)
+        return FunctionPlan(
+            "energy", "T + V", "II.1.4", (T_ARGUMENT, self.y, self.p), None, self.state_loads, (), value
+        )
 
     def state(self) -> FunctionPlan:
         """y from (q, q'): the kept velocities are the values of their forms, without projection."""
@@ -300,7 +129,7 @@ class Planner:
 
     def _motion_arguments(self) -> tuple[Argument, ...]:
         n = self.system.n
-        return (_T, Argument("q", n), Argument("qdot", n), self.p)
+        return (T_ARGUMENT, Argument("q", n), Argument("qdot", n), self.p)
 
     def residuals(self) -> FunctionPlan:
         system = self.system
@@ -333,7 +162,7 @@ class Planner:
             "positions",
             "residuals of the holonomic constraints at position level",
             "",
-            (_T, Argument("q", system.n), self.p),
+            (T_ARGUMENT, Argument("q", system.n), self.p),
             Argument("f", len(held)),
             self.motion_loads,
             targets,
@@ -376,12 +205,6 @@ class Planner:
             return (), [flat[k * size : (k + 1) * size] for k in range(len(columns))]
         symbols = [[g.symbol(f"d{i}_{j}", "unknown") for i in range(len(matrix))] for j in range(len(columns))]
         return (*self.solves, self._dense_solve(matrix, columns, symbols)), symbols
-
-
-def _about(system: System, i: int) -> str:
-    coordinate = system.spec.coordinates[i]
-    unit = f" [{coordinate.unit}]" if coordinate.unit else ""
-    return f"{coordinate.about}{unit}".strip()
 
 
 def build_functions(planner: Planner, only: Sequence[str] = ()) -> tuple[Function, ...]:

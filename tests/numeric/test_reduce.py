@@ -16,7 +16,8 @@ from nhc.diagnostics import Source
 from nhc.emit import EmitOptions, render
 from nhc.language import decode, read
 from nhc.pipeline import Options, emit, program, reduce_scene
-from nhc.program.reduced import SceneModel, build_scene_program
+from nhc.program.reduced import build_scene_program
+from nhc.program.scene_model import SceneModel
 from tests.support import COMPILER, GALLERY, compile_c, emitted_python, error, python_model, spec_path
 
 SCENES = [(name, scene.name) for name in GALLERY for scene in decode(read(str(spec_path(name)))).scenes]

@@ -1,0 +1,100 @@
+"""Plans of a scene's functions over the state that its model keeps."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+
+from nhc.algebra.calculus import reachable, substitute
+from nhc.algebra.graph import Node
+from nhc.algebra.modular import are_zero
+from nhc.algebra.shorten import shorten
+from nhc.mechanics.associate import Equations, Motion
+from nhc.mechanics.formulate import bordered_system
+from nhc.mechanics.reduce import Reduction
+from nhc.program.build import Planner
+from nhc.program.plan import FunctionPlan
+
+
+@dataclass
+class ScenePlanner(Planner):
+    """Plans over the kept state; what is left out has been given a value that its equations do not depend on."""
+
+    reduction: Reduction = field(kw_only=True)
+    shorter: bool = field(default=True, kw_only=True)
+
+    def _arrange(self) -> None:
+        made, system, w = self.reduction, self.system, self.equations.motion.w
+        self.kept_q = tuple(i for i in made.kept if i < system.n)
+        self.kept_w = tuple(i - system.n for i in made.kept if i >= system.n)
+        entries = (*system.q, *w)
+        self.parameters = (*system.p, *(entries[i] for i in made.constants))
+        self.put_in = dict(made.fixed)
+        self.original, self.equations = self.equations, self._fixed_equations()
+        super()._arrange()
+        for k, i in enumerate(made.constants):
+            about = f"constant of the motion: {made.names[i]}"
+            self.state_loads[entries[i]] = ("p", len(system.p) + k, about)
+
+    def fix(self, nodes: Sequence[Node]) -> list[Node]:
+        """Nodes over the full state in terms of what is kept; shorter where they can be."""
+        made = substitute(self.graph, nodes, self.put_in)
+        if made == list(nodes):
+            return made
+        zero = are_zero(self.graph, made)
+        made = [self.graph.zero if z else x for x, z in zip(made, zero, strict=True)]
+        return shorten(self.graph, made) if self.shorter else made
+
+    def _fixed_equations(self) -> Equations:
+        equations, g = self.equations, self.graph
+        size, motion = len(equations.mass), equations.motion
+        held = {i for i in (*self.reduction.kept, *self.reduction.constants) if i < len(motion.velocities)}
+        velocities = iter(self.fix([node for i, node in enumerate(motion.velocities) if i in held]))
+        moved = tuple(next(velocities) if i in held else g.zero for i in range(len(motion.velocities)))
+        made = Motion(motion.w, motion.rates, moved, motion.vectors)
+        guards = [x for pair in equations.guards for x in pair]
+        guards = substitute(g, guards, self.put_in)
+        moving = [(guards[k], guards[k + 1]) for k in range(0, len(guards), 2) if g.value(guards[k]) is None]
+        pairs = tuple(dict.fromkeys(moving))
+        if not equations.definite:
+            return replace(equations, motion=made, guards=pairs)
+        flat = self.fix([*(x for row in equations.mass for x in row), *equations.force])
+        mass = tuple(tuple(flat[k * size : (k + 1) * size]) for k in range(size))
+        return replace(equations, motion=made, mass=mass, force=tuple(flat[size * size :]), guards=pairs)
+
+    def _solve(self) -> None:
+        super()._solve()
+        wanted = [self.solved[self.equations.motion.rates[k]] for k in self.kept_w if self.solved]
+        wanted += self.known([node for node, _ in self._columns()]) if self.solved else []
+        seen = set(reachable(self.graph, wanted))
+        self.mass_guards = tuple(guard for guard in self.mass_guards if guard.value in seen)
+
+    def _dense(self) -> tuple[list[list[Node]], list[Node]]:
+        """The fixed equations; a bordered system is made from the full ones first."""
+        size = len(self.original.mass)
+        if self.original.multipliers:
+            matrix, right = bordered_system(self.original)
+            size = len(right)
+            flat = self.fix([*(x for row in matrix for x in row), *right])
+        elif self.original.definite:
+            return [list(row) for row in self.equations.mass], list(self.equations.force)
+        else:
+            flat = self.fix([*(x for row in self.original.mass for x in row), *self.original.force])
+        return [flat[k * size : (k + 1) * size] for k in range(size)], flat[size * size :]
+
+    def _columns(self) -> list[tuple[Node, str]]:
+        nodes = substitute(self.graph, [column.node for column in self.reduction.outputs], self.put_in)
+        return [(node, column.name) for node, column in zip(nodes, self.reduction.outputs, strict=True)]
+
+    def outputs(self) -> FunctionPlan:
+        """What the scene needs, in its order."""
+        columns = self._columns()
+        nodes = shorten(self.graph, self.known([node for node, _ in columns]))
+        rates = self.graph.mask((*self.equations.motion.rates, *self.equations.multipliers))
+        moving = any(self.graph.depends(node, rates) for node, _ in columns)
+        written = [(node, name, "") for node, (_, name) in zip(nodes, columns, strict=True)]
+        plain = all(node in self.state_loads for node in nodes)  # then there is nothing that can be singular
+        guards = () if plain else self.frame_guards() + (self.mass_guards if moving else ())
+        return self.plan(
+            "outputs", "what the scene needs", "", len(written), written, guards, self.solves if moving else ()
+        )
