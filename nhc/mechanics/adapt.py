@@ -26,7 +26,7 @@ _MOST_ROWS = 3
 
 def adapted_forms(system: System) -> tuple[Form, ...] | None:
     """n - l free forms, or None where no small completion is found."""
-    rows, columns = _set_pivots_aside(system)
+    rows, columns = set_pivots_aside(system)
     free_columns = [j for j in range(system.n) if j not in columns]
     if not rows:
         return tuple(coordinate_form(system, j) for j in free_columns)
@@ -40,7 +40,7 @@ def adapted_forms(system: System) -> tuple[Form, ...] | None:
     return (form, *(coordinate_form(system, j) for j in kept)) if not replaced else None
 
 
-def _set_pivots_aside(system: System) -> tuple[list[int], set[int]]:
+def set_pivots_aside(system: System) -> tuple[list[int], set[int]]:
     """(rows that stay, columns of the pivots): pivots cannot vanish, and the rows that stay do not contain their
     columns.
     """

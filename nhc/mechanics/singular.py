@@ -6,11 +6,12 @@ import math
 from dataclasses import dataclass
 from itertools import combinations
 
+from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Node
 from nhc.algebra.interval import cannot_vanish
 from nhc.algebra.linear import determinant_of
 from nhc.algebra.polynomial import normalise
-from nhc.mechanics.adapt import _set_pivots_aside
+from nhc.mechanics.adapt import set_pivots_aside
 from nhc.mechanics.regularity import intervals
 from nhc.mechanics.system import System
 
@@ -29,7 +30,7 @@ class RankLoss:
 def find_rank_loss(system: System) -> RankLoss:
     """Rows with a pivot that cannot vanish are set aside; the others are judged by the squares of their maximal minors."""
     g, known = system.graph, intervals(system)
-    rows, columns = _set_pivots_aside(system)
+    rows, columns = set_pivots_aside(system)
     if not rows:
         return RankLoss(True, ())
     free = [j for j in range(system.n) if j not in columns]
@@ -49,3 +50,37 @@ def find_rank_loss(system: System) -> RankLoss:
     if cannot_vanish(g, gram, known):
         return RankLoss(True, ())
     return RankLoss(False, tuple(kept))
+
+
+def smallest_singular_value(system: System, place: dict[Node, float]) -> float:
+    """sigma_min of the constraint matrix at a state (``place`` gives t, q and p their values); infinite without constraints.
+
+    The square root of the smallest eigenvalue of A A^T, by Jacobi's rotations; zero to rounding where the rank is lost.
+    """
+    if not system.constraints:
+        return math.inf
+    flat = [a for form in system.constraints for a in form.coefficients]
+    values = [float(x) for x in evaluate(system.graph, flat, place)]
+    rows = [values[k * system.n : (k + 1) * system.n] for k in range(system.l)]
+    gram = [[sum(x * y for x, y in zip(r, s, strict=True)) for s in rows] for r in rows]
+    return math.sqrt(max(0.0, min(_eigenvalues(gram))))
+
+
+def _eigenvalues(matrix: list[list[float]]) -> list[float]:
+    """Eigenvalues of a small symmetric matrix (Jacobi 1846: cyclic rotations until the rest is negligible)."""
+    a, size = [list(row) for row in matrix], len(matrix)
+    for _ in range(60):
+        off = sum(a[i][j] ** 2 for i in range(size) for j in range(size) if i != j)
+        if off <= 1e-30 * sum(a[i][i] ** 2 for i in range(size)):
+            break
+        for p in range(size):
+            for q in range(p + 1, size):
+                if a[p][q] == 0.0:
+                    continue
+                angle = 0.5 * math.atan2(2 * a[p][q], a[q][q] - a[p][p])
+                c, s = math.cos(angle), math.sin(angle)
+                for k in range(size):
+                    a[k][p], a[k][q] = c * a[k][p] - s * a[k][q], s * a[k][p] + c * a[k][q]
+                for k in range(size):
+                    a[p][k], a[q][k] = c * a[p][k] - s * a[q][k], s * a[p][k] + c * a[q][k]
+    return [a[i][i] for i in range(size)]
