@@ -18,7 +18,10 @@ if TYPE_CHECKING:
     from nhc.simulate.run import Trajectory
 
 # nhc.simulate.methods again, which takes too long to import for a help text; a test holds them equal
-METHODS = ("dop853", "dopri5", "rk4", "gauss4", "gauss6", "radau5")
+METHODS = (
+    *("dop853", "dopri5", "rk4", "radau5", "gauss4", "gauss6", "midpoint"),
+    *("leapfrog", "dla", "perlmutter", "energy"),
+)
 KINDS = (".csv", ".npz", ".svg", ".html")
 
 
@@ -45,6 +48,7 @@ def _positive(context: click.Context, parameter: click.Parameter, value: float |
 @click.option("--step", type=float, callback=_positive, help="Fixed steps of this length in place of adaptive ones.")
 @click.option("--until", metavar="EXPR", default="", help="Stop when this expression in the spec's names crosses zero.")
 @formulation_option
+@click.option("--drift", is_flag=True, help="Do not bring each step back to the constraints (multipliers, holonomic).")
 @click.option("--python", "interpreted", is_flag=True, help="Run the emitted Python, without a compiler.")
 @click.option("--force", is_flag=True, help="Overwrite FILE when it exists.")
 def command(
@@ -58,6 +62,7 @@ def command(
     step: float,
     until: str,
     formulation: str | None,
+    drift: bool,
     interpreted: bool,
     force: bool,
 ) -> int:
@@ -71,11 +76,11 @@ def command(
         raise click.UsageError("`--tol` is a relative accuracy, such as 1e-8")
     source = open_spec(spec)
     from nhc.simulate.opening import RunError, open_scene
-    from nhc.simulate.run import Settings, needs_jacobian, run
+    from nhc.simulate.run import Settings, run
 
     page = target is not None and target.suffix == ".html"
     try:
-        job = open_scene(source, scene, formulation or "", needs, until, needs_jacobian(method), page)
+        job = open_scene(source, scene, formulation or "", needs, until, method, not drift, page)
     except RunError as error:
         raise Failure(str(error), error.help) from error
     if not scene:

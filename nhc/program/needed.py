@@ -24,7 +24,7 @@ _T = Argument("t", -1)
 
 @dataclass(frozen=True)
 class Column:
-    """``heading`` as a CSV has it; ``group`` is need, energy, residual or position; ``unit`` where the spec gives one."""
+    """``heading`` as a CSV has it; ``group`` is need, energy, kinetic, residual or position; ``unit`` where the spec gives one."""
 
     heading: str
     group: str
@@ -69,8 +69,8 @@ def list_checks(planner: Planner) -> list[Column]:
     """The energy, the constraints' left sides, and the holonomic ones at position level."""
     system = planner.system
     forms = [form_value(system.graph, form, system.v) for form in system.constraints]
-    energy, *residuals = planner.on_motion([system.energy, *forms])
-    found = [Column("energy", "energy", energy)]
+    energy, kinetic, *residuals = planner.on_motion([system.energy, system.T, *forms])
+    found = [Column("energy", "energy", energy), Column("T", "kinetic", kinetic)]
     found += [Column(f.name, "residual", r) for f, r in zip(system.constraints, residuals, strict=True)]
     found += [Column(f.name, "position", f.equation) for f in system.constraints if f.equation is not None]
     return found

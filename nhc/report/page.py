@@ -8,7 +8,7 @@ from html import escape
 
 from nhc.emit.environment import create_environment
 from nhc.report.svg import Axis, Chart, Series, draw, draw_inside, find_frame, legend_rows
-from nhc.simulate.run import Trajectory, relative_change
+from nhc.simulate.run import Trajectory, energy_change
 from nhc.version import __version__
 
 WIDTH, PANEL = 760, 340
@@ -37,7 +37,7 @@ def list_check_charts(found: Trajectory) -> list[Chart]:
     checks = found.job.checks
     charts: list[Chart] = []
     for group, title in (
-        ("energy", "energy: change relative to its largest magnitude"),
+        ("energy", "energy: change relative to the largest of |T + V| and T"),
         ("residual", "constraints: left sides"),
         ("position", "holonomic constraints: position residuals"),
     ):
@@ -48,7 +48,7 @@ def list_check_charts(found: Trajectory) -> list[Chart]:
         for k in indices:
             values = [row[k] for row in found.checks]
             if group == "energy":
-                values = relative_change(values)
+                values = energy_change(found)
             series.append(
                 Series(checks[k].heading, found.times, [max(abs(v), TINY) if v else math.nan for v in values])
             )
@@ -113,7 +113,7 @@ def _summary(found: Trajectory) -> list[tuple[str, str]]:
             continue
         columns = [[row[k] for row in found.checks] for k in indices]
         if group == "energy":
-            columns = [relative_change(column) for column in columns]
+            columns = [energy_change(found)]
         worst = max(abs(x) for column in columns for x in column)
         what = "relative change at most" if group == "energy" else "off by at most"
         facts.append((name, f"{what} {worst:.3g}"))

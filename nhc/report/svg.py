@@ -172,7 +172,7 @@ def _draw_axes(chart: Chart, frame: Frame) -> list[str]:
 
 def legend_rows(chart: Chart) -> list[list[tuple[int, str, float]]]:
     """(series, text, place from the left) in rows; nothing where the axis's label says it already."""
-    if len(chart.series) == 1 and chart.series[0].label in ("", chart.y.label):
+    if len(chart.series) == 1 and chart.series[0].label in ("", chart.y.label.split(" [")[0]):
         return []
     rows: list[list[tuple[int, str, float]]] = [[]]
     at = float(LEFT)

@@ -44,11 +44,11 @@ class InterpretedModel:
 
     compiled = False
 
-    def __init__(self, program: Program, events: int) -> None:
+    def __init__(self, program: Program, events: int, holds: Sequence[str] = ()) -> None:
         names = tuple(function.name for function in program.functions)
         (text,) = render(program, "python", EmitOptions(only=names)).values()
         self.module: Any = load_text(text, program.system)
-        self.events = events
+        self.events, self.holds = events, tuple(holds)
         self.watched = "watch" in names
 
     def news(self) -> News:
@@ -67,6 +67,13 @@ class InterpretedModel:
     def watch(self, t: float, y: Sequence[float], p: Sequence[float]) -> list[float]:
         values: list[float] = self.module.watch(t, y, p) if self.watched else []
         return values
+
+    def hold(self, t: float, y: Sequence[float], p: Sequence[float]) -> list[float]:
+        """A state, brought back to the constraints."""
+        state = list(y)
+        for name in self.holds:
+            state = getattr(self.module, name)(t, state, p)
+        return state
 
     def integrate(self, task: Task, method: str, news: News) -> Outcome:
         """Run one method."""

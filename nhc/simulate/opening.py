@@ -14,6 +14,8 @@ from nhc.mechanics.choose import formulate
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.resolve import resolve
 from nhc.mechanics.scenes import start_of
+from nhc.simulate.methods import DEFAULT, RUNGE_KUTTA, STRUCTURE
+from nhc.simulate.methods.tableau import Collocation
 from nhc.simulate.prepare import Job, prepare
 
 _EVENT = "until"
@@ -33,7 +35,8 @@ def open_scene(
     formulation: str = "",
     needs: tuple[str, ...] = (),
     until: str = "",
-    jacobian: bool = False,
+    method: str = DEFAULT,
+    hold: bool = True,
     checks: bool = False,
 ) -> Job:
     """The job of a scene (default: the first); ``until`` is an expression in the spec's names whose zero ends the run.
@@ -45,6 +48,8 @@ def open_scene(
     spec = decode(source)
     chosen = find_scene(spec, scene)
     wanted = tuple(dict.fromkeys(find_need(spec, need) for need in needs))
+    if until and method in STRUCTURE:
+        raise RunError(f"the method `{method}` does not look for events", ("take dop853 with `--until`",))
     if until:
         tree = parse_event(spec, until)
         spec = replace(spec, outputs=(*spec.outputs, Definition(_EVENT, tree, Span(0, 0))))
@@ -53,9 +58,19 @@ def open_scene(
     if until:
         event = system.outputs[-1][1]
         system = replace(system, outputs=system.outputs[:-1])
+    natural = method in STRUCTURE
+    if natural and system.constraints and not formulation:
+        formulation = "multipliers"  # its state has all velocities: these methods need not keep them on the constraints
     form = formulate(system, formulation)
     equations = equations_of(system, form)
-    return prepare(equations, form, start_of(system, chosen), wanted, event, jacobian, checks)
+    implicit = method in RUNGE_KUTTA and isinstance(RUNGE_KUTTA[method], Collocation)
+    job = prepare(equations, form, start_of(system, chosen), wanted, event, implicit, natural, hold, checks)
+    lacking = job.structure.lacking
+    if natural and not lacking and STRUCTURE[method].constant_mass and not job.structure.constant_mass:
+        lacking = "its mass matrix is not constant"
+    if natural and lacking:
+        raise RunError(f"the method `{method}` does not fit this system: {lacking}", ("take dop853 or midpoint",))
+    return job
 
 
 def find_scene(spec: Spec, name: str) -> Scene:

@@ -12,9 +12,11 @@ from nhc.mechanics.associate import Equations
 from nhc.mechanics.choose import Formulation
 from nhc.mechanics.scenes import Start, kept_velocities
 from nhc.program.build import Planner, build_functions
+from nhc.program.hold import hold_functions
 from nhc.program.ir import Program
 from nhc.program.model import build_program
 from nhc.program.needed import Column, list_checks, list_columns, needed_function, watch_function
+from nhc.program.structure import Structure, structure_of
 
 
 @dataclass(frozen=True)
@@ -36,6 +38,8 @@ class Job:
     meanings: dict[int, str]
     watched: tuple[str, ...]
     events: int
+    structure: Structure
+    holds: tuple[str, ...]
 
     @property
     def state_names(self) -> tuple[str, ...]:
@@ -49,6 +53,8 @@ def prepare(
     needs: Sequence[str] = (),
     event: Node | None = None,
     jacobian: bool = False,
+    natural: bool = False,
+    hold: bool = True,
     checks: bool = False,
 ) -> Job:
     """The job of a scene; ``needs`` are names (default: the scene's own).
@@ -65,6 +71,12 @@ def prepare(
     functions = build_functions(planner, ("rhs", "jacobian") if jacobian else ("rhs",))
     functions += (needed_function(planner, [*columns, *checked]),)
     functions += () if watch is None else (watch,)
+    structure = structure_of(planner) if natural else Structure()
+    functions += structure.functions
+    held, calls = hold_functions(planner) if hold and not natural else ((), ())
+    functions += held
+    if natural:
+        functions += build_functions(planner, ("velocities", "state"))
     frame = build_program(system, formulation, equations, only=("residuals",))
     program = replace(frame, functions=functions, scenes=())
     meanings = {status.code: status.what for status in list_statuses(program)}
@@ -81,4 +93,6 @@ def prepare(
         meanings=meanings,
         watched=about,
         events=0 if event is None else 1,
+        structure=structure,
+        holds=calls,
     )

@@ -11,8 +11,8 @@ from dataclasses import dataclass, replace
 from nhc.simulate.compile import CompileError, build
 from nhc.simulate.compiled import CompiledModel
 from nhc.simulate.interpreted import InterpretedModel
-from nhc.simulate.methods import DEFAULT, RUNGE_KUTTA
-from nhc.simulate.methods.tableau import Collocation
+from nhc.simulate.methods import DEFAULT, RUNGE_KUTTA, STRUCTURE, is_adaptive
+from nhc.simulate.natural import NaturalModel
 from nhc.simulate.prepare import Job
 from nhc.simulate.source import write_source
 from nhc.simulate.task import (
@@ -34,7 +34,7 @@ SAFETY = 0.01  # of the wanted accuracy, for errors add up and grow
 LEAST_TOLERANCE = 3e-15
 POINTS = 201
 MOST_HALVINGS = 20
-Model = CompiledModel | InterpretedModel
+Model = CompiledModel | InterpretedModel | NaturalModel
 Show = Callable[[float], None]
 
 
@@ -77,20 +77,17 @@ class Trajectory:
 def load(job: Job, method: str, compiled: bool = True) -> tuple[Model, tuple[str, ...]]:
     """The compiled model, or the emitted Python where there is no compiler; notes say so."""
     notes: tuple[str, ...] = ()
+    if method in STRUCTURE:
+        return NaturalModel(job.program), ()
     if compiled:
         try:
-            sources = write_source(job.program, [RUNGE_KUTTA[method]], job.events)
+            sources = write_source(job.program, [RUNGE_KUTTA[method]], job.events, job.holds)
             path = build(sources, f"{job.program.system}_run.c")
             width = len(job.columns) + len(job.checks)
             return CompiledModel(path, job.program.system, len(job.y), width), ()
         except CompileError as error:
             notes = (f"{error}; running the emitted Python, which is some hundred times slower",)
-    return InterpretedModel(job.program, job.events), notes
-
-
-def needs_jacobian(method: str) -> bool:
-    """Whether a method uses the emitted Jacobian."""
-    return isinstance(RUNGE_KUTTA[method], Collocation)
+    return InterpretedModel(job.program, job.events, job.holds), notes
 
 
 def list_times(start: float, end: float, points: int) -> tuple[float, ...]:
@@ -106,7 +103,7 @@ def run(job: Job, settings: Settings, show: Show | None = None) -> Trajectory:
     times = list_times(*job.time, settings.points)
     task = Task(job.p, job.y, times, max(SAFETY * tolerance, LEAST_TOLERANCE), settings.step)
     before = time.perf_counter()
-    if settings.step <= 0 and not RUNGE_KUTTA[settings.method].adaptive:
+    if settings.step <= 0 and not is_adaptive(settings.method):
         task, more = _find_step(model, task, settings.method, tolerance, show)
         notes += more
     outcome = _integrate(model, task, settings.method, show)
@@ -237,7 +234,10 @@ def describe_state(job: Job, outcome: Outcome, longest: int = 12) -> str:
     return shown + (", ..." if len(pairs) > longest else "")
 
 
-def relative_change(values: list[float]) -> list[float]:
-    """value - first value, relative to the largest magnitude met, or as it is where all is zero."""
-    size = max((abs(x) for x in values if math.isfinite(x)), default=0.0) or 1.0
-    return [(x - values[0]) / size for x in values]
+def energy_change(found: Trajectory) -> list[float]:
+    """The energy's change since the start at each row, relative to the largest of |T + V| and T met (none: as it is)."""
+    groups = [column.group for column in found.job.checks]
+    energy = [row[groups.index("energy")] for row in found.checks]
+    kinetic = [row[groups.index("kinetic")] for row in found.checks]
+    size = max((abs(x) for x in (*energy, *kinetic) if math.isfinite(x)), default=0.0) or 1.0
+    return [(x - energy[0]) / size for x in energy]

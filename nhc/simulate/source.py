@@ -102,11 +102,13 @@ def describe(method: Tableau) -> ExplicitText | CollocationText:
     return describe_explicit(method) if isinstance(method, Explicit) else describe_collocation(method)
 
 
-def write_source(program: Program, methods: Sequence[Tableau], events: int) -> dict[str, str]:
+def write_source(
+    program: Program, methods: Sequence[Tableau], events: int, holds: Sequence[str] = ()
+) -> dict[str, str]:
     """File name -> text of ``<s>.h``, ``<s>.c`` and ``<s>_run.c``; the last one includes the others.
 
     ``program`` has rhs and needed, jacobian for an implicit method, and watch where something is watched, the first ``events`` of
-    its values being the user's.
+    its values being the user's; ``holds`` are called in this order after each step.
     """
     functions = {function.name: function for function in program.functions}
     model = render(program, "c", EmitOptions(only=tuple(functions)))
@@ -121,6 +123,7 @@ def write_source(program: Program, methods: Sequence[Tableau], events: int) -> d
         "shapes": max([5, *(CUBIC + len(m.dense) for m in explicit)]),
         "watched": size(functions.get("watch")),
         "events": events,
+        "holds": tuple(holds),
         "needed": size(functions["needed"]),
         "collocations": bool(implicit),
         "timed": any(isinstance(s, Load) and s.index < 0 for s in functions["rhs"].body),

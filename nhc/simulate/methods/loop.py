@@ -38,6 +38,11 @@ class Watched(Model, Protocol):
     @property
     def watched(self) -> bool: ...
 
+    @property
+    def holds(self) -> Sequence[str]: ...
+
+    def hold(self, t: float, y: Sequence[float], p: Sequence[float]) -> list[float]: ...
+
     def watch(self, t: float, y: Sequence[float], p: Sequence[float]) -> list[float]: ...
 
 
@@ -145,6 +150,9 @@ def _advance(run: _Run) -> Outcome | None:
 
 def _accept(run: _Run, reach: float) -> Outcome | None:
     task, s, model = run.task, run.step, run.model
+    if model.holds:
+        s.reached = model.hold(reach, s.reached, task.p)
+        s.arrived = s.rhs(reach, s.reached)
     cut, which = 2.0, -1
     if model.watched:
         after = model.watch(reach, s.reached, task.p)
@@ -176,7 +184,11 @@ def _fill(run: _Run, cut: float) -> None:
         part = (times[len(run.states)] - s.t) / s.h
         if part > cut or part > 1.0 + 1e-12:
             return
-        run.states.append(list(s.reached) if part >= 1.0 - 1e-12 else _point(run, part))
+        if part >= 1.0 - 1e-12:
+            run.states.append(list(s.reached))
+        else:
+            point = _point(run, part)
+            run.states.append(run.model.hold(times[len(run.states)], point, run.task.p) if run.model.holds else point)
 
 
 def _change(before: Sequence[float], after: Sequence[float]) -> int:

@@ -1,0 +1,68 @@
+"""What brings a state back to its constraints: the shortest way in the metric of the kinetic energy.
+
+``hold_v`` takes the velocities of the multiplier form to A v + a = 0, which it keeps only by its accelerations;
+``hold_q`` takes the positions a Newton step towards f(q, t) = 0, which no form keeps by itself (E. Hairer and G.
+Wanner, Solving Ordinary Differential Equations II, 2nd ed. (1996), sec. VII.2: projection methods).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from nhc.algebra.calculus import gradient, substitute
+from nhc.algebra.graph import Node
+from nhc.mechanics.frame import form_value
+from nhc.mechanics.system import Form
+from nhc.program.build import Planner
+from nhc.program.ir import Argument, Function
+from nhc.program.lower import lower_function
+from nhc.program.plan import FunctionPlan, SolvePlan, Target
+
+SINGULAR_HOLD = 3
+_TOLERANCE = 1e-13
+TURNS = 2  # Newton steps for positions: a step's drift is small, and each one squares it
+
+
+def hold_functions(planner: Planner) -> tuple[tuple[Function, ...], tuple[str, ...]]:
+    """The functions, and the order in which a step calls them; nothing where the formulation holds everything."""
+    system, g = planner.system, planner.graph
+    held = [form for form in system.constraints if form.equation is not None]
+    functions: list[Function] = []
+    calls: list[str] = []
+    if held:
+        right = [form.equation for form in held if form.equation is not None]
+        functions.append(_function(planner, "hold_q", "positions closer to the constraints", held, right, 0))
+        calls += ["hold_q"] * TURNS
+    if planner.equations.multipliers:
+        right = [form_value(g, form, system.v) for form in system.constraints]
+        about = "velocities on the constraints"
+        functions.append(_function(planner, "hold_v", about, system.constraints, right, system.n))
+        calls.append("hold_v")
+    return tuple(functions), tuple(calls)
+
+
+def _function(
+    planner: Planner, name: str, about: str, forms: Sequence[Form], right: Sequence[Node], first: int
+) -> Function:
+    """y with n entries from ``first`` on moved by d, where M d = A^T mu and A d = -right."""
+    system, g, n = planner.system, planner.graph, planner.system.n
+    motion = planner.equations.motion
+    on = dict(zip(system.v, motion.velocities, strict=True))
+    mass = [gradient(g, p, system.v) for p in gradient(g, system.T, system.v)]
+    matrix = [[*mass[i], *(g.neg(form.coefficients[i]) for form in forms)] for i in range(n)]
+    matrix += [[*(g.neg(a) for a in form.coefficients), *([g.zero] * len(forms))] for form in forms]
+    flat = substitute(g, [*(x for row in matrix for x in row), *right], on)
+    size = n + len(forms)
+    rows = tuple(tuple(flat[k * size : (k + 1) * size]) for k in range(size))
+    column = (*([g.zero] * n), *flat[size * size :])
+    unknowns = tuple(g.symbol(f"{name}_{k}", "unknown") for k in range(size))
+    what = "the constraints are dependent here, so that a state cannot be brought back to them"
+    solve = SolvePlan(rows, (column,), (unknowns,), _TOLERANCE, SINGULAR_HOLD, what)
+    state = [*system.q, *motion.w]
+    for k in range(n):
+        state[first + k] = g.add(state[first + k], unknowns[k])
+    targets = tuple(Target(k, node) for k, node in enumerate(state))
+    inputs = (Argument("t", -1), planner.y, planner.p)
+    output = Argument("out", len(state))
+    plan = FunctionPlan(name, about, "", inputs, output, planner.state_loads, targets, None, (), (solve,))
+    return lower_function(g, plan, system.p)

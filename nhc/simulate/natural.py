@@ -1,0 +1,135 @@
+"""Structure-preserving runs: the emitted Python of M, dL/dq, A and T + V under the methods for natural systems."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Any
+
+from nhc.emit import EmitOptions, render
+from nhc.program.ir import Program
+from nhc.simulate.interpreted import load_text
+from nhc.simulate.methods import STRUCTURE
+from nhc.simulate.methods.linear import Matrix
+from nhc.simulate.methods.step import NoSolution
+from nhc.simulate.task import DONE, NO_SOLUTION, SINGULAR, STOPPED, TOO_MANY, ModelError, News, Outcome, Task
+
+
+class NaturalModel:
+    """A natural system; the rows of its outcomes are the program's states, like those of the other models."""
+
+    compiled = False
+
+    def __init__(self, program: Program) -> None:
+        names = tuple(function.name for function in program.functions)
+        (text,) = render(program, "python", EmitOptions(only=names)).values()
+        self.module: Any = load_text(text, program.system)
+        self.n, self.l = len(program.coordinates), len(program.constraints)
+        self.p: Sequence[float] = ()
+        self.t = 0.0
+
+    def news(self) -> News:
+        return News()
+
+    # --- the system as the methods see it
+
+    def mass(self, q: Sequence[float]) -> Matrix:
+        return self._block(self.module.mass(self.t, q, self._still, self.p), self.n)
+
+    def rows(self, q: Sequence[float]) -> Matrix:
+        return self._block(self.module.rows(self.t, q, self._still, self.p), self.l)
+
+    def slope(self, q: Sequence[float], v: Sequence[float]) -> list[float]:
+        values: list[float] = self.module.slope(self.t, q, v, self.p)
+        return values
+
+    def total(self, q: Sequence[float], v: Sequence[float]) -> float:
+        values: list[float] = self.module.total(self.t, q, v, self.p)
+        return values[0]
+
+    @property
+    def _still(self) -> list[float]:
+        return [0.0] * self.n
+
+    def _block(self, flat: list[float], count: int) -> Matrix:
+        return [flat[k * self.n : (k + 1) * self.n] for k in range(count)]
+
+    # --- the run
+
+    def integrate(self, task: Task, method: str, news: News) -> Outcome:
+        """Fixed steps to the end; rows between them by Hermite's cubic."""
+        scheme, (start, end) = STRUCTURE[method], (task.times[0], task.times[-1])
+        self.p = task.p
+        count = max(1, math.ceil(abs(end - start) / task.step - 1e-9))
+        h = (end - start) / count
+        outcome = Outcome(DONE, 0, start, list(task.y), h, states=[list(task.y)])
+        try:
+            q = list(task.y[: self.n])
+            v = self.module.velocities(start, task.y, task.p)
+            point = scheme.start(self, q, v, h)
+            for k in range(1, count + 1):
+                if news.stop or k > task.most:
+                    outcome.kind = STOPPED if news.stop else TOO_MANY
+                    break
+                point = scheme.advance(self, point, h)
+                t = end if k == count else start + (end - start) * (k / count)
+                q1, v1 = scheme.read(self, point, h)
+                self._fill(task, outcome, outcome.t, h, (q, v), (q1, v1))
+                q, v = q1, v1
+                outcome.t, outcome.steps = t, k
+                news.t = t
+        except NoSolution:
+            outcome.kind = NO_SOLUTION
+        except ArithmeticError as error:
+            outcome.kind, outcome.status = SINGULAR, getattr(error, "status", 0)
+        outcome.y = self.module.state(outcome.t, q, v, task.p)
+        return outcome
+
+    def _fill(
+        self,
+        task: Task,
+        outcome: Outcome,
+        t: float,
+        h: float,
+        before: tuple[list[float], list[float]],
+        after: tuple[list[float], list[float]],
+    ) -> None:
+        """Rows of this step."""
+        (q0, v0), (q1, v1) = before, after
+        while len(outcome.states) < len(task.times):
+            time = task.times[len(outcome.states)]
+            x = (time - t) / h
+            if x > 1.0 + 1e-9:
+                return
+            q, v = (q1, v1) if x >= 1.0 - 1e-9 else _hermite(x, h, q0, v0, q1, v1)
+            outcome.states.append(self.module.state(time, q, v, task.p))
+
+    def quantities(
+        self, times: Sequence[float], states: Sequence[Sequence[float]], p: Sequence[float]
+    ) -> list[list[float]]:
+        """The needed columns at each row.
+
+        Raises:
+            ModelError: they have no value there.
+        """
+        rows: list[list[float]] = []
+        for row, (t, y) in enumerate(zip(times, states, strict=True)):
+            try:
+                rows.append(self.module.needed(t, y, p))
+            except ArithmeticError as error:
+                raise ModelError(row, getattr(error, "status", 0)) from error
+        return rows
+
+
+def _hermite(
+    x: float, h: float, q0: list[float], v0: list[float], q1: list[float], v1: list[float]
+) -> tuple[list[float], list[float]]:
+    """Position and velocity at the part x of a step."""
+    a, b = x * x * (3 - 2 * x), 6 * x * (1 - x) / h
+    c, d = x * (1 - x) ** 2 * h, -x * x * (1 - x) * h
+    e, f = (1 - x) * (1 - 3 * x), x * (3 * x - 2)
+    rows = list(zip(q0, v0, q1, v1, strict=True))
+    return (
+        [s + a * (u - s) + c * w + d * z for s, w, u, z in rows],
+        [b * (u - s) + e * w + f * z for s, w, u, z in rows],
+    )
