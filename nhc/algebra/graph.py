@@ -18,7 +18,7 @@ from collections.abc import Iterable
 from fractions import Fraction
 from math import isqrt
 
-from nhc.algebra.nodes import ADD, BINARY, MUL, NEG, NUM, ONE, PI, POW, SYM, UNARY, Node, NodeStore, Symbol
+from nhc.algebra.nodes import ADD, BINARY, MUL, NEG, NUM, ONE, PI, POW, SYM, UNARY, Node, NodeStore, Symbol, exact_power
 
 __all__ = ["ADD", "BINARY", "MUL", "NEG", "NUM", "PI", "POW", "SYM", "UNARY", "Graph", "Node", "Symbol"]
 
@@ -187,14 +187,14 @@ class Graph(NodeStore):
             value = self._numbers[self.a[x]]
             if value == 0 and n < 0:
                 raise ZeroDivisionError("a constant expression divides by zero")
-            return self.number(value**n)
+            return self.number(exact_power(value, n))
         if op == NEG:
             inner = self.power(self.a[x], n)
             return self.neg(inner) if n % 2 else inner
         if op == POW:
             return self.power(self.a[x], self.b[x] * n)
         if op == MUL and self.op[self.a[x]] == NUM:
-            return self.mul(self.number(self._numbers[self.a[self.a[x]]] ** n), self.power(self.b[x], n))
+            return self.mul(self.number(exact_power(self._numbers[self.a[self.a[x]]], n)), self.power(self.b[x], n))
         if op == "sqrt" and n % 2 == 0:
             return self.power(self.a[x], n // 2)
         if op == "exp":

@@ -13,6 +13,7 @@ BINARY = frozenset({"atan2", "min", "max", "powf"})
 _LEAVES, _DYADIC = frozenset({NUM, SYM, PI}), BINARY | {ADD, MUL}
 
 Node = int
+LONGEST_NUMBER = 1 << 15  # bits of a numerator or denominator: far beyond what a double holds
 ONE, MINUS_ONE = Fraction(1), Fraction(-1)
 
 
@@ -22,6 +23,18 @@ class Symbol:
 
     name: str
     kind: str
+
+
+class NumberTooLong(ArithmeticError):
+    """A constant that would take more than LONGEST_NUMBER bits to write exactly."""
+
+
+def exact_power(value: Fraction, n: int) -> Fraction:
+    """value**n, refused before it is computed where it would be too long: ``((9^999)^999)^999`` is a short text."""
+    bits = max(value.numerator.bit_length(), value.denominator.bit_length()) - 1
+    if bits * abs(n) > LONGEST_NUMBER:
+        raise NumberTooLong
+    return value**n
 
 
 class NodeStore:
@@ -50,6 +63,8 @@ class NodeStore:
 
     def number(self, value: int | Fraction) -> Node:
         value = Fraction(value)
+        if max(value.numerator.bit_length(), value.denominator.bit_length()) > LONGEST_NUMBER:
+            raise NumberTooLong
         node = self._number_index.get(value)
         if node is None:
             self._numbers.append(value)

@@ -123,6 +123,11 @@ def _report(error: Exception) -> Exit:
     if isinstance(error, SpecError):
         say(render_text(error.source, error.diagnostics, wants_colour(sys.stderr)))
         return Exit.FAILED
+    from nhc.algebra.field import Unlucky
+
+    if isinstance(error, Unlucky):
+        say("error: the exact test found no point for this system: too many nested roots, or singular everywhere")
+        return Exit.NUMERICAL
     if os.environ.get("NHC_DEBUG") == "1":
         traceback.print_exception(error)
     text = " ".join(str(error).split())

@@ -7,7 +7,7 @@ from typing import Any
 
 from nhc.algebra.calculus import reachable
 from nhc.algebra.interval import cannot_vanish
-from nhc.algebra.modular import are_zero
+from nhc.algebra.modular import Unlucky, are_zero
 from nhc.algebra.show import to_text
 from nhc.diagnostics import Bag
 from nhc.mechanics import chaplygin
@@ -26,12 +26,16 @@ from nhc.mechanics.system import System
 class Facts:
     """Lines for people, data for programs."""
 
-    lines: tuple[str, ...] = ()
+    lines_by_key: dict[str, str] = field(default_factory=dict)
     data: dict[str, Any] = field(default_factory=dict)
 
     def say(self, key: str, value: object, line: str) -> None:
         self.data[key] = value
-        self.lines = (*self.lines, line)
+        self.lines_by_key[key] = line
+
+    @property
+    def lines(self) -> tuple[str, ...]:
+        return tuple(self.lines_by_key.values())
 
 
 def describe(system: System, formulation: Formulation, bag: Bag, *, explain: bool = True) -> Facts:
@@ -48,7 +52,10 @@ def describe(system: System, formulation: Formulation, bag: Bag, *, explain: boo
     cyclic = [system.q_names[i] for i in cyclic_coordinates(system)]
     facts.say("cyclic", cyclic, f"cyclic coordinates: {', '.join(cyclic) or 'none'}")
     if explain:
-        _conserved(system, formulation, integrals, facts)
+        try:
+            _conserved(system, formulation, integrals, facts)
+        except Unlucky:
+            facts.say("conserved", [], "constants of the motion: not decided (too many nested roots for the exact test)")
     names = [f.name for f in applicable(system)]
     facts.say("applicable", names, f"formulations that apply: {', '.join(names)}")
     line = f"formulation: {formulation.name} ({formulation.number}), {formulation.reason}"

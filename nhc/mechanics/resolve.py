@@ -8,6 +8,7 @@ from nhc.algebra.calculus import tangent
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.linear import NotLinear, linear_form
 from nhc.algebra.modular import are_zero, rank
+from nhc.algebra.nodes import NumberTooLong
 from nhc.diagnostics import Bag, Span
 from nhc.language import Spec
 from nhc.language.syntax import Binary, Call, Differential, Name, Negate, Number, Prime, Syntax, fold_tree
@@ -34,7 +35,15 @@ class Resolver:
     def node(self, tree: Syntax, names: Mapping[str, Node] | None = None) -> Node:
         """The node of a syntax tree; a division by a constant zero is reported and stands as zero."""
         known = self.names if names is None else names
-        return fold_tree(tree, lambda part, operands: self._visit(part, operands, known))
+        return fold_tree(tree, lambda part, operands: self._bounded(part, operands, known))
+
+    def _bounded(self, part: Syntax, operands: tuple[Node, ...], names: Mapping[str, Node]) -> Node:
+        try:
+            return self._visit(part, operands, names)
+        except NumberTooLong:
+            message = "this constant is too long to be written exactly"
+            self.bag.error("E0210", message, part.span, help=("keep numbers below 1e308, which doubles can hold",))
+            return self.graph.one
 
     def _visit(self, part: Syntax, operands: tuple[Node, ...], names: Mapping[str, Node]) -> Node:
         g = self.graph
@@ -81,8 +90,9 @@ class Resolver:
         return next(i for i, c in enumerate(self.spec.coordinates) if c.name == name)
 
     def place(self, span: Span) -> str:
-        line, column = self.spec.origin.position(span.start)
-        return f"{line}:{column}"
+        origin = self.spec.origin
+        (line, column), part = origin.position(span.start), origin.find(span.start)[0]
+        return f"{line}:{column}" if part is origin else f"{part.path.rsplit('/', 1)[-1]}:{line}:{column}"
 
     # --- forms --------------------------------------------------------------------------------------------
 

@@ -17,6 +17,7 @@ from nhc.program.sheets.data import data_sheet, reason_sheet
 from nhc.program.sheets.draft import Desk, DraftSheet
 from nhc.program.sheets.forms import energy_sheet, form_sheet, make_forms
 from nhc.program.sheets.frames import kinematics_sheet
+from nhc.program.sheets.kind import kind_sheet
 from nhc.program.sheets.model import Derivation, Formula, Item, Mark, Prose, Sheet, Side, Statement, Symbol, Table, Term
 from nhc.program.sheets.motion import associated_sheet, energy_theorem_sheet, motion_sheet, reaction_sheet
 from nhc.program.sheets.write import write_sheets
@@ -37,7 +38,7 @@ __all__ = [
     "derivation",
 ]
 
-SHEETS = ("data", "formulation", "kinematics", "kinetic", "form", "associated", "motion", "reactions", "energy")
+SHEETS = ("data", "kind", "formulation", "kinematics", "kinetic", "form", "associated", "motion", "reactions", "energy")
 """The keys of all sheets in their order; a formulation has no sheet for what it does not know."""
 
 
@@ -56,6 +57,7 @@ def derivation(
     forms = make_forms(desk)
     makers: tuple[Callable[[], DraftSheet | None], ...] = (
         lambda: data_sheet(desk, scene),
+        lambda: kind_sheet(desk),
         lambda: reason_sheet(desk),
         lambda: kinematics_sheet(desk),
         lambda: energy_sheet(desk),

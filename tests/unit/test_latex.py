@@ -87,7 +87,7 @@ def test_document_is_stamped_numbered_and_sectioned() -> None:
     assert is_untouched(stamp(text))
     for number in ("I.1.1", "I.2.3", "I.2.4", "I.2.11", "III.2.4", "III.2.5", "III.1.1", "I.2.15", "I.4.1", "II.1.4"):
         assert rf"\tag{{{number}}}" in text
-    assert text.count(r"\section{") == 9
+    assert text.count(r"\section{") == 10
     assert r"m\,\dot{v} &= m\,a\,w^{2}" in text
     assert r"\dot{w} &= -\frac{m\,a\,v\,w}{J + m\,a^{2}}" in text
 
