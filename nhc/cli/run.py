@@ -139,8 +139,8 @@ def _report(found: Trajectory, target: Path | None) -> int:
     state = describe_state(found.job, found.outcome)
     where = f"at t = {found.outcome.t!r}"
     if found.ended == "stopped":
-        say(f"interrupted {where}, {len(found.times)} of the rows are there")
-    if target is not None and len(found.times) > 1 and found.ended == "stopped":
+        say(f"interrupted {where}; " + ("nothing was written" if target is None else f"{len(found.times)} rows are kept"))
+    if target is not None and found.ended == "stopped":
         from nhc.cli.write import write_bytes
 
         write_bytes(target.with_name(f"{target.stem}.partial{target.suffix}"), make_file(found, target.suffix))

@@ -123,20 +123,22 @@ def _integrate(model: Model, task: Task, method: str, show: Show | None) -> Outc
             found.append(model.integrate(task, method, news))
         except BaseException as error:  # carried to the thread that waits
             broken.append(error)
+        finally:
+            done.set()
 
-    thread = threading.Thread(target=work, daemon=True)
-    thread.start()
-    _wait(thread, news, show)
+    # not Thread.join: an interrupt inside it makes the thread look finished
+    done = threading.Event()
+    threading.Thread(target=work, daemon=True).start()
+    _wait(done, news, show)
     if broken:
         raise broken[0]
     return found[0]
 
 
-def _wait(thread: threading.Thread, news: News, show: Show | None) -> None:
-    while thread.is_alive():
+def _wait(done: threading.Event, news: News, show: Show | None) -> None:
+    while not done.is_set():
         try:
-            thread.join(0.1)
-            if show is not None and thread.is_alive():
+            if not done.wait(0.1) and show is not None:
                 show(news.t)
         except KeyboardInterrupt:
             news.stop = True
@@ -174,7 +176,7 @@ def collect(
 ) -> Trajectory:
     """Rows of what is needed out of rows of states; a quantity without value ends the trajectory there."""
     times, states = list(task.times[: len(outcome.states)]), outcome.states
-    if outcome.kind == EVENT and outcome.t > times[-1]:
+    if outcome.kind in (EVENT, STOPPED) and abs(outcome.t - times[0]) > abs(times[-1] - times[0]):
         times, states = [*times, outcome.t], [*states, outcome.y]
     ended, reason = _describe(job, outcome)
     try:

@@ -126,6 +126,8 @@ def write_source(
         "holds": tuple(holds),
         "needed": size(functions["needed"]),
         "collocations": bool(implicit),
+        "hermite": bool(explicit) or any(not method.adaptive for method in implicit),
+        "allowed": any(method.adaptive for method in methods) or bool(implicit),
         "timed": any(isinstance(s, Load) and s.index < 0 for s in functions["rhs"].body),
         "methods": tuple(describe(method) for method in methods),
     }

@@ -1,0 +1,334 @@
+"""Runs of gallery scenes: C and Python agree, orders, accuracy, events, failures, and what the command writes."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import math
+import os
+import signal
+import subprocess
+import sys
+import time
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from nhc.cli.entry import main
+from nhc.language import read
+from nhc.report.trajectory import npz_bytes
+from nhc.simulate.compile import CompileError, build, cache_folder
+from nhc.simulate.methods import METHODS, RUNGE_KUTTA, STRUCTURE, is_adaptive
+from nhc.simulate.opening import RunError, open_scene
+from nhc.simulate.prepare import Job
+from nhc.simulate.run import Settings, Trajectory, run
+from nhc.simulate.source import write_source
+from tests.support import COMPILER, ROOT, STRICT, formulations, reference, spec_path
+
+needs_compiler = pytest.mark.skipif(COMPILER is None, reason="no C compiler")
+
+
+@pytest.fixture(autouse=True, scope="module")
+def _cache(tmp_path_factory: pytest.TempPathFactory) -> object:
+    folder = tmp_path_factory.mktemp("cache")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("NHC_CACHE", str(folder))
+        yield folder
+
+
+def job_of(
+    name: str,
+    method: str = "dop853",
+    end: float = 0.0,
+    formulation: str = "",
+    needs: tuple[str, ...] = (),
+    until: str = "",
+) -> Job:
+    job = open_scene(read(str(spec_path(name))), "", formulation, needs, until, method)
+    return replace(job, time=(0.0, end)) if end else job
+
+
+def last(job: Job, method: str, step: float = 0.0, tolerance: float = 0.0) -> list[float]:
+    found = run(job, Settings(method, tolerance, step, 2))
+    assert found.ended == "done", found.reason
+    return list(found.rows[-1])
+
+
+def distance(a: list[float], b: list[float]) -> float:
+    return max(abs(x - y) for x, y in zip(a, b, strict=True))
+
+
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("name", ["contact_oscillator_eps", "chaplygin_sleigh"])
+def test_order_by_slope(name: str, method: str) -> None:
+    if method == "perlmutter" and name == "chaplygin_sleigh":
+        with pytest.raises(RunError, match="mass matrix is not constant"):
+            job_of(name, method)
+        return
+    job, order = job_of(name, method, 2.0), (RUNGE_KUTTA.get(method) or STRUCTURE[method]).order
+    # far enough down for the slope, far enough above rounding
+    steps = {"dop853": (0.2, 0.1), "gauss6": (0.1, 0.05), "dopri5": (0.025, 0.0125)}.get(method, (0.05, 0.025))
+    exact = last(job_of(name, end=2.0), "dop853", tolerance=1e-12)
+    coarse, fine = (distance(last(job, method, h), exact) for h in steps)
+    assert math.log2(coarse / fine) == pytest.approx(order, abs=0.1)
+
+
+@needs_compiler
+@pytest.mark.parametrize("method", RUNGE_KUTTA)
+def test_c_and_python_take_the_same_steps(method: str) -> None:
+    for name, formulation in (("chaplygin_sleigh", "multipliers"), ("pumped_pendulum", "")):
+        job = job_of(name, method, 1.0, formulation)
+        step = 0.0 if is_adaptive(method) else 0.02
+        compiled, interpreted = (run(job, Settings(method, 1e-4, step, 17, c)) for c in (True, False))
+        assert compiled.compiled and not interpreted.compiled
+        assert compiled.outcome.steps == interpreted.outcome.steps > 3
+        for a, b in zip(compiled.rows, interpreted.rows, strict=True):
+            assert distance(list(a), list(b)) < 1e-11
+
+
+@needs_compiler
+@pytest.mark.parametrize("entry", reference("final_states"), ids=lambda e: e["system"])
+def test_the_tolerance_is_honoured_at_the_end(entry: dict[str, Any]) -> None:
+    """By the default formulation and method, where the motion does not magnify errors by itself."""
+    job = open_scene(read(str(spec_path(entry["system"]))), "reference")
+    names = [c.name for c in job.program.coordinates]
+    job = open_scene(read(str(spec_path(entry["system"]))), "reference", needs=tuple(names))
+    for tolerance in (1e-5, 1e-9):
+        found = run(job, Settings(tolerance=tolerance))
+        assert found.times[-1] == job.time[1] == entry["t_end"]
+        sizes = [max(abs(row[k]) for row in found.rows) for k in range(len(names))]
+        wanted = [float(x) for x in entry["q_end"]]
+        for value, exact, size in zip(found.rows[-1], wanted, sizes, strict=True):
+            assert abs(value - exact) <= tolerance * max(size, 1e-3 * max(sizes)) * max(1.0, entry["sensitivity"])
+
+
+@needs_compiler
+@pytest.mark.parametrize("method", RUNGE_KUTTA)
+def test_the_emitted_source_is_clean(method: str, tmp_path: Path) -> None:
+    """Warnings are errors for the model and its integrator together, with everything that a run can have in it."""
+    job = open_scene(read(str(spec_path("holonomic_pendulum"))), "", "multipliers", (), "x", method)
+    sources = write_source(job.program, [RUNGE_KUTTA[method]], job.events, job.holds)
+    for file, text in sources.items():
+        (tmp_path / file).write_text(text)
+    assert COMPILER is not None
+    done = subprocess.run(
+        [COMPILER, *STRICT, "-O1", "-c", "holonomic_pendulum_run.c"], cwd=tmp_path, capture_output=True, text=True
+    )
+    assert done.returncode == 0, done.stderr
+
+
+def test_the_constraints_are_kept() -> None:
+    """C1: the multiplier form drifts; brought back after each step it does not, at velocity and at position level."""
+    source = read(str(spec_path("holonomic_pendulum")))
+    for hold, low, high in ((True, 0.0, 1e-14), (False, 1e-3, 1.0)):
+        job = open_scene(source, formulation="multipliers", method="rk4", hold=hold, checks=True)
+        found = run(job, Settings("rk4", step=0.05, points=40))
+        for group in ("residual", "position"):
+            (k,) = [k for k, column in enumerate(job.checks) if column.group == group]
+            assert low <= max(abs(row[k]) for row in found.checks) <= high
+
+
+@pytest.mark.parametrize(
+    ("name", "method", "low", "high"),
+    [  # C8: the energy's error, first tenth and last
+        ("contact_oscillator", "leapfrog", 0.025, 0.035),
+        ("contact_oscillator", "dla", 0.005, 0.02),
+        ("contact_oscillator", "perlmutter", 0.020, 0.028),
+        ("contact_oscillator", "midpoint", 0.0025, 0.004),
+        ("contact_oscillator", "energy", 0.0, 1e-12),
+    ],
+)
+def test_energy_over_long_times(name: str, method: str, low: float, high: float) -> None:
+    job = job_of(name, method, 120.0, needs=("energy",))
+    found = run(job, Settings(method, step=0.2, points=601))
+    error = [abs(row[0] - found.rows[0][0]) for row in found.rows]
+    first, final = max(error[:60]), max(error[-60:])
+    assert low <= final <= high
+    assert final <= 1.25 * max(first, 1e-13) + 1e-13
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("method", ["leapfrog", "dla", "perlmutter", "midpoint"])
+def test_energy_does_not_drift(method: str) -> None:
+    for name, h in (("contact_oscillator", 0.2), ("nh_particle_pot", 0.1)):
+        found = run(
+            job_of(name, method, 2000.0, needs=("energy",)), Settings(method, step=h, points=round(2000 / h) + 1)
+        )
+        error, tenth = [abs(row[0] - found.rows[0][0]) for row in found.rows], len(found.rows) // 10
+        assert max(error[-tenth:]) <= 1.1 * max(error[:tenth])
+
+
+@needs_compiler
+def test_an_integrator_without_structure_does_drift() -> None:
+    found = run(job_of("contact_oscillator", "rk4", 400.0, needs=("energy",)), Settings("rk4", step=0.2, points=2001))
+    error = [abs(row[0] - found.rows[0][0]) for row in found.rows]
+    assert max(error[-200:]) > 5 * max(error[:200])
+
+
+# --- the command --------------------------------------------------------------------------------------------
+
+
+def call(capsys: pytest.CaptureFixture[str], *arguments: str) -> tuple[int, str, str]:
+    code = main(["run", *arguments])
+    out, err = capsys.readouterr()
+    return code, out, err
+
+
+def table(text: str) -> tuple[list[str], list[list[float]]]:
+    header, *rows = csv.reader(io.StringIO(text))
+    return header, [[float(x) for x in row] for row in rows]
+
+
+def test_csv_has_what_is_needed(capsys: pytest.CaptureFixture[str]) -> None:
+    for formulation in formulations("chaplygin_sleigh"):
+        needs = "y,x',v,speed,energy,reactions"
+        arguments = ["chaplygin_sleigh", "--scene", "glide", "--need", needs, "--points", "5", "-f", formulation]
+        code, out, _ = call(capsys, *arguments)
+        header, rows = table(out)
+        assert code == 0 and header == ["t", "y", "x'", "v", "speed", "energy", "lambda_slip"]
+        assert [row[0] for row in rows] == [0.0, 5.0, 10.0, 15.0, 20.0]
+        for row in rows:
+            assert row[3] == row[4] and row[5] == pytest.approx(rows[0][5], abs=1e-7)
+
+
+def test_an_event_ends_the_run(capsys: pytest.CaptureFixture[str]) -> None:
+    for how in ((), ("--python",)):
+        code, out, err = call(capsys, "chaplygin_sleigh", "--until", "theta - 1", *how)
+        _, rows = table(out)
+        assert code == 0 and rows[-1][3] == pytest.approx(1.0, abs=1e-12) and "stopped at t = 0.715316" in err
+        assert [row[0] for row in rows] == sorted({row[0] for row in rows})
+
+
+@pytest.mark.parametrize(
+    ("arguments", "code", "says"),
+    [
+        (["--until", "thata"], 1, "did you mean `theta`?"),
+        (["--until", "theta +"], 1, "error[E0"),
+        (["--need", "speeed"], 2, "did you mean `speed`?"),
+        (["--scene", "glyde"], 2, "did you mean `glide`?"),
+        (["--tol", "-1"], 2, "must be positive"),
+        (["--tol", "2"], 2, "relative accuracy"),
+        (["--points", "1"], 2, "--points"),
+        (["-o", "a.txt"], 2, "should end in"),
+        (["--method", "leapfrog", "--until", "x"], 2, "does not look for events"),
+        (["--method", "perlmutter"], 2, "mass matrix is not constant"),
+    ],
+)
+def test_mistakes(arguments: list[str], code: int, says: str, capsys: pytest.CaptureFixture[str]) -> None:
+    found, out, err = call(capsys, "chaplygin_sleigh", *arguments)
+    assert (found, out) == (code, "") and says in err
+
+
+BLOW_UP = """nhc: 1
+system: runaway
+coordinates: [x]
+T: x'^2/2
+V: -x^4/4
+scenes:
+  away: {initial: {x: 1}, time: [0, 10]}
+  long: {initial: {x: 1}, time: [0, 1e8]}
+"""
+
+
+@pytest.mark.parametrize("how", [(), ("--python",)])
+def test_a_failure_tells_time_state_and_reason(
+    how: tuple[str, ...], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    spec, target = tmp_path / "runaway.yaml", tmp_path / "runaway.csv"
+    spec.write_text(BLOW_UP)
+    code, out, err = call(capsys, str(spec), "-o", str(target), *how)
+    assert (code, out) == (3, "") and "t = 1.85407467" in err and "x = " in err and "step size underflows" in err
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["runaway.yaml"]
+
+
+@pytest.mark.parametrize("how", [(), ("--python",)])
+def test_no_run_across_a_singular_block(how: tuple[str, ...], capsys: pytest.CaptureFixture[str]) -> None:
+    """C4: the sleigh heads along y once; solved for y' it must stop there."""
+    code, out, err = call(capsys, "chaplygin_sleigh", "-f", "voronec", *how)
+    assert (code, out) == (3, "") and "cannot be solved for y'" in err and "theta = 1.57079633" in err
+
+
+def test_files_of_each_kind(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    import xml.etree.ElementTree as ElementTree
+
+    import numpy as np
+
+    for kind in ("csv", "npz", "svg", "html"):
+        path = tmp_path / f"glide.{kind}"
+        arguments = ["rolling_disk", "-f", "multipliers", "-o", str(path), "--points", "33"]
+        assert call(capsys, *arguments)[0] == 0
+        before = path.read_bytes()
+        assert call(capsys, *arguments)[0] == 1  # it is there already
+        assert call(capsys, *arguments, "--force")[0] == 0
+        assert path.read_bytes() == before
+    _, rows = table((tmp_path / "glide.csv").read_text())
+    with np.load(tmp_path / "glide.npz") as archive:
+        assert archive["theta"].shape == (33,) and archive["t"][-1] == rows[-1][0]
+        assert archive["theta"].tolist() == [row[4] for row in rows]
+    root = ElementTree.parse(tmp_path / "glide.svg").getroot()
+    assert len(root.findall(".//{*}polyline")) == 5
+    page = (tmp_path / "glide.html").read_text()
+    data = json.loads(page.split('id="data">')[1].split("</script>")[0])
+    assert [len(chart["x"]) for chart in data] == [33] * 4
+    assert "http" not in page.replace("http://www.w3.org/2000/svg", "")
+
+
+@needs_compiler
+def test_an_interrupt_keeps_what_there_is(tmp_path: Path) -> None:
+    spec = tmp_path / "long.yaml"
+    spec.write_text(BLOW_UP.replace("-x^4", "x^4"))
+    command = [sys.executable, "-m", "nhc", "run", str(spec), "--scene", "long", "-o", str(tmp_path / "a.csv")]
+    command += ["--points", "100000", "--method", "rk4", "--step", "0.1"]
+    process = subprocess.Popen(command, cwd=ROOT, stderr=subprocess.PIPE, text=True, env={**os.environ})
+    time.sleep(3)
+    process.send_signal(signal.SIGINT)
+    _, err = process.communicate(timeout=60)
+    assert process.returncode == 130 and "interrupted at t = " in err
+    assert not (tmp_path / "a.csv").exists()
+    _, rows = table((tmp_path / "a.partial.csv").read_text())
+    assert 2 <= len(rows) < 100000 and f"t = {rows[-1][0]!r}" in err
+
+
+# --- the cache ----------------------------------------------------------------------------------------------
+
+UNIT = {"one.c": '#include "two.h"\nint value(void) { return TWO; }\n', "two.h": "#define TWO 2\n"}
+
+
+@needs_compiler
+def test_the_cache_is_addressed_by_content(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("NHC_CACHE", str(tmp_path / "models"))
+    first = build(UNIT, "one.c")
+    stamp = first.stat().st_mtime_ns
+    assert build(UNIT, "one.c") == first and first.stat().st_mtime_ns == stamp
+    others = {first, build({**UNIT, "two.h": "#define TWO 3\n"}, "one.c"), build(UNIT, "one.c", ("-O1",))}
+    assert len(others) == 3
+    assert sorted(path.name for path in (tmp_path / "models").iterdir()) == sorted(p.parent.name for p in others)
+    with pytest.raises(CompileError, match="does not compile"):
+        build({**UNIT, "two.h": ""}, "one.c")
+    assert len(list((tmp_path / "models").iterdir())) == 3
+
+
+def test_without_a_compiler_it_runs_python_and_says_so(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setenv("PATH", "")
+    monkeypatch.delenv("CC", raising=False)
+    code, out, err = call(capsys, "pendulum", "--points", "3")
+    assert code == 0 and len(table(out)[1]) == 3 and "no C compiler" in err and "emitted Python" in err
+
+
+def test_the_cache_is_where_it_is_said_to_be(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("NHC_CACHE", "/somewhere")
+    assert cache_folder() == Path("/somewhere")
+    monkeypatch.delenv("NHC_CACHE")
+    monkeypatch.setenv("XDG_CACHE_HOME", "/elsewhere")
+    assert cache_folder() == Path("/elsewhere/nhc")
+
+
+def test_npz_is_the_same_each_time() -> None:
+    job = job_of("pendulum", end=1.0)
+    found: list[Trajectory] = [run(job, Settings(compiled=False, points=5)) for _ in range(2)]
+    assert npz_bytes(found[0]) == npz_bytes(found[1])
