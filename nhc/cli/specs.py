@@ -26,7 +26,9 @@ def open_spec(spec: str) -> Source:
 
     Raises ``nhc.diagnostics.SpecError`` for what cannot be read as text, ``Failure`` for an unknown name.
     """
-    from nhc.language import Source, read
+    from dataclasses import replace
+
+    from nhc.language import read
 
     if spec == "-" or Path(spec).exists():
         return read(spec)
@@ -35,7 +37,7 @@ def open_spec(spec: str) -> Source:
         raise Failure(f"no file `{spec}`, and no spec of the gallery has that name", _advise(spec, list(gallery)))
     say(f"taking `{spec}` from the gallery")
     # the same name as of a copy, so that what is made from it does not depend on where nhc is installed
-    return Source(gallery[spec].name, read(gallery[spec]).text)
+    return replace(read(gallery[spec]), path=gallery[spec].name)
 
 
 def complete_spec(ctx: click.Context, parameter: click.Parameter, incomplete: str) -> list[CompletionItem]:

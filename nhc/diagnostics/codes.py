@@ -20,6 +20,7 @@ TITLES: dict[str, str] = {
     "E0109": "empty value",
     "E0110": "lists or mappings nested too deep",
     "E0111": "empty spec",
+    "E0112": "the base cannot be extended",
     "E0201": "unexpected character",
     "E0202": "unexpected token",
     "E0203": "implicit multiplication",

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import Enum
 
 from .codes import TITLES
@@ -43,6 +43,22 @@ class Diagnostic:
         return self.labels[0].span
 
 
+def localize(source: Source, diagnostic: Diagnostic) -> tuple[Source, Diagnostic]:
+    """Return the text that holds the primary place, with the diagnostic's places in it; places elsewhere become notes."""
+    part, start = source.find(diagnostic.span.start)
+    if not source.bases:
+        return source, diagnostic
+    labels, notes = [], list(diagnostic.notes)
+    for label in diagnostic.labels:
+        other, _ = source.find(label.span.start)
+        if other is part:
+            labels.append(Label(Span(label.span.start - start, label.span.end - start), label.text))
+            continue
+        line, column = source.position(label.span.start)
+        notes.append(f"{label.text or 'see'}: {other.path}:{line}:{column}")
+    return part, replace(diagnostic, labels=tuple(labels), notes=tuple(notes))
+
+
 def _order(diagnostic: Diagnostic) -> tuple[int, int, str, str]:
     return (diagnostic.span.start, diagnostic.span.end, diagnostic.code, diagnostic.message)
 
@@ -59,7 +75,9 @@ class SpecError(Exception):
         parts = []
         for diagnostic in self.diagnostics:
             line, column = self.source.position(diagnostic.span.start)
-            parts.append(f"{self.source.path}:{line}:{column}: {diagnostic.code}: {diagnostic.message}")
+            parts.append(
+                f"{self.source.find(diagnostic.span.start)[0].path}:{line}:{column}: {diagnostic.code}: {diagnostic.message}"
+            )
         return "\n".join(parts)
 
 

@@ -21,10 +21,23 @@ class Span:
 
 @dataclass(frozen=True)
 class Source:
-    """A text with the path that it is to be named by (``<stdin>`` for standard input)."""
+    """A text with the path that it is to be named by (``<stdin>`` for standard input).
+
+    ``bases`` are the texts that a spec extends, the nearest first; their offsets follow on those of the text, one apart.
+    """
 
     path: str
     text: str
+    bases: tuple[Source, ...] = ()
+
+    def find(self, offset: int) -> tuple[Source, int]:
+        """Return the text that an offset falls into, this one or one of its bases, and the offset of its start."""
+        start = 0
+        for part in (self, *self.bases):
+            if offset <= start + len(part.text):
+                return part, start
+            start += len(part.text) + 1
+        return self, 0
 
     @cached_property
     def _starts(self) -> tuple[int, ...]:
@@ -36,7 +49,10 @@ class Source:
         return tuple(starts)
 
     def position(self, offset: int) -> tuple[int, int]:
-        """Return the line and the column of an offset, both counted from 1, in characters."""
+        """Return the line and the column of an offset, both counted from 1, in characters; in its own base's text."""
+        part, start = self.find(offset)
+        if part is not self:
+            return part.position(offset - start)
         offset = max(0, min(offset, len(self.text)))
         line = bisect_right(self._starts, offset)
         return line, offset - self._starts[line - 1] + 1

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-from .data import Diagnostic, Label
+from .data import Diagnostic, Label, localize
 from .source import Source
 
 SCHEMA_VERSION = 1
@@ -17,8 +17,10 @@ def _place(source: Source, label: Label) -> dict[str, Any]:
     return {"line": line, "column": column, "end_line": end_line, "end_column": end_column}
 
 
-def _item(source: Source, diagnostic: Diagnostic) -> dict[str, Any]:
+def _item(whole: Source, found: Diagnostic) -> dict[str, Any]:
+    source, diagnostic = localize(whole, found)
     return {
+        **({} if source is whole else {"file": source.path}),  # a base that the spec extends
         "code": diagnostic.code,
         "severity": diagnostic.severity.value,
         "message": diagnostic.message,

@@ -5,7 +5,7 @@ from __future__ import annotations
 import unicodedata
 from collections.abc import Iterable
 
-from .data import Diagnostic, Label, Severity
+from .data import Diagnostic, Label, Severity, localize
 from .source import Source
 
 _TAB = "    "
@@ -92,6 +92,7 @@ def _snippet(source: Source, diagnostic: Diagnostic, paint: _Paint, gutter: int)
 
 
 def _render_one(source: Source, diagnostic: Diagnostic, paint: _Paint) -> str:
+    source, diagnostic = localize(source, diagnostic)
     line, column = source.position(diagnostic.span.start)
     last = max(source.position(label.span.start)[0] for label in diagnostic.labels)
     gutter = len(str(last))
@@ -125,6 +126,6 @@ def render_concise(source: Source, diagnostics: Iterable[Diagnostic]) -> str:
     for diagnostic in diagnostics:
         line, column = source.position(diagnostic.span.start)
         message = _clean(diagnostic.message).replace("\n", " ")
-        place = f"{_clean(source.path)}:{line}:{column}"
+        place = f"{_clean(source.find(diagnostic.span.start)[0].path)}:{line}:{column}"
         out.append(f"{place}: {diagnostic.severity.value}[{diagnostic.code}]: {message}\n")
     return "".join(out)

@@ -8,6 +8,7 @@ from fractions import Fraction
 
 from nhc.diagnostics import Bag, Source, Span, SpecError, nearest
 
+from .extend import merge_bases
 from .keys import SPEC_KEYS, SYSTEM_PATTERN, VERSION
 from .names import fold, is_name
 from .nodes import Node, Table, Text
@@ -314,4 +315,4 @@ def decode(source: Source) -> Spec:
         place = Span(start, start + 1)
         bag.error("E0301", "a spec is a mapping of keys to values", place, help=("begin with `nhc: 1`",))
         raise SpecError(bag.diagnostics, source)
-    return _Decoder(source, root, bag).run()
+    return _Decoder(source, merge_bases(source, root), bag).run()

@@ -23,6 +23,12 @@ class Key:
 
 SPEC_KEYS = (
     Key("nhc", "version", True, f"language version; {VERSION} is the only one"),
+    Key(
+        "extends",
+        "text",
+        False,
+        "another spec, by its path from this folder; its keys hold where none are given here",
+    ),
     Key("system", "system", True, f"name of files and functions, `{SYSTEM_PATTERN}`"),
     Key("about", "text", False, "what the system is, in a sentence"),
     Key("source", "texts", False, "where the system comes from: a list of citations"),

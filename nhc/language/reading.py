@@ -7,6 +7,8 @@ from pathlib import Path
 
 from nhc.diagnostics import Bag, Source, Span, SpecError
 
+from .extend import DEEPEST, base_name, folder_of, refuse, what_is_wrong
+
 LARGEST = 1 << 20  # bytes of a spec
 STDIN = "<stdin>"
 
@@ -26,14 +28,20 @@ def _read_bytes(path: str) -> bytes:
 
 
 def read(path: str | Path) -> Source:
-    """Return the text of a file, or of standard input for ``-``; line ends become ``\\n``.
+    """Return the text of a file, or of standard input for ``-``, with the specs that it extends; line ends become ``\\n``.
 
-    Raises ``SpecError`` where the file cannot be opened (E0101), is not UTF-8 (E0102) or is over 1 MiB (E0103).
+    Raises ``SpecError`` where the file cannot be opened (E0101), is not UTF-8 (E0102) or is over 1 MiB (E0103), or
+    extends what it cannot (E0112).
     """
     name = STDIN if str(path) == "-" else str(path)
+    return _with_bases(Source(name, _read_text(str(path))), (name,))
+
+
+def _read_text(path: str) -> str:
+    name = STDIN if path == "-" else path
     nowhere = Span(0, 0)
     try:
-        data = _read_bytes(str(path))
+        data = _read_bytes(path)
     except (OSError, ValueError) as error:
         reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
         message = f"cannot read `{name}`: {reason.lower()}"
@@ -50,7 +58,27 @@ def read(path: str | Path) -> Source:
         span = Span(len(before), len(before) + 1)
         message = f"byte 0x{data[error.start]:02x} is not UTF-8"
         raise _refuse(name, shown, "E0102", message, span, "save the file as UTF-8") from None
-    return Source(name, _lines(text))
+    return _lines(text)
+
+
+def _with_bases(source: Source, chain: tuple[str, ...]) -> Source:
+    """The source with the specs that it extends, the nearest first."""
+    found = base_name(source)
+    if found is None or source.path == STDIN:
+        return source
+    wrong = what_is_wrong(found.value)
+    if wrong:
+        raise refuse(source, found.span, wrong)
+    path = (folder_of(source) / found.value).as_posix()
+    if str(Path(path).resolve()) in [str(Path(name).resolve()) for name in chain]:
+        raise refuse(source, found.span, f"`{found.value}` extends this spec itself, directly or through others")
+    if len(chain) > DEEPEST:
+        raise refuse(source, found.span, f"more than {DEEPEST} specs extend one another")
+    if not Path(path).is_file():
+        raise refuse(source, found.span, f"there is no file `{path}`")
+    text = _read_text(path)
+    base = _with_bases(Source(path, text), (*chain, path))
+    return Source(source.path, source.text, (Source(path, text), *base.bases))
 
 
 def _lines(text: str) -> str:

@@ -78,12 +78,19 @@ def _shape(key: Key) -> dict[str, Any]:
             raise ValueError(key.kind)
 
 
+def _spec() -> dict[str, Any]:
+    """A spec that extends another need not hold what that has."""
+    made = _object(SPEC_KEYS)
+    required = made.pop("required")
+    return {**made, "required": ["nhc"], "anyOf": [{"required": ["extends"]}, {"required": required}]}
+
+
 def schema() -> dict[str, Any]:
     """Return the schema as a tree that ``json.dumps`` takes."""
     return {
         "$schema": "https://json-schema.org/draft/2020-12/schema",
         "title": f"nhc spec, language version {VERSION}",
-        **_object(SPEC_KEYS),
+        **_spec(),
         "not": {"required": ["U", "V"]},
     }
 

@@ -20,6 +20,8 @@ BYTES = {
 SESSIONS = {
     "E0101": "mkdir specs && cp sleigh.yaml specs",
     "E0103": "yes '0.1,0.2,0.3' | head -c 1100000 > measurements.csv",
+    "E0112": "printf 'nhc: 1\\nextends: ../sleigh.yaml\\n' > outwards.yaml && "
+    "printf 'nhc: 1\\nextends: sleigh.yaml\\nsystem: heavy\\nparameters: {m: 9}\\n' > heavy.yaml",
     "E0501": "nhc emit sleigh.yaml --lang c && echo '/* mine */' >> chaplygin_sleigh.c",
     "E0502": "true",
     "E0503": "true",

@@ -170,7 +170,8 @@ def test_the_schema_is_made_of_the_table() -> None:
     tree = schema()
     jsonschema.Draft202012Validator.check_schema(tree)
     assert list(tree["properties"]) == [key.name for key in SPEC_KEYS]
-    assert tree["required"] == ["nhc", "system", "coordinates", "T"]
+    assert tree["required"] == ["nhc"]
+    assert tree["anyOf"] == [{"required": ["extends"]}, {"required": ["nhc", "system", "coordinates", "T"]}]
     validator = jsonschema.Draft202012Validator(tree)
     good = {"nhc": 1, "system": "s", "coordinates": ["x"], "T": "x'^2"}
     assert validator.is_valid(good)

@@ -1,0 +1,125 @@
+"""``extends``: a spec takes over another and changes some of it.
+
+The base is read relative to the spec's folder.  Mappings merge by name at every depth, an entry of the spec in the place of
+the base's; lists and texts replace.  ``U`` or ``V`` in the spec replaces either of them in the base.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+from pathlib import Path, PurePosixPath
+
+from nhc.diagnostics import Bag, Source, Span, SpecError
+
+from .nodes import Items, Node, Table, Text
+from .yaml_reader import read_nodes
+
+KEY = "extends"
+DEEPEST = 8
+_KEY_LINE = re.compile(r"^[\"']?extends[\"']?[ \t]*:", re.MULTILINE)
+_POTENTIALS = ("U", "V")
+
+
+def base_name(source: Source) -> Text | None:
+    """Return the value of ``extends`` in a source, None without one (or where the text is no YAML: decode says so)."""
+    if not _KEY_LINE.search(source.text):
+        return None
+    root = read_nodes(source, Bag(source))
+    value = root.get(KEY) if isinstance(root, Table) else None
+    return value if isinstance(value, Text) else None
+
+
+def what_is_wrong(name: str) -> str:
+    """Say why a name cannot be that of a base; empty where it can."""
+    path = PurePosixPath(name)
+    if path.is_absolute() or "\\" in name or ":" in name:
+        return f"`{name}` is not a path from the spec's own folder"
+    if ".." in path.parts:
+        return f"`{name}` leads out of the spec's own folder"
+    return "" if path.suffix in (".yaml", ".yml") else f"`{name}` is not the name of a .yaml file"
+
+
+def refuse(source: Source, span: Span, message: str) -> SpecError:
+    """Return the error at an ``extends``."""
+    bag = Bag(source)
+    help = "name a .yaml file in the spec's folder, or below it, that does not extend this one"
+    bag.error("E0112", message, span, help=(help,))
+    return SpecError(bag.diagnostics, source)
+
+
+def folder_of(source: Source) -> Path:
+    """Return the folder that names of bases start from."""
+    return Path(source.path).parent
+
+
+def merge_bases(source: Source, root: Table) -> Table:
+    """Return the root with what its bases add.
+
+    Raises ``SpecError``: a base was not read (a spec from standard input has no folder), or is no mapping.
+    """
+    value = root.get(KEY)
+    if value is None:
+        return root
+    if not isinstance(value, Text):
+        raise refuse(source, value.span, "`extends` names one file")
+    if not source.bases:
+        raise refuse(source, value.span, f"the base `{value.value}` was not read: this spec has no folder")
+    start = len(source.text) + 1
+    tables = [root]
+    for base in source.bases:
+        bag = Bag(base)
+        node = read_nodes(base, bag)
+        bag.raise_if_errors()
+        if not isinstance(node, Table):
+            raise refuse(source, value.span, f"the base `{base.path}` is not a spec")
+        tables.append(_shift_table(node, start))
+        start += len(base.text) + 1
+    made = tables[-1]
+    for table in reversed(tables[:-1]):
+        made = _merge_roots(made, table)
+    return replace(made, span=root.span)
+
+
+def _merge_roots(base: Table, own: Table) -> Table:
+    if any(own.get(key) is not None for key in _POTENTIALS):
+        base = replace(base, entries=tuple(entry for entry in base.entries if entry[0].value not in _POTENTIALS))
+    base = replace(base, entries=tuple(entry for entry in base.entries if entry[0].value != KEY))
+    return _merge(base, own)
+
+
+def _merge(base: Table, own: Table) -> Table:
+    """Merge by name; the base's order first, then what is new."""
+    new = {text.value: (text, node) for text, node in own.entries}
+    entries = []
+    for text, node in base.entries:
+        if text.value not in new:
+            entries.append((text, node))
+            continue
+        key, value = new.pop(text.value)
+        both = isinstance(node, Table) and isinstance(value, Table)
+        entries.append((key, _merge(node, value) if both else value))  # type: ignore[arg-type]
+    return Table((*entries, *new.values()), own.span)
+
+
+def _shift(node: Node, by: int) -> Node:
+    match node:
+        case Text():
+            span = _move(node.span, by)
+            return Text(node.value, span, node.plain, tuple(offset + by for offset in node.offsets))
+        case Items():
+            return Items(tuple(_shift(item, by) for item in node.items), _move(node.span, by))
+        case Table():
+            return _shift_table(node, by)
+
+
+def _shift_table(table: Table, by: int) -> Table:
+    entries = []
+    for text, node in table.entries:
+        key = Text(text.value, _move(text.span, by), text.plain, tuple(offset + by for offset in text.offsets))
+        entries.append((key, _shift(node, by)))
+    return Table(tuple(entries), _move(table.span, by))
+
+
+def _move(span: Span, by: int) -> Span:
+    return Span(span.start + by, span.end + by)

@@ -1,0 +1,143 @@
+"""A spec that extends another."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from pathlib import Path
+
+import pytest
+
+from nhc.diagnostics import Source, SpecError, render_concise, render_text, to_json
+from nhc.language import decode, read
+from nhc.pipeline import check, emit
+from tests.support import python_model
+
+BASE = """nhc: 1
+system: cart
+about: a cart
+coordinates: [x, y]
+parameters:
+  m: {value: 2, about: mass}
+  k: 3
+define: {s: x + y}
+T: m/2*(x'^2 + y'^2)
+V: k/2*s^2
+outputs: {sum: s}
+scenes:
+  go: {initial: {x: 1}, time: [0, 1], need: [sum]}
+"""
+
+
+def put(folder: Path, **texts: str) -> Path:
+    for name, text in texts.items():
+        (folder / f"{name}.yaml").write_text(text)
+    return folder
+
+
+def messages(path: Path) -> list[tuple[str, str]]:
+    with pytest.raises(SpecError) as caught:
+        decode(read(path))
+    lines = render_concise(caught.value.source, caught.value.diagnostics).splitlines()
+    assert render_text(caught.value.source, caught.value.diagnostics)
+    return [(Path(line.split(": ")[0]).name, line.split(": ", 2)[2]) for line in lines]
+
+
+def test_mappings_merge_by_name_and_the_rest_is_replaced(tmp_path: Path) -> None:
+    own = "nhc: 1\nextends: base.yaml\nsystem: heavy\nparameters: {k: 5, c: 1, m: {value: 7}}\n"
+    own += "forces: {x: -c*x'}\nscenes: {go: {time: [0, 9]}, stay: {time: [0, 2]}}\n"
+    spec = decode(read(put(tmp_path, base=BASE, own=own) / "own.yaml"))
+    assert spec.system == "heavy"
+    assert spec.about == "a cart"
+    values = {p.name: (p.value, p.about) for p in spec.parameters}
+    assert values == {"m": (Fraction(7), "mass"), "k": (Fraction(5), ""), "c": (Fraction(1), "")}
+    go, stay = spec.scenes
+    assert (go.time, [need.name for need in go.need]) == ((0, 9), ["sum"])
+    assert [need.name for need in stay.need] == ["x", "y"]
+
+
+def test_the_models_are_what_the_merged_text_says(tmp_path: Path) -> None:
+    own = "nhc: 1\nextends: base.yaml\nsystem: cart\nparameters: {k: 5}\n"
+    merged = BASE.replace("k: 3", "k: 5")
+    put(tmp_path, base=BASE, own=own, cart=merged)
+
+    models = [
+        python_model(emit(read(tmp_path / name), "python")["cart.py"], "cart") for name in ("own.yaml", "cart.yaml")
+    ]
+    ours, theirs = models
+    assert ours.DEFAULTS == theirs.DEFAULTS
+    y = [0.3, 0.2, -0.1, 0.7]
+    assert ours.rhs(0.0, y) == theirs.rhs(0.0, y)
+    assert "base.yaml:9:4" in emit(read(tmp_path / "own.yaml"), "python")["cart.py"]
+
+
+def test_one_potential_replaces_the_other(tmp_path: Path) -> None:
+    own = "nhc: 1\nextends: base.yaml\nU: -k*x^2\n"
+    spec = decode(read(put(tmp_path, base=BASE, own=own) / "own.yaml"))
+    assert spec.potential_kind == "U"
+
+
+def test_a_chain_through_a_folder(tmp_path: Path) -> None:
+    (tmp_path / "parts").mkdir()
+    put(tmp_path / "parts", base=BASE, middle="nhc: 1\nextends: base.yaml\nparameters: {k: 4}\nabout: middle\n")
+    own = put(tmp_path, own="nhc: 1\nextends: parts/middle.yaml\nparameters: {m: 1}\n") / "own.yaml"
+    spec = decode(read(own))
+    assert spec.about == "middle"
+    assert [p.value for p in spec.parameters] == [1, 4]
+    assert check(read(own)).facts
+
+
+def test_errors_point_into_the_file_that_holds_them(tmp_path: Path) -> None:
+    put(
+        tmp_path,
+        base=BASE.replace("k/2*s^2", "k/2*s^2 + oops"),
+        own="nhc: 1\nextends: base.yaml\nparameters: {m: mm}\n",
+    )
+    found = dict(messages(tmp_path / "own.yaml"))
+    assert "`mm`" in found["own.yaml:3:17"]
+    assert "`oops`" in found["base.yaml:10:14"]
+
+
+def test_places_in_two_files(tmp_path: Path) -> None:
+    put(tmp_path, base=BASE, own="nhc: 1\nextends: base.yaml\nforces: {x: 1}\nquasi_velocities: {s: x'}\n")
+    with pytest.raises(SpecError) as caught:
+        decode(read(tmp_path / "own.yaml"))
+    text = render_text(caught.value.source, caught.value.diagnostics)
+    assert "own.yaml:4:20" in text or "base.yaml:8:10" in text
+    assert "base.yaml:8:10" in text and "own.yaml:4:20" in text
+    files = {item.get("file", "own") for item in to_json(caught.value.source, caught.value.diagnostics)["diagnostics"]}
+    assert len(files) == 1
+
+
+@pytest.mark.parametrize(
+    ("own", "message"),
+    [
+        ("/etc/passwd", "`/etc/passwd` is not a path from the spec's own folder"),
+        ("C:\\base.yaml", "is not a path"),
+        ("a/../../base.yaml", "leads out of the spec's own folder"),
+        ("base.txt", "is not the name of a .yaml file"),
+        ("none.yaml", "there is no file"),
+        ("own.yaml", "extends this spec itself"),
+    ],
+)
+def test_bases_that_are_refused(tmp_path: Path, own: str, message: str) -> None:
+    put(tmp_path, base=BASE, own=f"nhc: 1\nextends: '{own}'\n")
+    ((place, text),) = messages(tmp_path / "own.yaml")
+    assert place.startswith("own.yaml:2:")
+    assert message in text
+
+
+def test_a_cycle_of_two_and_a_chain_that_is_too_long(tmp_path: Path) -> None:
+    put(tmp_path, a="nhc: 1\nextends: b.yaml\n", b="nhc: 1\nextends: a.yaml\n")
+    assert "itself, directly or through others" in messages(tmp_path / "a.yaml")[0][1]
+    put(tmp_path, **{f"c{k}": f"nhc: 1\nextends: c{k + 1}.yaml\n" for k in range(12)}, c12=BASE)
+    assert "more than 8 specs" in messages(tmp_path / "c0.yaml")[0][1]
+
+
+def test_a_base_that_is_no_yaml_and_a_spec_without_a_folder(tmp_path: Path) -> None:
+    put(tmp_path, base="x: [1\n", own="nhc: 1\nextends: base.yaml\n", list="- 1\n", two="nhc: 1\nextends: list.yaml\n")
+    assert messages(tmp_path / "own.yaml")[0][0].startswith("base.yaml:")
+    assert "is not a spec" in messages(tmp_path / "two.yaml")[0][1]
+    with pytest.raises(SpecError, match="this spec has no folder"):
+        decode(Source("<stdin>", "nhc: 1\nextends: base.yaml\n"))
+    with pytest.raises(SpecError, match="names one file"):
+        decode(Source("<stdin>", "nhc: 1\nextends: [a, b]\n"))
