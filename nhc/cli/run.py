@@ -48,6 +48,9 @@ def _positive(context: click.Context, parameter: click.Parameter, value: float |
 @click.option("--step", type=float, callback=_positive, help="Fixed steps of this length in place of adaptive ones.")
 @click.option("--until", metavar="EXPR", default="", help="Stop when this expression in the spec's names crosses zero.")
 @formulation_option
+@click.option(
+    "--project", is_flag=True, help="Move a start that violates the constraints to the nearest that does not."
+)
 @click.option("--drift", is_flag=True, help="Do not bring each step back to the constraints (multipliers, holonomic).")
 @click.option("--python", "interpreted", is_flag=True, help="Run the emitted Python, without a compiler.")
 @click.option("--force", is_flag=True, help="Overwrite FILE when it exists.")
@@ -62,6 +65,7 @@ def command(
     step: float,
     until: str,
     formulation: str | None,
+    project: bool,
     drift: bool,
     interpreted: bool,
     force: bool,
@@ -80,7 +84,7 @@ def command(
 
     page = target is not None and target.suffix == ".html"
     try:
-        job = open_scene(source, scene, formulation or "", needs, until, method, not drift, page)
+        job = open_scene(source, scene, formulation or "", needs, until, method, not drift, project, page)
     except RunError as error:
         raise Failure(str(error), error.help) from error
     if not scene:
@@ -139,7 +143,10 @@ def _report(found: Trajectory, target: Path | None) -> int:
     state = describe_state(found.job, found.outcome)
     where = f"at t = {found.outcome.t!r}"
     if found.ended == "stopped":
-        say(f"interrupted {where}; " + ("nothing was written" if target is None else f"{len(found.times)} rows are kept"))
+        say(
+            f"interrupted {where}; "
+            + ("nothing was written" if target is None else f"{len(found.times)} rows are kept")
+        )
     if target is not None and found.ended == "stopped":
         from nhc.cli.write import write_bytes
 

@@ -17,6 +17,7 @@ from nhc.mechanics.scenes import start_of
 from nhc.simulate.methods import DEFAULT, RUNGE_KUTTA, STRUCTURE
 from nhc.simulate.methods.tableau import Collocation
 from nhc.simulate.prepare import Job, prepare
+from nhc.simulate.project import projected_start
 
 _EVENT = "until"
 
@@ -37,6 +38,7 @@ def open_scene(
     until: str = "",
     method: str = DEFAULT,
     hold: bool = True,
+    project: bool = False,
     checks: bool = False,
 ) -> Job:
     """The job of a scene (default: the first); ``until`` is an expression in the spec's names whose zero ends the run.
@@ -63,8 +65,10 @@ def open_scene(
         formulation = "multipliers"  # its state has all velocities: these methods need not keep them on the constraints
     form = formulate(system, formulation)
     equations = equations_of(system, form)
+    start, notes = projected_start(system, chosen) if project else (start_of(system, chosen), ())
     implicit = method in RUNGE_KUTTA and isinstance(RUNGE_KUTTA[method], Collocation)
-    job = prepare(equations, form, start_of(system, chosen), wanted, event, implicit, natural, hold, checks)
+    job = prepare(equations, form, start, wanted, event, implicit, natural, hold, checks)
+    job = replace(job, notes=notes)
     lacking = job.structure.lacking
     if natural and not lacking and STRUCTURE[method].constant_mass and not job.structure.constant_mass:
         lacking = "its mass matrix is not constant"

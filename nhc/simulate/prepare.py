@@ -40,6 +40,7 @@ class Job:
     events: int
     structure: Structure
     holds: tuple[str, ...]
+    notes: tuple[str, ...] = ()
 
     @property
     def state_names(self) -> tuple[str, ...]:

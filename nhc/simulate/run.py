@@ -99,6 +99,7 @@ def list_times(start: float, end: float, points: int) -> tuple[float, ...]:
 def run(job: Job, settings: Settings, show: Show | None = None) -> Trajectory:
     """Integrate a job; ``show`` is told the time reached, some times a second.  Ctrl-C stops it and keeps what there is."""
     model, notes = load(job, settings.method, settings.compiled)
+    notes = (*job.notes, *notes)
     tolerance = settings.tolerance or job.tolerance
     times = list_times(*job.time, settings.points)
     task = Task(job.p, job.y, times, max(SAFETY * tolerance, LEAST_TOLERANCE), settings.step)

@@ -1,0 +1,108 @@
+"""An inconsistent start, brought to the constraints: the nearest velocities in the metric of the kinetic energy."""
+
+from __future__ import annotations
+
+import operator
+from collections.abc import Sequence
+
+from nhc.algebra.calculus import gradient
+from nhc.algebra.evaluate import evaluate
+from nhc.algebra.graph import Node
+from nhc.diagnostics import SpecError
+from nhc.language.spec import Scene
+from nhc.mechanics.frame import coordinate_form
+from nhc.mechanics.regularity import constant_value
+from nhc.mechanics.scenes import Start, start_of
+from nhc.mechanics.system import Form, System
+from nhc.simulate.methods.linear import SingularMatrix, solve
+
+SHOWN = 8  # changed velocities in a report
+
+
+def projected_start(system: System, scene: Scene) -> tuple[Start, tuple[str, ...]]:
+    """The scene's start and notes on what was changed: nothing where it is consistent.
+
+    v = v0 - M^-1 A^T (A M^-1 A^T)^-1 (A v0 + a), where v0 has the given values and zero for what is left out.
+
+    Raises:
+        nhc.diagnostics.SpecError: the start is wrong in another way than by its velocities.
+    """
+    try:
+        return start_of(system, scene), ()
+    except SpecError as refused:
+        # without the given velocities the positions and parameters must stand by themselves
+        still = Scene(
+            *(scene.name, scene.span, scene.about, scene.parameters),
+            tuple(entry for entry in scene.initial if entry.kind == "coordinate"),
+            *(scene.time, scene.need, scene.tolerance),
+        )
+        base = start_of(system, still)
+        place = base.values(system)
+        try:
+            wanted = _given_velocities(system, scene, base, place)
+            v = _nearest(system, place, wanted)
+        except (ArithmeticError, ValueError):
+            raise refused from None
+    changed = [
+        f"{name}' {a:.9g} -> {b:.9g}"
+        for name, a, b in zip(system.q_names, wanted, v, strict=True)
+        if abs(a - b) > 1e-12 * max(1.0, abs(a))
+    ]
+    more = ", ..." if len(changed) > SHOWN else ""
+    energy = [_energy(system, place, velocities) for velocities in (wanted, v)]
+    notes = (
+        f"the start violates the constraints; projected: {', '.join(changed[:SHOWN])}{more}",
+        f"by this the energy changes from {energy[0]:.9g} to {energy[1]:.9g}",
+    )
+    return Start(scene, base.time, base.p, base.q, tuple(v)), notes
+
+
+def _given_velocities(system: System, scene: Scene, base: Start, place: dict[Node, float]) -> list[float]:
+    """The velocities that the scene gives; what it leaves out is zero, or least where it gives quasi-velocities."""
+    names = {p.name: value for p, value in zip(system.spec.parameters, base.p, strict=True)}
+    forms: list[tuple[Form, float]] = []
+    for entry in scene.initial:
+        value = constant_value(entry.value, names)
+        if entry.kind == "velocity":
+            forms.append((coordinate_form(system, system.q_names.index(entry.name)), value))
+        elif entry.kind == "quasi":
+            forms.append((next(form for form in system.quasi if form.name == entry.name), value))
+    rows, right = [], []
+    for form, value in forms:
+        numbers = _numbers(system, [*form.coefficients, form.constant], place)
+        rows.append(numbers[:-1])
+        right.append(value - numbers[-1])
+    return _least_change(rows, right, [[float(i == j) for j in range(system.n)] for i in range(system.n)], system.n)
+
+
+def _nearest(system: System, place: dict[Node, float], v: Sequence[float]) -> list[float]:
+    g, n = system.graph, system.n
+    momenta = gradient(g, system.T, system.v)
+    flat = _numbers(system, [x for p in momenta for x in gradient(g, p, system.v)], place)
+    mass = [flat[k * n : (k + 1) * n] for k in range(n)]
+    rows, right = [], []
+    for form in system.constraints:
+        numbers = _numbers(system, [*form.coefficients, form.constant], place)
+        rows.append(numbers[:-1])
+        right.append(-sum(a * x for a, x in zip(numbers[:-1], v, strict=True)) - numbers[-1])
+    return [a + b for a, b in zip(v, _least_change(rows, right, mass, n), strict=True)]
+
+
+def _least_change(rows: list[list[float]], right: list[float], mass: list[list[float]], n: int) -> list[float]:
+    """d with rows d = right and the least d M d; rows that follow from others are left to the later check."""
+    size = len(rows)
+    matrix = [[*mass[i], *(row[i] for row in rows)] for i in range(n)]
+    matrix += [[*row, *([0.0] * size)] for row in rows]
+    found = solve(matrix, [*([0.0] * n), *right])
+    gaps = [abs(sum(map(operator.mul, row, found)) - value) for row, value in zip(rows, right, strict=True)]
+    if not max(gaps, default=0.0) <= 1e-9 * max(1.0, *map(abs, found[:n])):
+        raise SingularMatrix("the rows contradict one another")
+    return found[:n]
+
+
+def _numbers(system: System, nodes: Sequence[Node], place: dict[Node, float]) -> list[float]:
+    return [float(x) for x in evaluate(system.graph, list(nodes), place)]
+
+
+def _energy(system: System, place: dict[Node, float], v: Sequence[float]) -> float:
+    return _numbers(system, [system.energy], {**place, **dict(zip(system.v, v, strict=True))})[0]
