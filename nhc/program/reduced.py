@@ -40,7 +40,7 @@ def build_scene_program(model: SceneModel, only: Sequence[str] = ()) -> Program:
         state=tuple(quantities[i] for i in made.kept),
         parameters=(*full.parameters, *_constants(quantities, made, constants)),
         outputs=tuple(Quantity(c.name, identifier(c.name), c.unit, c.about) for c in columns),
-        functions=_functions(planner, only),
+        functions=lower_functions(planner, only),
         scenes=(data,),
         notes=(*full.notes, *_notes(model)),
     )
@@ -53,7 +53,8 @@ def _constants(quantities: Sequence[Quantity], made: Reduction, values: Sequence
     )
 
 
-def _functions(planner: ScenePlanner, only: Sequence[str]) -> tuple[Function, ...]:
+def lower_functions(planner: ScenePlanner, only: Sequence[str]) -> tuple[Function, ...]:
+    """The functions asked for; all of them where none is named, or one that a scene's model does not have."""
     found = []
     known = all(name in SCENE_FUNCTIONS for name in only)  # what is asked for and not there is the emitter's to refuse
     for name in SCENE_FUNCTIONS:

@@ -111,6 +111,17 @@ def scene_model(system: System, base: Formulation, scene: Scene, *, only_base: b
     )
 
 
+def reduce_one(equations: Equations, formulation: Formulation, start: Start) -> ScenePlanner:
+    """The reduction of one formulation to what the scene needs, without trying others.
+
+    Raises:
+        nhc.algebra.modular.Unlucky: the motion is singular everywhere.
+    """
+    system = equations.system
+    known = {**intervals(system), **{symbol: (x, x) for symbol, x in zip(system.p, start.p, strict=True)}}
+    return _cheapest_planner(reduce_equations(equations, formulation, start.scene, known))[2]
+
+
 def _fold(system: System, start: Start) -> dict[Node, Node]:
     g = system.graph
     return {symbol: g.number(Fraction(value)) for symbol, value in zip(system.p, start.p, strict=True)}

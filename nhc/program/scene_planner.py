@@ -86,10 +86,14 @@ class ScenePlanner(Planner):
         nodes = substitute(self.graph, [column.node for column in self.reduction.outputs], self.put_in)
         return [(node, column.name) for node, column in zip(nodes, self.reduction.outputs, strict=True)]
 
+    def needed_nodes(self) -> list[Node]:
+        """The scene's needs in terms of what is kept (and of the unknowns of the planner's solves)."""
+        return shorten(self.graph, self.known([node for node, _ in self._columns()]))
+
     def outputs(self) -> FunctionPlan:
         """What the scene needs, in its order."""
         columns = self._columns()
-        nodes = shorten(self.graph, self.known([node for node, _ in columns]))
+        nodes = self.needed_nodes()
         rates = self.graph.mask((*self.equations.motion.rates, *self.equations.multipliers))
         moving = any(self.graph.depends(node, rates) for node, _ in columns)
         written = [(node, name, "") for node, (_, name) in zip(nodes, columns, strict=True)]

@@ -18,6 +18,8 @@ from nhc.language import decode, read
 from nhc.pipeline import Options, emit, program, reduce_scene
 from nhc.program.reduced import build_scene_program
 from nhc.program.scene_model import SceneModel
+from nhc.simulate.opening import open_scene
+from nhc.simulate.run import Settings, run
 from tests.support import COMPILER, GALLERY, compile_c, emitted_python, error, python_model, spec_path
 
 SCENES = [(name, scene.name) for name in GALLERY for scene in decode(read(str(spec_path(name)))).scenes]
@@ -225,3 +227,28 @@ def test_c_driver_prints_what_is_needed(name: str, scene: str, tmp_path: Path) -
     rows = done.stdout.splitlines()
     assert rows[0].split(",") == ["t", *(column.name for column in reduction(name, scene).reduction.outputs)]
     assert len(rows) == 6
+
+
+@pytest.mark.parametrize(
+    ("name", "scene", "states"),
+    [
+        ("rolling_disk", "lean", 4),
+        ("chaplygin_sleigh", "speeds_only", 2),
+        ("rattleback", "wrong_way", 5),
+        ("vertical_disk", "reference", 4),
+        ("heavy_top", "waking", 4),
+        ("spherical_pendulum", "conical", 3),
+    ],
+)
+def test_a_run_uses_the_smallest_state(name: str, scene: str, states: int) -> None:
+    source = read(str(spec_path(name)))
+    job = open_scene(source, scene)
+    assert len(job.y) == states
+    names = tuple(column.heading for column in job.columns)
+    whole = open_scene(source, scene, needs=names)
+    assert len(whole.y) > states
+    step = (job.time[1] - job.time[0]) / 2000
+    found, expected = (run(each, Settings("rk4", step=step, points=11)) for each in (job, whole))
+    assert found.headings == expected.headings
+    for row, other in zip(found.rows, expected.rows, strict=True):
+        assert error(row, other) < 1e-10

@@ -1,0 +1,68 @@
+"""The job of a scene on the smallest state that its needs depend on."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from nhc.algebra.calculus import count
+from nhc.emit.statements import list_statuses
+from nhc.mechanics.associate import Equations
+from nhc.mechanics.choose import Formulation
+from nhc.mechanics.scenes import Start, kept_velocities
+from nhc.program.ir import Quantity
+from nhc.program.model import build_program, state_quantities
+from nhc.program.needed import Column, needed_function, watch_function
+from nhc.program.reduced import lower_functions
+from nhc.program.scene_model import reduce_one
+from nhc.program.structure import Structure
+from nhc.simulate.prepare import Job
+
+_LARGE = 1500
+"""Operations beyond which looking for what can be left out takes longer than it saves in a run."""
+
+
+def prepare_reduced(equations: Equations, formulation: Formulation, start: Start, jacobian: bool) -> Job | None:
+    """The job of a scene's own needs in this formulation; None where the whole state is needed, or the system is too large."""
+    system, scene, g = equations.system, start.scene, equations.system.graph
+    if count(g, [*equations.force, *equations.motion.velocities]) > _LARGE:
+        return None
+    if equations.multipliers or any(form.equation is not None for form in system.constraints):
+        return None  # a run holds the state on these constraints, and needs all of it
+    planner = reduce_one(equations, formulation, start)
+    made = planner.reduction
+    if not made.left:
+        return None
+    values = (*start.q, *kept_velocities(system, planner.kept_forms(), start))
+    columns = [
+        Column(wanted.name, "need", node, wanted.unit)
+        for wanted, node in zip(made.outputs, planner.needed_nodes(), strict=True)
+    ]
+    watch, about = watch_function(planner, None)
+    functions = lower_functions(planner, ("rhs", "jacobian") if jacobian else ("rhs",))
+    functions += (needed_function(planner, columns), *(() if watch is None else (watch,)))
+    whole = state_quantities(system, planner)
+    constants = tuple(Quantity(whole[i].name, whole[i].identifier, whole[i].unit) for i in made.constants)
+    frame = build_program(system, formulation, equations, only=("residuals",))
+    program = replace(
+        frame,
+        functions=functions,
+        scenes=(),
+        state=tuple(whole[i] for i in made.kept),
+        parameters=(*frame.parameters, *constants),
+    )
+    return Job(
+        program=program,
+        scene=scene,
+        formulation=formulation,
+        y=tuple(values[i] for i in made.kept),
+        p=(*start.p, *(values[i] for i in made.constants)),
+        time=start.time,
+        tolerance=float(scene.tolerance),
+        columns=tuple(columns),
+        checks=(),
+        meanings={status.code: status.what for status in list_statuses(program)},
+        watched=about,
+        events=0,
+        structure=Structure(),
+        holds=(),
+    )
