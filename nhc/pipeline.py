@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from nhc.program.paper import Derivation
     from nhc.program.scene_model import SceneModel
     from nhc.study.motion import Findings, Request
+    from nhc.study.stability.laboratory import Laboratory, Question
 
 
 @dataclass(frozen=True, slots=True)
@@ -277,6 +278,32 @@ def linearize(source: Source, request: Request, options: Options = Options()) ->
     made = model(source, options)
     formulation = made.formulation if options.formulation else reduced(made.system, made.formulation)
     return linearise(equations_of(made.system, formulation), formulation, request)
+
+
+def stability(source: Source, question: Question, options: Options = Options()) -> Laboratory:
+    """Every stability study of a scene (needs numpy: the extra ``sim``).
+
+    Raises:
+        SpecError: the spec or the question has errors.
+        nhc.simulate.opening.RunError: no such scene.
+    """
+    from nhc.study.stability.laboratory import examine
+
+    made = model(source, options)
+    return examine(made.equations, made.formulation, question)
+
+
+def chart(source: Source, grid: Grid, show: Show | None = None) -> Study:
+    """The work-precision study of a scene.
+
+    Raises:
+        SpecError: the spec has errors.
+        nhc.simulate.opening.RunError: no such scene or quantity.
+        nhc.study.chart.reference.NoReference: no method comes to the end of the scene.
+    """
+    from nhc.study.chart.study import chart as make
+
+    return make(source, grid, show)
 
 
 def cite(source: Source) -> str:

@@ -79,7 +79,7 @@ def linearise(equations: Equations, formulation: Formulation, request: Request) 
     model = steady_model(equations, formulation, start.p)
     flow = model.flow
     guess = state_of(flow, formulation.frame, start)
-    holds = tuple(hold for text in request.holds for hold in _read_holds(model, text, guess))
+    holds = tuple(hold for text in request.holds for hold in read_holds(model, text, guess))
     steady = find_steady(model, guess, holds)
     made = linearise_at(model, steady)
     point = point_of(flow, scene)
@@ -111,7 +111,7 @@ def _exact_place(
     return place
 
 
-def _read_holds(model: SteadyModel, text: str, guess: Sequence[float]) -> list[Hold]:
+def read_holds(model: SteadyModel, text: str, guess: Sequence[float]) -> list[Hold]:
     """``speed=5`` holds a value, ``roll`` that of the guess."""
     parameters = dict(zip((p.name for p in model.flow.system.spec.parameters), model.p, strict=True))
     if "=" in text:

@@ -1,0 +1,133 @@
+"""``nhc stability``: what a scene's motion, and its integration, can be trusted with."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from nhc.cli.options import formulation_option, json_option
+from nhc.cli.specs import complete_spec, open_spec
+from nhc.cli.terminal import Exit, Failure, put, put_json, say
+
+if TYPE_CHECKING:
+    from nhc.study.stability.laboratory import Laboratory, Question
+
+SweepRange = tuple[str, float, float, int]
+_COUNT = 21
+
+
+def _read_sweep(context: click.Context, parameter: click.Parameter, value: str | None) -> SweepRange | None:
+    """``speed=0:10`` or ``speed=0:10:41``."""
+    if value is None:
+        return None
+    name, _, span = value.partition("=")
+    try:
+        low, high, *count = span.split(":")
+        found = (name.strip(), float(low), float(high), int(count[0]) if count else _COUNT)
+    except ValueError:
+        raise click.BadParameter("it takes `NAME=LO:HI` or `NAME=LO:HI:COUNT`, such as `speed=0:10`") from None
+    if not (found[0] and found[1] < found[2] and 2 <= found[3] <= 10_000 and math.isfinite(found[2] - found[1])):
+        raise click.BadParameter("LO must be less than HI, and COUNT between 2 and 10000")
+    return found
+
+
+@click.command("stability")
+@click.argument("spec", required=False, shell_complete=complete_spec)
+@click.option("--scene", metavar="NAME", default="", help="The scene to look at; default: the first.")
+@click.option("--about", metavar="MOTION", default="", help="Where to look for a steady motion; default: the scene.")
+@click.option("--set", "settings", metavar="A=1,...", multiple=True, help="Change values of that motion.")
+@click.option("--hold", "holds", metavar="A,B|A=1", multiple=True, help="What the steady motion must keep, or have.")
+@click.option(
+    "--sweep", metavar="NAME=LO:HI[:COUNT]", callback=_read_sweep, help="Eigenvalues along NAME, and crossings."
+)
+@click.option(
+    "--long",
+    "lengths",
+    type=click.FloatRange(1, 1e6),
+    default=10,
+    help="Length of the long run in scenes; default: 10.",
+)
+@formulation_option
+@click.option("-o", "output", metavar="FILE", help="Write the page with pictures to FILE (.html).")
+@click.option("--force", is_flag=True, help="Overwrite FILE when it exists.")
+@json_option
+def command(
+    spec: str | None,
+    scene: str,
+    about: str,
+    settings: tuple[str, ...],
+    holds: tuple[str, ...],
+    sweep: SweepRange | None,
+    lengths: float,
+    formulation: str | None,
+    output: str | None,
+    force: bool,
+    as_json: bool,
+) -> int:
+    """Study how stable a scene's motion and its integration are.
+
+    Prints one table: steady motion and eigenvalues, largest stable steps, long-run drift, sensitivity to the start,
+    distance from singular points.
+    """
+    if spec is None:
+        raise click.UsageError("missing argument `SPEC`")
+    target = _check_target(output, force)
+    source = open_spec(spec)
+    try:
+        from nhc.study.stability.laboratory import Question
+    except ModuleNotFoundError as error:
+        raise lacking(error) from error
+    from nhc.pipeline import Options, stability
+    from nhc.simulate.opening import RunError
+
+    question = Question(scene, about, settings, holds, sweep, lengths)
+    try:
+        found = stability(source, question, Options(formulation=formulation or ""))
+    except RunError as error:
+        raise Failure(str(error), error.help) from error
+    _deliver(found, question, target, as_json)
+    if found.failed:
+        raise Failure(f"the scene cannot be studied: {found.failed}", exit=Exit.NUMERICAL)
+    if question.sweep is not None and (found.motion is None or found.motion.swept is None):
+        why = dict(found.missing).get("steady motion", "no steady motion")
+        raise Failure(f"nothing to sweep: {why}", ["give a steady motion with `--about`"], exit=Exit.NUMERICAL)
+    return 0
+
+
+def lacking(error: ModuleNotFoundError) -> Failure:
+    """The message for a package of the extra; any other module that is missing is a defect."""
+    if (error.name or "").split(".")[0] not in ("numpy", "scipy"):
+        raise error
+    return Failure(
+        f"`nhc stability` needs {error.name}, which is not installed", ["install it with `pip install 'nhc[sim]'`"]
+    )
+
+
+def _check_target(output: str | None, force: bool) -> Path | None:
+    if output is None:
+        return None
+    path = Path(output)
+    if path.suffix != ".html":
+        raise click.UsageError(f"`{output}` should end in .html")
+    if path.exists() and not force:
+        raise Failure(f"`{output}` exists", ["give `--force` to overwrite it"], "E0501", Exit.FAILED)
+    return path
+
+
+def _deliver(found: Laboratory, question: Question, target: Path | None, as_json: bool) -> None:
+    from nhc.study.stability.table import lines, tree
+
+    for note in found.bench.notes:
+        say(f"note: {note}")
+    if as_json:
+        put_json("nhc.stability/1", tree(found))
+    else:
+        put("\n".join(lines(found)))
+    if target is not None:
+        from nhc.cli.write import write_bytes
+        from nhc.report.stability import make_page
+
+        write_bytes(target, make_page(found, question.sweep[0] if question.sweep else "").encode())

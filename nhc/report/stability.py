@@ -1,0 +1,103 @@
+"""A laboratory's findings as one self-contained HTML page: the table, and a picture for each study."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from html import escape
+
+from nhc.emit.environment import create_environment
+from nhc.report.svg import Axis, Chart, Series, draw
+from nhc.study.linearize import eigenvalues
+from nhc.study.stability.laboratory import Laboratory
+from nhc.study.stability.table import sections
+from nhc.version import __version__
+
+WIDTH, PANEL = 760, 340
+_TINY = 1e-18
+_MOST = 8  # lines of one picture
+
+
+def list_charts(lab: Laboratory, parameter: str = "") -> list[Chart]:
+    """The pictures, in the order of the table; ``parameter`` names what was swept."""
+    charts = [*_sweep(lab, parameter), *_spectrum(lab)]
+    for run in lab.runs:
+        chosen = [d for d in run.drifts if max(d.series, default=0.0) > 0.0]
+        series = tuple(Series(d.what, run.times, _positive(d.series)) for d in chosen[:_MOST])
+        if series:
+            how = run.method if not run.step else f"{run.method}, steps of {run.step:.3g}"
+            charts.append(_chart(f"drift by {how}", Axis("t", exact=True), Axis("deviation", log=True), series))
+    if lab.sensitivity is not None:
+        series = (Series("growth", lab.sensitivity.times, _positive(lab.sensitivity.norms)),)
+        charts.append(
+            _chart("growth of perturbations of the start", Axis("t", exact=True), Axis("growth", log=True), series)
+        )
+    if lab.distances:
+        times = lab.bench.times
+        series = tuple(Series(d.what, times, _positive(d.series)) for d in lab.distances[:_MOST])
+        title = "distance from singular points"
+        charts.append(_chart(title, Axis("t", exact=True), Axis("0: singular, 1: far", log=True), series))
+    return charts
+
+
+def _chart(title: str, x: Axis, y: Axis, series: tuple[Series, ...]) -> Chart:
+    return Chart(title, x, y, series, WIDTH, PANEL)
+
+
+def _positive(values: Iterable[float]) -> list[float]:
+    """For a logarithmic axis; what is exactly zero has no place on it."""
+    return [max(abs(v), _TINY) if v else math.nan for v in values]
+
+
+def _sweep(lab: Laboratory, parameter: str) -> list[Chart]:
+    """Real and imaginary parts over what was swept; each line is the k-th eigenvalue by real part."""
+    swept = lab.motion.swept if lab.motion is not None else None
+    if swept is None:
+        return []
+    found = [eigenvalues(point) for point in swept.points]
+    most = max(map(len, found))
+    charts = []
+    for title, part in (("real parts: growth", False), ("imaginary parts: frequency", True)):
+        xs, ys = [], []
+        for k in range(most):
+            for value, row in zip(swept.values, found, strict=True):
+                if k < len(row):
+                    xs += [value, value]  # the gap keeps the points apart: which belongs to which is not known
+                    ys += [row[k].imag if part else row[k].real, math.nan]
+        lines = [Series("eigenvalues", xs, ys, markers=True)]
+        if not part:
+            reach = max((abs(y) for y in ys if math.isfinite(y)), default=1.0)
+            lines += [
+                Series(f"crossing at {c.value:.5g}", [c.value, c.value], [-reach, reach]) for c in swept.crossings
+            ]
+        charts.append(_chart(title, Axis(parameter or "parameter", exact=True), Axis("1/time"), tuple(lines)))
+    return charts
+
+
+def _spectrum(lab: Laboratory) -> list[Chart]:
+    if lab.spectrum is None:
+        return []
+    flat = [complex(x) for row in lab.spectrum.values for x in row]
+    xs, ys = [], []
+    for value in flat:
+        xs += [value.real, value.real]
+        ys += [value.imag, math.nan]
+    title = "eigenvalues of the Jacobian along the scene"
+    return [_chart(title, Axis("real part"), Axis("imaginary part"), (Series("", xs, ys, markers=True),))]
+
+
+def make_page(lab: Laboratory, parameter: str = "") -> str:
+    """The page."""
+    bench = lab.bench
+    parts = [
+        (escape(part.title), [tuple(map(escape, (row.what, row.value, row.remark))) for row in part.rows])
+        for part in sections(lab)
+    ]
+    context = {
+        "title": escape(f"{bench.equations.system.name}: stability of {bench.job.scene.name}"),
+        "about": escape(bench.job.scene.about or bench.job.program.about),
+        "sections": parts,
+        "charts": [draw(chart) for chart in list_charts(lab, parameter)],
+        "version": __version__,
+    }
+    return create_environment().get_template("html/stability.html.jinja").render(context)

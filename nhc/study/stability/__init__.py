@@ -1,0 +1,1 @@
+"""The stability laboratory: what a scene's motion and its integration can be trusted with."""

@@ -1,0 +1,228 @@
+"""A scene on the bench: its trajectory, and every quantity that the laboratory reads off it, through the emitted model."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+
+from nhc.algebra.calculus import gradient
+from nhc.algebra.graph import Node
+from nhc.mechanics.associate import Equations
+from nhc.mechanics.choose import Formulation
+from nhc.mechanics.conserved import Conserved, find_conserved, generalized_energy, power
+from nhc.mechanics.frame import coordinate_frame, form_value
+from nhc.mechanics.integrability import classify
+from nhc.mechanics.integrals import find_position_integrals
+from nhc.mechanics.regularity import choose_dependent
+from nhc.mechanics.scenes import Start
+from nhc.program.build import Planner
+from nhc.program.needed import Column, needed_function, reactions_of
+from nhc.simulate.compile import CompileError, build
+from nhc.simulate.compiled import CompiledModel
+from nhc.simulate.interpreted import InterpretedModel
+from nhc.simulate.methods import RUNGE_KUTTA
+from nhc.simulate.prepare import Job, prepare
+from nhc.simulate.run import LEAST_TOLERANCE, SAFETY, list_times
+from nhc.simulate.source import write_source
+from nhc.simulate.task import DONE, Outcome, Task
+from nhc.study.steady import Matrix
+
+ROWS = 201
+MOST, MOST_INTERPRETED = 2_000_000, 20_000
+"""Steps that one run may take, in C and in Python."""
+_MOST_MASS = 12  # coordinates up to which the mass matrix is looked at
+
+
+class NotRun(ArithmeticError):
+    """The scene itself cannot be integrated."""
+
+
+@dataclass(frozen=True)
+class Bench:
+    """``job`` computes all ``columns`` as its needed quantities; ``conserved`` is what the system was found to keep."""
+
+    equations: Equations
+    formulation: Formulation
+    start: Start
+    job: Job
+    model: CompiledModel | InterpretedModel
+    columns: tuple[Column, ...]
+    conserved: Conserved
+    notes: tuple[str, ...]
+
+    @property
+    def duration(self) -> float:
+        return abs(self.job.time[1] - self.job.time[0])
+
+    @property
+    def most(self) -> int:
+        return MOST if self.model.compiled else MOST_INTERPRETED
+
+    def integrate(
+        self,
+        method: str,
+        times: Sequence[float],
+        y: Sequence[float] | None = None,
+        step: float = 0.0,
+        tolerance: float = 0.0,
+        most: int = 0,
+    ) -> Outcome:
+        """One run; ``tolerance`` 0 is what ``nhc run`` takes for the scene."""
+        wanted = tolerance or max(SAFETY * self.job.tolerance, LEAST_TOLERANCE)
+        task = Task(self.job.p, self.job.y if y is None else y, times, wanted, step, most=most or self.most)
+        return self.model.integrate(task, method, self.model.news())
+
+    def quantities(self, times: Sequence[float], states: Sequence[Sequence[float]]) -> Matrix:
+        """All columns, shape (rows, columns).
+
+        Raises:
+            nhc.simulate.task.ModelError: they have no value at a row.
+        """
+        return np.array(self.model.quantities(times, states, self.job.p), dtype=float).reshape(len(times), -1)
+
+    def group(self, name: str) -> list[int]:
+        """The places of a group's columns."""
+        return [k for k, column in enumerate(self.columns) if column.group == name]
+
+    @cached_property
+    def times(self) -> tuple[float, ...]:
+        return list_times(*self.job.time, ROWS)
+
+    @cached_property
+    def reference(self) -> Matrix:
+        """States along the scene, shape (ROWS, NY), by dop853 well below the scene's tolerance.
+
+        Raises:
+            NotRun: the scene does not reach its end.
+        """
+        outcome = self.integrate("dop853", self.times, tolerance=max(1e-3 * SAFETY * self.job.tolerance, 1e-13))
+        if outcome.kind != DONE:
+            raise NotRun(f"the scene ends at t = {outcome.t:.9g} with {self.formulation.name}: {self.reason(outcome)}")
+        return np.array(outcome.states)
+
+    def reason(self, outcome: Outcome) -> str:
+        """Why a run ended."""
+        from nhc.simulate.run import _describe
+
+        return _describe(self.job, outcome)[1] or "it ends"
+
+    @cached_property
+    def table(self) -> Matrix:
+        """All columns along the scene."""
+        return self.quantities(self.times, self.reference.tolist())
+
+    @cached_property
+    def _slopes(self) -> InterpretedModel:
+        only = tuple(f for f in self.job.program.functions if f.name == "jacobian")
+        return InterpretedModel(replace(self.job.program, functions=only), 0)
+
+    def jacobian(self, t: float, y: Sequence[float]) -> Matrix:
+        """d rhs / d y of shape (NY, NY), the emitted one.
+
+        Raises:
+            ArithmeticError: the model is singular there.
+        """
+        size = len(self.job.y)
+        return np.array(self._slopes.jacobian(t, list(y), self.job.p), dtype=float).reshape(size, size)
+
+    def velocities(self, t: float, y: Sequence[float]) -> list[float]:
+        """All q' at a state."""
+        (row,) = self.quantities([t], [y])
+        return [float(row[k]) for k in self.group("velocity")]
+
+    @cached_property
+    def sizes(self) -> Matrix:
+        """The size of each component of the state in the scene; what stays zero has that of the largest times 1e-3."""
+        found = np.max(np.abs(self.reference), axis=0)
+        return np.asarray(np.maximum(found, 1e-3 * max(float(found.max(initial=0.0)), 1e-12)))
+
+    @cached_property
+    def column_sizes(self) -> Matrix:
+        """What each column can be in the scene: its slopes times the sizes of the state, or its own largest magnitude."""
+        found: Matrix = np.max(np.abs(self.table), axis=0, initial=0.0)
+        for k in range(0, ROWS, ROWS // 5):
+            base = self.reference[k].tolist()
+            moved = [list(base) for _ in range(2 * len(base))]
+            for i, size in enumerate(self.sizes):
+                moved[2 * i][i] -= 1e-4 * size
+                moved[2 * i + 1][i] += 1e-4 * size
+            rows = self.quantities([self.times[k]] * len(moved), moved)
+            found = np.asarray(np.maximum(found, np.sum(np.abs(rows[1::2] - rows[::2]), axis=0) / 2e-4))
+        return found
+
+
+def open_bench(equations: Equations, formulation: Formulation, start: Start, compiled: bool = True) -> Bench:
+    """Build, compile and load what the laboratory needs of a scene."""
+    job = prepare(equations, formulation, start, jacobian=True)
+    planner = Planner(equations, formulation)
+    system = equations.system
+    frame = coordinate_frame(system, choose_dependent(system).dependent) if system.l else None
+    found = classify(system) if system.l else None
+    hidden = find_position_integrals(system, frame, found.hidden, found.closed) if found and frame else ()
+    kept = find_conserved(system, frame, formulation.frame, [i.node for i in hidden])
+    columns = _list_columns(planner, kept, [(i.text, i.node) for i in hidden])
+    needed = needed_function(planner, columns)
+    functions = tuple(needed if f.name == "needed" else f for f in job.program.functions)
+    job = replace(job, program=replace(job.program, functions=functions), columns=tuple(columns), checks=())
+    model, notes = _load(job, compiled)
+    return Bench(equations, formulation, start, job, model, tuple(columns), kept, notes)
+
+
+def _load(job: Job, compiled: bool) -> tuple[CompiledModel | InterpretedModel, tuple[str, ...]]:
+    """All Runge-Kutta methods in one library, or the emitted Python."""
+    notes: tuple[str, ...] = ()
+    if compiled:
+        try:
+            sources = write_source(job.program, list(RUNGE_KUTTA.values()), job.events)
+            path = build(sources, f"{job.program.system}_run.c")
+            return CompiledModel(path, job.program.system, len(job.y), len(job.columns)), ()
+        except CompileError as error:
+            notes = (f"{error}; running the emitted Python with shorter runs",)
+    return InterpretedModel(job.program, job.events), notes
+
+
+def _list_columns(planner: Planner, kept: Conserved, hidden: Sequence[tuple[str, Node]]) -> list[Column]:
+    """Energy and its balance, constraints, integrals, determinants of frames, coefficients of the constraints, the mass matrix."""
+    system, g = planner.system, planner.graph
+    forms = [form_value(g, form, system.v) for form in system.constraints]
+    integrals = [i for i in kept.integrals if not any(has_value(planner, name) for name in i.where)]
+    energy, general, *rest = planner.on_motion(
+        [system.energy, generalized_energy(system), *forms, *(i.node for i in integrals)]
+    )
+    found = [Column("T + V", "energy", energy), Column("p q' - T + V", "jacobi", general)]
+    found.append(_power_column(planner))
+    found += [Column(f.name, "residual", r) for f, r in zip(system.constraints, rest, strict=False)]
+    found += [Column(f.name, "position", f.equation) for f in system.constraints if f.equation is not None]
+    found += [Column(i.text, "integral", r) for i, r in zip(integrals, rest[len(forms) :], strict=True)]
+    found += [Column(text, "hidden", node) for text, node in hidden]
+    for guard in planner.frame_guards():
+        found += [Column(guard.what, "guard", guard.value), Column("", "scale", guard.scale)]
+    found += [Column(f.name, "row", a) for f in system.constraints for a in f.coefficients]
+    found += [Column("", "velocity", v) for v in planner.equations.motion.velocities]
+    if planner.formulation.frame is not None:
+        free = planner.formulation.frame.forms[system.l :]
+        found += [Column(f.name, "free", a) for f in free for a in f.coefficients]
+    if system.n <= _MOST_MASS:
+        momenta = gradient(g, system.T, system.v)
+        mass = planner.on_motion([entry for p in momenta for entry in gradient(g, p, system.v)])
+        found += [Column("", "mass", entry) for entry in mass]
+    return found
+
+
+def has_value(planner: Planner, name: str) -> bool:
+    """Whether the parameter of that name has a default that is not zero."""
+    from nhc.mechanics.regularity import parameter_value
+
+    return any(p.name == name and parameter_value(p.value) != 0.0 for p in planner.system.spec.parameters)
+
+
+def _power_column(planner: Planner) -> Column:
+    """The rate of p q' - T + V by (III.2.2); it holds reactions where a constraint moves."""
+    system, g = planner.system, planner.graph
+    moving = any(form.constant != g.zero for form in system.constraints)
+    reactions = reactions_of(planner) if moving else [g.zero] * system.l
+    value = planner.on_motion([power(system, reactions)])[0]
+    return Column("power of lambda" if moving else "power", "power", value)

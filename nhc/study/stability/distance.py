@@ -1,0 +1,97 @@
+"""How near a scene comes to where something it rests on is singular.
+
+Every measure lies in [0, 1], 0 being singular: determinants relative to what their rows allow (Hadamard), smallest singular
+values of matrices whose rows have length 1, smallest eigenvalues of mass matrices scaled to a diagonal of ones.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from nhc.mechanics.choose import NotApplicable, dependent_of
+from nhc.mechanics.regularity import relative_determinant
+from nhc.study.stability.bench import Bench
+from nhc.study.steady import Matrix
+
+NEAR = 0.03
+"""Below this a choice is called weak, as in :mod:`nhc.mechanics.regularity`."""
+
+
+@dataclass(frozen=True)
+class Distance:
+    """``least`` along the scene, reached at ``t``; ``series`` over the scene's rows."""
+
+    what: str
+    kind: str
+    least: float
+    t: float
+    series: tuple[float, ...]
+
+
+def distances(bench: Bench) -> tuple[Distance, ...]:
+    """Of the constraints, of the dependent choice, of the formulation's own frame, of the coordinates.
+
+    Raises:
+        ArithmeticError: the scene fails.
+    """
+    found, table = [], bench.table
+    n, lower = bench.equations.system.n, bench.equations.system.l
+    if lower:
+        rows = table[:, bench.group("row")].reshape(-1, lower, n)
+        found.append(_of(bench, "rank of the constraints", "constraints", [smallest_singular(a) for a in rows]))
+        found += _dependent(bench, rows)
+        free = bench.group("free")
+        if free:
+            frames = np.concatenate([rows, table[:, free].reshape(-1, n - lower, n)], axis=1)
+            what = f"coframe of {bench.formulation.name}"
+            found.append(_of(bench, what, "frame", [smallest_singular(a) for a in frames]))
+    guards = zip(bench.group("guard"), bench.group("scale"), strict=True)
+    for number, (value, scale) in enumerate(guards, 1):
+        if not np.any(table[:, scale]):
+            continue
+        ratio = np.abs(table[:, value]) / np.maximum(np.abs(table[:, scale]), 1e-300)
+        found.append(_of(bench, f"divisor {number} of the emitted code", "guard", [float(x) for x in ratio]))
+    mass = bench.group("mass")
+    if mass:
+        found.append(
+            _of(bench, "mass matrix of the coordinates", "mass", [scaled_least(m) for m in _square(table, mass, n)])
+        )
+    return tuple(found)
+
+
+def _square(table: Matrix, places: Sequence[int], n: int) -> Matrix:
+    return table[:, list(places)].reshape(-1, n, n)
+
+
+def _dependent(bench: Bench, rows: Matrix) -> list[Distance]:
+    system = bench.equations.system
+    try:
+        choice = dependent_of(system).dependent
+    except NotApplicable:
+        return []
+    names = ", ".join(f"{system.q_names[i]}'" for i in choice)
+    used = bench.formulation.dependent is not None
+    series = [relative_determinant(a.tolist(), choice) for a in rows]
+    return [_of(bench, f"solving for {names}{'' if used else ' (not used)'}", "dependent", series)]
+
+
+def smallest_singular(matrix: Matrix) -> float:
+    """Of the matrix with its rows scaled to length 1."""
+    lengths = np.linalg.norm(matrix, axis=1, keepdims=True)
+    return float(np.linalg.svd(matrix / np.maximum(lengths, 1e-300), compute_uv=False)[-1])
+
+
+def scaled_least(mass: Matrix) -> float:
+    """The smallest eigenvalue of the mass matrix scaled to ones on its diagonal: 0 in a gimbal lock."""
+    scale = np.sqrt(np.abs(np.diag(mass)))
+    if not np.all(scale > 0):
+        return 0.0
+    return float(max(np.linalg.eigvalsh(mass / np.outer(scale, scale))[0], 0.0))
+
+
+def _of(bench: Bench, what: str, kind: str, series: Sequence[float]) -> Distance:
+    place = int(np.argmin(series))
+    return Distance(what, kind, float(series[place]), bench.times[place], tuple(float(x) for x in series))

@@ -1,0 +1,145 @@
+"""Long-run drift: energy, constraints and integrals over several lengths of a scene.
+
+Each series is a deviation from the start; its size is compared in the first and in the last tenth, so that a bounded
+error can be told from a growing one.  Where the energy is not conserved its balance takes its place: p q' - T + V less
+the integral of its power (III.2.2), by Simpson's rule, with the rule's own error beside it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nhc.simulate.run import list_times
+from nhc.simulate.task import DONE, ModelError, Outcome
+from nhc.study.stability.bench import Bench
+from nhc.study.steady import Matrix
+
+LENGTHS = 10
+_ROWS = 2001
+ROUNDING = 1e-14
+Series = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Drift:
+    """``first`` and ``last``: the largest deviations in the first and the last tenth; ``floor``: what is rounding.
+
+    ``relative``: to what the quantity can be in this scene, its slopes times the sizes of the state; one that is zero by
+    cancellation is not measured against its own rounding.
+    """
+
+    what: str
+    kind: str
+    relative: bool
+    first: float
+    last: float
+    floor: float
+    series: tuple[float, ...]
+
+    @property
+    def grows(self) -> bool:
+        return self.last > 2.0 * max(self.first, self.floor)
+
+
+@dataclass(frozen=True)
+class LongRun:
+    """``reached`` of the ``wanted`` end, and ``why`` not further."""
+
+    method: str
+    step: float
+    times: tuple[float, ...]
+    drifts: tuple[Drift, ...]
+    reached: float
+    wanted: float
+    why: str
+
+
+def long_run(bench: Bench, method: str = "dop853", step: float = 0.0, lengths: float = LENGTHS) -> LongRun:
+    """Run ``lengths`` times the scene's time with one method and look at what should stay as it was."""
+    start, end = bench.job.time
+    wanted = start + lengths * (end - start)
+    times = list_times(start, wanted, _ROWS)
+    outcome = bench.integrate(method, times, step=step)
+    rows, table = _rows(bench, times, outcome)
+    why = "" if outcome.kind == DONE and rows == len(times) else bench.reason(outcome)
+    reached = wanted if not why else (outcome.t if rows == len(outcome.states) else times[rows - 1])
+    drifts = tuple(drifts_of(bench, times[:rows], table)) if rows >= 20 else ()
+    return LongRun(method, step, tuple(times[:rows]), drifts, reached, wanted, why)
+
+
+def _rows(bench: Bench, times: Sequence[float], outcome: Outcome) -> tuple[int, Matrix]:
+    """The columns at the rows that have values."""
+    states = [s for s in outcome.states if np.all(np.isfinite(s))]
+    count = len(states)
+    while count:
+        try:
+            return count, bench.quantities(times[:count], states[:count])
+        except ModelError as error:
+            count = min(error.row, count - 1)
+    return 0, np.zeros((0, len(bench.columns)))
+
+
+def drifts_of(bench: Bench, times: Sequence[float], table: Matrix) -> list[Drift]:
+    """Every conserved quantity and every residual of a run."""
+    found = [_energy(bench, times, table)]
+    for group in ("integral", "hidden"):
+        for k in bench.group(group):
+            heading = bench.columns[k].heading
+            if heading not in ("E", "(p q' - T + V)"):
+                found.append(_relative(bench, k, heading, group, table[:, k]))
+    for group in ("residual", "position"):
+        for k in bench.group(group):
+            found.append(_drift(bench.columns[k].heading, group, False, table[:, k], ROUNDING))
+    return found
+
+
+def _energy(bench: Bench, times: Sequence[float], table: Matrix) -> Drift:
+    kept = bench.conserved
+    if kept.energy:
+        place = bench.group("energy")[0]
+        return _relative(bench, place, "T + V", "energy", table[:, place])
+    place = bench.group("jacobi")[0]
+    general = table[:, place]
+    if kept.jacobi:
+        return _relative(bench, place, "p q' - T + V", "energy", general)
+    work, error = accumulate(times, table[:, bench.group("power")[0]])
+    scale = max(float(bench.column_sizes[place]), float(np.max(np.abs(work), initial=0.0))) or 1.0
+    return _drift("p q' - T + V less the work", "balance", True, (general - general[0] - work) / scale, error / scale)
+
+
+def accumulate(times: Sequence[float], values: Series) -> tuple[Series, float]:
+    """The integral from the start to each row by cubics through neighbouring rows, and the estimate of its error.
+
+    Rows are equally spaced; the error is that of the same rule on every second row.
+    """
+    h = times[1] - times[0]
+    fine = _cumulative(values, h)
+    coarse = _cumulative(values[::2], 2 * h)
+    return fine, float(np.max(np.abs(coarse - fine[::2]), initial=0.0)) / 15 + 1e-15 * float(np.max(np.abs(fine)))
+
+
+def _cumulative(f: Series, h: float) -> Series:
+    """Each interval by the cubic through four rows (Newton and Cotes); the ends by the one-sided cubic."""
+    if len(f) < 4:
+        parts = h * (f[1:] + f[:-1]) / 2
+    else:
+        inner = h / 24 * (-f[:-3] + 13 * f[1:-2] + 13 * f[2:-1] - f[3:])
+        first = h / 24 * (9 * f[0] + 19 * f[1] - 5 * f[2] + f[3])
+        last = h / 24 * (9 * f[-1] + 19 * f[-2] - 5 * f[-3] + f[-4])
+        parts = np.concatenate([[first], inner, [last]])
+    return np.concatenate([[0.0], np.cumsum(parts)])
+
+
+def _relative(bench: Bench, place: int, what: str, kind: str, values: Series) -> Drift:
+    scale = float(bench.column_sizes[place])
+    return _drift(what, kind, scale > 0, (values - values[0]) / (scale or 1.0), ROUNDING)
+
+
+def _drift(what: str, kind: str, relative: bool, deviations: Series, floor: float) -> Drift:
+    size, tenth = np.abs(deviations), max(1, len(deviations) // 10)
+    first, last = float(size[:tenth].max()), float(size[-tenth:].max())
+    return Drift(what, kind, relative, first, last, floor, tuple(float(x) for x in size))

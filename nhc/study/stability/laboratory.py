@@ -1,0 +1,116 @@
+"""All studies of one scene together: what ``nhc stability`` runs."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TypeVar
+
+from nhc.mechanics.associate import Equations
+from nhc.mechanics.choose import Formulation
+from nhc.mechanics.scenes import Start, start_of
+from nhc.simulate.opening import find_scene
+from nhc.study.stability.bench import Bench, open_bench
+from nhc.study.stability.distance import Distance, distances
+from nhc.study.stability.drift import LENGTHS, LongRun, long_run
+from nhc.study.stability.motions import Motion, Search, steady_motion
+from nhc.study.stability.sensitivity import Sensitivity, sensitivity
+from nhc.study.stability.stepsize import Spectrum, StepLimit, spectrum, step_limits
+
+Found = TypeVar("Found")
+_PLACES = 6
+
+
+@dataclass(frozen=True)
+class Question:
+    """``scene``: a name (empty: the first).  ``about`` (empty: it), ``settings``, ``holds``, ``sweep``: as for a linearisation.
+
+    ``lengths``: how many times the scene's time the long run takes; ``compiled``: with a C compiler where there is one.
+    """
+
+    scene: str = ""
+    about: str = ""
+    settings: tuple[str, ...] = ()
+    holds: tuple[str, ...] = ()
+    sweep: tuple[str, float, float, int] | None = None
+    lengths: float = LENGTHS
+    compiled: bool = True
+
+
+@dataclass(frozen=True)
+class Laboratory:
+    """What was found; a study that could not be done is None or empty and ``missing`` says why, as (study, reason).
+
+    ``failed``: the reason why the scene itself does not run, or empty.
+    """
+
+    bench: Bench
+    motion: Motion | None
+    spectrum: Spectrum | None
+    limits: tuple[StepLimit, ...]
+    runs: tuple[LongRun, ...]
+    sensitivity: Sensitivity | None
+    distances: tuple[Distance, ...]
+    missing: tuple[tuple[str, str], ...]
+    failed: str
+
+    @property
+    def stiffness(self) -> float | None:
+        """The fastest decay against the slowest thing that matters: the smallest other rate, but nothing slower than the scene."""
+        if self.spectrum is None:
+            return None
+        return self.spectrum.decay / max(self.spectrum.slowest, 1.0 / self.bench.duration)
+
+
+def examine(equations: Equations, formulation: Formulation, question: Question) -> Laboratory:
+    """Every study that applies.
+
+    Raises:
+        nhc.diagnostics.SpecError: unknown names, or a start that violates the constraints.
+        nhc.simulate.opening.RunError: no such scene.
+    """
+    system = equations.system
+    scene = find_scene(system.spec, question.scene)
+    missing: list[tuple[str, str]] = []
+
+    def attempt(name: str, study: Callable[[], Found]) -> Found | None:
+        try:
+            return study()
+        except ArithmeticError as error:
+            missing.append((name, str(error)))
+            return None
+
+    bench = open_bench(equations, formulation, start_of(system, scene), question.compiled)
+    motion = attempt("steady motion", lambda: _motion(bench, question))
+    if attempt("scene", lambda: bench.table) is None:
+        return Laboratory(bench, motion, None, (), (), None, (), tuple(missing), missing[-1][1])
+    along = attempt("eigenvalues along the scene", lambda: spectrum(bench))
+    limits = step_limits(bench, along) if along is not None else ()
+    runs = [long_run(bench, lengths=question.lengths)]
+    step = next((x.measured for x in limits if x.method == "rk4"), 0.0)
+    if step > 0:
+        runs.append(long_run(bench, "rk4", min(step, bench.duration / 25) / 4, question.lengths))
+    growth = attempt("sensitivity", lambda: sensitivity(bench))
+    near = attempt("distances", lambda: distances(bench)) or ()
+    return Laboratory(bench, motion, along, limits, tuple(runs), growth, near, tuple(missing), "")
+
+
+def _motion(bench: Bench, question: Question) -> Motion:
+    """Raises: NotSteady."""
+    hidden = tuple((bench.columns[k].heading, bench.columns[k].node) for k in bench.group("hidden"))
+    about = question.about or bench.job.scene.name
+    search = Search(about, question.settings, question.holds, question.sweep, hidden)
+    return steady_motion(bench.equations, bench.formulation, search, [] if question.about else _beside(bench))
+
+
+def _beside(bench: Bench) -> list[tuple[float, Start]]:
+    """States along the scene as starts; none where it does not run."""
+    try:
+        states = bench.reference
+        picked = [round(k * (len(bench.times) - 1) / _PLACES) for k in range(1, _PLACES + 1)]
+        moving = [bench.velocities(bench.times[k], states[k].tolist()) for k in picked]
+    except ArithmeticError:
+        return []
+    n, scene, time, p = bench.equations.system.n, bench.job.scene, bench.job.time, bench.job.p
+    rows = zip(picked, moving, strict=True)
+    return [(bench.times[k], Start(scene, time, p, tuple(float(x) for x in states[k][:n]), tuple(v))) for k, v in rows]

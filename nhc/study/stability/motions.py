@@ -1,0 +1,114 @@
+"""The steady motion that a scene belongs to, its eigenvalues, and their change over a parameter.
+
+Hidden holonomic constraints are held at what the start makes of them: a bicycle stays on its ground.  Where the search does
+not end from the start it is tried from places along the scene.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from nhc.algebra.graph import Node
+from nhc.mechanics.about import scene_about, state_of
+from nhc.mechanics.associate import Equations
+from nhc.mechanics.choose import Formulation
+from nhc.mechanics.formulate import equations_of
+from nhc.mechanics.linearize import Flow, kept_forms, reduced
+from nhc.mechanics.scenes import Start, kept_velocities, start_of
+from nhc.study.linearize import Linearisation, Sweep, linearise_at, sweep
+from nhc.study.motion import branch_of, read_holds, steady_model
+from nhc.study.stability.distance import scaled_least
+from nhc.study.steady import Hold, NotSteady, Steady, SteadyModel, find_steady
+
+SINGULAR = 1e-6
+SweepRange = tuple[str, float, float, int]
+
+
+@dataclass(frozen=True)
+class Motion:
+    """``place`` says from where it was found; ``swept`` is None where nothing was asked.
+
+    ``regularity`` in [0, 1]: of the mass matrix there; below ``SINGULAR`` the coordinates themselves fail (gimbal lock) and
+    the eigenvalues say nothing of the motion.
+    """
+
+    formulation: Formulation
+    model: SteadyModel
+    linearisation: Linearisation
+    swept: Sweep | None
+    place: str
+    regularity: float
+
+    @property
+    def flow(self) -> Flow:
+        return self.model.flow
+
+
+@dataclass(frozen=True)
+class Search:
+    """``about``, ``settings``, ``holds``: as for ``nhc linearize``; ``hidden``: integrals of the constraints over q."""
+
+    about: str
+    settings: tuple[str, ...] = ()
+    holds: tuple[str, ...] = ()
+    sweep: SweepRange | None = None
+    hidden: tuple[tuple[str, Node], ...] = ()
+
+
+def steady_motion(
+    equations: Equations, formulation: Formulation, search: Search, beside: Sequence[tuple[float, Start]] = ()
+) -> Motion:
+    """The steady motion near a start, or near one of the starts ``beside`` it (with their times).
+
+    Raises:
+        nhc.diagnostics.SpecError: unknown names.
+        NotSteady: none is found, or the sweep leaves its branch.
+    """
+    system = equations.system
+    better = reduced(system, formulation)
+    if better is not formulation:
+        equations = equations_of(system, better)
+    start = start_of(system, scene_about(system.spec, search.about, search.settings))
+    model = steady_model(equations, better, start.p)
+    guess = state_of(model.flow, better.frame, start)
+    held = tuple(Hold(text, node, model.value(guess, node)) for text, node in search.hidden)
+    holds = tuple(hold for text in search.holds for hold in read_holds(model, text, guess))
+    steady, holds, place = _find(model, guess, (holds, held), beside)
+    made, kept = linearise_at(model, steady), model.flow.kept
+    swept = None
+    if search.sweep is not None:
+        name, low, high, count = search.sweep
+        values = [low + (high - low) * k / (count - 1) for k in range(count)]
+        swept = sweep(branch_of(model, steady.y, _spelled(model.flow, name), holds), values)
+    return Motion(better, model, made, swept, place, scaled_least(model.mass(steady.y)[:kept, :kept]) if kept else 1.0)
+
+
+def _spelled(flow: Flow, name: str) -> str:
+    """``v`` is the output ``speed`` where nothing else is called so."""
+    known = {*flow.names, *(p.name for p in flow.system.spec.parameters), *(o for o, _ in flow.system.outputs)}
+    known.update(form.name for form in flow.system.quasi)
+    return "speed" if name == "v" and "v" not in known and "speed" in known else name
+
+
+def _find(
+    model: SteadyModel,
+    guess: Sequence[float],
+    holds: tuple[tuple[Hold, ...], tuple[Hold, ...]],
+    beside: Sequence[tuple[float, Start]],
+) -> tuple[Steady, tuple[Hold, ...], str]:
+    """The steady motion, what was held for it, and from where it was found."""
+    asked, hidden = holds
+    guesses = [("the start", tuple(guess))]
+    forms = kept_forms(model.flow.system, model.frame)
+    for t, start in beside:
+        guesses.append((f"the scene at t = {t:.6g}", (*start.q, *kept_velocities(model.flow.system, forms, start))))
+    first: NotSteady | None = None
+    for place, y in guesses:
+        for kept in ((*asked, *hidden), asked) if hidden else (asked,):
+            try:
+                return find_steady(model, y, kept), kept, place
+            except NotSteady as error:
+                first = first or error
+    assert first is not None
+    raise first

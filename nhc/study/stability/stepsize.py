@@ -1,0 +1,185 @@
+"""The largest stable step of each method on a scene: predicted from its stability function, measured by bisection.
+
+A step h is called stable when errors are not multiplied by more than ``GROWTH`` along the whole scene.  Predicted: for
+every eigenvalue of the emitted Jacobian along the scene that does not grow by itself, |R(h lambda)|^(T/h) <= GROWTH, with
+R(z) = 1 + z b^T (1 - z A)^-1 e of the method's tableau (Hairer and Wanner 1996, IV.3).  Measured: the run with that fixed
+step reaches its end and no component leaves ``GROWTH`` times its size in the scene.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nhc.simulate.methods import RUNGE_KUTTA
+from nhc.simulate.methods.tableau import Explicit, Tableau
+from nhc.simulate.run import list_times
+from nhc.simulate.task import DONE
+from nhc.study.stability.bench import Bench
+from nhc.study.steady import Matrix
+
+GROWTH = 10.0
+_PLACES = 25  # Jacobians along the scene
+_BISECTIONS = 7
+_ROWS = 65
+_FEWEST = 4  # steps of a scene: longer ones are not looked at
+_MOST = 200_000
+
+
+@dataclass(frozen=True)
+class StepLimit:
+    """``predicted``, ``measured`` in units of time; infinite where no step of at least a quarter of the scene is refused.
+
+    ``measured`` is 0 where no step was found that is stable within the effort; ``why`` says how the next longer step ends.
+    """
+
+    method: str
+    order: int
+    predicted: float
+    measured: float
+    why: str
+
+
+@dataclass(frozen=True)
+class Spectrum:
+    """Eigenvalues of the Jacobian at ``times``, one row for each."""
+
+    times: tuple[float, ...]
+    values: NDArray[np.complex128]
+
+    @property
+    def fastest(self) -> float:
+        return float(np.max(np.abs(self.values), initial=0.0))
+
+    @property
+    def decay(self) -> float:
+        """The largest rate of decay."""
+        return float(np.max(-self.values.real, initial=0.0))
+
+    @property
+    def slowest(self) -> float:
+        """The smallest magnitude that is clearly no zero; 0 where all are."""
+        sizes = np.abs(self.values)
+        kept = sizes[sizes > 1e-6 * max(self.fastest, 1e-300)]
+        return float(kept.min()) if kept.size else 0.0
+
+
+def spectrum(bench: Bench, places: int = _PLACES) -> Spectrum:
+    """Eigenvalues along the scene, at equally spaced rows of the reference.
+
+    Raises:
+        ArithmeticError: the scene fails, or the model is singular on it.
+    """
+    picked = sorted({round(k * (len(bench.times) - 1) / (places - 1)) for k in range(places)})
+    values = [np.linalg.eigvals(bench.jacobian(bench.times[k], bench.reference[k].tolist())) for k in picked]
+    return Spectrum(tuple(bench.times[k] for k in picked), np.array(values, dtype=complex))
+
+
+def amplification(method: Tableau, z: NDArray[np.complex128]) -> NDArray[np.complex128]:
+    """R(z) of a Runge-Kutta method; infinite at its poles."""
+    a, b = coefficients(method)
+    stages, flat = len(b), np.ravel(z)
+    found = np.empty(flat.shape, dtype=complex)
+    for k, value in enumerate(flat):
+        try:
+            found[k] = 1.0 + value * (b @ np.linalg.solve(np.eye(stages) - value * a, np.ones(stages)))
+        except np.linalg.LinAlgError:
+            found[k] = np.inf
+    return found.reshape(np.shape(z))
+
+
+def coefficients(method: Tableau) -> tuple[Matrix, NDArray[np.float64]]:
+    """(A, b) of a tableau."""
+    if not isinstance(method, Explicit):
+        return np.array(method.rows, dtype=float), np.array(method.advance, dtype=float)
+    a = np.zeros((method.stages, method.stages))
+    for k, row in enumerate(method.rows[: method.stages - 1]):
+        a[k + 1, : len(row)] = row
+    b = np.zeros(method.stages)
+    last = method.rows[method.stages - 1]
+    b[: len(last)] = last
+    return a, b
+
+
+def predict(method: Tableau, values: Sequence[complex] | NDArray[np.complex128], duration: float) -> float:
+    """The largest h below which every shorter step is stable; infinite where a quarter of the duration still is."""
+    flat = np.ravel(np.asarray(values, dtype=complex))
+    kept = flat[(flat.real <= 1e-6 * np.abs(flat)) & (np.abs(flat) * duration > 1e-3)]
+    if not kept.size:
+        return math.inf
+    kept = np.where(np.abs(kept.real) < 1e-9 * np.abs(kept), 1j * kept.imag, kept)
+    kept = np.unique(np.round(kept / np.abs(kept).max(), 6)) * np.abs(kept).max()
+    low, high = 0.05 / float(np.abs(kept).max()), duration / _FEWEST
+    if not low < high:
+        return math.inf
+
+    def stable(h: float) -> bool:
+        size = np.abs(amplification(method, h * kept))
+        return bool(np.all(np.log(np.maximum(size, 1e-300)) * duration / h <= math.log(GROWTH)))
+
+    steps = np.geomspace(low, high, 160)
+    bad = next((k for k, h in enumerate(steps) if not stable(float(h))), None)
+    if bad is None:
+        return math.inf
+    low, high = (float(steps[bad - 1]), float(steps[bad])) if bad else (0.0, float(steps[0]))
+    for _ in range(40):
+        middle = (low + high) / 2
+        low, high = (middle, high) if stable(middle) else (low, middle)
+    return low
+
+
+def measure(bench: Bench, method: str, guess: float) -> tuple[float, str]:
+    """(the largest stable step found by bisection, how the next longer one ends); infinite where none is refused."""
+    longest = bench.duration / _FEWEST
+    shortest = bench.duration / min(_MOST, bench.most)
+    limits = GROWTH * np.maximum(bench.sizes, 1e-300)
+    times = list_times(*bench.job.time, _ROWS)
+
+    def fails(step: float) -> str:
+        outcome = bench.integrate(method, times, step=step)
+        if outcome.kind != DONE:
+            return bench.reason(outcome)
+        states = np.array(outcome.states)
+        if not np.all(np.isfinite(states)) or np.any(np.max(np.abs(states), axis=0) > limits):
+            return f"the motion leaves {GROWTH:.0f} times its size"
+        return ""
+
+    high = min(max(guess, shortest), longest) if math.isfinite(guess) else longest
+    why = fails(high)
+    if not why:
+        low = high
+        while not why:
+            if high >= longest:
+                return math.inf, ""
+            low, high = high, min(1.5 * high, longest)
+            why = fails(high)
+    else:
+        low = high
+        while True:
+            low /= 1.5
+            if low < shortest:
+                return 0.0, why
+            ends = fails(low)
+            if not ends:
+                break
+            high, why = low, ends
+    for _ in range(_BISECTIONS):
+        middle = math.sqrt(low * high)
+        ends = fails(middle)
+        low, high, why = (low, middle, ends) if ends else (middle, high, why)
+    return low, why
+
+
+def step_limits(bench: Bench, found: Spectrum, methods: Sequence[str] = tuple(RUNGE_KUTTA)) -> tuple[StepLimit, ...]:
+    """Both numbers for each method."""
+    limits = []
+    for name in methods:
+        method = RUNGE_KUTTA[name]
+        predicted = predict(method, found.values, bench.duration)
+        measured, why = measure(bench, name, predicted)
+        limits.append(StepLimit(name, method.order, predicted, measured, why))
+    return tuple(limits)

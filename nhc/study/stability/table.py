@@ -1,0 +1,251 @@
+"""A laboratory's findings as one table for people, and as a tree for programs."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+from nhc.study.linearize import Sweep, eigenvalues, verdict
+from nhc.study.stability.distance import NEAR
+from nhc.study.stability.laboratory import Laboratory
+from nhc.study.stability.motions import SINGULAR, Motion
+
+
+@dataclass(frozen=True)
+class Row:
+    """``what``, its ``value`` as text, and a ``remark``."""
+
+    what: str
+    value: str
+    remark: str = ""
+
+
+@dataclass(frozen=True)
+class Section:
+    """Rows under a title."""
+
+    title: str
+    rows: tuple[Row, ...]
+
+
+def sections(lab: Laboratory) -> tuple[Section, ...]:
+    """The table in its parts; parts without rows are left out."""
+    parts = [
+        Section("steady motion", tuple(_motion(lab.motion)) if lab.motion else ()),
+        Section("along the parameter", tuple(_sweep(lab.motion.swept)) if lab.motion and lab.motion.swept else ()),
+        Section("eigenvalues along the scene", tuple(_spectrum(lab))),
+        Section("largest stable step: measured, predicted", tuple(_limits(lab))),
+        *(Section(title, tuple(rows)) for title, rows in _drifts(lab)),
+        Section("sensitivity to the start", tuple(_sensitivity(lab))),
+        Section("distance from singular points (0: singular)", tuple(_distances(lab))),
+        Section("not done", tuple(Row(name, "", why) for name, why in lab.missing)),
+    ]
+    return tuple(part for part in parts if part.rows)
+
+
+def lines(lab: Laboratory) -> list[str]:
+    """The table as text."""
+    bench = lab.bench
+    head = f"{bench.equations.system.name}, scene {bench.job.scene.name}, {bench.formulation.name} ({bench.formulation.number})"
+    found = [head, f"  time {bench.job.time[0]:.6g} to {bench.job.time[1]:.6g}, tolerance {bench.job.tolerance:.3g}"]
+    for part in sections(lab):
+        found += ["", part.title]
+        left = max(len(row.what) for row in part.rows)
+        middle = max(len(row.value) for row in part.rows)
+        found += [f"  {row.what:<{left}}  {row.value:<{middle}}  {row.remark}".rstrip() for row in part.rows]
+    return found
+
+
+def _motion(found: Motion) -> list[Row]:
+    made = found.linearisation
+    kind = "equilibrium" if made.steady.equilibrium else "steady motion"
+    state = [
+        f"{name} = {value:.6g}"
+        for i, (name, value) in enumerate(zip(found.flow.names, made.steady.y, strict=True))
+        if i not in found.model.cyclic and abs(value) > 1e-12
+    ]
+    told = verdict(made) if found.regularity > SINGULAR else "not told"
+    rows = [Row(kind, told, ", ".join(state) or "all of the rest zero")]
+    rows += [Row("eigenvalue", _complex(x), _kind(x)) for x in eigenvalues(made) if x.imag >= 0]
+    rows.append(Row("found from", found.place))
+    if found.regularity <= SINGULAR:
+        advice = "the coordinates are singular here (gimbal lock): take others, or another motion"
+        rows = [rows[0], Row("mass matrix", f"{found.regularity:.2g}", advice)]
+    if made.family:
+        rows.append(Row("structural zeros", str(made.family), "directions of the family of steady motions"))
+    return rows
+
+
+def _complex(x: complex) -> str:
+    real = 0.0 if abs(x.real) <= 1e-12 * max(1.0, abs(x)) else x.real
+    return f"{real:.9g} +- {x.imag:.9g} i" if x.imag else f"{real:.9g}"
+
+
+def _kind(x: complex) -> str:
+    period = f", period {2 * math.pi / x.imag:.6g}" if x.imag else ""
+    if abs(x.real) <= 1e-9 * max(1.0, abs(x)):
+        return f"neither grows nor decays{period}"
+    word = "grows" if x.real > 0 else "decays"
+    return f"{word} by e in {1 / abs(x.real):.4g}{period}"
+
+
+def _sweep(found: Sweep) -> list[Row]:
+    rows = [
+        Row(
+            f"crossing at {c.value:.9g}",
+            c.kind,
+            f"more grow {'above' if c.unstable_above else 'below'}"
+            + (f"; frequency {c.frequency:.6g}" if c.frequency else ""),
+        )
+        for c in found.crossings
+    ]
+    low, high = found.values[0], found.values[-1]
+    return rows or [Row(f"from {low:.6g} to {high:.6g}", "no crossing")]
+
+
+def _spectrum(lab: Laboratory) -> list[Row]:
+    found, stiff = lab.spectrum, lab.stiffness
+    if found is None or stiff is None:
+        return []
+    remark = "stiff: take radau5" if stiff > 1e3 else "not stiff"
+    return [
+        Row("fastest |lambda|", f"{found.fastest:.4g}", f"{found.fastest * lab.bench.duration:.4g} per scene"),
+        Row("fastest decay", f"{found.decay:.4g}"),
+        Row("stiffness ratio", f"{stiff:.4g}", remark),
+    ]
+
+
+def _step(value: float) -> str:
+    return "any" if math.isinf(value) else ("none found" if value == 0 else f"{value:.4g}")
+
+
+def _limits(lab: Laboratory) -> list[Row]:
+    return [
+        Row(x.method, f"{_step(x.measured)}, {_step(x.predicted)}", f"beyond it {x.why}" if x.why else "")
+        for x in lab.limits
+    ]
+
+
+def _drifts(lab: Laboratory) -> list[tuple[str, list[Row]]]:
+    found = []
+    for run in lab.runs:
+        how = run.method if not run.step else f"{run.method}, steps of {run.step:.3g}"
+        rows = [
+            Row(
+                d.what,
+                f"{d.first:.1e}, {d.last:.1e}",
+                ("grows" if d.grows else "bounded") + ("" if d.relative else ", not relative"),
+            )
+            for d in run.drifts
+        ]
+        if run.why:
+            rows.append(Row("ends", f"at t = {run.reached:.6g}", run.why))
+        found.append((f"drift until t = {run.wanted:.6g} by {how}: first tenth, last tenth", rows))
+    return found
+
+
+def _sensitivity(lab: Laboratory) -> list[Row]:
+    found = lab.sensitivity
+    if found is None:
+        return []
+    law = f"exp({found.rate:.3g} t)" if found.law == "exponential" else f"t^{found.rate:.2g}"
+    horizon = "far beyond the scene" if math.isinf(found.horizon) else f"about t = {found.horizon:.4g}"
+    return [
+        Row("growth over the scene", f"{found.norms[-1]:.4g}", "of relative perturbations, at most"),
+        Row("in the state's units", f"{found.plain:.4g}"),
+        Row("grows like", law, "fitted to the last two thirds"),
+        Row("rounding reaches 1 %", horizon, "a double's start means nothing later, if the law goes on"),
+    ]
+
+
+def _distances(lab: Laboratory) -> list[Row]:
+    return [
+        Row(d.what, f"{d.least:.4g}", f"at t = {d.t:.6g}" + (", weak" if d.least < NEAR else "")) for d in lab.distances
+    ]
+
+
+def tree(lab: Laboratory) -> dict[str, Any]:
+    """All numbers; infinite ones are null."""
+    bench, motion, growth = lab.bench, lab.motion, lab.sensitivity
+    return {
+        "system": bench.equations.system.name,
+        "scene": bench.job.scene.name,
+        "formulation": bench.formulation.name,
+        "compiled": bench.model.compiled,
+        "time": list(bench.job.time),
+        "steady": _motion_tree(motion) if motion else None,
+        "spectrum": None
+        if lab.spectrum is None
+        else {
+            "fastest": lab.spectrum.fastest,
+            "decay": lab.spectrum.decay,
+            "slowest": lab.spectrum.slowest,
+            "stiffness": lab.stiffness,
+        },
+        "steps": [
+            {
+                "method": x.method,
+                "order": x.order,
+                "measured": _finite(x.measured),
+                "predicted": _finite(x.predicted),
+                "why": x.why,
+            }
+            for x in lab.limits
+        ],
+        "drift": [
+            {
+                "method": run.method,
+                "step": run.step,
+                "reached": run.reached,
+                "wanted": run.wanted,
+                "why": run.why,
+                "quantities": [
+                    {
+                        "what": d.what,
+                        "kind": d.kind,
+                        "relative": d.relative,
+                        "first": d.first,
+                        "last": d.last,
+                        "grows": d.grows,
+                    }
+                    for d in run.drifts
+                ],
+            }
+            for run in lab.runs
+        ],
+        "sensitivity": None
+        if growth is None
+        else {
+            "growth": growth.norms[-1],
+            "plain": growth.plain,
+            "law": growth.law,
+            "rate": growth.rate,
+            "horizon": _finite(growth.horizon),
+        },
+        "distances": [{"what": d.what, "kind": d.kind, "least": d.least, "t": d.t} for d in lab.distances],
+        "missing": [{"study": name, "why": why} for name, why in lab.missing],
+    }
+
+
+def _finite(value: float) -> float | None:
+    return value if math.isfinite(value) else None
+
+
+def _motion_tree(found: Motion) -> dict[str, Any]:
+    made = found.linearisation
+    data: dict[str, Any] = {
+        "kind": "equilibrium" if made.steady.equilibrium else "steady motion",
+        "formulation": found.formulation.name,
+        "state": dict(zip(found.flow.names, made.steady.y, strict=True)),
+        "verdict": verdict(made) if found.regularity > SINGULAR else None,
+        "regularity": found.regularity,
+        "structural_zeros": made.family,
+        "eigenvalues": [{"real": x.real, "imag": x.imag} for x in eigenvalues(made)],
+    }
+    if found.swept is not None:
+        data["crossings"] = [
+            {"value": c.value, "kind": c.kind, "frequency": c.frequency, "up": c.unstable_above}
+            for c in found.swept.crossings
+        ]
+    return data

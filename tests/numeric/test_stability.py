@@ -1,0 +1,176 @@
+"""The stability laboratory against closed forms, published thresholds and catalogued sensitivities."""
+
+from __future__ import annotations
+
+import json
+import math
+from functools import cache
+
+import numpy as np
+import pytest
+
+from nhc.cli.entry import main
+from nhc.language import read
+from nhc.pipeline import Options, stability
+from nhc.simulate.methods import RUNGE_KUTTA
+from nhc.study.linearize import eigenvalues
+from nhc.study.stability.drift import accumulate
+from nhc.study.stability.laboratory import Laboratory, Question
+from nhc.study.stability.sensitivity import fit
+from nhc.study.stability.stepsize import amplification, predict
+from nhc.study.stability.table import lines, tree
+from tests.support import ROOT, spec_path
+
+PLAIN = Question()
+
+
+@cache
+def look(name: str, question: Question = PLAIN, formulation: str = "") -> Laboratory:
+    path = ROOT / name if name.endswith(".yaml") else spec_path(name)
+    return stability(read(str(path)), question, Options(formulation=formulation))
+
+
+def crossings(found: Laboratory) -> list[float]:
+    assert found.motion is not None and found.motion.swept is not None
+    return [c.value for c in found.motion.swept.crossings]
+
+
+# --- thresholds -----------------------------------------------------------------------------------------------
+
+
+@pytest.mark.slow
+def test_weave_and_capsize_of_the_bicycle_from_its_scene() -> None:
+    found = look("bicycle", Question(sweep=("v", 0.0, 10.0, 11)))
+    assert crossings(found) == pytest.approx([4.2923825363411, 6.0242620153884], abs=1e-7)
+
+
+def test_rolling_and_spinning_disk() -> None:
+    rolling = look("rolling_disk", Question(about="theta=pi/2", sweep=("w_n", 1.0, 4.0, 4)))
+    spinning = look("rolling_disk", Question(about="theta=pi/2", sweep=("w_u", 1.0, 8.0, 4)))
+    assert crossings(rolling) == pytest.approx([math.sqrt(0.0625 * 9.81 * 0.5 / (0.125 * 0.375))], abs=1e-8)
+    assert crossings(spinning) == pytest.approx([math.sqrt(9.81 * 0.5 / 0.3125)], abs=1e-8)
+
+
+def test_sleeping_top_in_angles_that_are_regular_there() -> None:
+    found = look("specs/atlas/upright_top.yaml", Question(about="w3=2.5", sweep=("w3", 1.0, 3.0, 6)))
+    assert crossings(found) == pytest.approx([math.sqrt(4 * 2.0) / 1.5], abs=1e-7)
+
+
+def test_rattleback_exchanges_its_growing_mode_with_the_sense_of_spin() -> None:
+    found = look("rattleback", Question(about="w3=5", sweep=("w3", -5.0, 5.0, 2), lengths=1))
+    assert found.motion is not None and found.motion.swept is not None
+    for point, sign in zip(found.motion.swept.points, (1, -1), strict=True):
+        parts = sorted((x.imag, x.real) for x in eigenvalues(point) if x.imag > 0)
+        assert parts[0] == pytest.approx((34.143692, -0.202521 * sign), abs=1e-5)
+        assert parts[1] == pytest.approx((109.392323, 2.120692 * sign), abs=1e-5)
+
+
+def test_gimbal_lock_is_said_and_no_verdict_given() -> None:
+    found = look("heavy_top", Question(scene="sleeping"))
+    text = "\n".join(lines(found))
+    assert "gimbal lock" in text and "not told" in text
+    assert tree(found)["steady"]["verdict"] is None
+
+
+# --- steps ----------------------------------------------------------------------------------------------------
+
+
+def test_stability_functions_of_the_methods() -> None:
+    """R(z) approximates exp(z) to the order; the classical limits of RK4; the implicit ones stay below 1 on the left."""
+    z = np.array([-0.1 + 0.05j])
+    for name, method in RUNGE_KUTTA.items():
+        ratio = abs(amplification(method, z)[0] - np.exp(z[0])) / abs(
+            amplification(method, z / 2)[0] - np.exp(z[0] / 2)
+        )
+        if method.order <= 6:
+            assert math.log2(ratio) == pytest.approx(method.order + 1, abs=0.3), name
+    assert abs(amplification(RUNGE_KUTTA["rk4"], np.array([2.785293563j]) * 1j)[0]) == pytest.approx(1.0, abs=1e-6)
+    assert abs(amplification(RUNGE_KUTTA["rk4"], np.array([2j * math.sqrt(2)]))[0]) == pytest.approx(1.0, abs=1e-12)
+    left = np.array([-1e3, -10 + 50j, 30j])
+    for name in ("radau5", "gauss4", "gauss6", "midpoint"):
+        assert np.all(np.abs(amplification(RUNGE_KUTTA[name], left)) <= 1 + 1e-9), name
+
+
+def test_predicted_step_of_an_oscillator() -> None:
+    """For long runs the limit goes to 2 sqrt 2 / omega from above."""
+    limit = predict(RUNGE_KUTTA["rk4"], [7j, -7j], 1e4)
+    assert limit == pytest.approx(2 * math.sqrt(2) / 7, rel=2e-3)
+    assert math.isinf(predict(RUNGE_KUTTA["radau5"], [-1e6], 10.0))
+
+
+def test_measured_and_predicted_steps_of_a_linear_system_agree(tmp_path_factory: pytest.TempPathFactory) -> None:
+    path = tmp_path_factory.mktemp("spec") / "spring.yaml"
+    path.write_text(
+        "nhc: 1\nsystem: spring\ncoordinates: [x, y]\nT: x'^2/2 + y'^2/2\nV: 5000*x^2 + y^2/2\n"
+        "scenes:\n  ring:\n    initial: {x: 0.01, y: 1}\n    time: [0, 20]\n"
+    )
+    found = stability(read(str(path)), Question(lengths=2))
+    for limit in found.limits:
+        if limit.method in ("rk4", "dopri5"):
+            assert limit.measured == pytest.approx(limit.predicted, rel=0.06), limit
+    assert found.spectrum is not None and found.spectrum.fastest == pytest.approx(100.0, rel=1e-9)
+
+
+# --- drift, sensitivity, distances ----------------------------------------------------------------------------
+
+
+def test_fourth_order_balance() -> None:
+    errors = []
+    for count in (101, 201):
+        t = np.linspace(0.0, 3.0, count)
+        work, told = accumulate(tuple(t), np.cos(2 * t))
+        wrong = float(np.max(np.abs(work - np.sin(2 * t) / 2)))
+        assert 0.1 * wrong < told < 10 * wrong
+        errors.append(wrong)
+    assert math.log2(errors[0] / errors[1]) > 3.7
+
+
+@pytest.mark.parametrize("name", ["snakeboard", "ball_on_table", "bead_on_rod"])
+def test_the_balance_of_power_closes_where_energy_is_not_conserved(name: str) -> None:
+    found = look(name, Question(lengths=2))
+    energy = found.runs[0].drifts[0]
+    assert energy.kind in ("balance", "energy") and max(energy.series) < 1e-6
+
+
+def test_sensitivities_are_those_of_the_catalogue() -> None:
+    """To the factor that the choice of a norm makes."""
+    for name, catalogued in (
+        ("pendulum", 17),
+        ("chaplygin_sleigh", 11),
+        ("rolling_disk", 65),
+        ("double_pendulum", 249),
+    ):
+        found = look(name).sensitivity
+        assert found is not None and 0.3 < found.plain / catalogued < 3.5, name
+
+
+def test_laws_of_growth() -> None:
+    t = [0.25 * k for k in range(41)]
+    law, rate, horizon = fit(t, [1 + 0.1 * math.exp(1.5 * x) for x in t])
+    assert law == "exponential" and rate == pytest.approx(1.5, rel=0.05) and 20 < horizon < 26
+    law, rate, horizon = fit(t, [1 + x**2 for x in t])
+    assert law == "power" and rate == pytest.approx(2.0, rel=0.1)
+    assert math.isinf(fit(t, [1.0] * len(t))[2])
+
+
+def test_distances_see_the_singular_dependent_choice() -> None:
+    """The sleigh turns by more than a quarter: solving for y' becomes singular, the adapted coframe never."""
+    found = {d.kind: d for d in look("chaplygin_sleigh").distances}
+    assert found["dependent"].least < 0.05 and found["frame"].least > 0.99 and found["constraints"].least > 0.99
+
+
+def test_a_scene_that_fails_leaves_what_can_be_said(capsys: pytest.CaptureFixture[str]) -> None:
+    """Voronec's equations on a fixed block that the sleigh crosses: exit 3 with the reason, and the table so far."""
+    assert main(["stability", "chaplygin_sleigh", "-f", "voronec"]) == 3
+    out, err = capsys.readouterr()
+    assert "not done" in out and "determinant changes its sign" in err
+
+
+def test_json_and_page(tmp_path_factory: pytest.TempPathFactory, capsys: pytest.CaptureFixture[str]) -> None:
+    page = tmp_path_factory.mktemp("page") / "p.html"
+    assert main(["stability", "pendulum", "--json", "-o", str(page), "--long", "2"]) == 0
+    data = json.loads(capsys.readouterr().out)
+    assert data["schema"] == "nhc.stability/1" and {x["method"] for x in data["steps"]} == set(RUNGE_KUTTA)
+    text = page.read_text()
+    assert text.count("<svg") >= 4 and "nan" not in text.lower().replace("nhc", "")
+    assert main(["stability", "pendulum", "-o", str(page)]) == 1
