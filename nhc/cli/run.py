@@ -21,7 +21,9 @@ if TYPE_CHECKING:
 METHODS = (
     *("dop853", "dopri5", "rk4", "radau5", "gauss4", "gauss6", "midpoint"),
     *("leapfrog", "dla", "perlmutter", "energy"),
+    *("scipy-dop853", "scipy-rk45", "scipy-radau", "scipy-bdf", "scipy-lsoda", "cvode-adams", "cvode-bdf"),
 )
+EXTRAS = {"numpy": "sim", "scipy": "sim", "sksundae": "sundials"}
 KINDS = (".csv", ".npz", ".svg", ".html")
 
 
@@ -78,6 +80,8 @@ def command(
     target = _check_target(output, force)
     if tolerance >= 1:
         raise click.UsageError("`--tol` is a relative accuracy, such as 1e-8")
+    if step and method.startswith(("scipy", "cvode")):
+        raise click.UsageError(f"`{method}` chooses its own steps; leave `--step` out")
     source = open_spec(spec)
     from nhc.simulate.opening import RunError, open_scene
     from nhc.simulate.run import Settings, run
@@ -91,7 +95,14 @@ def command(
         say(f"taking the scene `{job.scene.name}`")
     settings = Settings(method, tolerance, step, points, not interpreted)
     bar = Progress(*job.time)
-    found = run(job, settings, bar.show)
+    try:
+        found = run(job, settings, bar.show)
+    except ModuleNotFoundError as error:
+        extra = EXTRAS.get((error.name or "").split(".")[0])
+        if extra is None:
+            raise
+        advice = [f"install it with `pip install 'nhc[{extra}]'`"]
+        raise Failure(f"`{method}` needs {error.name}, which is not installed", advice) from error
     bar.clear()
     for note in found.notes:
         say(f"note: {note}")

@@ -16,8 +16,10 @@ from nhc.mechanics.resolve import resolve
 from nhc.mechanics.scenes import start_of
 from nhc.simulate.methods import DEFAULT, RUNGE_KUTTA, STRUCTURE
 from nhc.simulate.methods.tableau import Collocation
+from nhc.simulate.peers import SUNDIALS, WITH_JACOBIAN
 from nhc.simulate.prepare import Job, prepare
 from nhc.simulate.project import projected_start
+from nhc.simulate.reduced import prepare_reduced
 
 _EVENT = "until"
 
@@ -50,7 +52,7 @@ def open_scene(
     spec = decode(source)
     chosen = find_scene(spec, scene)
     wanted = tuple(dict.fromkeys(find_need(spec, need) for need in needs))
-    if until and method in STRUCTURE:
+    if until and (method in STRUCTURE or method in SUNDIALS):
         raise RunError(f"the method `{method}` does not look for events", ("take dop853 with `--until`",))
     if until:
         tree = parse_event(spec, until)
@@ -66,8 +68,10 @@ def open_scene(
     form = formulate(system, formulation)
     equations = equations_of(system, form)
     start, notes = projected_start(system, chosen) if project else (start_of(system, chosen), ())
-    implicit = method in RUNGE_KUTTA and isinstance(RUNGE_KUTTA[method], Collocation)
-    job = prepare(equations, form, start, wanted, event, implicit, natural, hold, checks)
+    implicit = method in WITH_JACOBIAN or isinstance(RUNGE_KUTTA.get(method), Collocation)
+    plain = not (wanted or until or natural or checks)  # else more is asked for than the scene needs
+    reduced = prepare_reduced(equations, form, start, implicit) if plain else None
+    job = reduced or prepare(equations, form, start, wanted, event, implicit, natural, hold, checks)
     job = replace(job, notes=notes)
     lacking = job.structure.lacking
     if natural and not lacking and STRUCTURE[method].constant_mass and not job.structure.constant_mass:

@@ -13,6 +13,7 @@ from nhc.simulate.compiled import CompiledModel
 from nhc.simulate.interpreted import InterpretedModel
 from nhc.simulate.methods import DEFAULT, RUNGE_KUTTA, STRUCTURE, is_adaptive
 from nhc.simulate.natural import NaturalModel
+from nhc.simulate.peers import PEERS, PeerModel
 from nhc.simulate.prepare import Job
 from nhc.simulate.source import write_source
 from nhc.simulate.task import (
@@ -79,6 +80,8 @@ def load(job: Job, method: str, compiled: bool = True) -> tuple[Model, tuple[str
     notes: tuple[str, ...] = ()
     if method in STRUCTURE:
         return NaturalModel(job.program), ()
+    if method in PEERS:
+        return PeerModel(job.program, job.events), ()
     if compiled:
         try:
             sources = write_source(job.program, [RUNGE_KUTTA[method]], job.events, job.holds)
@@ -104,7 +107,7 @@ def run(job: Job, settings: Settings, show: Show | None = None) -> Trajectory:
     times = list_times(*job.time, settings.points)
     task = Task(job.p, job.y, times, max(SAFETY * tolerance, LEAST_TOLERANCE), settings.step)
     before = time.perf_counter()
-    if settings.step <= 0 and not is_adaptive(settings.method):
+    if settings.step <= 0 and not (is_adaptive(settings.method) or settings.method in PEERS):
         task, more = _find_step(model, task, settings.method, tolerance, show)
         notes += more
     outcome = _integrate(model, task, settings.method, show)

@@ -18,11 +18,12 @@ from typing import Any
 import pytest
 
 from nhc.cli.entry import main
-from nhc.language import read
+from nhc.language import Source, read
 from nhc.report.trajectory import npz_bytes
 from nhc.simulate.compile import CompileError, build, cache_folder
 from nhc.simulate.methods import METHODS, RUNGE_KUTTA, STRUCTURE, is_adaptive
 from nhc.simulate.opening import RunError, open_scene
+from nhc.simulate.peers import SCIPY
 from nhc.simulate.prepare import Job
 from nhc.simulate.run import Settings, Trajectory, run
 from nhc.simulate.source import write_source
@@ -168,6 +169,31 @@ def test_an_integrator_without_structure_does_drift() -> None:
     assert max(error[-200:]) > 5 * max(error[:200])
 
 
+@pytest.mark.parametrize("method", SCIPY)
+def test_peers_agree(method: str) -> None:
+    """At one tolerance, within what multistep methods make of it."""
+    found = run(job_of("rolling_disk", method, 2.0), Settings(method, 1e-7, points=3))
+    assert found.ended == "done" and not found.compiled
+    exact = last(job_of("rolling_disk", end=2.0), "dop853", tolerance=1e-12)
+    assert distance(list(found.rows[-1]), exact) < 1e-5
+
+
+def test_stiff_equations_need_few_steps() -> None:
+    """C6: drag so strong that an explicit method is bound to steps of 5.6e-6."""
+    spec = """nhc: 1
+system: syrup
+coordinates: [x, y]
+T: x'^2/2 + y'^2/2
+V: y^2/2
+forces: {x: "-5e5*(x' - cos(t))"}
+scenes: {pour: {initial: {y: 1}, time: [0, 10], need: [x, y]}}
+"""
+    found = run(open_scene(Source("syrup.yaml", spec), method="radau5"), Settings("radau5", 1e-6, points=2))
+    assert found.ended == "done" and found.outcome.steps < 10 / 5.6e-6 / 100
+    assert found.rows[-1][0] == pytest.approx(math.sin(10), abs=1e-5)
+    assert found.rows[-1][1] == pytest.approx(math.cos(10), abs=1e-5)
+
+
 # --- the command --------------------------------------------------------------------------------------------
 
 
@@ -249,6 +275,20 @@ def test_no_run_across_a_singular_block(how: tuple[str, ...], capsys: pytest.Cap
     """C4: the sleigh heads along y once; solved for y' it must stop there."""
     code, out, err = call(capsys, "chaplygin_sleigh", "-f", "voronec", *how)
     assert (code, out) == (3, "") and "cannot be solved for y'" in err and "theta = 1.57079633" in err
+
+
+def test_an_inconsistent_start_is_refused_or_projected(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    spec = tmp_path / "skid.yaml"
+    text = spec_path("chaplygin_sleigh").read_text()
+    spec.write_text(text.replace("{theta: 0.1, v: 1, w: 0.5}", "{theta: 0, x': 1, y': 0.1, theta': 0.5}"))
+    arguments = [str(spec), "--scene", "glide", "--points", "2", "--need", "x',y',theta'"]
+    code, out, err = call(capsys, *arguments)
+    assert (code, out) == (1, "") and "violate the constraints by 0.1" in err
+    code, out, err = call(capsys, *arguments, "--project")
+    assert code == 0 and "y' 0.1 -> 0" in err and "energy changes from" in err
+    # m = 1, J = 1/2, a = 7/10: y' + a theta' is what the impulse at the edge leaves to the spin
+    turned = 0.5 + 0.1 * 0.7 / (0.5 + 0.49)
+    assert table(out)[1][0] == pytest.approx([0.0, 1.0, 0.0, turned], abs=1e-14)
 
 
 def test_files_of_each_kind(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -13,6 +13,7 @@ from nhc.simulate.methods import METHODS, RUNGE_KUTTA, STRUCTURE, is_adaptive
 from nhc.simulate.methods.linear import solve
 from nhc.simulate.methods.loop import integrate
 from nhc.simulate.methods.tableau import Collocation, Explicit
+from nhc.simulate.peers import PEERS
 from nhc.simulate.task import CROSSED, DONE, EVENT, NO_SOLUTION, SINGULAR, STOPPED, TOO_MANY, UNDERFLOW, News, Task
 
 EXPLICIT = [m for m in RUNGE_KUTTA.values() if isinstance(m, Explicit)]
@@ -20,7 +21,7 @@ IMPLICIT = [m for m in RUNGE_KUTTA.values() if isinstance(m, Collocation)]
 
 
 def test_the_command_line_offers_exactly_the_methods() -> None:
-    assert OFFERED == METHODS
+    assert (*METHODS, *PEERS) == OFFERED
 
 
 def test_every_method_has_a_file_with_its_citation() -> None:

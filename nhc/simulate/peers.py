@@ -1,0 +1,115 @@
+"""Solvers from elsewhere over the emitted Python: peers to compare with, and multistep methods.
+
+They need the extras ``sim`` (SciPy: P. Virtanen et al., Nature Methods 17 (2020) 261-272) and ``sundials`` (CVODE:
+A. C. Hindmarsh et al., ACM Trans. Math. Softw. 31 (2005) 363-396).  They know nothing of nhc's alarms and bring no
+state back to the constraints.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from nhc.simulate.interpreted import InterpretedModel
+from nhc.simulate.task import DONE, EVENT, SINGULAR, STOPPED, UNDERFLOW, News, Outcome, Task
+
+SCIPY = {
+    "scipy-dop853": "DOP853",
+    "scipy-rk45": "RK45",
+    "scipy-radau": "Radau",
+    "scipy-bdf": "BDF",
+    "scipy-lsoda": "LSODA",
+}
+SUNDIALS = {"cvode-adams": "Adams", "cvode-bdf": "BDF"}
+PEERS = (*SCIPY, *SUNDIALS)
+WITH_JACOBIAN = ("scipy-radau", "scipy-bdf", "scipy-lsoda", "cvode-bdf")
+
+
+class _Stopped(Exception):
+    """The one who waits asked to stop."""
+
+
+class PeerModel(InterpretedModel):
+    """The emitted Python under a solver from elsewhere, with that solver's own step control and interpolation."""
+
+    def integrate(self, task: Task, method: str, news: News) -> Outcome:
+        """Run it; the absolute tolerance is the relative one times each component's size at the start (at least 1e-3 of all).
+
+        Raises:
+            ModuleNotFoundError: the library is not installed.
+        """
+        reached = [task.times[0], list(task.y)]
+
+        def rhs(t: float, y: Any) -> list[float]:
+            if news.stop:
+                raise _Stopped
+            values = self.rhs(t, y, task.p)
+            news.t = t
+            reached[:] = [t, [float(x) for x in y]]
+            return values
+
+        size = max((abs(x) for x in task.y), default=0.0) or 1.0
+        absolute = [task.tolerance * max(abs(x), 1e-3 * size) for x in task.y]
+        run = self._scipy if method in SCIPY else self._cvode
+        try:
+            return run(task, method, rhs, absolute)
+        except _Stopped:
+            return _leave(STOPPED, 0, reached, task)
+        except ArithmeticError as error:
+            return _leave(SINGULAR, getattr(error, "status", 0), reached, task)
+
+    def _scipy(self, task: Task, method: str, rhs: Callable[..., Any], absolute: list[float]) -> Outcome:
+        from scipy.integrate import solve_ivp
+
+        def watch(t: float, y: Any) -> float:
+            return self.watch(t, y, task.p)[0]
+
+        def slopes(t: float, y: Any) -> list[list[float]]:
+            return self.jacobian(t, y, task.p)
+
+        watch.terminal = True  # type: ignore[attr-defined]
+        found = solve_ivp(
+            rhs,
+            (task.times[0], task.times[-1]),
+            list(task.y),
+            method=SCIPY[method],
+            t_eval=list(task.times),
+            rtol=max(task.tolerance, 2.3e-14),
+            atol=absolute,
+            events=watch if self.events else None,
+            **({"jac": slopes} if method in WITH_JACOBIAN else {}),
+        )
+        states = [[float(x) for x in row] for row in found.y.T]
+        kind = {0: DONE, 1: EVENT}.get(int(found.status), UNDERFLOW)
+        t, y = (float(found.t[-1]), states[-1]) if states else (task.times[0], list(task.y))
+        if kind == EVENT:
+            t, y = float(found.t_events[0][0]), [float(x) for x in found.y_events[0][0]]
+        return Outcome(kind, 0, t, y, 0.0, len(states), 0, int(found.nfev), int(found.njev), states)
+
+    def _cvode(self, task: Task, method: str, rhs: Callable[..., Any], absolute: list[float]) -> Outcome:
+        from sksundae.cvode import CVODE
+
+        def fill(t: float, y: Any, slope: Any) -> None:
+            slope[:] = rhs(t, y)
+
+        def slopes(t: float, y: Any, slope: Any, jacobian: Any) -> None:
+            jacobian[:, :] = self.jacobian(t, y, task.p)
+
+        times = list(task.times)
+        if len(times) == 2:  # two times mean "every step" to it
+            times.insert(1, 0.5 * (times[0] + times[1]))
+        options = {"method": SUNDIALS[method], "rtol": task.tolerance, "atol": absolute, "max_num_steps": 1_000_000}
+        solver = CVODE(fill, **({"jacfn": slopes} if method in WITH_JACOBIAN else {}), **options)
+        found = solver.solve(times, list(task.y))
+        states = [[float(x) for x in row] for row in found.y]
+        if len(task.times) == 2 and len(states) == 3:
+            del states[1]
+        kind = DONE if found.success else UNDERFLOW
+        return Outcome(
+            kind, 0, float(found.t[-1]), states[-1], 0.0, len(states), 0, int(found.nfev), int(found.njev), states
+        )
+
+
+def _leave(kind: int, status: int, reached: list[Any], task: Task) -> Outcome:
+    """SciPy gives nothing back of what it had: the start, and where it was."""
+    return Outcome(kind, status, reached[0], reached[1], 0.0, states=[list(task.y)])
