@@ -34,6 +34,9 @@ if TYPE_CHECKING:
     from nhc.mechanics.certificate import Certificate
     from nhc.program.paper import Derivation
     from nhc.program.scene_model import SceneModel
+    from nhc.study.chart.case import Study
+    from nhc.study.chart.grid import Grid
+    from nhc.study.chart.study import Show
     from nhc.study.motion import Findings, Request
     from nhc.study.stability.laboratory import Laboratory, Question
 

@@ -1,0 +1,157 @@
+"""``nhc chart``: which equations and which method give which accuracy in which time?"""
+
+from __future__ import annotations
+
+import math
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from nhc.cli.options import FORMULATIONS, json_option, specs_argument
+from nhc.cli.specs import open_spec
+from nhc.cli.terminal import Exit, Failure, put, say
+
+if TYPE_CHECKING:
+    from nhc.study.chart.case import Study
+
+# nhc.simulate.methods.RUNGE_KUTTA again, which takes too long to import for a help text; a test holds them equal
+METHODS = ("dop853", "dopri5", "rk4", "radau5", "gauss4", "gauss6", "midpoint")
+LANGUAGES = ("c", "python")
+KINDS = (".svg", ".html", ".json", ".md")
+
+
+def _names(value: str | None, known: tuple[str, ...], what: str) -> tuple[str, ...]:
+    names = tuple(dict.fromkeys(name.strip() for name in (value or "").split(",") if name.strip()))
+    for name in names:
+        if name not in known:
+            raise click.BadParameter(f"no {what} `{name}`; it can be {', '.join(known)}")
+    return names
+
+
+def _formulations(context: click.Context, parameter: click.Parameter, value: str | None) -> tuple[str, ...]:
+    return _names(value, FORMULATIONS, "formulation")
+
+
+def _methods(context: click.Context, parameter: click.Parameter, value: str | None) -> tuple[str, ...]:
+    return _names(value, METHODS, "method")
+
+
+def _languages(context: click.Context, parameter: click.Parameter, value: str | None) -> tuple[str, ...]:
+    return _names(value, LANGUAGES, "language")
+
+
+def _needs(context: click.Context, parameter: click.Parameter, value: str | None) -> tuple[str, ...]:
+    return tuple(name.strip() for name in (value or "").split(",") if name.strip())
+
+
+def _tolerances(context: click.Context, parameter: click.Parameter, value: str | None) -> tuple[float, ...]:
+    found = []
+    for text in (value or "").split(","):
+        if not text.strip():
+            continue
+        try:
+            number = float(text)
+        except ValueError:
+            raise click.BadParameter(f"`{text.strip()}` is no number") from None
+        if not (1e-15 <= number < 1 and math.isfinite(number)):
+            raise click.BadParameter(f"`{text.strip()}` is no tolerance: from 1e-15 to less than 1")
+        found.append(number)
+    return tuple(dict.fromkeys(found))
+
+
+@click.command("chart")
+@specs_argument
+@click.option("--scene", metavar="NAME", default="", help="The scene to chart; default: the first.")
+@click.option(
+    "--need", "needs", metavar="A,B", callback=_needs, help="What the error is taken of; default: the scene's need."
+)
+@click.option("--formulations", metavar="F,...", callback=_formulations, help="Default: all that apply.")
+@click.option("--methods", metavar="M,...", callback=_methods, help="Default: dop853, dopri5, rk4, radau5, gauss6.")
+@click.option("--langs", "languages", metavar="L,...", callback=_languages, help="Default: c,python.")
+@click.option("--tolerances", metavar="T,...", callback=_tolerances, help="Default: 1e-2, 1e-3, ... 1e-13.")
+@click.option(
+    "--no-peers", is_flag=True, help="Leave out other integrators (SciPy, heyoka), even where they are installed."
+)
+@click.option("-o", "output", metavar="FILE|DIR", help="A .svg, .html, .json or .md file, or a folder for all four.")
+@click.option("--force", is_flag=True, help="Overwrite files that exist.")
+@json_option
+def command(
+    specs: tuple[str, ...],
+    scene: str,
+    needs: tuple[str, ...],
+    formulations: tuple[str, ...],
+    methods: tuple[str, ...],
+    languages: tuple[str, ...],
+    tolerances: tuple[float, ...],
+    no_peers: bool,
+    output: str | None,
+    force: bool,
+    as_json: bool,
+) -> int:
+    """Chart time against error and recommend equations and a method.
+
+    Runs a scene by every formulation, method, language and tolerance, measures errors against a reference of much higher
+    accuracy, and says which is the fastest for which accuracy, and why.  Without `-o` it prints Markdown.
+    """
+    target = _check_target(output, len(specs), as_json)
+    sources = [open_spec(spec) for spec in specs]
+    from nhc import pipeline
+    from nhc.simulate.opening import RunError
+    from nhc.study.chart.grid import Grid
+    from nhc.study.chart.reference import NoReference
+
+    grid = Grid(scene, needs, formulations, methods, languages, tolerances, not no_peers)
+    for source in sources:
+        try:
+            study = pipeline.chart(source, grid, _show)
+        except RunError as error:
+            raise Failure(str(error), error.help) from error
+        except NoReference as error:
+            raise Failure(str(error), ["`nhc run` says where the scene fails"], exit=Exit.NUMERICAL) from error
+        _deliver(study, target, as_json, force)
+    return Exit.DONE
+
+
+def _show(part: float, what: str) -> None:
+    """Progress, on a terminal only."""
+    if sys.stderr.isatty():
+        sys.stderr.write(f"\r{100 * part:3.0f} %  {what:40}" if part < 1 else "\r" + " " * 50 + "\r")
+        sys.stderr.flush()
+
+
+def _check_target(output: str | None, count: int, as_json: bool) -> Path | None:
+    """The file or folder to write to; None for stdout."""
+    if as_json and output is not None:
+        raise click.UsageError("`--json` prints to stdout; name a .json file after `-o` instead")
+    if as_json and count > 1:
+        raise click.UsageError("`--json` takes one SPEC; name a folder after `-o`")
+    if output is None or output == "-":
+        return None
+    path = Path(output)
+    if path.suffix in KINDS and not path.is_dir():
+        if count > 1:
+            raise click.UsageError("several specs need a folder after `-o`")
+        return path
+    if path.suffix or path.is_file():
+        raise click.UsageError(f"`{output}` should be a folder, or end in {', '.join(KINDS)}")
+    return path
+
+
+def _deliver(study: Study, target: Path | None, as_json: bool, force: bool) -> None:
+    from nhc.report.chart_file import make_file
+
+    for note in study.notes:
+        say(f"note: {note}")
+    if target is None:
+        put(make_file(study, ".json" if as_json else ".md"))
+        return
+    from nhc.cli.write import refuse_to_overwrite, write_files
+
+    stem = f"{study.system}_{study.scene}_chart"
+    paths = [target] if target.suffix in KINDS else [target / f"{stem}{kind}" for kind in KINDS]
+    files = {path: make_file(study, path.suffix) for path in paths}
+    if not force:
+        refuse_to_overwrite(files, edited_only=False)
+    write_files(files)

@@ -1,0 +1,202 @@
+"""A work-precision study as one picture."""
+
+from __future__ import annotations
+
+import math
+
+from nhc.report.marks import draw_box, draw_cross, draw_line, draw_marker, draw_text
+from nhc.report.panel import Panel, Style, draw_panel, style_of
+from nhc.study.chart.advice import NAMES, duration
+from nhc.study.chart.case import RESOLVED, Result, Study
+
+WIDTH, LEFT = 1060, 74
+MAIN_WIDTH, MAIN_HEIGHT = 800, 500
+SMALL_WIDTH, SMALL_HEIGHT = 425, 260
+SMALLEST = 4.0
+BOLD = ' font-weight="bold"'
+
+
+def draw_study(study: Study) -> str:
+    """The whole SVG document: the same text for the same study."""
+    style = style_of(study)
+    legend, below = _draw_legend(study, style, 52)
+    top = below + 30
+    floor = RESOLVED * study.reference.error
+    main = Panel(
+        "time against error at the end",
+        "error at the end, relative to each quantity's largest magnitude",
+        "time of one run (s), the fastest of the repeats",
+        lambda r: r.error,
+        lambda r: r.best,
+        *(LEFT, top, MAIN_WIDTH, MAIN_HEIGHT, floor, True),
+    )
+    parts = [*legend, *draw_panel(main, study, style), *_draw_hint(main), *_draw_strip(main, study, style)]
+    at = top + MAIN_HEIGHT + 82
+    for k, panel in enumerate(_small_panels(at, floor)):
+        parts += draw_panel(panel, study, style)
+        if k == len(_small_panels(at, floor)) - 1:
+            at = panel.top + panel.height + 80
+    bars, height = _draw_costs(study, at)
+    parts += bars
+    parts += _draw_foot(study, height + 30)
+    total = height + 84
+    title = f"{study.system}, scene {study.scene}: work against precision"
+    return (
+        f'<svg xmlns="http://www.w3.org/2000/svg" width="{WIDTH}" height="{total:.0f}" '
+        f'viewBox="0 0 {WIDTH} {total:.0f}" font-family="sans-serif" font-size="12">\n'
+        + "\n".join(
+            [
+                draw_box(0, 0, WIDTH, total, "#ffffff"),
+                draw_text(WIDTH / 2, 26, title, "middle", ' font-size="17" font-weight="bold"'),
+                *parts,
+            ]
+        )
+        + "\n</svg>\n"
+    )
+
+
+def _small_panels(top: float, floor: float) -> tuple[Panel, ...]:
+    second, lower, seconds = LEFT + SMALL_WIDTH + 108, top + SMALL_HEIGHT + 82, "time of one run (s)"
+    size = (SMALL_WIDTH, SMALL_HEIGHT)
+    grid = "root mean square of the relative errors on the output grid"
+    energy = "largest energy error, relative to the energy"
+    calls = "right-hand sides"
+    end = "error at the end, relative"
+
+    def work(result: Result) -> float:
+        return float(result.calls)
+
+    return (
+        Panel(
+            "error along the motion", grid, seconds, lambda r: r.grid_error, lambda r: r.best, LEFT, top, *size, floor
+        ),
+        Panel("energy", energy, seconds, lambda r: r.energy, lambda r: r.best, second, top, *size),
+        Panel(
+            "constraints (exact zeros do not show)",
+            "largest left side of a constraint",
+            seconds,
+            lambda r: r.residual,
+            lambda r: r.best,
+            *(LEFT, lower, *size),
+        ),
+        Panel("work without the clock", end, calls, lambda r: r.error, work, second, lower, *size, floor),
+    )
+
+
+def _draw_legend(study: Study, style: Style, top: float) -> tuple[list[str], float]:
+    """Three rows: colours, shapes, dashes; never on the data."""
+    parts: list[str] = []
+    rows = (("method", style.methods), ("equations", style.formulations), ("run by", style.languages))
+    at = top
+    for kind, names in rows:
+        x = LEFT + 78.0
+        parts.append(draw_text(LEFT, at, kind, more=BOLD))
+        for name in names:
+            label = NAMES.get(name, name) if kind == "run by" else name
+            if x + 40 + 7.4 * len(label) > WIDTH - 20:
+                x, at = LEFT + 78.0, at + 20
+            parts += _draw_key(kind, name, label, x, at, style)
+            x += 48 + 7.4 * len(label)
+        at += 20
+    x = LEFT + 78
+    parts.append(draw_text(LEFT, at, "marks", more=BOLD))
+    parts.append(draw_marker("circle", x + 6, at - 4, 4, "#444444", True))
+    parts.append(draw_text(x + 18, at, f"hollow, on grey: below {RESOLVED:.0f} times the reference's own error"))
+    parts.append(draw_cross(x + 386, at - 4, 4, "#444444"))
+    parts.append(draw_text(x + 397, at, "failed"))
+    parts.append(draw_line(x + 452, at - 4, x + 478, at - 4, "#cccccc", ' stroke-width="9" stroke-linecap="round"'))
+    parts.append(draw_text(x + 490, at, "nothing beats these in both error and time"))
+    return parts, at
+
+
+def _draw_key(kind: str, name: str, label: str, x: float, y: float, style: Style) -> list[str]:
+    text = draw_text(x + 32, y, label)
+    if kind == "method":
+        return [draw_line(x, y - 4, x + 26, y - 4, style.colour(name), ' stroke-width="3"'), text]
+    if kind == "equations":
+        return [draw_marker(style.shape(name), x + 18, y - 4, 4.4, "#444444"), text]
+    dash = style.dash(name)
+    more = ' stroke-width="1.8"' + (f' stroke-dasharray="{dash}"' if dash else "")
+    return [draw_line(x - 4, y - 4, x + 26, y - 4, "#444444", more), text]
+
+
+def _draw_hint(panel: Panel) -> list[str]:
+    """Which way is better, in the corner where no case can be."""
+    x, y = panel.left + 14, panel.top + panel.height - 14
+    arrow = f"M{x + 24:.2f} {y - 24:.2f}L{x:.2f} {y:.2f}M{x:.2f} {y - 9:.2f}L{x:.2f} {y:.2f}L{x + 9:.2f} {y:.2f}"
+    return [
+        f'<path d="{arrow}" fill="none" stroke="#555555" stroke-width="2"/>',
+        draw_text(x + 30, y - 4, "down and left is better", colour="#555555", more=' font-style="italic"'),
+    ]
+
+
+def _draw_strip(panel: Panel, study: Study, style: Style) -> list[str]:
+    """Beside the plot: a cross for each line of cases with failures, and how many of its runs failed."""
+    failed: dict[tuple[str, str, str], list[tuple[int, Result]]] = {}
+    counts: dict[tuple[str, str, str], int] = {}
+    for k, result in enumerate(study.results):
+        counts[result.case.series] = counts.get(result.case.series, 0) + 1
+        if result.failed:
+            failed.setdefault(result.case.series, []).append((k, result))
+    if not failed:
+        return []
+    left = panel.left + panel.width + 14
+    width = WIDTH - left - 14
+    space = min(19.0, (panel.height - 12) / len(failed))
+    size = f' font-size="{min(12.0, max(5.0, space - 3)):.1f}"'
+    parts = [
+        draw_text(left, panel.top - 9, "failed runs", more=BOLD),
+        draw_box(left, panel.top, width, panel.height, "#fafafa", "#bbbbbb"),
+    ]
+    for row, (series, results) in enumerate(failed.items()):
+        formulation, method, language = series
+        y = panel.top + 6 + space * (row + 0.5)
+        k, result = results[0]
+        colour = style.colour(method)
+        parts.append(f'<g class="{style.classes(result)}">')
+        parts.append(draw_cross(left + 12, y, min(4.0, space / 3), colour, f' class="point" data-k="{k}"'))
+        parts.append(draw_marker(style.shape(formulation), left + 27, y, min(SMALLEST, space / 3), colour))
+        text = f"{method}, {NAMES.get(language, language)}"
+        parts.append(draw_text(left + 38, y + 4, text, more=size))
+        share = "all" if len(results) == counts[series] else f"{len(results)}/{counts[series]}"
+        parts.append(draw_text(left + width - 6, y + 4, share, "end", size))
+        parts.append("</g>")
+    return parts
+
+
+def _draw_costs(study: Study, top: float) -> tuple[list[str], float]:
+    """One right-hand side of each formulation: bars of time, and where they end."""
+    x, width = LEFT + 70.0, MAIN_WIDTH - 100.0
+    parts = [draw_text(LEFT, top - 9, "time of one right-hand side", more=BOLD)]
+    pairs = (("c", "#0072b2"), ("python", "#e69f00"))
+    times = [t for cost in study.costs for t in (cost.c, cost.python) if math.isfinite(t)]
+    low = math.floor(math.log10(min(times, default=1e-9)) - 0.3)
+    high = math.ceil(math.log10(max(times, default=1e-6)) + 1e-9)
+    at = top + 4
+    for cost in study.costs:
+        parts.append(draw_text(x - 8, at + 13, cost.formulation, "end"))
+        for (language, colour), value in zip(pairs, (cost.c, cost.python), strict=True):
+            if not math.isfinite(value):
+                continue
+            length = max(width * (math.log10(value) - low) / max(high - low, 1), 1.0)
+            parts.append(draw_box(x + 10, at, length, 14, colour, more=' fill-opacity="0.85"'))
+            words = f"{NAMES[language]}: {duration(value)}"
+            more = f", {cost.operations}, {cost.states} states" if language == "c" else ""
+            parts.append(draw_text(x + 16 + length, at + 11, words + more, more=' font-size="11"'))
+            at += 16
+        at += 8
+    parts.append(draw_text(x + 10, at + 8, "the bars are logarithmic", colour="#666666", more=' font-size="11"'))
+    return parts, at + 8
+
+
+def _draw_foot(study: Study, y: float) -> list[str]:
+    """Method, tolerance, reference and machine of the numbers above."""
+    about = study.reference
+    lines = (
+        f"reference: {about.method} in {about.arithmetic}, confirmed by {about.confirmed_by}; they differ by {about.error:.1e}",
+        f"machine: {study.machine.line}",
+    )
+    return [
+        draw_text(LEFT - 54, y + 17 * k, line, more=' font-size="10.5"', colour="#555555")
+        for k, line in enumerate(lines)
+    ]

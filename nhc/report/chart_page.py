@@ -1,0 +1,76 @@
+"""A work-precision study as a page of its own, without anything from elsewhere."""
+
+from __future__ import annotations
+
+import json
+from html import escape
+
+from nhc.emit.environment import create_environment
+from nhc.report.chart import draw_study
+from nhc.report.chart_text import list_failures, provenance, runs_of, times_to_targets
+from nhc.report.panel import Style, style_of
+from nhc.study.chart.advice import NAMES, TARGETS, advise, duration, setting, spell_power
+from nhc.study.chart.case import Result, Study
+from nhc.version import __version__
+
+
+def make_page(study: Study) -> str:
+    """The picture with readings under the pointer and choices of what shows, the recommendations, all cases."""
+    style = style_of(study)
+    context: dict[str, object] = {
+        "title": escape(f"{study.system}, scene {study.scene}: work against precision"),
+        "about": escape(study.about),
+        "advice": [(spell_power(a.target), escape(a.text)) for a in advise(study)],
+        "chart": draw_study(study),
+        "choices": list_choices(style),
+        "targets": [spell_power(target) for target in TARGETS],
+        "times": [
+            (
+                [escape(series[0]), escape(series[1]), escape(NAMES.get(series[2], series[2]))],
+                list(map(duration, times)),
+            )
+            for series, times in times_to_targets(study)
+        ],
+        "failures": [(escape(what), escape(why), runs_of(count)) for what, why, count in list_failures(study)],
+        "left_out": [(escape(what), escape(why)) for what, why in study.left_out],
+        "sources": [escape(line) for line in provenance(study)],
+        "cases": [[escape(cell) for cell in describe(result)] for result in study.results],
+        "data": json.dumps([read_out(r) for r in study.results], ensure_ascii=False).replace("<", "\\u003c"),
+        "version": __version__,
+    }
+    return create_environment().get_template("html/chart.html.jinja").render(context)
+
+
+def list_choices(style: Style) -> list[tuple[str, list[tuple[str, str]]]]:
+    """(kind, [(class, name)]) of everything that can be hidden."""
+    kinds = (("method", "m", style.methods), ("equations", "f", style.formulations), ("run by", "l", style.languages))
+    return [
+        (kind, [(f"{letter}{k}", escape(NAMES.get(name, name))) for k, name in enumerate(names)])
+        for kind, letter, names in kinds
+    ]
+
+
+def describe(result: Result) -> list[str]:
+    """A row of the table of all cases."""
+    case = result.case
+    head = [case.formulation, case.method, NAMES.get(case.language, case.language), setting(case)]
+    if result.failed:
+        return [*head, f"failed: {result.failed}", "", "", "", "", "", ""]
+    numbers = [f"{x:.1e}" for x in (result.error, result.grid_error, result.energy, result.residual)]
+    error = numbers[0] + (" (not resolved)" if result.unresolved else "")
+    return [*head, error, *numbers[1:], str(result.calls), duration(result.best), duration(result.median)]
+
+
+def read_out(result: Result) -> str:
+    """What the pointer reads."""
+    case = result.case
+    head = f"{case.formulation}, {case.method}, {NAMES.get(case.language, case.language)}, {setting(case)}"
+    if result.failed:
+        return f"{head}\nfailed: {result.failed}"
+    lines = (
+        f"error at the end {result.error:.2e}, along the motion {result.grid_error:.2e}",
+        f"energy {result.energy:.1e}, constraints {result.residual:.1e}",
+        f"fastest {duration(result.best)}, median {duration(result.median)} of {result.repeats}",
+        f"{result.calls} right-hand sides, {result.steps} steps, {result.rejected} rejected",
+    )
+    return "\n".join((head, *lines))

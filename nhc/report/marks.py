@@ -1,0 +1,47 @@
+"""Markers that are told apart by their shape, and small SVG elements."""
+
+from __future__ import annotations
+
+from html import escape
+
+SHAPES = ("circle", "square", "up", "diamond", "down", "hexagon")
+_POINTS = {
+    "square": ((-1, -1), (1, -1), (1, 1), (-1, 1)),
+    "up": ((0, -1.3), (1.2, 0.9), (-1.2, 0.9)),
+    "down": ((0, 1.3), (1.2, -0.9), (-1.2, -0.9)),
+    "diamond": ((0, -1.4), (1.4, 0), (0, 1.4), (-1.4, 0)),
+    "hexagon": ((-1.2, 0), (-0.6, -1.1), (0.6, -1.1), (1.2, 0), (0.6, 1.1), (-0.6, 1.1)),
+}
+
+
+def draw_marker(shape: str, x: float, y: float, size: float, colour: str, hollow: bool = False, more: str = "") -> str:
+    """A marker about a point; a hollow one is white inside."""
+    fill = "#ffffff" if hollow else colour
+    look = f'fill="{fill}" stroke="{colour}" stroke-width="1.3"{more}'
+    if shape == "circle":
+        return f'<circle cx="{x:.2f}" cy="{y:.2f}" r="{size:.2f}" {look}/>'
+    points = " ".join(f"{x + a * size:.2f},{y + b * size:.2f}" for a, b in _POINTS[shape])
+    return f'<polygon points="{points}" {look}/>'
+
+
+def draw_cross(x: float, y: float, size: float, colour: str, more: str = "") -> str:
+    """A cross: a run that failed."""
+    a, b, c, d = x - size, y - size, x + size, y + size
+    path = f"M{a:.2f} {b:.2f}L{c:.2f} {d:.2f}M{a:.2f} {d:.2f}L{c:.2f} {b:.2f}"
+    return f'<path d="{path}" fill="none" stroke="{colour}" stroke-width="2"{more}/>'
+
+
+def draw_line(x1: float, y1: float, x2: float, y2: float, colour: str, more: str = "") -> str:
+    """A straight line."""
+    return f'<line x1="{x1:.2f}" y1="{y1:.2f}" x2="{x2:.2f}" y2="{y2:.2f}" stroke="{colour}"{more}/>'
+
+
+def draw_text(x: float, y: float, text: str, anchor: str = "start", more: str = "", colour: str = "#222222") -> str:
+    """Text whose base line stands at y."""
+    return f'<text x="{x:.2f}" y="{y:.2f}" text-anchor="{anchor}" fill="{colour}"{more}>{escape(text)}</text>'
+
+
+def draw_box(x: float, y: float, width: float, height: float, fill: str, stroke: str = "none", more: str = "") -> str:
+    """A rectangle."""
+    place = f'x="{x:.2f}" y="{y:.2f}" width="{width:.2f}" height="{height:.2f}"'
+    return f'<rect {place} fill="{fill}" stroke="{stroke}"{more}/>'

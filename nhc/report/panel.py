@@ -1,0 +1,157 @@
+"""One panel of a work-precision chart: lines of cases on two logarithmic axes."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+from nhc.report.marks import SHAPES, draw_box, draw_line, draw_marker, draw_text
+from nhc.report.svg import COLOURS
+from nhc.report.ticks import Scale, log_scale
+from nhc.study.chart.case import Result, Study
+
+DASHES = {"c": "", "python": "7 4", "scipy": "2 3"}
+OTHER_DASH = "9 3 2 3"
+SIZE = 3.4
+Value = Callable[[Result], float]
+
+
+@dataclass(frozen=True)
+class Style:
+    """Colours say the method, shapes the formulation, dashes the language."""
+
+    methods: tuple[str, ...]
+    formulations: tuple[str, ...]
+    languages: tuple[str, ...]
+
+    def colour(self, method: str) -> str:
+        return COLOURS[self.methods.index(method) % len(COLOURS)]
+
+    def shape(self, formulation: str) -> str:
+        return SHAPES[self.formulations.index(formulation) % len(SHAPES)]
+
+    def dash(self, language: str) -> str:
+        return DASHES.get(language, OTHER_DASH)
+
+    def classes(self, result: Result) -> str:
+        """Class names by which a page shows and hides."""
+        case = result.case
+        places = (self.methods.index(case.method), self.formulations.index(case.formulation))
+        return f"m{places[0]} f{places[1]} l{self.languages.index(case.language)}"
+
+
+def style_of(study: Study) -> Style:
+    """What a study's cases are told apart by, in the order in which they come."""
+    cases = [result.case for result in study.results]
+    return Style(
+        tuple(dict.fromkeys(c.method for c in cases)),
+        tuple(dict.fromkeys(c.formulation for c in cases)),
+        tuple(dict.fromkeys(c.language for c in cases)),
+    )
+
+
+@dataclass(frozen=True)
+class Panel:
+    """Where a panel stands, in pixels of the whole picture, and what its axes carry.
+
+    ``floor``: errors left of it are not resolved by the reference (0: no such limit).
+    """
+
+    title: str
+    x_label: str
+    y_label: str
+    x: Value
+    y: Value
+    left: float
+    top: float
+    width: float
+    height: float
+    floor: float = 0.0
+    front: bool = False
+
+
+def draw_panel(panel: Panel, study: Study, style: Style) -> list[str]:
+    """The panel's elements; cases without a value on either axis do not show."""
+    shown = [
+        (k, r) for k, r in enumerate(study.results) if not r.failed and _is_good(panel.x(r)) and _is_good(panel.y(r))
+    ]
+    xs, ys = [panel.x(r) for _, r in shown], [panel.y(r) for _, r in shown]
+    x = log_scale(min(xs, default=1e-3), max(xs, default=1.0), panel.width, max(3, int(panel.width // 62)))
+    y = log_scale(min(ys, default=1e-3), max(ys, default=1.0), panel.height, max(3, int(panel.height // 34)))
+    parts = _draw_frame(panel, x, y)
+    if not shown:
+        note = draw_text(panel.left + panel.width / 2, panel.top + panel.height / 2, "nothing but zeros", "middle")
+        return [*parts, note]
+    parts += _draw_floor(panel, x)
+    if panel.front:
+        parts += _draw_front(panel, [r for _, r in shown], x, y)
+    lines: dict[tuple[str, str, str], list[tuple[int, Result]]] = {}
+    for k, result in shown:
+        lines.setdefault(result.case.series, []).append((k, result))
+    for line in lines.values():
+        parts += _draw_line(panel, style, line, x, y)
+    return parts
+
+
+def _is_good(value: float) -> bool:
+    return math.isfinite(value) and value > 0
+
+
+def _place(panel: Panel, result: Result, x: Scale, y: Scale) -> tuple[float, float]:
+    return panel.left + x.place(panel.x(result)), panel.top + panel.height - y.place(panel.y(result))
+
+
+def _draw_line(panel: Panel, style: Style, line: Sequence[tuple[int, Result]], x: Scale, y: Scale) -> list[str]:
+    first = line[0][1].case
+    colour, dash = style.colour(first.method), style.dash(first.language)
+    places = [_place(panel, result, x, y) for _, result in line]
+    parts = [f'<g class="{style.classes(line[0][1])}">']
+    if len(places) > 1:
+        path = " ".join(f"{a:.2f},{b:.2f}" for a, b in places)
+        dashes = f' stroke-dasharray="{dash}"' if dash else ""
+        look = f'fill="none" stroke="{colour}" stroke-width="1.4" stroke-linejoin="round"{dashes}'
+        parts.append(f'<polyline points="{path}" {look}/>')
+    for (k, result), (a, b) in zip(line, places, strict=True):
+        more = f' class="point" data-k="{k}"'
+        parts.append(draw_marker(style.shape(first.formulation), a, b, SIZE, colour, result.unresolved, more))
+    return [*parts, "</g>"]
+
+
+def _draw_frame(panel: Panel, x: Scale, y: Scale) -> list[str]:
+    right, bottom = panel.left + panel.width, panel.top + panel.height
+    parts = [draw_text(panel.left, panel.top - 9, panel.title, "start", ' font-weight="bold"')]
+    for place, text in x.ticks:
+        parts.append(draw_line(panel.left + place, panel.top, panel.left + place, bottom, "#e4e4e4"))
+        parts.append(draw_text(panel.left + place, bottom + 16, text, "middle"))
+    for place, text in y.ticks:
+        parts.append(draw_line(panel.left, bottom - place, right, bottom - place, "#e4e4e4"))
+        parts.append(draw_text(panel.left - 6, bottom - place + 4, text, "end"))
+    parts.append(draw_box(panel.left, panel.top, panel.width, panel.height, "none", "#555555"))
+    parts.append(draw_text(panel.left + panel.width / 2, bottom + 33, panel.x_label, "middle"))
+    middle, side = panel.top + panel.height / 2, panel.left - 48
+    turned = f' transform="rotate(-90 {side:.2f} {middle:.2f})"'
+    return [*parts, draw_text(side, middle, panel.y_label, "middle", turned)]
+
+
+def _draw_floor(panel: Panel, x: Scale) -> list[str]:
+    """Grey where the reference does not resolve the errors."""
+    if not panel.floor > 0:
+        return []
+    width = min(max(x.place(panel.floor), 0.0), panel.width)
+    if width < 1:
+        return []
+    return [draw_box(panel.left, panel.top, width, panel.height, "#000000", more=' fill-opacity="0.06"')]
+
+
+def _draw_front(panel: Panel, results: Sequence[Result], x: Scale, y: Scale) -> list[str]:
+    """A broad grey line through the cases that nothing beats in both error and time."""
+    front: list[Result] = []
+    for result in sorted((r for r in results if not r.unresolved), key=lambda r: (panel.y(r), panel.x(r))):
+        if not front or panel.x(result) < panel.x(front[-1]):
+            front.append(result)
+    if len(front) < 2:
+        return []
+    path = " ".join(f"{a:.2f},{b:.2f}" for a, b in (_place(panel, result, x, y) for result in front))
+    look = 'fill="none" stroke="#bbbbbb" stroke-opacity="0.55" stroke-width="9" stroke-linejoin="round"'
+    return [f'<polyline points="{path}" {look} stroke-linecap="round"/>']

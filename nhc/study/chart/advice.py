@@ -1,0 +1,141 @@
+"""Which formulation and method a chart recommends for which accuracy, and why, in words."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+from nhc.study.chart.case import Case, Cost, Result, Study
+
+TARGETS = (1e-3, 1e-6, 1e-9, 1e-12)
+NAMES = {"c": "C", "python": "Python", "scipy": "SciPy"}
+
+
+@dataclass(frozen=True, slots=True)
+class Advice:
+    """``best`` is the fastest case that reaches ``target`` (None: none does); ``text`` says it with its reasons."""
+
+    target: float
+    best: Result | None
+    text: str
+
+
+def advise(study: Study, targets: Sequence[float] = TARGETS) -> tuple[Advice, ...]:
+    """One recommendation for each accuracy, from the study's own numbers alone."""
+    return tuple(_advise(study, target) for target in targets)
+
+
+def fastest(results: Iterable[Result], target: float, floor: float) -> Result | None:
+    """The fastest case that reaches the target together with the reference's own error ``floor``.
+
+    A case that reaches it by luck does not count: all tighter cases of its line must reach it as well.
+    """
+    lines: dict[tuple[str, str, str], list[Result]] = {}
+    for result in results:
+        if not result.failed:
+            lines.setdefault(result.case.series, []).append(result)
+    good: list[Result] = []
+    for line in lines.values():
+        for result in sorted(line, key=lambda r: r.case.tolerance):
+            if not result.error + floor <= target:
+                break
+            good.append(result)
+    return min(good, key=lambda r: (r.best, r.error), default=None)
+
+
+def _advise(study: Study, target: float) -> Advice:
+    floor = study.reference.error
+    own = [r for r in study.results if r.case.language in ("c", "python")]
+    best = fastest(own, target, floor)
+    if best is None:
+        return Advice(target, None, f"no case of this chart reaches {spell_power(target)}{_why_none(study, target)}")
+    case = best.case
+    text = (
+        f"{case.formulation} with {case.method} in {NAMES[case.language]} at {setting(case)}: error {best.error:.1e}, "
+        f"{duration(best.best)} ({best.calls} right-hand sides)"
+    )
+    return Advice(target, best, "; ".join([text, *_reasons(study, best, target)]))
+
+
+def _why_none(study: Study, target: float) -> str:
+    if not study.reference.error < target:
+        return f": the reference itself is known to {study.reference.error:.1e} only"
+    failed = sum(bool(r.failed) for r in study.results)
+    return f" ({failed} of {len(study.results)} cases failed)" if failed else ""
+
+
+def _reasons(study: Study, best: Result, target: float) -> list[str]:
+    """Against the best other method, formulation, language and peer, one change at a time."""
+    case, floor = best.case, study.reference.error
+
+    def rival(same: tuple[bool, bool, bool]) -> Result | None:
+        """The fastest among the cases that share with the best what ``same`` marks and differ in the rest."""
+        chosen = [
+            r
+            for r in study.results
+            if r.case.language in ("c", "python")
+            and all((a == b) == s for a, b, s in zip(r.case.series, case.series, same, strict=True))
+        ]
+        return fastest(chosen, target, floor)
+
+    reasons = []
+    method = rival((True, False, True))
+    if method is not None:
+        work = f"{method.calls} right-hand sides" if method.calls != best.calls else "as many right-hand sides"
+        reasons.append(f"{method.case.method} takes {_times(method, best)} as long ({work})")
+    form = rival((False, True, True))
+    if form is not None:
+        reasons.append(f"{form.case.formulation} takes {_times(form, best)} as long{_why(study.costs, best, form)}")
+    language = rival((True, True, False))
+    if language is not None:
+        reasons.append(f"{NAMES[language.case.language]} takes {_times(language, best)} as long")
+    peer = fastest([r for r in study.results if r.case.language not in ("c", "python")], target, floor)
+    if peer is not None:
+        name = NAMES.get(peer.case.language, peer.case.language)
+        reasons.append(f"{name}'s {peer.case.method} on the same C takes {_times(peer, best)} as long")
+    return reasons
+
+
+def _why(costs: Sequence[Cost], best: Result, other: Result) -> str:
+    """The price of one right-hand side and their number, where they differ."""
+    known = {cost.formulation: cost for cost in costs}
+    a, b = known.get(best.case.formulation), known.get(other.case.formulation)
+    if a is None or b is None:
+        return ""
+    c = best.case.language == "c"
+    first, second = (a.c, b.c) if c else (a.python, b.python)
+    parts = []
+    if math.isfinite(first) and math.isfinite(second):
+        parts.append(f"a right-hand side takes {duration(second)} against {duration(first)}")
+    if a.states != b.states:
+        parts.append(f"{b.states} states against {a.states}")
+    if other.calls != best.calls:
+        parts.append(f"{other.calls} right-hand sides")
+    return f" ({', '.join(parts)})" if parts else ""
+
+
+def _times(a: Result, b: Result) -> str:
+    ratio = a.best / b.best
+    return f"{ratio:.0f} times" if ratio >= 9.95 else f"{ratio:.1f} times"
+
+
+def setting(case: Case) -> str:
+    """The tolerance or the step of a case."""
+    return f"steps of {case.step:.3g}" if case.step > 0 else f"tolerance {spell_power(case.tolerance)}"
+
+
+def spell_power(x: float) -> str:
+    """A power of ten as an axis spells it: 1e-6."""
+    mantissa, exponent = f"{x:.1e}".split("e")
+    return f"{mantissa.removesuffix('.0')}e{int(exponent)}"
+
+
+def duration(seconds: float) -> str:
+    """A time with its unit, two or three digits."""
+    if not math.isfinite(seconds):
+        return "-"
+    for size, unit in ((1.0, "s"), (1e-3, "ms"), (1e-6, "µs")):
+        if seconds >= size:
+            return f"{seconds / size:.3g} {unit}"
+    return f"{seconds / 1e-9:.3g} ns"

@@ -1,0 +1,27 @@
+"""What a chart runs by itself, and what it can be asked for."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+METHODS = ("dop853", "dopri5", "rk4", "radau5", "gauss6")
+LANGUAGES = ("c", "python")
+TOLERANCES = tuple(float(f"1e-{k}") for k in range(2, 14))
+POINTS = 65
+SCOUT = "dop853"  # looks how long a scene is
+PYTHON_STRIDE = 3  # the interpreter takes every third rung of the default ladder
+MOST_PYTHON = 4000  # right-hand sides of an interpreted run that is still worth its time
+
+
+@dataclass(frozen=True, slots=True)
+class Grid:
+    """What to chart; empty: what nhc takes by itself.  ``budget``: seconds for the repeats of one case."""
+
+    scene: str = ""
+    needs: tuple[str, ...] = ()
+    formulations: tuple[str, ...] = ()
+    methods: tuple[str, ...] = ()
+    languages: tuple[str, ...] = ()
+    tolerances: tuple[float, ...] = ()
+    peers: bool = True
+    budget: float = 0.008

@@ -1,0 +1,123 @@
+"""The compiled model of a chart: runs repeated inside C, the right-hand side by itself, reference runs in long double."""
+
+from __future__ import annotations
+
+import ctypes
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from nhc.emit.environment import File, render_file
+from nhc.simulate.compile import build
+from nhc.simulate.compiled import CompiledModel
+from nhc.simulate.methods import RUNGE_KUTTA
+from nhc.simulate.prepare import Job
+from nhc.simulate.source import size, write_source
+from nhc.simulate.task import Task
+from nhc.stamp import PLACEHOLDER
+from nhc.version import __version__
+
+FUNCTIONS = (
+    *("acos", "acosh", "asin", "asinh", "atan", "atan2", "atanh", "cbrt", "ceil", "copysign", "cos", "cosh", "exp"),
+    *("expm1", "fabs", "floor", "fmax", "fmin", "fmod", "hypot", "log", "log10", "log1p", "log2", "nextafter", "pow"),
+    *("round", "sin", "sinh", "sqrt", "tan", "tanh", "trunc"),
+)
+_Number, _Whole = ctypes.c_double, ctypes.c_long
+
+
+def doubles(values: Sequence[float]) -> ctypes.Array[ctypes.c_double]:
+    """An array that C can read."""
+    return (_Number * max(len(values), 1))(*values)
+
+
+def compile_chart(job: Job, methods: Sequence[str]) -> Path:
+    """The library of a formulation with all methods.
+
+    Raises:
+        nhc.simulate.compile.CompileError: no compiler.
+    """
+    name = job.program.system
+    sources = write_source(job.program, [RUNGE_KUTTA[method] for method in methods], job.events, job.holds)
+    context: dict[str, object] = {
+        "head": f"{name}_chart.c: runs for a chart, emitted by nhc {__version__} ({PLACEHOLDER})",
+        "name": name,
+        "methods": tuple(methods),
+    }
+    unit = f"{name}_chart.c"
+    return build(sources | {unit: render_file(File(unit, "c/chart/repeat.c.jinja", context))}, unit)
+
+
+def compile_long(job: Job, methods: Sequence[str]) -> Path:
+    """The library of the same in long double.
+
+    Raises:
+        nhc.simulate.compile.CompileError: no compiler.
+    """
+    name = job.program.system
+    functions = {function.name: function for function in job.program.functions}
+    sources = write_source(job.program, [RUNGE_KUTTA[method] for method in methods], job.events, job.holds)
+    context: dict[str, object] = {
+        "head": f"{name}_long.c: reference runs, emitted by nhc {__version__} ({PLACEHOLDER})",
+        "name": name,
+        "methods": tuple(methods),
+        "functions": FUNCTIONS,
+        "parameters": len(job.p),
+        "needed": size(functions["needed"]),
+    }
+    unit = f"{name}_long.c"
+    return build(sources | {unit: render_file(File(unit, "c/chart/long.c.jinja", context))}, unit)
+
+
+class ChartModel(CompiledModel):
+    """A compiled model that repeats its runs in C."""
+
+    def __init__(self, path: Path, job: Job) -> None:
+        super().__init__(path, job.program.system, len(job.y), len(job.columns) + len(job.checks))
+
+    def repeat(self, task: Task, method: str, count: int) -> None:
+        """The same run ``count`` times, from the first time to the last."""
+        function = getattr(self.library, f"{self.system}_repeat_{method}")
+        ends = doubles((task.times[0], task.times[-1]))
+        numbers = (_Number(task.tolerance), _Number(task.step), _Whole(task.most))
+        function(_Whole(count), doubles(task.p), doubles(task.y), ends, *numbers)
+
+    def repeat_rhs(
+        self, times: Sequence[float], states: Sequence[Sequence[float]], p: Sequence[float], n: int
+    ) -> float:
+        """The right-hand side ``n`` times at each of the states; the sum of its last entries."""
+        function = getattr(self.library, f"{self.system}_repeat_rhs")
+        function.restype = _Number
+        flat, out = doubles([x for state in states for x in state]), doubles([0.0] * self.states)
+        return float(function(_Whole(n), _Whole(len(times)), doubles(times), flat, doubles(p), out))
+
+
+@dataclass(frozen=True)
+class LongRun:
+    """``rows`` of needed columns, or none where the run failed."""
+
+    rows: list[list[float]]
+    steps: int
+
+
+class LongModel:
+    """A model in long double."""
+
+    def __init__(self, path: Path, job: Job) -> None:
+        self.library, self.job = ctypes.CDLL(str(path)), job
+
+    @property
+    def digits(self) -> int:
+        """Binary digits of its numbers: 64 on x86, 53 where long double is double."""
+        return int(getattr(self.library, f"{self.job.program.system}_digits")())
+
+    def integrate(self, method: str, times: Sequence[float], tolerance: float, step: float, most: int) -> LongRun:
+        """A run of one method; fixed steps where ``step`` is positive."""
+        job, steps = self.job, ctypes.c_long(0)
+        width = len(job.columns) + len(job.checks)
+        out = (_Number * max(len(times) * width, 1))()
+        function = getattr(self.library, f"{job.program.system}_long_{method}")
+        numbers = (_Number(tolerance), _Number(step), _Whole(most), _Whole(len(times)))
+        failed = function(*numbers, doubles(times), doubles(job.y), doubles(job.p), out, ctypes.byref(steps))
+        values = list(out[: len(times) * width])
+        rows = [] if failed else [values[k : k + width] for k in range(0, len(values), width)]
+        return LongRun(rows, steps.value)

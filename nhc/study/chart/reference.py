@@ -1,0 +1,100 @@
+"""The reference solution: in long double by one method, confirmed by another."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+from nhc.simulate.interpreted import InterpretedModel
+from nhc.simulate.prepare import Job
+from nhc.simulate.task import DONE, ModelError, Task
+from nhc.study.chart.case import Reference
+from nhc.study.chart.measure import energy_error, sizes_of
+from nhc.study.chart.model import LongModel
+
+METHODS = ("dop853", "radau5", "gauss6")
+LONG_TOLERANCE, TOLERANCE = 1e-17, 1e-14
+MOST = 400_000
+MOST_PYTHON = 20_000
+Solve = Callable[[str, float, float, int], list[list[float]]]  # method, tolerance, step, most steps -> rows or nothing
+
+
+class NoReference(Exception):
+    """No method comes to the end of the scene."""
+
+
+@dataclass(frozen=True)
+class Solution:
+    """``rows`` follow the job's columns, then its checks."""
+
+    rows: list[list[float]]
+    sizes: list[float]
+    about: Reference
+
+
+def make_reference(job: Job, times: Sequence[float], model: LongModel | None) -> Solution:
+    """dop853 far below every tolerance of a chart (radau5 where it fails), compared with gauss6 by halved steps.
+
+    Raises:
+        NoReference: no method comes to the end.
+    """
+    if model is None:
+        solve, arithmetic, tolerance, most = _in_python(job, times), "double, interpreted", TOLERANCE, MOST_PYTHON
+    else:
+        solve, most, digits = _in_long(model, times), MOST, model.digits
+        long = digits > 53
+        arithmetic = f"long double, {digits} binary digits" if long else "double (long double is no longer here)"
+        tolerance = LONG_TOLERANCE if long else TOLERANCE
+    for method in ("dop853", "radau5"):
+        rows = solve(method, tolerance, 0.0, most)
+        if rows:
+            return _confirm(job, solve, rows, f"{method} at tolerance {tolerance:.0e}", arithmetic, most)
+    raise NoReference("neither dop853 nor radau5 comes to the end of the scene at a tight tolerance")
+
+
+def _in_long(model: LongModel, times: Sequence[float]) -> Solve:
+    def solve(method: str, tolerance: float, step: float, most: int) -> list[list[float]]:
+        return model.integrate(method, times, tolerance, step, most).rows
+
+    return solve
+
+
+def _in_python(job: Job, times: Sequence[float]) -> Solve:
+    model = InterpretedModel(job.program, job.events, job.holds)
+
+    def solve(method: str, tolerance: float, step: float, most: int) -> list[list[float]]:
+        outcome = model.integrate(Task(job.p, job.y, times, tolerance, step, 0.0, most), method, model.news())
+        try:
+            return model.quantities(times, outcome.states, job.p) if outcome.kind == DONE else []
+        except ModelError:
+            return []
+
+    return solve
+
+
+def _confirm(job: Job, solve: Solve, rows: list[list[float]], method: str, arithmetic: str, most: int) -> Solution:
+    """Halve the steps of gauss6 for as long as it comes nearer; its rows between steps are interpolated, so only
+    steps that meet every row are taken.
+    """
+    width = len(job.columns)
+    sizes = sizes_of(rows, width)
+    groups = [column.group for column in (*job.columns, *job.checks)]
+    intervals, duration = len(rows) - 1, abs(job.time[1] - job.time[0])
+    best, energy, confirmed = math.inf, math.nan, "nothing: gauss6 does not come to the end"
+    parts = 1
+    while intervals * parts <= most // 4:
+        other = solve("gauss6", 0.0, duration / (intervals * parts), most)
+        parts *= 2
+        if not other:
+            continue
+        pairs = list(zip(rows, other, strict=True))
+        distance = max((abs(a[k] - b[k]) / s for a, b in pairs for k, s in enumerate(sizes)), default=0.0)
+        if best < math.inf and distance > 0.5 * best:
+            break
+        if distance < best:
+            best, confirmed = distance, f"gauss6 with {intervals * parts // 2} steps"
+            energy = energy_error(other, rows, groups)
+        if best < 1e-16:
+            break
+    return Solution(rows, sizes, Reference(method, confirmed, arithmetic, best, energy))

@@ -1,0 +1,78 @@
+"""One case of a chart: run once for its errors, then again and again for its time."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+
+from nhc.simulate.interpreted import InterpretedModel
+from nhc.simulate.prepare import Job
+from nhc.simulate.run import collect
+from nhc.simulate.task import Task
+from nhc.study.chart.case import RESOLVED, Case, Result
+from nhc.study.chart.measure import Rows, energy_error, final_error, grid_error, time_repeats
+from nhc.study.chart.model import ChartModel
+from nhc.study.chart.reference import Solution
+
+MOST = 100_000
+
+
+@dataclass(frozen=True)
+class Bench:
+    """A formulation ready to be run; ``times`` are those of the reference's rows."""
+
+    name: str
+    job: Job
+    times: tuple[float, ...]
+    solution: Solution
+    compiled: ChartModel | None
+    interpreted: InterpretedModel
+
+
+def run_case(bench: Bench, case: Case, budget: float) -> Result:
+    """Errors and times of one case; a run that does not reach the end says why."""
+    model = bench.compiled if case.language == "c" else bench.interpreted
+    assert model is not None
+    job = bench.job
+    task = Task(job.p, job.y, bench.times, case.tolerance, case.step, 0.0, MOST)
+    outcome = model.integrate(task, case.method, model.news())
+    found = collect(job, case.method, model, task, outcome, 0.0, ())
+    counts = Result(
+        case, calls=outcome.calls, jacobians=outcome.jacobians, steps=outcome.steps, rejected=outcome.rejected
+    )
+    if found.ended != "done":
+        return replace(counts, failed=f"{found.reason} (t = {outcome.t:.6g})")
+    rows = [(*row, *checks) for row, checks in zip(found.rows, found.checks, strict=True)]
+    measured = judge(bench, counts, rows)
+    if measured.failed:
+        return measured
+    ends = replace(task, times=(bench.times[0], bench.times[-1]))
+
+    def repeat(count: int) -> None:
+        if case.language == "c":
+            assert bench.compiled is not None
+            bench.compiled.repeat(ends, case.method, count)
+            return
+        for _ in range(count):
+            bench.interpreted.integrate(ends, case.method, bench.interpreted.news())
+
+    best, middle, repeats = time_repeats(repeat, budget)
+    return replace(measured, best=best, median=middle, repeats=repeats)
+
+
+def judge(bench: Bench, counts: Result, rows: Rows) -> Result:
+    """The errors of rows of columns and checks against the reference."""
+    solution, job = bench.solution, bench.job
+    groups = [column.group for column in (*job.columns, *job.checks)]
+    error = final_error(rows, solution.rows, solution.sizes)
+    if not math.isfinite(error):
+        return replace(counts, failed="a needed quantity is not finite")
+    held = [k for k, group in enumerate(groups) if group in ("residual", "position")]
+    return replace(
+        counts,
+        error=error,
+        grid_error=grid_error(rows, solution.rows, solution.sizes),
+        energy=energy_error(rows, solution.rows, groups),
+        residual=max((abs(row[k]) for row in rows for k in held), default=math.nan),
+        unresolved=not error >= RESOLVED * solution.about.error,
+    )

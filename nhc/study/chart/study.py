@@ -1,0 +1,207 @@
+"""The grid of a chart: what is prepared, run, compared and timed."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+from nhc.diagnostics import Source
+from nhc.language import decode
+from nhc.mechanics.choose import FORMULATIONS, NotApplicable, build, formulate
+from nhc.mechanics.formulate import equations_of
+from nhc.mechanics.resolve import resolve
+from nhc.mechanics.scenes import start_of
+from nhc.mechanics.system import System
+from nhc.simulate.compile import CompileError, find_compiler
+from nhc.simulate.interpreted import InterpretedModel
+from nhc.simulate.methods import RUNGE_KUTTA, is_adaptive
+from nhc.simulate.opening import find_need, find_scene
+from nhc.simulate.prepare import Job, prepare
+from nhc.simulate.run import list_times
+from nhc.simulate.task import Task
+from nhc.study.chart.case import Case, Cost, Result, Study
+from nhc.study.chart.grid import LANGUAGES, METHODS, MOST_PYTHON, POINTS, PYTHON_STRIDE, SCOUT, TOLERANCES, Grid
+from nhc.study.chart.measure import describe_machine, time_repeats
+from nhc.study.chart.model import ChartModel, LongModel, compile_chart, compile_long
+from nhc.study.chart.peers import PEERS, run_peer
+from nhc.study.chart.reference import METHODS as REFERENCE_METHODS
+from nhc.study.chart.reference import Solution, make_reference
+from nhc.study.chart.single import MOST, Bench, run_case
+
+Show = Callable[[float, str], None]
+
+
+@dataclass(frozen=True)
+class Prepared:
+    """The jobs of a study by formulation, the auto-chosen one first, and the formulations that do not apply with the reason."""
+
+    jobs: dict[str, Job]
+    skipped: tuple[tuple[str, str], ...]
+
+
+def chart(source: Source, grid: Grid, show: Show | None = None) -> Study:
+    """The whole study of one scene.
+
+    Raises:
+        nhc.diagnostics.SpecError: the spec has errors.
+        nhc.simulate.opening.RunError: no such scene or quantity.
+        nhc.study.chart.reference.NoReference: there is nothing to compare with.
+    """
+    spec = decode(source)
+    scene = find_scene(spec, grid.scene)
+    needs = tuple(dict.fromkeys(find_need(spec, need) for need in grid.needs))
+    system = resolve(spec)
+    made = prepare_jobs(system, scene.name, grid.formulations, needs)
+    compiled = bool(find_compiler())
+    languages = tuple(x for x in grid.languages or LANGUAGES if compiled or x != "c") or ("python",)
+    notes = () if compiled else ("there is no C compiler here: only the emitted Python is charted",)
+    first = next(iter(made.jobs.values()))
+    times = list_times(*first.time, POINTS)
+    solution = make_reference(first, times, open_long(first) if compiled else None)
+    methods, tolerances = grid.methods or METHODS, tuple(sorted(grid.tolerances or TOLERANCES, reverse=True))
+    results: list[Result] = []
+    costs: list[Cost] = []
+    left: list[tuple[str, str]] = list(made.skipped)
+    for done, (name, job) in enumerate(made.jobs.items()):
+        if show is not None:
+            show(done / len(made.jobs), name)
+        bench = open_bench(name, job, times, solution, methods, compiled)
+        costs.append(cost_of(bench, languages))
+        found, missing = run_bench(bench, methods, languages, tolerances, bool(grid.tolerances), grid.budget)
+        results += found
+        left += missing
+        if grid.peers and job is first and "c" in languages:
+            results += [run_peer(bench, peer, t, grid.budget) for peer in PEERS if peer.there() for t in tolerances]
+            left += [(peer.language, "not installed") for peer in PEERS if not peer.there()]
+    if show is not None:
+        show(1.0, "")
+    return Study(
+        system=system.name,
+        about=spec.about,
+        scene=scene.name,
+        time=first.time,
+        needs=tuple(column.heading for column in first.columns),
+        tolerances=tolerances,
+        methods=methods,
+        languages=languages,
+        points=POINTS,
+        costs=tuple(costs),
+        results=tuple(results),
+        reference=solution.about,
+        left_out=tuple(dict.fromkeys(left)),
+        notes=notes,
+        machine=describe_machine(),
+    )
+
+
+def prepare_jobs(system: System, scene: str, wanted: Sequence[str], needs: Sequence[str]) -> Prepared:
+    """A job for each formulation: those that are named, else all that apply."""
+    best = formulate(system).name
+    names = list(wanted) or [best, *(f for f in FORMULATIONS if f != best)]
+    names = list(dict.fromkeys(best if name == "auto" else name for name in names))
+    start = start_of(system, find_scene(system.spec, scene))
+    jobs: dict[str, Job] = {}
+    skipped: list[tuple[str, str]] = []
+    for name in names:
+        try:
+            form = build(system, name)
+        except NotApplicable as error:
+            skipped.append((name, f"does not apply: {error.reasons[0]}"))
+            continue
+        jobs[name] = prepare(equations_of(system, form), form, start, needs, jacobian=True, checks=True)
+    if not jobs:
+        formulate(system, names[0])  # raises: it says why nothing that was named applies
+    return Prepared(jobs, tuple(skipped))
+
+
+def open_long(job: Job) -> LongModel | None:
+    """The model in long double; None where the compiler does not take it."""
+    try:
+        return LongModel(compile_long(job, REFERENCE_METHODS), job)
+    except CompileError:
+        return None
+
+
+def open_bench(
+    name: str, job: Job, times: Sequence[float], solution: Solution, methods: Sequence[str], compiled: bool
+) -> Bench:
+    """Both models of a formulation, ready to be run."""
+    model = ChartModel(compile_chart(job, tuple(dict.fromkeys((*methods, SCOUT)))), job) if compiled else None
+    return Bench(name, job, tuple(times), solution, model, InterpretedModel(job.program, job.events, job.holds))
+
+
+def cost_of(bench: Bench, languages: Sequence[str]) -> Cost:
+    """What one right-hand side costs, at states along the reference motion."""
+    job, in_c, in_python = bench.job, math.nan, math.nan
+    function = next(f for f in job.program.functions if f.name == "rhs")
+    task = Task(job.p, job.y, bench.times, 1e-6, 0.0, 0.0, MOST)
+    models = [model for model in (bench.compiled, bench.interpreted) if model is not None]
+    outcome = models[0].integrate(task, SCOUT, models[0].news())
+    times, states = bench.times[: len(outcome.states)], outcome.states
+    compiled, interpreted = bench.compiled, bench.interpreted
+    if compiled is not None and "c" in languages:
+        best, _, _ = time_repeats(lambda n: _use(compiled.repeat_rhs(times, states, job.p, n)), 0.02)
+        in_c = best / len(times)
+    if "python" in languages:
+
+        def repeat(count: int) -> None:
+            for _ in range(count):
+                interpreted.rhs(times[0], states[0], job.p)
+
+        in_python = time_repeats(repeat, 0.02)[0]
+    calls = f"{function.adds} +-, {function.multiplications} *, {function.divisions} /, {function.calls} calls"
+    form = job.formulation
+    return Cost(bench.name, form.number, form.reason, len(job.y), calls, in_c, in_python)
+
+
+def _use(value: float) -> None:
+    """A result that only had to be computed."""
+
+
+def run_bench(
+    bench: Bench,
+    methods: Sequence[str],
+    languages: Sequence[str],
+    tolerances: Sequence[float],
+    explicit: bool,
+    budget: float,
+) -> tuple[list[Result], list[tuple[str, str]]]:
+    """All cases of a formulation; what was left out, with the reason."""
+    found: list[Result] = []
+    left: list[tuple[str, str]] = []
+    anchor = count_steps(bench)
+    for method in methods:
+        known: dict[float, Result] = {}
+        for language in languages:
+            for rung, tolerance in enumerate(tolerances):
+                if language == "python" and not explicit and rung % PYTHON_STRIDE != 1:
+                    continue
+                case = Case(bench.name, method, language, tolerance, step_of(bench, method, tolerance, anchor))
+                twin = known.get(tolerance)
+                if language == "python" and twin is not None and twin.calls + 4 * twin.jacobians > MOST_PYTHON:
+                    left.append((f"{bench.name}, {method} in Python", f"more than {MOST_PYTHON} right-hand sides"))
+                    continue
+                made = run_case(bench, case, budget)
+                found.append(made)
+                if language == "c":
+                    known[tolerance] = made
+    return found, left
+
+
+def count_steps(bench: Bench) -> int:
+    """Steps of the first adaptive method at 1e-3: where the ladders of fixed steps begin."""
+    job = bench.job
+    model = bench.compiled or bench.interpreted
+    ends = (bench.times[0], bench.times[-1])
+    outcome = model.integrate(Task(job.p, job.y, ends, 1e-3, 0.0, 0.0, MOST), SCOUT, model.news())
+    return max(8, 2 * outcome.steps)
+
+
+def step_of(bench: Bench, method: str, tolerance: float, anchor: int) -> float:
+    """The fixed step that stands for a tolerance: it shrinks as the method's order wants; 0 for an adaptive method."""
+    if is_adaptive(method):
+        return 0.0
+    finer: float = (1e-3 / tolerance) ** (1.0 / RUNGE_KUTTA[method].order)
+    count = math.ceil(anchor * finer)
+    return abs(bench.times[-1] - bench.times[0]) / max(count, 2)
