@@ -100,7 +100,7 @@ def measure(system: str, lanes: int = 8, rounds: int = 15, seconds: float = 1.0)
 
 
 def _build(system: str, folder: Path) -> Path:
-    sources = nhc_sources(system, only=("rhs", "rhs_batch"))
+    sources = nhc_sources(system, only=("rhs", "rhs_batch"), trig="inline")
     model = [path for path in write(sources, folder) if path.endswith(".c")]
     sizes = names(system)
     given = states(system, sum(map(len, sizes)))

@@ -31,10 +31,15 @@ class Sources:
 
 
 def nhc_sources(
-    name: str, style: str = "positions", *, velocities: bool = True, only: tuple[str, ...] = ("rhs",)
+    name: str,
+    style: str = "positions",
+    *,
+    velocities: bool = True,
+    only: tuple[str, ...] = ("rhs",),
+    trig: str = "",
 ) -> Sources:
-    """What ``nhc emit --lang c --only rhs`` writes, or another choice of functions (empty: all)."""
-    files = emit(source(name, style, velocities=velocities), "c", Options(only=only))
+    """What ``nhc emit --lang c --only rhs`` writes, or another choice of functions (empty: all) and of sine and cosine."""
+    files = emit(source(name, style, velocities=velocities), "c", Options(only=only, trig=trig))
     return Sources(f"{name}_rhs", files)
 
 

@@ -76,6 +76,7 @@ class Options:
     array: str = ""
     explain: bool = False
     simplify: float = 0.0
+    trig: str = ""
     reduce: bool = False
     fold: bool = False
 
@@ -247,7 +248,7 @@ def emit(source: Source, language: str, options: Options = Options()) -> dict[st
         return {f"{made.system.name}.tex": stamp(latex.render(made))}
     from nhc.emit import EmitOptions, render
 
-    wanted = EmitOptions(only=options.only, driver=options.driver, array=options.array, scene=options.scene)
+    wanted = EmitOptions(options.only, options.driver, options.array, options.scene, options.trig)
     needed = options.only if not options.driver else ()
     reduced = bool(options.scene)
     asked = Options(options.formulation, options.scene, only=_functions(needed), reduce=reduced, fold=options.fold)

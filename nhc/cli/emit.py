@@ -29,6 +29,7 @@ def _split(context: click.Context, parameter: click.Parameter, value: str | None
 @click.option("--only", metavar="A,B", callback=_split, help="Emit only these functions, such as rhs,energy.")
 @click.option("--driver", is_flag=True, help="With C: add a main() that integrates a scene and prints CSV.")
 @click.option("--array", type=click.Choice(["numpy", "jax"]), help="With Python: functions that broadcast over arrays.")
+@click.option("--trig", type=click.Choice(["libm", "inline"]), help="With C: whose sine and cosine; default: libm's.")
 @click.option("--check", "compare", is_flag=True, help="Write nothing; exit with 1 when the files differ.")
 @click.option("--force", is_flag=True, help="Overwrite files that were edited by hand.")
 def command(
@@ -41,6 +42,7 @@ def command(
     only: tuple[str, ...],
     driver: bool,
     array: str | None,
+    trig: str | None,
     compare: bool,
     force: bool,
 ) -> int:
@@ -50,6 +52,8 @@ def command(
     """
     if driver and language != "c":
         raise click.UsageError(f"`--driver` is for `--lang c`, not for {language}")
+    if trig and language != "c":
+        raise click.UsageError(f"`--trig` is for `--lang c`, not for {language}")
     if array and language != "python":
         raise click.UsageError(f"`--array` is for `--lang python`, not for {language}")
     if only and language == "latex":
@@ -62,7 +66,9 @@ def command(
     from nhc.emit import EmitError
     from nhc.pipeline import Options, emit
 
-    options = Options(formulation=formulation or "", scene=scene, only=only, driver=driver, array=array or "")
+    options = Options(
+        formulation=formulation or "", scene=scene, only=only, driver=driver, array=array or "", trig=trig or ""
+    )
     try:
         files = emit(source, language, options)
     except EmitError as error:

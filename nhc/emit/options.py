@@ -17,13 +17,15 @@ class EmitError(ValueError):
 @dataclass(frozen=True, slots=True)
 class EmitOptions:
     """``only``: names of functions (empty: all); ``driver``: C with a ``main``; ``array``: Python over arrays;
-    ``scene``: the driver knows this scene alone (empty: all of them).
+    ``scene``: the driver knows this scene alone (empty: all of them); ``trig``: "inline" puts sine and cosine into the
+    C file itself (empty: libm's).
     """
 
     only: tuple[str, ...] = ()
     driver: bool = False
     array: str = ""
     scene: str = ""
+    trig: str = ""
 
 
 def check_options(program: Program, options: EmitOptions, extra: tuple[str, ...] = ()) -> None:

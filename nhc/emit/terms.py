@@ -59,7 +59,9 @@ def _collected(terms: list[tuple[bool, Expr]]) -> list[tuple[bool, Expr]]:
     if len(totals) == len(terms):
         return terms
     kept = [k for k, key in enumerate(keys) if first[key] == k and totals[key]]
-    return [(totals[keys[k]] < 0, _product(abs(totals[keys[k]]), products[k])) for k in kept] or [(False, Number(Fraction(0)))]
+    return [(totals[keys[k]] < 0, _product(abs(totals[keys[k]]), products[k])) for k in kept] or [
+        (False, Number(Fraction(0)))
+    ]
 
 
 def _product(number: Fraction, product: Product) -> Expr:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from nhc.emit.c.body import BodyPrinter, print_singular
+from nhc.emit.c.body import ANY, NEAR, BodyPrinter, print_singular
 from nhc.emit.c.literals import print_comment
 from nhc.emit.c.names import make_scope
 from nhc.emit.names import Scope
@@ -45,19 +45,28 @@ def reach_element(array: str, index: int) -> str:
     return f"{array}[count + i]" if index == 1 else f"{array}[{index} * count + i]"
 
 
-def print_batch(program: Program, function: Function, helpers: set[str]) -> tuple[str, ...]:
-    """The lines of ``rhs_batch``'s body for the function ``rhs``."""
+def print_batch(program: Program, function: Function, helpers: set[str], *, inline: bool) -> tuple[str, ...]:
+    """The lines of ``rhs_batch``'s body for the function ``rhs``; ``inline``: with this file's own sine and cosine."""
     body = drop_unused(function.body)
     if any(isinstance(statement, Solve) for statement in body):
         return print_gathered(program, function)
     scope = make_scope(program, (*function.inputs, *([function.output] if function.output else [])), body, OWN)
-    return print_loop(program, function, body, scope, helpers)
+    return print_loop(program, function, body, scope, helpers, inline=inline)
 
 
 def print_loop(
-    program: Program, function: Function, body: tuple[Statement, ...], scope: Scope, helpers: set[str]
+    program: Program,
+    function: Function,
+    body: tuple[Statement, ...],
+    scope: Scope,
+    helpers: set[str],
+    *,
+    inline: bool,
 ) -> tuple[str, ...]:
-    """The loop with the body inlined and the work on parameters in front of it."""
+    """The loop with the body inlined and the work on parameters in front of it.
+
+    The inlined sine and cosine know no large angles: a state with one sends all of them to ``rhs``, one by one.
+    """
     prefix = program.system
     outside, inside = split_hoisted(tuple(s for s in body if not isinstance(s, Store)) + fill_stores(function))
     used = frozenset(list_used_names(body))
@@ -65,10 +74,10 @@ def print_loop(
     def leave(code: int) -> str:
         return print_singular(prefix, code)
 
-    printer = LoopPrinter(prefix, scope, helpers, reach_element, leave, used)
+    printer = LoopPrinter(prefix, scope, helpers, reach_element, leave, used, NEAR if inline else "")
     codes = sorted({s.status for s in inside if isinstance(s, Guard)})
     printer.flags = {code: scope.fresh("singular") for code in codes}
-    before = BodyPrinter(prefix, scope, helpers, reach_element, leave, used)
+    before = BodyPrinter(prefix, scope, helpers, reach_element, leave, used, ANY if inline else "")
     before.print_all(outside)
     printer.indent = " " * 8
     printer.print_all(inside)
@@ -78,6 +87,9 @@ def print_loop(
     lines += ["    for (size_t i = 0; i < count; ++i) {", *printer.lines, "    }"]
     for code, flag in printer.flags.items():
         lines += [f"    if ({flag}) {{", f"        return {leave(code)};", "    }"]
+    if inline:
+        again = [f"    {line}" for line in print_gathered(program, function)]
+        return (*lines, "    if (bad) {", *again, "    }", f"    return {prefix.upper()}_OK;")
     lines.append(f"    return bad ? {prefix.upper()}_NOT_FINITE : {prefix.upper()}_OK;")
     return tuple(lines)
 

@@ -28,6 +28,7 @@ from nhc.program.ir import (
 
 WIDTH = 110
 FUNCTIONS = {"abs": "fabs"}
+NEAR, ANY = "_near", "_any"  # this file's own sine and cosine: for small angles, with a flag for others; for any angle
 HELPERS = {"sign": "sign", "min": "minimum", "max": "maximum"}  # functions that this file must bring itself
 
 
@@ -37,6 +38,7 @@ class CDialect:
 
     prefix: str
     helpers: set[str]
+    trig: str = ""  # what ends the names of this file's own sine and cosine; empty: libm's
 
     def print_number(self, value: Fraction) -> str:
         return print_double(value)
@@ -48,6 +50,10 @@ class CDialect:
         return Text(f"pow({base.text}, {exponent}.0)", ATOM)
 
     def print_call(self, function: str, arguments: tuple[str, ...]) -> str:
+        if self.trig and function in ("sin", "cos"):
+            self.helpers.add("trig")
+            flag = ", &bad" if self.trig == NEAR else ""
+            return f"{self.prefix}_{function}{self.trig}({arguments[0]}{flag})"
         if function not in HELPERS:
             return f"{FUNCTIONS.get(function, function)}({', '.join(arguments)})"
         helper = HELPERS[function]
@@ -109,6 +115,7 @@ class BodyPrinter:
         element: Callable[[str, int], str],
         leave: Callable[[int], str],
         used: frozenset[str],
+        trig: str = "",
     ) -> None:
         self.prefix = prefix
         self.scope = scope
@@ -118,7 +125,7 @@ class BodyPrinter:
         self.used = used
         self.indent = "    "
         self.lines: list[str] = []
-        self.printer = ExpressionPrinter(CDialect(prefix, helpers), scope)
+        self.printer = ExpressionPrinter(CDialect(prefix, helpers, trig), scope)
         self._origin = ""
 
     def add(self, text: str) -> None:

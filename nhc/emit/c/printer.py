@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from nhc.emit.c.batch import mark_unused, print_batch
-from nhc.emit.c.body import BodyPrinter, print_singular, wrap_code
+from nhc.emit.c.body import ANY, BodyPrinter, print_singular, wrap_code
 from nhc.emit.c.driver import list_driver_functions, make_driver
 from nhc.emit.c.header import frame, print_file_comment, print_function_comment, print_source_comment
 from nhc.emit.c.literals import print_comment, print_float, print_string
@@ -53,15 +53,16 @@ def list_files(program: Program, options: EmitOptions) -> tuple[File, ...]:
     if wanted and driver is not None:
         wanted += list_driver_functions(driver)
     batch = has_rhs and (not wanted or BATCH in wanted)
-    if batch and wanted and needs_scalar_rhs(program):
+    inline = options.trig == "inline"
+    if batch and wanted and (inline or needs_scalar_rhs(program)):
         wanted += ("rhs",)  # the batch calls it for each state
     only_batch = bool(wanted) and all(name == BATCH for name in wanted)
     functions = () if only_batch else select_functions(program, wanted)
     helpers: set[str] = set()
-    printed = [print_function(program, function, helpers) for function in functions]
+    printed = [print_function(program, function, helpers, inline=inline) for function in functions]
     if batch:
         (rhs,) = (function for function in program.functions if function.name == "rhs")
-        printed.append(print_batch_function(program, rhs, helpers))
+        printed.append(print_batch_function(program, rhs, helpers, inline=inline))
     name = program.system
     shared: dict[str, object] = {"capitals": name.upper(), "functions": tuple(printed)}
     header = File(f"{name}.h", "c/model.h.jinja", shared | make_header_context(program, functions, batch))
@@ -159,7 +160,7 @@ def print_argument(argument: Argument, written: bool) -> str:
     return f"{'double' if written else 'const double'} *{argument.name}"
 
 
-def print_function(program: Program, function: Function, helpers: set[str]) -> PrintedFunction:
+def print_function(program: Program, function: Function, helpers: set[str], *, inline: bool = False) -> PrintedFunction:
     """A function of the program; its ``int`` is 0 only if every entry of its output is finite."""
     prefix, capitals, output = program.system, program.system.upper(), function.output
     body = drop_unused(function.body)
@@ -175,6 +176,7 @@ def print_function(program: Program, function: Function, helpers: set[str]) -> P
         lambda array, index: array if index < 0 else f"{array}[{index}]",
         (lambda code: "NAN") if output is None else (lambda code: print_singular(prefix, code)),
         frozenset(list_used_names(body)),
+        ANY if inline else "",
     )
     printer.lines += mark_unused(function, body)
     printer.print_all((*body, *list_missing(function)))
@@ -188,7 +190,9 @@ def print_function(program: Program, function: Function, helpers: set[str]) -> P
     return PrintedFunction(print_function_comment(program, function), prototype, prototype, tuple(printer.lines))
 
 
-def print_batch_function(program: Program, rhs: Function, helpers: set[str]) -> PrintedFunction:
+def print_batch_function(
+    program: Program, rhs: Function, helpers: set[str], *, inline: bool = False
+) -> PrintedFunction:
     """``rhs_batch``; the definition promises the compiler what the header asks of the caller."""
     head = f"int {program.system}_{BATCH}(size_t count, const double *t, const double *y, const double *p, double *"
     comment = (
@@ -196,7 +200,7 @@ def print_batch_function(program: Program, rhs: Function, helpers: set[str]) -> 
         "the parameters are shared. Nonzero when any of the states is singular. dydt must not overlap the inputs.",
     )
     prototype, definition = wrap_prototype(f"{head}dydt)"), wrap_prototype(f"{head}restrict dydt)")
-    return PrintedFunction(frame(comment), prototype, definition, print_batch(program, rhs, helpers))
+    return PrintedFunction(frame(comment), prototype, definition, print_batch(program, rhs, helpers, inline=inline))
 
 
 def wrap_prototype(text: str) -> str:

@@ -54,7 +54,17 @@ def estimate(text: str) -> float:
 
 
 def _token_width(token: str) -> float:
-    if token in (r"\dot", r"\ddot", r"\mathit", r"\mathrm", r"\operatorname", r"\boldsymbol", r"\left", r"\right", r"\text"):
+    if token in (
+        r"\dot",
+        r"\ddot",
+        r"\mathit",
+        r"\mathrm",
+        r"\operatorname",
+        r"\boldsymbol",
+        r"\left",
+        r"\right",
+        r"\text",
+    ):
         return 0.0
     if token in (r"\sin", r"\cos", r"\ln", r"\exp", r"\sqrt"):
         return 13.5

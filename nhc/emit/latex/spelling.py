@@ -58,8 +58,12 @@ def spell_word(word: str) -> str:
 def spell_index(index: str) -> str:
     """An index: what stands below a symbol, itself perhaps with an index."""
     base, lower = spell_base(index)
-    return base if not lower else f"{base}{','.join(lower)}" if all(x.isdigit() for x in lower) else (
-        f"{base}_{{{','.join(spell_word(x) for x in lower)}}}"
+    return (
+        base
+        if not lower
+        else f"{base}{','.join(lower)}"
+        if all(x.isdigit() for x in lower)
+        else (f"{base}_{{{','.join(spell_word(x) for x in lower)}}}")
     )
 
 

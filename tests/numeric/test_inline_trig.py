@@ -1,0 +1,68 @@
+"""The inlined sine and cosine: accuracy against mpmath, large angles, and the models that use them."""
+
+from __future__ import annotations
+
+import ctypes
+import math
+import random
+from pathlib import Path
+
+import mpmath
+import pytest
+
+from nhc.language import read
+from nhc.pipeline import Options, emit
+from tests.support import COMPILER, CModel, c_model, compile_c, doubles, error, spec_path
+
+pytestmark = pytest.mark.skipif(COMPILER is None, reason="no C compiler on this machine")
+
+
+def model(name: str, folder: Path) -> CModel:
+    files = emit(read(str(spec_path(name))), "c", Options(trig="inline"))
+    return CModel(name, ctypes.CDLL(str(compile_c(files, folder, name, ("-O2",)))), {})
+
+
+def test_accuracy(tmp_path: Path) -> None:
+    """x' = v cos(theta), y' = v sin(theta) with v = 1: the sleigh's rhs is the pair itself."""
+    sleigh = model("chaplygin_sleigh", tmp_path)
+    rng, worst = random.Random(3), 0.0
+    with mpmath.workdps(40):
+        for _ in range(20_000):
+            x = rng.choice((-1, 1)) * 10 ** rng.uniform(-8, 5)
+            found = sleigh("rhs", 5, 0.0, [0, 0, x, 1, 0], [1, 0.5, 0.7])
+            for value, exact in zip(found, (mpmath.cos(x), mpmath.sin(x)), strict=False):
+                worst = max(worst, float(abs(value - exact)))
+                assert abs(value - exact) < 2.5 * math.ulp(float(exact)) + 1e-19
+    assert worst < 2.5e-16
+
+
+def test_large_angles_fall_back(tmp_path: Path) -> None:
+    sleigh = model("chaplygin_sleigh", tmp_path)
+    for x in (1.00001e5, 1e9, -1e15):
+        found = sleigh("rhs", 5, 0.0, [0, 0, x, 1, 0], [1, 0.5, 0.7])
+        assert found[:2] == [math.cos(x), math.sin(x)]
+
+
+@pytest.mark.parametrize("name", ["rolling_disk", "n_trailer3", "rattleback", "pendulum"])
+def test_the_same_as_libm(name: str, tmp_path: Path) -> None:
+    (tmp_path / "a").mkdir()
+    (tmp_path / "b").mkdir()
+    inline, libm = model(name, tmp_path / "a"), c_model(name, "", tmp_path / "b")
+    rng = random.Random(name)
+    text = (tmp_path / "a" / f"{name}.h").read_text()
+    size = next(int(line.split("=")[1].split(",")[0]) for line in text.splitlines() if "_NY =" in line)
+    count = next(int(line.split("=")[1].split(",")[0]) for line in text.splitlines() if "_NP =" in line)
+    p = libm.defaults(count)
+    states = [[rng.uniform(0.2, 0.8) for _ in range(size)] for _ in range(7)]
+    rates = [libm("rhs", size, 0.3, y, p) for y in states]
+    for y, expected in zip(states, rates, strict=True):
+        assert error(inline("rhs", size, 0.3, y, p), expected) < 1e-13
+    # a batch whose last state has a large angle goes through rhs, one by one
+    states[-1] = [x + 2e5 * math.pi if k < size // 2 else x for k, x in enumerate(states[-1])]
+    expected = [libm("rhs", size, 0.3, y, p) for y in states]
+    columns = [y[k] for k in range(size) for y in states]
+    out = (ctypes.c_double * (size * 7))()
+    call = getattr(inline.library, f"{name}_rhs_batch")
+    assert call(ctypes.c_size_t(7), doubles([0.3] * 7), doubles(columns), doubles(p), out) == 0
+    for i, rate in enumerate(expected):
+        assert error([out[k * 7 + i] for k in range(size)], rate) < 1e-9
