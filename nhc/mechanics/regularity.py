@@ -7,6 +7,7 @@ import random
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import combinations
+from weakref import WeakKeyDictionary
 
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Graph, Node
@@ -237,8 +238,18 @@ def _float_determinant(block: list[list[float]]) -> float:
     return det
 
 
+_CHOICES: WeakKeyDictionary[Graph, Choice] = WeakKeyDictionary()
+
+
 def choose_dependent(system: System) -> Choice:
     """The l velocities to solve for: never singular where there is such a choice, else singular as rarely as possible."""
+    known = _CHOICES.get(system.graph)
+    if known is None:
+        known = _CHOICES[system.graph] = _choose(system)
+    return known
+
+
+def _choose(system: System) -> Choice:
     n, lower = system.n, system.l
     if lower == 0:
         return Choice((), system.graph.one, True)
