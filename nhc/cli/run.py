@@ -15,6 +15,7 @@ from nhc.cli.specs import open_spec
 from nhc.cli.terminal import Exit, Failure, put, say
 
 if TYPE_CHECKING:
+    from nhc.simulate.prepare import Job
     from nhc.simulate.run import Trajectory
 
 # nhc.simulate.methods again, which takes too long to import for a help text; a test holds them equal
@@ -45,7 +46,9 @@ def _positive(context: click.Context, parameter: click.Parameter, value: float |
     "--need", "needs", metavar="A,B", callback=_split, help="What is wanted, in place of the scene's own need."
 )
 @click.option("--points", type=click.IntRange(2, 10_000_000), default=201, help="Number of rows; default: 201.")
-@click.option("--method", "-m", type=click.Choice(METHODS), default="dop853", help="The integrator; default: dop853.")
+@click.option(
+    "--method", "-m", type=click.Choice((*METHODS, "auto")), default="dop853", help="The integrator; default: dop853."
+)
 @click.option("--tol", "tolerance", type=float, callback=_positive, help="Relative accuracy; default: the scene's.")
 @click.option("--step", type=float, callback=_positive, help="Fixed steps of this length in place of adaptive ones.")
 @click.option("--until", metavar="EXPR", default="", help="Stop when this expression in the spec's names crosses zero.")
@@ -88,6 +91,10 @@ def command(
 
     page = target is not None and target.suffix == ".html"
     try:
+        if method == "auto":
+            method = _choose(
+                open_scene(source, scene, formulation or "", needs, until, "radau5", not drift, project), tolerance
+            )
         job = open_scene(source, scene, formulation or "", needs, until, method, not drift, project, page)
     except RunError as error:
         raise Failure(str(error), error.help) from error
@@ -110,6 +117,15 @@ def command(
         _deliver(found, target)
         return 0
     return _report(found, target)
+
+
+def _choose(job: Job, tolerance: float) -> str:
+    """The method of ``--method auto``, said with its reason."""
+    from nhc.simulate.auto import choose_method
+
+    method, why = choose_method(job, tolerance or job.tolerance)
+    say(f"taking the method {method}: {why}")
+    return method
 
 
 def _check_target(output: str | None, force: bool) -> Path | None:
