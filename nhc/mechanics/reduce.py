@@ -14,25 +14,15 @@ from nhc.algebra.calculus import count, substitute
 from nhc.algebra.graph import Node
 from nhc.algebra.interval import Interval, cannot_vanish
 from nhc.algebra.modular import PRIMES, FieldPoint, Unlucky
-from nhc.language.spec import Need, Scene
+from nhc.language.spec import Scene
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choose import Formulation
 from nhc.mechanics.dependence import Dependence, find_dependence
-from nhc.mechanics.formulate import reaction_values
-from nhc.mechanics.frame import form_value
 from nhc.mechanics.linearize import Flow, flow_of, solve_modulo
+from nhc.mechanics.needs import Wanted, list_needs
+from nhc.mechanics.quadrature import Integral, find_integrals
 
 _DRAWS = 60
-
-
-@dataclass(frozen=True)
-class Wanted:
-    """A column of what a scene needs: its name in a trajectory, and its value over (q, w, t), rates and multipliers."""
-
-    name: str
-    node: Node
-    unit: str = ""
-    about: str = ""
 
 
 @dataclass(frozen=True)
@@ -56,6 +46,7 @@ class Reduction:
     names: tuple[str, ...]
     kept: tuple[int, ...]
     constants: tuple[int, ...]
+    integrals: tuple[Integral, ...]
     left: tuple[Omission, ...]
     fixed: tuple[tuple[Node, Node], ...]
     outputs: tuple[Wanted, ...]
@@ -66,32 +57,6 @@ class Reduction:
     def state(self) -> tuple[str, ...]:
         """The names of the entries that are kept."""
         return tuple(self.names[i] for i in self.kept)
-
-
-def list_needs(equations: Equations, scene: Scene) -> list[Wanted]:
-    """The columns of a trajectory of the scene, in the order of its ``need``."""
-    return [column for need in scene.need for column in _columns(equations, need)]
-
-
-def _columns(equations: Equations, need: Need) -> list[Wanted]:
-    system, g = equations.system, equations.system.graph
-    on = dict(zip(system.v, equations.motion.velocities, strict=True))
-    if need.kind == "coordinate":
-        i = system.q_names.index(need.name)
-        declared = system.spec.coordinates[i]
-        return [Wanted(need.name, system.q[i], declared.unit, declared.about)]
-    if need.kind == "velocity":
-        return [Wanted(need.name, equations.motion.velocities[system.q_names.index(need.name.removesuffix("'"))])]
-    if need.kind == "reactions":
-        values = equations.multipliers or reaction_values(equations)
-        return [Wanted(f"lambda_{c.name}", node) for c, node in zip(system.constraints, values, strict=True)]
-    if need.kind == "energy":
-        node, about = system.energy, "T + V"
-    elif need.kind == "quasi":
-        node, about = form_value(g, next(f for f in system.quasi if f.name == need.name), system.v), ""
-    else:
-        node, about = dict(system.outputs)[need.name], ""
-    return [Wanted(need.name, substitute(g, [node], on)[0], "", about)]
 
 
 def reduce_equations(
@@ -119,18 +84,41 @@ def reduce_equations(
     if not kept:  # a model has a state, be it one that stands still
         kept, constants = (constants[:1] or [0]), constants[1:]
     fixed, regular = _fix(flow, nodes, [*kept, *constants], known, equations.guards)
+    driving = tuple(i for i in kept if any(i in dependence.rates[j] for j in kept if j != i))
+    integrals = _integrate(flow, kept, constants, fixed, driving, known)
+    for integral in integrals:
+        kept.remove(integral.index)
+        fixed[flow.y[integral.index]] = flow.graph.add(integral.symbol, integral.rest)
     return Reduction(
         equations=equations,
         formulation=formulation,
         names=flow.names,
         kept=tuple(kept),
         constants=tuple(constants),
-        left=tuple(_reasons(flow, dependence, kept, constants)),
+        integrals=tuple(integrals),
+        left=tuple(_reasons(flow, dependence, kept, constants, integrals)),
         fixed=tuple({**(folded or {}), **fixed}.items()),
         outputs=tuple(columns),
-        driving=tuple(i for i in kept if any(i in dependence.rates[j] for j in kept if j != i)),
+        driving=driving,
         regular=regular,
     )
+
+
+def _integrate(
+    flow: Flow,
+    kept: Sequence[int],
+    constants: Sequence[int],
+    fixed: Mapping[Node, Node],
+    driving: Sequence[int],
+    known: Mapping[Node, Interval],
+) -> list[Integral]:
+    """Coordinates that follow from others; one entry of the state stays in any case."""
+    n = flow.system.n
+    held = [i for i in kept if i < n]
+    rates = dict(zip(held, substitute(flow.graph, [flow.velocities[i] for i in held], fixed), strict=True))
+    w = [flow.y[i] for i in kept if i >= n]
+    found = find_integrals(flow.system, rates, w, [flow.y[i] for i in constants], driving, known)
+    return found if len(found) < len(kept) else found[1:]
 
 
 def _fold(flow: Flow, nodes: Sequence[Node], folded: Mapping[Node, Node]) -> tuple[Flow, list[Node]]:
@@ -144,13 +132,23 @@ def _fold(flow: Flow, nodes: Sequence[Node], folded: Mapping[Node, Node]) -> tup
     return Flow(flow.equations, flow.y, tuple(new[:n]), matrix, right, flow.unknowns), new[start + size :]
 
 
-def _reasons(flow: Flow, dependence: Dependence, kept: Sequence[int], constants: Sequence[int]) -> list[Omission]:
-    found = []
+def _reasons(
+    flow: Flow,
+    dependence: Dependence,
+    kept: Sequence[int],
+    constants: Sequence[int],
+    integrals: Sequence[Integral],
+) -> list[Omission]:
+    found, closed = [], {integral.index: integral for integral in integrals}
     for i, name in enumerate(flow.names):
         if i in kept:
             continue
         users = [flow.names[j] for j, rates in enumerate(dependence.rates) if i in rates and j != i]
-        if i in constants:
+        if i in closed:
+            symbol = flow.graph.symbol_of(closed[i].symbol)
+            assert symbol is not None
+            reason = f"integrated: {closed[i].text}, where {symbol.name} is a parameter that the scene's start sets"
+        elif i in constants:
             reason = "constant of the motion: it is a parameter, which the scene's start sets"
         elif not users and i < flow.system.n:
             reason = "cyclic and not needed: nothing depends on it"

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from nhc.mechanics.reduce import Reduction
 from nhc.mechanics.scenes import kept_velocities
 from nhc.program.ir import Function, Program, Quantity, SceneData
 from nhc.program.lower import lower_function
@@ -22,14 +21,14 @@ def build_scene_program(model: SceneModel, only: Sequence[str] = ()) -> Program:
     """The program of a scene: its state, its constants after the spec's parameters, and its needs as the outputs."""
     system, made, planner = model.system, model.reduction, model.planner
     everything = (*model.start.q, *kept_velocities(system, planner.kept_forms(), model.start))
-    constants = tuple(everything[i] for i in made.constants)
+    constants = planner.list_constants(model.start)
     columns = made.outputs
     full = build_program(system, made.formulation, made.equations, only=("none",), scene=model.scene.name)
     data = SceneData(
         model.scene.name,
         model.scene.about,
         tuple(everything[i] for i in made.kept),
-        (*model.start.p, *constants),
+        (*model.start.p, *(float(quantity.default or 0.0) for quantity in constants)),
         model.start.time,
         tuple(column.name for column in columns),
         float(model.scene.tolerance),
@@ -38,18 +37,11 @@ def build_scene_program(model: SceneModel, only: Sequence[str] = ()) -> Program:
     return replace(
         full,
         state=tuple(quantities[i] for i in made.kept),
-        parameters=(*full.parameters, *_constants(quantities, made, constants)),
+        parameters=(*full.parameters, *constants),
         outputs=tuple(Quantity(c.name, identifier(c.name), c.unit, c.about) for c in columns),
         functions=lower_functions(planner, only),
         scenes=(data,),
         notes=(*full.notes, *_notes(model)),
-    )
-
-
-def _constants(quantities: Sequence[Quantity], made: Reduction, values: Sequence[float]) -> tuple[Quantity, ...]:
-    about = "constant of the motion, from the start of the scene"
-    return tuple(
-        replace(quantities[i], about=about, default=value) for i, value in zip(made.constants, values, strict=True)
     )
 
 

@@ -197,7 +197,8 @@ class _Search:
         why = "" if regular else "its coframe may become singular"
         if weak:
             regular, why = False, "its coframe is weak where the scene starts"
-        constants = tuple(made.names[i] for i in made.constants)
+        integrated = [made.names[integral.index] for integral in made.integrals]
+        constants = (*(made.names[i] for i in made.constants), *(f"{name} integrated" for name in integrated))
         tried = Tried(formulation.name, formulation.reason, made.state, constants, rejected=why)
         if regular:
             operations, cost, planner = _cheapest_planner(made)

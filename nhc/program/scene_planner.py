@@ -6,13 +6,18 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
 from nhc.algebra.calculus import reachable, substitute
+from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Node
 from nhc.algebra.modular import are_zero
 from nhc.algebra.shorten import shorten
 from nhc.mechanics.associate import Equations, Motion
 from nhc.mechanics.formulate import bordered_system
 from nhc.mechanics.reduce import Reduction
+from nhc.mechanics.scenes import Start, kept_velocities
 from nhc.program.build import Planner
+from nhc.program.ir import Quantity
+from nhc.program.model import state_quantities
+from nhc.program.naming import identifier
 from nhc.program.plan import FunctionPlan
 
 
@@ -28,13 +33,14 @@ class ScenePlanner(Planner):
         self.kept_q = tuple(i for i in made.kept if i < system.n)
         self.kept_w = tuple(i - system.n for i in made.kept if i >= system.n)
         entries = (*system.q, *w)
-        self.parameters = (*system.p, *(entries[i] for i in made.constants))
+        symbols = (*(entries[i] for i in made.constants), *(integral.symbol for integral in made.integrals))
+        self.parameters = (*system.p, *symbols)
         self.put_in = dict(made.fixed)
         self.original, self.equations = self.equations, self._fixed_equations()
         super()._arrange()
-        for k, i in enumerate(made.constants):
-            about = f"constant of the motion: {made.names[i]}"
-            self.state_loads[entries[i]] = ("p", len(system.p) + k, about)
+        names = (*(made.names[i] for i in made.constants), *(integral.text for integral in made.integrals))
+        for k, (node, name) in enumerate(zip(symbols, names, strict=True)):
+            self.state_loads[node] = ("p", len(system.p) + k, f"constant of the motion: {name}")
 
     def fix(self, nodes: Sequence[Node]) -> list[Node]:
         """Nodes over the full state in terms of what is kept; shorter where they can be."""
@@ -85,6 +91,22 @@ class ScenePlanner(Planner):
     def _columns(self) -> list[tuple[Node, str]]:
         nodes = substitute(self.graph, [column.node for column in self.reduction.outputs], self.put_in)
         return [(node, column.name) for node, column in zip(nodes, self.reduction.outputs, strict=True)]
+
+    def list_constants(self, start: Start) -> tuple[Quantity, ...]:
+        """The parameters after the spec's, with their values at the start as defaults."""
+        system, made, g = self.system, self.reduction, self.graph
+        values = (*start.q, *kept_velocities(system, self.kept_forms(), start))
+        place = {**start.values(system), **dict(zip((*system.q, *self.equations.motion.w), values, strict=True))}
+        whole = state_quantities(system, self)
+        about = "constant of the motion, from the start of the scene"
+        found = [replace(whole[i], about=about, default=values[i]) for i in made.constants]
+        for integral in made.integrals:
+            symbol = g.symbol_of(integral.symbol)
+            assert symbol is not None
+            default = values[integral.index] - float(evaluate(g, [integral.rest], place)[0])
+            unit = whole[integral.index].unit
+            found.append(Quantity(symbol.name, identifier(symbol.name), unit, f"in {integral.text}", default))
+        return tuple(found)
 
     def needed_nodes(self) -> list[Node]:
         """The scene's needs in terms of what is kept (and of the unknowns of the planner's solves)."""

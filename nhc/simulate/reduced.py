@@ -9,7 +9,6 @@ from nhc.emit.statements import list_statuses
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choose import Formulation
 from nhc.mechanics.scenes import Start, kept_velocities
-from nhc.program.ir import Quantity
 from nhc.program.model import build_program, state_quantities
 from nhc.program.needed import Column, needed_function, watch_function
 from nhc.program.reduced import lower_functions
@@ -41,7 +40,7 @@ def prepare_reduced(equations: Equations, formulation: Formulation, start: Start
     functions = lower_functions(planner, ("rhs", "jacobian") if jacobian else ("rhs",))
     functions += (needed_function(planner, columns), *(() if watch is None else (watch,)))
     whole = state_quantities(system, planner)
-    constants = tuple(Quantity(whole[i].name, whole[i].identifier, whole[i].unit) for i in made.constants)
+    constants = planner.list_constants(start)
     frame = build_program(system, formulation, equations, only=("residuals",))
     program = replace(
         frame,
@@ -55,7 +54,7 @@ def prepare_reduced(equations: Equations, formulation: Formulation, start: Start
         scene=scene,
         formulation=formulation,
         y=tuple(values[i] for i in made.kept),
-        p=(*start.p, *(values[i] for i in made.constants)),
+        p=(*start.p, *(float(quantity.default or 0.0) for quantity in constants)),
         time=start.time,
         tolerance=float(scene.tolerance),
         columns=tuple(columns),

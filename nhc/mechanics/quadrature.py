@@ -1,0 +1,115 @@
+"""Coordinates that follow from others without an equation of their own.
+
+Where rates q'_i = c_ik w_k + d_i have coefficients that are constant on every motion, each linear relation between the rows c_i
+integrates to q_i = C + a_j q_j + d t: constraints such as r*theta' = x', wheels on one axle, angles that turn at a constant rate.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from nhc.algebra.graph import Node
+from nhc.algebra.interval import Interval, cannot_vanish
+from nhc.algebra.linear import NotLinear, linear_form
+from nhc.algebra.modular import are_zero
+from nhc.algebra.polynomial import normalise
+from nhc.algebra.show import to_text
+from nhc.mechanics.system import System
+
+_TERMS = 40
+
+
+@dataclass(frozen=True)
+class Integral:
+    """q_index = ``symbol`` + ``rest``, the symbol being a constant of the motion."""
+
+    index: int
+    symbol: Node
+    rest: Node
+    text: str
+
+
+@dataclass(frozen=True)
+class _Row:
+    """sum of weights * q' = vector . w + drift; ``vector`` is 1 in column ``pivot``."""
+
+    pivot: int
+    vector: tuple[Node, ...]
+    weights: Mapping[int, Node]
+    drift: Node
+
+
+def find_integrals(
+    system: System,
+    rates: Mapping[int, Node],
+    w: Sequence[Node],
+    constants: Sequence[Node],
+    first: Sequence[int],
+    known: Mapping[Node, Interval],
+) -> list[Integral]:
+    """The coordinates among ``rates`` (index -> q' over the kept state) that follow from the others.
+
+    ``constants`` are symbols that do not change on a motion beside the parameters, ``first`` coordinates that had better stay.
+    """
+    g = system.graph
+    changing = ~g.mask((*system.p, *constants))
+    rows: list[_Row] = []
+    found: list[Integral] = []
+    for i in sorted(rates, key=lambda i: (i not in first, i)):
+        try:
+            coefficients, drift = linear_form(g, rates[i], w)
+        except NotLinear:
+            continue
+        parts = _clean(system, [*coefficients, drift])
+        if any(g.deps[part] & changing for part in parts):
+            continue
+        row = _reduce(system, _Row(-1, tuple(parts[:-1]), {i: g.one}, parts[-1]), rows)
+        pivot = next((k for k, x in enumerate(row.vector) if x != g.zero), None)
+        if pivot is None:
+            found.append(_integral(system, i, row))
+        elif cannot_vanish(g, row.vector[pivot], known):
+            rows.append(_scaled(system, row, pivot))
+    return found
+
+
+def _clean(system: System, nodes: Sequence[Node]) -> list[Node]:
+    g = system.graph
+    zero = are_zero(g, nodes)
+    return [g.zero if z else normalise(g, node, _TERMS) for z, node in zip(zero, nodes, strict=True)]
+
+
+def _reduce(system: System, row: _Row, rows: Sequence[_Row]) -> _Row:
+    """The row less multiples of those before it."""
+    g = system.graph
+    vector, weights, drift = list(row.vector), dict(row.weights), row.drift
+    for other in rows:
+        factor = vector[other.pivot]
+        if factor == g.zero:
+            continue
+        vector = _clean(system, [g.sub(x, g.mul(factor, y)) for x, y in zip(vector, other.vector, strict=True)])
+        drift = g.sub(drift, g.mul(factor, other.drift))
+        for j, weight in other.weights.items():
+            weights[j] = g.sub(weights.get(j, g.zero), g.mul(factor, weight))
+    return _Row(-1, tuple(vector), weights, drift)
+
+
+def _scaled(system: System, row: _Row, pivot: int) -> _Row:
+    g = system.graph
+    scale = g.inverse(row.vector[pivot])
+    vector = tuple(g.one if k == pivot else g.mul(scale, x) for k, x in enumerate(row.vector))
+    return _Row(pivot, vector, {j: g.mul(scale, x) for j, x in row.weights.items()}, g.mul(scale, row.drift))
+
+
+def _integral(system: System, i: int, row: _Row) -> Integral:
+    g = system.graph
+    names = [j for j in sorted(row.weights) if j != i]
+    weights = _clean(system, [*(g.neg(row.weights[j]) for j in names), row.drift])
+    terms = [g.mul(weight, system.q[j]) for j, weight in zip(names, weights, strict=False)]
+    rest = g.sum([*terms, g.mul(weights[-1], system.t)])
+    name = f"{system.q_names[i]}_0"
+    taken = {*system.q_names, *(p.name for p in system.spec.parameters), *(form.name for form in system.quasi)}
+    while name in taken:
+        name += "_"
+    text = name if rest == g.zero else f"{name} + {to_text(g, rest)}"
+    return Integral(i, g.symbol(name, "constant"), rest, f"{system.q_names[i]} = {text}")
