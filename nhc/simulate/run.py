@@ -15,7 +15,7 @@ from nhc.simulate.methods import DEFAULT, RUNGE_KUTTA, STRUCTURE, is_adaptive
 from nhc.simulate.natural import NaturalModel
 from nhc.simulate.peers import PEERS, PeerModel
 from nhc.simulate.prepare import Job
-from nhc.simulate.source import write_source
+from nhc.simulate.source import write_natural, write_source
 from nhc.simulate.task import (
     CROSSED,
     DONE,
@@ -78,18 +78,21 @@ class Trajectory:
 def load(job: Job, method: str, compiled: bool = True) -> tuple[Model, tuple[str, ...]]:
     """The compiled model, or the emitted Python where there is no compiler; notes say so."""
     notes: tuple[str, ...] = ()
-    if method in STRUCTURE:
-        return NaturalModel(job.program), ()
     if method in PEERS:
         return PeerModel(job.program, job.events), ()
     if compiled:
         try:
-            sources = write_source(job.program, [RUNGE_KUTTA[method]], job.events, job.holds)
+            if method in STRUCTURE:
+                sources = write_natural(job.program, STRUCTURE[method])
+            else:
+                sources = write_source(job.program, [RUNGE_KUTTA[method]], job.events, job.holds)
             path = build(sources, f"{job.program.system}_run.c")
             width = len(job.columns) + len(job.checks)
             return CompiledModel(path, job.program.system, len(job.y), width), ()
         except CompileError as error:
             notes = (f"{error}; running the emitted Python, which is some hundred times slower",)
+    if method in STRUCTURE:
+        return NaturalModel(job.program), notes
     return InterpretedModel(job.program, job.events, job.holds), notes
 
 

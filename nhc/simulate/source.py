@@ -8,10 +8,12 @@ from dataclasses import dataclass
 from nhc.emit import EmitOptions, render
 from nhc.emit.environment import File, render_file
 from nhc.program.ir import Function, Load, Program
+from nhc.simulate.methods.natural import Scheme
 from nhc.simulate.methods.tableau import Collocation, Explicit, Tableau
 from nhc.stamp import PLACEHOLDER
 from nhc.version import __version__
 
+NATURAL = ("mass", "slope", "rows", "total", "velocities", "state", "needed")
 CUBIC = 3  # terms of an interpolant that every method has
 
 
@@ -52,6 +54,14 @@ class CollocationText:
     pole: str
     stiff: bool
     exponent: int
+
+
+@dataclass(frozen=True, slots=True)
+class Named:
+    """A method that its template says in full."""
+
+    name: str
+    template: str
 
 
 def print_sum(row: Sequence[float], array: str = "s->k") -> str:
@@ -132,6 +142,23 @@ def write_source(
         "methods": tuple(describe(method) for method in methods),
     }
     return model | {f"{program.system}_run.c": render_file(File("run.c", "c/run.c.jinja", context))}
+
+
+def write_natural(program: Program, method: Scheme) -> dict[str, str]:
+    """The same for a structure-preserving method: ``program`` has mass, slope, rows, total, velocities, state and needed."""
+    used = tuple(f for f in program.functions if f.name in NATURAL and (f.name != "rows" or size(f)))
+    used = tuple(f for f in used if f.name != "total" or method.name == "energy")
+    model = render(program, "c", EmitOptions(only=tuple(f.name for f in used)))
+    context: dict[str, object] = {
+        "name": program.system,
+        "capitals": program.system.upper(),
+        "head": f"{program.system}_run.c: integrates {program.system}, emitted by nhc {__version__} ({PLACEHOLDER})",
+        "declarations": tuple(declare(program.system, function) for function in used),
+        "needed": size(next(function for function in used if function.name == "needed")),
+        "method": Named(method.name, f"c/methods/{method.name}.c.jinja"),
+        "constrained": any(function.name == "rows" for function in used),
+    }
+    return model | {f"{program.system}_run.c": render_file(File("run.c", "c/natural.c.jinja", context))}
 
 
 def size(function: Function | None) -> int:

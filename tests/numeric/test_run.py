@@ -26,7 +26,7 @@ from nhc.simulate.opening import RunError, open_scene
 from nhc.simulate.peers import SCIPY
 from nhc.simulate.prepare import Job
 from nhc.simulate.run import Settings, Trajectory, run
-from nhc.simulate.source import write_source
+from nhc.simulate.source import write_natural, write_source
 from tests.support import COMPILER, ROOT, STRICT, formulations, reference, spec_path
 
 needs_compiler = pytest.mark.skipif(COMPILER is None, reason="no C compiler")
@@ -119,6 +119,27 @@ def test_the_emitted_source_is_clean(method: str, tmp_path: Path) -> None:
         [COMPILER, *STRICT, "-O1", "-c", "holonomic_pendulum_run.c"], cwd=tmp_path, capture_output=True, text=True
     )
     assert done.returncode == 0, done.stderr
+
+
+@needs_compiler
+@pytest.mark.parametrize("method", STRUCTURE)
+def test_structure_in_c_and_in_python(method: str, tmp_path: Path) -> None:
+    """The same motion from both, and C that compiles without a warning, with constraints and without."""
+    for name in ("contact_oscillator", "pendulum", "chaplygin_sleigh"):
+        if name == "chaplygin_sleigh" and method == "perlmutter":
+            continue
+        job = job_of(name, method, 1.0)
+        compiled, interpreted = (run(job, Settings(method, step=0.05, points=13, compiled=c)) for c in (True, False))
+        assert compiled.compiled and not interpreted.compiled
+        assert compiled.outcome.steps == interpreted.outcome.steps == 20
+        for a, b in zip(compiled.rows, interpreted.rows, strict=True):
+            assert distance(list(a), list(b)) < 1e-11
+        for file, text in write_natural(job.program, STRUCTURE[method]).items():
+            (tmp_path / file).write_text(text)
+        assert COMPILER is not None
+        command = [COMPILER, *STRICT, "-O1", "-c", f"{name}_run.c"]
+        done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True)
+        assert done.returncode == 0, done.stderr
 
 
 def test_the_constraints_are_kept() -> None:
