@@ -26,6 +26,7 @@ def _split(context: click.Context, parameter: click.Parameter, value: str | None
 )
 @formulation_option
 @click.option("--scene", metavar="NAME", default="", help="Emit for this scene: its parameters, and what it needs.")
+@click.option("--fold", is_flag=True, help="With --scene: put its parameter values in as numbers.")
 @click.option("--only", metavar="A,B", callback=_split, help="Emit only these functions, such as rhs,energy.")
 @click.option("--driver", is_flag=True, help="With C: add a main() that integrates a scene and prints CSV.")
 @click.option("--array", type=click.Choice(["numpy", "jax"]), help="With Python: functions that broadcast over arrays.")
@@ -39,6 +40,7 @@ def command(
     to_stdout: bool,
     formulation: str | None,
     scene: str,
+    fold: bool,
     only: tuple[str, ...],
     driver: bool,
     array: str | None,
@@ -62,12 +64,20 @@ def command(
         raise click.UsageError("`--stdout` and `-o` exclude one another")
     if compare and (to_stdout or output == "-"):
         raise click.UsageError("`--check` compares with files; stdout holds none")
+    if fold and (not scene or language == "latex"):
+        raise click.UsageError("`--fold` puts the values of a scene into C or Python: it needs `--scene`")
     source = open_spec(spec)
     from nhc.emit import EmitError
     from nhc.pipeline import Options, emit
 
     options = Options(
-        formulation=formulation or "", scene=scene, only=only, driver=driver, array=array or "", trig=trig or ""
+        formulation=formulation or "",
+        scene=scene,
+        only=only,
+        driver=driver,
+        array=array or "",
+        trig=trig or "",
+        fold=fold,
     )
     try:
         files = emit(source, language, options)

@@ -61,5 +61,6 @@ def _notes(model: SceneModel) -> list[str]:
     before, after = len(model.full_state), len(model.reduction.kept)
     needs = ", ".join(column.name for column in model.reduction.outputs)
     lines = [f"reduced for the scene {model.scene.name}, which needs {needs}: {after} of {before} states"]
+    lines += ["the parameters' values of the scene are put in: the functions do not read them"] if model.folded else []
     lines += [f"left out: {omission.name}: {omission.reason}" for omission in model.reduction.left]
     return lines

@@ -65,6 +65,7 @@ class SceneModel:
     full_operations: int
     operations: int
     chosen: int
+    folded: bool = False
 
 
 def count_operations_of(function: Function) -> int:
@@ -108,6 +109,7 @@ def scene_model(system: System, base: Formulation, scene: Scene, *, only_base: b
         full_operations=count_operations_of(_lower_rhs(full)),
         operations=search.tried[best.place].operations,
         chosen=best.place,
+        folded=fold,
     )
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import subprocess
 from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
@@ -227,14 +228,18 @@ def test_jacobian(name: str) -> None:
     ("name", "scene"), [("ball_on_table", "modulated"), ("rolling_disk", "lean"), ("holonomic_pendulum", "reference")]
 )
 def test_c_driver_prints_what_is_needed(name: str, scene: str, tmp_path: Path) -> None:
-    import subprocess
-
-    files = emit(read(str(spec_path(name))), "c", Options(scene=scene, driver=True))
-    program_path = compile_c(files, tmp_path, name, library=False)
-    done = subprocess.run([str(program_path), scene, "5"], capture_output=True, text=True, check=True)
-    rows = done.stdout.splitlines()
-    assert rows[0].split(",") == ["t", *(column.name for column in reduction(name, scene).reduction.outputs)]
-    assert len(rows) == 6
+    ends = []
+    for fold in (False, True):
+        folder = tmp_path / f"fold{fold}"
+        folder.mkdir()
+        files = emit(read(str(spec_path(name))), "c", Options(scene=scene, driver=True, fold=fold))
+        program_path = compile_c(files, folder, name, library=False)
+        done = subprocess.run([str(program_path), scene, "5", "1e-11"], capture_output=True, text=True, check=True)
+        rows = done.stdout.splitlines()
+        assert rows[0].split(",") == ["t", *(column.name for column in reduction(name, scene).reduction.outputs)]
+        assert len(rows) == 6
+        ends.append(rows[-1].split(","))
+    assert error(*ends) < 1e-8
 
 
 @pytest.mark.parametrize(
