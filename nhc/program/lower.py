@@ -35,6 +35,7 @@ from nhc.program.naming import Namer
 from nhc.program.passes import count_operations
 from nhc.program.plan import FunctionPlan, GuardPlan, SolvePlan
 
+_MANY = 150  # lets beyond which results are stored as soon as they are known
 _LONG = 10  # operations in one expression
 _ONE = Fraction(1)
 _UNROLLED = 4  # integer powers up to this are products
@@ -51,6 +52,8 @@ class Lowering:
         self.names: dict[Node, str] = {}
         self.body: list[Statement] = []
         self.needed = reachable(graph, self._roots())
+        self.waiting: set[Node] = set()
+        self._done: set[Node] = set()
         self.stages = self._stages()
 
     def _roots(self) -> list[Node]:
@@ -126,27 +129,45 @@ class Lowering:
     # --- statements ---------------------------------------------------------------------------------------
 
     def lower(self) -> Function:
+        """Each let stands where it is first needed, so that few values live at once; guards come before the results."""
         self._load()
         lets = self.choose_names()
         self._parameter_section([n for n in lets if self._constant(n)])
-        guards = sorted(self.plan.guards, key=lambda guard: max(guard.value, guard.scale))
-        moving = [n for n in lets if not self._constant(n)]
+        self.waiting = {n for n in lets if not self._constant(n)}
         for stage in range(len(self.plan.solves) + 1):
             if stage:
-                self._solve(self.plan.solves[stage - 1])
-            for node in moving:
-                if self.stages[node] != stage:
-                    continue
-                while guards and stage == self._guard_stage(guards[0]) and max(guards[0].value, guards[0].scale) < node:
-                    self._guard(guards.pop(0))
-                self._let(node)
-            while guards and self._guard_stage(guards[0]) == stage:
-                self._guard(guards.pop(0))
-        self._store()
+                solve = self.plan.solves[stage - 1]
+                self._prepare([n for row in (*solve.matrix, *solve.columns) for n in row])
+                self._solve(solve)
+            for guard in self.plan.guards:
+                if max(self.stages[guard.value], self.stages[guard.scale]) == stage:
+                    self._prepare([guard.value, guard.scale])
+                    self._guard(guard)
+        self._store(interleaved=len(self.waiting) > _MANY)
         return self._function()
 
-    def _guard_stage(self, guard: GuardPlan) -> int:
-        return max(self.stages[guard.value], self.stages[guard.scale])
+    def _prepare(self, roots: Iterable[Node]) -> None:
+        """Write the lets that the roots need and that are not written yet, each after those that it needs itself."""
+        for root in roots:
+            stack = [root]
+            while stack:
+                node = stack[-1]
+                missing = [c for c in self.graph.children(node) if c in self.waiting or self._leads_on(c)]
+                missing = [c for c in missing if c not in self._done]
+                if missing:
+                    stack.extend(reversed(missing))
+                    continue
+                stack.pop()
+                if node in self._done:
+                    continue
+                self._done.add(node)
+                if node in self.waiting:
+                    self.waiting.discard(node)
+                    self._let(node)
+
+    def _leads_on(self, node: Node) -> bool:
+        """Whether lets may stand below the node: it is no leaf and has no name yet."""
+        return bool(self.graph.children(node)) and node not in self.names
 
     def _load(self) -> None:
         present = set(self.needed)
@@ -189,13 +210,18 @@ class Lowering:
             )
         )
 
-    def _store(self) -> None:
+    def _store(self, *, interleaved: bool) -> None:
+        """The results: together at the end, or in a long function each as soon as it is known."""
         plan = self.plan
+        if not interleaved:
+            self._prepare([target.node for target in plan.targets])
         for target in plan.targets:
             assert plan.output is not None
+            self._prepare([target.node])
             value = self.expression(target.node)
             self.body.append(Store(plan.output.name, target.index, value, target.about, target.origin))
         if plan.result is not None:
+            self._prepare([plan.result])
             self.body.append(Result(self.expression(plan.result)))
 
     def _function(self) -> Function:
