@@ -104,6 +104,14 @@ def reduce_equations(
     )
 
 
+def keep_everything(equations: Equations, formulation: Formulation, scene: Scene) -> Reduction:
+    """The model of a scene that leaves nothing out: for motions that no point of the prime field tells anything about."""
+    names = flow_of(equations).names
+    every = tuple(range(len(names)))
+    columns = tuple(list_needs(equations, scene))
+    return Reduction(equations, formulation, names, every, (), (), (), (), columns, every, False)
+
+
 def _integrate(
     flow: Flow,
     kept: Sequence[int],

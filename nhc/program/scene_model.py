@@ -15,7 +15,7 @@ from nhc.mechanics.associate import Equations
 from nhc.mechanics.choose import Formulation
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.kinetic import Kinetic, kinetic_structure
-from nhc.mechanics.reduce import Reduction, reduce_equations
+from nhc.mechanics.reduce import Reduction, keep_everything, reduce_equations
 from nhc.mechanics.regularity import intervals
 from nhc.mechanics.scene_frames import free_forms, list_formulations, momentum_formulation
 from nhc.mechanics.scenes import Start, start_of
@@ -114,14 +114,14 @@ def scene_model(system: System, base: Formulation, scene: Scene, *, only_base: b
 
 
 def reduce_one(equations: Equations, formulation: Formulation, start: Start) -> ScenePlanner:
-    """The reduction of one formulation to what the scene needs, without trying others.
-
-    Raises:
-        nhc.algebra.modular.Unlucky: the motion is singular everywhere.
-    """
+    """The reduction of one formulation to what the scene needs, without trying others."""
     system = equations.system
     known = {**intervals(system), **{symbol: (x, x) for symbol, x in zip(system.p, start.p, strict=True)}}
-    return _cheapest_planner(reduce_equations(equations, formulation, start.scene, known))[2]
+    try:
+        made = reduce_equations(equations, formulation, start.scene, known)
+    except Unlucky:
+        made = keep_everything(equations, formulation, start.scene)
+    return _cheapest_planner(made)[2]
 
 
 def _fold(system: System, start: Start) -> dict[Node, Node]:
@@ -194,7 +194,9 @@ class _Search:
         try:
             made = reduce_equations(equations, formulation, self.scene, self.known, self.folded)
         except Unlucky:
-            return False
+            if not trusted or self.found:
+                return False
+            made = keep_everything(equations, formulation, self.scene)
         regular = trusted or made.regular or (formulation.dependent is not None and formulation.dependent.regular)
         why = "" if regular else "its coframe may become singular"
         if weak:

@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
+from nhc.algebra.modular import Unlucky
 from nhc.diagnostics import Source
 from nhc.emit import EmitOptions, render
 from nhc.language import decode, read
@@ -266,3 +267,15 @@ def test_a_run_uses_the_smallest_state(name: str, scene: str, states: int) -> No
     assert found.headings == expected.headings
     for row, other in zip(found.rows, expected.rows, strict=True):
         assert error(row, other) < 1e-10
+
+
+def test_a_motion_that_no_field_point_tells_about_keeps_everything(monkeypatch: pytest.MonkeyPatch) -> None:
+    def fail(*arguments: object) -> None:
+        raise Unlucky
+
+    monkeypatch.setattr("nhc.mechanics.reduce.find_dependence", fail)
+    source = read(str(spec_path("rolling_disk")))
+    made = reduce_scene(source, Options(scene="lean", formulation="euler-lagrange"))
+    assert made.reduction.state == made.full_state
+    assert made.operations == made.full_operations
+    assert len(open_scene(source, "lean").y) == 8
