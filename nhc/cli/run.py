@@ -182,6 +182,8 @@ def _report(found: Trajectory, target: Path | None) -> int:
         return Exit.INTERRUPTED
     scene, method = found.job.scene.name, found.method
     advice = [f"the state there: {state}", "nothing was written"]
+    if found.job.watched and "changes its sign" in found.reason:
+        advice.append("leave `--formulation` to nhc, or take `multipliers`, which divides by no such determinant")
     raise Failure(f"the scene `{scene}` fails {where} ({method}): {found.reason}", advice, exit=Exit.NUMERICAL)
 
 
