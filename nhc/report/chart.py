@@ -92,7 +92,7 @@ def _draw_legend(study: Study, style: Style, top: float) -> tuple[list[str], flo
         x = LEFT + 78.0
         parts.append(draw_text(LEFT, at, kind, more=BOLD))
         for name in names:
-            label = NAMES.get(name, name) if kind == "run by" else name
+            label = NAMES.get(name, name) if kind == "run by" else style.label(name)
             if x + 40 + 7.4 * len(label) > WIDTH - 20:
                 x, at = LEFT + 78.0, at + 20
             parts += _draw_key(kind, name, label, x, at, style)

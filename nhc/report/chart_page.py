@@ -45,7 +45,7 @@ def list_choices(style: Style) -> list[tuple[str, list[tuple[str, str]]]]:
     """(kind, [(class, name)]) of everything that can be hidden."""
     kinds = (("method", "m", style.methods), ("equations", "f", style.formulations), ("run by", "l", style.languages))
     return [
-        (kind, [(f"{letter}{k}", escape(NAMES.get(name, name))) for k, name in enumerate(names)])
+        (kind, [(f"{letter}{k}", escape(style.label(NAMES.get(name, name)))) for k, name in enumerate(names)])
         for kind, letter, names in kinds
     ]
 

@@ -19,17 +19,22 @@ Value = Callable[[Result], float]
 
 @dataclass(frozen=True)
 class Style:
-    """Colours say the method, shapes the formulation, dashes the language."""
+    """Colours say the method, shapes the formulation, dashes the language; ``foreign`` methods are SciPy's."""
 
     methods: tuple[str, ...]
     formulations: tuple[str, ...]
     languages: tuple[str, ...]
+    foreign: tuple[str, ...]
 
     def colour(self, method: str) -> str:
         return COLOURS[self.methods.index(method) % len(COLOURS)]
 
     def shape(self, formulation: str) -> str:
         return SHAPES[self.formulations.index(formulation) % len(SHAPES)]
+
+    def label(self, method: str) -> str:
+        """A method's name, with its maker where that is not nhc."""
+        return f"{method} (SciPy)" if method in self.foreign else method
 
     def dash(self, language: str) -> str:
         return DASHES.get(language, OTHER_DASH)
@@ -48,6 +53,7 @@ def style_of(study: Study) -> Style:
         tuple(dict.fromkeys(c.method for c in cases)),
         tuple(dict.fromkeys(c.formulation for c in cases)),
         tuple(dict.fromkeys(c.language for c in cases)),
+        tuple(dict.fromkeys(c.method for c in cases if c.language == "scipy")),
     )
 
 

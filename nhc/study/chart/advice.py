@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from nhc.study.chart.case import Case, Cost, Result, Study
 
+EQUAL = 1.05
+"""Times whose ratio is less than this count as equal."""
 TARGETS = (1e-3, 1e-6, 1e-9, 1e-12)
 NAMES = {"c": "C", "python": "Python", "scipy": "SciPy"}
 
@@ -27,7 +29,7 @@ def advise(study: Study, targets: Sequence[float] = TARGETS) -> tuple[Advice, ..
 
 
 def fastest(results: Iterable[Result], target: float, floor: float) -> Result | None:
-    """The fastest case that reaches the target together with the reference's own error ``floor``.
+    """The fastest case that reaches the target together with the reference's own error ``floor``; of equals the first line's.
 
     A case that reaches it by luck does not count: all tighter cases of its line must reach it as well.
     """
@@ -41,7 +43,14 @@ def fastest(results: Iterable[Result], target: float, floor: float) -> Result | 
             if not result.error + floor <= target:
                 break
             good.append(result)
-    return min(good, key=lambda r: (r.best, r.error), default=None)
+    least = min((r.best for r in good), default=0.0)
+    return next((r for r in results_in_order(lines, good) if r.best <= EQUAL * least), None)
+
+
+def results_in_order(lines: Mapping[tuple[str, str, str], object], good: Sequence[Result]) -> list[Result]:
+    """By the order in which the study has its lines, the fastest of each first: of equals the study's first is taken."""
+    order = {series: k for k, series in enumerate(lines)}
+    return sorted(good, key=lambda r: (order[r.case.series], r.best, r.error))
 
 
 def _advise(study: Study, target: float) -> Advice:
@@ -83,17 +92,17 @@ def _reasons(study: Study, best: Result, target: float) -> list[str]:
     method = rival((True, False, True))
     if method is not None:
         work = f"{method.calls} right-hand sides" if method.calls != best.calls else "as many right-hand sides"
-        reasons.append(f"{method.case.method} takes {_times(method, best)} as long ({work})")
+        reasons.append(f"{method.case.method} takes {_times(method, best)} ({work})")
     form = rival((False, True, True))
     if form is not None:
-        reasons.append(f"{form.case.formulation} takes {_times(form, best)} as long{_why(study.costs, best, form)}")
+        reasons.append(f"{form.case.formulation} takes {_times(form, best)}{_why(study.costs, best, form)}")
     language = rival((True, True, False))
     if language is not None:
-        reasons.append(f"{NAMES[language.case.language]} takes {_times(language, best)} as long")
+        reasons.append(f"{NAMES[language.case.language]} takes {_times(language, best)}")
     peer = fastest([r for r in study.results if r.case.language not in ("c", "python")], target, floor)
     if peer is not None:
         name = NAMES.get(peer.case.language, peer.case.language)
-        reasons.append(f"{name}'s {peer.case.method} on the same C takes {_times(peer, best)} as long")
+        reasons.append(f"{name}'s {peer.case.method} on the same C takes {_times(peer, best)}")
     return reasons
 
 
@@ -117,7 +126,9 @@ def _why(costs: Sequence[Cost], best: Result, other: Result) -> str:
 
 def _times(a: Result, b: Result) -> str:
     ratio = a.best / b.best
-    return f"{ratio:.0f} times" if ratio >= 9.95 else f"{ratio:.1f} times"
+    if ratio < EQUAL:
+        return "as long"
+    return f"{ratio:.0f} times as long" if ratio >= 9.95 else f"{ratio:.1f} times as long"
 
 
 def setting(case: Case) -> str:

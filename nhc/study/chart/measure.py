@@ -17,13 +17,14 @@ BATCH = 5e-4  # seconds: what one reading of the clock measures at least
 MOST_BATCHES = 20
 MOST_COUNT = 1 << 24
 LEAST_BATCHES = 3
+LONG = 4.0  # budgets; a run that is longer is not worth a warm-up
 Rows = Sequence[Sequence[float]]
 
 
 def time_repeats(repeat: Callable[[int], None], budget: float) -> tuple[float, float, int]:
     """(least, median, number) of the seconds of one run; ``repeat(n)`` runs it n times.  The first call is not counted.
 
-    A run that takes longer than the budget is measured once.
+    A run that takes longer than the budget is measured once, one that is much longer without a warm-up.
     """
     clock = time.perf_counter
 
@@ -32,7 +33,9 @@ def time_repeats(repeat: Callable[[int], None], budget: float) -> tuple[float, f
         repeat(count)
         return clock() - before
 
-    take(1)
+    first = take(1)
+    if first > LONG * budget:
+        return first, first, 1
     once = take(1)
     if once > budget:
         return once, once, 1

@@ -15,7 +15,7 @@ from nhc.study.chart.model import doubles
 from nhc.study.chart.single import Bench, judge
 
 LEAST_SCIPY = 3e-14  # SciPy raises smaller relative tolerances by itself
-MOST_CALLS = 60_000
+MOST_CALLS = 10_000
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,7 +87,7 @@ def _bind(bench: Bench, method: str, tolerance: float) -> Callable[[bool], Any]:
         nonlocal calls
         calls += 1
         if calls > MOST_CALLS:
-            raise TooManyCalls(f"more than {MOST_CALLS} right-hand sides")
+            raise TooManyCalls(f"stopped after {MOST_CALLS} right-hand sides")
         state[:] = y
         if function(t, into, p, out):
             raise ArithmeticError(f"singular at t = {t:.6g}")
