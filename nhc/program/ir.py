@@ -59,7 +59,8 @@ class Power:
 @dataclass(frozen=True, slots=True)
 class Call:
     """A function of the language: sin cos tan asin acos atan atan2 sinh cosh tanh exp log sqrt abs sign min max,
-    and ``pow`` (a power whose exponent is no integer)."""
+    and ``pow`` (a power whose exponent is no integer).
+    """
 
     function: str
     arguments: tuple[Expr, ...]
