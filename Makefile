@@ -12,7 +12,7 @@ CFLAGS ?= -O2
 CWARN := -std=c99 -Wall -Wextra -Wpedantic -Wconversion -Werror
 
 .DEFAULT_GOAL := help
-.PHONY: help demo test check goldens fuzz clean
+.PHONY: help demo test check goldens fuzz atlas clean
 
 help:
 	@sed -n 's/^# \(make .*\)/\1/p' Makefile
@@ -20,6 +20,7 @@ help:
 	@echo "make goldens  rewrite the expected files of the tests; read the difference before you commit it"
 	@echo "make fuzz     fuzz the reader, the parser and the emission; FUZZ_INPUTS and FUZZ_SPECS say how much"
 	@echo "make bench    measure nhc beside its peers and write docs/performance.md (needs valgrind, takes many minutes)"
+	@echo "make atlas    run the atlas of failures, the long scenarios too, and rewrite its table in docs/stability.md"
 	@echo "make clean    remove build/"
 
 # A python3 that is on the path need not run (version managers leave such shims): each candidate is tried.
@@ -94,6 +95,9 @@ fuzz: $(VENV)/installed-dev
 bench: $(VENV)/installed-bench
 	@command -v valgrind >/dev/null || { echo "error: no valgrind, which counts the instructions (on Debian: apt-get install valgrind)" >&2; exit 1; }
 	$(BIN)/python -m benchmarks
+
+atlas: $(VENV)/installed-dev
+	$(BIN)/python -m nhc.study.atlas docs/stability.md
 
 clean:
 	rm -rf build

@@ -50,6 +50,8 @@ def _read_sweep(context: click.Context, parameter: click.Parameter, value: str |
     default=10,
     help="Length of the long run in scenes; default: 10.",
 )
+@click.option("--atlas", is_flag=True, help="Run the atlas of failures in place of a spec.")
+@click.option("--slow", is_flag=True, help="With `--atlas`: the scenarios that take longer, too.")
 @formulation_option
 @click.option("-o", "output", metavar="FILE", help="Write the page with pictures to FILE (.html).")
 @click.option("--force", is_flag=True, help="Overwrite FILE when it exists.")
@@ -62,6 +64,8 @@ def command(
     holds: tuple[str, ...],
     sweep: SweepRange | None,
     lengths: float,
+    atlas: bool,
+    slow: bool,
     formulation: str | None,
     output: str | None,
     force: bool,
@@ -72,6 +76,10 @@ def command(
     Prints one table: steady motion and eigenvalues, largest stable steps, long-run drift, sensitivity to the start,
     distance from singular points.
     """
+    if atlas:
+        if spec is not None or output is not None:
+            raise click.UsageError("`--atlas` takes neither a spec nor `-o`")
+        return _run_atlas(slow, as_json)
     if spec is None:
         raise click.UsageError("missing argument `SPEC`")
     target = _check_target(output, force)
@@ -95,6 +103,20 @@ def command(
         why = dict(found.missing).get("steady motion", "no steady motion")
         raise Failure(f"nothing to sweep: {why}", ["give a steady motion with `--about`"], exit=Exit.NUMERICAL)
     return 0
+
+
+def _run_atlas(slow: bool, as_json: bool) -> int:
+    """Every scenario; 1 where one does not pass."""
+    try:
+        from nhc.study.atlas.table import lines, run_all, tree
+    except ModuleNotFoundError as error:
+        raise lacking(error) from error
+    results = run_all(slow, say)
+    if as_json:
+        put_json("nhc.atlas/1", tree(results))
+    else:
+        put("\n".join(lines(results)))
+    return Exit.DONE if all(verdict.passed for _, verdict in results) else Exit.FAILED
 
 
 def lacking(error: ModuleNotFoundError) -> Failure:

@@ -1,0 +1,1 @@
+"""Where methods fail: one scenario per module, each with the naive way and nhc's way measured side by side."""

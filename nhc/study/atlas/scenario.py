@@ -1,0 +1,113 @@
+"""What every scenario offers, and the tools that they share."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from nhc.language import decode, read
+from nhc.mechanics.about import scene_about
+from nhc.mechanics.choose import formulate
+from nhc.mechanics.formulate import equations_of
+from nhc.mechanics.resolve import resolve
+from nhc.mechanics.scenes import Start, start_of
+from nhc.mechanics.system import System
+from nhc.resources import find_specs
+from nhc.simulate.methods import RUNGE_KUTTA
+from nhc.simulate.methods.tableau import Collocation
+from nhc.simulate.prepare import Job, prepare
+from nhc.simulate.run import Model, load
+from nhc.simulate.task import Outcome, Task
+from nhc.study.steady import Matrix
+
+
+@dataclass(frozen=True)
+class Measure:
+    """``number`` is what was measured, ``text`` says what it is."""
+
+    text: str
+    number: float
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """``passed``: the naive way fails as told, and nhc meets the ``criterion``."""
+
+    naive: Measure
+    nhc: Measure
+    criterion: str
+    passed: bool
+
+
+@dataclass(frozen=True)
+class Scenario:
+    """``code`` is that of the catalogue of failures; ``slow`` ones run by ``make atlas`` only."""
+
+    code: str
+    title: str
+    system: str
+    run: Callable[[], Verdict]
+    slow: bool = False
+
+
+def open_system(name: str) -> System:
+    """A gallery system, or one of the atlas's own."""
+    folder = find_specs()
+    own = folder / "atlas" / f"{name}.yaml"
+    return resolve(decode(read(str(own if own.is_file() else folder / f"{name}.yaml"))))
+
+
+@dataclass(frozen=True)
+class Runner:
+    """A formulation of a system from one start, with one method loaded."""
+
+    job: Job
+    model: Model
+    method: str
+
+    def run(
+        self, times: Sequence[float], step: float = 0.0, tolerance: float = 1e-12, y: Sequence[float] | None = None
+    ) -> Outcome:
+        """Integrate over ``times``."""
+        task = Task(self.job.p, self.job.y if y is None else y, times, tolerance, step)
+        return self.model.integrate(task, self.method, self.model.news())
+
+    def checks(self, times: Sequence[float], outcome: Outcome, group: str) -> Matrix:
+        """Columns of a group of checks (energy, residual, position) at the rows that were reached."""
+        rows = np.array(self.model.quantities(times[: len(outcome.states)], outcome.states, self.job.p))
+        offset = len(self.job.columns)
+        places = [offset + k for k, column in enumerate(self.job.checks) if column.group == group]
+        return np.asarray(rows[:, places])
+
+
+def open_runner(
+    system: System,
+    about: str,
+    method: str,
+    formulation: str = "",
+    settings: Sequence[str] = (),
+    needs: Sequence[str] = (),
+    watch: bool = True,
+    start: Start | None = None,
+    hold: bool = True,
+) -> Runner:
+    """``hold`` False: states are not brought back to their constraints.  ``watch`` False takes the determinants' watch out, as code
+    that knows nothing of them would run.
+    """
+    form = formulate(system, formulation)
+    begin = start or start_of(system, scene_about(system.spec, about, settings))
+    implicit = isinstance(RUNGE_KUTTA[method], Collocation)
+    wanted = needs or system.q_names
+    job = prepare(equations_of(system, form), form, begin, wanted, jacobian=implicit, hold=hold, checks=True)
+    if not watch:
+        functions = tuple(f for f in job.program.functions if f.name != "watch")
+        job = replace(job, program=replace(job.program, functions=functions), watched=(), events=0)
+    model, _ = load(job, method)
+    return Runner(job, model, method)
+
+
+def grid(end: float, rows: int) -> tuple[float, ...]:
+    """Equally spaced times from 0, the last exactly the end."""
+    return (*(end * k / (rows - 1) for k in range(rows - 1)), end)

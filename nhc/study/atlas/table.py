@@ -1,0 +1,90 @@
+"""All scenarios, and the table of their verdicts."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+from nhc.study.atlas import (
+    affine,
+    bicycle,
+    block,
+    diagram,
+    drift,
+    gimbal,
+    hidden,
+    inconsistent,
+    massless,
+    rank,
+    reversal,
+    stiff,
+)
+from nhc.study.atlas.scenario import Scenario, Verdict
+
+SCENARIOS: tuple[Scenario, ...] = tuple(
+    module.SCENARIO
+    for module in (
+        drift,
+        diagram,
+        gimbal,
+        block,
+        rank,
+        stiff,
+        bicycle,
+        reversal,
+        inconsistent,
+        hidden,
+        massless,
+        affine,
+    )
+)
+
+Result = tuple[Scenario, Verdict]
+
+
+def run_all(slow: bool = False, tell: Callable[[str], None] = lambda text: None) -> list[Result]:
+    """The verdicts in the catalogue's order; ``tell`` hears the title of each before it runs."""
+    found = []
+    for scenario in SCENARIOS:
+        if slow or not scenario.slow:
+            tell(f"{scenario.code}: {scenario.title}")
+            found.append((scenario, scenario.run()))
+    return found
+
+
+def lines(results: Sequence[Result]) -> list[str]:
+    """For a terminal."""
+    found = []
+    for scenario, verdict in results:
+        head = f"{scenario.code}  {scenario.title} ({scenario.system}): {'pass' if verdict.passed else 'FAIL'}"
+        found += [head, f"  naive      {verdict.naive.text}", f"  nhc        {verdict.nhc.text}"]
+        found.append(f"  criterion  {verdict.criterion}")
+    passed = sum(verdict.passed for _, verdict in results)
+    return [*found, f"{passed} of {len(results)} pass"]
+
+
+def markdown(results: Sequence[Result]) -> str:
+    """For the documents."""
+    rows = ["| | failure | naive | nhc | criterion | |", "|---|---|---|---|---|---|"]
+    for s, v in results:
+        told = "pass" if v.passed else "**fail**"
+        rows.append(f"| {s.code} | {s.title} (`{s.system}`) | {v.naive.text} | {v.nhc.text} | {v.criterion} | {told} |")
+    return "\n".join(rows) + "\n"
+
+
+def tree(results: Sequence[Result]) -> dict[str, Any]:
+    """For programs."""
+    return {
+        "scenarios": [
+            {
+                "code": s.code,
+                "title": s.title,
+                "system": s.system,
+                "naive": {"text": v.naive.text, "number": v.naive.number},
+                "result": {"text": v.nhc.text, "number": v.nhc.number},
+                "criterion": v.criterion,
+                "passed": v.passed,
+            }
+            for s, v in results
+        ]
+    }
