@@ -8,8 +8,10 @@ from typing import Any
 
 from nhc.study.linearize import Sweep, eigenvalues, verdict
 from nhc.study.stability.distance import NEAR
+from nhc.study.stability.drift import LongRun
 from nhc.study.stability.laboratory import Laboratory
 from nhc.study.stability.motions import SINGULAR, Motion
+from nhc.study.stability.sensitivity import Sensitivity
 
 
 @dataclass(frozen=True)
@@ -167,22 +169,15 @@ def _distances(lab: Laboratory) -> list[Row]:
 
 def tree(lab: Laboratory) -> dict[str, Any]:
     """All numbers; infinite ones are null."""
-    bench, motion, growth = lab.bench, lab.motion, lab.sensitivity
+    bench = lab.bench
     return {
         "system": bench.equations.system.name,
         "scene": bench.job.scene.name,
         "formulation": bench.formulation.name,
         "compiled": bench.model.compiled,
         "time": list(bench.job.time),
-        "steady": _motion_tree(motion) if motion else None,
-        "spectrum": None
-        if lab.spectrum is None
-        else {
-            "fastest": lab.spectrum.fastest,
-            "decay": lab.spectrum.decay,
-            "slowest": lab.spectrum.slowest,
-            "stiffness": lab.stiffness,
-        },
+        "steady": _motion_tree(lab.motion) if lab.motion else None,
+        "spectrum": _spectrum_tree(lab),
         "steps": [
             {
                 "method": x.method,
@@ -193,38 +188,44 @@ def tree(lab: Laboratory) -> dict[str, Any]:
             }
             for x in lab.limits
         ],
-        "drift": [
-            {
-                "method": run.method,
-                "step": run.step,
-                "reached": run.reached,
-                "wanted": run.wanted,
-                "why": run.why,
-                "quantities": [
-                    {
-                        "what": d.what,
-                        "kind": d.kind,
-                        "relative": d.relative,
-                        "first": d.first,
-                        "last": d.last,
-                        "grows": d.grows,
-                    }
-                    for d in run.drifts
-                ],
-            }
-            for run in lab.runs
-        ],
-        "sensitivity": None
-        if growth is None
-        else {
-            "growth": growth.norms[-1],
-            "plain": growth.plain,
-            "law": growth.law,
-            "rate": growth.rate,
-            "horizon": _finite(growth.horizon),
-        },
+        "drift": [_drift_tree(run) for run in lab.runs],
+        "sensitivity": _growth_tree(lab.sensitivity),
         "distances": [{"what": d.what, "kind": d.kind, "least": d.least, "t": d.t} for d in lab.distances],
         "missing": [{"study": name, "why": why} for name, why in lab.missing],
+    }
+
+
+def _spectrum_tree(lab: Laboratory) -> dict[str, float | None] | None:
+    found = lab.spectrum
+    if found is None:
+        return None
+    return {"fastest": found.fastest, "decay": found.decay, "slowest": found.slowest, "stiffness": lab.stiffness}
+
+
+def _drift_tree(run: LongRun) -> dict[str, Any]:
+    quantities = [
+        {"what": d.what, "kind": d.kind, "relative": d.relative, "first": d.first, "last": d.last, "grows": d.grows}
+        for d in run.drifts
+    ]
+    return {
+        "method": run.method,
+        "step": run.step,
+        "reached": run.reached,
+        "wanted": run.wanted,
+        "why": run.why,
+        "quantities": quantities,
+    }
+
+
+def _growth_tree(found: Sensitivity | None) -> dict[str, Any] | None:
+    if found is None:
+        return None
+    return {
+        "growth": found.norms[-1],
+        "plain": found.plain,
+        "law": found.law,
+        "rate": found.rate,
+        "horizon": _finite(found.horizon),
     }
 
 
