@@ -165,7 +165,7 @@ def _deliver(found: Trajectory, target: Path | None) -> None:
 def _report(found: Trajectory, target: Path | None) -> int:
     """A run that did not come to its end: what there is goes to a file whose name says so."""
     from nhc.report.trajectory import make_file
-    from nhc.simulate.run import describe_state
+    from nhc.simulate.run import describe_state, rank_left
 
     state = describe_state(found.job, found.outcome)
     where = f"at t = {found.outcome.t!r}"
@@ -182,6 +182,10 @@ def _report(found: Trajectory, target: Path | None) -> int:
         return Exit.INTERRUPTED
     scene, method = found.job.scene.name, found.method
     advice = [f"the state there: {state}", "nothing was written"]
+    rank = rank_left(found.job, found.outcome)
+    if rank is not None:
+        lost = "; there the constraints lose rank, and no formulation has a motion" if rank < 1e-6 else ""
+        advice.append(f"the smallest singular value of the constraints there: {rank:.3g}{lost}")
     if found.job.watched and "changes its sign" in found.reason:
         advice.append("leave `--formulation` to nhc, or take `multipliers`, which divides by no such determinant")
     raise Failure(f"the scene `{scene}` fails {where} ({method}): {found.reason}", advice, exit=Exit.NUMERICAL)

@@ -11,6 +11,7 @@ from nhc.language.spec import Scene
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choose import Formulation
 from nhc.mechanics.scenes import Start, kept_velocities
+from nhc.mechanics.system import System
 from nhc.program.build import Planner, build_functions
 from nhc.program.hold import hold_functions
 from nhc.program.ir import Program
@@ -27,6 +28,8 @@ class Job:
     """
 
     program: Program
+    system: System
+    start: Start
     scene: Scene
     formulation: Formulation
     y: tuple[float, ...]
@@ -83,6 +86,8 @@ def prepare(
     meanings = {status.code: status.what for status in list_statuses(program)}
     return Job(
         program=program,
+        system=system,
+        start=start,
         scene=scene,
         formulation=formulation,
         y=(*start.q, *kept_velocities(system, planner.kept_forms(), start)),

@@ -51,6 +51,8 @@ def prepare_reduced(equations: Equations, formulation: Formulation, start: Start
     )
     return Job(
         program=program,
+        system=system,
+        start=start,
         scene=scene,
         formulation=formulation,
         y=tuple(values[i] for i in made.kept),

@@ -243,6 +243,24 @@ def describe_state(job: Job, outcome: Outcome, longest: int = 12) -> str:
     return shown + (", ..." if len(pairs) > longest else "")
 
 
+def rank_left(job: Job, outcome: Outcome) -> float | None:
+    """The smallest singular value of the constraints where a run ended; None without constraints.
+
+    Coordinates that the model does not carry stand at their start: the rank does not depend on them.
+    """
+    from nhc.mechanics.singular import smallest_singular_value
+
+    if not job.system.constraints:
+        return None
+    place = job.start.values(job.system) | {job.system.t: outcome.t}
+    carried = dict(zip(job.state_names, outcome.y, strict=True))
+    place |= {q: carried[name] for q, name in zip(job.system.q, job.system.q_names, strict=True) if name in carried}
+    try:
+        return smallest_singular_value(job.system, place)
+    except (ArithmeticError, ValueError):
+        return None
+
+
 def energy_change(found: Trajectory) -> list[float]:
     """The energy's change since the start at each row, relative to the largest of |T + V| and T met (none: as it is)."""
     groups = [column.group for column in found.job.checks]

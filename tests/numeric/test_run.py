@@ -393,3 +393,17 @@ def test_npz_is_the_same_each_time() -> None:
     job = job_of("pendulum", end=1.0)
     found: list[Trajectory] = [run(job, Settings(compiled=False, points=5)) for _ in range(2)]
     assert npz_bytes(found[0]) == npz_bytes(found[1])
+
+
+def test_a_lost_rank_is_told_with_its_singular_value(tmp_path: Path) -> None:
+    text = spec_path("snakeboard").read_text()
+    text = text[: text.index("scenes:")] + (
+        "scenes:\n  lost:\n    initial: {p_b: 1.5707963267948966, p_f: 1.5707963267948966, psi': 1}\n    time: [0, 1]\n"
+    )
+    path = tmp_path / "lost.yaml"
+    path.write_text(text)
+    done = subprocess.run([sys.executable, "-m", "nhc", "run", str(path)], capture_output=True, text=True, check=False)
+    assert done.returncode == 3
+    assert done.stdout == ""
+    assert "smallest singular value of the constraints there: " in done.stderr
+    assert "lose rank" in done.stderr
