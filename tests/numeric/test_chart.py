@@ -1,0 +1,181 @@
+"""Small charts of the gallery: errors fall with the tolerance, references confirm one another, failures stay failures."""
+
+from __future__ import annotations
+
+import json
+import math
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+
+from nhc.cli.chart import command
+from nhc.language import Source, read
+from nhc.simulate import compile as compiling
+from nhc.simulate.auto import choose_method
+from nhc.simulate.opening import open_scene
+from nhc.study.chart.advice import advise
+from nhc.study.chart.case import RESOLVED, Study
+from nhc.study.chart.grid import Grid
+from nhc.study.chart.study import chart
+from tests.support import COMPILER, spec_path
+
+STIFF = """
+nhc: 1
+system: stiff_drag
+about: A particle whose drag in y is strong.
+coordinates:
+  x: {about: place}
+  y: {about: height}
+parameters:
+  m: {value: 1, about: mass}
+  c: {value: RATE, about: drag}
+T: m/2*(x'^2 + y'^2)
+U: m*cos(x)*y - m/2*x^2
+forces:
+  y: -c*y'
+scenes:
+  fall:
+    initial: {x: 0.3}
+    time: [0, 10]
+"""
+SMALL = Grid(budget=1e-4, peers=False)
+needs_compiler = pytest.mark.skipif(COMPILER is None, reason="no C compiler")
+
+
+def gallery(name: str) -> Source:
+    return read(str(spec_path(name)))
+
+
+@cache
+def sleigh() -> Study:
+    grid = replace(
+        SMALL, methods=("dop853", "dopri5", "rk4"), tolerances=(1e-3, 1e-6, 1e-9), peers=True, languages=("c", "python")
+    )
+    return chart(gallery("chaplygin_sleigh"), grid)
+
+
+@needs_compiler
+def test_errors_fall_with_the_tolerance_in_every_line() -> None:
+    lines: dict[tuple[str, str, str], list[float]] = {}
+    for result in sleigh().results:
+        if not result.failed:
+            lines.setdefault(result.case.series, []).append(max(result.error, result.grid_error))
+            assert result.best > 0 and result.best <= result.median and result.repeats >= 1
+            assert result.error < 30 * result.case.tolerance * (300 if result.case.language == "scipy" else 1)
+    assert {"euler-lagrange", "multipliers"} <= {series[0] for series in lines}
+    for errors in lines.values():
+        assert len(errors) == 3
+        assert errors[0] > 30 * errors[1] > 900 * errors[2]
+
+
+@needs_compiler
+def test_c_and_python_make_the_same_errors() -> None:
+    known = {(*r.case.series, r.case.tolerance): r for r in sleigh().results if not r.failed}
+    compared = 0
+    for key, result in known.items():
+        if key[2] == "python":
+            twin = known[(*key[:2], "c", key[3])]
+            assert math.isclose(result.error, twin.error, rel_tol=1e-3, abs_tol=1e-13)
+            assert (result.calls, result.steps) == (twin.calls, twin.steps)
+            compared += 1
+    assert compared == 18
+
+
+@needs_compiler
+def test_a_fixed_block_that_is_crossed_is_shown_as_failed() -> None:
+    made = sleigh()
+    crossed = [r for r in made.results if r.case.formulation in ("chaplygin", "voronec")]
+    assert crossed and all("determinant changes its sign" in r.failed and math.isnan(r.error) for r in crossed)
+    assert {what for what, _ in made.left_out} >= {"newton", "lagrange"}
+    assert all(a.best is None or a.best.case.formulation not in ("chaplygin", "voronec") for a in advise(made))
+
+
+@needs_compiler
+def test_the_reference_states_its_own_error_and_is_right() -> None:
+    made = sleigh()
+    assert 0 <= made.reference.error < 1e-14 and "gauss6" in made.reference.confirmed_by
+    assert "dop853" in made.reference.method and made.machine.nhc in made.machine.line
+    for result in made.results:
+        if not result.failed:
+            assert result.unresolved == (not result.error >= RESOLVED * made.reference.error)
+            # the sleigh keeps its energy; in the coframe of the knife edge it cannot slip
+            assert result.energy < 1e3 * result.case.tolerance
+            assert result.residual < 1e-15 or result.case.formulation != "euler-lagrange"
+
+
+@needs_compiler
+def test_all_formulations_end_at_the_same_reference() -> None:
+    grid = replace(SMALL, methods=("dop853",), languages=("c",), tolerances=(1e-12,))
+    made = chart(gallery("rolling_disk"), grid)
+    assert {r.case.formulation for r in made.results} == {"euler-lagrange", "chaplygin", "voronec", "multipliers"}
+    assert made.reference.error < 1e-12 and all(r.error < 1e-10 for r in made.results)
+
+
+def test_without_a_compiler_it_charts_python_and_says_so(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(compiling, "find_compiler", lambda: "")
+    monkeypatch.setattr("nhc.study.chart.study.find_compiler", lambda: "")
+    monkeypatch.setattr("nhc.study.chart.measure.find_compiler", lambda: "")
+    grid = replace(
+        SMALL, methods=("dop853",), tolerances=(1e-3, 1e-6), formulations=("auto",), languages=("c", "python")
+    )
+    made = chart(gallery("chaplygin_sleigh"), grid)
+    assert (
+        made.languages == ("python",) and "no C compiler" in made.notes[0] and made.machine.compiler == "no C compiler"
+    )
+    assert [r.case.language for r in made.results] == ["python", "python"]
+    assert made.results[0].error > made.results[1].error > 0
+    assert made.reference.arithmetic == "double, interpreted" and made.reference.error < 1e-9
+    assert math.isnan(made.costs[0].c) and made.costs[0].python > 0
+
+
+@pytest.mark.parametrize(
+    ("rate", "accuracy", "method"), [("1e4", 1e-6, "radau5"), ("3", 1e-6, "dop853"), ("3", 5e-2, "dopri5")]
+)
+def test_auto_follows_its_rule(rate: str, accuracy: float, method: str) -> None:
+    source = Source("stiff.yaml", STIFF.replace("RATE", rate))
+    chosen, why = choose_method(open_scene(source, method="radau5"), accuracy)
+    assert chosen == method and ("stiff" in why)
+
+
+@needs_compiler
+def test_the_rule_of_auto_is_what_a_study_says() -> None:
+    """For the stiff particle radau5 needs the least work of the adaptive methods, for the sleigh dop853."""
+    grid = replace(SMALL, methods=("dop853", "dopri5", "radau5"), languages=("c",), tolerances=(1e-4, 1e-6))
+    stiff = chart(Source("stiff.yaml", STIFF.replace("RATE", "1e4")), replace(grid, formulations=("auto",)))
+    assert stiff.reference.error < 1e-12 and "radau5" in stiff.reference.confirmed_by + stiff.reference.method
+    work = {r.case.method: r.calls for r in stiff.results if not r.failed and r.case.tolerance == 1e-6}
+    assert work["radau5"] < 0.1 * work["dopri5"] and work["radau5"] < 0.1 * work["dop853"]
+    calls = {
+        r.case.method: r.calls
+        for r in sleigh().results
+        if r.case.tolerance == 1e-9 and r.case.series[::2] == ("euler-lagrange", "c")
+    }
+    assert calls["dop853"] < calls["dopri5"] < calls["rk4"]
+
+
+@needs_compiler
+def test_the_verb_writes_four_files_and_refuses_to_overwrite_others(tmp_path: Path) -> None:
+    options = [
+        "--methods",
+        "dop853",
+        "--langs",
+        "c",
+        "--tolerances",
+        "1e-4,1e-8",
+        "--formulations",
+        "auto",
+        "--no-peers",
+    ]
+    done = CliRunner().invoke(command, ["chaplygin_sleigh", "--scene", "glide", *options, "-o", str(tmp_path)])
+    assert done.exit_code == 0, done.output
+    names = sorted(path.name for path in tmp_path.iterdir())
+    assert names == [f"chaplygin_sleigh_glide_chart{kind}" for kind in (".html", ".json", ".md", ".svg")]
+    data = json.loads((tmp_path / names[1]).read_text())
+    assert data["needs"] == ["x", "y"] and data["tolerances"] == [1e-4, 1e-8] and len(data["results"]) == 2
+    assert not any(str(tmp_path) in path.read_text() for path in tmp_path.iterdir())
+    (tmp_path / names[2]).write_text("mine")
+    again = CliRunner().invoke(command, ["chaplygin_sleigh", "--scene", "glide", *options, "-o", str(tmp_path)])
+    assert again.exit_code != 0 and (tmp_path / names[2]).read_text() == "mine"

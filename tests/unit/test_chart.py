@@ -1,0 +1,237 @@
+"""The words and pictures of a chart follow from its numbers: synthetic studies with known answers."""
+
+from __future__ import annotations
+
+import json
+import math
+import re
+import xml.etree.ElementTree as ET
+from dataclasses import replace
+
+import pytest
+from jinja2 import meta
+
+from nhc.cli.chart import LANGUAGES as OFFERED_LANGUAGES
+from nhc.cli.chart import METHODS as OFFERED
+from nhc.emit.environment import create_environment
+from nhc.report.chart import draw_study
+from nhc.report.chart_file import make_file
+from nhc.report.chart_text import list_failures, to_data, to_markdown
+from nhc.simulate.auto import decay_rate
+from nhc.simulate.methods import RUNGE_KUTTA
+from nhc.study.chart.advice import advise, duration, fastest
+from nhc.study.chart.case import Case, Cost, Machine, Reference, Result, Study
+from nhc.study.chart.grid import LANGUAGES
+from nhc.study.chart.measure import (
+    energy_error,
+    final_error,
+    grid_error,
+    median,
+    sizes_of,
+    time_repeats,
+)
+from nhc.study.chart.reference import extrapolate
+
+TOLERANCES = (1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12)
+
+
+def line(form: str, method: str, language: str, price: float, power: float, **change: object) -> list[Result]:
+    """Errors equal to the tolerance, time price * tolerance^-power."""
+    made = []
+    for t in TOLERANCES:
+        calls = round(100 * t**-power)
+        result = Result(Case(form, method, language, t), t, t, t, 0.0, calls, 0, 10, 1, price * t**-power, 0.0, 5)
+        made.append(replace(result, median=result.best * 1.1, **change))  # type: ignore[arg-type]
+    return made
+
+
+def study(results: list[Result], reference: float = 1e-16) -> Study:
+    costs = (
+        Cost("voronec", "I.4.9", "chosen", 4, "1 +-, 2 *, 0 /, 1 calls", 1e-8, 1e-6),
+        Cost("multipliers", "I.4.1", "named", 6, "9 +-, 9 *, 1 /, 1 calls", 3e-8, 3e-6),
+    )
+    return Study(
+        "toy", "about <a> toy", "s", (0.0, 1.0), ("x",), TOLERANCES, ("dop853", "dopri5"), ("c", "python"), 65, costs,
+        tuple(results), Reference("dop853", "gauss6", "long double", reference, 1e-18),
+        (("newton", "does not apply"),), (), Machine("cpu", 2, "cc 1", "-O2", "3.11", "0.1"),
+    )  # fmt: skip
+
+
+CROSSING = [
+    *line("voronec", "dop853", "c", 2e-6, 1 / 8),  # the dearer start, the slower growth
+    *line("voronec", "dopri5", "c", 1e-6, 1 / 5),
+    *line("multipliers", "dop853", "c", 6e-6, 1 / 8),
+    *line("voronec", "dop853", "python", 2e-3, 1 / 8),
+]
+
+
+def test_advice_takes_the_fastest_that_reaches_the_accuracy() -> None:
+    targets = (1e-2, 1e-4, 1e-6, 1e-8, 1e-10)
+    for advice in advise(study(CROSSING), targets):
+        assert advice.best is not None
+        reach = [r for r in CROSSING if r.error + 1e-16 <= advice.target * (1 + 1e-9)]
+        assert advice.best.error <= advice.target
+        tightest = [r for r in reach if r.best < advice.best.best / 1.06 and r.error <= advice.target / 1.5]
+        assert not tightest
+    fine = advise(study(CROSSING), (2e-10,))[0]
+    assert fine.best is not None and fine.best.case.series == ("voronec", "dop853", "c")
+    assert "dopri5 takes" in fine.text and "multipliers takes 3.0 times as long" in fine.text
+    assert "a right-hand side takes 30 ns against 10 ns" in fine.text and "6 states against 4" in fine.text
+    assert "Python takes 1000 times as long" in fine.text
+    coarse = advise(study(CROSSING), (2e-2,))[0]
+    assert coarse.best is not None and coarse.best.case.method == "dopri5"
+
+
+def test_a_case_that_is_right_by_luck_is_not_recommended() -> None:
+    lucky = line("voronec", "dopri5", "c", 1e-7, 1 / 5)
+    lucky[0] = replace(lucky[0], error=1e-9)  # the coarsest run, better than all but the tightest
+    found = fastest([*lucky, *line("voronec", "dop853", "c", 1e-3, 1 / 8)], 1e-7, 0.0)
+    assert found is not None and found.case.tolerance == 1e-8 and found.case.method == "dopri5"
+
+
+def test_failures_and_peers_are_never_recommended_and_what_none_reaches_is_said() -> None:
+    broken = [replace(r, failed="it blows up (t = 3)", error=math.nan) for r in line("voronec", "rk4", "c", 1e-9, 0.1)]
+    peer = line("voronec", "LSODA", "scipy", 1e-9, 1 / 8)
+    made = study([*broken, *peer, *CROSSING])
+    for advice in advise(made, (1e-3, 1e-6)):
+        assert advice.best is not None and advice.best.case.language == "c" and advice.best.case.method != "rk4"
+        assert "SciPy's LSODA on the same C takes" in advice.text
+    (none,) = advise(made, (1e-14,))
+    assert none.best is None and "no case of this chart reaches 1e-14 (6 of" in none.text
+    (blind,) = advise(study(CROSSING, 1e-5), (1e-6,))
+    assert blind.best is None and "the reference itself is known to 1.0e-05 only" in blind.text
+
+
+def test_of_equal_cases_the_first_line_is_taken() -> None:
+    twins = [*line("voronec", "dop853", "c", 1.02e-6, 1 / 8), *line("multipliers", "dop853", "c", 1e-6, 1 / 8)]
+    (advice,) = advise(study(twins), (1e-3,))
+    assert advice.best is not None and advice.best.case.formulation == "voronec"
+    assert "multipliers takes as long" in advice.text
+
+
+def test_the_picture_shows_every_case_and_marks_failures_and_unresolved_points() -> None:
+    broken = [replace(r, failed="it blows up (t = 3)", error=math.nan) for r in line("multipliers", "rk4", "c", 1, 0.1)]
+    faint = [replace(r, unresolved=r.error < 1e-9) for r in line("voronec", "dopri5", "python", 1e-3, 0.2)]
+    made = study([*CROSSING, *faint, *broken], 1e-12)
+    text = draw_study(made)
+    assert text == draw_study(made)
+    root = ET.fromstring(text)
+    points = {int(e.get("data-k") or -1) for e in root.iter() if e.get("class") == "point"}
+    good = {k for k, r in enumerate(made.results) if not r.failed}
+    first_failed = next(k for k, r in enumerate(made.results) if r.failed)
+    assert points == good | {first_failed}
+    words = " ".join(e.text or "" for e in root.iter())
+    for expected in ("down and left is better", "failed runs", "rk4, C", "all", "multipliers", "1.0e-12", "cpu"):
+        assert expected in words
+    hollow = [e for e in root.iter() if e.get("class") == "point" and e.get("fill") == "#ffffff"]
+    assert {int(e.get("data-k") or -1) for e in hollow} == {k for k, r in enumerate(made.results) if r.unresolved}
+    assert all("nan" not in value for e in root.iter() for value in e.attrib.values())
+
+
+def test_markers_stay_inside_their_panels_and_off_the_legend() -> None:
+    root = ET.fromstring(draw_study(study(CROSSING)))
+    frames = [e for e in root.iter() if e.tag.endswith("rect") and e.get("stroke") == "#555555"]
+    boxes = [tuple(float(e.get(k) or 0) for k in ("x", "y", "width", "height")) for e in frames]
+    assert len(boxes) == 5
+    for e in root.iter():
+        if e.get("class") == "point" and e.tag.endswith("circle"):
+            x, y = float(e.get("cx") or 0), float(e.get("cy") or 0)
+            assert any(a - 1 <= x <= a + w + 1 and b - 1 <= y <= b + h + 1 for a, b, w, h in boxes)
+    legend = [
+        float(e.get("y") or 0) for e in root.iter() if (e.text or "") in ("method", "equations", "run by", "marks")
+    ]
+    assert len(legend) == 4 and max(legend) < min(b for _, b, _, _ in boxes) - 15
+
+
+def test_the_texts_carry_method_tolerance_reference_and_machine() -> None:
+    broken = [replace(r, failed="it blows up (t = 3)", error=math.nan) for r in line("multipliers", "rk4", "c", 1, 0.1)]
+    made = study([*CROSSING, *broken])
+    data = json.loads(make_file(made, ".json"))
+    assert data["schema"] == "nhc.chart/1" and data["machine"]["compiler"] == "cc 1"
+    assert data["reference"]["error"] == 1e-16 and data["reference"]["confirmed_by"] == "gauss6"
+    assert len(data["results"]) == len(made.results)
+    failed = [r for r in data["results"] if r["failed"]]
+    assert len(failed) == len(broken) and all(r["error"] is None for r in failed)
+    assert all({"method", "tolerance", "language", "formulation"} <= set(r) for r in data["results"])
+    assert [a["target"] for a in data["recommendations"]] == [1e-3, 1e-6, 1e-9, 1e-12]
+    words = to_markdown(made)
+    assert "multipliers with rk4: it blows up (6 runs)" in words and "newton: does not apply" in words
+    assert "machine: cpu (2 cores); cc 1 -O2; Python 3.11; nhc 0.1" in words and "confirmed by gauss6" in words
+    assert list_failures(made) == [("multipliers with rk4", "it blows up", 6)]
+    assert "NaN" not in json.dumps(to_data(made), allow_nan=False)
+
+
+def test_the_page_is_alone_and_escapes_what_it_is_given() -> None:
+    page = make_file(study(CROSSING), ".html")
+    assert "about &lt;a&gt; toy" in page and "<a> toy" not in page
+    assert not re.search(r'(src|href)="', page) and "http" not in page.replace("http://www.w3.org/2000/svg", "")
+    (text,) = re.findall(r'<script type="application/json" id="data">(.*?)</script>', page, re.DOTALL)
+    assert len(json.loads(text)) == len(CROSSING)
+    assert page.count('type="checkbox"') == 6  # two methods, two formulations, two languages
+
+
+@pytest.mark.parametrize(
+    ("template", "given"),
+    [
+        ("c/chart/repeat.c.jinja", {"head", "name", "methods"}),
+        ("c/chart/long.c.jinja", {"head", "name", "methods", "functions", "parameters", "needed"}),
+    ],
+)
+def test_a_template_uses_exactly_what_it_is_given(template: str, given: set[str]) -> None:
+    environment = create_environment()
+    assert environment.loader is not None
+    tree = environment.parse(environment.loader.get_source(environment, template)[0])
+    assert meta.find_undeclared_variables(tree) == given
+
+
+def test_the_command_line_offers_exactly_what_there_is() -> None:
+    assert tuple(RUNGE_KUTTA) == OFFERED
+    assert LANGUAGES == OFFERED_LANGUAGES
+
+
+def test_errors_are_relative_to_each_columns_own_size() -> None:
+    reference = [[0.0, 0.0, 5.0], [1e-3, 200.0, 5.0], [2e-3, 100.0, 5.0]]
+    rows = [[0.0, 0.0, 5.0], [1e-3, 200.0, 5.0], [2.2e-3, 101.0, 5.0]]
+    sizes = sizes_of(reference, 2)
+    assert sizes == [2e-3, 200.0]
+    assert final_error(rows, reference, sizes) == pytest.approx(0.1)
+    assert grid_error(rows, reference, sizes) == pytest.approx(math.sqrt((0.1**2 + 0.005**2) / 6))
+    assert sizes_of([[0.0]], 1) == [1.0]
+    energies = [[1.0, 4.0], [1.0, 2.0]]
+    assert energy_error([[1.0, 4.0], [1.2, 2.0]], energies, ["energy", "kinetic"]) == pytest.approx(0.05)
+    assert math.isnan(energy_error(rows, reference, ["need", "need", "need"]))
+
+
+def test_times_are_taken_per_run_and_long_runs_once() -> None:
+    counts: list[int] = []
+    best, middle, number = time_repeats(counts.append, 1e-4)
+    assert 0 < best <= middle and number >= 3
+    assert counts[0] == 1 and counts[-1] >= 64  # a run that is nothing is repeated until the clock can see it
+    calls: list[int] = []
+
+    def slow(count: int) -> None:
+        calls.append(count)
+        sum(range(200_000))
+
+    assert time_repeats(slow, 1e-7)[2] == 1 and calls == [1]
+    assert median([3.0, 1.0, 2.0]) == 2.0 and median([4.0, 1.0, 2.0, 3.0]) == 2.5
+    assert [duration(x) for x in (2.5, 2.5e-3, 2.5e-6, 2.5e-9, math.nan)] == [
+        "2.5 s",
+        "2.5 ms",
+        "2.5 µs",
+        "2.5 ns",
+        "-",
+    ]
+
+
+def test_extrapolation_takes_away_the_sixth_power() -> None:
+    def solved(h: float) -> list[list[float]]:
+        return [[1.0 + 3.0 * h**6]]
+
+    assert extrapolate(solved(0.2), solved(0.1))[0][0] == pytest.approx(1.0, abs=1e-15)
+
+
+def test_a_decaying_mode_is_found_and_an_oscillation_is_none() -> None:
+    assert decay_rate([[-50.0, 1.0], [0.0, -1.0]]) == pytest.approx(50.0, rel=1e-6)
+    assert decay_rate([[0.0, 100.0], [-100.0, 0.0]]) == 0.0
+    assert decay_rate([[3.0]]) == 0.0 and decay_rate([[0.0]]) == 0.0
