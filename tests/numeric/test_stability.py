@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+import sys
 from functools import cache
 
 import numpy as np
@@ -175,3 +176,34 @@ def test_json_and_page(tmp_path_factory: pytest.TempPathFactory, capsys: pytest.
     text = page.read_text()
     assert text.count("<svg") >= 4 and "nan" not in text.lower().replace("nhc", "")
     assert main(["stability", "pendulum", "-o", str(page)]) == 1
+
+
+@pytest.mark.parametrize("arguments", [["pendulum"], ["--atlas"]])
+def test_without_numpy_the_extra_is_named(
+    arguments: list[str], monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    for name in [name for name in sys.modules if name.startswith("nhc.study")]:
+        monkeypatch.delitem(sys.modules, name)
+    monkeypatch.setitem(sys.modules, "numpy", None)
+    assert main(["stability", *arguments]) == 2
+    error = capsys.readouterr().err
+    assert "needs numpy" in error and "nhc[sim]" in error
+
+
+def test_the_interpreted_model_gives_the_same() -> None:
+    """Without a compiler: shorter runs, the same findings."""
+    slow = look("pendulum", Question(compiled=False, lengths=1))
+    fast = look("pendulum", Question(lengths=1))
+    assert not slow.bench.model.compiled
+    assert slow.sensitivity is not None and fast.sensitivity is not None
+    assert slow.sensitivity.plain == pytest.approx(fast.sensitivity.plain, rel=1e-5)
+    for a, b in zip(slow.limits, fast.limits, strict=True):
+        assert a.predicted == pytest.approx(b.predicted, rel=1e-6)
+
+
+def test_a_question_about_what_is_not_there(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["stability", "pendulum", "--scene", "nowhere"]) == 2
+    assert "no scene `nowhere`" in capsys.readouterr().err
+    assert main(["stability", "pendulum", "--sweep", "nothing=0:1"]) == 1
+    assert main(["stability", "pendulum", "--sweep", "theta=1:0"]) == 2
+    assert main(["stability", "bead_on_rod", "--about", "r=5", "--hold", "r=5", "--sweep", "Omega=1:2"]) == 3

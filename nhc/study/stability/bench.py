@@ -163,7 +163,8 @@ def open_bench(equations: Equations, formulation: Formulation, start: Start, com
     found = classify(system) if system.l else None
     hidden = find_position_integrals(system, frame, found.hidden, found.closed) if found and frame else ()
     kept = find_conserved(system, frame, formulation.frame, [i.node for i in hidden])
-    columns = _list_columns(planner, kept, [(i.text, i.node) for i in hidden])
+    nonzero = {q.name for q, value in zip(system.spec.parameters, start.p, strict=True) if value != 0.0}
+    columns = _list_columns(planner, kept, [(i.text, i.node) for i in hidden], nonzero)
     needed = needed_function(planner, columns)
     functions = tuple(needed if f.name == "needed" else f for f in job.program.functions)
     job = replace(job, program=replace(job.program, functions=functions), columns=tuple(columns), checks=())
@@ -184,18 +185,22 @@ def _load(job: Job, compiled: bool) -> tuple[CompiledModel | InterpretedModel, t
     return InterpretedModel(job.program, job.events, job.holds), notes
 
 
-def _list_columns(planner: Planner, kept: Conserved, hidden: Sequence[tuple[str, Node]]) -> list[Column]:
+def _list_columns(
+    planner: Planner, kept: Conserved, hidden: Sequence[tuple[str, Node]], nonzero: set[str]
+) -> list[Column]:
     """Energy and its balance, constraints, integrals, determinants of frames, coefficients of the constraints, the mass matrix."""
     system, g = planner.system, planner.graph
     forms = [form_value(g, form, system.v) for form in system.constraints]
-    integrals = [i for i in kept.integrals if not any(has_value(planner, name) for name in i.where)]
+    integrals = [i for i in kept.integrals if not set(i.where) & nonzero]
     energy, general, *rest = planner.on_motion(
         [system.energy, generalized_energy(system), *forms, *(i.node for i in integrals)]
     )
     found = [Column("T + V", "energy", energy), Column("p q' - T + V", "jacobi", general)]
     found.append(_power_column(planner))
     found += [Column(f.name, "residual", r) for f, r in zip(system.constraints, rest, strict=False)]
-    found += [Column(f.name, "position", f.equation) for f in system.constraints if f.equation is not None]
+    found += [
+        Column(f"{f.name}, position", "position", f.equation) for f in system.constraints if f.equation is not None
+    ]
     found += [Column(i.text, "integral", r) for i, r in zip(integrals, rest[len(forms) :], strict=True)]
     found += [Column(text, "hidden", node) for text, node in hidden]
     for guard in planner.frame_guards():
@@ -210,13 +215,6 @@ def _list_columns(planner: Planner, kept: Conserved, hidden: Sequence[tuple[str,
         mass = planner.on_motion([entry for p in momenta for entry in gradient(g, p, system.v)])
         found += [Column("", "mass", entry) for entry in mass]
     return found
-
-
-def has_value(planner: Planner, name: str) -> bool:
-    """Whether the parameter of that name has a default that is not zero."""
-    from nhc.mechanics.regularity import parameter_value
-
-    return any(p.name == name and parameter_value(p.value) != 0.0 for p in planner.system.spec.parameters)
 
 
 def _power_column(planner: Planner) -> Column:

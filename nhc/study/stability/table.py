@@ -154,8 +154,8 @@ def _sensitivity(lab: Laboratory) -> list[Row]:
     law = f"exp({found.rate:.3g} t)" if found.law == "exponential" else f"t^{found.rate:.2g}"
     horizon = "far beyond the scene" if math.isinf(found.horizon) else f"about t = {found.horizon:.4g}"
     return [
-        Row("growth over the scene", f"{found.norms[-1]:.4g}", "of relative perturbations, at most"),
-        Row("in the state's units", f"{found.plain:.4g}"),
+        Row("largest growth", f"{max(found.norms):.4g}", "of relative perturbations, at any time of the scene"),
+        Row("growth at the end", f"{found.norms[-1]:.4g}", f"{found.plain:.4g} in the state's own units"),
         Row("grows like", law, "fitted to the last two thirds"),
         Row("rounding reaches 1 %", horizon, "a double's start means nothing later, if the law goes on"),
     ]
@@ -222,6 +222,7 @@ def _growth_tree(found: Sensitivity | None) -> dict[str, Any] | None:
         return None
     return {
         "growth": found.norms[-1],
+        "largest": max(found.norms),
         "plain": found.plain,
         "law": found.law,
         "rate": found.rate,
