@@ -9,6 +9,8 @@ from nhc.emit.names import Scope
 from nhc.emit.statements import drop_unused, fill_stores, list_used_names, split_hoisted
 from nhc.program.ir import Function, Guard, Load, Program, Solve, Statement, Store
 
+# rows of one array that gcc takes for overlapping, and then gives up on the loop, when there are many of them
+INDEPENDENT = ("#if defined(__GNUC__) && !defined(__clang__)", "#pragma GCC ivdep", "#endif")
 OWN = ("count", "i", "k", "bad", "status", "one", "state", "slope")
 
 
@@ -84,7 +86,7 @@ def print_loop(
     lines = list(before.lines)
     lines += [f"    int {flag} = 0;" for flag in (*printer.flags.values(), "bad")]
     lines += mark_unused(function, body)
-    lines += ["    for (size_t i = 0; i < count; ++i) {", *printer.lines, "    }"]
+    lines += [*INDEPENDENT, "    for (size_t i = 0; i < count; ++i) {", *printer.lines, "    }"]
     for code, flag in printer.flags.items():
         lines += [f"    if ({flag}) {{", f"        return {leave(code)};", "    }"]
     if inline:
