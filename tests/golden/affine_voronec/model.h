@@ -1,0 +1,129 @@
+/*
+ * affine_voronec.h: affine_voronec, emitted by nhc 0.1.0 (nhc:55116918027f542d)
+ * A particle with everything at once; affine constraint, time, T of degrees 2, 1 and 0, drag, a driving
+ *     force.
+ * Source: affine_voronec.yaml
+ * Equations of motion: voronec (I.4.9)
+ * Why: dependent velocities of the spec
+ *
+ * State y:
+ * y[0] = x
+ * y[1] = y
+ * y[2] = z
+ * y[3] = x'
+ * y[4] = y'
+ *
+ * No parameters.
+ *
+ * Constraints:
+ * 0: contact
+ *
+ * Operations:
+ * rhs: 63 +-, 142 *, 2 /, 6 calls
+ * velocities: 4 +-, 10 *, 0 /, 3 calls
+ * accelerations: 68 +-, 145 *, 2 /, 6 calls
+ * state: 0 +-, 0 *, 0 /, 0 calls
+ * residuals: 5 +-, 10 *, 0 /, 3 calls
+ * reactions: 73 +-, 157 *, 2 /, 6 calls
+ * energy: 18 +-, 38 *, 0 /, 5 calls
+ * jacobian: 207 +-, 405 *, 2 /, 6 calls
+ * outputs: 0 +-, 0 *, 0 /, 0 calls
+ *
+ * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
+ */
+#ifndef NHC_AFFINE_VORONEC_H
+#define NHC_AFFINE_VORONEC_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* sizes */
+enum {
+    AFFINE_VORONEC_NQ = 3, /* coordinates */
+    AFFINE_VORONEC_NY = 5, /* state: the coordinates and the velocities that are kept */
+    AFFINE_VORONEC_NP = 0, /* parameters */
+    AFFINE_VORONEC_NC = 1, /* constraints */
+    AFFINE_VORONEC_NOUT = 0 /* outputs */
+};
+
+/* return codes */
+enum {
+    AFFINE_VORONEC_OK = 0, /* the result is good */
+    AFFINE_VORONEC_SINGULAR_2 = 2, /* the mass matrix is singular */
+    AFFINE_VORONEC_NOT_FINITE = 3 /* a result is infinite or not a number */
+};
+
+extern const char *const affine_voronec_coordinate_names[];
+extern const char *const affine_voronec_state_names[];
+extern const char *const affine_voronec_parameter_names[];
+extern const double affine_voronec_parameter_defaults[];
+
+/*
+ * right-hand side dy/dt = f(t, y; p) (I.4.9)
+ * dydt: 5 entries
+ */
+int affine_voronec_rhs(double t, const double *y, const double *p, double *dydt);
+
+/*
+ * all velocities q' from the state (I.2.4)
+ * qdot: 3 entries
+ */
+int affine_voronec_velocities(double t, const double *y, const double *p, double *qdot);
+
+/*
+ * all accelerations q'' on the motion (I.4.9)
+ * qddot: 3 entries
+ */
+int affine_voronec_accelerations(double t, const double *y, const double *p, double *qddot);
+
+/*
+ * the state y from coordinates and velocities (I.2.1)
+ * y: 5 entries
+ */
+int affine_voronec_state(double t, const double *q, const double *qdot, const double *p, double *y);
+
+/*
+ * left sides of the constraints, zero on every motion (I.1.1)
+ * r: 1 entries
+ */
+int affine_voronec_residuals(double t, const double *q, const double *qdot, const double *p, double *r);
+
+/*
+ * reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+ * lambda: 1 entries
+ * Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a
+ */
+int affine_voronec_reactions(double t, const double *y, const double *p, double *lambda);
+
+/*
+ * T + V (II.1.4)
+ * not finite where the model is singular
+ */
+double affine_voronec_energy(double t, const double *y, const double *p);
+
+/*
+ * d rhs_i / d y_j, row-major (I.4.9)
+ * J: 25 entries, row by row: d rhs_i / d y_j stands at 5*i + j
+ */
+int affine_voronec_jacobian(double t, const double *y, const double *p, double *J);
+
+/*
+ * the spec's outputs
+ * out: 0 entries
+ */
+int affine_voronec_outputs(double t, const double *y, const double *p, double *out);
+
+/*
+ * rhs for count states at once, a structure of arrays: entry k of state i is y[k*count + i], its time t[i];
+ * the parameters are shared. Nonzero when any of the states is singular. dydt must not overlap the inputs.
+ */
+int affine_voronec_rhs_batch(size_t count, const double *t, const double *y, const double *p, double *dydt);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,151 @@
+/*
+ * ball_on_table.h: ball_on_table, emitted by nhc 0.1.0 (nhc:eee09f14baa1a342)
+ * A homogeneous ball that rolls on a turning table; its centre runs on a circle, though nothing holds it
+ *     there.
+ * Source: ball_on_table.yaml
+ * Equations of motion: chaplygin (III.3)
+ * Why: dependent velocities of the spec
+ * Note: hypothesis of I.3 that fails (the generalized equations are used): the affine part b_alpha of the
+ *     constraints contains the dependent coordinate `x`
+ * Note: hypothesis of I.3 that fails (the generalized equations are used): the affine part b_alpha of the
+ *     constraints contains the dependent coordinate `y`
+ * Note: hypothesis of I.3 that fails (the generalized equations are used): the constraints are not
+ *     homogeneous (b_alpha is not zero)
+ * Note: hypothesis of I.3 that fails (the generalized equations are used): the time t occurs in T, U or the
+ *     constraints
+ *
+ * State y:
+ * y[0] = x [m]: centre
+ * y[1] = y [m]: centre
+ * y[2] = phi [rad]: precession
+ * y[3] = theta [rad]: nutation
+ * y[4] = psi [rad]: spin
+ * y[5] = phi'
+ * y[6] = theta'
+ * y[7] = psi'
+ *
+ * Parameters p:
+ * p[0]: m = 1.0 [kg]: mass
+ * p[1]: a = 0.3 [m]: radius
+ * p[2]: k = 0.4: moment of inertia over m a^2; 2/5 for a homogeneous ball
+ * p[3]: Omega0 = 1.4 [rad/s]: mean rate of the table
+ * p[4]: Omega1 = 0.0 [rad/s]: amplitude of its modulation
+ * p[5]: nu = 2.0 [rad/s]: frequency of its modulation
+ *
+ * Constraints:
+ * 0: roll_x
+ * 1: roll_y
+ *
+ * Outputs:
+ * out[0] = spin
+ * out[1] = moving_energy
+ *
+ * Operations:
+ * rhs: 25 +-, 57 *, 2 /, 6 calls
+ * velocities: 5 +-, 12 *, 0 /, 4 calls
+ * accelerations: 37 +-, 79 *, 2 /, 6 calls
+ * state: 0 +-, 0 *, 0 /, 0 calls
+ * residuals: 7 +-, 12 *, 0 /, 4 calls
+ * reactions: 36 +-, 76 *, 2 /, 6 calls
+ * energy: 10 +-, 25 *, 0 /, 5 calls
+ * jacobian: 40 +-, 136 *, 3 /, 6 calls
+ * outputs: 15 +-, 29 *, 0 /, 3 calls
+ *
+ * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
+ */
+#ifndef NHC_BALL_ON_TABLE_H
+#define NHC_BALL_ON_TABLE_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* sizes */
+enum {
+    BALL_ON_TABLE_NQ = 5, /* coordinates */
+    BALL_ON_TABLE_NY = 8, /* state: the coordinates and the velocities that are kept */
+    BALL_ON_TABLE_NP = 6, /* parameters */
+    BALL_ON_TABLE_NC = 2, /* constraints */
+    BALL_ON_TABLE_NOUT = 2 /* outputs */
+};
+
+/* return codes */
+enum {
+    BALL_ON_TABLE_OK = 0, /* the result is good */
+    BALL_ON_TABLE_SINGULAR_2 = 2, /* the mass matrix is singular */
+    BALL_ON_TABLE_NOT_FINITE = 3 /* a result is infinite or not a number */
+};
+
+extern const char *const ball_on_table_coordinate_names[];
+extern const char *const ball_on_table_state_names[];
+extern const char *const ball_on_table_parameter_names[];
+extern const double ball_on_table_parameter_defaults[];
+
+/*
+ * right-hand side dy/dt = f(t, y; p) (III.3)
+ * dydt: 8 entries
+ */
+int ball_on_table_rhs(double t, const double *y, const double *p, double *dydt);
+
+/*
+ * all velocities q' from the state (I.2.4)
+ * qdot: 5 entries
+ */
+int ball_on_table_velocities(double t, const double *y, const double *p, double *qdot);
+
+/*
+ * all accelerations q'' on the motion (III.3)
+ * qddot: 5 entries
+ */
+int ball_on_table_accelerations(double t, const double *y, const double *p, double *qddot);
+
+/*
+ * the state y from coordinates and velocities (I.2.1)
+ * y: 8 entries
+ */
+int ball_on_table_state(double t, const double *q, const double *qdot, const double *p, double *y);
+
+/*
+ * left sides of the constraints, zero on every motion (I.1.1)
+ * r: 2 entries
+ */
+int ball_on_table_residuals(double t, const double *q, const double *qdot, const double *p, double *r);
+
+/*
+ * reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+ * lambda: 2 entries
+ * Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a
+ */
+int ball_on_table_reactions(double t, const double *y, const double *p, double *lambda);
+
+/*
+ * T + V (II.1.4)
+ * not finite where the model is singular
+ */
+double ball_on_table_energy(double t, const double *y, const double *p);
+
+/*
+ * d rhs_i / d y_j, row-major (III.3)
+ * J: 64 entries, row by row: d rhs_i / d y_j stands at 8*i + j
+ */
+int ball_on_table_jacobian(double t, const double *y, const double *p, double *J);
+
+/*
+ * the spec's outputs
+ * out: 2 entries
+ */
+int ball_on_table_outputs(double t, const double *y, const double *p, double *out);
+
+/*
+ * rhs for count states at once, a structure of arrays: entry k of state i is y[k*count + i], its time t[i];
+ * the parameters are shared. Nonzero when any of the states is singular. dydt must not overlap the inputs.
+ */
+int ball_on_table_rhs_batch(size_t count, const double *t, const double *y, const double *p, double *dydt);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,128 @@
+/*
+ * bead_on_rod.h: bead_on_rod, emitted by nhc 0.1.0 (nhc:50ec04685d3a4872)
+ * A bead on a straight horizontal rod that turns at a constant rate; T has a part without velocities.
+ * Source: bead_on_rod.yaml
+ * Equations of motion: lagrange (II.3)
+ * Why: no constraints
+ *
+ * State y:
+ * y[0] = r [m]: distance from the axis
+ * y[1] = r'
+ *
+ * Parameters p:
+ * p[0]: m = 1.0 [kg]: mass of the bead
+ * p[1]: Omega = 2.0 [rad/s]: rate of the rod
+ *
+ * Outputs:
+ * out[0] = jacobi
+ * out[1] = torque
+ *
+ * Operations:
+ * rhs: 0 +-, 2 *, 0 /, 0 calls
+ * velocities: 0 +-, 0 *, 0 /, 0 calls
+ * accelerations: 0 +-, 2 *, 0 /, 0 calls
+ * state: 0 +-, 0 *, 0 /, 0 calls
+ * residuals: 0 +-, 0 *, 0 /, 0 calls
+ * reactions: 0 +-, 0 *, 0 /, 0 calls
+ * energy: 1 +-, 7 *, 0 /, 0 calls
+ * jacobian: 0 +-, 1 *, 0 /, 0 calls
+ * outputs: 1 +-, 10 *, 0 /, 0 calls
+ *
+ * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
+ */
+#ifndef NHC_BEAD_ON_ROD_H
+#define NHC_BEAD_ON_ROD_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* sizes */
+enum {
+    BEAD_ON_ROD_NQ = 1, /* coordinates */
+    BEAD_ON_ROD_NY = 2, /* state: the coordinates and the velocities that are kept */
+    BEAD_ON_ROD_NP = 2, /* parameters */
+    BEAD_ON_ROD_NC = 0, /* constraints */
+    BEAD_ON_ROD_NOUT = 2 /* outputs */
+};
+
+/* return codes */
+enum {
+    BEAD_ON_ROD_OK = 0, /* the result is good */
+    BEAD_ON_ROD_SINGULAR_2 = 2, /* the mass matrix is singular */
+    BEAD_ON_ROD_NOT_FINITE = 3 /* a result is infinite or not a number */
+};
+
+extern const char *const bead_on_rod_coordinate_names[];
+extern const char *const bead_on_rod_state_names[];
+extern const char *const bead_on_rod_parameter_names[];
+extern const double bead_on_rod_parameter_defaults[];
+
+/*
+ * right-hand side dy/dt = f(t, y; p) (II.3)
+ * dydt: 2 entries
+ */
+int bead_on_rod_rhs(double t, const double *y, const double *p, double *dydt);
+
+/*
+ * all velocities q' from the state (I.2.4)
+ * qdot: 1 entries
+ */
+int bead_on_rod_velocities(double t, const double *y, const double *p, double *qdot);
+
+/*
+ * all accelerations q'' on the motion (II.3)
+ * qddot: 1 entries
+ */
+int bead_on_rod_accelerations(double t, const double *y, const double *p, double *qddot);
+
+/*
+ * the state y from coordinates and velocities (I.2.1)
+ * y: 2 entries
+ */
+int bead_on_rod_state(double t, const double *q, const double *qdot, const double *p, double *y);
+
+/*
+ * left sides of the constraints, zero on every motion (I.1.1)
+ * r: 0 entries
+ */
+int bead_on_rod_residuals(double t, const double *q, const double *qdot, const double *p, double *r);
+
+/*
+ * reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+ * lambda: 0 entries
+ * Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a
+ */
+int bead_on_rod_reactions(double t, const double *y, const double *p, double *lambda);
+
+/*
+ * T + V (II.1.4)
+ * not finite where the model is singular
+ */
+double bead_on_rod_energy(double t, const double *y, const double *p);
+
+/*
+ * d rhs_i / d y_j, row-major (II.3)
+ * J: 4 entries, row by row: d rhs_i / d y_j stands at 2*i + j
+ */
+int bead_on_rod_jacobian(double t, const double *y, const double *p, double *J);
+
+/*
+ * the spec's outputs
+ * out: 2 entries
+ */
+int bead_on_rod_outputs(double t, const double *y, const double *p, double *out);
+
+/*
+ * rhs for count states at once, a structure of arrays: entry k of state i is y[k*count + i], its time t[i];
+ * the parameters are shared. Nonzero when any of the states is singular. dydt must not overlap the inputs.
+ */
+int bead_on_rod_rhs_batch(size_t count, const double *t, const double *y, const double *p, double *dydt);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,293 @@
+"""bead_on_rod, emitted by nhc 0.1.0 (nhc:b4faf780e8771a07).
+
+A bead on a straight horizontal rod that turns at a constant rate; T has a part
+    without velocities.
+Source: bead_on_rod.yaml
+Equations of motion: lagrange (II.3)
+Why: no constraints
+
+State y:
+y[0] = r [m]: distance from the axis
+y[1] = r'
+
+Parameters p:
+p[0]: m = 1.0 [kg]: mass of the bead
+p[1]: Omega = 2.0 [rad/s]: rate of the rod
+
+Outputs:
+out[0] = jacobi
+out[1] = torque
+
+Operations:
+rhs: 0 +-, 2 *, 0 /, 0 calls
+velocities: 0 +-, 0 *, 0 /, 0 calls
+accelerations: 0 +-, 2 *, 0 /, 0 calls
+state: 0 +-, 0 *, 0 /, 0 calls
+residuals: 0 +-, 0 *, 0 /, 0 calls
+reactions: 0 +-, 0 *, 0 /, 0 calls
+energy: 1 +-, 7 *, 0 /, 0 calls
+jacobian: 0 +-, 1 *, 0 /, 0 calls
+outputs: 1 +-, 10 *, 0 /, 0 calls
+
+A singular point raises SingularModelError.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+COORDINATES: tuple[str, ...] = ("r",)
+STATE: tuple[str, ...] = ("r", "r'")
+PARAMETERS: tuple[str, ...] = ("m", "Omega")
+CONSTRAINTS: tuple[str, ...] = ()
+OUTPUTS: tuple[str, ...] = ("jacobi", "torque")
+DEFAULTS: tuple[float, ...] = (1.0, 2.0)
+
+REASONS = (
+    "",
+    "",
+    "the mass matrix is singular",
+    "a result is not finite or not defined",
+)
+NOT_FINITE = 3
+
+
+class SingularModelError(ArithmeticError):
+    """The model is singular here; ``status`` is the code that C returns."""
+
+    def __init__(self, status: int, function: str) -> None:
+        super().__init__(f"{function}: {REASONS[status]}")
+        self.status = status
+
+
+def _finish(function: str, values: list[float]) -> list[float]:
+    if not all(map(math.isfinite, values)):
+        raise SingularModelError(NOT_FINITE, function)
+    return values
+
+
+def _single(function: str, value: float) -> float:
+    if not math.isfinite(value):
+        raise SingularModelError(NOT_FINITE, function)
+    return value
+
+
+def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
+    """right-hand side dy/dt = f(t, y; p) (II.3)
+
+    Arguments: t (scalar), y (2,), p (2,).
+    Returns dydt (2,).
+    """
+    r = float(y[0])  # distance from the axis [m]
+    r_dot = float(y[1])
+    m = float(p[0])  # mass of the bead [kg]
+    Omega = float(p[1])  # rate of the rod [rad/s]
+    try:
+        # parameters only
+        k1 = Omega * Omega
+        # state
+        # the mass matrix is singular
+        if not abs(m) > 0.0:
+            raise SingularModelError(2, "rhs")
+        dydt: list[float] = [
+            # r' (II.3)
+            r_dot,
+            # r'' (II.3) 14:4
+            r * k1,
+        ]
+        return _finish("rhs", dydt)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "rhs") from error
+
+
+def velocities(
+    t: float,
+    y: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """all velocities q' from the state (I.2.4)
+
+    Arguments: t (scalar), y (2,), p (2,).
+    Returns qdot (1,).
+    """
+    r_dot = float(y[1])
+    try:
+        # state
+        qdot: list[float] = [
+            # r' (I.2.4)
+            r_dot,
+        ]
+        return _finish("velocities", qdot)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "velocities") from error
+
+
+def accelerations(
+    t: float,
+    y: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """all accelerations q'' on the motion (II.3)
+
+    Arguments: t (scalar), y (2,), p (2,).
+    Returns qddot (1,).
+    """
+    r = float(y[0])  # distance from the axis [m]
+    m = float(p[0])  # mass of the bead [kg]
+    Omega = float(p[1])  # rate of the rod [rad/s]
+    try:
+        # parameters only
+        k1 = Omega * Omega
+        # state
+        # the mass matrix is singular
+        if not abs(m) > 0.0:
+            raise SingularModelError(2, "accelerations")
+        qddot: list[float] = [
+            # r'' (II.3)
+            r * k1,
+        ]
+        return _finish("accelerations", qddot)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "accelerations") from error
+
+
+def state(
+    t: float,
+    q: Sequence[float],
+    qdot: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """the state y from coordinates and velocities (I.2.1)
+
+    Arguments: t (scalar), q (1,), qdot (1,), p (2,).
+    Returns y (2,).
+    """
+    r = float(q[0])  # distance from the axis [m]
+    r_dot = float(qdot[0])
+    try:
+        # state
+        y: list[float] = [r, r_dot]
+        return _finish("state", y)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "state") from error
+
+
+def residuals(
+    t: float,
+    q: Sequence[float],
+    qdot: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """left sides of the constraints, zero on every motion (I.1.1)
+
+    Arguments: t (scalar), q (1,), qdot (1,), p (2,).
+    Returns r (0,).
+    """
+    try:
+        r: list[float] = []
+        return _finish("residuals", r)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "residuals") from error
+
+
+def reactions(
+    t: float,
+    y: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+
+    Arguments: t (scalar), y (2,), p (2,).
+    Returns lambda_ (0,).
+    Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a.
+    """
+    m = float(p[0])  # mass of the bead [kg]
+    try:
+        # state
+        # the mass matrix is singular
+        if not abs(m) > 0.0:
+            raise SingularModelError(2, "reactions")
+        lambda_: list[float] = []
+        return _finish("reactions", lambda_)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "reactions") from error
+
+
+def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
+    """T + V (II.1.4)
+
+    Arguments: t (scalar), y (2,), p (2,).
+    Returns a scalar.
+    """
+    r = float(y[0])  # distance from the axis [m]
+    r_dot = float(y[1])
+    m = float(p[0])  # mass of the bead [kg]
+    Omega = float(p[1])  # rate of the rod [rad/s]
+    try:
+        # parameters only
+        k1 = Omega * Omega
+        # state
+        value1 = m * (0.5 * (r_dot * r_dot) + 0.5 * (k1 * (r * r)))
+        return _single("energy", value1)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "energy") from error
+
+
+def jacobian(
+    t: float,
+    y: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[list[float]]:
+    """d rhs_i / d y_j, row-major (II.3)
+
+    Arguments: t (scalar), y (2,), p (2,).
+    Returns rows (2, 2): d rhs_i / d y_j stands at [i][j].
+    """
+    m = float(p[0])  # mass of the bead [kg]
+    Omega = float(p[1])  # rate of the rod [rad/s]
+    try:
+        # state
+        # the mass matrix is singular
+        if not abs(m) > 0.0:
+            raise SingularModelError(2, "jacobian")
+        J: list[float] = [
+            # (II.3)
+            0.0,
+            # (II.3)
+            1.0,
+            # (II.3)
+            Omega * Omega,
+            # (II.3)
+            0.0,
+        ]
+        _finish("jacobian", J)
+        return [J[k1 : k1 + 2] for k1 in range(0, 4, 2)]
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "jacobian") from error
+
+
+def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
+    """the spec's outputs
+
+    Arguments: t (scalar), y (2,), p (2,).
+    Returns out (2,).
+    """
+    r = float(y[0])  # distance from the axis [m]
+    r_dot = float(y[1])
+    m = float(p[0])  # mass of the bead [kg]
+    Omega = float(p[1])  # rate of the rod [rad/s]
+    try:
+        # parameters only
+        k1 = Omega * Omega
+        k2 = m * Omega
+        # state
+        out: list[float] = [
+            # jacobi 16:11
+            0.5 * (m * (r_dot * r_dot - k1 * (r * r))),
+            # torque 17:11
+            2.0 * (r_dot * (r * k2)),
+        ]
+        return _finish("outputs", out)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "outputs") from error

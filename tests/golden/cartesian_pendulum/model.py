@@ -1,0 +1,375 @@
+"""cartesian_pendulum, emitted by nhc 0.1.0 (nhc:439b144a0ff9c325).
+
+The plane pendulum in Cartesian coordinates; its constraint is written with
+    velocities, but it is holonomic.
+Source: cartesian_pendulum.yaml
+Equations of motion: euler-lagrange (I.2.15)
+Why: coframe completed by nhc with v: the dependent velocities that nhc would choose
+    (x') are singular somewhere
+
+State y:
+y[0] = x [m]: across
+y[1] = y [m]: up
+y[2] = v
+
+Parameters p:
+p[0]: m = 1.0 [kg]: mass of the bob
+p[1]: g = 9.81 [m/s^2]: acceleration of gravity
+
+Constraints:
+0: rod
+
+Outputs:
+out[0] = length
+
+Operations:
+rhs: 2 +-, 9 *, 1 /, 2 calls
+velocities: 2 +-, 7 *, 1 /, 2 calls
+accelerations: 4 +-, 13 *, 1 /, 2 calls
+state: 1 +-, 2 *, 0 /, 0 calls
+residuals: 1 +-, 2 *, 0 /, 0 calls
+reactions: 4 +-, 11 *, 2 /, 2 calls
+energy: 3 +-, 12 *, 1 /, 0 calls
+jacobian: 4 +-, 20 *, 2 /, 2 calls
+outputs: 2 +-, 3 *, 0 /, 3 calls
+
+A singular point raises SingularModelError.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+COORDINATES: tuple[str, ...] = ("x", "y")
+STATE: tuple[str, ...] = ("x", "y", "v")
+PARAMETERS: tuple[str, ...] = ("m", "g")
+CONSTRAINTS: tuple[str, ...] = ("rod",)
+OUTPUTS: tuple[str, ...] = ("length",)
+DEFAULTS: tuple[float, ...] = (1.0, 9.81)
+
+REASONS = (
+    "",
+    "the coframe is singular",
+    "the mass matrix is singular",
+    "a result is not finite or not defined",
+)
+NOT_FINITE = 3
+
+
+class SingularModelError(ArithmeticError):
+    """The model is singular here; ``status`` is the code that C returns."""
+
+    def __init__(self, status: int, function: str) -> None:
+        super().__init__(f"{function}: {REASONS[status]}")
+        self.status = status
+
+
+def _finish(function: str, values: list[float]) -> list[float]:
+    if not all(map(math.isfinite, values)):
+        raise SingularModelError(NOT_FINITE, function)
+    return values
+
+
+def _single(function: str, value: float) -> float:
+    if not math.isfinite(value):
+        raise SingularModelError(NOT_FINITE, function)
+    return value
+
+
+def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
+    """right-hand side dy/dt = f(t, y; p) (I.2.15)
+
+    Arguments: t (scalar), y (3,), p (2,).
+    Returns dydt (3,).
+    """
+    x = float(y[0])  # across [m]
+    y_2 = float(y[1])  # up [m]
+    v = float(y[2])
+    m = float(p[0])  # mass of the bob [kg]
+    g = float(p[1])  # acceleration of gravity [m/s^2]
+    try:
+        # state
+        z1 = x * x + y_2 * y_2
+        z2 = abs(y_2) + abs(x)
+        # the coframe is singular
+        if not abs(z1) > 1e-12 * (z2 * z2):
+            raise SingularModelError(1, "rhs")
+        z3 = 1.0 / z1
+        # the mass matrix is singular
+        if not abs(m * z3) > 0.0:
+            raise SingularModelError(2, "rhs")
+        dydt: list[float] = [
+            # x' (I.2.15)
+            y_2 * v * z3,
+            # y' (I.2.15)
+            -z3 * (x * v),
+            # v' (I.2.15) 12:4
+            x * g,
+        ]
+        return _finish("rhs", dydt)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "rhs") from error
+
+
+def velocities(
+    t: float,
+    y: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """all velocities q' from the state (I.2.4)
+
+    Arguments: t (scalar), y (3,), p (2,).
+    Returns qdot (2,).
+    """
+    x = float(y[0])  # across [m]
+    y_2 = float(y[1])  # up [m]
+    v = float(y[2])
+    try:
+        # state
+        z1 = x * x + y_2 * y_2
+        z2 = abs(y_2) + abs(x)
+        # the coframe is singular
+        if not abs(z1) > 1e-12 * (z2 * z2):
+            raise SingularModelError(1, "velocities")
+        z3 = 1.0 / z1
+        qdot: list[float] = [
+            # x' (I.2.4)
+            y_2 * v * z3,
+            # y' (I.2.4)
+            -z3 * (x * v),
+        ]
+        return _finish("velocities", qdot)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "velocities") from error
+
+
+def accelerations(
+    t: float,
+    y: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """all accelerations q'' on the motion (I.2.15)
+
+    Arguments: t (scalar), y (3,), p (2,).
+    Returns qddot (2,).
+    """
+    x = float(y[0])  # across [m]
+    y_2 = float(y[1])  # up [m]
+    v = float(y[2])
+    m = float(p[0])  # mass of the bob [kg]
+    g = float(p[1])  # acceleration of gravity [m/s^2]
+    try:
+        # state
+        z1 = x * x
+        z2 = z1 + y_2 * y_2
+        z3 = abs(y_2) + abs(x)
+        # the coframe is singular
+        if not abs(z2) > 1e-12 * (z3 * z3):
+            raise SingularModelError(1, "accelerations")
+        z4 = 1.0 / z2
+        # the mass matrix is singular
+        if not abs(m * z4) > 0.0:
+            raise SingularModelError(2, "accelerations")
+        z5 = v * v
+        qddot: list[float] = [
+            # x'' (I.2.15)
+            x * z4 * (y_2 * g - z4 * z5),
+            # y'' (I.2.15)
+            -z4 * (g * z1 + z4 * (y_2 * z5)),
+        ]
+        return _finish("accelerations", qddot)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "accelerations") from error
+
+
+def state(
+    t: float,
+    q: Sequence[float],
+    qdot: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """the state y from coordinates and velocities (I.2.1)
+
+    Arguments: t (scalar), q (2,), qdot (2,), p (2,).
+    Returns y (3,).
+    """
+    x = float(q[0])  # across [m]
+    y_2 = float(q[1])  # up [m]
+    x_dot = float(qdot[0])
+    y_dot = float(qdot[1])
+    try:
+        # state
+        y: list[float] = [x, y_2, y_2 * x_dot - x * y_dot]
+        return _finish("state", y)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "state") from error
+
+
+def residuals(
+    t: float,
+    q: Sequence[float],
+    qdot: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """left sides of the constraints, zero on every motion (I.1.1)
+
+    Arguments: t (scalar), q (2,), qdot (2,), p (2,).
+    Returns r (1,).
+    """
+    x = float(q[0])  # across [m]
+    y = float(q[1])  # up [m]
+    x_dot = float(qdot[0])
+    y_dot = float(qdot[1])
+    try:
+        # state
+        r: list[float] = [
+            # rod = 0 (I.1.1) 15:5
+            x * x_dot + y * y_dot,
+        ]
+        return _finish("residuals", r)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "residuals") from error
+
+
+def reactions(
+    t: float,
+    y: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+
+    Arguments: t (scalar), y (3,), p (2,).
+    Returns lambda_ (1,).
+    Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a.
+    """
+    x = float(y[0])  # across [m]
+    y_2 = float(y[1])  # up [m]
+    v = float(y[2])
+    m = float(p[0])  # mass of the bob [kg]
+    g = float(p[1])  # acceleration of gravity [m/s^2]
+    try:
+        # state
+        z1 = x * x
+        z2 = z1 + y_2 * y_2
+        z3 = abs(y_2) + abs(x)
+        # the coframe is singular
+        if not abs(z2) > 1e-12 * (z3 * z3):
+            raise SingularModelError(1, "reactions")
+        z4 = m / z2
+        # the mass matrix is singular
+        if not abs(z4) > 0.0:
+            raise SingularModelError(2, "reactions")
+        z5 = 1.0 / (z2 * z2)
+        z6 = v * v
+        lambda_: list[float] = [
+            # reaction of rod: Q_i gains lambda_1 a_1i (I.4.1) 15:5
+            z4 * (y_2 * (g - z5 * (y_2 * z6)) - z5 * (z1 * z6)),
+        ]
+        return _finish("reactions", lambda_)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "reactions") from error
+
+
+def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
+    """T + V (II.1.4)
+
+    Arguments: t (scalar), y (3,), p (2,).
+    Returns a scalar.
+    """
+    x = float(y[0])  # across [m]
+    y_2 = float(y[1])  # up [m]
+    v = float(y[2])
+    m = float(p[0])  # mass of the bob [kg]
+    g = float(p[1])  # acceleration of gravity [m/s^2]
+    try:
+        # state
+        z1 = x * x
+        z2 = z1 + y_2 * y_2
+        z3 = 1.0 / (z2 * z2)
+        z4 = v * v
+        s1 = 0.5 * (z3 * (z1 * z4)) + y_2 * (g + 0.5 * (z3 * (y_2 * z4)))
+        value1 = m * s1
+        return _single("energy", value1)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "energy") from error
+
+
+def jacobian(
+    t: float,
+    y: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[list[float]]:
+    """d rhs_i / d y_j, row-major (I.2.15)
+
+    Arguments: t (scalar), y (3,), p (2,).
+    Returns rows (3, 3): d rhs_i / d y_j stands at [i][j].
+    """
+    x = float(y[0])  # across [m]
+    y_2 = float(y[1])  # up [m]
+    v = float(y[2])
+    m = float(p[0])  # mass of the bob [kg]
+    g = float(p[1])  # acceleration of gravity [m/s^2]
+    try:
+        # state
+        z1 = x * x + y_2 * y_2
+        z2 = abs(y_2) + abs(x)
+        # the coframe is singular
+        if not abs(z1) > 1e-12 * (z2 * z2):
+            raise SingularModelError(1, "jacobian")
+        z3 = 1.0 / z1
+        # the mass matrix is singular
+        if not abs(m * z3) > 0.0:
+            raise SingularModelError(2, "jacobian")
+        z4 = 1.0 / (z1 * z1)
+        z5 = y_2 * v * z4
+        z6 = v * z3
+        z7 = x * v * z4
+        J: list[float] = [
+            # (I.2.15)
+            -2.0 * (x * z5),
+            # (I.2.15)
+            z6 - 2.0 * (y_2 * z5),
+            # (I.2.15)
+            y_2 * z3,
+            # (I.2.15)
+            2.0 * (x * z7) - z6,
+            # (I.2.15)
+            2.0 * (y_2 * z7),
+            # (I.2.15)
+            -x * z3,
+            # (I.2.15)
+            g,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            0.0,
+        ]
+        _finish("jacobian", J)
+        return [J[k1 : k1 + 3] for k1 in range(0, 9, 3)]
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "jacobian") from error
+
+
+def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
+    """the spec's outputs
+
+    Arguments: t (scalar), y (3,), p (2,).
+    Returns out (1,).
+    """
+    x = float(y[0])  # across [m]
+    y_2 = float(y[1])  # up [m]
+    try:
+        # state
+        z1 = x * x + y_2 * y_2
+        z2 = abs(y_2) + abs(x)
+        # the coframe is singular
+        if not abs(z1) > 1e-12 * (z2 * z2):
+            raise SingularModelError(1, "outputs")
+        out: list[float] = [
+            # length 17:11
+            math.sqrt(z1),
+        ]
+        return _finish("outputs", out)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "outputs") from error

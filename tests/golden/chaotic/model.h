@@ -1,0 +1,138 @@
+/*
+ * chaotic.h: chaotic, emitted by nhc 0.1.0 (nhc:b05eda653b882f31)
+ * Seven coupled oscillators with one contact constraint; reversible and chaotic.
+ * Source: chaotic.yaml
+ * Equations of motion: chaplygin (III.3)
+ * Why: dependent velocities of the spec
+ * Note: hypothesis of I.3 that fails (the generalized equations are used): a force acts on the dependent
+ *     coordinate `x`
+ *
+ * State y:
+ * y[0] = x
+ * y[1] = y1
+ * y[2] = y2
+ * y[3] = y3
+ * y[4] = z1
+ * y[5] = z2
+ * y[6] = z3
+ * y[7] = y1'
+ * y[8] = y2'
+ * y[9] = y3'
+ * y[10] = z1'
+ * y[11] = z2'
+ * y[12] = z3'
+ *
+ * No parameters.
+ *
+ * Constraints:
+ * 0: contact
+ *
+ * Operations:
+ * rhs: 33 +-, 41 *, 3 /, 0 calls
+ * velocities: 2 +-, 3 *, 0 /, 0 calls
+ * accelerations: 36 +-, 41 *, 3 /, 0 calls
+ * state: 0 +-, 0 *, 0 /, 0 calls
+ * residuals: 3 +-, 3 *, 0 /, 0 calls
+ * reactions: 36 +-, 37 *, 3 /, 0 calls
+ * energy: 19 +-, 23 *, 0 /, 0 calls
+ * jacobian: 116 +-, 186 *, 3 /, 0 calls
+ * outputs: 0 +-, 0 *, 0 /, 0 calls
+ *
+ * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
+ */
+#ifndef NHC_CHAOTIC_H
+#define NHC_CHAOTIC_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* sizes */
+enum {
+    CHAOTIC_NQ = 7, /* coordinates */
+    CHAOTIC_NY = 13, /* state: the coordinates and the velocities that are kept */
+    CHAOTIC_NP = 0, /* parameters */
+    CHAOTIC_NC = 1, /* constraints */
+    CHAOTIC_NOUT = 0 /* outputs */
+};
+
+/* return codes */
+enum {
+    CHAOTIC_OK = 0, /* the result is good */
+    CHAOTIC_SINGULAR_2 = 2, /* the mass matrix is singular */
+    CHAOTIC_NOT_FINITE = 3 /* a result is infinite or not a number */
+};
+
+extern const char *const chaotic_coordinate_names[];
+extern const char *const chaotic_state_names[];
+extern const char *const chaotic_parameter_names[];
+extern const double chaotic_parameter_defaults[];
+
+/*
+ * right-hand side dy/dt = f(t, y; p) (III.3)
+ * dydt: 13 entries
+ */
+int chaotic_rhs(double t, const double *y, const double *p, double *dydt);
+
+/*
+ * all velocities q' from the state (I.2.4)
+ * qdot: 7 entries
+ */
+int chaotic_velocities(double t, const double *y, const double *p, double *qdot);
+
+/*
+ * all accelerations q'' on the motion (III.3)
+ * qddot: 7 entries
+ */
+int chaotic_accelerations(double t, const double *y, const double *p, double *qddot);
+
+/*
+ * the state y from coordinates and velocities (I.2.1)
+ * y: 13 entries
+ */
+int chaotic_state(double t, const double *q, const double *qdot, const double *p, double *y);
+
+/*
+ * left sides of the constraints, zero on every motion (I.1.1)
+ * r: 1 entries
+ */
+int chaotic_residuals(double t, const double *q, const double *qdot, const double *p, double *r);
+
+/*
+ * reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+ * lambda: 1 entries
+ * Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a
+ */
+int chaotic_reactions(double t, const double *y, const double *p, double *lambda);
+
+/*
+ * T + V (II.1.4)
+ * not finite where the model is singular
+ */
+double chaotic_energy(double t, const double *y, const double *p);
+
+/*
+ * d rhs_i / d y_j, row-major (III.3)
+ * J: 169 entries, row by row: d rhs_i / d y_j stands at 13*i + j
+ */
+int chaotic_jacobian(double t, const double *y, const double *p, double *J);
+
+/*
+ * the spec's outputs
+ * out: 0 entries
+ */
+int chaotic_outputs(double t, const double *y, const double *p, double *out);
+
+/*
+ * rhs for count states at once, a structure of arrays: entry k of state i is y[k*count + i], its time t[i];
+ * the parameters are shared. Nonzero when any of the states is singular. dydt must not overlap the inputs.
+ */
+int chaotic_rhs_batch(size_t count, const double *t, const double *y, const double *p, double *dydt);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

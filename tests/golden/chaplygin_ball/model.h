@@ -1,0 +1,144 @@
+/*
+ * chaplygin_ball.h: chaplygin_ball, emitted by nhc 0.1.0 (nhc:52160c2899c2f579)
+ * A ball with three different moments of inertia and its centre of mass at its centre rolls on a horizontal
+ *     plane.
+ * Source: chaplygin_ball.yaml
+ * Equations of motion: euler-lagrange (I.2.15)
+ * Why: quasi-velocities of the spec
+ *
+ * State y:
+ * y[0] = x [m]: centre
+ * y[1] = y [m]: centre
+ * y[2] = phi [rad]: precession
+ * y[3] = theta [rad]: nutation
+ * y[4] = psi [rad]: spin
+ * y[5] = w1
+ * y[6] = w2
+ * y[7] = w3
+ *
+ * Parameters p:
+ * p[0]: m = 1.0 [kg]: mass
+ * p[1]: a = 1.0 [m]: radius
+ * p[2]: I1 = 0.4 [kg*m^2]
+ * p[3]: I2 = 0.5 [kg*m^2]
+ * p[4]: I3 = 0.7 [kg*m^2]
+ *
+ * Constraints:
+ * 0: roll_x
+ * 1: roll_y
+ *
+ * Outputs:
+ * out[0] = K1
+ * out[1] = K2
+ * out[2] = K3
+ *
+ * Operations:
+ * rhs: 23 +-, 55 *, 4 /, 6 calls
+ * velocities: 5 +-, 17 *, 1 /, 6 calls
+ * accelerations: 41 +-, 87 *, 5 /, 6 calls
+ * state: 3 +-, 7 *, 0 /, 4 calls
+ * residuals: 4 +-, 8 *, 0 /, 3 calls
+ * reactions: 26 +-, 62 *, 3 /, 6 calls
+ * energy: 11 +-, 25 *, 0 /, 4 calls
+ * jacobian: 90 +-, 234 *, 5 /, 6 calls
+ * outputs: 8 +-, 19 *, 0 /, 4 calls
+ *
+ * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
+ */
+#ifndef NHC_CHAPLYGIN_BALL_H
+#define NHC_CHAPLYGIN_BALL_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* sizes */
+enum {
+    CHAPLYGIN_BALL_NQ = 5, /* coordinates */
+    CHAPLYGIN_BALL_NY = 8, /* state: the coordinates and the velocities that are kept */
+    CHAPLYGIN_BALL_NP = 5, /* parameters */
+    CHAPLYGIN_BALL_NC = 2, /* constraints */
+    CHAPLYGIN_BALL_NOUT = 3 /* outputs */
+};
+
+/* return codes */
+enum {
+    CHAPLYGIN_BALL_OK = 0, /* the result is good */
+    CHAPLYGIN_BALL_SINGULAR_1 = 1, /* the coframe is singular */
+    CHAPLYGIN_BALL_SINGULAR_2 = 2, /* the mass matrix is singular */
+    CHAPLYGIN_BALL_NOT_FINITE = 3 /* a result is infinite or not a number */
+};
+
+extern const char *const chaplygin_ball_coordinate_names[];
+extern const char *const chaplygin_ball_state_names[];
+extern const char *const chaplygin_ball_parameter_names[];
+extern const double chaplygin_ball_parameter_defaults[];
+
+/*
+ * right-hand side dy/dt = f(t, y; p) (I.2.15)
+ * dydt: 8 entries
+ */
+int chaplygin_ball_rhs(double t, const double *y, const double *p, double *dydt);
+
+/*
+ * all velocities q' from the state (I.2.4)
+ * qdot: 5 entries
+ */
+int chaplygin_ball_velocities(double t, const double *y, const double *p, double *qdot);
+
+/*
+ * all accelerations q'' on the motion (I.2.15)
+ * qddot: 5 entries
+ */
+int chaplygin_ball_accelerations(double t, const double *y, const double *p, double *qddot);
+
+/*
+ * the state y from coordinates and velocities (I.2.1)
+ * y: 8 entries
+ */
+int chaplygin_ball_state(double t, const double *q, const double *qdot, const double *p, double *y);
+
+/*
+ * left sides of the constraints, zero on every motion (I.1.1)
+ * r: 2 entries
+ */
+int chaplygin_ball_residuals(double t, const double *q, const double *qdot, const double *p, double *r);
+
+/*
+ * reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+ * lambda: 2 entries
+ * Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a
+ */
+int chaplygin_ball_reactions(double t, const double *y, const double *p, double *lambda);
+
+/*
+ * T + V (II.1.4)
+ * not finite where the model is singular
+ */
+double chaplygin_ball_energy(double t, const double *y, const double *p);
+
+/*
+ * d rhs_i / d y_j, row-major (I.2.15)
+ * J: 64 entries, row by row: d rhs_i / d y_j stands at 8*i + j
+ */
+int chaplygin_ball_jacobian(double t, const double *y, const double *p, double *J);
+
+/*
+ * the spec's outputs
+ * out: 3 entries
+ */
+int chaplygin_ball_outputs(double t, const double *y, const double *p, double *out);
+
+/*
+ * rhs for count states at once, a structure of arrays: entry k of state i is y[k*count + i], its time t[i];
+ * the parameters are shared. Nonzero when any of the states is singular. dydt must not overlap the inputs.
+ */
+int chaplygin_ball_rhs_batch(size_t count, const double *t, const double *y, const double *p, double *dydt);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

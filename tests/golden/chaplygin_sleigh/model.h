@@ -1,0 +1,136 @@
+/*
+ * chaplygin_sleigh.h: chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:5f3d8a4bef7cefc3)
+ * A rigid body on a knife edge; the centre of mass is a distance a ahead of the edge.
+ * Source: chaplygin_sleigh.yaml
+ * Equations of motion: euler-lagrange (I.2.15)
+ * Why: quasi-velocities of the spec
+ *
+ * State y:
+ * y[0] = x [m]: point of the edge
+ * y[1] = y [m]: point of the edge
+ * y[2] = theta [rad]: heading
+ * y[3] = v
+ * y[4] = w
+ *
+ * Parameters p:
+ * p[0]: m = 1.0 [kg]: mass
+ * p[1]: J = 0.5 [kg*m^2]: moment of inertia about the centre of mass
+ * p[2]: a = 0.7 [m]: from the edge to the centre of mass
+ *
+ * Constraints:
+ * 0: slip
+ *
+ * Outputs:
+ * out[0] = speed
+ * out[1] = X
+ * out[2] = Y
+ *
+ * Operations:
+ * rhs: 1 +-, 10 *, 1 /, 2 calls
+ * velocities: 0 +-, 2 *, 0 /, 2 calls
+ * accelerations: 3 +-, 14 *, 1 /, 2 calls
+ * state: 1 +-, 2 *, 0 /, 2 calls
+ * residuals: 1 +-, 2 *, 0 /, 2 calls
+ * reactions: 2 +-, 5 *, 1 /, 0 calls
+ * energy: 2 +-, 9 *, 0 /, 0 calls
+ * jacobian: 1 +-, 11 *, 1 /, 2 calls
+ * outputs: 2 +-, 2 *, 0 /, 2 calls
+ *
+ * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
+ */
+#ifndef NHC_CHAPLYGIN_SLEIGH_H
+#define NHC_CHAPLYGIN_SLEIGH_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* sizes */
+enum {
+    CHAPLYGIN_SLEIGH_NQ = 3, /* coordinates */
+    CHAPLYGIN_SLEIGH_NY = 5, /* state: the coordinates and the velocities that are kept */
+    CHAPLYGIN_SLEIGH_NP = 3, /* parameters */
+    CHAPLYGIN_SLEIGH_NC = 1, /* constraints */
+    CHAPLYGIN_SLEIGH_NOUT = 3 /* outputs */
+};
+
+/* return codes */
+enum {
+    CHAPLYGIN_SLEIGH_OK = 0, /* the result is good */
+    CHAPLYGIN_SLEIGH_SINGULAR_2 = 2, /* the mass matrix is singular */
+    CHAPLYGIN_SLEIGH_NOT_FINITE = 3 /* a result is infinite or not a number */
+};
+
+extern const char *const chaplygin_sleigh_coordinate_names[];
+extern const char *const chaplygin_sleigh_state_names[];
+extern const char *const chaplygin_sleigh_parameter_names[];
+extern const double chaplygin_sleigh_parameter_defaults[];
+
+/*
+ * right-hand side dy/dt = f(t, y; p) (I.2.15)
+ * dydt: 5 entries
+ */
+int chaplygin_sleigh_rhs(double t, const double *y, const double *p, double *dydt);
+
+/*
+ * all velocities q' from the state (I.2.4)
+ * qdot: 3 entries
+ */
+int chaplygin_sleigh_velocities(double t, const double *y, const double *p, double *qdot);
+
+/*
+ * all accelerations q'' on the motion (I.2.15)
+ * qddot: 3 entries
+ */
+int chaplygin_sleigh_accelerations(double t, const double *y, const double *p, double *qddot);
+
+/*
+ * the state y from coordinates and velocities (I.2.1)
+ * y: 5 entries
+ */
+int chaplygin_sleigh_state(double t, const double *q, const double *qdot, const double *p, double *y);
+
+/*
+ * left sides of the constraints, zero on every motion (I.1.1)
+ * r: 1 entries
+ */
+int chaplygin_sleigh_residuals(double t, const double *q, const double *qdot, const double *p, double *r);
+
+/*
+ * reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+ * lambda: 1 entries
+ * Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a
+ */
+int chaplygin_sleigh_reactions(double t, const double *y, const double *p, double *lambda);
+
+/*
+ * T + V (II.1.4)
+ * not finite where the model is singular
+ */
+double chaplygin_sleigh_energy(double t, const double *y, const double *p);
+
+/*
+ * d rhs_i / d y_j, row-major (I.2.15)
+ * J: 25 entries, row by row: d rhs_i / d y_j stands at 5*i + j
+ */
+int chaplygin_sleigh_jacobian(double t, const double *y, const double *p, double *J);
+
+/*
+ * the spec's outputs
+ * out: 3 entries
+ */
+int chaplygin_sleigh_outputs(double t, const double *y, const double *p, double *out);
+
+/*
+ * rhs for count states at once, a structure of arrays: entry k of state i is y[k*count + i], its time t[i];
+ * the parameters are shared. Nonzero when any of the states is singular. dydt must not overlap the inputs.
+ */
+int chaplygin_sleigh_rhs_batch(size_t count, const double *t, const double *y, const double *p, double *dydt);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

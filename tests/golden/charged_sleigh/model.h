@@ -1,0 +1,135 @@
+/*
+ * charged_sleigh.h: charged_sleigh, emitted by nhc 0.1.0 (nhc:75fc590c77b37298)
+ * Chaplygin's sleigh with a charge at its centre of mass in a magnetic field; T depends on x and y.
+ * Source: charged_sleigh.yaml
+ * Equations of motion: euler-lagrange (I.2.15)
+ * Why: quasi-velocities of the spec
+ *
+ * State y:
+ * y[0] = x [m]: point of the edge
+ * y[1] = y [m]: point of the edge
+ * y[2] = theta [rad]: heading
+ * y[3] = v
+ * y[4] = w
+ *
+ * Parameters p:
+ * p[0]: m = 1.0 [kg]: mass
+ * p[1]: J = 0.5 [kg*m^2]: moment of inertia about the centre of mass
+ * p[2]: a = 0.7 [m]: from the edge to the centre of mass
+ * p[3]: B = 0.9 [kg/s]: charge times field
+ *
+ * Constraints:
+ * 0: slip
+ *
+ * Outputs:
+ * out[0] = speed
+ *
+ * Operations:
+ * rhs: 2 +-, 11 *, 2 /, 2 calls
+ * velocities: 0 +-, 2 *, 0 /, 2 calls
+ * accelerations: 4 +-, 15 *, 2 /, 2 calls
+ * state: 1 +-, 2 *, 0 /, 2 calls
+ * residuals: 1 +-, 2 *, 0 /, 2 calls
+ * reactions: 4 +-, 6 *, 1 /, 0 calls
+ * energy: 8 +-, 19 *, 0 /, 2 calls
+ * jacobian: 3 +-, 13 *, 2 /, 2 calls
+ * outputs: 0 +-, 0 *, 0 /, 0 calls
+ *
+ * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
+ */
+#ifndef NHC_CHARGED_SLEIGH_H
+#define NHC_CHARGED_SLEIGH_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* sizes */
+enum {
+    CHARGED_SLEIGH_NQ = 3, /* coordinates */
+    CHARGED_SLEIGH_NY = 5, /* state: the coordinates and the velocities that are kept */
+    CHARGED_SLEIGH_NP = 4, /* parameters */
+    CHARGED_SLEIGH_NC = 1, /* constraints */
+    CHARGED_SLEIGH_NOUT = 1 /* outputs */
+};
+
+/* return codes */
+enum {
+    CHARGED_SLEIGH_OK = 0, /* the result is good */
+    CHARGED_SLEIGH_SINGULAR_2 = 2, /* the mass matrix is singular */
+    CHARGED_SLEIGH_NOT_FINITE = 3 /* a result is infinite or not a number */
+};
+
+extern const char *const charged_sleigh_coordinate_names[];
+extern const char *const charged_sleigh_state_names[];
+extern const char *const charged_sleigh_parameter_names[];
+extern const double charged_sleigh_parameter_defaults[];
+
+/*
+ * right-hand side dy/dt = f(t, y; p) (I.2.15)
+ * dydt: 5 entries
+ */
+int charged_sleigh_rhs(double t, const double *y, const double *p, double *dydt);
+
+/*
+ * all velocities q' from the state (I.2.4)
+ * qdot: 3 entries
+ */
+int charged_sleigh_velocities(double t, const double *y, const double *p, double *qdot);
+
+/*
+ * all accelerations q'' on the motion (I.2.15)
+ * qddot: 3 entries
+ */
+int charged_sleigh_accelerations(double t, const double *y, const double *p, double *qddot);
+
+/*
+ * the state y from coordinates and velocities (I.2.1)
+ * y: 5 entries
+ */
+int charged_sleigh_state(double t, const double *q, const double *qdot, const double *p, double *y);
+
+/*
+ * left sides of the constraints, zero on every motion (I.1.1)
+ * r: 1 entries
+ */
+int charged_sleigh_residuals(double t, const double *q, const double *qdot, const double *p, double *r);
+
+/*
+ * reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+ * lambda: 1 entries
+ * Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a
+ */
+int charged_sleigh_reactions(double t, const double *y, const double *p, double *lambda);
+
+/*
+ * T + V (II.1.4)
+ * not finite where the model is singular
+ */
+double charged_sleigh_energy(double t, const double *y, const double *p);
+
+/*
+ * d rhs_i / d y_j, row-major (I.2.15)
+ * J: 25 entries, row by row: d rhs_i / d y_j stands at 5*i + j
+ */
+int charged_sleigh_jacobian(double t, const double *y, const double *p, double *J);
+
+/*
+ * the spec's outputs
+ * out: 1 entries
+ */
+int charged_sleigh_outputs(double t, const double *y, const double *p, double *out);
+
+/*
+ * rhs for count states at once, a structure of arrays: entry k of state i is y[k*count + i], its time t[i];
+ * the parameters are shared. Nonzero when any of the states is singular. dydt must not overlap the inputs.
+ */
+int charged_sleigh_rhs_batch(size_t count, const double *t, const double *y, const double *p, double *dydt);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,431 @@
+"""charged_sleigh, emitted by nhc 0.1.0 (nhc:fe46c499f4b18454).
+
+Chaplygin's sleigh with a charge at its centre of mass in a magnetic field; T
+    depends on x and y.
+Source: charged_sleigh.yaml
+Equations of motion: euler-lagrange (I.2.15)
+Why: quasi-velocities of the spec
+
+State y:
+y[0] = x [m]: point of the edge
+y[1] = y [m]: point of the edge
+y[2] = theta [rad]: heading
+y[3] = v
+y[4] = w
+
+Parameters p:
+p[0]: m = 1.0 [kg]: mass
+p[1]: J = 0.5 [kg*m^2]: moment of inertia about the centre of mass
+p[2]: a = 0.7 [m]: from the edge to the centre of mass
+p[3]: B = 0.9 [kg/s]: charge times field
+
+Constraints:
+0: slip
+
+Outputs:
+out[0] = speed
+
+Operations:
+rhs: 2 +-, 11 *, 2 /, 2 calls
+velocities: 0 +-, 2 *, 0 /, 2 calls
+accelerations: 4 +-, 15 *, 2 /, 2 calls
+state: 1 +-, 2 *, 0 /, 2 calls
+residuals: 1 +-, 2 *, 0 /, 2 calls
+reactions: 4 +-, 6 *, 1 /, 0 calls
+energy: 8 +-, 19 *, 0 /, 2 calls
+jacobian: 3 +-, 13 *, 2 /, 2 calls
+outputs: 0 +-, 0 *, 0 /, 0 calls
+
+A singular point raises SingularModelError.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+COORDINATES: tuple[str, ...] = ("x", "y", "theta")
+STATE: tuple[str, ...] = ("x", "y", "theta", "v", "w")
+PARAMETERS: tuple[str, ...] = ("m", "J", "a", "B")
+CONSTRAINTS: tuple[str, ...] = ("slip",)
+OUTPUTS: tuple[str, ...] = ("speed",)
+DEFAULTS: tuple[float, ...] = (1.0, 0.5, 0.7, 0.9)
+
+REASONS = (
+    "",
+    "",
+    "the mass matrix is singular",
+    "a result is not finite or not defined",
+)
+NOT_FINITE = 3
+
+
+class SingularModelError(ArithmeticError):
+    """The model is singular here; ``status`` is the code that C returns."""
+
+    def __init__(self, status: int, function: str) -> None:
+        super().__init__(f"{function}: {REASONS[status]}")
+        self.status = status
+
+
+def _finish(function: str, values: list[float]) -> list[float]:
+    if not all(map(math.isfinite, values)):
+        raise SingularModelError(NOT_FINITE, function)
+    return values
+
+
+def _single(function: str, value: float) -> float:
+    if not math.isfinite(value):
+        raise SingularModelError(NOT_FINITE, function)
+    return value
+
+
+def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
+    """right-hand side dy/dt = f(t, y; p) (I.2.15)
+
+    Arguments: t (scalar), y (5,), p (4,).
+    Returns dydt (5,).
+    """
+    theta = float(y[2])  # heading [rad]
+    v = float(y[3])
+    w = float(y[4])
+    m = float(p[0])  # mass [kg]
+    J = float(p[1])  # moment of inertia about the centre of mass [kg*m^2]
+    a = float(p[2])  # from the edge to the centre of mass [m]
+    B = float(p[3])  # charge times field [kg/s]
+    try:
+        # parameters only
+        k1 = J + m * (a * a)
+        k2 = 1.0 / m
+        k3 = 1.0 / k1
+        # state
+        # the mass matrix is singular
+        if not abs(m) > 0.0:
+            raise SingularModelError(2, "rhs")
+        # the mass matrix is singular
+        if not abs(k1) > 0.0:
+            raise SingularModelError(2, "rhs")
+        c_theta = math.cos(theta)
+        s_theta = math.sin(theta)
+        z1 = B + m * w
+        dydt: list[float] = [
+            # x' (I.2.15)
+            c_theta * v,
+            # y' (I.2.15)
+            s_theta * v,
+            # theta' (I.2.15)
+            w,
+            # v' (I.2.15) 18:4
+            a * w * z1 * k2,
+            # w' (I.2.15) 18:4
+            -z1 * (a * v) * k3,
+        ]
+        return _finish("rhs", dydt)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "rhs") from error
+
+
+def velocities(
+    t: float,
+    y: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """all velocities q' from the state (I.2.4)
+
+    Arguments: t (scalar), y (5,), p (4,).
+    Returns qdot (3,).
+    """
+    theta = float(y[2])  # heading [rad]
+    v = float(y[3])
+    w = float(y[4])
+    try:
+        # state
+        c_theta = math.cos(theta)
+        s_theta = math.sin(theta)
+        qdot: list[float] = [
+            # x' (I.2.4)
+            c_theta * v,
+            # y' (I.2.4)
+            s_theta * v,
+            # theta' (I.2.4)
+            w,
+        ]
+        return _finish("velocities", qdot)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "velocities") from error
+
+
+def accelerations(
+    t: float,
+    y: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """all accelerations q'' on the motion (I.2.15)
+
+    Arguments: t (scalar), y (5,), p (4,).
+    Returns qddot (3,).
+    """
+    theta = float(y[2])  # heading [rad]
+    v = float(y[3])
+    w = float(y[4])
+    m = float(p[0])  # mass [kg]
+    J = float(p[1])  # moment of inertia about the centre of mass [kg*m^2]
+    a = float(p[2])  # from the edge to the centre of mass [m]
+    B = float(p[3])  # charge times field [kg/s]
+    try:
+        # parameters only
+        k1 = J + m * (a * a)
+        k2 = 1.0 / m
+        k3 = 1.0 / k1
+        # state
+        # the mass matrix is singular
+        if not abs(m) > 0.0:
+            raise SingularModelError(2, "accelerations")
+        # the mass matrix is singular
+        if not abs(k1) > 0.0:
+            raise SingularModelError(2, "accelerations")
+        s_theta = math.sin(theta)
+        c_theta = math.cos(theta)
+        z1 = B + m * w
+        z2 = a * w * z1 * k2
+        qddot: list[float] = [
+            # x'' (I.2.15)
+            c_theta * z2 - v * (s_theta * w),
+            # y'' (I.2.15)
+            v * (c_theta * w) + s_theta * z2,
+            # theta'' (I.2.15)
+            -z1 * (a * v) * k3,
+        ]
+        return _finish("accelerations", qddot)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "accelerations") from error
+
+
+def state(
+    t: float,
+    q: Sequence[float],
+    qdot: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """the state y from coordinates and velocities (I.2.1)
+
+    Arguments: t (scalar), q (3,), qdot (3,), p (4,).
+    Returns y (5,).
+    """
+    x = float(q[0])  # point of the edge [m]
+    y_2 = float(q[1])  # point of the edge [m]
+    theta = float(q[2])  # heading [rad]
+    x_dot = float(qdot[0])
+    y_dot = float(qdot[1])
+    theta_dot = float(qdot[2])
+    try:
+        # state
+        c_theta = math.cos(theta)
+        s_theta = math.sin(theta)
+        y: list[float] = [x, y_2, theta, x_dot * c_theta + y_dot * s_theta, theta_dot]
+        return _finish("state", y)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "state") from error
+
+
+def residuals(
+    t: float,
+    q: Sequence[float],
+    qdot: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """left sides of the constraints, zero on every motion (I.1.1)
+
+    Arguments: t (scalar), q (3,), qdot (3,), p (4,).
+    Returns r (1,).
+    """
+    theta = float(q[2])  # heading [rad]
+    x_dot = float(qdot[0])
+    y_dot = float(qdot[1])
+    try:
+        # state
+        s_theta = math.sin(theta)
+        c_theta = math.cos(theta)
+        r: list[float] = [
+            # slip = 0 (I.1.1) 20:5
+            y_dot * c_theta - x_dot * s_theta,
+        ]
+        return _finish("residuals", r)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "residuals") from error
+
+
+def reactions(
+    t: float,
+    y: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+
+    Arguments: t (scalar), y (5,), p (4,).
+    Returns lambda_ (1,).
+    Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a.
+    """
+    v = float(y[3])
+    w = float(y[4])
+    m = float(p[0])  # mass [kg]
+    J = float(p[1])  # moment of inertia about the centre of mass [kg*m^2]
+    a = float(p[2])  # from the edge to the centre of mass [m]
+    B = float(p[3])  # charge times field [kg/s]
+    try:
+        # parameters only
+        k1 = a * a
+        k2 = J + m * k1
+        k3 = k1 / k2
+        # state
+        # the mass matrix is singular
+        if not abs(m) > 0.0:
+            raise SingularModelError(2, "reactions")
+        # the mass matrix is singular
+        if not abs(k2) > 0.0:
+            raise SingularModelError(2, "reactions")
+        lambda_: list[float] = [
+            # reaction of slip: Q_i gains lambda_1 a_1i (I.4.1) 20:5
+            v * (B + m * (w - (B + m * w) * k3)),
+        ]
+        return _finish("reactions", lambda_)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "reactions") from error
+
+
+def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
+    """T + V (II.1.4)
+
+    Arguments: t (scalar), y (5,), p (4,).
+    Returns a scalar.
+    """
+    x = float(y[0])  # point of the edge [m]
+    y_2 = float(y[1])  # point of the edge [m]
+    theta = float(y[2])  # heading [rad]
+    v = float(y[3])
+    w = float(y[4])
+    m = float(p[0])  # mass [kg]
+    J = float(p[1])  # moment of inertia about the centre of mass [kg*m^2]
+    a = float(p[2])  # from the edge to the centre of mass [m]
+    B = float(p[3])  # charge times field [kg/s]
+    try:
+        # state
+        c_theta = math.cos(theta)
+        s_theta = math.sin(theta)
+        X_dot = c_theta * v - a * (s_theta * w)
+        Y_dot = s_theta * v + a * (c_theta * w)
+        s1 = 0.5 * (m * (X_dot * X_dot + Y_dot * Y_dot))
+        s2 = B * ((x + a * c_theta) * Y_dot - (y_2 + a * s_theta) * X_dot)
+        z1 = s1 + 0.5 * (J * (w * w)) + 0.5 * s2
+        value1 = z1
+        return _single("energy", value1)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "energy") from error
+
+
+def jacobian(
+    t: float,
+    y: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[list[float]]:
+    """d rhs_i / d y_j, row-major (I.2.15)
+
+    Arguments: t (scalar), y (5,), p (4,).
+    Returns rows (5, 5): d rhs_i / d y_j stands at [i][j].
+    """
+    theta = float(y[2])  # heading [rad]
+    v = float(y[3])
+    w = float(y[4])
+    m = float(p[0])  # mass [kg]
+    J_2 = float(p[1])  # moment of inertia about the centre of mass [kg*m^2]
+    a = float(p[2])  # from the edge to the centre of mass [m]
+    B = float(p[3])  # charge times field [kg/s]
+    try:
+        # parameters only
+        k1 = J_2 + m * (a * a)
+        k2 = 1.0 / m
+        k3 = 1.0 / k1
+        # state
+        # the mass matrix is singular
+        if not abs(m) > 0.0:
+            raise SingularModelError(2, "jacobian")
+        # the mass matrix is singular
+        if not abs(k1) > 0.0:
+            raise SingularModelError(2, "jacobian")
+        s_theta = math.sin(theta)
+        c_theta = math.cos(theta)
+        z1 = a * (B + m * w)
+        J: list[float] = [
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            -s_theta * v,
+            # (I.2.15)
+            c_theta,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            c_theta * v,
+            # (I.2.15)
+            s_theta,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            1.0,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            k2 * (m * (a * w) + z1),
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            -k3 * z1,
+            # (I.2.15)
+            -k3 * (m * (a * v)),
+        ]
+        _finish("jacobian", J)
+        return [J[k4 : k4 + 5] for k4 in range(0, 25, 5)]
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "jacobian") from error
+
+
+def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
+    """the spec's outputs
+
+    Arguments: t (scalar), y (5,), p (4,).
+    Returns out (1,).
+    """
+    v = float(y[3])
+    try:
+        # state
+        out: list[float] = [
+            # speed 25:10
+            v,
+        ]
+        return _finish("outputs", out)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "outputs") from error

@@ -1,0 +1,135 @@
+/*
+ * contact_oscillator.h: contact_oscillator, emitted by nhc 0.1.0 (nhc:d61d40b422b9e6f3)
+ * Three equal oscillators with one contact constraint; reversible and integrable.
+ * Source: contact_oscillator.yaml
+ * Equations of motion: chaplygin (III.3)
+ * Why: dependent velocities of the spec
+ * Note: hypothesis of I.3 that fails (the generalized equations are used): a force acts on the dependent
+ *     coordinate `x`
+ *
+ * State y:
+ * y[0] = x
+ * y[1] = y
+ * y[2] = z
+ * y[3] = y'
+ * y[4] = z'
+ *
+ * No parameters.
+ *
+ * Constraints:
+ * 0: contact
+ *
+ * Outputs:
+ * out[0] = H_y
+ * out[1] = R
+ *
+ * Operations:
+ * rhs: 3 +-, 4 *, 1 /, 0 calls
+ * velocities: 0 +-, 1 *, 0 /, 0 calls
+ * accelerations: 4 +-, 4 *, 1 /, 0 calls
+ * state: 0 +-, 0 *, 0 /, 0 calls
+ * residuals: 1 +-, 1 *, 0 /, 0 calls
+ * reactions: 4 +-, 4 *, 1 /, 0 calls
+ * energy: 5 +-, 9 *, 0 /, 0 calls
+ * jacobian: 4 +-, 12 *, 1 /, 0 calls
+ * outputs: 4 +-, 8 *, 0 /, 0 calls
+ *
+ * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
+ */
+#ifndef NHC_CONTACT_OSCILLATOR_H
+#define NHC_CONTACT_OSCILLATOR_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* sizes */
+enum {
+    CONTACT_OSCILLATOR_NQ = 3, /* coordinates */
+    CONTACT_OSCILLATOR_NY = 5, /* state: the coordinates and the velocities that are kept */
+    CONTACT_OSCILLATOR_NP = 0, /* parameters */
+    CONTACT_OSCILLATOR_NC = 1, /* constraints */
+    CONTACT_OSCILLATOR_NOUT = 2 /* outputs */
+};
+
+/* return codes */
+enum {
+    CONTACT_OSCILLATOR_OK = 0, /* the result is good */
+    CONTACT_OSCILLATOR_SINGULAR_2 = 2, /* the mass matrix is singular */
+    CONTACT_OSCILLATOR_NOT_FINITE = 3 /* a result is infinite or not a number */
+};
+
+extern const char *const contact_oscillator_coordinate_names[];
+extern const char *const contact_oscillator_state_names[];
+extern const char *const contact_oscillator_parameter_names[];
+extern const double contact_oscillator_parameter_defaults[];
+
+/*
+ * right-hand side dy/dt = f(t, y; p) (III.3)
+ * dydt: 5 entries
+ */
+int contact_oscillator_rhs(double t, const double *y, const double *p, double *dydt);
+
+/*
+ * all velocities q' from the state (I.2.4)
+ * qdot: 3 entries
+ */
+int contact_oscillator_velocities(double t, const double *y, const double *p, double *qdot);
+
+/*
+ * all accelerations q'' on the motion (III.3)
+ * qddot: 3 entries
+ */
+int contact_oscillator_accelerations(double t, const double *y, const double *p, double *qddot);
+
+/*
+ * the state y from coordinates and velocities (I.2.1)
+ * y: 5 entries
+ */
+int contact_oscillator_state(double t, const double *q, const double *qdot, const double *p, double *y);
+
+/*
+ * left sides of the constraints, zero on every motion (I.1.1)
+ * r: 1 entries
+ */
+int contact_oscillator_residuals(double t, const double *q, const double *qdot, const double *p, double *r);
+
+/*
+ * reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+ * lambda: 1 entries
+ * Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a
+ */
+int contact_oscillator_reactions(double t, const double *y, const double *p, double *lambda);
+
+/*
+ * T + V (II.1.4)
+ * not finite where the model is singular
+ */
+double contact_oscillator_energy(double t, const double *y, const double *p);
+
+/*
+ * d rhs_i / d y_j, row-major (III.3)
+ * J: 25 entries, row by row: d rhs_i / d y_j stands at 5*i + j
+ */
+int contact_oscillator_jacobian(double t, const double *y, const double *p, double *J);
+
+/*
+ * the spec's outputs
+ * out: 2 entries
+ */
+int contact_oscillator_outputs(double t, const double *y, const double *p, double *out);
+
+/*
+ * rhs for count states at once, a structure of arrays: entry k of state i is y[k*count + i], its time t[i];
+ * the parameters are shared. Nonzero when any of the states is singular. dydt must not overlap the inputs.
+ */
+int contact_oscillator_rhs_batch(size_t count, const double *t, const double *y, const double *p, double
+    *dydt);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

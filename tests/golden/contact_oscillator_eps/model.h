@@ -1,0 +1,139 @@
+/*
+ * contact_oscillator_eps.h: contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:e12fdc78e6fc45d5)
+ * The contact oscillator with a quartic coupling; still reversible and still with a second integral.
+ * Source: contact_oscillator_eps.yaml
+ * Equations of motion: chaplygin (III.3)
+ * Why: dependent velocities of the spec
+ * Note: hypothesis of I.3 that fails (the generalized equations are used): a force acts on the dependent
+ *     coordinate `x`
+ * Note: hypothesis of I.3 that fails (the generalized equations are used): the force on `z` contains the
+ *     dependent coordinate `x`
+ *
+ * State y:
+ * y[0] = x
+ * y[1] = y
+ * y[2] = z
+ * y[3] = y'
+ * y[4] = z'
+ *
+ * Parameters p:
+ * p[0]: eps = 0.3: strength of the coupling
+ *
+ * Constraints:
+ * 0: contact
+ *
+ * Outputs:
+ * out[0] = H_y
+ * out[1] = R
+ *
+ * Operations:
+ * rhs: 5 +-, 10 *, 1 /, 0 calls
+ * velocities: 0 +-, 1 *, 0 /, 0 calls
+ * accelerations: 6 +-, 11 *, 1 /, 0 calls
+ * state: 0 +-, 0 *, 0 /, 0 calls
+ * residuals: 1 +-, 1 *, 0 /, 0 calls
+ * reactions: 7 +-, 12 *, 1 /, 0 calls
+ * energy: 6 +-, 11 *, 0 /, 0 calls
+ * jacobian: 10 +-, 27 *, 1 /, 0 calls
+ * outputs: 5 +-, 10 *, 0 /, 0 calls
+ *
+ * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
+ */
+#ifndef NHC_CONTACT_OSCILLATOR_EPS_H
+#define NHC_CONTACT_OSCILLATOR_EPS_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* sizes */
+enum {
+    CONTACT_OSCILLATOR_EPS_NQ = 3, /* coordinates */
+    CONTACT_OSCILLATOR_EPS_NY = 5, /* state: the coordinates and the velocities that are kept */
+    CONTACT_OSCILLATOR_EPS_NP = 1, /* parameters */
+    CONTACT_OSCILLATOR_EPS_NC = 1, /* constraints */
+    CONTACT_OSCILLATOR_EPS_NOUT = 2 /* outputs */
+};
+
+/* return codes */
+enum {
+    CONTACT_OSCILLATOR_EPS_OK = 0, /* the result is good */
+    CONTACT_OSCILLATOR_EPS_SINGULAR_2 = 2, /* the mass matrix is singular */
+    CONTACT_OSCILLATOR_EPS_NOT_FINITE = 3 /* a result is infinite or not a number */
+};
+
+extern const char *const contact_oscillator_eps_coordinate_names[];
+extern const char *const contact_oscillator_eps_state_names[];
+extern const char *const contact_oscillator_eps_parameter_names[];
+extern const double contact_oscillator_eps_parameter_defaults[];
+
+/*
+ * right-hand side dy/dt = f(t, y; p) (III.3)
+ * dydt: 5 entries
+ */
+int contact_oscillator_eps_rhs(double t, const double *y, const double *p, double *dydt);
+
+/*
+ * all velocities q' from the state (I.2.4)
+ * qdot: 3 entries
+ */
+int contact_oscillator_eps_velocities(double t, const double *y, const double *p, double *qdot);
+
+/*
+ * all accelerations q'' on the motion (III.3)
+ * qddot: 3 entries
+ */
+int contact_oscillator_eps_accelerations(double t, const double *y, const double *p, double *qddot);
+
+/*
+ * the state y from coordinates and velocities (I.2.1)
+ * y: 5 entries
+ */
+int contact_oscillator_eps_state(double t, const double *q, const double *qdot, const double *p, double *y);
+
+/*
+ * left sides of the constraints, zero on every motion (I.1.1)
+ * r: 1 entries
+ */
+int contact_oscillator_eps_residuals(double t, const double *q, const double *qdot, const double *p, double
+    *r);
+
+/*
+ * reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+ * lambda: 1 entries
+ * Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a
+ */
+int contact_oscillator_eps_reactions(double t, const double *y, const double *p, double *lambda);
+
+/*
+ * T + V (II.1.4)
+ * not finite where the model is singular
+ */
+double contact_oscillator_eps_energy(double t, const double *y, const double *p);
+
+/*
+ * d rhs_i / d y_j, row-major (III.3)
+ * J: 25 entries, row by row: d rhs_i / d y_j stands at 5*i + j
+ */
+int contact_oscillator_eps_jacobian(double t, const double *y, const double *p, double *J);
+
+/*
+ * the spec's outputs
+ * out: 2 entries
+ */
+int contact_oscillator_eps_outputs(double t, const double *y, const double *p, double *out);
+
+/*
+ * rhs for count states at once, a structure of arrays: entry k of state i is y[k*count + i], its time t[i];
+ * the parameters are shared. Nonzero when any of the states is singular. dydt must not overlap the inputs.
+ */
+int contact_oscillator_eps_rhs_batch(size_t count, const double *t, const double *y, const double *p, double
+    *dydt);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,134 @@
+/*
+ * cvt.h: cvt, emitted by nhc 0.1.0 (nhc:e2a28bcd9289fce8)
+ * A continuously variable transmission; a plane oscillator whose free direction is set by a symmetric driver.
+ * Source: cvt.yaml
+ * Equations of motion: chaplygin (III.3)
+ * Why: dependent velocities of the spec
+ * Note: hypothesis of I.3 that fails (the generalized equations are used): a force acts on the dependent
+ *     coordinate `y`
+ *
+ * State y:
+ * y[0] = x
+ * y[1] = y
+ * y[2] = xi
+ * y[3] = x'
+ * y[4] = xi'
+ *
+ * No parameters.
+ *
+ * Constraints:
+ * 0: belt
+ *
+ * Outputs:
+ * out[0] = E_xi
+ * out[1] = E_xy
+ *
+ * Operations:
+ * rhs: 3 +-, 5 *, 1 /, 2 calls
+ * velocities: 0 +-, 1 *, 0 /, 1 calls
+ * accelerations: 4 +-, 7 *, 1 /, 2 calls
+ * state: 0 +-, 0 *, 0 /, 0 calls
+ * residuals: 1 +-, 1 *, 0 /, 1 calls
+ * reactions: 4 +-, 5 *, 1 /, 2 calls
+ * energy: 5 +-, 8 *, 0 /, 2 calls
+ * jacobian: 5 +-, 18 *, 1 /, 2 calls
+ * outputs: 4 +-, 8 *, 0 /, 2 calls
+ *
+ * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
+ */
+#ifndef NHC_CVT_H
+#define NHC_CVT_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* sizes */
+enum {
+    CVT_NQ = 3, /* coordinates */
+    CVT_NY = 5, /* state: the coordinates and the velocities that are kept */
+    CVT_NP = 0, /* parameters */
+    CVT_NC = 1, /* constraints */
+    CVT_NOUT = 2 /* outputs */
+};
+
+/* return codes */
+enum {
+    CVT_OK = 0, /* the result is good */
+    CVT_SINGULAR_2 = 2, /* the mass matrix is singular */
+    CVT_NOT_FINITE = 3 /* a result is infinite or not a number */
+};
+
+extern const char *const cvt_coordinate_names[];
+extern const char *const cvt_state_names[];
+extern const char *const cvt_parameter_names[];
+extern const double cvt_parameter_defaults[];
+
+/*
+ * right-hand side dy/dt = f(t, y; p) (III.3)
+ * dydt: 5 entries
+ */
+int cvt_rhs(double t, const double *y, const double *p, double *dydt);
+
+/*
+ * all velocities q' from the state (I.2.4)
+ * qdot: 3 entries
+ */
+int cvt_velocities(double t, const double *y, const double *p, double *qdot);
+
+/*
+ * all accelerations q'' on the motion (III.3)
+ * qddot: 3 entries
+ */
+int cvt_accelerations(double t, const double *y, const double *p, double *qddot);
+
+/*
+ * the state y from coordinates and velocities (I.2.1)
+ * y: 5 entries
+ */
+int cvt_state(double t, const double *q, const double *qdot, const double *p, double *y);
+
+/*
+ * left sides of the constraints, zero on every motion (I.1.1)
+ * r: 1 entries
+ */
+int cvt_residuals(double t, const double *q, const double *qdot, const double *p, double *r);
+
+/*
+ * reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+ * lambda: 1 entries
+ * Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a
+ */
+int cvt_reactions(double t, const double *y, const double *p, double *lambda);
+
+/*
+ * T + V (II.1.4)
+ * not finite where the model is singular
+ */
+double cvt_energy(double t, const double *y, const double *p);
+
+/*
+ * d rhs_i / d y_j, row-major (III.3)
+ * J: 25 entries, row by row: d rhs_i / d y_j stands at 5*i + j
+ */
+int cvt_jacobian(double t, const double *y, const double *p, double *J);
+
+/*
+ * the spec's outputs
+ * out: 2 entries
+ */
+int cvt_outputs(double t, const double *y, const double *p, double *out);
+
+/*
+ * rhs for count states at once, a structure of arrays: entry k of state i is y[k*count + i], its time t[i];
+ * the parameters are shared. Nonzero when any of the states is singular. dydt must not overlap the inputs.
+ */
+int cvt_rhs_batch(size_t count, const double *t, const double *y, const double *p, double *dydt);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,136 @@
+/*
+ * cvt_eps.h: cvt_eps, emitted by nhc 0.1.0 (nhc:ee9c2dbced39e6ba)
+ * The transmission with a driver that breaks the symmetry; most integrators for nonholonomic systems drift on
+ *     it.
+ * Source: cvt_eps.yaml
+ * Equations of motion: chaplygin (III.3)
+ * Why: dependent velocities of the spec
+ * Note: hypothesis of I.3 that fails (the generalized equations are used): a force acts on the dependent
+ *     coordinate `y`
+ *
+ * State y:
+ * y[0] = x
+ * y[1] = y
+ * y[2] = xi
+ * y[3] = x'
+ * y[4] = xi'
+ *
+ * Parameters p:
+ * p[0]: eps = 0.3: what breaks the symmetry of the driver
+ *
+ * Constraints:
+ * 0: belt
+ *
+ * Outputs:
+ * out[0] = E_xi
+ * out[1] = E_xy
+ *
+ * Operations:
+ * rhs: 4 +-, 7 *, 1 /, 3 calls
+ * velocities: 0 +-, 1 *, 0 /, 1 calls
+ * accelerations: 5 +-, 9 *, 1 /, 3 calls
+ * state: 0 +-, 0 *, 0 /, 0 calls
+ * residuals: 1 +-, 1 *, 0 /, 1 calls
+ * reactions: 4 +-, 5 *, 1 /, 2 calls
+ * energy: 6 +-, 11 *, 0 /, 3 calls
+ * jacobian: 6 +-, 21 *, 1 /, 3 calls
+ * outputs: 5 +-, 11 *, 0 /, 3 calls
+ *
+ * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
+ */
+#ifndef NHC_CVT_EPS_H
+#define NHC_CVT_EPS_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* sizes */
+enum {
+    CVT_EPS_NQ = 3, /* coordinates */
+    CVT_EPS_NY = 5, /* state: the coordinates and the velocities that are kept */
+    CVT_EPS_NP = 1, /* parameters */
+    CVT_EPS_NC = 1, /* constraints */
+    CVT_EPS_NOUT = 2 /* outputs */
+};
+
+/* return codes */
+enum {
+    CVT_EPS_OK = 0, /* the result is good */
+    CVT_EPS_SINGULAR_2 = 2, /* the mass matrix is singular */
+    CVT_EPS_NOT_FINITE = 3 /* a result is infinite or not a number */
+};
+
+extern const char *const cvt_eps_coordinate_names[];
+extern const char *const cvt_eps_state_names[];
+extern const char *const cvt_eps_parameter_names[];
+extern const double cvt_eps_parameter_defaults[];
+
+/*
+ * right-hand side dy/dt = f(t, y; p) (III.3)
+ * dydt: 5 entries
+ */
+int cvt_eps_rhs(double t, const double *y, const double *p, double *dydt);
+
+/*
+ * all velocities q' from the state (I.2.4)
+ * qdot: 3 entries
+ */
+int cvt_eps_velocities(double t, const double *y, const double *p, double *qdot);
+
+/*
+ * all accelerations q'' on the motion (III.3)
+ * qddot: 3 entries
+ */
+int cvt_eps_accelerations(double t, const double *y, const double *p, double *qddot);
+
+/*
+ * the state y from coordinates and velocities (I.2.1)
+ * y: 5 entries
+ */
+int cvt_eps_state(double t, const double *q, const double *qdot, const double *p, double *y);
+
+/*
+ * left sides of the constraints, zero on every motion (I.1.1)
+ * r: 1 entries
+ */
+int cvt_eps_residuals(double t, const double *q, const double *qdot, const double *p, double *r);
+
+/*
+ * reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+ * lambda: 1 entries
+ * Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a
+ */
+int cvt_eps_reactions(double t, const double *y, const double *p, double *lambda);
+
+/*
+ * T + V (II.1.4)
+ * not finite where the model is singular
+ */
+double cvt_eps_energy(double t, const double *y, const double *p);
+
+/*
+ * d rhs_i / d y_j, row-major (III.3)
+ * J: 25 entries, row by row: d rhs_i / d y_j stands at 5*i + j
+ */
+int cvt_eps_jacobian(double t, const double *y, const double *p, double *J);
+
+/*
+ * the spec's outputs
+ * out: 2 entries
+ */
+int cvt_eps_outputs(double t, const double *y, const double *p, double *out);
+
+/*
+ * rhs for count states at once, a structure of arrays: entry k of state i is y[k*count + i], its time t[i];
+ * the parameters are shared. Nonzero when any of the states is singular. dydt must not overlap the inputs.
+ */
+int cvt_eps_rhs_batch(size_t count, const double *t, const double *y, const double *p, double *dydt);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,416 @@
+"""cvt_eps, emitted by nhc 0.1.0 (nhc:d7bd734282eb7dae).
+
+The transmission with a driver that breaks the symmetry; most integrators for
+    nonholonomic systems drift on it.
+Source: cvt_eps.yaml
+Equations of motion: chaplygin (III.3)
+Why: dependent velocities of the spec
+Note: hypothesis of I.3 that fails (the generalized equations are used): a force
+    acts on the dependent coordinate `y`
+
+State y:
+y[0] = x
+y[1] = y
+y[2] = xi
+y[3] = x'
+y[4] = xi'
+
+Parameters p:
+p[0]: eps = 0.3: what breaks the symmetry of the driver
+
+Constraints:
+0: belt
+
+Outputs:
+out[0] = E_xi
+out[1] = E_xy
+
+Operations:
+rhs: 4 +-, 7 *, 1 /, 3 calls
+velocities: 0 +-, 1 *, 0 /, 1 calls
+accelerations: 5 +-, 9 *, 1 /, 3 calls
+state: 0 +-, 0 *, 0 /, 0 calls
+residuals: 1 +-, 1 *, 0 /, 1 calls
+reactions: 4 +-, 5 *, 1 /, 2 calls
+energy: 6 +-, 11 *, 0 /, 3 calls
+jacobian: 6 +-, 21 *, 1 /, 3 calls
+outputs: 5 +-, 11 *, 0 /, 3 calls
+
+A singular point raises SingularModelError.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+COORDINATES: tuple[str, ...] = ("x", "y", "xi")
+STATE: tuple[str, ...] = ("x", "y", "xi", "x'", "xi'")
+PARAMETERS: tuple[str, ...] = ("eps",)
+CONSTRAINTS: tuple[str, ...] = ("belt",)
+OUTPUTS: tuple[str, ...] = ("E_xi", "E_xy")
+DEFAULTS: tuple[float, ...] = (0.3,)
+
+REASONS = (
+    "",
+    "",
+    "the mass matrix is singular",
+    "a result is not finite or not defined",
+)
+NOT_FINITE = 3
+
+
+class SingularModelError(ArithmeticError):
+    """The model is singular here; ``status`` is the code that C returns."""
+
+    def __init__(self, status: int, function: str) -> None:
+        super().__init__(f"{function}: {REASONS[status]}")
+        self.status = status
+
+
+def _finish(function: str, values: list[float]) -> list[float]:
+    if not all(map(math.isfinite, values)):
+        raise SingularModelError(NOT_FINITE, function)
+    return values
+
+
+def _single(function: str, value: float) -> float:
+    if not math.isfinite(value):
+        raise SingularModelError(NOT_FINITE, function)
+    return value
+
+
+def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
+    """right-hand side dy/dt = f(t, y; p) (III.3)
+
+    Arguments: t (scalar), y (5,), p (1,).
+    Returns dydt (5,).
+    """
+    x = float(y[0])
+    y_2 = float(y[1])
+    xi = float(y[2])
+    x_dot = float(y[3])
+    xi_dot = float(y[4])
+    eps = float(p[0])  # what breaks the symmetry of the driver
+    try:
+        # state
+        s_xi = math.sin(xi)
+        z1 = 1.0 + s_xi * s_xi
+        # the mass matrix is singular
+        if not abs(z1) > 0.0:
+            raise SingularModelError(2, "rhs")
+        c_xi = math.cos(xi)
+        c1 = math.cos(2.0 * xi)
+        dydt: list[float] = [
+            # x' (III.3)
+            x_dot,
+            # y' (III.3)
+            -x_dot * s_xi,
+            # xi' (III.3)
+            xi_dot,
+            # x'' (III.3) 9:4
+            -(x - s_xi * (y_2 - c_xi * (x_dot * xi_dot))) / z1,
+            # xi'' (III.3) 9:4
+            s_xi + eps * c1,
+        ]
+        return _finish("rhs", dydt)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "rhs") from error
+
+
+def velocities(
+    t: float,
+    y: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """all velocities q' from the state (I.2.4)
+
+    Arguments: t (scalar), y (5,), p (1,).
+    Returns qdot (3,).
+    """
+    xi = float(y[2])
+    x_dot = float(y[3])
+    xi_dot = float(y[4])
+    try:
+        # state
+        s_xi = math.sin(xi)
+        qdot: list[float] = [
+            # x' (I.2.4)
+            x_dot,
+            # y' (I.2.4)
+            -x_dot * s_xi,
+            # xi' (I.2.4)
+            xi_dot,
+        ]
+        return _finish("velocities", qdot)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "velocities") from error
+
+
+def accelerations(
+    t: float,
+    y: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """all accelerations q'' on the motion (III.3)
+
+    Arguments: t (scalar), y (5,), p (1,).
+    Returns qddot (3,).
+    """
+    x = float(y[0])
+    y_2 = float(y[1])
+    xi = float(y[2])
+    x_dot = float(y[3])
+    xi_dot = float(y[4])
+    eps = float(p[0])  # what breaks the symmetry of the driver
+    try:
+        # state
+        s_xi = math.sin(xi)
+        z1 = 1.0 + s_xi * s_xi
+        # the mass matrix is singular
+        if not abs(z1) > 0.0:
+            raise SingularModelError(2, "accelerations")
+        c_xi = math.cos(xi)
+        z2 = c_xi * (x_dot * xi_dot)
+        z3 = x - s_xi * (y_2 - z2)
+        z4 = 1.0 / z1
+        c1 = math.cos(2.0 * xi)
+        qddot: list[float] = [
+            # x'' (III.3)
+            -z3 * z4,
+            # y'' (III.3)
+            z3 * (s_xi * z4) - z2,
+            # xi'' (III.3)
+            s_xi + eps * c1,
+        ]
+        return _finish("accelerations", qddot)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "accelerations") from error
+
+
+def state(
+    t: float,
+    q: Sequence[float],
+    qdot: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """the state y from coordinates and velocities (I.2.1)
+
+    Arguments: t (scalar), q (3,), qdot (3,), p (1,).
+    Returns y (5,).
+    """
+    x = float(q[0])
+    y_2 = float(q[1])
+    xi = float(q[2])
+    x_dot = float(qdot[0])
+    xi_dot = float(qdot[2])
+    try:
+        # state
+        y: list[float] = [x, y_2, xi, x_dot, xi_dot]
+        return _finish("state", y)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "state") from error
+
+
+def residuals(
+    t: float,
+    q: Sequence[float],
+    qdot: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """left sides of the constraints, zero on every motion (I.1.1)
+
+    Arguments: t (scalar), q (3,), qdot (3,), p (1,).
+    Returns r (1,).
+    """
+    xi = float(q[2])
+    x_dot = float(qdot[0])
+    y_dot = float(qdot[1])
+    try:
+        # state
+        s_xi = math.sin(xi)
+        r: list[float] = [
+            # belt = 0 (I.1.1) 12:5
+            y_dot + x_dot * s_xi,
+        ]
+        return _finish("residuals", r)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "residuals") from error
+
+
+def reactions(
+    t: float,
+    y: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+
+    Arguments: t (scalar), y (5,), p (1,).
+    Returns lambda_ (1,).
+    Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a.
+    """
+    x = float(y[0])
+    y_2 = float(y[1])
+    xi = float(y[2])
+    x_dot = float(y[3])
+    xi_dot = float(y[4])
+    try:
+        # state
+        s_xi = math.sin(xi)
+        z1 = 1.0 + s_xi * s_xi
+        # the mass matrix is singular
+        if not abs(z1) > 0.0:
+            raise SingularModelError(2, "reactions")
+        c_xi = math.cos(xi)
+        z2 = y_2 - c_xi * (x_dot * xi_dot)
+        lambda_: list[float] = [
+            # reaction of belt: Q_i gains lambda_1 a_1i (I.4.1) 12:5
+            z2 + (x - s_xi * z2) * (s_xi / z1),
+        ]
+        return _finish("reactions", lambda_)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "reactions") from error
+
+
+def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
+    """T + V (II.1.4)
+
+    Arguments: t (scalar), y (5,), p (1,).
+    Returns a scalar.
+    """
+    x = float(y[0])
+    y_2 = float(y[1])
+    xi = float(y[2])
+    x_dot = float(y[3])
+    xi_dot = float(y[4])
+    eps = float(p[0])  # what breaks the symmetry of the driver
+    try:
+        # state
+        c_xi = math.cos(xi)
+        s1 = math.sin(2.0 * xi)
+        s_xi = math.sin(xi)
+        z1 = x_dot * s_xi
+        s2 = 0.5 * (x * x + y_2 * y_2) + c_xi - 0.5 * (eps * s1)
+        z2 = s2 + 0.5 * (xi_dot * xi_dot + (x_dot * x_dot + z1 * z1))
+        value1 = z2
+        return _single("energy", value1)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "energy") from error
+
+
+def jacobian(
+    t: float,
+    y: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[list[float]]:
+    """d rhs_i / d y_j, row-major (III.3)
+
+    Arguments: t (scalar), y (5,), p (1,).
+    Returns rows (5, 5): d rhs_i / d y_j stands at [i][j].
+    """
+    x = float(y[0])
+    y_2 = float(y[1])
+    xi = float(y[2])
+    x_dot = float(y[3])
+    xi_dot = float(y[4])
+    eps = float(p[0])  # what breaks the symmetry of the driver
+    try:
+        # state
+        s_xi = math.sin(xi)
+        z1 = 1.0 + s_xi * s_xi
+        # the mass matrix is singular
+        if not abs(z1) > 0.0:
+            raise SingularModelError(2, "jacobian")
+        c_xi = math.cos(xi)
+        z2 = 1.0 / z1
+        z3 = x_dot * xi_dot
+        z4 = y_2 - c_xi * z3
+        s2 = c_xi * (z4 + 2.0 * (s_xi * ((x - s_xi * z4) * z2)))
+        z5 = z2 * (s_xi * (s_xi * z3) + s2)
+        z6 = c_xi * s_xi
+        s1 = math.sin(2.0 * xi)
+        J: list[float] = [
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            1.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            -x_dot * c_xi,
+            # (III.3)
+            -s_xi,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            1.0,
+            # (III.3)
+            -z2,
+            # (III.3)
+            s_xi * z2,
+            # (III.3)
+            z5,
+            # (III.3)
+            -z2 * (xi_dot * z6),
+            # (III.3)
+            -z2 * (x_dot * z6),
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            c_xi - 2.0 * (eps * s1),
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+        ]
+        _finish("jacobian", J)
+        return [J[k1 : k1 + 5] for k1 in range(0, 25, 5)]
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "jacobian") from error
+
+
+def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
+    """the spec's outputs
+
+    Arguments: t (scalar), y (5,), p (1,).
+    Returns out (2,).
+    """
+    x = float(y[0])
+    y_2 = float(y[1])
+    xi = float(y[2])
+    x_dot = float(y[3])
+    xi_dot = float(y[4])
+    eps = float(p[0])  # what breaks the symmetry of the driver
+    try:
+        # state
+        s1 = math.sin(2.0 * xi)
+        c_xi = math.cos(xi)
+        s_xi = math.sin(xi)
+        z1 = x_dot * s_xi
+        out: list[float] = [
+            # E_xi 15:9
+            0.5 * (xi_dot * xi_dot) + c_xi - 0.5 * (eps * s1),
+            # E_xy 16:9
+            0.5 * (y_2 * y_2 + (x * x + (x_dot * x_dot + z1 * z1))),
+        ]
+        return _finish("outputs", out)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "outputs") from error

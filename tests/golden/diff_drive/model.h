@@ -1,0 +1,142 @@
+/*
+ * diff_drive.h: diff_drive, emitted by nhc 0.1.0 (nhc:8fedd10b6ca839e7)
+ * A cart with two driven wheels and a caster; three velocity constraints, one of which is holonomic in
+ *     disguise.
+ * Source: diff_drive.yaml
+ * Equations of motion: euler-lagrange (I.2.15)
+ * Why: quasi-velocities of the spec
+ *
+ * State y:
+ * y[0] = x [m]: midpoint of the axle
+ * y[1] = y [m]: midpoint of the axle
+ * y[2] = theta [rad]: heading
+ * y[3] = p_R [rad]: right wheel
+ * y[4] = p_L [rad]: left wheel
+ * y[5] = v
+ * y[6] = w
+ *
+ * Parameters p:
+ * p[0]: m = 10.0 [kg]: mass
+ * p[1]: I = 0.6 [kg*m^2]: of the whole about the vertical through the centre of mass
+ * p[2]: J_w = 0.02 [kg*m^2]: of a wheel about its axle
+ * p[3]: r = 0.1 [m]: radius of the wheels
+ * p[4]: b = 0.25 [m]: half the track
+ * p[5]: d = 0.1 [m]: from the axle to the centre of mass
+ * p[6]: tau_R = 0.3 [N*m]: torque on the right wheel
+ * p[7]: tau_L = 0.2 [N*m]: torque on the left wheel
+ *
+ * Constraints:
+ * 0: slip
+ * 1: roll_R
+ * 2: roll_L
+ *
+ * Operations:
+ * rhs: 10 +-, 26 *, 4 /, 2 calls
+ * velocities: 3 +-, 7 *, 1 /, 2 calls
+ * accelerations: 14 +-, 34 *, 4 /, 2 calls
+ * state: 1 +-, 2 *, 0 /, 2 calls
+ * residuals: 6 +-, 7 *, 0 /, 2 calls
+ * reactions: 12 +-, 28 *, 4 /, 0 calls
+ * energy: 4 +-, 14 *, 1 /, 0 calls
+ * jacobian: 7 +-, 29 *, 4 /, 2 calls
+ * outputs: 0 +-, 0 *, 0 /, 0 calls
+ *
+ * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
+ */
+#ifndef NHC_DIFF_DRIVE_H
+#define NHC_DIFF_DRIVE_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* sizes */
+enum {
+    DIFF_DRIVE_NQ = 5, /* coordinates */
+    DIFF_DRIVE_NY = 7, /* state: the coordinates and the velocities that are kept */
+    DIFF_DRIVE_NP = 8, /* parameters */
+    DIFF_DRIVE_NC = 3, /* constraints */
+    DIFF_DRIVE_NOUT = 0 /* outputs */
+};
+
+/* return codes */
+enum {
+    DIFF_DRIVE_OK = 0, /* the result is good */
+    DIFF_DRIVE_SINGULAR_1 = 1, /* the coframe is singular */
+    DIFF_DRIVE_SINGULAR_2 = 2, /* the mass matrix is singular */
+    DIFF_DRIVE_NOT_FINITE = 3 /* a result is infinite or not a number */
+};
+
+extern const char *const diff_drive_coordinate_names[];
+extern const char *const diff_drive_state_names[];
+extern const char *const diff_drive_parameter_names[];
+extern const double diff_drive_parameter_defaults[];
+
+/*
+ * right-hand side dy/dt = f(t, y; p) (I.2.15)
+ * dydt: 7 entries
+ */
+int diff_drive_rhs(double t, const double *y, const double *p, double *dydt);
+
+/*
+ * all velocities q' from the state (I.2.4)
+ * qdot: 5 entries
+ */
+int diff_drive_velocities(double t, const double *y, const double *p, double *qdot);
+
+/*
+ * all accelerations q'' on the motion (I.2.15)
+ * qddot: 5 entries
+ */
+int diff_drive_accelerations(double t, const double *y, const double *p, double *qddot);
+
+/*
+ * the state y from coordinates and velocities (I.2.1)
+ * y: 7 entries
+ */
+int diff_drive_state(double t, const double *q, const double *qdot, const double *p, double *y);
+
+/*
+ * left sides of the constraints, zero on every motion (I.1.1)
+ * r: 3 entries
+ */
+int diff_drive_residuals(double t, const double *q, const double *qdot, const double *p, double *r);
+
+/*
+ * reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+ * lambda: 3 entries
+ * Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a
+ */
+int diff_drive_reactions(double t, const double *y, const double *p, double *lambda);
+
+/*
+ * T + V (II.1.4)
+ * not finite where the model is singular
+ */
+double diff_drive_energy(double t, const double *y, const double *p);
+
+/*
+ * d rhs_i / d y_j, row-major (I.2.15)
+ * J: 49 entries, row by row: d rhs_i / d y_j stands at 7*i + j
+ */
+int diff_drive_jacobian(double t, const double *y, const double *p, double *J);
+
+/*
+ * the spec's outputs
+ * out: 0 entries
+ */
+int diff_drive_outputs(double t, const double *y, const double *p, double *out);
+
+/*
+ * rhs for count states at once, a structure of arrays: entry k of state i is y[k*count + i], its time t[i];
+ * the parameters are shared. Nonzero when any of the states is singular. dydt must not overlap the inputs.
+ */
+int diff_drive_rhs_batch(size_t count, const double *t, const double *y, const double *p, double *dydt);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,624 @@
+# ruff: noqa: E741
+"""diff_drive, emitted by nhc 0.1.0 (nhc:c2d1647ae0055170).
+
+A cart with two driven wheels and a caster; three velocity constraints, one of which
+    is holonomic in disguise.
+Source: diff_drive.yaml
+Equations of motion: euler-lagrange (I.2.15)
+Why: quasi-velocities of the spec
+
+State y:
+y[0] = x [m]: midpoint of the axle
+y[1] = y [m]: midpoint of the axle
+y[2] = theta [rad]: heading
+y[3] = p_R [rad]: right wheel
+y[4] = p_L [rad]: left wheel
+y[5] = v
+y[6] = w
+
+Parameters p:
+p[0]: m = 10.0 [kg]: mass
+p[1]: I = 0.6 [kg*m^2]: of the whole about the vertical through the centre of mass
+p[2]: J_w = 0.02 [kg*m^2]: of a wheel about its axle
+p[3]: r = 0.1 [m]: radius of the wheels
+p[4]: b = 0.25 [m]: half the track
+p[5]: d = 0.1 [m]: from the axle to the centre of mass
+p[6]: tau_R = 0.3 [N*m]: torque on the right wheel
+p[7]: tau_L = 0.2 [N*m]: torque on the left wheel
+
+Constraints:
+0: slip
+1: roll_R
+2: roll_L
+
+Operations:
+rhs: 10 +-, 26 *, 4 /, 2 calls
+velocities: 3 +-, 7 *, 1 /, 2 calls
+accelerations: 14 +-, 34 *, 4 /, 2 calls
+state: 1 +-, 2 *, 0 /, 2 calls
+residuals: 6 +-, 7 *, 0 /, 2 calls
+reactions: 12 +-, 28 *, 4 /, 0 calls
+energy: 4 +-, 14 *, 1 /, 0 calls
+jacobian: 7 +-, 29 *, 4 /, 2 calls
+outputs: 0 +-, 0 *, 0 /, 0 calls
+
+A singular point raises SingularModelError.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+COORDINATES: tuple[str, ...] = ("x", "y", "theta", "p_R", "p_L")
+STATE: tuple[str, ...] = ("x", "y", "theta", "p_R", "p_L", "v", "w")
+PARAMETERS: tuple[str, ...] = ("m", "I", "J_w", "r", "b", "d", "tau_R", "tau_L")
+CONSTRAINTS: tuple[str, ...] = ("slip", "roll_R", "roll_L")
+OUTPUTS: tuple[str, ...] = ()
+DEFAULTS: tuple[float, ...] = (10.0, 0.6, 0.02, 0.1, 0.25, 0.1, 0.3, 0.2)
+
+REASONS = (
+    "",
+    "the coframe is singular",
+    "the mass matrix is singular",
+    "a result is not finite or not defined",
+)
+NOT_FINITE = 3
+
+
+class SingularModelError(ArithmeticError):
+    """The model is singular here; ``status`` is the code that C returns."""
+
+    def __init__(self, status: int, function: str) -> None:
+        super().__init__(f"{function}: {REASONS[status]}")
+        self.status = status
+
+
+def _finish(function: str, values: list[float]) -> list[float]:
+    if not all(map(math.isfinite, values)):
+        raise SingularModelError(NOT_FINITE, function)
+    return values
+
+
+def _single(function: str, value: float) -> float:
+    if not math.isfinite(value):
+        raise SingularModelError(NOT_FINITE, function)
+    return value
+
+
+def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
+    """right-hand side dy/dt = f(t, y; p) (I.2.15)
+
+    Arguments: t (scalar), y (7,), p (8,).
+    Returns dydt (7,).
+    """
+    theta = float(y[2])  # heading [rad]
+    v = float(y[5])
+    w = float(y[6])
+    m = float(p[0])  # mass [kg]
+    # of the whole about the vertical through the centre of mass [kg*m^2]
+    I = float(p[1])
+    J_w = float(p[2])  # of a wheel about its axle [kg*m^2]
+    r = float(p[3])  # radius of the wheels [m]
+    b = float(p[4])  # half the track [m]
+    d = float(p[5])  # from the axle to the centre of mass [m]
+    tau_R = float(p[6])  # torque on the right wheel [N*m]
+    tau_L = float(p[7])  # torque on the left wheel [N*m]
+    try:
+        # parameters only
+        k1 = 1.0 / r
+        k2 = k1 * (tau_R + tau_L)
+        k3 = b * k1 * (tau_R - tau_L)
+        k4 = 1.0 / (r * r)
+        k5 = m + 2.0 * (J_w * k4)
+        k6 = m * d
+        k7 = 2.0 * (k4 * (J_w * (b * b))) + (I + m * (d * d))
+        k8 = 1.0 / k5
+        k9 = 1.0 / k7
+        # state
+        # the coframe is singular
+        if not abs(-r) > 0.0:
+            raise SingularModelError(1, "rhs")
+        # the coframe is singular
+        if not abs(-r) > 0.0:
+            raise SingularModelError(1, "rhs")
+        # the mass matrix is singular
+        if not abs(k5) > 0.0:
+            raise SingularModelError(2, "rhs")
+        # the mass matrix is singular
+        if not abs(k7) > 0.0:
+            raise SingularModelError(2, "rhs")
+        c_theta = math.cos(theta)
+        z1 = c_theta * v
+        s_theta = math.sin(theta)
+        z2 = s_theta * v
+        z3 = b * w
+        v_2 = s_theta * z2 + c_theta * z1
+        dydt: list[float] = [
+            # x' (I.2.15)
+            z1,
+            # y' (I.2.15)
+            z2,
+            # theta' (I.2.15)
+            w,
+            # p_R' (I.2.15)
+            k1 * (z3 + v_2),
+            # p_L' (I.2.15)
+            -k1 * (z3 - v_2),
+            # v' (I.2.15) 24:4
+            (k2 + w * w * k6) * k8,
+            # w' (I.2.15) 24:4
+            (k3 - w * (v * k6)) * k9,
+        ]
+        return _finish("rhs", dydt)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "rhs") from error
+
+
+def velocities(
+    t: float,
+    y: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """all velocities q' from the state (I.2.4)
+
+    Arguments: t (scalar), y (7,), p (8,).
+    Returns qdot (5,).
+    """
+    theta = float(y[2])  # heading [rad]
+    v = float(y[5])
+    w = float(y[6])
+    r = float(p[3])  # radius of the wheels [m]
+    b = float(p[4])  # half the track [m]
+    try:
+        # parameters only
+        k1 = 1.0 / r
+        # state
+        # the coframe is singular
+        if not abs(-r) > 0.0:
+            raise SingularModelError(1, "velocities")
+        # the coframe is singular
+        if not abs(-r) > 0.0:
+            raise SingularModelError(1, "velocities")
+        c_theta = math.cos(theta)
+        z1 = c_theta * v
+        s_theta = math.sin(theta)
+        z2 = s_theta * v
+        z3 = b * w
+        v_2 = s_theta * z2 + c_theta * z1
+        qdot: list[float] = [
+            # x' (I.2.4)
+            z1,
+            # y' (I.2.4)
+            z2,
+            # theta' (I.2.4)
+            w,
+            # p_R' (I.2.4)
+            k1 * (z3 + v_2),
+            # p_L' (I.2.4)
+            -k1 * (z3 - v_2),
+        ]
+        return _finish("velocities", qdot)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "velocities") from error
+
+
+def accelerations(
+    t: float,
+    y: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """all accelerations q'' on the motion (I.2.15)
+
+    Arguments: t (scalar), y (7,), p (8,).
+    Returns qddot (5,).
+    """
+    theta = float(y[2])  # heading [rad]
+    v = float(y[5])
+    w = float(y[6])
+    m = float(p[0])  # mass [kg]
+    # of the whole about the vertical through the centre of mass [kg*m^2]
+    I = float(p[1])
+    J_w = float(p[2])  # of a wheel about its axle [kg*m^2]
+    r = float(p[3])  # radius of the wheels [m]
+    b = float(p[4])  # half the track [m]
+    d = float(p[5])  # from the axle to the centre of mass [m]
+    tau_R = float(p[6])  # torque on the right wheel [N*m]
+    tau_L = float(p[7])  # torque on the left wheel [N*m]
+    try:
+        # parameters only
+        k1 = 1.0 / r
+        k2 = k1 * (tau_R + tau_L)
+        k3 = b * k1 * (tau_R - tau_L)
+        k4 = 1.0 / (r * r)
+        k5 = m + 2.0 * (J_w * k4)
+        k6 = m * d
+        k7 = 2.0 * (k4 * (J_w * (b * b))) + (I + m * (d * d))
+        k8 = 1.0 / k5
+        k9 = 1.0 / k7
+        # state
+        # the coframe is singular
+        if not abs(-r) > 0.0:
+            raise SingularModelError(1, "accelerations")
+        # the coframe is singular
+        if not abs(-r) > 0.0:
+            raise SingularModelError(1, "accelerations")
+        # the mass matrix is singular
+        if not abs(k5) > 0.0:
+            raise SingularModelError(2, "accelerations")
+        # the mass matrix is singular
+        if not abs(k7) > 0.0:
+            raise SingularModelError(2, "accelerations")
+        s_theta = math.sin(theta)
+        z1 = s_theta * w
+        c_theta = math.cos(theta)
+        z2 = (k2 + w * w * k6) * k8
+        z3 = v * z1 - c_theta * z2
+        z4 = c_theta * w
+        z5 = v * z4 + s_theta * z2
+        z6 = (k3 - w * (v * k6)) * k9
+        z7 = b * z6
+        s1 = s_theta * v * z4 + s_theta * z5
+        z8 = s1 - (c_theta * v * z1 + c_theta * z3)
+        qddot: list[float] = [
+            # x'' (I.2.15)
+            -z3,
+            # y'' (I.2.15)
+            z5,
+            # theta'' (I.2.15)
+            z6,
+            # p_R'' (I.2.15)
+            k1 * (z7 + z8),
+            # p_L'' (I.2.15)
+            -k1 * (z7 - z8),
+        ]
+        return _finish("accelerations", qddot)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "accelerations") from error
+
+
+def state(
+    t: float,
+    q: Sequence[float],
+    qdot: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """the state y from coordinates and velocities (I.2.1)
+
+    Arguments: t (scalar), q (5,), qdot (5,), p (8,).
+    Returns y (7,).
+    """
+    x = float(q[0])  # midpoint of the axle [m]
+    y_2 = float(q[1])  # midpoint of the axle [m]
+    theta = float(q[2])  # heading [rad]
+    p_R = float(q[3])  # right wheel [rad]
+    p_L = float(q[4])  # left wheel [rad]
+    x_dot = float(qdot[0])
+    y_dot = float(qdot[1])
+    theta_dot = float(qdot[2])
+    try:
+        # state
+        c_theta = math.cos(theta)
+        s_theta = math.sin(theta)
+        y: list[float] = [
+            x,
+            y_2,
+            theta,
+            p_R,
+            p_L,
+            x_dot * c_theta + y_dot * s_theta,
+            theta_dot,
+        ]
+        return _finish("state", y)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "state") from error
+
+
+def residuals(
+    t: float,
+    q: Sequence[float],
+    qdot: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """left sides of the constraints, zero on every motion (I.1.1)
+
+    Arguments: t (scalar), q (5,), qdot (5,), p (8,).
+    Returns r (3,).
+    """
+    theta = float(q[2])  # heading [rad]
+    x_dot = float(qdot[0])
+    y_dot = float(qdot[1])
+    theta_dot = float(qdot[2])
+    p_R_dot = float(qdot[3])
+    p_L_dot = float(qdot[4])
+    r_2 = float(p[3])  # radius of the wheels [m]
+    b = float(p[4])  # half the track [m]
+    try:
+        # state
+        s_theta = math.sin(theta)
+        c_theta = math.cos(theta)
+        v = x_dot * c_theta + y_dot * s_theta
+        z1 = theta_dot * b
+        r: list[float] = [
+            # slip = 0 (I.1.1) 29:5
+            y_dot * c_theta - x_dot * s_theta,
+            # roll_R = 0 (I.1.1) 30:5
+            v + z1 - p_R_dot * r_2,
+            # roll_L = 0 (I.1.1) 31:5
+            v - z1 - p_L_dot * r_2,
+        ]
+        return _finish("residuals", r)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "residuals") from error
+
+
+def reactions(
+    t: float,
+    y: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+
+    Arguments: t (scalar), y (7,), p (8,).
+    Returns lambda_ (3,).
+    Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a.
+    """
+    v = float(y[5])
+    w = float(y[6])
+    m = float(p[0])  # mass [kg]
+    # of the whole about the vertical through the centre of mass [kg*m^2]
+    I = float(p[1])
+    J_w = float(p[2])  # of a wheel about its axle [kg*m^2]
+    r = float(p[3])  # radius of the wheels [m]
+    b = float(p[4])  # half the track [m]
+    d = float(p[5])  # from the axle to the centre of mass [m]
+    tau_R = float(p[6])  # torque on the right wheel [N*m]
+    tau_L = float(p[7])  # torque on the left wheel [N*m]
+    try:
+        # parameters only
+        k1 = 1.0 / r
+        k2 = tau_R * k1
+        k3 = tau_L * k1
+        k4 = k1 * (tau_R + tau_L)
+        k5 = b * k1 * (tau_R - tau_L)
+        k6 = 1.0 / (r * r)
+        k7 = J_w * k6
+        k8 = m + 2.0 * k7
+        k9 = m * d
+        k10 = 2.0 * (k6 * (J_w * (b * b))) + (I + m * (d * d))
+        k11 = k6 * (J_w * b)
+        k12 = 1.0 / k8
+        k13 = 1.0 / k10
+        # state
+        # the coframe is singular
+        if not abs(-r) > 0.0:
+            raise SingularModelError(1, "reactions")
+        # the coframe is singular
+        if not abs(-r) > 0.0:
+            raise SingularModelError(1, "reactions")
+        # the mass matrix is singular
+        if not abs(k8) > 0.0:
+            raise SingularModelError(2, "reactions")
+        # the mass matrix is singular
+        if not abs(k10) > 0.0:
+            raise SingularModelError(2, "reactions")
+        z1 = (k5 - w * (v * k9)) * k13
+        z2 = k7 * ((k4 + w * w * k9) * k12)
+        z3 = k11 * z1
+        lambda_: list[float] = [
+            # reaction of slip: Q_i gains lambda_1 a_1i (I.4.1) 29:5
+            w * (m * v) + k9 * z1,
+            # reaction of roll_R: Q_i gains lambda_2 a_2i (I.4.1) 30:5
+            k2 - (z2 + z3),
+            # reaction of roll_L: Q_i gains lambda_3 a_3i (I.4.1) 31:5
+            k3 - (z2 - z3),
+        ]
+        return _finish("reactions", lambda_)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "reactions") from error
+
+
+def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
+    """T + V (II.1.4)
+
+    Arguments: t (scalar), y (7,), p (8,).
+    Returns a scalar.
+    """
+    v = float(y[5])
+    w = float(y[6])
+    m = float(p[0])  # mass [kg]
+    # of the whole about the vertical through the centre of mass [kg*m^2]
+    I = float(p[1])
+    J_w = float(p[2])  # of a wheel about its axle [kg*m^2]
+    r = float(p[3])  # radius of the wheels [m]
+    b = float(p[4])  # half the track [m]
+    d = float(p[5])  # from the axle to the centre of mass [m]
+    try:
+        # parameters only
+        k1 = 1.0 / (r * r)
+        k2 = k1 * (J_w * (b * b)) + (0.5 * I + 0.5 * (m * (d * d)))
+        k3 = 0.5 * m + J_w * k1
+        # state
+        value1 = w * w * k2 + v * v * k3
+        return _single("energy", value1)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "energy") from error
+
+
+def jacobian(
+    t: float,
+    y: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[list[float]]:
+    """d rhs_i / d y_j, row-major (I.2.15)
+
+    Arguments: t (scalar), y (7,), p (8,).
+    Returns rows (7, 7): d rhs_i / d y_j stands at [i][j].
+    """
+    theta = float(y[2])  # heading [rad]
+    v = float(y[5])
+    w = float(y[6])
+    m = float(p[0])  # mass [kg]
+    # of the whole about the vertical through the centre of mass [kg*m^2]
+    I = float(p[1])
+    J_w = float(p[2])  # of a wheel about its axle [kg*m^2]
+    r = float(p[3])  # radius of the wheels [m]
+    b = float(p[4])  # half the track [m]
+    d = float(p[5])  # from the axle to the centre of mass [m]
+    try:
+        # parameters only
+        k1 = 1.0 / r
+        k2 = b * k1
+        k3 = 1.0 / (r * r)
+        k4 = m + 2.0 * (J_w * k3)
+        k5 = m * d
+        k6 = 2.0 * (k3 * (J_w * (b * b))) + (I + m * (d * d))
+        k7 = 1.0 / k4
+        k8 = 1.0 / k6
+        # state
+        # the coframe is singular
+        if not abs(-r) > 0.0:
+            raise SingularModelError(1, "jacobian")
+        # the coframe is singular
+        if not abs(-r) > 0.0:
+            raise SingularModelError(1, "jacobian")
+        # the mass matrix is singular
+        if not abs(k4) > 0.0:
+            raise SingularModelError(2, "jacobian")
+        # the mass matrix is singular
+        if not abs(k6) > 0.0:
+            raise SingularModelError(2, "jacobian")
+        s_theta = math.sin(theta)
+        z1 = s_theta * v
+        c_theta = math.cos(theta)
+        z2 = c_theta * v
+        z3 = s_theta * k1
+        z4 = c_theta * k1
+        z5 = c_theta * (z1 * k1 + v * z3) - s_theta * (z2 * k1 + v * z4)
+        z6 = s_theta * z3 + c_theta * z4
+        z7 = w * k5
+        J: list[float] = [
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            -z1,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            c_theta,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            z2,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            s_theta,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            1.0,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            z5,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            z6,
+            # (I.2.15)
+            k2,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            z5,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            z6,
+            # (I.2.15)
+            -k2,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            2.0 * (k7 * z7),
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            -k8 * z7,
+            # (I.2.15)
+            -v * k5 * k8,
+        ]
+        _finish("jacobian", J)
+        return [J[k9 : k9 + 7] for k9 in range(0, 49, 7)]
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "jacobian") from error
+
+
+def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
+    """the spec's outputs
+
+    Arguments: t (scalar), y (7,), p (8,).
+    Returns out (0,).
+    """
+    r = float(p[3])  # radius of the wheels [m]
+    try:
+        # state
+        # the coframe is singular
+        if not abs(-r) > 0.0:
+            raise SingularModelError(1, "outputs")
+        # the coframe is singular
+        if not abs(-r) > 0.0:
+            raise SingularModelError(1, "outputs")
+        out: list[float] = []
+        return _finish("outputs", out)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "outputs") from error

@@ -1,0 +1,160 @@
+/*
+ * disk_chain2.h: disk_chain2, emitted by nhc 0.1.0 (nhc:437230ceccb7b3a2)
+ * Two upright rolling disks joined by a spring; the first link of a chain that may be made as long as one
+ *     likes.
+ * Source: disk_chain2.yaml
+ * Equations of motion: chaplygin (III.3)
+ * Why: dependent velocities of the spec
+ * Note: hypothesis of I.3 that fails (the generalized equations are used): a force acts on the dependent
+ *     coordinate `x1`
+ * Note: hypothesis of I.3 that fails (the generalized equations are used): the force on `x2` contains the
+ *     dependent coordinate `x1`
+ * Note: hypothesis of I.3 that fails (the generalized equations are used): a force acts on the dependent
+ *     coordinate `y1`
+ * Note: hypothesis of I.3 that fails (the generalized equations are used): the force on `y2` contains the
+ *     dependent coordinate `y1`
+ * Note: hypothesis of I.3 that fails (the generalized equations are used): a force acts on the dependent
+ *     coordinate `x2`
+ * Note: hypothesis of I.3 that fails (the generalized equations are used): the force on `x1` contains the
+ *     dependent coordinate `x2`
+ * Note: hypothesis of I.3 that fails (the generalized equations are used): a force acts on the dependent
+ *     coordinate `y2`
+ * Note: hypothesis of I.3 that fails (the generalized equations are used): the force on `y1` contains the
+ *     dependent coordinate `y2`
+ *
+ * State y:
+ * y[0] = x1 [m]: first disk
+ * y[1] = y1 [m]: first disk
+ * y[2] = phi1 [rad]: heading
+ * y[3] = theta1 [rad]: angle rolled
+ * y[4] = x2 [m]: second disk
+ * y[5] = y2 [m]: second disk
+ * y[6] = phi2 [rad]: heading
+ * y[7] = theta2 [rad]: angle rolled
+ * y[8] = phi1'
+ * y[9] = theta1'
+ * y[10] = phi2'
+ * y[11] = theta2'
+ *
+ * Parameters p:
+ * p[0]: m = 1.0 [kg]: mass of each
+ * p[1]: R = 0.5 [m]: radius
+ * p[2]: I = 0.125 [kg*m^2]: about the axle
+ * p[3]: J = 0.0625 [kg*m^2]: about the vertical
+ * p[4]: k = 1.0 [N/m]: stiffness of the spring
+ *
+ * Constraints:
+ * 0: roll_x1
+ * 1: roll_y1
+ * 2: roll_x2
+ * 3: roll_y2
+ *
+ * Operations:
+ * rhs: 5 +-, 17 *, 1 /, 4 calls
+ * velocities: 0 +-, 8 *, 0 /, 4 calls
+ * accelerations: 9 +-, 29 *, 1 /, 4 calls
+ * state: 0 +-, 0 *, 0 /, 0 calls
+ * residuals: 4 +-, 8 *, 0 /, 4 calls
+ * reactions: 13 +-, 30 *, 1 /, 4 calls
+ * energy: 10 +-, 22 *, 0 /, 0 calls
+ * jacobian: 5 +-, 28 *, 1 /, 4 calls
+ * outputs: 0 +-, 0 *, 0 /, 0 calls
+ *
+ * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
+ */
+#ifndef NHC_DISK_CHAIN2_H
+#define NHC_DISK_CHAIN2_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* sizes */
+enum {
+    DISK_CHAIN2_NQ = 8, /* coordinates */
+    DISK_CHAIN2_NY = 12, /* state: the coordinates and the velocities that are kept */
+    DISK_CHAIN2_NP = 5, /* parameters */
+    DISK_CHAIN2_NC = 4, /* constraints */
+    DISK_CHAIN2_NOUT = 0 /* outputs */
+};
+
+/* return codes */
+enum {
+    DISK_CHAIN2_OK = 0, /* the result is good */
+    DISK_CHAIN2_SINGULAR_2 = 2, /* the mass matrix is singular */
+    DISK_CHAIN2_NOT_FINITE = 3 /* a result is infinite or not a number */
+};
+
+extern const char *const disk_chain2_coordinate_names[];
+extern const char *const disk_chain2_state_names[];
+extern const char *const disk_chain2_parameter_names[];
+extern const double disk_chain2_parameter_defaults[];
+
+/*
+ * right-hand side dy/dt = f(t, y; p) (III.3)
+ * dydt: 12 entries
+ */
+int disk_chain2_rhs(double t, const double *y, const double *p, double *dydt);
+
+/*
+ * all velocities q' from the state (I.2.4)
+ * qdot: 8 entries
+ */
+int disk_chain2_velocities(double t, const double *y, const double *p, double *qdot);
+
+/*
+ * all accelerations q'' on the motion (III.3)
+ * qddot: 8 entries
+ */
+int disk_chain2_accelerations(double t, const double *y, const double *p, double *qddot);
+
+/*
+ * the state y from coordinates and velocities (I.2.1)
+ * y: 12 entries
+ */
+int disk_chain2_state(double t, const double *q, const double *qdot, const double *p, double *y);
+
+/*
+ * left sides of the constraints, zero on every motion (I.1.1)
+ * r: 4 entries
+ */
+int disk_chain2_residuals(double t, const double *q, const double *qdot, const double *p, double *r);
+
+/*
+ * reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+ * lambda: 4 entries
+ * Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a
+ */
+int disk_chain2_reactions(double t, const double *y, const double *p, double *lambda);
+
+/*
+ * T + V (II.1.4)
+ * not finite where the model is singular
+ */
+double disk_chain2_energy(double t, const double *y, const double *p);
+
+/*
+ * d rhs_i / d y_j, row-major (III.3)
+ * J: 144 entries, row by row: d rhs_i / d y_j stands at 12*i + j
+ */
+int disk_chain2_jacobian(double t, const double *y, const double *p, double *J);
+
+/*
+ * the spec's outputs
+ * out: 0 entries
+ */
+int disk_chain2_outputs(double t, const double *y, const double *p, double *out);
+
+/*
+ * rhs for count states at once, a structure of arrays: entry k of state i is y[k*count + i], its time t[i];
+ * the parameters are shared. Nonzero when any of the states is singular. dydt must not overlap the inputs.
+ */
+int disk_chain2_rhs_batch(size_t count, const double *t, const double *y, const double *p, double *dydt);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

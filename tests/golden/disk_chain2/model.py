@@ -1,0 +1,874 @@
+# ruff: noqa: E741
+"""disk_chain2, emitted by nhc 0.1.0 (nhc:74fe2680a62d4c1d).
+
+Two upright rolling disks joined by a spring; the first link of a chain that may be
+    made as long as one likes.
+Source: disk_chain2.yaml
+Equations of motion: chaplygin (III.3)
+Why: dependent velocities of the spec
+Note: hypothesis of I.3 that fails (the generalized equations are used): a force
+    acts on the dependent coordinate `x1`
+Note: hypothesis of I.3 that fails (the generalized equations are used): the force
+    on `x2` contains the dependent coordinate `x1`
+Note: hypothesis of I.3 that fails (the generalized equations are used): a force
+    acts on the dependent coordinate `y1`
+Note: hypothesis of I.3 that fails (the generalized equations are used): the force
+    on `y2` contains the dependent coordinate `y1`
+Note: hypothesis of I.3 that fails (the generalized equations are used): a force
+    acts on the dependent coordinate `x2`
+Note: hypothesis of I.3 that fails (the generalized equations are used): the force
+    on `x1` contains the dependent coordinate `x2`
+Note: hypothesis of I.3 that fails (the generalized equations are used): a force
+    acts on the dependent coordinate `y2`
+Note: hypothesis of I.3 that fails (the generalized equations are used): the force
+    on `y1` contains the dependent coordinate `y2`
+
+State y:
+y[0] = x1 [m]: first disk
+y[1] = y1 [m]: first disk
+y[2] = phi1 [rad]: heading
+y[3] = theta1 [rad]: angle rolled
+y[4] = x2 [m]: second disk
+y[5] = y2 [m]: second disk
+y[6] = phi2 [rad]: heading
+y[7] = theta2 [rad]: angle rolled
+y[8] = phi1'
+y[9] = theta1'
+y[10] = phi2'
+y[11] = theta2'
+
+Parameters p:
+p[0]: m = 1.0 [kg]: mass of each
+p[1]: R = 0.5 [m]: radius
+p[2]: I = 0.125 [kg*m^2]: about the axle
+p[3]: J = 0.0625 [kg*m^2]: about the vertical
+p[4]: k = 1.0 [N/m]: stiffness of the spring
+
+Constraints:
+0: roll_x1
+1: roll_y1
+2: roll_x2
+3: roll_y2
+
+Operations:
+rhs: 5 +-, 17 *, 1 /, 4 calls
+velocities: 0 +-, 8 *, 0 /, 4 calls
+accelerations: 9 +-, 29 *, 1 /, 4 calls
+state: 0 +-, 0 *, 0 /, 0 calls
+residuals: 4 +-, 8 *, 0 /, 4 calls
+reactions: 13 +-, 30 *, 1 /, 4 calls
+energy: 10 +-, 22 *, 0 /, 0 calls
+jacobian: 5 +-, 28 *, 1 /, 4 calls
+outputs: 0 +-, 0 *, 0 /, 0 calls
+
+A singular point raises SingularModelError.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+COORDINATES: tuple[str, ...] = (
+    "x1",
+    "y1",
+    "phi1",
+    "theta1",
+    "x2",
+    "y2",
+    "phi2",
+    "theta2",
+)
+STATE: tuple[str, ...] = (
+    "x1",
+    "y1",
+    "phi1",
+    "theta1",
+    "x2",
+    "y2",
+    "phi2",
+    "theta2",
+    "phi1'",
+    "theta1'",
+    "phi2'",
+    "theta2'",
+)
+PARAMETERS: tuple[str, ...] = ("m", "R", "I", "J", "k")
+CONSTRAINTS: tuple[str, ...] = ("roll_x1", "roll_y1", "roll_x2", "roll_y2")
+OUTPUTS: tuple[str, ...] = ()
+DEFAULTS: tuple[float, ...] = (1.0, 0.5, 0.125, 0.0625, 1.0)
+
+REASONS = (
+    "",
+    "",
+    "the mass matrix is singular",
+    "a result is not finite or not defined",
+)
+NOT_FINITE = 3
+
+
+class SingularModelError(ArithmeticError):
+    """The model is singular here; ``status`` is the code that C returns."""
+
+    def __init__(self, status: int, function: str) -> None:
+        super().__init__(f"{function}: {REASONS[status]}")
+        self.status = status
+
+
+def _finish(function: str, values: list[float]) -> list[float]:
+    if not all(map(math.isfinite, values)):
+        raise SingularModelError(NOT_FINITE, function)
+    return values
+
+
+def _single(function: str, value: float) -> float:
+    if not math.isfinite(value):
+        raise SingularModelError(NOT_FINITE, function)
+    return value
+
+
+def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
+    """right-hand side dy/dt = f(t, y; p) (III.3)
+
+    Arguments: t (scalar), y (12,), p (5,).
+    Returns dydt (12,).
+    """
+    x1 = float(y[0])  # first disk [m]
+    y1 = float(y[1])  # first disk [m]
+    phi1 = float(y[2])  # heading [rad]
+    x2 = float(y[4])  # second disk [m]
+    y2 = float(y[5])  # second disk [m]
+    phi2 = float(y[6])  # heading [rad]
+    phi1_dot = float(y[8])
+    theta1_dot = float(y[9])
+    phi2_dot = float(y[10])
+    theta2_dot = float(y[11])
+    m = float(p[0])  # mass of each [kg]
+    R = float(p[1])  # radius [m]
+    I = float(p[2])  # about the axle [kg*m^2]
+    J = float(p[3])  # about the vertical [kg*m^2]
+    k = float(p[4])  # stiffness of the spring [N/m]
+    try:
+        # parameters only
+        k1 = I + m * (R * R)
+        k2 = R * k / k1
+        # state
+        # the mass matrix is singular
+        if not abs(J) > 0.0:
+            raise SingularModelError(2, "rhs")
+        # the mass matrix is singular
+        if not abs(k1) > 0.0:
+            raise SingularModelError(2, "rhs")
+        # the mass matrix is singular
+        if not abs(J) > 0.0:
+            raise SingularModelError(2, "rhs")
+        # the mass matrix is singular
+        if not abs(k1) > 0.0:
+            raise SingularModelError(2, "rhs")
+        c_phi1 = math.cos(phi1)
+        s_phi1 = math.sin(phi1)
+        c_phi2 = math.cos(phi2)
+        s_phi2 = math.sin(phi2)
+        z1 = x1 - x2
+        z2 = y1 - y2
+        dydt: list[float] = [
+            # x1' (III.3)
+            theta1_dot * (R * c_phi1),
+            # y1' (III.3)
+            theta1_dot * (R * s_phi1),
+            # phi1' (III.3)
+            phi1_dot,
+            # theta1' (III.3)
+            theta1_dot,
+            # x2' (III.3)
+            theta2_dot * (R * c_phi2),
+            # y2' (III.3)
+            theta2_dot * (R * s_phi2),
+            # phi2' (III.3)
+            phi2_dot,
+            # theta2' (III.3)
+            theta2_dot,
+            # phi1'' (III.3) 24:4
+            0.0,
+            # theta1'' (III.3) 24:4
+            -(z1 * c_phi1 + z2 * s_phi1) * k2,
+            # phi2'' (III.3) 24:4
+            0.0,
+            # theta2'' (III.3) 24:4
+            (z1 * c_phi2 + z2 * s_phi2) * k2,
+        ]
+        return _finish("rhs", dydt)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "rhs") from error
+
+
+def velocities(
+    t: float,
+    y: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """all velocities q' from the state (I.2.4)
+
+    Arguments: t (scalar), y (12,), p (5,).
+    Returns qdot (8,).
+    """
+    phi1 = float(y[2])  # heading [rad]
+    phi2 = float(y[6])  # heading [rad]
+    phi1_dot = float(y[8])
+    theta1_dot = float(y[9])
+    phi2_dot = float(y[10])
+    theta2_dot = float(y[11])
+    R = float(p[1])  # radius [m]
+    try:
+        # state
+        c_phi1 = math.cos(phi1)
+        s_phi1 = math.sin(phi1)
+        c_phi2 = math.cos(phi2)
+        s_phi2 = math.sin(phi2)
+        qdot: list[float] = [
+            # x1' (I.2.4)
+            theta1_dot * (R * c_phi1),
+            # y1' (I.2.4)
+            theta1_dot * (R * s_phi1),
+            # phi1' (I.2.4)
+            phi1_dot,
+            # theta1' (I.2.4)
+            theta1_dot,
+            # x2' (I.2.4)
+            theta2_dot * (R * c_phi2),
+            # y2' (I.2.4)
+            theta2_dot * (R * s_phi2),
+            # phi2' (I.2.4)
+            phi2_dot,
+            # theta2' (I.2.4)
+            theta2_dot,
+        ]
+        return _finish("velocities", qdot)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "velocities") from error
+
+
+def accelerations(
+    t: float,
+    y: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """all accelerations q'' on the motion (III.3)
+
+    Arguments: t (scalar), y (12,), p (5,).
+    Returns qddot (8,).
+    """
+    x1 = float(y[0])  # first disk [m]
+    y1 = float(y[1])  # first disk [m]
+    phi1 = float(y[2])  # heading [rad]
+    x2 = float(y[4])  # second disk [m]
+    y2 = float(y[5])  # second disk [m]
+    phi2 = float(y[6])  # heading [rad]
+    phi1_dot = float(y[8])
+    theta1_dot = float(y[9])
+    phi2_dot = float(y[10])
+    theta2_dot = float(y[11])
+    m = float(p[0])  # mass of each [kg]
+    R = float(p[1])  # radius [m]
+    I = float(p[2])  # about the axle [kg*m^2]
+    J = float(p[3])  # about the vertical [kg*m^2]
+    k = float(p[4])  # stiffness of the spring [N/m]
+    try:
+        # parameters only
+        k1 = I + m * (R * R)
+        k2 = R * k / k1
+        # state
+        # the mass matrix is singular
+        if not abs(J) > 0.0:
+            raise SingularModelError(2, "accelerations")
+        # the mass matrix is singular
+        if not abs(k1) > 0.0:
+            raise SingularModelError(2, "accelerations")
+        # the mass matrix is singular
+        if not abs(J) > 0.0:
+            raise SingularModelError(2, "accelerations")
+        # the mass matrix is singular
+        if not abs(k1) > 0.0:
+            raise SingularModelError(2, "accelerations")
+        s_phi1 = math.sin(phi1)
+        c_phi1 = math.cos(phi1)
+        z1 = x1 - x2
+        z2 = y1 - y2
+        z3 = (z1 * c_phi1 + z2 * s_phi1) * k2
+        s_phi2 = math.sin(phi2)
+        c_phi2 = math.cos(phi2)
+        z4 = (z1 * c_phi2 + z2 * s_phi2) * k2
+        qddot: list[float] = [
+            # x1'' (III.3)
+            -(theta1_dot * (R * (phi1_dot * s_phi1)) + R * c_phi1 * z3),
+            # y1'' (III.3)
+            theta1_dot * (R * (phi1_dot * c_phi1)) - R * s_phi1 * z3,
+            # phi1'' (III.3)
+            0.0,
+            # theta1'' (III.3)
+            -z3,
+            # x2'' (III.3)
+            R * c_phi2 * z4 - theta2_dot * (R * (phi2_dot * s_phi2)),
+            # y2'' (III.3)
+            theta2_dot * (R * (phi2_dot * c_phi2)) + R * s_phi2 * z4,
+            # phi2'' (III.3)
+            0.0,
+            # theta2'' (III.3)
+            z4,
+        ]
+        return _finish("accelerations", qddot)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "accelerations") from error
+
+
+def state(
+    t: float,
+    q: Sequence[float],
+    qdot: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """the state y from coordinates and velocities (I.2.1)
+
+    Arguments: t (scalar), q (8,), qdot (8,), p (5,).
+    Returns y (12,).
+    """
+    x1 = float(q[0])  # first disk [m]
+    y1 = float(q[1])  # first disk [m]
+    phi1 = float(q[2])  # heading [rad]
+    theta1 = float(q[3])  # angle rolled [rad]
+    x2 = float(q[4])  # second disk [m]
+    y2 = float(q[5])  # second disk [m]
+    phi2 = float(q[6])  # heading [rad]
+    theta2 = float(q[7])  # angle rolled [rad]
+    phi1_dot = float(qdot[2])
+    theta1_dot = float(qdot[3])
+    phi2_dot = float(qdot[6])
+    theta2_dot = float(qdot[7])
+    try:
+        # state
+        y: list[float] = [
+            x1,
+            y1,
+            phi1,
+            theta1,
+            x2,
+            y2,
+            phi2,
+            theta2,
+            phi1_dot,
+            theta1_dot,
+            phi2_dot,
+            theta2_dot,
+        ]
+        return _finish("state", y)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "state") from error
+
+
+def residuals(
+    t: float,
+    q: Sequence[float],
+    qdot: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """left sides of the constraints, zero on every motion (I.1.1)
+
+    Arguments: t (scalar), q (8,), qdot (8,), p (5,).
+    Returns r (4,).
+    """
+    phi1 = float(q[2])  # heading [rad]
+    phi2 = float(q[6])  # heading [rad]
+    x1_dot = float(qdot[0])
+    y1_dot = float(qdot[1])
+    theta1_dot = float(qdot[3])
+    x2_dot = float(qdot[4])
+    y2_dot = float(qdot[5])
+    theta2_dot = float(qdot[7])
+    R = float(p[1])  # radius [m]
+    try:
+        # state
+        c_phi1 = math.cos(phi1)
+        s_phi1 = math.sin(phi1)
+        c_phi2 = math.cos(phi2)
+        s_phi2 = math.sin(phi2)
+        r: list[float] = [
+            # roll_x1 = 0 (I.1.1) 27:5
+            x1_dot - theta1_dot * (R * c_phi1),
+            # roll_y1 = 0 (I.1.1) 28:5
+            y1_dot - theta1_dot * (R * s_phi1),
+            # roll_x2 = 0 (I.1.1) 29:5
+            x2_dot - theta2_dot * (R * c_phi2),
+            # roll_y2 = 0 (I.1.1) 30:5
+            y2_dot - theta2_dot * (R * s_phi2),
+        ]
+        return _finish("residuals", r)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "residuals") from error
+
+
+def reactions(
+    t: float,
+    y: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+
+    Arguments: t (scalar), y (12,), p (5,).
+    Returns lambda_ (4,).
+    Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a.
+    """
+    x1 = float(y[0])  # first disk [m]
+    y1 = float(y[1])  # first disk [m]
+    phi1 = float(y[2])  # heading [rad]
+    x2 = float(y[4])  # second disk [m]
+    y2 = float(y[5])  # second disk [m]
+    phi2 = float(y[6])  # heading [rad]
+    phi1_dot = float(y[8])
+    theta1_dot = float(y[9])
+    phi2_dot = float(y[10])
+    theta2_dot = float(y[11])
+    m = float(p[0])  # mass of each [kg]
+    R = float(p[1])  # radius [m]
+    I = float(p[2])  # about the axle [kg*m^2]
+    J = float(p[3])  # about the vertical [kg*m^2]
+    k = float(p[4])  # stiffness of the spring [N/m]
+    try:
+        # parameters only
+        k1 = I + m * (R * R)
+        k2 = m * R
+        k3 = R * k / k1
+        # state
+        # the mass matrix is singular
+        if not abs(J) > 0.0:
+            raise SingularModelError(2, "reactions")
+        # the mass matrix is singular
+        if not abs(k1) > 0.0:
+            raise SingularModelError(2, "reactions")
+        # the mass matrix is singular
+        if not abs(J) > 0.0:
+            raise SingularModelError(2, "reactions")
+        # the mass matrix is singular
+        if not abs(k1) > 0.0:
+            raise SingularModelError(2, "reactions")
+        z1 = x1 - x2
+        z2 = k * z1
+        s_phi1 = math.sin(phi1)
+        z3 = R * (m * (phi1_dot * theta1_dot))
+        c_phi1 = math.cos(phi1)
+        z4 = y1 - y2
+        z5 = (z1 * c_phi1 + z4 * s_phi1) * k3
+        z6 = k * z4
+        s_phi2 = math.sin(phi2)
+        z7 = R * (m * (phi2_dot * theta2_dot))
+        c_phi2 = math.cos(phi2)
+        z8 = (z1 * c_phi2 + z4 * s_phi2) * k3
+        lambda_: list[float] = [
+            # reaction of roll_x1: Q_i gains lambda_1 a_1i (I.4.1) 27:5
+            z2 - s_phi1 * z3 - c_phi1 * k2 * z5,
+            # reaction of roll_y1: Q_i gains lambda_2 a_2i (I.4.1) 28:5
+            z6 + c_phi1 * z3 - s_phi1 * k2 * z5,
+            # reaction of roll_x2: Q_i gains lambda_3 a_3i (I.4.1) 29:5
+            c_phi2 * k2 * z8 - (z2 + s_phi2 * z7),
+            # reaction of roll_y2: Q_i gains lambda_4 a_4i (I.4.1) 30:5
+            s_phi2 * k2 * z8 - (z6 - c_phi2 * z7),
+        ]
+        return _finish("reactions", lambda_)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "reactions") from error
+
+
+def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
+    """T + V (II.1.4)
+
+    Arguments: t (scalar), y (12,), p (5,).
+    Returns a scalar.
+    """
+    x1 = float(y[0])  # first disk [m]
+    y1 = float(y[1])  # first disk [m]
+    x2 = float(y[4])  # second disk [m]
+    y2 = float(y[5])  # second disk [m]
+    phi1_dot = float(y[8])
+    theta1_dot = float(y[9])
+    phi2_dot = float(y[10])
+    theta2_dot = float(y[11])
+    m = float(p[0])  # mass of each [kg]
+    R = float(p[1])  # radius [m]
+    I = float(p[2])  # about the axle [kg*m^2]
+    J = float(p[3])  # about the vertical [kg*m^2]
+    k = float(p[4])  # stiffness of the spring [N/m]
+    try:
+        # parameters only
+        k1 = 0.5 * I + 0.5 * (m * (R * R))
+        # state
+        s1 = y1 * (0.5 * y1 - y2) + (0.5 * (x2 * x2) + 0.5 * (y2 * y2))
+        z1 = x1 * (0.5 * x1 - x2) + s1
+        s2 = 0.5 * (phi1_dot * phi1_dot) + 0.5 * (phi2_dot * phi2_dot)
+        s3 = theta2_dot * theta2_dot * k1 + J * s2
+        z2 = theta1_dot * theta1_dot * k1 + s3
+        value1 = k * z1 + z2
+        return _single("energy", value1)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "energy") from error
+
+
+def jacobian(
+    t: float,
+    y: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[list[float]]:
+    """d rhs_i / d y_j, row-major (III.3)
+
+    Arguments: t (scalar), y (12,), p (5,).
+    Returns rows (12, 12): d rhs_i / d y_j stands at [i][j].
+    """
+    x1 = float(y[0])  # first disk [m]
+    y1 = float(y[1])  # first disk [m]
+    phi1 = float(y[2])  # heading [rad]
+    x2 = float(y[4])  # second disk [m]
+    y2 = float(y[5])  # second disk [m]
+    phi2 = float(y[6])  # heading [rad]
+    theta1_dot = float(y[9])
+    theta2_dot = float(y[11])
+    m = float(p[0])  # mass of each [kg]
+    R = float(p[1])  # radius [m]
+    I = float(p[2])  # about the axle [kg*m^2]
+    J_2 = float(p[3])  # about the vertical [kg*m^2]
+    k = float(p[4])  # stiffness of the spring [N/m]
+    try:
+        # parameters only
+        k1 = I + m * (R * R)
+        k2 = R * k
+        k3 = 1.0 / k1
+        k4 = k2 * k3
+        # state
+        # the mass matrix is singular
+        if not abs(J_2) > 0.0:
+            raise SingularModelError(2, "jacobian")
+        # the mass matrix is singular
+        if not abs(k1) > 0.0:
+            raise SingularModelError(2, "jacobian")
+        # the mass matrix is singular
+        if not abs(J_2) > 0.0:
+            raise SingularModelError(2, "jacobian")
+        # the mass matrix is singular
+        if not abs(k1) > 0.0:
+            raise SingularModelError(2, "jacobian")
+        s_phi1 = math.sin(phi1)
+        z1 = theta1_dot * R
+        c_phi1 = math.cos(phi1)
+        s_phi2 = math.sin(phi2)
+        z2 = theta2_dot * R
+        c_phi2 = math.cos(phi2)
+        z3 = k3 * (c_phi1 * k2)
+        z4 = k3 * (s_phi1 * k2)
+        z5 = y1 - y2
+        z6 = x1 - x2
+        z7 = k3 * (c_phi2 * k2)
+        z8 = k3 * (s_phi2 * k2)
+        J: list[float] = [
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            -s_phi1 * z1,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            R * c_phi1,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            c_phi1 * z1,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            R * s_phi1,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            1.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            1.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            -s_phi2 * z2,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            R * c_phi2,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            c_phi2 * z2,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            R * s_phi2,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            1.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            1.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            -z3,
+            # (III.3)
+            -z4,
+            # (III.3)
+            -k4 * (z5 * c_phi1 - z6 * s_phi1),
+            # (III.3)
+            0.0,
+            # (III.3)
+            z3,
+            # (III.3)
+            z4,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            z7,
+            # (III.3)
+            z8,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            -z7,
+            # (III.3)
+            -z8,
+            # (III.3)
+            k4 * (z5 * c_phi2 - z6 * s_phi2),
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+        ]
+        _finish("jacobian", J)
+        return [J[k5 : k5 + 12] for k5 in range(0, 144, 12)]
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "jacobian") from error
+
+
+def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
+    """the spec's outputs
+
+    Arguments: t (scalar), y (12,), p (5,).
+    Returns out (0,).
+    """
+    try:
+        out: list[float] = []
+        return _finish("outputs", out)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "outputs") from error

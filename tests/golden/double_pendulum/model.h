@@ -1,0 +1,133 @@
+/*
+ * double_pendulum.h: double_pendulum, emitted by nhc 0.1.0 (nhc:8d8f09795080f37c)
+ * Two pendulums in a row, absolute angles; the model gives positions and nhc differentiates them.
+ * Source: double_pendulum.yaml
+ * Equations of motion: lagrange (II.3)
+ * Why: no constraints
+ *
+ * State y:
+ * y[0] = theta1 [rad]: upper rod from the downward vertical
+ * y[1] = theta2 [rad]: lower rod from the downward vertical
+ * y[2] = theta1'
+ * y[3] = theta2'
+ *
+ * Parameters p:
+ * p[0]: m1 = 1.0 [kg]
+ * p[1]: m2 = 1.0 [kg]
+ * p[2]: l1 = 1.0 [m]
+ * p[3]: l2 = 1.0 [m]
+ * p[4]: g = 9.81 [m/s^2]: acceleration of gravity
+ *
+ * Outputs:
+ * out[0] = tip_x
+ * out[1] = tip_y
+ *
+ * Operations:
+ * rhs: 9 +-, 30 *, 2 /, 4 calls
+ * velocities: 0 +-, 0 *, 0 /, 0 calls
+ * accelerations: 9 +-, 30 *, 2 /, 4 calls
+ * state: 0 +-, 0 *, 0 /, 0 calls
+ * residuals: 0 +-, 0 *, 0 /, 0 calls
+ * reactions: 3 +-, 11 *, 1 /, 4 calls
+ * energy: 7 +-, 20 *, 0 /, 4 calls
+ * jacobian: 29 +-, 87 *, 2 /, 4 calls
+ * outputs: 2 +-, 4 *, 0 /, 4 calls
+ *
+ * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
+ */
+#ifndef NHC_DOUBLE_PENDULUM_H
+#define NHC_DOUBLE_PENDULUM_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* sizes */
+enum {
+    DOUBLE_PENDULUM_NQ = 2, /* coordinates */
+    DOUBLE_PENDULUM_NY = 4, /* state: the coordinates and the velocities that are kept */
+    DOUBLE_PENDULUM_NP = 5, /* parameters */
+    DOUBLE_PENDULUM_NC = 0, /* constraints */
+    DOUBLE_PENDULUM_NOUT = 2 /* outputs */
+};
+
+/* return codes */
+enum {
+    DOUBLE_PENDULUM_OK = 0, /* the result is good */
+    DOUBLE_PENDULUM_SINGULAR_2 = 2, /* the mass matrix is singular */
+    DOUBLE_PENDULUM_NOT_FINITE = 3 /* a result is infinite or not a number */
+};
+
+extern const char *const double_pendulum_coordinate_names[];
+extern const char *const double_pendulum_state_names[];
+extern const char *const double_pendulum_parameter_names[];
+extern const double double_pendulum_parameter_defaults[];
+
+/*
+ * right-hand side dy/dt = f(t, y; p) (II.3)
+ * dydt: 4 entries
+ */
+int double_pendulum_rhs(double t, const double *y, const double *p, double *dydt);
+
+/*
+ * all velocities q' from the state (I.2.4)
+ * qdot: 2 entries
+ */
+int double_pendulum_velocities(double t, const double *y, const double *p, double *qdot);
+
+/*
+ * all accelerations q'' on the motion (II.3)
+ * qddot: 2 entries
+ */
+int double_pendulum_accelerations(double t, const double *y, const double *p, double *qddot);
+
+/*
+ * the state y from coordinates and velocities (I.2.1)
+ * y: 4 entries
+ */
+int double_pendulum_state(double t, const double *q, const double *qdot, const double *p, double *y);
+
+/*
+ * left sides of the constraints, zero on every motion (I.1.1)
+ * r: 0 entries
+ */
+int double_pendulum_residuals(double t, const double *q, const double *qdot, const double *p, double *r);
+
+/*
+ * reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+ * lambda: 0 entries
+ * Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a
+ */
+int double_pendulum_reactions(double t, const double *y, const double *p, double *lambda);
+
+/*
+ * T + V (II.1.4)
+ * not finite where the model is singular
+ */
+double double_pendulum_energy(double t, const double *y, const double *p);
+
+/*
+ * d rhs_i / d y_j, row-major (II.3)
+ * J: 16 entries, row by row: d rhs_i / d y_j stands at 4*i + j
+ */
+int double_pendulum_jacobian(double t, const double *y, const double *p, double *J);
+
+/*
+ * the spec's outputs
+ * out: 2 entries
+ */
+int double_pendulum_outputs(double t, const double *y, const double *p, double *out);
+
+/*
+ * rhs for count states at once, a structure of arrays: entry k of state i is y[k*count + i], its time t[i];
+ * the parameters are shared. Nonzero when any of the states is singular. dydt must not overlap the inputs.
+ */
+int double_pendulum_rhs_batch(size_t count, const double *t, const double *y, const double *p, double *dydt);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

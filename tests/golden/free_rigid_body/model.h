@@ -1,0 +1,133 @@
+/*
+ * free_rigid_body.h: free_rigid_body, emitted by nhc 0.1.0 (nhc:6a778dfd5512ccf5)
+ * A free rigid body; the components of its angular velocity on body axes are the quasi-velocities.
+ * Source: free_rigid_body.yaml
+ * Equations of motion: euler-lagrange (I.2.14)
+ * Why: quasi-velocities of the spec
+ *
+ * State y:
+ * y[0] = phi [rad]: precession
+ * y[1] = theta [rad]: nutation
+ * y[2] = psi [rad]: spin
+ * y[3] = w1
+ * y[4] = w2
+ * y[5] = w3
+ *
+ * Parameters p:
+ * p[0]: I1 = 1.0 [kg*m^2]
+ * p[1]: I2 = 2.0 [kg*m^2]
+ * p[2]: I3 = 3.0 [kg*m^2]
+ *
+ * Outputs:
+ * out[0] = L_squared
+ *
+ * Operations:
+ * rhs: 6 +-, 18 *, 4 /, 4 calls
+ * velocities: 3 +-, 9 *, 1 /, 4 calls
+ * accelerations: 18 +-, 40 *, 5 /, 4 calls
+ * state: 3 +-, 6 *, 0 /, 4 calls
+ * residuals: 0 +-, 0 *, 0 /, 0 calls
+ * reactions: 0 +-, 0 *, 0 /, 1 calls
+ * energy: 2 +-, 9 *, 0 /, 0 calls
+ * jacobian: 10 +-, 39 *, 5 /, 4 calls
+ * outputs: 2 +-, 9 *, 0 /, 1 calls
+ *
+ * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
+ */
+#ifndef NHC_FREE_RIGID_BODY_H
+#define NHC_FREE_RIGID_BODY_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* sizes */
+enum {
+    FREE_RIGID_BODY_NQ = 3, /* coordinates */
+    FREE_RIGID_BODY_NY = 6, /* state: the coordinates and the velocities that are kept */
+    FREE_RIGID_BODY_NP = 3, /* parameters */
+    FREE_RIGID_BODY_NC = 0, /* constraints */
+    FREE_RIGID_BODY_NOUT = 1 /* outputs */
+};
+
+/* return codes */
+enum {
+    FREE_RIGID_BODY_OK = 0, /* the result is good */
+    FREE_RIGID_BODY_SINGULAR_1 = 1, /* the coframe is singular */
+    FREE_RIGID_BODY_SINGULAR_2 = 2, /* the mass matrix is singular */
+    FREE_RIGID_BODY_NOT_FINITE = 3 /* a result is infinite or not a number */
+};
+
+extern const char *const free_rigid_body_coordinate_names[];
+extern const char *const free_rigid_body_state_names[];
+extern const char *const free_rigid_body_parameter_names[];
+extern const double free_rigid_body_parameter_defaults[];
+
+/*
+ * right-hand side dy/dt = f(t, y; p) (I.2.14)
+ * dydt: 6 entries
+ */
+int free_rigid_body_rhs(double t, const double *y, const double *p, double *dydt);
+
+/*
+ * all velocities q' from the state (I.2.4)
+ * qdot: 3 entries
+ */
+int free_rigid_body_velocities(double t, const double *y, const double *p, double *qdot);
+
+/*
+ * all accelerations q'' on the motion (I.2.14)
+ * qddot: 3 entries
+ */
+int free_rigid_body_accelerations(double t, const double *y, const double *p, double *qddot);
+
+/*
+ * the state y from coordinates and velocities (I.2.1)
+ * y: 6 entries
+ */
+int free_rigid_body_state(double t, const double *q, const double *qdot, const double *p, double *y);
+
+/*
+ * left sides of the constraints, zero on every motion (I.1.1)
+ * r: 0 entries
+ */
+int free_rigid_body_residuals(double t, const double *q, const double *qdot, const double *p, double *r);
+
+/*
+ * reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+ * lambda: 0 entries
+ * Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a
+ */
+int free_rigid_body_reactions(double t, const double *y, const double *p, double *lambda);
+
+/*
+ * T + V (II.1.4)
+ * not finite where the model is singular
+ */
+double free_rigid_body_energy(double t, const double *y, const double *p);
+
+/*
+ * d rhs_i / d y_j, row-major (I.2.14)
+ * J: 36 entries, row by row: d rhs_i / d y_j stands at 6*i + j
+ */
+int free_rigid_body_jacobian(double t, const double *y, const double *p, double *J);
+
+/*
+ * the spec's outputs
+ * out: 1 entries
+ */
+int free_rigid_body_outputs(double t, const double *y, const double *p, double *out);
+
+/*
+ * rhs for count states at once, a structure of arrays: entry k of state i is y[k*count + i], its time t[i];
+ * the parameters are shared. Nonzero when any of the states is singular. dydt must not overlap the inputs.
+ */
+int free_rigid_body_rhs_batch(size_t count, const double *t, const double *y, const double *p, double *dydt);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

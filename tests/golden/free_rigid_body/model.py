@@ -1,0 +1,524 @@
+"""free_rigid_body, emitted by nhc 0.1.0 (nhc:1715c697da8f36b0).
+
+A free rigid body; the components of its angular velocity on body axes are the
+    quasi-velocities.
+Source: free_rigid_body.yaml
+Equations of motion: euler-lagrange (I.2.14)
+Why: quasi-velocities of the spec
+
+State y:
+y[0] = phi [rad]: precession
+y[1] = theta [rad]: nutation
+y[2] = psi [rad]: spin
+y[3] = w1
+y[4] = w2
+y[5] = w3
+
+Parameters p:
+p[0]: I1 = 1.0 [kg*m^2]
+p[1]: I2 = 2.0 [kg*m^2]
+p[2]: I3 = 3.0 [kg*m^2]
+
+Outputs:
+out[0] = L_squared
+
+Operations:
+rhs: 6 +-, 18 *, 4 /, 4 calls
+velocities: 3 +-, 9 *, 1 /, 4 calls
+accelerations: 18 +-, 40 *, 5 /, 4 calls
+state: 3 +-, 6 *, 0 /, 4 calls
+residuals: 0 +-, 0 *, 0 /, 0 calls
+reactions: 0 +-, 0 *, 0 /, 1 calls
+energy: 2 +-, 9 *, 0 /, 0 calls
+jacobian: 10 +-, 39 *, 5 /, 4 calls
+outputs: 2 +-, 9 *, 0 /, 1 calls
+
+A singular point raises SingularModelError.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+COORDINATES: tuple[str, ...] = ("phi", "theta", "psi")
+STATE: tuple[str, ...] = ("phi", "theta", "psi", "w1", "w2", "w3")
+PARAMETERS: tuple[str, ...] = ("I1", "I2", "I3")
+CONSTRAINTS: tuple[str, ...] = ()
+OUTPUTS: tuple[str, ...] = ("L_squared",)
+DEFAULTS: tuple[float, ...] = (1.0, 2.0, 3.0)
+
+REASONS = (
+    "",
+    "the coframe is singular",
+    "the mass matrix is singular",
+    "a result is not finite or not defined",
+)
+NOT_FINITE = 3
+
+
+class SingularModelError(ArithmeticError):
+    """The model is singular here; ``status`` is the code that C returns."""
+
+    def __init__(self, status: int, function: str) -> None:
+        super().__init__(f"{function}: {REASONS[status]}")
+        self.status = status
+
+
+def _finish(function: str, values: list[float]) -> list[float]:
+    if not all(map(math.isfinite, values)):
+        raise SingularModelError(NOT_FINITE, function)
+    return values
+
+
+def _single(function: str, value: float) -> float:
+    if not math.isfinite(value):
+        raise SingularModelError(NOT_FINITE, function)
+    return value
+
+
+def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
+    """right-hand side dy/dt = f(t, y; p) (I.2.14)
+
+    Arguments: t (scalar), y (6,), p (3,).
+    Returns dydt (6,).
+    """
+    theta = float(y[1])  # nutation [rad]
+    psi = float(y[2])  # spin [rad]
+    w1 = float(y[3])
+    w2 = float(y[4])
+    w3 = float(y[5])
+    I1 = float(p[0])  # [kg*m^2]
+    I2 = float(p[1])  # [kg*m^2]
+    I3 = float(p[2])  # [kg*m^2]
+    try:
+        # parameters only
+        k1 = I2 - I3
+        k2 = I1 - I3
+        k3 = I1 - I2
+        k4 = 1.0 / I1
+        k5 = 1.0 / I2
+        k6 = 1.0 / I3
+        # state
+        s_theta = math.sin(theta)
+        # the coframe is singular
+        if not abs(s_theta) > 1e-12 * 4.0:
+            raise SingularModelError(1, "rhs")
+        # the mass matrix is singular
+        if not abs(I1) > 0.0:
+            raise SingularModelError(2, "rhs")
+        # the mass matrix is singular
+        if not abs(I2) > 0.0:
+            raise SingularModelError(2, "rhs")
+        # the mass matrix is singular
+        if not abs(I3) > 0.0:
+            raise SingularModelError(2, "rhs")
+        c_psi = math.cos(psi)
+        s_psi = math.sin(psi)
+        z1 = 1.0 / s_theta
+        z2 = (c_psi * w2 + s_psi * w1) * z1
+        c_theta = math.cos(theta)
+        dydt: list[float] = [
+            # phi' (I.2.14)
+            z2,
+            # theta' (I.2.14)
+            z1 * (s_theta * c_psi * w1 - s_theta * s_psi * w2),
+            # psi' (I.2.14)
+            w3 - c_theta * z2,
+            # w1' (I.2.14) 18:4
+            w2 * w3 * k1 * k4,
+            # w2' (I.2.14) 18:4
+            -w1 * w3 * k2 * k5,
+            # w3' (I.2.14) 18:4
+            w1 * w2 * k3 * k6,
+        ]
+        return _finish("rhs", dydt)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "rhs") from error
+
+
+def velocities(
+    t: float,
+    y: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """all velocities q' from the state (I.2.4)
+
+    Arguments: t (scalar), y (6,), p (3,).
+    Returns qdot (3,).
+    """
+    theta = float(y[1])  # nutation [rad]
+    psi = float(y[2])  # spin [rad]
+    w1 = float(y[3])
+    w2 = float(y[4])
+    w3 = float(y[5])
+    try:
+        # state
+        s_theta = math.sin(theta)
+        # the coframe is singular
+        if not abs(s_theta) > 1e-12 * 4.0:
+            raise SingularModelError(1, "velocities")
+        c_psi = math.cos(psi)
+        s_psi = math.sin(psi)
+        z1 = 1.0 / s_theta
+        z2 = (c_psi * w2 + s_psi * w1) * z1
+        c_theta = math.cos(theta)
+        qdot: list[float] = [
+            # phi' (I.2.4)
+            z2,
+            # theta' (I.2.4)
+            z1 * (s_theta * c_psi * w1 - s_theta * s_psi * w2),
+            # psi' (I.2.4)
+            w3 - c_theta * z2,
+        ]
+        return _finish("velocities", qdot)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "velocities") from error
+
+
+def accelerations(
+    t: float,
+    y: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """all accelerations q'' on the motion (I.2.14)
+
+    Arguments: t (scalar), y (6,), p (3,).
+    Returns qddot (3,).
+    """
+    theta = float(y[1])  # nutation [rad]
+    psi = float(y[2])  # spin [rad]
+    w1 = float(y[3])
+    w2 = float(y[4])
+    w3 = float(y[5])
+    I1 = float(p[0])  # [kg*m^2]
+    I2 = float(p[1])  # [kg*m^2]
+    I3 = float(p[2])  # [kg*m^2]
+    try:
+        # parameters only
+        k1 = I2 - I3
+        k2 = I1 - I3
+        k3 = I1 - I2
+        k4 = 1.0 / I1
+        k5 = 1.0 / I2
+        k6 = 1.0 / I3
+        # state
+        s_theta = math.sin(theta)
+        # the coframe is singular
+        if not abs(s_theta) > 1e-12 * 4.0:
+            raise SingularModelError(1, "accelerations")
+        # the mass matrix is singular
+        if not abs(I1) > 0.0:
+            raise SingularModelError(2, "accelerations")
+        # the mass matrix is singular
+        if not abs(I2) > 0.0:
+            raise SingularModelError(2, "accelerations")
+        # the mass matrix is singular
+        if not abs(I3) > 0.0:
+            raise SingularModelError(2, "accelerations")
+        c_psi = math.cos(psi)
+        s_psi = math.sin(psi)
+        z1 = c_psi * w2 + s_psi * w1
+        c_theta = math.cos(theta)
+        z2 = 1.0 / s_theta
+        z3 = s_theta * c_psi
+        z4 = s_theta * s_psi
+        z5 = z3 * w1 - z4 * w2
+        z6 = c_theta * (z2 * z5)
+        z7 = z6 / (s_theta * s_theta)
+        z8 = z1 * z2
+        z9 = w3 - c_theta * z8
+        z10 = s_psi * z9
+        z11 = w1 * w3 * k2 * k5
+        z12 = c_psi * z9
+        z13 = w2 * w3 * k1 * k4
+        s1 = z2 * (w2 * z10 + c_psi * z11 - (w1 * z12 + s_psi * z13))
+        z14 = z1 * z7 + s1
+        s2 = w1 * (c_psi * z6 - s_theta * z10) + z3 * z13
+        z15 = s2 - (w2 * (s_psi * z6 + s_theta * z12) - z4 * z11)
+        qddot: list[float] = [
+            # phi'' (I.2.14)
+            -z14,
+            # theta'' (I.2.14)
+            z2 * z15 - z5 * z7,
+            # psi'' (I.2.14)
+            w1 * w2 * k3 * k6 + (z8 * z5 + c_theta * z14),
+        ]
+        return _finish("accelerations", qddot)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "accelerations") from error
+
+
+def state(
+    t: float,
+    q: Sequence[float],
+    qdot: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """the state y from coordinates and velocities (I.2.1)
+
+    Arguments: t (scalar), q (3,), qdot (3,), p (3,).
+    Returns y (6,).
+    """
+    phi = float(q[0])  # precession [rad]
+    theta = float(q[1])  # nutation [rad]
+    psi = float(q[2])  # spin [rad]
+    phi_dot = float(qdot[0])
+    theta_dot = float(qdot[1])
+    psi_dot = float(qdot[2])
+    try:
+        # state
+        s_theta = math.sin(theta)
+        z1 = phi_dot * s_theta
+        s_psi = math.sin(psi)
+        c_psi = math.cos(psi)
+        c_theta = math.cos(theta)
+        y: list[float] = [
+            phi,
+            theta,
+            psi,
+            z1 * s_psi + theta_dot * c_psi,
+            z1 * c_psi - theta_dot * s_psi,
+            psi_dot + phi_dot * c_theta,
+        ]
+        return _finish("state", y)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "state") from error
+
+
+def residuals(
+    t: float,
+    q: Sequence[float],
+    qdot: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """left sides of the constraints, zero on every motion (I.1.1)
+
+    Arguments: t (scalar), q (3,), qdot (3,), p (3,).
+    Returns r (0,).
+    """
+    try:
+        r: list[float] = []
+        return _finish("residuals", r)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "residuals") from error
+
+
+def reactions(
+    t: float,
+    y: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+
+    Arguments: t (scalar), y (6,), p (3,).
+    Returns lambda_ (0,).
+    Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a.
+    """
+    theta = float(y[1])  # nutation [rad]
+    I1 = float(p[0])  # [kg*m^2]
+    I2 = float(p[1])  # [kg*m^2]
+    I3 = float(p[2])  # [kg*m^2]
+    try:
+        # state
+        s_theta = math.sin(theta)
+        # the coframe is singular
+        if not abs(s_theta) > 1e-12 * 4.0:
+            raise SingularModelError(1, "reactions")
+        # the mass matrix is singular
+        if not abs(I1) > 0.0:
+            raise SingularModelError(2, "reactions")
+        # the mass matrix is singular
+        if not abs(I2) > 0.0:
+            raise SingularModelError(2, "reactions")
+        # the mass matrix is singular
+        if not abs(I3) > 0.0:
+            raise SingularModelError(2, "reactions")
+        lambda_: list[float] = []
+        return _finish("reactions", lambda_)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "reactions") from error
+
+
+def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
+    """T + V (II.1.4)
+
+    Arguments: t (scalar), y (6,), p (3,).
+    Returns a scalar.
+    """
+    w1 = float(y[3])
+    w2 = float(y[4])
+    w3 = float(y[5])
+    I1 = float(p[0])  # [kg*m^2]
+    I2 = float(p[1])  # [kg*m^2]
+    I3 = float(p[2])  # [kg*m^2]
+    try:
+        # state
+        s1 = 0.5 * (I1 * (w1 * w1)) + 0.5 * (I2 * (w2 * w2))
+        z1 = 0.5 * (I3 * (w3 * w3)) + s1
+        value1 = z1
+        return _single("energy", value1)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "energy") from error
+
+
+def jacobian(
+    t: float,
+    y: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[list[float]]:
+    """d rhs_i / d y_j, row-major (I.2.14)
+
+    Arguments: t (scalar), y (6,), p (3,).
+    Returns rows (6, 6): d rhs_i / d y_j stands at [i][j].
+    """
+    theta = float(y[1])  # nutation [rad]
+    psi = float(y[2])  # spin [rad]
+    w1 = float(y[3])
+    w2 = float(y[4])
+    w3 = float(y[5])
+    I1 = float(p[0])  # [kg*m^2]
+    I2 = float(p[1])  # [kg*m^2]
+    I3 = float(p[2])  # [kg*m^2]
+    try:
+        # parameters only
+        k1 = I2 - I3
+        k2 = I1 - I3
+        k3 = I1 - I2
+        k4 = 1.0 / I1
+        k5 = 1.0 / I2
+        k6 = 1.0 / I3
+        # state
+        s_theta = math.sin(theta)
+        # the coframe is singular
+        if not abs(s_theta) > 1e-12 * 4.0:
+            raise SingularModelError(1, "jacobian")
+        # the mass matrix is singular
+        if not abs(I1) > 0.0:
+            raise SingularModelError(2, "jacobian")
+        # the mass matrix is singular
+        if not abs(I2) > 0.0:
+            raise SingularModelError(2, "jacobian")
+        # the mass matrix is singular
+        if not abs(I3) > 0.0:
+            raise SingularModelError(2, "jacobian")
+        c_theta = math.cos(theta)
+        c_psi = math.cos(psi)
+        s_psi = math.sin(psi)
+        z1 = c_psi * w2 + s_psi * w1
+        z2 = 1.0 / (s_theta * s_theta)
+        z3 = 1.0 / s_theta
+        z4 = s_psi * (w2 * z3)
+        z5 = c_psi * (w1 * z3)
+        z6 = c_theta * z3
+        s1 = z4 - (z5 - (s_theta * c_psi * w1 - s_theta * s_psi * w2) * z2)
+        J: list[float] = [
+            # (I.2.14)
+            0.0,
+            # (I.2.14)
+            -c_theta * (z1 * z2),
+            # (I.2.14)
+            z5 - z4,
+            # (I.2.14)
+            s_psi * z3,
+            # (I.2.14)
+            c_psi * z3,
+            # (I.2.14)
+            0.0,
+            # (I.2.14)
+            0.0,
+            # (I.2.14)
+            -c_theta * s1,
+            # (I.2.14)
+            -z1,
+            # (I.2.14)
+            c_psi,
+            # (I.2.14)
+            -s_psi,
+            # (I.2.14)
+            0.0,
+            # (I.2.14)
+            0.0,
+            # (I.2.14)
+            z1 + c_theta * (z2 * (c_theta * z1)),
+            # (I.2.14)
+            s_psi * (w2 * z6) - c_psi * (w1 * z6),
+            # (I.2.14)
+            -s_psi * z6,
+            # (I.2.14)
+            -c_psi * z6,
+            # (I.2.14)
+            1.0,
+            # (I.2.14)
+            0.0,
+            # (I.2.14)
+            0.0,
+            # (I.2.14)
+            0.0,
+            # (I.2.14)
+            0.0,
+            # (I.2.14)
+            k4 * (w3 * k1),
+            # (I.2.14)
+            k4 * (w2 * k1),
+            # (I.2.14)
+            0.0,
+            # (I.2.14)
+            0.0,
+            # (I.2.14)
+            0.0,
+            # (I.2.14)
+            -k5 * (w3 * k2),
+            # (I.2.14)
+            0.0,
+            # (I.2.14)
+            -k5 * (w1 * k2),
+            # (I.2.14)
+            0.0,
+            # (I.2.14)
+            0.0,
+            # (I.2.14)
+            0.0,
+            # (I.2.14)
+            k6 * (w2 * k3),
+            # (I.2.14)
+            k6 * (w1 * k3),
+            # (I.2.14)
+            0.0,
+        ]
+        _finish("jacobian", J)
+        return [J[k7 : k7 + 6] for k7 in range(0, 36, 6)]
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "jacobian") from error
+
+
+def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
+    """the spec's outputs
+
+    Arguments: t (scalar), y (6,), p (3,).
+    Returns out (1,).
+    """
+    theta = float(y[1])  # nutation [rad]
+    w1 = float(y[3])
+    w2 = float(y[4])
+    w3 = float(y[5])
+    I1 = float(p[0])  # [kg*m^2]
+    I2 = float(p[1])  # [kg*m^2]
+    I3 = float(p[2])  # [kg*m^2]
+    try:
+        # parameters only
+        k1 = I1 * I1
+        k2 = I2 * I2
+        k3 = I3 * I3
+        # state
+        s_theta = math.sin(theta)
+        # the coframe is singular
+        if not abs(s_theta) > 1e-12 * 4.0:
+            raise SingularModelError(1, "outputs")
+        out: list[float] = [
+            # L_squared 24:14
+            w3 * w3 * k3 + (w1 * w1 * k1 + w2 * w2 * k2),
+        ]
+        return _finish("outputs", out)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "outputs") from error

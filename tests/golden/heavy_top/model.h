@@ -1,0 +1,133 @@
+/*
+ * heavy_top.h: heavy_top, emitted by nhc 0.1.0 (nhc:f957393da568d5a5)
+ * The symmetric top with a fixed point (Lagrange's top).
+ * Source: heavy_top.yaml
+ * Equations of motion: lagrange (II.3)
+ * Why: no constraints
+ *
+ * State y:
+ * y[0] = phi [rad]: precession
+ * y[1] = theta [rad]: nutation
+ * y[2] = psi [rad]: spin
+ * y[3] = phi'
+ * y[4] = theta'
+ * y[5] = psi'
+ *
+ * Parameters p:
+ * p[0]: I1 = 1.0 [kg*m^2]: across the axis, at the fixed point
+ * p[1]: I3 = 1.5 [kg*m^2]: about the axis
+ * p[2]: mgl = 2.0 [N*m]: weight times the distance of the centre of mass
+ *
+ * Outputs:
+ * out[0] = p_phi
+ * out[1] = p_psi
+ *
+ * Operations:
+ * rhs: 10 +-, 23 *, 3 /, 2 calls
+ * velocities: 0 +-, 0 *, 0 /, 0 calls
+ * accelerations: 10 +-, 23 *, 3 /, 2 calls
+ * state: 0 +-, 0 *, 0 /, 0 calls
+ * residuals: 0 +-, 0 *, 0 /, 0 calls
+ * reactions: 3 +-, 5 *, 1 /, 2 calls
+ * energy: 4 +-, 11 *, 0 /, 2 calls
+ * jacobian: 23 +-, 67 *, 3 /, 2 calls
+ * outputs: 2 +-, 6 *, 0 /, 2 calls
+ *
+ * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
+ */
+#ifndef NHC_HEAVY_TOP_H
+#define NHC_HEAVY_TOP_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* sizes */
+enum {
+    HEAVY_TOP_NQ = 3, /* coordinates */
+    HEAVY_TOP_NY = 6, /* state: the coordinates and the velocities that are kept */
+    HEAVY_TOP_NP = 3, /* parameters */
+    HEAVY_TOP_NC = 0, /* constraints */
+    HEAVY_TOP_NOUT = 2 /* outputs */
+};
+
+/* return codes */
+enum {
+    HEAVY_TOP_OK = 0, /* the result is good */
+    HEAVY_TOP_SINGULAR_2 = 2, /* the mass matrix is singular */
+    HEAVY_TOP_NOT_FINITE = 3 /* a result is infinite or not a number */
+};
+
+extern const char *const heavy_top_coordinate_names[];
+extern const char *const heavy_top_state_names[];
+extern const char *const heavy_top_parameter_names[];
+extern const double heavy_top_parameter_defaults[];
+
+/*
+ * right-hand side dy/dt = f(t, y; p) (II.3)
+ * dydt: 6 entries
+ */
+int heavy_top_rhs(double t, const double *y, const double *p, double *dydt);
+
+/*
+ * all velocities q' from the state (I.2.4)
+ * qdot: 3 entries
+ */
+int heavy_top_velocities(double t, const double *y, const double *p, double *qdot);
+
+/*
+ * all accelerations q'' on the motion (II.3)
+ * qddot: 3 entries
+ */
+int heavy_top_accelerations(double t, const double *y, const double *p, double *qddot);
+
+/*
+ * the state y from coordinates and velocities (I.2.1)
+ * y: 6 entries
+ */
+int heavy_top_state(double t, const double *q, const double *qdot, const double *p, double *y);
+
+/*
+ * left sides of the constraints, zero on every motion (I.1.1)
+ * r: 0 entries
+ */
+int heavy_top_residuals(double t, const double *q, const double *qdot, const double *p, double *r);
+
+/*
+ * reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+ * lambda: 0 entries
+ * Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a
+ */
+int heavy_top_reactions(double t, const double *y, const double *p, double *lambda);
+
+/*
+ * T + V (II.1.4)
+ * not finite where the model is singular
+ */
+double heavy_top_energy(double t, const double *y, const double *p);
+
+/*
+ * d rhs_i / d y_j, row-major (II.3)
+ * J: 36 entries, row by row: d rhs_i / d y_j stands at 6*i + j
+ */
+int heavy_top_jacobian(double t, const double *y, const double *p, double *J);
+
+/*
+ * the spec's outputs
+ * out: 2 entries
+ */
+int heavy_top_outputs(double t, const double *y, const double *p, double *out);
+
+/*
+ * rhs for count states at once, a structure of arrays: entry k of state i is y[k*count + i], its time t[i];
+ * the parameters are shared. Nonzero when any of the states is singular. dydt must not overlap the inputs.
+ */
+int heavy_top_rhs_batch(size_t count, const double *t, const double *y, const double *p, double *dydt);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,499 @@
+"""heavy_top, emitted by nhc 0.1.0 (nhc:0f4c1c2f5dd319da).
+
+The symmetric top with a fixed point (Lagrange's top).
+Source: heavy_top.yaml
+Equations of motion: lagrange (II.3)
+Why: no constraints
+
+State y:
+y[0] = phi [rad]: precession
+y[1] = theta [rad]: nutation
+y[2] = psi [rad]: spin
+y[3] = phi'
+y[4] = theta'
+y[5] = psi'
+
+Parameters p:
+p[0]: I1 = 1.0 [kg*m^2]: across the axis, at the fixed point
+p[1]: I3 = 1.5 [kg*m^2]: about the axis
+p[2]: mgl = 2.0 [N*m]: weight times the distance of the centre of mass
+
+Outputs:
+out[0] = p_phi
+out[1] = p_psi
+
+Operations:
+rhs: 10 +-, 23 *, 3 /, 2 calls
+velocities: 0 +-, 0 *, 0 /, 0 calls
+accelerations: 10 +-, 23 *, 3 /, 2 calls
+state: 0 +-, 0 *, 0 /, 0 calls
+residuals: 0 +-, 0 *, 0 /, 0 calls
+reactions: 3 +-, 5 *, 1 /, 2 calls
+energy: 4 +-, 11 *, 0 /, 2 calls
+jacobian: 23 +-, 67 *, 3 /, 2 calls
+outputs: 2 +-, 6 *, 0 /, 2 calls
+
+A singular point raises SingularModelError.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+COORDINATES: tuple[str, ...] = ("phi", "theta", "psi")
+STATE: tuple[str, ...] = ("phi", "theta", "psi", "phi'", "theta'", "psi'")
+PARAMETERS: tuple[str, ...] = ("I1", "I3", "mgl")
+CONSTRAINTS: tuple[str, ...] = ()
+OUTPUTS: tuple[str, ...] = ("p_phi", "p_psi")
+DEFAULTS: tuple[float, ...] = (1.0, 1.5, 2.0)
+
+REASONS = (
+    "",
+    "",
+    "the mass matrix is singular",
+    "a result is not finite or not defined",
+)
+NOT_FINITE = 3
+
+
+class SingularModelError(ArithmeticError):
+    """The model is singular here; ``status`` is the code that C returns."""
+
+    def __init__(self, status: int, function: str) -> None:
+        super().__init__(f"{function}: {REASONS[status]}")
+        self.status = status
+
+
+def _finish(function: str, values: list[float]) -> list[float]:
+    if not all(map(math.isfinite, values)):
+        raise SingularModelError(NOT_FINITE, function)
+    return values
+
+
+def _single(function: str, value: float) -> float:
+    if not math.isfinite(value):
+        raise SingularModelError(NOT_FINITE, function)
+    return value
+
+
+def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
+    """right-hand side dy/dt = f(t, y; p) (II.3)
+
+    Arguments: t (scalar), y (6,), p (3,).
+    Returns dydt (6,).
+    """
+    theta = float(y[1])  # nutation [rad]
+    phi_dot = float(y[3])
+    theta_dot = float(y[4])
+    psi_dot = float(y[5])
+    I1 = float(p[0])  # across the axis, at the fixed point [kg*m^2]
+    I3 = float(p[1])  # about the axis [kg*m^2]
+    mgl = float(p[2])  # weight times the distance of the centre of mass [N*m]
+    try:
+        # parameters only
+        k1 = 2.0 * I1 - 2.0 * I3
+        k2 = I1 - I3
+        k3 = 1.0 / I1
+        # state
+        s_theta = math.sin(theta)
+        z1 = s_theta * s_theta
+        z2 = I1 * z1 + I3 * (1.0 - z1)
+        # the mass matrix is singular
+        if not abs(z2) > 0.0:
+            raise SingularModelError(2, "rhs")
+        # the mass matrix is singular
+        if not abs(I1) > 0.0:
+            raise SingularModelError(2, "rhs")
+        c_theta = math.cos(theta)
+        z3 = I3 * c_theta
+        z4 = 1.0 / z2
+        z5 = z3 * z4
+        z6 = I3 - z3 * z5
+        # the mass matrix is singular
+        if not abs(z6) > 1e-14 * I3:
+            raise SingularModelError(2, "rhs")
+        z7 = phi_dot * c_theta
+        z8 = psi_dot * I3
+        z9 = theta_dot * s_theta * (z7 * k1 - z8)
+        z10 = (s_theta * (I3 * (phi_dot * theta_dot)) + z9 * z5) / z6
+        dydt: list[float] = [
+            # phi' (II.3)
+            phi_dot,
+            # theta' (II.3)
+            theta_dot,
+            # psi' (II.3)
+            psi_dot,
+            # phi'' (II.3) 16:4
+            -(z9 * z4 + z5 * z10),
+            # theta'' (II.3) 16:4
+            s_theta * (mgl - phi_dot * (z8 - z7 * k2)) * k3,
+            # psi'' (II.3) 16:4
+            z10,
+        ]
+        return _finish("rhs", dydt)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "rhs") from error
+
+
+def velocities(
+    t: float,
+    y: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """all velocities q' from the state (I.2.4)
+
+    Arguments: t (scalar), y (6,), p (3,).
+    Returns qdot (3,).
+    """
+    phi_dot = float(y[3])
+    theta_dot = float(y[4])
+    psi_dot = float(y[5])
+    try:
+        # state
+        qdot: list[float] = [
+            # phi' (I.2.4)
+            phi_dot,
+            # theta' (I.2.4)
+            theta_dot,
+            # psi' (I.2.4)
+            psi_dot,
+        ]
+        return _finish("velocities", qdot)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "velocities") from error
+
+
+def accelerations(
+    t: float,
+    y: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """all accelerations q'' on the motion (II.3)
+
+    Arguments: t (scalar), y (6,), p (3,).
+    Returns qddot (3,).
+    """
+    theta = float(y[1])  # nutation [rad]
+    phi_dot = float(y[3])
+    theta_dot = float(y[4])
+    psi_dot = float(y[5])
+    I1 = float(p[0])  # across the axis, at the fixed point [kg*m^2]
+    I3 = float(p[1])  # about the axis [kg*m^2]
+    mgl = float(p[2])  # weight times the distance of the centre of mass [N*m]
+    try:
+        # parameters only
+        k1 = 2.0 * I1 - 2.0 * I3
+        k2 = I1 - I3
+        k3 = 1.0 / I1
+        # state
+        s_theta = math.sin(theta)
+        z1 = s_theta * s_theta
+        z2 = I1 * z1 + I3 * (1.0 - z1)
+        # the mass matrix is singular
+        if not abs(z2) > 0.0:
+            raise SingularModelError(2, "accelerations")
+        # the mass matrix is singular
+        if not abs(I1) > 0.0:
+            raise SingularModelError(2, "accelerations")
+        c_theta = math.cos(theta)
+        z3 = I3 * c_theta
+        z4 = 1.0 / z2
+        z5 = z3 * z4
+        z6 = I3 - z3 * z5
+        # the mass matrix is singular
+        if not abs(z6) > 1e-14 * I3:
+            raise SingularModelError(2, "accelerations")
+        z7 = phi_dot * c_theta
+        z8 = psi_dot * I3
+        z9 = theta_dot * s_theta * (z7 * k1 - z8)
+        z10 = (s_theta * (I3 * (phi_dot * theta_dot)) + z9 * z5) / z6
+        qddot: list[float] = [
+            # phi'' (II.3)
+            -(z9 * z4 + z5 * z10),
+            # theta'' (II.3)
+            s_theta * (mgl - phi_dot * (z8 - z7 * k2)) * k3,
+            # psi'' (II.3)
+            z10,
+        ]
+        return _finish("accelerations", qddot)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "accelerations") from error
+
+
+def state(
+    t: float,
+    q: Sequence[float],
+    qdot: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """the state y from coordinates and velocities (I.2.1)
+
+    Arguments: t (scalar), q (3,), qdot (3,), p (3,).
+    Returns y (6,).
+    """
+    phi = float(q[0])  # precession [rad]
+    theta = float(q[1])  # nutation [rad]
+    psi = float(q[2])  # spin [rad]
+    phi_dot = float(qdot[0])
+    theta_dot = float(qdot[1])
+    psi_dot = float(qdot[2])
+    try:
+        # state
+        y: list[float] = [phi, theta, psi, phi_dot, theta_dot, psi_dot]
+        return _finish("state", y)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "state") from error
+
+
+def residuals(
+    t: float,
+    q: Sequence[float],
+    qdot: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """left sides of the constraints, zero on every motion (I.1.1)
+
+    Arguments: t (scalar), q (3,), qdot (3,), p (3,).
+    Returns r (0,).
+    """
+    try:
+        r: list[float] = []
+        return _finish("residuals", r)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "residuals") from error
+
+
+def reactions(
+    t: float,
+    y: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+
+    Arguments: t (scalar), y (6,), p (3,).
+    Returns lambda_ (0,).
+    Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a.
+    """
+    theta = float(y[1])  # nutation [rad]
+    I1 = float(p[0])  # across the axis, at the fixed point [kg*m^2]
+    I3 = float(p[1])  # about the axis [kg*m^2]
+    try:
+        # state
+        s_theta = math.sin(theta)
+        z1 = s_theta * s_theta
+        z2 = I1 * z1 + I3 * (1.0 - z1)
+        # the mass matrix is singular
+        if not abs(z2) > 0.0:
+            raise SingularModelError(2, "reactions")
+        # the mass matrix is singular
+        if not abs(I1) > 0.0:
+            raise SingularModelError(2, "reactions")
+        c_theta = math.cos(theta)
+        z3 = I3 * c_theta
+        s1 = I3 - z3 * (z3 / z2)
+        # the mass matrix is singular
+        if not abs(s1) > 1e-14 * I3:
+            raise SingularModelError(2, "reactions")
+        lambda_: list[float] = []
+        return _finish("reactions", lambda_)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "reactions") from error
+
+
+def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
+    """T + V (II.1.4)
+
+    Arguments: t (scalar), y (6,), p (3,).
+    Returns a scalar.
+    """
+    theta = float(y[1])  # nutation [rad]
+    phi_dot = float(y[3])
+    theta_dot = float(y[4])
+    psi_dot = float(y[5])
+    I1 = float(p[0])  # across the axis, at the fixed point [kg*m^2]
+    I3 = float(p[1])  # about the axis [kg*m^2]
+    mgl = float(p[2])  # weight times the distance of the centre of mass [N*m]
+    try:
+        # state
+        s_theta = math.sin(theta)
+        c_theta = math.cos(theta)
+        omega3 = psi_dot + phi_dot * c_theta
+        s1 = s_theta * s_theta * (phi_dot * phi_dot)
+        s2 = 0.5 * (I1 * (theta_dot * theta_dot + s1))
+        z1 = s2 + 0.5 * (I3 * (omega3 * omega3))
+        value1 = z1 + mgl * c_theta
+        return _single("energy", value1)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "energy") from error
+
+
+def jacobian(
+    t: float,
+    y: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[list[float]]:
+    """d rhs_i / d y_j, row-major (II.3)
+
+    Arguments: t (scalar), y (6,), p (3,).
+    Returns rows (6, 6): d rhs_i / d y_j stands at [i][j].
+    """
+    theta = float(y[1])  # nutation [rad]
+    phi_dot = float(y[3])
+    theta_dot = float(y[4])
+    psi_dot = float(y[5])
+    I1 = float(p[0])  # across the axis, at the fixed point [kg*m^2]
+    I3 = float(p[1])  # about the axis [kg*m^2]
+    mgl = float(p[2])  # weight times the distance of the centre of mass [N*m]
+    try:
+        # parameters only
+        k1 = 2.0 * I1 - 2.0 * I3
+        k2 = I1 - I3
+        k3 = 1.0 / I1
+        # state
+        s_theta = math.sin(theta)
+        z1 = s_theta * s_theta
+        z2 = I1 * z1 + I3 * (1.0 - z1)
+        # the mass matrix is singular
+        if not abs(z2) > 0.0:
+            raise SingularModelError(2, "jacobian")
+        # the mass matrix is singular
+        if not abs(I1) > 0.0:
+            raise SingularModelError(2, "jacobian")
+        c_theta = math.cos(theta)
+        z3 = I3 * c_theta
+        z4 = 1.0 / z2
+        z5 = z3 * z4
+        z6 = I3 - z3 * z5
+        # the mass matrix is singular
+        if not abs(z6) > 1e-14 * I3:
+            raise SingularModelError(2, "jacobian")
+        z7 = phi_dot * c_theta
+        z8 = psi_dot * I3
+        z9 = z7 * k1 - z8
+        z10 = theta_dot * s_theta
+        z11 = z10 * z9
+        z12 = 1.0 / z6
+        z13 = I3 * (phi_dot * theta_dot)
+        z14 = z12 * (s_theta * z13 + z11 * z5)
+        z15 = z11 * z4 + z5 * z14
+        z16 = z10 * k1
+        s1 = c_theta * (theta_dot * z9 - 2.0 * (s_theta * (k2 * z15)))
+        z17 = s1 - s_theta * (phi_dot * z16 + I3 * z14)
+        z18 = z12 * (c_theta * z13 - s_theta * (I3 * z15) + z5 * z17)
+        z19 = c_theta * z16
+        z20 = I3 * s_theta
+        z21 = z12 * (theta_dot * z20 + z5 * z19)
+        z22 = s_theta * z9
+        z23 = z12 * (phi_dot * z20 + z5 * z22)
+        z24 = I3 * z10
+        z25 = z12 * (z5 * z24)
+        z26 = z8 - z7 * k2
+        z27 = phi_dot * s_theta
+        z28 = z27 * k2
+        s2 = c_theta * (mgl - phi_dot * z26) - s_theta * (phi_dot * z28)
+        J: list[float] = [
+            # (II.3)
+            0.0,
+            # (II.3)
+            0.0,
+            # (II.3)
+            0.0,
+            # (II.3)
+            1.0,
+            # (II.3)
+            0.0,
+            # (II.3)
+            0.0,
+            # (II.3)
+            0.0,
+            # (II.3)
+            0.0,
+            # (II.3)
+            0.0,
+            # (II.3)
+            0.0,
+            # (II.3)
+            1.0,
+            # (II.3)
+            0.0,
+            # (II.3)
+            0.0,
+            # (II.3)
+            0.0,
+            # (II.3)
+            0.0,
+            # (II.3)
+            0.0,
+            # (II.3)
+            0.0,
+            # (II.3)
+            1.0,
+            # (II.3)
+            0.0,
+            # (II.3)
+            -(z4 * z17 + z5 * z18),
+            # (II.3)
+            0.0,
+            # (II.3)
+            -(z4 * z19 + z5 * z21),
+            # (II.3)
+            -(z4 * z22 + z5 * z23),
+            # (II.3)
+            z4 * z24 + z5 * z25,
+            # (II.3)
+            0.0,
+            # (II.3)
+            k3 * s2,
+            # (II.3)
+            0.0,
+            # (II.3)
+            -k3 * (s_theta * z26 - c_theta * z28),
+            # (II.3)
+            0.0,
+            # (II.3)
+            -k3 * (I3 * z27),
+            # (II.3)
+            0.0,
+            # (II.3)
+            z18,
+            # (II.3)
+            0.0,
+            # (II.3)
+            z21,
+            # (II.3)
+            z23,
+            # (II.3)
+            -z25,
+        ]
+        _finish("jacobian", J)
+        return [J[k4 : k4 + 6] for k4 in range(0, 36, 6)]
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "jacobian") from error
+
+
+def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
+    """the spec's outputs
+
+    Arguments: t (scalar), y (6,), p (3,).
+    Returns out (2,).
+    """
+    theta = float(y[1])  # nutation [rad]
+    phi_dot = float(y[3])
+    psi_dot = float(y[5])
+    I1 = float(p[0])  # across the axis, at the fixed point [kg*m^2]
+    I3 = float(p[1])  # about the axis [kg*m^2]
+    try:
+        # state
+        s_theta = math.sin(theta)
+        c_theta = math.cos(theta)
+        z1 = I3 * (psi_dot + phi_dot * c_theta)
+        out: list[float] = [
+            # p_phi 19:10
+            phi_dot * (I1 * (s_theta * s_theta)) + c_theta * z1,
+            # p_psi 20:10
+            z1,
+        ]
+        return _finish("outputs", out)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "outputs") from error

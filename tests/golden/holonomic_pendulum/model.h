@@ -1,0 +1,139 @@
+/*
+ * holonomic_pendulum.h: holonomic_pendulum, emitted by nhc 0.1.0 (nhc:a9822f2ad68e75f1)
+ * The plane pendulum in Cartesian coordinates with the rod as a constraint on the positions.
+ * Source: holonomic_pendulum.yaml
+ * Equations of motion: euler-lagrange (I.2.15)
+ * Why: coframe completed by nhc with v: the dependent velocities that nhc would choose (x') are singular
+ *     somewhere
+ *
+ * State y:
+ * y[0] = x [m]: across
+ * y[1] = y [m]: up
+ * y[2] = v
+ *
+ * Parameters p:
+ * p[0]: m = 1.0 [kg]: mass of the bob
+ * p[1]: g = 9.81 [m/s^2]: acceleration of gravity
+ * p[2]: l = 1.0 [m]: length of the rod
+ *
+ * Constraints:
+ * 0: rod
+ *
+ * Operations:
+ * rhs: 2 +-, 9 *, 1 /, 2 calls
+ * velocities: 2 +-, 7 *, 1 /, 2 calls
+ * accelerations: 4 +-, 13 *, 1 /, 2 calls
+ * state: 1 +-, 2 *, 0 /, 0 calls
+ * residuals: 1 +-, 5 *, 0 /, 0 calls
+ * positions: 2 +-, 4 *, 0 /, 0 calls
+ * reactions: 4 +-, 11 *, 2 /, 2 calls
+ * energy: 3 +-, 12 *, 1 /, 0 calls
+ * jacobian: 4 +-, 20 *, 2 /, 2 calls
+ * outputs: 2 +-, 3 *, 0 /, 2 calls
+ *
+ * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
+ */
+#ifndef NHC_HOLONOMIC_PENDULUM_H
+#define NHC_HOLONOMIC_PENDULUM_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* sizes */
+enum {
+    HOLONOMIC_PENDULUM_NQ = 2, /* coordinates */
+    HOLONOMIC_PENDULUM_NY = 3, /* state: the coordinates and the velocities that are kept */
+    HOLONOMIC_PENDULUM_NP = 3, /* parameters */
+    HOLONOMIC_PENDULUM_NC = 1, /* constraints */
+    HOLONOMIC_PENDULUM_NOUT = 0 /* outputs */
+};
+
+/* return codes */
+enum {
+    HOLONOMIC_PENDULUM_OK = 0, /* the result is good */
+    HOLONOMIC_PENDULUM_SINGULAR_1 = 1, /* the coframe is singular */
+    HOLONOMIC_PENDULUM_SINGULAR_2 = 2, /* the mass matrix is singular */
+    HOLONOMIC_PENDULUM_NOT_FINITE = 3 /* a result is infinite or not a number */
+};
+
+extern const char *const holonomic_pendulum_coordinate_names[];
+extern const char *const holonomic_pendulum_state_names[];
+extern const char *const holonomic_pendulum_parameter_names[];
+extern const double holonomic_pendulum_parameter_defaults[];
+
+/*
+ * right-hand side dy/dt = f(t, y; p) (I.2.15)
+ * dydt: 3 entries
+ */
+int holonomic_pendulum_rhs(double t, const double *y, const double *p, double *dydt);
+
+/*
+ * all velocities q' from the state (I.2.4)
+ * qdot: 2 entries
+ */
+int holonomic_pendulum_velocities(double t, const double *y, const double *p, double *qdot);
+
+/*
+ * all accelerations q'' on the motion (I.2.15)
+ * qddot: 2 entries
+ */
+int holonomic_pendulum_accelerations(double t, const double *y, const double *p, double *qddot);
+
+/*
+ * the state y from coordinates and velocities (I.2.1)
+ * y: 3 entries
+ */
+int holonomic_pendulum_state(double t, const double *q, const double *qdot, const double *p, double *y);
+
+/*
+ * left sides of the constraints, zero on every motion (I.1.1)
+ * r: 1 entries
+ */
+int holonomic_pendulum_residuals(double t, const double *q, const double *qdot, const double *p, double *r);
+
+/*
+ * residuals of the holonomic constraints at position level
+ * f: 1 entries
+ */
+int holonomic_pendulum_positions(double t, const double *q, const double *p, double *f);
+
+/*
+ * reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+ * lambda: 1 entries
+ * Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a
+ */
+int holonomic_pendulum_reactions(double t, const double *y, const double *p, double *lambda);
+
+/*
+ * T + V (II.1.4)
+ * not finite where the model is singular
+ */
+double holonomic_pendulum_energy(double t, const double *y, const double *p);
+
+/*
+ * d rhs_i / d y_j, row-major (I.2.15)
+ * J: 9 entries, row by row: d rhs_i / d y_j stands at 3*i + j
+ */
+int holonomic_pendulum_jacobian(double t, const double *y, const double *p, double *J);
+
+/*
+ * the spec's outputs
+ * out: 0 entries
+ */
+int holonomic_pendulum_outputs(double t, const double *y, const double *p, double *out);
+
+/*
+ * rhs for count states at once, a structure of arrays: entry k of state i is y[k*count + i], its time t[i];
+ * the parameters are shared. Nonzero when any of the states is singular. dydt must not overlap the inputs.
+ */
+int holonomic_pendulum_rhs_batch(size_t count, const double *t, const double *y, const double *p, double
+    *dydt);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,137 @@
+/*
+ * n_snake3.h: n_snake3, emitted by nhc 0.1.0 (nhc:a56b6b69cbaa05e0)
+ * Three links with a wheeled axle under the middle of each, hinged in a row with springs in the hinges.
+ * Source: n_snake3.yaml
+ * Equations of motion: euler-lagrange (I.2.15)
+ * Why: quasi-velocities of the spec
+ *
+ * State y:
+ * y[0] = x [m]: middle of the first link
+ * y[1] = y [m]: middle of the first link
+ * y[2] = theta1 [rad]: first link
+ * y[3] = theta2 [rad]: second link
+ * y[4] = theta3 [rad]: third link
+ * y[5] = v
+ * y[6] = w
+ *
+ * Parameters p:
+ * p[0]: m = 1.0 [kg]: each link
+ * p[1]: J = 0.1 [kg*m^2]: each link
+ * p[2]: a = 0.5 [m]: half the length of a link
+ * p[3]: k = 0.5 [N*m]: stiffness of the hinges
+ *
+ * Constraints:
+ * 0: wheel1
+ * 1: wheel2
+ * 2: wheel3
+ *
+ * Operations:
+ * rhs: 84 +-, 153 *, 3 /, 6 calls
+ * velocities: 8 +-, 16 *, 1 /, 6 calls
+ * accelerations: 102 +-, 169 *, 3 /, 6 calls
+ * state: 1 +-, 2 *, 0 /, 2 calls
+ * residuals: 11 +-, 18 *, 0 /, 6 calls
+ * reactions: 148 +-, 248 *, 3 /, 6 calls
+ * energy: 22 +-, 37 *, 1 /, 6 calls
+ * jacobian: 365 +-, 560 *, 3 /, 6 calls
+ * outputs: 0 +-, 0 *, 0 /, 0 calls
+ *
+ * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
+ */
+#ifndef NHC_N_SNAKE3_H
+#define NHC_N_SNAKE3_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* sizes */
+enum {
+    N_SNAKE3_NQ = 5, /* coordinates */
+    N_SNAKE3_NY = 7, /* state: the coordinates and the velocities that are kept */
+    N_SNAKE3_NP = 4, /* parameters */
+    N_SNAKE3_NC = 3, /* constraints */
+    N_SNAKE3_NOUT = 0 /* outputs */
+};
+
+/* return codes */
+enum {
+    N_SNAKE3_OK = 0, /* the result is good */
+    N_SNAKE3_SINGULAR_1 = 1, /* the coframe is singular */
+    N_SNAKE3_SINGULAR_2 = 2, /* the mass matrix is singular */
+    N_SNAKE3_NOT_FINITE = 3 /* a result is infinite or not a number */
+};
+
+extern const char *const n_snake3_coordinate_names[];
+extern const char *const n_snake3_state_names[];
+extern const char *const n_snake3_parameter_names[];
+extern const double n_snake3_parameter_defaults[];
+
+/*
+ * right-hand side dy/dt = f(t, y; p) (I.2.15)
+ * dydt: 7 entries
+ */
+int n_snake3_rhs(double t, const double *y, const double *p, double *dydt);
+
+/*
+ * all velocities q' from the state (I.2.4)
+ * qdot: 5 entries
+ */
+int n_snake3_velocities(double t, const double *y, const double *p, double *qdot);
+
+/*
+ * all accelerations q'' on the motion (I.2.15)
+ * qddot: 5 entries
+ */
+int n_snake3_accelerations(double t, const double *y, const double *p, double *qddot);
+
+/*
+ * the state y from coordinates and velocities (I.2.1)
+ * y: 7 entries
+ */
+int n_snake3_state(double t, const double *q, const double *qdot, const double *p, double *y);
+
+/*
+ * left sides of the constraints, zero on every motion (I.1.1)
+ * r: 3 entries
+ */
+int n_snake3_residuals(double t, const double *q, const double *qdot, const double *p, double *r);
+
+/*
+ * reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+ * lambda: 3 entries
+ * Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a
+ */
+int n_snake3_reactions(double t, const double *y, const double *p, double *lambda);
+
+/*
+ * T + V (II.1.4)
+ * not finite where the model is singular
+ */
+double n_snake3_energy(double t, const double *y, const double *p);
+
+/*
+ * d rhs_i / d y_j, row-major (I.2.15)
+ * J: 49 entries, row by row: d rhs_i / d y_j stands at 7*i + j
+ */
+int n_snake3_jacobian(double t, const double *y, const double *p, double *J);
+
+/*
+ * the spec's outputs
+ * out: 0 entries
+ */
+int n_snake3_outputs(double t, const double *y, const double *p, double *out);
+
+/*
+ * rhs for count states at once, a structure of arrays: entry k of state i is y[k*count + i], its time t[i];
+ * the parameters are shared. Nonzero when any of the states is singular. dydt must not overlap the inputs.
+ */
+int n_snake3_rhs_batch(size_t count, const double *t, const double *y, const double *p, double *dydt);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,144 @@
+/*
+ * n_trailer3.h: n_trailer3, emitted by nhc 0.1.0 (nhc:afd9d437b714bf28)
+ * A tractor with three trailers, each hitched to the axle before it; none of the four axles slips sideways.
+ * Source: n_trailer3.yaml
+ * Equations of motion: euler-lagrange (I.2.15)
+ * Why: quasi-velocities of the spec
+ *
+ * State y:
+ * y[0] = x [m]: axle of the tractor
+ * y[1] = y [m]: axle of the tractor
+ * y[2] = theta0 [rad]: heading of the tractor
+ * y[3] = theta1 [rad]: first trailer
+ * y[4] = theta2 [rad]: second trailer
+ * y[5] = theta3 [rad]: third trailer
+ * y[6] = v
+ * y[7] = w
+ *
+ * Parameters p:
+ * p[0]: m0 = 1.0 [kg]: tractor
+ * p[1]: J0 = 0.1 [kg*m^2]: tractor
+ * p[2]: m = 0.5 [kg]: each trailer
+ * p[3]: J = 0.05 [kg*m^2]: each trailer
+ * p[4]: L = 0.8 [m]: from axle to axle
+ *
+ * Constraints:
+ * 0: axle0
+ * 1: axle1
+ * 2: axle2
+ * 3: axle3
+ *
+ * Outputs:
+ * out[0] = tail_x
+ * out[1] = tail_y
+ *
+ * Operations:
+ * rhs: 57 +-, 123 *, 2 /, 8 calls
+ * velocities: 7 +-, 19 *, 1 /, 8 calls
+ * accelerations: 76 +-, 142 *, 2 /, 8 calls
+ * state: 1 +-, 2 *, 0 /, 2 calls
+ * residuals: 10 +-, 20 *, 0 /, 8 calls
+ * reactions: 129 +-, 227 *, 2 /, 8 calls
+ * energy: 20 +-, 51 *, 1 /, 8 calls
+ * jacobian: 213 +-, 377 *, 2 /, 8 calls
+ * outputs: 6 +-, 2 *, 0 /, 6 calls
+ *
+ * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
+ */
+#ifndef NHC_N_TRAILER3_H
+#define NHC_N_TRAILER3_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* sizes */
+enum {
+    N_TRAILER3_NQ = 6, /* coordinates */
+    N_TRAILER3_NY = 8, /* state: the coordinates and the velocities that are kept */
+    N_TRAILER3_NP = 5, /* parameters */
+    N_TRAILER3_NC = 4, /* constraints */
+    N_TRAILER3_NOUT = 2 /* outputs */
+};
+
+/* return codes */
+enum {
+    N_TRAILER3_OK = 0, /* the result is good */
+    N_TRAILER3_SINGULAR_1 = 1, /* the coframe is singular */
+    N_TRAILER3_SINGULAR_2 = 2, /* the mass matrix is singular */
+    N_TRAILER3_NOT_FINITE = 3 /* a result is infinite or not a number */
+};
+
+extern const char *const n_trailer3_coordinate_names[];
+extern const char *const n_trailer3_state_names[];
+extern const char *const n_trailer3_parameter_names[];
+extern const double n_trailer3_parameter_defaults[];
+
+/*
+ * right-hand side dy/dt = f(t, y; p) (I.2.15)
+ * dydt: 8 entries
+ */
+int n_trailer3_rhs(double t, const double *y, const double *p, double *dydt);
+
+/*
+ * all velocities q' from the state (I.2.4)
+ * qdot: 6 entries
+ */
+int n_trailer3_velocities(double t, const double *y, const double *p, double *qdot);
+
+/*
+ * all accelerations q'' on the motion (I.2.15)
+ * qddot: 6 entries
+ */
+int n_trailer3_accelerations(double t, const double *y, const double *p, double *qddot);
+
+/*
+ * the state y from coordinates and velocities (I.2.1)
+ * y: 8 entries
+ */
+int n_trailer3_state(double t, const double *q, const double *qdot, const double *p, double *y);
+
+/*
+ * left sides of the constraints, zero on every motion (I.1.1)
+ * r: 4 entries
+ */
+int n_trailer3_residuals(double t, const double *q, const double *qdot, const double *p, double *r);
+
+/*
+ * reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+ * lambda: 4 entries
+ * Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a
+ */
+int n_trailer3_reactions(double t, const double *y, const double *p, double *lambda);
+
+/*
+ * T + V (II.1.4)
+ * not finite where the model is singular
+ */
+double n_trailer3_energy(double t, const double *y, const double *p);
+
+/*
+ * d rhs_i / d y_j, row-major (I.2.15)
+ * J: 64 entries, row by row: d rhs_i / d y_j stands at 8*i + j
+ */
+int n_trailer3_jacobian(double t, const double *y, const double *p, double *J);
+
+/*
+ * the spec's outputs
+ * out: 2 entries
+ */
+int n_trailer3_outputs(double t, const double *y, const double *p, double *out);
+
+/*
+ * rhs for count states at once, a structure of arrays: entry k of state i is y[k*count + i], its time t[i];
+ * the parameters are shared. Nonzero when any of the states is singular. dydt must not overlap the inputs.
+ */
+int n_trailer3_rhs_batch(size_t count, const double *t, const double *y, const double *p, double *dydt);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

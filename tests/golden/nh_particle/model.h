@@ -1,0 +1,132 @@
+/*
+ * nh_particle.h: nh_particle, emitted by nhc 0.1.0 (nhc:6c3f39bab05f30b6)
+ * A free particle with one velocity constraint that cannot be integrated.
+ * Source: nh_particle.yaml
+ * Equations of motion: chaplygin (III.3)
+ * Why: dependent velocities of the spec
+ *
+ * State y:
+ * y[0] = x
+ * y[1] = y
+ * y[2] = z
+ * y[3] = x'
+ * y[4] = y'
+ *
+ * Parameters p:
+ * p[0]: m = 1.0
+ *
+ * Constraints:
+ * 0: contact
+ *
+ * Outputs:
+ * out[0] = p_x
+ *
+ * Operations:
+ * rhs: 1 +-, 6 *, 1 /, 0 calls
+ * velocities: 0 +-, 1 *, 0 /, 0 calls
+ * accelerations: 2 +-, 6 *, 1 /, 0 calls
+ * state: 0 +-, 0 *, 0 /, 0 calls
+ * residuals: 1 +-, 1 *, 0 /, 0 calls
+ * reactions: 2 +-, 6 *, 1 /, 0 calls
+ * energy: 2 +-, 6 *, 0 /, 0 calls
+ * jacobian: 3 +-, 14 *, 1 /, 0 calls
+ * outputs: 1 +-, 3 *, 0 /, 0 calls
+ *
+ * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
+ */
+#ifndef NHC_NH_PARTICLE_H
+#define NHC_NH_PARTICLE_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* sizes */
+enum {
+    NH_PARTICLE_NQ = 3, /* coordinates */
+    NH_PARTICLE_NY = 5, /* state: the coordinates and the velocities that are kept */
+    NH_PARTICLE_NP = 1, /* parameters */
+    NH_PARTICLE_NC = 1, /* constraints */
+    NH_PARTICLE_NOUT = 1 /* outputs */
+};
+
+/* return codes */
+enum {
+    NH_PARTICLE_OK = 0, /* the result is good */
+    NH_PARTICLE_SINGULAR_2 = 2, /* the mass matrix is singular */
+    NH_PARTICLE_NOT_FINITE = 3 /* a result is infinite or not a number */
+};
+
+extern const char *const nh_particle_coordinate_names[];
+extern const char *const nh_particle_state_names[];
+extern const char *const nh_particle_parameter_names[];
+extern const double nh_particle_parameter_defaults[];
+
+/*
+ * right-hand side dy/dt = f(t, y; p) (III.3)
+ * dydt: 5 entries
+ */
+int nh_particle_rhs(double t, const double *y, const double *p, double *dydt);
+
+/*
+ * all velocities q' from the state (I.2.4)
+ * qdot: 3 entries
+ */
+int nh_particle_velocities(double t, const double *y, const double *p, double *qdot);
+
+/*
+ * all accelerations q'' on the motion (III.3)
+ * qddot: 3 entries
+ */
+int nh_particle_accelerations(double t, const double *y, const double *p, double *qddot);
+
+/*
+ * the state y from coordinates and velocities (I.2.1)
+ * y: 5 entries
+ */
+int nh_particle_state(double t, const double *q, const double *qdot, const double *p, double *y);
+
+/*
+ * left sides of the constraints, zero on every motion (I.1.1)
+ * r: 1 entries
+ */
+int nh_particle_residuals(double t, const double *q, const double *qdot, const double *p, double *r);
+
+/*
+ * reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+ * lambda: 1 entries
+ * Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a
+ */
+int nh_particle_reactions(double t, const double *y, const double *p, double *lambda);
+
+/*
+ * T + V (II.1.4)
+ * not finite where the model is singular
+ */
+double nh_particle_energy(double t, const double *y, const double *p);
+
+/*
+ * d rhs_i / d y_j, row-major (III.3)
+ * J: 25 entries, row by row: d rhs_i / d y_j stands at 5*i + j
+ */
+int nh_particle_jacobian(double t, const double *y, const double *p, double *J);
+
+/*
+ * the spec's outputs
+ * out: 1 entries
+ */
+int nh_particle_outputs(double t, const double *y, const double *p, double *out);
+
+/*
+ * rhs for count states at once, a structure of arrays: entry k of state i is y[k*count + i], its time t[i];
+ * the parameters are shared. Nonzero when any of the states is singular. dydt must not overlap the inputs.
+ */
+int nh_particle_rhs_batch(size_t count, const double *t, const double *y, const double *p, double *dydt);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,386 @@
+"""nh_particle, emitted by nhc 0.1.0 (nhc:150d77f1e7b00db9).
+
+A free particle with one velocity constraint that cannot be integrated.
+Source: nh_particle.yaml
+Equations of motion: chaplygin (III.3)
+Why: dependent velocities of the spec
+
+State y:
+y[0] = x
+y[1] = y
+y[2] = z
+y[3] = x'
+y[4] = y'
+
+Parameters p:
+p[0]: m = 1.0
+
+Constraints:
+0: contact
+
+Outputs:
+out[0] = p_x
+
+Operations:
+rhs: 1 +-, 6 *, 1 /, 0 calls
+velocities: 0 +-, 1 *, 0 /, 0 calls
+accelerations: 2 +-, 6 *, 1 /, 0 calls
+state: 0 +-, 0 *, 0 /, 0 calls
+residuals: 1 +-, 1 *, 0 /, 0 calls
+reactions: 2 +-, 6 *, 1 /, 0 calls
+energy: 2 +-, 6 *, 0 /, 0 calls
+jacobian: 3 +-, 14 *, 1 /, 0 calls
+outputs: 1 +-, 3 *, 0 /, 0 calls
+
+A singular point raises SingularModelError.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+COORDINATES: tuple[str, ...] = ("x", "y", "z")
+STATE: tuple[str, ...] = ("x", "y", "z", "x'", "y'")
+PARAMETERS: tuple[str, ...] = ("m",)
+CONSTRAINTS: tuple[str, ...] = ("contact",)
+OUTPUTS: tuple[str, ...] = ("p_x",)
+DEFAULTS: tuple[float, ...] = (1.0,)
+
+REASONS = (
+    "",
+    "",
+    "the mass matrix is singular",
+    "a result is not finite or not defined",
+)
+NOT_FINITE = 3
+
+
+class SingularModelError(ArithmeticError):
+    """The model is singular here; ``status`` is the code that C returns."""
+
+    def __init__(self, status: int, function: str) -> None:
+        super().__init__(f"{function}: {REASONS[status]}")
+        self.status = status
+
+
+def _finish(function: str, values: list[float]) -> list[float]:
+    if not all(map(math.isfinite, values)):
+        raise SingularModelError(NOT_FINITE, function)
+    return values
+
+
+def _single(function: str, value: float) -> float:
+    if not math.isfinite(value):
+        raise SingularModelError(NOT_FINITE, function)
+    return value
+
+
+def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
+    """right-hand side dy/dt = f(t, y; p) (III.3)
+
+    Arguments: t (scalar), y (5,), p (1,).
+    Returns dydt (5,).
+    """
+    y_2 = float(y[1])
+    x_dot = float(y[3])
+    y_dot = float(y[4])
+    m = float(p[0])
+    try:
+        # state
+        z1 = m + y_2 * (y_2 * m)
+        # the mass matrix is singular
+        if not abs(z1) > 0.0:
+            raise SingularModelError(2, "rhs")
+        # the mass matrix is singular
+        if not abs(m) > 0.0:
+            raise SingularModelError(2, "rhs")
+        dydt: list[float] = [
+            # x' (III.3)
+            x_dot,
+            # y' (III.3)
+            y_dot,
+            # z' (III.3)
+            y_2 * x_dot,
+            # x'' (III.3) 9:4
+            -y_2 * (m * (x_dot * y_dot)) / z1,
+            # y'' (III.3) 9:4
+            0.0,
+        ]
+        return _finish("rhs", dydt)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "rhs") from error
+
+
+def velocities(
+    t: float,
+    y: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """all velocities q' from the state (I.2.4)
+
+    Arguments: t (scalar), y (5,), p (1,).
+    Returns qdot (3,).
+    """
+    y_2 = float(y[1])
+    x_dot = float(y[3])
+    y_dot = float(y[4])
+    try:
+        # state
+        qdot: list[float] = [
+            # x' (I.2.4)
+            x_dot,
+            # y' (I.2.4)
+            y_dot,
+            # z' (I.2.4)
+            y_2 * x_dot,
+        ]
+        return _finish("velocities", qdot)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "velocities") from error
+
+
+def accelerations(
+    t: float,
+    y: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """all accelerations q'' on the motion (III.3)
+
+    Arguments: t (scalar), y (5,), p (1,).
+    Returns qddot (3,).
+    """
+    y_2 = float(y[1])
+    x_dot = float(y[3])
+    y_dot = float(y[4])
+    m = float(p[0])
+    try:
+        # state
+        z1 = m + y_2 * (y_2 * m)
+        # the mass matrix is singular
+        if not abs(z1) > 0.0:
+            raise SingularModelError(2, "accelerations")
+        # the mass matrix is singular
+        if not abs(m) > 0.0:
+            raise SingularModelError(2, "accelerations")
+        z2 = x_dot * y_dot
+        z3 = y_2 * (m * z2) / z1
+        qddot: list[float] = [
+            # x'' (III.3)
+            -z3,
+            # y'' (III.3)
+            0.0,
+            # z'' (III.3)
+            z2 - y_2 * z3,
+        ]
+        return _finish("accelerations", qddot)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "accelerations") from error
+
+
+def state(
+    t: float,
+    q: Sequence[float],
+    qdot: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """the state y from coordinates and velocities (I.2.1)
+
+    Arguments: t (scalar), q (3,), qdot (3,), p (1,).
+    Returns y (5,).
+    """
+    x = float(q[0])
+    y_2 = float(q[1])
+    z = float(q[2])
+    x_dot = float(qdot[0])
+    y_dot = float(qdot[1])
+    try:
+        # state
+        y: list[float] = [x, y_2, z, x_dot, y_dot]
+        return _finish("state", y)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "state") from error
+
+
+def residuals(
+    t: float,
+    q: Sequence[float],
+    qdot: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """left sides of the constraints, zero on every motion (I.1.1)
+
+    Arguments: t (scalar), q (3,), qdot (3,), p (1,).
+    Returns r (1,).
+    """
+    y = float(q[1])
+    x_dot = float(qdot[0])
+    z_dot = float(qdot[2])
+    try:
+        # state
+        r: list[float] = [
+            # contact = 0 (I.1.1) 11:5
+            z_dot - y * x_dot,
+        ]
+        return _finish("residuals", r)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "residuals") from error
+
+
+def reactions(
+    t: float,
+    y: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+
+    Arguments: t (scalar), y (5,), p (1,).
+    Returns lambda_ (1,).
+    Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a.
+    """
+    y_2 = float(y[1])
+    x_dot = float(y[3])
+    y_dot = float(y[4])
+    m = float(p[0])
+    try:
+        # state
+        z1 = y_2 * m
+        z2 = m + y_2 * z1
+        # the mass matrix is singular
+        if not abs(z2) > 0.0:
+            raise SingularModelError(2, "reactions")
+        # the mass matrix is singular
+        if not abs(m) > 0.0:
+            raise SingularModelError(2, "reactions")
+        z3 = m * (x_dot * y_dot)
+        lambda_: list[float] = [
+            # reaction of contact: Q_i gains lambda_1 a_1i (I.4.1) 11:5
+            z3 - z1 * (y_2 * z3 / z2),
+        ]
+        return _finish("reactions", lambda_)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "reactions") from error
+
+
+def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
+    """T + V (II.1.4)
+
+    Arguments: t (scalar), y (5,), p (1,).
+    Returns a scalar.
+    """
+    y_2 = float(y[1])
+    x_dot = float(y[3])
+    y_dot = float(y[4])
+    m = float(p[0])
+    try:
+        # state
+        z1 = y_2 * x_dot
+        value1 = 0.5 * (m * (x_dot * x_dot + y_dot * y_dot + z1 * z1))
+        return _single("energy", value1)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "energy") from error
+
+
+def jacobian(
+    t: float,
+    y: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[list[float]]:
+    """d rhs_i / d y_j, row-major (III.3)
+
+    Arguments: t (scalar), y (5,), p (1,).
+    Returns rows (5, 5): d rhs_i / d y_j stands at [i][j].
+    """
+    y_2 = float(y[1])
+    x_dot = float(y[3])
+    y_dot = float(y[4])
+    m = float(p[0])
+    try:
+        # state
+        z1 = y_2 * m
+        z2 = m + y_2 * z1
+        # the mass matrix is singular
+        if not abs(z2) > 0.0:
+            raise SingularModelError(2, "jacobian")
+        # the mass matrix is singular
+        if not abs(m) > 0.0:
+            raise SingularModelError(2, "jacobian")
+        z3 = 1.0 / z2
+        z4 = m * (x_dot * y_dot)
+        z5 = y_2 * z4 * z3
+        J: list[float] = [
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            1.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            1.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            x_dot,
+            # (III.3)
+            0.0,
+            # (III.3)
+            y_2,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            -z3 * (z4 - z1 * z5 - m * (y_2 * z5)),
+            # (III.3)
+            0.0,
+            # (III.3)
+            -z3 * (y_dot * z1),
+            # (III.3)
+            -z3 * (x_dot * z1),
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+        ]
+        _finish("jacobian", J)
+        return [J[k1 : k1 + 5] for k1 in range(0, 25, 5)]
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "jacobian") from error
+
+
+def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
+    """the spec's outputs
+
+    Arguments: t (scalar), y (5,), p (1,).
+    Returns out (1,).
+    """
+    y_2 = float(y[1])
+    x_dot = float(y[3])
+    m = float(p[0])
+    try:
+        # state
+        out: list[float] = [
+            # p_x 14:8
+            m * (x_dot + y_2 * (y_2 * x_dot)),
+        ]
+        return _finish("outputs", out)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "outputs") from error

@@ -1,0 +1,130 @@
+/*
+ * nh_particle_pot.h: nh_particle_pot, emitted by nhc 0.1.0 (nhc:011a5bc49c3fd8e8)
+ * The nonholonomic particle with springs in x and y.
+ * Source: nh_particle_pot.yaml
+ * Equations of motion: chaplygin (III.3)
+ * Why: dependent velocities of the spec
+ *
+ * State y:
+ * y[0] = x
+ * y[1] = y
+ * y[2] = z
+ * y[3] = x'
+ * y[4] = y'
+ *
+ * Parameters p:
+ * p[0]: m = 1.0
+ * p[1]: k = 1.0
+ *
+ * Constraints:
+ * 0: contact
+ *
+ * Operations:
+ * rhs: 2 +-, 9 *, 2 /, 0 calls
+ * velocities: 0 +-, 1 *, 0 /, 0 calls
+ * accelerations: 3 +-, 9 *, 2 /, 0 calls
+ * state: 0 +-, 0 *, 0 /, 0 calls
+ * residuals: 1 +-, 1 *, 0 /, 0 calls
+ * reactions: 3 +-, 7 *, 1 /, 0 calls
+ * energy: 4 +-, 10 *, 0 /, 0 calls
+ * jacobian: 4 +-, 16 *, 2 /, 0 calls
+ * outputs: 0 +-, 0 *, 0 /, 0 calls
+ *
+ * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
+ */
+#ifndef NHC_NH_PARTICLE_POT_H
+#define NHC_NH_PARTICLE_POT_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* sizes */
+enum {
+    NH_PARTICLE_POT_NQ = 3, /* coordinates */
+    NH_PARTICLE_POT_NY = 5, /* state: the coordinates and the velocities that are kept */
+    NH_PARTICLE_POT_NP = 2, /* parameters */
+    NH_PARTICLE_POT_NC = 1, /* constraints */
+    NH_PARTICLE_POT_NOUT = 0 /* outputs */
+};
+
+/* return codes */
+enum {
+    NH_PARTICLE_POT_OK = 0, /* the result is good */
+    NH_PARTICLE_POT_SINGULAR_2 = 2, /* the mass matrix is singular */
+    NH_PARTICLE_POT_NOT_FINITE = 3 /* a result is infinite or not a number */
+};
+
+extern const char *const nh_particle_pot_coordinate_names[];
+extern const char *const nh_particle_pot_state_names[];
+extern const char *const nh_particle_pot_parameter_names[];
+extern const double nh_particle_pot_parameter_defaults[];
+
+/*
+ * right-hand side dy/dt = f(t, y; p) (III.3)
+ * dydt: 5 entries
+ */
+int nh_particle_pot_rhs(double t, const double *y, const double *p, double *dydt);
+
+/*
+ * all velocities q' from the state (I.2.4)
+ * qdot: 3 entries
+ */
+int nh_particle_pot_velocities(double t, const double *y, const double *p, double *qdot);
+
+/*
+ * all accelerations q'' on the motion (III.3)
+ * qddot: 3 entries
+ */
+int nh_particle_pot_accelerations(double t, const double *y, const double *p, double *qddot);
+
+/*
+ * the state y from coordinates and velocities (I.2.1)
+ * y: 5 entries
+ */
+int nh_particle_pot_state(double t, const double *q, const double *qdot, const double *p, double *y);
+
+/*
+ * left sides of the constraints, zero on every motion (I.1.1)
+ * r: 1 entries
+ */
+int nh_particle_pot_residuals(double t, const double *q, const double *qdot, const double *p, double *r);
+
+/*
+ * reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+ * lambda: 1 entries
+ * Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a
+ */
+int nh_particle_pot_reactions(double t, const double *y, const double *p, double *lambda);
+
+/*
+ * T + V (II.1.4)
+ * not finite where the model is singular
+ */
+double nh_particle_pot_energy(double t, const double *y, const double *p);
+
+/*
+ * d rhs_i / d y_j, row-major (III.3)
+ * J: 25 entries, row by row: d rhs_i / d y_j stands at 5*i + j
+ */
+int nh_particle_pot_jacobian(double t, const double *y, const double *p, double *J);
+
+/*
+ * the spec's outputs
+ * out: 0 entries
+ */
+int nh_particle_pot_outputs(double t, const double *y, const double *p, double *out);
+
+/*
+ * rhs for count states at once, a structure of arrays: entry k of state i is y[k*count + i], its time t[i];
+ * the parameters are shared. Nonzero when any of the states is singular. dydt must not overlap the inputs.
+ */
+int nh_particle_pot_rhs_batch(size_t count, const double *t, const double *y, const double *p, double *dydt);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

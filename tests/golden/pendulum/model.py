@@ -1,0 +1,301 @@
+# ruff: noqa: E741
+"""pendulum, emitted by nhc 0.1.0 (nhc:850a7b482b4a6f57).
+
+The plane pendulum, large swings.
+Source: pendulum.yaml
+Equations of motion: lagrange (II.3)
+Why: no constraints
+
+State y:
+y[0] = theta [rad]: angle from the downward vertical
+y[1] = theta'
+
+Parameters p:
+p[0]: m = 1.0 [kg]: mass of the bob
+p[1]: l = 1.0 [m]: length of the rod
+p[2]: g = 9.81 [m/s^2]: acceleration of gravity
+
+Outputs:
+out[0] = rate
+
+Operations:
+rhs: 0 +-, 4 *, 1 /, 1 calls
+velocities: 0 +-, 0 *, 0 /, 0 calls
+accelerations: 0 +-, 4 *, 1 /, 1 calls
+state: 0 +-, 0 *, 0 /, 0 calls
+residuals: 0 +-, 0 *, 0 /, 0 calls
+reactions: 0 +-, 2 *, 0 /, 0 calls
+energy: 1 +-, 6 *, 0 /, 1 calls
+jacobian: 0 +-, 4 *, 1 /, 1 calls
+outputs: 0 +-, 0 *, 0 /, 0 calls
+
+A singular point raises SingularModelError.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+COORDINATES: tuple[str, ...] = ("theta",)
+STATE: tuple[str, ...] = ("theta", "theta'")
+PARAMETERS: tuple[str, ...] = ("m", "l", "g")
+CONSTRAINTS: tuple[str, ...] = ()
+OUTPUTS: tuple[str, ...] = ("rate",)
+DEFAULTS: tuple[float, ...] = (1.0, 1.0, 9.81)
+
+REASONS = (
+    "",
+    "",
+    "the mass matrix is singular",
+    "a result is not finite or not defined",
+)
+NOT_FINITE = 3
+
+
+class SingularModelError(ArithmeticError):
+    """The model is singular here; ``status`` is the code that C returns."""
+
+    def __init__(self, status: int, function: str) -> None:
+        super().__init__(f"{function}: {REASONS[status]}")
+        self.status = status
+
+
+def _finish(function: str, values: list[float]) -> list[float]:
+    if not all(map(math.isfinite, values)):
+        raise SingularModelError(NOT_FINITE, function)
+    return values
+
+
+def _single(function: str, value: float) -> float:
+    if not math.isfinite(value):
+        raise SingularModelError(NOT_FINITE, function)
+    return value
+
+
+def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
+    """right-hand side dy/dt = f(t, y; p) (II.3)
+
+    Arguments: t (scalar), y (2,), p (3,).
+    Returns dydt (2,).
+    """
+    theta = float(y[0])  # angle from the downward vertical [rad]
+    theta_dot = float(y[1])
+    m = float(p[0])  # mass of the bob [kg]
+    l = float(p[1])  # length of the rod [m]
+    g = float(p[2])  # acceleration of gravity [m/s^2]
+    try:
+        # parameters only
+        k1 = 1.0 / l
+        # state
+        s1 = m * (l * l)
+        # the mass matrix is singular
+        if not abs(s1) > 0.0:
+            raise SingularModelError(2, "rhs")
+        s_theta = math.sin(theta)
+        dydt: list[float] = [
+            # theta' (II.3)
+            theta_dot,
+            # theta'' (II.3) 12:4
+            -g * s_theta * k1,
+        ]
+        return _finish("rhs", dydt)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "rhs") from error
+
+
+def velocities(
+    t: float,
+    y: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """all velocities q' from the state (I.2.4)
+
+    Arguments: t (scalar), y (2,), p (3,).
+    Returns qdot (1,).
+    """
+    theta_dot = float(y[1])
+    try:
+        # state
+        qdot: list[float] = [
+            # theta' (I.2.4)
+            theta_dot,
+        ]
+        return _finish("velocities", qdot)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "velocities") from error
+
+
+def accelerations(
+    t: float,
+    y: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """all accelerations q'' on the motion (II.3)
+
+    Arguments: t (scalar), y (2,), p (3,).
+    Returns qddot (1,).
+    """
+    theta = float(y[0])  # angle from the downward vertical [rad]
+    m = float(p[0])  # mass of the bob [kg]
+    l = float(p[1])  # length of the rod [m]
+    g = float(p[2])  # acceleration of gravity [m/s^2]
+    try:
+        # parameters only
+        k1 = 1.0 / l
+        # state
+        s1 = m * (l * l)
+        # the mass matrix is singular
+        if not abs(s1) > 0.0:
+            raise SingularModelError(2, "accelerations")
+        s_theta = math.sin(theta)
+        qddot: list[float] = [
+            # theta'' (II.3)
+            -g * s_theta * k1,
+        ]
+        return _finish("accelerations", qddot)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "accelerations") from error
+
+
+def state(
+    t: float,
+    q: Sequence[float],
+    qdot: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """the state y from coordinates and velocities (I.2.1)
+
+    Arguments: t (scalar), q (1,), qdot (1,), p (3,).
+    Returns y (2,).
+    """
+    theta = float(q[0])  # angle from the downward vertical [rad]
+    theta_dot = float(qdot[0])
+    try:
+        # state
+        y: list[float] = [theta, theta_dot]
+        return _finish("state", y)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "state") from error
+
+
+def residuals(
+    t: float,
+    q: Sequence[float],
+    qdot: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """left sides of the constraints, zero on every motion (I.1.1)
+
+    Arguments: t (scalar), q (1,), qdot (1,), p (3,).
+    Returns r (0,).
+    """
+    try:
+        r: list[float] = []
+        return _finish("residuals", r)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "residuals") from error
+
+
+def reactions(
+    t: float,
+    y: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+
+    Arguments: t (scalar), y (2,), p (3,).
+    Returns lambda_ (0,).
+    Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a.
+    """
+    m = float(p[0])  # mass of the bob [kg]
+    l = float(p[1])  # length of the rod [m]
+    try:
+        # state
+        s1 = m * (l * l)
+        # the mass matrix is singular
+        if not abs(s1) > 0.0:
+            raise SingularModelError(2, "reactions")
+        lambda_: list[float] = []
+        return _finish("reactions", lambda_)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "reactions") from error
+
+
+def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
+    """T + V (II.1.4)
+
+    Arguments: t (scalar), y (2,), p (3,).
+    Returns a scalar.
+    """
+    theta = float(y[0])  # angle from the downward vertical [rad]
+    theta_dot = float(y[1])
+    m = float(p[0])  # mass of the bob [kg]
+    l = float(p[1])  # length of the rod [m]
+    g = float(p[2])  # acceleration of gravity [m/s^2]
+    try:
+        # parameters only
+        k1 = m * l
+        # state
+        c_theta = math.cos(theta)
+        value1 = k1 * (0.5 * (l * (theta_dot * theta_dot)) - g * c_theta)
+        return _single("energy", value1)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "energy") from error
+
+
+def jacobian(
+    t: float,
+    y: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[list[float]]:
+    """d rhs_i / d y_j, row-major (II.3)
+
+    Arguments: t (scalar), y (2,), p (3,).
+    Returns rows (2, 2): d rhs_i / d y_j stands at [i][j].
+    """
+    theta = float(y[0])  # angle from the downward vertical [rad]
+    m = float(p[0])  # mass of the bob [kg]
+    l = float(p[1])  # length of the rod [m]
+    g = float(p[2])  # acceleration of gravity [m/s^2]
+    try:
+        # parameters only
+        k1 = 1.0 / l
+        # state
+        s1 = m * (l * l)
+        # the mass matrix is singular
+        if not abs(s1) > 0.0:
+            raise SingularModelError(2, "jacobian")
+        c_theta = math.cos(theta)
+        J: list[float] = [
+            # (II.3)
+            0.0,
+            # (II.3)
+            1.0,
+            # (II.3)
+            -k1 * (g * c_theta),
+            # (II.3)
+            0.0,
+        ]
+        _finish("jacobian", J)
+        return [J[k2 : k2 + 2] for k2 in range(0, 4, 2)]
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "jacobian") from error
+
+
+def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
+    """the spec's outputs
+
+    Arguments: t (scalar), y (2,), p (3,).
+    Returns out (1,).
+    """
+    theta_dot = float(y[1])
+    try:
+        # state
+        out: list[float] = [
+            # rate 15:9
+            theta_dot,
+        ]
+        return _finish("outputs", out)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "outputs") from error

@@ -1,0 +1,132 @@
+/*
+ * point_mass.h: point_mass, emitted by nhc 0.1.0 (nhc:12d85173c618dfdb)
+ * A point mass thrown in a uniform field of gravity, with linear drag.
+ * Source: point_mass.yaml
+ * Equations of motion: lagrange (II.3)
+ * Why: no constraints
+ *
+ * State y:
+ * y[0] = x [m]: horizontal
+ * y[1] = y [m]: horizontal
+ * y[2] = z [m]: height
+ * y[3] = x'
+ * y[4] = y'
+ * y[5] = z'
+ *
+ * Parameters p:
+ * p[0]: m = 2.0 [kg]: mass
+ * p[1]: g = 9.81 [m/s^2]: acceleration of gravity
+ * p[2]: c = 0.5 [kg/s]: drag coefficient
+ *
+ * Outputs:
+ * out[0] = speed
+ *
+ * Operations:
+ * rhs: 1 +-, 6 *, 1 /, 0 calls
+ * velocities: 0 +-, 0 *, 0 /, 0 calls
+ * accelerations: 1 +-, 6 *, 1 /, 0 calls
+ * state: 0 +-, 0 *, 0 /, 0 calls
+ * residuals: 0 +-, 0 *, 0 /, 0 calls
+ * reactions: 0 +-, 0 *, 0 /, 0 calls
+ * energy: 3 +-, 7 *, 0 /, 0 calls
+ * jacobian: 0 +-, 0 *, 1 /, 0 calls
+ * outputs: 2 +-, 3 *, 0 /, 1 calls
+ *
+ * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
+ */
+#ifndef NHC_POINT_MASS_H
+#define NHC_POINT_MASS_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* sizes */
+enum {
+    POINT_MASS_NQ = 3, /* coordinates */
+    POINT_MASS_NY = 6, /* state: the coordinates and the velocities that are kept */
+    POINT_MASS_NP = 3, /* parameters */
+    POINT_MASS_NC = 0, /* constraints */
+    POINT_MASS_NOUT = 1 /* outputs */
+};
+
+/* return codes */
+enum {
+    POINT_MASS_OK = 0, /* the result is good */
+    POINT_MASS_SINGULAR_2 = 2, /* the mass matrix is singular */
+    POINT_MASS_NOT_FINITE = 3 /* a result is infinite or not a number */
+};
+
+extern const char *const point_mass_coordinate_names[];
+extern const char *const point_mass_state_names[];
+extern const char *const point_mass_parameter_names[];
+extern const double point_mass_parameter_defaults[];
+
+/*
+ * right-hand side dy/dt = f(t, y; p) (II.3)
+ * dydt: 6 entries
+ */
+int point_mass_rhs(double t, const double *y, const double *p, double *dydt);
+
+/*
+ * all velocities q' from the state (I.2.4)
+ * qdot: 3 entries
+ */
+int point_mass_velocities(double t, const double *y, const double *p, double *qdot);
+
+/*
+ * all accelerations q'' on the motion (II.3)
+ * qddot: 3 entries
+ */
+int point_mass_accelerations(double t, const double *y, const double *p, double *qddot);
+
+/*
+ * the state y from coordinates and velocities (I.2.1)
+ * y: 6 entries
+ */
+int point_mass_state(double t, const double *q, const double *qdot, const double *p, double *y);
+
+/*
+ * left sides of the constraints, zero on every motion (I.1.1)
+ * r: 0 entries
+ */
+int point_mass_residuals(double t, const double *q, const double *qdot, const double *p, double *r);
+
+/*
+ * reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+ * lambda: 0 entries
+ * Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a
+ */
+int point_mass_reactions(double t, const double *y, const double *p, double *lambda);
+
+/*
+ * T + V (II.1.4)
+ * not finite where the model is singular
+ */
+double point_mass_energy(double t, const double *y, const double *p);
+
+/*
+ * d rhs_i / d y_j, row-major (II.3)
+ * J: 36 entries, row by row: d rhs_i / d y_j stands at 6*i + j
+ */
+int point_mass_jacobian(double t, const double *y, const double *p, double *J);
+
+/*
+ * the spec's outputs
+ * out: 1 entries
+ */
+int point_mass_outputs(double t, const double *y, const double *p, double *out);
+
+/*
+ * rhs for count states at once, a structure of arrays: entry k of state i is y[k*count + i], its time t[i];
+ * the parameters are shared. Nonzero when any of the states is singular. dydt must not overlap the inputs.
+ */
+int point_mass_rhs_batch(size_t count, const double *t, const double *y, const double *p, double *dydt);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,410 @@
+"""point_mass, emitted by nhc 0.1.0 (nhc:6aec414a48208a5a).
+
+A point mass thrown in a uniform field of gravity, with linear drag.
+Source: point_mass.yaml
+Equations of motion: lagrange (II.3)
+Why: no constraints
+
+State y:
+y[0] = x [m]: horizontal
+y[1] = y [m]: horizontal
+y[2] = z [m]: height
+y[3] = x'
+y[4] = y'
+y[5] = z'
+
+Parameters p:
+p[0]: m = 2.0 [kg]: mass
+p[1]: g = 9.81 [m/s^2]: acceleration of gravity
+p[2]: c = 0.5 [kg/s]: drag coefficient
+
+Outputs:
+out[0] = speed
+
+Operations:
+rhs: 1 +-, 6 *, 1 /, 0 calls
+velocities: 0 +-, 0 *, 0 /, 0 calls
+accelerations: 1 +-, 6 *, 1 /, 0 calls
+state: 0 +-, 0 *, 0 /, 0 calls
+residuals: 0 +-, 0 *, 0 /, 0 calls
+reactions: 0 +-, 0 *, 0 /, 0 calls
+energy: 3 +-, 7 *, 0 /, 0 calls
+jacobian: 0 +-, 0 *, 1 /, 0 calls
+outputs: 2 +-, 3 *, 0 /, 1 calls
+
+A singular point raises SingularModelError.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+COORDINATES: tuple[str, ...] = ("x", "y", "z")
+STATE: tuple[str, ...] = ("x", "y", "z", "x'", "y'", "z'")
+PARAMETERS: tuple[str, ...] = ("m", "g", "c")
+CONSTRAINTS: tuple[str, ...] = ()
+OUTPUTS: tuple[str, ...] = ("speed",)
+DEFAULTS: tuple[float, ...] = (2.0, 9.81, 0.5)
+
+REASONS = (
+    "",
+    "",
+    "the mass matrix is singular",
+    "a result is not finite or not defined",
+)
+NOT_FINITE = 3
+
+
+class SingularModelError(ArithmeticError):
+    """The model is singular here; ``status`` is the code that C returns."""
+
+    def __init__(self, status: int, function: str) -> None:
+        super().__init__(f"{function}: {REASONS[status]}")
+        self.status = status
+
+
+def _finish(function: str, values: list[float]) -> list[float]:
+    if not all(map(math.isfinite, values)):
+        raise SingularModelError(NOT_FINITE, function)
+    return values
+
+
+def _single(function: str, value: float) -> float:
+    if not math.isfinite(value):
+        raise SingularModelError(NOT_FINITE, function)
+    return value
+
+
+def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
+    """right-hand side dy/dt = f(t, y; p) (II.3)
+
+    Arguments: t (scalar), y (6,), p (3,).
+    Returns dydt (6,).
+    """
+    x_dot = float(y[3])
+    y_dot = float(y[4])
+    z_dot = float(y[5])
+    m = float(p[0])  # mass [kg]
+    g = float(p[1])  # acceleration of gravity [m/s^2]
+    c = float(p[2])  # drag coefficient [kg/s]
+    try:
+        # parameters only
+        k1 = 1.0 / m
+        # state
+        # the mass matrix is singular
+        if not abs(m) > 0.0:
+            raise SingularModelError(2, "rhs")
+        # the mass matrix is singular
+        if not abs(m) > 0.0:
+            raise SingularModelError(2, "rhs")
+        # the mass matrix is singular
+        if not abs(m) > 0.0:
+            raise SingularModelError(2, "rhs")
+        dydt: list[float] = [
+            # x' (II.3)
+            x_dot,
+            # y' (II.3)
+            y_dot,
+            # z' (II.3)
+            z_dot,
+            # x'' (II.3) 14:4
+            -x_dot * c * k1,
+            # y'' (II.3) 14:4
+            -y_dot * c * k1,
+            # z'' (II.3) 14:4
+            -(g + z_dot * c * k1),
+        ]
+        return _finish("rhs", dydt)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "rhs") from error
+
+
+def velocities(
+    t: float,
+    y: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """all velocities q' from the state (I.2.4)
+
+    Arguments: t (scalar), y (6,), p (3,).
+    Returns qdot (3,).
+    """
+    x_dot = float(y[3])
+    y_dot = float(y[4])
+    z_dot = float(y[5])
+    try:
+        # state
+        qdot: list[float] = [
+            # x' (I.2.4)
+            x_dot,
+            # y' (I.2.4)
+            y_dot,
+            # z' (I.2.4)
+            z_dot,
+        ]
+        return _finish("velocities", qdot)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "velocities") from error
+
+
+def accelerations(
+    t: float,
+    y: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """all accelerations q'' on the motion (II.3)
+
+    Arguments: t (scalar), y (6,), p (3,).
+    Returns qddot (3,).
+    """
+    x_dot = float(y[3])
+    y_dot = float(y[4])
+    z_dot = float(y[5])
+    m = float(p[0])  # mass [kg]
+    g = float(p[1])  # acceleration of gravity [m/s^2]
+    c = float(p[2])  # drag coefficient [kg/s]
+    try:
+        # parameters only
+        k1 = 1.0 / m
+        # state
+        # the mass matrix is singular
+        if not abs(m) > 0.0:
+            raise SingularModelError(2, "accelerations")
+        # the mass matrix is singular
+        if not abs(m) > 0.0:
+            raise SingularModelError(2, "accelerations")
+        # the mass matrix is singular
+        if not abs(m) > 0.0:
+            raise SingularModelError(2, "accelerations")
+        qddot: list[float] = [
+            # x'' (II.3)
+            -x_dot * c * k1,
+            # y'' (II.3)
+            -y_dot * c * k1,
+            # z'' (II.3)
+            -(g + z_dot * c * k1),
+        ]
+        return _finish("accelerations", qddot)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "accelerations") from error
+
+
+def state(
+    t: float,
+    q: Sequence[float],
+    qdot: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """the state y from coordinates and velocities (I.2.1)
+
+    Arguments: t (scalar), q (3,), qdot (3,), p (3,).
+    Returns y (6,).
+    """
+    x = float(q[0])  # horizontal [m]
+    y_2 = float(q[1])  # horizontal [m]
+    z = float(q[2])  # height [m]
+    x_dot = float(qdot[0])
+    y_dot = float(qdot[1])
+    z_dot = float(qdot[2])
+    try:
+        # state
+        y: list[float] = [x, y_2, z, x_dot, y_dot, z_dot]
+        return _finish("state", y)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "state") from error
+
+
+def residuals(
+    t: float,
+    q: Sequence[float],
+    qdot: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """left sides of the constraints, zero on every motion (I.1.1)
+
+    Arguments: t (scalar), q (3,), qdot (3,), p (3,).
+    Returns r (0,).
+    """
+    try:
+        r: list[float] = []
+        return _finish("residuals", r)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "residuals") from error
+
+
+def reactions(
+    t: float,
+    y: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+
+    Arguments: t (scalar), y (6,), p (3,).
+    Returns lambda_ (0,).
+    Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a.
+    """
+    m = float(p[0])  # mass [kg]
+    try:
+        # state
+        # the mass matrix is singular
+        if not abs(m) > 0.0:
+            raise SingularModelError(2, "reactions")
+        # the mass matrix is singular
+        if not abs(m) > 0.0:
+            raise SingularModelError(2, "reactions")
+        # the mass matrix is singular
+        if not abs(m) > 0.0:
+            raise SingularModelError(2, "reactions")
+        lambda_: list[float] = []
+        return _finish("reactions", lambda_)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "reactions") from error
+
+
+def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
+    """T + V (II.1.4)
+
+    Arguments: t (scalar), y (6,), p (3,).
+    Returns a scalar.
+    """
+    z = float(y[2])  # height [m]
+    x_dot = float(y[3])
+    y_dot = float(y[4])
+    z_dot = float(y[5])
+    m = float(p[0])  # mass [kg]
+    g = float(p[1])  # acceleration of gravity [m/s^2]
+    try:
+        # parameters only
+        k1 = m * g
+        # state
+        s1 = 0.5 * (m * (x_dot * x_dot + y_dot * y_dot + z_dot * z_dot))
+        value1 = s1 + z * k1
+        return _single("energy", value1)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "energy") from error
+
+
+def jacobian(
+    t: float,
+    y: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[list[float]]:
+    """d rhs_i / d y_j, row-major (II.3)
+
+    Arguments: t (scalar), y (6,), p (3,).
+    Returns rows (6, 6): d rhs_i / d y_j stands at [i][j].
+    """
+    m = float(p[0])  # mass [kg]
+    c = float(p[2])  # drag coefficient [kg/s]
+    try:
+        # parameters only
+        k1 = c / m
+        # state
+        # the mass matrix is singular
+        if not abs(m) > 0.0:
+            raise SingularModelError(2, "jacobian")
+        # the mass matrix is singular
+        if not abs(m) > 0.0:
+            raise SingularModelError(2, "jacobian")
+        # the mass matrix is singular
+        if not abs(m) > 0.0:
+            raise SingularModelError(2, "jacobian")
+        J: list[float] = [
+            # (II.3)
+            0.0,
+            # (II.3)
+            0.0,
+            # (II.3)
+            0.0,
+            # (II.3)
+            1.0,
+            # (II.3)
+            0.0,
+            # (II.3)
+            0.0,
+            # (II.3)
+            0.0,
+            # (II.3)
+            0.0,
+            # (II.3)
+            0.0,
+            # (II.3)
+            0.0,
+            # (II.3)
+            1.0,
+            # (II.3)
+            0.0,
+            # (II.3)
+            0.0,
+            # (II.3)
+            0.0,
+            # (II.3)
+            0.0,
+            # (II.3)
+            0.0,
+            # (II.3)
+            0.0,
+            # (II.3)
+            1.0,
+            # (II.3)
+            0.0,
+            # (II.3)
+            0.0,
+            # (II.3)
+            0.0,
+            # (II.3)
+            -k1,
+            # (II.3)
+            0.0,
+            # (II.3)
+            0.0,
+            # (II.3)
+            0.0,
+            # (II.3)
+            0.0,
+            # (II.3)
+            0.0,
+            # (II.3)
+            0.0,
+            # (II.3)
+            -k1,
+            # (II.3)
+            0.0,
+            # (II.3)
+            0.0,
+            # (II.3)
+            0.0,
+            # (II.3)
+            0.0,
+            # (II.3)
+            0.0,
+            # (II.3)
+            0.0,
+            # (II.3)
+            -k1,
+        ]
+        _finish("jacobian", J)
+        return [J[k2 : k2 + 6] for k2 in range(0, 36, 6)]
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "jacobian") from error
+
+
+def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
+    """the spec's outputs
+
+    Arguments: t (scalar), y (6,), p (3,).
+    Returns out (1,).
+    """
+    x_dot = float(y[3])
+    y_dot = float(y[4])
+    z_dot = float(y[5])
+    try:
+        # state
+        out: list[float] = [
+            # speed 21:10
+            math.sqrt(x_dot * x_dot + y_dot * y_dot + z_dot * z_dot),
+        ]
+        return _finish("outputs", out)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "outputs") from error

@@ -1,0 +1,147 @@
+/*
+ * rattleback.h: rattleback, emitted by nhc 0.1.0 (nhc:cdc52b6dc6c6205f)
+ * A loaded ellipsoid that rolls on a plane and prefers one sense of spin (celt, wobblestone).
+ * Source: rattleback.yaml
+ * Equations of motion: euler-lagrange (I.2.15)
+ * Why: quasi-velocities of the spec
+ *
+ * State y:
+ * y[0] = x [cm]: centre of mass
+ * y[1] = y [cm]: centre of mass
+ * y[2] = z [cm]: centre of mass, downwards
+ * y[3] = alpha [rad]: roll about the long axis
+ * y[4] = beta [rad]: pitch
+ * y[5] = gamma [rad]: heading
+ * y[6] = w1
+ * y[7] = w2
+ * y[8] = w3
+ *
+ * Parameters p:
+ * p[0]: a = 20.0 [cm]: half axis 1 of the ellipsoid
+ * p[1]: b = 3.0 [cm]: half axis 2
+ * p[2]: c = 2.0 [cm]: half axis 3
+ * p[3]: h = 1.0 [cm]: from the centre of the ellipsoid down to the centre of mass
+ * p[4]: I_a = 2.0 [cm^2]
+ * p[5]: I_b = 16.0 [cm^2]
+ * p[6]: I_c = 17.0 [cm^2]
+ * p[7]: I_d = -0.2 [cm^2]: product of inertia, what makes it a rattleback
+ * p[8]: g = 981.0 [cm/s^2]: acceleration of gravity
+ *
+ * Constraints:
+ * 0: roll_x
+ * 1: roll_y
+ * 2: roll_z
+ *
+ * Outputs:
+ * out[0] = spin
+ *
+ * Operations:
+ * rhs: 147 +-, 294 *, 7 /, 7 calls
+ * velocities: 17 +-, 46 *, 2 /, 7 calls
+ * accelerations: 187 +-, 318 *, 7 /, 7 calls
+ * state: 3 +-, 7 *, 0 /, 4 calls
+ * residuals: 18 +-, 40 *, 1 /, 7 calls
+ * reactions: 175 +-, 344 *, 7 /, 7 calls
+ * energy: 23 +-, 59 *, 2 /, 7 calls
+ * jacobian: 992 +-, 1593 *, 9 /, 7 calls
+ * outputs: 0 +-, 0 *, 0 /, 1 calls
+ *
+ * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
+ */
+#ifndef NHC_RATTLEBACK_H
+#define NHC_RATTLEBACK_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* sizes */
+enum {
+    RATTLEBACK_NQ = 6, /* coordinates */
+    RATTLEBACK_NY = 9, /* state: the coordinates and the velocities that are kept */
+    RATTLEBACK_NP = 9, /* parameters */
+    RATTLEBACK_NC = 3, /* constraints */
+    RATTLEBACK_NOUT = 1 /* outputs */
+};
+
+/* return codes */
+enum {
+    RATTLEBACK_OK = 0, /* the result is good */
+    RATTLEBACK_SINGULAR_1 = 1, /* the coframe is singular */
+    RATTLEBACK_SINGULAR_2 = 2, /* the mass matrix is singular */
+    RATTLEBACK_NOT_FINITE = 3 /* a result is infinite or not a number */
+};
+
+extern const char *const rattleback_coordinate_names[];
+extern const char *const rattleback_state_names[];
+extern const char *const rattleback_parameter_names[];
+extern const double rattleback_parameter_defaults[];
+
+/*
+ * right-hand side dy/dt = f(t, y; p) (I.2.15)
+ * dydt: 9 entries
+ */
+int rattleback_rhs(double t, const double *y, const double *p, double *dydt);
+
+/*
+ * all velocities q' from the state (I.2.4)
+ * qdot: 6 entries
+ */
+int rattleback_velocities(double t, const double *y, const double *p, double *qdot);
+
+/*
+ * all accelerations q'' on the motion (I.2.15)
+ * qddot: 6 entries
+ */
+int rattleback_accelerations(double t, const double *y, const double *p, double *qddot);
+
+/*
+ * the state y from coordinates and velocities (I.2.1)
+ * y: 9 entries
+ */
+int rattleback_state(double t, const double *q, const double *qdot, const double *p, double *y);
+
+/*
+ * left sides of the constraints, zero on every motion (I.1.1)
+ * r: 3 entries
+ */
+int rattleback_residuals(double t, const double *q, const double *qdot, const double *p, double *r);
+
+/*
+ * reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+ * lambda: 3 entries
+ * Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a
+ */
+int rattleback_reactions(double t, const double *y, const double *p, double *lambda);
+
+/*
+ * T + V (II.1.4)
+ * not finite where the model is singular
+ */
+double rattleback_energy(double t, const double *y, const double *p);
+
+/*
+ * d rhs_i / d y_j, row-major (I.2.15)
+ * J: 81 entries, row by row: d rhs_i / d y_j stands at 9*i + j
+ */
+int rattleback_jacobian(double t, const double *y, const double *p, double *J);
+
+/*
+ * the spec's outputs
+ * out: 1 entries
+ */
+int rattleback_outputs(double t, const double *y, const double *p, double *out);
+
+/*
+ * rhs for count states at once, a structure of arrays: entry k of state i is y[k*count + i], its time t[i];
+ * the parameters are shared. Nonzero when any of the states is singular. dydt must not overlap the inputs.
+ */
+int rattleback_rhs_batch(size_t count, const double *t, const double *y, const double *p, double *dydt);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,140 @@
+/*
+ * roller_racer.h: roller_racer, emitted by nhc 0.1.0 (nhc:a134f5aba9de1291)
+ * Two wheeled bodies with a hinge; it is driven by moving the hinge to and fro.
+ * Source: roller_racer.yaml
+ * Equations of motion: euler-lagrange (I.2.15)
+ * Why: coframe completed by nhc with v, theta': the dependent velocities that nhc would choose (x', y') are
+ *     singular somewhere
+ *
+ * State y:
+ * y[0] = x [m]: axle of the main body
+ * y[1] = y [m]: axle of the main body
+ * y[2] = theta [rad]: heading of the main body
+ * y[3] = phi [rad]: second body, relative to the first
+ * y[4] = v
+ * y[5] = theta'
+ *
+ * Parameters p:
+ * p[0]: m = 1.0 [kg]: mass of the main body
+ * p[1]: I1 = 0.2 [kg*m^2]
+ * p[2]: I2 = 0.05 [kg*m^2]
+ * p[3]: d1 = 0.6 [m]: from the hinge to the first axle
+ * p[4]: d2 = 0.25 [m]: from the hinge to the second axle
+ *
+ * Constraints:
+ * 0: rear
+ * 1: front
+ *
+ * Outputs:
+ * out[0] = speed
+ *
+ * Operations:
+ * rhs: 19 +-, 46 *, 3 /, 6 calls
+ * velocities: 4 +-, 7 *, 1 /, 5 calls
+ * accelerations: 26 +-, 52 *, 3 /, 6 calls
+ * state: 1 +-, 2 *, 0 /, 2 calls
+ * residuals: 6 +-, 7 *, 0 /, 5 calls
+ * reactions: 28 +-, 63 *, 3 /, 6 calls
+ * energy: 8 +-, 17 *, 1 /, 5 calls
+ * jacobian: 99 +-, 193 *, 3 /, 6 calls
+ * outputs: 0 +-, 0 *, 0 /, 0 calls
+ *
+ * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
+ */
+#ifndef NHC_ROLLER_RACER_H
+#define NHC_ROLLER_RACER_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* sizes */
+enum {
+    ROLLER_RACER_NQ = 4, /* coordinates */
+    ROLLER_RACER_NY = 6, /* state: the coordinates and the velocities that are kept */
+    ROLLER_RACER_NP = 5, /* parameters */
+    ROLLER_RACER_NC = 2, /* constraints */
+    ROLLER_RACER_NOUT = 1 /* outputs */
+};
+
+/* return codes */
+enum {
+    ROLLER_RACER_OK = 0, /* the result is good */
+    ROLLER_RACER_SINGULAR_1 = 1, /* the coframe is singular */
+    ROLLER_RACER_SINGULAR_2 = 2, /* the mass matrix is singular */
+    ROLLER_RACER_NOT_FINITE = 3 /* a result is infinite or not a number */
+};
+
+extern const char *const roller_racer_coordinate_names[];
+extern const char *const roller_racer_state_names[];
+extern const char *const roller_racer_parameter_names[];
+extern const double roller_racer_parameter_defaults[];
+
+/*
+ * right-hand side dy/dt = f(t, y; p) (I.2.15)
+ * dydt: 6 entries
+ */
+int roller_racer_rhs(double t, const double *y, const double *p, double *dydt);
+
+/*
+ * all velocities q' from the state (I.2.4)
+ * qdot: 4 entries
+ */
+int roller_racer_velocities(double t, const double *y, const double *p, double *qdot);
+
+/*
+ * all accelerations q'' on the motion (I.2.15)
+ * qddot: 4 entries
+ */
+int roller_racer_accelerations(double t, const double *y, const double *p, double *qddot);
+
+/*
+ * the state y from coordinates and velocities (I.2.1)
+ * y: 6 entries
+ */
+int roller_racer_state(double t, const double *q, const double *qdot, const double *p, double *y);
+
+/*
+ * left sides of the constraints, zero on every motion (I.1.1)
+ * r: 2 entries
+ */
+int roller_racer_residuals(double t, const double *q, const double *qdot, const double *p, double *r);
+
+/*
+ * reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+ * lambda: 2 entries
+ * Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a
+ */
+int roller_racer_reactions(double t, const double *y, const double *p, double *lambda);
+
+/*
+ * T + V (II.1.4)
+ * not finite where the model is singular
+ */
+double roller_racer_energy(double t, const double *y, const double *p);
+
+/*
+ * d rhs_i / d y_j, row-major (I.2.15)
+ * J: 36 entries, row by row: d rhs_i / d y_j stands at 6*i + j
+ */
+int roller_racer_jacobian(double t, const double *y, const double *p, double *J);
+
+/*
+ * the spec's outputs
+ * out: 1 entries
+ */
+int roller_racer_outputs(double t, const double *y, const double *p, double *out);
+
+/*
+ * rhs for count states at once, a structure of arrays: entry k of state i is y[k*count + i], its time t[i];
+ * the parameters are shared. Nonzero when any of the states is singular. dydt must not overlap the inputs.
+ */
+int roller_racer_rhs_batch(size_t count, const double *t, const double *y, const double *p, double *dydt);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,659 @@
+"""rolling_disk, emitted by nhc 0.1.0 (nhc:286fa780292f9211).
+
+A thin disk that rolls on a horizontal plane and may lean and fall (Euler's disk).
+Source: rolling_disk.yaml
+Equations of motion: euler-lagrange (I.2.15)
+Why: quasi-velocities of the spec
+
+State y:
+y[0] = x [m]: centre
+y[1] = y [m]: centre
+y[2] = phi [rad]: yaw, direction of the horizontal diameter
+y[3] = theta [rad]: tilt of the plane of the disk, pi/2 upright
+y[4] = psi [rad]: spin
+y[5] = w_t
+y[6] = w_u
+y[7] = w_n
+
+Parameters p:
+p[0]: m = 1.0 [kg]: mass
+p[1]: R = 0.5 [m]: radius
+p[2]: A = 0.0625 [kg*m^2]: moment of inertia about a diameter
+p[3]: C = 0.125 [kg*m^2]: moment of inertia about the axis
+p[4]: g = 9.81 [m/s^2]: acceleration of gravity
+
+Constraints:
+0: roll_x
+1: roll_y
+
+Outputs:
+out[0] = height
+out[1] = contact_x
+out[2] = contact_y
+
+Operations:
+rhs: 8 +-, 27 *, 4 /, 4 calls
+velocities: 3 +-, 9 *, 1 /, 4 calls
+accelerations: 14 +-, 43 *, 6 /, 4 calls
+state: 1 +-, 2 *, 0 /, 2 calls
+residuals: 5 +-, 9 *, 0 /, 4 calls
+reactions: 9 +-, 25 *, 3 /, 4 calls
+energy: 5 +-, 13 *, 0 /, 1 calls
+jacobian: 8 +-, 54 *, 5 /, 4 calls
+outputs: 2 +-, 4 *, 0 /, 4 calls
+
+A singular point raises SingularModelError.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+COORDINATES: tuple[str, ...] = ("x", "y", "phi", "theta", "psi")
+STATE: tuple[str, ...] = ("x", "y", "phi", "theta", "psi", "w_t", "w_u", "w_n")
+PARAMETERS: tuple[str, ...] = ("m", "R", "A", "C", "g")
+CONSTRAINTS: tuple[str, ...] = ("roll_x", "roll_y")
+OUTPUTS: tuple[str, ...] = ("height", "contact_x", "contact_y")
+DEFAULTS: tuple[float, ...] = (1.0, 0.5, 0.0625, 0.125, 9.81)
+
+REASONS = (
+    "",
+    "the coframe is singular",
+    "the mass matrix is singular",
+    "a result is not finite or not defined",
+)
+NOT_FINITE = 3
+
+
+class SingularModelError(ArithmeticError):
+    """The model is singular here; ``status`` is the code that C returns."""
+
+    def __init__(self, status: int, function: str) -> None:
+        super().__init__(f"{function}: {REASONS[status]}")
+        self.status = status
+
+
+def _finish(function: str, values: list[float]) -> list[float]:
+    if not all(map(math.isfinite, values)):
+        raise SingularModelError(NOT_FINITE, function)
+    return values
+
+
+def _single(function: str, value: float) -> float:
+    if not math.isfinite(value):
+        raise SingularModelError(NOT_FINITE, function)
+    return value
+
+
+def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
+    """right-hand side dy/dt = f(t, y; p) (I.2.15)
+
+    Arguments: t (scalar), y (8,), p (5,).
+    Returns dydt (8,).
+    """
+    phi = float(y[2])  # yaw, direction of the horizontal diameter [rad]
+    theta = float(y[3])  # tilt of the plane of the disk, pi/2 upright [rad]
+    w_t = float(y[5])
+    w_u = float(y[6])
+    w_n = float(y[7])
+    m = float(p[0])  # mass [kg]
+    R = float(p[1])  # radius [m]
+    A = float(p[2])  # moment of inertia about a diameter [kg*m^2]
+    C = float(p[3])  # moment of inertia about the axis [kg*m^2]
+    g = float(p[4])  # acceleration of gravity [m/s^2]
+    try:
+        # parameters only
+        k1 = m * (R * R)
+        k2 = A + k1
+        k3 = C + k1
+        k4 = g * (m * R)
+        k5 = 1.0 / k2
+        k6 = 1.0 / A
+        k7 = 1.0 / k3
+        # state
+        s_theta = math.sin(theta)
+        # the coframe is singular
+        if not abs(s_theta) > 1e-12:
+            raise SingularModelError(1, "rhs")
+        # the mass matrix is singular
+        if not abs(k2) > 0.0:
+            raise SingularModelError(2, "rhs")
+        # the mass matrix is singular
+        if not abs(A) > 0.0:
+            raise SingularModelError(2, "rhs")
+        # the mass matrix is singular
+        if not abs(k3) > 0.0:
+            raise SingularModelError(2, "rhs")
+        z = R * s_theta
+        s_phi = math.sin(phi)
+        c_phi = math.cos(phi)
+        z1 = R * w_n
+        z2 = 1.0 / s_theta
+        z3 = w_u * z2
+        c_theta = math.cos(theta)
+        z4 = z2 * (w_u * (A * c_theta))
+        dydt: list[float] = [
+            # x' (I.2.15)
+            z * s_phi * w_t - c_phi * z1,
+            # y' (I.2.15)
+            -(z * c_phi * w_t + s_phi * z1),
+            # phi' (I.2.15)
+            z3,
+            # theta' (I.2.15)
+            w_t,
+            # psi' (I.2.15)
+            w_n - c_theta * z3,
+            # w_t' (I.2.15) 22:4
+            -(w_u * (w_n * k3 - z4) + c_theta * k4) * k5,
+            # w_u' (I.2.15) 22:4
+            w_t * (C * w_n - z4) * k6,
+            # w_n' (I.2.15) 22:4
+            w_u * (w_t * k1) * k7,
+        ]
+        return _finish("rhs", dydt)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "rhs") from error
+
+
+def velocities(
+    t: float,
+    y: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """all velocities q' from the state (I.2.4)
+
+    Arguments: t (scalar), y (8,), p (5,).
+    Returns qdot (5,).
+    """
+    phi = float(y[2])  # yaw, direction of the horizontal diameter [rad]
+    theta = float(y[3])  # tilt of the plane of the disk, pi/2 upright [rad]
+    w_t = float(y[5])
+    w_u = float(y[6])
+    w_n = float(y[7])
+    R = float(p[1])  # radius [m]
+    try:
+        # state
+        s_theta = math.sin(theta)
+        # the coframe is singular
+        if not abs(s_theta) > 1e-12:
+            raise SingularModelError(1, "velocities")
+        z = R * s_theta
+        s_phi = math.sin(phi)
+        c_phi = math.cos(phi)
+        z1 = R * w_n
+        z2 = w_u / s_theta
+        c_theta = math.cos(theta)
+        qdot: list[float] = [
+            # x' (I.2.4)
+            z * s_phi * w_t - c_phi * z1,
+            # y' (I.2.4)
+            -(z * c_phi * w_t + s_phi * z1),
+            # phi' (I.2.4)
+            z2,
+            # theta' (I.2.4)
+            w_t,
+            # psi' (I.2.4)
+            w_n - c_theta * z2,
+        ]
+        return _finish("velocities", qdot)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "velocities") from error
+
+
+def accelerations(
+    t: float,
+    y: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """all accelerations q'' on the motion (I.2.15)
+
+    Arguments: t (scalar), y (8,), p (5,).
+    Returns qddot (5,).
+    """
+    phi = float(y[2])  # yaw, direction of the horizontal diameter [rad]
+    theta = float(y[3])  # tilt of the plane of the disk, pi/2 upright [rad]
+    w_t = float(y[5])
+    w_u = float(y[6])
+    w_n = float(y[7])
+    m = float(p[0])  # mass [kg]
+    R = float(p[1])  # radius [m]
+    A = float(p[2])  # moment of inertia about a diameter [kg*m^2]
+    C = float(p[3])  # moment of inertia about the axis [kg*m^2]
+    g = float(p[4])  # acceleration of gravity [m/s^2]
+    try:
+        # parameters only
+        k1 = m * (R * R)
+        k2 = A + k1
+        k3 = C + k1
+        k4 = g * (m * R)
+        k5 = 1.0 / k2
+        k6 = 1.0 / A
+        k7 = 1.0 - k1 / k3
+        # state
+        s_theta = math.sin(theta)
+        # the coframe is singular
+        if not abs(s_theta) > 1e-12:
+            raise SingularModelError(1, "accelerations")
+        # the mass matrix is singular
+        if not abs(k2) > 0.0:
+            raise SingularModelError(2, "accelerations")
+        # the mass matrix is singular
+        if not abs(A) > 0.0:
+            raise SingularModelError(2, "accelerations")
+        # the mass matrix is singular
+        if not abs(k3) > 0.0:
+            raise SingularModelError(2, "accelerations")
+        s_phi = math.sin(phi)
+        z1 = 1.0 / s_theta
+        c_theta = math.cos(theta)
+        z2 = w_u * (A * c_theta)
+        s1 = w_u * (w_n * (z1 - k3 * (s_theta * k5)) + z2 * k5)
+        z3 = s1 + c_theta * (w_t * w_t - k5 * (s_theta * k4))
+        c_phi = math.cos(phi)
+        s2 = w_u * (2.0 / (s_theta * s_theta) - k7)
+        z4 = w_t * (s2 - w_n * (C * c_theta) / (A * s_theta))
+        qddot: list[float] = [
+            # x'' (I.2.15)
+            R * (s_phi * z3 + w_u * (c_phi * w_t) * k7),
+            # y'' (I.2.15)
+            -R * (c_phi * z3 - w_u * (s_phi * w_t) * k7),
+            # phi'' (I.2.15)
+            w_t * z1 * (C * w_n * k6 - 2.0 * (z1 * (c_theta * w_u))),
+            # theta'' (I.2.15)
+            -(w_u * (w_n * k3 - z1 * z2) + c_theta * k4) * k5,
+            # psi'' (I.2.15)
+            z4,
+        ]
+        return _finish("accelerations", qddot)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "accelerations") from error
+
+
+def state(
+    t: float,
+    q: Sequence[float],
+    qdot: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """the state y from coordinates and velocities (I.2.1)
+
+    Arguments: t (scalar), q (5,), qdot (5,), p (5,).
+    Returns y (8,).
+    """
+    x = float(q[0])  # centre [m]
+    y_2 = float(q[1])  # centre [m]
+    phi = float(q[2])  # yaw, direction of the horizontal diameter [rad]
+    theta = float(q[3])  # tilt of the plane of the disk, pi/2 upright [rad]
+    psi = float(q[4])  # spin [rad]
+    phi_dot = float(qdot[2])
+    theta_dot = float(qdot[3])
+    psi_dot = float(qdot[4])
+    try:
+        # state
+        s_theta = math.sin(theta)
+        c_theta = math.cos(theta)
+        y: list[float] = [
+            x,
+            y_2,
+            phi,
+            theta,
+            psi,
+            theta_dot,
+            phi_dot * s_theta,
+            psi_dot + phi_dot * c_theta,
+        ]
+        return _finish("state", y)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "state") from error
+
+
+def residuals(
+    t: float,
+    q: Sequence[float],
+    qdot: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """left sides of the constraints, zero on every motion (I.1.1)
+
+    Arguments: t (scalar), q (5,), qdot (5,), p (5,).
+    Returns r (2,).
+    """
+    phi = float(q[2])  # yaw, direction of the horizontal diameter [rad]
+    theta = float(q[3])  # tilt of the plane of the disk, pi/2 upright [rad]
+    x_dot = float(qdot[0])
+    y_dot = float(qdot[1])
+    phi_dot = float(qdot[2])
+    theta_dot = float(qdot[3])
+    psi_dot = float(qdot[4])
+    R = float(p[1])  # radius [m]
+    try:
+        # state
+        c_theta = math.cos(theta)
+        z1 = R * (psi_dot + phi_dot * c_theta)
+        c_phi = math.cos(phi)
+        s_theta = math.sin(theta)
+        z = R * s_theta
+        s_phi = math.sin(phi)
+        r: list[float] = [
+            # roll_x = 0 (I.1.1) 25:5
+            x_dot + z1 * c_phi - theta_dot * (z * s_phi),
+            # roll_y = 0 (I.1.1) 26:5
+            y_dot + z1 * s_phi + theta_dot * (z * c_phi),
+        ]
+        return _finish("residuals", r)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "residuals") from error
+
+
+def reactions(
+    t: float,
+    y: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+
+    Arguments: t (scalar), y (8,), p (5,).
+    Returns lambda_ (2,).
+    Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a.
+    """
+    phi = float(y[2])  # yaw, direction of the horizontal diameter [rad]
+    theta = float(y[3])  # tilt of the plane of the disk, pi/2 upright [rad]
+    w_t = float(y[5])
+    w_u = float(y[6])
+    w_n = float(y[7])
+    m = float(p[0])  # mass [kg]
+    R = float(p[1])  # radius [m]
+    A = float(p[2])  # moment of inertia about a diameter [kg*m^2]
+    C = float(p[3])  # moment of inertia about the axis [kg*m^2]
+    g = float(p[4])  # acceleration of gravity [m/s^2]
+    try:
+        # parameters only
+        k1 = m * (R * R)
+        k2 = A + k1
+        k3 = C + k1
+        k4 = m * R
+        k5 = g * k4
+        k6 = 1.0 / k2
+        k7 = 1.0 - k1 / k3
+        # state
+        s_theta = math.sin(theta)
+        # the coframe is singular
+        if not abs(s_theta) > 1e-12:
+            raise SingularModelError(1, "reactions")
+        # the mass matrix is singular
+        if not abs(k2) > 0.0:
+            raise SingularModelError(2, "reactions")
+        # the mass matrix is singular
+        if not abs(A) > 0.0:
+            raise SingularModelError(2, "reactions")
+        # the mass matrix is singular
+        if not abs(k3) > 0.0:
+            raise SingularModelError(2, "reactions")
+        s_phi = math.sin(phi)
+        c_theta = math.cos(theta)
+        s1 = w_n * (1.0 / s_theta - k3 * (s_theta * k6))
+        s2 = c_theta * (w_t * w_t - k6 * (s_theta * k5))
+        z1 = w_u * (s1 + w_u * (A * c_theta) * k6) + s2
+        c_phi = math.cos(phi)
+        lambda_: list[float] = [
+            # reaction of roll_x: Q_i gains lambda_1 a_1i (I.4.1) 25:5
+            k4 * (s_phi * z1 + w_u * (c_phi * w_t) * k7),
+            # reaction of roll_y: Q_i gains lambda_2 a_2i (I.4.1) 26:5
+            -k4 * (c_phi * z1 - w_u * (s_phi * w_t) * k7),
+        ]
+        return _finish("reactions", lambda_)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "reactions") from error
+
+
+def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
+    """T + V (II.1.4)
+
+    Arguments: t (scalar), y (8,), p (5,).
+    Returns a scalar.
+    """
+    theta = float(y[3])  # tilt of the plane of the disk, pi/2 upright [rad]
+    w_t = float(y[5])
+    w_u = float(y[6])
+    w_n = float(y[7])
+    m = float(p[0])  # mass [kg]
+    R = float(p[1])  # radius [m]
+    A = float(p[2])  # moment of inertia about a diameter [kg*m^2]
+    C = float(p[3])  # moment of inertia about the axis [kg*m^2]
+    g = float(p[4])  # acceleration of gravity [m/s^2]
+    try:
+        # parameters only
+        k1 = m * R
+        # state
+        z1 = 0.5 * (w_t * w_t)
+        z2 = w_n * w_n
+        s_theta = math.sin(theta)
+        s1 = 0.5 * (C * z2) + A * (z1 + 0.5 * (w_u * w_u))
+        z3 = k1 * (R * (z1 + 0.5 * z2) + g * s_theta) + s1
+        value1 = z3
+        return _single("energy", value1)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "energy") from error
+
+
+def jacobian(
+    t: float,
+    y: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[list[float]]:
+    """d rhs_i / d y_j, row-major (I.2.15)
+
+    Arguments: t (scalar), y (8,), p (5,).
+    Returns rows (8, 8): d rhs_i / d y_j stands at [i][j].
+    """
+    phi = float(y[2])  # yaw, direction of the horizontal diameter [rad]
+    theta = float(y[3])  # tilt of the plane of the disk, pi/2 upright [rad]
+    w_t = float(y[5])
+    w_u = float(y[6])
+    w_n = float(y[7])
+    m = float(p[0])  # mass [kg]
+    R = float(p[1])  # radius [m]
+    A = float(p[2])  # moment of inertia about a diameter [kg*m^2]
+    C = float(p[3])  # moment of inertia about the axis [kg*m^2]
+    g = float(p[4])  # acceleration of gravity [m/s^2]
+    try:
+        # parameters only
+        k1 = m * (R * R)
+        k2 = A + k1
+        k3 = C + k1
+        k4 = g * (m * R)
+        k5 = 1.0 / k2
+        k6 = 1.0 / A
+        k7 = 1.0 / k3
+        # state
+        s_theta = math.sin(theta)
+        # the coframe is singular
+        if not abs(s_theta) > 1e-12:
+            raise SingularModelError(1, "jacobian")
+        # the mass matrix is singular
+        if not abs(k2) > 0.0:
+            raise SingularModelError(2, "jacobian")
+        # the mass matrix is singular
+        if not abs(A) > 0.0:
+            raise SingularModelError(2, "jacobian")
+        # the mass matrix is singular
+        if not abs(k3) > 0.0:
+            raise SingularModelError(2, "jacobian")
+        s_phi = math.sin(phi)
+        z1 = R * w_n
+        c_phi = math.cos(phi)
+        z = R * s_theta
+        z2 = z * w_t
+        c_theta = math.cos(theta)
+        z3 = 1.0 / (s_theta * s_theta)
+        z4 = 1.0 / s_theta
+        z5 = c_theta * w_u
+        J: list[float] = [
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            s_phi * z1 + c_phi * z2,
+            # (I.2.15)
+            c_theta * (R * (s_phi * w_t)),
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            z * s_phi,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            -R * c_phi,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            s_phi * z2 - c_phi * z1,
+            # (I.2.15)
+            -c_theta * (R * (c_phi * w_t)),
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            -z * c_phi,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            -R * s_phi,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            -c_theta * (w_u * z3),
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            z4,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            1.0,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            w_u + c_theta * (z3 * z5),
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            -c_theta * z4,
+            # (I.2.15)
+            1.0,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            k5 * (s_theta * k4 - z3 * (A * (w_u * w_u))),
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            -k5 * (w_n * k3 - 2.0 * (z4 * (w_u * (A * c_theta)))),
+            # (I.2.15)
+            -k3 * (w_u * k5),
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            z3 * (w_t * w_u),
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            C * w_n * k6 - z4 * z5,
+            # (I.2.15)
+            -z4 * (c_theta * w_t),
+            # (I.2.15)
+            k6 * (C * w_t),
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            k7 * (w_u * k1),
+            # (I.2.15)
+            w_t * k1 * k7,
+            # (I.2.15)
+            0.0,
+        ]
+        _finish("jacobian", J)
+        return [J[k8 : k8 + 8] for k8 in range(0, 64, 8)]
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "jacobian") from error
+
+
+def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
+    """the spec's outputs
+
+    Arguments: t (scalar), y (8,), p (5,).
+    Returns out (3,).
+    """
+    x = float(y[0])  # centre [m]
+    y_2 = float(y[1])  # centre [m]
+    phi = float(y[2])  # yaw, direction of the horizontal diameter [rad]
+    theta = float(y[3])  # tilt of the plane of the disk, pi/2 upright [rad]
+    R = float(p[1])  # radius [m]
+    try:
+        # state
+        s_theta = math.sin(theta)
+        # the coframe is singular
+        if not abs(s_theta) > 1e-12:
+            raise SingularModelError(1, "outputs")
+        s_phi = math.sin(phi)
+        c_theta = math.cos(theta)
+        z1 = R * c_theta
+        c_phi = math.cos(phi)
+        out: list[float] = [
+            # height 33:11
+            R * s_theta,
+            # contact_x 34:14
+            x - s_phi * z1,
+            # contact_y 35:14
+            y_2 + c_phi * z1,
+        ]
+        return _finish("outputs", out)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "outputs") from error

@@ -1,0 +1,142 @@
+/*
+ * smooth_tippe_top.h: smooth_tippe_top, emitted by nhc 0.1.0 (nhc:da1cba0ad1986e6e)
+ * The ball of routh_sphere on a plane without any friction.
+ * Source: smooth_tippe_top.yaml
+ * Equations of motion: lagrange (II.3)
+ * Why: no constraints
+ *
+ * State y:
+ * y[0] = x [m]: geometric centre
+ * y[1] = y [m]: geometric centre
+ * y[2] = phi [rad]: precession
+ * y[3] = theta [rad]: nutation
+ * y[4] = psi [rad]: spin
+ * y[5] = x'
+ * y[6] = y'
+ * y[7] = phi'
+ * y[8] = theta'
+ * y[9] = psi'
+ *
+ * Parameters p:
+ * p[0]: m = 1.0 [kg]: mass
+ * p[1]: R = 1.0 [m]: radius
+ * p[2]: e = -0.2 [m]: centre of mass along the axis of symmetry
+ * p[3]: I1 = 0.38 [kg*m^2]: across the axis, at the centre of mass
+ * p[4]: I3 = 0.42 [kg*m^2]: about the axis
+ * p[5]: g = 9.81 [m/s^2]: acceleration of gravity
+ *
+ * Outputs:
+ * out[0] = jellett
+ * out[1] = spin
+ * out[2] = p_x
+ * out[3] = p_y
+ *
+ * Operations:
+ * rhs: 34 +-, 80 *, 4 /, 4 calls
+ * velocities: 0 +-, 0 *, 0 /, 0 calls
+ * accelerations: 34 +-, 80 *, 4 /, 4 calls
+ * state: 0 +-, 0 *, 0 /, 0 calls
+ * residuals: 0 +-, 0 *, 0 /, 0 calls
+ * reactions: 11 +-, 29 *, 3 /, 4 calls
+ * energy: 11 +-, 29 *, 0 /, 4 calls
+ * jacobian: 124 +-, 257 *, 4 /, 4 calls
+ * outputs: 7 +-, 19 *, 0 /, 4 calls
+ *
+ * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
+ */
+#ifndef NHC_SMOOTH_TIPPE_TOP_H
+#define NHC_SMOOTH_TIPPE_TOP_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* sizes */
+enum {
+    SMOOTH_TIPPE_TOP_NQ = 5, /* coordinates */
+    SMOOTH_TIPPE_TOP_NY = 10, /* state: the coordinates and the velocities that are kept */
+    SMOOTH_TIPPE_TOP_NP = 6, /* parameters */
+    SMOOTH_TIPPE_TOP_NC = 0, /* constraints */
+    SMOOTH_TIPPE_TOP_NOUT = 4 /* outputs */
+};
+
+/* return codes */
+enum {
+    SMOOTH_TIPPE_TOP_OK = 0, /* the result is good */
+    SMOOTH_TIPPE_TOP_SINGULAR_2 = 2, /* the mass matrix is singular */
+    SMOOTH_TIPPE_TOP_NOT_FINITE = 3 /* a result is infinite or not a number */
+};
+
+extern const char *const smooth_tippe_top_coordinate_names[];
+extern const char *const smooth_tippe_top_state_names[];
+extern const char *const smooth_tippe_top_parameter_names[];
+extern const double smooth_tippe_top_parameter_defaults[];
+
+/*
+ * right-hand side dy/dt = f(t, y; p) (II.3)
+ * dydt: 10 entries
+ */
+int smooth_tippe_top_rhs(double t, const double *y, const double *p, double *dydt);
+
+/*
+ * all velocities q' from the state (I.2.4)
+ * qdot: 5 entries
+ */
+int smooth_tippe_top_velocities(double t, const double *y, const double *p, double *qdot);
+
+/*
+ * all accelerations q'' on the motion (II.3)
+ * qddot: 5 entries
+ */
+int smooth_tippe_top_accelerations(double t, const double *y, const double *p, double *qddot);
+
+/*
+ * the state y from coordinates and velocities (I.2.1)
+ * y: 10 entries
+ */
+int smooth_tippe_top_state(double t, const double *q, const double *qdot, const double *p, double *y);
+
+/*
+ * left sides of the constraints, zero on every motion (I.1.1)
+ * r: 0 entries
+ */
+int smooth_tippe_top_residuals(double t, const double *q, const double *qdot, const double *p, double *r);
+
+/*
+ * reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+ * lambda: 0 entries
+ * Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a
+ */
+int smooth_tippe_top_reactions(double t, const double *y, const double *p, double *lambda);
+
+/*
+ * T + V (II.1.4)
+ * not finite where the model is singular
+ */
+double smooth_tippe_top_energy(double t, const double *y, const double *p);
+
+/*
+ * d rhs_i / d y_j, row-major (II.3)
+ * J: 100 entries, row by row: d rhs_i / d y_j stands at 10*i + j
+ */
+int smooth_tippe_top_jacobian(double t, const double *y, const double *p, double *J);
+
+/*
+ * the spec's outputs
+ * out: 4 entries
+ */
+int smooth_tippe_top_outputs(double t, const double *y, const double *p, double *out);
+
+/*
+ * rhs for count states at once, a structure of arrays: entry k of state i is y[k*count + i], its time t[i];
+ * the parameters are shared. Nonzero when any of the states is singular. dydt must not overlap the inputs.
+ */
+int smooth_tippe_top_rhs_batch(size_t count, const double *t, const double *y, const double *p, double *dydt);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,147 @@
+/*
+ * snakeboard.h: snakeboard, emitted by nhc 0.1.0 (nhc:463608a61e653a87)
+ * A board on two steerable axles and a rotor; it moves by turning the rotor and the axles to and fro.
+ * Source: snakeboard.yaml
+ * Equations of motion: euler-lagrange (I.2.15)
+ * Why: coframe completed by nhc with v, psi', p_b', p_f': the dependent velocities of the spec (x', y') are
+ *     singular somewhere
+ *
+ * State y:
+ * y[0] = x [m]: centre of the board
+ * y[1] = y [m]: centre of the board
+ * y[2] = theta [rad]: heading of the board
+ * y[3] = psi [rad]: rotor, relative to the board
+ * y[4] = p_b [rad]: back axle, relative to the board
+ * y[5] = p_f [rad]: front axle, relative to the board
+ * y[6] = v
+ * y[7] = psi'
+ * y[8] = p_b'
+ * y[9] = p_f'
+ *
+ * Parameters p:
+ * p[0]: m = 1.0 [kg]: mass of everything
+ * p[1]: l = 0.5 [m]: from the centre to an axle
+ * p[2]: J = 0.1 [kg*m^2]: board
+ * p[3]: J_r = 0.05 [kg*m^2]: rotor
+ * p[4]: J_w = 0.02 [kg*m^2]: each axle
+ * p[5]: tau = 0.05 [N*m]: amplitude of the torque on the rotor
+ * p[6]: sigma = 0.02 [N*m]: amplitude of the torques on the axles
+ * p[7]: nu = 1.0 [rad/s]: frequency of the torques
+ *
+ * Constraints:
+ * 0: back
+ * 1: front
+ *
+ * Outputs:
+ * out[0] = speed
+ *
+ * Operations:
+ * rhs: 72 +-, 138 *, 6 /, 11 calls
+ * velocities: 15 +-, 33 *, 1 /, 9 calls
+ * accelerations: 78 +-, 142 *, 6 /, 11 calls
+ * state: 7 +-, 11 *, 0 /, 6 calls
+ * residuals: 6 +-, 8 *, 0 /, 6 calls
+ * reactions: 108 +-, 192 *, 6 /, 11 calls
+ * energy: 21 +-, 44 *, 1 /, 8 calls
+ * jacobian: 445 +-, 832 *, 7 /, 11 calls
+ * outputs: 15 +-, 28 *, 1 /, 11 calls
+ *
+ * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
+ */
+#ifndef NHC_SNAKEBOARD_H
+#define NHC_SNAKEBOARD_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* sizes */
+enum {
+    SNAKEBOARD_NQ = 6, /* coordinates */
+    SNAKEBOARD_NY = 10, /* state: the coordinates and the velocities that are kept */
+    SNAKEBOARD_NP = 8, /* parameters */
+    SNAKEBOARD_NC = 2, /* constraints */
+    SNAKEBOARD_NOUT = 1 /* outputs */
+};
+
+/* return codes */
+enum {
+    SNAKEBOARD_OK = 0, /* the result is good */
+    SNAKEBOARD_SINGULAR_1 = 1, /* the coframe is singular */
+    SNAKEBOARD_SINGULAR_2 = 2, /* the mass matrix is singular */
+    SNAKEBOARD_NOT_FINITE = 3 /* a result is infinite or not a number */
+};
+
+extern const char *const snakeboard_coordinate_names[];
+extern const char *const snakeboard_state_names[];
+extern const char *const snakeboard_parameter_names[];
+extern const double snakeboard_parameter_defaults[];
+
+/*
+ * right-hand side dy/dt = f(t, y; p) (I.2.15)
+ * dydt: 10 entries
+ */
+int snakeboard_rhs(double t, const double *y, const double *p, double *dydt);
+
+/*
+ * all velocities q' from the state (I.2.4)
+ * qdot: 6 entries
+ */
+int snakeboard_velocities(double t, const double *y, const double *p, double *qdot);
+
+/*
+ * all accelerations q'' on the motion (I.2.15)
+ * qddot: 6 entries
+ */
+int snakeboard_accelerations(double t, const double *y, const double *p, double *qddot);
+
+/*
+ * the state y from coordinates and velocities (I.2.1)
+ * y: 10 entries
+ */
+int snakeboard_state(double t, const double *q, const double *qdot, const double *p, double *y);
+
+/*
+ * left sides of the constraints, zero on every motion (I.1.1)
+ * r: 2 entries
+ */
+int snakeboard_residuals(double t, const double *q, const double *qdot, const double *p, double *r);
+
+/*
+ * reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+ * lambda: 2 entries
+ * Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a
+ */
+int snakeboard_reactions(double t, const double *y, const double *p, double *lambda);
+
+/*
+ * T + V (II.1.4)
+ * not finite where the model is singular
+ */
+double snakeboard_energy(double t, const double *y, const double *p);
+
+/*
+ * d rhs_i / d y_j, row-major (I.2.15)
+ * J: 100 entries, row by row: d rhs_i / d y_j stands at 10*i + j
+ */
+int snakeboard_jacobian(double t, const double *y, const double *p, double *J);
+
+/*
+ * the spec's outputs
+ * out: 1 entries
+ */
+int snakeboard_outputs(double t, const double *y, const double *p, double *out);
+
+/*
+ * rhs for count states at once, a structure of arrays: entry k of state i is y[k*count + i], its time t[i];
+ * the parameters are shared. Nonzero when any of the states is singular. dydt must not overlap the inputs.
+ */
+int snakeboard_rhs_batch(size_t count, const double *t, const double *y, const double *p, double *dydt);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,131 @@
+/*
+ * spherical_pendulum.h: spherical_pendulum, emitted by nhc 0.1.0 (nhc:f5a2b07a9fa3ab39)
+ * A pendulum that swings in space.
+ * Source: spherical_pendulum.yaml
+ * Equations of motion: lagrange (II.3)
+ * Why: no constraints
+ *
+ * State y:
+ * y[0] = theta [rad]: angle from the downward vertical
+ * y[1] = phi [rad]: azimuth
+ * y[2] = theta'
+ * y[3] = phi'
+ *
+ * Parameters p:
+ * p[0]: m = 1.0 [kg]: mass of the bob
+ * p[1]: l = 1.0 [m]: length of the rod
+ * p[2]: g = 9.81 [m/s^2]: acceleration of gravity
+ *
+ * Outputs:
+ * out[0] = L_z
+ *
+ * Operations:
+ * rhs: 1 +-, 10 *, 2 /, 2 calls
+ * velocities: 0 +-, 0 *, 0 /, 0 calls
+ * accelerations: 1 +-, 10 *, 2 /, 2 calls
+ * state: 0 +-, 0 *, 0 /, 0 calls
+ * residuals: 0 +-, 0 *, 0 /, 0 calls
+ * reactions: 0 +-, 4 *, 0 /, 1 calls
+ * energy: 2 +-, 10 *, 0 /, 2 calls
+ * jacobian: 2 +-, 21 *, 3 /, 2 calls
+ * outputs: 0 +-, 5 *, 0 /, 1 calls
+ *
+ * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
+ */
+#ifndef NHC_SPHERICAL_PENDULUM_H
+#define NHC_SPHERICAL_PENDULUM_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* sizes */
+enum {
+    SPHERICAL_PENDULUM_NQ = 2, /* coordinates */
+    SPHERICAL_PENDULUM_NY = 4, /* state: the coordinates and the velocities that are kept */
+    SPHERICAL_PENDULUM_NP = 3, /* parameters */
+    SPHERICAL_PENDULUM_NC = 0, /* constraints */
+    SPHERICAL_PENDULUM_NOUT = 1 /* outputs */
+};
+
+/* return codes */
+enum {
+    SPHERICAL_PENDULUM_OK = 0, /* the result is good */
+    SPHERICAL_PENDULUM_SINGULAR_2 = 2, /* the mass matrix is singular */
+    SPHERICAL_PENDULUM_NOT_FINITE = 3 /* a result is infinite or not a number */
+};
+
+extern const char *const spherical_pendulum_coordinate_names[];
+extern const char *const spherical_pendulum_state_names[];
+extern const char *const spherical_pendulum_parameter_names[];
+extern const double spherical_pendulum_parameter_defaults[];
+
+/*
+ * right-hand side dy/dt = f(t, y; p) (II.3)
+ * dydt: 4 entries
+ */
+int spherical_pendulum_rhs(double t, const double *y, const double *p, double *dydt);
+
+/*
+ * all velocities q' from the state (I.2.4)
+ * qdot: 2 entries
+ */
+int spherical_pendulum_velocities(double t, const double *y, const double *p, double *qdot);
+
+/*
+ * all accelerations q'' on the motion (II.3)
+ * qddot: 2 entries
+ */
+int spherical_pendulum_accelerations(double t, const double *y, const double *p, double *qddot);
+
+/*
+ * the state y from coordinates and velocities (I.2.1)
+ * y: 4 entries
+ */
+int spherical_pendulum_state(double t, const double *q, const double *qdot, const double *p, double *y);
+
+/*
+ * left sides of the constraints, zero on every motion (I.1.1)
+ * r: 0 entries
+ */
+int spherical_pendulum_residuals(double t, const double *q, const double *qdot, const double *p, double *r);
+
+/*
+ * reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+ * lambda: 0 entries
+ * Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a
+ */
+int spherical_pendulum_reactions(double t, const double *y, const double *p, double *lambda);
+
+/*
+ * T + V (II.1.4)
+ * not finite where the model is singular
+ */
+double spherical_pendulum_energy(double t, const double *y, const double *p);
+
+/*
+ * d rhs_i / d y_j, row-major (II.3)
+ * J: 16 entries, row by row: d rhs_i / d y_j stands at 4*i + j
+ */
+int spherical_pendulum_jacobian(double t, const double *y, const double *p, double *J);
+
+/*
+ * the spec's outputs
+ * out: 1 entries
+ */
+int spherical_pendulum_outputs(double t, const double *y, const double *p, double *out);
+
+/*
+ * rhs for count states at once, a structure of arrays: entry k of state i is y[k*count + i], its time t[i];
+ * the parameters are shared. Nonzero when any of the states is singular. dydt must not overlap the inputs.
+ */
+int spherical_pendulum_rhs_batch(size_t count, const double *t, const double *y, const double *p, double
+    *dydt);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,376 @@
+# ruff: noqa: E741
+"""spherical_pendulum, emitted by nhc 0.1.0 (nhc:0db2eee8920edfd0).
+
+A pendulum that swings in space.
+Source: spherical_pendulum.yaml
+Equations of motion: lagrange (II.3)
+Why: no constraints
+
+State y:
+y[0] = theta [rad]: angle from the downward vertical
+y[1] = phi [rad]: azimuth
+y[2] = theta'
+y[3] = phi'
+
+Parameters p:
+p[0]: m = 1.0 [kg]: mass of the bob
+p[1]: l = 1.0 [m]: length of the rod
+p[2]: g = 9.81 [m/s^2]: acceleration of gravity
+
+Outputs:
+out[0] = L_z
+
+Operations:
+rhs: 1 +-, 10 *, 2 /, 2 calls
+velocities: 0 +-, 0 *, 0 /, 0 calls
+accelerations: 1 +-, 10 *, 2 /, 2 calls
+state: 0 +-, 0 *, 0 /, 0 calls
+residuals: 0 +-, 0 *, 0 /, 0 calls
+reactions: 0 +-, 4 *, 0 /, 1 calls
+energy: 2 +-, 10 *, 0 /, 2 calls
+jacobian: 2 +-, 21 *, 3 /, 2 calls
+outputs: 0 +-, 5 *, 0 /, 1 calls
+
+A singular point raises SingularModelError.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+COORDINATES: tuple[str, ...] = ("theta", "phi")
+STATE: tuple[str, ...] = ("theta", "phi", "theta'", "phi'")
+PARAMETERS: tuple[str, ...] = ("m", "l", "g")
+CONSTRAINTS: tuple[str, ...] = ()
+OUTPUTS: tuple[str, ...] = ("L_z",)
+DEFAULTS: tuple[float, ...] = (1.0, 1.0, 9.81)
+
+REASONS = (
+    "",
+    "",
+    "the mass matrix is singular",
+    "a result is not finite or not defined",
+)
+NOT_FINITE = 3
+
+
+class SingularModelError(ArithmeticError):
+    """The model is singular here; ``status`` is the code that C returns."""
+
+    def __init__(self, status: int, function: str) -> None:
+        super().__init__(f"{function}: {REASONS[status]}")
+        self.status = status
+
+
+def _finish(function: str, values: list[float]) -> list[float]:
+    if not all(map(math.isfinite, values)):
+        raise SingularModelError(NOT_FINITE, function)
+    return values
+
+
+def _single(function: str, value: float) -> float:
+    if not math.isfinite(value):
+        raise SingularModelError(NOT_FINITE, function)
+    return value
+
+
+def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
+    """right-hand side dy/dt = f(t, y; p) (II.3)
+
+    Arguments: t (scalar), y (4,), p (3,).
+    Returns dydt (4,).
+    """
+    theta = float(y[0])  # angle from the downward vertical [rad]
+    theta_dot = float(y[2])
+    phi_dot = float(y[3])
+    m = float(p[0])  # mass of the bob [kg]
+    l = float(p[1])  # length of the rod [m]
+    g = float(p[2])  # acceleration of gravity [m/s^2]
+    try:
+        # parameters only
+        k1 = m * (l * l)
+        k2 = g / l
+        # state
+        # the mass matrix is singular
+        if not abs(k1) > 0.0:
+            raise SingularModelError(2, "rhs")
+        s_theta = math.sin(theta)
+        s1 = s_theta * s_theta
+        # the mass matrix is singular
+        if not abs(k1 * s1) > 0.0:
+            raise SingularModelError(2, "rhs")
+        c_theta = math.cos(theta)
+        dydt: list[float] = [
+            # theta' (II.3)
+            theta_dot,
+            # phi' (II.3)
+            phi_dot,
+            # theta'' (II.3) 13:4
+            s_theta * (phi_dot * phi_dot * c_theta - k2),
+            # phi'' (II.3) 13:4
+            -2.0 * (c_theta * (theta_dot * phi_dot) / s_theta),
+        ]
+        return _finish("rhs", dydt)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "rhs") from error
+
+
+def velocities(
+    t: float,
+    y: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """all velocities q' from the state (I.2.4)
+
+    Arguments: t (scalar), y (4,), p (3,).
+    Returns qdot (2,).
+    """
+    theta_dot = float(y[2])
+    phi_dot = float(y[3])
+    try:
+        # state
+        qdot: list[float] = [
+            # theta' (I.2.4)
+            theta_dot,
+            # phi' (I.2.4)
+            phi_dot,
+        ]
+        return _finish("velocities", qdot)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "velocities") from error
+
+
+def accelerations(
+    t: float,
+    y: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """all accelerations q'' on the motion (II.3)
+
+    Arguments: t (scalar), y (4,), p (3,).
+    Returns qddot (2,).
+    """
+    theta = float(y[0])  # angle from the downward vertical [rad]
+    theta_dot = float(y[2])
+    phi_dot = float(y[3])
+    m = float(p[0])  # mass of the bob [kg]
+    l = float(p[1])  # length of the rod [m]
+    g = float(p[2])  # acceleration of gravity [m/s^2]
+    try:
+        # parameters only
+        k1 = m * (l * l)
+        k2 = g / l
+        # state
+        # the mass matrix is singular
+        if not abs(k1) > 0.0:
+            raise SingularModelError(2, "accelerations")
+        s_theta = math.sin(theta)
+        s1 = s_theta * s_theta
+        # the mass matrix is singular
+        if not abs(k1 * s1) > 0.0:
+            raise SingularModelError(2, "accelerations")
+        c_theta = math.cos(theta)
+        qddot: list[float] = [
+            # theta'' (II.3)
+            s_theta * (phi_dot * phi_dot * c_theta - k2),
+            # phi'' (II.3)
+            -2.0 * (c_theta * (theta_dot * phi_dot) / s_theta),
+        ]
+        return _finish("accelerations", qddot)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "accelerations") from error
+
+
+def state(
+    t: float,
+    q: Sequence[float],
+    qdot: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """the state y from coordinates and velocities (I.2.1)
+
+    Arguments: t (scalar), q (2,), qdot (2,), p (3,).
+    Returns y (4,).
+    """
+    theta = float(q[0])  # angle from the downward vertical [rad]
+    phi = float(q[1])  # azimuth [rad]
+    theta_dot = float(qdot[0])
+    phi_dot = float(qdot[1])
+    try:
+        # state
+        y: list[float] = [theta, phi, theta_dot, phi_dot]
+        return _finish("state", y)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "state") from error
+
+
+def residuals(
+    t: float,
+    q: Sequence[float],
+    qdot: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """left sides of the constraints, zero on every motion (I.1.1)
+
+    Arguments: t (scalar), q (2,), qdot (2,), p (3,).
+    Returns r (0,).
+    """
+    try:
+        r: list[float] = []
+        return _finish("residuals", r)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "residuals") from error
+
+
+def reactions(
+    t: float,
+    y: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+
+    Arguments: t (scalar), y (4,), p (3,).
+    Returns lambda_ (0,).
+    Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a.
+    """
+    theta = float(y[0])  # angle from the downward vertical [rad]
+    m = float(p[0])  # mass of the bob [kg]
+    l = float(p[1])  # length of the rod [m]
+    try:
+        # parameters only
+        k1 = m * (l * l)
+        # state
+        # the mass matrix is singular
+        if not abs(k1) > 0.0:
+            raise SingularModelError(2, "reactions")
+        s_theta = math.sin(theta)
+        s1 = s_theta * s_theta
+        # the mass matrix is singular
+        if not abs(k1 * s1) > 0.0:
+            raise SingularModelError(2, "reactions")
+        lambda_: list[float] = []
+        return _finish("reactions", lambda_)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "reactions") from error
+
+
+def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
+    """T + V (II.1.4)
+
+    Arguments: t (scalar), y (4,), p (3,).
+    Returns a scalar.
+    """
+    theta = float(y[0])  # angle from the downward vertical [rad]
+    theta_dot = float(y[2])
+    phi_dot = float(y[3])
+    m = float(p[0])  # mass of the bob [kg]
+    l = float(p[1])  # length of the rod [m]
+    g = float(p[2])  # acceleration of gravity [m/s^2]
+    try:
+        # parameters only
+        k1 = m * l
+        # state
+        s_theta = math.sin(theta)
+        c_theta = math.cos(theta)
+        s1 = 0.5 * (s_theta * s_theta * (phi_dot * phi_dot))
+        z1 = k1 * (l * (0.5 * (theta_dot * theta_dot) + s1) - g * c_theta)
+        value1 = z1
+        return _single("energy", value1)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "energy") from error
+
+
+def jacobian(
+    t: float,
+    y: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[list[float]]:
+    """d rhs_i / d y_j, row-major (II.3)
+
+    Arguments: t (scalar), y (4,), p (3,).
+    Returns rows (4, 4): d rhs_i / d y_j stands at [i][j].
+    """
+    theta = float(y[0])  # angle from the downward vertical [rad]
+    theta_dot = float(y[2])
+    phi_dot = float(y[3])
+    m = float(p[0])  # mass of the bob [kg]
+    l = float(p[1])  # length of the rod [m]
+    g = float(p[2])  # acceleration of gravity [m/s^2]
+    try:
+        # parameters only
+        k1 = m * (l * l)
+        k2 = 1.0 / l
+        # state
+        # the mass matrix is singular
+        if not abs(k1) > 0.0:
+            raise SingularModelError(2, "jacobian")
+        s_theta = math.sin(theta)
+        z1 = s_theta * s_theta
+        # the mass matrix is singular
+        if not abs(k1 * z1) > 0.0:
+            raise SingularModelError(2, "jacobian")
+        c_theta = math.cos(theta)
+        z2 = 1.0 / s_theta
+        J: list[float] = [
+            # (II.3)
+            0.0,
+            # (II.3)
+            0.0,
+            # (II.3)
+            1.0,
+            # (II.3)
+            0.0,
+            # (II.3)
+            0.0,
+            # (II.3)
+            0.0,
+            # (II.3)
+            0.0,
+            # (II.3)
+            1.0,
+            # (II.3)
+            phi_dot * phi_dot * (1.0 - 2.0 * z1) - k2 * (g * c_theta),
+            # (II.3)
+            0.0,
+            # (II.3)
+            0.0,
+            # (II.3)
+            2.0 * (c_theta * (phi_dot * s_theta)),
+            # (II.3)
+            2.0 * (theta_dot * phi_dot / (s_theta * s_theta)),
+            # (II.3)
+            0.0,
+            # (II.3)
+            -2.0 * (z2 * (phi_dot * c_theta)),
+            # (II.3)
+            -2.0 * (theta_dot * c_theta * z2),
+        ]
+        _finish("jacobian", J)
+        return [J[k3 : k3 + 4] for k3 in range(0, 16, 4)]
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "jacobian") from error
+
+
+def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
+    """the spec's outputs
+
+    Arguments: t (scalar), y (4,), p (3,).
+    Returns out (1,).
+    """
+    theta = float(y[0])  # angle from the downward vertical [rad]
+    phi_dot = float(y[3])
+    m = float(p[0])  # mass of the bob [kg]
+    l = float(p[1])  # length of the rod [m]
+    try:
+        # parameters only
+        k1 = m * (l * l)
+        # state
+        s_theta = math.sin(theta)
+        out: list[float] = [
+            # L_z 16:8
+            phi_dot * (k1 * (s_theta * s_theta)),
+        ]
+        return _finish("outputs", out)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "outputs") from error

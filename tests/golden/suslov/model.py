@@ -1,0 +1,488 @@
+"""suslov, emitted by nhc 0.1.0 (nhc:d67832bcc20b9efc).
+
+A rigid body with a fixed point that must not turn about one of its own axes.
+Source: suslov.yaml
+Equations of motion: euler-lagrange (I.2.15)
+Why: quasi-velocities of the spec
+
+State y:
+y[0] = phi [rad]: precession
+y[1] = theta [rad]: nutation
+y[2] = psi [rad]: spin
+y[3] = w1
+y[4] = w2
+
+Parameters p:
+p[0]: I11 = 1.0 [kg*m^2]
+p[1]: I22 = 1.6 [kg*m^2]
+p[2]: I33 = 2.0 [kg*m^2]
+p[3]: I13 = 0.3 [kg*m^2]
+p[4]: I23 = -0.2 [kg*m^2]
+
+Constraints:
+0: no_spin
+
+Outputs:
+out[0] = M3
+
+Operations:
+rhs: 3 +-, 15 *, 3 /, 4 calls
+velocities: 2 +-, 9 *, 1 /, 4 calls
+accelerations: 14 +-, 37 *, 4 /, 4 calls
+state: 2 +-, 6 *, 0 /, 3 calls
+residuals: 1 +-, 1 *, 0 /, 1 calls
+reactions: 4 +-, 10 *, 2 /, 1 calls
+energy: 1 +-, 6 *, 0 /, 0 calls
+jacobian: 10 +-, 35 *, 4 /, 4 calls
+outputs: 1 +-, 2 *, 0 /, 1 calls
+
+A singular point raises SingularModelError.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+COORDINATES: tuple[str, ...] = ("phi", "theta", "psi")
+STATE: tuple[str, ...] = ("phi", "theta", "psi", "w1", "w2")
+PARAMETERS: tuple[str, ...] = ("I11", "I22", "I33", "I13", "I23")
+CONSTRAINTS: tuple[str, ...] = ("no_spin",)
+OUTPUTS: tuple[str, ...] = ("M3",)
+DEFAULTS: tuple[float, ...] = (1.0, 1.6, 2.0, 0.3, -0.2)
+
+REASONS = (
+    "",
+    "the coframe is singular",
+    "the mass matrix is singular",
+    "a result is not finite or not defined",
+)
+NOT_FINITE = 3
+
+
+class SingularModelError(ArithmeticError):
+    """The model is singular here; ``status`` is the code that C returns."""
+
+    def __init__(self, status: int, function: str) -> None:
+        super().__init__(f"{function}: {REASONS[status]}")
+        self.status = status
+
+
+def _finish(function: str, values: list[float]) -> list[float]:
+    if not all(map(math.isfinite, values)):
+        raise SingularModelError(NOT_FINITE, function)
+    return values
+
+
+def _single(function: str, value: float) -> float:
+    if not math.isfinite(value):
+        raise SingularModelError(NOT_FINITE, function)
+    return value
+
+
+def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
+    """right-hand side dy/dt = f(t, y; p) (I.2.15)
+
+    Arguments: t (scalar), y (5,), p (5,).
+    Returns dydt (5,).
+    """
+    theta = float(y[1])  # nutation [rad]
+    psi = float(y[2])  # spin [rad]
+    w1 = float(y[3])
+    w2 = float(y[4])
+    I11 = float(p[0])  # [kg*m^2]
+    I22 = float(p[1])  # [kg*m^2]
+    I13 = float(p[3])  # [kg*m^2]
+    I23 = float(p[4])  # [kg*m^2]
+    try:
+        # parameters only
+        k1 = 1.0 / I11
+        k2 = 1.0 / I22
+        # state
+        s_theta = math.sin(theta)
+        # the coframe is singular
+        if not abs(s_theta) > 1e-12 * 4.0:
+            raise SingularModelError(1, "rhs")
+        # the mass matrix is singular
+        if not abs(I11) > 0.0:
+            raise SingularModelError(2, "rhs")
+        # the mass matrix is singular
+        if not abs(I22) > 0.0:
+            raise SingularModelError(2, "rhs")
+        c_psi = math.cos(psi)
+        s_psi = math.sin(psi)
+        z1 = 1.0 / s_theta
+        z2 = (c_psi * w2 + s_psi * w1) * z1
+        c_theta = math.cos(theta)
+        z3 = I13 * w1 + I23 * w2
+        dydt: list[float] = [
+            # phi' (I.2.15)
+            z2,
+            # theta' (I.2.15)
+            z1 * (s_theta * c_psi * w1 - s_theta * s_psi * w2),
+            # psi' (I.2.15)
+            -c_theta * z2,
+            # w1' (I.2.15) 20:4
+            -w2 * z3 * k1,
+            # w2' (I.2.15) 20:4
+            w1 * z3 * k2,
+        ]
+        return _finish("rhs", dydt)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "rhs") from error
+
+
+def velocities(
+    t: float,
+    y: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """all velocities q' from the state (I.2.4)
+
+    Arguments: t (scalar), y (5,), p (5,).
+    Returns qdot (3,).
+    """
+    theta = float(y[1])  # nutation [rad]
+    psi = float(y[2])  # spin [rad]
+    w1 = float(y[3])
+    w2 = float(y[4])
+    try:
+        # state
+        s_theta = math.sin(theta)
+        # the coframe is singular
+        if not abs(s_theta) > 1e-12 * 4.0:
+            raise SingularModelError(1, "velocities")
+        c_psi = math.cos(psi)
+        s_psi = math.sin(psi)
+        z1 = 1.0 / s_theta
+        z2 = (c_psi * w2 + s_psi * w1) * z1
+        c_theta = math.cos(theta)
+        qdot: list[float] = [
+            # phi' (I.2.4)
+            z2,
+            # theta' (I.2.4)
+            z1 * (s_theta * c_psi * w1 - s_theta * s_psi * w2),
+            # psi' (I.2.4)
+            -c_theta * z2,
+        ]
+        return _finish("velocities", qdot)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "velocities") from error
+
+
+def accelerations(
+    t: float,
+    y: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """all accelerations q'' on the motion (I.2.15)
+
+    Arguments: t (scalar), y (5,), p (5,).
+    Returns qddot (3,).
+    """
+    theta = float(y[1])  # nutation [rad]
+    psi = float(y[2])  # spin [rad]
+    w1 = float(y[3])
+    w2 = float(y[4])
+    I11 = float(p[0])  # [kg*m^2]
+    I22 = float(p[1])  # [kg*m^2]
+    I13 = float(p[3])  # [kg*m^2]
+    I23 = float(p[4])  # [kg*m^2]
+    try:
+        # parameters only
+        k1 = 1.0 / I11
+        k2 = 1.0 / I22
+        # state
+        s_theta = math.sin(theta)
+        # the coframe is singular
+        if not abs(s_theta) > 1e-12 * 4.0:
+            raise SingularModelError(1, "accelerations")
+        # the mass matrix is singular
+        if not abs(I11) > 0.0:
+            raise SingularModelError(2, "accelerations")
+        # the mass matrix is singular
+        if not abs(I22) > 0.0:
+            raise SingularModelError(2, "accelerations")
+        c_psi = math.cos(psi)
+        s_psi = math.sin(psi)
+        z1 = c_psi * w2 + s_psi * w1
+        c_theta = math.cos(theta)
+        z2 = 1.0 / s_theta
+        z3 = s_theta * c_psi
+        z4 = s_theta * s_psi
+        z5 = z3 * w1 - z4 * w2
+        z6 = c_theta * (z2 * z5)
+        z7 = z6 / (s_theta * s_theta)
+        z8 = z1 * z2
+        z9 = c_theta * z8
+        z10 = s_psi * z9
+        z11 = I13 * w1 + I23 * w2
+        z12 = w1 * z11 * k2
+        z13 = c_psi * z9
+        z14 = w2 * z11 * k1
+        s1 = z2 * (w2 * z10 + c_psi * z12 - (w1 * z13 + s_psi * z14))
+        z15 = z1 * z7 - s1
+        s2 = w1 * (c_psi * z6 + s_theta * z10) - z3 * z14
+        z16 = s2 - (w2 * (s_psi * z6 - s_theta * z13) + z4 * z12)
+        qddot: list[float] = [
+            # phi'' (I.2.15)
+            -z15,
+            # theta'' (I.2.15)
+            z2 * z16 - z5 * z7,
+            # psi'' (I.2.15)
+            z8 * z5 + c_theta * z15,
+        ]
+        return _finish("accelerations", qddot)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "accelerations") from error
+
+
+def state(
+    t: float,
+    q: Sequence[float],
+    qdot: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """the state y from coordinates and velocities (I.2.1)
+
+    Arguments: t (scalar), q (3,), qdot (3,), p (5,).
+    Returns y (5,).
+    """
+    phi = float(q[0])  # precession [rad]
+    theta = float(q[1])  # nutation [rad]
+    psi = float(q[2])  # spin [rad]
+    phi_dot = float(qdot[0])
+    theta_dot = float(qdot[1])
+    try:
+        # state
+        s_theta = math.sin(theta)
+        s_psi = math.sin(psi)
+        c_psi = math.cos(psi)
+        y: list[float] = [
+            phi,
+            theta,
+            psi,
+            phi_dot * (s_theta * s_psi) + theta_dot * c_psi,
+            phi_dot * (s_theta * c_psi) - theta_dot * s_psi,
+        ]
+        return _finish("state", y)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "state") from error
+
+
+def residuals(
+    t: float,
+    q: Sequence[float],
+    qdot: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """left sides of the constraints, zero on every motion (I.1.1)
+
+    Arguments: t (scalar), q (3,), qdot (3,), p (5,).
+    Returns r (1,).
+    """
+    theta = float(q[1])  # nutation [rad]
+    phi_dot = float(qdot[0])
+    psi_dot = float(qdot[2])
+    try:
+        # state
+        c_theta = math.cos(theta)
+        r: list[float] = [
+            # no_spin = 0 (I.1.1) 22:5
+            psi_dot + phi_dot * c_theta,
+        ]
+        return _finish("residuals", r)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "residuals") from error
+
+
+def reactions(
+    t: float,
+    y: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+
+    Arguments: t (scalar), y (5,), p (5,).
+    Returns lambda_ (1,).
+    Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a.
+    """
+    theta = float(y[1])  # nutation [rad]
+    w1 = float(y[3])
+    w2 = float(y[4])
+    I11 = float(p[0])  # [kg*m^2]
+    I22 = float(p[1])  # [kg*m^2]
+    I13 = float(p[3])  # [kg*m^2]
+    I23 = float(p[4])  # [kg*m^2]
+    try:
+        # parameters only
+        k1 = I11 - I22
+        k2 = 1.0 / I11
+        k3 = 1.0 / I22
+        # state
+        s_theta = math.sin(theta)
+        # the coframe is singular
+        if not abs(s_theta) > 1e-12 * 4.0:
+            raise SingularModelError(1, "reactions")
+        # the mass matrix is singular
+        if not abs(I11) > 0.0:
+            raise SingularModelError(2, "reactions")
+        # the mass matrix is singular
+        if not abs(I22) > 0.0:
+            raise SingularModelError(2, "reactions")
+        z1 = I13 * w1 + I23 * w2
+        lambda_: list[float] = [
+            # reaction of no_spin: Q_i gains lambda_1 a_1i (I.4.1) 22:5
+            -(w1 * w2 * k1 + (I13 * (w2 * z1 * k2) - I23 * (w1 * z1 * k3))),
+        ]
+        return _finish("reactions", lambda_)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "reactions") from error
+
+
+def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
+    """T + V (II.1.4)
+
+    Arguments: t (scalar), y (5,), p (5,).
+    Returns a scalar.
+    """
+    w1 = float(y[3])
+    w2 = float(y[4])
+    I11 = float(p[0])  # [kg*m^2]
+    I22 = float(p[1])  # [kg*m^2]
+    try:
+        # state
+        value1 = 0.5 * (I11 * (w1 * w1)) + 0.5 * (I22 * (w2 * w2))
+        return _single("energy", value1)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "energy") from error
+
+
+def jacobian(
+    t: float,
+    y: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[list[float]]:
+    """d rhs_i / d y_j, row-major (I.2.15)
+
+    Arguments: t (scalar), y (5,), p (5,).
+    Returns rows (5, 5): d rhs_i / d y_j stands at [i][j].
+    """
+    theta = float(y[1])  # nutation [rad]
+    psi = float(y[2])  # spin [rad]
+    w1 = float(y[3])
+    w2 = float(y[4])
+    I11 = float(p[0])  # [kg*m^2]
+    I22 = float(p[1])  # [kg*m^2]
+    I13 = float(p[3])  # [kg*m^2]
+    I23 = float(p[4])  # [kg*m^2]
+    try:
+        # parameters only
+        k1 = 1.0 / I11
+        k2 = 1.0 / I22
+        # state
+        s_theta = math.sin(theta)
+        # the coframe is singular
+        if not abs(s_theta) > 1e-12 * 4.0:
+            raise SingularModelError(1, "jacobian")
+        # the mass matrix is singular
+        if not abs(I11) > 0.0:
+            raise SingularModelError(2, "jacobian")
+        # the mass matrix is singular
+        if not abs(I22) > 0.0:
+            raise SingularModelError(2, "jacobian")
+        c_theta = math.cos(theta)
+        c_psi = math.cos(psi)
+        s_psi = math.sin(psi)
+        z1 = c_psi * w2 + s_psi * w1
+        z2 = 1.0 / (s_theta * s_theta)
+        z3 = 1.0 / s_theta
+        z4 = s_psi * (w2 * z3)
+        z5 = c_psi * (w1 * z3)
+        z6 = c_theta * z3
+        z7 = I23 * w2
+        z8 = I13 * w1
+        z9 = z8 + z7
+        s1 = z4 - (z5 - (s_theta * c_psi * w1 - s_theta * s_psi * w2) * z2)
+        J: list[float] = [
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            -c_theta * (z1 * z2),
+            # (I.2.15)
+            z5 - z4,
+            # (I.2.15)
+            s_psi * z3,
+            # (I.2.15)
+            c_psi * z3,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            -c_theta * s1,
+            # (I.2.15)
+            -z1,
+            # (I.2.15)
+            c_psi,
+            # (I.2.15)
+            -s_psi,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            z1 + c_theta * (z2 * (c_theta * z1)),
+            # (I.2.15)
+            s_psi * (w2 * z6) - c_psi * (w1 * z6),
+            # (I.2.15)
+            -s_psi * z6,
+            # (I.2.15)
+            -c_psi * z6,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            -k1 * (I13 * w2),
+            # (I.2.15)
+            -k1 * (z7 + z9),
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            k2 * (z8 + z9),
+            # (I.2.15)
+            k2 * (I23 * w1),
+        ]
+        _finish("jacobian", J)
+        return [J[k3 : k3 + 5] for k3 in range(0, 25, 5)]
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "jacobian") from error
+
+
+def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
+    """the spec's outputs
+
+    Arguments: t (scalar), y (5,), p (5,).
+    Returns out (1,).
+    """
+    theta = float(y[1])  # nutation [rad]
+    w1 = float(y[3])
+    w2 = float(y[4])
+    I13 = float(p[3])  # [kg*m^2]
+    I23 = float(p[4])  # [kg*m^2]
+    try:
+        # state
+        s_theta = math.sin(theta)
+        # the coframe is singular
+        if not abs(s_theta) > 1e-12 * 4.0:
+            raise SingularModelError(1, "outputs")
+        out: list[float] = [
+            # M3 28:7
+            I13 * w1 + I23 * w2,
+        ]
+        return _finish("outputs", out)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "outputs") from error

@@ -1,0 +1,66 @@
+"""Every stage of every gallery system, compared with what was accepted before; the emitted C compiles strictly and agrees with Python."""
+
+from __future__ import annotations
+
+import ctypes
+import random
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from nhc.language import read
+from nhc.pipeline import Options, dump, emit
+from tests.support import COMPILER, GALLERY, CModel, compile_c, error, python_model, spec_path
+
+HERE = Path(__file__).resolve().parent
+STAGES = {"form.txt": "form", "equations.txt": "associate", "program.txt": "lower"}
+FILES = ("form.txt", "equations.txt", "program.txt", "derivation.tex", "model.h", "model.c", "model.py")
+RENAMED = {"latex": {".tex": "derivation.tex"}, "c": {".h": "model.h", ".c": "model.c"}, "python": {".py": "model.py"}}
+
+
+def artefacts(name: str) -> dict[str, str]:
+    """Golden file name -> text, as the command line would print it."""
+    source = read(str(spec_path(name)))
+    texts = {file: dump(source, stage, Options()) for file, stage in STAGES.items()}
+    for language, endings in RENAMED.items():
+        for file, text in emit(source, language, Options()).items():
+            texts[endings[Path(file).suffix]] = text
+    return texts
+
+
+@pytest.mark.parametrize("name", GALLERY)
+def test_golden(name: str, golden: Callable[[Path, str], None]) -> None:
+    found = artefacts(name)
+    assert tuple(sorted(found)) == tuple(sorted(FILES))
+    for file in FILES:
+        golden(HERE / name / file, found[file])
+
+
+def test_no_orphans() -> None:
+    kept = {path.relative_to(HERE).as_posix() for path in HERE.rglob("*") if path.is_file() and path.suffix != ".pyc"}
+    wanted = {f"{name}/{file}" for name in GALLERY for file in FILES} | {"test_goldens.py"}
+    assert kept <= wanted
+
+
+@pytest.mark.skipif(COMPILER is None, reason="no C compiler on this machine")
+@pytest.mark.parametrize("name", GALLERY)
+def test_golden_c_compiles_and_agrees_with_python(name: str, tmp_path: Path) -> None:
+    folder = HERE / name
+    texts = {f"{name}.h": (folder / "model.h").read_text(), f"{name}.c": (folder / "model.c").read_text()}
+    library = compile_c(texts, tmp_path, name, ("-O2",) if len(texts[f"{name}.c"]) < 200_000 else ("-O1",))
+    c, python = CModel(name, ctypes.CDLL(str(library)), {}), python_model((folder / "model.py").read_text(), name)
+    size, n, l = len(python.STATE), len(python.COORDINATES), len(python.CONSTRAINTS)  # noqa: E741
+    p, rng, compared = list(python.DEFAULTS), random.Random(name), 0
+    for _ in range(12):
+        t, y = rng.uniform(0, 2), [rng.uniform(0.1, 0.9) for _ in range(size)]
+        try:
+            expected = python.rhs(t, y)
+        except python.SingularModelError:
+            continue
+        compared += 1
+        assert error(c("rhs", size, t, y, p), expected) < 1e-11
+        assert error(c("accelerations", n, t, y, p), python.accelerations(t, y)) < 1e-11
+        assert error(c("reactions", l, t, y, p), python.reactions(t, y)) < 1e-11
+        assert error([c.energy(t, y, p)], [python.energy(t, y)]) < 1e-12
+    assert compared >= 3

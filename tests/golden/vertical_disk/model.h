@@ -1,0 +1,137 @@
+/*
+ * vertical_disk.h: vertical_disk, emitted by nhc 0.1.0 (nhc:3a9a247d291c4ff9)
+ * A disk that stays upright and rolls without slipping.
+ * Source: vertical_disk.yaml
+ * Equations of motion: chaplygin (III.3)
+ * Why: dependent velocities of the spec
+ *
+ * State y:
+ * y[0] = x [m]: point of contact
+ * y[1] = y [m]: point of contact
+ * y[2] = phi [rad]: heading
+ * y[3] = theta [rad]: angle rolled
+ * y[4] = phi'
+ * y[5] = theta'
+ *
+ * Parameters p:
+ * p[0]: m = 1.0 [kg]: mass
+ * p[1]: R = 0.5 [m]: radius
+ * p[2]: I = 0.125 [kg*m^2]: moment of inertia about the axle
+ * p[3]: J = 0.0625 [kg*m^2]: moment of inertia about the vertical
+ *
+ * Constraints:
+ * 0: roll_x
+ * 1: roll_y
+ *
+ * Outputs:
+ * out[0] = speed
+ *
+ * Operations:
+ * rhs: 1 +-, 6 *, 0 /, 2 calls
+ * velocities: 0 +-, 4 *, 0 /, 2 calls
+ * accelerations: 1 +-, 6 *, 0 /, 2 calls
+ * state: 0 +-, 0 *, 0 /, 0 calls
+ * residuals: 2 +-, 4 *, 0 /, 2 calls
+ * reactions: 1 +-, 7 *, 0 /, 2 calls
+ * energy: 2 +-, 9 *, 0 /, 0 calls
+ * jacobian: 1 +-, 7 *, 0 /, 2 calls
+ * outputs: 0 +-, 1 *, 0 /, 0 calls
+ *
+ * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
+ */
+#ifndef NHC_VERTICAL_DISK_H
+#define NHC_VERTICAL_DISK_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* sizes */
+enum {
+    VERTICAL_DISK_NQ = 4, /* coordinates */
+    VERTICAL_DISK_NY = 6, /* state: the coordinates and the velocities that are kept */
+    VERTICAL_DISK_NP = 4, /* parameters */
+    VERTICAL_DISK_NC = 2, /* constraints */
+    VERTICAL_DISK_NOUT = 1 /* outputs */
+};
+
+/* return codes */
+enum {
+    VERTICAL_DISK_OK = 0, /* the result is good */
+    VERTICAL_DISK_SINGULAR_2 = 2, /* the mass matrix is singular */
+    VERTICAL_DISK_NOT_FINITE = 3 /* a result is infinite or not a number */
+};
+
+extern const char *const vertical_disk_coordinate_names[];
+extern const char *const vertical_disk_state_names[];
+extern const char *const vertical_disk_parameter_names[];
+extern const double vertical_disk_parameter_defaults[];
+
+/*
+ * right-hand side dy/dt = f(t, y; p) (III.3)
+ * dydt: 6 entries
+ */
+int vertical_disk_rhs(double t, const double *y, const double *p, double *dydt);
+
+/*
+ * all velocities q' from the state (I.2.4)
+ * qdot: 4 entries
+ */
+int vertical_disk_velocities(double t, const double *y, const double *p, double *qdot);
+
+/*
+ * all accelerations q'' on the motion (III.3)
+ * qddot: 4 entries
+ */
+int vertical_disk_accelerations(double t, const double *y, const double *p, double *qddot);
+
+/*
+ * the state y from coordinates and velocities (I.2.1)
+ * y: 6 entries
+ */
+int vertical_disk_state(double t, const double *q, const double *qdot, const double *p, double *y);
+
+/*
+ * left sides of the constraints, zero on every motion (I.1.1)
+ * r: 2 entries
+ */
+int vertical_disk_residuals(double t, const double *q, const double *qdot, const double *p, double *r);
+
+/*
+ * reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+ * lambda: 2 entries
+ * Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a
+ */
+int vertical_disk_reactions(double t, const double *y, const double *p, double *lambda);
+
+/*
+ * T + V (II.1.4)
+ * not finite where the model is singular
+ */
+double vertical_disk_energy(double t, const double *y, const double *p);
+
+/*
+ * d rhs_i / d y_j, row-major (III.3)
+ * J: 36 entries, row by row: d rhs_i / d y_j stands at 6*i + j
+ */
+int vertical_disk_jacobian(double t, const double *y, const double *p, double *J);
+
+/*
+ * the spec's outputs
+ * out: 1 entries
+ */
+int vertical_disk_outputs(double t, const double *y, const double *p, double *out);
+
+/*
+ * rhs for count states at once, a structure of arrays: entry k of state i is y[k*count + i], its time t[i];
+ * the parameters are shared. Nonzero when any of the states is singular. dydt must not overlap the inputs.
+ */
+int vertical_disk_rhs_batch(size_t count, const double *t, const double *y, const double *p, double *dydt);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,448 @@
+# ruff: noqa: E741
+"""vertical_disk, emitted by nhc 0.1.0 (nhc:453a5b41d13003e6).
+
+A disk that stays upright and rolls without slipping.
+Source: vertical_disk.yaml
+Equations of motion: chaplygin (III.3)
+Why: dependent velocities of the spec
+
+State y:
+y[0] = x [m]: point of contact
+y[1] = y [m]: point of contact
+y[2] = phi [rad]: heading
+y[3] = theta [rad]: angle rolled
+y[4] = phi'
+y[5] = theta'
+
+Parameters p:
+p[0]: m = 1.0 [kg]: mass
+p[1]: R = 0.5 [m]: radius
+p[2]: I = 0.125 [kg*m^2]: moment of inertia about the axle
+p[3]: J = 0.0625 [kg*m^2]: moment of inertia about the vertical
+
+Constraints:
+0: roll_x
+1: roll_y
+
+Outputs:
+out[0] = speed
+
+Operations:
+rhs: 1 +-, 6 *, 0 /, 2 calls
+velocities: 0 +-, 4 *, 0 /, 2 calls
+accelerations: 1 +-, 6 *, 0 /, 2 calls
+state: 0 +-, 0 *, 0 /, 0 calls
+residuals: 2 +-, 4 *, 0 /, 2 calls
+reactions: 1 +-, 7 *, 0 /, 2 calls
+energy: 2 +-, 9 *, 0 /, 0 calls
+jacobian: 1 +-, 7 *, 0 /, 2 calls
+outputs: 0 +-, 1 *, 0 /, 0 calls
+
+A singular point raises SingularModelError.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+COORDINATES: tuple[str, ...] = ("x", "y", "phi", "theta")
+STATE: tuple[str, ...] = ("x", "y", "phi", "theta", "phi'", "theta'")
+PARAMETERS: tuple[str, ...] = ("m", "R", "I", "J")
+CONSTRAINTS: tuple[str, ...] = ("roll_x", "roll_y")
+OUTPUTS: tuple[str, ...] = ("speed",)
+DEFAULTS: tuple[float, ...] = (1.0, 0.5, 0.125, 0.0625)
+
+REASONS = (
+    "",
+    "",
+    "the mass matrix is singular",
+    "a result is not finite or not defined",
+)
+NOT_FINITE = 3
+
+
+class SingularModelError(ArithmeticError):
+    """The model is singular here; ``status`` is the code that C returns."""
+
+    def __init__(self, status: int, function: str) -> None:
+        super().__init__(f"{function}: {REASONS[status]}")
+        self.status = status
+
+
+def _finish(function: str, values: list[float]) -> list[float]:
+    if not all(map(math.isfinite, values)):
+        raise SingularModelError(NOT_FINITE, function)
+    return values
+
+
+def _single(function: str, value: float) -> float:
+    if not math.isfinite(value):
+        raise SingularModelError(NOT_FINITE, function)
+    return value
+
+
+def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
+    """right-hand side dy/dt = f(t, y; p) (III.3)
+
+    Arguments: t (scalar), y (6,), p (4,).
+    Returns dydt (6,).
+    """
+    phi = float(y[2])  # heading [rad]
+    phi_dot = float(y[4])
+    theta_dot = float(y[5])
+    m = float(p[0])  # mass [kg]
+    R = float(p[1])  # radius [m]
+    I = float(p[2])  # moment of inertia about the axle [kg*m^2]
+    J = float(p[3])  # moment of inertia about the vertical [kg*m^2]
+    try:
+        # state
+        # the mass matrix is singular
+        if not abs(J) > 0.0:
+            raise SingularModelError(2, "rhs")
+        s1 = I + m * (R * R)
+        # the mass matrix is singular
+        if not abs(s1) > 0.0:
+            raise SingularModelError(2, "rhs")
+        c_phi = math.cos(phi)
+        s_phi = math.sin(phi)
+        dydt: list[float] = [
+            # x' (III.3)
+            theta_dot * (R * c_phi),
+            # y' (III.3)
+            theta_dot * (R * s_phi),
+            # phi' (III.3)
+            phi_dot,
+            # theta' (III.3)
+            theta_dot,
+            # phi'' (III.3) 16:4
+            0.0,
+            # theta'' (III.3) 16:4
+            0.0,
+        ]
+        return _finish("rhs", dydt)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "rhs") from error
+
+
+def velocities(
+    t: float,
+    y: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """all velocities q' from the state (I.2.4)
+
+    Arguments: t (scalar), y (6,), p (4,).
+    Returns qdot (4,).
+    """
+    phi = float(y[2])  # heading [rad]
+    phi_dot = float(y[4])
+    theta_dot = float(y[5])
+    R = float(p[1])  # radius [m]
+    try:
+        # state
+        c_phi = math.cos(phi)
+        s_phi = math.sin(phi)
+        qdot: list[float] = [
+            # x' (I.2.4)
+            theta_dot * (R * c_phi),
+            # y' (I.2.4)
+            theta_dot * (R * s_phi),
+            # phi' (I.2.4)
+            phi_dot,
+            # theta' (I.2.4)
+            theta_dot,
+        ]
+        return _finish("velocities", qdot)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "velocities") from error
+
+
+def accelerations(
+    t: float,
+    y: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """all accelerations q'' on the motion (III.3)
+
+    Arguments: t (scalar), y (6,), p (4,).
+    Returns qddot (4,).
+    """
+    phi = float(y[2])  # heading [rad]
+    phi_dot = float(y[4])
+    theta_dot = float(y[5])
+    m = float(p[0])  # mass [kg]
+    R = float(p[1])  # radius [m]
+    I = float(p[2])  # moment of inertia about the axle [kg*m^2]
+    J = float(p[3])  # moment of inertia about the vertical [kg*m^2]
+    try:
+        # state
+        # the mass matrix is singular
+        if not abs(J) > 0.0:
+            raise SingularModelError(2, "accelerations")
+        s1 = I + m * (R * R)
+        # the mass matrix is singular
+        if not abs(s1) > 0.0:
+            raise SingularModelError(2, "accelerations")
+        s_phi = math.sin(phi)
+        z1 = R * (phi_dot * theta_dot)
+        c_phi = math.cos(phi)
+        qddot: list[float] = [
+            # x'' (III.3)
+            -s_phi * z1,
+            # y'' (III.3)
+            c_phi * z1,
+            # phi'' (III.3)
+            0.0,
+            # theta'' (III.3)
+            0.0,
+        ]
+        return _finish("accelerations", qddot)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "accelerations") from error
+
+
+def state(
+    t: float,
+    q: Sequence[float],
+    qdot: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """the state y from coordinates and velocities (I.2.1)
+
+    Arguments: t (scalar), q (4,), qdot (4,), p (4,).
+    Returns y (6,).
+    """
+    x = float(q[0])  # point of contact [m]
+    y_2 = float(q[1])  # point of contact [m]
+    phi = float(q[2])  # heading [rad]
+    theta = float(q[3])  # angle rolled [rad]
+    phi_dot = float(qdot[2])
+    theta_dot = float(qdot[3])
+    try:
+        # state
+        y: list[float] = [x, y_2, phi, theta, phi_dot, theta_dot]
+        return _finish("state", y)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "state") from error
+
+
+def residuals(
+    t: float,
+    q: Sequence[float],
+    qdot: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """left sides of the constraints, zero on every motion (I.1.1)
+
+    Arguments: t (scalar), q (4,), qdot (4,), p (4,).
+    Returns r (2,).
+    """
+    phi = float(q[2])  # heading [rad]
+    x_dot = float(qdot[0])
+    y_dot = float(qdot[1])
+    theta_dot = float(qdot[3])
+    R = float(p[1])  # radius [m]
+    try:
+        # state
+        c_phi = math.cos(phi)
+        s_phi = math.sin(phi)
+        r: list[float] = [
+            # roll_x = 0 (I.1.1) 18:5
+            x_dot - theta_dot * (R * c_phi),
+            # roll_y = 0 (I.1.1) 19:5
+            y_dot - theta_dot * (R * s_phi),
+        ]
+        return _finish("residuals", r)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "residuals") from error
+
+
+def reactions(
+    t: float,
+    y: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+
+    Arguments: t (scalar), y (6,), p (4,).
+    Returns lambda_ (2,).
+    Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a.
+    """
+    phi = float(y[2])  # heading [rad]
+    phi_dot = float(y[4])
+    theta_dot = float(y[5])
+    m = float(p[0])  # mass [kg]
+    R = float(p[1])  # radius [m]
+    I = float(p[2])  # moment of inertia about the axle [kg*m^2]
+    J = float(p[3])  # moment of inertia about the vertical [kg*m^2]
+    try:
+        # state
+        # the mass matrix is singular
+        if not abs(J) > 0.0:
+            raise SingularModelError(2, "reactions")
+        s1 = I + m * (R * R)
+        # the mass matrix is singular
+        if not abs(s1) > 0.0:
+            raise SingularModelError(2, "reactions")
+        s_phi = math.sin(phi)
+        z1 = R * (m * (phi_dot * theta_dot))
+        c_phi = math.cos(phi)
+        lambda_: list[float] = [
+            # reaction of roll_x: Q_i gains lambda_1 a_1i (I.4.1) 18:5
+            -s_phi * z1,
+            # reaction of roll_y: Q_i gains lambda_2 a_2i (I.4.1) 19:5
+            c_phi * z1,
+        ]
+        return _finish("reactions", lambda_)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "reactions") from error
+
+
+def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
+    """T + V (II.1.4)
+
+    Arguments: t (scalar), y (6,), p (4,).
+    Returns a scalar.
+    """
+    phi_dot = float(y[4])
+    theta_dot = float(y[5])
+    m = float(p[0])  # mass [kg]
+    R = float(p[1])  # radius [m]
+    I = float(p[2])  # moment of inertia about the axle [kg*m^2]
+    J = float(p[3])  # moment of inertia about the vertical [kg*m^2]
+    try:
+        # parameters only
+        k1 = 0.5 * I + 0.5 * (m * (R * R))
+        # state
+        value1 = 0.5 * (J * (phi_dot * phi_dot)) + theta_dot * theta_dot * k1
+        return _single("energy", value1)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "energy") from error
+
+
+def jacobian(
+    t: float,
+    y: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[list[float]]:
+    """d rhs_i / d y_j, row-major (III.3)
+
+    Arguments: t (scalar), y (6,), p (4,).
+    Returns rows (6, 6): d rhs_i / d y_j stands at [i][j].
+    """
+    phi = float(y[2])  # heading [rad]
+    theta_dot = float(y[5])
+    m = float(p[0])  # mass [kg]
+    R = float(p[1])  # radius [m]
+    I = float(p[2])  # moment of inertia about the axle [kg*m^2]
+    J_2 = float(p[3])  # moment of inertia about the vertical [kg*m^2]
+    try:
+        # state
+        # the mass matrix is singular
+        if not abs(J_2) > 0.0:
+            raise SingularModelError(2, "jacobian")
+        s1 = I + m * (R * R)
+        # the mass matrix is singular
+        if not abs(s1) > 0.0:
+            raise SingularModelError(2, "jacobian")
+        s_phi = math.sin(phi)
+        z1 = theta_dot * R
+        c_phi = math.cos(phi)
+        J: list[float] = [
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            -s_phi * z1,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            R * c_phi,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            c_phi * z1,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            R * s_phi,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            1.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            1.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+            # (III.3)
+            0.0,
+        ]
+        _finish("jacobian", J)
+        return [J[k1 : k1 + 6] for k1 in range(0, 36, 6)]
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "jacobian") from error
+
+
+def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
+    """the spec's outputs
+
+    Arguments: t (scalar), y (6,), p (4,).
+    Returns out (1,).
+    """
+    theta_dot = float(y[5])
+    R = float(p[1])  # radius [m]
+    try:
+        # state
+        out: list[float] = [
+            # speed 22:10
+            theta_dot * R,
+        ]
+        return _finish("outputs", out)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "outputs") from error

@@ -1,0 +1,136 @@
+/*
+ * veselova.h: veselova, emitted by nhc 0.1.0 (nhc:845afd4617c6906e)
+ * A rigid body with a fixed point that must not turn about the vertical.
+ * Source: veselova.yaml
+ * Equations of motion: euler-lagrange (I.2.15)
+ * Why: quasi-velocities of the spec
+ *
+ * State y:
+ * y[0] = phi [rad]: precession
+ * y[1] = theta [rad]: nutation
+ * y[2] = psi [rad]: spin
+ * y[3] = w_x
+ * y[4] = w_y
+ *
+ * Parameters p:
+ * p[0]: I1 = 1.0 [kg*m^2]
+ * p[1]: I2 = 1.7 [kg*m^2]
+ * p[2]: I3 = 2.3 [kg*m^2]
+ *
+ * Constraints:
+ * 0: no_turn
+ *
+ * Outputs:
+ * out[0] = L_x
+ * out[1] = L_y
+ *
+ * Operations:
+ * rhs: 30 +-, 57 *, 3 /, 6 calls
+ * velocities: 2 +-, 9 *, 1 /, 4 calls
+ * accelerations: 41 +-, 79 *, 4 /, 6 calls
+ * state: 2 +-, 6 *, 0 /, 3 calls
+ * residuals: 1 +-, 1 *, 0 /, 1 calls
+ * reactions: 61 +-, 126 *, 4 /, 6 calls
+ * energy: 7 +-, 23 *, 1 /, 6 calls
+ * jacobian: 108 +-, 218 *, 4 /, 6 calls
+ * outputs: 10 +-, 29 *, 1 /, 6 calls
+ *
+ * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
+ */
+#ifndef NHC_VESELOVA_H
+#define NHC_VESELOVA_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* sizes */
+enum {
+    VESELOVA_NQ = 3, /* coordinates */
+    VESELOVA_NY = 5, /* state: the coordinates and the velocities that are kept */
+    VESELOVA_NP = 3, /* parameters */
+    VESELOVA_NC = 1, /* constraints */
+    VESELOVA_NOUT = 2 /* outputs */
+};
+
+/* return codes */
+enum {
+    VESELOVA_OK = 0, /* the result is good */
+    VESELOVA_SINGULAR_1 = 1, /* the coframe is singular */
+    VESELOVA_SINGULAR_2 = 2, /* the mass matrix is singular */
+    VESELOVA_NOT_FINITE = 3 /* a result is infinite or not a number */
+};
+
+extern const char *const veselova_coordinate_names[];
+extern const char *const veselova_state_names[];
+extern const char *const veselova_parameter_names[];
+extern const double veselova_parameter_defaults[];
+
+/*
+ * right-hand side dy/dt = f(t, y; p) (I.2.15)
+ * dydt: 5 entries
+ */
+int veselova_rhs(double t, const double *y, const double *p, double *dydt);
+
+/*
+ * all velocities q' from the state (I.2.4)
+ * qdot: 3 entries
+ */
+int veselova_velocities(double t, const double *y, const double *p, double *qdot);
+
+/*
+ * all accelerations q'' on the motion (I.2.15)
+ * qddot: 3 entries
+ */
+int veselova_accelerations(double t, const double *y, const double *p, double *qddot);
+
+/*
+ * the state y from coordinates and velocities (I.2.1)
+ * y: 5 entries
+ */
+int veselova_state(double t, const double *q, const double *qdot, const double *p, double *y);
+
+/*
+ * left sides of the constraints, zero on every motion (I.1.1)
+ * r: 1 entries
+ */
+int veselova_residuals(double t, const double *q, const double *qdot, const double *p, double *r);
+
+/*
+ * reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+ * lambda: 1 entries
+ * Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a
+ */
+int veselova_reactions(double t, const double *y, const double *p, double *lambda);
+
+/*
+ * T + V (II.1.4)
+ * not finite where the model is singular
+ */
+double veselova_energy(double t, const double *y, const double *p);
+
+/*
+ * d rhs_i / d y_j, row-major (I.2.15)
+ * J: 25 entries, row by row: d rhs_i / d y_j stands at 5*i + j
+ */
+int veselova_jacobian(double t, const double *y, const double *p, double *J);
+
+/*
+ * the spec's outputs
+ * out: 2 entries
+ */
+int veselova_outputs(double t, const double *y, const double *p, double *out);
+
+/*
+ * rhs for count states at once, a structure of arrays: entry k of state i is y[k*count + i], its time t[i];
+ * the parameters are shared. Nonzero when any of the states is singular. dydt must not overlap the inputs.
+ */
+int veselova_rhs_batch(size_t count, const double *t, const double *y, const double *p, double *dydt);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

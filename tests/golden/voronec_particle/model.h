@@ -1,0 +1,129 @@
+/*
+ * voronec_particle.h: voronec_particle, emitted by nhc 0.1.0 (nhc:9e3137deb84f27a4)
+ * A particle whose T, U and constraint depend on the dependent coordinate, so that Caplygin's hypotheses
+ *     fail.
+ * Source: voronec_particle.yaml
+ * Equations of motion: voronec (I.4.9)
+ * Why: dependent velocities of the spec
+ *
+ * State y:
+ * y[0] = x
+ * y[1] = y
+ * y[2] = z
+ * y[3] = x'
+ * y[4] = y'
+ *
+ * No parameters.
+ *
+ * Constraints:
+ * 0: contact
+ *
+ * Operations:
+ * rhs: 32 +-, 79 *, 2 /, 2 calls
+ * velocities: 1 +-, 5 *, 0 /, 1 calls
+ * accelerations: 35 +-, 82 *, 2 /, 2 calls
+ * state: 0 +-, 0 *, 0 /, 0 calls
+ * residuals: 2 +-, 5 *, 0 /, 1 calls
+ * reactions: 38 +-, 90 *, 2 /, 2 calls
+ * energy: 10 +-, 21 *, 0 /, 2 calls
+ * jacobian: 132 +-, 267 *, 2 /, 2 calls
+ * outputs: 0 +-, 0 *, 0 /, 0 calls
+ *
+ * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
+ */
+#ifndef NHC_VORONEC_PARTICLE_H
+#define NHC_VORONEC_PARTICLE_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* sizes */
+enum {
+    VORONEC_PARTICLE_NQ = 3, /* coordinates */
+    VORONEC_PARTICLE_NY = 5, /* state: the coordinates and the velocities that are kept */
+    VORONEC_PARTICLE_NP = 0, /* parameters */
+    VORONEC_PARTICLE_NC = 1, /* constraints */
+    VORONEC_PARTICLE_NOUT = 0 /* outputs */
+};
+
+/* return codes */
+enum {
+    VORONEC_PARTICLE_OK = 0, /* the result is good */
+    VORONEC_PARTICLE_SINGULAR_2 = 2, /* the mass matrix is singular */
+    VORONEC_PARTICLE_NOT_FINITE = 3 /* a result is infinite or not a number */
+};
+
+extern const char *const voronec_particle_coordinate_names[];
+extern const char *const voronec_particle_state_names[];
+extern const char *const voronec_particle_parameter_names[];
+extern const double voronec_particle_parameter_defaults[];
+
+/*
+ * right-hand side dy/dt = f(t, y; p) (I.4.9)
+ * dydt: 5 entries
+ */
+int voronec_particle_rhs(double t, const double *y, const double *p, double *dydt);
+
+/*
+ * all velocities q' from the state (I.2.4)
+ * qdot: 3 entries
+ */
+int voronec_particle_velocities(double t, const double *y, const double *p, double *qdot);
+
+/*
+ * all accelerations q'' on the motion (I.4.9)
+ * qddot: 3 entries
+ */
+int voronec_particle_accelerations(double t, const double *y, const double *p, double *qddot);
+
+/*
+ * the state y from coordinates and velocities (I.2.1)
+ * y: 5 entries
+ */
+int voronec_particle_state(double t, const double *q, const double *qdot, const double *p, double *y);
+
+/*
+ * left sides of the constraints, zero on every motion (I.1.1)
+ * r: 1 entries
+ */
+int voronec_particle_residuals(double t, const double *q, const double *qdot, const double *p, double *r);
+
+/*
+ * reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+ * lambda: 1 entries
+ * Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a
+ */
+int voronec_particle_reactions(double t, const double *y, const double *p, double *lambda);
+
+/*
+ * T + V (II.1.4)
+ * not finite where the model is singular
+ */
+double voronec_particle_energy(double t, const double *y, const double *p);
+
+/*
+ * d rhs_i / d y_j, row-major (I.4.9)
+ * J: 25 entries, row by row: d rhs_i / d y_j stands at 5*i + j
+ */
+int voronec_particle_jacobian(double t, const double *y, const double *p, double *J);
+
+/*
+ * the spec's outputs
+ * out: 0 entries
+ */
+int voronec_particle_outputs(double t, const double *y, const double *p, double *out);
+
+/*
+ * rhs for count states at once, a structure of arrays: entry k of state i is y[k*count + i], its time t[i];
+ * the parameters are shared. Nonzero when any of the states is singular. dydt must not overlap the inputs.
+ */
+int voronec_particle_rhs_batch(size_t count, const double *t, const double *y, const double *p, double *dydt);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
