@@ -9,7 +9,7 @@ from nhc.pipeline import Options, check, emit
 
 
 def spec(force: str) -> Source:
-    text = f"nhc: 1\nsystem: deep\ncoordinates: [x]\nT: \"x'^2/2\"\nforces:\n  x: \"{force}\"\n"
+    text = f'nhc: 1\nsystem: deep\ncoordinates: [x]\nT: "x\'^2/2"\nforces:\n  x: "{force}"\n'
     return Source("deep.yaml", text)
 
 
