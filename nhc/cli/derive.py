@@ -25,7 +25,11 @@ if TYPE_CHECKING:
 @click.option("--scene", metavar="NAME", default="", help="Take the parameters of this scene.")
 @click.option("--dump", metavar="STAGE", help="Print what a stage of the compiler hands on, in place of the equations.")
 @click.option(
-    "--simplify", metavar="SECONDS", type=float, default=0.0, help="Let SymPy simplify what is printed, so long at most."
+    "--simplify",
+    metavar="SECONDS",
+    type=float,
+    default=0.0,
+    help="Let SymPy simplify what is printed, so long at most.",
 )
 @output_option
 @click.option("--force", is_flag=True, help="Replace the file after `-o` when it exists.")

@@ -55,7 +55,9 @@ def describe(system: System, formulation: Formulation, bag: Bag, *, explain: boo
         try:
             _conserved(system, formulation, integrals, facts)
         except Unlucky:
-            facts.say("conserved", [], "constants of the motion: not decided (too many nested roots for the exact test)")
+            facts.say(
+                "conserved", [], "constants of the motion: not decided (too many nested roots for the exact test)"
+            )
     names = [f.name for f in applicable(system)]
     facts.say("applicable", names, f"formulations that apply: {', '.join(names)}")
     line = f"formulation: {formulation.name} ({formulation.number}), {formulation.reason}"

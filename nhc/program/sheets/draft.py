@@ -57,9 +57,7 @@ class DraftSheet:
 class Desk:
     """One derivation's system, and how its nodes become parts of statements."""
 
-    def __init__(
-        self, system: System, formulation: Formulation, equations: Equations, simplify: float = 0.0
-    ) -> None:
+    def __init__(self, system: System, formulation: Formulation, equations: Equations, simplify: float = 0.0) -> None:
         self.system, self.formulation, self.equations = system, formulation, equations
         self.graph = system.graph
         self._short: dict[Node, Node] = {}
