@@ -12,14 +12,15 @@ CFLAGS ?= -O2
 CWARN := -std=c99 -Wall -Wextra -Wpedantic -Wconversion -Werror
 
 .DEFAULT_GOAL := help
-.PHONY: help demo test check goldens fuzz atlas clean
+.PHONY: help demo test slow check goldens fuzz bench atlas clean
 
 help:
 	@sed -n 's/^# \(make .*\)/\1/p' Makefile
 	@echo "make check    the lints only"
 	@echo "make goldens  rewrite the expected files of the tests; read the difference before you commit it"
 	@echo "make fuzz     fuzz the reader, the parser and the emission; FUZZ_INPUTS and FUZZ_SPECS say how much"
-	@echo "make bench    measure nhc beside its peers and write docs/performance.md (needs valgrind, takes many minutes)"
+	@echo "make slow     the tests that take minutes: long runs, long studies"
+	@echo "make bench    those too, then measure nhc beside its peers and write docs/performance.md (needs valgrind, takes many minutes)"
 	@echo "make atlas    run the atlas of failures, the long scenarios too, and rewrite its table in docs/stability.md"
 	@echo "make clean    remove build/"
 
@@ -73,7 +74,10 @@ demo: $(VENV)/installed
 	@ls $(DEMO)
 
 test: check
-	$(BIN)/python -m pytest -n 2
+	$(BIN)/python -m pytest -n 2 -m "not slow"
+
+slow: $(VENV)/installed-dev
+	$(BIN)/python -m pytest -n 2 -m slow
 
 check: $(VENV)/installed-dev
 	$(BIN)/ruff check .
@@ -92,7 +96,7 @@ FUZZ_SEED ?= 1
 fuzz: $(VENV)/installed-dev
 	$(BIN)/python -m tests.fuzz.run --inputs $(FUZZ_INPUTS) --specs $(FUZZ_SPECS) --seed $(FUZZ_SEED)
 
-bench: $(VENV)/installed-bench
+bench: $(VENV)/installed-bench slow
 	@command -v valgrind >/dev/null || { echo "error: no valgrind, which counts the instructions (on Debian: apt-get install valgrind)" >&2; exit 1; }
 	$(BIN)/python -m benchmarks
 
