@@ -11,8 +11,8 @@ from nhc.report.svg import COLOURS
 from nhc.report.ticks import Scale, log_scale
 from nhc.study.chart.case import Result, Study
 
-DASHES = {"c": "", "python": "7 4", "scipy": "2 3"}
-OTHER_DASH = "9 3 2 3"
+DASHES = {"c": "", "python": "7 4", "scipy": "2 3", "heyoka": "9 3 2 3"}
+OTHER_DASH = "1 5"
 SIZE = 3.4
 Value = Callable[[Result], float]
 

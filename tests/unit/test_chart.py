@@ -7,6 +7,7 @@ import math
 import re
 import xml.etree.ElementTree as ET
 from dataclasses import replace
+from types import SimpleNamespace
 
 import pytest
 from jinja2 import meta
@@ -14,11 +15,15 @@ from jinja2 import meta
 from nhc.cli.chart import LANGUAGES as OFFERED_LANGUAGES
 from nhc.cli.chart import METHODS as OFFERED
 from nhc.emit.environment import create_environment
+from nhc.language import read
+from nhc.program.ir import Argument, Call, Function, Load, Ref, Store
 from nhc.report.chart import draw_study
 from nhc.report.chart_file import make_file
 from nhc.report.chart_text import list_failures, to_data, to_markdown
 from nhc.simulate.auto import decay_rate
+from nhc.simulate.interpreted import InterpretedModel
 from nhc.simulate.methods import RUNGE_KUTTA
+from nhc.simulate.opening import open_scene
 from nhc.study.chart.advice import advise, duration, fastest
 from nhc.study.chart.case import Case, Cost, Machine, Reference, Result, Study
 from nhc.study.chart.grid import LANGUAGES
@@ -31,6 +36,8 @@ from nhc.study.chart.measure import (
     time_repeats,
 )
 from nhc.study.chart.reference import extrapolate
+from nhc.study.chart.taylor import NoTaylor, translate
+from tests.support import spec_path
 
 TOLERANCES = (1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12)
 
@@ -229,6 +236,33 @@ def test_extrapolation_takes_away_the_sixth_power() -> None:
         return [[1.0 + 3.0 * h**6]]
 
     assert extrapolate(solved(0.2), solved(0.1))[0][0] == pytest.approx(1.0, abs=1e-15)
+
+
+HEYOKA = SimpleNamespace(
+    expression=float, time=0.3, pi=math.pi, sin=math.sin, cos=math.cos, tan=math.tan, sqrt=math.sqrt, exp=math.exp
+)
+
+
+@pytest.mark.parametrize(
+    ("name", "formulation"),
+    [("chaplygin_sleigh", "euler-lagrange"), ("rolling_disk", "multipliers"), ("heavy_top", "lagrange")],
+)
+def test_what_heyoka_is_given_has_the_values_of_the_emitted_code(name: str, formulation: str) -> None:
+    """Its expressions stood in for by numbers: the translation, solves and all, is the right-hand side."""
+    job = open_scene(read(str(spec_path(name))), formulation=formulation)
+    function = next(f for f in job.program.functions if f.name == "rhs")
+    y = [x + 0.1 + 0.05 * k for k, x in enumerate(job.y)]
+    expected = InterpretedModel(job.program, 0).rhs(0.3, y, job.p)
+    assert translate(function, HEYOKA, y, job.p) == pytest.approx(expected, rel=1e-11, abs=1e-11)
+
+
+def test_what_taylors_method_cannot_do_is_refused() -> None:
+    body = (Load("x", "y", 0), Store("out", 0, Call("abs", (Ref("x"),))))
+    function = Function("rhs", "", (Argument("y", 1),), Argument("out", 1), body)
+    with pytest.raises(NoTaylor, match="no `abs`"):
+        translate(function, HEYOKA, [1.0], [])
+    with pytest.raises(NoTaylor, match="9000 operations"):
+        translate(replace(function, adds=9000), HEYOKA, [1.0], [])
 
 
 def test_a_decaying_mode_is_found_and_an_oscillation_is_none() -> None:

@@ -99,10 +99,11 @@ def _reasons(study: Study, best: Result, target: float) -> list[str]:
     language = rival((True, True, False))
     if language is not None:
         reasons.append(f"{NAMES[language.case.language]} takes {_times(language, best)}")
-    peer = fastest([r for r in study.results if r.case.language not in ("c", "python")], target, floor)
-    if peer is not None:
-        name = NAMES.get(peer.case.language, peer.case.language)
-        reasons.append(f"{name}'s {peer.case.method} on the same C takes {_times(peer, best)}")
+    for name in dict.fromkeys(r.case.language for r in study.results if r.case.language not in ("c", "python")):
+        peer = fastest([r for r in study.results if r.case.language == name], target, floor)
+        if peer is not None:
+            whose = f"{NAMES.get(name, name)}'s {peer.case.method}"
+            reasons.append(f"{whose}{' on the same C' if name == 'scipy' else ''} takes {_times(peer, best)}")
     return reasons
 
 
@@ -126,6 +127,8 @@ def _why(costs: Sequence[Cost], best: Result, other: Result) -> str:
 
 def _times(a: Result, b: Result) -> str:
     ratio = a.best / b.best
+    if ratio * EQUAL < 1:
+        return f"{ratio:.2f} times as long"
     if ratio < EQUAL:
         return "as long"
     return f"{ratio:.0f} times as long" if ratio >= 9.95 else f"{ratio:.1f} times as long"

@@ -13,6 +13,7 @@ from nhc.study.chart.case import Case, Result
 from nhc.study.chart.measure import time_repeats
 from nhc.study.chart.model import doubles
 from nhc.study.chart.single import Bench, judge
+from nhc.study.chart.taylor import LANGUAGE, METHOD, run_taylor
 
 LEAST_SCIPY = 3e-14  # SciPy raises smaller relative tolerances by itself
 MOST_CALLS = 10_000
@@ -20,18 +21,23 @@ MOST_CALLS = 10_000
 
 @dataclass(frozen=True, slots=True)
 class Peer:
-    """``language`` is its name in the chart, ``module`` what must be there."""
+    """``language`` is its name in the chart, ``module`` what must be there; every ``stride``-th tolerance is run."""
 
     language: str
     method: str
     module: str
+    stride: int = 1
 
     def there(self) -> bool:
         """Whether it is installed."""
         return find_spec(self.module) is not None
 
 
-PEERS = (Peer("scipy", "DOP853", "scipy"), Peer("scipy", "LSODA", "scipy"))
+PEERS = (
+    Peer("scipy", "DOP853", "scipy"),
+    Peer("scipy", "LSODA", "scipy"),
+    Peer(LANGUAGE, METHOD, "heyoka", 3),  # compiles for each tolerance
+)
 
 
 class TooManyCalls(Exception):
@@ -39,7 +45,9 @@ class TooManyCalls(Exception):
 
 
 def run_peer(bench: Bench, peer: Peer, tolerance: float, budget: float) -> Result:
-    """A peer's case; it calls the compiled right-hand side through ctypes, as its users do."""
+    """A peer's case; SciPy calls the compiled right-hand side through ctypes, as its users do."""
+    if peer.language == LANGUAGE:
+        return run_taylor(bench, tolerance, budget)
     case = Case(bench.name, peer.method, peer.language, tolerance)
     if tolerance < LEAST_SCIPY:
         return Result(case, failed=f"SciPy does not take a relative tolerance below {LEAST_SCIPY:g}")

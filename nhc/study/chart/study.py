@@ -72,8 +72,9 @@ def chart(source: Source, grid: Grid, show: Show | None = None) -> Study:
         results += found
         left += missing
         if grid.peers and job is first and "c" in languages:
-            results += [run_peer(bench, peer, t, grid.budget) for peer in PEERS if peer.there() for t in tolerances]
-            left += [(peer.language, "not installed") for peer in PEERS if not peer.there()]
+            found, missing = run_peers(bench, tolerances, bool(grid.tolerances), grid.budget)
+            results += found
+            left += missing
     if show is not None:
         show(1.0, "")
     return Study(
@@ -189,6 +190,20 @@ def run_bench(
     names = ", ".join(dict.fromkeys(left))
     why = f"its finer tolerances take more than {MOST_PYTHON} right-hand sides"
     return found, [(f"{bench.name} with {names} in Python", why)] if left else []
+
+
+def run_peers(
+    bench: Bench, tolerances: Sequence[float], explicit: bool, budget: float
+) -> tuple[list[Result], list[tuple[str, str]]]:
+    """The cases of other integrators that are installed; those that are not."""
+    found = [
+        run_peer(bench, peer, tolerance, budget)
+        for peer in PEERS
+        if peer.there()
+        for rung, tolerance in enumerate(tolerances)
+        if explicit or peer.stride == 1 or rung % peer.stride == 1
+    ]
+    return found, [(peer.language, "not installed") for peer in PEERS if not peer.there()]
 
 
 def count_steps(bench: Bench) -> int:
