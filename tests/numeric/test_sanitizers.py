@@ -17,8 +17,18 @@ from nhc.language import decode, read
 from nhc.pipeline import Options, emit
 from tests.support import GALLERY, STRICT, spec_path
 
-COMPILERS = [c for c in ("gcc", "clang", "clang-14") if shutil.which(c)][:2]
 SANITIZERS = ("-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-O1", "-g")
+
+
+def has_sanitizers(compiler: str) -> bool:
+    """Whether the compiler is there with the run-time library of its sanitizers (clang's is a package of its own)."""
+    if shutil.which(compiler) is None:
+        return False
+    command = [compiler, *SANITIZERS, "-x", "c", "-", "-o", os.devnull]
+    return subprocess.run(command, input=b"int main(void) { return 0; }", capture_output=True, check=False).returncode == 0
+
+
+COMPILERS = [c for c in ("gcc", "clang", "clang-14") if has_sanitizers(c)][:2]
 LARGE = ("bicycle", "rattleback")
 SYSTEMS = [pytest.param(name, marks=pytest.mark.slow if name in LARGE else ()) for name in GALLERY]
 ENVIRONMENT = {**os.environ, "ASAN_OPTIONS": "abort_on_error=0:detect_leaks=0", "UBSAN_OPTIONS": "print_stacktrace=1"}
