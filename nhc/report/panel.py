@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from nhc.report.marks import SHAPES, draw_box, draw_line, draw_marker, draw_text
 from nhc.report.svg import COLOURS
 from nhc.report.ticks import Scale, log_scale
+from nhc.study.chart.advice import NAMES
 from nhc.study.chart.case import Result, Study
 
 DASHES = {"c": "", "python": "7 4", "scipy": "2 3", "heyoka": "9 3 2 3"}
@@ -19,12 +20,12 @@ Value = Callable[[Result], float]
 
 @dataclass(frozen=True)
 class Style:
-    """Colours say the method, shapes the formulation, dashes the language; ``foreign`` methods are SciPy's."""
+    """Colours say the method, shapes the formulation, dashes the language; ``foreign`` are (method, its maker)."""
 
     methods: tuple[str, ...]
     formulations: tuple[str, ...]
     languages: tuple[str, ...]
-    foreign: tuple[str, ...]
+    foreign: tuple[tuple[str, str], ...]
 
     def colour(self, method: str) -> str:
         return COLOURS[self.methods.index(method) % len(COLOURS)]
@@ -34,7 +35,7 @@ class Style:
 
     def label(self, method: str) -> str:
         """A method's name, with its maker where that is not nhc."""
-        return f"{method} (SciPy)" if method in self.foreign else method
+        return next((f"{method} ({NAMES[maker]})" for name, maker in self.foreign if name == method), method)
 
     def dash(self, language: str) -> str:
         return DASHES.get(language, OTHER_DASH)
@@ -53,7 +54,7 @@ def style_of(study: Study) -> Style:
         tuple(dict.fromkeys(c.method for c in cases)),
         tuple(dict.fromkeys(c.formulation for c in cases)),
         tuple(dict.fromkeys(c.language for c in cases)),
-        tuple(dict.fromkeys(c.method for c in cases if c.language == "scipy")),
+        tuple(dict.fromkeys((c.method, c.language) for c in cases if c.language not in ("c", "python"))),
     )
 
 

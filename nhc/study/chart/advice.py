@@ -11,7 +11,7 @@ from nhc.study.chart.case import Case, Cost, Result, Study
 EQUAL = 1.05
 """Times whose ratio is less than this count as equal."""
 TARGETS = (1e-3, 1e-6, 1e-9, 1e-12)
-NAMES = {"c": "C", "python": "Python", "scipy": "SciPy"}
+NAMES = {"c": "C", "python": "Python", "scipy": "SciPy", "heyoka": "heyoka"}
 
 
 @dataclass(frozen=True, slots=True)
