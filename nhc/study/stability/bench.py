@@ -18,12 +18,14 @@ from nhc.mechanics.integrability import classify
 from nhc.mechanics.integrals import find_position_integrals
 from nhc.mechanics.regularity import choose_dependent
 from nhc.mechanics.scenes import Start
-from nhc.program.build import Planner
+from nhc.program.build import Planner, build_functions
 from nhc.program.needed import Column, needed_function, reactions_of
+from nhc.program.structure import structure_of
 from nhc.simulate.compile import CompileError, build
 from nhc.simulate.compiled import CompiledModel
 from nhc.simulate.interpreted import InterpretedModel
-from nhc.simulate.methods import RUNGE_KUTTA
+from nhc.simulate.methods import RUNGE_KUTTA, STRUCTURE
+from nhc.simulate.natural import NaturalModel
 from nhc.simulate.prepare import Job, prepare
 from nhc.simulate.run import LEAST_TOLERANCE, SAFETY, list_times
 from nhc.simulate.source import write_source
@@ -31,8 +33,9 @@ from nhc.simulate.task import DONE, Outcome, Task
 from nhc.study.steady import Matrix
 
 ROWS = 201
-MOST, MOST_INTERPRETED = 2_000_000, 20_000
-"""Steps that one run may take, in C and in Python."""
+MOST, MOST_INTERPRETED, MOST_NATURAL = 2_000_000, 20_000, 500
+"""Steps that one run may take: in C, in Python, and by a structure-preserving method in Python."""
+_MOST_SCHEMES = 6  # coordinates up to which structure-preserving methods are tried: they run in Python
 _MOST_MASS = 12  # coordinates up to which the mass matrix is looked at
 
 
@@ -42,7 +45,10 @@ class NotRun(ArithmeticError):
 
 @dataclass(frozen=True)
 class Bench:
-    """``job`` computes all ``columns`` as its needed quantities; ``conserved`` is what the system was found to keep."""
+    """``job`` computes all ``columns`` as its needed quantities; ``conserved`` is what the system was found to keep.
+
+    ``natural`` runs the structure-preserving ``schemes`` where the system has the structure for them.
+    """
 
     equations: Equations
     formulation: Formulation
@@ -52,13 +58,17 @@ class Bench:
     columns: tuple[Column, ...]
     conserved: Conserved
     notes: tuple[str, ...]
+    natural: NaturalModel | None
+    schemes: tuple[str, ...]
 
     @property
     def duration(self) -> float:
         return abs(self.job.time[1] - self.job.time[0])
 
-    @property
-    def most(self) -> int:
+    def most(self, method: str) -> int:
+        """Steps that one run of a method may take."""
+        if method in STRUCTURE:
+            return MOST_NATURAL
         return MOST if self.model.compiled else MOST_INTERPRETED
 
     def integrate(
@@ -72,8 +82,9 @@ class Bench:
     ) -> Outcome:
         """One run; ``tolerance`` 0 is what ``nhc run`` takes for the scene."""
         wanted = tolerance or max(SAFETY * self.job.tolerance, LEAST_TOLERANCE)
-        task = Task(self.job.p, self.job.y if y is None else y, times, wanted, step, most=most or self.most)
-        return self.model.integrate(task, method, self.model.news())
+        task = Task(self.job.p, self.job.y if y is None else y, times, wanted, step, most=most or self.most(method))
+        model = self.natural if method in STRUCTURE and self.natural is not None else self.model
+        return model.integrate(task, method, model.news())
 
     def quantities(self, times: Sequence[float], states: Sequence[Sequence[float]]) -> Matrix:
         """All columns, shape (rows, columns).
@@ -169,7 +180,21 @@ def open_bench(equations: Equations, formulation: Formulation, start: Start, com
     functions = tuple(needed if f.name == "needed" else f for f in job.program.functions)
     job = replace(job, program=replace(job.program, functions=functions), columns=tuple(columns), checks=())
     model, notes = _load(job, compiled)
-    return Bench(equations, formulation, start, job, model, tuple(columns), kept, notes)
+    natural, schemes = _natural(planner, job)
+    return Bench(equations, formulation, start, job, model, tuple(columns), kept, notes, natural, schemes)
+
+
+def _natural(planner: Planner, job: Job) -> tuple[NaturalModel | None, tuple[str, ...]]:
+    """The model of the structure-preserving methods, and their names, where the system is a natural one."""
+    if planner.system.n > _MOST_SCHEMES:
+        return None, ()
+    structure = structure_of(planner)
+    if structure.lacking:
+        return None, ()
+    needed = tuple(f for f in job.program.functions if f.name == "needed")
+    functions = needed + structure.functions + build_functions(planner, ("velocities", "state"))
+    schemes = tuple(s.name for s in STRUCTURE.values() if structure.constant_mass or not s.constant_mass)
+    return NaturalModel(replace(job.program, functions=functions)), schemes
 
 
 def _load(job: Job, compiled: bool) -> tuple[CompiledModel | InterpretedModel, tuple[str, ...]]:

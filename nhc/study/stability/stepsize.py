@@ -15,7 +15,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from nhc.simulate.methods import RUNGE_KUTTA
+from nhc.simulate.methods import RUNGE_KUTTA, STRUCTURE
 from nhc.simulate.methods.tableau import Explicit, Tableau
 from nhc.simulate.run import list_times
 from nhc.simulate.task import DONE
@@ -34,12 +34,14 @@ _MOST = 200_000
 class StepLimit:
     """``predicted``, ``measured`` in units of time; infinite where no step of at least a quarter of the scene is refused.
 
+    ``predicted`` is None for a method that has no stability function.
+
     ``measured`` is 0 where no step was found that is stable within the effort; ``why`` says how the next longer step ends.
     """
 
     method: str
     order: int
-    predicted: float
+    predicted: float | None
     measured: float
     why: str
 
@@ -135,7 +137,7 @@ def predict(method: Tableau, values: Sequence[complex] | NDArray[np.complex128],
 def measure(bench: Bench, method: str, guess: float) -> tuple[float, str]:
     """(the largest stable step found by bisection, how the next longer one ends); infinite where none is refused."""
     longest = bench.duration / _FEWEST
-    shortest = bench.duration / min(_MOST, bench.most)
+    shortest = bench.duration / min(_MOST, bench.most(method))
     limits = GROWTH * np.maximum(bench.sizes, 1e-300)
     times = list_times(*bench.job.time, _ROWS)
 
@@ -174,12 +176,14 @@ def measure(bench: Bench, method: str, guess: float) -> tuple[float, str]:
     return low, why
 
 
-def step_limits(bench: Bench, found: Spectrum, methods: Sequence[str] = tuple(RUNGE_KUTTA)) -> tuple[StepLimit, ...]:
-    """Both numbers for each method."""
+def step_limits(bench: Bench, found: Spectrum) -> tuple[StepLimit, ...]:
+    """Both numbers for each Runge-Kutta method, the measured one for each structure-preserving method that applies."""
     limits = []
-    for name in methods:
-        method = RUNGE_KUTTA[name]
+    for name, method in RUNGE_KUTTA.items():
         predicted = predict(method, found.values, bench.duration)
         measured, why = measure(bench, name, predicted)
         limits.append(StepLimit(name, method.order, predicted, measured, why))
+    for name in bench.schemes:
+        measured, why = measure(bench, name, 2.0 / max(found.fastest, 1e-300))
+        limits.append(StepLimit(name, STRUCTURE[name].order, None, measured, why))
     return tuple(limits)

@@ -118,7 +118,9 @@ def _spectrum(lab: Laboratory) -> list[Row]:
     ]
 
 
-def _step(value: float) -> str:
+def _step(value: float | None) -> str:
+    if value is None:
+        return "not told"
     return "any" if math.isinf(value) else ("none found" if value == 0 else f"{value:.4g}")
 
 
@@ -230,8 +232,8 @@ def _growth_tree(found: Sensitivity | None) -> dict[str, Any] | None:
     }
 
 
-def _finite(value: float) -> float | None:
-    return value if math.isfinite(value) else None
+def _finite(value: float | None) -> float | None:
+    return value if value is not None and math.isfinite(value) else None
 
 
 def _motion_tree(found: Motion) -> dict[str, Any]:
