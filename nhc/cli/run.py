@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import sys
 import time
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -45,13 +46,14 @@ def _positive(context: click.Context, parameter: click.Parameter, value: float |
 @click.option(
     "--need", "needs", metavar="A,B", callback=_split, help="What is wanted, in place of the scene's own need."
 )
-@click.option("--points", type=click.IntRange(2, 10_000_000), default=201, help="Number of rows; default: 201.")
+@click.option("--points", type=click.IntRange(2, 10_000_000), help="Number of rows; default: 201, for each start 2.")
 @click.option(
     "--method", "-m", type=click.Choice((*METHODS, "auto")), default="dop853", help="The integrator; default: dop853."
 )
 @click.option("--tol", "tolerance", type=float, callback=_positive, help="Relative accuracy; default: the scene's.")
 @click.option("--step", type=float, callback=_positive, help="Fixed steps of this length in place of adaptive ones.")
 @click.option("--until", metavar="EXPR", default="", help="Stop when this expression in the spec's names crosses zero.")
+@click.option("--ensemble", metavar="FILE", default="", help="Run from each start of this CSV table of initial values.")
 @formulation_option
 @click.option(
     "--project", is_flag=True, help="Move a start that violates the constraints to the nearest that does not."
@@ -64,11 +66,12 @@ def command(
     scene: str,
     output: str | None,
     needs: tuple[str, ...],
-    points: int,
+    points: int | None,
     method: str,
     tolerance: float,
     step: float,
     until: str,
+    ensemble: str,
     formulation: str | None,
     project: bool,
     drift: bool,
@@ -85,10 +88,17 @@ def command(
         raise click.UsageError("`--tol` is a relative accuracy, such as 1e-8")
     if step and method.startswith(("scipy", "cvode")):
         raise click.UsageError(f"`{method}` chooses its own steps; leave `--step` out")
+    if ensemble:
+        from nhc.cli.ensemble import check_options, run_starts
+
+        check_options(method, step, until, project, target)
     source = open_spec(spec)
     from nhc.simulate.opening import RunError, open_scene
-    from nhc.simulate.run import Settings, run
+    from nhc.simulate.run import POINTS, Settings, run
 
+    settings = Settings(method, tolerance, step, points or (2 if ensemble else POINTS), not interpreted)
+    if ensemble:
+        return run_starts(source, ensemble, scene, formulation or "", needs, not drift, settings, target)
     page = target is not None and target.suffix == ".html"
     try:
         if method == "auto":
@@ -96,11 +106,11 @@ def command(
                 open_scene(source, scene, formulation or "", needs, until, "radau5", not drift, project), tolerance
             )
         job = open_scene(source, scene, formulation or "", needs, until, method, not drift, project, page)
+        settings = replace(settings, method=method)
     except RunError as error:
         raise Failure(str(error), error.help) from error
     if not scene:
         say(f"taking the scene `{job.scene.name}`")
-    settings = Settings(method, tolerance, step, points, not interpreted)
     bar = Progress(*job.time)
     try:
         found = run(job, settings, bar.show)

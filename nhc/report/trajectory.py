@@ -7,6 +7,7 @@ import struct
 import zipfile
 from collections.abc import Sequence
 
+from nhc.simulate.ensemble import Ensemble
 from nhc.simulate.run import Trajectory
 
 
@@ -15,6 +16,17 @@ def csv_text(found: Trajectory) -> str:
     lines = [",".join(("t", *found.headings))]
     for t, row in zip(found.times, found.rows, strict=True):
         lines.append(",".join(map(repr, (t, *row))))
+    return "\n".join(lines) + "\n"
+
+
+def ensemble_text(found: Ensemble) -> str:
+    """``start,t,<names>``: the rows of each start that came to its end, starts counted from 1."""
+    headings = tuple(column.heading for column in found.job.columns)
+    lines = [",".join(("start", "t", *headings))]
+    for number, member in enumerate(found.members, 1):
+        if member.ended == "done":
+            rows = zip(member.times, member.rows, strict=True)
+            lines += [",".join((str(number), *map(repr, (t, *row)))) for t, row in rows]
     return "\n".join(lines) + "\n"
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import ctypes
 from collections.abc import Sequence
 from pathlib import Path
+from typing import Any
 
 from nhc.simulate.task import ModelError, News, Outcome, Task
 
@@ -83,20 +84,40 @@ class CompiledModel:
         """Run one method; the interpreter's lock is free meanwhile, so another thread may read ``news`` and ask to stop."""
         assert isinstance(news, CompiledNews)
         size, count = self.states, len(task.times)
-        times, rows, found = _doubles(task.times), (ctypes.c_double * (count * size))(), self._Found()
-        given = _Task(
-            ctypes.cast(_doubles(task.p), _Doubles),
-            ctypes.cast(_doubles(task.y), _Doubles),
-            ctypes.cast(times, _Doubles),
-            count,
+        rows, found = (ctypes.c_double * (count * size))(), self._Found()
+        given = self._task(task, task.y, task.p)
+        function = getattr(self.library, f"{self.system}_{method}")
+        function(ctypes.byref(given), rows, ctypes.byref(found), ctypes.byref(news.shared))
+        return self._outcome(found, rows[: found.rows * size])
+
+    def integrate_each(
+        self, task: Task, method: str, starts: Sequence[Sequence[float]], values: Sequence[Sequence[float]], news: News
+    ) -> list[Outcome]:
+        """The task from each of ``starts`` with its own parameters ``values``, by one call; fewer outcomes where it was stopped."""
+        assert isinstance(news, CompiledNews)
+        size, count, rows = self.states, len(starts), len(task.times)
+        out, found = (ctypes.c_double * (count * rows * size))(), (self._Found * count)()
+        given = self._task(task, [x for row in starts for x in row], [x for row in values for x in row])
+        function = getattr(self.library, f"{self.system}_{method}_each")
+        function.restype = ctypes.c_long
+        width = ctypes.c_long(len(values[0]) if values else 0)
+        done = function(ctypes.byref(given), ctypes.c_long(count), width, out, found, ctypes.byref(news.shared))
+        each = rows * size
+        return [self._outcome(found[i], out[i * each : i * each + found[i].rows * size]) for i in range(done)]
+
+    def _task(self, task: Task, y: Sequence[float], p: Sequence[float]) -> _Task:
+        return _Task(
+            ctypes.cast(_doubles(p), _Doubles),
+            ctypes.cast(_doubles(y), _Doubles),
+            ctypes.cast(_doubles(task.times), _Doubles),
+            len(task.times),
             task.tolerance,
             task.step,
             task.longest,
             task.most,
         )
-        function = getattr(self.library, f"{self.system}_{method}")
-        function(ctypes.byref(given), rows, ctypes.byref(found), ctypes.byref(news.shared))
-        flat = list(rows[: found.rows * size])
+
+    def _outcome(self, found: Any, flat: list[float]) -> Outcome:
         return Outcome(
             found.outcome,
             found.status,
@@ -107,7 +128,7 @@ class CompiledModel:
             found.rejected,
             found.calls,
             found.jacobians,
-            [flat[k : k + size] for k in range(0, len(flat), size)],
+            [flat[k : k + self.states] for k in range(0, len(flat), self.states)],
         )
 
     def quantities(

@@ -42,8 +42,10 @@ def open_scene(
     hold: bool = True,
     project: bool = False,
     checks: bool = False,
+    whole: bool = False,
 ) -> Job:
-    """The job of a scene (default: the first); ``until`` is an expression in the spec's names whose zero ends the run.
+    """The job of a scene (default: the first); ``until`` is an expression in the spec's names whose zero ends the run;
+    ``whole`` keeps states that this start alone does not need.
 
     Raises:
         nhc.diagnostics.SpecError: the spec or the expression has errors.
@@ -69,7 +71,7 @@ def open_scene(
     equations = equations_of(system, form)
     start, notes = projected_start(system, chosen) if project else (start_of(system, chosen), ())
     implicit = method in WITH_JACOBIAN or isinstance(RUNGE_KUTTA.get(method), Collocation)
-    plain = not (wanted or until or natural or checks)  # else more is asked for than the scene needs
+    plain = not (wanted or until or natural or checks or whole)  # else more is asked for than the scene needs
     reduced = prepare_reduced(equations, form, start, implicit) if plain else None
     job = reduced or prepare(equations, form, start, wanted, event, implicit, natural, hold, checks)
     job = replace(job, notes=notes)

@@ -11,7 +11,7 @@ from nhc.language.spec import Scene
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choose import Formulation
 from nhc.mechanics.scenes import Start, kept_velocities
-from nhc.mechanics.system import System
+from nhc.mechanics.system import Form, System
 from nhc.program.build import Planner, build_functions
 from nhc.program.hold import hold_functions
 from nhc.program.ir import Program
@@ -24,7 +24,8 @@ from nhc.program.structure import Structure, structure_of
 class Job:
     """A scene that is ready to run.  ``columns`` are what the user needs, ``checks`` energy and residuals after
     them; ``needed`` of the program computes both, in this order.  ``meanings``: of the model's status codes;
-    ``watched``: what a change of sign of each watched value means, the first ``events`` being the user's.
+    ``watched``: what a change of sign of each watched value means, the first ``events`` being the user's;
+    ``kept``: the velocities of the state, or None where the state was reduced for this start alone.
     """
 
     program: Program
@@ -44,6 +45,7 @@ class Job:
     structure: Structure
     holds: tuple[str, ...]
     notes: tuple[str, ...] = ()
+    kept: tuple[Form, ...] | None = None
 
     @property
     def state_names(self) -> tuple[str, ...]:
@@ -101,4 +103,12 @@ def prepare(
         events=0 if event is None else 1,
         structure=structure,
         holds=calls,
+        kept=tuple(planner.kept_forms()),
     )
+
+
+def move_start(job: Job, start: Start) -> Job:
+    """The same job from another start of its system; the job's state must be whole (``kept`` is not None)."""
+    assert job.kept is not None
+    y = (*start.q, *kept_velocities(job.system, job.kept, start))
+    return replace(job, start=start, scene=start.scene, y=y, p=start.p, time=start.time)

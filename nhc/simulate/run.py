@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import math
-import threading
 import time
-from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 from nhc.simulate.compile import CompileError, build
@@ -26,17 +24,16 @@ from nhc.simulate.task import (
     TOO_MANY,
     UNDERFLOW,
     ModelError,
-    News,
     Outcome,
     Task,
 )
+from nhc.simulate.waiting import Show, wait_for
 
 SAFETY = 0.01  # of the wanted accuracy, for errors add up and grow
 LEAST_TOLERANCE = 3e-15
 POINTS = 201
 MOST_HALVINGS = 20
 Model = CompiledModel | InterpretedModel | NaturalModel
-Show = Callable[[float], None]
 
 
 @dataclass(frozen=True, slots=True)
@@ -122,33 +119,7 @@ def _integrate(model: Model, task: Task, method: str, show: Show | None) -> Outc
     """In a thread of its own, so that Ctrl-C is heard here."""
     news = model.news()
     news.t = task.times[0]
-    found: list[Outcome] = []
-    broken: list[BaseException] = []
-
-    def work() -> None:
-        try:
-            found.append(model.integrate(task, method, news))
-        except BaseException as error:  # carried to the thread that waits
-            broken.append(error)
-        finally:
-            done.set()
-
-    # not Thread.join: an interrupt inside it makes the thread look finished
-    done = threading.Event()
-    threading.Thread(target=work, daemon=True).start()
-    _wait(done, news, show)
-    if broken:
-        raise broken[0]
-    return found[0]
-
-
-def _wait(done: threading.Event, news: News, show: Show | None) -> None:
-    while not done.is_set():
-        try:
-            if not done.wait(0.1) and show is not None:
-                show(news.t)
-        except KeyboardInterrupt:
-            news.stop = True
+    return wait_for(lambda: model.integrate(task, method, news), news, show)
 
 
 def _find_step(

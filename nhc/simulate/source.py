@@ -121,7 +121,7 @@ def write_source(
     its values being the user's; ``holds`` are called in this order after each step.
     """
     functions = {function.name: function for function in program.functions}
-    model = render(program, "c", EmitOptions(only=tuple(functions)))
+    model = render(program, "c", EmitOptions(only=tuple(functions), trig="inline"))  # faster in every run measured
     implicit = [method for method in methods if isinstance(method, Collocation)]
     explicit = [method for method in methods if isinstance(method, Explicit)]
     context: dict[str, object] = {

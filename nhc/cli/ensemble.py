@@ -1,0 +1,100 @@
+"""``nhc run --ensemble``: a scene from each start of a table."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from nhc.cli.terminal import Exit, Failure, describe_os_error, put, say
+
+if TYPE_CHECKING:
+    from nhc.diagnostics import Source
+    from nhc.simulate.ensemble import Ensemble
+    from nhc.simulate.run import Settings
+
+SHOWN = 20
+"""Failures that are told one by one."""
+
+
+def check_options(method: str, step: float, until: str, project: bool, target: Path | None) -> None:
+    """Refuse what an ensemble does not do."""
+    from nhc.simulate.methods import RUNGE_KUTTA, is_adaptive
+
+    if until or project:
+        raise click.UsageError(f"`--ensemble` and `{'--until' if until else '--project'}` exclude one another")
+    if method not in RUNGE_KUTTA:
+        raise click.UsageError(f"`--ensemble` takes one of {', '.join(RUNGE_KUTTA)}, not `{method}`")
+    if not step and not is_adaptive(method):
+        raise click.UsageError(f"`--ensemble` with `{method}` needs `--step`")
+    if target is not None and target.suffix != ".csv":
+        raise click.UsageError("`--ensemble` writes a .csv file")
+
+
+def run_starts(
+    source: Source,
+    table: str,
+    scene: str,
+    formulation: str,
+    needs: tuple[str, ...],
+    hold: bool,
+    settings: Settings,
+    target: Path | None,
+) -> int:
+    """Read the table, integrate every start, write one CSV."""
+    from nhc.language import decode
+    from nhc.simulate.ensemble import run_ensemble
+    from nhc.simulate.opening import RunError, open_scene
+    from nhc.simulate.starts import list_starts, read_starts
+
+    text = _read_table(table)
+    try:
+        job = open_scene(source, scene, formulation, needs, method=settings.method, hold=hold, whole=True)
+        starts = list_starts(job.system, job.scene, read_starts(text, decode(source)))
+    except RunError as error:
+        raise Failure(str(error), error.help, exit=Exit.FAILED) from error
+    if not scene:
+        say(f"taking the scene `{job.scene.name}`")
+    found = run_ensemble(job, starts, settings)
+    for note in found.notes:
+        say(f"note: {note}")
+    return _deliver(found, target)
+
+
+def _read_table(path: str) -> str:
+    try:
+        return sys.stdin.read() if path == "-" else Path(path).read_text(encoding="utf-8-sig")
+    except OSError as error:
+        raise Failure(f"cannot read `{path}`: {describe_os_error(error)}") from error
+    except UnicodeDecodeError as error:
+        raise Failure(f"`{path}` is not a text in UTF-8") from error
+
+
+def _deliver(found: Ensemble, target: Path | None) -> int:
+    from nhc.cli.write import write_bytes
+    from nhc.report.trajectory import ensemble_text
+
+    stopped, failed = len(found.members) < found.starts, found.failed
+    if not stopped and not failed:
+        if target is None:
+            put(ensemble_text(found))
+            return Exit.DONE
+        write_bytes(target, ensemble_text(found).encode())
+        steps = sum(member.outcome.steps for member in found.members)
+        say(f"{found.starts} starts, {steps} steps")
+        return Exit.DONE
+    for number, member in failed[:SHOWN]:
+        say(f"start {number} fails at t = {member.outcome.t!r}: {member.reason}")
+    if len(failed) > SHOWN:
+        say(f"... and {len(failed) - SHOWN} more")
+    kept = len(found.members) - len(failed)
+    if target is not None and kept:
+        partial = target.with_name(f"{target.stem}.partial{target.suffix}")
+        write_bytes(partial, ensemble_text(found).encode())
+    if stopped:
+        say(f"interrupted after {len(found.members)} of {found.starts} starts")
+        return Exit.INTERRUPTED
+    said = f"the {kept} others are in the partial file" if target is not None and kept else "nothing was written"
+    raise Failure(f"{len(failed)} of {found.starts} starts fail", [said], exit=Exit.NUMERICAL)

@@ -1,0 +1,66 @@
+"""A run from many starts: one compiled model, one call."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from nhc.mechanics.scenes import Start
+from nhc.simulate.compiled import CompiledModel
+from nhc.simulate.prepare import Job, move_start
+from nhc.simulate.run import LEAST_TOLERANCE, SAFETY, Model, Settings, Trajectory, collect, list_times, load
+from nhc.simulate.task import STOPPED, News, Outcome, Task
+from nhc.simulate.waiting import Show, wait_for
+
+
+@dataclass(frozen=True)
+class Ensemble:
+    """``members`` in the order of the starts, fewer where it was stopped; ``seconds`` for all of them."""
+
+    job: Job
+    starts: int
+    members: tuple[Trajectory, ...]
+    seconds: float
+    notes: tuple[str, ...]
+
+    @property
+    def failed(self) -> tuple[tuple[int, Trajectory], ...]:
+        """(row number from 1, what there is of it) of each start that did not come to its end."""
+        return tuple((k, found) for k, found in enumerate(self.members, 1) if found.ended != "done")
+
+
+def run_ensemble(job: Job, starts: Sequence[Start], settings: Settings, show: Show | None = None) -> Ensemble:
+    """Integrate a job with a whole state from each start; one of nhc's Runge-Kutta methods, with its own or given steps.
+
+    A start that fails does not keep the others from running.  Ctrl-C stops it and keeps the starts that are done.
+    """
+    model, notes = load(job, settings.method, settings.compiled)
+    jobs = [move_start(job, start) for start in starts]
+    tolerance = settings.tolerance or job.tolerance
+    times = list_times(*job.time, settings.points)
+    task = Task(job.p, job.y, times, max(SAFETY * tolerance, LEAST_TOLERANCE), settings.step)
+    news = model.news()
+    news.t = times[0]
+    before = time.perf_counter()
+    outcomes = wait_for(lambda: _integrate_each(model, task, settings.method, jobs, news), news, show)
+    seconds = time.perf_counter() - before
+    members = (
+        collect(one, settings.method, model, task, outcome, seconds, ())
+        for one, outcome in zip(jobs, outcomes, strict=False)
+    )
+    return Ensemble(job, len(starts), tuple(members), seconds, (*job.notes, *notes))
+
+
+def _integrate_each(model: Model, task: Task, method: str, jobs: Sequence[Job], news: News) -> list[Outcome]:
+    if isinstance(model, CompiledModel):
+        return model.integrate_each(task, method, [job.y for job in jobs], [job.p for job in jobs], news)
+    found: list[Outcome] = []
+    for job in jobs:
+        outcome = model.integrate(
+            Task(job.p, job.y, task.times, task.tolerance, task.step, task.longest, task.most), method, news
+        )
+        if outcome.kind == STOPPED:
+            break
+        found.append(outcome)
+    return found

@@ -1,0 +1,112 @@
+"""Starts of an ensemble: rows of a table, each made consistent like a scene's own start."""
+
+from __future__ import annotations
+
+import csv
+import io
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from fractions import Fraction
+
+from nhc.diagnostics import SpecError, nearest
+from nhc.language.names import fold
+from nhc.language.spec import Initial, Override, Scene, Spec
+from nhc.language.syntax import Number
+from nhc.mechanics.scenes import Start, start_of
+from nhc.mechanics.system import System
+from nhc.simulate.opening import RunError
+
+Key = tuple[str, str]
+"""("coordinate", "velocity", "quasi" or "parameter", name)"""
+
+
+@dataclass(frozen=True)
+class Table:
+    """``rows`` hold a number for each key, or None where the scene's own value stays."""
+
+    keys: tuple[Key, ...]
+    rows: tuple[tuple[float | None, ...], ...]
+
+
+def read_starts(text: str, spec: Spec) -> Table:
+    """The table of a CSV text with a header of the spec's names (``x`` , ``x'``, quasi-velocities, parameters).
+
+    Raises:
+        RunError: an unknown or repeated name, a row of another length, a cell that is no finite number, no rows.
+    """
+    header, *lines = [row for row in csv.reader(io.StringIO(text)) if row] or [[]]
+    known = _list_keys(spec)
+    keys = tuple(_find_key(cell, known) for cell in header)
+    for k, key in enumerate(keys):
+        if key in keys[:k]:
+            raise RunError(f"the header names `{header[k].strip()}` twice")
+    if not lines:
+        raise RunError("the table has no starts", ("a header of names, then one row for each start",))
+    return Table(keys, tuple(_read_row(number, header, line) for number, line in enumerate(lines, 1)))
+
+
+def _list_keys(spec: Spec) -> dict[str, Key]:
+    known: dict[str, Key] = {}
+    for parameter in spec.parameters:
+        known[parameter.name] = ("parameter", parameter.name)
+    for coordinate in spec.coordinates:
+        known[coordinate.name] = ("coordinate", coordinate.name)
+        known[f"{coordinate.name}'"] = ("velocity", coordinate.name)
+    for quasi in spec.quasi_velocities:
+        known[quasi.name] = ("quasi", quasi.name)
+    return known
+
+
+def _find_key(cell: str, known: dict[str, Key]) -> Key:
+    name = fold(cell.strip().replace("\u2032", "'"))
+    if name in known:
+        return known[name]
+    near = nearest(name, tuple(known))
+    hint = f"did you mean `{near}`?" if near else f"it can be {', '.join(known)}"
+    raise RunError(f"no coordinate, velocity or parameter `{cell.strip()}` in this spec", (hint,))
+
+
+def _read_row(number: int, header: Sequence[str], line: Sequence[str]) -> tuple[float | None, ...]:
+    if len(line) != len(header):
+        raise RunError(f"row {number} has {len(line)} values, the header {len(header)} names")
+    values: list[float | None] = []
+    for name, cell in zip(header, line, strict=True):
+        try:
+            value = float(cell) if cell.strip() else None
+        except ValueError:
+            value = math.nan
+        if value is not None and not math.isfinite(value):
+            raise RunError(f"row {number}: `{cell.strip()}` for `{name.strip()}` is not a finite number")
+        values.append(value)
+    return tuple(values)
+
+
+def list_starts(system: System, scene: Scene, table: Table) -> list[Start]:
+    """The consistent start of each row.
+
+    Raises:
+        RunError: a row that violates the constraints, with its number.
+    """
+    found = []
+    for number, row in enumerate(table.rows, 1):
+        try:
+            found.append(start_of(system, vary(scene, table.keys, row)))
+        except SpecError as error:
+            first = error.diagnostics[0]
+            raise RunError(f"row {number}: {first.message}", (*first.notes, *first.help)) from error
+    return found
+
+
+def vary(scene: Scene, keys: Sequence[Key], row: Sequence[float | None]) -> Scene:
+    """The scene with a row's values in place of its own."""
+    given = {key: value for key, value in zip(keys, row, strict=True) if value is not None}
+    numbers = {key: Fraction(value) for key, value in given.items()}
+    parameters = {entry.name: entry for entry in scene.parameters}
+    initial = {(entry.kind, entry.name): entry for entry in scene.initial}
+    for (kind, name), value in numbers.items():
+        if kind == "parameter":
+            parameters[name] = Override(name, value, scene.span)
+        else:
+            initial[kind, name] = Initial(kind, name, Number(value, scene.span), scene.span)
+    return replace(scene, parameters=tuple(parameters.values()), initial=tuple(initial.values()))

@@ -1,0 +1,154 @@
+"""Ensembles: each start is the single run from there, rows are refused by number, failures leave no whole file."""
+
+from __future__ import annotations
+
+import csv
+import io
+import math
+from pathlib import Path
+
+import pytest
+
+from nhc.cli.entry import main
+from nhc.language import decode, read
+from nhc.simulate.ensemble import Ensemble, run_ensemble
+from nhc.simulate.methods import RUNGE_KUTTA
+from nhc.simulate.opening import open_scene
+from nhc.simulate.prepare import move_start
+from nhc.simulate.run import Settings, run
+from nhc.simulate.starts import list_starts, read_starts
+from tests.support import COMPILER, spec_path
+
+SLEIGH = "theta,w,m\n0,1.3,1\n0.5,1.2,2\n1,,1.5\n"
+
+BLOW_UP = """nhc: 1
+system: runaway
+coordinates: [x]
+parameters: {k: 1}
+T: x'^2/2
+V: -k*x^4/4
+scenes:
+  away: {initial: {x: 1}, time: [0, 1.8]}
+"""
+
+
+@pytest.fixture(autouse=True, scope="module")
+def _cache(tmp_path_factory: pytest.TempPathFactory) -> object:
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("NHC_CACHE", str(tmp_path_factory.mktemp("cache")))
+        yield
+
+
+def run_table(name: str, table: str, settings: Settings, formulation: str = "") -> Ensemble:
+    source = read(str(spec_path(name)))
+    job = open_scene(source, "", formulation, method=settings.method, whole=True)
+    starts = list_starts(job.system, job.scene, read_starts(table, decode(source)))
+    return run_ensemble(job, starts, settings)
+
+
+@pytest.mark.skipif(COMPILER is None, reason="no C compiler")
+@pytest.mark.parametrize("method", RUNGE_KUTTA)
+def test_each_start_is_its_own_run(method: str) -> None:
+    """Bit for bit: one call over all starts, and one run for each."""
+    step = 0.0 if method in ("dop853", "dopri5", "radau5") else 0.05
+    settings = Settings(method, 1e-6, step, 4)
+    for name, table, formulation in (("chaplygin_sleigh", SLEIGH, ""), ("chaplygin_sleigh", SLEIGH, "multipliers")):
+        found = run_table(name, table, settings, formulation)
+        assert not found.failed and len(found.members) == found.starts == 3
+        assert len({member.rows[-1] for member in found.members}) == 3
+        for member in found.members:
+            single = run(move_start(found.job, member.job.start), settings)
+            assert member.compiled and (member.times, member.rows) == (single.times, single.rows)
+            assert member.outcome.steps == single.outcome.steps
+
+
+def test_without_a_compiler_it_is_the_same() -> None:
+    compiled = run_table("chaplygin_sleigh", SLEIGH, Settings(tolerance=1e-6, points=3))
+    interpreted = run_table("chaplygin_sleigh", SLEIGH, Settings(tolerance=1e-6, points=3, compiled=False))
+    assert not interpreted.members[0].compiled
+    for a, b in zip(compiled.members, interpreted.members, strict=True):
+        assert a.times == b.times
+        for one, other in zip(a.rows, b.rows, strict=True):
+            assert one == pytest.approx(other, abs=1e-11)
+
+
+def call(capsys: pytest.CaptureFixture[str], *arguments: str) -> tuple[int, str, str]:
+    code = main(["run", *arguments])
+    out, err = capsys.readouterr()
+    return code, out, err
+
+
+def rows_of(text: str) -> tuple[list[str], list[list[float]]]:
+    header, *rows = csv.reader(io.StringIO(text))
+    return header, [[float(cell) for cell in row] for row in rows]
+
+
+def test_the_command_writes_what_the_scene_itself_would(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """An empty cell is the scene's value, and a table that says nothing new gives the scene's own run."""
+    table, target = tmp_path / "starts.csv", tmp_path / "out.csv"
+    table.write_text("theta,w\n,\n0.25,\n")
+    arguments = ["chaplygin_sleigh", "--ensemble", str(table), "--need", "x,theta,energy"]
+    code, out, _ = call(capsys, *arguments)
+    header, rows = rows_of(out)
+    assert code == 0 and header == ["start", "t", "x", "theta", "energy"]
+    assert [row[:2] for row in rows] == [[1, 0], [1, 10], [2, 0], [2, 10]] and rows[2][3] == 0.25
+    _, single, _ = call(capsys, "chaplygin_sleigh", "--need", "x,theta,energy", "--points", "2")
+    assert [row[1:] for row in rows[:2]] == rows_of(single)[1]
+    assert call(capsys, *arguments, "-o", str(target))[0] == 0 and target.read_text() == out
+    assert call(capsys, *arguments, "-o", str(target))[0] == 1  # it is there already
+    code, out, _ = call(capsys, *arguments, "--points", "5")
+    assert code == 0 and [row[1] for row in rows_of(out)[1]] == [0, 2.5, 5, 7.5, 10] * 2
+
+
+@pytest.mark.parametrize(
+    ("table", "says"),
+    [
+        ("theta,ww\n1,2\n", "did you mean `w`?"),
+        ("theta,theta\n1,2\n", "names `theta` twice"),
+        ("theta\n1\nx\n", "row 2: `x` for `theta` is not a finite number"),
+        ("theta\n1\ninf\n", "row 2: `inf`"),
+        ("theta,w\n1,1\n1\n", "row 2 has 1 values, the header 2 names"),
+        ("theta,y'\n0,\n0,1\n", "row 2: the initial velocities of the scene `reference` violate the constraints"),
+        ("theta\n", "no starts"),
+        ("", "no starts"),
+    ],
+)
+def test_a_wrong_row_is_refused_by_its_number(
+    table: str, says: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "starts.csv"
+    path.write_text(table)
+    code, out, err = call(capsys, "chaplygin_sleigh", "--ensemble", str(path), "-o", str(tmp_path / "out.csv"))
+    assert (code, out) == (1, "") and says in err
+    assert [each.name for each in tmp_path.iterdir()] == ["starts.csv"]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "says"),
+    [
+        (["--until", "theta"], "exclude one another"),
+        (["--project"], "exclude one another"),
+        (["--method", "leapfrog"], "takes one of"),
+        (["--method", "rk4"], "needs `--step`"),
+        (["-o", "a.svg"], "writes a .csv file"),
+    ],
+)
+def test_options_that_do_not_fit(arguments: list[str], says: str, capsys: pytest.CaptureFixture[str]) -> None:
+    code, out, err = call(capsys, "chaplygin_sleigh", "--ensemble", "starts.csv", *arguments)
+    assert (code, out) == (2, "") and says in err
+
+
+@pytest.mark.parametrize("how", [(), ("--python",)])
+def test_failures_are_told_by_row(how: tuple[str, ...], tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """The motion from x = 1 is infinite at 1.854; k = 4 and x = 2 both halve that time."""
+    spec, table, target = tmp_path / "runaway.yaml", tmp_path / "starts.csv", tmp_path / "out.csv"
+    spec.write_text(BLOW_UP)
+    table.write_text("x,k\n1,1\n2,1\n1,4\n-1,1\n")
+    code, out, err = call(capsys, str(spec), "--ensemble", str(table), "-o", str(target), *how)
+    assert (code, out) == (3, "") and "2 of 4 starts fail" in err
+    assert "start 2 fails at t = 0.9270" in err and "start 3 fails at t = 0.9270" in err
+    assert not target.exists()
+    _, rows = rows_of((tmp_path / "out.partial.csv").read_text())
+    assert [row[0] for row in rows] == [1, 1, 4, 4] and math.isclose(rows[1][2], -rows[3][2], rel_tol=1e-12)
+    code, out, _ = call(capsys, str(spec), "--ensemble", str(table), *how)
+    assert (code, out) == (3, "")
