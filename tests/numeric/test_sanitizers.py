@@ -25,7 +25,9 @@ def has_sanitizers(compiler: str) -> bool:
     if shutil.which(compiler) is None:
         return False
     command = [compiler, *SANITIZERS, "-x", "c", "-", "-o", os.devnull]
-    return subprocess.run(command, input=b"int main(void) { return 0; }", capture_output=True, check=False).returncode == 0
+    return (
+        subprocess.run(command, input=b"int main(void) { return 0; }", capture_output=True, check=False).returncode == 0
+    )
 
 
 COMPILERS = [c for c in ("gcc", "clang", "clang-14") if has_sanitizers(c)][:2]

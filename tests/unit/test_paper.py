@@ -139,7 +139,9 @@ def test_printed_equations_are_the_program_s(name: str) -> None:
         assert kind is not None
         marks[(kind.name, 1 if kind.kind == "velocity" else 0)] = number
     known = {
-        name: marks[(s.mark.base, s.mark.dots)] for name, s in made.symbols.items() if (s.mark.base, s.mark.dots) in marks
+        name: marks[(s.mark.base, s.mark.dots)]
+        for name, s in made.symbols.items()
+        if (s.mark.base, s.mark.dots) in marks
     }
     for let, statement in made.lets.items():
         if let not in known:
@@ -187,7 +189,11 @@ def test_automatic_letters_avoid_the_spec_s() -> None:
 def test_sums_start_with_a_positive_term() -> None:
     x, y = Ref("x"), Ref("y")
     assert flatten_sum(Binary("+", Negate(x), y)) == [(False, y), (True, x)]
-    assert flatten_sum(Binary("-", x, Binary("-", y, Number(Fraction(2))))) == [(False, x), (True, y), (False, Number(Fraction(2)))]
+    assert flatten_sum(Binary("-", x, Binary("-", y, Number(Fraction(2))))) == [
+        (False, x),
+        (True, y),
+        (False, Number(Fraction(2))),
+    ]
 
 
 def test_equal_terms_are_added() -> None:
