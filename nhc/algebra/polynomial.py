@@ -75,7 +75,7 @@ class Expander:
         return result
 
     def _times(self, p: Polynomial, q: Polynomial) -> Polynomial:
-        if len(p) * len(q) > 40 * self.limit:
+        if len(p) * len(q) > 8 * self.limit:
             raise TooLarge
         result: Polynomial = {}
         for m1, c1 in p.items():
