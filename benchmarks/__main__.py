@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from importlib.util import find_spec
 from pathlib import Path
 
-from benchmarks import batch, derivation, instructions, process
+from benchmarks import batch, derivation, instructions, process, simulation
 from benchmarks.capped import CAP
 from benchmarks.chart import draw_scaling
 from benchmarks.models import COMPILER
@@ -75,6 +75,19 @@ _COMPILE = """\
 `{compiler} -O2 -c`, seconds, the right-hand side alone; the last row is a whole file with every function.
 """
 
+_SIMULATION = """\
+## Simulation
+
+Time per start to a relative error of {wanted:g} at the end (largest component against the largest of the state): nhc's
+compiled dop853, heyoka's Taylor method on the same program, one start at a time; the best of SciPy's
+{scipy} on nhc's compiled right-hand side through ctypes; and {starts} starts, nhc's
+loop in C against heyoka's batch mode.  All are warm.
+The time is interpolated geometrically on a ladder of tolerances; for many starts the error is the worst start's.  nhc's
+times hold the copies between Python's lists and C; heyoka has the parameters as numbers in its compiled expressions.
+{missing}
+Machine of this section: {machine}.
+"""
+
 
 def main() -> None:
     sections = [
@@ -85,6 +98,7 @@ def main() -> None:
         *_instructions(),
         *_section(_BATCH.format(flags=" ".join(batch.WIDE)), batch_rows()),
         *_section(_COMPILE.format(compiler=Path(COMPILER).name), compile_rows()),
+        *simulation_section(simulation.SYSTEMS),
     ]
     PAGE.write_text("\n".join(sections) + "\n", encoding="utf-8")
     print(f"wrote {PAGE.relative_to(ROOT)}", file=sys.stderr)
@@ -185,6 +199,34 @@ def batch_rows() -> Iterator[Row]:
         made = batch.measure(system)
         what = f"{system}, {made.lanes} states per call"
         yield Row(what, f"{made.batch:.2f} ns", f"{made.plain:.2f} ns", made.ratio, 0.15)
+
+
+def simulation_section(systems: tuple[str, ...]) -> list[str]:
+    """Simulation against heyoka and SciPy."""
+    missing = "" if find_spec("heyoka") else "\nheyoka was not installed for this run, and has no rows.\n"
+    text = _SIMULATION.format(
+        wanted=simulation.WANTED,
+        scipy=", ".join(simulation.SCIPY),
+        starts=simulation.STARTS,
+        missing=missing,
+        machine=describe_machine(),
+    )
+    return _section(text, simulation_rows(systems))
+
+
+def simulation_rows(systems: tuple[str, ...]) -> Iterator[Row]:
+    for system in systems:
+        made = simulation.measure(system)
+        many = f"{system}, {simulation.STARTS} starts, heyoka in {made.lanes} lanes"
+        for what, ours, peer, target in (
+            (f"{system}, heyoka", made.nhc, made.heyoka, 0.75),
+            (f"{system}, SciPy {made.best}", made.nhc, made.scipy, 0.02),
+            (many, made.each, made.batch, 0.7),
+        ):
+            if peer is not None and ours is not None:
+                yield Row(what, f"{ours * 1e6:.1f} us", f"{peer * 1e6:.1f} us", ours / peer, target)
+            elif peer is not None:
+                yield Row(what, "not reached", f"{peer * 1e6:.1f} us", float("inf"), target)
 
 
 def compile_rows() -> Iterator[Row]:

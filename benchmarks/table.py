@@ -12,7 +12,7 @@ from pathlib import Path
 
 from benchmarks.models import COMPILER
 
-_PACKAGES = ("sympy", "casadi", "pydy")
+_PACKAGES = ("sympy", "casadi", "pydy", "scipy", "heyoka")
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,213 @@
+"""Time to a relative error of 1e-9: nhc's compiled dop853, heyoka's Taylor method and SciPy on one right-hand side.
+
+``python -m benchmarks.simulation [SYSTEM...]``.  Every solver integrates the same program in double precision.  A solver
+runs on a ladder of tolerances; its time at the wanted error is interpolated geometrically between the two rungs around
+it.  Compiling is not in the times.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import math
+import random
+import statistics
+import sys
+import time
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from benchmarks.peers import taylor
+from benchmarks.systems import ROOT
+from benchmarks.systems import spec as write_spec
+from nhc.diagnostics import Source
+from nhc.emit import EmitOptions, render
+from nhc.simulate.compile import build
+from nhc.simulate.compiled import CompiledModel
+from nhc.simulate.methods import RUNGE_KUTTA
+from nhc.simulate.opening import open_scene
+from nhc.simulate.prepare import Job
+from nhc.simulate.source import write_source
+from nhc.simulate.task import DONE, Task
+
+SYSTEMS = ("sleigh", "disk", "trailers5", "snakeboard", "rattleback")
+_GALLERY = {"sleigh": "chaplygin_sleigh", "disk": "rolling_disk"}
+WANTED = 1e-9
+STARTS = 512
+REPEATED = 32
+"""Runs of one start within a timed call."""
+_ROUNDS = 5
+_LADDER = (1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13)
+_TAYLOR = (1e-8, 1e-10, 1e-12, 1e-14)
+_SPREAD = 0.02
+SCIPY = ("DOP853", "LSODA", "odeint")
+Solve = Callable[[Any], Any]
+
+
+@dataclass(frozen=True)
+class Timed:
+    """Seconds per start at the wanted error; None where the ladder does not reach it."""
+
+    system: str
+    nhc: float | None
+    heyoka: float | None
+    scipy: float | None
+    best: str
+    each: float | None
+    batch: float | None
+    lanes: int
+
+
+def open_system(name: str) -> Job:
+    """The job of a system's first scene on its whole state; trailers drive off bent."""
+    if name.startswith("trailers"):
+        text = write_spec(name).split("scenes:", 1)[0]
+        bend = ", ".join(f"theta{i}: {0.05 * i:.2f}" for i in range(1, int(name[8:]) + 1))
+        text += f"scenes:\n  drive: {{initial: {{phi: 0.2, {bend}, v: 1, w: 0.1}}, time: [0, 5]}}\n"
+        return open_scene(Source(f"{name}.yaml", text), whole=True)
+    path = ROOT / "specs" / f"{_GALLERY.get(name, name)}.yaml"
+    job = open_scene(Source(path.name, path.read_text(encoding="utf-8")), whole=True)
+    return replace(job, time=(job.time[0], min(job.time[1], job.time[0] + 5)))
+
+
+def load_model(job: Job) -> CompiledModel:
+    sources = write_source(job.program, [RUNGE_KUTTA["dop853"]], job.events, job.holds)
+    path = build(sources, f"{job.program.system}_run.c")
+    return CompiledModel(path, job.program.system, len(job.y), len(job.columns))
+
+
+def solve_nhc(model: CompiledModel, job: Job, tolerance: float) -> Solve:
+    task, news = Task(job.p, job.y, job.time, tolerance), model.news()
+
+    def solve(starts: Any) -> Any:
+        found = model.integrate_each(task, "dop853", starts.tolist(), [job.p] * len(starts), news)
+        if any(outcome.kind != DONE for outcome in found):
+            raise ArithmeticError(f"{job.program.system} does not come to its end")
+        return np.array([outcome.y for outcome in found])
+
+    return solve
+
+
+def solve_scipy(job: Job, method: str, tolerance: float) -> Solve:
+    """SciPy on the compiled right-hand side through ctypes."""
+    from scipy.integrate import odeint, solve_ivp
+
+    system = job.program.system
+    sources = render(job.program, "c", EmitOptions(only=("rhs",), trig="inline"))
+    call = getattr(ctypes.CDLL(str(build(sources, f"{system}.c", ("-fvisibility=default",)))), f"{system}_rhs")
+    call.argtypes = [ctypes.c_double, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p]
+    p = np.array(job.p or (0.0,))
+    given = p.ctypes.data
+
+    def rhs(t: float, y: Any) -> Any:
+        slope = np.empty_like(y)
+        call(t, y.ctypes.data, given, slope.ctypes.data)
+        return slope
+
+    def solve(starts: Any) -> Any:
+        ends = np.empty_like(starts)
+        for i, y in enumerate(starts):
+            absolute = tolerance * max(1e-3 * float(np.abs(y).max()), 1e-300)
+            if method == "odeint":
+                ends[i] = odeint(rhs, y, job.time, tfirst=True, rtol=tolerance, atol=absolute, mxstep=1_000_000)[-1]
+            else:
+                found = solve_ivp(rhs, job.time, y, method=method, rtol=tolerance, atol=absolute, t_eval=[job.time[1]])
+                ends[i] = found.y[:, -1]
+        return ends
+
+    return solve
+
+
+def measure(system: str) -> Timed:
+    """Every solver on one start and on many, in one run; nhc and heyoka are timed in turn.
+
+    Raises:
+        ArithmeticError: the references of nhc and heyoka differ.
+    """
+    job = open_system(system)
+    model, exact = load_model(job), 1e-14
+    one = np.array([job.y] * REPEATED)
+    many = _spread(job)
+    reference = solve_nhc(model, job, exact)(many)
+    single = solve_nhc(model, job, exact)(one[:1])
+    nhc: dict[float, Solve] = {tolerance: solve_nhc(model, job, tolerance) for tolerance in _LADDER}
+    alone: dict[float, Solve] = {}
+    batch: dict[float, Solve] = {}
+    lanes = 0
+    if taylor.is_installed():
+        lanes = taylor.Taylor.count_lanes()
+        alone = {tolerance: taylor.Taylor(job, tolerance).run for tolerance in _TAYLOR}
+        batch = {tolerance: taylor.Taylor(job, tolerance, lanes).run for tolerance in _TAYLOR}
+        if find_error(alone[_TAYLOR[-1]](one[:1]), single) > 0.1 * WANTED:
+            raise ArithmeticError(f"{system}: the references of nhc and heyoka differ")
+    ours, peer = time_ladders((nhc, alone), one, single)
+    each, lane = time_ladders((nhc, batch), many, reference, 3)
+    times = {}
+    for method in SCIPY:
+        ladder = {tolerance: solve_scipy(job, method, tolerance) for tolerance in _LADDER}
+        times[method] = time_ladders((ladder,), one[:1], single, 3)[0] or math.inf
+    best = min(times, key=lambda method: times[method])
+    return Timed(system, ours, peer, times[best], best, each, lane, lanes)
+
+
+def _spread(job: Job) -> Any:
+    """Starts beside the job's; its state is one of independent velocities, so that each is consistent."""
+    if job.holds:
+        raise ValueError("a state with constraints cannot be moved freely")
+    draw = random.Random(1977)
+    return np.array([[x + _SPREAD * draw.uniform(-1, 1) for x in job.y] for _ in range(STARTS)])
+
+
+def find_error(ends: Any, reference: Any) -> float:
+    """The largest over the starts of max |y - y_ref| / max |y_ref|."""
+    return float((np.abs(ends - reference).max(axis=1) / np.abs(reference).max(axis=1)).max())
+
+
+def time_ladders(
+    ladders: Sequence[dict[float, Solve]], starts: Any, reference: Any, rounds: int = _ROUNDS
+) -> list[float | None]:
+    """Seconds per start at the wanted error for each ladder, in turn; None for an empty one."""
+    seconds: list[dict[float, list[float]]] = [{tolerance: [] for tolerance in ladder} for ladder in ladders]
+    errors = [
+        {tolerance: find_error(solve(starts), reference) for tolerance, solve in ladder.items()} for ladder in ladders
+    ]
+    for _ in range(rounds):
+        for ladder, found in zip(ladders, seconds, strict=True):
+            for tolerance, solve in ladder.items():
+                before = time.perf_counter()
+                solve(starts)
+                found[tolerance].append((time.perf_counter() - before) / len(starts))
+    return [
+        interpolate([(error[tolerance], statistics.median(found[tolerance])) for tolerance in found])
+        for error, found in zip(errors, seconds, strict=True)
+    ]
+
+
+def interpolate(rungs: Sequence[tuple[float, float]], wanted: float = WANTED) -> float | None:
+    """The time at the wanted error from (error, seconds) in falling tolerance; None where no rung is as exact.
+
+    Where the first rung is exact enough already, its time.
+    """
+    for k, (error, seconds) in enumerate(rungs):
+        if not error <= wanted:
+            continue
+        if k == 0 or error <= 0:
+            return seconds
+        coarse, less = rungs[k - 1]
+        if not coarse < math.inf:
+            return seconds
+        part = math.log(coarse / wanted) / math.log(coarse / error)
+        return float(less * (seconds / less) ** part)
+    return None
+
+
+def main(systems: tuple[str, ...] = ()) -> None:
+    from benchmarks.__main__ import simulation_section
+
+    print("\n".join(simulation_section(systems or SYSTEMS)))
+
+
+if __name__ == "__main__":
+    main(tuple(sys.argv[1:]))
