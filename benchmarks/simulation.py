@@ -32,7 +32,7 @@ from nhc.simulate.prepare import Job
 from nhc.simulate.source import write_source
 from nhc.simulate.task import DONE, Task
 
-SYSTEMS = ("sleigh", "disk", "trailers5", "snakeboard", "rattleback")
+SYSTEMS = ("sleigh", "disk", "trailers5", "snakeboard", "roller_racer")
 _GALLERY = {"sleigh": "chaplygin_sleigh", "disk": "rolling_disk"}
 WANTED = 1e-9
 STARTS = 512
@@ -99,11 +99,12 @@ def solve_scipy(job: Job, method: str, tolerance: float) -> Solve:
     call = getattr(ctypes.CDLL(str(build(sources, f"{system}.c", ("-fvisibility=default",)))), f"{system}_rhs")
     call.argtypes = [ctypes.c_double, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_void_p]
     p = np.array(job.p or (0.0,))
-    given = p.ctypes.data
+    given = p.ctypes.data_as(ctypes.c_void_p)  # this keeps the array alive
 
     def rhs(t: float, y: Any) -> Any:
         slope = np.empty_like(y)
-        call(t, y.ctypes.data, given, slope.ctypes.data)
+        if call(t, y.ctypes.data, given, slope.ctypes.data):
+            slope[:] = math.nan  # left unwritten by a failed call
         return slope
 
     def solve(starts: Any) -> Any:
@@ -170,15 +171,17 @@ def time_ladders(
 ) -> list[float | None]:
     """Seconds per start at the wanted error for each ladder, in turn; None for an empty one."""
     seconds: list[dict[float, list[float]]] = [{tolerance: [] for tolerance in ladder} for ladder in ladders]
-    errors = [
-        {tolerance: find_error(solve(starts), reference) for tolerance, solve in ladder.items()} for ladder in ladders
-    ]
-    for _ in range(rounds):
-        for ladder, found in zip(ladders, seconds, strict=True):
+    errors = [dict.fromkeys(ladder, 0.0) for ladder in ladders]
+    for turn in range(rounds + 1):
+        for ladder, found, error in zip(ladders, seconds, errors, strict=True):
             for tolerance, solve in ladder.items():
                 before = time.perf_counter()
-                solve(starts)
-                found[tolerance].append((time.perf_counter() - before) / len(starts))
+                ends = solve(starts)
+                spent = (time.perf_counter() - before) / len(starts)
+                off = find_error(ends, reference)
+                error[tolerance] = max(error[tolerance], off if off >= 0 else math.inf)  # of every pass
+                if turn:  # the first pass warms up
+                    found[tolerance].append(spent)
     return [
         interpolate([(error[tolerance], statistics.median(found[tolerance])) for tolerance in found])
         for error, found in zip(errors, seconds, strict=True)
