@@ -52,6 +52,7 @@ def dump_decode(source: Source, _: Options) -> str:
     lines += [f"holonomic {c.name}: {unparse(c.left)} = {unparse(c.right)}" for c in spec.holonomic]
     lines += [f"quasi-velocity {d.name} = {unparse(d.value)}" for d in spec.quasi_velocities]
     lines += [f"output {d.name} = {unparse(d.value)}" for d in spec.outputs]
+    lines += [f"draw {f.kind} {', '.join(unparse(tree) for tree in f.expressions)}" for f in spec.draw]
     lines += [f"scene {s.name}: t in [{s.time[0]}, {s.time[1]}]" for s in spec.scenes]
     return "\n".join(lines) + "\n"
 

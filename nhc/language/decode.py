@@ -8,6 +8,7 @@ from fractions import Fraction
 
 from nhc.diagnostics import Bag, Source, Span, SpecError, nearest
 
+from .drawing import decode_drawing
 from .extend import merge_bases
 from .keys import SPEC_KEYS, SYSTEM_PATTERN, VERSION
 from .names import fold, is_name
@@ -84,6 +85,7 @@ class _Decoder:
             dependent=dependent,
             formulation=self._formulation(),
             outputs=outputs,
+            draw=decode_drawing(self.root.get("draw"), self.shapes, self._read),
             scenes=decode_scenes(self.root.get("scenes"), self.shapes, self.scope, self.draft.parameters),
             key_spans=tuple((text.value, text.span) for text, _ in self.root.entries),
         )
@@ -196,10 +198,13 @@ class _Decoder:
         self.scope.holds_velocities(resolved, self.draft.velocities)
         return resolved
 
+    def _read(self, node: Node) -> Syntax | None:
+        tree = self._parse(node)
+        return self._check(tree, "") if tree is not None else None
+
     def _expression(self, key: str) -> Syntax | None:
         node = self.root.get(key)
-        tree = self._parse(node) if node is not None else None
-        return self._check(tree, "") if tree is not None else None
+        return self._read(node) if node is not None else None
 
     def _potential(self) -> tuple[str, Syntax | None]:
         force_function, potential = self._expression("U"), self._expression("V")

@@ -45,6 +45,7 @@ SPEC_KEYS = (
     Key("dependent", "names", False, "the coordinates whose velocities the constraints are solved for"),
     Key("formulation", "choice", False, "how the equations are formed; `auto` if left out", FORMULATIONS),
     Key("outputs", "expressions", False, "named quantities besides the state; `T`, `U`, `V`, `energy` may be used"),
+    Key("draw", "figures", False, "shapes that the page of a run draws and moves: a list of them"),
     Key("scenes", "scenes", False, "concrete situations, by name"),
 )
 
@@ -72,4 +73,27 @@ SCENE_KEYS = (
     Key("time", "interval", True, "start and end: `[0, 20]`"),
     Key("need", "names", False, _NEED),
     Key("tolerance", "number", False, "wanted relative accuracy of what is needed; 1e-8 if left out"),
+)
+
+DRAW_KEYS = (
+    Key("point", "place", False, "a dot at `[X, Y]` or `[X, Y, Z]`"),
+    Key(
+        "line", "places", False, "straight from point to point: `[[X1, Y1], [X2, Y2], ...]`, or with three numbers each"
+    ),
+    Key("circle", "circle", False, "a circle: `{centre: [X, Y], radius: R}`"),
+    Key("body", "body", False, "a polygon that moves in the plane: `{at: [X, Y], angle: A, shape: [[x, y], ...]}`"),
+    Key("trace", "flag", False, "`true`: the point leaves its path behind"),
+    Key("name", "text", False, "a label beside it"),
+)
+
+CIRCLE_KEYS = (
+    Key("centre", "place", True, "`[X, Y]` or `[X, Y, Z]`"),
+    Key("radius", "expression", True, "its radius"),
+    Key("normal", "vector", False, "its axis in space, of any length; `[0, 0, 1]` if left out"),
+)
+
+BODY_KEYS = (
+    Key("at", "spot", True, "`[X, Y]`, where the origin of the body's axes is"),
+    Key("angle", "expression", True, "from the x axis to the body's first axis, counterclockwise, in radians"),
+    Key("shape", "polygon", True, "three corners or more on the body's axes"),
 )

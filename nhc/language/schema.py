@@ -5,7 +5,19 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from .keys import COORDINATE_KEYS, PARAMETER_KEYS, SCENE_KEYS, SPEC_KEYS, SYSTEM_PATTERN, VERSION, Key
+from .keys import (
+    BODY_KEYS,
+    CIRCLE_KEYS,
+    COORDINATE_KEYS,
+    DRAW_KEYS,
+    PARAMETER_KEYS,
+    SCENE_KEYS,
+    SPEC_KEYS,
+    SYSTEM_PATTERN,
+    VERSION,
+    Key,
+)
+from .spec import FIGURES
 
 _NAME = "^[A-Za-z_\\u0080-\\uffff][A-Za-z0-9_\\u0080-\\uffff]*$"
 _TARGET = "^[A-Za-z_\\u0080-\\uffff][A-Za-z0-9_\\u0080-\\uffff]*['\\u2032]?$"
@@ -20,6 +32,10 @@ def _named(value: dict[str, Any], pattern: str = _NAME) -> dict[str, Any]:
 
 def _listed(item: dict[str, Any]) -> dict[str, Any]:
     return {"type": "array", "items": item}
+
+
+def _numbers(least: int, most: int) -> dict[str, Any]:
+    return {**_listed(_VALUE), "minItems": least, "maxItems": most}
 
 
 _EQUATION = {
@@ -65,7 +81,7 @@ def _shape(key: Key) -> dict[str, Any]:
         case "names":
             return _listed({"type": "string", "pattern": _TARGET})
         case "interval":
-            return {**_listed(_VALUE), "minItems": 2, "maxItems": 2}
+            return _numbers(2, 2)
         case "coordinates":
             names = {**_listed({"type": "string", "pattern": _NAME}), "minItems": 1, "uniqueItems": True}
             return {"anyOf": [names, {**_named(_object(COORDINATE_KEYS)), "minProperties": 1}]}
@@ -74,6 +90,31 @@ def _shape(key: Key) -> dict[str, Any]:
             return {"anyOf": [names, _named({"anyOf": [_VALUE, _object(PARAMETER_KEYS)]})]}
         case "scenes":
             return _named(_object(SCENE_KEYS))
+        case _:
+            return _drawn_shape(key)
+
+
+def _drawn_shape(key: Key) -> dict[str, Any]:
+    match key.kind:
+        case "flag":
+            return {"type": "boolean"}
+        case "place":
+            return _numbers(2, 3)
+        case "places":
+            return {**_listed(_numbers(2, 3)), "minItems": 2}
+        case "spot":
+            return _numbers(2, 2)
+        case "vector":
+            return _numbers(3, 3)
+        case "polygon":
+            return {**_listed(_numbers(2, 2)), "minItems": 3}
+        case "circle":
+            return _object(CIRCLE_KEYS)
+        case "body":
+            return _object(BODY_KEYS)
+        case "figures":
+            one = {"oneOf": [{"required": [kind]} for kind in FIGURES]}
+            return _listed({**_object(DRAW_KEYS), **one})
         case _:
             raise ValueError(key.kind)
 
@@ -98,8 +139,16 @@ def schema() -> dict[str, Any]:
 def reference_table() -> str:
     """Return the keys of the language as Markdown tables, for the reference."""
     parts = []
-    titles = ("spec", "coordinate", "parameter", "scene")
-    for title, keys in zip(titles, (SPEC_KEYS, COORDINATE_KEYS, PARAMETER_KEYS, SCENE_KEYS), strict=True):
+    tables = {
+        "spec": SPEC_KEYS,
+        "coordinate": COORDINATE_KEYS,
+        "parameter": PARAMETER_KEYS,
+        "scene": SCENE_KEYS,
+        "shape to draw": DRAW_KEYS,
+        "circle": CIRCLE_KEYS,
+        "body": BODY_KEYS,
+    }
+    for title, keys in tables.items():
         rows = [f"| `{key.name}` | {'yes' if key.required else ''} | {_about(key)} |" for key in keys]
         head = [f"### Keys of a {title}", "", "| key | required | what it is |", "|---|---|---|"]
         parts.append("\n".join([*head, *rows]))

@@ -11,6 +11,8 @@ from .syntax import Syntax
 
 DEFAULT_TOLERANCE = Fraction(1, 10**8)
 FORMULATIONS = ("auto", "newton", "lagrange", "euler-lagrange", "chaplygin", "voronec", "multipliers")
+FIGURES = ("point", "line", "circle", "body")
+Place = tuple[Syntax, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,6 +90,37 @@ class Initial:
 
 
 @dataclass(frozen=True, slots=True)
+class Figure:
+    """A shape to draw: ``kind`` is one of ``FIGURES``, ``name`` its label or empty.
+
+    ``points``: of a point or line, two or three expressions each; a circle's centre; a body's corners on its own axes.
+    A circle has ``radius``, and ``normal`` (three, or empty); a body ``at`` (two) and ``angle``. ``trace``: points only.
+    """
+
+    kind: str
+    name: str
+    span: Span
+    points: tuple[Place, ...]
+    trace: bool = False
+    radius: Syntax | None = None
+    normal: Place = ()
+    at: Place = ()
+    angle: Syntax | None = None
+
+    @property
+    def expressions(self) -> tuple[Syntax, ...]:
+        """Everything that it is made of."""
+        places = (*self.points, self.normal, self.at)
+        single = tuple(tree for tree in (self.radius, self.angle) if tree is not None)
+        return (*(tree for place in places for tree in place), *single)
+
+    @property
+    def spatial(self) -> bool:
+        """Whether it leaves the plane z = 0."""
+        return bool(self.normal) or any(len(place) == 3 for place in self.points)
+
+
+@dataclass(frozen=True, slots=True)
 class Need:
     """What a scene needs.
 
@@ -142,6 +175,7 @@ class Spec:
     dependent: tuple[str, ...]
     formulation: str
     outputs: tuple[Definition, ...]
+    draw: tuple[Figure, ...]
     scenes: tuple[Scene, ...]
     key_spans: tuple[tuple[str, Span], ...]
 

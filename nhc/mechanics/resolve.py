@@ -18,8 +18,8 @@ from nhc.mechanics.system import Form, System
 class Resolver:
     """Builds nodes for one spec; ``names`` grows as definitions are read."""
 
-    def __init__(self, spec: Spec) -> None:
-        self.spec, self.graph, self.bag = spec, Graph(), Bag(spec.origin)
+    def __init__(self, spec: Spec, graph: Graph | None = None) -> None:
+        self.spec, self.graph, self.bag = spec, graph if graph is not None else Graph(), Bag(spec.origin)
         g = self.graph
         self.t = g.symbol("t", "time")
         self.q = tuple(g.symbol(c.name, "coordinate") for c in spec.coordinates)
@@ -123,7 +123,7 @@ def resolve(spec: Spec) -> System:
         nhc.diagnostics.SpecError: everything that is wrong with it as mechanics, all at once.
     """
     build = Resolver(spec)
-    _define(build)
+    define_names(build)
     T = build.node(spec.kinetic)
     U = _potential(build)
     Q = [build.graph.zero] * len(spec.coordinates)
@@ -157,11 +157,14 @@ def resolve(spec: Spec) -> System:
     _check_rank(build, system)
     if not build.bag.has_errors:
         _check_freedom(build, system)
+    if spec.draw and not build.bag.has_errors:
+        _check_drawing(build)
     build.bag.raise_if_errors()
     return system
 
 
-def _define(build: Resolver) -> None:
+def define_names(build: Resolver) -> None:
+    """Add the definitions and quasi-velocities to what the resolver knows."""
     values = {entry.name: entry.value for entry in (*build.spec.definitions, *build.spec.quasi_velocities)}
     for name in build.spec.named_order:
         node = build.node(values[name])
@@ -226,6 +229,16 @@ def _places(build: Resolver) -> dict[str, str]:
     for entry in (*spec.forces, *spec.outputs, *spec.quasi_velocities):
         places[entry.name] = build.place(entry.value.span)
     return places
+
+
+def _check_drawing(build: Resolver) -> None:
+    """On a graph of its own: what is drawn must leave no mark on what is derived."""
+    probe = Resolver(build.spec)
+    probe.bag = build.bag
+    define_names(probe)
+    for figure in build.spec.draw:
+        for tree in figure.expressions:
+            probe.node(tree)
 
 
 def _check_freedom(build: Resolver, system: System) -> None:

@@ -8,10 +8,11 @@ sign ends a run: the user's event first, then the determinants that the formulat
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from nhc.algebra.graph import Node
 from nhc.algebra.shorten import shorten
+from nhc.mechanics.drawing import Sketch, sketch_of
 from nhc.mechanics.formulate import reaction_values
 from nhc.mechanics.frame import form_value
 from nhc.program.build import Planner
@@ -74,6 +75,12 @@ def list_checks(planner: Planner) -> list[Column]:
     found += [Column(f.name, "residual", r) for f, r in zip(system.constraints, residuals, strict=True)]
     found += [Column(f.name, "position", f.equation) for f in system.constraints if f.equation is not None]
     return found
+
+
+def planned_sketch(planner: Planner) -> Sketch:
+    """What the spec draws, in terms of the state."""
+    sketch = sketch_of(planner.system)
+    return replace(sketch, nodes=tuple(planner.on_motion(sketch.nodes)))
 
 
 def needed_function(planner: Planner, columns: Sequence[Column]) -> Function:

@@ -7,6 +7,7 @@ import math
 from html import escape
 
 from nhc.emit.environment import create_environment
+from nhc.report.drawing import describe_drawing
 from nhc.report.svg import Axis, Chart, Series, draw, draw_inside, find_frame, legend_rows
 from nhc.simulate.run import Trajectory, energy_change
 from nhc.version import __version__
@@ -93,15 +94,22 @@ def make_page(found: Trajectory) -> str:
     if found.ended not in ("done", "event"):
         facts.append(("incomplete", f"{found.reason} at t = {outcome.t!r}"))
     charts = (*list_charts(found), *list_check_charts(found))
+    drawing = describe_drawing(found)
     context = {
         "title": escape(f"{job.program.system}: {job.scene.name}"),
         "about": escape(job.program.about),
         "facts": [(escape(name), escape(text)) for name, text in facts],
         "charts": [draw(chart) for chart in charts],
-        "data": json.dumps([_readable(chart) for chart in charts], separators=(",", ":")).replace("<", "\\u003c"),
+        "data": _embed([_readable(chart) for chart in charts]),
+        "drawing": "" if drawing is None else _embed(drawing),
         "version": __version__,
     }
     return create_environment().get_template("html/run.html.jinja").render(context)
+
+
+def _embed(data: object) -> str:
+    """JSON that ends no element of the page."""
+    return json.dumps(data, separators=(",", ":"), allow_nan=False).replace("<", "\\u003c")
 
 
 def _summary(found: Trajectory) -> list[tuple[str, str]]:

@@ -43,9 +43,10 @@ def open_scene(
     project: bool = False,
     checks: bool = False,
     whole: bool = False,
+    draw: bool = False,
 ) -> Job:
     """The job of a scene (default: the first); ``until`` is an expression in the spec's names whose zero ends the run;
-    ``whole`` keeps states that this start alone does not need.
+    ``whole`` keeps states that this start alone does not need; ``draw`` computes what the spec draws as well.
 
     Raises:
         nhc.diagnostics.SpecError: the spec or the expression has errors.
@@ -71,9 +72,9 @@ def open_scene(
     equations = equations_of(system, form)
     start, notes = projected_start(system, chosen) if project else (start_of(system, chosen), ())
     implicit = method in WITH_JACOBIAN or isinstance(RUNGE_KUTTA.get(method), Collocation)
-    plain = not (wanted or until or natural or checks or whole)  # else more is asked for than the scene needs
+    plain = not (wanted or until or natural or checks or whole or draw)  # else more is asked than the scene needs
     reduced = prepare_reduced(equations, form, start, implicit) if plain else None
-    job = reduced or prepare(equations, form, start, wanted, event, implicit, natural, hold, checks)
+    job = reduced or prepare(equations, form, start, wanted, event, implicit, natural, hold, checks, draw)
     job = replace(job, notes=notes)
     lacking = job.structure.lacking
     if natural and not lacking and STRUCTURE[method].constant_mass and not job.structure.constant_mass:

@@ -10,20 +10,24 @@ from nhc.emit.statements import list_statuses
 from nhc.language.spec import Scene
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choose import Formulation
+from nhc.mechanics.drawing import Sketch
 from nhc.mechanics.scenes import Start, kept_velocities
 from nhc.mechanics.system import Form, System
 from nhc.program.build import Planner, build_functions
 from nhc.program.hold import hold_functions
 from nhc.program.ir import Program
 from nhc.program.model import build_program
-from nhc.program.needed import Column, list_checks, list_columns, needed_function, watch_function
+from nhc.program.needed import Column, list_checks, list_columns, needed_function, planned_sketch, watch_function
 from nhc.program.structure import Structure, structure_of
+
+_NOTHING = Sketch()
 
 
 @dataclass(frozen=True)
 class Job:
     """A scene that is ready to run.  ``columns`` are what the user needs, ``checks`` energy and residuals after
-    them; ``needed`` of the program computes both, in this order.  ``meanings``: of the model's status codes;
+    them, ``sketch`` what is drawn; ``needed`` of the program computes all, in this order.
+    ``meanings``: of the model's status codes;
     ``watched``: what a change of sign of each watched value means, the first ``events`` being the user's;
     ``kept``: the velocities of the state, or None where the state was reduced for this start alone.
     """
@@ -46,6 +50,12 @@ class Job:
     holds: tuple[str, ...]
     notes: tuple[str, ...] = ()
     kept: tuple[Form, ...] | None = None
+    sketch: Sketch = _NOTHING
+
+    @property
+    def width(self) -> int:
+        """How many numbers ``needed`` of the program gives."""
+        return len(self.columns) + len(self.checks) + len(self.sketch.nodes)
 
     @property
     def state_names(self) -> tuple[str, ...]:
@@ -62,6 +72,7 @@ def prepare(
     natural: bool = False,
     hold: bool = True,
     checks: bool = False,
+    draw: bool = False,
 ) -> Job:
     """The job of a scene; ``needs`` are names (default: the scene's own).
 
@@ -73,9 +84,11 @@ def prepare(
     wanted = tuple(needs) or tuple(need.name for need in scene.need)
     columns = list_columns(planner, wanted)
     checked = list_checks(planner) if checks else []
+    sketch = planned_sketch(planner) if draw else _NOTHING
+    drawn = [Column(f"drawn {k}", "drawn", node) for k, node in enumerate(sketch.nodes)]
     watch, about = watch_function(planner, event)
     functions = build_functions(planner, ("rhs", "jacobian") if jacobian else ("rhs",))
-    functions += (needed_function(planner, [*columns, *checked]),)
+    functions += (needed_function(planner, [*columns, *checked, *drawn]),)
     functions += () if watch is None else (watch,)
     structure = structure_of(planner) if natural else Structure()
     functions += structure.functions
@@ -104,6 +117,7 @@ def prepare(
         structure=structure,
         holds=calls,
         kept=tuple(planner.kept_forms()),
+        sketch=sketch,
     )
 
 

@@ -49,7 +49,7 @@ class Settings:
 
 @dataclass(frozen=True)
 class Trajectory:
-    """``rows`` follow the job's columns and ``checks`` its checks, one row for each of ``times``.
+    """``rows`` follow the job's columns and ``checks`` its checks, ``drawn`` its sketch, one row for each of ``times``.
 
     ``ended`` is "done" or "event"; else "stopped" or "failed", and then the rows end before the end.
     """
@@ -66,6 +66,7 @@ class Trajectory:
     step: float
     seconds: float
     notes: tuple[str, ...]
+    drawn: tuple[tuple[float, ...], ...] = ()
 
     @property
     def headings(self) -> tuple[str, ...]:
@@ -84,8 +85,7 @@ def load(job: Job, method: str, compiled: bool = True) -> tuple[Model, tuple[str
             else:
                 sources = write_source(job.program, [RUNGE_KUTTA[method]], job.events, job.holds)
             path = build(sources, f"{job.program.system}_run.c")
-            width = len(job.columns) + len(job.checks)
-            return CompiledModel(path, job.program.system, len(job.y), width), ()
+            return CompiledModel(path, job.program.system, len(job.y), job.width), ()
         except CompileError as error:
             notes = (f"{error}; running the emitted Python, which is some hundred times slower",)
     if method in STRUCTURE:
@@ -169,19 +169,21 @@ def collect(
             f"a needed quantity has no value: {job.meanings.get(error.status, 'it is not finite')}",
         )
     width = len(job.columns)
+    drawn = width + len(job.checks)
     return Trajectory(
         job,
         method,
         model.compiled,
         tuple(times),
         tuple(tuple(row[:width]) for row in rows),
-        tuple(tuple(row[width:]) for row in rows),
+        tuple(tuple(row[width:drawn]) for row in rows),
         outcome,
         ended,
         reason,
         task.step,
         seconds,
         notes,
+        tuple(tuple(row[drawn:]) for row in rows),
     )
 
 

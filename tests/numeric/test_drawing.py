@@ -1,0 +1,182 @@
+"""The moving picture on a run's page: its numbers are the trajectory's, and nothing comes from elsewhere."""
+
+from __future__ import annotations
+
+import json
+import math
+import re
+from pathlib import Path
+
+import jsonschema
+import pytest
+
+from nhc.cli import main
+from nhc.diagnostics import Source, SpecError
+from nhc.dump import dump_decode
+from nhc.language import decode, schema
+from nhc.mechanics.resolve import resolve
+from nhc.pipeline import Options, emit
+from nhc.report.drawing import MOST_FRAMES, describe_drawing
+from nhc.resources import find_specs
+from nhc.simulate.opening import open_scene
+from nhc.simulate.run import Settings, Trajectory, run
+
+SPEC = """\
+nhc: 1
+system: cart
+coordinates: {x: {}, y: {}, theta: {range: [-9, 9]}}
+parameters: {m: 1, J: 0.5, L: 2}
+define: {tip: x + L*cos(theta)}
+T: m/2*(x'^2 + y'^2) + J/2*theta'^2
+constraints: ["-sin(theta)*x' + cos(theta)*y' = 0"]
+scenes: {go: {initial: {x': 1, theta': 0.7}, time: [0, 3], need: [x, y, theta, x']}}
+"""
+DRAW = """\
+draw:
+  - {point: [x, y + t], name: "</script> & co", trace: true}
+  - line: [[x, y], [tip, y + L*sin(theta)], [x', 0]]
+  - body: {at: [x, y], angle: theta, shape: [[0, 0], [L, 0], [0, L/2]]}
+"""
+SPATIAL = """\
+  - circle: {centre: [x, y, L], radius: L/4, normal: [cos(theta), sin(theta), 0]}
+  - line: [[0, 0, 0], [x, y, sqrt(L)]]
+"""
+DRAWN = ("ball_on_table", "chaplygin_sleigh", "double_pendulum", "n_trailer3", "rolling_disk", "snakeboard")
+
+
+def run_drawn(text: str, points: int = 31, compiled: bool = False) -> Trajectory:
+    job = open_scene(Source("cart.yaml", text), checks=True, draw=True)
+    return run(job, Settings(points=points, compiled=compiled))
+
+
+def value(drawing: dict, place: int, k: int) -> float:
+    column = drawing["columns"][place]
+    return column[k] if isinstance(column, list) else column
+
+
+def points_of(drawing: dict, shape: int, k: int) -> list[tuple[float, ...]]:
+    values = [value(drawing, place, k) for place in drawing["shapes"][shape]["places"]]
+    return [tuple(values[i : i + 3]) for i in range(0, len(values), 3)]
+
+
+def near(points: list[tuple[float, ...]]) -> object:
+    return [pytest.approx(point, rel=1e-8, abs=1e-8) for point in points]
+
+
+def page_of(path: Path, spec: Path | str, capsys: pytest.CaptureFixture[str], *more: str) -> str:
+    assert main(["run", str(spec), "-o", str(path), "--force", *more]) == 0
+    capsys.readouterr()
+    return path.read_text()
+
+
+def drawing_in(page: str) -> dict:
+    return json.loads(page.split('id="drawing">')[1].split("</script>")[0])
+
+
+def test_the_picture_is_the_trajectory(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    spec = tmp_path / "cart.yaml"
+    spec.write_text(SPEC + DRAW)
+    found = run_drawn(SPEC + DRAW)
+    drawing = drawing_in(page_of(tmp_path / "cart.html", spec, capsys, "--points", "31", "--python"))
+    assert drawing == describe_drawing(found)
+    assert drawing["spatial"] is False and [s["kind"] for s in drawing["shapes"]] == ["point", "line", "body"]
+    assert [s["trace"] for s in drawing["shapes"]] == [True, False, False]
+    assert drawing["times"] == pytest.approx(found.times, rel=1e-8)
+    for k, (t, (x, y, theta, vx)) in enumerate(zip(found.times, found.rows, strict=True)):
+        c, s = math.cos(theta), math.sin(theta)
+        assert points_of(drawing, 0, k) == near([(x, y + t, 0)])
+        assert points_of(drawing, 1, k) == near([(x, y, 0), (x + 2 * c, y + 2 * s, 0), (vx, 0, 0)])
+        assert points_of(drawing, 2, k) == near([(x, y, 0), (x + 2 * c, y + 2 * s, 0), (x - s, y + c, 0)])
+
+
+def test_shapes_in_space() -> None:
+    found = run_drawn(SPEC + DRAW + SPATIAL)
+    drawing = describe_drawing(found)
+    assert drawing is not None and drawing["spatial"] is True
+    for k, (x, y, theta, _) in enumerate(found.rows):
+        places = drawing["shapes"][3]["places"]  # type: ignore[index]
+        expected = (x, y, 2, 0.5, math.cos(theta), math.sin(theta), 0)
+        assert [value(drawing, place, k) for place in places] == pytest.approx(expected, rel=1e-8, abs=1e-8)
+        assert points_of(drawing, 4, k) == near([(0, 0, 0), (x, y, math.sqrt(2))])
+
+
+def test_a_page_has_all_it_needs(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    spec = tmp_path / "cart.yaml"
+    spec.write_text(SPEC + DRAW + SPATIAL)
+    page = page_of(tmp_path / "cart.html", spec, capsys, "--python")
+    assert "http" not in page.replace("http://www.w3.org/2000/svg", "")
+    assert not re.search(r"<(link|img|iframe|object)\b|<script[^>]*\bsrc\b|@import|url\(|fetch\(|import\(|eval\(", page)
+    assert page.count("<script") == page.count("</script>") == 4  # a name of the user closes none
+    assert drawing_in(page)["shapes"][0]["name"] == "</script> & co"
+    assert "<canvas" in page and 'type="range"' in page
+
+
+def test_without_draw_nothing_is_drawn(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    spec = tmp_path / "cart.yaml"
+    spec.write_text(SPEC)
+    page = page_of(tmp_path / "cart.html", spec, capsys, "--python")
+    assert "canvas" not in page and "drawing" not in page
+    found = run_drawn(SPEC)
+    assert describe_drawing(found) is None and set(found.drawn) == {()}
+
+
+def test_a_long_run_is_thinned() -> None:
+    drawing = describe_drawing(run_drawn(SPEC + DRAW, 3 * MOST_FRAMES))
+    assert drawing is not None
+    count = len(drawing["times"])  # type: ignore[arg-type]
+    assert count == MOST_FRAMES
+    assert {len(c) for c in drawing["columns"] if isinstance(c, list)} == {count}  # type: ignore[attr-defined]
+
+
+def test_the_other_files_do_not_know_of_it() -> None:
+    plain, drawn = Source("cart.yaml", SPEC), Source("cart.yaml", SPEC + DRAW + SPATIAL)
+    for language in ("c", "python", "latex"):
+        assert emit(plain, language, Options()) == emit(drawn, language, Options())
+    first = run(open_scene(plain), Settings(points=5, compiled=False))
+    second = run(open_scene(drawn), Settings(points=5, compiled=False))
+    assert (first.rows, first.headings, second.drawn) == (second.rows, second.headings, ((),) * 5)
+
+
+@pytest.mark.parametrize("name", DRAWN)
+def test_the_gallery_draws(name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    page = page_of(tmp_path / "a.html", find_specs() / f"{name}.yaml", capsys, "--points", "21")
+    drawing = drawing_in(page)
+    assert drawing["spatial"] == (name in ("ball_on_table", "rolling_disk"))
+    assert len(drawing["times"]) == 21 and any(shape["trace"] for shape in drawing["shapes"])
+    if name == "double_pendulum":  # rods keep their lengths
+        for k in range(21):
+            first, second, third = points_of(drawing, 0, k)
+            assert (math.dist(first, second), math.dist(second, third)) == pytest.approx((1, 1), rel=1e-7)
+    if name == "rolling_disk":  # the lowest point of the circle is the contact, on the floor
+        for k in range(21):
+            x, y, z, radius, *normal = [value(drawing, place, k) for place in drawing["shapes"][0]["places"]]
+            (contact,) = points_of(drawing, 1, k)
+            arm = (contact[0] - x, contact[1] - y, -z)
+            assert math.hypot(*arm) == pytest.approx(radius, rel=1e-7) and contact[2] == 0
+            assert sum(a * b for a, b in zip(arm, normal, strict=True)) == pytest.approx(0, abs=1e-7)
+
+
+def test_a_division_by_zero_is_said_by_resolve() -> None:
+    with pytest.raises(SpecError) as caught:
+        resolve(decode(Source("cart.yaml", SPEC + "draw: [{point: [x, 1/0]}]\n")))
+    assert [(d.code, d.span.start) for d in caught.value.diagnostics] == [("E0417", len(SPEC) + 21)]
+
+
+def test_schema_and_dump() -> None:
+    import yaml
+
+    validator = jsonschema.Draft202012Validator(schema())
+    assert validator.is_valid(yaml.safe_load(SPEC + DRAW + SPATIAL))
+    for wrong in (
+        "[{point: [x]}]",
+        "[{trace: true}]",
+        "[{point: [x, y], line: [[0, 0], [1, 1]]}]",
+        "[{circle: {centre: [x, y]}}]",
+        "[{body: {at: [x, y], angle: 0, shape: [[0, 0], [1, 0]]}}]",
+        "[{point: [x, y], trace: maybe}]",
+        "{point: [x, y]}",
+    ):
+        assert not validator.is_valid(yaml.safe_load(SPEC + f"draw: {wrong}\n")), wrong
+        with pytest.raises(SpecError):
+            decode(Source("cart.yaml", SPEC + f"draw: {wrong}\n"))
+    assert "draw point x, y + t\n" in dump_decode(Source("cart.yaml", SPEC + DRAW), Options())
