@@ -17,7 +17,7 @@ from nhc.cli.terminal import Exit, Failure, put, say
 
 if TYPE_CHECKING:
     from nhc.simulate.prepare import Job
-    from nhc.simulate.run import Trajectory
+    from nhc.simulate.run import Settings, Trajectory
 
 # nhc.simulate.methods again, which takes too long to import for a help text; a test holds them equal
 METHODS = (
@@ -84,17 +84,14 @@ def command(
     the emitted Python.
     """
     target = _check_target(output, force)
-    if tolerance >= 1:
-        raise click.UsageError("`--tol` is a relative accuracy, such as 1e-8")
-    if step and method.startswith(("scipy", "cvode")):
-        raise click.UsageError(f"`{method}` chooses its own steps; leave `--step` out")
+    _check_accuracy(method, tolerance, step)
     if ensemble:
         from nhc.cli.ensemble import check_options, run_starts
 
         check_options(method, step, until, project, target)
     source = open_spec(spec)
     from nhc.simulate.opening import RunError, open_scene
-    from nhc.simulate.run import POINTS, Settings, run
+    from nhc.simulate.run import POINTS, Settings
 
     settings = Settings(method, tolerance, step, points or (2 if ensemble else POINTS), not interpreted)
     if ensemble:
@@ -111,16 +108,7 @@ def command(
         raise Failure(str(error), error.help) from error
     if not scene:
         say(f"taking the scene `{job.scene.name}`")
-    bar = Progress(*job.time)
-    try:
-        found = run(job, settings, bar.show)
-    except ModuleNotFoundError as error:
-        extra = EXTRAS.get((error.name or "").split(".")[0])
-        if extra is None:
-            raise
-        advice = [f"install it with `pip install 'nhc[{extra}]'`"]
-        raise Failure(f"`{method}` needs {error.name}, which is not installed", advice) from error
-    bar.clear()
+    found = _integrate(job, settings)
     for note in found.notes:
         say(f"note: {note}")
     if found.ended in ("done", "event"):
@@ -136,6 +124,31 @@ def _choose(job: Job, tolerance: float) -> str:
     method, why = choose_method(job, tolerance or job.tolerance)
     say(f"taking the method {method}: {why}")
     return method
+
+
+def _check_accuracy(method: str, tolerance: float, step: float) -> None:
+    """Refuse what contradicts itself."""
+    if tolerance >= 1:
+        raise click.UsageError("`--tol` is a relative accuracy, such as 1e-8")
+    if step and method.startswith(("scipy", "cvode")):
+        raise click.UsageError(f"`{method}` chooses its own steps; leave `--step` out")
+
+
+def _integrate(job: Job, settings: Settings) -> Trajectory:
+    """The run, with its progress on a terminal; a missing extra is named."""
+    from nhc.simulate.run import run
+
+    bar = Progress(*job.time)
+    try:
+        found = run(job, settings, bar.show)
+    except ModuleNotFoundError as error:
+        extra = EXTRAS.get((error.name or "").split(".")[0])
+        if extra is None:
+            raise
+        advice = [f"install it with `pip install 'nhc[{extra}]'`"]
+        raise Failure(f"`{settings.method}` needs {error.name}, which is not installed", advice) from error
+    bar.clear()
+    return found
 
 
 def _check_target(output: str | None, force: bool) -> Path | None:
