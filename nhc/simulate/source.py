@@ -113,15 +113,16 @@ def describe(method: Tableau) -> ExplicitText | CollocationText:
 
 
 def write_source(
-    program: Program, methods: Sequence[Tableau], events: int, holds: Sequence[str] = ()
+    program: Program, methods: Sequence[Tableau], events: int, holds: Sequence[str] = (), trig: str = "inline"
 ) -> dict[str, str]:
     """File name -> text of ``<s>.h``, ``<s>.c`` and ``<s>_run.c``; the last one includes the others.
 
     ``program`` has rhs and needed, jacobian for an implicit method, and watch where something is watched, the first ``events`` of
-    its values being the user's; ``holds`` are called in this order after each step.
+    its values being the user's; ``holds`` are called in this order after each step.  ``trig``: the inlined sine and cosine were
+    faster in every run measured, but they are made for doubles and nothing longer.
     """
     functions = {function.name: function for function in program.functions}
-    model = render(program, "c", EmitOptions(only=tuple(functions), trig="inline"))  # faster in every run measured
+    model = render(program, "c", EmitOptions(only=tuple(functions), trig=trig))
     implicit = [method for method in methods if isinstance(method, Collocation)]
     explicit = [method for method in methods if isinstance(method, Explicit)]
     context: dict[str, object] = {

@@ -55,7 +55,7 @@ def compile_long(job: Job, methods: Sequence[str]) -> Path:
     """
     name = job.program.system
     functions = {function.name: function for function in job.program.functions}
-    sources = write_source(job.program, [RUNGE_KUTTA[method] for method in methods], job.events, job.holds)
+    sources = write_source(job.program, [RUNGE_KUTTA[method] for method in methods], job.events, job.holds, trig="")
     context: dict[str, object] = {
         "head": f"{name}_long.c: reference runs, emitted by nhc {__version__} ({PLACEHOLDER})",
         "name": name,
