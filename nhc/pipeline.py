@@ -38,6 +38,8 @@ if TYPE_CHECKING:
     from nhc.study.chart.grid import Grid
     from nhc.study.chart.study import Show
     from nhc.study.motion import Findings, Request
+    from nhc.study.simplify.ladder import Ladder
+    from nhc.study.simplify.search import Show as ShowTrial
     from nhc.study.stability.laboratory import Laboratory, Question
 
 
@@ -308,6 +310,19 @@ def chart(source: Source, grid: Grid, show: Show | None = None) -> Study:
     from nhc.study.chart.study import chart as make
 
     return make(source, grid, show)
+
+
+def simplify(source: Source, tolerance: float, options: Options, show: ShowTrial | None = None) -> Ladder:
+    """Models of a scene with less and less in them, by measured errors, down to the smallest within ``tolerance``.
+
+    Raises:
+        SpecError: the spec has errors.
+        nhc.study.simplify.measure.NotMeasured: the full model's run is no reference.
+    """
+    from nhc.study.simplify.search import simplify as search
+
+    _check_scene_name(decode(source), options.scene)
+    return search(source, options.scene, tolerance, options.formulation, show=show)
 
 
 def cite(source: Source) -> str:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from nhc.cli.options import formulation_option, json_option, spec_argument
+from nhc.cli.simplify import approximate, check_options
 from nhc.cli.specs import open_spec
 from nhc.cli.terminal import put, put_json
 
@@ -19,14 +20,37 @@ if TYPE_CHECKING:
 @click.option("--scene", metavar="NAME", required=True, help="The scene whose needs the model has to deliver.")
 @formulation_option
 @click.option("--fold", is_flag=True, help="Put the scene's parameter values in first.")
+@click.option(
+    "--tol",
+    "tolerance",
+    type=float,
+    help="Leave out terms as well, while what is needed errs by less than this on the scene (relative).",
+)
+@click.option("-o", "output", metavar="FILE", help="With --tol: write the smallest model as a spec.")
+@click.option("--chart", metavar="FILE", help="With --tol: write size against error as an .svg file.")
+@click.option("--force", is_flag=True, help="Overwrite files that exist.")
 @json_option
-def command(spec: str, scene: str, formulation: str | None, fold: bool, as_json: bool) -> int:
+def command(
+    spec: str,
+    scene: str,
+    formulation: str | None,
+    fold: bool,
+    tolerance: float | None,
+    output: str | None,
+    chart: str | None,
+    force: bool,
+    as_json: bool,
+) -> int:
     """Explain the smallest exact model of a scene.
 
     Says which entries of the state the scene's needs depend on, why the others are left out, which formulations were tried
-    and what each would cost.  `nhc emit --scene` writes this model.
+    and what each would cost.  `nhc emit --scene` writes this model.  With `--tol` it looks for an approximate one in place of
+    that: runs say which terms and parameters can go, and `-o` writes what is left as a spec.
     """
+    check_options(tolerance, output, chart, fold, as_json)
     source = open_spec(spec)
+    if tolerance is not None:
+        return approximate(source, scene, formulation or "", tolerance, output, chart, force, as_json)
     from nhc.pipeline import Options, reduce_scene
 
     made = reduce_scene(source, Options(formulation=formulation or "", scene=scene, fold=fold))

@@ -1,0 +1,89 @@
+"""``nhc reduce --tol``: approximate models of a scene, measured."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import click
+
+from nhc.cli.terminal import Exit, Failure, put, put_json, say
+from nhc.language import Source
+
+
+def check_options(tolerance: float | None, output: str | None, chart: str | None, fold: bool, as_json: bool) -> None:
+    """Refuse options that do not go together.
+
+    Raises:
+        click.UsageError: with what would do.
+    """
+    if tolerance is None:
+        if output is not None or chart is not None:
+            raise click.UsageError("`-o` and `--chart` belong to `--tol`: without it nothing is approximated")
+        return
+    if not 1e-10 <= tolerance < 1:
+        raise click.BadParameter(f"`{tolerance:g}`: from 1e-10 to less than 1", param_hint="--tol")
+    if fold:
+        raise click.UsageError("`--fold` does not go with `--tol`")
+    if as_json and output == "-":
+        raise click.UsageError("`--json` prints to stdout; name a file after `-o`")
+    if chart is not None and output == chart:
+        raise click.UsageError("`-o` and `--chart` name the same file")
+    if chart is not None and not chart.endswith(".svg"):
+        raise click.UsageError("name an .svg file after `--chart`")
+
+
+def approximate(
+    source: Source,
+    scene: str,
+    formulation: str,
+    tolerance: float,
+    output: str | None,
+    chart: str | None,
+    force: bool,
+    as_json: bool,
+) -> int:
+    """Measure, print the ladder (to stderr where the spec goes to stdout), and write what is asked for."""
+    from nhc import pipeline
+    from nhc.cli.write import refuse_to_overwrite, write_files
+    from nhc.report.ladder import draw_ladder, ladder_data, print_ladder, reduced_spec
+    from nhc.simulate.opening import RunError
+    from nhc.study.simplify.measure import NotMeasured
+
+    try:
+        ladder = pipeline.simplify(source, tolerance, pipeline.Options(formulation=formulation, scene=scene), _show)
+    except RunError as error:
+        raise Failure(str(error), error.help) from error
+    except NotMeasured as error:
+        raise Failure(str(error), error.help, exit=Exit.NUMERICAL) from error
+    finally:
+        _clear()
+    texts = {Path(output): reduced_spec(ladder)} if output is not None and output != "-" else {}
+    if chart is not None:
+        texts[Path(chart)] = draw_ladder(ladder)
+    if not force:
+        refuse_to_overwrite(texts, edited_only=False)
+    for note in ladder.notes:
+        say(f"note: {note}")
+    if as_json:
+        put_json("nhc.ladder/1", ladder_data(ladder))
+    elif output == "-":
+        say(print_ladder(ladder))
+        put(reduced_spec(ladder))
+    else:
+        put(print_ladder(ladder))
+    if texts:
+        write_files(texts)
+    return Exit.DONE
+
+
+def _show(runs: int, about: str) -> None:
+    """Progress, on a terminal only."""
+    if sys.stderr.isatty():
+        sys.stderr.write(f"\r{f'{runs}: without {about}'[:78]:78}")
+        sys.stderr.flush()
+
+
+def _clear() -> None:
+    if sys.stderr.isatty():
+        sys.stderr.write("\r" + " " * 78 + "\r")

@@ -1,0 +1,138 @@
+"""A ladder of approximate models as text, as data, as a chart, and the smallest of them as a spec."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from nhc.report.svg import Axis, Chart, Series, draw
+from nhc.study.simplify.ladder import Ladder, Size
+
+_LEAST = 1e-16  # errors that are zero stand here on the logarithmic axis
+_SHOWN = 6  # needed quantities with a column of their own in the table
+
+
+def print_ladder(ladder: Ladder) -> str:
+    """The ladder as a table, then what stays and why."""
+    lines = [
+        f"{ladder.system}, scene {ladder.scene}: needs {', '.join(ladder.needs)}, within {ladder.tolerance:g}",
+        f"measured {_how(ladder)}",
+        "errors: the largest on the output grid, relative to each quantity's largest magnitude there; "
+        "those of the full model are the reference's own",
+        *_table(ladder),
+    ]
+    if len(ladder.rungs) == 1:
+        lines.append("nothing can be left out within the tolerance")
+    if ladder.kept:
+        lines.append("kept")
+        lines += [f"  {kept.about}: {kept.reason}" for kept in ladder.kept]
+    if ladder.bounded:
+        lines.append(f"the bound of {ladder.most} runs was reached: more could perhaps be left out")
+    return "\n".join(lines)
+
+
+def _table(ladder: Ladder) -> list[str]:
+    single = 1 < len(ladder.needs) <= _SHOWN
+    head = ["", "equations", "operations", "calls", "error", *(ladder.needs if single else ()), "left out"]
+    rows = [head]
+    for k, rung in enumerate(ladder.rungs):
+        errors = (rung.error, *(rung.errors if single else ()))
+        shown = [f"{error:.1e}" for error in errors]
+        rows.append([str(k), *map(str, _numbers(rung.size)), *shown, rung.dropped or "nothing: the full model"])
+    widths = [max(len(row[i]) for row in rows) for i in range(len(head))]
+    found = []
+    for row in rows:
+        cells = [cell.rjust(width) for cell, width in zip(row[:-1], widths, strict=False)]
+        found.append("  ".join([*cells, row[-1]]))
+    return found
+
+
+def _numbers(size: Size) -> tuple[int, int, int]:
+    return size.states, size.operations, size.calls
+
+
+def _how(ladder: Ladder) -> str:
+    start, end = ladder.time
+    code = "emitted C" if ladder.compiled else "emitted Python"
+    return (
+        f"with {ladder.method} ({code}) at tolerance {ladder.run_tolerance:g} on {ladder.points} points of "
+        f"t = {start:g} to {end:g}, {ladder.runs} smaller models tried"
+    )
+
+
+def reduced_spec(ladder: Ladder) -> str:
+    """The smallest model as a spec: first comments on what was left out, where, and how large the errors are."""
+    last = ladder.rungs[-1]
+    lines = [f"An approximate model, made by `nhc reduce --scene {ladder.scene} --tol {ladder.tolerance:g}`."]
+    if ladder.dropped:
+        lines.append(
+            "Left out, with the error after it (largest on the output grid, relative to each quantity's size):"
+        )
+        lines += [f"  {rung.dropped}: error {rung.error:.1e}" for rung in ladder.rungs[1:]]
+    else:
+        lines.append("Nothing could be left out within this tolerance.")
+    lines.append("Errors of what the scene needs:")
+    lines += [f"  {need}: {error:.1e}" for need, error in zip(ladder.needs, last.errors, strict=True)]
+    full = ladder.rungs[0].size
+    lines.append(
+        f"Size: {last.size.states} equations, {last.size.operations} operations; "
+        f"the full model has {full.states} and {full.operations}."
+    )
+    lines.append(f"Measured {_how(ladder)}.")
+    lines.append(f"It holds for the scene {ladder.scene} only, from its start and with its parameters:")
+    lines += [f"  {name} = {value!r}" for name, value in ladder.parameters]
+    lines.append("and was measured in these ranges, outside of which nothing is known of its errors:")
+    lines += [
+        f"  {name}: {low:.6g} to {high:.6g}{f' {unit}' if unit else ''}" for name, low, high, unit in ladder.ranges
+    ]
+    if ladder.bounded:
+        lines.append(f"The bound of {ladder.most} runs was reached: more could perhaps be left out.")
+    return "".join(f"# {line}\n" for line in lines) + ladder.spec
+
+
+def ladder_data(ladder: Ladder) -> dict[str, Any]:
+    """The same for JSON."""
+    return {
+        "system": ladder.system,
+        "scene": ladder.scene,
+        "time": list(ladder.time),
+        "points": ladder.points,
+        "method": ladder.method,
+        "language": "c" if ladder.compiled else "python",
+        "tolerance": ladder.tolerance,
+        "run_tolerance": ladder.run_tolerance,
+        "parameters": dict(ladder.parameters),
+        "need": list(ladder.needs),
+        "ranges": {name: [low, high] for name, low, high, _ in ladder.ranges},
+        "ladder": [
+            {
+                "left_out": rung.dropped or None,
+                "error": rung.error,
+                "errors": dict(zip(ladder.needs, rung.errors, strict=True)),
+                "states": rung.size.states,
+                "operations": rung.size.operations,
+                "calls": rung.size.calls,
+            }
+            for rung in ladder.rungs
+        ],
+        "kept": [{"what": kept.about, "reason": kept.reason} for kept in ladder.kept],
+        "runs": ladder.runs,
+        "bounded": ladder.bounded,
+        "spec": reduced_spec(ladder),
+    }
+
+
+def draw_ladder(ladder: Ladder) -> str:
+    """Size against error as an SVG document; the full model stands at the reference's own error."""
+    sizes = [float(rung.size.operations) for rung in ladder.rungs]
+    errors = [max(rung.error, _LEAST) for rung in ladder.rungs]
+    series = [
+        Series("models, from the full one to the smallest", sizes, errors, markers=True),
+        Series("tolerance", [min(sizes), max(sizes)], [ladder.tolerance, ladder.tolerance]),
+    ]
+    chart = Chart(
+        f"{ladder.system}, scene {ladder.scene}: size against error",
+        Axis("operations of the right-hand side"),
+        Axis("largest error of what is needed, relative", log=True),
+        tuple(series),
+    )
+    return draw(chart)

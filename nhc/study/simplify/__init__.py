@@ -1,0 +1,1 @@
+"""Approximate reductions: which terms a scene does not need, measured."""

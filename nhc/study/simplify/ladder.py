@@ -1,0 +1,68 @@
+"""What came out of an approximate reduction."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class Size:
+    """What a model costs: entries of its state, operations of its right-hand side, and how often a run evaluated it."""
+
+    states: int
+    operations: int
+    calls: int
+
+
+@dataclass(frozen=True, slots=True)
+class Rung:
+    """One model: what it leaves out beyond the one before it, its errors (as the ladder's ``needs``), its size."""
+
+    dropped: str
+    errors: tuple[float, ...]
+    size: Size
+
+    @property
+    def error(self) -> float:
+        return max(self.errors)
+
+
+@dataclass(frozen=True, slots=True)
+class Kept:
+    """A candidate that stays, and why."""
+
+    about: str
+    reason: str
+
+
+@dataclass(frozen=True)
+class Ladder:
+    """``rungs`` from the full model, whose errors are the reference's own, to the smallest within ``tolerance``.
+
+    ``ranges``: (name, least, largest, unit) of each coordinate and velocity of the full model on the scene; ``runs``:
+    models that were measured; ``bounded``: their number reached ``most``, so more might be left out; ``spec``: the text
+    of the smallest model, without a header.
+    """
+
+    system: str
+    scene: str
+    time: tuple[float, float]
+    points: int
+    method: str
+    compiled: bool
+    tolerance: float
+    run_tolerance: float
+    parameters: tuple[tuple[str, float], ...]
+    needs: tuple[str, ...]
+    ranges: tuple[tuple[str, float, float, str], ...]
+    rungs: tuple[Rung, ...]
+    kept: tuple[Kept, ...]
+    runs: int
+    most: int
+    bounded: bool
+    spec: str
+    notes: tuple[str, ...]
+
+    @property
+    def dropped(self) -> tuple[str, ...]:
+        return tuple(rung.dropped for rung in self.rungs[1:])
