@@ -18,7 +18,22 @@ from collections.abc import Iterable
 from fractions import Fraction
 from math import isqrt
 
-from nhc.algebra.nodes import ADD, BINARY, MUL, NEG, NUM, ONE, PI, POW, SYM, UNARY, Node, NodeStore, Symbol, exact_power
+from nhc.algebra.nodes import (
+    ADD,
+    BINARY,
+    MUL,
+    NEG,
+    NUM,
+    PI,
+    POW,
+    SYM,
+    UNARY,
+    Node,
+    NodeStore,
+    Rational,
+    Symbol,
+    exact_power,
+)
 
 __all__ = ["ADD", "BINARY", "MUL", "NEG", "NUM", "PI", "POW", "SYM", "UNARY", "Graph", "Node", "Symbol"]
 
@@ -44,25 +59,42 @@ class Graph(NodeStore):
     """A growing set of expressions.  Every method that builds returns a node; equal expressions are the same node."""
 
     # --- sums ---------------------------------------------------------------------------------------------
+    # A pair of operands that has its node already needs no rule: had one applied, the node would not be there.
 
     def add(self, x: Node, y: Node) -> Node:
-        if x == self.zero:
+        if not x:
             return y
-        if y == self.zero:
+        if not y:
             return x
-        (kx, px), (ky, py) = self.split_coefficient(x), self.split_coefficient(y)
+        px, py = self.core[x], self.core[y]
         if px == py:  # k P + l P
-            return self.scale(kx + ky, px)
-        if (px, kx) > (py, ky):
-            x, y, kx, ky, px, py = y, x, ky, kx, py, px
+            return self.scale(self.coefficient[x] + self.coefficient[y], px)
+        if px > py:
+            x, y, px, py = y, x, py, px
+        known = self._adds.get((x, y))
+        if known is not None:
+            return known
+        kx = self.coefficient[x]
         if kx < 0:  # the sign of a sum is that of its first term
             return self.neg(self.add(self.neg(x), self.neg(y)))
-        shorter = self._common_factor(x, y) or self._cancel_terms(x, y) or self._cancel_terms(y, x)
-        if shorter is not None:
-            return shorter
-        if kx == ky and self._is_circle(px, py):  # k sin^2 + k cos^2
+        op, a = self.op, self.a
+        ux = a[x] if op[x] == NEG else x
+        uy = a[y] if op[y] == NEG else y
+        kind, other = op[ux], op[uy]
+        if kind == MUL and other == MUL:
+            shorter = self._common_factor(x, y, ux, uy)
+            if shorter is not None:
+                return shorter
+        if other == ADD or kind == ADD:
+            shorter = self._cancel_terms(x, y, uy)
+            if shorter is None:
+                shorter = self._cancel_terms(y, x, ux)
+            if shorter is not None:
+                return shorter
+        if kx == self.coefficient[y] and op[px] == POW and self._is_circle(px, py):  # k sin^2 + k cos^2
             return self.number(kx)
-        return self._make(ADD, x, y, self.deps[x] | self.deps[y])
+        node = self._adds[x, y] = self._append(ADD, x, y, self.deps[x] | self.deps[y], (x, y))
+        return node
 
     def _is_circle(self, p: Node, q: Node) -> bool:
         """p + q = sin^2 + cos^2 of one angle."""
@@ -71,27 +103,24 @@ class Graph(NodeStore):
         f, g = self.a[p], self.a[q]
         return {self.op[f], self.op[g]} == {"sin", "cos"} and self.a[f] == self.a[g]
 
-    def _common_factor(self, x: Node, y: Node) -> Node | None:
-        """k P + l P -> (k + l) P for a factor P that stands in both products."""
-        nx, ny = self.op[x] == NEG, self.op[y] == NEG
-        ux, uy = (self.a[x] if nx else x), (self.a[y] if ny else y)
-        if self.op[ux] != MUL or self.op[uy] != MUL:
+    def _common_factor(self, x: Node, y: Node, ux: Node, uy: Node) -> Node | None:
+        """k P + l P -> (k + l) P for a factor P that stands in both products (ux, uy are x, y without their signs)."""
+        a, b = self.a, self.b
+        ax, bx, ay, by = a[ux], b[ux], a[uy], b[uy]
+        if ax != ay and ax != by and bx != ay and bx != by:
             return None
-        fx, fy = (self.a[ux], self.b[ux]), (self.a[uy], self.b[uy])
-        for i in (0, 1):
-            for j in (0, 1):
-                if fx[i] == fy[j] and self.op[fx[i]] != NUM:
-                    k, m = fx[1 - i], fy[1 - j]
-                    total = self.add(self.neg(k) if nx else k, self.neg(m) if ny else m)
-                    return self.mul(total, fx[i])
+        for factor, k in ((ax, bx), (bx, ax)):
+            for match, m in ((ay, by), (by, ay)):
+                if factor == match and self.op[factor] != NUM:
+                    total = self.add(k if x == ux else self.neg(k), m if y == uy else self.neg(m))
+                    return self.mul(total, factor)
         return None
 
-    def _cancel_terms(self, x: Node, y: Node) -> Node | None:
-        """x + (u - x) -> u, for the terms of a sum y or of -y."""
-        negative = self.op[y] == NEG
-        total = self.a[y] if negative else y
+    def _cancel_terms(self, x: Node, y: Node, total: Node) -> Node | None:
+        """x + (u - x) -> u, for the terms of a sum y or of -y (``total`` is the sum)."""
         if self.op[total] != ADD:
             return None
+        negative = total != y
         wanted = x if negative else self.neg(x)
         first, second = self.a[total], self.b[total]
         if wanted in (first, second):
@@ -100,15 +129,21 @@ class Graph(NodeStore):
         return None
 
     def neg(self, x: Node) -> Node:
+        node = self._negs.get(x)
+        if node is not None:
+            return node
         op = self.op[x]
         if op == NUM:
-            return self.number(-self._numbers[self.a[x]])
+            return self.number(-self.coefficient[x])
         if op == NEG:
             return self.a[x]
-        return self._make(NEG, x, 0, self.deps[x])
+        node = self._negs[x] = self._append(NEG, x, 0, self.deps[x], (x,))
+        self.coefficient[node] = -self.coefficient[x]
+        self.core[node] = self.core[x]
+        return node
 
     def sub(self, x: Node, y: Node) -> Node:
-        return self.add(x, self.neg(y))
+        return self.add(x, self.neg(y)) if y else x
 
     def sum(self, terms: Iterable[Node]) -> Node:
         total = self.zero
@@ -118,58 +153,69 @@ class Graph(NodeStore):
 
     # --- products -----------------------------------------------------------------------------------------
 
-    def scale(self, k: int | Fraction, x: Node) -> Node:
+    def scale(self, k: Rational, x: Node) -> Node:
         """k*x for a rational k and an x without a rational factor in front."""
+        if k == 1:
+            return x
         if k == 0:
             return self.zero
         if k < 0:
             return self.neg(self.scale(-k, x))
-        if k == 1:
-            return x
         if self.op[x] == NUM:
-            return self.number(k * self._numbers[self.a[x]])
-        return self._make(MUL, self.number(k), x, self.deps[x])
+            return self.number(k * self.coefficient[x])
+        number = self.number(k)
+        node = self._muls.get((number, x))
+        if node is None:
+            node = self._muls[number, x] = self._append(MUL, number, x, self.deps[x], (number, x))
+            self.coefficient[node] = self.coefficient[number]
+            self.core[node] = x
+        return node
 
     def mul(self, x: Node, y: Node) -> Node:
-        if x == self.zero or y == self.zero:
-            return self.zero
-        if x == self.one:
-            return y
-        if y == self.one:
-            return x
-        (kx, px), (ky, py) = self.split_coefficient(x), self.split_coefficient(y)
-        k = ky if kx is ONE else kx if ky is ONE else kx * ky
-        if px == self.one or py == self.one:
-            return self.scale(k, py if px == self.one else px)
-        (bx, ex), (by, ey) = self.split_power(px), self.split_power(py)
-        if bx == by:
-            return self.mul_number(k, self.power(bx, ex + ey))
-        if self.op[px] == MUL or self.op[py] == MUL:
-            cancelled = self._cancel(px, by, ey) or self._cancel(py, bx, ex)
-            if cancelled is not None:
-                return self.mul_number(k, cancelled)
+        if x <= 1:
+            return y if x else 0
+        if y <= 1:
+            return x if y else 0
+        px, py = self.core[x], self.core[y]
+        k: Rational = 1
+        if px != x or py != y:
+            k = self.coefficient[x] * self.coefficient[y]
+        if px == 1 or py == 1:
+            return self.scale(k, py if px == 1 else px)
         if px > py:
             px, py = py, px
-        product = self._make(MUL, px, py, self.deps[px] | self.deps[py])
-        return product if k is ONE else self.scale(k, product)
+        product = self._muls.get((px, py))
+        if product is None:
+            op = self.op
+            kind, other = op[px], op[py]
+            bx, ex = (self.a[px], self.b[px]) if kind == POW else (px, 1)
+            by, ey = (self.a[py], self.b[py]) if other == POW else (py, 1)
+            if bx == by:
+                return self.mul_number(k, self.power(bx, ex + ey))
+            if kind == MUL or other == MUL:
+                cancelled = self._cancel(px, by, ey) or self._cancel(py, bx, ex)
+                if cancelled is not None:
+                    return self.mul_number(k, cancelled)
+            product = self._muls[px, py] = self._append(MUL, px, py, self.deps[px] | self.deps[py], (px, py))
+        return product if k == 1 else self.scale(k, product)
 
-    def mul_number(self, k: Fraction, x: Node) -> Node:
+    def mul_number(self, k: Rational, x: Node) -> Node:
         """k*x for a rational k and any x."""
-        kx, px = self.split_coefficient(x)
-        return self.scale(k if kx is ONE else k * kx, px)
+        return self.scale(k * self.coefficient[x], self.core[x])
 
     def _cancel(self, product: Node, base: Node, exponent: int) -> Node | None:
         """(u * base^m) * base^exponent, where m and exponent have opposite signs: one factor less."""
         if self.op[product] != MUL:
             return None
-        for factor, other in ((self.a[product], self.b[product]), (self.b[product], self.a[product])):
-            b, e = self.split_power(factor)
+        first, second = self.a[product], self.b[product]
+        for factor, other in ((first, second), (second, first)):
+            if self.op[factor] == POW:
+                b, e = self.a[factor], self.b[factor]
+            else:
+                b, e = factor, 1
             if b == base and (e > 0) != (exponent > 0):
                 return self.mul(other, self.power(base, e + exponent))
         return None
-
-    def split_power(self, node: Node) -> tuple[Node, int]:
-        return (self.a[node], self.b[node]) if self.op[node] == POW else (node, 1)
 
     def product(self, factors: Iterable[Node]) -> Node:
         result = self.one
@@ -182,6 +228,9 @@ class Graph(NodeStore):
             return self.one
         if n == 1:
             return x
+        known = self._cache.get((POW, x, n))
+        if known is not None:
+            return known
         op = self.op[x]
         if op == NUM:
             value = self._numbers[self.a[x]]
@@ -215,6 +264,9 @@ class Graph(NodeStore):
         if name in BINARY:
             return self._binary_function(name, *arguments)
         (x,) = arguments
+        known = self._cache.get((name, x, 0))
+        if known is not None:
+            return known
         value = self.value(x)
         if value is not None:
             known = self._known(name, value)

@@ -13,8 +13,8 @@ BINARY = frozenset({"atan2", "min", "max", "powf"})
 _LEAVES, _DYADIC = frozenset({NUM, SYM, PI}), BINARY | {ADD, MUL}
 
 Node = int
+Rational = int | Fraction
 LONGEST_NUMBER = 1 << 15  # bits of a numerator or denominator: far beyond what a double holds
-ONE, MINUS_ONE = Fraction(1), Fraction(-1)
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,7 +38,10 @@ def exact_power(value: Fraction, n: int) -> Fraction:
 
 
 class NodeStore:
-    """Operations, operands and dependencies of every node; equal nodes are one."""
+    """Operations, operands and dependencies of every node; equal nodes are one.
+
+    Node 0 is zero and node 1 is one.  ``coefficient[x]`` and ``core[x]`` are k and y of x = k*y, where y has no rational factor.
+    """
 
     def __init__(self) -> None:
         self.op: list[str] = []
@@ -46,12 +49,18 @@ class NodeStore:
         self.b: list[int] = []
         self.deps: list[int] = []  # bit k: depends on the symbol number k
         self.kids: list[tuple[int, ...]] = []  # the operands that are nodes
+        self.coefficient: list[Rational] = []  # an int wherever it is whole
+        self.core: list[Node] = []
         self.symbols: list[Symbol] = []
         self.labels: dict[Node, str] = {}  # names that the user gave, printed as such
+        self.rate_of: dict[Node, Node] = {}  # what a node is the rate of, where the user differentiated it
         self._symbol_nodes: list[Node] = []
         self._numbers: list[Fraction] = []
-        self._number_index: dict[Fraction, Node] = {}
-        self._symbol_index: dict[Symbol, Node] = {}
+        self._number_index: dict[Rational, Node] = {}
+        self._symbol_index: dict[tuple[str, str], Node] = {}
+        self._adds: dict[tuple[Node, Node], Node] = {}
+        self._muls: dict[tuple[Node, Node], Node] = {}
+        self._negs: dict[Node, Node] = {}
         self._cache: dict[tuple[str, int, int], Node] = {}
         self.zero = self.number(0)
         self.one = self.number(1)
@@ -61,44 +70,50 @@ class NodeStore:
 
     # --- leaves -------------------------------------------------------------------------------------------
 
-    def number(self, value: int | Fraction) -> Node:
-        value = Fraction(value)
-        if max(value.numerator.bit_length(), value.denominator.bit_length()) > LONGEST_NUMBER:
-            raise NumberTooLong
+    def number(self, value: Rational) -> Node:
         node = self._number_index.get(value)
         if node is None:
-            self._numbers.append(value)
-            node = self._append(NUM, len(self._numbers) - 1, 0, 0)
+            exact = Fraction(value)
+            if max(exact.numerator.bit_length(), exact.denominator.bit_length()) > LONGEST_NUMBER:
+                raise NumberTooLong
+            self._numbers.append(exact)
+            node = self._append(NUM, len(self._numbers) - 1, 0, 0, ())
+            self.coefficient[node] = exact.numerator if exact.denominator == 1 else exact
+            self.core[node] = 1
             self._number_index[value] = node
         return node
 
     def symbol(self, name: str, kind: str = "other") -> Node:
-        key = Symbol(name, kind)
-        node = self._symbol_index.get(key)
+        node = self._symbol_index.get((name, kind))
         if node is None:
-            self.symbols.append(key)
-            bit = 1 << (len(self.symbols) - 1)
-            node = self._append(SYM, len(self.symbols) - 1, 0, bit)
+            bit = 1 << len(self.symbols)
+            self.symbols.append(Symbol(name, kind))
+            node = self._append(SYM, len(self.symbols) - 1, 0, bit, ())
             self._symbol_nodes.append(node)
-            self._symbol_index[key] = node
+            self._symbol_index[name, kind] = node
         return node
 
     def pi(self) -> Node:
         return self._make(PI, 0, 0, 0)
 
-    def _append(self, op: str, a: int, b: int, deps: int) -> Node:
+    def _append(self, op: str, a: int, b: int, deps: int, kids: tuple[Node, ...]) -> Node:
+        node = len(self.op)
         self.op.append(op)
         self.a.append(a)
         self.b.append(b)
         self.deps.append(deps)
-        self.kids.append(() if op in _LEAVES else (a, b) if op in _DYADIC else (a,))
-        return len(self.op) - 1
+        self.kids.append(kids)
+        self.coefficient.append(1)
+        self.core.append(node)
+        return node
 
     def _make(self, op: str, a: int, b: int, deps: int) -> Node:
+        """The node of an operation, without any rule (sums, products and signs that the graph builds have tables of their own)."""
         key = (op, a, b)
         node = self._cache.get(key)
         if node is None:
-            node = self._cache[key] = self._append(op, a, b, deps)
+            kids = () if op in _LEAVES else (a, b) if op in _DYADIC else (a,)
+            node = self._cache[key] = self._append(op, a, b, deps, kids)
         return node
 
     # --- questions ----------------------------------------------------------------------------------------
@@ -132,17 +147,6 @@ class NodeStore:
             index += 1
         return tuple(found)
 
-    def split_coefficient(self, node: Node) -> tuple[Fraction, Node]:
+    def split_coefficient(self, node: Node) -> tuple[Rational, Node]:
         """(k, x) with node = k*x, k rational, x without a rational factor in front."""
-        op, a = self.op, self.a
-        negative = op[node] == NEG
-        if negative:
-            node = a[node]
-        kind = op[node]
-        if kind == NUM:
-            value, node = self._numbers[a[node]], self.one
-        elif kind == MUL and op[a[node]] == NUM:
-            value, node = self._numbers[a[a[node]]], self.b[node]
-        else:
-            return (MINUS_ONE if negative else ONE), node
-        return (-value if negative else value), node
+        return self.coefficient[node], self.core[node]

@@ -60,6 +60,7 @@ class Resolver:
                 rate = tangent(g, [operands[0]], self._rates)[0]
                 if operands[0] in g.labels and g.children(rate):
                     g.labels.setdefault(rate, f"{g.labels[operands[0]]}_dot")
+                g.rate_of.setdefault(rate, operands[0])
                 return rate
             case Call():
                 return g.function(part.function, *operands)
