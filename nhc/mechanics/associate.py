@@ -16,6 +16,7 @@ from dataclasses import dataclass
 from nhc.algebra.calculus import substitute, tangent
 from nhc.algebra.graph import Node
 from nhc.mechanics.kinetic import Kinetic, exterior_derivative
+from nhc.mechanics.moved import Moved
 from nhc.mechanics.system import System
 
 
@@ -60,13 +61,18 @@ class Equations:
 
 
 class Projector:
-    """Contracts the Lagrange expression of one system with vectors along one motion."""
+    """Contracts the Lagrange expression of one system with vectors along one motion.
 
-    def __init__(self, system: System, kinetic: Kinetic, motion: Motion) -> None:
+    With ``moved``, T's forms are those on moving axes: their values, rates and weights are at hand.
+    """
+
+    def __init__(self, system: System, kinetic: Kinetic, motion: Motion, moved: Moved | None = None) -> None:
         self.system, self.kinetic, self.motion = system, kinetic, motion
         g = system.graph
         on_motion = dict(zip(system.v, motion.velocities, strict=True))
-        self.u = substitute(g, kinetic.atoms, on_motion)
+        self._known = dict(zip(moved.frame.vectors, moved.weights, strict=True)) if moved else {}
+        self.carried = moved.carried if moved else (False,) * len(kinetic.u)
+        self.u = list(moved.u) if moved else substitute(g, kinetic.atoms, on_motion)
         to_motion = dict(zip(kinetic.u, self.u, strict=True))
         count = len(kinetic.u)
         flat = [entry for row in kinetic.hessian for entry in row]
@@ -77,7 +83,7 @@ class Projector:
         self.columns = [self.components(e) for e in motion.vectors]  # W_k(e_nu)
         seeds = {**dict(zip(system.q, motion.velocities, strict=True)), system.t: g.one}
         self._seeds = seeds
-        drift = tangent(g, self.u, seeds)
+        drift = moved.drift if moved else tangent(g, self.u, seeds)
         explicit = substitute(g, self._explicit_rates(), self._to_motion)
         self.pi_drift = [
             g.add(explicit[k], g.sum([g.mul(self.hessian[k][j], drift[j]) for j in range(count)])) for k in range(count)
@@ -86,6 +92,9 @@ class Projector:
     def components(self, e: Sequence[Node]) -> list[Node]:
         """W_k(e) for every velocity form."""
         g = self.system.graph
+        known = self._known.get(tuple(e))
+        if known is not None:
+            return list(known)
         return substitute(g, tangent(g, self.kinetic.atoms, dict(zip(self.system.v, e, strict=True))), self._to_motion)
 
     def _explicit_rates(self) -> list[Node]:
@@ -107,7 +116,7 @@ class Projector:
             mass.append(total)
         for k, weight in enumerate(weights):
             force_terms.append(g.mul(weight, self.pi_drift[k]))
-            if not self.kinetic.exact[k]:
+            if not self.kinetic.exact[k] and not self.carried[k]:
                 turn = exterior_derivative(system, self.kinetic.forms[k], self.motion.velocities, g.one, e)
                 force_terms.append(g.mul(self.pi[k], turn))
         inertial = g.sum(force_terms)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Graph, Node
@@ -13,6 +14,7 @@ from nhc.mechanics.choose import Formulation
 from nhc.mechanics.determined import check_determined
 from nhc.mechanics.frame import total_derivative
 from nhc.mechanics.kinetic import Kinetic, kinetic_structure
+from nhc.mechanics.moved import move
 from nhc.mechanics.multipliers import multiplier_symbols
 from nhc.mechanics.regularity import trial_points
 from nhc.mechanics.system import System
@@ -36,8 +38,12 @@ def rate_symbols(system: System, w: Sequence[Node]) -> tuple[Node, ...]:
 
 def equations_of(system: System, formulation: Formulation, kinetic: Kinetic | None = None) -> Equations:
     """The associated system of a formulation's Omega, as mass matrix, right side, and rows of the reactions."""
+    kinetic = kinetic or kinetic_structure(system)
+    moved = move(system, kinetic, formulation.frame) if formulation.frame is not None else None
+    if moved is not None:
+        formulation = replace(formulation, frame=moved.frame)
     motion = motion_of(system, formulation)
-    projector = Projector(system, kinetic or kinetic_structure(system), motion)
+    projector = Projector(system, kinetic, motion, moved)
     rows = [projector.row(e) for e in motion.vectors]
     reactions: list[Row] = []
     if formulation.frame is not None:

@@ -1,0 +1,201 @@
+"""A frame and T's velocity forms by way of moving frames: what :mod:`nhc.mechanics.associate` needs, in shorter expressions."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from nhc.algebra.calculus import gradient, substitute, tangent
+from nhc.algebra.field import Unlucky
+from nhc.algebra.graph import Graph, Node
+from nhc.algebra.linear import Singular, solve_rows
+from nhc.mechanics.frame import Frame, form_value
+from nhc.mechanics.kinetic import Kinetic
+from nhc.mechanics.moving import Scene
+from nhc.mechanics.moving_rows import Sided, along_direction, direction_vector, read_vector, rewrite_row, square_groups
+from nhc.mechanics.regularity import pivot_weakness
+from nhc.mechanics.signatures import Signatures
+from nhc.mechanics.system import System
+from nhc.mechanics.turns import Path, Vector, add_vectors, change_axes, cross
+from nhc.mechanics.vectors import Chained, Reader
+
+Placed = tuple[tuple[int, ...], Chained, bool]
+"""Numbers of T's forms, the vector that they are, and whether it was read as a position."""
+
+
+@dataclass(frozen=True)
+class Moved:
+    """``u`` and ``drift`` are T's velocity forms on the motion and their rates with the kept velocities' rates left out;
+    ``weights[j][k]`` is W_k(e_j) for the frame's vector e_j.  A form that is ``carried`` needs no term domega: its drift holds
+    the rate of the vector on turning axes, of which it is a component.
+    """
+
+    frame: Frame
+    u: tuple[Node, ...]
+    drift: tuple[Node, ...]
+    weights: tuple[tuple[Node, ...], ...]
+    carried: tuple[bool, ...]
+
+
+def move(system: System, kinetic: Kinetic, frame: Frame) -> Moved | None:
+    """The frame and T on moving axes; None where T has no vector that turns."""
+    g = system.graph
+    groups = square_groups(system, kinetic)
+    if not groups:
+        return None
+    held = tuple(g.symbol(f"held_{j}", "quasi") for j in range(system.n))
+    values = [form_value(g, form, system.v) for form in frame.forms]
+    try:
+        marks = Signatures(g, [*values, *kinetic.atoms])
+    except Unlucky:
+        return None
+    marks.bind(dict(zip(held, values, strict=True)))
+    forms: dict[tuple[int, ...], Node] = {}
+    for symbol in held:
+        signature = marks.of(symbol)
+        forms.setdefault(signature, symbol)
+        forms.setdefault(marks.negative(signature), g.neg(symbol))
+    scene = Scene(system, held, tuple(values), marks, forms, Reader(g), Reader(g))
+    vectors: list[Placed] = []
+    for group in groups:
+        components = [kinetic.atoms[k] for k in group] + [g.zero] * (3 - len(group))
+        vectors.append((group, *read_vector(scene, (components[0], components[1], components[2]))))
+    for sided in _directions(g, values):
+        read_vector(scene, direction_vector(g, sided)[0])
+        scene.paths.append(sided.path)
+    vectors = _standing(scene, vectors)
+    for vector in _known(scene):
+        scene.paths += [part.path for part in vector.parts if part.path]
+    if not vectors:
+        return None
+    scene.paths = list(dict.fromkeys(scene.paths))
+    for _, vector, is_position in vectors:
+        scene.home(vector, is_position)
+    return _finish(scene, kinetic, frame, values, vectors)
+
+
+def _directions(graph: Graph, rows: Sequence[Node]) -> list[Sided]:
+    found = (along_direction(graph, row) for row in rows)
+    return [sided for sided in found if sided is not None]
+
+
+def _known(scene: Scene) -> list[Chained]:
+    return [vector for reader in (scene.positions, scene.velocities) for vector in reader.known.values()]
+
+
+def _standing(scene: Scene, vectors: list[Placed]) -> list[Placed]:
+    """Vectors that turn, or on which something turning stands, or of which a row is a component.
+
+    The other pairs only look like vectors: two rates whose squares have one factor.
+    """
+    g = scene.graph
+    own = {id(vector) for _, vector, _ in vectors}
+    used = {id(v.base) for v in _known(scene) if v.base is not None}
+    used |= {id(v) for v in _known(scene) if id(v) not in own}
+    along = {direction_vector(g, sided)[0] for sided in _directions(g, scene.values)}
+    return [p for p in vectors if p[1].turned or id(p[1]) in used or scene.velocity_of(p[1], p[2]) in along]
+
+
+def _finish(
+    scene: Scene,
+    kinetic: Kinetic,
+    frame: Frame,
+    values: Sequence[Node],
+    vectors: Sequence[Placed],
+) -> Moved | None:
+    system, g = scene.system, scene.graph
+    rows = []
+    for j, value in enumerate(values):
+        row = scene.rows.get(j)
+        if row is None:
+            row = rewrite_row(scene, value) or value
+        rows.append(g.sub(row, scene.held[j]))
+    matrix = [gradient(g, row, system.v) for row in rows]
+    try:
+        found, guards = solve_rows(g, rows, system.v, matrix, pivot_weakness(system))
+    except Singular:
+        return None
+    still = {symbol: g.zero for symbol in scene.held}
+    named = dict(zip(scene.held, frame.omega, strict=True))
+    solved = dict(zip(system.v, found, strict=True))
+    made = Frame(
+        system=system,
+        forms=frame.forms,
+        vectors=tuple(tuple(tangent(g, found, {symbol: g.one})) for symbol in scene.held),
+        drift=tuple(substitute(g, found, still)),
+        omega=frame.omega,
+        guards=tuple(guards),
+        all_kinematics=tuple(substitute(g, found, named)),
+    )
+    u = list(kinetic.atoms)
+    for group, vector, is_position in vectors:
+        for k, node in zip(group, scene.home(vector, is_position).velocity, strict=False):
+            u[k] = node
+    general = substitute(g, u, solved)
+    weights = tuple(tuple(tangent(g, general, {symbol: g.one})) for symbol in scene.held)
+    on_motion = {symbol: g.zero if j < system.l else frame.omega[j] for j, symbol in enumerate(scene.held)}
+    rates = Rates(scene, solved, on_motion, made.kinematics)
+    moved = substitute(g, general, on_motion)
+    drift = list(tangent(g, moved, rates.seeds))
+    carried = [False] * len(u)
+    for group, vector, is_position in vectors:
+        for k, node in zip(group, rates.acceleration(vector, is_position), strict=False):
+            drift[k], carried[k] = node, True
+    return Moved(made, tuple(moved), tuple(drift), weights, tuple(carried))
+
+
+class Rates:
+    """Accelerations of placed vectors on their home axes, with the rates of the kept velocities left out."""
+
+    def __init__(self, scene: Scene, solved: dict[Node, Node], on_motion: dict[Node, Node], q_rates: Sequence[Node]):
+        system, g = scene.system, scene.graph
+        self.scene, self._solved, self._on_motion = scene, solved, on_motion
+        self.seeds = {**dict(zip(system.q, q_rates, strict=True)), system.t: g.one}
+        self._known: dict[tuple[bool, Vector], Vector] = {}
+
+    def value(self, vector: Vector) -> Vector:
+        """Components on the motion."""
+        g = self.scene.graph
+        x, y, z = substitute(g, substitute(g, vector, self._solved), self._on_motion)
+        return x, y, z
+
+    def rate(self, vector: Vector) -> Vector:
+        x, y, z = tangent(self.scene.graph, vector, self.seeds)
+        return x, y, z
+
+    def acceleration(self, vector: Chained, is_position: bool) -> Vector:
+        key = (is_position, vector.components)
+        if key not in self._known:
+            self._known[key] = self._find(vector, is_position)
+        return self._known[key]
+
+    def _carried(self, velocity: Vector, path: Path) -> Vector:
+        """d/dt of the components + Omega x components."""
+        g = self.scene.graph
+        return add_vectors(g, self.rate(velocity), cross(g, self.value(self.scene.spin(path)), velocity))
+
+    def _find(self, vector: Chained, is_position: bool) -> Vector:
+        scene, g = self.scene, self.scene.graph
+        home = scene.home(vector, is_position)
+        if home.settled or vector.base is None:
+            return self._carried(self.value(home.velocity), home.path)
+        at = scene.home(vector.base, is_position).path
+        total = self.acceleration(vector.base, is_position)
+        parts = list(vector.parts)
+        for there in (at, home.path):
+            total = change_axes(g, total, at, there)
+            at = there
+            for part in [p for p in parts if p.path == there]:
+                total = add_vectors(g, total, self._local(part.path, part, is_position))
+                parts.remove(part)
+        for part in parts:
+            total = add_vectors(
+                g, total, change_axes(g, self._local(part.path, part, is_position), part.path, home.path)
+            )
+        return total
+
+    def _local(self, path: Path, part: object, is_position: bool) -> Vector:
+        from nhc.mechanics.vectors import Part
+
+        assert isinstance(part, Part)
+        return self._carried(self.value(self.scene.local_velocity(part, is_position)), path)

@@ -1,0 +1,154 @@
+"""Moving frames: T's vectors and the constraints on the axes in which they are short.
+
+A vector's square is the same on any axes, and its rate on axes that turn with Omega is d/dt of the components plus Omega x
+components.  So each vector of T (:mod:`nhc.mechanics.vectors`) gets a home, the axes on which most of its components are constraint or
+quasi-velocity forms: an axle's sideways velocity is then zero and its forward velocity one product.  Everything follows from bases
+to what stands on them, as in a hand-written recursion, and every identification is an exact identity.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+from nhc.algebra.calculus import reachable, substitute, tangent
+from nhc.algebra.field import Unlucky
+from nhc.algebra.graph import Graph, Node
+from nhc.mechanics.kinetic import Kinetic
+from nhc.mechanics.signatures import Signatures
+from nhc.mechanics.system import Form, System
+from nhc.mechanics.turns import Path, Vector, add_spin, add_vectors, change_axes, cross
+from nhc.mechanics.vectors import Chained, Part, Reader
+
+
+@dataclass(frozen=True)
+class Home:
+    """A vector's velocity on its home axes, over the velocities' symbols and the held ones; ``settled``: some component is known."""
+
+    path: Path
+    velocity: Vector
+    settled: bool
+
+
+@dataclass
+class Scene:
+    """What is known while vectors are placed, bases first."""
+
+    system: System
+    held: tuple[Node, ...]  # one symbol for each form, the constraints' first
+    values: tuple[Node, ...]  # of the forms, over the velocities' symbols
+    marks: Signatures
+    forms: dict[tuple[int, ...], Node]  # signature of a form or of its negative -> held symbol, signed
+    positions: Reader
+    velocities: Reader
+    equations: dict[Vector, tuple[Path, Vector]] = field(default_factory=dict)
+    homes: dict[tuple[bool, Vector], Home] = field(default_factory=dict)
+    paths: list[Path] = field(default_factory=list)
+    rows: dict[int, Node] = field(default_factory=dict)  # shorter expressions of forms, by number
+    spins: dict[Path, Vector] = field(default_factory=dict)
+
+    @property
+    def graph(self) -> Graph:
+        return self.system.graph
+
+    def spin(self, path: Path) -> Vector:
+        """Angular velocity of the axes, on themselves."""
+        g = self.graph
+        if not path:
+            return g.zero, g.zero, g.zero
+        known = self.spins.get(path)
+        if known is None:
+            rate = self.rate(path[-1].angle)
+            known = self.spins[path] = add_spin(g, path[-1], self.spin(path[:-1]), rate)
+        return known
+
+    def rate(self, node: Node) -> Node:
+        """d node / dt over the velocities' symbols."""
+        system = self.system
+        seeds = {**dict(zip(system.q, system.v, strict=True)), system.t: self.graph.one}
+        return tangent(self.graph, [node], seeds)[0]
+
+    def local_velocity(self, part: Part, is_position: bool) -> Vector:
+        if not is_position:
+            return part.local
+        g = self.graph
+        rates = tuple(self.rate(x) for x in part.local)
+        return add_vectors(g, (rates[0], rates[1], rates[2]), cross(g, self.spin(part.path), part.local))
+
+    # --- homes ------------------------------------------------------------------------------------------------
+
+    def home(self, vector: Chained, is_position: bool) -> Home:
+        """The axes and the components of a vector's velocity there."""
+        key = (is_position, vector.components)
+        found = self.homes.get(key)
+        if found is None:
+            found = self.homes[key] = self._place(vector, is_position)
+        return found
+
+    def _place(self, vector: Chained, is_position: bool) -> Home:
+        g = self.graph
+        velocity = self.velocity_of(vector, is_position)
+        if velocity in self.equations:
+            path, local = self.equations[velocity]
+            return Home(path, local, True)
+        best: tuple[int, Home, dict[int, Node]] | None = None
+        for path in self._candidates(vector, is_position):
+            components = self.components_in(vector, is_position, path)
+            settled, rows = self._settle(components)
+            score = len(rows)
+            if best is None or score > best[0]:
+                best = (score, Home(path, settled, score > 0), rows)
+            if score >= sum(x != g.zero for x in components):
+                break
+        assert best is not None
+        for j, node in best[2].items():
+            self.rows.setdefault(j, node)
+        return best[1]
+
+    def velocity_of(self, vector: Chained, is_position: bool) -> Vector:
+        if not is_position:
+            return vector.components
+        rates = [self.rate(x) for x in vector.components]
+        return rates[0], rates[1], rates[2]
+
+    def _candidates(self, vector: Chained, is_position: bool) -> list[Path]:
+        own = [part.path for part in vector.parts if part.path]
+        if own:
+            return own[-1:] if len(own) == 1 else [*reversed(own)]
+        if vector.base is not None:
+            return [self.home(vector.base, is_position).path]
+        return [*self.paths, ()]
+
+    def components_in(self, vector: Chained, is_position: bool, path: Path) -> Vector:
+        """The velocity on the axes of a path: what has the base's axes is added before they are changed."""
+        g = self.graph
+        at: Path = ()
+        total: Vector = (g.zero, g.zero, g.zero)
+        parts = list(vector.parts)
+        if vector.base is not None:
+            base = self.home(vector.base, is_position)
+            at, total = base.path, base.velocity
+        for there in (at, path):
+            total = change_axes(g, total, at, there)
+            at = there
+            for part in [p for p in parts if p.path == there]:
+                total = add_vectors(g, total, self.local_velocity(part, is_position))
+                parts.remove(part)
+        for part in parts:
+            total = add_vectors(g, total, change_axes(g, self.local_velocity(part, is_position), part.path, path))
+        return total
+
+    def _settle(self, components: Vector) -> tuple[Vector, dict[int, Node]]:
+        """Components that are forms become their held symbols; the forms' numbers with the expression found."""
+        g = self.graph
+        new, rows = list(components), dict[int, Node]()
+        for k, node in enumerate(components):
+            if node == g.zero:
+                continue
+            symbol = self.forms.get(self.marks.of(node))
+            if symbol is None:
+                continue
+            new[k] = symbol
+            negative = symbol not in self.held
+            rows[self.held.index(g.neg(symbol) if negative else symbol)] = g.neg(node) if negative else node
+        return (new[0], new[1], new[2]), rows

@@ -1,0 +1,139 @@
+"""Which components of the spec are vectors: squares of T with one factor, rows of constraints, rows along a direction."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from nhc.algebra.graph import ADD, MUL, NEG, Graph, Node
+from nhc.mechanics.kinetic import Kinetic
+from nhc.mechanics.moving import Scene
+from nhc.mechanics.system import System
+from nhc.mechanics.turns import Path, Turn, Vector, change_axes
+from nhc.mechanics.vectors import Chained
+
+
+def square_groups(system: System, kinetic: Kinetic) -> list[tuple[int, ...]]:
+    """Pairs and triples of velocity forms that stand in T as h/2 (u_i^2 + u_j^2 + u_k^2) and nowhere else."""
+    g = system.graph
+    forms = g.mask(kinetic.u)
+    by_factor: dict[Node, list[int]] = {}
+    for k, (u, pi, row) in enumerate(zip(kinetic.u, kinetic.slope, kinetic.hessian, strict=True)):
+        factor = row[k]
+        alone = all(x == g.zero for j, x in enumerate(row) if j != k)
+        if alone and factor != g.zero and not g.depends(factor, forms) and pi == g.mul(factor, u):
+            by_factor.setdefault(factor, []).append(k)
+    coordinates = g.mask(system.q)
+    groups: list[tuple[int, ...]] = []
+    for members in by_factor.values():
+        reach = {k: g.deps[kinetic.atoms[k]] & coordinates for k in members}
+        groups += _pair(members, reach)
+    return sorted(groups)
+
+
+def _pair(members: Sequence[int], reach: dict[int, int]) -> Iterator[tuple[int, ...]]:
+    """Neighbours that contain the same coordinates, and a third that contains no others."""
+    left = list(members)
+    pairs = []
+    for k, first in enumerate(members):
+        if first not in left:
+            continue
+        partner = next((j for j in members[k + 1 :] if j in left and reach[j] == reach[first]), None)
+        if partner is not None:
+            left.remove(first)
+            left.remove(partner)
+            pairs.append((first, partner))
+    for first, partner in pairs:
+        third = [j for j in left if not reach[j] & ~reach[first]]
+        if third and len(left) <= len(pairs):
+            nearest = min(third, key=lambda j: abs(j - partner))
+            left.remove(nearest)
+            yield first, partner, nearest
+        else:
+            yield first, partner
+
+
+@dataclass(frozen=True)
+class Sided:
+    """cos(angle) c + sin(angle) s + rest, as a row has it."""
+
+    angle: Node
+    c: Node
+    s: Node
+    rest: Node
+
+    @property
+    def path(self) -> Path:
+        return (Turn((0, 1), self.angle),)
+
+
+def along_direction(graph: Graph, row: Node) -> Sided | None:
+    """The row as a component along a direction, where sin and cos of one angle multiply two of its terms."""
+    g = graph
+    terms = list(_terms(g, row))
+    factors: dict[tuple[str, Node], list[tuple[int, Node]]] = {}
+    for k, term in enumerate(terms):
+        negative = g.op[term] == NEG
+        body = g.a[term] if negative else term
+        if g.op[body] != MUL:
+            continue
+        for own, other in ((g.a[body], g.b[body]), (g.b[body], g.a[body])):
+            if g.op[own] in ("sin", "cos"):
+                factors.setdefault((g.op[own], g.a[own]), []).append((k, g.neg(other) if negative else other))
+    for (name, angle), found in factors.items():
+        mate = factors.get(("cos" if name == "sin" else "sin", angle))
+        if name != "sin" or mate is None or len(found) != 1 or len(mate) != 1 or found[0][0] == mate[0][0]:
+            continue
+        used = (found[0][0], mate[0][0])
+        rest = g.sum([t for k, t in enumerate(terms) if k not in used])
+        return Sided(angle, mate[0][1], found[0][1], rest)
+    return None
+
+
+def _terms(graph: Graph, node: Node) -> Iterator[Node]:
+    stack = [(node, False)]
+    while stack:
+        top, negative = stack.pop()
+        if graph.op[top] == NEG:
+            stack.append((graph.a[top], not negative))
+        elif graph.op[top] == ADD:
+            stack += [(graph.b[top], negative), (graph.a[top], negative)]
+        else:
+            yield graph.neg(top) if negative else top
+
+
+def read_vector(scene: Scene, components: Vector) -> tuple[Chained, bool]:
+    """A velocity by its components: as the rate of a position where the spec differentiated one."""
+    g, system = scene.graph, scene.system
+    own = dict(zip(system.v, system.q, strict=True))
+    places = []
+    for node in components:
+        negative = g.op[node] == NEG
+        body = g.a[node] if negative else node
+        place = g.zero if body == g.zero else own.get(body, g.rate_of.get(body))
+        if place is None:
+            return scene.velocities.read(components), False
+        places.append(g.neg(place) if negative else place)
+    return scene.positions.read((places[0], places[1], places[2])), True
+
+
+def rewrite_row(scene: Scene, row: Node) -> Node | None:
+    """A row along a direction, with its vector's component taken from the vector's home."""
+    g = scene.graph
+    sided = along_direction(g, row)
+    if sided is None:
+        return None
+    components, axis, sign = direction_vector(g, sided)
+    vector, is_position = read_vector(scene, components)
+    home = scene.home(vector, is_position)
+    component = change_axes(g, home.velocity, home.path, sided.path)[axis]
+    return g.add(component if sign > 0 else g.neg(component), sided.rest)
+
+
+def direction_vector(graph: Graph, sided: Sided) -> tuple[Vector, int, int]:
+    """(vector, axis, sign): the row is its component along (0) or across (1) the direction, with that sign."""
+    g, c, s = graph, sided.c, sided.s
+    options = (((c, s), 0, 1), ((g.neg(s), c), 1, 1), ((g.neg(c), g.neg(s)), 0, -1), ((s, g.neg(c)), 1, -1))
+    # all are true; the one that needs no signs in the components is the one that the user thought of
+    (x, y), axis, sign = next((o for o in options if all(g.op[node] != NEG for node in o[0])), options[0])
+    return (x, y, g.zero), axis, sign

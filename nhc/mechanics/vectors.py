@@ -1,0 +1,169 @@
+"""Vectors hidden in the components that a spec writes: which of them turn together, about what, and what they share.
+
+The user writes x_k = x_{k-1} + l cos(theta_k), y_k = y_{k-1} + l sin(theta_k), or their rates.  Here such a pair (or a triple in
+space) is read as base + a local vector on turned axes.  The reading is exact: a component is linear in sin and cos of one angle,
+and its coefficients are those of a turn, which is tested as an identity.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+
+from nhc.algebra.calculus import gradient, reachable, substitute
+from nhc.algebra.graph import ADD, NEG, Graph, Node
+from nhc.algebra.modular import are_zero
+from nhc.mechanics.turns import Path, Turn, Vector
+
+_PLANES = ((0, 1), (1, 2), (2, 0))
+
+
+@dataclass(frozen=True)
+class Part:
+    """A local vector on the axes of a path."""
+
+    path: Path
+    local: Vector
+
+
+@dataclass(frozen=True, eq=False)
+class Chained:
+    """base + the parts; ``components`` are as the spec has them."""
+
+    components: Vector
+    base: Chained | None
+    parts: tuple[Part, ...]
+
+    @property
+    def turned(self) -> bool:
+        return any(part.path for part in self.parts) or (self.base is not None and self.base.turned)
+
+
+@dataclass
+class Reader:
+    """Reads vectors of one kind, positions or velocities, in the order in which they come."""
+
+    graph: Graph
+    known: dict[Vector, Chained] = field(default_factory=dict)
+    _at: tuple[dict[Node, list[Chained]], ...] = field(default_factory=lambda: ({}, {}, {}))
+
+    def read(self, components: Vector) -> Chained:
+        """The vector as base and parts; the base is one that was read before, where its components share one."""
+        found = self.known.get(components)
+        if found is not None:
+            return found
+        base, rest = self._take_base(components)
+        parts: tuple[Part, ...] = ()
+        if any(x != self.graph.zero for x in rest):
+            parts = tuple(self._peel(rest, ()))
+            remainder = next((part for part in parts if not part.path), None)
+            if base is None and len(parts) > 1 and remainder is not None:
+                # what does not turn is a vector of its own, shared by all that stands on it
+                base = self._keep(Chained(remainder.local, None, (remainder,)))
+                parts = tuple(part for part in parts if part.path)
+        return self._keep(Chained(components, base, parts))
+
+    def _keep(self, vector: Chained) -> Chained:
+        known = self.known.get(vector.components)
+        if known is not None:
+            return known
+        self.known[vector.components] = vector
+        for slot, node in zip(self._at, vector.components, strict=True):
+            if node != self.graph.zero:
+                slot.setdefault(node, []).append(vector)
+        return vector
+
+    def _take_base(self, components: Vector) -> tuple[Chained | None, Vector]:
+        """The newest known vector whose components are terms of these, and what is left."""
+        g = self.graph
+        terms = [list(self._terms(component, axis)) for axis, component in enumerate(components)]
+        candidates: dict[Vector, Chained] = {}
+        for at, list_of in zip(self._at, terms, strict=True):
+            candidates.update((v.components, v) for term in list_of for v in at.get(term, ()))
+        fitting = [
+            key
+            for key in candidates
+            if all(x == g.zero or x in list_of for x, list_of in zip(key, terms, strict=True))
+        ]
+        if not fitting:
+            return None, components
+        base = max(fitting)
+        rest = []
+        for x, list_of in zip(base, terms, strict=True):
+            left = list(list_of)
+            if x != g.zero:
+                left.remove(x)
+            rest.append(g.sum(left))
+        return candidates[base], (rest[0], rest[1], rest[2])
+
+    def _terms(self, node: Node, axis: int) -> Iterator[Node]:
+        """The terms of a sum, down to components that are known."""
+        g = self.graph
+        stack = [(node, False)]
+        while stack:
+            top, negative = stack.pop()
+            if g.op[top] == NEG:
+                stack.append((g.a[top], not negative))
+            elif g.op[top] == ADD and (negative or top not in self._at[axis]):
+                stack += [(g.b[top], negative), (g.a[top], negative)]
+            elif top != g.zero:
+                yield g.neg(top) if negative else top
+
+    # --- turns ------------------------------------------------------------------------------------------------
+
+    def _peel(self, components: Vector, path: Path) -> Iterator[Part]:
+        """Parts whose sum is the vector: on turned axes where it turns as a whole."""
+        for angle in self.angles_of(components):
+            found = self._try(components, angle)
+            if found is None:
+                continue
+            turn, inner, outer = found
+            yield from self._peel(inner, (*path, turn))
+            if any(x != self.graph.zero for x in outer):
+                yield from self._peel(outer, path)
+            return
+        yield Part(path, components)
+
+    def angles_of(self, components: Sequence[Node]) -> list[Node]:
+        """Angles whose sine or cosine the components contain, the newest first."""
+        g = self.graph
+        found = {g.a[node] for node in reachable(g, components) if g.op[node] in ("sin", "cos")}
+        return sorted(found, reverse=True)
+
+    def _try(self, components: Vector, angle: Node) -> tuple[Turn, Vector, Vector] | None:
+        g = self.graph
+        c, s = g.function("cos", angle), g.function("sin", angle)
+        C, S = g.symbol("cosine", "test"), g.symbol("sine", "test")
+        mask = g.mask((C, S))
+        marked = substitute(g, components, {c: C, s: S})
+        for i, j in _PLANES:
+            k = 3 - i - j
+            if g.depends(marked[k], mask) or not (g.depends(marked[i], mask) or g.depends(marked[j], mask)):
+                continue
+            xc, xs = gradient(g, marked[i], (C, S))
+            yc, ys = gradient(g, marked[j], (C, S))
+            if any(g.depends(node, mask) for node in (xc, xs, yc, ys)):
+                continue
+            sign = self._orientation(xc, xs, yc, ys)
+            if sign == 0:
+                continue
+            still = {C: g.zero, S: g.zero}
+            x0, y0 = substitute(g, (marked[i], marked[j]), still)
+            inner, outer = list(components), [g.zero] * 3
+            inner[i], inner[j] = xc, yc
+            outer[i], outer[j] = x0, y0
+            turn = Turn((i, j) if sign > 0 else (j, i), angle)
+            return turn, (inner[0], inner[1], inner[2]), (outer[0], outer[1], outer[2])
+        return None
+
+    def _orientation(self, xc: Node, xs: Node, yc: Node, ys: Node) -> int:
+        """1 where the coefficients are those of a turn from x to y, -1 from y to x, else 0.
+
+        From x to y: x = c l_x - s l_y, y = s l_x + c l_y, so that ys = xc and xs = -yc.
+        """
+        g = self.graph
+        for sign in (1, -1):
+            signed = [g.sub(ys, xc), g.add(xs, yc)] if sign > 0 else [g.add(ys, xc), g.sub(xs, yc)]
+            if all(are_zero(g, signed)):
+                return sign
+        return 0
