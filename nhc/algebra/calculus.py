@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 
-from nhc.algebra.graph import ADD, BINARY, MUL, NEG, POW, Graph, Node
+from nhc.algebra.graph import ADD, BINARY, MUL, NEG, POW, SYM, Graph, Node
 
 
 def reachable(graph: Graph, roots: Iterable[Node], within: int = -1) -> list[Node]:
@@ -25,17 +25,32 @@ def reachable(graph: Graph, roots: Iterable[Node], within: int = -1) -> list[Nod
 
 def substitute(graph: Graph, roots: Sequence[Node], mapping: Mapping[Node, Node]) -> list[Node]:
     """The roots with symbols (or whole nodes) replaced; what does not contain them is kept as it is."""
-    mask = 0
+    mask, deps = 0, graph.deps
     for key in mapping:
-        mask |= graph.deps[key]
+        mask |= deps[key]
+    if not any(deps[root] & mask for root in roots):
+        return [mapping.get(root, root) for root in roots]
     new: dict[Node, Node] = dict(mapping)
+    op, a, b, labels = graph.op, graph.a, graph.b, graph.labels
     for node in reachable(graph, roots, mask):
         if node in new:
             continue
-        new[node] = rebuild(graph, node, [new.get(c, c) for c in graph.children(node)])
-        label = graph.labels.get(node)
-        if label is not None and new[node] != node:
-            graph.labels.setdefault(new[node], label)
+        kind, x = op[node], a[node]
+        if kind == ADD:
+            y = b[node]
+            made = graph.add(new.get(x, x), new.get(y, y))
+        elif kind == MUL:
+            y = b[node]
+            made = graph.mul(new.get(x, x), new.get(y, y))
+        elif kind == NEG:
+            made = graph.neg(new.get(x, x))
+        elif kind == POW:
+            made = graph.power(new.get(x, x), b[node])
+        else:
+            made = rebuild(graph, node, [new.get(c, c) for c in graph.kids[node]])
+        new[node] = made
+        if node in labels and made != node:
+            labels.setdefault(made, labels[node])
     return [new.get(root, root) for root in roots]
 
 
@@ -120,20 +135,35 @@ def _binary_partials(g: Graph, op: str, node: Node, x: Node, y: Node) -> tuple[N
 
 def tangent(graph: Graph, roots: Sequence[Node], seeds: Mapping[Node, Node]) -> list[Node]:
     """Directional derivatives of the roots along the vector whose components are the seeds (symbol -> component)."""
-    mask = graph.mask(tuple(seeds))
-    dot: dict[Node, Node] = {symbol: value for symbol, value in seeds.items() if value != graph.zero}
+    dot: dict[Node, Node] = {symbol: value for symbol, value in seeds.items() if value}
+    mask = graph.mask(dot)
+    if not any(graph.deps[root] & mask for root in roots):
+        return [graph.zero] * len(roots)
+    add, mul, op, a, b = graph.add, graph.mul, graph.op, graph.a, graph.b
     for node in reachable(graph, roots, mask):
         if node in seeds:
             continue
-        terms = graph.zero
-        children = graph.children(node)
-        if any(c in dot for c in children):
-            for child, partial in zip(children, partials(graph, node), strict=True):
-                if child in dot:
-                    terms = graph.add(terms, graph.mul(partial, dot[child]))
-        if terms != graph.zero:
+        kind, x = op[node], a[node]
+        if kind == ADD:
+            terms = add(dot.get(x, 0), dot.get(b[node], 0))
+        elif kind == MUL:
+            y = b[node]
+            dx, dy = dot.get(x), dot.get(y)
+            terms = mul(y, dx) if dx else 0
+            if dy:
+                terms = add(terms, mul(x, dy))
+        elif kind == NEG:
+            terms = graph.neg(dot.get(x, 0))
+        else:
+            terms = 0
+            children = graph.kids[node]
+            if any(c in dot for c in children):
+                for child, partial in zip(children, partials(graph, node), strict=True):
+                    if child in dot:
+                        terms = add(terms, mul(partial, dot[child]))
+        if terms:
             dot[node] = terms
-    return [dot.get(root, graph.zero) for root in roots]
+    return [dot.get(root, 0) for root in roots]
 
 
 def gradient(graph: Graph, root: Node, wrt: Sequence[Node]) -> list[Node]:
@@ -143,21 +173,36 @@ def gradient(graph: Graph, root: Node, wrt: Sequence[Node]) -> list[Node]:
 
 def pullback_gradient(graph: Graph, weighted: Sequence[tuple[Node, Node]], wrt: Sequence[Node]) -> list[Node]:
     """sum of weight_k * d root_k / d symbol for each symbol, by one reverse sweep (weights are not differentiated)."""
-    mask = graph.mask(wrt)
+    mask, deps = graph.mask(wrt), graph.deps
     bar: dict[Node, Node] = {}
     for root, weight in weighted:
-        bar[root] = graph.add(bar.get(root, graph.zero), weight)
+        bar[root] = graph.add(bar.get(root, 0), weight)
+    add, mul, op, a, b, get = graph.add, graph.mul, graph.op, graph.a, graph.b, bar.get
     for node in reversed(reachable(graph, [root for root, _ in weighted], mask)):
-        seed = bar.get(node, graph.zero)
-        if seed == graph.zero:
+        seed = get(node, 0)
+        if not seed:
             continue
-        children = graph.children(node)
-        if not children:
-            continue
-        for child, partial in zip(children, partials(graph, node), strict=True):
-            if graph.deps[child] & mask:
-                bar[child] = graph.add(bar.get(child, graph.zero), graph.mul(seed, partial))
-    return [bar.get(symbol, graph.zero) for symbol in wrt]
+        kind = op[node]
+        if kind == ADD:
+            x, y = a[node], b[node]
+            if deps[x] & mask:
+                bar[x] = add(get(x, 0), seed)
+            if deps[y] & mask:
+                bar[y] = add(get(y, 0), seed)
+        elif kind == MUL:
+            x, y = a[node], b[node]
+            if deps[x] & mask:
+                bar[x] = add(get(x, 0), mul(seed, y))
+            if deps[y] & mask:
+                bar[y] = add(get(y, 0), mul(seed, x))
+        elif kind == NEG:
+            x = a[node]
+            bar[x] = add(get(x, 0), graph.neg(seed))
+        elif kind != SYM:
+            for child, partial in zip(graph.kids[node], partials(graph, node), strict=True):
+                if deps[child] & mask:
+                    bar[child] = add(get(child, 0), mul(seed, partial))
+    return [get(symbol, 0) for symbol in wrt]
 
 
 def derivative(graph: Graph, root: Node, symbol: Node) -> Node:
