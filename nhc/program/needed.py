@@ -10,15 +10,20 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
+from nhc.algebra.calculus import substitute
 from nhc.algebra.graph import Node
+from nhc.algebra.modular import Unlucky
 from nhc.algebra.shorten import shorten
+from nhc.mechanics.dependence import find_dependence
 from nhc.mechanics.drawing import Sketch, sketch_of
 from nhc.mechanics.formulate import reaction_values
 from nhc.mechanics.frame import form_value
+from nhc.mechanics.linearize import flow_of
 from nhc.program.build import Planner
 from nhc.program.ir import Argument, Function, Origin
 from nhc.program.lower import lower_function
 from nhc.program.plan import FunctionPlan, GuardPlan, Target
+from nhc.program.scene_planner import ScenePlanner
 
 _T = Argument("t", -1)
 
@@ -75,6 +80,22 @@ def list_checks(planner: Planner) -> list[Column]:
     found += [Column(f.name, "residual", r) for f, r in zip(system.constraints, residuals, strict=True)]
     found += [Column(f.name, "position", f.equation) for f in system.constraints if f.equation is not None]
     return found
+
+
+def list_energy(planner: ScenePlanner) -> list[Column]:
+    """T + V and T of a scene's model; nothing where they depend on what the model leaves out."""
+    system, made, g = planner.system, planner.reduction, planner.graph
+    on = dict(zip(system.v, planner.original.motion.velocities, strict=True))
+    nodes = substitute(g, [system.energy, system.T], on)
+    held = {*made.kept, *made.constants, *(integral.index for integral in made.integrals)}
+    try:
+        dependence = find_dependence(flow_of(planner.original), nodes)
+    except Unlucky:
+        return []
+    if any(entries - held for entries in dependence.needs):
+        return []
+    energy, kinetic = planner.fix(nodes)
+    return [Column("energy", "energy", energy), Column("T", "kinetic", kinetic)]
 
 
 def planned_sketch(planner: Planner) -> Sketch:

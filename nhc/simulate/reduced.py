@@ -10,9 +10,10 @@ from nhc.mechanics.associate import Equations
 from nhc.mechanics.choose import Formulation
 from nhc.mechanics.scenes import Start, kept_velocities
 from nhc.program.model import build_program, state_quantities
-from nhc.program.needed import Column, needed_function, watch_function
+from nhc.program.needed import Column, list_energy, needed_function, watch_function
 from nhc.program.reduced import lower_functions
 from nhc.program.scene_model import reduce_one
+from nhc.program.scene_planner import ScenePlanner
 from nhc.program.structure import Structure
 from nhc.simulate.prepare import Job
 
@@ -22,26 +23,30 @@ _LARGE = 1500
 
 def prepare_reduced(equations: Equations, formulation: Formulation, start: Start, jacobian: bool) -> Job | None:
     """The job of a scene's own needs in this formulation; None where the whole state is needed, or the system is too large."""
-    system, scene, g = equations.system, start.scene, equations.system.graph
+    system, g = equations.system, equations.system.graph
     if count(g, [*equations.force, *equations.motion.velocities]) > _LARGE:
         return None
     if equations.multipliers or any(form.equation is not None for form in system.constraints):
         return None  # a run holds the state on these constraints, and needs all of it
     planner = reduce_one(equations, formulation, start)
-    made = planner.reduction
-    if not made.left:
-        return None
+    return job_of(planner, start, jacobian) if planner.reduction.left else None
+
+
+def job_of(planner: ScenePlanner, start: Start, jacobian: bool, energy: bool = False) -> Job:
+    """The job of a reduction; ``energy``: with T + V and T as checks, where what is kept determines them."""
+    system, made, equations = planner.system, planner.reduction, planner.original
     values = (*start.q, *kept_velocities(system, planner.kept_forms(), start))
     columns = [
         Column(wanted.name, "need", node, wanted.unit)
         for wanted, node in zip(made.outputs, planner.needed_nodes(), strict=True)
     ]
+    checks = list_energy(planner) if energy else []
     watch, about = watch_function(planner, None)
     functions = lower_functions(planner, ("rhs", "jacobian") if jacobian else ("rhs",))
-    functions += (needed_function(planner, columns), *(() if watch is None else (watch,)))
+    functions += (needed_function(planner, [*columns, *checks]), *(() if watch is None else (watch,)))
     whole = state_quantities(system, planner)
     constants = planner.list_constants(start)
-    frame = build_program(system, formulation, equations, only=("residuals",))
+    frame = build_program(system, made.formulation, equations, only=("residuals",))
     program = replace(
         frame,
         functions=functions,
@@ -53,14 +58,14 @@ def prepare_reduced(equations: Equations, formulation: Formulation, start: Start
         program=program,
         system=system,
         start=start,
-        scene=scene,
-        formulation=formulation,
+        scene=start.scene,
+        formulation=made.formulation,
         y=tuple(values[i] for i in made.kept),
         p=(*start.p, *(float(quantity.default or 0.0) for quantity in constants)),
         time=start.time,
-        tolerance=float(scene.tolerance),
+        tolerance=float(start.scene.tolerance),
         columns=tuple(columns),
-        checks=(),
+        checks=tuple(checks),
         meanings={status.code: status.what for status in list_statuses(program)},
         watched=about,
         events=0,

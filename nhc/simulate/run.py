@@ -6,7 +6,7 @@ import math
 import time
 from dataclasses import dataclass, replace
 
-from nhc.simulate.compile import CompileError, build
+from nhc.simulate.compile import CompileError, build, loop_flags
 from nhc.simulate.compiled import CompiledModel
 from nhc.simulate.interpreted import InterpretedModel
 from nhc.simulate.methods import DEFAULT, RUNGE_KUTTA, STRUCTURE, is_adaptive
@@ -84,7 +84,7 @@ def load(job: Job, method: str, compiled: bool = True) -> tuple[Model, tuple[str
                 sources = write_natural(job.program, STRUCTURE[method])
             else:
                 sources = write_source(job.program, [RUNGE_KUTTA[method]], job.events, job.holds)
-            path = build(sources, f"{job.program.system}_run.c")
+            path = build(sources, f"{job.program.system}_run.c", loop_flags(len(job.y)))
             return CompiledModel(path, job.program.system, len(job.y), job.width), ()
         except CompileError as error:
             notes = (f"{error}; running the emitted Python, which is some hundred times slower",)

@@ -67,7 +67,10 @@ class Reference:
 
 @dataclass(frozen=True, slots=True)
 class Cost:
-    """What a formulation costs: the size of its state, the operations and the time in seconds of one right-hand side."""
+    """What a formulation costs: the size of its state, the operations and the time in seconds of one right-hand side.
+
+    ``left``: (entry, reason) of what a scene's model leaves out of the ``full_states`` entries of the whole state.
+    """
 
     formulation: str
     number: str
@@ -76,6 +79,8 @@ class Cost:
     operations: str
     c: float
     python: float
+    left: tuple[tuple[str, str], ...] = ()
+    full_states: int = 0
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from nhc.emit.environment import File, render_file
-from nhc.simulate.compile import build
+from nhc.simulate.compile import build, loop_flags
 from nhc.simulate.compiled import CompiledModel
 from nhc.simulate.methods import RUNGE_KUTTA
 from nhc.simulate.prepare import Job
@@ -44,7 +44,8 @@ def compile_chart(job: Job, methods: Sequence[str]) -> Path:
         "methods": tuple(methods),
     }
     unit = f"{name}_chart.c"
-    return build(sources | {unit: render_file(File(unit, "c/chart/repeat.c.jinja", context))}, unit)
+    files = sources | {unit: render_file(File(unit, "c/chart/repeat.c.jinja", context))}
+    return build(files, unit, loop_flags(len(job.y)))
 
 
 def compile_long(job: Job, methods: Sequence[str]) -> Path:

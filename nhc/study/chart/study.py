@@ -4,24 +4,20 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 
 from nhc.diagnostics import Source
 from nhc.language import decode
-from nhc.mechanics.choose import FORMULATIONS, NotApplicable, build, formulate
-from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.resolve import resolve
-from nhc.mechanics.scenes import start_of
-from nhc.mechanics.system import System
 from nhc.simulate.compile import CompileError, find_compiler
 from nhc.simulate.interpreted import InterpretedModel
 from nhc.simulate.methods import RUNGE_KUTTA, is_adaptive
 from nhc.simulate.opening import find_need, find_scene
-from nhc.simulate.prepare import Job, prepare
+from nhc.simulate.prepare import Job
 from nhc.simulate.run import list_times
 from nhc.simulate.task import Task
 from nhc.study.chart.case import Case, Cost, Result, Study
 from nhc.study.chart.grid import LANGUAGES, METHODS, MOST_PYTHON, POINTS, PYTHON_STRIDE, SCOUT, TOLERANCES, Grid
+from nhc.study.chart.jobs import Shrunk, prepare_jobs
 from nhc.study.chart.measure import describe_machine, time_repeats
 from nhc.study.chart.model import ChartModel, LongModel, compile_chart, compile_long
 from nhc.study.chart.peers import PEERS, run_peer
@@ -30,14 +26,6 @@ from nhc.study.chart.reference import Solution, make_reference
 from nhc.study.chart.single import MOST, Bench, run_case
 
 Show = Callable[[float, str], None]
-
-
-@dataclass(frozen=True)
-class Prepared:
-    """The jobs of a study by formulation, the auto-chosen one first, and the formulations that do not apply with the reason."""
-
-    jobs: dict[str, Job]
-    skipped: tuple[tuple[str, str], ...]
 
 
 def chart(source: Source, grid: Grid, show: Show | None = None) -> Study:
@@ -52,13 +40,13 @@ def chart(source: Source, grid: Grid, show: Show | None = None) -> Study:
     scene = find_scene(spec, grid.scene)
     needs = tuple(dict.fromkeys(find_need(spec, need) for need in grid.needs))
     system = resolve(spec)
-    made = prepare_jobs(system, scene.name, grid.formulations, needs)
+    made = prepare_jobs(system, scene, grid.formulations, needs, bool(grid.scene))
     compiled = bool(find_compiler())
     languages = tuple(x for x in grid.languages or LANGUAGES if compiled or x != "c") or ("python",)
     notes = () if compiled else ("there is no C compiler here: only the emitted Python is charted",)
     first = next(iter(made.jobs.values()))
     times = list_times(*first.time, POINTS)
-    solution = make_reference(first, times, open_long(first) if compiled else None)
+    solution = make_reference(made.full, times, open_long(made.full) if compiled else None)
     methods, tolerances = grid.methods or METHODS, tuple(sorted(grid.tolerances or TOLERANCES, reverse=True))
     results: list[Result] = []
     costs: list[Cost] = []
@@ -67,7 +55,7 @@ def chart(source: Source, grid: Grid, show: Show | None = None) -> Study:
         if show is not None:
             show(done / len(made.jobs), name)
         bench = open_bench(name, job, times, solution, methods, compiled)
-        costs.append(cost_of(bench, languages))
+        costs.append(cost_of(bench, languages, made.shrunk.get(name)))
         found, missing = run_bench(bench, methods, languages, tolerances, bool(grid.tolerances), grid.budget)
         results += found
         left += missing
@@ -96,26 +84,6 @@ def chart(source: Source, grid: Grid, show: Show | None = None) -> Study:
     )
 
 
-def prepare_jobs(system: System, scene: str, wanted: Sequence[str], needs: Sequence[str]) -> Prepared:
-    """A job for each formulation: those that are named, else all that apply."""
-    best = formulate(system).name
-    names = list(wanted) or [best, *(f for f in FORMULATIONS if f != best)]
-    names = list(dict.fromkeys(best if name == "auto" else name for name in names))
-    start = start_of(system, find_scene(system.spec, scene))
-    jobs: dict[str, Job] = {}
-    skipped: list[tuple[str, str]] = []
-    for name in names:
-        try:
-            form = build(system, name)
-        except NotApplicable as error:
-            skipped.append((name, f"does not apply: {error.reasons[0]}"))
-            continue
-        jobs[name] = prepare(equations_of(system, form), form, start, needs, jacobian=True, checks=True)
-    if not jobs:
-        formulate(system, names[0])  # raises: it says why nothing that was named applies
-    return Prepared(jobs, tuple(skipped))
-
-
 def open_long(job: Job) -> LongModel | None:
     """The model in long double; None where the compiler does not take it."""
     try:
@@ -132,7 +100,7 @@ def open_bench(
     return Bench(name, job, tuple(times), solution, model, InterpretedModel(job.program, job.events, job.holds))
 
 
-def cost_of(bench: Bench, languages: Sequence[str]) -> Cost:
+def cost_of(bench: Bench, languages: Sequence[str], shrunk: Shrunk | None) -> Cost:
     """What one right-hand side costs, at states along the reference motion."""
     job, in_c, in_python = bench.job, math.nan, math.nan
     function = next(f for f in job.program.functions if f.name == "rhs")
@@ -153,7 +121,8 @@ def cost_of(bench: Bench, languages: Sequence[str]) -> Cost:
         in_python = time_repeats(repeat, 0.02)[0]
     calls = f"{function.adds} +-, {function.multiplications} *, {function.divisions} /, {function.calls} calls"
     form = job.formulation
-    return Cost(bench.name, form.number, form.reason, len(job.y), calls, in_c, in_python)
+    left, full = (shrunk.left, shrunk.full_states) if shrunk is not None else ((), len(job.y))
+    return Cost(bench.name, form.number, form.reason, len(job.y), calls, in_c, in_python, left, full)
 
 
 def _use(value: float) -> None:

@@ -1,0 +1,110 @@
+"""What a chart runs: a job for each formulation, with the whole state or with the scene's smallest."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+from nhc.language.spec import Need, Scene, Spec
+from nhc.mechanics.choose import FORMULATIONS, Formulation, NotApplicable, build, formulate
+from nhc.mechanics.formulate import equations_of
+from nhc.mechanics.reduce import Reduction
+from nhc.mechanics.scenes import start_of
+from nhc.mechanics.system import System
+from nhc.program.scene_model import reduce_one, scene_model
+from nhc.simulate.prepare import Job, prepare
+from nhc.simulate.reduced import job_of
+
+SCENE = "scene"
+"""The name of the model that `nhc emit --scene` writes, where its coframe is none of the spec's formulations."""
+FULL = ", full"
+
+
+@dataclass(frozen=True)
+class Shrunk:
+    """What a reduced job leaves out: (name, reason) of each entry of the full state, and that state's size."""
+
+    left: tuple[tuple[str, str], ...]
+    full_states: int
+
+
+@dataclass(frozen=True)
+class Prepared:
+    """The jobs of a study by name, the one that nhc would choose first; what does not apply, with the reason.
+
+    ``full`` is a job with the whole state, for the reference; ``shrunk`` says what the jobs of these names leave out.
+    """
+
+    jobs: dict[str, Job]
+    skipped: tuple[tuple[str, str], ...]
+    full: Job
+    shrunk: dict[str, Shrunk]
+
+
+def prepare_jobs(system: System, scene: Scene, wanted: Sequence[str], needs: Sequence[str], reduced: bool) -> Prepared:
+    """A job for each formulation: those that are named, else all that apply.
+
+    ``reduced``: on the state that the needs depend on, with the model that ``nhc emit --scene`` writes as the first and the full
+    state of its formulation beside it (unless formulations are named).
+
+    Raises:
+        nhc.diagnostics.SpecError: nothing that was named applies, or the scene cannot start.
+    """
+    base = formulate(system)
+    names = list(wanted) or [base.name, *(f for f in FORMULATIONS if f != base.name)]
+    names = list(dict.fromkeys(base.name if name == "auto" else name for name in names))
+    needed = scene_of_needs(system.spec, scene, needs)
+    start = start_of(system, needed)
+    jobs: dict[str, Job] = {}
+    shrunk: dict[str, Shrunk] = {}
+    skipped: list[tuple[str, str]] = []
+    full: Job | None = None
+    if reduced and (not wanted or "auto" in wanted):
+        own = scene_model(system, base, needed, only_base=base.name == system.spec.formulation)
+        if own.chosen:
+            jobs[SCENE] = job_of(own.planner, start, jacobian=True, energy=True)
+            shrunk[SCENE] = _shrunk(own.reduction)
+    for name in names:
+        try:
+            form = build(system, name)
+        except NotApplicable as error:
+            skipped.append((name, f"does not apply: {error.reasons[0]}"))
+            continue
+        equations = equations_of(system, form)
+        planner = reduce_one(equations, form, start) if reduced and not equations.multipliers else None
+        if planner is None or not planner.reduction.left:
+            jobs[name] = _full_job(system, form, needed, needs)
+            full = full or jobs[name]
+            continue
+        jobs[name] = job_of(planner, start, jacobian=True, energy=True)
+        shrunk[name] = _shrunk(planner.reduction)
+        if full is None or name == base.name:
+            full = _full_job(system, form, needed, needs)
+            if name == base.name and not wanted:
+                jobs[name + FULL] = full
+    if full is None:
+        formulate(system, names[0])  # raises: it says why nothing that was named applies
+        raise AssertionError("a formulation that does not apply was built")
+    return Prepared(jobs, tuple(skipped), full, shrunk)
+
+
+def _full_job(system: System, form: Formulation, scene: Scene, needs: Sequence[str]) -> Job:
+    return prepare(equations_of(system, form), form, start_of(system, scene), needs, jacobian=True, checks=True)
+
+
+def _shrunk(made: Reduction) -> Shrunk:
+    return Shrunk(tuple((omission.name, omission.reason) for omission in made.left), len(made.names))
+
+
+def scene_of_needs(spec: Spec, scene: Scene, needs: Sequence[str]) -> Scene:
+    """The scene with other needs; itself where none are named."""
+    if not needs:
+        return scene
+    kinds = {
+        **{c.name: "coordinate" for c in spec.coordinates},
+        **{f"{c.name}'": "velocity" for c in spec.coordinates},
+        **{q.name: "quasi" for q in spec.quasi_velocities},
+        **{o.name: "output" for o in spec.outputs},
+    }
+    made = tuple(Need(kinds.get(name, name), name, scene.span) for name in needs)
+    return replace(scene, need=made)
