@@ -10,10 +10,11 @@ theorem of energy.  A_mu(X) is evaluated by directional derivatives of T's veloc
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from nhc.algebra.calculus import substitute, tangent
+from nhc.algebra.gather import gather
 from nhc.algebra.graph import Node
 from nhc.mechanics.kinetic import Kinetic, exterior_derivative
 from nhc.mechanics.moved import Moved
@@ -69,6 +70,7 @@ class Projector:
     def __init__(self, system: System, kinetic: Kinetic, motion: Motion, moved: Moved | None = None) -> None:
         self.system, self.kinetic, self.motion = system, kinetic, motion
         g = system.graph
+        self._constants, self._speeds = g.mask(system.p), g.mask(motion.w)
         on_motion = dict(zip(system.v, motion.velocities, strict=True))
         self._known = dict(zip(moved.frame.vectors, moved.weights, strict=True)) if moved else {}
         self.carried = moved.carried if moved else (False,) * len(kinetic.u)
@@ -105,26 +107,29 @@ class Projector:
         """A(X) for the vector e: mass_nu w'_nu - force."""
         g, system = self.system.graph, self.system
         weights = self.components(e)
+        pushed = {k: self.hessian_times(k, weight) for k, weight in enumerate(weights) if weight != g.zero}
         mass, force_terms = [], []
         for column in self.columns:
-            total = g.zero
-            for k, weight in enumerate(weights):
-                if weight == g.zero:
-                    continue
-                inertia = g.sum([g.mul(self.hessian[k][j], c) for j, c in enumerate(column) if c != g.zero])
-                total = g.add(total, g.mul(weight, inertia))
-            mass.append(total)
+            mass.append(self._gather(g.mul(x, column[j]) for row in pushed.values() for j, x in row))
         for k, weight in enumerate(weights):
             force_terms.append(g.mul(weight, self.pi_drift[k]))
             if not self.kinetic.exact[k] and not self.carried[k]:
                 turn = exterior_derivative(system, self.kinetic.forms[k], self.motion.velocities, g.one, e)
                 force_terms.append(g.mul(self.pi[k], turn))
-        inertial = g.sum(force_terms)
+        inertial = self._gather(force_terms)
         along = dict(zip(system.q, e, strict=True))
         applied = g.sum([g.mul(q, x) for q, x in zip(self._applied(), e, strict=True)])
         slopes = substitute(g, tangent(g, [self.kinetic.tau], along), self._to_motion)[0]
         potential = tangent(g, [system.U], along)[0]
         return Row(tuple(mass), g.sub(g.add(g.add(slopes, potential), applied), inertial))
+
+    def hessian_times(self, k: int, weight: Node) -> list[tuple[int, Node]]:
+        """(j, weight h_kj) where h_kj is not zero."""
+        return [(j, self.system.graph.mul(h, weight)) for j, h in enumerate(self.hessian[k]) if h != self.system.graph.zero]
+
+    def _gather(self, terms: Iterable[Node]) -> Node:
+        """The sum of products, with masses and speeds in front."""
+        return gather(self.system.graph, terms, self._constants, self._speeds)
 
     def _applied(self) -> list[Node]:
         return substitute(self.system.graph, self.system.Q, self._to_motion)

@@ -43,6 +43,8 @@ def equations_of(system: System, formulation: Formulation, kinetic: Kinetic | No
     if moved is not None:
         formulation = replace(formulation, frame=moved.frame)
     motion = motion_of(system, formulation)
+    if moved is not None:
+        motion = replace(motion, velocities=moved.velocities)
     projector = Projector(system, kinetic, motion, moved)
     rows = [projector.row(e) for e in motion.vectors]
     reactions: list[Row] = []

@@ -31,6 +31,7 @@ class Moved:
     """
 
     frame: Frame
+    velocities: tuple[Node, ...]
     u: tuple[Node, ...]
     drift: tuple[Node, ...]
     weights: tuple[tuple[Node, ...], ...]
@@ -127,6 +128,7 @@ def _finish(
         guards=tuple(guards),
         all_kinematics=tuple(substitute(g, found, named)),
     )
+    kinematics = _by_speed(g, made.kinematics, made.free_vectors, made.free)
     u = list(kinetic.atoms)
     for group, vector, is_position in vectors:
         for k, node in zip(group, scene.home(vector, is_position).velocity, strict=False):
@@ -134,14 +136,28 @@ def _finish(
     general = substitute(g, u, solved)
     weights = tuple(tuple(tangent(g, general, {symbol: g.one})) for symbol in scene.held)
     on_motion = {symbol: g.zero if j < system.l else frame.omega[j] for j, symbol in enumerate(scene.held)}
-    rates = Rates(scene, solved, on_motion, made.kinematics)
-    moved = substitute(g, general, on_motion)
+    rates = Rates(scene, solved, on_motion, kinematics)
+    moved = rates.on_motion(general)
     drift = list(tangent(g, moved, rates.seeds))
     carried = [False] * len(u)
     for group, vector, is_position in vectors:
         for k, node in zip(group, rates.acceleration(vector, is_position), strict=False):
             drift[k], carried[k] = node, True
-    return Moved(made, tuple(moved), tuple(drift), weights, tuple(carried))
+    return Moved(made, tuple(kinematics), tuple(moved), tuple(drift), weights, tuple(carried))
+
+
+def _by_speed(
+    graph: Graph, values: Sequence[Node], columns: Sequence[Sequence[Node]], speeds: Sequence[Node]
+) -> list[Node]:
+    """A value that is proportional to one speed as their product: the weight is there already."""
+    g = graph
+    still = {speed: g.zero for speed in speeds}
+    rest = substitute(g, values, still)
+    new = []
+    for k, value in enumerate(values):
+        own = [(column[k], speed) for column, speed in zip(columns, speeds, strict=True) if column[k] != g.zero]
+        new.append(g.mul(*own[0]) if len(own) == 1 and rest[k] == g.zero else value)
+    return new
 
 
 class Rates:
@@ -155,9 +171,15 @@ class Rates:
 
     def value(self, vector: Vector) -> Vector:
         """Components on the motion."""
-        g = self.scene.graph
-        x, y, z = substitute(g, substitute(g, vector, self._solved), self._on_motion)
+        x, y, z = self.on_motion(substitute(self.scene.graph, vector, self._solved))
         return x, y, z
+
+    def on_motion(self, values: Sequence[Node]) -> list[Node]:
+        """Values over the held symbols on the motion; what is proportional to one speed as the product with its weight."""
+        g, system = self.scene.graph, self.scene.system
+        free = self.scene.held[system.l :]
+        columns = [tangent(g, values, {symbol: g.one}) for symbol in free]
+        return _by_speed(g, substitute(g, values, self._on_motion), columns, [self._on_motion[s] for s in free])
 
     def rate(self, vector: Vector) -> Vector:
         x, y, z = tangent(self.scene.graph, vector, self.seeds)

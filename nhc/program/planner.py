@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from nhc.algebra.calculus import substitute
-from nhc.algebra.graph import Node
+from nhc.algebra.graph import NEG, Node
 from nhc.algebra.shorten import shorten
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choose import Formulation
@@ -123,17 +123,14 @@ class PlannerBase:
         if self.formulation.dependent is not None:
             names = ", ".join(f"{self.system.q_names[i]}'" for i in self.formulation.dependent.dependent)
             what = f"the constraints cannot be solved for {names}"
-        # a constant determinant is only held against zero: its scale would be work for nothing
-        return tuple(
-            GuardPlan(
-                value,
-                self.graph.zero if self._is_constant(value) else scale,
-                _FRAME_TOLERANCE,
-                SINGULAR_FRAME,
-                what,
-            )
-            for value, scale in self.equations.guards
-        )
+        g = self.graph
+        once = dict[Node, GuardPlan]()
+        for value, scale in self.equations.guards:
+            size = g.a[value] if g.op[value] == NEG else value
+            # a constant determinant is only held against zero: its scale would be work for nothing
+            limit = g.zero if self._is_constant(value) else scale
+            once.setdefault(size, GuardPlan(size, limit, _FRAME_TOLERANCE, SINGULAR_FRAME, what))
+        return tuple(once.values())
 
     def _is_constant(self, node: Node) -> bool:
         """Made of parameters and numbers only."""
