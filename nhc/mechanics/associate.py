@@ -18,6 +18,7 @@ from nhc.algebra.gather import gather
 from nhc.algebra.graph import Node
 from nhc.mechanics.kinetic import Kinetic, exterior_derivative
 from nhc.mechanics.moved import Moved
+from nhc.mechanics.rotation import along, moving, virtual_work
 from nhc.mechanics.system import System
 
 
@@ -71,7 +72,7 @@ class Projector:
         self.system, self.kinetic, self.motion = system, kinetic, motion
         g = system.graph
         self._constants, self._speeds = g.mask(system.p), g.mask(motion.w)
-        on_motion = dict(zip(system.v, motion.velocities, strict=True))
+        on_motion = moving(system, motion.velocities)
         self._known = dict(zip(moved.frame.vectors, moved.weights, strict=True)) if moved else {}
         self.carried = moved.carried if moved else (False,) * len(kinetic.u)
         self.u = list(moved.u) if moved else substitute(g, kinetic.atoms, on_motion)
@@ -83,7 +84,7 @@ class Projector:
         self.hessian = [values[count + k * count : count + (k + 1) * count] for k in range(count)]
         self._to_motion = {**on_motion, **to_motion}
         self.columns = [self.components(e) for e in motion.vectors]  # W_k(e_nu)
-        seeds = {**dict(zip(system.q, motion.velocities, strict=True)), system.t: g.one}
+        seeds = {**along(system, motion.velocities), system.t: g.one}
         self._seeds = seeds
         drift = moved.drift if moved else tangent(g, self.u, seeds)
         explicit = substitute(g, self._explicit_rates(), self._to_motion)
@@ -97,7 +98,7 @@ class Projector:
         known = self._known.get(tuple(e))
         if known is not None:
             return list(known)
-        return substitute(g, tangent(g, self.kinetic.atoms, dict(zip(self.system.v, e, strict=True))), self._to_motion)
+        return substitute(g, tangent(g, self.kinetic.atoms, moving(self.system, e)), self._to_motion)
 
     def _explicit_rates(self) -> list[Node]:
         """d pi_k / dt at fixed u: only where T's coefficients move."""
@@ -117,19 +118,24 @@ class Projector:
                 turn = exterior_derivative(system, self.kinetic.forms[k], self.motion.velocities, g.one, e)
                 force_terms.append(g.mul(self.pi[k], turn))
         inertial = self._gather(force_terms)
-        along = dict(zip(system.q, e, strict=True))
-        applied = g.sum([g.mul(q, x) for q, x in zip(self._applied(), e, strict=True)])
-        slopes = substitute(g, tangent(g, [self.kinetic.tau], along), self._to_motion)[0]
-        potential = tangent(g, [system.U], along)[0]
+        applied = virtual_work(system, *self._applied(), e)
+        slopes = substitute(g, tangent(g, [self.kinetic.tau], along(system, e)), self._to_motion)[0]
+        potential = tangent(g, [system.U], along(system, e))[0]
         return Row(tuple(mass), g.sub(g.add(g.add(slopes, potential), applied), inertial))
 
     def hessian_times(self, k: int, weight: Node) -> list[tuple[int, Node]]:
         """(j, weight h_kj) where h_kj is not zero."""
-        return [(j, self.system.graph.mul(h, weight)) for j, h in enumerate(self.hessian[k]) if h != self.system.graph.zero]
+        return [
+            (j, self.system.graph.mul(h, weight)) for j, h in enumerate(self.hessian[k]) if h != self.system.graph.zero
+        ]
 
     def _gather(self, terms: Iterable[Node]) -> Node:
         """The sum of products, with masses and speeds in front."""
         return gather(self.system.graph, terms, self._constants, self._speeds)
 
-    def _applied(self) -> list[Node]:
-        return substitute(self.system.graph, self.system.Q, self._to_motion)
+    def _applied(self) -> tuple[list[Node], list[Node]]:
+        """Q and the torques of rotations, on the motion."""
+        system = self.system
+        flat = [x for torque in system.torques for x in torque]
+        values = substitute(system.graph, [*system.Q, *flat], self._to_motion)
+        return values[: system.n], values[system.n :]

@@ -39,7 +39,8 @@ def rate_symbols(system: System, w: Sequence[Node]) -> tuple[Node, ...]:
 def equations_of(system: System, formulation: Formulation, kinetic: Kinetic | None = None) -> Equations:
     """The associated system of a formulation's Omega, as mass matrix, right side, and rows of the reactions."""
     kinetic = kinetic or kinetic_structure(system)
-    moved = move(system, kinetic, formulation.frame) if formulation.frame is not None else None
+    frame = formulation.frame
+    moved = move(system, kinetic, frame) if frame is not None and not system.rotations else None
     if moved is not None:
         formulation = replace(formulation, frame=moved.frame)
     motion = motion_of(system, formulation)

@@ -12,7 +12,7 @@ from nhc.algebra.linear import Singular, solve_rows
 from nhc.mechanics.frame import Frame, form_value
 from nhc.mechanics.kinetic import Kinetic
 from nhc.mechanics.moving import Scene
-from nhc.mechanics.moving_rows import Sided, along_direction, direction_vector, read_vector, rewrite_row, square_groups
+from nhc.mechanics.moving_rows import Sided, along_direction, direction_vector, read_square, read_vector, rewrite_row, square_groups
 from nhc.mechanics.regularity import pivot_weakness
 from nhc.mechanics.signatures import Signatures
 from nhc.mechanics.system import System
@@ -60,7 +60,7 @@ def move(system: System, kinetic: Kinetic, frame: Frame) -> Moved | None:
     vectors: list[Placed] = []
     for group in groups:
         components = [kinetic.atoms[k] for k in group] + [g.zero] * (3 - len(group))
-        vectors.append((group, *read_vector(scene, (components[0], components[1], components[2]))))
+        vectors.append((group, *read_square(scene, (components[0], components[1], components[2]))))
     for sided in _directions(g, values):
         read_vector(scene, direction_vector(g, sided)[0])
         scene.paths.append(sided.path)

@@ -104,17 +104,41 @@ def _terms(graph: Graph, node: Node) -> Iterator[Node]:
 
 def read_vector(scene: Scene, components: Vector) -> tuple[Chained, bool]:
     """A velocity by its components: as the rate of a position where the spec differentiated one."""
+    places = [place_of(scene, node) for node in components]
+    x, y, z = places
+    if x is None or y is None or z is None:
+        return scene.velocities.read(components), False
+    return scene.positions.read((x, y, z)), True
+
+
+def read_square(scene: Scene, components: Vector) -> tuple[Chained, bool]:
+    """The same for components of a square, whose signs say nothing: those that the spec differentiated, or that share a base."""
+    g = scene.graph
+    signed = [(node, g.neg(node)) if node != g.zero else (node,) for node in components]
+    placed = [next((n for n in both if place_of(scene, n) is not None), None) for both in signed]
+    x, y, z = placed
+    if x is not None and y is not None and z is not None:
+        return read_vector(scene, (x, y, z))
+    options = [(x, y, z) for x in signed[0][:1] for y in signed[1] for z in signed[2]]
+    best = next((option for option in options if scene.velocities.has_base(option)), options[0])
+    return scene.velocities.read(best), False
+
+
+def place_of(scene: Scene, node: Node) -> Node | None:
+    """The expression whose rate the node is, where the spec has one."""
     g, system = scene.graph, scene.system
-    own = dict(zip(system.v, system.q, strict=True))
-    places = []
-    for node in components:
-        negative = g.op[node] == NEG
-        body = g.a[node] if negative else node
-        place = g.zero if body == g.zero else own.get(body, g.rate_of.get(body))
-        if place is None:
-            return scene.velocities.read(components), False
-        places.append(g.neg(place) if negative else place)
-    return scene.positions.read((places[0], places[1], places[2])), True
+    if node == g.zero:
+        return g.zero
+    if node in g.rate_of:
+        return g.rate_of[node]
+    body = g.a[node] if g.op[node] == NEG else node
+    if body in system.v:
+        place = system.q[system.v.index(body)]
+    elif body in g.rate_of:
+        place = g.rate_of[body]
+    else:
+        return None
+    return place if body == node else g.neg(place)
 
 
 def rewrite_row(scene: Scene, row: Node) -> Node | None:

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
+from fractions import Fraction
 
 from nhc.algebra.calculus import gradient, reachable, substitute
 from nhc.algebra.graph import ADD, NEG, Graph, Node
@@ -16,6 +17,8 @@ from nhc.algebra.modular import are_zero
 from nhc.mechanics.turns import Path, Turn, Vector
 
 _PLANES = ((0, 1), (1, 2), (2, 0))
+_FEW_ANGLES = 2  # a link and its neighbour: fewer cannot be hoped for
+_LOOK_BACK = 4
 
 
 @dataclass(frozen=True)
@@ -45,6 +48,7 @@ class Reader:
 
     graph: Graph
     known: dict[Vector, Chained] = field(default_factory=dict)
+    _sums: dict[Node, dict[Node, Fraction]] = field(default_factory=dict)
     _at: tuple[dict[Node, list[Chained]], ...] = field(default_factory=lambda: ({}, {}, {}))
 
     def read(self, components: Vector) -> Chained:
@@ -62,6 +66,10 @@ class Reader:
                 base = self._keep(Chained(remainder.local, None, (remainder,)))
                 parts = tuple(part for part in parts if part.path)
         return self._keep(Chained(components, base, parts))
+
+    def has_base(self, components: Vector) -> bool:
+        """Whether it is known, or stands on one that is."""
+        return components in self.known or self._take_base(components)[0] is not None
 
     def _keep(self, vector: Chained) -> Chained:
         known = self.known.get(vector.components)
@@ -85,26 +93,59 @@ class Reader:
             for key in candidates
             if all(x == g.zero or x in list_of for x, list_of in zip(key, terms, strict=True))
         ]
-        if not fitting:
-            return None, components
-        base = max(fitting)
+        base = candidates[max(fitting)] if fitting else None
+        rest = components if base is None else self._without(terms, base.components)
+        if len(self.angles_of(rest)) > _FEW_ANGLES:
+            return self._nearest(components, base, rest)
+        return base, rest
+
+    def _without(self, terms: Sequence[list[Node]], base: Vector) -> Vector:
         rest = []
         for x, list_of in zip(base, terms, strict=True):
             left = list(list_of)
-            if x != g.zero:
+            if x != self.graph.zero:
                 left.remove(x)
-            rest.append(g.sum(left))
-        return candidates[base], (rest[0], rest[1], rest[2])
+            rest.append(self.graph.sum(left))
+        return rest[0], rest[1], rest[2]
 
-    def _terms(self, node: Node, axis: int) -> Iterator[Node]:
-        """The terms of a sum, down to components that are known."""
+    def _nearest(self, components: Vector, base: Chained | None, rest: Vector) -> tuple[Chained | None, Vector]:
+        """For sums that were written out: the newest of the last vectors from which fewer angles lead here."""
+        best = (len(self.angles_of(rest)), base, rest)
+        mine = [self._counted(x) for x in components]
+        for vector in list(self.known.values())[:-_LOOK_BACK - 1:-1]:
+            theirs = [self._counted(x) for x in vector.components]
+            left = [self._difference(m, t) for m, t in zip(mine, theirs, strict=True)]
+            angles = len(self.angles_of(left))
+            if angles < best[0]:
+                best = (angles, vector, (left[0], left[1], left[2]))
+        return best[1], best[2]
+
+    def _counted(self, node: Node) -> dict[Node, Fraction]:
+        """The terms of a sum without their rational factors, and those."""
+        if node not in self._sums:
+            found: dict[Node, Fraction] = {}
+            for term in self._terms(node, None):
+                factor, body = self.graph.split_coefficient(term)
+                found[body] = found.get(body, Fraction(0)) + factor
+            self._sums[node] = found
+        return self._sums[node]
+
+    def _difference(self, mine: dict[Node, Fraction], theirs: dict[Node, Fraction]) -> Node:
         g = self.graph
+        bodies = dict.fromkeys([*mine, *theirs])
+        left = [(body, mine.get(body, Fraction(0)) - theirs.get(body, Fraction(0))) for body in bodies]
+        return g.sum(g.mul_number(factor, body) for body, factor in left if factor)
+
+    def _terms(self, node: Node, axis: int | None) -> Iterator[Node]:
+        """The terms of a sum, down to components that are known on that axis."""
+        g = self.graph
+        known = self._at[axis] if axis is not None else {}
         stack = [(node, False)]
         while stack:
             top, negative = stack.pop()
             if g.op[top] == NEG:
                 stack.append((g.a[top], not negative))
-            elif g.op[top] == ADD and (negative or top not in self._at[axis]):
+            elif g.op[top] == ADD and (negative or top not in known):
                 stack += [(g.b[top], negative), (g.a[top], negative)]
             elif top != g.zero:
                 yield g.neg(top) if negative else top
