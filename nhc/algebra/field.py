@@ -29,8 +29,10 @@ PRIMES = (2305843009213057079, 2305843009178326439, 2305843009101690119, 2305843
 """Safe primes below 2**61, all 7 modulo 8, modulo each of which 2, 3, 5, ..., 47 are squares: the roots of the numbers that
 occur in specs exist, and sqrt(4*x) is 2*sqrt(x) and not its negative."""
 
+_EXPONENT = 65537
 _PERIODIC = ("sin", "cos")
 _EXPONENTIAL = ("exp", "sinh", "cosh", "tanh")
+_FAMILIES = {**dict.fromkeys(_PERIODIC, "angle"), **dict.fromkeys(_EXPONENTIAL, "exponent")}
 
 
 class Unlucky(Exception):
@@ -49,6 +51,7 @@ class FieldPoint:
         self._denominators: dict[tuple[str, Monomial], int] = {}
         self._arguments: dict[Node, Polynomial] = {}
         self._used: set[tuple[str, Monomial]] = set()
+        self._circles: dict[Node, tuple[int, int]] = {}  # cosine and sine by the angle
 
     # --- generators ---------------------------------------------------------------------------------------
 
@@ -73,13 +76,36 @@ class FieldPoint:
         Raises:
             Unlucky: a reciprocal of zero, or a square root that does not exist at this point.
         """
-        roots = list(roots)
-        self.values.update(fixed or {})
-        todo = [node for node in reachable(self.graph, roots) if node not in self.values]
+        roots, values = list(roots), self.values
+        if fixed:
+            values.update(fixed)
+        todo = self._missing(roots)
         self._prepare(todo)
+        g, p = self.graph, self.prime
+        op, first, second = g.op, g.a, g.b
         for node in todo:
-            self.values[node] = self._value(node)
-        return [self.values[root] for root in roots]
+            kind = op[node]
+            if kind == ADD:
+                values[node] = (values[first[node]] + values[second[node]]) % p
+            elif kind == MUL:
+                values[node] = values[first[node]] * values[second[node]] % p
+            elif kind == NEG:
+                values[node] = -values[first[node]] % p
+            else:
+                values[node] = self._value(node)
+        return [values[root] for root in roots]
+
+    def _missing(self, roots: Sequence[Node]) -> list[Node]:
+        """What has no value yet under the roots, operands first."""
+        values, kids = self.values, self.graph.kids
+        seen = {root for root in roots if root not in values}
+        stack = list(seen)
+        while stack:
+            for child in kids[stack.pop()]:
+                if child not in seen and child not in values:
+                    seen.add(child)
+                    stack.append(child)
+        return sorted(seen)
 
     def prepare(self, roots: Iterable[Node]) -> None:
         """Announce what will be evaluated later, in several calls: the points of the circle are then fine enough for all of it.
@@ -91,11 +117,12 @@ class FieldPoint:
 
     def _prepare(self, nodes: Sequence[Node]) -> None:
         """Least common denominators of the coefficients of each monomial in angles and exponents."""
+        kinds = self.graph.op
         for node in nodes:
-            op = self.graph.op[node]
-            family = "angle" if op in _PERIODIC else "exponent" if op in _EXPONENTIAL else ""
-            if not family:
+            op = kinds[node]
+            if op not in _FAMILIES:
                 continue
+            family = _FAMILIES[op]
             argument = self._argument(self.graph.a[node])
             for monomial, c in argument.items():
                 key = (family, monomial)
@@ -106,7 +133,9 @@ class FieldPoint:
 
     def _argument(self, node: Node) -> Polynomial:
         known = self._arguments.get(node)
-        if known is None:
+        if known is None and self.graph.op[node] == SYM:
+            known = self._arguments[node] = {((node, 1),): 1}
+        elif known is None:
             try:
                 known = polynomial(self.graph, node, limit=60, circle=False)
             except TooLarge:
@@ -116,25 +145,21 @@ class FieldPoint:
 
     def _value(self, node: Node) -> int:
         g, p, op = self.graph, self.prime, self.graph.op[node]
-        if op == ADD:
-            return (self.values[g.a[node]] + self.values[g.b[node]]) % p
-        if op == MUL:
-            return self.values[g.a[node]] * self.values[g.b[node]] % p
-        if op == NEG:
-            return -self.values[g.a[node]] % p
         if op == POW:
             return self._power(self.values[g.a[node]], g.b[node])
         if op == NUM:
-            value = g.value(node)
-            assert value is not None
-            return value.numerator * pow(value.denominator, -1, p) % p
+            value = g.coefficient[node]
+            return (value if isinstance(value, int) else value.numerator * pow(value.denominator, -1, p)) % p
         if op == SYM:
             return self._symbol(node)
         if op == PI:
             return self._generator("pi")
         if op in _PERIODIC:
-            c, s = self._circle(self._argument(g.a[node]))
-            return s if op == "sin" else c
+            angle = g.a[node]
+            known = self._circles.get(angle)
+            if known is None:
+                known = self._circles[angle] = self._circle(self._argument(angle))
+            return known[op == "sin"]
         if op in _EXPONENTIAL:
             return self._exponential(op, self._argument(g.a[node]))
         return self._other(op, node)
@@ -169,6 +194,10 @@ class FieldPoint:
         """A monomial by the values of its atoms, so that two spellings of one atom share a generator."""
         if monomial == ONE:
             return ("one",)
+        if len(monomial) == 1:
+            ((factor, e),) = monomial
+            known = self.values.get(factor)
+            return ((self.evaluate([factor])[0] if known is None else known, e),)
         return tuple(sorted(zip(self.evaluate([f for f, _ in monomial]), [e for _, e in monomial], strict=True)))
 
     def _rotation(self, u: int, k: int) -> tuple[int, int]:
@@ -247,3 +276,15 @@ class FieldPoint:
                 base, root = pow(base, (p + 1) // 4, p), root // 2
             result = result * pow(base, k.numerator * pow(root, -1, p - 1) if root > 1 else k.numerator, p) % p
         return result
+
+
+class QuickPoint(FieldPoint):
+    """A point for zero tests: its residues are never written down, so that its elements may be drawn faster."""
+
+    def _generator(self, *key: object) -> int:
+        """A power of a number that the key and the salt spell: of two keys neither is known from the other."""
+        value = self._generators.get(key)
+        if value is None:
+            spelled = int.from_bytes(repr((self._salt, key)).encode(), "big")
+            value = self._generators[key] = pow(spelled, _EXPONENT, self.prime) or 2
+        return value

@@ -13,8 +13,9 @@ from weakref import WeakKeyDictionary
 
 from nhc.algebra.calculus import reachable
 from nhc.algebra.evaluate import Mpmath, evaluate
-from nhc.algebra.field import PRIMES, FieldPoint, Unlucky
+from nhc.algebra.field import PRIMES, FieldPoint, QuickPoint, Unlucky
 from nhc.algebra.graph import Graph, Node
+from nhc.algebra.probe import probe_of
 
 __all__ = ["PRIMES", "FieldPoint", "Unlucky", "are_equal", "are_zero", "is_zero", "rank", "sample"]
 
@@ -25,29 +26,38 @@ _RANK_POINTS = 8
 _SIGNED_POINTS = 48  # a sign is right by chance at every second point
 
 
-def sample(graph: Graph, roots: Sequence[Node], count: int = 2, seed: int = 1) -> list[list[int]]:
+def sample(
+    graph: Graph, roots: Sequence[Node], count: int = 2, seed: int = 1, kind: type[FieldPoint] = FieldPoint
+) -> list[list[int]]:
     """Residues of the roots at ``count`` random points, each modulo its own prime; unlucky points are drawn again.
 
     Raises:
         Unlucky: after 4000 unlucky draws (an expression that is singular everywhere).
     """
     results: list[list[int]] = []
+    known: dict[tuple[int, int], FieldPoint] = {}
+    if kind is QuickPoint:  # these stay, and know what was evaluated before
+        known = graph.memory.setdefault("points", known)
     attempt = 0
     while len(results) < count:
         attempt += 1
         if attempt > 4000:
             raise Unlucky
-        point = FieldPoint(graph, seed * 1_000_003 + attempt, PRIMES[len(results) % len(PRIMES)])
+        key = seed * 1_000_003 + attempt, PRIMES[len(results) % len(PRIMES)]
+        point = known.get(key) or kind(graph, *key)
         try:
             results.append(point.evaluate(roots))
         except Unlucky:
+            known.pop(key, None)
             continue
+        known[key] = point
     return results
 
 
 def are_zero(graph: Graph, nodes: Sequence[Node], count: int = 2, seed: int = 1) -> list[bool]:
     """For each node whether it vanishes identically (wrong with probability at most (degree/p)**count)."""
-    pending = [n for n in nodes if n != graph.zero and graph.value(n) is None]
+    probe = probe_of(graph)
+    pending = [n for n in dict.fromkeys(nodes) if n != graph.zero and not probe.is_clear(n)]
     if not pending:
         return [n == graph.zero for n in nodes]
     alive = _vanishing(graph, pending, count, seed)
@@ -61,7 +71,7 @@ def are_zero(graph: Graph, nodes: Sequence[Node], count: int = 2, seed: int = 1)
 def _vanishing(graph: Graph, nodes: Sequence[Node], count: int, seed: int) -> list[Node]:
     """Those of the nodes that are zero at all of ``count`` points."""
     try:
-        rows = sample(graph, nodes, count, seed) if nodes else []
+        rows = sample(graph, nodes, count, seed, QuickPoint) if nodes else []
     except Unlucky:
         return [n for n in nodes if _vanishes_numerically(graph, n, seed)]
     return [n for k, n in enumerate(nodes) if all(row[k] == 0 for row in rows)]
@@ -139,6 +149,8 @@ def rank(graph: Graph, rows: Sequence[Sequence[Node]], seed: int = 1) -> int:
     if not rows or not rows[0]:
         return 0
     width = len(rows[0])
+    if probe_of(graph).has_full_rank(rows):
+        return min(len(rows), width)
     flat = [entry for row in rows for entry in row]
     # a rank is too small only at special points; signs make half of the points special for an entry
     points = sample(graph, flat, min(enough_points(graph, flat, 1), _RANK_POINTS), seed)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 from fractions import Fraction
+from typing import Any
 
 NUM, SYM, PI, ADD, MUL, NEG, POW = "num", "sym", "pi", "add", "mul", "neg", "pow"
 UNARY = frozenset({"sin", "cos", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp", "log", "sqrt", "abs", "sign"})
@@ -54,6 +55,7 @@ class NodeStore:
         self.symbols: list[Symbol] = []
         self.labels: dict[Node, str] = {}  # names that the user gave, printed as such
         self.rate_of: dict[Node, Node] = {}  # what a node is the rate of, where the user differentiated it
+        self.memory: dict[str, Any] = {}  # what passes know of these nodes, under the passes' names
         self._symbol_nodes: list[Node] = []
         self._numbers: list[Fraction] = []
         self._number_index: dict[Rational, Node] = {}

@@ -1,0 +1,148 @@
+"""Floats with error bounds at one fixed point: what is clearly not zero needs no exact test.
+
+A running error analysis (N. J. Higham, Accuracy and Stability of Numerical Algorithms, 2nd ed. (2002), sec. 3.3) goes with every
+value; a node whose value is ten thousand times its bound is not the zero function.  The other way round nothing is concluded: what
+looks like zero here is left to :mod:`nhc.algebra.modular`.
+
+Each node of a graph is evaluated once, in the order of the numbers.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from zlib import crc32
+
+from nhc.algebra.graph import ADD, MUL, NEG, NUM, PI, POW, SYM, Graph, Node
+
+_UNIT = 2.0**-52
+_CLEAR = 1e4
+_SMALL_PIVOT = (
+    1e-6  # of the row's largest entry; what is not clearly nonzero counts as zero, which changes pivots by less
+)
+
+
+class Probe:
+    """Values and error bounds of a graph's nodes; nan where there is no value."""
+
+    def __init__(self, graph: Graph) -> None:
+        self.values: list[float] = []
+        self.errors: list[float] = []
+        self._graph_lists = (graph.op, graph.a, graph.b)
+        self._symbols = graph.symbols
+        self._coefficients = graph.coefficient
+
+    def is_clear(self, node: Node) -> bool:
+        """Whether the node is certainly not zero (False: not known)."""
+        if node >= len(self.values):
+            self._extend()
+        return abs(self.values[node]) > _CLEAR * self.errors[node]
+
+    def value(self, node: Node) -> float:
+        """The node's value here."""
+        if node >= len(self.values):
+            self._extend()
+        return self.values[node]
+
+    def has_full_rank(self, rows: Sequence[Sequence[Node]]) -> bool:
+        """Whether elimination with full pivoting finds clear pivots in all rows, or in all columns (False: not known)."""
+        work = []
+        for row in rows:
+            values = [self.value(x) if self.is_clear(x) else 0.0 for x in row]
+            scale = max(map(abs, values))
+            if not 0.0 < scale < math.inf:
+                return False
+            work.append([x / scale for x in values])
+        return all(_take_pivot(work, step) for step in range(min(len(work), len(work[0]))))
+
+    def _extend(self) -> None:
+        op, first, second = self._graph_lists
+        v, e = self.values, self.errors
+        for node in range(len(v), len(op)):
+            kind, a = op[node], first[node]
+            if kind == ADD:
+                b = second[node]
+                x = v[a] + v[b]
+                bound = e[a] + e[b]
+            elif kind == MUL:
+                b = second[node]
+                p, q = v[a], v[b]
+                x = p * q
+                bound = abs(p) * e[b] + abs(q) * e[a]
+            elif kind == NEG:
+                v.append(-v[a])
+                e.append(e[a])
+                continue
+            else:
+                try:
+                    x, bound = self._other(kind, node, a, second[node])
+                except (ArithmeticError, ValueError):
+                    x, bound = math.nan, math.nan
+            v.append(x)
+            e.append(bound + abs(x) * _UNIT)
+
+    def _other(self, kind: str, node: Node, a: int, b: int) -> tuple[float, float]:
+        if kind == NUM:
+            return float(self._coefficients[node]), 0.0
+        if kind == SYM:
+            symbol = self._symbols[a]
+            return 0.4 + 1.2 * crc32(f"{symbol.kind} {symbol.name}".encode()) / 2**32, 0.0
+        if kind == PI:
+            return math.pi, 0.0
+        x, bound = self.values[a], self.errors[a]
+        if kind == POW:
+            if abs(x) <= _CLEAR * bound:
+                return (0.0, math.inf) if b > 0 else (math.nan, math.nan)
+            power = x**b
+            return power, abs(b * power / x) * bound + abs(power) * _UNIT
+        if kind in ("sin", "cos"):
+            return (math.sin(x) if kind == "sin" else math.cos(x)), bound + _UNIT
+        if kind in ("atan2", "min", "max", "powf"):
+            return _binary(kind, x, bound, self.values[b], self.errors[b])
+        return _unary(kind, x, bound)
+
+
+def _take_pivot(work: list[list[float]], step: int) -> bool:
+    """Eliminate below the largest entry from row ``step`` on, whose column becomes zero; False where it is small."""
+    best, i, j = max((abs(x), i, j) for i in range(step, len(work)) for j, x in enumerate(work[i]))
+    if not best > _SMALL_PIVOT:
+        return False
+    work[step], work[i] = work[i], work[step]
+    pivot = work[step]
+    for k in range(step + 1, len(work)):
+        factor = work[k][j] / pivot[j]
+        if factor:
+            work[k] = [x - factor * y for x, y in zip(work[k], pivot, strict=True)]
+            work[k][j] = 0.0
+    return True
+
+
+def _unary(kind: str, x: float, bound: float) -> tuple[float, float]:
+    if kind == "abs":
+        return abs(x), bound
+    if kind == "sign":
+        return (math.copysign(1.0, x), 0.0) if abs(x) > _CLEAR * bound else (math.nan, math.nan)
+    value = float(getattr(math, kind)(x))
+    if kind in ("sqrt", "log"):
+        return value, bound / (2 * value if kind == "sqrt" else x)
+    if kind in ("asin", "acos"):
+        return value, bound / math.sqrt(1 - x * x)
+    steepest = math.cosh(x) if kind in ("sinh", "cosh") else value if kind == "exp" else 1.0
+    return value, bound * steepest + abs(value) * _UNIT
+
+
+def _binary(kind: str, x: float, bound: float, y: float, other: float) -> tuple[float, float]:
+    if kind == "atan2":
+        return math.atan2(x, y), (bound + other) / math.hypot(x, y)
+    if kind == "powf":
+        value = math.pow(x, y)
+        return value, abs(value) * (abs(y / x) * bound + abs(math.log(x)) * other + 4 * _UNIT)
+    return (min(x, y) if kind == "min" else max(x, y)), bound + other
+
+
+def probe_of(graph: Graph) -> Probe:
+    """The probe of a graph, which knows what was evaluated before."""
+    known = graph.memory.get("probe")
+    if not isinstance(known, Probe):
+        known = graph.memory["probe"] = Probe(graph)
+    return known
