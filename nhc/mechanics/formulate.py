@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
+from nhc.algebra.calculus import count
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.modular import are_zero
@@ -14,10 +15,13 @@ from nhc.mechanics.choose import Formulation
 from nhc.mechanics.determined import check_determined
 from nhc.mechanics.frame import total_derivative
 from nhc.mechanics.kinetic import Kinetic, kinetic_structure
-from nhc.mechanics.moved import move
+from nhc.mechanics.moved import Moved, move
 from nhc.mechanics.multipliers import multiplier_symbols
 from nhc.mechanics.regularity import trial_points
 from nhc.mechanics.system import System
+
+_SMALL = 400
+"""Operations up to which a second route is worth a try."""
 
 
 def motion_of(system: System, formulation: Formulation) -> Motion:
@@ -36,22 +40,28 @@ def rate_symbols(system: System, w: Sequence[Node]) -> tuple[Node, ...]:
     return tuple(g.symbol(s.name, "acceleration" if s.kind == "velocity" else "rate") for s in symbols if s is not None)
 
 
+@dataclass(frozen=True)
+class _Route:
+    """One way to the rows of a formulation; all ways agree in value."""
+
+    motion: Motion
+    guards: tuple[tuple[Node, Node], ...]
+    rows: list[Row]
+    reactions: list[Row]
+
+    def cost(self, graph: Graph) -> int:
+        """Operations of the matrix, the right side and the kinematics; a single rate's as it will be solved."""
+        entries = [n for row in self.rows for n in (*row.mass, row.force)]
+        if len(self.rows) == 1:
+            entries = shorten(graph, [graph.div(entries[1], entries[0])])
+        return count(graph, [*self.motion.velocities, *entries])
+
+
 def equations_of(system: System, formulation: Formulation, kinetic: Kinetic | None = None) -> Equations:
     """The associated system of a formulation's Omega, as mass matrix, right side, and rows of the reactions."""
     kinetic = kinetic or kinetic_structure(system)
-    frame = formulation.frame
-    moved = move(system, kinetic, frame) if frame is not None and not system.rotations else None
-    if moved is not None:
-        formulation = replace(formulation, frame=moved.frame)
-    motion = motion_of(system, formulation)
-    if moved is not None:
-        motion = replace(motion, velocities=moved.velocities)
-    projector = Projector(system, kinetic, motion, moved)
-    rows = [projector.row(e) for e in motion.vectors]
-    reactions: list[Row] = []
-    if formulation.frame is not None:
-        reactions = [projector.row(e) for e in formulation.frame.vectors[: system.l]]
-    rows, reactions = _polish(system.graph, rows, reactions)
+    route = _cheapest_route(system, formulation, kinetic)
+    rows, motion = route.rows, route.motion
     bordered = formulation.name == "multipliers" and system.l > 0
     check_determined(system, [row.mass for row in rows], bordered=bordered)
     return Equations(
@@ -63,9 +73,36 @@ def equations_of(system: System, formulation: Formulation, kinetic: Kinetic | No
         force=tuple(row.force for row in rows),
         definite=not bordered and _is_definite(system, rows),
         multipliers=multiplier_symbols(system) if bordered else (),
-        reactions=tuple(reactions),
-        guards=formulation.frame.guards if formulation.frame is not None else (),
+        reactions=tuple(route.reactions),
+        guards=route.guards,
     )
+
+
+def _cheapest_route(system: System, formulation: Formulation, kinetic: Kinetic) -> _Route:
+    """On moving axes where T has vectors for them; also on the spec's where that may be shorter and is soon tried."""
+    frame = formulation.frame
+    # axes of a rotation group are at hand already
+    moved = move(system, kinetic, frame) if frame is not None and not system.rotations else None
+    if moved is None:
+        return _route(system, formulation, kinetic)
+    there = _route(system, formulation, kinetic, moved)
+    cost = there.cost(system.graph)
+    if moved.settled or cost > _SMALL:
+        return there
+    here = _route(system, formulation, kinetic)
+    return here if here.cost(system.graph) < cost else there
+
+
+def _route(system: System, formulation: Formulation, kinetic: Kinetic, moved: Moved | None = None) -> _Route:
+    frame = moved.frame if moved is not None else formulation.frame
+    motion = motion_of(system, replace(formulation, frame=frame))
+    if moved is not None:
+        motion = replace(motion, velocities=moved.velocities)
+    projector = Projector(system, kinetic, motion, moved)
+    rows = [projector.row(e) for e in motion.vectors]
+    reactions = [projector.row(e) for e in frame.vectors[: system.l]] if frame is not None else []
+    rows, reactions = _polish(system.graph, rows, reactions)
+    return _Route(motion, frame.guards if frame is not None else (), rows, reactions)
 
 
 def _symmetric(rows: Sequence[Row]) -> tuple[tuple[Node, ...], ...]:

@@ -27,7 +27,8 @@ Placed = tuple[tuple[int, ...], Chained, bool]
 class Moved:
     """``u`` and ``drift`` are T's velocity forms on the motion and their rates with the kept velocities' rates left out;
     ``weights[j][k]`` is W_k(e_j) for the frame's vector e_j.  A form that is ``carried`` needs no term domega: its drift holds
-    the rate of the vector on turning axes, of which it is a component.
+    the rate of the vector on turning axes, of which it is a component.  ``settled``: every vector that stands on no other has
+    forms of the frame for its components, so that no other axes can be better.
     """
 
     frame: Frame
@@ -36,6 +37,7 @@ class Moved:
     drift: tuple[Node, ...]
     weights: tuple[tuple[Node, ...], ...]
     carried: tuple[bool, ...]
+    settled: bool
 
 
 def move(system: System, kinetic: Kinetic, frame: Frame) -> Moved | None:
@@ -143,7 +145,8 @@ def _finish(
     for group, vector, is_position in vectors:
         for k, node in zip(group, rates.acceleration(vector, is_position), strict=False):
             drift[k], carried[k] = node, True
-    return Moved(made, tuple(kinematics), tuple(moved), tuple(drift), weights, tuple(carried))
+    settled = all(scene.home(v, kind).known for _, v, kind in vectors if v.base is None)
+    return Moved(made, tuple(kinematics), tuple(moved), tuple(drift), weights, tuple(carried), settled)
 
 
 def _by_speed(

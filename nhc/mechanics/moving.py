@@ -23,11 +23,15 @@ from nhc.mechanics.vectors import Chained, Part, Reader
 
 @dataclass(frozen=True)
 class Home:
-    """A vector's velocity on its home axes, over the velocities' symbols and the held ones; ``settled``: some component is known."""
+    """A vector's velocity on its home axes, over the velocities' symbols and the held ones.
+
+    ``settled``: some component is a form of the frame; ``known``: every one that is not zero is.
+    """
 
     path: Path
     velocity: Vector
     settled: bool
+    known: bool
 
 
 @dataclass
@@ -90,15 +94,16 @@ class Scene:
         velocity = self.velocity_of(vector, is_position)
         if velocity in self.equations:
             path, local = self.equations[velocity]
-            return Home(path, local, True)
+            return Home(path, local, True, True)
         best: tuple[int, Home, dict[int, Node]] | None = None
         for path in self._candidates(vector, is_position):
             components = self.components_in(vector, is_position, path)
             settled, rows = self._settle(components)
             score = len(rows)
+            known = score >= sum(x != g.zero for x in components)
             if best is None or score > best[0]:
-                best = (score, Home(path, settled, score > 0), rows)
-            if score >= sum(x != g.zero for x in components):
+                best = (score, Home(path, settled, score > 0, known), rows)
+            if known:
                 break
         assert best is not None
         for j, node in best[2].items():
