@@ -209,7 +209,7 @@ def _report(found: Trajectory, target: Path | None) -> int:
     if rank is not None:
         lost = "; there the constraints lose rank, and no formulation has a motion" if rank < 1e-6 else ""
         advice.append(f"the smallest singular value of the constraints there: {rank:.3g}{lost}")
-    if found.job.watched and "changes its sign" in found.reason:
+    if "the determinant" in found.reason:
         advice.append("leave `--formulation` to nhc, or take `multipliers`, which divides by no such determinant")
     raise Failure(f"the scene `{scene}` fails {where} ({method}): {found.reason}", advice, exit=Exit.NUMERICAL)
 

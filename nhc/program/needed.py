@@ -1,8 +1,7 @@
-"""What a run needs beside the right-hand side: one function for all wanted quantities, one for what must be watched.
+"""What a run needs beside the right-hand side: one function for all wanted quantities (:mod:`nhc.program.watch` has another).
 
 ``needed`` takes the state to the columns of a trajectory; it does not mind whether a quantity belongs to the
-formulation's state, for everything is an expression in (t, y, p).  ``watch`` takes it to the values whose change of
-sign ends a run: the user's event first, then the determinants that the formulation divides by.
+formulation's state, for everything is an expression in (t, y, p).
 """
 
 from __future__ import annotations
@@ -112,19 +111,6 @@ def needed_function(planner: Planner, columns: Sequence[Column]) -> Function:
     dense = any(planner.graph.depends(node, solves) for node in nodes) if planner.solves else False
     guards = planner.frame_guards() + (planner.mass_guards if "lambda" in " ".join(names) else ())
     return _function(planner, "needed", "what the run needs, in the order of its columns", nodes, names, guards, dense)
-
-
-def watch_function(planner: Planner, event: Node | None) -> tuple[Function | None, tuple[str, ...]]:
-    """The values that end a run when they change sign, with what each means; None where nothing needs a watch."""
-    nodes = [] if event is None else planner.on_motion([event])
-    about = [""] * len(nodes)
-    for guard in planner.frame_guards():
-        if not planner._is_constant(guard.value) and guard.value not in nodes:
-            nodes.append(guard.value)
-            about.append(guard.what)
-    if not nodes:
-        return None, ()
-    return _function(planner, "watch", "values whose change of sign ends a run", nodes, about, (), False), tuple(about)
 
 
 def _function(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import sys
 from collections.abc import Sequence
 from importlib.abc import InspectLoader
 from importlib.util import module_from_spec, spec_from_loader
@@ -44,11 +45,12 @@ class InterpretedModel:
 
     compiled = False
 
-    def __init__(self, program: Program, events: int, holds: Sequence[str] = ()) -> None:
+    def __init__(self, program: Program, events: int, holds: Sequence[str] = (), dips: int | None = None) -> None:
         names = tuple(function.name for function in program.functions)
         (text,) = render(program, "python", EmitOptions(only=names)).values()
         self.module: Any = load_text(text, program.system)
         self.events, self.holds = events, tuple(holds)
+        self.dips = sys.maxsize if dips is None else dips
         self.watched = "watch" in names
 
     def news(self) -> News:

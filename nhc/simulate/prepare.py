@@ -17,10 +17,23 @@ from nhc.program.build import Planner, build_functions
 from nhc.program.hold import hold_functions
 from nhc.program.ir import Program
 from nhc.program.model import build_program
-from nhc.program.needed import Column, list_checks, list_columns, needed_function, planned_sketch, watch_function
+from nhc.program.needed import Column, list_checks, list_columns, needed_function, planned_sketch
 from nhc.program.structure import Structure, structure_of
+from nhc.program.watch import Watch, watch_function
 
 _NOTHING = Sketch()
+
+
+@dataclass(frozen=True)
+class Recipe:
+    """What :func:`prepare` is asked for beside equations, formulation and start."""
+
+    needs: tuple[str, ...] = ()
+    event: Node | None = None
+    jacobian: bool = False
+    hold: bool = True
+    checks: bool = False
+    draw: bool = False
 
 
 @dataclass(frozen=True)
@@ -28,7 +41,7 @@ class Job:
     """A scene that is ready to run.  ``columns`` are what the user needs, ``checks`` energy and residuals after
     them, ``sketch`` what is drawn; ``needed`` of the program computes all, in this order.
     ``meanings``: of the model's status codes;
-    ``watched``: what a change of sign of each watched value means, the first ``events`` being the user's;
+    ``watch``: what each watched value means; ``recipe``: what another formulation of the same job is made by;
     ``kept``: the velocities of the state, or None where the state was reduced for this start alone.
     """
 
@@ -44,13 +57,18 @@ class Job:
     columns: tuple[Column, ...]
     checks: tuple[Column, ...]
     meanings: dict[int, str]
-    watched: tuple[str, ...]
-    events: int
+    watch: Watch
     structure: Structure
     holds: tuple[str, ...]
     notes: tuple[str, ...] = ()
     kept: tuple[Form, ...] | None = None
     sketch: Sketch = _NOTHING
+    recipe: Recipe | None = None
+
+    @property
+    def events(self) -> int:
+        """How many of the watched values are the user's."""
+        return self.watch.events
 
     @property
     def width(self) -> int:
@@ -73,8 +91,9 @@ def prepare(
     hold: bool = True,
     checks: bool = False,
     draw: bool = False,
+    weak: bool = False,
 ) -> Job:
-    """The job of a scene; ``needs`` are names (default: the scene's own).
+    """The job of a scene; ``needs`` are names (default: the scene's own); ``weak``: watched for weakness, too.
 
     Raises:
         KeyError: a need that the spec does not have.
@@ -86,7 +105,8 @@ def prepare(
     checked = list_checks(planner) if checks else []
     sketch = planned_sketch(planner) if draw else _NOTHING
     drawn = [Column(f"drawn {k}", "drawn", node) for k, node in enumerate(sketch.nodes)]
-    watch, about = watch_function(planner, event)
+    known = {symbol: (value, value) for symbol, value in zip(system.p, start.p, strict=True)}
+    watch, watched = watch_function(planner, event, weak, known)
     functions = build_functions(planner, ("rhs", "jacobian") if jacobian else ("rhs",))
     functions += (needed_function(planner, [*columns, *checked, *drawn]),)
     functions += () if watch is None else (watch,)
@@ -112,12 +132,12 @@ def prepare(
         columns=tuple(columns),
         checks=tuple(checked),
         meanings=meanings,
-        watched=about,
-        events=0 if event is None else 1,
+        watch=watched,
         structure=structure,
         holds=calls,
         kept=tuple(planner.kept_forms()),
         sketch=sketch,
+        recipe=Recipe(tuple(needs), event, jacobian, hold, checks, draw) if weak else None,
     )
 
 

@@ -10,18 +10,21 @@ from nhc.mechanics.associate import Equations
 from nhc.mechanics.choose import Formulation
 from nhc.mechanics.scenes import Start, kept_velocities
 from nhc.program.model import build_program, state_quantities
-from nhc.program.needed import Column, list_energy, needed_function, watch_function
+from nhc.program.needed import Column, list_energy, needed_function
 from nhc.program.reduced import lower_functions
 from nhc.program.scene_model import reduce_one
 from nhc.program.scene_planner import ScenePlanner
 from nhc.program.structure import Structure
+from nhc.program.watch import watch_function
 from nhc.simulate.prepare import Job
 
 _LARGE = 1500
 """Operations beyond which looking for what can be left out takes longer than it saves in a run."""
 
 
-def prepare_reduced(equations: Equations, formulation: Formulation, start: Start, jacobian: bool) -> Job | None:
+def prepare_reduced(
+    equations: Equations, formulation: Formulation, start: Start, jacobian: bool, weak: bool = False
+) -> Job | None:
     """The job of a scene's own needs in this formulation; None where the whole state is needed, or the system is too large."""
     system, g = equations.system, equations.system.graph
     if count(g, [*equations.force, *equations.motion.velocities]) > _LARGE:
@@ -29,10 +32,10 @@ def prepare_reduced(equations: Equations, formulation: Formulation, start: Start
     if equations.multipliers or any(form.equation is not None for form in system.constraints):
         return None  # a run holds the state on these constraints, and needs all of it
     planner = reduce_one(equations, formulation, start)
-    return job_of(planner, start, jacobian) if planner.reduction.left else None
+    return job_of(planner, start, jacobian, weak=weak) if planner.reduction.left else None
 
 
-def job_of(planner: ScenePlanner, start: Start, jacobian: bool, energy: bool = False) -> Job:
+def job_of(planner: ScenePlanner, start: Start, jacobian: bool, energy: bool = False, weak: bool = False) -> Job:
     """The job of a reduction; ``energy``: with T + V and T as checks, where what is kept determines them."""
     system, made, equations = planner.system, planner.reduction, planner.original
     values = (*start.q, *kept_velocities(system, planner.kept_forms(), start))
@@ -41,7 +44,7 @@ def job_of(planner: ScenePlanner, start: Start, jacobian: bool, energy: bool = F
         for wanted, node in zip(made.outputs, planner.needed_nodes(), strict=True)
     ]
     checks = list_energy(planner) if energy else []
-    watch, about = watch_function(planner, None)
+    watch, watched = watch_function(planner, None, weak, {x: (v, v) for x, v in zip(system.p, start.p, strict=True)})
     functions = lower_functions(planner, ("rhs", "jacobian") if jacobian else ("rhs",))
     functions += (needed_function(planner, [*columns, *checks]), *(() if watch is None else (watch,)))
     whole = state_quantities(system, planner)
@@ -67,8 +70,7 @@ def job_of(planner: ScenePlanner, start: Start, jacobian: bool, energy: bool = F
         columns=tuple(columns),
         checks=tuple(checks),
         meanings={status.code: status.what for status in list_statuses(program)},
-        watched=about,
-        events=0,
+        watch=watched,
         structure=Structure(),
         holds=(),
     )

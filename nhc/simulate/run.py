@@ -83,14 +83,14 @@ def load(job: Job, method: str, compiled: bool = True) -> tuple[Model, tuple[str
             if method in STRUCTURE:
                 sources = write_natural(job.program, STRUCTURE[method])
             else:
-                sources = write_source(job.program, [RUNGE_KUTTA[method]], job.events, job.holds)
+                sources = write_source(job.program, [RUNGE_KUTTA[method]], job.events, job.holds, dips=job.watch.dips)
             path = build(sources, f"{job.program.system}_run.c", loop_flags(len(job.y)))
             return CompiledModel(path, job.program.system, len(job.y), job.width), ()
         except CompileError as error:
             notes = (f"{error}; running the emitted Python, which is some hundred times slower",)
     if method in STRUCTURE:
         return NaturalModel(job.program), notes
-    return InterpretedModel(job.program, job.events, job.holds), notes
+    return InterpretedModel(job.program, job.events, job.holds, job.watch.dips), notes
 
 
 def list_times(start: float, end: float, points: int) -> tuple[float, ...]:
@@ -204,9 +204,22 @@ def _describe(job: Job, outcome: Outcome) -> tuple[str, str]:
         NO_SOLUTION: f"the equations of the implicit step are not solved (step {abs(outcome.h):.3g}); take a smaller one",
     }
     if outcome.kind == CROSSED:
-        what = job.watched[outcome.status]
-        return "failed", f"{what}: their determinant changes its sign here, and results beyond it would be wrong"
+        return "failed", _crossing(job, outcome.status)
     return "failed", reasons.get(outcome.kind, "it fails")
+
+
+def _crossing(job: Job, index: int) -> str:
+    """What it means that a watched value changed its sign."""
+    watch = job.watch
+    what, kind = watch.about[index], watch.kinds[index]
+    beyond = "results beyond it would be wrong"
+    if index < watch.dips:
+        return f"{what}: the determinant changes its sign here, and {beyond}"
+    if kind == "mass":
+        return f"{what}: a pivot of it vanishes here, where the coordinates do not tell the motion, and {beyond}"
+    if kind == "rank":
+        return f"{what} here: their minors vanish together, and {beyond}"
+    return f"{what}: the determinant vanishes here, and {beyond}"
 
 
 def describe_state(job: Job, outcome: Outcome, longest: int = 12) -> str:

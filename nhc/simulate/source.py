@@ -113,12 +113,18 @@ def describe(method: Tableau) -> ExplicitText | CollocationText:
 
 
 def write_source(
-    program: Program, methods: Sequence[Tableau], events: int, holds: Sequence[str] = (), trig: str = "inline"
+    program: Program,
+    methods: Sequence[Tableau],
+    events: int,
+    holds: Sequence[str] = (),
+    trig: str = "inline",
+    dips: int | None = None,
 ) -> dict[str, str]:
     """File name -> text of ``<s>.h``, ``<s>.c`` and ``<s>_run.c``; the last one includes the others.
 
     ``program`` has rhs and needed, jacobian for an implicit method, and watch where something is watched, the first ``events`` of
-    its values being the user's; ``holds`` are called in this order after each step.  ``trig``: the inlined sine and cosine were
+    its values being the user's and those from ``dips`` on being sought where they only touch zero; ``holds`` are called in this
+    order after each step.  ``trig``: the inlined sine and cosine were
     faster in every run measured, but they are made for doubles and nothing longer.
     """
     functions = {function.name: function for function in program.functions}
@@ -134,6 +140,8 @@ def write_source(
         "shapes": max([5, *(CUBIC + len(m.dense) for m in explicit)]),
         "watched": size(functions.get("watch")),
         "events": events,
+        "dips": dips is not None and dips < size(functions.get("watch")),
+        "first_dip": dips,
         "holds": tuple(holds),
         "needed": size(functions["needed"]),
         "collocations": bool(implicit),

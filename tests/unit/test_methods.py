@@ -81,6 +81,7 @@ class Oscillator:
     events: int = 0
     watched: bool = False
     holds: tuple[str, ...] = ()
+    dips: int = 1
 
     def rhs(self, t: float, y: list[float], p: list[float]) -> list[float]:
         return [y[1], -y[0] + 0.5 * math.cos(0.5 * t)]

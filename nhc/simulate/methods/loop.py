@@ -11,6 +11,7 @@ from typing import Protocol
 from nhc.simulate.methods import collocation, explicit
 from nhc.simulate.methods.step import Model, NoSolution, Step
 from nhc.simulate.methods.tableau import Explicit, Tableau
+from nhc.simulate.methods.watching import find_change, find_event, keep_signs, may_dip
 from nhc.simulate.task import (
     CROSSED,
     DONE,
@@ -26,7 +27,6 @@ from nhc.simulate.task import (
 )
 
 _EPSILON = sys.float_info.epsilon
-_PIECES = 8
 
 
 class Watched(Model, Protocol):
@@ -37,6 +37,9 @@ class Watched(Model, Protocol):
 
     @property
     def watched(self) -> bool: ...
+
+    @property
+    def dips(self) -> int: ...
 
     @property
     def holds(self) -> Sequence[str]: ...
@@ -59,6 +62,7 @@ class _Run:
     next: float = 0.0
     growth: float = 6.0
     before: list[float] = field(default_factory=list)
+    trend: list[float] = field(default_factory=list)
 
     def leave(self, kind: int, status: int = 0) -> Outcome:
         s = self.step
@@ -156,9 +160,11 @@ def _accept(run: _Run, reach: float) -> Outcome | None:
     cut, which = 2.0, -1
     if model.watched:
         after = model.watch(reach, s.reached, task.p)
-        if model.events or _change(run.before, after) >= 0:
+        near = model.dips < len(after) and (not run.trend or may_dip(run.before, run.trend, s.h, model.dips))
+        run.trend = [(b - a) / s.h for a, b in zip(run.before, after, strict=True)]
+        if model.events or near or find_change(run.before, after) >= 0:
             cut, which = _find_event(run)
-        run.before = _keep_signs(run.before, after)
+        run.before = keep_signs(run.before, after)
     _fill(run, cut)
     run.steps += 1
     if which >= 0:
@@ -191,39 +197,14 @@ def _fill(run: _Run, cut: float) -> None:
             run.states.append(run.model.hold(times[len(run.states)], point, run.task.p) if run.model.holds else point)
 
 
-def _change(before: Sequence[float], after: Sequence[float]) -> int:
-    """A watched value that has changed its sign, or -1."""
-    pairs = zip(before, after, strict=True)
-    return next((i for i, (a, b) in enumerate(pairs) if a != 0.0 and (a < 0.0) != (b < 0.0)), -1)
-
-
-def _keep_signs(before: Sequence[float], after: Sequence[float]) -> list[float]:
-    """The values before the next piece; a zero keeps the sign that came before it."""
-    return [b if b != 0.0 else a for a, b in zip(before, after, strict=True)]
-
-
 def _find_event(run: _Run) -> tuple[float, int]:
     """(part of the step, index of the watched value) where one changes its sign; (2, -1) where none does."""
-    s, left = run.step, 0.0
+    s, task = run.step, run.task
+
+    def look(part: float) -> list[float]:
+        y = s.reached if part == 1.0 else _point(run, part)
+        return run.model.watch(s.t + part * s.h, y, task.p)
+
     _point(run, 0.5)  # makes the interpolant
-
-    def look(part: float, y: list[float]) -> list[float]:
-        return run.model.watch(s.t + part * s.h, y, run.task.p)
-
-    for piece in range(1, _PIECES + 1):
-        right = piece / _PIECES
-        after = look(right, s.reached if piece == _PIECES else _point(run, right))
-        which = _change(run.before, after)
-        if which < 0:
-            run.before, left = _keep_signs(run.before, after), right
-            continue
-        while right - left > _EPSILON and left < 0.5 * (left + right) < right:
-            middle = 0.5 * (left + right)
-            after = look(middle, _point(run, middle))
-            found = _change(run.before, after)
-            if found < 0:
-                run.before, left = _keep_signs(run.before, after), middle
-            else:
-                which, right = found, middle
-        return right, which
-    return 2.0, -1
+    cut, which, run.before = find_event(look, run.before, run.model.dips)
+    return cut, which

@@ -14,6 +14,7 @@ from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.resolve import resolve
 from nhc.mechanics.scenes import Start, start_of
 from nhc.mechanics.system import System
+from nhc.program.watch import Watch
 from nhc.resources import find_specs
 from nhc.simulate.methods import RUNGE_KUTTA
 from nhc.simulate.methods.tableau import Collocation
@@ -103,7 +104,7 @@ def open_runner(
     job = prepare(equations_of(system, form), form, begin, wanted, jacobian=implicit, hold=hold, checks=True)
     if not watch:
         functions = tuple(f for f in job.program.functions if f.name != "watch")
-        job = replace(job, program=replace(job.program, functions=functions), watched=(), events=0)
+        job = replace(job, program=replace(job.program, functions=functions), watch=Watch())
     model, _ = load(job, method)
     return Runner(job, model, method)
 

@@ -202,12 +202,12 @@ def _load(job: Job, compiled: bool) -> tuple[CompiledModel | InterpretedModel, t
     notes: tuple[str, ...] = ()
     if compiled:
         try:
-            sources = write_source(job.program, list(RUNGE_KUTTA.values()), job.events, job.holds)
+            sources = write_source(job.program, list(RUNGE_KUTTA.values()), job.events, job.holds, dips=job.watch.dips)
             path = build(sources, f"{job.program.system}_run.c")
             return CompiledModel(path, job.program.system, len(job.y), len(job.columns)), ()
         except CompileError as error:
             notes = (f"{error}; running the emitted Python with shorter runs",)
-    return InterpretedModel(job.program, job.events, job.holds), notes
+    return InterpretedModel(job.program, job.events, job.holds, job.watch.dips), notes
 
 
 def _list_columns(

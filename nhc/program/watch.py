@@ -1,0 +1,155 @@
+"""What a run keeps an eye on: values whose change of sign ends it, or hands it to another formulation.
+
+In this order: the user's event; the determinants that the formulation divides by; how far those, the pivots of the mass
+matrix and the rank of the constraints are from nothing; how far they are from weak.  All but the event are free of scale: a
+determinant d with the size s that its entries allow gives d^2 - (c s)^2, a pivot or a sum of squares p gives p - c s.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+
+from nhc.algebra.blocks import size_of
+from nhc.algebra.calculus import count
+from nhc.algebra.graph import Node
+from nhc.algebra.interval import cannot_vanish
+from nhc.algebra.polynomial import normalise
+from nhc.mechanics.regularity import intervals
+from nhc.mechanics.singular import find_rank_loss
+from nhc.program.build import Planner
+from nhc.program.ir import Argument, Function, Origin
+from nhc.program.lower import lower_function
+from nhc.program.plan import FunctionPlan, Target
+
+NOTHING = Fraction(1, 10**12)
+"""Of the scale: less is singular.  An angle's sine, squared in a mass matrix, is 1e-6 there."""
+WEAK = (Fraction(3, 100), Fraction(3, 1000))
+"""Of a determinant's scale: levels at which a run looks for another formulation."""
+THIN = (Fraction(1, 10**4),)
+"""The same of a square's scale."""
+_LARGE = 400  # operations beyond which a pivot is not followed
+_TERMS = 60
+_T = Argument("t", -1)
+
+
+@dataclass(frozen=True)
+class Watch:
+    """``about[k]`` says what value k is, ``kinds[k]`` is event, frame, mass or rank; ``events``, ``signs``, ``close`` count the
+    user's events, the determinants, and the values that tell a singularity by closeness; those after them tell weakness.
+    """
+
+    about: tuple[str, ...] = ()
+    kinds: tuple[str, ...] = ()
+    events: int = 0
+    signs: int = 0
+    close: int = 0
+
+    @property
+    def dips(self) -> int:
+        """The first value that is sought where it only touches zero."""
+        return self.events + self.signs
+
+    @property
+    def weak(self) -> int:
+        """The first value that tells weakness only."""
+        return self.dips + self.close
+
+
+@dataclass(frozen=True)
+class _Measure:
+    """``value`` against ``scale``; ``squared``: it is a square or positive already."""
+
+    value: Node
+    scale: Node
+    squared: bool
+    kind: str
+    what: str
+
+
+def watch_function(
+    planner: Planner,
+    event: Node | None = None,
+    weak: bool = False,
+    known: dict[Node, tuple[float, float]] | None = None,
+) -> tuple[Function | None, Watch]:
+    """The function of a run's watched values, None where there are none; ``weak``: with the levels of weakness.
+
+    ``known``: intervals of symbols beside those of the spec, such as a scene's parameters.
+    """
+    events = [] if event is None else planner.on_motion([event])
+    frames = _frames(planner)
+    measures = [*frames, *_pivots(planner, known or {}), *_rank(planner)]
+    signs = [m for m in frames if m.value not in events]
+    nodes, about, kinds = [*events, *(m.value for m in signs)], [""] * len(events), ["event"] * len(events)
+    about += [m.what for m in signs]
+    kinds += [m.kind for m in signs]
+    levels: list[tuple[_Measure, Fraction]] = [(m, NOTHING) for m in measures]
+    close = len(levels)
+    if weak:
+        levels += [(m, level) for m in measures for level in (THIN if m.squared else WEAK)]
+    for measure, level in levels:
+        nodes.append(_distance(planner, measure, level))
+        about.append(measure.what)
+        kinds.append(measure.kind)
+    if not nodes:
+        return None, Watch()
+    watch = Watch(tuple(about), tuple(kinds), len(events), len(signs), close)
+    return _function(planner, nodes, about), watch
+
+
+def _distance(planner: Planner, measure: _Measure, level: Fraction) -> Node:
+    g = planner.graph
+    if measure.squared:
+        return g.sub(measure.value, g.mul(g.number(level), measure.scale))
+    return g.sub(g.power(measure.value, 2), g.mul(g.number(level**2), g.power(measure.scale, 2)))
+
+
+def _frames(planner: Planner) -> list[_Measure]:
+    seen: dict[Node, _Measure] = {}
+    for guard in planner.frame_guards():
+        if not planner._is_constant(guard.value):
+            seen.setdefault(guard.value, _Measure(guard.value, guard.scale, False, "frame", guard.what))
+    return list(seen.values())
+
+
+def _pivots(planner: Planner, known: dict[Node, tuple[float, float]]) -> list[_Measure]:
+    """Pivots of the mass matrix that may vanish for all that is known, with the entry that each came from or its own size."""
+    g, found = planner.graph, []
+    ranges = {**intervals(planner.system), **known}
+    for guard in planner.mass_guards:
+        if planner._is_constant(guard.value) or count(g, [guard.value]) > _LARGE:
+            continue
+        if cannot_vanish(g, normalise(g, guard.value, _TERMS), ranges):
+            continue
+        scale = size_of(g, guard.value) if guard.scale == g.zero else guard.scale
+        found.append(_Measure(guard.value, scale, True, "mass", guard.what))
+    return found
+
+
+def _rank(planner: Planner) -> list[_Measure]:
+    """All velocities kept: the sum of the squares of the constraints' minors, which no other guard looks at."""
+    g, system = planner.graph, planner.system
+    if not planner.equations.multipliers:
+        return []
+    lost = find_rank_loss(system)
+    if lost.regular is not False:
+        return []
+    value = g.sum([g.power(minor, 2) for minor in lost.minors])
+    what = "the constraints lose rank"
+    return [_Measure(value, size_of(g, value), True, "rank", what)]
+
+
+def _function(planner: Planner, nodes: Sequence[Node], about: Sequence[str]) -> Function:
+    targets = tuple(Target(k, node, text, Origin()) for k, (node, text) in enumerate(zip(nodes, about, strict=True)))
+    plan = FunctionPlan(
+        "watch",
+        "values whose change of sign ends a run",
+        "",
+        (_T, planner.y, planner.p),
+        Argument("out", len(targets)),
+        planner.state_loads,
+        targets,
+    )
+    return lower_function(planner.graph, plan, planner.system.p)

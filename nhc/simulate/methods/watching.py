@@ -1,0 +1,88 @@
+"""Where in a step a watched value changes its sign or touches zero, as ``templates/c/methods/loop.c.jinja`` has it."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Sequence
+from math import copysign
+
+Look = Callable[[float], list[float]]
+"""The watched values at a part of the step."""
+
+PIECES = 8
+_GOLDEN = 0.61803398874989485
+_TURNS = 40
+_EPSILON = sys.float_info.epsilon
+
+
+def find_change(before: Sequence[float], after: Sequence[float]) -> int:
+    """A watched value that has changed its sign, or -1."""
+    pairs = zip(before, after, strict=True)
+    return next((i for i, (a, b) in enumerate(pairs) if a != 0.0 and (a < 0.0) != (b < 0.0)), -1)
+
+
+def keep_signs(before: Sequence[float], after: Sequence[float]) -> list[float]:
+    """The values before the next piece; a zero keeps the sign that came before it."""
+    return [b if b != 0.0 else a for a, b in zip(before, after, strict=True)]
+
+
+def may_dip(before: Sequence[float], trend: Sequence[float], h: float, first: int) -> bool:
+    """Whether a value from ``first`` on may touch zero within a step: three such steps would bring it there as it went so far."""
+    pairs = list(zip(before, trend, strict=True))[first:]
+    return any(b * f * h < 0.0 and abs(b) < 3.0 * abs(f * h) for b, f in pairs)
+
+
+def find_event(look: Look, before: list[float], first: int) -> tuple[float, int, list[float]]:
+    """(part of the step, index of the value, values just before) of the first change of sign; part 2 where there is none.
+
+    Values from ``first`` on are followed down to their least between the pieces as well.
+    """
+    least = [abs(value) for value in before]
+    place = [0] * len(before)
+    for piece in range(1, PIECES + 1):
+        after = look(piece / PIECES)
+        which = find_change(before, after)
+        if which >= 0:
+            return _halve(look, before, (piece - 1) / PIECES, piece / PIECES, which)
+        before = keep_signs(before, after)
+        for i in range(first, len(after)):
+            if abs(after[i]) < least[i]:
+                least[i], place[i] = abs(after[i]), piece
+    for i in range(first, len(before)):
+        left, right = max(place[i] - 1, 0) / PIECES, min(place[i] + 1, PIECES) / PIECES
+        dip = _find_dip(look, i, copysign(1.0, before[i]), left, right) if before[i] != 0.0 else -1.0
+        if dip >= 0.0:
+            return _halve(look, before, left, dip, i)
+    return 2.0, -1, before
+
+
+def _halve(look: Look, before: list[float], left: float, right: float, which: int) -> tuple[float, int, list[float]]:
+    for _ in range(60):
+        if right - left <= _EPSILON:
+            break
+        middle = 0.5 * (left + right)
+        after = look(middle)
+        found = find_change(before, after)
+        if found < 0:
+            before, left = keep_signs(before, after), middle
+        else:
+            which, right = found, middle
+    return right, which, before
+
+
+def _find_dip(look: Look, i: int, sign: float, left: float, right: float) -> float:
+    """A place where value i has lost its sign, or -1: golden sections towards its least height."""
+    low, high = right - _GOLDEN * (right - left), left + _GOLDEN * (right - left)
+    at_low, at_high = sign * look(low)[i], sign * look(high)[i]
+    for _ in range(_TURNS):
+        if at_low <= 0.0 or at_high <= 0.0:
+            return low if at_low <= 0.0 else high
+        if at_low < at_high:
+            right, high, at_high = high, low, at_low
+            low = right - _GOLDEN * (right - left)
+            at_low = sign * look(low)[i]
+        else:
+            left, low, at_low = low, high, at_high
+            high = left + _GOLDEN * (right - left)
+            at_high = sign * look(high)[i]
+    return -1.0
