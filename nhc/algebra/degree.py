@@ -14,8 +14,9 @@ from fractions import Fraction
 from math import lcm
 
 from nhc.algebra.calculus import reachable
+from nhc.algebra.expand import Polynomial, TooLarge
 from nhc.algebra.graph import ADD, MUL, NEG, NUM, POW, SYM, Graph, Node
-from nhc.algebra.polynomial import Polynomial, TooLarge, polynomial
+from nhc.algebra.polynomial import polynomial
 
 _WAVES = ("sin", "cos")
 _EXPONENTIALS = ("exp", "sinh", "cosh", "tanh")

@@ -22,8 +22,9 @@ from fractions import Fraction
 from math import lcm
 
 from nhc.algebra.calculus import reachable
+from nhc.algebra.expand import Monomial, Polynomial, TooLarge
 from nhc.algebra.graph import ADD, MUL, NEG, NUM, PI, POW, SYM, Graph, Node
-from nhc.algebra.polynomial import ONE, Monomial, Polynomial, TooLarge, polynomial
+from nhc.algebra.polynomial import ONE, polynomial
 
 PRIMES = (2305843009213057079, 2305843009178326439, 2305843009101690119, 2305843009045133879)
 """Safe primes below 2**61, all 7 modulo 8, modulo each of which 2, 3, 5, ..., 47 are squares: the roots of the numbers that
