@@ -48,6 +48,7 @@ TITLES: dict[str, str] = {
     "E0314": "value is not constant",
     "E0315": "wrong number of dependent velocities",
     "E0316": "unknown unit",
+    "E0317": "rotation that cannot be",
     "E0401": "constraint not linear in the velocities",
     "E0402": "dependent constraints",
     "E0403": "contradictory constraints",

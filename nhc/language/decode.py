@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 
 from nhc.diagnostics import Bag, Source, Span, SpecError, nearest
@@ -15,16 +15,17 @@ from .names import fold, is_name
 from .nodes import Node, Table, Text
 from .order import order_definitions
 from .parser import parse_equation, parse_expression
+from .rotation import coordinates_of, decode_rotations, entries_of, norm_of, velocities_of
 from .scenes import decode_scenes
 from .scope import Scope, check_form, check_name
 from .sections import decode_coordinates, decode_parameters
 from .shape import Shapes
-from .spec import FORMULATIONS, Constraint, Coordinate, Definition, Holonomic, Parameter, Spec
+from .spec import FORMULATIONS, Constraint, Coordinate, Definition, Holonomic, Parameter, Rotation, Spec
 from .syntax import Name, Number, Syntax
 from .unit_check import check_units
 from .yaml_reader import is_empty, read_nodes
 
-_DECLARING = ("coordinates", "parameters", "define", "quasi_velocities", "outputs")
+_DECLARING = ("coordinates", "rotation", "parameters", "define", "quasi_velocities", "outputs")
 _Equation = tuple[str, Span, Syntax, Syntax]
 
 
@@ -33,6 +34,7 @@ class _Draft:
     """What is known of the spec while it is decoded."""
 
     coordinates: list[Coordinate] = field(default_factory=list)
+    rotations: list[Rotation] = field(default_factory=list)
     parameters: list[Parameter] = field(default_factory=list)
     define: list[Definition] = field(default_factory=list)
     quasi: list[Definition] = field(default_factory=list)
@@ -53,7 +55,9 @@ class _Decoder:
 
     def run(self) -> Spec:
         place = self.root.entries[0][0].span if self.root.entries else self.root.span
-        meant = self.shapes.check_keys(self.root, SPEC_KEYS, "the spec", place)
+        rotates = self.root.get("rotation") is not None  # then other coordinates need not be
+        keys = [replace(key, required=False) if rotates and key.name == "coordinates" else key for key in SPEC_KEYS]
+        meant = self.shapes.check_keys(self.root, keys, "the spec", place)
         self.scope.open = any(key in _DECLARING for key in meant)
         version, system = self._version(), self._system()
         self._declare()
@@ -64,30 +68,36 @@ class _Decoder:
         outputs = self._entries(self.draft.outputs, "output")
         constraints = self._constraints()
         holonomic = self._holonomic(constraints)
-        dependent = self._dependent(len(self._equations_of("constraints")) + len(self._equations_of("holonomic")))
+        rotations = self.draft.rotations
+        count = len(self._equations_of("constraints")) + len(self._equations_of("holonomic")) + len(rotations)
+        dependent = self._dependent(count)
+        scenes = decode_scenes(self.root.get("scenes"), self.shapes, self.scope, self.draft.parameters, rotations)
+        draw = decode_drawing(self.root.get("draw"), self.shapes, self._read)
+        definitions = self._in_order()
         spec = Spec(
             origin=self.source,
             version=version,
             system=system,
             about=self._text("about"),
             sources=self._sources(),
-            coordinates=tuple(self.draft.coordinates),
+            coordinates=(*self.draft.coordinates, *(c for r in rotations for c in coordinates_of(r))),
             parameters=tuple(self.draft.parameters),
-            definitions=self._in_order(),
+            definitions=definitions,
             kinetic=kinetic or Number(Fraction(0), Span(0, 0)),
             potential=potential,
             potential_kind=potential_kind,
             forces=forces,
             constraints=constraints,
-            holonomic=holonomic,
-            quasi_velocities=tuple(self.draft.quasi),
+            holonomic=(*holonomic, *(norm_of(r) for r in rotations)),
+            quasi_velocities=(*self.draft.quasi, *(w for r in rotations for w in velocities_of(r))),
             named_order=self.draft.order,
             dependent=dependent,
             formulation=self._formulation(),
             outputs=outputs,
-            draw=decode_drawing(self.root.get("draw"), self.shapes, self._read),
-            scenes=decode_scenes(self.root.get("scenes"), self.shapes, self.scope, self.draft.parameters),
+            draw=draw,
+            scenes=scenes,
             key_spans=tuple((text.value, text.span) for text, _ in self.root.entries),
+            rotations=tuple(rotations),
         )
         if not self.bag.has_errors:
             check_units(spec, self.bag)
@@ -145,7 +155,11 @@ class _Decoder:
 
     def _declare(self) -> None:
         draft, shapes, scope = self.draft, self.shapes, self.scope
-        draft.coordinates = decode_coordinates(self.root.get("coordinates"), shapes, scope)
+        places = self.root.get("coordinates"), self.root.get("rotation")
+        if places[0] is not None or places[1] is None:
+            draft.coordinates = decode_coordinates(places[0], shapes, scope)
+        draft.rotations = decode_rotations(places[1], shapes, scope)
+        draft.velocities = {name: True for rotation in draft.rotations for name in rotation.velocities}
         draft.parameters = decode_parameters(self.root.get("parameters"), shapes, scope)
         draft.define = self._named("define", "define")
         draft.quasi = self._named("quasi_velocities", "quasi")
@@ -184,8 +198,11 @@ class _Decoder:
             draft.velocities[name] = self.scope.holds_velocities(named[name], draft.velocities)
 
     def _in_order(self) -> tuple[Definition, ...]:
+        """Definitions, after the entries of rotations' matrices that are spoken of."""
         by_name = {definition.name: definition for definition in self.draft.define}
-        return tuple(by_name[name] for name in self.draft.order if name in by_name)
+        entries = [entry for rotation in self.draft.rotations for entry in entries_of(rotation)]
+        used = [entry for entry in entries if entry.name in self.scope.used]
+        return (*used, *(by_name[name] for name in self.draft.order if name in by_name))
 
     # --- expressions ---
 
@@ -223,16 +240,27 @@ class _Decoder:
         node = self.root.get("forces")
         table = self.shapes.table(node, "a mapping of coordinates to expressions") if node is not None else None
         found: dict[str, Definition] = {}
+        turning = [name for rotation in self.draft.rotations for name in rotation.velocities]
         for text, value in table.entries if table else ():
             name = fold(text.value)
             tree = self._parse(value)
-            if not self.scope.check_coordinate(text):
+            if not self.scope.check_coordinate(text, turning) or self._pushes_quaternion(text):
                 continue
             if name in found:
                 self.bag.error("E0305", f"the force on `{name}` is given twice", text.span, help=("add them up",))
             elif tree is not None:
                 found[name] = Definition(name, self._check(tree, ""), text.span)
         return tuple(found.values())
+
+    def _pushes_quaternion(self, text: Text) -> bool:
+        """A force on a part of a quaternion is refused: only torques do work."""
+        for rotation in self.draft.rotations:
+            if fold(text.value) in rotation.coordinates:
+                names = ", ".join(f"`{name}`" for name in rotation.velocities)
+                help = f"write the torque by the components {names} of the angular velocity"
+                self.bag.error("E0317", f"a force on `{text.value}`, a part of a quaternion", text.span, help=(help,))
+                return True
+        return False
 
     # --- constraints ---
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from .spec import FORMULATIONS
+from .spec import FORMULATIONS, ROTATION_FRAMES
 
 VERSION = 1
 SYSTEM_PATTERN = "[a-z][a-z0-9_]*"
@@ -21,6 +21,8 @@ class Key:
     choices: tuple[str, ...] = ()
 
 
+_COORDINATES = "a list of names, or each name with `unit`, `about`, `range`; may be left out beside `rotation`"
+
 SPEC_KEYS = (
     Key("nhc", "version", True, f"language version; {VERSION} is the only one"),
     Key(
@@ -32,13 +34,21 @@ SPEC_KEYS = (
     Key("system", "system", True, f"name of files and functions, `{SYSTEM_PATTERN}`"),
     Key("about", "text", False, "what the system is, in a sentence"),
     Key("source", "texts", False, "where the system comes from: a list of citations"),
-    Key("coordinates", "coordinates", True, "a list of names, or each name with `unit`, `about`, `range`"),
+    Key("coordinates", "coordinates", True, _COORDINATES),
+    Key(
+        "rotation",
+        "rotations",
+        False,
+        "orientations in space: each name with `velocities`, `frame`, or a list of names",
+    ),
     Key("parameters", "parameters", False, "constants: each name with its number, or with `value`, `unit`, `about`"),
     Key("define", "expressions", False, "named expressions, in any order without a cycle"),
     Key("T", "expression", True, "kinetic energy"),
     Key("U", "expression", False, "force function, Q_i = + dU/dq_i; not together with `V`"),
     Key("V", "expression", False, "potential energy, Q_i = - dV/dq_i; not together with `U`"),
-    Key("forces", "expressions", False, "further generalized forces, by coordinate"),
+    Key(
+        "forces", "expressions", False, "further generalized forces, by coordinate; torques by a rotation's velocities"
+    ),
     Key("constraints", "equations", False, "constraints linear in the velocities: a list of `text` or `name: text`"),
     Key("holonomic", "equations", False, "constraints `f(q, t) = 0`: a list of `text` or `name: text`"),
     Key("quasi_velocities", "expressions", False, "the forms that the constraints leave free, in order"),
@@ -55,6 +65,23 @@ COORDINATE_KEYS = (
     Key("range", "interval", False, "where it is meant to stay: `[low, high]`"),
 )
 
+ROTATION_KEYS = (
+    Key("velocities", "three", False, "names of the angular velocity's components; `R_w1`, `R_w2`, `R_w3` if left out"),
+    Key("frame", "choice", False, "the axes of these components; `body` if left out", ROTATION_FRAMES),
+    Key("quaternion", "four", False, "names of the quaternion, its scalar part first; `R_0` to `R_3` if left out"),
+    Key("about", "text", False, "what it is"),
+)
+
+START_KEYS = (
+    Key("axis", "vector", False, "axis of any length, with `angle`"),
+    Key("angle", "expression", False, "angle about `axis`, in radians"),
+    Key("angles", "vector", False, "three angles in radians, with `order`"),
+    Key("order", "order", False, "the axes about which the body turns one after another, such as `zxz`"),
+    Key("yaw", "expression", False, "first turn, about the body's third axis"),
+    Key("pitch", "expression", False, "second turn, about the body's second axis"),
+    Key("roll", "expression", False, "third turn, about the body's first axis"),
+)
+
 PARAMETER_KEYS = (
     Key("value", "number", False, "a number or a constant such as `pi/10`; without it each scene must give one"),
     Key("unit", "unit", False, "unit, such as `kg*m^2`"),
@@ -69,7 +96,12 @@ _NEED = (
 SCENE_KEYS = (
     Key("about", "text", False, "what happens in it"),
     Key("parameters", "numbers", False, "values of parameters in this scene"),
-    Key("initial", "start", False, "coordinates, velocities (`x'`) and quasi-velocities at the start; 0 if left out"),
+    Key(
+        "initial",
+        "start",
+        False,
+        "coordinates, velocities (`x'`), quasi-velocities and rotations at the start; 0 if left out",
+    ),
     Key("time", "interval", True, "start and end: `[0, 20]`"),
     Key("need", "names", False, _NEED),
     Key("tolerance", "number", False, "wanted relative accuracy of what is needed; 1e-8 if left out"),

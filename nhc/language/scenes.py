@@ -10,23 +10,28 @@ from nhc.diagnostics import nearest
 from .keys import SCENE_KEYS
 from .names import fold
 from .nodes import Items, Node, Text
+from .orientation import read_orientation
 from .parser import parse_expression
 from .scope import Scope, check_name, names_in
 from .shape import Shapes
-from .spec import DEFAULT_TOLERANCE, Initial, Need, Override, Parameter, Scene
+from .spec import DEFAULT_TOLERANCE, Initial, Need, Override, Parameter, Rotation, Scene
 from .syntax import Number, Syntax
 
 _OWN_NEEDS = ("energy", "reactions")
 
 
 def decode_scenes(
-    node: Node | None, shapes: Shapes, scope: Scope, parameters: Sequence[Parameter]
+    node: Node | None,
+    shapes: Shapes,
+    scope: Scope,
+    parameters: Sequence[Parameter],
+    rotations: Sequence[Rotation] = (),
 ) -> tuple[Scene, ...]:
-    """Return the scenes; ``parameters`` are those of the spec."""
+    """Return the scenes; ``parameters`` and ``rotations`` are those of the spec."""
     table = shapes.table(node, "a mapping of scenes by name", "write `name:` with its keys below") if node else None
     if table is None:
         return ()
-    reader = _SceneReader(shapes, scope, parameters)
+    reader = _SceneReader(shapes, scope, parameters, rotations)
     found: dict[str, Scene] = {}
     for text, value in table.entries:
         good = check_name(text, shapes.bag)
@@ -40,11 +45,14 @@ def decode_scenes(
 
 
 class _SceneReader:
-    def __init__(self, shapes: Shapes, scope: Scope, parameters: Sequence[Parameter]) -> None:
+    def __init__(
+        self, shapes: Shapes, scope: Scope, parameters: Sequence[Parameter], rotations: Sequence[Rotation]
+    ) -> None:
         self.shapes = shapes
         self.scope = scope
         self.bag = shapes.bag
         self.parameters = parameters
+        self.rotations = {rotation.name: rotation for rotation in rotations}
 
     def read(self, text: Text, value: Node) -> Scene | None:
         help = f"write `{text.value}: {{time: [0, 10]}}`"
@@ -110,6 +118,12 @@ class _SceneReader:
         table = self.shapes.table(node, "a mapping of start values") if node is not None else None
         found: dict[tuple[str, str], Initial] = {}
         for text, value in table.entries if table else ():
+            rotation = self.rotations.get(fold(text.value))
+            if rotation is not None:
+                self._orientation(rotation, text, value, found)
+                continue
+            if self.scope.kind(fold(text.value)) == "rotation":
+                continue  # reported where it is declared
             tree = self._start_value(value)
             target = self._target(text)
             if target is None:
@@ -121,6 +135,14 @@ class _SceneReader:
             else:
                 found[target] = Initial(*target, tree or Number(Fraction(0), value.span), text.span)
         return tuple(found.values())
+
+    def _orientation(self, rotation: Rotation, text: Text, value: Node, found: dict[tuple[str, str], Initial]) -> None:
+        """The start of a rotation as that of its four coordinates."""
+        parts = read_orientation(f"`{text.value}`", value, self.shapes, self._start_value)
+        for name, tree in zip(rotation.coordinates, parts or (), strict=False):
+            if ("coordinate", name) in found:
+                self.bag.error("E0305", f"the start of `{name}` is set twice", text.span, help=("keep one",))
+            found["coordinate", name] = Initial("coordinate", name, tree, text.span)
 
     def _target(self, text: Text) -> tuple[str, str] | None:
         name = fold(text.value)
@@ -142,7 +164,7 @@ class _SceneReader:
         tree = self.scope.resolve(tree, "")
         self.scope.holds_velocities(tree, {})
         for name in names_in(tree):
-            if self.scope.kind(name) not in ("parameter", "") or name == "t":
+            if self.scope.kind(name) not in ("parameter", "rotation", "") or name == "t":
                 message = f"`{name}` is not constant: a start value holds numbers, `pi` and parameters only"
                 self.bag.error("E0314", message, text.span)
         return tree

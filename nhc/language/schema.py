@@ -11,8 +11,10 @@ from .keys import (
     COORDINATE_KEYS,
     DRAW_KEYS,
     PARAMETER_KEYS,
+    ROTATION_KEYS,
     SCENE_KEYS,
     SPEC_KEYS,
+    START_KEYS,
     SYSTEM_PATTERN,
     VERSION,
     Key,
@@ -75,7 +77,15 @@ def _shape(key: Key) -> dict[str, Any]:
         case "expressions" | "numbers":
             return _named(_VALUE)
         case "start":
-            return _named(_VALUE, _TARGET)
+            return _named({"anyOf": [_VALUE, _numbers(4, 4), _object(START_KEYS)]}, _TARGET)
+        case "rotations":
+            names = {**_listed({"type": "string", "pattern": _NAME}), "minItems": 1, "uniqueItems": True}
+            return {"anyOf": [names, {**_named(_object(ROTATION_KEYS)), "minProperties": 1}]}
+        case "three" | "four":
+            count = 3 if key.kind == "three" else 4
+            return {**_listed({"type": "string", "pattern": _NAME}), "minItems": count, "maxItems": count}
+        case "order":
+            return {"type": "string", "pattern": "^[xyz]{3}$"}
         case "equations":
             return _listed(_EQUATION)
         case "names":
@@ -123,7 +133,9 @@ def _spec() -> dict[str, Any]:
     """A spec that extends another need not hold what that has."""
     made = _object(SPEC_KEYS)
     required = made.pop("required")
-    return {**made, "required": ["nhc"], "anyOf": [{"required": ["extends"]}, {"required": required}]}
+    turned = ["rotation" if key == "coordinates" else key for key in required]
+    ways = [{"required": keys} for keys in (["extends"], required, turned)]
+    return {**made, "required": ["nhc"], "anyOf": ways}
 
 
 def schema() -> dict[str, Any]:
@@ -142,6 +154,8 @@ def reference_table() -> str:
     tables = {
         "spec": SPEC_KEYS,
         "coordinate": COORDINATE_KEYS,
+        "rotation": ROTATION_KEYS,
+        "start of a rotation": START_KEYS,
         "parameter": PARAMETER_KEYS,
         "scene": SCENE_KEYS,
         "shape to draw": DRAW_KEYS,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from nhc.diagnostics import Bag, Label, Span, nearest
@@ -19,12 +19,14 @@ _KINDS = {
     "define": "a name of `define`",
     "quasi": "a quasi-velocity",
     "output": "an output",
+    "rotation": "a rotation",
+    "entry": "an entry of a rotation's matrix",
 }
 
 
 @dataclass(frozen=True, slots=True)
 class Declared:
-    """``kind`` is coordinate, parameter, define, quasi or output."""
+    """``kind`` is coordinate, parameter, define, quasi, output, rotation or entry (of a rotation's matrix)."""
 
     kind: str
     span: Span
@@ -37,6 +39,7 @@ class Scope:
         self.bag = bag
         self.names: dict[str, Declared] = {}
         self.open = False
+        self.used: set[str] = set()  # entries of rotations' matrices that the spec speaks of
         self.shown: dict[str, Span] = {}  # names of `define` that are outputs as well, under their own names
         self._searches = 0
 
@@ -64,7 +67,7 @@ class Scope:
     def show_definition(self, text: Text, target: str) -> bool:
         """Take ``X: X`` under ``outputs`` for what it plainly means: the defined ``X`` is an output too."""
         name = fold(text.value)
-        if name != target or self.kind(name) != "define" or name in self.shown:
+        if name != target or self.kind(name) not in ("define", "entry") or name in self.shown:
             return False
         self.shown[name] = text.span
         return True
@@ -77,15 +80,15 @@ class Scope:
         """Return the names of some kinds, in the order of their declarations."""
         return tuple(name for name, declared in self.names.items() if declared.kind in kinds)
 
-    def check_coordinate(self, text: Text) -> bool:
-        """Say whether a text names a coordinate; report it where it does not."""
+    def check_coordinate(self, text: Text, also: Sequence[str] = ()) -> bool:
+        """Say whether a text names a coordinate or one of ``also``; report it where it does not."""
         name = fold(text.value)
         kind = self.kind(name)
-        if kind == "coordinate":
+        if kind == "coordinate" or name in also:
             return True
         if not self.open:
-            near = nearest(name, self.of_kind("coordinate"))
-            known = ", ".join(f"`{other}`" for other in self.of_kind("coordinate"))
+            near = nearest(name, (*self.of_kind("coordinate"), *also))
+            known = ", ".join(f"`{other}`" for other in (*self.of_kind("coordinate"), *also))
             help = f"did you mean `{near}`?" if near else f"the coordinates are {known}"
             self.bag.error("E0302", f"unknown coordinate `{text.value}`", text.span, help=(help,))
         return False
@@ -125,11 +128,14 @@ class Scope:
             self.bag.error("E0206", f"`{name}` is a function and needs its argument", node.span, help=(help,))
             return node
         kind = self.kind(name)
-        if (kind and kind != "output") or name in (PI, TIME):
+        if kind == "entry":
+            self.used.add(name)
+        if (kind and kind not in ("output", "rotation")) or name in (PI, TIME):
             return node
         if name in ENERGIES and place == "output" and not kind:
             return node
-        if name.endswith("dot") and self.kind(name[:-3]) in ("coordinate", "define"):
+        if name.endswith("dot") and self.kind(name[:-3]) in ("coordinate", "define", "entry"):
+            self.used.add(name[:-3])
             return Prime(Name(name[:-3], node.span), node.span)
         is_form = name.startswith("d") and (name == "dt" or self.kind(name[1:]) == "coordinate")
         if is_form and place == "equation":
@@ -147,11 +153,13 @@ class Scope:
         help = ""
         if kind == "output":
             help = f"`{name}` is an output; move it to `define` to use it elsewhere"
+        elif kind == "rotation":
+            help = f"`{name}` is a rotation; the entries of its matrix are `{name}_x1` to `{name}_z3`"
         elif name in ENERGIES:
             help = f"`{name}` is known under `outputs` only"
         else:
             self._searches += 1
-            known = (*self.of_kind("coordinate", "parameter", "define", "quasi"), TIME, PI)
+            known = (*self.of_kind("coordinate", "parameter", "define", "quasi", "entry"), TIME, PI)
             near = nearest(name, known) if self._searches <= _SEARCHES else None
             help = f"did you mean `{near}`?" if near else "declare it under `parameters`, `coordinates` or `define`"
         self.bag.error("E0302", f"unknown name `{name}`", node.span, help=(help,))

@@ -11,19 +11,38 @@ from .syntax import Syntax
 
 DEFAULT_TOLERANCE = Fraction(1, 10**8)
 FORMULATIONS = ("auto", "newton", "lagrange", "euler-lagrange", "chaplygin", "voronec", "multipliers")
+ROTATION_FRAMES = ("body", "space")
 FIGURES = ("point", "line", "circle", "body")
 Place = tuple[Syntax, ...]
 
 
 @dataclass(frozen=True, slots=True)
 class Coordinate:
-    """A generalized coordinate; ``range`` is where it is meant to stay."""
+    """A generalized coordinate; ``range`` is where it is meant to stay, ``start`` where a scene starts that says nothing."""
 
     name: str
     span: Span
     unit: str = ""
     about: str = ""
     range: tuple[Fraction, Fraction] | None = None
+    start: Fraction = Fraction(0)
+
+
+@dataclass(frozen=True, slots=True)
+class Rotation:
+    """An orientation: the names of its quaternion (4), of its angular velocity (3) and of its matrix (9, row by row).
+
+    ``frame`` says on which axes the angular velocity has its components: "body" or "space".  The quaternion's names are
+    among the spec's coordinates, those of the angular velocity among its quasi-velocities.
+    """
+
+    name: str
+    span: Span
+    frame: str
+    coordinates: tuple[str, ...]
+    velocities: tuple[str, ...]
+    entries: tuple[str, ...]
+    about: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -151,9 +170,9 @@ class Spec:
     """One decoded spec.
 
     ``definitions`` are in an order in which each needs only earlier ones (quasi-velocities aside); ``named_order`` is
-    such an order of the names of definitions and quasi-velocities together. ``potential_kind`` is "U", "V" or "".
-    ``T``, ``U``, ``V`` and ``energy`` may stand in outputs and then mean nhc's, unless the spec declares them. An
-    output may bear the name of a definition; its value is that name then.
+    such an order of the names of definitions and quasi-velocities together, without what rotations bring.
+    ``potential_kind`` is "U", "V" or "". ``T``, ``U``, ``V`` and ``energy`` may stand in outputs and then mean nhc's,
+    unless the spec declares them. An output may bear the name of a definition; its value is that name then.
     """
 
     origin: Source
@@ -178,6 +197,7 @@ class Spec:
     draw: tuple[Figure, ...]
     scenes: tuple[Scene, ...]
     key_spans: tuple[tuple[str, Span], ...]
+    rotations: tuple[Rotation, ...] = ()
 
     def key_span(self, key: str) -> Span:
         """Return the place of a top-level key (``constraints``); the spec's start where it is not written."""

@@ -37,9 +37,13 @@ _UNKNOWN = _Quantity(None)
 class _Checker:
     def __init__(self, spec: Spec, bag: Bag) -> None:
         self.bag = bag
+        self.rotations = spec.rotations
         self.names: dict[str, _Quantity] = {TIME: _Quantity(SECOND), PI: _Quantity(ONE)}
         for name, unit in _units(spec):
             self.names[name] = _Quantity(parse_unit(unit))
+        for rotation in spec.rotations:
+            self.names.update(dict.fromkeys(rotation.entries, _Quantity(ONE)))
+            self.names.update(dict.fromkeys(rotation.velocities, _Quantity(_PER_SECOND)))
 
     def measure(self, tree: Syntax) -> _Quantity:
         """Return the quantity of an expression; what does not fit in it is reported once, where it stands."""
@@ -195,7 +199,8 @@ def check_units(spec: Spec, bag: Bag) -> None:
 
 
 def _check_force(checker: _Checker, force: Definition, energy: Dimension | None) -> None:
-    coordinate = checker.names[force.name].dimension
+    turning = any(force.name in rotation.velocities for rotation in checker.rotations)
+    coordinate = ONE if turning else checker.names[force.name].dimension
     wanted: tuple[Dimension, ...] = ()
     if energy is not None and coordinate is not None:
         wanted = (multiply(energy, raise_to(coordinate, Fraction(-1))),)

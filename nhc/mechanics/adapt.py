@@ -128,7 +128,8 @@ def complete(system: System) -> tuple[tuple[Form, ...], tuple[str, ...]]:
     from nhc.algebra.linear import Singular
 
     g, wanted = system.graph, system.n - system.l
-    forms = list(system.quasi)
+    turning = {name for rotation in system.spec.rotations for name in rotation.velocities}
+    forms = [form for form in system.quasi if form.name not in turning]
     if len(forms) > wanted:
         raise Singular
     rows = [list(f.coefficients) for f in (*system.constraints, *forms)]
@@ -146,6 +147,8 @@ def _pools(system: System) -> list[list[Form]]:
     own choice of them leaves free, and the adapted coframe; each ends with whatever coordinate is still needed.
     """
     every = [coordinate_form(system, j) for j in range(system.n)]
+    if system.rotations:
+        return [_turning_pool(system, every)]
     choices = [system.dependent] if system.dependent else []
     choices.append(choose_dependent(system).dependent)
     pools = [[every[j] for j in range(system.n) if j not in dependent] + every for dependent in choices]
@@ -153,6 +156,14 @@ def _pools(system: System) -> list[list[Form]]:
     if adapted is not None:
         pools.append([*adapted, *every])
     return pools
+
+
+def _turning_pool(system: System, every: Sequence[Form]) -> list[Form]:
+    """Angular velocities first, for they are regular everywhere, then the velocities of coordinates that are no quaternion's."""
+    places = {k for rotation in system.rotations for k in rotation.places}
+    turning = {name for rotation in system.spec.rotations for name in rotation.velocities}
+    own = [form for form in system.quasi if form.name in turning]
+    return [*own, *(form for j, form in enumerate(every) if j not in places), *every]
 
 
 def _extend(system: System, forms: Sequence[Form], wanted: int, pool: Sequence[Form]) -> tuple[Form, ...]:

@@ -14,7 +14,9 @@ from functools import cached_property
 from nhc.algebra.calculus import gradient, substitute, tangent
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.linear import solve_rows
+from nhc.mechanics import rotation
 from nhc.mechanics.regularity import pivot_weakness
+from nhc.mechanics.rotation import Rotation, along, from_base, moving, to_base
 from nhc.mechanics.system import Form, System
 from nhc.thesis import equation
 
@@ -33,6 +35,8 @@ class Frame:
     omega: tuple[Node, ...]
     guards: tuple[tuple[Node, Node], ...]
     all_kinematics: tuple[Node, ...]
+    turned: tuple[Rotation, ...] = ()
+    """The rotations whose angular velocity the frame was solved for, not e'."""
 
     @property
     def graph(self) -> Graph:
@@ -52,22 +56,28 @@ class Frame:
     def kinematics(self) -> tuple[Node, ...]:
         """q'_i = b_imu omega_mu + b_{i,n+1}, on the constraints."""
         held = {w: self.graph.zero for w in self.omega[: self.system.l]}
-        return tuple(substitute(self.graph, self.all_kinematics, held))
+        base = to_base(self.system, self.all_kinematics, self.turned)
+        return from_base(self.system, substitute(self.graph, base, held), self.turned)
 
     @equation("I.2.5")
     def along(self, function: Node, j: int) -> Node:
         """d function / d pi_j = b_ij d function / d q_i."""
-        return tangent(self.graph, [function], dict(zip(self.system.q, self.vectors[j], strict=True)))[0]
+        return tangent(self.graph, [function], along(self.system, self.vectors[j]))[0]
 
     def along_time(self, function: Node) -> Node:
         """d function / d pi_{n+1} = d/dt + b_{j,n+1} d/dq_j (Remark 3 of I.2)."""
-        seeds = dict(zip(self.system.q, self.drift, strict=True))
+        seeds = along(self.system, self.drift)
         return tangent(self.graph, [function], {**seeds, self.system.t: self.graph.one})[0]
 
     @equation("I.2.11")
     def gamma(self, i: int, t: int, j: int) -> Node:
         """gamma^i_tj = (da_ir/dq_s - da_is/dq_r) b_st b_rj; t = n stands for the time index n + 1 (then it is epsilon^i_j)."""
-        g = self.graph
+        g, n = self.graph, self.system.n
+        if self.turned:
+            x, x_time = (self.vectors[t], g.zero) if t < n else (self.drift, g.one)
+            closed = rotation.exterior_derivative(self.system, self.forms[i], x, x_time, self.vectors[j])
+            if closed is not None:
+                return closed
         first = (*self.vectors[t], g.zero) if t < self.system.n else (*self.drift, g.one)
         second = self.vectors[j]
         total = g.zero
@@ -125,20 +135,25 @@ def make_frame(system: System, free: Sequence[Form], symbols: Sequence[Node]) ->
     omega = (*constrained, *symbols)
     # a kept velocity may be its own symbol: the unknowns get symbols of their own
     unknowns = [g.symbol(name, "unknown") for name in system.q_names]
-    renamed = dict(zip(system.v, unknowns, strict=True))
+    turned = tuple(r for r in system.rotations if not set(r.v) & set(symbols))
+    renamed = moving(system, from_base(system, unknowns, turned))
     values = substitute(g, [form_value(g, form, system.v) for form in forms], renamed)
     rows = [g.sub(value, w) for value, w in zip(values, omega, strict=True)]
     matrix = [list(form.coefficients) for form in forms]
+    if turned:
+        columns = [tangent(g, values, {unknown: g.one}) for unknown in unknowns]
+        matrix = [list(row) for row in zip(*columns, strict=True)]
     found, guards = solve_rows(g, rows, unknowns, matrix, pivot_weakness(system))
     still = {w: g.zero for w in omega}
     return Frame(
         system=system,
         forms=forms,
-        vectors=tuple(tuple(tangent(g, found, {w: g.one})) for w in omega),
-        drift=tuple(substitute(g, found, still)),
+        vectors=tuple(from_base(system, tangent(g, found, {w: g.one}), turned) for w in omega),
+        drift=from_base(system, substitute(g, found, still), turned),
         omega=omega,
         guards=tuple(guards),
-        all_kinematics=tuple(found),
+        all_kinematics=from_base(system, found, turned),
+        turned=turned,
     )
 
 
@@ -170,5 +185,5 @@ def dependent_coefficients(
 
 def total_derivative(system: System, node: Node, velocities: Sequence[Node], rates: dict[Node, Node]) -> Node:
     """d/dt along q' = velocities, t' = 1 and the given rates of further symbols."""
-    seeds = {**dict(zip(system.q, velocities, strict=True)), system.t: system.graph.one, **rates}
+    seeds = {**along(system, velocities), system.t: system.graph.one, **rates}
     return tangent(system.graph, [node], seeds)[0]

@@ -19,6 +19,7 @@ from nhc.algebra.calculus import gradient, reachable, substitute, tangent
 from nhc.algebra.graph import ADD, MUL, NEG, POW, Graph, Node
 from nhc.algebra.linear import linear_form
 from nhc.algebra.modular import are_zero
+from nhc.mechanics import rotation
 from nhc.mechanics.system import Form, System
 
 
@@ -122,6 +123,9 @@ def _exactness(system: System, forms: Sequence[Form]) -> tuple[bool, ...]:
 def exterior_derivative(system: System, form: Form, x: Sequence[Node], x_time: Node, e: Sequence[Node]) -> Node:
     """domega(X, e) for omega = W_i dq_i + W_0 dt, X = (x, x_time) and a vector e without time component."""
     g = system.graph
+    closed = rotation.exterior_derivative(system, form, x, x_time, e) if system.rotations else None
+    if closed is not None:
+        return closed
     along_x = {**dict(zip(system.q, x, strict=True)), system.t: x_time}
     along_e = dict(zip(system.q, e, strict=True))
     moved = tangent(g, form.coefficients, along_x)

@@ -11,7 +11,9 @@ from nhc.algebra.modular import are_zero, rank
 from nhc.algebra.nodes import NumberTooLong
 from nhc.diagnostics import Bag, Span
 from nhc.language import Spec
+from nhc.language.spec import Rotation
 from nhc.language.syntax import Binary, Call, Differential, Name, Negate, Number, Prime, Syntax, fold_tree
+from nhc.mechanics import rotation as mechanics
 from nhc.mechanics.system import Form, System
 
 
@@ -29,6 +31,20 @@ class Resolver:
         self.names.update((c.name, node) for c, node in zip(spec.coordinates, self.q, strict=True))
         self.names.update((c.name, node) for c, node in zip(spec.parameters, self.p, strict=True))
         self._rates = {**dict(zip(self.q, self.v, strict=True)), self.t: g.one}
+        self.rotations = tuple(self._rotation(rotation) for rotation in spec.rotations)
+
+    def _rotation(self, declared: Rotation) -> mechanics.Rotation:
+        """The nodes of a rotation, which take the places of what its names stand for in the spec."""
+        g = self.graph
+        places = [self._coordinate(name) for name in declared.coordinates]
+        e, v = ([nodes[k] for k in places] for nodes in (self.q, self.v))
+        made = mechanics.make_rotation(g, declared.name, places, 1 if declared.frame == "body" else -1, e, v)
+        entries = [node for row in made.matrix for node in row]
+        for name, node in zip((*declared.entries, *declared.velocities), (*entries, *made.omega), strict=True):
+            self.names[name] = node
+            g.labels.setdefault(node, name)
+        self._rates.update(made.seeds(g, v))
+        return made
 
     # --- expressions --------------------------------------------------------------------------------------
 
@@ -127,14 +143,12 @@ def resolve(spec: Spec) -> System:
     define_names(build)
     T = build.node(spec.kinetic)
     U = _potential(build)
-    Q = [build.graph.zero] * len(spec.coordinates)
-    for force in spec.forces:
-        Q[build._coordinate(force.name)] = build.node(force.value)
     constraints = _constraints(build)
     quasi = tuple(
         build.form(entry.name, build.names[entry.name], entry.value.span, "E0412", "the quasi-velocity")
         for entry in spec.quasi_velocities
     )
+    Q, torques = _forces(build, quasi)
     energies = {"T": T, "U": U, "V": build.graph.neg(U), "energy": build.graph.sub(T, U)}
     visible = {**energies, **build.names}
     outputs = tuple((entry.name, build.node(entry.value, visible)) for entry in spec.outputs)
@@ -148,12 +162,14 @@ def resolve(spec: Spec) -> System:
         p=build.p,
         T=T,
         U=U,
-        Q=tuple(Q),
+        Q=Q,
         constraints=constraints,
         quasi=quasi,
         dependent=tuple(build._coordinate(name) for name in spec.dependent),
         outputs=outputs,
         places=_places(build),
+        rotations=build.rotations,
+        torques=torques,
     )
     _check_rank(build, system)
     if not build.bag.has_errors:
@@ -172,6 +188,19 @@ def define_names(build: Resolver) -> None:
         build.names[name] = node
         if build.graph.children(node):
             build.graph.labels.setdefault(node, name)
+
+
+def _forces(build: Resolver, quasi: Sequence[Form]) -> tuple[tuple[Node, ...], tuple[tuple[Node, Node, Node], ...]]:
+    """(Q_i, torques of the rotations): a torque does the work of its component of the angular velocity."""
+    g, spec = build.graph, build.spec
+    given = {force.name: build.node(force.value) for force in spec.forces}
+    Q = [given.get(c.name, g.zero) for c in spec.coordinates]
+    for form in quasi:
+        torque = given.get(form.name, g.zero)
+        if torque != g.zero:
+            Q = [g.add(q, g.mul(torque, a)) for q, a in zip(Q, form.coefficients, strict=True)]
+    torques = [[given.get(name, g.zero) for name in rotation.velocities] for rotation in spec.rotations]
+    return tuple(Q), tuple((x, y, z) for x, y, z in torques)
 
 
 def _potential(build: Resolver) -> Node:

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 from nhc.algebra.graph import Graph, Node
 from nhc.language import Spec
+from nhc.mechanics.rotation import Rotation
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,6 +48,9 @@ class System:
     dependent: tuple[int, ...]
     outputs: tuple[tuple[str, Node], ...]
     places: dict[str, str]
+    rotations: tuple[Rotation, ...] = ()
+    torques: tuple[tuple[Node, Node, Node], ...] = ()
+    """Of ``forces``, by the angular velocity of each rotation; ``Q`` holds them by coordinate."""
 
     @property
     def n(self) -> int:

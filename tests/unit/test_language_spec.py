@@ -171,10 +171,17 @@ def test_the_schema_is_made_of_the_table() -> None:
     jsonschema.Draft202012Validator.check_schema(tree)
     assert list(tree["properties"]) == [key.name for key in SPEC_KEYS]
     assert tree["required"] == ["nhc"]
-    assert tree["anyOf"] == [{"required": ["extends"]}, {"required": ["nhc", "system", "coordinates", "T"]}]
+    ways = [["extends"], ["nhc", "system", "coordinates", "T"], ["nhc", "system", "rotation", "T"]]
+    assert tree["anyOf"] == [{"required": keys} for keys in ways]
     validator = jsonschema.Draft202012Validator(tree)
     good = {"nhc": 1, "system": "s", "coordinates": ["x"], "T": "x'^2"}
     assert validator.is_valid(good)
+    for rotation in (["R"], {"R": {}}, {"R": {"velocities": ["a", "b", "c"], "frame": "space"}}):
+        assert validator.is_valid({"nhc": 1, "system": "s", "rotation": rotation, "T": "a^2"})
+    for start in ([1, 0, 0, "a"], {"axis": [0, 0, 1], "angle": "pi"}, {"yaw": 1}):
+        assert validator.is_valid({**good, "scenes": {"s": {"time": [0, 1], "initial": {"R": start}}}})
+    for rotation in ([], {}, {"R": {"velocities": ["a", "b"]}}, {"R": {"frame": "inertial"}}):
+        assert not validator.is_valid({**good, "rotation": rotation})
     for change in (
         {"nhc": 2},
         {"system": "S"},

@@ -1,0 +1,277 @@
+"""Rotations: a quaternion's four coordinates with the kinematics of angular velocity in closed form.
+
+With s = 2/|e|^2 the angular velocity is omega = s E e', E being the 3 x 4 matrix of the quaternion product, and
+
+    e' = E^T omega / 2 + e (|e|^2)' / (2 |e|^2)
+
+is its inverse for every e but zero: E E^T = |e|^2 1 and E e = 0 (A. Cayley 1845; E. T. Whittaker, Analytical Dynamics, 4th ed.
+(1937), sections 7-9).  Nothing is solved and no pivot can vanish.  The matrix R is of degree 0 in e and omega is invariant
+when e is scaled, so every identity here holds for all e, not on |e| = 1 alone: the length is a gauge, the kinematics keep it, and
+the reaction of |e|^2 = 1 is zero.
+
+omega on the body's axes is left invariant, d omega = -omega x omega; in space d omega = + omega x omega (Cartan).  R' = R [omega],
+or [omega] R.  These three facts are used where derivatives along a motion are taken, in place of the derivatives of quotients.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from fractions import Fraction
+from typing import TYPE_CHECKING
+from weakref import WeakKeyDictionary
+
+from nhc.algebra.calculus import substitute, tangent
+from nhc.algebra.graph import Graph, Node
+from nhc.algebra.linear import NotLinear, linear_form
+
+if TYPE_CHECKING:
+    from nhc.mechanics.system import Form, System
+
+Triple = tuple[Node, Node, Node]
+Turning = tuple[Node, Node, Node, Node]
+"""(|e|^2)' and the three components of omega."""
+
+
+@dataclass(frozen=True, eq=False)
+class Rotation:
+    """``places`` are the indices of the quaternion among the coordinates; ``matrix`` is R, ``omega`` and ``growth`` = (|e|^2)'
+    are nodes over e and e'.  ``sign``: 1 for components on the body's axes, -1 for those in space.
+
+    ``sums`` are the parts q_jj + q_kk of the diagonal entries R_ii = 1 - sums_i.
+    """
+
+    name: str
+    places: tuple[int, int, int, int]
+    sign: int
+    e: tuple[Node, ...]
+    v: tuple[Node, ...]
+    matrix: tuple[Triple, ...]
+    omega: Triple
+    growth: Node
+    sums: Triple
+    known: dict[tuple[Node, ...], Turning] = field(default_factory=dict)
+
+    # --- velocities -----------------------------------------------------------------------------------------
+
+    def velocities(self, graph: Graph, turning: Turning) -> tuple[Node, ...]:
+        """e' from (|e|^2)' and omega."""
+        g = graph
+        columns = _columns(g, self.e, self.sign)
+        half = [g.sum([g.mul(c[i], w) for c, w in zip(columns, turning[1:], strict=True)]) for i in range(4)]
+        made = [g.div(x, g.number(2)) for x in half]
+        if turning[0] != g.zero:
+            rate = g.div(turning[0], g.mul(g.number(2), _square(g, self.e)))
+            made = [g.add(x, g.mul(e, rate)) for x, e in zip(made, self.e, strict=True)]
+        self.known.setdefault(tuple(made), turning)
+        return tuple(made)
+
+    def turning(self, graph: Graph, rates: Sequence[Node]) -> Turning:
+        """(|e|^2)' and omega of e' = ``rates``: looked up where these were made from them, else by the formula."""
+        found = self.known.get(tuple(rates))
+        if found is None:
+            if all(x == graph.zero for x in rates):
+                found = (graph.zero,) * 4
+            else:
+                on = dict(zip(self.v, rates, strict=True))
+                first, a, b, c = substitute(graph, [self.growth, *self.omega], on)
+                found = (first, a, b, c)
+            self.known[tuple(rates)] = found
+        return found
+
+    # --- derivatives ----------------------------------------------------------------------------------------
+
+    def rates_of_matrix(self, graph: Graph, omega: Sequence[Node]) -> list[list[Node]]:
+        """R' = R [omega] or [omega] R."""
+        g, R = graph, self.matrix
+        if self.sign > 0:
+            return [list(cross(g, row, omega)) for row in R]
+        columns = [cross(g, omega, [R[0][j], R[1][j], R[2][j]]) for j in range(3)]
+        return [[columns[j][i] for j in range(3)] for i in range(3)]
+
+    def seeds(self, graph: Graph, rates: Sequence[Node]) -> dict[Node, Node]:
+        """Derivatives of e and of the matrix along e' = ``rates``, for :func:`nhc.algebra.calculus.tangent`."""
+        g = graph
+        found = dict(zip(self.e, rates, strict=True))
+        moved = self.rates_of_matrix(g, self.turning(g, rates)[1:])
+        for i in range(3):
+            for j in range(3):
+                put(g, found, self.matrix[i][j], moved[i][j])
+            put(g, found, self.sums[i], g.neg(moved[i][i]))
+        return found
+
+    def moving(self, graph: Graph, rates: Sequence[Node]) -> dict[Node, Node]:
+        """e', omega and (|e|^2)' with e' = ``rates``, for substitution and for derivatives by velocities."""
+        first, *omega = self.turning(graph, rates)
+        found = dict(zip(self.v, rates, strict=True))
+        for node, value in zip((self.growth, *self.omega), (first, *omega), strict=True):
+            put(graph, found, node, value)
+        return found
+
+    def curl(self, graph: Graph, x: Sequence[Node], y: Sequence[Node]) -> Triple:
+        """d omega (X, Y) for vectors whose angular velocities are x and y."""
+        a, b, c = cross(graph, y, x) if self.sign > 0 else cross(graph, x, y)
+        return a, b, c
+
+
+def cross(graph: Graph, x: Sequence[Node], y: Sequence[Node]) -> Triple:
+    """x times y."""
+    g = graph
+    return (
+        g.sub(g.mul(x[1], y[2]), g.mul(x[2], y[1])),
+        g.sub(g.mul(x[2], y[0]), g.mul(x[0], y[2])),
+        g.sub(g.mul(x[0], y[1]), g.mul(x[1], y[0])),
+    )
+
+
+def put(graph: Graph, mapping: dict[Node, Node], node: Node, value: Node) -> None:
+    """``node`` = ``value`` as an entry for the node without its rational factor, which products carry in front of them."""
+    factor, core = graph.split_coefficient(node)
+    if core != graph.one:
+        mapping[core] = value if factor == 1 else graph.mul(graph.number(Fraction(1) / factor), value)
+
+
+def _square(g: Graph, e: Sequence[Node]) -> Node:
+    return g.sum([g.power(x, 2) for x in e])
+
+
+def _columns(g: Graph, e: Sequence[Node], sign: int) -> list[list[Node]]:
+    """The rows of E: what multiplies omega_k in 2 e'."""
+    found = []
+    for k in range(3):
+        i, j = (k + 1) % 3 + 1, (k + 2) % 3 + 1
+        column = [g.neg(e[k + 1]), g.zero, g.zero, g.zero]
+        column[k + 1] = e[0]
+        column[i] = e[j] if sign > 0 else g.neg(e[j])
+        column[j] = g.neg(e[i]) if sign > 0 else e[i]
+        found.append(column)
+    return found
+
+
+def make_rotation(
+    graph: Graph, name: str, places: Sequence[int], sign: int, e: Sequence[Node], v: Sequence[Node]
+) -> Rotation:
+    """The nodes of a rotation; sums stand on top of them, so that no product that they are in takes them apart."""
+    g = graph
+    half = g.sum([g.div(g.power(x, 2), g.number(2)) for x in e])
+    f = [g.mul(x, g.inverse(half)) for x in e]  # 2 e / |e|^2
+    squares = [g.mul(a, b) for a, b in zip(f, e, strict=True)]
+    omega, entries, sums = [], [[g.zero] * 3 for _ in range(3)], []
+    for k in range(3):
+        i, j = (k + 1) % 3 + 1, (k + 2) % 3 + 1
+        own = g.sub(g.mul(f[0], v[k + 1]), g.mul(f[k + 1], v[0]))
+        other = g.sub(g.mul(f[j], v[i]), g.mul(f[i], v[j]))
+        omega.append(g.add(own, other) if sign > 0 else g.sub(own, other))
+        mixed, spun = g.mul(f[i], e[j]), g.mul(f[0], e[k + 1])
+        entries[i - 1][j - 1], entries[j - 1][i - 1] = g.sub(mixed, spun), g.add(mixed, spun)
+        sums.append(g.add(squares[i], squares[j]))
+        entries[k][k] = g.sub(g.one, sums[k])
+    growth = tangent(g, [g.sub(_square(g, e), g.one)], dict(zip(e, v, strict=True)))[0]
+    a, b, c, d = places
+    made = tuple((row[0], row[1], row[2]) for row in entries)
+    return Rotation(
+        name,
+        (a, b, c, d),
+        sign,
+        tuple(e),
+        tuple(v),
+        made,
+        (omega[0], omega[1], omega[2]),
+        growth,
+        (sums[0], sums[1], sums[2]),
+    )
+
+
+# --- vectors of a system with rotations -------------------------------------------------------------------
+
+
+def to_base(system: System, x: Sequence[Node], rotations: Sequence[Rotation]) -> list[Node]:
+    """Components along the base coframe: (|e|^2)' and omega in the places of e' of these rotations, the others as they are."""
+    made = list(x)
+    for rotation in rotations:
+        found = rotation.turning(system.graph, [x[k] for k in rotation.places])
+        for k, node in zip(rotation.places, found, strict=True):
+            made[k] = node
+    return made
+
+
+def from_base(system: System, b: Sequence[Node], rotations: Sequence[Rotation]) -> tuple[Node, ...]:
+    """The vector with these components along the base coframe."""
+    made = list(b)
+    for rotation in rotations:
+        first, x, y, z = (b[k] for k in rotation.places)
+        for k, node in zip(rotation.places, rotation.velocities(system.graph, (first, x, y, z)), strict=True):
+            made[k] = node
+    return tuple(made)
+
+
+def along(system: System, x: Sequence[Node]) -> dict[Node, Node]:
+    """Seeds of the derivative along a vector x over the coordinates."""
+    found = dict(zip(system.q, x, strict=True))
+    for rotation in system.rotations:
+        found.update(rotation.seeds(system.graph, [x[k] for k in rotation.places]))
+    return found
+
+
+def moving(system: System, x: Sequence[Node]) -> dict[Node, Node]:
+    """The velocities with the values x, for substitution; for a vector x, the seeds of the derivative by velocities."""
+    found = dict(zip(system.v, x, strict=True))
+    for rotation in system.rotations:
+        found.update(rotation.moving(system.graph, [x[k] for k in rotation.places]))
+    return found
+
+
+def virtual_work(system: System, forces: Sequence[Node], torques: Sequence[Node], e: Sequence[Node]) -> Node:
+    """Q_i e_i of the forces without potential: what turns a rotation by its torque and the angular velocity of e."""
+    g, terms = system.graph, list(zip(forces, e, strict=True))
+    for k, rotation in enumerate(system.rotations):
+        omega = rotation.turning(g, [e[i] for i in rotation.places])[1:]
+        terms += zip(torques[3 * k : 3 * k + 3], omega, strict=True)
+        for i in rotation.places:
+            terms[i] = (g.zero, e[i])
+    return g.sum([g.mul(q, x) for q, x in terms])
+
+
+# --- forms --------------------------------------------------------------------------------------------------
+
+_SPREAD: WeakKeyDictionary[Graph, dict[Node, tuple[tuple[Node, ...], Node] | None]] = WeakKeyDictionary()
+
+
+def _spread(system: System, value: Node) -> tuple[tuple[Node, ...], Node] | None:
+    """Coefficients of a velocity form by q' and by the rotations' omega, where it is written with these, and its constant."""
+    g = system.graph
+    memo = _SPREAD.setdefault(g, {})
+    if value not in memo:
+        mapping: dict[Node, Node] = {}
+        symbols = [g.symbol(f"{r.name}_turn{k}", "test") for r in system.rotations for k in range(3)]
+        nodes = [w for r in system.rotations for w in r.omega]
+        for node, symbol in zip(nodes, symbols, strict=True):
+            put(g, mapping, node, symbol)
+        try:
+            memo[value] = linear_form(g, substitute(g, [value], mapping)[0], (*system.v, *symbols))
+        except NotLinear:
+            memo[value] = None
+    return memo[value]
+
+
+def exterior_derivative(system: System, form: Form, x: Sequence[Node], x_time: Node, e: Sequence[Node]) -> Node | None:
+    """d form (X, e) = X(f_k) theta_k(e) - e(f_k) theta_k(X) + f_k d theta_k (X, e) for form = f_k theta_k + f_0 dt.
+
+    The theta_k are the dq_i and the rotations' omega.  None where the form's own words are not known.
+    """
+    g = system.graph
+    found = _spread(system, form.value) if form.value is not None else None
+    if found is None:
+        return None
+    coefficients, constant = found
+    on_x, on_e, turned = list(x), list(e), [g.zero] * system.n
+    for rotation in system.rotations:
+        wx, we = (rotation.turning(g, [z[k] for k in rotation.places])[1:] for z in (x, e))
+        on_x += wx
+        on_e += we
+        turned += rotation.curl(g, wx, we)
+    moved = tangent(g, coefficients, {**along(system, x), system.t: x_time})
+    back = tangent(g, [*coefficients, constant], along(system, e))
+    total = g.sum([g.mul(a, b) for a, b in zip(moved, on_e, strict=True)])
+    total = g.sub(total, g.sum([g.mul(a, b) for a, b in zip(back, (*on_x, x_time), strict=True)]))
+    return g.add(total, g.sum([g.mul(f, c) for f, c in zip(coefficients, turned, strict=True)]))
