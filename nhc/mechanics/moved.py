@@ -145,7 +145,7 @@ def _finish(
     for group, vector, is_position in vectors:
         for k, node in zip(group, rates.acceleration(vector, is_position), strict=False):
             drift[k], carried[k] = node, True
-    settled = all(scene.home(v, kind).known for _, v, kind in vectors if v.base is None)
+    settled = all(home.known for home in scene.homes.values() if home.root)
     return Moved(made, tuple(kinematics), tuple(moved), tuple(drift), weights, tuple(carried), settled)
 
 

@@ -25,13 +25,15 @@ from nhc.mechanics.vectors import Chained, Part, Reader
 class Home:
     """A vector's velocity on its home axes, over the velocities' symbols and the held ones.
 
-    ``settled``: some component is a form of the frame; ``known``: every one that is not zero is.
+    ``settled``: some component is a form of the frame; ``known``: every one that is not zero is; ``root``: it
+    stands on no other vector.
     """
 
     path: Path
     velocity: Vector
     settled: bool
     known: bool
+    root: bool
 
 
 @dataclass
@@ -94,7 +96,7 @@ class Scene:
         velocity = self.velocity_of(vector, is_position)
         if velocity in self.equations:
             path, local = self.equations[velocity]
-            return Home(path, local, True, True)
+            return Home(path, local, True, True, vector.base is None)
         best: tuple[int, Home, dict[int, Node]] | None = None
         for path in self._candidates(vector, is_position):
             components = self.components_in(vector, is_position, path)
@@ -102,7 +104,7 @@ class Scene:
             score = len(rows)
             known = score >= sum(x != g.zero for x in components)
             if best is None or score > best[0]:
-                best = (score, Home(path, settled, score > 0, known), rows)
+                best = (score, Home(path, settled, score > 0, known, vector.base is None), rows)
             if known:
                 break
         assert best is not None
