@@ -133,6 +133,8 @@ def _check_scene_name(spec: Spec, scene: str) -> None:
 def program(source: Source, options: Options = Options()) -> Program:
     """The program of a spec, as the emitters read it; with ``reduce`` the smallest one that delivers what the scene needs.
 
+    The starts of the spec's scenes are part of it where it is the whole program, or for a driver.
+
     Raises:
         SpecError: everything that is wrong with the spec.
     """
@@ -141,7 +143,8 @@ def program(source: Source, options: Options = Options()) -> Program:
 
         return build_scene_program(reduce_scene(source, options), options.only)
     made = model(source, options)
-    return build_program(made.system, made.formulation, made.equations, only=options.only, scene=options.scene)
+    scenes = options.driver or not options.only
+    return build_program(made.system, made.formulation, made.equations, options.only, options.scene, scenes)
 
 
 def reduce_scene(source: Source, options: Options) -> SceneModel:
@@ -251,9 +254,11 @@ def emit(source: Source, language: str, options: Options = Options()) -> dict[st
     from nhc.emit import EmitOptions, render
 
     wanted = EmitOptions(options.only, options.driver, options.array, options.scene, options.trig)
-    needed = options.only if not options.driver else ()
+    needed = () if options.driver else _functions(options.only)
     reduced = bool(options.scene)
-    asked = Options(options.formulation, options.scene, only=_functions(needed), reduce=reduced, fold=options.fold)
+    if not (options.driver or reduced or needed):
+        needed = FUNCTIONS  # all of them, but no starts of scenes
+    asked = Options(options.formulation, options.scene, only=needed, reduce=reduced, fold=options.fold)
     made_program = program(source, asked)
     return {name: stamp(text) for name, text in render(made_program, language, wanted).items()}
 

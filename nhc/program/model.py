@@ -23,14 +23,17 @@ def build_program(
     equations: Equations,
     only: Sequence[str] = (),
     scene: str = "",
+    scenes: bool = True,
 ) -> Program:
-    """The emitters' input; ``only`` names functions, ``scene`` keeps one scene (and its parameter values as defaults)."""
+    """The emitters' input; ``only`` names functions, ``scene`` keeps one scene (and its parameter values as defaults).
+
+    Without ``scenes`` the starts of the spec's scenes are not computed: drivers need them.
+    """
     planner = Planner(equations, formulation)
     spec = system.spec
-    scenes = tuple(
-        made for s in spec.scenes if not scene or s.name == scene if (made := _scene(system, planner, s, scene))
-    )
-    chosen = next((s for s in scenes if s.name == scene), None)
+    wanted = [s for s in spec.scenes if s.name == scene or (scenes and not scene)]
+    starts = tuple(made for s in wanted if (made := _scene(system, planner, s, scene)))
+    chosen = next((s for s in starts if s.name == scene), None)
     return Program(
         system=spec.system,
         about=spec.about,
@@ -47,7 +50,7 @@ def build_program(
         constraints=tuple(Quantity(c.name, identifier(c.name)) for c in system.constraints),
         outputs=tuple(Quantity(name, identifier(name)) for name, _ in system.outputs),
         functions=build_functions(planner, only),
-        scenes=scenes,
+        scenes=starts,
         notes=_notes(formulation),
     )
 
