@@ -7,10 +7,10 @@ their rows over coordinates.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
-from nhc.algebra.calculus import gradient
+from nhc.algebra.calculus import gradient, tangent
 from nhc.algebra.graph import Graph, Node
 
 TwoFormTerms = Mapping[tuple[int, int], Node]
@@ -22,7 +22,8 @@ class Coframe:
     them.
 
     ``structure[k]`` holds the coefficients of d(basis_k) in the basis, for increasing index pairs; a missing k means
-    closed.
+    closed.  ``inner[k]``, where there are any, are derivatives along the k-th dual vector of expressions that
+    are known in a shorter form than the chain rule gives.
     """
 
     graph: Graph
@@ -30,6 +31,7 @@ class Coframe:
     variables: tuple[Node, ...]
     dual: tuple[tuple[Node, ...], ...]
     structure: Mapping[int, TwoFormTerms] = field(default_factory=dict)
+    inner: tuple[Mapping[Node, Node], ...] = ()
 
     def __len__(self) -> int:
         return len(self.names)
@@ -37,6 +39,10 @@ class Coframe:
     def differential(self, function: Node) -> dict[int, Node]:
         """Coefficients of d(function) in the basis."""
         g = self.graph
+        if self.inner:
+            seeds = [dict(zip(self.variables, vector, strict=True)) | dict(inner) for vector, inner in self._vectors()]
+            found = [tangent(g, [function], along)[0] for along in seeds]
+            return {k: node for k, node in enumerate(found) if node != g.zero}
         slopes = gradient(g, function, self.variables)
         result = {}
         for k, vector in enumerate(self.dual):
@@ -44,6 +50,9 @@ class Coframe:
             if total != g.zero:
                 result[k] = total
         return result
+
+    def _vectors(self) -> Iterator[tuple[tuple[Node, ...], Mapping[Node, Node]]]:
+        return zip(self.dual, self.inner, strict=True)
 
 
 def coordinate_coframe(graph: Graph, variables: Sequence[Node], names: Sequence[str]) -> Coframe:

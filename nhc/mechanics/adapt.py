@@ -139,7 +139,7 @@ def complete(system: System) -> tuple[tuple[Form, ...], tuple[str, ...]]:
         return tuple(forms), ()
     candidates = [_extend(system, forms, wanted, pool) for pool in _pools(system)]
     best = min(candidates, key=lambda made: coframe_weakness(system, (*system.constraints, *made)))
-    return best, tuple(_spelled(system, form) for form in best[len(forms) :])
+    return best, tuple(_spelled(system, form) for form in best[len(forms) :] if form.name not in turning)
 
 
 def _pools(system: System) -> list[list[Form]]:

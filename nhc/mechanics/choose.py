@@ -129,7 +129,12 @@ def _euler_lagrange(system: System) -> Formulation:
             "quasi_velocities",
         ) from None
     number = "I.2.15" if system.l else "I.2.14"
-    reason = "quasi-velocities of the spec" if not added else f"coframe completed by nhc with {', '.join(added)}"
+    own = (
+        "quasi-velocities of the spec"
+        if not system.rotations
+        else "angular velocities and quasi-velocities of the spec"
+    )
+    reason = own if not added else f"coframe completed by nhc with {', '.join(added)}"
     return Formulation("euler-lagrange", number, frame, None, added, reason)
 
 

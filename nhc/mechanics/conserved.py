@@ -20,6 +20,7 @@ from nhc.algebra.modular import PRIMES, Unlucky, are_zero, enough_points, rank
 from nhc.algebra.relations import find_relations, without
 from nhc.mechanics.frame import Frame, form_value, total_derivative
 from nhc.mechanics.regularity import default_values
+from nhc.mechanics.rotation import moving
 from nhc.mechanics.sampling import Sampler
 from nhc.mechanics.system import System
 from nhc.thesis import equation
@@ -259,7 +260,7 @@ def _is_independent(sampler: Sampler, frame: Frame | None, known: Sequence[Node]
     free = frame.free if frame is not None else system.v
     nodes = [*known, node]
     if frame is not None:
-        nodes = substitute(g, nodes, dict(zip(system.v, frame.kinematics, strict=True)))
+        nodes = substitute(g, nodes, moving(system, frame.kinematics))
     nodes = substitute(g, nodes, dict.fromkeys(sampler.zeroed, g.zero))
     return rank(g, [gradient(g, x, (*system.q, *free, system.t)) for x in nodes]) == len(nodes)
 

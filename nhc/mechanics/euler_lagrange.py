@@ -8,22 +8,30 @@ theta.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from nhc.algebra.calculus import gradient, substitute
 from nhc.algebra.graph import Node
 from nhc.exterior import Coframe, Form, basis_form, d, general_coframe, one_form, pullback, wedge
 from nhc.mechanics.frame import Frame
+from nhc.mechanics.rotation import along, moving, virtual_work
 from nhc.thesis import equation
 
 
 def quasi_energy(frame: Frame) -> Node:
     """T(q, omega, t) with all n quasi-velocities."""
     system = frame.system
-    return substitute(system.graph, [system.T], dict(zip(system.v, frame.all_kinematics, strict=True)))[0]
+    return substitute(system.graph, [system.T], moving(system, frame.all_kinematics))[0]
 
 
 def quasi_forces(frame: Frame) -> list[Node]:
     """P_j = b_ij Q_i, as functions of the quasi-velocities."""
     system, g = frame.system, frame.graph
+    if frame.turned:
+        torques = [x for torque in system.torques for x in torque]
+        done = [virtual_work(system, system.Q, torques, e) for e in frame.vectors]
+        total = [g.add(frame.along(system.U, j), work) for j, work in enumerate(done)]
+        return substitute(g, total, moving(system, frame.all_kinematics))
     forces = [system.force(i) for i in range(system.n)]
     forces = substitute(g, forces, dict(zip(system.v, frame.all_kinematics, strict=True)))
     return [g.sum([g.mul(b, q) for b, q in zip(e, forces, strict=True)]) for e in frame.vectors]
@@ -42,7 +50,29 @@ def full_coframe(frame: Frame) -> Coframe:
     dual += unit[n : 2 * n]
     dual.append([*frame.drift, *zeros * n, g.one])
     names = [f"dpi_{form.name}" for form in frame.forms] + [f"domega_{form.name}" for form in frame.forms] + ["dt"]
+    if frame.turned:
+        return _turned_coframe(frame, variables, names, dual)
     return general_coframe(g, variables, names, rows, dual)
+
+
+def _turned_coframe(
+    frame: Frame, variables: Sequence[Node], names: Sequence[str], dual: Sequence[Sequence[Node]]
+) -> Coframe:
+    """With the structure equations by gamma and epsilon, which rotations give in closed form: d dpi_k = gamma^k_ts dpi_t ^ dpi_s
+    over t < s, less epsilon^k_s dpi_s ^ dt.
+    """
+    system, g, n = frame.system, frame.graph, frame.system.n
+    structure: dict[int, dict[tuple[int, int], Node]] = {}
+    for k in range(n):
+        terms = {(t, s): frame.gamma(k, t, s) for t in range(n) for s in range(t + 1, n)}
+        terms |= {(s, 2 * n): g.neg(frame.epsilon(k, s)) for s in range(n)}
+        kept = {pair: node for pair, node in terms.items() if node != g.zero}
+        if kept:
+            structure[k] = kept
+    inner: list[dict[Node, Node]] = [along(system, e) for e in frame.vectors]
+    inner += [{} for _ in range(n)] + [along(system, frame.drift)]
+    made = tuple(tuple(d) for d in dual)
+    return Coframe(g, tuple(names), tuple(variables), made, structure, tuple(inner))
 
 
 def kinetic_one_form(frame: Frame) -> Form:

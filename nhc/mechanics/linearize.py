@@ -24,6 +24,7 @@ from nhc.mechanics.formulate import bordered_system
 from nhc.mechanics.frame import Frame, coordinate_form, form_value
 from nhc.mechanics.integrability import Field as VectorField
 from nhc.mechanics.integrability import is_integrable, lie_bracket
+from nhc.mechanics.rotation import moving
 from nhc.mechanics.system import Form, System
 
 _POINTS, _DRAWS = 2, 400
@@ -263,7 +264,7 @@ def quantity(flow: Flow, name: str) -> Node | None:
             return form_value(g, form, flow.velocities)
     for own, node in system.outputs:
         if own == name:
-            return substitute(g, [node], dict(zip(system.v, flow.velocities, strict=True)))[0]
+            return substitute(g, [node], moving(system, flow.velocities))[0]
     return None
 
 

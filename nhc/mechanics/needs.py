@@ -10,6 +10,7 @@ from nhc.language.spec import Need, Scene
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.formulate import reaction_values
 from nhc.mechanics.frame import form_value
+from nhc.mechanics.rotation import moving
 
 
 @dataclass(frozen=True)
@@ -29,7 +30,7 @@ def list_needs(equations: Equations, scene: Scene) -> list[Wanted]:
 
 def _columns(equations: Equations, need: Need) -> list[Wanted]:
     system, g = equations.system, equations.system.graph
-    on = dict(zip(system.v, equations.motion.velocities, strict=True))
+    on = moving(system, equations.motion.velocities)
     if need.kind == "coordinate":
         i = system.q_names.index(need.name)
         declared = system.spec.coordinates[i]

@@ -15,6 +15,7 @@ from nhc.mechanics.dependence import values_at
 from nhc.mechanics.frame import Frame, coordinate_form, make_frame, total_derivative
 from nhc.mechanics.kinetic import Kinetic
 from nhc.mechanics.linearize import flow_of
+from nhc.mechanics.rotation import moving
 from nhc.mechanics.system import Form, System
 
 
@@ -133,7 +134,7 @@ def _conserved(equations: Equations, momenta: Sequence[Node]) -> list[bool]:
     """Which momenta have a rate that vanishes identically while no velocity's own does."""
     system, motion = equations.system, equations.motion
     g, flow = system.graph, flow_of(equations)
-    on = dict(zip(system.v, motion.velocities, strict=True))
+    on = moving(system, motion.velocities)
     rates = dict(zip(motion.w, motion.rates, strict=True))
     nodes = [total_derivative(system, node, motion.velocities, rates) for node in substitute(g, momenta, on)]
     zero, seen = [True] * len(nodes), 0

@@ -12,6 +12,7 @@ from collections.abc import Sequence
 from nhc.algebra.calculus import gradient, substitute
 from nhc.algebra.graph import Node
 from nhc.mechanics.frame import form_value
+from nhc.mechanics.rotation import moving
 from nhc.mechanics.system import Form
 from nhc.program.build import Planner
 from nhc.program.ir import Argument, Function
@@ -47,7 +48,7 @@ def _function(
     """y with n entries from ``first`` on moved by d, where M d = A^T mu and A d = -right."""
     system, g, n = planner.system, planner.graph, planner.system.n
     motion = planner.equations.motion
-    on = dict(zip(system.v, motion.velocities, strict=True))
+    on = moving(system, motion.velocities)
     mass = [gradient(g, p, system.v) for p in gradient(g, system.T, system.v)]
     matrix = [[*mass[i], *(g.neg(form.coefficients[i]) for form in forms)] for i in range(n)]
     matrix += [[*(g.neg(a) for a in form.coefficients), *([g.zero] * len(forms))] for form in forms]

@@ -18,6 +18,7 @@ from nhc.mechanics.drawing import Sketch, sketch_of
 from nhc.mechanics.formulate import reaction_values
 from nhc.mechanics.frame import form_value
 from nhc.mechanics.linearize import flow_of
+from nhc.mechanics.rotation import moving
 from nhc.program.build import Planner
 from nhc.program.ir import Argument, Function, Origin
 from nhc.program.lower import lower_function
@@ -84,7 +85,7 @@ def list_checks(planner: Planner) -> list[Column]:
 def list_energy(planner: ScenePlanner) -> list[Column]:
     """T + V and T of a scene's model; nothing where they depend on what the model leaves out."""
     system, made, g = planner.system, planner.reduction, planner.graph
-    on = dict(zip(system.v, planner.original.motion.velocities, strict=True))
+    on = moving(system, planner.original.motion.velocities)
     nodes = substitute(g, [system.energy, system.T], on)
     held = {*made.kept, *made.constants, *(integral.index for integral in made.integrals)}
     try:

@@ -11,6 +11,7 @@ from nhc.algebra.shorten import shorten
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choose import Formulation
 from nhc.mechanics.formulate import bordered_system
+from nhc.mechanics.rotation import moving
 from nhc.mechanics.system import System
 from nhc.program.ir import Argument, Origin
 from nhc.program.plan import FunctionPlan, GuardPlan, SolvePlan, Target, factor, solve_factored
@@ -138,7 +139,7 @@ class PlannerBase:
 
     def on_motion(self, nodes: Sequence[Node]) -> list[Node]:
         """Functions of (q, q', t) in terms of the kept state, shortened."""
-        on = dict(zip(self.system.v, self.equations.motion.velocities, strict=True))
+        on = moving(self.system, self.equations.motion.velocities)
         return shorten(self.graph, substitute(self.graph, nodes, on))
 
     def known(self, nodes: Sequence[Node]) -> list[Node]:

@@ -9,6 +9,7 @@ from nhc.algebra.graph import Node
 from nhc.algebra.linear import Singular, solve
 from nhc.mechanics.formulate import bordered_system
 from nhc.mechanics.multipliers import multiplier_symbols
+from nhc.mechanics.rotation import moving
 from nhc.mechanics.rows import ENERGY, MOTION, associated_rows, energy_identity, motion_components
 from nhc.program.sheets.draft import Desk, Draft, DraftSheet, Part
 from nhc.program.sheets.forms import Forms
@@ -166,7 +167,7 @@ def energy_theorem_sheet(desk: Desk) -> DraftSheet:
     """T + V on the motion, and what changes p q' - T - U: terms that vanish identically are left out."""
     sheet = DraftSheet("energy", "The energy")
     system, g, motion = desk.system, desk.graph, desk.equations.motion
-    on = dict(zip(system.v, motion.velocities, strict=True))
+    on = moving(system, motion.velocities)
     slope = g.sum([g.mul(p, v) for p, v in zip(_momenta(desk), system.v, strict=True)])
     generalized = g.sub(g.sub(slope, system.T), system.U)
     power = g.sum([g.mul(q, v) for q, v in zip(system.Q, system.v, strict=True)])
