@@ -108,7 +108,7 @@ def trial_points(system: System) -> list[dict[Node, float]]:
 def ordinary_points(system: System) -> list[dict[Node, float]]:
     """The scenes' own starts and zero, each with its neighbourhood."""
     rng = random.Random(7)
-    starts = [*_scene_starts(system), [0.0] * system.n]
+    starts = [*_scene_starts(system), [float(c.start) for c in system.spec.coordinates]]
     return [_state_at(system, rng, start, spread) for start in starts for spread in (0.0, 0.2)]
 
 
@@ -117,8 +117,11 @@ def _scene_starts(system: System) -> list[list[float]]:
     starts = []
     parameters = dict(zip((p.name for p in system.spec.parameters), default_values(system).values(), strict=True))
     for scene in system.spec.scenes[:3]:
-        given = {e.name: constant_value(e.value, parameters) for e in scene.initial if e.kind == "coordinate"}
-        starts.append([given.get(name, 0.0) for name in system.q_names])
+        try:
+            given = {e.name: constant_value(e.value, parameters) for e in scene.initial if e.kind == "coordinate"}
+        except (ArithmeticError, ValueError):
+            continue  # said of the scene itself
+        starts.append([given.get(c.name, float(c.start)) for c in system.spec.coordinates])
     return starts
 
 

@@ -51,14 +51,31 @@ def start_of(system: System, scene: Scene) -> Start:
     p = _parameters(system, scene, bag)
     bag.raise_if_errors()
     names = {c.name: value for c, value in zip(system.spec.parameters, p, strict=True)}
-    given = {(entry.kind, entry.name): constant_value(entry.value, names) for entry in scene.initial}
-    q = tuple(given.get(("coordinate", name), 0.0) for name in system.q_names)
+    given = _initial_values(scene, names, bag)
+    bag.raise_if_errors()
+    q = tuple(given.get(("coordinate", c.name), float(c.start)) for c in system.spec.coordinates)
     time = (float(scene.time[0]), float(scene.time[1]))
     place = {system.t: time[0], **dict(zip(system.p, p, strict=True)), **dict(zip(system.q, q, strict=True))}
     _check_positions(system, scene, place, bag)
     v = _velocities(system, scene, place, given, bag)
     bag.raise_if_errors()
     return Start(scene, time, p, q, v)
+
+
+def _initial_values(scene: Scene, names: dict[str, float], bag: Bag) -> dict[tuple[str, str], float]:
+    """The numbers that the scene gives, for its values of the parameters."""
+    given: dict[tuple[str, str], float] = {}
+    for entry in scene.initial:
+        try:
+            value = constant_value(entry.value, names)
+        except (ArithmeticError, ValueError):
+            value = math.nan
+        if not math.isfinite(value) and not any(d.labels[0].span == entry.span for d in bag.diagnostics):
+            what = f"the start of `{entry.name}` in the scene `{scene.name}` has no real, finite value"
+            advice = "mend the expression, or the parameters' values in this scene; a rotation starts from no zero quaternion"
+            bag.error("E0313", what, entry.span, help=(advice,))
+        given[entry.kind, entry.name] = value
+    return given
 
 
 def _parameters(system: System, scene: Scene, bag: Bag) -> tuple[float, ...]:

@@ -30,7 +30,10 @@ def hold_functions(planner: Planner) -> tuple[tuple[Function, ...], tuple[str, .
     held = [form for form in system.constraints if form.equation is not None]
     functions: list[Function] = []
     calls: list[str] = []
-    if held:
+    if held and {form.value for form in held} <= {rotation.growth for rotation in system.rotations}:
+        functions.append(_normalise(planner))
+        calls.append("hold_q")
+    elif held:
         right = [form.equation for form in held if form.equation is not None]
         functions.append(_function(planner, "hold_q", "positions closer to the constraints", held, right, 0))
         calls += ["hold_q"] * TURNS
@@ -40,6 +43,23 @@ def hold_functions(planner: Planner) -> tuple[tuple[Function, ...], tuple[str, .
         functions.append(_function(planner, "hold_v", about, system.constraints, right, system.n))
         calls.append("hold_v")
     return tuple(functions), tuple(calls)
+
+
+def _normalise(planner: Planner) -> Function:
+    """y with quaternions of length 1: the model does not depend on their length, so nothing else moves."""
+    system, g = planner.system, planner.graph
+    state = [*system.q, *planner.equations.motion.w]
+    scale = {}
+    for rotation in system.rotations:
+        length = g.function("sqrt", g.sum([g.power(e, 2) for e in rotation.e]))
+        scale.update({k: g.inverse(length) for k in rotation.places})
+    moved = [g.mul(node, scale[k]) if k in scale else node for k, node in enumerate(state)]
+    inputs = (Argument("t", -1), planner.y, planner.p)
+    targets = tuple(Target(k, node) for k, node in enumerate(moved))
+    output = Argument("out", len(state))
+    about = "quaternions of length 1"
+    plan = FunctionPlan("hold_q", about, "", inputs, output, planner.state_loads, targets)
+    return lower_function(g, plan, system.p)
 
 
 def _function(
