@@ -17,9 +17,10 @@ from nhc.algebra.calculus import substitute, tangent
 from nhc.algebra.gather import gather
 from nhc.algebra.graph import Node
 from nhc.mechanics.kinetic import Kinetic, exterior_derivative
-from nhc.mechanics.moved import Moved
+from nhc.mechanics.moved import Moved, Turning
 from nhc.mechanics.rotation import along, moving, virtual_work
 from nhc.mechanics.system import System
+from nhc.mechanics.turns import Vector, cross
 
 
 @dataclass(frozen=True)
@@ -84,6 +85,10 @@ class Projector:
         self.hessian = [values[count + k * count : count + (k + 1) * count] for k in range(count)]
         self._to_motion = {**on_motion, **to_motion}
         self.columns = [self.components(e) for e in motion.vectors]  # W_k(e_nu)
+        self._gyro = [
+            (self._gyroscopic(turning), dict(zip(moved.frame.vectors, turning.weights, strict=True)))
+            for turning in (moved.spins if moved else ())
+        ]
         seeds = {**along(system, motion.velocities), system.t: g.one}
         self._seeds = seeds
         drift = moved.drift if moved else tangent(g, self.u, seeds)
@@ -117,11 +122,25 @@ class Projector:
             if not self.kinetic.exact[k] and not self.carried[k]:
                 turn = exterior_derivative(system, self.kinetic.forms[k], self.motion.velocities, g.one, e)
                 force_terms.append(g.mul(self.pi[k], turn))
+        force_terms += self._turning_terms(e)
         inertial = self._gather(force_terms)
         applied = virtual_work(system, *self._applied(), e)
         slopes = substitute(g, tangent(g, [self.kinetic.tau], along(system, e)), self._to_motion)[0]
         potential = tangent(g, [system.U], along(system, e))[0]
         return Row(tuple(mass), g.sub(g.add(g.add(slopes, potential), applied), inertial))
+
+    def _gyroscopic(self, turning: Turning) -> Vector:
+        """omega x p, where p holds T's slopes by the forms of each axis."""
+        g = self.system.graph
+        x, y, z = (g.sum([self.pi[k] for k in axis]) for axis in turning.members)
+        return cross(g, turning.omega, (x, y, z))
+
+    def _turning_terms(self, e: Sequence[Node]) -> list[Node]:
+        """pi_k domega_k(X, e) of the forms that are components of angular velocities."""
+        g, found = self.system.graph, []
+        for gyro, weights in self._gyro:
+            found += [g.mul(x, y) for x, y in zip(gyro, weights[tuple(e)], strict=True)]
+        return found
 
     def hessian_times(self, k: int, weight: Node) -> list[tuple[int, Node]]:
         """(j, weight h_kj) where h_kj is not zero."""

@@ -13,6 +13,8 @@ from nhc.mechanics.frame import Frame, form_value
 from nhc.mechanics.kinetic import Kinetic
 from nhc.mechanics.moving import Scene
 from nhc.mechanics.moving_rows import Sided, along_direction, direction_vector, read_square, read_vector, rewrite_row, square_groups
+from nhc.mechanics.moving_rolling import apply_rolling, read_rolling
+from nhc.mechanics.moving_spin import find_spins, recognise, spatial_paths, spin_weights
 from nhc.mechanics.regularity import pivot_weakness
 from nhc.mechanics.signatures import Signatures
 from nhc.mechanics.system import System
@@ -21,6 +23,18 @@ from nhc.mechanics.vectors import Chained, Reader
 
 Placed = tuple[tuple[int, ...], Chained, bool]
 """Numbers of T's forms, the vector that they are, and whether it was read as a position."""
+
+
+@dataclass(frozen=True)
+class Turning:
+    """Axes with angular velocity ``omega`` on the motion and ``weights[j]`` along the frame's vector e_j.
+
+    With p_i the sum of the slopes of T by the forms of ``members[i]``, their terms domega add up to weight . (omega x p).
+    """
+
+    members: tuple[tuple[int, ...], tuple[int, ...], tuple[int, ...]]
+    omega: Vector
+    weights: tuple[Vector, ...]
 
 
 @dataclass(frozen=True)
@@ -38,6 +52,7 @@ class Moved:
     weights: tuple[tuple[Node, ...], ...]
     carried: tuple[bool, ...]
     settled: bool
+    spins: tuple[Turning, ...]
 
 
 def move(system: System, kinetic: Kinetic, frame: Frame) -> Moved | None:
@@ -58,7 +73,7 @@ def move(system: System, kinetic: Kinetic, frame: Frame) -> Moved | None:
         signature = marks.of(symbol)
         forms.setdefault(signature, symbol)
         forms.setdefault(marks.negative(signature), g.neg(symbol))
-    scene = Scene(system, held, tuple(values), marks, forms, Reader(g), Reader(g))
+    scene = Scene(system, held, tuple(values), marks, forms, *(Reader(g, g.mask((*system.q, system.t))) for _ in range(2)))
     vectors: list[Placed] = []
     for group in groups:
         components = [kinetic.atoms[k] for k in group] + [g.zero] * (3 - len(group))
@@ -66,12 +81,17 @@ def move(system: System, kinetic: Kinetic, frame: Frame) -> Moved | None:
     for sided in _directions(g, values):
         read_vector(scene, direction_vector(g, sided)[0])
         scene.paths.append(sided.path)
-    vectors = _standing(scene, vectors)
     for vector in _known(scene):
         scene.paths += [part.path for part in vector.parts if part.path]
+    scene.paths = list(dict.fromkeys(scene.paths))
+    recognise(scene, kinetic, values)
+    scene.paths += [path for path in spatial_paths(scene) if path not in scene.paths]
+    rolling = read_rolling(scene, values)
+    vectors = _standing(scene, vectors, [equation.base for equation in rolling])
     if not vectors:
         return None
-    scene.paths = list(dict.fromkeys(scene.paths))
+    for equation in rolling:
+        apply_rolling(scene, equation)
     for _, vector, is_position in vectors:
         scene.home(vector, is_position)
     return _finish(scene, kinetic, frame, values, vectors)
@@ -86,7 +106,7 @@ def _known(scene: Scene) -> list[Chained]:
     return [vector for reader in (scene.positions, scene.velocities) for vector in reader.known.values()]
 
 
-def _standing(scene: Scene, vectors: list[Placed]) -> list[Placed]:
+def _standing(scene: Scene, vectors: list[Placed], rolling: Sequence[Chained]) -> list[Placed]:
     """Vectors that turn, or on which something turning stands, or of which a row is a component.
 
     The other pairs only look like vectors: two rates whose squares have one factor.
@@ -95,6 +115,7 @@ def _standing(scene: Scene, vectors: list[Placed]) -> list[Placed]:
     own = {id(vector) for _, vector, _ in vectors}
     used = {id(v.base) for v in _known(scene) if v.base is not None}
     used |= {id(v) for v in _known(scene) if id(v) not in own}
+    used |= {id(v) for v in rolling}
     along = {direction_vector(g, sided)[0] for sided in _directions(g, scene.values)}
     return [p for p in vectors if p[1].turned or id(p[1]) in used or scene.velocity_of(p[1], p[2]) in along]
 
@@ -135,7 +156,7 @@ def _finish(
     for group, vector, is_position in vectors:
         for k, node in zip(group, scene.home(vector, is_position).velocity, strict=False):
             u[k] = node
-    general = substitute(g, u, solved)
+    general = substitute(g, substitute(g, u, scene.replaced), solved)
     weights = tuple(tuple(tangent(g, general, {symbol: g.one})) for symbol in scene.held)
     on_motion = {symbol: g.zero if j < system.l else frame.omega[j] for j, symbol in enumerate(scene.held)}
     rates = Rates(scene, solved, on_motion, kinematics)
@@ -146,7 +167,12 @@ def _finish(
         for k, node in zip(group, rates.acceleration(vector, is_position), strict=False):
             drift[k], carried[k] = node, True
     settled = all(home.known for home in scene.homes.values() if home.root)
-    return Moved(made, tuple(kinematics), tuple(moved), tuple(drift), weights, tuple(carried), settled)
+    spins = []
+    for spin in find_spins(scene, kinetic, carried):
+        for k in (k for axis in spin.members for k in axis):
+            carried[k] = True
+        spins.append(Turning(spin.members, rates.value(scene.spin(spin.path)), spin_weights(scene, spin.path, solved)))
+    return Moved(made, tuple(kinematics), tuple(moved), tuple(drift), weights, tuple(carried), settled, tuple(spins))
 
 
 def _by_speed(

@@ -14,7 +14,8 @@ from fractions import Fraction
 from nhc.algebra.calculus import gradient, reachable, substitute
 from nhc.algebra.graph import ADD, NEG, Graph, Node
 from nhc.algebra.modular import are_zero
-from nhc.mechanics.turns import Path, Turn, Vector
+from nhc.algebra.polynomial import normalise
+from nhc.mechanics.turns import Path, Turn, Vector, turn_in, turn_out
 
 _PLANES = ((0, 1), (1, 2), (2, 0))
 _FEW_ANGLES = 2  # a link and its neighbour: fewer cannot be hoped for
@@ -47,6 +48,7 @@ class Reader:
     """Reads vectors of one kind, positions or velocities, in the order in which they come."""
 
     graph: Graph
+    moving: int  # mask of the coordinates and the time
     known: dict[Vector, Chained] = field(default_factory=dict)
     _sums: dict[Node, dict[Node, Fraction]] = field(default_factory=dict)
     _at: tuple[dict[Node, list[Chained]], ...] = field(default_factory=lambda: ({}, {}, {}))
@@ -152,6 +154,10 @@ class Reader:
 
     # --- turns ------------------------------------------------------------------------------------------------
 
+    def peel(self, components: Vector) -> list[Part]:
+        """The vector as parts on turned axes."""
+        return list(self._peel(components, ()))
+
     def _peel(self, components: Vector, path: Path) -> Iterator[Part]:
         """Parts whose sum is the vector: on turned axes where it turns as a whole."""
         for angle in self.angles_of(components):
@@ -163,7 +169,43 @@ class Reader:
             if any(x != self.graph.zero for x in outer):
                 yield from self._peel(outer, path)
             return
-        yield Part(path, components)
+        tilted = self._tilt(components)
+        if tilted is None:
+            yield Part(path, components)
+            return
+        tilt, turn, inner, outer = tilted
+        yield from self._peel(inner, (*path, tilt, turn))
+        if any(x != self.graph.zero for x in outer):
+            yield Part(path, outer)
+
+    def _tilt(self, components: Vector) -> tuple[Turn, Turn, Vector, Vector] | None:
+        """A turn about an axis that stands askew by a constant angle: (tilt, turn, what turns, what does not, untilted)."""
+        g = self.graph
+        angles = self.angles_of(components)
+        fixed = [a for a in angles if not g.deps[a] & self.moving]
+        turning = [a for a in angles if g.deps[a] & self.moving]
+        if not fixed or not turning or components[2] == g.zero:
+            return None
+        for angle in fixed:
+            for plane in (*_PLANES, *((j, i) for i, j in _PLANES)):
+                tilt = Turn(plane, angle)
+                leaned = self._short(turn_in(g, tilt, components))
+                for about in turning:
+                    found = self._try(leaned, about)
+                    if found is not None:
+                        turn, inner, outer = found
+                        still = self._short(inner)
+                        axial = 3 - sum(turn.plane)
+                        along = list(outer)
+                        along[axial], kept = still[axial], list(still)
+                        kept[axial] = g.zero  # what lies along the axis does not turn
+                        back = self._short(turn_out(g, tilt, (along[0], along[1], along[2])))
+                        return tilt, turn, (kept[0], kept[1], kept[2]), back
+        return None
+
+    def _short(self, vector: Vector) -> Vector:
+        x, y, z = (normalise(self.graph, node, 60) for node in vector)
+        return x, y, z
 
     def angles_of(self, components: Sequence[Node]) -> list[Node]:
         """Angles whose sine or cosine the components contain, the newest first."""

@@ -1,0 +1,152 @@
+"""Constraints that are the components of one vector equation: v + w x r = 0 at a point of contact.
+
+Two or three rows in succession are read as base + local vector on turned axes, where the base is a velocity that T has.  On those
+axes the equation is short: it gives a root's velocity there outright, and between bodies it takes the place of the rows.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from nhc.algebra.calculus import reachable, substitute
+from nhc.algebra.graph import ADD, NEG, Graph, Node
+from nhc.mechanics.moving import Scene
+from nhc.mechanics.turns import Path, Vector, add_vectors, change_axes
+from nhc.mechanics.vectors import Chained
+
+
+@dataclass(frozen=True)
+class Rolling:
+    """held symbols of ``rows`` = the base's velocity + ``local`` on the axes of ``path``."""
+
+    rows: tuple[int, ...]
+    base: Chained
+    is_position: bool
+    path: Path
+    local: Vector
+
+
+def read_rolling(scene: Scene, values: Sequence[Node]) -> list[Rolling]:
+    """Vector equations among the constraints, in their order."""
+    found: list[Rolling] = []
+    count, row = scene.system.l, 0
+    while row < count:
+        for size in (3, 2):
+            if row + size > count:
+                continue
+            rows = tuple(range(row, row + size))
+            rolling = _read(scene, rows, [values[k] for k in rows])
+            if rolling is not None:
+                found.append(rolling)
+                row += size - 1
+                break
+        row += 1
+    return found
+
+
+def _read(scene: Scene, rows: tuple[int, ...], values: list[Node]) -> Rolling | None:
+    g = scene.graph
+    components = [*values, *([g.zero] * (3 - len(values)))]
+    for is_position, reader in ((True, scene.positions), (False, scene.velocities)):
+        for vector in sorted(reader.known.values(), key=lambda v: v.components, reverse=True):
+            velocity = scene.velocity_of(vector, is_position)
+            rest = _without(g, components, velocity)
+            if rest is None:
+                continue
+            place = _on_axes(scene, rest, planar=len(rows) == 2)
+            if place is not None:
+                return Rolling(rows, vector, is_position, *place)
+    return None
+
+
+def _without(graph: Graph, components: Sequence[Node], velocity: Vector) -> Vector | None:
+    """What is left of the rows when a velocity is taken out of their terms."""
+    g, rest = graph, []
+    for node, taken in zip(components, velocity, strict=True):
+        if (node == g.zero) != (taken == g.zero):
+            return None
+        left = _take(g, node, taken) if taken != g.zero else g.zero
+        if left is None:
+            return None
+        rest.append(left)
+    return (rest[0], rest[1], rest[2]) if any(x != g.zero for x in rest) else None
+
+
+def _take(graph: Graph, node: Node, taken: Node) -> Node | None:
+    """node - taken where taken is one of its terms, or all its terms are."""
+    g = graph
+    mine = list(_terms(g, node, taken))
+    if taken in mine:
+        mine.remove(taken)
+        return g.sum(mine)
+    theirs = list(_terms(g, taken, -1))
+    for term in theirs:
+        if term not in mine:
+            return None
+        mine.remove(term)
+    return g.sum(mine)
+
+
+def _terms(graph: Graph, node: Node, whole: Node) -> list[Node]:
+    g, found = graph, []
+    stack = [(node, False)]
+    while stack:
+        top, negative = stack.pop()
+        if g.op[top] == NEG:
+            stack.append((g.a[top], not negative))
+        elif g.op[top] == ADD and (negative or top != whole):
+            stack += [(g.b[top], negative), (g.a[top], negative)]
+        else:
+            found.append(g.neg(top) if negative else top)
+    return found
+
+
+def _on_axes(scene: Scene, rest: Vector, *, planar: bool) -> tuple[Path, Vector] | None:
+    """The rest as a vector on turned axes whose components the spec has as expressions."""
+    g = scene.graph
+    if planar:
+        parts = scene.velocities.peel(rest)
+        if len(parts) == 1 and parts[0].path:
+            return parts[0].path, parts[0].local
+    names = {scene.marks.of(node): node for node in reversed(reachable(g, rest))}
+    for path in sorted(scene.paths, key=len, reverse=True):
+        if (len({axis for turn in path for axis in turn.plane}) == 2) != planar:
+            continue
+        local = []
+        for node in change_axes(g, rest, (), path):
+            mark = scene.marks.of(node)
+            known = g.zero if not any(mark) else names.get(mark)
+            if known is None:
+                opposite = names.get(scene.marks.negative(mark))
+                known = None if opposite is None else g.neg(opposite)
+            if known is None:
+                break
+            local.append(known)
+        if len(local) == 3:
+            return path, (local[0], local[1], local[2])
+    return None
+
+
+def apply_rolling(scene: Scene, rolling: Rolling) -> None:
+    """Use the equation: it settles a root, or replaces its rows once the base has a home."""
+    g = scene.graph
+    local = rolling.local
+    x, y, z = substitute(g, local, scene.replaced)
+    local = (x, y, z)
+    held = [scene.held[k] for k in rolling.rows] + [g.zero] * (3 - len(rolling.rows))
+    known = change_axes(g, (held[0], held[1], held[2]), (), rolling.path)
+    against = tuple(g.neg(node) for node in local)
+    velocity = scene.velocity_of(rolling.base, rolling.is_position)
+    if rolling.base.base is None and all(v in scene.system.v or v == g.zero for v in velocity):
+        scene.equations[velocity] = rolling.path, add_vectors(g, known, (against[0], against[1], against[2]))
+        if len(rolling.rows) == 3:
+            out = change_axes(g, local, rolling.path, ())
+            for k, v, node in zip(rolling.rows, velocity, out, strict=False):
+                scene.rows[k] = g.add(v, node)
+        return
+    home = scene.home(rolling.base, rolling.is_position)
+    there = add_vectors(g, change_axes(g, home.velocity, home.path, rolling.path), local)
+    for k, node, other in zip(rolling.rows, there, known, strict=False):
+        # three equations for three rows; the turned held symbols stand on the right
+        scene.rows[k] = g.add(g.sub(node, other), scene.held[k])

@@ -1,0 +1,92 @@
+"""Angular velocities of the axes among T's forms: recognised, computed along the chain of turns, and differentiated by Euler's rule.
+
+For the components Omega_i of the angular velocity of turned axes on themselves, dOmega(X, e) = -Omega(X) x Omega(e).  A form that
+differs from Omega_i by an exact one (a wheel's spin about its axle) has the same derivative.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from nhc.algebra.calculus import reachable, substitute, tangent
+from nhc.algebra.graph import Node
+from nhc.mechanics.kinetic import Kinetic, exterior_derivative
+from nhc.mechanics.moving import Scene
+from nhc.mechanics.turns import Path, Turn, Vector, cross
+
+
+@dataclass(frozen=True)
+class Spin:
+    """``members[i]`` are the numbers of T's forms whose derivative is that of the i-th component."""
+
+    path: Path
+    members: tuple[tuple[int, ...], tuple[int, ...], tuple[int, ...]]
+
+
+def spatial_paths(scene: Scene) -> list[Path]:
+    """Axes turned in space, and those turned back from a tilt, on which a spec may have its components."""
+    found = dict[Path, None]()
+    for path in scene.paths:
+        for length in range(2, len(path) + 1):
+            found.setdefault(path[:length])
+        if len(path) > 2 and not scene.graph.deps[path[-2].angle] & scene.graph.mask(scene.system.q):
+            tilt = path[-2]
+            found.setdefault((*path, Turn(tilt.plane, scene.graph.neg(tilt.angle))))
+    return [path for path in found if len({axis for turn in path for axis in turn.plane}) == 3]
+
+
+def recognise(scene: Scene, kinetic: Kinetic, roots: Sequence[Node]) -> None:
+    """Expressions of the spec that are components of an angular velocity are replaced by the chain's."""
+    g = scene.graph
+    moving = g.mask(scene.system.v)
+    names = {scene.marks.of(node): node for node in reversed(reachable(g, [*kinetic.atoms, *roots], moving))}
+    for path in spatial_paths(scene):
+        for component in scene.spin(path):
+            if component == g.zero or component in scene.system.v:
+                continue
+            mark = scene.marks.of(component)
+            same, opposite = names.get(mark), names.get(scene.marks.negative(mark))
+            if same is not None and same not in scene.system.v:
+                scene.replaced.setdefault(same, component)
+            elif opposite is not None and opposite not in scene.system.v:
+                scene.replaced.setdefault(opposite, g.neg(component))
+
+
+def find_spins(scene: Scene, kinetic: Kinetic, done: Sequence[bool]) -> list[Spin]:
+    """T's forms whose exterior derivative is that of a component of an angular velocity."""
+    g, system = scene.graph, scene.system
+    open_forms = [k for k, exact in enumerate(kinetic.exact) if not exact and not done[k]]
+    if not open_forms:
+        return []
+    first = tuple(g.symbol(f"first_{i}", "test") for i in range(system.n + 1))
+    second = tuple(g.symbol(f"second_{i}", "test") for i in range(system.n))
+    derivative = {
+        k: scene.marks.of(exterior_derivative(system, kinetic.forms[k], first[:-1], first[-1], second))
+        for k in open_forms
+    }
+    spins: list[Spin] = []
+    for path in spatial_paths(scene):
+        spin = scene.spin(path)
+        along_x = substitute(g, spin, dict(zip(system.v, first[:-1], strict=True)))
+        along_e = substitute(g, spin, dict(zip(system.v, second, strict=True)))
+        turned = cross(g, (along_e[0], along_e[1], along_e[2]), (along_x[0], along_x[1], along_x[2]))
+        members: list[tuple[int, ...]] = []
+        for node in turned:
+            mark = scene.marks.of(node)
+            members.append(tuple(k for k in open_forms if derivative[k] == mark))
+            open_forms = [k for k in open_forms if k not in members[-1]]
+        if any(members):
+            spins.append(Spin(path, (members[0], members[1], members[2])))
+    return spins
+
+
+def spin_weights(scene: Scene, path: Path, solved: dict[Node, Node]) -> tuple[Vector, ...]:
+    """Omega(e_j) for every vector of the frame."""
+    g = scene.graph
+    spin = substitute(g, scene.spin(path), solved)
+    weights = []
+    for symbol in scene.held:
+        x, y, z = tangent(g, spin, {symbol: g.one})
+        weights.append((x, y, z))
+    return tuple(weights)
