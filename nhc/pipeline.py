@@ -14,6 +14,7 @@ Stages are pure; the names below are those of ``--dump``.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
@@ -35,6 +36,7 @@ if TYPE_CHECKING:
     from nhc.program.paper import Derivation
     from nhc.program.scene_model import SceneModel
     from nhc.study.chart.case import Study
+    from nhc.study.chart.fidelity import Comparison
     from nhc.study.chart.grid import Grid
     from nhc.study.chart.study import Show
     from nhc.study.motion import Findings, Request
@@ -315,6 +317,13 @@ def chart(source: Source, grid: Grid, show: Show | None = None) -> Study:
     from nhc.study.chart.study import chart as make
 
     return make(source, grid, show)
+
+
+def compare_models(sources: Sequence[Source], finest: Source, grid: Grid, show: Show | None = None) -> Comparison:
+    """The error of models against the finest of them on one scene, and what their runs cost; raises like ``chart``."""
+    from nhc.study.chart.fidelity import compare_models as compare
+
+    return compare(sources, finest, grid, show)
 
 
 def simplify(source: Source, tolerance: float, options: Options, show: ShowTrial | None = None) -> Ladder:

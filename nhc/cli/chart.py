@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import sys
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -15,6 +16,7 @@ from nhc.cli.terminal import Exit, Failure, put, say
 
 if TYPE_CHECKING:
     from nhc.study.chart.case import Study
+    from nhc.study.chart.fidelity import Comparison
 
 # nhc.simulate.methods.RUNGE_KUTTA again, which takes too long to import for a help text; a test holds them equal
 METHODS = ("dop853", "dopri5", "rk4", "radau5", "gauss4", "gauss6", "midpoint")
@@ -74,6 +76,12 @@ def _tolerances(context: click.Context, parameter: click.Parameter, value: str |
 @click.option(
     "--no-peers", is_flag=True, help="Leave out other integrators (SciPy, heyoka), even where they are installed."
 )
+@click.option(
+    "--against",
+    metavar="SPEC",
+    default="",
+    help="Compare models: errors of the specs against this finest one, on a scene that all have.",
+)
 @click.option("-o", "output", metavar="FILE|DIR", help="A .svg, .html, .json or .md file, or a folder for all four.")
 @click.option("--force", is_flag=True, help="Overwrite files that exist.")
 @json_option
@@ -86,6 +94,7 @@ def command(
     languages: tuple[str, ...],
     tolerances: tuple[float, ...],
     no_peers: bool,
+    against: str,
     output: str | None,
     force: bool,
     as_json: bool,
@@ -93,24 +102,33 @@ def command(
     """Chart time against error and recommend equations and a method.
 
     Runs a scene by every formulation, method, language and tolerance, measures errors against a reference of much higher
-    accuracy, and says which is the fastest for which accuracy, and why.  Without `-o` it prints Markdown.
+    accuracy, and says which is the fastest for which accuracy, and why.  With `--scene` it runs the scene's reduced models.
+    With `--against FINEST` it compares models instead: the error of each spec against the finest one, and its cost.  Without
+    `-o` it prints Markdown.
     """
-    target = _check_target(output, len(specs), as_json)
+    target = _check_target(output, 1 if against else len(specs), as_json)
+    if against and (formulations or languages):
+        raise click.UsageError(
+            "`--against` compares models, each as nhc runs it: leave `--formulations` and `--langs` out"
+        )
     sources = [open_spec(spec) for spec in specs]
+    finest = open_spec(against) if against else None
     from nhc import pipeline
     from nhc.simulate.opening import RunError
     from nhc.study.chart.grid import Grid
     from nhc.study.chart.reference import NoReference
 
     grid = Grid(scene, needs, formulations, methods, languages, tolerances, not no_peers)
-    for source in sources:
-        try:
-            study = pipeline.chart(source, grid, _show)
-        except RunError as error:
-            raise Failure(str(error), error.help) from error
-        except NoReference as error:
-            raise Failure(str(error), ["`nhc run` says where the scene fails"], exit=Exit.NUMERICAL) from error
-        _deliver(study, target, as_json, force)
+    try:
+        if finest is not None:
+            _deliver_comparison(pipeline.compare_models(sources, finest, grid, _show), target, as_json, force)
+            return Exit.DONE
+        for source in sources:
+            _deliver(pipeline.chart(source, grid, _show), target, as_json, force)
+    except RunError as error:
+        raise Failure(str(error), error.help) from error
+    except NoReference as error:
+        raise Failure(str(error), ["`nhc run` says where the scene fails"], exit=Exit.NUMERICAL) from error
     return Exit.DONE
 
 
@@ -142,16 +160,31 @@ def _check_target(output: str | None, count: int, as_json: bool) -> Path | None:
 def _deliver(study: Study, target: Path | None, as_json: bool, force: bool) -> None:
     from nhc.report.chart_file import make_file
 
-    for note in study.notes:
+    _put_or_write(
+        study.notes, f"{study.system}_{study.scene}_chart", lambda kind: make_file(study, kind), target, as_json, force
+    )
+
+
+def _deliver_comparison(made: Comparison, target: Path | None, as_json: bool, force: bool) -> None:
+    from nhc.report.comparison_page import make_comparison_file
+
+    stem = f"{made.scene}_against_{made.finest.replace('/', '_')}"
+    _put_or_write(made.notes, stem, lambda kind: make_comparison_file(made, kind), target, as_json, force)
+
+
+def _put_or_write(
+    notes: tuple[str, ...], stem: str, make: Callable[[str], str], target: Path | None, as_json: bool, force: bool
+) -> None:
+    """Print, or write one file or all four kinds; ``make`` takes a suffix."""
+    for note in notes:
         say(f"note: {note}")
     if target is None:
-        put(make_file(study, ".json" if as_json else ".md"))
+        put(make(".json" if as_json else ".md"))
         return
     from nhc.cli.write import refuse_to_overwrite, write_files
 
-    stem = f"{study.system}_{study.scene}_chart"
     paths = [target] if target.suffix in KINDS else [target / f"{stem}{kind}" for kind in KINDS]
-    files = {path: make_file(study, path.suffix) for path in paths}
+    files = {path: make(path.suffix) for path in paths}
     if not force:
         refuse_to_overwrite(files, edited_only=False)
     write_files(files)

@@ -21,6 +21,13 @@ def gallery_paths() -> dict[str, Path]:
     return {path.stem: path for path in sorted(find_specs().glob("*.yaml"))}
 
 
+def ladder_paths() -> dict[str, Path]:
+    """Return the specs of the ladder of models, which extend one another, as ``ladder/<name>``."""
+    from nhc.resources import find_specs
+
+    return {f"ladder/{path.stem}": path for path in sorted((find_specs() / "ladder").glob("*.yaml"))}
+
+
 def open_spec(spec: str) -> Source:
     """Return the text of ``spec``: a file, ``-`` for stdin, or the name of a gallery spec when no such file exists.
 
@@ -32,7 +39,7 @@ def open_spec(spec: str) -> Source:
 
     if spec == "-" or Path(spec).exists():
         return read(spec)
-    gallery = gallery_paths()
+    gallery = gallery_paths() if "/" not in spec else ladder_paths()
     if spec not in gallery:
         raise Failure(f"no file `{spec}`, and no spec of the gallery has that name", _advise(spec, list(gallery)))
     say(f"taking `{spec}` from the gallery")

@@ -73,6 +73,7 @@ TITLES: dict[str, str] = {
     "E0502": "unknown stage",
     "E0503": "no such scene",
     "E0504": "cannot be emitted as asked",
+    "E0505": "models cannot be compared",
 }
 
 

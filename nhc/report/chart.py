@@ -18,7 +18,7 @@ BOLD = ' font-weight="bold"'
 
 def draw_study(study: Study) -> str:
     """The whole SVG document: the same text for the same study."""
-    style = style_of(study)
+    style = style_of(study.results)
     legend, below = _draw_legend(study, style, 52)
     top = below + 30
     floor = RESOLVED * study.reference.error
@@ -30,10 +30,10 @@ def draw_study(study: Study) -> str:
         lambda r: r.best,
         *(LEFT, top, MAIN_WIDTH, MAIN_HEIGHT, floor, True),
     )
-    parts = [*legend, *draw_panel(main, study, style), *_draw_hint(main), *_draw_strip(main, study, style)]
+    parts = [*legend, *draw_panel(main, study.results, style), *_draw_hint(main), *_draw_strip(main, study, style)]
     at = top + MAIN_HEIGHT + 82
     for k, panel in enumerate(_small_panels(at, floor)):
-        parts += draw_panel(panel, study, style)
+        parts += draw_panel(panel, study.results, style)
         if k == len(_small_panels(at, floor)) - 1:
             at = panel.top + panel.height + 80
     bars, height = _draw_costs(study, at)

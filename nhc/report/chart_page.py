@@ -7,7 +7,7 @@ from html import escape
 
 from nhc.emit.environment import create_environment
 from nhc.report.chart import draw_study
-from nhc.report.chart_text import list_failures, provenance, runs_of, times_to_targets
+from nhc.report.chart_text import list_failures, list_omissions, provenance, runs_of, times_to_targets
 from nhc.report.panel import Style, style_of
 from nhc.study.chart.advice import NAMES, TARGETS, advise, duration, setting, spell_power
 from nhc.study.chart.case import Result, Study
@@ -16,7 +16,7 @@ from nhc.version import __version__
 
 def make_page(study: Study) -> str:
     """The picture with readings under the pointer and choices of what shows, the recommendations, all cases."""
-    style = style_of(study)
+    style = style_of(study.results)
     context: dict[str, object] = {
         "title": escape(f"{study.system}, scene {study.scene}: work against precision"),
         "about": escape(study.about),
@@ -32,6 +32,10 @@ def make_page(study: Study) -> str:
             for series, times in times_to_targets(study)
         ],
         "failures": [(escape(what), escape(why), runs_of(count)) for what, why, count in list_failures(study)],
+        "omissions": [
+            (escape(names), [(escape(name), escape(reason)) for name, reason in left])
+            for names, left in list_omissions(study)
+        ],
         "left_out": [(escape(what), escape(why)) for what, why in study.left_out],
         "sources": [escape(line) for line in provenance(study)],
         "cases": [[escape(cell) for cell in describe(result)] for result in study.results],

@@ -65,6 +65,7 @@ def to_markdown(study: Study) -> str:
         *([_table_of_times(study)]),
         "## One right-hand side",
         _table_of_costs(study),
+        *_omissions(study),
         *_failures(study),
         *_left_out(study),
         "## Where the numbers come from",
@@ -106,6 +107,23 @@ def times_to_targets(study: Study) -> list[tuple[tuple[str, str, str], list[floa
         if any(found):
             rows.append((series, [math.nan if r is None else r.best for r in found]))
     return rows
+
+
+def list_omissions(study: Study) -> list[tuple[str, list[tuple[str, str]]]]:
+    """(which models, [(entry, reason)]) of what the scene's models leave out of the state; the same list stands once."""
+    found: dict[tuple[tuple[str, str], ...], list[str]] = {}
+    for cost in study.costs:
+        if cost.left:
+            found.setdefault(cost.left, []).append(f"{cost.formulation} ({cost.states} of {cost.full_states} states)")
+    return [(", ".join(names), list(left)) for left, names in found.items()]
+
+
+def _omissions(study: Study) -> list[str]:
+    parts = [
+        f"{names}\n\n" + "\n".join(f"- `{name}`: {reason}" for name, reason in left)
+        for names, left in list_omissions(study)
+    ]
+    return ["## What the scene does not need", *parts] if parts else []
 
 
 def _table_of_times(study: Study) -> str:

@@ -10,7 +10,7 @@ from nhc.report.marks import SHAPES, draw_box, draw_line, draw_marker, draw_text
 from nhc.report.svg import COLOURS
 from nhc.report.ticks import Scale, log_scale
 from nhc.study.chart.advice import NAMES
-from nhc.study.chart.case import Result, Study
+from nhc.study.chart.case import Result
 
 DASHES = {"c": "", "python": "7 4", "scipy": "2 3", "heyoka": "9 3 2 3"}
 OTHER_DASH = "1 5"
@@ -47,9 +47,9 @@ class Style:
         return f"m{places[0]} f{places[1]} l{self.languages.index(case.language)}"
 
 
-def style_of(study: Study) -> Style:
-    """What a study's cases are told apart by, in the order in which they come."""
-    cases = [result.case for result in study.results]
+def style_of(results: Sequence[Result]) -> Style:
+    """What cases are told apart by, in the order in which they come."""
+    cases = [result.case for result in results]
     return Style(
         tuple(dict.fromkeys(c.method for c in cases)),
         tuple(dict.fromkeys(c.formulation for c in cases)),
@@ -78,11 +78,9 @@ class Panel:
     front: bool = False
 
 
-def draw_panel(panel: Panel, study: Study, style: Style) -> list[str]:
+def draw_panel(panel: Panel, results: Sequence[Result], style: Style) -> list[str]:
     """The panel's elements; cases without a value on either axis do not show."""
-    shown = [
-        (k, r) for k, r in enumerate(study.results) if not r.failed and _is_good(panel.x(r)) and _is_good(panel.y(r))
-    ]
+    shown = [(k, r) for k, r in enumerate(results) if not r.failed and _is_good(panel.x(r)) and _is_good(panel.y(r))]
     xs, ys = [panel.x(r) for _, r in shown], [panel.y(r) for _, r in shown]
     x = log_scale(min(xs, default=1e-3), max(xs, default=1.0), panel.width, max(3, int(panel.width // 62)))
     y = log_scale(min(ys, default=1e-3), max(ys, default=1.0), panel.height, max(3, int(panel.height // 34)))

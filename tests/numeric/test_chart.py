@@ -13,6 +13,7 @@ from click.testing import CliRunner
 
 from nhc.cli.chart import command
 from nhc.language import Source, read
+from nhc.report.chart_file import make_file
 from nhc.simulate import compile as compiling
 from nhc.simulate.auto import choose_method
 from nhc.simulate.opening import open_scene
@@ -88,7 +89,10 @@ def test_c_and_python_make_the_same_errors() -> None:
 def test_a_fixed_block_that_is_crossed_is_shown_as_failed() -> None:
     made = sleigh()
     crossed = [r for r in made.results if r.case.formulation in ("chaplygin", "voronec")]
-    assert crossed and all("determinant changes its sign" in r.failed and math.isnan(r.error) for r in crossed)
+    assert crossed and all(
+        "determinant" in r.failed and "results beyond it would be wrong" in r.failed and math.isnan(r.error)
+        for r in crossed
+    )
     assert {what for what, _ in made.left_out} >= {"newton", "lagrange"}
     assert all(a.best is None or a.best.case.formulation not in ("chaplygin", "voronec") for a in advise(made))
 
@@ -179,3 +183,50 @@ def test_the_verb_writes_four_files_and_refuses_to_overwrite_others(tmp_path: Pa
     (tmp_path / names[2]).write_text("mine")
     again = CliRunner().invoke(command, ["chaplygin_sleigh", "--scene", "glide", *options, "-o", str(tmp_path)])
     assert again.exit_code != 0 and (tmp_path / names[2]).read_text() == "mine"
+
+
+@needs_compiler
+def test_a_named_scene_is_charted_on_its_smallest_state_beside_the_whole_one() -> None:
+    grid = replace(SMALL, scene="lean", methods=("dop853",), languages=("c",), tolerances=(1e-6, 1e-11))
+    made = chart(gallery("rolling_disk"), grid)
+    costs = {cost.formulation: cost for cost in made.costs}
+    assert list(costs)[:2] == ["euler-lagrange", "euler-lagrange, full"]
+    assert (costs["euler-lagrange"].states, costs["euler-lagrange"].full_states) == (4, 8)
+    assert dict(costs["chaplygin"].left).keys() == {"x", "y", "phi", "psi"} and not costs["euler-lagrange, full"].left
+    assert costs["multipliers"].states == 10 and not costs["multipliers"].left
+    for result in made.results:
+        assert not result.failed and result.error < 200 * result.case.tolerance
+        assert result.energy < 200 * result.case.tolerance  # the reduced state determines the energy
+    text = make_file(made, ".md")
+    assert "euler-lagrange (4 of 8 states), chaplygin (4 of 8 states)" in text
+    assert "- `phi`: decoupled: only what is left out depends on it (x, y)" in text
+    assert json.loads(make_file(made, ".json"))["formulations"][0]["left"][0] == [
+        "x",
+        "cyclic and not needed: nothing depends on it",
+    ]
+    assert "What the scene does not need" in make_file(made, ".html")
+
+
+@needs_compiler
+def test_the_model_that_emit_writes_for_a_scene_is_in_its_chart() -> None:
+    """A sleeping top: with its conserved momentum as a parameter it is cheaper than in any formulation of the spec."""
+    grid = replace(SMALL, scene="sleeping", methods=("dop853",), languages=("c",), tolerances=(1e-5, 1e-9), peers=True)
+    made = chart(gallery("heavy_top"), grid)
+    own = made.costs[0]
+    assert (
+        own.formulation == "scene"
+        and own.states == 3
+        and ("omega3", "constant of the motion") in [(name, reason[:22]) for name, reason in own.left]
+    )
+    errors = {
+        r.case.tolerance: r.error for r in made.results if r.case.formulation == "scene" and r.case.language == "c"
+    }
+    assert errors[1e-9] < 1e-7 and errors[1e-9] < 1e-2 * errors[1e-5]
+
+
+@needs_compiler
+def test_other_needs_reduce_otherwise() -> None:
+    grid = replace(SMALL, scene="reference", methods=("dop853",), languages=("c",), tolerances=(1e-8,))
+    small = chart(gallery("chaplygin_sleigh"), replace(grid, needs=("v", "w"), formulations=("euler-lagrange",)))
+    assert [cost.states for cost in small.costs] == [2] and small.needs == ("v", "w")
+    assert all(r.error < 1e-5 for r in small.results)

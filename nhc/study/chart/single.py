@@ -31,6 +31,11 @@ class Bench:
 
 def run_case(bench: Bench, case: Case, budget: float) -> Result:
     """Errors and times of one case; a run that does not reach the end says why."""
+    return follow_case(bench, case, budget)[0]
+
+
+def follow_case(bench: Bench, case: Case, budget: float) -> tuple[Result, Rows]:
+    """The same with the rows of columns and checks; none where the run failed."""
     model = bench.compiled if case.language == "c" else bench.interpreted
     assert model is not None
     job = bench.job
@@ -41,11 +46,11 @@ def run_case(bench: Bench, case: Case, budget: float) -> Result:
         case, calls=outcome.calls, jacobians=outcome.jacobians, steps=outcome.steps, rejected=outcome.rejected
     )
     if found.ended != "done":
-        return replace(counts, failed=f"{found.reason} (t = {outcome.t:.6g})")
+        return replace(counts, failed=f"{found.reason} (t = {outcome.t:.6g})"), ()
     rows = [(*row, *checks) for row, checks in zip(found.rows, found.checks, strict=True)]
     measured = judge(bench, counts, rows)
     if measured.failed:
-        return measured
+        return measured, ()
     ends = replace(task, times=(bench.times[0], bench.times[-1]))
 
     def repeat(count: int) -> None:
@@ -57,7 +62,7 @@ def run_case(bench: Bench, case: Case, budget: float) -> Result:
             bench.interpreted.integrate(ends, case.method, bench.interpreted.news())
 
     best, middle, repeats = time_repeats(repeat, budget)
-    return replace(measured, best=best, median=middle, repeats=repeats)
+    return replace(measured, best=best, median=middle, repeats=repeats), rows
 
 
 def judge(bench: Bench, counts: Result, rows: Rows) -> Result:

@@ -1,0 +1,133 @@
+"""Models held against the finest one, as one picture."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+from nhc.report.comparison_text import run_of
+from nhc.report.marks import draw_box, draw_cross, draw_line, draw_marker, draw_text
+from nhc.report.panel import Panel, Style, draw_panel, style_of
+from nhc.report.svg import Axis, Chart, Series, draw_inside
+from nhc.study.chart.advice import duration
+from nhc.study.chart.case import RESOLVED, Result
+from nhc.study.chart.fidelity import Comparison
+
+WIDTH, LEFT = 1060, 74
+MAIN_WIDTH, MAIN_HEIGHT = 955, 400
+CURVE_WIDTH, CURVE_HEIGHT = 505, 270
+BOLD = ' font-weight="bold"'
+MOST_CURVES = 12
+
+
+def draw_comparison(made: Comparison) -> str:
+    """The whole SVG document: time against error, then the needed quantities of all models."""
+    results = swap_names(made)
+    style = style_of(results)
+    legend, below = _draw_models(made, style, 54)
+    main = Panel(
+        f"time against error, held against {made.finest}",
+        f"largest error of {', '.join(made.needs)} on the scene, relative to each quantity's largest magnitude",
+        "time of one run (s), the fastest of the repeats",
+        lambda r: r.error,
+        lambda r: r.best,
+        *(LEFT, below + 34, MAIN_WIDTH, MAIN_HEIGHT, RESOLVED * made.reference.error, True),
+    )
+    parts = [*legend, *draw_panel(main, results, style), *_draw_failures(results, style, main)]
+    at = main.top + MAIN_HEIGHT + 66
+    curves, bottom = _draw_curves(made, at)
+    parts += [*curves, *_draw_foot(made, bottom + 20)]
+    total = bottom + 62
+    title = f"scene {made.scene}: models against {made.finest}"
+    return (
+        f'<svg xmlns="http://www.w3.org/2000/svg" width="{WIDTH}" height="{total:.0f}" '
+        f'viewBox="0 0 {WIDTH} {total:.0f}" font-family="sans-serif" font-size="12">\n'
+        + "\n".join(
+            [
+                draw_box(0, 0, WIDTH, total, "#ffffff"),
+                draw_text(WIDTH / 2, 26, title, "middle", ' font-size="17" font-weight="bold"'),
+                *parts,
+            ]
+        )
+        + "\n</svg>\n"
+    )
+
+
+def swap_names(made: Comparison) -> tuple[Result, ...]:
+    """The results with the model in the place of the method: colours tell models apart here, shapes methods."""
+    return tuple(
+        replace(r, case=replace(r.case, formulation=r.case.method, method=r.case.formulation)) for r in made.results
+    )
+
+
+def _draw_models(made: Comparison, style: Style, top: float) -> tuple[list[str], float]:
+    """A row for each model, and the shapes where there are several methods."""
+    columns = (LEFT, LEFT + 300, LEFT + 390, LEFT + 490, LEFT + 610)
+    heads = ("model", "state", "operations", "right-hand side", "run at the scene's tolerance")
+    parts = [draw_text(x, top, text, more=BOLD) for x, text in zip(columns, heads, strict=True)]
+    worst = LEFT + 820
+    parts.append(draw_text(worst, top, "error", more=BOLD))
+    at = top + 19
+    for rung in made.rungs:
+        colour = style.colour(rung.name)
+        run = run_of(made, rung)
+        error = "0 by definition" if rung.name == made.finest else f"{rung.error:.1e}"
+        cells = (
+            f"{rung.states} of {rung.full_states}",
+            str(rung.operations),
+            duration(rung.rhs),
+            "-" if run is None else duration(run.best),
+        )
+        parts.append(draw_line(LEFT, at - 4, LEFT + 24, at - 4, colour, ' stroke-width="3"'))
+        parts.append(draw_text(LEFT + 32, at, rung.name))
+        parts += [draw_text(x, at, text) for x, text in zip(columns[1:], cells, strict=True)]
+        parts.append(draw_text(worst, at, error if math.isfinite(rung.error) else "-"))
+        at += 19
+    if len(style.formulations) > 1:
+        x = LEFT
+        for name in style.formulations:
+            parts.append(draw_marker(style.shape(name), x + 8, at - 4, 4.4, "#444444"))
+            parts.append(draw_text(x + 20, at, name))
+            x += 60 + 7 * len(name)
+        at += 19
+    return parts, at - 10
+
+
+def _draw_failures(results: tuple[Result, ...], style: Style, panel: Panel) -> list[str]:
+    """A cross with the reason at the upper edge of the plot for each model that failed somewhere."""
+    parts, at = [], panel.top + 18.0
+    for name in style.methods:
+        failed = [(k, r) for k, r in enumerate(results) if r.failed and r.case.method == name]
+        if failed:
+            k, first = failed[0]
+            x = panel.left + panel.width - 12
+            parts.append(draw_cross(x, at - 4, 4, style.colour(name), f' class="point" data-k="{k}"'))
+            parts.append(draw_text(x - 10, at, f"{name}: {len(failed)} failed runs: {first.failed[:80]}", "end"))
+            at += 17
+    return parts
+
+
+def _draw_curves(made: Comparison, top: float) -> tuple[list[str], float]:
+    """The needed quantities of all models over time, two in a row; and where they end."""
+    parts: list[str] = []
+    bottom = top
+    for k, need in enumerate(made.needs[:MOST_CURVES]):
+        series = tuple(Series("", made.times[: len(rung.rows)], [row[k] for row in rung.rows]) for rung in made.rungs)
+        chart = Chart(need, Axis("t", exact=True), Axis(""), series, CURVE_WIDTH, CURVE_HEIGHT)
+        x, y = 12 + (k % 2) * (CURVE_WIDTH + 14), top + (k // 2) * (CURVE_HEIGHT + 8)
+        parts.append(f'<g transform="translate({x:.0f} {y:.0f})">\n{draw_inside(chart)}\n</g>')
+        bottom = y + CURVE_HEIGHT
+    return parts, bottom
+
+
+def _draw_foot(made: Comparison, y: float) -> list[str]:
+    about = made.reference
+    lines = (
+        f"reference: {made.finest} by {about.method} in {about.arithmetic}, confirmed by {about.confirmed_by}; "
+        f"they differ by {about.error:.1e}",
+        f"machine: {made.machine.line}",
+    )
+    return [
+        draw_text(LEFT - 54, y + 17 * k, line, more=' font-size="10.5"', colour="#555555")
+        for k, line in enumerate(lines)
+    ]

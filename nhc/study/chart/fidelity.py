@@ -1,0 +1,224 @@
+"""Models of one scene held against the finest of them: the error of the model, and what a run of it costs."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from pathlib import PurePath
+
+from nhc.diagnostics import Source
+from nhc.language import decode
+from nhc.language.spec import Scene, Spec
+from nhc.mechanics.choose import formulate
+from nhc.mechanics.formulate import equations_of
+from nhc.mechanics.resolve import resolve
+from nhc.mechanics.scenes import start_of
+from nhc.program.scene_model import SceneModel, count_operations_of, scene_model
+from nhc.simulate.auto import choose_method
+from nhc.simulate.compile import find_compiler
+from nhc.simulate.opening import find_need, find_scene
+from nhc.simulate.prepare import Job, prepare
+from nhc.simulate.reduced import job_of
+from nhc.simulate.run import list_times
+from nhc.study.chart.case import RESOLVED, Case, Machine, Reference, Result
+from nhc.study.chart.comparable import check_comparable
+from nhc.study.chart.grid import Grid
+from nhc.study.chart.jobs import scene_of_needs
+from nhc.study.chart.measure import Rows, describe_machine
+from nhc.study.chart.reference import Solution, make_reference
+from nhc.study.chart.single import follow_case
+from nhc.study.chart.study import cost_of, open_bench, open_long
+
+TOLERANCES = tuple(float(f"1e-{k}") for k in range(2, 11))
+POINTS = 201
+Show = Callable[[float, str], None]
+
+
+@dataclass(frozen=True, slots=True)
+class Rung:
+    """A model of the comparison; errors are those of its finest run, the largest on the grid relative to the quantity's size.
+
+    ``own``: how much its own last two tolerances differ, so what of ``error`` is the integrator's; ``rhs``: seconds of one
+    right-hand side; ``left``: what the scene's model leaves out of the ``full_states`` entries, with the reason; ``rows``: the
+    needed quantities at the study's times.
+    """
+
+    name: str
+    path: str
+    system: str
+    about: str
+    formulation: str
+    reason: str
+    method: str
+    why: str
+    states: int
+    full_states: int
+    operations: int
+    rhs: float
+    left: tuple[tuple[str, str], ...]
+    errors: tuple[float, ...]
+    own: float
+    rows: tuple[tuple[float, ...], ...]
+
+    @property
+    def error(self) -> float:
+        return max(self.errors, default=math.nan)
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """Models in the order in which they were named, the finest one last; each of the ``results`` has a model's name as its
+    formulation, and as its error the largest on the grid against the finest model's reference.
+    """
+
+    scene: str
+    finest: str
+    time: tuple[float, float]
+    tolerance: float
+    needs: tuple[str, ...]
+    times: tuple[float, ...]
+    truth: tuple[tuple[float, ...], ...]
+    sizes: tuple[float, ...]
+    rungs: tuple[Rung, ...]
+    results: tuple[Result, ...]
+    reference: Reference
+    notes: tuple[str, ...]
+    machine: Machine
+
+
+@dataclass(frozen=True)
+class _Opened:
+    """A spec with its scene and what is compared of it."""
+
+    name: str
+    source: Source
+    spec: Spec
+    scene: Scene
+    made: SceneModel
+    job: Job
+
+
+def compare_models(sources: Sequence[Source], finest: Source, grid: Grid, show: Show | None = None) -> Comparison:
+    """The error of each model against the finest one on the same scene, and the time of its runs.
+
+    Raises:
+        nhc.diagnostics.SpecError: a spec has errors, or lacks what the finest one's scene needs.
+        nhc.simulate.opening.RunError: the finest spec has no such scene or quantity.
+        nhc.study.chart.reference.NoReference: the finest model does not come to the end of the scene.
+    """
+    truth = decode(finest)
+    scene = find_scene(truth, grid.scene)
+    needs = tuple(dict.fromkeys(find_need(truth, need) for need in grid.needs)) or tuple(n.name for n in scene.need)
+    models = {source.path: source for source in (*sources, finest)}
+    names = name_models(list(models))
+    specs = {path: decode(source) for path, source in models.items()}
+    for path, spec in specs.items():
+        check_comparable(spec, truth, scene, needs, names[path])
+    opened = [_open(names[path], models[path], spec, scene.name, needs) for path, spec in specs.items()]
+    best = next(one for one in opened if one.source.path == finest.path)
+    opened = [*(one for one in opened if one is not best), best]
+    times = list_times(*best.job.time, POINTS)
+    compiled = bool(find_compiler())
+    solution = make_reference(best.job, times, open_long(best.job) if compiled else None)
+    tolerances = tuple(sorted(grid.tolerances or TOLERANCES, reverse=True))
+    rungs: list[Rung] = []
+    results: list[Result] = []
+    for k, one in enumerate(opened):
+        if show is not None:
+            show(k / len(opened), one.name)
+        rung, found = _run(one, times, solution, tolerances, grid, compiled)
+        rungs.append(rung)
+        results += found
+    if show is not None:
+        show(1.0, "")
+    width = len(best.job.columns)
+    return Comparison(
+        scene=scene.name,
+        finest=best.name,
+        time=best.job.time,
+        tolerance=best.job.tolerance,
+        needs=tuple(column.heading for column in best.job.columns),
+        times=times,
+        truth=tuple(tuple(row[:width]) for row in solution.rows),
+        sizes=tuple(solution.sizes),
+        rungs=tuple(rungs),
+        results=tuple(results),
+        reference=solution.about,
+        notes=() if compiled else ("there is no C compiler here: the emitted Python is timed",),
+        machine=describe_machine(),
+    )
+
+
+def name_models(paths: Sequence[str]) -> dict[str, str]:
+    """The file's stem for each path; with as much of the path as tells them apart where stems are the same."""
+    parts = {path: PurePath(path).with_suffix("").parts for path in paths}
+    for count in range(1, max((len(p) for p in parts.values()), default=1) + 1):
+        names = {path: "/".join(p[-count:]) for path, p in parts.items()}
+        if len(set(names.values())) == len(names):
+            return names
+    return {path: path for path in paths}
+
+
+def _open(name: str, source: Source, spec: Spec, scene: str, needs: Sequence[str]) -> _Opened:
+    system = resolve(spec)
+    base = formulate(system)
+    own = scene_of_needs(spec, find_scene(spec, scene), needs)
+    made = scene_model(system, base, own, only_base=spec.formulation not in ("", "auto"))
+    if made.chosen or made.reduction.left:
+        job = job_of(made.planner, start_of(system, own), jacobian=True)
+    else:
+        job = prepare(equations_of(system, base), base, start_of(system, own), needs, jacobian=True)
+    return _Opened(name, source, spec, own, made, job)
+
+
+def _run(
+    one: _Opened, times: Sequence[float], solution: Solution, tolerances: Sequence[float], grid: Grid, compiled: bool
+) -> tuple[Rung, list[Result]]:
+    """A model at every tolerance: the rung, and what each run gave."""
+    method, why = choose_method(one.job, tolerances[-1])
+    chosen = grid.methods or (method,)
+    bench = open_bench(one.name, one.job, times, solution, chosen, compiled)
+    language = "c" if compiled else "python"
+    results: list[Result] = []
+    kept: list[Rows] = []
+    for name in chosen:
+        for tolerance in tolerances:
+            result, rows = follow_case(bench, Case(one.name, name, language, tolerance), grid.budget)
+            if not result.failed:
+                error = max(errors_of(rows, solution.rows, solution.sizes))
+                result = replace(result, error=error, unresolved=not error >= RESOLVED * solution.about.error)
+                kept += [rows] if name == chosen[0] else []
+            results.append(result)
+    width = len(one.job.columns)
+    finest = kept[-1] if kept else ()
+    errors = errors_of(finest, solution.rows, solution.sizes) if kept else (math.nan,) * width
+    own = max(errors_of(kept[-2], finest, solution.sizes)) if len(kept) > 1 else math.nan
+    cost = cost_of(bench, (language,), None)
+    rhs = next(function for function in one.job.program.functions if function.name == "rhs")
+    return Rung(
+        name=one.name,
+        path=PurePath(one.source.path).name,
+        system=one.spec.system,
+        about=one.spec.about,
+        formulation=one.job.formulation.name,
+        reason=one.job.formulation.reason,
+        method=chosen[0],
+        why=why if chosen[0] == method else "named",
+        states=len(one.job.y),
+        full_states=len(one.made.full_state),
+        operations=count_operations_of(rhs),
+        rhs=cost.c if compiled else cost.python,
+        left=tuple((omission.name, omission.reason) for omission in one.made.reduction.left),
+        errors=errors,
+        own=own,
+        rows=tuple(tuple(row[:width]) for row in finest),
+    ), results
+
+
+def errors_of(rows: Rows, truth: Rows, sizes: Sequence[float]) -> tuple[float, ...]:
+    """The largest error of each quantity over the rows, relative to its size."""
+    return tuple(
+        max((abs(a[k] - b[k]) for a, b in zip(rows, truth, strict=True)), default=math.nan) / size
+        for k, size in enumerate(sizes)
+    )
