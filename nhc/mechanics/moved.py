@@ -139,9 +139,10 @@ def _finish(
         found, guards = solve_rows(g, rows, system.v, matrix, pivot_weakness(system))
     except Singular:
         return None
+    found = substitute(g, found, scene.meaning)
     still = {symbol: g.zero for symbol in scene.held}
     named = dict(zip(scene.held, frame.omega, strict=True))
-    solved = dict(zip(system.v, found, strict=True))
+    solved = {**scene.meaning, **dict(zip(system.v, found, strict=True))}
     made = Frame(
         system=system,
         forms=frame.forms,

@@ -52,6 +52,7 @@ class Scene:
     paths: list[Path] = field(default_factory=list)
     rows: dict[int, Node] = field(default_factory=dict)  # shorter expressions of forms, by number
     spins: dict[Path, Vector] = field(default_factory=dict)
+    meaning: dict[Node, Node] = field(default_factory=dict)  # symbols of turned equations -> turned held symbols
     replaced: dict[Node, Node] = field(default_factory=dict)  # the spec's expressions of angular velocities -> the chain's
 
     @property

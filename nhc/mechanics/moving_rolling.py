@@ -135,11 +135,11 @@ def apply_rolling(scene: Scene, rolling: Rolling) -> None:
     x, y, z = substitute(g, local, scene.replaced)
     local = (x, y, z)
     held = [scene.held[k] for k in rolling.rows] + [g.zero] * (3 - len(rolling.rows))
-    known = change_axes(g, (held[0], held[1], held[2]), (), rolling.path)
-    against = tuple(g.neg(node) for node in local)
+    turned = _turned(scene, rolling, (held[0], held[1], held[2]))
     velocity = scene.velocity_of(rolling.base, rolling.is_position)
     if rolling.base.base is None and all(v in scene.system.v or v == g.zero for v in velocity):
-        scene.equations[velocity] = rolling.path, add_vectors(g, known, (against[0], against[1], against[2]))
+        x, y, z = (g.sub(a, b) for a, b in zip(turned, local, strict=True))
+        scene.equations[velocity] = rolling.path, (x, y, z)
         if len(rolling.rows) == 3:
             out = change_axes(g, local, rolling.path, ())
             for k, v, node in zip(rolling.rows, velocity, out, strict=False):
@@ -147,6 +147,20 @@ def apply_rolling(scene: Scene, rolling: Rolling) -> None:
         return
     home = scene.home(rolling.base, rolling.is_position)
     there = add_vectors(g, change_axes(g, home.velocity, home.path, rolling.path), local)
-    for k, node, other in zip(rolling.rows, there, known, strict=False):
-        # three equations for three rows; the turned held symbols stand on the right
+    for k, node, other in zip(rolling.rows, there, turned, strict=False):
+        # three equations for three rows
         scene.rows[k] = g.add(g.sub(node, other), scene.held[k])
+
+
+def _turned(scene: Scene, rolling: Rolling, held: Vector) -> Vector:
+    """Symbols for the rows' values on the equation's axes."""
+    g = scene.graph
+    new = []
+    for k, node in enumerate(change_axes(g, held, (), rolling.path)):
+        if node == g.zero:
+            new.append(node)
+            continue
+        symbol = g.symbol(f"turned_{rolling.rows[0]}_{k}", "quasi")
+        scene.meaning[symbol] = node
+        new.append(symbol)
+    return new[0], new[1], new[2]

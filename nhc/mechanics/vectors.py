@@ -15,7 +15,7 @@ from nhc.algebra.calculus import gradient, reachable, substitute
 from nhc.algebra.graph import ADD, NEG, Graph, Node
 from nhc.algebra.modular import are_zero
 from nhc.algebra.polynomial import normalise
-from nhc.mechanics.turns import Path, Turn, Vector, turn_in, turn_out
+from nhc.mechanics.turns import Path, Turn, Vector, add_vectors, change_axes, turn_in, turn_out
 
 _PLANES = ((0, 1), (1, 2), (2, 0))
 _FEW_ANGLES = 2  # a link and its neighbour: fewer cannot be hoped for
@@ -43,6 +43,10 @@ class Chained:
         return any(part.path for part in self.parts) or (self.base is not None and self.base.turned)
 
 
+def _goes_on(path: Path, longer: Path) -> bool:
+    return len(longer) > len(path) and longer[: len(path)] == path
+
+
 @dataclass
 class Reader:
     """Reads vectors of one kind, positions or velocities, in the order in which they come."""
@@ -67,7 +71,18 @@ class Reader:
                 # what does not turn is a vector of its own, shared by all that stands on it
                 base = self._keep(Chained(remainder.local, None, (remainder,)))
                 parts = tuple(part for part in parts if part.path)
-        return self._keep(Chained(components, base, parts))
+        return self._keep(self._nested(components, base, parts))
+
+    def _nested(self, components: Vector, base: Chained | None, parts: tuple[Part, ...]) -> Chained:
+        """Parts on axes that others turn further are a vector of their own, on which bodies may share."""
+        inner = next((p for p in parts if any(_goes_on(p.path, q.path) for q in parts)), None)
+        if inner is None or base is None or len(parts) < 2:
+            return Chained(components, base, parts)
+        g = self.graph
+        out = change_axes(g, inner.local, inner.path, ())
+        middle = add_vectors(g, base.components, out)
+        point = self.known.get(middle) or self._keep(Chained(middle, base, (inner,)))
+        return self._nested(components, point, tuple(p for p in parts if p is not inner))
 
     def has_base(self, components: Vector) -> bool:
         """Whether it is known, or stands on one that is."""
@@ -194,13 +209,8 @@ class Reader:
                     found = self._try(leaned, about)
                     if found is not None:
                         turn, inner, outer = found
-                        still = self._short(inner)
-                        axial = 3 - sum(turn.plane)
-                        along = list(outer)
-                        along[axial], kept = still[axial], list(still)
-                        kept[axial] = g.zero  # what lies along the axis does not turn
-                        back = self._short(turn_out(g, tilt, (along[0], along[1], along[2])))
-                        return tilt, turn, (kept[0], kept[1], kept[2]), back
+                        back = self._short(turn_out(g, tilt, outer))
+                        return tilt, turn, self._short(inner), back
         return None
 
     def _short(self, vector: Vector) -> Vector:
