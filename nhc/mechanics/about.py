@@ -139,6 +139,7 @@ def point_of(flow: Flow, scene: Scene) -> dict[Node, Node] | None:
     build.graph = g = system.graph
     names = {"pi": g.pi(), **{p.name: node for p, node in zip(system.spec.parameters, system.p, strict=True)}}
     point = dict.fromkeys(flow.y, g.zero)
+    point.update((node, g.number(c.start)) for node, c in zip(system.q, system.spec.coordinates, strict=True))
     for entry in scene.initial:
         name = f"{entry.name}'" if entry.kind == "velocity" else entry.name
         if name not in flow.names:

@@ -21,7 +21,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING
 from weakref import WeakKeyDictionary
 
-from nhc.algebra.calculus import substitute, tangent
+from nhc.algebra.calculus import gradient, substitute, tangent
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.linear import NotLinear, linear_form
 
@@ -275,3 +275,19 @@ def exterior_derivative(system: System, form: Form, x: Sequence[Node], x_time: N
     total = g.sum([g.mul(a, b) for a, b in zip(moved, on_e, strict=True)])
     total = g.sub(total, g.sum([g.mul(a, b) for a, b in zip(back, (*on_x, x_time), strict=True)]))
     return g.add(total, g.sum([g.mul(f, c) for f, c in zip(coefficients, turned, strict=True)]))
+
+
+def mass_matrix(system: System) -> list[Node]:
+    """d2T/dq'dq', row by row; the length of a quaternion, which has no inertia, is given that of a mean axis.
+
+    On every motion that length stands still, so that this matrix tells where T itself is singular.
+    """
+    g, n = system.graph, system.n
+    mass = [entry for p in gradient(g, system.T, system.v) for entry in gradient(g, p, system.v)]
+    for rotation in system.rotations:
+        trace = g.sum([mass[k * n + k] for k in rotation.places])
+        weight = g.div(trace, g.mul(g.number(3), _square(g, rotation.e)))
+        for x, i in zip(rotation.e, rotation.places, strict=True):
+            for y, j in zip(rotation.e, rotation.places, strict=True):
+                mass[i * n + j] = g.add(mass[i * n + j], g.mul(weight, g.mul(x, y)))
+    return mass

@@ -55,6 +55,8 @@ def find_lacking(system: System, momenta: Sequence[Node], mass: Sequence[Node]) 
     velocities, time = g.mask(system.v), g.mask([system.t])
     still = {v: g.zero for v in system.v}
     rest = substitute(g, [system.T, *momenta], still)
+    if system.rotations:
+        return "the length of its quaternion has no mass"
     if any(g.depends(entry, velocities) for entry in mass) or not all(are_zero(g, rest)):
         return "T is not a quadratic form of the velocities"
     if any(q != g.zero for q in system.Q):

@@ -8,7 +8,6 @@ from functools import cached_property
 
 import numpy as np
 
-from nhc.algebra.calculus import gradient
 from nhc.algebra.graph import Node
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choose import Formulation
@@ -17,6 +16,7 @@ from nhc.mechanics.frame import coordinate_frame, form_value
 from nhc.mechanics.integrability import classify
 from nhc.mechanics.integrals import find_position_integrals
 from nhc.mechanics.regularity import choose_dependent
+from nhc.mechanics.rotation import mass_matrix
 from nhc.mechanics.scenes import Start
 from nhc.program.build import Planner, build_functions
 from nhc.program.needed import Column, needed_function, reactions_of
@@ -236,9 +236,7 @@ def _list_columns(
         free = planner.formulation.frame.forms[system.l :]
         found += [Column(f.name, "free", a) for f in free for a in f.coefficients]
     if system.n <= _MOST_MASS:
-        momenta = gradient(g, system.T, system.v)
-        mass = planner.on_motion([entry for p in momenta for entry in gradient(g, p, system.v)])
-        found += [Column("", "mass", entry) for entry in mass]
+        found += [Column("", "mass", entry) for entry in planner.on_motion(mass_matrix(system))]
     return found
 
 
