@@ -10,14 +10,15 @@ theorem of energy.  A_mu(X) is evaluated by directional derivatives of T's veloc
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 from nhc.algebra.calculus import substitute, tangent
 from nhc.algebra.gather import gather
 from nhc.algebra.graph import Node
 from nhc.mechanics.kinetic import Kinetic, exterior_derivative
-from nhc.mechanics.moved import Moved, Turning
+from nhc.mechanics.moved import Moved, Turning, Weights
 from nhc.mechanics.rotation import along, moving, virtual_work
 from nhc.mechanics.system import System
 from nhc.mechanics.turns import Vector, cross
@@ -46,7 +47,8 @@ class Equations:
     """mass @ w' = force over the motion's w; with multipliers, the bordered system for (q'', lambda).
 
     ``definite``: the matrix is symmetric and positive wherever the motion is regular, so that LDL^T needs no pivoting.
-    ``reactions`` are the rows of the constraints' own vectors (empty for the bordered system, whose unknowns they are).
+    ``reactions`` are the rows of the constraints' own vectors (empty for the bordered system, whose unknowns they are);
+    ``react`` makes them.
     ``guards`` are (quantity, scale) pairs that must not vanish for the frame to exist.
     """
 
@@ -58,9 +60,14 @@ class Equations:
     force: tuple[Node, ...]
     definite: bool
     multipliers: tuple[Node, ...]
-    reactions: tuple[Row, ...]
+    react: Callable[[], tuple[Row, ...]]
     guards: tuple[tuple[Node, Node], ...]
     forms: tuple[tuple[Node, ...], Node] | tuple[()] = ()
+
+    @cached_property
+    def reactions(self) -> tuple[Row, ...]:
+        """The rows of the constraints' own vectors, made when they are first asked for."""
+        return self.react()
 
 
 class Projector:
@@ -74,7 +81,7 @@ class Projector:
         g = system.graph
         self._constants, self._speeds = g.mask(system.p), g.mask(motion.w)
         on_motion = moving(system, motion.velocities)
-        self._known = dict(zip(moved.frame.vectors, moved.weights, strict=True)) if moved else {}
+        self._known = dict(zip(moved.frame.free_vectors, moved.weights, strict=True)) if moved else {}
         self.carried = moved.carried if moved else (False,) * len(kinetic.u)
         self.u = list(moved.u) if moved else substitute(g, kinetic.atoms, on_motion)
         to_motion = dict(zip(kinetic.u, self.u, strict=True))
@@ -85,10 +92,7 @@ class Projector:
         self.hessian = [values[count + k * count : count + (k + 1) * count] for k in range(count)]
         self._to_motion = {**on_motion, **to_motion}
         self.columns = [self.components(e) for e in motion.vectors]  # W_k(e_nu)
-        self._gyro = [
-            (self._gyroscopic(turning), dict(zip(moved.frame.vectors, turning.weights, strict=True)))
-            for turning in (moved.spins if moved else ())
-        ]
+        self._gyro = [self._gyroscopic(turning) for turning in (moved.spins if moved else ())]
         seeds = {**along(system, motion.velocities), system.t: g.one}
         self._seeds = seeds
         drift = moved.drift if moved else tangent(g, self.u, seeds)
@@ -102,17 +106,18 @@ class Projector:
         g = self.system.graph
         known = self._known.get(tuple(e))
         if known is not None:
-            return list(known)
+            return list(known.forms)
         return substitute(g, tangent(g, self.kinetic.atoms, moving(self.system, e)), self._to_motion)
 
     def _explicit_rates(self) -> list[Node]:
         """d pi_k / dt at fixed u: only where T's coefficients move."""
         return tangent(self.system.graph, self.kinetic.slope, self._seeds)
 
-    def row(self, e: Sequence[Node]) -> Row:
+    def row(self, e: Sequence[Node], known: Weights | None = None) -> Row:
         """A(X) for the vector e: mass_nu w'_nu - force."""
         g, system = self.system.graph, self.system
-        weights = self.components(e)
+        known = known or self._known.get(tuple(e))
+        weights = known.forms if known else self.components(e)
         pushed = {k: self.hessian_times(k, weight) for k, weight in enumerate(weights) if weight != g.zero}
         mass, force_terms = [], []
         for column in self.columns:
@@ -122,7 +127,7 @@ class Projector:
             if not self.kinetic.exact[k] and not self.carried[k]:
                 turn = exterior_derivative(system, self.kinetic.forms[k], self.motion.velocities, g.one, e)
                 force_terms.append(g.mul(self.pi[k], turn))
-        force_terms += self._turning_terms(e)
+        force_terms += self._turning_terms(known.spins if known else ())
         inertial = self._gather(force_terms)
         applied = virtual_work(system, *self._applied(), e)
         slopes = substitute(g, tangent(g, [self.kinetic.tau], along(system, e)), self._to_motion)[0]
@@ -135,11 +140,11 @@ class Projector:
         x, y, z = (g.sum([self.pi[k] for k in axis]) for axis in turning.members)
         return cross(g, turning.omega, (x, y, z))
 
-    def _turning_terms(self, e: Sequence[Node]) -> list[Node]:
-        """pi_k domega_k(X, e) of the forms that are components of angular velocities."""
-        g, found = self.system.graph, []
-        for gyro, weights in self._gyro:
-            found += [g.mul(x, y) for x, y in zip(gyro, weights[tuple(e)], strict=True)]
+    def _turning_terms(self, spins: Sequence[Vector]) -> list[Node]:
+        """pi_k domega_k(X, e) of the forms that are components of angular velocities; ``spins`` are these along e."""
+        g, found = self.system.graph, list[Node]()
+        for gyro, spin in zip(self._gyro, spins, strict=True):
+            found += [g.mul(x, y) for x, y in zip(gyro, spin, strict=True)]
         return found
 
     def hessian_times(self, k: int, weight: Node) -> list[tuple[int, Node]]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 from nhc.algebra.calculus import count
@@ -47,7 +47,7 @@ class _Route:
     motion: Motion
     guards: tuple[tuple[Node, Node], ...]
     rows: list[Row]
-    reactions: list[Row]
+    react: Callable[[], tuple[Row, ...]]
 
     def cost(self, graph: Graph) -> int:
         """Operations of the matrix, the right side and the kinematics; a single rate's as it will be solved."""
@@ -73,7 +73,7 @@ def equations_of(system: System, formulation: Formulation, kinetic: Kinetic | No
         force=tuple(row.force for row in rows),
         definite=not bordered and _is_definite(system, rows),
         multipliers=multiplier_symbols(system) if bordered else (),
-        reactions=tuple(route.reactions),
+        react=route.react,
         guards=route.guards,
     )
 
@@ -100,9 +100,15 @@ def _route(system: System, formulation: Formulation, kinetic: Kinetic, moved: Mo
         motion = replace(motion, velocities=moved.velocities)
     projector = Projector(system, kinetic, motion, moved)
     rows = [projector.row(e) for e in motion.vectors]
-    reactions = [projector.row(e) for e in frame.vectors[: system.l]] if frame is not None else []
-    rows, reactions = _polish(system.graph, rows, reactions)
-    return _Route(motion, frame.guards if frame is not None else (), rows, reactions)
+
+    def react() -> tuple[Row, ...]:
+        if frame is None:
+            return ()
+        weights = moved.weigh() if moved is not None else (None,) * system.l
+        made = [projector.row(e, w) for e, w in zip(frame.vectors[: system.l], weights, strict=True)]
+        return tuple(_polish(system.graph, made))
+
+    return _Route(motion, frame.guards if frame is not None else (), _polish(system.graph, rows), react)
 
 
 def _symmetric(rows: Sequence[Row]) -> tuple[tuple[Node, ...], ...]:
@@ -111,16 +117,13 @@ def _symmetric(rows: Sequence[Row]) -> tuple[tuple[Node, ...], ...]:
     return tuple(tuple(rows[min(i, j)].mass[max(i, j)] for j in range(size)) for i in range(size))
 
 
-def _polish(graph: Graph, rows: list[Row], reactions: list[Row]) -> tuple[list[Row], list[Row]]:
+def _polish(graph: Graph, rows: list[Row]) -> list[Row]:
     """Entries that vanish identically become zero (exact test); then shorter equal expressions where there are any."""
-    together = [*rows, *reactions]
-    entries = [n for row in together for n in (*row.mass, row.force)]
+    entries = [n for row in rows for n in (*row.mass, row.force)]
     zero = are_zero(graph, entries)
-    entries = [graph.zero if vanishes else n for n, vanishes in zip(entries, zero, strict=True)]
-    size = len(rows) + 1
-    own = shorten(graph, entries[: len(rows) * size]) + shorten(graph, entries[len(rows) * size :])
-    made = [Row(tuple(own[k : k + size - 1]), own[k + size - 1]) for k in range(0, len(own), size)]
-    return made[: len(rows)], made[len(rows) :]
+    own = shorten(graph, [graph.zero if vanishes else n for n, vanishes in zip(entries, zero, strict=True)])
+    size = len(rows[0].mass) + 1 if rows else 1
+    return [Row(tuple(own[k : k + size - 1]), own[k + size - 1]) for k in range(0, len(own), size)]
 
 
 def _is_definite(system: System, rows: Sequence[Row]) -> bool:

@@ -7,34 +7,37 @@ The coordinate coframe of Čaplygin and Voronec is the one whose free forms are 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
 from nhc.algebra.calculus import gradient, substitute, tangent
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.linear import solve_rows
+from nhc.algebra.probe import probe_of
 from nhc.mechanics import rotation
 from nhc.mechanics.regularity import pivot_weakness
-from nhc.mechanics.rotation import Rotation, along, from_base, moving, to_base
+from nhc.mechanics.rotation import Rotation, along, from_base, moving
 from nhc.mechanics.system import Form, System
 from nhc.thesis import equation
+
+Guards = tuple[tuple[Node, Node], ...]
 
 
 @dataclass(frozen=True)
 class Frame:
     """``vectors[j][i]`` is b_ij; ``omega`` are the symbols of the n quasi-velocities, those of the constraints first.
 
-    ``all_kinematics`` is q'_i = b_ij omega_j + b_{i,n+1} with all n of them, before the constraints are used.
+    ``solve(everything)`` gives (q', guards), q' in terms of ``symbols``, which stand for the n forms (omega, where nothing else
+    is said); unless ``everything`` is asked for, the constraints' are zero already: the motion needs no more than that, and
+    reactions ask for the rest.  Nothing is solved before it is asked for.
     """
 
     system: System
     forms: tuple[Form, ...]
-    vectors: tuple[tuple[Node, ...], ...]
-    drift: tuple[Node, ...]
     omega: tuple[Node, ...]
-    guards: tuple[tuple[Node, Node], ...]
-    all_kinematics: tuple[Node, ...]
+    symbols: tuple[Node, ...]
+    solve: Callable[[bool], tuple[Sequence[Node], Sequence[tuple[Node, Node]]]]
     turned: tuple[Rotation, ...] = ()
     """The rotations whose angular velocity the frame was solved for, not e'."""
 
@@ -47,17 +50,56 @@ class Frame:
         """omega_mu, the velocities that the constraints leave free."""
         return self.omega[self.system.l :]
 
+    @cached_property
+    def _on_constraints(self) -> tuple[tuple[Node, ...], Guards]:
+        found, guards = self.solve(False)
+        return tuple(found), tuple(guards)
+
+    @cached_property
+    def _everywhere(self) -> tuple[Node, ...]:
+        return tuple(self.solve(True)[0])
+
     @property
+    def guards(self) -> Guards:
+        """(quantity, scale) pairs that must not vanish."""
+        return self._on_constraints[1]
+
+    @cached_property
     def free_vectors(self) -> tuple[tuple[Node, ...], ...]:
-        return self.vectors[self.system.l :]
+        """The vectors that the constraints leave free."""
+        return self._vectors(self._on_constraints[0], self.symbols[self.system.l :])
+
+    @cached_property
+    def vectors(self) -> tuple[tuple[Node, ...], ...]:
+        """e_j, those of the constraints first."""
+        if not self.system.l:
+            return self.free_vectors
+        return (*self._vectors(self._everywhere, self.symbols[: self.system.l]), *self.free_vectors)
+
+    def _vectors(self, found: Sequence[Node], symbols: Sequence[Node]) -> tuple[tuple[Node, ...], ...]:
+        g = self.graph
+        return tuple(from_base(self.system, tangent(g, found, {w: g.one}), self.turned) for w in symbols)
+
+    @cached_property
+    def drift(self) -> tuple[Node, ...]:
+        """b_{i,n+1}."""
+        still = dict.fromkeys(self.symbols, self.graph.zero)
+        return from_base(self.system, substitute(self.graph, self._on_constraints[0], still), self.turned)
+
+    @cached_property
+    def all_kinematics(self) -> tuple[Node, ...]:
+        """q'_i = b_ij omega_j + b_{i,n+1} with all n of them, before the constraints are used."""
+        return self._named(self._everywhere if self.system.l else self._on_constraints[0])
 
     @cached_property
     @equation("I.2.4")
     def kinematics(self) -> tuple[Node, ...]:
         """q'_i = b_imu omega_mu + b_{i,n+1}, on the constraints."""
-        held = {w: self.graph.zero for w in self.omega[: self.system.l]}
-        base = to_base(self.system, self.all_kinematics, self.turned)
-        return from_base(self.system, substitute(self.graph, base, held), self.turned)
+        return self._named(self._on_constraints[0])
+
+    def _named(self, found: Sequence[Node]) -> tuple[Node, ...]:
+        named = {x: w for x, w in zip(self.symbols, self.omega, strict=True) if x != w}
+        return from_base(self.system, substitute(self.graph, found, named) if named else found, self.turned)
 
     @equation("I.2.5")
     def along(self, function: Node, j: int) -> Node:
@@ -138,23 +180,20 @@ def make_frame(system: System, free: Sequence[Form], symbols: Sequence[Node]) ->
     turned = tuple(r for r in system.rotations if not set(r.v) & set(symbols))
     renamed = moving(system, from_base(system, unknowns, turned))
     values = substitute(g, [form_value(g, form, system.v) for form in forms], renamed)
-    rows = [g.sub(value, w) for value, w in zip(values, omega, strict=True)]
     matrix = [list(form.coefficients) for form in forms]
     if turned:
         columns = [tangent(g, values, {unknown: g.one}) for unknown in unknowns]
         matrix = [list(row) for row in zip(*columns, strict=True)]
-    found, guards = solve_rows(g, rows, unknowns, matrix, pivot_weakness(system))
-    still = {w: g.zero for w in omega}
-    return Frame(
-        system=system,
-        forms=forms,
-        vectors=tuple(from_base(system, tangent(g, found, {w: g.one}), turned) for w in omega),
-        drift=from_base(system, substitute(g, found, still), turned),
-        omega=omega,
-        guards=tuple(guards),
-        all_kinematics=from_base(system, found, turned),
-        turned=turned,
-    )
+
+    def solve(everything: bool) -> tuple[Sequence[Node], Sequence[tuple[Node, Node]]]:
+        first = 0 if everything else system.l
+        rows = [g.sub(x, w) if j >= first else x for j, (x, w) in enumerate(zip(values, omega, strict=True))]
+        return solve_rows(g, rows, unknowns, matrix, pivot_weakness(system))
+
+    frame = Frame(system, forms, omega, omega, solve, turned)
+    if not probe_of(g).has_full_rank(matrix):
+        frame.kinematics  # noqa: B018 - refuses what is no basis
+    return frame
 
 
 def coordinate_form(system: System, i: int) -> Form:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from nhc.algebra.calculus import gradient, substitute, tangent
@@ -12,8 +12,16 @@ from nhc.algebra.linear import Singular, solve_rows
 from nhc.mechanics.frame import Frame, form_value
 from nhc.mechanics.kinetic import Kinetic
 from nhc.mechanics.moving import Scene
-from nhc.mechanics.moving_rows import Sided, along_direction, direction_vector, read_square, read_vector, rewrite_row, square_groups
 from nhc.mechanics.moving_rolling import apply_rolling, read_rolling
+from nhc.mechanics.moving_rows import (
+    Sided,
+    along_direction,
+    direction_vector,
+    read_square,
+    read_vector,
+    rewrite_row,
+    square_groups,
+)
 from nhc.mechanics.moving_spin import find_spins, recognise, spatial_paths, spin_weights
 from nhc.mechanics.regularity import pivot_weakness
 from nhc.mechanics.signatures import Signatures
@@ -27,29 +35,39 @@ Placed = tuple[tuple[int, ...], Chained, bool]
 
 @dataclass(frozen=True)
 class Turning:
-    """Axes with angular velocity ``omega`` on the motion and ``weights[j]`` along the frame's vector e_j.
+    """Axes with angular velocity ``omega`` on the motion.
 
-    With p_i the sum of the slopes of T by the forms of ``members[i]``, their terms domega add up to weight . (omega x p).
+    With p_i the sum of the slopes of T by the forms of ``members[i]``, their terms domega along a vector of the frame add up to
+    its weight . (omega x p).
     """
 
     members: tuple[tuple[int, ...], tuple[int, ...], tuple[int, ...]]
     omega: Vector
-    weights: tuple[Vector, ...]
+
+
+@dataclass(frozen=True)
+class Weights:
+    """W_k(e) of T's forms for a vector e of the frame, and the angular velocity along e of each of the turning axes."""
+
+    forms: tuple[Node, ...]
+    spins: tuple[Vector, ...]
 
 
 @dataclass(frozen=True)
 class Moved:
     """``u`` and ``drift`` are T's velocity forms on the motion and their rates with the kept velocities' rates left out;
-    ``weights[j][k]`` is W_k(e_j) for the frame's vector e_j.  A form that is ``carried`` needs no term domega: its drift holds
-    the rate of the vector on turning axes, of which it is a component.  ``settled``: every vector that stands on no other has
-    forms of the frame for its components, so that no other axes can be better.
+    ``weights`` are those along the frame's free vectors, ``weigh()`` gives those along the constraints' vectors.  A form that is
+    ``carried`` needs no term domega: its drift holds the rate of the vector on turning axes, of which it is a component.
+    ``settled``: every vector that stands on no other has forms of the frame for its components, so that no other axes can be
+    better.
     """
 
     frame: Frame
     velocities: tuple[Node, ...]
     u: tuple[Node, ...]
     drift: tuple[Node, ...]
-    weights: tuple[tuple[Node, ...], ...]
+    weights: tuple[Weights, ...]
+    weigh: Callable[[], tuple[Weights, ...]]
     carried: tuple[bool, ...]
     settled: bool
     spins: tuple[Turning, ...]
@@ -73,7 +91,9 @@ def move(system: System, kinetic: Kinetic, frame: Frame) -> Moved | None:
         signature = marks.of(symbol)
         forms.setdefault(signature, symbol)
         forms.setdefault(marks.negative(signature), g.neg(symbol))
-    scene = Scene(system, held, tuple(values), marks, forms, *(Reader(g, g.mask((*system.q, system.t))) for _ in range(2)))
+    scene = Scene(
+        system, held, tuple(values), marks, forms, *(Reader(g, g.mask((*system.q, system.t))) for _ in range(2))
+    )
     vectors: list[Placed] = []
     for group in groups:
         components = [kinetic.atoms[k] for k in group] + [g.zero] * (3 - len(group))
@@ -133,32 +153,30 @@ def _finish(
         row = scene.rows.get(j)
         if row is None:
             row = rewrite_row(scene, value) or value
-        rows.append(g.sub(row, scene.held[j]))
+        rows.append(row)
     matrix = [gradient(g, row, system.v) for row in rows]
+    weakness = pivot_weakness(system)
+
+    def solve(everything: bool) -> tuple[Sequence[Node], Sequence[tuple[Node, Node]]]:
+        still = {} if everything else dict.fromkeys(scene.held[: system.l], g.zero)
+        full = [g.sub(x, w) for x, w in zip(rows, scene.held, strict=True)]
+        full = substitute(g, full, still)  # rows may hold one another's symbols
+        found, guards = solve_rows(g, full, system.v, matrix, weakness)
+        return substitute(g, substitute(g, found, scene.meaning), still), guards
+
     try:
-        found, guards = solve_rows(g, rows, system.v, matrix, pivot_weakness(system))
+        found, guards = solve(False)
     except Singular:
         return None
-    found = substitute(g, found, scene.meaning)
-    still = {symbol: g.zero for symbol in scene.held}
-    named = dict(zip(scene.held, frame.omega, strict=True))
     solved = {**scene.meaning, **dict(zip(system.v, found, strict=True))}
-    made = Frame(
-        system=system,
-        forms=frame.forms,
-        vectors=tuple(tuple(tangent(g, found, {symbol: g.one})) for symbol in scene.held),
-        drift=tuple(substitute(g, found, still)),
-        omega=frame.omega,
-        guards=tuple(guards),
-        all_kinematics=tuple(substitute(g, found, named)),
-    )
+    made = Frame(system, frame.forms, frame.omega, scene.held, lambda full: solve(True) if full else (found, guards))
     kinematics = _by_speed(g, made.kinematics, made.free_vectors, made.free)
     u = list(kinetic.atoms)
     for group, vector, is_position in vectors:
         for k, node in zip(group, scene.home(vector, is_position).velocity, strict=False):
             u[k] = node
-    general = substitute(g, substitute(g, u, scene.replaced), solved)
-    weights = tuple(tuple(tangent(g, general, {symbol: g.one})) for symbol in scene.held)
+    replaced = substitute(g, u, scene.replaced)
+    general = substitute(g, replaced, solved)
     on_motion = {symbol: g.zero if j < system.l else frame.omega[j] for j, symbol in enumerate(scene.held)}
     rates = Rates(scene, solved, on_motion, kinematics)
     moved = rates.on_motion(general)
@@ -168,12 +186,30 @@ def _finish(
         for k, node in zip(group, rates.acceleration(vector, is_position), strict=False):
             drift[k], carried[k] = node, True
     settled = all(home.known for home in scene.homes.values() if home.root)
-    spins = []
+    spins, paths = [], []
     for spin in find_spins(scene, kinetic, carried):
         for k in (k for axis in spin.members for k in axis):
             carried[k] = True
-        spins.append(Turning(spin.members, rates.value(scene.spin(spin.path)), spin_weights(scene, spin.path, solved)))
-    return Moved(made, tuple(kinematics), tuple(moved), tuple(drift), weights, tuple(carried), settled, tuple(spins))
+        spins.append(Turning(spin.members, rates.value(scene.spin(spin.path))))
+        paths.append(spin.path)
+    weights = _weigh(scene, general, paths, solved, scene.held[system.l :])
+
+    def weigh() -> tuple[Weights, ...]:
+        everywhere = {**scene.meaning, **dict(zip(system.v, solve(True)[0], strict=True))}
+        return _weigh(scene, substitute(g, replaced, everywhere), paths, everywhere, scene.held[: system.l])
+
+    return Moved(
+        made, tuple(kinematics), tuple(moved), tuple(drift), weights, weigh, tuple(carried), settled, tuple(spins)
+    )
+
+
+def _weigh(
+    scene: Scene, forms: Sequence[Node], paths: Sequence[Path], solved: dict[Node, Node], symbols: Sequence[Node]
+) -> tuple[Weights, ...]:
+    """Along the vectors that belong to the symbols; ``forms`` are T's in terms of these."""
+    g, spins = scene.graph, [spin_weights(scene, path, solved, symbols) for path in paths]
+    along = [tuple(tangent(g, forms, {symbol: g.one})) for symbol in symbols]
+    return tuple(Weights(own, tuple(spin[j] for spin in spins)) for j, own in enumerate(along))
 
 
 def _by_speed(

@@ -81,12 +81,12 @@ def find_spins(scene: Scene, kinetic: Kinetic, done: Sequence[bool]) -> list[Spi
     return spins
 
 
-def spin_weights(scene: Scene, path: Path, solved: dict[Node, Node]) -> tuple[Vector, ...]:
-    """Omega(e_j) for every vector of the frame."""
+def spin_weights(scene: Scene, path: Path, solved: dict[Node, Node], symbols: Sequence[Node]) -> tuple[Vector, ...]:
+    """Omega(e_j) for the vectors of the frame that belong to the symbols."""
     g = scene.graph
     spin = substitute(g, scene.spin(path), solved)
     weights = []
-    for symbol in scene.held:
+    for symbol in symbols:
         x, y, z = tangent(g, spin, {symbol: g.one})
         weights.append((x, y, z))
     return tuple(weights)
