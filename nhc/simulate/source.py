@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from nhc.emit import EmitOptions, render
 from nhc.emit.environment import File, render_file
 from nhc.program.ir import Function, Load, Program
+from nhc.simulate.kernel import print_kernel
 from nhc.simulate.methods.natural import Scheme
 from nhc.simulate.methods.tableau import Collocation, Explicit, Tableau
 from nhc.stamp import PLACEHOLDER
@@ -27,7 +28,9 @@ class Line:
 
 @dataclass(frozen=True, slots=True)
 class ExplicitText:
-    """What ``explicit.c.jinja`` places; ``extra`` is the last slope that only the interpolant needs, or 0."""
+    """What ``explicit.c.jinja`` places; ``extra`` is the last slope that only the interpolant needs, or 0; ``hidden`` adds up the
+    slopes that the first error estimate does not weigh.
+    """
 
     name: str
     template: str
@@ -36,8 +39,10 @@ class ExplicitText:
     end: int
     extra: int
     errors: tuple[str, ...]
+    hidden: str
     dense: tuple[Line, ...]
     exponent: int
+    paced: bool = True
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,6 +59,7 @@ class CollocationText:
     pole: str
     stiff: bool
     exponent: int
+    paced: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,6 +84,8 @@ def print_row(row: Sequence[float]) -> str:
 def describe_explicit(method: Explicit) -> ExplicitText:
     """An explicit method's tableau as text."""
     last = len(method.rows)
+    weights = (*method.errors[0], *[0.0] * method.stages) if method.errors else ()
+    hidden = [f"s->k[{j}][i]" for j, weight in enumerate(weights[: method.stages]) if not weight]
     return ExplicitText(
         name=method.name,
         template=f"c/methods/{method.name}.c.jinja",
@@ -86,6 +94,7 @@ def describe_explicit(method: Explicit) -> ExplicitText:
         end=method.stages,
         extra=last if last > method.stages else 0,
         errors=tuple(print_sum(row) for row in method.errors),
+        hidden=" + ".join(hidden),
         dense=tuple(Line(CUBIC + j, print_sum(row)) for j, row in enumerate(method.dense)),
         exponent=max(method.exponent, 1),
     )
@@ -131,11 +140,15 @@ def write_source(
     model = render(program, "c", EmitOptions(only=tuple(functions), trig=trig))
     implicit = [method for method in methods if isinstance(method, Collocation)]
     explicit = [method for method in methods if isinstance(method, Explicit)]
+    kernel = print_kernel(program, functions["rhs"]) if explicit and trig == "inline" else None
     context: dict[str, object] = {
         "name": program.system,
         "capitals": program.system.upper(),
         "head": f"{program.system}_run.c: integrates {program.system}, emitted by nhc {__version__} ({PLACEHOLDER})",
         "declarations": tuple(declare(program.system, function) for function in program.functions),
+        "kernels": () if kernel is None else (kernel,),
+        "fixed": 1 if kernel is None else max(kernel.count, 1),
+        "paced": bool(explicit),
         "slopes": max(3, *(len(m.rows) + 1 for m in explicit)) if explicit else 3,
         "shapes": max([5, *(CUBIC + len(m.dense) for m in explicit)]),
         "watched": size(functions.get("watch")),

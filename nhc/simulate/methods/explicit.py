@@ -27,7 +27,8 @@ def attempt(s: Step, method: Explicit) -> float:
         return 0.0
     allowed = s.allowed(s.reached)
     norms = [
-        sum((combine(row, s.k, i) / a) ** 2 for i, a in enumerate(allowed)) / len(allowed) for row in method.errors
+        sum((1.0 / a * combine(row, s.k, i)) ** 2 for i, a in enumerate(allowed)) / len(allowed)
+        for row in method.errors
     ]
     if len(norms) == 1:
         return abs(s.h) * sqrt(norms[0])

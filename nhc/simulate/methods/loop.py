@@ -27,6 +27,7 @@ from nhc.simulate.task import (
 )
 
 _EPSILON = sys.float_info.epsilon
+_LEAST_ERROR = 1e-4
 
 
 class Watched(Model, Protocol):
@@ -60,7 +61,8 @@ class _Run:
     steps: int = 0
     rejected: int = 0
     next: float = 0.0
-    growth: float = 6.0
+    growth: float = 0.0
+    former: float = _LEAST_ERROR
     before: list[float] = field(default_factory=list)
     trend: list[float] = field(default_factory=list)
 
@@ -76,7 +78,10 @@ def integrate(model: Watched, method: Tableau, task: Task, news: News) -> Outcom
     try:
         step.slope = step.rhs(step.t, step.y)
         run.before = model.watch(step.t, step.y, task.p)
+        run.growth = _limit(method)
         run.next = _guess(step, task.times[-1] - task.times[0])
+        if model.dips < len(run.before):
+            run.trend = _find_trend(run)
         while True:
             done = _advance(run)
             if done is not None:
@@ -89,6 +94,38 @@ def _guess(step: Step, duration: float) -> float:
     size, speed = max(map(abs, step.y), default=0.0), max(map(abs, step.slope), default=0.0)
     wish = 0.01 * size / speed if size > 1e-5 and speed > 1e-5 else 1e-6
     return min(wish, 0.01 * abs(duration))
+
+
+def _find_trend(run: _Run) -> list[float]:
+    """Before the first step: how fast the values go, by a thousandth of it along the slope; without an answer they may dip."""
+    s, task = run.step, run.task
+    h = 1e-3 * math.copysign(run.next, task.times[-1] - task.times[0])
+    try:
+        at = run.model.watch(s.t + h, [y + h * f for y, f in zip(s.y, s.slope, strict=True)], task.p)
+    except ArithmeticError:
+        at = [0.0] * len(run.before)
+    return [(b - a) / h for a, b in zip(run.before, at, strict=True)]
+
+
+def _limit(method: Tableau) -> float:
+    """How much longer than this one the next step may be."""
+    return 10.0 if isinstance(method, Explicit) else 6.0
+
+
+def find_pace(error: float, a: float, former: float, b: float) -> float:
+    """error^-a former^b to 6 percent: logarithm and power are straight lines between the powers of two."""
+    (x, i), (z, j) = math.frexp(error), math.frexp(former)
+    power = b * (2.0 * z + j - 2.0) - a * (2.0 * x + i - 2.0)
+    whole = math.floor(power)
+    return math.ldexp(1.0 + (power - whole), whole)
+
+
+def _pace(run: _Run, error: float, refused: bool) -> float:
+    """The next step's length by this one's: proportional and integral for explicit methods (Hairer and Wanner 1996, sec. IV.2)."""
+    q = max(run.method.exponent, 1)
+    if not isinstance(run.method, Explicit):
+        return float(0.9 * error ** (-1.0 / q))
+    return 0.9 * (find_pace(error, 1.0 / q, 1.0, 0.0) if refused else find_pace(error, 0.8 / q, run.former, 0.3 / q))
 
 
 def _plan(run: _Run) -> tuple[float, float] | None:
@@ -137,18 +174,17 @@ def _advance(run: _Run) -> Outcome | None:
     reach, h = plan
     s.h, s.status = reach - s.t, 0
     error, reason = _attempt(run)
-    exponent = -1.0 / max(run.method.exponent, 1)
     if not 0.0 <= error <= 1.0:
         run.rejected += 1
         run.growth, s.first = 1.0, True
-        run.next = h * (max(0.9 * error**exponent, 0.333) if error > 1.0 else 0.25)
+        run.next = h * (max(_pace(run, error, True), 0.333) if error > 1.0 else 0.25)
         if task.step > 0 or run.next < 4 * _EPSILON * max(abs(s.t), 1e-3 * duration):
             return run.leave(reason, s.status)
         return None
     if task.step <= 0:
-        growth = 0.9 * error**exponent if error > 0 else run.growth
+        growth = _pace(run, error, False) if error > 0 else run.growth
         run.next = h * min(run.growth, max(growth, 0.333))
-    run.growth = 6.0
+        run.growth, run.former = _limit(run.method), max(error, _LEAST_ERROR)
     return _accept(run, reach)
 
 
@@ -160,8 +196,9 @@ def _accept(run: _Run, reach: float) -> Outcome | None:
     cut, which = 2.0, -1
     if model.watched:
         after = model.watch(reach, s.reached, task.p)
-        near = model.dips < len(after) and (not run.trend or may_dip(run.before, run.trend, s.h, model.dips))
-        run.trend = [(b - a) / s.h for a, b in zip(run.before, after, strict=True)]
+        near = bool(run.trend) and may_dip(run.before, run.trend, s.h, model.dips)
+        if run.trend:
+            run.trend = [(b - a) / s.h for a, b in zip(run.before, after, strict=True)]
         if model.events or near or find_change(run.before, after) >= 0:
             cut, which = _find_event(run)
         run.before = keep_signs(run.before, after)

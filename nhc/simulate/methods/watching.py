@@ -32,13 +32,25 @@ def may_dip(before: Sequence[float], trend: Sequence[float], h: float, first: in
     return any(b * f * h < 0.0 and abs(b) < 3.0 * abs(f * h) for b, f in pairs)
 
 
+def find_deep(heights: Sequence[float]) -> int:
+    """The place of the lowest height, or -1 where the parabola through it and its neighbours goes down by less than half of it."""
+    last = len(heights) - 1
+    place = min(range(last + 1), key=lambda i: heights[i])
+    middle = min(max(place, 1), last - 1)
+    a, b, c = heights[middle - 1 : middle + 2]
+    if place == 0:  # it must fall at first
+        return place if 4.0 * b < 3.0 * a + c else -1
+    if place == last:  # it must rise at last
+        return place if 3.0 * c + a > 4.0 * b else -1
+    return place if b < 0.01 * a or (c - a) ** 2 > 4.0 * b * (a - 2.0 * b + c) else -1
+
+
 def find_event(look: Look, before: list[float], first: int) -> tuple[float, int, list[float]]:
     """(part of the step, index of the value, values just before) of the first change of sign; part 2 where there is none.
 
     Values from ``first`` on are followed down to their least between the pieces as well.
     """
-    least = [abs(value) for value in before]
-    place = [0] * len(before)
+    heights = [[abs(value)] for value in before]
     for piece in range(1, PIECES + 1):
         after = look(piece / PIECES)
         which = find_change(before, after)
@@ -46,11 +58,13 @@ def find_event(look: Look, before: list[float], first: int) -> tuple[float, int,
             return _halve(look, before, (piece - 1) / PIECES, piece / PIECES, which)
         before = keep_signs(before, after)
         for i in range(first, len(after)):
-            if abs(after[i]) < least[i]:
-                least[i], place[i] = abs(after[i]), piece
+            heights[i].append(abs(after[i]))
     for i in range(first, len(before)):
-        left, right = max(place[i] - 1, 0) / PIECES, min(place[i] + 1, PIECES) / PIECES
-        dip = _find_dip(look, i, copysign(1.0, before[i]), left, right) if before[i] != 0.0 else -1.0
+        place = find_deep(heights[i])
+        if place < 0 or before[i] == 0.0:
+            continue
+        left, right = max(place - 1, 0) / PIECES, min(place + 1, PIECES) / PIECES
+        dip = _find_dip(look, i, copysign(1.0, before[i]), left, right)
         if dip >= 0.0:
             return _halve(look, before, left, dip, i)
     return 2.0, -1, before

@@ -1,0 +1,87 @@
+"""The angles of a body whose sines and cosines need not wait for one another."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from nhc.emit.statements import collect_refs, iterate_refs, list_expressions
+from nhc.program.ir import Binary, Call, Expr, Guard, Let, Load, Negate, Power, Ref, Statement, Store
+from nhc.program.passes import walk
+
+TURNED = ("sin", "cos")
+LEAST = 3
+"""Fewer angles are faster one by one."""
+
+
+def name_turned(function: str, index: int) -> str:
+    """The name of an angle's sine or cosine; no spec can have it."""
+    return f"{function}:{index}"
+
+
+def gather_angles(
+    body: tuple[Statement, ...],
+) -> tuple[tuple[Statement, ...], tuple[Expr, ...], tuple[Statement, ...]]:
+    """(statements before the angles, angles that depend on no sine or cosine, statements after them).
+
+    There the sines and cosines of these angles are names.  Fewer than ``LEAST`` angles stay where they are.
+    """
+    turned: set[str] = set()  # names that depend on a sine or cosine
+    places: dict[Expr, int] = {}
+    for statement in body:
+        calls = list(_iterate_turns(statement))
+        for call in calls:
+            (angle,) = call.arguments
+            if turned.isdisjoint(iterate_refs(angle)) and not any(map(_is_turn, walk(angle))):
+                places.setdefault(angle, len(places))
+        if isinstance(statement, Let) and (calls or collect_refs(statement) & turned):
+            turned.add(statement.name)
+    if len(places) < LEAST:
+        return (), (), body
+    wanted = {name for angle in places for name in iterate_refs(angle)}
+    for statement in reversed(body):
+        if isinstance(statement, Let) and statement.name in wanted:
+            wanted |= collect_refs(statement)
+    early = tuple(s for s in body if isinstance(s, Load | Let) and s.name in wanted)
+    late = (s for s in body if not (isinstance(s, Load | Let) and s.name in wanted))
+    return early, tuple(places), tuple(_replace_in(s, places) for s in late)
+
+
+def _is_turn(expression: Expr) -> bool:
+    return isinstance(expression, Call) and expression.function in TURNED
+
+
+def _iterate_turns(statement: Statement) -> Iterator[Call]:
+    for whole in list_expressions(statement):
+        for part in walk(whole):
+            if isinstance(part, Call) and _is_turn(part):
+                yield part
+
+
+def _replace_in(statement: Statement, places: dict[Expr, int]) -> Statement:
+    match statement:
+        case Let():
+            return Let(statement.name, _replace(statement.value, places), statement.origin)
+        case Store():
+            value = _replace(statement.value, places)
+            return Store(statement.array, statement.index, value, statement.about, statement.origin)
+        case Guard():
+            value, scale = _replace(statement.value, places), _replace(statement.scale, places)
+            return Guard(value, scale, statement.tolerance, statement.status, statement.what)
+        case _:
+            return statement
+
+
+def _replace(expression: Expr, places: dict[Expr, int]) -> Expr:
+    match expression:
+        case Call():
+            if _is_turn(expression) and expression.arguments[0] in places:
+                return Ref(name_turned(expression.function, places[expression.arguments[0]]))
+            return Call(expression.function, tuple(_replace(a, places) for a in expression.arguments))
+        case Binary():
+            return Binary(expression.op, _replace(expression.left, places), _replace(expression.right, places))
+        case Negate():
+            return Negate(_replace(expression.operand, places))
+        case Power():
+            return Power(_replace(expression.base, places), expression.exponent)
+        case _:
+            return expression

@@ -1,0 +1,198 @@
+"""A function of the program for the inside of a loop: one state or several lanes at once, and nothing left early.
+
+What depends on the parameters alone is computed once for a run.  Sine and cosine have no branch.  A singular block is only
+noted, like an angle too large for them: who called asks the model itself then, which says what it is.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+
+from nhc.emit.c.body import FUNCTIONS, HELPERS, BodyPrinter, bound_test, wrap_code
+from nhc.emit.c.literals import PI, print_double
+from nhc.emit.c.names import make_scope
+from nhc.emit.expressions import ATOM, ExpressionPrinter, Text
+from nhc.emit.names import Scope
+from nhc.emit.statements import collect_refs, drop_unused, fill_stores, iterate_refs, split_hoisted
+from nhc.program.ir import Call, Expr, Function, Guard, Let, Load, Program, Solve, Statement, Store
+from nhc.simulate.angles import TURNED, gather_angles, name_turned
+
+ONE, LANES = "one", "lanes"
+_MAPPED = ("fabs", "sqrt", "exp", "log", "pow", "tan", "asin", "acos", "atan", "atan2", "sinh", "cosh", "tanh")
+_OWN = (
+    *("fixed", "far", "bad", "pack", "lanes", "spread", "turn_pack", "square_pack"),
+    *(f"{name}_{kind}" for name in ("sin", "cos", *_MAPPED) for kind in (ONE, LANES)),
+)
+_PACK = 4
+"""Angles turned together; as many doubles as a 256-bit vector holds."""
+_SHORT = 40  # statements: a longer body is called and not repeated at each stage
+_LONGEST = 1500  # statements: beyond them the compiler would take too long for what a kernel gains
+
+
+@dataclass(frozen=True, slots=True)
+class Kernel:
+    """``prepare`` fills ``fixed`` with ``count`` numbers from p; ``bodies`` are for one state (``one``) and for ``lanes``.
+
+    ``calls``: C's functions of (one, two) arguments that lanes need, entry by entry.
+    """
+
+    name: str
+    about: str
+    output: str
+    count: int
+    prepare: tuple[str, ...]
+    one: tuple[str, ...]
+    lanes: tuple[str, ...]
+    calls: tuple[tuple[str, ...], tuple[str, ...]]
+    short: bool
+
+
+@dataclass(frozen=True, slots=True)
+class _Dialect:
+    """C's leaves for numbers of one kind; ``called`` collects name -> number of arguments."""
+
+    prefix: str
+    kind: str
+    called: dict[str, int]
+
+    def print_number(self, value: Fraction) -> str:
+        return print_double(value)
+
+    def print_pi(self) -> str:
+        return PI
+
+    def print_power(self, base: Text, exponent: int) -> Text:
+        return Text(self._call("pow", (base.text, f"{exponent}.0")), ATOM)
+
+    def print_call(self, function: str, arguments: tuple[str, ...]) -> str:
+        if function in TURNED:
+            return f"{function}_{self.kind}({arguments[0]}, far)"
+        if function in HELPERS:
+            name = f"{self.prefix}_{HELPERS[function]}"
+            text = arguments[0] if len(arguments) > 1 else self._call(name, arguments)
+            for argument in arguments[1:]:
+                text = self._call(name, (text, argument))
+            return text
+        return self._call(FUNCTIONS.get(function, function), arguments)
+
+    def _call(self, name: str, arguments: tuple[str, ...]) -> str:
+        if self.kind == ONE:
+            return f"{name}({', '.join(arguments)})"
+        self.called[name] = len(arguments)
+        return f"{name}_lanes({', '.join(f'spread({argument})' for argument in arguments)})"
+
+
+class _Printer:
+    """Statements of a kernel's body for one kind of number."""
+
+    def __init__(self, prefix: str, kind: str, scope: Scope, called: dict[str, int]) -> None:
+        self.kind, self.scope = kind, scope
+        self.type = "double" if kind == ONE else "lanes"
+        self.printer = ExpressionPrinter(_Dialect(prefix, kind, called), scope)
+        self.lines: list[str] = []
+
+    def add(self, text: str) -> None:
+        self.lines += wrap_code(text, "    ")
+
+    def print_value(self, value: Expr) -> str:
+        """A number alone is no vector."""
+        text = self.printer.print(value)
+        return text if self.kind == ONE or any(True for _ in iterate_refs(value)) else f"spread({text})"
+
+    def print_statement(self, statement: Statement) -> None:
+        if isinstance(statement, Load):
+            source = statement.array if statement.index < 0 else f"{statement.array}[{statement.index}]"
+            self.add(f"const {self.type} {self.scope[statement.name]} = {source};")
+        elif isinstance(statement, Let):
+            self.add(f"const {self.type} {self.scope[statement.name]} = {self.print_value(statement.value)};")
+        elif isinstance(statement, Guard):
+            value = self.print_value(Call("abs", (statement.value,)))
+            bound = self.print_value(bound_test(statement))
+            self.add(f"*bad |= {'!' if self.kind == ONE else '~'}({value} > {bound});")
+        elif isinstance(statement, Store):
+            self.add(f"{statement.array}[{statement.index}] = {self.print_value(statement.value)};")
+
+    def print_packs(self, angles: tuple[Expr, ...]) -> None:
+        """Sines and cosines of four angles at a time, under the names of ``gather_angles``."""
+        for first in range(0, len(angles), _PACK):
+            some = [self.print_value(angle) for angle in angles[first : first + _PACK]]
+            some += ["0.0"] * (_PACK - len(some))
+            pack = self.scope.fresh("angles")
+            self.add(f"const pack {pack} = {{{', '.join(some)}}};")
+            self.add(f"*far += square_pack({pack});")
+            for quarter, name in enumerate(TURNED):
+                turned = self.scope.fresh(name)
+                self.add(f"const pack {turned} = turn_pack({pack}, {quarter});")
+                for k in range(min(_PACK, len(angles) - first)):
+                    self.scope.alias(name_turned(name, first + k), f"{turned}[{k}]")
+
+
+def print_kernel(program: Program, function: Function) -> Kernel | None:
+    """The kernel of a function; None where it holds a linear system, which a loop over lanes cannot pivot."""
+    body = drop_unused(function.body)
+    if function.output is None or len(body) > _LONGEST or any(isinstance(s, Solve) for s in body):
+        return None
+    outside, inside = split_hoisted(tuple(s for s in body if not isinstance(s, Store)) + fill_stores(function))
+    scope = make_scope(program, (*function.inputs, function.output), body, _OWN)
+    bound = [statement.name for statement in outside if isinstance(statement, Load | Let)]
+    read = {name for statement in inside for name in collect_refs(statement)}
+    fixed = [name for name in bound if name in read]
+    called: dict[str, int] = {}
+    one, lanes = (_print_body(program, function, inside, fixed, scope, kind, called) for kind in (ONE, LANES))
+    return Kernel(
+        name=function.name,
+        about=function.about,
+        output=function.output.name,
+        count=len(fixed),
+        prepare=_print_prepare(program, outside, fixed, scope),
+        one=one,
+        lanes=lanes,
+        calls=(_named(called, 1), _named(called, 2)),
+        short=len(inside) <= _SHORT,
+    )
+
+
+def _print_body(
+    program: Program,
+    function: Function,
+    inside: tuple[Statement, ...],
+    fixed: list[str],
+    scope: Scope,
+    kind: str,
+    called: dict[str, int],
+) -> tuple[str, ...]:
+    printer = _Printer(program.system, kind, scope, called)
+    loads = {statement.array for statement in inside if isinstance(statement, Load)}
+    unused = [argument.name for argument in function.inputs if argument.name not in {*loads, "p"}]
+    unused += ["far", "bad"]  # a body need not have an angle or a guard
+    printer.lines += [f"    (void){name};" for name in (*unused, *(() if fixed else ("fixed",)))]
+    for k, name in enumerate(fixed):
+        printer.add(f"const {printer.type} {scope[name]} = fixed[{k}];")
+    early, angles, late = gather_angles(inside) if kind == ONE else ((), (), inside)
+    for statement in early:
+        printer.print_statement(statement)
+    printer.print_packs(angles)
+    for statement in late:
+        printer.print_statement(statement)
+    return tuple(printer.lines)
+
+
+def _print_prepare(program: Program, outside: tuple[Statement, ...], fixed: list[str], scope: Scope) -> tuple[str, ...]:
+    """libm's functions do here: it is done once."""
+    helpers: set[str] = set()
+    used = frozenset(fixed)
+    for statement in reversed(outside):
+        if isinstance(statement, Guard) or (isinstance(statement, Let) and statement.name in used):
+            used |= collect_refs(statement)
+    printer = BodyPrinter(
+        program.system, scope, helpers, lambda array, index: f"{array}[{index}]", lambda code: str(code), used
+    )
+    printer.print_all(tuple(s for s in outside if not isinstance(s, Load | Let) or s.name in used))
+    lines = printer.lines + [f"    fixed[{k}] = {scope[name]};" for k, name in enumerate(fixed)]
+    loads = any(isinstance(s, Load) and s.name in used for s in outside)
+    return (*(() if loads else ("    (void)p;",)), *(() if fixed else ("    (void)fixed;",)), *lines, "    return 0;")
+
+
+def _named(called: dict[str, int], count: int) -> tuple[str, ...]:
+    return tuple(sorted(name for name, arguments in called.items() if arguments == count))
