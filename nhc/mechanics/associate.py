@@ -18,7 +18,7 @@ from nhc.algebra.calculus import substitute, tangent
 from nhc.algebra.gather import gather
 from nhc.algebra.graph import Node
 from nhc.mechanics.kinetic import Kinetic, exterior_derivative
-from nhc.mechanics.moved import Moved, Turning, Weights
+from nhc.mechanics.moved import Moved, Weights
 from nhc.mechanics.rotation import along, moving, virtual_work
 from nhc.mechanics.system import System
 from nhc.mechanics.turns import Vector, cross
@@ -77,6 +77,7 @@ class Projector:
     """
 
     def __init__(self, system: System, kinetic: Kinetic, motion: Motion, moved: Moved | None = None) -> None:
+        kinetic = moved.kinetic if moved else kinetic
         self.system, self.kinetic, self.motion = system, kinetic, motion
         g = system.graph
         self._constants, self._speeds = g.mask(system.p), g.mask(motion.w)
@@ -92,7 +93,7 @@ class Projector:
         self.hessian = [values[count + k * count : count + (k + 1) * count] for k in range(count)]
         self._to_motion = {**on_motion, **to_motion}
         self.columns = [self.components(e) for e in motion.vectors]  # W_k(e_nu)
-        self._gyro = [self._gyroscopic(turning) for turning in (moved.spins if moved else ())]
+        self._gyro = self._gyroscopic(moved) if moved else []
         seeds = {**along(system, motion.velocities), system.t: g.one}
         self._seeds = seeds
         drift = moved.drift if moved else tangent(g, self.u, seeds)
@@ -134,11 +135,15 @@ class Projector:
         potential = tangent(g, [system.U], along(system, e))[0]
         return Row(tuple(mass), g.sub(g.add(g.add(slopes, potential), applied), inertial))
 
-    def _gyroscopic(self, turning: Turning) -> Vector:
-        """omega x p, where p holds T's slopes by the forms of each axis."""
-        g = self.system.graph
-        x, y, z = (g.sum([self.pi[k] for k in axis]) for axis in turning.members)
-        return cross(g, turning.omega, (x, y, z))
+    def _gyroscopic(self, moved: Moved) -> list[Vector]:
+        """omega x p for all that turns, where p holds T's slopes with the points at rest."""
+        g, kinetic, found = self.system.graph, self.kinetic, list[Vector]()
+        at_rest = {u: g.zero for u, inertial in zip(kinetic.u, moved.inertial, strict=True) if inertial}
+        slopes = substitute(g, kinetic.slope, {**self._to_motion, **at_rest})
+        for turning in moved.turning:
+            x, y, z = (g.sum([slopes[k] for k in axis]) for axis in turning.members)
+            found.append(cross(g, turning.omega, (x, y, z)))
+        return found
 
     def _turning_terms(self, spins: Sequence[Vector]) -> list[Node]:
         """pi_k domega_k(X, e) of the forms that are components of angular velocities; ``spins`` are these along e."""

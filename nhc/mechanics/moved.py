@@ -12,6 +12,7 @@ from nhc.algebra.linear import Singular, solve_rows
 from nhc.mechanics.frame import Frame, form_value
 from nhc.mechanics.kinetic import Kinetic
 from nhc.mechanics.moving import Scene
+from nhc.mechanics.moving_bodies import Placed, gather_bodies
 from nhc.mechanics.moving_rolling import apply_rolling, read_rolling
 from nhc.mechanics.moving_rows import (
     Sided,
@@ -22,23 +23,19 @@ from nhc.mechanics.moving_rows import (
     rewrite_row,
     square_groups,
 )
-from nhc.mechanics.moving_spin import find_spins, recognise, spatial_paths, spin_weights
+from nhc.mechanics.moving_spin import Spin, find_turning, recognise, spatial_paths, spin_weights
 from nhc.mechanics.regularity import pivot_weakness
 from nhc.mechanics.signatures import Signatures
 from nhc.mechanics.system import System
 from nhc.mechanics.turns import Path, Vector, add_vectors, change_axes, cross
 from nhc.mechanics.vectors import Chained, Reader
 
-Placed = tuple[tuple[int, ...], Chained, bool]
-"""Numbers of T's forms, the vector that they are, and whether it was read as a position."""
-
-
 @dataclass(frozen=True)
 class Turning:
-    """Axes with angular velocity ``omega`` on the motion.
+    """Axes with angular velocity ``omega`` on the motion, and what the forms ``members`` are on them: that velocity, or a point's.
 
-    With p_i the sum of the slopes of T by the forms of ``members[i]``, their terms domega along a vector of the frame add up to
-    its weight . (omega x p).
+    With p_i the sum of T's slopes by the forms of ``members[i]``, what the velocities of points give to them left out, the terms
+    domega along a vector of the frame add up to its weight . (omega x p).
     """
 
     members: tuple[tuple[int, ...], tuple[int, ...], tuple[int, ...]]
@@ -47,7 +44,7 @@ class Turning:
 
 @dataclass(frozen=True)
 class Weights:
-    """W_k(e) of T's forms for a vector e of the frame, and the angular velocity along e of each of the turning axes."""
+    """W_k(e) of T's forms for a vector e of the frame, and along e what turns, in the order of ``Moved.turning``."""
 
     forms: tuple[Node, ...]
     spins: tuple[Vector, ...]
@@ -55,22 +52,25 @@ class Weights:
 
 @dataclass(frozen=True)
 class Moved:
-    """``u`` and ``drift`` are T's velocity forms on the motion and their rates with the kept velocities' rates left out;
-    ``weights`` are those along the frame's free vectors, ``weigh()`` gives those along the constraints' vectors.  A form that is
-    ``carried`` needs no term domega: its drift holds the rate of the vector on turning axes, of which it is a component.
-    ``settled``: every vector that stands on no other has forms of the frame for its components, so that no other axes can be
-    better.
+    """T in the forms of ``kinetic`` on moving axes.
+
+    ``u`` and ``drift`` are the forms on the motion and their rates with the kept velocities' rates left out; ``weights`` are those
+    along the frame's free vectors, ``weigh()`` gives those along the constraints' vectors.  The drift of an ``inertial`` form is a
+    component of an acceleration.  A form that is ``carried`` needs no term domega of its own.  ``settled``: every vector that
+    stands on no other has forms of the frame for its components, so that no other axes can be better.
     """
 
     frame: Frame
     velocities: tuple[Node, ...]
+    kinetic: Kinetic
     u: tuple[Node, ...]
     drift: tuple[Node, ...]
     weights: tuple[Weights, ...]
     weigh: Callable[[], tuple[Weights, ...]]
     carried: tuple[bool, ...]
+    inertial: tuple[bool, ...]
     settled: bool
-    spins: tuple[Turning, ...]
+    turning: tuple[Turning, ...]
 
 
 def move(system: System, kinetic: Kinetic, frame: Frame) -> Moved | None:
@@ -171,45 +171,62 @@ def _finish(
     solved = {**scene.meaning, **dict(zip(system.v, found, strict=True))}
     made = Frame(system, frame.forms, frame.omega, scene.held, lambda full: solve(True) if full else (found, guards))
     kinematics = _by_speed(g, made.kinematics, made.free_vectors, made.free)
-    u = list(kinetic.atoms)
-    for group, vector, is_position in vectors:
-        for k, node in zip(group, scene.home(vector, is_position).velocity, strict=False):
-            u[k] = node
-    replaced = substitute(g, u, scene.replaced)
-    general = substitute(g, replaced, solved)
+    bodies = gather_bodies(scene, kinetic, vectors)
+    general = substitute(g, bodies.values, solved)
     on_motion = {symbol: g.zero if j < system.l else frame.omega[j] for j, symbol in enumerate(scene.held)}
     rates = Rates(scene, solved, on_motion, kinematics)
     moved = rates.on_motion(general)
     drift = list(tangent(g, moved, rates.seeds))
-    carried = [False] * len(u)
-    for group, vector, is_position in vectors:
-        for k, node in zip(group, rates.acceleration(vector, is_position), strict=False):
-            drift[k], carried[k] = node, True
-    settled = all(home.known for home in scene.homes.values() if home.root)
-    spins, paths = [], []
-    for spin in find_spins(scene, kinetic, carried):
-        for k in (k for axis in spin.members for k in axis):
-            carried[k] = True
-        spins.append(Turning(spin.members, rates.value(scene.spin(spin.path))))
-        paths.append(spin.path)
-    weights = _weigh(scene, general, paths, solved, scene.held[system.l :])
+    inertial = [False] * len(moved)
+    for point in bodies.points:
+        home = scene.home(point.vector, point.is_position)
+        there = change_axes(g, rates.acceleration(point.vector, point.is_position), home.path, point.path)
+        for k, node in zip(point.members, there, strict=False):
+            if k >= 0:
+                drift[k], inertial[k] = node, True
+    turning = find_turning(scene, bodies, inertial)
+    carried = list(inertial)
+    for k in (k for own in turning for axis in own.members for k in axis):
+        carried[k] = True
+    weights = _weigh(scene, general, turning, solved, scene.held[system.l :])
 
     def weigh() -> tuple[Weights, ...]:
         everywhere = {**scene.meaning, **dict(zip(system.v, solve(True)[0], strict=True))}
-        return _weigh(scene, substitute(g, replaced, everywhere), paths, everywhere, scene.held[: system.l])
+        return _weigh(scene, substitute(g, bodies.values, everywhere), turning, everywhere, scene.held[: system.l])
 
     return Moved(
-        made, tuple(kinematics), tuple(moved), tuple(drift), weights, weigh, tuple(carried), settled, tuple(spins)
+        frame=made,
+        velocities=tuple(kinematics),
+        kinetic=bodies.kinetic,
+        u=tuple(moved),
+        drift=tuple(drift),
+        weights=weights,
+        weigh=weigh,
+        carried=tuple(carried),
+        inertial=tuple(inertial),
+        settled=all(home.known for home in scene.homes.values() if home.root),
+        turning=tuple(Turning(own.members, rates.value(scene.spin(own.path))) for own in turning),
     )
 
 
 def _weigh(
-    scene: Scene, forms: Sequence[Node], paths: Sequence[Path], solved: dict[Node, Node], symbols: Sequence[Node]
+    scene: Scene, forms: Sequence[Node], turning: Sequence[Spin], solved: dict[Node, Node], symbols: Sequence[Node]
 ) -> tuple[Weights, ...]:
     """Along the vectors that belong to the symbols; ``forms`` are T's in terms of these."""
-    g, spins = scene.graph, [spin_weights(scene, path, solved, symbols) for path in paths]
+    g, zero = scene.graph, scene.graph.zero
     along = [tuple(tangent(g, forms, {symbol: g.one})) for symbol in symbols]
-    return tuple(Weights(own, tuple(spin[j] for spin in spins)) for j, own in enumerate(along))
+    spins = {own.path: spin_weights(scene, own.path, solved, symbols) for own in turning if own.point is None}
+    found = []
+    for j, own in enumerate(along):
+        vectors = list[Vector]()
+        for axes in turning:
+            if axes.point is None:
+                vectors.append(spins[axes.path][j])
+            else:
+                x, y, z = (own[k] if k >= 0 else zero for k in axes.point)
+                vectors.append((x, y, z))
+        found.append(Weights(own, tuple(vectors)))
+    return tuple(found)
 
 
 def _by_speed(
@@ -231,13 +248,13 @@ class Rates:
 
     def __init__(self, scene: Scene, solved: dict[Node, Node], on_motion: dict[Node, Node], q_rates: Sequence[Node]):
         system, g = scene.system, scene.graph
-        self.scene, self._solved, self._on_motion = scene, solved, on_motion
+        self.scene, self.solved, self._on_motion = scene, solved, on_motion
         self.seeds = {**dict(zip(system.q, q_rates, strict=True)), system.t: g.one}
         self._known: dict[tuple[bool, Vector], Vector] = {}
 
     def value(self, vector: Vector) -> Vector:
         """Components on the motion."""
-        x, y, z = self.on_motion(substitute(self.scene.graph, vector, self._solved))
+        x, y, z = self.on_motion(substitute(self.scene.graph, vector, self.solved))
         return x, y, z
 
     def on_motion(self, values: Sequence[Node]) -> list[Node]:

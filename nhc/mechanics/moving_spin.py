@@ -13,15 +13,20 @@ from nhc.algebra.calculus import reachable, substitute, tangent
 from nhc.algebra.graph import Node
 from nhc.mechanics.kinetic import Kinetic, exterior_derivative
 from nhc.mechanics.moving import Scene
+from nhc.mechanics.moving_bodies import Bodies
 from nhc.mechanics.turns import Path, Turn, Vector, cross
 
 
 @dataclass(frozen=True)
 class Spin:
-    """``members[i]`` are the numbers of T's forms whose derivative is that of the i-th component."""
+    """``members[i]`` are the numbers of T's forms whose derivative is that of the i-th component.
+
+    With ``point`` they are the components of a point's velocity instead, of which some (-1) may be zero.
+    """
 
     path: Path
     members: tuple[tuple[int, ...], tuple[int, ...], tuple[int, ...]]
+    point: tuple[int, ...] | None = None
 
 
 def spatial_paths(scene: Scene) -> list[Path]:
@@ -79,6 +84,23 @@ def find_spins(scene: Scene, kinetic: Kinetic, done: Sequence[bool]) -> list[Spi
         if any(members):
             spins.append(Spin(path, (members[0], members[1], members[2])))
     return spins
+
+
+def find_turning(scene: Scene, bodies: Bodies, inertial: Sequence[bool]) -> list[Spin]:
+    """What turns with axes: angular velocities among T's forms, and the points whose momentum has a part from these."""
+    members: dict[Path, list[list[int]]] = {
+        path: [[k] if k >= 0 else [] for k in numbers] for path, numbers in bodies.spins.items()
+    }
+    own = {k for numbers in bodies.spins.values() for k in numbers}
+    for spin in find_spins(scene, bodies.kinetic, [flag or k in own for k, flag in enumerate(inertial)]):
+        for known, more in zip(members.setdefault(spin.path, [[], [], []]), spin.members, strict=True):
+            known += more
+    found = [Spin(path, (tuple(x), tuple(y), tuple(z))) for path, (x, y, z) in members.items()]
+    for point in bodies.points:
+        if point.is_joined:
+            x, y, z = ([k] if k >= 0 else [] for k in point.members)
+            found.append(Spin(point.path, (tuple(x), tuple(y), tuple(z)), point.members))
+    return found
 
 
 def spin_weights(scene: Scene, path: Path, solved: dict[Node, Node], symbols: Sequence[Node]) -> tuple[Vector, ...]:
