@@ -132,11 +132,11 @@ def complete(system: System) -> tuple[tuple[Form, ...], tuple[str, ...]]:
     forms = [form for form in system.quasi if form.name not in turning]
     if len(forms) > wanted:
         raise Singular
+    if len(forms) == wanted:
+        return tuple(forms), ()  # whoever solves for them finds out whether they are a basis
     rows = [list(f.coefficients) for f in (*system.constraints, *forms)]
     if rank(g, rows) < len(rows):
         raise Singular
-    if len(forms) == wanted:
-        return tuple(forms), ()
     candidates = [_extend(system, forms, wanted, pool) for pool in _pools(system)]
     best = min(candidates, key=lambda made: coframe_weakness(system, (*system.constraints, *made)))
     return best, tuple(_spelled(system, form) for form in best[len(forms) :] if form.name not in turning)

@@ -125,7 +125,7 @@ class Projector:
             mass.append(self._gather(g.mul(x, column[j]) for row in pushed.values() for j, x in row))
         for k, weight in enumerate(weights):
             force_terms.append(g.mul(weight, self.pi_drift[k]))
-            if not self.kinetic.exact[k] and not self.carried[k]:
+            if weight and not self.carried[k] and not self.kinetic.is_exact(k):
                 turn = exterior_derivative(system, self.kinetic.forms[k], self.motion.velocities, g.one, e)
                 force_terms.append(g.mul(self.pi[k], turn))
         force_terms += self._turning_terms(known.spins if known else ())

@@ -17,7 +17,7 @@ from nhc.mechanics.frame import total_derivative
 from nhc.mechanics.kinetic import Kinetic, kinetic_structure
 from nhc.mechanics.moved import Moved, move
 from nhc.mechanics.multipliers import multiplier_symbols
-from nhc.mechanics.regularity import trial_points
+from nhc.mechanics.regularity import default_values, trial_points
 from nhc.mechanics.system import System
 
 _SMALL = 400
@@ -71,7 +71,7 @@ def equations_of(system: System, formulation: Formulation, kinetic: Kinetic | No
         motion=motion,
         mass=_symmetric(rows),
         force=tuple(row.force for row in rows),
-        definite=not bordered and _is_definite(system, rows),
+        definite=not bordered and (_is_positive(kinetic) or _is_definite(system, rows)),
         multipliers=multiplier_symbols(system) if bordered else (),
         react=route.react,
         guards=route.guards,
@@ -124,6 +124,21 @@ def _polish(graph: Graph, rows: list[Row]) -> list[Row]:
     own = shorten(graph, [graph.zero if vanishes else n for n, vanishes in zip(entries, zero, strict=True)])
     size = len(rows[0].mass) + 1 if rows else 1
     return [Row(tuple(own[k : k + size - 1]), own[k + size - 1]) for k in range(0, len(own), size)]
+
+
+def _is_positive(kinetic: Kinetic) -> bool:
+    """Whether T is a positive quadratic form of its velocity forms, with coefficients that do not move: its mass matrix is then
+    positive wherever the motion is regular.
+    """
+    system, g = kinetic.system, kinetic.system.graph
+    flat = [h for row in kinetic.hessian for h in row]
+    if any(g.depends(h, ~g.mask(system.p)) for h in flat):
+        return False
+    try:
+        values = dict(zip(flat, map(float, evaluate(g, flat, default_values(system))), strict=True))
+    except (ArithmeticError, ValueError):
+        return False
+    return all(sign > 0 for sign in _pivot_signs([[values[h] for h in row] for row in kinetic.hessian]))
 
 
 def _is_definite(system: System, rows: Sequence[Row]) -> bool:

@@ -13,12 +13,13 @@ of T's own.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from functools import cached_property
 
 from nhc.algebra.calculus import gradient, reachable, substitute, tangent
 from nhc.algebra.graph import ADD, MUL, NEG, POW, Graph, Node
 from nhc.algebra.linear import linear_form
-from nhc.algebra.modular import are_zero
+from nhc.algebra.modular import is_zero
 from nhc.mechanics import rotation
 from nhc.mechanics.system import Form, System
 
@@ -29,13 +30,29 @@ class Kinetic:
     ``hessian[k][j]`` its derivative by u_j.
     """
 
-    forms: tuple[Form, ...]
+    system: System
     atoms: tuple[Node, ...]
     u: tuple[Node, ...]
     tau: Node
     slope: tuple[Node, ...]
     hessian: tuple[tuple[Node, ...], ...]
-    exact: tuple[bool, ...]
+    _exact: dict[int, bool] = field(default_factory=dict)
+
+    @cached_property
+    def forms(self) -> tuple[Form, ...]:
+        """The atoms with their coefficients."""
+        g, v = self.system.graph, self.system.v
+        return tuple(
+            Form(f"u{k + 1}", *linear_form(g, atom, v), place=g.labels.get(atom, ""), value=atom)
+            for k, atom in enumerate(self.atoms)
+        )
+
+    def is_exact(self, k: int) -> bool:
+        """Whether the exterior derivative of form k vanishes identically: rates are known to be exact, others are tested."""
+        if k not in self._exact:
+            g, atom = self.system.graph, self.atoms[k]
+            self._exact[k] = atom in g.rate_of or atom in self.system.v or _is_exact(self.system, self.forms[k])
+        return self._exact[k]
 
 
 def velocity_degrees(graph: Graph, root: Node, velocities: Sequence[Node]) -> dict[Node, int]:
@@ -102,22 +119,18 @@ def kinetic_structure(system: System) -> Kinetic:
         atoms = [v for v in system.v if g.depends(system.T, g.deps[v])]
         u = tuple(g.symbol(f"u{k + 1}", "form") for k in range(len(atoms)))
         tau = substitute(g, [system.T], dict(zip(atoms, u, strict=True)))[0]
-    forms = tuple(
-        Form(f"u{k + 1}", *linear_form(g, atom, system.v), place=g.labels.get(atom, ""), value=atom)
-        for k, atom in enumerate(atoms)
-    )
     slope = tuple(gradient(g, tau, u))
     hessian = tuple(tuple(gradient(g, pi, u)) for pi in slope)
-    return Kinetic(forms, tuple(atoms), u, tau, slope, hessian, _exactness(system, forms))
+    return Kinetic(system, tuple(atoms), u, tau, slope, hessian)
 
 
-def _exactness(system: System, forms: Sequence[Form]) -> tuple[bool, ...]:
-    """For each form whether its exterior derivative vanishes identically."""
+def _is_exact(system: System, form: Form) -> bool:
     g = system.graph
+    if not any(g.deps[a] for a in (*form.coefficients, form.constant)):
+        return True
     first = tuple(g.symbol(f"first_{i}", "test") for i in range(system.n + 1))
     second = tuple(g.symbol(f"second_{i}", "test") for i in range(system.n))
-    values = [exterior_derivative(system, form, first[:-1], first[-1], second) for form in forms]
-    return tuple(are_zero(g, values))
+    return is_zero(g, exterior_derivative(system, form, first[:-1], first[-1], second))
 
 
 def exterior_derivative(system: System, form: Form, x: Sequence[Node], x_time: Node, e: Sequence[Node]) -> Node:

@@ -61,7 +61,7 @@ def recognise(scene: Scene, kinetic: Kinetic, roots: Sequence[Node]) -> None:
 def find_spins(scene: Scene, kinetic: Kinetic, done: Sequence[bool]) -> list[Spin]:
     """T's forms whose exterior derivative is that of a component of an angular velocity."""
     g, system = scene.graph, scene.system
-    open_forms = [k for k, exact in enumerate(kinetic.exact) if not exact and not done[k]]
+    open_forms = [k for k, carried in enumerate(done) if not carried and not kinetic.is_exact(k)]
     if not open_forms:
         return []
     first = tuple(g.symbol(f"first_{i}", "test") for i in range(system.n + 1))

@@ -167,9 +167,10 @@ def relative_determinant(matrix: Sequence[Sequence[float]], columns: Sequence[in
 
 def pivot_weakness(system: System) -> Callable[[Sequence[Node], Sequence[Node]], list[int]]:
     """A measure for elimination: at how many trial points a pivot is small against its row (its scale)."""
-    points = trial_points(system)
+    points: list[dict[Node, float]] = []
 
     def measure(pivots: Sequence[Node], scales: Sequence[Node]) -> list[int]:
+        points.extend(() if points else trial_points(system))
         counts = [0] * len(pivots)
         for point in points:
             try:
