@@ -15,7 +15,7 @@ from .names import fold, is_name
 from .nodes import Node, Table, Text
 from .order import order_definitions
 from .parser import parse_equation, parse_expression
-from .rotation import coordinates_of, decode_rotations, entries_of, norm_of, velocities_of
+from .rotation import coordinates_of, decode_rotations, entries_of, norm_of, pushes_quaternion, velocities_of
 from .scenes import decode_scenes
 from .scope import Scope, check_form, check_name
 from .sections import decode_coordinates, decode_parameters
@@ -244,23 +244,15 @@ class _Decoder:
         for text, value in table.entries if table else ():
             name = fold(text.value)
             tree = self._parse(value)
-            if not self.scope.check_coordinate(text, turning) or self._pushes_quaternion(text):
+            if not self.scope.check_coordinate(text, turning) or pushes_quaternion(
+                text, self.draft.rotations, self.bag
+            ):
                 continue
             if name in found:
                 self.bag.error("E0305", f"the force on `{name}` is given twice", text.span, help=("add them up",))
             elif tree is not None:
                 found[name] = Definition(name, self._check(tree, ""), text.span)
         return tuple(found.values())
-
-    def _pushes_quaternion(self, text: Text) -> bool:
-        """A force on a part of a quaternion is refused: only torques do work."""
-        for rotation in self.draft.rotations:
-            if fold(text.value) in rotation.coordinates:
-                names = ", ".join(f"`{name}`" for name in rotation.velocities)
-                help = f"write the torque by the components {names} of the angular velocity"
-                self.bag.error("E0317", f"a force on `{text.value}`, a part of a quaternion", text.span, help=(help,))
-                return True
-        return False
 
     # --- constraints ---
 

@@ -16,6 +16,7 @@ from fractions import Fraction
 from nhc.diagnostics import Bag, Source, Span, nearest
 
 from .keys import ROTATION_KEYS
+from .names import fold
 from .nodes import Items, Node, Table, Text
 from .parser import parse_expression
 from .scope import Scope
@@ -100,6 +101,17 @@ def _names(
     texts = [shapes.text(item, "a name") for item in items.items]
     declared = [scope.declare(text, kind) if text is not None else None for text in texts]
     return None if None in declared else [name for name in declared if name is not None]
+
+
+def pushes_quaternion(text: Text, rotations: Sequence[Rotation], bag: Bag) -> bool:
+    """Report a force on a part of a quaternion: only torques do work."""
+    rotation = next((r for r in rotations if fold(text.value) in r.coordinates), None)
+    if rotation is None:
+        return False
+    names = ", ".join(f"`{name}`" for name in rotation.velocities)
+    help = f"write the torque by the components {names} of the angular velocity"
+    bag.error("E0317", f"a force on `{text.value}`, a part of a quaternion", text.span, help=(help,))
+    return True
 
 
 # --- what a rotation brings into the spec ---------------------------------------------------------------
