@@ -125,8 +125,8 @@ class Projector:
             mass.append(self._gather(g.mul(x, column[j]) for row in pushed.values() for j, x in row))
         for k, weight in enumerate(weights):
             force_terms.append(g.mul(weight, self.pi_drift[k]))
-            if weight and not self.carried[k] and not self.kinetic.is_exact(k):
-                turn = exterior_derivative(system, self.kinetic.forms[k], self.motion.velocities, g.one, e)
+            if not self.carried[k] and not self.kinetic.is_exact(k):
+                turn = exterior_derivative(system, self.kinetic.form(k), self.motion.velocities, g.one, e)
                 force_terms.append(g.mul(self.pi[k], turn))
         force_terms += self._turning_terms(known.spins if known else ())
         inertial = self._gather(force_terms)

@@ -14,7 +14,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from functools import cached_property
 
 from nhc.algebra.calculus import gradient, reachable, substitute, tangent
 from nhc.algebra.graph import ADD, MUL, NEG, POW, Graph, Node
@@ -37,21 +36,26 @@ class Kinetic:
     slope: tuple[Node, ...]
     hessian: tuple[tuple[Node, ...], ...]
     _exact: dict[int, bool] = field(default_factory=dict)
+    _forms: dict[int, Form] = field(default_factory=dict)
 
-    @cached_property
+    @property
     def forms(self) -> tuple[Form, ...]:
         """The atoms with their coefficients."""
-        g, v = self.system.graph, self.system.v
-        return tuple(
-            Form(f"u{k + 1}", *linear_form(g, atom, v), place=g.labels.get(atom, ""), value=atom)
-            for k, atom in enumerate(self.atoms)
-        )
+        return tuple(self.form(k) for k in range(len(self.atoms)))
+
+    def form(self, k: int) -> Form:
+        """Atom k with its coefficients."""
+        if k not in self._forms:
+            g, atom = self.system.graph, self.atoms[k]
+            coefficients, constant = linear_form(g, atom, self.system.v)
+            self._forms[k] = Form(f"u{k + 1}", coefficients, constant, place=g.labels.get(atom, ""), value=atom)
+        return self._forms[k]
 
     def is_exact(self, k: int) -> bool:
         """Whether the exterior derivative of form k vanishes identically: rates are known to be exact, others are tested."""
         if k not in self._exact:
             g, atom = self.system.graph, self.atoms[k]
-            self._exact[k] = atom in g.rate_of or atom in self.system.v or _is_exact(self.system, self.forms[k])
+            self._exact[k] = atom in g.rate_of or atom in self.system.v or _is_exact(self.system, self.form(k))
         return self._exact[k]
 
 

@@ -13,7 +13,6 @@ from nhc.algebra.calculus import gradient, substitute
 from nhc.algebra.graph import Graph, Node
 from nhc.mechanics.kinetic import Kinetic
 from nhc.mechanics.moving import Scene
-from nhc.mechanics.system import Form
 from nhc.mechanics.turns import Path, Vector, add_vectors, change_axes, cross, turn_in
 from nhc.mechanics.vectors import Chained
 
@@ -172,14 +171,12 @@ class _Assembly:
             g.add(rest, g.sum(g.mul(h, u) for h, u in zip(row, symbols, strict=True)))
             for rest, row in zip(at_rest, hessian, strict=True)
         ]
-        new = len(self.symbols)
         made = Kinetic(
-            forms=(*(Form(f"u_{k + 1}", (), g.zero) for k in range(new)), *(kinetic.forms[k] for k in kept)),
+            system=kinetic.system,
             atoms=values,
             u=symbols,
             tau=tau,
             slope=tuple(linear),
             hessian=tuple(tuple(row) for row in hessian),
-            exact=(*(False for _ in range(new)), *(kinetic.exact[k] for k in kept)),
         )
         return Bodies(made, values, tuple(points), self.spins)

@@ -67,7 +67,7 @@ def find_spins(scene: Scene, kinetic: Kinetic, done: Sequence[bool]) -> list[Spi
     first = tuple(g.symbol(f"first_{i}", "test") for i in range(system.n + 1))
     second = tuple(g.symbol(f"second_{i}", "test") for i in range(system.n))
     derivative = {
-        k: scene.marks.of(exterior_derivative(system, kinetic.forms[k], first[:-1], first[-1], second))
+        k: scene.marks.of(exterior_derivative(system, kinetic.form(k), first[:-1], first[-1], second))
         for k in open_forms
     }
     spins: list[Spin] = []
