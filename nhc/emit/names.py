@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from nhc.program.ir import Let, Load, Solve, Statement
+from nhc.program.ir import Let, Load, Solve, Statement, Sweep
 
 
 class Scope:
@@ -69,4 +69,6 @@ def list_bound_names(statements: Iterable[Statement]) -> list[str]:
             names.append(statement.name)
         elif isinstance(statement, Solve):
             names.extend(name for column in statement.names for name in column)
+        elif isinstance(statement, Sweep):
+            names += [*statement.seeds, *list_bound_names(statement.body)]
     return names

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from nhc.program.ir import Function, Program
+from nhc.program.ir import Evaluate, Function, Program
 
 ARRAYS = ("", "numpy", "jax")
 BATCH = "rhs_batch"
@@ -42,7 +42,11 @@ def check_options(program: Program, options: EmitOptions, extra: tuple[str, ...]
 
 
 def select_functions(program: Program, wanted: tuple[str, ...]) -> tuple[Function, ...]:
-    """The functions named in ``wanted`` (empty: all), in the program's order."""
+    """The functions named in ``wanted`` (empty: all) and those that they call, in the program's order."""
     if not wanted:
         return program.functions
-    return tuple(function for function in program.functions if function.name in wanted)
+    named = {function.name for function in program.functions if function.name in wanted}
+    for function in reversed(program.functions):  # who is called comes before who calls
+        if function.name in named:
+            named |= {s.function for s in function.body if isinstance(s, Evaluate)}
+    return tuple(function for function in program.functions if function.name in named)

@@ -24,6 +24,7 @@ from nhc.program.ir import (
     Solve,
     Statement,
     Store,
+    Sweep,
 )
 
 ZERO = Number(Fraction(0))
@@ -38,6 +39,8 @@ def list_expressions(statement: Statement) -> tuple[Expr, ...]:
     if isinstance(statement, Solve):
         rows = statement.matrix + statement.columns
         return tuple(entry for row in rows for entry in row)
+    if isinstance(statement, Sweep):
+        return tuple(inner.value for inner in statement.body)
     return ()
 
 
@@ -114,8 +117,20 @@ def fill_stores(function: Function) -> tuple[Store, ...]:
 
 def list_missing(function: Function) -> tuple[Store, ...]:
     """Stores of zero for the entries of the output that the body leaves out."""
-    written = {s.index for s in function.body if isinstance(s, Store)}
+    written = list_written(function)
     return tuple(store for store in fill_stores(function) if store.index not in written)
+
+
+def list_written(function: Function) -> set[int]:
+    """The entries of the output that the body stores, in its sweeps too."""
+    written: set[int] = set()
+    for statement in function.body:
+        if isinstance(statement, Store):
+            written.add(statement.index)
+        elif isinstance(statement, Sweep):
+            stores = [inner.index for inner in statement.body if isinstance(inner, Store)]
+            written.update(offset + index for offset in statement.offsets for index in stores)
+    return written
 
 
 @dataclass(frozen=True, slots=True)

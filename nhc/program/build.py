@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
-from nhc.algebra.calculus import gradient
+from nhc.algebra.calculus import count
 from nhc.algebra.graph import Node
 from nhc.algebra.shorten import shorten
 from nhc.mechanics.formulate import accelerations, reaction_values
 from nhc.mechanics.frame import coordinate_form, form_value
 from nhc.mechanics.system import Form
 from nhc.program.ir import Argument, Function, Origin
+from nhc.program.jacobian import plan_jacobian
 from nhc.program.lower import lower_function
-from nhc.program.plan import FunctionPlan, SolvePlan, Target, solve_factored
+from nhc.program.plan import FunctionPlan, Target
 from nhc.program.planner import T_ARGUMENT, PlannerBase
 
 FUNCTIONS = (
@@ -28,6 +29,9 @@ FUNCTIONS = (
     "jacobian",
     "outputs",
 )
+
+CALLED = 300
+"""Operations of the rates beyond which other functions call ``rhs`` for them."""
 
 
 @dataclass
@@ -59,36 +63,48 @@ class Planner(PlannerBase):
 
     def accelerations(self) -> FunctionPlan:
         system = self.system
-        values = shorten(self.graph, self.known(accelerations(self.equations)))
+        values = self.after_rates(accelerations(self.equations))
         nodes = [(a, f"{name}''", "") for a, name in zip(values, system.q_names, strict=True)]
-        return self.plan(
+        return self.take_rates(
             "accelerations",
             "all accelerations q'' on the motion",
             self.equations.number,
             system.n,
             nodes,
-            self.frame_guards() + self.mass_guards,
-            self.solves,
         )
 
     def reactions(self) -> FunctionPlan:
         system = self.system
         values: Sequence[Node] = self.equations.multipliers
         if not values:
-            values = shorten(self.graph, self.known(reaction_values(self.equations)))
+            values = self.after_rates(reaction_values(self.equations))
         nodes = [
             (value, f"reaction of {form.name}: Q_i gains lambda_{k + 1} a_{k + 1}i", form.place)
             for k, (value, form) in enumerate(zip(values, system.constraints, strict=True))
         ]
-        return self.plan(
-            "reactions",
-            "reactions lambda: Q_i gains lambda_a a_ai",
-            "I.4.1",
-            system.l,
-            nodes,
-            self.frame_guards() + self.mass_guards,
-            self.solves,
-        )
+        return self.take_rates("reactions", "reactions lambda: Q_i gains lambda_a a_ai", "I.4.1", system.l, nodes)
+
+    # --- what follows from the rates ------------------------------------------------------------------------
+
+    def calls_rhs(self) -> bool:
+        """Whether functions that need the rates call ``rhs`` for them: where they are long enough to be worth it."""
+        return bool(self.solved) and count(self.graph, list(self.solved.values())) > CALLED
+
+    def after_rates(self, nodes: Sequence[Node]) -> list[Node]:
+        """The nodes shortened, with the rates put in unless they come from ``rhs``."""
+        return shorten(self.graph, list(nodes) if self.calls_rhs() else self.known(nodes))
+
+    def take_rates(
+        self, name: str, about: str, equation: str, size: int, nodes: Sequence[tuple[Node, str, str]]
+    ) -> FunctionPlan:
+        """The plan of a function of nodes from :meth:`after_rates`."""
+        guards = self.frame_guards() + self.mass_guards
+        plan = self.plan(name, about, equation, size, nodes, guards, self.solves)
+        if not self.calls_rhs():
+            return plan
+        first, names = len(self.kept_q), self.kept_names()
+        rates = {self.equations.motion.rates[k]: ("dydt", first + i, f"{names[k]}'") for i, k in enumerate(self.kept_w)}
+        return replace(plan, loads=self.state_loads | rates, guards=(), calls=(("rhs", "dydt", self.y.size),))
 
     def outputs(self) -> FunctionPlan:
         values = self.on_motion([node for _, node in self.system.outputs])
@@ -169,49 +185,17 @@ class Planner(PlannerBase):
         )
 
     def jacobian(self) -> FunctionPlan:
-        """d rhs / d y: the rates by implicit differentiation of mass w' - force, with the factors already at hand."""
-        g, motion, y = self.graph, self.equations.motion, self.y_nodes
-        rows = [gradient(g, motion.velocities[i], y) for i in self.kept_q]
-        matrix, right = self._dense() if motion.rates else ([], [])
-        unknowns = (*motion.rates, *self.equations.multipliers)
-        residual = [
-            g.sub(value, g.sum([g.mul(m, x) for m, x in zip(row, unknowns, strict=True)]))
-            for row, value in zip(matrix, right, strict=True)
-        ]
-        slopes = [gradient(g, node, y) for node in residual]
-        solves, columns = self._jacobian_columns(matrix, [list(column) for column in zip(*slopes, strict=True)], len(y))
-        rates = [[column[k] for column in columns] for k in self.kept_w]
-        nodes = [(node, "", "") for row in (*rows, *rates) for node in row]
-        return self.plan(
-            "jacobian",
-            "d rhs_i / d y_j, row-major",
-            self.equations.number,
-            len(y) ** 2,
-            nodes,
-            self.frame_guards() + self.mass_guards,
-            solves,
-        )
-
-    def _jacobian_columns(
-        self, matrix: list[list[Node]], columns: list[list[Node]], count: int
-    ) -> tuple[tuple[SolvePlan, ...], list[list[Node]]]:
-        g = self.graph
-        if not matrix:
-            return (), [[] for _ in range(count)]
-        if self.equations.definite:
-            solved = [solve_factored(g, self.factors, self.known(column)) for column in columns]
-            flat = shorten(g, [node for column in solved for node in column])
-            size = len(matrix)
-            return (), [flat[k * size : (k + 1) * size] for k in range(len(columns))]
-        symbols = [[g.symbol(f"d{i}_{j}", "unknown") for i in range(len(matrix))] for j in range(len(columns))]
-        return (*self.solves, self._dense_solve(matrix, columns, symbols)), symbols
+        return plan_jacobian(self)
 
 
 def build_functions(planner: Planner, only: Sequence[str] = ()) -> tuple[Function, ...]:
     """The functions asked for (all by default), in their fixed order."""
     functions = []
+    wanted = set(only)
+    if wanted & {"accelerations", "reactions"} and planner.calls_rhs():
+        wanted.add("rhs")
     for name in FUNCTIONS:
-        if only and name not in only:
+        if wanted and name not in wanted:
             continue
         plan = getattr(planner, name)()
         if plan is not None:

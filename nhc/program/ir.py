@@ -1,7 +1,8 @@
 """The intermediate representation that every emitter prints.
 
-Supported: straight-line functions over scalars; loads, lets, guards, dense solves, stores, one scalar result.
-Not supported, on purpose: loops, branches, arrays as values, calls between functions, side effects.
+Supported: straight-line functions over scalars; loads, lets, guards, dense solves, stores, one scalar result; another function's
+output at the same arguments; statements repeated for one direction after the other (derivatives).
+Not supported, on purpose: other loops, branches, arrays as values, side effects.
 
 Names in the IR are identifiers over ``[A-Za-z0-9_]``, unique in their function; a language's own reserved words
 are that language's affair (``emit/<language>/names.py``).
@@ -150,7 +151,30 @@ class Result:
     origin: Origin = Origin()
 
 
-Statement = Section | Load | Let | Guard | Solve | Store | Result
+@dataclass(frozen=True, slots=True)
+class Evaluate:
+    """``array`` becomes the output of the program's ``function`` at this function's own arguments; comes before all loads."""
+
+    function: str
+    array: str
+    size: int
+
+
+@dataclass(frozen=True, slots=True)
+class Sweep:
+    """``body`` once for each entry of ``offsets``: in pass k the name ``seeds[k]`` is 1 and the other seeds are 0.
+
+    ``body`` holds lets and stores, is linear in the seeds, and may use what stands before it; the index of its stores counts
+    from the pass's offset.  The passes are independent, so that several may run at once in vectors.
+    """
+
+    about: str
+    seeds: tuple[str, ...]
+    offsets: tuple[int, ...]
+    body: tuple[Let | Store, ...]
+
+
+Statement = Section | Load | Let | Guard | Solve | Store | Result | Evaluate | Sweep
 
 
 @dataclass(frozen=True, slots=True)

@@ -15,6 +15,7 @@ from nhc.algebra.graph import ADD, BINARY, MUL, NEG, NUM, PI, POW, SYM, UNARY, G
 from nhc.program.ir import (
     Binary,
     Call,
+    Evaluate,
     Expr,
     Function,
     Guard,
@@ -30,10 +31,11 @@ from nhc.program.ir import (
     Solve,
     Statement,
     Store,
+    Sweep,
 )
 from nhc.program.naming import Namer
 from nhc.program.passes import count_operations
-from nhc.program.plan import FunctionPlan, GuardPlan, SolvePlan
+from nhc.program.plan import FunctionPlan, GuardPlan, SolvePlan, SweepPlan
 
 _MANY = 150  # lets beyond which results are stored as soon as they are known
 _LONG = 10  # operations in one expression
@@ -48,12 +50,14 @@ class Lowering:
         self.graph, self.plan = graph, plan
         self.parameter_mask = graph.mask(tuple(parameters))
         reserved = {argument.name for argument in plan.inputs} | ({plan.output.name} if plan.output else set())
+        reserved |= {array for _, array, _ in plan.calls}
         self.namer = Namer(graph, reserved)
         self.names: dict[Node, str] = {}
         self.body: list[Statement] = []
         self.needed = reachable(graph, self._roots())
         self.waiting: set[Node] = set()
         self._done: set[Node] = set()
+        self.swept = graph.mask([seed for sweep in plan.sweeps for seed in sweep.seeds])
         self.stages = self._stages()
 
     def _roots(self) -> list[Node]:
@@ -65,6 +69,7 @@ class Lowering:
             roots += [guard.value, guard.scale]
         for solve in plan.solves:
             roots += [n for row in (*solve.matrix, *solve.columns) for n in row]
+        roots += [target.node for sweep in plan.sweeps for target in sweep.targets]
         return roots
 
     # --- which nodes get a name -----------------------------------------------------------------------------
@@ -99,7 +104,7 @@ class Lowering:
         """The nodes that become lets, in increasing order."""
         g, uses, size = self.graph, self._uses(), dict[Node, int]()
         chosen: list[Node] = []
-        boundary = self._constant_boundary()
+        boundary = self._constant_boundary() | self._sweep_boundary()
         for node in self.needed:
             children = g.children(node)
             if not children:
@@ -126,6 +131,15 @@ class Lowering:
                     boundary.add(inner)
         return boundary
 
+    def _sweep_boundary(self) -> set[Node]:
+        """What the passes of a sweep have in common and use: it is computed once, before them."""
+        g, boundary = self.graph, set[Node]()
+        for node in self.needed:
+            if g.deps[node] & self.swept:
+                inner = [g.a[child] if g.op[child] == NEG else child for child in g.children(node)]
+                boundary.update(n for n in inner if g.children(n) and not g.deps[n] & self.swept)
+        return boundary
+
     # --- statements ---------------------------------------------------------------------------------------
 
     def lower(self) -> Function:
@@ -144,6 +158,8 @@ class Lowering:
                     self._prepare([guard.value, guard.scale])
                     self._guard(guard)
         self._store(interleaved=len(self.waiting) > _MANY)
+        for sweep in self.plan.sweeps:
+            self._sweep(sweep)
         return self._function()
 
     def _prepare(self, roots: Iterable[Node]) -> None:
@@ -170,6 +186,7 @@ class Lowering:
         return bool(self.graph.children(node)) and node not in self.names
 
     def _load(self) -> None:
+        self.body += [Evaluate(*call) for call in self.plan.calls]
         present = set(self.needed)
         wanted = [(symbol, place) for symbol, place in self.plan.loads.items() if symbol in present]
         for symbol, (array, index, about) in wanted:
@@ -223,6 +240,26 @@ class Lowering:
         if plan.result is not None:
             self._prepare([plan.result])
             self.body.append(Result(self.expression(plan.result)))
+
+    def _sweep(self, sweep: SweepPlan) -> None:
+        """Everything the passes share, then the sweep with its own lets."""
+        own = reachable(self.graph, [target.node for target in sweep.targets], self.graph.mask(sweep.seeds))
+        self._prepare(child for node in own for child in self.graph.children(node) if not self._is_swept(child))
+        for seed in sweep.seeds:
+            self.names[seed] = self.namer.symbol(seed)
+        outer, self.body = self.body, []
+        for target in sweep.targets:
+            self._prepare([target.node])
+            value = self.expression(target.node)
+            assert self.plan.output is not None
+            self.body.append(Store(self.plan.output.name, target.index, value, target.about, target.origin))
+        inner, self.body = self.body, outer
+        names = tuple(self.names[seed] for seed in sweep.seeds)
+        kept = tuple(statement for statement in inner if isinstance(statement, Let | Store))
+        self.body.append(Sweep(sweep.about, names, sweep.offsets, kept))
+
+    def _is_swept(self, node: Node) -> bool:
+        return bool(self.graph.deps[node] & self.swept)
 
     def _function(self) -> Function:
         plan, body = self.plan, tuple(self.body)

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator
 from nhc.program.ir import (
     Binary,
     Call,
+    Evaluate,
     Expr,
     Guard,
     Let,
@@ -21,6 +22,7 @@ from nhc.program.ir import (
     Solve,
     Statement,
     Store,
+    Sweep,
 )
 
 
@@ -35,7 +37,7 @@ def expressions(statement: Statement) -> Iterator[Expr]:
         case Solve():
             for row in (*statement.matrix, *statement.columns):
                 yield from row
-        case Section() | Load():
+        case Section() | Load() | Evaluate() | Sweep():
             return
 
 
@@ -58,9 +60,18 @@ def walk(expression: Expr) -> Iterator[Expr]:
 
 
 def count_operations(body: Iterable[Statement]) -> tuple[int, int, int, int]:
-    """(additions, multiplications, divisions, calls); a dense solve counts its elimination."""
+    """(additions, multiplications, divisions, calls); a dense solve counts its elimination, a sweep all its passes.
+
+    What another function computes is not counted.
+    """
     adds = multiplications = divisions = calls = 0
     for statement in body:
+        if isinstance(statement, Sweep):
+            passes = len(statement.offsets)
+            more = count_operations(statement.body)
+            adds, multiplications = adds + passes * more[0], multiplications + passes * more[1]
+            divisions, calls = divisions + passes * more[2], calls + passes * more[3]
+            continue
         if isinstance(statement, Solve):
             size, columns = len(statement.matrix), len(statement.columns)
             work = sum(k * (k - 1) + k * columns for k in range(1, size + 1)) + columns * size * (size - 1) // 2

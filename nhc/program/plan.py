@@ -43,8 +43,24 @@ class SolvePlan:
 
 
 @dataclass(frozen=True)
+class SweepPlan:
+    """``targets`` once per pass, linear in the symbols ``seeds``: in pass k the k-th one is 1 and the others are 0.
+
+    A target's index counts from the pass's entry of ``offsets``.
+    """
+
+    about: str
+    seeds: tuple[Node, ...]
+    offsets: tuple[int, ...]
+    targets: tuple[Target, ...]
+
+
+@dataclass(frozen=True)
 class FunctionPlan:
-    """``loads`` maps a symbol to (array, index, about); ``result`` is the scalar value of a function without output array."""
+    """``loads`` maps a symbol to (array, index, about); ``result`` is the scalar value of a function without output array.
+
+    ``calls``: (function, array, size) of other functions whose output the loads may name.
+    """
 
     name: str
     about: str
@@ -56,6 +72,8 @@ class FunctionPlan:
     result: Node | None = None
     guards: tuple[GuardPlan, ...] = ()
     solves: tuple[SolvePlan, ...] = ()
+    sweeps: tuple[SweepPlan, ...] = ()
+    calls: tuple[tuple[str, str, int], ...] = ()
 
 
 @dataclass(frozen=True)

@@ -48,7 +48,7 @@ def test_no_orphans() -> None:
 def test_golden_c_compiles_and_agrees_with_python(name: str, tmp_path: Path) -> None:
     folder = HERE / name
     texts = {f"{name}.h": (folder / "model.h").read_text(), f"{name}.c": (folder / "model.c").read_text()}
-    library = compile_c(texts, tmp_path, name, ("-O2",) if len(texts[f"{name}.c"]) < 200_000 else ("-O1",))
+    library = compile_c(texts, tmp_path, name, ("-O2",))
     c, python = CModel(name, ctypes.CDLL(str(library)), {}), python_model((folder / "model.py").read_text(), name)
     size, n, l = len(python.STATE), len(python.COORDINATES), len(python.CONSTRAINTS)  # noqa: E741
     p, rng, compared = list(python.DEFAULTS), random.Random(name), 0

@@ -31,6 +31,7 @@ from tests.unit.emit_cases import (
     ref,
     store,
 )
+from tests.unit.emit_long import make_long
 
 ARRAYS = ("", "numpy", "jax")
 GOOD = [0.0, 0.0, 0.1, 1.0, 0.5]
@@ -81,7 +82,7 @@ def make_wide() -> Program:
     return Program("wide", "", "wide.yaml", "newton", "", "", (), quantities(*names), (), (), (), (rhs,))
 
 
-PROGRAMS = CASES | {"wide": make_wide()}
+PROGRAMS = CASES | {"wide": make_wide(), "long_chain": make_long()}
 
 
 @pytest.mark.parametrize("array", ARRAYS)
@@ -99,7 +100,7 @@ def test_the_text_is_as_ruff_would_write_it(array: str, tmp_path: Path) -> None:
 
 
 def test_the_text_is_clean_under_strict_mypy(tmp_path: Path) -> None:
-    for name, program in CASES.items():
+    for name, program in PROGRAMS.items():
         for array in ("", "numpy"):
             (tmp_path / f"{name}{array}.py").write_text(emit(program, array), encoding="utf-8")
     command = [sys.executable, "-m", "mypy", "--strict", "--config-file=", "."]

@@ -13,6 +13,7 @@ from nhc.emit.prose import wrap
 from nhc.program.ir import (
     Binary,
     Call,
+    Evaluate,
     Expr,
     Guard,
     Let,
@@ -125,8 +126,17 @@ class BodyPrinter:
         self.used = used
         self.indent = "    "
         self.lines: list[str] = []
+        self.trig = trig
         self.printer = ExpressionPrinter(CDialect(prefix, helpers, trig), scope)
+        self.kept: dict[str, int] = {}  # names that parts of the function find in the array `kept`, and where
+        self.arguments: tuple[str, ...] = ()  # what other functions are called with
         self._origin = ""
+
+    def fork(self) -> BodyPrinter:
+        """A printer for another part of the same function."""
+        made = BodyPrinter(self.prefix, self.scope, self.helpers, self.element, self.leave, self.used, self.trig)
+        made.kept, made.arguments = self.kept, self.arguments
+        return made
 
     def add(self, text: str) -> None:
         """One line of code, broken where it is too long."""
@@ -172,6 +182,7 @@ class BodyPrinter:
         elif isinstance(statement, Let):
             self.mark_origin(statement.origin)
             self.add(f"const double {self.scope[statement.name]} = {self.printer.print(statement.value)};")
+            self.keep(statement.name)
         elif isinstance(statement, Guard):
             self.print_guard(statement)
         elif isinstance(statement, Solve):
@@ -183,6 +194,13 @@ class BodyPrinter:
         elif isinstance(statement, Result):
             self.mark_origin(statement.origin)
             self.add(f"return {self.printer.print(statement.value)};")
+        elif isinstance(statement, Evaluate):
+            self.print_evaluate(statement)
+
+    def keep(self, name: str) -> None:
+        """Put a value where parts of the function find it."""
+        if name in self.kept:
+            self.lines.append(f"{self.indent}kept[{self.kept[name]}] = {self.scope[name]};")
 
     def print_test(self, guard: Guard) -> str:
         """The condition under which the guard's block is singular; a NaN makes it true."""
@@ -219,3 +237,16 @@ class BodyPrinter:
                     self.lines.append(
                         f"{self.indent}const double {self.scope[name]} = {array}[{i * width + size + c}];"
                     )
+                    self.keep(name)
+
+    def print_evaluate(self, evaluate: Evaluate) -> None:
+        """Another function's output; leave where that is singular."""
+        status = self.scope.fresh("status")
+        call = f"{self.prefix}_{evaluate.function}({', '.join(self.arguments)}, {evaluate.array})"
+        self.lines += [f"{self.indent}double {evaluate.array}[{evaluate.size}];"]
+        self.add(f"const int {status} = {call};")
+        self.lines += [
+            f"{self.indent}if ({status} != {self.prefix.upper()}_OK) {{",
+            f"{self.indent}    return {status};",
+            f"{self.indent}}}",
+        ]

@@ -10,10 +10,14 @@ from nhc.emit.c.driver import list_driver_functions, make_driver
 from nhc.emit.c.header import frame, print_file_comment, print_function_comment, print_source_comment
 from nhc.emit.c.literals import print_comment, print_float, print_string
 from nhc.emit.c.names import make_scope
+from nhc.emit.c.parts import OWN, Layout, lay_out, print_calls, print_part
+from nhc.emit.c.sweep import SweepPrinter
 from nhc.emit.environment import File
 from nhc.emit.options import BATCH, EmitError, EmitOptions, check_options, select_functions
 from nhc.emit.statements import drop_unused, find_not_finite, list_missing, list_statuses, list_used_names
-from nhc.program.ir import Argument, Function, Load, Program, Quantity, Solve
+from nhc.program.ir import Argument, Function, Load, Program, Quantity, Solve, Statement, Sweep
+
+FEW = 8  # entries of zero that are stored one by one
 
 
 @dataclass(frozen=True, slots=True)
@@ -24,6 +28,7 @@ class PrintedFunction:
     prototype: str
     definition: str
     body: tuple[str, ...]
+    parts: tuple[str, ...] = ()  # what stands before the function: its own static ones
 
 
 @dataclass(frozen=True, slots=True)
@@ -164,8 +169,9 @@ def print_function(program: Program, function: Function, helpers: set[str], *, i
     """A function of the program; its ``int`` is 0 only if every entry of its output is finite."""
     prefix, capitals, output = program.system, program.system.upper(), function.output
     body = drop_unused(function.body)
+    layout = lay_out(body)
     arguments = function.inputs if output is None else (*function.inputs, output)
-    scope = make_scope(program, arguments, body, ())
+    scope = make_scope(program, arguments, body, OWN if layout.kept else ())
     for statement in body:
         if isinstance(statement, Load) and statement.index < 0:
             scope.alias(statement.name, statement.array)  # the argument itself: it needs no copy
@@ -178,8 +184,8 @@ def print_function(program: Program, function: Function, helpers: set[str], *, i
         frozenset(list_used_names(body)),
         ANY if inline else "",
     )
-    printer.lines += mark_unused(function, body)
-    printer.print_all((*body, *list_missing(function)))
+    printer.arguments, printer.kept = tuple(argument.name for argument in function.inputs), layout.kept
+    parts = print_statements(printer, function, body, layout)
     if output is not None and output.size:
         helpers.add("finish")
         printer.lines.append(f"    return {prefix}_finish({output.size}, {output.name});")
@@ -187,7 +193,44 @@ def print_function(program: Program, function: Function, helpers: set[str], *, i
         printer.lines += [f"    (void){output.name};", f"    return {capitals}_OK;"]
     texts = ", ".join(print_argument(argument, argument is output) for argument in arguments)
     prototype = wrap_prototype(f"{'double' if output is None else 'int'} {prefix}_{function.name}({texts})")
-    return PrintedFunction(print_function_comment(program, function), prototype, prototype, tuple(printer.lines))
+    comment = print_function_comment(program, function)
+    return PrintedFunction(comment, prototype, prototype, tuple(printer.lines), tuple(parts))
+
+
+def print_statements(
+    printer: BodyPrinter, function: Function, body: tuple[Statement, ...], layout: Layout
+) -> list[str]:
+    """Print the body into the printer's lines; the functions of its parts."""
+    functions: list[str] = []
+    if layout.kept:
+        printer.lines.append(f"    double kept[{len(layout.kept)}]; /* what parts of this function leave for others */")
+    printer.lines += print_zeros(function)
+    if len(layout.parts) > 1:
+        names = [f"{printer.prefix}_{function.name}_part{number + 1}" for number in range(len(layout.parts))]
+        for name, part in zip(names, layout.parts, strict=True):
+            functions += print_part(printer, function, part, name)
+        printer.lines += print_calls(printer, function, names)
+    else:
+        printer.lines += mark_unused(function, body)
+        printer.print_all(tuple(statement for statement in body if not isinstance(statement, Sweep)))
+    for number, sweep in enumerate(s for s in body if isinstance(s, Sweep)):
+        printer.helpers |= {"lanes", "sweep"}
+        inner = SweepPrinter(printer, function, sweep, number + 1)
+        functions += inner.print_functions()
+        printer.lines += inner.print_loop()
+    return functions
+
+
+def print_zeros(function: Function) -> tuple[str, ...]:
+    """Zero for the entries of the output that the body leaves out, before all others; many of them in a loop."""
+    missing, output = list_missing(function), function.output
+    if output is None or len(missing) <= FEW:
+        return tuple(f"    {store.array}[{store.index}] = 0.0;" for store in missing)
+    return (
+        f"    for (int entry = 0; entry < {output.size}; ++entry) {{",
+        f"        {output.name}[entry] = 0.0;",
+        "    }",
+    )
 
 
 def print_batch_function(

@@ -16,6 +16,7 @@ from nhc.emit.python.literals import print_comment, print_float
 from nhc.program.ir import (
     Binary,
     Call,
+    Evaluate,
     Expr,
     Guard,
     Let,
@@ -27,6 +28,7 @@ from nhc.program.ir import (
     Solve,
     Statement,
     Store,
+    Sweep,
 )
 
 WIDTH = 88  # ruff's own default: what fits there is left alone at every wider setting too
@@ -159,6 +161,29 @@ class BodyPrinter:
         else:
             self.add_comment(note, "    ")
             self.lines.append(line)
+
+    def print_evaluate(self, evaluate: Evaluate, arguments: tuple[str, ...]) -> None:
+        """Another function's output."""
+        self.lines.append(f"    {evaluate.array} = {evaluate.function}({', '.join(arguments)})")
+
+    def print_sweep(self, sweep: Sweep, output: str) -> None:
+        """A loop over the passes, behind the list that it writes into."""
+        k, offset, offsets = (self.scope.fresh(name) for name in ("k", "offset", "offsets"))
+        self.add_comment(sweep.about, self.indent)
+        self.lines += print_sequence(f"{offsets} = ", [str(number) for number in sweep.offsets], "()", self.indent)
+        self.lines.append(f"{self.indent}for {k}, {offset} in enumerate({offsets}):")
+        self.indent += "    "
+        for number, seed in enumerate(sweep.seeds):
+            self.lines.append(f"{self.indent}{self.scope[seed]} = 1.0 if {k} == {number} else 0.0")
+        for statement in sweep.body:
+            if isinstance(statement, Store):
+                self.assign(
+                    f"{output}[{offset} + {statement.index}]" if statement.index else f"{output}[{offset}]",
+                    statement.value,
+                )
+            else:
+                self.assign(self.scope[statement.name], statement.value)
+        self.indent = self.indent[:-4]
 
     def print_statement(self, statement: Statement) -> None:
         """One statement that is no load."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from nhc.emit.names import Scope, list_bound_names
-from nhc.program.ir import Argument, Statement
+from nhc.program.ir import Argument, Evaluate, Statement
 
 LONGEST = 30  # so that an assignment always fits on its line
 AMBIGUOUS = ("I", "O", "l")  # good names of mechanics that pycodestyle's E741 refuses
@@ -37,9 +37,10 @@ MODULES = frozenset(
 )
 
 
-def make_scope(arguments: Iterable[Argument], body: Iterable[Statement]) -> Scope:
+def make_scope(arguments: Iterable[Argument], body: tuple[Statement, ...]) -> Scope:
     """The names of one function: its arguments and everything that the module declares or uses are taken."""
-    scope = Scope(RESERVED | {spell(argument.name) for argument in arguments}, LONGEST)
+    called = {name for s in body if isinstance(s, Evaluate) for name in (s.function, s.array)}
+    scope = Scope(RESERVED | called | {spell(argument.name) for argument in arguments}, LONGEST)
     scope.bind_all(list_bound_names(body))
     return scope
 

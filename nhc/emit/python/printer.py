@@ -11,7 +11,7 @@ from nhc.emit.python.docs import print_function_docstring, print_module_docstrin
 from nhc.emit.python.literals import print_float, print_string
 from nhc.emit.python.names import AMBIGUOUS, make_scope, spell
 from nhc.emit.statements import drop_unused, fill_stores, find_not_finite, list_statuses, list_used_names
-from nhc.program.ir import Argument, Function, Load, Program, Quantity, Store
+from nhc.program.ir import Argument, Evaluate, Function, Load, Program, Quantity, Store, Sweep
 
 LONGEST_REASON = WIDTH - 8
 PRELUDES = {"": "python/math.py.jinja", "numpy": "python/numpy.py.jinja", "jax": "python/jax.py.jinja"}
@@ -124,8 +124,10 @@ def print_function(program: Program, function: Function, array: str, helpers: se
     for statement in body:
         if isinstance(statement, Load):
             printer.print_load(statement)
+        elif isinstance(statement, Evaluate):
+            printer.print_evaluate(statement, tuple(spell(argument.name) for argument in function.inputs))
     loads, printer.lines = tuple(printer.lines), []
-    for statement in (*(s for s in body if not isinstance(s, Load | Store)), *fill_stores(function)):
+    for statement in (*(s for s in body if not isinstance(s, Evaluate | Load | Store | Sweep)), *fill_stores(function)):
         printer.print_statement(statement)
     if function.output is None:
         print_scalar_end(printer, function)
@@ -157,6 +159,9 @@ def print_list_end(program: Program, printer: BodyPrinter, function: Function) -
     printer.helpers.add("finish")
     kind = "Array | float" if printer.array else "float"
     printer.lines += print_sequence(f"{name}: list[{kind}] = ", items, "[]", printer.indent)
+    for statement in function.body:
+        if isinstance(statement, Sweep):
+            printer.print_sweep(statement, name)
     if printer.array:
         printer.lines += close_arrays(printer, function, "_finish", name, len(program.state))
         return

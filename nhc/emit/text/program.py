@@ -7,6 +7,7 @@ from nhc.program.ir import (
     Argument,
     Binary,
     Call,
+    Evaluate,
     Expr,
     Function,
     Guard,
@@ -24,6 +25,7 @@ from nhc.program.ir import (
     Solve,
     Statement,
     Store,
+    Sweep,
 )
 
 _LEVELS = {"+": 1, "-": 1, "*": 2, "/": 2}
@@ -77,6 +79,8 @@ def _bound(statement: Statement) -> tuple[str, ...]:
             return (statement.name,)
         case Store():
             return (f"{statement.array}[{statement.index}]",)
+        case Sweep():
+            return tuple(name for inner in statement.body for name in _bound(inner))
         case _:
             return ()
 
@@ -101,6 +105,10 @@ def _statement(statement: Statement, width: int) -> list[str]:
             return [f"{place} <- {_text(statement.value)}{_remark(origin)}"]
         case Result():
             return [f"result {_text(statement.value)}"]
+        case Evaluate():
+            return [f"{statement.array} := {statement.function} at the same arguments"]
+        case Sweep():
+            return _sweep(statement, width)
 
 
 def _solve(solve: Solve) -> list[str]:
@@ -109,6 +117,12 @@ def _solve(solve: Solve) -> list[str]:
     for names, column in zip(solve.names, solve.columns, strict=True):
         lines.append(f"  ({', '.join(names)}) for ({', '.join(_text(entry) for entry in column)})")
     return lines
+
+
+def _sweep(sweep: Sweep, width: int) -> list[str]:
+    offsets = ", ".join(str(offset) for offset in sweep.offsets)
+    lines = [f"sweep ({', '.join(sweep.seeds)}) from [{offsets}]{_remark(sweep.about)}"]
+    return lines + [f"  {line}" for inner in sweep.body for line in _statement(inner, width)]
 
 
 def _remark(text: str) -> str:

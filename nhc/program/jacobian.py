@@ -1,0 +1,135 @@
+"""d rhs / d y: written out where that is short, else in sweeps, one direction or one row in each pass.
+
+Written out, the code grows as rows times columns, and compilers take long over it.  In a sweep the statements stand once and
+are passed through once for each column (a directional derivative of all rows) or once for each row (its gradient); what the
+passes share is computed before them.  The velocities' rows are short and always written out.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+from nhc.algebra.calculus import count, gradient, pullback_gradient, reachable, tangent
+from nhc.algebra.graph import Graph, Node
+from nhc.algebra.shorten import shorten
+from nhc.program.plan import FunctionPlan, SolvePlan, SweepPlan, Target, solve_factored
+
+if TYPE_CHECKING:
+    from nhc.program.build import Planner
+
+LONGEST = 1500
+"""Operations of the rates' rows, roughly, beyond which they are not written out."""
+
+
+@dataclass(frozen=True)
+class Slopes:
+    """Entries row by row (written out), or sweeps in their place; the dense solves that the entries need."""
+
+    entries: tuple[tuple[Node, ...], ...] = ()
+    sweeps: tuple[SweepPlan, ...] = ()
+    solves: tuple[SolvePlan, ...] = ()
+
+
+def plan_jacobian(planner: Planner) -> FunctionPlan:
+    """The plan of ``jacobian``: row i, column j stands at i*NY + j."""
+    g, motion, y = planner.graph, planner.equations.motion, planner.y_nodes
+    size = len(y)
+    slopes = differentiate_rates(planner) if motion.rates else Slopes()
+    rows = [*differentiate(g, [motion.velocities[i] for i in planner.kept_q], y), *slopes.entries]
+    plan = planner.plan(
+        "jacobian",
+        "d rhs_i / d y_j, row-major",
+        planner.equations.number,
+        size * size,
+        [(node, "", "") for row in rows for node in row],
+        planner.frame_guards() + planner.mass_guards,
+        slopes.solves,
+    )
+    targets = tuple(target for target in plan.targets if target.node != g.zero)
+    return replace(plan, targets=targets, sweeps=slopes.sweeps)
+
+
+def differentiate(graph: Graph, nodes: Sequence[Node], wrt: Sequence[Node]) -> list[list[Node]]:
+    """The rows d node / d symbol, by columns or by rows, whichever takes fewer operations."""
+    columns = [tangent(graph, nodes, {symbol: graph.one}) for symbol in wrt]
+    forward = [list(row) for row in zip(*columns, strict=True)] if nodes else []
+    backward = [gradient(graph, node, wrt) for node in nodes]
+    found = (forward, backward)
+    return min(found, key=lambda rows: count(graph, [*nodes, *(entry for row in rows for entry in row)]))
+
+
+def differentiate_rates(planner: Planner) -> Slopes:
+    """The rows of the rates, by implicit differentiation of mass w' - force, with the factors already at hand."""
+    g, motion, y = planner.graph, planner.equations.motion, planner.y_nodes
+    matrix, right = planner._dense()
+    unknowns = (*motion.rates, *planner.equations.multipliers)
+    residual = [
+        g.sub(value, g.sum([g.mul(m, x) for m, x in zip(row, unknowns, strict=True)]))
+        for row, value in zip(matrix, right, strict=True)
+    ]
+    if not planner.equations.definite:
+        columns = [list(column) for column in zip(*(gradient(g, node, y) for node in residual), strict=True)]
+        symbols = [[g.symbol(f"d{i}_{j}", "unknown") for i in range(len(matrix))] for j in range(len(columns))]
+        solves = (*planner.solves, planner._dense_solve(matrix, columns, symbols))
+        return Slopes(tuple(tuple(column[k] for column in symbols) for k in planner.kept_w), (), solves)
+    backward = sweep_rows(planner, residual)
+    if len(planner.kept_w) * _cost(g, backward) > LONGEST:
+        forward = sweep_columns(planner, residual)
+        return Slopes((), min(((backward,), forward), key=lambda sweeps: _passes(g, sweeps)))
+    slopes = zip(*(gradient(g, node, y) for node in residual), strict=True)
+    solved = [solve_factored(g, planner.factors, planner.known(column)) for column in slopes]
+    flat = shorten(g, [node for column in solved for node in column])
+    size = len(residual)
+    return Slopes(tuple(tuple(flat[j * size + k] for j in range(len(y))) for k in planner.kept_w))
+
+
+def sweep_rows(planner: Planner, residual: Sequence[Node]) -> SweepPlan:
+    """A pass for each rate: row k of the inverse mass matrix times the residual's slopes, pulled back to y."""
+    g, y = planner.graph, planner.y_nodes
+    unit = {k: g.symbol(f"row_{k}", "direction") for k in planner.kept_w}
+    weights = solve_factored(g, planner.factors, [unit.get(k, g.zero) for k in range(len(residual))])
+    slopes = pullback_gradient(g, list(zip(residual, weights, strict=True)), y)
+    targets = _targets(g, planner.known(slopes), range(len(y)))
+    first = len(planner.kept_q)
+    offsets = tuple((first + i) * len(y) for i in range(len(unit)))
+    return SweepPlan("one rate in each pass: its row of the matrix", tuple(unit.values()), offsets, targets)
+
+
+def sweep_columns(planner: Planner, residual: Sequence[Node]) -> tuple[SweepPlan, ...]:
+    """A pass for each coordinate, and in a sweep of their own one for each velocity: the rates' slopes along it."""
+    y, split = planner.y_nodes, len(planner.kept_q)
+    coordinates, velocities = range(split), range(split, len(y))
+    found = (_sweep_group(planner, residual, group) for group in (coordinates, velocities))
+    return tuple(sweep for sweep in found if sweep.targets)
+
+
+def _sweep_group(planner: Planner, residual: Sequence[Node], group: Sequence[int]) -> SweepPlan:
+    g, y = planner.graph, planner.y_nodes
+    active = [j for j in group if any(g.deps[node] & g.deps[y[j]] for node in residual)]
+    seeds = {y[j]: g.symbol(f"along_{j}", "direction") for j in active}
+    slopes = planner.known(tangent(g, residual, seeds))
+    solved = solve_factored(g, planner.factors, slopes)
+    first = len(planner.kept_q)
+    rows = [(first + i) * len(y) for i in range(len(planner.kept_w))]
+    targets = _targets(g, [solved[k] for k in planner.kept_w], rows)
+    return SweepPlan(
+        "one direction in each pass: a column of the matrix", tuple(seeds.values()), tuple(active), targets
+    )
+
+
+def _targets(graph: Graph, nodes: Sequence[Node], places: Sequence[int]) -> tuple[Target, ...]:
+    pairs = zip(places, nodes, strict=True)
+    return tuple(Target(place, node) for place, node in pairs if node != graph.zero)
+
+
+def _cost(graph: Graph, sweep: SweepPlan) -> int:
+    """Operations of one pass."""
+    mask = graph.mask(sweep.seeds)
+    return sum(1 for n in reachable(graph, [target.node for target in sweep.targets], mask) if graph.children(n))
+
+
+def _passes(graph: Graph, sweeps: Sequence[SweepPlan]) -> int:
+    """Operations of all passes together, and once more for their code."""
+    return sum(_cost(graph, sweep) * (len(sweep.offsets) + 1) for sweep in sweeps)

@@ -1,0 +1,90 @@
+"""The Jacobian written out, by rows and by columns: three programs with the same values, and those of differences of ``rhs``."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+
+import pytest
+
+import nhc.program.jacobian as routes
+from benchmarks.models import source
+from nhc.algebra.graph import Node
+from nhc.emit import EmitOptions, render
+from nhc.language import read
+from nhc.pipeline import Options, program
+from nhc.program.ir import Evaluate, Program, Sweep
+from nhc.program.plan import SweepPlan
+from tests.support import error, python_model, spec_path
+
+SYSTEMS = ("rolling_disk", "n_trailer3", "n_snake3", "roller_racer", "double_pendulum", "snakeboard", "pumped_pendulum")
+
+
+def _program(name: str) -> Program:
+    return program(read(str(spec_path(name))), Options(only=("rhs", "jacobian")))
+
+
+def _columns_only(planner: object, residual: Sequence[Node]) -> SweepPlan:
+    """In place of the sweep over rows: one that is never chosen."""
+    return replace(SWEEP_ROWS(planner, residual), offsets=(0,) * 10_000)  # type: ignore[arg-type]
+
+
+SWEEP_ROWS: Callable[..., SweepPlan] = routes.sweep_rows
+
+
+@pytest.mark.parametrize("name", SYSTEMS)
+def test_all_routes_agree(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(routes, "LONGEST", 10**9)
+    written = _program(name)
+    monkeypatch.setattr(routes, "LONGEST", 0)
+    found = {"written out": written, "chosen": _program(name)}
+    monkeypatch.setattr(routes, "sweep_rows", _columns_only)
+    found["columns"] = _program(name)
+    sweeps = {key: [s for s in made.functions[-1].body if isinstance(s, Sweep)] for key, made in found.items()}
+    assert not sweeps["written out"] and sweeps["chosen"] and sweeps["columns"]
+    modules = {
+        key: python_model(render(made, "python", EmitOptions())[f"{name}.py"], name) for key, made in found.items()
+    }
+    module, rng, compared = modules["written out"], random.Random(name), 0
+    size = len(module.STATE)
+    for _ in range(6):
+        t, y = rng.uniform(0, 2), [rng.uniform(0.1, 0.9) for _ in range(size)]
+        try:
+            expected = [x for row in module.jacobian(t, y) for x in row]
+        except module.SingularModelError:
+            continue
+        compared += 1
+        for other in ("chosen", "columns"):
+            assert error([x for row in modules[other].jacobian(t, y) for x in row], expected) < 1e-11
+        assert error(expected, _differences(module.rhs, t, y)) < 1e-6
+    assert compared >= 3
+
+
+def _differences(rhs: Callable[[float, list[float]], list[float]], t: float, y: list[float]) -> list[float]:
+    h, size = 1e-5, len(y)
+    columns = []
+    for j in range(size):
+        high, low = (rhs(t, [v + s * h * (k == j) for k, v in enumerate(y)]) for s in (1, -1))
+        columns.append([(a - b) / (2 * h) for a, b in zip(high, low, strict=True)])
+    return [columns[j][i] for i in range(size) for j in range(size)]
+
+
+def test_a_long_model_calls_its_rhs_for_accelerations_and_reactions(monkeypatch: pytest.MonkeyPatch) -> None:
+    import nhc.program.build as build
+
+    made = {}
+    for limit in (0, 10**9):
+        monkeypatch.setattr(build, "CALLED", limit)
+        made[limit] = program(source("trailers3"), Options())
+    calling = {f.name for f in made[0].functions if any(isinstance(s, Evaluate) for s in f.body)}
+    assert calling == {"accelerations", "reactions"}
+    assert not any(isinstance(s, Evaluate) for f in made[10**9].functions for s in f.body)
+    first, second = (
+        python_model(render(p, "python", EmitOptions())["trailers3.py"], "trailers3") for p in made.values()
+    )
+    rng = random.Random("trailers3")
+    for _ in range(5):
+        y = [rng.uniform(-0.7, 0.7) for _ in first.STATE]
+        for function in ("accelerations", "reactions"):
+            assert error(getattr(first, function)(0.0, y), getattr(second, function)(0.0, y)) < 1e-12

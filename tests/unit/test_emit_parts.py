@@ -1,0 +1,115 @@
+"""Long functions in parts, sweeps over vectors, calls between functions: the same values as one straight function has."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from nhc.emit import EmitOptions, render
+from nhc.emit.c.parts import cut, find_crossing
+from nhc.emit.text.program import print_program
+from nhc.program.ir import Let, Load, Solve, Sweep
+from nhc.program.passes import count_operations
+from tests.unit.emit_cases import let, ref
+from tests.unit.emit_long import LINKS, make_long
+from tests.unit.test_emit_c import COMPILERS, FLAGS, call, doubles, load, load_python, write
+
+Y, P = [0.4, 0.7, -0.3], [1.5]
+WIDTHS = (1, 2, 4, 8)
+
+
+@pytest.mark.parametrize("compiler", COMPILERS)
+@pytest.mark.parametrize("machine", ["", "-mavx512f", "-DLONG_CHAIN_LANES=1"])
+def test_it_compiles_without_a_warning(compiler: str, machine: str, tmp_path: Path) -> None:
+    (source,) = write(make_long(), tmp_path, EmitOptions())
+    subprocess.run([compiler, *FLAGS, "-Wshadow", *machine.split(), "-c", source], check=True, cwd=tmp_path)
+
+
+def test_no_function_is_long(tmp_path: Path) -> None:
+    (source,) = write(make_long(), tmp_path, EmitOptions())
+    text = source.read_text()
+    bodies = dict(re.findall(r"\n[a-z ]+ (\w+)\([^{}]*\)\n\{\n(.*?)\n\}", text, re.DOTALL))
+    long = [name for name, body in bodies.items() if body.count(";") > LINKS]
+    assert long == ["long_chain_rhs_batch"]
+    assert "long_chain_rhs_part2" in text and "long_chain_jacobian_sweep1_part2" in text
+
+
+@pytest.mark.parametrize("width", WIDTHS)
+def test_c_agrees_with_python_for_every_width_of_vectors(width: int, tmp_path: Path) -> None:
+    program = make_long()
+    (source,) = write(program, tmp_path, EmitOptions())
+    source.write_text(f"#define LONG_CHAIN_LANES {width}\n" + source.read_text())
+    library = tmp_path / "model.so"
+    quiet = ["-Wno-psabi"]  # vectors wider than the machine's, which no function passes on
+    command = [COMPILERS[0], "-std=c99", "-O1", *quiet, "-shared", "-fPIC", "-o", library, source, "-lm"]
+    subprocess.run(command, check=True, cwd=tmp_path)
+    import ctypes
+
+    loaded, module = ctypes.CDLL(str(library)), load_python(program)
+    for name, size in (("rhs", 3), ("accelerations", 1), ("jacobian", 9)):
+        status, found = call(getattr(loaded, f"long_chain_{name}"), [Y, P], size)
+        expected = module[name](0.0, Y, P)  # type: ignore[operator]
+        flat = [x for row in expected for x in row] if name == "jacobian" else expected
+        assert status == 0
+        assert found == pytest.approx(flat, rel=1e-13, abs=1e-15)
+
+
+def test_the_sweep_is_the_derivative(tmp_path: Path) -> None:
+    library = load(make_long(), tmp_path)
+    _, jacobian = call(library.long_chain_jacobian, [Y, P], 9)
+    h = 1e-6
+    for j in range(3):
+        up, down = ([v + s * h * (k == j) for k, v in enumerate(Y)] for s in (1, -1))
+        high, low = (call(library.long_chain_rhs, [y, P], 3)[1] for y in (up, down))
+        column = [(a - b) / (2 * h) for a, b in zip(high, low, strict=True)]
+        assert jacobian[j::3] == pytest.approx(column, abs=1e-8)
+
+
+def test_a_guard_in_a_later_part_and_behind_a_call_is_a_status(tmp_path: Path) -> None:
+    library, rest = load(make_long(), tmp_path), [0.0, 0.0, 0.0]
+    for name, size in (("rhs", 3), ("accelerations", 1), ("jacobian", 9)):
+        assert call(getattr(library, f"long_chain_{name}"), [rest, P], size)[0] == 1
+    out = doubles([0.0] * 6)
+    count = __import__("ctypes").c_size_t(2)
+    assert (
+        library.long_chain_rhs_batch(
+            count, doubles([0.0, 0.0]), doubles([0.4, 0.0, 0.7, 0.0, -0.3, 0.0]), doubles(P), out
+        )
+        == 1
+    )
+
+
+def test_only_brings_what_is_called() -> None:
+    files = render(make_long(), "c", EmitOptions(only=("accelerations",)))
+    assert set(re.findall(r"int long_chain_(\w+)\(", files["long_chain.h"])) == {"rhs", "accelerations"}
+    (text,) = render(make_long(), "python", EmitOptions(only=("accelerations",))).values()
+    assert re.findall(r"^def ([a-z]+)\(", text, re.MULTILINE) == ["rhs", "accelerations"]
+
+
+def test_the_dump_shows_sweeps_and_calls() -> None:
+    text = print_program(make_long())
+    assert "dydt := rhs at the same arguments" in text
+    assert "sweep (e_x, e_v, e_z) from [0, 1, 2]" in text
+
+
+def test_every_pass_of_a_sweep_is_counted() -> None:
+    jacobian = make_long().functions[-1]
+    (sweep,) = (s for s in jacobian.body if isinstance(s, Sweep))
+    whole, once = count_operations((sweep,)), count_operations(sweep.body)
+    assert whole == tuple(3 * n for n in once) and once[0] > LINKS
+
+
+def test_crossing_names_are_those_that_another_part_uses() -> None:
+    body = [
+        let("a", ref("x") * 2),
+        let("b", ref("a") + ref("x")),
+        let("c", ref("b") * ref("a")),
+        let("d", ref("c") * 3),
+    ]
+    assert cut(body, 2, 2) == (tuple(body[:2]), tuple(body[2:]))
+    assert find_crossing(cut(body, 2, 2)) == {"a": 0, "b": 1}
+    assert cut(body, 4, 1) == (tuple(body),) and find_crossing([body]) == {}
+    assert all(isinstance(s, Let | Load | Solve) for s in body)
