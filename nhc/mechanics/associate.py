@@ -93,7 +93,6 @@ class Projector:
         self.hessian = [values[count + k * count : count + (k + 1) * count] for k in range(count)]
         self._to_motion = {**on_motion, **to_motion}
         self.columns = [self.components(e) for e in motion.vectors]  # W_k(e_nu)
-        self._gyro = self._gyroscopic(moved) if moved else []
         seeds = {**along(system, motion.velocities), system.t: g.one}
         self._seeds = seeds
         drift = moved.drift if moved else tangent(g, self.u, seeds)
@@ -101,6 +100,8 @@ class Projector:
         self.pi_drift = [
             g.add(explicit[k], g.sum([g.mul(self.hessian[k][j], drift[j]) for j in range(count)])) for k in range(count)
         ]
+        self._potential = moved.potential if moved else system.U
+        self._gyro = self._add_turning(moved) if moved else []
 
     def components(self, e: Sequence[Node]) -> list[Node]:
         """W_k(e) for every velocity form."""
@@ -119,10 +120,10 @@ class Projector:
         g, system = self.system.graph, self.system
         known = known or self._known.get(tuple(e))
         weights = known.forms if known else self.components(e)
-        pushed = {k: self.hessian_times(k, weight) for k, weight in enumerate(weights) if weight != g.zero}
+        momenta = self._momenta(weights)
         mass, force_terms = [], []
         for column in self.columns:
-            mass.append(self._gather(g.mul(x, column[j]) for row in pushed.values() for j, x in row))
+            mass.append(self._gather(g.mul(p, x) for p, x in zip(momenta, column, strict=True)))
         for k, weight in enumerate(weights):
             force_terms.append(g.mul(weight, self.pi_drift[k]))
             if not self.carried[k] and not self.kinetic.is_exact(k):
@@ -132,18 +133,28 @@ class Projector:
         inertial = self._gather(force_terms)
         applied = virtual_work(system, *self._applied(), e)
         slopes = substitute(g, tangent(g, [self.kinetic.tau], along(system, e)), self._to_motion)[0]
-        potential = tangent(g, [system.U], along(system, e))[0]
+        potential = tangent(g, [self._potential], along(system, e))[0]
         return Row(tuple(mass), g.sub(g.add(g.add(slopes, potential), applied), inertial))
 
-    def _gyroscopic(self, moved: Moved) -> list[Vector]:
-        """omega x p for all that turns, where p holds T's slopes with the points at rest."""
-        g, kinetic, found = self.system.graph, self.kinetic, list[Vector]()
+    def _add_turning(self, moved: Moved) -> list[Vector]:
+        """Adds omega x p of all that turns, p T's slopes with the points at rest, and the loads, to the rates of the momenta.
+
+        What turns and is no form of T is returned.
+        """
+        g, kinetic, left = self.system.graph, self.kinetic, list[Vector]()
         at_rest = {u: g.zero for u, inertial in zip(kinetic.u, moved.inertial, strict=True) if inertial}
         slopes = substitute(g, kinetic.slope, {**self._to_motion, **at_rest})
         for turning in moved.turning:
             x, y, z = (g.sum([slopes[k] for k in axis]) for axis in turning.members)
-            found.append(cross(g, turning.omega, (x, y, z)))
-        return found
+            gyro = cross(g, turning.omega, (x, y, z))
+            if turning.forms is None:
+                left.append(gyro)
+                continue
+            for k, node in zip(turning.forms, gyro, strict=True):
+                if k >= 0:
+                    self.pi_drift[k] = g.add(self.pi_drift[k], node)
+        self.pi_drift = [g.sub(rate, load) for rate, load in zip(self.pi_drift, moved.loads, strict=True)]
+        return left
 
     def _turning_terms(self, spins: Sequence[Vector]) -> list[Node]:
         """pi_k domega_k(X, e) of the forms that are components of angular velocities; ``spins`` are these along e."""
@@ -152,10 +163,12 @@ class Projector:
             found += [g.mul(x, y) for x, y in zip(gyro, spin, strict=True)]
         return found
 
-    def hessian_times(self, k: int, weight: Node) -> list[tuple[int, Node]]:
-        """(j, weight h_kj) where h_kj is not zero."""
+    def _momenta(self, weights: Sequence[Node]) -> list[Node]:
+        """h_jk W_k(e): the slopes of T by its forms, moved along e."""
+        g = self.system.graph
         return [
-            (j, self.system.graph.mul(h, weight)) for j, h in enumerate(self.hessian[k]) if h != self.system.graph.zero
+            g.sum([g.mul(h, weight) for h, weight in zip(row, weights, strict=True) if weight != g.zero])
+            for row in self.hessian
         ]
 
     def _gather(self, terms: Iterable[Node]) -> Node:

@@ -13,6 +13,7 @@ from nhc.mechanics.frame import Frame, form_value
 from nhc.mechanics.kinetic import Kinetic
 from nhc.mechanics.moving import Scene
 from nhc.mechanics.moving_bodies import Placed, gather_bodies
+from nhc.mechanics.moving_loads import find_loads
 from nhc.mechanics.moving_rolling import apply_rolling, read_rolling
 from nhc.mechanics.moving_rows import (
     Sided,
@@ -35,16 +36,17 @@ class Turning:
     """Axes with angular velocity ``omega`` on the motion, and what the forms ``members`` are on them: that velocity, or a point's.
 
     With p_i the sum of T's slopes by the forms of ``members[i]``, what the velocities of points give to them left out, the terms
-    domega along a vector of the frame add up to its weight . (omega x p).
+    domega along a vector of the frame add up to its weight . (omega x p); the weight is that of ``forms`` where T has them.
     """
 
     members: tuple[tuple[int, ...], tuple[int, ...], tuple[int, ...]]
     omega: Vector
+    forms: tuple[int, ...] | None
 
 
 @dataclass(frozen=True)
 class Weights:
-    """W_k(e) of T's forms for a vector e of the frame, and along e what turns, in the order of ``Moved.turning``."""
+    """W_k(e) of T's forms for a vector e of the frame, and along e what turns and is no form, in the order of ``Moved.turning``."""
 
     forms: tuple[Node, ...]
     spins: tuple[Vector, ...]
@@ -56,7 +58,7 @@ class Moved:
 
     ``u`` and ``drift`` are the forms on the motion and their rates with the kept velocities' rates left out; ``weights`` are those
     along the frame's free vectors, ``weigh()`` gives those along the constraints' vectors.  The drift of an ``inertial`` form is a
-    component of an acceleration.  A form that is ``carried`` needs no term domega of its own.  ``settled``: every vector that
+    component of an acceleration; ``loads`` are what U gives to each form, ``potential`` what is left of U.  A form that is ``carried`` needs no term domega of its own.  ``settled``: every vector that
     stands on no other has forms of the frame for its components, so that no other axes can be better.
     """
 
@@ -69,6 +71,8 @@ class Moved:
     weigh: Callable[[], tuple[Weights, ...]]
     carried: tuple[bool, ...]
     inertial: tuple[bool, ...]
+    loads: tuple[Node, ...]
+    potential: Node
     settled: bool
     turning: tuple[Turning, ...]
 
@@ -194,6 +198,7 @@ def _finish(
         everywhere = {**scene.meaning, **dict(zip(system.v, solve(True)[0], strict=True))}
         return _weigh(scene, substitute(g, bodies.values, everywhere), turning, everywhere, scene.held[: system.l])
 
+    loads, potential = find_loads(scene, bodies, len(moved))
     return Moved(
         frame=made,
         velocities=tuple(kinematics),
@@ -204,8 +209,10 @@ def _finish(
         weigh=weigh,
         carried=tuple(carried),
         inertial=tuple(inertial),
+        loads=loads,
+        potential=potential,
         settled=all(home.known for home in scene.homes.values() if home.root),
-        turning=tuple(Turning(own.members, rates.value(scene.spin(own.path))) for own in turning),
+        turning=tuple(Turning(own.members, rates.value(scene.spin(own.path)), own.forms) for own in turning),
     )
 
 
@@ -213,20 +220,9 @@ def _weigh(
     scene: Scene, forms: Sequence[Node], turning: Sequence[Spin], solved: dict[Node, Node], symbols: Sequence[Node]
 ) -> tuple[Weights, ...]:
     """Along the vectors that belong to the symbols; ``forms`` are T's in terms of these."""
-    g, zero = scene.graph, scene.graph.zero
-    along = [tuple(tangent(g, forms, {symbol: g.one})) for symbol in symbols]
-    spins = {own.path: spin_weights(scene, own.path, solved, symbols) for own in turning if own.point is None}
-    found = []
-    for j, own in enumerate(along):
-        vectors = list[Vector]()
-        for axes in turning:
-            if axes.point is None:
-                vectors.append(spins[axes.path][j])
-            else:
-                x, y, z = (own[k] if k >= 0 else zero for k in axes.point)
-                vectors.append((x, y, z))
-        found.append(Weights(own, tuple(vectors)))
-    return tuple(found)
+    along = [tuple(tangent(scene.graph, forms, {symbol: scene.graph.one})) for symbol in symbols]
+    spins = [spin_weights(scene, own.path, solved, symbols) for own in turning if own.forms is None]
+    return tuple(Weights(own, tuple(spin[j] for spin in spins)) for j, own in enumerate(along))
 
 
 def _by_speed(

@@ -32,6 +32,18 @@ class Point:
 
 
 @dataclass(frozen=True)
+class Hung:
+    """A position of T's: its point's forms on the axes of ``path``, and the body's angular velocity where it has an arm."""
+
+    vector: Chained
+    is_position: bool
+    path: Path
+    point: tuple[int, ...]
+    spin: tuple[int, int, int] | None
+    arm: Vector
+
+
+@dataclass(frozen=True)
 class Bodies:
     """T in new forms: the points' velocities on their axes, angular velocities, and what else T has.
 
@@ -42,6 +54,7 @@ class Bodies:
     values: tuple[Node, ...]
     points: tuple[Point, ...]
     spins: dict[Path, tuple[int, int, int]]
+    hung: tuple[Hung, ...]
 
 
 def gather_bodies(scene: Scene, kinetic: Kinetic, vectors: Sequence[Placed]) -> Bodies:
@@ -53,7 +66,9 @@ def gather_bodies(scene: Scene, kinetic: Kinetic, vectors: Sequence[Placed]) -> 
             values[k] = node
     points = [Point(group, v, kind, scene.home(v, kind).path) for group, v, kind in vectors]
     values = substitute(g, values, scene.replaced)
-    plain = Bodies(kinetic, tuple(values), tuple(points), {})
+    still = (g.zero, g.zero, g.zero)
+    hung = [Hung(p.vector, p.is_position, p.path, p.members, None, still) for p in points]
+    plain = Bodies(kinetic, tuple(values), tuple(points), {}, tuple(hung))
     shared: dict[tuple[int, Path], list[tuple[Placed, Vector]]] = {}
     for placed in vectors:
         base, path, offset = _reference(scene, placed)
@@ -86,6 +101,7 @@ class _Assembly:
         self.values: list[Node] = []
         self.spins: dict[Path, tuple[int, int, int]] = {}
         self.mapping: dict[Node, Node] = {}
+        self.hung: list[Hung] = []
 
     def join(self, bodies: Sequence[Sequence[tuple[Placed, Vector]]]) -> Bodies | None:
         """None where T is not quadratic in the new forms with constant masses."""
@@ -99,7 +115,8 @@ class _Assembly:
             numbers, point = self._new(velocity)
             spin = self._spin(path)
             points.append(Point(numbers, base, is_position, path, True))
-            for (group, _, _), arm in members:
+            for (group, vector, _), arm in members:
+                self.hung.append(Hung(vector, is_position, path, numbers, self.spins[path], arm))
                 at = add_vectors(g, point, cross(g, spin, arm))
                 self.mapping.update((self.kinetic.u[k], at[i]) for i, k in enumerate(group))
         self._map_rotations()
@@ -157,7 +174,10 @@ class _Assembly:
         number = {k: len(self.symbols) + i for i, k in enumerate(kept)}
         for point in plain.points:
             if all(k in number for k in point.members):
-                points.append(Point(tuple(number[k] for k in point.members), point.vector, point.is_position, point.path))
+                own = tuple(number[k] for k in point.members)
+                points.append(Point(own, point.vector, point.is_position, point.path))
+                still = (g.zero, g.zero, g.zero)
+                self.hung.append(Hung(point.vector, point.is_position, point.path, own, None, still))
         symbols = (*self.symbols, *(kinetic.u[k] for k in kept))
         values = (*self.values, *(plain.values[k] for k in kept))
         tau = substitute(g, [kinetic.tau], self.mapping)[0]
@@ -179,4 +199,4 @@ class _Assembly:
             slope=tuple(linear),
             hessian=tuple(tuple(row) for row in hessian),
         )
-        return Bodies(made, values, tuple(points), self.spins)
+        return Bodies(made, values, tuple(points), self.spins, tuple(self.hung))

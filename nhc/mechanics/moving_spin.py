@@ -21,12 +21,13 @@ from nhc.mechanics.turns import Path, Turn, Vector, cross
 class Spin:
     """``members[i]`` are the numbers of T's forms whose derivative is that of the i-th component.
 
-    With ``point`` they are the components of a point's velocity instead, of which some (-1) may be zero.
+    ``forms`` are the numbers of the forms that are the vector itself (-1: zero), where T has them: the angular velocity, or the
+    velocity of a point whose momentum has a part from it.
     """
 
     path: Path
     members: tuple[tuple[int, ...], tuple[int, ...], tuple[int, ...]]
-    point: tuple[int, ...] | None = None
+    forms: tuple[int, ...] | None = None
 
 
 def spatial_paths(scene: Scene) -> list[Path]:
@@ -95,7 +96,9 @@ def find_turning(scene: Scene, bodies: Bodies, inertial: Sequence[bool]) -> list
     for spin in find_spins(scene, bodies.kinetic, [flag or k in own for k, flag in enumerate(inertial)]):
         for known, more in zip(members.setdefault(spin.path, [[], [], []]), spin.members, strict=True):
             known += more
-    found = [Spin(path, (tuple(x), tuple(y), tuple(z))) for path, (x, y, z) in members.items()]
+    found = [
+        Spin(path, (tuple(x), tuple(y), tuple(z)), bodies.spins.get(path)) for path, (x, y, z) in members.items()
+    ]
     for point in bodies.points:
         if point.is_joined:
             x, y, z = ([k] if k >= 0 else [] for k in point.members)
