@@ -53,7 +53,11 @@ class Scene:
     rows: dict[int, Node] = field(default_factory=dict)  # shorter expressions of forms, by number
     spins: dict[Path, Vector] = field(default_factory=dict)
     meaning: dict[Node, Node] = field(default_factory=dict)  # symbols of turned equations -> turned held symbols
-    replaced: dict[Node, Node] = field(default_factory=dict)  # the spec's expressions of angular velocities -> the chain's
+    replaced: dict[Node, Node] = field(
+        default_factory=dict
+    )  # the spec's expressions of angular velocities -> the chain's
+
+    rates: dict[Node, Node] = field(default_factory=dict)
 
     @property
     def graph(self) -> Graph:
@@ -72,9 +76,12 @@ class Scene:
 
     def rate(self, node: Node) -> Node:
         """d node / dt over the velocities' symbols."""
-        system = self.system
-        seeds = {**dict(zip(system.q, system.v, strict=True)), system.t: self.graph.one}
-        return tangent(self.graph, [node], seeds)[0]
+        known = self.rates.get(node)
+        if known is None:
+            system = self.system
+            seeds = {**dict(zip(system.q, system.v, strict=True)), system.t: self.graph.one}
+            known = self.rates[node] = tangent(self.graph, [node], seeds)[0]
+        return known
 
     def local_velocity(self, part: Part, is_position: bool) -> Vector:
         if not is_position:

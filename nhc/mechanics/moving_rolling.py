@@ -31,12 +31,13 @@ def read_rolling(scene: Scene, values: Sequence[Node]) -> list[Rolling]:
     """Vector equations among the constraints, in their order."""
     found: list[Rolling] = []
     count, row = scene.system.l, 0
+    known = _by_term(scene)
     while row < count:
         for size in (3, 2):
             if row + size > count:
                 continue
             rows = tuple(range(row, row + size))
-            rolling = _read(scene, rows, [values[k] for k in rows])
+            rolling = _read(scene, known, rows, [values[k] for k in rows])
             if rolling is not None:
                 found.append(rolling)
                 row += size - 1
@@ -45,18 +46,39 @@ def read_rolling(scene: Scene, values: Sequence[Node]) -> list[Rolling]:
     return found
 
 
-def _read(scene: Scene, rows: tuple[int, ...], values: list[Node]) -> Rolling | None:
-    g = scene.graph
-    components = [*values, *([g.zero] * (3 - len(values)))]
+Candidate = tuple[bool, Chained, Vector]
+"""Whether it was read as a position, the vector, its velocity."""
+
+
+def _by_term(scene: Scene) -> dict[Node, list[Candidate]]:
+    """Vectors by the first component of their velocities, and by its first term; newest positions first, then velocities."""
+    g, found = scene.graph, dict[Node, list[Candidate]]()
     for is_position, reader in ((True, scene.positions), (False, scene.velocities)):
         for vector in sorted(reader.known.values(), key=lambda v: v.components, reverse=True):
             velocity = scene.velocity_of(vector, is_position)
-            rest = _without(g, components, velocity)
-            if rest is None:
-                continue
-            place = _on_axes(scene, rest, planar=len(rows) == 2)
-            if place is not None:
-                return Rolling(rows, vector, is_position, *place)
+            for key in dict.fromkeys((velocity[0], *_terms(g, velocity[0], -1)[:1])):
+                found.setdefault(key, []).append((is_position, vector, velocity))
+    return found
+
+
+def _read(
+    scene: Scene, known: dict[Node, list[Candidate]], rows: tuple[int, ...], values: list[Node]
+) -> Rolling | None:
+    g = scene.graph
+    components = [*values, *([g.zero] * (3 - len(values)))]
+    keys = dict.fromkeys((values[0], *_terms(g, values[0], -1)))
+    candidates = {
+        id(vector): (not kind, vector, velocity) for key in keys for kind, vector, velocity in known.get(key, ())
+    }
+    for velocities, vector, velocity in sorted(
+        candidates.values(), key=lambda c: (not c[0], c[1].components), reverse=True
+    ):
+        rest = _without(g, components, velocity)
+        if rest is None:
+            continue
+        place = _on_axes(scene, rest, planar=len(rows) == 2)
+        if place is not None:
+            return Rolling(rows, vector, not velocities, *place)
     return None
 
 

@@ -44,10 +44,12 @@ def spatial_paths(scene: Scene) -> list[Path]:
 
 def recognise(scene: Scene, kinetic: Kinetic, roots: Sequence[Node]) -> None:
     """Expressions of the spec that are components of an angular velocity are replaced by the chain's."""
-    g = scene.graph
+    g, paths = scene.graph, spatial_paths(scene)
+    if not paths:
+        return
     moving = g.mask(scene.system.v)
     names = {scene.marks.of(node): node for node in reversed(reachable(g, [*kinetic.atoms, *roots], moving))}
-    for path in spatial_paths(scene):
+    for path in paths:
         for component in scene.spin(path):
             if component == g.zero or component in scene.system.v:
                 continue

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from nhc.algebra.field import PRIMES, FieldPoint, Unlucky
+from nhc.algebra.field import PRIMES, FieldPoint, QuickPoint, Unlucky
 from nhc.algebra.graph import Graph, Node
 
 Signature = tuple[int, ...]
@@ -25,7 +25,7 @@ class Signatures:
         self._points: list[FieldPoint] = []
         for k, prime in enumerate(PRIMES[:2]):
             for attempt in range(_TRIES):
-                point = FieldPoint(graph, 31 + 977 * k + attempt, prime)
+                point = QuickPoint(graph, 31 + 977 * k + attempt, prime)
                 try:
                     point.evaluate(announced)
                 except Unlucky:
@@ -36,6 +36,9 @@ class Signatures:
                 raise Unlucky
 
     def of(self, node: Node) -> Signature:
+        first, second = (point.values.get(node) for point in self._points)
+        if first is not None and second is not None:
+            return first, second
         return tuple(point.evaluate([node])[0] for point in self._points)
 
     def negative(self, signature: Signature) -> Signature:
