@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 import sys
 import time
-from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -48,7 +47,11 @@ def _positive(context: click.Context, parameter: click.Parameter, value: float |
 )
 @click.option("--points", type=click.IntRange(2, 10_000_000), help="Number of rows; default: 201, for each start 2.")
 @click.option(
-    "--method", "-m", type=click.Choice((*METHODS, "auto")), default="dop853", help="The integrator; default: dop853."
+    "--method",
+    "-m",
+    type=click.Choice((*METHODS, "auto")),
+    default="auto",
+    help="The integrator; default: auto, an explicit one while the scene is not stiff.",
 )
 @click.option("--tol", "tolerance", type=float, callback=_positive, help="Relative accuracy; default: the scene's.")
 @click.option("--step", type=float, callback=_positive, help="Fixed steps of this length in place of adaptive ones.")
@@ -58,6 +61,7 @@ def _positive(context: click.Context, parameter: click.Parameter, value: float |
 @click.option(
     "--project", is_flag=True, help="Move a start that violates the constraints to the nearest that does not."
 )
+@click.option("--stay", is_flag=True, help="Keep to the formulation, and fail where it becomes singular.")
 @click.option("--drift", is_flag=True, help="Do not bring each step back to the constraints (multipliers, holonomic).")
 @click.option("--python", "interpreted", is_flag=True, help="Run the emitted Python, without a compiler.")
 @click.option("--force", is_flag=True, help="Overwrite FILE when it exists.")
@@ -74,6 +78,7 @@ def command(
     ensemble: str,
     formulation: str | None,
     project: bool,
+    stay: bool,
     drift: bool,
     interpreted: bool,
     force: bool,
@@ -87,7 +92,9 @@ def command(
     _check_accuracy(method, tolerance, step)
     if ensemble:
         from nhc.cli.ensemble import check_options, run_starts
+        from nhc.simulate.methods import DEFAULT
 
+        method = DEFAULT if method == "auto" else method
         check_options(method, step, until, project, target)
     source = open_spec(spec)
     from nhc.simulate.opening import RunError, open_scene
@@ -98,12 +105,8 @@ def command(
         return run_starts(source, ensemble, scene, formulation or "", needs, not drift, settings, target)
     page = target is not None and target.suffix == ".html"
     try:
-        if method == "auto":
-            method = _choose(
-                open_scene(source, scene, formulation or "", needs, until, "radau5", not drift, project), tolerance
-            )
-        job = open_scene(source, scene, formulation or "", needs, until, method, not drift, project, page, draw=page)
-        settings = replace(settings, method=method)
+        asked = (formulation or "", needs, until, method, not drift, project, page)
+        job = open_scene(source, scene, *asked, draw=page, stay=stay)
     except RunError as error:
         raise Failure(str(error), error.help) from error
     if not scene:
@@ -115,15 +118,6 @@ def command(
         _deliver(found, target)
         return 0
     return _report(found, target)
-
-
-def _choose(job: Job, tolerance: float) -> str:
-    """The method of ``--method auto``, said with its reason."""
-    from nhc.simulate.auto import choose_method
-
-    method, why = choose_method(job, tolerance or job.tolerance)
-    say(f"taking the method {method}: {why}")
-    return method
 
 
 def _check_accuracy(method: str, tolerance: float, step: float) -> None:
@@ -188,7 +182,7 @@ def _deliver(found: Trajectory, target: Path | None) -> None:
 def _report(found: Trajectory, target: Path | None) -> int:
     """A run that did not come to its end: what there is goes to a file whose name says so."""
     from nhc.report.trajectory import make_file
-    from nhc.simulate.run import describe_state, rank_left
+    from nhc.simulate.outcomes import describe_state, rank_left
 
     state = describe_state(found.job, found.outcome)
     where = f"at t = {found.outcome.t!r}"
@@ -209,9 +203,29 @@ def _report(found: Trajectory, target: Path | None) -> int:
     if rank is not None:
         lost = "; there the constraints lose rank, and no formulation has a motion" if rank < 1e-6 else ""
         advice.append(f"the smallest singular value of the constraints there: {rank:.3g}{lost}")
-    if "the determinant" in found.reason:
-        advice.append("leave `--formulation` to nhc, or take `multipliers`, which divides by no such determinant")
+    advice += _advise(found)
     raise Failure(f"the scene `{scene}` fails {where} ({method}): {found.reason}", advice, exit=Exit.NUMERICAL)
+
+
+def _advise(found: Trajectory) -> list[str]:
+    """What can be done about a singular place."""
+    from nhc.simulate.task import CROSSED
+
+    job, outcome = found.job, found.outcome
+    if outcome.kind != CROSSED:
+        return []
+    kind = job.watch.kinds[outcome.status]
+    if kind == "mass":
+        return ["take coordinates that are regular there, such as a `rotation:` for angles in space"]
+    if kind == "rank":
+        return [
+            "no formulation has a motion beyond it: let the scene end before, or say with more constraints what happens"
+        ]
+    if job.recipe is None or not job.recipe.weak:
+        return ["leave `--stay` out: the run then goes on with another choice of velocities"]
+    return [
+        "no other choice of velocities is regular there: the constraints or the coordinates are singular themselves"
+    ]
 
 
 class Progress:

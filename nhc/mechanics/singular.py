@@ -63,10 +63,10 @@ def smallest_singular_value(system: System, place: dict[Node, float]) -> float:
     values = [float(x) for x in evaluate(system.graph, flat, place)]
     rows = [values[k * system.n : (k + 1) * system.n] for k in range(system.l)]
     gram = [[sum(x * y for x, y in zip(r, s, strict=True)) for s in rows] for r in rows]
-    return math.sqrt(max(0.0, min(_eigenvalues(gram))))
+    return math.sqrt(max(0.0, min(symmetric_eigenvalues(gram))))
 
 
-def _eigenvalues(matrix: list[list[float]]) -> list[float]:
+def symmetric_eigenvalues(matrix: list[list[float]]) -> list[float]:
     """Eigenvalues of a small symmetric matrix (Jacobi 1846: cyclic rotations until the rest is negligible)."""
     a, size = [list(row) for row in matrix], len(matrix)
     for _ in range(60):

@@ -25,7 +25,7 @@ from nhc.program.plan import FunctionPlan, Target
 
 NOTHING = Fraction(1, 10**12)
 """Of the scale: less is singular.  An angle's sine, squared in a mass matrix, is 1e-6 there."""
-WEAK = (Fraction(3, 100), Fraction(3, 1000))
+WEAK = (Fraction(3, 100), Fraction(1, 100), Fraction(3, 1000))
 """Of a determinant's scale: levels at which a run looks for another formulation."""
 THIN = (Fraction(1, 10**4),)
 """The same of a square's scale."""
@@ -36,8 +36,10 @@ _T = Argument("t", -1)
 
 @dataclass(frozen=True)
 class Watch:
-    """``about[k]`` says what value k is, ``kinds[k]`` is event, frame, mass or rank; ``events``, ``signs``, ``close`` count the
-    user's events, the determinants, and the values that tell a singularity by closeness; those after them tell weakness.
+    """``about[k]`` says what value k is, ``kinds[k]`` is event, frame, mass or rank, and deep for a frame's last level.
+
+    ``events``, ``signs``, ``close`` count the user's events, the determinants, and the values that tell a singularity by
+    closeness; those after them tell weakness.
     """
 
     about: tuple[str, ...] = ()
@@ -92,7 +94,7 @@ def watch_function(
     for measure, level in levels:
         nodes.append(_distance(planner, measure, level))
         about.append(measure.what)
-        kinds.append(measure.kind)
+        kinds.append("deep" if level == WEAK[-1] else measure.kind)
     if not nodes:
         return None, Watch()
     watch = Watch(tuple(about), tuple(kinds), len(events), len(signs), close)

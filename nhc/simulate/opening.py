@@ -14,10 +14,11 @@ from nhc.mechanics.choose import formulate
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.resolve import resolve
 from nhc.mechanics.scenes import start_of
-from nhc.simulate.methods import DEFAULT, RUNGE_KUTTA, STRUCTURE
+from nhc.simulate.methods import RUNGE_KUTTA, STRUCTURE
 from nhc.simulate.methods.tableau import Collocation
+from nhc.simulate.pacing import AUTO
 from nhc.simulate.peers import SUNDIALS, WITH_JACOBIAN
-from nhc.simulate.prepare import Job, prepare
+from nhc.simulate.prepare import Job, Recipe, prepare
 from nhc.simulate.project import projected_start
 from nhc.simulate.reduced import prepare_reduced
 
@@ -38,15 +39,17 @@ def open_scene(
     formulation: str = "",
     needs: tuple[str, ...] = (),
     until: str = "",
-    method: str = DEFAULT,
+    method: str = AUTO,
     hold: bool = True,
     project: bool = False,
     checks: bool = False,
     whole: bool = False,
     draw: bool = False,
+    stay: bool = False,
 ) -> Job:
     """The job of a scene (default: the first); ``until`` is an expression in the spec's names whose zero ends the run;
-    ``whole`` keeps states that this start alone does not need; ``draw`` computes what the spec draws as well.
+    ``whole`` keeps states that this start alone does not need; ``draw`` computes what the spec draws as well; ``stay`` keeps to
+    the formulation where it becomes singular (an ensemble, which is whole, always does).
 
     Raises:
         nhc.diagnostics.SpecError: the spec or the expression has errors.
@@ -73,8 +76,12 @@ def open_scene(
     start, notes = projected_start(system, chosen) if project else (start_of(system, chosen), ())
     implicit = method in WITH_JACOBIAN or isinstance(RUNGE_KUTTA.get(method), Collocation)
     plain = not (wanted or until or natural or checks or whole or draw)  # else more is asked than the scene needs
-    reduced = prepare_reduced(equations, form, start, implicit) if plain else None
-    job = reduced or prepare(equations, form, start, wanted, event, implicit, natural, hold, checks, draw)
+    weak = (method in RUNGE_KUTTA or method == AUTO) and not (stay or whole)
+    reduced = prepare_reduced(equations, form, start, implicit, weak) if plain else None
+    if reduced is not None:
+        job = replace(reduced, recipe=Recipe(equations, jacobian=implicit, hold=hold, weak=weak))
+    else:
+        job = prepare(equations, form, start, wanted, event, implicit, natural, hold, checks, draw, weak)
     job = replace(job, notes=notes)
     lacking = job.structure.lacking
     if natural and not lacking and STRUCTURE[method].constant_mass and not job.structure.constant_mass:

@@ -26,14 +26,16 @@ _NOTHING = Sketch()
 
 @dataclass(frozen=True)
 class Recipe:
-    """What :func:`prepare` is asked for beside equations, formulation and start."""
+    """What :func:`prepare` is asked for beside formulation and start."""
 
+    equations: Equations
     needs: tuple[str, ...] = ()
     event: Node | None = None
     jacobian: bool = False
     hold: bool = True
     checks: bool = False
     draw: bool = False
+    weak: bool = False
 
 
 @dataclass(frozen=True)
@@ -137,7 +139,7 @@ def prepare(
         holds=calls,
         kept=tuple(planner.kept_forms()),
         sketch=sketch,
-        recipe=Recipe(tuple(needs), event, jacobian, hold, checks, draw) if weak else None,
+        recipe=None if natural else Recipe(equations, tuple(needs), event, jacobian, hold, checks, draw, weak),
     )
 
 

@@ -4,29 +4,21 @@ from __future__ import annotations
 
 import math
 import time
-from dataclasses import dataclass, replace
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
 
 from nhc.simulate.compile import CompileError, build, loop_flags
 from nhc.simulate.compiled import CompiledModel
 from nhc.simulate.interpreted import InterpretedModel
-from nhc.simulate.methods import DEFAULT, RUNGE_KUTTA, STRUCTURE, is_adaptive
+from nhc.simulate.methods import RUNGE_KUTTA, STRUCTURE, is_adaptive
 from nhc.simulate.natural import NaturalModel
+from nhc.simulate.outcomes import describe_outcome
+from nhc.simulate.pacing import AUTO, first_method
 from nhc.simulate.peers import PEERS, PeerModel
 from nhc.simulate.prepare import Job
 from nhc.simulate.source import write_natural, write_source
-from nhc.simulate.task import (
-    CROSSED,
-    DONE,
-    EVENT,
-    NO_SOLUTION,
-    SINGULAR,
-    STOPPED,
-    TOO_MANY,
-    UNDERFLOW,
-    ModelError,
-    Outcome,
-    Task,
-)
+from nhc.simulate.switching import Follower
+from nhc.simulate.task import DONE, EVENT, STOPPED, ModelError, Outcome, Task
 from nhc.simulate.waiting import Show, wait_for
 
 SAFETY = 0.01  # of the wanted accuracy, for errors add up and grow
@@ -40,7 +32,7 @@ Model = CompiledModel | InterpretedModel | NaturalModel
 class Settings:
     """``tolerance`` 0: the scene's; ``step`` 0: adaptive, or found by halving for a method with fixed steps."""
 
-    method: str = DEFAULT
+    method: str = AUTO
     tolerance: float = 0.0
     step: float = 0.0
     points: int = POINTS
@@ -100,63 +92,123 @@ def list_times(start: float, end: float, points: int) -> tuple[float, ...]:
 
 
 def run(job: Job, settings: Settings, show: Show | None = None) -> Trajectory:
-    """Integrate a job; ``show`` is told the time reached, some times a second.  Ctrl-C stops it and keeps what there is."""
-    model, notes = load(job, settings.method, settings.compiled)
-    notes = (*job.notes, *notes)
+    """Integrate a job; ``show`` is told the time reached, some times a second.  Ctrl-C stops it and keeps what there is.
+
+    Where the formulation becomes nearly singular another one takes over, and with the method ``auto`` an implicit method where
+    an explicit one is held by its stability; notes say so.
+    """
+    workshop = Workshop(settings.compiled, show)
     tolerance = settings.tolerance or job.tolerance
+    method = first_method(tolerance) if settings.method == AUTO else settings.method
+    workshop.model(job, method)  # so that compiling is not counted
     times = list_times(*job.time, settings.points)
     task = Task(job.p, job.y, times, max(SAFETY * tolerance, LEAST_TOLERANCE), settings.step)
-    before = time.perf_counter()
-    if settings.step <= 0 and not (is_adaptive(settings.method) or settings.method in PEERS):
-        task, more = _find_step(model, task, settings.method, tolerance, show)
+    adaptive = is_adaptive(method) or method in PEERS
+    follower = Follower(job, method, workshop.integrate, settings.method == AUTO)
+    before, notes = time.perf_counter(), (*job.notes, *workshop.notes)
+    if settings.step <= 0 and not adaptive:
+        task, more = _find_step(follower, task, tolerance)
         notes += more
-    outcome = _integrate(model, task, settings.method, show)
+    legs = follower.run(task)
     seconds = time.perf_counter() - before
-    return collect(job, settings.method, model, task, outcome, seconds, notes)
+    parts = [collect(leg.job, leg.method, workshop.model(leg.job, leg.method), leg.task, leg.outcome) for leg in legs]
+    found = join(parts)
+    return replace(found, seconds=seconds, notes=(*notes, *follower.notes))
 
 
-def _integrate(model: Model, task: Task, method: str, show: Show | None) -> Outcome:
-    """In a thread of its own, so that Ctrl-C is heard here."""
-    news = model.news()
-    news.t = task.times[0]
-    return wait_for(lambda: model.integrate(task, method, news), news, show)
+@dataclass
+class Workshop:
+    """Models that are made once, and run in a thread of their own so that Ctrl-C is heard."""
+
+    compiled: bool
+    show: Show | None
+    notes: tuple[str, ...] = ()
+    models: list[tuple[Job, str, Model]] = field(default_factory=list)
+
+    def model(self, job: Job, method: str) -> Model:
+        """The model of a job with a method."""
+        for known, name, model in self.models:
+            if known is job and name == method:
+                return model
+        model, notes = load(job, method, self.compiled)
+        self.notes = tuple(dict.fromkeys((*self.notes, *notes)))
+        self.models.append((job, method, model))
+        return model
+
+    def integrate(self, job: Job, method: str, task: Task) -> Outcome:
+        """One run of one model."""
+        model = self.model(job, method)
+        news = model.news()
+        news.t = task.times[0]
+        return wait_for(lambda: model.integrate(task, method, news), news, self.show)
 
 
-def _find_step(
-    model: Model, task: Task, method: str, tolerance: float, show: Show | None
-) -> tuple[Task, tuple[str, ...]]:
+def _find_step(follower: Follower, task: Task, tolerance: float) -> tuple[Task, tuple[str, ...]]:
     """Halve the step until the end no longer moves by more than the tolerance; the last step is the one taken."""
     duration = abs(task.times[-1] - task.times[0])
-    ends = (task.times[0], task.times[-1])
-    step, former = duration / 64, None
+    step, former = duration / 64, list[float]()
     for _ in range(MOST_HALVINGS):
-        trial = replace(task, times=ends, step=step)
-        outcome = _integrate(model, trial, method, show)
-        if outcome.kind == STOPPED:
+        last = follower.run(replace(task, times=(task.times[0], task.times[-1]), step=step))[-1]
+        if last.outcome.kind == STOPPED:
             break
-        if outcome.kind == DONE:
-            if former is not None and _is_close(former, outcome.y, task.y, tolerance):
-                break
-            former = outcome.y
-        else:
-            former = None
+        here = last.outcome.y if last.outcome.kind == DONE else []
+        if here and len(former) == len(here) and _is_close(former, here, tolerance):
+            break
+        former = here
         step /= 2
     return replace(task, step=step), (f"steps of {step:.6g} reach the tolerance (found by halving)",)
 
 
-def _is_close(a: list[float], b: list[float], start: tuple[float, ...] | object, tolerance: float) -> bool:
+def _is_close(a: list[float], b: list[float], tolerance: float) -> bool:
     size = max(1e-300, *(abs(x) for x in b))
     return all(abs(x - y) <= tolerance * max(abs(y), 1e-3 * size) for x, y in zip(a, b, strict=True))
 
 
+def join(parts: Sequence[Trajectory]) -> Trajectory:
+    """The parts of a run as one trajectory, which has the first part's job where it is complete, else the last one's.
+
+    Each part after the first starts where the one before it ended, with a row that nobody asked for.
+    """
+    whole = parts[0]
+    for part in parts[1:]:
+        if len(whole.times) < len(whole.outcome.states):
+            break  # a needed quantity has no value
+        a, b = whole.outcome, part.outcome
+        total = replace(
+            b,
+            steps=a.steps + b.steps,
+            rejected=a.rejected + b.rejected,
+            calls=a.calls + b.calls,
+            jacobians=a.jacobians + b.jacobians,
+            states=[*a.states, *b.states[1:]],
+        )
+        whole = replace(
+            part,
+            job=part.job if part.ended == "failed" else whole.job,
+            method=whole.method if part.method in whole.method.split(", ") else f"{whole.method}, {part.method}",
+            times=(*whole.times, *part.times[1:]),
+            rows=(*whole.rows, *part.rows[1:]),
+            checks=(*whole.checks, *part.checks[1:]),
+            drawn=(*whole.drawn, *part.drawn[1:]),
+            outcome=total,
+        )
+    return whole
+
+
 def collect(
-    job: Job, method: str, model: Model, task: Task, outcome: Outcome, seconds: float, notes: tuple[str, ...]
+    job: Job,
+    method: str,
+    model: Model,
+    task: Task,
+    outcome: Outcome,
+    seconds: float = 0.0,
+    notes: tuple[str, ...] = (),
 ) -> Trajectory:
     """Rows of what is needed out of rows of states; a quantity without value ends the trajectory there."""
     times, states = list(task.times[: len(outcome.states)]), outcome.states
     if outcome.kind in (EVENT, STOPPED) and abs(outcome.t - times[0]) > abs(times[-1] - times[0]):
         times, states = [*times, outcome.t], [*states, outcome.y]
-    ended, reason = _describe(job, outcome)
+    ended, reason = describe_outcome(job, outcome)
     try:
         rows = model.quantities(times, states, job.p)
     except ModelError as error:
@@ -185,66 +237,6 @@ def collect(
         notes,
         tuple(tuple(row[drawn:]) for row in rows),
     )
-
-
-def _describe(job: Job, outcome: Outcome) -> tuple[str, str]:
-    """(how it ended, why)."""
-    match outcome.kind:
-        case 0:
-            return "done", ""
-        case 4:
-            return "event", "the expression of `--until` crosses zero"
-    if outcome.kind == STOPPED:
-        return "stopped", "interrupted"
-    meaning = job.meanings.get(outcome.status, "a result is not finite")
-    reasons = {
-        SINGULAR: meaning,
-        UNDERFLOW: "the step size underflows: the motion approaches a singularity, or is not smooth there",
-        TOO_MANY: "it takes too many steps",
-        NO_SOLUTION: f"the equations of the implicit step are not solved (step {abs(outcome.h):.3g}); take a smaller one",
-    }
-    if outcome.kind == CROSSED:
-        return "failed", _crossing(job, outcome.status)
-    return "failed", reasons.get(outcome.kind, "it fails")
-
-
-def _crossing(job: Job, index: int) -> str:
-    """What it means that a watched value changed its sign."""
-    watch = job.watch
-    what, kind = watch.about[index], watch.kinds[index]
-    beyond = "results beyond it would be wrong"
-    if index < watch.dips:
-        return f"{what}: the determinant changes its sign here, and {beyond}"
-    if kind == "mass":
-        return f"{what}: a pivot of it vanishes here, where the coordinates do not tell the motion, and {beyond}"
-    if kind == "rank":
-        return f"{what} here: their minors vanish together, and {beyond}"
-    return f"{what}: the determinant vanishes here, and {beyond}"
-
-
-def describe_state(job: Job, outcome: Outcome, longest: int = 12) -> str:
-    """``x = 1, y = 2, ...`` at the place where a run ended."""
-    pairs = list(zip(job.state_names, outcome.y, strict=True))
-    shown = ", ".join(f"{name} = {value:.9g}" for name, value in pairs[:longest])
-    return shown + (", ..." if len(pairs) > longest else "")
-
-
-def rank_left(job: Job, outcome: Outcome) -> float | None:
-    """The smallest singular value of the constraints where a run ended; None without constraints.
-
-    Coordinates that the model does not carry stand at their start: the rank does not depend on them.
-    """
-    from nhc.mechanics.singular import smallest_singular_value
-
-    if not job.system.constraints:
-        return None
-    place = job.start.values(job.system) | {job.system.t: outcome.t}
-    carried = dict(zip(job.state_names, outcome.y, strict=True))
-    place |= {q: carried[name] for q, name in zip(job.system.q, job.system.q_names, strict=True) if name in carried}
-    try:
-        return smallest_singular_value(job.system, place)
-    except (ArithmeticError, ValueError):
-        return None
 
 
 def energy_change(found: Trajectory) -> list[float]:

@@ -26,6 +26,7 @@ from nhc.simulate.compiled import CompiledModel
 from nhc.simulate.interpreted import InterpretedModel
 from nhc.simulate.methods import RUNGE_KUTTA, STRUCTURE
 from nhc.simulate.natural import NaturalModel
+from nhc.simulate.outcomes import describe_outcome
 from nhc.simulate.prepare import Job, prepare
 from nhc.simulate.run import LEAST_TOLERANCE, SAFETY, list_times
 from nhc.simulate.source import write_source
@@ -116,9 +117,7 @@ class Bench:
 
     def reason(self, outcome: Outcome) -> str:
         """Why a run ended."""
-        from nhc.simulate.run import _describe
-
-        return _describe(self.job, outcome)[1] or "it ends"
+        return describe_outcome(self.job, outcome)[1] or "it ends"
 
     @cached_property
     def table(self) -> Matrix:

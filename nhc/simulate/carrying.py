@@ -1,0 +1,82 @@
+"""The state of one formulation in terms of another one's, by way of q and q'; and jobs of other formulations."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from nhc.algebra.evaluate import evaluate
+from nhc.mechanics.choose import Formulation
+from nhc.mechanics.formulate import equations_of
+from nhc.mechanics.scenes import kept_velocities
+from nhc.mechanics.system import System
+from nhc.simulate.conditioning import Place
+from nhc.simulate.prepare import Job, Recipe, prepare
+from nhc.simulate.reduced import prepare_reduced
+from nhc.simulate.task import Outcome
+
+
+def name_of(system: System, formulation: Formulation) -> str:
+    """``voronec solved for x'``, ``the coframe with v, phi'``."""
+    if formulation.dependent is not None:
+        names = ", ".join(f"{system.q_names[i]}'" for i in formulation.dependent.dependent)
+        return f"{formulation.name} solved for {names}"
+    if formulation.frame is None:
+        return formulation.name
+    forms = formulation.frame.forms[system.l :]
+    names = ", ".join(f"{form.name}'" if form.name in system.q_names else form.name for form in forms)
+    return f"{formulation.name} with {names}"
+
+
+def is_same(one: Formulation, other: Formulation) -> bool:
+    """Whether two formulations have the same coframe."""
+    if one.frame is None or other.frame is None:
+        return one.name == other.name
+    return [form.coefficients for form in one.frame.forms] == [form.coefficients for form in other.frame.forms]
+
+
+def make_job(recipe: Recipe, system: System, formulation: Formulation, job: Job) -> Job:
+    """The job in another formulation, with its whole state."""
+    own = formulation == job.formulation
+    equations = recipe.equations if own else equations_of(system, formulation)
+    asked = (recipe.needs, recipe.event, recipe.jacobian, False, recipe.hold, recipe.checks, recipe.draw, recipe.weak)
+    return prepare(equations, formulation, job.start, *asked)
+
+
+def implicit_job(recipe: Recipe, job: Job) -> Job:
+    """The same job with the Jacobian of its right-hand side, on the same state."""
+    wanted = replace(recipe, jacobian=True)
+    if job.kept is not None:
+        return make_job(wanted, job.system, job.formulation, job)
+    reduced = prepare_reduced(recipe.equations, job.formulation, job.start, True, recipe.weak)
+    assert reduced is not None
+    return replace(reduced, recipe=wanted)
+
+
+def place_of(job: Job, recipe: Recipe, outcome: Outcome) -> Place | None:
+    """Values of t, q, q' and p where a leg ended; None where q' has none."""
+    system, n = job.system, job.system.n
+    place = {
+        system.t: outcome.t,
+        **dict(zip(system.p, job.p, strict=True)),
+        **dict(zip(system.q, outcome.y[:n], strict=True)),
+    }
+    motion = recipe.equations.motion
+    inner = {**place, **dict(zip(motion.w, outcome.y[n:], strict=True))}
+    try:
+        v = [float(x) for x in evaluate(system.graph, motion.velocities, inner)]
+    except (ArithmeticError, ValueError):
+        if outcome.t != job.start.time[0]:
+            return None
+        v = list(job.start.v)
+    return {**place, **dict(zip(system.v, v, strict=True))}
+
+
+def carry(job: Job, following: Job, outcome: Outcome) -> list[float]:
+    """The state of the following job with the same q and q'."""
+    assert job.recipe is not None and following.kept is not None
+    place = place_of(job, job.recipe, outcome)
+    assert place is not None
+    system = following.system
+    v = tuple(place[x] for x in system.v)
+    start = replace(job.start, time=(outcome.t, job.start.time[1]), q=tuple(outcome.y[: system.n]), v=v)
+    return [*start.q, *kept_velocities(system, following.kept, start)]

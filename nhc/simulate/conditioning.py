@@ -1,0 +1,141 @@
+"""How good a choice of free velocities is at one place, and which would be better there: for a run that has to change."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from itertools import combinations
+from math import comb, sqrt
+
+from nhc.algebra.calculus import gradient
+from nhc.algebra.evaluate import evaluate
+from nhc.algebra.graph import Node
+from nhc.mechanics.choose import Formulation, NotApplicable, build
+from nhc.mechanics.frame import coordinate_form
+from nhc.mechanics.regularity import relative_determinant
+from nhc.mechanics.singular import symmetric_eigenvalues
+from nhc.mechanics.system import Form, System
+from nhc.simulate.methods.linear import SingularMatrix, factor, resolve
+
+Place = dict[Node, float]
+Rows = list[list[float]]
+ENTER = 0.1
+"""A choice that is taken has at least this conditioning, ..."""
+GAIN = 3.0
+"""... and its determinant is this many times that of the choice it replaces: between the two nothing changes (hysteresis)."""
+_REGULAR = 1e-2  # of the kinetic energy of the free velocities, scaled to a diagonal of ones
+_MANY = 250  # choices of dependent velocities that are looked at one by one
+_KEPT = 0.5  # a preferred choice is taken down to this part of the best conditioning
+
+
+@dataclass(frozen=True)
+class Choice:
+    """A formulation of ``system``, which may have other dependent velocities than the spec's, with its conditioning."""
+
+    system: System
+    formulation: Formulation
+    value: float
+
+
+def conditioning(system: System, formulation: Formulation, place: Place) -> float:
+    """|det| of the coframe over the lengths of its rows (Hadamard), its l-th root: in [0, 1], 0 where it is singular."""
+    if formulation.frame is None:
+        return 1.0
+    return _of_rows(evaluate_rows(system, formulation.frame.forms, place), system.l)
+
+
+def _of_rows(rows: Rows, roots: int) -> float:
+    value = relative_determinant(rows, range(len(rows))) ** len(rows)
+    return float(value ** (1.0 / max(roots, 1)))
+
+
+def evaluate_rows(system: System, forms: Sequence[Form], place: Place) -> Rows:
+    """The coefficients of forms at a place."""
+    flat = [float(x) for x in evaluate(system.graph, [a for form in forms for a in form.coefficients], place)]
+    return [flat[k * system.n : (k + 1) * system.n] for k in range(len(forms))]
+
+
+def find_better(system: System, now: Formulation, place: Place, known: Sequence[Choice]) -> Choice | None:
+    """A choice that is worth a change at ``place`` (values of t, q, q' and p), or None.
+
+    Those of ``known`` come first, then dependent velocities and the adapted coframe, the present kind before the other, each
+    while it has half the conditioning of the best.  None is taken where the kinetic energy of its free velocities is degenerate:
+    then the coordinates or the constraints themselves are singular.
+    """
+    needed = max(ENTER, GAIN ** (1.0 / max(system.l, 1)) * conditioning(system, now, place))
+    kinds = [_dependent(system, place), _adapted(system, place)]
+    if now.dependent is None:
+        kinds.reverse()
+    options = [*_rated(known, place), *(choice for kind in kinds for choice in kind)]
+    best = max((choice.value for choice in options), default=0.0)
+    for choice in options:
+        if choice.value >= max(needed, _KEPT * best) and _is_definite(choice, place):
+            return choice
+    return None
+
+
+def _rated(known: Sequence[Choice], place: Place) -> Iterator[Choice]:
+    for choice in known:
+        yield replace(choice, value=conditioning(choice.system, choice.formulation, place))
+
+
+def _dependent(system: System, place: Place) -> Iterator[Choice]:
+    """The dependent velocities that are best there; without constraints, all velocities kept."""
+    if not system.l:
+        yield Choice(system, build(system, "lagrange"), 1.0)
+        return
+    rows = evaluate_rows(system, system.constraints, place)
+    columns = _best_columns(rows, system.n)
+    chosen = replace(system, dependent=columns)
+    try:
+        yield Choice(chosen, build(chosen, "voronec"), relative_determinant(rows, columns))
+    except NotApplicable:
+        return
+
+
+def _best_columns(rows: Rows, n: int) -> tuple[int, ...]:
+    if comb(n, len(rows)) <= _MANY:
+        return max(combinations(range(n), len(rows)), key=lambda columns: relative_determinant(rows, columns))
+    work, found = [list(row) for row in rows], list[int]()
+    for k in range(len(work)):  # elimination with full pivoting
+        pairs = ((abs(work[i][j]), i, j) for i in range(k, len(work)) for j in range(n) if j not in found)
+        _, best, column = max(pairs)
+        work[k], work[best] = work[best], work[k]
+        found.append(column)
+        for i in range(k + 1, len(work)):
+            part = work[i][column] / work[k][column] if work[k][column] else 0.0
+            work[i] = [x - part * y for x, y in zip(work[i], work[k], strict=True)]
+    return tuple(sorted(found))
+
+
+def _adapted(system: System, place: Place) -> Iterator[Choice]:
+    if not system.l:
+        return
+    plain = replace(system, quasi=(), dependent=())
+    try:
+        made = build(plain, "euler-lagrange")
+    except NotApplicable:
+        return
+    yield Choice(plain, made, conditioning(plain, made, place))
+
+
+def _is_definite(choice: Choice, place: Place) -> bool:
+    """Whether the kinetic energy of the free velocities is well conditioned, scaled to a diagonal of ones."""
+    system, n, lower = choice.system, choice.system.n, choice.system.l
+    frame = choice.formulation.frame
+    forms = frame.forms if frame is not None else [coordinate_form(system, i) for i in range(n)]
+    try:
+        factors = factor(evaluate_rows(system, forms, place))
+    except SingularMatrix:
+        return False
+    vectors = [resolve(factors, [float(i == k) for i in range(n)]) for k in range(lower if frame else 0, n)]
+    momenta = gradient(system.graph, system.T, system.v)
+    flat = [x for p in momenta for x in gradient(system.graph, p, system.v)]
+    values = [float(x) for x in evaluate(system.graph, flat, place)]
+    mass = [values[k * n : (k + 1) * n] for k in range(n)]
+    moved = [[sum(a * x for a, x in zip(row, e, strict=True)) for row in mass] for e in vectors]
+    gram = [[sum(a * b for a, b in zip(e, m, strict=True)) for m in moved] for e in vectors]
+    if any(row[k] <= 0.0 for k, row in enumerate(gram)):
+        return False
+    scaled = [[x / sqrt(gram[i][i] * gram[k][k]) for k, x in enumerate(row)] for i, row in enumerate(gram)]
+    return min(symmetric_eigenvalues(scaled), default=1.0) >= _REGULAR

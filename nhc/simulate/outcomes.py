@@ -1,0 +1,74 @@
+"""What an outcome means, in words."""
+
+from __future__ import annotations
+
+from nhc.simulate.prepare import Job
+from nhc.simulate.task import (
+    CROSSED,
+    DONE,
+    EVENT,
+    NO_SOLUTION,
+    SINGULAR,
+    STOPPED,
+    TOO_MANY,
+    UNDERFLOW,
+    Outcome,
+)
+
+
+def describe_outcome(job: Job, outcome: Outcome) -> tuple[str, str]:
+    """(done, event, stopped or failed; why)."""
+    if outcome.kind == DONE:
+        return "done", ""
+    if outcome.kind == EVENT:
+        return "event", "the expression of `--until` crosses zero"
+    if outcome.kind == STOPPED:
+        return "stopped", "interrupted"
+    if outcome.kind == CROSSED:
+        return "failed", _describe_crossing(job, outcome.status)
+    reasons = {
+        SINGULAR: job.meanings.get(outcome.status, "a result is not finite"),
+        UNDERFLOW: "the step size underflows: the motion approaches a singularity, or is not smooth there",
+        TOO_MANY: "it takes too many steps",
+        NO_SOLUTION: f"the equations of the implicit step are not solved (step {abs(outcome.h):.3g}); take a smaller one",
+    }
+    return "failed", reasons.get(outcome.kind, "it fails")
+
+
+def _describe_crossing(job: Job, index: int) -> str:
+    """What it means that a watched value changed its sign."""
+    watch = job.watch
+    what, kind = watch.about[index], watch.kinds[index]
+    beyond = "results beyond it would be wrong"
+    if index < watch.dips:
+        return f"{what}: the determinant changes its sign here, and {beyond}"
+    if kind == "mass":
+        return f"{what}: a pivot of it vanishes here, where the coordinates do not tell the motion, and {beyond}"
+    if kind == "rank":
+        return f"{what} here: their minors vanish together, and {beyond}"
+    return f"{what}: the determinant vanishes here, and {beyond}"
+
+
+def describe_state(job: Job, outcome: Outcome, longest: int = 12) -> str:
+    """``x = 1, y = 2, ...`` at the place where a run ended."""
+    pairs = list(zip(job.state_names, outcome.y, strict=True))
+    shown = ", ".join(f"{name} = {value:.9g}" for name, value in pairs[:longest])
+    return shown + (", ..." if len(pairs) > longest else "")
+
+
+def rank_left(job: Job, outcome: Outcome) -> float | None:
+    """The smallest singular value of the constraints where a run ended; None without constraints.
+
+    Coordinates that the model does not carry stand at their start: the rank does not depend on them.
+    """
+    from nhc.mechanics.singular import smallest_singular_value
+
+    if not job.system.constraints:
+        return None
+    place = job.start.values(job.system) | {job.system.t: outcome.t}
+    carried = dict(zip(job.state_names, outcome.y, strict=True))
+    place |= {q: carried[name] for q, name in zip(job.system.q, job.system.q_names, strict=True) if name in carried}
+    try:
+        return smallest_singular_value(job.system, place)
+    except (ArithmeticError, ValueError):
+        return None

@@ -1,0 +1,153 @@
+"""One trajectory through several formulations and methods.
+
+Where a formulation becomes nearly singular the run goes on with another, the state being carried over by way of q and q'.  A change
+waits for a choice of free velocities that is better by a good factor (:mod:`nhc.simulate.conditioning`), so that a run near the
+middle between two of them does not go back and forth.  Where the steps of an explicit method are held by its stability, the run
+goes on with an implicit one if that takes steps long enough to pay, and back where it no longer does.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field, replace
+
+from nhc.program.planner import SINGULAR_FRAME
+from nhc.simulate.carrying import carry, is_same, make_job, name_of, place_of
+from nhc.simulate.conditioning import Choice, conditioning, find_better
+from nhc.simulate.interpreted import InterpretedModel
+from nhc.simulate.pacing import Pace
+from nhc.simulate.prepare import Job, Recipe
+from nhc.simulate.task import CROSSED, DONE, SINGULAR, Outcome, Task
+
+TOLD = 6  # changes that are told one by one
+_FRAME = ("frame", "deep")
+_NEAR = {
+    "deep": "the coframe, and no other is better",
+    "mass": "the coordinates (angles in space have none as a `rotation:`)",
+    "rank": "the constraints",
+}
+
+
+@dataclass(frozen=True)
+class Leg:
+    """A part of a trajectory: ``task`` from its start, with all times that were still to come, and what came out."""
+
+    job: Job
+    method: str
+    task: Task
+    outcome: Outcome
+
+
+@dataclass
+class Follower:
+    """``integrate`` runs a job's task with a method; the same follower may run several tasks of its job.
+
+    ``auto``: the method may be changed; else a stiff scene is only told.
+    """
+
+    job: Job
+    method: str
+    integrate: Callable[[Job, str, Task], Outcome]
+    auto: bool = False
+    told: dict[str, None] = field(default_factory=dict)
+    changes: int = 0
+    jobs: list[Job] = field(default_factory=list)
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What happened in the last run."""
+        more = self.changes - TOLD
+        return (*self.told, *((f"{more} more changes of the formulation",) if more > 0 else ()))
+
+    def run(self, task: Task) -> list[Leg]:
+        """The legs of a run; the outcome of the last one says how it ended."""
+        job, legs, first = self.job, list[Leg](), task
+        self.told, self.changes = {}, 0
+        pace = Pace(self.method, task, self.auto, self._say)
+        while True:
+            outcome = self.integrate(job, pace.method, replace(task, most=pace.most))
+            legs.append(Leg(job, pace.method, task, outcome))
+            following = self._decide(job, outcome) or self._pace(pace, legs[-1])
+            rest = task.times[len(outcome.states) :]
+            if following is None or not rest:
+                pace.finish()
+                over = following is not None  # what it would go on from is the end itself
+                return [*legs[:-1], replace(legs[-1], outcome=replace(outcome, kind=DONE, status=0))] if over else legs
+            if (
+                job.kept is None and following.kept is not None
+            ):  # what was left out of its state cannot be carried over: once more
+                return self._repeat(following, first)
+            y = outcome.y if is_same(job.formulation, following.formulation) else carry(job, following, outcome)
+            if outcome.t == task.times[0]:  # nothing came of it
+                legs.pop()
+                rest = task.times[1:]
+            job, task = following, replace(task, y=y, times=(outcome.t, *rest))
+
+    def _repeat(self, whole: Job, task: Task) -> list[Leg]:
+        self.job, self.jobs = whole, []
+        return self.run(replace(task, y=whole.y, p=whole.p))
+
+    def _pace(self, pace: Pace, leg: Leg) -> Job | None:
+        former = pace.method
+        following = pace.look(leg.job, leg.task.times[0], leg.outcome)
+        if pace.method != former:
+            self.jobs = []  # they lack the Jacobian, or need it no more
+        return following
+
+    def _say(self, line: str) -> None:
+        self.told[line] = None
+
+    def _decide(self, job: Job, outcome: Outcome) -> Job | None:
+        """The job that the run goes on with; None where it ends here."""
+        recipe, watch = job.recipe, job.watch
+        crossed = outcome.kind == CROSSED
+        lost = outcome.kind == SINGULAR and outcome.status == SINGULAR_FRAME
+        if recipe is None or not recipe.weak or not (crossed or lost):
+            return None
+        weak = crossed and outcome.status >= watch.weak
+        kind = watch.kinds[outcome.status] if crossed else "frame"
+        if kind in _FRAME and job.kept is None:
+            return make_job(recipe, job.system, job.formulation, job)
+        # where the determinant is gone, so are the digits: only a start is as good as it was given
+        sound = weak or outcome.steps == 0
+        found = self._find(job, recipe, outcome) if kind in _FRAME and sound else None
+        if found is not None:
+            return found
+        if weak and kind in _NEAR and _comes_near(job, outcome):
+            self._warn(outcome.t, kind)
+        return job if weak else None
+
+    def _find(self, job: Job, recipe: Recipe, outcome: Outcome) -> Job | None:
+        place = place_of(job, recipe, outcome)
+        if place is None:
+            return None
+        others = [Choice(made.system, made.formulation, 0.0) for made in self.jobs if made is not job]
+        found = find_better(job.system, job.formulation, place, others)
+        if found is None:
+            return None
+        self.changes += 1
+        if self.changes <= TOLD:
+            value = conditioning(job.system, job.formulation, place)
+            self._say(
+                f"at t = {outcome.t:.9g} the run goes on with {name_of(found.system, found.formulation)} "
+                f"(conditioning {found.value:.2g}) in place of {name_of(job.system, job.formulation)} ({value:.2g})"
+            )
+        if not self.jobs:
+            self.jobs.append(job)
+        for made in self.jobs:
+            if is_same(made.formulation, found.formulation):
+                return made
+        made = make_job(recipe, found.system, found.formulation, job)
+        self.jobs.append(made)
+        return made
+
+    def _warn(self, t: float, kind: str) -> None:
+        if not any(_NEAR[kind] in line for line in self.told):
+            self._say(f"at t = {t:.9g} the motion comes near a singularity of {_NEAR[kind]}: digits are lost there")
+
+
+def _comes_near(job: Job, outcome: Outcome) -> bool:
+    """Whether the watched value has just become negative: the motion comes near, and does not leave."""
+    functions = tuple(f for f in job.program.functions if f.name == "watch")
+    model = InterpretedModel(replace(job.program, functions=functions), job.events)
+    return model.watch(outcome.t, outcome.y, job.p)[outcome.status] <= 0.0

@@ -1,0 +1,174 @@
+"""Runs through places where the dependent choice is singular: other formulations take over, and the trajectory is the same."""
+
+from __future__ import annotations
+
+import csv
+import io
+import math
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from nhc.cli.entry import main
+from nhc.language import Source, read
+from nhc.simulate.conditioning import ENTER, GAIN
+from nhc.simulate.opening import open_scene
+from nhc.simulate.run import Settings, Trajectory, run
+from tests.support import COMPILER, spec_path
+
+needs_compiler = pytest.mark.skipif(COMPILER is None, reason="no C compiler")
+
+SKATER = """nhc: 1
+system: skater
+about: A skate on a spring to the middle of the rink; its torque turns it through all headings, to and fro.
+coordinates: [x, y, phi]
+parameters: {m: 1.3, J: 0.2, k: 0.7, tau: 1.1, c: 0.1}
+T: m/2*(x'^2 + y'^2) + J/2*phi'^2
+V: k/2*(x^2 + y^2)
+forces: {phi: "tau*sin(0.9*t) - c*phi'"}
+constraints:
+  - edge: sin(phi)*x' - cos(phi)*y' = 0
+scenes:
+  spin:
+    initial: {x: 1, y: 0.4, phi: 0.3, phi': 2}
+    time: [0, 12]
+    need: [x, y, phi, x', y', phi']
+"""
+
+
+@pytest.fixture(autouse=True, scope="module")
+def _cache(tmp_path_factory: pytest.TempPathFactory) -> object:
+    folder = tmp_path_factory.mktemp("cache")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("NHC_CACHE", str(folder))
+        yield folder
+
+
+def forced(text: str, dependent: str) -> Source:
+    """The spec with these dependent velocities, its own quasi-velocities left out."""
+    kept = [line for line in text.splitlines() if not line.startswith("dependent:")]
+    return Source("forced.yaml", "\n".join([*kept, f"dependent: [{dependent}]", ""]))
+
+
+def follow(source: Source, formulation: str, tolerance: float, end: float = 0.0, compiled: bool = True) -> Trajectory:
+    names = tuple(c for c in open_scene(source).system.q_names)
+    job = open_scene(source, formulation=formulation, needs=(*names, *(f"{name}'" for name in names)))
+    job = replace(job, time=(0.0, end)) if end else job
+    return run(job, Settings("dop853", tolerance, points=301, compiled=compiled))
+
+
+def apart(found: Trajectory, exact: Trajectory) -> float:
+    assert found.ended == exact.ended == "done" and found.times == exact.times
+    assert found.headings == exact.headings
+    sizes = [max(abs(row[k]) for row in exact.rows) for k in range(len(exact.headings))]
+    pairs = zip(found.rows, exact.rows, strict=True)
+    return max(
+        abs(a - b) / max(size, 1e-3 * max(sizes)) for f, e in pairs for a, b, size in zip(f, e, sizes, strict=True)
+    )
+
+
+@needs_compiler
+@pytest.mark.parametrize("dependent", ["x", "y"])
+@pytest.mark.parametrize("tolerance", [1e-6, 1e-10])
+def test_every_choice_becomes_singular_and_the_run_goes_on(dependent: str, tolerance: float) -> None:
+    """The skater passes through several turns: solved for x' or for y' alone it would stop a dozen times."""
+    exact = follow(Source("skater.yaml", SKATER), "multipliers", 1e-12)
+    found = follow(forced(SKATER, dependent), "voronec", tolerance)
+    headings = [row[2] for row in exact.rows]
+    assert max(headings) - min(headings) > 2 * math.pi
+    changes = [note for note in found.notes if "goes on with" in note]
+    assert len(changes) >= 5 and f"voronec solved for {dependent}'" in changes[0]
+    assert apart(found, exact) < 100 * tolerance
+
+
+def test_python_changes_where_c_does() -> None:
+    c, python = (follow(forced(SKATER, "x"), "voronec", 1e-6, 3.0, compiled) for compiled in (True, False))
+    assert c.notes == python.notes and c.outcome.steps == python.outcome.steps and apart(c, python) < 1e-9
+
+
+@needs_compiler
+@pytest.mark.parametrize(
+    ("name", "dependent"),
+    [  # C4 of the atlas: each of these blocks becomes singular in the scene
+        ("chaplygin_sleigh", "y"),
+        ("chaplygin_sleigh", "x"),
+        ("snakeboard", "x, y"),
+        ("roller_racer", "x, y"),
+        ("roller_racer", "y, phi"),
+        ("n_trailer3", "x, theta1, theta2, theta3"),
+        ("skate_incline", "y"),
+    ],
+)
+def test_blocks_of_the_gallery(name: str, dependent: str) -> None:
+    """The error stays within 100 times the tolerance, and the columns are those that were asked for."""
+    source = read(str(spec_path(name)))
+    exact = follow(source, "multipliers", 1e-12)
+    found = follow(forced(source.text, dependent), "voronec", 1e-10)
+    assert apart(found, exact) < 1e-8
+    assert found.headings == tuple(f"{q}" for q in exact.headings)
+
+
+@needs_compiler
+def test_a_regular_choice_is_left_alone() -> None:
+    for name in ("vertical_disk", "chaplygin_sleigh", "roller_racer", "n_trailer3", "diff_drive"):
+        assert run(open_scene(read(str(spec_path(name)))), Settings()).notes == ()
+
+
+@needs_compiler
+def test_it_does_not_chatter() -> None:
+    """A skate that swings about the heading where x' and y' serve equally well changes once at most; about a singular one, too."""
+    text = SKATER.replace("tau*sin(0.9*t) - c*phi'", "-40*(phi - HEADING)").replace("phi: 0.3, phi': 2", "phi: START")
+    for heading, start in (("pi/4", "0.6"), ("pi/2", "1.3"), ("pi/2 - 0.06", "1.3")):
+        source = Source("swing.yaml", text.replace("HEADING", heading).replace("START", start))
+        found = follow(forced(source.text, "y"), "voronec", 1e-8)
+        changes = [note for note in found.notes if "goes on with" in note]
+        assert len(changes) == (0 if heading == "pi/4" else 1)
+        assert apart(found, follow(source, "multipliers", 1e-11)) < 1e-6
+    assert GAIN > 1 and ENTER > 0
+
+
+@needs_compiler
+def test_a_start_that_is_singular_for_the_choice() -> None:
+    """The sleigh starts along x: solved for x' there is no first step."""
+    source = forced(SKATER.replace("phi: 0.3", "phi: 0"), "x")
+    found = follow(source, "voronec", 1e-8)
+    assert "at t = 0 the run goes on with voronec solved for y'" in found.notes[0]
+    assert apart(found, follow(source, "multipliers", 1e-12)) < 1e-6
+
+
+def test_backwards_with_an_event_and_with_fixed_steps() -> None:
+    source = forced(SKATER, "x")
+    jobs = (open_scene(source, formulation=name, needs=("x", "y", "phi")) for name in ("voronec", "multipliers"))
+    back, exact = (run(replace(job, time=(0.0, -6.0)), Settings("dop853", 1e-10)) for job in jobs)
+    assert any("goes on with" in note for note in back.notes) and back.times[-1] == -6.0
+    assert apart(back, exact) < 1e-8
+    for method in ("rk4", "gauss6", "radau5"):
+        job = open_scene(forced(SKATER, "x"), formulation="voronec", until="phi - 5", method=method)
+        found = run(job, Settings(method, 1e-8, 0.0 if method == "radau5" else 2e-3, points=50))
+        assert found.ended == "event" and found.rows[-1][2] == pytest.approx(5.0, abs=1e-9)
+        assert any("goes on with" in note for note in found.notes)
+
+
+# --- the command --------------------------------------------------------------------------------------------
+
+
+def call(capsys: pytest.CaptureFixture[str], *arguments: str) -> tuple[int, str, str]:
+    code = main(["run", *arguments])
+    out, err = capsys.readouterr()
+    return code, out, err
+
+
+@pytest.mark.parametrize("how", [(), ("--python",)])
+def test_the_command_goes_on_and_says_so(
+    how: tuple[str, ...], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    spec = tmp_path / "skater.yaml"
+    spec.write_text(forced(SKATER, "x").text)
+    arguments = [str(spec), "--points", "7", "-f", "voronec"]
+    code, out, err = call(capsys, *arguments, *how)
+    rows = list(csv.reader(io.StringIO(out)))
+    assert code == 0 and rows[0] == ["t", "x", "y", "phi", "x'", "y'", "phi'"] and len(rows) == 8
+    assert "the run goes on with voronec solved for y' (conditioning 1)" in err
+    code, out, err = call(capsys, *arguments, "--stay", *how)
+    assert (code, out) == (3, "") and "cannot be solved for x'" in err and "leave `--stay` out" in err
