@@ -60,15 +60,19 @@ def compiler_version(compiler: str) -> str:
 @cache
 def machine_flags() -> tuple[str, ...]:
     """Flags for what this processor has; 128-bit vectors, for wider ones stall on the stages' small loops."""
-    if platform.machine() != "x86_64":
-        return ()
-    try:
-        known = set(Path("/proc/cpuinfo").read_text().split("flags", 1)[1].split("\n", 1)[0].split())
-    except (OSError, IndexError):
-        return ()
-    if {"avx2", "bmi1", "bmi2", "fma", "movbe", "f16c"} <= known:
+    if {"avx2", "bmi1", "bmi2", "fma", "movbe", "f16c"} <= _list_features():
         return ("-march=x86-64-v3", "-mprefer-vector-width=128")
     return ()
+
+
+@cache
+def _list_features() -> frozenset[str]:
+    if platform.machine() != "x86_64":
+        return frozenset()
+    try:
+        return frozenset(Path("/proc/cpuinfo").read_text().split("flags", 1)[1].split("\n", 1)[0].split())
+    except (OSError, IndexError):
+        return frozenset()
 
 
 def build(sources: Mapping[str, str], unit: str, flags: Sequence[str] = ()) -> Path:
@@ -80,7 +84,7 @@ def build(sources: Mapping[str, str], unit: str, flags: Sequence[str] = ()) -> P
     compiler = find_compiler()
     if not compiler:
         raise CompileError("no C compiler (looked for $CC, cc, gcc, clang)", missing=True)
-    options = (*FLAGS, *_accepted(compiler), *flags)
+    options = (*FLAGS, *_accepted(compiler, machine_flags()), *flags)
     entry = cache_folder() / _key(sources, unit, options, compiler)
     library = entry / f"{Path(unit).stem}.so"
     if not library.exists():
@@ -100,9 +104,17 @@ def loop_flags(states: int) -> tuple[str, ...]:
 
 
 @cache
-def _accepted(compiler: str) -> tuple[str, ...]:
-    """The machine's flags where the compiler takes them."""
-    wanted = machine_flags()
+def lane_flags() -> tuple[str, ...]:
+    """Flags for a run with many starts side by side: eight lanes where the processor has the vectors for them."""
+    wide = ("-march=x86-64-v4", "-mprefer-vector-width=128")
+    if {"avx512f", "avx512bw", "avx512cd", "avx512dq", "avx512vl"} <= _list_features():
+        return wide if _accepted(find_compiler(), wide) else ()
+    return ()
+
+
+@cache
+def _accepted(compiler: str, wanted: tuple[str, ...]) -> tuple[str, ...]:
+    """The flags where the compiler takes them."""
     if not wanted:
         return ()
     try:

@@ -10,6 +10,8 @@ from typing import Any
 from nhc.simulate.task import ModelError, News, Outcome, Task
 
 _Doubles = ctypes.POINTER(ctypes.c_double)
+Numbers = Any
+"""A sequence of floats, an array of C's doubles, or a writable contiguous NumPy array of doubles."""
 
 
 class _Task(ctypes.Structure):
@@ -94,20 +96,38 @@ class CompiledModel:
         self, task: Task, method: str, starts: Sequence[Sequence[float]], values: Sequence[Sequence[float]], news: News
     ) -> list[Outcome]:
         """The task from each of ``starts`` with its own parameters ``values``, by one call; fewer outcomes where it was stopped."""
+        size, rows = self.states, len(task.times)
+        many = self.integrate_many(
+            task, method, [x for row in starts for x in row], [x for row in values for x in row], news
+        )
+        each = rows * size
+        flat = many.rows
+        return [
+            self._outcome(found, flat[i * each : i * each + found.rows * size])
+            for i, found in enumerate(many.found[: many.done])
+        ]
+
+    def integrate_many(self, task: Task, method: str, starts: Numbers, values: Numbers, news: News) -> Many:
+        """The same with flat numbers (a C-contiguous NumPy array of doubles or a sequence); nothing is copied out of C's arrays."""
         assert isinstance(news, CompiledNews)
-        size, count, rows = self.states, len(starts), len(task.times)
+        rows, size = len(task.times), self.states
+        state, constants = _doubles(starts), _doubles(values)
+        count = len(state) // size if len(starts) else 0
         out, found = (ctypes.c_double * (count * rows * size))(), (self._Found * count)()
-        given = self._task(task, [x for row in starts for x in row], [x for row in values for x in row])
+        given = self._task(task, state, constants)
         function = getattr(self.library, f"{self.system}_{method}_each")
         function.restype = ctypes.c_long
-        width = ctypes.c_long(len(values[0]) if values else 0)
+        width = ctypes.c_long(len(values) // count if count else 0)
         done = function(ctypes.byref(given), ctypes.c_long(count), width, out, found, ctypes.byref(news.shared))
-        each = rows * size
-        return [self._outcome(found[i], out[i * each : i * each + found[i].rows * size]) for i in range(done)]
+        return Many(int(done), rows, size, out, found)
 
-    def _task(self, task: Task, y: Sequence[float], p: Sequence[float]) -> _Task:
+    def runner(self, task: Task, method: str) -> Runner:
+        """A run that is made ready once and done again and again, from other starts where ``start`` is changed."""
+        return Runner(self, task, method)
+
+    def _task(self, task: Task, y: Numbers, p: Numbers) -> _Task:
         return _Task(
-            ctypes.cast(_doubles(p), _Doubles),
+            ctypes.cast(_doubles(p), _Doubles),  # the pointer keeps its array alive
             ctypes.cast(_doubles(y), _Doubles),
             ctypes.cast(_doubles(task.times), _Doubles),
             len(task.times),
@@ -150,5 +170,50 @@ class CompiledModel:
         return [values[k : k + width] for k in range(0, len(values), width)]
 
 
-def _doubles(values: Sequence[float]) -> ctypes.Array[ctypes.c_double]:
+class Many:
+    """Runs from many starts as C left them: ``done`` of them ran, in order; ``out`` holds their rows, ``found`` their outcomes."""
+
+    def __init__(self, done: int, rows: int, states: int, out: Any, found: Any) -> None:
+        self.done, self.out, self.found, self._shape = done, out, found, (len(found), rows, states)
+
+    @property
+    def rows(self) -> list[float]:
+        """All rows, flat; where a run failed, its last ones are zeros."""
+        return list(self.out)
+
+    def array(self) -> Any:
+        """The rows as a NumPy array of shape (starts, times, states) over C's memory."""
+        import numpy as np
+
+        return np.frombuffer(self.out).reshape(self._shape)
+
+    @property
+    def kinds(self) -> list[int]:
+        """How each ended."""
+        return [found.outcome for found in self.found]
+
+
+class Runner:
+    """One run, ready: ``start`` and ``end`` are arrays of C's doubles, of the state before and after ``run``."""
+
+    def __init__(self, model: CompiledModel, task: Task, method: str) -> None:
+        self.start = _doubles(task.y)
+        self._given = model._task(task, self.start, task.p)
+        self._rows = (ctypes.c_double * (len(task.times) * model.states))()
+        self._found, self._news = model._Found(), _News()
+        self._function = getattr(model.library, f"{model.system}_{method}")
+        self._arguments = tuple(map(ctypes.byref, (self._given, self._rows, self._found, self._news)))
+        self.end = self._found.y
+
+    def run(self) -> int:
+        """Run it; returns how it ended."""
+        return int(self._function(*self._arguments))
+
+
+def _doubles(values: Numbers) -> ctypes.Array[ctypes.c_double]:
+    """C's array of the values: an array of C's doubles itself, the memory of a NumPy array, or a copy."""
+    if isinstance(values, ctypes.Array):
+        return values
+    if hasattr(values, "ctypes") and len(values):
+        return (ctypes.c_double * len(values)).from_buffer(values)
     return (ctypes.c_double * max(len(values), 1))(*values)

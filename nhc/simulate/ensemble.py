@@ -7,9 +7,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from nhc.mechanics.scenes import Start
+from nhc.simulate.compile import CompileError, build, lane_flags
 from nhc.simulate.compiled import CompiledModel
+from nhc.simulate.methods import RUNGE_KUTTA
 from nhc.simulate.prepare import Job, move_start
 from nhc.simulate.run import LEAST_TOLERANCE, SAFETY, Model, Settings, Trajectory, collect, list_times, load
+from nhc.simulate.source import write_source
 from nhc.simulate.task import STOPPED, News, Outcome, Task
 from nhc.simulate.waiting import Show, wait_for
 
@@ -33,9 +36,10 @@ class Ensemble:
 def run_ensemble(job: Job, starts: Sequence[Start], settings: Settings, show: Show | None = None) -> Ensemble:
     """Integrate a job with a whole state from each start; one of nhc's Runge-Kutta methods, with its own or given steps.
 
-    A start that fails does not keep the others from running.  Ctrl-C stops it and keeps the starts that are done.
+    Several starts run side by side, each with its own steps; a start that fails does not keep the others from running.
+    Ctrl-C stops it and keeps the starts before the first that is not done.
     """
-    model, notes = load(job, settings.method, settings.compiled)
+    model, notes = load_lanes(job, settings.method, settings.compiled)
     jobs = [move_start(job, start) for start in starts]
     tolerance = settings.tolerance or job.tolerance
     times = list_times(*job.time, settings.points)
@@ -50,6 +54,18 @@ def run_ensemble(job: Job, starts: Sequence[Start], settings: Settings, show: Sh
         for one, outcome in zip(jobs, outcomes, strict=False)
     )
     return Ensemble(job, len(starts), tuple(members), seconds, (*job.notes, *notes))
+
+
+def load_lanes(job: Job, method: str, compiled: bool = True) -> tuple[Model, tuple[str, ...]]:
+    """The model of a run, with lanes where it is compiled and has them."""
+    if not compiled:
+        return load(job, method, compiled)
+    sources = write_source(job.program, [RUNGE_KUTTA[method]], job.events, job.holds, dips=job.watch.dips, lanes=True)
+    try:
+        path = build(sources, f"{job.program.system}_run.c", lane_flags())
+    except CompileError:
+        return load(job, method, compiled)  # whose note says why
+    return CompiledModel(path, job.program.system, len(job.y), job.width), ()
 
 
 def _integrate_each(model: Model, task: Task, method: str, jobs: Sequence[Job], news: News) -> list[Outcome]:

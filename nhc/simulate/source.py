@@ -29,7 +29,7 @@ class Line:
 @dataclass(frozen=True, slots=True)
 class ExplicitText:
     """What ``explicit.c.jinja`` places; ``extra`` is the last slope that only the interpolant needs, or 0; ``hidden`` adds up the
-    slopes that the first error estimate does not weigh.
+    slopes that are not in the step itself.
     """
 
     name: str
@@ -84,8 +84,8 @@ def print_row(row: Sequence[float]) -> str:
 def describe_explicit(method: Explicit) -> ExplicitText:
     """An explicit method's tableau as text."""
     last = len(method.rows)
-    weights = (*method.errors[0], *[0.0] * method.stages) if method.errors else ()
-    hidden = [f"s->k[{j}][i]" for j, weight in enumerate(weights[: method.stages]) if not weight]
+    weights = method.rows[method.stages - 1]
+    hidden = [j for j in range(method.stages + 1) if j >= len(weights) or not weights[j]]
     return ExplicitText(
         name=method.name,
         template=f"c/methods/{method.name}.c.jinja",
@@ -94,7 +94,7 @@ def describe_explicit(method: Explicit) -> ExplicitText:
         end=method.stages,
         extra=last if last > method.stages else 0,
         errors=tuple(print_sum(row) for row in method.errors),
-        hidden=" + ".join(hidden),
+        hidden=" + ".join(f"s->k[{j}][i]" for j in hidden),
         dense=tuple(Line(CUBIC + j, print_sum(row)) for j, row in enumerate(method.dense)),
         exponent=max(method.exponent, 1),
     )
@@ -128,26 +128,35 @@ def write_source(
     holds: Sequence[str] = (),
     trig: str = "inline",
     dips: int | None = None,
+    lanes: bool = False,
 ) -> dict[str, str]:
     """File name -> text of ``<s>.h``, ``<s>.c`` and ``<s>_run.c``; the last one includes the others.
 
     ``program`` has rhs and needed, jacobian for an implicit method, and watch where something is watched, the first ``events`` of
     its values being the user's and those from ``dips`` on being sought where they only touch zero; ``holds`` are called in this
     order after each step.  ``trig``: the inlined sine and cosine were
-    faster in every run measured, but they are made for doubles and nothing longer.
+    faster in every run measured, but they are made for doubles and nothing longer.  ``lanes``: many starts run side by side where
+    an explicit method, no ``holds`` and no linear system in the model allow it.
     """
     functions = {function.name: function for function in program.functions}
     model = render(program, "c", EmitOptions(only=tuple(functions), trig=trig))
     implicit = [method for method in methods if isinstance(method, Collocation)]
     explicit = [method for method in methods if isinstance(method, Explicit)]
+    watch = functions.get("watch")
     kernel = print_kernel(program, functions["rhs"]) if explicit and trig == "inline" else None
+    watching = print_kernel(program, watch) if watch is not None and lanes else None
+    lanes = lanes and kernel is not None and not holds and (watch is None or watching is not None)
+    known = [one for one in (kernel, watching if lanes else None) if one is not None]
     context: dict[str, object] = {
         "name": program.system,
         "capitals": program.system.upper(),
         "head": f"{program.system}_run.c: integrates {program.system}, emitted by nhc {__version__} ({PLACEHOLDER})",
         "declarations": tuple(declare(program.system, function) for function in program.functions),
-        "kernels": () if kernel is None else (kernel,),
-        "fixed": 1 if kernel is None else max(kernel.count, 1),
+        "kernels": tuple(known),
+        "lanes": lanes,
+        "called": tuple(sorted({name for k in known for name in k.calls[i]}) for i in (0, 1)),
+        "fixed": max(1, sum(kernel.count for kernel in known)),
+        "fixed_watch": known[0].count if known else 0,
         "paced": bool(explicit),
         "slopes": max(3, *(len(m.rows) + 1 for m in explicit)) if explicit else 3,
         "shapes": max([5, *(CUBIC + len(m.dense) for m in explicit)]),
