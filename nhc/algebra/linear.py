@@ -6,11 +6,11 @@ the matched pattern (:mod:`nhc.algebra.blocks`).
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from nhc.algebra.blocks import Singular, Weakness, block_order, determinant_of, row_scale, solve_block
-from nhc.algebra.calculus import gradient, rebuild, substitute
+from nhc.algebra.calculus import gradient, rebuild, substitute, tangent
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.modular import are_zero
 
@@ -61,6 +61,37 @@ class Elimination:
     guards: list[tuple[Node, Node]] = field(default_factory=list)
 
 
+@dataclass(frozen=True)
+class NamedBlock:
+    """A solved block: ``symbols`` stand for ``values``, the solution of matrix @ symbols = right."""
+
+    symbols: tuple[Node, ...]
+    values: tuple[Node, ...]
+    matrix: list[list[Node]]
+    right: list[Node]
+    scales: list[Node]
+
+    def mapped(self, change: Callable[[Sequence[Node]], Sequence[Node]]) -> NamedBlock:
+        """The block with ``change`` applied to all it consists of."""
+        return NamedBlock(
+            self.symbols,
+            tuple(change(self.values)),
+            [list(change(row)) for row in self.matrix],
+            list(change(self.right)),
+            list(change(self.scales)),
+        )
+
+    def rates(self, graph: Graph, seeds: Mapping[Node, Node]) -> list[Node]:
+        """Derivatives of the symbols along the seeds, by the derivative of the equations and the same solution."""
+        g = graph
+        residual = [
+            g.sub(g.sum([g.mul(a, x) for a, x in zip(row, self.symbols, strict=True)]), value)
+            for row, value in zip(self.matrix, self.right, strict=True)
+        ]
+        right = [g.neg(node) for node in tangent(g, residual, seeds)]
+        return solve_block(g, self.matrix, [right], self.scales, None)[0][0]
+
+
 def solve(
     graph: Graph,
     matrix: Sequence[Sequence[Node]],
@@ -102,10 +133,12 @@ def solve_rows(
     unknowns: Sequence[Node],
     matrix: Sequence[Sequence[Node]],
     weakness: Weakness | None = None,
+    named: list[NamedBlock] | None = None,
 ) -> tuple[list[Node], list[tuple[Node, Node]]]:
     """(values of the unknowns, guards) for rows = 0, each row linear in the unknowns with the coefficients ``matrix``.
 
-    What rows share stays shared: known unknowns are put into the rows' own nodes, so that a chain of n bodies costs n.
+    What rows share stays shared: known unknowns are put into the rows' own nodes, so that a chain of n bodies costs n.  With
+    ``named``, unknowns of a block with a determinant that can vanish stay symbols in the values, and the block is added to it.
 
     Raises:
         Singular: the determinant vanishes identically.
@@ -120,6 +153,10 @@ def solve_rows(
         scales = [row_scale(graph, [matrix[i]]) for i in part]
         (solved,), found = solve_block(graph, block, [right], scales, weakness)
         guards.extend(found)
+        if named is not None and found and len(columns) > 1:
+            symbols = [graph.symbol(f"solved_{j}", "unknown") for j in columns]
+            named.append(NamedBlock(tuple(symbols), tuple(solved), block, right, scales))
+            solved = symbols
         for j, value in zip(columns, solved, strict=True):
             known.learn(unknowns[j], value)
     return [known.values[symbol] for symbol in unknowns], guards

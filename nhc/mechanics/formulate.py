@@ -15,7 +15,8 @@ from nhc.mechanics.choose import Formulation
 from nhc.mechanics.determined import check_determined
 from nhc.mechanics.frame import total_derivative
 from nhc.mechanics.kinetic import Kinetic, kinetic_structure
-from nhc.mechanics.moved import Moved, move
+from nhc.mechanics.move import move
+from nhc.mechanics.moved import Moved
 from nhc.mechanics.multipliers import multiplier_symbols
 from nhc.mechanics.regularity import default_values, trial_points
 from nhc.mechanics.system import System

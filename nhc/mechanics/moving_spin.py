@@ -9,11 +9,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from nhc.algebra.calculus import reachable, substitute, tangent
+from nhc.algebra.calculus import reachable, substitute
 from nhc.algebra.graph import Node
 from nhc.mechanics.kinetic import Kinetic, exterior_derivative
 from nhc.mechanics.moving import Scene
 from nhc.mechanics.moving_bodies import Bodies
+from nhc.mechanics.moving_rates import Solution
 from nhc.mechanics.turns import Path, Turn, Vector, cross
 
 
@@ -108,12 +109,11 @@ def find_turning(scene: Scene, bodies: Bodies, inertial: Sequence[bool]) -> list
     return found
 
 
-def spin_weights(scene: Scene, path: Path, solved: dict[Node, Node], symbols: Sequence[Node]) -> tuple[Vector, ...]:
+def spin_weights(solution: Solution, path: Path, symbols: Sequence[Node]) -> tuple[Vector, ...]:
     """Omega(e_j) for the vectors of the frame that belong to the symbols."""
-    g = scene.graph
-    spin = substitute(g, scene.spin(path), solved)
+    scene = solution.scene
+    spin = substitute(scene.graph, scene.spin(path), solution.found)
     weights = []
-    for symbol in symbols:
-        x, y, z = tangent(g, spin, {symbol: g.one})
+    for x, y, z in solution.columns(spin, symbols):
         weights.append((x, y, z))
     return tuple(weights)

@@ -1,0 +1,200 @@
+"""Moving axes for a system and a frame: vectors are read, placed bases first, and the constraints are solved on their axes."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from nhc.algebra.calculus import gradient, substitute, tangent
+from nhc.algebra.field import Unlucky
+from nhc.algebra.graph import Graph, Node
+from nhc.algebra.linear import NamedBlock, Singular, solve_rows
+from nhc.mechanics.frame import Frame, form_value
+from nhc.mechanics.kinetic import Kinetic
+from nhc.mechanics.moved import Moved, Turning, Weights
+from nhc.mechanics.moving import Scene
+from nhc.mechanics.moving_bodies import Placed, gather_bodies
+from nhc.mechanics.moving_loads import find_loads
+from nhc.mechanics.moving_rates import Rates, Solution, on_motion
+from nhc.mechanics.moving_rolling import apply_rolling, read_rolling
+from nhc.mechanics.moving_rows import (
+    Sided,
+    along_direction,
+    direction_vector,
+    read_square,
+    read_vector,
+    rewrite_row,
+    square_groups,
+)
+from nhc.mechanics.moving_spin import Spin, find_turning, recognise, spatial_paths, spin_weights
+from nhc.mechanics.regularity import pivot_weakness
+from nhc.mechanics.signatures import Signatures
+from nhc.mechanics.system import System
+from nhc.mechanics.turns import change_axes
+from nhc.mechanics.vectors import Chained, Reader
+
+
+
+def move(system: System, kinetic: Kinetic, frame: Frame) -> Moved | None:
+    """The frame and T on moving axes; None where T has no vector that turns."""
+    g = system.graph
+    groups = square_groups(system, kinetic)
+    if not groups:
+        return None
+    held = tuple(g.symbol(f"held_{j}", "quasi") for j in range(system.n))
+    values = [form_value(g, form, system.v) for form in frame.forms]
+    try:
+        marks = Signatures(g, [*values, *kinetic.atoms])
+    except Unlucky:
+        return None
+    marks.bind(dict(zip(held, values, strict=True)))
+    forms: dict[tuple[int, ...], Node] = {}
+    for symbol in held:
+        signature = marks.of(symbol)
+        forms.setdefault(signature, symbol)
+        forms.setdefault(marks.negative(signature), g.neg(symbol))
+    scene = Scene(
+        system, held, tuple(values), marks, forms, *(Reader(g, g.mask((*system.q, system.t))) for _ in range(2))
+    )
+    vectors: list[Placed] = []
+    for group in groups:
+        components = [kinetic.atoms[k] for k in group] + [g.zero] * (3 - len(group))
+        vectors.append((group, *read_square(scene, (components[0], components[1], components[2]))))
+    for sided in _directions(g, values):
+        read_vector(scene, direction_vector(g, sided)[0])
+        scene.paths.append(sided.path)
+    for vector in _known(scene):
+        scene.paths += [part.path for part in vector.parts if part.path]
+    scene.paths = list(dict.fromkeys(scene.paths))
+    recognise(scene, kinetic, values)
+    scene.paths += [path for path in spatial_paths(scene) if path not in scene.paths]
+    rolling = read_rolling(scene, values)
+    vectors = _standing(scene, vectors, [equation.base for equation in rolling])
+    if not vectors:
+        return None
+    for equation in rolling:
+        apply_rolling(scene, equation)
+    for _, vector, is_position in vectors:
+        scene.home(vector, is_position)
+    return _finish(scene, kinetic, frame, values, vectors)
+
+
+def _directions(graph: Graph, rows: Sequence[Node]) -> list[Sided]:
+    found = (along_direction(graph, row) for row in rows)
+    return [sided for sided in found if sided is not None]
+
+
+def _known(scene: Scene) -> list[Chained]:
+    return [vector for reader in (scene.positions, scene.velocities) for vector in reader.known.values()]
+
+
+def _standing(scene: Scene, vectors: list[Placed], rolling: Sequence[Chained]) -> list[Placed]:
+    """Vectors that turn, or on which something turning stands, or of which a row is a component.
+
+    The other pairs only look like vectors: two rates whose squares have one factor.
+    """
+    g = scene.graph
+    own = {id(vector) for _, vector, _ in vectors}
+    used = {id(v.base) for v in _known(scene) if v.base is not None}
+    used |= {id(v) for v in _known(scene) if id(v) not in own}
+    used |= {id(v) for v in rolling}
+    along = {direction_vector(g, sided)[0] for sided in _directions(g, scene.values)}
+    return [p for p in vectors if p[1].turned or id(p[1]) in used or scene.velocity_of(p[1], p[2]) in along]
+
+
+def _finish(
+    scene: Scene,
+    kinetic: Kinetic,
+    frame: Frame,
+    values: Sequence[Node],
+    vectors: Sequence[Placed],
+) -> Moved | None:
+    system, g = scene.system, scene.graph
+    rows = []
+    for j, value in enumerate(values):
+        row = scene.rows.get(j)
+        if row is None:
+            row = rewrite_row(scene, value) or value
+        rows.append(row)
+    try:
+        solution, guards = _solve(scene, rows)
+    except Singular:
+        return None
+    held = {symbol: g.zero if j < system.l else frame.omega[j] for j, symbol in enumerate(scene.held)}
+
+    def solve(everything: bool) -> tuple[Sequence[Node], Sequence[tuple[Node, Node]]]:
+        own = _solve(scene, rows, everything=True)[0] if everything else solution
+        return own.finish([own.found[v] for v in system.v], {}), guards
+
+    kinematics = on_motion(solution, held, [solution.found[v] for v in system.v])
+    bodies = gather_bodies(scene, kinetic, vectors)
+    general = substitute(g, bodies.values, solution.found)
+    rates = Rates(solution, held, kinematics)
+    moved = rates.on_motion(general)
+    drift = list(tangent(g, moved, rates.seeds))
+    inertial = [False] * len(moved)
+    for point in bodies.points:
+        home = scene.home(point.vector, point.is_position)
+        there = change_axes(g, rates.acceleration(point.vector, point.is_position), home.path, point.path)
+        for k, node in zip(point.members, there, strict=False):
+            if k >= 0:
+                drift[k], inertial[k] = node, True
+    turning = find_turning(scene, bodies, inertial)
+    carried = list(inertial)
+    for k in (k for own in turning for axis in own.members for k in axis):
+        carried[k] = True
+
+    def weigh() -> tuple[Weights, ...]:
+        everywhere = _solve(scene, rows, everything=True)[0]
+        return _weigh(everywhere, substitute(g, bodies.values, everywhere.found), turning, scene.held[: system.l])
+
+    loads, potential = find_loads(scene, bodies, len(moved))
+    done = solution.finish([*kinematics, *moved, *drift], held)
+    size, count = system.n, len(moved)
+    return Moved(
+        frame=Frame(system, frame.forms, frame.omega, scene.held, solve),
+        velocities=tuple(done[:size]),
+        kinetic=bodies.kinetic,
+        u=tuple(done[size : size + count]),
+        drift=tuple(done[size + count :]),
+        weights=_weigh(solution, general, turning, scene.held[system.l :]),
+        weigh=weigh,
+        carried=tuple(carried),
+        inertial=tuple(inertial),
+        loads=loads,
+        potential=potential,
+        settled=all(home.known for home in scene.homes.values() if home.root),
+        turning=tuple(_turn(rates, own, held) for own in turning),
+    )
+
+
+def _solve(
+    scene: Scene, rows: Sequence[Node], *, everything: bool = False
+) -> tuple[Solution, Sequence[tuple[Node, Node]]]:
+    """The velocities from the rows, the constraints' forms being zero unless ``everything`` is asked for."""
+    system, g = scene.system, scene.graph
+    still = {} if everything else dict.fromkeys(scene.held[: system.l], g.zero)
+    matrix = [gradient(g, row, system.v) for row in rows]
+    full = [g.sub(row, symbol) for row, symbol in zip(rows, scene.held, strict=True)]
+    full = substitute(g, full, still)  # rows may hold one another's symbols
+    blocks = list[NamedBlock]()
+    found, guards = solve_rows(g, full, system.v, matrix, pivot_weakness(system), None if everything else blocks)
+
+    def tidy(nodes: Sequence[Node]) -> list[Node]:
+        return substitute(g, substitute(g, nodes, scene.meaning), still)
+
+    known = {**scene.meaning, **dict(zip(system.v, tidy(found), strict=True))}
+    return Solution(scene, known, tuple(block.mapped(tidy) for block in blocks)), guards
+
+
+def _turn(rates: Rates, own: Spin, held: dict[Node, Node]) -> Turning:
+    x, y, z = rates.solution.finish(rates.value(rates.scene.spin(own.path)), held)
+    return Turning(own.members, (x, y, z), own.forms)
+
+
+def _weigh(
+    solution: Solution, forms: Sequence[Node], turning: Sequence[Spin], symbols: Sequence[Node]
+) -> tuple[Weights, ...]:
+    """Along the vectors that belong to the symbols; ``forms`` are T's in terms of these."""
+    along = [tuple(column) for column in solution.columns(forms, symbols)]
+    spins = [spin_weights(solution, own.path, symbols) for own in turning if own.forms is None]
+    return tuple(Weights(own, tuple(spin[j] for spin in spins)) for j, own in enumerate(along))
