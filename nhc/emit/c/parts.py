@@ -13,8 +13,8 @@ from nhc.emit.statements import collect_refs
 from nhc.program.ir import Evaluate, Function, Let, Load, Result, Solve, Statement, Store, Sweep
 
 OWN = ("kept", "carried", "first", "seed", "slope", "offset", "entry", "status")
-LONGEST = 400  # statements that one function may have
-USUAL = 250  # statements of a part
+LONGEST = 1200  # statements that one function may have
+USUAL = 600  # statements of a part
 
 
 @dataclass(frozen=True, slots=True)
