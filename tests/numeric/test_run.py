@@ -294,7 +294,7 @@ def test_a_failure_tells_time_state_and_reason(
 @pytest.mark.parametrize("how", [(), ("--python",)])
 def test_no_run_across_a_singular_block(how: tuple[str, ...], capsys: pytest.CaptureFixture[str]) -> None:
     """C4: the sleigh heads along y once; solved for y' it must stop there."""
-    code, out, err = call(capsys, "chaplygin_sleigh", "-f", "voronec", *how)
+    code, out, err = call(capsys, "chaplygin_sleigh", "-f", "voronec", "--stay", *how)
     assert (code, out) == (3, "") and "cannot be solved for y'" in err and "theta = 1.57079633" in err
 
 
