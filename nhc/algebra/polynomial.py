@@ -7,12 +7,14 @@ terms: what would grow past it raises :class:`TooLarge` and the caller keeps the
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 
+from nhc.algebra.calculus import reachable
 from nhc.algebra.expand import Coefficient, Expander, Monomial, Polynomial, TooLarge
-from nhc.algebra.graph import Graph, Node
+from nhc.algebra.graph import ADD, MUL, NEG, POW, Graph, Node
 
 ONE: Monomial = ()
+_MILLION = 10**6
 
 
 def polynomial(graph: Graph, node: Node, limit: int = 300, circle: bool = True) -> Polynomial:
@@ -145,15 +147,43 @@ def normalise(graph: Graph, node: Node, limit: int = 300) -> Node:
     return normalise_all(graph, [node], limit)[0]
 
 
-def normalise_all(graph: Graph, nodes: Iterable[Node], limit: int = 300) -> list[Node]:
-    """Each node in canonical short form where that has at most ``limit`` terms; common parts are expanded once."""
-    expander, result = Expander(graph, limit, True), []
+def normalise_all(graph: Graph, nodes: Iterable[Node], limit: int = 300, swollen: int = 0) -> list[Node]:
+    """Each node in canonical short form where that has at most ``limit`` terms; common parts are expanded once.
+
+    With ``swollen``, a node that would have more terms than that before any of them cancel is left as it is.
+    """
+    nodes = list(nodes)
+    sizes = _count_terms(graph, nodes) if swollen else {}
+    expander, made = Expander(graph, limit, True), dict[Node, Node]()
     for node in nodes:
+        if node in made:
+            continue
         try:
-            result.append(to_node(graph, expander.expand([node])[0]))
+            if sizes.get(node, 0) > swollen:
+                raise TooLarge
+            made[node] = to_node(graph, expander.expand([node])[0])
         except TooLarge:
-            result.append(node)
-    return result
+            made[node] = node
+    return [made[node] for node in nodes]
+
+
+def _count_terms(graph: Graph, nodes: Sequence[Node]) -> dict[Node, int]:
+    """Terms of products multiplied out, if nothing cancelled; at most a million."""
+    op, a, b = graph.op, graph.a, graph.b
+    count: dict[Node, int] = {}
+    for node in reachable(graph, nodes):
+        kind = op[node]
+        if kind == ADD:
+            count[node] = min(count[a[node]] + count[b[node]], _MILLION)
+        elif kind == MUL:
+            count[node] = min(count[a[node]] * count[b[node]], _MILLION)
+        elif kind == NEG:
+            count[node] = count[a[node]]
+        elif kind == POW and b[node] > 0:
+            count[node] = min(count[a[node]] ** min(b[node], 20), _MILLION)
+        else:
+            count[node] = 1
+    return count
 
 
 def shortest(graph: Graph, node: Node, cost: Callable[[Node], int], limit: int = 300) -> Node:

@@ -10,6 +10,9 @@ from nhc.algebra.polynomial import normalise_all
 
 _TERMS = 40
 """Terms of a canonical polynomial that may still be shorter than what it came from."""
+
+_SWOLLEN = 2000
+"""Terms before any of them cancel, beyond which none is tried either."""
 _LARGE = 1500
 """Operations beyond which no canonical form is tried: it would cost time and find nothing."""
 
@@ -19,5 +22,5 @@ def shorten(graph: Graph, nodes: Sequence[Node]) -> list[Node]:
     before = count(graph, nodes)
     if before == 0 or before > _LARGE:
         return list(nodes)
-    canonical = normalise_all(graph, nodes, _TERMS)
+    canonical = normalise_all(graph, nodes, _TERMS, _SWOLLEN)
     return canonical if count(graph, canonical) < before else list(nodes)

@@ -115,14 +115,22 @@ class Projector:
         """d pi_k / dt at fixed u: only where T's coefficients move."""
         return tangent(self.system.graph, self.kinetic.slope, self._seeds)
 
-    def row(self, e: Sequence[Node], known: Weights | None = None) -> Row:
-        """A(X) for the vector e: mass_nu w'_nu - force."""
+    def rows(self) -> list[Row]:
+        """Those of the motion's own vectors; what is symmetric is made once."""
+        made: list[Row] = []
+        for k, e in enumerate(self.motion.vectors):
+            row = self.row(e, first=k)
+            made.append(Row((*(above.mass[k] for above in made), *row.mass), row.force))
+        return made
+
+    def row(self, e: Sequence[Node], known: Weights | None = None, first: int = 0) -> Row:
+        """A(X) for the vector e: mass_nu w'_nu - force, with the columns of the mass from ``first`` on."""
         g, system = self.system.graph, self.system
         known = known or self._known.get(tuple(e))
         weights = known.forms if known else self.components(e)
         momenta = self._momenta(weights)
         mass, force_terms = [], []
-        for column in self.columns:
+        for column in self.columns[first:]:
             mass.append(self._gather(g.mul(p, x) for p, x in zip(momenta, column, strict=True)))
         for k, weight in enumerate(weights):
             force_terms.append(g.mul(weight, self.pi_drift[k]))

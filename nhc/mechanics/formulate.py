@@ -14,11 +14,11 @@ from nhc.mechanics.associate import Equations, Motion, Projector, Row
 from nhc.mechanics.choose import Formulation
 from nhc.mechanics.determined import check_determined
 from nhc.mechanics.frame import total_derivative
-from nhc.mechanics.kinetic import Kinetic, kinetic_structure
+from nhc.mechanics.kinetic import Kinetic, kinetic_structure, pivot_signs
 from nhc.mechanics.move import move
 from nhc.mechanics.moved import Moved
 from nhc.mechanics.multipliers import multiplier_symbols
-from nhc.mechanics.regularity import default_values, trial_points
+from nhc.mechanics.regularity import trial_points
 from nhc.mechanics.system import System
 
 _SMALL = 400
@@ -72,7 +72,7 @@ def equations_of(system: System, formulation: Formulation, kinetic: Kinetic | No
         motion=motion,
         mass=_symmetric(rows),
         force=tuple(row.force for row in rows),
-        definite=not bordered and (_is_positive(kinetic) or _is_definite(system, rows)),
+        definite=not bordered and (kinetic.is_positive() or _is_definite(system, rows)),
         multipliers=multiplier_symbols(system) if bordered else (),
         react=route.react,
         guards=route.guards,
@@ -100,7 +100,7 @@ def _route(system: System, formulation: Formulation, kinetic: Kinetic, moved: Mo
     if moved is not None:
         motion = replace(motion, velocities=moved.velocities)
     projector = Projector(system, kinetic, motion, moved)
-    rows = [projector.row(e) for e in motion.vectors]
+    rows = projector.rows()
 
     def react() -> tuple[Row, ...]:
         if frame is None:
@@ -127,21 +127,6 @@ def _polish(graph: Graph, rows: list[Row]) -> list[Row]:
     return [Row(tuple(own[k : k + size - 1]), own[k + size - 1]) for k in range(0, len(own), size)]
 
 
-def _is_positive(kinetic: Kinetic) -> bool:
-    """Whether T is a positive quadratic form of its velocity forms, with coefficients that do not move: its mass matrix is then
-    positive wherever the motion is regular.
-    """
-    system, g = kinetic.system, kinetic.system.graph
-    flat = [h for row in kinetic.hessian for h in row]
-    if any(g.depends(h, ~g.mask(system.p)) for h in flat):
-        return False
-    try:
-        values = dict(zip(flat, map(float, evaluate(g, flat, default_values(system))), strict=True))
-    except (ArithmeticError, ValueError):
-        return False
-    return all(sign > 0 for sign in _pivot_signs([[values[h] for h in row] for row in kinetic.hessian]))
-
-
 def _is_definite(system: System, rows: Sequence[Row]) -> bool:
     """Whether the mass matrix is positive at every trial point (points where it is singular tell nothing)."""
     flat = [rows[min(i, j)].mass[max(i, j)] for i in range(len(rows)) for j in range(len(rows))]
@@ -153,7 +138,7 @@ def _is_definite(system: System, rows: Sequence[Row]) -> bool:
             values = [float(x) for x in evaluate(system.graph, flat, point)]
         except (ArithmeticError, ValueError):
             continue
-        signs = _pivot_signs([values[i * size : (i + 1) * size] for i in range(size)])
+        signs = pivot_signs([values[i * size : (i + 1) * size] for i in range(size)])
         if -1 in signs:
             return False
         seen += 0 not in signs
@@ -162,22 +147,6 @@ def _is_definite(system: System, rows: Sequence[Row]) -> bool:
 
 def _symbols(graph: Graph, nodes: Sequence[Node]) -> list[Node]:
     return sorted({symbol for node in nodes for symbol in graph.symbols_in(node)})
-
-
-def _pivot_signs(matrix: list[list[float]]) -> list[int]:
-    """Signs of the pivots of a symmetric matrix without exchanges; ends at the first one that is zero to rounding."""
-    size = len(matrix)
-    scale = max((abs(x) for row in matrix for x in row), default=0.0)
-    signs: list[int] = []
-    for k in range(size):
-        pivot = matrix[k][k]
-        if abs(pivot) <= 1e-11 * scale:
-            return [*signs, 0]
-        signs.append(1 if pivot > 0 else -1)
-        for i in range(k + 1, size):
-            factor = matrix[i][k] / pivot
-            matrix[i] = [x - factor * y for x, y in zip(matrix[i], matrix[k], strict=True)]
-    return signs
 
 
 def accelerations(equations: Equations) -> tuple[Node, ...]:

@@ -14,12 +14,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 
 from nhc.algebra.calculus import gradient, reachable, substitute, tangent
+from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import ADD, MUL, NEG, POW, Graph, Node
 from nhc.algebra.linear import linear_form
 from nhc.algebra.modular import is_zero
 from nhc.mechanics import rotation
+from nhc.mechanics.regularity import default_values
 from nhc.mechanics.system import Form, System
 
 
@@ -54,9 +57,32 @@ class Kinetic:
     def is_exact(self, k: int) -> bool:
         """Whether the exterior derivative of form k vanishes identically: rates are known to be exact, others are tested."""
         if k not in self._exact:
-            g, atom = self.system.graph, self.atoms[k]
-            self._exact[k] = atom in g.rate_of or atom in self.system.v or _is_exact(self.system, self.form(k))
+            atom = self.atoms[k]
+            self._exact[k] = atom in self._rates or atom in self.system.v or _is_exact(self.system, self.form(k))
         return self._exact[k]
+
+    @cached_property
+    def _rates(self) -> set[Node]:
+        """Rates of the spec's positions, without factors that do not move."""
+        g, p = self.system.graph, self.system.graph.mask(self.system.p)
+        return {_without_constants(g, rate, p) for rate in g.rate_of} | set(g.rate_of)
+
+    def is_positive(self) -> bool:
+        """Whether T is positive as a quadratic form of its velocity forms: its mass matrix is then positive wherever the motion
+        is regular.  Sums of squares with constant positive factors are, and what has a constant positive matrix.
+        """
+        g, values = self.system.graph, default_values(self.system)
+        constants = g.mask(self.system.p)
+        if _is_sum_of_squares(g, self.tau, values, constants):
+            return True
+        flat = [h for row in self.hessian for h in row]
+        if any(g.depends(h, ~constants) for h in flat):
+            return False
+        try:
+            found = dict(zip(flat, map(float, evaluate(g, flat, values)), strict=True))
+        except (ArithmeticError, ValueError):
+            return False
+        return all(sign > 0 for sign in pivot_signs([[found[h] for h in row] for row in self.hessian]))
 
 
 def velocity_degrees(graph: Graph, root: Node, velocities: Sequence[Node]) -> dict[Node, int]:
@@ -109,6 +135,59 @@ def _without_factor(graph: Graph, node: Node, degree: dict[Node, int]) -> Node:
             break
         node = moving[0]
     return node
+
+
+def _without_constants(graph: Graph, node: Node, constants: int) -> Node:
+    """The node without its sign and factors that depend on the symbols of ``constants`` only."""
+    while True:
+        op, a, b = graph.op[node], graph.a[node], graph.b[node]
+        if op == NEG or (op == MUL and not graph.depends(b, ~constants)):
+            node = a
+        elif op == MUL and not graph.depends(a, ~constants):
+            node = b
+        else:
+            return node
+
+
+def _is_sum_of_squares(graph: Graph, root: Node, values: dict[Node, float], constants: int) -> bool:
+    stack = [root]
+    while stack:
+        node = stack.pop()
+        op, a, b = graph.op[node], graph.a[node], graph.b[node]
+        if op == ADD:
+            stack += [a, b]
+        elif op == MUL:
+            factor, rest = (b, a) if graph.depends(a, ~constants) else (a, b)
+            if graph.depends(factor, ~constants) or not _is_positive(graph, factor, values):
+                return False
+            stack.append(rest)
+        elif not (op == POW and b > 0 and b % 2 == 0) and not _is_positive(graph, node, values):
+            return False
+    return True
+
+
+def _is_positive(graph: Graph, node: Node, values: dict[Node, float]) -> bool:
+    """Whether a constant is positive where the parameters have their default values."""
+    try:
+        return float(evaluate(graph, [node], values)[0]) > 0
+    except (ArithmeticError, ValueError, KeyError):
+        return False
+
+
+def pivot_signs(matrix: list[list[float]]) -> list[int]:
+    """Signs of the pivots of a symmetric matrix without exchanges; ends at the first one that is zero to rounding."""
+    size = len(matrix)
+    scale = max((abs(x) for row in matrix for x in row), default=0.0)
+    signs: list[int] = []
+    for k in range(size):
+        pivot = matrix[k][k]
+        if abs(pivot) <= 1e-11 * scale:
+            return [*signs, 0]
+        signs.append(1 if pivot > 0 else -1)
+        for i in range(k + 1, size):
+            factor = matrix[i][k] / pivot
+            matrix[i] = [x - factor * y for x, y in zip(matrix[i], matrix[k], strict=True)]
+    return signs
 
 
 def kinetic_structure(system: System) -> Kinetic:
