@@ -1,0 +1,113 @@
+"""Stiff scenes: found along the run, handed to an implicit method, and back where that no longer pays."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import pytest
+
+from nhc.cli.entry import main
+from nhc.language import Source, read
+from nhc.simulate.opening import open_scene
+from nhc.simulate.run import Settings, Trajectory, run
+from nhc.simulate.stiffness import spectral_size
+from tests.support import COMPILER, spec_path
+
+needs_compiler = pytest.mark.skipif(COMPILER is None, reason="no C compiler")
+
+SYRUP = """nhc: 1
+system: syrup
+coordinates: [x, y]
+T: x'^2/2 + y'^2/2
+V: y^2/2
+forces: {x: "FORCE"}
+scenes: {pour: {initial: {y: 1}, time: [0, 10], need: [x, y]}}
+"""
+DRAG = "-5e5*(x' - cos(t))"
+THAW = "-1e5*exp(-8*t^2)*(x' - cos(t)) - sin(t) - 400*(x - sin(t))"
+
+
+@pytest.fixture(autouse=True, scope="module")
+def _cache(tmp_path_factory: pytest.TempPathFactory) -> object:
+    folder = tmp_path_factory.mktemp("cache")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("NHC_CACHE", str(folder))
+        yield folder
+
+
+def pour(force: str, method: str = "auto", tolerance: float = 1e-6, start: str = "y: 1") -> Trajectory:
+    source = Source("syrup.yaml", SYRUP.replace("FORCE", force).replace("y: 1", start))
+    return run(open_scene(source, method=method), Settings(method, tolerance, points=21))
+
+
+@needs_compiler
+def test_strong_drag_is_handed_over() -> None:
+    """C6: an explicit method is bound to steps of about 1.2e-5; the whole run takes steps a hundred times as long on average."""
+    found = pour(DRAG)
+    assert found.ended == "done" and found.method == "dop853, radau5"
+    (note,) = found.notes
+    assert "the scene is stiff" in note and "the run goes on with radau5" in note
+    assert found.outcome.steps < 10 / 1.2e-5 / 100
+    for t, row in zip(found.times, found.rows, strict=True):
+        # the transient of the start moves x by 1/5e5
+        assert row == pytest.approx([math.sin(t) - 2e-6 * (math.cos(t) - 1), math.cos(t)], abs=5e-6)
+
+
+@needs_compiler
+def test_a_method_that_is_asked_for_is_kept_and_warned_of() -> None:
+    found = pour("-2e4*(x' - cos(t))", "dop853")
+    (note,) = found.notes
+    assert found.method == "dop853" and "leave `--method` out, or take radau5" in note
+    assert pour("-2e4*(x' - cos(t))", "radau5").notes == ()
+    assert pour("-2*(x' - cos(t))", "dop853").notes == ()
+
+
+@needs_compiler
+def test_back_where_the_implicit_method_no_longer_pays() -> None:
+    """The drag is gone after a second; then a spring's motion is to be followed, which is not stiff."""
+    found = pour(THAW, tolerance=1e-9, start="y: 1, x': 1")
+    assert found.ended == "done" and len(found.notes) == 2, found.notes
+    assert (
+        "goes on with radau5" in found.notes[0]
+        and "radau5 no longer pays: the run goes on with dop853" in found.notes[1]
+    )
+    # x = sin t is a solution, and the start is on it
+    assert max(abs(row[0] - math.sin(t)) for t, row in zip(found.times, found.rows, strict=True)) < 1e-6
+
+
+@needs_compiler
+def test_an_oscillation_is_not_stiff() -> None:
+    """The fast spring of the disks swings: its motion has to be followed."""
+    for scene in ("reference", "stiff"):
+        found = run(open_scene(read(str(spec_path("disk_chain2"))), scene), Settings())
+        assert found.method == "dop853" and found.notes == ()
+
+
+def test_the_interpreted_run_does_the_same() -> None:
+    source = Source("syrup.yaml", SYRUP.replace("FORCE", "-3e3*(x' - cos(t))").replace("10]", "1]"))
+    found = run(open_scene(source), Settings(tolerance=1e-5, points=3, compiled=False))
+    assert found.method.endswith("radau5") and found.rows[-1][0] == pytest.approx(math.sin(1), abs=1e-3)
+
+
+def test_the_size_of_the_fastest_mode() -> None:
+    """Real, imaginary and defective ones."""
+    matrices = [
+        ([[-3.0, 1.0], [0.0, -200.0]], 200.0),
+        ([[0.0, 1.0], [-400.0, 0.0]], 20.0),
+        ([[0.0, 1.0], [0.0, 0.0]], 0.0),
+    ]
+    for matrix, size in matrices:
+        found = spectral_size(
+            lambda y, m=matrix: [sum(a * x for a, x in zip(r, y, strict=True)) for r in m], [1.0, 0.5]
+        )
+        assert found == pytest.approx(size, rel=0.05, abs=1e-6)
+
+
+@pytest.mark.parametrize("how", [(), ("--python",)])
+def test_the_command_says_so(how: tuple[str, ...], tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    spec = tmp_path / "syrup.yaml"
+    spec.write_text(SYRUP.replace("FORCE", "-3e3*(x' - cos(t))").replace("10]", "1]"))
+    code = main(["run", str(spec), "--tol", "1e-5", *how])
+    out, err = capsys.readouterr()
+    assert code == 0 and out.startswith("t,x,y\n") and "the scene is stiff" in err and "goes on with radau5" in err
