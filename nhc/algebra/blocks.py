@@ -12,7 +12,9 @@ from nhc.algebra.calculus import reachable
 from nhc.algebra.graph import ADD, MUL, NEG, POW, Graph, Node
 from nhc.algebra.modular import are_zero
 from nhc.algebra.polynomial import normalise
+from nhc.algebra.shorten import shorten
 
+_FEW_FACTORS = 8
 Weakness = Callable[[Sequence[Node], Sequence[Node]], list[int]]
 
 
@@ -118,15 +120,22 @@ def solve_block(
 
 def row_scale(graph: Graph, block: Sequence[Sequence[Node]]) -> Node:
     """Product over the rows of how large their entries can be: what a determinant is measured against."""
-    return graph.product([graph.sum([size_of(graph, entry) for entry in row]) for row in block])
+    sums = [graph.sum([size_of(graph, entry) for entry in row]) for row in block]
+    return graph.product(shorten(graph, sums))
 
 
 def size_of(graph: Graph, root: Node) -> Node:
-    """A bound on |root| that does not vanish with it: sines and cosines count 1, differences count as sums."""
+    """A bound on |root| that does not vanish with it: sines and cosines count 1, differences count as sums.
+
+    A component over the length of its vector, x/sqrt(x^2 + y^2), counts 1 as well.
+    """
     size: dict[Node, Node] = {}
     for node in reachable(graph, [root]):
         op, a, b = graph.op[node], graph.a[node], graph.b[node]
-        if op == ADD:
+        rest = _unit_component(graph, node) if op == MUL else None
+        if rest is not None:
+            size[node] = graph.product([size[x] for x in rest])
+        elif op == ADD:
             size[node] = graph.add(size[a], size[b])
         elif op == MUL:
             size[node] = graph.mul(size[a], size[b])
@@ -139,6 +148,50 @@ def size_of(graph: Graph, root: Node) -> Node:
         else:
             size[node] = graph.function("abs", node)
     return size[root]
+
+
+def _unit_component(graph: Graph, node: Node) -> list[Node] | None:
+    """The other factors of a product that holds x and 1/sqrt(x^2 + ...)."""
+    g = graph
+    factors, stack = [], [node]
+    while stack:
+        top = stack.pop()
+        if g.op[top] == MUL and len(factors) + len(stack) < _FEW_FACTORS:
+            stack += [g.b[top], g.a[top]]
+        else:
+            factors.append(top)
+    for length in factors:
+        if g.op[length] != POW or g.b[length] != -1 or g.op[g.a[length]] != "sqrt":
+            continue
+        squares, terms = set[Node](), [g.a[g.a[length]]]
+        while terms:
+            top = terms.pop()
+            if g.op[top] == ADD:
+                terms += [g.a[top], g.b[top]]
+            elif g.op[top] == POW and g.b[top] == 2:
+                squares.add(g.a[top])
+        for x in factors:
+            if x in squares:
+                left = list(factors)
+                left.remove(x)
+                left.remove(length)
+                return left
+        inner = _as_one_factor(g, factors, squares)
+        if inner is not None:
+            left = list(factors)
+            for x in (*inner, length):
+                left.remove(x)
+            return left
+    return None
+
+
+def _as_one_factor(graph: Graph, factors: Sequence[Node], squares: set[Node]) -> tuple[Node, Node] | None:
+    """Two factors whose product is one of the squared nodes."""
+    for k, x in enumerate(factors):
+        for y in factors[k + 1 :]:
+            if graph.mul(x, y) in squares:
+                return x, y
+    return None
 
 
 def determinant_of(graph: Graph, block: Sequence[Sequence[Node]]) -> Node:

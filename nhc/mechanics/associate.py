@@ -131,12 +131,12 @@ class Projector:
         momenta = self._momenta(weights)
         mass, force_terms = [], []
         for column in self.columns[first:]:
-            mass.append(self._gather(g.mul(p, x) for p, x in zip(momenta, column, strict=True)))
+            mass.append(self._gather(zip(momenta, column, strict=True)))
         for k, weight in enumerate(weights):
-            force_terms.append(g.mul(weight, self.pi_drift[k]))
+            force_terms.append((weight, self.pi_drift[k]))
             if not self.carried[k] and not self.kinetic.is_exact(k):
                 turn = exterior_derivative(system, self.kinetic.form(k), self.motion.velocities, g.one, e)
-                force_terms.append(g.mul(self.pi[k], turn))
+                force_terms.append((self.pi[k], turn))
         force_terms += self._turning_terms(known.spins if known else ())
         inertial = self._gather(force_terms)
         applied = virtual_work(system, *self._applied(), e)
@@ -164,12 +164,9 @@ class Projector:
         self.pi_drift = [g.sub(rate, load) for rate, load in zip(self.pi_drift, moved.loads, strict=True)]
         return left
 
-    def _turning_terms(self, spins: Sequence[Vector]) -> list[Node]:
+    def _turning_terms(self, spins: Sequence[Vector]) -> list[tuple[Node, Node]]:
         """pi_k domega_k(X, e) of the forms that are components of angular velocities; ``spins`` are these along e."""
-        g, found = self.system.graph, list[Node]()
-        for gyro, spin in zip(self._gyro, spins, strict=True):
-            found += [g.mul(x, y) for x, y in zip(gyro, spin, strict=True)]
-        return found
+        return [pair for gyro, spin in zip(self._gyro, spins, strict=True) for pair in zip(gyro, spin, strict=True)]
 
     def _momenta(self, weights: Sequence[Node]) -> list[Node]:
         """h_jk W_k(e): the slopes of T by its forms, moved along e."""
@@ -179,9 +176,9 @@ class Projector:
             for row in self.hessian
         ]
 
-    def _gather(self, terms: Iterable[Node]) -> Node:
+    def _gather(self, products: Iterable[Sequence[Node]]) -> Node:
         """The sum of products, with masses and speeds in front."""
-        return gather(self.system.graph, terms, self._constants, self._speeds)
+        return gather(self.system.graph, products, self._constants, self._speeds)
 
     def _applied(self) -> tuple[list[Node], list[Node]]:
         """Q and the torques of rotations, on the motion."""
