@@ -55,7 +55,13 @@ def find_event(look: Look, before: list[float], first: int) -> tuple[float, int,
         after = look(piece / PIECES)
         which = find_change(before, after)
         if which >= 0:
-            return _halve(look, before, (piece - 1) / PIECES, piece / PIECES, which)
+            left, last = (piece - 1) / PIECES, piece / PIECES
+            for i in range(first, len(after)):  # what only touches zero may do so on the way to that change
+                sign = copysign(1.0, before[i])
+                dip = _find_dip(look, i, sign, left, last) if sign * after[i] > 0.0 else -1.0
+                if dip >= 0.0:
+                    which, last = i, dip
+            return _halve(look, before, left, last, which)
         before = keep_signs(before, after)
         for i in range(first, len(after)):
             heights[i].append(abs(after[i]))
