@@ -58,7 +58,8 @@ class Lowering:
         self.waiting: set[Node] = set()
         self._done: set[Node] = set()
         self.swept = graph.mask([seed for sweep in plan.sweeps for seed in sweep.seeds])
-        self.stages = self._stages()
+        self._unknowns = [graph.mask([s for column in solve.symbols for s in column]) for solve in plan.solves]
+        self._refs: dict[str, Ref] = {}
 
     def _roots(self) -> list[Node]:
         plan = self.plan
@@ -74,13 +75,10 @@ class Lowering:
 
     # --- which nodes get a name -----------------------------------------------------------------------------
 
-    def _stages(self) -> dict[Node, int]:
+    def _stage(self, guard: GuardPlan) -> int:
         """0 before any solve, k + 1 for what uses the unknowns of solve k."""
-        masks = [self.graph.mask([s for column in solve.symbols for s in column]) for solve in self.plan.solves]
-        return {
-            node: max((k + 1 for k, mask in enumerate(masks) if self.graph.depends(node, mask)), default=0)
-            for node in self.needed
-        }
+        deps = self.graph.deps[guard.value] | self.graph.deps[guard.scale]
+        return max((k + 1 for k, mask in enumerate(self._unknowns) if deps & mask), default=0)
 
     def _constant(self, node: Node) -> bool:
         deps = self.graph.deps[node]
@@ -88,47 +86,55 @@ class Lowering:
 
     def _uses(self) -> dict[Node, int]:
         """How often each node is needed by others; a minus sign passes its uses on."""
-        g = self.graph
+        op, kids, exponent = self.graph.op, self.graph.kids, self.graph.b
         uses: dict[Node, int] = dict.fromkeys(self.needed, 0)
         for root in self._roots():
             uses[root] += 1
         for node in reversed(self.needed):
-            weight = uses[node] if g.op[node] == NEG else 1
-            for child in g.children(node):
+            kind = op[node]
+            weight = uses[node] if kind == NEG else 1
+            for child in kids[node]:
                 uses[child] += weight
-            if g.op[node] == POW and 2 <= abs(g.b[node]) <= _UNROLLED:
-                uses[g.a[node]] += 1
+            if kind == POW and 2 <= abs(exponent[node]) <= _UNROLLED:
+                uses[kids[node][0]] += 1
         return uses
 
     def choose_names(self) -> list[Node]:
         """The nodes that become lets, in increasing order."""
-        g, uses, size = self.graph, self._uses(), dict[Node, int]()
+        uses, size = self._uses(), dict[Node, int]()
+        op, kids = self.graph.op, self.graph.kids
         chosen: list[Node] = []
-        boundary = self._constant_boundary() | self._sweep_boundary()
+        boundary = self._constant_boundary() | (self._sweep_boundary() if self.swept else set())
         for node in self.needed:
-            children = g.children(node)
+            children = kids[node]
             if not children:
                 size[node] = 0
                 continue
-            size[node] = 1 + sum(size[c] for c in children)
-            if g.op[node] == NEG:
-                size[node] -= 1
+            kind = op[node]
+            if kind == NEG:
+                size[node] = size[children[0]]
                 continue
-            if uses[node] > 1 or node in boundary or size[node] > _LONG or g.op[node] in ("sin", "cos"):
+            total = 1
+            for child in children:
+                total += size[child]
+            if uses[node] > 1 or total > _LONG or kind in ("sin", "cos") or node in boundary:
                 chosen.append(node)
-                size[node] = 0
+                total = 0
+            size[node] = total
         return chosen
 
     def _constant_boundary(self) -> set[Node]:
         """Parameter-only nodes that other work uses: the largest ones."""
-        g, boundary = self.graph, set[Node]()
+        op, kids, deps, moving = self.graph.op, self.graph.kids, self.graph.deps, ~self.parameter_mask
+        boundary = set[Node]()
         for node in self.needed:
-            if self._constant(node):
+            if not deps[node] & moving and deps[node]:
                 continue
-            for child in g.children(node):
-                inner = g.a[child] if g.op[child] == NEG else child
-                if self._constant(inner) and g.children(inner):
-                    boundary.add(inner)
+            for child in kids[node]:
+                if deps[child] and not deps[child] & moving:
+                    inner = kids[child][0] if op[child] == NEG else child
+                    if kids[inner]:
+                        boundary.add(inner)
         return boundary
 
     def _sweep_boundary(self) -> set[Node]:
@@ -154,7 +160,7 @@ class Lowering:
                 self._prepare([n for row in (*solve.matrix, *solve.columns) for n in row])
                 self._solve(solve)
             for guard in self.plan.guards:
-                if max(self.stages[guard.value], self.stages[guard.scale]) == stage:
+                if self._stage(guard) == stage:
                     self._prepare([guard.value, guard.scale])
                     self._guard(guard)
         self._store(interleaved=len(self.waiting) > _MANY)
@@ -164,26 +170,25 @@ class Lowering:
 
     def _prepare(self, roots: Iterable[Node]) -> None:
         """Write the lets that the roots need and that are not written yet, each after those that it needs itself."""
+        kids, names, done = self.graph.kids, self.names, self._done
         for root in roots:
             stack = [root]
             while stack:
                 node = stack[-1]
-                missing = [c for c in self.graph.children(node) if c in self.waiting or self._leads_on(c)]
-                missing = [c for c in missing if c not in self._done]
-                if missing:
-                    stack.extend(reversed(missing))
+                ready = True
+                for child in reversed(kids[node]):
+                    if child not in done and kids[child] and child not in names:
+                        stack.append(child)
+                        ready = False
+                if not ready:
                     continue
                 stack.pop()
-                if node in self._done:
+                if node in done:
                     continue
-                self._done.add(node)
+                done.add(node)
                 if node in self.waiting:
                     self.waiting.discard(node)
                     self._let(node)
-
-    def _leads_on(self, node: Node) -> bool:
-        """Whether lets may stand below the node: it is no leaf and has no name yet."""
-        return bool(self.graph.children(node)) and node not in self.names
 
     def _load(self) -> None:
         self.body += [Evaluate(*call) for call in self.plan.calls]
@@ -283,8 +288,17 @@ class Lowering:
         """The node in terms of names; depth is bounded because long expressions were given names."""
         name = self.names.get(node)
         if name is not None:
-            return Ref(name)
+            known = self._refs.get(name)
+            if known is None:
+                known = self._refs[name] = Ref(name)
+            return known
         g, op = self.graph, self.graph.op[node]
+        if op == ADD:
+            return self._sum(g.a[node], g.b[node])
+        if op == MUL:
+            return self._product(g.a[node], g.b[node])
+        if op == NEG:
+            return self._negated(g.a[node])
         if op == NUM:
             value = g.value(node)
             assert value is not None
@@ -293,12 +307,6 @@ class Lowering:
             return Pi()
         if op == SYM:
             raise KeyError(f"`{g.symbols[g.a[node]].name}` is not an argument of `{self.plan.name}`")
-        if op == NEG:
-            return self._negated(g.a[node])
-        if op == ADD:
-            return self._sum(g.a[node], g.b[node])
-        if op == MUL:
-            return self._product(g.a[node], g.b[node])
         if op == POW:
             return self._power(g.a[node], g.b[node])
         assert op in UNARY or op in BINARY

@@ -76,14 +76,24 @@ def count_operations(body: Iterable[Statement]) -> tuple[int, int, int, int]:
             size, columns = len(statement.matrix), len(statement.columns)
             work = sum(k * (k - 1) + k * columns for k in range(1, size + 1)) + columns * size * (size - 1) // 2
             adds, multiplications, divisions = adds + work, multiplications + work, divisions + size * (1 + columns)
-        for expression in expressions(statement):
-            for part in walk(expression):
-                if isinstance(part, Binary):
-                    adds += part.op in "+-"
-                    multiplications += part.op == "*"
-                    divisions += part.op == "/"
-                elif isinstance(part, Power):
-                    multiplications += max(1, part.exponent.bit_length())
-                elif isinstance(part, Call):
-                    calls += 1
+        pending = list(expressions(statement))
+        while pending:
+            part = pending.pop()
+            if isinstance(part, Binary):
+                op = part.op
+                if op == "*":
+                    multiplications += 1
+                elif op == "/":
+                    divisions += 1
+                else:
+                    adds += 1
+                pending += (part.left, part.right)
+            elif isinstance(part, Negate):
+                pending.append(part.operand)
+            elif isinstance(part, Power):
+                multiplications += max(1, part.exponent.bit_length())
+                pending.append(part.base)
+            elif isinstance(part, Call):
+                calls += 1
+                pending += part.arguments
     return adds, multiplications, divisions, calls
