@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     help="Leave out terms as well, while what is needed errs by less than this on the scene (relative).",
 )
 @click.option("-o", "output", metavar="FILE", help="With --tol: write the smallest model as a spec.")
-@click.option("--chart", metavar="FILE", help="With --tol: write size against error as an .svg file.")
+@click.option("--chart", metavar="FILE", help="With --tol: draw size against error, .svg or .html.")
 @click.option("--force", is_flag=True, help="Overwrite files that exist.")
 @json_option
 def command(

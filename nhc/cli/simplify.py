@@ -29,8 +29,8 @@ def check_options(tolerance: float | None, output: str | None, chart: str | None
         raise click.UsageError("`--json` prints to stdout; name a file after `-o`")
     if chart is not None and output == chart:
         raise click.UsageError("`-o` and `--chart` name the same file")
-    if chart is not None and not chart.endswith(".svg"):
-        raise click.UsageError("name an .svg file after `--chart`")
+    if chart is not None and not chart.endswith((".svg", ".html")):
+        raise click.UsageError("name an .svg or .html file after `--chart`")
 
 
 def approximate(
@@ -46,7 +46,8 @@ def approximate(
     """Measure, print the ladder (to stderr where the spec goes to stdout), and write what is asked for."""
     from nhc import pipeline
     from nhc.cli.write import refuse_to_overwrite, write_files
-    from nhc.report.ladder import draw_ladder, ladder_data, print_ladder, reduced_spec
+    from nhc.report.ladder import ladder_data, print_ladder, reduced_spec
+    from nhc.report.ladder_picture import draw_ladder, make_ladder_page
     from nhc.simulate.opening import RunError
     from nhc.study.simplify.measure import NotMeasured
 
@@ -60,7 +61,7 @@ def approximate(
         _clear()
     texts = {Path(output): reduced_spec(ladder)} if output is not None and output != "-" else {}
     if chart is not None:
-        texts[Path(chart)] = draw_ladder(ladder)
+        texts[Path(chart)] = (draw_ladder if chart.endswith(".svg") else make_ladder_page)(ladder)
     if not force:
         refuse_to_overwrite(texts, edited_only=False)
     for note in ladder.notes:

@@ -1,13 +1,12 @@
-"""A ladder of approximate models as text, as data, as a chart, and the smallest of them as a spec."""
+"""A ladder of approximate models as text, as data, and the smallest of them as a spec."""
 
 from __future__ import annotations
 
 from typing import Any
 
-from nhc.report.svg import Axis, Chart, Series, draw
-from nhc.study.simplify.ladder import Ladder, Size
+from nhc.study.chart.advice import duration
+from nhc.study.simplify.ladder import Ladder
 
-_LEAST = 1e-16  # errors that are zero stand here on the logarithmic axis
 _SHOWN = 6  # needed quantities with a column of their own in the table
 
 
@@ -15,10 +14,11 @@ def print_ladder(ladder: Ladder) -> str:
     """The ladder as a table, then what stays and why."""
     lines = [
         f"{ladder.system}, scene {ladder.scene}: needs {', '.join(ladder.needs)}, within {ladder.tolerance:g}",
-        f"measured {_how(ladder)}",
+        f"measured {print_how(ladder)}",
         "errors: the largest on the output grid, relative to each quantity's largest magnitude there; "
         "those of the full model are the reference's own",
         *_table(ladder),
+        _confirmation(ladder),
     ]
     if len(ladder.rungs) == 1:
         lines.append("nothing can be left out within the tolerance")
@@ -32,12 +32,10 @@ def print_ladder(ladder: Ladder) -> str:
 
 def _table(ladder: Ladder) -> list[str]:
     single = 1 < len(ladder.needs) <= _SHOWN
-    head = ["", "equations", "operations", "calls", "error", *(ladder.needs if single else ()), "left out"]
+    head = ["", "equations", "operations", "rhs", "run", "error", *(ladder.needs if single else ()), "left out"]
     rows = [head]
-    for k, rung in enumerate(ladder.rungs):
-        errors = (rung.error, *(rung.errors if single else ()))
-        shown = [f"{error:.1e}" for error in errors]
-        rows.append([str(k), *map(str, _numbers(rung.size)), *shown, rung.dropped or "nothing: the full model"])
+    for row, rung in zip(list_rungs(ladder), ladder.rungs, strict=True):
+        rows.append([*row[:-1], *(f"{error:.1e}" for error in (rung.errors if single else ())), row[-1]])
     widths = [max(len(row[i]) for row in rows) for i in range(len(head))]
     found = []
     for row in rows:
@@ -46,16 +44,34 @@ def _table(ladder: Ladder) -> list[str]:
     return found
 
 
-def _numbers(size: Size) -> tuple[int, int, int]:
-    return size.states, size.operations, size.calls
+def _confirmation(ladder: Ladder) -> str:
+    return f"the last one again, by {ladder.confirmed}: error {max(ladder.again):.1e}"
 
 
-def _how(ladder: Ladder) -> str:
+def list_rungs(ladder: Ladder) -> list[list[str]]:
+    """A row for each model: its number, equations, operations, time of a right-hand side and of a run, error, what is left out."""
+    return [
+        [
+            str(k),
+            str(rung.size.states),
+            str(rung.size.operations),
+            duration(rung.price.rhs),
+            duration(rung.price.run),
+            f"{rung.error:.1e}",
+            rung.dropped or "nothing: the full model",
+        ]
+        for k, rung in enumerate(ladder.rungs)
+    ]
+
+
+def print_how(ladder: Ladder) -> str:
+    """Method, tolerance, points, and how much was tried."""
     start, end = ladder.time
     code = "emitted C" if ladder.compiled else "emitted Python"
+    back = f", {ladder.turned_back} times something put back for others" if ladder.turned_back else ""
     return (
         f"with {ladder.method} ({code}) at tolerance {ladder.run_tolerance:g} on {ladder.points} points of "
-        f"t = {start:g} to {end:g}, {ladder.runs} smaller models tried"
+        f"t = {start:g} to {end:g}, {ladder.runs} smaller models tried{back}"
     )
 
 
@@ -77,7 +93,8 @@ def reduced_spec(ladder: Ladder) -> str:
         f"Size: {last.size.states} equations, {last.size.operations} operations; "
         f"the full model has {full.states} and {full.operations}."
     )
-    lines.append(f"Measured {_how(ladder)}.")
+    lines.append(f"Measured {print_how(ladder)};")
+    lines.append(f"measured again by {ladder.confirmed}: error {max(ladder.again):.1e}.")
     lines.append(f"It holds for the scene {ladder.scene} only, from its start and with its parameters:")
     lines += [f"  {name} = {value!r}" for name, value in ladder.parameters]
     lines.append("and was measured in these ranges, outside of which nothing is known of its errors:")
@@ -111,28 +128,16 @@ def ladder_data(ladder: Ladder) -> dict[str, Any]:
                 "states": rung.size.states,
                 "operations": rung.size.operations,
                 "calls": rung.size.calls,
+                "rhs_seconds": rung.price.rhs,
+                "run_seconds": rung.price.run,
             }
             for rung in ladder.rungs
         ],
         "kept": [{"what": kept.about, "reason": kept.reason} for kept in ladder.kept],
+        "confirmed": {"by": ladder.confirmed, "errors": dict(zip(ladder.needs, ladder.again, strict=True))},
+        "machine": ladder.machine,
+        "turned_back": ladder.turned_back,
         "runs": ladder.runs,
         "bounded": ladder.bounded,
         "spec": reduced_spec(ladder),
     }
-
-
-def draw_ladder(ladder: Ladder) -> str:
-    """Size against error as an SVG document; the full model stands at the reference's own error."""
-    sizes = [float(rung.size.operations) for rung in ladder.rungs]
-    errors = [max(rung.error, _LEAST) for rung in ladder.rungs]
-    series = [
-        Series("models, from the full one to the smallest", sizes, errors, markers=True),
-        Series("tolerance", [min(sizes), max(sizes)], [ladder.tolerance, ladder.tolerance]),
-    ]
-    chart = Chart(
-        f"{ladder.system}, scene {ladder.scene}: size against error",
-        Axis("operations of the right-hand side"),
-        Axis("largest error of what is needed, relative", log=True),
-        tuple(series),
-    )
-    return draw(chart)

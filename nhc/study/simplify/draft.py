@@ -1,135 +1,180 @@
-"""A spec of which parts can be left out: its expressions as trees, its candidates, and the text of what is left."""
+"""A spec of which parts can be left out: its expressions as trees, its candidates, and what becomes of the trees without them."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from nhc.diagnostics import Bag, Source, Span
+from nhc.diagnostics import Bag, Source
 from nhc.language import Spec, decode
 from nhc.language.extend import merge_bases
-from nhc.language.names import fold
-from nhc.language.nodes import Items, Node, Table, Text
-from nhc.language.parser import parse_expression
+from nhc.language.nodes import Table
 from nhc.language.scope import names_in
 from nhc.language.spec import Scene
-from nhc.language.syntax import Name, Syntax, same
+from nhc.language.syntax import Binary, Name, Negate, Syntax, same
 from nhc.language.unparse import unparse
 from nhc.language.yaml_reader import read_nodes
-from nhc.study.simplify.yaml_writer import write_nodes
-from nhc.study.simplify.zero import is_zero, list_terms, vanish
+from nhc.mechanics.scenes import Start
+from nhc.study.simplify.candidate import Candidate, expand, group, hold
+from nhc.study.simplify.zero import ZERO, is_infinite, is_zero, list_terms, replace_parts
 
-Place = tuple[str, str]  # a top-level key and a name below it, or nothing
-_SINGLE, _NAMED = ("T", "U", "V"), ("define", "forces")
+Place = tuple[str, str]  # a top-level key, and a name below it, an index with its side, or nothing
+FOLLOWING = ("quasi_velocities", "outputs")
+"""Keys whose expressions are questions: they lose no terms, only coordinates that are no longer there."""
 
 
-@dataclass(frozen=True, eq=False)
-class Candidate:
-    """A term (``node``) or a parameter (``name``) that may be set to 0; ``about`` says what it is."""
+@dataclass(frozen=True)
+class Changed:
+    """The trees of a smaller model; ``copies`` are definitions that the model has otherwise than the outputs: (name, its copy)."""
 
-    about: str
-    node: Syntax | None = None
-    name: str = ""
+    trees: Mapping[Place, Syntax]
+    copies: Mapping[str, str]
+    copied: Mapping[str, Syntax]
+    gone: tuple[Candidate, ...]
 
-    def takes(self, node: Syntax) -> bool:
-        return node is self.node or (isinstance(node, Name) and bool(self.name) and node.name == self.name)
+    @property
+    def coordinates(self) -> dict[str, Candidate]:
+        """The coordinates that are no longer there."""
+        return {c.name: c for c in self.gone if c.takes_coordinate}
 
 
 @dataclass(frozen=True)
 class Draft:
-    """``trees`` are the expressions that may lose terms; ``fixed`` the names that all else uses, ``locked`` those with all that
-    their definitions use.
-    """
+    """``trees`` are all expressions of the spec; ``shown`` the names of definitions that questions, drawings and starts use."""
 
     spec: Spec
     scene: Scene
     root: Table
     trees: Mapping[Place, Syntax]
-    fixed: frozenset[str]
-    locked: frozenset[str]
+    shown: frozenset[str]
 
-    def candidates(self) -> list[Candidate]:
-        """Terms of T, U or V, the forces and of unlocked definitions, then unlocked parameters, as the spec has them."""
+    def candidates(self, start: Start) -> list[Candidate]:
+        """Terms of T, of U or V, of forces, constraints and definitions; then parameters; then coordinates that a limit fixes."""
         found = []
-        for (key, name), tree in self.trees.items():
-            if key == "define" and name in self.locked:
-                continue
-            where = f"`{key}.{name}`" if name else f"`{key}`"
-            for node, minus in list_terms(tree, key in ("U", "V", "forces")):
-                found.append(Candidate(f"term `{'-' if minus else ''}{unparse(node)}` of {where}", node))
-        used = {name for tree in self.trees.values() for name in names_in(tree)}
+        physics = {place: tree for place, tree in self.trees.items() if place[0] not in FOLLOWING}
+        for place, tree in physics.items():
+            for node, minus in self._terms(place, tree):
+                found.append(
+                    Candidate(f"term `{'-' if minus else ''}{unparse(node)}` of {self._where(place)}", node=node)
+                )
+        used = {name for tree in physics.values() for name in names_in(tree)}
         for parameter in self.spec.parameters:
-            if parameter.name in used and parameter.name not in self.locked:
-                found.append(Candidate(f"parameter `{parameter.name}`, set to 0", name=parameter.name))
+            if parameter.name not in used:
+                continue
+            found.append(Candidate(f"parameter `{parameter.name}`, set to 0", "zero", name=parameter.name))
+            large = Candidate(f"parameter `{parameter.name}`, made infinite", "infinite", name=parameter.name)
+            if not any(is_infinite(tree) for tree in self.change([large]).trees.values()):
+                found.append(large)
+        limits = self._limits(start)
+        return number_twins([*found, *limits, *group(limits)])
+
+    def _where(self, place: Place) -> str:
+        key, name = place
+        if key in ("constraints", "holonomic"):
+            equations = self.spec.constraints if key == "constraints" else self.spec.holonomic
+            name = equations[int(name.split()[0])].name
+        return f"`{key}.{name}`" if name else f"`{key}`"
+
+    def _terms(self, place: Place, tree: Syntax) -> list[tuple[Syntax, bool]]:
+        terms = list(list_terms(tree, place[0] in ("U", "V", "forces", "constraints", "holonomic")))
+        if place[0] in ("constraints", "holonomic"):
+            other = self.trees[place[0], _other_side(place[1])]
+            if is_zero(other) and len(list(_sum(tree))) < 2:  # without it nothing would be constrained
+                terms = [(node, minus) for node, minus in terms if node is not next(_sum(tree))]
+        return terms
+
+    def _limits(self, start: Start) -> list[Candidate]:
+        spec = self.spec
+        turned = {name for rotation in spec.rotations for name in rotation.coordinates}
+        kept = {need.name.removesuffix("'") for need in self.scene.need if need.kind in ("coordinate", "velocity")}
+        taken = {*(c.name for c in spec.coordinates), *(p.name for p in spec.parameters)}
+        taken |= {d.name for d in (*spec.definitions, *spec.quasi_velocities, *spec.outputs)}
+        found = []
+        for coordinate, q, v in zip(spec.coordinates, start.q, start.v, strict=True):
+            if coordinate.name not in kept | turned and len(spec.coordinates) > 1:
+                found += hold(coordinate.name, taken, q, v)
         return found
 
-    def without(self, gone: Iterable[Candidate], about: str = "") -> str:
-        """The text of the spec without some candidates, with the draft's scene alone; ``about`` is added to what it is."""
-        taken = tuple(gone)
-        new = {
-            place: vanish(tree, lambda node: any(c.takes(node) for c in taken)) for place, tree in self.trees.items()
-        }
-        used_before, used = self._used(self.trees), self._used(new)
-        idle = {name for name in used_before if name not in used}
-        return write_nodes(replace(self.root, entries=tuple(self._entries(new, idle, about))))
+    def change(self, gone: Iterable[Candidate]) -> Changed:
+        """All expressions without some candidates."""
+        taken = expand(gone)
+        limits = tuple(c for c in taken if c.takes_coordinate)
+        model, question = self._rewrite(taken), self._rewrite(limits) if limits else dict(self.trees)
+        definitions = {name: tree for (key, name), tree in question.items() if key == "define"}
+        shown = reach(
+            set(self.shown) | {n for (key, _), tree in question.items() if key in FOLLOWING for n in names_in(tree)},
+            definitions,
+        )
+        copies: dict[str, str] = {}
+        names = {name for _, name in self.trees} | {p.name for p in self.spec.parameters}
+        while True:  # a definition that uses one that has a copy has one itself
+            new = [
+                name
+                for name in definitions
+                if name in shown
+                and name not in copies
+                and (
+                    not same(model["define", name], definitions[name])
+                    or any(n in copies for n in names_in(model["define", name]))
+                )
+            ]
+            if not new:
+                break
+            copies.update((name, _fresh(f"{name}_model", names)) for name in new)
+        trees, copied = {}, {}
+        for place, tree in model.items():
+            renamed = rename(tree, copies)
+            if place[0] in FOLLOWING:
+                trees[place] = question[place]
+            elif place[0] == "define" and place[1] in copies:
+                trees[place], copied[place[1]] = question[place], renamed
+            else:
+                trees[place] = renamed
+        return Changed(trees, copies, copied, taken)
 
-    def _used(self, trees: Mapping[Place, Syntax]) -> set[str]:
-        definitions = {name: tree for (key, name), tree in trees.items() if key == "define"}
-        start = {name for (key, _), tree in trees.items() if key != "define" for name in names_in(tree)}
-        return _reach(start | self.fixed, definitions)
+    def _rewrite(self, taken: Sequence[Candidate]) -> dict[Place, Syntax]:
+        """Every tree with the candidates put in; definitions that come to stand still or vanish do so in what uses them, too."""
+        still = {*(p.name for p in self.spec.parameters), "pi", *(n for c in taken for n in (c.start, c.rate) if n)}
+        none: set[str] = set()
 
-    def _entries(self, new: Mapping[Place, Syntax], idle: set[str], about: str) -> Iterator[tuple[Text, Node]]:
-        for key, node in self.root.entries:
-            name = key.value
-            if name in _SINGLE and isinstance(node, Text):
-                yield key, self._text(node, (name, ""), new)
-            elif name in (*_NAMED, "parameters") and isinstance(node, Table | Items):
-                made = self._section(name, node, new, idle)
-                if made is not None:
-                    yield key, made
-            elif name == "scenes" and isinstance(node, Table):
-                yield key, self._scenes(node, idle)
-            elif name == "about" and isinstance(node, Text) and about:
-                yield key, replace(node, value=f"{' '.join(node.value.split())} {about}", plain=False)
-            elif name != "extends":
-                yield key, node
-            if name == "system" and about and self.root.get("about") is None:
-                yield _plain("about"), replace(_plain(about), plain=False)
+        def swap(node: Syntax) -> Syntax | None:
+            if isinstance(node, Name) and node.name in none:
+                return ZERO
+            return next((new for c in taken if (new := c.swap(node)) is not None), None)
 
-    def _section(self, key: str, node: Table | Items, new: Mapping[Place, Syntax], idle: set[str]) -> Node | None:
-        """A section without what nothing uses any more; None where nothing stays of it."""
-        if isinstance(node, Items):
-            items = tuple(item for item in node.items if not (isinstance(item, Text) and fold(item.value) in idle))
-            return replace(node, items=items) if items else None
-        entries = []
-        for text, value in node.entries:
-            place = (key, fold(text.value))
-            gone = key != "forces" and fold(text.value) in idle
-            if place in new and not gone and isinstance(value, Text):
-                gone = key == "forces" and is_zero(new[place])
-                value = self._text(value, place, new)
-            if not gone:
-                entries.append((text, value))
-        return replace(node, entries=tuple(entries)) if entries else None
+        made: dict[Place, Syntax] = {}
+        moving = {c.name for c in self.spec.coordinates} - {c.name for c in taken if c.kind == "held"} | {"t"}
+        for place, tree in self._in_order():
+            made[place] = replace_parts(tree, swap, still)
+            if place[0] in ("define", "quasi_velocities"):
+                if is_zero(made[place]) and not is_zero(tree):
+                    none.add(place[1])
+                elif not any(n in moving or n not in still for n in names_in(made[place])):
+                    still.add(place[1])
+        return {place: made[place] for place in self.trees}
 
-    def _text(self, text: Text, place: Place, new: Mapping[Place, Syntax]) -> Text:
-        unchanged = new[place] is self.trees[place] or same(new[place], self.trees[place])
-        return text if unchanged else _plain(unparse(new[place]))
+    def _in_order(self) -> Iterator[tuple[Place, Syntax]]:
+        """Definitions and quasi-velocities before what uses them; those that nhc makes of a rotation first of all."""
+        made = [name for key, name in self.trees if key in ("define", "quasi_velocities")]
+        for name in dict.fromkeys([*(n for n in made if n not in self.spec.named_order), *self.spec.named_order]):
+            for key in ("define", "quasi_velocities"):
+                if (key, name) in self.trees:
+                    yield (key, name), self.trees[key, name]
+        for place, tree in self.trees.items():
+            if place[0] not in ("define", "quasi_velocities"):
+                yield place, tree
 
-    def _scenes(self, table: Table, idle: set[str]) -> Table:
-        entries = []
-        for text, node in table.entries:
-            if fold(text.value) != self.scene.name or not isinstance(node, Table):
-                continue
-            kept = []
-            for key, value in node.entries:
-                if key.value == "parameters" and isinstance(value, Table):
-                    value = replace(value, entries=tuple(e for e in value.entries if fold(e[0].value) not in idle))
-                    if not value.entries:
-                        continue
-                kept.append((key, value))
-            entries.append((text, replace(node, entries=tuple(kept))))
-        return replace(table, entries=tuple(entries))
+
+def number_twins(candidates: Sequence[Candidate]) -> list[Candidate]:
+    """The candidates, those with the same words told apart by their number."""
+    seen: dict[str, int] = {}
+    found = []
+    for candidate in candidates:
+        number = seen[candidate.about] = seen.get(candidate.about, 0) + 1
+        found.append(
+            candidate if number == 1 else replace(candidate, about=f"{candidate.about} (number {number} there)")
+        )
+    return found
 
 
 def draft_of(source: Source, scene: Scene) -> Draft:
@@ -143,44 +188,57 @@ def draft_of(source: Source, scene: Scene) -> Draft:
     read = read_nodes(source, bag)
     bag.raise_if_errors()
     assert isinstance(read, Table)
-    root = merge_bases(source, read)
-    trees: dict[Place, Syntax] = {}
-    for key, node in root.entries:
-        if key.value in _SINGLE and isinstance(node, Text):
-            trees[key.value, ""] = _parse(node, bag)
-        elif key.value in _NAMED and isinstance(node, Table):
-            for text, value in node.entries:
-                if isinstance(value, Text):
-                    trees[key.value, fold(text.value)] = _parse(value, bag)
-    fixed = frozenset(name for tree in _fixed_trees(spec, scene) for name in names_in(tree))
-    locked = _reach(set(fixed), {d.name: d.value for d in spec.definitions})
-    return Draft(spec, scene, root, trees, fixed, frozenset(locked))
+    trees: dict[Place, Syntax] = {("T", ""): spec.kinetic}
+    if spec.potential is not None:
+        trees[spec.potential_kind, ""] = spec.potential
+    trees.update((("define", d.name), d.value) for d in spec.definitions)
+    trees.update((("forces", d.name), d.value) for d in spec.forces)
+    for k, constraint in enumerate(spec.constraints):
+        trees["constraints", f"{k} left"], trees["constraints", f"{k} right"] = constraint.left, constraint.right
+    for k, holonomic in enumerate(spec.holonomic):
+        trees["holonomic", f"{k} left"], trees["holonomic", f"{k} right"] = holonomic.left, holonomic.right
+    trees.update((("quasi_velocities", d.name), d.value) for d in spec.quasi_velocities)
+    trees.update((("outputs", d.name), d.value) for d in spec.outputs)
+    shown = {name for figure in spec.draw for tree in figure.expressions for name in names_in(tree)}
+    shown |= {name for entry in scene.initial for name in names_in(entry.value)}
+    return Draft(spec, scene, merge_bases(source, read), trees, frozenset(shown))
 
 
-def _parse(text: Text, bag: Bag) -> Syntax:
-    tree = parse_expression(text.value, text.locate, bag)
-    bag.raise_if_errors()
-    assert tree is not None
-    return tree
+def _other_side(side: str) -> str:
+    index, name = side.split()
+    return f"{index} {'right' if name == 'left' else 'left'}"
 
 
-def _plain(value: str) -> Text:
-    return Text(value, Span(0, 0), True)
+def _fresh(name: str, taken: set[str]) -> str:
+    while name in taken:
+        name += "_"
+    taken.add(name)
+    return name
 
 
-def _fixed_trees(spec: Spec, scene: Scene) -> Iterator[Syntax]:
-    """What stays as it is: constraints, quasi-velocities, outputs, drawings and the start."""
-    for constraint in spec.constraints:
-        yield from (constraint.left, constraint.right)
-    for holonomic in spec.holonomic:
-        yield from (holonomic.left, holonomic.right)
-    yield from (definition.value for definition in (*spec.quasi_velocities, *spec.outputs))
-    for figure in spec.draw:
-        yield from figure.expressions
-    yield from (initial.value for initial in scene.initial)
+def _sum(tree: Syntax) -> Iterator[Syntax]:
+    """The terms of a sum at the top of a tree."""
+    stack = [tree]
+    while stack:
+        node = stack.pop()
+        if isinstance(node, Binary) and node.op in "+-":
+            stack += [node.right, node.left]
+        elif isinstance(node, Negate):
+            stack.append(node.operand)
+        else:
+            yield node
 
 
-def _reach(start: set[str], definitions: Mapping[str, Syntax]) -> set[str]:
+def rename(tree: Syntax, names: Mapping[str, str]) -> Syntax:
+    """The tree with other names."""
+    if not names:
+        return tree
+    return replace_parts(
+        tree, lambda n: Name(names[n.name], n.span) if isinstance(n, Name) and n.name in names else None
+    )
+
+
+def reach(start: set[str], definitions: Mapping[str, Syntax]) -> set[str]:
     """The names and all that their definitions use."""
     found, stack = set(start), sorted(start)
     while stack:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from nhc.program.scene_model import ENTRY
+
 
 @dataclass(frozen=True, slots=True)
 class Size:
@@ -13,14 +15,28 @@ class Size:
     operations: int
     calls: int
 
+    @property
+    def work(self) -> int:
+        """What is made smaller: operations, with what an entry of the state costs in a run."""
+        return self.operations + ENTRY * self.states
+
+
+@dataclass(frozen=True, slots=True)
+class Price:
+    """Measured seconds, the least of several: of one right-hand side, and of a run that keeps its end only."""
+
+    rhs: float
+    run: float
+
 
 @dataclass(frozen=True, slots=True)
 class Rung:
-    """One model: what it leaves out beyond the one before it, its errors (as the ladder's ``needs``), its size."""
+    """One model: what it leaves out beyond the one before it, its errors (as the ladder's ``needs``), its size and price."""
 
     dropped: str
     errors: tuple[float, ...]
     size: Size
+    price: Price
 
     @property
     def error(self) -> float:
@@ -39,9 +55,10 @@ class Kept:
 class Ladder:
     """``rungs`` from the full model, whose errors are the reference's own, to the smallest within ``tolerance``.
 
+    ``confirmed``: how the reference and the smallest model were measured once more, ``again`` the errors of the smallest then;
     ``ranges``: (name, least, largest, unit) of each coordinate and velocity of the full model on the scene; ``runs``:
-    models that were measured; ``bounded``: their number reached ``most``, so more might be left out; ``spec``: the text
-    of the smallest model, without a header.
+    models that were measured, ``turned_back``: things that were left out, and put back for others; ``bounded``: the number of runs
+    reached ``most``, so more might be left out; ``spec``: the text of the smallest model, without a header.
     """
 
     system: str
@@ -52,14 +69,18 @@ class Ladder:
     compiled: bool
     tolerance: float
     run_tolerance: float
+    confirmed: str
+    again: tuple[float, ...]
     parameters: tuple[tuple[str, float], ...]
     needs: tuple[str, ...]
     ranges: tuple[tuple[str, float, float, str], ...]
     rungs: tuple[Rung, ...]
     kept: tuple[Kept, ...]
     runs: int
+    turned_back: int
     most: int
     bounded: bool
+    machine: str
     spec: str
     notes: tuple[str, ...]
 

@@ -1,23 +1,32 @@
-"""The distance of a model from the full one, on a scene, by runs of emitted code."""
+"""The distance of a model from the full one, on a scene, by runs of emitted code; and what the model costs."""
 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from nhc.diagnostics import Source, SpecError
 from nhc.language import Spec
 from nhc.program.scene_model import count_operations_of
+from nhc.simulate.auto import choose_method
+from nhc.simulate.interpreted import InterpretedModel
 from nhc.simulate.opening import RunError, open_scene
 from nhc.simulate.prepare import Job
 from nhc.simulate.run import Settings, Trajectory, run
-from nhc.study.chart.measure import Rows, sizes_of
-from nhc.study.simplify.ladder import Size
+from nhc.simulate.task import Task
+from nhc.study.chart.measure import Rows, sizes_of, time_repeats
+from nhc.study.chart.model import ChartModel, compile_chart
+from nhc.study.simplify.ladder import Price, Size
 
 TIGHTER = 0.01
 """Of the wanted tolerance: the accuracy of every run; and of that, the accuracy of the reference."""
 RESOLVED = 0.1
 """Of the wanted tolerance: the most that the reference may be wrong."""
+SECOND = {"dop853": "dopri5", "dopri5": "dop853"}
+"""The method that measures again; radau5, whose rows are interpolated by cubics, measures again at a tighter tolerance."""
+PATIENCE = 0.4  # seconds of an interpreted run, below which the C compiler would take longer
+LARGE = 1500  # operations, beyond which the Jacobian takes too long for the sake of choosing a method
+_BUDGET, _MOST = 0.02, 1_000_000
 
 
 class NotMeasured(Exception):
@@ -34,11 +43,17 @@ class Refused(Exception):
 
 @dataclass(frozen=True)
 class Meter:
-    """The reference, to hold models against; ``own`` are its own errors, ``sizes`` the quantities' largest magnitudes."""
+    """The reference, to hold models against; ``own`` are its own errors, ``sizes`` the quantities' largest magnitudes.
+
+    ``quick``: trials run the emitted Python, since the motion is short; the emitted C makes the same numbers to rounding.
+    """
 
     scene: str
     formulation: str
     tolerance: float
+    method: str
+    second: Settings
+    quick: bool
     job: Job
     compiled: bool
     needs: tuple[str, ...]
@@ -48,19 +63,18 @@ class Meter:
     size: Size
     notes: tuple[str, ...]
 
-    def measure(self, text: str) -> tuple[tuple[float, ...], Size]:
-        """The errors of the needed quantities and the size of the model that a spec's text describes.
+    def measure(self, text: str, again: bool = False) -> tuple[tuple[float, ...], Size]:
+        """The errors of the needed quantities and the size of the model that a spec's text describes; ``again``: by the second way.
 
         Raises:
             Refused: there is no such model, or its run does not come to the end.
         """
+        job = self.open(text)
+        settings = self.second if again else replace(self.settings, compiled=not self.quick)
         try:
-            job = open_scene(Source(f"{self.job.system.name}.yaml", text), self.scene, self.formulation)
-        except SpecError as error:
-            raise Refused(f"no model without it: {error.diagnostics[0].message}") from error
-        except (RunError, ArithmeticError) as error:
-            raise Refused(f"no model without it: {error}") from error
-        found = run(job, self.settings)
+            found = run(job, settings)
+        except ArithmeticError as error:
+            raise Refused(f"the run without it fails: {error}") from error
         if found.headings != self.needs:
             raise Refused("the model without it delivers other quantities")
         if found.ended != "done":
@@ -70,36 +84,94 @@ class Meter:
             raise Refused("the run without it gives no numbers")
         return errors, size_of(found)
 
+    def open(self, text: str) -> Job:
+        """The model of a spec's text.
+
+        Raises:
+            Refused: there is none.
+        """
+        try:
+            return open_scene(
+                Source(f"{self.job.system.name}.yaml", text), self.scene, self.formulation, method=self.method
+            )
+        except SpecError as error:
+            raise Refused(f"no model without it: {error.diagnostics[0].message}") from error
+        except (RunError, ArithmeticError) as error:
+            raise Refused(f"no model without it: {error}") from error
+
+    def price(self, text: str) -> Price:
+        """What the model of a text costs in emitted C, or Python where there is no compiler."""
+        job = self.open(text)
+        task = Task(job.p, job.y, job.time, self.settings.tolerance * TIGHTER, 0.0, 0.0, _MOST)
+        if not self.compiled:
+            slow = InterpretedModel(job.program, job.events, job.holds)
+            rhs = time_repeats(lambda n: _call(slow, job, n), _BUDGET)[0]
+            return Price(rhs, time_repeats(lambda n: _repeat(slow, task, self.method, n), _BUDGET)[0])
+        model = ChartModel(compile_chart(job, (self.method,)), job)
+        rhs = time_repeats(lambda n: _use(model.repeat_rhs((job.time[0],), (job.y,), job.p, n)), _BUDGET)[0]
+        return Price(rhs, time_repeats(lambda n: model.repeat(task, self.method, n), _BUDGET)[0])
+
     @property
     def settings(self) -> Settings:
-        return Settings(tolerance=TIGHTER * self.tolerance)
+        return Settings(self.method, tolerance=TIGHTER * self.tolerance)
+
+
+def _use(value: float) -> None:
+    """A result that only had to be computed."""
+
+
+def _call(model: InterpretedModel, job: Job, count: int) -> None:
+    for _ in range(count):
+        model.rhs(job.time[0], job.y, job.p)
+
+
+def _repeat(model: InterpretedModel, task: Task, method: str, count: int) -> None:
+    for _ in range(count):
+        model.integrate(task, method, model.news())
 
 
 def meter_of(source: Source, scene: str, formulation: str, tolerance: float) -> Meter:
-    """Run the full model twice; the tighter run is the reference, their distance its own error.
+    """Run the full model three times; the tightest run is the reference, the distance of the others its own error.
 
     Raises:
         nhc.diagnostics.SpecError: the spec has errors.
         nhc.simulate.opening.RunError: no such scene.
-        NotMeasured: a run fails, or the two runs differ too much.
+        NotMeasured: a run fails, or the runs differ too much.
     """
-    job = open_scene(source, scene, formulation)
-    settings = Settings(tolerance=TIGHTER * tolerance)
-    plain = _complete(run(job, settings))
-    best = _complete(run(job, Settings(tolerance=TIGHTER * settings.tolerance)))
+    job, method = _open(source, scene, formulation, tolerance)
+    settings = Settings(method, tolerance=TIGHTER * tolerance)
+    finest = replace(settings, tolerance=TIGHTER * settings.tolerance)
+    second = (
+        Settings(SECOND[method], finest.tolerance)
+        if method in SECOND
+        else replace(finest, tolerance=1e-1 * finest.tolerance)
+    )
+    plain, best, other = (_complete(run(job, each)) for each in (settings, finest, second))
     sizes = tuple(sizes_of(best.rows, len(best.headings)))
-    own = errors_of(plain.rows, best.rows, sizes)
+    pairs = zip(errors_of(plain.rows, best.rows, sizes), errors_of(other.rows, best.rows, sizes), strict=True)
+    own = tuple(max(pair) for pair in pairs)
     if not max(own) <= RESOLVED * tolerance:
         worst = best.headings[own.index(max(own))]
         raise NotMeasured(
             f"the full model's own runs differ by {max(own):.1e} in `{worst}`: too much to measure {tolerance:g}",
             ("take a shorter scene, a larger `--tol`, or leave a quantity that vanishes out of the scene's `need`",),
         )
+    quick = plain.compiled and run(job, replace(settings, compiled=False)).seconds < PATIENCE
     return Meter(
-        *(job.scene.name, formulation, tolerance, job, plain.compiled, best.headings, best.rows, sizes, own),
-        size_of(plain),
-        plain.notes,
+        *(job.scene.name, formulation, tolerance, method, second, quick, job, plain.compiled),
+        *(best.headings, best.rows, sizes, own, size_of(plain), plain.notes),
     )
+
+
+def _open(source: Source, scene: str, formulation: str, tolerance: float) -> tuple[Job, str]:
+    """The full model and the method that fits it."""
+    job = open_scene(source, scene, formulation)
+    rhs = next(function for function in job.program.functions if function.name == "rhs")
+    if count_operations_of(rhs) > LARGE:
+        return job, "dop853"
+    implicit = open_scene(source, scene, formulation, method="radau5")
+    method, _ = choose_method(implicit, TIGHTER * tolerance)
+    return (implicit if method == "radau5" else job), method
 
 
 def _complete(found: Trajectory) -> Trajectory:
@@ -127,6 +199,8 @@ def ranges_of(source: Source, spec: Spec, meter: Meter) -> tuple[tuple[str, floa
     """(name, least, largest, unit) of each coordinate and velocity of the full model on the output grid."""
     units = {c.name: c.unit for c in spec.coordinates}
     needs = tuple(name for c in spec.coordinates for name in (c.name, f"{c.name}'"))
-    found = _complete(run(open_scene(source, meter.scene, meter.formulation, needs), meter.settings))
+    found = _complete(
+        run(open_scene(source, meter.scene, meter.formulation, needs, method=meter.method), meter.settings)
+    )
     columns = zip(found.headings, zip(*found.rows, strict=True), strict=True)
     return tuple((name, min(values), max(values), units.get(name, "")) for name, values in columns)

@@ -1,33 +1,42 @@
-"""Greedy backward elimination: leave out what costs the least error for what it saves, for as long as the tolerance lasts."""
+"""Greedy backward elimination: leave out what costs the least error for what it saves, and look whether an exchange saves more."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import math
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 
 from nhc.diagnostics import Source
 from nhc.language import decode
-from nhc.simulate.methods import DEFAULT
 from nhc.simulate.opening import find_scene
 from nhc.simulate.run import POINTS
-from nhc.study.simplify.draft import Candidate, Draft, draft_of
-from nhc.study.simplify.ladder import Kept, Ladder, Rung, Size
+from nhc.study.chart.measure import describe_machine
+from nhc.study.simplify.candidate import Candidate
+from nhc.study.simplify.draft import Draft, draft_of
+from nhc.study.simplify.ladder import Kept, Ladder, Price, Rung, Size
 from nhc.study.simplify.measure import TIGHTER, Meter, Refused, meter_of, ranges_of
+from nhc.study.simplify.text import NoLimit, write_draft
 
-MOST_RUNS = 60
+MOST_RUNS = 150
+MOST_EXCHANGES = 8
+_NEAR = 1.2  # a stale score that is no more than this much better does not send a fresh one back into the queue
 Show = Callable[[int, str], None]  # models measured so far, the candidate
 
 
+class Bounded(Exception):
+    """No more models may be measured."""
+
+
 @dataclass(frozen=True)
-class _Trial:
-    candidate: Candidate
+class Trial:
+    """A model without some candidates: its errors and size."""
+
     errors: tuple[float, ...]
     size: Size
-    saved: int
 
     @property
-    def score(self) -> float:
-        return max(self.errors) / self.saved
+    def error(self) -> float:
+        return max(self.errors)
 
 
 @dataclass
@@ -37,68 +46,142 @@ class _Search:
     most: int
     show: Show | None
     runs: int = 0
+    turned_back: int = 0
     bounded: bool = False
     gone: list[Candidate] = field(default_factory=list)
-    rungs: list[Rung] = field(default_factory=list)
     reasons: dict[Candidate, str] = field(default_factory=dict)
+    alone: dict[Candidate, Trial] = field(default_factory=dict)
+    known: dict[str, Trial | str] = field(default_factory=dict)
 
-    def climb(self) -> None:
-        """Measure every candidate, drop the best, and begin again with those that may still go.
+    def search(self, candidates: Sequence[Candidate]) -> None:
+        """Measure every candidate alone, then drop the best again and again, then exchange."""
+        self.known[write_draft(self.draft, self.draft.change([]))] = self.full
+        try:
+            queue = self._measure_alone(candidates)
+            self.gone = self._drop([], queue)
+            self._exchange()
+        except Bounded:
+            self.bounded = True
+        for candidate in candidates if self.bounded else ():
+            if candidate not in self.gone:
+                again = " again" if candidate in self.alone else ""
+                self.reasons.setdefault(candidate, f"not measured{again}: the bound on runs is reached")
+        self.reasons = {c: reason for c, reason in self.reasons.items() if c not in self.gone}
 
-        What exceeds the tolerance when it goes stays for good: that later errors may cancel its own is no reason to drop it.
+    @property
+    def full(self) -> Trial:
+        return Trial(self.meter.own, self.meter.size)
+
+    def text(self, gone: Sequence[Candidate]) -> str:
+        return write_draft(self.draft, self.draft.change(gone))
+
+    def trial(self, gone: Sequence[Candidate]) -> Trial | str:
+        """The model without these, or why there is none.
+
+        Raises:
+            Bounded: it was not measured before, and no more may be.
         """
-        self.rungs.append(Rung("", self.meter.own, self.meter.size))
-        left = self.draft.candidates()
-        while left:
-            trials = self._measure_all(left)
-            if not trials:
-                break
-            best = min(trials, key=lambda trial: trial.score)  # the first of equals
-            self.gone.append(best.candidate)
-            self.rungs.append(Rung(best.candidate.about, best.errors, best.size))
-            left = [trial.candidate for trial in trials if trial is not best]
-            if self.bounded:
-                self.reasons.update((c, "not measured again: the bound on runs is reached") for c in left)
-                break
+        try:
+            text = self.text(gone)
+        except NoLimit as error:
+            return str(error)
+        if text not in self.known:
+            if self.runs >= self.most:
+                raise Bounded
+            self.runs += 1
+            if self.show is not None:
+                self.show(self.runs, gone[-1].about)
+            try:
+                self.known[text] = Trial(*self.meter.measure(text))
+            except Refused as refused:
+                self.known[text] = str(refused)
+        return self.known[text]
 
-    def _measure_all(self, left: list[Candidate]) -> list[_Trial]:
-        seen = {self.draft.without(self.gone)}
+    def fits(self, trial: Trial) -> bool:
+        return trial.error + max(self.meter.own) <= self.meter.tolerance
+
+    def _measure_alone(self, candidates: Sequence[Candidate]) -> list[Candidate]:
+        """Those that may go by themselves; of several that leave the same text the first."""
+        seen = {self.text([])}
         found = []
-        for candidate in left:
-            text = self.draft.without([*self.gone, candidate])
-            if text in seen:  # it went with another one, or is the same as another one
+        for candidate in candidates:
+            try:
+                text = self.text([candidate])
+            except NoLimit as error:
+                self.reasons[candidate] = str(error)
+                continue
+            if text in seen:
                 continue
             seen.add(text)
-            if self.runs >= self.most:
-                self.bounded = True
-                self.reasons[candidate] = "not measured: the bound on runs is reached"
-                continue
-            trial = self._measure(candidate, text)
-            if trial is not None:
-                found.append(trial)
+            trial = self.trial([candidate])
+            if isinstance(trial, str):
+                self.reasons[candidate] = trial
+            elif not self.fits(trial):
+                self.reasons[candidate] = f"without it the error is {trial.error:.2g}"
+            else:
+                self.alone[candidate] = trial
+                found.append(candidate)
         return found
 
-    def _measure(self, candidate: Candidate, text: str) -> _Trial | None:
-        """The trial of a candidate, or None with the reason why it stays."""
-        self.runs += 1
-        if self.show is not None:
-            self.show(self.runs, candidate.about)
-        try:
-            errors, size = self.meter.measure(text)
-        except Refused as refused:
-            self.reasons[candidate] = str(refused)
-            return None
-        last = self.rungs[-1].size
-        saved = max(last.operations - size.operations, last.states - size.states)
-        error = max(errors)
-        if error + max(self.meter.own) > self.meter.tolerance:
-            after = f" after {len(self.gone)} left out" if self.gone else ""
-            self.reasons[candidate] = f"without it{after} the error is {error:.2g}"
-            return None
-        if saved <= 0:
-            self.reasons[candidate] = f"nothing is saved without it (error {error:.2g})"
-            return None
-        return _Trial(candidate, errors, size, saved)
+    def score(self, trial: Trial, before: Trial) -> float:
+        """Error for each operation saved; infinite where nothing is."""
+        saved = before.size.work - trial.size.work
+        return trial.error / saved if saved > 0 else math.inf
+
+    def _drop(self, gone: list[Candidate], queue: Sequence[Candidate]) -> list[Candidate]:
+        """More and more of the queue, the best first; scores are taken again only when they decide."""
+        now = self._sure(gone)
+        scores = {candidate: self.score(self.alone[candidate], self.full) for candidate in queue}
+        idle: list[Candidate] = []
+        while scores:
+            best = min(scores, key=lambda c: scores[c])
+            del scores[best]
+            if self.text([*gone, best]) == self.text(gone):  # it went with another one
+                continue
+            trial = self.trial([*gone, best])
+            if isinstance(trial, str) or not self.fits(trial):
+                if isinstance(trial, Trial):
+                    trial = f"without it after {len(gone)} left out the error is {trial.error:.2g}"
+                self.reasons[best] = trial
+                continue
+            score = self.score(trial, now)
+            if score == math.inf:
+                idle.append(best)
+            elif score > _NEAR * min(scores.values(), default=math.inf):
+                scores[best] = score
+            else:
+                gone, now = [*gone, best], trial
+                scores.update((c, self.score(self.alone[c], self.full)) for c in idle)
+                idle = []
+        for candidate in idle:
+            trial = self.alone[candidate]
+            self.reasons[candidate] = f"nothing is saved without it (error {trial.error:.2g})"
+        return gone
+
+    def _sure(self, gone: Sequence[Candidate]) -> Trial:
+        trial = self.trial(gone)
+        assert isinstance(trial, Trial)
+        return trial
+
+    def _exchange(self) -> None:
+        """Put one back, forbid it, and see whether the rest can lose more than it saved; the last ones first."""
+        for candidate in list(reversed(self.gone))[:MOST_EXCHANGES]:
+            others = [c for c in self.alone if c not in self.gone]
+            if not others:
+                return
+            if candidate not in self.gone:
+                continue
+            base = [c for c in self.gone if c is not candidate]
+            start = self.trial(base)
+            if isinstance(start, str) or not self.fits(start):
+                continue
+            reasons = dict(self.reasons)
+            made = self._drop(base, others)
+            if self._sure(made).size.work < self._sure(self.gone).size.work:
+                self.reasons[candidate] = "put back: others that do not go with it save more"
+                self.gone, self.turned_back = made, self.turned_back + 1
+            else:
+                self.reasons = reasons
 
 
 def simplify(
@@ -121,35 +204,66 @@ def simplify(
     draft = draft_of(source, find_scene(decode(source), scene))
     meter = meter_of(source, scene, formulation, tolerance)
     search = _Search(draft, meter, most, show)
-    search.climb()
-    ranges = ranges_of(source, draft.spec, meter)
+    search.search(draft.candidates(meter.job.start))
+    gone, again = _confirmed(search)
+    prices = [meter.price(search.text(gone[:k])) for k in range(len(gone) + 1)]
     names = [parameter.name for parameter in draft.spec.parameters]
     return Ladder(
         system=draft.spec.system,
         scene=draft.scene.name,
         time=meter.job.time,
         points=POINTS,
-        method=DEFAULT,
+        method=meter.method,
         compiled=meter.compiled,
         tolerance=tolerance,
         run_tolerance=TIGHTER * tolerance,
+        confirmed=f"{meter.second.method} at tolerance {meter.second.tolerance:g}",
+        again=again,
         parameters=tuple(zip(names, meter.job.start.p, strict=True)),
         needs=meter.needs,
-        ranges=ranges,
-        rungs=tuple(search.rungs),
+        ranges=ranges_of(source, draft.spec, meter),
+        rungs=tuple(_rungs(search, gone, prices)),
         kept=tuple(Kept(candidate.about, reason) for candidate, reason in search.reasons.items()),
         runs=search.runs,
+        turned_back=search.turned_back,
         most=most,
         bounded=search.bounded,
-        spec=draft.without(search.gone, _about(search)),
+        machine=describe_machine().line,
+        spec=write_draft(draft, draft.change(gone), _about(len(gone), search)),
         notes=meter.notes,
     )
 
 
-def _about(search: _Search) -> str:
+def _rungs(search: _Search, gone: Sequence[Candidate], prices: Sequence[Price]) -> list[Rung]:
+    found = []
+    for k, price in enumerate(prices):
+        errors, size = search.meter.own, search.meter.size
+        if k:
+            trial = search.trial(gone[:k])
+            assert isinstance(trial, Trial)
+            errors, size = trial.errors, trial.size
+        found.append(Rung(gone[k - 1].about if k else "", errors, size, price))
+    return found
+
+
+def _confirmed(search: _Search) -> tuple[list[Candidate], tuple[float, ...]]:
+    """What goes when the smallest model is measured again in the second way; the last ones stay where that does not agree."""
+    gone, meter = list(search.gone), search.meter
+    while gone:
+        try:
+            errors, _ = meter.measure(search.text(gone), again=True)
+        except Refused as refused:
+            search.reasons[gone.pop()] = f"not confirmed: {refused}"
+            continue
+        if max(errors) + max(meter.own) <= meter.tolerance:
+            return gone, errors
+        search.reasons[gone.pop()] = f"not confirmed: the second method finds an error of {max(errors):.2g}"
+    return gone, meter.own
+
+
+def _about(number: int, search: _Search) -> str:
     """What is added to what the system is, so that files emitted from the reduced spec say it, too."""
-    if not search.gone:
+    if not number:
         return ""
-    number = len(search.gone)
-    count = "1 term or parameter left out" if number == 1 else f"{number} terms or parameters left out"
+    count = "1 part left out" if number == 1 else f"{number} parts left out"
     return f"(approximate: {count}, good to {search.meter.tolerance:g} on the scene {search.draft.scene.name} only)"

@@ -1,0 +1,132 @@
+"""A ladder of approximate models as a picture: size and time against error; and as a page of its own."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Sequence
+from html import escape
+
+from nhc.emit.environment import create_environment
+from nhc.report.ladder import list_rungs, print_how, reduced_spec
+from nhc.report.marks import draw_box, draw_line, draw_marker, draw_text
+from nhc.report.ticks import Scale, linear_scale, log_scale
+from nhc.study.chart.advice import duration
+from nhc.study.simplify.ladder import Ladder, Rung
+from nhc.version import __version__
+
+WIDTH, LEFT, TOP = 1060, 70, 66
+PLOT_WIDTH, PLOT_HEIGHT, SECOND = 420, 290, 606
+LEAST = 1e-16  # errors that are zero stand here on the logarithmic axis
+MODEL, LIMIT = "#0072b2", "#d55e00"
+BOLD = ' font-weight="bold"'
+
+
+def draw_ladder(ladder: Ladder) -> str:
+    """Operations and time of a run against the error, each model with its number; below them what the numbers stand for."""
+    title = f"{ladder.system}, scene {ladder.scene}: size of the model against its error"
+    parts = [draw_text(WIDTH / 2, 26, title, "middle", ' font-size="17" font-weight="bold"')]
+    parts += _draw_plot(ladder, LEFT, "operations of the right-hand side", lambda r: float(r.size.operations))
+    unit, name = _unit(max(rung.price.run for rung in ladder.rungs))
+    parts += _draw_plot(ladder, SECOND, f"time of one run ({name})", lambda r: r.price.run / unit)
+    lines, bottom = _draw_list(ladder, TOP + PLOT_HEIGHT + 66)
+    total = bottom + 26
+    parts += lines
+    head = (
+        f'<svg xmlns="http://www.w3.org/2000/svg" width="{WIDTH}" height="{total:.0f}" '
+        f'viewBox="0 0 {WIDTH} {total:.0f}" font-family="sans-serif" font-size="12">'
+    )
+    return "\n".join([head, draw_box(0, 0, WIDTH, total, "#ffffff"), *parts, "</svg>\n"])
+
+
+def _unit(seconds: float) -> tuple[float, str]:
+    return next(((s, u) for s, u in ((1.0, "s"), (1e-3, "ms"), (1e-6, "µs")) if seconds >= s), (1e-9, "ns"))
+
+
+def _draw_plot(ladder: Ladder, left: float, label: str, value: Callable[[Rung], float]) -> list[str]:
+    errors = [max(rung.error, LEAST) for rung in ladder.rungs]
+    values = [value(rung) for rung in ladder.rungs]
+    x = log_scale(min(errors), max(*errors, ladder.tolerance), PLOT_WIDTH, 8)
+    y = linear_scale(0.0, max(values), PLOT_HEIGHT, 6)
+    bottom = TOP + PLOT_HEIGHT
+    parts = [*_draw_frame(left, x, y), draw_text(left, TOP - 9, label, more=BOLD)]
+    limit = left + x.place(ladder.tolerance)
+    parts.append(draw_line(limit, TOP, limit, bottom, LIMIT, ' stroke-width="1.6" stroke-dasharray="6 3"'))
+    parts.append(draw_text(limit - 5, TOP + 14, "tolerance", "end", colour=LIMIT))
+    places = [(left + x.place(e), bottom - y.place(v)) for e, v in zip(errors, values, strict=True)]
+    path = " ".join(f"{a:.2f},{b:.2f}" for a, b in places)
+    parts.append(f'<polyline points="{path}" fill="none" stroke="{MODEL}" stroke-width="1.6"/>')
+    for k, (a, b) in enumerate(places):
+        parts.append(draw_marker("circle", a, b, 4.2, MODEL, k == 0, f' class="point" data-k="{k}"'))
+        if k == 0 or k == len(places) - 1 or _is_apart(places[k], places[k - 1]):
+            parts.append(draw_text(a + 7, b - 7, str(k), more=BOLD))
+    return parts
+
+
+def _is_apart(a: tuple[float, float], b: tuple[float, float]) -> bool:
+    return abs(a[0] - b[0]) + abs(a[1] - b[1]) > 12
+
+
+def _draw_frame(left: float, x: Scale, y: Scale) -> list[str]:
+    bottom, parts = TOP + PLOT_HEIGHT, []
+    for place, text in x.ticks:
+        parts.append(draw_line(left + place, TOP, left + place, bottom, "#e4e4e4"))
+        parts.append(draw_text(left + place, bottom + 16, text, "middle"))
+    for place, text in y.ticks:
+        parts.append(draw_line(left, bottom - place, left + PLOT_WIDTH, bottom - place, "#e4e4e4"))
+        parts.append(draw_text(left - 6, bottom - place + 4, text, "end"))
+    parts.append(draw_box(left, TOP, PLOT_WIDTH, PLOT_HEIGHT, "none", "#555555"))
+    middle = left + PLOT_WIDTH / 2
+    return [*parts, draw_text(middle, bottom + 34, "largest error of what is needed, relative", "middle")]
+
+
+def _draw_list(ladder: Ladder, top: float) -> tuple[list[str], float]:
+    columns = (LEFT - 40, LEFT - 10, LEFT + 70, LEFT + 155, LEFT + 265, LEFT + 335, LEFT + 405)
+    head = ("", "equations", "operations", "right-hand side", "run", "error", "left out")
+    parts = [draw_text(x, top, text, more=BOLD) for x, text in zip(columns, head, strict=True)]
+    at = top + 18
+    for row in list_rungs(ladder):
+        cells = [*row[:-1], row[-1] if len(row[-1]) <= 88 else f"{row[-1][:85]}..."]
+        parts += [draw_text(x, at, text) for x, text in zip(columns, cells, strict=True)]
+        at += 18
+    foot = (f"measured {print_how(ladder)}; confirmed by {ladder.confirmed}", f"machine: {ladder.machine}")
+    for line in foot:
+        parts.append(draw_text(LEFT - 40, at + 10, line, more=' font-size="10.5"', colour="#555555"))
+        at += 16
+    return parts, at
+
+
+def make_ladder_page(ladder: Ladder) -> str:
+    """The picture with readings under the pointer, the ladder as a table, what stays and why, and the smallest spec."""
+    context: dict[str, object] = {
+        "title": escape(f"{ladder.system}, scene {ladder.scene}: models within {ladder.tolerance:g}"),
+        "how": escape(
+            f"Needed: {', '.join(ladder.needs)}. Measured {print_how(ladder)}; confirmed by {ladder.confirmed}."
+        ),
+        "chart": draw_ladder(ladder),
+        "needs": [escape(need) for need in ladder.needs],
+        "rungs": [
+            ([escape(cell) for cell in row], [f"{error:.1e}" for error in rung.errors])
+            for row, rung in zip(list_rungs(ladder), ladder.rungs, strict=True)
+        ],
+        "kept": [(escape(kept.about), escape(kept.reason)) for kept in ladder.kept],
+        "spec": escape(reduced_spec(ladder)),
+        "data": json.dumps(_readings(ladder.rungs, ladder.needs), ensure_ascii=False).replace("<", "\\u003c"),
+        "version": __version__,
+    }
+    return create_environment().get_template("html/ladder.html.jinja").render(context)
+
+
+def _readings(rungs: Sequence[Rung], needs: Sequence[str]) -> list[str]:
+    return [
+        "\n".join(
+            (
+                f"{k}: without {rung.dropped}"
+                if rung.dropped
+                else "0: the full model; its errors are the reference's own",
+                f"{rung.size.states} equations, {rung.size.operations} operations",
+                f"right-hand side {duration(rung.price.rhs)}, run {duration(rung.price.run)}, {rung.size.calls} calls",
+                *(f"error of {need}: {error:.1e}" for need, error in zip(needs, rung.errors, strict=True)),
+            )
+        )
+        for k, rung in enumerate(rungs)
+    ]
