@@ -124,9 +124,13 @@ def power_terms(system: System) -> list[str]:
     """The terms of the balance that do not vanish, in words."""
     g = system.graph
     terms = []
+    turned = {k for rotation in system.rotations for k in rotation.places}
     for i, q in enumerate(system.Q):
-        if not are_zero(g, [q])[0]:
+        if i not in turned and not are_zero(g, [q])[0]:
             terms.append(f"the force on `{system.q_names[i]}`")
+    for rotation, torque in zip(system.rotations, system.torques, strict=True):
+        if not all(are_zero(g, torque)):
+            terms.append(f"the torque on `{rotation.name}`")
     explicit = tangent(g, [system.T, system.U], {system.t: g.one})
     terms += [f"{name} contains the time" for name, z in zip(("T", "U"), are_zero(g, explicit), strict=True) if not z]
     for form in system.constraints:
@@ -159,6 +163,7 @@ def list_candidates(system: System, sampler: Sampler, frame: Frame | None) -> tu
     groups = [
         ("momenta and the energy", momenta),
         ("quasi-velocities and their momenta", _quasi(system, p, frame)),
+        ("angular momenta of rotations (L)", _angular_momenta(system, p)),
         ("rotations of coordinate pairs", turns),
         ("squares of coordinates and velocities", _squares(system)),
         ("momenta and rotations times a parameter of the constraints", scaled),
@@ -189,12 +194,26 @@ def _rotations(system: System, p: Sequence[Node]) -> list[Candidate]:
     """x_a p_b - x_b p_a for pairs of coordinates of one unit that are no angles."""
     g, found = system.graph, []
     units = [c.unit or "" for c in system.spec.coordinates]
-    for i, j in combinations(range(system.n), 2):
+    turned = {k for rotation in system.rotations for k in rotation.places}
+    for i, j in combinations([k for k in range(system.n) if k not in turned], 2):
         if units[i] != units[j] or units[i] in ("rad", "deg"):
             continue
         x, y = system.q_names[i], system.q_names[j]
         turn = g.sub(g.mul(system.q[i], p[j]), g.mul(system.q[j], p[i]))
         found.append(Candidate(f"({x} p_{y} - {y} p_{x})", turn, MOMENTUM))
+    return found
+
+
+def _angular_momenta(system: System, p: Sequence[Node]) -> list[Candidate]:
+    """p_i e_i for the unit turns of each rotation about the axes that its velocities do not belong to."""
+    found = []
+    for rotation in system.rotations:
+        letters = "xyz" if rotation.sign > 0 else "123"
+        values = rotation.other_momenta(system.graph, [p[k] for k in rotation.places])
+        found += [
+            Candidate(f"L_{rotation.name}_{letter}", node, MOMENTUM)
+            for letter, node in zip(letters, values, strict=True)
+        ]
     return found
 
 

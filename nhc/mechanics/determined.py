@@ -25,8 +25,12 @@ def check_determined(system: System, mass: Sequence[Sequence[Node]], *, bordered
     if rank(g, rows) == len(rows):
         return
     momenta = gradient(g, system.T, system.v)
-    bare = [system.q_names[i] for i, p in enumerate(momenta) if all(are_zero(g, gradient(g, p, system.v)))]
-    what = ", ".join(f"`{name}'`" for name in bare)
+    bare = [f"{system.q_names[i]}'" for i, p in enumerate(momenta) if all(are_zero(g, gradient(g, p, system.v)))]
+    for rotation in system.spec.rotations:
+        parts = [f"{name}'" for name in rotation.coordinates]
+        if set(parts) <= set(bare):
+            bare = [name for name in bare if name not in parts] + list(rotation.velocities)
+    what = ", ".join(f"`{name}`" for name in bare)
     bag = Bag(system.spec.origin)
     bag.error(
         "E0404",

@@ -79,6 +79,17 @@ class Rotation:
             self.known[tuple(rates)] = found
         return found
 
+    def other_momenta(self, graph: Graph, p: Sequence[Node]) -> Triple:
+        """From the momenta of e' those of unit turns about the axes of space, for velocities on the body's, or the reverse."""
+        g, zero = graph, graph.zero
+        own = []
+        for k in range(3):
+            unit = self.velocities(g, (zero, *(g.one if j == k else zero for j in range(3))))  # type: ignore[arg-type]
+            own.append(g.sum([g.mul(a, b) for a, b in zip(p, unit, strict=True)]))
+        R = self.matrix if self.sign > 0 else tuple(zip(*self.matrix, strict=True))
+        x, y, z = (g.sum([g.mul(a, b) for a, b in zip(row, own, strict=True)]) for row in R)
+        return x, y, z
+
     # --- derivatives ----------------------------------------------------------------------------------------
 
     def rates_of_matrix(self, graph: Graph, omega: Sequence[Node]) -> list[list[Node]]:

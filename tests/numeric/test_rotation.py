@@ -315,6 +315,17 @@ def test_a_scene_that_needs_angular_velocity_has_three_equations(capsys: pytest.
     assert "reduced  3 equations (w1, w2, w3)" in capsys.readouterr().out
 
 
+def test_what_stays(capsys: pytest.CaptureFixture[str]) -> None:
+    """The angular momentum in space, by its components; of the ball, about the point of contact."""
+    for name, constants in (
+        ("free_rigid_body_quaternion", "L_R_x, L_R_y, L_R_z, E"),
+        ("heavy_top_quaternion", "w3, L_R_z, E"),
+        ("chaplygin_ball_quaternion", "L_R_z, a p_x + L_R_y, a p_y - L_R_x, E"),
+    ):
+        assert main(["check", "--explain", str(spec_path(name))]) == 0
+        assert f"constants of the motion: {constants} among" in capsys.readouterr().out
+
+
 def test_structure_preserving_methods_decline(capsys: pytest.CaptureFixture[str]) -> None:
     spec = str(spec_path("heavy_top_quaternion"))
     assert main(["run", spec, "--method", "leapfrog"]) == 2
