@@ -17,10 +17,25 @@ _LARGE = 1500
 """Operations beyond which no canonical form is tried: it would cost time and find nothing."""
 
 
-def shorten(graph: Graph, nodes: Sequence[Node]) -> list[Node]:
-    """Equal nodes, cheaper together where canonical forms help."""
+_MIXED = 150
+"""Operations up to which each node is chosen on its own."""
+
+
+def shorten(graph: Graph, nodes: Sequence[Node], beside: Sequence[Node] = ()) -> list[Node]:
+    """Equal nodes, cheaper together (and with what is computed ``beside`` them) where canonical forms help."""
     before = count(graph, nodes)
     if before == 0 or before > _LARGE:
         return list(nodes)
     canonical = normalise_all(graph, nodes, _TERMS, _SWOLLEN)
-    return canonical if count(graph, canonical) < before else list(nodes)
+    total, other = count(graph, [*nodes, *beside]), count(graph, [*canonical, *beside])
+    best, rest = (canonical, list(nodes)) if other < total else (list(nodes), canonical)
+    least = min(total, other)
+    if before > _MIXED:
+        return best
+    for k, node in enumerate(rest):
+        if node != best[k]:
+            trial = [*best[:k], node, *best[k + 1 :]]
+            cost = count(graph, [*trial, *beside])
+            if cost < least:
+                best, least = trial, cost
+    return best

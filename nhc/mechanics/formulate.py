@@ -109,7 +109,7 @@ def _route(system: System, formulation: Formulation, kinetic: Kinetic, moved: Mo
         made = [projector.row(e, w) for e, w in zip(frame.vectors[: system.l], weights, strict=True)]
         return tuple(_polish(system.graph, made))
 
-    return _Route(motion, frame.guards if frame is not None else (), _polish(system.graph, rows), react)
+    return _Route(motion, frame.guards if frame is not None else (), _polish(system.graph, rows, motion.velocities), react)
 
 
 def _symmetric(rows: Sequence[Row]) -> tuple[tuple[Node, ...], ...]:
@@ -118,11 +118,11 @@ def _symmetric(rows: Sequence[Row]) -> tuple[tuple[Node, ...], ...]:
     return tuple(tuple(rows[min(i, j)].mass[max(i, j)] for j in range(size)) for i in range(size))
 
 
-def _polish(graph: Graph, rows: list[Row]) -> list[Row]:
+def _polish(graph: Graph, rows: list[Row], beside: Sequence[Node] = ()) -> list[Row]:
     """Entries that vanish identically become zero (exact test); then shorter equal expressions where there are any."""
     entries = [n for row in rows for n in (*row.mass, row.force)]
     zero = are_zero(graph, entries)
-    own = shorten(graph, [graph.zero if vanishes else n for n, vanishes in zip(entries, zero, strict=True)])
+    own = shorten(graph, [graph.zero if vanishes else n for n, vanishes in zip(entries, zero, strict=True)], beside)
     size = len(rows[0].mass) + 1 if rows else 1
     return [Row(tuple(own[k : k + size - 1]), own[k + size - 1]) for k in range(0, len(own), size)]
 

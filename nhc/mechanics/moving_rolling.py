@@ -162,10 +162,9 @@ def apply_rolling(scene: Scene, rolling: Rolling) -> None:
     if rolling.base.base is None and all(v in scene.system.v or v == g.zero for v in velocity):
         x, y, z = (g.sub(a, b) for a, b in zip(turned, local, strict=True))
         scene.equations[velocity] = rolling.path, (x, y, z)
-        if len(rolling.rows) == 3:
-            out = change_axes(g, local, rolling.path, ())
-            for k, v, node in zip(rolling.rows, velocity, out, strict=False):
-                scene.rows[k] = g.add(v, node)
+        out = change_axes(g, local, rolling.path, ())
+        for k, v, node in zip(rolling.rows, velocity, out, strict=False):
+            scene.rows[k] = g.add(v, node)
         return
     home = scene.home(rolling.base, rolling.is_position)
     there = add_vectors(g, change_axes(g, home.velocity, home.path, rolling.path), local)
