@@ -67,7 +67,7 @@ class Follower:
         while True:
             outcome = self.integrate(job, pace.method, replace(task, most=pace.most))
             legs.append(Leg(job, pace.method, task, outcome))
-            following = self._decide(job, outcome) or self._pace(pace, legs[-1])
+            following = self._decide(legs[-1]) or self._pace(pace, legs[-1])
             rest = task.times[len(outcome.states) :]
             if following is None or not rest:
                 pace.finish()
@@ -97,8 +97,9 @@ class Follower:
     def _say(self, line: str) -> None:
         self.told[line] = None
 
-    def _decide(self, job: Job, outcome: Outcome) -> Job | None:
+    def _decide(self, leg: Leg) -> Job | None:
         """The job that the run goes on with; None where it ends here."""
+        job, outcome = leg.job, leg.outcome
         recipe, watch = job.recipe, job.watch
         crossed = outcome.kind == CROSSED
         lost = outcome.kind == SINGULAR and outcome.status == SINGULAR_FRAME
@@ -113,7 +114,7 @@ class Follower:
         found = self._find(job, recipe, outcome) if kind in _FRAME and sound else None
         if found is not None:
             return found
-        if weak and kind in _NEAR and _comes_near(job, outcome):
+        if weak and kind in _NEAR and _comes_near(leg):
             self._warn(outcome.t, kind)
         return job if weak else None
 
@@ -146,8 +147,10 @@ class Follower:
             self._say(f"at t = {t:.9g} the motion comes near a singularity of {_NEAR[kind]}: digits are lost there")
 
 
-def _comes_near(job: Job, outcome: Outcome) -> bool:
-    """Whether the watched value has just become negative: the motion comes near, and does not leave."""
+def _comes_near(leg: Leg) -> bool:
+    """Whether the watched value has gone down in the leg: the motion comes near, and does not leave."""
+    job, outcome = leg.job, leg.outcome
     functions = tuple(f for f in job.program.functions if f.name == "watch")
     model = InterpretedModel(replace(job.program, functions=functions), job.events)
-    return model.watch(outcome.t, outcome.y, job.p)[outcome.status] <= 0.0
+    begin = model.watch(leg.task.times[0], leg.task.y, job.p)[outcome.status]
+    return begin > model.watch(outcome.t, outcome.y, job.p)[outcome.status]

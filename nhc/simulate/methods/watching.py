@@ -54,25 +54,22 @@ def find_event(look: Look, before: list[float], first: int) -> tuple[float, int,
     for piece in range(1, PIECES + 1):
         after = look(piece / PIECES)
         which = find_change(before, after)
-        if which >= 0:
-            left, last = (piece - 1) / PIECES, piece / PIECES
-            for i in range(first, len(after)):  # what only touches zero may do so on the way to that change
-                sign = copysign(1.0, before[i])
-                dip = _find_dip(look, i, sign, left, last) if sign * after[i] > 0.0 else -1.0
-                if dip >= 0.0:
-                    which, last = i, dip
-            return _halve(look, before, left, last, which)
-        before = keep_signs(before, after)
+        left, last = (piece - 1) / PIECES, piece / PIECES if which >= 0 else 2.0
         for i in range(first, len(after)):
             heights[i].append(abs(after[i]))
-    for i in range(first, len(before)):
-        place = find_deep(heights[i])
-        if place < 0 or before[i] == 0.0:
-            continue
-        left, right = max(place - 1, 0) / PIECES, min(place + 1, PIECES) / PIECES
-        dip = _find_dip(look, i, copysign(1.0, before[i]), left, right)
-        if dip >= 0.0:
-            return _halve(look, before, left, dip, i)
+        # what only touches zero may do so on the way to that change, or to the end
+        for i in range(first, len(after) if which >= 0 or piece == PIECES else first):
+            sign = copysign(1.0, before[i])
+            place = -1 if sign * after[i] <= 0.0 else find_deep(heights[i]) if piece > 1 else 0
+            if place < 0:
+                continue
+            low, high = max(place - 1, 0) / PIECES, min(place + 1, piece) / PIECES
+            dip = _find_dip(look, i, sign, low, high)
+            if 0.0 <= dip < last:
+                which, left, last = i, low, dip
+        if which >= 0:
+            return _halve(look, before, left, last, which)
+        before = keep_signs(before, after)
     return 2.0, -1, before
 
 
