@@ -43,11 +43,12 @@ def decode_rotations(node: Node | None, shapes: Shapes, scope: Scope) -> list[Ro
     if isinstance(node, Items | Table) and not entries and not scope.open:
         shapes.bag.error("E0301", "at least one rotation is needed", node.span, help=("write `rotation: [R]`",))
         scope.open = True
-    found = [_decode(text, value, shapes, scope) for text, value in entries]
+    found = [decode_rotation(text, value, shapes, scope) for text, value in entries]
     return [rotation for rotation in found if rotation is not None]
 
 
-def _decode(text: Text, value: Node | None, shapes: Shapes, scope: Scope) -> Rotation | None:
+def decode_rotation(text: Text, value: Node | None, shapes: Shapes, scope: Scope) -> Rotation | None:
+    """Declare one rotation; ``value`` None: with the default names, on the body's axes."""
     what = f"rotation `{text.value}`"
     help = f"write `{text.value}: {{velocities: [w1, w2, w3]}}`"
     table = shapes.table(value, f"a mapping for {what}", help) if value is not None else None

@@ -1,0 +1,80 @@
+"""What a rotation brings into a spec: names, coordinates, a constraint, forms, definitions, starts."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from nhc.diagnostics import Source
+from nhc.language import Spec, decode, read
+from nhc.language.unparse import unparse
+
+HEAD = "nhc: 1\nsystem: s\n"
+
+
+def make(text: str) -> Spec:
+    return decode(Source("s.yaml", HEAD + text))
+
+
+def test_the_default_names() -> None:
+    spec = make("rotation: [R]\nT: R_w1^2 + R_w2^2 + R_w3^2")
+    (rotation,) = spec.rotations
+    assert rotation.frame == "body"
+    assert rotation.coordinates == ("R_0", "R_1", "R_2", "R_3")
+    assert rotation.velocities == ("R_w1", "R_w2", "R_w3")
+    assert rotation.entries[:4] == ("R_x1", "R_x2", "R_x3", "R_y1")
+    assert make("rotation: {R: {frame: space}}\nT: R_wx^2").rotations[0].velocities == ("R_wx", "R_wy", "R_wz")
+
+
+def test_names_of_ones_own() -> None:
+    text = "rotation: {R: {velocities: [p, q, ω], quaternion: [e0, e1, e2, e3], about: a body}}\nT: p^2 + q^2 + omega^2"
+    (rotation,) = make(text).rotations
+    assert rotation.velocities == ("p", "q", "omega")
+    assert rotation.coordinates == ("e0", "e1", "e2", "e3")
+    assert rotation.about == "a body"
+
+
+def test_what_it_brings() -> None:
+    text = (
+        "coordinates: [x]\nrotation: {R: {velocities: [a, b, c]}}\ndefine: {X: x + R_x3}\nT: x'^2 + a^2 + b^2 + c^2\n"
+        "holonomic: [x = R_y2]\nquasi_velocities: {v: 2*x'}"
+    )
+    spec = make(text)
+    assert [c.name for c in spec.coordinates] == ["x", "R_0", "R_1", "R_2", "R_3"]
+    assert [float(c.start) for c in spec.coordinates] == [0, 1, 0, 0, 0]
+    assert [h.name for h in spec.holonomic] == ["h1", "R_norm"]
+    assert [d.name for d in spec.quasi_velocities] == ["v", "a", "b", "c"]
+    assert [d.name for d in spec.definitions] == [
+        "R_x3",
+        "R_y2",
+        "X",
+    ]  # entries that are spoken of, in the matrix's order
+    assert unparse(spec.definitions[0].value) == "2*(R_1*R_3 + R_0*R_2)/(R_0^2 + R_1^2 + R_2^2 + R_3^2)"
+
+
+def test_rates_of_entries_may_be_written_in_every_way() -> None:
+    spec = make("rotation: {R: {velocities: [a, b, c]}}\nT: a^2 + b^2 + c^2 + R_z3'^2 + R_x1dot^2 + dot(R_y2)^2")
+    assert [d.name for d in spec.definitions] == ["R_x1", "R_y2", "R_z3"]
+
+
+def test_an_entry_may_be_shown() -> None:
+    spec = make("rotation: {R: {velocities: [a, b, c]}}\nT: a^2 + b^2 + c^2\noutputs: {R_z3: R_z3, E: energy}")
+    assert [o.name for o in spec.outputs] == ["R_z3", "E"]
+
+
+def test_a_start_gives_all_four_parts() -> None:
+    text = (
+        "rotation: {R: {velocities: [a, b, c]}}\nparameters: {k: 2}\nT: a^2 + b^2 + c^2\n"
+        "scenes: {s: {time: [0, 1], initial: {R: {axis: [0, 0, 2], angle: k}, a: 1}}}"
+    )
+    starts = {i.name: unparse(i.value) for i in make(text).scenes[0].initial}
+    assert starts["R_0"] == "cos(k/2)"
+    assert starts["R_3"] == "sin(k/2)*(2/sqrt(0^2 + 0^2 + 2^2))"
+    assert list(starts) == ["R_0", "R_1", "R_2", "R_3", "a"]
+
+
+def test_a_spec_may_extend_one_with_a_rotation(tmp_path: Path) -> None:
+    base = "rotation: {R: {velocities: [a, b, c]}}\nT: a^2 + b^2 + c^2\n"
+    (tmp_path / "base.yaml").write_text(HEAD + base)
+    (tmp_path / "own.yaml").write_text("nhc: 1\nextends: base.yaml\nrotation: {R: {frame: space}, Q: {}}\n")
+    spec = decode(read(tmp_path / "own.yaml"))
+    assert [(r.name, r.frame, r.velocities[0]) for r in spec.rotations] == [("R", "space", "a"), ("Q", "body", "Q_w1")]
