@@ -111,10 +111,9 @@ def _finish(
     system, g = scene.system, scene.graph
     rows = []
     for j, value in enumerate(values):
-        row = scene.rows.get(j)
-        if row is None:
-            row = rewrite_row(scene, value) or value
-        rows.append(row)
+        rewritten = rewrite_row(scene, value) if j not in scene.rows else None
+        # the vector that a row is a component of may find on its axes that it is this row
+        rows.append(scene.rows.get(j, rewritten or value))
     try:
         solution, guards = _solve(scene, rows)
     except Singular:

@@ -1,0 +1,145 @@
+"""Moving axes: T, the constraints and the reactions on them have the same values, exactly, as on the spec's own axes."""
+
+from __future__ import annotations
+
+import random
+
+import pytest
+
+from nhc.algebra.calculus import count, tangent
+from nhc.algebra.gather import gather, split
+from nhc.algebra.graph import Graph, Node
+from nhc.algebra.modular import are_equal, are_zero
+from nhc.diagnostics import Source
+from nhc.language import decode
+from nhc.mechanics.associate import Row
+from nhc.mechanics.choose import applicable, formulate
+from nhc.mechanics.formulate import _route
+from nhc.mechanics.kinetic import kinetic_structure
+from nhc.mechanics.move import move
+from nhc.mechanics.resolve import resolve
+from nhc.mechanics.system import System
+from nhc.mechanics.turns import Turn, add_spin, change_axes, cross
+from nhc.mechanics.vectors import Reader
+from tests.support import spec_path
+from tests.trees import planar_tree, spatial_pair
+
+
+def system_of(text: str) -> System:
+    return resolve(decode(Source("tree.yaml", text)))
+
+
+def entries(rows: list[Row] | tuple[Row, ...]) -> list[Node]:
+    return [node for row in rows for node in (*row.mass, row.force)]
+
+
+def assert_same(system: System) -> int:
+    """Both routes agree in every formulation with a frame; how many of these moved."""
+    kinetic, moved_count = kinetic_structure(system), 0
+    for formulation in applicable(system):
+        if formulation.frame is None:
+            continue
+        moved = move(system, kinetic, formulation.frame)
+        if moved is None:
+            continue
+        moved_count += 1
+        here, there = _route(system, formulation, kinetic), _route(system, formulation, kinetic, moved)
+        g = system.graph
+        assert are_equal(g, here.motion.velocities, there.motion.velocities)
+        assert are_equal(g, entries(here.rows), entries(there.rows))
+        assert are_equal(g, entries(here.react()), entries(there.react()))
+    return moved_count
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_planar_trees(seed: int) -> None:
+    assert assert_same(system_of(planar_tree(seed))) > 0
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_spatial_pairs(seed: int) -> None:
+    assert assert_same(system_of(spatial_pair(seed))) > 0
+
+
+@pytest.mark.parametrize("name", ["n_trailer3", "n_snake3", "roller_racer", "rolling_disk", "bicycle"])
+def test_gallery(name: str) -> None:
+    assert assert_same(system_of(spec_path(name).read_text())) > 0
+
+
+def cost(system: System, *, moving: bool) -> int:
+    formulation, kinetic = formulate(system), kinetic_structure(system)
+    assert formulation.frame is not None
+    moved = move(system, kinetic, formulation.frame) if moving else None
+    return _route(system, formulation, kinetic, moved).cost(system.graph)
+
+
+@pytest.mark.parametrize(("name", "most"), [("n_trailer3", 0.6), ("n_snake3", 0.75), ("bicycle", 0.65)])
+def test_operations_are_saved(name: str, most: float) -> None:
+    text = spec_path(name).read_text()
+    assert cost(system_of(text), moving=True) < most * cost(system_of(text), moving=False)
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_sums_that_are_written_out_cost_about_the_same(seed: int) -> None:
+    named, written = (system_of(planar_tree(seed, written=flag)) for flag in (False, True))
+    assert cost(written, moving=True) <= 1.1 * cost(named, moving=True)
+
+
+# --- vectors and axes ---------------------------------------------------------------------------------------
+
+
+def test_a_chain_of_turns_is_read_from_its_components() -> None:
+    g = Graph()
+    a, b, x, p, q = (g.symbol(name, "coordinate") for name in "abxpq")
+    inner = change_axes(g, (p, q, g.one), (Turn((0, 1), a), Turn((1, 2), b)), ())
+    parts = Reader(g, g.mask((a, b, x))).peel((g.add(inner[0], x), inner[1], inner[2]))
+    assert {part.path for part in parts} == {(), (Turn((0, 1), a), Turn((1, 2), b))}
+    total = [g.zero] * 3
+    for part in parts:
+        total = [g.add(s, y) for s, y in zip(total, change_axes(g, part.local, part.path, ()), strict=True)]
+    assert are_equal(g, total, [g.add(inner[0], x), inner[1], inner[2]])
+
+
+def test_what_does_not_turn_is_not_read_as_turning() -> None:
+    g = Graph()
+    a, p = g.symbol("a", "coordinate"), g.symbol("p", "coordinate")
+    stretched = (g.mul(p, g.function("cos", a)), g.mul(g.number(2), g.mul(p, g.function("sin", a))), g.zero)
+    assert [part.path for part in Reader(g, g.mask((a,))).peel(stretched)] == [()]
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_axes_there_and_back(seed: int) -> None:
+    g, draw = Graph(), random.Random(seed)
+    planes = ((0, 1), (1, 2), (2, 0), (1, 0))
+    turns = [Turn(draw.choice(planes), g.symbol(f"a{k}", "coordinate")) for k in range(6)]
+    one, two = tuple(turns[:3]), (turns[0], *turns[3:])
+    vector = tuple(g.symbol(f"v{k}", "other") for k in range(3))
+    there = change_axes(g, (vector[0], vector[1], vector[2]), one, two)
+    assert are_equal(g, change_axes(g, there, two, one), vector)
+
+
+def test_spin_is_the_rate_of_the_axes() -> None:
+    """d/dt of a vector fixed to the axes is Omega x vector, on any chain of turns."""
+    g = Graph()
+    angles = [g.symbol(f"a{k}", "coordinate") for k in range(3)]
+    rates = dict(zip(angles, (g.symbol(f"r{k}", "velocity") for k in range(3)), strict=True))
+    path = tuple(Turn(plane, angle) for plane, angle in zip(((0, 1), (2, 1), (0, 2)), angles, strict=True))
+    spin = (g.zero, g.zero, g.zero)
+    for turn in path:
+        spin = add_spin(g, turn, spin, rates[turn.angle])
+    x, y, z = (g.symbol(f"v{k}", "other") for k in range(3))
+    moved = tangent(g, change_axes(g, (x, y, z), path, ()), rates)
+    assert are_equal(g, change_axes(g, (moved[0], moved[1], moved[2]), (), path), cross(g, spin, (x, y, z)))
+
+
+def test_gathered_sums_keep_their_value_and_their_operands() -> None:
+    g = Graph()
+    m, l, v, w = (g.symbol(name, kind) for name, kind in zip("mlvw", ("parameter",) * 2 + ("quasi",) * 2, strict=True))
+    x, y = g.function("sin", g.symbol("x", "coordinate")), g.function("cos", g.symbol("y", "coordinate"))
+    products = [(g.mul(m, x), g.mul(v, y)), (g.neg(g.mul(l, g.mul(m, y))), g.mul(w, x)), (g.mul(m, y), g.mul(v, x))]
+    total = gather(g, products, g.mask((m, l)), g.mask((v, w)))
+    plain = g.sum(g.mul(a, b) for a, b in products)
+    assert are_zero(g, [g.sub(total, plain)]) == [True]
+    assert count(g, [total]) < count(g, [plain])
+    shared = g.mul(x, g.mul(m, y))  # m is inside: taking it out would make x*y a new product
+    assert split(g, shared, g.mask((m,)), 0) == (g.one, g.one, shared)
