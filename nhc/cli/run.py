@@ -25,6 +25,8 @@ METHODS = (
     *("scipy-dop853", "scipy-rk45", "scipy-radau", "scipy-bdf", "scipy-lsoda", "cvode-adams", "cvode-bdf"),
 )
 EXTRAS = {"numpy": "sim", "scipy": "sim", "sksundae": "sundials"}
+LOST = 1e-5
+"""Smallest singular value of constraints that are taken to have lost their rank."""
 KINDS = (".csv", ".npz", ".svg", ".html")
 
 
@@ -201,30 +203,27 @@ def _report(found: Trajectory, target: Path | None) -> int:
     advice = [f"the state there: {state}", "nothing was written"]
     rank = rank_left(found.job, found.outcome)
     if rank is not None:
-        lost = "; there the constraints lose rank, and no formulation has a motion" if rank < 1e-6 else ""
-        advice.append(f"the smallest singular value of the constraints there: {rank:.3g}{lost}")
-    advice += _advise(found)
+        advice.append(f"the smallest singular value of the constraints there: {rank:.3g}")
+    advice += _advise(found, rank is not None and rank < LOST)
     raise Failure(f"the scene `{scene}` fails {where} ({method}): {found.reason}", advice, exit=Exit.NUMERICAL)
 
 
-def _advise(found: Trajectory) -> list[str]:
-    """What can be done about a singular place."""
+def _advise(found: Trajectory, lost: bool) -> list[str]:
+    """What can be done about a singular place; ``lost``: the constraints have no full rank there."""
     from nhc.simulate.task import CROSSED
 
     job, outcome = found.job, found.outcome
+    if lost:
+        return ["there the constraints lose rank, and no formulation has a motion beyond: end the scene before"]
     if outcome.kind != CROSSED:
         return []
-    kind = job.watch.kinds[outcome.status]
-    if kind == "mass":
+    if job.watch.kinds[outcome.status] == "mass":
         return ["take coordinates that are regular there, such as a `rotation:` for angles in space"]
-    if kind == "rank":
-        return [
-            "no formulation has a motion beyond it: let the scene end before, or say with more constraints what happens"
-        ]
     if job.recipe is None or not job.recipe.weak:
         return ["leave `--stay` out: the run then goes on with another choice of velocities"]
     return [
-        "no other choice of velocities is regular there: the constraints or the coordinates are singular themselves"
+        "no choice of velocities is regular there: the coordinates are singular; "
+        "take others, such as a `rotation:` for angles in space"
     ]
 
 

@@ -22,9 +22,9 @@ from nhc.simulate.task import CROSSED, DONE, SINGULAR, Outcome, Task
 TOLD = 6  # changes that are told one by one
 _FRAME = ("frame", "deep")
 _NEAR = {
-    "deep": "the coframe, and no other is better",
-    "mass": "the coordinates (angles in space have none as a `rotation:`)",
-    "rank": "the constraints",
+    "deep": "the coframe is nearly singular, and no other choice is better",
+    "mass": "the mass matrix is nearly singular, as it is where the coordinates are",
+    "rank": "the constraints nearly lose rank",
 }
 
 
@@ -115,7 +115,7 @@ class Follower:
         if found is not None:
             return found
         if weak and kind in _NEAR and _comes_near(leg):
-            self._warn(outcome.t, kind)
+            self._warn(leg, kind)
         return job if weak else None
 
     def _find(self, job: Job, recipe: Recipe, outcome: Outcome) -> Job | None:
@@ -142,9 +142,12 @@ class Follower:
         self.jobs.append(made)
         return made
 
-    def _warn(self, t: float, kind: str) -> None:
-        if not any(_NEAR[kind] in line for line in self.told):
-            self._say(f"at t = {t:.9g} the motion comes near a singularity of {_NEAR[kind]}: digits are lost there")
+    def _warn(self, leg: Leg, kind: str) -> None:
+        line = f"{_NEAR[kind]}: digits are lost there"
+        if leg.task.step > 0:
+            line += ", and with fixed steps perhaps all of them"
+        if not any(line in known for known in self.told):
+            self._say(f"at t = {leg.outcome.t:.9g} {line}")
 
 
 def _comes_near(leg: Leg) -> bool:
