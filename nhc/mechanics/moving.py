@@ -130,7 +130,7 @@ class Scene:
     def _candidates(self, vector: Chained, is_position: bool) -> list[Path]:
         own = [part.path for part in vector.parts if part.path]
         if own:
-            return own[-1:] if len(own) == 1 else [*reversed(own)]
+            return own
         if vector.base is not None:
             return [self.home(vector.base, is_position).path]
         return [*self.paths, ()]
