@@ -12,13 +12,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import combinations
 
+from nhc.algebra.angles import normalise_angles as normalise
 from nhc.algebra.graph import Node
 from nhc.algebra.interval import cannot_vanish
 from nhc.algebra.linear import determinant_of
 from nhc.algebra.modular import rank
-from nhc.algebra.polynomial import normalise
 from nhc.mechanics.frame import coordinate_form
 from nhc.mechanics.regularity import choose_dependent, coframe_weakness, intervals
+from nhc.mechanics.rotation import rows_in_base
 from nhc.mechanics.system import Form, System
 
 _MOST_ROWS = 3
@@ -45,15 +46,16 @@ def set_pivots_aside(system: System) -> tuple[list[int], set[int]]:
     columns.
     """
     g, known = system.graph, intervals(system)
+    matrix = rows_in_base(system, system.constraints)
     rows, columns = list(range(system.l)), set[int]()
     progress = True
     while progress:
         progress = False
         for row in rows:
-            for j, entry in enumerate(system.constraints[row].coefficients):
+            for j, entry in enumerate(matrix[row]):
                 if entry == g.zero or j in columns:
                     continue
-                elsewhere = any(system.constraints[r].coefficients[j] != g.zero for r in rows if r != row)
+                elsewhere = any(matrix[r][j] != g.zero for r in rows if r != row)
                 if not elsewhere and cannot_vanish(g, normalise(g, entry, 60), known):
                     rows.remove(row)
                     columns.add(j)

@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from nhc.algebra.calculus import reachable
+from nhc.algebra.graph import Node
 from nhc.algebra.interval import cannot_vanish
 from nhc.algebra.modular import Unlucky, are_zero
 from nhc.algebra.show import to_text
@@ -221,12 +222,28 @@ def _quasi(system: System, formulation: Formulation, bag: Bag) -> None:
     for guard, _ in formulation.frame.guards:
         if cannot_vanish(system.graph, guard, known):
             continue
+        where = _entry_text(system, guard) or to_text(system.graph, guard)
+        own = len(system.quasi) > 3 * len(system.rotations)
+        other = ", take the other `frame` of the rotation" if system.rotations else ""
         bag.warning(
             "W0408",
-            f"the quasi-velocities are singular where `{to_text(system.graph, guard)} = 0`",
-            system.spec.key_span("quasi_velocities"),
-            help=("choose forms that stay independent there, or keep away from it",),
+            f"the quasi-velocities are singular where `{where} = 0`",
+            system.spec.key_span("quasi_velocities" if own else "rotation"),
+            help=(f"choose forms that stay independent there{other}, or keep away from it",),
         )
+
+
+def _entry_text(system: System, node: Node) -> str:
+    """The name of the entry of a rotation's matrix that the node is, with its sign; empty where it is none."""
+    g = system.graph
+    for rotation, declared in zip(system.rotations, system.spec.rotations, strict=True):
+        entries = [entry for row in rotation.matrix for entry in row]
+        for sign in ("", "-"):
+            apart = [g.add(node, entry) if sign else g.sub(node, entry) for entry in entries]
+            found = [name for name, zero in zip(declared.entries, are_zero(g, apart), strict=True) if zero]
+            if found:
+                return sign + found[0]
+    return ""
 
 
 def _nonsmooth(system: System, bag: Bag) -> None:

@@ -288,6 +288,19 @@ def exterior_derivative(system: System, form: Form, x: Sequence[Node], x_time: N
     return g.add(total, g.sum([g.mul(f, c) for f, c in zip(coefficients, turned, strict=True)]))
 
 
+def rows_in_base(system: System, forms: Sequence[Form]) -> list[list[Node]]:
+    """Coefficients of velocity forms by the base coframe: those by q' where the system has no rotation."""
+    g = system.graph
+    if not system.rotations:
+        return [list(form.coefficients) for form in forms]
+    base = [g.symbol(name, "base") for name in system.q_names]
+    plain = [g.sum([g.mul(a, v) for a, v in zip(form.coefficients, system.v, strict=True)]) for form in forms]
+    own = [plain[k] if form.value is None else form.value for k, form in enumerate(forms)]
+    values = substitute(g, own, moving(system, from_base(system, base, system.rotations)))
+    columns = [tangent(g, values, {symbol: g.one}) for symbol in base]
+    return [list(row) for row in zip(*columns, strict=True)]
+
+
 def mass_matrix(system: System) -> list[Node]:
     """d2T/dq'dq', row by row; the length of a quaternion, which has no inertia, is given that of a mean axis.
 

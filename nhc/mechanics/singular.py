@@ -6,13 +6,16 @@ import math
 from dataclasses import dataclass
 from itertools import combinations
 
+from nhc.algebra.calculus import gradient
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Node
 from nhc.algebra.interval import cannot_vanish
 from nhc.algebra.linear import determinant_of
+from nhc.algebra.modular import are_zero
 from nhc.algebra.polynomial import normalise
 from nhc.mechanics.adapt import set_pivots_aside
 from nhc.mechanics.regularity import intervals
+from nhc.mechanics.rotation import rows_in_base
 from nhc.mechanics.system import System
 
 _MOST_ROWS = 3
@@ -31,15 +34,16 @@ def find_rank_loss(system: System) -> RankLoss:
     """Rows with a pivot that cannot vanish are set aside; the others are judged by the squares of their maximal minors."""
     g, known = system.graph, intervals(system)
     rows, columns = set_pivots_aside(system)
+    matrix = rows_in_base(system, system.constraints)
     if not rows:
         return RankLoss(True, ())
     free = [j for j in range(system.n) if j not in columns]
-    free = [j for j in free if any(system.constraints[r].coefficients[j] != g.zero for r in rows)]
+    free = [j for j in free if any(matrix[r][j] != g.zero for r in rows)]
     if len(rows) > _MOST_ROWS or math.comb(len(free), len(rows)) > _MOST_MINORS:
         return RankLoss(None, ())
     minors = set[Node]()
     for subset in combinations(free, len(rows)):
-        block = [[system.constraints[r].coefficients[j] for j in subset] for r in rows]
+        block = [[matrix[r][j] for j in subset] for r in rows]
         minor = normalise(g, determinant_of(g, block), 120)
         if minor != g.zero:
             minors.add(g.split_coefficient(minor)[1])
@@ -49,6 +53,8 @@ def find_rank_loss(system: System) -> RankLoss:
     gram = normalise(g, g.sum([g.power(minor, 2) for minor in kept]), 200)
     if cannot_vanish(g, gram, known):
         return RankLoss(True, ())
+    if system.rotations and all(are_zero(g, gradient(g, gram, (*system.q, system.t)))):
+        return RankLoss(True, ())  # rows of R have one length everywhere
     return RankLoss(False, tuple(kept))
 
 
