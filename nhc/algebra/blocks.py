@@ -97,17 +97,17 @@ def solve_block(
     graph: Graph,
     block: Sequence[Sequence[Node]],
     columns: Sequence[Sequence[Node]],
-    scales: Sequence[Node],
-    weakness: Weakness | None,
+    weakness: Weakness | None = None,
+    scale: Callable[[], Node] | None = None,
 ) -> tuple[list[list[Node]], list[tuple[Node, Node]]]:
-    """Unknowns and guards of one block; ``scales`` are the 1-norms of its whole rows."""
+    """Unknowns and guards of one block; ``scale`` gives the product of the 1-norms of its whole rows (1 where it is not given)."""
     size = len(block)
     if size > 3:
         return _eliminate(graph, block, columns, weakness)
     determinant = normalise(graph, determinant_of(graph, block), 120)
     if are_zero(graph, [determinant])[0]:
         raise Singular
-    guards = [] if graph.value(determinant) is not None else [(determinant, graph.product(scales))]
+    guards = [] if graph.value(determinant) is not None else [(determinant, scale() if scale else graph.one)]
     solved = []
     for column in columns:
         row = []

@@ -8,11 +8,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import partial
 
 from nhc.algebra.blocks import Singular, Weakness, block_order, determinant_of, row_scale, solve_block
 from nhc.algebra.calculus import gradient, rebuild, substitute, tangent
-from nhc.algebra.graph import Graph, Node
+from nhc.algebra.graph import ADD, MUL, NEG, POW, SYM, Graph, Node
 from nhc.algebra.modular import are_zero
+from nhc.algebra.peel import coefficients, peel
+from nhc.algebra.probe import probe_of
 
 __all__ = [
     "Elimination",
@@ -27,12 +30,45 @@ __all__ = [
 ]
 
 
+_NO_POLYNOMIAL = 99
+
+
 class NotLinear(Exception):
     """The expression is not linear in the given symbols; ``symbol`` is one in which it is not."""
 
     def __init__(self, symbol: Node) -> None:
         super().__init__(f"not linear in node {symbol}")
         self.symbol = symbol
+
+
+def is_clearly_linear(graph: Graph, node: Node, symbols: Sequence[Node]) -> bool:
+    """Whether the node is linear in the symbols by sight (False: not known)."""
+    return degrees(graph, symbols)[node] <= 1
+
+
+def degrees(graph: Graph, symbols: Sequence[Node]) -> list[int]:
+    """Degree in the symbols of every node of the graph, by sight; a node that is no polynomial in them has degree 99."""
+    mask = graph.mask(symbols)
+    found: list[int] = graph.memory.setdefault(f"degrees {mask:x}", [])
+    op, a, b, deps = graph.op, graph.a, graph.b, graph.deps
+    for node in range(len(found), len(op)):
+        kind, x = op[node], a[node]
+        if not deps[node] & mask:
+            degree = 0
+        elif kind == SYM:
+            degree = 1
+        elif kind == ADD:
+            degree = max(found[x], found[b[node]])
+        elif kind == MUL:
+            degree = min(_NO_POLYNOMIAL, found[x] + found[b[node]])
+        elif kind == NEG:
+            degree = found[x]
+        elif kind == POW and b[node] > 0:
+            degree = min(_NO_POLYNOMIAL, found[x] * b[node])
+        else:
+            degree = _NO_POLYNOMIAL
+        found.append(degree)
+    return found
 
 
 def linear_form(graph: Graph, node: Node, symbols: Sequence[Node]) -> tuple[tuple[Node, ...], Node]:
@@ -69,7 +105,6 @@ class NamedBlock:
     values: tuple[Node, ...]
     matrix: list[list[Node]]
     right: list[Node]
-    scales: list[Node]
 
     def mapped(self, change: Callable[[Sequence[Node]], Sequence[Node]]) -> NamedBlock:
         """The block with ``change`` applied to all it consists of."""
@@ -78,7 +113,6 @@ class NamedBlock:
             tuple(change(self.values)),
             [list(change(row)) for row in self.matrix],
             list(change(self.right)),
-            list(change(self.scales)),
         )
 
     def rates(self, graph: Graph, seeds: Mapping[Node, Node]) -> list[Node]:
@@ -89,7 +123,7 @@ class NamedBlock:
             for row, value in zip(self.matrix, self.right, strict=True)
         ]
         right = [g.neg(node) for node in tangent(g, residual, seeds)]
-        return solve_block(g, self.matrix, [right], self.scales, None)[0][0]
+        return solve_block(g, self.matrix, [right])[0][0]
 
 
 def solve(
@@ -117,8 +151,8 @@ def solve(
             [graph.sub(column[i], _row_times(graph, matrix[i], zero_entry[i], x[c], done)) for i in rows]
             for c, column in enumerate(columns)
         ]
-        scales = [row_scale(graph, [matrix[i]]) for i in rows]
-        solved, guards = solve_block(graph, block, right, scales, weakness)
+        whole = [matrix[i] for i in rows]
+        solved, guards = solve_block(graph, block, right, weakness, partial(row_scale, graph, whole))
         result.guards.extend(guards)
         for c in range(len(columns)):
             for k, j in enumerate(cols):
@@ -131,11 +165,10 @@ def solve_rows(
     graph: Graph,
     rows: Sequence[Node],
     unknowns: Sequence[Node],
-    matrix: Sequence[Sequence[Node]],
     weakness: Weakness | None = None,
     named: list[NamedBlock] | None = None,
 ) -> tuple[list[Node], list[tuple[Node, Node]]]:
-    """(values of the unknowns, guards) for rows = 0, each row linear in the unknowns with the coefficients ``matrix``.
+    """(values of the unknowns, guards) for rows = 0, each row linear in the unknowns.
 
     What rows share stays shared: known unknowns are put into the rows' own nodes, so that a chain of n bodies costs n.  With
     ``named``, unknowns of a block with a determinant that can vanish stay symbols in the values, and the block is added to it.
@@ -143,23 +176,51 @@ def solve_rows(
     Raises:
         Singular: the determinant vanishes identically.
     """
-    zero_entry = _zero_pattern(graph, matrix)
-    blocks = block_order(len(rows), lambda i, j: not zero_entry[i][j])
     known = Substitution(graph, unknowns)
     guards: list[tuple[Node, Node]] = []
-    for part, columns in blocks:
-        block = [[graph.zero if zero_entry[i][j] else matrix[i][j] for j in columns] for i in part]
+
+    def scale(part: Sequence[int]) -> Node:
+        return row_scale(graph, [coefficients(graph, rows[i], unknowns) for i in part])
+
+    for part, columns, block in _blocks_of(graph, rows, unknowns):
         right = [graph.neg(known.without_others(rows[i])) for i in part]
-        scales = [row_scale(graph, [matrix[i]]) for i in part]
-        (solved,), found = solve_block(graph, block, [right], scales, weakness)
+        (solved,), found = solve_block(graph, block, [right], weakness, partial(scale, part))
         guards.extend(found)
         if named is not None and found and len(columns) > 1:
             symbols = [graph.symbol(f"solved_{j}", "unknown") for j in columns]
-            named.append(NamedBlock(tuple(symbols), tuple(solved), block, right, scales))
+            named.append(NamedBlock(tuple(symbols), tuple(solved), block, right))
             solved = symbols
         for j, value in zip(columns, solved, strict=True):
             known.learn(unknowns[j], value)
     return [known.values[symbol] for symbol in unknowns], guards
+
+
+Block = tuple[Sequence[int], Sequence[int], list[list[Node]]]
+
+
+def _blocks_of(graph: Graph, rows: Sequence[Node], unknowns: Sequence[Node]) -> list[Block]:
+    """(rows, columns, matrix) in an order in which each block needs only the unknowns of earlier ones."""
+    peeled = peel(graph, rows, unknowns)
+    if len(peeled.rows) != len(peeled.columns):
+        raise Singular
+    core = [unknowns[j] for j in peeled.columns]
+    matrix = [coefficients(graph, rows[i], core) for i in peeled.rows]
+    zero_entry = _zero_pattern(graph, matrix)
+    found: list[Block] = [((i,), (j,), [[slope]]) for i, j, slope in peeled.first]
+    for part, columns in block_order(len(matrix), lambda i, j: not zero_entry[i][j]):
+        block = [[graph.zero if zero_entry[i][j] else matrix[i][j] for j in columns] for i in part]
+        found.append(([peeled.rows[i] for i in part], [peeled.columns[j] for j in columns], block))
+    return found + [((i,), (j,), [[slope]]) for i, j, slope in peeled.last]
+
+
+def is_clearly_regular(graph: Graph, rows: Sequence[Node], unknowns: Sequence[Node]) -> bool:
+    """Whether rows linear in the unknowns are certainly independent (False: not known)."""
+    peeled = peel(graph, rows, unknowns)
+    core = [unknowns[j] for j in peeled.columns]
+    if len(peeled.rows) > len(core):
+        return False
+    matrix = [coefficients(graph, rows[i], core) for i in peeled.rows]
+    return not matrix or probe_of(graph).has_full_rank(matrix)
 
 
 class Substitution:

@@ -8,6 +8,7 @@ from typing import Any
 from nhc.algebra.calculus import reachable
 from nhc.algebra.graph import Node
 from nhc.algebra.interval import cannot_vanish
+from nhc.algebra.linear import degrees
 from nhc.algebra.modular import Unlucky, are_zero
 from nhc.algebra.show import to_text
 from nhc.diagnostics import Bag
@@ -17,7 +18,6 @@ from nhc.mechanics.conserved import Integral, find_conserved
 from nhc.mechanics.frame import coordinate_frame
 from nhc.mechanics.integrability import Integrability, classify, cyclic_coordinates
 from nhc.mechanics.integrals import PositionIntegral, find_position_integrals
-from nhc.mechanics.kinetic import velocity_degrees
 from nhc.mechanics.regularity import choose_dependent, intervals
 from nhc.mechanics.singular import find_rank_loss
 from nhc.mechanics.system import System
@@ -70,7 +70,7 @@ def describe(system: System, formulation: Formulation, bag: Bag, *, explain: boo
 
 
 def _kinetic(system: System, facts: Facts) -> None:
-    degree = velocity_degrees(system.graph, system.T, system.v)[system.T]
+    degree = degrees(system.graph, system.v)[system.T]
     text = {2: "quadratic in the velocities"}.get(degree, "no polynomial of degree 2 in the velocities")
     timed = system.graph.depends(system.T, system.graph.deps[system.t])
     facts.say("rheonomic", timed, f"T: {text}{', contains the time' if timed else ''}")

@@ -13,8 +13,7 @@ from functools import cached_property
 
 from nhc.algebra.calculus import gradient, substitute, tangent
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.linear import solve_rows
-from nhc.algebra.probe import probe_of
+from nhc.algebra.linear import is_clearly_regular, solve_rows
 from nhc.mechanics import rotation
 from nhc.mechanics.regularity import pivot_weakness
 from nhc.mechanics.rotation import Rotation, along, from_base, moving
@@ -180,18 +179,14 @@ def make_frame(system: System, free: Sequence[Form], symbols: Sequence[Node]) ->
     turned = tuple(r for r in system.rotations if not set(r.v) & set(symbols))
     renamed = moving(system, from_base(system, unknowns, turned))
     values = substitute(g, [form_value(g, form, system.v) for form in forms], renamed)
-    matrix = [list(form.coefficients) for form in forms]
-    if turned:
-        columns = [tangent(g, values, {unknown: g.one}) for unknown in unknowns]
-        matrix = [list(row) for row in zip(*columns, strict=True)]
 
     def solve(everything: bool) -> tuple[Sequence[Node], Sequence[tuple[Node, Node]]]:
         first = 0 if everything else system.l
         rows = [g.sub(x, w) if j >= first else x for j, (x, w) in enumerate(zip(values, omega, strict=True))]
-        return solve_rows(g, rows, unknowns, matrix, pivot_weakness(system))
+        return solve_rows(g, rows, unknowns, pivot_weakness(system))
 
     frame = Frame(system, forms, omega, omega, solve, turned)
-    if not probe_of(g).has_full_rank(matrix):
+    if not is_clearly_regular(g, values, unknowns):
         frame.kinematics  # noqa: B018 - refuses what is no basis
     return frame
 

@@ -16,10 +16,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 
-from nhc.algebra.calculus import gradient, reachable, substitute, tangent
+from nhc.algebra.calculus import gradient, substitute, tangent
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import ADD, MUL, NEG, POW, Graph, Node
-from nhc.algebra.linear import linear_form
+from nhc.algebra.linear import degrees, linear_form
 from nhc.algebra.modular import is_zero
 from nhc.mechanics import rotation
 from nhc.mechanics.regularity import default_values
@@ -85,30 +85,7 @@ class Kinetic:
         return all(sign > 0 for sign in pivot_signs([[found[h] for h in row] for row in self.hessian]))
 
 
-def velocity_degrees(graph: Graph, root: Node, velocities: Sequence[Node]) -> dict[Node, int]:
-    """Degree in the velocities of every node under the root; a node that is no polynomial in them has degree 99."""
-    mask = graph.mask(tuple(velocities))
-    degree: dict[Node, int] = {}
-    for node in reachable(graph, [root]):
-        op = graph.op[node]
-        if not graph.depends(node, mask):
-            degree[node] = 0
-        elif not graph.children(node):
-            degree[node] = 1
-        elif op == ADD:
-            degree[node] = max(degree[graph.a[node]], degree[graph.b[node]])
-        elif op == MUL:
-            degree[node] = min(99, degree[graph.a[node]] + degree[graph.b[node]])
-        elif op == NEG:
-            degree[node] = degree[graph.a[node]]
-        elif op == POW and graph.b[node] > 0:
-            degree[node] = min(99, degree[graph.a[node]] * graph.b[node])
-        else:
-            degree[node] = 99
-    return degree
-
-
-def _atoms(graph: Graph, root: Node, degree: dict[Node, int]) -> list[Node]:
+def _atoms(graph: Graph, root: Node, degree: Sequence[int]) -> list[Node]:
     """The largest nodes of degree one under the root, in the order of their numbers."""
     found: set[Node] = set()
     stack, seen = [root], set()
@@ -126,7 +103,7 @@ def _atoms(graph: Graph, root: Node, degree: dict[Node, int]) -> list[Node]:
     return sorted(found)
 
 
-def _without_factor(graph: Graph, node: Node, degree: dict[Node, int]) -> Node:
+def _without_factor(graph: Graph, node: Node, degree: Sequence[int]) -> Node:
     """A form times a function is that function times a simpler form."""
     while graph.op[node] == MUL or graph.op[node] == NEG:
         children = graph.children(node)
@@ -193,7 +170,7 @@ def pivot_signs(matrix: list[list[float]]) -> list[int]:
 def kinetic_structure(system: System) -> Kinetic:
     """T's velocity forms; where T is no polynomial in the velocities they are the velocities themselves."""
     g = system.graph
-    degree = velocity_degrees(g, system.T, system.v)
+    degree = degrees(g, system.v)
     atoms = [] if degree[system.T] == 99 else _atoms(g, system.T, degree)
     mask = g.mask(system.v)
     u = tuple(g.symbol(f"u{k + 1}", "form") for k in range(len(atoms)))

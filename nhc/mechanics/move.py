@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from nhc.algebra.calculus import gradient, substitute, tangent
+from nhc.algebra.calculus import substitute, tangent
 from nhc.algebra.field import Unlucky
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.linear import NamedBlock, Singular, solve_rows
@@ -31,7 +31,6 @@ from nhc.mechanics.signatures import Signatures
 from nhc.mechanics.system import System
 from nhc.mechanics.turns import change_axes
 from nhc.mechanics.vectors import Chained, Reader
-
 
 
 def move(system: System, kinetic: Kinetic, frame: Frame) -> Moved | None:
@@ -172,11 +171,10 @@ def _solve(
     """The velocities from the rows, the constraints' forms being zero unless ``everything`` is asked for."""
     system, g = scene.system, scene.graph
     still = {} if everything else dict.fromkeys(scene.held[: system.l], g.zero)
-    matrix = [gradient(g, row, system.v) for row in rows]
     full = [g.sub(row, symbol) for row, symbol in zip(rows, scene.held, strict=True)]
     full = substitute(g, full, still)  # rows may hold one another's symbols
     blocks = list[NamedBlock]()
-    found, guards = solve_rows(g, full, system.v, matrix, pivot_weakness(system), None if everything else blocks)
+    found, guards = solve_rows(g, full, system.v, pivot_weakness(system), None if everything else blocks)
 
     def tidy(nodes: Sequence[Node]) -> list[Node]:
         return substitute(g, substitute(g, nodes, scene.meaning), still)

@@ -8,15 +8,13 @@ to what stands on them, as in a hand-written recursion, and every identification
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 
-from nhc.algebra.calculus import reachable, substitute, tangent
-from nhc.algebra.field import Unlucky
+from nhc.algebra.calculus import Derivation
 from nhc.algebra.graph import Graph, Node
-from nhc.mechanics.kinetic import Kinetic
 from nhc.mechanics.signatures import Signatures
-from nhc.mechanics.system import Form, System
+from nhc.mechanics.system import System
 from nhc.mechanics.turns import Path, Vector, add_spin, add_vectors, change_axes, cross
 from nhc.mechanics.vectors import Chained, Part, Reader
 
@@ -57,7 +55,10 @@ class Scene:
         default_factory=dict
     )  # the spec's expressions of angular velocities -> the chain's
 
-    rates: dict[Node, Node] = field(default_factory=dict)
+    @cached_property
+    def _derivation(self) -> Derivation:
+        system = self.system
+        return Derivation(self.graph, {**dict(zip(system.q, system.v, strict=True)), system.t: self.graph.one})
 
     @property
     def graph(self) -> Graph:
@@ -76,12 +77,7 @@ class Scene:
 
     def rate(self, node: Node) -> Node:
         """d node / dt over the velocities' symbols."""
-        known = self.rates.get(node)
-        if known is None:
-            system = self.system
-            seeds = {**dict(zip(system.q, system.v, strict=True)), system.t: self.graph.one}
-            known = self.rates[node] = tangent(self.graph, [node], seeds)[0]
-        return known
+        return self._derivation.of(node)
 
     def local_velocity(self, part: Part, is_position: bool) -> Vector:
         if not is_position:

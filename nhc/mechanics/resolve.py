@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from nhc.algebra.calculus import tangent
+from nhc.algebra.calculus import Derivation, tangent
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.linear import NotLinear, linear_form
+from nhc.algebra.linear import NotLinear, is_clearly_linear, is_clearly_regular, linear_form
 from nhc.algebra.modular import are_zero, rank
 from nhc.algebra.nodes import NumberTooLong
 from nhc.diagnostics import Bag, Span
 from nhc.language import Spec
 from nhc.language.spec import Rotation
-from nhc.language.syntax import Binary, Call, Differential, Name, Negate, Number, Prime, Syntax, fold_tree
+from nhc.language.syntax import Binary, Call, Differential, Name, Negate, Number, Prime, Syntax
 from nhc.mechanics import rotation as mechanics
 from nhc.mechanics.system import Form, System
 
@@ -32,6 +32,7 @@ class Resolver:
         self.names.update((c.name, node) for c, node in zip(spec.parameters, self.p, strict=True))
         self._rates = {**dict(zip(self.q, self.v, strict=True)), self.t: g.one}
         self.rotations = tuple(self._rotation(rotation) for rotation in spec.rotations)
+        self._derivation = Derivation(g, self._rates)
 
     def _rotation(self, declared: Rotation) -> mechanics.Rotation:
         """The nodes of a rotation, which take the places of what its names stand for in the spec."""
@@ -50,54 +51,74 @@ class Resolver:
 
     def node(self, tree: Syntax, names: Mapping[str, Node] | None = None) -> Node:
         """The node of a syntax tree; a division by a constant zero is reported and stands as zero."""
-        known = self.names if names is None else names
-        return fold_tree(tree, lambda part, operands: self._bounded(part, operands, known))
+        return self._build(tree, self.names if names is None else names)
 
-    def _bounded(self, part: Syntax, operands: tuple[Node, ...], names: Mapping[str, Node]) -> Node:
-        try:
-            return self._visit(part, operands, names)
-        except NumberTooLong:
-            message = "this constant is too long to be written exactly"
-            self.bag.error("E0210", message, part.span, help=("keep numbers below 1e308, which doubles can hold",))
-            return self.graph.one
+    def _build(self, tree: Syntax, names: Mapping[str, Node]) -> Node:
+        """Left operands by a loop, for sums are as deep as they are long; what else nests is bounded by the parser."""
+        spine: list[Binary] = []
+        while isinstance(tree, Binary):
+            spine.append(tree)
+            tree = tree.left
+        result = self._operand(tree, names)
+        while spine:
+            part = spine.pop()
+            right = self._build(part.right, names)
+            try:
+                result = self._binary(part, result, right)
+            except NumberTooLong:
+                result = self._refuse_number(part)
+        return result
 
-    def _visit(self, part: Syntax, operands: tuple[Node, ...], names: Mapping[str, Node]) -> Node:
+    def _operand(self, part: Syntax, names: Mapping[str, Node]) -> Node:
         g = self.graph
-        match part:
-            case Number():
-                return g.number(part.value)
-            case Name():
-                return names[part.name]
-            case Differential():
-                return g.one if part.name == "t" else self.v[self._coordinate(part.name)]
-            case Negate():
-                return g.neg(operands[0])
-            case Prime():
-                rate = tangent(g, [operands[0]], self._rates)[0]
-                if operands[0] in g.labels and g.children(rate):
-                    g.labels.setdefault(rate, f"{g.labels[operands[0]]}_dot")
-                g.rate_of.setdefault(rate, operands[0])
-                return rate
-            case Call():
-                return g.function(part.function, *operands)
-            case Binary():
-                return self._binary(part, operands)
+        try:
+            match part:
+                case Name():
+                    return names[part.name]
+                case Number():
+                    value = part.value
+                    return g.number(value.numerator if value.denominator == 1 else value)
+                case Prime():
+                    return self._rate(self._build(part.operand, names))
+                case Negate():
+                    return g.neg(self._build(part.operand, names))
+                case Differential():
+                    return g.one if part.name == "t" else self.v[self._coordinate(part.name)]
+                case Call():
+                    return g.function(part.function, *(self._build(x, names) for x in part.arguments))
+                case Binary():
+                    return self._build(part, names)
+        except NumberTooLong:
+            return self._refuse_number(part)
 
-    def _binary(self, part: Binary, operands: tuple[Node, ...]) -> Node:
-        g, (x, y) = self.graph, operands
-        if part.op == "+":
-            return g.add(x, y)
-        if part.op == "-":
-            return g.sub(x, y)
-        if part.op == "*":
+    def _refuse_number(self, part: Syntax) -> Node:
+        message = "this constant is too long to be written exactly"
+        self.bag.error("E0210", message, part.span, help=("keep numbers below 1e308, which doubles can hold",))
+        return self.graph.one
+
+    def _rate(self, node: Node) -> Node:
+        g = self.graph
+        rate = self._derivation.of(node)
+        if node in g.labels and g.children(rate):
+            g.labels.setdefault(rate, f"{g.labels[node]}_dot")
+        g.rate_of.setdefault(rate, node)
+        return rate
+
+    def _binary(self, part: Binary, x: Node, y: Node) -> Node:
+        g, op = self.graph, part.op
+        if op == "*":
             return g.mul(x, y)
+        if op == "+":
+            return g.add(x, y)
+        if op == "-":
+            return g.sub(x, y)
         exponent = g.value(y)
-        divides = part.op == "/" or (exponent is not None and exponent < 0)
-        if divides and (g.value(y) if part.op == "/" else g.value(x)) == 0:
-            place = part.right.span if part.op == "/" else part.span
+        divides = op == "/" or (exponent is not None and exponent < 0)
+        if divides and (exponent if op == "/" else g.value(x)) == 0:
+            place = part.right.span if op == "/" else part.span
             self.bag.error("E0417", "this divides by zero", place, help=("remove the division, or mend the divisor",))
             return g.zero
-        if part.op == "/":
+        if op == "/":
             return g.div(x, y)
         if exponent is not None and exponent.denominator == 1 and abs(exponent) <= 1000:
             return g.power(x, int(exponent))
@@ -115,6 +136,8 @@ class Resolver:
 
     def form(self, name: str, node: Node, span: Span, code: str, what: str) -> Form:
         """A velocity form, or a diagnostic and a zero form in its place."""
+        if is_clearly_linear(self.graph, node, self.v):
+            return Form.written(name, node, self.graph, self.v, self.place(span))
         try:
             coefficients, constant = linear_form(self.graph, node, self.v)
         except NotLinear as error:
@@ -245,9 +268,9 @@ def _constraints(build: Resolver) -> tuple[Form, ...]:
                 help=("move it to `constraints:`",),
             )
             continue
-        rate = tangent(g, [f], build._rates)[0]
-        form = build.form(held.name, rate, held.span, "E0401", "the constraint")
-        rows.append(Form(form.name, form.coefficients, form.constant, form.place, f, rate))
+        form = build.form(held.name, build._derivation.of(f), held.span, "E0401", "the constraint")
+        form.equation = f
+        rows.append(form)
     return tuple(rows)
 
 
@@ -285,6 +308,9 @@ def _check_freedom(build: Resolver, system: System) -> None:
 def _check_rank(build: Resolver, system: System) -> None:
     """Dependent constraints and contradictory ones, row by row."""
     g = build.graph
+    written = [form.value for form in system.constraints if form.value is not None]
+    if len(written) == system.l and is_clearly_regular(g, written, system.v):
+        return
     kept: list[Form] = []
     spans = [c.span for c in build.spec.constraints] + [h.span for h in build.spec.holonomic]
     for form, span in zip(system.constraints, spans, strict=True):

@@ -7,27 +7,78 @@ a reaction enters as Q_i + lambda_alpha a_alpha_i.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 
 from nhc.algebra.graph import Graph, Node
+from nhc.algebra.linear import linear_form
 from nhc.language import Spec
 from nhc.mechanics.rotation import Rotation
 
 
-@dataclass(frozen=True, slots=True)
 class Form:
     """A velocity form: coefficients_i * q'_i + constant; as a constraint it is zero, as a quasi-velocity it is omega.
 
     ``equation`` is f for a holonomic constraint f(q, t) = 0, whose derivative the form is.  ``value`` is the form as
-    the spec wrote it, over the velocities' symbols, where it was written: it shares what the coefficients repeat.
+    the spec wrote it, over the velocities' symbols, where it was written: it shares what the coefficients repeat, which
+    a written form reads off when they are first asked for (:meth:`written`).
     """
 
-    name: str
-    coefficients: tuple[Node, ...]
-    constant: Node
-    place: str = ""
-    equation: Node | None = None
-    value: Node | None = None
+    __slots__ = ("_linear", "_read", "equation", "name", "place", "value")
+
+    def __init__(
+        self,
+        name: str,
+        coefficients: tuple[Node, ...],
+        constant: Node,
+        place: str = "",
+        equation: Node | None = None,
+        value: Node | None = None,
+    ) -> None:
+        self.name, self.place, self.equation, self.value = name, place, equation, value
+        self._linear: tuple[tuple[Node, ...], Node] | None = (coefficients, constant)
+        self._read: Callable[[], tuple[tuple[Node, ...], Node]] | None = None
+
+    @classmethod
+    def written(
+        cls,
+        name: str,
+        value: Node,
+        graph: Graph,
+        velocities: tuple[Node, ...],
+        place: str,
+        equation: Node | None = None,
+    ) -> Form:
+        """A form by its value, which is linear in the velocities."""
+        form = cls(name, (), graph.zero, place, equation, value)
+        form._linear, form._read = None, partial(linear_form, graph, value, velocities)
+        return form
+
+    def _known(self) -> tuple[tuple[Node, ...], Node]:
+        if self._linear is None:
+            assert self._read is not None
+            self._linear = self._read()
+        return self._linear
+
+    @property
+    def coefficients(self) -> tuple[Node, ...]:
+        """One for each velocity."""
+        return self._known()[0]
+
+    @property
+    def constant(self) -> Node:
+        """What is left where all velocities are zero."""
+        return self._known()[1]
+
+    def _key(self) -> tuple[object, ...]:
+        return (self.name, *self._known(), self.place, self.equation, self.value)
+
+    def __eq__(self, other: object) -> bool:
+        return self is other or (isinstance(other, Form) and self._key() == other._key())
+
+    def __hash__(self) -> int:
+        return hash(self._key())
 
 
 @dataclass(frozen=True, slots=True)
