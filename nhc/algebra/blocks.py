@@ -11,7 +11,7 @@ from collections.abc import Callable, Sequence
 from nhc.algebra.calculus import reachable
 from nhc.algebra.graph import ADD, MUL, NEG, POW, Graph, Node
 from nhc.algebra.modular import are_zero
-from nhc.algebra.polynomial import normalise
+from nhc.algebra.angles import normalise_angles
 from nhc.algebra.shorten import shorten
 
 _FEW_FACTORS = 8
@@ -104,7 +104,7 @@ def solve_block(
     size = len(block)
     if size > 3:
         return _eliminate(graph, block, columns, weakness)
-    determinant = normalise(graph, determinant_of(graph, block), 120)
+    determinant = normalise_angles(graph, determinant_of(graph, block), 120)
     if are_zero(graph, [determinant])[0]:
         raise Singular
     guards = [] if graph.value(determinant) is not None else [(determinant, scale() if scale else graph.one)]

@@ -12,11 +12,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import combinations
 
+from nhc.algebra.angles import normalise_angles as normalise
 from nhc.algebra.graph import Node
 from nhc.algebra.interval import cannot_vanish
 from nhc.algebra.linear import determinant_of
 from nhc.algebra.modular import rank
-from nhc.algebra.polynomial import normalise
 from nhc.mechanics.frame import coordinate_form
 from nhc.mechanics.regularity import choose_dependent, coframe_weakness, intervals
 from nhc.mechanics.rotation import rows_in_base

@@ -12,6 +12,8 @@ from nhc.mechanics.system import System
 from nhc.mechanics.turns import Path, Turn, Vector, change_axes
 from nhc.mechanics.vectors import Chained
 
+_FEW_FACTORS = 8
+
 
 def square_groups(system: System, kinetic: Kinetic) -> list[tuple[int, ...]]:
     """Pairs and triples of velocity forms that stand in T as h/2 (u_i^2 + u_j^2 + u_k^2) and nowhere else."""
@@ -55,11 +57,12 @@ def _pair(members: Sequence[int], reach: dict[int, int]) -> Iterator[tuple[int, 
 
 @dataclass(frozen=True)
 class Sided:
-    """cos(angle) c + sin(angle) s + rest, as a row has it."""
+    """scale (cos(angle) c + sin(angle) s) + rest, as a row has it."""
 
     angle: Node
     c: Node
     s: Node
+    scale: Node
     rest: Node
 
     @property
@@ -71,23 +74,44 @@ def along_direction(graph: Graph, row: Node) -> Sided | None:
     """The row as a component along a direction, where sin and cos of one angle multiply two of its terms."""
     g = graph
     terms = list(_terms(g, row))
-    factors: dict[tuple[str, Node], list[tuple[int, Node]]] = {}
-    for k, term in enumerate(terms):
-        negative = g.op[term] == NEG
-        body = g.a[term] if negative else term
-        if g.op[body] != MUL:
-            continue
-        for own, other in ((g.a[body], g.b[body]), (g.b[body], g.a[body])):
+    products = [_factors(g, term) for term in terms]
+    users: dict[tuple[str, Node], list[int]] = {}
+    for k, product in enumerate(products):
+        for own in dict.fromkeys(product):
             if g.op[own] in ("sin", "cos"):
-                factors.setdefault((g.op[own], g.a[own]), []).append((k, g.neg(other) if negative else other))
-    for (name, angle), found in factors.items():
-        mate = factors.get(("cos" if name == "sin" else "sin", angle))
-        if name != "sin" or mate is None or len(found) != 1 or len(mate) != 1 or found[0][0] == mate[0][0]:
+                users.setdefault((g.op[own], g.a[own]), []).append(k)
+    for (name, angle), found in users.items():
+        mate = users.get(("cos", angle), [])
+        if name != "sin" or len(found) != 1 or len(mate) != 1 or found[0] == mate[0]:
             continue
-        used = (found[0][0], mate[0][0])
-        rest = g.sum([t for k, t in enumerate(terms) if k not in used])
-        return Sided(angle, mate[0][1], found[0][1], rest)
+        (k,), (j,) = found, mate
+        with_sin, with_cos = list(products[k]), list(products[j])
+        with_sin.remove(g.function("sin", angle))
+        with_cos.remove(g.function("cos", angle))
+        scale = g.one
+        for factor in list(with_sin):
+            if factor in with_cos and factor in with_sin:
+                with_sin.remove(factor)
+                with_cos.remove(factor)
+                scale = g.mul(scale, factor)
+        rest = g.sum([t for i, t in enumerate(terms) if i not in (k, j)])
+        return Sided(angle, g.product(with_cos), g.product(with_sin), scale, rest)
     return None
+
+
+def _factors(graph: Graph, term: Node) -> list[Node]:
+    """The factors of a short product, a sign among the others."""
+    g, found, stack, negative = graph, list[Node](), [term], False
+    while stack:
+        node = stack.pop()
+        if g.op[node] == NEG:
+            negative = not negative
+            stack.append(g.a[node])
+        elif g.op[node] == MUL and len(found) + len(stack) < _FEW_FACTORS:
+            stack += [g.b[node], g.a[node]]
+        else:
+            found.append(node)
+    return [*found, g.number(-1)] if negative else found
 
 
 def _terms(graph: Graph, node: Node) -> Iterator[Node]:
@@ -151,7 +175,7 @@ def rewrite_row(scene: Scene, row: Node) -> Node | None:
     vector, is_position = read_vector(scene, components)
     home = scene.home(vector, is_position)
     component = change_axes(g, home.velocity, home.path, sided.path)[axis]
-    return g.add(component if sign > 0 else g.neg(component), sided.rest)
+    return g.add(g.mul(sided.scale, component if sign > 0 else g.neg(component)), sided.rest)
 
 
 def direction_vector(graph: Graph, sided: Sided) -> tuple[Vector, int, int]:

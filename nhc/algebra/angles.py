@@ -1,0 +1,56 @@
+"""Sines and cosines of sums of angles, written in those of the terms where that is shorter."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from nhc.algebra.calculus import count, reachable, substitute
+from nhc.algebra.graph import ADD, NEG, Graph, Node
+from nhc.algebra.polynomial import normalise
+
+_MOST_TERMS = 4
+
+
+def split_angles(graph: Graph, nodes: Sequence[Node]) -> list[Node]:
+    """The nodes with sin(x + y) and cos(x + y) replaced by what the addition theorems say."""
+    g, new = graph, dict[Node, Node]()
+    for node in reachable(g, nodes):
+        if g.op[node] in ("sin", "cos"):
+            terms = _terms(g, g.a[node])
+            if 1 < len(terms) <= _MOST_TERMS:
+                s, c = _circle(g, terms)
+                new[node] = s if g.op[node] == "sin" else c
+    return substitute(g, nodes, new) if new else list(nodes)
+
+
+def normalise_angles(graph: Graph, node: Node, limit: int) -> Node:
+    """The canonical form in the angles as they stand, or in their terms: the shorter one."""
+    whole = normalise(graph, node, limit)
+    (expanded,) = split_angles(graph, [node])
+    if expanded == node:
+        return whole
+    apart = normalise(graph, expanded, limit)
+    return apart if count(graph, [apart]) < count(graph, [whole]) else whole
+
+
+def _circle(graph: Graph, terms: Sequence[Node]) -> tuple[Node, Node]:
+    """(sin, cos) of the sum of the terms."""
+    g = graph
+    s, c = g.zero, g.one
+    for term in terms:
+        x, y = g.function("sin", term), g.function("cos", term)
+        s, c = g.add(g.mul(s, y), g.mul(c, x)), g.sub(g.mul(c, y), g.mul(s, x))
+    return s, c
+
+
+def _terms(graph: Graph, node: Node) -> list[Node]:
+    found, stack = list[Node](), [(node, False)]
+    while stack:
+        top, negative = stack.pop()
+        if graph.op[top] == NEG:
+            stack.append((graph.a[top], not negative))
+        elif graph.op[top] == ADD:
+            stack += [(graph.b[top], negative), (graph.a[top], negative)]
+        else:
+            found.append(graph.neg(top) if negative else top)
+    return found
