@@ -1,0 +1,155 @@
+"""True singularities end a run with exit code 3, wherever the steps fall; nearness is said; ordinary scenes raise no alarm."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import pytest
+
+from nhc.cli.entry import main
+from nhc.language import Source, decode, read
+from nhc.simulate.opening import open_scene
+from nhc.simulate.run import Settings, Trajectory, run
+from tests.support import COMPILER, SPECS, spec_path
+
+needs_compiler = pytest.mark.skipif(COMPILER is None, reason="no C compiler")
+
+BOARD = """
+  through:
+    initial: {theta: 0.2, p_b: 0.4, p_f: FRONT, x': 0.3, psi': 2, p_b': 1, p_f': 1}
+    parameters: {sigma: 0, tau: 0}
+    time: [0, 3]
+    need: [x, y, theta, p_b, p_f]
+"""
+CLOSED = 1.1707963267948966  # p_b = p_f = pi/2
+
+
+@pytest.fixture(autouse=True, scope="module")
+def _cache(tmp_path_factory: pytest.TempPathFactory) -> object:
+    folder = tmp_path_factory.mktemp("cache")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("NHC_CACHE", str(folder))
+        yield folder
+
+
+def board(front: str = "0.4") -> Source:
+    """The snakeboard with a scene in which both axles turn along the board."""
+    lines = [line for line in spec_path("snakeboard").read_text().splitlines() if not line.startswith("dependent")]
+    return Source("board.yaml", "\n".join(lines) + BOARD.replace("FRONT", front))
+
+
+def follow(source: Source, scene: str, formulation: str = "", method: str = "dop853", **more: object) -> Trajectory:
+    job = open_scene(source, scene, formulation, method=method)
+    return run(job, Settings(method, points=31, **more))  # type: ignore[arg-type]
+
+
+@needs_compiler
+@pytest.mark.parametrize("formulation", ["", "voronec", "multipliers"])
+@pytest.mark.parametrize(
+    ("method", "step"), [("dop853", 0.0), ("dopri5", 0.0), ("radau5", 0.0), ("rk4", 0.1), ("rk4", 0.013)]
+)
+def test_no_run_through_a_loss_of_rank(formulation: str, method: str, step: float) -> None:
+    """C5: both axles along the board: nothing changes its sign there, and nothing blows up."""
+    found = follow(board(), "through", formulation, method, step=step)
+    assert found.ended == "failed" and found.outcome.t == pytest.approx(CLOSED, abs=1e-5)
+    assert found.times[-1] < CLOSED and any("nearly" in note for note in found.notes)
+
+
+def test_python_stops_where_c_does() -> None:
+    c, python = (follow(board(), "through", "", "rk4", step=0.1, compiled=compiled) for compiled in (True, False))
+    assert c.ended == python.ended == "failed" and c.outcome.t == pytest.approx(python.outcome.t, abs=1e-9)
+    assert c.notes == python.notes
+
+
+@needs_compiler
+def test_close_by_it_goes_on_says_so_and_is_right() -> None:
+    """A thousandth of a radian beside it the board is caught for a while; two formulations agree on what follows."""
+    one, other = (follow(board("0.401"), "through", name, "auto", tolerance=1e-9) for name in ("", "multipliers"))
+    assert one.ended == other.ended == "done"
+    assert max(abs(a - b) for a, b in zip(one.rows[-1], other.rows[-1], strict=True)) < 1e-7
+    assert any("digits are lost" in note for note in one.notes)
+    assert any("the constraints nearly lose rank" in note for note in other.notes)
+
+
+def body(d: str) -> Source:
+    """C3: Euler's angles pass their lock at a distance proportional to d."""
+    text = spec_path("free_rigid_body").read_text()
+    scene = f"scenes: {{lock: {{initial: {{theta: 1, w1: -1, w2: {d}}}, time: [0, 2], need: [w1, w2, w3, theta]}}}}\n"
+    return Source("body.yaml", text[: text.index("scenes:")] + scene)
+
+
+@needs_compiler
+@pytest.mark.parametrize("formulation", ["", "lagrange"])
+@pytest.mark.parametrize("method", ["dop853", "rk4"])
+def test_gimbal_lock_is_a_stop(formulation: str, method: str) -> None:
+    found = follow(body("0"), "lock", formulation, method, step=0.07 if method == "rk4" else 0.0)
+    assert found.ended == "failed" and found.outcome.t == pytest.approx(1.0, abs=0.05 if method == "rk4" else 1e-5)
+
+
+@needs_compiler
+@pytest.mark.parametrize(("d", "said"), [("0.2", False), ("0.01", True), ("0.0001", True)])
+def test_near_the_lock_it_is_said(d: str, said: bool) -> None:
+    """The spin of the free body's own axes is known from Euler's equations, which know of no angles."""
+    found = follow(body(d), "lock", tolerance=1e-9)
+    assert found.ended == "done" and any("digits are lost" in note for note in found.notes) == said
+    text = spec_path("free_rigid_body_quaternion").read_text()
+    scene = f"scenes: {{lock: {{initial: {{w1: -1, w2: {d}}}, time: [0, 2], need: [w1, w2, w3]}}}}\n"
+    free = follow(Source("free.yaml", text[: text.index("scenes:")] + scene), "lock", tolerance=1e-12)
+    assert found.rows[-1][:3] == pytest.approx(free.rows[-1], abs=1e-7)
+
+
+@needs_compiler
+def test_a_pendulum_through_its_pole() -> None:
+    """Spherical angles: along a meridian nothing is felt of the pole, but phi has no meaning there."""
+    text = spec_path("spherical_pendulum").read_text()
+    scene = "scenes: {meridian: {initial: {theta: 1}, time: [0, 3], need: [theta, phi]}}\n"
+    for step in (0.0, 0.05):
+        found = follow(
+            Source("pole.yaml", text[: text.index("scenes:")] + scene),
+            "meridian",
+            method="rk4" if step else "dop853",
+            step=step,
+        )
+        assert found.ended == "failed" and "mass matrix" in found.reason
+        assert abs(math.remainder(found.outcome.y[0], math.pi)) < 1e-3
+
+
+SCENES = [(path.stem, scene.name) for path in sorted(SPECS.glob("*.yaml")) for scene in decode(read(str(path))).scenes]
+NEAR = {("heavy_top", "sleeping"), ("heavy_top", "waking"), ("rolling_disk", "bounce")}
+"""An upright top in Euler's angles, and a disk that falls almost flat."""
+
+
+@needs_compiler
+@pytest.mark.slow
+@pytest.mark.parametrize(("name", "scene"), SCENES)
+def test_no_scene_of_the_gallery_raises_an_alarm(name: str, scene: str) -> None:
+    found = run(open_scene(read(str(spec_path(name))), scene), Settings())
+    assert found.ended == "done"
+    assert any("digits are lost" in note for note in found.notes) == ((name, scene) in NEAR)
+    assert all("digits are lost" in note for note in found.notes)
+
+
+# --- the command --------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("how", [(), ("--python",)])
+def test_the_command_tells_place_reason_and_help(
+    how: tuple[str, ...], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    spec, target = tmp_path / "board.yaml", tmp_path / "board.csv"
+    spec.write_text(board().text)
+    code = main(["run", str(spec), "--scene", "through", "-f", "multipliers", "-o", str(target), *how])
+    out, err = capsys.readouterr()
+    assert (code, out) == (3, "") and not target.exists()
+    for part in (
+        "fails at t = 1.17079",
+        "the constraints lose rank here",
+        "p_b = 1.570",
+        "no formulation has a motion",
+    ):
+        assert part in err
+    spec.write_text(body("0").text)
+    code = main(["run", str(spec), "-f", "lagrange", "-o", str(target), *how])
+    out, err = capsys.readouterr()
+    assert (code, out) == (3, "") and not target.exists() and "such as a `rotation:`" in err
