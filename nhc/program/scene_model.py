@@ -30,7 +30,7 @@ ENTRY, DIVISION, CALL = 80, 8, 20
 _NEAR = 1.05
 """How much dearer the first formulation may be and still be taken, for the sake of the spec's own names."""
 _WEAK = 0.02
-_LARGE = 1500
+_LARGE = 10_000
 """Operations of the equations beyond which only the formulation itself is reduced: trying others would take seconds each."""
 
 

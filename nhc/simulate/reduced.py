@@ -18,7 +18,7 @@ from nhc.program.structure import Structure
 from nhc.program.watch import watch_function
 from nhc.simulate.prepare import Job
 
-_LARGE = 1500
+_LARGE = 5000
 """Operations beyond which looking for what can be left out takes longer than it saves in a run."""
 
 

@@ -6,9 +6,12 @@ import re
 from collections.abc import Callable
 from pathlib import Path
 
+import pytest
+
+from benchmarks import scenes
 from nhc.language import decode, read
 from nhc.pipeline import Options, reduce_scene
-from tests.support import GALLERY, ROOT, spec_path
+from tests.support import COMPILER, GALLERY, ROOT, spec_path
 
 DOCUMENT = ROOT / "docs" / "scenes.md"
 PART = re.compile(r"^<!-- generated: scenes -->\n.*?^<!-- end -->$", re.MULTILINE | re.DOTALL)
@@ -33,3 +36,21 @@ def test_table(golden: Callable[[Path, str], None]) -> None:
     new, count = PART.subn(lambda _: made, text)
     assert count == 1
     golden(DOCUMENT, new)
+
+
+def test_the_measured_table_has_the_scenes_whose_model_is_another_one() -> None:
+    """Times move from machine to machine; which scenes stand there and how many equations they have does not."""
+    text = scenes.PART.search(DOCUMENT.read_text())
+    assert text is not None
+    shown = re.findall(r"^\| (\w+) \| (\w+) \| (\d+) → (\d+) \|", text.group(), re.MULTILINE)
+    pairs = scenes.list_pairs()
+    assert shown == [(p.name, p.scene, str(len(p.full.y)), str(len(p.reduced.y))) for p in pairs]
+    assert all(len(p.reduced.y) <= len(p.full.y) for p in pairs)
+
+
+@pytest.mark.skipif(COMPILER is None, reason="no C compiler")
+def test_what_a_scene_saves_is_measured() -> None:
+    (pair,) = [p for p in scenes.list_pairs() if (p.name, p.scene) == ("suslov", "rates_only")]
+    full, reduced = scenes.measure(pair)
+    assert 0 < reduced.rhs < full.rhs and 0 < reduced.run < full.run
+    assert scenes.print_row(pair, full, reduced).startswith("| suslov | rates_only | 5 → 2 | ")
