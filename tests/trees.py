@@ -63,7 +63,6 @@ def planar_tree(seed: int, *, written: bool = False) -> str:
     return "\n".join(lines) + "\n"
 
 
-
 def spatial_pair(seed: int) -> str:
     """A body that is turned about three axes, with two masses, and another hinged to it about an axis that stands askew.
 
@@ -111,5 +110,10 @@ def spatial_pair(seed: int) -> str:
     lines = ["nhc: 1", "system: pair", "coordinates: [x, y, z, a, b, c, d]"]
     lines += ["parameters: {m: 1, n: 0.7, l: 0.3, h: 0.4, k: 0.5, A: 0.3, B: 0.4, C: 0.5, R: 0.6, g: 9.81}", "define:"]
     lines += [f"  {name}: {value}" for name, value in define.items()]
-    lines += [f"T: {' + '.join(energy)}", "V: g*(m*z + m*Pz + n*Hz) + Pz^2", "constraints:", *(f"  - {r}" for r in rows)]
+    lines += [
+        f"T: {' + '.join(energy)}",
+        "V: g*(m*z + m*Pz + n*Hz) + Pz^2",
+        "constraints:",
+        *(f"  - {r}" for r in rows),
+    ]
     return "\n".join(lines) + "\n"

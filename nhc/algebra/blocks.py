@@ -8,10 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
+from nhc.algebra.angles import normalise_angles
 from nhc.algebra.calculus import reachable
 from nhc.algebra.graph import ADD, MUL, NEG, POW, Graph, Node
 from nhc.algebra.modular import are_zero
-from nhc.algebra.angles import normalise_angles
 from nhc.algebra.shorten import shorten
 
 _FEW_FACTORS = 8

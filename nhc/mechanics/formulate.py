@@ -109,7 +109,9 @@ def _route(system: System, formulation: Formulation, kinetic: Kinetic, moved: Mo
         made = [projector.row(e, w) for e, w in zip(frame.vectors[: system.l], weights, strict=True)]
         return tuple(_polish(system.graph, made))
 
-    return _Route(motion, frame.guards if frame is not None else (), _polish(system.graph, rows, motion.velocities), react)
+    return _Route(
+        motion, frame.guards if frame is not None else (), _polish(system.graph, rows, motion.velocities), react
+    )
 
 
 def _symmetric(rows: Sequence[Row]) -> tuple[tuple[Node, ...], ...]:

@@ -171,15 +171,19 @@ def _solve(
     """The velocities from the rows, the constraints' forms being zero unless ``everything`` is asked for."""
     system, g = scene.system, scene.graph
     still = {} if everything else dict.fromkeys(scene.held[: system.l], g.zero)
-    full = [g.sub(row, symbol) for row, symbol in zip(rows, scene.held, strict=True)]
-    full = substitute(g, full, still)  # rows may hold one another's symbols
+    full = [g.sub(row, x) for j, (row, x) in enumerate(zip(rows, scene.held, strict=True)) if j not in scene.dropped]
+    full = substitute(g, substitute(g, full, scene.given), still)  # rows may hold one another's symbols
+    unknowns = [*(v for v in system.v if v not in scene.given), *scene.unknown]
     blocks = list[NamedBlock]()
-    found, guards = solve_rows(g, full, system.v, pivot_weakness(system), None if everything else blocks)
+    found, guards = solve_rows(g, full, unknowns, pivot_weakness(system), None if everything else blocks)
 
     def tidy(nodes: Sequence[Node]) -> list[Node]:
         return substitute(g, substitute(g, nodes, scene.meaning), still)
 
-    known = {**scene.meaning, **dict(zip(system.v, tidy(found), strict=True))}
+    known = dict(zip(unknowns, found, strict=True))
+    given = substitute(g, list(scene.given.values()), known)
+    known.update(zip(scene.given, given, strict=True))
+    known = {**scene.meaning, **dict(zip(known, tidy(list(known.values())), strict=True))}
     return Solution(scene, known, tuple(block.mapped(tidy) for block in blocks)), guards
 
 

@@ -8,7 +8,8 @@ to what stands on them, as in a hand-written recursion, and every identification
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from collections.abc import Iterable
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 from nhc.algebra.calculus import Derivation
@@ -51,6 +52,9 @@ class Scene:
     rows: dict[int, Node] = field(default_factory=dict)  # shorter expressions of forms, by number
     spins: dict[Path, Vector] = field(default_factory=dict)
     meaning: dict[Node, Node] = field(default_factory=dict)  # symbols of turned equations -> turned held symbols
+    unknown: dict[Node, Node] = field(default_factory=dict)  # components at home that take the place of velocities
+    given: dict[Node, Node] = field(default_factory=dict)  # those velocities, from the components
+    dropped: set[int] = field(default_factory=set)  # forms that are among the components
     replaced: dict[Node, Node] = field(
         default_factory=dict
     )  # the spec's expressions of angular velocities -> the chain's
@@ -113,9 +117,30 @@ class Scene:
             if known:
                 break
         assert best is not None
-        for j, node in best[2].items():
+        _, home, rows = best
+        for j, node in rows.items():
             self.rows.setdefault(j, node)
-        return best[1]
+        own = [node for node in velocity if node != g.zero]
+        if vector.base is None and home.path and rows and all(v in self.system.v and v not in self.given for v in own):
+            return self._take_as_unknowns(home, velocity, rows)
+        return home
+
+    def _take_as_unknowns(self, home: Home, velocity: Vector, rows: Iterable[int]) -> Home:
+        """A root's velocity in the coordinates is given by its components at home: those that no form settles are unknowns."""
+        g, components = self.graph, list(home.velocity)
+        for k, node in enumerate(components):
+            if node == g.zero or node in self.held or g.neg(node) in self.held:
+                continue
+            symbol = g.symbol(f"along_{len(self.unknown)}", "unknown")
+            self.unknown[symbol] = node
+            self.marks.bind({symbol: node})
+            components[k] = symbol
+        self.dropped |= set(rows)
+        at_home = (components[0], components[1], components[2])
+        for v, node in zip(velocity, change_axes(g, at_home, home.path, ()), strict=True):
+            if v != g.zero:
+                self.given[v] = node
+        return replace(home, velocity=at_home)
 
     def velocity_of(self, vector: Chained, is_position: bool) -> Vector:
         if not is_position:

@@ -47,7 +47,8 @@ class Hung:
 class Bodies:
     """T in new forms: the points' velocities on their axes, angular velocities, and what else T has.
 
-    ``values`` are the forms over the velocities' symbols, ``spins[path]`` the numbers of the components of an angular velocity (-1: zero).
+    ``values`` are the forms over the velocities' symbols, ``spins[path]`` the numbers of the components of an angular velocity (-1:
+    zero).
     """
 
     kinetic: Kinetic

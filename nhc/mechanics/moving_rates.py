@@ -114,9 +114,7 @@ class Rates:
                 total = add_vectors(g, total, self._local(part, is_position))
                 parts.remove(part)
         for part in parts:
-            total = add_vectors(
-                g, total, change_axes(g, self._local(part, is_position), part.path, home.path)
-            )
+            total = add_vectors(g, total, change_axes(g, self._local(part, is_position), part.path, home.path))
         return total
 
     def _local(self, part: Part, is_position: bool) -> Vector:

@@ -1,4 +1,4 @@
-"""Angular velocities of the axes among T's forms: recognised, computed along the chain of turns, and differentiated by Euler's rule.
+"""Angular velocities of axes among T's forms: recognised, computed along the chain of turns, differentiated by Euler's rule.
 
 For the components Omega_i of the angular velocity of turned axes on themselves, dOmega(X, e) = -Omega(X) x Omega(e).  A form that
 differs from Omega_i by an exact one (a wheel's spin about its axle) has the same derivative.
@@ -99,9 +99,7 @@ def find_turning(scene: Scene, bodies: Bodies, inertial: Sequence[bool]) -> list
     for spin in find_spins(scene, bodies.kinetic, [flag or k in own for k, flag in enumerate(inertial)]):
         for known, more in zip(members.setdefault(spin.path, [[], [], []]), spin.members, strict=True):
             known += more
-    found = [
-        Spin(path, (tuple(x), tuple(y), tuple(z)), bodies.spins.get(path)) for path, (x, y, z) in members.items()
-    ]
+    found = [Spin(path, (tuple(x), tuple(y), tuple(z)), bodies.spins.get(path)) for path, (x, y, z) in members.items()]
     for point in bodies.points:
         if point.is_joined:
             x, y, z = ([k] if k >= 0 else [] for k in point.members)

@@ -106,9 +106,7 @@ class Reader:
         for at, list_of in zip(self._at, terms, strict=True):
             candidates.update((v.components, v) for term in list_of for v in at.get(term, ()))
         fitting = [
-            key
-            for key in candidates
-            if all(x == g.zero or x in list_of for x, list_of in zip(key, terms, strict=True))
+            key for key in candidates if all(x == g.zero or x in list_of for x, list_of in zip(key, terms, strict=True))
         ]
         base = candidates[max(fitting)] if fitting else None
         rest = components if base is None else self._without(terms, base.components)
@@ -129,7 +127,7 @@ class Reader:
         """For sums that were written out: the newest of the last vectors from which fewer angles lead here."""
         best = (len(self.angles_of(rest)), base, rest)
         mine = [self._counted(x) for x in components]
-        for vector in list(self.known.values())[:-_LOOK_BACK - 1:-1]:
+        for vector in list(self.known.values())[: -_LOOK_BACK - 1 : -1]:
             theirs = [self._counted(x) for x in vector.components]
             left = [self._difference(m, t) for m, t in zip(mine, theirs, strict=True)]
             angles = len(self.angles_of(left))

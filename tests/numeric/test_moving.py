@@ -134,10 +134,11 @@ def test_spin_is_the_rate_of_the_axes() -> None:
 
 def test_gathered_sums_keep_their_value_and_their_operands() -> None:
     g = Graph()
-    m, l, v, w = (g.symbol(name, kind) for name, kind in zip("mlvw", ("parameter",) * 2 + ("quasi",) * 2, strict=True))
+    m, a = (g.symbol(name, "parameter") for name in "ma")
+    v, w = (g.symbol(name, "quasi") for name in "vw")
     x, y = g.function("sin", g.symbol("x", "coordinate")), g.function("cos", g.symbol("y", "coordinate"))
-    products = [(g.mul(m, x), g.mul(v, y)), (g.neg(g.mul(l, g.mul(m, y))), g.mul(w, x)), (g.mul(m, y), g.mul(v, x))]
-    total = gather(g, products, g.mask((m, l)), g.mask((v, w)))
+    products = [(g.mul(m, x), g.mul(v, y)), (g.neg(g.mul(a, g.mul(m, y))), g.mul(w, x)), (g.mul(m, y), g.mul(v, x))]
+    total = gather(g, products, g.mask((m, a)), g.mask((v, w)))
     plain = g.sum(g.mul(a, b) for a, b in products)
     assert are_zero(g, [g.sub(total, plain)]) == [True]
     assert count(g, [total]) < count(g, [plain])
