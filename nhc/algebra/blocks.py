@@ -153,7 +153,7 @@ def size_of(graph: Graph, root: Node) -> Node:
 def _unit_component(graph: Graph, node: Node) -> list[Node] | None:
     """The other factors of a product that holds x and 1/sqrt(x^2 + ...)."""
     g = graph
-    factors, stack = [], [node]
+    factors, stack = list[Node](), [node]
     while stack:
         top = stack.pop()
         if g.op[top] == MUL and len(factors) + len(stack) < _FEW_FACTORS:

@@ -51,9 +51,8 @@ def move(system: System, kinetic: Kinetic, frame: Frame) -> Moved | None:
         signature = marks.of(symbol)
         forms.setdefault(signature, symbol)
         forms.setdefault(marks.negative(signature), g.neg(symbol))
-    scene = Scene(
-        system, held, tuple(values), marks, forms, *(Reader(g, g.mask((*system.q, system.t))) for _ in range(2))
-    )
+    moving = g.mask((*system.q, system.t))
+    scene = Scene(system, held, tuple(values), marks, forms, Reader(g, moving), Reader(g, moving))
     vectors: list[Placed] = []
     for group in groups:
         components = [kinetic.atoms[k] for k in group] + [g.zero] * (3 - len(group))

@@ -1,9 +1,9 @@
 """Moving frames: T's vectors and the constraints on the axes in which they are short.
 
 A vector's square is the same on any axes, and its rate on axes that turn with Omega is d/dt of the components plus Omega x
-components.  So each vector of T (:mod:`nhc.mechanics.vectors`) gets a home, the axes on which most of its components are constraint or
-quasi-velocity forms: an axle's sideways velocity is then zero and its forward velocity one product.  Everything follows from bases
-to what stands on them, as in a hand-written recursion, and every identification is an exact identity.
+components.  So each vector of T (:mod:`nhc.mechanics.vectors`) gets a home, the axes on which most of its components are
+constraint or quasi-velocity forms: an axle's sideways velocity is then zero and its forward velocity one product.  Everything
+follows from bases to what stands on them, as in a hand-written recursion, and every identification is an exact identity.
 """
 
 from __future__ import annotations
