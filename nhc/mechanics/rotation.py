@@ -301,17 +301,23 @@ def rows_in_base(system: System, forms: Sequence[Form]) -> list[list[Node]]:
     return [list(row) for row in zip(*columns, strict=True)]
 
 
-def mass_matrix(system: System) -> list[Node]:
-    """d2T/dq'dq', row by row; the length of a quaternion, which has no inertia, is given that of a mean axis.
+def regular_energy(system: System) -> Node:
+    """T, with half a weight times (e e')^2 for each rotation: the length of a quaternion is given the inertia of a mean axis.
 
-    On every motion that length stands still, so that this matrix tells where T itself is singular.
+    The term is zero with its derivatives on every motion, so it changes nothing but the mass matrix, which T itself leaves
+    singular along e.
     """
-    g, n = system.graph, system.n
-    mass = [entry for p in gradient(g, system.T, system.v) for entry in gradient(g, p, system.v)]
+    g, total = system.graph, system.T
+    momenta = gradient(g, system.T, system.v) if system.rotations else []
     for rotation in system.rotations:
-        trace = g.sum([mass[k * n + k] for k in rotation.places])
-        weight = g.div(trace, g.mul(g.number(3), _square(g, rotation.e)))
-        for x, i in zip(rotation.e, rotation.places, strict=True):
-            for y, j in zip(rotation.e, rotation.places, strict=True):
-                mass[i * n + j] = g.add(mass[i * n + j], g.mul(weight, g.mul(x, y)))
-    return mass
+        trace = g.sum([gradient(g, momenta[k], [system.v[k]])[0] for k in rotation.places])
+        weight = g.div(trace, g.mul(g.number(24), _square(g, rotation.e)))
+        total = g.add(total, g.mul(weight, g.power(rotation.growth, 2)))
+    return total
+
+
+def mass_matrix(system: System) -> list[Node]:
+    """d2T/dq'dq', row by row, of :func:`regular_energy`."""
+    g = system.graph
+    momenta = gradient(g, regular_energy(system), system.v)
+    return [entry for p in momenta for entry in gradient(g, p, system.v)]

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from nhc.algebra.calculus import gradient, substitute
 from nhc.algebra.graph import Node
 from nhc.algebra.modular import are_zero
+from nhc.mechanics.rotation import regular_energy
 from nhc.mechanics.system import System
 from nhc.program.build import Planner
 from nhc.program.ir import Argument, Function
@@ -31,19 +32,20 @@ class Structure:
 def structure_of(planner: Planner) -> Structure:
     """The functions of a natural system, or why it is none."""
     system, g = planner.system, planner.graph
-    momenta = gradient(g, system.T, system.v)
+    kinetic = regular_energy(system)
+    momenta = gradient(g, kinetic, system.v)
     mass = [gradient(g, p, system.v) for p in momenta]
     flat = [entry for row in mass for entry in row]
     lacking = find_lacking(system, momenta, flat)
     if lacking:
         return Structure(lacking=lacking)
-    slope = gradient(g, g.add(system.T, system.U), system.q)
+    slope = gradient(g, g.add(kinetic, system.U), system.q)
     rows = [a for form in system.constraints for a in form.coefficients]
     functions = (
         _function(planner, "mass", "mass matrix, row by row", flat),
         _function(planner, "slope", "dL/dq", slope),
         _function(planner, "rows", "coefficients of the constraints, row by row", rows),
-        _function(planner, "total", "T + V", [system.energy]),
+        _function(planner, "total", "T + V", [g.sub(kinetic, system.U)]),
     )
     moving = g.mask(system.q)
     return Structure(functions, not any(g.depends(entry, moving) for entry in flat))
@@ -55,8 +57,6 @@ def find_lacking(system: System, momenta: Sequence[Node], mass: Sequence[Node]) 
     velocities, time = g.mask(system.v), g.mask([system.t])
     still = {v: g.zero for v in system.v}
     rest = substitute(g, [system.T, *momenta], still)
-    if system.rotations:
-        return "the length of its quaternion has no mass"
     if any(g.depends(entry, velocities) for entry in mass) or not all(are_zero(g, rest)):
         return "T is not a quadratic form of the velocities"
     if any(q != g.zero for q in system.Q):
