@@ -89,7 +89,7 @@ def load_model(job: Job, lanes: bool = False) -> CompiledModel:
 def solve_nhc(model: CompiledModel, job: Job, tolerance: float) -> Solve:
     """One start after the other, each by a call from Python, as heyoka's."""
     runner = model.runner(Task(job.p, job.y, job.time, tolerance), "dop853")
-    begin, end = np.frombuffer(runner.start), np.frombuffer(runner.end)
+    begin, end = np.ctypeslib.as_array(runner.start), np.ctypeslib.as_array(runner.end)
 
     def solve(starts: Any) -> Any:
         ends = np.empty_like(starts)

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 
 from nhc.emit.statements import collect_refs, iterate_refs, list_expressions
 from nhc.program.ir import Binary, Call, Expr, Guard, Let, Load, Negate, Power, Ref, Statement, Store
 from nhc.program.passes import walk
 
 TURNED = ("sin", "cos")
-LEAST = 3
-"""Fewer angles are faster one by one."""
 
 
 def name_turned(function: str, index: int) -> str:
@@ -18,13 +17,16 @@ def name_turned(function: str, index: int) -> str:
     return f"{function}:{index}"
 
 
-def gather_angles(
-    body: tuple[Statement, ...],
-) -> tuple[tuple[Statement, ...], tuple[Expr, ...], tuple[Statement, ...]]:
-    """(statements before the angles, angles that depend on no sine or cosine, statements after them).
+@dataclass(frozen=True, slots=True)
+class Turn:
+    """Here the sines and cosines of these angles are computed; ``first`` is the first one's index."""
 
-    There the sines and cosines of these angles are names.  Fewer than ``LEAST`` angles stay where they are.
-    """
+    angles: tuple[Expr, ...]
+    first: int
+
+
+def gather_angles(body: tuple[Statement, ...]) -> list[Statement | Turn]:
+    """The body with its sines and cosines replaced by names, all of those first that need none themselves."""
     turned: set[str] = set()  # names that depend on a sine or cosine
     places: dict[Expr, int] = {}
     for statement in body:
@@ -35,15 +37,29 @@ def gather_angles(
                 places.setdefault(angle, len(places))
         if isinstance(statement, Let) and (calls or collect_refs(statement) & turned):
             turned.add(statement.name)
-    if len(places) < LEAST:
-        return (), (), body
     wanted = {name for angle in places for name in iterate_refs(angle)}
     for statement in reversed(body):
         if isinstance(statement, Let) and statement.name in wanted:
             wanted |= collect_refs(statement)
-    early = tuple(s for s in body if isinstance(s, Load | Let) and s.name in wanted)
-    late = (s for s in body if not (isinstance(s, Load | Let) and s.name in wanted))
-    return early, tuple(places), tuple(_replace_in(s, places) for s in late)
+    early = [s for s in body if isinstance(s, Load | Let) and s.name in wanted]
+    found: list[Statement | Turn] = [*early, Turn(tuple(places), 0)] if places else []
+    for statement in body:
+        if statement in early:
+            continue
+        while True:
+            late = next((call for call in _iterate_turns(_replace_in(statement, places)) if _is_last(call)), None)
+            if late is None:
+                break
+            (angle,) = late.arguments
+            found.append(Turn((angle,), len(places)))
+            places[angle] = len(places)
+        found.append(_replace_in(statement, places))
+    return found
+
+
+def _is_last(call: Call) -> bool:
+    """No sine or cosine is left inside."""
+    return not any(_is_turn(part) for argument in call.arguments for part in walk(argument))
 
 
 def _is_turn(expression: Expr) -> bool:
@@ -74,9 +90,11 @@ def _replace_in(statement: Statement, places: dict[Expr, int]) -> Statement:
 def _replace(expression: Expr, places: dict[Expr, int]) -> Expr:
     match expression:
         case Call():
-            if _is_turn(expression) and expression.arguments[0] in places:
-                return Ref(name_turned(expression.function, places[expression.arguments[0]]))
-            return Call(expression.function, tuple(_replace(a, places) for a in expression.arguments))
+            arguments = tuple(_replace(a, places) for a in expression.arguments)
+            for angle in (expression.arguments[0], arguments[0]):
+                if _is_turn(expression) and angle in places:
+                    return Ref(name_turned(expression.function, places[angle]))
+            return Call(expression.function, arguments)
         case Binary():
             return Binary(expression.op, _replace(expression.left, places), _replace(expression.right, places))
         case Negate():

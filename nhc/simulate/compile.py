@@ -104,12 +104,14 @@ def loop_flags(states: int) -> tuple[str, ...]:
 
 
 @cache
-def lane_flags() -> tuple[str, ...]:
-    """Flags for a run with many starts side by side: eight lanes where the processor has the vectors for them."""
+def lane_flags(states: int) -> tuple[str, ...]:
+    """Flags for a run with many starts of this size side by side: eight lanes where the processor has the vectors for them."""
     wide = ("-march=x86-64-v4", "-mprefer-vector-width=128")
-    if {"avx512f", "avx512bw", "avx512cd", "avx512dq", "avx512vl"} <= _list_features():
-        return wide if _accepted(find_compiler(), wide) else ()
-    return ()
+    known = {"avx512f", "avx512bw", "avx512cd", "avx512dq", "avx512vl"} <= _list_features()
+    return (
+        *(_accepted(find_compiler(), wide) if known else ()),
+        *(("-fpeel-loops",) if machine_flags() and states < 12 else ()),
+    )
 
 
 @cache

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import ctypes
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -185,7 +186,7 @@ class Many:
         """The rows as a NumPy array of shape (starts, times, states) over C's memory."""
         import numpy as np
 
-        return np.frombuffer(self.out).reshape(self._shape)
+        return np.ctypeslib.as_array(self.out).reshape(self._shape)
 
     @property
     def kinds(self) -> list[int]:
@@ -194,20 +195,18 @@ class Many:
 
 
 class Runner:
-    """One run, ready: ``start`` and ``end`` are arrays of C's doubles, of the state before and after ``run``."""
+    """One run, ready: ``start`` and ``end`` are arrays of C's doubles, of the state before and after ``run``, which returns how
+    it ended.
+    """
 
     def __init__(self, model: CompiledModel, task: Task, method: str) -> None:
         self.start = _doubles(task.y)
         self._given = model._task(task, self.start, task.p)
         self._rows = (ctypes.c_double * (len(task.times) * model.states))()
         self._found, self._news = model._Found(), _News()
-        self._function = getattr(model.library, f"{model.system}_{method}")
-        self._arguments = tuple(map(ctypes.byref, (self._given, self._rows, self._found, self._news)))
+        arguments = map(ctypes.byref, (self._given, self._rows, self._found, self._news))
+        self.run: Callable[[], int] = partial(getattr(model.library, f"{model.system}_{method}"), *arguments)
         self.end = self._found.y
-
-    def run(self) -> int:
-        """Run it; returns how it ended."""
-        return int(self._function(*self._arguments))
 
 
 def _doubles(values: Numbers) -> ctypes.Array[ctypes.c_double]:

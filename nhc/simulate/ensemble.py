@@ -10,6 +10,7 @@ from nhc.mechanics.scenes import Start
 from nhc.simulate.compile import CompileError, build, lane_flags
 from nhc.simulate.compiled import CompiledModel
 from nhc.simulate.methods import RUNGE_KUTTA
+from nhc.simulate.pacing import AUTO, first_method
 from nhc.simulate.prepare import Job, move_start
 from nhc.simulate.run import LEAST_TOLERANCE, SAFETY, Model, Settings, Trajectory, collect, list_times, load
 from nhc.simulate.source import write_source
@@ -39,18 +40,19 @@ def run_ensemble(job: Job, starts: Sequence[Start], settings: Settings, show: Sh
     Several starts run side by side, each with its own steps; a start that fails does not keep the others from running.
     Ctrl-C stops it and keeps the starts before the first that is not done.
     """
-    model, notes = load_lanes(job, settings.method, settings.compiled)
-    jobs = [move_start(job, start) for start in starts]
     tolerance = settings.tolerance or job.tolerance
+    method = first_method(tolerance) if settings.method == AUTO else settings.method
+    model, notes = load_lanes(job, method, settings.compiled)
+    jobs = [move_start(job, start) for start in starts]
     times = list_times(*job.time, settings.points)
     task = Task(job.p, job.y, times, max(SAFETY * tolerance, LEAST_TOLERANCE), settings.step)
     news = model.news()
     news.t = times[0]
     before = time.perf_counter()
-    outcomes = wait_for(lambda: _integrate_each(model, task, settings.method, jobs, news), news, show)
+    outcomes = wait_for(lambda: _integrate_each(model, task, method, jobs, news), news, show)
     seconds = time.perf_counter() - before
     members = (
-        collect(one, settings.method, model, task, outcome, seconds, ())
+        collect(one, method, model, task, outcome, seconds, ())
         for one, outcome in zip(jobs, outcomes, strict=False)
     )
     return Ensemble(job, len(starts), tuple(members), seconds, (*job.notes, *notes))
@@ -62,7 +64,7 @@ def load_lanes(job: Job, method: str, compiled: bool = True) -> tuple[Model, tup
         return load(job, method, compiled)
     sources = write_source(job.program, [RUNGE_KUTTA[method]], job.events, job.holds, dips=job.watch.dips, lanes=True)
     try:
-        path = build(sources, f"{job.program.system}_run.c", lane_flags())
+        path = build(sources, f"{job.program.system}_run.c", lane_flags(len(job.y)))
     except CompileError:
         return load(job, method, compiled)  # whose note says why
     return CompiledModel(path, job.program.system, len(job.y), job.width), ()

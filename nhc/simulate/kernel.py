@@ -16,12 +16,12 @@ from nhc.emit.expressions import ATOM, ExpressionPrinter, Text
 from nhc.emit.names import Scope
 from nhc.emit.statements import collect_refs, drop_unused, fill_stores, iterate_refs, split_hoisted
 from nhc.program.ir import Call, Expr, Function, Guard, Let, Load, Program, Solve, Statement, Store
-from nhc.simulate.angles import TURNED, gather_angles, name_turned
+from nhc.simulate.angles import TURNED, Turn, gather_angles, name_turned
 
 ONE, LANES = "one", "lanes"
 _MAPPED = ("fabs", "sqrt", "exp", "log", "pow", "tan", "asin", "acos", "atan", "atan2", "sinh", "cosh", "tanh")
 _OWN = (
-    *("fixed", "far", "bad", "pack", "lanes", "spread", "turn_pack", "square_pack"),
+    *("fixed", "far", "bad", "pack", "lanes", "spread", "duo", "turn_one", "turn_two", "turn_pack", "square_pack"),
     *(f"{name}_{kind}" for name in ("sin", "cos", *_MAPPED) for kind in (ONE, LANES)),
 )
 _PACK = 4
@@ -34,7 +34,8 @@ _LONGEST = 1500  # statements: beyond them the compiler would take too long for 
 class Kernel:
     """``prepare`` fills ``fixed`` with ``count`` numbers from p; ``bodies`` are for one state (``one``) and for ``lanes``.
 
-    ``calls``: C's functions of (one, two) arguments that lanes need, entry by entry.
+    ``calls``: C's functions of (one, two) arguments that lanes need, entry by entry; ``reads``: the entries of the state that
+    the body reads.
     """
 
     name: str
@@ -45,6 +46,7 @@ class Kernel:
     one: tuple[str, ...]
     lanes: tuple[str, ...]
     calls: tuple[tuple[str, ...], tuple[str, ...]]
+    reads: tuple[int, ...]
     short: bool
 
 
@@ -67,7 +69,7 @@ class _Dialect:
 
     def print_call(self, function: str, arguments: tuple[str, ...]) -> str:
         if function in TURNED:
-            return f"{function}_{self.kind}({arguments[0]}, far)"
+            return f"{function}_lanes({arguments[0]}, far)"
         if function in HELPERS:
             name = f"{self.prefix}_{HELPERS[function]}"
             text = arguments[0] if len(arguments) > 1 else self._call(name, arguments)
@@ -113,19 +115,26 @@ class _Printer:
         elif isinstance(statement, Store):
             self.add(f"{statement.array}[{statement.index}] = {self.print_value(statement.value)};")
 
-    def print_packs(self, angles: tuple[Expr, ...]) -> None:
-        """Sines and cosines of four angles at a time, under the names of ``gather_angles``."""
-        for first in range(0, len(angles), _PACK):
-            some = [self.print_value(angle) for angle in angles[first : first + _PACK]]
-            some += ["0.0"] * (_PACK - len(some))
-            pack = self.scope.fresh("angles")
-            self.add(f"const pack {pack} = {{{', '.join(some)}}};")
-            self.add(f"*far += square_pack({pack});")
-            for quarter, name in enumerate(TURNED):
-                turned = self.scope.fresh(name)
-                self.add(f"const pack {turned} = turn_pack({pack}, {quarter});")
-                for k in range(min(_PACK, len(angles) - first)):
-                    self.scope.alias(name_turned(name, first + k), f"{turned}[{k}]")
+    def print_turn(self, turn: Turn) -> None:
+        """Sines and cosines under the names of ``gather_angles``: of one or two angles side by side, of more in two vectors."""
+        for first in range(0, len(turn.angles), _PACK):
+            some = [self.print_value(angle) for angle in turn.angles[first : first + _PACK]]
+            turned = self.scope.fresh("turned")
+            if len(some) > 2:
+                angles = self.scope.fresh("angles")
+                self.add(f"const pack {angles} = {{{', '.join(some + ['0.0'] * (_PACK - len(some)))}}};")
+                self.add(f"*far += square_pack({angles});")
+                cosines = self.scope.fresh("turned")
+                self.add(f"const pack {turned} = turn_pack({angles}, 0);")
+                self.add(f"const pack {cosines} = turn_pack({angles}, 1);")
+                places = [(f"{turned}[{k}]", f"{cosines}[{k}]") for k in range(len(some))]
+            else:
+                kind, name = ("duo", "turn_one") if len(some) == 1 else ("pack", "turn_two")
+                self.add(f"const {kind} {turned} = {name}({', '.join(some)}, far);")
+                places = [(f"{turned}[{2 * k}]", f"{turned}[{2 * k + 1}]") for k in range(len(some))]
+            for k, pair in enumerate(places):
+                for function, place in zip(TURNED, pair, strict=True):
+                    self.scope.alias(name_turned(function, turn.first + first + k), place)
 
 
 def print_kernel(program: Program, function: Function) -> Kernel | None:
@@ -149,6 +158,7 @@ def print_kernel(program: Program, function: Function) -> Kernel | None:
         one=one,
         lanes=lanes,
         calls=(_named(called, 1), _named(called, 2)),
+        reads=tuple(sorted({s.index for s in inside if isinstance(s, Load) and s.array == "y"})),
         short=len(inside) <= _SHORT,
     )
 
@@ -169,12 +179,12 @@ def _print_body(
     printer.lines += [f"    (void){name};" for name in (*unused, *(() if fixed else ("fixed",)))]
     for k, name in enumerate(fixed):
         printer.add(f"const {printer.type} {scope[name]} = fixed[{k}];")
-    early, angles, late = gather_angles(inside) if kind == ONE else ((), (), inside)
-    for statement in early:
-        printer.print_statement(statement)
-    printer.print_packs(angles)
-    for statement in late:
-        printer.print_statement(statement)
+    statements = gather_angles(inside) if kind == ONE else inside
+    for statement in statements:
+        if isinstance(statement, Turn):
+            printer.print_turn(statement)
+        else:
+            printer.print_statement(statement)
     return tuple(printer.lines)
 
 

@@ -155,6 +155,8 @@ def write_source(
         "kernels": tuple(known),
         "lanes": lanes,
         "called": tuple(sorted({name for k in known for name in k.calls[i]}) for i in (0, 1)),
+        "reads": known[0].reads if known else (),
+        "states": len(program.state),
         "fixed": max(1, sum(kernel.count for kernel in known)),
         "fixed_watch": known[0].count if known else 0,
         "paced": bool(explicit),

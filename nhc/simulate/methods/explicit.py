@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from math import sqrt
-
 from nhc.simulate.methods.step import Step, Vector, combine
 from nhc.simulate.methods.tableau import Explicit
 
@@ -19,7 +17,7 @@ def slopes(s: Step, method: Explicit, first: int, last: int) -> None:
 
 
 def attempt(s: Step, method: Explicit) -> float:
-    """The error relative to what is allowed; 0 for fixed steps."""
+    """The square of the error relative to what is allowed; 0 for fixed steps."""
     s.k, s.shape = [s.slope], None
     slopes(s, method, 1, method.stages)
     s.arrived = s.k[method.stages]
@@ -31,9 +29,9 @@ def attempt(s: Step, method: Explicit) -> float:
         for row in method.errors
     ]
     if len(norms) == 1:
-        return abs(s.h) * sqrt(norms[0])
+        return s.h * s.h * norms[0]
     mixed = norms[0] + 0.01 * norms[1]  # Hairer, Norsett and Wanner (1993), eq. (II.10.17)
-    return abs(s.h) * norms[0] / sqrt(mixed) if mixed > 0.0 else 0.0
+    return (s.h * norms[0]) ** 2 / mixed if mixed > 0.0 else 0.0
 
 
 def shape(s: Step, method: Explicit) -> list[Vector]:

@@ -27,7 +27,7 @@ from nhc.simulate.task import (
 )
 
 _EPSILON = sys.float_info.epsilon
-_LEAST_ERROR = 1e-4
+_LEAST_ERROR = 1e-8  # explicit methods give the error's square
 
 
 class Watched(Model, Protocol):
@@ -125,7 +125,7 @@ def _pace(run: _Run, error: float, refused: bool) -> float:
     q = max(run.method.exponent, 1)
     if not isinstance(run.method, Explicit):
         return float(0.9 * error ** (-1.0 / q))
-    return 0.9 * (find_pace(error, 1.0 / q, 1.0, 0.0) if refused else find_pace(error, 0.8 / q, run.former, 0.3 / q))
+    return 0.9 * (find_pace(error, 0.5 / q, 1.0, 0.0) if refused else find_pace(error, 0.4 / q, run.former, 0.15 / q))
 
 
 def _plan(run: _Run) -> tuple[float, float] | None:
