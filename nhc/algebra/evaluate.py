@@ -37,18 +37,25 @@ class Mpmath:
         return self._mp.mpf(numerator) / denominator
 
 
-def evaluate(graph: Graph, roots: Sequence[Node], values: Mapping[Node, Any], arithmetic: Any = Floats) -> list[Any]:
-    """Values of the roots; ``values`` gives each symbol one.
+def evaluate(
+    graph: Graph,
+    roots: Sequence[Node],
+    values: Mapping[Node, Any],
+    arithmetic: Any = Floats,
+    order: Sequence[Node] | None = None,
+) -> list[Any]:
+    """Values of the roots; ``values`` gives each symbol one.  ``order``: the roots' reachable nodes, where they are known.
 
     Raises:
         KeyError: a symbol without a value.
         ArithmeticError, ValueError: a pole, or a function outside its domain.
     """
     known: dict[Node, Any] = dict(values)
-    for node in reachable(graph, roots):
+    ops, first, second = graph.op, graph.a, graph.b
+    for node in reachable(graph, roots) if order is None else order:
         if node in known:
             continue
-        op, a, b = graph.op[node], graph.a[node], graph.b[node]
+        op, a, b = ops[node], first[node], second[node]
         if op == ADD:
             known[node] = known[a] + known[b]
         elif op == MUL:

@@ -9,12 +9,14 @@ from dataclasses import dataclass
 from itertools import combinations
 from weakref import WeakKeyDictionary
 
+from nhc.algebra.calculus import reachable
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.interval import Interval, cannot_vanish
 from nhc.algebra.linear import determinant_of
 from nhc.algebra.polynomial import normalise
 from nhc.language.syntax import Syntax
+from nhc.mechanics.minors import relative_minors
 from nhc.mechanics.system import Form, System
 
 _TRIALS = 12
@@ -144,10 +146,10 @@ def sampled_rows(
     """The matrix of the forms' coefficients at each point (trial points by default) where it can be evaluated."""
     g = system.graph
     flat = [a for form in forms for a in form.coefficients]
-    result = []
+    order, result = reachable(g, flat), []
     for point in trial_points(system) if points is None else points:
         try:
-            values = evaluate(g, flat, point)
+            values = evaluate(g, flat, point, order=order)
         except (ArithmeticError, ValueError):
             continue
         result.append([[float(x) for x in values[r * system.n : (r + 1) * system.n]] for r in range(len(forms))])
@@ -156,13 +158,7 @@ def sampled_rows(
 
 def relative_determinant(matrix: Sequence[Sequence[float]], columns: Sequence[int]) -> float:
     """|det| of the columns over the product of the norms of the whole rows (Hadamard), its l-th root: in [0, 1]."""
-    if not matrix:
-        return 1.0
-    block = [[row[j] for j in columns] for row in matrix]
-    scale = math.prod(math.sqrt(sum(x * x for x in row)) for row in matrix)
-    if scale == 0.0:
-        return 0.0
-    return float((abs(_float_determinant(block)) / scale) ** (1.0 / len(matrix)))
+    return relative_minors(matrix, [columns])[0]
 
 
 def pivot_weakness(system: System) -> Callable[[Sequence[Node], Sequence[Node]], list[int]]:
@@ -226,22 +222,6 @@ def coframe_weakness(system: System, forms: Sequence[Form]) -> tuple[int, float]
     return weakness([relative_determinant(matrix, every) for matrix in sampled_rows(system, forms)])
 
 
-def _float_determinant(block: list[list[float]]) -> float:
-    size, det = len(block), 1.0
-    rows = [list(row) for row in block]
-    for k in range(size):
-        pivot = max(range(k, size), key=lambda i: abs(rows[i][k]))
-        if rows[pivot][k] == 0.0:
-            return 0.0
-        if pivot != k:
-            rows[k], rows[pivot], det = rows[pivot], rows[k], -det
-        det *= rows[k][k]
-        for i in range(k + 1, size):
-            factor = rows[i][k] / rows[k][k]
-            rows[i] = [x - factor * y for x, y in zip(rows[i], rows[k], strict=True)]
-    return det
-
-
 _CHOICES: WeakKeyDictionary[Graph, Choice] = WeakKeyDictionary()
 
 
@@ -262,9 +242,8 @@ def _choose(system: System) -> Choice:
         candidates = [list(c) for c in combinations(range(n), lower)]
     else:
         candidates = [_greedy(system, samples)]
-    scored = [
-        (*weakness([relative_determinant(matrix, columns) for matrix in samples]), columns) for columns in candidates
-    ]
+    minors = [relative_minors(matrix, candidates) for matrix in samples]
+    scored = [(*weakness([row[k] for row in minors]), columns) for k, columns in enumerate(candidates)]
     scored.sort()
     best: Choice | None = None
     for weak, _, columns in scored[:8]:

@@ -1,0 +1,72 @@
+"""All maximal minors of a small matrix of doubles from one elimination."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+
+def relative_minors(matrix: Sequence[Sequence[float]], subsets: Sequence[Sequence[int]]) -> list[float]:
+    """For each set of as many columns as there are rows, |det| over the product of the norms of the whole rows (Hadamard), its
+    l-th root: in [0, 1].
+
+    With B the columns of the pivots and R = B^-1 A, the determinant of other columns is det B times the minor of R in the rows
+    of the pivots that they leave out and the columns that they take instead.
+    """
+    if not matrix:
+        return [1.0] * len(subsets)
+    scale = math.prod(math.sqrt(sum(x * x for x in row)) for row in matrix)
+    pivots, reduced, determinant = _reduce(matrix)
+    if scale == 0.0 or len(pivots) < len(matrix):
+        return [0.0] * len(subsets)
+    place = {column: row for row, column in enumerate(pivots)}
+    found = []
+    for subset in subsets:
+        taken = [j for j in subset if j not in place]
+        kept = set(subset)
+        rows = [place[j] for j in pivots if j not in kept]
+        minor = float_determinant([[reduced[i][j] for j in taken] for i in rows])
+        found.append((abs(determinant * minor) / scale) ** (1.0 / len(matrix)))
+    return found
+
+
+def _reduce(matrix: Sequence[Sequence[float]]) -> tuple[list[int], list[list[float]], float]:
+    """(columns of the pivots, B^-1 A, |det B|), the pivots being the largest entries that are left."""
+    work = [list(row) for row in matrix]
+    pivots: list[int] = []
+    determinant, count = 1.0, len(work)
+    for step in range(count):
+        size, i, j = max((abs(x), i, j) for i in range(step, count) for j, x in enumerate(work[i]) if j not in pivots)
+        if not size > 0.0:
+            break
+        work[step], work[i] = work[i], work[step]
+        pivot = work[step][j]
+        determinant *= size
+        pivots.append(j)
+        own = work[step] = [x / pivot for x in work[step]]
+        for k in range(count):
+            factor = work[k][j]
+            if k != step and factor:
+                work[k] = [x - factor * y for x, y in zip(work[k], own, strict=True)]
+    return pivots, work, determinant
+
+
+def float_determinant(block: Sequence[Sequence[float]]) -> float:
+    """By elimination with row pivoting."""
+    size, det = len(block), 1.0
+    if size == 1:
+        return block[0][0]
+    if size == 2:
+        return block[0][0] * block[1][1] - block[0][1] * block[1][0]
+    rows = [list(row) for row in block]
+    for k in range(size):
+        pivot = max(range(k, size), key=lambda i: abs(rows[i][k]))
+        if rows[pivot][k] == 0.0:
+            return 0.0
+        if pivot != k:
+            rows[k], rows[pivot], det = rows[pivot], rows[k], -det
+        det *= rows[k][k]
+        for i in range(k + 1, size):
+            factor = rows[i][k] / rows[k][k]
+            rows[i] = [x - factor * y for x, y in zip(rows[i], rows[k], strict=True)]
+    return det
