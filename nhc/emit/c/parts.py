@@ -34,7 +34,7 @@ def list_bound(statement: Statement) -> tuple[str, ...]:
     return ()
 
 
-def cut(body: Sequence[Statement], longest: int = LONGEST, usual: int = USUAL) -> tuple[tuple[Statement, ...], ...]:
+def cut(body: Sequence[Statement], longest: int, usual: int) -> tuple[tuple[Statement, ...], ...]:
     """The body in parts of about the usual length, or in one if that is not too long."""
     count = 1 if len(body) <= longest else -(-len(body) // usual)
     size = -(-len(body) // count) if body else 1
@@ -57,7 +57,7 @@ def lay_out(body: tuple[Statement, ...]) -> Layout:
     sweeps = [(statement,) for statement in body if isinstance(statement, Sweep)]
     straight = [s for s in body if not isinstance(s, Load | Sweep)]
     whole = any(isinstance(s, Evaluate | Result) for s in straight)
-    parts = (tuple(straight),) if whole else cut(straight)
+    parts = (tuple(straight),) if whole else cut(straight, LONGEST, USUAL)
     return Layout(parts, find_crossing((*parts, *sweeps)))
 
 

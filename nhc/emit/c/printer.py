@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from nhc.emit.c.batch import mark_unused, print_batch
+from nhc.emit.c.batch import Batch, mark_unused, print_batch
 from nhc.emit.c.body import ANY, BodyPrinter, print_singular, wrap_code
 from nhc.emit.c.driver import list_driver_functions, make_driver
 from nhc.emit.c.header import frame, print_file_comment, print_function_comment, print_source_comment
@@ -59,27 +59,23 @@ def list_files(program: Program, options: EmitOptions) -> tuple[File, ...]:
         wanted += list_driver_functions(driver)
     batch = has_rhs and (not wanted or BATCH in wanted)
     inline = options.trig == "inline"
-    if batch and wanted and (inline or needs_scalar_rhs(program)):
-        wanted += ("rhs",)  # the batch calls it for each state
-    only_batch = bool(wanted) and all(name == BATCH for name in wanted)
-    functions = () if only_batch else select_functions(program, wanted)
+    if batch and wanted:
+        wanted += ("rhs",)  # the batch calls it for a state that is singular or near it
+    functions = select_functions(program, wanted)
     helpers: set[str] = set()
+    made = Batch()
     printed = [print_function(program, function, helpers, inline=inline) for function in functions]
     if batch:
         (rhs,) = (function for function in program.functions if function.name == "rhs")
-        printed.append(print_batch_function(program, rhs, helpers, inline=inline))
+        made = print_batch(program, rhs, helpers, inline=inline)
+        printed.append(print_batch_function(program, made))
     name = program.system
     shared: dict[str, object] = {"capitals": name.upper(), "functions": tuple(printed)}
     header = File(f"{name}.h", "c/model.h.jinja", shared | make_header_context(program, functions, batch))
-    source = File(f"{name}.c", "c/model.c.jinja", shared | make_source_context(program, helpers, functions))
+    source = File(f"{name}.c", "c/model.c.jinja", shared | make_source_context(program, helpers, functions, made))
     if driver is None:
         return header, source
     return header, source, File(f"{name}_main.c", "c/model_main.c.jinja", driver)
-
-
-def needs_scalar_rhs(program: Program) -> bool:
-    """Whether the batch must gather each state and call ``rhs``."""
-    return any(f.name == "rhs" and any(isinstance(s, Solve) for s in f.body) for f in program.functions)
 
 
 def make_header_context(program: Program, functions: tuple[Function, ...], batch: bool) -> dict[str, object]:
@@ -93,7 +89,9 @@ def make_header_context(program: Program, functions: tuple[Function, ...], batch
     }
 
 
-def make_source_context(program: Program, helpers: set[str], functions: tuple[Function, ...]) -> dict[str, object]:
+def make_source_context(
+    program: Program, helpers: set[str], functions: tuple[Function, ...], batch: Batch
+) -> dict[str, object]:
     """What ``model.c.jinja`` uses besides the functions."""
     sizes = [len(s.matrix) for f in functions for s in f.body if isinstance(s, Solve)]
     return {
@@ -101,6 +99,8 @@ def make_source_context(program: Program, helpers: set[str], functions: tuple[Fu
         "comment": print_source_comment(program),
         "tables": list_tables(program),
         "helpers": tuple(sorted(helpers)),
+        "each": batch.each,
+        "least": batch.least,
         "largest_block": max(sizes, default=0),
     }
 
@@ -214,7 +214,7 @@ def print_statements(
         printer.lines += mark_unused(function, body)
         printer.print_all(tuple(statement for statement in body if not isinstance(statement, Sweep)))
     for number, sweep in enumerate(s for s in body if isinstance(s, Sweep)):
-        printer.helpers |= {"lanes", "sweep"}
+        printer.helpers |= {"lanes", "get", "sweep"}
         inner = SweepPrinter(printer, function, sweep, number + 1)
         functions += inner.print_functions()
         printer.lines += inner.print_loop()
@@ -233,9 +233,7 @@ def print_zeros(function: Function) -> tuple[str, ...]:
     )
 
 
-def print_batch_function(
-    program: Program, rhs: Function, helpers: set[str], *, inline: bool = False
-) -> PrintedFunction:
+def print_batch_function(program: Program, batch: Batch) -> PrintedFunction:
     """``rhs_batch``; the definition promises the compiler what the header asks of the caller."""
     head = f"int {program.system}_{BATCH}(size_t count, const double *t, const double *y, const double *p, double *"
     comment = (
@@ -243,7 +241,7 @@ def print_batch_function(
         "the parameters are shared. Nonzero when any of the states is singular. dydt must not overlap the inputs.",
     )
     prototype, definition = wrap_prototype(f"{head}dydt)"), wrap_prototype(f"{head}restrict dydt)")
-    return PrintedFunction(frame(comment), prototype, definition, print_batch(program, rhs, helpers, inline=inline))
+    return PrintedFunction(frame(comment), prototype, definition, batch.body, batch.parts)
 
 
 def wrap_prototype(text: str) -> str:
