@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 from nhc.algebra.calculus import count, gradient, pullback_gradient, reachable, tangent
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.shorten import shorten
-from nhc.program.plan import FunctionPlan, SolvePlan, SweepPlan, Target, solve_factored
+from nhc.program.plan import FunctionPlan, SolvePlan, SweepPlan, Target
 
 if TYPE_CHECKING:
     from nhc.program.build import Planner
@@ -79,7 +79,7 @@ def differentiate_rates(planner: Planner) -> Slopes:
         forward = sweep_columns(planner, residual)
         return Slopes((), min(((backward,), forward), key=lambda sweeps: _passes(g, sweeps)))
     slopes = zip(*(gradient(g, node, y) for node in residual), strict=True)
-    solved = [solve_factored(g, planner.factors, planner.known(column)) for column in slopes]
+    solved = [planner.route.solve(planner.known(column)) for column in slopes]
     flat = shorten(g, [node for column in solved for node in column])
     size = len(residual)
     return Slopes(tuple(tuple(flat[j * size + k] for j in range(len(y))) for k in planner.kept_w))
@@ -89,7 +89,7 @@ def sweep_rows(planner: Planner, residual: Sequence[Node]) -> SweepPlan:
     """A pass for each rate: row k of the inverse mass matrix times the residual's slopes, pulled back to y."""
     g, y = planner.graph, planner.y_nodes
     unit = {k: g.symbol(f"row_{k}", "direction") for k in planner.kept_w}
-    weights = solve_factored(g, planner.factors, [unit.get(k, g.zero) for k in range(len(residual))])
+    weights = planner.route.solve([unit.get(k, g.zero) for k in range(len(residual))])
     slopes = pullback_gradient(g, list(zip(residual, weights, strict=True)), y)
     targets = _targets(g, planner.known(slopes), range(len(y)))
     first = len(planner.kept_q)
@@ -110,7 +110,7 @@ def _sweep_group(planner: Planner, residual: Sequence[Node], group: Sequence[int
     active = [j for j in group if any(g.deps[node] & g.deps[y[j]] for node in residual)]
     seeds = {y[j]: g.symbol(f"along_{j}", "direction") for j in active}
     slopes = planner.known(tangent(g, residual, seeds))
-    solved = solve_factored(g, planner.factors, slopes)
+    solved = planner.route.solve(slopes)
     first = len(planner.kept_q)
     rows = [(first + i) * len(y) for i in range(len(planner.kept_w))]
     targets = _targets(g, [solved[k] for k in planner.kept_w], rows)

@@ -14,7 +14,8 @@ from nhc.mechanics.formulate import bordered_system
 from nhc.mechanics.rotation import moving
 from nhc.mechanics.system import System
 from nhc.program.ir import Argument, Origin
-from nhc.program.plan import FunctionPlan, GuardPlan, SolvePlan, Target, factor, solve_factored
+from nhc.program.mass_route import mass_route
+from nhc.program.plan import FunctionPlan, GuardPlan, SolvePlan, Target
 
 SINGULAR_FRAME, SINGULAR_MASS = 1, 2
 _FRAME_TOLERANCE, _MASS_TOLERANCE, _BORDERED_TOLERANCE = 1e-12, 1e-14, 1e-13
@@ -37,6 +38,7 @@ class PlannerBase:
         self.parameters: tuple[Node, ...] = system.p
         self.kept_q: tuple[int, ...] = tuple(range(system.n))
         self.kept_w: tuple[int, ...] = tuple(range(len(self.equations.motion.w)))
+        self.put_in: dict[Node, Node] = {}
         self._arrange()
         self.motion_loads = {
             system.t: ("t", -1, "time"),
@@ -63,6 +65,11 @@ class PlannerBase:
     def system(self) -> System:
         return self.equations.system
 
+    @property
+    def full_equations(self) -> Equations:
+        """The equations before anything was put into them."""
+        return self.equations
+
     def _parameter_loads(self) -> dict[Node, tuple[str, int, str]]:
         found = {}
         for k, (node, parameter) in enumerate(zip(self.system.p, self.system.spec.parameters, strict=True)):
@@ -74,18 +81,17 @@ class PlannerBase:
 
     def _solve(self) -> None:
         """Express the rates: by the unrolled factorization, or as unknowns of a dense solve with pivoting."""
-        equations, g = self.equations, self.graph
+        equations = self.equations
         rates = equations.motion.rates
         if not rates:
             return
         if equations.definite:
-            self.factors = factor(g, equations.mass)
-            values = shorten(g, solve_factored(g, self.factors, equations.force))
-            self.solved = dict(zip(rates, values, strict=True))
+            self.route = mass_route(equations, self.full_equations, self.put_in)
+            self.solved = dict(zip(rates, self.route.values, strict=True))
             what = "the mass matrix is singular"
             self.mass_guards = tuple(
-                GuardPlan(pivot, self._mass_scale(pivot, equations.mass[k][k]), _MASS_TOLERANCE, SINGULAR_MASS, what)
-                for k, pivot in enumerate(self.factors.pivots)
+                GuardPlan(pivot, self._mass_scale(pivot, scale), _MASS_TOLERANCE, SINGULAR_MASS, what)
+                for pivot, scale in self.route.pivots
                 if not self._constant_positive(pivot)
             )
             return

@@ -42,6 +42,10 @@ class ScenePlanner(Planner):
         for k, (node, name) in enumerate(zip(symbols, names, strict=True)):
             self.state_loads[node] = ("p", len(system.p) + k, f"constant of the motion: {name}")
 
+    @property
+    def full_equations(self) -> Equations:
+        return self.original
+
     def fix(self, nodes: Sequence[Node]) -> list[Node]:
         """Nodes over the full state in terms of what is kept; shorter where they can be."""
         made = substitute(self.graph, nodes, self.put_in)

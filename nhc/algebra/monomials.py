@@ -1,0 +1,96 @@
+"""Products taken apart: the part made of parameters as a monomial, and the rest."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from fractions import Fraction
+
+from nhc.algebra.graph import MUL, NEG, NUM, POW, Graph, Node
+
+_ONE = Fraction(1)
+
+
+@dataclass(frozen=True)
+class Monomial:
+    """``number`` times the product of nodes to integer powers."""
+
+    number: Fraction = _ONE
+    powers: Mapping[Node, int] = field(default_factory=dict)
+
+    def node(self, graph: Graph) -> Node:
+        """The monomial as a node; equal monomials are one node."""
+        product = graph.product([graph.power(base, n) for base, n in sorted(self.powers.items()) if n])
+        return graph.mul(graph.number(self.number), product)
+
+    def divisible_by(self, other: Monomial, times: int = 1) -> bool:
+        """Whether no symbol stands in a denominator after division by ``other ** times`` that did not before."""
+        return all(self.powers.get(base, 0) >= n * times for base, n in other.powers.items() if n > 0)
+
+
+def common(monomials: Sequence[Monomial]) -> Monomial:
+    """The largest product of positive powers in all of them, with their number where they share it."""
+    if not monomials:
+        return Monomial()
+    first = monomials[0]
+    powers = {base: min(m.powers.get(base, 0) for m in monomials) for base in first.powers}
+    number = abs(first.number)
+    shared = number if all(abs(m.number) == number for m in monomials) else _ONE
+    return Monomial(shared, {base: n for base, n in powers.items() if n > 0})
+
+
+def split_parameters(graph: Graph, node: Node, mask: int) -> tuple[Monomial, Node]:
+    """(positive monomial of what consists of the symbols of ``mask``, all other factors with the sign)."""
+    number, powers = _ONE, dict[Node, int]()
+    rest: list[Node] = []
+    stack = [(node, 1)]
+    while stack:
+        part, n = stack.pop()
+        op = graph.op[part]
+        if op == NEG:
+            number = -number if n % 2 else number
+            stack.append((graph.a[part], n))
+        elif op == MUL:
+            stack += [(graph.b[part], n), (graph.a[part], n)]
+        elif op == POW:
+            stack.append((graph.a[part], n * graph.b[part]))
+        elif op == NUM and graph.value(part) != 0:
+            number *= Fraction(graph.value(part) or 1) ** n
+        elif graph.deps[part] and not graph.deps[part] & ~mask:
+            powers[part] = powers.get(part, 0) + n
+        else:
+            rest.append(graph.power(part, n))
+    product = graph.product(sorted(rest))
+    return Monomial(abs(number), powers), graph.neg(product) if number < 0 else product
+
+
+def tidy(graph: Graph, node: Node, mask: int) -> Node:
+    """The product with its parameters gathered in one factor."""
+    monomial, rest = split_parameters(graph, node, mask)
+    return graph.mul(monomial.node(graph), rest)
+
+
+def sum_products(graph: Graph, terms: Iterable[Node], mask: int) -> Node:
+    """The sum of the terms, those with the same parameters in front together."""
+    parts: dict[Node, Node] = {}
+    for term in terms:
+        outer, rest = _outer_parameters(graph, term, mask)
+        parts[outer] = graph.add(parts.get(outer, graph.zero), rest)
+    return graph.sum(graph.mul(outer, rest) for outer, rest in parts.items())
+
+
+def _outer_parameters(graph: Graph, term: Node, mask: int) -> tuple[Node, Node]:
+    """(parameters, rest) of a product; factors without parameters stay the nodes that they are."""
+    outer, rest, stack, negative = graph.one, graph.one, [term], False
+    while stack:
+        node = stack.pop()
+        if graph.op[node] == NEG:
+            negative = not negative
+            stack.append(graph.a[node])
+        elif not graph.deps[node] & ~mask:
+            outer = graph.mul(outer, node)
+        elif graph.op[node] == MUL and graph.deps[node] & mask:
+            stack += [graph.b[node], graph.a[node]]
+        else:
+            rest = graph.mul(rest, node)
+    return tidy(graph, outer, mask), graph.neg(rest) if negative else rest

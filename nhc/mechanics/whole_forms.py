@@ -1,0 +1,63 @@
+"""T's velocity forms with the functions that stand in front of them.
+
+:mod:`nhc.mechanics.kinetic` takes every factor out of a form, which leaves the fewest forms; where forms continue one another
+the first of them, y1' = l sin(th1) th1', has to stay what the next ones, y2' = y1' + l sin(th2) th2', are made of.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from nhc.algebra.calculus import gradient, substitute
+from nhc.algebra.graph import MUL, NEG, Graph, Node
+from nhc.algebra.linear import degrees
+from nhc.mechanics.kinetic import Kinetic
+from nhc.mechanics.system import System
+
+
+def whole_kinetic(system: System) -> Kinetic | None:
+    """T by forms of which only parameters are taken out; None where T is no quadratic polynomial in forms."""
+    g = system.graph
+    degree = degrees(g, system.v)
+    if degree[system.T] != 2:
+        return None
+    atoms = _atoms(g, system.T, degree, g.mask(system.p))
+    u = tuple(g.symbol(f"u{k + 1}", "form") for k in range(len(atoms)))
+    (tau,) = substitute(g, [system.T], dict(zip(atoms, u, strict=True)))
+    if g.depends(tau, g.mask(system.v)):
+        return None
+    slope = tuple(gradient(g, tau, u))
+    place = {symbol: k for k, symbol in enumerate(u)}
+    hessian = []
+    for pi in slope:
+        row = [g.zero] * len(u)
+        held = [symbol for symbol in g.symbols_in(pi) if symbol in place]
+        for symbol, h in zip(held, gradient(g, pi, held), strict=True):
+            row[place[symbol]] = h
+        hessian.append(tuple(row))
+    return Kinetic(system, tuple(atoms), u, tau, slope, tuple(hessian))
+
+
+def _atoms(graph: Graph, root: Node, degree: Sequence[int], parameters: int) -> list[Node]:
+    found: set[Node] = set()
+    stack, seen = [root], set()
+    while stack:
+        node = stack.pop()
+        if node in seen or degree[node] == 0:
+            continue
+        seen.add(node)
+        if degree[node] == 1:
+            found.add(_without_parameters(graph, node, parameters))
+        else:
+            stack.extend(graph.children(node))
+    return sorted(found)
+
+
+def _without_parameters(graph: Graph, node: Node, parameters: int) -> Node:
+    while graph.op[node] in (MUL, NEG):
+        constant = [c for c in graph.children(node) if not graph.deps[c] & ~parameters]
+        moving = [c for c in graph.children(node) if graph.deps[c] & ~parameters]
+        if graph.op[node] == MUL and not constant:
+            break
+        node = moving[0]
+    return node
