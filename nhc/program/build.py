@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 
 from nhc.algebra.calculus import count
 from nhc.algebra.graph import Node
+from nhc.algebra.products import share_products
 from nhc.algebra.shorten import shorten
 from nhc.mechanics.formulate import accelerations, reaction_values
 from nhc.mechanics.frame import coordinate_form, form_value
@@ -14,7 +15,7 @@ from nhc.mechanics.system import Form
 from nhc.program.ir import Argument, Function, Origin
 from nhc.program.jacobian import plan_jacobian
 from nhc.program.lower import lower_function
-from nhc.program.plan import FunctionPlan, Target
+from nhc.program.plan import FunctionPlan, Target, map_nodes
 from nhc.program.planner import T_ARGUMENT, PlannerBase
 
 FUNCTIONS = (
@@ -191,6 +192,7 @@ class Planner(PlannerBase):
 def build_functions(planner: Planner, only: Sequence[str] = ()) -> tuple[Function, ...]:
     """The functions asked for (all by default), in their fixed order."""
     functions = []
+    g, constants = planner.graph, planner.graph.mask(planner.parameters)
     wanted = set(only)
     if wanted & {"accelerations", "reactions"} and planner.calls_rhs():
         wanted.add("rhs")
@@ -199,5 +201,6 @@ def build_functions(planner: Planner, only: Sequence[str] = ()) -> tuple[Functio
             continue
         plan = getattr(planner, name)()
         if plan is not None:
-            functions.append(lower_function(planner.graph, plan, planner.parameters))
+            plan = map_nodes(plan, lambda nodes: share_products(g, nodes, constants))
+            functions.append(lower_function(g, plan, planner.parameters))
     return tuple(functions)

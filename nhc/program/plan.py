@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass, field
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field, replace
 
 from nhc.algebra.graph import Graph, Node
 from nhc.program.ir import Argument, Origin
@@ -74,6 +74,27 @@ class FunctionPlan:
     solves: tuple[SolvePlan, ...] = ()
     sweeps: tuple[SweepPlan, ...] = ()
     calls: tuple[tuple[str, str, int], ...] = ()
+
+
+def map_nodes(plan: FunctionPlan, change: Callable[[list[Node]], list[Node]]) -> FunctionPlan:
+    """The plan with its nodes changed, all at once; a plan with sweeps as it is, since these share nodes with what is before them."""
+    if plan.sweeps:
+        return plan
+    targets, guards = [t.node for t in plan.targets], [n for guard in plan.guards for n in (guard.value, guard.scale)]
+    dense = [n for solve in plan.solves for row in (*solve.matrix, *solve.columns) for n in row]
+    result = [] if plan.result is None else [plan.result]
+    new = iter(change([*targets, *guards, *dense, *result]))
+
+    def take(rows: Sequence[Sequence[Node]]) -> tuple[tuple[Node, ...], ...]:
+        return tuple(tuple(next(new) for _ in row) for row in rows)
+
+    return replace(
+        plan,
+        targets=tuple(replace(t, node=next(new)) for t in plan.targets),
+        guards=tuple(replace(guard, value=next(new), scale=next(new)) for guard in plan.guards),
+        solves=tuple(replace(solve, matrix=take(solve.matrix), columns=take(solve.columns)) for solve in plan.solves),
+        result=next(new) if result else None,
+    )
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,111 @@
+"""Products that several longer products have in common, made once.
+
+Products are binary and keep the order in which they were made: ``v*(k*a)`` and ``v*(k*b)`` do not show that they share ``v*k``.  Here
+the factors of each product are looked at together, and pairs that occur in several are taken out, the most frequent first.  What is
+used more than once is one factor and stays whole.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Sequence
+from heapq import heapify, heappop, heappush
+from itertools import combinations
+
+from nhc.algebra.calculus import reachable, rebuild
+from nhc.algebra.graph import MUL, Graph, Node
+
+_MOST_FACTORS = 10
+
+
+def share_products(graph: Graph, roots: Sequence[Node], constants: int) -> list[Node]:
+    """Equal roots in which products share more of their factors; what contains only ``constants`` (a mask) stays whole."""
+    nodes = reachable(graph, roots)
+    chains, inner = _chains(graph, nodes, roots, constants)
+    pairs = _share(graph, chains)
+    if not pairs:
+        return list(roots)
+    new: dict[Node, Node] = {}
+    for node in nodes:
+        if node in inner:
+            continue
+        factors = chains.get(node)
+        if factors is None:
+            children = graph.children(node)
+            mapped = [new.get(c, c) for c in children]
+            new[node] = rebuild(graph, node, mapped) if tuple(mapped) != children else node
+        else:
+            made = [_made(graph, factor, pairs, new) for factor in factors]
+            fixed = [x for x in made if not graph.deps[x] & ~constants]
+            moving = [x for x in made if graph.deps[x] & ~constants]
+            new[node] = graph.mul(graph.product(fixed), graph.product(moving))
+    return [new[root] for root in roots]
+
+
+def _made(graph: Graph, factor: int, pairs: Sequence[tuple[int, int]], new: dict[Node, Node]) -> Node:
+    """The node of a factor, or of a shared pair (numbered -1, -2, ...)."""
+    if factor >= 0:
+        return new.get(factor, factor)
+    if factor not in new:
+        first, second = pairs[-1 - factor]
+        new[factor] = graph.mul(_made(graph, first, pairs, new), _made(graph, second, pairs, new))
+    return new[factor]
+
+
+def _chains(
+    graph: Graph, nodes: Sequence[Node], roots: Iterable[Node], constants: int
+) -> tuple[dict[Node, list[int]], set[Node]]:
+    """The factors of every product that is no part of a longer one, and the products that are."""
+    g, uses = graph, Counter(roots)
+    for node in nodes:
+        uses.update(g.children(node))
+    chains: dict[Node, list[int]] = {}
+    inner: set[Node] = set()
+    for node in reversed(nodes):
+        if g.op[node] != MUL or node in inner or not g.deps[node] & ~constants:
+            continue
+        factors, stack = list[int](), [node]
+        while stack:
+            top = stack.pop()
+            for child in g.children(top):
+                open_product = g.op[child] == MUL and uses[child] == 1 and g.deps[child] & ~constants
+                if open_product and len(factors) + len(stack) < _MOST_FACTORS:
+                    inner.add(child)
+                    stack.append(child)
+                else:
+                    factors.append(child)
+        chains[node] = sorted(factors)
+    return chains, inner
+
+
+def _share(graph: Graph, chains: dict[Node, list[int]]) -> list[tuple[int, int]]:
+    """Take the most frequent pairs of factors out of the chains, as long as one occurs twice."""
+    users: dict[tuple[int, int], set[Node]] = {}
+    for node, factors in chains.items():
+        for pair in combinations(factors, 2):
+            users.setdefault(pair, set()).add(node)
+    heap = [(-len(own), pair) for pair, own in users.items() if len(own) > 1]
+    heapify(heap)
+    made: list[tuple[int, int]] = []
+    while heap:
+        count, pair = heappop(heap)
+        own = users[pair]
+        if len(own) != -count:
+            if len(own) > 1:
+                heappush(heap, (-len(own), pair))
+            continue
+        made.append(pair)
+        symbol = -len(made)
+        for node in sorted(own):
+            factors = chains[node]
+            for old in combinations(factors, 2):
+                users[old].discard(node)
+            factors.remove(pair[0])
+            factors.remove(pair[1])
+            factors.insert(0, symbol)
+            factors.sort()
+            for fresh in combinations(factors, 2):
+                users.setdefault(fresh, set()).add(node)
+                if len(users[fresh]) > 1:
+                    heappush(heap, (-len(users[fresh]), fresh))
+    return made
