@@ -21,7 +21,7 @@ from nhc.simulate.angles import TURNED, Turn, gather_angles, name_turned
 ONE, LANES = "one", "lanes"
 _MAPPED = ("fabs", "sqrt", "exp", "log", "pow", "tan", "asin", "acos", "atan", "atan2", "sinh", "cosh", "tanh")
 _OWN = (
-    *("fixed", "far", "bad", "pack", "lanes", "spread", "duo", "turn_one", "turn_two", "turn_pack", "square_pack"),
+    *("fixed", "far", "bad", "pack", "lanes", "spread", "duo", "turn_one", "turn_pack", "square_pack"),
     *(f"{name}_{kind}" for name in ("sin", "cos", *_MAPPED) for kind in (ONE, LANES)),
 )
 _PACK = 4
@@ -116,25 +116,30 @@ class _Printer:
             self.add(f"{statement.array}[{statement.index}] = {self.print_value(statement.value)};")
 
     def print_turn(self, turn: Turn) -> None:
-        """Sines and cosines under the names of ``gather_angles``: of one or two angles side by side, of more in two vectors."""
+        """Sines and cosines under the names of ``gather_angles``: one angle's side by side, those of more in two vectors.
+
+        Two angles are not put together: each would wait for the other.
+        """
         for first in range(0, len(turn.angles), _PACK):
             some = [self.print_value(angle) for angle in turn.angles[first : first + _PACK]]
-            turned = self.scope.fresh("turned")
             if len(some) > 2:
-                angles = self.scope.fresh("angles")
-                self.add(f"const pack {angles} = {{{', '.join(some + ['0.0'] * (_PACK - len(some)))}}};")
-                self.add(f"*far += square_pack({angles});")
-                cosines = self.scope.fresh("turned")
-                self.add(f"const pack {turned} = turn_pack({angles}, 0);")
-                self.add(f"const pack {cosines} = turn_pack({angles}, 1);")
-                places = [(f"{turned}[{k}]", f"{cosines}[{k}]") for k in range(len(some))]
+                places = self._print_pack(some)
             else:
-                kind, name = ("duo", "turn_one") if len(some) == 1 else ("pack", "turn_two")
-                self.add(f"const {kind} {turned} = {name}({', '.join(some)}, far);")
-                places = [(f"{turned}[{2 * k}]", f"{turned}[{2 * k + 1}]") for k in range(len(some))]
+                names = [self.scope.fresh("turned") for _ in some]
+                for name, angle in zip(names, some, strict=True):
+                    self.add(f"const duo {name} = turn_one({angle}, far);")
+                places = [(f"{name}[0]", f"{name}[1]") for name in names]
             for k, pair in enumerate(places):
                 for function, place in zip(TURNED, pair, strict=True):
                     self.scope.alias(name_turned(function, turn.first + first + k), place)
+
+    def _print_pack(self, some: list[str]) -> list[tuple[str, str]]:
+        angles, sines, cosines = (self.scope.fresh(name) for name in ("angles", "sines", "cosines"))
+        self.add(f"const pack {angles} = {{{', '.join(some + ['0.0'] * (_PACK - len(some)))}}};")
+        self.add(f"*far += square_pack({angles});")
+        self.add(f"const pack {sines} = turn_pack({angles}, 0);")
+        self.add(f"const pack {cosines} = turn_pack({angles}, 1);")
+        return [(f"{sines}[{k}]", f"{cosines}[{k}]") for k in range(len(some))]
 
 
 def print_kernel(program: Program, function: Function) -> Kernel | None:
