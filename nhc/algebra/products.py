@@ -1,8 +1,8 @@
 """Products that several longer products have in common, made once.
 
-Products are binary and keep the order in which they were made: ``v*(k*a)`` and ``v*(k*b)`` do not show that they share ``v*k``.  Here
-the factors of each product are looked at together, and pairs that occur in several are taken out, the most frequent first.  What is
-used more than once is one factor and stays whole.
+Products are binary and keep the order in which they were made: ``v*(k*a)`` and ``v*(k*b)`` do not show that they share ``v*k``.
+Here the factors of each product are looked at together, and pairs that occur in several are taken out, the most frequent first.
+What is used more than once is one factor and stays whole.
 """
 
 from __future__ import annotations
@@ -22,34 +22,33 @@ def share_products(graph: Graph, roots: Sequence[Node], constants: int) -> list[
     """Equal roots in which products share more of their factors; what contains only ``constants`` (a mask) stays whole."""
     nodes = reachable(graph, roots)
     chains, inner = _chains(graph, nodes, roots, constants)
-    pairs = _share(graph, chains)
-    if not pairs:
+    before = {node: list(factors) for node, factors in chains.items()}
+    pairs = _share(chains)
+    if chains == before:
         return list(roots)
     new: dict[Node, Node] = {}
-    for node in nodes:
-        if node in inner:
-            continue
-        factors = chains.get(node)
-        if factors is None:
-            children = graph.children(node)
-            mapped = [new.get(c, c) for c in children]
-            new[node] = rebuild(graph, node, mapped) if tuple(mapped) != children else node
+
+    def made(factor: int) -> Node:
+        if factor in new:
+            return new[factor]
+        if factor < 0:
+            first, second = pairs[-1 - factor]
+            new[factor] = graph.mul(made(first), made(second))
+        elif factor in chains:
+            found = [made(f) for f in chains[factor]]
+            fixed = graph.product(x for x in found if not graph.deps[x] & ~constants)
+            moving = graph.product(x for x in found if graph.deps[x] & ~constants)
+            new[factor] = graph.mul(fixed, moving)
         else:
-            made = [_made(graph, factor, pairs, new) for factor in factors]
-            fixed = [x for x in made if not graph.deps[x] & ~constants]
-            moving = [x for x in made if graph.deps[x] & ~constants]
-            new[node] = graph.mul(graph.product(fixed), graph.product(moving))
+            children = graph.children(factor)
+            mapped = [new.get(c, c) for c in children]
+            new[factor] = rebuild(graph, factor, mapped) if tuple(mapped) != children else factor
+        return new[factor]
+
+    for node in nodes:
+        if node not in inner:
+            made(node)
     return [new[root] for root in roots]
-
-
-def _made(graph: Graph, factor: int, pairs: Sequence[tuple[int, int]], new: dict[Node, Node]) -> Node:
-    """The node of a factor, or of a shared pair (numbered -1, -2, ...)."""
-    if factor >= 0:
-        return new.get(factor, factor)
-    if factor not in new:
-        first, second = pairs[-1 - factor]
-        new[factor] = graph.mul(_made(graph, first, pairs, new), _made(graph, second, pairs, new))
-    return new[factor]
 
 
 def _chains(
@@ -78,8 +77,11 @@ def _chains(
     return chains, inner
 
 
-def _share(graph: Graph, chains: dict[Node, list[int]]) -> list[tuple[int, int]]:
-    """Take the most frequent pairs of factors out of the chains, as long as one occurs twice."""
+def _share(chains: dict[Node, list[int]]) -> list[tuple[int, int]]:
+    """Take the most frequent pairs of factors out of the chains, as long as one occurs twice; the pairs get -1, -2, ...
+
+    A pair that is a whole product of its own is taken out as that product, which may be a factor elsewhere.
+    """
     users: dict[tuple[int, int], set[Node]] = {}
     for node, factors in chains.items():
         for pair in combinations(factors, 2):
@@ -94,15 +96,19 @@ def _share(graph: Graph, chains: dict[Node, list[int]]) -> list[tuple[int, int]]
             if len(own) > 1:
                 heappush(heap, (-len(own), pair))
             continue
-        made.append(pair)
-        symbol = -len(made)
+        whole = next((node for node in sorted(own) if len(chains[node]) == 2), None)
+        if whole is None:
+            made.append(pair)
+        else:
+            own = own - {whole}
+        symbol = -len(made) if whole is None else whole
         for node in sorted(own):
             factors = chains[node]
             for old in combinations(factors, 2):
                 users[old].discard(node)
             factors.remove(pair[0])
             factors.remove(pair[1])
-            factors.insert(0, symbol)
+            factors.append(symbol)
             factors.sort()
             for fresh in combinations(factors, 2):
                 users.setdefault(fresh, set()).add(node)

@@ -77,7 +77,7 @@ class FunctionPlan:
 
 
 def map_nodes(plan: FunctionPlan, change: Callable[[list[Node]], list[Node]]) -> FunctionPlan:
-    """The plan with its nodes changed, all at once; a plan with sweeps as it is, since these share nodes with what is before them."""
+    """The plan with its nodes changed, all at once; with sweeps as it is, since these share nodes with what is before them."""
     if plan.sweeps:
         return plan
     targets, guards = [t.node for t in plan.targets], [n for guard in plan.guards for n in (guard.value, guard.scale)]
