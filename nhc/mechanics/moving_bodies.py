@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 from nhc.algebra.calculus import gradient, substitute
 from nhc.algebra.graph import Graph, Node
+from nhc.algebra.shorten import shorten
 from nhc.mechanics.kinetic import Kinetic
 from nhc.mechanics.moving import Scene
 from nhc.mechanics.turns import Path, Vector, add_vectors, change_axes, cross, turn_in
@@ -183,7 +184,8 @@ class _Assembly:
         values = (*self.values, *(plain.values[k] for k in kept))
         tau = substitute(g, [kinetic.tau], self.mapping)[0]
         slopes = gradient(g, tau, symbols)
-        hessian = [gradient(g, slope, symbols) for slope in slopes]
+        flat = shorten(g, [entry for slope in slopes for entry in gradient(g, slope, symbols)])
+        hessian = [flat[k : k + len(symbols)] for k in range(0, len(flat), len(symbols))]
         mask = g.mask(symbols)
         if any(g.depends(entry, mask) for row in hessian for entry in row):
             return None
