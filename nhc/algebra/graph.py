@@ -163,6 +163,10 @@ class Graph(NodeStore):
             return self.neg(self.scale(-k, x))
         if self.op[x] == NUM:
             return self.number(k * self.coefficient[x])
+        if self.op[x] == ADD:
+            first, second = self.a[x], self.b[x]
+            if abs(k * self.coefficient[first]) == 1 and abs(k * self.coefficient[second]) == 1:  # 2 (x/2 + y/2)
+                return self.add(self.mul_number(k, first), self.mul_number(k, second))
         number = self.number(k)
         node = self._muls.get((number, x))
         if node is None:
