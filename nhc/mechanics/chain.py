@@ -168,10 +168,15 @@ def _in_units(
     weights = part_masses(g, recursion, weights, pull, mask)
     scale = scales(g, recursion, weights, mask)
 
-    def divided(node: Node, *by: Node) -> Node:
-        for divisor in by:
-            node = g.div(node, divisor)
-        return tidy(g, node, mask)
+    known: dict[tuple[Node, ...], Node] = {}
+
+    def divided(*parts: Node) -> Node:
+        if parts not in known:
+            node, *by = parts
+            for divisor in by:
+                node = g.div(node, divisor)
+            known[parts] = tidy(g, node, mask)
+        return known[parts]
 
     weights = {(a, b): divided(h, scale[a], scale[b]) for (a, b), h in weights.items()}
     unit = common_mass(g, recursion, weights, mask)

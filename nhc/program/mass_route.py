@@ -47,12 +47,12 @@ def mass_route(equations: Equations, full: Equations, put_in: Mapping[Node, Node
     if tree is None:
         assert dense is not None
         return dense
-    g, pivots = equations.system.graph, _tree_pivots(tree, full)
+    g = equations.system.graph
     values = substitute(g, tree.rates(), put_in)
     other = count(g, dense.values) if dense is not None else _dense_cost(equations)
     if count(g, values) + _CHAINED * size >= other:
         return dense if dense is not None else _dense(equations)
-    flat = substitute(g, [node for pair in pivots for node in pair], put_in)
+    flat = substitute(g, [node for _, *pair in tree.pivots for node in pair], put_in)
     return MassRoute(g, equations, values, list(zip(flat[::2], flat[1::2], strict=True)), tree, put_in)
 
 
@@ -62,17 +62,6 @@ def _tree_of(equations: Equations) -> Elimination | None:
         return None
     chain = find_chain(equations.system, motion)
     return Elimination(lift_forces(chain)) if chain is not None else None
-
-
-def _tree_pivots(tree: Elimination, equations: Equations) -> list[tuple[Node, Node]]:
-    """Each pivot with the diagonal entry that it came from, or, where that entry moves, with what the rate's own forms gave."""
-    g, chain, found = tree.graph, tree.chain, []
-    for i, pivot, measure in tree.pivots:
-        entry = equations.mass[i][i]
-        if not g.deps[entry] & ~chain.parameters:
-            measure = g.div(entry, g.mul(chain.unit, g.power(chain.scale[i], 2)))
-        found.append((pivot, measure))
-    return found
 
 
 def _dense(equations: Equations) -> MassRoute:

@@ -54,14 +54,20 @@ class Elimination:
         for k, terms in enumerate(chain.definitions):
             for c in terms if not self._gone[chain.rates + k] else ():
                 self._waits[c] += 1
-        self._measures: list[Node] = [self.rows[i].get(i, self.graph.zero) for i in range(chain.rates)]
+        self._holders: list[list[int]] = [[] for _ in range(chain.rates)]
+        for k, terms in enumerate(chain.definitions):
+            for c in terms:
+                if c < chain.rates:
+                    self._holders[c].append(chain.rates + k)
+        self._measures: dict[int, Node] = {}
         self._eliminate(self._gone.copy())
 
     # --- from the leaves to the root ----------------------------------------------------------------------------
 
     def _eliminate(self, gone: list[bool]) -> None:
         chain = self.chain
-        self._take_rates(gone)
+        self._ready = [i for i in range(chain.rates) if not gone[i] and not self._waits[i]]
+        self._take_rates()
         for j in reversed(range(chain.rates, chain.size)):
             if gone[j]:
                 continue
@@ -69,7 +75,7 @@ class Elimination:
             self._replace(group)
             for k in group:
                 gone[k] = True
-            self._take_rates(gone)
+            self._take_rates()
 
     def _group(self, j: int, gone: Sequence[bool]) -> list[int]:
         """The form j and those before it that are ready too and hold what it holds with a moving coefficient."""
@@ -83,14 +89,11 @@ class Elimination:
                 found.append(k)
         return found
 
-    def _take_rates(self, gone: list[bool]) -> None:
-        while True:
-            ready = [i for i in range(self.chain.rates) if not gone[i] and not self._waits[i]]
-            if not ready:
-                return
-            first = min(ready, key=lambda i: (len(self.rows[i]), -i))
+    def _take_rates(self) -> None:
+        while self._ready:
+            first = min(self._ready, key=lambda i: (len(self.rows[i]), -i))
+            self._ready.remove(first)
             self._pivot(first)
-            gone[first] = True
 
     def _add(self, a: int, b: int, value: Node) -> None:
         if value != self.graph.zero:
@@ -107,6 +110,7 @@ class Elimination:
                 h = rows[j].get(k, g.zero)
                 for c, a in terms[k].items() if h != g.zero else ():
                     inner[j][c] = g.add(inner[j].get(c, g.zero), g.mul(h, a))
+        masses = {j: rows[j].get(j, g.zero) for j in group}
         outside = [(o, j, h) for j in group for o, h in rows[j].items() if o not in terms]
         for j in group:
             for o in list(rows[j]):
@@ -121,8 +125,10 @@ class Elimination:
             for c, a in terms[j].items():
                 self._waits[c] -= 1
                 if c < chain.rates:
-                    h = g.mul(a, inner[j].get(c, g.zero))
-                    self._measures[c] = g.add(self._measures[c], h)
+                    grown = g.mul(g.power(a, 2), masses[j])
+                    self._measures[c] = g.add(self._measures.get(c, g.zero), grown)
+                    if not self._waits[c]:
+                        self._ready.append(c)
 
     def _add_congruence(self, terms: dict[int, Terms], inner: dict[int, Terms]) -> None:
         g = self.graph
@@ -139,7 +145,7 @@ class Elimination:
         g, row = self.graph, self.rows[i]
         pivot = row.pop(i, g.zero)
         reciprocal = g.inverse(pivot)
-        self.pivots.append((i, pivot, self._measures[i]))
+        self.pivots.append((i, pivot, self._measure(i)))
         others = [c for c in row if row[c] != g.zero]
         shares = {c: g.mul(row[c], reciprocal) for c in others}
         for x, c in enumerate(others):
@@ -148,6 +154,20 @@ class Elimination:
         for c in row:
             self.rows[c].pop(i, None)
         self.steps.append(Step(i, shares, reciprocal))
+
+    def _measure(self, i: int) -> Node:
+        """What a pivot is held against: the inertia of what the rate moves by itself where it is constant, else also of what
+        hangs on that.
+        """
+        g, weights = self.graph, self.chain.weights
+        terms = [weights.get((i, i), g.zero)]
+        for j in self._holders[i]:
+            a = self.chain.definitions[j - self.chain.rates][i]
+            terms.append(g.mul(g.power(a, 2), weights.get((j, j), g.zero)))
+        own = sum_products(g, [term for term in terms if term != g.zero], self.chain.parameters)
+        if own != g.zero and not g.deps[own] & ~self.chain.parameters:
+            return own
+        return g.add(terms[0], self._measures.get(i, g.zero))
 
     # --- right sides ----------------------------------------------------------------------------------------------
 
