@@ -59,6 +59,7 @@ RULES: dict[str, Tree] = {
     "powers of one base": ("*", ("pow", X, 3), ("pow", X, -1)),
     "a factor cancels": ("*", ("*", X, ("pow", Y, 2)), ("pow", Y, -1)),
     "twice a sum of halves": ("*", num(2), ("+", ("*", num(1, 2), X), ("*", num(-1, 2), Y))),
+    "equal rational factors": ("+", ("*", num(2, 3), X), ("*", num(-2, 3), Y)),
     "signs of a product": ("*", ("neg", X), ("neg", Y)),
     "a power of a power": ("pow", ("pow", X, 2), -3),
     "an even power of -x": ("pow", ("neg", X), 2),
