@@ -105,6 +105,7 @@ def describe(found: Findings) -> dict[str, Any]:
         "matrix": made.full.tolist(),
         "admissible": made.basis.tolist(),
         "structural_zeros": made.family,
+        "turns": made.turns,
         "family": [dict(zip(names, row, strict=True)) for row in made.null.tolist()],
         "eigenvalues": [{"real": x.real, "imag": x.imag} for x in eigenvalues(made)],
         "verdict": verdict(made),
@@ -167,7 +168,7 @@ def _eigenvalue_lines(found: Findings) -> list[str]:
     from nhc.study.linearize import eigenvalues, verdict
 
     made = found.linearisation
-    left_out = len(made.rest) - len(made.basis)
+    left_out = len(made.rest) - len(made.basis) - made.turns
     lines = ["eigenvalues"]
     for x in eigenvalues(made):
         lines.append("  " + _eigenvalue(x))
@@ -175,6 +176,8 @@ def _eigenvalue_lines(found: Findings) -> list[str]:
         lines.append(f"  {made.family} structural zero(s), left out: the steady motions form a family")
     if left_out:
         lines.append(f"  {left_out} direction(s) left out: the constraints, open or hidden, do not allow them")
+    if made.turns:
+        lines.append(f"  {made.turns} direction(s) left out: turns of the whole motion, on which nothing depends")
     lines += [f"  note: {note}" for note in made.notes]
     told = {"stable": "stable to first order", "unstable": "unstable", "marginal": "marginal: undecided to first order"}
     return [*lines, f"verdict: {told[verdict(made)]}"]

@@ -138,7 +138,7 @@ def _dependence(flow: Flow) -> list[list[bool]]:
             raise Unlucky
         prime = PRIMES[points % len(PRIMES)]
         try:
-            rows = _jacobian_residues(flow, FieldPoint(flow.graph, 7_000_003 + draws, prime))
+            rows = jacobian_residues(flow, FieldPoint(flow.graph, 7_000_003 + draws, prime))
         except Unlucky:
             continue
         points += 1
@@ -146,7 +146,8 @@ def _dependence(flow: Flow) -> list[list[bool]]:
     return found
 
 
-def _jacobian_residues(flow: Flow, point: FieldPoint) -> list[list[int]]:
+def jacobian_residues(flow: Flow, point: FieldPoint) -> list[list[int]]:
+    """df/dy at a point of a prime field, row by row; :class:`Unlucky` on a pole or where the model is singular."""
     size, n, p = len(flow.unknowns), flow.system.n, point.prime
     rows = [point.evaluate(row) for row in flow.velocity_slopes]
     if not size:

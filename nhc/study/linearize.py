@@ -9,7 +9,7 @@ computed.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -38,6 +38,8 @@ class Linearisation:
     null: Matrix
     family: int
     notes: tuple[str, ...]
+    turns: int = 0
+    """How many directions are left out because steady motions differ along them by a turn only."""
 
     @property
     def zeros(self) -> int:
@@ -47,8 +49,10 @@ class Linearisation:
 def linearise_at(model: SteadyModel, steady: Steady, family: int | None = None) -> Linearisation:
     """The Jacobian about a steady motion; ``family`` is the dimension of the family, found where it is not given."""
     rest = list(model.rest)
+    model = replace(model, turning=steady.turning)
     full = model.field(steady.y)[1][np.ix_(rest, rest)]
-    basis, notes = _admissible(model, steady, full)
+    every, notes = _admissible(model, steady, full)
+    basis = _beside_turns(every, steady, rest)
     matrix = basis @ full @ basis.T
     null, others = _split(matrix)
     if family is None:
@@ -56,7 +60,18 @@ def linearise_at(model: SteadyModel, steady: Steady, family: int | None = None) 
     else:
         null, others = _split(matrix, family)
     core = others @ matrix @ others.T
-    return Linearisation(steady, model.rest, full, basis, matrix, core, null @ basis, min(family, len(null)), notes)
+    turns = len(every) - len(basis)
+    return Linearisation(
+        steady, model.rest, full, basis, matrix, core, null @ basis, min(family, len(null)), notes, turns
+    )
+
+
+def _beside_turns(basis: Matrix, steady: Steady, rest: Sequence[int]) -> Matrix:
+    """The part of the basis across turns that nothing depends on: these are null directions, and the rest is a quotient by them."""
+    if not steady.turns:
+        return basis
+    along = np.array([turn @ np.array(steady.y) for turn in steady.turns])[:, list(rest)] @ basis.T
+    return np.asarray(_kernel(along) @ basis)
 
 
 def _admissible(model: SteadyModel, steady: Steady, full: Matrix) -> tuple[Matrix, tuple[str, ...]]:
@@ -111,9 +126,9 @@ def _family(model: SteadyModel, steady: Steady, null: Matrix, zeros: int) -> int
         guess = np.array(steady.y)
         guess[rest] += scale * (weights / np.linalg.norm(weights)) @ null
         try:
-            near = find_steady(model, [float(x) for x in guess])
-            full = model.field(near.y)[1][np.ix_(rest, rest)]
-            basis, _ = _admissible(model, near, full)
+            near = find_steady(replace(model, turning=None, symmetries=(steady.turns,)), [float(x) for x in guess])
+            full = replace(model, turning=near.turning).field(near.y)[1][np.ix_(rest, rest)]
+            basis = _beside_turns(_admissible(model, near, full)[0], near, rest)
         except ArithmeticError:
             continue
         smallest = min(smallest, len(_split(basis @ full @ basis.T)[0]))
@@ -175,6 +190,7 @@ class Branch:
         self._known: dict[float, tuple[float, ...]] = {}
         self._guess = tuple(guess)
         self.family: int | None = None
+        self._turns: tuple[Matrix, ...] | None = None
 
     def __call__(self, value: float) -> Linearisation:
         """The linearisation at a value.
@@ -184,8 +200,10 @@ class Branch:
         """
         model, holds = self._model(value)
         near = min(self._known, key=lambda known: abs(known - value), default=None)
+        if self._turns is not None:
+            model = replace(model, symmetries=(self._turns,))
         steady = find_steady(model, self._guess if near is None else self._known[near], holds)
-        self._known[value] = steady.y
+        self._known[value], self._turns = steady.y, steady.turns
         return linearise_at(model, steady, self.family)
 
 

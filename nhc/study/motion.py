@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+
+import numpy as np
 
 from nhc.algebra.graph import Node
 from nhc.algebra.linear import Singular
@@ -17,8 +19,9 @@ from nhc.mechanics.frame import coordinate_frame
 from nhc.mechanics.linearize import Flow, Leaf, cyclic_of, flow_of, is_autonomous, leaf_of, quantity, symbolic_matrix
 from nhc.mechanics.regularity import choose_dependent, constant_value
 from nhc.mechanics.scenes import start_of
+from nhc.mechanics.symmetry import Generator, turning_symmetries
 from nhc.study.linearize import Branch, Linearisation, Sweep, linearise_at, sweep
-from nhc.study.steady import Hold, NotSteady, Steady, SteadyModel, find_steady
+from nhc.study.steady import Hold, Matrix, NotSteady, Steady, SteadyModel, find_steady
 from nhc.study.tape import Tapes
 
 _SNAP = 1e-11
@@ -63,7 +66,16 @@ def steady_model(equations: Equations, formulation: Formulation, p: Sequence[flo
             leaf = leaf_of(system, frame or coordinate_frame(system, choose_dependent(system).dependent))
         except Singular:
             raise NotSteady("the constraints cannot be solved for any velocities", math.inf) from None
-    return SteadyModel(flow, frame, leaf, cyclic_of(flow), tuple(p), Tapes(flow.graph, flow.y))
+    made = SteadyModel(flow, frame, leaf, cyclic_of(flow), tuple(p), Tapes(flow.graph, flow.y))
+    groups = turning_symmetries(flow, frame, made.rest)
+    return replace(made, symmetries=tuple(tuple(_matrix(turn, len(flow.y)) for turn in group) for group in groups))
+
+
+def _matrix(turn: Generator, size: int) -> Matrix:
+    made = np.zeros((size, size))
+    for place, x in turn.items():
+        made[place] = float(x)
+    return made
 
 
 def linearise(equations: Equations, formulation: Formulation, request: Request) -> Findings:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy as np
@@ -42,7 +42,11 @@ class Hold:
 
 @dataclass(frozen=True)
 class SteadyModel:
-    """A field with its parameters' values; ``rest`` are the entries of the state that are not cyclic."""
+    """A field with its parameters' values; ``rest`` are the entries of the state that are not cyclic.
+
+    ``symmetries`` are groups of turns, matrices over the state, that a steady motion may go along: it stands still in axes
+    that turn with it, by ``turning``.
+    """
 
     flow: Flow
     frame: Frame | None
@@ -50,6 +54,8 @@ class SteadyModel:
     cyclic: tuple[int, ...]
     p: tuple[float, ...]
     tapes: Tapes
+    symmetries: tuple[tuple[Matrix, ...], ...] = ()
+    turning: Matrix | None = None
 
     @cached_property
     def rest(self) -> tuple[int, ...]:
@@ -68,7 +74,7 @@ class SteadyModel:
         }
 
     def field(self, y: Sequence[float]) -> tuple[Vector, Matrix]:
-        """f(y) of shape (NY,) and df/dy of shape (NY, NY), exact but for rounding.
+        """f(y) of shape (NY,) and df/dy of shape (NY, NY) on turning axes, exact but for rounding.
 
         Raises:
             ArithmeticError: the model is singular at y.
@@ -84,7 +90,10 @@ class SteadyModel:
         tails = [x for row in (*flow.velocity_slopes, *flow.residual_slopes) for x in row]
         slopes = self.tapes.numbers(tails, values).reshape(n + unknowns, size)
         rates = _solve(matrix, slopes[n:])[:kept]
-        return np.concatenate([numbers[:n], solution[:kept]]), np.vstack([slopes[:n], rates])
+        field, jacobian = np.concatenate([numbers[:n], solution[:kept]]), np.vstack([slopes[:n], rates])
+        if self.turning is not None:
+            field, jacobian = field - self.turning @ np.asarray(y), jacobian - self.turning
+        return field, jacobian
 
     def mass(self, y: Sequence[float]) -> Matrix:
         """The matrix of the kept velocities' rates at y (with multipliers: the bordered one)."""
@@ -141,12 +150,17 @@ def _solve(matrix: Matrix, right: Matrix) -> Matrix:
 
 @dataclass(frozen=True)
 class Steady:
-    """A steady motion: the state, the largest rate that is left of what should stand still, the steps taken."""
+    """A steady motion: the state, the largest rate that is left of what should stand still, the steps taken.
+
+    ``turning`` is the turn that goes with it, made of ``turns``; both are matrices over the state.
+    """
 
     y: tuple[float, ...]
     residual: float
     steps: int
     equilibrium: bool
+    turning: Matrix | None = field(default=None, compare=False)
+    turns: tuple[Matrix, ...] = field(default=(), compare=False)
 
 
 def find_steady(model: SteadyModel, guess: Sequence[float], holds: Sequence[Hold] = ()) -> Steady:
@@ -160,27 +174,44 @@ def find_steady(model: SteadyModel, guess: Sequence[float], holds: Sequence[Hold
         NotSteady: the iteration ends elsewhere, or the model is singular on the way.
     """
     y = np.array(guess, dtype=float)
-    try:
-        return _iterate(model, y, holds)
-    except ArithmeticError as error:
-        if isinstance(error, NotSteady):
-            raise
-        raise NotSteady(f"the model is singular on the way: {error}", float("inf")) from None
+    found: list[tuple[float, Steady]] = []
+    failed: list[NotSteady] = []
+    for turns in model.symmetries or ((),):
+        try:
+            made = _iterate(model, turns, np.concatenate([y, _first_turn(model, turns, y)]), holds)
+        except ArithmeticError as error:
+            told = isinstance(error, NotSteady)
+            failed.append(error if told else NotSteady(f"the model is singular on the way: {error}", float("inf")))  # type: ignore[arg-type]
+            continue
+        found.append((round(float(np.linalg.norm(np.array(made.y) - y)), 6), made))
+    if not found:
+        raise failed[0] from None
+    return min(found, key=lambda one: one[0])[1]  # of equally near ones that with fewer turns
 
 
-def _iterate(model: SteadyModel, y: Vector, holds: Sequence[Hold]) -> Steady:
-    value, slopes, scale = _equations(model, y, holds)
+def _first_turn(model: SteadyModel, turns: Sequence[Matrix], y: Vector) -> Vector:
+    """How fast the guess turns: what leaves the least of its rates."""
+    if not turns:
+        return np.zeros(0)
+    rest = list(model.rest)
+    along = np.array([turn @ y for turn in turns])[:, rest]
+    return np.asarray(np.linalg.lstsq(along.T, model.field([float(x) for x in y])[0][rest], rcond=None)[0])
+
+
+def _iterate(model: SteadyModel, turns: Sequence[Matrix], y: Vector, holds: Sequence[Hold]) -> Steady:
+    """``y`` is the state, with the speed of each turn after it."""
+    value, slopes, scale = _equations(model, turns, y, holds)
     before, damping = np.zeros_like(y), 1.0
     for step in range(_STEPS + 1):
         size = float(np.max(np.abs(value), initial=0.0))
         move = _step(value, slopes, _bound(model, y, slopes[len(model.rest) :]), damping)
         if size == 0.0 or float(np.linalg.norm(move)) <= 1e-14 * (1.0 + float(np.linalg.norm(y))):
-            return _accept(model, y, size, scale, step)
+            return _accept(model, turns, y, size, scale, step)
         factor = 2.0 if _halves(before, move) else 1.0
         for _ in range(_HALVINGS):
             trial = y + factor * move
             try:
-                next_value, next_slopes, next_scale = _equations(model, trial, holds)
+                next_value, next_slopes, next_scale = _equations(model, turns, trial, holds)
             except ArithmeticError:
                 factor /= 2
                 continue
@@ -189,7 +220,7 @@ def _iterate(model: SteadyModel, y: Vector, holds: Sequence[Hold]) -> Steady:
             factor /= 2
         else:
             if damping == 0.0 or size <= 1e-12 * scale:
-                return _accept(model, y, size, scale, step)
+                return _accept(model, turns, y, size, scale, step)
             damping = 0.0  # what is left lies along weak directions: plain Gauss-Newton from here on
             continue
         before = move
@@ -218,19 +249,31 @@ def _halves(before: Vector, move: Vector) -> bool:
     return 0.45 * last < size < 0.55 * last and float(before @ move) > 0.99 * size * last
 
 
-def _accept(model: SteadyModel, y: Vector, size: float, scale: float, steps: int) -> Steady:
+def _accept(model: SteadyModel, turns: Sequence[Matrix], y: Vector, size: float, scale: float, steps: int) -> Steady:
     """The iteration can do no better: either rounding is all that is left, or there is nothing to find."""
     if size > 1e-9 * scale:
         raise NotSteady("the iteration stops where the motion is not steady", size)
     n = model.flow.system.n
-    still = bool(np.max(np.abs(model.field(list(y))[0][:n]), initial=0.0) <= 1e-9 * scale)
-    return Steady(tuple(float(x) for x in y), size, steps, still)
+    state, turning = _parted(model, turns, y)
+    still = bool(np.max(np.abs(model.field(state)[0][:n]), initial=0.0) <= 1e-9 * scale)
+    return Steady(tuple(state), size, steps, still, turning, tuple(turns))
 
 
-def _equations(model: SteadyModel, y: Vector, holds: Sequence[Hold]) -> tuple[Vector, Matrix, float]:
+def _parted(model: SteadyModel, turns: Sequence[Matrix], y: Vector) -> tuple[list[float], Matrix | None]:
+    """The state, and the turn that goes with it."""
+    count = len(model.flow.y)
+    state = [float(x) for x in y[:count]]
+    if not turns:
+        return state, None
+    return state, np.asarray(sum(speed * turn for speed, turn in zip(y[count:], turns, strict=True)))
+
+
+def _equations(
+    model: SteadyModel, turns: Sequence[Matrix], y: Vector, holds: Sequence[Hold]
+) -> tuple[Vector, Matrix, float]:
     """Rates of the rest, conditions and holds, with their slopes and the size that rounding is measured by."""
-    state = [float(x) for x in y]
-    rates, jacobian = model.field(state)
+    state, turning = _parted(model, turns, y)
+    rates, jacobian = (model if turning is None else replace(model, turning=turning)).field(state)
     off, across = model.conditions(state)
     rest = list(model.rest)
     values = model.values(state)
@@ -238,12 +281,16 @@ def _equations(model: SteadyModel, y: Vector, holds: Sequence[Hold]) -> tuple[Ve
     rows = [model.tapes.slopes(hold.node, values) for hold in holds]
     held = np.array(rows).reshape(len(holds), len(state))
     scale = max(1.0, float(np.max(np.abs(jacobian[rest]), initial=0.0)))
-    return np.concatenate([rates[rest], off, wanted]), np.vstack([jacobian[rest], across, held]), scale
+    slopes = np.vstack([jacobian[rest], across, held])
+    by_speed = np.zeros((len(slopes), len(turns)))
+    for k, turn in enumerate(turns):
+        by_speed[: len(rest), k] = -(turn @ np.array(state))[rest]
+    return np.concatenate([rates[rest], off, wanted]), np.hstack([slopes, by_speed]), scale
 
 
 def _bound(model: SteadyModel, y: Vector, set_by: Matrix) -> Matrix:
     """Directions (rows over y) in which the steps do not go: across the leaf, but for what other equations set."""
-    found = model.normals([float(x) for x in y])
+    found = model.normals([float(x) for x in y[: len(model.flow.y)]])
     if found is None or not len(found):
         return np.zeros((0, len(y)))
     normals = np.hstack([found, np.zeros((len(found), len(y) - found.shape[1]))])

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import math
 import random
 import re
@@ -19,8 +20,12 @@ from nhc.cli.entry import main
 from nhc.diagnostics import Source
 from nhc.language import decode, read
 from nhc.mechanics.certificate import certify
+from nhc.mechanics.choose import formulate
+from nhc.mechanics.formulate import equations_of
+from nhc.mechanics.linearize import cyclic_of, flow_of
 from nhc.mechanics.resolve import resolve
 from nhc.mechanics.scenes import start_of
+from nhc.mechanics.symmetry import turning_symmetries
 from nhc.pipeline import Options, emit
 from tests.support import COMPILER, ROOT, c_model, emitted_python, error, formulations, python_model, spec_path
 
@@ -308,6 +313,48 @@ def test_an_equilibrium_on_the_sphere(capsys: pytest.CaptureFixture[str]) -> Non
     assert main(["linearize", spec, "--about", "R_0=0, R_1=1", "--json"]) == 0
     out = capsys.readouterr().out
     assert out.count(f"{math.sqrt(2.0):.10f}"[:11]) >= 2
+
+
+def linearised(capsys: pytest.CaptureFixture[str], *arguments: str) -> Any:
+    assert main(["linearize", *arguments, "--json"]) == 0
+    return json.loads(capsys.readouterr().out)
+
+
+def test_the_sleeping_top(capsys: pytest.CaptureFixture[str]) -> None:
+    """(I3 w3)^2 = 4 I1 mgl, found upright, where the angles lock; one turn of space goes with the motion."""
+    spec = str(spec_path("heavy_top_quaternion"))
+    found = linearised(capsys, spec, "--about", "w3=1.5", "--sweep", "w3=1.5:2.5:5")
+    assert found["state"]["w3"] == 1.5 and found["kind"] == "steady motion" and found["turns"] == 1
+    (crossing,) = found["crossings"]
+    assert crossing["value"] == pytest.approx(math.sqrt(32 / 9), abs=1e-9) and not crossing["up"]
+    # u'' = i w3 u' (2 I1 - I3)/I1 + ... seen from the body: roots of the sleeping top's quadratic, shifted by its own turn
+    growth = math.sqrt(4 * 2.0 - (1.5 * 1.5) ** 2) / 2
+    assert max(x["real"] for x in found["eigenvalues"]) == pytest.approx(growth, rel=1e-9)
+
+
+def test_steady_precession_is_that_of_the_angles(capsys: pytest.CaptureFixture[str]) -> None:
+    """At the same tilt and spin: the same nutation, and as many directions of the family."""
+    about = ("--about", "reference")
+    here = linearised(capsys, str(spec_path("heavy_top_quaternion")), *about, "--hold", "height", "--hold", "w3=3")
+    there = linearised(capsys, str(spec_path("heavy_top")), *about, "--hold", "theta", "--hold", "p_psi=4.5")
+    assert here["structural_zeros"] == there["structural_zeros"] == 2 and here["turns"] == 2
+    frequencies = [sorted(x["imag"] for x in found["eigenvalues"]) for found in (here, there)]
+    assert frequencies[0] == pytest.approx(frequencies[1], rel=1e-9) and len(frequencies[0]) == 2
+
+
+def test_symmetries_are_turns() -> None:
+    """The top's field knows no direction about the vertical, nor about its own axis; the ball's none about the vertical."""
+    for name, count in (("heavy_top_quaternion", [1, 2]), ("chaplygin_ball_quaternion", [1])):
+        system = resolve(decode(read(str(spec_path(name)))))
+        formulation = formulate(system)
+        flow = flow_of(equations_of(system, formulation))
+        rest = [i for i in range(len(flow.y)) if i not in cyclic_of(flow)]
+        assert [len(group) for group in turning_symmetries(flow, formulation.frame, rest)] == count
+    for text in (TORQUE.format(frame="body"), TORQUE.format(frame="space")):
+        system = resolve(decode(Source("s.yaml", text)))
+        formulation = formulate(system)
+        flow = flow_of(equations_of(system, formulation))
+        assert turning_symmetries(flow, formulation.frame, range(len(flow.y))) == ()
 
 
 def test_a_scene_that_needs_angular_velocity_has_three_equations(capsys: pytest.CaptureFixture[str]) -> None:
