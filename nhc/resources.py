@@ -6,6 +6,7 @@ beside it.  Nothing else in the project may look for these folders.
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 PACKAGE = Path(__file__).resolve().parent
@@ -38,3 +39,11 @@ def find_templates() -> Path:
 def find_specs() -> Path:
     """The folder of the gallery: ``<name>.yaml`` and ``<name>.md``."""
     return find_folder("specs")
+
+
+def cache_folder() -> Path:
+    """Where compiled models and templates are kept: ``$NHC_CACHE``, else ``nhc`` in the user's cache folder."""
+    if os.environ.get("NHC_CACHE"):
+        return Path(os.environ["NHC_CACHE"])
+    base = os.environ.get("XDG_CACHE_HOME") or str(Path.home() / ".cache")
+    return Path(base) / "nhc"

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
+
+from nhc.records import record
 
 NUM, SYM, PI, ADD, MUL, NEG, POW = "num", "sym", "pi", "add", "mul", "neg", "pow"
 UNARY = frozenset({"sin", "cos", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp", "log", "sqrt", "abs", "sign"})
@@ -18,7 +19,7 @@ Rational = int | Fraction
 LONGEST_NUMBER = 1 << 15  # bits of a numerator or denominator: far beyond what a double holds
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Symbol:
     """``kind`` is one of time, coordinate, velocity, quasi, parameter, acceleration, multiplier, other."""
 

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
+import gc
 import os
 import sys
 import traceback
 from collections.abc import Sequence
-from difflib import get_close_matches
 from importlib import import_module
 
 import click
@@ -35,6 +35,13 @@ VERBS = {
 }
 
 
+_RARE_COLLECTION = (
+    50_000,
+    20,
+    100,
+)  # nodes and statements are many and live long: looking for cycles finds none of them
+
+
 class LazyGroup(click.Group):
     """A group that imports the module of a verb when the verb is used."""
 
@@ -56,6 +63,8 @@ class LazyGroup(click.Group):
         """Find the verb, or name the nearest one."""
         verb = args[0]
         if verb not in VERBS and not verb.startswith("-"):
+            from difflib import get_close_matches
+
             near = get_close_matches(verb, VERBS, n=1)
             hint = f"did you mean `{near[0]}`?" if near else f"the verbs are {', '.join(VERBS)}"
             raise click.UsageError(f"no verb `{verb}`; {hint}", ctx)
@@ -82,6 +91,7 @@ def nhc() -> None:
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run ``nhc`` with ``arguments`` (default: those of the process) and return its exit code."""
     set_up_streams()
+    gc.set_threshold(*_RARE_COLLECTION)
     try:
         code = nhc.main(list(sys.argv[1:] if arguments is None else arguments), prog_name="nhc", standalone_mode=False)
         sys.stdout.flush()

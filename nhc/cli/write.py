@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import shutil
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
@@ -107,7 +106,7 @@ def _written_beside(files: Mapping[Path, str]) -> Iterator[dict[Path, Path]]:
             temporaries[temporary] = final
             temporary.write_bytes(text.encode())
             if final.exists():
-                shutil.copymode(final, temporary)
+                os.chmod(temporary, os.stat(final).st_mode & 0o7777)
         yield temporaries
     finally:
         for temporary in temporaries:

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from enum import Enum
+
+from nhc.records import record
 
 from .codes import TITLES
 from .source import Source, Span
@@ -18,7 +20,7 @@ class Severity(Enum):
     NOTE = "note"
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Label:
     """A marked place with a few words (possibly none) to be written beside the mark."""
 
@@ -26,7 +28,7 @@ class Label:
     text: str = ""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Diagnostic:
     """One finding. ``labels[0]`` is the primary place; ``help`` holds instructions that show the right spelling."""
 

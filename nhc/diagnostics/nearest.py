@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from difflib import get_close_matches
 
 
 def nearest(name: str, names: Iterable[str]) -> str | None:
@@ -12,5 +11,7 @@ def nearest(name: str, names: Iterable[str]) -> str | None:
     for other in known:
         if other.casefold() == name.casefold() and other != name:
             return other
+    from difflib import get_close_matches  # needed for mistakes only, and slow to import
+
     found = get_close_matches(name, known, n=1, cutoff=0.6)
     return found[0] if found else None

@@ -6,8 +6,10 @@ from bisect import bisect_right
 from dataclasses import dataclass
 from functools import cached_property
 
+from nhc.records import record
 
-@dataclass(frozen=True, slots=True, order=True)
+
+@record
 class Span:
     """A half-open range ``[start, end)`` of character offsets into one source's text."""
 
@@ -17,6 +19,9 @@ class Span:
     def join(self, other: Span) -> Span:
         """Return the smallest span that covers both."""
         return Span(min(self.start, other.start), max(self.end, other.end))
+
+    def __lt__(self, other: Span) -> bool:
+        return (self.start, self.end) < (other.start, other.end)
 
 
 @dataclass(frozen=True)

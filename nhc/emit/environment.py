@@ -6,15 +6,16 @@ Jinja2 is imported when the first text is rendered, never before: start-up time 
 from __future__ import annotations
 
 import functools
+import os
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from nhc.resources import find_templates
+from nhc.resources import cache_folder, find_templates
 from nhc.stamp import stamp
 
 if TYPE_CHECKING:
-    from jinja2 import Environment
+    from jinja2 import BytecodeCache, Environment
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,6 +34,7 @@ def create_environment() -> Environment:
 
     return Environment(
         loader=FileSystemLoader(find_templates(), encoding="utf-8"),
+        bytecode_cache=_keep_templates(),
         block_start_string="<%",
         block_end_string="%>",
         variable_start_string="<<",
@@ -46,6 +48,31 @@ def create_environment() -> Environment:
         autoescape=False,
         auto_reload=False,
     )
+
+
+def _keep_templates() -> BytecodeCache:
+    """Compiled templates beside the compiled models: compiling them takes longer than printing a model.
+
+    An entry is used only for the text it came from; a folder that cannot be written costs the time and nothing else.
+    """
+    from jinja2 import FileSystemBytecodeCache
+    from jinja2.bccache import Bucket
+
+    class Kept(FileSystemBytecodeCache):
+        def load_bytecode(self, bucket: Bucket) -> None:
+            try:
+                super().load_bytecode(bucket)
+            except (OSError, EOFError, ValueError, TypeError):
+                bucket.reset()
+
+        def dump_bytecode(self, bucket: Bucket) -> None:
+            try:
+                os.makedirs(self.directory, mode=0o700, exist_ok=True)
+                super().dump_bytecode(bucket)
+            except OSError:
+                pass
+
+    return Kept(str(cache_folder() / "templates"))
 
 
 def render_file(file: File) -> str:

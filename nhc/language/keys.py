@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from nhc.records import record
 
 from .spec import FORMULATIONS, ROTATION_FRAMES
 
@@ -10,7 +10,7 @@ VERSION = 1
 SYSTEM_PATTERN = "[a-z][a-z0-9_]*"
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Key:
     """One key of a mapping. ``kind`` names the shape of its value (see ``schema.SHAPES``)."""
 

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from nhc.diagnostics import Span
+from nhc.records import record
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Text:
     """A scalar; ``plain`` says that it stands without quotes.
 
@@ -30,7 +29,7 @@ class Text:
         return Span(first, self.offsets[min(end, last) - 1] + 1)
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Items:
     """A list."""
 
@@ -38,7 +37,7 @@ class Items:
     span: Span
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Table:
     """A mapping; its keys are texts, each once."""
 

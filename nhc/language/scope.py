@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 
 from nhc.diagnostics import Bag, Label, Span, nearest
+from nhc.records import record
 
 from .names import DOT, ENERGIES, FUNCTIONS, PI, RESERVED, TIME, fold, is_name
 from .nodes import Text
@@ -24,7 +24,7 @@ _KINDS = {
 }
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Declared:
     """``kind`` is coordinate, parameter, define, quasi, output, rotation or entry (of a rotation's matrix)."""
 

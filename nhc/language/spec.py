@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from nhc.diagnostics import Source, Span
+from nhc.records import record
 
 from .syntax import Syntax
 
@@ -16,7 +17,7 @@ FIGURES = ("point", "line", "circle", "body")
 Place = tuple[Syntax, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Coordinate:
     """A generalized coordinate; ``range`` is where it is meant to stay, ``start`` where a scene starts that says nothing."""
 
@@ -28,7 +29,7 @@ class Coordinate:
     start: Fraction = Fraction(0)
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Rotation:
     """An orientation: the names of its quaternion (4), of its angular velocity (3) and of its matrix (9, row by row).
 
@@ -45,7 +46,7 @@ class Rotation:
     about: str = ""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Parameter:
     """A constant of the system: a number, a constant expression (``pi/10``), or None where each scene gives it."""
 
@@ -56,7 +57,7 @@ class Parameter:
     about: str = ""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Definition:
     """A name with its expression: an entry of ``define``, ``quasi_velocities``, ``forces`` or ``outputs``."""
 
@@ -65,7 +66,7 @@ class Definition:
     span: Span
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Constraint:
     """``left = right``; ``form`` is "velocity" (x' and so on) or "differential" (dx, dt)."""
 
@@ -76,7 +77,7 @@ class Constraint:
     span: Span
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Holonomic:
     """``left = right`` between positions and time."""
 
@@ -86,7 +87,7 @@ class Holonomic:
     span: Span
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Override:
     """A scene's own value of a parameter."""
 
@@ -95,7 +96,7 @@ class Override:
     span: Span
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Initial:
     """A scene's start: ``kind`` is "coordinate", "velocity" (of the coordinate ``name``) or "quasi".
 
@@ -108,7 +109,7 @@ class Initial:
     span: Span
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Figure:
     """A shape to draw: ``kind`` is one of ``FIGURES``, ``name`` its label or empty.
 
@@ -139,7 +140,7 @@ class Figure:
         return bool(self.normal) or any(len(place) == 3 for place in self.points)
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Need:
     """What a scene needs.
 

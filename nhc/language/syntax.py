@@ -7,14 +7,14 @@ stack, and nodes compare by identity; ``same`` compares what two trees say.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import TypeVar
 
 from nhc.diagnostics import Span
+from nhc.records import identity_record
 
 
-@dataclass(frozen=True, slots=True, eq=False, repr=False)
+@identity_record
 class Number:
     """An exact number, not negative where it comes from a text."""
 
@@ -22,7 +22,7 @@ class Number:
     span: Span
 
 
-@dataclass(frozen=True, slots=True, eq=False, repr=False)
+@identity_record
 class Name:
     """A folded name: a coordinate, parameter, definition, quasi-velocity, ``t``, ``pi``, or in outputs an energy."""
 
@@ -30,7 +30,7 @@ class Name:
     span: Span
 
 
-@dataclass(frozen=True, slots=True, eq=False, repr=False)
+@identity_record
 class Prime:
     """The total time derivative."""
 
@@ -38,7 +38,7 @@ class Prime:
     span: Span
 
 
-@dataclass(frozen=True, slots=True, eq=False, repr=False)
+@identity_record
 class Differential:
     """``d`` of a coordinate or of ``t``; in constraints only."""
 
@@ -46,7 +46,7 @@ class Differential:
     span: Span
 
 
-@dataclass(frozen=True, slots=True, eq=False, repr=False)
+@identity_record
 class Negate:
     """Unary minus."""
 
@@ -54,7 +54,7 @@ class Negate:
     span: Span
 
 
-@dataclass(frozen=True, slots=True, eq=False, repr=False)
+@identity_record
 class Binary:
     """``op`` is one of ``+ - * / ^``; ``operator`` is the place of the sign itself."""
 
@@ -65,7 +65,7 @@ class Binary:
     operator: Span
 
 
-@dataclass(frozen=True, slots=True, eq=False, repr=False)
+@identity_record
 class Call:
     """A function of the language."""
 

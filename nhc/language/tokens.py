@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
 
 from nhc.diagnostics import Span
+from nhc.records import record
 
 from .names import continues_name, fold, is_folded, starts_name
 
@@ -46,7 +46,7 @@ class ExpressionError(Exception):
         self.help = help
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Token:
     """``kind`` is number, name, prime, end, or the sign itself; ``text`` is folded for names."""
 

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from fractions import Fraction
 
 from nhc.diagnostics import Bag, Label
+from nhc.records import record
 
 from .names import ENERGIES, PI, TIME
 from .spec import Constraint, Definition, Holonomic, Spec
@@ -19,7 +19,7 @@ _PER_SECOND_2 = raise_to(SECOND, Fraction(-2))
 _KINETIC = (ENERGY, multiply(raise_to(parse_unit("m"), Fraction(2)), _PER_SECOND_2), _PER_SECOND_2)
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class _Quantity:
     """``dimension`` is None where it is not known; ``any`` marks the number 0, which fits everything.
 

@@ -8,7 +8,6 @@ from dataclasses import dataclass, replace
 from nhc.algebra.linear import Singular
 from nhc.algebra.modular import rank
 from nhc.diagnostics import Bag, Span
-from nhc.mechanics import chaplygin, newton
 from nhc.mechanics.adapt import complete
 from nhc.mechanics.frame import Frame, coordinate_frame, make_frame
 from nhc.mechanics.regularity import Choice as DependentChoice
@@ -95,6 +94,8 @@ def build(system: System, name: str) -> Formulation:
         NotApplicable: a hypothesis that it cannot do without is broken.
     """
     if name == "newton":
+        from nhc.mechanics import newton
+
         reasons = newton.broken_hypotheses(system)
         if reasons:
             raise NotApplicable(name, reasons)
@@ -173,6 +174,8 @@ def _reduced(system: System, name: str) -> Formulation:
     reason = "dependent velocities of the spec" if system.dependent else "dependent velocities chosen by nhc"
     if name == "voronec":
         return Formulation(name, NUMBERS[name], frame, choice, (), reason)
+    from nhc.mechanics import chaplygin
+
     found = chaplygin.hypotheses(frame, choice.dependent)
     if found.fatal:
         raise NotApplicable(name, found.fatal)

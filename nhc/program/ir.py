@@ -10,37 +10,38 @@ are that language's affair (``emit/<language>/names.py``).
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
 from fractions import Fraction
+
+from nhc.records import record
 
 # --- expressions -----------------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Number:
     """An exact rational; the printer rounds it once, to the nearest double."""
 
     value: Fraction
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Pi:
     """The circle's number."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Ref:
     """A name that an earlier Load, Let or Solve of the same function has bound."""
 
     name: str
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Negate:
     operand: Expr
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Binary:
     """``op`` is one of ``+ - * /``."""
 
@@ -49,7 +50,7 @@ class Binary:
     right: Expr
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Power:
     """An integer power with ``exponent >= 2`` that was not worth unrolling, or a negative one."""
 
@@ -57,7 +58,7 @@ class Power:
     exponent: int
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Call:
     """A function of the language: sin cos tan asin acos atan atan2 sinh cosh tanh exp log sqrt abs sign min max,
     and ``pow`` (a power whose exponent is no integer).
@@ -72,7 +73,7 @@ Expr = Number | Pi | Ref | Negate | Binary | Power | Call
 # --- statements ------------------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Origin:
     """Where a statement comes from: the number of the equation and the place in the spec."""
 
@@ -80,7 +81,7 @@ class Origin:
     place: str = ""  # "chaplygin_sleigh.yaml:14:4"
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Section:
     """A comment that heads the statements after it, e.g. "parameters only"."""
 
@@ -88,7 +89,7 @@ class Section:
     origin: Origin = Origin()
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Load:
     """``name = array[index]``; for ``t``, ``array`` is "t" and ``index`` is -1 (a scalar argument)."""
 
@@ -98,14 +99,14 @@ class Load:
     about: str = ""  # "theta [rad]"
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Let:
     name: str
     value: Expr
     origin: Origin = Origin()
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Guard:
     """Leave with the nonzero status ``status`` unless ``|value| > tolerance * scale`` (so a NaN leaves too)."""
 
@@ -116,7 +117,7 @@ class Guard:
     what: str  # "the block of dependent velocities (y) is singular"
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Solve:
     """Dense ``matrix @ x = column`` for each column, by elimination with row pivoting; ``names[c][i]`` binds x_i of column c.
 
@@ -132,7 +133,7 @@ class Solve:
     what: str
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Store:
     """``array[index] = value``."""
 
@@ -143,7 +144,7 @@ class Store:
     origin: Origin = Origin()
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Result:
     """The scalar value of a function that returns one (energy)."""
 
@@ -151,7 +152,7 @@ class Result:
     origin: Origin = Origin()
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Evaluate:
     """``array`` becomes the output of the program's ``function`` at this function's own arguments; comes before all loads."""
 
@@ -160,7 +161,7 @@ class Evaluate:
     size: int
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Sweep:
     """``body`` once for each entry of ``offsets``: in pass k the name ``seeds[k]`` is 1 and the other seeds are 0.
 
@@ -177,7 +178,7 @@ class Sweep:
 Statement = Section | Load | Let | Guard | Solve | Store | Result | Evaluate | Sweep
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Argument:
     """``t`` has no size; others are arrays of ``size`` doubles."""
 
@@ -185,7 +186,7 @@ class Argument:
     size: int  # -1 for a scalar
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Function:
     """``name`` without the system's prefix: rhs, velocities, ...
 
@@ -205,7 +206,7 @@ class Function:
     calls: int = 0
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Quantity:
     """A name of the spec with what is known of it."""
 
@@ -216,7 +217,7 @@ class Quantity:
     default: Fraction | float | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class SceneData:
     """What a driver needs: a consistent start. ``y`` and ``p`` are doubles in the program's order."""
 
@@ -229,7 +230,7 @@ class SceneData:
     tolerance: float
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Program:
     system: str
     about: str
@@ -244,4 +245,4 @@ class Program:
     outputs: tuple[Quantity, ...]
     functions: tuple[Function, ...]
     scenes: tuple[SceneData, ...] = ()
-    notes: tuple[str, ...] = field(default=())
+    notes: tuple[str, ...] = ()

@@ -3,23 +3,24 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 
 from nhc.algebra.graph import Graph, Node
 from nhc.program.ir import Argument, Origin
+from nhc.records import record
 
 
-@dataclass(frozen=True)
+@record
 class Target:
     """``array[index] = node``."""
 
     index: int
     node: Node
     about: str = ""
-    origin: Origin = field(default_factory=Origin)
+    origin: Origin = Origin()
 
 
-@dataclass(frozen=True)
+@record
 class GuardPlan:
     """``|value|`` must exceed ``tolerance * scale``."""
 
@@ -30,7 +31,7 @@ class GuardPlan:
     what: str
 
 
-@dataclass(frozen=True)
+@record
 class SolvePlan:
     """A dense system whose solution binds ``symbols[c][i]``; later stages may use them."""
 
@@ -97,7 +98,7 @@ def map_nodes(plan: FunctionPlan, change: Callable[[list[Node]], list[Node]]) ->
     )
 
 
-@dataclass(frozen=True)
+@record
 class Factors:
     """L (unit lower, below the diagonal), the pivots d and their reciprocals of a symmetric matrix L D L^T."""
 

@@ -18,6 +18,8 @@ from collections.abc import Mapping, Sequence
 from functools import cache
 from pathlib import Path
 
+from nhc.resources import cache_folder
+
 FLAGS = ("-std=c99", "-O2", "-fPIC", "-shared", "-fvisibility=hidden", "-fno-math-errno", "-fno-trapping-math")
 TIME_LIMIT = 600.0  # seconds
 
@@ -28,14 +30,6 @@ class CompileError(Exception):
     def __init__(self, message: str, missing: bool = False) -> None:
         super().__init__(message)
         self.missing = missing
-
-
-def cache_folder() -> Path:
-    """Where compiled models are kept."""
-    if os.environ.get("NHC_CACHE"):
-        return Path(os.environ["NHC_CACHE"])
-    base = os.environ.get("XDG_CACHE_HOME") or str(Path.home() / ".cache")
-    return Path(base) / "nhc"
 
 
 def find_compiler() -> str:
