@@ -16,36 +16,45 @@ from nhc.mechanics.scenes import start_of
 from nhc.mechanics.system import System
 from nhc.study.atlas.scenario import Measure, Scenario, Verdict, open_runner, open_system
 
-END, STEPS = 0.8, 200
+STEPS = 400
+ENDS = (("chaplygin_sleigh", 0.8), ("nh_particle", 5.0), ("rolling_disk", 1.0), ("chaplygin_ball", 2.0))
+WRONG = ("lagrange_of_T_star", "boxed_I_3_sign")
 Vector = NDArray[np.float64]
 
 
 def run() -> Verdict:
-    """The sleigh of the gallery for 0.8 s."""
-    system = open_system("chaplygin_sleigh")
-    found = {w.claim.name: w.claim for w in wrong_claims(system, applicable(system))}
-    truth, _ = follow(system, reference_claim(system))
-    apart, energy = {}, 0.0
-    for name in ("lagrange_of_T_star", "boxed_I_3_sign"):
-        end, change = follow(system, found[name])
-        apart[name] = float(np.max(np.abs(end - truth)))
-        energy = max(energy, change)
-    own = open_runner(system, "reference", "dop853").run((0.0, END))
-    error = float(np.max(np.abs(np.array(own.y[: system.n]) - truth)))
-    least = min(apart.values())
+    """Four systems of the gallery, each for a short time."""
+    apart, energy, error = [], 0.0, 0.0
+    for name, end in ENDS:
+        away, change, off = _compare(name, end)
+        apart.append(away)
+        energy, error = max(energy, change), max(error, off)
     return Verdict(
         Measure(
-            f"the wrong equations end {apart['lagrange_of_T_star']:.3f} and {apart['boxed_I_3_sign']:.3f} away, "
-            f"their energy changes by {energy:.1e} only",
-            least,
+            "the wrong equations of "
+            + ", ".join(f"{name} end {a:.2g} and {b:.2g}" for (name, _), (a, b) in zip(ENDS, apart, strict=True))
+            + f" away, their energy changes by {energy:.1e} only",
+            min(min(pair) for pair in apart),
         ),
-        Measure(f"{error:.1e} from d'Alembert's equations with multipliers, derived apart", error),
+        Measure(f"at most {error:.1e} from d'Alembert's equations with multipliers, derived apart", error),
         "1e-8 from an independent derivation; energy is not taken for a proof",
-        least > 0.1 and energy < 1e-8 and error < 1e-8,
+        min(min(pair) for pair in apart) > 0.1 and energy < 1e-7 and error < 1e-8,
     )
 
 
-def follow(system: System, claim: Claim) -> tuple[Vector, float]:
+def _compare(name: str, end: float) -> tuple[tuple[float, ...], float, float]:
+    """(distances of the wrong motions, their energy's change, nhc's distance) from the truth at the end."""
+    system = open_system(name)
+    found = {w.claim.name: w.claim for w in wrong_claims(system, applicable(system))}
+    truth, _ = follow(system, reference_claim(system), end)
+    wrong = [follow(system, found[kind], end) for kind in WRONG]
+    own = open_runner(system, "reference", "dop853").run((0.0, end))
+    off = float(np.max(np.abs(np.array(own.y[: system.n]) - truth)))
+    away = tuple(float(np.max(np.abs(q - truth))) for q, _ in wrong)
+    return away, max(change for _, change in wrong), off
+
+
+def follow(system: System, claim: Claim, end: float) -> tuple[Vector, float]:
     """(q at the end, the energy's largest change) along the accelerations of a claim, from the first scene, by RK4."""
     g, n = system.graph, system.n
     dependent = dependent_of(system).dependent
@@ -70,7 +79,7 @@ def follow(system: System, claim: Claim) -> tuple[Vector, float]:
     y = np.array([*start.q, *(start.v[i] for i in free)])
     first, worst = energy(y), 0.0
     for _ in range(STEPS):
-        y = _step(slope, y, END / STEPS)
+        y = _step(slope, y, end / STEPS)
         worst = max(worst, abs(energy(y) - first))
     return y[:n], worst
 

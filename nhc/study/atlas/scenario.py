@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from pathlib import Path
 
 import numpy as np
 
+from nhc.diagnostics import Source
 from nhc.language import decode, read
 from nhc.mechanics.about import scene_about
 from nhc.mechanics.choose import formulate
@@ -53,11 +55,23 @@ class Scenario:
     slow: bool = False
 
 
-def open_system(name: str) -> System:
-    """A gallery system, or one of the atlas's own."""
+def spec_path(name: str) -> Path:
+    """The file of a gallery system, or of one of the atlas's own."""
     folder = find_specs()
     own = folder / "atlas" / f"{name}.yaml"
-    return resolve(decode(read(str(own if own.is_file() else folder / f"{name}.yaml"))))
+    return own if own.is_file() else folder / f"{name}.yaml"
+
+
+def open_system(name: str) -> System:
+    """A gallery system, or one of the atlas's own."""
+    return resolve(decode(read(str(spec_path(name)))))
+
+
+def edit_spec(name: str, drop: Sequence[str], add: str) -> Source:
+    """The text of a gallery system without the lines that begin with ``drop``, and with ``add`` at its end."""
+    text = spec_path(name).read_text(encoding="utf-8")
+    lines = [line for line in text.splitlines() if not (drop and line.startswith(tuple(drop)))]
+    return Source(f"{name}.yaml", "\n".join([*lines, add, ""]))
 
 
 @dataclass(frozen=True)

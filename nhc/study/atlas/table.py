@@ -11,15 +11,19 @@ from nhc.study.atlas import (
     block,
     diagram,
     drift,
+    drivers,
     falling,
+    flat,
     gimbal,
     hidden,
     inconsistent,
     longtime,
     massless,
+    metamorphic,
     rank,
     reversal,
     stiff,
+    vectors,
 )
 from nhc.study.atlas.scenario import Scenario, Verdict
 
@@ -33,13 +37,17 @@ SCENARIOS: tuple[Scenario, ...] = tuple(
         rank,
         stiff,
         falling,
+        flat,
         longtime,
+        drivers,
         bicycle,
         reversal,
         inconsistent,
         hidden,
         massless,
         affine,
+        vectors,
+        metamorphic,
     )
 )
 
