@@ -43,6 +43,8 @@ def share_products(graph: Graph, roots: Sequence[Node], constants: int) -> list[
             children = graph.children(factor)
             mapped = [new.get(c, c) for c in children]
             new[factor] = rebuild(graph, factor, mapped) if tuple(mapped) != children else factor
+        if factor in graph.labels:
+            graph.labels.setdefault(new[factor], graph.labels[factor])
         return new[factor]
 
     for node in nodes:

@@ -12,7 +12,7 @@ from nhc.mechanics.frame import Frame, form_value
 from nhc.mechanics.kinetic import Kinetic
 from nhc.mechanics.moved import Moved, Turning, Weights
 from nhc.mechanics.moving import Scene
-from nhc.mechanics.moving_bodies import Placed, gather_bodies
+from nhc.mechanics.moving_bodies import Bodies, Placed, gather_bodies
 from nhc.mechanics.moving_loads import find_loads
 from nhc.mechanics.moving_rates import Rates, Solution, on_motion
 from nhc.mechanics.moving_rolling import apply_rolling, read_rolling
@@ -147,6 +147,7 @@ def _finish(
     loads, potential = find_loads(scene, bodies, len(moved))
     done = solution.finish([*kinematics, *moved, *drift], held)
     size, count = system.n, len(moved)
+    _name(scene, bodies, done[size : size + count])
     return Moved(
         frame=Frame(system, frame.forms, frame.omega, scene.held, solve),
         velocities=tuple(done[:size]),
@@ -184,6 +185,19 @@ def _solve(
     known.update(zip(scene.given, given, strict=True))
     known = {**scene.meaning, **dict(zip(known, tidy(list(known.values())), strict=True))}
     return Solution(scene, known, tuple(block.mapped(tidy) for block in blocks)), guards
+
+
+def _name(scene: Scene, bodies: Bodies, values: Sequence[Node]) -> None:
+    """Names for components on moving axes, after the point or the angle that they belong to."""
+    g = scene.graph
+    named = [(point.vector.components[0], point.members, "v") for point in bodies.points]
+    named += [(path[-1].angle, numbers, "w") for path, numbers in bodies.spins.items()]
+    for node, members, letter in named:
+        symbol = g.symbol_of(node)
+        name = g.labels.get(node) if symbol is None else symbol.name
+        for axis, k in enumerate(members, start=1):
+            if name is not None and k >= 0 and len(g.children(values[k])) > 1:
+                g.labels.setdefault(values[k], f"{letter}{axis}_{name}")
 
 
 def _turn(rates: Rates, own: Spin, held: dict[Node, Node]) -> Turning:
