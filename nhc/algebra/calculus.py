@@ -54,6 +54,31 @@ def substitute(graph: Graph, roots: Sequence[Node], mapping: Mapping[Node, Node]
     return [new.get(root, root) for root in roots]
 
 
+class Replacement:
+    """A substitution that is used again and again: each node is rebuilt once."""
+
+    def __init__(self, graph: Graph, mapping: Mapping[Node, Node]) -> None:
+        self.graph, self._mask = graph, graph.mask(tuple(mapping))
+        self._known: dict[Node, Node] = dict(mapping)
+
+    def of(self, nodes: Sequence[Node]) -> list[Node]:
+        """The nodes with the mapping applied."""
+        graph, known, mask = self.graph, self._known, self._mask
+        kids, deps, labels = graph.kids, graph.deps, graph.labels
+        seen = {node for node in nodes if node not in known and deps[node] & mask}
+        stack = list(seen)
+        while stack:
+            for child in kids[stack.pop()]:
+                if child not in seen and child not in known and deps[child] & mask:
+                    seen.add(child)
+                    stack.append(child)
+        for node in sorted(seen):
+            made = known[node] = rebuild(graph, node, [known.get(c, c) for c in kids[node]])
+            if node in labels and made != node:
+                labels.setdefault(made, labels[node])
+        return [known.get(node, node) for node in nodes]
+
+
 def rebuild(graph: Graph, node: Node, children: Sequence[Node]) -> Node:
     """The node's operation on other children."""
     op = graph.op[node]

@@ -14,7 +14,7 @@ from nhc.mechanics.moved import Moved, Turning, Weights
 from nhc.mechanics.moving import Scene
 from nhc.mechanics.moving_bodies import Bodies, Placed, gather_bodies
 from nhc.mechanics.moving_loads import find_loads
-from nhc.mechanics.moving_rates import Rates, Solution, on_motion
+from nhc.mechanics.moving_rates import OnMotion, Rates, Solution
 from nhc.mechanics.moving_rolling import apply_rolling, read_rolling
 from nhc.mechanics.moving_rows import (
     Sided,
@@ -122,10 +122,11 @@ def _finish(
         own = _solve(scene, rows, everything=True)[0] if everything else solution
         return own.finish([own.found[v] for v in system.v], {}), guards
 
-    kinematics = on_motion(solution, held, [solution.found[v] for v in system.v])
+    on_motion = OnMotion(solution, held)
+    kinematics = on_motion.of([solution.found[v] for v in system.v])
     bodies = gather_bodies(scene, kinetic, vectors)
-    general = substitute(g, bodies.values, solution.found)
-    rates = Rates(solution, held, kinematics)
+    general = solution.put(bodies.values)
+    rates = Rates(on_motion, kinematics)
     moved = rates.on_motion(general)
     drift = list(tangent(g, moved, rates.seeds))
     inertial = [False] * len(moved)

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from functools import cached_property
 
-from nhc.algebra.calculus import substitute, tangent
+from nhc.algebra.calculus import Derivation, Replacement, substitute, tangent
 from nhc.algebra.graph import Node
 from nhc.algebra.linear import NamedBlock
 from nhc.mechanics.moving import Scene
@@ -23,6 +24,15 @@ class Solution:
     scene: Scene
     found: dict[Node, Node]  # of the velocities, and of the turned equations' symbols
     blocks: tuple[NamedBlock, ...]
+    _derivations: dict[Node, Derivation] = field(default_factory=dict)
+
+    @cached_property
+    def _solved(self) -> Replacement:
+        return Replacement(self.scene.graph, self.found)
+
+    def put(self, values: Sequence[Node]) -> list[Node]:
+        """Values with the velocities put in."""
+        return self._solved.of(values)
 
     def along(self, symbol: Node) -> dict[Node, Node]:
         """Seeds of the derivative by a held symbol."""
@@ -34,7 +44,13 @@ class Solution:
 
     def columns(self, values: Sequence[Node], symbols: Sequence[Node]) -> list[list[Node]]:
         """The derivatives of the values by each of the held symbols."""
-        return [tangent(self.scene.graph, values, self.along(symbol)) for symbol in symbols]
+        found = []
+        for symbol in symbols:
+            derivation = self._derivations.get(symbol)
+            if derivation is None:
+                derivation = self._derivations[symbol] = Derivation(self.scene.graph, self.along(symbol))
+            found.append([derivation.of(value) for value in values])
+        return found
 
     def finish(self, values: Sequence[Node], on_motion: dict[Node, Node]) -> list[Node]:
         """Values with the blocks' symbols replaced by what they stand for."""
@@ -45,47 +61,58 @@ class Solution:
         return list(values)
 
 
-def on_motion(solution: Solution, held: dict[Node, Node], values: Sequence[Node]) -> list[Node]:
+class OnMotion:
     """Values over the held symbols on the motion; what is proportional to one speed as the product with its weight.
 
     The weight is there already, and its rate is cheaper than that of a product of products.
     """
-    scene, g = solution.scene, solution.scene.graph
-    free = scene.held[scene.system.l :]
-    columns = solution.columns(values, free)
-    there = substitute(g, values, held)
-    rest = substitute(g, there, {held[symbol]: g.zero for symbol in free})
-    new = []
-    for k, value in enumerate(there):
-        own = [(column[k], held[symbol]) for column, symbol in zip(columns, free, strict=True) if column[k] != g.zero]
-        new.append(g.mul(*own[0]) if len(own) == 1 and rest[k] == g.zero else value)
-    return new
+
+    def __init__(self, solution: Solution, held: dict[Node, Node]) -> None:
+        scene, g = solution.scene, solution.scene.graph
+        self.solution, self.held = solution, held
+        self._free = scene.held[scene.system.l :]
+        self.there = Replacement(g, held)
+        self._rest = Replacement(g, {held[symbol]: g.zero for symbol in self._free})
+
+    def of(self, values: Sequence[Node]) -> list[Node]:
+        """The values on the motion."""
+        g, held = self.solution.scene.graph, self.held
+        columns = self.solution.columns(values, self._free)
+        there = self.there.of(values)
+        rest = self._rest.of(there)
+        new = []
+        for k, value in enumerate(there):
+            own = [(column[k], held[symbol]) for column, symbol in zip(columns, self._free, strict=True) if column[k]]
+            new.append(g.mul(*own[0]) if len(own) == 1 and not rest[k] else value)
+        return new
 
 
 class Rates:
     """Accelerations of placed vectors on their home axes, with the rates of the kept velocities left out."""
 
-    def __init__(self, solution: Solution, on_motion: dict[Node, Node], q_rates: Sequence[Node]) -> None:
+    def __init__(self, on_motion: OnMotion, q_rates: Sequence[Node]) -> None:
+        solution = on_motion.solution
         scene = solution.scene
         system, g = scene.system, scene.graph
         self.scene, self.solution, self._on_motion = scene, solution, on_motion
         self.seeds = {**dict(zip(system.q, q_rates, strict=True)), system.t: g.one}
         for block in solution.blocks:
-            here = block.mapped(lambda nodes: substitute(g, nodes, on_motion))
+            here = block.mapped(on_motion.there.of)
             self.seeds.update(zip(block.symbols, here.rates(g, self.seeds), strict=True))
         self._known: dict[tuple[bool, Vector], Vector] = {}
+        self._derivation = Derivation(g, self.seeds)
 
     def value(self, vector: Vector) -> Vector:
         """Components on the motion."""
-        x, y, z = self.on_motion(substitute(self.scene.graph, vector, self.solution.found))
+        x, y, z = self.on_motion(self.solution.put(vector))
         return x, y, z
 
     def on_motion(self, values: Sequence[Node]) -> list[Node]:
         """Values over the held symbols on the motion; what is proportional to one speed as the product with its weight."""
-        return on_motion(self.solution, self._on_motion, values)
+        return self._on_motion.of(values)
 
     def rate(self, vector: Vector) -> Vector:
-        x, y, z = tangent(self.scene.graph, vector, self.seeds)
+        x, y, z = (self._derivation.of(node) for node in vector)
         return x, y, z
 
     def acceleration(self, vector: Chained, is_position: bool) -> Vector:

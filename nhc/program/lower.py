@@ -268,19 +268,7 @@ class Lowering:
 
     def _function(self) -> Function:
         plan, body = self.plan, tuple(self.body)
-        adds, multiplications, divisions, calls = count_operations(body)
-        return Function(
-            plan.name,
-            plan.about,
-            plan.inputs,
-            plan.output,
-            body,
-            plan.equation,
-            adds,
-            multiplications,
-            divisions,
-            calls,
-        )
+        return Function(plan.name, plan.about, plan.inputs, plan.output, body, plan.equation, *count_operations(body))
 
     # --- expressions ----------------------------------------------------------------------------------------
 
