@@ -213,6 +213,58 @@ def operations(name: str) -> list[int]:
     return [int(x) for x in found.groups()]
 
 
+# --- several bodies ----------------------------------------------------------------------------------------
+
+
+def chain(bodies: int, joints: bool) -> str:
+    """A chain of rods: centres of mass by definitions, or as coordinates held by joints."""
+    kinetic, potential, lines = [], [], []
+    for k in range(1, bodies + 1):
+        for c in "xyz":
+            before = f"{c}{k - 1} - a*R{k - 1}_{c}3" if k > 1 else "0"
+            lines.append(f"  - {c}{k} = {before} - a*R{k}_{c}3" if joints else f"  {c}{k}: {before} - a*R{k}_{c}3")
+        kinetic.append(f"m/2*(x{k}'^2 + y{k}'^2 + z{k}'^2) + J/2*(p{k}^2 + q{k}^2) + C/2*r{k}^2")
+        potential.append(f"m*g*z{k}")
+    coordinates = ", ".join(f"{c}{k}" for k in range(1, bodies + 1) for c in "xyz")
+    return "\n".join(
+        [
+            f"nhc: 1\nsystem: chain_{'held' if joints else 'free'}",
+            *([f"coordinates: [{coordinates}]"] if joints else []),
+            "rotation:",
+            *(f"  R{k}: {{velocities: [p{k}, q{k}, r{k}]}}" for k in range(1, bodies + 1)),
+            "parameters: {m: 1, a: 0.5, g: 9.81, J: 0.1, C: 0.02}",
+            "holonomic:" if joints else "define:",
+            *lines,
+            f"T: {' + '.join(kinetic)}",
+            f"V: {' + '.join(potential)}",
+        ]
+    )
+
+
+def test_a_chain_by_definitions_is_one_held_by_joints() -> None:
+    """The kept velocities are the angular ones in both; the joints only add coordinates and reactions."""
+    rng, models = random.Random(8), []
+    for joints in (False, True):
+        (text,) = emit(Source("chain.yaml", chain(3, joints)), "python", Options()).values()
+        models.append(python_model(text, f"chain_{joints}"))
+    free, held = models
+    for _ in range(3):
+        e = [rng.uniform(-1, 1) for _ in range(12)]
+        w = [rng.uniform(-1, 1) for _ in range(9)]
+        place, centres = np.zeros(3), []
+        for k in range(3):
+            axis = matrix(e[4 * k : 4 * k + 4])[:, 2]
+            centres += list(place - 0.5 * axis)
+            place = place - axis
+        y, z = [*e, *w], [*centres, *e, *w]
+        assert (
+            error(held.positions(0.0, z[:21]), [0.0] * 9 + [np.dot(e[i : i + 4], e[i : i + 4]) - 1 for i in (0, 4, 8)])
+            < 1e-14
+        )
+        assert error(held.rhs(0.0, z)[21:], free.rhs(0.0, y)[12:]) < 1e-12
+        assert held.energy(0.0, z) == pytest.approx(free.energy(0.0, y), rel=1e-13)
+
+
 # --- emitted code -----------------------------------------------------------------------------------------
 
 
