@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from importlib.util import find_spec
 from pathlib import Path
 
-from benchmarks import batch, derivation, instructions, process, simulation
+from benchmarks import batch, derivation, instructions, process, rules, simulation
 from benchmarks.capped import CAP
 from benchmarks.chart import draw_scaling
 from benchmarks.models import COMPILER
@@ -104,6 +104,7 @@ def main() -> None:
     ]
     PAGE.write_text("\n".join(sections) + "\n", encoding="utf-8")
     print(f"wrote {PAGE.relative_to(ROOT)}", file=sys.stderr)
+    rules.main()
 
 
 def _section(text: str, rows: Iterator[Row]) -> list[str]:

@@ -102,7 +102,7 @@ def solve_block(
 ) -> tuple[list[list[Node]], list[tuple[Node, Node]]]:
     """Unknowns and guards of one block; ``scale`` gives the product of the 1-norms of its whole rows (1 where it is not given)."""
     size = len(block)
-    if size > 3:
+    if size > 3 or "Cramer's rule" in graph.off:
         return _eliminate(graph, block, columns, weakness)
     determinant = normalise_angles(graph, determinant_of(graph, block), 120)
     if are_zero(graph, [determinant])[0]:

@@ -24,7 +24,7 @@ _MIXED = 150
 def shorten(graph: Graph, nodes: Sequence[Node], beside: Sequence[Node] = ()) -> list[Node]:
     """Equal nodes, cheaper together (and with what is computed ``beside`` them) where canonical forms help."""
     before = count(graph, nodes)
-    if before == 0 or before > _LARGE:
+    if before == 0 or before > _LARGE or "canonical forms" in graph.off:
         return list(nodes)
     canonical = normalise_all(graph, nodes, _TERMS, _SWOLLEN)
     total, other = count(graph, [*nodes, *beside]), count(graph, [*canonical, *beside])

@@ -83,7 +83,8 @@ def _cheapest_route(system: System, formulation: Formulation, kinetic: Kinetic) 
     """On moving axes where T has vectors for them; also on the spec's where that may be shorter and is soon tried."""
     frame = formulation.frame
     # axes of a rotation group are at hand already
-    moved = move(system, kinetic, frame) if frame is not None and not system.rotations else None
+    may = frame is not None and not system.rotations and "moving axes" not in system.graph.off
+    moved = move(system, kinetic, frame) if may and frame is not None else None
     if moved is None:
         return _route(system, formulation, kinetic)
     there = _route(system, formulation, kinetic, moved)

@@ -156,13 +156,13 @@ class Resolver:
         return Form(name, coefficients, constant, self.place(span), value=node)
 
 
-def resolve(spec: Spec) -> System:
-    """The system that a spec declares.
+def resolve(spec: Spec, graph: Graph | None = None) -> System:
+    """The system that a spec declares, on a graph of its own or on the one given.
 
     Raises:
         nhc.diagnostics.SpecError: everything that is wrong with it as mechanics, all at once.
     """
-    build = Resolver(spec)
+    build = Resolver(spec, graph)
     define_names(build)
     T = build.node(spec.kinetic)
     U = _potential(build)

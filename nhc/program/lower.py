@@ -33,14 +33,13 @@ from nhc.program.ir import (
     Store,
     Sweep,
 )
+from nhc.program.named_nodes import UNROLLED, choose_names, find_constants, find_shared
 from nhc.program.naming import Namer
 from nhc.program.passes import count_operations
 from nhc.program.plan import FunctionPlan, GuardPlan, SolvePlan, SweepPlan
 
 _MANY = 150  # lets beyond which results are stored as soon as they are known
-_LONG = 10  # operations in one expression
 _ONE = Fraction(1)
-_UNROLLED = 4  # integer powers up to this are products
 
 
 class Lowering:
@@ -84,67 +83,14 @@ class Lowering:
         deps = self.graph.deps[node]
         return deps != 0 and not deps & ~self.parameter_mask
 
-    def _uses(self) -> dict[Node, int]:
-        """How often each node is needed by others; a minus sign passes its uses on."""
-        op, kids, exponent = self.graph.op, self.graph.kids, self.graph.b
-        uses: dict[Node, int] = dict.fromkeys(self.needed, 0)
-        for root in self._roots():
-            uses[root] += 1
-        for node in reversed(self.needed):
-            kind = op[node]
-            weight = uses[node] if kind == NEG else 1
-            for child in kids[node]:
-                uses[child] += weight
-            if kind == POW and 2 <= abs(exponent[node]) <= _UNROLLED:
-                uses[kids[node][0]] += 1
-        return uses
-
     def choose_names(self) -> list[Node]:
         """The nodes that become lets, in increasing order."""
-        uses, size = self._uses(), dict[Node, int]()
-        op, kids = self.graph.op, self.graph.kids
-        chosen: list[Node] = []
-        boundary = self._constant_boundary() | (self._sweep_boundary() if self.swept else set())
-        for node in self.needed:
-            children = kids[node]
-            if not children:
-                size[node] = 0
-                continue
-            kind = op[node]
-            if kind == NEG:
-                size[node] = size[children[0]]
-                continue
-            total = 1
-            for child in children:
-                total += size[child]
-            if uses[node] > 1 or total > _LONG or kind in ("sin", "cos") or node in boundary:
-                chosen.append(node)
-                total = 0
-            size[node] = total
-        return chosen
-
-    def _constant_boundary(self) -> set[Node]:
-        """Parameter-only nodes that other work uses: the largest ones."""
-        op, kids, deps, moving = self.graph.op, self.graph.kids, self.graph.deps, ~self.parameter_mask
         boundary = set[Node]()
-        for node in self.needed:
-            if not deps[node] & moving and deps[node]:
-                continue
-            for child in kids[node]:
-                if deps[child] and not deps[child] & moving:
-                    inner = kids[child][0] if op[child] == NEG else child
-                    if kids[inner]:
-                        boundary.add(inner)
-        return boundary
-
-    def _sweep_boundary(self) -> set[Node]:
-        """What the passes of a sweep have in common and use: it is computed once, before them."""
-        g, boundary = self.graph, set[Node]()
-        for node in self.needed:
-            if g.deps[node] & self.swept:
-                inner = [g.a[child] if g.op[child] == NEG else child for child in g.children(node)]
-                boundary.update(n for n in inner if g.children(n) and not g.deps[n] & self.swept)
-        return boundary
+        if "shared reciprocals" not in self.graph.off:
+            boundary = find_constants(self.graph, self.needed, self.parameter_mask)
+        if self.swept:
+            boundary |= find_shared(self.graph, self.needed, self.swept)
+        return choose_names(self.graph, self.needed, self._roots(), boundary)
 
     # --- statements ---------------------------------------------------------------------------------------
 
@@ -331,7 +277,7 @@ class Lowering:
         if n < 0:
             return Binary("/", Number(_ONE), self._power(base, -n))
         inner = self.expression(base)
-        if n > _UNROLLED:
+        if n > UNROLLED:
             return Power(inner, n)
         result = inner
         for _ in range(n - 1):

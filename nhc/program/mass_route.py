@@ -58,6 +58,8 @@ def mass_route(equations: Equations, full: Equations, put_in: Mapping[Node, Node
 
 def _tree_of(equations: Equations) -> Elimination | None:
     size, motion = len(equations.motion.w), equations.motion
+    if "trees" in equations.system.graph.off:
+        return None
     if size < 2 or (size <= _FEW and motion.velocities != motion.w):
         return None
     chain = find_chain(equations.system, motion)

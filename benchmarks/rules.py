@@ -1,0 +1,111 @@
+"""Operations of the right-hand side with all rewriting rules and without each of them; writes docs/rewriting.md.
+
+``python -m benchmarks.rules``.  Counts are exact and the same on every machine.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterable
+from dataclasses import dataclass
+from pathlib import Path
+
+from benchmarks.counting import count_instructions
+from benchmarks.models import names, nhc_sources, parameters, source, states
+from benchmarks.systems import ROOT
+from nhc.algebra.rules import RULES, WithoutRules
+from nhc.language import decode
+from nhc.mechanics.choose import formulate
+from nhc.mechanics.formulate import equations_of
+from nhc.mechanics.resolve import resolve
+from nhc.program.ir import Program
+from nhc.program.model import build_program
+
+PAGE = ROOT / "docs" / "rewriting.md"
+SYSTEMS = ("sleigh", "disk", "trailers5", "snake5", "pendulum5", "bicycle")
+
+
+@dataclass(frozen=True)
+class Operations:
+    """Of one call of ``rhs``: additions, multiplications and divisions together; divisions alone."""
+
+    all: int
+    divisions: int
+
+
+def compile_without(system: str, off: Iterable[str], style: str = "positions") -> Program:
+    """The program of ``rhs``, derived without some rules."""
+    made = resolve(decode(source(system, style)), WithoutRules(off))
+    formulation = formulate(made)
+    return build_program(made, formulation, equations_of(made, formulation), only=("rhs",))
+
+
+def count(system: str, off: Iterable[str] = (), style: str = "positions") -> Operations:
+    """Operations of the right-hand side derived without some rules."""
+    (rhs,) = compile_without(system, off, style).functions
+    return Operations(rhs.adds + rhs.multiplications + rhs.divisions, rhs.divisions)
+
+
+def count_trig(system: str) -> tuple[float, float]:
+    """Machine instructions per call with libm's sine and cosine, and with ``--trig inline``."""
+    points = states(system, sum(map(len, names(system))))
+    libm, inline = (
+        count_instructions(nhc_sources(system, trig=trig), points, parameters(system)) for trig in ("", "inline")
+    )
+    return libm, inline
+
+
+_HEAD = """\
+# Rewriting rules
+
+Written by `python -m benchmarks.rules`; nothing here is typed in.  Additions, multiplications and divisions of one right-hand side
+(divisions in parentheses), from specs in positions: with all rules, then without one of them at a time.  A rule may buy nothing
+on one system and much on another, and several reach the same shorter form, so that the table understates each.  Every rule keeps
+the value: `tests/property/test_rules.py` holds each against the unrewritten expression modulo primes, and the compiled
+right-hand sides without it against those with it.
+"""
+
+_TRIG = """\
+
+Sine and cosine are half of the instructions of a small model; `--trig inline` puts them into the file
+([accuracy](emitted-code.md#c)).  Instructions per right-hand side, counted by callgrind:
+
+| | libm | inlined | ratio |
+|---|---|---|---|
+"""
+
+
+def write_page() -> str:
+    """The page: what each rule does, and the counts with and without it."""
+    lines = [_HEAD, "| without | " + " | ".join(SYSTEMS) + " |", "|---" * (len(SYSTEMS) + 1) + "|"]
+    lines.append("| (all rules) | " + " | ".join(_cell(count(system)) for system in SYSTEMS) + " |")
+    for rule in RULES:
+        cells = [_cell(count(system, (rule.name,))) for system in SYSTEMS]
+        lines.append(f"| {rule.name} | {' | '.join(cells)} |")
+        print(lines[-1], file=sys.stderr, flush=True)
+    lines.append("| all of these | " + " | ".join(_cell(count(s, (r.name for r in RULES))) for s in SYSTEMS) + " |")
+    lines += ["", "| rule | what becomes what | where |", "|---|---|---|"]
+    lines += [f"| {rule.name} | {rule.about} | `nhc/{rule.where}` |" for rule in RULES]
+    return "\n".join(lines) + "\n"
+
+
+def write_trig() -> str:
+    """The table of inlined sine and cosine."""
+    rows = []
+    for system in SYSTEMS:
+        libm, inline = count_trig(system)
+        rows.append(f"| {system} | {libm:.0f} | {inline:.0f} | {inline / libm:.2f} |")
+    return _TRIG + "\n".join(rows) + "\n"
+
+
+def _cell(operations: Operations) -> str:
+    return f"{operations.all} ({operations.divisions})"
+
+
+def main(page: Path = PAGE) -> None:
+    page.write_text(write_page() + write_trig(), encoding="utf-8")
+    print(f"wrote {page.relative_to(ROOT)}", file=sys.stderr)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,77 @@
+"""Which nodes of a function become lets: those used twice, those of functions worth a name, those that end a long expression."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+from nhc.algebra.graph import NEG, POW, Graph, Node
+
+LONG = 10  # operations in one expression
+UNROLLED = 4  # integer powers up to this are products
+
+
+def count_uses(graph: Graph, needed: Sequence[Node], roots: Iterable[Node]) -> dict[Node, int]:
+    """How often each node is needed by others; a minus sign passes its uses on."""
+    op, kids, exponent = graph.op, graph.kids, graph.b
+    uses: dict[Node, int] = dict.fromkeys(needed, 0)
+    for root in roots:
+        uses[root] += 1
+    for node in reversed(needed):
+        kind = op[node]
+        weight = uses[node] if kind == NEG else 1
+        for child in kids[node]:
+            uses[child] += weight
+        if kind == POW and 2 <= abs(exponent[node]) <= UNROLLED:
+            uses[kids[node][0]] += 1
+    return uses
+
+
+def choose_names(graph: Graph, needed: Sequence[Node], roots: Iterable[Node], boundary: set[Node]) -> list[Node]:
+    """The nodes that become lets, in increasing order; those of ``boundary`` do in any case."""
+    uses, size = count_uses(graph, needed, roots), dict[Node, int]()
+    op, kids = graph.op, graph.kids
+    each_divides = "shared reciprocals" in graph.off
+    chosen: list[Node] = []
+    for node in needed:
+        children = kids[node]
+        if not children:
+            size[node] = 0
+            continue
+        kind = op[node]
+        if kind == NEG:
+            size[node] = size[children[0]]
+            continue
+        total = 1
+        for child in children:
+            total += size[child]
+        shared = uses[node] > 1 and not (each_divides and kind == POW and graph.b[node] < 0)
+        if shared or total > LONG or kind in ("sin", "cos") or node in boundary:
+            chosen.append(node)
+            total = 0
+        size[node] = total
+    return chosen
+
+
+def find_constants(graph: Graph, needed: Sequence[Node], parameters: int) -> set[Node]:
+    """Parameter-only nodes that other work uses: the largest ones."""
+    op, kids, deps, moving = graph.op, graph.kids, graph.deps, ~parameters
+    boundary = set[Node]()
+    for node in needed:
+        if not deps[node] & moving and deps[node]:
+            continue
+        for child in kids[node]:
+            if deps[child] and not deps[child] & moving:
+                inner = kids[child][0] if op[child] == NEG else child
+                if kids[inner]:
+                    boundary.add(inner)
+    return boundary
+
+
+def find_shared(graph: Graph, needed: Sequence[Node], seeds: int) -> set[Node]:
+    """What the passes of a sweep have in common and use: it is computed once, before them."""
+    g, boundary = graph, set[Node]()
+    for node in needed:
+        if g.deps[node] & seeds:
+            inner = [g.a[child] if g.op[child] == NEG else child for child in g.children(node)]
+            boundary.update(n for n in inner if g.children(n) and not g.deps[n] & seeds)
+    return boundary
