@@ -124,8 +124,8 @@ class BatchPrinter:
         for statement in part:
             printer.print_statement(statement)
             if isinstance(statement, Let) and statement.name in self.carried:
-                place = f"carried + {self.carried[statement.name]} * {self.width}"
-                printer.add(f"{self.prefix}_put({place}, {self.scope[statement.name]});")
+                left = f"carried + {self.carried[statement.name]} * {self.width}"
+                printer.add(f"{self.prefix}_put({left}, {self.scope[statement.name]});")
         carried = "double *carried, " if self.carried else ""
         head = (
             f"static __attribute__((noinline)) void {self.name_part(number)}(const double *fixed, size_t stride, const double *t, "
