@@ -18,8 +18,10 @@ if TYPE_CHECKING:
     from nhc.study.chart.case import Study
     from nhc.study.chart.fidelity import Comparison
 
-# nhc.simulate.methods.RUNGE_KUTTA again, which takes too long to import for a help text; a test holds them equal
-METHODS = ("dop853", "dopri5", "rk4", "radau5", "gauss4", "gauss6", "midpoint")
+# nhc.simulate.methods.RUNGE_KUTTA and STRUCTURE again, which take too long to import for a help text; a test holds them equal
+RUNGE_KUTTA = ("dop853", "dopri5", "rk4", "radau5", "gauss4", "gauss6", "midpoint")
+STRUCTURE = ("leapfrog", "dla", "perlmutter", "energy")
+METHODS = (*RUNGE_KUTTA, *STRUCTURE)
 LANGUAGES = ("c", "python")
 KINDS = (".svg", ".html", ".json", ".md")
 
@@ -70,7 +72,12 @@ def _tolerances(context: click.Context, parameter: click.Parameter, value: str |
     "--need", "needs", metavar="A,B", callback=_needs, help="What the error is taken of; default: the scene's need."
 )
 @click.option("--formulations", metavar="F,...", callback=_formulations, help="Default: all that apply.")
-@click.option("--methods", metavar="M,...", callback=_methods, help="Default: dop853, dopri5, rk4, radau5, gauss6.")
+@click.option(
+    "--methods",
+    metavar="M,...",
+    callback=_methods,
+    help="Default: dop853, dopri5, rk4, radau5, gauss6, and leapfrog, dla, perlmutter, energy where they apply.",
+)
 @click.option("--langs", "languages", metavar="L,...", callback=_languages, help="Default: c,python.")
 @click.option("--tolerances", metavar="T,...", callback=_tolerances, help="Default: 1e-2, 1e-3, ... 1e-13.")
 @click.option(
@@ -111,6 +118,8 @@ def command(
         raise click.UsageError(
             "`--against` compares models, each as nhc runs it: leave `--formulations` and `--langs` out"
         )
+    if against and set(methods) & set(STRUCTURE):
+        raise click.UsageError("`--against` takes Runge-Kutta methods, which run on the scene's reduced models")
     sources = [open_spec(spec) for spec in specs]
     finest = open_spec(against) if against else None
     from nhc import pipeline

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from nhc.report.marks import draw_box, draw_cross, draw_line, draw_marker, draw_text
-from nhc.report.panel import Panel, Style, draw_panel, style_of
+from nhc.report.panel import ROUNDING, Panel, Style, draw_panel, style_of
 from nhc.study.chart.advice import NAMES, duration
 from nhc.study.chart.case import RESOLVED, Result, Study
 
@@ -70,7 +70,7 @@ def _small_panels(top: float, floor: float) -> tuple[Panel, ...]:
         Panel(
             "error along the motion", grid, seconds, lambda r: r.grid_error, lambda r: r.best, LEFT, top, *size, floor
         ),
-        Panel("energy", energy, seconds, lambda r: r.energy, lambda r: r.best, second, top, *size),
+        Panel("energy", energy, seconds, lambda r: r.energy, lambda r: r.best, second, top, *size, noise=ROUNDING),
         Panel(
             "constraints (exact zeros do not show)",
             "largest left side of a constraint",
@@ -78,6 +78,7 @@ def _small_panels(top: float, floor: float) -> tuple[Panel, ...]:
             lambda r: r.residual,
             lambda r: r.best,
             *(LEFT, lower, *size),
+            noise=ROUNDING,
         ),
         Panel("work without the clock", end, calls, lambda r: r.error, work, second, lower, *size, floor),
     )

@@ -12,9 +12,11 @@ from nhc.report.ticks import Scale, log_scale
 from nhc.study.chart.advice import NAMES
 from nhc.study.chart.case import Result
 
-DASHES = {"c": "", "python": "7 4", "scipy": "2 3", "heyoka": "9 3 2 3"}
+DASHES = {"c": "", "python": "7 4", "scipy": "2 3", "heyoka": "9 3 2 3", "sundials": "4 3", "diffrax": "1 3 5 3"}
 OTHER_DASH = "1 5"
 SIZE = 3.4
+METHOD_COLOURS = (*COLOURS, "#882255", "#117733", "#6a3d9a", "#999999", "#b15928", "#88ccee")
+ROUNDING = 1e-13  # relative deviations below it in all runs are not worth a picture
 Value = Callable[[Result], float]
 
 
@@ -28,7 +30,7 @@ class Style:
     foreign: tuple[tuple[str, str], ...]
 
     def colour(self, method: str) -> str:
-        return COLOURS[self.methods.index(method) % len(COLOURS)]
+        return METHOD_COLOURS[self.methods.index(method) % len(METHOD_COLOURS)]
 
     def shape(self, formulation: str) -> str:
         return SHAPES[self.formulations.index(formulation) % len(SHAPES)]
@@ -62,7 +64,8 @@ def style_of(results: Sequence[Result]) -> Style:
 class Panel:
     """Where a panel stands, in pixels of the whole picture, and what its axes carry.
 
-    ``floor``: errors left of it are not resolved by the reference (0: no such limit).
+    ``floor``: errors left of it are not resolved by the reference (0: no such limit); ``noise``: where no case is above it there is
+    nothing to see.
     """
 
     title: str
@@ -76,6 +79,7 @@ class Panel:
     height: float
     floor: float = 0.0
     front: bool = False
+    noise: float = 0.0
 
 
 def draw_panel(panel: Panel, results: Sequence[Result], style: Style) -> list[str]:
@@ -85,9 +89,9 @@ def draw_panel(panel: Panel, results: Sequence[Result], style: Style) -> list[st
     x = log_scale(min(xs, default=1e-3), max(xs, default=1.0), panel.width, max(3, int(panel.width // 62)))
     y = log_scale(min(ys, default=1e-3), max(ys, default=1.0), panel.height, max(3, int(panel.height // 34)))
     parts = _draw_frame(panel, x, y)
-    if not shown:
-        note = draw_text(panel.left + panel.width / 2, panel.top + panel.height / 2, "nothing but zeros", "middle")
-        return [*parts, note]
+    if not shown or max(xs) < panel.noise:
+        text = f"rounding in all runs: at most {max(xs):.1e}" if shown else "nothing but zeros"
+        return [*parts, draw_text(panel.left + panel.width / 2, panel.top + panel.height / 2, text, "middle")]
     parts += _draw_floor(panel, x)
     if panel.front:
         parts += _draw_front(panel, [r for _, r in shown], x, y)

@@ -4,14 +4,18 @@ from __future__ import annotations
 
 import json
 import math
+import sys
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
+from types import SimpleNamespace
+from typing import Any, cast
 
+import numpy as np
 import pytest
-from click.testing import CliRunner
+from scipy.integrate import solve_ivp
 
-from nhc.cli.chart import command
+from nhc.cli.entry import main
 from nhc.language import Source, read
 from nhc.report.chart_file import make_file
 from nhc.simulate import compile as compiling
@@ -173,16 +177,18 @@ def test_the_verb_writes_four_files_and_refuses_to_overwrite_others(tmp_path: Pa
         "auto",
         "--no-peers",
     ]
-    done = CliRunner().invoke(command, ["chaplygin_sleigh", "--scene", "glide", *options, "-o", str(tmp_path)])
-    assert done.exit_code == 0, done.output
+    asked = ["chart", "chaplygin_sleigh", "--scene", "glide", *options, "-o", str(tmp_path)]
+    assert main(asked) == 0
     names = sorted(path.name for path in tmp_path.iterdir())
     assert names == [f"chaplygin_sleigh_glide_chart{kind}" for kind in (".html", ".json", ".md", ".svg")]
     data = json.loads((tmp_path / names[1]).read_text())
     assert data["needs"] == ["x", "y"] and data["tolerances"] == [1e-4, 1e-8] and len(data["results"]) == 2
     assert not any(str(tmp_path) in path.read_text() for path in tmp_path.iterdir())
     (tmp_path / names[2]).write_text("mine")
-    again = CliRunner().invoke(command, ["chaplygin_sleigh", "--scene", "glide", *options, "-o", str(tmp_path)])
-    assert again.exit_code != 0 and (tmp_path / names[2]).read_text() == "mine"
+    assert (
+        main(["chart", *["chaplygin_sleigh", "--scene", "glide", *options, "-o", str(tmp_path)]]) != 0
+        and (tmp_path / names[2]).read_text() == "mine"
+    )
 
 
 @needs_compiler
@@ -230,3 +236,82 @@ def test_other_needs_reduce_otherwise() -> None:
     small = chart(gallery("chaplygin_sleigh"), replace(grid, needs=("v", "w"), formulations=("euler-lagrange",)))
     assert [cost.states for cost in small.costs] == [2] and small.needs == ("v", "w")
     assert all(r.error < 1e-5 for r in small.results)
+
+
+@needs_compiler
+def test_structure_preserving_methods_stand_in_the_chart_where_they_apply() -> None:
+    grid = replace(SMALL, languages=("c",), tolerances=(1e-4, 1e-6), formulations=("multipliers",), methods=())
+    made = chart(gallery("contact_oscillator"), grid)
+    lines: dict[str, list[float]] = {}
+    for result in made.results:
+        lines.setdefault(result.case.method, []).append(result.error)
+        assert not result.failed and result.best > 0
+    assert {"leapfrog", "dla", "perlmutter", "energy"} <= set(lines) and set(made.methods) == set(lines)
+    for name in ("leapfrog", "dla", "perlmutter", "energy"):
+        coarse, fine = lines[name]
+        assert 20 < coarse / fine < 400  # order 2: steps about a tenth as long for two decades
+    energies = {r.case.method: r.energy for r in made.results if r.case.tolerance == 1e-4}
+    assert energies["energy"] < 1e-10 < energies["rk4"]
+
+
+@needs_compiler
+def test_where_they_do_not_apply_it_says_why() -> None:
+    sleigh_ = chart(gallery("chaplygin_sleigh"), replace(SMALL, methods=("perlmutter",), tolerances=(1e-2,)))
+    assert (
+        sleigh_.results == () and ("perlmutter", "does not apply: its mass matrix is not constant") in sleigh_.left_out
+    )
+    table = chart(
+        gallery("ball_on_table"), replace(SMALL, methods=("leapfrog", "dla"), tolerances=(1e-2,), languages=("c",))
+    )
+    assert {why for what, why in table.left_out if what in ("leapfrog", "dla")} == {
+        "does not apply: a constraint is not homogeneous in the velocities"
+    }
+
+
+@needs_compiler
+def test_an_implicit_method_beside_explicit_ones_solves_its_steps() -> None:
+    """What starts at zero and stays there but for rounding does not keep the iteration from ending."""
+    grid = replace(SMALL, methods=("dop853", "gauss6"), languages=("c", "python"), tolerances=(1e-3, 1e-6))
+    made = chart(gallery("chaplygin_sleigh"), replace(grid, formulations=("euler-lagrange",)))
+    found = [r for r in made.results if r.case.method == "gauss6"]
+    assert len(found) == 4 and not any(r.failed for r in found) and max(r.error for r in found) < 1e-4
+
+
+class FakeCvode:
+    """SciPy under the face of scikit-sundae's CVODE."""
+
+    def __init__(self, fill: Any, **options: Any) -> None:
+        self.fill, self.options = fill, options
+
+    def solve(self, times: Any, start: Any) -> Any:
+        def rhs(t: float, y: Any) -> Any:
+            out = np.empty(len(y))
+            self.fill(t, y, out)
+            return out
+
+        done = solve_ivp(rhs, (times[0], times[-1]), start, "LSODA", times, rtol=self.options["rtol"], atol=1e-12)
+        return SimpleNamespace(success=True, y=done.y.T, t=done.t, njev=None, message="")
+
+
+@needs_compiler
+def test_sundials_runs_on_the_same_right_hand_side(monkeypatch: pytest.MonkeyPatch) -> None:
+    module = SimpleNamespace(CVODE=FakeCvode)
+    monkeypatch.setitem(sys.modules, "sksundae", cast(Any, SimpleNamespace(cvode=module)))
+    monkeypatch.setitem(sys.modules, "sksundae.cvode", cast(Any, module))
+    monkeypatch.setattr("nhc.study.chart.peers.find_spec", lambda name: name == "sksundae" or None)
+    grid = replace(SMALL, methods=("dop853",), languages=("c",), tolerances=(1e-4, 1e-7), peers=True)
+    made = chart(gallery("chaplygin_sleigh"), replace(grid, formulations=("euler-lagrange",)))
+    found = [r for r in made.results if r.case.language == "sundials"]
+    assert [r.case.method for r in found] == ["Adams", "Adams", "BDF", "BDF"] and all(r.calls > 10 for r in found)
+    assert not any(r.failed for r in found) and found[1].error < 1e-5 < 1e-2
+    assert {what for what, _ in made.left_out} >= {"scipy", "heyoka", "diffrax"}
+
+
+@needs_compiler
+def test_what_is_too_large_for_xla_is_shown_as_failed(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("nhc.study.chart.diffrax_peer.MOST_OPERATIONS", 1)
+    monkeypatch.setattr("nhc.study.chart.peers.find_spec", lambda name: name == "diffrax" or None)
+    grid = replace(SMALL, methods=("dop853",), languages=("c",), tolerances=(1e-4,), peers=True)
+    made = chart(gallery("chaplygin_sleigh"), replace(grid, formulations=("euler-lagrange",)))
+    (found,) = [r for r in made.results if r.case.language == "diffrax"]
+    assert "more than XLA compiles in good time" in found.failed

@@ -22,11 +22,12 @@ from nhc.report.chart_file import make_file
 from nhc.report.chart_text import list_failures, to_data, to_markdown
 from nhc.simulate.auto import decay_rate
 from nhc.simulate.interpreted import InterpretedModel
-from nhc.simulate.methods import RUNGE_KUTTA
+from nhc.simulate.methods import RUNGE_KUTTA, STRUCTURE
 from nhc.simulate.opening import open_scene
 from nhc.study.chart.advice import advise, duration, fastest
 from nhc.study.chart.case import Case, Cost, Machine, Reference, Result, Study
 from nhc.study.chart.grid import LANGUAGES
+from nhc.study.chart.grid import STRUCTURE as CHARTED
 from nhc.study.chart.measure import (
     energy_error,
     final_error,
@@ -181,6 +182,8 @@ def test_the_page_is_alone_and_escapes_what_it_is_given() -> None:
     ("template", "given"),
     [
         ("c/chart/repeat.c.jinja", {"head", "name", "methods"}),
+        ("c/chart/natural.c.jinja", {"head", "name"}),
+        ("c/chart/again.c.jinja", {"name", "method"}),
         ("c/chart/long.c.jinja", {"head", "name", "methods", "functions", "parameters", "needed"}),
     ],
 )
@@ -192,7 +195,8 @@ def test_a_template_uses_exactly_what_it_is_given(template: str, given: set[str]
 
 
 def test_the_command_line_offers_exactly_what_there_is() -> None:
-    assert tuple(RUNGE_KUTTA) == OFFERED
+    assert (*RUNGE_KUTTA, *STRUCTURE) == OFFERED
+    assert set(CHARTED) == set(STRUCTURE)
     assert LANGUAGES == OFFERED_LANGUAGES
 
 

@@ -9,6 +9,7 @@ from nhc.simulate.methods.linear import SingularMatrix, factor, resolve
 from nhc.simulate.methods.step import NoSolution, Step, Vector, combine
 from nhc.simulate.methods.tableau import Collocation
 
+SMALL = 1e-6
 PATIENCE = 40
 _PLACES = ((-2.0, 1 / 12), (-1.0, -8 / 12), (1.0, 8 / 12), (2.0, -1 / 12))
 
@@ -48,10 +49,8 @@ def attempt(s: Step, method: Collocation) -> float:
 def _iterate(s: Step, method: Collocation, factors: tuple[list[Vector], list[int]]) -> list[Vector]:
     """The slopes of the stages."""
     n, former, adaptive = len(s.y), math.inf, s.tolerance > 0.0
-    if adaptive:
-        scale = s.allowed(s.y)
-    else:
-        scale = [max(size, abs(y), 1e-300) for size, y in zip(s.size, s.y, strict=True)]
+    sizes = [max(size, abs(y)) for size, y in zip(s.size, s.y, strict=True)]
+    scale = s.allowed(s.y) * len(s.k) if adaptive else []
     for _ in range(PATIENCE):
         points = [[y + z for y, z in zip(s.y, stage, strict=True)] for stage in s.k]
         slopes = [s.rhs(s.t + c * s.h, point) for c, point in zip(method.nodes, points, strict=True)]
@@ -60,7 +59,11 @@ def _iterate(s: Step, method: Collocation, factors: tuple[list[Vector], list[int
         ]
         change = resolve(factors, right)
         s.k = [[z[i] + change[j * n + i] for i in range(n)] for j, z in enumerate(s.k)]
-        norm = max(abs(d) / scale[k % n] for k, d in enumerate(change))
+        if not adaptive:  # what is zero but for rounding counts against the largest
+            scale = [max(size, abs(z)) for stage in s.k for size, z in zip(sizes, stage, strict=True)]
+            least = max(SMALL * max(scale), 1e-300)
+            scale = [max(size, least) for size in scale]
+        norm = max(abs(d) / size for d, size in zip(change, scale, strict=True))
         if not math.isfinite(norm):
             break
         if norm == 0.0:

@@ -11,7 +11,14 @@ from nhc.study.chart.case import Case, Cost, Result, Study
 EQUAL = 1.05
 """Times whose ratio is less than this count as equal."""
 TARGETS = (1e-3, 1e-6, 1e-9, 1e-12)
-NAMES = {"c": "C", "python": "Python", "scipy": "SciPy", "heyoka": "heyoka"}
+NAMES = {
+    "c": "C",
+    "python": "Python",
+    "scipy": "SciPy",
+    "sundials": "SUNDIALS",
+    "heyoka": "heyoka",
+    "diffrax": "diffrax",
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -103,7 +110,9 @@ def _reasons(study: Study, best: Result, target: float) -> list[str]:
         peer = fastest([r for r in study.results if r.case.language == name], target, floor)
         if peer is not None:
             whose = f"{NAMES.get(name, name)}'s {peer.case.method}"
-            reasons.append(f"{whose}{' on the same C' if name == 'scipy' else ''} takes {_times(peer, best)}")
+            reasons.append(
+                f"{whose}{' on the same C' if name in ('scipy', 'sundials') else ''} takes {_times(peer, best)}"
+            )
     return reasons
 
 

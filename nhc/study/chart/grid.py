@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 METHODS = ("dop853", "dopri5", "rk4", "radau5", "gauss6")
+STRUCTURE = ("leapfrog", "dla", "perlmutter", "energy")
 LANGUAGES = ("c", "python")
 TOLERANCES = tuple(float(f"1e-{k}") for k in range(2, 14))
 POINTS = 65

@@ -24,7 +24,7 @@ Rows = Sequence[Sequence[float]]
 def time_repeats(repeat: Callable[[int], None], budget: float) -> tuple[float, float, int]:
     """(least, median, number) of the seconds of one run; ``repeat(n)`` runs it n times.  The first call is not counted.
 
-    A run that takes longer than the budget is measured once, one that is much longer without a warm-up.
+    A run that takes longer than the budget is measured twice after that, one that is much longer once, without a warm-up.
     """
     clock = time.perf_counter
 
@@ -38,7 +38,8 @@ def time_repeats(repeat: Callable[[int], None], budget: float) -> tuple[float, f
         return first, first, 1
     once = take(1)
     if once > budget:
-        return once, once, 1
+        twice = take(1)
+        return min(once, twice), 0.5 * (once + twice), 2
     count = 1
     while (taken := take(count)) < BATCH and count < MOST_COUNT:
         count *= 2 if taken <= 0.0 else max(2, min(64, math.ceil(BATCH / taken)))

@@ -10,9 +10,9 @@ from pathlib import Path
 from nhc.emit.environment import File, render_file
 from nhc.simulate.compile import build, loop_flags
 from nhc.simulate.compiled import CompiledModel
-from nhc.simulate.methods import RUNGE_KUTTA
+from nhc.simulate.methods import RUNGE_KUTTA, STRUCTURE
 from nhc.simulate.prepare import Job
-from nhc.simulate.source import size, write_source
+from nhc.simulate.source import size, write_natural, write_source
 from nhc.simulate.task import Task
 from nhc.stamp import PLACEHOLDER
 from nhc.version import __version__
@@ -69,7 +69,24 @@ def compile_long(job: Job, methods: Sequence[str]) -> Path:
     return build(sources | {unit: render_file(File(unit, "c/chart/long.c.jinja", context))}, unit)
 
 
-class ChartModel(CompiledModel):
+def compile_natural(job: Job, method: str) -> Path:
+    """The library of a structure-preserving method on a natural system.
+
+    Raises:
+        nhc.simulate.compile.CompileError: no compiler.
+    """
+    name = job.program.system
+    context: dict[str, object] = {
+        "head": f"{name}_chart.c: runs for a chart, emitted by nhc {__version__} ({PLACEHOLDER})",
+        "name": name,
+        "method": method,
+    }
+    unit = f"{name}_chart.c"
+    text = render_file(File(unit, "c/chart/natural.c.jinja", context))
+    return build(write_natural(job.program, STRUCTURE[method]) | {unit: text}, unit)
+
+
+class RepeatedModel(CompiledModel):
     """A compiled model that repeats its runs in C."""
 
     def __init__(self, path: Path, job: Job) -> None:
@@ -81,6 +98,10 @@ class ChartModel(CompiledModel):
         ends = doubles((task.times[0], task.times[-1]))
         numbers = (_Number(task.tolerance), _Number(task.step), _Whole(task.most))
         function(_Whole(count), doubles(task.p), doubles(task.y), ends, *numbers)
+
+
+class ChartModel(RepeatedModel):
+    """The same with the right-hand side by itself."""
 
     def repeat_rhs(
         self, times: Sequence[float], states: Sequence[Sequence[float]], p: Sequence[float], n: int

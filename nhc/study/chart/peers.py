@@ -2,21 +2,20 @@
 
 from __future__ import annotations
 
-import ctypes
 import warnings
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from importlib.util import find_spec
 from typing import Any
 
+from nhc.study.chart import cvode, diffrax_peer
 from nhc.study.chart.case import Case, Result
 from nhc.study.chart.measure import time_repeats
-from nhc.study.chart.model import doubles
 from nhc.study.chart.single import Bench, judge
+from nhc.study.chart.slope import Slope, TooManyCalls, absolute_tolerance
 from nhc.study.chart.taylor import LANGUAGE, METHOD, run_taylor
 
 LEAST_SCIPY = 3e-14  # SciPy raises smaller relative tolerances by itself
-MOST_CALLS = 10_000
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,75 +35,97 @@ class Peer:
 PEERS = (
     Peer("scipy", "DOP853", "scipy"),
     Peer("scipy", "LSODA", "scipy"),
+    *(Peer(cvode.LANGUAGE, method, "sksundae") for method in cvode.METHODS),
     Peer(LANGUAGE, METHOD, "heyoka", 3),  # compiles for each tolerance
+    Peer(diffrax_peer.LANGUAGE, diffrax_peer.METHOD, "diffrax", 3),
 )
 
 
-class TooManyCalls(Exception):
-    """A peer's run is stopped."""
-
-
-def run_peer(bench: Bench, peer: Peer, tolerance: float, budget: float) -> Result:
-    """A peer's case; SciPy calls the compiled right-hand side through ctypes, as its users do."""
+def run_peer(bench: Bench, peer: Peer, tolerances: Sequence[float], budget: float) -> list[Result]:
+    """A peer's cases; SciPy and SUNDIALS call the compiled right-hand side through ctypes, as their users do."""
     if peer.language == LANGUAGE:
-        return run_taylor(bench, tolerance, budget)
-    case = Case(bench.name, peer.method, peer.language, tolerance)
-    if tolerance < LEAST_SCIPY:
+        return [run_taylor(bench, tolerance, budget) for tolerance in tolerances]
+    if peer.language == diffrax_peer.LANGUAGE:
+        return _run_diffrax(bench, tolerances, budget)
+    bind = _bind_scipy if peer.language == "scipy" else cvode.bind
+    return [_run(bench, Case(bench.name, peer.method, peer.language, t), bind, budget) for t in tolerances]
+
+
+def _run(
+    bench: Bench,
+    case: Case,
+    bind: Callable[[Bench, str, float], tuple[Callable[[bool], Any], Slope]],
+    budget: float,
+) -> Result:
+    if case.language == "scipy" and case.tolerance < LEAST_SCIPY:
         return Result(case, failed=f"SciPy does not take a relative tolerance below {LEAST_SCIPY:g}")
-    solve = _bind(bench, peer.method, tolerance)
+    solve, slope = bind(bench, case.method, case.tolerance)
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
             found = solve(True)
-            if found.status != 0:
-                return Result(case, calls=int(found.nfev), failed=" ".join(str(found.message).lower().split()))
-            counts = Result(case, calls=int(found.nfev), jacobians=int(found.njev), steps=len(found.t) - 1)
+            states = found.y.T if case.language == "scipy" else found.y
+            counts = Result(case, calls=slope.calls, jacobians=int(found.njev or 0), steps=len(found.t) - 1)
             assert bench.compiled is not None
-            rows = bench.compiled.quantities(bench.times, [list(map(float, y)) for y in found.y.T], bench.job.p)
+            rows = bench.compiled.quantities(bench.times, [list(map(float, y)) for y in states], bench.job.p)
             measured = judge(bench, counts, rows)
             if measured.failed:
                 return measured
-
-            def repeat(count: int) -> None:
-                for _ in range(count):
-                    solve(False)
-
-            best, middle, repeats = time_repeats(repeat, budget)
-    except (ArithmeticError, TooManyCalls) as error:
-        return Result(case, failed=str(error) or "the right-hand side is singular")
+            best, middle, repeats = time_repeats(lambda count: _repeat(solve, count), budget)
+    except (ArithmeticError, TooManyCalls, cvode.NoCvode) as error:
+        return Result(case, calls=slope.calls, failed=str(error) or "the right-hand side is singular")
     return replace(measured, best=best, median=middle, repeats=repeats)
 
 
-def _bind(bench: Bench, method: str, tolerance: float) -> Callable[[bool], Any]:
+def _repeat(solve: Callable[[bool], Any], count: int) -> None:
+    for _ in range(count):
+        solve(False)
+
+
+def _bind_scipy(bench: Bench, method: str, tolerance: float) -> tuple[Callable[[bool], Any], Slope]:
     """A run of ``solve_ivp``, with the rows of the reference or with the last one alone."""
     import numpy as np
     from scipy.integrate import solve_ivp
 
-    job = bench.job
-    assert bench.compiled is not None
-    function = getattr(bench.compiled.library, f"{job.program.system}_slope")
-    function.argtypes = (ctypes.c_double, ctypes.c_void_p, ctypes.POINTER(ctypes.c_double), ctypes.c_void_p)
-    p, start = doubles(job.p), np.array(job.y)
-    state, slope = np.empty(len(start)), np.empty(len(start))
-    into, out = state.ctypes.data, slope.ctypes.data
-    # absolute: like nhc's own, relative to the size of the state, where a component is small
-    floor = tolerance * 1e-6 * max(1e-3, float(np.max(np.abs(start), initial=0.0)))
-    calls = 0
-
-    def rhs(t: float, y: Any) -> Any:
-        nonlocal calls
-        calls += 1
-        if calls > MOST_CALLS:
-            raise TooManyCalls(f"stopped after {MOST_CALLS} right-hand sides")
-        state[:] = y
-        if function(t, into, p, out):
-            raise ArithmeticError(f"singular at t = {t:.6g}")
-        return slope.copy()
+    slope, start = Slope(bench), np.array(bench.job.y)
+    floor = absolute_tolerance(bench, tolerance)
 
     def solve(rows: bool) -> Any:
-        nonlocal calls
-        calls = 0
+        slope.calls = 0
         ends, wanted = (bench.times[0], bench.times[-1]), bench.times if rows else (bench.times[-1],)
-        return solve_ivp(rhs, ends, start, method=method, rtol=tolerance, atol=floor, t_eval=wanted)
+        found = solve_ivp(slope, ends, start, method=method, rtol=tolerance, atol=floor, t_eval=wanted)
+        if found.status != 0:
+            raise ArithmeticError(" ".join(str(found.message).lower().split()))
+        return found
 
-    return solve
+    return solve, slope
+
+
+def _run_diffrax(bench: Bench, tolerances: Sequence[float], budget: float) -> list[Result]:
+    cases = [Case(bench.name, diffrax_peer.METHOD, diffrax_peer.LANGUAGE, tolerance) for tolerance in tolerances]
+    try:
+        run = diffrax_peer.bind(bench)
+    except diffrax_peer.NoDiffrax as error:
+        return [Result(case, failed=str(error)) for case in cases]
+    return [_take_diffrax(bench, case, run, budget) for case in cases]
+
+
+def _take_diffrax(
+    bench: Bench, case: Case, run: Callable[[bool, float], tuple[list[list[float]], int]], budget: float
+) -> Result:
+    try:
+        states, steps = run(True, case.tolerance)
+        values = bench.interpreted.quantities(bench.times, states, bench.job.p)
+    except (diffrax_peer.NoDiffrax, ArithmeticError) as error:
+        return Result(case, failed=str(error) or "it is singular")
+    measured = judge(bench, Result(case, steps=steps), values)
+    if measured.failed:
+        return measured
+    run(False, case.tolerance)  # compiles
+
+    def repeat(count: int) -> None:
+        for _ in range(count):
+            run(False, case.tolerance)
+
+    best, middle, repeats = time_repeats(repeat, budget)
+    return replace(measured, best=best, median=middle, repeats=repeats)

@@ -18,7 +18,7 @@ METHODS = ("dop853", "radau5", "gauss6")
 LONG_TOLERANCE, TOLERANCE = 1e-17, 1e-14
 MOST = 400_000
 MOST_PYTHON = 20_000
-ENOUGH = 1e-16
+ENOUGH, POOR = 1e-16, 1e-12
 PATIENCE = 1.5  # seconds of one run
 Solve = Callable[[str, float, float, int], list[list[float]]]  # method, tolerance, step, most steps -> rows or nothing
 
@@ -110,9 +110,9 @@ def _confirm(
         if taken > PATIENCE:
             break
         steps, former = 2 * steps, fine
-    if best == math.inf and how[0] != "radau5":
+    if best > POOR and how[0] != "radau5":
         other = solve("radau5", 1e2 * how[1], 0.0, most)
-        if other:
+        if other and distance_of(other) < best:
             confirmed = f"radau5 at tolerance {1e2 * how[1]:.0e}"
             best, energy = distance_of(other), energy_error(other, rows, groups)
     method = f"{how[0]} at tolerance {how[1]:.0e}"

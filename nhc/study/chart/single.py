@@ -6,12 +6,13 @@ import math
 from dataclasses import dataclass, replace
 
 from nhc.simulate.interpreted import InterpretedModel
+from nhc.simulate.natural import NaturalModel
 from nhc.simulate.prepare import Job
 from nhc.simulate.run import collect
 from nhc.simulate.task import Task
 from nhc.study.chart.case import RESOLVED, Case, Result
 from nhc.study.chart.measure import Rows, energy_error, final_error, grid_error, time_repeats
-from nhc.study.chart.model import ChartModel
+from nhc.study.chart.model import RepeatedModel
 from nhc.study.chart.reference import Solution
 
 MOST = 100_000
@@ -25,8 +26,8 @@ class Bench:
     job: Job
     times: tuple[float, ...]
     solution: Solution
-    compiled: ChartModel | None
-    interpreted: InterpretedModel
+    compiled: RepeatedModel | None
+    interpreted: InterpretedModel | NaturalModel
 
 
 def run_case(bench: Bench, case: Case, budget: float) -> Result:

@@ -7,23 +7,37 @@ from collections.abc import Callable, Sequence
 
 from nhc.diagnostics import Source
 from nhc.language import decode
+from nhc.language.spec import Scene
 from nhc.mechanics.resolve import resolve
+from nhc.mechanics.system import System
 from nhc.simulate.compile import CompileError, find_compiler
 from nhc.simulate.interpreted import InterpretedModel
 from nhc.simulate.methods import RUNGE_KUTTA, is_adaptive
+from nhc.simulate.methods import STRUCTURE as SCHEMES
 from nhc.simulate.opening import find_need, find_scene
 from nhc.simulate.prepare import Job
 from nhc.simulate.run import list_times
 from nhc.simulate.task import Task
 from nhc.study.chart.case import Case, Cost, Result, Study
-from nhc.study.chart.grid import LANGUAGES, METHODS, MOST_PYTHON, POINTS, PYTHON_STRIDE, SCOUT, TOLERANCES, Grid
-from nhc.study.chart.jobs import Shrunk, prepare_jobs
+from nhc.study.chart.grid import (
+    LANGUAGES,
+    METHODS,
+    MOST_PYTHON,
+    POINTS,
+    PYTHON_STRIDE,
+    SCOUT,
+    STRUCTURE,
+    TOLERANCES,
+    Grid,
+)
+from nhc.study.chart.jobs import Shrunk, prepare_jobs, scene_of_needs
 from nhc.study.chart.measure import describe_machine, time_repeats
 from nhc.study.chart.model import ChartModel, LongModel, compile_chart, compile_long
 from nhc.study.chart.peers import PEERS, run_peer
 from nhc.study.chart.reference import METHODS as REFERENCE_METHODS
 from nhc.study.chart.reference import Solution, make_reference
 from nhc.study.chart.single import MOST, Bench, run_case
+from nhc.study.chart.structure import prepare_natural, run_schemes
 
 Show = Callable[[float, str], None]
 
@@ -47,9 +61,10 @@ def chart(source: Source, grid: Grid, show: Show | None = None) -> Study:
     first = next(iter(made.jobs.values()))
     times = list_times(*first.time, POINTS)
     solution = make_reference(made.full, times, open_long(made.full) if compiled else None)
-    methods, tolerances = grid.methods or METHODS, tuple(sorted(grid.tolerances or TOLERANCES, reverse=True))
+    methods = tuple(m for m in grid.methods if m in RUNGE_KUTTA) if grid.methods else METHODS
+    tolerances = tuple(sorted(grid.tolerances or TOLERANCES, reverse=True))
     results: list[Result] = []
-    costs: list[Cost] = []
+    anchor, costs = 8, list[Cost]()
     left: list[tuple[str, str]] = list(made.skipped)
     for done, (name, job) in enumerate(made.jobs.items()):
         if show is not None:
@@ -63,8 +78,13 @@ def chart(source: Source, grid: Grid, show: Show | None = None) -> Study:
             found, missing = run_peers(bench, tolerances, bool(grid.tolerances), grid.budget)
             results += found
             left += missing
+        if job is first:
+            anchor = count_steps(bench)
+    found, missing = run_structure(system, scene, grid, needs, times, solution, languages, tolerances, anchor)
     if show is not None:
         show(1.0, "")
+    results += found
+    left += missing
     return Study(
         system=system.name,
         about=spec.about,
@@ -72,7 +92,7 @@ def chart(source: Source, grid: Grid, show: Show | None = None) -> Study:
         time=first.time,
         needs=tuple(column.heading for column in first.columns),
         tolerances=tolerances,
-        methods=methods,
+        methods=grid.methods or (*METHODS, *dict.fromkeys(r.case.method for r in found)),
         languages=languages,
         points=POINTS,
         costs=tuple(costs),
@@ -82,6 +102,28 @@ def chart(source: Source, grid: Grid, show: Show | None = None) -> Study:
         notes=notes,
         machine=describe_machine(),
     )
+
+
+def run_structure(
+    system: System,
+    scene: Scene,
+    grid: Grid,
+    needs: Sequence[str],
+    times: Sequence[float],
+    solution: Solution,
+    languages: Sequence[str],
+    tolerances: Sequence[float],
+    anchor: int,
+) -> tuple[list[Result], list[tuple[str, str]]]:
+    """The structure-preserving methods: those that are named, else all that apply, unless other formulations are asked for."""
+    named = [method for method in grid.methods if method in SCHEMES]
+    if grid.methods and not named:
+        return [], []
+    job = prepare_natural(system, scene_of_needs(system.spec, scene, needs), needs)
+    if not named and grid.formulations and job.formulation.name not in grid.formulations:
+        return [], []
+    wanted = named or STRUCTURE
+    return run_schemes(job, wanted, times, solution, languages, tolerances, bool(grid.tolerances), anchor, grid.budget)
 
 
 def open_long(job: Job) -> LongModel | None:
@@ -109,10 +151,10 @@ def cost_of(bench: Bench, languages: Sequence[str], shrunk: Shrunk | None) -> Co
     outcome = models[0].integrate(task, SCOUT, models[0].news())
     times, states = bench.times[: len(outcome.states)], outcome.states
     compiled, interpreted = bench.compiled, bench.interpreted
-    if compiled is not None and "c" in languages:
+    if isinstance(compiled, ChartModel) and "c" in languages:
         best, _, _ = time_repeats(lambda n: _use(compiled.repeat_rhs(times, states, job.p, n)), 0.02)
         in_c = best / len(times)
-    if "python" in languages:
+    if isinstance(interpreted, InterpretedModel) and "python" in languages:
 
         def repeat(count: int) -> None:
             for _ in range(count):
@@ -165,13 +207,11 @@ def run_peers(
     bench: Bench, tolerances: Sequence[float], explicit: bool, budget: float
 ) -> tuple[list[Result], list[tuple[str, str]]]:
     """The cases of other integrators that are installed; those that are not."""
-    found = [
-        run_peer(bench, peer, tolerance, budget)
-        for peer in PEERS
-        if peer.there()
-        for rung, tolerance in enumerate(tolerances)
-        if explicit or peer.stride == 1 or rung % peer.stride == 1
-    ]
+    found: list[Result] = []
+    for peer in PEERS:
+        if peer.there():
+            rungs = [t for k, t in enumerate(tolerances) if explicit or peer.stride == 1 or k % peer.stride == 1]
+            found += run_peer(bench, peer, rungs, budget)
     return found, [(peer.language, "not installed") for peer in PEERS if not peer.there()]
 
 

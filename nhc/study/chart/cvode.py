@@ -1,0 +1,42 @@
+"""SUNDIALS's CVODE as a peer: the compiled right-hand side under scikit-sundae's multistep methods."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from nhc.study.chart.single import Bench
+from nhc.study.chart.slope import Slope, absolute_tolerance
+
+LANGUAGE = "sundials"
+METHODS = ("Adams", "BDF")
+MOST_STEPS = 100_000
+
+
+class NoCvode(Exception):
+    """Its run fails."""
+
+
+def bind(bench: Bench, method: str, tolerance: float) -> tuple[Callable[[bool], Any], Slope]:
+    """A run of CVODE with the rows of the reference or the last one alone, and the counter of its right-hand sides."""
+    from sksundae.cvode import CVODE
+
+    slope = Slope(bench)
+    options = {"method": method, "rtol": tolerance, "atol": absolute_tolerance(bench, tolerance)}
+
+    def fill(t: float, y: Any, out: Any) -> None:
+        out[:] = slope(t, y)
+
+    start, end = bench.times[0], bench.times[-1]
+    alone = (start, 0.5 * (start + end), end)  # two times would mean every step
+
+    def solve(rows: bool) -> Any:
+        slope.calls = 0
+        found = CVODE(fill, max_num_steps=MOST_STEPS, **options).solve(
+            bench.times if rows else alone, list(bench.job.y)
+        )
+        if not found.success:
+            raise NoCvode(" ".join(str(found.message).lower().split()))
+        return found
+
+    return solve, slope

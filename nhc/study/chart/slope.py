@@ -1,0 +1,49 @@
+"""The compiled right-hand side as SciPy and SUNDIALS call it: through ctypes, as their users do."""
+
+from __future__ import annotations
+
+import ctypes
+from typing import Any
+
+from nhc.study.chart.model import doubles
+from nhc.study.chart.single import Bench
+
+MOST_CALLS = 10_000
+
+
+class TooManyCalls(Exception):
+    """A peer's run is stopped."""
+
+
+class Slope:
+    """y'(t, y) of a bench's compiled model as an array of its own; ``calls`` counts.
+
+    Raises, when called:
+        ArithmeticError: it is singular there.
+        TooManyCalls: there were enough.
+    """
+
+    def __init__(self, bench: Bench) -> None:
+        import numpy as np
+
+        assert bench.compiled is not None
+        self.function = getattr(bench.compiled.library, f"{bench.job.program.system}_slope")
+        self.function.argtypes = (ctypes.c_double, ctypes.c_void_p, ctypes.POINTER(ctypes.c_double), ctypes.c_void_p)
+        self.p = doubles(bench.job.p)
+        self.state, self.slope = np.empty(len(bench.job.y)), np.empty(len(bench.job.y))
+        self.into, self.out = self.state.ctypes.data, self.slope.ctypes.data
+        self.calls = 0
+
+    def __call__(self, t: float, y: Any) -> Any:
+        self.calls += 1
+        if self.calls > MOST_CALLS:
+            raise TooManyCalls(f"stopped after {MOST_CALLS} right-hand sides")
+        self.state[:] = y
+        if self.function(t, self.into, self.p, self.out):
+            raise ArithmeticError(f"singular at t = {t:.6g}")
+        return self.slope.copy()
+
+
+def absolute_tolerance(bench: Bench, tolerance: float) -> float:
+    """Like nhc's own: relative to the size of the state, where a component is small."""
+    return tolerance * 1e-6 * max(1e-3, *(abs(x) for x in bench.job.y))

@@ -1,0 +1,85 @@
+"""Structure-preserving methods in a chart: each by itself, on the natural system with all its velocities."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+from nhc.language.spec import Scene
+from nhc.mechanics.choose import formulate
+from nhc.mechanics.formulate import equations_of
+from nhc.mechanics.scenes import start_of
+from nhc.mechanics.system import System
+from nhc.simulate.methods import STRUCTURE
+from nhc.simulate.natural import NaturalModel
+from nhc.simulate.prepare import Job, prepare
+from nhc.study.chart.case import Case, Result
+from nhc.study.chart.grid import MOST_PYTHON, PYTHON_STRIDE
+from nhc.study.chart.model import RepeatedModel, compile_natural
+from nhc.study.chart.reference import Solution
+from nhc.study.chart.single import Bench, run_case
+
+MOST_STEPS = 60_000
+"""Fixed steps of second order beyond which a run says nothing that its coarser ones do not."""
+Left = list[tuple[str, str]]
+
+
+def prepare_natural(system: System, scene: Scene, needs: Sequence[str]) -> Job:
+    """The job of a scene as structure-preserving methods take it; its ``structure`` says what is lacking."""
+    form = formulate(system, "multipliers" if system.constraints else "")
+    start = start_of(system, scene)
+    return prepare(equations_of(system, form), form, start, needs, natural=True, checks=True)
+
+
+def choose_schemes(job: Job, wanted: Sequence[str]) -> tuple[list[str], Left]:
+    """The methods that apply, and why others do not."""
+    found, left = [], Left()
+    for name in wanted:
+        lacking = job.structure.lacking
+        if not lacking and STRUCTURE[name].constant_mass and not job.structure.constant_mass:
+            lacking = "its mass matrix is not constant"
+        if lacking:
+            left.append((name, f"does not apply: {lacking}"))
+        else:
+            found.append(name)
+    return found, left
+
+
+def count_steps(wish: float, rows: int) -> int:
+    """A number of steps that meet every row, where it is not much less: what these methods keep, they keep at their steps."""
+    return max(math.ceil(wish), 2) if wish < 0.5 * rows else rows * math.ceil(wish / rows)
+
+
+def run_schemes(
+    job: Job,
+    wanted: Sequence[str],
+    times: Sequence[float],
+    solution: Solution,
+    languages: Sequence[str],
+    tolerances: Sequence[float],
+    explicit: bool,
+    anchor: int,
+    budget: float,
+) -> tuple[list[Result], Left]:
+    """All cases of the methods that apply, on ladders of fixed steps; what was left out, with the reason."""
+    schemes, left = choose_schemes(job, wanted)
+    found: list[Result] = []
+    slow: list[str] = []
+    for name in schemes:
+        compiled = RepeatedModel(compile_natural(job, name), job) if "c" in languages else None
+        bench = Bench(job.formulation.name, job, tuple(times), solution, compiled, NaturalModel(job.program))
+        for language in languages:
+            most = MOST_STEPS if language == "c" else MOST_PYTHON // 8  # a step of these costs several right-hand sides
+            for rung, tolerance in enumerate(tolerances):
+                if language == "python" and not explicit and rung % PYTHON_STRIDE != 1:
+                    continue
+                count = count_steps(anchor * (1e-3 / tolerance) ** (1.0 / STRUCTURE[name].order), len(times) - 1)
+                if count > most:
+                    slow.append(f"{name} in {language}")
+                    continue
+                step = abs(times[-1] - times[0]) / count
+                found.append(run_case(bench, Case(bench.name, name, language, tolerance, step), budget))
+    if slow:
+        names = ", ".join(dict.fromkeys(slow)).replace(" in c", " in C").replace(" in python", " in Python")
+        left.append((names, "of second order: its finer tolerances take too many steps"))
+    return found, left
