@@ -285,7 +285,7 @@ class _Decoder:
         return found
 
     def _constraints(self) -> tuple[Constraint, ...]:
-        self.taken: dict[str, Span] = {}
+        self.taken: dict[str, Span] = {f"{rotation.name}_norm": rotation.span for rotation in self.draft.rotations}
         found = []
         for name, span, left, right in self._equations("constraints", "c", self.taken):
             left, right = self._check(left, "equation"), self._check(right, "equation")

@@ -82,7 +82,9 @@ class _SceneReader:
             return
         name = fold(text.value)
         near = nearest(name, known)
-        if near:
+        if self.scope.kind(name) in ("define", "entry") and known[-1:] == _OWN_NEEDS[-1:]:
+            help = f"show it under `outputs`: `{name}: {name}`"
+        elif near:
             help = f"did you mean `{near}`?"
         elif known:
             help = "known: " + ", ".join(f"`{other}`" for other in known[:12])
