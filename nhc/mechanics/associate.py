@@ -18,20 +18,14 @@ from nhc.algebra.calculus import substitute, tangent
 from nhc.algebra.gather import gather
 from nhc.algebra.graph import Node
 from nhc.mechanics.kinetic import Kinetic, exterior_derivative
+from nhc.mechanics.motion import Motion
 from nhc.mechanics.moved import Moved, Weights
 from nhc.mechanics.rotation import along, moving, virtual_work
 from nhc.mechanics.system import System
+from nhc.mechanics.tree import Elimination
 from nhc.mechanics.turns import Vector, cross
 
-
-@dataclass(frozen=True)
-class Motion:
-    """The vector field X: q' = ``velocities``(q, w, t), w' = ``rates``, t' = 1; ``vectors`` are dq/dw_mu."""
-
-    w: tuple[Node, ...]
-    rates: tuple[Node, ...]
-    velocities: tuple[Node, ...]
-    vectors: tuple[tuple[Node, ...], ...]
+Matrix = tuple[tuple[Node, ...], ...]
 
 
 @dataclass(frozen=True)
@@ -46,6 +40,7 @@ class Row:
 class Equations:
     """mass @ w' = force over the motion's w; with multipliers, the bordered system for (q'', lambda).
 
+    ``assemble`` makes both, when they are first asked for: a ``tree`` solves for the rates without them.
     ``definite``: the matrix is symmetric and positive wherever the motion is regular, so that LDL^T needs no pivoting.
     ``reactions`` are the rows of the constraints' own vectors (empty for the bordered system, whose unknowns they are);
     ``react`` makes them.
@@ -56,13 +51,27 @@ class Equations:
     formulation: str
     number: str
     motion: Motion
-    mass: tuple[tuple[Node, ...], ...]
-    force: tuple[Node, ...]
+    assemble: Callable[[], tuple[Matrix, tuple[Node, ...]]]
     definite: bool
     multipliers: tuple[Node, ...]
     react: Callable[[], tuple[Row, ...]]
     guards: tuple[tuple[Node, Node], ...]
     forms: tuple[tuple[Node, ...], Node] | tuple[()] = ()
+    tree: Elimination | None = None
+
+    @cached_property
+    def _assembled(self) -> tuple[Matrix, tuple[Node, ...]]:
+        return self.assemble()
+
+    @property
+    def mass(self) -> Matrix:
+        """The mass matrix, row by row."""
+        return self._assembled[0]
+
+    @property
+    def force(self) -> tuple[Node, ...]:
+        """The right side."""
+        return self._assembled[1]
 
     @cached_property
     def reactions(self) -> tuple[Row, ...]:

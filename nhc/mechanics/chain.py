@@ -16,12 +16,11 @@ from dataclasses import dataclass
 from nhc.algebra.calculus import gradient, pullback_gradient, reachable, substitute, tangent
 from nhc.algebra.graph import NEG, Graph, Node
 from nhc.algebra.monomials import split_parameters, tidy
-from nhc.mechanics.associate import Motion
 from nhc.mechanics.chain_units import common_mass, part_masses, scales
 from nhc.mechanics.kinetic import Kinetic
+from nhc.mechanics.motion import Motion
 from nhc.mechanics.recursion import Recursion, Terms, Weights, read_recursion
 from nhc.mechanics.system import System
-from nhc.mechanics.whole_forms import whole_kinetic
 
 _MANY = 6  # forms per rate beyond which no recursion is sought: they are the forms of a few bodies under constraints
 
@@ -55,10 +54,11 @@ class Chain:
         return self.rates + len(self.definitions)
 
 
-def find_chain(system: System, motion: Motion) -> Chain | None:
-    """The recursion of T's velocity forms along a motion, with forces; None where the forms are not sums and products."""
-    kinetic = whole_kinetic(system) if not system.rotations else None
-    if kinetic is None or len(kinetic.u) > _MANY * len(motion.w):
+def find_chain(system: System, motion: Motion, kinetic: Kinetic) -> Chain | None:
+    """The recursion of T's velocity forms (:func:`nhc.mechanics.whole_forms.whole_kinetic`) along a motion, with forces;
+    None where the forms are not sums and products.
+    """
+    if len(kinetic.u) > _MANY * len(motion.w):
         return None
     g = system.graph
     mask = g.mask(system.p)

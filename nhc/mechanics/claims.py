@@ -17,10 +17,11 @@ from nhc.algebra.graph import Graph, Node
 from nhc.algebra.linear import linear_form
 from nhc.algebra.modular import FieldPoint
 from nhc.mechanics import multipliers, voronec, wrong
-from nhc.mechanics.associate import Equations, Motion
+from nhc.mechanics.associate import Equations
 from nhc.mechanics.choose import Formulation
 from nhc.mechanics.formulate import bordered_system, motion_of, rate_symbols
 from nhc.mechanics.frame import Frame, total_derivative
+from nhc.mechanics.motion import Motion
 from nhc.mechanics.system import System
 
 V = TypeVar("V", int, float)

@@ -10,16 +10,20 @@ from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.modular import are_zero
 from nhc.algebra.shorten import shorten
-from nhc.mechanics.associate import Equations, Motion, Projector, Row
+from nhc.mechanics.associate import Equations, Matrix, Projector, Row
 from nhc.mechanics.choose import Formulation
 from nhc.mechanics.determined import check_determined
 from nhc.mechanics.frame import total_derivative
 from nhc.mechanics.kinetic import Kinetic, kinetic_structure, pivot_signs
+from nhc.mechanics.motion import Motion
 from nhc.mechanics.move import move
 from nhc.mechanics.moved import Moved
 from nhc.mechanics.multipliers import multiplier_symbols
 from nhc.mechanics.regularity import trial_points
 from nhc.mechanics.system import System
+from nhc.mechanics.tree import Elimination
+from nhc.mechanics.tree_choice import FEW, worthwhile_tree
+from nhc.mechanics.whole_forms import whole_kinetic
 
 _SMALL = 400
 """Operations up to which a second route is worth a try."""
@@ -60,6 +64,9 @@ class _Route:
 
 def equations_of(system: System, formulation: Formulation, kinetic: Kinetic | None = None) -> Equations:
     """The associated system of a formulation's Omega, as mass matrix, right side, and rows of the reactions."""
+    tree = _tree(system, formulation)
+    if tree is not None:
+        return _from_leaves(system, formulation, tree, kinetic)
     kinetic = kinetic or kinetic_structure(system)
     route = _cheapest_route(system, formulation, kinetic)
     rows, motion = route.rows, route.motion
@@ -70,12 +77,41 @@ def equations_of(system: System, formulation: Formulation, kinetic: Kinetic | No
         formulation=formulation.name,
         number=formulation.number,
         motion=motion,
-        mass=_symmetric(rows),
-        force=tuple(row.force for row in rows),
+        assemble=lambda: _assemble(rows),
         definite=not bordered and (kinetic.is_positive() or _is_definite(system, rows)),
         multipliers=multiplier_symbols(system) if bordered else (),
         react=route.react,
         guards=route.guards,
+    )
+
+
+def _tree(system: System, formulation: Formulation) -> Elimination | None:
+    """The elimination along the tree of a system without constraints, where it is worth it and T is surely positive."""
+    if formulation.frame is not None or system.l or system.n <= FEW:
+        return None
+    kinetic = whole_kinetic(system)
+    if kinetic is None or not kinetic.is_positive():
+        return None
+    return worthwhile_tree(system, motion_of(system, formulation), kinetic)
+
+
+def _from_leaves(system: System, formulation: Formulation, tree: Elimination, kinetic: Kinetic | None) -> Equations:
+    """Equations whose matrix is assembled only when something else than the rates needs it."""
+
+    def assemble() -> tuple[Matrix, tuple[Node, ...]]:
+        return _assemble(_route(system, formulation, kinetic or kinetic_structure(system)).rows)
+
+    return Equations(
+        system=system,
+        formulation=formulation.name,
+        number=formulation.number,
+        motion=motion_of(system, formulation),
+        assemble=assemble,
+        definite=True,
+        multipliers=(),
+        react=lambda: (),
+        guards=(),
+        tree=tree,
     )
 
 
@@ -115,10 +151,11 @@ def _route(system: System, formulation: Formulation, kinetic: Kinetic, moved: Mo
     )
 
 
-def _symmetric(rows: Sequence[Row]) -> tuple[tuple[Node, ...], ...]:
-    """The mass matrix with its upper triangle mirrored, so that equal entries are one node."""
+def _assemble(rows: Sequence[Row]) -> tuple[Matrix, tuple[Node, ...]]:
+    """The mass matrix with its upper triangle mirrored, so that equal entries are one node, and the right side."""
     size = len(rows)
-    return tuple(tuple(rows[min(i, j)].mass[max(i, j)] for j in range(size)) for i in range(size))
+    mass = tuple(tuple(rows[min(i, j)].mass[max(i, j)] for j in range(size)) for i in range(size))
+    return mass, tuple(row.force for row in rows)
 
 
 def _polish(graph: Graph, rows: list[Row], beside: Sequence[Node] = ()) -> list[Row]:

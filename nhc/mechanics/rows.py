@@ -19,8 +19,8 @@ from nhc.algebra.graph import Node
 from nhc.algebra.modular import are_zero
 from nhc.exterior import Form, interior
 from nhc.mechanics import euler_lagrange, lagrange, multipliers, newton, voronec
-from nhc.mechanics.associate import Motion
 from nhc.mechanics.choose import Formulation
+from nhc.mechanics.motion import Motion
 from nhc.mechanics.system import System
 from nhc.thesis import equation
 

@@ -16,8 +16,10 @@ from nhc.mechanics.system import System
 
 
 def whole_kinetic(system: System) -> Kinetic | None:
-    """T by forms of which only parameters are taken out; None where T is no quadratic polynomial in forms."""
+    """T by forms of which only parameters are taken out; None where T is no quadratic polynomial in forms, or has rotations (or the rule is off)."""
     g = system.graph
+    if system.rotations or "trees" in g.off:
+        return None
     degree = degrees(g, system.v)
     if degree[system.T] != 2:
         return None

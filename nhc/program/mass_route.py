@@ -9,13 +9,10 @@ from nhc.algebra.calculus import count, substitute
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.shorten import shorten
 from nhc.mechanics.associate import Equations
-from nhc.mechanics.chain import find_chain
-from nhc.mechanics.chain_forces import lift_forces
+from nhc.mechanics.tree import Elimination
+from nhc.mechanics.tree_choice import CHAINED, FEW, tree_of
+from nhc.mechanics.whole_forms import whole_kinetic
 from nhc.program.plan import Factors, factor, solve_factored
-from nhc.program.tree_plan import Elimination
-
-_CHAINED = 8  # operations that the longer way from pivot to pivot of a tree is worth
-_FEW = 3  # rates up to which both ways are written out and compared
 
 
 @dataclass
@@ -41,29 +38,28 @@ class MassRoute:
 
 def mass_route(equations: Equations, full: Equations, put_in: Mapping[Node, Node]) -> MassRoute:
     """The cheaper way; ``full`` are the equations before ``put_in`` was put into them: a tree is read from these."""
-    tree = _tree_of(full)
-    size = len(equations.mass)
-    dense = _dense(equations) if tree is None or size <= _FEW else None
+    g, size, tree = equations.system.graph, len(equations.motion.w), full.tree
+    dense = None
+    if tree is None:
+        dense = _dense(equations)
+        tree = _other_tree(full)
     if tree is None:
         assert dense is not None
         return dense
-    g = equations.system.graph
-    values = substitute(g, tree.rates(), put_in)
-    other = count(g, dense.values) if dense is not None else _dense_cost(equations)
-    if count(g, values) + _CHAINED * size >= other:
-        return dense if dense is not None else _dense(equations)
+    values = substitute(g, tree.rates, put_in)
+    if dense is not None and count(g, values) + CHAINED * size >= count(g, dense.values):
+        return dense
     flat = substitute(g, [node for _, *pair in tree.pivots for node in pair], put_in)
     return MassRoute(g, equations, values, list(zip(flat[::2], flat[1::2], strict=True)), tree, put_in)
 
 
-def _tree_of(equations: Equations) -> Elimination | None:
+def _other_tree(equations: Equations) -> Elimination | None:
+    """A tree of few rates, or under constraints that leave many: it is held against the dense way."""
     size, motion = len(equations.motion.w), equations.motion
-    if "trees" in equations.system.graph.off:
+    if size < 2 or (size <= FEW) != (motion.velocities == motion.w):
         return None
-    if size < 2 or (size <= _FEW and motion.velocities != motion.w):
-        return None
-    chain = find_chain(equations.system, motion)
-    return Elimination(lift_forces(chain)) if chain is not None else None
+    kinetic = whole_kinetic(equations.system)
+    return tree_of(equations.system, motion, kinetic) if kinetic is not None else None
 
 
 def _dense(equations: Equations) -> MassRoute:
@@ -72,16 +68,3 @@ def _dense(equations: Equations) -> MassRoute:
     values = shorten(g, solve_factored(g, factors, equations.force))
     pivots = [(pivot, equations.mass[k][k]) for k, pivot in enumerate(factors.pivots)]
     return MassRoute(g, equations, values, pivots, None, {}, factors)
-
-
-def _dense_cost(equations: Equations) -> int:
-    """Operations of the matrix, the right side and L D L^T, by the matrix's pattern."""
-    g, size = equations.system.graph, len(equations.mass)
-    rows = [{j for j in range(size) if equations.mass[i][j] != g.zero} for i in range(size)]
-    total = 0
-    for k in range(size):
-        below = sorted(j for j in rows[k] if j > k)
-        total += 1 + 5 * len(below) + len(below) * (len(below) + 1)
-        for i in below:
-            rows[i].update(below)
-    return total + count(g, [*(entry for row in equations.mass for entry in row), *equations.force])

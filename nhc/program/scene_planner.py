@@ -10,8 +10,9 @@ from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Node
 from nhc.algebra.modular import are_zero
 from nhc.algebra.shorten import shorten
-from nhc.mechanics.associate import Equations, Motion
+from nhc.mechanics.associate import Equations
 from nhc.mechanics.formulate import bordered_system
+from nhc.mechanics.motion import Motion
 from nhc.mechanics.reduce import Reduction
 from nhc.mechanics.scenes import Start, kept_velocities
 from nhc.program.build import Planner
@@ -70,7 +71,8 @@ class ScenePlanner(Planner):
             return replace(equations, motion=made, guards=pairs)
         flat = self.fix([*(x for row in equations.mass for x in row), *equations.force])
         mass = tuple(tuple(flat[k * size : (k + 1) * size]) for k in range(size))
-        return replace(equations, motion=made, mass=mass, force=tuple(flat[size * size :]), guards=pairs)
+        force = tuple(flat[size * size :])
+        return replace(equations, motion=made, assemble=lambda: (mass, force), guards=pairs)
 
     def _solve(self) -> None:
         super()._solve()

@@ -12,12 +12,12 @@ from nhc.algebra.calculus import count
 from nhc.algebra.graph import Node
 from nhc.algebra.modular import are_equal
 from nhc.diagnostics import Source
-from nhc.mechanics.chain import find_chain
-from nhc.mechanics.chain_forces import lift_forces
+from nhc.mechanics.tree import Elimination
+from nhc.mechanics.tree_choice import tree_of
+from nhc.mechanics.whole_forms import whole_kinetic
 from nhc.pipeline import Model, Options, emit, model
 from nhc.program.build import Planner
 from nhc.program.plan import factor, solve_factored
-from nhc.program.tree_plan import Elimination
 from tests.support import error, python_model
 
 
@@ -179,9 +179,11 @@ CASES = [pytest.param(text, id=name) for name, text in specs()]
 
 def made(text: str) -> tuple[Model, Elimination]:
     found = model(Source("tree.yaml", text))
-    chain = find_chain(found.system, found.equations.motion)
-    assert chain is not None
-    return found, Elimination(lift_forces(chain))
+    kinetic = whole_kinetic(found.system)
+    assert kinetic is not None
+    tree = tree_of(found.system, found.equations.motion, kinetic)
+    assert tree is not None
+    return found, tree
 
 
 def dense(found: Model, right: list[Node]) -> list[Node]:
@@ -192,7 +194,7 @@ def dense(found: Model, right: list[Node]) -> list[Node]:
 @pytest.mark.parametrize("text", CASES)
 def test_the_rates_are_the_dense_ones(text: str) -> None:
     found, tree = made(text)
-    assert are_equal(found.system.graph, tree.rates(), dense(found, list(found.equations.force)))
+    assert are_equal(found.system.graph, tree.rates, dense(found, list(found.equations.force)))
 
 
 @pytest.mark.parametrize("text", CASES)
@@ -205,7 +207,7 @@ def test_any_right_side_is_solved(text: str) -> None:
 
 def test_a_wrong_tree_is_noticed() -> None:
     found, tree = made(rods(1, 5, "cart"))
-    rates = tree.rates()
+    rates = tree.rates
     rates[2] = found.system.graph.add(rates[2], tree.chain.scale[2])
     assert not are_equal(found.system.graph, rates, dense(found, list(found.equations.force)))
 

@@ -10,12 +10,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.monomials import sum_products
 from nhc.mechanics.chain import Chain
 from nhc.mechanics.recursion import Terms
-from nhc.program.rods import Rods
+from nhc.mechanics.rods import Rods
 
 
 @dataclass
@@ -171,6 +172,7 @@ class Elimination:
 
     # --- right sides ----------------------------------------------------------------------------------------------
 
+    @cached_property
     def rates(self) -> list[Node]:
         """The rates w' that the chain's own forces make."""
         g, chain = self.graph, self.chain

@@ -1,0 +1,65 @@
+"""Whether a system is solved from the leaves of a tree: decided from the tree, before any matrix is assembled."""
+
+from __future__ import annotations
+
+from nhc.algebra.calculus import count
+from nhc.algebra.modular import are_zero
+from nhc.mechanics.chain import Chain, find_chain
+from nhc.mechanics.chain_forces import lift_forces
+from nhc.mechanics.kinetic import Kinetic
+from nhc.mechanics.motion import Motion
+from nhc.mechanics.system import System
+from nhc.mechanics.tree import Elimination
+
+CHAINED = 8
+"""Operations that the longer way from pivot to pivot of a tree is worth."""
+FEW = 3
+"""Rates up to which both ways are written out and compared."""
+_ENTRY, _FORCE = 6, 5  # operations of an entry of the mass matrix, and of a force, as they are assembled
+
+
+def tree_of(system: System, motion: Motion, kinetic: Kinetic) -> Elimination | None:
+    """The elimination along the tree; None where there is no recursion, or a pivot vanishes identically."""
+    chain = find_chain(system, motion, kinetic)
+    if chain is None:
+        return None
+    try:
+        tree = Elimination(lift_forces(chain))
+    except ZeroDivisionError:
+        return None
+    return None if any(are_zero(tree.graph, [pivot for _, pivot, _ in tree.pivots])) else tree
+
+
+def worthwhile_tree(system: System, motion: Motion, kinetic: Kinetic) -> Elimination | None:
+    """The elimination along the tree, where it takes fewer operations than the matrix would."""
+    tree = tree_of(system, motion, kinetic)
+    if tree is None or count(tree.graph, tree.rates) + CHAINED * len(motion.w) >= dense_cost(tree.chain):
+        return None
+    return tree
+
+
+def dense_cost(chain: Chain) -> int:
+    """Operations of mass matrix, right side and L D L^T, by the pattern of which rates move the same forms."""
+    rates = chain.rates
+    reach = [1 << i for i in range(rates)]
+    for terms in chain.definitions:
+        mask = 0
+        for c in terms:
+            mask |= reach[c]
+        reach.append(mask)
+    rows = [1 << i for i in range(rates)]
+    for a, b in chain.weights:
+        for i in range(rates):
+            if reach[a] >> i & 1:
+                rows[i] |= reach[b]
+            if reach[b] >> i & 1:
+                rows[i] |= reach[a]
+    total = _FORCE * rates + _ENTRY * sum((rows[k] >> k).bit_count() for k in range(rates))
+    for k in range(rates):
+        below = rows[k] >> (k + 1)
+        width = below.bit_count()
+        total += 1 + 5 * width + width * (width + 1)
+        for i in range(k + 1, rates):
+            if rows[k] >> i & 1:
+                rows[i] |= below << (k + 1)
+    return total
