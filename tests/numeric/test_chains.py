@@ -15,7 +15,7 @@ from nhc.diagnostics import Source
 from nhc.mechanics.tree import Elimination
 from nhc.mechanics.tree_choice import tree_of
 from nhc.mechanics.whole_forms import whole_kinetic
-from nhc.pipeline import Model, Options, emit, model
+from nhc.pipeline import Model, Options, emit, model, reduce_scene
 from nhc.program.build import Planner
 from nhc.program.plan import factor, solve_factored
 from tests.support import error, python_model
@@ -297,3 +297,40 @@ def test_accelerations_are_those_of_the_multiplier_equations(seed: int) -> None:
         wanted.append([wanted[parent][0] + c * a - s * v * v, wanted[parent][1] + s * a + c * v * v])
     y = [x for pairs in (place[1:], speed[1:]) for pair in pairs for x in pair]
     assert error(cartesian.accelerations(0.0, y), [x for pair in wanted[1:] for x in pair]) < 1e-11
+
+
+def test_the_jacobian_is_that_of_the_right_hand_side() -> None:
+    found = python_model(next(iter(emit(Source("t.yaml", links(7, 5, "driven")), "python").values())), "links_jacobian")
+    draw = random.Random(5)
+    t, y, h = 0.4, [draw.uniform(-1, 1) for _ in range(10)], 1e-5
+    columns = []
+    for k in range(len(y)):
+        ahead, behind = list(y), list(y)
+        ahead[k], behind[k] = y[k] + h, y[k] - h
+        pair = zip(found.rhs(t, ahead), found.rhs(t, behind), strict=True)
+        columns.append([(a - b) / (2 * h) for a, b in pair])
+    expected = [x for row in zip(*columns, strict=True) for x in row]
+    assert error([x for row in found.jacobian(t, y) for x in row], expected) < 1e-7
+
+
+def test_a_scene_is_solved_from_the_leaves_too() -> None:
+    scenes = "scenes:\n  swing:\n    initial: {th1: 0.3, th4: -0.2}\n    time: [0, 1]\n    need: [th5]\n"
+    made = reduce_scene(Source("t.yaml", in_a_row(5, "rods") + scenes), Options(scene="swing"))
+    assert "x" not in made.reduction.state
+    assert made.planner.route.tree is not None
+
+
+def test_a_singular_state_is_refused() -> None:
+    """A joint without mass between two rods in line: nothing holds it across."""
+    text = "nhc: 1\nsystem: limp\ncoordinates: [a, b, c, d]\nparameters: {m: 1, l: 1}\ndefine:\n"
+    text += "  x1: l*sin(a)\n  y1: l*cos(a)\n"
+    text += "".join(
+        f"  {v}{i}: {v}{i - 1} + l*{f}({q})\n"
+        for i, q in ((2, "b"), (3, "c"), (4, "d"))
+        for v, f in (("x", "sin"), ("y", "cos"))
+    )
+    text += "T: m/2*(x2'^2 + y2'^2 + x3'^2 + y3'^2 + x4'^2 + y4'^2)\nV: m*y2\n"
+    found = python_model(next(iter(emit(Source("limp.yaml", text), "python").values())), "limp")
+    assert all(map(math.isfinite, found.rhs(0.0, [0.3, 0.9, 0.1, 0.2, 0.1, 0.2, 0.3, 0.4])))
+    with pytest.raises(ArithmeticError):
+        found.rhs(0.0, [0.3, 0.3, 0.1, 0.2, 0.1, 0.2, 0.3, 0.4])
