@@ -10,10 +10,12 @@ from collections.abc import Callable, Sequence
 
 from nhc.algebra.angles import normalise_angles
 from nhc.algebra.calculus import reachable
-from nhc.algebra.graph import ADD, MUL, NEG, POW, Graph, Node
+from nhc.algebra.graph import ADD, MUL, NEG, POW, SYM, Graph, Node
 from nhc.algebra.modular import are_zero
+from nhc.algebra.polynomial import normalise
 from nhc.algebra.shorten import shorten
 
+_FEW_TERMS = 12
 _FEW_FACTORS = 8
 Weakness = Callable[[Sequence[Node], Sequence[Node]], list[int]]
 
@@ -124,13 +126,40 @@ def row_scale(graph: Graph, block: Sequence[Sequence[Node]]) -> Node:
     return graph.product(shorten(graph, sums))
 
 
+def form_size(graph: Graph, row: Node, unknowns: int) -> Node | None:
+    """The sum of the sizes of the coefficients of a row that is linear in the symbols of a mask, found on the row's own nodes, so that
+    what rows share is measured once; None where the row is not linear by sight.
+    """
+    g = graph
+    known: dict[Node, Node] = g.memory.setdefault(f"sizes of forms {unknowns:x}", {})
+    pending = [node for node in reachable(g, [row], unknowns) if node not in known]
+    for node in pending:
+        op, moving = g.op[node], [c for c in g.kids[node] if g.deps[c] & unknowns]
+        if op == SYM:
+            known[node] = g.one
+        elif op == NEG or (op == ADD and len(moving) == 1):
+            known[node] = known[moving[0]]
+        elif op == ADD:
+            known[node] = normalise(g, g.add(known[moving[0]], known[moving[1]]), _FEW_TERMS)
+        elif op == MUL and len(moving) == 1:
+            still = g.a[node] if moving[0] == g.b[node] else g.b[node]
+            known[node] = g.mul(known[moving[0]], size_of(g, still))
+        else:
+            return None
+    return known.get(row, g.zero)
+
+
 def size_of(graph: Graph, root: Node) -> Node:
     """A bound on |root| that does not vanish with it: sines and cosines count 1, differences count as sums.
 
     A component over the length of its vector, x/sqrt(x^2 + y^2), counts 1 as well.
     """
-    size: dict[Node, Node] = {}
+    size: dict[Node, Node] = graph.memory.setdefault("sizes", {})
+    if root in size:
+        return size[root]
     for node in reachable(graph, [root]):
+        if node in size:
+            continue
         op, a, b = graph.op[node], graph.a[node], graph.b[node]
         rest = _unit_component(graph, node) if op == MUL else None
         if rest is not None:

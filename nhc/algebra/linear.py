@@ -10,12 +10,13 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import partial
 
-from nhc.algebra.blocks import Singular, Weakness, block_order, determinant_of, row_scale, solve_block
+from nhc.algebra.blocks import Singular, Weakness, block_order, determinant_of, form_size, row_scale, solve_block
 from nhc.algebra.calculus import gradient, rebuild, substitute, tangent
 from nhc.algebra.graph import ADD, MUL, NEG, POW, SYM, Graph, Node
 from nhc.algebra.modular import are_zero
 from nhc.algebra.peel import coefficients, peel
 from nhc.algebra.probe import probe_of
+from nhc.algebra.shorten import shorten
 
 __all__ = [
     "Elimination",
@@ -179,8 +180,13 @@ def solve_rows(
     known = Substitution(graph, unknowns)
     guards: list[tuple[Node, Node]] = []
 
+    mask = graph.mask(unknowns)
+
     def scale(part: Sequence[int]) -> Node:
-        return row_scale(graph, [coefficients(graph, rows[i], unknowns) for i in part])
+        sizes = [form_size(graph, rows[i], mask) for i in part]
+        if None in sizes:
+            return row_scale(graph, [coefficients(graph, rows[i], unknowns) for i in part])
+        return graph.product(shorten(graph, [size for size in sizes if size is not None]))
 
     for part, columns, block in _blocks_of(graph, rows, unknowns):
         right = [graph.neg(known.without_others(rows[i])) for i in part]

@@ -160,7 +160,7 @@ class Reader:
             top, negative = stack.pop()
             if g.op[top] == NEG:
                 stack.append((g.a[top], not negative))
-            elif g.op[top] == ADD and (negative or top not in known):
+            elif g.op[top] == ADD and (g.neg(top) if negative else top) not in known:
                 stack += [(g.b[top], negative), (g.a[top], negative)]
             elif top != g.zero:
                 yield g.neg(top) if negative else top
