@@ -14,14 +14,14 @@ from nhc.simulate.methods import STRUCTURE
 from nhc.simulate.natural import NaturalModel
 from nhc.simulate.prepare import Job, prepare
 from nhc.study.chart.case import Case, Result
-from nhc.study.chart.grid import MOST_PYTHON, PYTHON_STRIDE
+from nhc.study.chart.grid import MOST_PYTHON
 from nhc.study.chart.model import RepeatedModel, compile_natural
+from nhc.study.chart.pace import Left, Pace
 from nhc.study.chart.reference import Solution
-from nhc.study.chart.single import Bench, run_case
+from nhc.study.chart.single import Bench
 
 MOST_STEPS = 60_000
 """Fixed steps of second order beyond which a run says nothing that its coarser ones do not."""
-Left = list[tuple[str, str]]
 
 
 def prepare_natural(system: System, scene: Scene, needs: Sequence[str]) -> Job:
@@ -68,18 +68,17 @@ def run_schemes(
     for name in schemes:
         compiled = RepeatedModel(compile_natural(job, name), job) if "c" in languages else None
         bench = Bench(job.formulation.name, job, tuple(times), solution, compiled, NaturalModel(job.program))
+        pace = Pace(bench, explicit, budget)
         for language in languages:
             most = MOST_STEPS if language == "c" else MOST_PYTHON // 8  # a step of these costs several right-hand sides
             for rung, tolerance in enumerate(tolerances):
-                if language == "python" and not explicit and rung % PYTHON_STRIDE != 1:
-                    continue
                 count = count_steps(anchor * (1e-3 / tolerance) ** (1.0 / STRUCTURE[name].order), len(times) - 1)
                 if count > most:
-                    slow.append(f"{name} in {language}")
+                    slow.append(f"{name} in {'C' if language == 'c' else 'Python'}")
                     continue
                 step = abs(times[-1] - times[0]) / count
-                found.append(run_case(bench, Case(bench.name, name, language, tolerance, step), budget))
+                found += pace.run(Case(bench.name, name, language, tolerance, step), rung)
+        left += pace.left()
     if slow:
-        names = ", ".join(dict.fromkeys(slow)).replace(" in c", " in C").replace(" in python", " in Python")
-        left.append((names, "of second order: its finer tolerances take too many steps"))
+        left.append((", ".join(dict.fromkeys(slow)), "of second order: its finer tolerances take too many steps"))
     return found, left

@@ -22,9 +22,7 @@ from nhc.study.chart.case import Case, Cost, Result, Study
 from nhc.study.chart.grid import (
     LANGUAGES,
     METHODS,
-    MOST_PYTHON,
     POINTS,
-    PYTHON_STRIDE,
     SCOUT,
     STRUCTURE,
     TOLERANCES,
@@ -33,10 +31,11 @@ from nhc.study.chart.grid import (
 from nhc.study.chart.jobs import Shrunk, prepare_jobs, scene_of_needs
 from nhc.study.chart.measure import describe_machine, time_repeats
 from nhc.study.chart.model import ChartModel, LongModel, compile_chart, compile_long
+from nhc.study.chart.pace import Pace
 from nhc.study.chart.peers import PEERS, run_peer
 from nhc.study.chart.reference import METHODS as REFERENCE_METHODS
 from nhc.study.chart.reference import Solution, make_reference
-from nhc.study.chart.single import MOST, Bench, run_case
+from nhc.study.chart.single import MOST, Bench
 from nhc.study.chart.structure import prepare_natural, run_schemes
 
 Show = Callable[[float, str], None]
@@ -180,27 +179,17 @@ def run_bench(
     budget: float,
 ) -> tuple[list[Result], list[tuple[str, str]]]:
     """All cases of a formulation; what was left out, with the reason."""
-    found: list[Result] = []
-    left: list[str] = []
-    anchor = count_steps(bench)
-    for method in methods:
-        known: dict[float, Result] = {}
-        for language in languages:
-            for rung, tolerance in enumerate(tolerances):
-                if language == "python" and not explicit and rung % PYTHON_STRIDE != 1:
-                    continue
-                case = Case(bench.name, method, language, tolerance, step_of(bench, method, tolerance, anchor))
-                twin = known.get(tolerance)
-                if language == "python" and twin is not None and twin.calls + 4 * twin.jacobians > MOST_PYTHON:
-                    left.append(method)
-                    continue
-                made = run_case(bench, case, budget)
-                found.append(made)
-                if language == "c":
-                    known[tolerance] = made
-    names = ", ".join(dict.fromkeys(left))
-    why = f"its finer tolerances take more than {MOST_PYTHON} right-hand sides"
-    return found, [(f"{bench.name} with {names} in Python", why)] if left else []
+    pace, anchor = Pace(bench, explicit, budget), count_steps(bench)
+    found = [
+        result
+        for method in methods
+        for language in languages
+        for rung, tolerance in enumerate(tolerances)
+        for result in pace.run(
+            Case(bench.name, method, language, tolerance, step_of(bench, method, tolerance, anchor)), rung
+        )
+    ]
+    return found, pace.left()
 
 
 def run_peers(

@@ -1,0 +1,64 @@
+"""Which runs of a default chart are worth their time: a line of cases ends where they get too slow."""
+
+from __future__ import annotations
+
+import time
+from dataclasses import dataclass, field
+
+from nhc.study.chart.case import Case, Result
+from nhc.study.chart.grid import MOST_PYTHON, PYTHON_STRIDE
+from nhc.study.chart.single import Bench, run_case
+
+SLOW = {"c": 0.6, "python": 1.2}  # seconds of a case with its repeats, after which its line has no finer ones
+TIMES = 150.0  # the interpreter takes that many times the time of compiled code
+Left = list[tuple[str, str]]
+
+
+@dataclass
+class Pace:
+    """Runs the cases of a formulation; ``explicit``: the user named the tolerances, so that each is run."""
+
+    bench: Bench
+    explicit: bool
+    budget: float
+    slow: list[str] = field(default_factory=list)
+    many: list[str] = field(default_factory=list)
+    _ended: set[tuple[str, str]] = field(default_factory=set)
+    _twins: dict[tuple[str, float], Result] = field(default_factory=dict)
+
+    def run(self, case: Case, rung: int) -> list[Result]:
+        """The case's result; nothing where it is left out."""
+        language, line = case.language, (case.method, case.language)
+        if not self.explicit and ((language == "python" and rung % PYTHON_STRIDE != 1) or line in self._ended):
+            return []
+        twin = self._twins.get((case.method, case.tolerance))
+        if language == "python" and twin is not None and not self._may_interpret(twin):
+            self.many.append(case.method)
+            return []
+        before = time.perf_counter()
+        made = run_case(self.bench, case, self.budget)
+        if time.perf_counter() - before > SLOW[language] and not self.explicit:
+            self._ended.add(line)
+            self.slow.append(f"{case.method} in {'C' if language == 'c' else 'Python'}")
+        if language == "c":
+            self._twins[case.method, case.tolerance] = made
+        return [made]
+
+    def _may_interpret(self, twin: Result) -> bool:
+        """Whether what took that much in compiled code may be interpreted."""
+        calls = twin.calls + 4 * twin.jacobians
+        return calls <= MOST_PYTHON and (self.explicit or not TIMES * twin.best > SLOW["python"])
+
+    def left(self) -> Left:
+        """What was left out, with the reason."""
+        found = Left()
+        if self.many:
+            names = ", ".join(dict.fromkeys(self.many))
+            why = f"its finer tolerances take more than {MOST_PYTHON} right-hand sides or {SLOW['python']:g} s"
+            found.append((f"{self.bench.name} with {names} in Python", why))
+        if self.slow:
+            names = ", ".join(dict.fromkeys(self.slow))
+            found.append(
+                (f"{self.bench.name} with {names}", "its finer tolerances take too long; name them to have them run")
+            )
+        return found
