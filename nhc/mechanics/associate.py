@@ -96,10 +96,10 @@ class Projector:
         self.u = list(moved.u) if moved else substitute(g, kinetic.atoms, on_motion)
         to_motion = dict(zip(kinetic.u, self.u, strict=True))
         count = len(kinetic.u)
-        flat = [entry for row in kinetic.hessian for entry in row]
-        values = substitute(g, [*kinetic.slope, *flat], to_motion)
-        self.pi = values[:count]
-        self.hessian = [values[count + k * count : count + (k + 1) * count] for k in range(count)]
+        places = [[(j, h) for j, h in enumerate(row) if h] for row in kinetic.hessian]
+        values = iter(substitute(g, [*kinetic.slope, *(h for row in places for _, h in row)], to_motion))
+        self.pi = [next(values) for _ in range(count)]
+        self.hessian = [[(j, next(values)) for j, _ in row] for row in places]  # what is not zero, with its columns
         self._to_motion = {**on_motion, **to_motion}
         self.columns = [self.components(e) for e in motion.vectors]  # W_k(e_nu)
         seeds = {**along(system, motion.velocities), system.t: g.one}
@@ -107,7 +107,7 @@ class Projector:
         drift = moved.drift if moved else tangent(g, self.u, seeds)
         explicit = substitute(g, self._explicit_rates(), self._to_motion)
         self.pi_drift = [
-            g.add(explicit[k], g.sum([g.mul(self.hessian[k][j], drift[j]) for j in range(count)])) for k in range(count)
+            g.add(explicit[k], g.sum([g.mul(h, drift[j]) for j, h in self.hessian[k]])) for k in range(count)
         ]
         self._potential = moved.potential if moved else system.U
         self._gyro = self._add_turning(moved) if moved else []
@@ -180,10 +180,7 @@ class Projector:
     def _momenta(self, weights: Sequence[Node]) -> list[Node]:
         """h_jk W_k(e): the slopes of T by its forms, moved along e."""
         g = self.system.graph
-        return [
-            g.sum([g.mul(h, weight) for h, weight in zip(row, weights, strict=True) if weight != g.zero])
-            for row in self.hessian
-        ]
+        return [g.sum([g.mul(h, weights[j]) for j, h in row if weights[j]]) for row in self.hessian]
 
     def _gather(self, products: Iterable[Sequence[Node]]) -> Node:
         """The sum of products, with masses and speeds in front."""
