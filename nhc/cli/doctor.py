@@ -42,7 +42,7 @@ def command(as_json: bool) -> int:
         *map(_package, REQUIRED),
         *_folders(),
     ]
-    optional = [_tool(name, purpose) for name, purpose in TOOLS.items()]
+    optional = [_tool(name, purpose) for name, purpose in TOOLS.items()] + _runs()
     optional += [(f"{extra}: {row[0]}", *row[1:]) for extra, names in EXTRAS.items() for row in map(_package, names)]
     well = all(found for _, found, _ in needed)
     if as_json:
@@ -79,6 +79,26 @@ def _folders() -> list[Row]:
         detail = f"{folder} ({len(gallery_paths())} specs)" if name == "specs" else str(folder)
         folders.append((name, folder.is_dir(), detail))
     return folders
+
+
+def _runs() -> list[Row]:
+    """The compiler that ``nhc run`` takes, with its flags, and the folder of compiled models with its size."""
+    from nhc.resources import cache_folder
+    from nhc.simulate.compile import find_compiler, lane_flags, machine_flags
+
+    compiler, folder = find_compiler(), cache_folder()
+    flags = " ".join(machine_flags()) or "no flags for this processor"
+    lanes = 8 if any("v4" in flag for flag in lane_flags(0)) else 4
+    found = f"{compiler}; {flags}; {lanes} lanes" if compiler else "none: runs are in Python, some hundred times slower"
+    models = [path for path in folder.glob("*/*.so")] if folder.is_dir() else []
+    files = [path for path in folder.rglob("*") if path.is_file()] if folder.is_dir() else []
+    size = f"{len(models)} compiled models, {sum(path.stat().st_size for path in files) / 1e6:.1f} MB"
+    place = next(path for path in (folder, *folder.parents) if path.exists())
+    writable = os.access(place, os.W_OK) and place.is_dir()
+    return [
+        ("compiler of runs", bool(compiler), found),
+        ("cache of runs", writable, f"{folder} ({size if writable else 'cannot be written'})"),
+    ]
 
 
 def _tool(name: str, purpose: str) -> Row:

@@ -44,6 +44,7 @@ def run_starts(
     target: Path | None,
 ) -> int:
     """Read the table, integrate every start, write one CSV."""
+    from nhc.cli.run import Progress
     from nhc.language import decode
     from nhc.simulate.ensemble import run_ensemble
     from nhc.simulate.opening import RunError, open_scene
@@ -57,7 +58,11 @@ def run_starts(
         raise Failure(str(error), error.help, exit=Exit.FAILED) from error
     if not scene:
         say(f"taking the scene `{job.scene.name}`")
-    found = run_ensemble(job, starts, settings)
+    bar = Progress(0.0, 1.0, "")
+    try:
+        found = run_ensemble(job, starts, settings, bar.show)
+    finally:
+        bar.clear()
     for note in found.notes:
         say(f"note: {note}")
     return _deliver(found, target)

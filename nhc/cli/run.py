@@ -232,8 +232,8 @@ class Progress:
 
     WIDTH = 30
 
-    def __init__(self, start: float, end: float) -> None:
-        self.start, self.end = start, end
+    def __init__(self, start: float, end: float, what: str = "t") -> None:
+        self.start, self.end, self.what = start, end, what
         self.began = time.monotonic()
         self.wanted = sys.stderr.isatty()
         self.shown = False
@@ -244,7 +244,8 @@ class Progress:
             return
         part = min(max((t - self.start) / (self.end - self.start), 0.0), 1.0)
         full = round(part * self.WIDTH)
-        sys.stderr.write(f"\r[{'#' * full}{'.' * (self.WIDTH - full)}] {100 * part:3.0f} %  t = {t:.6g} ")
+        where = f"{self.what} = {t:.6g}" if self.what else ""
+        sys.stderr.write(f"\r[{'#' * full}{'.' * (self.WIDTH - full)}] {100 * part:3.0f} %  {where} ")
         sys.stderr.flush()
         self.shown = True
 

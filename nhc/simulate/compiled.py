@@ -29,11 +29,11 @@ class _Task(ctypes.Structure):
 
 
 class _News(ctypes.Structure):
-    _fields_ = (("t", ctypes.c_double), ("stop", ctypes.c_int))
+    _fields_ = (("t", ctypes.c_double), ("stop", ctypes.c_int), ("done", ctypes.c_long))
 
 
 class CompiledNews(News):
-    """The same two values where C sees them."""
+    """The same values where C sees them."""
 
     def __init__(self) -> None:
         self.shared = _News()
@@ -53,6 +53,14 @@ class CompiledNews(News):
     @stop.setter
     def stop(self, value: bool) -> None:
         self.shared.stop = int(value)
+
+    @property
+    def done(self) -> int:
+        return int(self.shared.done)
+
+    @done.setter
+    def done(self, value: int) -> None:
+        self.shared.done = value
 
 
 class CompiledModel:

@@ -38,7 +38,7 @@ def run_ensemble(job: Job, starts: Sequence[Start], settings: Settings, show: Sh
     """Integrate a job with a whole state from each start; one of nhc's Runge-Kutta methods, with its own or given steps.
 
     Several starts run side by side, each with its own steps; a start that fails does not keep the others from running.
-    Ctrl-C stops it and keeps the starts before the first that is not done.
+    Ctrl-C stops it and keeps the starts before the first that is not done.  ``show`` is told the part that is done.
     """
     tolerance = settings.tolerance or job.tolerance
     method = first_method(tolerance) if settings.method == AUTO else settings.method
@@ -49,7 +49,8 @@ def run_ensemble(job: Job, starts: Sequence[Start], settings: Settings, show: Sh
     news = model.news()
     news.t = times[0]
     before = time.perf_counter()
-    outcomes = wait_for(lambda: _integrate_each(model, task, method, jobs, news), news, show)
+    told = None if show is None else lambda _: show(news.done / len(starts))
+    outcomes = wait_for(lambda: _integrate_each(model, task, method, jobs, news), news, told)
     seconds = time.perf_counter() - before
     members = (
         collect(one, method, model, task, outcome, seconds, ())
@@ -81,4 +82,5 @@ def _integrate_each(model: Model, task: Task, method: str, jobs: Sequence[Job], 
         if outcome.kind == STOPPED:
             break
         found.append(outcome)
+        news.done = len(found)
     return found

@@ -44,11 +44,12 @@ class Outcome:
 
 
 class News:
-    """Shared between the integration and whoever waits for it: the time reached, and a wish to stop."""
+    """Shared with whoever waits for the integration: the time reached, a wish to stop, and of many starts how many ended."""
 
     def __init__(self) -> None:
         self.t = 0.0
         self.stop = False
+        self.done = 0
 
 
 class ModelError(ArithmeticError):

@@ -50,3 +50,26 @@ def test_requirements_and_extras_are_those_of_the_package(root: Path) -> None:
     text = (root / "pyproject.toml").read_text()
     for name in (*REQUIRED, *(package for packages in EXTRAS.values() for package in packages)):
         assert f'"{name}>=' in text
+
+
+def test_the_cache_and_the_compiler_of_runs_are_named(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setenv("NHC_CACHE", str(tmp_path / "models"))
+    assert main(["doctor"]) == 0
+    assert f"{tmp_path / 'models'} (0 compiled models, 0.0 MB)" in capsys.readouterr().out
+    entry = tmp_path / "models" / "0123"
+    entry.mkdir(parents=True)
+    (entry / "a_run.so").write_bytes(bytes(1_500_000))
+    (entry / "a_run.c").write_bytes(bytes(100_000))
+    assert main(["doctor", "--json"]) == 0
+    rows = {row["name"]: row for row in json.loads(capsys.readouterr().out)["optional"]}
+    assert rows["cache of runs"]["found"] and "(1 compiled models, 1.6 MB)" in rows["cache of runs"]["detail"]
+    monkeypatch.setenv("NHC_CACHE", str(entry / "a_run.so" / "below"))
+    assert main(["doctor"]) == 0
+    assert "cannot be written" in capsys.readouterr().out
+    monkeypatch.setenv("PATH", "")
+    monkeypatch.delenv("CC", raising=False)
+    assert main(["doctor", "--json"]) == 0
+    rows = {row["name"]: row for row in json.loads(capsys.readouterr().out)["optional"]}
+    assert not rows["compiler of runs"]["found"] and "runs are in Python" in rows["compiler of runs"]["detail"]

@@ -5,6 +5,11 @@ from __future__ import annotations
 import csv
 import io
 import math
+import os
+import signal
+import subprocess
+import sys
+import time
 from pathlib import Path
 
 import pytest
@@ -17,7 +22,7 @@ from nhc.simulate.opening import open_scene
 from nhc.simulate.prepare import move_start
 from nhc.simulate.run import Settings, run
 from nhc.simulate.starts import list_starts, read_starts
-from tests.support import COMPILER, spec_path
+from tests.support import COMPILER, ROOT, spec_path
 
 SLEIGH = "theta,w,m\n0,1.3,1\n0.5,1.2,2\n1,,1.5\n"
 
@@ -152,3 +157,24 @@ def test_failures_are_told_by_row(how: tuple[str, ...], tmp_path: Path, capsys: 
     assert [row[0] for row in rows] == [1, 1, 4, 4] and math.isclose(rows[1][2], -rows[3][2], rel_tol=1e-12)
     code, out, _ = call(capsys, str(spec), "--ensemble", str(table), *how)
     assert (code, out) == (3, "")
+
+
+@pytest.mark.skipif(COMPILER is None, reason="no C compiler")
+@pytest.mark.parametrize("how", [(), ("--python",)])
+def test_an_interrupt_keeps_the_starts_that_are_done(how: tuple[str, ...], tmp_path: Path) -> None:
+    """SIGINT to the process: exit code 130, a partial file with whole starts only, and a message."""
+    table, target = tmp_path / "starts.csv", tmp_path / "out.csv"
+    spec = tmp_path / "long.yaml"
+    spec.write_text(BLOW_UP.replace("-k*x^4", "k*x^4").replace("1.8]", "100]" if how else "100000]"))
+    count = 2_000
+    table.write_text("x\n" + "".join(f"{1 + k / count!r}\n" for k in range(count)))
+    command = [sys.executable, "-m", "nhc", "run", str(spec), "--ensemble", str(table), "-o", str(target), *how]
+    process = subprocess.Popen(command, cwd=ROOT, stderr=subprocess.PIPE, text=True, env={**os.environ})
+    time.sleep(8)
+    process.send_signal(signal.SIGINT)
+    _, err = process.communicate(timeout=120)
+    assert process.returncode == 130 and f"of {count} starts" in err and "interrupted after" in err, err
+    assert not target.exists()
+    _, rows = rows_of((tmp_path / "out.partial.csv").read_text())
+    done = int(err.split("interrupted after ")[1].split()[0])
+    assert 0 < done < count and [row[0] for row in rows] == [k for k in range(1, done + 1) for _ in range(2)]
