@@ -98,7 +98,12 @@ def command(
         raise Failure(str(error), error.help) from error
     _deliver(found, question, target, as_json)
     if found.failed:
-        raise Failure(f"the scene cannot be studied: {found.failed}", exit=Exit.NUMERICAL)
+        advice = (
+            [f"`nhc run` {found.conduct[-1]}"] if found.conduct and found.conduct[-1].startswith("it stops") else []
+        )
+        if found.conduct and not advice:
+            advice = ["`nhc run` ends this scene in other formulations: leave `--formulation` out"]
+        raise Failure(f"the scene cannot be studied: {found.failed}", advice, exit=Exit.NUMERICAL)
     if question.sweep is not None and (found.motion is None or found.motion.swept is None):
         why = dict(found.missing).get("steady motion", "no steady motion")
         raise Failure(f"nothing to sweep: {why}", ["give a steady motion with `--about`"], exit=Exit.NUMERICAL)

@@ -25,8 +25,9 @@ from nhc.program.plan import FunctionPlan, Target
 
 NOTHING = Fraction(1, 10**12)
 """Of the scale: less is singular.  An angle's sine, squared in a mass matrix, is 1e-6 there."""
-WEAK = (Fraction(3, 100), Fraction(1, 100), Fraction(3, 1000))
-"""Of a determinant's scale: levels at which a run looks for another formulation."""
+WEAK = tuple(Fraction(1, k) for k in (33, 100, 333, 1000, 10000))
+"""Of a determinant's scale: levels at which a run looks for another formulation; the scale may be far too large."""
+DEEP = Fraction(1, 333)
 THIN = (Fraction(1, 10**4),)
 """The same of a square's scale."""
 _LARGE = 400  # operations beyond which a pivot is not followed
@@ -36,7 +37,7 @@ _T = Argument("t", -1)
 
 @dataclass(frozen=True)
 class Watch:
-    """``about[k]`` says what value k is, ``kinds[k]`` is event, frame, mass or rank, and deep for a frame's last level.
+    """``about[k]`` says what value k is, ``kinds[k]`` is event, frame, mass or rank, and deep for a frame's lower levels.
 
     ``events``, ``signs``, ``close`` count the user's events, the determinants, and the values that tell a singularity by
     closeness; those after them tell weakness.
@@ -94,7 +95,7 @@ def watch_function(
     for measure, level in levels:
         nodes.append(_distance(planner, measure, level))
         about.append(measure.what)
-        kinds.append("deep" if level == WEAK[-1] else measure.kind)
+        kinds.append("deep" if NOTHING < level <= DEEP and not measure.squared else measure.kind)
     if not nodes:
         return None, Watch()
     watch = Watch(tuple(about), tuple(kinds), len(events), len(signs), close)

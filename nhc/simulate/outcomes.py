@@ -35,6 +35,15 @@ def describe_outcome(job: Job, outcome: Outcome) -> tuple[str, str]:
     return "failed", reasons.get(outcome.kind, "it fails")
 
 
+def name_outcome(job: Job, outcome: Outcome) -> str:
+    """Why a run does not end, in a few words."""
+    if outcome.kind == CROSSED:
+        return job.watch.about[outcome.status]
+    if outcome.kind == NO_SOLUTION:
+        return "Newton's iteration does not converge"
+    return describe_outcome(job, outcome)[1].partition(":")[0]
+
+
 def _describe_crossing(job: Job, index: int) -> str:
     """What it means that a watched value changed its sign."""
     watch = job.watch

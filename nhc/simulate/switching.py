@@ -19,6 +19,8 @@ from nhc.simulate.pacing import Pace
 from nhc.simulate.prepare import Job, Recipe
 from nhc.simulate.task import CROSSED, DONE, SINGULAR, Outcome, Task
 
+SOUND = 0.03
+"""Conditioning from which nothing is said."""
 TOLD = 6  # changes that are told one by one
 _FRAME = ("frame", "deep")
 _NEAR = {
@@ -114,7 +116,7 @@ class Follower:
         found = self._find(job, recipe, outcome) if kind in _FRAME and sound else None
         if found is not None:
             return found
-        if weak and kind in _NEAR and _comes_near(leg):
+        if weak and kind in _NEAR and _comes_near(leg) and not (kind == "deep" and self._is_sound(leg, recipe)):
             self._warn(leg, kind)
         return job if weak else None
 
@@ -141,6 +143,11 @@ class Follower:
         made = make_job(recipe, found.system, found.formulation, job)
         self.jobs.append(made)
         return made
+
+    def _is_sound(self, leg: Leg, recipe: Recipe) -> bool:
+        """Whether the coframe is well conditioned although its determinant is small against what its entries allow."""
+        place = place_of(leg.job, recipe, leg.outcome)
+        return place is not None and conditioning(leg.job.system, leg.job.formulation, place) >= SOUND
 
     def _warn(self, leg: Leg, kind: str) -> None:
         line = f"{_NEAR[kind]}: digits are lost there"

@@ -29,14 +29,14 @@ from nhc.simulate.natural import NaturalModel
 from nhc.simulate.outcomes import describe_outcome
 from nhc.simulate.prepare import Job, prepare
 from nhc.simulate.run import LEAST_TOLERANCE, SAFETY, list_times
-from nhc.simulate.source import write_source
+from nhc.simulate.source import write_natural, write_source
 from nhc.simulate.task import DONE, Outcome, Task
 from nhc.study.steady import Matrix
 
 ROWS = 201
-MOST, MOST_INTERPRETED, MOST_NATURAL = 2_000_000, 20_000, 500
-"""Steps that one run may take: in C, in Python, and by a structure-preserving method in Python."""
-_MOST_SCHEMES = 6  # coordinates up to which structure-preserving methods are tried: they run in Python
+MOST, MOST_INTERPRETED, MOST_NATURAL = 2_000_000, 20_000, (20_000, 500)
+"""Steps that one run may take: in C, in Python, and by a structure-preserving method in C and in Python."""
+_MOST_SCHEMES = 6  # coordinates up to which structure-preserving methods are tried
 _MOST_MASS = 12  # coordinates up to which the mass matrix is looked at
 
 
@@ -48,7 +48,7 @@ class NotRun(ArithmeticError):
 class Bench:
     """``job`` computes all ``columns`` as its needed quantities; ``conserved`` is what the system was found to keep.
 
-    ``natural`` runs the structure-preserving ``schemes`` where the system has the structure for them.
+    ``schemes`` are the structure-preserving methods that the system has the structure for, each with its model.
     """
 
     equations: Equations
@@ -59,8 +59,7 @@ class Bench:
     columns: tuple[Column, ...]
     conserved: Conserved
     notes: tuple[str, ...]
-    natural: NaturalModel | None
-    schemes: tuple[str, ...]
+    schemes: dict[str, CompiledModel | NaturalModel]
 
     @property
     def duration(self) -> float:
@@ -69,7 +68,7 @@ class Bench:
     def most(self, method: str) -> int:
         """Steps that one run of a method may take."""
         if method in STRUCTURE:
-            return MOST_NATURAL
+            return MOST_NATURAL[0 if self.model.compiled else 1]
         return MOST if self.model.compiled else MOST_INTERPRETED
 
     def integrate(
@@ -84,7 +83,7 @@ class Bench:
         """One run; ``tolerance`` 0 is what ``nhc run`` takes for the scene."""
         wanted = tolerance or max(SAFETY * self.job.tolerance, LEAST_TOLERANCE)
         task = Task(self.job.p, self.job.y if y is None else y, times, wanted, step, most=most or self.most(method))
-        model = self.natural if method in STRUCTURE and self.natural is not None else self.model
+        model = self.schemes.get(method, self.model)
         return model.integrate(task, method, model.news())
 
     def quantities(self, times: Sequence[float], states: Sequence[Sequence[float]]) -> Matrix:
@@ -179,21 +178,32 @@ def open_bench(equations: Equations, formulation: Formulation, start: Start, com
     functions = tuple(needed if f.name == "needed" else f for f in job.program.functions)
     job = replace(job, program=replace(job.program, functions=functions), columns=tuple(columns), checks=())
     model, notes = _load(job, compiled)
-    natural, schemes = _natural(planner, job)
-    return Bench(equations, formulation, start, job, model, tuple(columns), kept, notes, natural, schemes)
+    schemes = _schemes(planner, job, columns[:1], model.compiled)
+    return Bench(equations, formulation, start, job, model, tuple(columns), kept, notes, schemes)
 
 
-def _natural(planner: Planner, job: Job) -> tuple[NaturalModel | None, tuple[str, ...]]:
-    """The model of the structure-preserving methods, and their names, where the system is a natural one."""
+def _schemes(
+    planner: Planner, job: Job, columns: Sequence[Column], compiled: bool
+) -> dict[str, CompiledModel | NaturalModel]:
+    """The structure-preserving methods, where the system is a natural one; their models give ``columns`` only."""
     if planner.system.n > _MOST_SCHEMES:
-        return None, ()
+        return {}
     structure = structure_of(planner)
     if structure.lacking:
-        return None, ()
-    needed = tuple(f for f in job.program.functions if f.name == "needed")
-    functions = needed + structure.functions + build_functions(planner, ("velocities", "state"))
-    schemes = tuple(s.name for s in STRUCTURE.values() if structure.constant_mass or not s.constant_mass)
-    return NaturalModel(replace(job.program, functions=functions)), schemes
+        return {}
+    functions = (needed_function(planner, columns), *structure.functions)
+    program = replace(job.program, functions=functions + build_functions(planner, ("velocities", "state")))
+    schemes = [s for s in STRUCTURE.values() if structure.constant_mass or not s.constant_mass]
+    if not compiled:
+        slow = NaturalModel(program)
+        return {scheme.name: slow for scheme in schemes}
+    unit = f"{program.system}_run.c"
+    return {
+        scheme.name: CompiledModel(
+            build(write_natural(program, scheme), unit), program.system, len(job.y), len(columns)
+        )
+        for scheme in schemes
+    }
 
 
 def _load(job: Job, compiled: bool) -> tuple[CompiledModel | InterpretedModel, tuple[str, ...]]:

@@ -7,7 +7,7 @@ values of matrices whose rows have length 1, smallest eigenvalues of mass matric
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -22,13 +22,14 @@ NEAR = 0.03
 
 @dataclass(frozen=True)
 class Distance:
-    """``least`` along the scene, reached at ``t``; ``series`` over the scene's rows."""
+    """``least`` along the scene, reached at ``t``; ``series`` over the scene's rows; ``used``: the run rests on it."""
 
     what: str
     kind: str
     least: float
     t: float
     series: tuple[float, ...]
+    used: bool = True
 
 
 def distances(bench: Bench) -> tuple[Distance, ...]:
@@ -75,7 +76,7 @@ def _dependent(bench: Bench, rows: Matrix) -> list[Distance]:
     names = ", ".join(f"{system.q_names[i]}'" for i in choice)
     used = bench.formulation.dependent is not None
     series = [relative_determinant(a.tolist(), choice) for a in rows]
-    return [_of(bench, f"solving for {names}{'' if used else ' (not used)'}", "dependent", series)]
+    return [replace(_of(bench, f"solving for {names}{'' if used else ' (not used)'}", "dependent", series), used=used)]
 
 
 def smallest_singular(matrix: Matrix) -> float:

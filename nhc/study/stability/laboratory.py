@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TypeVar
 
 from nhc.mechanics.associate import Equations
@@ -11,7 +11,8 @@ from nhc.mechanics.choose import Formulation
 from nhc.mechanics.scenes import Start, start_of
 from nhc.simulate.opening import find_scene
 from nhc.study.stability.bench import Bench, open_bench
-from nhc.study.stability.distance import Distance, distances
+from nhc.study.stability.conduct import conduct
+from nhc.study.stability.distance import NEAR, Distance, distances
 from nhc.study.stability.drift import LENGTHS, LongRun, long_run
 from nhc.study.stability.motions import Motion, Search, steady_motion
 from nhc.study.stability.sensitivity import Sensitivity, sensitivity
@@ -19,6 +20,8 @@ from nhc.study.stability.stepsize import Spectrum, StepLimit, spectrum, step_lim
 
 Found = TypeVar("Found")
 _PLACES = 6
+STIFF = 1e3
+"""Stiffness ratio from which an implicit method is advised."""
 
 
 @dataclass(frozen=True)
@@ -41,7 +44,7 @@ class Question:
 class Laboratory:
     """What was found; a study that could not be done is None or empty and ``missing`` says why, as (study, reason).
 
-    ``failed``: the reason why the scene itself does not run, or empty.
+    ``failed``: the reason why the scene itself does not run, or empty; ``conduct``: what ``nhc run`` does about what was found.
     """
 
     bench: Bench
@@ -53,6 +56,7 @@ class Laboratory:
     distances: tuple[Distance, ...]
     missing: tuple[tuple[str, str], ...]
     failed: str
+    conduct: tuple[str, ...] = ()
 
     @property
     def stiffness(self) -> float | None:
@@ -83,7 +87,7 @@ def examine(equations: Equations, formulation: Formulation, question: Question) 
     bench = open_bench(equations, formulation, start_of(system, scene), question.compiled)
     motion = attempt("steady motion", lambda: _motion(bench, question))
     if attempt("scene", lambda: bench.table) is None:
-        return Laboratory(bench, motion, None, (), (), None, (), tuple(missing), missing[-1][1])
+        return Laboratory(bench, motion, None, (), (), None, (), tuple(missing), missing[-1][1], conduct(bench))
     along = attempt("eigenvalues along the scene", lambda: spectrum(bench))
     limits = step_limits(bench, along) if along is not None else ()
     runs = [long_run(bench, lengths=question.lengths)]
@@ -92,7 +96,9 @@ def examine(equations: Equations, formulation: Formulation, question: Question) 
         runs.append(long_run(bench, "rk4", min(step, bench.duration / 25) / 4, question.lengths))
     growth = attempt("sensitivity", lambda: sensitivity(bench))
     near = attempt("distances", lambda: distances(bench)) or ()
-    return Laboratory(bench, motion, along, limits, tuple(runs), growth, near, tuple(missing), "")
+    found = Laboratory(bench, motion, along, limits, tuple(runs), growth, near, tuple(missing), "")
+    troubled = (found.stiffness or 0.0) > STIFF or any(d.least < NEAR for d in near if d.used)
+    return replace(found, conduct=conduct(bench)) if troubled else found
 
 
 def _motion(bench: Bench, question: Question) -> Motion:

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from nhc.simulate.methods import RUNGE_KUTTA, STRUCTURE
 from nhc.simulate.methods.tableau import Explicit, Tableau
+from nhc.simulate.outcomes import name_outcome
 from nhc.simulate.run import list_times
 from nhc.simulate.task import DONE
 from nhc.study.stability.bench import Bench
@@ -144,7 +145,7 @@ def measure(bench: Bench, method: str, guess: float) -> tuple[float, str]:
     def fails(step: float) -> str:
         outcome = bench.integrate(method, times, step=step)
         if outcome.kind != DONE:
-            return bench.reason(outcome)
+            return name_outcome(bench.job, outcome)
         states = np.array(outcome.states)
         if not np.all(np.isfinite(states)) or np.any(np.max(np.abs(states), axis=0) > limits):
             return f"the motion leaves {GROWTH:.0f} times its size"

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from typing import Any
 
 from nhc.study.linearize import Sweep, eigenvalues, verdict
-from nhc.study.stability.distance import NEAR
+from nhc.study.stability.distance import NEAR, Distance
 from nhc.study.stability.drift import LongRun
-from nhc.study.stability.laboratory import Laboratory
+from nhc.study.stability.laboratory import STIFF, Laboratory
 from nhc.study.stability.motions import SINGULAR, Motion
 from nhc.study.stability.sensitivity import Sensitivity
 
@@ -41,6 +41,7 @@ def sections(lab: Laboratory) -> tuple[Section, ...]:
         *(Section(title, tuple(rows)) for title, rows in _drifts(lab)),
         Section("sensitivity to the start", tuple(_sensitivity(lab))),
         Section("distance from singular points (0: singular)", tuple(_distances(lab))),
+        Section("what `nhc run` does on this scene", tuple(Row(line, "") for line in lab.conduct)),
         Section("not done", tuple(Row(name, "", why) for name, why in lab.missing)),
     ]
     return tuple(part for part in parts if part.rows)
@@ -110,7 +111,7 @@ def _spectrum(lab: Laboratory) -> list[Row]:
     found, stiff = lab.spectrum, lab.stiffness
     if found is None or stiff is None:
         return []
-    remark = "stiff: take radau5" if stiff > 1e3 else "not stiff"
+    remark = "stiff: take radau5" if stiff > STIFF else "not stiff"
     return [
         Row("fastest |lambda|", f"{found.fastest:.4g}", f"{found.fastest * lab.bench.duration:.4g} per scene"),
         Row("fastest decay", f"{found.decay:.4g}"),
@@ -154,6 +155,7 @@ def _sensitivity(lab: Laboratory) -> list[Row]:
     if found is None:
         return []
     law = f"exp({found.rate:.3g} t)" if found.law == "exponential" else f"t^{found.rate:.2g}"
+    law = law if found.rate > 0 else "nothing: it decays"
     horizon = "far beyond the scene" if math.isinf(found.horizon) else f"about t = {found.horizon:.4g}"
     return [
         Row("largest growth", f"{max(found.norms):.4g}", "of relative perturbations, at any time of the scene"),
@@ -164,9 +166,20 @@ def _sensitivity(lab: Laboratory) -> list[Row]:
 
 
 def _distances(lab: Laboratory) -> list[Row]:
+    sound = any(d.kind == "frame" and d.least >= NEAR for d in lab.distances)  # a divisor's scale may be far too large
     return [
-        Row(d.what, f"{d.least:.4g}", f"at t = {d.t:.6g}" + (", weak" if d.least < NEAR else "")) for d in lab.distances
+        Row(
+            d.what,
+            f"{d.least:.4g}",
+            f"at t = {d.t:.6g}" + (", weak" if d.least < NEAR and not _is_small(d, sound) else ""),
+        )
+        for d in lab.distances
     ]
+
+
+def _is_small(d: Distance, sound: bool) -> bool:
+    """Whether a divisor is small against its scale only, and not where the coframe is weak."""
+    return d.kind == "guard" and sound
 
 
 def tree(lab: Laboratory) -> dict[str, Any]:
@@ -193,6 +206,7 @@ def tree(lab: Laboratory) -> dict[str, Any]:
         "drift": [_drift_tree(run) for run in lab.runs],
         "sensitivity": _growth_tree(lab.sensitivity),
         "distances": [{"what": d.what, "kind": d.kind, "least": d.least, "t": d.t} for d in lab.distances],
+        "conduct": list(lab.conduct),
         "missing": [{"study": name, "why": why} for name, why in lab.missing],
     }
 
