@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from nhc.diagnostics import Span
 from nhc.records import record
 
@@ -16,7 +18,7 @@ class Text:
     value: str
     span: Span
     plain: bool
-    offsets: tuple[int, ...] = ()
+    offsets: Sequence[int] = ()
 
     def locate(self, start: int, end: int) -> Span:
         """Return the place of a part of the text; the whole text where the parts have no places of their own."""

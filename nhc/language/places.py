@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 
-def align(text: str, start: int, end: int, value: str, style: str) -> tuple[int, ...]:
+
+def align(text: str, start: int, end: int, value: str, style: str) -> Sequence[int]:
     """Return the offset in ``text`` of each character of a scalar's ``value``, and one for its end.
 
     ``[start, end)`` is the scalar's place with its quotes or block header. Line folding only trades white space, so all
@@ -15,7 +17,7 @@ def align(text: str, start: int, end: int, value: str, style: str) -> tuple[int,
         line = text.find("\n", start)
         start = line + 1 if 0 <= line < end else end
     elif text[start:end] == value:
-        return tuple(range(start, end + 1))
+        return range(start, end + 1)
     if style == '"' and "\\" in text[start:end]:
         return ()
     offsets: list[int] = []

@@ -106,16 +106,22 @@ def fold_tree(root: Syntax, visit: Callable[[Syntax, tuple[R, ...]], R]) -> R:
     stack: list[tuple[Syntax, bool]] = [(root, False)]
     while stack:
         node, ready = stack.pop()
-        parts = children(node)
-        if not ready and parts:
+        if isinstance(node, Name | Number | Differential):
+            results.append(visit(node, ()))
+        elif ready:
+            count = len(node.arguments) if isinstance(node, Call) else 2 if isinstance(node, Binary) else 1
+            values = tuple(results[len(results) - count :]) if count else ()
+            if count:
+                del results[len(results) - count :]
+            results.append(visit(node, values))
+        else:
             stack.append((node, True))
-            stack.extend((part, False) for part in reversed(parts))
-            continue
-        count = len(parts)
-        values = tuple(results[len(results) - count :]) if count else ()
-        if count:
-            del results[len(results) - count :]
-        results.append(visit(node, values))
+            if isinstance(node, Binary):
+                stack += ((node.right, False), (node.left, False))
+            elif isinstance(node, Call):
+                stack += [(part, False) for part in reversed(node.arguments)]
+            else:
+                stack.append((node.operand, False))
     return results[0]
 
 

@@ -13,6 +13,12 @@ from .names import continues_name, fold, is_folded, starts_name
 LONGEST = 100_000  # characters of an expression
 _NUMBER = re.compile(r"(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
 _SIGNS = {"**": "^", "+": "+", "-": "-", "*": "*", "/": "/", "^": "^", "(": "(", ")": ")", ",": ",", "=": "="}
+# a name in ASCII, a number that nothing continues, or a sign: nearly every word; the others are read with more care
+_PLAIN = re.compile(
+    r"[ \t\n\r]*(?:([A-Za-z_][A-Za-z_0-9]*)(?![A-Za-z_0-9]|[^\x00-\x7f])"
+    r"|((?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)(?![0-9._eE])"
+    r"|(\*\*|[-+*/^(),=]))"
+)
 _INSTEAD = {
     "\u2212": "write `-`",
     "\u2013": "write `-`",
@@ -63,6 +69,13 @@ def tokenise(text: str, locate: Locate) -> Iterator[Token]:
     """Yield the words of a text and an ``end``; raises ``ExpressionError`` at what is no word."""
     at, size = 0, len(text)
     while at < size:
+        found = _PLAIN.match(text, at)
+        if found is not None:
+            at, group = found.end(), found.lastindex or 0
+            word = found.group(group)
+            kind = "name" if group == 1 else "number" if group == 2 else _SIGNS[word]
+            yield Token(kind, word, found.start(group), at)
+            continue
         character = text[at]
         if character in " \t\n\r":
             at += 1

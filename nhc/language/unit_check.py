@@ -13,10 +13,10 @@ from .syntax import Binary, Call, Differential, Name, Negate, Number, Prime, Syn
 from .units import ENERGY, ONE, SECOND, Dimension, multiply, parse_unit, raise_to, show
 
 _SAME = ("abs", "min", "max")  # functions whose value has the dimension of their arguments
-_PER_SECOND = raise_to(SECOND, Fraction(-1))
-_PER_SECOND_2 = raise_to(SECOND, Fraction(-2))
+_PER_SECOND = raise_to(SECOND, -1)
+_PER_SECOND_2 = raise_to(SECOND, -2)
 # an energy, or all of the mechanics divided by a mass or by a moment of inertia, which leaves the motion as it is
-_KINETIC = (ENERGY, multiply(raise_to(parse_unit("m"), Fraction(2)), _PER_SECOND_2), _PER_SECOND_2)
+_KINETIC = (ENERGY, multiply(raise_to(parse_unit("m"), 2), _PER_SECOND_2), _PER_SECOND_2)
 
 
 @record
@@ -79,7 +79,7 @@ class _Checker:
         elif left.dimension is None or right.dimension is None:
             result = _UNKNOWN
         else:
-            other = right.dimension if node.op == "*" else raise_to(right.dimension, Fraction(-1))
+            other = right.dimension if node.op == "*" else raise_to(right.dimension, -1)
             result = _Quantity(multiply(left.dimension, other), left.any or (right.any and node.op == "*"))
         return _Quantity(result.dimension, result.any, _combine(node.op, left.number, right.number))
 

@@ -5,13 +5,14 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import cache
 
 _BASE = ("m", "kg", "s", "A", "K", "mol", "cd")
-Dimension = tuple[Fraction, ...]  # the powers of metre, kilogram, second, ampere, kelvin, mole, candela
+Dimension = tuple[int | Fraction, ...]  # the powers of metre, kilogram, second, ampere, kelvin, mole, candela
 
 
 def _dimension(m: int = 0, kg: int = 0, s: int = 0, A: int = 0, K: int = 0, mol: int = 0, cd: int = 0) -> Dimension:
-    return tuple(Fraction(power) for power in (m, kg, s, A, K, mol, cd))
+    return m, kg, s, A, K, mol, cd
 
 
 ONE = _dimension()
@@ -72,14 +73,17 @@ class UnitError(Exception):
         self.help = help
 
 
+@cache
 def multiply(left: Dimension, right: Dimension) -> Dimension:
     """Return the dimension of a product."""
     return tuple(first + second for first, second in zip(left, right, strict=True))
 
 
-def raise_to(base: Dimension, power: Fraction) -> Dimension:
+@cache
+def raise_to(base: Dimension, power: int | Fraction) -> Dimension:
     """Return the dimension of a power."""
-    return tuple(part * power for part in base)
+    raised = [part * power for part in base]
+    return tuple(part.numerator if part.denominator == 1 else part for part in raised)
 
 
 def show(dimension: Dimension) -> str:
@@ -90,7 +94,7 @@ def show(dimension: Dimension) -> str:
     return "/".join(["*".join(above) or "1", *below])
 
 
-def _power(name: str, power: Fraction) -> str:
+def _power(name: str, power: int | Fraction) -> str:
     if power == 1:
         return name
     return f"{name}^{power}" if power.denominator == 1 else f"{name}^({power})"
@@ -150,17 +154,17 @@ def parse_unit(text: str) -> Dimension:
     for index, word in enumerate(words):
         follower = words[index + 1].text if index + 1 < len(words) else ""
         if word.kind == "unit":
-            last = raise_to(_unit(word.text, word.start), Fraction(sign))
+            last = raise_to(_unit(word.text, word.start), sign)
             total, sign, wants = multiply(total, last), 1, False
         elif word.text == "(":
             stack.append((total, sign))
             total, sign, wants = ONE, 1, True
         elif word.text == ")" and stack and not wants:
             before, sign = stack.pop()
-            last = raise_to(total, Fraction(sign))
+            last = raise_to(total, sign)
             total, sign = multiply(before, last), 1
         elif word.kind == "power" and not wants:
-            power = Fraction({"\u00b2": 2, "\u00b3": 3}.get(word.text) or int(word.text))
+            power = {"\u00b2": 2, "\u00b3": 3}.get(word.text) or int(word.text)
             total = multiply(total, raise_to(last, power - 1))
         elif word.text in ("^", "**") and not wants and follower.lstrip("+-").isdigit():
             continue
