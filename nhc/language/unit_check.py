@@ -176,7 +176,9 @@ def check_units(spec: Spec, bag: Bag) -> None:
     Time is in seconds, numbers have no unit, 0 fits everything. T must be an energy (or an energy per mass or per
     moment of inertia), U and V the same as T, and a force times its coordinate too.
     """
-    if not all(unit for _, unit in _units(spec)):
+    turned = {name for rotation in spec.rotations for name in rotation.coordinates}
+    units = [unit for name, unit in _units(spec) if name not in turned]
+    if not units or not all(units):
         return
     checker = _Checker(spec, bag)
     values: dict[str, Syntax] = {item.name: item.value for item in (*spec.definitions, *spec.quasi_velocities)}

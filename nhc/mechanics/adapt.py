@@ -18,7 +18,14 @@ from nhc.algebra.interval import cannot_vanish
 from nhc.algebra.linear import determinant_of
 from nhc.algebra.modular import rank
 from nhc.mechanics.frame import coordinate_form
-from nhc.mechanics.regularity import choose_dependent, coframe_weakness, intervals
+from nhc.mechanics.regularity import (
+    choose_dependent,
+    coframe_weakness,
+    intervals,
+    ordinary_points,
+    relative_determinant,
+    sampled_rows,
+)
 from nhc.mechanics.rotation import rows_in_base
 from nhc.mechanics.system import Form, System
 
@@ -139,8 +146,13 @@ def complete(system: System) -> tuple[tuple[Form, ...], tuple[str, ...]]:
     rows = [list(f.coefficients) for f in (*system.constraints, *forms)]
     if rank(g, rows) < len(rows):
         raise Singular
-    candidates = [_extend(system, forms, wanted, pool) for pool in _pools(system)]
-    best = min(candidates, key=lambda made: coframe_weakness(system, (*system.constraints, *made)))
+    pools = _pools(system)
+    candidates = [_extend(system, forms, wanted, pool) for pool in pools]
+    if system.rotations:
+        candidates = _in_one_order(candidates, pools[0])
+        best = min(candidates, key=lambda made: _weak_at_starts(system, made)) if candidates[1:] else candidates[0]
+    else:
+        best = min(candidates, key=lambda made: coframe_weakness(system, (*system.constraints, *made)))
     return best, tuple(_spelled(system, form) for form in best[len(forms) :] if form.name not in turning)
 
 
@@ -150,7 +162,7 @@ def _pools(system: System) -> list[list[Form]]:
     """
     every = [coordinate_form(system, j) for j in range(system.n)]
     if system.rotations:
-        return [_turning_pool(system, every)]
+        return _turning_pools(system, every)
     choices = [system.dependent] if system.dependent else []
     choices.append(choose_dependent(system).dependent)
     pools = [[every[j] for j in range(system.n) if j not in dependent] + every for dependent in choices]
@@ -160,12 +172,19 @@ def _pools(system: System) -> list[list[Form]]:
     return pools
 
 
-def _turning_pool(system: System, every: Sequence[Form]) -> list[Form]:
-    """Angular velocities first, for they are regular everywhere, then the velocities of coordinates that are no quaternion's."""
+def _turning_pools(system: System, every: Sequence[Form]) -> list[list[Form]]:
+    """Angular velocities first, then the velocities of coordinates that are no quaternion's.
+
+    Where constraints take some of the angular velocities, the order says which: each rotation's components in turn, the first
+    body's or the last one's.
+    """
     places = {k for rotation in system.rotations for k in rotation.places}
-    turning = {name for rotation in system.spec.rotations for name in rotation.velocities}
-    own = [form for form in system.quasi if form.name in turning]
-    return [*own, *(form for j, form in enumerate(every) if j not in places), *every]
+    by_name = {form.name: form for form in system.quasi}
+    groups = [[by_name[w] for w in rotation.velocities if w in by_name] for rotation in system.spec.rotations]
+    rest = [*(form for j, form in enumerate(every) if j not in places), *every]
+    orders = [groups, groups[::-1]] if len(groups) > 1 else [groups]
+    turned = [[form for group in order for form in (*group[k:], *group[:k])] for k in (0, 2, 1) for order in orders]
+    return [[*own, *rest] for own in turned]
 
 
 def _extend(system: System, forms: Sequence[Form], wanted: int, pool: Sequence[Form]) -> tuple[Form, ...]:
@@ -180,6 +199,23 @@ def _extend(system: System, forms: Sequence[Form], wanted: int, pool: Sequence[F
             rows = trial
             made.append(form)
     return tuple(made)
+
+
+def _in_one_order(candidates: Sequence[tuple[Form, ...]], pool: Sequence[Form]) -> list[tuple[Form, ...]]:
+    """Different choices, each in the order of the pool (what the user gave stays in front)."""
+    rank_of = {id(form): k for k, form in reversed(list(enumerate(pool)))}
+    sets: dict[tuple[int, ...], tuple[Form, ...]] = {}
+    for made in candidates:
+        ordered = tuple(sorted(made, key=lambda form: rank_of.get(id(form), -1)))
+        sets.setdefault(tuple(id(form) for form in ordered), ordered)
+    return list(sets.values())
+
+
+def _weak_at_starts(system: System, made: Sequence[Form]) -> float:
+    """How near to singular the coframe comes at the scenes' starts and beside them, coarsely: the first of equals is taken."""
+    points = ordinary_points(system)  # the last two are those of no scene
+    matrices = sampled_rows(system, (*system.constraints, *made), points[:-2] or points)
+    return -round(min((relative_determinant(m, range(system.n)) ** system.n for m in matrices), default=0.0), 2)
 
 
 def _spelled(system: System, form: Form) -> str:

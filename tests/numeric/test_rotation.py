@@ -213,6 +213,46 @@ def operations(name: str) -> list[int]:
     return [int(x) for x in found.groups()]
 
 
+# --- constraints on angular velocities ---------------------------------------------------------------------
+
+TWIST = """
+nhc: 1
+system: no_twist
+rotation: {{R: {{velocities: [w1, w2, w3], frame: {frame}}}}}
+T: (w1^2 + 2*w2^2 + 3*w3^2)/2
+constraints: [{row} = 0]
+scenes: {{s: {{time: [0, 1], initial: {{R: {{axis: [1, 0, 0], angle: {angle}}}, w1: 1}}}}}}
+"""
+JOINT = """
+nhc: 1
+system: joint
+rotation: {A: {velocities: [a1, a2, a3]}, B: {velocities: [b1, b2, b3]}}
+T: a1^2 + 2*a2^2 + 3*a3^2 + b1^2 + 3*b2^2 + 2*b3^2
+V: A_z3
+holonomic: [A_x3*B_x1 + A_y3*B_y1 + A_z3*B_z1 = 0]
+scenes: {s: {time: [0, 1], initial: {a1: 1, b3: 1}}}
+"""
+ROW = "R_z1*w1 + R_z2*w2 + R_z3*w3"
+
+
+def kept(text: str) -> list[str]:
+    """The velocities that the model keeps, at whose start it must be regular."""
+    (source,) = emit(Source("s.yaml", text), "python").values()
+    model = python_model(source, f"kept_{abs(hash(text))}")
+    system = resolve(decode(Source("s.yaml", text)))
+    start = start_of(system, system.spec.scenes[0])
+    assert all(math.isfinite(x) for x in model.rhs(0.0, model.state(0.0, start.q, start.v)))
+    return list(model.STATE[len(model.COORDINATES) :])
+
+
+def test_constraints_take_the_angular_velocity_that_they_determine_at_the_start() -> None:
+    assert kept(TWIST.format(frame="body", row=ROW, angle="0.1")) == ["w1", "w2"]
+    assert kept(TWIST.format(frame="body", row=ROW, angle="pi/2")) == ["w1", "w3"]
+    assert kept(TWIST.format(frame="space", row="w3", angle="pi/2")) == ["w1", "w2"]
+    assert kept(JOINT) == ["a1", "a2", "a3", "b1", "b3"]
+    assert certify(resolve(decode(Source("s.yaml", JOINT)))).holds
+
+
 # --- several bodies ----------------------------------------------------------------------------------------
 
 
