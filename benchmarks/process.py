@@ -1,6 +1,7 @@
 """Whole processes: wall time of nhc beside Python importing sympy.physics.mechanics; compile times of emitted C.
 
-``python -m benchmarks.process``.  Commands are run in turn, round by round, so that a busy machine slows all of them.
+``python -m benchmarks.process``.  Everything runs from compiled bytecode in a folder of its own, as installed packages do, whatever
+the surroundings say about writing it.  Commands are run in turn, round by round, so that a busy machine slows all of them.
 """
 
 from __future__ import annotations
@@ -48,18 +49,19 @@ def measure(rounds: int = 7) -> Walls:
             "emit_latex": [*nhc, "emit", BICYCLE, "--lang", "latex", "-o", str(folder / "latex")],
         }
         walls: dict[str, list[float]] = {key: [] for key in commands}
-        for key, command in commands.items():
-            _wall(command)  # warm: bytecode and disk
-            walls[key].clear()
+        for command in commands.values():
+            _wall(command, folder)  # warm: bytecode and disk
         for _ in range(rounds):
             for key, command in commands.items():
-                walls[key].append(_wall(command))
+                walls[key].append(_wall(command, folder))
         latex = sum(path.stat().st_size for path in (folder / "latex").glob("*.tex"))
         return Walls(**{key: statistics.median(values) for key, values in walls.items()}, latex_bytes=latex)
 
 
-def _wall(command: list[str]) -> float:
-    environment = {**os.environ, "PYTHONPATH": str(ROOT)}
+def _wall(command: list[str], folder: Path) -> float:
+    environment = {name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"}
+    kept = {"PYTHONPYCACHEPREFIX": str(folder / "bytecode"), "NHC_CACHE": str(folder / "cache")}
+    environment |= {"PYTHONPATH": str(ROOT), **kept}
     start = time.perf_counter()
     done = subprocess.run(command, capture_output=True, env=environment, text=True)
     spent = time.perf_counter() - start
