@@ -10,13 +10,15 @@ import pytest
 
 from nhc.emit import EmitOptions, render
 from nhc.emit.c import batch, parts, sweep
+from nhc.emit.c.arrange import arrange
 from nhc.emit.c.parts import cut, find_crossing
 from nhc.emit.text.program import print_program
-from nhc.program.ir import Let, Load, Solve, Sweep
+from nhc.program.ir import Guard, Let, Load, Section, Solve, Sweep
 from nhc.program.passes import count_operations
-from tests.unit.emit_cases import let, ref
+from tests.unit.emit_cases import call, let, make_solver, ref, store
 from tests.unit.emit_long import LINKS, make_long
-from tests.unit.test_emit_c import COMPILERS, FLAGS, call, doubles, load, load_python, write
+from tests.unit.test_emit_c import COMPILERS, FLAGS, doubles, load, load_python, write
+from tests.unit.test_emit_c import call as evaluate
 
 Y, P = [0.4, 0.7, -0.3], [1.5]
 WIDTHS = (1, 2, 4, 8)
@@ -59,7 +61,7 @@ def test_c_agrees_with_python_for_every_width_of_vectors(width: int, tmp_path: P
 
     loaded, module = ctypes.CDLL(str(library)), load_python(program)
     for name, size in (("rhs", 3), ("accelerations", 1), ("jacobian", 9)):
-        status, found = call(getattr(loaded, f"long_chain_{name}"), [Y, P], size)
+        status, found = evaluate(getattr(loaded, f"long_chain_{name}"), [Y, P], size)
         expected = module[name](0.0, Y, P)  # type: ignore[operator]
         flat = [x for row in expected for x in row] if name == "jacobian" else expected
         assert status == 0
@@ -68,11 +70,11 @@ def test_c_agrees_with_python_for_every_width_of_vectors(width: int, tmp_path: P
 
 def test_the_sweep_is_the_derivative(tmp_path: Path) -> None:
     library = load(make_long(), tmp_path)
-    _, jacobian = call(library.long_chain_jacobian, [Y, P], 9)
+    _, jacobian = evaluate(library.long_chain_jacobian, [Y, P], 9)
     h = 1e-6
     for j in range(3):
         up, down = ([v + s * h * (k == j) for k, v in enumerate(Y)] for s in (1, -1))
-        high, low = (call(library.long_chain_rhs, [y, P], 3)[1] for y in (up, down))
+        high, low = (evaluate(library.long_chain_rhs, [y, P], 3)[1] for y in (up, down))
         column = [(a - b) / (2 * h) for a, b in zip(high, low, strict=True)]
         assert jacobian[j::3] == pytest.approx(column, abs=1e-8)
 
@@ -80,7 +82,7 @@ def test_the_sweep_is_the_derivative(tmp_path: Path) -> None:
 def test_a_guard_in_a_later_part_and_behind_a_call_is_a_status(tmp_path: Path) -> None:
     library, rest = load(make_long(), tmp_path), [0.0, 0.0, 0.0]
     for name, size in (("rhs", 3), ("accelerations", 1), ("jacobian", 9)):
-        assert call(getattr(library, f"long_chain_{name}"), [rest, P], size)[0] == 1
+        assert evaluate(getattr(library, f"long_chain_{name}"), [rest, P], size)[0] == 1
     out = doubles([0.0] * 6)
     count = __import__("ctypes").c_size_t(2)
     assert (
@@ -122,3 +124,29 @@ def test_crossing_names_are_those_that_another_part_uses() -> None:
     assert find_crossing(cut(body, 2, 2)) == {"a": 0, "b": 1}
     assert cut(body, 4, 1) == (tuple(body),) and find_crossing([body]) == {}
     assert all(isinstance(s, Let | Load | Solve) for s in body)
+
+
+def test_sines_come_first_in_pairs_and_guards_last() -> None:
+    read = (Load("x", "y", 0), Load("z", "y", 1), Load("k", "p", 0))
+    guard = Guard(ref("a").node, ref("x").node, 1e-9, 1, "a")
+    lets = {
+        "a": let("a", ref("k") * 2),
+        "s": let("s", call("sin", ref("x"))),
+        "late": let("late", call("sin", ref("s"))),
+        "d": let("d", ref("x") - ref("z")),
+        "cd": let("cd", call("cos", ref("d"))),
+        "c": let("c", call("cos", ref("x"))),
+        "scaled": let("scaled", call("cos", ref("a") * ref("x"))),
+    }
+    end = store("dydt", 0, ref("late") + ref("cd") + ref("c") + ref("scaled"))
+    body = (*read, lets["a"], guard, lets["s"], lets["late"], lets["d"], lets["cd"], lets["c"], lets["scaled"], end)
+    found = arrange(body)
+    assert sorted(map(repr, found)) == sorted(map(repr, (*body, Section("sines and cosines"))))
+    assert [s.name for s in found if isinstance(s, Let)] == ["d", "s", "c", "cd", "a", "late", "scaled"]
+    assert found[-2:] == (end, guard)
+    assert [s.name for s in found[:2]] == ["x", "z"] and found.index(read[2]) > found.index(lets["cd"])
+
+
+def test_a_dense_solve_keeps_its_guards_before_it() -> None:
+    (rhs,) = make_solver().functions
+    assert arrange(rhs.body) == rhs.body

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from nhc.emit.c.arrange import arrange
 from nhc.emit.c.batch import Batch, mark_unused, print_batch
 from nhc.emit.c.body import ANY, BodyPrinter, print_singular, wrap_code
 from nhc.emit.c.driver import list_driver_functions, make_driver
@@ -168,7 +169,7 @@ def print_argument(argument: Argument, written: bool) -> str:
 def print_function(program: Program, function: Function, helpers: set[str], *, inline: bool = False) -> PrintedFunction:
     """A function of the program; its ``int`` is 0 only if every entry of its output is finite."""
     prefix, capitals, output = program.system, program.system.upper(), function.output
-    body = drop_unused(function.body)
+    body = arrange(drop_unused(function.body))
     layout = lay_out(body)
     arguments = function.inputs if output is None else (*function.inputs, output)
     scope = make_scope(program, arguments, body, OWN if layout.kept else ())
