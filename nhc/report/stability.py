@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from html import escape
 
 from nhc.emit.environment import create_environment
@@ -16,6 +16,10 @@ from nhc.version import __version__
 WIDTH, PANEL = 760, 340
 _TINY = 1e-18
 _MOST = 8  # lines of one picture
+_BINS = 200  # points of a drift's line
+_BELOW = 1.5  # how far below zero growth is drawn, in terms of the fastest growth
+ROUNDING = 1e-13
+"""Deviations that never leave this are left out of a picture."""
 
 
 def list_charts(lab: Laboratory, parameter: str = "") -> list[Chart]:
@@ -23,10 +27,12 @@ def list_charts(lab: Laboratory, parameter: str = "") -> list[Chart]:
     charts = [*_sweep(lab, parameter), *_spectrum(lab)]
     for run in lab.runs:
         chosen = [d for d in run.drifts if max(d.series, default=0.0) > 0.0]
-        series = tuple(Series(d.what, run.times, _positive(d.series)) for d in chosen[:_MOST])
+        chosen = [d for d in chosen if max(d.series) > ROUNDING] or chosen[:1]
+        series = tuple(Series(d.what, *_envelope(run.times, d.series)) for d in chosen[:_MOST])
         if series:
             how = run.method if not run.step else f"{run.method}, steps of {run.step:.3g}"
-            charts.append(_chart(f"drift by {how}", Axis("t", exact=True), Axis("deviation", log=True), series))
+            title = f"drift by {how}: largest of every {max(1, len(run.times) // _BINS)} rows"
+            charts.append(_chart(title, Axis("t", exact=True), Axis("deviation", log=True), series))
     if lab.sensitivity is not None:
         series = (Series("growth", lab.sensitivity.times, _positive(lab.sensitivity.norms)),)
         charts.append(
@@ -42,6 +48,13 @@ def list_charts(lab: Laboratory, parameter: str = "") -> list[Chart]:
 
 def _chart(title: str, x: Axis, y: Axis, series: tuple[Series, ...]) -> Chart:
     return Chart(title, x, y, series, WIDTH, PANEL)
+
+
+def _envelope(times: Sequence[float], values: Sequence[float]) -> tuple[list[float], list[float]]:
+    """The largest of each bin: noise about rounding is no line that can be read."""
+    size = max(1, len(times) // _BINS)
+    starts = range(0, len(times), size)
+    return [times[k] for k in starts], _positive(max(values[k : k + size]) for k in starts)
 
 
 def _positive(values: Iterable[float]) -> list[float]:
@@ -66,12 +79,23 @@ def _sweep(lab: Laboratory, parameter: str) -> list[Chart]:
                     ys += [row[k].imag if part else row[k].real, math.nan]
         lines = [Series("eigenvalues", xs, ys, markers=True)]
         if not part:
-            reach = max((abs(y) for y in ys if math.isfinite(y)), default=1.0)
+            reach = max((y for y in ys if math.isfinite(y)), default=0.0)
+            if reach > 0.0:  # what decays fast would press the crossings flat
+                xs, ys = _at_least(-_BELOW * reach, xs, ys)
+                title = f"{title}, from {-_BELOW * reach:.3g}"
+                lines = [Series("eigenvalues", xs, ys, markers=True)]
+            else:
+                reach = max((abs(y) for y in ys if math.isfinite(y)), default=1.0)
             lines += [
                 Series(f"crossing at {c.value:.5g}", [c.value, c.value], [-reach, reach]) for c in swept.crossings
             ]
         charts.append(_chart(title, Axis(parameter or "parameter", exact=True), Axis("1/time"), tuple(lines)))
     return charts
+
+
+def _at_least(low: float, xs: list[float], ys: list[float]) -> tuple[list[float], list[float]]:
+    kept = [(x, y) for x, y in zip(xs, ys, strict=True) if not y < low]
+    return [x for x, _ in kept], [y for _, y in kept]
 
 
 def _spectrum(lab: Laboratory) -> list[Chart]:
