@@ -13,6 +13,7 @@ import pytest
 from nhc.cli.entry import main
 from nhc.language import read
 from nhc.pipeline import Options, stability
+from nhc.report.stability import list_charts
 from nhc.simulate.methods import METHODS, RUNGE_KUTTA
 from nhc.study.linearize import eigenvalues
 from nhc.study.stability.drift import accumulate
@@ -20,6 +21,8 @@ from nhc.study.stability.laboratory import Laboratory, Question
 from nhc.study.stability.sensitivity import fit
 from nhc.study.stability.stepsize import amplification, predict
 from nhc.study.stability.table import lines, tree
+from tests.numeric.test_stiffness import SYRUP
+from tests.numeric.test_switching import SKATER, forced
 from tests.support import ROOT, spec_path
 
 PLAIN = Question()
@@ -167,6 +170,29 @@ def test_a_scene_that_fails_leaves_what_can_be_said(capsys: pytest.CaptureFixtur
     out, err = capsys.readouterr()
     assert "not done" in out and "the determinant vanishes here" in err
     assert "the run goes on with voronec solved for x'" in out and "leave `--formulation` out" in err
+
+
+def test_what_a_run_does_is_said_where_something_is_weak(tmp_path_factory: pytest.TempPathFactory) -> None:
+    """A skater of one's own with a fixed block, drag in syrup, and a system that is sound."""
+    folder = tmp_path_factory.mktemp("own")
+    skater, syrup = folder / "skater.yaml", folder / "syrup.yaml"
+    skater.write_text(forced(SKATER, "x").text.replace("[0, 12]", "[0, 1.15]"))
+    syrup.write_text(SYRUP.replace("FORCE", "-2e4*(x' - cos(t))").replace("10]", "1]"))
+    weak = stability(read(str(skater)), Question(lengths=1), Options(formulation="voronec"))
+    assert not weak.failed and weak.conduct == ()  # it ends just before its block is weak
+    weak = stability(read(str(skater)), Question(lengths=1), Options(formulation="multipliers"))
+    assert weak.conduct == () and not any(d.used for d in weak.distances if d.kind == "dependent")
+    stiff = stability(read(str(syrup)), Question(lengths=1))
+    assert any("the run goes on with radau5" in line for line in stiff.conduct)
+    assert "what `nhc run` does on this scene" in "\n".join(lines(stiff)) and "take radau5" in "\n".join(lines(stiff))
+    assert look("chaplygin_sleigh").conduct == ()
+
+
+def test_pictures_leave_out_what_cannot_be_read() -> None:
+    found = look("chaplygin_sleigh")
+    (drift, *_) = [chart for chart in list_charts(found) if chart.title.startswith("drift by dop853")]
+    assert [series.label for series in drift.series] == ["T + V"]  # the slip stays at rounding
+    assert all(len(series.x) <= 300 for series in drift.series)
 
 
 def test_json_and_page(tmp_path_factory: pytest.TempPathFactory, capsys: pytest.CaptureFixture[str]) -> None:
