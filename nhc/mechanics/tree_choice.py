@@ -11,11 +11,12 @@ from nhc.mechanics.motion import Motion
 from nhc.mechanics.system import System
 from nhc.mechanics.tree import Elimination
 
-CHAINED = 8
+CHAINED = 4
 """Operations that the longer way from pivot to pivot of a tree is worth."""
 FEW = 3
 """Rates up to which both ways are written out and compared."""
-_ENTRY, _FORCE = 6, 5  # operations of an entry of the mass matrix, and of a force, as they are assembled
+_ENTRY, _CARRIED = 11, 4
+"""Operations for an entry of the mass matrix with its share of the forces, and for a rate in a form that holds it by another."""
 
 
 def tree_of(system: System, motion: Motion, kinetic: Kinetic) -> Elimination | None:
@@ -40,12 +41,14 @@ def worthwhile_tree(system: System, motion: Motion, kinetic: Kinetic) -> Elimina
 
 def dense_cost(chain: Chain) -> int:
     """Operations of mass matrix, right side and L D L^T, by the pattern of which rates move the same forms."""
-    rates = chain.rates
+    g, rates, total = chain.graph, chain.rates, 0
     reach = [1 << i for i in range(rates)]
     for terms in chain.definitions:
         mask = 0
-        for c in terms:
+        for c, a in terms.items():
             mask |= reach[c]
+            if c >= rates and g.value(a) is None:
+                total += _CARRIED * reach[c].bit_count()
         reach.append(mask)
     rows = [1 << i for i in range(rates)]
     for a, b in chain.weights:
@@ -54,7 +57,7 @@ def dense_cost(chain: Chain) -> int:
                 rows[i] |= reach[b]
             if reach[b] >> i & 1:
                 rows[i] |= reach[a]
-    total = _FORCE * rates + _ENTRY * sum((rows[k] >> k).bit_count() for k in range(rates))
+    total += _ENTRY * sum((rows[k] >> k).bit_count() for k in range(rates))
     for k in range(rates):
         below = rows[k] >> (k + 1)
         width = below.bit_count()
