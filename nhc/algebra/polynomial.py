@@ -22,15 +22,13 @@ def polynomial(graph: Graph, node: Node, limit: int = 300, circle: bool = True) 
     return Expander(graph, limit, circle).expand([node])[0]
 
 
-def _add(p: Polynomial, q: Polynomial) -> Polynomial:
-    result = dict(p)
-    for m, c in q.items():
-        c += result.get(m, 0)
-        if c:
-            result[m] = c
-        else:
-            result.pop(m, None)
-    return result
+def _put(p: Polynomial, m: Monomial, c: Coefficient) -> None:
+    """Add a term in place."""
+    c += p.get(m, 0)
+    if c:
+        p[m] = c
+    else:
+        p.pop(m, None)
 
 
 def _merge(m1: Monomial, m2: Monomial) -> Monomial:
@@ -71,15 +69,13 @@ def _swap_sines(graph: Graph, p: Polynomial) -> Polynomial | None:
         cosine = graph.function("cos", graph.a[sine])
         result: Polynomial = {}
         for monomial, c in p.items():
-            exponents = dict(monomial)
-            e = exponents.get(sine, 0)
+            e = next((k for f, k in monomial if f == sine), 0)
             if e < 2:
-                result = _add(result, {monomial: c})
+                _put(result, monomial, c)
                 continue
-            exponents[sine] = e - 2
-            rest = tuple(sorted((f, k) for f, k in exponents.items() if k))
-            result = _add(result, {rest: c})
-            result = _add(result, {_merge(rest, ((cosine, 2),)): -c})
+            rest = tuple((f, k - 2 if f == sine else k) for f, k in monomial if f != sine or k > 2)
+            _put(result, rest, c)
+            _put(result, _merge(rest, ((cosine, 2),)), -c)
         if len(result) < len(p):
             return result
     return None
@@ -88,7 +84,8 @@ def _swap_sines(graph: Graph, p: Polynomial) -> Polynomial | None:
 def _horner(graph: Graph, p: Polynomial) -> Node:
     common = _common(p)
     if common:
-        rest = {_divide(m, common): c for m, c in p.items()}
+        by = dict(common)
+        rest = {_divide(m, by): c for m, c in p.items()}
         return graph.mul(_monomial(graph, common, 1), _horner(graph, rest))
     if len(p) == 1:
         ((m, c),) = p.items()
@@ -96,8 +93,11 @@ def _horner(graph: Graph, p: Polynomial) -> Node:
     factor = _most_frequent(p)
     if factor is None:
         return graph.sum([_monomial(graph, m, c) for m, c in sorted(p.items())])
-    inside = {m: c for m, c in p.items() if any(f == factor[0] and e * factor[1] > 0 for f, e in m)}
-    outside = {m: c for m, c in p.items() if m not in inside}
+    inside, outside = Polynomial(), Polynomial()
+    taken, sign = factor
+    for m, c in p.items():
+        holds = next((e * sign > 0 for f, e in m if f == taken), False)
+        (inside if holds else outside)[m] = c
     return graph.add(_horner(graph, inside), _horner(graph, outside))
 
 
@@ -108,19 +108,23 @@ def _common(p: Polynomial) -> Monomial:
     first, *others = p
     exponents = dict(first)
     for m in others:
+        if not exponents:
+            break
         own = dict(m)
-        for f in list(exponents):
-            a, b = exponents[f], own.get(f, 0)
-            e = min(a, b) if a > 0 and b > 0 else max(a, b) if a < 0 and b < 0 else 0
-            if e:
-                exponents[f] = e
+        for f, a in list(exponents.items()):
+            b = own.get(f, 0)
+            if a > 0 < b:
+                exponents[f] = min(a, b)
+            elif a < 0 > b:
+                exponents[f] = max(a, b)
             else:
                 del exponents[f]
-    return tuple(sorted(exponents.items()))
+    return tuple(exponents.items())
 
 
-def _divide(m: Monomial, by: Monomial) -> Monomial:
-    return _merge(m, tuple((f, -e) for f, e in by))
+def _divide(m: Monomial, by: dict[Node, int]) -> Monomial:
+    """By a monomial whose factors all stand in it."""
+    return tuple((f, e - by[f]) if f in by else (f, e) for f, e in m if by.get(f) != e)
 
 
 def _most_frequent(p: Polynomial) -> tuple[Node, int] | None:
@@ -134,9 +138,14 @@ def _most_frequent(p: Polynomial) -> tuple[Node, int] | None:
 
 
 def _monomial(graph: Graph, m: Monomial, c: Coefficient) -> Node:
-    top = graph.product([graph.power(f, e) for f, e in m if e > 0])
-    bottom = graph.product([graph.power(f, -e) for f, e in m if e < 0])
-    result = graph.mul(graph.number(-c if c < 0 else c), top)
+    top = bottom = graph.one
+    for f, e in m:
+        if e > 0:
+            top = graph.mul(top, graph.power(f, e))
+    for f, e in m:
+        if e < 0:
+            bottom = graph.mul(bottom, graph.power(f, -e))
+    result = top if c in (1, -1) else graph.mul(graph.number(-c if c < 0 else c), top)
     if bottom != graph.one:
         result = graph.div(result, bottom)
     return graph.neg(result) if c < 0 else result
