@@ -146,12 +146,11 @@ def complete(system: System) -> tuple[tuple[Form, ...], tuple[str, ...]]:
     rows = [list(f.coefficients) for f in (*system.constraints, *forms)]
     if rank(g, rows) < len(rows):
         raise Singular
-    pools = _pools(system)
-    candidates = [_extend(system, forms, wanted, pool) for pool in pools]
     if system.rotations:
-        candidates = _in_one_order(candidates, pools[0])
+        candidates = turning_choices(system, forms)
         best = min(candidates, key=lambda made: _weak_at_starts(system, made)) if candidates[1:] else candidates[0]
     else:
+        candidates = [_extend(system, forms, wanted, pool) for pool in _pools(system)]
         best = min(candidates, key=lambda made: coframe_weakness(system, (*system.constraints, *made)))
     return best, tuple(_spelled(system, form) for form in best[len(forms) :] if form.name not in turning)
 
@@ -161,8 +160,6 @@ def _pools(system: System) -> list[list[Form]]:
     own choice of them leaves free, and the adapted coframe; each ends with whatever coordinate is still needed.
     """
     every = [coordinate_form(system, j) for j in range(system.n)]
-    if system.rotations:
-        return _turning_pools(system, every)
     choices = [system.dependent] if system.dependent else []
     choices.append(choose_dependent(system).dependent)
     pools = [[every[j] for j in range(system.n) if j not in dependent] + every for dependent in choices]
@@ -170,6 +167,12 @@ def _pools(system: System) -> list[list[Form]]:
     if adapted is not None:
         pools.append([*adapted, *every])
     return pools
+
+
+def turning_choices(system: System, forms: Sequence[Form] = ()) -> list[tuple[Form, ...]]:
+    """Completions of ``forms`` by angular velocities and other velocities, which differ in what the constraints take."""
+    pools = _turning_pools(system, [coordinate_form(system, j) for j in range(system.n)])
+    return _in_one_order([_extend(system, forms, system.n - system.l, pool) for pool in pools], pools[0])
 
 
 def _turning_pools(system: System, every: Sequence[Form]) -> list[list[Form]]:

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 
 from nhc.algebra.linear import Singular
 from nhc.algebra.modular import rank
 from nhc.diagnostics import Bag, Span
-from nhc.mechanics.adapt import complete
+from nhc.mechanics.adapt import complete, turning_choices
 from nhc.mechanics.frame import Frame, coordinate_frame, make_frame
 from nhc.mechanics.regularity import Choice as DependentChoice
 from nhc.mechanics.regularity import choose_dependent, judge, weak_where_constraints_are_not
@@ -137,6 +137,18 @@ def _euler_lagrange(system: System) -> Formulation:
     )
     reason = own if not added else f"coframe completed by nhc with {', '.join(added)}"
     return Formulation("euler-lagrange", number, frame, None, added, reason)
+
+
+def turning_formulations(system: System) -> Iterator[Formulation]:
+    """The Euler-Lagrange equations in each set of angular velocities that the constraints may leave (none without rotations)."""
+    for forms in turning_choices(system) if system.rotations else ():
+        try:
+            frame = make_frame(system, forms, [_symbol(system, form) for form in forms])
+        except Singular:
+            continue
+        yield Formulation(
+            "euler-lagrange", "I.2.15", frame, None, (), "angular velocities that the constraints leave free"
+        )
 
 
 def _symbol(system: System, form: Form) -> int:

@@ -60,14 +60,14 @@ def place_of(job: Job, recipe: Recipe, outcome: Outcome) -> Place | None:
         **dict(zip(system.p, job.p, strict=True)),
         **dict(zip(system.q, outcome.y[:n], strict=True)),
     }
+    if outcome.t == job.start.time[0]:  # as given: near a singular point the state has lost its digits
+        return {**place, **dict(zip(system.v, job.start.v, strict=True))}
     motion = recipe.equations.motion
     inner = {**place, **dict(zip(motion.w, outcome.y[n:], strict=True))}
     try:
         v = [float(x) for x in evaluate(system.graph, motion.velocities, inner)]
     except (ArithmeticError, ValueError):
-        if outcome.t != job.start.time[0]:
-            return None
-        v = list(job.start.v)
+        return None
     return {**place, **dict(zip(system.v, v, strict=True))}
 
 

@@ -10,7 +10,7 @@ from math import comb, sqrt
 from nhc.algebra.calculus import gradient
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Node
-from nhc.mechanics.choose import Formulation, NotApplicable, build
+from nhc.mechanics.choose import Formulation, NotApplicable, build, turning_formulations
 from nhc.mechanics.frame import coordinate_form
 from nhc.mechanics.regularity import relative_determinant
 from nhc.mechanics.singular import symmetric_eigenvalues
@@ -111,6 +111,8 @@ def _best_columns(rows: Rows, n: int) -> tuple[int, ...]:
 def _adapted(system: System, place: Place) -> Iterator[Choice]:
     if not system.l:
         return
+    for turning in turning_formulations(system):
+        yield Choice(system, turning, conditioning(system, turning, place))
     plain = replace(system, quasi=(), dependent=())
     try:
         made = build(plain, "euler-lagrange")

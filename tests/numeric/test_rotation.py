@@ -253,6 +253,27 @@ def test_constraints_take_the_angular_velocity_that_they_determine_at_the_start(
     assert certify(resolve(decode(Source("s.yaml", JOINT)))).holds
 
 
+def test_a_start_where_the_coframe_is_singular_keeps_its_digits(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """With starts at which different components are determined, the run changes over, from the start as it was given."""
+    text = TWIST.format(frame="body", row=ROW, angle="0") + (
+        "  turned: {time: [0, 5], initial: {R: {axis: [1, 0, 0], angle: pi/2}, w1: 1, w3: 0.3}}\n"
+    )
+    path = tmp_path / "no_twist.yaml"
+    path.write_text(text.replace("scenes: {s: ", "scenes:\n  s: ").replace("w1: 1}}}", "w1: 1}}", 1))
+    ends = []
+    for formulation in ((), ("-f", "multipliers")):
+        wanted = ("--need", "w1,w2,w3,energy", "--points", "2", "--tol", "1e-10")
+        assert main(["run", str(path), "--scene", "turned", *wanted, *formulation]) == 0
+        captured = capsys.readouterr()
+        assert formulation or "the run goes on with euler-lagrange with w1, w3" in captured.err
+        rows = [[float(x) for x in line.split(",")[1:]] for line in captured.out.splitlines()[1:]]
+        assert rows[0] == pytest.approx([1.0, 0.0, 0.3, 0.635], abs=1e-13)
+        ends.append(rows[-1])
+    assert ends[0] == pytest.approx(ends[1], abs=1e-8)
+
+
 # --- several bodies ----------------------------------------------------------------------------------------
 
 
