@@ -1,0 +1,73 @@
+"""Records behave as frozen dataclasses with slots do."""
+
+from __future__ import annotations
+
+import copy
+import pickle
+from dataclasses import asdict, is_dataclass, replace
+
+import pytest
+
+from nhc.records import identity_record, record
+
+
+@record
+class Point:
+    """A place."""
+
+    x: int
+    y: int = 2
+
+    @property
+    def sum(self) -> int:
+        return self.x + self.y
+
+
+@record
+class Other:
+    x: int
+    y: int = 2
+
+
+@identity_record
+class Leaf:
+    name: str
+
+
+def test_equal_by_value_and_class() -> None:
+    assert Point(1) == Point(1, 2) == Point(y=2, x=1) != Point(2)
+    assert Point(1) != Other(1) and Point(1) != (1, 2)
+    assert len({Point(1), Point(1, 2), Point(3)}) == 2
+    assert repr(Point(1)) == "Point(x=1, y=2)" and Point(1).sum == 3 and Point.__doc__ == "A place."
+
+
+def test_frozen_and_without_a_dictionary() -> None:
+    point = Point(1)
+    with pytest.raises(AttributeError, match="frozen"):
+        point.x = 3  # type: ignore[misc]
+    with pytest.raises(AttributeError, match="frozen"):
+        del point.x
+    with pytest.raises(AttributeError):
+        point.z = 3  # type: ignore[attr-defined]
+    assert not hasattr(point, "__dict__")
+
+
+def test_matched_by_position_and_replaced() -> None:
+    match Point(4, 5):
+        case Point(x, 5):
+            assert x == 4
+        case _:
+            pytest.fail("no match")
+    assert replace(Point(4, 5), x=1) == Point(1, 5) and asdict(Point(4, 5)) == {"x": 4, "y": 5}
+    assert is_dataclass(Point) and copy.copy(Point(1)) == Point(1)
+    assert pickle.loads(pickle.dumps(Point(7))) == Point(7)
+
+
+def test_identity() -> None:
+    leaf = Leaf("a")
+    assert leaf == leaf and leaf != Leaf("a") and len({leaf, Leaf("a")}) == 2
+
+
+def test_missing_arguments_are_refused() -> None:
+    with pytest.raises(TypeError):
+        Point()  # type: ignore[call-arg]
