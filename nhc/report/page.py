@@ -88,6 +88,7 @@ def make_page(found: Trajectory) -> str:
             ", ".join(f"{q.name} = {v!r}" for q, v in zip(job.program.parameters, job.p, strict=True)) or "none",
         ),
         *_summary(found),
+        *(("note", note) for note in found.notes),
     ]
     if found.ended == "event":
         facts.append(("ended", found.reason))

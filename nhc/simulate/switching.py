@@ -19,8 +19,8 @@ from nhc.simulate.pacing import Pace
 from nhc.simulate.prepare import Job, Recipe
 from nhc.simulate.task import CROSSED, DONE, SINGULAR, Outcome, Task
 
-SOUND = 0.03
-"""Conditioning from which nothing is said."""
+SOUND = 0.01
+"""Of a coframe's determinant over the lengths of its rows: from here on nothing is said."""
 TOLD = 6  # changes that are told one by one
 _FRAME = ("frame", "deep")
 _NEAR = {
@@ -147,7 +147,10 @@ class Follower:
     def _is_sound(self, leg: Leg, recipe: Recipe) -> bool:
         """Whether the coframe is well conditioned although its determinant is small against what its entries allow."""
         place = place_of(leg.job, recipe, leg.outcome)
-        return place is not None and conditioning(leg.job.system, leg.job.formulation, place) >= SOUND
+        if place is None:
+            return False
+        system = leg.job.system
+        return conditioning(system, leg.job.formulation, place) ** max(system.l, 1) >= SOUND
 
     def _warn(self, leg: Leg, kind: str) -> None:
         line = f"{_NEAR[kind]}: digits are lost there"
