@@ -90,6 +90,7 @@ def _stages(system: System, closed: Sequence[str]) -> list[list[Candidate]]:
         [*coordinates, *scaled],
         [*coordinates, *atoms],
         [*coordinates, *scaled, *pairs],
+        [*coordinates, *(g.mul(s, x) for s in parameters for x in products)],
         [*coordinates, *_elementary(g, coordinates)],
     ]
     for form in system.constraints:

@@ -2,6 +2,8 @@
 
 Where rates q'_i = c_ik w_k + d_i have coefficients that are constant on every motion, each linear relation between the rows c_i
 integrates to q_i = C + a_j q_j + d t: constraints such as r*theta' = x', wheels on one axle, angles that turn at a constant rate.
+Where the constraints have an integral f(q, t) = C (holonomic ones, and those that are so in disguise) in which one coordinate
+stands linearly with a constant factor, that coordinate is a function of the others.
 """
 
 from __future__ import annotations
@@ -9,15 +11,22 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
+from nhc.algebra.calculus import substitute
 from nhc.algebra.graph import Node
 from nhc.algebra.interval import Interval, cannot_vanish
 from nhc.algebra.linear import NotLinear, linear_form
-from nhc.algebra.modular import are_zero
+from nhc.algebra.modular import Unlucky, are_zero
 from nhc.algebra.polynomial import normalise
 from nhc.algebra.show import to_text
+from nhc.mechanics.frame import coordinate_frame
+from nhc.mechanics.integrability import classify
+from nhc.mechanics.integrals import find_position_integrals
+from nhc.mechanics.regularity import choose_dependent
 from nhc.mechanics.system import System
 
 _TERMS = 40
+_LONGEST = 160  # characters of a reason that is still read
+MOST_COORDINATES = 6  # beyond, looking for integrals takes longer than it saves
 
 
 @dataclass(frozen=True)
@@ -73,6 +82,52 @@ def find_integrals(
     return found
 
 
+def find_closed(system: System) -> tuple[Node, ...]:
+    """Integrals f(q, t) of the constraints, those that are declared and those that are found; nothing for large systems."""
+    if not system.constraints or system.n > MOST_COORDINATES:
+        return tuple(form.equation for form in system.constraints if form.equation is not None)
+    try:
+        found = classify(system)
+        if not found.hidden:
+            return ()
+        frame = coordinate_frame(system, choose_dependent(system).dependent)
+        return tuple(integral.node for integral in find_position_integrals(system, frame, found.hidden, found.closed))
+    except Unlucky:
+        return ()
+
+
+def solve_closed(
+    system: System,
+    closed: Sequence[Node],
+    held: Sequence[int],
+    found: Sequence[Integral],
+    constants: Sequence[Node],
+    first: Sequence[int],
+    known: Mapping[Node, Interval],
+) -> list[Integral]:
+    """The coordinates among ``held`` that integrals of the constraints give by the other ones; after those already ``found``."""
+    g, made = system.graph, list(found)
+    changing = ~g.mask((*system.p, *constants))
+    for node in closed:
+        free = [i for i in held if all(i != integral.index for integral in made)]
+        others = g.mask([q for i, q in enumerate(system.q) if i not in free])
+        known_ones = {system.q[integral.index]: g.add(integral.symbol, integral.rest) for integral in made}
+        f = normalise(g, substitute(g, [node], known_ones)[0], _TERMS)
+        if g.depends(f, others):
+            continue
+        for i in sorted(free, key=lambda i: (i in first, -i)):
+            try:
+                (factor,), rest = linear_form(g, f, [system.q[i]])
+            except NotLinear:
+                continue
+            (factor,) = _clean(system, [factor])
+            if factor == g.zero or g.deps[factor] & changing or not cannot_vanish(g, factor, known):
+                continue
+            made.append(_name_integral(system, i, g.neg(g.div(rest, factor))))
+            break
+    return made[len(found) :]
+
+
 def _clean(system: System, nodes: Sequence[Node]) -> list[Node]:
     g = system.graph
     zero = are_zero(g, nodes)
@@ -106,10 +161,18 @@ def _integral(system: System, i: int, row: _Row) -> Integral:
     names = [j for j in sorted(row.weights) if j != i]
     weights = _clean(system, [*(g.neg(row.weights[j]) for j in names), row.drift])
     terms = [g.mul(weight, system.q[j]) for j, weight in zip(names, weights, strict=False)]
-    rest = g.sum([*terms, g.mul(weights[-1], system.t)])
+    return _name_integral(system, i, g.sum([*terms, g.mul(weights[-1], system.t)]))
+
+
+def _name_integral(system: System, i: int, rest: Node) -> Integral:
+    g = system.graph
     name = f"{system.q_names[i]}_0"
     taken = {*system.q_names, *(p.name for p in system.spec.parameters), *(form.name for form in system.quasi)}
     while name in taken:
         name += "_"
-    text = name if rest == g.zero else f"{name} + {to_text(g, rest)}"
+    whole = to_text(g, rest)
+    if len(whole) > _LONGEST:
+        whole = f"a function of {', '.join(n for n, q in zip(system.q_names, system.q, strict=True) if g.depends(rest, g.deps[q]))}"
+    minus = whole.startswith("-(") and whole.endswith(")") and whole.count("(") == 1 + whole[2:-1].count("(")
+    text = name if rest == g.zero else f"{name} - {whole[1:]}" if minus else f"{name} + {whole}"
     return Integral(i, g.symbol(name, "constant"), rest, f"{system.q_names[i]} = {text}")

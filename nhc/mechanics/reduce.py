@@ -20,7 +20,7 @@ from nhc.mechanics.choose import Formulation
 from nhc.mechanics.dependence import Dependence, find_dependence
 from nhc.mechanics.linearize import Flow, flow_of, solve_modulo
 from nhc.mechanics.needs import Wanted, list_needs
-from nhc.mechanics.quadrature import Integral, find_integrals
+from nhc.mechanics.quadrature import Integral, find_integrals, solve_closed
 
 _DRAWS = 60
 
@@ -65,10 +65,12 @@ def reduce_equations(
     scene: Scene,
     known: Mapping[Node, Interval],
     folded: Mapping[Node, Node] | None = None,
+    closed: Sequence[Node] = (),
 ) -> Reduction:
     """The reduction of one formulation's equations to what the scene needs.
 
-    ``known`` bounds parameters and coordinates; ``folded`` are parameters whose values are put in first.
+    ``known`` bounds parameters and coordinates; ``folded`` are parameters whose values are put in first; ``closed`` integrals of
+    the constraints.
 
     Raises:
         nhc.algebra.modular.Unlucky: the motion is singular everywhere.
@@ -85,7 +87,7 @@ def reduce_equations(
         kept, constants = (constants[:1] or [0]), constants[1:]
     fixed, regular = _fix(flow, nodes, [*kept, *constants], known, equations.guards)
     driving = tuple(i for i in kept if any(i in dependence.rates[j] for j in kept if j != i))
-    integrals = _integrate(flow, kept, constants, fixed, driving, known)
+    integrals = _integrate(flow, kept, constants, fixed, driving, known, closed)
     for integral in integrals:
         kept.remove(integral.index)
         fixed[flow.y[integral.index]] = flow.graph.add(integral.symbol, integral.rest)
@@ -119,13 +121,16 @@ def _integrate(
     fixed: Mapping[Node, Node],
     driving: Sequence[int],
     known: Mapping[Node, Interval],
+    closed: Sequence[Node],
 ) -> list[Integral]:
     """Coordinates that follow from others; one entry of the state stays in any case."""
     n = flow.system.n
     held = [i for i in kept if i < n]
     rates = dict(zip(held, substitute(flow.graph, [flow.velocities[i] for i in held], fixed), strict=True))
     w = [flow.y[i] for i in kept if i >= n]
-    found = find_integrals(flow.system, rates, w, [flow.y[i] for i in constants], driving, known)
+    still = [flow.y[i] for i in constants]
+    found = find_integrals(flow.system, rates, w, still, driving, known)
+    found += solve_closed(flow.system, closed, held, found, still, driving, known)
     return found if len(found) < len(kept) else found[1:]
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from fractions import Fraction
 
 from nhc.algebra.calculus import count
@@ -15,6 +15,7 @@ from nhc.mechanics.associate import Equations
 from nhc.mechanics.choose import Formulation
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.kinetic import Kinetic, kinetic_structure
+from nhc.mechanics.quadrature import find_closed
 from nhc.mechanics.reduce import Reduction, keep_everything, reduce_equations
 from nhc.mechanics.regularity import intervals
 from nhc.mechanics.scene_frames import free_forms, list_formulations, momentum_formulation
@@ -147,6 +148,7 @@ class _Search:
         self.system, self.scene, self.start, self.kinetic, self.folded = system, scene, start, kinetic, folded
         values = dict(zip(system.p, start.p, strict=True))
         self.known = {**intervals(system), **{symbol: (value, value) for symbol, value in values.items()}}
+        self.closed = find_closed(system)
         self.found: list[_Found] = []
         self.tried: list[Tried] = []
         self.seen: set[tuple[Form, ...]] = set()
@@ -192,7 +194,7 @@ class _Search:
     def take(self, equations: Equations, formulation: Formulation, *, trusted: bool, weak: bool = False) -> bool:
         """Reduce; ``trusted`` formulations need no proof that they are regular, ``weak`` ones cannot be taken."""
         try:
-            made = reduce_equations(equations, formulation, self.scene, self.known, self.folded)
+            made = reduce_equations(equations, formulation, self.scene, self.known, self.folded, self.closed)
         except Unlucky:
             if not trusted or self.found:
                 return False
@@ -201,15 +203,24 @@ class _Search:
         why = "" if regular else "its coframe may become singular"
         if weak:
             regular, why = False, "its coframe is weak where the scene starts"
+        operations, cost = -1, -1
+        if regular:
+            operations, cost, planner = self._cheapest(made)
+            made = planner.reduction
+            self.found.append(_Found(len(self.tried), cost, planner))
         integrated = [made.names[integral.index] for integral in made.integrals]
         constants = (*(made.names[i] for i in made.constants), *(f"{name} integrated" for name in integrated))
-        tried = Tried(formulation.name, formulation.reason, made.state, constants, rejected=why)
-        if regular:
-            operations, cost, planner = _cheapest_planner(made)
-            tried = replace(tried, operations=operations, cost=cost)
-            self.found.append(_Found(len(self.tried), cost, planner))
+        tried = Tried(formulation.name, formulation.reason, made.state, constants, operations, cost, why)
         self.tried.append(tried)
         return regular
+
+    def _cheapest(self, made: Reduction) -> tuple[int, int, ScenePlanner]:
+        """With the constraints' integrals, or without them where their functions cost more than an equation."""
+        found = _cheapest_planner(made)
+        if not (self.closed and made.integrals):
+            return found
+        plain = reduce_equations(made.equations, made.formulation, self.scene, self.known, self.folded)
+        return min(found, _cheapest_planner(plain), key=lambda entry: entry[1])
 
     def best(self) -> _Found:
         """The first that costs hardly more than the cheapest."""
