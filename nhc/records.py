@@ -2,12 +2,14 @@
 
 ``dataclass(frozen=True, slots=True)`` writes half a dozen methods for each class and compiles them when its module is imported: for
 the hundred small classes of a compiler that is a third of the start-up time, and their instances are made through
-``object.__setattr__``.  Here one constructor is compiled, and everything else is shared; ``dataclasses.replace`` and ``asdict`` work
-as ever.
+``object.__setattr__``.  Here nothing is compiled: constructors are copies of a few, and everything else is shared;
+``dataclasses.replace`` and ``asdict`` work as ever.
 """
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+from types import FunctionType
 from typing import Any, TypeVar, dataclass_transform
 
 T = TypeVar("T")
@@ -66,7 +68,8 @@ class _Value(_Frozen):
 def record(cls: type[T]) -> type[T]:
     """The class with its annotated names as slots, a constructor that takes them in their order, and equality by value.
 
-    A default is an immutable value, no ``field()``.  ``match`` knows the fields by position; there is no inheritance and no ``__post_init__``.
+    A default is an immutable value, no ``field()``.  ``match`` knows the fields by position; there is no inheritance and no
+    ``__post_init__``.
     """
     return _make(cls, _Value)
 
@@ -79,13 +82,79 @@ def identity_record(cls: type[T]) -> type[T]:
 
 def _make(cls: type[T], base: type) -> type[T]:
     names = tuple(vars(cls).get("__annotations__", ()))
+    if len(names) >= len(_CONSTRUCTORS):  # large ones are few
+        return dataclass(frozen=True, slots=True, eq=base is _Value, repr=base is _Value)(cls)
     body: dict[str, Any] = {key: value for key, value in vars(cls).items() if key not in ("__dict__", "__weakref__")}
-    defaults = {name: body.pop(name) for name in names if name in body}
-    body.update(__slots__=names, _fields=names, __match_args__=names, __qualname__=cls.__qualname__)
-    space: dict[str, Any] = {f"_default_{name}": value for name, value in defaults.items()}
-    parameters = "".join(f", {name}=_default_{name}" if name in defaults else f", {name}" for name in names)
-    lines = [f"    _set_{name}(self, {name})" for name in names] or ["    pass"]
-    exec("\n".join([f"def __init__(self{parameters}):", *lines]), space)  # the names are this program's own
-    made = type(cls.__name__, (base,), {**body, "__init__": space["__init__"]})
-    space.update((f"_set_{name}", vars(made)[name].__set__) for name in names)
+    defaults = tuple(body.pop(name) for name in names if name in body)
+    setters: dict[str, Any] = {}
+    code = _CONSTRUCTORS[len(names)].__code__.replace(co_varnames=("self", *names))
+    made = type(
+        cls.__name__,
+        (base,),
+        {
+            **body,
+            "__slots__": names,
+            "_fields": names,
+            "__match_args__": names,
+            "__qualname__": cls.__qualname__,
+            "__init__": FunctionType(code, setters, "__init__", defaults),
+        },
+    )
+    setters.update((f"_{k}", vars(made)[name].__set__) for k, name in enumerate(names))
     return made
+
+
+# One constructor for each number of fields: a class gets a copy with its own names for the arguments, and the setters of its own
+# slots for _0, _1 ...
+_0: Any = None
+_1: Any = None
+_2: Any = None
+_3: Any = None
+_4: Any = None
+_5: Any = None
+
+
+def _none(self: Any) -> None:
+    pass
+
+
+def _one(self: Any, a: Any) -> None:
+    _0(self, a)
+
+
+def _two(self: Any, a: Any, b: Any) -> None:
+    _0(self, a)
+    _1(self, b)
+
+
+def _three(self: Any, a: Any, b: Any, c: Any) -> None:
+    _0(self, a)
+    _1(self, b)
+    _2(self, c)
+
+
+def _four(self: Any, a: Any, b: Any, c: Any, d: Any) -> None:
+    _0(self, a)
+    _1(self, b)
+    _2(self, c)
+    _3(self, d)
+
+
+def _five(self: Any, a: Any, b: Any, c: Any, d: Any, e: Any) -> None:
+    _0(self, a)
+    _1(self, b)
+    _2(self, c)
+    _3(self, d)
+    _4(self, e)
+
+
+def _six(self: Any, a: Any, b: Any, c: Any, d: Any, e: Any, f: Any) -> None:
+    _0(self, a)
+    _1(self, b)
+    _2(self, c)
+    _3(self, d)
+    _4(self, e)
+    _5(self, f)
+
+
+_CONSTRUCTORS = (_none, _one, _two, _three, _four, _five, _six)
