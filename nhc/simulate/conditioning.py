@@ -6,13 +6,14 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations
 from math import comb, sqrt
+from weakref import WeakKeyDictionary
 
 from nhc.algebra.calculus import gradient
 from nhc.algebra.evaluate import evaluate
-from nhc.algebra.graph import Node
+from nhc.algebra.graph import Graph, Node
 from nhc.mechanics.choose import Formulation, NotApplicable, build, turning_formulations
 from nhc.mechanics.frame import coordinate_form
-from nhc.mechanics.regularity import relative_determinant
+from nhc.mechanics.regularity import relative_determinant, sampled_rows
 from nhc.mechanics.singular import symmetric_eigenvalues
 from nhc.mechanics.system import Form, System
 from nhc.simulate.methods.linear import SingularMatrix, factor, resolve
@@ -25,6 +26,7 @@ GAIN = 3.0
 """... and its determinant is this many times that of the choice it replaces: between the two nothing changes (hysteresis)."""
 _REGULAR = 1e-2  # of the kinetic energy of the free velocities, scaled to a diagonal of ones
 _MANY = 250  # choices of dependent velocities that are looked at one by one
+_LENGTHS: WeakKeyDictionary[Graph, dict[tuple[Node, ...], float]] = WeakKeyDictionary()
 _KEPT = 0.5  # a preferred choice is taken down to this part of the best conditioning
 
 
@@ -38,15 +40,32 @@ class Choice:
 
 
 def conditioning(system: System, formulation: Formulation, place: Place) -> float:
-    """|det| of the coframe over the lengths of its rows (Hadamard), its l-th root: in [0, 1], 0 where it is singular."""
+    """|det| of the coframe over the lengths of its rows (Hadamard), its l-th root: in [0, 1], 0 where it is singular.
+
+    A free form counts with the length that it has elsewhere, so that one that vanishes is not taken for a good one.
+    """
     if formulation.frame is None:
         return 1.0
-    return _of_rows(evaluate_rows(system, formulation.frame.forms, place), system.l)
-
-
-def _of_rows(rows: Rows, roots: int) -> float:
+    forms = formulation.frame.forms
+    rows = evaluate_rows(system, forms, place)
     value = relative_determinant(rows, range(len(rows))) ** len(rows)
-    return float(value ** (1.0 / max(roots, 1)))
+    for form, row in zip(forms[system.l :], rows[system.l :], strict=True):
+        length = _norm(row)
+        value *= length / max(length, _usual_length(system, form), 1e-300)
+    return float(value ** (1.0 / max(system.l, 1)))
+
+
+def _norm(row: Sequence[float]) -> float:
+    return sqrt(sum(x * x for x in row))
+
+
+def _usual_length(system: System, form: Form) -> float:
+    """The median of a form's length over the places that regularity is judged by."""
+    known = _LENGTHS.setdefault(system.graph, {})
+    if form.coefficients not in known:
+        lengths = sorted(_norm(rows[0]) for rows in sampled_rows(system, [form]))
+        known[form.coefficients] = lengths[len(lengths) // 2] if lengths else 1.0
+    return known[form.coefficients]
 
 
 def evaluate_rows(system: System, forms: Sequence[Form], place: Place) -> Rows:
