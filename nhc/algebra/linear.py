@@ -17,6 +17,7 @@ from nhc.algebra.modular import are_zero
 from nhc.algebra.peel import coefficients, peel
 from nhc.algebra.probe import probe_of
 from nhc.algebra.shorten import shorten
+from nhc.records import record
 
 __all__ = [
     "Elimination",
@@ -98,7 +99,7 @@ class Elimination:
     guards: list[tuple[Node, Node]] = field(default_factory=list)
 
 
-@dataclass(frozen=True)
+@record
 class NamedBlock:
     """A solved block: ``symbols`` stand for ``values``, the solution of matrix @ symbols = right."""
 

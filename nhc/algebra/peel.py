@@ -7,17 +7,17 @@ bodies has none but at its root.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from nhc.algebra.calculus import gradient, substitute, tangent
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.modular import is_zero
+from nhc.records import record
 
 Single = tuple[int, int, Node]
 """Number of the row, number of the unknown, its coefficient, which is not zero."""
 
 
-@dataclass(frozen=True)
+@record
 class Peeled:
     """``first`` in the order in which they are solved, then the core, then ``last``; ``columns`` are the core's unknowns."""
 

@@ -8,9 +8,9 @@ from __future__ import annotations
 import functools
 import os
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from nhc.records import record
 from nhc.resources import cache_folder, find_templates
 from nhc.stamp import stamp
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from jinja2 import BytecodeCache, Environment
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class File:
     """One file to be made: its name, the template it comes from and exactly what that template may use."""
 

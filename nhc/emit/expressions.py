@@ -7,11 +7,11 @@ without bound, the printer hands the longest operand to ``spill``, which stores 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import NamedTuple, Protocol
 
 from nhc.program.ir import Binary, Call, Expr, Negate, Number, Pi, Power, Ref
+from nhc.records import record
 
 SUM, PRODUCT, UNARY, POWER, ATOM = range(1, 6)
 LEVELS = {"+": SUM, "-": SUM, "*": PRODUCT, "/": PRODUCT}
@@ -54,7 +54,7 @@ def split_sign(expression: Expr) -> tuple[bool, Expr]:
     return False, expression
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class ExpressionPrinter:
     """``width`` is the longest text allowed (0: no limit), ``spill`` stores an operand that makes it longer."""
 

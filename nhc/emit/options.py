@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from nhc.program.ir import Evaluate, Function, Program
+from nhc.records import record
 
 ARRAYS = ("", "numpy", "jax")
 BATCH = "rhs_batch"
@@ -14,7 +13,7 @@ class EmitError(ValueError):
     """The program cannot be printed as asked; the message says why, in one line for the user."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class EmitOptions:
     """``only``: names of functions (empty: all); ``driver``: C with a ``main``; ``array``: Python over arrays;
     ``scene``: the driver knows this scene alone (empty: all of them); ``trig``: "inline" puts sine and cosine into the

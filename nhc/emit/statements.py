@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from fractions import Fraction
 
 from nhc.program.ir import (
@@ -26,6 +25,7 @@ from nhc.program.ir import (
     Store,
     Sweep,
 )
+from nhc.records import record
 
 ZERO = Number(Fraction(0))
 
@@ -133,7 +133,7 @@ def list_written(function: Function) -> set[int]:
     return written
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Status:
     """A nonzero return code and its meaning."""
 

@@ -7,17 +7,17 @@ the one-form i_X(u ^ w) = u(X) w - w(X) u, so that dOmega/d(dy) of a two-form is
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 
 from nhc.algebra.calculus import substitute
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.modular import are_zero
 from nhc.exterior.coframe import Coframe
+from nhc.records import record
 
 Index = tuple[int, ...]
 
 
-@dataclass(frozen=True)
+@record
 class Form:
     """``terms[I]`` is the coefficient of the wedge of the basis forms I, I strictly increasing; zero terms are absent."""
 

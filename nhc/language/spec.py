@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from fractions import Fraction
 
 from nhc.diagnostics import Source, Span
@@ -152,7 +151,7 @@ class Need:
     span: Span
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Scene:
     """A concrete situation; what ``initial`` leaves out is 0; ``need`` is never empty."""
 
@@ -166,7 +165,7 @@ class Scene:
     tolerance: Fraction
 
 
-@dataclass(frozen=True)
+@record
 class Spec:
     """One decoded spec.
 

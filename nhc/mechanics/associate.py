@@ -24,11 +24,12 @@ from nhc.mechanics.rotation import along, moving, virtual_work
 from nhc.mechanics.system import System
 from nhc.mechanics.tree import Elimination
 from nhc.mechanics.turns import Vector, cross
+from nhc.records import record
 
 Matrix = tuple[tuple[Node, ...], ...]
 
 
-@dataclass(frozen=True)
+@record
 class Row:
     """A(X) = mass_nu w'_nu - force."""
 

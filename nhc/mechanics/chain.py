@@ -11,7 +11,6 @@ Nothing here is a matrix over all rates: the cost follows the tree.  Forces are 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from nhc.algebra.calculus import gradient, pullback_gradient, reachable, substitute, tangent
 from nhc.algebra.graph import NEG, Graph, Node
@@ -21,11 +20,12 @@ from nhc.mechanics.kinetic import Kinetic
 from nhc.mechanics.motion import Motion
 from nhc.mechanics.recursion import Recursion, Terms, Weights, read_recursion
 from nhc.mechanics.system import System
+from nhc.records import record
 
 _MANY = 6  # forms per rate beyond which no recursion is sought: they are the forms of a few bodies under constraints
 
 
-@dataclass(frozen=True)
+@record
 class Chain:
     """Variable i < ``rates`` is ``scale[i]`` times the i-th rate, the others are forms in units that keep coefficients
     free of parameters; ``weights[a, b]`` (a <= b) is H, ``force[i]`` what pulls at variable i, both over one mass ``unit``.

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from nhc.algebra.linear import Singular
 from nhc.algebra.modular import rank
@@ -13,6 +13,7 @@ from nhc.mechanics.frame import Frame, coordinate_frame, make_frame
 from nhc.mechanics.regularity import Choice as DependentChoice
 from nhc.mechanics.regularity import choose_dependent, judge, weak_where_constraints_are_not
 from nhc.mechanics.system import Form, System
+from nhc.records import record
 
 FORMULATIONS = ("newton", "lagrange", "euler-lagrange", "chaplygin", "voronec", "multipliers")
 NUMBERS = {
@@ -24,7 +25,7 @@ NUMBERS = {
 }
 
 
-@dataclass(frozen=True)
+@record
 class Formulation:
     """A formulation with its frame (None: the coordinate velocities themselves).
 

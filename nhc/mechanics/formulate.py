@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from nhc.algebra.calculus import count
 from nhc.algebra.evaluate import evaluate
@@ -24,6 +24,7 @@ from nhc.mechanics.system import System
 from nhc.mechanics.tree import Elimination
 from nhc.mechanics.tree_choice import FEW, worthwhile_tree
 from nhc.mechanics.whole_forms import whole_kinetic
+from nhc.records import record
 
 _SMALL = 400
 """Operations up to which a second route is worth a try."""
@@ -45,7 +46,7 @@ def rate_symbols(system: System, w: Sequence[Node]) -> tuple[Node, ...]:
     return tuple(g.symbol(s.name, "acceleration" if s.kind == "velocity" else "rate") for s in symbols if s is not None)
 
 
-@dataclass(frozen=True)
+@record
 class _Route:
     """One way to the rows of a formulation; all ways agree in value."""
 

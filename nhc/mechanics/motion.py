@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from nhc.algebra.graph import Node
+from nhc.records import record
 
 
-@dataclass(frozen=True)
+@record
 class Motion:
     """The vector field X: q' = ``velocities``(q, w, t), w' = ``rates``, t' = 1; ``vectors`` are dq/dw_mu."""
 

@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
 from nhc.algebra.graph import Node
 from nhc.mechanics.frame import Frame
 from nhc.mechanics.kinetic import Kinetic
 from nhc.mechanics.turns import Vector
+from nhc.records import record
 
 
-@dataclass(frozen=True)
+@record
 class Turning:
     """Axes with angular velocity ``omega`` on the motion, and what the forms ``members`` are on them: that velocity, or a point's.
 
@@ -24,7 +24,7 @@ class Turning:
     forms: tuple[int, ...] | None
 
 
-@dataclass(frozen=True)
+@record
 class Weights:
     """W_k(e) of T's forms for a vector e of the frame, and along e what turns and is no form, in the order of ``Moved.turning``."""
 
@@ -32,7 +32,7 @@ class Weights:
     spins: tuple[Vector, ...]
 
 
-@dataclass(frozen=True)
+@record
 class Moved:
     """T in the forms of ``kinetic`` on moving axes.
 

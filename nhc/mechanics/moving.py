@@ -18,9 +18,10 @@ from nhc.mechanics.signatures import Signatures
 from nhc.mechanics.system import System
 from nhc.mechanics.turns import Path, Vector, add_spin, add_vectors, change_axes, cross
 from nhc.mechanics.vectors import Chained, Part, Reader
+from nhc.records import record
 
 
-@dataclass(frozen=True)
+@record
 class Home:
     """A vector's velocity on its home axes, over the velocities' symbols and the held ones.
 

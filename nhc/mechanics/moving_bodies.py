@@ -7,7 +7,6 @@ masses add up to one mass, one first moment and one inertia, which consist of pa
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from nhc.algebra.calculus import gradient, substitute
 from nhc.algebra.graph import Graph, Node
@@ -16,12 +15,13 @@ from nhc.mechanics.kinetic import Kinetic
 from nhc.mechanics.moving import Scene
 from nhc.mechanics.turns import Path, Vector, add_vectors, change_axes, cross, turn_in
 from nhc.mechanics.vectors import Chained
+from nhc.records import record
 
 Placed = tuple[tuple[int, ...], Chained, bool]
 """Numbers of T's forms, the vector that they are, and whether it was read as a position."""
 
 
-@dataclass(frozen=True)
+@record
 class Point:
     """A vector among T's forms on the axes of ``path``: the numbers of its components (-1: zero)."""
 
@@ -32,7 +32,7 @@ class Point:
     is_joined: bool = False  # several points of T are fixed to it
 
 
-@dataclass(frozen=True)
+@record
 class Hung:
     """A position of T's: its point's forms on the axes of ``path``, and the body's angular velocity where it has an arm."""
 
@@ -44,7 +44,7 @@ class Hung:
     arm: Vector
 
 
-@dataclass(frozen=True)
+@record
 class Bodies:
     """T in new forms: the points' velocities on their axes, angular velocities, and what else T has.
 

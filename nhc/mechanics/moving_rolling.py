@@ -7,16 +7,16 @@ axes the equation is short: it gives a root's velocity there outright, and betwe
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from nhc.algebra.calculus import reachable, substitute
 from nhc.algebra.graph import ADD, NEG, Graph, Node
 from nhc.mechanics.moving import Scene
 from nhc.mechanics.turns import Path, Vector, add_vectors, change_axes
 from nhc.mechanics.vectors import Chained
+from nhc.records import record
 
 
-@dataclass(frozen=True)
+@record
 class Rolling:
     """held symbols of ``rows`` = the base's velocity + ``local`` on the axes of ``path``."""
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
 from nhc.algebra.graph import ADD, MUL, NEG, Graph, Node
 from nhc.mechanics.kinetic import Kinetic
@@ -11,6 +10,7 @@ from nhc.mechanics.moving import Scene
 from nhc.mechanics.system import System
 from nhc.mechanics.turns import Path, Turn, Vector, change_axes
 from nhc.mechanics.vectors import Chained
+from nhc.records import record
 
 _FEW_FACTORS = 8
 
@@ -55,7 +55,7 @@ def _pair(members: Sequence[int], reach: dict[int, int]) -> Iterator[tuple[int, 
             yield first, partner
 
 
-@dataclass(frozen=True)
+@record
 class Sided:
     """scale (cos(angle) c + sin(angle) s) + rest, as a row has it."""
 

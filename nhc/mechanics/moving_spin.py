@@ -7,7 +7,6 @@ differs from Omega_i by an exact one (a wheel's spin about its axle) has the sam
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from nhc.algebra.calculus import reachable, substitute
 from nhc.algebra.graph import Node
@@ -16,9 +15,10 @@ from nhc.mechanics.moving import Scene
 from nhc.mechanics.moving_bodies import Bodies
 from nhc.mechanics.moving_rates import Solution
 from nhc.mechanics.turns import Path, Turn, Vector, cross
+from nhc.records import record
 
 
-@dataclass(frozen=True)
+@record
 class Spin:
     """``members[i]`` are the numbers of T's forms whose derivative is that of the i-th component.
 

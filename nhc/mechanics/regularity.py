@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 import random
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from itertools import combinations
 from weakref import WeakKeyDictionary
 
@@ -18,13 +17,14 @@ from nhc.algebra.polynomial import normalise
 from nhc.language.syntax import Syntax
 from nhc.mechanics.minors import relative_minors
 from nhc.mechanics.system import Form, System
+from nhc.records import record
 
 _TRIALS = 12
 _WEAK = 0.03  # of the largest determinant that rows of these lengths can have (per row)
 _MANY = 250  # subsets of columns that are tried one by one
 
 
-@dataclass(frozen=True)
+@record
 class Choice:
     """Dependent velocities with the determinant of their block; ``regular`` if it can be shown never to vanish."""
 

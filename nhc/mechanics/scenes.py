@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Node
@@ -16,12 +15,13 @@ from nhc.diagnostics import Bag
 from nhc.language.spec import Scene
 from nhc.mechanics.regularity import choose_dependent, constant_value
 from nhc.mechanics.system import Form, System
+from nhc.records import record
 
 TOLERANCE = 1e-9
 """How far, relative to the size of its terms, a given start may be from satisfying the constraints."""
 
 
-@dataclass(frozen=True)
+@record
 class Start:
     """``p`` in the spec's order; ``q`` and ``v`` at ``time[0]``."""
 

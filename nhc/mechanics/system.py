@@ -8,13 +8,13 @@ a reaction enters as Q_i + lambda_alpha a_alpha_i.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from functools import partial
 
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.linear import linear_form
 from nhc.language import Spec
 from nhc.mechanics.rotation import Rotation
+from nhc.records import record
 
 
 class Form:
@@ -81,7 +81,7 @@ class Form:
         return hash(self._key())
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class System:
     """T, U and Q over q, q', p and t, with l constraint forms (I.1.1) and the spec's quasi-velocities (I.2.1)."""
 

@@ -11,14 +11,13 @@ same plane are joined by one turn by the difference of their angles, which is wh
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from nhc.algebra.graph import Graph, Node
+from nhc.records import record
 
 Vector = tuple[Node, Node, Node]
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Turn:
     """A turn by ``angle`` in the plane of the axes ``plane``, from the first to the second."""
 

@@ -16,13 +16,14 @@ from nhc.algebra.graph import ADD, NEG, Graph, Node
 from nhc.algebra.modular import are_zero
 from nhc.algebra.polynomial import normalise
 from nhc.mechanics.turns import Path, Turn, Vector, add_vectors, change_axes, turn_in, turn_out
+from nhc.records import record
 
 _PLANES = ((0, 1), (1, 2), (2, 0))
 _FEW_ANGLES = 2  # a link and its neighbour: fewer cannot be hoped for
 _LOOK_BACK = 4
 
 
-@dataclass(frozen=True)
+@record
 class Part:
     """A local vector on the axes of a path."""
 

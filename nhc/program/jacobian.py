@@ -8,13 +8,14 @@ passes share is computed before them.  The velocities' rows are short and always
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from nhc.algebra.calculus import count, gradient, pullback_gradient, reachable, tangent
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.shorten import shorten
 from nhc.program.plan import FunctionPlan, SolvePlan, SweepPlan, Target
+from nhc.records import record
 
 if TYPE_CHECKING:
     from nhc.program.build import Planner
@@ -23,7 +24,7 @@ LONGEST = 1500
 """Operations of the rates' rows, roughly, beyond which they are not written out."""
 
 
-@dataclass(frozen=True)
+@record
 class Slopes:
     """Entries row by row (written out), or sweeps in their place; the dense solves that the entries need."""
 

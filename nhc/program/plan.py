@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from nhc.algebra.graph import Graph, Node
 from nhc.program.ir import Argument, Origin
@@ -43,7 +43,7 @@ class SolvePlan:
     what: str
 
 
-@dataclass(frozen=True)
+@record
 class SweepPlan:
     """``targets`` once per pass, linear in the symbols ``seeds``: in pass k the k-th one is 1 and the others are 0.
 
@@ -56,7 +56,7 @@ class SweepPlan:
     targets: tuple[Target, ...]
 
 
-@dataclass(frozen=True)
+@record
 class FunctionPlan:
     """``loads`` maps a symbol to (array, index, about); ``result`` is the scalar value of a function without output array.
 

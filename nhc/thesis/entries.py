@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from nhc.records import record
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Equation:
     """One number of the thesis.
 
@@ -30,7 +30,7 @@ class Equation:
         return "shown" if self.test else "not needed"
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Erratum:
     """One erratum: ``evidence`` is what the test ``test`` computes and asserts."""
 

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from nhc.emit.c.body import BodyPrinter, print_singular, wrap_code
 from nhc.emit.c.lanes import Each, LanesPrinter
 from nhc.emit.c.names import make_scope
 from nhc.emit.c.parts import cut, find_crossing, list_names
 from nhc.emit.statements import collect_refs, drop_unused, fill_stores, split_hoisted
 from nhc.program.ir import Function, Guard, Let, Load, Program, Solve, Statement, Store
+from nhc.records import record
 
 OWN = (
     "count", "i", "bad", "far", "sum", "stride", "fixed", "carried", "check", "status", "left", "one", "time", "state",
@@ -19,7 +18,7 @@ LONGEST, USUAL = 600, 400  # statements of one function, and of a part where the
 SHORT = 250  # statements that are compiled for vectors of two doubles too, where little is won
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Batch:
     """The body of ``rhs_batch``, the functions before it, and the functions of C that these call lane by lane.
 

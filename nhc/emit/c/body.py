@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from fractions import Fraction
 
 from nhc.emit.c.literals import PI, print_comment, print_double
@@ -26,6 +25,7 @@ from nhc.program.ir import (
     Statement,
     Store,
 )
+from nhc.records import record
 
 WIDTH = 110
 FUNCTIONS = {"abs": "fabs"}
@@ -33,7 +33,7 @@ ANY = "_any"  # this file's own sine and cosine, for any angle
 HELPERS = {"sign": "sign", "min": "minimum", "max": "maximum"}  # functions that this file must bring itself
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class CDialect:
     """C's leaves; ``helpers`` collects the static functions that the file needs, ``prefix`` is the system's name."""
 

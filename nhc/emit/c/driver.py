@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from nhc.emit.c.literals import print_comment, print_float, print_string
 from nhc.emit.options import EmitError
 from nhc.emit.statements import Status, list_statuses
 from nhc.program.ir import Program, SceneData
+from nhc.records import record
 from nhc.stamp import PLACEHOLDER
 from nhc.version import __version__
 
@@ -21,7 +20,7 @@ FUNCTIONS = {  # the function that a kind of column comes from
 }
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Column:
     """One column of the CSV: its heading, its kind and its place in the array of that kind."""
 
@@ -30,7 +29,7 @@ class Column:
     index: int
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Scene:
     """A scene as C literals; ``first`` and ``count`` select its columns."""
 

@@ -6,7 +6,6 @@ are only noted, and who called asks the scalar function then.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from fractions import Fraction
 
 from nhc.emit.c.body import HELPERS, bound_test, print_origin, wrap_code
@@ -15,11 +14,12 @@ from nhc.emit.expressions import ATOM, ExpressionPrinter, Text
 from nhc.emit.names import Scope
 from nhc.emit.statements import iterate_refs
 from nhc.program.ir import Call, Expr, Guard, Let, Load, Statement, Store
+from nhc.records import record
 
 _TURNED = ("sin", "cos")
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Each:
     """A function of C that is called lane by lane: the helper's name, the function, its number of arguments."""
 
@@ -103,7 +103,7 @@ class LanesPrinter:
         self.add(f"{self.prefix}_put({target}, {name});")
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class _Dialect:
     """C's leaves for lanes."""
 

@@ -6,18 +6,18 @@ A part finds what others have computed in an array, ``kept`` (doubles) or, insid
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 
 from nhc.emit.c.body import BodyPrinter, wrap_code
 from nhc.emit.statements import collect_refs
 from nhc.program.ir import Evaluate, Function, Let, Load, Result, Solve, Statement, Store, Sweep
+from nhc.records import record
 
 OWN = ("kept", "carried", "first", "seed", "slope", "offset", "entry", "status")
 LONGEST = 1200  # statements that one function may have
 USUAL = 600  # statements of a part
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Layout:
     """The parts of a body, and the names that one of them leaves for others, each with its place in ``kept``."""
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from nhc.emit.c.arrange import arrange
 from nhc.emit.c.batch import Batch, mark_unused, print_batch
 from nhc.emit.c.body import ANY, BodyPrinter, print_singular, wrap_code
@@ -17,11 +15,12 @@ from nhc.emit.environment import File
 from nhc.emit.options import BATCH, EmitError, EmitOptions, check_options, select_functions
 from nhc.emit.statements import drop_unused, find_not_finite, list_missing, list_statuses, list_used_names
 from nhc.program.ir import Argument, Function, Load, Program, Quantity, Solve, Statement, Sweep
+from nhc.records import record
 
 FEW = 8  # entries of zero that are stored one by one
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class PrintedFunction:
     """What a template places: the comment above the prototype, the prototype, the body."""
 
@@ -32,7 +31,7 @@ class PrintedFunction:
     parts: tuple[str, ...] = ()  # what stands before the function: its own static ones
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Constant:
     """An enumerator with its remark."""
 
@@ -41,7 +40,7 @@ class Constant:
     about: str
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Table:
     """A constant array; ``remark`` says so where the array is there for C's sake only."""
 
