@@ -107,11 +107,7 @@ def _finish(
     vectors: Sequence[Placed],
 ) -> Moved | None:
     system, g = scene.system, scene.graph
-    rows = []
-    for j, value in enumerate(values):
-        rewritten = rewrite_row(scene, value) if j not in scene.rows else None
-        # the vector that a row is a component of may find on its axes that it is this row
-        rows.append(scene.rows.get(j, rewritten or value))
+    rows = _rewrite_rows(scene, values)
     try:
         solution, guards = _solve(scene, rows)
     except Singular:
@@ -128,14 +124,7 @@ def _finish(
     general = solution.put(bodies.values)
     rates = Rates(on_motion, kinematics)
     moved = rates.on_motion(general)
-    drift = list(tangent(g, moved, rates.seeds))
-    inertial = [False] * len(moved)
-    for point in bodies.points:
-        home = scene.home(point.vector, point.is_position)
-        there = change_axes(g, rates.acceleration(point.vector, point.is_position), home.path, point.path)
-        for k, node in zip(point.members, there, strict=False):
-            if k >= 0:
-                drift[k], inertial[k] = node, True
+    drift, inertial = _drift_of(bodies, rates, moved)
     turning = find_turning(scene, bodies, inertial)
     carried = list(inertial)
     for k in (k for own in turning for axis in own.members for k in axis):
@@ -164,6 +153,29 @@ def _finish(
         settled=all(home.known for home in scene.homes.values() if home.root),
         turning=tuple(_turn(rates, own, held) for own in turning),
     )
+
+
+def _rewrite_rows(scene: Scene, values: Sequence[Node]) -> list[Node]:
+    """The forms on moving axes where they are components there."""
+    rows = []
+    for j, value in enumerate(values):
+        rewritten = rewrite_row(scene, value) if j not in scene.rows else None
+        # the vector that a row is a component of may find on its axes that it is this row
+        rows.append(scene.rows.get(j, rewritten or value))
+    return rows
+
+
+def _drift_of(bodies: Bodies, rates: Rates, moved: Sequence[Node]) -> tuple[list[Node], list[bool]]:
+    """The forms' rates with the kept velocities' rates left out, and which of them are components of accelerations."""
+    scene, g = rates.scene, rates.scene.graph
+    drift, inertial = list(tangent(g, moved, rates.seeds)), [False] * len(moved)
+    for point in bodies.points:
+        home = scene.home(point.vector, point.is_position)
+        there = change_axes(g, rates.acceleration(point.vector, point.is_position), home.path, point.path)
+        for k, node in zip(point.members, there, strict=False):
+            if k >= 0:
+                drift[k], inertial[k] = node, True
+    return drift, inertial
 
 
 def _solve(
