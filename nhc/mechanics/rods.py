@@ -50,7 +50,7 @@ class Rod:
 class Rods:
     """All rods of a chain with nothing but rods beyond them; ``roots`` stand on something else."""
 
-    def __init__(self, chain: Chain) -> None:
+    def __init__(self, chain: Chain, beside: Sequence[Node]) -> None:
         self.chain, self.graph = chain, chain.graph
         self.rods = _find(chain)
         held = {rod.tip: rod for rod in self.rods}
@@ -62,18 +62,18 @@ class Rods:
                 self.roots.append(rod)
             else:
                 parent.children.append(rod)
-        trigonometry = self._at_hand()
+        trigonometry = self._at_hand(beside)
         for rod in self.rods:
             for child in rod.children:
                 child.cosine, child.sine = _between(self.graph, rod, child, trigonometry)
         for rod in reversed(self.rods):
             self._stiffen(rod)
 
-    def _at_hand(self) -> set[Node]:
-        """Sines and cosines that are needed anyhow."""
+    def _at_hand(self, beside: Sequence[Node]) -> set[Node]:
+        """Sines and cosines that are needed anyhow, also for what is computed ``beside``."""
         g, chain = self.graph, self.chain
         own = {i for rod in self.rods for i in (rod.rate, *rod.tip)}
-        used = [force for force in chain.force if force != g.zero]
+        used = [*beside, *(force for force in chain.force if force != g.zero)]
         for k, terms in enumerate(chain.definitions):
             if chain.rates + k not in own:
                 used += [*terms.values(), chain.turn[k]]

@@ -30,22 +30,26 @@ class Step:
 
 @dataclass
 class Elimination:
-    """Steps from the leaves to the root; ``pivots`` are (rate, pivot, what it is measured by) in the chain's units."""
+    """Steps from the leaves to the root; ``pivots`` are (pivot, what it is measured by) in the chain's units.
+
+    ``beside`` is what will be computed together with the rates.
+    """
 
     chain: Chain
+    beside: Sequence[Node] = ()
     steps: list[Step] = field(default_factory=list)
-    pivots: list[tuple[int, Node, Node]] = field(default_factory=list)
+    pivots: list[tuple[Node, Node]] = field(default_factory=list)
 
     def __post_init__(self) -> None:
         chain = self.chain
         self.graph: Graph = chain.graph
         self.rows: list[Terms] = [{} for _ in range(chain.size)]
-        self.rods = Rods(chain)
+        self.rods = Rods(chain, self.beside)
         self._gone = [False] * chain.size
         for rod in self.rods.rods:
             for i in (rod.rate, *rod.tip):
                 self._gone[i] = True
-            self.pivots.append((rod.rate, rod.pivot, rod.mass))
+            self.pivots.append((rod.pivot, rod.mass))
         for (a, b), weight in chain.weights.items():
             if not self._gone[a] and not self._gone[b]:
                 self._add(a, b, weight)
@@ -146,7 +150,7 @@ class Elimination:
         g, row = self.graph, self.rows[i]
         pivot = row.pop(i, g.zero)
         reciprocal = g.inverse(pivot)
-        self.pivots.append((i, pivot, self._measure(i)))
+        self.pivots.append((pivot, self._measure(i)))
         others = [c for c in row if row[c] != g.zero]
         shares = {c: g.mul(row[c], reciprocal) for c in others}
         for x, c in enumerate(others):

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from nhc.algebra.calculus import count
+from collections.abc import Sequence
+
+from nhc.algebra.calculus import count, reachable
+from nhc.algebra.graph import Graph, Node
 from nhc.algebra.modular import are_zero
 from nhc.mechanics.chain import Chain, find_chain
 from nhc.mechanics.chain_forces import lift_forces
@@ -13,35 +16,47 @@ from nhc.mechanics.tree import Elimination
 
 CHAINED = 4
 """Operations that the longer way from pivot to pivot of a tree is worth."""
+ANGLE = 30
+"""Operations that a sine with its cosine takes the time of."""
 FEW = 3
 """Rates up to which both ways are written out and compared."""
 _ENTRY, _CARRIED = 11, 4
 """Operations for an entry of the mass matrix with its share of the forces, and for a rate in a form that holds it by another."""
 
 
-def tree_of(system: System, motion: Motion, kinetic: Kinetic) -> Elimination | None:
+def work(graph: Graph, nodes: Sequence[Node]) -> int:
+    """Operations of the nodes; a sine and cosine of one angle are as many as ``ANGLE``."""
+    return count(graph, nodes) + ANGLE * _angles(graph, nodes)
+
+
+def _angles(graph: Graph, nodes: Sequence[Node]) -> int:
+    return len({graph.a[node] for node in reachable(graph, nodes) if graph.op[node] in ("sin", "cos")})
+
+
+def tree_of(system: System, motion: Motion, kinetic: Kinetic, beside: Sequence[Node] = ()) -> Elimination | None:
     """The elimination along the tree; None where there is no recursion, or a pivot vanishes identically."""
     chain = find_chain(system, motion, kinetic)
     if chain is None:
         return None
     try:
-        tree = Elimination(lift_forces(chain))
+        tree = Elimination(lift_forces(chain), beside)
     except ZeroDivisionError:
         return None
-    return None if any(are_zero(tree.graph, [pivot for _, pivot, _ in tree.pivots])) else tree
+    return None if any(are_zero(tree.graph, [pivot for pivot, _ in tree.pivots])) else tree
 
 
 def worthwhile_tree(system: System, motion: Motion, kinetic: Kinetic) -> Elimination | None:
     """The elimination along the tree, where it takes fewer operations than the matrix would."""
     tree = tree_of(system, motion, kinetic)
-    if tree is None or count(tree.graph, tree.rates) + CHAINED * len(motion.w) >= dense_cost(tree.chain):
+    if tree is None or work(tree.graph, tree.rates) + CHAINED * len(motion.w) >= dense_cost(tree.chain):
         return None
     return tree
 
 
 def dense_cost(chain: Chain) -> int:
     """Operations of mass matrix, right side and L D L^T, by the pattern of which rates move the same forms."""
-    g, rates, total = chain.graph, chain.rates, 0
+    g, rates = chain.graph, chain.rates
+    total = ANGLE * _angles(g, [a for terms in chain.definitions for a in terms.values()])
     reach = [1 << i for i in range(rates)]
     for terms in chain.definitions:
         mask = 0

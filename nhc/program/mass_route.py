@@ -5,13 +5,15 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
-from nhc.algebra.calculus import count, substitute
+from nhc.algebra.calculus import substitute
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.shorten import shorten
 from nhc.mechanics.associate import Equations
+from nhc.mechanics.system import Form
 from nhc.mechanics.tree import Elimination
-from nhc.mechanics.tree_choice import CHAINED, FEW, tree_of
+from nhc.mechanics.tree_choice import CHAINED, FEW, tree_of, work
 from nhc.mechanics.whole_forms import whole_kinetic
+from nhc.program.held_tree import held_tree
 from nhc.program.plan import Factors, factor, solve_factored
 
 
@@ -36,20 +38,34 @@ class MassRoute:
         return solve_factored(self.graph, self._factors, right)
 
 
-def mass_route(equations: Equations, full: Equations, put_in: Mapping[Node, Node]) -> MassRoute:
-    """The cheaper way; ``full`` are the equations before ``put_in`` was put into them: a tree is read from these."""
-    g, size, tree = equations.system.graph, len(equations.motion.w), full.tree
-    dense = None
-    if tree is None:
-        dense = _dense(equations)
-        tree = _other_tree(full)
-    if tree is None:
-        assert dense is not None
-        return dense
-    values = substitute(g, tree.rates, put_in)
-    if dense is not None and count(g, values) + CHAINED * size >= count(g, dense.values):
-        return dense
-    flat = substitute(g, [node for _, *pair in tree.pivots for node in pair], put_in)
+def mass_route(equations: Equations, full: Equations, put_in: Mapping[Node, Node], kept: Sequence[Form]) -> MassRoute:
+    """The cheapest way; ``full`` are the equations before ``put_in`` was put into them: a tree is read from these.
+
+    ``kept`` are the forms whose values the velocities w are.
+    """
+    g, size = equations.system.graph, len(equations.motion.w)
+    if full.tree is not None:
+        return _along(equations, full.tree.rates, full.tree.pivots, put_in, full.tree)
+    found = [_dense(equations)]
+    tree = _other_tree(full)
+    if tree is not None:
+        found.append(_along(equations, tree.rates, tree.pivots, put_in, tree))
+    held = held_tree(full, kept)
+    if held is not None:
+        found.append(_along(equations, held.rates, held.pivots, put_in))
+    return min(found, key=lambda way: work(g, way.values) + (0 if way is found[0] else CHAINED * size))
+
+
+def _along(
+    equations: Equations,
+    rates: Sequence[Node],
+    pivots: Sequence[tuple[Node, Node]],
+    put_in: Mapping[Node, Node],
+    tree: Elimination | None = None,
+) -> MassRoute:
+    g = equations.system.graph
+    flat = substitute(g, [node for pair in pivots for node in pair], put_in)
+    values = substitute(g, rates, put_in)
     return MassRoute(g, equations, values, list(zip(flat[::2], flat[1::2], strict=True)), tree, put_in)
 
 

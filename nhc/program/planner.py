@@ -86,7 +86,9 @@ class PlannerBase:
         if not rates:
             return
         if equations.definite:
-            self.route = mass_route(equations, self.full_equations, self.put_in)
+            frame = self.formulation.frame
+            kept = frame.forms[self.system.l :] if frame is not None else ()
+            self.route = mass_route(equations, self.full_equations, self.put_in, kept)
             self.solved = dict(zip(rates, self.route.values, strict=True))
             what = "the mass matrix is singular"
             self.mass_guards = tuple(

@@ -17,6 +17,7 @@ from nhc.mechanics.tree_choice import tree_of
 from nhc.mechanics.whole_forms import whole_kinetic
 from nhc.pipeline import Model, Options, emit, model, reduce_scene
 from nhc.program.build import Planner
+from nhc.program.held_tree import held_tree
 from nhc.program.plan import factor, solve_factored
 from tests.support import error, python_model
 
@@ -210,6 +211,40 @@ def test_a_wrong_tree_is_noticed() -> None:
     rates = tree.rates
     rates[2] = found.system.graph.add(rates[2], tree.chain.scale[2])
     assert not are_equal(found.system.graph, rates, dense(found, list(found.equations.force)))
+
+
+def held(kind: str) -> str:
+    """Chains that hang at both ends, or drag a skate, or a blade and a pin."""
+    hung = "holonomic:\n  - across: {x} = d\n  - down: {y} = -0.3\n"
+    skate = "constraints:\n  - edge: -sin(th{n})*{x}' + cos(th{n})*{y}' = 0\n"
+    text, n, tip = {
+        "rods": (in_a_row(6, "rods"), 6, "e6"),
+        "links": (in_a_row(7, "links"), 7, "e7"),
+        "driven": (links(21, 6, "driven"), 6, "e6"),
+        "tree": (links(23, 6, "free"), 6, "e6"),
+    }[kind.split("-")[0]]
+    text = text.replace("parameters: {", "parameters: {d: 1.3, ")
+    return text + (hung if kind.endswith("hung") else skate).format(n=n, x=f"x{tip}", y=f"y{tip}")
+
+
+@pytest.mark.parametrize("kind", ["rods-hung", "rods-skate", "links-hung", "driven-skate", "tree-hung", "tree-skate"])
+def test_a_held_tree_is_the_dense_one(kind: str) -> None:
+    found = model(Source("held.yaml", held(kind)))
+    g, frame = found.system.graph, found.formulation.frame
+    assert frame is not None
+    made = held_tree(found.equations, frame.forms[found.system.l :])
+    assert made is not None
+    assert are_equal(g, made.rates, dense(found, list(found.equations.force)))
+
+
+def test_many_links_that_are_held_take_the_tree() -> None:
+    text = in_a_row(9, "links").replace("parameters: {", "parameters: {d: 2.3, ")
+    made = model(Source("held.yaml", text + "holonomic:\n  - across: xe9 = d\n"))
+    planner = Planner(made.equations, made.formulation)
+    g, motion = made.system.graph, made.equations.motion
+    values = solve_factored(g, factor(g, made.equations.mass), made.equations.force)
+    assert count(g, planner.route.values) < 0.6 * count(g, values)
+    assert motion.velocities != motion.w
 
 
 def in_a_row(bodies: int, kind: str) -> str:
