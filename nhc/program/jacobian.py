@@ -62,7 +62,10 @@ def differentiate(graph: Graph, nodes: Sequence[Node], wrt: Sequence[Node]) -> l
 
 
 def differentiate_rates(planner: Planner) -> Slopes:
-    """The rows of the rates, by implicit differentiation of mass w' - force, with the factors already at hand."""
+    """The rows of the rates: differentiated themselves where a tree keeps them short, else by mass w' - force = 0.
+
+    The latter takes the factors that are at hand, and no derivative of them.
+    """
     g, motion, y = planner.graph, planner.equations.motion, planner.y_nodes
     matrix, right = planner._dense()
     unknowns = (*motion.rates, *planner.equations.multipliers)
@@ -75,10 +78,14 @@ def differentiate_rates(planner: Planner) -> Slopes:
         symbols = [[g.symbol(f"d{i}_{j}", "unknown") for i in range(len(matrix))] for j in range(len(columns))]
         solves = (*planner.solves, planner._dense_solve(matrix, columns, symbols))
         return Slopes(tuple(tuple(column[k] for column in symbols) for k in planner.kept_w), (), solves)
-    backward = sweep_rows(planner, residual)
+    direct = planner.route.tree is not None
+    rates = planner.known(motion.rates) if direct else residual
+    backward = sweep_rows(planner, rates, direct)
     if len(planner.kept_w) * _cost(g, backward) > LONGEST:
-        forward = sweep_columns(planner, residual)
+        forward = sweep_columns(planner, rates, direct)
         return Slopes((), min(((backward,), forward), key=lambda sweeps: _passes(g, sweeps)))
+    if direct:
+        return Slopes(tuple(map(tuple, differentiate(g, [rates[k] for k in planner.kept_w], y))))
     slopes = zip(*(gradient(g, node, y) for node in residual), strict=True)
     solved = [planner.route.solve(planner.known(column)) for column in slopes]
     flat = shorten(g, [node for column in solved for node in column])
@@ -86,32 +93,36 @@ def differentiate_rates(planner: Planner) -> Slopes:
     return Slopes(tuple(tuple(flat[j * size + k] for j in range(len(y))) for k in planner.kept_w))
 
 
-def sweep_rows(planner: Planner, residual: Sequence[Node]) -> SweepPlan:
-    """A pass for each rate: row k of the inverse mass matrix times the residual's slopes, pulled back to y."""
+def sweep_rows(planner: Planner, nodes: Sequence[Node], direct: bool) -> SweepPlan:
+    """A pass for each rate, the pull-back to y of its row: of the rates themselves if ``direct``, else of the residual.
+
+    The residual's weights are a row of the inverse mass matrix.
+    """
     g, y = planner.graph, planner.y_nodes
     unit = {k: g.symbol(f"row_{k}", "direction") for k in planner.kept_w}
-    weights = planner.route.solve([unit.get(k, g.zero) for k in range(len(residual))])
-    slopes = pullback_gradient(g, list(zip(residual, weights, strict=True)), y)
+    seeds = [unit.get(k, g.zero) for k in range(len(nodes))]
+    weights = seeds if direct else planner.route.solve(seeds)
+    slopes = pullback_gradient(g, list(zip(nodes, weights, strict=True)), y)
     targets = _targets(g, planner.known(slopes), range(len(y)))
     first = len(planner.kept_q)
     offsets = tuple((first + i) * len(y) for i in range(len(unit)))
     return SweepPlan("one rate in each pass: its row of the matrix", tuple(unit.values()), offsets, targets)
 
 
-def sweep_columns(planner: Planner, residual: Sequence[Node]) -> tuple[SweepPlan, ...]:
+def sweep_columns(planner: Planner, nodes: Sequence[Node], direct: bool) -> tuple[SweepPlan, ...]:
     """A pass for each coordinate, and in a sweep of their own one for each velocity: the rates' slopes along it."""
     y, split = planner.y_nodes, len(planner.kept_q)
     coordinates, velocities = range(split), range(split, len(y))
-    found = (_sweep_group(planner, residual, group) for group in (coordinates, velocities))
+    found = (_sweep_group(planner, nodes, group, direct) for group in (coordinates, velocities))
     return tuple(sweep for sweep in found if sweep.targets)
 
 
-def _sweep_group(planner: Planner, residual: Sequence[Node], group: Sequence[int]) -> SweepPlan:
+def _sweep_group(planner: Planner, nodes: Sequence[Node], group: Sequence[int], direct: bool) -> SweepPlan:
     g, y = planner.graph, planner.y_nodes
-    active = [j for j in group if any(g.deps[node] & g.deps[y[j]] for node in residual)]
+    active = [j for j in group if any(g.deps[node] & g.deps[y[j]] for node in nodes)]
     seeds = {y[j]: g.symbol(f"along_{j}", "direction") for j in active}
-    slopes = planner.known(tangent(g, residual, seeds))
-    solved = planner.route.solve(slopes)
+    slopes = planner.known(tangent(g, nodes, seeds))
+    solved = slopes if direct else planner.route.solve(slopes)
     first = len(planner.kept_q)
     rows = [(first + i) * len(y) for i in range(len(planner.kept_w))]
     targets = _targets(g, [solved[k] for k in planner.kept_w], rows)

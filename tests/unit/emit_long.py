@@ -63,9 +63,10 @@ def make_long() -> Program:
     )
     rates = tuple(Load(f"rate_{name}", "dydt", k) for k, name in enumerate(STATE))
     calls: tuple[Statement, ...] = (Evaluate("rhs", "dydt", 3), *loads("y", "x"), *rates)
-    accelerations = function(
-        "accelerations", (*calls, store("qddot", 0, ref("rate_v") * ref("x") + ref("rate_z"))), SIZES, ("qddot", 1)
-    )
+    after: list[Statement] = [let("b_0", ref("rate_v") * ref("x") + ref("rate_z"))]
+    after += [let(f"b_{k}", ref(f"b_{k - 1}") * 0.5 + ref(f"b_{k // 2}") + ref("rate_x")) for k in range(1, LINKS)]
+    end = store("qddot", 0, ref(f"b_{LINKS - 1}"))
+    accelerations = function("accelerations", (*calls, *after, end), SIZES, ("qddot", 1))
     seeds = {"x": "e_x", "v": "e_v", "z": "e_z"}
     sweep = Sweep("one direction in each pass", tuple(seeds.values()), (0, 1, 2), _slopes(seeds))
     jacobian = function(

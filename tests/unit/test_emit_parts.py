@@ -30,6 +30,7 @@ def short_parts(monkeypatch: pytest.MonkeyPatch) -> None:
     for module in (parts, sweep, batch):
         monkeypatch.setattr(module, "LONGEST", 120)
         monkeypatch.setattr(module, "USUAL", 60)
+    monkeypatch.setattr(parts, "RHS", 1)
 
 
 @pytest.mark.parametrize("compiler", COMPILERS)

@@ -9,20 +9,24 @@ from collections.abc import Iterable, Sequence
 
 from nhc.emit.c.body import BodyPrinter, wrap_code
 from nhc.emit.statements import collect_refs
-from nhc.program.ir import Evaluate, Function, Let, Load, Result, Solve, Statement, Store, Sweep
+from nhc.program.ir import Argument, Evaluate, Function, Let, Load, Solve, Statement, Store, Sweep
 from nhc.records import record
 
 OWN = ("kept", "carried", "first", "seed", "slope", "offset", "entry", "status")
-LONGEST = 1200  # statements that one function may have
-USUAL = 600  # statements of a part
+LONGEST, USUAL = 150, 100  # statements that one function may have; those of a part where there are more
+RHS = 8  # how many times as long ``rhs`` may be, which must be fast above all: what parts leave for others costs stores and loads
 
 
 @record
 class Layout:
-    """The parts of a body, and the names that one of them leaves for others, each with its place in ``kept``."""
+    """The parts of a body, and the names that one of them leaves for others, each with its place in ``kept``.
+
+    ``divided``: there are several parts, or sweeps.
+    """
 
     parts: tuple[tuple[Statement, ...], ...]
     kept: dict[str, int]
+    divided: bool
 
 
 def list_bound(statement: Statement) -> tuple[str, ...]:
@@ -52,19 +56,24 @@ def find_crossing(parts: Iterable[Iterable[Statement]]) -> dict[str, int]:
     return {name: place for place, name in enumerate(name for name in home if name in crossing)}
 
 
-def lay_out(body: tuple[Statement, ...]) -> Layout:
-    """The parts of a body without its loads and sweeps; a sweep counts as a part that uses what it uses."""
+def lay_out(function: Function, body: tuple[Statement, ...]) -> Layout:
+    """The parts of a body without its loads, calls and sweeps; a sweep counts as a part that uses what it uses."""
     sweeps = [(statement,) for statement in body if isinstance(statement, Sweep)]
-    straight = [s for s in body if not isinstance(s, Load | Sweep)]
-    whole = any(isinstance(s, Evaluate | Result) for s in straight)
-    parts = (tuple(straight),) if whole else cut(straight, LONGEST, USUAL)
-    return Layout(parts, find_crossing((*parts, *sweeps)))
+    straight = [s for s in body if not isinstance(s, Evaluate | Load | Sweep)]
+    longer = RHS if function.name == "rhs" else 1
+    parts = cut(straight, longer * LONGEST, longer * USUAL) if function.output is not None else (tuple(straight),)
+    return Layout(parts, find_crossing((*parts, *sweeps)), bool(sweeps) or len(parts) > 1)
 
 
 def list_names(part: Iterable[Statement]) -> set[str]:
     """The names that the statements use and do not compute."""
     own = {name for statement in part for name in list_bound(statement)}
     return {name for statement in part for name in collect_refs(statement)} - own
+
+
+def list_arguments(function: Function) -> tuple[Argument, ...]:
+    """What a part may read: the function's inputs, and the outputs of the functions that it calls."""
+    return (*function.inputs, *(Argument(s.array, s.size) for s in function.body if isinstance(s, Evaluate)))
 
 
 def print_argument(name: str, size: int) -> str:
@@ -81,7 +90,8 @@ def print_head(printer: BodyPrinter, function: Function, part: Sequence[Statemen
     loads = tuple(s for s in function.body if isinstance(s, Load) and s.name in used)
     taken = [(name, place) for name, place in printer.kept.items() if name in used]
     read = {load.array for load in loads} | set(own) | ({"kept"} if taken else set())
-    printer.lines += [f"    (void){name};" for name in (*printer.arguments, "kept") if name not in read]
+    given = [*(argument.name for argument in list_arguments(function)), "kept"]
+    printer.lines += [f"    (void){name};" for name in given if name not in read]
     printer.print_all(loads)
     printer.lines += [f"    const double {printer.scope[name]} = kept[{place}];" for name, place in taken]
 
@@ -90,7 +100,7 @@ def print_part(printer: BodyPrinter, function: Function, part: Sequence[Statemen
     """A part of a function's straight code as a function of its own, from its first line to its last."""
     assert function.output is not None
     inner, output = printer.fork(), function.output.name
-    inputs = [print_argument(argument.name, argument.size) for argument in function.inputs]
+    inputs = [print_argument(argument.name, argument.size) for argument in list_arguments(function)]
     leaves = any(name in printer.kept for statement in part for name in list_bound(statement))
     stores = any(isinstance(statement, Store) for statement in part)
     arguments = ", ".join((*inputs, "double *kept", f"double *{output}"))
@@ -104,7 +114,8 @@ def print_part(printer: BodyPrinter, function: Function, part: Sequence[Statemen
 def print_calls(printer: BodyPrinter, function: Function, names: Sequence[str]) -> list[str]:
     """The calls of the parts, one after the other; leave where one of them is singular."""
     assert function.output is not None
-    arguments = ", ".join((*printer.arguments, "kept", function.output.name))
+    given = [argument.name for argument in list_arguments(function)]
+    arguments = ", ".join((*given, "kept", function.output.name))
     good = f"{printer.prefix.upper()}_OK"
     lines = wrap_code(f"int status = {names[0]}({arguments});", "    ")
     for name in names[1:]:

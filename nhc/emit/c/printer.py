@@ -14,7 +14,7 @@ from nhc.emit.c.sweep import SweepPrinter
 from nhc.emit.environment import File
 from nhc.emit.options import BATCH, EmitError, EmitOptions, check_options, select_functions
 from nhc.emit.statements import drop_unused, find_not_finite, list_missing, list_statuses, list_used_names
-from nhc.program.ir import Argument, Function, Load, Program, Quantity, Solve, Statement, Sweep
+from nhc.program.ir import Argument, Evaluate, Function, Load, Program, Quantity, Solve, Statement, Sweep
 from nhc.records import record
 
 FEW = 8  # entries of zero that are stored one by one
@@ -169,9 +169,9 @@ def print_function(program: Program, function: Function, helpers: set[str], *, i
     """A function of the program; its ``int`` is 0 only if every entry of its output is finite."""
     prefix, capitals, output = program.system, program.system.upper(), function.output
     body = arrange(drop_unused(function.body))
-    layout = lay_out(body)
+    layout = lay_out(function, body)
     arguments = function.inputs if output is None else (*function.inputs, output)
-    scope = make_scope(program, arguments, body, OWN if layout.kept else ())
+    scope = make_scope(program, arguments, body, OWN if layout.divided else ())
     for statement in body:
         if isinstance(statement, Load) and statement.index < 0:
             scope.alias(statement.name, statement.array)  # the argument itself: it needs no copy
@@ -202,10 +202,12 @@ def print_statements(
 ) -> list[str]:
     """Print the body into the printer's lines; the functions of its parts."""
     functions: list[str] = []
-    if layout.kept:
-        printer.lines.append(f"    double kept[{len(layout.kept)}]; /* what parts of this function leave for others */")
+    if layout.divided:
+        size = max(1, len(layout.kept))
+        printer.lines.append(f"    double kept[{size}]; /* what parts of this function leave for others */")
     printer.lines += print_zeros(function)
     if len(layout.parts) > 1:
+        printer.print_all(tuple(statement for statement in body if isinstance(statement, Evaluate)))
         names = [f"{printer.prefix}_{function.name}_part{number + 1}" for number in range(len(layout.parts))]
         for name, part in zip(names, layout.parts, strict=True):
             functions += print_part(printer, function, part, name)
