@@ -51,8 +51,14 @@ def evaluate(
         ArithmeticError, ValueError: a pole, or a function outside its domain.
     """
     known: dict[Node, Any] = dict(values)
+    evaluate_into(known, graph, reachable(graph, roots) if order is None else order, arithmetic)
+    return [known[root] for root in roots]
+
+
+def evaluate_into(known: dict[Node, Any], graph: Graph, order: Sequence[Node], arithmetic: Any = Floats) -> None:
+    """Add the values of nodes, operands first, to those that are known."""
     ops, first, second = graph.op, graph.a, graph.b
-    for node in reachable(graph, roots) if order is None else order:
+    for node in order:
         if node in known:
             continue
         op, a, b = ops[node], first[node], second[node]
@@ -74,7 +80,6 @@ def evaluate(
             raise KeyError(graph.symbols[a].name)
         else:
             known[node] = _apply(arithmetic, op, *(known[c] for c in graph.children(node)))
-    return [known[root] for root in roots]
 
 
 def _apply(arithmetic: Any, op: str, x: Any, y: Any = None) -> Any:

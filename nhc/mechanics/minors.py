@@ -36,9 +36,12 @@ def _reduce(matrix: Sequence[Sequence[float]]) -> tuple[list[int], list[list[flo
     pivots: list[int] = []
     determinant, count = 1.0, len(work)
     for step in range(count):
-        size, i, j = max((abs(x), i, j) for i in range(step, count) for j, x in enumerate(work[i]) if j not in pivots)
+        sizes = [max(map(abs, row)) for row in work[step:]]  # what was a pivot's column is zero there
+        size = max(sizes)
         if not size > 0.0:
             break
+        i = step + sizes.index(size)
+        j = next(j for j, x in enumerate(work[i]) if abs(x) == size)
         work[step], work[i] = work[i], work[step]
         pivot = work[step][j]
         determinant *= size
@@ -48,6 +51,7 @@ def _reduce(matrix: Sequence[Sequence[float]]) -> tuple[list[int], list[list[flo
             factor = work[k][j]
             if k != step and factor:
                 work[k] = [x - factor * y for x, y in zip(work[k], own, strict=True)]
+                work[k][j] = 0.0
     return pivots, work, determinant
 
 

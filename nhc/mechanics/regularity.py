@@ -9,13 +9,13 @@ from itertools import combinations
 from weakref import WeakKeyDictionary
 
 from nhc.algebra.calculus import reachable
-from nhc.algebra.evaluate import evaluate
+from nhc.algebra.evaluate import evaluate, evaluate_into
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.interval import Interval, cannot_vanish
 from nhc.algebra.linear import determinant_of
 from nhc.algebra.polynomial import normalise
 from nhc.language.syntax import Syntax
-from nhc.mechanics.minors import relative_minors
+from nhc.mechanics.minors import float_determinant, relative_minors
 from nhc.mechanics.system import Form, System
 from nhc.records import record
 
@@ -99,19 +99,19 @@ def trial_points(system: System) -> list[dict[Node, float]]:
 
     Velocities are random throughout.
     """
-    rng = random.Random(11)
+    rng, defaults = random.Random(11), default_values(system)
     quarter = (0.0, math.pi / 2, math.pi / 4, math.pi)
     turned = [[quarter[(k + j * (k > 1)) % 4] for j in range(system.n)] for k in range(1, 4)]
-    special = [_state_at(system, rng, angles, 0.0) for angles in turned]
-    drawn = [_state_at(system, rng, [0.0] * system.n, 3.0) for _ in range(_TRIALS - 4)]
+    special = [_state_at(system, defaults, rng, angles, 0.0) for angles in turned]
+    drawn = [_state_at(system, defaults, rng, [0.0] * system.n, 3.0) for _ in range(_TRIALS - 4)]
     return ordinary_points(system) + special + drawn
 
 
 def ordinary_points(system: System) -> list[dict[Node, float]]:
     """The scenes' own starts and zero, each with its neighbourhood."""
-    rng = random.Random(7)
+    rng, defaults = random.Random(7), default_values(system)
     starts = [*_scene_starts(system), [float(c.start) for c in system.spec.coordinates]]
-    return [_state_at(system, rng, start, spread) for start in starts for spread in (0.0, 0.2)]
+    return [_state_at(system, defaults, rng, start, spread) for start in starts for spread in (0.0, 0.2)]
 
 
 def _scene_starts(system: System) -> list[list[float]]:
@@ -127,8 +127,10 @@ def _scene_starts(system: System) -> list[list[float]]:
     return starts
 
 
-def _state_at(system: System, rng: random.Random, centre: Sequence[float], spread: float) -> dict[Node, float]:
-    point = dict(default_values(system))
+def _state_at(
+    system: System, defaults: dict[Node, float], rng: random.Random, centre: Sequence[float], spread: float
+) -> dict[Node, float]:
+    point = dict(defaults)
     for symbol, coordinate, middle in zip(system.q, system.spec.coordinates, centre, strict=True):
         value = middle + rng.uniform(-spread, spread)
         if coordinate.range is not None and spread > 1.0:
@@ -141,24 +143,46 @@ def _state_at(system: System, rng: random.Random, centre: Sequence[float], sprea
 
 
 def sampled_rows(
-    system: System, forms: Sequence[Form], points: Sequence[dict[Node, float]] | None = None
+    system: System,
+    forms: Sequence[Form],
+    points: Sequence[dict[Node, float]] | None = None,
+    *,
+    ordinary: bool = False,
 ) -> list[list[list[float]]]:
-    """The matrix of the forms' coefficients at each point (trial points by default) where it can be evaluated."""
+    """The matrix of the forms' coefficients at each of the points (trial points, or ordinary ones, by default) where it can be
+    evaluated; the points are told what was evaluated at them.
+    """
     g = system.graph
     flat = [a for form in forms for a in form.coefficients]
     order, result = reachable(g, flat), []
-    for point in trial_points(system) if points is None else points:
+    for known in _kept_points(system, ordinary=ordinary) if points is None else points:
         try:
-            values = evaluate(g, flat, point, order=order)
+            evaluate_into(known, g, order)
         except (ArithmeticError, ValueError):
             continue
-        result.append([[float(x) for x in values[r * system.n : (r + 1) * system.n]] for r in range(len(forms))])
+        values = [float(known[x]) for x in flat]
+        result.append([values[r * system.n : (r + 1) * system.n] for r in range(len(forms))])
     return result
+
+
+def _kept_points(system: System, *, ordinary: bool) -> list[dict[Node, float]]:
+    """The points with everything that was evaluated at them before."""
+    name = "ordinary points" if ordinary else "trial points"
+    found: list[dict[Node, float]] | None = system.graph.memory.get(name)
+    if found is None:
+        found = system.graph.memory[name] = ordinary_points(system) if ordinary else trial_points(system)
+    return found
 
 
 def relative_determinant(matrix: Sequence[Sequence[float]], columns: Sequence[int]) -> float:
     """|det| of the columns over the product of the norms of the whole rows (Hadamard), its l-th root: in [0, 1]."""
-    return relative_minors(matrix, [columns])[0]
+    if not matrix:
+        return 1.0
+    scale = math.prod(math.sqrt(sum(x * x for x in row)) for row in matrix)
+    if scale == 0.0:
+        return 0.0
+    determinant = float_determinant([[row[j] for j in columns] for row in matrix])
+    return float((abs(determinant) / scale) ** (1.0 / len(matrix)))
 
 
 def pivot_weakness(system: System) -> Callable[[Sequence[Node], Sequence[Node]], list[int]]:
@@ -190,7 +214,7 @@ def weakness(values: Sequence[float]) -> tuple[int, float]:
 
 def weak_where_constraints_are_not(system: System, forms: Sequence[Form]) -> int:
     """At how many ordinary states (see :func:`ordinary_points`) the coframe is weak although the constraints have full rank."""
-    matrices = sampled_rows(system, forms, ordinary_points(system))
+    matrices = sampled_rows(system, forms, ordinary=True)
     count = 0
     for matrix in matrices:
         if _full_rank(matrix[: system.l]) and relative_determinant(matrix, range(system.n)) < _WEAK:
