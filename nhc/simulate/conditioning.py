@@ -20,10 +20,8 @@ from nhc.simulate.methods.linear import SingularMatrix, factor, resolve
 
 Place = dict[Node, float]
 Rows = list[list[float]]
-ENTER = 0.1
-"""A choice that is taken has at least this conditioning, ..."""
 GAIN = 3.0
-"""... and its determinant is this many times that of the choice it replaces: between the two nothing changes (hysteresis)."""
+"""The determinant of a choice that is taken is this many times that of the one it replaces: between the two nothing changes."""
 _REGULAR = 1e-2  # of the kinetic energy of the free velocities, scaled to a diagonal of ones
 _MANY = 250  # choices of dependent velocities that are looked at one by one
 _LENGTHS: WeakKeyDictionary[Graph, dict[tuple[Node, ...], float]] = WeakKeyDictionary()
@@ -81,14 +79,14 @@ def find_better(system: System, now: Formulation, place: Place, known: Sequence[
     while it has half the conditioning of the best.  None is taken where the kinetic energy of its free velocities is degenerate:
     then the coordinates or the constraints themselves are singular.
     """
-    needed = max(ENTER, GAIN ** (1.0 / max(system.l, 1)) * conditioning(system, now, place))
+    needed = GAIN ** (1.0 / max(system.l, 1)) * conditioning(system, now, place)
     kinds = [_dependent(system, place), _adapted(system, place)]
     if now.dependent is None:
         kinds.reverse()
     options = [*_rated(known, place), *(choice for kind in kinds for choice in kind)]
     best = max((choice.value for choice in options), default=0.0)
     for choice in options:
-        if choice.value >= max(needed, _KEPT * best) and _is_definite(choice, place):
+        if choice.value > 0.0 and choice.value >= max(needed, _KEPT * best) and _is_definite(choice, place):
             return choice
     return None
 

@@ -59,7 +59,7 @@ def test_no_run_through_a_loss_of_rank(formulation: str, method: str, step: floa
 def test_python_stops_where_c_does() -> None:
     c, python = (follow(board(), "through", "", "rk4", step=0.1, compiled=compiled) for compiled in (True, False))
     assert c.ended == python.ended == "failed" and c.outcome.t == pytest.approx(python.outcome.t, abs=1e-9)
-    assert c.notes == python.notes
+    assert [note.partition(" t = ")[0] for note in c.notes] == [note.partition(" t = ")[0] for note in python.notes]
 
 
 @needs_compiler
