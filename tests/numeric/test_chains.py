@@ -146,6 +146,28 @@ def spherical(seed: int, bodies: int, base: str) -> str:
     return tree.text()
 
 
+def ball_joints(seed: int, bodies: int, base: str) -> str:
+    """Rigid bodies in space on ball joints, by Euler's angles; their angular velocities are not exact."""
+    tree = Tree(seed, bodies)
+    foot = {0: (*tree.base(base), "")}
+    for i in range(1, bodies + 1):
+        parent = tree.parent[i]
+        phi, th, psi = names = (f"phi{i}", f"th{i}", f"psi{i}")
+        tree.coordinates += names
+        m, rod, c = tree.number("m"), tree.number(f"l{i}"), tree.number("c")
+        arms = (f"sin({th})*sin({phi})", f"-sin({th})*cos({phi})", f"-cos({th})")
+        for end, part in ((f"c{i}", f"{rod}*{c}"), (f"e{i}", rod)):
+            for axis, start, arm in zip("xyz", foot[parent], arms, strict=True):
+                tree.define.append(f"{axis}{end}: {join(start, f'{part}*({arm})')}")
+        foot[i] = f"xe{i}", f"ye{i}", f"ze{i}"
+        tree.kinetic.append(f"{m}*(xc{i}'^2 + yc{i}'^2 + zc{i}'^2)")
+        tree.kinetic.append(f"{tree.number('A')}*({phi}'*sin({th})*sin({psi}) + {th}'*cos({psi}))^2")
+        tree.kinetic.append(f"{tree.number('B')}*({phi}'*sin({th})*cos({psi}) - {th}'*sin({psi}))^2")
+        tree.kinetic.append(f"{tree.number('C')}*({phi}'*cos({th}) + {psi}')^2")
+        tree.potential.append(f"{m}*g*zc{i}")
+    return tree.text()
+
+
 def written_out(seed: int, bodies: int, backwards: bool) -> str:
     """A chain whose velocities the user wrote out, from the near or the far end."""
     tree = Tree(seed, bodies)
@@ -171,8 +193,34 @@ def specs() -> Iterator[tuple[str, str]]:
         yield f"links-{base}", links(seed, 4 + seed, base)
         yield f"hinges-{base}", hinges(seed, 3 + seed, base)
         yield f"spherical-{base}", spherical(seed, 2 + seed // 2, base)
+        yield f"bodies-{base}", ball_joints(seed, 2 + seed % 2, base)
     yield "written-out", written_out(0, 6, False)
     yield "written-out-backwards", written_out(1, 6, True)
+    yield "quasi-velocities", in_quasi_velocities()
+
+
+def in_a_row(bodies: int, kind: str) -> str:
+    """Equal rods under a cart, or equal links with inertia."""
+    tree = Tree(0, bodies)
+    foot = tree.base("cart" if kind == "rods" else "fixed")
+    arms = [("e", tree.number("l"))] if kind == "rods" else [("c", tree.number("a")), ("e", tree.number("l"))]
+    m, J = tree.number("m"), tree.number("J")
+    for i in range(1, bodies + 1):
+        tree.coordinates.append(f"th{i}")
+        for name, arm in arms:
+            tree.define.append(f"x{name}{i}: {join(foot[0], f'{arm}*sin(th{i})')}")
+            tree.define.append(f"y{name}{i}: {join(foot[1], f'-{arm}*cos(th{i})')}")
+        foot = f"xe{i}", f"ye{i}"
+        body = f"{arms[0][0]}{i}"
+        tree.kinetic.append(f"{m}*(x{body}'^2 + y{body}'^2)" + (f" + {J}*th{i}'^2" if kind == "links" else ""))
+        tree.potential.append(f"{m}*g*y{body}")
+    return tree.text()
+
+
+def in_quasi_velocities() -> str:
+    """A chain whose kept velocities are the cart's and the relative rates."""
+    rates = ["  u0: cos(th1)*x'", "  u1: th1'", *(f"  u{i}: th{i}' - th{i - 1}'" for i in range(2, 6))]
+    return in_a_row(5, "rods") + "\n".join(["quasi_velocities:", *rates]) + "\n"
 
 
 CASES = [pytest.param(text, id=name) for name, text in specs()]
@@ -245,24 +293,6 @@ def test_many_links_that_are_held_take_the_tree() -> None:
     values = solve_factored(g, factor(g, made.equations.mass), made.equations.force)
     assert count(g, planner.route.values) < 0.6 * count(g, values)
     assert motion.velocities != motion.w
-
-
-def in_a_row(bodies: int, kind: str) -> str:
-    """Equal rods under a cart, or equal links with inertia."""
-    tree = Tree(0, bodies)
-    foot = tree.base("cart" if kind == "rods" else "fixed")
-    arms = [("e", tree.number("l"))] if kind == "rods" else [("c", tree.number("a")), ("e", tree.number("l"))]
-    m, J = tree.number("m"), tree.number("J")
-    for i in range(1, bodies + 1):
-        tree.coordinates.append(f"th{i}")
-        for name, arm in arms:
-            tree.define.append(f"x{name}{i}: {join(foot[0], f'{arm}*sin(th{i})')}")
-            tree.define.append(f"y{name}{i}: {join(foot[1], f'-{arm}*cos(th{i})')}")
-        foot = f"xe{i}", f"ye{i}"
-        body = f"{arms[0][0]}{i}"
-        tree.kinetic.append(f"{m}*(x{body}'^2 + y{body}'^2)" + (f" + {J}*th{i}'^2" if kind == "links" else ""))
-        tree.potential.append(f"{m}*g*y{body}")
-    return tree.text()
 
 
 def operations(text: str) -> int:
