@@ -82,12 +82,13 @@ _COMPILE = """\
 _SIMULATION = """\
 ## Simulation
 
-Time per start to a relative error of {wanted:g} at the end (largest component against the largest of the state): nhc's
-compiled dop853, heyoka's Taylor method on the same program, one start at a time; the best of SciPy's
-{scipy} on nhc's compiled right-hand side through ctypes; and {starts} starts, nhc's
-loop in C against heyoka's batch mode.  All are warm.
-The time is interpolated geometrically on a ladder of tolerances; for many starts the error is the worst start's.  nhc's
-times hold the copies between Python's lists and C; heyoka has the parameters as numbers in its compiled expressions.
+Written by `make bench`, or alone by `python -m benchmarks.simulation --write`.  Time per start to a relative error of {wanted:g}
+at the end (largest component against the largest of the state).  One start at a time, each by a call from Python that copies it
+in and out: nhc's compiled dop853 as `nhc run` compiles it, with its alarms, against heyoka's Taylor method on the same program, and
+against the best of SciPy's {scipy} on nhc's compiled right-hand side through ctypes.  {starts} starts: nhc's
+lanes in one call, against heyoka's batch mode with the lanes that it recommends or with eight, whichever is faster.  All are warm.
+The time is interpolated geometrically on a ladder of tolerances; for many starts the error is the worst start's.  heyoka has the
+parameters as numbers in its compiled expressions, and no alarms.
 {missing}
 Machine of this section: {machine}.
 """

@@ -1,6 +1,6 @@
 """Time to a relative error of 1e-9: nhc's compiled dop853, heyoka's Taylor method and SciPy on one right-hand side.
 
-``python -m benchmarks.simulation [SYSTEM...]``.  Every solver integrates the same program in double precision.  A solver
+``python -m benchmarks.simulation [--write] [SYSTEM...]``.  Every solver integrates the same program in double precision.  A solver
 runs on a ladder of tolerances; its time at the wanted error is interpolated geometrically between the two rungs around
 it.  Compiling is not in the times.
 """
@@ -172,7 +172,7 @@ def measure(system: str) -> Timed:
         if find_error(alone[_TAYLOR[-1]](one[:1]), single) > 0.1 * WANTED:
             raise ArithmeticError(f"{system}: the references of nhc and heyoka differ")
     ours, peer = time_ladders((nhc, alone), one, single)
-    each, *found = time_ladders((beside, *batches.values()), many, reference, 3)
+    each, *found = time_ladders((beside, *batches.values()), many, reference)
     lane, lanes = min(
         ((seconds or math.inf, width) for seconds, width in zip(found, batches, strict=True)), default=(None, 0)
     )
@@ -237,10 +237,20 @@ def interpolate(rungs: Sequence[tuple[float, float]], wanted: float = WANTED) ->
     return None
 
 
-def main(systems: tuple[str, ...] = ()) -> None:
-    from benchmarks.__main__ import simulation_section
+def main(arguments: tuple[str, ...] = ()) -> None:
+    """Print the section, or put it into its page."""
+    from benchmarks.__main__ import PAGE, simulation_section
 
-    print("\n".join(simulation_section(systems or SYSTEMS)))
+    systems = tuple(name for name in arguments if name != "--write")
+    section = "\n".join(simulation_section(systems or SYSTEMS))
+    if "--write" not in arguments:
+        print(section)
+        return
+    before, found, after = PAGE.read_text(encoding="utf-8").partition("## Simulation\n")
+    if not found or systems:
+        raise SystemExit("--write takes all systems, and a page that has the section")
+    _, heading, rest = after.partition("\n## ")
+    PAGE.write_text(f"{before}{section.rstrip()}\n{heading}{rest}", encoding="utf-8")
 
 
 if __name__ == "__main__":

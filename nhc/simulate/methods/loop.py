@@ -11,7 +11,7 @@ from typing import Protocol
 from nhc.simulate.methods import collocation, explicit
 from nhc.simulate.methods.step import Model, NoSolution, Step
 from nhc.simulate.methods.tableau import Explicit, Tableau
-from nhc.simulate.methods.watching import find_change, find_event, keep_signs, may_dip
+from nhc.simulate.methods.watching import PIECES, find_change, find_deep, find_event, keep_signs, may_dip
 from nhc.simulate.task import (
     CROSSED,
     DONE,
@@ -196,7 +196,7 @@ def _accept(run: _Run, reach: float) -> Outcome | None:
     cut, which = 2.0, -1
     if model.watched:
         after = model.watch(reach, s.reached, task.p)
-        near = bool(run.trend) and may_dip(run.before, run.trend, s.h, model.dips)
+        near = bool(run.trend) and may_dip(run.before, run.trend, s.h, model.dips) and _may_touch(run, after)
         if run.trend:
             run.trend = [(b - a) / s.h for a, b in zip(run.before, after, strict=True)]
         if model.events or near or find_change(run.before, after) >= 0:
@@ -211,6 +211,26 @@ def _accept(run: _Run, reach: float) -> Outcome | None:
     s.size = [max(a, abs(b)) for a, b in zip(s.size, s.y, strict=True)]
     run.news.t = reach
     return run.leave(DONE) if reach == task.times[-1] else None
+
+
+def _may_touch(run: _Run, after: list[float]) -> bool:
+    """Whether a value may have touched zero in the step: its heights at nine places on Hermite's cubic, as find_deep sees them."""
+    s, model = run.step, run.model
+    between = list(zip(s.y, s.reached, s.slope, s.arrived, strict=True))
+    places = [run.before]
+    for x in (piece / PIECES for piece in range(1, PIECES)):
+        y = [
+            a + x * (b - a) + x * (1 - x) * ((1 - x) * (s.h * f - b + a) - x * (s.h * g - b + a))
+            for a, b, f, g in between
+        ]
+        try:
+            places.append(model.watch(s.t + x * s.h, y, run.task.p))
+        except ArithmeticError:
+            return True
+        if find_change(run.before, places[-1]) >= 0:
+            return True
+    columns = list(zip(*places, after, strict=True))[model.dips :]
+    return any(find_deep([abs(value) for value in column]) >= 0 for column in columns)
 
 
 def _point(run: _Run, part: float) -> list[float]:
