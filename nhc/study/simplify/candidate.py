@@ -21,7 +21,7 @@ class Candidate:
     A term (``node``) becomes 0.  A parameter (``name``, ``kind`` "zero" or "infinite") becomes that.  A coordinate (``name``)
     that is "held" stays where it starts, the limit of a stiff spring; one that is "driven" keeps its starting rate, the limit of
     a heavy rotor.  Their start and rate are parameters ``start`` and ``rate`` of these values; no name where it is 0.
-    Several of these together are a "group" of ``parts``.
+    Several of these together are a "group" of ``parts``.  Those of a lower ``rank`` are measured first, for not all may be.
     """
 
     about: str
@@ -32,6 +32,7 @@ class Candidate:
     rate: str = ""
     values: tuple[float, float] = (0.0, 0.0)
     parts: tuple[Candidate, ...] = ()
+    rank: int = 1
 
     @property
     def takes_coordinate(self) -> bool:

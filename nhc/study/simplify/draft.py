@@ -22,6 +22,11 @@ Place = tuple[str, str]  # a top-level key, and a name below it, an index with i
 FOLLOWING = ("quasi_velocities", "outputs")
 """Keys whose expressions are questions: they lose no terms, only coordinates that are no longer there."""
 
+RANKS = {"T": 0, "U": 0, "V": 0, "forces": 0, "constraints": 2, "holonomic": 2, "define": 3}
+"""What is measured first: energies and forces, then parameters and coordinates (1), constraints, and definitions, of which a large
+spec may have hundreds that only describe positions.
+"""
+
 
 @dataclass(frozen=True)
 class Changed:

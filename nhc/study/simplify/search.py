@@ -103,16 +103,20 @@ class _Search:
     def _measure_alone(self, candidates: Sequence[Candidate]) -> list[Candidate]:
         """Those that may go by themselves; of several that leave the same text the first."""
         seen = {self.text([])}
-        found = []
+        found, queue = [], []
         for candidate in candidates:
             try:
                 text = self.text([candidate])
             except NoLimit as error:
                 self.reasons[candidate] = str(error)
                 continue
-            if text in seen:
-                continue
-            seen.add(text)
+            if text not in seen:
+                seen.add(text)
+                queue.append(candidate)
+        for candidate in sorted(queue, key=lambda c: c.rank):
+            if self.runs >= self.most - self.most // 3:  # the rest is for putting them together
+                self.bounded = True
+                break
             trial = self.trial([candidate])
             if isinstance(trial, str):
                 self.reasons[candidate] = trial
@@ -138,7 +142,11 @@ class _Search:
             del scores[best]
             if self.text([*gone, best]) == self.text(gone):  # it went with another one
                 continue
-            trial = self.trial([*gone, best])
+            try:
+                trial = self.trial([*gone, best])
+            except Bounded:
+                self.bounded = True
+                break
             if isinstance(trial, str) or not self.fits(trial):
                 if isinstance(trial, Trial):
                     trial = f"without it after {len(gone)} left out the error is {trial.error:.2g}"
