@@ -38,6 +38,11 @@ class Expander:
         self._shift = 0  # 2**15 - 2 in every field: a field's top bit then says that its exponent is at least 2
         self._cosines = 0  # the top bits of the cosines' fields
 
+    @property
+    def width(self) -> int:
+        """How many factors have a place in its monomials."""
+        return len(self._atoms)
+
     def expand(self, roots: Iterable[Node]) -> list[Polynomial]:
         """The roots' polynomials.
 

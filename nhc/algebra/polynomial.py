@@ -15,6 +15,7 @@ from nhc.algebra.graph import ADD, MUL, NEG, POW, Graph, Node
 
 ONE: Monomial = ()
 _MILLION = 10**6
+_WIDEST = 64  # factors that monomials have places for
 
 
 def polynomial(graph: Graph, node: Node, limit: int = 300, circle: bool = True) -> Polynomial:
@@ -156,6 +157,15 @@ def normalise(graph: Graph, node: Node, limit: int = 300) -> Node:
     return normalise_all(graph, [node], limit)[0]
 
 
+def _expander(graph: Graph, limit: int) -> Expander:
+    """One that knows what was expanded before, unless its monomials have become long."""
+    name = f"expander to {limit}"
+    found: Expander | None = graph.memory.get(name)
+    if found is None or found.width > _WIDEST:
+        found = graph.memory[name] = Expander(graph, limit, True)
+    return found
+
+
 def normalise_all(graph: Graph, nodes: Iterable[Node], limit: int = 300, swollen: int = 0) -> list[Node]:
     """Each node in canonical short form where that has at most ``limit`` terms; common parts are expanded once.
 
@@ -163,14 +173,16 @@ def normalise_all(graph: Graph, nodes: Iterable[Node], limit: int = 300, swollen
     """
     nodes = list(nodes)
     sizes = _count_terms(graph, nodes) if swollen else {}
-    expander, made = Expander(graph, limit, True), dict[Node, Node]()
+    known: dict[Node, Node] = graph.memory.setdefault(f"normal forms of {limit}", {})
+    made = dict[Node, Node]()
     for node in nodes:
-        if node in made:
+        if node in made or node in known:
+            made[node] = known.get(node, node)
             continue
         try:
             if sizes.get(node, 0) > swollen:
                 raise TooLarge
-            made[node] = to_node(graph, expander.expand([node])[0])
+            made[node] = known[node] = to_node(graph, _expander(graph, limit).expand([node])[0])
         except TooLarge:
             made[node] = node
     return [made[node] for node in nodes]
