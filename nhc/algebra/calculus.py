@@ -274,4 +274,8 @@ def derivative(graph: Graph, root: Node, symbol: Node) -> Node:
 
 def count(graph: Graph, roots: Sequence[Node]) -> int:
     """Operations that the shared roots cost; leaves and signs are free."""
-    return sum(1 for n in reachable(graph, roots) if graph.children(n) and graph.op[n] != NEG)
+    op, kids, total = graph.op, graph.kids, 0
+    for node in reachable(graph, roots):
+        if kids[node] and op[node] != NEG:
+            total += 1
+    return total

@@ -7,7 +7,6 @@ What is used more than once is one factor and stays whole.
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Iterable, Sequence
 from heapq import heapify, heappop, heappush
 from itertools import combinations
@@ -40,9 +39,9 @@ def share_products(graph: Graph, roots: Sequence[Node], constants: int) -> list[
             moving = graph.product(x for x in found if graph.deps[x] & ~constants)
             new[factor] = graph.mul(fixed, moving)
         else:
-            children = graph.children(factor)
-            mapped = [new.get(c, c) for c in children]
-            new[factor] = rebuild(graph, factor, mapped) if tuple(mapped) != children else factor
+            children = graph.kids[factor]
+            changed = any(new.get(c, c) != c for c in children)
+            new[factor] = rebuild(graph, factor, [new.get(c, c) for c in children]) if changed else factor
         if factor in graph.labels:
             graph.labels.setdefault(new[factor], graph.labels[factor])
         return new[factor]
@@ -57,9 +56,12 @@ def _chains(
     graph: Graph, nodes: Sequence[Node], roots: Iterable[Node], constants: int
 ) -> tuple[dict[Node, list[int]], set[Node]]:
     """The factors of every product that is no part of a longer one, and the products that are."""
-    g, uses = graph, Counter(roots)
+    g, uses = graph, dict.fromkeys(nodes, 0)
+    for root in roots:
+        uses[root] += 1
     for node in nodes:
-        uses.update(g.children(node))
+        for child in g.kids[node]:
+            uses[child] += 1
     chains: dict[Node, list[int]] = {}
     inner: set[Node] = set()
     for node in reversed(nodes):
@@ -68,7 +70,7 @@ def _chains(
         factors, stack = list[int](), [node]
         while stack:
             top = stack.pop()
-            for child in g.children(top):
+            for child in g.kids[top]:
                 open_product = g.op[child] == MUL and uses[child] == 1 and g.deps[child] & ~constants
                 if open_product and len(factors) + len(stack) < _MOST_FACTORS:
                     inner.add(child)
