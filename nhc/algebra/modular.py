@@ -136,7 +136,7 @@ def _squares_only(graph: Graph, node: Node) -> bool:
 
 def is_zero(graph: Graph, node: Node) -> bool:
     """Whether the node vanishes identically."""
-    return are_zero(graph, [node])[0]
+    return node == graph.zero or (not probe_of(graph).is_clear(node) and are_zero(graph, [node])[0])
 
 
 def are_equal(graph: Graph, left: Sequence[Node], right: Sequence[Node], count: int = 2) -> bool:

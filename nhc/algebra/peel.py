@@ -40,7 +40,7 @@ class _Peeler:
     def __init__(self, graph: Graph, rows: Sequence[Node], unknowns: Sequence[Node]) -> None:
         self.graph, self.rows, self.unknowns = graph, rows, unknowns
         self.number = {graph.deps[x]: j for j, x in enumerate(unknowns)}
-        self.open = graph.mask(unknowns)
+        self.open = self.everything = graph.mask(unknowns)
         self.masks = [graph.deps[row] & self.open for row in rows]
         self.left = list(range(len(rows)))
 
@@ -48,7 +48,7 @@ class _Peeler:
         """Row i for the unknown of a bit; None where its coefficient vanishes identically."""
         g, unknown = self.graph, self.unknowns[self.number[bit]]
         slope = tangent(g, [self.rows[i]], {unknown: g.one})[0]
-        if g.deps[slope] & g.mask(self.unknowns):
+        if g.deps[slope] & self.everything:
             slope = substitute(g, [slope], dict.fromkeys(self.unknowns, g.zero))[0]
         if is_zero(g, slope):
             self.masks[i] &= ~bit
