@@ -20,8 +20,9 @@ ANGLE = 30
 """Operations that a sine with its cosine takes the time of."""
 FEW = 3
 """Rates up to which both ways are written out and compared."""
-_ENTRY, _CARRIED = 11, 4
-"""Operations for an entry of the mass matrix with its share of the forces, and for a rate in a form that holds it by another."""
+_ENTRY, _CARRIED = 8, 4
+"""Operations for an entry of the mass matrix with its share of the forces, and for a rate in a form that holds it by another,
+beside those of the coefficients and of the forces on the rates, which both ways have."""
 
 
 def work(graph: Graph, nodes: Sequence[Node]) -> int:
@@ -56,7 +57,7 @@ def worthwhile_tree(system: System, motion: Motion, kinetic: Kinetic) -> Elimina
 def dense_cost(chain: Chain) -> int:
     """Operations of mass matrix, right side and L D L^T, by the pattern of which rates move the same forms."""
     g, rates = chain.graph, chain.rates
-    total = ANGLE * _angles(g, [a for terms in chain.definitions for a in terms.values()])
+    total = work(g, [*(a for terms in chain.definitions for a in terms.values()), *chain.force])
     reach = [1 << i for i in range(rates)]
     for terms in chain.definitions:
         mask = 0
