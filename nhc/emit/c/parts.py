@@ -13,8 +13,8 @@ from nhc.program.ir import Argument, Evaluate, Function, Let, Load, Solve, State
 from nhc.records import record
 
 OWN = ("kept", "carried", "first", "seed", "slope", "offset", "entry", "status")
-LONGEST, USUAL = 150, 100  # statements that one function may have; those of a part where there are more
-RHS = 8  # how many times as long ``rhs`` may be, which must be fast above all: what parts leave for others costs stores and loads
+LONGEST, USUAL = 400, 250  # statements that one function may have; those of a part where there are more
+RHS = 3  # how many times as long ``rhs`` may be, which must be fast above all: what parts leave for others costs stores and loads
 
 
 @record
