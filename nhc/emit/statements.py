@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from fractions import Fraction
+from functools import lru_cache
 
 from nhc.program.ir import (
     Binary,
@@ -61,9 +62,29 @@ def iterate_refs(expression: Expr) -> Iterator[str]:
             stack += node.arguments
 
 
-def collect_refs(statement: Statement) -> set[str]:
-    """The names that a statement uses."""
-    return {name for expression in list_expressions(statement) for name in iterate_refs(expression)}
+def collect_refs(statement: Statement) -> frozenset[str]:
+    """The names that a statement uses; asked several times for each statement, found once."""
+    return _find_refs(_Same(statement))
+
+
+class _Same:
+    """A statement that is equal to itself only: comparing what it says would take longer than looking through it."""
+
+    __slots__ = ("statement",)
+
+    def __init__(self, statement: Statement) -> None:
+        self.statement = statement
+
+    def __hash__(self) -> int:
+        return id(self.statement)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, _Same) and self.statement is other.statement
+
+
+@lru_cache(maxsize=1 << 14)
+def _find_refs(same: _Same) -> frozenset[str]:
+    return frozenset(name for expression in list_expressions(same.statement) for name in iterate_refs(expression))
 
 
 def list_used_names(body: tuple[Statement, ...]) -> set[str]:
