@@ -218,7 +218,7 @@ def _advise(found: Trajectory, lost: bool) -> list[str]:
     if outcome.kind != CROSSED:
         return []
     if job.watch.kinds[outcome.status] == "mass":
-        return ["take coordinates that are regular there, such as a `rotation:` for angles in space"]
+        return ["look at T there, or take coordinates that are regular, such as a `rotation:` for angles in space"]
     if job.recipe is None or not job.recipe.weak:
         return ["leave `--stay` out: the run then goes on with another choice of velocities"]
     return [

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
-from nhc.algebra.blocks import size_of
+from nhc.algebra.blocks import determinant_of, row_scale, size_of
 from nhc.algebra.calculus import count
 from nhc.algebra.graph import Node
 from nhc.algebra.interval import cannot_vanish
@@ -32,6 +32,7 @@ THIN = (Fraction(1, 10**4),)
 """The same of a square's scale."""
 _LARGE = 400  # operations beyond which a pivot is not followed
 _TERMS = 60
+_MOST_ROWS = 4  # of a matrix whose determinant is written out
 _T = Argument("t", -1)
 
 
@@ -83,23 +84,30 @@ def watch_function(
     """
     events = [] if event is None else planner.on_motion([event])
     frames = _frames(planner)
-    measures = [*frames, *_pivots(planner, known or {}), *_rank(planner)]
-    signs = [m for m in frames if m.value not in events]
+    determinants = _determinant(planner, known or {})
+    measures = [*frames, *determinants, *_pivots(planner, known or {}), *_rank(planner)]
+    signs = [m for m in (*frames, *determinants) if m.value not in events]
     nodes, about, kinds = [*events, *(m.value for m in signs)], [""] * len(events), ["event"] * len(events)
     about += [m.what for m in signs]
     kinds += [m.kind for m in signs]
     levels: list[tuple[_Measure, Fraction]] = [(m, NOTHING) for m in measures]
     close = len(levels)
     if weak:
-        levels += [(m, level) for m in measures for level in (THIN if m.squared else WEAK)]
+        levels += [(m, level) for m in measures for level in _levels(m)]
     for measure, level in levels:
         nodes.append(_distance(planner, measure, level))
         about.append(measure.what)
-        kinds.append("deep" if NOTHING < level <= DEEP and not measure.squared else measure.kind)
+        kinds.append("deep" if NOTHING < level <= DEEP and measure.kind == "frame" else measure.kind)
     if not nodes:
         return None, Watch()
     watch = Watch(tuple(about), tuple(kinds), len(events), len(signs), close)
     return _function(planner, nodes, about), watch
+
+
+def _levels(measure: _Measure) -> tuple[Fraction, ...]:
+    if measure.kind == "frame":
+        return WEAK
+    return THIN if measure.squared else (DEEP,)
 
 
 def _distance(planner: Planner, measure: _Measure, level: Fraction) -> Node:
@@ -129,6 +137,20 @@ def _pivots(planner: Planner, known: dict[Node, tuple[float, float]]) -> list[_M
         scale = size_of(g, guard.value) if guard.scale == g.zero else guard.scale
         found.append(_Measure(guard.value, scale, True, "mass", guard.what))
     return found
+
+
+def _determinant(planner: Planner, known: dict[Node, tuple[float, float]]) -> list[_Measure]:
+    """Of a small mass matrix that is not positive by itself: solved with pivoting, it may change its sign between two steps."""
+    g = planner.graph
+    if planner.equations.multipliers or not planner.solves or len(planner.solves[0].matrix) > _MOST_ROWS:
+        return []
+    rows = planner.solves[0].matrix
+    value = determinant_of(g, [list(row) for row in rows])
+    if count(g, [value]) > _LARGE or planner._is_constant(value):
+        return []
+    if cannot_vanish(g, normalise(g, value, _TERMS), {**intervals(planner.system), **known}):
+        return []
+    return [_Measure(value, row_scale(g, rows), False, "mass", "the mass matrix is singular")]
 
 
 def _rank(planner: Planner) -> list[_Measure]:

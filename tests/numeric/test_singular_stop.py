@@ -115,6 +115,23 @@ def test_a_pendulum_through_its_pole() -> None:
         assert abs(math.remainder(found.outcome.y[0], math.pi)) < 1e-3
 
 
+COUPLED = """nhc: 1
+system: coupled
+coordinates: [x, y, z]
+T: x'^2/2 + y'^2/2 + 3/2*sin(z)*x'*y' + z'^2/2
+scenes: {still: {initial: {z': 1}, time: [0, 3]}}
+"""
+
+
+@needs_compiler
+@pytest.mark.parametrize(("method", "step"), [("dop853", 0.0), ("rk4", 0.3)])
+def test_a_mass_matrix_that_changes_its_sign(method: str, step: float) -> None:
+    """At sin z = 2/3 the coupling outweighs the masses; at rest in x and y nothing is felt of it."""
+    found = follow(Source("coupled.yaml", COUPLED), "still", method=method, step=step)
+    assert found.ended == "failed" and found.outcome.t == pytest.approx(math.asin(2 / 3), abs=1e-6)
+    assert "the mass matrix is singular" in found.reason
+
+
 SCENES = [(path.stem, scene.name) for path in sorted(SPECS.glob("*.yaml")) for scene in decode(read(str(path))).scenes]
 NEAR = {("heavy_top", "sleeping"), ("heavy_top", "waking"), ("rolling_disk", "bounce")}
 """An upright top in Euler's angles, and a disk that falls almost flat."""
