@@ -11,6 +11,7 @@ from nhc.language.syntax import Binary, Differential, Name, Prime, Syntax
 from nhc.study.simplify.zero import INFINITE, ZERO, is_named
 
 _NOWHERE = Span(0, 0)
+_STILL = 1e-12  # a rate below it is rounding in a start that stands still
 _MOST = 5  # coordinates of which pairs are tried
 
 
@@ -71,7 +72,7 @@ def hold(name: str, taken: set[str], start: float, rate: float) -> list[Candidat
     own = "" if start == 0 else _free(f"{name}_0", taken)
     at = f"its start {start:.6g}"
     found = [Candidate(f"coordinate `{name}`, held at {at} (stiff)", "held", name=name, start=own, values=(start, 0.0))]
-    if rate != 0:
+    if abs(rate) > _STILL:
         moving = _free(f"{name}_rate", taken)
         about = f"coordinate `{name}`, driven at its starting rate {rate:.6g} (heavy)"
         found.append(Candidate(about, "driven", name=name, start=own, rate=moving, values=(start, rate)))

@@ -60,7 +60,11 @@ class Draft:
         for place, tree in physics.items():
             for node, minus in self._terms(place, tree):
                 found.append(
-                    Candidate(f"term `{'-' if minus else ''}{unparse(node)}` of {self._where(place)}", node=node)
+                    Candidate(
+                        f"term `{'-' if minus else ''}{unparse(node)}` of {self._where(place)}",
+                        node=node,
+                        rank=RANKS[place[0]],
+                    )
                 )
         used = {name for tree in physics.values() for name in names_in(tree)}
         for parameter in self.spec.parameters:

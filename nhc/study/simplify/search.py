@@ -49,6 +49,7 @@ class _Search:
     turned_back: int = 0
     bounded: bool = False
     gone: list[Candidate] = field(default_factory=list)
+    waiting: list[Candidate] = field(default_factory=list)
     reasons: dict[Candidate, str] = field(default_factory=dict)
     alone: dict[Candidate, Trial] = field(default_factory=dict)
     known: dict[str, Trial | str] = field(default_factory=dict)
@@ -62,7 +63,7 @@ class _Search:
             self._exchange()
         except Bounded:
             self.bounded = True
-        for candidate in candidates if self.bounded else ():
+        for candidate in self.waiting if self.bounded else ():
             if candidate not in self.gone:
                 again = " again" if candidate in self.alone else ""
                 self.reasons.setdefault(candidate, f"not measured{again}: the bound on runs is reached")
@@ -102,18 +103,21 @@ class _Search:
 
     def _measure_alone(self, candidates: Sequence[Candidate]) -> list[Candidate]:
         """Those that may go by themselves; of several that leave the same text the first."""
-        seen = {self.text([])}
-        found, queue = [], []
+        nothing, found = self.text([]), []
+        alike: dict[
+            str, tuple[int, Candidate]
+        ] = {}  # the first of those that leave the same text, with the rank of the best
         for candidate in candidates:
             try:
                 text = self.text([candidate])
             except NoLimit as error:
                 self.reasons[candidate] = str(error)
                 continue
-            if text not in seen:
-                seen.add(text)
-                queue.append(candidate)
-        for candidate in sorted(queue, key=lambda c: c.rank):
+            if text != nothing:
+                rank, first = alike.get(text, (candidate.rank, candidate))
+                alike[text] = (min(rank, candidate.rank), first)
+        self.waiting = [candidate for _, candidate in sorted(alike.values(), key=lambda entry: entry[0])]
+        for candidate in self.waiting:
             if self.runs >= self.most - self.most // 3:  # the rest is for putting them together
                 self.bounded = True
                 break
