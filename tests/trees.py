@@ -52,6 +52,7 @@ def planar_tree(seed: int, *, written: bool = False) -> str:
         point(f"tip{k}", root, k, "0.9", "0")
     for k in range(1, count):
         potential.append(f"s/2*a{k}^2")
+    potential.append(f"0.3*{points['mass0'][0]}*cos(a{count - 1})")
     names = ", ".join(f"a{k}" for k in range(count))
     values = ", ".join(f"m{k}: {1 + k}, J{k}: 0.{k + 2}, b{k}: 0.{k + 3}" for k in range(count))
     lines = ["nhc: 1", "system: tree", f"coordinates: [x, y, {names}]", f"parameters: {{g: 3, s: 2, {values}}}"]
@@ -112,7 +113,7 @@ def spatial_pair(seed: int) -> str:
     lines += [f"  {name}: {value}" for name, value in define.items()]
     lines += [
         f"T: {' + '.join(energy)}",
-        "V: g*(m*z + m*Pz + n*Hz) + Pz^2",
+        "V: g*(m*z + m*Pz + n*Hz) + Pz^2 + Hz*sin(d)",
         "constraints:",
         *(f"  - {r}" for r in rows),
     ]

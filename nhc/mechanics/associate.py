@@ -111,6 +111,7 @@ class Projector:
             g.add(explicit[k], g.sum([g.mul(h, drift[j]) for j, h in self.hessian[k]])) for k in range(count)
         ]
         self._potential = moved.potential if moved else system.U
+        self._places = moved.places if moved else {}
         self._gyro = self._add_turning(moved) if moved else []
 
     def components(self, e: Sequence[Node]) -> list[Node]:
@@ -151,7 +152,7 @@ class Projector:
         inertial = self._gather(force_terms)
         applied = virtual_work(system, *self._applied(), e)
         slopes = substitute(g, tangent(g, [self.kinetic.tau], along(system, e)), self._to_motion)[0]
-        potential = tangent(g, [self._potential], along(system, e))[0]
+        potential = substitute(g, tangent(g, [self._potential], along(system, e)), self._places)[0]
         return Row(tuple(mass), g.sub(g.add(g.add(slopes, potential), applied), inertial))
 
     def _add_turning(self, moved: Moved) -> list[Vector]:

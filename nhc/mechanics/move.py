@@ -134,7 +134,7 @@ def _finish(
         everywhere = _solve(scene, rows, everything=True)[0]
         return _weigh(everywhere, substitute(g, bodies.values, everywhere.found), turning, scene.held[: system.l])
 
-    loads, potential = find_loads(scene, bodies, len(moved))
+    loads, potential, places = find_loads(scene, bodies, len(moved))
     done = solution.finish([*kinematics, *moved, *drift], held)
     size, count = system.n, len(moved)
     _name(scene, bodies, done[size : size + count])
@@ -150,6 +150,7 @@ def _finish(
         inertial=tuple(inertial),
         loads=loads,
         potential=potential,
+        places=places,
         settled=all(home.known for home in scene.homes.values() if home.root),
         turning=tuple(_turn(rates, own, held) for own in turning),
     )

@@ -15,8 +15,8 @@ from nhc.mechanics.moving_bodies import Bodies
 from nhc.mechanics.turns import Vector, change_axes, cross
 
 
-def find_loads(scene: Scene, bodies: Bodies, forms: int) -> tuple[tuple[Node, ...], Node]:
-    """(what U gives to each of the forms, U with the points' places as symbols of their own).
+def find_loads(scene: Scene, bodies: Bodies, forms: int) -> tuple[tuple[Node, ...], Node, dict[Node, Node]]:
+    """(what U gives to each of the forms, U with the points' places as symbols of their own, those symbols' places).
 
     The loads are over the coordinates; dU(e) is their sum weighted with W_k(e), and the derivative of what is left of U.
     """
@@ -42,7 +42,7 @@ def find_loads(scene: Scene, bodies: Bodies, forms: int) -> tuple[tuple[Node, ..
         if hung.spin is not None:
             x, y, z = (g.mul(slope, a) for a in hung.arm)
             _add(scene, loads, hung.spin, cross(g, (x, y, z), direction), g.one)
-    return tuple(loads), rest
+    return tuple(loads), rest, places
 
 
 def _add(scene: Scene, loads: list[Node], numbers: Sequence[int], vector: Vector, factor: Node) -> None:
