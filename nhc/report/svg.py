@@ -177,6 +177,8 @@ def legend_rows(chart: Chart) -> list[list[tuple[int, str, float]]]:
     rows: list[list[tuple[int, str, float]]] = [[]]
     at = float(LEFT)
     for k, series in enumerate(chart.series):
+        if not series.label:  # its colour is explained elsewhere
+            continue
         width = 34 + 7.2 * len(series.label)
         if rows[-1] and at + width > chart.width - RIGHT:
             rows.append([])
