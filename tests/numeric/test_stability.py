@@ -6,6 +6,7 @@ import json
 import math
 import sys
 from functools import cache
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -164,9 +165,11 @@ def test_distances_see_the_singular_dependent_choice() -> None:
     assert found["dependent"].least < 0.05 and found["frame"].least > 0.99 and found["constraints"].least > 0.99
 
 
-def test_a_scene_that_fails_leaves_what_can_be_said(capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_scene_that_fails_leaves_what_can_be_said(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """Voronec's equations on a fixed block that the sleigh crosses: exit 3 with the reason, and the table so far."""
-    assert main(["stability", "chaplygin_sleigh", "-f", "voronec"]) == 3
+    page = tmp_path / "sleigh.html"
+    assert main(["stability", "chaplygin_sleigh", "-f", "voronec", "-o", str(page)]) == 3
+    assert "the run goes on with" in page.read_text()
     out, err = capsys.readouterr()
     assert "not done" in out and "the determinant vanishes here" in err
     assert "the run goes on with voronec solved for x'" in out and "leave `--formulation` out" in err
