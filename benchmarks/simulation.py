@@ -10,7 +10,6 @@ from __future__ import annotations
 import ctypes
 import math
 import random
-import statistics
 import sys
 import time
 from collections.abc import Callable, Sequence
@@ -36,9 +35,9 @@ SYSTEMS = ("sleigh", "disk", "trailers5", "snakeboard", "roller_racer")
 _GALLERY = {"sleigh": "chaplygin_sleigh", "disk": "rolling_disk"}
 WANTED = 1e-9
 STARTS = 512
-REPEATED = 32
+REPEATED = 8
 """Runs of one start within a timed call."""
-_ROUNDS = 5
+_ROUNDS = 25
 _LADDER = (1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13)
 _TAYLOR = (1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-12, 1e-14)
 _SPREAD = 0.02
@@ -172,14 +171,14 @@ def measure(system: str) -> Timed:
         if find_error(alone[_TAYLOR[-1]](one[:1]), single) > 0.1 * WANTED:
             raise ArithmeticError(f"{system}: the references of nhc and heyoka differ")
     ours, peer = time_ladders((nhc, alone), one, single)
-    each, *found = time_ladders((beside, *batches.values()), many, reference)
+    each, *found = time_ladders((beside, *batches.values()), many, reference, 9)
     lane, lanes = min(
         ((seconds or math.inf, width) for seconds, width in zip(found, batches, strict=True)), default=(None, 0)
     )
     times = {}
     for method in SCIPY:
         ladder = {tolerance: solve_scipy(job, method, tolerance) for tolerance in _LADDER}
-        times[method] = time_ladders((ladder,), one[:1], single, 3)[0] or math.inf
+        times[method] = time_ladders((ladder,), one[:1], single, 7)[0] or math.inf
     best = min(times, key=lambda method: times[method])
     return Timed(system, ours, peer, times[best], best, each, lane, lanes)
 
@@ -200,7 +199,7 @@ def find_error(ends: Any, reference: Any) -> float:
 def time_ladders(
     ladders: Sequence[dict[float, Solve]], starts: Any, reference: Any, rounds: int = _ROUNDS
 ) -> list[float | None]:
-    """Seconds per start at the wanted error for each ladder, in turn; None for an empty one."""
+    """Seconds per start at the wanted error for each ladder, in turn, the quickest round of each rung; None for an empty one."""
     seconds: list[dict[float, list[float]]] = [{tolerance: [] for tolerance in ladder} for ladder in ladders]
     errors = [dict.fromkeys(ladder, 0.0) for ladder in ladders]
     for turn in range(rounds + 1):
@@ -214,7 +213,7 @@ def time_ladders(
                 if turn:  # the first pass warms up
                     found[tolerance].append(spent)
     return [
-        interpolate([(error[tolerance], statistics.median(found[tolerance])) for tolerance in found])
+        interpolate([(error[tolerance], min(found[tolerance])) for tolerance in found])
         for error, found in zip(errors, seconds, strict=True)
     ]
 
