@@ -104,9 +104,12 @@ class Probe:
 
 def _take_pivot(work: list[list[float]], step: int) -> bool:
     """Eliminate below the largest entry from row ``step`` on, whose column becomes zero; False where it is small."""
-    best, i, j = max((abs(x), i, j) for i in range(step, len(work)) for j, x in enumerate(work[i]))
+    sizes = [max(map(abs, work[i])) for i in range(step, len(work))]
+    best = max(sizes)
     if not best > _SMALL_PIVOT:
         return False
+    i = step + sizes.index(best)
+    j = next(j for j, x in enumerate(work[i]) if abs(x) == best)
     work[step], work[i] = work[i], work[step]
     pivot = work[step]
     for k in range(step + 1, len(work)):

@@ -63,14 +63,18 @@ def float_determinant(block: Sequence[Sequence[float]]) -> float:
     if size == 2:
         return block[0][0] * block[1][1] - block[0][1] * block[1][0]
     rows = [list(row) for row in block]
-    for k in range(size):
-        pivot = max(range(k, size), key=lambda i: abs(rows[i][k]))
-        if rows[pivot][k] == 0.0:
+    while rows:  # each step leaves a row and a column less
+        column = [abs(row[0]) for row in rows]
+        largest = max(column)
+        if largest == 0.0:
             return 0.0
-        if pivot != k:
-            rows[k], rows[pivot], det = rows[pivot], rows[k], -det
-        det *= rows[k][k]
-        for i in range(k + 1, size):
-            factor = rows[i][k] / rows[k][k]
-            rows[i] = [x - factor * y for x, y in zip(rows[i], rows[k], strict=True)]
+        k = column.index(largest)
+        if k % 2:
+            det = -det
+        first, *rest = rows.pop(k)
+        det *= first
+        for i, row in enumerate(rows):
+            factor = row[0] / first
+            tail = row[1:]
+            rows[i] = [x - factor * y for x, y in zip(tail, rest, strict=True)] if factor else tail
     return det

@@ -227,16 +227,18 @@ def _full_rank(rows: Sequence[Sequence[float]]) -> bool:
     work = [list(row) for row in rows]
     norms = [math.sqrt(sum(x * x for x in row)) for row in work]
     for step in range(len(work)):
-        best, i, j = max(
-            (abs(x) / max(norms[i], 1e-300), i, j) for i, row in enumerate(work) if i >= step for j, x in enumerate(row)
-        )
+        sizes = [max(map(abs, work[i])) / max(norms[i], 1e-300) for i in range(step, len(work))]
+        best = max(sizes)
         if best < _WEAK:
             return False
+        i = step + sizes.index(best)
+        j = max(range(len(work[i])), key=lambda j: abs(work[i][j]))
         work[step], work[i] = work[i], work[step]
         norms[step], norms[i] = norms[i], norms[step]
         for k in range(step + 1, len(work)):
             factor = work[k][j] / work[step][j]
-            work[k] = [x - factor * y for x, y in zip(work[k], work[step], strict=True)]
+            if factor:
+                work[k] = [x - factor * y for x, y in zip(work[k], work[step], strict=True)]
     return True
 
 
