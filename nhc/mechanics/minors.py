@@ -16,6 +16,9 @@ def relative_minors(matrix: Sequence[Sequence[float]], subsets: Sequence[Sequenc
     if not matrix:
         return [1.0] * len(subsets)
     scale = math.prod(math.sqrt(sum(x * x for x in row)) for row in matrix)
+    if len(subsets) == 1 and scale != 0.0:
+        determinant = float_determinant([[row[j] for j in subsets[0]] for row in matrix])
+        return [(abs(determinant) / scale) ** (1.0 / len(matrix))]
     pivots, reduced, determinant = _reduce(matrix)
     if scale == 0.0 or len(pivots) < len(matrix):
         return [0.0] * len(subsets)

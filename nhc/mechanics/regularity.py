@@ -15,7 +15,7 @@ from nhc.algebra.interval import Interval, cannot_vanish
 from nhc.algebra.linear import determinant_of
 from nhc.algebra.polynomial import normalise
 from nhc.language.syntax import Syntax
-from nhc.mechanics.minors import float_determinant, relative_minors
+from nhc.mechanics.minors import relative_minors
 from nhc.mechanics.system import Form, System
 from nhc.records import record
 
@@ -176,13 +176,7 @@ def _kept_points(system: System, *, ordinary: bool) -> list[dict[Node, float]]:
 
 def relative_determinant(matrix: Sequence[Sequence[float]], columns: Sequence[int]) -> float:
     """|det| of the columns over the product of the norms of the whole rows (Hadamard), its l-th root: in [0, 1]."""
-    if not matrix:
-        return 1.0
-    scale = math.prod(math.sqrt(sum(x * x for x in row)) for row in matrix)
-    if scale == 0.0:
-        return 0.0
-    determinant = float_determinant([[row[j] for j in columns] for row in matrix])
-    return float((abs(determinant) / scale) ** (1.0 / len(matrix)))
+    return relative_minors(matrix, [columns])[0]
 
 
 def pivot_weakness(system: System) -> Callable[[Sequence[Node], Sequence[Node]], list[int]]:
@@ -217,7 +211,7 @@ def weak_where_constraints_are_not(system: System, forms: Sequence[Form]) -> int
     matrices = sampled_rows(system, forms, ordinary=True)
     count = 0
     for matrix in matrices:
-        if _full_rank(matrix[: system.l]) and relative_determinant(matrix, range(system.n)) < _WEAK:
+        if relative_determinant(matrix, range(system.n)) < _WEAK and _full_rank(matrix[: system.l]):
             count += 1
     return count
 
