@@ -127,8 +127,9 @@ def row_scale(graph: Graph, block: Sequence[Sequence[Node]]) -> Node:
 
 
 def form_size(graph: Graph, row: Node, unknowns: int) -> Node | None:
-    """The sum of the sizes of the coefficients of a row that is linear in the symbols of a mask, found on the row's own nodes, so that
-    what rows share is measured once; None where the row is not linear by sight.
+    """The sum of the sizes of the coefficients of a row that is linear in the symbols of a mask; None where it is not by sight.
+
+    It is found on the row's own nodes, so that what rows share is measured once.
     """
     g = graph
     known: dict[Node, Node] = g.memory.setdefault(f"sizes of forms {unknowns:x}", {})

@@ -53,8 +53,7 @@ def run_ensemble(job: Job, starts: Sequence[Start], settings: Settings, show: Sh
     outcomes = wait_for(lambda: _integrate_each(model, task, method, jobs, news), news, told)
     seconds = time.perf_counter() - before
     members = (
-        collect(one, method, model, task, outcome, seconds, ())
-        for one, outcome in zip(jobs, outcomes, strict=False)
+        collect(one, method, model, task, outcome, seconds, ()) for one, outcome in zip(jobs, outcomes, strict=False)
     )
     return Ensemble(job, len(starts), tuple(members), seconds, (*job.notes, *notes))
 
