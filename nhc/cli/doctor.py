@@ -90,15 +90,27 @@ def _runs() -> list[Row]:
     flags = " ".join(machine_flags()) or "no flags for this processor"
     lanes = 8 if any("v4" in flag for flag in lane_flags(0)) else 4
     found = f"{compiler}; {flags}; {lanes} lanes" if compiler else "none: runs are in Python, some hundred times slower"
-    models = [path for path in folder.glob("*/*.so")] if folder.is_dir() else []
-    files = [path for path in folder.rglob("*") if path.is_file()] if folder.is_dir() else []
-    size = f"{len(models)} compiled models, {sum(path.stat().st_size for path in files) / 1e6:.1f} MB"
+    models, size_in_bytes = _measure(folder)
+    size = f"{models} compiled models, {size_in_bytes / 1e6:.1f} MB"
     place = next(path for path in (folder, *folder.parents) if path.exists())
     writable = os.access(place, os.W_OK) and place.is_dir()
     return [
         ("compiler of runs", bool(compiler), found),
         ("cache of runs", writable, f"{folder} ({size if writable else 'cannot be written'})"),
     ]
+
+
+def _measure(folder: Path) -> tuple[int, int]:
+    """(libraries, bytes) below a folder that others may change meanwhile: what has gone does not count."""
+    models = size = 0
+    for place, _, names in os.walk(folder):
+        for name in names:
+            try:
+                size += os.stat(os.path.join(place, name)).st_size
+            except OSError:
+                continue
+            models += name.endswith(".so")
+    return models, size
 
 
 def _tool(name: str, purpose: str) -> Row:
