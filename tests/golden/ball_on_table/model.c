@@ -1,5 +1,5 @@
 /*
- * ball_on_table.c: ball_on_table, emitted by nhc 0.1.0 (nhc:b507c092d088a392)
+ * ball_on_table.c: ball_on_table, emitted by nhc 0.1.0 (nhc:6cc049e9e8af5322)
  * A homogeneous ball that rolls on a turning table; its centre runs on a circle, though nothing holds it
  *     there.
  * Source: ball_on_table.yaml
@@ -19,6 +19,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <string.h>
 
 const char *const ball_on_table_coordinate_names[] = {
     "x",
@@ -63,12 +64,148 @@ static int ball_on_table_finish(int count, const double *values)
     return fabs(sum) <= DBL_MAX ? BALL_ON_TABLE_OK : BALL_ON_TABLE_NOT_FINITE;
 }
 
+/* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
+#ifndef BALL_ON_TABLE_LANES
+#if !defined(__GNUC__)
+#define BALL_ON_TABLE_LANES 1
+#elif defined(__AVX512F__)
+#define BALL_ON_TABLE_LANES 8
+#elif defined(__AVX__)
+#define BALL_ON_TABLE_LANES 4
+#else
+#define BALL_ON_TABLE_LANES 2
+#endif
+#endif
+#if BALL_ON_TABLE_LANES > 1
+typedef double ball_on_table_lanes __attribute__((vector_size(8 * BALL_ON_TABLE_LANES)));
+#else
+typedef double ball_on_table_lanes;
+#endif
+
+#if BALL_ON_TABLE_LANES >= 2
+static inline ball_on_table_lanes ball_on_table_get(const double *from)
+{
+    ball_on_table_lanes value;
+    memcpy(&value, from, sizeof value);
+    return value;
+}
+
+static inline void ball_on_table_put(double *to, ball_on_table_lanes value)
+{
+    memcpy(to, &value, sizeof value);
+}
+#endif
+
+/* states first, first + 1, ... through rhs, one by one; the first status that is not OK */
+#if defined(__GNUC__)
+__attribute__((noinline))
+#endif
+static int ball_on_table_one_by_one(size_t count, size_t first, size_t number, const double *t, const double *y, const double *p, double *dydt)
+{
+    int status = BALL_ON_TABLE_OK;
+    for (size_t i = first; i < first + number; ++i) {
+        double state[BALL_ON_TABLE_NY];
+        double slope[BALL_ON_TABLE_NY];
+        for (size_t k = 0; k < BALL_ON_TABLE_NY; ++k) {
+            state[k] = y[k * count + i];
+            slope[k] = NAN;
+        }
+        const int one = ball_on_table_rhs(t[i], state, p, slope);
+        status = status == BALL_ON_TABLE_OK ? one : status;
+        for (size_t k = 0; k < BALL_ON_TABLE_NY; ++k) {
+            dydt[k * count + i] = slope[k];
+        }
+    }
+    return status;
+}
+
+#if BALL_ON_TABLE_LANES >= 2
+#define BALL_ON_TABLE_SPREAD(x) ((x) - (ball_on_table_lanes){0}) /* a number in each lane; lanes stay what they are */
+
+typedef unsigned long long ball_on_table_bits __attribute__((vector_size(8 * BALL_ON_TABLE_LANES)));
+
+/* all bits where value is not above bound, or is no number */
+static inline ball_on_table_bits ball_on_table_misses(ball_on_table_lanes value, ball_on_table_lanes bound)
+{
+    return ~(ball_on_table_bits)(value > bound);
+}
+
+/* no number where a bit is set */
+static inline ball_on_table_lanes ball_on_table_mark(ball_on_table_lanes value, ball_on_table_bits bad)
+{
+    return (ball_on_table_lanes)((ball_on_table_bits)value | bad);
+}
+
+static inline ball_on_table_lanes ball_on_table_size(ball_on_table_lanes x)
+{
+    return (ball_on_table_lanes)((ball_on_table_bits)x & 0x7fffffffffffffffULL);
+}
+/* whether none of the states must be asked again: no singular block, no infinity, no angle anywhere near 1e5 */
+static inline int ball_on_table_is_good(int count, const double *check)
+{
+    double even = 0.0;
+    double odd = 0.0;
+    for (int k = 0; k < count; k += 2) {
+        even += check[k];
+        odd += check[k + 1];
+    }
+    return even + odd <= 1e10;
+}
+
+/* the last states, fewer than there are lanes; the others repeat the last one */
+static inline void ball_on_table_fill(size_t left, size_t count, const double *t, const double *y, double *time, double *state)
+{
+    for (size_t l = 0; l < BALL_ON_TABLE_LANES; ++l) {
+        const size_t i = l < left ? l : left - 1;
+        time[l] = t[i];
+        for (size_t k = 0; k < BALL_ON_TABLE_NY; ++k) {
+            state[k * BALL_ON_TABLE_LANES + l] = y[k * count + i];
+        }
+    }
+}
+
+static inline void ball_on_table_pour(size_t left, size_t count, const double *slope, double *dydt)
+{
+    for (size_t k = 0; k < BALL_ON_TABLE_NY; ++k) {
+        for (size_t l = 0; l < left; ++l) {
+            dydt[k * count + l] = slope[k * BALL_ON_TABLE_LANES + l];
+        }
+    }
+}
+
+/* libm's sine and cosine, lane by lane */
+static inline void ball_on_table_turn_lanes(ball_on_table_lanes x, ball_on_table_lanes *far, ball_on_table_lanes *sine, ball_on_table_lanes *cosine)
+{
+    double angle[BALL_ON_TABLE_LANES];
+    double up[BALL_ON_TABLE_LANES];
+    double along[BALL_ON_TABLE_LANES];
+    (void)far;
+    memcpy(angle, &x, sizeof x);
+    for (int l = 0; l < BALL_ON_TABLE_LANES; ++l) {
+        up[l] = sin(angle[l]);
+        along[l] = cos(angle[l]);
+    }
+    memcpy(sine, up, sizeof x);
+    memcpy(cosine, along, sizeof x);
+}
+#endif
+
 int ball_on_table_rhs(double t, const double *y, const double *p, double *dydt)
 {
-    const double x = y[0]; /* centre [m] */
-    const double y_2 = y[1]; /* centre [m] */
     const double phi = y[2]; /* precession [rad] */
     const double theta = y[3]; /* nutation [rad] */
+    const double nu = p[5]; /* frequency of its modulation [rad/s] */
+
+    /* sines and cosines */
+    const double z3 = t * nu;
+    const double s_theta = sin(theta);
+    const double c_theta = cos(theta);
+    const double s1 = sin(z3);
+    const double c1 = cos(z3);
+    const double s_phi = sin(phi);
+    const double c_phi = cos(phi);
+    const double x = y[0]; /* centre [m] */
+    const double y_2 = y[1]; /* centre [m] */
     const double phi_dot = y[5];
     const double theta_dot = y[6];
     const double psi_dot = y[7];
@@ -77,94 +214,90 @@ int ball_on_table_rhs(double t, const double *y, const double *p, double *dydt)
     const double k = p[2]; /* moment of inertia over m a^2; 2/5 for a homogeneous ball */
     const double Omega0 = p[3]; /* mean rate of the table [rad/s] */
     const double Omega1 = p[4]; /* amplitude of its modulation [rad/s] */
-    const double nu = p[5]; /* frequency of its modulation [rad/s] */
 
     /* parameters only */
-    const double k1 = m * (a * a);
-    const double k2 = k * k1;
-    const double k3 = 1.0 + k;
-    const double k4 = k1 * k3;
-    const double k5 = m * a;
+    const double k1 = m * a;
+    const double k2 = m * (a * a);
+    const double k3 = k * k2;
+    const double k4 = 1.0 + k;
+    const double k5 = k2 * k4;
     const double k6 = 2.0 * Omega0;
     const double k7 = Omega0 * Omega0;
-    const double k8 = k5 / k4;
+    const double k8 = k1 / k5;
 
     /* state */
-    /* the mass matrix is singular */
-    if (!(fabs(k2) > 0.0)) {
-        return BALL_ON_TABLE_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(k4) > 0.0)) {
-        return BALL_ON_TABLE_SINGULAR_2;
-    }
-    const double s_theta = sin(theta);
-    const double z1 = k1 * (k + s_theta * s_theta);
-    const double c_theta = cos(theta);
-    const double z2 = z1 - c_theta * (c_theta * k2);
-    /* the mass matrix is singular */
-    if (!(fabs(z2) > 1e-14 * z1)) {
-        return BALL_ON_TABLE_SINGULAR_2;
-    }
-    const double s_phi = sin(phi);
-    const double c_phi = cos(phi);
-    const double z3 = t * nu;
-    const double s1 = sin(z3);
+    const double z1 = k2 * (k + s_theta * s_theta);
+    const double z2 = z1 - c_theta * c_theta * k3;
     const double z4 = Omega1 * s1;
     const double Omega = Omega0 + z4;
-    const double z5 = 1.0 / z2;
+    const double z5 = psi_dot * s_theta;
     const double z6 = k6 + z4;
     const double z7 = x * c_phi;
-    const double z8 = y_2 * s_phi;
-    const double z9 = theta_dot * a;
-    const double c1 = cos(z3);
+    const double z8 = theta_dot * a;
+    const double z9 = y_2 * s_phi;
     const double z10 = nu * c1;
     const double z11 = x * s_phi;
     const double z12 = y_2 * c_phi;
     const double z13 = z11 - z12;
-    const double z14 = z7 + z8;
-    const double z15 = phi_dot * k3;
-    const double z16 = Omega1 * (s1 * (z6 * z7 + (z6 * z8 - z9)) - z10 * z13) + (z14 * k7 - z9 * (z15 +
-        (Omega0 - psi_dot * c_theta * k3)));
-    const double z17 = s_theta * (psi_dot * a);
-    const double z18 = Omega1 * (s1 * (z11 * z6 - (z6 * z12 + z17)) + z10 * z14) - (z17 * (Omega0 + z15) - k7
-        * z13);
+    const double z14 = z7 + z9;
+    const double z15 = phi_dot * k4;
+    const double z16 = Omega1 * (s1 * (z6 * z7 - (z8 - z6 * z9)) - z10 * z13) + (z14 * k7 - z8 * (z15 +
+        (Omega0 - psi_dot * c_theta * k4)));
+    const double z17 = z16 * (k1 / z2);
+    const double z18 = a * z5;
+    const double z19 = Omega1 * (z10 * z14 + s1 * (z11 * z6 - (z6 * z12 + z18))) + (k7 * z13 - (Omega0 + z15)
+        * z18);
     /* (III.3) */
-    dydt[0] = a * (theta_dot * s_phi - psi_dot * (c_phi * s_theta)) - y_2 * Omega; /* x' */
-    dydt[1] = x * Omega - a * (theta_dot * c_phi + psi_dot * (s_theta * s_phi)); /* y' */
+    dydt[0] = a * (theta_dot * s_phi - c_phi * z5) - y_2 * Omega; /* x' */
+    dydt[1] = x * Omega - a * (theta_dot * c_phi + s_phi * z5); /* y' */
     dydt[2] = phi_dot; /* phi' */
     dydt[3] = theta_dot; /* theta' */
     dydt[4] = psi_dot; /* psi' */
     /* (III.3) 25:4 */
-    dydt[5] = s_theta * (theta_dot * psi_dot + z5 * (c_theta * k5) * z16); /* phi'' */
-    dydt[6] = z18 * k8; /* theta'' */
-    dydt[7] = -z16 * (s_theta * k5 * z5); /* psi'' */
+    dydt[5] = s_theta * (theta_dot * psi_dot + c_theta * z17); /* phi'' */
+    dydt[6] = k8 * z19; /* theta'' */
+    dydt[7] = -s_theta * z17; /* psi'' */
+    /* the mass matrix is singular */
+    if (!(fabs(k3) > 0.0)) {
+        return BALL_ON_TABLE_SINGULAR_2;
+    }
+    /* the mass matrix is singular */
+    if (!(fabs(k5) > 0.0)) {
+        return BALL_ON_TABLE_SINGULAR_2;
+    }
+    /* the mass matrix is singular */
+    if (!(fabs(z2) > 1e-14 * z1)) {
+        return BALL_ON_TABLE_SINGULAR_2;
+    }
     return ball_on_table_finish(8, dydt);
 }
 
 int ball_on_table_velocities(double t, const double *y, const double *p, double *qdot)
 {
-    const double x = y[0]; /* centre [m] */
-    const double y_2 = y[1]; /* centre [m] */
     const double phi = y[2]; /* precession [rad] */
     const double theta = y[3]; /* nutation [rad] */
+    const double nu = p[5]; /* frequency of its modulation [rad/s] */
+
+    /* sines and cosines */
+    const double s1 = sin(t * nu);
+    const double s_phi = sin(phi);
+    const double c_phi = cos(phi);
+    const double s_theta = sin(theta);
+    const double x = y[0]; /* centre [m] */
+    const double y_2 = y[1]; /* centre [m] */
     const double phi_dot = y[5];
     const double theta_dot = y[6];
     const double psi_dot = y[7];
     const double a = p[1]; /* radius [m] */
     const double Omega0 = p[3]; /* mean rate of the table [rad/s] */
     const double Omega1 = p[4]; /* amplitude of its modulation [rad/s] */
-    const double nu = p[5]; /* frequency of its modulation [rad/s] */
 
     /* state */
-    const double s_phi = sin(phi);
-    const double c_phi = cos(phi);
-    const double s_theta = sin(theta);
-    const double s1 = sin(t * nu);
     const double Omega = Omega0 + Omega1 * s1;
+    const double z1 = psi_dot * s_theta;
     /* (I.2.4) */
-    qdot[0] = a * (theta_dot * s_phi - psi_dot * (c_phi * s_theta)) - y_2 * Omega; /* x' */
-    qdot[1] = x * Omega - a * (theta_dot * c_phi + psi_dot * (s_theta * s_phi)); /* y' */
+    qdot[0] = a * (theta_dot * s_phi - c_phi * z1) - y_2 * Omega; /* x' */
+    qdot[1] = x * Omega - a * (theta_dot * c_phi + s_phi * z1); /* y' */
     qdot[2] = phi_dot; /* phi' */
     qdot[3] = theta_dot; /* theta' */
     qdot[4] = psi_dot; /* psi' */
@@ -173,10 +306,20 @@ int ball_on_table_velocities(double t, const double *y, const double *p, double 
 
 int ball_on_table_accelerations(double t, const double *y, const double *p, double *qddot)
 {
-    const double x = y[0]; /* centre [m] */
-    const double y_2 = y[1]; /* centre [m] */
     const double phi = y[2]; /* precession [rad] */
     const double theta = y[3]; /* nutation [rad] */
+    const double nu = p[5]; /* frequency of its modulation [rad/s] */
+
+    /* sines and cosines */
+    const double z3 = t * nu;
+    const double s_theta = sin(theta);
+    const double c_theta = cos(theta);
+    const double c1 = cos(z3);
+    const double s1 = sin(z3);
+    const double c_phi = cos(phi);
+    const double s_phi = sin(phi);
+    const double x = y[0]; /* centre [m] */
+    const double y_2 = y[1]; /* centre [m] */
     const double phi_dot = y[5];
     const double theta_dot = y[6];
     const double psi_dot = y[7];
@@ -185,66 +328,46 @@ int ball_on_table_accelerations(double t, const double *y, const double *p, doub
     const double k = p[2]; /* moment of inertia over m a^2; 2/5 for a homogeneous ball */
     const double Omega0 = p[3]; /* mean rate of the table [rad/s] */
     const double Omega1 = p[4]; /* amplitude of its modulation [rad/s] */
-    const double nu = p[5]; /* frequency of its modulation [rad/s] */
 
     /* parameters only */
-    const double k1 = m * (a * a);
-    const double k2 = k * k1;
-    const double k3 = 1.0 + k;
-    const double k4 = k1 * k3;
-    const double k5 = m * a;
+    const double k1 = m * a;
+    const double k2 = m * (a * a);
+    const double k3 = k * k2;
+    const double k4 = 1.0 + k;
+    const double k5 = k2 * k4;
     const double k6 = 2.0 * Omega0;
     const double k7 = Omega0 * Omega0;
-    const double k8 = k5 / k4;
+    const double k8 = k1 / k5;
 
     /* state */
-    /* the mass matrix is singular */
-    if (!(fabs(k2) > 0.0)) {
-        return BALL_ON_TABLE_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(k4) > 0.0)) {
-        return BALL_ON_TABLE_SINGULAR_2;
-    }
-    const double s_theta = sin(theta);
-    const double z1 = k1 * (k + s_theta * s_theta);
-    const double c_theta = cos(theta);
-    const double z2 = z1 - c_theta * (c_theta * k2);
-    /* the mass matrix is singular */
-    if (!(fabs(z2) > 1e-14 * z1)) {
-        return BALL_ON_TABLE_SINGULAR_2;
-    }
-    const double z3 = t * nu;
-    const double c1 = cos(z3);
+    const double z1 = k2 * (k + s_theta * s_theta);
+    const double z2 = z1 - c_theta * c_theta * k3;
     const double z4 = nu * c1;
     const double z5 = Omega1 * z4;
-    const double s1 = sin(z3);
     const double z6 = Omega1 * s1;
     const double Omega = Omega0 + z6;
-    const double c_phi = cos(phi);
-    const double s_phi = sin(phi);
     const double z7 = s_theta * s_phi;
     const double z8 = phi_dot * c_phi;
-    const double z9 = x * s_phi;
-    const double z10 = k6 + z6;
-    const double z11 = y_2 * c_phi;
-    const double z12 = s_theta * (psi_dot * a);
-    const double z13 = x * c_phi;
-    const double z14 = y_2 * s_phi;
-    const double z15 = z13 + z14;
-    const double z16 = phi_dot * k3;
-    const double z17 = z9 - z11;
-    const double z18 = Omega1 * (s1 * (z9 * z10 - (z10 * z11 + z12)) + z4 * z15) - (z12 * (Omega0 + z16) - k7
-        * z17);
-    const double z19 = z18 * k8;
+    const double z9 = x * c_phi;
+    const double z10 = y_2 * s_phi;
+    const double z11 = z9 + z10;
+    const double z12 = x * s_phi;
+    const double z13 = k6 + z6;
+    const double z14 = y_2 * c_phi;
+    const double z15 = a * (psi_dot * s_theta);
+    const double z16 = z12 - z14;
+    const double z17 = phi_dot * k4;
+    const double z18 = Omega1 * (z4 * z11 + s1 * (z12 * z13 - (z13 * z14 + z15))) + (k7 * z16 - (Omega0 +
+        z17) * z15);
+    const double z19 = k8 * z18;
     const double z20 = phi_dot * s_phi;
     const double z21 = theta_dot * c_theta;
     const double z22 = c_phi * s_theta;
     const double z23 = theta_dot * a;
-    const double z24 = Omega1 * (s1 * (z10 * z13 + (z10 * z14 - z23)) - z4 * z17) + (z15 * k7 - z23 * (z16 +
-        (Omega0 - psi_dot * c_theta * k3)));
-    const double z25 = 1.0 / z2;
-    const double z26 = z24 * (s_theta * k5 * z25);
+    const double z24 = Omega1 * (s1 * (z13 * z9 - (z23 - z13 * z10)) - z4 * z16) + (z11 * k7 - z23 * (z17 +
+        (Omega0 - psi_dot * c_theta * k4)));
+    const double z25 = z24 * (k1 / z2);
+    const double z26 = s_theta * z25;
     const double z27 = a * (theta_dot * z8 + s_phi * z19 + (psi_dot * (s_theta * z20 - c_phi * z21) + z22 *
         z26));
     const double z28 = a * (theta_dot * z20 - c_phi * z19 - (psi_dot * (s_phi * z21 + s_theta * z8) - z7 *
@@ -252,9 +375,21 @@ int ball_on_table_accelerations(double t, const double *y, const double *p, doub
     /* (III.3) */
     qddot[0] = z27 - (y_2 * z5 - Omega * (a * (theta_dot * c_phi + psi_dot * z7) - x * Omega)); /* x'' */
     qddot[1] = x * z5 + Omega * (a * (theta_dot * s_phi - psi_dot * z22) - y_2 * Omega) + z28; /* y'' */
-    qddot[2] = s_theta * (theta_dot * psi_dot + z25 * (c_theta * k5) * z24); /* phi'' */
+    qddot[2] = s_theta * (theta_dot * psi_dot + c_theta * z25); /* phi'' */
     qddot[3] = z19; /* theta'' */
     qddot[4] = -z26; /* psi'' */
+    /* the mass matrix is singular */
+    if (!(fabs(k3) > 0.0)) {
+        return BALL_ON_TABLE_SINGULAR_2;
+    }
+    /* the mass matrix is singular */
+    if (!(fabs(k5) > 0.0)) {
+        return BALL_ON_TABLE_SINGULAR_2;
+    }
+    /* the mass matrix is singular */
+    if (!(fabs(z2) > 1e-14 * z1)) {
+        return BALL_ON_TABLE_SINGULAR_2;
+    }
     return ball_on_table_finish(5, qddot);
 }
 
@@ -285,10 +420,17 @@ int ball_on_table_state(double t, const double *q, const double *qdot, const dou
 
 int ball_on_table_residuals(double t, const double *q, const double *qdot, const double *p, double *r)
 {
-    const double x = q[0]; /* centre [m] */
-    const double y = q[1]; /* centre [m] */
     const double phi = q[2]; /* precession [rad] */
     const double theta = q[3]; /* nutation [rad] */
+    const double nu = p[5]; /* frequency of its modulation [rad/s] */
+
+    /* sines and cosines */
+    const double s1 = sin(t * nu);
+    const double s_phi = sin(phi);
+    const double c_phi = cos(phi);
+    const double s_theta = sin(theta);
+    const double x = q[0]; /* centre [m] */
+    const double y = q[1]; /* centre [m] */
     const double x_dot = qdot[0];
     const double y_dot = qdot[1];
     const double theta_dot = qdot[3];
@@ -296,148 +438,33 @@ int ball_on_table_residuals(double t, const double *q, const double *qdot, const
     const double a = p[1]; /* radius [m] */
     const double Omega0 = p[3]; /* mean rate of the table [rad/s] */
     const double Omega1 = p[4]; /* amplitude of its modulation [rad/s] */
-    const double nu = p[5]; /* frequency of its modulation [rad/s] */
 
     /* state */
-    const double s_phi = sin(phi);
-    const double c_phi = cos(phi);
-    const double s_theta = sin(theta);
-    const double s1 = sin(t * nu);
     const double Omega = Omega0 + Omega1 * s1;
+    const double z1 = psi_dot * s_theta;
     /* (I.1.1) 27:5 */
-    r[0] = x_dot - a * (theta_dot * s_phi - psi_dot * (c_phi * s_theta)) + y * Omega; /* roll_x = 0 */
+    r[0] = y * Omega + (x_dot - a * (theta_dot * s_phi - c_phi * z1)); /* roll_x = 0 */
     /* (I.1.1) 28:5 */
-    r[1] = y_dot + a * (theta_dot * c_phi + psi_dot * (s_theta * s_phi)) - x * Omega; /* roll_y = 0 */
+    r[1] = y_dot + a * (theta_dot * c_phi + s_phi * z1) - x * Omega; /* roll_y = 0 */
     return ball_on_table_finish(2, r);
 }
 
 int ball_on_table_reactions(double t, const double *y, const double *p, double *lambda)
 {
-    const double x = y[0]; /* centre [m] */
-    const double y_2 = y[1]; /* centre [m] */
     const double phi = y[2]; /* precession [rad] */
     const double theta = y[3]; /* nutation [rad] */
-    const double phi_dot = y[5];
-    const double theta_dot = y[6];
-    const double psi_dot = y[7];
-    const double m = p[0]; /* mass [kg] */
-    const double a = p[1]; /* radius [m] */
-    const double k = p[2]; /* moment of inertia over m a^2; 2/5 for a homogeneous ball */
-    const double Omega0 = p[3]; /* mean rate of the table [rad/s] */
-    const double Omega1 = p[4]; /* amplitude of its modulation [rad/s] */
     const double nu = p[5]; /* frequency of its modulation [rad/s] */
 
-    /* parameters only */
-    const double k1 = m * (a * a);
-    const double k2 = k * k1;
-    const double k3 = 1.0 + k;
-    const double k4 = k1 * k3;
-    const double k5 = m * a;
-    const double k6 = 2.0 * Omega0;
-    const double k7 = Omega0 * Omega0;
-    const double k8 = Omega1 * Omega1;
-    const double k9 = k5 / k4;
-
-    /* state */
-    /* the mass matrix is singular */
-    if (!(fabs(k2) > 0.0)) {
-        return BALL_ON_TABLE_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(k4) > 0.0)) {
-        return BALL_ON_TABLE_SINGULAR_2;
-    }
-    const double s_theta = sin(theta);
-    const double z1 = k1 * (k + s_theta * s_theta);
-    const double c_theta = cos(theta);
-    const double z2 = z1 - c_theta * (c_theta * k2);
-    /* the mass matrix is singular */
-    if (!(fabs(z2) > 1e-14 * z1)) {
-        return BALL_ON_TABLE_SINGULAR_2;
-    }
-    const double c_phi = cos(phi);
+    /* sines and cosines */
     const double z3 = t * nu;
-    const double s1 = sin(z3);
-    const double z4 = Omega1 * s1;
-    const double z5 = psi_dot * c_theta;
-    const double z6 = z4 + (Omega0 + (phi_dot - z5));
-    const double s_phi = sin(phi);
-    const double z7 = z4 + (phi_dot + Omega0);
-    const double z8 = Omega0 * (Omega0 + 2.0 * z4) + k8 * (s1 * s1);
-    const double c1 = cos(z3);
-    const double z9 = a * (theta_dot * c_phi * z6 + s_phi * (psi_dot * s_theta) * z7) - (x * z8 + c1 * (nu *
-        (y_2 * Omega1)));
-    const double z10 = x * s_phi;
-    const double z11 = k6 + z4;
-    const double z12 = y_2 * c_phi;
-    const double z13 = s_theta * (psi_dot * a);
-    const double z14 = nu * c1;
-    const double z15 = x * c_phi;
-    const double z16 = y_2 * s_phi;
-    const double z17 = z15 + z16;
-    const double z18 = phi_dot * k3;
-    const double z19 = z10 - z12;
-    const double z20 = Omega1 * (s1 * (z10 * z11 - (z11 * z12 + z13)) + z14 * z17) - (z13 * (Omega0 + z18) -
-        k7 * z19);
-    const double z21 = z20 * k9;
-    const double z22 = c_phi * k5;
-    const double z23 = theta_dot * a;
-    const double z24 = Omega1 * (s1 * (z11 * z15 + (z11 * z16 - z23)) - z14 * z19) + (z17 * k7 - z23 * (z18 +
-        (Omega0 - z5 * k3)));
-    const double z25 = s_theta * k5;
-    const double z26 = z24 * (z25 / z2);
-    const double z27 = a * (theta_dot * s_phi * z6 - z7 * (s_theta * (psi_dot * c_phi))) - (y_2 * z8 - c1 *
-        (nu * (x * Omega1)));
-    /* (I.4.1) 27:5 */
-    /* reaction of roll_x: Q_i gains lambda_1 a_1i */
-    lambda[0] = m * z9 + (s_phi * k5 * z21 + s_theta * z22 * z26);
-    /* (I.4.1) 28:5 */
-    lambda[1] = m * z27 - (z22 * z21 - s_phi * z25 * z26); /* reaction of roll_y: Q_i gains lambda_2 a_2i */
-    return ball_on_table_finish(2, lambda);
-}
-
-double ball_on_table_energy(double t, const double *y, const double *p)
-{
-    const double x = y[0]; /* centre [m] */
-    const double y_2 = y[1]; /* centre [m] */
-    const double phi = y[2]; /* precession [rad] */
-    const double theta = y[3]; /* nutation [rad] */
-    const double phi_dot = y[5];
-    const double theta_dot = y[6];
-    const double psi_dot = y[7];
-    const double m = p[0]; /* mass [kg] */
-    const double a = p[1]; /* radius [m] */
-    const double k = p[2]; /* moment of inertia over m a^2; 2/5 for a homogeneous ball */
-    const double Omega0 = p[3]; /* mean rate of the table [rad/s] */
-    const double Omega1 = p[4]; /* amplitude of its modulation [rad/s] */
-    const double nu = p[5]; /* frequency of its modulation [rad/s] */
-
-    /* parameters only */
-    const double I = m * k * (a * a);
-
-    /* state */
-    const double c_phi = cos(phi);
     const double s_theta = sin(theta);
-    const double s_phi = sin(phi);
-    const double omega_x = theta_dot * c_phi + psi_dot * (s_theta * s_phi);
-    const double omega_y = theta_dot * s_phi - psi_dot * (c_phi * s_theta);
     const double c_theta = cos(theta);
-    const double omega_z = phi_dot + psi_dot * c_theta;
-    const double s1 = sin(t * nu);
-    const double Omega = Omega0 + Omega1 * s1;
-    const double z1 = a * omega_y - y_2 * Omega;
-    const double z2 = a * omega_x - x * Omega;
-    const double z3 = 0.5 * (I * (omega_x * omega_x + omega_y * omega_y + omega_z * omega_z)) + 0.5 * (m *
-        (z1 * z1 + z2 * z2));
-    return z3;
-}
-
-int ball_on_table_jacobian(double t, const double *y, const double *p, double *J)
-{
+    const double c_phi = cos(phi);
+    const double s_phi = sin(phi);
+    const double s1 = sin(z3);
+    const double c1 = cos(z3);
     const double x = y[0]; /* centre [m] */
     const double y_2 = y[1]; /* centre [m] */
-    const double phi = y[2]; /* precession [rad] */
-    const double theta = y[3]; /* nutation [rad] */
     const double phi_dot = y[5];
     const double theta_dot = y[6];
     const double psi_dot = y[7];
@@ -446,22 +473,55 @@ int ball_on_table_jacobian(double t, const double *y, const double *p, double *J
     const double k = p[2]; /* moment of inertia over m a^2; 2/5 for a homogeneous ball */
     const double Omega0 = p[3]; /* mean rate of the table [rad/s] */
     const double Omega1 = p[4]; /* amplitude of its modulation [rad/s] */
-    const double nu = p[5]; /* frequency of its modulation [rad/s] */
 
     /* parameters only */
-    const double k1 = a * a;
-    const double k2 = m * k1;
+    const double k1 = m * a;
+    const double k2 = m * (a * a);
     const double k3 = k * k2;
     const double k4 = 1.0 + k;
     const double k5 = k2 * k4;
-    const double k6 = m * a;
-    const double k7 = 2.0 * Omega0;
-    const double k8 = Omega0 * Omega0;
-    const double k9 = 1.0 / k3;
-    const double k10 = 1.0 / k5;
-    const double k11 = k6 * k10;
+    const double k6 = 2.0 * Omega0;
+    const double k7 = Omega0 * Omega0;
+    const double k8 = k1 / k5;
+    const double k9 = Omega1 * Omega1;
 
     /* state */
+    const double z1 = k2 * (k + s_theta * s_theta);
+    const double z2 = z1 - c_theta * c_theta * k3;
+    const double z4 = Omega1 * s1;
+    const double z5 = psi_dot * c_theta;
+    const double z6 = theta_dot * (z4 + (Omega0 + (phi_dot - z5)));
+    const double z7 = psi_dot * s_theta;
+    const double z8 = z7 * (z4 + (phi_dot + Omega0));
+    const double z9 = nu * c1;
+    const double z10 = Omega1 * z9;
+    const double z11 = Omega0 * (Omega0 + 2.0 * z4) + k9 * (s1 * s1);
+    const double z12 = x * c_phi;
+    const double z13 = y_2 * s_phi;
+    const double z14 = z12 + z13;
+    const double z15 = x * s_phi;
+    const double z16 = k6 + z4;
+    const double z17 = y_2 * c_phi;
+    const double z18 = a * z7;
+    const double z19 = z15 - z17;
+    const double z20 = phi_dot * k4;
+    const double z21 = Omega1 * (z9 * z14 + s1 * (z15 * z16 - (z16 * z17 + z18))) + (k7 * z19 - (Omega0 +
+        z20) * z18);
+    const double z22 = k8 * z21;
+    const double z23 = c_phi * k1;
+    const double z24 = theta_dot * a;
+    const double z25 = Omega1 * (s1 * (z16 * z12 - (z24 - z16 * z13)) - z9 * z19) + (z14 * k7 - z24 * (z20 +
+        (Omega0 - z5 * k4)));
+    const double z26 = s_theta * k1;
+    const double z27 = z25 * (z26 / z2);
+    const double z28 = m * (a * (c_phi * z6 + s_phi * z8) - (y_2 * z10 + x * z11)) + (k1 * (s_phi * z22) +
+        z23 * (s_theta * z27));
+    const double z29 = m * (a * (s_phi * z6 - c_phi * z8) + (x * z10 - y_2 * z11)) - (z22 * z23 - s_phi * z26
+        * z27);
+    /* (I.4.1) 27:5 */
+    lambda[0] = z28; /* reaction of roll_x: Q_i gains lambda_1 a_1i */
+    /* (I.4.1) 28:5 */
+    lambda[1] = z29; /* reaction of roll_y: Q_i gains lambda_2 a_2i */
     /* the mass matrix is singular */
     if (!(fabs(k3) > 0.0)) {
         return BALL_ON_TABLE_SINGULAR_2;
@@ -470,131 +530,27 @@ int ball_on_table_jacobian(double t, const double *y, const double *p, double *J
     if (!(fabs(k5) > 0.0)) {
         return BALL_ON_TABLE_SINGULAR_2;
     }
-    const double s_theta = sin(theta);
-    const double z1 = k2 * (k + s_theta * s_theta);
-    const double c_theta = cos(theta);
-    const double z2 = z1 - c_theta * (c_theta * k3);
     /* the mass matrix is singular */
     if (!(fabs(z2) > 1e-14 * z1)) {
         return BALL_ON_TABLE_SINGULAR_2;
     }
-    const double z3 = t * nu;
-    const double s1 = sin(z3);
-    const double z4 = Omega1 * s1;
-    const double Omega = Omega0 + z4;
-    const double c_phi = cos(phi);
-    const double z5 = theta_dot * a;
-    const double s_phi = sin(phi);
-    const double z6 = psi_dot * a;
-    const double z7 = s_theta * z6;
-    const double z8 = 1.0 / z2;
-    const double z9 = s_theta * k6;
-    const double z10 = z8 * (c_theta * z9);
-    const double z11 = k7 + z4;
-    const double c1 = cos(z3);
-    const double z12 = Omega1 * (z11 * (s1 * c_phi) - c1 * (nu * s_phi)) + c_phi * k8;
-    const double z13 = Omega1 * (z11 * (s1 * s_phi) + c1 * (nu * c_phi)) + s_phi * k8;
-    const double z14 = x * s_phi - y_2 * c_phi;
-    const double z15 = nu * c1;
-    const double z16 = x * c_phi;
-    const double z17 = y_2 * s_phi;
-    const double z18 = z16 + z17;
-    const double z19 = k8 * z14 + Omega1 * (z15 * z18 + s1 * (z11 * z14));
-    const double z20 = theta_dot * psi_dot;
-    const double z21 = z15 * z14;
-    const double z22 = Omega1 * (s1 * (z11 * z16 + (z11 * z17 - z5)) - z21);
-    const double z23 = z18 * k8;
-    const double z24 = phi_dot * k4;
-    const double z25 = psi_dot * c_theta;
-    const double z26 = z25 * k4;
-    const double z27 = z22 + (z23 - z5 * (z24 + (Omega0 - z26)));
-    const double z28 = z9 * z8;
-    const double z29 = z27 * z28;
-    const double z30 = c_theta * (k * (k1 * (m * z20))) - s_theta * (k3 * z29);
-    const double z31 = c_theta * (k6 * (z22 - (z5 * (z24 + (Omega0 - z25)) - z23)) - 2.0 * (s_theta * (k2 *
-        z29)));
-    const double z32 = s_theta * (psi_dot * (z9 * z5) + k3 * (s_theta * (z20 + z8 * (c_theta * k6) * z27))) -
-        z31;
-    const double z33 = z8 * (z32 - c_theta * z30);
-    const double z34 = s_theta * (k1 * (theta_dot * m));
-    const double z35 = k4 * (z8 * (c_theta * z34));
-    const double z36 = z24 + (Omega - z26);
-    const double z37 = k1 * (psi_dot * m);
-    const double z38 = Omega + z24;
-    const double z39 = s_theta * k2;
-    /* (III.3) */
-    J[0] = 0.0;
-    J[1] = -Omega;
-    J[2] = c_phi * z5 + s_phi * z7;
-    J[3] = -c_theta * (c_phi * z6);
-    J[4] = 0.0;
-    J[5] = 0.0;
-    J[6] = a * s_phi;
-    J[7] = -a * (c_phi * s_theta);
-    J[8] = Omega;
-    J[9] = 0.0;
-    J[10] = s_phi * z5 - c_phi * z7;
-    J[11] = -c_theta * (s_phi * z6);
-    J[12] = 0.0;
-    J[13] = 0.0;
-    J[14] = -a * c_phi;
-    J[15] = -a * (s_theta * s_phi);
-    J[16] = 0.0;
-    J[17] = 0.0;
-    J[18] = 0.0;
-    J[19] = 0.0;
-    J[20] = 0.0;
-    J[21] = 1.0;
-    J[22] = 0.0;
-    J[23] = 0.0;
-    J[24] = 0.0;
-    J[25] = 0.0;
-    J[26] = 0.0;
-    J[27] = 0.0;
-    J[28] = 0.0;
-    J[29] = 0.0;
-    J[30] = 1.0;
-    J[31] = 0.0;
-    J[32] = 0.0;
-    J[33] = 0.0;
-    J[34] = 0.0;
-    J[35] = 0.0;
-    J[36] = 0.0;
-    J[37] = 0.0;
-    J[38] = 0.0;
-    J[39] = 1.0;
-    J[40] = z10 * z12;
-    J[41] = z10 * z13;
-    J[42] = -z10 * z19;
-    J[43] = k9 * z30 - c_theta * z33;
-    J[44] = 0.0;
-    J[45] = -z35;
-    J[46] = s_theta * (psi_dot - z8 * (c_theta * k2) * z36);
-    J[47] = theta_dot * s_theta * (1.0 + k4 * (z8 * (k2 * (c_theta * c_theta))));
-    J[48] = k11 * z13;
-    J[49] = -k11 * z12;
-    J[50] = k11 * (z23 - Omega1 * (z21 - s1 * (z11 * z18)));
-    J[51] = -k10 * (c_theta * z37) * z38;
-    J[52] = 0.0;
-    J[53] = -k4 * (k10 * (s_theta * z37));
-    J[54] = 0.0;
-    J[55] = -z38 * (k10 * z39);
-    J[56] = -z28 * z12;
-    J[57] = -z28 * z13;
-    J[58] = z28 * z19;
-    J[59] = z33;
-    J[60] = 0.0;
-    J[61] = k4 * (z8 * z34);
-    J[62] = z36 * (z8 * z39);
-    J[63] = -z35;
-    return ball_on_table_finish(64, J);
+    return ball_on_table_finish(2, lambda);
 }
 
-int ball_on_table_outputs(double t, const double *y, const double *p, double *out)
+double ball_on_table_energy(double t, const double *y, const double *p)
 {
+    const double phi = y[2]; /* precession [rad] */
+    const double theta = y[3]; /* nutation [rad] */
+    const double nu = p[5]; /* frequency of its modulation [rad/s] */
+
+    /* sines and cosines */
+    const double c_theta = cos(theta);
+    const double s_theta = sin(theta);
+    const double c_phi = cos(phi);
+    const double s_phi = sin(phi);
+    const double s1 = sin(t * nu);
     const double x = y[0]; /* centre [m] */
     const double y_2 = y[1]; /* centre [m] */
-    const double theta = y[3]; /* nutation [rad] */
     const double phi_dot = y[5];
     const double theta_dot = y[6];
     const double psi_dot = y[7];
@@ -603,7 +559,179 @@ int ball_on_table_outputs(double t, const double *y, const double *p, double *ou
     const double k = p[2]; /* moment of inertia over m a^2; 2/5 for a homogeneous ball */
     const double Omega0 = p[3]; /* mean rate of the table [rad/s] */
     const double Omega1 = p[4]; /* amplitude of its modulation [rad/s] */
+
+    /* parameters only */
+    const double I = m * k * (a * a);
+
+    /* state */
+    const double omega_z = phi_dot + psi_dot * c_theta;
+    const double z1 = psi_dot * s_theta;
+    const double omega_x = theta_dot * c_phi + s_phi * z1;
+    const double omega_y = theta_dot * s_phi - c_phi * z1;
+    const double Omega = Omega0 + Omega1 * s1;
+    const double z2 = y_2 * Omega - a * omega_y;
+    const double z3 = x * Omega - a * omega_x;
+    const double z4 = I * (omega_z * omega_z + (omega_x * omega_x + omega_y * omega_y)) + m * (z2 * z2 + z3 *
+        z3);
+    return 0.5 * z4;
+}
+
+int ball_on_table_jacobian(double t, const double *y, const double *p, double *J)
+{
+    for (int entry = 0; entry < 64; ++entry) {
+        J[entry] = 0.0;
+    }
+    const double phi = y[2]; /* precession [rad] */
+    const double theta = y[3]; /* nutation [rad] */
     const double nu = p[5]; /* frequency of its modulation [rad/s] */
+
+    /* sines and cosines */
+    const double z4 = t * nu;
+    const double s_theta = sin(theta);
+    const double c_theta = cos(theta);
+    const double s1 = sin(z4);
+    const double c1 = cos(z4);
+    const double c_phi = cos(phi);
+    const double s_phi = sin(phi);
+    const double x = y[0]; /* centre [m] */
+    const double y_2 = y[1]; /* centre [m] */
+    const double phi_dot = y[5];
+    const double theta_dot = y[6];
+    const double psi_dot = y[7];
+    const double m = p[0]; /* mass [kg] */
+    const double a = p[1]; /* radius [m] */
+    const double k = p[2]; /* moment of inertia over m a^2; 2/5 for a homogeneous ball */
+    const double Omega0 = p[3]; /* mean rate of the table [rad/s] */
+    const double Omega1 = p[4]; /* amplitude of its modulation [rad/s] */
+
+    /* parameters only */
+    const double k1 = m * a;
+    const double k2 = m * (a * a);
+    const double k3 = k * k2;
+    const double k4 = 1.0 + k;
+    const double k5 = k2 * k4;
+    const double k6 = 2.0 * Omega0;
+    const double k7 = Omega0 * Omega0;
+    const double k8 = 1.0 / k3;
+    const double k9 = 1.0 / k5;
+    const double k10 = k1 * k9;
+
+    /* state */
+    const double z1 = k2 * (k + s_theta * s_theta);
+    const double z2 = c_theta * c_theta;
+    const double z3 = z1 - z2 * k3;
+    const double z5 = Omega1 * s1;
+    const double Omega = Omega0 + z5;
+    const double z6 = s_theta * s_phi;
+    const double z7 = psi_dot * c_theta;
+    const double z8 = a * c_phi;
+    const double z9 = a * s_phi;
+    const double z10 = c_phi * s_theta;
+    const double z11 = s_theta * k1;
+    const double z12 = 1.0 / z3;
+    const double z13 = c_theta * z12;
+    const double z14 = z11 * z13;
+    const double z15 = k6 + z5;
+    const double z16 = s1 * z15;
+    const double z17 = nu * c1;
+    const double z18 = c_phi * k7 + Omega1 * (c_phi * z16 - s_phi * z17);
+    const double z19 = s_phi * k7 + Omega1 * (s_phi * z16 + c_phi * z17);
+    const double z20 = x * s_phi - y_2 * c_phi;
+    const double z21 = x * c_phi;
+    const double z22 = y_2 * s_phi;
+    const double z23 = z21 + z22;
+    const double z24 = k7 * z20 + Omega1 * (z17 * z23 + z20 * z16);
+    const double z25 = theta_dot * psi_dot;
+    const double z26 = theta_dot * a;
+    const double z27 = z17 * z20;
+    const double z28 = Omega1 * (s1 * (z15 * z21 - (z26 - z15 * z22)) - z27);
+    const double z29 = z23 * k7;
+    const double z30 = phi_dot * k4;
+    const double z31 = z7 * k4;
+    const double z32 = z28 + (z29 - z26 * (z30 + (Omega0 - z31)));
+    const double z33 = z11 * z12;
+    const double z34 = z32 * z33;
+    const double z35 = s_theta * k3;
+    const double z36 = k3 * (c_theta * z25) - z34 * z35;
+    const double z37 = s_theta * k2;
+    const double z38 = s_theta * (z11 * (psi_dot * z26) + (z25 + k1 * (z32 * z13)) * z35) - c_theta * (k1 *
+        (z28 - (z26 * (z30 + (Omega0 - z7)) - z29)) - 2.0 * (z34 * z37));
+    const double z39 = z12 * (z38 - c_theta * z36);
+    const double z40 = theta_dot * s_theta;
+    const double z41 = z40 * k2;
+    const double z42 = k4 * (z13 * z41);
+    const double z43 = z30 + (Omega - z31);
+    const double z44 = k4 * z12;
+    const double z45 = Omega + z30;
+    const double z46 = k9 * (psi_dot * k2);
+    /* (III.3) */
+    J[1] = -Omega;
+    J[2] = a * (theta_dot * c_phi + psi_dot * z6);
+    J[3] = -z7 * z8;
+    J[6] = z9;
+    J[7] = -a * z10;
+    J[8] = Omega;
+    J[10] = a * (theta_dot * s_phi - psi_dot * z10);
+    J[11] = -z7 * z9;
+    J[14] = -z8;
+    J[15] = -a * z6;
+    J[21] = 1.0;
+    J[30] = 1.0;
+    J[39] = 1.0;
+    J[40] = z14 * z18;
+    J[41] = z14 * z19;
+    J[42] = -z14 * z24;
+    J[43] = k8 * z36 - c_theta * z39;
+    J[45] = -z42;
+    J[46] = s_theta * (psi_dot - k2 * (z43 * z13));
+    J[47] = z40 * (1.0 + k2 * (z2 * z44));
+    J[48] = k10 * z19;
+    J[49] = -k10 * z18;
+    J[50] = k10 * (z29 - Omega1 * (z27 - z23 * z16));
+    J[51] = -z45 * (c_theta * z46);
+    J[53] = -k4 * (s_theta * z46);
+    J[55] = -k9 * (z45 * z37);
+    J[56] = -z33 * z18;
+    J[57] = -z33 * z19;
+    J[58] = z33 * z24;
+    J[59] = z39;
+    J[61] = z41 * z44;
+    J[62] = z37 * (z12 * z43);
+    J[63] = -z42;
+    /* the mass matrix is singular */
+    if (!(fabs(k3) > 0.0)) {
+        return BALL_ON_TABLE_SINGULAR_2;
+    }
+    /* the mass matrix is singular */
+    if (!(fabs(k5) > 0.0)) {
+        return BALL_ON_TABLE_SINGULAR_2;
+    }
+    /* the mass matrix is singular */
+    if (!(fabs(z3) > 1e-14 * z1)) {
+        return BALL_ON_TABLE_SINGULAR_2;
+    }
+    return ball_on_table_finish(64, J);
+}
+
+int ball_on_table_outputs(double t, const double *y, const double *p, double *out)
+{
+    const double theta = y[3]; /* nutation [rad] */
+    const double nu = p[5]; /* frequency of its modulation [rad/s] */
+
+    /* sines and cosines */
+    const double c_theta = cos(theta);
+    const double s_theta = sin(theta);
+    const double s1 = sin(t * nu);
+    const double x = y[0]; /* centre [m] */
+    const double y_2 = y[1]; /* centre [m] */
+    const double phi_dot = y[5];
+    const double theta_dot = y[6];
+    const double psi_dot = y[7];
+    const double m = p[0]; /* mass [kg] */
+    const double a = p[1]; /* radius [m] */
+    const double k = p[2]; /* moment of inertia over m a^2; 2/5 for a homogeneous ball */
+    const double Omega0 = p[3]; /* mean rate of the table [rad/s] */
+    const double Omega1 = p[4]; /* amplitude of its modulation [rad/s] */
 
     /* parameters only */
     const double k1 = a * a;
@@ -611,122 +739,168 @@ int ball_on_table_outputs(double t, const double *y, const double *p, double *ou
     const double k3 = 0.5 * Omega0;
 
     /* state */
-    const double c_theta = cos(theta);
     const double z1 = psi_dot * c_theta;
-    const double s1 = sin(t * nu);
     const double z2 = Omega1 * s1;
-    const double z3 = x * x;
-    const double z4 = y_2 * y_2;
-    const double z5 = Omega0 * ((k3 + z2) * (z3 + z4)) + k2 * (s1 * s1) * (0.5 * z3 + 0.5 * z4);
-    const double z6 = 0.5 * (theta_dot * theta_dot);
-    const double z7 = phi_dot * (z2 + (Omega0 - (0.5 * phi_dot + z1))) - (psi_dot * (0.5 * psi_dot - (Omega0
-        + z2) * c_theta) + z6);
-    const double s_theta = sin(theta);
+    const double z3 = x * x + y_2 * y_2;
+    const double z4 = theta_dot * theta_dot;
+    const double z5 = phi_dot * (z2 + (Omega0 - (0.5 * phi_dot + z1))) - (psi_dot * (0.5 * psi_dot - (Omega0
+        + z2) * c_theta) + 0.5 * z4);
+    const double z6 = Omega0 * ((k3 + z2) * z3) + 0.5 * (k2 * (s1 * s1) * z3) + k1 * (k * z5 - 0.5 * (z4 +
+        s_theta * s_theta * (psi_dot * psi_dot)));
     /* 31:9 */
     out[0] = phi_dot + z1; /* spin */
     /* 32:18 */
-    /* moving_energy */
-    out[1] = -m * (z5 + k1 * (k * z7 - (z6 + 0.5 * (s_theta * s_theta * (psi_dot * psi_dot)))));
+    out[1] = -m * z6; /* moving_energy */
     return ball_on_table_finish(2, out);
 }
+
+#if BALL_ON_TABLE_LANES >= 2
+static __attribute__((noinline)) void ball_on_table_rhs_lanes(const double *fixed, size_t stride, const
+    double *t, const double *y, double *restrict dydt, double *check)
+{
+    ball_on_table_lanes far = {0}; /* the squares of the angles */
+    ball_on_table_lanes sum = {0}; /* an infinity or a NaN among the results stays in it */
+    ball_on_table_bits bad = {0}; /* singular blocks */
+    const double a = fixed[0];
+    const double k = fixed[1];
+    const double Omega0 = fixed[2];
+    const double Omega1 = fixed[3];
+    const double nu = fixed[4];
+    const double k1 = fixed[5];
+    const double k2 = fixed[6];
+    const double k3 = fixed[7];
+    const double k4 = fixed[8];
+    const double k6 = fixed[9];
+    const double k7 = fixed[10];
+    const double k8 = fixed[11];
+    const ball_on_table_lanes t_ = ball_on_table_get(t);
+    const ball_on_table_lanes x = ball_on_table_get(y);
+    const ball_on_table_lanes y_2 = ball_on_table_get(y + 1 * stride);
+    const ball_on_table_lanes phi = ball_on_table_get(y + 2 * stride);
+    const ball_on_table_lanes theta = ball_on_table_get(y + 3 * stride);
+    const ball_on_table_lanes phi_dot = ball_on_table_get(y + 5 * stride);
+    const ball_on_table_lanes theta_dot = ball_on_table_get(y + 6 * stride);
+    const ball_on_table_lanes psi_dot = ball_on_table_get(y + 7 * stride);
+    ball_on_table_lanes sine1, cosine1;
+    ball_on_table_turn_lanes(BALL_ON_TABLE_SPREAD(theta), &far, &sine1, &cosine1);
+    const ball_on_table_lanes s_theta = sine1;
+    const ball_on_table_lanes z1 = k2 * (k + s_theta * s_theta);
+    const ball_on_table_lanes c_theta = cosine1;
+    const ball_on_table_lanes z2 = z1 - c_theta * c_theta * k3;
+    /* the mass matrix is singular */
+    bad |= ball_on_table_misses(ball_on_table_size(BALL_ON_TABLE_SPREAD(z2)), 1e-14 * z1);
+    const ball_on_table_lanes z3 = t_ * nu;
+    ball_on_table_lanes sine2, cosine2;
+    ball_on_table_turn_lanes(BALL_ON_TABLE_SPREAD(z3), &far, &sine2, &cosine2);
+    const ball_on_table_lanes s1 = sine2;
+    const ball_on_table_lanes z4 = Omega1 * s1;
+    const ball_on_table_lanes Omega = Omega0 + z4;
+    ball_on_table_lanes sine3, cosine3;
+    ball_on_table_turn_lanes(BALL_ON_TABLE_SPREAD(phi), &far, &sine3, &cosine3);
+    const ball_on_table_lanes s_phi = sine3;
+    const ball_on_table_lanes c_phi = cosine3;
+    const ball_on_table_lanes z5 = psi_dot * s_theta;
+    const ball_on_table_lanes z6 = k6 + z4;
+    const ball_on_table_lanes z7 = x * c_phi;
+    const ball_on_table_lanes z8 = theta_dot * a;
+    const ball_on_table_lanes z9 = y_2 * s_phi;
+    const ball_on_table_lanes c1 = cosine2;
+    const ball_on_table_lanes z10 = nu * c1;
+    const ball_on_table_lanes z11 = x * s_phi;
+    const ball_on_table_lanes z12 = y_2 * c_phi;
+    const ball_on_table_lanes z13 = z11 - z12;
+    const ball_on_table_lanes z14 = z7 + z9;
+    const ball_on_table_lanes z15 = phi_dot * k4;
+    const ball_on_table_lanes z16 = Omega1 * (s1 * (z6 * z7 - (z8 - z6 * z9)) - z10 * z13) + (z14 * k7 - z8 *
+        (z15 + (Omega0 - psi_dot * c_theta * k4)));
+    const ball_on_table_lanes z17 = z16 * (k1 / z2);
+    const ball_on_table_lanes z18 = a * z5;
+    const ball_on_table_lanes z19 = Omega1 * (z10 * z14 + s1 * (z11 * z6 - (z6 * z12 + z18))) + (k7 * z13 -
+        (Omega0 + z15) * z18);
+    /* (III.3) */
+    const ball_on_table_lanes slope1 = a * (theta_dot * s_phi - c_phi * z5) - y_2 * Omega;
+    sum += slope1;
+    ball_on_table_put(dydt, slope1);
+    const ball_on_table_lanes slope2 = x * Omega - a * (theta_dot * c_phi + s_phi * z5);
+    sum += slope2;
+    ball_on_table_put(dydt + 1 * stride, slope2);
+    const ball_on_table_lanes slope3 = phi_dot;
+    sum += slope3;
+    ball_on_table_put(dydt + 2 * stride, slope3);
+    const ball_on_table_lanes slope4 = theta_dot;
+    sum += slope4;
+    ball_on_table_put(dydt + 3 * stride, slope4);
+    const ball_on_table_lanes slope5 = psi_dot;
+    sum += slope5;
+    ball_on_table_put(dydt + 4 * stride, slope5);
+    /* (III.3) 25:4 */
+    const ball_on_table_lanes slope6 = s_theta * (theta_dot * psi_dot + c_theta * z17);
+    sum += slope6;
+    ball_on_table_put(dydt + 5 * stride, slope6);
+    const ball_on_table_lanes slope7 = k8 * z19;
+    sum += slope7;
+    ball_on_table_put(dydt + 6 * stride, slope7);
+    const ball_on_table_lanes slope8 = -s_theta * z17;
+    sum += slope8;
+    ball_on_table_put(dydt + 7 * stride, slope8);
+    ball_on_table_put(check, ball_on_table_mark(far + (sum - sum), bad));
+}
+
+static __attribute__((noinline)) void ball_on_table_rhs_tail(const double *fixed, size_t left, size_t count,
+    const double *t, const double *y, double *restrict dydt, double *check)
+{
+    double time[BALL_ON_TABLE_LANES];
+    double state[8 * BALL_ON_TABLE_LANES];
+    double slope[8 * BALL_ON_TABLE_LANES];
+    ball_on_table_fill(left, count, t, y, time, state);
+    ball_on_table_rhs_lanes(fixed, BALL_ON_TABLE_LANES, time, state, slope, check);
+    ball_on_table_pour(left, count, slope, dydt);
+}
+#endif
 
 int ball_on_table_rhs_batch(size_t count, const double *t, const double *y, const double *p, double *restrict
     dydt)
 {
+#if BALL_ON_TABLE_LANES >= 2
     const double m = p[0]; /* mass [kg] */
     const double a = p[1]; /* radius [m] */
-    const double k_ = p[2]; /* moment of inertia over m a^2; 2/5 for a homogeneous ball */
+    const double k = p[2]; /* moment of inertia over m a^2; 2/5 for a homogeneous ball */
     const double Omega0 = p[3]; /* mean rate of the table [rad/s] */
     const double Omega1 = p[4]; /* amplitude of its modulation [rad/s] */
     const double nu = p[5]; /* frequency of its modulation [rad/s] */
-    const double k1 = m * (a * a);
-    const double k2 = k_ * k1;
-    const double k3 = 1.0 + k_;
-    const double k4 = k1 * k3;
-    const double k5 = m * a;
+    const double k1 = m * a;
+    const double k2 = m * (a * a);
+    const double k3 = k * k2;
+    const double k4 = 1.0 + k;
+    const double k5 = k2 * k4;
     const double k6 = 2.0 * Omega0;
     const double k7 = Omega0 * Omega0;
-    const double k8 = k5 / k4;
+    const double k8 = k1 / k5;
     /* the mass matrix is singular */
-    if (!(fabs(k2) > 0.0)) {
+    if (!(fabs(k3) > 0.0)) {
         return BALL_ON_TABLE_SINGULAR_2;
     }
     /* the mass matrix is singular */
-    if (!(fabs(k4) > 0.0)) {
+    if (!(fabs(k5) > 0.0)) {
         return BALL_ON_TABLE_SINGULAR_2;
     }
-    int singular1 = 0;
-    int bad = 0;
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC ivdep
+    const double fixed[] = {a, k, Omega0, Omega1, nu, k1, k2, k3, k4, k6, k7, k8};
+    double check[1 * BALL_ON_TABLE_LANES];
+    int status = BALL_ON_TABLE_OK;
+    for (size_t i = 0; i < count; i += BALL_ON_TABLE_LANES) {
+        const size_t left = count - i < BALL_ON_TABLE_LANES ? count - i : BALL_ON_TABLE_LANES;
+        if (left == BALL_ON_TABLE_LANES) {
+            ball_on_table_rhs_lanes(fixed, count, t + i, y + i, dydt + i, check);
+        } else {
+            ball_on_table_rhs_tail(fixed, left, count, t + i, y + i, dydt + i, check);
+        }
+        if (!ball_on_table_is_good(1 * BALL_ON_TABLE_LANES, check)) {
+            const int one = ball_on_table_one_by_one(count, i, left, t, y, p, dydt);
+            status = status == BALL_ON_TABLE_OK ? one : status;
+        }
+    }
+    return status;
+#else
+    return ball_on_table_one_by_one(count, 0, count, t, y, p, dydt);
 #endif
-    for (size_t i = 0; i < count; ++i) {
-        const double t_ = t[i]; /* time */
-        const double x = y[i]; /* centre [m] */
-        const double y_2 = y[count + i]; /* centre [m] */
-        const double phi = y[2 * count + i]; /* precession [rad] */
-        const double theta = y[3 * count + i]; /* nutation [rad] */
-        const double phi_dot = y[5 * count + i];
-        const double theta_dot = y[6 * count + i];
-        const double psi_dot = y[7 * count + i];
-        const double s_theta = sin(theta);
-        const double z1 = k1 * (k_ + s_theta * s_theta);
-        const double c_theta = cos(theta);
-        const double z2 = z1 - c_theta * (c_theta * k2);
-        /* the mass matrix is singular */
-        singular1 |= !(fabs(z2) > 1e-14 * z1);
-        const double s_phi = sin(phi);
-        const double c_phi = cos(phi);
-        const double z3 = t_ * nu;
-        const double s1 = sin(z3);
-        const double z4 = Omega1 * s1;
-        const double Omega = Omega0 + z4;
-        const double z5 = 1.0 / z2;
-        const double z6 = k6 + z4;
-        const double z7 = x * c_phi;
-        const double z8 = y_2 * s_phi;
-        const double z9 = theta_dot * a;
-        const double c1 = cos(z3);
-        const double z10 = nu * c1;
-        const double z11 = x * s_phi;
-        const double z12 = y_2 * c_phi;
-        const double z13 = z11 - z12;
-        const double z14 = z7 + z8;
-        const double z15 = phi_dot * k3;
-        const double z16 = Omega1 * (s1 * (z6 * z7 + (z6 * z8 - z9)) - z10 * z13) + (z14 * k7 - z9 * (z15 +
-            (Omega0 - psi_dot * c_theta * k3)));
-        const double z17 = s_theta * (psi_dot * a);
-        const double z18 = Omega1 * (s1 * (z11 * z6 - (z6 * z12 + z17)) + z10 * z14) - (z17 * (Omega0 + z15)
-            - k7 * z13);
-        /* (III.3) */
-        const double slope1 = a * (theta_dot * s_phi - psi_dot * (c_phi * s_theta)) - y_2 * Omega; /* x' */
-        dydt[i] = slope1;
-        bad |= !(fabs(slope1) <= DBL_MAX);
-        const double slope2 = x * Omega - a * (theta_dot * c_phi + psi_dot * (s_theta * s_phi)); /* y' */
-        dydt[count + i] = slope2;
-        bad |= !(fabs(slope2) <= DBL_MAX);
-        const double slope3 = phi_dot; /* phi' */
-        dydt[2 * count + i] = slope3;
-        bad |= !(fabs(slope3) <= DBL_MAX);
-        const double slope4 = theta_dot; /* theta' */
-        dydt[3 * count + i] = slope4;
-        bad |= !(fabs(slope4) <= DBL_MAX);
-        const double slope5 = psi_dot; /* psi' */
-        dydt[4 * count + i] = slope5;
-        bad |= !(fabs(slope5) <= DBL_MAX);
-        /* (III.3) 25:4 */
-        const double slope6 = s_theta * (theta_dot * psi_dot + z5 * (c_theta * k5) * z16); /* phi'' */
-        dydt[5 * count + i] = slope6;
-        bad |= !(fabs(slope6) <= DBL_MAX);
-        const double slope7 = z18 * k8; /* theta'' */
-        dydt[6 * count + i] = slope7;
-        bad |= !(fabs(slope7) <= DBL_MAX);
-        const double slope8 = -z16 * (s_theta * k5 * z5); /* psi'' */
-        dydt[7 * count + i] = slope8;
-        bad |= !(fabs(slope8) <= DBL_MAX);
-    }
-    if (singular1) {
-        return BALL_ON_TABLE_SINGULAR_2;
-    }
-    return bad ? BALL_ON_TABLE_NOT_FINITE : BALL_ON_TABLE_OK;
 }

@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""ball_on_table, emitted by nhc 0.1.0 (nhc:f277ac4ddd1cd5fa).
+"""ball_on_table, emitted by nhc 0.1.0 (nhc:70a5008d61325a3b).
 
 A homogeneous ball that rolls on a turning table; its centre runs on a circle,
     though nothing holds it there.
@@ -42,15 +42,15 @@ out[0] = spin
 out[1] = moving_energy
 
 Operations:
-rhs: 25 +-, 57 *, 2 /, 6 calls
-velocities: 5 +-, 12 *, 0 /, 4 calls
-accelerations: 37 +-, 79 *, 2 /, 6 calls
+rhs: 25 +-, 52 *, 2 /, 6 calls
+velocities: 5 +-, 11 *, 0 /, 4 calls
+accelerations: 37 +-, 76 *, 2 /, 6 calls
 state: 0 +-, 0 *, 0 /, 0 calls
-residuals: 7 +-, 12 *, 0 /, 4 calls
-reactions: 36 +-, 76 *, 2 /, 6 calls
-energy: 10 +-, 25 *, 0 /, 5 calls
-jacobian: 40 +-, 136 *, 3 /, 6 calls
-outputs: 15 +-, 29 *, 0 /, 3 calls
+residuals: 7 +-, 11 *, 0 /, 4 calls
+reactions: 36 +-, 69 *, 2 /, 6 calls
+energy: 10 +-, 23 *, 0 /, 5 calls
+jacobian: 40 +-, 116 *, 3 /, 6 calls
+outputs: 14 +-, 28 *, 0 /, 3 calls
 
 A singular point raises SingularModelError.
 """
@@ -118,58 +118,57 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     nu = float(p[5])  # frequency of its modulation [rad/s]
     try:
         # parameters only
-        k1 = m * (a * a)
-        k2 = k * k1
-        k3 = 1.0 + k
-        k4 = k1 * k3
-        k5 = m * a
+        k1 = m * a
+        k2 = m * (a * a)
+        k3 = k * k2
+        k4 = 1.0 + k
+        k5 = k2 * k4
         k6 = 2.0 * Omega0
         k7 = Omega0 * Omega0
-        k8 = k5 / k4
+        k8 = k1 / k5
         # state
         # the mass matrix is singular
-        if not abs(k2) > 0.0:
+        if not abs(k3) > 0.0:
             raise SingularModelError(2, "rhs")
         # the mass matrix is singular
-        if not abs(k4) > 0.0:
+        if not abs(k5) > 0.0:
             raise SingularModelError(2, "rhs")
         s_theta = math.sin(theta)
-        z1 = k1 * (k + s_theta * s_theta)
+        z1 = k2 * (k + s_theta * s_theta)
         c_theta = math.cos(theta)
-        z2 = z1 - c_theta * (c_theta * k2)
+        z2 = z1 - c_theta * c_theta * k3
         # the mass matrix is singular
         if not abs(z2) > 1e-14 * z1:
             raise SingularModelError(2, "rhs")
-        s_phi = math.sin(phi)
-        c_phi = math.cos(phi)
         z3 = t_ * nu
         s1 = math.sin(z3)
         z4 = Omega1 * s1
         Omega = Omega0 + z4
-        z5 = 1.0 / z2
+        s_phi = math.sin(phi)
+        c_phi = math.cos(phi)
+        z5 = psi_dot * s_theta
         z6 = k6 + z4
         z7 = x * c_phi
-        z8 = y_2 * s_phi
-        z9 = theta_dot * a
+        z8 = theta_dot * a
+        z9 = y_2 * s_phi
         c1 = math.cos(z3)
         z10 = nu * c1
         z11 = x * s_phi
         z12 = y_2 * c_phi
         z13 = z11 - z12
-        z14 = z7 + z8
-        z15 = phi_dot * k3
-        s2 = z14 * k7 - z9 * (z15 + (Omega0 - psi_dot * c_theta * k3))
-        z16 = Omega1 * (s1 * (z6 * z7 + (z6 * z8 - z9)) - z10 * z13) + s2
-        z17 = s_theta * (psi_dot * a)
-        s3 = Omega1 * (s1 * (z11 * z6 - (z6 * z12 + z17)) + z10 * z14)
-        z18 = s3 - (z17 * (Omega0 + z15) - k7 * z13)
-        s4 = a * (theta_dot * s_phi - psi_dot * (c_phi * s_theta))
-        s5 = a * (theta_dot * c_phi + psi_dot * (s_theta * s_phi))
+        z14 = z7 + z9
+        z15 = phi_dot * k4
+        s2 = z14 * k7 - z8 * (z15 + (Omega0 - psi_dot * c_theta * k4))
+        z16 = Omega1 * (s1 * (z6 * z7 - (z8 - z6 * z9)) - z10 * z13) + s2
+        z17 = z16 * (k1 / z2)
+        z18 = a * z5
+        s3 = Omega1 * (z10 * z14 + s1 * (z11 * z6 - (z6 * z12 + z18)))
+        z19 = s3 + (k7 * z13 - (Omega0 + z15) * z18)
         dydt: list[float] = [
             # x' (III.3)
-            s4 - y_2 * Omega,
+            a * (theta_dot * s_phi - c_phi * z5) - y_2 * Omega,
             # y' (III.3)
-            x * Omega - s5,
+            x * Omega - a * (theta_dot * c_phi + s_phi * z5),
             # phi' (III.3)
             phi_dot,
             # theta' (III.3)
@@ -177,11 +176,11 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
             # psi' (III.3)
             psi_dot,
             # phi'' (III.3) 25:4
-            s_theta * (theta_dot * psi_dot + z5 * (c_theta * k5) * z16),
+            s_theta * (theta_dot * psi_dot + c_theta * z17),
             # theta'' (III.3) 25:4
-            z18 * k8,
+            k8 * z19,
             # psi'' (III.3) 25:4
-            -z16 * (s_theta * k5 * z5),
+            -s_theta * z17,
         ]
         return _finish("rhs", dydt)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -212,18 +211,17 @@ def velocities(
     nu = float(p[5])  # frequency of its modulation [rad/s]
     try:
         # state
+        s1 = math.sin(t_ * nu)
+        Omega = Omega0 + Omega1 * s1
         s_phi = math.sin(phi)
         c_phi = math.cos(phi)
         s_theta = math.sin(theta)
-        s1 = math.sin(t_ * nu)
-        Omega = Omega0 + Omega1 * s1
-        s2 = a * (theta_dot * s_phi - psi_dot * (c_phi * s_theta))
-        s3 = a * (theta_dot * c_phi + psi_dot * (s_theta * s_phi))
+        z1 = psi_dot * s_theta
         qdot: list[float] = [
             # x' (I.2.4)
-            s2 - y_2 * Omega,
+            a * (theta_dot * s_phi - c_phi * z1) - y_2 * Omega,
             # y' (I.2.4)
-            x * Omega - s3,
+            x * Omega - a * (theta_dot * c_phi + s_phi * z1),
             # phi' (I.2.4)
             phi_dot,
             # theta' (I.2.4)
@@ -262,25 +260,25 @@ def accelerations(
     nu = float(p[5])  # frequency of its modulation [rad/s]
     try:
         # parameters only
-        k1 = m * (a * a)
-        k2 = k * k1
-        k3 = 1.0 + k
-        k4 = k1 * k3
-        k5 = m * a
+        k1 = m * a
+        k2 = m * (a * a)
+        k3 = k * k2
+        k4 = 1.0 + k
+        k5 = k2 * k4
         k6 = 2.0 * Omega0
         k7 = Omega0 * Omega0
-        k8 = k5 / k4
+        k8 = k1 / k5
         # state
         # the mass matrix is singular
-        if not abs(k2) > 0.0:
+        if not abs(k3) > 0.0:
             raise SingularModelError(2, "accelerations")
         # the mass matrix is singular
-        if not abs(k4) > 0.0:
+        if not abs(k5) > 0.0:
             raise SingularModelError(2, "accelerations")
         s_theta = math.sin(theta)
-        z1 = k1 * (k + s_theta * s_theta)
+        z1 = k2 * (k + s_theta * s_theta)
         c_theta = math.cos(theta)
-        z2 = z1 - c_theta * (c_theta * k2)
+        z2 = z1 - c_theta * c_theta * k3
         # the mass matrix is singular
         if not abs(z2) > 1e-14 * z1:
             raise SingularModelError(2, "accelerations")
@@ -295,27 +293,27 @@ def accelerations(
         s_phi = math.sin(phi)
         z7 = s_theta * s_phi
         z8 = phi_dot * c_phi
-        z9 = x * s_phi
-        z10 = k6 + z6
-        z11 = y_2 * c_phi
-        z12 = s_theta * (psi_dot * a)
-        z13 = x * c_phi
-        z14 = y_2 * s_phi
-        z15 = z13 + z14
-        z16 = phi_dot * k3
-        z17 = z9 - z11
-        s2 = Omega1 * (s1 * (z9 * z10 - (z10 * z11 + z12)) + z4 * z15)
-        z18 = s2 - (z12 * (Omega0 + z16) - k7 * z17)
-        z19 = z18 * k8
+        z9 = x * c_phi
+        z10 = y_2 * s_phi
+        z11 = z9 + z10
+        z12 = x * s_phi
+        z13 = k6 + z6
+        z14 = y_2 * c_phi
+        z15 = a * (psi_dot * s_theta)
+        z16 = z12 - z14
+        z17 = phi_dot * k4
+        s2 = Omega1 * (z4 * z11 + s1 * (z12 * z13 - (z13 * z14 + z15)))
+        z18 = s2 + (k7 * z16 - (Omega0 + z17) * z15)
+        z19 = k8 * z18
         z20 = phi_dot * s_phi
         z21 = theta_dot * c_theta
         z22 = c_phi * s_theta
         z23 = theta_dot * a
-        s3 = Omega1 * (s1 * (z10 * z13 + (z10 * z14 - z23)) - z4 * z17)
-        s4 = z15 * k7 - z23 * (z16 + (Omega0 - psi_dot * c_theta * k3))
-        z24 = s3 + s4
-        z25 = 1.0 / z2
-        z26 = z24 * (s_theta * k5 * z25)
+        s3 = z11 * k7 - z23 * (z17 + (Omega0 - psi_dot * c_theta * k4))
+        s4 = Omega1 * (s1 * (z13 * z9 - (z23 - z13 * z10)) - z4 * z16)
+        z24 = s4 + s3
+        z25 = z24 * (k1 / z2)
+        z26 = s_theta * z25
         s5 = psi_dot * (s_theta * z20 - c_phi * z21) + z22 * z26
         z27 = a * (theta_dot * z8 + s_phi * z19 + s5)
         s6 = psi_dot * (s_phi * z21 + s_theta * z8) - z7 * z26
@@ -328,7 +326,7 @@ def accelerations(
             # y'' (III.3)
             x * z5 + Omega * s8 + z28,
             # phi'' (III.3)
-            s_theta * (theta_dot * psi_dot + z25 * (c_theta * k5) * z24),
+            s_theta * (theta_dot * psi_dot + c_theta * z25),
             # theta'' (III.3)
             z19,
             # psi'' (III.3)
@@ -392,18 +390,17 @@ def residuals(
     nu = float(p[5])  # frequency of its modulation [rad/s]
     try:
         # state
+        s1 = math.sin(t_ * nu)
+        Omega = Omega0 + Omega1 * s1
         s_phi = math.sin(phi)
         c_phi = math.cos(phi)
         s_theta = math.sin(theta)
-        s1 = math.sin(t_ * nu)
-        Omega = Omega0 + Omega1 * s1
-        s2 = a * (theta_dot * s_phi - psi_dot * (c_phi * s_theta))
-        s3 = a * (theta_dot * c_phi + psi_dot * (s_theta * s_phi))
+        z1 = psi_dot * s_theta
         r: list[float] = [
             # roll_x = 0 (I.1.1) 27:5
-            x_dot - s2 + y * Omega,
+            y * Omega + (x_dot - a * (theta_dot * s_phi - c_phi * z1)),
             # roll_y = 0 (I.1.1) 28:5
-            y_dot + s3 - x * Omega,
+            y_dot + a * (theta_dot * c_phi + s_phi * z1) - x * Omega,
         ]
         return _finish("residuals", r)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -437,26 +434,26 @@ def reactions(
     nu = float(p[5])  # frequency of its modulation [rad/s]
     try:
         # parameters only
-        k1 = m * (a * a)
-        k2 = k * k1
-        k3 = 1.0 + k
-        k4 = k1 * k3
-        k5 = m * a
+        k1 = m * a
+        k2 = m * (a * a)
+        k3 = k * k2
+        k4 = 1.0 + k
+        k5 = k2 * k4
         k6 = 2.0 * Omega0
         k7 = Omega0 * Omega0
-        k8 = Omega1 * Omega1
-        k9 = k5 / k4
+        k8 = k1 / k5
+        k9 = Omega1 * Omega1
         # state
         # the mass matrix is singular
-        if not abs(k2) > 0.0:
+        if not abs(k3) > 0.0:
             raise SingularModelError(2, "reactions")
         # the mass matrix is singular
-        if not abs(k4) > 0.0:
+        if not abs(k5) > 0.0:
             raise SingularModelError(2, "reactions")
         s_theta = math.sin(theta)
-        z1 = k1 * (k + s_theta * s_theta)
+        z1 = k2 * (k + s_theta * s_theta)
         c_theta = math.cos(theta)
-        z2 = z1 - c_theta * (c_theta * k2)
+        z2 = z1 - c_theta * c_theta * k3
         # the mass matrix is singular
         if not abs(z2) > 1e-14 * z1:
             raise SingularModelError(2, "reactions")
@@ -465,39 +462,41 @@ def reactions(
         s1 = math.sin(z3)
         z4 = Omega1 * s1
         z5 = psi_dot * c_theta
-        z6 = z4 + (Omega0 + (phi_dot - z5))
+        z6 = theta_dot * (z4 + (Omega0 + (phi_dot - z5)))
         s_phi = math.sin(phi)
-        z7 = z4 + (phi_dot + Omega0)
-        z8 = Omega0 * (Omega0 + 2.0 * z4) + k8 * (s1 * s1)
+        z7 = psi_dot * s_theta
+        z8 = z7 * (z4 + (phi_dot + Omega0))
         c1 = math.cos(z3)
-        s2 = theta_dot * c_phi * z6 + s_phi * (psi_dot * s_theta) * z7
-        z9 = a * s2 - (x * z8 + c1 * (nu * (y_2 * Omega1)))
-        z10 = x * s_phi
-        z11 = k6 + z4
-        z12 = y_2 * c_phi
-        z13 = s_theta * (psi_dot * a)
-        z14 = nu * c1
-        z15 = x * c_phi
-        z16 = y_2 * s_phi
-        z17 = z15 + z16
-        z18 = phi_dot * k3
-        z19 = z10 - z12
-        s3 = Omega1 * (s1 * (z10 * z11 - (z11 * z12 + z13)) + z14 * z17)
-        z20 = s3 - (z13 * (Omega0 + z18) - k7 * z19)
-        z21 = z20 * k9
-        z22 = c_phi * k5
-        z23 = theta_dot * a
-        s4 = Omega1 * (s1 * (z11 * z15 + (z11 * z16 - z23)) - z14 * z19)
-        z24 = s4 + (z17 * k7 - z23 * (z18 + (Omega0 - z5 * k3)))
-        z25 = s_theta * k5
-        z26 = z24 * (z25 / z2)
-        s5 = theta_dot * s_phi * z6 - z7 * (s_theta * (psi_dot * c_phi))
-        z27 = a * s5 - (y_2 * z8 - c1 * (nu * (x * Omega1)))
+        z9 = nu * c1
+        z10 = Omega1 * z9
+        z11 = Omega0 * (Omega0 + 2.0 * z4) + k9 * (s1 * s1)
+        z12 = x * c_phi
+        z13 = y_2 * s_phi
+        z14 = z12 + z13
+        z15 = x * s_phi
+        z16 = k6 + z4
+        z17 = y_2 * c_phi
+        z18 = a * z7
+        z19 = z15 - z17
+        z20 = phi_dot * k4
+        s2 = Omega1 * (z9 * z14 + s1 * (z15 * z16 - (z16 * z17 + z18)))
+        z21 = s2 + (k7 * z19 - (Omega0 + z20) * z18)
+        z22 = k8 * z21
+        z23 = c_phi * k1
+        z24 = theta_dot * a
+        s3 = Omega1 * (s1 * (z16 * z12 - (z24 - z16 * z13)) - z9 * z19)
+        z25 = s3 + (z14 * k7 - z24 * (z20 + (Omega0 - z5 * k4)))
+        z26 = s_theta * k1
+        z27 = z25 * (z26 / z2)
+        s4 = m * (a * (c_phi * z6 + s_phi * z8) - (y_2 * z10 + x * z11))
+        z28 = s4 + (k1 * (s_phi * z22) + z23 * (s_theta * z27))
+        s5 = m * (a * (s_phi * z6 - c_phi * z8) + (x * z10 - y_2 * z11))
+        z29 = s5 - (z22 * z23 - s_phi * z26 * z27)
         lambda_: list[float] = [
             # reaction of roll_x: Q_i gains lambda_1 a_1i (I.4.1) 27:5
-            m * z9 + (s_phi * k5 * z21 + s_theta * z22 * z26),
+            z28,
             # reaction of roll_y: Q_i gains lambda_2 a_2i (I.4.1) 28:5
-            m * z27 - (z22 * z21 - s_phi * z25 * z26),
+            z29,
         ]
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -528,20 +527,21 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
         # parameters only
         I = m * k * (a * a)
         # state
-        c_phi = math.cos(phi)
-        s_theta = math.sin(theta)
-        s_phi = math.sin(phi)
-        omega_x = theta_dot * c_phi + psi_dot * (s_theta * s_phi)
-        omega_y = theta_dot * s_phi - psi_dot * (c_phi * s_theta)
         c_theta = math.cos(theta)
         omega_z = phi_dot + psi_dot * c_theta
+        c_phi = math.cos(phi)
+        s_phi = math.sin(phi)
+        s_theta = math.sin(theta)
+        z1 = psi_dot * s_theta
+        omega_x = theta_dot * c_phi + s_phi * z1
+        omega_y = theta_dot * s_phi - c_phi * z1
         s1 = math.sin(t_ * nu)
         Omega = Omega0 + Omega1 * s1
-        z1 = a * omega_y - y_2 * Omega
-        z2 = a * omega_x - x * Omega
-        s2 = omega_x * omega_x + omega_y * omega_y + omega_z * omega_z
-        z3 = 0.5 * (I * s2) + 0.5 * (m * (z1 * z1 + z2 * z2))
-        value1 = z3
+        z2 = y_2 * Omega - a * omega_y
+        z3 = x * Omega - a * omega_x
+        s2 = omega_z * omega_z + (omega_x * omega_x + omega_y * omega_y)
+        z4 = I * s2 + m * (z2 * z2 + z3 * z3)
+        value1 = 0.5 * z4
         return _single("energy", value1)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
         raise SingularModelError(NOT_FINITE, "energy") from error
@@ -573,17 +573,16 @@ def jacobian(
     nu = float(p[5])  # frequency of its modulation [rad/s]
     try:
         # parameters only
-        k1 = a * a
-        k2 = m * k1
+        k1 = m * a
+        k2 = m * (a * a)
         k3 = k * k2
         k4 = 1.0 + k
         k5 = k2 * k4
-        k6 = m * a
-        k7 = 2.0 * Omega0
-        k8 = Omega0 * Omega0
-        k9 = 1.0 / k3
-        k10 = 1.0 / k5
-        k11 = k6 * k10
+        k6 = 2.0 * Omega0
+        k7 = Omega0 * Omega0
+        k8 = 1.0 / k3
+        k9 = 1.0 / k5
+        k10 = k1 * k9
         # state
         # the mass matrix is singular
         if not abs(k3) > 0.0:
@@ -594,189 +593,162 @@ def jacobian(
         s_theta = math.sin(theta)
         z1 = k2 * (k + s_theta * s_theta)
         c_theta = math.cos(theta)
-        z2 = z1 - c_theta * (c_theta * k3)
+        z2 = c_theta * c_theta
+        z3 = z1 - z2 * k3
         # the mass matrix is singular
-        if not abs(z2) > 1e-14 * z1:
+        if not abs(z3) > 1e-14 * z1:
             raise SingularModelError(2, "jacobian")
-        z3 = t_ * nu
-        s1 = math.sin(z3)
-        z4 = Omega1 * s1
-        Omega = Omega0 + z4
+        z4 = t_ * nu
+        s1 = math.sin(z4)
+        z5 = Omega1 * s1
+        Omega = Omega0 + z5
         c_phi = math.cos(phi)
-        z5 = theta_dot * a
         s_phi = math.sin(phi)
-        z6 = psi_dot * a
-        z7 = s_theta * z6
-        z8 = 1.0 / z2
-        z9 = s_theta * k6
-        z10 = z8 * (c_theta * z9)
-        z11 = k7 + z4
-        c1 = math.cos(z3)
-        s2 = Omega1 * (z11 * (s1 * c_phi) - c1 * (nu * s_phi))
-        z12 = s2 + c_phi * k8
-        s3 = Omega1 * (z11 * (s1 * s_phi) + c1 * (nu * c_phi))
-        z13 = s3 + s_phi * k8
-        z14 = x * s_phi - y_2 * c_phi
-        z15 = nu * c1
-        z16 = x * c_phi
-        z17 = y_2 * s_phi
-        z18 = z16 + z17
-        z19 = k8 * z14 + Omega1 * (z15 * z18 + s1 * (z11 * z14))
-        z20 = theta_dot * psi_dot
-        z21 = z15 * z14
-        z22 = Omega1 * (s1 * (z11 * z16 + (z11 * z17 - z5)) - z21)
-        z23 = z18 * k8
-        z24 = phi_dot * k4
-        z25 = psi_dot * c_theta
-        z26 = z25 * k4
-        z27 = z22 + (z23 - z5 * (z24 + (Omega0 - z26)))
-        z28 = z9 * z8
-        z29 = z27 * z28
-        z30 = c_theta * (k * (k1 * (m * z20))) - s_theta * (k3 * z29)
-        s4 = k6 * (z22 - (z5 * (z24 + (Omega0 - z25)) - z23))
-        z31 = c_theta * (s4 - 2.0 * (s_theta * (k2 * z29)))
-        s5 = k3 * (s_theta * (z20 + z8 * (c_theta * k6) * z27))
-        z32 = s_theta * (psi_dot * (z9 * z5) + s5) - z31
-        z33 = z8 * (z32 - c_theta * z30)
-        z34 = s_theta * (k1 * (theta_dot * m))
-        z35 = k4 * (z8 * (c_theta * z34))
-        z36 = z24 + (Omega - z26)
-        z37 = k1 * (psi_dot * m)
-        z38 = Omega + z24
-        z39 = s_theta * k2
-        s6 = 1.0 + k4 * (z8 * (k2 * (c_theta * c_theta)))
+        z6 = s_theta * s_phi
+        z7 = psi_dot * c_theta
+        z8 = a * c_phi
+        z9 = a * s_phi
+        z10 = c_phi * s_theta
+        z11 = s_theta * k1
+        z12 = 1.0 / z3
+        z13 = c_theta * z12
+        z14 = z11 * z13
+        z15 = k6 + z5
+        z16 = s1 * z15
+        c1 = math.cos(z4)
+        z17 = nu * c1
+        z18 = c_phi * k7 + Omega1 * (c_phi * z16 - s_phi * z17)
+        z19 = s_phi * k7 + Omega1 * (s_phi * z16 + c_phi * z17)
+        z20 = x * s_phi - y_2 * c_phi
+        z21 = x * c_phi
+        z22 = y_2 * s_phi
+        z23 = z21 + z22
+        z24 = k7 * z20 + Omega1 * (z17 * z23 + z20 * z16)
+        z25 = theta_dot * psi_dot
+        z26 = theta_dot * a
+        z27 = z17 * z20
+        z28 = Omega1 * (s1 * (z15 * z21 - (z26 - z15 * z22)) - z27)
+        z29 = z23 * k7
+        z30 = phi_dot * k4
+        z31 = z7 * k4
+        z32 = z28 + (z29 - z26 * (z30 + (Omega0 - z31)))
+        z33 = z11 * z12
+        z34 = z32 * z33
+        z35 = s_theta * k3
+        z36 = k3 * (c_theta * z25) - z34 * z35
+        z37 = s_theta * k2
+        s2 = z11 * (psi_dot * z26) + (z25 + k1 * (z32 * z13)) * z35
+        s3 = k1 * (z28 - (z26 * (z30 + (Omega0 - z7)) - z29))
+        z38 = s_theta * s2 - c_theta * (s3 - 2.0 * (z34 * z37))
+        z39 = z12 * (z38 - c_theta * z36)
+        z40 = theta_dot * s_theta
+        z41 = z40 * k2
+        z42 = k4 * (z13 * z41)
+        z43 = z30 + (Omega - z31)
+        z44 = k4 * z12
+        z45 = Omega + z30
+        z46 = k9 * (psi_dot * k2)
         J: list[float] = [
-            # (III.3)
             0.0,
             # (III.3)
             -Omega,
             # (III.3)
-            c_phi * z5 + s_phi * z7,
+            a * (theta_dot * c_phi + psi_dot * z6),
             # (III.3)
-            -c_theta * (c_phi * z6),
-            # (III.3)
+            -z7 * z8,
+            0.0,
             0.0,
             # (III.3)
-            0.0,
+            z9,
             # (III.3)
-            a * s_phi,
-            # (III.3)
-            -a * (c_phi * s_theta),
+            -a * z10,
             # (III.3)
             Omega,
-            # (III.3)
             0.0,
             # (III.3)
-            s_phi * z5 - c_phi * z7,
+            a * (theta_dot * s_phi - psi_dot * z10),
             # (III.3)
-            -c_theta * (s_phi * z6),
-            # (III.3)
+            -z7 * z9,
+            0.0,
             0.0,
             # (III.3)
+            -z8,
+            # (III.3)
+            -a * z6,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
             0.0,
             # (III.3)
-            -a * c_phi,
-            # (III.3)
-            -a * (s_theta * s_phi),
-            # (III.3)
+            1.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
             0.0,
             # (III.3)
+            1.0,
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
+            0.0,
+            0.0,
+            0.0,
+            0.0,
             0.0,
             # (III.3)
             1.0,
             # (III.3)
+            z14 * z18,
+            # (III.3)
+            z14 * z19,
+            # (III.3)
+            -z14 * z24,
+            # (III.3)
+            k8 * z36 - c_theta * z39,
             0.0,
             # (III.3)
+            -z42,
+            # (III.3)
+            s_theta * (psi_dot - k2 * (z43 * z13)),
+            # (III.3)
+            z40 * (1.0 + k2 * (z2 * z44)),
+            # (III.3)
+            k10 * z19,
+            # (III.3)
+            -k10 * z18,
+            # (III.3)
+            k10 * (z29 - Omega1 * (z27 - z23 * z16)),
+            # (III.3)
+            -z45 * (c_theta * z46),
             0.0,
             # (III.3)
+            -k4 * (s_theta * z46),
             0.0,
             # (III.3)
+            -k9 * (z45 * z37),
+            # (III.3)
+            -z33 * z18,
+            # (III.3)
+            -z33 * z19,
+            # (III.3)
+            z33 * z24,
+            # (III.3)
+            z39,
             0.0,
             # (III.3)
-            0.0,
+            z41 * z44,
             # (III.3)
-            0.0,
+            z37 * (z12 * z43),
             # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            1.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            1.0,
-            # (III.3)
-            z10 * z12,
-            # (III.3)
-            z10 * z13,
-            # (III.3)
-            -z10 * z19,
-            # (III.3)
-            k9 * z30 - c_theta * z33,
-            # (III.3)
-            0.0,
-            # (III.3)
-            -z35,
-            # (III.3)
-            s_theta * (psi_dot - z8 * (c_theta * k2) * z36),
-            # (III.3)
-            theta_dot * s_theta * s6,
-            # (III.3)
-            k11 * z13,
-            # (III.3)
-            -k11 * z12,
-            # (III.3)
-            k11 * (z23 - Omega1 * (z21 - s1 * (z11 * z18))),
-            # (III.3)
-            -k10 * (c_theta * z37) * z38,
-            # (III.3)
-            0.0,
-            # (III.3)
-            -k4 * (k10 * (s_theta * z37)),
-            # (III.3)
-            0.0,
-            # (III.3)
-            -z38 * (k10 * z39),
-            # (III.3)
-            -z28 * z12,
-            # (III.3)
-            -z28 * z13,
-            # (III.3)
-            z28 * z19,
-            # (III.3)
-            z33,
-            # (III.3)
-            0.0,
-            # (III.3)
-            k4 * (z8 * z34),
-            # (III.3)
-            z36 * (z8 * z39),
-            # (III.3)
-            -z35,
+            -z42,
         ]
         _finish("jacobian", J)
-        return [J[k12 : k12 + 8] for k12 in range(0, 64, 8)]
+        return [J[k11 : k11 + 8] for k11 in range(0, 64, 8)]
     except (ValueError, ZeroDivisionError, OverflowError) as error:
         raise SingularModelError(NOT_FINITE, "jacobian") from error
 
@@ -810,20 +782,20 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
         z1 = psi_dot * c_theta
         s1 = math.sin(t_ * nu)
         z2 = Omega1 * s1
-        z3 = x * x
-        z4 = y_2 * y_2
-        s2 = k2 * (s1 * s1) * (0.5 * z3 + 0.5 * z4)
-        z5 = Omega0 * ((k3 + z2) * (z3 + z4)) + s2
-        z6 = 0.5 * (theta_dot * theta_dot)
-        s3 = psi_dot * (0.5 * psi_dot - (Omega0 + z2) * c_theta) + z6
-        z7 = phi_dot * (z2 + (Omega0 - (0.5 * phi_dot + z1))) - s3
+        z3 = x * x + y_2 * y_2
+        z4 = theta_dot * theta_dot
+        s2 = psi_dot * (0.5 * psi_dot - (Omega0 + z2) * c_theta)
+        s3 = phi_dot * (z2 + (Omega0 - (0.5 * phi_dot + z1)))
+        z5 = s3 - (s2 + 0.5 * z4)
         s_theta = math.sin(theta)
-        s4 = z6 + 0.5 * (s_theta * s_theta * (psi_dot * psi_dot))
+        s4 = 0.5 * (z4 + s_theta * s_theta * (psi_dot * psi_dot))
+        s5 = Omega0 * ((k3 + z2) * z3) + 0.5 * (k2 * (s1 * s1) * z3)
+        z6 = s5 + k1 * (k * z5 - s4)
         out: list[float] = [
             # spin 31:9
             phi_dot + z1,
             # moving_energy 32:18
-            -m * (z5 + k1 * (k * z7 - s4)),
+            -m * z6,
         ]
         return _finish("outputs", out)
     except (ValueError, ZeroDivisionError, OverflowError) as error:

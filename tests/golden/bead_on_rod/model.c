@@ -1,5 +1,5 @@
 /*
- * bead_on_rod.c: bead_on_rod, emitted by nhc 0.1.0 (nhc:13f1ca1e9eccdbae)
+ * bead_on_rod.c: bead_on_rod, emitted by nhc 0.1.0 (nhc:4db9f6a1fc42bc8a)
  * A bead on a straight horizontal rod that turns at a constant rate; T has a part without velocities.
  * Source: bead_on_rod.yaml
  * Equations of motion: lagrange (II.3)
@@ -10,6 +10,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <string.h>
 
 const char *const bead_on_rod_coordinate_names[] = {
     "r"
@@ -36,6 +37,105 @@ static int bead_on_rod_finish(int count, const double *values)
     return fabs(sum) <= DBL_MAX ? BEAD_ON_ROD_OK : BEAD_ON_ROD_NOT_FINITE;
 }
 
+/* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
+#ifndef BEAD_ON_ROD_LANES
+#if !defined(__GNUC__)
+#define BEAD_ON_ROD_LANES 1
+#elif defined(__AVX512F__)
+#define BEAD_ON_ROD_LANES 8
+#elif defined(__AVX__)
+#define BEAD_ON_ROD_LANES 4
+#else
+#define BEAD_ON_ROD_LANES 2
+#endif
+#endif
+#if BEAD_ON_ROD_LANES > 1
+typedef double bead_on_rod_lanes __attribute__((vector_size(8 * BEAD_ON_ROD_LANES)));
+#else
+typedef double bead_on_rod_lanes;
+#endif
+
+#if BEAD_ON_ROD_LANES >= 2
+static inline bead_on_rod_lanes bead_on_rod_get(const double *from)
+{
+    bead_on_rod_lanes value;
+    memcpy(&value, from, sizeof value);
+    return value;
+}
+
+static inline void bead_on_rod_put(double *to, bead_on_rod_lanes value)
+{
+    memcpy(to, &value, sizeof value);
+}
+#endif
+
+/* states first, first + 1, ... through rhs, one by one; the first status that is not OK */
+#if defined(__GNUC__)
+__attribute__((noinline))
+#endif
+static int bead_on_rod_one_by_one(size_t count, size_t first, size_t number, const double *t, const double *y, const double *p, double *dydt)
+{
+    int status = BEAD_ON_ROD_OK;
+    for (size_t i = first; i < first + number; ++i) {
+        double state[BEAD_ON_ROD_NY];
+        double slope[BEAD_ON_ROD_NY];
+        for (size_t k = 0; k < BEAD_ON_ROD_NY; ++k) {
+            state[k] = y[k * count + i];
+            slope[k] = NAN;
+        }
+        const int one = bead_on_rod_rhs(t[i], state, p, slope);
+        status = status == BEAD_ON_ROD_OK ? one : status;
+        for (size_t k = 0; k < BEAD_ON_ROD_NY; ++k) {
+            dydt[k * count + i] = slope[k];
+        }
+    }
+    return status;
+}
+
+#if BEAD_ON_ROD_LANES >= 2
+#define BEAD_ON_ROD_SPREAD(x) ((x) - (bead_on_rod_lanes){0}) /* a number in each lane; lanes stay what they are */
+
+typedef unsigned long long bead_on_rod_bits __attribute__((vector_size(8 * BEAD_ON_ROD_LANES)));
+
+/* no number where a bit is set */
+static inline bead_on_rod_lanes bead_on_rod_mark(bead_on_rod_lanes value, bead_on_rod_bits bad)
+{
+    return (bead_on_rod_lanes)((bead_on_rod_bits)value | bad);
+}
+/* whether none of the states must be asked again: no singular block, no infinity, no angle anywhere near 1e5 */
+static inline int bead_on_rod_is_good(int count, const double *check)
+{
+    double even = 0.0;
+    double odd = 0.0;
+    for (int k = 0; k < count; k += 2) {
+        even += check[k];
+        odd += check[k + 1];
+    }
+    return even + odd <= 1e10;
+}
+
+/* the last states, fewer than there are lanes; the others repeat the last one */
+static inline void bead_on_rod_fill(size_t left, size_t count, const double *t, const double *y, double *time, double *state)
+{
+    for (size_t l = 0; l < BEAD_ON_ROD_LANES; ++l) {
+        const size_t i = l < left ? l : left - 1;
+        time[l] = t[i];
+        for (size_t k = 0; k < BEAD_ON_ROD_NY; ++k) {
+            state[k * BEAD_ON_ROD_LANES + l] = y[k * count + i];
+        }
+    }
+}
+
+static inline void bead_on_rod_pour(size_t left, size_t count, const double *slope, double *dydt)
+{
+    for (size_t k = 0; k < BEAD_ON_ROD_NY; ++k) {
+        for (size_t l = 0; l < left; ++l) {
+            dydt[k * count + l] = slope[k * BEAD_ON_ROD_LANES + l];
+        }
+    }
+}
+#endif
+
 int bead_on_rod_rhs(double t, const double *y, const double *p, double *dydt)
 {
     (void)t;
@@ -48,14 +148,14 @@ int bead_on_rod_rhs(double t, const double *y, const double *p, double *dydt)
     const double k1 = Omega * Omega;
 
     /* state */
-    /* the mass matrix is singular */
-    if (!(fabs(m) > 0.0)) {
-        return BEAD_ON_ROD_SINGULAR_2;
-    }
     /* (II.3) */
     dydt[0] = r_dot; /* r' */
     /* (II.3) 14:4 */
     dydt[1] = r * k1; /* r'' */
+    /* the mass matrix is singular */
+    if (!(fabs(m) > 0.0)) {
+        return BEAD_ON_ROD_SINGULAR_2;
+    }
     return bead_on_rod_finish(2, dydt);
 }
 
@@ -82,12 +182,12 @@ int bead_on_rod_accelerations(double t, const double *y, const double *p, double
     const double k1 = Omega * Omega;
 
     /* state */
+    /* (II.3) */
+    qddot[0] = r * k1; /* r'' */
     /* the mass matrix is singular */
     if (!(fabs(m) > 0.0)) {
         return BEAD_ON_ROD_SINGULAR_2;
     }
-    /* (II.3) */
-    qddot[0] = r * k1; /* r'' */
     return bead_on_rod_finish(1, qddot);
 }
 
@@ -141,26 +241,26 @@ double bead_on_rod_energy(double t, const double *y, const double *p)
     const double k1 = Omega * Omega;
 
     /* state */
-    return m * (0.5 * (r_dot * r_dot) + 0.5 * (k1 * (r * r)));
+    return 0.5 * (m * (r_dot * r_dot + k1 * (r * r)));
 }
 
 int bead_on_rod_jacobian(double t, const double *y, const double *p, double *J)
 {
+    J[0] = 0.0;
+    J[3] = 0.0;
     (void)t;
     (void)y;
     const double m = p[0]; /* mass of the bead [kg] */
     const double Omega = p[1]; /* rate of the rod [rad/s] */
 
     /* state */
+    /* (II.3) */
+    J[1] = 1.0;
+    J[2] = Omega * Omega;
     /* the mass matrix is singular */
     if (!(fabs(m) > 0.0)) {
         return BEAD_ON_ROD_SINGULAR_2;
     }
-    /* (II.3) */
-    J[0] = 0.0;
-    J[1] = 1.0;
-    J[2] = Omega * Omega;
-    J[3] = 0.0;
     return bead_on_rod_finish(4, J);
 }
 
@@ -184,9 +284,44 @@ int bead_on_rod_outputs(double t, const double *y, const double *p, double *out)
     return bead_on_rod_finish(2, out);
 }
 
+#if BEAD_ON_ROD_LANES >= 2
+static __attribute__((noinline)) void bead_on_rod_rhs_lanes(const double *fixed, size_t stride, const double
+    *t, const double *y, double *restrict dydt, double *check)
+{
+    (void)t;
+    bead_on_rod_lanes far = {0}; /* the squares of the angles */
+    bead_on_rod_lanes sum = {0}; /* an infinity or a NaN among the results stays in it */
+    bead_on_rod_bits bad = {0}; /* singular blocks */
+    const double k1 = fixed[0];
+    const bead_on_rod_lanes r = bead_on_rod_get(y);
+    const bead_on_rod_lanes r_dot = bead_on_rod_get(y + 1 * stride);
+    /* (II.3) */
+    const bead_on_rod_lanes slope1 = r_dot;
+    sum += slope1;
+    bead_on_rod_put(dydt, slope1);
+    /* (II.3) 14:4 */
+    const bead_on_rod_lanes slope2 = r * k1;
+    sum += slope2;
+    bead_on_rod_put(dydt + 1 * stride, slope2);
+    bead_on_rod_put(check, bead_on_rod_mark(far + (sum - sum), bad));
+}
+
+static __attribute__((noinline)) void bead_on_rod_rhs_tail(const double *fixed, size_t left, size_t count,
+    const double *t, const double *y, double *restrict dydt, double *check)
+{
+    double time[BEAD_ON_ROD_LANES];
+    double state[2 * BEAD_ON_ROD_LANES];
+    double slope[2 * BEAD_ON_ROD_LANES];
+    bead_on_rod_fill(left, count, t, y, time, state);
+    bead_on_rod_rhs_lanes(fixed, BEAD_ON_ROD_LANES, time, state, slope, check);
+    bead_on_rod_pour(left, count, slope, dydt);
+}
+#endif
+
 int bead_on_rod_rhs_batch(size_t count, const double *t, const double *y, const double *p, double *restrict
     dydt)
 {
+#if BEAD_ON_ROD_LANES >= 2
     const double m = p[0]; /* mass of the bead [kg] */
     const double Omega = p[1]; /* rate of the rod [rad/s] */
     const double k1 = Omega * Omega;
@@ -194,22 +329,23 @@ int bead_on_rod_rhs_batch(size_t count, const double *t, const double *y, const 
     if (!(fabs(m) > 0.0)) {
         return BEAD_ON_ROD_SINGULAR_2;
     }
-    int bad = 0;
-    (void)t;
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC ivdep
-#endif
-    for (size_t i = 0; i < count; ++i) {
-        const double r = y[i]; /* distance from the axis [m] */
-        const double r_dot = y[count + i];
-        /* (II.3) */
-        const double slope1 = r_dot; /* r' */
-        dydt[i] = slope1;
-        bad |= !(fabs(slope1) <= DBL_MAX);
-        /* (II.3) 14:4 */
-        const double slope2 = r * k1; /* r'' */
-        dydt[count + i] = slope2;
-        bad |= !(fabs(slope2) <= DBL_MAX);
+    const double fixed[] = {k1};
+    double check[1 * BEAD_ON_ROD_LANES];
+    int status = BEAD_ON_ROD_OK;
+    for (size_t i = 0; i < count; i += BEAD_ON_ROD_LANES) {
+        const size_t left = count - i < BEAD_ON_ROD_LANES ? count - i : BEAD_ON_ROD_LANES;
+        if (left == BEAD_ON_ROD_LANES) {
+            bead_on_rod_rhs_lanes(fixed, count, t + i, y + i, dydt + i, check);
+        } else {
+            bead_on_rod_rhs_tail(fixed, left, count, t + i, y + i, dydt + i, check);
+        }
+        if (!bead_on_rod_is_good(1 * BEAD_ON_ROD_LANES, check)) {
+            const int one = bead_on_rod_one_by_one(count, i, left, t, y, p, dydt);
+            status = status == BEAD_ON_ROD_OK ? one : status;
+        }
     }
-    return bad ? BEAD_ON_ROD_NOT_FINITE : BEAD_ON_ROD_OK;
+    return status;
+#else
+    return bead_on_rod_one_by_one(count, 0, count, t, y, p, dydt);
+#endif
 }

@@ -1,5 +1,5 @@
 /*
- * bead_on_rod.h: bead_on_rod, emitted by nhc 0.1.0 (nhc:50ec04685d3a4872)
+ * bead_on_rod.h: bead_on_rod, emitted by nhc 0.1.0 (nhc:d61b4d2d333c236f)
  * A bead on a straight horizontal rod that turns at a constant rate; T has a part without velocities.
  * Source: bead_on_rod.yaml
  * Equations of motion: lagrange (II.3)
@@ -24,7 +24,7 @@
  * state: 0 +-, 0 *, 0 /, 0 calls
  * residuals: 0 +-, 0 *, 0 /, 0 calls
  * reactions: 0 +-, 0 *, 0 /, 0 calls
- * energy: 1 +-, 7 *, 0 /, 0 calls
+ * energy: 1 +-, 6 *, 0 /, 0 calls
  * jacobian: 0 +-, 1 *, 0 /, 0 calls
  * outputs: 1 +-, 10 *, 0 /, 0 calls
  *

@@ -1,4 +1,4 @@
-"""bead_on_rod, emitted by nhc 0.1.0 (nhc:b4faf780e8771a07).
+"""bead_on_rod, emitted by nhc 0.1.0 (nhc:1aee8a128c2a35d3).
 
 A bead on a straight horizontal rod that turns at a constant rate; T has a part
     without velocities.
@@ -25,7 +25,7 @@ accelerations: 0 +-, 2 *, 0 /, 0 calls
 state: 0 +-, 0 *, 0 /, 0 calls
 residuals: 0 +-, 0 *, 0 /, 0 calls
 reactions: 0 +-, 0 *, 0 /, 0 calls
-energy: 1 +-, 7 *, 0 /, 0 calls
+energy: 1 +-, 6 *, 0 /, 0 calls
 jacobian: 0 +-, 1 *, 0 /, 0 calls
 outputs: 1 +-, 10 *, 0 /, 0 calls
 
@@ -228,7 +228,7 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
         # parameters only
         k1 = Omega * Omega
         # state
-        value1 = m * (0.5 * (r_dot * r_dot) + 0.5 * (k1 * (r * r)))
+        value1 = 0.5 * (m * (r_dot * r_dot + k1 * (r * r)))
         return _single("energy", value1)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
         raise SingularModelError(NOT_FINITE, "energy") from error
@@ -252,13 +252,11 @@ def jacobian(
         if not abs(m) > 0.0:
             raise SingularModelError(2, "jacobian")
         J: list[float] = [
-            # (II.3)
             0.0,
             # (II.3)
             1.0,
             # (II.3)
             Omega * Omega,
-            # (II.3)
             0.0,
         ]
         _finish("jacobian", J)

@@ -1,5 +1,5 @@
 /*
- * cartesian_pendulum.h: cartesian_pendulum, emitted by nhc 0.1.0 (nhc:4b69b6ca4926ed92)
+ * cartesian_pendulum.h: cartesian_pendulum, emitted by nhc 0.1.0 (nhc:15856801fd4b4605)
  * The plane pendulum in Cartesian coordinates; its constraint is written with velocities, but it is
  *     holonomic.
  * Source: cartesian_pendulum.yaml
@@ -23,13 +23,13 @@
  * out[0] = length
  *
  * Operations:
- * rhs: 2 +-, 9 *, 1 /, 2 calls
- * velocities: 2 +-, 7 *, 1 /, 2 calls
- * accelerations: 4 +-, 13 *, 1 /, 2 calls
+ * rhs: 2 +-, 8 *, 1 /, 2 calls
+ * velocities: 2 +-, 5 *, 1 /, 2 calls
+ * accelerations: 4 +-, 12 *, 1 /, 2 calls
  * state: 1 +-, 2 *, 0 /, 0 calls
  * residuals: 1 +-, 2 *, 0 /, 0 calls
- * reactions: 4 +-, 11 *, 2 /, 2 calls
- * energy: 3 +-, 12 *, 1 /, 0 calls
+ * reactions: 4 +-, 9 *, 2 /, 2 calls
+ * energy: 3 +-, 10 *, 1 /, 0 calls
  * jacobian: 4 +-, 20 *, 2 /, 2 calls
  * outputs: 2 +-, 3 *, 0 /, 3 calls
  *

@@ -1,5 +1,5 @@
 /*
- * chaotic.h: chaotic, emitted by nhc 0.1.0 (nhc:b05eda653b882f31)
+ * chaotic.h: chaotic, emitted by nhc 0.1.0 (nhc:1dff67d82d56fa82)
  * Seven coupled oscillators with one contact constraint; reversible and chaotic.
  * Source: chaotic.yaml
  * Equations of motion: chaplygin (III.3)
@@ -28,14 +28,14 @@
  * 0: contact
  *
  * Operations:
- * rhs: 33 +-, 41 *, 3 /, 0 calls
+ * rhs: 22 +-, 24 *, 1 /, 0 calls
  * velocities: 2 +-, 3 *, 0 /, 0 calls
- * accelerations: 36 +-, 41 *, 3 /, 0 calls
+ * accelerations: 25 +-, 24 *, 1 /, 0 calls
  * state: 0 +-, 0 *, 0 /, 0 calls
  * residuals: 3 +-, 3 *, 0 /, 0 calls
- * reactions: 36 +-, 37 *, 3 /, 0 calls
- * energy: 19 +-, 23 *, 0 /, 0 calls
- * jacobian: 116 +-, 186 *, 3 /, 0 calls
+ * reactions: 21 +-, 20 *, 1 /, 0 calls
+ * energy: 19 +-, 22 *, 0 /, 0 calls
+ * jacobian: 108 +-, 184 *, 4 /, 0 calls
  * outputs: 0 +-, 0 *, 0 /, 0 calls
  *
  * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.

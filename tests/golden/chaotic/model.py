@@ -1,4 +1,4 @@
-"""chaotic, emitted by nhc 0.1.0 (nhc:df341cbb6ff0cf06).
+"""chaotic, emitted by nhc 0.1.0 (nhc:e8410f5b8cab2925).
 
 Seven coupled oscillators with one contact constraint; reversible and chaotic.
 Source: chaotic.yaml
@@ -28,14 +28,14 @@ Constraints:
 0: contact
 
 Operations:
-rhs: 33 +-, 41 *, 3 /, 0 calls
+rhs: 22 +-, 24 *, 1 /, 0 calls
 velocities: 2 +-, 3 *, 0 /, 0 calls
-accelerations: 36 +-, 41 *, 3 /, 0 calls
+accelerations: 25 +-, 24 *, 1 /, 0 calls
 state: 0 +-, 0 *, 0 /, 0 calls
 residuals: 3 +-, 3 *, 0 /, 0 calls
-reactions: 36 +-, 37 *, 3 /, 0 calls
-energy: 19 +-, 23 *, 0 /, 0 calls
-jacobian: 116 +-, 186 *, 3 /, 0 calls
+reactions: 21 +-, 20 *, 1 /, 0 calls
+energy: 19 +-, 22 *, 0 /, 0 calls
+jacobian: 108 +-, 184 *, 4 /, 0 calls
 outputs: 0 +-, 0 *, 0 /, 0 calls
 
 A singular point raises SingularModelError.
@@ -117,40 +117,21 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     z3_dot = float(y[12])
     try:
         # state
-        z4 = 1.0 + y1 * y1
+        z4 = y3 * y3
+        z5 = y2 * y2
+        z6 = y1 * y1
+        z7 = z4 + (z5 + (1.0 + z6))
         # the mass matrix is singular
-        if not abs(z4) > 0.0:
+        if not abs(z7) > 0.0:
             raise SingularModelError(2, "rhs")
-        z5 = 1.0 + y2 * y2
-        z6 = y1 * y2
-        z7 = 1.0 / z4
-        z8 = z6 * z7
-        z9 = z5 - z6 * z8
-        # the mass matrix is singular
-        if not abs(z9) > 1e-14 * z5:
-            raise SingularModelError(2, "rhs")
-        z10 = 1.0 + y3 * y3
-        z11 = y1 * y3
-        z12 = z11 * z7
-        z13 = y2 * y3 - z6 * z12
-        z14 = 1.0 / z9
-        z15 = z13 * z14
-        z16 = z10 - z11 * z12 - z13 * z15
-        # the mass matrix is singular
-        if not abs(z16) > 1e-14 * z10:
-            raise SingularModelError(2, "rhs")
-        z17 = 1.0 + z1 * z1
-        z18 = 1.0 + z2 * z2
-        z19 = y3_dot * z3_dot
-        z20 = y2_dot * z2_dot
-        z21 = y1_dot * z1_dot
-        z22 = y1 * (z19 + (z20 + (z21 - (x - y1 * z1)))) + z1 * z18
-        s1 = y2 * (z19 + (z20 + (z21 - (x - y2 * z2)))) + z2 * z17
-        z23 = s1 - z22 * z8
-        s2 = z3 + y3 * (z19 + (z20 + (z21 - (x - y3 * z3)))) - z22 * z12
-        z24 = s2 - z15 * z23
-        z25 = z24 / z16
-        z26 = z14 * z23 - z15 * z25
+        z8 = z1 * z1
+        z9 = z2 * z2
+        z10 = z1 * (1.0 + (z6 + z9))
+        z11 = z3 * (1.0 + z4)
+        z12 = z2 * (1.0 + (z5 + z8))
+        s1 = y3_dot * z3_dot + (y1_dot * z1_dot + y2_dot * z2_dot)
+        z13 = s1 - (y3 * z11 + (y2 * z12 + (x + y1 * z10)))
+        z14 = z13 / z7
         dydt: list[float] = [
             # x' (III.3)
             -(y3 * z3_dot + (y1 * z1_dot + y2 * z2_dot)),
@@ -167,17 +148,17 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
             # z3' (III.3)
             z3_dot,
             # y1'' (III.3) 10:4
-            -y1 * z17,
+            -y1 * (1.0 + z8),
             # y2'' (III.3) 10:4
-            -y2 * z18,
+            -y2 * (1.0 + z9),
             # y3'' (III.3) 10:4
             -y3 * (1.0 + z3 * z3),
             # z1'' (III.3) 10:4
-            z12 * z25 - (z22 * z7 - z8 * z26),
+            -(z10 + y1 * z14),
             # z2'' (III.3) 10:4
-            -z26,
+            -(z12 + y2 * z14),
             # z3'' (III.3) 10:4
-            -z25,
+            -(z11 + y3 * z14),
         ]
         return _finish("rhs", dydt)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -251,56 +232,41 @@ def accelerations(
     z3_dot = float(y[12])
     try:
         # state
-        z4 = 1.0 + y1 * y1
+        z4 = y3 * y3
+        z5 = y2 * y2
+        z6 = y1 * y1
+        z7 = z4 + (z5 + (1.0 + z6))
         # the mass matrix is singular
-        if not abs(z4) > 0.0:
+        if not abs(z7) > 0.0:
             raise SingularModelError(2, "accelerations")
-        z5 = 1.0 + y2 * y2
-        z6 = y1 * y2
-        z7 = 1.0 / z4
-        z8 = z6 * z7
-        z9 = z5 - z6 * z8
-        # the mass matrix is singular
-        if not abs(z9) > 1e-14 * z5:
-            raise SingularModelError(2, "accelerations")
-        z10 = 1.0 + y3 * y3
-        z11 = y1 * y3
-        z12 = z11 * z7
-        z13 = y2 * y3 - z6 * z12
-        z14 = 1.0 / z9
-        z15 = z13 * z14
-        z16 = z10 - z11 * z12 - z13 * z15
-        # the mass matrix is singular
-        if not abs(z16) > 1e-14 * z10:
-            raise SingularModelError(2, "accelerations")
-        z17 = y3_dot * z3_dot
-        z18 = y2_dot * z2_dot
-        z19 = y1_dot * z1_dot
-        z20 = 1.0 + z2 * z2
-        z21 = y1 * (z17 + (z18 + (z19 - (x - y1 * z1)))) + z1 * z20
-        z22 = 1.0 + z1 * z1
-        s1 = y2 * (z17 + (z18 + (z19 - (x - y2 * z2)))) + z2 * z22
-        z23 = s1 - z21 * z8
-        s2 = z3 + y3 * (z17 + (z18 + (z19 - (x - y3 * z3)))) - z21 * z12
-        z24 = s2 - z15 * z23
-        z25 = z24 / z16
-        z26 = z14 * z23 - z15 * z25
-        z27 = z21 * z7 - z8 * z26 - z12 * z25
+        z8 = y3_dot * z3_dot
+        z9 = z3 * (1.0 + z4)
+        z10 = y1_dot * z1_dot
+        z11 = y2_dot * z2_dot
+        z12 = z1 * z1
+        z13 = z2 * (1.0 + (z5 + z12))
+        z14 = z2 * z2
+        z15 = z1 * (1.0 + (z6 + z14))
+        s1 = z8 + (z10 + z11) - (y3 * z9 + (y2 * z13 + (x + y1 * z15)))
+        z16 = s1 / z7
+        z17 = z9 + y3 * z16
+        z18 = z15 + y1 * z16
+        z19 = z13 + y2 * z16
         qddot: list[float] = [
             # x'' (III.3)
-            -(z17 - y3 * z25 + (z19 - y1 * z27 + (z18 - y2 * z26))),
+            -(z8 - y3 * z17 + (z10 - y1 * z18 + (z11 - y2 * z19))),
             # y1'' (III.3)
-            -y1 * z22,
+            -y1 * (1.0 + z12),
             # y2'' (III.3)
-            -y2 * z20,
+            -y2 * (1.0 + z14),
             # y3'' (III.3)
             -y3 * (1.0 + z3 * z3),
             # z1'' (III.3)
-            -z27,
+            -z18,
             # z2'' (III.3)
-            -z26,
+            -z19,
             # z3'' (III.3)
-            -z25,
+            -z17,
         ]
         return _finish("accelerations", qddot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -408,44 +374,23 @@ def reactions(
     z3_dot = float(y[12])
     try:
         # state
-        z4 = 1.0 + y1 * y1
+        z4 = y3 * y3
+        z5 = y2 * y2
+        z6 = y1 * y1
+        z7 = z4 + (z5 + (1.0 + z6))
         # the mass matrix is singular
-        if not abs(z4) > 0.0:
+        if not abs(z7) > 0.0:
             raise SingularModelError(2, "reactions")
-        z5 = 1.0 + y2 * y2
-        z6 = y1 * y2
-        z7 = 1.0 / z4
-        z8 = z6 * z7
-        z9 = z5 - z6 * z8
-        # the mass matrix is singular
-        if not abs(z9) > 1e-14 * z5:
-            raise SingularModelError(2, "reactions")
-        z10 = 1.0 + y3 * y3
-        z11 = y1 * y3
-        z12 = z11 * z7
-        z13 = y2 * y3 - z6 * z12
-        z14 = 1.0 / z9
-        z15 = z13 * z14
-        z16 = z10 - z11 * z12 - z13 * z15
-        # the mass matrix is singular
-        if not abs(z16) > 1e-14 * z10:
-            raise SingularModelError(2, "reactions")
-        z17 = y3_dot * z3_dot
-        z18 = y1_dot * z1_dot
-        z19 = y2_dot * z2_dot
-        s1 = y1 * (z17 + (z19 + (z18 - (x - y1 * z1))))
-        z20 = s1 + z1 * (1.0 + z2 * z2)
-        s2 = y2 * (z17 + (z19 + (z18 - (x - y2 * z2))))
-        z21 = s2 + z2 * (1.0 + z1 * z1) - z20 * z8
-        s3 = z3 + y3 * (z17 + (z19 + (z18 - (x - y3 * z3)))) - z20 * z12
-        z22 = s3 - z15 * z21
-        z23 = z22 / z16
-        z24 = z14 * z21 - z15 * z23
-        s4 = y3 * z23 + (y1 * (z20 * z7 - z8 * z24 - z12 * z23) + y2 * z24)
-        z25 = x - (z17 + (z18 + z19)) + s4
+        z8 = y3_dot * z3_dot + (y1_dot * z1_dot + y2_dot * z2_dot)
+        z9 = z3 * (1.0 + z4)
+        z10 = z2 * (1.0 + (z5 + z1 * z1))
+        z11 = z1 * (1.0 + (z6 + z2 * z2))
+        z12 = (z8 - (y3 * z9 + (y2 * z10 + (x + y1 * z11)))) / z7
+        s1 = y1 * (z11 + y1 * z12) + y2 * (z10 + y2 * z12)
+        z13 = y3 * (z9 + y3 * z12) + s1
         lambda_: list[float] = [
             # reaction of contact: Q_i gains lambda_1 a_1i (I.4.1) 13:5
-            z25,
+            x - z8 + z13,
         ]
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -484,7 +429,7 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
         z11 = y3 * z3_dot + (y1 * z1_dot + y2 * z2_dot)
         s2 = y2_dot * y2_dot + (y1_dot * y1_dot + z11 * z11)
         z12 = z2_dot * z2_dot + (z1_dot * z1_dot + (y3_dot * y3_dot + s2))
-        value1 = 0.5 * z10 + 0.5 * (z3_dot * z3_dot + z12)
+        value1 = 0.5 * (z10 + (z3_dot * z3_dot + z12))
         return _single("energy", value1)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
         raise SingularModelError(NOT_FINITE, "energy") from error
@@ -515,102 +460,90 @@ def jacobian(
     z3_dot = float(y[12])
     try:
         # state
-        z4 = y1 * y1
-        z5 = 1.0 + z4
-        # the mass matrix is singular
-        if not abs(z5) > 0.0:
-            raise SingularModelError(2, "jacobian")
-        z6 = y2 * y2
+        z4 = y3 * y3
+        z5 = y2 * y2
+        z6 = y1 * y1
         z7 = 1.0 + z6
-        z8 = y1 * y2
-        z9 = 1.0 / z5
-        z10 = z8 * z9
-        z11 = z7 - z8 * z10
+        z8 = z4 + (z5 + z7)
         # the mass matrix is singular
-        if not abs(z11) > 1e-14 * z7:
+        if not abs(z8) > 0.0:
             raise SingularModelError(2, "jacobian")
-        z12 = 1.0 + y3 * y3
-        z13 = y1 * y3
-        z14 = z13 * z9
-        z15 = y2 * y3 - z8 * z14
-        z16 = 1.0 / z11
-        z17 = z15 * z16
-        z18 = z12 - z13 * z14 - z15 * z17
-        # the mass matrix is singular
-        if not abs(z18) > 1e-14 * z12:
-            raise SingularModelError(2, "jacobian")
-        z19 = 1.0 + z1 * z1
-        z20 = y1 * z1
-        z21 = 1.0 + z2 * z2
-        z22 = y2 * z2
-        z23 = y3 * z3
-        z24 = y2 - y1 * z10
-        z25 = 1.0 / z18
-        z26 = z25 * (y3 - y1 * z14 - z17 * z24)
-        z27 = z16 * z24 - z17 * z26
-        z28 = y3_dot * z3_dot
-        z29 = y2_dot * z2_dot
-        z30 = y1_dot * z1_dot
-        z31 = z28 + (z29 + (z30 - (x - z20)))
-        z32 = y1 * z31 + z1 * z21
-        z33 = z28 + (z29 + (z30 - (x - z22)))
-        z34 = y2 * z33 + z2 * z19 - z32 * z10
-        z35 = z28 + (z29 + (z30 - (x - z23)))
-        z36 = z25 * (z3 + y3 * z35 - z32 * z14 - z17 * z34)
-        z37 = z16 * z34 - z17 * z36
-        z38 = z32 * z9 - z10 * z37 - z14 * z36
-        z39 = y1 * z38
-        z40 = y2 * z37
-        z41 = y3 * z36
-        z42 = 2.0 * z39 + (z40 + (z41 - (z20 + z31)))
-        z43 = y2 * z38 - z10 * z42
-        z44 = z25 * (y3 * z38 - z14 * z42 - z17 * z43)
-        z45 = z16 * z43 - z17 * z44
-        z46 = y1 * z37
-        z47 = 2.0 * z40 + (z39 + (z41 - (z22 + z33))) - z10 * z46
-        z48 = z25 * (y3 * z37 - z14 * z46 - z17 * z47)
-        z49 = z16 * z47 - z17 * z48
-        z50 = y1 * z36
-        z51 = y2 * z36 - z10 * z50
-        s1 = 2.0 * z41 + (z39 + (z40 - (z23 + z35))) - z14 * z50
-        z52 = z25 * (s1 - z17 * z51)
-        z53 = z16 * z51 - z17 * z52
-        z54 = z4 + z21
-        z55 = z1 * z2
-        z56 = 2.0 * z55 - z10 * z54
-        z57 = z25 * (z14 * z54 + z17 * z56)
-        z58 = z16 * z56 + z17 * z57
-        z59 = z6 + z19 - 2.0 * (z10 * z55)
-        z60 = z25 * (2.0 * (z14 * z55) + z17 * z59)
-        z61 = z16 * z59 + z17 * z60
-        z62 = z12 * z25
-        z63 = z17 * z62
-        z64 = y1 * z1_dot
-        z65 = y2 * z1_dot - z64 * z10
-        z66 = z25 * (y3 * z1_dot - z64 * z14 - z17 * z65)
-        z67 = z16 * z65 - z17 * z66
-        z68 = y1 * z2_dot
-        z69 = y2 * z2_dot - z10 * z68
-        z70 = z25 * (y3 * z2_dot - z14 * z68 - z17 * z69)
-        z71 = z16 * z69 - z17 * z70
-        z72 = y1 * z3_dot
-        z73 = y2 * z3_dot - z10 * z72
-        z74 = z25 * (y3 * z3_dot - z14 * z72 - z17 * z73)
-        z75 = z16 * z73 - z17 * z74
-        z76 = y1 * y1_dot
-        z77 = y2 * y1_dot - z10 * z76
-        z78 = z25 * (y3 * y1_dot - z14 * z76 - z17 * z77)
-        z79 = z16 * z77 - z17 * z78
-        z80 = y1 * y2_dot
-        z81 = y2 * y2_dot - z10 * z80
-        z82 = z25 * (y3 * y2_dot - z14 * z80 - z17 * z81)
-        z83 = z16 * z81 - z17 * z82
-        z84 = y1 * y3_dot
-        z85 = y2 * y3_dot - z10 * z84
-        z86 = z25 * (y3 * y3_dot - z14 * z84 - z17 * z85)
-        z87 = z16 * z85 - z17 * z86
+        z9 = z1 * z1
+        z10 = z2 * z2
+        z11 = 1.0 / z7
+        z12 = y1 * y2
+        z13 = z12 * z11
+        z14 = 1.0 / (1.0 + z5 - z12 * z13)
+        z15 = y2 - y1 * z13
+        z16 = y1 * y3
+        z17 = z16 * z11
+        z18 = y2 * y3 - z12 * z17
+        z19 = z18 * z14
+        z20 = 1.0 + z4
+        z21 = 1.0 / (z20 - z16 * z17 - z18 * z19)
+        z22 = z21 * (y3 - y1 * z17 - z19 * z15)
+        z23 = z14 * z15 - z19 * z22
+        z24 = 1.0 + (z5 + z9)
+        z25 = z2 * z24
+        z26 = y3_dot * z3_dot + (y1_dot * z1_dot + y2_dot * z2_dot)
+        z27 = z3 * z20
+        z28 = 1.0 + (z6 + z10)
+        z29 = z1 * z28
+        z30 = (z26 - (y3 * z27 + (y2 * z25 + (x + y1 * z29)))) / z8
+        z31 = z25 + y2 * z30
+        z32 = y2 * z31
+        z33 = z27 + y3 * z30
+        z34 = x - z26
+        z35 = y3 * z33 + z34
+        z36 = z29 + y1 * z30
+        z37 = z32 + z35 - 2.0 * (y1 * (z1 - z36))
+        z38 = y2 * z36 - z13 * z37
+        z39 = z21 * (y3 * z36 - z17 * z37 - z19 * z38)
+        z40 = z14 * z38 - z19 * z39
+        z41 = y1 * z31
+        z42 = y1 * z36
+        z43 = z42 + z35 - 2.0 * (y2 * (z2 - z31)) - z13 * z41
+        z44 = z21 * (y3 * z31 - z17 * z41 - z19 * z43)
+        z45 = z14 * z43 - z19 * z44
+        z46 = y1 * z33
+        z47 = y2 * z33 - z13 * z46
+        s1 = z42 + (z32 + z34) - 2.0 * (y3 * (z3 - z33)) - z17 * z46
+        z48 = z21 * (s1 - z19 * z47)
+        z49 = z14 * z47 - z19 * z48
+        z50 = z1 * z2
+        z51 = 2.0 * z50 - z13 * z28
+        z52 = z21 * (z17 * z28 + z19 * z51)
+        z53 = z14 * z51 + z19 * z52
+        z54 = z24 - 2.0 * (z13 * z50)
+        z55 = z21 * (2.0 * (z17 * z50) + z19 * z54)
+        z56 = z14 * z54 + z19 * z55
+        z57 = z20 * z21
+        z58 = z19 * z57
+        z59 = y1 * z1_dot
+        z60 = y2 * z1_dot - z59 * z13
+        z61 = z21 * (y3 * z1_dot - z59 * z17 - z19 * z60)
+        z62 = z14 * z60 - z19 * z61
+        z63 = y1 * z2_dot
+        z64 = y2 * z2_dot - z13 * z63
+        z65 = z21 * (y3 * z2_dot - z17 * z63 - z19 * z64)
+        z66 = z14 * z64 - z19 * z65
+        z67 = y1 * z3_dot
+        z68 = y2 * z3_dot - z13 * z67
+        z69 = z21 * (y3 * z3_dot - z17 * z67 - z19 * z68)
+        z70 = z14 * z68 - z19 * z69
+        z71 = y1 * y1_dot
+        z72 = y2 * y1_dot - z13 * z71
+        z73 = z21 * (y3 * y1_dot - z17 * z71 - z19 * z72)
+        z74 = z14 * z72 - z19 * z73
+        z75 = y1 * y2_dot
+        z76 = y2 * y2_dot - z13 * z75
+        z77 = z21 * (y3 * y2_dot - z17 * z75 - z19 * z76)
+        z78 = z14 * z76 - z19 * z77
+        z79 = y1 * y3_dot
+        z80 = y2 * y3_dot - z13 * z79
+        z81 = z21 * (y3 * y3_dot - z17 * z79 - z19 * z80)
+        z82 = z14 * z80 - z19 * z81
         J: list[float] = [
-            # (III.3)
             0.0,
             # (III.3)
             -z1_dot,
@@ -618,17 +551,11 @@ def jacobian(
             -z2_dot,
             # (III.3)
             -z3_dot,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
             # (III.3)
             -y1,
@@ -636,304 +563,175 @@ def jacobian(
             -y2,
             # (III.3)
             -y3,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
             # (III.3)
             1.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
             # (III.3)
             1.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
             # (III.3)
             1.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
             # (III.3)
             1.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
             # (III.3)
             1.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
             # (III.3)
             1.0,
-            # (III.3)
             0.0,
             # (III.3)
-            -z19,
-            # (III.3)
+            -(1.0 + z9),
+            0.0,
             0.0,
             # (III.3)
+            -2.0 * (y1 * z1),
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
             0.0,
             # (III.3)
-            -2.0 * z20,
-            # (III.3)
+            -(1.0 + z10),
+            0.0,
             0.0,
             # (III.3)
+            -2.0 * (y2 * z2),
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
-            -z21,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            -2.0 * z22,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
             0.0,
             # (III.3)
             -(1.0 + z3 * z3),
-            # (III.3)
+            0.0,
             0.0,
             # (III.3)
+            -2.0 * (y3 * z3),
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
             0.0,
             # (III.3)
-            -2.0 * z23,
+            y1 * z11 - z13 * z23 - z17 * z22,
             # (III.3)
-            0.0,
+            z11 * z37 - z13 * z40 - z17 * z39,
             # (III.3)
-            0.0,
+            z11 * z41 - z13 * z45 - z17 * z44,
             # (III.3)
-            0.0,
+            z11 * z46 - z13 * z49 - z17 * z48,
             # (III.3)
-            0.0,
+            -(z11 * z28 - z13 * z53 + z17 * z52),
             # (III.3)
-            0.0,
+            -(2.0 * (z11 * z50) - z13 * z56 + z17 * z55),
             # (III.3)
-            0.0,
+            z17 * z57 - z13 * z58,
             # (III.3)
-            y1 * z9 - z10 * z27 - z14 * z26,
+            z17 * z61 - (z59 * z11 - z13 * z62),
             # (III.3)
-            z9 * z42 - z10 * z45 - z14 * z44,
+            z17 * z65 - (z11 * z63 - z13 * z66),
             # (III.3)
-            z9 * z46 - z10 * z49 - z14 * z48,
+            z17 * z69 - (z11 * z67 - z13 * z70),
             # (III.3)
-            z9 * z50 - z10 * z53 - z14 * z52,
+            z17 * z73 - (z11 * z71 - z13 * z74),
             # (III.3)
-            -(z9 * z54 - z10 * z58 + z14 * z57),
+            z17 * z77 - (z11 * z75 - z13 * z78),
             # (III.3)
-            -(2.0 * (z9 * z55) - z10 * z61 + z14 * z60),
+            z17 * z81 - (z11 * z79 - z13 * z82),
             # (III.3)
-            z14 * z62 - z10 * z63,
+            z23,
             # (III.3)
-            z14 * z66 - (z64 * z9 - z10 * z67),
-            # (III.3)
-            z14 * z70 - (z9 * z68 - z10 * z71),
-            # (III.3)
-            z14 * z74 - (z9 * z72 - z10 * z75),
-            # (III.3)
-            z14 * z78 - (z9 * z76 - z10 * z79),
-            # (III.3)
-            z14 * z82 - (z9 * z80 - z10 * z83),
-            # (III.3)
-            z14 * z86 - (z9 * z84 - z10 * z87),
-            # (III.3)
-            z27,
+            z40,
             # (III.3)
             z45,
             # (III.3)
             z49,
             # (III.3)
-            z53,
+            -z53,
             # (III.3)
-            -z58,
+            -z56,
             # (III.3)
-            -z61,
-            # (III.3)
-            z63,
-            # (III.3)
-            -z67,
-            # (III.3)
-            -z71,
-            # (III.3)
-            -z75,
-            # (III.3)
-            -z79,
-            # (III.3)
-            -z83,
-            # (III.3)
-            -z87,
-            # (III.3)
-            z26,
-            # (III.3)
-            z44,
-            # (III.3)
-            z48,
-            # (III.3)
-            z52,
-            # (III.3)
-            z57,
-            # (III.3)
-            z60,
+            z58,
             # (III.3)
             -z62,
             # (III.3)
@@ -947,7 +745,31 @@ def jacobian(
             # (III.3)
             -z82,
             # (III.3)
-            -z86,
+            z22,
+            # (III.3)
+            z39,
+            # (III.3)
+            z44,
+            # (III.3)
+            z48,
+            # (III.3)
+            z52,
+            # (III.3)
+            z55,
+            # (III.3)
+            -z57,
+            # (III.3)
+            -z61,
+            # (III.3)
+            -z65,
+            # (III.3)
+            -z69,
+            # (III.3)
+            -z73,
+            # (III.3)
+            -z77,
+            # (III.3)
+            -z81,
         ]
         _finish("jacobian", J)
         return [J[k1 : k1 + 13] for k1 in range(0, 169, 13)]

@@ -1,4 +1,4 @@
-"""chaplygin_ball, emitted by nhc 0.1.0 (nhc:ba01dedf98154a02).
+"""chaplygin_ball, emitted by nhc 0.1.0 (nhc:29287133110cdd8e).
 
 A ball with three different moments of inertia and its centre of mass at its centre
     rolls on a horizontal plane.
@@ -33,15 +33,15 @@ out[1] = K2
 out[2] = K3
 
 Operations:
-rhs: 23 +-, 55 *, 4 /, 6 calls
-velocities: 5 +-, 17 *, 1 /, 6 calls
-accelerations: 41 +-, 87 *, 5 /, 6 calls
-state: 3 +-, 7 *, 0 /, 4 calls
-residuals: 4 +-, 8 *, 0 /, 3 calls
-reactions: 26 +-, 62 *, 3 /, 6 calls
-energy: 11 +-, 25 *, 0 /, 4 calls
-jacobian: 90 +-, 234 *, 5 /, 6 calls
-outputs: 8 +-, 19 *, 0 /, 4 calls
+rhs: 23 +-, 53 *, 4 /, 6 calls
+velocities: 5 +-, 16 *, 1 /, 6 calls
+accelerations: 40 +-, 85 *, 5 /, 6 calls
+state: 3 +-, 6 *, 0 /, 4 calls
+residuals: 4 +-, 7 *, 0 /, 3 calls
+reactions: 26 +-, 57 *, 3 /, 6 calls
+energy: 11 +-, 22 *, 0 /, 4 calls
+jacobian: 78 +-, 195 *, 5 /, 6 calls
+outputs: 8 +-, 18 *, 0 /, 4 calls
 
 A singular point raises SingularModelError.
 """
@@ -124,52 +124,54 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         c_psi = math.cos(psi)
         z3 = I2 + k1 * (1.0 - c_psi * c_psi * z1)
         z4 = k1 * z1
-        z5 = c_psi * (s_psi * z4)
+        z5 = s_psi * c_psi * z4
         z6 = 1.0 / z2
-        z7 = z5 * z6
+        z7 = z6 * z5
         z8 = z3 - z5 * z7
         # the mass matrix is singular
         if not abs(z8) > 1e-14 * z3:
             raise SingularModelError(2, "rhs")
         z9 = I3 + z4
         c_theta = math.cos(theta)
-        z10 = s_theta * k1
-        z11 = c_theta * (s_psi * z10)
-        z12 = z11 * z6
-        z13 = c_theta * (c_psi * z10) + z5 * z12
+        z10 = c_theta * (s_theta * k1)
+        z11 = s_psi * z10
+        z12 = z6 * z11
+        z13 = c_psi * z10 + z5 * z12
         z14 = 1.0 / z8
         z15 = z13 * z14
         z16 = z9 - z11 * z12 - z13 * z15
         # the mass matrix is singular
         if not abs(z16) > 1e-14 * z9:
             raise SingularModelError(2, "rhs")
-        c_phi = math.cos(phi)
-        z17 = 1.0 / s_theta
-        z18 = (c_psi * w2 + s_psi * w1) * z17
-        z19 = w3 - c_theta * z18
         s_phi = math.sin(phi)
-        z20 = z17 * (s_theta * c_psi * w1 - s_theta * s_psi * w2)
-        z21 = w2 * w3 * k2
-        z22 = w1 * w3 * k3 - z21 * z7
-        z23 = (w1 * w2 * k4 + z21 * z12 - z15 * z22) / z16
-        z24 = z14 * z22 - z15 * z23
+        z17 = 1.0 / s_theta
+        z18 = z17 * (s_theta * c_psi * w1 - s_theta * s_psi * w2)
+        z19 = a * z18
+        c_phi = math.cos(phi)
+        z20 = z17 * (c_psi * w2 + s_psi * w1)
+        z21 = w3 - c_theta * z20
+        z22 = a * (s_theta * z21)
+        z23 = w2 * w3 * k2
+        z24 = w1 * w3 * k3 - z23 * z7
+        z25 = (w1 * w2 * k4 + z23 * z12 - z15 * z24) / z16
+        z26 = z14 * z24 - z15 * z25
         dydt: list[float] = [
             # x' (I.2.15)
-            -a * (s_theta * c_phi * z19 - s_phi * z20),
+            s_phi * z19 - c_phi * z22,
             # y' (I.2.15)
-            -a * (s_theta * s_phi * z19 + c_phi * z20),
+            -(c_phi * z19 + s_phi * z22),
             # phi' (I.2.15)
-            z18,
-            # theta' (I.2.15)
             z20,
+            # theta' (I.2.15)
+            z18,
             # psi' (I.2.15)
-            z19,
+            z21,
             # w1' (I.2.15) 25:4
-            z21 * z6 - z7 * z24 + z12 * z23,
+            z23 * z6 - z7 * z26 + z12 * z25,
             # w2' (I.2.15) 25:4
-            -z24,
+            -z26,
             # w3' (I.2.15) 25:4
-            z23,
+            z25,
         ]
         return _finish("rhs", dydt)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -199,26 +201,28 @@ def velocities(
         # the coframe is singular
         if not abs(s_theta) > 1e-12 * 4.0:
             raise SingularModelError(1, "velocities")
-        c_phi = math.cos(phi)
-        c_theta = math.cos(theta)
+        s_phi = math.sin(phi)
+        z1 = 1.0 / s_theta
         c_psi = math.cos(psi)
         s_psi = math.sin(psi)
-        z1 = 1.0 / s_theta
-        z2 = (c_psi * w2 + s_psi * w1) * z1
-        z3 = w3 - c_theta * z2
-        s_phi = math.sin(phi)
-        z4 = z1 * (s_theta * c_psi * w1 - s_theta * s_psi * w2)
+        z2 = z1 * (s_theta * c_psi * w1 - s_theta * s_psi * w2)
+        z3 = a * z2
+        c_phi = math.cos(phi)
+        c_theta = math.cos(theta)
+        z4 = z1 * (c_psi * w2 + s_psi * w1)
+        z5 = w3 - c_theta * z4
+        z6 = s_theta * (a * z5)
         qdot: list[float] = [
             # x' (I.2.4)
-            -a * (s_theta * c_phi * z3 - s_phi * z4),
+            s_phi * z3 - c_phi * z6,
             # y' (I.2.4)
-            -a * (s_theta * s_phi * z3 + c_phi * z4),
+            -(c_phi * z3 + s_phi * z6),
             # phi' (I.2.4)
-            z2,
-            # theta' (I.2.4)
             z4,
+            # theta' (I.2.4)
+            z2,
             # psi' (I.2.4)
-            z3,
+            z5,
         ]
         return _finish("velocities", qdot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -266,67 +270,68 @@ def accelerations(
         c_psi = math.cos(psi)
         z3 = I2 + k1 * (1.0 - c_psi * c_psi * z1)
         z4 = k1 * z1
-        z5 = c_psi * (s_psi * z4)
+        z5 = s_psi * c_psi * z4
         z6 = 1.0 / z2
-        z7 = z5 * z6
+        z7 = z6 * z5
         z8 = z3 - z5 * z7
         # the mass matrix is singular
         if not abs(z8) > 1e-14 * z3:
             raise SingularModelError(2, "accelerations")
         z9 = I3 + z4
         c_theta = math.cos(theta)
-        z10 = s_theta * k1
-        z11 = c_theta * (s_psi * z10)
-        z12 = z11 * z6
-        z13 = c_theta * (c_psi * z10) + z5 * z12
+        z10 = c_theta * (s_theta * k1)
+        z11 = s_psi * z10
+        z12 = z6 * z11
+        z13 = c_psi * z10 + z5 * z12
         z14 = 1.0 / z8
         z15 = z13 * z14
         z16 = z9 - z11 * z12 - z13 * z15
         # the mass matrix is singular
         if not abs(z16) > 1e-14 * z9:
             raise SingularModelError(2, "accelerations")
-        z17 = c_psi * w2 + s_psi * w1
-        z18 = 1.0 / s_theta
-        z19 = z17 * z18
-        z20 = w3 - c_theta * z19
+        z17 = 1.0 / s_theta
+        z18 = s_theta * c_psi
+        z19 = s_theta * s_psi
+        z20 = z18 * w1 - z19 * w2
+        z21 = z17 * z20
+        z22 = a * z21
         c_phi = math.cos(phi)
-        z21 = s_theta * c_psi
-        z22 = s_theta * s_psi
-        z23 = z21 * w1 - z22 * w2
-        z24 = z18 * z23
-        z25 = c_theta * z24
+        z23 = c_psi * w2 + s_psi * w1
+        z24 = z17 * z23
+        z25 = c_phi * z24
         s_phi = math.sin(phi)
-        z26 = s_phi * z19
-        z27 = w2 * w3 * k2
-        z28 = w1 * w3 * k3 - z27 * z7
-        z29 = (w1 * w2 * k4 + z27 * z12 - z15 * z28) / z16
-        z30 = z25 / (s_theta * s_theta)
-        z31 = s_psi * z20
-        z32 = z14 * z28 - z15 * z29
-        z33 = c_psi * z20
-        z34 = z27 * z6 - z7 * z32 + z12 * z29
-        s1 = z18 * (w2 * z31 + c_psi * z32 - (w1 * z33 + s_psi * z34))
-        z35 = z17 * z30 + s1
-        z36 = z29 + (z19 * z23 + c_theta * z35)
-        z37 = c_phi * z19
-        s2 = w1 * (c_psi * z25 - s_theta * z31) + z21 * z34
-        z38 = s2 - (w2 * (s_psi * z25 + s_theta * z33) - z22 * z32)
-        z39 = z23 * z30 - z18 * z38
-        s3 = z20 * (c_phi * z25 - s_theta * z26) + s_theta * c_phi * z36
-        z40 = s3 - (z24 * z37 - s_phi * z39)
-        s4 = z20 * (s_phi * z25 + s_theta * z37) + s_theta * s_phi * z36
-        z41 = s4 - (z24 * z26 + c_phi * z39)
+        z26 = c_theta * z21
+        z27 = z26 / (s_theta * s_theta)
+        z28 = w3 - c_theta * z24
+        z29 = s_psi * z28
+        z30 = w2 * w3 * k2
+        z31 = w1 * w3 * k3 - z30 * z7
+        z32 = (w1 * w2 * k4 + z30 * z12 - z15 * z31) / z16
+        z33 = z14 * z31 - z15 * z32
+        z34 = z30 * z6 - z7 * z33 + z12 * z32
+        z35 = c_psi * z28
+        s1 = w1 * (c_psi * z26 - s_theta * z29) + z18 * z34
+        z36 = s1 - (w2 * (s_psi * z26 + s_theta * z35) - z19 * z33)
+        z37 = z20 * z27 - z17 * z36
+        z38 = a * z37
+        z39 = a * z28
+        z40 = s_theta * z39
+        z41 = s_phi * z24
+        s2 = z17 * (w2 * z29 + c_psi * z33 - (w1 * z35 + s_psi * z34))
+        z42 = z23 * z27 + s2
+        z43 = z32 + (z24 * z20 + c_theta * z42)
+        z44 = z39 * z26 + a * (s_theta * z43)
         qddot: list[float] = [
             # x'' (I.2.15)
-            -a * z40,
+            z22 * z25 - s_phi * z38 + (z40 * z41 - c_phi * z44),
             # y'' (I.2.15)
-            -a * z41,
+            z22 * z41 + c_phi * z38 - (z40 * z25 + s_phi * z44),
             # phi'' (I.2.15)
-            -z35,
+            -z42,
             # theta'' (I.2.15)
-            -z39,
+            -z37,
             # psi'' (I.2.15)
-            z36,
+            z43,
         ]
         return _finish("accelerations", qddot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -354,9 +359,10 @@ def state(
     psi_dot = float(qdot[4])
     try:
         # state
-        s_theta = math.sin(theta)
-        s_psi = math.sin(psi)
         c_psi = math.cos(psi)
+        s_psi = math.sin(psi)
+        s_theta = math.sin(theta)
+        z1 = phi_dot * s_theta
         c_theta = math.cos(theta)
         y: list[float] = [
             x,
@@ -364,8 +370,8 @@ def state(
             phi,
             theta,
             psi,
-            phi_dot * (s_theta * s_psi) + theta_dot * c_psi,
-            phi_dot * (s_theta * c_psi) - theta_dot * s_psi,
+            theta_dot * c_psi + s_psi * z1,
+            c_psi * z1 - theta_dot * s_psi,
             psi_dot + phi_dot * c_theta,
         ]
         return _finish("state", y)
@@ -394,15 +400,14 @@ def residuals(
     try:
         # state
         s_phi = math.sin(phi)
-        s_theta = math.sin(theta)
         c_phi = math.cos(phi)
-        s1 = a * (theta_dot * s_phi - psi_dot * (s_theta * c_phi))
-        s2 = a * (theta_dot * c_phi + psi_dot * (s_theta * s_phi))
+        s_theta = math.sin(theta)
+        z1 = psi_dot * s_theta
         r: list[float] = [
             # roll_x = 0 (I.1.1) 27:5
-            x_dot - s1,
+            x_dot - a * (theta_dot * s_phi - c_phi * z1),
             # roll_y = 0 (I.1.1) 28:5
-            y_dot + s2,
+            y_dot + a * (theta_dot * c_phi + s_phi * z1),
         ]
         return _finish("residuals", r)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -434,10 +439,10 @@ def reactions(
     try:
         # parameters only
         k1 = m * (a * a)
-        k2 = I2 - I3
-        k3 = I1 - I3
-        k4 = I1 - I2
-        k5 = m * a
+        k2 = m * a
+        k3 = I2 - I3
+        k4 = I1 - I3
+        k5 = I1 - I2
         # state
         s_theta = math.sin(theta)
         # the coframe is singular
@@ -452,44 +457,45 @@ def reactions(
         c_psi = math.cos(psi)
         z3 = I2 + k1 * (1.0 - c_psi * c_psi * z1)
         z4 = k1 * z1
-        z5 = c_psi * (s_psi * z4)
+        z5 = s_psi * c_psi * z4
         z6 = 1.0 / z2
-        z7 = z5 * z6
+        z7 = z6 * z5
         z8 = z3 - z5 * z7
         # the mass matrix is singular
         if not abs(z8) > 1e-14 * z3:
             raise SingularModelError(2, "reactions")
         z9 = I3 + z4
         c_theta = math.cos(theta)
-        z10 = s_theta * k1
-        z11 = c_theta * (s_psi * z10)
-        z12 = z11 * z6
-        z13 = c_theta * (c_psi * z10) + z5 * z12
-        z14 = 1.0 / z8
-        z15 = z13 * z14
-        z16 = z9 - z11 * z12 - z13 * z15
+        z10 = s_psi * c_theta
+        z11 = s_theta * k1
+        z12 = z10 * z11
+        z13 = z6 * z12
+        z14 = c_psi * c_theta
+        z15 = z14 * z11 + z5 * z13
+        z16 = 1.0 / z8
+        z17 = z16 * z15
+        z18 = z9 - z12 * z13 - z15 * z17
         # the mass matrix is singular
-        if not abs(z16) > 1e-14 * z9:
+        if not abs(z18) > 1e-14 * z9:
             raise SingularModelError(2, "reactions")
         c_phi = math.cos(phi)
-        z17 = s_theta * k5
-        z18 = w2 * w3 * k2
-        z19 = w1 * w3 * k3 - z18 * z7
-        z20 = (w1 * w2 * k4 + z18 * z12 - z15 * z19) / z16
+        z19 = w2 * w3 * k3
+        z20 = w1 * w3 * k4 - z19 * z7
+        z21 = (w1 * w2 * k5 + z19 * z13 - z20 * z17) / z18
+        z22 = s_theta * k2 * z21
         s_phi = math.sin(phi)
-        z21 = s_psi * c_theta
-        z22 = z14 * z19 - z15 * z20
-        z23 = z18 * z6 - z7 * z22 + z12 * z20
-        z24 = c_psi * c_theta
-        s1 = k5 * (c_psi * s_phi + c_phi * z21) * z23
-        z25 = s1 + k5 * (s_psi * s_phi - c_phi * z24) * z22
-        s2 = k5 * (c_psi * c_phi - s_phi * z21) * z23
-        z26 = s2 + k5 * (s_psi * c_phi + s_phi * z24) * z22
+        z23 = z16 * z20 - z17 * z21
+        z24 = k2 * (z19 * z6 - z7 * z23 + z13 * z21)
+        z25 = k2 * z23
+        s1 = (c_psi * s_phi + c_phi * z10) * z24
+        z26 = c_phi * z22 - (s1 + (s_psi * s_phi - c_phi * z14) * z25)
+        s2 = (c_psi * c_phi - s_phi * z10) * z24
+        z27 = s_phi * z22 + (s2 + (s_psi * c_phi + s_phi * z14) * z25)
         lambda_: list[float] = [
             # reaction of roll_x: Q_i gains lambda_1 a_1i (I.4.1) 27:5
-            z25 - c_phi * z17 * z20,
+            -z26,
             # reaction of roll_y: Q_i gains lambda_2 a_2i (I.4.1) 28:5
-            -(s_phi * z17 * z20 + z26),
+            -z27,
         ]
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -516,21 +522,20 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
         # parameters only
         k1 = m * (a * a)
         # state
-        s_theta = math.sin(theta)
-        s_psi = math.sin(psi)
-        z1 = w1 * w1
-        z2 = 0.5 * z1
+        z1 = w3 * w3
+        z2 = w1 * w1
         z3 = w2 * w2
-        z4 = 0.5 * z3
+        s_theta = math.sin(theta)
         c_psi = math.cos(psi)
-        z5 = w3 * w3
+        z4 = c_psi * w2
+        s_psi = math.sin(psi)
         c_theta = math.cos(theta)
-        s1 = s_psi * (s_psi * (z2 - z4) + w2 * (c_psi * w1))
-        s2 = (c_psi * w2 + s_psi * w1) * (c_theta * w3)
-        z6 = s_theta * (s1 - (0.5 * z5 - z4)) + s2
-        s3 = 0.5 * (I3 * z5) + (0.5 * (I1 * z1) + 0.5 * (I2 * z3))
-        z7 = k1 * (s_theta * z6 - (z2 + z4)) - s3
-        value1 = -z7
+        s1 = s_psi * (0.5 * (s_psi * (z2 - z3)) + w1 * z4)
+        s2 = (z4 + s_psi * w1) * (c_theta * w3)
+        z5 = s2 - s_theta * (0.5 * (z1 - z3) - s1)
+        s3 = 0.5 * (I3 * z1 + (I1 * z2 + I2 * z3))
+        z6 = s3 + k1 * (0.5 * (z2 + z3) - s_theta * z5)
+        value1 = z6
         return _single("energy", value1)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
         raise SingularModelError(NOT_FINITE, "energy") from error
@@ -609,204 +614,178 @@ def jacobian(
         z26 = a * (z22 * z25)
         s_phi = math.sin(phi)
         z27 = c_psi * w2 + s_psi * w1
-        z28 = z27 * z22
-        z29 = a * (w3 - c_theta * z28)
-        z30 = s_theta * z29
-        z31 = a * (s_theta * c_phi)
-        z32 = 1.0 / (s_theta * s_theta)
-        z33 = a * s_phi
-        z34 = c_theta * z31
-        z35 = z33 * z22
-        z36 = w1 * z35
-        z37 = w2 * z35
-        s1 = z32 * (z33 * z25 + z27 * z34) + c_phi * z29 - c_psi * z36
-        z38 = c_theta * (s1 + s_psi * z37)
-        z39 = z22 * z34
-        z40 = a * (s_theta * s_phi)
-        z41 = a * c_phi
-        z42 = c_theta * z40
-        z43 = z41 * z22
-        z44 = w1 * z43
-        z45 = w2 * z43
-        s2 = z32 * (z41 * z25 - z27 * z42) - s_phi * z29 - c_psi * z44
-        z46 = c_theta * (s2 + s_psi * z45)
-        z47 = z22 * z42
-        z48 = s_psi * (w2 * z22)
-        z49 = c_psi * (w1 * z22)
-        z50 = c_theta * z22
+        z28 = a * (w3 - z27 * (c_theta * z22))
+        z29 = s_theta * z28
+        z30 = c_theta / (s_theta * s_theta)
+        z31 = s_psi * w2 - c_psi * w1
+        z32 = z25 * z30 + z22 * (c_theta * z31)
+        z33 = a * z32
+        z34 = a * s_theta
+        z35 = z27 * z30
+        z36 = z27 + c_theta * z35
+        z37 = c_theta * z28 + z34 * z36
+        z38 = z22 * (z24 * w1 + z23 * w2)
+        z39 = a * z38
+        z40 = z22 * z31
+        z41 = c_theta * z40
+        z42 = z34 * z41
+        z43 = a * c_psi
+        z44 = s_psi * z22
+        z45 = c_theta * z44
+        z46 = z45 * z34
+        z47 = a * s_psi
+        z48 = c_psi * z22
+        z49 = c_theta * z48
+        z50 = z49 * z34
         z51 = 1.0 / z21
-        z52 = w2 * w3 * k2
-        z53 = w1 * w3 * k3 - z52 * z10
-        z54 = z51 * (w1 * w2 * k4 + z52 * z16 - z20 * z53)
-        z55 = c_theta * z54
-        z56 = z19 * z53 - z20 * z54
-        z57 = c_psi * z56
-        z58 = z52 * z9 - z10 * z56 + z16 * z54
-        z59 = k1 * z58
-        s3 = 2.0 * (s_theta * (k1 * (s_psi * z57) - z1 * z59))
-        z60 = s_theta * (z14 * z54) - c_theta * (k1 * (s_psi * z55) - s3)
-        z61 = k1 * z56
-        z62 = c_psi * z58
-        s4 = 2.0 * (s_theta * (z4 * z61 - k1 * (s_psi * z62)))
-        z63 = s_theta * (z17 * z54) - c_theta * (k1 * (c_psi * z55) - s4)
-        z64 = z63 + z10 * z60
-        z65 = c_theta * z56
-        z66 = c_theta * z58
-        s5 = k1 * (c_psi * z65 - s_psi * z66)
-        s6 = c_theta * (s5 + 2.0 * (s_theta * (k1 * z54)))
-        z67 = s_theta * (z17 * z56 - z14 * z58) - s6
-        z68 = z51 * (z67 - z16 * z60 - z20 * z64)
-        z69 = z19 * z64 - z20 * z68
-        z70 = z13 * z55
-        s7 = c_psi * (z70 - z6 * z57 + 2.0 * (s_psi * (z2 * z59)))
-        z71 = s_psi * (z7 * z56) + s7
-        s8 = s_psi * (z70 + z7 * z58 - 2.0 * (c_psi * (z2 * z61)))
-        z72 = s8 - c_psi * (z6 * z62) - z10 * z71
-        s9 = s_psi * (z13 * z65) + c_psi * (z13 * z66) + z16 * z71
-        z73 = z51 * (s9 - z20 * z72)
-        z74 = z19 * z72 - z20 * z73
-        z75 = w3 * k3
-        z76 = z51 * (w2 * k4 - z20 * z75)
-        z77 = z19 * z75 - z20 * z76
-        z78 = w3 * k2
-        z79 = z10 * z78
-        z80 = z51 * (w1 * k4 + z16 * z78 + z20 * z79)
-        z81 = z19 * z79 + z20 * z80
-        z82 = w2 * k2
-        z83 = w1 * k3 - z10 * z82
-        z84 = z51 * (z16 * z82 - z20 * z83)
-        z85 = z19 * z83 - z20 * z84
-        s10 = c_psi * (w1 * z39 - s_theta * z37)
-        s11 = c_psi * (w1 * z47 + s_theta * z45)
+        z52 = w1 * k4
+        z53 = w2 * k2
+        z54 = w3 * z53
+        z55 = w1 * k3
+        z56 = w3 * z55 - z10 * z54
+        z57 = z51 * (w2 * z52 + z16 * z54 - z20 * z56)
+        z58 = s_theta * z57
+        z59 = c_theta * z57
+        z60 = s_psi * k1
+        z61 = z19 * z56 - z20 * z57
+        z62 = c_psi * z61
+        z63 = z9 * z54 - z10 * z61 + z16 * z57
+        z64 = k1 * z63
+        s1 = z59 * z60 - 2.0 * (s_theta * (z62 * z60 - z1 * z64))
+        z65 = z14 * z58 - c_theta * s1
+        z66 = k1 * z61
+        z67 = c_psi * z63
+        s2 = 2.0 * (s_theta * (z4 * z66 - z60 * z67))
+        z68 = z17 * z58 - c_theta * (k1 * (c_psi * z59) - s2)
+        z69 = z68 + z10 * z65
+        z70 = c_theta * z61
+        z71 = c_theta * z63
+        s3 = k1 * (c_psi * z70 - s_psi * z71) + 2.0 * (k1 * z58)
+        z72 = s_theta * (z17 * z61 - z14 * z63) - c_theta * s3
+        z73 = z51 * (z72 - z16 * z65 - z20 * z69)
+        z74 = z19 * z69 - z20 * z73
+        z75 = z13 * z59
+        s4 = c_psi * (z75 - z6 * z62 + 2.0 * (z64 * (s_psi * z2)))
+        z76 = z61 * (s_psi * z7) + s4
+        s5 = s_psi * (z75 + z7 * z63 - 2.0 * (z66 * (c_psi * z2)))
+        z77 = s5 - z67 * (c_psi * z6) - z10 * z76
+        z78 = z51 * (z14 * z70 + z17 * z71 + z16 * z76 - z20 * z77)
+        z79 = z19 * z77 - z20 * z78
+        z80 = w3 * k3
+        z81 = z51 * (w2 * k4 - z20 * z80)
+        z82 = z19 * z80 - z20 * z81
+        z83 = w3 * k2
+        z84 = z10 * z83
+        z85 = z51 * (z52 + z16 * z83 + z20 * z84)
+        z86 = z19 * z84 + z20 * z85
+        z87 = z55 - z10 * z53
+        z88 = z51 * (z16 * z53 - z20 * z87)
+        z89 = z19 * z87 - z20 * z88
         J: list[float] = [
-            # (I.2.15)
+            0.0,
             0.0,
             # (I.2.15)
+            c_phi * z26 + s_phi * z29,
+            # (I.2.15)
+            -(s_phi * z33 + c_phi * z37),
+            # (I.2.15)
+            -(s_phi * z39 + c_phi * z42),
+            # (I.2.15)
+            s_phi * z43 + c_phi * z46,
+            # (I.2.15)
+            c_phi * z50 - s_phi * z47,
+            # (I.2.15)
+            -c_phi * z34,
+            0.0,
             0.0,
             # (I.2.15)
-            c_phi * z26 + s_phi * z30,
+            s_phi * z26 - c_phi * z29,
             # (I.2.15)
-            -(s_theta * (z31 * z28) + z38),
+            c_phi * z33 - s_phi * z37,
             # (I.2.15)
-            s10 - s_psi * (w2 * z39 + s_theta * z36),
+            c_phi * z39 - s_phi * z42,
             # (I.2.15)
-            z23 * z35 + s_psi * z39,
+            s_phi * z46 - c_phi * z43,
             # (I.2.15)
-            c_psi * z39 - z24 * z35,
+            c_phi * z47 + s_phi * z50,
             # (I.2.15)
-            -z31,
-            # (I.2.15)
+            -s_phi * z34,
+            0.0,
+            0.0,
             0.0,
             # (I.2.15)
-            0.0,
-            # (I.2.15)
-            s_phi * z26 - c_phi * z30,
-            # (I.2.15)
-            z46 - s_theta * (z40 * z28),
-            # (I.2.15)
-            s11 - s_psi * (w2 * z47 - s_theta * z44),
-            # (I.2.15)
-            s_psi * z47 - z23 * z43,
-            # (I.2.15)
-            z24 * z43 + c_psi * z47,
+            -z35,
             # (I.2.15)
             -z40,
             # (I.2.15)
+            z44,
+            # (I.2.15)
+            z48,
+            0.0,
+            0.0,
+            0.0,
             0.0,
             # (I.2.15)
-            0.0,
+            -z32,
             # (I.2.15)
-            0.0,
-            # (I.2.15)
-            -c_theta * (z27 * z32),
-            # (I.2.15)
-            z49 - z48,
-            # (I.2.15)
-            s_psi * z22,
-            # (I.2.15)
-            c_psi * z22,
-            # (I.2.15)
-            0.0,
-            # (I.2.15)
-            0.0,
-            # (I.2.15)
-            0.0,
-            # (I.2.15)
-            0.0,
-            # (I.2.15)
-            -c_theta * (z48 - (z49 - z25 * z32)),
-            # (I.2.15)
-            -z27,
+            -z38,
             # (I.2.15)
             c_psi,
             # (I.2.15)
             -s_psi,
-            # (I.2.15)
+            0.0,
+            0.0,
+            0.0,
             0.0,
             # (I.2.15)
-            0.0,
+            z36,
             # (I.2.15)
-            0.0,
+            z41,
             # (I.2.15)
-            0.0,
+            -z45,
             # (I.2.15)
-            z27 + c_theta * (z32 * (c_theta * z27)),
-            # (I.2.15)
-            s_psi * (w2 * z50) - c_psi * (w1 * z50),
-            # (I.2.15)
-            -s_psi * z50,
-            # (I.2.15)
-            -c_psi * z50,
+            -z49,
             # (I.2.15)
             1.0,
-            # (I.2.15)
+            0.0,
+            0.0,
             0.0,
             # (I.2.15)
+            z16 * z73 - (z9 * z65 + z10 * z74),
+            # (I.2.15)
+            z9 * z76 - z10 * z79 + z16 * z78,
+            # (I.2.15)
+            z16 * z81 - z10 * z82,
+            # (I.2.15)
+            z9 * z83 + z10 * z86 + z16 * z85,
+            # (I.2.15)
+            z9 * z53 - z10 * z89 + z16 * z88,
             0.0,
-            # (I.2.15)
             0.0,
-            # (I.2.15)
-            z16 * z68 - (z9 * z60 + z10 * z69),
-            # (I.2.15)
-            z9 * z71 - z10 * z74 + z16 * z73,
-            # (I.2.15)
-            z16 * z76 - z10 * z77,
-            # (I.2.15)
-            z9 * z78 + z10 * z81 + z16 * z80,
-            # (I.2.15)
-            z9 * z82 - z10 * z85 + z16 * z84,
-            # (I.2.15)
             0.0,
-            # (I.2.15)
-            0.0,
-            # (I.2.15)
-            0.0,
-            # (I.2.15)
-            -z69,
             # (I.2.15)
             -z74,
             # (I.2.15)
-            -z77,
+            -z79,
             # (I.2.15)
-            z81,
+            -z82,
             # (I.2.15)
-            -z85,
+            z86,
             # (I.2.15)
+            -z89,
             0.0,
-            # (I.2.15)
             0.0,
-            # (I.2.15)
             0.0,
-            # (I.2.15)
-            z68,
             # (I.2.15)
             z73,
             # (I.2.15)
-            z76,
+            z78,
             # (I.2.15)
-            z80,
+            z81,
             # (I.2.15)
-            z84,
+            z85,
+            # (I.2.15)
+            z88,
         ]
         _finish("jacobian", J)
         return [J[k5 : k5 + 8] for k5 in range(0, 64, 8)]
@@ -842,14 +821,14 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
         c_theta = math.cos(theta)
         c_psi = math.cos(psi)
         z1 = c_psi * w2 + s_psi * w1
-        z2 = c_theta * w3 + s_theta * z1
+        z2 = s_theta * (c_theta * w3 + s_theta * z1)
         out: list[float] = [
             # K1 35:7
-            k1 * (w1 - s_theta * s_psi * z2) + I1 * w1,
+            I1 * w1 + k1 * (w1 - s_psi * z2),
             # K2 36:7
-            k1 * (w2 - s_theta * c_psi * z2) + I2 * w2,
+            I2 * w2 + k1 * (w2 - c_psi * z2),
             # K3 37:7
-            I3 * w3 - s_theta * k1 * (c_theta * z1 - s_theta * w3),
+            I3 * w3 + k1 * (s_theta * (s_theta * w3 - c_theta * z1)),
         ]
         return _finish("outputs", out)
     except (ValueError, ZeroDivisionError, OverflowError) as error:

@@ -1,5 +1,5 @@
 /*
- * chaplygin_sleigh.c: chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:e75747a95ac2de52)
+ * chaplygin_sleigh.c: chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:7b0c1c63c6eea864)
  * A rigid body on a knife edge; the centre of mass is a distance a ahead of the edge.
  * Source: chaplygin_sleigh.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -10,6 +10,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <string.h>
 
 const char *const chaplygin_sleigh_coordinate_names[] = {
     "x",
@@ -43,10 +44,129 @@ static int chaplygin_sleigh_finish(int count, const double *values)
     return fabs(sum) <= DBL_MAX ? CHAPLYGIN_SLEIGH_OK : CHAPLYGIN_SLEIGH_NOT_FINITE;
 }
 
+/* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
+#ifndef CHAPLYGIN_SLEIGH_LANES
+#if !defined(__GNUC__)
+#define CHAPLYGIN_SLEIGH_LANES 1
+#elif defined(__AVX512F__)
+#define CHAPLYGIN_SLEIGH_LANES 8
+#elif defined(__AVX__)
+#define CHAPLYGIN_SLEIGH_LANES 4
+#else
+#define CHAPLYGIN_SLEIGH_LANES 2
+#endif
+#endif
+#if CHAPLYGIN_SLEIGH_LANES > 1
+typedef double chaplygin_sleigh_lanes __attribute__((vector_size(8 * CHAPLYGIN_SLEIGH_LANES)));
+#else
+typedef double chaplygin_sleigh_lanes;
+#endif
+
+#if CHAPLYGIN_SLEIGH_LANES >= 2
+static inline chaplygin_sleigh_lanes chaplygin_sleigh_get(const double *from)
+{
+    chaplygin_sleigh_lanes value;
+    memcpy(&value, from, sizeof value);
+    return value;
+}
+
+static inline void chaplygin_sleigh_put(double *to, chaplygin_sleigh_lanes value)
+{
+    memcpy(to, &value, sizeof value);
+}
+#endif
+
+/* states first, first + 1, ... through rhs, one by one; the first status that is not OK */
+#if defined(__GNUC__)
+__attribute__((noinline))
+#endif
+static int chaplygin_sleigh_one_by_one(size_t count, size_t first, size_t number, const double *t, const double *y, const double *p, double *dydt)
+{
+    int status = CHAPLYGIN_SLEIGH_OK;
+    for (size_t i = first; i < first + number; ++i) {
+        double state[CHAPLYGIN_SLEIGH_NY];
+        double slope[CHAPLYGIN_SLEIGH_NY];
+        for (size_t k = 0; k < CHAPLYGIN_SLEIGH_NY; ++k) {
+            state[k] = y[k * count + i];
+            slope[k] = NAN;
+        }
+        const int one = chaplygin_sleigh_rhs(t[i], state, p, slope);
+        status = status == CHAPLYGIN_SLEIGH_OK ? one : status;
+        for (size_t k = 0; k < CHAPLYGIN_SLEIGH_NY; ++k) {
+            dydt[k * count + i] = slope[k];
+        }
+    }
+    return status;
+}
+
+#if CHAPLYGIN_SLEIGH_LANES >= 2
+#define CHAPLYGIN_SLEIGH_SPREAD(x) ((x) - (chaplygin_sleigh_lanes){0}) /* a number in each lane; lanes stay what they are */
+
+typedef unsigned long long chaplygin_sleigh_bits __attribute__((vector_size(8 * CHAPLYGIN_SLEIGH_LANES)));
+
+/* no number where a bit is set */
+static inline chaplygin_sleigh_lanes chaplygin_sleigh_mark(chaplygin_sleigh_lanes value, chaplygin_sleigh_bits bad)
+{
+    return (chaplygin_sleigh_lanes)((chaplygin_sleigh_bits)value | bad);
+}
+/* whether none of the states must be asked again: no singular block, no infinity, no angle anywhere near 1e5 */
+static inline int chaplygin_sleigh_is_good(int count, const double *check)
+{
+    double even = 0.0;
+    double odd = 0.0;
+    for (int k = 0; k < count; k += 2) {
+        even += check[k];
+        odd += check[k + 1];
+    }
+    return even + odd <= 1e10;
+}
+
+/* the last states, fewer than there are lanes; the others repeat the last one */
+static inline void chaplygin_sleigh_fill(size_t left, size_t count, const double *t, const double *y, double *time, double *state)
+{
+    for (size_t l = 0; l < CHAPLYGIN_SLEIGH_LANES; ++l) {
+        const size_t i = l < left ? l : left - 1;
+        time[l] = t[i];
+        for (size_t k = 0; k < CHAPLYGIN_SLEIGH_NY; ++k) {
+            state[k * CHAPLYGIN_SLEIGH_LANES + l] = y[k * count + i];
+        }
+    }
+}
+
+static inline void chaplygin_sleigh_pour(size_t left, size_t count, const double *slope, double *dydt)
+{
+    for (size_t k = 0; k < CHAPLYGIN_SLEIGH_NY; ++k) {
+        for (size_t l = 0; l < left; ++l) {
+            dydt[k * count + l] = slope[k * CHAPLYGIN_SLEIGH_LANES + l];
+        }
+    }
+}
+
+/* libm's sine and cosine, lane by lane */
+static inline void chaplygin_sleigh_turn_lanes(chaplygin_sleigh_lanes x, chaplygin_sleigh_lanes *far, chaplygin_sleigh_lanes *sine, chaplygin_sleigh_lanes *cosine)
+{
+    double angle[CHAPLYGIN_SLEIGH_LANES];
+    double up[CHAPLYGIN_SLEIGH_LANES];
+    double along[CHAPLYGIN_SLEIGH_LANES];
+    (void)far;
+    memcpy(angle, &x, sizeof x);
+    for (int l = 0; l < CHAPLYGIN_SLEIGH_LANES; ++l) {
+        up[l] = sin(angle[l]);
+        along[l] = cos(angle[l]);
+    }
+    memcpy(sine, up, sizeof x);
+    memcpy(cosine, along, sizeof x);
+}
+#endif
+
 int chaplygin_sleigh_rhs(double t, const double *y, const double *p, double *dydt)
 {
     (void)t;
     const double theta = y[2]; /* heading [rad] */
+
+    /* sines and cosines */
+    const double c_theta = cos(theta);
+    const double s_theta = sin(theta);
     const double v = y[3];
     const double w = y[4];
     const double m = p[0]; /* mass [kg] */
@@ -55,10 +175,17 @@ int chaplygin_sleigh_rhs(double t, const double *y, const double *p, double *dyd
 
     /* parameters only */
     const double k1 = m * a;
-    const double k2 = J + m * (a * a);
+    const double k2 = J + a * k1;
     const double k3 = 1.0 / k2;
 
     /* state */
+    /* (I.2.15) */
+    dydt[0] = c_theta * v; /* x' */
+    dydt[1] = s_theta * v; /* y' */
+    dydt[2] = w; /* theta' */
+    /* (I.2.15) 17:4 */
+    dydt[3] = a * (w * w); /* v' */
+    dydt[4] = -w * (v * k1) * k3; /* w' */
     /* the mass matrix is singular */
     if (!(fabs(m) > 0.0)) {
         return CHAPLYGIN_SLEIGH_SINGULAR_2;
@@ -67,15 +194,6 @@ int chaplygin_sleigh_rhs(double t, const double *y, const double *p, double *dyd
     if (!(fabs(k2) > 0.0)) {
         return CHAPLYGIN_SLEIGH_SINGULAR_2;
     }
-    const double c_theta = cos(theta);
-    const double s_theta = sin(theta);
-    /* (I.2.15) */
-    dydt[0] = c_theta * v; /* x' */
-    dydt[1] = s_theta * v; /* y' */
-    dydt[2] = w; /* theta' */
-    /* (I.2.15) 17:4 */
-    dydt[3] = a * (w * w); /* v' */
-    dydt[4] = -w * (v * k1) * k3; /* w' */
     return chaplygin_sleigh_finish(5, dydt);
 }
 
@@ -84,12 +202,14 @@ int chaplygin_sleigh_velocities(double t, const double *y, const double *p, doub
     (void)t;
     (void)p;
     const double theta = y[2]; /* heading [rad] */
+
+    /* sines and cosines */
+    const double c_theta = cos(theta);
+    const double s_theta = sin(theta);
     const double v = y[3];
     const double w = y[4];
 
     /* state */
-    const double c_theta = cos(theta);
-    const double s_theta = sin(theta);
     /* (I.2.4) */
     qdot[0] = c_theta * v; /* x' */
     qdot[1] = s_theta * v; /* y' */
@@ -101,6 +221,10 @@ int chaplygin_sleigh_accelerations(double t, const double *y, const double *p, d
 {
     (void)t;
     const double theta = y[2]; /* heading [rad] */
+
+    /* sines and cosines */
+    const double c_theta = cos(theta);
+    const double s_theta = sin(theta);
     const double v = y[3];
     const double w = y[4];
     const double m = p[0]; /* mass [kg] */
@@ -109,10 +233,16 @@ int chaplygin_sleigh_accelerations(double t, const double *y, const double *p, d
 
     /* parameters only */
     const double k1 = m * a;
-    const double k2 = J + m * (a * a);
-    const double k3 = 1.0 / k2;
+    const double k2 = J + a * k1;
+    const double k3 = k1 / k2;
 
     /* state */
+    const double z1 = a * (w * w);
+    const double z2 = v * w;
+    /* (I.2.15) */
+    qddot[0] = c_theta * z1 - s_theta * z2; /* x'' */
+    qddot[1] = s_theta * z1 + c_theta * z2; /* y'' */
+    qddot[2] = -z2 * k3; /* theta'' */
     /* the mass matrix is singular */
     if (!(fabs(m) > 0.0)) {
         return CHAPLYGIN_SLEIGH_SINGULAR_2;
@@ -121,13 +251,6 @@ int chaplygin_sleigh_accelerations(double t, const double *y, const double *p, d
     if (!(fabs(k2) > 0.0)) {
         return CHAPLYGIN_SLEIGH_SINGULAR_2;
     }
-    const double s_theta = sin(theta);
-    const double c_theta = cos(theta);
-    const double z1 = a * (w * w);
-    /* (I.2.15) */
-    qddot[0] = c_theta * z1 - v * (s_theta * w); /* x'' */
-    qddot[1] = v * (c_theta * w) + s_theta * z1; /* y'' */
-    qddot[2] = -w * (v * k1) * k3; /* theta'' */
     return chaplygin_sleigh_finish(3, qddot);
 }
 
@@ -135,16 +258,18 @@ int chaplygin_sleigh_state(double t, const double *q, const double *qdot, const 
 {
     (void)t;
     (void)p;
+    const double theta = q[2]; /* heading [rad] */
+
+    /* sines and cosines */
+    const double c_theta = cos(theta);
+    const double s_theta = sin(theta);
     const double x = q[0]; /* point of the edge [m] */
     const double y_2 = q[1]; /* point of the edge [m] */
-    const double theta = q[2]; /* heading [rad] */
     const double x_dot = qdot[0];
     const double y_dot = qdot[1];
     const double theta_dot = qdot[2];
 
     /* state */
-    const double c_theta = cos(theta);
-    const double s_theta = sin(theta);
     y[0] = x;
     y[1] = y_2;
     y[2] = theta;
@@ -158,12 +283,14 @@ int chaplygin_sleigh_residuals(double t, const double *q, const double *qdot, co
     (void)t;
     (void)p;
     const double theta = q[2]; /* heading [rad] */
+
+    /* sines and cosines */
+    const double s_theta = sin(theta);
+    const double c_theta = cos(theta);
     const double x_dot = qdot[0];
     const double y_dot = qdot[1];
 
     /* state */
-    const double s_theta = sin(theta);
-    const double c_theta = cos(theta);
     /* (I.1.1) 19:5 */
     r[0] = y_dot * c_theta - x_dot * s_theta; /* slip = 0 */
     return chaplygin_sleigh_finish(1, r);
@@ -179,11 +306,13 @@ int chaplygin_sleigh_reactions(double t, const double *y, const double *p, doubl
     const double a = p[2]; /* from the edge to the centre of mass [m] */
 
     /* parameters only */
-    const double k1 = m * (a * a);
-    const double k2 = J + k1;
-    const double k3 = 1.0 - k1 / k2;
+    const double k1 = m * a;
+    const double k2 = J + a * k1;
+    const double k3 = m - k1 * k1 / k2;
 
     /* state */
+    /* (I.4.1) 19:5 */
+    lambda[0] = v * w * k3; /* reaction of slip: Q_i gains lambda_1 a_1i */
     /* the mass matrix is singular */
     if (!(fabs(m) > 0.0)) {
         return CHAPLYGIN_SLEIGH_SINGULAR_2;
@@ -192,8 +321,6 @@ int chaplygin_sleigh_reactions(double t, const double *y, const double *p, doubl
     if (!(fabs(k2) > 0.0)) {
         return CHAPLYGIN_SLEIGH_SINGULAR_2;
     }
-    /* (I.4.1) 19:5 */
-    lambda[0] = w * (m * v) * k3; /* reaction of slip: Q_i gains lambda_1 a_1i */
     return chaplygin_sleigh_finish(1, lambda);
 }
 
@@ -211,13 +338,20 @@ double chaplygin_sleigh_energy(double t, const double *y, const double *p)
 
     /* state */
     const double z1 = w * w;
-    return 0.5 * (J * z1) + m * (0.5 * (z1 * k1) + 0.5 * (v * v));
+    return 0.5 * (J * z1 + m * (z1 * k1 + v * v));
 }
 
 int chaplygin_sleigh_jacobian(double t, const double *y, const double *p, double *J)
 {
+    for (int entry = 0; entry < 25; ++entry) {
+        J[entry] = 0.0;
+    }
     (void)t;
     const double theta = y[2]; /* heading [rad] */
+
+    /* sines and cosines */
+    const double s_theta = sin(theta);
+    const double c_theta = cos(theta);
     const double v = y[3];
     const double w = y[4];
     const double m = p[0]; /* mass [kg] */
@@ -226,10 +360,19 @@ int chaplygin_sleigh_jacobian(double t, const double *y, const double *p, double
 
     /* parameters only */
     const double k1 = m * a;
-    const double k2 = J_2 + m * (a * a);
-    const double k3 = 1.0 / k2;
+    const double k2 = J_2 + a * k1;
+    const double k3 = k1 / k2;
 
     /* state */
+    /* (I.2.15) */
+    J[2] = -s_theta * v;
+    J[3] = c_theta;
+    J[7] = c_theta * v;
+    J[8] = s_theta;
+    J[14] = 1.0;
+    J[19] = 2.0 * (a * w);
+    J[23] = -w * k3;
+    J[24] = -v * k3;
     /* the mass matrix is singular */
     if (!(fabs(m) > 0.0)) {
         return CHAPLYGIN_SLEIGH_SINGULAR_2;
@@ -238,49 +381,23 @@ int chaplygin_sleigh_jacobian(double t, const double *y, const double *p, double
     if (!(fabs(k2) > 0.0)) {
         return CHAPLYGIN_SLEIGH_SINGULAR_2;
     }
-    const double s_theta = sin(theta);
-    const double c_theta = cos(theta);
-    /* (I.2.15) */
-    J[0] = 0.0;
-    J[1] = 0.0;
-    J[2] = -s_theta * v;
-    J[3] = c_theta;
-    J[4] = 0.0;
-    J[5] = 0.0;
-    J[6] = 0.0;
-    J[7] = c_theta * v;
-    J[8] = s_theta;
-    J[9] = 0.0;
-    J[10] = 0.0;
-    J[11] = 0.0;
-    J[12] = 0.0;
-    J[13] = 0.0;
-    J[14] = 1.0;
-    J[15] = 0.0;
-    J[16] = 0.0;
-    J[17] = 0.0;
-    J[18] = 0.0;
-    J[19] = 2.0 * (a * w);
-    J[20] = 0.0;
-    J[21] = 0.0;
-    J[22] = 0.0;
-    J[23] = -k3 * (w * k1);
-    J[24] = -v * k1 * k3;
     return chaplygin_sleigh_finish(25, J);
 }
 
 int chaplygin_sleigh_outputs(double t, const double *y, const double *p, double *out)
 {
     (void)t;
+    const double theta = y[2]; /* heading [rad] */
+
+    /* sines and cosines */
+    const double c_theta = cos(theta);
+    const double s_theta = sin(theta);
     const double x = y[0]; /* point of the edge [m] */
     const double y_2 = y[1]; /* point of the edge [m] */
-    const double theta = y[2]; /* heading [rad] */
     const double v = y[3];
     const double a = p[2]; /* from the edge to the centre of mass [m] */
 
     /* state */
-    const double c_theta = cos(theta);
-    const double s_theta = sin(theta);
     /* 24:10 */
     out[0] = v; /* speed */
     /* 25:6 */
@@ -290,14 +407,65 @@ int chaplygin_sleigh_outputs(double t, const double *y, const double *p, double 
     return chaplygin_sleigh_finish(3, out);
 }
 
+#if CHAPLYGIN_SLEIGH_LANES >= 2
+static __attribute__((noinline)) void chaplygin_sleigh_rhs_lanes(const double *fixed, size_t stride, const
+    double *t, const double *y, double *restrict dydt, double *check)
+{
+    (void)t;
+    chaplygin_sleigh_lanes far = {0}; /* the squares of the angles */
+    chaplygin_sleigh_lanes sum = {0}; /* an infinity or a NaN among the results stays in it */
+    chaplygin_sleigh_bits bad = {0}; /* singular blocks */
+    const double a = fixed[0];
+    const double k1 = fixed[1];
+    const double k3 = fixed[2];
+    const chaplygin_sleigh_lanes theta = chaplygin_sleigh_get(y + 2 * stride);
+    const chaplygin_sleigh_lanes v = chaplygin_sleigh_get(y + 3 * stride);
+    const chaplygin_sleigh_lanes w = chaplygin_sleigh_get(y + 4 * stride);
+    chaplygin_sleigh_lanes sine1, cosine1;
+    chaplygin_sleigh_turn_lanes(CHAPLYGIN_SLEIGH_SPREAD(theta), &far, &sine1, &cosine1);
+    const chaplygin_sleigh_lanes c_theta = cosine1;
+    const chaplygin_sleigh_lanes s_theta = sine1;
+    /* (I.2.15) */
+    const chaplygin_sleigh_lanes slope1 = c_theta * v;
+    sum += slope1;
+    chaplygin_sleigh_put(dydt, slope1);
+    const chaplygin_sleigh_lanes slope2 = s_theta * v;
+    sum += slope2;
+    chaplygin_sleigh_put(dydt + 1 * stride, slope2);
+    const chaplygin_sleigh_lanes slope3 = w;
+    sum += slope3;
+    chaplygin_sleigh_put(dydt + 2 * stride, slope3);
+    /* (I.2.15) 17:4 */
+    const chaplygin_sleigh_lanes slope4 = a * (w * w);
+    sum += slope4;
+    chaplygin_sleigh_put(dydt + 3 * stride, slope4);
+    const chaplygin_sleigh_lanes slope5 = -w * (v * k1) * k3;
+    sum += slope5;
+    chaplygin_sleigh_put(dydt + 4 * stride, slope5);
+    chaplygin_sleigh_put(check, chaplygin_sleigh_mark(far + (sum - sum), bad));
+}
+
+static __attribute__((noinline)) void chaplygin_sleigh_rhs_tail(const double *fixed, size_t left, size_t
+    count, const double *t, const double *y, double *restrict dydt, double *check)
+{
+    double time[CHAPLYGIN_SLEIGH_LANES];
+    double state[5 * CHAPLYGIN_SLEIGH_LANES];
+    double slope[5 * CHAPLYGIN_SLEIGH_LANES];
+    chaplygin_sleigh_fill(left, count, t, y, time, state);
+    chaplygin_sleigh_rhs_lanes(fixed, CHAPLYGIN_SLEIGH_LANES, time, state, slope, check);
+    chaplygin_sleigh_pour(left, count, slope, dydt);
+}
+#endif
+
 int chaplygin_sleigh_rhs_batch(size_t count, const double *t, const double *y, const double *p, double
     *restrict dydt)
 {
+#if CHAPLYGIN_SLEIGH_LANES >= 2
     const double m = p[0]; /* mass [kg] */
     const double J = p[1]; /* moment of inertia about the centre of mass [kg*m^2] */
     const double a = p[2]; /* from the edge to the centre of mass [m] */
     const double k1 = m * a;
-    const double k2 = J + m * (a * a);
+    const double k2 = J + a * k1;
     const double k3 = 1.0 / k2;
     /* the mass matrix is singular */
     if (!(fabs(m) > 0.0)) {
@@ -307,34 +475,23 @@ int chaplygin_sleigh_rhs_batch(size_t count, const double *t, const double *y, c
     if (!(fabs(k2) > 0.0)) {
         return CHAPLYGIN_SLEIGH_SINGULAR_2;
     }
-    int bad = 0;
-    (void)t;
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC ivdep
-#endif
-    for (size_t i = 0; i < count; ++i) {
-        const double theta = y[2 * count + i]; /* heading [rad] */
-        const double v = y[3 * count + i];
-        const double w = y[4 * count + i];
-        const double c_theta = cos(theta);
-        const double s_theta = sin(theta);
-        /* (I.2.15) */
-        const double slope1 = c_theta * v; /* x' */
-        dydt[i] = slope1;
-        bad |= !(fabs(slope1) <= DBL_MAX);
-        const double slope2 = s_theta * v; /* y' */
-        dydt[count + i] = slope2;
-        bad |= !(fabs(slope2) <= DBL_MAX);
-        const double slope3 = w; /* theta' */
-        dydt[2 * count + i] = slope3;
-        bad |= !(fabs(slope3) <= DBL_MAX);
-        /* (I.2.15) 17:4 */
-        const double slope4 = a * (w * w); /* v' */
-        dydt[3 * count + i] = slope4;
-        bad |= !(fabs(slope4) <= DBL_MAX);
-        const double slope5 = -w * (v * k1) * k3; /* w' */
-        dydt[4 * count + i] = slope5;
-        bad |= !(fabs(slope5) <= DBL_MAX);
+    const double fixed[] = {a, k1, k3};
+    double check[1 * CHAPLYGIN_SLEIGH_LANES];
+    int status = CHAPLYGIN_SLEIGH_OK;
+    for (size_t i = 0; i < count; i += CHAPLYGIN_SLEIGH_LANES) {
+        const size_t left = count - i < CHAPLYGIN_SLEIGH_LANES ? count - i : CHAPLYGIN_SLEIGH_LANES;
+        if (left == CHAPLYGIN_SLEIGH_LANES) {
+            chaplygin_sleigh_rhs_lanes(fixed, count, t + i, y + i, dydt + i, check);
+        } else {
+            chaplygin_sleigh_rhs_tail(fixed, left, count, t + i, y + i, dydt + i, check);
+        }
+        if (!chaplygin_sleigh_is_good(1 * CHAPLYGIN_SLEIGH_LANES, check)) {
+            const int one = chaplygin_sleigh_one_by_one(count, i, left, t, y, p, dydt);
+            status = status == CHAPLYGIN_SLEIGH_OK ? one : status;
+        }
     }
-    return bad ? CHAPLYGIN_SLEIGH_NOT_FINITE : CHAPLYGIN_SLEIGH_OK;
+    return status;
+#else
+    return chaplygin_sleigh_one_by_one(count, 0, count, t, y, p, dydt);
+#endif
 }

@@ -1,5 +1,5 @@
 /*
- * chaplygin_sleigh.h: chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:5f3d8a4bef7cefc3)
+ * chaplygin_sleigh.h: chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:8bb3b7ebaf0b710d)
  * A rigid body on a knife edge; the centre of mass is a distance a ahead of the edge.
  * Source: chaplygin_sleigh.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -26,14 +26,14 @@
  * out[2] = Y
  *
  * Operations:
- * rhs: 1 +-, 10 *, 1 /, 2 calls
+ * rhs: 1 +-, 9 *, 1 /, 2 calls
  * velocities: 0 +-, 2 *, 0 /, 2 calls
- * accelerations: 3 +-, 14 *, 1 /, 2 calls
+ * accelerations: 3 +-, 10 *, 1 /, 2 calls
  * state: 1 +-, 2 *, 0 /, 2 calls
  * residuals: 1 +-, 2 *, 0 /, 2 calls
  * reactions: 2 +-, 5 *, 1 /, 0 calls
- * energy: 2 +-, 9 *, 0 /, 0 calls
- * jacobian: 1 +-, 11 *, 1 /, 2 calls
+ * energy: 2 +-, 7 *, 0 /, 0 calls
+ * jacobian: 1 +-, 8 *, 1 /, 2 calls
  * outputs: 2 +-, 2 *, 0 /, 2 calls
  *
  * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.

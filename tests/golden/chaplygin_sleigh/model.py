@@ -1,4 +1,4 @@
-"""chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:d49ef7b578003c80).
+"""chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:4a70209e43a92e2c).
 
 A rigid body on a knife edge; the centre of mass is a distance a ahead of the edge.
 Source: chaplygin_sleigh.yaml
@@ -26,14 +26,14 @@ out[1] = X
 out[2] = Y
 
 Operations:
-rhs: 1 +-, 10 *, 1 /, 2 calls
+rhs: 1 +-, 9 *, 1 /, 2 calls
 velocities: 0 +-, 2 *, 0 /, 2 calls
-accelerations: 3 +-, 14 *, 1 /, 2 calls
+accelerations: 3 +-, 10 *, 1 /, 2 calls
 state: 1 +-, 2 *, 0 /, 2 calls
 residuals: 1 +-, 2 *, 0 /, 2 calls
 reactions: 2 +-, 5 *, 1 /, 0 calls
-energy: 2 +-, 9 *, 0 /, 0 calls
-jacobian: 1 +-, 11 *, 1 /, 2 calls
+energy: 2 +-, 7 *, 0 /, 0 calls
+jacobian: 1 +-, 8 *, 1 /, 2 calls
 outputs: 2 +-, 2 *, 0 /, 2 calls
 
 A singular point raises SingularModelError.
@@ -95,7 +95,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     try:
         # parameters only
         k1 = m * a
-        k2 = J + m * (a * a)
+        k2 = J + a * k1
         k3 = 1.0 / k2
         # state
         # the mass matrix is singular
@@ -172,8 +172,8 @@ def accelerations(
     try:
         # parameters only
         k1 = m * a
-        k2 = J + m * (a * a)
-        k3 = 1.0 / k2
+        k2 = J + a * k1
+        k3 = k1 / k2
         # state
         # the mass matrix is singular
         if not abs(m) > 0.0:
@@ -181,16 +181,17 @@ def accelerations(
         # the mass matrix is singular
         if not abs(k2) > 0.0:
             raise SingularModelError(2, "accelerations")
-        s_theta = math.sin(theta)
         c_theta = math.cos(theta)
         z1 = a * (w * w)
+        s_theta = math.sin(theta)
+        z2 = v * w
         qddot: list[float] = [
             # x'' (I.2.15)
-            c_theta * z1 - v * (s_theta * w),
+            c_theta * z1 - s_theta * z2,
             # y'' (I.2.15)
-            v * (c_theta * w) + s_theta * z1,
+            s_theta * z1 + c_theta * z2,
             # theta'' (I.2.15)
-            -w * (v * k1) * k3,
+            -z2 * k3,
         ]
         return _finish("accelerations", qddot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -269,9 +270,9 @@ def reactions(
     a = float(p[2])  # from the edge to the centre of mass [m]
     try:
         # parameters only
-        k1 = m * (a * a)
-        k2 = J + k1
-        k3 = 1.0 - k1 / k2
+        k1 = m * a
+        k2 = J + a * k1
+        k3 = m - k1 * k1 / k2
         # state
         # the mass matrix is singular
         if not abs(m) > 0.0:
@@ -281,7 +282,7 @@ def reactions(
             raise SingularModelError(2, "reactions")
         lambda_: list[float] = [
             # reaction of slip: Q_i gains lambda_1 a_1i (I.4.1) 19:5
-            w * (m * v) * k3,
+            v * w * k3,
         ]
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -304,7 +305,7 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
         k1 = a * a
         # state
         z1 = w * w
-        value1 = 0.5 * (J * z1) + m * (0.5 * (z1 * k1) + 0.5 * (v * v))
+        value1 = 0.5 * (J * z1 + m * (z1 * k1 + v * v))
         return _single("energy", value1)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
         raise SingularModelError(NOT_FINITE, "energy") from error
@@ -329,8 +330,8 @@ def jacobian(
     try:
         # parameters only
         k1 = m * a
-        k2 = J_2 + m * (a * a)
-        k3 = 1.0 / k2
+        k2 = J_2 + a * k1
+        k3 = k1 / k2
         # state
         # the mass matrix is singular
         if not abs(m) > 0.0:
@@ -341,56 +342,39 @@ def jacobian(
         s_theta = math.sin(theta)
         c_theta = math.cos(theta)
         J: list[float] = [
-            # (I.2.15)
             0.0,
-            # (I.2.15)
             0.0,
             # (I.2.15)
             -s_theta * v,
             # (I.2.15)
             c_theta,
-            # (I.2.15)
             0.0,
-            # (I.2.15)
             0.0,
-            # (I.2.15)
             0.0,
             # (I.2.15)
             c_theta * v,
             # (I.2.15)
             s_theta,
-            # (I.2.15)
             0.0,
-            # (I.2.15)
             0.0,
-            # (I.2.15)
             0.0,
-            # (I.2.15)
             0.0,
-            # (I.2.15)
             0.0,
             # (I.2.15)
             1.0,
-            # (I.2.15)
             0.0,
-            # (I.2.15)
             0.0,
-            # (I.2.15)
             0.0,
-            # (I.2.15)
             0.0,
             # (I.2.15)
             2.0 * (a * w),
-            # (I.2.15)
+            0.0,
+            0.0,
             0.0,
             # (I.2.15)
-            0.0,
+            -w * k3,
             # (I.2.15)
-            0.0,
-            # (I.2.15)
-            -k3 * (w * k1),
-            # (I.2.15)
-            -v * k1 * k3,
+            -v * k3,
         ]
         _finish("jacobian", J)
         return [J[k4 : k4 + 5] for k4 in range(0, 25, 5)]

@@ -1,5 +1,5 @@
 /*
- * charged_sleigh.c: charged_sleigh, emitted by nhc 0.1.0 (nhc:f9eb9784cce4fe9d)
+ * charged_sleigh.c: charged_sleigh, emitted by nhc 0.1.0 (nhc:a0f7bb40fe3cf91e)
  * Chaplygin's sleigh with a charge at its centre of mass in a magnetic field; T depends on x and y.
  * Source: charged_sleigh.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -10,6 +10,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <string.h>
 
 const char *const charged_sleigh_coordinate_names[] = {
     "x",
@@ -45,10 +46,129 @@ static int charged_sleigh_finish(int count, const double *values)
     return fabs(sum) <= DBL_MAX ? CHARGED_SLEIGH_OK : CHARGED_SLEIGH_NOT_FINITE;
 }
 
+/* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
+#ifndef CHARGED_SLEIGH_LANES
+#if !defined(__GNUC__)
+#define CHARGED_SLEIGH_LANES 1
+#elif defined(__AVX512F__)
+#define CHARGED_SLEIGH_LANES 8
+#elif defined(__AVX__)
+#define CHARGED_SLEIGH_LANES 4
+#else
+#define CHARGED_SLEIGH_LANES 2
+#endif
+#endif
+#if CHARGED_SLEIGH_LANES > 1
+typedef double charged_sleigh_lanes __attribute__((vector_size(8 * CHARGED_SLEIGH_LANES)));
+#else
+typedef double charged_sleigh_lanes;
+#endif
+
+#if CHARGED_SLEIGH_LANES >= 2
+static inline charged_sleigh_lanes charged_sleigh_get(const double *from)
+{
+    charged_sleigh_lanes value;
+    memcpy(&value, from, sizeof value);
+    return value;
+}
+
+static inline void charged_sleigh_put(double *to, charged_sleigh_lanes value)
+{
+    memcpy(to, &value, sizeof value);
+}
+#endif
+
+/* states first, first + 1, ... through rhs, one by one; the first status that is not OK */
+#if defined(__GNUC__)
+__attribute__((noinline))
+#endif
+static int charged_sleigh_one_by_one(size_t count, size_t first, size_t number, const double *t, const double *y, const double *p, double *dydt)
+{
+    int status = CHARGED_SLEIGH_OK;
+    for (size_t i = first; i < first + number; ++i) {
+        double state[CHARGED_SLEIGH_NY];
+        double slope[CHARGED_SLEIGH_NY];
+        for (size_t k = 0; k < CHARGED_SLEIGH_NY; ++k) {
+            state[k] = y[k * count + i];
+            slope[k] = NAN;
+        }
+        const int one = charged_sleigh_rhs(t[i], state, p, slope);
+        status = status == CHARGED_SLEIGH_OK ? one : status;
+        for (size_t k = 0; k < CHARGED_SLEIGH_NY; ++k) {
+            dydt[k * count + i] = slope[k];
+        }
+    }
+    return status;
+}
+
+#if CHARGED_SLEIGH_LANES >= 2
+#define CHARGED_SLEIGH_SPREAD(x) ((x) - (charged_sleigh_lanes){0}) /* a number in each lane; lanes stay what they are */
+
+typedef unsigned long long charged_sleigh_bits __attribute__((vector_size(8 * CHARGED_SLEIGH_LANES)));
+
+/* no number where a bit is set */
+static inline charged_sleigh_lanes charged_sleigh_mark(charged_sleigh_lanes value, charged_sleigh_bits bad)
+{
+    return (charged_sleigh_lanes)((charged_sleigh_bits)value | bad);
+}
+/* whether none of the states must be asked again: no singular block, no infinity, no angle anywhere near 1e5 */
+static inline int charged_sleigh_is_good(int count, const double *check)
+{
+    double even = 0.0;
+    double odd = 0.0;
+    for (int k = 0; k < count; k += 2) {
+        even += check[k];
+        odd += check[k + 1];
+    }
+    return even + odd <= 1e10;
+}
+
+/* the last states, fewer than there are lanes; the others repeat the last one */
+static inline void charged_sleigh_fill(size_t left, size_t count, const double *t, const double *y, double *time, double *state)
+{
+    for (size_t l = 0; l < CHARGED_SLEIGH_LANES; ++l) {
+        const size_t i = l < left ? l : left - 1;
+        time[l] = t[i];
+        for (size_t k = 0; k < CHARGED_SLEIGH_NY; ++k) {
+            state[k * CHARGED_SLEIGH_LANES + l] = y[k * count + i];
+        }
+    }
+}
+
+static inline void charged_sleigh_pour(size_t left, size_t count, const double *slope, double *dydt)
+{
+    for (size_t k = 0; k < CHARGED_SLEIGH_NY; ++k) {
+        for (size_t l = 0; l < left; ++l) {
+            dydt[k * count + l] = slope[k * CHARGED_SLEIGH_LANES + l];
+        }
+    }
+}
+
+/* libm's sine and cosine, lane by lane */
+static inline void charged_sleigh_turn_lanes(charged_sleigh_lanes x, charged_sleigh_lanes *far, charged_sleigh_lanes *sine, charged_sleigh_lanes *cosine)
+{
+    double angle[CHARGED_SLEIGH_LANES];
+    double up[CHARGED_SLEIGH_LANES];
+    double along[CHARGED_SLEIGH_LANES];
+    (void)far;
+    memcpy(angle, &x, sizeof x);
+    for (int l = 0; l < CHARGED_SLEIGH_LANES; ++l) {
+        up[l] = sin(angle[l]);
+        along[l] = cos(angle[l]);
+    }
+    memcpy(sine, up, sizeof x);
+    memcpy(cosine, along, sizeof x);
+}
+#endif
+
 int charged_sleigh_rhs(double t, const double *y, const double *p, double *dydt)
 {
     (void)t;
     const double theta = y[2]; /* heading [rad] */
+
+    /* sines and cosines */
+    const double c_theta = cos(theta);
+    const double s_theta = sin(theta);
     const double v = y[3];
     const double w = y[4];
     const double m = p[0]; /* mass [kg] */
@@ -62,6 +182,14 @@ int charged_sleigh_rhs(double t, const double *y, const double *p, double *dydt)
     const double k3 = 1.0 / k1;
 
     /* state */
+    const double z1 = a * (B + m * w);
+    /* (I.2.15) */
+    dydt[0] = c_theta * v; /* x' */
+    dydt[1] = s_theta * v; /* y' */
+    dydt[2] = w; /* theta' */
+    /* (I.2.15) 18:4 */
+    dydt[3] = k2 * (w * z1); /* v' */
+    dydt[4] = -k3 * (v * z1); /* w' */
     /* the mass matrix is singular */
     if (!(fabs(m) > 0.0)) {
         return CHARGED_SLEIGH_SINGULAR_2;
@@ -70,16 +198,6 @@ int charged_sleigh_rhs(double t, const double *y, const double *p, double *dydt)
     if (!(fabs(k1) > 0.0)) {
         return CHARGED_SLEIGH_SINGULAR_2;
     }
-    const double c_theta = cos(theta);
-    const double s_theta = sin(theta);
-    const double z1 = B + m * w;
-    /* (I.2.15) */
-    dydt[0] = c_theta * v; /* x' */
-    dydt[1] = s_theta * v; /* y' */
-    dydt[2] = w; /* theta' */
-    /* (I.2.15) 18:4 */
-    dydt[3] = a * w * z1 * k2; /* v' */
-    dydt[4] = -z1 * (a * v) * k3; /* w' */
     return charged_sleigh_finish(5, dydt);
 }
 
@@ -88,12 +206,14 @@ int charged_sleigh_velocities(double t, const double *y, const double *p, double
     (void)t;
     (void)p;
     const double theta = y[2]; /* heading [rad] */
+
+    /* sines and cosines */
+    const double c_theta = cos(theta);
+    const double s_theta = sin(theta);
     const double v = y[3];
     const double w = y[4];
 
     /* state */
-    const double c_theta = cos(theta);
-    const double s_theta = sin(theta);
     /* (I.2.4) */
     qdot[0] = c_theta * v; /* x' */
     qdot[1] = s_theta * v; /* y' */
@@ -105,6 +225,10 @@ int charged_sleigh_accelerations(double t, const double *y, const double *p, dou
 {
     (void)t;
     const double theta = y[2]; /* heading [rad] */
+
+    /* sines and cosines */
+    const double s_theta = sin(theta);
+    const double c_theta = cos(theta);
     const double v = y[3];
     const double w = y[4];
     const double m = p[0]; /* mass [kg] */
@@ -118,6 +242,13 @@ int charged_sleigh_accelerations(double t, const double *y, const double *p, dou
     const double k3 = 1.0 / k1;
 
     /* state */
+    const double z1 = v * w;
+    const double z2 = a * (B + m * w);
+    const double z3 = k2 * (w * z2);
+    /* (I.2.15) */
+    qddot[0] = c_theta * z3 - s_theta * z1; /* x'' */
+    qddot[1] = c_theta * z1 + s_theta * z3; /* y'' */
+    qddot[2] = -k3 * (v * z2); /* theta'' */
     /* the mass matrix is singular */
     if (!(fabs(m) > 0.0)) {
         return CHARGED_SLEIGH_SINGULAR_2;
@@ -126,14 +257,6 @@ int charged_sleigh_accelerations(double t, const double *y, const double *p, dou
     if (!(fabs(k1) > 0.0)) {
         return CHARGED_SLEIGH_SINGULAR_2;
     }
-    const double s_theta = sin(theta);
-    const double c_theta = cos(theta);
-    const double z1 = B + m * w;
-    const double z2 = a * w * z1 * k2;
-    /* (I.2.15) */
-    qddot[0] = c_theta * z2 - v * (s_theta * w); /* x'' */
-    qddot[1] = v * (c_theta * w) + s_theta * z2; /* y'' */
-    qddot[2] = -z1 * (a * v) * k3; /* theta'' */
     return charged_sleigh_finish(3, qddot);
 }
 
@@ -141,16 +264,18 @@ int charged_sleigh_state(double t, const double *q, const double *qdot, const do
 {
     (void)t;
     (void)p;
+    const double theta = q[2]; /* heading [rad] */
+
+    /* sines and cosines */
+    const double c_theta = cos(theta);
+    const double s_theta = sin(theta);
     const double x = q[0]; /* point of the edge [m] */
     const double y_2 = q[1]; /* point of the edge [m] */
-    const double theta = q[2]; /* heading [rad] */
     const double x_dot = qdot[0];
     const double y_dot = qdot[1];
     const double theta_dot = qdot[2];
 
     /* state */
-    const double c_theta = cos(theta);
-    const double s_theta = sin(theta);
     y[0] = x;
     y[1] = y_2;
     y[2] = theta;
@@ -164,12 +289,14 @@ int charged_sleigh_residuals(double t, const double *q, const double *qdot, cons
     (void)t;
     (void)p;
     const double theta = q[2]; /* heading [rad] */
+
+    /* sines and cosines */
+    const double s_theta = sin(theta);
+    const double c_theta = cos(theta);
     const double x_dot = qdot[0];
     const double y_dot = qdot[1];
 
     /* state */
-    const double s_theta = sin(theta);
-    const double c_theta = cos(theta);
     /* (I.1.1) 20:5 */
     r[0] = y_dot * c_theta - x_dot * s_theta; /* slip = 0 */
     return charged_sleigh_finish(1, r);
@@ -191,6 +318,8 @@ int charged_sleigh_reactions(double t, const double *y, const double *p, double 
     const double k3 = k1 / k2;
 
     /* state */
+    /* (I.4.1) 20:5 */
+    lambda[0] = v * (B + m * (w - (B + m * w) * k3)); /* reaction of slip: Q_i gains lambda_1 a_1i */
     /* the mass matrix is singular */
     if (!(fabs(m) > 0.0)) {
         return CHARGED_SLEIGH_SINGULAR_2;
@@ -199,17 +328,19 @@ int charged_sleigh_reactions(double t, const double *y, const double *p, double 
     if (!(fabs(k2) > 0.0)) {
         return CHARGED_SLEIGH_SINGULAR_2;
     }
-    /* (I.4.1) 20:5 */
-    lambda[0] = v * (B + m * (w - (B + m * w) * k3)); /* reaction of slip: Q_i gains lambda_1 a_1i */
     return charged_sleigh_finish(1, lambda);
 }
 
 double charged_sleigh_energy(double t, const double *y, const double *p)
 {
     (void)t;
+    const double theta = y[2]; /* heading [rad] */
+
+    /* sines and cosines */
+    const double c_theta = cos(theta);
+    const double s_theta = sin(theta);
     const double x = y[0]; /* point of the edge [m] */
     const double y_2 = y[1]; /* point of the edge [m] */
-    const double theta = y[2]; /* heading [rad] */
     const double v = y[3];
     const double w = y[4];
     const double m = p[0]; /* mass [kg] */
@@ -217,20 +348,26 @@ double charged_sleigh_energy(double t, const double *y, const double *p)
     const double a = p[2]; /* from the edge to the centre of mass [m] */
     const double B = p[3]; /* charge times field [kg/s] */
 
+    /* parameters only */
+    const double k1 = a * a;
+
     /* state */
-    const double c_theta = cos(theta);
-    const double s_theta = sin(theta);
-    const double X_dot = c_theta * v - a * (s_theta * w);
-    const double Y_dot = s_theta * v + a * (c_theta * w);
-    const double z1 = 0.5 * (m * (X_dot * X_dot + Y_dot * Y_dot)) + 0.5 * (J * (w * w)) + 0.5 * (B * ((x + a
-        * c_theta) * Y_dot - (y_2 + a * s_theta) * X_dot));
-    return z1;
+    const double z1 = a * w * (a + (x * c_theta + y_2 * s_theta)) + v * (x * s_theta - y_2 * c_theta);
+    const double z2 = w * w;
+    return 0.5 * (B * z1 + (J * z2 + m * (z2 * k1 + v * v)));
 }
 
 int charged_sleigh_jacobian(double t, const double *y, const double *p, double *J)
 {
+    for (int entry = 0; entry < 25; ++entry) {
+        J[entry] = 0.0;
+    }
     (void)t;
     const double theta = y[2]; /* heading [rad] */
+
+    /* sines and cosines */
+    const double s_theta = sin(theta);
+    const double c_theta = cos(theta);
     const double v = y[3];
     const double w = y[4];
     const double m = p[0]; /* mass [kg] */
@@ -239,48 +376,31 @@ int charged_sleigh_jacobian(double t, const double *y, const double *p, double *
     const double B = p[3]; /* charge times field [kg/s] */
 
     /* parameters only */
-    const double k1 = J_2 + m * (a * a);
-    const double k2 = 1.0 / m;
-    const double k3 = 1.0 / k1;
+    const double k1 = m * a;
+    const double k2 = J_2 + m * (a * a);
+    const double k3 = 1.0 / m;
+    const double k4 = 1.0 / k2;
+    const double k5 = k1 * k4;
 
     /* state */
+    const double z1 = a * (B + m * w);
+    /* (I.2.15) */
+    J[2] = -s_theta * v;
+    J[3] = c_theta;
+    J[7] = c_theta * v;
+    J[8] = s_theta;
+    J[14] = 1.0;
+    J[19] = k3 * (z1 + w * k1);
+    J[23] = -k4 * z1;
+    J[24] = -v * k5;
     /* the mass matrix is singular */
     if (!(fabs(m) > 0.0)) {
         return CHARGED_SLEIGH_SINGULAR_2;
     }
     /* the mass matrix is singular */
-    if (!(fabs(k1) > 0.0)) {
+    if (!(fabs(k2) > 0.0)) {
         return CHARGED_SLEIGH_SINGULAR_2;
     }
-    const double s_theta = sin(theta);
-    const double c_theta = cos(theta);
-    const double z1 = a * (B + m * w);
-    /* (I.2.15) */
-    J[0] = 0.0;
-    J[1] = 0.0;
-    J[2] = -s_theta * v;
-    J[3] = c_theta;
-    J[4] = 0.0;
-    J[5] = 0.0;
-    J[6] = 0.0;
-    J[7] = c_theta * v;
-    J[8] = s_theta;
-    J[9] = 0.0;
-    J[10] = 0.0;
-    J[11] = 0.0;
-    J[12] = 0.0;
-    J[13] = 0.0;
-    J[14] = 1.0;
-    J[15] = 0.0;
-    J[16] = 0.0;
-    J[17] = 0.0;
-    J[18] = 0.0;
-    J[19] = k2 * (m * (a * w) + z1);
-    J[20] = 0.0;
-    J[21] = 0.0;
-    J[22] = 0.0;
-    J[23] = -k3 * z1;
-    J[24] = -k3 * (m * (a * v));
     return charged_sleigh_finish(25, J);
 }
 
@@ -296,9 +416,63 @@ int charged_sleigh_outputs(double t, const double *y, const double *p, double *o
     return charged_sleigh_finish(1, out);
 }
 
+#if CHARGED_SLEIGH_LANES >= 2
+static __attribute__((noinline)) void charged_sleigh_rhs_lanes(const double *fixed, size_t stride, const
+    double *t, const double *y, double *restrict dydt, double *check)
+{
+    (void)t;
+    charged_sleigh_lanes far = {0}; /* the squares of the angles */
+    charged_sleigh_lanes sum = {0}; /* an infinity or a NaN among the results stays in it */
+    charged_sleigh_bits bad = {0}; /* singular blocks */
+    const double m = fixed[0];
+    const double a = fixed[1];
+    const double B = fixed[2];
+    const double k2 = fixed[3];
+    const double k3 = fixed[4];
+    const charged_sleigh_lanes theta = charged_sleigh_get(y + 2 * stride);
+    const charged_sleigh_lanes v = charged_sleigh_get(y + 3 * stride);
+    const charged_sleigh_lanes w = charged_sleigh_get(y + 4 * stride);
+    charged_sleigh_lanes sine1, cosine1;
+    charged_sleigh_turn_lanes(CHARGED_SLEIGH_SPREAD(theta), &far, &sine1, &cosine1);
+    const charged_sleigh_lanes c_theta = cosine1;
+    const charged_sleigh_lanes s_theta = sine1;
+    const charged_sleigh_lanes z1 = a * (B + m * w);
+    /* (I.2.15) */
+    const charged_sleigh_lanes slope1 = c_theta * v;
+    sum += slope1;
+    charged_sleigh_put(dydt, slope1);
+    const charged_sleigh_lanes slope2 = s_theta * v;
+    sum += slope2;
+    charged_sleigh_put(dydt + 1 * stride, slope2);
+    const charged_sleigh_lanes slope3 = w;
+    sum += slope3;
+    charged_sleigh_put(dydt + 2 * stride, slope3);
+    /* (I.2.15) 18:4 */
+    const charged_sleigh_lanes slope4 = k2 * (w * z1);
+    sum += slope4;
+    charged_sleigh_put(dydt + 3 * stride, slope4);
+    const charged_sleigh_lanes slope5 = -k3 * (v * z1);
+    sum += slope5;
+    charged_sleigh_put(dydt + 4 * stride, slope5);
+    charged_sleigh_put(check, charged_sleigh_mark(far + (sum - sum), bad));
+}
+
+static __attribute__((noinline)) void charged_sleigh_rhs_tail(const double *fixed, size_t left, size_t count,
+    const double *t, const double *y, double *restrict dydt, double *check)
+{
+    double time[CHARGED_SLEIGH_LANES];
+    double state[5 * CHARGED_SLEIGH_LANES];
+    double slope[5 * CHARGED_SLEIGH_LANES];
+    charged_sleigh_fill(left, count, t, y, time, state);
+    charged_sleigh_rhs_lanes(fixed, CHARGED_SLEIGH_LANES, time, state, slope, check);
+    charged_sleigh_pour(left, count, slope, dydt);
+}
+#endif
+
 int charged_sleigh_rhs_batch(size_t count, const double *t, const double *y, const double *p, double
     *restrict dydt)
 {
+#if CHARGED_SLEIGH_LANES >= 2
     const double m = p[0]; /* mass [kg] */
     const double J = p[1]; /* moment of inertia about the centre of mass [kg*m^2] */
     const double a = p[2]; /* from the edge to the centre of mass [m] */
@@ -314,35 +488,23 @@ int charged_sleigh_rhs_batch(size_t count, const double *t, const double *y, con
     if (!(fabs(k1) > 0.0)) {
         return CHARGED_SLEIGH_SINGULAR_2;
     }
-    int bad = 0;
-    (void)t;
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC ivdep
-#endif
-    for (size_t i = 0; i < count; ++i) {
-        const double theta = y[2 * count + i]; /* heading [rad] */
-        const double v = y[3 * count + i];
-        const double w = y[4 * count + i];
-        const double c_theta = cos(theta);
-        const double s_theta = sin(theta);
-        const double z1 = B + m * w;
-        /* (I.2.15) */
-        const double slope1 = c_theta * v; /* x' */
-        dydt[i] = slope1;
-        bad |= !(fabs(slope1) <= DBL_MAX);
-        const double slope2 = s_theta * v; /* y' */
-        dydt[count + i] = slope2;
-        bad |= !(fabs(slope2) <= DBL_MAX);
-        const double slope3 = w; /* theta' */
-        dydt[2 * count + i] = slope3;
-        bad |= !(fabs(slope3) <= DBL_MAX);
-        /* (I.2.15) 18:4 */
-        const double slope4 = a * w * z1 * k2; /* v' */
-        dydt[3 * count + i] = slope4;
-        bad |= !(fabs(slope4) <= DBL_MAX);
-        const double slope5 = -z1 * (a * v) * k3; /* w' */
-        dydt[4 * count + i] = slope5;
-        bad |= !(fabs(slope5) <= DBL_MAX);
+    const double fixed[] = {m, a, B, k2, k3};
+    double check[1 * CHARGED_SLEIGH_LANES];
+    int status = CHARGED_SLEIGH_OK;
+    for (size_t i = 0; i < count; i += CHARGED_SLEIGH_LANES) {
+        const size_t left = count - i < CHARGED_SLEIGH_LANES ? count - i : CHARGED_SLEIGH_LANES;
+        if (left == CHARGED_SLEIGH_LANES) {
+            charged_sleigh_rhs_lanes(fixed, count, t + i, y + i, dydt + i, check);
+        } else {
+            charged_sleigh_rhs_tail(fixed, left, count, t + i, y + i, dydt + i, check);
+        }
+        if (!charged_sleigh_is_good(1 * CHARGED_SLEIGH_LANES, check)) {
+            const int one = charged_sleigh_one_by_one(count, i, left, t, y, p, dydt);
+            status = status == CHARGED_SLEIGH_OK ? one : status;
+        }
     }
-    return bad ? CHARGED_SLEIGH_NOT_FINITE : CHARGED_SLEIGH_OK;
+    return status;
+#else
+    return charged_sleigh_one_by_one(count, 0, count, t, y, p, dydt);
+#endif
 }

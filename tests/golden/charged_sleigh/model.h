@@ -1,5 +1,5 @@
 /*
- * charged_sleigh.h: charged_sleigh, emitted by nhc 0.1.0 (nhc:75fc590c77b37298)
+ * charged_sleigh.h: charged_sleigh, emitted by nhc 0.1.0 (nhc:bf7c2ee51e5ae12e)
  * Chaplygin's sleigh with a charge at its centre of mass in a magnetic field; T depends on x and y.
  * Source: charged_sleigh.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -25,14 +25,14 @@
  * out[0] = speed
  *
  * Operations:
- * rhs: 2 +-, 11 *, 2 /, 2 calls
+ * rhs: 2 +-, 10 *, 2 /, 2 calls
  * velocities: 0 +-, 2 *, 0 /, 2 calls
- * accelerations: 4 +-, 15 *, 2 /, 2 calls
+ * accelerations: 4 +-, 13 *, 2 /, 2 calls
  * state: 1 +-, 2 *, 0 /, 2 calls
  * residuals: 1 +-, 2 *, 0 /, 2 calls
  * reactions: 4 +-, 6 *, 1 /, 0 calls
- * energy: 8 +-, 19 *, 0 /, 2 calls
- * jacobian: 3 +-, 13 *, 2 /, 2 calls
+ * energy: 7 +-, 15 *, 0 /, 2 calls
+ * jacobian: 3 +-, 12 *, 2 /, 2 calls
  * outputs: 0 +-, 0 *, 0 /, 0 calls
  *
  * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.

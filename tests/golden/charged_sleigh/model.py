@@ -1,4 +1,4 @@
-"""charged_sleigh, emitted by nhc 0.1.0 (nhc:fe46c499f4b18454).
+"""charged_sleigh, emitted by nhc 0.1.0 (nhc:296010cb4f23e7cb).
 
 Chaplygin's sleigh with a charge at its centre of mass in a magnetic field; T
     depends on x and y.
@@ -26,14 +26,14 @@ Outputs:
 out[0] = speed
 
 Operations:
-rhs: 2 +-, 11 *, 2 /, 2 calls
+rhs: 2 +-, 10 *, 2 /, 2 calls
 velocities: 0 +-, 2 *, 0 /, 2 calls
-accelerations: 4 +-, 15 *, 2 /, 2 calls
+accelerations: 4 +-, 13 *, 2 /, 2 calls
 state: 1 +-, 2 *, 0 /, 2 calls
 residuals: 1 +-, 2 *, 0 /, 2 calls
 reactions: 4 +-, 6 *, 1 /, 0 calls
-energy: 8 +-, 19 *, 0 /, 2 calls
-jacobian: 3 +-, 13 *, 2 /, 2 calls
+energy: 7 +-, 15 *, 0 /, 2 calls
+jacobian: 3 +-, 12 *, 2 /, 2 calls
 outputs: 0 +-, 0 *, 0 /, 0 calls
 
 A singular point raises SingularModelError.
@@ -107,7 +107,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
             raise SingularModelError(2, "rhs")
         c_theta = math.cos(theta)
         s_theta = math.sin(theta)
-        z1 = B + m * w
+        z1 = a * (B + m * w)
         dydt: list[float] = [
             # x' (I.2.15)
             c_theta * v,
@@ -116,9 +116,9 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
             # theta' (I.2.15)
             w,
             # v' (I.2.15) 18:4
-            a * w * z1 * k2,
+            k2 * (w * z1),
             # w' (I.2.15) 18:4
-            -z1 * (a * v) * k3,
+            -k3 * (v * z1),
         ]
         return _finish("rhs", dydt)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -185,16 +185,17 @@ def accelerations(
         if not abs(k1) > 0.0:
             raise SingularModelError(2, "accelerations")
         s_theta = math.sin(theta)
+        z1 = v * w
         c_theta = math.cos(theta)
-        z1 = B + m * w
-        z2 = a * w * z1 * k2
+        z2 = a * (B + m * w)
+        z3 = k2 * (w * z2)
         qddot: list[float] = [
             # x'' (I.2.15)
-            c_theta * z2 - v * (s_theta * w),
+            c_theta * z3 - s_theta * z1,
             # y'' (I.2.15)
-            v * (c_theta * w) + s_theta * z2,
+            c_theta * z1 + s_theta * z3,
             # theta'' (I.2.15)
-            -z1 * (a * v) * k3,
+            -k3 * (v * z2),
         ]
         return _finish("accelerations", qddot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -309,15 +310,15 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     a = float(p[2])  # from the edge to the centre of mass [m]
     B = float(p[3])  # charge times field [kg/s]
     try:
+        # parameters only
+        k1 = a * a
         # state
         c_theta = math.cos(theta)
         s_theta = math.sin(theta)
-        X_dot = c_theta * v - a * (s_theta * w)
-        Y_dot = s_theta * v + a * (c_theta * w)
-        s1 = 0.5 * (m * (X_dot * X_dot + Y_dot * Y_dot))
-        s2 = B * ((x + a * c_theta) * Y_dot - (y_2 + a * s_theta) * X_dot)
-        z1 = s1 + 0.5 * (J * (w * w)) + 0.5 * s2
-        value1 = z1
+        s1 = a * w * (a + (x * c_theta + y_2 * s_theta))
+        z1 = s1 + v * (x * s_theta - y_2 * c_theta)
+        z2 = w * w
+        value1 = 0.5 * (B * z1 + (J * z2 + m * (z2 * k1 + v * v)))
         return _single("energy", value1)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
         raise SingularModelError(NOT_FINITE, "energy") from error
@@ -342,73 +343,58 @@ def jacobian(
     B = float(p[3])  # charge times field [kg/s]
     try:
         # parameters only
-        k1 = J_2 + m * (a * a)
-        k2 = 1.0 / m
-        k3 = 1.0 / k1
+        k1 = m * a
+        k2 = J_2 + m * (a * a)
+        k3 = 1.0 / m
+        k4 = 1.0 / k2
+        k5 = k1 * k4
         # state
         # the mass matrix is singular
         if not abs(m) > 0.0:
             raise SingularModelError(2, "jacobian")
         # the mass matrix is singular
-        if not abs(k1) > 0.0:
+        if not abs(k2) > 0.0:
             raise SingularModelError(2, "jacobian")
         s_theta = math.sin(theta)
         c_theta = math.cos(theta)
         z1 = a * (B + m * w)
         J: list[float] = [
-            # (I.2.15)
             0.0,
-            # (I.2.15)
             0.0,
             # (I.2.15)
             -s_theta * v,
             # (I.2.15)
             c_theta,
-            # (I.2.15)
             0.0,
-            # (I.2.15)
             0.0,
-            # (I.2.15)
             0.0,
             # (I.2.15)
             c_theta * v,
             # (I.2.15)
             s_theta,
-            # (I.2.15)
             0.0,
-            # (I.2.15)
             0.0,
-            # (I.2.15)
             0.0,
-            # (I.2.15)
             0.0,
-            # (I.2.15)
             0.0,
             # (I.2.15)
             1.0,
-            # (I.2.15)
+            0.0,
+            0.0,
+            0.0,
             0.0,
             # (I.2.15)
+            k3 * (z1 + w * k1),
+            0.0,
+            0.0,
             0.0,
             # (I.2.15)
-            0.0,
+            -k4 * z1,
             # (I.2.15)
-            0.0,
-            # (I.2.15)
-            k2 * (m * (a * w) + z1),
-            # (I.2.15)
-            0.0,
-            # (I.2.15)
-            0.0,
-            # (I.2.15)
-            0.0,
-            # (I.2.15)
-            -k3 * z1,
-            # (I.2.15)
-            -k3 * (m * (a * v)),
+            -v * k5,
         ]
         _finish("jacobian", J)
-        return [J[k4 : k4 + 5] for k4 in range(0, 25, 5)]
+        return [J[k6 : k6 + 5] for k6 in range(0, 25, 5)]
     except (ValueError, ZeroDivisionError, OverflowError) as error:
         raise SingularModelError(NOT_FINITE, "jacobian") from error
 

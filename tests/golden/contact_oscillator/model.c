@@ -1,5 +1,5 @@
 /*
- * contact_oscillator.c: contact_oscillator, emitted by nhc 0.1.0 (nhc:c04662270c1b6aa7)
+ * contact_oscillator.c: contact_oscillator, emitted by nhc 0.1.0 (nhc:033907ea86569f06)
  * Three equal oscillators with one contact constraint; reversible and integrable.
  * Source: contact_oscillator.yaml
  * Equations of motion: chaplygin (III.3)
@@ -12,6 +12,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <string.h>
 
 const char *const contact_oscillator_coordinate_names[] = {
     "x",
@@ -43,6 +44,116 @@ static int contact_oscillator_finish(int count, const double *values)
     return fabs(sum) <= DBL_MAX ? CONTACT_OSCILLATOR_OK : CONTACT_OSCILLATOR_NOT_FINITE;
 }
 
+/* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
+#ifndef CONTACT_OSCILLATOR_LANES
+#if !defined(__GNUC__)
+#define CONTACT_OSCILLATOR_LANES 1
+#elif defined(__AVX512F__)
+#define CONTACT_OSCILLATOR_LANES 8
+#elif defined(__AVX__)
+#define CONTACT_OSCILLATOR_LANES 4
+#else
+#define CONTACT_OSCILLATOR_LANES 2
+#endif
+#endif
+#if CONTACT_OSCILLATOR_LANES > 1
+typedef double contact_oscillator_lanes __attribute__((vector_size(8 * CONTACT_OSCILLATOR_LANES)));
+#else
+typedef double contact_oscillator_lanes;
+#endif
+
+#if CONTACT_OSCILLATOR_LANES >= 2
+static inline contact_oscillator_lanes contact_oscillator_get(const double *from)
+{
+    contact_oscillator_lanes value;
+    memcpy(&value, from, sizeof value);
+    return value;
+}
+
+static inline void contact_oscillator_put(double *to, contact_oscillator_lanes value)
+{
+    memcpy(to, &value, sizeof value);
+}
+#endif
+
+/* states first, first + 1, ... through rhs, one by one; the first status that is not OK */
+#if defined(__GNUC__)
+__attribute__((noinline))
+#endif
+static int contact_oscillator_one_by_one(size_t count, size_t first, size_t number, const double *t, const double *y, const double *p, double *dydt)
+{
+    int status = CONTACT_OSCILLATOR_OK;
+    for (size_t i = first; i < first + number; ++i) {
+        double state[CONTACT_OSCILLATOR_NY];
+        double slope[CONTACT_OSCILLATOR_NY];
+        for (size_t k = 0; k < CONTACT_OSCILLATOR_NY; ++k) {
+            state[k] = y[k * count + i];
+            slope[k] = NAN;
+        }
+        const int one = contact_oscillator_rhs(t[i], state, p, slope);
+        status = status == CONTACT_OSCILLATOR_OK ? one : status;
+        for (size_t k = 0; k < CONTACT_OSCILLATOR_NY; ++k) {
+            dydt[k * count + i] = slope[k];
+        }
+    }
+    return status;
+}
+
+#if CONTACT_OSCILLATOR_LANES >= 2
+#define CONTACT_OSCILLATOR_SPREAD(x) ((x) - (contact_oscillator_lanes){0}) /* a number in each lane; lanes stay what they are */
+
+typedef unsigned long long contact_oscillator_bits __attribute__((vector_size(8 * CONTACT_OSCILLATOR_LANES)));
+
+/* all bits where value is not above bound, or is no number */
+static inline contact_oscillator_bits contact_oscillator_misses(contact_oscillator_lanes value, contact_oscillator_lanes bound)
+{
+    return ~(contact_oscillator_bits)(value > bound);
+}
+
+/* no number where a bit is set */
+static inline contact_oscillator_lanes contact_oscillator_mark(contact_oscillator_lanes value, contact_oscillator_bits bad)
+{
+    return (contact_oscillator_lanes)((contact_oscillator_bits)value | bad);
+}
+
+static inline contact_oscillator_lanes contact_oscillator_size(contact_oscillator_lanes x)
+{
+    return (contact_oscillator_lanes)((contact_oscillator_bits)x & 0x7fffffffffffffffULL);
+}
+/* whether none of the states must be asked again: no singular block, no infinity, no angle anywhere near 1e5 */
+static inline int contact_oscillator_is_good(int count, const double *check)
+{
+    double even = 0.0;
+    double odd = 0.0;
+    for (int k = 0; k < count; k += 2) {
+        even += check[k];
+        odd += check[k + 1];
+    }
+    return even + odd <= 1e10;
+}
+
+/* the last states, fewer than there are lanes; the others repeat the last one */
+static inline void contact_oscillator_fill(size_t left, size_t count, const double *t, const double *y, double *time, double *state)
+{
+    for (size_t l = 0; l < CONTACT_OSCILLATOR_LANES; ++l) {
+        const size_t i = l < left ? l : left - 1;
+        time[l] = t[i];
+        for (size_t k = 0; k < CONTACT_OSCILLATOR_NY; ++k) {
+            state[k * CONTACT_OSCILLATOR_LANES + l] = y[k * count + i];
+        }
+    }
+}
+
+static inline void contact_oscillator_pour(size_t left, size_t count, const double *slope, double *dydt)
+{
+    for (size_t k = 0; k < CONTACT_OSCILLATOR_NY; ++k) {
+        for (size_t l = 0; l < left; ++l) {
+            dydt[k * count + l] = slope[k * CONTACT_OSCILLATOR_LANES + l];
+        }
+    }
+}
+#endif
+
 int contact_oscillator_rhs(double t, const double *y, const double *p, double *dydt)
 {
     (void)t;
@@ -55,10 +166,6 @@ int contact_oscillator_rhs(double t, const double *y, const double *p, double *d
 
     /* state */
     const double z1 = 1.0 + y_2 * y_2;
-    /* the mass matrix is singular */
-    if (!(fabs(z1) > 0.0)) {
-        return CONTACT_OSCILLATOR_SINGULAR_2;
-    }
     /* (III.3) */
     dydt[0] = -y_2 * z_dot; /* x' */
     dydt[1] = y_dot; /* y' */
@@ -66,6 +173,10 @@ int contact_oscillator_rhs(double t, const double *y, const double *p, double *d
     /* (III.3) 7:4 */
     dydt[3] = -y_2; /* y'' */
     dydt[4] = -(z - y_2 * (x - y_dot * z_dot)) / z1; /* z'' */
+    /* the mass matrix is singular */
+    if (!(fabs(z1) > 0.0)) {
+        return CONTACT_OSCILLATOR_SINGULAR_2;
+    }
     return contact_oscillator_finish(5, dydt);
 }
 
@@ -97,16 +208,16 @@ int contact_oscillator_accelerations(double t, const double *y, const double *p,
 
     /* state */
     const double z1 = 1.0 + y_2 * y_2;
-    /* the mass matrix is singular */
-    if (!(fabs(z1) > 0.0)) {
-        return CONTACT_OSCILLATOR_SINGULAR_2;
-    }
     const double z2 = y_dot * z_dot;
     const double z3 = (z - y_2 * (x - z2)) / z1;
     /* (III.3) */
     qddot[0] = y_2 * z3 - z2; /* x'' */
     qddot[1] = -y_2; /* y'' */
     qddot[2] = -z3; /* z'' */
+    /* the mass matrix is singular */
+    if (!(fabs(z1) > 0.0)) {
+        return CONTACT_OSCILLATOR_SINGULAR_2;
+    }
     return contact_oscillator_finish(3, qddot);
 }
 
@@ -155,13 +266,13 @@ int contact_oscillator_reactions(double t, const double *y, const double *p, dou
 
     /* state */
     const double z1 = 1.0 + y_2 * y_2;
+    const double z2 = x - y_dot * z_dot;
+    /* (I.4.1) 10:5 */
+    lambda[0] = z2 + y_2 * ((z - y_2 * z2) / z1); /* reaction of contact: Q_i gains lambda_1 a_1i */
     /* the mass matrix is singular */
     if (!(fabs(z1) > 0.0)) {
         return CONTACT_OSCILLATOR_SINGULAR_2;
     }
-    const double z2 = x - y_dot * z_dot;
-    /* (I.4.1) 10:5 */
-    lambda[0] = z2 + y_2 * ((z - y_2 * z2) / z1); /* reaction of contact: Q_i gains lambda_1 a_1i */
     return contact_oscillator_finish(1, lambda);
 }
 
@@ -176,13 +287,16 @@ double contact_oscillator_energy(double t, const double *y, const double *p)
     const double z_dot = y[4];
 
     /* state */
-    const double z1 = y_2 * z_dot;
-    const double z2 = 0.5 * (x * x + y_2 * y_2 + z * z) + 0.5 * (z_dot * z_dot + (y_dot * y_dot + z1 * z1));
+    const double z1 = z_dot * z_dot;
+    const double z2 = 0.5 * (y_2 * y_2 * (1.0 + z1) + (z1 + (y_dot * y_dot + (x * x + z * z))));
     return z2;
 }
 
 int contact_oscillator_jacobian(double t, const double *y, const double *p, double *J)
 {
+    for (int entry = 0; entry < 25; ++entry) {
+        J[entry] = 0.0;
+    }
     (void)t;
     (void)p;
     const double x = y[0];
@@ -193,38 +307,24 @@ int contact_oscillator_jacobian(double t, const double *y, const double *p, doub
 
     /* state */
     const double z1 = 1.0 + y_2 * y_2;
+    const double z2 = 1.0 / z1;
+    const double z3 = y_2 * z2;
+    const double z4 = x - y_dot * z_dot;
+    /* (III.3) */
+    J[1] = -z_dot;
+    J[4] = -y_2;
+    J[8] = 1.0;
+    J[14] = 1.0;
+    J[16] = -1.0;
+    J[20] = z3;
+    J[21] = z2 * (z4 + 2.0 * ((z - y_2 * z4) * z3));
+    J[22] = -z2;
+    J[23] = -z_dot * z3;
+    J[24] = -y_dot * z3;
     /* the mass matrix is singular */
     if (!(fabs(z1) > 0.0)) {
         return CONTACT_OSCILLATOR_SINGULAR_2;
     }
-    const double z2 = 1.0 / z1;
-    const double z3 = x - y_dot * z_dot;
-    /* (III.3) */
-    J[0] = 0.0;
-    J[1] = -z_dot;
-    J[2] = 0.0;
-    J[3] = 0.0;
-    J[4] = -y_2;
-    J[5] = 0.0;
-    J[6] = 0.0;
-    J[7] = 0.0;
-    J[8] = 1.0;
-    J[9] = 0.0;
-    J[10] = 0.0;
-    J[11] = 0.0;
-    J[12] = 0.0;
-    J[13] = 0.0;
-    J[14] = 1.0;
-    J[15] = 0.0;
-    J[16] = -1.0;
-    J[17] = 0.0;
-    J[18] = 0.0;
-    J[19] = 0.0;
-    J[20] = y_2 * z2;
-    J[21] = z2 * (z3 + 2.0 * (y_2 * ((z - y_2 * z3) * z2)));
-    J[22] = -z2;
-    J[23] = -y_2 * z_dot * z2;
-    J[24] = -z2 * (y_2 * y_dot);
     return contact_oscillator_finish(25, J);
 }
 
@@ -247,45 +347,77 @@ int contact_oscillator_outputs(double t, const double *y, const double *p, doubl
     return contact_oscillator_finish(2, out);
 }
 
+#if CONTACT_OSCILLATOR_LANES >= 2
+static __attribute__((noinline)) void contact_oscillator_rhs_lanes(const double *fixed, size_t stride, const
+    double *t, const double *y, double *restrict dydt, double *check)
+{
+    (void)t;
+    (void)fixed;
+    contact_oscillator_lanes far = {0}; /* the squares of the angles */
+    contact_oscillator_lanes sum = {0}; /* an infinity or a NaN among the results stays in it */
+    contact_oscillator_bits bad = {0}; /* singular blocks */
+    const contact_oscillator_lanes x = contact_oscillator_get(y);
+    const contact_oscillator_lanes y_2 = contact_oscillator_get(y + 1 * stride);
+    const contact_oscillator_lanes z = contact_oscillator_get(y + 2 * stride);
+    const contact_oscillator_lanes y_dot = contact_oscillator_get(y + 3 * stride);
+    const contact_oscillator_lanes z_dot = contact_oscillator_get(y + 4 * stride);
+    const contact_oscillator_lanes z1 = 1.0 + y_2 * y_2;
+    /* the mass matrix is singular */
+    bad |= contact_oscillator_misses(contact_oscillator_size(CONTACT_OSCILLATOR_SPREAD(z1)),
+        CONTACT_OSCILLATOR_SPREAD(0.0));
+    /* (III.3) */
+    const contact_oscillator_lanes slope1 = -y_2 * z_dot;
+    sum += slope1;
+    contact_oscillator_put(dydt, slope1);
+    const contact_oscillator_lanes slope2 = y_dot;
+    sum += slope2;
+    contact_oscillator_put(dydt + 1 * stride, slope2);
+    const contact_oscillator_lanes slope3 = z_dot;
+    sum += slope3;
+    contact_oscillator_put(dydt + 2 * stride, slope3);
+    /* (III.3) 7:4 */
+    const contact_oscillator_lanes slope4 = -y_2;
+    sum += slope4;
+    contact_oscillator_put(dydt + 3 * stride, slope4);
+    const contact_oscillator_lanes slope5 = -(z - y_2 * (x - y_dot * z_dot)) / z1;
+    sum += slope5;
+    contact_oscillator_put(dydt + 4 * stride, slope5);
+    contact_oscillator_put(check, contact_oscillator_mark(far + (sum - sum), bad));
+}
+
+static __attribute__((noinline)) void contact_oscillator_rhs_tail(const double *fixed, size_t left, size_t
+    count, const double *t, const double *y, double *restrict dydt, double *check)
+{
+    double time[CONTACT_OSCILLATOR_LANES];
+    double state[5 * CONTACT_OSCILLATOR_LANES];
+    double slope[5 * CONTACT_OSCILLATOR_LANES];
+    contact_oscillator_fill(left, count, t, y, time, state);
+    contact_oscillator_rhs_lanes(fixed, CONTACT_OSCILLATOR_LANES, time, state, slope, check);
+    contact_oscillator_pour(left, count, slope, dydt);
+}
+#endif
+
 int contact_oscillator_rhs_batch(size_t count, const double *t, const double *y, const double *p, double
     *restrict dydt)
 {
-    int singular1 = 0;
-    int bad = 0;
-    (void)t;
-    (void)p;
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC ivdep
+#if CONTACT_OSCILLATOR_LANES >= 2
+    const double *fixed = p;
+    double check[1 * CONTACT_OSCILLATOR_LANES];
+    int status = CONTACT_OSCILLATOR_OK;
+    for (size_t i = 0; i < count; i += CONTACT_OSCILLATOR_LANES) {
+        const size_t left = count - i < CONTACT_OSCILLATOR_LANES ? count - i : CONTACT_OSCILLATOR_LANES;
+        if (left == CONTACT_OSCILLATOR_LANES) {
+            contact_oscillator_rhs_lanes(fixed, count, t + i, y + i, dydt + i, check);
+        } else {
+            contact_oscillator_rhs_tail(fixed, left, count, t + i, y + i, dydt + i, check);
+        }
+        if (!contact_oscillator_is_good(1 * CONTACT_OSCILLATOR_LANES, check)) {
+            const int one = contact_oscillator_one_by_one(count, i, left, t, y, p, dydt);
+            status = status == CONTACT_OSCILLATOR_OK ? one : status;
+        }
+    }
+    return status;
+#else
+    return contact_oscillator_one_by_one(count, 0, count, t, y, p, dydt);
 #endif
-    for (size_t i = 0; i < count; ++i) {
-        const double x = y[i];
-        const double y_2 = y[count + i];
-        const double z = y[2 * count + i];
-        const double y_dot = y[3 * count + i];
-        const double z_dot = y[4 * count + i];
-        const double z1 = 1.0 + y_2 * y_2;
-        /* the mass matrix is singular */
-        singular1 |= !(fabs(z1) > 0.0);
-        /* (III.3) */
-        const double slope1 = -y_2 * z_dot; /* x' */
-        dydt[i] = slope1;
-        bad |= !(fabs(slope1) <= DBL_MAX);
-        const double slope2 = y_dot; /* y' */
-        dydt[count + i] = slope2;
-        bad |= !(fabs(slope2) <= DBL_MAX);
-        const double slope3 = z_dot; /* z' */
-        dydt[2 * count + i] = slope3;
-        bad |= !(fabs(slope3) <= DBL_MAX);
-        /* (III.3) 7:4 */
-        const double slope4 = -y_2; /* y'' */
-        dydt[3 * count + i] = slope4;
-        bad |= !(fabs(slope4) <= DBL_MAX);
-        const double slope5 = -(z - y_2 * (x - y_dot * z_dot)) / z1; /* z'' */
-        dydt[4 * count + i] = slope5;
-        bad |= !(fabs(slope5) <= DBL_MAX);
-    }
-    if (singular1) {
-        return CONTACT_OSCILLATOR_SINGULAR_2;
-    }
-    return bad ? CONTACT_OSCILLATOR_NOT_FINITE : CONTACT_OSCILLATOR_OK;
 }

@@ -1,5 +1,5 @@
 /*
- * contact_oscillator.h: contact_oscillator, emitted by nhc 0.1.0 (nhc:d61d40b422b9e6f3)
+ * contact_oscillator.h: contact_oscillator, emitted by nhc 0.1.0 (nhc:101ba19fda8ddd65)
  * Three equal oscillators with one contact constraint; reversible and integrable.
  * Source: contact_oscillator.yaml
  * Equations of motion: chaplygin (III.3)
@@ -30,8 +30,8 @@
  * state: 0 +-, 0 *, 0 /, 0 calls
  * residuals: 1 +-, 1 *, 0 /, 0 calls
  * reactions: 4 +-, 4 *, 1 /, 0 calls
- * energy: 5 +-, 9 *, 0 /, 0 calls
- * jacobian: 4 +-, 12 *, 1 /, 0 calls
+ * energy: 5 +-, 7 *, 0 /, 0 calls
+ * jacobian: 4 +-, 9 *, 1 /, 0 calls
  * outputs: 4 +-, 8 *, 0 /, 0 calls
  *
  * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.

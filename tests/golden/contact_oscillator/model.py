@@ -1,4 +1,4 @@
-"""contact_oscillator, emitted by nhc 0.1.0 (nhc:6301db216e165d6d).
+"""contact_oscillator, emitted by nhc 0.1.0 (nhc:722fe0a8f961beba).
 
 Three equal oscillators with one contact constraint; reversible and integrable.
 Source: contact_oscillator.yaml
@@ -30,8 +30,8 @@ accelerations: 4 +-, 4 *, 1 /, 0 calls
 state: 0 +-, 0 *, 0 /, 0 calls
 residuals: 1 +-, 1 *, 0 /, 0 calls
 reactions: 4 +-, 4 *, 1 /, 0 calls
-energy: 5 +-, 9 *, 0 /, 0 calls
-jacobian: 4 +-, 12 *, 1 /, 0 calls
+energy: 5 +-, 7 *, 0 /, 0 calls
+jacobian: 4 +-, 9 *, 1 /, 0 calls
 outputs: 4 +-, 8 *, 0 /, 0 calls
 
 A singular point raises SingularModelError.
@@ -270,9 +270,9 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     z_dot = float(y[4])
     try:
         # state
-        z1 = y_2 * z_dot
-        s1 = 0.5 * (z_dot * z_dot + (y_dot * y_dot + z1 * z1))
-        z2 = 0.5 * (x * x + y_2 * y_2 + z * z) + s1
+        z1 = z_dot * z_dot
+        s1 = z1 + (y_dot * y_dot + (x * x + z * z))
+        z2 = 0.5 * (y_2 * y_2 * (1.0 + z1) + s1)
         value1 = z2
         return _single("energy", value1)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -301,58 +301,44 @@ def jacobian(
         if not abs(z1) > 0.0:
             raise SingularModelError(2, "jacobian")
         z2 = 1.0 / z1
-        z3 = x - y_dot * z_dot
+        z3 = y_2 * z2
+        z4 = x - y_dot * z_dot
         J: list[float] = [
-            # (III.3)
             0.0,
             # (III.3)
             -z_dot,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
             # (III.3)
             -y_2,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
             # (III.3)
             1.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
             # (III.3)
             1.0,
-            # (III.3)
             0.0,
             # (III.3)
             -1.0,
-            # (III.3)
+            0.0,
+            0.0,
             0.0,
             # (III.3)
-            0.0,
+            z3,
             # (III.3)
-            0.0,
-            # (III.3)
-            y_2 * z2,
-            # (III.3)
-            z2 * (z3 + 2.0 * (y_2 * ((z - y_2 * z3) * z2))),
+            z2 * (z4 + 2.0 * ((z - y_2 * z4) * z3)),
             # (III.3)
             -z2,
             # (III.3)
-            -y_2 * z_dot * z2,
+            -z_dot * z3,
             # (III.3)
-            -z2 * (y_2 * y_dot),
+            -y_dot * z3,
         ]
         _finish("jacobian", J)
         return [J[k1 : k1 + 5] for k1 in range(0, 25, 5)]

@@ -1,5 +1,5 @@
 /*
- * contact_oscillator_eps.c: contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:21cbc60e77c5e11e)
+ * contact_oscillator_eps.c: contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:2fa30a20e4d5a0fc)
  * The contact oscillator with a quartic coupling; still reversible and still with a second integral.
  * Source: contact_oscillator_eps.yaml
  * Equations of motion: chaplygin (III.3)
@@ -14,6 +14,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <string.h>
 
 const char *const contact_oscillator_eps_coordinate_names[] = {
     "x",
@@ -43,6 +44,116 @@ static int contact_oscillator_eps_finish(int count, const double *values)
     return fabs(sum) <= DBL_MAX ? CONTACT_OSCILLATOR_EPS_OK : CONTACT_OSCILLATOR_EPS_NOT_FINITE;
 }
 
+/* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
+#ifndef CONTACT_OSCILLATOR_EPS_LANES
+#if !defined(__GNUC__)
+#define CONTACT_OSCILLATOR_EPS_LANES 1
+#elif defined(__AVX512F__)
+#define CONTACT_OSCILLATOR_EPS_LANES 8
+#elif defined(__AVX__)
+#define CONTACT_OSCILLATOR_EPS_LANES 4
+#else
+#define CONTACT_OSCILLATOR_EPS_LANES 2
+#endif
+#endif
+#if CONTACT_OSCILLATOR_EPS_LANES > 1
+typedef double contact_oscillator_eps_lanes __attribute__((vector_size(8 * CONTACT_OSCILLATOR_EPS_LANES)));
+#else
+typedef double contact_oscillator_eps_lanes;
+#endif
+
+#if CONTACT_OSCILLATOR_EPS_LANES >= 2
+static inline contact_oscillator_eps_lanes contact_oscillator_eps_get(const double *from)
+{
+    contact_oscillator_eps_lanes value;
+    memcpy(&value, from, sizeof value);
+    return value;
+}
+
+static inline void contact_oscillator_eps_put(double *to, contact_oscillator_eps_lanes value)
+{
+    memcpy(to, &value, sizeof value);
+}
+#endif
+
+/* states first, first + 1, ... through rhs, one by one; the first status that is not OK */
+#if defined(__GNUC__)
+__attribute__((noinline))
+#endif
+static int contact_oscillator_eps_one_by_one(size_t count, size_t first, size_t number, const double *t, const double *y, const double *p, double *dydt)
+{
+    int status = CONTACT_OSCILLATOR_EPS_OK;
+    for (size_t i = first; i < first + number; ++i) {
+        double state[CONTACT_OSCILLATOR_EPS_NY];
+        double slope[CONTACT_OSCILLATOR_EPS_NY];
+        for (size_t k = 0; k < CONTACT_OSCILLATOR_EPS_NY; ++k) {
+            state[k] = y[k * count + i];
+            slope[k] = NAN;
+        }
+        const int one = contact_oscillator_eps_rhs(t[i], state, p, slope);
+        status = status == CONTACT_OSCILLATOR_EPS_OK ? one : status;
+        for (size_t k = 0; k < CONTACT_OSCILLATOR_EPS_NY; ++k) {
+            dydt[k * count + i] = slope[k];
+        }
+    }
+    return status;
+}
+
+#if CONTACT_OSCILLATOR_EPS_LANES >= 2
+#define CONTACT_OSCILLATOR_EPS_SPREAD(x) ((x) - (contact_oscillator_eps_lanes){0}) /* a number in each lane; lanes stay what they are */
+
+typedef unsigned long long contact_oscillator_eps_bits __attribute__((vector_size(8 * CONTACT_OSCILLATOR_EPS_LANES)));
+
+/* all bits where value is not above bound, or is no number */
+static inline contact_oscillator_eps_bits contact_oscillator_eps_misses(contact_oscillator_eps_lanes value, contact_oscillator_eps_lanes bound)
+{
+    return ~(contact_oscillator_eps_bits)(value > bound);
+}
+
+/* no number where a bit is set */
+static inline contact_oscillator_eps_lanes contact_oscillator_eps_mark(contact_oscillator_eps_lanes value, contact_oscillator_eps_bits bad)
+{
+    return (contact_oscillator_eps_lanes)((contact_oscillator_eps_bits)value | bad);
+}
+
+static inline contact_oscillator_eps_lanes contact_oscillator_eps_size(contact_oscillator_eps_lanes x)
+{
+    return (contact_oscillator_eps_lanes)((contact_oscillator_eps_bits)x & 0x7fffffffffffffffULL);
+}
+/* whether none of the states must be asked again: no singular block, no infinity, no angle anywhere near 1e5 */
+static inline int contact_oscillator_eps_is_good(int count, const double *check)
+{
+    double even = 0.0;
+    double odd = 0.0;
+    for (int k = 0; k < count; k += 2) {
+        even += check[k];
+        odd += check[k + 1];
+    }
+    return even + odd <= 1e10;
+}
+
+/* the last states, fewer than there are lanes; the others repeat the last one */
+static inline void contact_oscillator_eps_fill(size_t left, size_t count, const double *t, const double *y, double *time, double *state)
+{
+    for (size_t l = 0; l < CONTACT_OSCILLATOR_EPS_LANES; ++l) {
+        const size_t i = l < left ? l : left - 1;
+        time[l] = t[i];
+        for (size_t k = 0; k < CONTACT_OSCILLATOR_EPS_NY; ++k) {
+            state[k * CONTACT_OSCILLATOR_EPS_LANES + l] = y[k * count + i];
+        }
+    }
+}
+
+static inline void contact_oscillator_eps_pour(size_t left, size_t count, const double *slope, double *dydt)
+{
+    for (size_t k = 0; k < CONTACT_OSCILLATOR_EPS_NY; ++k) {
+        for (size_t l = 0; l < left; ++l) {
+            dydt[k * count + l] = slope[k * CONTACT_OSCILLATOR_EPS_LANES + l];
+        }
+    }
+}
+#endif
+
 int contact_oscillator_eps_rhs(double t, const double *y, const double *p, double *dydt)
 {
     (void)t;
@@ -55,18 +166,19 @@ int contact_oscillator_eps_rhs(double t, const double *y, const double *p, doubl
 
     /* state */
     const double z1 = 1.0 + y_2 * y_2;
-    /* the mass matrix is singular */
-    if (!(fabs(z1) > 0.0)) {
-        return CONTACT_OSCILLATOR_EPS_SINGULAR_2;
-    }
-    const double z2 = x * (y_2 * (1.0 + eps * (z * z)) - eps * (x * z)) - (z + z_dot * (y_2 * y_dot));
+    const double z2 = y_2 * z_dot;
+    const double z3 = x * (y_2 * (1.0 + eps * (z * z)) - eps * (x * z)) - (z + y_dot * z2);
     /* (III.3) */
-    dydt[0] = -y_2 * z_dot; /* x' */
+    dydt[0] = -z2; /* x' */
     dydt[1] = y_dot; /* y' */
     dydt[2] = z_dot; /* z' */
     /* (III.3) 9:4 */
     dydt[3] = -y_2; /* y'' */
-    dydt[4] = z2 / z1; /* z'' */
+    dydt[4] = z3 / z1; /* z'' */
+    /* the mass matrix is singular */
+    if (!(fabs(z1) > 0.0)) {
+        return CONTACT_OSCILLATOR_EPS_SINGULAR_2;
+    }
     return contact_oscillator_eps_finish(5, dydt);
 }
 
@@ -98,16 +210,17 @@ int contact_oscillator_eps_accelerations(double t, const double *y, const double
 
     /* state */
     const double z1 = 1.0 + y_2 * y_2;
+    const double z2 = y_dot * z_dot;
+    const double z3 = x * (y_2 * (1.0 + eps * (z * z)) - eps * (x * z)) - (z + y_2 * z2);
+    const double z4 = z3 / z1;
+    /* (III.3) */
+    qddot[0] = -(z2 + y_2 * z4); /* x'' */
+    qddot[1] = -y_2; /* y'' */
+    qddot[2] = z4; /* z'' */
     /* the mass matrix is singular */
     if (!(fabs(z1) > 0.0)) {
         return CONTACT_OSCILLATOR_EPS_SINGULAR_2;
     }
-    const double z2 = x * (y_2 * (1.0 + eps * (z * z)) - eps * (x * z)) - (z + z_dot * (y_2 * y_dot));
-    const double z3 = z2 / z1;
-    /* (III.3) */
-    qddot[0] = -(y_dot * z_dot + y_2 * z3); /* x'' */
-    qddot[1] = -y_2; /* y'' */
-    qddot[2] = z3; /* z'' */
     return contact_oscillator_eps_finish(3, qddot);
 }
 
@@ -157,14 +270,16 @@ int contact_oscillator_eps_reactions(double t, const double *y, const double *p,
 
     /* state */
     const double z1 = 1.0 + y_2 * y_2;
+    const double z2 = 1.0 + eps * (z * z);
+    const double z3 = y_2 / z1;
+    const double z4 = y_dot * z_dot;
+    const double z5 = x * (z2 - (y_2 * z2 - eps * (x * z)) * z3) - (z4 - z3 * (z + y_2 * z4));
+    /* (I.4.1) 12:5 */
+    lambda[0] = z5; /* reaction of contact: Q_i gains lambda_1 a_1i */
     /* the mass matrix is singular */
     if (!(fabs(z1) > 0.0)) {
         return CONTACT_OSCILLATOR_EPS_SINGULAR_2;
     }
-    const double z2 = 1.0 + eps * (z * z);
-    const double z3 = (x * (y_2 * z2 - eps * (x * z)) - (z + z_dot * (y_2 * y_dot))) / z1;
-    /* (I.4.1) 12:5 */
-    lambda[0] = -(y_dot * z_dot - x * z2 + y_2 * z3); /* reaction of contact: Q_i gains lambda_1 a_1i */
     return contact_oscillator_eps_finish(1, lambda);
 }
 
@@ -179,16 +294,17 @@ double contact_oscillator_eps_energy(double t, const double *y, const double *p)
     const double eps = p[0]; /* strength of the coupling */
 
     /* state */
-    const double z1 = x * x;
-    const double z2 = z * z;
-    const double z3 = y_2 * z_dot;
-    const double z4 = 0.5 * (z1 + y_2 * y_2 + z2 + z2 * (eps * z1)) + 0.5 * (z_dot * z_dot + (y_dot * y_dot +
-        z3 * z3));
-    return z4;
+    const double z1 = z * z;
+    const double z2 = z_dot * z_dot;
+    const double z3 = x * x * (1.0 + eps * z1) + (y_2 * y_2 * (1.0 + z2) + (z2 + (y_dot * y_dot + z1)));
+    return 0.5 * z3;
 }
 
 int contact_oscillator_eps_jacobian(double t, const double *y, const double *p, double *J)
 {
+    for (int entry = 0; entry < 25; ++entry) {
+        J[entry] = 0.0;
+    }
     (void)t;
     const double x = y[0];
     const double y_2 = y[1];
@@ -199,42 +315,28 @@ int contact_oscillator_eps_jacobian(double t, const double *y, const double *p, 
 
     /* state */
     const double z1 = 1.0 + y_2 * y_2;
+    const double z2 = 1.0 / z1;
+    const double z3 = x * eps;
+    const double z4 = z * z3;
+    const double z5 = 1.0 + eps * (z * z);
+    const double z6 = y_2 * z5;
+    const double z7 = y_2 * y_dot;
+    const double z8 = y_dot * z_dot - x * z5 - 2.0 * (z2 * (y_2 * (z + z_dot * z7 + x * (z4 - z6))));
+    /* (III.3) */
+    J[1] = -z_dot;
+    J[4] = -y_2;
+    J[8] = 1.0;
+    J[14] = 1.0;
+    J[16] = -1.0;
+    J[20] = -z2 * (2.0 * z4 - z6);
+    J[21] = -z2 * z8;
+    J[22] = -z2 * (1.0 + z3 * (x - 2.0 * (y_2 * z)));
+    J[23] = -y_2 * z_dot * z2;
+    J[24] = -z7 * z2;
     /* the mass matrix is singular */
     if (!(fabs(z1) > 0.0)) {
         return CONTACT_OSCILLATOR_EPS_SINGULAR_2;
     }
-    const double z2 = 1.0 / z1;
-    const double z3 = x * eps;
-    const double z4 = 1.0 + eps * (z * z);
-    const double z5 = y_2 * z4 - eps * (x * z);
-    const double z6 = y_2 * y_dot;
-    const double z7 = y_dot * z_dot - x * z4 + 2.0 * (y_2 * ((x * z5 - (z + z_dot * z6)) * z2));
-    /* (III.3) */
-    J[0] = 0.0;
-    J[1] = -z_dot;
-    J[2] = 0.0;
-    J[3] = 0.0;
-    J[4] = -y_2;
-    J[5] = 0.0;
-    J[6] = 0.0;
-    J[7] = 0.0;
-    J[8] = 1.0;
-    J[9] = 0.0;
-    J[10] = 0.0;
-    J[11] = 0.0;
-    J[12] = 0.0;
-    J[13] = 0.0;
-    J[14] = 1.0;
-    J[15] = 0.0;
-    J[16] = -1.0;
-    J[17] = 0.0;
-    J[18] = 0.0;
-    J[19] = 0.0;
-    J[20] = -z2 * (z * z3 - z5);
-    J[21] = -z2 * z7;
-    J[22] = -z2 * (1.0 + x * z3 - 2.0 * (z * (eps * (x * y_2))));
-    J[23] = -y_2 * z_dot * z2;
-    J[24] = -z6 * z2;
     return contact_oscillator_eps_finish(25, J);
 }
 
@@ -258,46 +360,81 @@ int contact_oscillator_eps_outputs(double t, const double *y, const double *p, d
     return contact_oscillator_eps_finish(2, out);
 }
 
+#if CONTACT_OSCILLATOR_EPS_LANES >= 2
+static __attribute__((noinline)) void contact_oscillator_eps_rhs_lanes(const double *fixed, size_t stride,
+    const double *t, const double *y, double *restrict dydt, double *check)
+{
+    (void)t;
+    contact_oscillator_eps_lanes far = {0}; /* the squares of the angles */
+    contact_oscillator_eps_lanes sum = {0}; /* an infinity or a NaN among the results stays in it */
+    contact_oscillator_eps_bits bad = {0}; /* singular blocks */
+    const double eps = fixed[0];
+    const contact_oscillator_eps_lanes x = contact_oscillator_eps_get(y);
+    const contact_oscillator_eps_lanes y_2 = contact_oscillator_eps_get(y + 1 * stride);
+    const contact_oscillator_eps_lanes z = contact_oscillator_eps_get(y + 2 * stride);
+    const contact_oscillator_eps_lanes y_dot = contact_oscillator_eps_get(y + 3 * stride);
+    const contact_oscillator_eps_lanes z_dot = contact_oscillator_eps_get(y + 4 * stride);
+    const contact_oscillator_eps_lanes z1 = 1.0 + y_2 * y_2;
+    /* the mass matrix is singular */
+    bad |= contact_oscillator_eps_misses(contact_oscillator_eps_size(CONTACT_OSCILLATOR_EPS_SPREAD(z1)),
+        CONTACT_OSCILLATOR_EPS_SPREAD(0.0));
+    const contact_oscillator_eps_lanes z2 = y_2 * z_dot;
+    const contact_oscillator_eps_lanes z3 = x * (y_2 * (1.0 + eps * (z * z)) - eps * (x * z)) - (z + y_dot *
+        z2);
+    /* (III.3) */
+    const contact_oscillator_eps_lanes slope1 = -z2;
+    sum += slope1;
+    contact_oscillator_eps_put(dydt, slope1);
+    const contact_oscillator_eps_lanes slope2 = y_dot;
+    sum += slope2;
+    contact_oscillator_eps_put(dydt + 1 * stride, slope2);
+    const contact_oscillator_eps_lanes slope3 = z_dot;
+    sum += slope3;
+    contact_oscillator_eps_put(dydt + 2 * stride, slope3);
+    /* (III.3) 9:4 */
+    const contact_oscillator_eps_lanes slope4 = -y_2;
+    sum += slope4;
+    contact_oscillator_eps_put(dydt + 3 * stride, slope4);
+    const contact_oscillator_eps_lanes slope5 = z3 / z1;
+    sum += slope5;
+    contact_oscillator_eps_put(dydt + 4 * stride, slope5);
+    contact_oscillator_eps_put(check, contact_oscillator_eps_mark(far + (sum - sum), bad));
+}
+
+static __attribute__((noinline)) void contact_oscillator_eps_rhs_tail(const double *fixed, size_t left,
+    size_t count, const double *t, const double *y, double *restrict dydt, double *check)
+{
+    double time[CONTACT_OSCILLATOR_EPS_LANES];
+    double state[5 * CONTACT_OSCILLATOR_EPS_LANES];
+    double slope[5 * CONTACT_OSCILLATOR_EPS_LANES];
+    contact_oscillator_eps_fill(left, count, t, y, time, state);
+    contact_oscillator_eps_rhs_lanes(fixed, CONTACT_OSCILLATOR_EPS_LANES, time, state, slope, check);
+    contact_oscillator_eps_pour(left, count, slope, dydt);
+}
+#endif
+
 int contact_oscillator_eps_rhs_batch(size_t count, const double *t, const double *y, const double *p, double
     *restrict dydt)
 {
+#if CONTACT_OSCILLATOR_EPS_LANES >= 2
     const double eps = p[0]; /* strength of the coupling */
-    int singular1 = 0;
-    int bad = 0;
-    (void)t;
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC ivdep
+    const double fixed[] = {eps};
+    double check[1 * CONTACT_OSCILLATOR_EPS_LANES];
+    int status = CONTACT_OSCILLATOR_EPS_OK;
+    for (size_t i = 0; i < count; i += CONTACT_OSCILLATOR_EPS_LANES) {
+        const size_t left = count - i < CONTACT_OSCILLATOR_EPS_LANES ? count - i : CONTACT_OSCILLATOR_EPS_LANES;
+        if (left == CONTACT_OSCILLATOR_EPS_LANES) {
+            contact_oscillator_eps_rhs_lanes(fixed, count, t + i, y + i, dydt + i, check);
+        } else {
+            contact_oscillator_eps_rhs_tail(fixed, left, count, t + i, y + i, dydt + i, check);
+        }
+        if (!contact_oscillator_eps_is_good(1 * CONTACT_OSCILLATOR_EPS_LANES, check)) {
+            const int one = contact_oscillator_eps_one_by_one(count, i, left, t, y, p, dydt);
+            status = status == CONTACT_OSCILLATOR_EPS_OK ? one : status;
+        }
+    }
+    return status;
+#else
+    return contact_oscillator_eps_one_by_one(count, 0, count, t, y, p, dydt);
 #endif
-    for (size_t i = 0; i < count; ++i) {
-        const double x = y[i];
-        const double y_2 = y[count + i];
-        const double z = y[2 * count + i];
-        const double y_dot = y[3 * count + i];
-        const double z_dot = y[4 * count + i];
-        const double z1 = 1.0 + y_2 * y_2;
-        /* the mass matrix is singular */
-        singular1 |= !(fabs(z1) > 0.0);
-        const double z2 = x * (y_2 * (1.0 + eps * (z * z)) - eps * (x * z)) - (z + z_dot * (y_2 * y_dot));
-        /* (III.3) */
-        const double slope1 = -y_2 * z_dot; /* x' */
-        dydt[i] = slope1;
-        bad |= !(fabs(slope1) <= DBL_MAX);
-        const double slope2 = y_dot; /* y' */
-        dydt[count + i] = slope2;
-        bad |= !(fabs(slope2) <= DBL_MAX);
-        const double slope3 = z_dot; /* z' */
-        dydt[2 * count + i] = slope3;
-        bad |= !(fabs(slope3) <= DBL_MAX);
-        /* (III.3) 9:4 */
-        const double slope4 = -y_2; /* y'' */
-        dydt[3 * count + i] = slope4;
-        bad |= !(fabs(slope4) <= DBL_MAX);
-        const double slope5 = z2 / z1; /* z'' */
-        dydt[4 * count + i] = slope5;
-        bad |= !(fabs(slope5) <= DBL_MAX);
-    }
-    if (singular1) {
-        return CONTACT_OSCILLATOR_EPS_SINGULAR_2;
-    }
-    return bad ? CONTACT_OSCILLATOR_EPS_NOT_FINITE : CONTACT_OSCILLATOR_EPS_OK;
 }

@@ -1,5 +1,5 @@
 /*
- * contact_oscillator_eps.h: contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:e12fdc78e6fc45d5)
+ * contact_oscillator_eps.h: contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:344c1a008af57709)
  * The contact oscillator with a quartic coupling; still reversible and still with a second integral.
  * Source: contact_oscillator_eps.yaml
  * Equations of motion: chaplygin (III.3)
@@ -27,14 +27,14 @@
  * out[1] = R
  *
  * Operations:
- * rhs: 5 +-, 10 *, 1 /, 0 calls
+ * rhs: 5 +-, 9 *, 1 /, 0 calls
  * velocities: 0 +-, 1 *, 0 /, 0 calls
- * accelerations: 6 +-, 11 *, 1 /, 0 calls
+ * accelerations: 6 +-, 10 *, 1 /, 0 calls
  * state: 0 +-, 0 *, 0 /, 0 calls
  * residuals: 1 +-, 1 *, 0 /, 0 calls
- * reactions: 7 +-, 12 *, 1 /, 0 calls
- * energy: 6 +-, 11 *, 0 /, 0 calls
- * jacobian: 10 +-, 27 *, 1 /, 0 calls
+ * reactions: 7 +-, 11 *, 1 /, 0 calls
+ * energy: 6 +-, 9 *, 0 /, 0 calls
+ * jacobian: 10 +-, 24 *, 1 /, 0 calls
  * outputs: 5 +-, 10 *, 0 /, 0 calls
  *
  * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.

@@ -1,4 +1,4 @@
-"""contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:a90b04b753617b6c).
+"""contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:6f2a52c168735aa8).
 
 The contact oscillator with a quartic coupling; still reversible and still with a
     second integral.
@@ -28,14 +28,14 @@ out[0] = H_y
 out[1] = R
 
 Operations:
-rhs: 5 +-, 10 *, 1 /, 0 calls
+rhs: 5 +-, 9 *, 1 /, 0 calls
 velocities: 0 +-, 1 *, 0 /, 0 calls
-accelerations: 6 +-, 11 *, 1 /, 0 calls
+accelerations: 6 +-, 10 *, 1 /, 0 calls
 state: 0 +-, 0 *, 0 /, 0 calls
 residuals: 1 +-, 1 *, 0 /, 0 calls
-reactions: 7 +-, 12 *, 1 /, 0 calls
-energy: 6 +-, 11 *, 0 /, 0 calls
-jacobian: 10 +-, 27 *, 1 /, 0 calls
+reactions: 7 +-, 11 *, 1 /, 0 calls
+energy: 6 +-, 9 *, 0 /, 0 calls
+jacobian: 10 +-, 24 *, 1 /, 0 calls
 outputs: 5 +-, 10 *, 0 /, 0 calls
 
 A singular point raises SingularModelError.
@@ -100,11 +100,12 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         # the mass matrix is singular
         if not abs(z1) > 0.0:
             raise SingularModelError(2, "rhs")
+        z2 = y_2 * z_dot
         s1 = x * (y_2 * (1.0 + eps * (z * z)) - eps * (x * z))
-        z2 = s1 - (z + z_dot * (y_2 * y_dot))
+        z3 = s1 - (z + y_dot * z2)
         dydt: list[float] = [
             # x' (III.3)
-            -y_2 * z_dot,
+            -z2,
             # y' (III.3)
             y_dot,
             # z' (III.3)
@@ -112,7 +113,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
             # y'' (III.3) 9:4
             -y_2,
             # z'' (III.3) 9:4
-            z2 / z1,
+            z3 / z1,
         ]
         return _finish("rhs", dydt)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -169,16 +170,17 @@ def accelerations(
         # the mass matrix is singular
         if not abs(z1) > 0.0:
             raise SingularModelError(2, "accelerations")
+        z2 = y_dot * z_dot
         s1 = x * (y_2 * (1.0 + eps * (z * z)) - eps * (x * z))
-        z2 = s1 - (z + z_dot * (y_2 * y_dot))
-        z3 = z2 / z1
+        z3 = s1 - (z + y_2 * z2)
+        z4 = z3 / z1
         qddot: list[float] = [
             # x'' (III.3)
-            -(y_dot * z_dot + y_2 * z3),
+            -(z2 + y_2 * z4),
             # y'' (III.3)
             -y_2,
             # z'' (III.3)
-            z3,
+            z4,
         ]
         return _finish("accelerations", qddot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -258,11 +260,13 @@ def reactions(
         if not abs(z1) > 0.0:
             raise SingularModelError(2, "reactions")
         z2 = 1.0 + eps * (z * z)
-        s1 = x * (y_2 * z2 - eps * (x * z)) - (z + z_dot * (y_2 * y_dot))
-        z3 = s1 / z1
+        z3 = y_2 / z1
+        z4 = y_dot * z_dot
+        s1 = x * (z2 - (y_2 * z2 - eps * (x * z)) * z3)
+        z5 = s1 - (z4 - z3 * (z + y_2 * z4))
         lambda_: list[float] = [
             # reaction of contact: Q_i gains lambda_1 a_1i (I.4.1) 12:5
-            -(y_dot * z_dot - x * z2 + y_2 * z3),
+            z5,
         ]
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -283,12 +287,11 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     eps = float(p[0])  # strength of the coupling
     try:
         # state
-        z1 = x * x
-        z2 = z * z
-        z3 = y_2 * z_dot
-        s1 = 0.5 * (z_dot * z_dot + (y_dot * y_dot + z3 * z3))
-        z4 = 0.5 * (z1 + y_2 * y_2 + z2 + z2 * (eps * z1)) + s1
-        value1 = z4
+        z1 = z * z
+        z2 = z_dot * z_dot
+        s1 = y_2 * y_2 * (1.0 + z2) + (z2 + (y_dot * y_dot + z1))
+        z3 = x * x * (1.0 + eps * z1) + s1
+        value1 = 0.5 * z3
         return _single("energy", value1)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
         raise SingularModelError(NOT_FINITE, "energy") from error
@@ -318,62 +321,48 @@ def jacobian(
             raise SingularModelError(2, "jacobian")
         z2 = 1.0 / z1
         z3 = x * eps
-        z4 = 1.0 + eps * (z * z)
-        z5 = y_2 * z4 - eps * (x * z)
-        z6 = y_2 * y_dot
-        s1 = 2.0 * (y_2 * ((x * z5 - (z + z_dot * z6)) * z2))
-        z7 = y_dot * z_dot - x * z4 + s1
+        z4 = z * z3
+        z5 = 1.0 + eps * (z * z)
+        z6 = y_2 * z5
+        z7 = y_2 * y_dot
+        s1 = 2.0 * (z2 * (y_2 * (z + z_dot * z7 + x * (z4 - z6))))
+        z8 = y_dot * z_dot - x * z5 - s1
         J: list[float] = [
-            # (III.3)
             0.0,
             # (III.3)
             -z_dot,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
             # (III.3)
             -y_2,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
             # (III.3)
             1.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
             # (III.3)
             1.0,
-            # (III.3)
             0.0,
             # (III.3)
             -1.0,
-            # (III.3)
+            0.0,
+            0.0,
             0.0,
             # (III.3)
-            0.0,
+            -z2 * (2.0 * z4 - z6),
             # (III.3)
-            0.0,
+            -z2 * z8,
             # (III.3)
-            -z2 * (z * z3 - z5),
-            # (III.3)
-            -z2 * z7,
-            # (III.3)
-            -z2 * (1.0 + x * z3 - 2.0 * (z * (eps * (x * y_2)))),
+            -z2 * (1.0 + z3 * (x - 2.0 * (y_2 * z))),
             # (III.3)
             -y_2 * z_dot * z2,
             # (III.3)
-            -z6 * z2,
+            -z7 * z2,
         ]
         _finish("jacobian", J)
         return [J[k1 : k1 + 5] for k1 in range(0, 25, 5)]

@@ -1,5 +1,5 @@
 /*
- * cvt.h: cvt, emitted by nhc 0.1.0 (nhc:e2a28bcd9289fce8)
+ * cvt.h: cvt, emitted by nhc 0.1.0 (nhc:28d69e14b8312dec)
  * A continuously variable transmission; a plane oscillator whose free direction is set by a symmetric driver.
  * Source: cvt.yaml
  * Equations of motion: chaplygin (III.3)
@@ -26,12 +26,12 @@
  * Operations:
  * rhs: 3 +-, 5 *, 1 /, 2 calls
  * velocities: 0 +-, 1 *, 0 /, 1 calls
- * accelerations: 4 +-, 7 *, 1 /, 2 calls
+ * accelerations: 4 +-, 5 *, 1 /, 2 calls
  * state: 0 +-, 0 *, 0 /, 0 calls
  * residuals: 1 +-, 1 *, 0 /, 1 calls
  * reactions: 4 +-, 5 *, 1 /, 2 calls
  * energy: 5 +-, 8 *, 0 /, 2 calls
- * jacobian: 5 +-, 18 *, 1 /, 2 calls
+ * jacobian: 5 +-, 15 *, 1 /, 2 calls
  * outputs: 4 +-, 8 *, 0 /, 2 calls
  *
  * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.

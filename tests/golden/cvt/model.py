@@ -1,4 +1,4 @@
-"""cvt, emitted by nhc 0.1.0 (nhc:f7502f4f0bcbe78f).
+"""cvt, emitted by nhc 0.1.0 (nhc:95fed410a1fa6dc9).
 
 A continuously variable transmission; a plane oscillator whose free direction is set
     by a symmetric driver.
@@ -27,12 +27,12 @@ out[1] = E_xy
 Operations:
 rhs: 3 +-, 5 *, 1 /, 2 calls
 velocities: 0 +-, 1 *, 0 /, 1 calls
-accelerations: 4 +-, 7 *, 1 /, 2 calls
+accelerations: 4 +-, 5 *, 1 /, 2 calls
 state: 0 +-, 0 *, 0 /, 0 calls
 residuals: 1 +-, 1 *, 0 /, 1 calls
 reactions: 4 +-, 5 *, 1 /, 2 calls
 energy: 5 +-, 8 *, 0 /, 2 calls
-jacobian: 5 +-, 18 *, 1 /, 2 calls
+jacobian: 5 +-, 15 *, 1 /, 2 calls
 outputs: 4 +-, 8 *, 0 /, 2 calls
 
 A singular point raises SingularModelError.
@@ -168,13 +168,12 @@ def accelerations(
             raise SingularModelError(2, "accelerations")
         c_xi = math.cos(xi)
         z2 = c_xi * (x_dot * xi_dot)
-        z3 = x - s_xi * (y_2 - z2)
-        z4 = 1.0 / z1
+        z3 = (x - s_xi * (y_2 - z2)) / z1
         qddot: list[float] = [
             # x'' (III.3)
-            -z3 * z4,
+            -z3,
             # y'' (III.3)
-            z3 * (s_xi * z4) - z2,
+            s_xi * z3 - z2,
             # xi'' (III.3)
             s_xi,
         ]
@@ -260,7 +259,7 @@ def reactions(
         z2 = y_2 - c_xi * (x_dot * xi_dot)
         lambda_: list[float] = [
             # reaction of belt: Q_i gains lambda_1 a_1i (I.4.1) 10:5
-            z2 + (x - s_xi * z2) * (s_xi / z1),
+            z2 + s_xi * ((x - s_xi * z2) / z1),
         ]
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -309,67 +308,52 @@ def jacobian(
     try:
         # state
         s_xi = math.sin(xi)
-        z1 = 1.0 + s_xi * s_xi
+        z1 = s_xi * s_xi
+        z2 = 1.0 + z1
         # the mass matrix is singular
-        if not abs(z1) > 0.0:
+        if not abs(z2) > 0.0:
             raise SingularModelError(2, "jacobian")
         c_xi = math.cos(xi)
-        z2 = 1.0 / z1
-        z3 = x_dot * xi_dot
-        z4 = y_2 - c_xi * z3
-        s1 = c_xi * (z4 + 2.0 * (s_xi * ((x - s_xi * z4) * z2)))
-        z5 = z2 * (s_xi * (s_xi * z3) + s1)
-        z6 = c_xi * s_xi
+        z3 = 1.0 / z2
+        z4 = s_xi * z3
+        z5 = x_dot * xi_dot
+        z6 = y_2 - c_xi * z5
+        z7 = c_xi * s_xi * z3
         J: list[float] = [
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
             # (III.3)
             1.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
             # (III.3)
             -x_dot * c_xi,
             # (III.3)
             -s_xi,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
             # (III.3)
             1.0,
             # (III.3)
-            -z2,
+            -z3,
             # (III.3)
-            s_xi * z2,
+            z4,
             # (III.3)
-            z5,
+            z3 * (z1 * z5 + c_xi * (z6 + 2.0 * ((x - s_xi * z6) * z4))),
             # (III.3)
-            -z2 * (xi_dot * z6),
+            -xi_dot * z7,
             # (III.3)
-            -z2 * (x_dot * z6),
-            # (III.3)
+            -x_dot * z7,
             0.0,
-            # (III.3)
             0.0,
             # (III.3)
             c_xi,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
         ]
         _finish("jacobian", J)

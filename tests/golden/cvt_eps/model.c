@@ -1,5 +1,5 @@
 /*
- * cvt_eps.c: cvt_eps, emitted by nhc 0.1.0 (nhc:c9cd9bd553e72351)
+ * cvt_eps.c: cvt_eps, emitted by nhc 0.1.0 (nhc:b91b699054c4a59f)
  * The transmission with a driver that breaks the symmetry; most integrators for nonholonomic systems drift on
  *     it.
  * Source: cvt_eps.yaml
@@ -13,6 +13,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <string.h>
 
 const char *const cvt_eps_coordinate_names[] = {
     "x",
@@ -42,25 +43,149 @@ static int cvt_eps_finish(int count, const double *values)
     return fabs(sum) <= DBL_MAX ? CVT_EPS_OK : CVT_EPS_NOT_FINITE;
 }
 
+/* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
+#ifndef CVT_EPS_LANES
+#if !defined(__GNUC__)
+#define CVT_EPS_LANES 1
+#elif defined(__AVX512F__)
+#define CVT_EPS_LANES 8
+#elif defined(__AVX__)
+#define CVT_EPS_LANES 4
+#else
+#define CVT_EPS_LANES 2
+#endif
+#endif
+#if CVT_EPS_LANES > 1
+typedef double cvt_eps_lanes __attribute__((vector_size(8 * CVT_EPS_LANES)));
+#else
+typedef double cvt_eps_lanes;
+#endif
+
+#if CVT_EPS_LANES >= 2
+static inline cvt_eps_lanes cvt_eps_get(const double *from)
+{
+    cvt_eps_lanes value;
+    memcpy(&value, from, sizeof value);
+    return value;
+}
+
+static inline void cvt_eps_put(double *to, cvt_eps_lanes value)
+{
+    memcpy(to, &value, sizeof value);
+}
+#endif
+
+/* states first, first + 1, ... through rhs, one by one; the first status that is not OK */
+#if defined(__GNUC__)
+__attribute__((noinline))
+#endif
+static int cvt_eps_one_by_one(size_t count, size_t first, size_t number, const double *t, const double *y, const double *p, double *dydt)
+{
+    int status = CVT_EPS_OK;
+    for (size_t i = first; i < first + number; ++i) {
+        double state[CVT_EPS_NY];
+        double slope[CVT_EPS_NY];
+        for (size_t k = 0; k < CVT_EPS_NY; ++k) {
+            state[k] = y[k * count + i];
+            slope[k] = NAN;
+        }
+        const int one = cvt_eps_rhs(t[i], state, p, slope);
+        status = status == CVT_EPS_OK ? one : status;
+        for (size_t k = 0; k < CVT_EPS_NY; ++k) {
+            dydt[k * count + i] = slope[k];
+        }
+    }
+    return status;
+}
+
+#if CVT_EPS_LANES >= 2
+#define CVT_EPS_SPREAD(x) ((x) - (cvt_eps_lanes){0}) /* a number in each lane; lanes stay what they are */
+
+typedef unsigned long long cvt_eps_bits __attribute__((vector_size(8 * CVT_EPS_LANES)));
+
+/* all bits where value is not above bound, or is no number */
+static inline cvt_eps_bits cvt_eps_misses(cvt_eps_lanes value, cvt_eps_lanes bound)
+{
+    return ~(cvt_eps_bits)(value > bound);
+}
+
+/* no number where a bit is set */
+static inline cvt_eps_lanes cvt_eps_mark(cvt_eps_lanes value, cvt_eps_bits bad)
+{
+    return (cvt_eps_lanes)((cvt_eps_bits)value | bad);
+}
+
+static inline cvt_eps_lanes cvt_eps_size(cvt_eps_lanes x)
+{
+    return (cvt_eps_lanes)((cvt_eps_bits)x & 0x7fffffffffffffffULL);
+}
+/* whether none of the states must be asked again: no singular block, no infinity, no angle anywhere near 1e5 */
+static inline int cvt_eps_is_good(int count, const double *check)
+{
+    double even = 0.0;
+    double odd = 0.0;
+    for (int k = 0; k < count; k += 2) {
+        even += check[k];
+        odd += check[k + 1];
+    }
+    return even + odd <= 1e10;
+}
+
+/* the last states, fewer than there are lanes; the others repeat the last one */
+static inline void cvt_eps_fill(size_t left, size_t count, const double *t, const double *y, double *time, double *state)
+{
+    for (size_t l = 0; l < CVT_EPS_LANES; ++l) {
+        const size_t i = l < left ? l : left - 1;
+        time[l] = t[i];
+        for (size_t k = 0; k < CVT_EPS_NY; ++k) {
+            state[k * CVT_EPS_LANES + l] = y[k * count + i];
+        }
+    }
+}
+
+static inline void cvt_eps_pour(size_t left, size_t count, const double *slope, double *dydt)
+{
+    for (size_t k = 0; k < CVT_EPS_NY; ++k) {
+        for (size_t l = 0; l < left; ++l) {
+            dydt[k * count + l] = slope[k * CVT_EPS_LANES + l];
+        }
+    }
+}
+
+/* libm's sine and cosine, lane by lane */
+static inline void cvt_eps_turn_lanes(cvt_eps_lanes x, cvt_eps_lanes *far, cvt_eps_lanes *sine, cvt_eps_lanes *cosine)
+{
+    double angle[CVT_EPS_LANES];
+    double up[CVT_EPS_LANES];
+    double along[CVT_EPS_LANES];
+    (void)far;
+    memcpy(angle, &x, sizeof x);
+    for (int l = 0; l < CVT_EPS_LANES; ++l) {
+        up[l] = sin(angle[l]);
+        along[l] = cos(angle[l]);
+    }
+    memcpy(sine, up, sizeof x);
+    memcpy(cosine, along, sizeof x);
+}
+#endif
+
 int cvt_eps_rhs(double t, const double *y, const double *p, double *dydt)
 {
     (void)t;
+    const double xi = y[2];
+
+    /* sines and cosines */
+    const double s_xi = sin(xi);
+    const double c_xi = cos(xi);
+    const double c1 = cos(2.0 * xi);
     const double x = y[0];
     const double y_2 = y[1];
-    const double xi = y[2];
     const double x_dot = y[3];
     const double xi_dot = y[4];
     const double eps = p[0]; /* what breaks the symmetry of the driver */
 
     /* state */
-    const double s_xi = sin(xi);
     const double z1 = 1.0 + s_xi * s_xi;
-    /* the mass matrix is singular */
-    if (!(fabs(z1) > 0.0)) {
-        return CVT_EPS_SINGULAR_2;
-    }
-    const double c_xi = cos(xi);
-    const double c1 = cos(2.0 * xi);
     /* (III.3) */
     dydt[0] = x_dot; /* x' */
     dydt[1] = -x_dot * s_xi; /* y' */
@@ -68,6 +193,10 @@ int cvt_eps_rhs(double t, const double *y, const double *p, double *dydt)
     /* (III.3) 9:4 */
     dydt[3] = -(x - s_xi * (y_2 - c_xi * (x_dot * xi_dot))) / z1; /* x'' */
     dydt[4] = s_xi + eps * c1; /* xi'' */
+    /* the mass matrix is singular */
+    if (!(fabs(z1) > 0.0)) {
+        return CVT_EPS_SINGULAR_2;
+    }
     return cvt_eps_finish(5, dydt);
 }
 
@@ -91,29 +220,30 @@ int cvt_eps_velocities(double t, const double *y, const double *p, double *qdot)
 int cvt_eps_accelerations(double t, const double *y, const double *p, double *qddot)
 {
     (void)t;
+    const double xi = y[2];
+
+    /* sines and cosines */
+    const double s_xi = sin(xi);
+    const double c_xi = cos(xi);
+    const double c1 = cos(2.0 * xi);
     const double x = y[0];
     const double y_2 = y[1];
-    const double xi = y[2];
     const double x_dot = y[3];
     const double xi_dot = y[4];
     const double eps = p[0]; /* what breaks the symmetry of the driver */
 
     /* state */
-    const double s_xi = sin(xi);
     const double z1 = 1.0 + s_xi * s_xi;
+    const double z2 = c_xi * (x_dot * xi_dot);
+    const double z3 = (x - s_xi * (y_2 - z2)) / z1;
+    /* (III.3) */
+    qddot[0] = -z3; /* x'' */
+    qddot[1] = s_xi * z3 - z2; /* y'' */
+    qddot[2] = s_xi + eps * c1; /* xi'' */
     /* the mass matrix is singular */
     if (!(fabs(z1) > 0.0)) {
         return CVT_EPS_SINGULAR_2;
     }
-    const double c_xi = cos(xi);
-    const double z2 = c_xi * (x_dot * xi_dot);
-    const double z3 = x - s_xi * (y_2 - z2);
-    const double z4 = 1.0 / z1;
-    const double c1 = cos(2.0 * xi);
-    /* (III.3) */
-    qddot[0] = -z3 * z4; /* x'' */
-    qddot[1] = z3 * (s_xi * z4) - z2; /* y'' */
-    qddot[2] = s_xi + eps * c1; /* xi'' */
     return cvt_eps_finish(3, qddot);
 }
 
@@ -155,162 +285,193 @@ int cvt_eps_reactions(double t, const double *y, const double *p, double *lambda
 {
     (void)t;
     (void)p;
+    const double xi = y[2];
+
+    /* sines and cosines */
+    const double s_xi = sin(xi);
+    const double c_xi = cos(xi);
     const double x = y[0];
     const double y_2 = y[1];
-    const double xi = y[2];
     const double x_dot = y[3];
     const double xi_dot = y[4];
 
     /* state */
-    const double s_xi = sin(xi);
     const double z1 = 1.0 + s_xi * s_xi;
+    const double z2 = y_2 - c_xi * (x_dot * xi_dot);
+    /* (I.4.1) 12:5 */
+    lambda[0] = z2 + s_xi * ((x - s_xi * z2) / z1); /* reaction of belt: Q_i gains lambda_1 a_1i */
     /* the mass matrix is singular */
     if (!(fabs(z1) > 0.0)) {
         return CVT_EPS_SINGULAR_2;
     }
-    const double c_xi = cos(xi);
-    const double z2 = y_2 - c_xi * (x_dot * xi_dot);
-    /* (I.4.1) 12:5 */
-    lambda[0] = z2 + (x - s_xi * z2) * (s_xi / z1); /* reaction of belt: Q_i gains lambda_1 a_1i */
     return cvt_eps_finish(1, lambda);
 }
 
 double cvt_eps_energy(double t, const double *y, const double *p)
 {
     (void)t;
+    const double xi = y[2];
+
+    /* sines and cosines */
+    const double s_xi = sin(xi);
+    const double c_xi = cos(xi);
+    const double s1 = sin(2.0 * xi);
     const double x = y[0];
     const double y_2 = y[1];
-    const double xi = y[2];
     const double x_dot = y[3];
     const double xi_dot = y[4];
     const double eps = p[0]; /* what breaks the symmetry of the driver */
 
     /* state */
-    const double c_xi = cos(xi);
-    const double s1 = sin(2.0 * xi);
-    const double s_xi = sin(xi);
-    const double z1 = x_dot * s_xi;
-    const double z2 = 0.5 * (x * x + y_2 * y_2) + c_xi - 0.5 * (eps * s1) + 0.5 * (xi_dot * xi_dot + (x_dot *
-        x_dot + z1 * z1));
-    return z2;
+    const double z1 = 0.5 * (x_dot * x_dot * (1.0 + s_xi * s_xi)) + (c_xi - 0.5 * (eps * s1 - (xi_dot *
+        xi_dot + (x * x + y_2 * y_2))));
+    return z1;
 }
 
 int cvt_eps_jacobian(double t, const double *y, const double *p, double *J)
 {
+    for (int entry = 0; entry < 25; ++entry) {
+        J[entry] = 0.0;
+    }
     (void)t;
+    const double xi = y[2];
+
+    /* sines and cosines */
+    const double s_xi = sin(xi);
+    const double c_xi = cos(xi);
+    const double s1 = sin(2.0 * xi);
     const double x = y[0];
     const double y_2 = y[1];
-    const double xi = y[2];
     const double x_dot = y[3];
     const double xi_dot = y[4];
     const double eps = p[0]; /* what breaks the symmetry of the driver */
 
     /* state */
-    const double s_xi = sin(xi);
-    const double z1 = 1.0 + s_xi * s_xi;
-    /* the mass matrix is singular */
-    if (!(fabs(z1) > 0.0)) {
-        return CVT_EPS_SINGULAR_2;
-    }
-    const double c_xi = cos(xi);
-    const double z2 = 1.0 / z1;
-    const double z3 = x_dot * xi_dot;
-    const double z4 = y_2 - c_xi * z3;
-    const double z5 = z2 * (s_xi * (s_xi * z3) + c_xi * (z4 + 2.0 * (s_xi * ((x - s_xi * z4) * z2))));
-    const double z6 = c_xi * s_xi;
-    const double s1 = sin(2.0 * xi);
+    const double z1 = s_xi * s_xi;
+    const double z2 = 1.0 + z1;
+    const double z3 = 1.0 / z2;
+    const double z4 = s_xi * z3;
+    const double z5 = x_dot * xi_dot;
+    const double z6 = y_2 - c_xi * z5;
+    const double z7 = c_xi * s_xi * z3;
     /* (III.3) */
-    J[0] = 0.0;
-    J[1] = 0.0;
-    J[2] = 0.0;
     J[3] = 1.0;
-    J[4] = 0.0;
-    J[5] = 0.0;
-    J[6] = 0.0;
     J[7] = -x_dot * c_xi;
     J[8] = -s_xi;
-    J[9] = 0.0;
-    J[10] = 0.0;
-    J[11] = 0.0;
-    J[12] = 0.0;
-    J[13] = 0.0;
     J[14] = 1.0;
-    J[15] = -z2;
-    J[16] = s_xi * z2;
-    J[17] = z5;
-    J[18] = -z2 * (xi_dot * z6);
-    J[19] = -z2 * (x_dot * z6);
-    J[20] = 0.0;
-    J[21] = 0.0;
+    J[15] = -z3;
+    J[16] = z4;
+    J[17] = z3 * (z1 * z5 + c_xi * (z6 + 2.0 * ((x - s_xi * z6) * z4)));
+    J[18] = -xi_dot * z7;
+    J[19] = -x_dot * z7;
     J[22] = c_xi - 2.0 * (eps * s1);
-    J[23] = 0.0;
-    J[24] = 0.0;
+    /* the mass matrix is singular */
+    if (!(fabs(z2) > 0.0)) {
+        return CVT_EPS_SINGULAR_2;
+    }
     return cvt_eps_finish(25, J);
 }
 
 int cvt_eps_outputs(double t, const double *y, const double *p, double *out)
 {
     (void)t;
+    const double xi = y[2];
+
+    /* sines and cosines */
+    const double c_xi = cos(xi);
+    const double s_xi = sin(xi);
+    const double s1 = sin(2.0 * xi);
     const double x = y[0];
     const double y_2 = y[1];
-    const double xi = y[2];
     const double x_dot = y[3];
     const double xi_dot = y[4];
     const double eps = p[0]; /* what breaks the symmetry of the driver */
 
     /* state */
-    const double s1 = sin(2.0 * xi);
-    const double c_xi = cos(xi);
-    const double s_xi = sin(xi);
-    const double z1 = x_dot * s_xi;
     /* 15:9 */
-    out[0] = 0.5 * (xi_dot * xi_dot) + c_xi - 0.5 * (eps * s1); /* E_xi */
+    out[0] = c_xi + 0.5 * (xi_dot * xi_dot - eps * s1); /* E_xi */
     /* 16:9 */
-    out[1] = 0.5 * (y_2 * y_2 + (x * x + (x_dot * x_dot + z1 * z1))); /* E_xy */
+    out[1] = 0.5 * (x * x + y_2 * y_2 + x_dot * x_dot * (1.0 + s_xi * s_xi)); /* E_xy */
     return cvt_eps_finish(2, out);
 }
 
+#if CVT_EPS_LANES >= 2
+static __attribute__((noinline)) void cvt_eps_rhs_lanes(const double *fixed, size_t stride, const double *t,
+    const double *y, double *restrict dydt, double *check)
+{
+    (void)t;
+    cvt_eps_lanes far = {0}; /* the squares of the angles */
+    cvt_eps_lanes sum = {0}; /* an infinity or a NaN among the results stays in it */
+    cvt_eps_bits bad = {0}; /* singular blocks */
+    const double eps = fixed[0];
+    const cvt_eps_lanes x = cvt_eps_get(y);
+    const cvt_eps_lanes y_2 = cvt_eps_get(y + 1 * stride);
+    const cvt_eps_lanes xi = cvt_eps_get(y + 2 * stride);
+    const cvt_eps_lanes x_dot = cvt_eps_get(y + 3 * stride);
+    const cvt_eps_lanes xi_dot = cvt_eps_get(y + 4 * stride);
+    cvt_eps_lanes sine1, cosine1;
+    cvt_eps_turn_lanes(CVT_EPS_SPREAD(xi), &far, &sine1, &cosine1);
+    const cvt_eps_lanes s_xi = sine1;
+    const cvt_eps_lanes z1 = 1.0 + s_xi * s_xi;
+    /* the mass matrix is singular */
+    bad |= cvt_eps_misses(cvt_eps_size(CVT_EPS_SPREAD(z1)), CVT_EPS_SPREAD(0.0));
+    const cvt_eps_lanes c_xi = cosine1;
+    cvt_eps_lanes sine2, cosine2;
+    cvt_eps_turn_lanes(CVT_EPS_SPREAD(2.0 * xi), &far, &sine2, &cosine2);
+    const cvt_eps_lanes c1 = cosine2;
+    /* (III.3) */
+    const cvt_eps_lanes slope1 = x_dot;
+    sum += slope1;
+    cvt_eps_put(dydt, slope1);
+    const cvt_eps_lanes slope2 = -x_dot * s_xi;
+    sum += slope2;
+    cvt_eps_put(dydt + 1 * stride, slope2);
+    const cvt_eps_lanes slope3 = xi_dot;
+    sum += slope3;
+    cvt_eps_put(dydt + 2 * stride, slope3);
+    /* (III.3) 9:4 */
+    const cvt_eps_lanes slope4 = -(x - s_xi * (y_2 - c_xi * (x_dot * xi_dot))) / z1;
+    sum += slope4;
+    cvt_eps_put(dydt + 3 * stride, slope4);
+    const cvt_eps_lanes slope5 = s_xi + eps * c1;
+    sum += slope5;
+    cvt_eps_put(dydt + 4 * stride, slope5);
+    cvt_eps_put(check, cvt_eps_mark(far + (sum - sum), bad));
+}
+
+static __attribute__((noinline)) void cvt_eps_rhs_tail(const double *fixed, size_t left, size_t count, const
+    double *t, const double *y, double *restrict dydt, double *check)
+{
+    double time[CVT_EPS_LANES];
+    double state[5 * CVT_EPS_LANES];
+    double slope[5 * CVT_EPS_LANES];
+    cvt_eps_fill(left, count, t, y, time, state);
+    cvt_eps_rhs_lanes(fixed, CVT_EPS_LANES, time, state, slope, check);
+    cvt_eps_pour(left, count, slope, dydt);
+}
+#endif
+
 int cvt_eps_rhs_batch(size_t count, const double *t, const double *y, const double *p, double *restrict dydt)
 {
+#if CVT_EPS_LANES >= 2
     const double eps = p[0]; /* what breaks the symmetry of the driver */
-    int singular1 = 0;
-    int bad = 0;
-    (void)t;
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC ivdep
+    const double fixed[] = {eps};
+    double check[1 * CVT_EPS_LANES];
+    int status = CVT_EPS_OK;
+    for (size_t i = 0; i < count; i += CVT_EPS_LANES) {
+        const size_t left = count - i < CVT_EPS_LANES ? count - i : CVT_EPS_LANES;
+        if (left == CVT_EPS_LANES) {
+            cvt_eps_rhs_lanes(fixed, count, t + i, y + i, dydt + i, check);
+        } else {
+            cvt_eps_rhs_tail(fixed, left, count, t + i, y + i, dydt + i, check);
+        }
+        if (!cvt_eps_is_good(1 * CVT_EPS_LANES, check)) {
+            const int one = cvt_eps_one_by_one(count, i, left, t, y, p, dydt);
+            status = status == CVT_EPS_OK ? one : status;
+        }
+    }
+    return status;
+#else
+    return cvt_eps_one_by_one(count, 0, count, t, y, p, dydt);
 #endif
-    for (size_t i = 0; i < count; ++i) {
-        const double x = y[i];
-        const double y_2 = y[count + i];
-        const double xi = y[2 * count + i];
-        const double x_dot = y[3 * count + i];
-        const double xi_dot = y[4 * count + i];
-        const double s_xi = sin(xi);
-        const double z1 = 1.0 + s_xi * s_xi;
-        /* the mass matrix is singular */
-        singular1 |= !(fabs(z1) > 0.0);
-        const double c_xi = cos(xi);
-        const double c1 = cos(2.0 * xi);
-        /* (III.3) */
-        const double slope1 = x_dot; /* x' */
-        dydt[i] = slope1;
-        bad |= !(fabs(slope1) <= DBL_MAX);
-        const double slope2 = -x_dot * s_xi; /* y' */
-        dydt[count + i] = slope2;
-        bad |= !(fabs(slope2) <= DBL_MAX);
-        const double slope3 = xi_dot; /* xi' */
-        dydt[2 * count + i] = slope3;
-        bad |= !(fabs(slope3) <= DBL_MAX);
-        /* (III.3) 9:4 */
-        const double slope4 = -(x - s_xi * (y_2 - c_xi * (x_dot * xi_dot))) / z1; /* x'' */
-        dydt[3 * count + i] = slope4;
-        bad |= !(fabs(slope4) <= DBL_MAX);
-        const double slope5 = s_xi + eps * c1; /* xi'' */
-        dydt[4 * count + i] = slope5;
-        bad |= !(fabs(slope5) <= DBL_MAX);
-    }
-    if (singular1) {
-        return CVT_EPS_SINGULAR_2;
-    }
-    return bad ? CVT_EPS_NOT_FINITE : CVT_EPS_OK;
 }

@@ -1,5 +1,5 @@
 /*
- * cvt_eps.h: cvt_eps, emitted by nhc 0.1.0 (nhc:ee9c2dbced39e6ba)
+ * cvt_eps.h: cvt_eps, emitted by nhc 0.1.0 (nhc:bf91f5a02c789c61)
  * The transmission with a driver that breaks the symmetry; most integrators for nonholonomic systems drift on
  *     it.
  * Source: cvt_eps.yaml
@@ -28,13 +28,13 @@
  * Operations:
  * rhs: 4 +-, 7 *, 1 /, 3 calls
  * velocities: 0 +-, 1 *, 0 /, 1 calls
- * accelerations: 5 +-, 9 *, 1 /, 3 calls
+ * accelerations: 5 +-, 7 *, 1 /, 3 calls
  * state: 0 +-, 0 *, 0 /, 0 calls
  * residuals: 1 +-, 1 *, 0 /, 1 calls
  * reactions: 4 +-, 5 *, 1 /, 2 calls
- * energy: 6 +-, 11 *, 0 /, 3 calls
- * jacobian: 6 +-, 21 *, 1 /, 3 calls
- * outputs: 5 +-, 11 *, 0 /, 3 calls
+ * energy: 6 +-, 10 *, 0 /, 3 calls
+ * jacobian: 6 +-, 18 *, 1 /, 3 calls
+ * outputs: 5 +-, 10 *, 0 /, 3 calls
  *
  * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
  */

@@ -1,4 +1,4 @@
-"""cvt_eps, emitted by nhc 0.1.0 (nhc:d7bd734282eb7dae).
+"""cvt_eps, emitted by nhc 0.1.0 (nhc:fc59a60d04c1b3e9).
 
 The transmission with a driver that breaks the symmetry; most integrators for
     nonholonomic systems drift on it.
@@ -28,13 +28,13 @@ out[1] = E_xy
 Operations:
 rhs: 4 +-, 7 *, 1 /, 3 calls
 velocities: 0 +-, 1 *, 0 /, 1 calls
-accelerations: 5 +-, 9 *, 1 /, 3 calls
+accelerations: 5 +-, 7 *, 1 /, 3 calls
 state: 0 +-, 0 *, 0 /, 0 calls
 residuals: 1 +-, 1 *, 0 /, 1 calls
 reactions: 4 +-, 5 *, 1 /, 2 calls
-energy: 6 +-, 11 *, 0 /, 3 calls
-jacobian: 6 +-, 21 *, 1 /, 3 calls
-outputs: 5 +-, 11 *, 0 /, 3 calls
+energy: 6 +-, 10 *, 0 /, 3 calls
+jacobian: 6 +-, 18 *, 1 /, 3 calls
+outputs: 5 +-, 10 *, 0 /, 3 calls
 
 A singular point raises SingularModelError.
 """
@@ -172,14 +172,13 @@ def accelerations(
             raise SingularModelError(2, "accelerations")
         c_xi = math.cos(xi)
         z2 = c_xi * (x_dot * xi_dot)
-        z3 = x - s_xi * (y_2 - z2)
-        z4 = 1.0 / z1
+        z3 = (x - s_xi * (y_2 - z2)) / z1
         c1 = math.cos(2.0 * xi)
         qddot: list[float] = [
             # x'' (III.3)
-            -z3 * z4,
+            -z3,
             # y'' (III.3)
-            z3 * (s_xi * z4) - z2,
+            s_xi * z3 - z2,
             # xi'' (III.3)
             s_xi + eps * c1,
         ]
@@ -265,7 +264,7 @@ def reactions(
         z2 = y_2 - c_xi * (x_dot * xi_dot)
         lambda_: list[float] = [
             # reaction of belt: Q_i gains lambda_1 a_1i (I.4.1) 12:5
-            z2 + (x - s_xi * z2) * (s_xi / z1),
+            z2 + s_xi * ((x - s_xi * z2) / z1),
         ]
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -286,13 +285,12 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     eps = float(p[0])  # what breaks the symmetry of the driver
     try:
         # state
+        s_xi = math.sin(xi)
         c_xi = math.cos(xi)
         s1 = math.sin(2.0 * xi)
-        s_xi = math.sin(xi)
-        z1 = x_dot * s_xi
-        s2 = 0.5 * (x * x + y_2 * y_2) + c_xi - 0.5 * (eps * s1)
-        z2 = s2 + 0.5 * (xi_dot * xi_dot + (x_dot * x_dot + z1 * z1))
-        value1 = z2
+        s2 = 0.5 * (eps * s1 - (xi_dot * xi_dot + (x * x + y_2 * y_2)))
+        z1 = 0.5 * (x_dot * x_dot * (1.0 + s_xi * s_xi)) + (c_xi - s2)
+        value1 = z1
         return _single("energy", value1)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
         raise SingularModelError(NOT_FINITE, "energy") from error
@@ -317,68 +315,53 @@ def jacobian(
     try:
         # state
         s_xi = math.sin(xi)
-        z1 = 1.0 + s_xi * s_xi
+        z1 = s_xi * s_xi
+        z2 = 1.0 + z1
         # the mass matrix is singular
-        if not abs(z1) > 0.0:
+        if not abs(z2) > 0.0:
             raise SingularModelError(2, "jacobian")
         c_xi = math.cos(xi)
-        z2 = 1.0 / z1
-        z3 = x_dot * xi_dot
-        z4 = y_2 - c_xi * z3
-        s2 = c_xi * (z4 + 2.0 * (s_xi * ((x - s_xi * z4) * z2)))
-        z5 = z2 * (s_xi * (s_xi * z3) + s2)
-        z6 = c_xi * s_xi
+        z3 = 1.0 / z2
+        z4 = s_xi * z3
+        z5 = x_dot * xi_dot
+        z6 = y_2 - c_xi * z5
+        z7 = c_xi * s_xi * z3
         s1 = math.sin(2.0 * xi)
         J: list[float] = [
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
             # (III.3)
             1.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
             # (III.3)
             -x_dot * c_xi,
             # (III.3)
             -s_xi,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
             # (III.3)
             1.0,
             # (III.3)
-            -z2,
+            -z3,
             # (III.3)
-            s_xi * z2,
+            z4,
             # (III.3)
-            z5,
+            z3 * (z1 * z5 + c_xi * (z6 + 2.0 * ((x - s_xi * z6) * z4))),
             # (III.3)
-            -z2 * (xi_dot * z6),
+            -xi_dot * z7,
             # (III.3)
-            -z2 * (x_dot * z6),
-            # (III.3)
+            -x_dot * z7,
             0.0,
-            # (III.3)
             0.0,
             # (III.3)
             c_xi - 2.0 * (eps * s1),
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
         ]
         _finish("jacobian", J)
@@ -401,15 +384,15 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
     eps = float(p[0])  # what breaks the symmetry of the driver
     try:
         # state
-        s1 = math.sin(2.0 * xi)
         c_xi = math.cos(xi)
+        s1 = math.sin(2.0 * xi)
         s_xi = math.sin(xi)
-        z1 = x_dot * s_xi
+        s2 = x * x + y_2 * y_2 + x_dot * x_dot * (1.0 + s_xi * s_xi)
         out: list[float] = [
             # E_xi 15:9
-            0.5 * (xi_dot * xi_dot) + c_xi - 0.5 * (eps * s1),
+            c_xi + 0.5 * (xi_dot * xi_dot - eps * s1),
             # E_xy 16:9
-            0.5 * (y_2 * y_2 + (x * x + (x_dot * x_dot + z1 * z1))),
+            0.5 * s2,
         ]
         return _finish("outputs", out)
     except (ValueError, ZeroDivisionError, OverflowError) as error:

@@ -1,5 +1,5 @@
 /*
- * diff_drive.c: diff_drive, emitted by nhc 0.1.0 (nhc:3932127cd18c8595)
+ * diff_drive.c: diff_drive, emitted by nhc 0.1.0 (nhc:d6b366585467c456)
  * A cart with two driven wheels and a caster; three velocity constraints, one of which is holonomic in
  *     disguise.
  * Source: diff_drive.yaml
@@ -11,6 +11,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <string.h>
 
 const char *const diff_drive_coordinate_names[] = {
     "x",
@@ -58,10 +59,129 @@ static int diff_drive_finish(int count, const double *values)
     return fabs(sum) <= DBL_MAX ? DIFF_DRIVE_OK : DIFF_DRIVE_NOT_FINITE;
 }
 
+/* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
+#ifndef DIFF_DRIVE_LANES
+#if !defined(__GNUC__)
+#define DIFF_DRIVE_LANES 1
+#elif defined(__AVX512F__)
+#define DIFF_DRIVE_LANES 8
+#elif defined(__AVX__)
+#define DIFF_DRIVE_LANES 4
+#else
+#define DIFF_DRIVE_LANES 2
+#endif
+#endif
+#if DIFF_DRIVE_LANES > 1
+typedef double diff_drive_lanes __attribute__((vector_size(8 * DIFF_DRIVE_LANES)));
+#else
+typedef double diff_drive_lanes;
+#endif
+
+#if DIFF_DRIVE_LANES >= 2
+static inline diff_drive_lanes diff_drive_get(const double *from)
+{
+    diff_drive_lanes value;
+    memcpy(&value, from, sizeof value);
+    return value;
+}
+
+static inline void diff_drive_put(double *to, diff_drive_lanes value)
+{
+    memcpy(to, &value, sizeof value);
+}
+#endif
+
+/* states first, first + 1, ... through rhs, one by one; the first status that is not OK */
+#if defined(__GNUC__)
+__attribute__((noinline))
+#endif
+static int diff_drive_one_by_one(size_t count, size_t first, size_t number, const double *t, const double *y, const double *p, double *dydt)
+{
+    int status = DIFF_DRIVE_OK;
+    for (size_t i = first; i < first + number; ++i) {
+        double state[DIFF_DRIVE_NY];
+        double slope[DIFF_DRIVE_NY];
+        for (size_t k = 0; k < DIFF_DRIVE_NY; ++k) {
+            state[k] = y[k * count + i];
+            slope[k] = NAN;
+        }
+        const int one = diff_drive_rhs(t[i], state, p, slope);
+        status = status == DIFF_DRIVE_OK ? one : status;
+        for (size_t k = 0; k < DIFF_DRIVE_NY; ++k) {
+            dydt[k * count + i] = slope[k];
+        }
+    }
+    return status;
+}
+
+#if DIFF_DRIVE_LANES >= 2
+#define DIFF_DRIVE_SPREAD(x) ((x) - (diff_drive_lanes){0}) /* a number in each lane; lanes stay what they are */
+
+typedef unsigned long long diff_drive_bits __attribute__((vector_size(8 * DIFF_DRIVE_LANES)));
+
+/* no number where a bit is set */
+static inline diff_drive_lanes diff_drive_mark(diff_drive_lanes value, diff_drive_bits bad)
+{
+    return (diff_drive_lanes)((diff_drive_bits)value | bad);
+}
+/* whether none of the states must be asked again: no singular block, no infinity, no angle anywhere near 1e5 */
+static inline int diff_drive_is_good(int count, const double *check)
+{
+    double even = 0.0;
+    double odd = 0.0;
+    for (int k = 0; k < count; k += 2) {
+        even += check[k];
+        odd += check[k + 1];
+    }
+    return even + odd <= 1e10;
+}
+
+/* the last states, fewer than there are lanes; the others repeat the last one */
+static inline void diff_drive_fill(size_t left, size_t count, const double *t, const double *y, double *time, double *state)
+{
+    for (size_t l = 0; l < DIFF_DRIVE_LANES; ++l) {
+        const size_t i = l < left ? l : left - 1;
+        time[l] = t[i];
+        for (size_t k = 0; k < DIFF_DRIVE_NY; ++k) {
+            state[k * DIFF_DRIVE_LANES + l] = y[k * count + i];
+        }
+    }
+}
+
+static inline void diff_drive_pour(size_t left, size_t count, const double *slope, double *dydt)
+{
+    for (size_t k = 0; k < DIFF_DRIVE_NY; ++k) {
+        for (size_t l = 0; l < left; ++l) {
+            dydt[k * count + l] = slope[k * DIFF_DRIVE_LANES + l];
+        }
+    }
+}
+
+/* libm's sine and cosine, lane by lane */
+static inline void diff_drive_turn_lanes(diff_drive_lanes x, diff_drive_lanes *far, diff_drive_lanes *sine, diff_drive_lanes *cosine)
+{
+    double angle[DIFF_DRIVE_LANES];
+    double up[DIFF_DRIVE_LANES];
+    double along[DIFF_DRIVE_LANES];
+    (void)far;
+    memcpy(angle, &x, sizeof x);
+    for (int l = 0; l < DIFF_DRIVE_LANES; ++l) {
+        up[l] = sin(angle[l]);
+        along[l] = cos(angle[l]);
+    }
+    memcpy(sine, up, sizeof x);
+    memcpy(cosine, along, sizeof x);
+}
+#endif
+
 int diff_drive_rhs(double t, const double *y, const double *p, double *dydt)
 {
     (void)t;
     const double theta = y[2]; /* heading [rad] */
+
+    /* sines and cosines */
+    const double c_theta = cos(theta);
+    const double s_theta = sin(theta);
     const double v = y[5];
     const double w = y[6];
     const double m = p[0]; /* mass [kg] */
@@ -75,47 +195,38 @@ int diff_drive_rhs(double t, const double *y, const double *p, double *dydt)
 
     /* parameters only */
     const double k1 = 1.0 / r;
-    const double k2 = k1 * (tau_R + tau_L);
-    const double k3 = b * k1 * (tau_R - tau_L);
-    const double k4 = 1.0 / (r * r);
-    const double k5 = m + 2.0 * (J_w * k4);
-    const double k6 = m * d;
-    const double k7 = 2.0 * (k4 * (J_w * (b * b))) + (I + m * (d * d));
-    const double k8 = 1.0 / k5;
-    const double k9 = 1.0 / k7;
+    const double k2 = b * k1;
+    const double k3 = m + 2.0 * (k1 * (J_w * k1));
+    const double k4 = m * d;
+    const double k5 = k1 * (tau_R + tau_L);
+    const double k6 = d * k4 + (I + 2.0 * (k2 * (J_w * k2)));
+    const double k7 = k2 * (tau_R - tau_L);
+    const double k8 = 1.0 / k3;
+    const double k9 = 1.0 / k6;
 
     /* state */
-    /* the coframe is singular */
-    if (!(fabs(-r) > 0.0)) {
-        return DIFF_DRIVE_SINGULAR_1;
-    }
-    /* the coframe is singular */
-    if (!(fabs(-r) > 0.0)) {
-        return DIFF_DRIVE_SINGULAR_1;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(k5) > 0.0)) {
-        return DIFF_DRIVE_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(k7) > 0.0)) {
-        return DIFF_DRIVE_SINGULAR_2;
-    }
-    const double c_theta = cos(theta);
-    const double z1 = c_theta * v;
-    const double s_theta = sin(theta);
-    const double z2 = s_theta * v;
-    const double z3 = b * w;
-    const double v_2 = s_theta * z2 + c_theta * z1;
+    const double z1 = b * w;
     /* (I.2.15) */
-    dydt[0] = z1; /* x' */
-    dydt[1] = z2; /* y' */
+    dydt[0] = c_theta * v; /* x' */
+    dydt[1] = s_theta * v; /* y' */
     dydt[2] = w; /* theta' */
-    dydt[3] = k1 * (z3 + v_2); /* p_R' */
-    dydt[4] = -k1 * (z3 - v_2); /* p_L' */
+    dydt[3] = k1 * (v + z1); /* p_R' */
+    dydt[4] = k1 * (v - z1); /* p_L' */
     /* (I.2.15) 24:4 */
-    dydt[5] = (k2 + w * w * k6) * k8; /* v' */
-    dydt[6] = (k3 - w * (v * k6)) * k9; /* w' */
+    dydt[5] = (k4 * (w * w) + k5) * k8; /* v' */
+    dydt[6] = -(v * w * k4 - k7) * k9; /* w' */
+    /* the coframe is singular */
+    if (!(fabs(r) > 0.0)) {
+        return DIFF_DRIVE_SINGULAR_1;
+    }
+    /* the mass matrix is singular */
+    if (!(fabs(k3) > 0.0)) {
+        return DIFF_DRIVE_SINGULAR_2;
+    }
+    /* the mass matrix is singular */
+    if (!(fabs(k6) > 0.0)) {
+        return DIFF_DRIVE_SINGULAR_2;
+    }
     return diff_drive_finish(7, dydt);
 }
 
@@ -123,6 +234,10 @@ int diff_drive_velocities(double t, const double *y, const double *p, double *qd
 {
     (void)t;
     const double theta = y[2]; /* heading [rad] */
+
+    /* sines and cosines */
+    const double c_theta = cos(theta);
+    const double s_theta = sin(theta);
     const double v = y[5];
     const double w = y[6];
     const double r = p[3]; /* radius of the wheels [m] */
@@ -132,26 +247,17 @@ int diff_drive_velocities(double t, const double *y, const double *p, double *qd
     const double k1 = 1.0 / r;
 
     /* state */
-    /* the coframe is singular */
-    if (!(fabs(-r) > 0.0)) {
-        return DIFF_DRIVE_SINGULAR_1;
-    }
-    /* the coframe is singular */
-    if (!(fabs(-r) > 0.0)) {
-        return DIFF_DRIVE_SINGULAR_1;
-    }
-    const double c_theta = cos(theta);
-    const double z1 = c_theta * v;
-    const double s_theta = sin(theta);
-    const double z2 = s_theta * v;
-    const double z3 = b * w;
-    const double v_2 = s_theta * z2 + c_theta * z1;
+    const double z1 = b * w;
     /* (I.2.4) */
-    qdot[0] = z1; /* x' */
-    qdot[1] = z2; /* y' */
+    qdot[0] = c_theta * v; /* x' */
+    qdot[1] = s_theta * v; /* y' */
     qdot[2] = w; /* theta' */
-    qdot[3] = k1 * (z3 + v_2); /* p_R' */
-    qdot[4] = -k1 * (z3 - v_2); /* p_L' */
+    qdot[3] = k1 * (v + z1); /* p_R' */
+    qdot[4] = k1 * (v - z1); /* p_L' */
+    /* the coframe is singular */
+    if (!(fabs(r) > 0.0)) {
+        return DIFF_DRIVE_SINGULAR_1;
+    }
     return diff_drive_finish(5, qdot);
 }
 
@@ -159,6 +265,10 @@ int diff_drive_accelerations(double t, const double *y, const double *p, double 
 {
     (void)t;
     const double theta = y[2]; /* heading [rad] */
+
+    /* sines and cosines */
+    const double c_theta = cos(theta);
+    const double s_theta = sin(theta);
     const double v = y[5];
     const double w = y[6];
     const double m = p[0]; /* mass [kg] */
@@ -172,48 +282,38 @@ int diff_drive_accelerations(double t, const double *y, const double *p, double 
 
     /* parameters only */
     const double k1 = 1.0 / r;
-    const double k2 = k1 * (tau_R + tau_L);
-    const double k3 = b * k1 * (tau_R - tau_L);
-    const double k4 = 1.0 / (r * r);
-    const double k5 = m + 2.0 * (J_w * k4);
-    const double k6 = m * d;
-    const double k7 = 2.0 * (k4 * (J_w * (b * b))) + (I + m * (d * d));
-    const double k8 = 1.0 / k5;
-    const double k9 = 1.0 / k7;
+    const double k2 = b * k1;
+    const double k3 = m + 2.0 * (k1 * (J_w * k1));
+    const double k4 = m * d;
+    const double k5 = k1 * (tau_R + tau_L);
+    const double k6 = d * k4 + (I + 2.0 * (k2 * (J_w * k2)));
+    const double k7 = k2 * (tau_R - tau_L);
+    const double k8 = 1.0 / k3;
+    const double k9 = 1.0 / k6;
 
     /* state */
-    /* the coframe is singular */
-    if (!(fabs(-r) > 0.0)) {
-        return DIFF_DRIVE_SINGULAR_1;
-    }
-    /* the coframe is singular */
-    if (!(fabs(-r) > 0.0)) {
-        return DIFF_DRIVE_SINGULAR_1;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(k5) > 0.0)) {
-        return DIFF_DRIVE_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(k7) > 0.0)) {
-        return DIFF_DRIVE_SINGULAR_2;
-    }
-    const double s_theta = sin(theta);
-    const double z1 = s_theta * w;
-    const double c_theta = cos(theta);
-    const double z2 = (k2 + w * w * k6) * k8;
-    const double z3 = v * z1 - c_theta * z2;
-    const double z4 = c_theta * w;
-    const double z5 = v * z4 + s_theta * z2;
-    const double z6 = (k3 - w * (v * k6)) * k9;
-    const double z7 = b * z6;
-    const double z8 = s_theta * v * z4 + s_theta * z5 - (c_theta * v * z1 + c_theta * z3);
+    const double z1 = (k4 * (w * w) + k5) * k8;
+    const double z2 = v * w;
+    const double z3 = (z2 * k4 - k7) * k9;
+    const double z4 = b * z3;
     /* (I.2.15) */
-    qddot[0] = -z3; /* x'' */
-    qddot[1] = z5; /* y'' */
-    qddot[2] = z6; /* theta'' */
-    qddot[3] = k1 * (z7 + z8); /* p_R'' */
-    qddot[4] = -k1 * (z7 - z8); /* p_L'' */
+    qddot[0] = c_theta * z1 - s_theta * z2; /* x'' */
+    qddot[1] = s_theta * z1 + c_theta * z2; /* y'' */
+    qddot[2] = -z3; /* theta'' */
+    qddot[3] = k1 * (z1 - z4); /* p_R'' */
+    qddot[4] = k1 * (z1 + z4); /* p_L'' */
+    /* the coframe is singular */
+    if (!(fabs(r) > 0.0)) {
+        return DIFF_DRIVE_SINGULAR_1;
+    }
+    /* the mass matrix is singular */
+    if (!(fabs(k3) > 0.0)) {
+        return DIFF_DRIVE_SINGULAR_2;
+    }
+    /* the mass matrix is singular */
+    if (!(fabs(k6) > 0.0)) {
+        return DIFF_DRIVE_SINGULAR_2;
+    }
     return diff_drive_finish(5, qddot);
 }
 
@@ -221,9 +321,13 @@ int diff_drive_state(double t, const double *q, const double *qdot, const double
 {
     (void)t;
     (void)p;
+    const double theta = q[2]; /* heading [rad] */
+
+    /* sines and cosines */
+    const double c_theta = cos(theta);
+    const double s_theta = sin(theta);
     const double x = q[0]; /* midpoint of the axle [m] */
     const double y_2 = q[1]; /* midpoint of the axle [m] */
-    const double theta = q[2]; /* heading [rad] */
     const double p_R = q[3]; /* right wheel [rad] */
     const double p_L = q[4]; /* left wheel [rad] */
     const double x_dot = qdot[0];
@@ -231,8 +335,6 @@ int diff_drive_state(double t, const double *q, const double *qdot, const double
     const double theta_dot = qdot[2];
 
     /* state */
-    const double c_theta = cos(theta);
-    const double s_theta = sin(theta);
     y[0] = x;
     y[1] = y_2;
     y[2] = theta;
@@ -247,6 +349,10 @@ int diff_drive_residuals(double t, const double *q, const double *qdot, const do
 {
     (void)t;
     const double theta = q[2]; /* heading [rad] */
+
+    /* sines and cosines */
+    const double s_theta = sin(theta);
+    const double c_theta = cos(theta);
     const double x_dot = qdot[0];
     const double y_dot = qdot[1];
     const double theta_dot = qdot[2];
@@ -256,8 +362,6 @@ int diff_drive_residuals(double t, const double *q, const double *qdot, const do
     const double b = p[4]; /* half the track [m] */
 
     /* state */
-    const double s_theta = sin(theta);
-    const double c_theta = cos(theta);
     const double v = x_dot * c_theta + y_dot * s_theta;
     const double z1 = theta_dot * b;
     /* (I.1.1) 29:5 */
@@ -285,45 +389,43 @@ int diff_drive_reactions(double t, const double *y, const double *p, double *lam
 
     /* parameters only */
     const double k1 = 1.0 / r;
-    const double k2 = tau_R * k1;
-    const double k3 = tau_L * k1;
-    const double k4 = k1 * (tau_R + tau_L);
-    const double k5 = b * k1 * (tau_R - tau_L);
-    const double k6 = 1.0 / (r * r);
-    const double k7 = J_w * k6;
-    const double k8 = m + 2.0 * k7;
-    const double k9 = m * d;
-    const double k10 = 2.0 * (k6 * (J_w * (b * b))) + (I + m * (d * d));
-    const double k11 = k6 * (J_w * b);
-    const double k12 = 1.0 / k8;
-    const double k13 = 1.0 / k10;
+    const double k2 = b * k1;
+    const double k3 = J_w * k1;
+    const double k4 = k1 * k3;
+    const double k5 = m + 2.0 * k4;
+    const double k6 = k2 * k3;
+    const double k7 = m * d;
+    const double k8 = tau_R * k1;
+    const double k9 = tau_L * k1;
+    const double k10 = k1 * (tau_R + tau_L);
+    const double k11 = d * k7 + (I + 2.0 * (k2 * (J_w * k2)));
+    const double k12 = k2 * (tau_R - tau_L);
+    const double k13 = 1.0 / k5;
+    const double k14 = 1.0 / k11;
 
     /* state */
-    /* the coframe is singular */
-    if (!(fabs(-r) > 0.0)) {
-        return DIFF_DRIVE_SINGULAR_1;
-    }
-    /* the coframe is singular */
-    if (!(fabs(-r) > 0.0)) {
-        return DIFF_DRIVE_SINGULAR_1;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(k8) > 0.0)) {
-        return DIFF_DRIVE_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(k10) > 0.0)) {
-        return DIFF_DRIVE_SINGULAR_2;
-    }
-    const double z1 = (k5 - w * (v * k9)) * k13;
-    const double z2 = k7 * ((k4 + w * w * k9) * k12);
-    const double z3 = k11 * z1;
+    const double z1 = v * w;
+    const double z2 = (z1 * k7 - k12) * k14;
+    const double z3 = k4 * ((k7 * (w * w) + k10) * k13);
+    const double z4 = k6 * z2;
     /* (I.4.1) 29:5 */
-    lambda[0] = w * (m * v) + k9 * z1; /* reaction of slip: Q_i gains lambda_1 a_1i */
+    lambda[0] = m * z1 - k7 * z2; /* reaction of slip: Q_i gains lambda_1 a_1i */
     /* (I.4.1) 30:5 */
-    lambda[1] = k2 - (z2 + z3); /* reaction of roll_R: Q_i gains lambda_2 a_2i */
+    lambda[1] = k8 - (z3 - z4); /* reaction of roll_R: Q_i gains lambda_2 a_2i */
     /* (I.4.1) 31:5 */
-    lambda[2] = k3 - (z2 - z3); /* reaction of roll_L: Q_i gains lambda_3 a_3i */
+    lambda[2] = k9 - (z3 + z4); /* reaction of roll_L: Q_i gains lambda_3 a_3i */
+    /* the coframe is singular */
+    if (!(fabs(r) > 0.0)) {
+        return DIFF_DRIVE_SINGULAR_1;
+    }
+    /* the mass matrix is singular */
+    if (!(fabs(k5) > 0.0)) {
+        return DIFF_DRIVE_SINGULAR_2;
+    }
+    /* the mass matrix is singular */
+    if (!(fabs(k11) > 0.0)) {
+        return DIFF_DRIVE_SINGULAR_2;
+    }
     return diff_drive_finish(3, lambda);
 }
 
@@ -341,7 +443,7 @@ double diff_drive_energy(double t, const double *y, const double *p)
 
     /* parameters only */
     const double k1 = 1.0 / (r * r);
-    const double k2 = k1 * (J_w * (b * b)) + (0.5 * I + 0.5 * (m * (d * d)));
+    const double k2 = k1 * (J_w * (b * b)) + 0.5 * (I + m * (d * d));
     const double k3 = 0.5 * m + J_w * k1;
 
     /* state */
@@ -350,8 +452,15 @@ double diff_drive_energy(double t, const double *y, const double *p)
 
 int diff_drive_jacobian(double t, const double *y, const double *p, double *J)
 {
+    for (int entry = 0; entry < 49; ++entry) {
+        J[entry] = 0.0;
+    }
     (void)t;
     const double theta = y[2]; /* heading [rad] */
+
+    /* sines and cosines */
+    const double s_theta = sin(theta);
+    const double c_theta = cos(theta);
     const double v = y[5];
     const double w = y[6];
     const double m = p[0]; /* mass [kg] */
@@ -364,89 +473,39 @@ int diff_drive_jacobian(double t, const double *y, const double *p, double *J)
     /* parameters only */
     const double k1 = 1.0 / r;
     const double k2 = b * k1;
-    const double k3 = 1.0 / (r * r);
-    const double k4 = m + 2.0 * (J_w * k3);
-    const double k5 = m * d;
-    const double k6 = 2.0 * (k3 * (J_w * (b * b))) + (I + m * (d * d));
-    const double k7 = 1.0 / k4;
-    const double k8 = 1.0 / k6;
+    const double k3 = m + 2.0 * (k1 * (J_w * k1));
+    const double k4 = m * d;
+    const double k5 = d * k4 + (I + 2.0 * (k2 * (J_w * k2)));
+    const double k6 = 1.0 / k3;
+    const double k7 = 1.0 / k5;
 
     /* state */
-    /* the coframe is singular */
-    if (!(fabs(-r) > 0.0)) {
-        return DIFF_DRIVE_SINGULAR_1;
-    }
-    /* the coframe is singular */
-    if (!(fabs(-r) > 0.0)) {
-        return DIFF_DRIVE_SINGULAR_1;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(k4) > 0.0)) {
-        return DIFF_DRIVE_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(k6) > 0.0)) {
-        return DIFF_DRIVE_SINGULAR_2;
-    }
-    const double s_theta = sin(theta);
-    const double z1 = s_theta * v;
-    const double c_theta = cos(theta);
-    const double z2 = c_theta * v;
-    const double z3 = s_theta * k1;
-    const double z4 = c_theta * k1;
-    const double z5 = c_theta * (z1 * k1 + v * z3) - s_theta * (z2 * k1 + v * z4);
-    const double z6 = s_theta * z3 + c_theta * z4;
-    const double z7 = w * k5;
+    const double z1 = w * k4;
     /* (I.2.15) */
-    J[0] = 0.0;
-    J[1] = 0.0;
-    J[2] = -z1;
-    J[3] = 0.0;
-    J[4] = 0.0;
+    J[2] = -s_theta * v;
     J[5] = c_theta;
-    J[6] = 0.0;
-    J[7] = 0.0;
-    J[8] = 0.0;
-    J[9] = z2;
-    J[10] = 0.0;
-    J[11] = 0.0;
+    J[9] = c_theta * v;
     J[12] = s_theta;
-    J[13] = 0.0;
-    J[14] = 0.0;
-    J[15] = 0.0;
-    J[16] = 0.0;
-    J[17] = 0.0;
-    J[18] = 0.0;
-    J[19] = 0.0;
     J[20] = 1.0;
-    J[21] = 0.0;
-    J[22] = 0.0;
-    J[23] = z5;
-    J[24] = 0.0;
-    J[25] = 0.0;
-    J[26] = z6;
+    J[26] = k1;
     J[27] = k2;
-    J[28] = 0.0;
-    J[29] = 0.0;
-    J[30] = z5;
-    J[31] = 0.0;
-    J[32] = 0.0;
-    J[33] = z6;
+    J[33] = k1;
     J[34] = -k2;
-    J[35] = 0.0;
-    J[36] = 0.0;
-    J[37] = 0.0;
-    J[38] = 0.0;
-    J[39] = 0.0;
-    J[40] = 0.0;
-    J[41] = 2.0 * (k7 * z7);
-    J[42] = 0.0;
-    J[43] = 0.0;
-    J[44] = 0.0;
-    J[45] = 0.0;
-    J[46] = 0.0;
-    J[47] = -k8 * z7;
-    J[48] = -v * k5 * k8;
+    J[41] = 2.0 * (k6 * z1);
+    J[47] = -k7 * z1;
+    J[48] = -v * k4 * k7;
+    /* the coframe is singular */
+    if (!(fabs(r) > 0.0)) {
+        return DIFF_DRIVE_SINGULAR_1;
+    }
+    /* the mass matrix is singular */
+    if (!(fabs(k3) > 0.0)) {
+        return DIFF_DRIVE_SINGULAR_2;
+    }
+    /* the mass matrix is singular */
+    if (!(fabs(k5) > 0.0)) {
+        return DIFF_DRIVE_SINGULAR_2;
+    }
     return diff_drive_finish(49, J);
 }
 
@@ -458,20 +517,78 @@ int diff_drive_outputs(double t, const double *y, const double *p, double *out)
 
     /* state */
     /* the coframe is singular */
-    if (!(fabs(-r) > 0.0)) {
-        return DIFF_DRIVE_SINGULAR_1;
-    }
-    /* the coframe is singular */
-    if (!(fabs(-r) > 0.0)) {
+    if (!(fabs(r) > 0.0)) {
         return DIFF_DRIVE_SINGULAR_1;
     }
     (void)out;
     return DIFF_DRIVE_OK;
 }
 
+#if DIFF_DRIVE_LANES >= 2
+static __attribute__((noinline)) void diff_drive_rhs_lanes(const double *fixed, size_t stride, const double
+    *t, const double *y, double *restrict dydt, double *check)
+{
+    (void)t;
+    diff_drive_lanes far = {0}; /* the squares of the angles */
+    diff_drive_lanes sum = {0}; /* an infinity or a NaN among the results stays in it */
+    diff_drive_bits bad = {0}; /* singular blocks */
+    const double b = fixed[0];
+    const double k1 = fixed[1];
+    const double k4 = fixed[2];
+    const double k5 = fixed[3];
+    const double k7 = fixed[4];
+    const double k8 = fixed[5];
+    const double k9 = fixed[6];
+    const diff_drive_lanes theta = diff_drive_get(y + 2 * stride);
+    const diff_drive_lanes v = diff_drive_get(y + 5 * stride);
+    const diff_drive_lanes w = diff_drive_get(y + 6 * stride);
+    diff_drive_lanes sine1, cosine1;
+    diff_drive_turn_lanes(DIFF_DRIVE_SPREAD(theta), &far, &sine1, &cosine1);
+    const diff_drive_lanes c_theta = cosine1;
+    const diff_drive_lanes s_theta = sine1;
+    const diff_drive_lanes z1 = b * w;
+    /* (I.2.15) */
+    const diff_drive_lanes slope1 = c_theta * v;
+    sum += slope1;
+    diff_drive_put(dydt, slope1);
+    const diff_drive_lanes slope2 = s_theta * v;
+    sum += slope2;
+    diff_drive_put(dydt + 1 * stride, slope2);
+    const diff_drive_lanes slope3 = w;
+    sum += slope3;
+    diff_drive_put(dydt + 2 * stride, slope3);
+    const diff_drive_lanes slope4 = k1 * (v + z1);
+    sum += slope4;
+    diff_drive_put(dydt + 3 * stride, slope4);
+    const diff_drive_lanes slope5 = k1 * (v - z1);
+    sum += slope5;
+    diff_drive_put(dydt + 4 * stride, slope5);
+    /* (I.2.15) 24:4 */
+    const diff_drive_lanes slope6 = (k4 * (w * w) + k5) * k8;
+    sum += slope6;
+    diff_drive_put(dydt + 5 * stride, slope6);
+    const diff_drive_lanes slope7 = -(v * w * k4 - k7) * k9;
+    sum += slope7;
+    diff_drive_put(dydt + 6 * stride, slope7);
+    diff_drive_put(check, diff_drive_mark(far + (sum - sum), bad));
+}
+
+static __attribute__((noinline)) void diff_drive_rhs_tail(const double *fixed, size_t left, size_t count,
+    const double *t, const double *y, double *restrict dydt, double *check)
+{
+    double time[DIFF_DRIVE_LANES];
+    double state[7 * DIFF_DRIVE_LANES];
+    double slope[7 * DIFF_DRIVE_LANES];
+    diff_drive_fill(left, count, t, y, time, state);
+    diff_drive_rhs_lanes(fixed, DIFF_DRIVE_LANES, time, state, slope, check);
+    diff_drive_pour(left, count, slope, dydt);
+}
+#endif
+
 int diff_drive_rhs_batch(size_t count, const double *t, const double *y, const double *p, double *restrict
     dydt)
 {
+#if DIFF_DRIVE_LANES >= 2
     const double m = p[0]; /* mass [kg] */
     const double I = p[1]; /* of the whole about the vertical through the centre of mass [kg*m^2] */
     const double J_w = p[2]; /* of a wheel about its axle [kg*m^2] */
@@ -481,68 +598,43 @@ int diff_drive_rhs_batch(size_t count, const double *t, const double *y, const d
     const double tau_R = p[6]; /* torque on the right wheel [N*m] */
     const double tau_L = p[7]; /* torque on the left wheel [N*m] */
     const double k1 = 1.0 / r;
-    const double k2 = k1 * (tau_R + tau_L);
-    const double k3 = b * k1 * (tau_R - tau_L);
-    const double k4 = 1.0 / (r * r);
-    const double k5 = m + 2.0 * (J_w * k4);
-    const double k6 = m * d;
-    const double k7 = 2.0 * (k4 * (J_w * (b * b))) + (I + m * (d * d));
-    const double k8 = 1.0 / k5;
-    const double k9 = 1.0 / k7;
+    const double k2 = b * k1;
+    const double k3 = m + 2.0 * (k1 * (J_w * k1));
+    const double k4 = m * d;
+    const double k5 = k1 * (tau_R + tau_L);
+    const double k6 = d * k4 + (I + 2.0 * (k2 * (J_w * k2)));
+    const double k7 = k2 * (tau_R - tau_L);
+    const double k8 = 1.0 / k3;
+    const double k9 = 1.0 / k6;
     /* the coframe is singular */
-    if (!(fabs(-r) > 0.0)) {
-        return DIFF_DRIVE_SINGULAR_1;
-    }
-    /* the coframe is singular */
-    if (!(fabs(-r) > 0.0)) {
+    if (!(fabs(r) > 0.0)) {
         return DIFF_DRIVE_SINGULAR_1;
     }
     /* the mass matrix is singular */
-    if (!(fabs(k5) > 0.0)) {
+    if (!(fabs(k3) > 0.0)) {
         return DIFF_DRIVE_SINGULAR_2;
     }
     /* the mass matrix is singular */
-    if (!(fabs(k7) > 0.0)) {
+    if (!(fabs(k6) > 0.0)) {
         return DIFF_DRIVE_SINGULAR_2;
     }
-    int bad = 0;
-    (void)t;
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC ivdep
+    const double fixed[] = {b, k1, k4, k5, k7, k8, k9};
+    double check[1 * DIFF_DRIVE_LANES];
+    int status = DIFF_DRIVE_OK;
+    for (size_t i = 0; i < count; i += DIFF_DRIVE_LANES) {
+        const size_t left = count - i < DIFF_DRIVE_LANES ? count - i : DIFF_DRIVE_LANES;
+        if (left == DIFF_DRIVE_LANES) {
+            diff_drive_rhs_lanes(fixed, count, t + i, y + i, dydt + i, check);
+        } else {
+            diff_drive_rhs_tail(fixed, left, count, t + i, y + i, dydt + i, check);
+        }
+        if (!diff_drive_is_good(1 * DIFF_DRIVE_LANES, check)) {
+            const int one = diff_drive_one_by_one(count, i, left, t, y, p, dydt);
+            status = status == DIFF_DRIVE_OK ? one : status;
+        }
+    }
+    return status;
+#else
+    return diff_drive_one_by_one(count, 0, count, t, y, p, dydt);
 #endif
-    for (size_t i = 0; i < count; ++i) {
-        const double theta = y[2 * count + i]; /* heading [rad] */
-        const double v = y[5 * count + i];
-        const double w = y[6 * count + i];
-        const double c_theta = cos(theta);
-        const double z1 = c_theta * v;
-        const double s_theta = sin(theta);
-        const double z2 = s_theta * v;
-        const double z3 = b * w;
-        const double v_2 = s_theta * z2 + c_theta * z1;
-        /* (I.2.15) */
-        const double slope1 = z1; /* x' */
-        dydt[i] = slope1;
-        bad |= !(fabs(slope1) <= DBL_MAX);
-        const double slope2 = z2; /* y' */
-        dydt[count + i] = slope2;
-        bad |= !(fabs(slope2) <= DBL_MAX);
-        const double slope3 = w; /* theta' */
-        dydt[2 * count + i] = slope3;
-        bad |= !(fabs(slope3) <= DBL_MAX);
-        const double slope4 = k1 * (z3 + v_2); /* p_R' */
-        dydt[3 * count + i] = slope4;
-        bad |= !(fabs(slope4) <= DBL_MAX);
-        const double slope5 = -k1 * (z3 - v_2); /* p_L' */
-        dydt[4 * count + i] = slope5;
-        bad |= !(fabs(slope5) <= DBL_MAX);
-        /* (I.2.15) 24:4 */
-        const double slope6 = (k2 + w * w * k6) * k8; /* v' */
-        dydt[5 * count + i] = slope6;
-        bad |= !(fabs(slope6) <= DBL_MAX);
-        const double slope7 = (k3 - w * (v * k6)) * k9; /* w' */
-        dydt[6 * count + i] = slope7;
-        bad |= !(fabs(slope7) <= DBL_MAX);
-    }
-    return bad ? DIFF_DRIVE_NOT_FINITE : DIFF_DRIVE_OK;
 }

@@ -1,5 +1,5 @@
 /*
- * diff_drive.h: diff_drive, emitted by nhc 0.1.0 (nhc:8fedd10b6ca839e7)
+ * diff_drive.h: diff_drive, emitted by nhc 0.1.0 (nhc:40dced3315553f32)
  * A cart with two driven wheels and a caster; three velocity constraints, one of which is holonomic in
  *     disguise.
  * Source: diff_drive.yaml
@@ -31,14 +31,14 @@
  * 2: roll_L
  *
  * Operations:
- * rhs: 10 +-, 26 *, 4 /, 2 calls
- * velocities: 3 +-, 7 *, 1 /, 2 calls
- * accelerations: 14 +-, 34 *, 4 /, 2 calls
+ * rhs: 9 +-, 22 *, 3 /, 2 calls
+ * velocities: 2 +-, 5 *, 1 /, 2 calls
+ * accelerations: 11 +-, 24 *, 3 /, 2 calls
  * state: 1 +-, 2 *, 0 /, 2 calls
  * residuals: 6 +-, 7 *, 0 /, 2 calls
- * reactions: 12 +-, 28 *, 4 /, 0 calls
- * energy: 4 +-, 14 *, 1 /, 0 calls
- * jacobian: 7 +-, 29 *, 4 /, 2 calls
+ * reactions: 12 +-, 24 *, 3 /, 0 calls
+ * energy: 4 +-, 13 *, 1 /, 0 calls
+ * jacobian: 3 +-, 17 *, 3 /, 2 calls
  * outputs: 0 +-, 0 *, 0 /, 0 calls
  *
  * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.

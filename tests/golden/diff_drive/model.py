@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""diff_drive, emitted by nhc 0.1.0 (nhc:c2d1647ae0055170).
+"""diff_drive, emitted by nhc 0.1.0 (nhc:e0dbf30b3b2d1099).
 
 A cart with two driven wheels and a caster; three velocity constraints, one of which
     is holonomic in disguise.
@@ -32,14 +32,14 @@ Constraints:
 2: roll_L
 
 Operations:
-rhs: 10 +-, 26 *, 4 /, 2 calls
-velocities: 3 +-, 7 *, 1 /, 2 calls
-accelerations: 14 +-, 34 *, 4 /, 2 calls
+rhs: 9 +-, 22 *, 3 /, 2 calls
+velocities: 2 +-, 5 *, 1 /, 2 calls
+accelerations: 11 +-, 24 *, 3 /, 2 calls
 state: 1 +-, 2 *, 0 /, 2 calls
 residuals: 6 +-, 7 *, 0 /, 2 calls
-reactions: 12 +-, 28 *, 4 /, 0 calls
-energy: 4 +-, 14 *, 1 /, 0 calls
-jacobian: 7 +-, 29 *, 4 /, 2 calls
+reactions: 12 +-, 24 *, 3 /, 0 calls
+energy: 4 +-, 13 *, 1 /, 0 calls
+jacobian: 3 +-, 17 *, 3 /, 2 calls
 outputs: 0 +-, 0 *, 0 /, 0 calls
 
 A singular point raises SingularModelError.
@@ -107,48 +107,42 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     try:
         # parameters only
         k1 = 1.0 / r
-        k2 = k1 * (tau_R + tau_L)
-        k3 = b * k1 * (tau_R - tau_L)
-        k4 = 1.0 / (r * r)
-        k5 = m + 2.0 * (J_w * k4)
-        k6 = m * d
-        k7 = 2.0 * (k4 * (J_w * (b * b))) + (I + m * (d * d))
-        k8 = 1.0 / k5
-        k9 = 1.0 / k7
+        k2 = b * k1
+        k3 = m + 2.0 * (k1 * (J_w * k1))
+        k4 = m * d
+        k5 = k1 * (tau_R + tau_L)
+        k6 = d * k4 + (I + 2.0 * (k2 * (J_w * k2)))
+        k7 = k2 * (tau_R - tau_L)
+        k8 = 1.0 / k3
+        k9 = 1.0 / k6
         # state
         # the coframe is singular
-        if not abs(-r) > 0.0:
-            raise SingularModelError(1, "rhs")
-        # the coframe is singular
-        if not abs(-r) > 0.0:
+        if not abs(r) > 0.0:
             raise SingularModelError(1, "rhs")
         # the mass matrix is singular
-        if not abs(k5) > 0.0:
+        if not abs(k3) > 0.0:
             raise SingularModelError(2, "rhs")
         # the mass matrix is singular
-        if not abs(k7) > 0.0:
+        if not abs(k6) > 0.0:
             raise SingularModelError(2, "rhs")
         c_theta = math.cos(theta)
-        z1 = c_theta * v
         s_theta = math.sin(theta)
-        z2 = s_theta * v
-        z3 = b * w
-        v_2 = s_theta * z2 + c_theta * z1
+        z1 = b * w
         dydt: list[float] = [
             # x' (I.2.15)
-            z1,
+            c_theta * v,
             # y' (I.2.15)
-            z2,
+            s_theta * v,
             # theta' (I.2.15)
             w,
             # p_R' (I.2.15)
-            k1 * (z3 + v_2),
+            k1 * (v + z1),
             # p_L' (I.2.15)
-            -k1 * (z3 - v_2),
+            k1 * (v - z1),
             # v' (I.2.15) 24:4
-            (k2 + w * w * k6) * k8,
+            (k4 * (w * w) + k5) * k8,
             # w' (I.2.15) 24:4
-            (k3 - w * (v * k6)) * k9,
+            -(v * w * k4 - k7) * k9,
         ]
         return _finish("rhs", dydt)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -175,28 +169,22 @@ def velocities(
         k1 = 1.0 / r
         # state
         # the coframe is singular
-        if not abs(-r) > 0.0:
-            raise SingularModelError(1, "velocities")
-        # the coframe is singular
-        if not abs(-r) > 0.0:
+        if not abs(r) > 0.0:
             raise SingularModelError(1, "velocities")
         c_theta = math.cos(theta)
-        z1 = c_theta * v
         s_theta = math.sin(theta)
-        z2 = s_theta * v
-        z3 = b * w
-        v_2 = s_theta * z2 + c_theta * z1
+        z1 = b * w
         qdot: list[float] = [
             # x' (I.2.4)
-            z1,
+            c_theta * v,
             # y' (I.2.4)
-            z2,
+            s_theta * v,
             # theta' (I.2.4)
             w,
             # p_R' (I.2.4)
-            k1 * (z3 + v_2),
+            k1 * (v + z1),
             # p_L' (I.2.4)
-            -k1 * (z3 - v_2),
+            k1 * (v - z1),
         ]
         return _finish("velocities", qdot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -228,49 +216,41 @@ def accelerations(
     try:
         # parameters only
         k1 = 1.0 / r
-        k2 = k1 * (tau_R + tau_L)
-        k3 = b * k1 * (tau_R - tau_L)
-        k4 = 1.0 / (r * r)
-        k5 = m + 2.0 * (J_w * k4)
-        k6 = m * d
-        k7 = 2.0 * (k4 * (J_w * (b * b))) + (I + m * (d * d))
-        k8 = 1.0 / k5
-        k9 = 1.0 / k7
+        k2 = b * k1
+        k3 = m + 2.0 * (k1 * (J_w * k1))
+        k4 = m * d
+        k5 = k1 * (tau_R + tau_L)
+        k6 = d * k4 + (I + 2.0 * (k2 * (J_w * k2)))
+        k7 = k2 * (tau_R - tau_L)
+        k8 = 1.0 / k3
+        k9 = 1.0 / k6
         # state
         # the coframe is singular
-        if not abs(-r) > 0.0:
-            raise SingularModelError(1, "accelerations")
-        # the coframe is singular
-        if not abs(-r) > 0.0:
+        if not abs(r) > 0.0:
             raise SingularModelError(1, "accelerations")
         # the mass matrix is singular
-        if not abs(k5) > 0.0:
+        if not abs(k3) > 0.0:
             raise SingularModelError(2, "accelerations")
         # the mass matrix is singular
-        if not abs(k7) > 0.0:
+        if not abs(k6) > 0.0:
             raise SingularModelError(2, "accelerations")
-        s_theta = math.sin(theta)
-        z1 = s_theta * w
         c_theta = math.cos(theta)
-        z2 = (k2 + w * w * k6) * k8
-        z3 = v * z1 - c_theta * z2
-        z4 = c_theta * w
-        z5 = v * z4 + s_theta * z2
-        z6 = (k3 - w * (v * k6)) * k9
-        z7 = b * z6
-        s1 = s_theta * v * z4 + s_theta * z5
-        z8 = s1 - (c_theta * v * z1 + c_theta * z3)
+        z1 = (k4 * (w * w) + k5) * k8
+        s_theta = math.sin(theta)
+        z2 = v * w
+        z3 = (z2 * k4 - k7) * k9
+        z4 = b * z3
         qddot: list[float] = [
             # x'' (I.2.15)
-            -z3,
+            c_theta * z1 - s_theta * z2,
             # y'' (I.2.15)
-            z5,
+            s_theta * z1 + c_theta * z2,
             # theta'' (I.2.15)
-            z6,
+            -z3,
             # p_R'' (I.2.15)
-            k1 * (z7 + z8),
+            k1 * (z1 - z4),
             # p_L'' (I.2.15)
-            -k1 * (z7 - z8),
+            k1 * (z1 + z4),
         ]
         return _finish("accelerations", qddot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -377,41 +357,40 @@ def reactions(
     try:
         # parameters only
         k1 = 1.0 / r
-        k2 = tau_R * k1
-        k3 = tau_L * k1
-        k4 = k1 * (tau_R + tau_L)
-        k5 = b * k1 * (tau_R - tau_L)
-        k6 = 1.0 / (r * r)
-        k7 = J_w * k6
-        k8 = m + 2.0 * k7
-        k9 = m * d
-        k10 = 2.0 * (k6 * (J_w * (b * b))) + (I + m * (d * d))
-        k11 = k6 * (J_w * b)
-        k12 = 1.0 / k8
-        k13 = 1.0 / k10
+        k2 = b * k1
+        k3 = J_w * k1
+        k4 = k1 * k3
+        k5 = m + 2.0 * k4
+        k6 = k2 * k3
+        k7 = m * d
+        k8 = tau_R * k1
+        k9 = tau_L * k1
+        k10 = k1 * (tau_R + tau_L)
+        k11 = d * k7 + (I + 2.0 * (k2 * (J_w * k2)))
+        k12 = k2 * (tau_R - tau_L)
+        k13 = 1.0 / k5
+        k14 = 1.0 / k11
         # state
         # the coframe is singular
-        if not abs(-r) > 0.0:
-            raise SingularModelError(1, "reactions")
-        # the coframe is singular
-        if not abs(-r) > 0.0:
+        if not abs(r) > 0.0:
             raise SingularModelError(1, "reactions")
         # the mass matrix is singular
-        if not abs(k8) > 0.0:
+        if not abs(k5) > 0.0:
             raise SingularModelError(2, "reactions")
         # the mass matrix is singular
-        if not abs(k10) > 0.0:
+        if not abs(k11) > 0.0:
             raise SingularModelError(2, "reactions")
-        z1 = (k5 - w * (v * k9)) * k13
-        z2 = k7 * ((k4 + w * w * k9) * k12)
-        z3 = k11 * z1
+        z1 = v * w
+        z2 = (z1 * k7 - k12) * k14
+        z3 = k4 * ((k7 * (w * w) + k10) * k13)
+        z4 = k6 * z2
         lambda_: list[float] = [
             # reaction of slip: Q_i gains lambda_1 a_1i (I.4.1) 29:5
-            w * (m * v) + k9 * z1,
+            m * z1 - k7 * z2,
             # reaction of roll_R: Q_i gains lambda_2 a_2i (I.4.1) 30:5
-            k2 - (z2 + z3),
+            k8 - (z3 - z4),
             # reaction of roll_L: Q_i gains lambda_3 a_3i (I.4.1) 31:5
-            k3 - (z2 - z3),
+            k9 - (z3 + z4),
         ]
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -436,7 +415,7 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     try:
         # parameters only
         k1 = 1.0 / (r * r)
-        k2 = k1 * (J_w * (b * b)) + (0.5 * I + 0.5 * (m * (d * d)))
+        k2 = k1 * (J_w * (b * b)) + 0.5 * (I + m * (d * d))
         k3 = 0.5 * m + J_w * k1
         # state
         value1 = w * w * k2 + v * v * k3
@@ -469,136 +448,89 @@ def jacobian(
         # parameters only
         k1 = 1.0 / r
         k2 = b * k1
-        k3 = 1.0 / (r * r)
-        k4 = m + 2.0 * (J_w * k3)
-        k5 = m * d
-        k6 = 2.0 * (k3 * (J_w * (b * b))) + (I + m * (d * d))
-        k7 = 1.0 / k4
-        k8 = 1.0 / k6
+        k3 = m + 2.0 * (k1 * (J_w * k1))
+        k4 = m * d
+        k5 = d * k4 + (I + 2.0 * (k2 * (J_w * k2)))
+        k6 = 1.0 / k3
+        k7 = 1.0 / k5
         # state
         # the coframe is singular
-        if not abs(-r) > 0.0:
-            raise SingularModelError(1, "jacobian")
-        # the coframe is singular
-        if not abs(-r) > 0.0:
+        if not abs(r) > 0.0:
             raise SingularModelError(1, "jacobian")
         # the mass matrix is singular
-        if not abs(k4) > 0.0:
+        if not abs(k3) > 0.0:
             raise SingularModelError(2, "jacobian")
         # the mass matrix is singular
-        if not abs(k6) > 0.0:
+        if not abs(k5) > 0.0:
             raise SingularModelError(2, "jacobian")
         s_theta = math.sin(theta)
-        z1 = s_theta * v
         c_theta = math.cos(theta)
-        z2 = c_theta * v
-        z3 = s_theta * k1
-        z4 = c_theta * k1
-        z5 = c_theta * (z1 * k1 + v * z3) - s_theta * (z2 * k1 + v * z4)
-        z6 = s_theta * z3 + c_theta * z4
-        z7 = w * k5
+        z1 = w * k4
         J: list[float] = [
-            # (I.2.15)
+            0.0,
             0.0,
             # (I.2.15)
+            -s_theta * v,
             0.0,
-            # (I.2.15)
-            -z1,
-            # (I.2.15)
-            0.0,
-            # (I.2.15)
             0.0,
             # (I.2.15)
             c_theta,
-            # (I.2.15)
+            0.0,
+            0.0,
             0.0,
             # (I.2.15)
+            c_theta * v,
             0.0,
-            # (I.2.15)
-            0.0,
-            # (I.2.15)
-            z2,
-            # (I.2.15)
-            0.0,
-            # (I.2.15)
             0.0,
             # (I.2.15)
             s_theta,
-            # (I.2.15)
             0.0,
-            # (I.2.15)
             0.0,
-            # (I.2.15)
             0.0,
-            # (I.2.15)
             0.0,
-            # (I.2.15)
             0.0,
-            # (I.2.15)
             0.0,
-            # (I.2.15)
             0.0,
             # (I.2.15)
             1.0,
-            # (I.2.15)
+            0.0,
+            0.0,
+            0.0,
+            0.0,
             0.0,
             # (I.2.15)
-            0.0,
-            # (I.2.15)
-            z5,
-            # (I.2.15)
-            0.0,
-            # (I.2.15)
-            0.0,
-            # (I.2.15)
-            z6,
+            k1,
             # (I.2.15)
             k2,
-            # (I.2.15)
+            0.0,
+            0.0,
+            0.0,
+            0.0,
             0.0,
             # (I.2.15)
-            0.0,
-            # (I.2.15)
-            z5,
-            # (I.2.15)
-            0.0,
-            # (I.2.15)
-            0.0,
-            # (I.2.15)
-            z6,
+            k1,
             # (I.2.15)
             -k2,
-            # (I.2.15)
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
             0.0,
             # (I.2.15)
+            2.0 * (k6 * z1),
+            0.0,
+            0.0,
+            0.0,
+            0.0,
             0.0,
             # (I.2.15)
-            0.0,
+            -k7 * z1,
             # (I.2.15)
-            0.0,
-            # (I.2.15)
-            0.0,
-            # (I.2.15)
-            0.0,
-            # (I.2.15)
-            2.0 * (k7 * z7),
-            # (I.2.15)
-            0.0,
-            # (I.2.15)
-            0.0,
-            # (I.2.15)
-            0.0,
-            # (I.2.15)
-            0.0,
-            # (I.2.15)
-            0.0,
-            # (I.2.15)
-            -k8 * z7,
-            # (I.2.15)
-            -v * k5 * k8,
+            -v * k4 * k7,
         ]
         _finish("jacobian", J)
-        return [J[k9 : k9 + 7] for k9 in range(0, 49, 7)]
+        return [J[k8 : k8 + 7] for k8 in range(0, 49, 7)]
     except (ValueError, ZeroDivisionError, OverflowError) as error:
         raise SingularModelError(NOT_FINITE, "jacobian") from error
 
@@ -613,10 +545,7 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
     try:
         # state
         # the coframe is singular
-        if not abs(-r) > 0.0:
-            raise SingularModelError(1, "outputs")
-        # the coframe is singular
-        if not abs(-r) > 0.0:
+        if not abs(r) > 0.0:
             raise SingularModelError(1, "outputs")
         out: list[float] = []
         return _finish("outputs", out)

@@ -1,5 +1,5 @@
 /*
- * disk_chain2.c: disk_chain2, emitted by nhc 0.1.0 (nhc:299c9f2ca419b77a)
+ * disk_chain2.c: disk_chain2, emitted by nhc 0.1.0 (nhc:1c067db64ebd5b85)
  * Two upright rolling disks joined by a spring; the first link of a chain that may be made as long as one
  *     likes.
  * Source: disk_chain2.yaml
@@ -27,6 +27,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <string.h>
 
 const char *const disk_chain2_coordinate_names[] = {
     "x1",
@@ -76,15 +77,136 @@ static int disk_chain2_finish(int count, const double *values)
     return fabs(sum) <= DBL_MAX ? DISK_CHAIN2_OK : DISK_CHAIN2_NOT_FINITE;
 }
 
+/* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
+#ifndef DISK_CHAIN2_LANES
+#if !defined(__GNUC__)
+#define DISK_CHAIN2_LANES 1
+#elif defined(__AVX512F__)
+#define DISK_CHAIN2_LANES 8
+#elif defined(__AVX__)
+#define DISK_CHAIN2_LANES 4
+#else
+#define DISK_CHAIN2_LANES 2
+#endif
+#endif
+#if DISK_CHAIN2_LANES > 1
+typedef double disk_chain2_lanes __attribute__((vector_size(8 * DISK_CHAIN2_LANES)));
+#else
+typedef double disk_chain2_lanes;
+#endif
+
+#if DISK_CHAIN2_LANES >= 2
+static inline disk_chain2_lanes disk_chain2_get(const double *from)
+{
+    disk_chain2_lanes value;
+    memcpy(&value, from, sizeof value);
+    return value;
+}
+
+static inline void disk_chain2_put(double *to, disk_chain2_lanes value)
+{
+    memcpy(to, &value, sizeof value);
+}
+#endif
+
+/* states first, first + 1, ... through rhs, one by one; the first status that is not OK */
+#if defined(__GNUC__)
+__attribute__((noinline))
+#endif
+static int disk_chain2_one_by_one(size_t count, size_t first, size_t number, const double *t, const double *y, const double *p, double *dydt)
+{
+    int status = DISK_CHAIN2_OK;
+    for (size_t i = first; i < first + number; ++i) {
+        double state[DISK_CHAIN2_NY];
+        double slope[DISK_CHAIN2_NY];
+        for (size_t k = 0; k < DISK_CHAIN2_NY; ++k) {
+            state[k] = y[k * count + i];
+            slope[k] = NAN;
+        }
+        const int one = disk_chain2_rhs(t[i], state, p, slope);
+        status = status == DISK_CHAIN2_OK ? one : status;
+        for (size_t k = 0; k < DISK_CHAIN2_NY; ++k) {
+            dydt[k * count + i] = slope[k];
+        }
+    }
+    return status;
+}
+
+#if DISK_CHAIN2_LANES >= 2
+#define DISK_CHAIN2_SPREAD(x) ((x) - (disk_chain2_lanes){0}) /* a number in each lane; lanes stay what they are */
+
+typedef unsigned long long disk_chain2_bits __attribute__((vector_size(8 * DISK_CHAIN2_LANES)));
+
+/* no number where a bit is set */
+static inline disk_chain2_lanes disk_chain2_mark(disk_chain2_lanes value, disk_chain2_bits bad)
+{
+    return (disk_chain2_lanes)((disk_chain2_bits)value | bad);
+}
+/* whether none of the states must be asked again: no singular block, no infinity, no angle anywhere near 1e5 */
+static inline int disk_chain2_is_good(int count, const double *check)
+{
+    double even = 0.0;
+    double odd = 0.0;
+    for (int k = 0; k < count; k += 2) {
+        even += check[k];
+        odd += check[k + 1];
+    }
+    return even + odd <= 1e10;
+}
+
+/* the last states, fewer than there are lanes; the others repeat the last one */
+static inline void disk_chain2_fill(size_t left, size_t count, const double *t, const double *y, double *time, double *state)
+{
+    for (size_t l = 0; l < DISK_CHAIN2_LANES; ++l) {
+        const size_t i = l < left ? l : left - 1;
+        time[l] = t[i];
+        for (size_t k = 0; k < DISK_CHAIN2_NY; ++k) {
+            state[k * DISK_CHAIN2_LANES + l] = y[k * count + i];
+        }
+    }
+}
+
+static inline void disk_chain2_pour(size_t left, size_t count, const double *slope, double *dydt)
+{
+    for (size_t k = 0; k < DISK_CHAIN2_NY; ++k) {
+        for (size_t l = 0; l < left; ++l) {
+            dydt[k * count + l] = slope[k * DISK_CHAIN2_LANES + l];
+        }
+    }
+}
+
+/* libm's sine and cosine, lane by lane */
+static inline void disk_chain2_turn_lanes(disk_chain2_lanes x, disk_chain2_lanes *far, disk_chain2_lanes *sine, disk_chain2_lanes *cosine)
+{
+    double angle[DISK_CHAIN2_LANES];
+    double up[DISK_CHAIN2_LANES];
+    double along[DISK_CHAIN2_LANES];
+    (void)far;
+    memcpy(angle, &x, sizeof x);
+    for (int l = 0; l < DISK_CHAIN2_LANES; ++l) {
+        up[l] = sin(angle[l]);
+        along[l] = cos(angle[l]);
+    }
+    memcpy(sine, up, sizeof x);
+    memcpy(cosine, along, sizeof x);
+}
+#endif
+
 int disk_chain2_rhs(double t, const double *y, const double *p, double *dydt)
 {
     (void)t;
+    const double phi1 = y[2]; /* heading [rad] */
+    const double phi2 = y[6]; /* heading [rad] */
+
+    /* sines and cosines */
+    const double c_phi1 = cos(phi1);
+    const double s_phi1 = sin(phi1);
+    const double c_phi2 = cos(phi2);
+    const double s_phi2 = sin(phi2);
     const double x1 = y[0]; /* first disk [m] */
     const double y1_ = y[1]; /* first disk [m] */
-    const double phi1 = y[2]; /* heading [rad] */
     const double x2 = y[4]; /* second disk [m] */
     const double y2 = y[5]; /* second disk [m] */
-    const double phi2 = y[6]; /* heading [rad] */
     const double phi1_dot = y[8];
     const double theta1_dot = y[9];
     const double phi2_dot = y[10];
@@ -100,35 +222,17 @@ int disk_chain2_rhs(double t, const double *y, const double *p, double *dydt)
     const double k2 = R * k / k1;
 
     /* state */
-    /* the mass matrix is singular */
-    if (!(fabs(J) > 0.0)) {
-        return DISK_CHAIN2_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(k1) > 0.0)) {
-        return DISK_CHAIN2_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(J) > 0.0)) {
-        return DISK_CHAIN2_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(k1) > 0.0)) {
-        return DISK_CHAIN2_SINGULAR_2;
-    }
-    const double c_phi1 = cos(phi1);
-    const double s_phi1 = sin(phi1);
-    const double c_phi2 = cos(phi2);
-    const double s_phi2 = sin(phi2);
+    const double v1_x1 = theta1_dot * R;
+    const double v1_x2 = theta2_dot * R;
     const double z1 = x1 - x2;
     const double z2 = y1_ - y2;
     /* (III.3) */
-    dydt[0] = theta1_dot * (R * c_phi1); /* x1' */
-    dydt[1] = theta1_dot * (R * s_phi1); /* y1' */
+    dydt[0] = c_phi1 * v1_x1; /* x1' */
+    dydt[1] = s_phi1 * v1_x1; /* y1' */
     dydt[2] = phi1_dot; /* phi1' */
     dydt[3] = theta1_dot; /* theta1' */
-    dydt[4] = theta2_dot * (R * c_phi2); /* x2' */
-    dydt[5] = theta2_dot * (R * s_phi2); /* y2' */
+    dydt[4] = c_phi2 * v1_x2; /* x2' */
+    dydt[5] = s_phi2 * v1_x2; /* y2' */
     dydt[6] = phi2_dot; /* phi2' */
     dydt[7] = theta2_dot; /* theta2' */
     /* (III.3) 24:4 */
@@ -136,6 +240,22 @@ int disk_chain2_rhs(double t, const double *y, const double *p, double *dydt)
     dydt[9] = -(z1 * c_phi1 + z2 * s_phi1) * k2; /* theta1'' */
     dydt[10] = 0.0; /* phi2'' */
     dydt[11] = (z1 * c_phi2 + z2 * s_phi2) * k2; /* theta2'' */
+    /* the mass matrix is singular */
+    if (!(fabs(J) > 0.0)) {
+        return DISK_CHAIN2_SINGULAR_2;
+    }
+    /* the mass matrix is singular */
+    if (!(fabs(k1) > 0.0)) {
+        return DISK_CHAIN2_SINGULAR_2;
+    }
+    /* the mass matrix is singular */
+    if (!(fabs(J) > 0.0)) {
+        return DISK_CHAIN2_SINGULAR_2;
+    }
+    /* the mass matrix is singular */
+    if (!(fabs(k1) > 0.0)) {
+        return DISK_CHAIN2_SINGULAR_2;
+    }
     return disk_chain2_finish(12, dydt);
 }
 
@@ -144,6 +264,12 @@ int disk_chain2_velocities(double t, const double *y, const double *p, double *q
     (void)t;
     const double phi1 = y[2]; /* heading [rad] */
     const double phi2 = y[6]; /* heading [rad] */
+
+    /* sines and cosines */
+    const double c_phi1 = cos(phi1);
+    const double s_phi1 = sin(phi1);
+    const double c_phi2 = cos(phi2);
+    const double s_phi2 = sin(phi2);
     const double phi1_dot = y[8];
     const double theta1_dot = y[9];
     const double phi2_dot = y[10];
@@ -151,17 +277,15 @@ int disk_chain2_velocities(double t, const double *y, const double *p, double *q
     const double R = p[1]; /* radius [m] */
 
     /* state */
-    const double c_phi1 = cos(phi1);
-    const double s_phi1 = sin(phi1);
-    const double c_phi2 = cos(phi2);
-    const double s_phi2 = sin(phi2);
+    const double v1_x1 = theta1_dot * R;
+    const double v1_x2 = theta2_dot * R;
     /* (I.2.4) */
-    qdot[0] = theta1_dot * (R * c_phi1); /* x1' */
-    qdot[1] = theta1_dot * (R * s_phi1); /* y1' */
+    qdot[0] = c_phi1 * v1_x1; /* x1' */
+    qdot[1] = s_phi1 * v1_x1; /* y1' */
     qdot[2] = phi1_dot; /* phi1' */
     qdot[3] = theta1_dot; /* theta1' */
-    qdot[4] = theta2_dot * (R * c_phi2); /* x2' */
-    qdot[5] = theta2_dot * (R * s_phi2); /* y2' */
+    qdot[4] = c_phi2 * v1_x2; /* x2' */
+    qdot[5] = s_phi2 * v1_x2; /* y2' */
     qdot[6] = phi2_dot; /* phi2' */
     qdot[7] = theta2_dot; /* theta2' */
     return disk_chain2_finish(8, qdot);
@@ -170,12 +294,18 @@ int disk_chain2_velocities(double t, const double *y, const double *p, double *q
 int disk_chain2_accelerations(double t, const double *y, const double *p, double *qddot)
 {
     (void)t;
+    const double phi1 = y[2]; /* heading [rad] */
+    const double phi2 = y[6]; /* heading [rad] */
+
+    /* sines and cosines */
+    const double s_phi1 = sin(phi1);
+    const double c_phi1 = cos(phi1);
+    const double s_phi2 = sin(phi2);
+    const double c_phi2 = cos(phi2);
     const double x1 = y[0]; /* first disk [m] */
     const double y1_ = y[1]; /* first disk [m] */
-    const double phi1 = y[2]; /* heading [rad] */
     const double x2 = y[4]; /* second disk [m] */
     const double y2 = y[5]; /* second disk [m] */
-    const double phi2 = y[6]; /* heading [rad] */
     const double phi1_dot = y[8];
     const double theta1_dot = y[9];
     const double phi2_dot = y[10];
@@ -191,39 +321,39 @@ int disk_chain2_accelerations(double t, const double *y, const double *p, double
     const double k2 = R * k / k1;
 
     /* state */
-    /* the mass matrix is singular */
-    if (!(fabs(J) > 0.0)) {
-        return DISK_CHAIN2_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(k1) > 0.0)) {
-        return DISK_CHAIN2_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(J) > 0.0)) {
-        return DISK_CHAIN2_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(k1) > 0.0)) {
-        return DISK_CHAIN2_SINGULAR_2;
-    }
-    const double s_phi1 = sin(phi1);
-    const double c_phi1 = cos(phi1);
-    const double z1 = x1 - x2;
-    const double z2 = y1_ - y2;
-    const double z3 = (z1 * c_phi1 + z2 * s_phi1) * k2;
-    const double s_phi2 = sin(phi2);
-    const double c_phi2 = cos(phi2);
-    const double z4 = (z1 * c_phi2 + z2 * s_phi2) * k2;
+    const double z1 = R * (phi1_dot * theta1_dot);
+    const double z2 = x1 - x2;
+    const double z3 = y1_ - y2;
+    const double z4 = (z2 * c_phi1 + z3 * s_phi1) * k2;
+    const double z5 = R * z4;
+    const double z6 = R * (phi2_dot * theta2_dot);
+    const double z7 = (z2 * c_phi2 + z3 * s_phi2) * k2;
+    const double z8 = R * z7;
     /* (III.3) */
-    qddot[0] = -(theta1_dot * (R * (phi1_dot * s_phi1)) + R * c_phi1 * z3); /* x1'' */
-    qddot[1] = theta1_dot * (R * (phi1_dot * c_phi1)) - R * s_phi1 * z3; /* y1'' */
+    qddot[0] = -(s_phi1 * z1 + c_phi1 * z5); /* x1'' */
+    qddot[1] = c_phi1 * z1 - s_phi1 * z5; /* y1'' */
     qddot[2] = 0.0; /* phi1'' */
-    qddot[3] = -z3; /* theta1'' */
-    qddot[4] = R * c_phi2 * z4 - theta2_dot * (R * (phi2_dot * s_phi2)); /* x2'' */
-    qddot[5] = theta2_dot * (R * (phi2_dot * c_phi2)) + R * s_phi2 * z4; /* y2'' */
+    qddot[3] = -z4; /* theta1'' */
+    qddot[4] = c_phi2 * z8 - s_phi2 * z6; /* x2'' */
+    qddot[5] = c_phi2 * z6 + s_phi2 * z8; /* y2'' */
     qddot[6] = 0.0; /* phi2'' */
-    qddot[7] = z4; /* theta2'' */
+    qddot[7] = z7; /* theta2'' */
+    /* the mass matrix is singular */
+    if (!(fabs(J) > 0.0)) {
+        return DISK_CHAIN2_SINGULAR_2;
+    }
+    /* the mass matrix is singular */
+    if (!(fabs(k1) > 0.0)) {
+        return DISK_CHAIN2_SINGULAR_2;
+    }
+    /* the mass matrix is singular */
+    if (!(fabs(J) > 0.0)) {
+        return DISK_CHAIN2_SINGULAR_2;
+    }
+    /* the mass matrix is singular */
+    if (!(fabs(k1) > 0.0)) {
+        return DISK_CHAIN2_SINGULAR_2;
+    }
     return disk_chain2_finish(8, qddot);
 }
 
@@ -265,6 +395,12 @@ int disk_chain2_residuals(double t, const double *q, const double *qdot, const d
     (void)t;
     const double phi1 = q[2]; /* heading [rad] */
     const double phi2 = q[6]; /* heading [rad] */
+
+    /* sines and cosines */
+    const double c_phi1 = cos(phi1);
+    const double s_phi1 = sin(phi1);
+    const double c_phi2 = cos(phi2);
+    const double s_phi2 = sin(phi2);
     const double x1_dot = qdot[0];
     const double y1_dot = qdot[1];
     const double theta1_dot = qdot[3];
@@ -274,30 +410,34 @@ int disk_chain2_residuals(double t, const double *q, const double *qdot, const d
     const double R = p[1]; /* radius [m] */
 
     /* state */
-    const double c_phi1 = cos(phi1);
-    const double s_phi1 = sin(phi1);
-    const double c_phi2 = cos(phi2);
-    const double s_phi2 = sin(phi2);
+    const double v1_x1 = theta1_dot * R;
+    const double v1_x2 = theta2_dot * R;
     /* (I.1.1) 27:5 */
-    r[0] = x1_dot - theta1_dot * (R * c_phi1); /* roll_x1 = 0 */
+    r[0] = x1_dot - c_phi1 * v1_x1; /* roll_x1 = 0 */
     /* (I.1.1) 28:5 */
-    r[1] = y1_dot - theta1_dot * (R * s_phi1); /* roll_y1 = 0 */
+    r[1] = y1_dot - s_phi1 * v1_x1; /* roll_y1 = 0 */
     /* (I.1.1) 29:5 */
-    r[2] = x2_dot - theta2_dot * (R * c_phi2); /* roll_x2 = 0 */
+    r[2] = x2_dot - c_phi2 * v1_x2; /* roll_x2 = 0 */
     /* (I.1.1) 30:5 */
-    r[3] = y2_dot - theta2_dot * (R * s_phi2); /* roll_y2 = 0 */
+    r[3] = y2_dot - s_phi2 * v1_x2; /* roll_y2 = 0 */
     return disk_chain2_finish(4, r);
 }
 
 int disk_chain2_reactions(double t, const double *y, const double *p, double *lambda)
 {
     (void)t;
+    const double phi1 = y[2]; /* heading [rad] */
+    const double phi2 = y[6]; /* heading [rad] */
+
+    /* sines and cosines */
+    const double s_phi1 = sin(phi1);
+    const double c_phi1 = cos(phi1);
+    const double s_phi2 = sin(phi2);
+    const double c_phi2 = cos(phi2);
     const double x1 = y[0]; /* first disk [m] */
     const double y1_ = y[1]; /* first disk [m] */
-    const double phi1 = y[2]; /* heading [rad] */
     const double x2 = y[4]; /* second disk [m] */
     const double y2 = y[5]; /* second disk [m] */
-    const double phi2 = y[6]; /* heading [rad] */
     const double phi1_dot = y[8];
     const double theta1_dot = y[9];
     const double phi2_dot = y[10];
@@ -309,47 +449,43 @@ int disk_chain2_reactions(double t, const double *y, const double *p, double *la
     const double k = p[4]; /* stiffness of the spring [N/m] */
 
     /* parameters only */
-    const double k1 = I + m * (R * R);
-    const double k2 = m * R;
-    const double k3 = R * k / k1;
+    const double k1 = m * R;
+    const double k2 = I + m * (R * R);
+    const double k3 = R * k / k2;
 
     /* state */
-    /* the mass matrix is singular */
-    if (!(fabs(J) > 0.0)) {
-        return DISK_CHAIN2_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(k1) > 0.0)) {
-        return DISK_CHAIN2_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(J) > 0.0)) {
-        return DISK_CHAIN2_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(k1) > 0.0)) {
-        return DISK_CHAIN2_SINGULAR_2;
-    }
     const double z1 = x1 - x2;
     const double z2 = k * z1;
-    const double s_phi1 = sin(phi1);
-    const double z3 = R * (m * (phi1_dot * theta1_dot));
-    const double c_phi1 = cos(phi1);
+    const double z3 = k1 * (phi1_dot * theta1_dot);
     const double z4 = y1_ - y2;
-    const double z5 = (z1 * c_phi1 + z4 * s_phi1) * k3;
+    const double z5 = k1 * ((z1 * c_phi1 + z4 * s_phi1) * k3);
     const double z6 = k * z4;
-    const double s_phi2 = sin(phi2);
-    const double z7 = R * (m * (phi2_dot * theta2_dot));
-    const double c_phi2 = cos(phi2);
-    const double z8 = (z1 * c_phi2 + z4 * s_phi2) * k3;
+    const double z7 = k1 * (phi2_dot * theta2_dot);
+    const double z8 = k1 * ((z1 * c_phi2 + z4 * s_phi2) * k3);
     /* (I.4.1) 27:5 */
-    lambda[0] = z2 - s_phi1 * z3 - c_phi1 * k2 * z5; /* reaction of roll_x1: Q_i gains lambda_1 a_1i */
+    lambda[0] = z2 - s_phi1 * z3 - c_phi1 * z5; /* reaction of roll_x1: Q_i gains lambda_1 a_1i */
     /* (I.4.1) 28:5 */
-    lambda[1] = z6 + c_phi1 * z3 - s_phi1 * k2 * z5; /* reaction of roll_y1: Q_i gains lambda_2 a_2i */
+    lambda[1] = z6 + c_phi1 * z3 - s_phi1 * z5; /* reaction of roll_y1: Q_i gains lambda_2 a_2i */
     /* (I.4.1) 29:5 */
-    lambda[2] = c_phi2 * k2 * z8 - (z2 + s_phi2 * z7); /* reaction of roll_x2: Q_i gains lambda_3 a_3i */
+    lambda[2] = c_phi2 * z8 - (z2 + s_phi2 * z7); /* reaction of roll_x2: Q_i gains lambda_3 a_3i */
     /* (I.4.1) 30:5 */
-    lambda[3] = s_phi2 * k2 * z8 - (z6 - c_phi2 * z7); /* reaction of roll_y2: Q_i gains lambda_4 a_4i */
+    lambda[3] = s_phi2 * z8 - (z6 - c_phi2 * z7); /* reaction of roll_y2: Q_i gains lambda_4 a_4i */
+    /* the mass matrix is singular */
+    if (!(fabs(J) > 0.0)) {
+        return DISK_CHAIN2_SINGULAR_2;
+    }
+    /* the mass matrix is singular */
+    if (!(fabs(k2) > 0.0)) {
+        return DISK_CHAIN2_SINGULAR_2;
+    }
+    /* the mass matrix is singular */
+    if (!(fabs(J) > 0.0)) {
+        return DISK_CHAIN2_SINGULAR_2;
+    }
+    /* the mass matrix is singular */
+    if (!(fabs(k2) > 0.0)) {
+        return DISK_CHAIN2_SINGULAR_2;
+    }
     return disk_chain2_finish(4, lambda);
 }
 
@@ -371,24 +507,33 @@ double disk_chain2_energy(double t, const double *y, const double *p)
     const double k = p[4]; /* stiffness of the spring [N/m] */
 
     /* parameters only */
-    const double k1 = 0.5 * I + 0.5 * (m * (R * R));
+    const double k1 = I + m * (R * R);
 
     /* state */
-    const double z1 = x1 * (0.5 * x1 - x2) + (y1_ * (0.5 * y1_ - y2) + (0.5 * (x2 * x2) + 0.5 * (y2 * y2)));
-    const double z2 = theta1_dot * theta1_dot * k1 + (theta2_dot * theta2_dot * k1 + J * (0.5 * (phi1_dot *
-        phi1_dot) + 0.5 * (phi2_dot * phi2_dot)));
+    const double z1 = x1 * (0.5 * x1 - x2) + (y1_ * (0.5 * y1_ - y2) + 0.5 * (x2 * x2 + y2 * y2));
+    const double z2 = 0.5 * (theta1_dot * theta1_dot * k1 + (theta2_dot * theta2_dot * k1 + J * (phi1_dot *
+        phi1_dot + phi2_dot * phi2_dot)));
     return k * z1 + z2;
 }
 
 int disk_chain2_jacobian(double t, const double *y, const double *p, double *J)
 {
+    for (int entry = 0; entry < 144; ++entry) {
+        J[entry] = 0.0;
+    }
     (void)t;
+    const double phi1 = y[2]; /* heading [rad] */
+    const double phi2 = y[6]; /* heading [rad] */
+
+    /* sines and cosines */
+    const double s_phi1 = sin(phi1);
+    const double c_phi1 = cos(phi1);
+    const double s_phi2 = sin(phi2);
+    const double c_phi2 = cos(phi2);
     const double x1 = y[0]; /* first disk [m] */
     const double y1_ = y[1]; /* first disk [m] */
-    const double phi1 = y[2]; /* heading [rad] */
     const double x2 = y[4]; /* second disk [m] */
     const double y2 = y[5]; /* second disk [m] */
-    const double phi2 = y[6]; /* heading [rad] */
     const double theta1_dot = y[9];
     const double theta2_dot = y[11];
     const double m = p[0]; /* mass of each [kg] */
@@ -399,184 +544,58 @@ int disk_chain2_jacobian(double t, const double *y, const double *p, double *J)
 
     /* parameters only */
     const double k1 = I + m * (R * R);
-    const double k2 = R * k;
-    const double k3 = 1.0 / k1;
-    const double k4 = k2 * k3;
+    const double k2 = R * k / k1;
 
     /* state */
-    /* the mass matrix is singular */
-    if (!(fabs(J_2) > 0.0)) {
-        return DISK_CHAIN2_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(k1) > 0.0)) {
-        return DISK_CHAIN2_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(J_2) > 0.0)) {
-        return DISK_CHAIN2_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(k1) > 0.0)) {
-        return DISK_CHAIN2_SINGULAR_2;
-    }
-    const double s_phi1 = sin(phi1);
-    const double z1 = theta1_dot * R;
-    const double c_phi1 = cos(phi1);
-    const double s_phi2 = sin(phi2);
-    const double z2 = theta2_dot * R;
-    const double c_phi2 = cos(phi2);
-    const double z3 = k3 * (c_phi1 * k2);
-    const double z4 = k3 * (s_phi1 * k2);
-    const double z5 = y1_ - y2;
-    const double z6 = x1 - x2;
-    const double z7 = k3 * (c_phi2 * k2);
-    const double z8 = k3 * (s_phi2 * k2);
+    const double z1 = R * s_phi1;
+    const double z2 = R * c_phi1;
+    const double z3 = R * s_phi2;
+    const double z4 = R * c_phi2;
+    const double z5 = c_phi1 * k2;
+    const double z6 = s_phi1 * k2;
+    const double z7 = y1_ - y2;
+    const double z8 = x1 - x2;
+    const double z9 = c_phi2 * k2;
+    const double z10 = s_phi2 * k2;
     /* (III.3) */
-    J[0] = 0.0;
-    J[1] = 0.0;
-    J[2] = -s_phi1 * z1;
-    J[3] = 0.0;
-    J[4] = 0.0;
-    J[5] = 0.0;
-    J[6] = 0.0;
-    J[7] = 0.0;
-    J[8] = 0.0;
-    J[9] = R * c_phi1;
-    J[10] = 0.0;
-    J[11] = 0.0;
-    J[12] = 0.0;
-    J[13] = 0.0;
-    J[14] = c_phi1 * z1;
-    J[15] = 0.0;
-    J[16] = 0.0;
-    J[17] = 0.0;
-    J[18] = 0.0;
-    J[19] = 0.0;
-    J[20] = 0.0;
-    J[21] = R * s_phi1;
-    J[22] = 0.0;
-    J[23] = 0.0;
-    J[24] = 0.0;
-    J[25] = 0.0;
-    J[26] = 0.0;
-    J[27] = 0.0;
-    J[28] = 0.0;
-    J[29] = 0.0;
-    J[30] = 0.0;
-    J[31] = 0.0;
+    J[2] = -theta1_dot * z1;
+    J[9] = z2;
+    J[14] = theta1_dot * z2;
+    J[21] = z1;
     J[32] = 1.0;
-    J[33] = 0.0;
-    J[34] = 0.0;
-    J[35] = 0.0;
-    J[36] = 0.0;
-    J[37] = 0.0;
-    J[38] = 0.0;
-    J[39] = 0.0;
-    J[40] = 0.0;
-    J[41] = 0.0;
-    J[42] = 0.0;
-    J[43] = 0.0;
-    J[44] = 0.0;
     J[45] = 1.0;
-    J[46] = 0.0;
-    J[47] = 0.0;
-    J[48] = 0.0;
-    J[49] = 0.0;
-    J[50] = 0.0;
-    J[51] = 0.0;
-    J[52] = 0.0;
-    J[53] = 0.0;
-    J[54] = -s_phi2 * z2;
-    J[55] = 0.0;
-    J[56] = 0.0;
-    J[57] = 0.0;
-    J[58] = 0.0;
-    J[59] = R * c_phi2;
-    J[60] = 0.0;
-    J[61] = 0.0;
-    J[62] = 0.0;
-    J[63] = 0.0;
-    J[64] = 0.0;
-    J[65] = 0.0;
-    J[66] = c_phi2 * z2;
-    J[67] = 0.0;
-    J[68] = 0.0;
-    J[69] = 0.0;
-    J[70] = 0.0;
-    J[71] = R * s_phi2;
-    J[72] = 0.0;
-    J[73] = 0.0;
-    J[74] = 0.0;
-    J[75] = 0.0;
-    J[76] = 0.0;
-    J[77] = 0.0;
-    J[78] = 0.0;
-    J[79] = 0.0;
-    J[80] = 0.0;
-    J[81] = 0.0;
+    J[54] = -theta2_dot * z3;
+    J[59] = z4;
+    J[66] = theta2_dot * z4;
+    J[71] = z3;
     J[82] = 1.0;
-    J[83] = 0.0;
-    J[84] = 0.0;
-    J[85] = 0.0;
-    J[86] = 0.0;
-    J[87] = 0.0;
-    J[88] = 0.0;
-    J[89] = 0.0;
-    J[90] = 0.0;
-    J[91] = 0.0;
-    J[92] = 0.0;
-    J[93] = 0.0;
-    J[94] = 0.0;
     J[95] = 1.0;
-    J[96] = 0.0;
-    J[97] = 0.0;
-    J[98] = 0.0;
-    J[99] = 0.0;
-    J[100] = 0.0;
-    J[101] = 0.0;
-    J[102] = 0.0;
-    J[103] = 0.0;
-    J[104] = 0.0;
-    J[105] = 0.0;
-    J[106] = 0.0;
-    J[107] = 0.0;
-    J[108] = -z3;
-    J[109] = -z4;
-    J[110] = -k4 * (z5 * c_phi1 - z6 * s_phi1);
-    J[111] = 0.0;
-    J[112] = z3;
-    J[113] = z4;
-    J[114] = 0.0;
-    J[115] = 0.0;
-    J[116] = 0.0;
-    J[117] = 0.0;
-    J[118] = 0.0;
-    J[119] = 0.0;
-    J[120] = 0.0;
-    J[121] = 0.0;
-    J[122] = 0.0;
-    J[123] = 0.0;
-    J[124] = 0.0;
-    J[125] = 0.0;
-    J[126] = 0.0;
-    J[127] = 0.0;
-    J[128] = 0.0;
-    J[129] = 0.0;
-    J[130] = 0.0;
-    J[131] = 0.0;
-    J[132] = z7;
-    J[133] = z8;
-    J[134] = 0.0;
-    J[135] = 0.0;
-    J[136] = -z7;
-    J[137] = -z8;
-    J[138] = k4 * (z5 * c_phi2 - z6 * s_phi2);
-    J[139] = 0.0;
-    J[140] = 0.0;
-    J[141] = 0.0;
-    J[142] = 0.0;
-    J[143] = 0.0;
+    J[108] = -z5;
+    J[109] = -z6;
+    J[110] = -k2 * (z7 * c_phi1 - z8 * s_phi1);
+    J[112] = z5;
+    J[113] = z6;
+    J[132] = z9;
+    J[133] = z10;
+    J[136] = -z9;
+    J[137] = -z10;
+    J[138] = k2 * (z7 * c_phi2 - z8 * s_phi2);
+    /* the mass matrix is singular */
+    if (!(fabs(J_2) > 0.0)) {
+        return DISK_CHAIN2_SINGULAR_2;
+    }
+    /* the mass matrix is singular */
+    if (!(fabs(k1) > 0.0)) {
+        return DISK_CHAIN2_SINGULAR_2;
+    }
+    /* the mass matrix is singular */
+    if (!(fabs(J_2) > 0.0)) {
+        return DISK_CHAIN2_SINGULAR_2;
+    }
+    /* the mass matrix is singular */
+    if (!(fabs(k1) > 0.0)) {
+        return DISK_CHAIN2_SINGULAR_2;
+    }
     return disk_chain2_finish(144, J);
 }
 
@@ -589,16 +608,102 @@ int disk_chain2_outputs(double t, const double *y, const double *p, double *out)
     return DISK_CHAIN2_OK;
 }
 
+#if DISK_CHAIN2_LANES >= 2
+static __attribute__((noinline)) void disk_chain2_rhs_lanes(const double *fixed, size_t stride, const double
+    *t, const double *y, double *restrict dydt, double *check)
+{
+    (void)t;
+    disk_chain2_lanes far = {0}; /* the squares of the angles */
+    disk_chain2_lanes sum = {0}; /* an infinity or a NaN among the results stays in it */
+    disk_chain2_bits bad = {0}; /* singular blocks */
+    const double R = fixed[0];
+    const double k2 = fixed[1];
+    const disk_chain2_lanes x1 = disk_chain2_get(y);
+    const disk_chain2_lanes y1_ = disk_chain2_get(y + 1 * stride);
+    const disk_chain2_lanes phi1 = disk_chain2_get(y + 2 * stride);
+    const disk_chain2_lanes x2 = disk_chain2_get(y + 4 * stride);
+    const disk_chain2_lanes y2 = disk_chain2_get(y + 5 * stride);
+    const disk_chain2_lanes phi2 = disk_chain2_get(y + 6 * stride);
+    const disk_chain2_lanes phi1_dot = disk_chain2_get(y + 8 * stride);
+    const disk_chain2_lanes theta1_dot = disk_chain2_get(y + 9 * stride);
+    const disk_chain2_lanes phi2_dot = disk_chain2_get(y + 10 * stride);
+    const disk_chain2_lanes theta2_dot = disk_chain2_get(y + 11 * stride);
+    disk_chain2_lanes sine1, cosine1;
+    disk_chain2_turn_lanes(DISK_CHAIN2_SPREAD(phi1), &far, &sine1, &cosine1);
+    const disk_chain2_lanes c_phi1 = cosine1;
+    const disk_chain2_lanes v1_x1 = theta1_dot * R;
+    const disk_chain2_lanes s_phi1 = sine1;
+    disk_chain2_lanes sine2, cosine2;
+    disk_chain2_turn_lanes(DISK_CHAIN2_SPREAD(phi2), &far, &sine2, &cosine2);
+    const disk_chain2_lanes c_phi2 = cosine2;
+    const disk_chain2_lanes v1_x2 = theta2_dot * R;
+    const disk_chain2_lanes s_phi2 = sine2;
+    const disk_chain2_lanes z1 = x1 - x2;
+    const disk_chain2_lanes z2 = y1_ - y2;
+    /* (III.3) */
+    const disk_chain2_lanes slope1 = c_phi1 * v1_x1;
+    sum += slope1;
+    disk_chain2_put(dydt, slope1);
+    const disk_chain2_lanes slope2 = s_phi1 * v1_x1;
+    sum += slope2;
+    disk_chain2_put(dydt + 1 * stride, slope2);
+    const disk_chain2_lanes slope3 = phi1_dot;
+    sum += slope3;
+    disk_chain2_put(dydt + 2 * stride, slope3);
+    const disk_chain2_lanes slope4 = theta1_dot;
+    sum += slope4;
+    disk_chain2_put(dydt + 3 * stride, slope4);
+    const disk_chain2_lanes slope5 = c_phi2 * v1_x2;
+    sum += slope5;
+    disk_chain2_put(dydt + 4 * stride, slope5);
+    const disk_chain2_lanes slope6 = s_phi2 * v1_x2;
+    sum += slope6;
+    disk_chain2_put(dydt + 5 * stride, slope6);
+    const disk_chain2_lanes slope7 = phi2_dot;
+    sum += slope7;
+    disk_chain2_put(dydt + 6 * stride, slope7);
+    const disk_chain2_lanes slope8 = theta2_dot;
+    sum += slope8;
+    disk_chain2_put(dydt + 7 * stride, slope8);
+    /* (III.3) 24:4 */
+    const disk_chain2_lanes slope9 = DISK_CHAIN2_SPREAD(0.0);
+    sum += slope9;
+    disk_chain2_put(dydt + 8 * stride, slope9);
+    const disk_chain2_lanes slope10 = -(z1 * c_phi1 + z2 * s_phi1) * k2;
+    sum += slope10;
+    disk_chain2_put(dydt + 9 * stride, slope10);
+    const disk_chain2_lanes slope11 = DISK_CHAIN2_SPREAD(0.0);
+    sum += slope11;
+    disk_chain2_put(dydt + 10 * stride, slope11);
+    const disk_chain2_lanes slope12 = (z1 * c_phi2 + z2 * s_phi2) * k2;
+    sum += slope12;
+    disk_chain2_put(dydt + 11 * stride, slope12);
+    disk_chain2_put(check, disk_chain2_mark(far + (sum - sum), bad));
+}
+
+static __attribute__((noinline)) void disk_chain2_rhs_tail(const double *fixed, size_t left, size_t count,
+    const double *t, const double *y, double *restrict dydt, double *check)
+{
+    double time[DISK_CHAIN2_LANES];
+    double state[12 * DISK_CHAIN2_LANES];
+    double slope[12 * DISK_CHAIN2_LANES];
+    disk_chain2_fill(left, count, t, y, time, state);
+    disk_chain2_rhs_lanes(fixed, DISK_CHAIN2_LANES, time, state, slope, check);
+    disk_chain2_pour(left, count, slope, dydt);
+}
+#endif
+
 int disk_chain2_rhs_batch(size_t count, const double *t, const double *y, const double *p, double *restrict
     dydt)
 {
+#if DISK_CHAIN2_LANES >= 2
     const double m = p[0]; /* mass of each [kg] */
     const double R = p[1]; /* radius [m] */
     const double I = p[2]; /* about the axle [kg*m^2] */
     const double J = p[3]; /* about the vertical [kg*m^2] */
-    const double k_ = p[4]; /* stiffness of the spring [N/m] */
+    const double k = p[4]; /* stiffness of the spring [N/m] */
     const double k1 = I + m * (R * R);
-    const double k2 = R * k_ / k1;
+    const double k2 = R * k / k1;
     /* the mass matrix is singular */
     if (!(fabs(J) > 0.0)) {
         return DISK_CHAIN2_SINGULAR_2;
@@ -615,66 +720,23 @@ int disk_chain2_rhs_batch(size_t count, const double *t, const double *y, const 
     if (!(fabs(k1) > 0.0)) {
         return DISK_CHAIN2_SINGULAR_2;
     }
-    int bad = 0;
-    (void)t;
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC ivdep
+    const double fixed[] = {R, k2};
+    double check[1 * DISK_CHAIN2_LANES];
+    int status = DISK_CHAIN2_OK;
+    for (size_t i = 0; i < count; i += DISK_CHAIN2_LANES) {
+        const size_t left = count - i < DISK_CHAIN2_LANES ? count - i : DISK_CHAIN2_LANES;
+        if (left == DISK_CHAIN2_LANES) {
+            disk_chain2_rhs_lanes(fixed, count, t + i, y + i, dydt + i, check);
+        } else {
+            disk_chain2_rhs_tail(fixed, left, count, t + i, y + i, dydt + i, check);
+        }
+        if (!disk_chain2_is_good(1 * DISK_CHAIN2_LANES, check)) {
+            const int one = disk_chain2_one_by_one(count, i, left, t, y, p, dydt);
+            status = status == DISK_CHAIN2_OK ? one : status;
+        }
+    }
+    return status;
+#else
+    return disk_chain2_one_by_one(count, 0, count, t, y, p, dydt);
 #endif
-    for (size_t i = 0; i < count; ++i) {
-        const double x1 = y[i]; /* first disk [m] */
-        const double y1_ = y[count + i]; /* first disk [m] */
-        const double phi1 = y[2 * count + i]; /* heading [rad] */
-        const double x2 = y[4 * count + i]; /* second disk [m] */
-        const double y2 = y[5 * count + i]; /* second disk [m] */
-        const double phi2 = y[6 * count + i]; /* heading [rad] */
-        const double phi1_dot = y[8 * count + i];
-        const double theta1_dot = y[9 * count + i];
-        const double phi2_dot = y[10 * count + i];
-        const double theta2_dot = y[11 * count + i];
-        const double c_phi1 = cos(phi1);
-        const double s_phi1 = sin(phi1);
-        const double c_phi2 = cos(phi2);
-        const double s_phi2 = sin(phi2);
-        const double z1 = x1 - x2;
-        const double z2 = y1_ - y2;
-        /* (III.3) */
-        const double slope1 = theta1_dot * (R * c_phi1); /* x1' */
-        dydt[i] = slope1;
-        bad |= !(fabs(slope1) <= DBL_MAX);
-        const double slope2 = theta1_dot * (R * s_phi1); /* y1' */
-        dydt[count + i] = slope2;
-        bad |= !(fabs(slope2) <= DBL_MAX);
-        const double slope3 = phi1_dot; /* phi1' */
-        dydt[2 * count + i] = slope3;
-        bad |= !(fabs(slope3) <= DBL_MAX);
-        const double slope4 = theta1_dot; /* theta1' */
-        dydt[3 * count + i] = slope4;
-        bad |= !(fabs(slope4) <= DBL_MAX);
-        const double slope5 = theta2_dot * (R * c_phi2); /* x2' */
-        dydt[4 * count + i] = slope5;
-        bad |= !(fabs(slope5) <= DBL_MAX);
-        const double slope6 = theta2_dot * (R * s_phi2); /* y2' */
-        dydt[5 * count + i] = slope6;
-        bad |= !(fabs(slope6) <= DBL_MAX);
-        const double slope7 = phi2_dot; /* phi2' */
-        dydt[6 * count + i] = slope7;
-        bad |= !(fabs(slope7) <= DBL_MAX);
-        const double slope8 = theta2_dot; /* theta2' */
-        dydt[7 * count + i] = slope8;
-        bad |= !(fabs(slope8) <= DBL_MAX);
-        /* (III.3) 24:4 */
-        const double slope9 = 0.0; /* phi1'' */
-        dydt[8 * count + i] = slope9;
-        bad |= !(fabs(slope9) <= DBL_MAX);
-        const double slope10 = -(z1 * c_phi1 + z2 * s_phi1) * k2; /* theta1'' */
-        dydt[9 * count + i] = slope10;
-        bad |= !(fabs(slope10) <= DBL_MAX);
-        const double slope11 = 0.0; /* phi2'' */
-        dydt[10 * count + i] = slope11;
-        bad |= !(fabs(slope11) <= DBL_MAX);
-        const double slope12 = (z1 * c_phi2 + z2 * s_phi2) * k2; /* theta2'' */
-        dydt[11 * count + i] = slope12;
-        bad |= !(fabs(slope12) <= DBL_MAX);
-    }
-    return bad ? DISK_CHAIN2_NOT_FINITE : DISK_CHAIN2_OK;
 }

@@ -1,5 +1,5 @@
 /*
- * disk_chain2.h: disk_chain2, emitted by nhc 0.1.0 (nhc:437230ceccb7b3a2)
+ * disk_chain2.h: disk_chain2, emitted by nhc 0.1.0 (nhc:2170771963745e79)
  * Two upright rolling disks joined by a spring; the first link of a chain that may be made as long as one
  *     likes.
  * Source: disk_chain2.yaml
@@ -50,14 +50,14 @@
  * 3: roll_y2
  *
  * Operations:
- * rhs: 5 +-, 17 *, 1 /, 4 calls
- * velocities: 0 +-, 8 *, 0 /, 4 calls
- * accelerations: 9 +-, 29 *, 1 /, 4 calls
+ * rhs: 5 +-, 15 *, 1 /, 4 calls
+ * velocities: 0 +-, 6 *, 0 /, 4 calls
+ * accelerations: 9 +-, 23 *, 1 /, 4 calls
  * state: 0 +-, 0 *, 0 /, 0 calls
- * residuals: 4 +-, 8 *, 0 /, 4 calls
- * reactions: 13 +-, 30 *, 1 /, 4 calls
- * energy: 10 +-, 22 *, 0 /, 0 calls
- * jacobian: 5 +-, 28 *, 1 /, 4 calls
+ * residuals: 4 +-, 6 *, 0 /, 4 calls
+ * reactions: 13 +-, 26 *, 1 /, 4 calls
+ * energy: 10 +-, 18 *, 0 /, 0 calls
+ * jacobian: 5 +-, 21 *, 1 /, 4 calls
  * outputs: 0 +-, 0 *, 0 /, 0 calls
  *
  * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.

@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""disk_chain2, emitted by nhc 0.1.0 (nhc:74fe2680a62d4c1d).
+"""disk_chain2, emitted by nhc 0.1.0 (nhc:c3ff9c2270e5d339).
 
 Two upright rolling disks joined by a spring; the first link of a chain that may be
     made as long as one likes.
@@ -51,14 +51,14 @@ Constraints:
 3: roll_y2
 
 Operations:
-rhs: 5 +-, 17 *, 1 /, 4 calls
-velocities: 0 +-, 8 *, 0 /, 4 calls
-accelerations: 9 +-, 29 *, 1 /, 4 calls
+rhs: 5 +-, 15 *, 1 /, 4 calls
+velocities: 0 +-, 6 *, 0 /, 4 calls
+accelerations: 9 +-, 23 *, 1 /, 4 calls
 state: 0 +-, 0 *, 0 /, 0 calls
-residuals: 4 +-, 8 *, 0 /, 4 calls
-reactions: 13 +-, 30 *, 1 /, 4 calls
-energy: 10 +-, 22 *, 0 /, 0 calls
-jacobian: 5 +-, 28 *, 1 /, 4 calls
+residuals: 4 +-, 6 *, 0 /, 4 calls
+reactions: 13 +-, 26 *, 1 /, 4 calls
+energy: 10 +-, 18 *, 0 /, 0 calls
+jacobian: 5 +-, 21 *, 1 /, 4 calls
 outputs: 0 +-, 0 *, 0 /, 0 calls
 
 A singular point raises SingularModelError.
@@ -166,24 +166,26 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         if not abs(k1) > 0.0:
             raise SingularModelError(2, "rhs")
         c_phi1 = math.cos(phi1)
+        v1_x1 = theta1_dot * R
         s_phi1 = math.sin(phi1)
         c_phi2 = math.cos(phi2)
+        v1_x2 = theta2_dot * R
         s_phi2 = math.sin(phi2)
         z1 = x1 - x2
         z2 = y1 - y2
         dydt: list[float] = [
             # x1' (III.3)
-            theta1_dot * (R * c_phi1),
+            c_phi1 * v1_x1,
             # y1' (III.3)
-            theta1_dot * (R * s_phi1),
+            s_phi1 * v1_x1,
             # phi1' (III.3)
             phi1_dot,
             # theta1' (III.3)
             theta1_dot,
             # x2' (III.3)
-            theta2_dot * (R * c_phi2),
+            c_phi2 * v1_x2,
             # y2' (III.3)
-            theta2_dot * (R * s_phi2),
+            s_phi2 * v1_x2,
             # phi2' (III.3)
             phi2_dot,
             # theta2' (III.3)
@@ -222,22 +224,24 @@ def velocities(
     try:
         # state
         c_phi1 = math.cos(phi1)
+        v1_x1 = theta1_dot * R
         s_phi1 = math.sin(phi1)
         c_phi2 = math.cos(phi2)
+        v1_x2 = theta2_dot * R
         s_phi2 = math.sin(phi2)
         qdot: list[float] = [
             # x1' (I.2.4)
-            theta1_dot * (R * c_phi1),
+            c_phi1 * v1_x1,
             # y1' (I.2.4)
-            theta1_dot * (R * s_phi1),
+            s_phi1 * v1_x1,
             # phi1' (I.2.4)
             phi1_dot,
             # theta1' (I.2.4)
             theta1_dot,
             # x2' (I.2.4)
-            theta2_dot * (R * c_phi2),
+            c_phi2 * v1_x2,
             # y2' (I.2.4)
-            theta2_dot * (R * s_phi2),
+            s_phi2 * v1_x2,
             # phi2' (I.2.4)
             phi2_dot,
             # theta2' (I.2.4)
@@ -291,30 +295,34 @@ def accelerations(
         if not abs(k1) > 0.0:
             raise SingularModelError(2, "accelerations")
         s_phi1 = math.sin(phi1)
+        z1 = R * (phi1_dot * theta1_dot)
         c_phi1 = math.cos(phi1)
-        z1 = x1 - x2
-        z2 = y1 - y2
-        z3 = (z1 * c_phi1 + z2 * s_phi1) * k2
+        z2 = x1 - x2
+        z3 = y1 - y2
+        z4 = (z2 * c_phi1 + z3 * s_phi1) * k2
+        z5 = R * z4
         s_phi2 = math.sin(phi2)
+        z6 = R * (phi2_dot * theta2_dot)
         c_phi2 = math.cos(phi2)
-        z4 = (z1 * c_phi2 + z2 * s_phi2) * k2
+        z7 = (z2 * c_phi2 + z3 * s_phi2) * k2
+        z8 = R * z7
         qddot: list[float] = [
             # x1'' (III.3)
-            -(theta1_dot * (R * (phi1_dot * s_phi1)) + R * c_phi1 * z3),
+            -(s_phi1 * z1 + c_phi1 * z5),
             # y1'' (III.3)
-            theta1_dot * (R * (phi1_dot * c_phi1)) - R * s_phi1 * z3,
+            c_phi1 * z1 - s_phi1 * z5,
             # phi1'' (III.3)
             0.0,
             # theta1'' (III.3)
-            -z3,
+            -z4,
             # x2'' (III.3)
-            R * c_phi2 * z4 - theta2_dot * (R * (phi2_dot * s_phi2)),
+            c_phi2 * z8 - s_phi2 * z6,
             # y2'' (III.3)
-            theta2_dot * (R * (phi2_dot * c_phi2)) + R * s_phi2 * z4,
+            c_phi2 * z6 + s_phi2 * z8,
             # phi2'' (III.3)
             0.0,
             # theta2'' (III.3)
-            z4,
+            z7,
         ]
         return _finish("accelerations", qddot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -388,18 +396,20 @@ def residuals(
     try:
         # state
         c_phi1 = math.cos(phi1)
+        v1_x1 = theta1_dot * R
         s_phi1 = math.sin(phi1)
         c_phi2 = math.cos(phi2)
+        v1_x2 = theta2_dot * R
         s_phi2 = math.sin(phi2)
         r: list[float] = [
             # roll_x1 = 0 (I.1.1) 27:5
-            x1_dot - theta1_dot * (R * c_phi1),
+            x1_dot - c_phi1 * v1_x1,
             # roll_y1 = 0 (I.1.1) 28:5
-            y1_dot - theta1_dot * (R * s_phi1),
+            y1_dot - s_phi1 * v1_x1,
             # roll_x2 = 0 (I.1.1) 29:5
-            x2_dot - theta2_dot * (R * c_phi2),
+            x2_dot - c_phi2 * v1_x2,
             # roll_y2 = 0 (I.1.1) 30:5
-            y2_dot - theta2_dot * (R * s_phi2),
+            y2_dot - s_phi2 * v1_x2,
         ]
         return _finish("residuals", r)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -434,43 +444,43 @@ def reactions(
     k = float(p[4])  # stiffness of the spring [N/m]
     try:
         # parameters only
-        k1 = I + m * (R * R)
-        k2 = m * R
-        k3 = R * k / k1
+        k1 = m * R
+        k2 = I + m * (R * R)
+        k3 = R * k / k2
         # state
         # the mass matrix is singular
         if not abs(J) > 0.0:
             raise SingularModelError(2, "reactions")
         # the mass matrix is singular
-        if not abs(k1) > 0.0:
+        if not abs(k2) > 0.0:
             raise SingularModelError(2, "reactions")
         # the mass matrix is singular
         if not abs(J) > 0.0:
             raise SingularModelError(2, "reactions")
         # the mass matrix is singular
-        if not abs(k1) > 0.0:
+        if not abs(k2) > 0.0:
             raise SingularModelError(2, "reactions")
         z1 = x1 - x2
         z2 = k * z1
         s_phi1 = math.sin(phi1)
-        z3 = R * (m * (phi1_dot * theta1_dot))
+        z3 = k1 * (phi1_dot * theta1_dot)
         c_phi1 = math.cos(phi1)
         z4 = y1 - y2
-        z5 = (z1 * c_phi1 + z4 * s_phi1) * k3
+        z5 = k1 * ((z1 * c_phi1 + z4 * s_phi1) * k3)
         z6 = k * z4
         s_phi2 = math.sin(phi2)
-        z7 = R * (m * (phi2_dot * theta2_dot))
+        z7 = k1 * (phi2_dot * theta2_dot)
         c_phi2 = math.cos(phi2)
-        z8 = (z1 * c_phi2 + z4 * s_phi2) * k3
+        z8 = k1 * ((z1 * c_phi2 + z4 * s_phi2) * k3)
         lambda_: list[float] = [
             # reaction of roll_x1: Q_i gains lambda_1 a_1i (I.4.1) 27:5
-            z2 - s_phi1 * z3 - c_phi1 * k2 * z5,
+            z2 - s_phi1 * z3 - c_phi1 * z5,
             # reaction of roll_y1: Q_i gains lambda_2 a_2i (I.4.1) 28:5
-            z6 + c_phi1 * z3 - s_phi1 * k2 * z5,
+            z6 + c_phi1 * z3 - s_phi1 * z5,
             # reaction of roll_x2: Q_i gains lambda_3 a_3i (I.4.1) 29:5
-            c_phi2 * k2 * z8 - (z2 + s_phi2 * z7),
+            c_phi2 * z8 - (z2 + s_phi2 * z7),
             # reaction of roll_y2: Q_i gains lambda_4 a_4i (I.4.1) 30:5
-            s_phi2 * k2 * z8 - (z6 - c_phi2 * z7),
+            s_phi2 * z8 - (z6 - c_phi2 * z7),
         ]
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -498,13 +508,13 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     k = float(p[4])  # stiffness of the spring [N/m]
     try:
         # parameters only
-        k1 = 0.5 * I + 0.5 * (m * (R * R))
+        k1 = I + m * (R * R)
         # state
-        s1 = y1 * (0.5 * y1 - y2) + (0.5 * (x2 * x2) + 0.5 * (y2 * y2))
+        s1 = y1 * (0.5 * y1 - y2) + 0.5 * (x2 * x2 + y2 * y2)
         z1 = x1 * (0.5 * x1 - x2) + s1
-        s2 = 0.5 * (phi1_dot * phi1_dot) + 0.5 * (phi2_dot * phi2_dot)
-        s3 = theta2_dot * theta2_dot * k1 + J * s2
-        z2 = theta1_dot * theta1_dot * k1 + s3
+        s2 = J * (phi1_dot * phi1_dot + phi2_dot * phi2_dot)
+        s3 = theta2_dot * theta2_dot * k1 + s2
+        z2 = 0.5 * (theta1_dot * theta1_dot * k1 + s3)
         value1 = k * z1 + z2
         return _single("energy", value1)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -537,9 +547,7 @@ def jacobian(
     try:
         # parameters only
         k1 = I + m * (R * R)
-        k2 = R * k
-        k3 = 1.0 / k1
-        k4 = k2 * k3
+        k2 = R * k / k1
         # state
         # the mass matrix is singular
         if not abs(J_2) > 0.0:
@@ -554,309 +562,189 @@ def jacobian(
         if not abs(k1) > 0.0:
             raise SingularModelError(2, "jacobian")
         s_phi1 = math.sin(phi1)
-        z1 = theta1_dot * R
+        z1 = R * s_phi1
         c_phi1 = math.cos(phi1)
+        z2 = R * c_phi1
         s_phi2 = math.sin(phi2)
-        z2 = theta2_dot * R
+        z3 = R * s_phi2
         c_phi2 = math.cos(phi2)
-        z3 = k3 * (c_phi1 * k2)
-        z4 = k3 * (s_phi1 * k2)
-        z5 = y1 - y2
-        z6 = x1 - x2
-        z7 = k3 * (c_phi2 * k2)
-        z8 = k3 * (s_phi2 * k2)
+        z4 = R * c_phi2
+        z5 = c_phi1 * k2
+        z6 = s_phi1 * k2
+        z7 = y1 - y2
+        z8 = x1 - x2
+        z9 = c_phi2 * k2
+        z10 = s_phi2 * k2
         J: list[float] = [
-            # (III.3)
+            0.0,
             0.0,
             # (III.3)
+            -theta1_dot * z1,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
             0.0,
             # (III.3)
-            -s_phi1 * z1,
-            # (III.3)
+            z2,
+            0.0,
+            0.0,
+            0.0,
             0.0,
             # (III.3)
+            theta1_dot * z2,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
             0.0,
             # (III.3)
+            z1,
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
-            R * c_phi1,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
-            c_phi1 * z1,
-            # (III.3)
             0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            R * s_phi1,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
             0.0,
             # (III.3)
             1.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
             # (III.3)
             1.0,
-            # (III.3)
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
             0.0,
             # (III.3)
+            -theta2_dot * z3,
+            0.0,
+            0.0,
+            0.0,
             0.0,
             # (III.3)
+            z4,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
             0.0,
             # (III.3)
+            theta2_dot * z4,
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            -s_phi2 * z2,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            R * c_phi2,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            c_phi2 * z2,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            R * s_phi2,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            1.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            1.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            -z3,
-            # (III.3)
-            -z4,
-            # (III.3)
-            -k4 * (z5 * c_phi1 - z6 * s_phi1),
-            # (III.3)
             0.0,
             # (III.3)
             z3,
-            # (III.3)
-            z4,
-            # (III.3)
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
             0.0,
             # (III.3)
+            1.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
             0.0,
             # (III.3)
+            1.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
             0.0,
             # (III.3)
+            -z5,
+            # (III.3)
+            -z6,
+            # (III.3)
+            -k2 * (z7 * c_phi1 - z8 * s_phi1),
             0.0,
             # (III.3)
+            z5,
+            # (III.3)
+            z6,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
             0.0,
             # (III.3)
+            z9,
+            # (III.3)
+            z10,
+            0.0,
             0.0,
             # (III.3)
+            -z9,
+            # (III.3)
+            -z10,
+            # (III.3)
+            k2 * (z7 * c_phi2 - z8 * s_phi2),
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            z7,
-            # (III.3)
-            z8,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            -z7,
-            # (III.3)
-            -z8,
-            # (III.3)
-            k4 * (z5 * c_phi2 - z6 * s_phi2),
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
             0.0,
         ]
         _finish("jacobian", J)
-        return [J[k5 : k5 + 12] for k5 in range(0, 144, 12)]
+        return [J[k3 : k3 + 12] for k3 in range(0, 144, 12)]
     except (ValueError, ZeroDivisionError, OverflowError) as error:
         raise SingularModelError(NOT_FINITE, "jacobian") from error
 

@@ -1,5 +1,5 @@
 /*
- * double_pendulum.c: double_pendulum, emitted by nhc 0.1.0 (nhc:25796aed39c0a0ee)
+ * double_pendulum.c: double_pendulum, emitted by nhc 0.1.0 (nhc:fa947a4b1e1bbbbe)
  * Two pendulums in a row, absolute angles; the model gives positions and nhc differentiates them.
  * Source: double_pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -10,6 +10,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <string.h>
 
 const char *const double_pendulum_coordinate_names[] = {
     "theta1",
@@ -45,11 +46,144 @@ static int double_pendulum_finish(int count, const double *values)
     return fabs(sum) <= DBL_MAX ? DOUBLE_PENDULUM_OK : DOUBLE_PENDULUM_NOT_FINITE;
 }
 
+/* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
+#ifndef DOUBLE_PENDULUM_LANES
+#if !defined(__GNUC__)
+#define DOUBLE_PENDULUM_LANES 1
+#elif defined(__AVX512F__)
+#define DOUBLE_PENDULUM_LANES 8
+#elif defined(__AVX__)
+#define DOUBLE_PENDULUM_LANES 4
+#else
+#define DOUBLE_PENDULUM_LANES 2
+#endif
+#endif
+#if DOUBLE_PENDULUM_LANES > 1
+typedef double double_pendulum_lanes __attribute__((vector_size(8 * DOUBLE_PENDULUM_LANES)));
+#else
+typedef double double_pendulum_lanes;
+#endif
+
+#if DOUBLE_PENDULUM_LANES >= 2
+static inline double_pendulum_lanes double_pendulum_get(const double *from)
+{
+    double_pendulum_lanes value;
+    memcpy(&value, from, sizeof value);
+    return value;
+}
+
+static inline void double_pendulum_put(double *to, double_pendulum_lanes value)
+{
+    memcpy(to, &value, sizeof value);
+}
+#endif
+
+/* states first, first + 1, ... through rhs, one by one; the first status that is not OK */
+#if defined(__GNUC__)
+__attribute__((noinline))
+#endif
+static int double_pendulum_one_by_one(size_t count, size_t first, size_t number, const double *t, const double *y, const double *p, double *dydt)
+{
+    int status = DOUBLE_PENDULUM_OK;
+    for (size_t i = first; i < first + number; ++i) {
+        double state[DOUBLE_PENDULUM_NY];
+        double slope[DOUBLE_PENDULUM_NY];
+        for (size_t k = 0; k < DOUBLE_PENDULUM_NY; ++k) {
+            state[k] = y[k * count + i];
+            slope[k] = NAN;
+        }
+        const int one = double_pendulum_rhs(t[i], state, p, slope);
+        status = status == DOUBLE_PENDULUM_OK ? one : status;
+        for (size_t k = 0; k < DOUBLE_PENDULUM_NY; ++k) {
+            dydt[k * count + i] = slope[k];
+        }
+    }
+    return status;
+}
+
+#if DOUBLE_PENDULUM_LANES >= 2
+#define DOUBLE_PENDULUM_SPREAD(x) ((x) - (double_pendulum_lanes){0}) /* a number in each lane; lanes stay what they are */
+
+typedef unsigned long long double_pendulum_bits __attribute__((vector_size(8 * DOUBLE_PENDULUM_LANES)));
+
+/* all bits where value is not above bound, or is no number */
+static inline double_pendulum_bits double_pendulum_misses(double_pendulum_lanes value, double_pendulum_lanes bound)
+{
+    return ~(double_pendulum_bits)(value > bound);
+}
+
+/* no number where a bit is set */
+static inline double_pendulum_lanes double_pendulum_mark(double_pendulum_lanes value, double_pendulum_bits bad)
+{
+    return (double_pendulum_lanes)((double_pendulum_bits)value | bad);
+}
+
+static inline double_pendulum_lanes double_pendulum_size(double_pendulum_lanes x)
+{
+    return (double_pendulum_lanes)((double_pendulum_bits)x & 0x7fffffffffffffffULL);
+}
+/* whether none of the states must be asked again: no singular block, no infinity, no angle anywhere near 1e5 */
+static inline int double_pendulum_is_good(int count, const double *check)
+{
+    double even = 0.0;
+    double odd = 0.0;
+    for (int k = 0; k < count; k += 2) {
+        even += check[k];
+        odd += check[k + 1];
+    }
+    return even + odd <= 1e10;
+}
+
+/* the last states, fewer than there are lanes; the others repeat the last one */
+static inline void double_pendulum_fill(size_t left, size_t count, const double *t, const double *y, double *time, double *state)
+{
+    for (size_t l = 0; l < DOUBLE_PENDULUM_LANES; ++l) {
+        const size_t i = l < left ? l : left - 1;
+        time[l] = t[i];
+        for (size_t k = 0; k < DOUBLE_PENDULUM_NY; ++k) {
+            state[k * DOUBLE_PENDULUM_LANES + l] = y[k * count + i];
+        }
+    }
+}
+
+static inline void double_pendulum_pour(size_t left, size_t count, const double *slope, double *dydt)
+{
+    for (size_t k = 0; k < DOUBLE_PENDULUM_NY; ++k) {
+        for (size_t l = 0; l < left; ++l) {
+            dydt[k * count + l] = slope[k * DOUBLE_PENDULUM_LANES + l];
+        }
+    }
+}
+
+/* libm's sine and cosine, lane by lane */
+static inline void double_pendulum_turn_lanes(double_pendulum_lanes x, double_pendulum_lanes *far, double_pendulum_lanes *sine, double_pendulum_lanes *cosine)
+{
+    double angle[DOUBLE_PENDULUM_LANES];
+    double up[DOUBLE_PENDULUM_LANES];
+    double along[DOUBLE_PENDULUM_LANES];
+    (void)far;
+    memcpy(angle, &x, sizeof x);
+    for (int l = 0; l < DOUBLE_PENDULUM_LANES; ++l) {
+        up[l] = sin(angle[l]);
+        along[l] = cos(angle[l]);
+    }
+    memcpy(sine, up, sizeof x);
+    memcpy(cosine, along, sizeof x);
+}
+#endif
+
 int double_pendulum_rhs(double t, const double *y, const double *p, double *dydt)
 {
     (void)t;
     const double theta1 = y[0]; /* upper rod from the downward vertical [rad] */
     const double theta2 = y[1]; /* lower rod from the downward vertical [rad] */
+
+    /* sines and cosines */
+    const double z1 = theta1 - theta2;
+    const double s1 = sin(z1);
+    const double c1 = cos(z1);
+    const double s_theta1 = sin(theta1);
+    const double c_theta1 = cos(theta1);
     const double theta1_dot = y[2];
     const double theta2_dot = y[3];
     const double m1 = p[0]; /* [kg] */
@@ -59,38 +193,28 @@ int double_pendulum_rhs(double t, const double *y, const double *p, double *dydt
     const double g = p[4]; /* acceleration of gravity [m/s^2] */
 
     /* parameters only */
-    const double k1 = m1 * g;
-    const double k2 = (m1 + m2) * (l1 * l1);
-    const double k3 = l2 * (m2 * l1);
-    const double k4 = m2 * (l2 * l2);
-    const double k5 = m2 * l2;
-    const double k6 = 1.0 / k2;
+    const double k1 = 1.0 / l1;
+    const double k2 = 1.0 / l2;
 
     /* state */
-    /* the mass matrix is singular */
-    if (!(fabs(k2) > 0.0)) {
-        return DOUBLE_PENDULUM_SINGULAR_2;
-    }
-    const double s_theta1 = sin(theta1);
-    const double s_theta2 = sin(theta2);
-    const double c_theta1 = cos(theta1);
-    const double c_theta2 = cos(theta2);
-    const double z1 = k3 * (s_theta1 * s_theta2 + c_theta1 * c_theta2);
-    const double z2 = z1 * k6;
-    const double z3 = k4 - z1 * z2;
-    /* the mass matrix is singular */
-    if (!(fabs(z3) > 1e-14 * k4)) {
-        return DOUBLE_PENDULUM_SINGULAR_2;
-    }
-    const double z4 = s_theta1 * c_theta2 - c_theta1 * s_theta2;
-    const double z5 = l1 * (m2 * (l2 * (theta2_dot * theta2_dot) * z4 + g * s_theta1) + s_theta1 * k1);
-    const double z6 = (k5 * (z4 * (l1 * (theta1_dot * theta1_dot)) - g * s_theta2) + z5 * z2) / z3;
+    const double z2 = m2 * s1;
+    const double z3 = m1 + s1 * z2;
+    const double z4 = l1 * (theta1_dot * theta1_dot) + g * c_theta1;
+    const double z5 = (l2 * (theta2_dot * theta2_dot) + c1 * z4) * (z2 / z3);
     /* (II.3) */
     dydt[0] = theta1_dot; /* theta1' */
     dydt[1] = theta2_dot; /* theta2' */
     /* (II.3) 20:4 */
-    dydt[2] = -(z5 * k6 + z2 * z6); /* theta1'' */
-    dydt[3] = z6; /* theta2'' */
+    dydt[2] = -k1 * (g * s_theta1 + z5); /* theta1'' */
+    dydt[3] = k2 * (s1 * z4 + c1 * z5); /* theta2'' */
+    /* the mass matrix is singular */
+    if (!(fabs(z3) > 1e-14 * m1)) {
+        return DOUBLE_PENDULUM_SINGULAR_2;
+    }
+    /* the mass matrix is singular */
+    if (!(fabs(m2) > 0.0)) {
+        return DOUBLE_PENDULUM_SINGULAR_2;
+    }
     return double_pendulum_finish(4, dydt);
 }
 
@@ -113,6 +237,13 @@ int double_pendulum_accelerations(double t, const double *y, const double *p, do
     (void)t;
     const double theta1 = y[0]; /* upper rod from the downward vertical [rad] */
     const double theta2 = y[1]; /* lower rod from the downward vertical [rad] */
+
+    /* sines and cosines */
+    const double z1 = theta1 - theta2;
+    const double s1 = sin(z1);
+    const double c1 = cos(z1);
+    const double s_theta1 = sin(theta1);
+    const double c_theta1 = cos(theta1);
     const double theta1_dot = y[2];
     const double theta2_dot = y[3];
     const double m1 = p[0]; /* [kg] */
@@ -122,35 +253,25 @@ int double_pendulum_accelerations(double t, const double *y, const double *p, do
     const double g = p[4]; /* acceleration of gravity [m/s^2] */
 
     /* parameters only */
-    const double k1 = m1 * g;
-    const double k2 = (m1 + m2) * (l1 * l1);
-    const double k3 = l2 * (m2 * l1);
-    const double k4 = m2 * (l2 * l2);
-    const double k5 = m2 * l2;
-    const double k6 = 1.0 / k2;
+    const double k1 = 1.0 / l1;
+    const double k2 = 1.0 / l2;
 
     /* state */
-    /* the mass matrix is singular */
-    if (!(fabs(k2) > 0.0)) {
-        return DOUBLE_PENDULUM_SINGULAR_2;
-    }
-    const double s_theta1 = sin(theta1);
-    const double s_theta2 = sin(theta2);
-    const double c_theta1 = cos(theta1);
-    const double c_theta2 = cos(theta2);
-    const double z1 = k3 * (s_theta1 * s_theta2 + c_theta1 * c_theta2);
-    const double z2 = z1 * k6;
-    const double z3 = k4 - z1 * z2;
-    /* the mass matrix is singular */
-    if (!(fabs(z3) > 1e-14 * k4)) {
-        return DOUBLE_PENDULUM_SINGULAR_2;
-    }
-    const double z4 = s_theta1 * c_theta2 - c_theta1 * s_theta2;
-    const double z5 = l1 * (m2 * (l2 * (theta2_dot * theta2_dot) * z4 + g * s_theta1) + s_theta1 * k1);
-    const double z6 = (k5 * (z4 * (l1 * (theta1_dot * theta1_dot)) - g * s_theta2) + z5 * z2) / z3;
+    const double z2 = m2 * s1;
+    const double z3 = m1 + s1 * z2;
+    const double z4 = l1 * (theta1_dot * theta1_dot) + g * c_theta1;
+    const double z5 = (l2 * (theta2_dot * theta2_dot) + c1 * z4) * (z2 / z3);
     /* (II.3) */
-    qddot[0] = -(z5 * k6 + z2 * z6); /* theta1'' */
-    qddot[1] = z6; /* theta2'' */
+    qddot[0] = -k1 * (g * s_theta1 + z5); /* theta1'' */
+    qddot[1] = k2 * (s1 * z4 + c1 * z5); /* theta2'' */
+    /* the mass matrix is singular */
+    if (!(fabs(z3) > 1e-14 * m1)) {
+        return DOUBLE_PENDULUM_SINGULAR_2;
+    }
+    /* the mass matrix is singular */
+    if (!(fabs(m2) > 0.0)) {
+        return DOUBLE_PENDULUM_SINGULAR_2;
+    }
     return double_pendulum_finish(2, qddot);
 }
 
@@ -188,27 +309,15 @@ int double_pendulum_reactions(double t, const double *y, const double *p, double
     const double theta2 = y[1]; /* lower rod from the downward vertical [rad] */
     const double m1 = p[0]; /* [kg] */
     const double m2 = p[1]; /* [kg] */
-    const double l1 = p[2]; /* [m] */
-    const double l2 = p[3]; /* [m] */
-
-    /* parameters only */
-    const double k1 = (m1 + m2) * (l1 * l1);
-    const double k2 = l2 * (m2 * l1);
-    const double k3 = m2 * (l2 * l2);
-    const double k4 = 1.0 / k1;
 
     /* state */
+    const double s1 = sin(theta1 - theta2);
     /* the mass matrix is singular */
-    if (!(fabs(k1) > 0.0)) {
+    if (!(fabs(m1 + s1 * (m2 * s1)) > 1e-14 * m1)) {
         return DOUBLE_PENDULUM_SINGULAR_2;
     }
-    const double s_theta1 = sin(theta1);
-    const double s_theta2 = sin(theta2);
-    const double c_theta1 = cos(theta1);
-    const double c_theta2 = cos(theta2);
-    const double z1 = k2 * (s_theta1 * s_theta2 + c_theta1 * c_theta2);
     /* the mass matrix is singular */
-    if (!(fabs(k3 - z1 * (z1 * k4)) > 1e-14 * k3)) {
+    if (!(fabs(m2) > 0.0)) {
         return DOUBLE_PENDULUM_SINGULAR_2;
     }
     (void)lambda;
@@ -220,6 +329,12 @@ double double_pendulum_energy(double t, const double *y, const double *p)
     (void)t;
     const double theta1 = y[0]; /* upper rod from the downward vertical [rad] */
     const double theta2 = y[1]; /* lower rod from the downward vertical [rad] */
+
+    /* sines and cosines */
+    const double c_theta1 = cos(theta1);
+    const double s_theta1 = sin(theta1);
+    const double c_theta2 = cos(theta2);
+    const double s_theta2 = sin(theta2);
     const double theta1_dot = y[2];
     const double theta2_dot = y[3];
     const double m1 = p[0]; /* [kg] */
@@ -232,23 +347,32 @@ double double_pendulum_energy(double t, const double *y, const double *p)
     const double k1 = m1 * l1;
 
     /* state */
-    const double s_theta1 = sin(theta1);
-    const double s_theta2 = sin(theta2);
-    const double c_theta1 = cos(theta1);
-    const double c_theta2 = cos(theta2);
     const double z1 = g * c_theta1;
-    const double z2 = l1 * (theta1_dot * ((s_theta1 * s_theta2 + c_theta1 * c_theta2) * (theta2_dot * l2) +
-        0.5 * (theta1_dot * l1)) - z1);
-    const double z3 = m2 * (z2 + l2 * (0.5 * (l2 * (theta2_dot * theta2_dot)) - g * c_theta2)) + k1 * (0.5 *
-        (l1 * (theta1_dot * theta1_dot)) - z1);
+    const double z2 = l1 * (z1 - theta1_dot * (0.5 * (theta1_dot * l1) + l2 * (theta2_dot * (c_theta1 *
+        c_theta2 + s_theta1 * s_theta2))));
+    const double z3 = k1 * (0.5 * (l1 * (theta1_dot * theta1_dot)) - z1) + m2 * (l2 * (0.5 * (l2 *
+        (theta2_dot * theta2_dot)) - g * c_theta2) - z2);
     return z3;
 }
 
 int double_pendulum_jacobian(double t, const double *y, const double *p, double *J)
 {
+    J[0] = 0.0;
+    J[1] = 0.0;
+    J[3] = 0.0;
+    J[4] = 0.0;
+    J[5] = 0.0;
+    J[6] = 0.0;
     (void)t;
     const double theta1 = y[0]; /* upper rod from the downward vertical [rad] */
     const double theta2 = y[1]; /* lower rod from the downward vertical [rad] */
+
+    /* sines and cosines */
+    const double z1 = theta1 - theta2;
+    const double s1 = sin(z1);
+    const double c1 = cos(z1);
+    const double c_theta1 = cos(theta1);
+    const double s_theta1 = sin(theta1);
     const double theta1_dot = y[2];
     const double theta2_dot = y[3];
     const double m1 = p[0]; /* [kg] */
@@ -258,72 +382,48 @@ int double_pendulum_jacobian(double t, const double *y, const double *p, double 
     const double g = p[4]; /* acceleration of gravity [m/s^2] */
 
     /* parameters only */
-    const double k1 = m1 * g;
-    const double k2 = (m1 + m2) * (l1 * l1);
-    const double k3 = m2 * l1;
-    const double k4 = l2 * k3;
-    const double k5 = m2 * (l2 * l2);
-    const double k6 = m2 * l2;
-    const double k7 = 1.0 / k2;
-    const double k8 = l1 * k1 + g * k3;
-    const double k9 = g * k6;
+    const double k1 = 1.0 / l1;
+    const double k2 = 1.0 / l2;
 
     /* state */
-    /* the mass matrix is singular */
-    if (!(fabs(k2) > 0.0)) {
-        return DOUBLE_PENDULUM_SINGULAR_2;
-    }
-    const double s_theta1 = sin(theta1);
-    const double s_theta2 = sin(theta2);
-    const double c_theta1 = cos(theta1);
-    const double c_theta2 = cos(theta2);
-    const double z1 = k4 * (s_theta1 * s_theta2 + c_theta1 * c_theta2);
-    const double z2 = z1 * k7;
-    const double z3 = k5 - z1 * z2;
-    /* the mass matrix is singular */
-    if (!(fabs(z3) > 1e-14 * k5)) {
-        return DOUBLE_PENDULUM_SINGULAR_2;
-    }
-    const double z4 = l2 * (theta2_dot * theta2_dot);
-    const double z5 = k3 * z4;
-    const double z6 = 1.0 / z3;
-    const double z7 = s_theta1 * c_theta2 - c_theta1 * s_theta2;
-    const double z8 = l1 * (theta1_dot * theta1_dot);
-    const double z9 = l1 * (m2 * (z4 * z7 + g * s_theta1) + s_theta1 * k1);
-    const double z10 = z6 * (k6 * (z7 * z8 - g * s_theta2) + z9 * z2);
-    const double z11 = k4 * z10;
-    const double z12 = s_theta1 * (s_theta2 * z5 - c_theta2 * z11) + c_theta1 * (k8 + c_theta2 * z5 +
-        s_theta2 * z11);
-    const double z13 = k6 * z8;
-    const double z14 = k4 * (z9 * k7 + z2 * z10);
-    const double z15 = s_theta1 * (s_theta2 * z13 - c_theta2 * z14) + c_theta1 * (c_theta2 * z13 + s_theta2 *
-        z14) + z2 * z12;
-    const double z16 = z6 * z15;
-    const double z17 = s_theta2 * (s_theta1 * z5 + c_theta1 * z11) + c_theta2 * (c_theta1 * z5 - s_theta1 *
-        z11);
-    const double z18 = s_theta2 * (s_theta1 * z13 + c_theta1 * z14) + c_theta2 * (k9 + c_theta1 * z13 -
-        s_theta1 * z14) + z2 * z17;
-    const double z19 = z6 * z18;
-    const double z20 = z6 * (theta1_dot * (l1 * (z7 * k6)));
-    const double z21 = theta2_dot * (l2 * (k3 * z7));
-    const double z22 = z6 * (z2 * z21);
+    const double z2 = m2 * s1;
+    const double z3 = m1 + s1 * z2;
+    const double z4 = g * c_theta1;
+    const double z5 = c1 * z2;
+    const double z6 = l1 * (theta1_dot * theta1_dot) + z4;
+    const double z7 = c1 * z6;
+    const double z8 = m2 * (l2 * (theta2_dot * theta2_dot) + z7);
+    const double z9 = s1 * z8;
+    const double z10 = 2.0 * (z5 * (z9 / (z3 * z3)));
+    const double z11 = 1.0 / z3;
+    const double z12 = c1 * z8;
+    const double z13 = s1 * z6;
+    const double z14 = g * s_theta1;
+    const double z15 = z10 - z11 * (z12 - z2 * (z13 + z14 * c1));
+    const double z16 = z10 - z11 * (z12 - z2 * z13);
+    const double z17 = theta1_dot * l1;
+    const double z18 = z5 * (z17 * z11);
+    const double z19 = l2 * (z11 * (theta2_dot * z2));
+    const double z20 = z9 * (s1 * z11);
     /* (II.3) */
-    J[0] = 0.0;
-    J[1] = 0.0;
     J[2] = 1.0;
-    J[3] = 0.0;
-    J[4] = 0.0;
-    J[5] = 0.0;
-    J[6] = 0.0;
     J[7] = 1.0;
-    J[8] = -(k7 * z12 + z2 * z16);
-    J[9] = k7 * z17 + z2 * z19;
-    J[10] = -2.0 * (z2 * z20);
-    J[11] = -(2.0 * (k7 * z21) + 2.0 * (z2 * z22));
-    J[12] = z16;
-    J[13] = -z19;
-    J[14] = 2.0 * z20;
-    J[15] = 2.0 * z22;
+    J[8] = -k1 * (z4 - z15);
+    J[9] = -k1 * z16;
+    J[10] = -2.0 * (k1 * z18);
+    J[11] = -2.0 * (k1 * z19);
+    J[12] = k2 * (z7 - z14 * s1 - (z20 + c1 * z15));
+    J[13] = -k2 * (z7 - (z20 + c1 * z16));
+    J[14] = 2.0 * (k2 * (z17 * s1 + c1 * z18));
+    J[15] = 2.0 * (k2 * (c1 * z19));
+    /* the mass matrix is singular */
+    if (!(fabs(z3) > 1e-14 * m1)) {
+        return DOUBLE_PENDULUM_SINGULAR_2;
+    }
+    /* the mass matrix is singular */
+    if (!(fabs(m2) > 0.0)) {
+        return DOUBLE_PENDULUM_SINGULAR_2;
+    }
     return double_pendulum_finish(16, J);
 }
 
@@ -332,14 +432,16 @@ int double_pendulum_outputs(double t, const double *y, const double *p, double *
     (void)t;
     const double theta1 = y[0]; /* upper rod from the downward vertical [rad] */
     const double theta2 = y[1]; /* lower rod from the downward vertical [rad] */
+
+    /* sines and cosines */
+    const double s_theta1 = sin(theta1);
+    const double c_theta1 = cos(theta1);
+    const double s_theta2 = sin(theta2);
+    const double c_theta2 = cos(theta2);
     const double l1 = p[2]; /* [m] */
     const double l2 = p[3]; /* [m] */
 
     /* state */
-    const double s_theta1 = sin(theta1);
-    const double s_theta2 = sin(theta2);
-    const double c_theta1 = cos(theta1);
-    const double c_theta2 = cos(theta2);
     /* 23:10 */
     out[0] = l1 * s_theta1 + l2 * s_theta2; /* tip_x */
     /* 24:10 */
@@ -347,64 +449,102 @@ int double_pendulum_outputs(double t, const double *y, const double *p, double *
     return double_pendulum_finish(2, out);
 }
 
+#if DOUBLE_PENDULUM_LANES >= 2
+static __attribute__((noinline)) void double_pendulum_rhs_lanes(const double *fixed, size_t stride, const
+    double *t, const double *y, double *restrict dydt, double *check)
+{
+    (void)t;
+    double_pendulum_lanes far = {0}; /* the squares of the angles */
+    double_pendulum_lanes sum = {0}; /* an infinity or a NaN among the results stays in it */
+    double_pendulum_bits bad = {0}; /* singular blocks */
+    const double m1 = fixed[0];
+    const double m2 = fixed[1];
+    const double l1 = fixed[2];
+    const double l2 = fixed[3];
+    const double g = fixed[4];
+    const double k1 = fixed[5];
+    const double k2 = fixed[6];
+    const double_pendulum_lanes theta1 = double_pendulum_get(y);
+    const double_pendulum_lanes theta2 = double_pendulum_get(y + 1 * stride);
+    const double_pendulum_lanes theta1_dot = double_pendulum_get(y + 2 * stride);
+    const double_pendulum_lanes theta2_dot = double_pendulum_get(y + 3 * stride);
+    const double_pendulum_lanes z1 = theta1 - theta2;
+    double_pendulum_lanes sine1, cosine1;
+    double_pendulum_turn_lanes(DOUBLE_PENDULUM_SPREAD(z1), &far, &sine1, &cosine1);
+    const double_pendulum_lanes s1 = sine1;
+    const double_pendulum_lanes z2 = m2 * s1;
+    const double_pendulum_lanes z3 = m1 + s1 * z2;
+    /* the mass matrix is singular */
+    bad |= double_pendulum_misses(double_pendulum_size(DOUBLE_PENDULUM_SPREAD(z3)),
+        DOUBLE_PENDULUM_SPREAD(1e-14 * m1));
+    double_pendulum_lanes sine2, cosine2;
+    double_pendulum_turn_lanes(DOUBLE_PENDULUM_SPREAD(theta1), &far, &sine2, &cosine2);
+    const double_pendulum_lanes s_theta1 = sine2;
+    const double_pendulum_lanes c1 = cosine1;
+    const double_pendulum_lanes c_theta1 = cosine2;
+    const double_pendulum_lanes z4 = l1 * (theta1_dot * theta1_dot) + g * c_theta1;
+    const double_pendulum_lanes z5 = (l2 * (theta2_dot * theta2_dot) + c1 * z4) * (z2 / z3);
+    /* (II.3) */
+    const double_pendulum_lanes slope1 = theta1_dot;
+    sum += slope1;
+    double_pendulum_put(dydt, slope1);
+    const double_pendulum_lanes slope2 = theta2_dot;
+    sum += slope2;
+    double_pendulum_put(dydt + 1 * stride, slope2);
+    /* (II.3) 20:4 */
+    const double_pendulum_lanes slope3 = -k1 * (g * s_theta1 + z5);
+    sum += slope3;
+    double_pendulum_put(dydt + 2 * stride, slope3);
+    const double_pendulum_lanes slope4 = k2 * (s1 * z4 + c1 * z5);
+    sum += slope4;
+    double_pendulum_put(dydt + 3 * stride, slope4);
+    double_pendulum_put(check, double_pendulum_mark(far + (sum - sum), bad));
+}
+
+static __attribute__((noinline)) void double_pendulum_rhs_tail(const double *fixed, size_t left, size_t
+    count, const double *t, const double *y, double *restrict dydt, double *check)
+{
+    double time[DOUBLE_PENDULUM_LANES];
+    double state[4 * DOUBLE_PENDULUM_LANES];
+    double slope[4 * DOUBLE_PENDULUM_LANES];
+    double_pendulum_fill(left, count, t, y, time, state);
+    double_pendulum_rhs_lanes(fixed, DOUBLE_PENDULUM_LANES, time, state, slope, check);
+    double_pendulum_pour(left, count, slope, dydt);
+}
+#endif
+
 int double_pendulum_rhs_batch(size_t count, const double *t, const double *y, const double *p, double
     *restrict dydt)
 {
+#if DOUBLE_PENDULUM_LANES >= 2
     const double m1 = p[0]; /* [kg] */
     const double m2 = p[1]; /* [kg] */
     const double l1 = p[2]; /* [m] */
     const double l2 = p[3]; /* [m] */
     const double g = p[4]; /* acceleration of gravity [m/s^2] */
-    const double k1 = m1 * g;
-    const double k2 = (m1 + m2) * (l1 * l1);
-    const double k3 = l2 * (m2 * l1);
-    const double k4 = m2 * (l2 * l2);
-    const double k5 = m2 * l2;
-    const double k6 = 1.0 / k2;
+    const double k1 = 1.0 / l1;
+    const double k2 = 1.0 / l2;
     /* the mass matrix is singular */
-    if (!(fabs(k2) > 0.0)) {
+    if (!(fabs(m2) > 0.0)) {
         return DOUBLE_PENDULUM_SINGULAR_2;
     }
-    int singular1 = 0;
-    int bad = 0;
-    (void)t;
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC ivdep
+    const double fixed[] = {m1, m2, l1, l2, g, k1, k2};
+    double check[1 * DOUBLE_PENDULUM_LANES];
+    int status = DOUBLE_PENDULUM_OK;
+    for (size_t i = 0; i < count; i += DOUBLE_PENDULUM_LANES) {
+        const size_t left = count - i < DOUBLE_PENDULUM_LANES ? count - i : DOUBLE_PENDULUM_LANES;
+        if (left == DOUBLE_PENDULUM_LANES) {
+            double_pendulum_rhs_lanes(fixed, count, t + i, y + i, dydt + i, check);
+        } else {
+            double_pendulum_rhs_tail(fixed, left, count, t + i, y + i, dydt + i, check);
+        }
+        if (!double_pendulum_is_good(1 * DOUBLE_PENDULUM_LANES, check)) {
+            const int one = double_pendulum_one_by_one(count, i, left, t, y, p, dydt);
+            status = status == DOUBLE_PENDULUM_OK ? one : status;
+        }
+    }
+    return status;
+#else
+    return double_pendulum_one_by_one(count, 0, count, t, y, p, dydt);
 #endif
-    for (size_t i = 0; i < count; ++i) {
-        const double theta1 = y[i]; /* upper rod from the downward vertical [rad] */
-        const double theta2 = y[count + i]; /* lower rod from the downward vertical [rad] */
-        const double theta1_dot = y[2 * count + i];
-        const double theta2_dot = y[3 * count + i];
-        const double s_theta1 = sin(theta1);
-        const double s_theta2 = sin(theta2);
-        const double c_theta1 = cos(theta1);
-        const double c_theta2 = cos(theta2);
-        const double z1 = k3 * (s_theta1 * s_theta2 + c_theta1 * c_theta2);
-        const double z2 = z1 * k6;
-        const double z3 = k4 - z1 * z2;
-        /* the mass matrix is singular */
-        singular1 |= !(fabs(z3) > 1e-14 * k4);
-        const double z4 = s_theta1 * c_theta2 - c_theta1 * s_theta2;
-        const double z5 = l1 * (m2 * (l2 * (theta2_dot * theta2_dot) * z4 + g * s_theta1) + s_theta1 * k1);
-        const double z6 = (k5 * (z4 * (l1 * (theta1_dot * theta1_dot)) - g * s_theta2) + z5 * z2) / z3;
-        /* (II.3) */
-        const double slope1 = theta1_dot; /* theta1' */
-        dydt[i] = slope1;
-        bad |= !(fabs(slope1) <= DBL_MAX);
-        const double slope2 = theta2_dot; /* theta2' */
-        dydt[count + i] = slope2;
-        bad |= !(fabs(slope2) <= DBL_MAX);
-        /* (II.3) 20:4 */
-        const double slope3 = -(z5 * k6 + z2 * z6); /* theta1'' */
-        dydt[2 * count + i] = slope3;
-        bad |= !(fabs(slope3) <= DBL_MAX);
-        const double slope4 = z6; /* theta2'' */
-        dydt[3 * count + i] = slope4;
-        bad |= !(fabs(slope4) <= DBL_MAX);
-    }
-    if (singular1) {
-        return DOUBLE_PENDULUM_SINGULAR_2;
-    }
-    return bad ? DOUBLE_PENDULUM_NOT_FINITE : DOUBLE_PENDULUM_OK;
 }

@@ -1,4 +1,4 @@
-"""double_pendulum, emitted by nhc 0.1.0 (nhc:677b11b0215a5622).
+"""double_pendulum, emitted by nhc 0.1.0 (nhc:3f396a08dffe0da8).
 
 Two pendulums in a row, absolute angles; the model gives positions and nhc
     differentiates them.
@@ -24,14 +24,14 @@ out[0] = tip_x
 out[1] = tip_y
 
 Operations:
-rhs: 9 +-, 30 *, 2 /, 4 calls
+rhs: 6 +-, 14 *, 3 /, 4 calls
 velocities: 0 +-, 0 *, 0 /, 0 calls
-accelerations: 9 +-, 30 *, 2 /, 4 calls
+accelerations: 6 +-, 14 *, 3 /, 4 calls
 state: 0 +-, 0 *, 0 /, 0 calls
 residuals: 0 +-, 0 *, 0 /, 0 calls
-reactions: 3 +-, 11 *, 1 /, 4 calls
+reactions: 2 +-, 2 *, 0 /, 1 calls
 energy: 7 +-, 20 *, 0 /, 4 calls
-jacobian: 29 +-, 87 *, 2 /, 4 calls
+jacobian: 16 +-, 48 *, 4 /, 4 calls
 outputs: 2 +-, 4 *, 0 /, 4 calls
 
 A singular point raises SingularModelError.
@@ -95,40 +95,33 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     g = float(p[4])  # acceleration of gravity [m/s^2]
     try:
         # parameters only
-        k1 = m1 * g
-        k2 = (m1 + m2) * (l1 * l1)
-        k3 = l2 * (m2 * l1)
-        k4 = m2 * (l2 * l2)
-        k5 = m2 * l2
-        k6 = 1.0 / k2
+        k1 = 1.0 / l1
+        k2 = 1.0 / l2
         # state
+        z1 = theta1 - theta2
+        s1 = math.sin(z1)
+        z2 = m2 * s1
+        z3 = m1 + s1 * z2
         # the mass matrix is singular
-        if not abs(k2) > 0.0:
+        if not abs(z3) > 1e-14 * m1:
+            raise SingularModelError(2, "rhs")
+        # the mass matrix is singular
+        if not abs(m2) > 0.0:
             raise SingularModelError(2, "rhs")
         s_theta1 = math.sin(theta1)
-        s_theta2 = math.sin(theta2)
+        c1 = math.cos(z1)
         c_theta1 = math.cos(theta1)
-        c_theta2 = math.cos(theta2)
-        z1 = k3 * (s_theta1 * s_theta2 + c_theta1 * c_theta2)
-        z2 = z1 * k6
-        z3 = k4 - z1 * z2
-        # the mass matrix is singular
-        if not abs(z3) > 1e-14 * k4:
-            raise SingularModelError(2, "rhs")
-        z4 = s_theta1 * c_theta2 - c_theta1 * s_theta2
-        s1 = m2 * (l2 * (theta2_dot * theta2_dot) * z4 + g * s_theta1)
-        z5 = l1 * (s1 + s_theta1 * k1)
-        s2 = k5 * (z4 * (l1 * (theta1_dot * theta1_dot)) - g * s_theta2)
-        z6 = (s2 + z5 * z2) / z3
+        z4 = l1 * (theta1_dot * theta1_dot) + g * c_theta1
+        z5 = (l2 * (theta2_dot * theta2_dot) + c1 * z4) * (z2 / z3)
         dydt: list[float] = [
             # theta1' (II.3)
             theta1_dot,
             # theta2' (II.3)
             theta2_dot,
             # theta1'' (II.3) 20:4
-            -(z5 * k6 + z2 * z6),
+            -k1 * (g * s_theta1 + z5),
             # theta2'' (II.3) 20:4
-            z6,
+            k2 * (s1 * z4 + c1 * z5),
         ]
         return _finish("rhs", dydt)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -181,36 +174,29 @@ def accelerations(
     g = float(p[4])  # acceleration of gravity [m/s^2]
     try:
         # parameters only
-        k1 = m1 * g
-        k2 = (m1 + m2) * (l1 * l1)
-        k3 = l2 * (m2 * l1)
-        k4 = m2 * (l2 * l2)
-        k5 = m2 * l2
-        k6 = 1.0 / k2
+        k1 = 1.0 / l1
+        k2 = 1.0 / l2
         # state
+        z1 = theta1 - theta2
+        s1 = math.sin(z1)
+        z2 = m2 * s1
+        z3 = m1 + s1 * z2
         # the mass matrix is singular
-        if not abs(k2) > 0.0:
+        if not abs(z3) > 1e-14 * m1:
+            raise SingularModelError(2, "accelerations")
+        # the mass matrix is singular
+        if not abs(m2) > 0.0:
             raise SingularModelError(2, "accelerations")
         s_theta1 = math.sin(theta1)
-        s_theta2 = math.sin(theta2)
+        c1 = math.cos(z1)
         c_theta1 = math.cos(theta1)
-        c_theta2 = math.cos(theta2)
-        z1 = k3 * (s_theta1 * s_theta2 + c_theta1 * c_theta2)
-        z2 = z1 * k6
-        z3 = k4 - z1 * z2
-        # the mass matrix is singular
-        if not abs(z3) > 1e-14 * k4:
-            raise SingularModelError(2, "accelerations")
-        z4 = s_theta1 * c_theta2 - c_theta1 * s_theta2
-        s1 = m2 * (l2 * (theta2_dot * theta2_dot) * z4 + g * s_theta1)
-        z5 = l1 * (s1 + s_theta1 * k1)
-        s2 = k5 * (z4 * (l1 * (theta1_dot * theta1_dot)) - g * s_theta2)
-        z6 = (s2 + z5 * z2) / z3
+        z4 = l1 * (theta1_dot * theta1_dot) + g * c_theta1
+        z5 = (l2 * (theta2_dot * theta2_dot) + c1 * z4) * (z2 / z3)
         qddot: list[float] = [
             # theta1'' (II.3)
-            -(z5 * k6 + z2 * z6),
+            -k1 * (g * s_theta1 + z5),
             # theta2'' (II.3)
-            z6,
+            k2 * (s1 * z4 + c1 * z5),
         ]
         return _finish("accelerations", qddot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -273,26 +259,15 @@ def reactions(
     theta2 = float(y[1])  # lower rod from the downward vertical [rad]
     m1 = float(p[0])  # [kg]
     m2 = float(p[1])  # [kg]
-    l1 = float(p[2])  # [m]
-    l2 = float(p[3])  # [m]
     try:
-        # parameters only
-        k1 = (m1 + m2) * (l1 * l1)
-        k2 = l2 * (m2 * l1)
-        k3 = m2 * (l2 * l2)
-        k4 = 1.0 / k1
         # state
+        s1 = math.sin(theta1 - theta2)
+        s2 = m1 + s1 * (m2 * s1)
         # the mass matrix is singular
-        if not abs(k1) > 0.0:
+        if not abs(s2) > 1e-14 * m1:
             raise SingularModelError(2, "reactions")
-        s_theta1 = math.sin(theta1)
-        s_theta2 = math.sin(theta2)
-        c_theta1 = math.cos(theta1)
-        c_theta2 = math.cos(theta2)
-        z1 = k2 * (s_theta1 * s_theta2 + c_theta1 * c_theta2)
-        s1 = k3 - z1 * (z1 * k4)
         # the mass matrix is singular
-        if not abs(s1) > 1e-14 * k3:
+        if not abs(m2) > 0.0:
             raise SingularModelError(2, "reactions")
         lambda_: list[float] = []
         return _finish("reactions", lambda_)
@@ -319,16 +294,16 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
         # parameters only
         k1 = m1 * l1
         # state
+        c_theta1 = math.cos(theta1)
+        z1 = g * c_theta1
+        c_theta2 = math.cos(theta2)
         s_theta1 = math.sin(theta1)
         s_theta2 = math.sin(theta2)
-        c_theta1 = math.cos(theta1)
-        c_theta2 = math.cos(theta2)
-        z1 = g * c_theta1
-        s1 = (s_theta1 * s_theta2 + c_theta1 * c_theta2) * (theta2_dot * l2)
-        z2 = l1 * (theta1_dot * (s1 + 0.5 * (theta1_dot * l1)) - z1)
+        s1 = theta2_dot * (c_theta1 * c_theta2 + s_theta1 * s_theta2)
+        z2 = l1 * (z1 - theta1_dot * (0.5 * (theta1_dot * l1) + l2 * s1))
         s2 = l2 * (0.5 * (l2 * (theta2_dot * theta2_dot)) - g * c_theta2)
         s3 = k1 * (0.5 * (l1 * (theta1_dot * theta1_dot)) - z1)
-        z3 = m2 * (z2 + s2) + s3
+        z3 = s3 + m2 * (s2 - z2)
         value1 = z3
         return _single("energy", value1)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -356,88 +331,69 @@ def jacobian(
     g = float(p[4])  # acceleration of gravity [m/s^2]
     try:
         # parameters only
-        k1 = m1 * g
-        k2 = (m1 + m2) * (l1 * l1)
-        k3 = m2 * l1
-        k4 = l2 * k3
-        k5 = m2 * (l2 * l2)
-        k6 = m2 * l2
-        k7 = 1.0 / k2
-        k8 = l1 * k1 + g * k3
-        k9 = g * k6
+        k1 = 1.0 / l1
+        k2 = 1.0 / l2
         # state
+        z1 = theta1 - theta2
+        s1 = math.sin(z1)
+        z2 = m2 * s1
+        z3 = m1 + s1 * z2
         # the mass matrix is singular
-        if not abs(k2) > 0.0:
+        if not abs(z3) > 1e-14 * m1:
             raise SingularModelError(2, "jacobian")
-        s_theta1 = math.sin(theta1)
-        s_theta2 = math.sin(theta2)
+        # the mass matrix is singular
+        if not abs(m2) > 0.0:
+            raise SingularModelError(2, "jacobian")
         c_theta1 = math.cos(theta1)
-        c_theta2 = math.cos(theta2)
-        z1 = k4 * (s_theta1 * s_theta2 + c_theta1 * c_theta2)
-        z2 = z1 * k7
-        z3 = k5 - z1 * z2
-        # the mass matrix is singular
-        if not abs(z3) > 1e-14 * k5:
-            raise SingularModelError(2, "jacobian")
-        z4 = l2 * (theta2_dot * theta2_dot)
-        z5 = k3 * z4
-        z6 = 1.0 / z3
-        z7 = s_theta1 * c_theta2 - c_theta1 * s_theta2
-        z8 = l1 * (theta1_dot * theta1_dot)
-        z9 = l1 * (m2 * (z4 * z7 + g * s_theta1) + s_theta1 * k1)
-        z10 = z6 * (k6 * (z7 * z8 - g * s_theta2) + z9 * z2)
-        z11 = k4 * z10
-        s1 = c_theta1 * (k8 + c_theta2 * z5 + s_theta2 * z11)
-        z12 = s_theta1 * (s_theta2 * z5 - c_theta2 * z11) + s1
-        z13 = k6 * z8
-        z14 = k4 * (z9 * k7 + z2 * z10)
-        s2 = s_theta1 * (s_theta2 * z13 - c_theta2 * z14)
-        z15 = s2 + c_theta1 * (c_theta2 * z13 + s_theta2 * z14) + z2 * z12
-        z16 = z6 * z15
-        s3 = s_theta2 * (s_theta1 * z5 + c_theta1 * z11)
-        z17 = s3 + c_theta2 * (c_theta1 * z5 - s_theta1 * z11)
-        s4 = c_theta2 * (k9 + c_theta1 * z13 - s_theta1 * z14)
-        z18 = s_theta2 * (s_theta1 * z13 + c_theta1 * z14) + s4 + z2 * z17
-        z19 = z6 * z18
-        z20 = z6 * (theta1_dot * (l1 * (z7 * k6)))
-        z21 = theta2_dot * (l2 * (k3 * z7))
-        z22 = z6 * (z2 * z21)
+        z4 = g * c_theta1
+        c1 = math.cos(z1)
+        z5 = c1 * z2
+        z6 = l1 * (theta1_dot * theta1_dot) + z4
+        z7 = c1 * z6
+        z8 = m2 * (l2 * (theta2_dot * theta2_dot) + z7)
+        z9 = s1 * z8
+        z10 = 2.0 * (z5 * (z9 / (z3 * z3)))
+        z11 = 1.0 / z3
+        z12 = c1 * z8
+        z13 = s1 * z6
+        s_theta1 = math.sin(theta1)
+        z14 = g * s_theta1
+        z15 = z10 - z11 * (z12 - z2 * (z13 + z14 * c1))
+        z16 = z10 - z11 * (z12 - z2 * z13)
+        z17 = theta1_dot * l1
+        z18 = z5 * (z17 * z11)
+        z19 = l2 * (z11 * (theta2_dot * z2))
+        z20 = z9 * (s1 * z11)
         J: list[float] = [
-            # (II.3)
+            0.0,
             0.0,
             # (II.3)
+            1.0,
+            0.0,
+            0.0,
+            0.0,
             0.0,
             # (II.3)
             1.0,
             # (II.3)
-            0.0,
+            -k1 * (z4 - z15),
             # (II.3)
-            0.0,
+            -k1 * z16,
             # (II.3)
-            0.0,
+            -2.0 * (k1 * z18),
             # (II.3)
-            0.0,
+            -2.0 * (k1 * z19),
             # (II.3)
-            1.0,
+            k2 * (z7 - z14 * s1 - (z20 + c1 * z15)),
             # (II.3)
-            -(k7 * z12 + z2 * z16),
+            -k2 * (z7 - (z20 + c1 * z16)),
             # (II.3)
-            k7 * z17 + z2 * z19,
+            2.0 * (k2 * (z17 * s1 + c1 * z18)),
             # (II.3)
-            -2.0 * (z2 * z20),
-            # (II.3)
-            -(2.0 * (k7 * z21) + 2.0 * (z2 * z22)),
-            # (II.3)
-            z16,
-            # (II.3)
-            -z19,
-            # (II.3)
-            2.0 * z20,
-            # (II.3)
-            2.0 * z22,
+            2.0 * (k2 * (c1 * z19)),
         ]
         _finish("jacobian", J)
-        return [J[k10 : k10 + 4] for k10 in range(0, 16, 4)]
+        return [J[k3 : k3 + 4] for k3 in range(0, 16, 4)]
     except (ValueError, ZeroDivisionError, OverflowError) as error:
         raise SingularModelError(NOT_FINITE, "jacobian") from error
 

@@ -1,5 +1,5 @@
 /*
- * free_rigid_body.c: free_rigid_body, emitted by nhc 0.1.0 (nhc:3a1994f873fbc789)
+ * free_rigid_body.c: free_rigid_body, emitted by nhc 0.1.0 (nhc:1a6df419c4bc3f16)
  * A free rigid body; the components of its angular velocity on body axes are the quasi-velocities.
  * Source: free_rigid_body.yaml
  * Equations of motion: euler-lagrange (I.2.14)
@@ -10,6 +10,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <string.h>
 
 const char *const free_rigid_body_coordinate_names[] = {
     "phi",
@@ -44,11 +45,143 @@ static int free_rigid_body_finish(int count, const double *values)
     return fabs(sum) <= DBL_MAX ? FREE_RIGID_BODY_OK : FREE_RIGID_BODY_NOT_FINITE;
 }
 
+/* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
+#ifndef FREE_RIGID_BODY_LANES
+#if !defined(__GNUC__)
+#define FREE_RIGID_BODY_LANES 1
+#elif defined(__AVX512F__)
+#define FREE_RIGID_BODY_LANES 8
+#elif defined(__AVX__)
+#define FREE_RIGID_BODY_LANES 4
+#else
+#define FREE_RIGID_BODY_LANES 2
+#endif
+#endif
+#if FREE_RIGID_BODY_LANES > 1
+typedef double free_rigid_body_lanes __attribute__((vector_size(8 * FREE_RIGID_BODY_LANES)));
+#else
+typedef double free_rigid_body_lanes;
+#endif
+
+#if FREE_RIGID_BODY_LANES >= 2
+static inline free_rigid_body_lanes free_rigid_body_get(const double *from)
+{
+    free_rigid_body_lanes value;
+    memcpy(&value, from, sizeof value);
+    return value;
+}
+
+static inline void free_rigid_body_put(double *to, free_rigid_body_lanes value)
+{
+    memcpy(to, &value, sizeof value);
+}
+#endif
+
+/* states first, first + 1, ... through rhs, one by one; the first status that is not OK */
+#if defined(__GNUC__)
+__attribute__((noinline))
+#endif
+static int free_rigid_body_one_by_one(size_t count, size_t first, size_t number, const double *t, const double *y, const double *p, double *dydt)
+{
+    int status = FREE_RIGID_BODY_OK;
+    for (size_t i = first; i < first + number; ++i) {
+        double state[FREE_RIGID_BODY_NY];
+        double slope[FREE_RIGID_BODY_NY];
+        for (size_t k = 0; k < FREE_RIGID_BODY_NY; ++k) {
+            state[k] = y[k * count + i];
+            slope[k] = NAN;
+        }
+        const int one = free_rigid_body_rhs(t[i], state, p, slope);
+        status = status == FREE_RIGID_BODY_OK ? one : status;
+        for (size_t k = 0; k < FREE_RIGID_BODY_NY; ++k) {
+            dydt[k * count + i] = slope[k];
+        }
+    }
+    return status;
+}
+
+#if FREE_RIGID_BODY_LANES >= 2
+#define FREE_RIGID_BODY_SPREAD(x) ((x) - (free_rigid_body_lanes){0}) /* a number in each lane; lanes stay what they are */
+
+typedef unsigned long long free_rigid_body_bits __attribute__((vector_size(8 * FREE_RIGID_BODY_LANES)));
+
+/* all bits where value is not above bound, or is no number */
+static inline free_rigid_body_bits free_rigid_body_misses(free_rigid_body_lanes value, free_rigid_body_lanes bound)
+{
+    return ~(free_rigid_body_bits)(value > bound);
+}
+
+/* no number where a bit is set */
+static inline free_rigid_body_lanes free_rigid_body_mark(free_rigid_body_lanes value, free_rigid_body_bits bad)
+{
+    return (free_rigid_body_lanes)((free_rigid_body_bits)value | bad);
+}
+
+static inline free_rigid_body_lanes free_rigid_body_size(free_rigid_body_lanes x)
+{
+    return (free_rigid_body_lanes)((free_rigid_body_bits)x & 0x7fffffffffffffffULL);
+}
+/* whether none of the states must be asked again: no singular block, no infinity, no angle anywhere near 1e5 */
+static inline int free_rigid_body_is_good(int count, const double *check)
+{
+    double even = 0.0;
+    double odd = 0.0;
+    for (int k = 0; k < count; k += 2) {
+        even += check[k];
+        odd += check[k + 1];
+    }
+    return even + odd <= 1e10;
+}
+
+/* the last states, fewer than there are lanes; the others repeat the last one */
+static inline void free_rigid_body_fill(size_t left, size_t count, const double *t, const double *y, double *time, double *state)
+{
+    for (size_t l = 0; l < FREE_RIGID_BODY_LANES; ++l) {
+        const size_t i = l < left ? l : left - 1;
+        time[l] = t[i];
+        for (size_t k = 0; k < FREE_RIGID_BODY_NY; ++k) {
+            state[k * FREE_RIGID_BODY_LANES + l] = y[k * count + i];
+        }
+    }
+}
+
+static inline void free_rigid_body_pour(size_t left, size_t count, const double *slope, double *dydt)
+{
+    for (size_t k = 0; k < FREE_RIGID_BODY_NY; ++k) {
+        for (size_t l = 0; l < left; ++l) {
+            dydt[k * count + l] = slope[k * FREE_RIGID_BODY_LANES + l];
+        }
+    }
+}
+
+/* libm's sine and cosine, lane by lane */
+static inline void free_rigid_body_turn_lanes(free_rigid_body_lanes x, free_rigid_body_lanes *far, free_rigid_body_lanes *sine, free_rigid_body_lanes *cosine)
+{
+    double angle[FREE_RIGID_BODY_LANES];
+    double up[FREE_RIGID_BODY_LANES];
+    double along[FREE_RIGID_BODY_LANES];
+    (void)far;
+    memcpy(angle, &x, sizeof x);
+    for (int l = 0; l < FREE_RIGID_BODY_LANES; ++l) {
+        up[l] = sin(angle[l]);
+        along[l] = cos(angle[l]);
+    }
+    memcpy(sine, up, sizeof x);
+    memcpy(cosine, along, sizeof x);
+}
+#endif
+
 int free_rigid_body_rhs(double t, const double *y, const double *p, double *dydt)
 {
     (void)t;
     const double theta = y[1]; /* nutation [rad] */
     const double psi = y[2]; /* spin [rad] */
+
+    /* sines and cosines */
+    const double s_theta = sin(theta);
+    const double c_theta = cos(theta);
+    const double c_psi = cos(psi);
+    const double s_psi = sin(psi);
     const double w1 = y[3];
     const double w2 = y[4];
     const double w3 = y[5];
@@ -65,7 +198,16 @@ int free_rigid_body_rhs(double t, const double *y, const double *p, double *dydt
     const double k6 = 1.0 / I3;
 
     /* state */
-    const double s_theta = sin(theta);
+    const double z1 = 1.0 / s_theta;
+    const double z2 = (c_psi * w2 + s_psi * w1) * z1;
+    /* (I.2.14) */
+    dydt[0] = z2; /* phi' */
+    dydt[1] = z1 * (w1 * (s_theta * c_psi) - w2 * (s_theta * s_psi)); /* theta' */
+    dydt[2] = w3 - c_theta * z2; /* psi' */
+    /* (I.2.14) 18:4 */
+    dydt[3] = w2 * w3 * k1 * k4; /* w1' */
+    dydt[4] = -w1 * w3 * k2 * k5; /* w2' */
+    dydt[5] = w1 * w2 * k3 * k6; /* w3' */
     /* the coframe is singular */
     if (!(fabs(s_theta) > 1e-12 * 4.0)) {
         return FREE_RIGID_BODY_SINGULAR_1;
@@ -82,19 +224,6 @@ int free_rigid_body_rhs(double t, const double *y, const double *p, double *dydt
     if (!(fabs(I3) > 0.0)) {
         return FREE_RIGID_BODY_SINGULAR_2;
     }
-    const double c_psi = cos(psi);
-    const double s_psi = sin(psi);
-    const double z1 = 1.0 / s_theta;
-    const double z2 = (c_psi * w2 + s_psi * w1) * z1;
-    const double c_theta = cos(theta);
-    /* (I.2.14) */
-    dydt[0] = z2; /* phi' */
-    dydt[1] = z1 * (s_theta * c_psi * w1 - s_theta * s_psi * w2); /* theta' */
-    dydt[2] = w3 - c_theta * z2; /* psi' */
-    /* (I.2.14) 18:4 */
-    dydt[3] = w2 * w3 * k1 * k4; /* w1' */
-    dydt[4] = -w1 * w3 * k2 * k5; /* w2' */
-    dydt[5] = w1 * w2 * k3 * k6; /* w3' */
     return free_rigid_body_finish(6, dydt);
 }
 
@@ -104,25 +233,27 @@ int free_rigid_body_velocities(double t, const double *y, const double *p, doubl
     (void)p;
     const double theta = y[1]; /* nutation [rad] */
     const double psi = y[2]; /* spin [rad] */
+
+    /* sines and cosines */
+    const double s_theta = sin(theta);
+    const double c_theta = cos(theta);
+    const double c_psi = cos(psi);
+    const double s_psi = sin(psi);
     const double w1 = y[3];
     const double w2 = y[4];
     const double w3 = y[5];
 
     /* state */
-    const double s_theta = sin(theta);
+    const double z1 = 1.0 / s_theta;
+    const double z2 = (c_psi * w2 + s_psi * w1) * z1;
+    /* (I.2.4) */
+    qdot[0] = z2; /* phi' */
+    qdot[1] = z1 * (w1 * (s_theta * c_psi) - w2 * (s_theta * s_psi)); /* theta' */
+    qdot[2] = w3 - c_theta * z2; /* psi' */
     /* the coframe is singular */
     if (!(fabs(s_theta) > 1e-12 * 4.0)) {
         return FREE_RIGID_BODY_SINGULAR_1;
     }
-    const double c_psi = cos(psi);
-    const double s_psi = sin(psi);
-    const double z1 = 1.0 / s_theta;
-    const double z2 = (c_psi * w2 + s_psi * w1) * z1;
-    const double c_theta = cos(theta);
-    /* (I.2.4) */
-    qdot[0] = z2; /* phi' */
-    qdot[1] = z1 * (s_theta * c_psi * w1 - s_theta * s_psi * w2); /* theta' */
-    qdot[2] = w3 - c_theta * z2; /* psi' */
     return free_rigid_body_finish(3, qdot);
 }
 
@@ -131,6 +262,12 @@ int free_rigid_body_accelerations(double t, const double *y, const double *p, do
     (void)t;
     const double theta = y[1]; /* nutation [rad] */
     const double psi = y[2]; /* spin [rad] */
+
+    /* sines and cosines */
+    const double s_theta = sin(theta);
+    const double c_theta = cos(theta);
+    const double c_psi = cos(psi);
+    const double s_psi = sin(psi);
     const double w1 = y[3];
     const double w2 = y[4];
     const double w3 = y[5];
@@ -147,31 +284,11 @@ int free_rigid_body_accelerations(double t, const double *y, const double *p, do
     const double k6 = 1.0 / I3;
 
     /* state */
-    const double s_theta = sin(theta);
-    /* the coframe is singular */
-    if (!(fabs(s_theta) > 1e-12 * 4.0)) {
-        return FREE_RIGID_BODY_SINGULAR_1;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(I1) > 0.0)) {
-        return FREE_RIGID_BODY_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(I2) > 0.0)) {
-        return FREE_RIGID_BODY_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(I3) > 0.0)) {
-        return FREE_RIGID_BODY_SINGULAR_2;
-    }
-    const double c_psi = cos(psi);
-    const double s_psi = sin(psi);
     const double z1 = c_psi * w2 + s_psi * w1;
-    const double c_theta = cos(theta);
     const double z2 = 1.0 / s_theta;
     const double z3 = s_theta * c_psi;
     const double z4 = s_theta * s_psi;
-    const double z5 = z3 * w1 - z4 * w2;
+    const double z5 = w1 * z3 - w2 * z4;
     const double z6 = c_theta * (z2 * z5);
     const double z7 = z6 / (s_theta * s_theta);
     const double z8 = z1 * z2;
@@ -187,6 +304,22 @@ int free_rigid_body_accelerations(double t, const double *y, const double *p, do
     qddot[0] = -z14; /* phi'' */
     qddot[1] = z2 * z15 - z5 * z7; /* theta'' */
     qddot[2] = w1 * w2 * k3 * k6 + (z8 * z5 + c_theta * z14); /* psi'' */
+    /* the coframe is singular */
+    if (!(fabs(s_theta) > 1e-12 * 4.0)) {
+        return FREE_RIGID_BODY_SINGULAR_1;
+    }
+    /* the mass matrix is singular */
+    if (!(fabs(I1) > 0.0)) {
+        return FREE_RIGID_BODY_SINGULAR_2;
+    }
+    /* the mass matrix is singular */
+    if (!(fabs(I2) > 0.0)) {
+        return FREE_RIGID_BODY_SINGULAR_2;
+    }
+    /* the mass matrix is singular */
+    if (!(fabs(I3) > 0.0)) {
+        return FREE_RIGID_BODY_SINGULAR_2;
+    }
     return free_rigid_body_finish(3, qddot);
 }
 
@@ -194,19 +327,21 @@ int free_rigid_body_state(double t, const double *q, const double *qdot, const d
 {
     (void)t;
     (void)p;
-    const double phi = q[0]; /* precession [rad] */
     const double theta = q[1]; /* nutation [rad] */
     const double psi = q[2]; /* spin [rad] */
+
+    /* sines and cosines */
+    const double s_theta = sin(theta);
+    const double c_theta = cos(theta);
+    const double s_psi = sin(psi);
+    const double c_psi = cos(psi);
+    const double phi = q[0]; /* precession [rad] */
     const double phi_dot = qdot[0];
     const double theta_dot = qdot[1];
     const double psi_dot = qdot[2];
 
     /* state */
-    const double s_theta = sin(theta);
     const double z1 = phi_dot * s_theta;
-    const double s_psi = sin(psi);
-    const double c_psi = cos(psi);
-    const double c_theta = cos(theta);
     y[0] = phi;
     y[1] = theta;
     y[2] = psi;
@@ -267,15 +402,23 @@ double free_rigid_body_energy(double t, const double *y, const double *p)
     const double I3 = p[2]; /* [kg*m^2] */
 
     /* state */
-    const double z1 = 0.5 * (I3 * (w3 * w3)) + (0.5 * (I1 * (w1 * w1)) + 0.5 * (I2 * (w2 * w2)));
-    return z1;
+    return 0.5 * (I3 * (w3 * w3) + (I1 * (w1 * w1) + I2 * (w2 * w2)));
 }
 
 int free_rigid_body_jacobian(double t, const double *y, const double *p, double *J)
 {
+    for (int entry = 0; entry < 36; ++entry) {
+        J[entry] = 0.0;
+    }
     (void)t;
     const double theta = y[1]; /* nutation [rad] */
     const double psi = y[2]; /* spin [rad] */
+
+    /* sines and cosines */
+    const double s_theta = sin(theta);
+    const double c_theta = cos(theta);
+    const double c_psi = cos(psi);
+    const double s_psi = sin(psi);
     const double w1 = y[3];
     const double w2 = y[4];
     const double w3 = y[5];
@@ -284,15 +427,41 @@ int free_rigid_body_jacobian(double t, const double *y, const double *p, double 
     const double I3 = p[2]; /* [kg*m^2] */
 
     /* parameters only */
-    const double k1 = I2 - I3;
-    const double k2 = I1 - I3;
-    const double k3 = I1 - I2;
-    const double k4 = 1.0 / I1;
-    const double k5 = 1.0 / I2;
-    const double k6 = 1.0 / I3;
+    const double k1 = (I2 - I3) / I1;
+    const double k2 = (I1 - I3) / I2;
+    const double k3 = (I1 - I2) / I3;
 
     /* state */
-    const double s_theta = sin(theta);
+    const double z1 = c_psi * w2 + s_psi * w1;
+    const double z2 = c_theta / (s_theta * s_theta);
+    const double z3 = z1 * z2;
+    const double z4 = 1.0 / s_theta;
+    const double z5 = s_psi * w2 - c_psi * w1;
+    const double z6 = z4 * z5;
+    const double z7 = s_psi * z4;
+    const double z8 = c_psi * z4;
+    const double z9 = s_theta * c_psi;
+    const double z10 = s_theta * s_psi;
+    /* (I.2.14) */
+    J[1] = -z3;
+    J[2] = -z6;
+    J[3] = z7;
+    J[4] = z8;
+    J[7] = -((w1 * z9 - w2 * z10) * z2 + z4 * (c_theta * z5));
+    J[8] = -z4 * (w1 * z10 + w2 * z9);
+    J[9] = c_psi;
+    J[10] = -s_psi;
+    J[13] = z1 + c_theta * z3;
+    J[14] = c_theta * z6;
+    J[15] = -c_theta * z7;
+    J[16] = -c_theta * z8;
+    J[17] = 1.0;
+    J[22] = w3 * k1;
+    J[23] = w2 * k1;
+    J[27] = -w3 * k2;
+    J[29] = -w1 * k2;
+    J[33] = w2 * k3;
+    J[34] = w1 * k3;
     /* the coframe is singular */
     if (!(fabs(s_theta) > 1e-12 * 4.0)) {
         return FREE_RIGID_BODY_SINGULAR_1;
@@ -309,52 +478,6 @@ int free_rigid_body_jacobian(double t, const double *y, const double *p, double 
     if (!(fabs(I3) > 0.0)) {
         return FREE_RIGID_BODY_SINGULAR_2;
     }
-    const double c_theta = cos(theta);
-    const double c_psi = cos(psi);
-    const double s_psi = sin(psi);
-    const double z1 = c_psi * w2 + s_psi * w1;
-    const double z2 = 1.0 / (s_theta * s_theta);
-    const double z3 = 1.0 / s_theta;
-    const double z4 = s_psi * (w2 * z3);
-    const double z5 = c_psi * (w1 * z3);
-    const double z6 = c_theta * z3;
-    /* (I.2.14) */
-    J[0] = 0.0;
-    J[1] = -c_theta * (z1 * z2);
-    J[2] = z5 - z4;
-    J[3] = s_psi * z3;
-    J[4] = c_psi * z3;
-    J[5] = 0.0;
-    J[6] = 0.0;
-    J[7] = -c_theta * (z4 - (z5 - (s_theta * c_psi * w1 - s_theta * s_psi * w2) * z2));
-    J[8] = -z1;
-    J[9] = c_psi;
-    J[10] = -s_psi;
-    J[11] = 0.0;
-    J[12] = 0.0;
-    J[13] = z1 + c_theta * (z2 * (c_theta * z1));
-    J[14] = s_psi * (w2 * z6) - c_psi * (w1 * z6);
-    J[15] = -s_psi * z6;
-    J[16] = -c_psi * z6;
-    J[17] = 1.0;
-    J[18] = 0.0;
-    J[19] = 0.0;
-    J[20] = 0.0;
-    J[21] = 0.0;
-    J[22] = k4 * (w3 * k1);
-    J[23] = k4 * (w2 * k1);
-    J[24] = 0.0;
-    J[25] = 0.0;
-    J[26] = 0.0;
-    J[27] = -k5 * (w3 * k2);
-    J[28] = 0.0;
-    J[29] = -k5 * (w1 * k2);
-    J[30] = 0.0;
-    J[31] = 0.0;
-    J[32] = 0.0;
-    J[33] = k6 * (w2 * k3);
-    J[34] = k6 * (w1 * k3);
-    J[35] = 0.0;
     return free_rigid_body_finish(36, J);
 }
 
@@ -376,18 +499,86 @@ int free_rigid_body_outputs(double t, const double *y, const double *p, double *
 
     /* state */
     const double s_theta = sin(theta);
+    /* 24:14 */
+    out[0] = w3 * w3 * k3 + (w1 * w1 * k1 + w2 * w2 * k2); /* L_squared */
     /* the coframe is singular */
     if (!(fabs(s_theta) > 1e-12 * 4.0)) {
         return FREE_RIGID_BODY_SINGULAR_1;
     }
-    /* 24:14 */
-    out[0] = w3 * w3 * k3 + (w1 * w1 * k1 + w2 * w2 * k2); /* L_squared */
     return free_rigid_body_finish(1, out);
 }
+
+#if FREE_RIGID_BODY_LANES >= 2
+static __attribute__((noinline)) void free_rigid_body_rhs_lanes(const double *fixed, size_t stride, const
+    double *t, const double *y, double *restrict dydt, double *check)
+{
+    (void)t;
+    free_rigid_body_lanes far = {0}; /* the squares of the angles */
+    free_rigid_body_lanes sum = {0}; /* an infinity or a NaN among the results stays in it */
+    free_rigid_body_bits bad = {0}; /* singular blocks */
+    const double k1 = fixed[0];
+    const double k2 = fixed[1];
+    const double k3 = fixed[2];
+    const double k4 = fixed[3];
+    const double k5 = fixed[4];
+    const double k6 = fixed[5];
+    const free_rigid_body_lanes theta = free_rigid_body_get(y + 1 * stride);
+    const free_rigid_body_lanes psi = free_rigid_body_get(y + 2 * stride);
+    const free_rigid_body_lanes w1 = free_rigid_body_get(y + 3 * stride);
+    const free_rigid_body_lanes w2 = free_rigid_body_get(y + 4 * stride);
+    const free_rigid_body_lanes w3 = free_rigid_body_get(y + 5 * stride);
+    free_rigid_body_lanes sine1, cosine1;
+    free_rigid_body_turn_lanes(FREE_RIGID_BODY_SPREAD(theta), &far, &sine1, &cosine1);
+    const free_rigid_body_lanes s_theta = sine1;
+    /* the coframe is singular */
+    bad |= free_rigid_body_misses(free_rigid_body_size(FREE_RIGID_BODY_SPREAD(s_theta)),
+        FREE_RIGID_BODY_SPREAD(1e-12 * 4.0));
+    free_rigid_body_lanes sine2, cosine2;
+    free_rigid_body_turn_lanes(FREE_RIGID_BODY_SPREAD(psi), &far, &sine2, &cosine2);
+    const free_rigid_body_lanes c_psi = cosine2;
+    const free_rigid_body_lanes s_psi = sine2;
+    const free_rigid_body_lanes z1 = 1.0 / s_theta;
+    const free_rigid_body_lanes z2 = (c_psi * w2 + s_psi * w1) * z1;
+    const free_rigid_body_lanes c_theta = cosine1;
+    /* (I.2.14) */
+    const free_rigid_body_lanes slope1 = z2;
+    sum += slope1;
+    free_rigid_body_put(dydt, slope1);
+    const free_rigid_body_lanes slope2 = z1 * (w1 * (s_theta * c_psi) - w2 * (s_theta * s_psi));
+    sum += slope2;
+    free_rigid_body_put(dydt + 1 * stride, slope2);
+    const free_rigid_body_lanes slope3 = w3 - c_theta * z2;
+    sum += slope3;
+    free_rigid_body_put(dydt + 2 * stride, slope3);
+    /* (I.2.14) 18:4 */
+    const free_rigid_body_lanes slope4 = w2 * w3 * k1 * k4;
+    sum += slope4;
+    free_rigid_body_put(dydt + 3 * stride, slope4);
+    const free_rigid_body_lanes slope5 = -w1 * w3 * k2 * k5;
+    sum += slope5;
+    free_rigid_body_put(dydt + 4 * stride, slope5);
+    const free_rigid_body_lanes slope6 = w1 * w2 * k3 * k6;
+    sum += slope6;
+    free_rigid_body_put(dydt + 5 * stride, slope6);
+    free_rigid_body_put(check, free_rigid_body_mark(far + (sum - sum), bad));
+}
+
+static __attribute__((noinline)) void free_rigid_body_rhs_tail(const double *fixed, size_t left, size_t
+    count, const double *t, const double *y, double *restrict dydt, double *check)
+{
+    double time[FREE_RIGID_BODY_LANES];
+    double state[6 * FREE_RIGID_BODY_LANES];
+    double slope[6 * FREE_RIGID_BODY_LANES];
+    free_rigid_body_fill(left, count, t, y, time, state);
+    free_rigid_body_rhs_lanes(fixed, FREE_RIGID_BODY_LANES, time, state, slope, check);
+    free_rigid_body_pour(left, count, slope, dydt);
+}
+#endif
 
 int free_rigid_body_rhs_batch(size_t count, const double *t, const double *y, const double *p, double
     *restrict dydt)
 {
+#if FREE_RIGID_BODY_LANES >= 2
     const double I1 = p[0]; /* [kg*m^2] */
     const double I2 = p[1]; /* [kg*m^2] */
     const double I3 = p[2]; /* [kg*m^2] */
@@ -409,49 +600,23 @@ int free_rigid_body_rhs_batch(size_t count, const double *t, const double *y, co
     if (!(fabs(I3) > 0.0)) {
         return FREE_RIGID_BODY_SINGULAR_2;
     }
-    int singular1 = 0;
-    int bad = 0;
-    (void)t;
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC ivdep
+    const double fixed[] = {k1, k2, k3, k4, k5, k6};
+    double check[1 * FREE_RIGID_BODY_LANES];
+    int status = FREE_RIGID_BODY_OK;
+    for (size_t i = 0; i < count; i += FREE_RIGID_BODY_LANES) {
+        const size_t left = count - i < FREE_RIGID_BODY_LANES ? count - i : FREE_RIGID_BODY_LANES;
+        if (left == FREE_RIGID_BODY_LANES) {
+            free_rigid_body_rhs_lanes(fixed, count, t + i, y + i, dydt + i, check);
+        } else {
+            free_rigid_body_rhs_tail(fixed, left, count, t + i, y + i, dydt + i, check);
+        }
+        if (!free_rigid_body_is_good(1 * FREE_RIGID_BODY_LANES, check)) {
+            const int one = free_rigid_body_one_by_one(count, i, left, t, y, p, dydt);
+            status = status == FREE_RIGID_BODY_OK ? one : status;
+        }
+    }
+    return status;
+#else
+    return free_rigid_body_one_by_one(count, 0, count, t, y, p, dydt);
 #endif
-    for (size_t i = 0; i < count; ++i) {
-        const double theta = y[count + i]; /* nutation [rad] */
-        const double psi = y[2 * count + i]; /* spin [rad] */
-        const double w1 = y[3 * count + i];
-        const double w2 = y[4 * count + i];
-        const double w3 = y[5 * count + i];
-        const double s_theta = sin(theta);
-        /* the coframe is singular */
-        singular1 |= !(fabs(s_theta) > 1e-12 * 4.0);
-        const double c_psi = cos(psi);
-        const double s_psi = sin(psi);
-        const double z1 = 1.0 / s_theta;
-        const double z2 = (c_psi * w2 + s_psi * w1) * z1;
-        const double c_theta = cos(theta);
-        /* (I.2.14) */
-        const double slope1 = z2; /* phi' */
-        dydt[i] = slope1;
-        bad |= !(fabs(slope1) <= DBL_MAX);
-        const double slope2 = z1 * (s_theta * c_psi * w1 - s_theta * s_psi * w2); /* theta' */
-        dydt[count + i] = slope2;
-        bad |= !(fabs(slope2) <= DBL_MAX);
-        const double slope3 = w3 - c_theta * z2; /* psi' */
-        dydt[2 * count + i] = slope3;
-        bad |= !(fabs(slope3) <= DBL_MAX);
-        /* (I.2.14) 18:4 */
-        const double slope4 = w2 * w3 * k1 * k4; /* w1' */
-        dydt[3 * count + i] = slope4;
-        bad |= !(fabs(slope4) <= DBL_MAX);
-        const double slope5 = -w1 * w3 * k2 * k5; /* w2' */
-        dydt[4 * count + i] = slope5;
-        bad |= !(fabs(slope5) <= DBL_MAX);
-        const double slope6 = w1 * w2 * k3 * k6; /* w3' */
-        dydt[5 * count + i] = slope6;
-        bad |= !(fabs(slope6) <= DBL_MAX);
-    }
-    if (singular1) {
-        return FREE_RIGID_BODY_SINGULAR_1;
-    }
-    return bad ? FREE_RIGID_BODY_NOT_FINITE : FREE_RIGID_BODY_OK;
 }

@@ -1,5 +1,5 @@
 /*
- * free_rigid_body.h: free_rigid_body, emitted by nhc 0.1.0 (nhc:6a778dfd5512ccf5)
+ * free_rigid_body.h: free_rigid_body, emitted by nhc 0.1.0 (nhc:3d007c2eee40b3b8)
  * A free rigid body; the components of its angular velocity on body axes are the quasi-velocities.
  * Source: free_rigid_body.yaml
  * Equations of motion: euler-lagrange (I.2.14)
@@ -28,8 +28,8 @@
  * state: 3 +-, 6 *, 0 /, 4 calls
  * residuals: 0 +-, 0 *, 0 /, 0 calls
  * reactions: 0 +-, 0 *, 0 /, 1 calls
- * energy: 2 +-, 9 *, 0 /, 0 calls
- * jacobian: 10 +-, 39 *, 5 /, 4 calls
+ * energy: 2 +-, 7 *, 0 /, 0 calls
+ * jacobian: 9 +-, 29 *, 5 /, 4 calls
  * outputs: 2 +-, 9 *, 0 /, 1 calls
  *
  * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.

@@ -1,4 +1,4 @@
-"""free_rigid_body, emitted by nhc 0.1.0 (nhc:1715c697da8f36b0).
+"""free_rigid_body, emitted by nhc 0.1.0 (nhc:532348d904b24ee8).
 
 A free rigid body; the components of its angular velocity on body axes are the
     quasi-velocities.
@@ -29,8 +29,8 @@ accelerations: 18 +-, 40 *, 5 /, 4 calls
 state: 3 +-, 6 *, 0 /, 4 calls
 residuals: 0 +-, 0 *, 0 /, 0 calls
 reactions: 0 +-, 0 *, 0 /, 1 calls
-energy: 2 +-, 9 *, 0 /, 0 calls
-jacobian: 10 +-, 39 *, 5 /, 4 calls
+energy: 2 +-, 7 *, 0 /, 0 calls
+jacobian: 9 +-, 29 *, 5 /, 4 calls
 outputs: 2 +-, 9 *, 0 /, 1 calls
 
 A singular point raises SingularModelError.
@@ -122,7 +122,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
             # phi' (I.2.14)
             z2,
             # theta' (I.2.14)
-            z1 * (s_theta * c_psi * w1 - s_theta * s_psi * w2),
+            z1 * (w1 * (s_theta * c_psi) - w2 * (s_theta * s_psi)),
             # psi' (I.2.14)
             w3 - c_theta * z2,
             # w1' (I.2.14) 18:4
@@ -167,7 +167,7 @@ def velocities(
             # phi' (I.2.4)
             z2,
             # theta' (I.2.4)
-            z1 * (s_theta * c_psi * w1 - s_theta * s_psi * w2),
+            z1 * (w1 * (s_theta * c_psi) - w2 * (s_theta * s_psi)),
             # psi' (I.2.4)
             w3 - c_theta * z2,
         ]
@@ -223,7 +223,7 @@ def accelerations(
         z2 = 1.0 / s_theta
         z3 = s_theta * c_psi
         z4 = s_theta * s_psi
-        z5 = z3 * w1 - z4 * w2
+        z5 = w1 * z3 - w2 * z4
         z6 = c_theta * (z2 * z5)
         z7 = z6 / (s_theta * s_theta)
         z8 = z1 * z2
@@ -354,9 +354,7 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     I3 = float(p[2])  # [kg*m^2]
     try:
         # state
-        s1 = 0.5 * (I1 * (w1 * w1)) + 0.5 * (I2 * (w2 * w2))
-        z1 = 0.5 * (I3 * (w3 * w3)) + s1
-        value1 = z1
+        value1 = 0.5 * (I3 * (w3 * w3) + (I1 * (w1 * w1) + I2 * (w2 * w2)))
         return _single("energy", value1)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
         raise SingularModelError(NOT_FINITE, "energy") from error
@@ -382,12 +380,9 @@ def jacobian(
     I3 = float(p[2])  # [kg*m^2]
     try:
         # parameters only
-        k1 = I2 - I3
-        k2 = I1 - I3
-        k3 = I1 - I2
-        k4 = 1.0 / I1
-        k5 = 1.0 / I2
-        k6 = 1.0 / I3
+        k1 = (I2 - I3) / I1
+        k2 = (I1 - I3) / I2
+        k3 = (I1 - I2) / I3
         # state
         s_theta = math.sin(theta)
         # the coframe is singular
@@ -402,92 +397,78 @@ def jacobian(
         # the mass matrix is singular
         if not abs(I3) > 0.0:
             raise SingularModelError(2, "jacobian")
-        c_theta = math.cos(theta)
         c_psi = math.cos(psi)
         s_psi = math.sin(psi)
         z1 = c_psi * w2 + s_psi * w1
-        z2 = 1.0 / (s_theta * s_theta)
-        z3 = 1.0 / s_theta
-        z4 = s_psi * (w2 * z3)
-        z5 = c_psi * (w1 * z3)
-        z6 = c_theta * z3
-        s1 = z4 - (z5 - (s_theta * c_psi * w1 - s_theta * s_psi * w2) * z2)
+        c_theta = math.cos(theta)
+        z2 = c_theta / (s_theta * s_theta)
+        z3 = z1 * z2
+        z4 = 1.0 / s_theta
+        z5 = s_psi * w2 - c_psi * w1
+        z6 = z4 * z5
+        z7 = s_psi * z4
+        z8 = c_psi * z4
+        z9 = s_theta * c_psi
+        z10 = s_theta * s_psi
         J: list[float] = [
-            # (I.2.14)
             0.0,
             # (I.2.14)
-            -c_theta * (z1 * z2),
+            -z3,
             # (I.2.14)
-            z5 - z4,
+            -z6,
             # (I.2.14)
-            s_psi * z3,
+            z7,
             # (I.2.14)
-            c_psi * z3,
-            # (I.2.14)
+            z8,
+            0.0,
             0.0,
             # (I.2.14)
-            0.0,
+            -((w1 * z9 - w2 * z10) * z2 + z4 * (c_theta * z5)),
             # (I.2.14)
-            -c_theta * s1,
-            # (I.2.14)
-            -z1,
+            -z4 * (w1 * z10 + w2 * z9),
             # (I.2.14)
             c_psi,
             # (I.2.14)
             -s_psi,
-            # (I.2.14)
+            0.0,
             0.0,
             # (I.2.14)
-            0.0,
+            z1 + c_theta * z3,
             # (I.2.14)
-            z1 + c_theta * (z2 * (c_theta * z1)),
+            c_theta * z6,
             # (I.2.14)
-            s_psi * (w2 * z6) - c_psi * (w1 * z6),
+            -c_theta * z7,
             # (I.2.14)
-            -s_psi * z6,
-            # (I.2.14)
-            -c_psi * z6,
+            -c_theta * z8,
             # (I.2.14)
             1.0,
-            # (I.2.14)
+            0.0,
+            0.0,
+            0.0,
             0.0,
             # (I.2.14)
+            w3 * k1,
+            # (I.2.14)
+            w2 * k1,
+            0.0,
+            0.0,
             0.0,
             # (I.2.14)
+            -w3 * k2,
             0.0,
             # (I.2.14)
+            -w1 * k2,
+            0.0,
+            0.0,
             0.0,
             # (I.2.14)
-            k4 * (w3 * k1),
+            w2 * k3,
             # (I.2.14)
-            k4 * (w2 * k1),
-            # (I.2.14)
-            0.0,
-            # (I.2.14)
-            0.0,
-            # (I.2.14)
-            0.0,
-            # (I.2.14)
-            -k5 * (w3 * k2),
-            # (I.2.14)
-            0.0,
-            # (I.2.14)
-            -k5 * (w1 * k2),
-            # (I.2.14)
-            0.0,
-            # (I.2.14)
-            0.0,
-            # (I.2.14)
-            0.0,
-            # (I.2.14)
-            k6 * (w2 * k3),
-            # (I.2.14)
-            k6 * (w1 * k3),
-            # (I.2.14)
+            w1 * k3,
             0.0,
         ]
         _finish("jacobian", J)
-        return [J[k7 : k7 + 6] for k7 in range(0, 36, 6)]
+        return [J[k4 : k4 + 6] for k4 in range(0, 36, 6)]
     except (ValueError, ZeroDivisionError, OverflowError) as error:
         raise SingularModelError(NOT_FINITE, "jacobian") from error
 

@@ -1,5 +1,5 @@
 /*
- * heavy_top.c: heavy_top, emitted by nhc 0.1.0 (nhc:54ba711c97c2c347)
+ * heavy_top.c: heavy_top, emitted by nhc 0.1.0 (nhc:e1aa85b53796bcbb)
  * The symmetric top with a fixed point (Lagrange's top).
  * Source: heavy_top.yaml
  * Equations of motion: lagrange (II.3)
@@ -10,6 +10,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <string.h>
 
 const char *const heavy_top_coordinate_names[] = {
     "phi",
@@ -44,10 +45,140 @@ static int heavy_top_finish(int count, const double *values)
     return fabs(sum) <= DBL_MAX ? HEAVY_TOP_OK : HEAVY_TOP_NOT_FINITE;
 }
 
+/* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
+#ifndef HEAVY_TOP_LANES
+#if !defined(__GNUC__)
+#define HEAVY_TOP_LANES 1
+#elif defined(__AVX512F__)
+#define HEAVY_TOP_LANES 8
+#elif defined(__AVX__)
+#define HEAVY_TOP_LANES 4
+#else
+#define HEAVY_TOP_LANES 2
+#endif
+#endif
+#if HEAVY_TOP_LANES > 1
+typedef double heavy_top_lanes __attribute__((vector_size(8 * HEAVY_TOP_LANES)));
+#else
+typedef double heavy_top_lanes;
+#endif
+
+#if HEAVY_TOP_LANES >= 2
+static inline heavy_top_lanes heavy_top_get(const double *from)
+{
+    heavy_top_lanes value;
+    memcpy(&value, from, sizeof value);
+    return value;
+}
+
+static inline void heavy_top_put(double *to, heavy_top_lanes value)
+{
+    memcpy(to, &value, sizeof value);
+}
+#endif
+
+/* states first, first + 1, ... through rhs, one by one; the first status that is not OK */
+#if defined(__GNUC__)
+__attribute__((noinline))
+#endif
+static int heavy_top_one_by_one(size_t count, size_t first, size_t number, const double *t, const double *y, const double *p, double *dydt)
+{
+    int status = HEAVY_TOP_OK;
+    for (size_t i = first; i < first + number; ++i) {
+        double state[HEAVY_TOP_NY];
+        double slope[HEAVY_TOP_NY];
+        for (size_t k = 0; k < HEAVY_TOP_NY; ++k) {
+            state[k] = y[k * count + i];
+            slope[k] = NAN;
+        }
+        const int one = heavy_top_rhs(t[i], state, p, slope);
+        status = status == HEAVY_TOP_OK ? one : status;
+        for (size_t k = 0; k < HEAVY_TOP_NY; ++k) {
+            dydt[k * count + i] = slope[k];
+        }
+    }
+    return status;
+}
+
+#if HEAVY_TOP_LANES >= 2
+#define HEAVY_TOP_SPREAD(x) ((x) - (heavy_top_lanes){0}) /* a number in each lane; lanes stay what they are */
+
+typedef unsigned long long heavy_top_bits __attribute__((vector_size(8 * HEAVY_TOP_LANES)));
+
+/* all bits where value is not above bound, or is no number */
+static inline heavy_top_bits heavy_top_misses(heavy_top_lanes value, heavy_top_lanes bound)
+{
+    return ~(heavy_top_bits)(value > bound);
+}
+
+/* no number where a bit is set */
+static inline heavy_top_lanes heavy_top_mark(heavy_top_lanes value, heavy_top_bits bad)
+{
+    return (heavy_top_lanes)((heavy_top_bits)value | bad);
+}
+
+static inline heavy_top_lanes heavy_top_size(heavy_top_lanes x)
+{
+    return (heavy_top_lanes)((heavy_top_bits)x & 0x7fffffffffffffffULL);
+}
+/* whether none of the states must be asked again: no singular block, no infinity, no angle anywhere near 1e5 */
+static inline int heavy_top_is_good(int count, const double *check)
+{
+    double even = 0.0;
+    double odd = 0.0;
+    for (int k = 0; k < count; k += 2) {
+        even += check[k];
+        odd += check[k + 1];
+    }
+    return even + odd <= 1e10;
+}
+
+/* the last states, fewer than there are lanes; the others repeat the last one */
+static inline void heavy_top_fill(size_t left, size_t count, const double *t, const double *y, double *time, double *state)
+{
+    for (size_t l = 0; l < HEAVY_TOP_LANES; ++l) {
+        const size_t i = l < left ? l : left - 1;
+        time[l] = t[i];
+        for (size_t k = 0; k < HEAVY_TOP_NY; ++k) {
+            state[k * HEAVY_TOP_LANES + l] = y[k * count + i];
+        }
+    }
+}
+
+static inline void heavy_top_pour(size_t left, size_t count, const double *slope, double *dydt)
+{
+    for (size_t k = 0; k < HEAVY_TOP_NY; ++k) {
+        for (size_t l = 0; l < left; ++l) {
+            dydt[k * count + l] = slope[k * HEAVY_TOP_LANES + l];
+        }
+    }
+}
+
+/* libm's sine and cosine, lane by lane */
+static inline void heavy_top_turn_lanes(heavy_top_lanes x, heavy_top_lanes *far, heavy_top_lanes *sine, heavy_top_lanes *cosine)
+{
+    double angle[HEAVY_TOP_LANES];
+    double up[HEAVY_TOP_LANES];
+    double along[HEAVY_TOP_LANES];
+    (void)far;
+    memcpy(angle, &x, sizeof x);
+    for (int l = 0; l < HEAVY_TOP_LANES; ++l) {
+        up[l] = sin(angle[l]);
+        along[l] = cos(angle[l]);
+    }
+    memcpy(sine, up, sizeof x);
+    memcpy(cosine, along, sizeof x);
+}
+#endif
+
 int heavy_top_rhs(double t, const double *y, const double *p, double *dydt)
 {
     (void)t;
     const double theta = y[1]; /* nutation [rad] */
+
+    /* sines and cosines */
+    const double s_theta = sin(theta);
+    const double c_theta = cos(theta);
     const double phi_dot = y[3];
     const double theta_dot = y[4];
     const double psi_dot = y[5];
@@ -56,14 +187,29 @@ int heavy_top_rhs(double t, const double *y, const double *p, double *dydt)
     const double mgl = p[2]; /* weight times the distance of the centre of mass [N*m] */
 
     /* parameters only */
-    const double k1 = 2.0 * I1 - 2.0 * I3;
-    const double k2 = I1 - I3;
-    const double k3 = 1.0 / I1;
+    const double k1 = I1 - I3;
+    const double k2 = 1.0 / I1;
 
     /* state */
-    const double s_theta = sin(theta);
     const double z1 = s_theta * s_theta;
     const double z2 = I1 * z1 + I3 * (1.0 - z1);
+    const double z3 = I3 * c_theta;
+    const double z4 = 1.0 / z2;
+    const double z5 = z3 * z4;
+    const double z6 = I3 - z3 * z5;
+    const double z7 = theta_dot * s_theta;
+    const double z8 = phi_dot * c_theta * k1;
+    const double z9 = psi_dot * I3;
+    const double z10 = z7 * (2.0 * z8 - z9);
+    const double z11 = (I3 * (phi_dot * z7) + z10 * z5) / z6;
+    /* (II.3) */
+    dydt[0] = phi_dot; /* phi' */
+    dydt[1] = theta_dot; /* theta' */
+    dydt[2] = psi_dot; /* psi' */
+    /* (II.3) 16:4 */
+    dydt[3] = -(z10 * z4 + z5 * z11); /* phi'' */
+    dydt[4] = s_theta * (mgl + phi_dot * (z8 - z9)) * k2; /* theta'' */
+    dydt[5] = z11; /* psi'' */
     /* the mass matrix is singular */
     if (!(fabs(z2) > 0.0)) {
         return HEAVY_TOP_SINGULAR_2;
@@ -72,27 +218,10 @@ int heavy_top_rhs(double t, const double *y, const double *p, double *dydt)
     if (!(fabs(I1) > 0.0)) {
         return HEAVY_TOP_SINGULAR_2;
     }
-    const double c_theta = cos(theta);
-    const double z3 = I3 * c_theta;
-    const double z4 = 1.0 / z2;
-    const double z5 = z3 * z4;
-    const double z6 = I3 - z3 * z5;
     /* the mass matrix is singular */
     if (!(fabs(z6) > 1e-14 * I3)) {
         return HEAVY_TOP_SINGULAR_2;
     }
-    const double z7 = phi_dot * c_theta;
-    const double z8 = psi_dot * I3;
-    const double z9 = theta_dot * s_theta * (z7 * k1 - z8);
-    const double z10 = (s_theta * (I3 * (phi_dot * theta_dot)) + z9 * z5) / z6;
-    /* (II.3) */
-    dydt[0] = phi_dot; /* phi' */
-    dydt[1] = theta_dot; /* theta' */
-    dydt[2] = psi_dot; /* psi' */
-    /* (II.3) 16:4 */
-    dydt[3] = -(z9 * z4 + z5 * z10); /* phi'' */
-    dydt[4] = s_theta * (mgl - phi_dot * (z8 - z7 * k2)) * k3; /* theta'' */
-    dydt[5] = z10; /* psi'' */
     return heavy_top_finish(6, dydt);
 }
 
@@ -116,6 +245,10 @@ int heavy_top_accelerations(double t, const double *y, const double *p, double *
 {
     (void)t;
     const double theta = y[1]; /* nutation [rad] */
+
+    /* sines and cosines */
+    const double s_theta = sin(theta);
+    const double c_theta = cos(theta);
     const double phi_dot = y[3];
     const double theta_dot = y[4];
     const double psi_dot = y[5];
@@ -124,14 +257,25 @@ int heavy_top_accelerations(double t, const double *y, const double *p, double *
     const double mgl = p[2]; /* weight times the distance of the centre of mass [N*m] */
 
     /* parameters only */
-    const double k1 = 2.0 * I1 - 2.0 * I3;
-    const double k2 = I1 - I3;
-    const double k3 = 1.0 / I1;
+    const double k1 = I1 - I3;
+    const double k2 = 1.0 / I1;
 
     /* state */
-    const double s_theta = sin(theta);
     const double z1 = s_theta * s_theta;
     const double z2 = I1 * z1 + I3 * (1.0 - z1);
+    const double z3 = I3 * c_theta;
+    const double z4 = 1.0 / z2;
+    const double z5 = z3 * z4;
+    const double z6 = I3 - z3 * z5;
+    const double z7 = theta_dot * s_theta;
+    const double z8 = phi_dot * c_theta * k1;
+    const double z9 = psi_dot * I3;
+    const double z10 = z7 * (2.0 * z8 - z9);
+    const double z11 = (I3 * (phi_dot * z7) + z10 * z5) / z6;
+    /* (II.3) */
+    qddot[0] = -(z10 * z4 + z5 * z11); /* phi'' */
+    qddot[1] = s_theta * (mgl + phi_dot * (z8 - z9)) * k2; /* theta'' */
+    qddot[2] = z11; /* psi'' */
     /* the mass matrix is singular */
     if (!(fabs(z2) > 0.0)) {
         return HEAVY_TOP_SINGULAR_2;
@@ -140,23 +284,10 @@ int heavy_top_accelerations(double t, const double *y, const double *p, double *
     if (!(fabs(I1) > 0.0)) {
         return HEAVY_TOP_SINGULAR_2;
     }
-    const double c_theta = cos(theta);
-    const double z3 = I3 * c_theta;
-    const double z4 = 1.0 / z2;
-    const double z5 = z3 * z4;
-    const double z6 = I3 - z3 * z5;
     /* the mass matrix is singular */
     if (!(fabs(z6) > 1e-14 * I3)) {
         return HEAVY_TOP_SINGULAR_2;
     }
-    const double z7 = phi_dot * c_theta;
-    const double z8 = psi_dot * I3;
-    const double z9 = theta_dot * s_theta * (z7 * k1 - z8);
-    const double z10 = (s_theta * (I3 * (phi_dot * theta_dot)) + z9 * z5) / z6;
-    /* (II.3) */
-    qddot[0] = -(z9 * z4 + z5 * z10); /* phi'' */
-    qddot[1] = s_theta * (mgl - phi_dot * (z8 - z7 * k2)) * k3; /* theta'' */
-    qddot[2] = z10; /* psi'' */
     return heavy_top_finish(3, qddot);
 }
 
@@ -195,13 +326,17 @@ int heavy_top_reactions(double t, const double *y, const double *p, double *lamb
 {
     (void)t;
     const double theta = y[1]; /* nutation [rad] */
+
+    /* sines and cosines */
+    const double s_theta = sin(theta);
+    const double c_theta = cos(theta);
     const double I1 = p[0]; /* across the axis, at the fixed point [kg*m^2] */
     const double I3 = p[1]; /* about the axis [kg*m^2] */
 
     /* state */
-    const double s_theta = sin(theta);
     const double z1 = s_theta * s_theta;
     const double z2 = I1 * z1 + I3 * (1.0 - z1);
+    const double z3 = I3 * c_theta;
     /* the mass matrix is singular */
     if (!(fabs(z2) > 0.0)) {
         return HEAVY_TOP_SINGULAR_2;
@@ -210,8 +345,6 @@ int heavy_top_reactions(double t, const double *y, const double *p, double *lamb
     if (!(fabs(I1) > 0.0)) {
         return HEAVY_TOP_SINGULAR_2;
     }
-    const double c_theta = cos(theta);
-    const double z3 = I3 * c_theta;
     /* the mass matrix is singular */
     if (!(fabs(I3 - z3 * (z3 / z2)) > 1e-14 * I3)) {
         return HEAVY_TOP_SINGULAR_2;
@@ -224,6 +357,10 @@ double heavy_top_energy(double t, const double *y, const double *p)
 {
     (void)t;
     const double theta = y[1]; /* nutation [rad] */
+
+    /* sines and cosines */
+    const double s_theta = sin(theta);
+    const double c_theta = cos(theta);
     const double phi_dot = y[3];
     const double theta_dot = y[4];
     const double psi_dot = y[5];
@@ -232,18 +369,23 @@ double heavy_top_energy(double t, const double *y, const double *p)
     const double mgl = p[2]; /* weight times the distance of the centre of mass [N*m] */
 
     /* state */
-    const double s_theta = sin(theta);
-    const double c_theta = cos(theta);
     const double omega3 = psi_dot + phi_dot * c_theta;
-    const double z1 = 0.5 * (I1 * (theta_dot * theta_dot + s_theta * s_theta * (phi_dot * phi_dot))) + 0.5 *
-        (I3 * (omega3 * omega3));
-    return z1 + mgl * c_theta;
+    const double z1 = 0.5 * (I1 * (theta_dot * theta_dot + s_theta * s_theta * (phi_dot * phi_dot)) + I3 *
+        (omega3 * omega3)) + mgl * c_theta;
+    return z1;
 }
 
 int heavy_top_jacobian(double t, const double *y, const double *p, double *J)
 {
+    for (int entry = 0; entry < 36; ++entry) {
+        J[entry] = 0.0;
+    }
     (void)t;
     const double theta = y[1]; /* nutation [rad] */
+
+    /* sines and cosines */
+    const double s_theta = sin(theta);
+    const double c_theta = cos(theta);
     const double phi_dot = y[3];
     const double theta_dot = y[4];
     const double psi_dot = y[5];
@@ -252,14 +394,55 @@ int heavy_top_jacobian(double t, const double *y, const double *p, double *J)
     const double mgl = p[2]; /* weight times the distance of the centre of mass [N*m] */
 
     /* parameters only */
-    const double k1 = 2.0 * I1 - 2.0 * I3;
-    const double k2 = I1 - I3;
-    const double k3 = 1.0 / I1;
+    const double k1 = I1 - I3;
+    const double k2 = 1.0 / I1;
+    const double k3 = I3 * k2;
 
     /* state */
-    const double s_theta = sin(theta);
     const double z1 = s_theta * s_theta;
     const double z2 = I1 * z1 + I3 * (1.0 - z1);
+    const double z3 = I3 * c_theta;
+    const double z4 = 1.0 / z2;
+    const double z5 = z3 * z4;
+    const double z6 = I3 - z3 * z5;
+    const double z7 = theta_dot * s_theta;
+    const double z8 = z7 * k1;
+    const double z9 = 1.0 / z6;
+    const double z10 = I3 * (phi_dot * theta_dot);
+    const double z11 = phi_dot * c_theta * k1;
+    const double z12 = psi_dot * I3;
+    const double z13 = 2.0 * z11 - z12;
+    const double z14 = z7 * z13;
+    const double z15 = z9 * (s_theta * z10 + z14 * z5);
+    const double z16 = z14 * z4 + z5 * z15;
+    const double z17 = s_theta * (2.0 * (phi_dot * z8) + I3 * z15) - c_theta * (theta_dot * z13 - 2.0 * (k1 *
+        (s_theta * z16)));
+    const double z18 = I3 * s_theta;
+    const double z19 = z9 * (c_theta * z10 - z18 * z16 - z5 * z17);
+    const double z20 = c_theta * z8;
+    const double z21 = z9 * (theta_dot * z18 + 2.0 * (z5 * z20));
+    const double z22 = s_theta * z13;
+    const double z23 = z9 * (phi_dot * z18 + z5 * z22);
+    const double z24 = I3 * z7;
+    const double z25 = z24 * (z5 * z9);
+    const double z26 = z11 - z12;
+    const double z27 = phi_dot * s_theta;
+    const double z28 = z27 * k1;
+    /* (II.3) */
+    J[3] = 1.0;
+    J[10] = 1.0;
+    J[17] = 1.0;
+    J[19] = z4 * z17 - z5 * z19;
+    J[21] = -(2.0 * (z4 * z20) + z5 * z21);
+    J[22] = -(z4 * z22 + z5 * z23);
+    J[23] = z4 * z24 + z5 * z25;
+    J[25] = k2 * (c_theta * (mgl + phi_dot * z26) - z27 * z28);
+    J[27] = k2 * (s_theta * z26 + c_theta * z28);
+    J[29] = -z27 * k3;
+    J[31] = z19;
+    J[33] = z21;
+    J[34] = z23;
+    J[35] = -z25;
     /* the mass matrix is singular */
     if (!(fabs(z2) > 0.0)) {
         return HEAVY_TOP_SINGULAR_2;
@@ -268,75 +451,10 @@ int heavy_top_jacobian(double t, const double *y, const double *p, double *J)
     if (!(fabs(I1) > 0.0)) {
         return HEAVY_TOP_SINGULAR_2;
     }
-    const double c_theta = cos(theta);
-    const double z3 = I3 * c_theta;
-    const double z4 = 1.0 / z2;
-    const double z5 = z3 * z4;
-    const double z6 = I3 - z3 * z5;
     /* the mass matrix is singular */
     if (!(fabs(z6) > 1e-14 * I3)) {
         return HEAVY_TOP_SINGULAR_2;
     }
-    const double z7 = phi_dot * c_theta;
-    const double z8 = psi_dot * I3;
-    const double z9 = z7 * k1 - z8;
-    const double z10 = theta_dot * s_theta;
-    const double z11 = z10 * z9;
-    const double z12 = 1.0 / z6;
-    const double z13 = I3 * (phi_dot * theta_dot);
-    const double z14 = z12 * (s_theta * z13 + z11 * z5);
-    const double z15 = z11 * z4 + z5 * z14;
-    const double z16 = z10 * k1;
-    const double z17 = c_theta * (theta_dot * z9 - 2.0 * (s_theta * (k2 * z15))) - s_theta * (phi_dot * z16 +
-        I3 * z14);
-    const double z18 = z12 * (c_theta * z13 - s_theta * (I3 * z15) + z5 * z17);
-    const double z19 = c_theta * z16;
-    const double z20 = I3 * s_theta;
-    const double z21 = z12 * (theta_dot * z20 + z5 * z19);
-    const double z22 = s_theta * z9;
-    const double z23 = z12 * (phi_dot * z20 + z5 * z22);
-    const double z24 = I3 * z10;
-    const double z25 = z12 * (z5 * z24);
-    const double z26 = z8 - z7 * k2;
-    const double z27 = phi_dot * s_theta;
-    const double z28 = z27 * k2;
-    /* (II.3) */
-    J[0] = 0.0;
-    J[1] = 0.0;
-    J[2] = 0.0;
-    J[3] = 1.0;
-    J[4] = 0.0;
-    J[5] = 0.0;
-    J[6] = 0.0;
-    J[7] = 0.0;
-    J[8] = 0.0;
-    J[9] = 0.0;
-    J[10] = 1.0;
-    J[11] = 0.0;
-    J[12] = 0.0;
-    J[13] = 0.0;
-    J[14] = 0.0;
-    J[15] = 0.0;
-    J[16] = 0.0;
-    J[17] = 1.0;
-    J[18] = 0.0;
-    J[19] = -(z4 * z17 + z5 * z18);
-    J[20] = 0.0;
-    J[21] = -(z4 * z19 + z5 * z21);
-    J[22] = -(z4 * z22 + z5 * z23);
-    J[23] = z4 * z24 + z5 * z25;
-    J[24] = 0.0;
-    J[25] = k3 * (c_theta * (mgl - phi_dot * z26) - s_theta * (phi_dot * z28));
-    J[26] = 0.0;
-    J[27] = -k3 * (s_theta * z26 - c_theta * z28);
-    J[28] = 0.0;
-    J[29] = -k3 * (I3 * z27);
-    J[30] = 0.0;
-    J[31] = z18;
-    J[32] = 0.0;
-    J[33] = z21;
-    J[34] = z23;
-    J[35] = -z25;
     return heavy_top_finish(36, J);
 }
 
@@ -344,14 +462,16 @@ int heavy_top_outputs(double t, const double *y, const double *p, double *out)
 {
     (void)t;
     const double theta = y[1]; /* nutation [rad] */
+
+    /* sines and cosines */
+    const double s_theta = sin(theta);
+    const double c_theta = cos(theta);
     const double phi_dot = y[3];
     const double psi_dot = y[5];
     const double I1 = p[0]; /* across the axis, at the fixed point [kg*m^2] */
     const double I3 = p[1]; /* about the axis [kg*m^2] */
 
     /* state */
-    const double s_theta = sin(theta);
-    const double c_theta = cos(theta);
     const double z1 = I3 * (psi_dot + phi_dot * c_theta);
     /* 19:10 */
     out[0] = phi_dot * (I1 * (s_theta * s_theta)) + c_theta * z1; /* p_phi */
@@ -360,69 +480,107 @@ int heavy_top_outputs(double t, const double *y, const double *p, double *out)
     return heavy_top_finish(2, out);
 }
 
+#if HEAVY_TOP_LANES >= 2
+static __attribute__((noinline)) void heavy_top_rhs_lanes(const double *fixed, size_t stride, const double
+    *t, const double *y, double *restrict dydt, double *check)
+{
+    (void)t;
+    heavy_top_lanes far = {0}; /* the squares of the angles */
+    heavy_top_lanes sum = {0}; /* an infinity or a NaN among the results stays in it */
+    heavy_top_bits bad = {0}; /* singular blocks */
+    const double I1 = fixed[0];
+    const double I3 = fixed[1];
+    const double mgl = fixed[2];
+    const double k1 = fixed[3];
+    const double k2 = fixed[4];
+    const heavy_top_lanes theta = heavy_top_get(y + 1 * stride);
+    const heavy_top_lanes phi_dot = heavy_top_get(y + 3 * stride);
+    const heavy_top_lanes theta_dot = heavy_top_get(y + 4 * stride);
+    const heavy_top_lanes psi_dot = heavy_top_get(y + 5 * stride);
+    heavy_top_lanes sine1, cosine1;
+    heavy_top_turn_lanes(HEAVY_TOP_SPREAD(theta), &far, &sine1, &cosine1);
+    const heavy_top_lanes s_theta = sine1;
+    const heavy_top_lanes z1 = s_theta * s_theta;
+    const heavy_top_lanes z2 = I1 * z1 + I3 * (1.0 - z1);
+    /* the mass matrix is singular */
+    bad |= heavy_top_misses(heavy_top_size(HEAVY_TOP_SPREAD(z2)), HEAVY_TOP_SPREAD(0.0));
+    const heavy_top_lanes c_theta = cosine1;
+    const heavy_top_lanes z3 = I3 * c_theta;
+    const heavy_top_lanes z4 = 1.0 / z2;
+    const heavy_top_lanes z5 = z3 * z4;
+    const heavy_top_lanes z6 = I3 - z3 * z5;
+    /* the mass matrix is singular */
+    bad |= heavy_top_misses(heavy_top_size(HEAVY_TOP_SPREAD(z6)), HEAVY_TOP_SPREAD(1e-14 * I3));
+    const heavy_top_lanes z7 = theta_dot * s_theta;
+    const heavy_top_lanes z8 = phi_dot * c_theta * k1;
+    const heavy_top_lanes z9 = psi_dot * I3;
+    const heavy_top_lanes z10 = z7 * (2.0 * z8 - z9);
+    const heavy_top_lanes z11 = (I3 * (phi_dot * z7) + z10 * z5) / z6;
+    /* (II.3) */
+    const heavy_top_lanes slope1 = phi_dot;
+    sum += slope1;
+    heavy_top_put(dydt, slope1);
+    const heavy_top_lanes slope2 = theta_dot;
+    sum += slope2;
+    heavy_top_put(dydt + 1 * stride, slope2);
+    const heavy_top_lanes slope3 = psi_dot;
+    sum += slope3;
+    heavy_top_put(dydt + 2 * stride, slope3);
+    /* (II.3) 16:4 */
+    const heavy_top_lanes slope4 = -(z10 * z4 + z5 * z11);
+    sum += slope4;
+    heavy_top_put(dydt + 3 * stride, slope4);
+    const heavy_top_lanes slope5 = s_theta * (mgl + phi_dot * (z8 - z9)) * k2;
+    sum += slope5;
+    heavy_top_put(dydt + 4 * stride, slope5);
+    const heavy_top_lanes slope6 = z11;
+    sum += slope6;
+    heavy_top_put(dydt + 5 * stride, slope6);
+    heavy_top_put(check, heavy_top_mark(far + (sum - sum), bad));
+}
+
+static __attribute__((noinline)) void heavy_top_rhs_tail(const double *fixed, size_t left, size_t count,
+    const double *t, const double *y, double *restrict dydt, double *check)
+{
+    double time[HEAVY_TOP_LANES];
+    double state[6 * HEAVY_TOP_LANES];
+    double slope[6 * HEAVY_TOP_LANES];
+    heavy_top_fill(left, count, t, y, time, state);
+    heavy_top_rhs_lanes(fixed, HEAVY_TOP_LANES, time, state, slope, check);
+    heavy_top_pour(left, count, slope, dydt);
+}
+#endif
+
 int heavy_top_rhs_batch(size_t count, const double *t, const double *y, const double *p, double *restrict
     dydt)
 {
+#if HEAVY_TOP_LANES >= 2
     const double I1 = p[0]; /* across the axis, at the fixed point [kg*m^2] */
     const double I3 = p[1]; /* about the axis [kg*m^2] */
     const double mgl = p[2]; /* weight times the distance of the centre of mass [N*m] */
-    const double k1 = 2.0 * I1 - 2.0 * I3;
-    const double k2 = I1 - I3;
-    const double k3 = 1.0 / I1;
+    const double k1 = I1 - I3;
+    const double k2 = 1.0 / I1;
     /* the mass matrix is singular */
     if (!(fabs(I1) > 0.0)) {
         return HEAVY_TOP_SINGULAR_2;
     }
-    int singular1 = 0;
-    int bad = 0;
-    (void)t;
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC ivdep
+    const double fixed[] = {I1, I3, mgl, k1, k2};
+    double check[1 * HEAVY_TOP_LANES];
+    int status = HEAVY_TOP_OK;
+    for (size_t i = 0; i < count; i += HEAVY_TOP_LANES) {
+        const size_t left = count - i < HEAVY_TOP_LANES ? count - i : HEAVY_TOP_LANES;
+        if (left == HEAVY_TOP_LANES) {
+            heavy_top_rhs_lanes(fixed, count, t + i, y + i, dydt + i, check);
+        } else {
+            heavy_top_rhs_tail(fixed, left, count, t + i, y + i, dydt + i, check);
+        }
+        if (!heavy_top_is_good(1 * HEAVY_TOP_LANES, check)) {
+            const int one = heavy_top_one_by_one(count, i, left, t, y, p, dydt);
+            status = status == HEAVY_TOP_OK ? one : status;
+        }
+    }
+    return status;
+#else
+    return heavy_top_one_by_one(count, 0, count, t, y, p, dydt);
 #endif
-    for (size_t i = 0; i < count; ++i) {
-        const double theta = y[count + i]; /* nutation [rad] */
-        const double phi_dot = y[3 * count + i];
-        const double theta_dot = y[4 * count + i];
-        const double psi_dot = y[5 * count + i];
-        const double s_theta = sin(theta);
-        const double z1 = s_theta * s_theta;
-        const double z2 = I1 * z1 + I3 * (1.0 - z1);
-        /* the mass matrix is singular */
-        singular1 |= !(fabs(z2) > 0.0);
-        const double c_theta = cos(theta);
-        const double z3 = I3 * c_theta;
-        const double z4 = 1.0 / z2;
-        const double z5 = z3 * z4;
-        const double z6 = I3 - z3 * z5;
-        /* the mass matrix is singular */
-        singular1 |= !(fabs(z6) > 1e-14 * I3);
-        const double z7 = phi_dot * c_theta;
-        const double z8 = psi_dot * I3;
-        const double z9 = theta_dot * s_theta * (z7 * k1 - z8);
-        const double z10 = (s_theta * (I3 * (phi_dot * theta_dot)) + z9 * z5) / z6;
-        /* (II.3) */
-        const double slope1 = phi_dot; /* phi' */
-        dydt[i] = slope1;
-        bad |= !(fabs(slope1) <= DBL_MAX);
-        const double slope2 = theta_dot; /* theta' */
-        dydt[count + i] = slope2;
-        bad |= !(fabs(slope2) <= DBL_MAX);
-        const double slope3 = psi_dot; /* psi' */
-        dydt[2 * count + i] = slope3;
-        bad |= !(fabs(slope3) <= DBL_MAX);
-        /* (II.3) 16:4 */
-        const double slope4 = -(z9 * z4 + z5 * z10); /* phi'' */
-        dydt[3 * count + i] = slope4;
-        bad |= !(fabs(slope4) <= DBL_MAX);
-        const double slope5 = s_theta * (mgl - phi_dot * (z8 - z7 * k2)) * k3; /* theta'' */
-        dydt[4 * count + i] = slope5;
-        bad |= !(fabs(slope5) <= DBL_MAX);
-        const double slope6 = z10; /* psi'' */
-        dydt[5 * count + i] = slope6;
-        bad |= !(fabs(slope6) <= DBL_MAX);
-    }
-    if (singular1) {
-        return HEAVY_TOP_SINGULAR_2;
-    }
-    return bad ? HEAVY_TOP_NOT_FINITE : HEAVY_TOP_OK;
 }

@@ -1,4 +1,4 @@
-"""heavy_top, emitted by nhc 0.1.0 (nhc:0f4c1c2f5dd319da).
+"""heavy_top, emitted by nhc 0.1.0 (nhc:003655e6ebcbb888).
 
 The symmetric top with a fixed point (Lagrange's top).
 Source: heavy_top.yaml
@@ -23,14 +23,14 @@ out[0] = p_phi
 out[1] = p_psi
 
 Operations:
-rhs: 10 +-, 23 *, 3 /, 2 calls
+rhs: 9 +-, 20 *, 3 /, 2 calls
 velocities: 0 +-, 0 *, 0 /, 0 calls
-accelerations: 10 +-, 23 *, 3 /, 2 calls
+accelerations: 9 +-, 20 *, 3 /, 2 calls
 state: 0 +-, 0 *, 0 /, 0 calls
 residuals: 0 +-, 0 *, 0 /, 0 calls
 reactions: 3 +-, 5 *, 1 /, 2 calls
-energy: 4 +-, 11 *, 0 /, 2 calls
-jacobian: 23 +-, 67 *, 3 /, 2 calls
+energy: 4 +-, 10 *, 0 /, 2 calls
+jacobian: 22 +-, 66 *, 3 /, 2 calls
 outputs: 2 +-, 6 *, 0 /, 2 calls
 
 A singular point raises SingularModelError.
@@ -92,9 +92,8 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     mgl = float(p[2])  # weight times the distance of the centre of mass [N*m]
     try:
         # parameters only
-        k1 = 2.0 * I1 - 2.0 * I3
-        k2 = I1 - I3
-        k3 = 1.0 / I1
+        k1 = I1 - I3
+        k2 = 1.0 / I1
         # state
         s_theta = math.sin(theta)
         z1 = s_theta * s_theta
@@ -113,10 +112,11 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         # the mass matrix is singular
         if not abs(z6) > 1e-14 * I3:
             raise SingularModelError(2, "rhs")
-        z7 = phi_dot * c_theta
-        z8 = psi_dot * I3
-        z9 = theta_dot * s_theta * (z7 * k1 - z8)
-        z10 = (s_theta * (I3 * (phi_dot * theta_dot)) + z9 * z5) / z6
+        z7 = theta_dot * s_theta
+        z8 = phi_dot * c_theta * k1
+        z9 = psi_dot * I3
+        z10 = z7 * (2.0 * z8 - z9)
+        z11 = (I3 * (phi_dot * z7) + z10 * z5) / z6
         dydt: list[float] = [
             # phi' (II.3)
             phi_dot,
@@ -125,11 +125,11 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
             # psi' (II.3)
             psi_dot,
             # phi'' (II.3) 16:4
-            -(z9 * z4 + z5 * z10),
+            -(z10 * z4 + z5 * z11),
             # theta'' (II.3) 16:4
-            s_theta * (mgl - phi_dot * (z8 - z7 * k2)) * k3,
+            s_theta * (mgl + phi_dot * (z8 - z9)) * k2,
             # psi'' (II.3) 16:4
-            z10,
+            z11,
         ]
         return _finish("rhs", dydt)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -183,9 +183,8 @@ def accelerations(
     mgl = float(p[2])  # weight times the distance of the centre of mass [N*m]
     try:
         # parameters only
-        k1 = 2.0 * I1 - 2.0 * I3
-        k2 = I1 - I3
-        k3 = 1.0 / I1
+        k1 = I1 - I3
+        k2 = 1.0 / I1
         # state
         s_theta = math.sin(theta)
         z1 = s_theta * s_theta
@@ -204,17 +203,18 @@ def accelerations(
         # the mass matrix is singular
         if not abs(z6) > 1e-14 * I3:
             raise SingularModelError(2, "accelerations")
-        z7 = phi_dot * c_theta
-        z8 = psi_dot * I3
-        z9 = theta_dot * s_theta * (z7 * k1 - z8)
-        z10 = (s_theta * (I3 * (phi_dot * theta_dot)) + z9 * z5) / z6
+        z7 = theta_dot * s_theta
+        z8 = phi_dot * c_theta * k1
+        z9 = psi_dot * I3
+        z10 = z7 * (2.0 * z8 - z9)
+        z11 = (I3 * (phi_dot * z7) + z10 * z5) / z6
         qddot: list[float] = [
             # phi'' (II.3)
-            -(z9 * z4 + z5 * z10),
+            -(z10 * z4 + z5 * z11),
             # theta'' (II.3)
-            s_theta * (mgl - phi_dot * (z8 - z7 * k2)) * k3,
+            s_theta * (mgl + phi_dot * (z8 - z9)) * k2,
             # psi'' (II.3)
-            z10,
+            z11,
         ]
         return _finish("accelerations", qddot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -320,9 +320,9 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
         c_theta = math.cos(theta)
         omega3 = psi_dot + phi_dot * c_theta
         s1 = s_theta * s_theta * (phi_dot * phi_dot)
-        s2 = 0.5 * (I1 * (theta_dot * theta_dot + s1))
-        z1 = s2 + 0.5 * (I3 * (omega3 * omega3))
-        value1 = z1 + mgl * c_theta
+        s2 = I1 * (theta_dot * theta_dot + s1) + I3 * (omega3 * omega3)
+        z1 = 0.5 * s2 + mgl * c_theta
+        value1 = z1
         return _single("energy", value1)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
         raise SingularModelError(NOT_FINITE, "energy") from error
@@ -347,9 +347,9 @@ def jacobian(
     mgl = float(p[2])  # weight times the distance of the centre of mass [N*m]
     try:
         # parameters only
-        k1 = 2.0 * I1 - 2.0 * I3
-        k2 = I1 - I3
-        k3 = 1.0 / I1
+        k1 = I1 - I3
+        k2 = 1.0 / I1
+        k3 = I3 * k2
         # state
         s_theta = math.sin(theta)
         z1 = s_theta * s_theta
@@ -368,96 +368,73 @@ def jacobian(
         # the mass matrix is singular
         if not abs(z6) > 1e-14 * I3:
             raise SingularModelError(2, "jacobian")
-        z7 = phi_dot * c_theta
-        z8 = psi_dot * I3
-        z9 = z7 * k1 - z8
-        z10 = theta_dot * s_theta
-        z11 = z10 * z9
-        z12 = 1.0 / z6
-        z13 = I3 * (phi_dot * theta_dot)
-        z14 = z12 * (s_theta * z13 + z11 * z5)
-        z15 = z11 * z4 + z5 * z14
-        z16 = z10 * k1
-        s1 = c_theta * (theta_dot * z9 - 2.0 * (s_theta * (k2 * z15)))
-        z17 = s1 - s_theta * (phi_dot * z16 + I3 * z14)
-        z18 = z12 * (c_theta * z13 - s_theta * (I3 * z15) + z5 * z17)
-        z19 = c_theta * z16
-        z20 = I3 * s_theta
-        z21 = z12 * (theta_dot * z20 + z5 * z19)
-        z22 = s_theta * z9
-        z23 = z12 * (phi_dot * z20 + z5 * z22)
-        z24 = I3 * z10
-        z25 = z12 * (z5 * z24)
-        z26 = z8 - z7 * k2
+        z7 = theta_dot * s_theta
+        z8 = z7 * k1
+        z9 = 1.0 / z6
+        z10 = I3 * (phi_dot * theta_dot)
+        z11 = phi_dot * c_theta * k1
+        z12 = psi_dot * I3
+        z13 = 2.0 * z11 - z12
+        z14 = z7 * z13
+        z15 = z9 * (s_theta * z10 + z14 * z5)
+        z16 = z14 * z4 + z5 * z15
+        s1 = c_theta * (theta_dot * z13 - 2.0 * (k1 * (s_theta * z16)))
+        z17 = s_theta * (2.0 * (phi_dot * z8) + I3 * z15) - s1
+        z18 = I3 * s_theta
+        z19 = z9 * (c_theta * z10 - z18 * z16 - z5 * z17)
+        z20 = c_theta * z8
+        z21 = z9 * (theta_dot * z18 + 2.0 * (z5 * z20))
+        z22 = s_theta * z13
+        z23 = z9 * (phi_dot * z18 + z5 * z22)
+        z24 = I3 * z7
+        z25 = z24 * (z5 * z9)
+        z26 = z11 - z12
         z27 = phi_dot * s_theta
-        z28 = z27 * k2
-        s2 = c_theta * (mgl - phi_dot * z26) - s_theta * (phi_dot * z28)
+        z28 = z27 * k1
         J: list[float] = [
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
             # (II.3)
             1.0,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
             # (II.3)
             1.0,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
             # (II.3)
             1.0,
-            # (II.3)
             0.0,
             # (II.3)
-            -(z4 * z17 + z5 * z18),
-            # (II.3)
+            z4 * z17 - z5 * z19,
             0.0,
             # (II.3)
-            -(z4 * z19 + z5 * z21),
+            -(2.0 * (z4 * z20) + z5 * z21),
             # (II.3)
             -(z4 * z22 + z5 * z23),
             # (II.3)
             z4 * z24 + z5 * z25,
-            # (II.3)
             0.0,
             # (II.3)
-            k3 * s2,
-            # (II.3)
+            k2 * (c_theta * (mgl + phi_dot * z26) - z27 * z28),
             0.0,
             # (II.3)
-            -k3 * (s_theta * z26 - c_theta * z28),
-            # (II.3)
+            k2 * (s_theta * z26 + c_theta * z28),
             0.0,
             # (II.3)
-            -k3 * (I3 * z27),
-            # (II.3)
+            -z27 * k3,
             0.0,
             # (II.3)
-            z18,
-            # (II.3)
+            z19,
             0.0,
             # (II.3)
             z21,

@@ -1,5 +1,5 @@
 /*
- * holonomic_pendulum.c: holonomic_pendulum, emitted by nhc 0.1.0 (nhc:44ca4a20bc7381e8)
+ * holonomic_pendulum.c: holonomic_pendulum, emitted by nhc 0.1.0 (nhc:1de89235ed90c746)
  * The plane pendulum in Cartesian coordinates with the rod as a constraint on the positions.
  * Source: holonomic_pendulum.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -11,6 +11,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <string.h>
 
 const char *const holonomic_pendulum_coordinate_names[] = {
     "x",
@@ -41,6 +42,116 @@ static int holonomic_pendulum_finish(int count, const double *values)
     return fabs(sum) <= DBL_MAX ? HOLONOMIC_PENDULUM_OK : HOLONOMIC_PENDULUM_NOT_FINITE;
 }
 
+/* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
+#ifndef HOLONOMIC_PENDULUM_LANES
+#if !defined(__GNUC__)
+#define HOLONOMIC_PENDULUM_LANES 1
+#elif defined(__AVX512F__)
+#define HOLONOMIC_PENDULUM_LANES 8
+#elif defined(__AVX__)
+#define HOLONOMIC_PENDULUM_LANES 4
+#else
+#define HOLONOMIC_PENDULUM_LANES 2
+#endif
+#endif
+#if HOLONOMIC_PENDULUM_LANES > 1
+typedef double holonomic_pendulum_lanes __attribute__((vector_size(8 * HOLONOMIC_PENDULUM_LANES)));
+#else
+typedef double holonomic_pendulum_lanes;
+#endif
+
+#if HOLONOMIC_PENDULUM_LANES >= 2
+static inline holonomic_pendulum_lanes holonomic_pendulum_get(const double *from)
+{
+    holonomic_pendulum_lanes value;
+    memcpy(&value, from, sizeof value);
+    return value;
+}
+
+static inline void holonomic_pendulum_put(double *to, holonomic_pendulum_lanes value)
+{
+    memcpy(to, &value, sizeof value);
+}
+#endif
+
+/* states first, first + 1, ... through rhs, one by one; the first status that is not OK */
+#if defined(__GNUC__)
+__attribute__((noinline))
+#endif
+static int holonomic_pendulum_one_by_one(size_t count, size_t first, size_t number, const double *t, const double *y, const double *p, double *dydt)
+{
+    int status = HOLONOMIC_PENDULUM_OK;
+    for (size_t i = first; i < first + number; ++i) {
+        double state[HOLONOMIC_PENDULUM_NY];
+        double slope[HOLONOMIC_PENDULUM_NY];
+        for (size_t k = 0; k < HOLONOMIC_PENDULUM_NY; ++k) {
+            state[k] = y[k * count + i];
+            slope[k] = NAN;
+        }
+        const int one = holonomic_pendulum_rhs(t[i], state, p, slope);
+        status = status == HOLONOMIC_PENDULUM_OK ? one : status;
+        for (size_t k = 0; k < HOLONOMIC_PENDULUM_NY; ++k) {
+            dydt[k * count + i] = slope[k];
+        }
+    }
+    return status;
+}
+
+#if HOLONOMIC_PENDULUM_LANES >= 2
+#define HOLONOMIC_PENDULUM_SPREAD(x) ((x) - (holonomic_pendulum_lanes){0}) /* a number in each lane; lanes stay what they are */
+
+typedef unsigned long long holonomic_pendulum_bits __attribute__((vector_size(8 * HOLONOMIC_PENDULUM_LANES)));
+
+/* all bits where value is not above bound, or is no number */
+static inline holonomic_pendulum_bits holonomic_pendulum_misses(holonomic_pendulum_lanes value, holonomic_pendulum_lanes bound)
+{
+    return ~(holonomic_pendulum_bits)(value > bound);
+}
+
+/* no number where a bit is set */
+static inline holonomic_pendulum_lanes holonomic_pendulum_mark(holonomic_pendulum_lanes value, holonomic_pendulum_bits bad)
+{
+    return (holonomic_pendulum_lanes)((holonomic_pendulum_bits)value | bad);
+}
+
+static inline holonomic_pendulum_lanes holonomic_pendulum_size(holonomic_pendulum_lanes x)
+{
+    return (holonomic_pendulum_lanes)((holonomic_pendulum_bits)x & 0x7fffffffffffffffULL);
+}
+/* whether none of the states must be asked again: no singular block, no infinity, no angle anywhere near 1e5 */
+static inline int holonomic_pendulum_is_good(int count, const double *check)
+{
+    double even = 0.0;
+    double odd = 0.0;
+    for (int k = 0; k < count; k += 2) {
+        even += check[k];
+        odd += check[k + 1];
+    }
+    return even + odd <= 1e10;
+}
+
+/* the last states, fewer than there are lanes; the others repeat the last one */
+static inline void holonomic_pendulum_fill(size_t left, size_t count, const double *t, const double *y, double *time, double *state)
+{
+    for (size_t l = 0; l < HOLONOMIC_PENDULUM_LANES; ++l) {
+        const size_t i = l < left ? l : left - 1;
+        time[l] = t[i];
+        for (size_t k = 0; k < HOLONOMIC_PENDULUM_NY; ++k) {
+            state[k * HOLONOMIC_PENDULUM_LANES + l] = y[k * count + i];
+        }
+    }
+}
+
+static inline void holonomic_pendulum_pour(size_t left, size_t count, const double *slope, double *dydt)
+{
+    for (size_t k = 0; k < HOLONOMIC_PENDULUM_NY; ++k) {
+        for (size_t l = 0; l < left; ++l) {
+            dydt[k * count + l] = slope[k * HOLONOMIC_PENDULUM_LANES + l];
+        }
+    }
+}
+#endif
+
 int holonomic_pendulum_rhs(double t, const double *y, const double *p, double *dydt)
 {
     (void)t;
@@ -53,20 +164,21 @@ int holonomic_pendulum_rhs(double t, const double *y, const double *p, double *d
     /* state */
     const double z1 = x * x + y_2 * y_2;
     const double z2 = fabs(y_2) + fabs(x);
+    const double z3 = 1.0 / z1;
+    const double z4 = v * z3;
+    /* (I.2.15) */
+    dydt[0] = y_2 * z4; /* x' */
+    dydt[1] = -x * z4; /* y' */
+    /* (I.2.15) 13:4 */
+    dydt[2] = x * g; /* v' */
     /* the coframe is singular */
     if (!(fabs(z1) > 1e-12 * (z2 * z2))) {
         return HOLONOMIC_PENDULUM_SINGULAR_1;
     }
-    const double z3 = 1.0 / z1;
     /* the mass matrix is singular */
     if (!(fabs(m * z3) > 0.0)) {
         return HOLONOMIC_PENDULUM_SINGULAR_2;
     }
-    /* (I.2.15) */
-    dydt[0] = y_2 * v * z3; /* x' */
-    dydt[1] = -z3 * (x * v); /* y' */
-    /* (I.2.15) 13:4 */
-    dydt[2] = x * g; /* v' */
     return holonomic_pendulum_finish(3, dydt);
 }
 
@@ -81,14 +193,14 @@ int holonomic_pendulum_velocities(double t, const double *y, const double *p, do
     /* state */
     const double z1 = x * x + y_2 * y_2;
     const double z2 = fabs(y_2) + fabs(x);
+    const double z3 = v / z1;
+    /* (I.2.4) */
+    qdot[0] = y_2 * z3; /* x' */
+    qdot[1] = -x * z3; /* y' */
     /* the coframe is singular */
     if (!(fabs(z1) > 1e-12 * (z2 * z2))) {
         return HOLONOMIC_PENDULUM_SINGULAR_1;
     }
-    const double z3 = 1.0 / z1;
-    /* (I.2.4) */
-    qdot[0] = y_2 * v * z3; /* x' */
-    qdot[1] = -z3 * (x * v); /* y' */
     return holonomic_pendulum_finish(2, qdot);
 }
 
@@ -105,19 +217,19 @@ int holonomic_pendulum_accelerations(double t, const double *y, const double *p,
     const double z1 = x * x;
     const double z2 = z1 + y_2 * y_2;
     const double z3 = fabs(y_2) + fabs(x);
+    const double z4 = 1.0 / z2;
+    const double z5 = z4 * (v * v);
+    /* (I.2.15) */
+    qddot[0] = x * z4 * (y_2 * g - z5); /* x'' */
+    qddot[1] = -z4 * (g * z1 + y_2 * z5); /* y'' */
     /* the coframe is singular */
     if (!(fabs(z2) > 1e-12 * (z3 * z3))) {
         return HOLONOMIC_PENDULUM_SINGULAR_1;
     }
-    const double z4 = 1.0 / z2;
     /* the mass matrix is singular */
     if (!(fabs(m * z4) > 0.0)) {
         return HOLONOMIC_PENDULUM_SINGULAR_2;
     }
-    const double z5 = v * v;
-    /* (I.2.15) */
-    qddot[0] = x * z4 * (y_2 * g - z4 * z5); /* x'' */
-    qddot[1] = -z4 * (g * z1 + z4 * (y_2 * z5)); /* y'' */
     return holonomic_pendulum_finish(2, qddot);
 }
 
@@ -148,7 +260,7 @@ int holonomic_pendulum_residuals(double t, const double *q, const double *qdot, 
 
     /* state */
     /* (I.1.1) 16:5 */
-    r[0] = 0.5 * (2.0 * (x * x_dot) + 2.0 * (y * y_dot)); /* rod = 0 */
+    r[0] = x * x_dot + y * y_dot; /* rod = 0 */
     return holonomic_pendulum_finish(1, r);
 }
 
@@ -181,20 +293,18 @@ int holonomic_pendulum_reactions(double t, const double *y, const double *p, dou
     const double z1 = x * x;
     const double z2 = z1 + y_2 * y_2;
     const double z3 = fabs(y_2) + fabs(x);
+    const double z4 = m / z2;
+    const double z5 = v * v / (z2 * z2);
+    /* (I.4.1) 16:5 */
+    lambda[0] = z4 * (y_2 * (g - y_2 * z5) - z1 * z5); /* reaction of rod: Q_i gains lambda_1 a_1i */
     /* the coframe is singular */
     if (!(fabs(z2) > 1e-12 * (z3 * z3))) {
         return HOLONOMIC_PENDULUM_SINGULAR_1;
     }
-    const double z4 = m / z2;
     /* the mass matrix is singular */
     if (!(fabs(z4) > 0.0)) {
         return HOLONOMIC_PENDULUM_SINGULAR_2;
     }
-    const double z5 = 1.0 / (z2 * z2);
-    const double z6 = v * v;
-    /* (I.4.1) 16:5 */
-    /* reaction of rod: Q_i gains lambda_1 a_1i */
-    lambda[0] = z4 * (y_2 * (g - z5 * (y_2 * z6)) - z5 * (z1 * z6));
     return holonomic_pendulum_finish(1, lambda);
 }
 
@@ -210,13 +320,14 @@ double holonomic_pendulum_energy(double t, const double *y, const double *p)
     /* state */
     const double z1 = x * x;
     const double z2 = z1 + y_2 * y_2;
-    const double z3 = 1.0 / (z2 * z2);
-    const double z4 = v * v;
-    return m * (0.5 * (z3 * (z1 * z4)) + y_2 * (g + 0.5 * (z3 * (y_2 * z4))));
+    const double z3 = v * v / (z2 * z2);
+    return m * (0.5 * (z1 * z3) + y_2 * (g + 0.5 * (y_2 * z3)));
 }
 
 int holonomic_pendulum_jacobian(double t, const double *y, const double *p, double *J)
 {
+    J[7] = 0.0;
+    J[8] = 0.0;
     (void)t;
     const double x = y[0]; /* across [m] */
     const double y_2 = y[1]; /* up [m] */
@@ -227,29 +338,29 @@ int holonomic_pendulum_jacobian(double t, const double *y, const double *p, doub
     /* state */
     const double z1 = x * x + y_2 * y_2;
     const double z2 = fabs(y_2) + fabs(x);
+    const double z3 = 1.0 / z1;
+    const double z4 = y_2 * v;
+    const double z5 = 1.0 / (z1 * z1);
+    const double z6 = x * z5;
+    const double z7 = v * z3;
+    const double z8 = y_2 * z5;
+    const double z9 = x * v;
+    /* (I.2.15) */
+    J[0] = -2.0 * (z4 * z6);
+    J[1] = z7 - 2.0 * (z4 * z8);
+    J[2] = y_2 * z3;
+    J[3] = 2.0 * (z9 * z6) - z7;
+    J[4] = 2.0 * (z9 * z8);
+    J[5] = -x * z3;
+    J[6] = g;
     /* the coframe is singular */
     if (!(fabs(z1) > 1e-12 * (z2 * z2))) {
         return HOLONOMIC_PENDULUM_SINGULAR_1;
     }
-    const double z3 = 1.0 / z1;
     /* the mass matrix is singular */
     if (!(fabs(m * z3) > 0.0)) {
         return HOLONOMIC_PENDULUM_SINGULAR_2;
     }
-    const double z4 = 1.0 / (z1 * z1);
-    const double z5 = y_2 * v * z4;
-    const double z6 = v * z3;
-    const double z7 = x * v * z4;
-    /* (I.2.15) */
-    J[0] = -2.0 * (x * z5);
-    J[1] = z6 - 2.0 * (y_2 * z5);
-    J[2] = y_2 * z3;
-    J[3] = 2.0 * (x * z7) - z6;
-    J[4] = 2.0 * (y_2 * z7);
-    J[5] = -x * z3;
-    J[6] = g;
-    J[7] = 0.0;
-    J[8] = 0.0;
     return holonomic_pendulum_finish(9, J);
 }
 
@@ -270,46 +381,79 @@ int holonomic_pendulum_outputs(double t, const double *y, const double *p, doubl
     return HOLONOMIC_PENDULUM_OK;
 }
 
+#if HOLONOMIC_PENDULUM_LANES >= 2
+static __attribute__((noinline)) void holonomic_pendulum_rhs_lanes(const double *fixed, size_t stride, const
+    double *t, const double *y, double *restrict dydt, double *check)
+{
+    (void)t;
+    holonomic_pendulum_lanes far = {0}; /* the squares of the angles */
+    holonomic_pendulum_lanes sum = {0}; /* an infinity or a NaN among the results stays in it */
+    holonomic_pendulum_bits bad = {0}; /* singular blocks */
+    const double m = fixed[0];
+    const double g = fixed[1];
+    const holonomic_pendulum_lanes x = holonomic_pendulum_get(y);
+    const holonomic_pendulum_lanes y_2 = holonomic_pendulum_get(y + 1 * stride);
+    const holonomic_pendulum_lanes v = holonomic_pendulum_get(y + 2 * stride);
+    const holonomic_pendulum_lanes z1 = x * x + y_2 * y_2;
+    const holonomic_pendulum_lanes z2 = holonomic_pendulum_size(HOLONOMIC_PENDULUM_SPREAD(y_2)) +
+        holonomic_pendulum_size(HOLONOMIC_PENDULUM_SPREAD(x));
+    /* the coframe is singular */
+    bad |= holonomic_pendulum_misses(holonomic_pendulum_size(HOLONOMIC_PENDULUM_SPREAD(z1)), 1e-12 * (z2 *
+        z2));
+    const holonomic_pendulum_lanes z3 = 1.0 / z1;
+    /* the mass matrix is singular */
+    bad |= holonomic_pendulum_misses(holonomic_pendulum_size(HOLONOMIC_PENDULUM_SPREAD(m * z3)),
+        HOLONOMIC_PENDULUM_SPREAD(0.0));
+    const holonomic_pendulum_lanes z4 = v * z3;
+    /* (I.2.15) */
+    const holonomic_pendulum_lanes slope1 = y_2 * z4;
+    sum += slope1;
+    holonomic_pendulum_put(dydt, slope1);
+    const holonomic_pendulum_lanes slope2 = -x * z4;
+    sum += slope2;
+    holonomic_pendulum_put(dydt + 1 * stride, slope2);
+    /* (I.2.15) 13:4 */
+    const holonomic_pendulum_lanes slope3 = x * g;
+    sum += slope3;
+    holonomic_pendulum_put(dydt + 2 * stride, slope3);
+    holonomic_pendulum_put(check, holonomic_pendulum_mark(far + (sum - sum), bad));
+}
+
+static __attribute__((noinline)) void holonomic_pendulum_rhs_tail(const double *fixed, size_t left, size_t
+    count, const double *t, const double *y, double *restrict dydt, double *check)
+{
+    double time[HOLONOMIC_PENDULUM_LANES];
+    double state[3 * HOLONOMIC_PENDULUM_LANES];
+    double slope[3 * HOLONOMIC_PENDULUM_LANES];
+    holonomic_pendulum_fill(left, count, t, y, time, state);
+    holonomic_pendulum_rhs_lanes(fixed, HOLONOMIC_PENDULUM_LANES, time, state, slope, check);
+    holonomic_pendulum_pour(left, count, slope, dydt);
+}
+#endif
+
 int holonomic_pendulum_rhs_batch(size_t count, const double *t, const double *y, const double *p, double
     *restrict dydt)
 {
+#if HOLONOMIC_PENDULUM_LANES >= 2
     const double m = p[0]; /* mass of the bob [kg] */
     const double g = p[1]; /* acceleration of gravity [m/s^2] */
-    int singular1 = 0;
-    int singular2 = 0;
-    int bad = 0;
-    (void)t;
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC ivdep
+    const double fixed[] = {m, g};
+    double check[1 * HOLONOMIC_PENDULUM_LANES];
+    int status = HOLONOMIC_PENDULUM_OK;
+    for (size_t i = 0; i < count; i += HOLONOMIC_PENDULUM_LANES) {
+        const size_t left = count - i < HOLONOMIC_PENDULUM_LANES ? count - i : HOLONOMIC_PENDULUM_LANES;
+        if (left == HOLONOMIC_PENDULUM_LANES) {
+            holonomic_pendulum_rhs_lanes(fixed, count, t + i, y + i, dydt + i, check);
+        } else {
+            holonomic_pendulum_rhs_tail(fixed, left, count, t + i, y + i, dydt + i, check);
+        }
+        if (!holonomic_pendulum_is_good(1 * HOLONOMIC_PENDULUM_LANES, check)) {
+            const int one = holonomic_pendulum_one_by_one(count, i, left, t, y, p, dydt);
+            status = status == HOLONOMIC_PENDULUM_OK ? one : status;
+        }
+    }
+    return status;
+#else
+    return holonomic_pendulum_one_by_one(count, 0, count, t, y, p, dydt);
 #endif
-    for (size_t i = 0; i < count; ++i) {
-        const double x = y[i]; /* across [m] */
-        const double y_2 = y[count + i]; /* up [m] */
-        const double v = y[2 * count + i];
-        const double z1 = x * x + y_2 * y_2;
-        const double z2 = fabs(y_2) + fabs(x);
-        /* the coframe is singular */
-        singular1 |= !(fabs(z1) > 1e-12 * (z2 * z2));
-        const double z3 = 1.0 / z1;
-        /* the mass matrix is singular */
-        singular2 |= !(fabs(m * z3) > 0.0);
-        /* (I.2.15) */
-        const double slope1 = y_2 * v * z3; /* x' */
-        dydt[i] = slope1;
-        bad |= !(fabs(slope1) <= DBL_MAX);
-        const double slope2 = -z3 * (x * v); /* y' */
-        dydt[count + i] = slope2;
-        bad |= !(fabs(slope2) <= DBL_MAX);
-        /* (I.2.15) 13:4 */
-        const double slope3 = x * g; /* v' */
-        dydt[2 * count + i] = slope3;
-        bad |= !(fabs(slope3) <= DBL_MAX);
-    }
-    if (singular1) {
-        return HOLONOMIC_PENDULUM_SINGULAR_1;
-    }
-    if (singular2) {
-        return HOLONOMIC_PENDULUM_SINGULAR_2;
-    }
-    return bad ? HOLONOMIC_PENDULUM_NOT_FINITE : HOLONOMIC_PENDULUM_OK;
 }

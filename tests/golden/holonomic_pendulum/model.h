@@ -1,5 +1,5 @@
 /*
- * holonomic_pendulum.h: holonomic_pendulum, emitted by nhc 0.1.0 (nhc:a9822f2ad68e75f1)
+ * holonomic_pendulum.h: holonomic_pendulum, emitted by nhc 0.1.0 (nhc:7b6b7762b2b498b2)
  * The plane pendulum in Cartesian coordinates with the rod as a constraint on the positions.
  * Source: holonomic_pendulum.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -20,14 +20,14 @@
  * 0: rod
  *
  * Operations:
- * rhs: 2 +-, 9 *, 1 /, 2 calls
- * velocities: 2 +-, 7 *, 1 /, 2 calls
- * accelerations: 4 +-, 13 *, 1 /, 2 calls
+ * rhs: 2 +-, 8 *, 1 /, 2 calls
+ * velocities: 2 +-, 5 *, 1 /, 2 calls
+ * accelerations: 4 +-, 12 *, 1 /, 2 calls
  * state: 1 +-, 2 *, 0 /, 0 calls
- * residuals: 1 +-, 5 *, 0 /, 0 calls
+ * residuals: 1 +-, 2 *, 0 /, 0 calls
  * positions: 2 +-, 4 *, 0 /, 0 calls
- * reactions: 4 +-, 11 *, 2 /, 2 calls
- * energy: 3 +-, 12 *, 1 /, 0 calls
+ * reactions: 4 +-, 9 *, 2 /, 2 calls
+ * energy: 3 +-, 10 *, 1 /, 0 calls
  * jacobian: 4 +-, 20 *, 2 /, 2 calls
  * outputs: 2 +-, 3 *, 0 /, 2 calls
  *

@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""holonomic_pendulum, emitted by nhc 0.1.0 (nhc:8dc084451d44598e).
+"""holonomic_pendulum, emitted by nhc 0.1.0 (nhc:4b7776d386f818c2).
 
 The plane pendulum in Cartesian coordinates with the rod as a constraint on the
     positions.
@@ -22,14 +22,14 @@ Constraints:
 0: rod
 
 Operations:
-rhs: 2 +-, 9 *, 1 /, 2 calls
-velocities: 2 +-, 7 *, 1 /, 2 calls
-accelerations: 4 +-, 13 *, 1 /, 2 calls
+rhs: 2 +-, 8 *, 1 /, 2 calls
+velocities: 2 +-, 5 *, 1 /, 2 calls
+accelerations: 4 +-, 12 *, 1 /, 2 calls
 state: 1 +-, 2 *, 0 /, 0 calls
-residuals: 1 +-, 5 *, 0 /, 0 calls
+residuals: 1 +-, 2 *, 0 /, 0 calls
 positions: 2 +-, 4 *, 0 /, 0 calls
-reactions: 4 +-, 11 *, 2 /, 2 calls
-energy: 3 +-, 12 *, 1 /, 0 calls
+reactions: 4 +-, 9 *, 2 /, 2 calls
+energy: 3 +-, 10 *, 1 /, 0 calls
 jacobian: 4 +-, 20 *, 2 /, 2 calls
 outputs: 2 +-, 3 *, 0 /, 2 calls
 
@@ -99,11 +99,12 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         # the mass matrix is singular
         if not abs(m * z3) > 0.0:
             raise SingularModelError(2, "rhs")
+        z4 = v * z3
         dydt: list[float] = [
             # x' (I.2.15)
-            y_2 * v * z3,
+            y_2 * z4,
             # y' (I.2.15)
-            -z3 * (x * v),
+            -x * z4,
             # v' (I.2.15) 13:4
             x * g,
         ]
@@ -132,12 +133,12 @@ def velocities(
         # the coframe is singular
         if not abs(z1) > 1e-12 * (z2 * z2):
             raise SingularModelError(1, "velocities")
-        z3 = 1.0 / z1
+        z3 = v / z1
         qdot: list[float] = [
             # x' (I.2.4)
-            y_2 * v * z3,
+            y_2 * z3,
             # y' (I.2.4)
-            -z3 * (x * v),
+            -x * z3,
         ]
         return _finish("velocities", qdot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -171,12 +172,12 @@ def accelerations(
         # the mass matrix is singular
         if not abs(m * z4) > 0.0:
             raise SingularModelError(2, "accelerations")
-        z5 = v * v
+        z5 = z4 * (v * v)
         qddot: list[float] = [
             # x'' (I.2.15)
-            x * z4 * (y_2 * g - z4 * z5),
+            x * z4 * (y_2 * g - z5),
             # y'' (I.2.15)
-            -z4 * (g * z1 + z4 * (y_2 * z5)),
+            -z4 * (g * z1 + y_2 * z5),
         ]
         return _finish("accelerations", qddot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -225,7 +226,7 @@ def residuals(
         # state
         r: list[float] = [
             # rod = 0 (I.1.1) 16:5
-            0.5 * (2.0 * (x * x_dot) + 2.0 * (y * y_dot)),
+            x * x_dot + y * y_dot,
         ]
         return _finish("residuals", r)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -286,11 +287,10 @@ def reactions(
         # the mass matrix is singular
         if not abs(z4) > 0.0:
             raise SingularModelError(2, "reactions")
-        z5 = 1.0 / (z2 * z2)
-        z6 = v * v
+        z5 = v * v / (z2 * z2)
         lambda_: list[float] = [
             # reaction of rod: Q_i gains lambda_1 a_1i (I.4.1) 16:5
-            z4 * (y_2 * (g - z5 * (y_2 * z6)) - z5 * (z1 * z6)),
+            z4 * (y_2 * (g - y_2 * z5) - z1 * z5),
         ]
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -312,10 +312,8 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
         # state
         z1 = x * x
         z2 = z1 + y_2 * y_2
-        z3 = 1.0 / (z2 * z2)
-        z4 = v * v
-        s1 = 0.5 * (z3 * (z1 * z4)) + y_2 * (g + 0.5 * (z3 * (y_2 * z4)))
-        value1 = m * s1
+        z3 = v * v / (z2 * z2)
+        value1 = m * (0.5 * (z1 * z3) + y_2 * (g + 0.5 * (y_2 * z3)))
         return _single("energy", value1)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
         raise SingularModelError(NOT_FINITE, "energy") from error
@@ -347,28 +345,28 @@ def jacobian(
         # the mass matrix is singular
         if not abs(m * z3) > 0.0:
             raise SingularModelError(2, "jacobian")
-        z4 = 1.0 / (z1 * z1)
-        z5 = y_2 * v * z4
-        z6 = v * z3
-        z7 = x * v * z4
+        z4 = y_2 * v
+        z5 = 1.0 / (z1 * z1)
+        z6 = x * z5
+        z7 = v * z3
+        z8 = y_2 * z5
+        z9 = x * v
         J: list[float] = [
             # (I.2.15)
-            -2.0 * (x * z5),
+            -2.0 * (z4 * z6),
             # (I.2.15)
-            z6 - 2.0 * (y_2 * z5),
+            z7 - 2.0 * (z4 * z8),
             # (I.2.15)
             y_2 * z3,
             # (I.2.15)
-            2.0 * (x * z7) - z6,
+            2.0 * (z9 * z6) - z7,
             # (I.2.15)
-            2.0 * (y_2 * z7),
+            2.0 * (z9 * z8),
             # (I.2.15)
             -x * z3,
             # (I.2.15)
             g,
-            # (I.2.15)
             0.0,
-            # (I.2.15)
             0.0,
         ]
         _finish("jacobian", J)

@@ -1,5 +1,5 @@
 /*
- * n_trailer3.c: n_trailer3, emitted by nhc 0.1.0 (nhc:7217e75ab43e1bce)
+ * n_trailer3.c: n_trailer3, emitted by nhc 0.1.0 (nhc:a0416ec190faec52)
  * A tractor with three trailers, each hitched to the axle before it; none of the four axles slips sideways.
  * Source: n_trailer3.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -10,6 +10,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <string.h>
 
 const char *const n_trailer3_coordinate_names[] = {
     "x",
@@ -53,6 +54,132 @@ static int n_trailer3_finish(int count, const double *values)
     return fabs(sum) <= DBL_MAX ? N_TRAILER3_OK : N_TRAILER3_NOT_FINITE;
 }
 
+/* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
+#ifndef N_TRAILER3_LANES
+#if !defined(__GNUC__)
+#define N_TRAILER3_LANES 1
+#elif defined(__AVX512F__)
+#define N_TRAILER3_LANES 8
+#elif defined(__AVX__)
+#define N_TRAILER3_LANES 4
+#else
+#define N_TRAILER3_LANES 2
+#endif
+#endif
+#if N_TRAILER3_LANES > 1
+typedef double n_trailer3_lanes __attribute__((vector_size(8 * N_TRAILER3_LANES)));
+#else
+typedef double n_trailer3_lanes;
+#endif
+
+#if N_TRAILER3_LANES >= 2
+static inline n_trailer3_lanes n_trailer3_get(const double *from)
+{
+    n_trailer3_lanes value;
+    memcpy(&value, from, sizeof value);
+    return value;
+}
+
+static inline void n_trailer3_put(double *to, n_trailer3_lanes value)
+{
+    memcpy(to, &value, sizeof value);
+}
+#endif
+
+/* states first, first + 1, ... through rhs, one by one; the first status that is not OK */
+#if defined(__GNUC__)
+__attribute__((noinline))
+#endif
+static int n_trailer3_one_by_one(size_t count, size_t first, size_t number, const double *t, const double *y, const double *p, double *dydt)
+{
+    int status = N_TRAILER3_OK;
+    for (size_t i = first; i < first + number; ++i) {
+        double state[N_TRAILER3_NY];
+        double slope[N_TRAILER3_NY];
+        for (size_t k = 0; k < N_TRAILER3_NY; ++k) {
+            state[k] = y[k * count + i];
+            slope[k] = NAN;
+        }
+        const int one = n_trailer3_rhs(t[i], state, p, slope);
+        status = status == N_TRAILER3_OK ? one : status;
+        for (size_t k = 0; k < N_TRAILER3_NY; ++k) {
+            dydt[k * count + i] = slope[k];
+        }
+    }
+    return status;
+}
+
+#if N_TRAILER3_LANES >= 2
+#define N_TRAILER3_SPREAD(x) ((x) - (n_trailer3_lanes){0}) /* a number in each lane; lanes stay what they are */
+
+typedef unsigned long long n_trailer3_bits __attribute__((vector_size(8 * N_TRAILER3_LANES)));
+
+/* all bits where value is not above bound, or is no number */
+static inline n_trailer3_bits n_trailer3_misses(n_trailer3_lanes value, n_trailer3_lanes bound)
+{
+    return ~(n_trailer3_bits)(value > bound);
+}
+
+/* no number where a bit is set */
+static inline n_trailer3_lanes n_trailer3_mark(n_trailer3_lanes value, n_trailer3_bits bad)
+{
+    return (n_trailer3_lanes)((n_trailer3_bits)value | bad);
+}
+
+static inline n_trailer3_lanes n_trailer3_size(n_trailer3_lanes x)
+{
+    return (n_trailer3_lanes)((n_trailer3_bits)x & 0x7fffffffffffffffULL);
+}
+/* whether none of the states must be asked again: no singular block, no infinity, no angle anywhere near 1e5 */
+static inline int n_trailer3_is_good(int count, const double *check)
+{
+    double even = 0.0;
+    double odd = 0.0;
+    for (int k = 0; k < count; k += 2) {
+        even += check[k];
+        odd += check[k + 1];
+    }
+    return even + odd <= 1e10;
+}
+
+/* the last states, fewer than there are lanes; the others repeat the last one */
+static inline void n_trailer3_fill(size_t left, size_t count, const double *t, const double *y, double *time, double *state)
+{
+    for (size_t l = 0; l < N_TRAILER3_LANES; ++l) {
+        const size_t i = l < left ? l : left - 1;
+        time[l] = t[i];
+        for (size_t k = 0; k < N_TRAILER3_NY; ++k) {
+            state[k * N_TRAILER3_LANES + l] = y[k * count + i];
+        }
+    }
+}
+
+static inline void n_trailer3_pour(size_t left, size_t count, const double *slope, double *dydt)
+{
+    for (size_t k = 0; k < N_TRAILER3_NY; ++k) {
+        for (size_t l = 0; l < left; ++l) {
+            dydt[k * count + l] = slope[k * N_TRAILER3_LANES + l];
+        }
+    }
+}
+
+/* libm's sine and cosine, lane by lane */
+static inline void n_trailer3_turn_lanes(n_trailer3_lanes x, n_trailer3_lanes *far, n_trailer3_lanes *sine, n_trailer3_lanes *cosine)
+{
+    double angle[N_TRAILER3_LANES];
+    double up[N_TRAILER3_LANES];
+    double along[N_TRAILER3_LANES];
+    (void)far;
+    memcpy(angle, &x, sizeof x);
+    for (int l = 0; l < N_TRAILER3_LANES; ++l) {
+        up[l] = sin(angle[l]);
+        along[l] = cos(angle[l]);
+    }
+    memcpy(sine, up, sizeof x);
+    memcpy(cosine, along, sizeof x);
+}
+#endif
+
 int n_trailer3_rhs(double t, const double *y, const double *p, double *dydt)
 {
     (void)t;
@@ -60,6 +187,19 @@ int n_trailer3_rhs(double t, const double *y, const double *p, double *dydt)
     const double theta1 = y[3]; /* first trailer [rad] */
     const double theta2 = y[4]; /* second trailer [rad] */
     const double theta3 = y[5]; /* third trailer [rad] */
+
+    /* sines and cosines */
+    const double z1 = theta2 - theta3;
+    const double z2 = theta0 - theta1;
+    const double z3 = theta1 - theta2;
+    const double s1 = sin(z1);
+    const double c3 = cos(z1);
+    const double c1 = cos(z2);
+    const double s2 = sin(z2);
+    const double c2 = cos(z3);
+    const double s3 = sin(z3);
+    const double c_theta0 = cos(theta0);
+    const double s_theta0 = sin(theta0);
     const double v = y[6];
     const double w = y[7];
     const double m0 = p[0]; /* tractor [kg] */
@@ -70,85 +210,45 @@ int n_trailer3_rhs(double t, const double *y, const double *p, double *dydt)
 
     /* parameters only */
     const double k1 = 1.0 / L;
+    const double k2 = k1 * (J * k1);
 
     /* state */
+    const double z4 = c1 * c2;
+    const double z5 = s1 * z4;
+    const double z6 = c1 * s3;
+    const double z7 = c3 * z4;
+    const double z8 = m0 + k2 * (z5 * z5 + (s2 * s2 + z6 * z6)) + m * (z7 * z7 + (c1 * c1 + z4 * z4));
+    const double z9 = v * k1;
+    const double z10 = s2 * z9;
+    const double z11 = (z6 - z5) * z9;
+    const double z12 = s2 * (w - z10);
+    const double z13 = (s2 - z6) * z9;
+    const double z14 = c2 * z12 + z6 * z13;
+    const double z15 = c1 * z12;
+    const double z16 = k2 * (z5 * (z7 * z11 - s1 * z14) + (z15 - z6 * (s3 * z12 - z4 * z13)));
+    const double z17 = v * (z16 - m * (z7 * (z5 * z11 + c3 * z14) + (z15 + z4 * z14))) / z8;
+    /* (I.2.15) */
+    dydt[0] = c_theta0 * v; /* x' */
+    dydt[1] = s_theta0 * v; /* y' */
+    dydt[2] = w; /* theta0' */
+    dydt[3] = z10; /* theta1' */
+    dydt[4] = z6 * z9; /* theta2' */
+    dydt[5] = z5 * z9; /* theta3' */
+    /* (I.2.15) 30:4 */
+    dydt[6] = -z17; /* v' */
+    dydt[7] = 0.0; /* w' */
     /* the coframe is singular */
-    if (!(fabs(-L) > 0.0)) {
+    if (!(fabs(L) > 0.0)) {
         return N_TRAILER3_SINGULAR_1;
     }
-    /* the coframe is singular */
-    if (!(fabs(-L) > 0.0)) {
-        return N_TRAILER3_SINGULAR_1;
-    }
-    /* the coframe is singular */
-    if (!(fabs(-L) > 0.0)) {
-        return N_TRAILER3_SINGULAR_1;
-    }
-    const double c_theta0 = cos(theta0);
-    const double s_theta0 = sin(theta0);
-    const double c_theta1 = cos(theta1);
-    const double s_theta1 = sin(theta1);
-    const double z1 = k1 * (c_theta1 * s_theta0 - s_theta1 * c_theta0);
-    const double c_theta2 = cos(theta2);
-    const double z2 = s_theta0 - L * (c_theta1 * z1);
-    const double s_theta2 = sin(theta2);
-    const double z3 = c_theta0 + L * (s_theta1 * z1);
-    const double z4 = k1 * (c_theta2 * z2 - s_theta2 * z3);
-    const double z5 = c_theta0 * (m0 * c_theta0) + s_theta0 * (m0 * s_theta0) + z1 * (J * z1) + z4 * (J * z4);
-    const double c_theta3 = cos(theta3);
-    const double z6 = z2 - L * (c_theta2 * z4);
-    const double s_theta3 = sin(theta3);
-    const double z7 = z3 + L * (s_theta2 * z4);
-    const double z8 = k1 * (c_theta3 * z6 - s_theta3 * z7);
-    const double z9 = z5 + z8 * (J * z8) + z3 * (m * z3) + z2 * (m * z2) + z7 * (m * z7);
-    const double z10 = z7 + L * (s_theta3 * z8);
-    const double z11 = z6 - L * (c_theta3 * z8);
-    const double z12 = z9 + z6 * (m * z6) + z10 * (m * z10) + z11 * (m * z11);
     /* the mass matrix is singular */
-    if (!(fabs(z12) > 0.0)) {
+    if (!(fabs(z8) > 0.0)) {
         return N_TRAILER3_SINGULAR_2;
     }
     /* the mass matrix is singular */
     if (!(fabs(J0) > 0.0)) {
         return N_TRAILER3_SINGULAR_2;
     }
-    const double z13 = c_theta0 * v;
-    const double z14 = s_theta0 * v;
-    const double z15 = k1 * (c_theta1 * z14 - s_theta1 * z13);
-    const double z16 = c_theta1 * z15;
-    const double y1_dot = z14 - L * z16;
-    const double z17 = s_theta1 * z15;
-    const double x1_dot = z13 + L * z17;
-    const double z18 = k1 * (c_theta2 * y1_dot - s_theta2 * x1_dot);
-    const double z19 = c_theta2 * z18;
-    const double y2_dot = y1_dot - L * z19;
-    const double z20 = s_theta2 * z18;
-    const double x2_dot = x1_dot + L * z20;
-    const double z21 = k1 * (c_theta3 * y2_dot - s_theta3 * x2_dot);
-    const double z22 = v * (c_theta0 * w);
-    const double z23 = v * (s_theta0 * w);
-    const double z24 = k1 * (z14 * z17 - c_theta1 * z22 + (z13 * z16 - s_theta1 * z23));
-    const double z25 = z22 + L * (z15 * z17 + c_theta1 * z24);
-    const double z26 = z23 - L * (z15 * z16 - s_theta1 * z24);
-    const double z27 = k1 * (y1_dot * z20 - c_theta2 * z25 + (x1_dot * z19 - s_theta2 * z26));
-    const double z28 = z25 + L * (z18 * z20 + c_theta2 * z27);
-    const double z29 = s_theta3 * z21;
-    const double z30 = c_theta3 * z21;
-    const double z31 = z26 - L * (z18 * z19 - s_theta2 * z27);
-    const double z32 = k1 * (y2_dot * z29 - c_theta3 * z28 + (x2_dot * z30 - s_theta3 * z31));
-    const double z33 = z4 * (J * z27) + (z1 * (J * z24) + (c_theta0 * (m0 * z23) - s_theta0 * (m0 * z22)));
-    const double z34 = z7 * (m * z31) - (z2 * (m * z25) - (z3 * (m * z26) + (z8 * (J * z32) + z33)));
-    const double z35 = z10 * (m * (z31 - L * (z21 * z30 - s_theta3 * z32))) - (z6 * (m * z28) - z34);
-    /* (I.2.15) */
-    dydt[0] = z13; /* x' */
-    dydt[1] = z14; /* y' */
-    dydt[2] = w; /* theta0' */
-    dydt[3] = z15; /* theta1' */
-    dydt[4] = z18; /* theta2' */
-    dydt[5] = z21; /* theta3' */
-    /* (I.2.15) 30:4 */
-    dydt[6] = -(z11 * (m * (z28 + L * (z21 * z29 + c_theta3 * z32))) - z35) / z12; /* v' */
-    dydt[7] = 0.0; /* w' */
     return n_trailer3_finish(8, dydt);
 }
 
@@ -159,6 +259,17 @@ int n_trailer3_velocities(double t, const double *y, const double *p, double *qd
     const double theta1 = y[3]; /* first trailer [rad] */
     const double theta2 = y[4]; /* second trailer [rad] */
     const double theta3 = y[5]; /* third trailer [rad] */
+
+    /* sines and cosines */
+    const double z1 = theta0 - theta1;
+    const double z3 = theta1 - theta2;
+    const double c_theta0 = cos(theta0);
+    const double s_theta0 = sin(theta0);
+    const double s1 = sin(z1);
+    const double c1 = cos(z1);
+    const double s2 = sin(z3);
+    const double c2 = cos(z3);
+    const double s3 = sin(theta2 - theta3);
     const double v = y[6];
     const double w = y[7];
     const double L = p[4]; /* from axle to axle [m] */
@@ -167,40 +278,19 @@ int n_trailer3_velocities(double t, const double *y, const double *p, double *qd
     const double k1 = 1.0 / L;
 
     /* state */
-    /* the coframe is singular */
-    if (!(fabs(-L) > 0.0)) {
-        return N_TRAILER3_SINGULAR_1;
-    }
-    /* the coframe is singular */
-    if (!(fabs(-L) > 0.0)) {
-        return N_TRAILER3_SINGULAR_1;
-    }
-    /* the coframe is singular */
-    if (!(fabs(-L) > 0.0)) {
-        return N_TRAILER3_SINGULAR_1;
-    }
-    const double c_theta0 = cos(theta0);
-    const double z1 = c_theta0 * v;
-    const double s_theta0 = sin(theta0);
-    const double z2 = s_theta0 * v;
-    const double c_theta1 = cos(theta1);
-    const double s_theta1 = sin(theta1);
-    const double z3 = k1 * (c_theta1 * z2 - s_theta1 * z1);
-    const double c_theta2 = cos(theta2);
-    const double y1_dot = z2 - L * (c_theta1 * z3);
-    const double s_theta2 = sin(theta2);
-    const double x1_dot = z1 + L * (s_theta1 * z3);
-    const double z4 = k1 * (c_theta2 * y1_dot - s_theta2 * x1_dot);
-    const double c_theta3 = cos(theta3);
-    const double s_theta3 = sin(theta3);
+    const double z2 = v * k1;
+    const double z4 = c1 * z2;
     /* (I.2.4) */
-    qdot[0] = z1; /* x' */
-    qdot[1] = z2; /* y' */
+    qdot[0] = c_theta0 * v; /* x' */
+    qdot[1] = s_theta0 * v; /* y' */
     qdot[2] = w; /* theta0' */
-    qdot[3] = z3; /* theta1' */
-    qdot[4] = z4; /* theta2' */
-    /* theta3' */
-    qdot[5] = k1 * (c_theta3 * (y1_dot - L * (c_theta2 * z4)) - s_theta3 * (x1_dot + L * (s_theta2 * z4)));
+    qdot[3] = s1 * z2; /* theta1' */
+    qdot[4] = s2 * z4; /* theta2' */
+    qdot[5] = s3 * (c2 * z4); /* theta3' */
+    /* the coframe is singular */
+    if (!(fabs(L) > 0.0)) {
+        return N_TRAILER3_SINGULAR_1;
+    }
     return n_trailer3_finish(6, qdot);
 }
 
@@ -211,6 +301,19 @@ int n_trailer3_accelerations(double t, const double *y, const double *p, double 
     const double theta1 = y[3]; /* first trailer [rad] */
     const double theta2 = y[4]; /* second trailer [rad] */
     const double theta3 = y[5]; /* third trailer [rad] */
+
+    /* sines and cosines */
+    const double z1 = theta2 - theta3;
+    const double z2 = theta0 - theta1;
+    const double z3 = theta1 - theta2;
+    const double s1 = sin(z1);
+    const double c3 = cos(z1);
+    const double c1 = cos(z2);
+    const double s2 = sin(z2);
+    const double c2 = cos(z3);
+    const double s3 = sin(z3);
+    const double s_theta0 = sin(theta0);
+    const double c_theta0 = cos(theta0);
     const double v = y[6];
     const double w = y[7];
     const double m0 = p[0]; /* tractor [kg] */
@@ -221,101 +324,48 @@ int n_trailer3_accelerations(double t, const double *y, const double *p, double 
 
     /* parameters only */
     const double k1 = 1.0 / L;
+    const double k2 = k1 * (J * k1);
 
     /* state */
+    const double z4 = c1 * c2;
+    const double z5 = s1 * z4;
+    const double z6 = c1 * s3;
+    const double z7 = c3 * z4;
+    const double z8 = m0 + k2 * (z5 * z5 + (s2 * s2 + z6 * z6)) + m * (z7 * z7 + (c1 * c1 + z4 * z4));
+    const double z9 = v * w;
+    const double z10 = v * k1;
+    const double z11 = (z6 - z5) * z10;
+    const double z12 = s2 * k1;
+    const double z13 = w - v * z12;
+    const double z14 = s2 * z13;
+    const double z15 = (s2 - z6) * z10;
+    const double z16 = c2 * z14 + z6 * z15;
+    const double z17 = z7 * z11 - s1 * z16;
+    const double z18 = c1 * z13;
+    const double z19 = s3 * z14 - z4 * z15;
+    const double z20 = k2 * (z5 * z17 + (s2 * z18 - z6 * z19)) - m * (z7 * (z5 * z11 + c3 * z16) + (c1 * z14
+        + z4 * z16));
+    const double z21 = v * z20 / z8;
+    const double z22 = k1 * z21;
+    /* (I.2.15) */
+    qddot[0] = -(s_theta0 * z9 + c_theta0 * z21); /* x'' */
+    qddot[1] = c_theta0 * z9 - s_theta0 * z21; /* y'' */
+    qddot[2] = 0.0; /* theta0'' */
+    qddot[3] = z18 * z10 - z12 * z21; /* theta1'' */
+    qddot[4] = -(z10 * z19 + z6 * z22); /* theta2'' */
+    qddot[5] = z10 * z17 - z5 * z22; /* theta3'' */
     /* the coframe is singular */
-    if (!(fabs(-L) > 0.0)) {
+    if (!(fabs(L) > 0.0)) {
         return N_TRAILER3_SINGULAR_1;
     }
-    /* the coframe is singular */
-    if (!(fabs(-L) > 0.0)) {
-        return N_TRAILER3_SINGULAR_1;
-    }
-    /* the coframe is singular */
-    if (!(fabs(-L) > 0.0)) {
-        return N_TRAILER3_SINGULAR_1;
-    }
-    const double c_theta0 = cos(theta0);
-    const double s_theta0 = sin(theta0);
-    const double c_theta1 = cos(theta1);
-    const double s_theta1 = sin(theta1);
-    const double z1 = k1 * (c_theta1 * s_theta0 - s_theta1 * c_theta0);
-    const double c_theta2 = cos(theta2);
-    const double z2 = s_theta0 - L * (c_theta1 * z1);
-    const double s_theta2 = sin(theta2);
-    const double z3 = c_theta0 + L * (s_theta1 * z1);
-    const double z4 = k1 * (c_theta2 * z2 - s_theta2 * z3);
-    const double z5 = c_theta0 * (m0 * c_theta0) + s_theta0 * (m0 * s_theta0) + z1 * (J * z1) + z4 * (J * z4);
-    const double c_theta3 = cos(theta3);
-    const double z6 = z2 - L * (c_theta2 * z4);
-    const double s_theta3 = sin(theta3);
-    const double z7 = z3 + L * (s_theta2 * z4);
-    const double z8 = k1 * (c_theta3 * z6 - s_theta3 * z7);
-    const double z9 = z5 + z8 * (J * z8) + z3 * (m * z3) + z2 * (m * z2) + z7 * (m * z7);
-    const double z10 = z7 + L * (s_theta3 * z8);
-    const double z11 = z6 - L * (c_theta3 * z8);
-    const double z12 = z9 + z6 * (m * z6) + z10 * (m * z10) + z11 * (m * z11);
     /* the mass matrix is singular */
-    if (!(fabs(z12) > 0.0)) {
+    if (!(fabs(z8) > 0.0)) {
         return N_TRAILER3_SINGULAR_2;
     }
     /* the mass matrix is singular */
     if (!(fabs(J0) > 0.0)) {
         return N_TRAILER3_SINGULAR_2;
     }
-    const double z13 = v * (s_theta0 * w);
-    const double z14 = v * (c_theta0 * w);
-    const double z15 = s_theta0 * v;
-    const double z16 = c_theta0 * v;
-    const double z17 = k1 * (c_theta1 * z15 - s_theta1 * z16);
-    const double z18 = s_theta1 * z17;
-    const double z19 = z17 * z18;
-    const double z20 = z15 * z18;
-    const double z21 = c_theta1 * z17;
-    const double z22 = z16 * z21;
-    const double z23 = k1 * (z20 - c_theta1 * z14 + (z22 - s_theta1 * z13));
-    const double z24 = z14 + L * (z19 + c_theta1 * z23);
-    const double y1_dot = z15 - L * z21;
-    const double x1_dot = z16 + L * z18;
-    const double z25 = k1 * (c_theta2 * y1_dot - s_theta2 * x1_dot);
-    const double z26 = s_theta2 * z25;
-    const double z27 = z25 * z26;
-    const double z28 = y1_dot * z26;
-    const double z29 = c_theta2 * z25;
-    const double z30 = x1_dot * z29;
-    const double z31 = z17 * z21;
-    const double z32 = z13 - L * (z31 - s_theta1 * z23);
-    const double z33 = k1 * (z28 - c_theta2 * z24 + (z30 - s_theta2 * z32));
-    const double z34 = z24 + L * (z27 + c_theta2 * z33);
-    const double y2_dot = y1_dot - L * z29;
-    const double x2_dot = x1_dot + L * z26;
-    const double z35 = k1 * (c_theta3 * y2_dot - s_theta3 * x2_dot);
-    const double z36 = s_theta3 * z35;
-    const double z37 = y2_dot * z36;
-    const double z38 = c_theta3 * z35;
-    const double z39 = x2_dot * z38;
-    const double z40 = z25 * z29;
-    const double z41 = z32 - L * (z40 - s_theta2 * z33);
-    const double z42 = k1 * (z37 - c_theta3 * z34 + (z39 - s_theta3 * z41));
-    const double z43 = z4 * (J * z33) + (z1 * (J * z23) + (c_theta0 * (m0 * z13) - s_theta0 * (m0 * z14)));
-    const double z44 = z7 * (m * z41) - (z2 * (m * z24) - (z3 * (m * z32) + (z8 * (J * z42) + z43)));
-    const double z45 = z10 * (m * (z41 - L * (z35 * z38 - s_theta3 * z42))) - (z6 * (m * z34) - z44);
-    const double z46 = (z11 * (m * (z34 + L * (z35 * z36 + c_theta3 * z42))) - z45) / z12;
-    const double z47 = z13 + c_theta0 * z46;
-    const double z48 = z14 - s_theta0 * z46;
-    const double z49 = k1 * (z20 - c_theta1 * z48 + (z22 - s_theta1 * z47));
-    const double z50 = z48 + L * (z19 + c_theta1 * z49);
-    const double z51 = z47 - L * (z31 - s_theta1 * z49);
-    const double z52 = k1 * (z28 - c_theta2 * z50 + (z30 - s_theta2 * z51));
-    const double z53 = z37 - c_theta3 * (z50 + L * (z27 + c_theta2 * z52)) + (z39 - s_theta3 * (z51 - L *
-        (z40 - s_theta2 * z52)));
-    /* (I.2.15) */
-    qddot[0] = -z47; /* x'' */
-    qddot[1] = z48; /* y'' */
-    qddot[2] = 0.0; /* theta0'' */
-    qddot[3] = -z49; /* theta1'' */
-    qddot[4] = -z52; /* theta2'' */
-    qddot[5] = -k1 * z53; /* theta3'' */
     return n_trailer3_finish(6, qddot);
 }
 
@@ -323,9 +373,13 @@ int n_trailer3_state(double t, const double *q, const double *qdot, const double
 {
     (void)t;
     (void)p;
+    const double theta0 = q[2]; /* heading of the tractor [rad] */
+
+    /* sines and cosines */
+    const double c_theta0 = cos(theta0);
+    const double s_theta0 = sin(theta0);
     const double x = q[0]; /* axle of the tractor [m] */
     const double y_2 = q[1]; /* axle of the tractor [m] */
-    const double theta0 = q[2]; /* heading of the tractor [rad] */
     const double theta1 = q[3]; /* first trailer [rad] */
     const double theta2 = q[4]; /* second trailer [rad] */
     const double theta3 = q[5]; /* third trailer [rad] */
@@ -334,8 +388,6 @@ int n_trailer3_state(double t, const double *q, const double *qdot, const double
     const double theta0_dot = qdot[2];
 
     /* state */
-    const double c_theta0 = cos(theta0);
-    const double s_theta0 = sin(theta0);
     y[0] = x;
     y[1] = y_2;
     y[2] = theta0;
@@ -354,6 +406,16 @@ int n_trailer3_residuals(double t, const double *q, const double *qdot, const do
     const double theta1 = q[3]; /* first trailer [rad] */
     const double theta2 = q[4]; /* second trailer [rad] */
     const double theta3 = q[5]; /* third trailer [rad] */
+
+    /* sines and cosines */
+    const double s_theta0 = sin(theta0);
+    const double c_theta0 = cos(theta0);
+    const double s_theta1 = sin(theta1);
+    const double c_theta1 = cos(theta1);
+    const double s_theta2 = sin(theta2);
+    const double c_theta2 = cos(theta2);
+    const double s_theta3 = sin(theta3);
+    const double c_theta3 = cos(theta3);
     const double x_dot = qdot[0];
     const double y_dot = qdot[1];
     const double theta1_dot = qdot[3];
@@ -362,18 +424,13 @@ int n_trailer3_residuals(double t, const double *q, const double *qdot, const do
     const double L = p[4]; /* from axle to axle [m] */
 
     /* state */
-    const double s_theta0 = sin(theta0);
-    const double c_theta0 = cos(theta0);
-    const double s_theta1 = sin(theta1);
-    const double x1_dot = x_dot + L * (theta1_dot * s_theta1);
-    const double c_theta1 = cos(theta1);
-    const double y1_dot = y_dot - L * (theta1_dot * c_theta1);
-    const double s_theta2 = sin(theta2);
-    const double x2_dot = x1_dot + L * (theta2_dot * s_theta2);
-    const double c_theta2 = cos(theta2);
-    const double y2_dot = y1_dot - L * (theta2_dot * c_theta2);
-    const double s_theta3 = sin(theta3);
-    const double c_theta3 = cos(theta3);
+    const double z1 = theta1_dot * L;
+    const double x1_dot = x_dot + s_theta1 * z1;
+    const double y1_dot = y_dot - c_theta1 * z1;
+    const double z2 = theta2_dot * L;
+    const double x2_dot = x1_dot + s_theta2 * z2;
+    const double y2_dot = y1_dot - c_theta2 * z2;
+    const double z3 = theta3_dot * L;
     /* (I.1.1) 32:5 */
     r[0] = y_dot * c_theta0 - x_dot * s_theta0; /* axle0 = 0 */
     /* (I.1.1) 33:5 */
@@ -381,9 +438,7 @@ int n_trailer3_residuals(double t, const double *q, const double *qdot, const do
     /* (I.1.1) 34:5 */
     r[2] = c_theta2 * y2_dot - s_theta2 * x2_dot; /* axle2 = 0 */
     /* (I.1.1) 35:5 */
-    /* axle3 = 0 */
-    r[3] = c_theta3 * (y2_dot - L * (theta3_dot * c_theta3)) - s_theta3 * (x2_dot + L * (theta3_dot *
-        s_theta3));
+    r[3] = c_theta3 * (y2_dot - c_theta3 * z3) - s_theta3 * (x2_dot + s_theta3 * z3); /* axle3 = 0 */
     return n_trailer3_finish(4, r);
 }
 
@@ -394,6 +449,17 @@ int n_trailer3_reactions(double t, const double *y, const double *p, double *lam
     const double theta1 = y[3]; /* first trailer [rad] */
     const double theta2 = y[4]; /* second trailer [rad] */
     const double theta3 = y[5]; /* third trailer [rad] */
+
+    /* sines and cosines */
+    const double z1 = theta2 - theta3;
+    const double z2 = theta0 - theta1;
+    const double z3 = theta1 - theta2;
+    const double s1 = sin(z1);
+    const double c3 = cos(z1);
+    const double c1 = cos(z2);
+    const double s2 = sin(z2);
+    const double c2 = cos(z3);
+    const double s3 = sin(z3);
     const double v = y[6];
     const double w = y[7];
     const double m0 = p[0]; /* tractor [kg] */
@@ -404,134 +470,64 @@ int n_trailer3_reactions(double t, const double *y, const double *p, double *lam
 
     /* parameters only */
     const double k1 = 1.0 / L;
+    const double k2 = k1 * (J * k1);
 
     /* state */
+    const double z4 = c1 * c2;
+    const double z5 = s1 * z4;
+    const double z6 = c1 * s3;
+    const double z7 = c3 * z4;
+    const double z8 = m0 + k2 * (z5 * z5 + (s2 * s2 + z6 * z6)) + m * (z7 * z7 + (c1 * c1 + z4 * z4));
+    const double z9 = v * k1;
+    const double z10 = (z6 - z5) * z9;
+    const double z11 = s2 * z9;
+    const double z12 = w - z11;
+    const double z13 = s2 * z12;
+    const double z14 = (s2 - z6) * z9;
+    const double z15 = c2 * z13 + z6 * z14;
+    const double z16 = z7 * z10 - s1 * z15;
+    const double z17 = s2 * c2;
+    const double z18 = s1 * z17;
+    const double z19 = c1 * z12;
+    const double z20 = s3 * z13 - z4 * z14;
+    const double z21 = s2 * s3;
+    const double z22 = z5 * z10 + c3 * z15;
+    const double z23 = c3 * z17;
+    const double z24 = k2 * (z16 * z18 - (c1 * z19 + z20 * z21)) - m * (z22 * z23 + (s2 * z13 + z15 * z17));
+    const double z25 = c1 * s2;
+    const double z26 = k2 * (z5 * z18 - (z25 - z6 * z21)) + m * (z7 * z23 + (z25 + z4 * z17));
+    const double z27 = m * (z7 * z22 + (c1 * z13 + z4 * z15)) - k2 * (z5 * z16 - (z6 * z20 - s2 * z19));
+    const double z28 = v * z27 / z8;
+    const double z29 = m * v;
+    const double z30 = s3 * s1;
+    const double z31 = s3 * c3;
+    const double z32 = v * (k2 * (z16 * z30 + (z19 + c2 * z20)) - m * (s3 * z15 + z22 * z31));
+    const double z33 = (k2 * (z5 * z30 + (s2 - c2 * z6)) + m * (s3 * z4 + z7 * z31)) * z28;
+    const double z34 = z9 * z29;
+    const double z35 = m * s1;
+    const double z36 = z4 * (z6 * z34) + v * (k2 * (z20 + c3 * z16) + z22 * z35) - z28 * (k2 * (z6 - c3 * z5)
+        + z7 * z35);
+    /* (I.4.1) 32:5 */
+    lambda[0] = m0 * (v * w) - v * z24 - z26 * z28; /* reaction of axle0: Q_i gains lambda_1 a_1i */
+    /* (I.4.1) 33:5 */
+    lambda[1] = z11 * (c1 * z29) - z32 - z33; /* reaction of axle1: Q_i gains lambda_2 a_2i */
+    /* (I.4.1) 34:5 */
+    lambda[2] = z36; /* reaction of axle2: Q_i gains lambda_3 a_3i */
+    /* (I.4.1) 35:5 */
+    /* reaction of axle3: Q_i gains lambda_4 a_4i */
+    lambda[3] = z7 * (z5 * z34) - k2 * (v * z16) - k2 * (z5 * z28);
     /* the coframe is singular */
-    if (!(fabs(-L) > 0.0)) {
+    if (!(fabs(L) > 0.0)) {
         return N_TRAILER3_SINGULAR_1;
     }
-    /* the coframe is singular */
-    if (!(fabs(-L) > 0.0)) {
-        return N_TRAILER3_SINGULAR_1;
-    }
-    /* the coframe is singular */
-    if (!(fabs(-L) > 0.0)) {
-        return N_TRAILER3_SINGULAR_1;
-    }
-    const double c_theta0 = cos(theta0);
-    const double z1 = m0 * c_theta0;
-    const double s_theta0 = sin(theta0);
-    const double z2 = m0 * s_theta0;
-    const double c_theta1 = cos(theta1);
-    const double s_theta1 = sin(theta1);
-    const double z3 = k1 * (c_theta1 * s_theta0 - s_theta1 * c_theta0);
-    const double z4 = J * z3;
-    const double c_theta2 = cos(theta2);
-    const double z5 = s_theta0 - L * (c_theta1 * z3);
-    const double s_theta2 = sin(theta2);
-    const double z6 = c_theta0 + L * (s_theta1 * z3);
-    const double z7 = k1 * (c_theta2 * z5 - s_theta2 * z6);
-    const double z8 = J * z7;
-    const double c_theta3 = cos(theta3);
-    const double z9 = z5 - L * (c_theta2 * z7);
-    const double s_theta3 = sin(theta3);
-    const double z10 = z6 + L * (s_theta2 * z7);
-    const double z11 = k1 * (c_theta3 * z9 - s_theta3 * z10);
-    const double z12 = J * z11;
-    const double z13 = m * z6;
-    const double z14 = c_theta0 * z1 + s_theta0 * z2 + z3 * z4 + z7 * z8 + z11 * z12 + z6 * z13;
-    const double z15 = m * z5;
-    const double z16 = m * z10;
-    const double z17 = m * z9;
-    const double z18 = z10 + L * (s_theta3 * z11);
-    const double z19 = m * z18;
-    const double z20 = z9 - L * (c_theta3 * z11);
-    const double z21 = m * z20;
-    const double z22 = z14 + z5 * z15 + z10 * z16 + z9 * z17 + z18 * z19 + z20 * z21;
     /* the mass matrix is singular */
-    if (!(fabs(z22) > 0.0)) {
+    if (!(fabs(z8) > 0.0)) {
         return N_TRAILER3_SINGULAR_2;
     }
     /* the mass matrix is singular */
     if (!(fabs(J0) > 0.0)) {
         return N_TRAILER3_SINGULAR_2;
     }
-    const double z23 = v * (c_theta0 * w);
-    const double z24 = s_theta0 * v;
-    const double z25 = c_theta0 * v;
-    const double z26 = k1 * (c_theta1 * z24 - s_theta1 * z25);
-    const double z27 = s_theta1 * z26;
-    const double z28 = c_theta1 * z26;
-    const double z29 = v * (s_theta0 * w);
-    const double z30 = k1 * (z24 * z27 - c_theta1 * z23 + (z25 * z28 - s_theta1 * z29));
-    const double z31 = z23 + L * (z26 * z27 + c_theta1 * z30);
-    const double y1_dot = z24 - L * z28;
-    const double x1_dot = z25 + L * z27;
-    const double z32 = k1 * (c_theta2 * y1_dot - s_theta2 * x1_dot);
-    const double z33 = s_theta2 * z32;
-    const double z34 = c_theta2 * z32;
-    const double z35 = z29 - L * (z26 * z28 - s_theta1 * z30);
-    const double z36 = k1 * (y1_dot * z33 - c_theta2 * z31 + (x1_dot * z34 - s_theta2 * z35));
-    const double z37 = z31 + L * (z32 * z33 + c_theta2 * z36);
-    const double y2_dot = y1_dot - L * z34;
-    const double x2_dot = x1_dot + L * z33;
-    const double z38 = k1 * (c_theta3 * y2_dot - s_theta3 * x2_dot);
-    const double z39 = s_theta3 * z38;
-    const double z40 = c_theta3 * z38;
-    const double z41 = z35 - L * (z32 * z34 - s_theta2 * z36);
-    const double z42 = k1 * (y2_dot * z39 - c_theta3 * z37 + (x2_dot * z40 - s_theta3 * z41));
-    const double z43 = m * (z37 + L * (z38 * z39 + c_theta3 * z42));
-    const double z44 = k1 * (c_theta1 * c_theta0 + s_theta1 * s_theta0);
-    const double z45 = c_theta0 - L * (c_theta1 * z44);
-    const double z46 = s_theta0 - L * (s_theta1 * z44);
-    const double z47 = k1 * (c_theta2 * z45 + s_theta2 * z46);
-    const double z48 = z45 - L * (c_theta2 * z47);
-    const double z49 = z46 - L * (s_theta2 * z47);
-    const double z50 = k1 * (c_theta3 * z48 + s_theta3 * z49);
-    const double z51 = z48 - L * (c_theta3 * z50);
-    const double z52 = m * (z41 - L * (z38 * z40 - s_theta3 * z42));
-    const double z53 = z49 - L * (s_theta3 * z50);
-    const double z54 = m * z37;
-    const double z55 = m * z41;
-    const double z56 = m * z31;
-    const double z57 = m * z35;
-    const double z58 = J * z42;
-    const double z59 = J * z36;
-    const double z60 = J * z30;
-    const double z61 = m0 * z29;
-    const double z62 = m0 * z23;
-    const double z63 = z46 * z57 - (z50 * z58 + (z47 * z59 + (z44 * z60 - (s_theta0 * z61 + c_theta0 *
-        z62))));
-    const double z64 = s_theta0 * z1 - c_theta0 * z2 - z44 * z4 - z47 * z8 - z50 * z12 + z46 * z13;
-    const double z65 = z6 * z57 + (z11 * z58 + (z7 * z59 + (z3 * z60 + (c_theta0 * z61 - s_theta0 * z62))));
-    const double z66 = (z20 * z43 - (z18 * z52 - (z9 * z54 - (z10 * z55 - (z5 * z56 - z65))))) / z22;
-    const double z67 = (z64 - z45 * z15 + z49 * z16 - z48 * z17 + z19 * z53 - z21 * z51) * z66;
-    const double z68 = z43 * z51 + (z52 * z53 + (z48 * z54 + (z49 * z55 + (z45 * z56 + z63)))) + z67;
-    const double z69 = k1 * (c_theta1 * c_theta2 + s_theta1 * s_theta2);
-    const double z70 = c_theta1 - L * (c_theta2 * z69);
-    const double z71 = s_theta1 - L * (s_theta2 * z69);
-    const double z72 = k1 * (c_theta3 * z70 + s_theta3 * z71);
-    const double z73 = z70 - L * (c_theta3 * z72);
-    const double z74 = z71 - L * (s_theta3 * z72);
-    const double z75 = z71 * z55 + (c_theta1 * z56 + (s_theta1 * z57 - (z72 * z58 - (k1 * z60 - z69 * z59))));
-    const double z76 = k1 * z4 - z69 * z8 - z72 * z12 + s_theta1 * z13 - c_theta1 * z15 + z71 * z16;
-    const double z77 = z43 * z73 + (z52 * z74 + (z70 * z54 + z75)) + (z76 - z70 * z17 + z19 * z74 - z21 *
-        z73) * z66;
-    const double z78 = k1 * (c_theta2 * c_theta3 + s_theta2 * s_theta3);
-    const double z79 = c_theta2 - L * (c_theta3 * z78);
-    const double z80 = s_theta2 - L * (s_theta3 * z78);
-    const double z81 = z43 * z79 + (z52 * z80 + (c_theta2 * z54 + (s_theta2 * z55 + (k1 * z59 - z78 * z58))));
-    const double z82 = k1 * z8 - z78 * z12 + s_theta2 * z16 - c_theta2 * z17 + z19 * z80 - z21 * z79;
-    const double z83 = c_theta3 * z43 + (k1 * z58 + s_theta3 * z52) + (k1 * z12 + s_theta3 * z19 - c_theta3 *
-        z21) * z66;
-    /* (I.4.1) 32:5 */
-    lambda[0] = z68; /* reaction of axle0: Q_i gains lambda_1 a_1i */
-    /* (I.4.1) 33:5 */
-    lambda[1] = z77; /* reaction of axle1: Q_i gains lambda_2 a_2i */
-    /* (I.4.1) 34:5 */
-    lambda[2] = z81 + z82 * z66; /* reaction of axle2: Q_i gains lambda_3 a_3i */
-    /* (I.4.1) 35:5 */
-    lambda[3] = z83; /* reaction of axle3: Q_i gains lambda_4 a_4i */
     return n_trailer3_finish(4, lambda);
 }
 
@@ -542,6 +538,25 @@ double n_trailer3_energy(double t, const double *y, const double *p)
     const double theta1 = y[3]; /* first trailer [rad] */
     const double theta2 = y[4]; /* second trailer [rad] */
     const double theta3 = y[5]; /* third trailer [rad] */
+
+    /* sines and cosines */
+    const double z1 = theta2 - theta3;
+    const double z3 = theta0 - theta1;
+    const double z4 = theta1 - theta2;
+    const double c1 = cos(z1);
+    const double s3 = sin(z1);
+    const double c2 = cos(z3);
+    const double s1 = sin(z3);
+    const double c3 = cos(z4);
+    const double s2 = sin(z4);
+    const double c_theta1 = cos(theta1);
+    const double s_theta1 = sin(theta1);
+    const double s_theta0 = sin(theta0);
+    const double c_theta0 = cos(theta0);
+    const double c_theta2 = cos(theta2);
+    const double s_theta2 = sin(theta2);
+    const double c_theta3 = cos(theta3);
+    const double s_theta3 = sin(theta3);
     const double v = y[6];
     const double w = y[7];
     const double m0 = p[0]; /* tractor [kg] */
@@ -551,42 +566,45 @@ double n_trailer3_energy(double t, const double *y, const double *p)
     const double L = p[4]; /* from axle to axle [m] */
 
     /* parameters only */
-    const double k1 = 1.0 / L;
+    const double k1 = J / (L * L);
 
     /* state */
-    const double c_theta0 = cos(theta0);
-    const double z1 = c_theta0 * v;
-    const double s_theta1 = sin(theta1);
-    const double c_theta1 = cos(theta1);
-    const double s_theta0 = sin(theta0);
-    const double z2 = s_theta0 * v;
-    const double z3 = k1 * (c_theta1 * z2 - s_theta1 * z1);
-    const double x1_dot = z1 + L * (s_theta1 * z3);
-    const double s_theta2 = sin(theta2);
-    const double c_theta2 = cos(theta2);
-    const double y1_dot = z2 - L * (c_theta1 * z3);
-    const double z4 = k1 * (c_theta2 * y1_dot - s_theta2 * x1_dot);
-    const double x2_dot = x1_dot + L * (s_theta2 * z4);
-    const double s_theta3 = sin(theta3);
-    const double c_theta3 = cos(theta3);
-    const double y2_dot = y1_dot - L * (c_theta2 * z4);
-    const double z5 = k1 * (c_theta3 * y2_dot - s_theta3 * x2_dot);
-    const double x3_dot = x2_dot + L * (s_theta3 * z5);
-    const double y3_dot = y2_dot - L * (c_theta3 * z5);
-    const double z6 = 0.5 * (m0 * (z1 * z1 + z2 * z2)) + 0.5 * (J0 * (w * w)) + (0.5 * (m * (x1_dot * x1_dot
-        + y1_dot * y1_dot)) + 0.5 * (J * (z3 * z3)));
-    const double z7 = 0.5 * (m * (x3_dot * x3_dot + y3_dot * y3_dot)) + 0.5 * (J * (z5 * z5)) + (0.5 * (m *
-        (x2_dot * x2_dot + y2_dot * y2_dot)) + 0.5 * (J * (z4 * z4)) + z6);
-    return z7;
+    const double z2 = c1 * c1;
+    const double z5 = c_theta1 * s1;
+    const double z6 = s_theta1 * s1;
+    const double z7 = c2 * s2;
+    const double z8 = s3 * (c_theta3 * (s_theta0 - (z5 + c_theta2 * z7)) - s_theta3 * (c_theta0 + (z6 +
+        s_theta2 * z7))) + 0.5 * (c2 * (c3 * (1.0 + z2)));
+    const double z9 = 0.5 * c2 + 2.0 * (s2 * (c_theta2 * (s_theta0 - z5) - s_theta2 * (c_theta0 + z6))) + c3
+        * z8;
+    const double z10 = 0.5 * (m0 + k1 * (1.0 - z2 * (c2 * c2 * (c3 * c3)))) + m * (3.0 * (1.0 - s1 *
+        (c_theta1 * s_theta0 - s_theta1 * c_theta0)) - c2 * z9);
+    return 0.5 * (J0 * (w * w)) + v * v * z10;
 }
 
 int n_trailer3_jacobian(double t, const double *y, const double *p, double *J)
 {
+    for (int entry = 0; entry < 64; ++entry) {
+        J[entry] = 0.0;
+    }
     (void)t;
     const double theta0 = y[2]; /* heading of the tractor [rad] */
     const double theta1 = y[3]; /* first trailer [rad] */
     const double theta2 = y[4]; /* second trailer [rad] */
     const double theta3 = y[5]; /* third trailer [rad] */
+
+    /* sines and cosines */
+    const double z1 = theta2 - theta3;
+    const double z2 = theta0 - theta1;
+    const double z3 = theta1 - theta2;
+    const double s1 = sin(z1);
+    const double c3 = cos(z1);
+    const double c1 = cos(z2);
+    const double s2 = sin(z2);
+    const double c2 = cos(z3);
+    const double s3 = sin(z3);
+    const double s_theta0 = sin(theta0);
+    const double c_theta0 = cos(theta0);
     const double v = y[6];
     const double w = y[7];
     const double m0 = p[0]; /* tractor [kg] */
@@ -597,390 +615,268 @@ int n_trailer3_jacobian(double t, const double *y, const double *p, double *J)
 
     /* parameters only */
     const double k1 = 1.0 / L;
+    const double k2 = k1 * (J_2 * k1);
 
     /* state */
+    const double z4 = c1 * c2;
+    const double z5 = s1 * z4;
+    const double z6 = c1 * s3;
+    const double z7 = c3 * z4;
+    const double z8 = m0 + k2 * (z5 * z5 + (s2 * s2 + z6 * z6)) + m * (z7 * z7 + (c1 * c1 + z4 * z4));
+    const double z9 = v * k1;
+    const double z10 = c1 * z9;
+    const double z11 = s2 * k1;
+    const double z12 = z9 * (s2 * s3);
+    const double z13 = c2 * z10;
+    const double z14 = s2 * c2;
+    const double z15 = s1 * z9;
+    const double z16 = z7 * z9;
+    const double z17 = 1.0 / z8;
+    const double z18 = v * k2;
+    const double z19 = s2 * z18;
+    const double z20 = m * v;
+    const double z21 = z7 * z20;
+    const double z22 = z5 * z18;
+    const double z23 = z4 * z20 + c3 * z21 + s1 * z22;
+    const double z24 = z6 * z18;
+    const double z25 = c1 * z20 + c2 * z23 + s3 * z24;
+    const double z26 = c1 * z19 - s2 * z25;
+    const double z27 = w - v * z11;
+    const double z28 = c1 * z27;
+    const double z29 = k1 * (z6 - z5);
+    const double z30 = v * z29;
+    const double z31 = c3 * z30;
+    const double z32 = s2 * z27;
+    const double z33 = k1 * (s2 - z6);
+    const double z34 = v * z33;
+    const double z35 = s3 * z34;
+    const double z36 = c2 * z32 + c1 * z35;
+    const double z37 = z4 * z31 - s1 * z36;
+    const double z38 = c2 * z34;
+    const double z39 = s3 * z32 - c1 * z38;
+    const double z40 = s1 * z30;
+    const double z41 = z4 * z40 + c3 * z36;
+    const double z42 = k2 * (z5 * z37 + (s2 * z28 - z6 * z39)) - m * (z7 * z41 + (c1 * z32 + z4 * z36));
+    const double z43 = v * z42 * z17;
+    const double z44 = k2 * z43;
+    const double z45 = c1 * z24;
+    const double z46 = c1 * z23;
+    const double z47 = c2 * z45 - s3 * z46;
+    const double z48 = z9 * z47;
+    const double z49 = m * z43;
+    const double z50 = z41 * z20 + 2.0 * (z7 * z49);
+    const double z51 = z4 * z22;
+    const double z52 = z4 * z21;
+    const double z53 = c3 * z51 - s1 * z52;
+    const double z54 = z9 * z53;
+    const double z55 = z37 * z18 - 2.0 * (z5 * z44) - z54;
+    const double z56 = z31 * z22 - (z40 * z21 + (z36 * z20 + 2.0 * (z4 * z49))) - c3 * z50 + s1 * z55;
+    const double z57 = z27 * z19 + (z38 * z24 - (z35 * z23 + (z32 * z20 + 2.0 * (c1 * z49)))) + c2 * z56;
+    const double z58 = z48 + (z39 * z18 + 2.0 * (z6 * z44) - z54);
+    const double z59 = c1 * (z9 * z26 + (z27 * z25 - (z28 * z18 - 2.0 * (s2 * z44) + z48))) + s2 * (z57 - s3
+        * z58);
+    const double z60 = c2 * (z32 * z24 + z34 * z46 + c1 * z58) - s3 * (z32 * z23 - z34 * z45 - c1 * z56);
+    const double z61 = s1 * (z36 * z21 - z30 * z51 + z4 * z50) - c3 * (z36 * z22 + z30 * z52 - z4 * z55);
+    /* (I.2.15) */
+    J[2] = -s_theta0 * v;
+    J[6] = c_theta0;
+    J[10] = c_theta0 * v;
+    J[14] = s_theta0;
+    J[23] = 1.0;
+    J[26] = z10;
+    J[27] = -z10;
+    J[30] = z11;
+    J[34] = -z12;
+    J[35] = z13 + z12;
+    J[36] = -z13;
+    J[38] = k1 * z6;
+    J[42] = -z14 * z15;
+    J[43] = -(z6 - z14) * z15;
+    J[44] = z16 + z6 * z15;
+    J[45] = -z16;
+    J[46] = k1 * z5;
+    J[50] = z17 * z59;
+    J[51] = -z17 * (z59 - z60);
+    J[52] = -z17 * (z60 + z61);
+    J[53] = z17 * z61;
+    J[54] = -z17 * (z42 + z29 * z53 + z33 * z47 - z11 * z26);
+    J[55] = -z17 * z26;
     /* the coframe is singular */
-    if (!(fabs(-L) > 0.0)) {
+    if (!(fabs(L) > 0.0)) {
         return N_TRAILER3_SINGULAR_1;
     }
-    /* the coframe is singular */
-    if (!(fabs(-L) > 0.0)) {
-        return N_TRAILER3_SINGULAR_1;
-    }
-    /* the coframe is singular */
-    if (!(fabs(-L) > 0.0)) {
-        return N_TRAILER3_SINGULAR_1;
-    }
-    const double c_theta0 = cos(theta0);
-    const double z1 = m0 * c_theta0;
-    const double s_theta0 = sin(theta0);
-    const double z2 = m0 * s_theta0;
-    const double c_theta1 = cos(theta1);
-    const double s_theta1 = sin(theta1);
-    const double z3 = k1 * (c_theta1 * s_theta0 - s_theta1 * c_theta0);
-    const double z4 = J_2 * z3;
-    const double c_theta2 = cos(theta2);
-    const double z5 = s_theta0 - L * (c_theta1 * z3);
-    const double s_theta2 = sin(theta2);
-    const double z6 = c_theta0 + L * (s_theta1 * z3);
-    const double z7 = k1 * (c_theta2 * z5 - s_theta2 * z6);
-    const double z8 = J_2 * z7;
-    const double c_theta3 = cos(theta3);
-    const double z9 = z5 - L * (c_theta2 * z7);
-    const double s_theta3 = sin(theta3);
-    const double z10 = z6 + L * (s_theta2 * z7);
-    const double z11 = k1 * (c_theta3 * z9 - s_theta3 * z10);
-    const double z12 = J_2 * z11;
-    const double z13 = m * z6;
-    const double z14 = c_theta0 * z1 + s_theta0 * z2 + z3 * z4 + z7 * z8 + z11 * z12 + z6 * z13;
-    const double z15 = m * z5;
-    const double z16 = m * z10;
-    const double z17 = m * z9;
-    const double z18 = z10 + L * (s_theta3 * z11);
-    const double z19 = m * z18;
-    const double z20 = z9 - L * (c_theta3 * z11);
-    const double z21 = m * z20;
-    const double z22 = z14 + z5 * z15 + z10 * z16 + z9 * z17 + z18 * z19 + z20 * z21;
     /* the mass matrix is singular */
-    if (!(fabs(z22) > 0.0)) {
+    if (!(fabs(z8) > 0.0)) {
         return N_TRAILER3_SINGULAR_2;
     }
     /* the mass matrix is singular */
     if (!(fabs(J0) > 0.0)) {
         return N_TRAILER3_SINGULAR_2;
     }
-    const double z23 = s_theta0 * v;
-    const double z24 = c_theta0 * v;
-    const double z25 = c_theta1 * k1;
-    const double z26 = s_theta1 * k1;
-    const double z27 = k1 * (c_theta1 * c_theta2 + s_theta1 * s_theta2);
-    const double z28 = c_theta2 * k1 - c_theta1 * z27;
-    const double z29 = s_theta2 * k1 - s_theta1 * z27;
-    const double z30 = k1 * (c_theta1 * z23 - s_theta1 * z24);
-    const double z31 = s_theta1 * z30;
-    const double x1_dot = z24 + L * z31;
-    const double z32 = c_theta1 * z30;
-    const double y1_dot = z23 - L * z32;
-    const double z33 = k1 * (c_theta2 * c_theta3 + s_theta2 * s_theta3);
-    const double z34 = c_theta3 * k1 - c_theta2 * z33;
-    const double z35 = s_theta3 * k1 - s_theta2 * z33;
-    const double z36 = L * z35;
-    const double z37 = L * z34;
-    const double z38 = k1 * (s_theta1 * z36 + c_theta1 * z37);
-    const double z39 = z34 - c_theta1 * z38;
-    const double z40 = z35 - s_theta1 * z38;
-    const double z41 = k1 * (c_theta2 * y1_dot - s_theta2 * x1_dot);
-    const double z42 = s_theta2 * z41;
-    const double x2_dot = x1_dot + L * z42;
-    const double z43 = c_theta2 * z41;
-    const double y2_dot = y1_dot - L * z43;
-    const double z44 = 1.0 / z22;
-    const double z45 = L * z21;
-    const double z46 = L * z19;
-    const double z47 = k1 * (z12 - c_theta3 * z45 + s_theta3 * z46);
-    const double z48 = m * (z10 + z18) - s_theta3 * z47;
-    const double z49 = L * z48;
-    const double z50 = m * (z9 + z20) + c_theta3 * z47;
-    const double z51 = L * z50;
-    const double z52 = k1 * (z8 + s_theta2 * z49 - c_theta2 * z51);
-    const double z53 = z13 + z48 - s_theta2 * z52;
-    const double z54 = L * z53;
-    const double z55 = z15 + z50 + c_theta2 * z52;
-    const double z56 = L * z55;
-    const double z57 = k1 * (z4 + s_theta1 * z54 - c_theta1 * z56);
-    const double z58 = k1 * (c_theta3 * y2_dot - s_theta3 * x2_dot);
-    const double z59 = s_theta3 * z58;
-    const double z60 = c_theta3 * z58;
-    const double z61 = z58 * z46 - x2_dot * z47;
-    const double z62 = z58 * z45 - y2_dot * z47;
-    const double z63 = k1 * (z59 * z45 + z60 * z46 + c_theta3 * z61 + s_theta3 * z62);
-    const double z64 = z59 * z47 - c_theta3 * z63;
-    const double z65 = z60 * z47 + s_theta3 * z63;
-    const double z66 = z41 * z51 - y1_dot * z52 - L * z65;
-    const double z67 = z41 * z49 - x1_dot * z52 + L * z64;
-    const double z68 = k1 * (z43 * z49 + z42 * z51 + s_theta2 * z66 + c_theta2 * z67);
-    const double z69 = z42 * z52 + z64 - c_theta2 * z68;
-    const double z70 = z43 * z52 + z65 + s_theta2 * z68;
-    const double z71 = z30 * z56 - z23 * z57 - L * z70;
-    const double z72 = z30 * z54 - z24 * z57 + L * z69;
-    const double z73 = k1 * (z32 * z54 + z31 * z56 + s_theta1 * z71 + c_theta1 * z72);
-    const double z74 = z31 * z57 + z69 - c_theta1 * z73;
-    const double z75 = z1 + z53 - s_theta1 * z57;
-    const double z76 = v * z75;
-    const double z77 = c_theta0 * w;
-    const double z78 = v * z77;
-    const double z79 = m0 * z78;
-    const double z80 = s_theta0 * w;
-    const double z81 = v * z80;
-    const double z82 = k1 * (z23 * z31 - c_theta1 * z78 + (z24 * z32 - s_theta1 * z81));
-    const double z83 = z78 + L * (z30 * z31 + c_theta1 * z82);
-    const double z84 = z81 - L * (z30 * z32 - s_theta1 * z82);
-    const double z85 = k1 * (y1_dot * z42 - c_theta2 * z83 + (x1_dot * z43 - s_theta2 * z84));
-    const double z86 = z83 + L * (z41 * z42 + c_theta2 * z85);
-    const double z87 = z84 - L * (z41 * z43 - s_theta2 * z85);
-    const double z88 = k1 * (y2_dot * z59 - c_theta3 * z86 + (x2_dot * z60 - s_theta3 * z87));
-    const double z89 = m * (z86 + L * (z58 * z59 + c_theta3 * z88));
-    const double z90 = m * (z87 - L * (z58 * z60 - s_theta3 * z88));
-    const double z91 = m * z86;
-    const double z92 = m * z87;
-    const double z93 = m * z83;
-    const double z94 = m * z84;
-    const double z95 = J_2 * z88;
-    const double z96 = J_2 * z85;
-    const double z97 = J_2 * z82;
-    const double z98 = m0 * z81;
-    const double z99 = z6 * z94 + (z11 * z95 + (z7 * z96 + (z3 * z97 + (c_theta0 * z98 - s_theta0 * z79))));
-    const double z100 = (z20 * z89 - (z18 * z90 - (z9 * z91 - (z10 * z92 - (z5 * z93 - z99))))) * z44;
-    const double z101 = z89 - z21 * z100 - m * (z20 * z100);
-    const double z102 = L * z101;
-    const double z103 = z90 + z19 * z100 + m * (z18 * z100);
-    const double z104 = L * z103;
-    const double z105 = k1 * (z95 + z12 * z100 + J_2 * (z11 * z100) + c_theta3 * z102 + s_theta3 * z104);
-    const double z106 = z101 + (z91 - z17 * z100 - m * (z9 * z100)) - c_theta3 * z105;
-    const double z107 = z103 + (z92 + z16 * z100 + m * (z10 * z100)) - s_theta3 * z105;
-    const double z108 = L * z107;
-    const double z109 = L * z106;
-    const double z110 = k1 * (z96 + z8 * z100 + J_2 * (z7 * z100) + s_theta2 * z108 + c_theta2 * z109);
-    const double z111 = z93 - z15 * z100 - m * (z5 * z100) + z106 - c_theta2 * z110;
-    const double z112 = z94 + z13 * z100 + m * (z6 * z100) + z107 - s_theta2 * z110;
-    const double z113 = L * z112;
-    const double z114 = L * z111;
-    const double z115 = k1 * (z97 + z4 * z100 + J_2 * (z3 * z100) + s_theta1 * z113 + c_theta1 * z114);
-    const double z116 = v * z74 + (w * z76 - (z79 - z2 * z100 - m0 * (s_theta0 * z100)) - z111 + c_theta1 *
-        z115);
-    const double z117 = z32 * z57 + z70 + s_theta1 * z73;
-    const double z118 = z2 + z55 + c_theta1 * z57;
-    const double z119 = v * z118;
-    const double z120 = v * z117 - (w * z119 - (z98 + z1 * z100 + m0 * (c_theta0 * z100)) - z112 + s_theta1 *
-        z115);
-    const double z121 = z82 * z54 - z81 * z57 - z30 * z71 + z24 * z73 + z3 * z113 - c_theta0 * z115;
-    const double z122 = z82 * z56 + z78 * z57 + z30 * z72 + z23 * z73 - z3 * z114 - s_theta0 * z115;
-    const double z123 = z85 * z49 - z84 * z52 - z41 * z66 + x1_dot * z68 + z7 * z108 - z6 * z110;
-    const double z124 = z85 * z51 + z83 * z52 + z41 * z67 + y1_dot * z68 - z7 * z109 - z5 * z110;
-    const double z125 = x2_dot * z63 - (z58 * z62 - (z88 * z46 - z87 * z47 + z11 * z104)) - z10 * z105;
-    const double z126 = y2_dot * z63 + (z58 * z61 + (z88 * z45 + z86 * z47 - z11 * z102)) - z9 * z105;
-    /* (I.2.15) */
-    J[0] = 0.0;
-    J[1] = 0.0;
-    J[2] = -z23;
-    J[3] = 0.0;
-    J[4] = 0.0;
-    J[5] = 0.0;
-    J[6] = c_theta0;
-    J[7] = 0.0;
-    J[8] = 0.0;
-    J[9] = 0.0;
-    J[10] = z24;
-    J[11] = 0.0;
-    J[12] = 0.0;
-    J[13] = 0.0;
-    J[14] = s_theta0;
-    J[15] = 0.0;
-    J[16] = 0.0;
-    J[17] = 0.0;
-    J[18] = 0.0;
-    J[19] = 0.0;
-    J[20] = 0.0;
-    J[21] = 0.0;
-    J[22] = 0.0;
-    J[23] = 1.0;
-    J[24] = 0.0;
-    J[25] = 0.0;
-    J[26] = c_theta0 * (v * z25) + s_theta0 * (v * z26);
-    J[27] = -(c_theta1 * (z24 * k1) + s_theta1 * (z23 * k1));
-    J[28] = 0.0;
-    J[29] = 0.0;
-    J[30] = s_theta0 * z25 - c_theta0 * z26;
-    J[31] = 0.0;
-    J[32] = 0.0;
-    J[33] = 0.0;
-    J[34] = c_theta0 * (v * z28) + s_theta0 * (v * z29);
-    J[35] = s_theta1 * (c_theta2 * z30 + z23 * z27) - c_theta1 * (s_theta2 * z30 - z24 * z27);
-    J[36] = -(c_theta2 * (k1 * x1_dot) + s_theta2 * (k1 * y1_dot));
-    J[37] = 0.0;
-    J[38] = s_theta0 * z28 - c_theta0 * z29;
-    J[39] = 0.0;
-    J[40] = 0.0;
-    J[41] = 0.0;
-    J[42] = c_theta0 * (v * z39) + s_theta0 * (v * z40);
-    J[43] = s_theta1 * (z30 * z37 + z23 * z38) - c_theta1 * (z30 * z36 - z24 * z38);
-    J[44] = s_theta2 * (c_theta3 * z41 + z33 * y1_dot) - c_theta2 * (s_theta3 * z41 - z33 * x1_dot);
-    J[45] = -(c_theta3 * (k1 * x2_dot) + s_theta3 * (k1 * y2_dot));
-    J[46] = s_theta0 * z39 - c_theta0 * z40;
-    J[47] = 0.0;
-    J[48] = 0.0;
-    J[49] = 0.0;
-    J[50] = z44 * (c_theta0 * z116 - s_theta0 * z120);
-    J[51] = z44 * (c_theta1 * z121 + s_theta1 * z122);
-    J[52] = z44 * (c_theta2 * z123 + s_theta2 * z124);
-    J[53] = z44 * (c_theta3 * z125 + s_theta3 * z126);
-    J[54] = -z44 * (z77 * z118 - z80 * z75 - s_theta0 * z74 - c_theta0 * z117);
-    J[55] = -z44 * (c_theta0 * z119 - s_theta0 * z76);
-    J[56] = 0.0;
-    J[57] = 0.0;
-    J[58] = 0.0;
-    J[59] = 0.0;
-    J[60] = 0.0;
-    J[61] = 0.0;
-    J[62] = 0.0;
-    J[63] = 0.0;
     return n_trailer3_finish(64, J);
 }
 
 int n_trailer3_outputs(double t, const double *y, const double *p, double *out)
 {
     (void)t;
-    const double x = y[0]; /* axle of the tractor [m] */
-    const double y_2 = y[1]; /* axle of the tractor [m] */
     const double theta1 = y[3]; /* first trailer [rad] */
     const double theta2 = y[4]; /* second trailer [rad] */
     const double theta3 = y[5]; /* third trailer [rad] */
+
+    /* sines and cosines */
+    const double c_theta3 = cos(theta3);
+    const double s_theta3 = sin(theta3);
+    const double c_theta1 = cos(theta1);
+    const double s_theta1 = sin(theta1);
+    const double c_theta2 = cos(theta2);
+    const double s_theta2 = sin(theta2);
+    const double x = y[0]; /* axle of the tractor [m] */
+    const double y_2 = y[1]; /* axle of the tractor [m] */
     const double L = p[4]; /* from axle to axle [m] */
 
     /* state */
-    /* the coframe is singular */
-    if (!(fabs(-L) > 0.0)) {
-        return N_TRAILER3_SINGULAR_1;
-    }
-    /* the coframe is singular */
-    if (!(fabs(-L) > 0.0)) {
-        return N_TRAILER3_SINGULAR_1;
-    }
-    /* the coframe is singular */
-    if (!(fabs(-L) > 0.0)) {
-        return N_TRAILER3_SINGULAR_1;
-    }
-    const double c_theta3 = cos(theta3);
-    const double c_theta1 = cos(theta1);
-    const double c_theta2 = cos(theta2);
-    const double s_theta3 = sin(theta3);
-    const double s_theta1 = sin(theta1);
-    const double s_theta2 = sin(theta2);
     /* 40:11 */
     out[0] = x - L * (c_theta3 + (c_theta1 + c_theta2)); /* tail_x */
     /* 41:11 */
     out[1] = y_2 - L * (s_theta3 + (s_theta1 + s_theta2)); /* tail_y */
+    /* the coframe is singular */
+    if (!(fabs(L) > 0.0)) {
+        return N_TRAILER3_SINGULAR_1;
+    }
     return n_trailer3_finish(2, out);
 }
+
+#if N_TRAILER3_LANES >= 2
+static __attribute__((noinline)) void n_trailer3_rhs_lanes(const double *fixed, size_t stride, const double
+    *t, const double *y, double *restrict dydt, double *check)
+{
+    (void)t;
+    n_trailer3_lanes far = {0}; /* the squares of the angles */
+    n_trailer3_lanes sum = {0}; /* an infinity or a NaN among the results stays in it */
+    n_trailer3_bits bad = {0}; /* singular blocks */
+    const double m0 = fixed[0];
+    const double m = fixed[1];
+    const double k1 = fixed[2];
+    const double k2 = fixed[3];
+    const n_trailer3_lanes theta0 = n_trailer3_get(y + 2 * stride);
+    const n_trailer3_lanes theta1 = n_trailer3_get(y + 3 * stride);
+    const n_trailer3_lanes theta2 = n_trailer3_get(y + 4 * stride);
+    const n_trailer3_lanes theta3 = n_trailer3_get(y + 5 * stride);
+    const n_trailer3_lanes v = n_trailer3_get(y + 6 * stride);
+    const n_trailer3_lanes w = n_trailer3_get(y + 7 * stride);
+    const n_trailer3_lanes z1 = theta2 - theta3;
+    n_trailer3_lanes sine1, cosine1;
+    n_trailer3_turn_lanes(N_TRAILER3_SPREAD(z1), &far, &sine1, &cosine1);
+    const n_trailer3_lanes s1 = sine1;
+    const n_trailer3_lanes z2 = theta0 - theta1;
+    n_trailer3_lanes sine2, cosine2;
+    n_trailer3_turn_lanes(N_TRAILER3_SPREAD(z2), &far, &sine2, &cosine2);
+    const n_trailer3_lanes c1 = cosine2;
+    const n_trailer3_lanes z3 = theta1 - theta2;
+    n_trailer3_lanes sine3, cosine3;
+    n_trailer3_turn_lanes(N_TRAILER3_SPREAD(z3), &far, &sine3, &cosine3);
+    const n_trailer3_lanes c2 = cosine3;
+    const n_trailer3_lanes z4 = c1 * c2;
+    const n_trailer3_lanes z5 = s1 * z4;
+    const n_trailer3_lanes s2 = sine2;
+    const n_trailer3_lanes s3 = sine3;
+    const n_trailer3_lanes z6 = c1 * s3;
+    const n_trailer3_lanes c3 = cosine1;
+    const n_trailer3_lanes z7 = c3 * z4;
+    const n_trailer3_lanes z8 = m0 + k2 * (z5 * z5 + (s2 * s2 + z6 * z6)) + m * (z7 * z7 + (c1 * c1 + z4 *
+        z4));
+    /* the mass matrix is singular */
+    bad |= n_trailer3_misses(n_trailer3_size(N_TRAILER3_SPREAD(z8)), N_TRAILER3_SPREAD(0.0));
+    n_trailer3_lanes sine4, cosine4;
+    n_trailer3_turn_lanes(N_TRAILER3_SPREAD(theta0), &far, &sine4, &cosine4);
+    const n_trailer3_lanes c_theta0 = cosine4;
+    const n_trailer3_lanes s_theta0 = sine4;
+    const n_trailer3_lanes z9 = v * k1;
+    const n_trailer3_lanes z10 = s2 * z9;
+    const n_trailer3_lanes z11 = (z6 - z5) * z9;
+    const n_trailer3_lanes z12 = s2 * (w - z10);
+    const n_trailer3_lanes z13 = (s2 - z6) * z9;
+    const n_trailer3_lanes z14 = c2 * z12 + z6 * z13;
+    const n_trailer3_lanes z15 = c1 * z12;
+    const n_trailer3_lanes z16 = k2 * (z5 * (z7 * z11 - s1 * z14) + (z15 - z6 * (s3 * z12 - z4 * z13)));
+    const n_trailer3_lanes z17 = v * (z16 - m * (z7 * (z5 * z11 + c3 * z14) + (z15 + z4 * z14))) / z8;
+    /* (I.2.15) */
+    const n_trailer3_lanes slope1 = c_theta0 * v;
+    sum += slope1;
+    n_trailer3_put(dydt, slope1);
+    const n_trailer3_lanes slope2 = s_theta0 * v;
+    sum += slope2;
+    n_trailer3_put(dydt + 1 * stride, slope2);
+    const n_trailer3_lanes slope3 = w;
+    sum += slope3;
+    n_trailer3_put(dydt + 2 * stride, slope3);
+    const n_trailer3_lanes slope4 = z10;
+    sum += slope4;
+    n_trailer3_put(dydt + 3 * stride, slope4);
+    const n_trailer3_lanes slope5 = z6 * z9;
+    sum += slope5;
+    n_trailer3_put(dydt + 4 * stride, slope5);
+    const n_trailer3_lanes slope6 = z5 * z9;
+    sum += slope6;
+    n_trailer3_put(dydt + 5 * stride, slope6);
+    /* (I.2.15) 30:4 */
+    const n_trailer3_lanes slope7 = -z17;
+    sum += slope7;
+    n_trailer3_put(dydt + 6 * stride, slope7);
+    const n_trailer3_lanes slope8 = N_TRAILER3_SPREAD(0.0);
+    sum += slope8;
+    n_trailer3_put(dydt + 7 * stride, slope8);
+    n_trailer3_put(check, n_trailer3_mark(far + (sum - sum), bad));
+}
+
+static __attribute__((noinline)) void n_trailer3_rhs_tail(const double *fixed, size_t left, size_t count,
+    const double *t, const double *y, double *restrict dydt, double *check)
+{
+    double time[N_TRAILER3_LANES];
+    double state[8 * N_TRAILER3_LANES];
+    double slope[8 * N_TRAILER3_LANES];
+    n_trailer3_fill(left, count, t, y, time, state);
+    n_trailer3_rhs_lanes(fixed, N_TRAILER3_LANES, time, state, slope, check);
+    n_trailer3_pour(left, count, slope, dydt);
+}
+#endif
 
 int n_trailer3_rhs_batch(size_t count, const double *t, const double *y, const double *p, double *restrict
     dydt)
 {
+#if N_TRAILER3_LANES >= 2
     const double m0 = p[0]; /* tractor [kg] */
     const double J0 = p[1]; /* tractor [kg*m^2] */
     const double m = p[2]; /* each trailer [kg] */
     const double J = p[3]; /* each trailer [kg*m^2] */
     const double L = p[4]; /* from axle to axle [m] */
     const double k1 = 1.0 / L;
+    const double k2 = k1 * (J * k1);
     /* the coframe is singular */
-    if (!(fabs(-L) > 0.0)) {
-        return N_TRAILER3_SINGULAR_1;
-    }
-    /* the coframe is singular */
-    if (!(fabs(-L) > 0.0)) {
-        return N_TRAILER3_SINGULAR_1;
-    }
-    /* the coframe is singular */
-    if (!(fabs(-L) > 0.0)) {
+    if (!(fabs(L) > 0.0)) {
         return N_TRAILER3_SINGULAR_1;
     }
     /* the mass matrix is singular */
     if (!(fabs(J0) > 0.0)) {
         return N_TRAILER3_SINGULAR_2;
     }
-    int singular1 = 0;
-    int bad = 0;
-    (void)t;
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC ivdep
+    const double fixed[] = {m0, m, k1, k2};
+    double check[1 * N_TRAILER3_LANES];
+    int status = N_TRAILER3_OK;
+    for (size_t i = 0; i < count; i += N_TRAILER3_LANES) {
+        const size_t left = count - i < N_TRAILER3_LANES ? count - i : N_TRAILER3_LANES;
+        if (left == N_TRAILER3_LANES) {
+            n_trailer3_rhs_lanes(fixed, count, t + i, y + i, dydt + i, check);
+        } else {
+            n_trailer3_rhs_tail(fixed, left, count, t + i, y + i, dydt + i, check);
+        }
+        if (!n_trailer3_is_good(1 * N_TRAILER3_LANES, check)) {
+            const int one = n_trailer3_one_by_one(count, i, left, t, y, p, dydt);
+            status = status == N_TRAILER3_OK ? one : status;
+        }
+    }
+    return status;
+#else
+    return n_trailer3_one_by_one(count, 0, count, t, y, p, dydt);
 #endif
-    for (size_t i = 0; i < count; ++i) {
-        const double theta0 = y[2 * count + i]; /* heading of the tractor [rad] */
-        const double theta1 = y[3 * count + i]; /* first trailer [rad] */
-        const double theta2 = y[4 * count + i]; /* second trailer [rad] */
-        const double theta3 = y[5 * count + i]; /* third trailer [rad] */
-        const double v = y[6 * count + i];
-        const double w = y[7 * count + i];
-        const double c_theta0 = cos(theta0);
-        const double s_theta0 = sin(theta0);
-        const double c_theta1 = cos(theta1);
-        const double s_theta1 = sin(theta1);
-        const double z1 = k1 * (c_theta1 * s_theta0 - s_theta1 * c_theta0);
-        const double c_theta2 = cos(theta2);
-        const double z2 = s_theta0 - L * (c_theta1 * z1);
-        const double s_theta2 = sin(theta2);
-        const double z3 = c_theta0 + L * (s_theta1 * z1);
-        const double z4 = k1 * (c_theta2 * z2 - s_theta2 * z3);
-        const double z5 = c_theta0 * (m0 * c_theta0) + s_theta0 * (m0 * s_theta0) + z1 * (J * z1) + z4 * (J *
-            z4);
-        const double c_theta3 = cos(theta3);
-        const double z6 = z2 - L * (c_theta2 * z4);
-        const double s_theta3 = sin(theta3);
-        const double z7 = z3 + L * (s_theta2 * z4);
-        const double z8 = k1 * (c_theta3 * z6 - s_theta3 * z7);
-        const double z9 = z5 + z8 * (J * z8) + z3 * (m * z3) + z2 * (m * z2) + z7 * (m * z7);
-        const double z10 = z7 + L * (s_theta3 * z8);
-        const double z11 = z6 - L * (c_theta3 * z8);
-        const double z12 = z9 + z6 * (m * z6) + z10 * (m * z10) + z11 * (m * z11);
-        /* the mass matrix is singular */
-        singular1 |= !(fabs(z12) > 0.0);
-        const double z13 = c_theta0 * v;
-        const double z14 = s_theta0 * v;
-        const double z15 = k1 * (c_theta1 * z14 - s_theta1 * z13);
-        const double z16 = c_theta1 * z15;
-        const double y1_dot = z14 - L * z16;
-        const double z17 = s_theta1 * z15;
-        const double x1_dot = z13 + L * z17;
-        const double z18 = k1 * (c_theta2 * y1_dot - s_theta2 * x1_dot);
-        const double z19 = c_theta2 * z18;
-        const double y2_dot = y1_dot - L * z19;
-        const double z20 = s_theta2 * z18;
-        const double x2_dot = x1_dot + L * z20;
-        const double z21 = k1 * (c_theta3 * y2_dot - s_theta3 * x2_dot);
-        const double z22 = v * (c_theta0 * w);
-        const double z23 = v * (s_theta0 * w);
-        const double z24 = k1 * (z14 * z17 - c_theta1 * z22 + (z13 * z16 - s_theta1 * z23));
-        const double z25 = z22 + L * (z15 * z17 + c_theta1 * z24);
-        const double z26 = z23 - L * (z15 * z16 - s_theta1 * z24);
-        const double z27 = k1 * (y1_dot * z20 - c_theta2 * z25 + (x1_dot * z19 - s_theta2 * z26));
-        const double z28 = z25 + L * (z18 * z20 + c_theta2 * z27);
-        const double z29 = s_theta3 * z21;
-        const double z30 = c_theta3 * z21;
-        const double z31 = z26 - L * (z18 * z19 - s_theta2 * z27);
-        const double z32 = k1 * (y2_dot * z29 - c_theta3 * z28 + (x2_dot * z30 - s_theta3 * z31));
-        const double z33 = z4 * (J * z27) + (z1 * (J * z24) + (c_theta0 * (m0 * z23) - s_theta0 * (m0 *
-            z22)));
-        const double z34 = z7 * (m * z31) - (z2 * (m * z25) - (z3 * (m * z26) + (z8 * (J * z32) + z33)));
-        const double z35 = z10 * (m * (z31 - L * (z21 * z30 - s_theta3 * z32))) - (z6 * (m * z28) - z34);
-        /* (I.2.15) */
-        const double slope1 = z13; /* x' */
-        dydt[i] = slope1;
-        bad |= !(fabs(slope1) <= DBL_MAX);
-        const double slope2 = z14; /* y' */
-        dydt[count + i] = slope2;
-        bad |= !(fabs(slope2) <= DBL_MAX);
-        const double slope3 = w; /* theta0' */
-        dydt[2 * count + i] = slope3;
-        bad |= !(fabs(slope3) <= DBL_MAX);
-        const double slope4 = z15; /* theta1' */
-        dydt[3 * count + i] = slope4;
-        bad |= !(fabs(slope4) <= DBL_MAX);
-        const double slope5 = z18; /* theta2' */
-        dydt[4 * count + i] = slope5;
-        bad |= !(fabs(slope5) <= DBL_MAX);
-        const double slope6 = z21; /* theta3' */
-        dydt[5 * count + i] = slope6;
-        bad |= !(fabs(slope6) <= DBL_MAX);
-        /* (I.2.15) 30:4 */
-        const double slope7 = -(z11 * (m * (z28 + L * (z21 * z29 + c_theta3 * z32))) - z35) / z12; /* v' */
-        dydt[6 * count + i] = slope7;
-        bad |= !(fabs(slope7) <= DBL_MAX);
-        const double slope8 = 0.0; /* w' */
-        dydt[7 * count + i] = slope8;
-        bad |= !(fabs(slope8) <= DBL_MAX);
-    }
-    if (singular1) {
-        return N_TRAILER3_SINGULAR_2;
-    }
-    return bad ? N_TRAILER3_NOT_FINITE : N_TRAILER3_OK;
 }

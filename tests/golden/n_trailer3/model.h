@@ -1,5 +1,5 @@
 /*
- * n_trailer3.h: n_trailer3, emitted by nhc 0.1.0 (nhc:afd9d437b714bf28)
+ * n_trailer3.h: n_trailer3, emitted by nhc 0.1.0 (nhc:7eef36305c5ca56e)
  * A tractor with three trailers, each hitched to the axle before it; none of the four axles slips sideways.
  * Source: n_trailer3.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -33,14 +33,14 @@
  * out[1] = tail_y
  *
  * Operations:
- * rhs: 57 +-, 123 *, 2 /, 8 calls
- * velocities: 7 +-, 19 *, 1 /, 8 calls
- * accelerations: 76 +-, 142 *, 2 /, 8 calls
+ * rhs: 21 +-, 39 *, 2 /, 8 calls
+ * velocities: 3 +-, 8 *, 1 /, 7 calls
+ * accelerations: 26 +-, 50 *, 2 /, 8 calls
  * state: 1 +-, 2 *, 0 /, 2 calls
- * residuals: 10 +-, 20 *, 0 /, 8 calls
- * reactions: 129 +-, 227 *, 2 /, 8 calls
- * energy: 20 +-, 51 *, 1 /, 8 calls
- * jacobian: 213 +-, 377 *, 2 /, 8 calls
+ * residuals: 10 +-, 17 *, 0 /, 8 calls
+ * reactions: 51 +-, 97 *, 2 /, 6 calls
+ * energy: 22 +-, 36 *, 1 /, 14 calls
+ * jacobian: 68 +-, 141 *, 2 /, 8 calls
  * outputs: 6 +-, 2 *, 0 /, 6 calls
  *
  * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.

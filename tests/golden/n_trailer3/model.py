@@ -1,4 +1,4 @@
-"""n_trailer3, emitted by nhc 0.1.0 (nhc:08e150f4ef6aa428).
+"""n_trailer3, emitted by nhc 0.1.0 (nhc:4a6d7546d5f4f482).
 
 A tractor with three trailers, each hitched to the axle before it; none of the four
     axles slips sideways.
@@ -34,14 +34,14 @@ out[0] = tail_x
 out[1] = tail_y
 
 Operations:
-rhs: 57 +-, 123 *, 2 /, 8 calls
-velocities: 7 +-, 19 *, 1 /, 8 calls
-accelerations: 76 +-, 142 *, 2 /, 8 calls
+rhs: 21 +-, 39 *, 2 /, 8 calls
+velocities: 3 +-, 8 *, 1 /, 7 calls
+accelerations: 26 +-, 50 *, 2 /, 8 calls
 state: 1 +-, 2 *, 0 /, 2 calls
-residuals: 10 +-, 20 *, 0 /, 8 calls
-reactions: 129 +-, 227 *, 2 /, 8 calls
-energy: 20 +-, 51 *, 1 /, 8 calls
-jacobian: 213 +-, 377 *, 2 /, 8 calls
+residuals: 10 +-, 17 *, 0 /, 8 calls
+reactions: 51 +-, 97 *, 2 /, 6 calls
+energy: 22 +-, 36 *, 1 /, 14 calls
+jacobian: 68 +-, 141 *, 2 /, 8 calls
 outputs: 6 +-, 2 *, 0 /, 6 calls
 
 A singular point raises SingularModelError.
@@ -108,93 +108,60 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     try:
         # parameters only
         k1 = 1.0 / L
+        k2 = k1 * (J * k1)
         # state
         # the coframe is singular
-        if not abs(-L) > 0.0:
+        if not abs(L) > 0.0:
             raise SingularModelError(1, "rhs")
-        # the coframe is singular
-        if not abs(-L) > 0.0:
-            raise SingularModelError(1, "rhs")
-        # the coframe is singular
-        if not abs(-L) > 0.0:
-            raise SingularModelError(1, "rhs")
-        c_theta0 = math.cos(theta0)
-        s_theta0 = math.sin(theta0)
-        c_theta1 = math.cos(theta1)
-        s_theta1 = math.sin(theta1)
-        z1 = k1 * (c_theta1 * s_theta0 - s_theta1 * c_theta0)
-        c_theta2 = math.cos(theta2)
-        z2 = s_theta0 - L * (c_theta1 * z1)
-        s_theta2 = math.sin(theta2)
-        z3 = c_theta0 + L * (s_theta1 * z1)
-        z4 = k1 * (c_theta2 * z2 - s_theta2 * z3)
-        s1 = c_theta0 * (m0 * c_theta0) + s_theta0 * (m0 * s_theta0)
-        z5 = s1 + z1 * (J * z1) + z4 * (J * z4)
-        c_theta3 = math.cos(theta3)
-        z6 = z2 - L * (c_theta2 * z4)
-        s_theta3 = math.sin(theta3)
-        z7 = z3 + L * (s_theta2 * z4)
-        z8 = k1 * (c_theta3 * z6 - s_theta3 * z7)
-        s2 = z5 + z8 * (J * z8) + z3 * (m * z3) + z2 * (m * z2)
-        z9 = s2 + z7 * (m * z7)
-        z10 = z7 + L * (s_theta3 * z8)
-        z11 = z6 - L * (c_theta3 * z8)
-        z12 = z9 + z6 * (m * z6) + z10 * (m * z10) + z11 * (m * z11)
+        z1 = theta2 - theta3
+        s1 = math.sin(z1)
+        z2 = theta0 - theta1
+        c1 = math.cos(z2)
+        z3 = theta1 - theta2
+        c2 = math.cos(z3)
+        z4 = c1 * c2
+        z5 = s1 * z4
+        s2 = math.sin(z2)
+        s3 = math.sin(z3)
+        z6 = c1 * s3
+        c3 = math.cos(z1)
+        z7 = c3 * z4
+        s4 = m0 + k2 * (z5 * z5 + (s2 * s2 + z6 * z6))
+        z8 = s4 + m * (z7 * z7 + (c1 * c1 + z4 * z4))
         # the mass matrix is singular
-        if not abs(z12) > 0.0:
+        if not abs(z8) > 0.0:
             raise SingularModelError(2, "rhs")
         # the mass matrix is singular
         if not abs(J0) > 0.0:
             raise SingularModelError(2, "rhs")
-        z13 = c_theta0 * v
-        z14 = s_theta0 * v
-        z15 = k1 * (c_theta1 * z14 - s_theta1 * z13)
-        z16 = c_theta1 * z15
-        y1_dot = z14 - L * z16
-        z17 = s_theta1 * z15
-        x1_dot = z13 + L * z17
-        z18 = k1 * (c_theta2 * y1_dot - s_theta2 * x1_dot)
-        z19 = c_theta2 * z18
-        y2_dot = y1_dot - L * z19
-        z20 = s_theta2 * z18
-        x2_dot = x1_dot + L * z20
-        z21 = k1 * (c_theta3 * y2_dot - s_theta3 * x2_dot)
-        z22 = v * (c_theta0 * w)
-        z23 = v * (s_theta0 * w)
-        s3 = z14 * z17 - c_theta1 * z22 + (z13 * z16 - s_theta1 * z23)
-        z24 = k1 * s3
-        z25 = z22 + L * (z15 * z17 + c_theta1 * z24)
-        z26 = z23 - L * (z15 * z16 - s_theta1 * z24)
-        s4 = y1_dot * z20 - c_theta2 * z25
-        z27 = k1 * (s4 + (x1_dot * z19 - s_theta2 * z26))
-        z28 = z25 + L * (z18 * z20 + c_theta2 * z27)
-        z29 = s_theta3 * z21
-        z30 = c_theta3 * z21
-        z31 = z26 - L * (z18 * z19 - s_theta2 * z27)
-        s5 = y2_dot * z29 - c_theta3 * z28
-        z32 = k1 * (s5 + (x2_dot * z30 - s_theta3 * z31))
-        s6 = c_theta0 * (m0 * z23) - s_theta0 * (m0 * z22)
-        z33 = z4 * (J * z27) + (z1 * (J * z24) + s6)
-        s7 = z2 * (m * z25) - (z3 * (m * z26) + (z8 * (J * z32) + z33))
-        z34 = z7 * (m * z31) - s7
-        s8 = z10 * (m * (z31 - L * (z21 * z30 - s_theta3 * z32)))
-        z35 = s8 - (z6 * (m * z28) - z34)
-        s9 = -(z11 * (m * (z28 + L * (z21 * z29 + c_theta3 * z32))) - z35)
+        c_theta0 = math.cos(theta0)
+        s_theta0 = math.sin(theta0)
+        z9 = v * k1
+        z10 = s2 * z9
+        z11 = (z6 - z5) * z9
+        z12 = s2 * (w - z10)
+        z13 = (s2 - z6) * z9
+        z14 = c2 * z12 + z6 * z13
+        z15 = c1 * z12
+        s5 = z15 - z6 * (s3 * z12 - z4 * z13)
+        z16 = k2 * (z5 * (z7 * z11 - s1 * z14) + s5)
+        s6 = z16 - m * (z7 * (z5 * z11 + c3 * z14) + (z15 + z4 * z14))
+        z17 = v * s6 / z8
         dydt: list[float] = [
             # x' (I.2.15)
-            z13,
+            c_theta0 * v,
             # y' (I.2.15)
-            z14,
+            s_theta0 * v,
             # theta0' (I.2.15)
             w,
             # theta1' (I.2.15)
-            z15,
+            z10,
             # theta2' (I.2.15)
-            z18,
+            z6 * z9,
             # theta3' (I.2.15)
-            z21,
+            z5 * z9,
             # v' (I.2.15) 30:4
-            s9 / z12,
+            -z17,
             # w' (I.2.15) 30:4
             0.0,
         ]
@@ -225,42 +192,32 @@ def velocities(
         k1 = 1.0 / L
         # state
         # the coframe is singular
-        if not abs(-L) > 0.0:
-            raise SingularModelError(1, "velocities")
-        # the coframe is singular
-        if not abs(-L) > 0.0:
-            raise SingularModelError(1, "velocities")
-        # the coframe is singular
-        if not abs(-L) > 0.0:
+        if not abs(L) > 0.0:
             raise SingularModelError(1, "velocities")
         c_theta0 = math.cos(theta0)
-        z1 = c_theta0 * v
         s_theta0 = math.sin(theta0)
-        z2 = s_theta0 * v
-        c_theta1 = math.cos(theta1)
-        s_theta1 = math.sin(theta1)
-        z3 = k1 * (c_theta1 * z2 - s_theta1 * z1)
-        c_theta2 = math.cos(theta2)
-        y1_dot = z2 - L * (c_theta1 * z3)
-        s_theta2 = math.sin(theta2)
-        x1_dot = z1 + L * (s_theta1 * z3)
-        z4 = k1 * (c_theta2 * y1_dot - s_theta2 * x1_dot)
-        c_theta3 = math.cos(theta3)
-        s_theta3 = math.sin(theta3)
-        s1 = c_theta3 * (y1_dot - L * (c_theta2 * z4))
+        z1 = theta0 - theta1
+        s1 = math.sin(z1)
+        z2 = v * k1
+        z3 = theta1 - theta2
+        s2 = math.sin(z3)
+        c1 = math.cos(z1)
+        z4 = c1 * z2
+        s3 = math.sin(theta2 - theta3)
+        c2 = math.cos(z3)
         qdot: list[float] = [
             # x' (I.2.4)
-            z1,
+            c_theta0 * v,
             # y' (I.2.4)
-            z2,
+            s_theta0 * v,
             # theta0' (I.2.4)
             w,
             # theta1' (I.2.4)
-            z3,
+            s1 * z2,
             # theta2' (I.2.4)
-            z4,
+            s2 * z4,
             # theta3' (I.2.4)
-            k1 * (s1 - s_theta3 * (x1_dot + L * (s_theta2 * z4))),
+            s3 * (c2 * z4),
         ]
         return _finish("velocities", qdot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -291,107 +248,62 @@ def accelerations(
     try:
         # parameters only
         k1 = 1.0 / L
+        k2 = k1 * (J * k1)
         # state
         # the coframe is singular
-        if not abs(-L) > 0.0:
+        if not abs(L) > 0.0:
             raise SingularModelError(1, "accelerations")
-        # the coframe is singular
-        if not abs(-L) > 0.0:
-            raise SingularModelError(1, "accelerations")
-        # the coframe is singular
-        if not abs(-L) > 0.0:
-            raise SingularModelError(1, "accelerations")
-        c_theta0 = math.cos(theta0)
-        s_theta0 = math.sin(theta0)
-        c_theta1 = math.cos(theta1)
-        s_theta1 = math.sin(theta1)
-        z1 = k1 * (c_theta1 * s_theta0 - s_theta1 * c_theta0)
-        c_theta2 = math.cos(theta2)
-        z2 = s_theta0 - L * (c_theta1 * z1)
-        s_theta2 = math.sin(theta2)
-        z3 = c_theta0 + L * (s_theta1 * z1)
-        z4 = k1 * (c_theta2 * z2 - s_theta2 * z3)
-        s1 = c_theta0 * (m0 * c_theta0) + s_theta0 * (m0 * s_theta0)
-        z5 = s1 + z1 * (J * z1) + z4 * (J * z4)
-        c_theta3 = math.cos(theta3)
-        z6 = z2 - L * (c_theta2 * z4)
-        s_theta3 = math.sin(theta3)
-        z7 = z3 + L * (s_theta2 * z4)
-        z8 = k1 * (c_theta3 * z6 - s_theta3 * z7)
-        s2 = z5 + z8 * (J * z8) + z3 * (m * z3) + z2 * (m * z2)
-        z9 = s2 + z7 * (m * z7)
-        z10 = z7 + L * (s_theta3 * z8)
-        z11 = z6 - L * (c_theta3 * z8)
-        z12 = z9 + z6 * (m * z6) + z10 * (m * z10) + z11 * (m * z11)
+        z1 = theta2 - theta3
+        s1 = math.sin(z1)
+        z2 = theta0 - theta1
+        c1 = math.cos(z2)
+        z3 = theta1 - theta2
+        c2 = math.cos(z3)
+        z4 = c1 * c2
+        z5 = s1 * z4
+        s2 = math.sin(z2)
+        s3 = math.sin(z3)
+        z6 = c1 * s3
+        c3 = math.cos(z1)
+        z7 = c3 * z4
+        s4 = m0 + k2 * (z5 * z5 + (s2 * s2 + z6 * z6))
+        z8 = s4 + m * (z7 * z7 + (c1 * c1 + z4 * z4))
         # the mass matrix is singular
-        if not abs(z12) > 0.0:
+        if not abs(z8) > 0.0:
             raise SingularModelError(2, "accelerations")
         # the mass matrix is singular
         if not abs(J0) > 0.0:
             raise SingularModelError(2, "accelerations")
-        z13 = v * (s_theta0 * w)
-        z14 = v * (c_theta0 * w)
-        z15 = s_theta0 * v
-        z16 = c_theta0 * v
-        z17 = k1 * (c_theta1 * z15 - s_theta1 * z16)
-        z18 = s_theta1 * z17
-        z19 = z17 * z18
-        z20 = z15 * z18
-        z21 = c_theta1 * z17
-        z22 = z16 * z21
-        z23 = k1 * (z20 - c_theta1 * z14 + (z22 - s_theta1 * z13))
-        z24 = z14 + L * (z19 + c_theta1 * z23)
-        y1_dot = z15 - L * z21
-        x1_dot = z16 + L * z18
-        z25 = k1 * (c_theta2 * y1_dot - s_theta2 * x1_dot)
-        z26 = s_theta2 * z25
-        z27 = z25 * z26
-        z28 = y1_dot * z26
-        z29 = c_theta2 * z25
-        z30 = x1_dot * z29
-        z31 = z17 * z21
-        z32 = z13 - L * (z31 - s_theta1 * z23)
-        z33 = k1 * (z28 - c_theta2 * z24 + (z30 - s_theta2 * z32))
-        z34 = z24 + L * (z27 + c_theta2 * z33)
-        y2_dot = y1_dot - L * z29
-        x2_dot = x1_dot + L * z26
-        z35 = k1 * (c_theta3 * y2_dot - s_theta3 * x2_dot)
-        z36 = s_theta3 * z35
-        z37 = y2_dot * z36
-        z38 = c_theta3 * z35
-        z39 = x2_dot * z38
-        z40 = z25 * z29
-        z41 = z32 - L * (z40 - s_theta2 * z33)
-        z42 = k1 * (z37 - c_theta3 * z34 + (z39 - s_theta3 * z41))
-        s3 = c_theta0 * (m0 * z13) - s_theta0 * (m0 * z14)
-        z43 = z4 * (J * z33) + (z1 * (J * z23) + s3)
-        s4 = z2 * (m * z24) - (z3 * (m * z32) + (z8 * (J * z42) + z43))
-        z44 = z7 * (m * z41) - s4
-        s5 = z10 * (m * (z41 - L * (z35 * z38 - s_theta3 * z42)))
-        z45 = s5 - (z6 * (m * z34) - z44)
-        s6 = z11 * (m * (z34 + L * (z35 * z36 + c_theta3 * z42))) - z45
-        z46 = s6 / z12
-        z47 = z13 + c_theta0 * z46
-        z48 = z14 - s_theta0 * z46
-        z49 = k1 * (z20 - c_theta1 * z48 + (z22 - s_theta1 * z47))
-        z50 = z48 + L * (z19 + c_theta1 * z49)
-        z51 = z47 - L * (z31 - s_theta1 * z49)
-        z52 = k1 * (z28 - c_theta2 * z50 + (z30 - s_theta2 * z51))
-        s7 = z37 - c_theta3 * (z50 + L * (z27 + c_theta2 * z52))
-        z53 = s7 + (z39 - s_theta3 * (z51 - L * (z40 - s_theta2 * z52)))
+        s_theta0 = math.sin(theta0)
+        z9 = v * w
+        c_theta0 = math.cos(theta0)
+        z10 = v * k1
+        z11 = (z6 - z5) * z10
+        z12 = s2 * k1
+        z13 = w - v * z12
+        z14 = s2 * z13
+        z15 = (s2 - z6) * z10
+        z16 = c2 * z14 + z6 * z15
+        z17 = z7 * z11 - s1 * z16
+        z18 = c1 * z13
+        z19 = s3 * z14 - z4 * z15
+        s5 = m * (z7 * (z5 * z11 + c3 * z16) + (c1 * z14 + z4 * z16))
+        z20 = k2 * (z5 * z17 + (s2 * z18 - z6 * z19)) - s5
+        z21 = v * z20 / z8
+        z22 = k1 * z21
         qddot: list[float] = [
             # x'' (I.2.15)
-            -z47,
+            -(s_theta0 * z9 + c_theta0 * z21),
             # y'' (I.2.15)
-            z48,
+            c_theta0 * z9 - s_theta0 * z21,
             # theta0'' (I.2.15)
             0.0,
             # theta1'' (I.2.15)
-            -z49,
+            z18 * z10 - z12 * z21,
             # theta2'' (I.2.15)
-            -z52,
+            -(z10 * z19 + z6 * z22),
             # theta3'' (I.2.15)
-            -k1 * z53,
+            z10 * z17 - z5 * z22,
         ]
         return _finish("accelerations", qddot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -463,16 +375,19 @@ def residuals(
         s_theta0 = math.sin(theta0)
         c_theta0 = math.cos(theta0)
         s_theta1 = math.sin(theta1)
-        x1_dot = x_dot + L * (theta1_dot * s_theta1)
+        z1 = theta1_dot * L
+        x1_dot = x_dot + s_theta1 * z1
         c_theta1 = math.cos(theta1)
-        y1_dot = y_dot - L * (theta1_dot * c_theta1)
+        y1_dot = y_dot - c_theta1 * z1
         s_theta2 = math.sin(theta2)
-        x2_dot = x1_dot + L * (theta2_dot * s_theta2)
+        z2 = theta2_dot * L
+        x2_dot = x1_dot + s_theta2 * z2
         c_theta2 = math.cos(theta2)
-        y2_dot = y1_dot - L * (theta2_dot * c_theta2)
+        y2_dot = y1_dot - c_theta2 * z2
         s_theta3 = math.sin(theta3)
+        z3 = theta3_dot * L
         c_theta3 = math.cos(theta3)
-        s1 = c_theta3 * (y2_dot - L * (theta3_dot * c_theta3))
+        s1 = c_theta3 * (y2_dot - c_theta3 * z3)
         r: list[float] = [
             # axle0 = 0 (I.1.1) 32:5
             y_dot * c_theta0 - x_dot * s_theta0,
@@ -481,7 +396,7 @@ def residuals(
             # axle2 = 0 (I.1.1) 34:5
             c_theta2 * y2_dot - s_theta2 * x2_dot,
             # axle3 = 0 (I.1.1) 35:5
-            s1 - s_theta3 * (x2_dot + L * (theta3_dot * s_theta3)),
+            s1 - s_theta3 * (x2_dot + s_theta3 * z3),
         ]
         return _finish("residuals", r)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -513,143 +428,75 @@ def reactions(
     try:
         # parameters only
         k1 = 1.0 / L
+        k2 = k1 * (J * k1)
         # state
         # the coframe is singular
-        if not abs(-L) > 0.0:
+        if not abs(L) > 0.0:
             raise SingularModelError(1, "reactions")
-        # the coframe is singular
-        if not abs(-L) > 0.0:
-            raise SingularModelError(1, "reactions")
-        # the coframe is singular
-        if not abs(-L) > 0.0:
-            raise SingularModelError(1, "reactions")
-        c_theta0 = math.cos(theta0)
-        z1 = m0 * c_theta0
-        s_theta0 = math.sin(theta0)
-        z2 = m0 * s_theta0
-        c_theta1 = math.cos(theta1)
-        s_theta1 = math.sin(theta1)
-        z3 = k1 * (c_theta1 * s_theta0 - s_theta1 * c_theta0)
-        z4 = J * z3
-        c_theta2 = math.cos(theta2)
-        z5 = s_theta0 - L * (c_theta1 * z3)
-        s_theta2 = math.sin(theta2)
-        z6 = c_theta0 + L * (s_theta1 * z3)
-        z7 = k1 * (c_theta2 * z5 - s_theta2 * z6)
-        z8 = J * z7
-        c_theta3 = math.cos(theta3)
-        z9 = z5 - L * (c_theta2 * z7)
-        s_theta3 = math.sin(theta3)
-        z10 = z6 + L * (s_theta2 * z7)
-        z11 = k1 * (c_theta3 * z9 - s_theta3 * z10)
-        z12 = J * z11
-        z13 = m * z6
-        s1 = c_theta0 * z1 + s_theta0 * z2 + z3 * z4 + z7 * z8
-        z14 = s1 + z11 * z12 + z6 * z13
-        z15 = m * z5
-        z16 = m * z10
-        z17 = m * z9
-        z18 = z10 + L * (s_theta3 * z11)
-        z19 = m * z18
-        z20 = z9 - L * (c_theta3 * z11)
-        z21 = m * z20
-        s2 = z14 + z5 * z15 + z10 * z16 + z9 * z17 + z18 * z19
-        z22 = s2 + z20 * z21
+        z1 = theta2 - theta3
+        s1 = math.sin(z1)
+        z2 = theta0 - theta1
+        c1 = math.cos(z2)
+        z3 = theta1 - theta2
+        c2 = math.cos(z3)
+        z4 = c1 * c2
+        z5 = s1 * z4
+        s2 = math.sin(z2)
+        s3 = math.sin(z3)
+        z6 = c1 * s3
+        c3 = math.cos(z1)
+        z7 = c3 * z4
+        s4 = m0 + k2 * (z5 * z5 + (s2 * s2 + z6 * z6))
+        z8 = s4 + m * (z7 * z7 + (c1 * c1 + z4 * z4))
         # the mass matrix is singular
-        if not abs(z22) > 0.0:
+        if not abs(z8) > 0.0:
             raise SingularModelError(2, "reactions")
         # the mass matrix is singular
         if not abs(J0) > 0.0:
             raise SingularModelError(2, "reactions")
-        z23 = v * (c_theta0 * w)
-        z24 = s_theta0 * v
-        z25 = c_theta0 * v
-        z26 = k1 * (c_theta1 * z24 - s_theta1 * z25)
-        z27 = s_theta1 * z26
-        z28 = c_theta1 * z26
-        z29 = v * (s_theta0 * w)
-        s3 = z24 * z27 - c_theta1 * z23 + (z25 * z28 - s_theta1 * z29)
-        z30 = k1 * s3
-        z31 = z23 + L * (z26 * z27 + c_theta1 * z30)
-        y1_dot = z24 - L * z28
-        x1_dot = z25 + L * z27
-        z32 = k1 * (c_theta2 * y1_dot - s_theta2 * x1_dot)
-        z33 = s_theta2 * z32
-        z34 = c_theta2 * z32
-        z35 = z29 - L * (z26 * z28 - s_theta1 * z30)
-        s4 = y1_dot * z33 - c_theta2 * z31
-        z36 = k1 * (s4 + (x1_dot * z34 - s_theta2 * z35))
-        z37 = z31 + L * (z32 * z33 + c_theta2 * z36)
-        y2_dot = y1_dot - L * z34
-        x2_dot = x1_dot + L * z33
-        z38 = k1 * (c_theta3 * y2_dot - s_theta3 * x2_dot)
-        z39 = s_theta3 * z38
-        z40 = c_theta3 * z38
-        z41 = z35 - L * (z32 * z34 - s_theta2 * z36)
-        s5 = y2_dot * z39 - c_theta3 * z37
-        z42 = k1 * (s5 + (x2_dot * z40 - s_theta3 * z41))
-        z43 = m * (z37 + L * (z38 * z39 + c_theta3 * z42))
-        z44 = k1 * (c_theta1 * c_theta0 + s_theta1 * s_theta0)
-        z45 = c_theta0 - L * (c_theta1 * z44)
-        z46 = s_theta0 - L * (s_theta1 * z44)
-        z47 = k1 * (c_theta2 * z45 + s_theta2 * z46)
-        z48 = z45 - L * (c_theta2 * z47)
-        z49 = z46 - L * (s_theta2 * z47)
-        z50 = k1 * (c_theta3 * z48 + s_theta3 * z49)
-        z51 = z48 - L * (c_theta3 * z50)
-        z52 = m * (z41 - L * (z38 * z40 - s_theta3 * z42))
-        z53 = z49 - L * (s_theta3 * z50)
-        z54 = m * z37
-        z55 = m * z41
-        z56 = m * z31
-        z57 = m * z35
-        z58 = J * z42
-        z59 = J * z36
-        z60 = J * z30
-        z61 = m0 * z29
-        z62 = m0 * z23
-        s6 = z47 * z59 + (z44 * z60 - (s_theta0 * z61 + c_theta0 * z62))
-        z63 = z46 * z57 - (z50 * z58 + s6)
-        s7 = s_theta0 * z1 - c_theta0 * z2 - z44 * z4 - z47 * z8
-        z64 = s7 - z50 * z12 + z46 * z13
-        s8 = z7 * z59 + (z3 * z60 + (c_theta0 * z61 - s_theta0 * z62))
-        z65 = z6 * z57 + (z11 * z58 + s8)
-        s9 = z18 * z52 - (z9 * z54 - (z10 * z55 - (z5 * z56 - z65)))
-        z66 = (z20 * z43 - s9) / z22
-        s10 = z64 - z45 * z15 + z49 * z16 - z48 * z17 + z19 * z53
-        z67 = (s10 - z21 * z51) * z66
-        s11 = z52 * z53 + (z48 * z54 + (z49 * z55 + (z45 * z56 + z63)))
-        z68 = z43 * z51 + s11 + z67
-        z69 = k1 * (c_theta1 * c_theta2 + s_theta1 * s_theta2)
-        z70 = c_theta1 - L * (c_theta2 * z69)
-        z71 = s_theta1 - L * (s_theta2 * z69)
-        z72 = k1 * (c_theta3 * z70 + s_theta3 * z71)
-        z73 = z70 - L * (c_theta3 * z72)
-        z74 = z71 - L * (s_theta3 * z72)
-        s12 = s_theta1 * z57 - (z72 * z58 - (k1 * z60 - z69 * z59))
-        z75 = z71 * z55 + (c_theta1 * z56 + s12)
-        s13 = k1 * z4 - z69 * z8 - z72 * z12 + s_theta1 * z13
-        z76 = s13 - c_theta1 * z15 + z71 * z16
-        s14 = (z76 - z70 * z17 + z19 * z74 - z21 * z73) * z66
-        z77 = z43 * z73 + (z52 * z74 + (z70 * z54 + z75)) + s14
-        z78 = k1 * (c_theta2 * c_theta3 + s_theta2 * s_theta3)
-        z79 = c_theta2 - L * (c_theta3 * z78)
-        z80 = s_theta2 - L * (s_theta3 * z78)
-        s15 = c_theta2 * z54 + (s_theta2 * z55 + (k1 * z59 - z78 * z58))
-        z81 = z43 * z79 + (z52 * z80 + s15)
-        s16 = k1 * z8 - z78 * z12 + s_theta2 * z16 - c_theta2 * z17
-        z82 = s16 + z19 * z80 - z21 * z79
-        s17 = (k1 * z12 + s_theta3 * z19 - c_theta3 * z21) * z66
-        z83 = c_theta3 * z43 + (k1 * z58 + s_theta3 * z52) + s17
+        z9 = v * k1
+        z10 = (z6 - z5) * z9
+        z11 = s2 * z9
+        z12 = w - z11
+        z13 = s2 * z12
+        z14 = (s2 - z6) * z9
+        z15 = c2 * z13 + z6 * z14
+        z16 = z7 * z10 - s1 * z15
+        z17 = s2 * c2
+        z18 = s1 * z17
+        z19 = c1 * z12
+        z20 = s3 * z13 - z4 * z14
+        z21 = s2 * s3
+        z22 = z5 * z10 + c3 * z15
+        z23 = c3 * z17
+        s5 = k2 * (z16 * z18 - (c1 * z19 + z20 * z21))
+        z24 = s5 - m * (z22 * z23 + (s2 * z13 + z15 * z17))
+        z25 = c1 * s2
+        s6 = k2 * (z5 * z18 - (z25 - z6 * z21))
+        z26 = s6 + m * (z7 * z23 + (z25 + z4 * z17))
+        s7 = k2 * (z5 * z16 - (z6 * z20 - s2 * z19))
+        z27 = m * (z7 * z22 + (c1 * z13 + z4 * z15)) - s7
+        z28 = v * z27 / z8
+        z29 = m * v
+        z30 = s3 * s1
+        z31 = s3 * c3
+        s8 = k2 * (z16 * z30 + (z19 + c2 * z20))
+        z32 = v * (s8 - m * (s3 * z15 + z22 * z31))
+        s9 = k2 * (z5 * z30 + (s2 - c2 * z6)) + m * (s3 * z4 + z7 * z31)
+        z33 = s9 * z28
+        z34 = z9 * z29
+        z35 = m * s1
+        s10 = z4 * (z6 * z34) + v * (k2 * (z20 + c3 * z16) + z22 * z35)
+        z36 = s10 - z28 * (k2 * (z6 - c3 * z5) + z7 * z35)
         lambda_: list[float] = [
             # reaction of axle0: Q_i gains lambda_1 a_1i (I.4.1) 32:5
-            z68,
+            m0 * (v * w) - v * z24 - z26 * z28,
             # reaction of axle1: Q_i gains lambda_2 a_2i (I.4.1) 33:5
-            z77,
+            z11 * (c1 * z29) - z32 - z33,
             # reaction of axle2: Q_i gains lambda_3 a_3i (I.4.1) 34:5
-            z81 + z82 * z66,
+            z36,
             # reaction of axle3: Q_i gains lambda_4 a_4i (I.4.1) 35:5
-            z83,
+            z7 * (z5 * z34) - k2 * (v * z16) - k2 * (z5 * z28),
         ]
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -675,34 +522,38 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     L = float(p[4])  # from axle to axle [m]
     try:
         # parameters only
-        k1 = 1.0 / L
+        k1 = J / (L * L)
         # state
-        c_theta0 = math.cos(theta0)
-        z1 = c_theta0 * v
-        s_theta1 = math.sin(theta1)
+        z1 = theta2 - theta3
+        c1 = math.cos(z1)
+        z2 = c1 * c1
+        z3 = theta0 - theta1
+        c2 = math.cos(z3)
+        z4 = theta1 - theta2
+        c3 = math.cos(z4)
+        s1 = math.sin(z3)
         c_theta1 = math.cos(theta1)
         s_theta0 = math.sin(theta0)
-        z2 = s_theta0 * v
-        z3 = k1 * (c_theta1 * z2 - s_theta1 * z1)
-        x1_dot = z1 + L * (s_theta1 * z3)
-        s_theta2 = math.sin(theta2)
+        s_theta1 = math.sin(theta1)
+        c_theta0 = math.cos(theta0)
+        s2 = math.sin(z4)
         c_theta2 = math.cos(theta2)
-        y1_dot = z2 - L * (c_theta1 * z3)
-        z4 = k1 * (c_theta2 * y1_dot - s_theta2 * x1_dot)
-        x2_dot = x1_dot + L * (s_theta2 * z4)
-        s_theta3 = math.sin(theta3)
+        z5 = c_theta1 * s1
+        s_theta2 = math.sin(theta2)
+        z6 = s_theta1 * s1
+        s3 = math.sin(z1)
         c_theta3 = math.cos(theta3)
-        y2_dot = y1_dot - L * (c_theta2 * z4)
-        z5 = k1 * (c_theta3 * y2_dot - s_theta3 * x2_dot)
-        x3_dot = x2_dot + L * (s_theta3 * z5)
-        y3_dot = y2_dot - L * (c_theta3 * z5)
-        s1 = 0.5 * (m * (x1_dot * x1_dot + y1_dot * y1_dot))
-        s2 = 0.5 * (m0 * (z1 * z1 + z2 * z2)) + 0.5 * (J0 * (w * w))
-        z6 = s2 + (s1 + 0.5 * (J * (z3 * z3)))
-        s3 = 0.5 * (m * (x3_dot * x3_dot + y3_dot * y3_dot))
-        s4 = 0.5 * (m * (x2_dot * x2_dot + y2_dot * y2_dot))
-        z7 = s3 + 0.5 * (J * (z5 * z5)) + (s4 + 0.5 * (J * (z4 * z4)) + z6)
-        value1 = z7
+        z7 = c2 * s2
+        s_theta3 = math.sin(theta3)
+        s4 = c_theta3 * (s_theta0 - (z5 + c_theta2 * z7))
+        s5 = s3 * (s4 - s_theta3 * (c_theta0 + (z6 + s_theta2 * z7)))
+        z8 = s5 + 0.5 * (c2 * (c3 * (1.0 + z2)))
+        s6 = s2 * (c_theta2 * (s_theta0 - z5) - s_theta2 * (c_theta0 + z6))
+        z9 = 0.5 * c2 + 2.0 * s6 + c3 * z8
+        s7 = 3.0 * (1.0 - s1 * (c_theta1 * s_theta0 - s_theta1 * c_theta0))
+        s8 = 0.5 * (m0 + k1 * (1.0 - z2 * (c2 * c2 * (c3 * c3))))
+        z10 = s8 + m * (s7 - c2 * z9)
+        value1 = 0.5 * (J0 * (w * w)) + v * v * z10
         return _single("energy", value1)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
         raise SingularModelError(NOT_FINITE, "energy") from error
@@ -732,316 +583,184 @@ def jacobian(
     try:
         # parameters only
         k1 = 1.0 / L
+        k2 = k1 * (J_2 * k1)
         # state
         # the coframe is singular
-        if not abs(-L) > 0.0:
+        if not abs(L) > 0.0:
             raise SingularModelError(1, "jacobian")
-        # the coframe is singular
-        if not abs(-L) > 0.0:
-            raise SingularModelError(1, "jacobian")
-        # the coframe is singular
-        if not abs(-L) > 0.0:
-            raise SingularModelError(1, "jacobian")
-        c_theta0 = math.cos(theta0)
-        z1 = m0 * c_theta0
-        s_theta0 = math.sin(theta0)
-        z2 = m0 * s_theta0
-        c_theta1 = math.cos(theta1)
-        s_theta1 = math.sin(theta1)
-        z3 = k1 * (c_theta1 * s_theta0 - s_theta1 * c_theta0)
-        z4 = J_2 * z3
-        c_theta2 = math.cos(theta2)
-        z5 = s_theta0 - L * (c_theta1 * z3)
-        s_theta2 = math.sin(theta2)
-        z6 = c_theta0 + L * (s_theta1 * z3)
-        z7 = k1 * (c_theta2 * z5 - s_theta2 * z6)
-        z8 = J_2 * z7
-        c_theta3 = math.cos(theta3)
-        z9 = z5 - L * (c_theta2 * z7)
-        s_theta3 = math.sin(theta3)
-        z10 = z6 + L * (s_theta2 * z7)
-        z11 = k1 * (c_theta3 * z9 - s_theta3 * z10)
-        z12 = J_2 * z11
-        z13 = m * z6
-        s1 = c_theta0 * z1 + s_theta0 * z2 + z3 * z4 + z7 * z8
-        z14 = s1 + z11 * z12 + z6 * z13
-        z15 = m * z5
-        z16 = m * z10
-        z17 = m * z9
-        z18 = z10 + L * (s_theta3 * z11)
-        z19 = m * z18
-        z20 = z9 - L * (c_theta3 * z11)
-        z21 = m * z20
-        s2 = z14 + z5 * z15 + z10 * z16 + z9 * z17 + z18 * z19
-        z22 = s2 + z20 * z21
+        z1 = theta2 - theta3
+        s1 = math.sin(z1)
+        z2 = theta0 - theta1
+        c1 = math.cos(z2)
+        z3 = theta1 - theta2
+        c2 = math.cos(z3)
+        z4 = c1 * c2
+        z5 = s1 * z4
+        s2 = math.sin(z2)
+        s3 = math.sin(z3)
+        z6 = c1 * s3
+        c3 = math.cos(z1)
+        z7 = c3 * z4
+        s4 = m0 + k2 * (z5 * z5 + (s2 * s2 + z6 * z6))
+        z8 = s4 + m * (z7 * z7 + (c1 * c1 + z4 * z4))
         # the mass matrix is singular
-        if not abs(z22) > 0.0:
+        if not abs(z8) > 0.0:
             raise SingularModelError(2, "jacobian")
         # the mass matrix is singular
         if not abs(J0) > 0.0:
             raise SingularModelError(2, "jacobian")
-        z23 = s_theta0 * v
-        z24 = c_theta0 * v
-        z25 = c_theta1 * k1
-        z26 = s_theta1 * k1
-        z27 = k1 * (c_theta1 * c_theta2 + s_theta1 * s_theta2)
-        z28 = c_theta2 * k1 - c_theta1 * z27
-        z29 = s_theta2 * k1 - s_theta1 * z27
-        z30 = k1 * (c_theta1 * z23 - s_theta1 * z24)
-        z31 = s_theta1 * z30
-        x1_dot = z24 + L * z31
-        z32 = c_theta1 * z30
-        y1_dot = z23 - L * z32
-        z33 = k1 * (c_theta2 * c_theta3 + s_theta2 * s_theta3)
-        z34 = c_theta3 * k1 - c_theta2 * z33
-        z35 = s_theta3 * k1 - s_theta2 * z33
-        z36 = L * z35
-        z37 = L * z34
-        z38 = k1 * (s_theta1 * z36 + c_theta1 * z37)
-        z39 = z34 - c_theta1 * z38
-        z40 = z35 - s_theta1 * z38
-        z41 = k1 * (c_theta2 * y1_dot - s_theta2 * x1_dot)
-        z42 = s_theta2 * z41
-        x2_dot = x1_dot + L * z42
-        z43 = c_theta2 * z41
-        y2_dot = y1_dot - L * z43
-        z44 = 1.0 / z22
-        z45 = L * z21
-        z46 = L * z19
-        z47 = k1 * (z12 - c_theta3 * z45 + s_theta3 * z46)
-        z48 = m * (z10 + z18) - s_theta3 * z47
-        z49 = L * z48
-        z50 = m * (z9 + z20) + c_theta3 * z47
-        z51 = L * z50
-        z52 = k1 * (z8 + s_theta2 * z49 - c_theta2 * z51)
-        z53 = z13 + z48 - s_theta2 * z52
-        z54 = L * z53
-        z55 = z15 + z50 + c_theta2 * z52
-        z56 = L * z55
-        z57 = k1 * (z4 + s_theta1 * z54 - c_theta1 * z56)
-        z58 = k1 * (c_theta3 * y2_dot - s_theta3 * x2_dot)
-        z59 = s_theta3 * z58
-        z60 = c_theta3 * z58
-        z61 = z58 * z46 - x2_dot * z47
-        z62 = z58 * z45 - y2_dot * z47
-        z63 = k1 * (z59 * z45 + z60 * z46 + c_theta3 * z61 + s_theta3 * z62)
-        z64 = z59 * z47 - c_theta3 * z63
-        z65 = z60 * z47 + s_theta3 * z63
-        z66 = z41 * z51 - y1_dot * z52 - L * z65
-        z67 = z41 * z49 - x1_dot * z52 + L * z64
-        z68 = k1 * (z43 * z49 + z42 * z51 + s_theta2 * z66 + c_theta2 * z67)
-        z69 = z42 * z52 + z64 - c_theta2 * z68
-        z70 = z43 * z52 + z65 + s_theta2 * z68
-        z71 = z30 * z56 - z23 * z57 - L * z70
-        z72 = z30 * z54 - z24 * z57 + L * z69
-        z73 = k1 * (z32 * z54 + z31 * z56 + s_theta1 * z71 + c_theta1 * z72)
-        z74 = z31 * z57 + z69 - c_theta1 * z73
-        z75 = z1 + z53 - s_theta1 * z57
-        z76 = v * z75
-        z77 = c_theta0 * w
-        z78 = v * z77
-        z79 = m0 * z78
-        z80 = s_theta0 * w
-        z81 = v * z80
-        s3 = z23 * z31 - c_theta1 * z78 + (z24 * z32 - s_theta1 * z81)
-        z82 = k1 * s3
-        z83 = z78 + L * (z30 * z31 + c_theta1 * z82)
-        z84 = z81 - L * (z30 * z32 - s_theta1 * z82)
-        s4 = y1_dot * z42 - c_theta2 * z83
-        z85 = k1 * (s4 + (x1_dot * z43 - s_theta2 * z84))
-        z86 = z83 + L * (z41 * z42 + c_theta2 * z85)
-        z87 = z84 - L * (z41 * z43 - s_theta2 * z85)
-        s5 = y2_dot * z59 - c_theta3 * z86
-        z88 = k1 * (s5 + (x2_dot * z60 - s_theta3 * z87))
-        z89 = m * (z86 + L * (z58 * z59 + c_theta3 * z88))
-        z90 = m * (z87 - L * (z58 * z60 - s_theta3 * z88))
-        z91 = m * z86
-        z92 = m * z87
-        z93 = m * z83
-        z94 = m * z84
-        z95 = J_2 * z88
-        z96 = J_2 * z85
-        z97 = J_2 * z82
-        z98 = m0 * z81
-        s6 = z7 * z96 + (z3 * z97 + (c_theta0 * z98 - s_theta0 * z79))
-        z99 = z6 * z94 + (z11 * z95 + s6)
-        s7 = z18 * z90 - (z9 * z91 - (z10 * z92 - (z5 * z93 - z99)))
-        z100 = (z20 * z89 - s7) * z44
-        z101 = z89 - z21 * z100 - m * (z20 * z100)
-        z102 = L * z101
-        z103 = z90 + z19 * z100 + m * (z18 * z100)
-        z104 = L * z103
-        s8 = z95 + z12 * z100 + J_2 * (z11 * z100) + c_theta3 * z102
-        z105 = k1 * (s8 + s_theta3 * z104)
-        s9 = z101 + (z91 - z17 * z100 - m * (z9 * z100))
-        z106 = s9 - c_theta3 * z105
-        s10 = z103 + (z92 + z16 * z100 + m * (z10 * z100))
-        z107 = s10 - s_theta3 * z105
-        z108 = L * z107
-        z109 = L * z106
-        s11 = z96 + z8 * z100 + J_2 * (z7 * z100) + s_theta2 * z108
-        z110 = k1 * (s11 + c_theta2 * z109)
-        z111 = z93 - z15 * z100 - m * (z5 * z100) + z106 - c_theta2 * z110
-        z112 = z94 + z13 * z100 + m * (z6 * z100) + z107 - s_theta2 * z110
-        z113 = L * z112
-        z114 = L * z111
-        s12 = z97 + z4 * z100 + J_2 * (z3 * z100) + s_theta1 * z113
-        z115 = k1 * (s12 + c_theta1 * z114)
-        s13 = w * z76 - (z79 - z2 * z100 - m0 * (s_theta0 * z100)) - z111
-        z116 = v * z74 + (s13 + c_theta1 * z115)
-        z117 = z32 * z57 + z70 + s_theta1 * z73
-        z118 = z2 + z55 + c_theta1 * z57
-        z119 = v * z118
-        s14 = w * z119 - (z98 + z1 * z100 + m0 * (c_theta0 * z100)) - z112
-        z120 = v * z117 - (s14 + s_theta1 * z115)
-        s15 = z82 * z54 - z81 * z57 - z30 * z71 + z24 * z73 + z3 * z113
-        z121 = s15 - c_theta0 * z115
-        s16 = z82 * z56 + z78 * z57 + z30 * z72 + z23 * z73 - z3 * z114
-        z122 = s16 - s_theta0 * z115
-        s17 = z85 * z49 - z84 * z52 - z41 * z66 + x1_dot * z68 + z7 * z108
-        z123 = s17 - z6 * z110
-        s18 = z85 * z51 + z83 * z52 + z41 * z67 + y1_dot * z68 - z7 * z109
-        z124 = s18 - z5 * z110
-        s19 = z58 * z62 - (z88 * z46 - z87 * z47 + z11 * z104)
-        z125 = x2_dot * z63 - s19 - z10 * z105
-        s20 = z58 * z61 + (z88 * z45 + z86 * z47 - z11 * z102)
-        z126 = y2_dot * z63 + s20 - z9 * z105
-        s21 = s_theta1 * (c_theta2 * z30 + z23 * z27)
-        s22 = s_theta1 * (z30 * z37 + z23 * z38)
-        s23 = s_theta2 * (c_theta3 * z41 + z33 * y1_dot)
-        s24 = z77 * z118 - z80 * z75 - s_theta0 * z74 - c_theta0 * z117
+        s_theta0 = math.sin(theta0)
+        c_theta0 = math.cos(theta0)
+        z9 = v * k1
+        z10 = c1 * z9
+        z11 = s2 * k1
+        z12 = z9 * (s2 * s3)
+        z13 = c2 * z10
+        z14 = s2 * c2
+        z15 = s1 * z9
+        z16 = z7 * z9
+        z17 = 1.0 / z8
+        z18 = v * k2
+        z19 = s2 * z18
+        z20 = m * v
+        z21 = z7 * z20
+        z22 = z5 * z18
+        z23 = z4 * z20 + c3 * z21 + s1 * z22
+        z24 = z6 * z18
+        z25 = c1 * z20 + c2 * z23 + s3 * z24
+        z26 = c1 * z19 - s2 * z25
+        z27 = w - v * z11
+        z28 = c1 * z27
+        z29 = k1 * (z6 - z5)
+        z30 = v * z29
+        z31 = c3 * z30
+        z32 = s2 * z27
+        z33 = k1 * (s2 - z6)
+        z34 = v * z33
+        z35 = s3 * z34
+        z36 = c2 * z32 + c1 * z35
+        z37 = z4 * z31 - s1 * z36
+        z38 = c2 * z34
+        z39 = s3 * z32 - c1 * z38
+        z40 = s1 * z30
+        z41 = z4 * z40 + c3 * z36
+        s5 = k2 * (z5 * z37 + (s2 * z28 - z6 * z39))
+        z42 = s5 - m * (z7 * z41 + (c1 * z32 + z4 * z36))
+        z43 = v * z42 * z17
+        z44 = k2 * z43
+        z45 = c1 * z24
+        z46 = c1 * z23
+        z47 = c2 * z45 - s3 * z46
+        z48 = z9 * z47
+        z49 = m * z43
+        z50 = z41 * z20 + 2.0 * (z7 * z49)
+        z51 = z4 * z22
+        z52 = z4 * z21
+        z53 = c3 * z51 - s1 * z52
+        z54 = z9 * z53
+        z55 = z37 * z18 - 2.0 * (z5 * z44) - z54
+        s6 = z31 * z22 - (z40 * z21 + (z36 * z20 + 2.0 * (z4 * z49)))
+        z56 = s6 - c3 * z50 + s1 * z55
+        s7 = z38 * z24 - (z35 * z23 + (z32 * z20 + 2.0 * (c1 * z49)))
+        z57 = z27 * z19 + s7 + c2 * z56
+        z58 = z48 + (z39 * z18 + 2.0 * (z6 * z44) - z54)
+        s8 = z9 * z26 + (z27 * z25 - (z28 * z18 - 2.0 * (s2 * z44) + z48))
+        z59 = c1 * s8 + s2 * (z57 - s3 * z58)
+        s9 = c2 * (z32 * z24 + z34 * z46 + c1 * z58)
+        z60 = s9 - s3 * (z32 * z23 - z34 * z45 - c1 * z56)
+        s10 = s1 * (z36 * z21 - z30 * z51 + z4 * z50)
+        z61 = s10 - c3 * (z36 * z22 + z30 * z52 - z4 * z55)
         J: list[float] = [
-            # (I.2.15)
+            0.0,
             0.0,
             # (I.2.15)
+            -s_theta0 * v,
             0.0,
-            # (I.2.15)
-            -z23,
-            # (I.2.15)
             0.0,
-            # (I.2.15)
-            0.0,
-            # (I.2.15)
             0.0,
             # (I.2.15)
             c_theta0,
-            # (I.2.15)
+            0.0,
+            0.0,
             0.0,
             # (I.2.15)
+            c_theta0 * v,
             0.0,
-            # (I.2.15)
             0.0,
-            # (I.2.15)
-            z24,
-            # (I.2.15)
-            0.0,
-            # (I.2.15)
-            0.0,
-            # (I.2.15)
             0.0,
             # (I.2.15)
             s_theta0,
-            # (I.2.15)
             0.0,
-            # (I.2.15)
             0.0,
-            # (I.2.15)
             0.0,
-            # (I.2.15)
             0.0,
-            # (I.2.15)
             0.0,
-            # (I.2.15)
             0.0,
-            # (I.2.15)
             0.0,
-            # (I.2.15)
             0.0,
             # (I.2.15)
             1.0,
-            # (I.2.15)
+            0.0,
             0.0,
             # (I.2.15)
+            z10,
+            # (I.2.15)
+            -z10,
+            0.0,
             0.0,
             # (I.2.15)
-            c_theta0 * (v * z25) + s_theta0 * (v * z26),
-            # (I.2.15)
-            -(c_theta1 * (z24 * k1) + s_theta1 * (z23 * k1)),
-            # (I.2.15)
+            z11,
+            0.0,
+            0.0,
             0.0,
             # (I.2.15)
+            -z12,
+            # (I.2.15)
+            z13 + z12,
+            # (I.2.15)
+            -z13,
             0.0,
             # (I.2.15)
-            s_theta0 * z25 - c_theta0 * z26,
-            # (I.2.15)
+            k1 * z6,
+            0.0,
+            0.0,
             0.0,
             # (I.2.15)
+            -z14 * z15,
+            # (I.2.15)
+            -(z6 - z14) * z15,
+            # (I.2.15)
+            z16 + z6 * z15,
+            # (I.2.15)
+            -z16,
+            # (I.2.15)
+            k1 * z5,
+            0.0,
+            0.0,
             0.0,
             # (I.2.15)
+            z17 * z59,
+            # (I.2.15)
+            -z17 * (z59 - z60),
+            # (I.2.15)
+            -z17 * (z60 + z61),
+            # (I.2.15)
+            z17 * z61,
+            # (I.2.15)
+            -z17 * (z42 + z29 * z53 + z33 * z47 - z11 * z26),
+            # (I.2.15)
+            -z17 * z26,
             0.0,
-            # (I.2.15)
-            c_theta0 * (v * z28) + s_theta0 * (v * z29),
-            # (I.2.15)
-            s21 - c_theta1 * (s_theta2 * z30 - z24 * z27),
-            # (I.2.15)
-            -(c_theta2 * (k1 * x1_dot) + s_theta2 * (k1 * y1_dot)),
-            # (I.2.15)
             0.0,
-            # (I.2.15)
-            s_theta0 * z28 - c_theta0 * z29,
-            # (I.2.15)
             0.0,
-            # (I.2.15)
             0.0,
-            # (I.2.15)
             0.0,
-            # (I.2.15)
-            c_theta0 * (v * z39) + s_theta0 * (v * z40),
-            # (I.2.15)
-            s22 - c_theta1 * (z30 * z36 - z24 * z38),
-            # (I.2.15)
-            s23 - c_theta2 * (s_theta3 * z41 - z33 * x1_dot),
-            # (I.2.15)
-            -(c_theta3 * (k1 * x2_dot) + s_theta3 * (k1 * y2_dot)),
-            # (I.2.15)
-            s_theta0 * z39 - c_theta0 * z40,
-            # (I.2.15)
             0.0,
-            # (I.2.15)
             0.0,
-            # (I.2.15)
-            0.0,
-            # (I.2.15)
-            z44 * (c_theta0 * z116 - s_theta0 * z120),
-            # (I.2.15)
-            z44 * (c_theta1 * z121 + s_theta1 * z122),
-            # (I.2.15)
-            z44 * (c_theta2 * z123 + s_theta2 * z124),
-            # (I.2.15)
-            z44 * (c_theta3 * z125 + s_theta3 * z126),
-            # (I.2.15)
-            -z44 * s24,
-            # (I.2.15)
-            -z44 * (c_theta0 * z119 - s_theta0 * z76),
-            # (I.2.15)
-            0.0,
-            # (I.2.15)
-            0.0,
-            # (I.2.15)
-            0.0,
-            # (I.2.15)
-            0.0,
-            # (I.2.15)
-            0.0,
-            # (I.2.15)
-            0.0,
-            # (I.2.15)
-            0.0,
-            # (I.2.15)
             0.0,
         ]
         _finish("jacobian", J)
-        return [J[k2 : k2 + 8] for k2 in range(0, 64, 8)]
+        return [J[k3 : k3 + 8] for k3 in range(0, 64, 8)]
     except (ValueError, ZeroDivisionError, OverflowError) as error:
         raise SingularModelError(NOT_FINITE, "jacobian") from error
 
@@ -1061,13 +780,7 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
     try:
         # state
         # the coframe is singular
-        if not abs(-L) > 0.0:
-            raise SingularModelError(1, "outputs")
-        # the coframe is singular
-        if not abs(-L) > 0.0:
-            raise SingularModelError(1, "outputs")
-        # the coframe is singular
-        if not abs(-L) > 0.0:
+        if not abs(L) > 0.0:
             raise SingularModelError(1, "outputs")
         c_theta3 = math.cos(theta3)
         c_theta1 = math.cos(theta1)

@@ -1,5 +1,5 @@
 /*
- * nh_particle.h: nh_particle, emitted by nhc 0.1.0 (nhc:6c3f39bab05f30b6)
+ * nh_particle.h: nh_particle, emitted by nhc 0.1.0 (nhc:dafe11075963768e)
  * A free particle with one velocity constraint that cannot be integrated.
  * Source: nh_particle.yaml
  * Equations of motion: chaplygin (III.3)
@@ -22,14 +22,14 @@
  * out[0] = p_x
  *
  * Operations:
- * rhs: 1 +-, 6 *, 1 /, 0 calls
+ * rhs: 1 +-, 5 *, 1 /, 0 calls
  * velocities: 0 +-, 1 *, 0 /, 0 calls
  * accelerations: 2 +-, 6 *, 1 /, 0 calls
  * state: 0 +-, 0 *, 0 /, 0 calls
  * residuals: 1 +-, 1 *, 0 /, 0 calls
  * reactions: 2 +-, 6 *, 1 /, 0 calls
  * energy: 2 +-, 6 *, 0 /, 0 calls
- * jacobian: 3 +-, 14 *, 1 /, 0 calls
+ * jacobian: 2 +-, 10 *, 1 /, 0 calls
  * outputs: 1 +-, 3 *, 0 /, 0 calls
  *
  * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.

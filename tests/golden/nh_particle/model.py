@@ -1,4 +1,4 @@
-"""nh_particle, emitted by nhc 0.1.0 (nhc:150d77f1e7b00db9).
+"""nh_particle, emitted by nhc 0.1.0 (nhc:4433f19289a545d1).
 
 A free particle with one velocity constraint that cannot be integrated.
 Source: nh_particle.yaml
@@ -22,14 +22,14 @@ Outputs:
 out[0] = p_x
 
 Operations:
-rhs: 1 +-, 6 *, 1 /, 0 calls
+rhs: 1 +-, 5 *, 1 /, 0 calls
 velocities: 0 +-, 1 *, 0 /, 0 calls
 accelerations: 2 +-, 6 *, 1 /, 0 calls
 state: 0 +-, 0 *, 0 /, 0 calls
 residuals: 1 +-, 1 *, 0 /, 0 calls
 reactions: 2 +-, 6 *, 1 /, 0 calls
 energy: 2 +-, 6 *, 0 /, 0 calls
-jacobian: 3 +-, 14 *, 1 /, 0 calls
+jacobian: 2 +-, 10 *, 1 /, 0 calls
 outputs: 1 +-, 3 *, 0 /, 0 calls
 
 A singular point raises SingularModelError.
@@ -88,22 +88,23 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     m = float(p[0])
     try:
         # state
-        z1 = m + y_2 * (y_2 * m)
+        z1 = m * (1.0 + y_2 * y_2)
         # the mass matrix is singular
         if not abs(z1) > 0.0:
             raise SingularModelError(2, "rhs")
         # the mass matrix is singular
         if not abs(m) > 0.0:
             raise SingularModelError(2, "rhs")
+        z2 = y_2 * x_dot
         dydt: list[float] = [
             # x' (III.3)
             x_dot,
             # y' (III.3)
             y_dot,
             # z' (III.3)
-            y_2 * x_dot,
+            z2,
             # x'' (III.3) 9:4
-            -y_2 * (m * (x_dot * y_dot)) / z1,
+            -m * (y_dot * z2) / z1,
             # y'' (III.3) 9:4
             0.0,
         ]
@@ -156,7 +157,7 @@ def accelerations(
     m = float(p[0])
     try:
         # state
-        z1 = m + y_2 * (y_2 * m)
+        z1 = m * (1.0 + y_2 * y_2)
         # the mass matrix is singular
         if not abs(z1) > 0.0:
             raise SingularModelError(2, "accelerations")
@@ -164,7 +165,7 @@ def accelerations(
         if not abs(m) > 0.0:
             raise SingularModelError(2, "accelerations")
         z2 = x_dot * y_dot
-        z3 = y_2 * (m * z2) / z1
+        z3 = m * (y_2 * z2 / z1)
         qddot: list[float] = [
             # x'' (III.3)
             -z3,
@@ -244,18 +245,17 @@ def reactions(
     m = float(p[0])
     try:
         # state
-        z1 = y_2 * m
-        z2 = m + y_2 * z1
+        z1 = y_2 * y_2
+        z2 = m * (1.0 + z1)
         # the mass matrix is singular
         if not abs(z2) > 0.0:
             raise SingularModelError(2, "reactions")
         # the mass matrix is singular
         if not abs(m) > 0.0:
             raise SingularModelError(2, "reactions")
-        z3 = m * (x_dot * y_dot)
         lambda_: list[float] = [
             # reaction of contact: Q_i gains lambda_1 a_1i (I.4.1) 11:5
-            z3 - z1 * (y_2 * z3 / z2),
+            m * (x_dot * y_dot) * (1.0 - m * z1 / z2),
         ]
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -297,67 +297,48 @@ def jacobian(
     m = float(p[0])
     try:
         # state
-        z1 = y_2 * m
-        z2 = m + y_2 * z1
+        z1 = y_2 * y_2
+        z2 = m * (1.0 + z1)
         # the mass matrix is singular
         if not abs(z2) > 0.0:
             raise SingularModelError(2, "jacobian")
         # the mass matrix is singular
         if not abs(m) > 0.0:
             raise SingularModelError(2, "jacobian")
-        z3 = 1.0 / z2
-        z4 = m * (x_dot * y_dot)
-        z5 = y_2 * z4 * z3
+        z3 = m / z2
+        z4 = y_2 * z3
         J: list[float] = [
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
             # (III.3)
             1.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
             # (III.3)
             1.0,
-            # (III.3)
             0.0,
             # (III.3)
             x_dot,
-            # (III.3)
             0.0,
             # (III.3)
             y_2,
-            # (III.3)
+            0.0,
             0.0,
             # (III.3)
+            -(1.0 - 2.0 * (z1 * z3)) * (y_dot * (x_dot * z3)),
             0.0,
             # (III.3)
-            -z3 * (z4 - z1 * z5 - m * (y_2 * z5)),
+            -y_dot * z4,
             # (III.3)
+            -x_dot * z4,
             0.0,
-            # (III.3)
-            -z3 * (y_dot * z1),
-            # (III.3)
-            -z3 * (x_dot * z1),
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
             0.0,
         ]
         _finish("jacobian", J)

@@ -1,5 +1,5 @@
 /*
- * nh_particle_pot.c: nh_particle_pot, emitted by nhc 0.1.0 (nhc:52ceadb6f641dca4)
+ * nh_particle_pot.c: nh_particle_pot, emitted by nhc 0.1.0 (nhc:3ffadda079297f19)
  * The nonholonomic particle with springs in x and y.
  * Source: nh_particle_pot.yaml
  * Equations of motion: chaplygin (III.3)
@@ -10,6 +10,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <string.h>
 
 const char *const nh_particle_pot_coordinate_names[] = {
     "x",
@@ -41,6 +42,116 @@ static int nh_particle_pot_finish(int count, const double *values)
     return fabs(sum) <= DBL_MAX ? NH_PARTICLE_POT_OK : NH_PARTICLE_POT_NOT_FINITE;
 }
 
+/* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
+#ifndef NH_PARTICLE_POT_LANES
+#if !defined(__GNUC__)
+#define NH_PARTICLE_POT_LANES 1
+#elif defined(__AVX512F__)
+#define NH_PARTICLE_POT_LANES 8
+#elif defined(__AVX__)
+#define NH_PARTICLE_POT_LANES 4
+#else
+#define NH_PARTICLE_POT_LANES 2
+#endif
+#endif
+#if NH_PARTICLE_POT_LANES > 1
+typedef double nh_particle_pot_lanes __attribute__((vector_size(8 * NH_PARTICLE_POT_LANES)));
+#else
+typedef double nh_particle_pot_lanes;
+#endif
+
+#if NH_PARTICLE_POT_LANES >= 2
+static inline nh_particle_pot_lanes nh_particle_pot_get(const double *from)
+{
+    nh_particle_pot_lanes value;
+    memcpy(&value, from, sizeof value);
+    return value;
+}
+
+static inline void nh_particle_pot_put(double *to, nh_particle_pot_lanes value)
+{
+    memcpy(to, &value, sizeof value);
+}
+#endif
+
+/* states first, first + 1, ... through rhs, one by one; the first status that is not OK */
+#if defined(__GNUC__)
+__attribute__((noinline))
+#endif
+static int nh_particle_pot_one_by_one(size_t count, size_t first, size_t number, const double *t, const double *y, const double *p, double *dydt)
+{
+    int status = NH_PARTICLE_POT_OK;
+    for (size_t i = first; i < first + number; ++i) {
+        double state[NH_PARTICLE_POT_NY];
+        double slope[NH_PARTICLE_POT_NY];
+        for (size_t k = 0; k < NH_PARTICLE_POT_NY; ++k) {
+            state[k] = y[k * count + i];
+            slope[k] = NAN;
+        }
+        const int one = nh_particle_pot_rhs(t[i], state, p, slope);
+        status = status == NH_PARTICLE_POT_OK ? one : status;
+        for (size_t k = 0; k < NH_PARTICLE_POT_NY; ++k) {
+            dydt[k * count + i] = slope[k];
+        }
+    }
+    return status;
+}
+
+#if NH_PARTICLE_POT_LANES >= 2
+#define NH_PARTICLE_POT_SPREAD(x) ((x) - (nh_particle_pot_lanes){0}) /* a number in each lane; lanes stay what they are */
+
+typedef unsigned long long nh_particle_pot_bits __attribute__((vector_size(8 * NH_PARTICLE_POT_LANES)));
+
+/* all bits where value is not above bound, or is no number */
+static inline nh_particle_pot_bits nh_particle_pot_misses(nh_particle_pot_lanes value, nh_particle_pot_lanes bound)
+{
+    return ~(nh_particle_pot_bits)(value > bound);
+}
+
+/* no number where a bit is set */
+static inline nh_particle_pot_lanes nh_particle_pot_mark(nh_particle_pot_lanes value, nh_particle_pot_bits bad)
+{
+    return (nh_particle_pot_lanes)((nh_particle_pot_bits)value | bad);
+}
+
+static inline nh_particle_pot_lanes nh_particle_pot_size(nh_particle_pot_lanes x)
+{
+    return (nh_particle_pot_lanes)((nh_particle_pot_bits)x & 0x7fffffffffffffffULL);
+}
+/* whether none of the states must be asked again: no singular block, no infinity, no angle anywhere near 1e5 */
+static inline int nh_particle_pot_is_good(int count, const double *check)
+{
+    double even = 0.0;
+    double odd = 0.0;
+    for (int k = 0; k < count; k += 2) {
+        even += check[k];
+        odd += check[k + 1];
+    }
+    return even + odd <= 1e10;
+}
+
+/* the last states, fewer than there are lanes; the others repeat the last one */
+static inline void nh_particle_pot_fill(size_t left, size_t count, const double *t, const double *y, double *time, double *state)
+{
+    for (size_t l = 0; l < NH_PARTICLE_POT_LANES; ++l) {
+        const size_t i = l < left ? l : left - 1;
+        time[l] = t[i];
+        for (size_t k = 0; k < NH_PARTICLE_POT_NY; ++k) {
+            state[k * NH_PARTICLE_POT_LANES + l] = y[k * count + i];
+        }
+    }
+}
+
+static inline void nh_particle_pot_pour(size_t left, size_t count, const double *slope, double *dydt)
+{
+    for (size_t k = 0; k < NH_PARTICLE_POT_NY; ++k) {
+        for (size_t l = 0; l < left; ++l) {
+            dydt[k * count + l] = slope[k * NH_PARTICLE_POT_LANES + l];
+        }
+    }
+}
+#endif
+
 int nh_particle_pot_rhs(double t, const double *y, const double *p, double *dydt)
 {
     (void)t;
@@ -55,7 +166,15 @@ int nh_particle_pot_rhs(double t, const double *y, const double *p, double *dydt
     const double k1 = 1.0 / m;
 
     /* state */
-    const double z1 = m + y_2 * (y_2 * m);
+    const double z1 = m * (1.0 + y_2 * y_2);
+    const double z2 = y_2 * x_dot;
+    /* (III.3) */
+    dydt[0] = x_dot; /* x' */
+    dydt[1] = y_dot; /* y' */
+    dydt[2] = z2; /* z' */
+    /* (III.3) 10:4 */
+    dydt[3] = -(x * k + m * (y_dot * z2)) / z1; /* x'' */
+    dydt[4] = -y_2 * k * k1; /* y'' */
     /* the mass matrix is singular */
     if (!(fabs(z1) > 0.0)) {
         return NH_PARTICLE_POT_SINGULAR_2;
@@ -64,13 +183,6 @@ int nh_particle_pot_rhs(double t, const double *y, const double *p, double *dydt
     if (!(fabs(m) > 0.0)) {
         return NH_PARTICLE_POT_SINGULAR_2;
     }
-    /* (III.3) */
-    dydt[0] = x_dot; /* x' */
-    dydt[1] = y_dot; /* y' */
-    dydt[2] = y_2 * x_dot; /* z' */
-    /* (III.3) 10:4 */
-    dydt[3] = -(x * k + y_2 * (m * (x_dot * y_dot))) / z1; /* x'' */
-    dydt[4] = -y_2 * k * k1; /* y'' */
     return nh_particle_pot_finish(5, dydt);
 }
 
@@ -101,10 +213,16 @@ int nh_particle_pot_accelerations(double t, const double *y, const double *p, do
     const double k = p[1];
 
     /* parameters only */
-    const double k1 = 1.0 / m;
+    const double k1 = k / m;
 
     /* state */
-    const double z1 = m + y_2 * (y_2 * m);
+    const double z1 = m * (1.0 + y_2 * y_2);
+    const double z2 = x_dot * y_dot;
+    const double z3 = (x * k + m * (y_2 * z2)) / z1;
+    /* (III.3) */
+    qddot[0] = -z3; /* x'' */
+    qddot[1] = -y_2 * k1; /* y'' */
+    qddot[2] = z2 - y_2 * z3; /* z'' */
     /* the mass matrix is singular */
     if (!(fabs(z1) > 0.0)) {
         return NH_PARTICLE_POT_SINGULAR_2;
@@ -113,12 +231,6 @@ int nh_particle_pot_accelerations(double t, const double *y, const double *p, do
     if (!(fabs(m) > 0.0)) {
         return NH_PARTICLE_POT_SINGULAR_2;
     }
-    const double z2 = x_dot * y_dot;
-    const double z3 = (x * k + y_2 * (m * z2)) / z1;
-    /* (III.3) */
-    qddot[0] = -z3; /* x'' */
-    qddot[1] = -y_2 * k * k1; /* y'' */
-    qddot[2] = z2 - y_2 * z3; /* z'' */
     return nh_particle_pot_finish(3, qddot);
 }
 
@@ -166,19 +278,19 @@ int nh_particle_pot_reactions(double t, const double *y, const double *p, double
     const double k = p[1];
 
     /* state */
-    const double z1 = y_2 * m;
-    const double z2 = m + y_2 * z1;
+    const double z1 = m * (1.0 + y_2 * y_2);
+    const double z2 = x_dot * y_dot;
+    /* (I.4.1) 13:5 */
+    /* reaction of contact: Q_i gains lambda_1 a_1i */
+    lambda[0] = m * (z2 - y_2 * (x * k + m * (y_2 * z2)) / z1);
     /* the mass matrix is singular */
-    if (!(fabs(z2) > 0.0)) {
+    if (!(fabs(z1) > 0.0)) {
         return NH_PARTICLE_POT_SINGULAR_2;
     }
     /* the mass matrix is singular */
     if (!(fabs(m) > 0.0)) {
         return NH_PARTICLE_POT_SINGULAR_2;
     }
-    const double z3 = m * (x_dot * y_dot);
-    /* (I.4.1) 13:5 */
-    lambda[0] = z3 - z1 * ((x * k + y_2 * z3) / z2); /* reaction of contact: Q_i gains lambda_1 a_1i */
     return nh_particle_pot_finish(1, lambda);
 }
 
@@ -193,13 +305,16 @@ double nh_particle_pot_energy(double t, const double *y, const double *p)
     const double k = p[1];
 
     /* state */
-    const double z1 = y_2 * x_dot;
-    const double z2 = 0.5 * (k * (x * x + y_2 * y_2)) + 0.5 * (m * (x_dot * x_dot + y_dot * y_dot + z1 * z1));
+    const double z1 = y_2 * y_2;
+    const double z2 = 0.5 * (k * (x * x + z1) + m * (y_dot * y_dot + x_dot * x_dot * (1.0 + z1)));
     return z2;
 }
 
 int nh_particle_pot_jacobian(double t, const double *y, const double *p, double *J)
 {
+    for (int entry = 0; entry < 25; ++entry) {
+        J[entry] = 0.0;
+    }
     (void)t;
     const double x = y[0];
     const double y_2 = y[1];
@@ -209,45 +324,29 @@ int nh_particle_pot_jacobian(double t, const double *y, const double *p, double 
     const double k = p[1];
 
     /* state */
-    const double z1 = y_2 * m;
-    const double z2 = m + y_2 * z1;
+    const double z1 = m * (1.0 + y_2 * y_2);
+    const double z2 = 1.0 / z1;
+    const double z3 = y_dot * m;
+    const double z4 = y_2 * z2;
+    const double z5 = y_2 * x_dot;
+    /* (III.3) */
+    J[3] = 1.0;
+    J[9] = 1.0;
+    J[11] = x_dot;
+    J[13] = y_2;
+    J[15] = -k * z2;
+    J[16] = -z2 * (x_dot * z3 - 2.0 * (m * (z4 * (x * k + z5 * z3))));
+    J[18] = -z3 * z4;
+    J[19] = -m * (z5 * z2);
+    J[21] = -k / m;
     /* the mass matrix is singular */
-    if (!(fabs(z2) > 0.0)) {
+    if (!(fabs(z1) > 0.0)) {
         return NH_PARTICLE_POT_SINGULAR_2;
     }
     /* the mass matrix is singular */
     if (!(fabs(m) > 0.0)) {
         return NH_PARTICLE_POT_SINGULAR_2;
     }
-    const double z3 = 1.0 / z2;
-    const double z4 = m * (x_dot * y_dot);
-    const double z5 = (x * k + y_2 * z4) * z3;
-    /* (III.3) */
-    J[0] = 0.0;
-    J[1] = 0.0;
-    J[2] = 0.0;
-    J[3] = 1.0;
-    J[4] = 0.0;
-    J[5] = 0.0;
-    J[6] = 0.0;
-    J[7] = 0.0;
-    J[8] = 0.0;
-    J[9] = 1.0;
-    J[10] = 0.0;
-    J[11] = x_dot;
-    J[12] = 0.0;
-    J[13] = y_2;
-    J[14] = 0.0;
-    J[15] = -k * z3;
-    J[16] = -z3 * (z4 - z1 * z5 - m * (y_2 * z5));
-    J[17] = 0.0;
-    J[18] = -z3 * (y_dot * z1);
-    J[19] = -z3 * (x_dot * z1);
-    J[20] = 0.0;
-    J[21] = -k / m;
-    J[22] = 0.0;
-    J[23] = 0.0;
-    J[24] = 0.0;
     return nh_particle_pot_finish(25, J);
 }
 
@@ -260,50 +359,86 @@ int nh_particle_pot_outputs(double t, const double *y, const double *p, double *
     return NH_PARTICLE_POT_OK;
 }
 
+#if NH_PARTICLE_POT_LANES >= 2
+static __attribute__((noinline)) void nh_particle_pot_rhs_lanes(const double *fixed, size_t stride, const
+    double *t, const double *y, double *restrict dydt, double *check)
+{
+    (void)t;
+    nh_particle_pot_lanes far = {0}; /* the squares of the angles */
+    nh_particle_pot_lanes sum = {0}; /* an infinity or a NaN among the results stays in it */
+    nh_particle_pot_bits bad = {0}; /* singular blocks */
+    const double m = fixed[0];
+    const double k = fixed[1];
+    const double k1 = fixed[2];
+    const nh_particle_pot_lanes x = nh_particle_pot_get(y);
+    const nh_particle_pot_lanes y_2 = nh_particle_pot_get(y + 1 * stride);
+    const nh_particle_pot_lanes x_dot = nh_particle_pot_get(y + 3 * stride);
+    const nh_particle_pot_lanes y_dot = nh_particle_pot_get(y + 4 * stride);
+    const nh_particle_pot_lanes z1 = m * (1.0 + y_2 * y_2);
+    /* the mass matrix is singular */
+    bad |= nh_particle_pot_misses(nh_particle_pot_size(NH_PARTICLE_POT_SPREAD(z1)),
+        NH_PARTICLE_POT_SPREAD(0.0));
+    const nh_particle_pot_lanes z2 = y_2 * x_dot;
+    /* (III.3) */
+    const nh_particle_pot_lanes slope1 = x_dot;
+    sum += slope1;
+    nh_particle_pot_put(dydt, slope1);
+    const nh_particle_pot_lanes slope2 = y_dot;
+    sum += slope2;
+    nh_particle_pot_put(dydt + 1 * stride, slope2);
+    const nh_particle_pot_lanes slope3 = z2;
+    sum += slope3;
+    nh_particle_pot_put(dydt + 2 * stride, slope3);
+    /* (III.3) 10:4 */
+    const nh_particle_pot_lanes slope4 = -(x * k + m * (y_dot * z2)) / z1;
+    sum += slope4;
+    nh_particle_pot_put(dydt + 3 * stride, slope4);
+    const nh_particle_pot_lanes slope5 = -y_2 * k * k1;
+    sum += slope5;
+    nh_particle_pot_put(dydt + 4 * stride, slope5);
+    nh_particle_pot_put(check, nh_particle_pot_mark(far + (sum - sum), bad));
+}
+
+static __attribute__((noinline)) void nh_particle_pot_rhs_tail(const double *fixed, size_t left, size_t
+    count, const double *t, const double *y, double *restrict dydt, double *check)
+{
+    double time[NH_PARTICLE_POT_LANES];
+    double state[5 * NH_PARTICLE_POT_LANES];
+    double slope[5 * NH_PARTICLE_POT_LANES];
+    nh_particle_pot_fill(left, count, t, y, time, state);
+    nh_particle_pot_rhs_lanes(fixed, NH_PARTICLE_POT_LANES, time, state, slope, check);
+    nh_particle_pot_pour(left, count, slope, dydt);
+}
+#endif
+
 int nh_particle_pot_rhs_batch(size_t count, const double *t, const double *y, const double *p, double
     *restrict dydt)
 {
+#if NH_PARTICLE_POT_LANES >= 2
     const double m = p[0];
-    const double k_ = p[1];
+    const double k = p[1];
     const double k1 = 1.0 / m;
     /* the mass matrix is singular */
     if (!(fabs(m) > 0.0)) {
         return NH_PARTICLE_POT_SINGULAR_2;
     }
-    int singular1 = 0;
-    int bad = 0;
-    (void)t;
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC ivdep
+    const double fixed[] = {m, k, k1};
+    double check[1 * NH_PARTICLE_POT_LANES];
+    int status = NH_PARTICLE_POT_OK;
+    for (size_t i = 0; i < count; i += NH_PARTICLE_POT_LANES) {
+        const size_t left = count - i < NH_PARTICLE_POT_LANES ? count - i : NH_PARTICLE_POT_LANES;
+        if (left == NH_PARTICLE_POT_LANES) {
+            nh_particle_pot_rhs_lanes(fixed, count, t + i, y + i, dydt + i, check);
+        } else {
+            nh_particle_pot_rhs_tail(fixed, left, count, t + i, y + i, dydt + i, check);
+        }
+        if (!nh_particle_pot_is_good(1 * NH_PARTICLE_POT_LANES, check)) {
+            const int one = nh_particle_pot_one_by_one(count, i, left, t, y, p, dydt);
+            status = status == NH_PARTICLE_POT_OK ? one : status;
+        }
+    }
+    return status;
+#else
+    return nh_particle_pot_one_by_one(count, 0, count, t, y, p, dydt);
 #endif
-    for (size_t i = 0; i < count; ++i) {
-        const double x = y[i];
-        const double y_2 = y[count + i];
-        const double x_dot = y[3 * count + i];
-        const double y_dot = y[4 * count + i];
-        const double z1 = m + y_2 * (y_2 * m);
-        /* the mass matrix is singular */
-        singular1 |= !(fabs(z1) > 0.0);
-        /* (III.3) */
-        const double slope1 = x_dot; /* x' */
-        dydt[i] = slope1;
-        bad |= !(fabs(slope1) <= DBL_MAX);
-        const double slope2 = y_dot; /* y' */
-        dydt[count + i] = slope2;
-        bad |= !(fabs(slope2) <= DBL_MAX);
-        const double slope3 = y_2 * x_dot; /* z' */
-        dydt[2 * count + i] = slope3;
-        bad |= !(fabs(slope3) <= DBL_MAX);
-        /* (III.3) 10:4 */
-        const double slope4 = -(x * k_ + y_2 * (m * (x_dot * y_dot))) / z1; /* x'' */
-        dydt[3 * count + i] = slope4;
-        bad |= !(fabs(slope4) <= DBL_MAX);
-        const double slope5 = -y_2 * k_ * k1; /* y'' */
-        dydt[4 * count + i] = slope5;
-        bad |= !(fabs(slope5) <= DBL_MAX);
-    }
-    if (singular1) {
-        return NH_PARTICLE_POT_SINGULAR_2;
-    }
-    return bad ? NH_PARTICLE_POT_NOT_FINITE : NH_PARTICLE_POT_OK;
 }

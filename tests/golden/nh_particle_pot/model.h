@@ -1,5 +1,5 @@
 /*
- * nh_particle_pot.h: nh_particle_pot, emitted by nhc 0.1.0 (nhc:011a5bc49c3fd8e8)
+ * nh_particle_pot.h: nh_particle_pot, emitted by nhc 0.1.0 (nhc:fcab64df82ec8c1f)
  * The nonholonomic particle with springs in x and y.
  * Source: nh_particle_pot.yaml
  * Equations of motion: chaplygin (III.3)
@@ -20,14 +20,14 @@
  * 0: contact
  *
  * Operations:
- * rhs: 2 +-, 9 *, 2 /, 0 calls
+ * rhs: 2 +-, 8 *, 2 /, 0 calls
  * velocities: 0 +-, 1 *, 0 /, 0 calls
- * accelerations: 3 +-, 9 *, 2 /, 0 calls
+ * accelerations: 3 +-, 8 *, 2 /, 0 calls
  * state: 0 +-, 0 *, 0 /, 0 calls
  * residuals: 1 +-, 1 *, 0 /, 0 calls
- * reactions: 3 +-, 7 *, 1 /, 0 calls
- * energy: 4 +-, 10 *, 0 /, 0 calls
- * jacobian: 4 +-, 16 *, 2 /, 0 calls
+ * reactions: 3 +-, 8 *, 1 /, 0 calls
+ * energy: 4 +-, 8 *, 0 /, 0 calls
+ * jacobian: 3 +-, 16 *, 2 /, 0 calls
  * outputs: 0 +-, 0 *, 0 /, 0 calls
  *
  * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.

@@ -1,4 +1,4 @@
-"""nh_particle_pot, emitted by nhc 0.1.0 (nhc:f3ea4dc26f4d9666).
+"""nh_particle_pot, emitted by nhc 0.1.0 (nhc:ad19fbbb856d9a00).
 
 The nonholonomic particle with springs in x and y.
 Source: nh_particle_pot.yaml
@@ -20,14 +20,14 @@ Constraints:
 0: contact
 
 Operations:
-rhs: 2 +-, 9 *, 2 /, 0 calls
+rhs: 2 +-, 8 *, 2 /, 0 calls
 velocities: 0 +-, 1 *, 0 /, 0 calls
-accelerations: 3 +-, 9 *, 2 /, 0 calls
+accelerations: 3 +-, 8 *, 2 /, 0 calls
 state: 0 +-, 0 *, 0 /, 0 calls
 residuals: 1 +-, 1 *, 0 /, 0 calls
-reactions: 3 +-, 7 *, 1 /, 0 calls
-energy: 4 +-, 10 *, 0 /, 0 calls
-jacobian: 4 +-, 16 *, 2 /, 0 calls
+reactions: 3 +-, 8 *, 1 /, 0 calls
+energy: 4 +-, 8 *, 0 /, 0 calls
+jacobian: 3 +-, 16 *, 2 /, 0 calls
 outputs: 0 +-, 0 *, 0 /, 0 calls
 
 A singular point raises SingularModelError.
@@ -90,22 +90,23 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         # parameters only
         k1 = 1.0 / m
         # state
-        z1 = m + y_2 * (y_2 * m)
+        z1 = m * (1.0 + y_2 * y_2)
         # the mass matrix is singular
         if not abs(z1) > 0.0:
             raise SingularModelError(2, "rhs")
         # the mass matrix is singular
         if not abs(m) > 0.0:
             raise SingularModelError(2, "rhs")
+        z2 = y_2 * x_dot
         dydt: list[float] = [
             # x' (III.3)
             x_dot,
             # y' (III.3)
             y_dot,
             # z' (III.3)
-            y_2 * x_dot,
+            z2,
             # x'' (III.3) 10:4
-            -(x * k + y_2 * (m * (x_dot * y_dot))) / z1,
+            -(x * k + m * (y_dot * z2)) / z1,
             # y'' (III.3) 10:4
             -y_2 * k * k1,
         ]
@@ -160,9 +161,9 @@ def accelerations(
     k = float(p[1])
     try:
         # parameters only
-        k1 = 1.0 / m
+        k1 = k / m
         # state
-        z1 = m + y_2 * (y_2 * m)
+        z1 = m * (1.0 + y_2 * y_2)
         # the mass matrix is singular
         if not abs(z1) > 0.0:
             raise SingularModelError(2, "accelerations")
@@ -170,12 +171,12 @@ def accelerations(
         if not abs(m) > 0.0:
             raise SingularModelError(2, "accelerations")
         z2 = x_dot * y_dot
-        z3 = (x * k + y_2 * (m * z2)) / z1
+        z3 = (x * k + m * (y_2 * z2)) / z1
         qddot: list[float] = [
             # x'' (III.3)
             -z3,
             # y'' (III.3)
-            -y_2 * k * k1,
+            -y_2 * k1,
             # z'' (III.3)
             z2 - y_2 * z3,
         ]
@@ -252,18 +253,17 @@ def reactions(
     k = float(p[1])
     try:
         # state
-        z1 = y_2 * m
-        z2 = m + y_2 * z1
+        z1 = m * (1.0 + y_2 * y_2)
         # the mass matrix is singular
-        if not abs(z2) > 0.0:
+        if not abs(z1) > 0.0:
             raise SingularModelError(2, "reactions")
         # the mass matrix is singular
         if not abs(m) > 0.0:
             raise SingularModelError(2, "reactions")
-        z3 = m * (x_dot * y_dot)
+        z2 = x_dot * y_dot
         lambda_: list[float] = [
             # reaction of contact: Q_i gains lambda_1 a_1i (I.4.1) 13:5
-            z3 - z1 * ((x * k + y_2 * z3) / z2),
+            m * (z2 - y_2 * (x * k + m * (y_2 * z2)) / z1),
         ]
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -284,9 +284,9 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     k = float(p[1])
     try:
         # state
-        z1 = y_2 * x_dot
-        s1 = 0.5 * (m * (x_dot * x_dot + y_dot * y_dot + z1 * z1))
-        z2 = 0.5 * (k * (x * x + y_2 * y_2)) + s1
+        z1 = y_2 * y_2
+        s1 = m * (y_dot * y_dot + x_dot * x_dot * (1.0 + z1))
+        z2 = 0.5 * (k * (x * x + z1) + s1)
         value1 = z2
         return _single("energy", value1)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -311,67 +311,51 @@ def jacobian(
     k = float(p[1])
     try:
         # state
-        z1 = y_2 * m
-        z2 = m + y_2 * z1
+        z1 = m * (1.0 + y_2 * y_2)
         # the mass matrix is singular
-        if not abs(z2) > 0.0:
+        if not abs(z1) > 0.0:
             raise SingularModelError(2, "jacobian")
         # the mass matrix is singular
         if not abs(m) > 0.0:
             raise SingularModelError(2, "jacobian")
-        z3 = 1.0 / z2
-        z4 = m * (x_dot * y_dot)
-        z5 = (x * k + y_2 * z4) * z3
+        z2 = 1.0 / z1
+        z3 = y_dot * m
+        z4 = y_2 * z2
+        z5 = y_2 * x_dot
         J: list[float] = [
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
             # (III.3)
             1.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
             # (III.3)
             1.0,
-            # (III.3)
             0.0,
             # (III.3)
             x_dot,
-            # (III.3)
             0.0,
             # (III.3)
             y_2,
-            # (III.3)
             0.0,
             # (III.3)
-            -k * z3,
+            -k * z2,
             # (III.3)
-            -z3 * (z4 - z1 * z5 - m * (y_2 * z5)),
-            # (III.3)
+            -z2 * (x_dot * z3 - 2.0 * (m * (z4 * (x * k + z5 * z3)))),
             0.0,
             # (III.3)
-            -z3 * (y_dot * z1),
+            -z3 * z4,
             # (III.3)
-            -z3 * (x_dot * z1),
-            # (III.3)
+            -m * (z5 * z2),
             0.0,
             # (III.3)
             -k / m,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
         ]
         _finish("jacobian", J)

@@ -1,5 +1,5 @@
 /*
- * pendulum.c: pendulum, emitted by nhc 0.1.0 (nhc:bdac2a7edaca3800)
+ * pendulum.c: pendulum, emitted by nhc 0.1.0 (nhc:de0f2e1bec05f6fd)
  * The plane pendulum, large swings.
  * Source: pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -10,6 +10,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <string.h>
 
 const char *const pendulum_coordinate_names[] = {
     "theta"
@@ -38,6 +39,121 @@ static int pendulum_finish(int count, const double *values)
     return fabs(sum) <= DBL_MAX ? PENDULUM_OK : PENDULUM_NOT_FINITE;
 }
 
+/* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
+#ifndef PENDULUM_LANES
+#if !defined(__GNUC__)
+#define PENDULUM_LANES 1
+#elif defined(__AVX512F__)
+#define PENDULUM_LANES 8
+#elif defined(__AVX__)
+#define PENDULUM_LANES 4
+#else
+#define PENDULUM_LANES 2
+#endif
+#endif
+#if PENDULUM_LANES > 1
+typedef double pendulum_lanes __attribute__((vector_size(8 * PENDULUM_LANES)));
+#else
+typedef double pendulum_lanes;
+#endif
+
+#if PENDULUM_LANES >= 2
+static inline pendulum_lanes pendulum_get(const double *from)
+{
+    pendulum_lanes value;
+    memcpy(&value, from, sizeof value);
+    return value;
+}
+
+static inline void pendulum_put(double *to, pendulum_lanes value)
+{
+    memcpy(to, &value, sizeof value);
+}
+#endif
+
+/* states first, first + 1, ... through rhs, one by one; the first status that is not OK */
+#if defined(__GNUC__)
+__attribute__((noinline))
+#endif
+static int pendulum_one_by_one(size_t count, size_t first, size_t number, const double *t, const double *y, const double *p, double *dydt)
+{
+    int status = PENDULUM_OK;
+    for (size_t i = first; i < first + number; ++i) {
+        double state[PENDULUM_NY];
+        double slope[PENDULUM_NY];
+        for (size_t k = 0; k < PENDULUM_NY; ++k) {
+            state[k] = y[k * count + i];
+            slope[k] = NAN;
+        }
+        const int one = pendulum_rhs(t[i], state, p, slope);
+        status = status == PENDULUM_OK ? one : status;
+        for (size_t k = 0; k < PENDULUM_NY; ++k) {
+            dydt[k * count + i] = slope[k];
+        }
+    }
+    return status;
+}
+
+#if PENDULUM_LANES >= 2
+#define PENDULUM_SPREAD(x) ((x) - (pendulum_lanes){0}) /* a number in each lane; lanes stay what they are */
+
+typedef unsigned long long pendulum_bits __attribute__((vector_size(8 * PENDULUM_LANES)));
+
+/* no number where a bit is set */
+static inline pendulum_lanes pendulum_mark(pendulum_lanes value, pendulum_bits bad)
+{
+    return (pendulum_lanes)((pendulum_bits)value | bad);
+}
+/* whether none of the states must be asked again: no singular block, no infinity, no angle anywhere near 1e5 */
+static inline int pendulum_is_good(int count, const double *check)
+{
+    double even = 0.0;
+    double odd = 0.0;
+    for (int k = 0; k < count; k += 2) {
+        even += check[k];
+        odd += check[k + 1];
+    }
+    return even + odd <= 1e10;
+}
+
+/* the last states, fewer than there are lanes; the others repeat the last one */
+static inline void pendulum_fill(size_t left, size_t count, const double *t, const double *y, double *time, double *state)
+{
+    for (size_t l = 0; l < PENDULUM_LANES; ++l) {
+        const size_t i = l < left ? l : left - 1;
+        time[l] = t[i];
+        for (size_t k = 0; k < PENDULUM_NY; ++k) {
+            state[k * PENDULUM_LANES + l] = y[k * count + i];
+        }
+    }
+}
+
+static inline void pendulum_pour(size_t left, size_t count, const double *slope, double *dydt)
+{
+    for (size_t k = 0; k < PENDULUM_NY; ++k) {
+        for (size_t l = 0; l < left; ++l) {
+            dydt[k * count + l] = slope[k * PENDULUM_LANES + l];
+        }
+    }
+}
+
+/* libm's sine and cosine, lane by lane */
+static inline void pendulum_turn_lanes(pendulum_lanes x, pendulum_lanes *far, pendulum_lanes *sine, pendulum_lanes *cosine)
+{
+    double angle[PENDULUM_LANES];
+    double up[PENDULUM_LANES];
+    double along[PENDULUM_LANES];
+    (void)far;
+    memcpy(angle, &x, sizeof x);
+    for (int l = 0; l < PENDULUM_LANES; ++l) {
+        up[l] = sin(angle[l]);
+        along[l] = cos(angle[l]);
+    }
+    memcpy(sine, up, sizeof x);
+    memcpy(cosine, along, sizeof x);
+}
+#endif
+
 int pendulum_rhs(double t, const double *y, const double *p, double *dydt)
 {
     (void)t;
@@ -51,15 +167,15 @@ int pendulum_rhs(double t, const double *y, const double *p, double *dydt)
     const double k1 = 1.0 / l;
 
     /* state */
-    /* the mass matrix is singular */
-    if (!(fabs(m * (l * l)) > 0.0)) {
-        return PENDULUM_SINGULAR_2;
-    }
     const double s_theta = sin(theta);
     /* (II.3) */
     dydt[0] = theta_dot; /* theta' */
     /* (II.3) 12:4 */
     dydt[1] = -g * s_theta * k1; /* theta'' */
+    /* the mass matrix is singular */
+    if (!(fabs(m * (l * l)) > 0.0)) {
+        return PENDULUM_SINGULAR_2;
+    }
     return pendulum_finish(2, dydt);
 }
 
@@ -87,13 +203,13 @@ int pendulum_accelerations(double t, const double *y, const double *p, double *q
     const double k1 = 1.0 / l;
 
     /* state */
+    const double s_theta = sin(theta);
+    /* (II.3) */
+    qddot[0] = -g * s_theta * k1; /* theta'' */
     /* the mass matrix is singular */
     if (!(fabs(m * (l * l)) > 0.0)) {
         return PENDULUM_SINGULAR_2;
     }
-    const double s_theta = sin(theta);
-    /* (II.3) */
-    qddot[0] = -g * s_theta * k1; /* theta'' */
     return pendulum_finish(1, qddot);
 }
 
@@ -155,6 +271,8 @@ double pendulum_energy(double t, const double *y, const double *p)
 
 int pendulum_jacobian(double t, const double *y, const double *p, double *J)
 {
+    J[0] = 0.0;
+    J[3] = 0.0;
     (void)t;
     const double theta = y[0]; /* angle from the downward vertical [rad] */
     const double m = p[0]; /* mass of the bob [kg] */
@@ -165,16 +283,14 @@ int pendulum_jacobian(double t, const double *y, const double *p, double *J)
     const double k1 = 1.0 / l;
 
     /* state */
+    const double c_theta = cos(theta);
+    /* (II.3) */
+    J[1] = 1.0;
+    J[2] = -k1 * (g * c_theta);
     /* the mass matrix is singular */
     if (!(fabs(m * (l * l)) > 0.0)) {
         return PENDULUM_SINGULAR_2;
     }
-    const double c_theta = cos(theta);
-    /* (II.3) */
-    J[0] = 0.0;
-    J[1] = 1.0;
-    J[2] = -k1 * (g * c_theta);
-    J[3] = 0.0;
     return pendulum_finish(4, J);
 }
 
@@ -190,8 +306,47 @@ int pendulum_outputs(double t, const double *y, const double *p, double *out)
     return pendulum_finish(1, out);
 }
 
+#if PENDULUM_LANES >= 2
+static __attribute__((noinline)) void pendulum_rhs_lanes(const double *fixed, size_t stride, const double *t,
+    const double *y, double *restrict dydt, double *check)
+{
+    (void)t;
+    pendulum_lanes far = {0}; /* the squares of the angles */
+    pendulum_lanes sum = {0}; /* an infinity or a NaN among the results stays in it */
+    pendulum_bits bad = {0}; /* singular blocks */
+    const double g = fixed[0];
+    const double k1 = fixed[1];
+    const pendulum_lanes theta = pendulum_get(y);
+    const pendulum_lanes theta_dot = pendulum_get(y + 1 * stride);
+    pendulum_lanes sine1, cosine1;
+    pendulum_turn_lanes(PENDULUM_SPREAD(theta), &far, &sine1, &cosine1);
+    const pendulum_lanes s_theta = sine1;
+    /* (II.3) */
+    const pendulum_lanes slope1 = theta_dot;
+    sum += slope1;
+    pendulum_put(dydt, slope1);
+    /* (II.3) 12:4 */
+    const pendulum_lanes slope2 = -g * s_theta * k1;
+    sum += slope2;
+    pendulum_put(dydt + 1 * stride, slope2);
+    pendulum_put(check, pendulum_mark(far + (sum - sum), bad));
+}
+
+static __attribute__((noinline)) void pendulum_rhs_tail(const double *fixed, size_t left, size_t count, const
+    double *t, const double *y, double *restrict dydt, double *check)
+{
+    double time[PENDULUM_LANES];
+    double state[2 * PENDULUM_LANES];
+    double slope[2 * PENDULUM_LANES];
+    pendulum_fill(left, count, t, y, time, state);
+    pendulum_rhs_lanes(fixed, PENDULUM_LANES, time, state, slope, check);
+    pendulum_pour(left, count, slope, dydt);
+}
+#endif
+
 int pendulum_rhs_batch(size_t count, const double *t, const double *y, const double *p, double *restrict dydt)
 {
+#if PENDULUM_LANES >= 2
     const double m = p[0]; /* mass of the bob [kg] */
     const double l = p[1]; /* length of the rod [m] */
     const double g = p[2]; /* acceleration of gravity [m/s^2] */
@@ -200,23 +355,23 @@ int pendulum_rhs_batch(size_t count, const double *t, const double *y, const dou
     if (!(fabs(m * (l * l)) > 0.0)) {
         return PENDULUM_SINGULAR_2;
     }
-    int bad = 0;
-    (void)t;
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC ivdep
-#endif
-    for (size_t i = 0; i < count; ++i) {
-        const double theta = y[i]; /* angle from the downward vertical [rad] */
-        const double theta_dot = y[count + i];
-        const double s_theta = sin(theta);
-        /* (II.3) */
-        const double slope1 = theta_dot; /* theta' */
-        dydt[i] = slope1;
-        bad |= !(fabs(slope1) <= DBL_MAX);
-        /* (II.3) 12:4 */
-        const double slope2 = -g * s_theta * k1; /* theta'' */
-        dydt[count + i] = slope2;
-        bad |= !(fabs(slope2) <= DBL_MAX);
+    const double fixed[] = {g, k1};
+    double check[1 * PENDULUM_LANES];
+    int status = PENDULUM_OK;
+    for (size_t i = 0; i < count; i += PENDULUM_LANES) {
+        const size_t left = count - i < PENDULUM_LANES ? count - i : PENDULUM_LANES;
+        if (left == PENDULUM_LANES) {
+            pendulum_rhs_lanes(fixed, count, t + i, y + i, dydt + i, check);
+        } else {
+            pendulum_rhs_tail(fixed, left, count, t + i, y + i, dydt + i, check);
+        }
+        if (!pendulum_is_good(1 * PENDULUM_LANES, check)) {
+            const int one = pendulum_one_by_one(count, i, left, t, y, p, dydt);
+            status = status == PENDULUM_OK ? one : status;
+        }
     }
-    return bad ? PENDULUM_NOT_FINITE : PENDULUM_OK;
+    return status;
+#else
+    return pendulum_one_by_one(count, 0, count, t, y, p, dydt);
+#endif
 }

@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""pendulum, emitted by nhc 0.1.0 (nhc:850a7b482b4a6f57).
+"""pendulum, emitted by nhc 0.1.0 (nhc:d0cdb549572a066e).
 
 The plane pendulum, large swings.
 Source: pendulum.yaml
@@ -268,13 +268,11 @@ def jacobian(
             raise SingularModelError(2, "jacobian")
         c_theta = math.cos(theta)
         J: list[float] = [
-            # (II.3)
             0.0,
             # (II.3)
             1.0,
             # (II.3)
             -k1 * (g * c_theta),
-            # (II.3)
             0.0,
         ]
         _finish("jacobian", J)

@@ -1,5 +1,5 @@
 /*
- * point_mass.c: point_mass, emitted by nhc 0.1.0 (nhc:18bafc33357e5efa)
+ * point_mass.c: point_mass, emitted by nhc 0.1.0 (nhc:a2ffc6a478c5781f)
  * A point mass thrown in a uniform field of gravity, with linear drag.
  * Source: point_mass.yaml
  * Equations of motion: lagrange (II.3)
@@ -10,6 +10,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <string.h>
 
 const char *const point_mass_coordinate_names[] = {
     "x",
@@ -44,6 +45,105 @@ static int point_mass_finish(int count, const double *values)
     return fabs(sum) <= DBL_MAX ? POINT_MASS_OK : POINT_MASS_NOT_FINITE;
 }
 
+/* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
+#ifndef POINT_MASS_LANES
+#if !defined(__GNUC__)
+#define POINT_MASS_LANES 1
+#elif defined(__AVX512F__)
+#define POINT_MASS_LANES 8
+#elif defined(__AVX__)
+#define POINT_MASS_LANES 4
+#else
+#define POINT_MASS_LANES 2
+#endif
+#endif
+#if POINT_MASS_LANES > 1
+typedef double point_mass_lanes __attribute__((vector_size(8 * POINT_MASS_LANES)));
+#else
+typedef double point_mass_lanes;
+#endif
+
+#if POINT_MASS_LANES >= 2
+static inline point_mass_lanes point_mass_get(const double *from)
+{
+    point_mass_lanes value;
+    memcpy(&value, from, sizeof value);
+    return value;
+}
+
+static inline void point_mass_put(double *to, point_mass_lanes value)
+{
+    memcpy(to, &value, sizeof value);
+}
+#endif
+
+/* states first, first + 1, ... through rhs, one by one; the first status that is not OK */
+#if defined(__GNUC__)
+__attribute__((noinline))
+#endif
+static int point_mass_one_by_one(size_t count, size_t first, size_t number, const double *t, const double *y, const double *p, double *dydt)
+{
+    int status = POINT_MASS_OK;
+    for (size_t i = first; i < first + number; ++i) {
+        double state[POINT_MASS_NY];
+        double slope[POINT_MASS_NY];
+        for (size_t k = 0; k < POINT_MASS_NY; ++k) {
+            state[k] = y[k * count + i];
+            slope[k] = NAN;
+        }
+        const int one = point_mass_rhs(t[i], state, p, slope);
+        status = status == POINT_MASS_OK ? one : status;
+        for (size_t k = 0; k < POINT_MASS_NY; ++k) {
+            dydt[k * count + i] = slope[k];
+        }
+    }
+    return status;
+}
+
+#if POINT_MASS_LANES >= 2
+#define POINT_MASS_SPREAD(x) ((x) - (point_mass_lanes){0}) /* a number in each lane; lanes stay what they are */
+
+typedef unsigned long long point_mass_bits __attribute__((vector_size(8 * POINT_MASS_LANES)));
+
+/* no number where a bit is set */
+static inline point_mass_lanes point_mass_mark(point_mass_lanes value, point_mass_bits bad)
+{
+    return (point_mass_lanes)((point_mass_bits)value | bad);
+}
+/* whether none of the states must be asked again: no singular block, no infinity, no angle anywhere near 1e5 */
+static inline int point_mass_is_good(int count, const double *check)
+{
+    double even = 0.0;
+    double odd = 0.0;
+    for (int k = 0; k < count; k += 2) {
+        even += check[k];
+        odd += check[k + 1];
+    }
+    return even + odd <= 1e10;
+}
+
+/* the last states, fewer than there are lanes; the others repeat the last one */
+static inline void point_mass_fill(size_t left, size_t count, const double *t, const double *y, double *time, double *state)
+{
+    for (size_t l = 0; l < POINT_MASS_LANES; ++l) {
+        const size_t i = l < left ? l : left - 1;
+        time[l] = t[i];
+        for (size_t k = 0; k < POINT_MASS_NY; ++k) {
+            state[k * POINT_MASS_LANES + l] = y[k * count + i];
+        }
+    }
+}
+
+static inline void point_mass_pour(size_t left, size_t count, const double *slope, double *dydt)
+{
+    for (size_t k = 0; k < POINT_MASS_NY; ++k) {
+        for (size_t l = 0; l < left; ++l) {
+            dydt[k * count + l] = slope[k * POINT_MASS_LANES + l];
+        }
+    }
+}
+#endif
+
 int point_mass_rhs(double t, const double *y, const double *p, double *dydt)
 {
     (void)t;
@@ -55,29 +155,29 @@ int point_mass_rhs(double t, const double *y, const double *p, double *dydt)
     const double c = p[2]; /* drag coefficient [kg/s] */
 
     /* parameters only */
-    const double k1 = 1.0 / m;
+    const double k1 = c / m;
 
     /* state */
-    /* the mass matrix is singular */
-    if (!(fabs(m) > 0.0)) {
-        return POINT_MASS_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(m) > 0.0)) {
-        return POINT_MASS_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(m) > 0.0)) {
-        return POINT_MASS_SINGULAR_2;
-    }
     /* (II.3) */
     dydt[0] = x_dot; /* x' */
     dydt[1] = y_dot; /* y' */
     dydt[2] = z_dot; /* z' */
     /* (II.3) 14:4 */
-    dydt[3] = -x_dot * c * k1; /* x'' */
-    dydt[4] = -y_dot * c * k1; /* y'' */
-    dydt[5] = -(g + z_dot * c * k1); /* z'' */
+    dydt[3] = -x_dot * k1; /* x'' */
+    dydt[4] = -y_dot * k1; /* y'' */
+    dydt[5] = -(g + z_dot * k1); /* z'' */
+    /* the mass matrix is singular */
+    if (!(fabs(m) > 0.0)) {
+        return POINT_MASS_SINGULAR_2;
+    }
+    /* the mass matrix is singular */
+    if (!(fabs(m) > 0.0)) {
+        return POINT_MASS_SINGULAR_2;
+    }
+    /* the mass matrix is singular */
+    if (!(fabs(m) > 0.0)) {
+        return POINT_MASS_SINGULAR_2;
+    }
     return point_mass_finish(6, dydt);
 }
 
@@ -108,25 +208,25 @@ int point_mass_accelerations(double t, const double *y, const double *p, double 
     const double c = p[2]; /* drag coefficient [kg/s] */
 
     /* parameters only */
-    const double k1 = 1.0 / m;
+    const double k1 = c / m;
 
     /* state */
-    /* the mass matrix is singular */
-    if (!(fabs(m) > 0.0)) {
-        return POINT_MASS_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(m) > 0.0)) {
-        return POINT_MASS_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(m) > 0.0)) {
-        return POINT_MASS_SINGULAR_2;
-    }
     /* (II.3) */
-    qddot[0] = -x_dot * c * k1; /* x'' */
-    qddot[1] = -y_dot * c * k1; /* y'' */
-    qddot[2] = -(g + z_dot * c * k1); /* z'' */
+    qddot[0] = -x_dot * k1; /* x'' */
+    qddot[1] = -y_dot * k1; /* y'' */
+    qddot[2] = -(g + z_dot * k1); /* z'' */
+    /* the mass matrix is singular */
+    if (!(fabs(m) > 0.0)) {
+        return POINT_MASS_SINGULAR_2;
+    }
+    /* the mass matrix is singular */
+    if (!(fabs(m) > 0.0)) {
+        return POINT_MASS_SINGULAR_2;
+    }
+    /* the mass matrix is singular */
+    if (!(fabs(m) > 0.0)) {
+        return POINT_MASS_SINGULAR_2;
+    }
     return point_mass_finish(3, qddot);
 }
 
@@ -203,6 +303,9 @@ double point_mass_energy(double t, const double *y, const double *p)
 
 int point_mass_jacobian(double t, const double *y, const double *p, double *J)
 {
+    for (int entry = 0; entry < 36; ++entry) {
+        J[entry] = 0.0;
+    }
     (void)t;
     (void)y;
     const double m = p[0]; /* mass [kg] */
@@ -212,55 +315,25 @@ int point_mass_jacobian(double t, const double *y, const double *p, double *J)
     const double k1 = c / m;
 
     /* state */
-    /* the mass matrix is singular */
-    if (!(fabs(m) > 0.0)) {
-        return POINT_MASS_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(m) > 0.0)) {
-        return POINT_MASS_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(m) > 0.0)) {
-        return POINT_MASS_SINGULAR_2;
-    }
     /* (II.3) */
-    J[0] = 0.0;
-    J[1] = 0.0;
-    J[2] = 0.0;
     J[3] = 1.0;
-    J[4] = 0.0;
-    J[5] = 0.0;
-    J[6] = 0.0;
-    J[7] = 0.0;
-    J[8] = 0.0;
-    J[9] = 0.0;
     J[10] = 1.0;
-    J[11] = 0.0;
-    J[12] = 0.0;
-    J[13] = 0.0;
-    J[14] = 0.0;
-    J[15] = 0.0;
-    J[16] = 0.0;
     J[17] = 1.0;
-    J[18] = 0.0;
-    J[19] = 0.0;
-    J[20] = 0.0;
     J[21] = -k1;
-    J[22] = 0.0;
-    J[23] = 0.0;
-    J[24] = 0.0;
-    J[25] = 0.0;
-    J[26] = 0.0;
-    J[27] = 0.0;
     J[28] = -k1;
-    J[29] = 0.0;
-    J[30] = 0.0;
-    J[31] = 0.0;
-    J[32] = 0.0;
-    J[33] = 0.0;
-    J[34] = 0.0;
     J[35] = -k1;
+    /* the mass matrix is singular */
+    if (!(fabs(m) > 0.0)) {
+        return POINT_MASS_SINGULAR_2;
+    }
+    /* the mass matrix is singular */
+    if (!(fabs(m) > 0.0)) {
+        return POINT_MASS_SINGULAR_2;
+    }
+    /* the mass matrix is singular */
+    if (!(fabs(m) > 0.0)) {
+        return POINT_MASS_SINGULAR_2;
+    }
     return point_mass_finish(36, J);
 }
 
@@ -278,13 +351,62 @@ int point_mass_outputs(double t, const double *y, const double *p, double *out)
     return point_mass_finish(1, out);
 }
 
+#if POINT_MASS_LANES >= 2
+static __attribute__((noinline)) void point_mass_rhs_lanes(const double *fixed, size_t stride, const double
+    *t, const double *y, double *restrict dydt, double *check)
+{
+    (void)t;
+    point_mass_lanes far = {0}; /* the squares of the angles */
+    point_mass_lanes sum = {0}; /* an infinity or a NaN among the results stays in it */
+    point_mass_bits bad = {0}; /* singular blocks */
+    const double g = fixed[0];
+    const double k1 = fixed[1];
+    const point_mass_lanes x_dot = point_mass_get(y + 3 * stride);
+    const point_mass_lanes y_dot = point_mass_get(y + 4 * stride);
+    const point_mass_lanes z_dot = point_mass_get(y + 5 * stride);
+    /* (II.3) */
+    const point_mass_lanes slope1 = x_dot;
+    sum += slope1;
+    point_mass_put(dydt, slope1);
+    const point_mass_lanes slope2 = y_dot;
+    sum += slope2;
+    point_mass_put(dydt + 1 * stride, slope2);
+    const point_mass_lanes slope3 = z_dot;
+    sum += slope3;
+    point_mass_put(dydt + 2 * stride, slope3);
+    /* (II.3) 14:4 */
+    const point_mass_lanes slope4 = -x_dot * k1;
+    sum += slope4;
+    point_mass_put(dydt + 3 * stride, slope4);
+    const point_mass_lanes slope5 = -y_dot * k1;
+    sum += slope5;
+    point_mass_put(dydt + 4 * stride, slope5);
+    const point_mass_lanes slope6 = -(g + z_dot * k1);
+    sum += slope6;
+    point_mass_put(dydt + 5 * stride, slope6);
+    point_mass_put(check, point_mass_mark(far + (sum - sum), bad));
+}
+
+static __attribute__((noinline)) void point_mass_rhs_tail(const double *fixed, size_t left, size_t count,
+    const double *t, const double *y, double *restrict dydt, double *check)
+{
+    double time[POINT_MASS_LANES];
+    double state[6 * POINT_MASS_LANES];
+    double slope[6 * POINT_MASS_LANES];
+    point_mass_fill(left, count, t, y, time, state);
+    point_mass_rhs_lanes(fixed, POINT_MASS_LANES, time, state, slope, check);
+    point_mass_pour(left, count, slope, dydt);
+}
+#endif
+
 int point_mass_rhs_batch(size_t count, const double *t, const double *y, const double *p, double *restrict
     dydt)
 {
+#if POINT_MASS_LANES >= 2
     const double m = p[0]; /* mass [kg] */
     const double g = p[1]; /* acceleration of gravity [m/s^2] */
     const double c = p[2]; /* drag coefficient [kg/s] */
-    const double k1 = 1.0 / m;
+    const double k1 = c / m;
     /* the mass matrix is singular */
     if (!(fabs(m) > 0.0)) {
         return POINT_MASS_SINGULAR_2;
@@ -297,35 +419,23 @@ int point_mass_rhs_batch(size_t count, const double *t, const double *y, const d
     if (!(fabs(m) > 0.0)) {
         return POINT_MASS_SINGULAR_2;
     }
-    int bad = 0;
-    (void)t;
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC ivdep
+    const double fixed[] = {g, k1};
+    double check[1 * POINT_MASS_LANES];
+    int status = POINT_MASS_OK;
+    for (size_t i = 0; i < count; i += POINT_MASS_LANES) {
+        const size_t left = count - i < POINT_MASS_LANES ? count - i : POINT_MASS_LANES;
+        if (left == POINT_MASS_LANES) {
+            point_mass_rhs_lanes(fixed, count, t + i, y + i, dydt + i, check);
+        } else {
+            point_mass_rhs_tail(fixed, left, count, t + i, y + i, dydt + i, check);
+        }
+        if (!point_mass_is_good(1 * POINT_MASS_LANES, check)) {
+            const int one = point_mass_one_by_one(count, i, left, t, y, p, dydt);
+            status = status == POINT_MASS_OK ? one : status;
+        }
+    }
+    return status;
+#else
+    return point_mass_one_by_one(count, 0, count, t, y, p, dydt);
 #endif
-    for (size_t i = 0; i < count; ++i) {
-        const double x_dot = y[3 * count + i];
-        const double y_dot = y[4 * count + i];
-        const double z_dot = y[5 * count + i];
-        /* (II.3) */
-        const double slope1 = x_dot; /* x' */
-        dydt[i] = slope1;
-        bad |= !(fabs(slope1) <= DBL_MAX);
-        const double slope2 = y_dot; /* y' */
-        dydt[count + i] = slope2;
-        bad |= !(fabs(slope2) <= DBL_MAX);
-        const double slope3 = z_dot; /* z' */
-        dydt[2 * count + i] = slope3;
-        bad |= !(fabs(slope3) <= DBL_MAX);
-        /* (II.3) 14:4 */
-        const double slope4 = -x_dot * c * k1; /* x'' */
-        dydt[3 * count + i] = slope4;
-        bad |= !(fabs(slope4) <= DBL_MAX);
-        const double slope5 = -y_dot * c * k1; /* y'' */
-        dydt[4 * count + i] = slope5;
-        bad |= !(fabs(slope5) <= DBL_MAX);
-        const double slope6 = -(g + z_dot * c * k1); /* z'' */
-        dydt[5 * count + i] = slope6;
-        bad |= !(fabs(slope6) <= DBL_MAX);
-    }
-    return bad ? POINT_MASS_NOT_FINITE : POINT_MASS_OK;
 }

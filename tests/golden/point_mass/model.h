@@ -1,5 +1,5 @@
 /*
- * point_mass.h: point_mass, emitted by nhc 0.1.0 (nhc:12d85173c618dfdb)
+ * point_mass.h: point_mass, emitted by nhc 0.1.0 (nhc:122c4d05fb1f3586)
  * A point mass thrown in a uniform field of gravity, with linear drag.
  * Source: point_mass.yaml
  * Equations of motion: lagrange (II.3)
@@ -22,9 +22,9 @@
  * out[0] = speed
  *
  * Operations:
- * rhs: 1 +-, 6 *, 1 /, 0 calls
+ * rhs: 1 +-, 3 *, 1 /, 0 calls
  * velocities: 0 +-, 0 *, 0 /, 0 calls
- * accelerations: 1 +-, 6 *, 1 /, 0 calls
+ * accelerations: 1 +-, 3 *, 1 /, 0 calls
  * state: 0 +-, 0 *, 0 /, 0 calls
  * residuals: 0 +-, 0 *, 0 /, 0 calls
  * reactions: 0 +-, 0 *, 0 /, 0 calls

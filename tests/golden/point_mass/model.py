@@ -1,4 +1,4 @@
-"""point_mass, emitted by nhc 0.1.0 (nhc:6aec414a48208a5a).
+"""point_mass, emitted by nhc 0.1.0 (nhc:9edaa4b60cda6be6).
 
 A point mass thrown in a uniform field of gravity, with linear drag.
 Source: point_mass.yaml
@@ -22,9 +22,9 @@ Outputs:
 out[0] = speed
 
 Operations:
-rhs: 1 +-, 6 *, 1 /, 0 calls
+rhs: 1 +-, 3 *, 1 /, 0 calls
 velocities: 0 +-, 0 *, 0 /, 0 calls
-accelerations: 1 +-, 6 *, 1 /, 0 calls
+accelerations: 1 +-, 3 *, 1 /, 0 calls
 state: 0 +-, 0 *, 0 /, 0 calls
 residuals: 0 +-, 0 *, 0 /, 0 calls
 reactions: 0 +-, 0 *, 0 /, 0 calls
@@ -90,7 +90,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     c = float(p[2])  # drag coefficient [kg/s]
     try:
         # parameters only
-        k1 = 1.0 / m
+        k1 = c / m
         # state
         # the mass matrix is singular
         if not abs(m) > 0.0:
@@ -109,11 +109,11 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
             # z' (II.3)
             z_dot,
             # x'' (II.3) 14:4
-            -x_dot * c * k1,
+            -x_dot * k1,
             # y'' (II.3) 14:4
-            -y_dot * c * k1,
+            -y_dot * k1,
             # z'' (II.3) 14:4
-            -(g + z_dot * c * k1),
+            -(g + z_dot * k1),
         ]
         return _finish("rhs", dydt)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -166,7 +166,7 @@ def accelerations(
     c = float(p[2])  # drag coefficient [kg/s]
     try:
         # parameters only
-        k1 = 1.0 / m
+        k1 = c / m
         # state
         # the mass matrix is singular
         if not abs(m) > 0.0:
@@ -179,11 +179,11 @@ def accelerations(
             raise SingularModelError(2, "accelerations")
         qddot: list[float] = [
             # x'' (II.3)
-            -x_dot * c * k1,
+            -x_dot * k1,
             # y'' (II.3)
-            -y_dot * c * k1,
+            -y_dot * k1,
             # z'' (II.3)
-            -(g + z_dot * c * k1),
+            -(g + z_dot * k1),
         ]
         return _finish("accelerations", qddot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -311,75 +311,45 @@ def jacobian(
         if not abs(m) > 0.0:
             raise SingularModelError(2, "jacobian")
         J: list[float] = [
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
             # (II.3)
             1.0,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
             # (II.3)
             1.0,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
             # (II.3)
             1.0,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
             # (II.3)
             -k1,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
             # (II.3)
             -k1,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
             # (II.3)
             -k1,

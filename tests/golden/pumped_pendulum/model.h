@@ -1,5 +1,5 @@
 /*
- * pumped_pendulum.h: pumped_pendulum, emitted by nhc 0.1.0 (nhc:27f97b2f1319ef80)
+ * pumped_pendulum.h: pumped_pendulum, emitted by nhc 0.1.0 (nhc:73451cd495290a15)
  * A pendulum whose pivot is moved to and fro; T depends on time and is not homogeneous in the velocities.
  * Source: pumped_pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -23,7 +23,7 @@
  * state: 0 +-, 0 *, 0 /, 0 calls
  * residuals: 0 +-, 0 *, 0 /, 0 calls
  * reactions: 0 +-, 2 *, 0 /, 0 calls
- * energy: 3 +-, 14 *, 0 /, 3 calls
+ * energy: 3 +-, 13 *, 0 /, 3 calls
  * jacobian: 1 +-, 9 *, 1 /, 3 calls
  * outputs: 0 +-, 0 *, 0 /, 0 calls
  *

@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""pumped_pendulum, emitted by nhc 0.1.0 (nhc:63c4129a62f2d0af).
+"""pumped_pendulum, emitted by nhc 0.1.0 (nhc:933e29f4c23bf001).
 
 A pendulum whose pivot is moved to and fro; T depends on time and is not homogeneous
     in the velocities.
@@ -25,7 +25,7 @@ accelerations: 1 +-, 9 *, 1 /, 3 calls
 state: 0 +-, 0 *, 0 /, 0 calls
 residuals: 0 +-, 0 *, 0 /, 0 calls
 reactions: 0 +-, 2 *, 0 /, 0 calls
-energy: 3 +-, 14 *, 0 /, 3 calls
+energy: 3 +-, 13 *, 0 /, 3 calls
 jacobian: 1 +-, 9 *, 1 /, 3 calls
 outputs: 0 +-, 0 *, 0 /, 0 calls
 
@@ -250,15 +250,16 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     nu = float(p[4])  # frequency of the pivot [rad/s]
     try:
         # parameters only
-        k1 = m * g
+        k1 = a * nu
+        k2 = l * (m * g)
         # state
         c1 = math.cos(t_ * nu)
         c_theta = math.cos(theta)
-        x_dot = a * (nu * c1) + l * (theta_dot * c_theta)
+        z1 = theta_dot * l
+        x_dot = c1 * k1 + c_theta * z1
         s_theta = math.sin(theta)
-        y_dot = l * (theta_dot * s_theta)
-        s1 = 0.5 * (m * (x_dot * x_dot + y_dot * y_dot))
-        value1 = s1 - l * c_theta * k1
+        y_dot = s_theta * z1
+        value1 = 0.5 * (m * (x_dot * x_dot + y_dot * y_dot)) - c_theta * k2
         return _single("energy", value1)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
         raise SingularModelError(NOT_FINITE, "energy") from error
@@ -294,13 +295,11 @@ def jacobian(
         s_theta = math.sin(theta)
         s1 = math.sin(t_ * nu)
         J: list[float] = [
-            # (II.3)
             0.0,
             # (II.3)
             1.0,
             # (II.3)
             -k2 * (g * c_theta + s_theta * (s1 * k1)),
-            # (II.3)
             0.0,
         ]
         _finish("jacobian", J)

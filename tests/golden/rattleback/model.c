@@ -1,5 +1,5 @@
 /*
- * rattleback.c: rattleback, emitted by nhc 0.1.0 (nhc:f42933b3ec18b005)
+ * rattleback.c: rattleback, emitted by nhc 0.1.0 (nhc:5b022fc0102d16cb)
  * A loaded ellipsoid that rolls on a plane and prefers one sense of spin (celt, wobblestone).
  * Source: rattleback.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -10,6 +10,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <string.h>
 
 const char *const rattleback_coordinate_names[] = {
     "x",
@@ -62,12 +63,175 @@ static int rattleback_finish(int count, const double *values)
     return fabs(sum) <= DBL_MAX ? RATTLEBACK_OK : RATTLEBACK_NOT_FINITE;
 }
 
+/* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
+#ifndef RATTLEBACK_LANES
+#if !defined(__GNUC__)
+#define RATTLEBACK_LANES 1
+#elif defined(__AVX512F__)
+#define RATTLEBACK_LANES 8
+#elif defined(__AVX__)
+#define RATTLEBACK_LANES 4
+#else
+#define RATTLEBACK_LANES 2
+#endif
+#endif
+#if RATTLEBACK_LANES > 1
+typedef double rattleback_lanes __attribute__((vector_size(8 * RATTLEBACK_LANES)));
+#else
+typedef double rattleback_lanes;
+#endif
+
+static inline rattleback_lanes rattleback_get(const double *from)
+{
+    rattleback_lanes value;
+    memcpy(&value, from, sizeof value);
+    return value;
+}
+
+static inline void rattleback_put(double *to, rattleback_lanes value)
+{
+    memcpy(to, &value, sizeof value);
+}
+
+/* the seeds of the passes from first on: in each lane the seed of its pass is 1 */
+static void rattleback_unit(int size, int first, double *seed)
+{
+    for (int i = 0; i < size; ++i) {
+        for (int k = 0; k < RATTLEBACK_LANES; ++k) {
+            seed[i * RATTLEBACK_LANES + k] = i == first + k ? 1.0 : 0.0;
+        }
+    }
+}
+
+/* the results of the passes, each to its own entries of the output */
+static void rattleback_place(int passes, const int *offset, int count, const int *entry, const double *slope, double *out)
+{
+    for (int k = 0; k < passes && k < RATTLEBACK_LANES; ++k) {
+        for (int i = 0; i < count; ++i) {
+            out[offset[k] + entry[i]] = slope[i * RATTLEBACK_LANES + k];
+        }
+    }
+}
+
+/* states first, first + 1, ... through rhs, one by one; the first status that is not OK */
+#if defined(__GNUC__)
+__attribute__((noinline))
+#endif
+static int rattleback_one_by_one(size_t count, size_t first, size_t number, const double *t, const double *y, const double *p, double *dydt)
+{
+    int status = RATTLEBACK_OK;
+    for (size_t i = first; i < first + number; ++i) {
+        double state[RATTLEBACK_NY];
+        double slope[RATTLEBACK_NY];
+        for (size_t k = 0; k < RATTLEBACK_NY; ++k) {
+            state[k] = y[k * count + i];
+            slope[k] = NAN;
+        }
+        const int one = rattleback_rhs(t[i], state, p, slope);
+        status = status == RATTLEBACK_OK ? one : status;
+        for (size_t k = 0; k < RATTLEBACK_NY; ++k) {
+            dydt[k * count + i] = slope[k];
+        }
+    }
+    return status;
+}
+
+#if RATTLEBACK_LANES >= 2
+#define RATTLEBACK_SPREAD(x) ((x) - (rattleback_lanes){0}) /* a number in each lane; lanes stay what they are */
+
+typedef unsigned long long rattleback_bits __attribute__((vector_size(8 * RATTLEBACK_LANES)));
+
+/* all bits where value is not above bound, or is no number */
+static inline rattleback_bits rattleback_misses(rattleback_lanes value, rattleback_lanes bound)
+{
+    return ~(rattleback_bits)(value > bound);
+}
+
+/* no number where a bit is set */
+static inline rattleback_lanes rattleback_mark(rattleback_lanes value, rattleback_bits bad)
+{
+    return (rattleback_lanes)((rattleback_bits)value | bad);
+}
+
+static inline rattleback_lanes rattleback_size(rattleback_lanes x)
+{
+    return (rattleback_lanes)((rattleback_bits)x & 0x7fffffffffffffffULL);
+}
+/* whether none of the states must be asked again: no singular block, no infinity, no angle anywhere near 1e5 */
+static inline int rattleback_is_good(int count, const double *check)
+{
+    double even = 0.0;
+    double odd = 0.0;
+    for (int k = 0; k < count; k += 2) {
+        even += check[k];
+        odd += check[k + 1];
+    }
+    return even + odd <= 1e10;
+}
+
+/* the last states, fewer than there are lanes; the others repeat the last one */
+static inline void rattleback_fill(size_t left, size_t count, const double *t, const double *y, double *time, double *state)
+{
+    for (size_t l = 0; l < RATTLEBACK_LANES; ++l) {
+        const size_t i = l < left ? l : left - 1;
+        time[l] = t[i];
+        for (size_t k = 0; k < RATTLEBACK_NY; ++k) {
+            state[k * RATTLEBACK_LANES + l] = y[k * count + i];
+        }
+    }
+}
+
+static inline void rattleback_pour(size_t left, size_t count, const double *slope, double *dydt)
+{
+    for (size_t k = 0; k < RATTLEBACK_NY; ++k) {
+        for (size_t l = 0; l < left; ++l) {
+            dydt[k * count + l] = slope[k * RATTLEBACK_LANES + l];
+        }
+    }
+}
+
+/* libm's sine and cosine, lane by lane */
+static inline void rattleback_turn_lanes(rattleback_lanes x, rattleback_lanes *far, rattleback_lanes *sine, rattleback_lanes *cosine)
+{
+    double angle[RATTLEBACK_LANES];
+    double up[RATTLEBACK_LANES];
+    double along[RATTLEBACK_LANES];
+    (void)far;
+    memcpy(angle, &x, sizeof x);
+    for (int l = 0; l < RATTLEBACK_LANES; ++l) {
+        up[l] = sin(angle[l]);
+        along[l] = cos(angle[l]);
+    }
+    memcpy(sine, up, sizeof x);
+    memcpy(cosine, along, sizeof x);
+}
+
+static inline rattleback_lanes rattleback_each_sqrt(rattleback_lanes a)
+{
+    double value[RATTLEBACK_LANES];
+    memcpy(value, &a, sizeof a);
+    for (int l = 0; l < RATTLEBACK_LANES; ++l) {
+        value[l] = sqrt(value[l]);
+    }
+    memcpy(&a, value, sizeof a);
+    return a;
+}
+#endif
+
 int rattleback_rhs(double t, const double *y, const double *p, double *dydt)
 {
     (void)t;
     const double alpha = y[3]; /* roll about the long axis [rad] */
     const double beta = y[4]; /* pitch [rad] */
     const double gamma_ = y[5]; /* heading [rad] */
+
+    /* sines and cosines */
+    const double c_alpha = cos(alpha);
+    const double mu2 = sin(alpha);
+    const double s_beta = sin(beta);
+    const double c_beta = cos(beta);
+    const double s_gamma = sin(gamma_);
+    const double c_gamma = cos(gamma_);
     const double w1 = y[6];
     const double w2 = y[7];
     const double w3 = y[8];
@@ -90,169 +254,161 @@ int rattleback_rhs(double t, const double *y, const double *p, double *dydt)
     const double k6 = a * a * a * a;
 
     /* state */
-    const double c_alpha = cos(alpha);
-    /* the coframe is singular */
-    if (!(fabs(-c_alpha) > 1e-12 * 4.0)) {
-        return RATTLEBACK_SINGULAR_1;
-    }
-    const double s_beta = sin(beta);
     const double z1 = c_alpha * s_beta;
-    const double mu2 = sin(alpha);
     const double z2 = mu2 * mu2;
-    const double c_beta = cos(beta);
     const double mu3 = c_beta * c_alpha;
     const double z3 = k1 * (z1 * z1) + k2 * z2 + k3 * (mu3 * mu3);
     const double z4 = 1.0 / sqrt(z3);
     const double z5 = c_beta * k3;
-    const double z6 = 1.0 - z2;
-    const double z7 = z2 * k4;
-    const double z8 = z4 * (z5 * (z4 * z5 * z6 - 2.0 * (h * c_alpha)) + z4 * z7) + k5;
-    /* the mass matrix is singular */
-    if (!(fabs(z8) > 0.0)) {
-        return RATTLEBACK_SINGULAR_2;
-    }
-    const double s_gamma = sin(gamma_);
-    const double z9 = z1 * k1;
-    const double r1 = z9 * z4;
-    const double z10 = mu3 * k3;
-    const double r3 = h - z4 * z10;
-    const double z11 = c_beta * r1 + s_beta * r3;
-    const double z12 = mu2 * z11;
-    const double c_gamma = cos(gamma_);
-    const double z13 = s_beta * r1 - c_beta * r3;
-    const double z14 = s_gamma * z12 + c_gamma * z13;
-    const double z15 = c_gamma * z12 - s_gamma * z13;
-    const double z16 = c_alpha * z11;
-    const double z17 = I_b + (z14 * z14 + z15 * z15 + z16 * z16);
-    const double z18 = mu2 * k2;
-    const double z19 = z4 * z18;
-    const double z20 = 1.0 / c_alpha;
-    const double z21 = s_beta * z20;
-    const double z22 = z1 * z21 + c_beta * c_beta;
-    const double z23 = z19 * z22;
-    const double z24 = c_beta * s_beta;
-    const double z25 = mu3 * z21 - z24;
-    const double z26 = z19 * z25;
-    const double z27 = c_beta * z23 - s_beta * z26;
-    const double z28 = r3 * z22 + r1 * z25;
-    const double z29 = mu2 * z27 - c_alpha * z28;
-    const double z30 = s_beta * z23 + c_beta * z26;
-    const double z31 = s_gamma * z29 + c_gamma * z30;
-    const double z32 = c_gamma * z29 - s_gamma * z30;
-    const double z33 = c_alpha * z27 + mu2 * z28;
-    const double z34 = z31 * z14 + z32 * z15 + z33 * z16 + I_d * z22;
-    const double z35 = 1.0 / z8;
-    const double z36 = z34 * z35;
-    const double z37 = z17 - z34 * z36;
-    /* the mass matrix is singular */
-    if (!(fabs(z37) > 1e-14 * z17)) {
-        return RATTLEBACK_SINGULAR_2;
-    }
-    const double z38 = 1.0 / z3;
-    const double z39 = s_beta * s_beta;
-    const double z40 = I_c + z38 * (z7 + z6 * (z39 * k6));
-    const double z41 = h - z4 * (c_alpha * z5);
-    const double z42 = z4 * (s_beta * (c_alpha * k1)) * z41;
-    const double z43 = z42 * z35;
-    const double z44 = z19 * z41 + z34 * z43;
-    const double z45 = 1.0 / z37;
-    const double z46 = z44 * z45;
-    const double z47 = z40 - z42 * z43 - z44 * z46;
-    /* the mass matrix is singular */
-    if (!(fabs(z47) > 1e-14 * z40)) {
-        return RATTLEBACK_SINGULAR_2;
-    }
-    const double z48 = s_beta * w1 - c_beta * w3;
-    const double z49 = z20 * z48;
-    const double z50 = z1 * z49;
-    const double z51 = z1 * w3 + mu3 * w1;
-    const double z52 = z51 * z20;
-    const double omega1 = z50 + c_beta * z52;
-    const double z53 = r1 * w2 + z19 * omega1;
-    const double z54 = mu3 * z49;
-    const double z55 = z54 - s_beta * z52;
-    const double z56 = z19 * z55 - r3 * w2;
-    const double z57 = c_beta * z53 - s_beta * z56;
-    const double z58 = r3 * omega1 + r1 * z55;
-    const double e2 = mu2 * z57 - c_alpha * z58;
-    const double z59 = s_beta * z53 + c_beta * z56;
-    const double z60 = w2 + mu2 * z49;
-    const double z61 = I_c * z55;
-    const double z62 = c_beta * z60;
-    const double z63 = s_beta * z60;
-    const double z64 = mu2 * z52;
-    const double z65 = c_alpha * z63 + c_beta * z64;
-    const double z66 = mu2 * z21;
-    const double z67 = c_beta * z66;
-    const double z68 = s_beta * z66;
-    const double z69 = c_beta * mu2;
-    const double z70 = z61 * (c_beta * z62 + z21 * z65 - (z52 * z67 + z49 * (c_alpha * z68 + c_beta * z69)));
-    const double z71 = z64 / (c_alpha * c_alpha);
-    const double z72 = z48 * z71 + z20 * (w1 * z62 + w3 * z63);
-    const double z73 = s_beta * z64 - c_alpha * z62;
-    const double z74 = z20 * (w3 * z73 + w1 * z65) - z51 * z71;
-    const double z75 = z49 * z65 - mu3 * z72 + (z52 * z62 - s_beta * z74);
-    const double z76 = I_c * z75;
-    const double z77 = I_d * omega1 + I_b * w2;
-    const double z78 = I_d * w2 + I_a * omega1;
-    const double z79 = z78 * (c_beta * z63 + z21 * z73 - (z52 * z68 + z49 * (s_beta * z69 - c_alpha * z67)));
-    const double z80 = z49 * z73 - z1 * z72 + (z52 * z63 + c_beta * z74);
-    const double z81 = I_a * z80;
-    const double z82 = 2.0 * (k1 * (z1 * z73)) - 2.0 * (k2 * (mu2 * z51)) + 2.0 * (k3 * (mu3 * z65));
-    const double z83 = z4 * z82 * z38;
-    const double z84 = z4 * (k1 * z73) - 0.5 * (z9 * z83);
-    const double z85 = 0.5 * (z18 * z83) + z4 * (k2 * z51);
-    const double z86 = w2 * z84 - (omega1 * z85 - z19 * z80);
-    const double z87 = 0.5 * (z10 * z83) - z4 * (k3 * z65);
-    const double z88 = z55 * z85 - z19 * z75 + w2 * z87;
-    const double z89 = z53 * z63 + c_beta * z86 + (z56 * z62 + s_beta * z88);
-    const double z90 = omega1 * z87 + r3 * z80 + (z55 * z84 + r1 * z75);
-    const double z91 = z57 * z64 + c_alpha * z89 - (z51 * z58 - mu2 * z90);
-    const double z92 = c_gamma * z49;
-    const double z93 = z51 * z57 - mu2 * z89 + (z58 * z64 + c_alpha * z90);
-    const double z94 = s_gamma * z49;
-    const double z95 = z53 * z62 - s_beta * z86 - (z56 * z63 - c_beta * z88);
-    const double z96 = e2 * z92 - s_gamma * z93 - (z59 * z94 + c_gamma * z95);
-    const double z97 = e2 * z94 + c_gamma * z93 + (z59 * z92 - s_gamma * z95);
-    const double z98 = z77 * (z54 - z51 * z21) - (z79 + (z22 * z81 + (z33 * z91 + (z31 * z96 - z32 * z97))));
-    const double z99 = z70 + (z25 * z76 - z98) - g * z33;
-    const double z100 = omega1 * z61 - (I_d * z80 + (z55 * z78 + (z16 * z91 + (z14 * z96 - z15 * z97))));
-    const double z101 = z100 + g * z16 + z99 * z36;
-    const double z102 = c_beta * z20;
-    const double z103 = mu2 * z102;
-    const double z104 = c_beta * z103;
-    const double z105 = s_beta * z103;
-    const double z106 = s_beta * mu2;
-    const double z107 = z61 * (s_beta * z62 - z102 * z65 + (z52 * z104 + z49 * (c_alpha * z105 - c_beta *
-        z106)));
-    const double z108 = mu3 * z102 + z39;
-    const double z109 = z78 * (s_beta * z63 - z102 * z73 + (z52 * z105 - z49 * (s_beta * z106 + c_alpha *
-        z104)));
-    const double z110 = z24 - z1 * z102;
-    const double z111 = z19 * z110;
-    const double z112 = z19 * z108;
-    const double z113 = c_beta * z111 + s_beta * z112;
-    const double z114 = r3 * z110 - r1 * z108;
-    const double z115 = c_alpha * z113 + mu2 * z114;
-    const double z116 = mu2 * z113 - c_alpha * z114;
-    const double z117 = s_beta * z111 - c_beta * z112;
-    const double z118 = z115 * z91 + ((s_gamma * z116 + c_gamma * z117) * z96 - (c_gamma * z116 - s_gamma *
-        z117) * z97);
-    const double z119 = z107 - (z108 * z76 + (z77 * (z50 + z51 * z102) - (z109 + (z110 * z81 + z118)))) - g *
-        z115;
-    const double z120 = (z119 + z99 * z43 + z46 * z101) / z47;
-    const double z121 = z45 * z101 + z46 * z120;
+    const double z6 = z4 * z5;
+    const double z7 = 1.0 - z2;
+    const double z8 = z2 * k4;
+    const double z9 = z4 * (z5 * (z6 * z7 - 2.0 * (h * c_alpha)) + z4 * z8) + k5;
+    const double z10 = z1 * k1;
+    const double r1 = z10 * z4;
+    const double z11 = mu3 * k3;
+    const double r3 = h - z4 * z11;
+    const double z12 = c_beta * r1 + s_beta * r3;
+    const double z13 = c_alpha * z12;
+    const double z14 = mu2 * z12;
+    const double z15 = s_beta * r1 - c_beta * r3;
+    const double z16 = s_gamma * z14 + c_gamma * z15;
+    const double z17 = c_gamma * z14 - s_gamma * z15;
+    const double z18 = I_b + (z13 * z13 + (z16 * z16 + z17 * z17));
+    const double z19 = 1.0 / c_alpha;
+    const double z20 = s_beta * z19;
+    const double z21 = z1 * z20 + c_beta * c_beta;
+    const double z22 = mu2 * k2;
+    const double z23 = z4 * z22;
+    const double z24 = z23 * z21;
+    const double z25 = c_beta * s_beta;
+    const double z26 = mu3 * z20 - z25;
+    const double z27 = z23 * z26;
+    const double z28 = c_beta * z24 - s_beta * z27;
+    const double z29 = r3 * z21 + r1 * z26;
+    const double z30 = c_alpha * z28 + mu2 * z29;
+    const double z31 = mu2 * z28 - c_alpha * z29;
+    const double z32 = s_beta * z24 + c_beta * z27;
+    const double z33 = s_gamma * z31 + c_gamma * z32;
+    const double z34 = c_gamma * z31 - s_gamma * z32;
+    const double z35 = I_d * z21 + (z30 * z13 + (z33 * z16 + z34 * z17));
+    const double z36 = 1.0 / z9;
+    const double z37 = z35 * z36;
+    const double z38 = z18 - z35 * z37;
+    const double z39 = 1.0 / z3;
+    const double z40 = s_beta * s_beta;
+    const double z41 = I_c + z39 * (z8 + k6 * (z40 * z7));
+    const double z42 = h - c_alpha * z6;
+    const double z43 = r1 * z42;
+    const double z44 = z36 * z43;
+    const double z45 = z23 * z42 + z35 * z44;
+    const double z46 = 1.0 / z38;
+    const double z47 = z46 * z45;
+    const double z48 = z41 - z43 * z44 - z45 * z47;
+    const double z49 = s_beta * w1 - c_beta * w3;
+    const double z50 = z19 * z49;
+    const double z51 = z1 * z50;
+    const double z52 = z1 * w3 + mu3 * w1;
+    const double z53 = z52 * z19;
+    const double omega1 = z51 + c_beta * z53;
+    const double z54 = r1 * w2 + z23 * omega1;
+    const double z55 = mu3 * z50;
+    const double z56 = z55 - s_beta * z53;
+    const double z57 = z23 * z56 - r3 * w2;
+    const double z58 = c_beta * z54 - s_beta * z57;
+    const double z59 = r3 * omega1 + r1 * z56;
+    const double e2 = mu2 * z58 - c_alpha * z59;
+    const double z60 = s_beta * z54 + c_beta * z57;
+    const double z61 = w2 + mu2 * z50;
+    const double z62 = s_beta * z61;
+    const double z63 = mu2 * z53;
+    const double z64 = c_alpha * z62 + c_beta * z63;
+    const double z65 = z63 / (c_alpha * c_alpha);
+    const double z66 = c_beta * z61;
+    const double z67 = z49 * z65 + z19 * (w1 * z66 + w3 * z62);
+    const double z68 = s_beta * z63 - c_alpha * z66;
+    const double z69 = z19 * (w3 * z68 + w1 * z64) - z52 * z65;
+    const double z70 = z50 * z64 - mu3 * z67 + (z53 * z66 - s_beta * z69);
+    const double z71 = mu2 * z20;
+    const double z72 = c_beta * z71;
+    const double z73 = s_beta * z71;
+    const double z74 = c_beta * mu2;
+    const double z75 = z56 * (c_beta * z66 + z20 * z64 - (z53 * z72 + z50 * (c_alpha * z73 + c_beta * z74)));
+    const double z76 = I_d * omega1 + I_b * w2;
+    const double z77 = I_d * w2 + I_a * omega1;
+    const double z78 = z77 * (c_beta * z62 + z20 * z68 - (z53 * z73 + z50 * (s_beta * z74 - c_alpha * z72)));
+    const double z79 = z39 * (z4 * (z10 * z68 - z22 * z52 + z11 * z64));
+    const double z80 = k1 * (z4 * z68) - z10 * z79;
+    const double z81 = z50 * z68 - z1 * z67 + (z53 * z62 + c_beta * z69);
+    const double z82 = z22 * z79 + k2 * (z4 * z52);
+    const double z83 = w2 * z80 + (z23 * z81 - omega1 * z82);
+    const double z84 = z11 * z79 - k3 * (z4 * z64);
+    const double z85 = z23 * z70 - z56 * z82 - w2 * z84;
+    const double z86 = z54 * z62 + c_beta * z83 + (z57 * z66 - s_beta * z85);
+    const double z87 = r3 * z81 + omega1 * z84 + (r1 * z70 + z56 * z80);
+    const double z88 = z58 * z63 + c_alpha * z86 - (z52 * z59 - mu2 * z87);
+    const double z89 = c_gamma * z50;
+    const double z90 = z52 * z58 - mu2 * z86 + (z59 * z63 + c_alpha * z87);
+    const double z91 = s_gamma * z50;
+    const double z92 = z54 * z66 - s_beta * z83 - (z57 * z62 + c_beta * z85);
+    const double z93 = e2 * z89 - s_gamma * z90 - (z60 * z91 + c_gamma * z92);
+    const double z94 = e2 * z91 + c_gamma * z90 + (z60 * z89 - s_gamma * z92);
+    const double z95 = I_a * z81;
+    const double z96 = z76 * (z55 - z52 * z20) - (z78 + (z30 * z88 + (z33 * z93 - z34 * z94))) - z21 * z95;
+    const double z97 = g * z30 - (I_c * (z26 * z70 + z75) - z96);
+    const double z98 = I_c * (omega1 * z56) - (I_d * z81 + (z56 * z77 + (z13 * z88 + (z16 * z93 - z17 *
+        z94))));
+    const double z99 = g * z13 + z98 - z37 * z97;
+    const double z100 = c_beta * z19;
+    const double z101 = z25 - z1 * z100;
+    const double z102 = z23 * z101;
+    const double z103 = mu3 * z100 + z40;
+    const double z104 = z23 * z103;
+    const double z105 = c_beta * z102 + s_beta * z104;
+    const double z106 = r3 * z101 - r1 * z103;
+    const double z107 = c_alpha * z105 + mu2 * z106;
+    const double z108 = mu2 * z100;
+    const double z109 = c_beta * z108;
+    const double z110 = s_beta * z108;
+    const double z111 = s_beta * mu2;
+    const double z112 = z56 * (s_beta * z66 - z100 * z64 + (z53 * z109 + z50 * (c_alpha * z110 - c_beta *
+        z111)));
+    const double z113 = z77 * (s_beta * z62 - z100 * z68 + (z53 * z110 - z50 * (s_beta * z111 + c_alpha *
+        z109)));
+    const double z114 = mu2 * z105 - c_alpha * z106;
+    const double z115 = s_beta * z102 - c_beta * z104;
+    const double z116 = z107 * z88 + ((s_gamma * z114 + c_gamma * z115) * z93 - (c_gamma * z114 - s_gamma *
+        z115) * z94);
+    const double z117 = I_c * (z103 * z70 - z112) + (z76 * (z51 + z52 * z100) - (z113 + z116) - z101 * z95);
+    const double z118 = (g * z107 + z117 + z97 * z44 - z47 * z99) / z48;
+    const double z119 = z46 * z99 - z47 * z118;
     /* (I.2.15) */
-    dydt[0] = -(s_gamma * e2 + c_gamma * z59); /* x' */
-    dydt[1] = c_gamma * e2 - s_gamma * z59; /* y' */
-    dydt[2] = -(c_alpha * z57 + mu2 * z58); /* z' */
-    dydt[3] = z52; /* alpha' */
-    dydt[4] = z60; /* beta' */
-    dydt[5] = -z49; /* gamma' */
+    dydt[0] = -(s_gamma * e2 + c_gamma * z60); /* x' */
+    dydt[1] = c_gamma * e2 - s_gamma * z60; /* y' */
+    dydt[2] = -(c_alpha * z58 + mu2 * z59); /* z' */
+    dydt[3] = z53; /* alpha' */
+    dydt[4] = z61; /* beta' */
+    dydt[5] = -z50; /* gamma' */
     /* (I.2.15) 41:4 */
-    dydt[6] = z99 * z35 + z36 * z121 + z43 * z120; /* w1' */
-    dydt[7] = -z121; /* w2' */
-    dydt[8] = z120; /* w3' */
+    dydt[6] = -(z36 * z97 - z37 * z119 + z44 * z118); /* w1' */
+    dydt[7] = -z119; /* w2' */
+    dydt[8] = -z118; /* w3' */
+    /* the coframe is singular */
+    if (!(fabs(c_alpha) > 1e-12 * 4.0)) {
+        return RATTLEBACK_SINGULAR_1;
+    }
+    /* the mass matrix is singular */
+    if (!(fabs(z9) > 0.0)) {
+        return RATTLEBACK_SINGULAR_2;
+    }
+    /* the mass matrix is singular */
+    if (!(fabs(z38) > 1e-14 * z18)) {
+        return RATTLEBACK_SINGULAR_2;
+    }
+    /* the mass matrix is singular */
+    if (!(fabs(z48) > 1e-14 * z41)) {
+        return RATTLEBACK_SINGULAR_2;
+    }
     return rattleback_finish(9, dydt);
 }
 
@@ -262,6 +418,14 @@ int rattleback_velocities(double t, const double *y, const double *p, double *qd
     const double alpha = y[3]; /* roll about the long axis [rad] */
     const double beta = y[4]; /* pitch [rad] */
     const double gamma_ = y[5]; /* heading [rad] */
+
+    /* sines and cosines */
+    const double c_alpha = cos(alpha);
+    const double mu2 = sin(alpha);
+    const double s_gamma = sin(gamma_);
+    const double c_gamma = cos(gamma_);
+    const double c_beta = cos(beta);
+    const double s_beta = sin(beta);
     const double w1 = y[6];
     const double w2 = y[7];
     const double w3 = y[8];
@@ -276,15 +440,6 @@ int rattleback_velocities(double t, const double *y, const double *p, double *qd
     const double k3 = c * c;
 
     /* state */
-    const double c_alpha = cos(alpha);
-    /* the coframe is singular */
-    if (!(fabs(-c_alpha) > 1e-12 * 4.0)) {
-        return RATTLEBACK_SINGULAR_1;
-    }
-    const double s_gamma = sin(gamma_);
-    const double mu2 = sin(alpha);
-    const double c_beta = cos(beta);
-    const double s_beta = sin(beta);
     const double z1 = c_alpha * s_beta;
     const double mu3 = c_beta * c_alpha;
     const double z2 = 1.0 / sqrt(k1 * (z1 * z1) + k2 * (mu2 * mu2) + k3 * (mu3 * mu3));
@@ -301,7 +456,6 @@ int rattleback_velocities(double t, const double *y, const double *p, double *qd
     const double z10 = c_beta * z7 - s_beta * z9;
     const double z11 = r3 * omega1 + r1 * z8;
     const double e2 = mu2 * z10 - c_alpha * z11;
-    const double c_gamma = cos(gamma_);
     const double z12 = s_beta * z7 + c_beta * z9;
     /* (I.2.4) */
     qdot[0] = -(s_gamma * e2 + c_gamma * z12); /* x' */
@@ -310,15 +464,32 @@ int rattleback_velocities(double t, const double *y, const double *p, double *qd
     qdot[3] = z6; /* alpha' */
     qdot[4] = w2 + mu2 * z5; /* beta' */
     qdot[5] = -z5; /* gamma' */
+    /* the coframe is singular */
+    if (!(fabs(c_alpha) > 1e-12 * 4.0)) {
+        return RATTLEBACK_SINGULAR_1;
+    }
     return rattleback_finish(6, qdot);
 }
 
 int rattleback_accelerations(double t, const double *y, const double *p, double *qddot)
 {
     (void)t;
+    double dydt[9];
+    const int status1 = rattleback_rhs(t, y, p, dydt);
+    if (status1 != RATTLEBACK_OK) {
+        return status1;
+    }
     const double alpha = y[3]; /* roll about the long axis [rad] */
     const double beta = y[4]; /* pitch [rad] */
     const double gamma_ = y[5]; /* heading [rad] */
+
+    /* sines and cosines */
+    const double mu2 = sin(alpha);
+    const double c_alpha = cos(alpha);
+    const double c_beta = cos(beta);
+    const double s_beta = sin(beta);
+    const double c_gamma = cos(gamma_);
+    const double s_gamma = sin(gamma_);
     const double w1 = y[6];
     const double w2 = y[7];
     const double w3 = y[8];
@@ -326,222 +497,69 @@ int rattleback_accelerations(double t, const double *y, const double *p, double 
     const double b = p[1]; /* half axis 2 [cm] */
     const double c = p[2]; /* half axis 3 [cm] */
     const double h = p[3]; /* from the centre of the ellipsoid down to the centre of mass [cm] */
-    const double I_a = p[4]; /* [cm^2] */
-    const double I_b = p[5]; /* [cm^2] */
-    const double I_c = p[6]; /* [cm^2] */
-    const double I_d = p[7]; /* product of inertia, what makes it a rattleback [cm^2] */
-    const double g = p[8]; /* acceleration of gravity [cm/s^2] */
+    const double w1_dot = dydt[6]; /* w1' */
+    const double w2_dot = dydt[7]; /* w2' */
+    const double w3_dot = dydt[8]; /* w3' */
 
     /* parameters only */
     const double k1 = a * a;
     const double k2 = b * b;
     const double k3 = c * c;
-    const double k4 = b * b * b * b;
-    const double k5 = I_a + h * h;
-    const double k6 = a * a * a * a;
 
     /* state */
-    const double c_alpha = cos(alpha);
-    /* the coframe is singular */
-    if (!(fabs(-c_alpha) > 1e-12 * 4.0)) {
-        return RATTLEBACK_SINGULAR_1;
-    }
-    const double s_beta = sin(beta);
     const double z1 = c_alpha * s_beta;
-    const double mu2 = sin(alpha);
-    const double z2 = mu2 * mu2;
-    const double c_beta = cos(beta);
+    const double z2 = z1 * k1;
     const double mu3 = c_beta * c_alpha;
-    const double z3 = k1 * (z1 * z1) + k2 * z2 + k3 * (mu3 * mu3);
+    const double z3 = k1 * (z1 * z1) + k2 * (mu2 * mu2) + k3 * (mu3 * mu3);
     const double z4 = 1.0 / sqrt(z3);
-    const double z5 = c_beta * k3;
-    const double z6 = 1.0 - z2;
-    const double z7 = z2 * k4;
-    const double z8 = z4 * (z5 * (z4 * z5 * z6 - 2.0 * (h * c_alpha)) + z4 * z7) + k5;
-    /* the mass matrix is singular */
-    if (!(fabs(z8) > 0.0)) {
-        return RATTLEBACK_SINGULAR_2;
-    }
-    const double s_gamma = sin(gamma_);
-    const double z9 = z1 * k1;
-    const double r1 = z9 * z4;
-    const double z10 = mu3 * k3;
-    const double r3 = h - z4 * z10;
-    const double z11 = c_beta * r1 + s_beta * r3;
-    const double z12 = mu2 * z11;
-    const double c_gamma = cos(gamma_);
-    const double z13 = s_beta * r1 - c_beta * r3;
-    const double z14 = s_gamma * z12 + c_gamma * z13;
-    const double z15 = c_gamma * z12 - s_gamma * z13;
-    const double z16 = c_alpha * z11;
-    const double z17 = I_b + (z14 * z14 + z15 * z15 + z16 * z16);
-    const double z18 = mu2 * k2;
-    const double z19 = z4 * z18;
-    const double z20 = 1.0 / c_alpha;
-    const double z21 = s_beta * z20;
-    const double z22 = z1 * z21 + c_beta * c_beta;
-    const double z23 = z19 * z22;
-    const double z24 = c_beta * s_beta;
-    const double z25 = mu3 * z21 - z24;
-    const double z26 = z19 * z25;
-    const double z27 = c_beta * z23 - s_beta * z26;
-    const double z28 = r3 * z22 + r1 * z25;
-    const double z29 = mu2 * z27 - c_alpha * z28;
-    const double z30 = s_beta * z23 + c_beta * z26;
-    const double z31 = s_gamma * z29 + c_gamma * z30;
-    const double z32 = c_gamma * z29 - s_gamma * z30;
-    const double z33 = c_alpha * z27 + mu2 * z28;
-    const double z34 = z31 * z14 + z32 * z15 + z33 * z16 + I_d * z22;
-    const double z35 = 1.0 / z8;
-    const double z36 = z34 * z35;
-    const double z37 = z17 - z34 * z36;
-    /* the mass matrix is singular */
-    if (!(fabs(z37) > 1e-14 * z17)) {
-        return RATTLEBACK_SINGULAR_2;
-    }
-    const double z38 = 1.0 / z3;
-    const double z39 = s_beta * s_beta;
-    const double z40 = I_c + z38 * (z7 + z6 * (z39 * k6));
-    const double z41 = h - z4 * (c_alpha * z5);
-    const double z42 = z4 * (s_beta * (c_alpha * k1)) * z41;
-    const double z43 = z42 * z35;
-    const double z44 = z19 * z41 + z34 * z43;
-    const double z45 = 1.0 / z37;
-    const double z46 = z44 * z45;
-    const double z47 = z40 - z42 * z43 - z44 * z46;
-    /* the mass matrix is singular */
-    if (!(fabs(z47) > 1e-14 * z40)) {
-        return RATTLEBACK_SINGULAR_2;
-    }
-    const double z48 = s_beta * w1 - c_beta * w3;
-    const double z49 = z20 * z48;
-    const double z50 = z1 * z49;
-    const double z51 = z1 * w3 + mu3 * w1;
-    const double z52 = z51 * z20;
-    const double omega1 = z50 + c_beta * z52;
-    const double z53 = r1 * w2 + z19 * omega1;
-    const double z54 = mu3 * z49;
-    const double z55 = z54 - s_beta * z52;
-    const double z56 = z19 * z55 - r3 * w2;
-    const double z57 = c_beta * z53 - s_beta * z56;
-    const double z58 = r3 * omega1 + r1 * z55;
-    const double e2 = mu2 * z57 - c_alpha * z58;
-    const double z59 = c_gamma * z49;
-    const double z60 = e2 * z59;
-    const double z61 = z51 * z57;
-    const double z62 = w2 + mu2 * z49;
-    const double z63 = s_beta * z62;
-    const double z64 = z53 * z63;
-    const double z65 = mu2 * z52;
-    const double z66 = c_beta * z62;
-    const double z67 = s_beta * z65 - c_alpha * z66;
-    const double z68 = c_alpha * z63 + c_beta * z65;
-    const double z69 = 2.0 * (k1 * (z1 * z67)) - 2.0 * (k2 * (mu2 * z51)) + 2.0 * (k3 * (mu3 * z68));
-    const double z70 = z4 * z69 * z38;
-    const double z71 = z4 * (k1 * z67) - 0.5 * (z9 * z70);
-    const double z72 = w2 * z71;
-    const double z73 = I_c * z55;
-    const double z74 = z49 * z67;
-    const double z75 = z65 / (c_alpha * c_alpha);
-    const double z76 = z48 * z75;
-    const double z77 = w1 * z66;
-    const double z78 = w3 * z63;
-    const double z79 = z76 + z20 * (z77 + z78);
-    const double z80 = z52 * z63;
-    const double z81 = w3 * z67;
-    const double z82 = w1 * z68;
-    const double z83 = z51 * z75;
-    const double z84 = z20 * (z81 + z82) - z83;
-    const double z85 = z74 - z1 * z79 + (z80 + c_beta * z84);
-    const double z86 = I_d * w2 + I_a * omega1;
-    const double z87 = z57 * z65;
-    const double z88 = 0.5 * (z18 * z70) + z4 * (k2 * z51);
-    const double z89 = omega1 * z88;
-    const double z90 = z72 - (z89 - z19 * z85);
-    const double z91 = z56 * z66;
-    const double z92 = z55 * z88;
-    const double z93 = z49 * z68;
-    const double z94 = z52 * z66;
-    const double z95 = z93 - mu3 * z79 + (z94 - s_beta * z84);
-    const double z96 = 0.5 * (z10 * z70) - z4 * (k3 * z68);
-    const double z97 = w2 * z96;
-    const double z98 = z92 - z19 * z95 + z97;
-    const double z99 = z64 + c_beta * z90 + (z91 + s_beta * z98);
-    const double z100 = z51 * z58;
-    const double z101 = omega1 * z96;
-    const double z102 = z55 * z71;
-    const double z103 = z101 + r3 * z85 + (z102 + r1 * z95);
-    const double z104 = z87 + c_alpha * z99 - (z100 - mu2 * z103);
-    const double z105 = z58 * z65;
-    const double z106 = z61 - mu2 * z99 + (z105 + c_alpha * z103);
-    const double z107 = s_beta * z53 + c_beta * z56;
-    const double z108 = s_gamma * z49;
-    const double z109 = z107 * z108;
-    const double z110 = z53 * z66;
-    const double z111 = z56 * z63;
-    const double z112 = z110 - s_beta * z90 - (z111 - c_beta * z98);
-    const double z113 = z60 - s_gamma * z106 - (z109 + c_gamma * z112);
-    const double z114 = e2 * z108;
-    const double z115 = z107 * z59;
-    const double z116 = z114 + c_gamma * z106 + (z115 - s_gamma * z112);
-    const double z117 = omega1 * z73 - (I_d * z85 + (z55 * z86 + (z16 * z104 + (z14 * z113 - z15 * z116))));
-    const double z118 = mu2 * z21;
-    const double z119 = c_beta * z118;
-    const double z120 = s_beta * z118;
-    const double z121 = c_beta * mu2;
-    const double z122 = z73 * (c_beta * z66 + z21 * z68 - (z52 * z119 + z49 * (c_alpha * z120 + c_beta *
-        z121)));
-    const double z123 = I_c * z95;
-    const double z124 = I_d * omega1 + I_b * w2;
-    const double z125 = z86 * (c_beta * z63 + z21 * z67 - (z52 * z120 + z49 * (s_beta * z121 - c_alpha *
-        z119)));
-    const double z126 = I_a * z85;
-    const double z127 = z124 * (z54 - z51 * z21) - (z125 + (z22 * z126 + (z33 * z104 + (z31 * z113 - z32 *
-        z116))));
-    const double z128 = z122 + (z25 * z123 - z127) - g * z33;
-    const double z129 = z117 + g * z16 + z128 * z36;
-    const double z130 = c_beta * z20;
-    const double z131 = mu2 * z130;
-    const double z132 = c_beta * z131;
-    const double z133 = s_beta * z131;
-    const double z134 = s_beta * mu2;
-    const double z135 = z73 * (s_beta * z66 - z130 * z68 + (z52 * z132 + z49 * (c_alpha * z133 - c_beta *
-        z134)));
-    const double z136 = mu3 * z130 + z39;
-    const double z137 = z86 * (s_beta * z63 - z130 * z67 + (z52 * z133 - z49 * (s_beta * z134 + c_alpha *
-        z132)));
-    const double z138 = z24 - z1 * z130;
-    const double z139 = z19 * z138;
-    const double z140 = z19 * z136;
-    const double z141 = c_beta * z139 + s_beta * z140;
-    const double z142 = r3 * z138 - r1 * z136;
-    const double z143 = c_alpha * z141 + mu2 * z142;
-    const double z144 = mu2 * z141 - c_alpha * z142;
-    const double z145 = s_beta * z139 - c_beta * z140;
-    const double z146 = z143 * z104 + ((s_gamma * z144 + c_gamma * z145) * z113 - (c_gamma * z144 - s_gamma *
-        z145) * z116);
-    const double z147 = z135 - (z136 * z123 + (z124 * (z50 + z51 * z130) - (z137 + (z138 * z126 + z146)))) -
-        g * z143;
-    const double z148 = (z147 + z128 * z43 + z46 * z129) / z47;
-    const double z149 = z45 * z129 + z46 * z148;
-    const double z150 = z128 * z35 + z36 * z149 + z43 * z148;
-    const double z151 = z76 + z20 * (z77 + s_beta * z150 + (z78 - c_beta * z148));
-    const double z152 = z83 - z20 * (z81 - z1 * z148 + (z82 - mu3 * z150));
-    const double z153 = z74 - z1 * z151 + (z80 - c_beta * z152);
-    const double z154 = z72 + r1 * z149 - (z89 - z19 * z153);
-    const double z155 = z93 - mu3 * z151 + (z94 + s_beta * z152);
-    const double z156 = z92 - z19 * z155 + (z97 + r3 * z149);
-    const double z157 = z64 + c_beta * z154 + (z91 + s_beta * z156);
-    const double z158 = z101 + r3 * z153 + (z102 + r1 * z155);
-    const double z159 = z61 - mu2 * z157 + (z105 + c_alpha * z158);
-    const double z160 = z110 - s_beta * z154 - (z111 - c_beta * z156);
+    const double r1 = z2 * z4;
+    const double z5 = mu2 * k2;
+    const double z6 = z4 * z5;
+    const double z7 = 1.0 / c_alpha;
+    const double z8 = s_beta * w1 - c_beta * w3;
+    const double z9 = z7 * z8;
+    const double z10 = z1 * w3 + mu3 * w1;
+    const double z11 = z10 * z7;
+    const double omega1 = z1 * z9 + c_beta * z11;
+    const double z12 = r1 * w2 + z6 * omega1;
+    const double z13 = mu3 * z9 - s_beta * z11;
+    const double z14 = mu3 * k3;
+    const double r3 = h - z4 * z14;
+    const double z15 = z6 * z13 - r3 * w2;
+    const double z16 = c_beta * z12 - s_beta * z15;
+    const double z17 = r3 * omega1 + r1 * z13;
+    const double e2 = mu2 * z16 - c_alpha * z17;
+    const double z18 = c_gamma * z9;
+    const double z19 = w2 + mu2 * z9;
+    const double z20 = s_beta * z19;
+    const double z21 = mu2 * z11;
+    const double z22 = c_beta * z19;
+    const double z23 = s_beta * z21 - c_alpha * z22;
+    const double z24 = c_alpha * z20 + c_beta * z21;
+    const double z25 = z4 * (z2 * z23 - z5 * z10 + z14 * z24) / z3;
+    const double z26 = k1 * (z4 * z23) - z2 * z25;
+    const double z27 = z5 * z25 + k2 * (z4 * z10);
+    const double z28 = z21 / (c_alpha * c_alpha);
+    const double z29 = z8 * z28 + z7 * (w1 * z22 + s_beta * w1_dot + (w3 * z20 - c_beta * w3_dot));
+    const double z30 = z10 * z28 - z7 * (w3 * z23 - z1 * w3_dot + (w1 * z24 - mu3 * w1_dot));
+    const double z31 = z9 * z23 - z1 * z29 + (z11 * z20 - c_beta * z30);
+    const double z32 = w2 * z26 - r1 * w2_dot - (omega1 * z27 - z6 * z31);
+    const double z33 = z9 * z24 - mu3 * z29 + (z11 * z22 + s_beta * z30);
+    const double z34 = z14 * z25 - k3 * (z4 * z24);
+    const double z35 = z13 * z27 - z6 * z33 + (w2 * z34 - r3 * w2_dot);
+    const double z36 = z12 * z20 + c_beta * z32 + (z15 * z22 + s_beta * z35);
+    const double z37 = omega1 * z34 + r3 * z31 + (z13 * z26 + r1 * z33);
+    const double z38 = z10 * z16 - mu2 * z36 + (z17 * z21 + c_alpha * z37);
+    const double z39 = s_beta * z12 + c_beta * z15;
+    const double z40 = s_gamma * z9;
+    const double z41 = z12 * z22 - s_beta * z32 - (z15 * z20 - c_beta * z35);
     /* (I.2.15) */
-    qddot[0] = z60 - s_gamma * z159 - (z109 + c_gamma * z160); /* x'' */
-    qddot[1] = z114 + c_gamma * z159 + (z115 - s_gamma * z160); /* y'' */
-    qddot[2] = z87 + c_alpha * z157 - (z100 - mu2 * z158); /* z'' */
-    qddot[3] = z152; /* alpha'' */
-    qddot[4] = z51 * z49 + mu2 * z151 - z149; /* beta'' */
-    qddot[5] = -z151; /* gamma'' */
+    qddot[0] = e2 * z18 - s_gamma * z38 - (z39 * z40 + c_gamma * z41); /* x'' */
+    qddot[1] = e2 * z40 + c_gamma * z38 + (z39 * z18 - s_gamma * z41); /* y'' */
+    qddot[2] = z16 * z21 + c_alpha * z36 - (z10 * z17 - mu2 * z37); /* z'' */
+    qddot[3] = z30; /* alpha'' */
+    qddot[4] = w2_dot + (z10 * z9 + mu2 * z29); /* beta'' */
+    qddot[5] = -z29; /* gamma'' */
     return rattleback_finish(6, qddot);
 }
 
@@ -549,30 +567,33 @@ int rattleback_state(double t, const double *q, const double *qdot, const double
 {
     (void)t;
     (void)p;
+    const double alpha = q[3]; /* roll about the long axis [rad] */
+    const double beta = q[4]; /* pitch [rad] */
+
+    /* sines and cosines */
+    const double c_beta = cos(beta);
+    const double s_beta = sin(beta);
+    const double c_alpha = cos(alpha);
+    const double mu2 = sin(alpha);
     const double x = q[0]; /* centre of mass [cm] */
     const double y_2 = q[1]; /* centre of mass [cm] */
     const double z = q[2]; /* centre of mass, downwards [cm] */
-    const double alpha = q[3]; /* roll about the long axis [rad] */
-    const double beta = q[4]; /* pitch [rad] */
     const double gamma_ = q[5]; /* heading [rad] */
     const double alpha_dot = qdot[3];
     const double beta_dot = qdot[4];
     const double gamma_dot = qdot[5];
 
     /* state */
-    const double c_beta = cos(beta);
-    const double c_alpha = cos(alpha);
-    const double s_beta = sin(beta);
-    const double mu2 = sin(alpha);
+    const double z1 = gamma_dot * c_alpha;
     y[0] = x;
     y[1] = y_2;
     y[2] = z;
     y[3] = alpha;
     y[4] = beta;
     y[5] = gamma_;
-    y[6] = alpha_dot * c_beta - gamma_dot * (c_alpha * s_beta);
+    y[6] = alpha_dot * c_beta - s_beta * z1;
     y[7] = beta_dot + gamma_dot * mu2;
-    y[8] = alpha_dot * s_beta + gamma_dot * (c_beta * c_alpha);
+    y[8] = alpha_dot * s_beta + c_beta * z1;
     return rattleback_finish(9, y);
 }
 
@@ -582,6 +603,14 @@ int rattleback_residuals(double t, const double *q, const double *qdot, const do
     const double alpha = q[3]; /* roll about the long axis [rad] */
     const double beta = q[4]; /* pitch [rad] */
     const double gamma_ = q[5]; /* heading [rad] */
+
+    /* sines and cosines */
+    const double c_beta = cos(beta);
+    const double s_beta = sin(beta);
+    const double mu2 = sin(alpha);
+    const double c_alpha = cos(alpha);
+    const double c_gamma = cos(gamma_);
+    const double s_gamma = sin(gamma_);
     const double x_dot = qdot[0];
     const double y_dot = qdot[1];
     const double z_dot = qdot[2];
@@ -599,11 +628,7 @@ int rattleback_residuals(double t, const double *q, const double *qdot, const do
     const double k3 = c * c;
 
     /* state */
-    const double c_beta = cos(beta);
-    const double mu2 = sin(alpha);
     const double omega2 = beta_dot + gamma_dot * mu2;
-    const double c_alpha = cos(alpha);
-    const double s_beta = sin(beta);
     const double z1 = c_alpha * s_beta;
     const double mu3 = c_beta * c_alpha;
     const double z2 = 1.0 / sqrt(k1 * (z1 * z1) + k2 * (mu2 * mu2) + k3 * (mu3 * mu3));
@@ -615,11 +640,9 @@ int rattleback_residuals(double t, const double *q, const double *qdot, const do
     const double r1 = z1 * k1 * z2;
     const double z4 = omega1 * z3 + omega2 * r1;
     const double v1 = c_beta * u1 - s_beta * z4;
-    const double c_gamma = cos(gamma_);
     const double u2 = omega3 * r1 - omega1 * r3;
     const double z5 = s_beta * u1 + c_beta * z4;
     const double e2 = c_alpha * u2 + mu2 * z5;
-    const double s_gamma = sin(gamma_);
     /* (I.1.1) 44:5 */
     r[0] = x_dot - v1 * c_gamma + e2 * s_gamma; /* roll_x = 0 */
     /* (I.1.1) 45:5 */
@@ -632,9 +655,22 @@ int rattleback_residuals(double t, const double *q, const double *qdot, const do
 int rattleback_reactions(double t, const double *y, const double *p, double *lambda)
 {
     (void)t;
+    double dydt[9];
+    const int status1 = rattleback_rhs(t, y, p, dydt);
+    if (status1 != RATTLEBACK_OK) {
+        return status1;
+    }
     const double alpha = y[3]; /* roll about the long axis [rad] */
     const double beta = y[4]; /* pitch [rad] */
     const double gamma_ = y[5]; /* heading [rad] */
+
+    /* sines and cosines */
+    const double mu2 = sin(alpha);
+    const double c_alpha = cos(alpha);
+    const double c_beta = cos(beta);
+    const double s_beta = sin(beta);
+    const double c_gamma = cos(gamma_);
+    const double s_gamma = sin(gamma_);
     const double w1 = y[6];
     const double w2 = y[7];
     const double w3 = y[8];
@@ -642,217 +678,121 @@ int rattleback_reactions(double t, const double *y, const double *p, double *lam
     const double b = p[1]; /* half axis 2 [cm] */
     const double c = p[2]; /* half axis 3 [cm] */
     const double h = p[3]; /* from the centre of the ellipsoid down to the centre of mass [cm] */
-    const double I_a = p[4]; /* [cm^2] */
-    const double I_b = p[5]; /* [cm^2] */
-    const double I_c = p[6]; /* [cm^2] */
-    const double I_d = p[7]; /* product of inertia, what makes it a rattleback [cm^2] */
     const double g = p[8]; /* acceleration of gravity [cm/s^2] */
+    const double w1_dot = dydt[6]; /* w1' */
+    const double w2_dot = dydt[7]; /* w2' */
+    const double w3_dot = dydt[8]; /* w3' */
 
     /* parameters only */
     const double k1 = a * a;
     const double k2 = b * b;
     const double k3 = c * c;
-    const double k4 = b * b * b * b;
-    const double k5 = I_a + h * h;
-    const double k6 = a * a * a * a;
-    const double k7 = k1 - k3;
-    const double k8 = k2 - k3;
-    const double k9 = k1 - k2;
+    const double k4 = k1 - k3;
+    const double k5 = k2 - k3;
+    const double k6 = k1 - k2;
 
     /* state */
-    const double c_alpha = cos(alpha);
-    /* the coframe is singular */
-    if (!(fabs(-c_alpha) > 1e-12 * 4.0)) {
-        return RATTLEBACK_SINGULAR_1;
-    }
-    const double s_beta = sin(beta);
     const double z1 = c_alpha * s_beta;
-    const double mu2 = sin(alpha);
-    const double z2 = mu2 * mu2;
-    const double z3 = k2 * z2;
-    const double c_beta = cos(beta);
+    const double z2 = z1 * k1;
+    const double z3 = mu2 * mu2;
+    const double z4 = k2 * z3;
     const double mu3 = c_beta * c_alpha;
-    const double z4 = k1 * (z1 * z1) + z3 + k3 * (mu3 * mu3);
-    const double z5 = 1.0 / sqrt(z4);
-    const double z6 = c_beta * k3;
-    const double z7 = 1.0 - z2;
-    const double z8 = h * c_alpha;
-    const double z9 = z2 * k4;
-    const double z10 = z5 * (z6 * (z5 * z6 * z7 - 2.0 * z8) + z5 * z9) + k5;
-    /* the mass matrix is singular */
-    if (!(fabs(z10) > 0.0)) {
-        return RATTLEBACK_SINGULAR_2;
-    }
-    const double s_gamma = sin(gamma_);
-    const double z11 = z1 * k1;
-    const double r1 = z11 * z5;
-    const double z12 = mu3 * k3;
-    const double r3 = h - z5 * z12;
-    const double z13 = c_beta * r1 + s_beta * r3;
-    const double z14 = mu2 * z13;
-    const double c_gamma = cos(gamma_);
-    const double z15 = s_beta * r1 - c_beta * r3;
-    const double z16 = s_gamma * z14 + c_gamma * z15;
-    const double z17 = c_gamma * z14 - s_gamma * z15;
-    const double z18 = c_alpha * z13;
-    const double z19 = I_b + (z16 * z16 + z17 * z17 + z18 * z18);
-    const double z20 = mu2 * k2;
-    const double z21 = z5 * z20;
-    const double z22 = 1.0 / c_alpha;
-    const double z23 = s_beta * z22;
-    const double z24 = z1 * z23 + c_beta * c_beta;
-    const double z25 = z21 * z24;
-    const double z26 = c_beta * s_beta;
-    const double z27 = mu3 * z23 - z26;
-    const double z28 = z21 * z27;
-    const double z29 = c_beta * z25 - s_beta * z28;
-    const double z30 = r3 * z24 + r1 * z27;
-    const double z31 = mu2 * z29 - c_alpha * z30;
-    const double z32 = s_beta * z25 + c_beta * z28;
-    const double z33 = s_gamma * z31 + c_gamma * z32;
-    const double z34 = c_gamma * z31 - s_gamma * z32;
-    const double z35 = c_alpha * z29 + mu2 * z30;
-    const double z36 = z33 * z16 + z34 * z17 + z35 * z18 + I_d * z24;
-    const double z37 = 1.0 / z10;
-    const double z38 = z36 * z37;
-    const double z39 = z19 - z36 * z38;
-    /* the mass matrix is singular */
-    if (!(fabs(z39) > 1e-14 * z19)) {
-        return RATTLEBACK_SINGULAR_2;
-    }
-    const double z40 = 1.0 / z4;
-    const double z41 = s_beta * s_beta;
-    const double z42 = I_c + z40 * (z9 + z7 * (z41 * k6));
-    const double z43 = h - z5 * (c_alpha * z6);
-    const double z44 = z5 * (s_beta * (c_alpha * k1)) * z43;
-    const double z45 = z44 * z37;
-    const double z46 = z21 * z43 + z36 * z45;
-    const double z47 = 1.0 / z39;
-    const double z48 = z46 * z47;
-    const double z49 = z42 - z44 * z45 - z46 * z48;
-    /* the mass matrix is singular */
-    if (!(fabs(z49) > 1e-14 * z42)) {
-        return RATTLEBACK_SINGULAR_2;
-    }
-    const double z50 = s_beta * w1 - c_beta * w3;
-    const double z51 = z22 * z50;
-    const double z52 = z1 * z51;
-    const double z53 = z1 * w3 + mu3 * w1;
-    const double z54 = z53 * z22;
-    const double omega1 = z52 + c_beta * z54;
-    const double z55 = r1 * w2 + z21 * omega1;
-    const double z56 = mu3 * z51;
-    const double z57 = z56 - s_beta * z54;
-    const double z58 = z21 * z57 - r3 * w2;
-    const double z59 = c_beta * z55 - s_beta * z58;
-    const double z60 = r3 * omega1 + r1 * z57;
-    const double e2 = mu2 * z59 - c_alpha * z60;
-    const double z61 = c_gamma * z51;
-    const double z62 = w2 + mu2 * z51;
-    const double z63 = s_beta * z62;
-    const double z64 = mu2 * z54;
-    const double z65 = c_beta * z62;
-    const double z66 = s_beta * z64 - c_alpha * z65;
-    const double z67 = c_alpha * z63 + c_beta * z64;
-    const double z68 = 2.0 * (k1 * (z1 * z66)) - 2.0 * (k2 * (mu2 * z53)) + 2.0 * (k3 * (mu3 * z67));
-    const double z69 = z5 * z68 * z40;
-    const double z70 = z5 * (k1 * z66) - 0.5 * (z11 * z69);
-    const double z71 = 0.5 * (z20 * z69) + z5 * (k2 * z53);
-    const double z72 = z64 / (c_alpha * c_alpha);
-    const double z73 = z50 * z72 + z22 * (w1 * z65 + w3 * z63);
-    const double z74 = z22 * (w3 * z66 + w1 * z67) - z53 * z72;
-    const double z75 = z51 * z66 - z1 * z73 + (z54 * z63 + c_beta * z74);
-    const double z76 = w2 * z70 - (omega1 * z71 - z21 * z75);
-    const double z77 = z51 * z67 - mu3 * z73 + (z54 * z65 - s_beta * z74);
-    const double z78 = 0.5 * (z12 * z69) - z5 * (k3 * z67);
-    const double z79 = z57 * z71 - z21 * z77 + w2 * z78;
-    const double z80 = z55 * z63 + c_beta * z76 + (z58 * z65 + s_beta * z79);
-    const double z81 = omega1 * z78 + r3 * z75 + (z57 * z70 + r1 * z77);
-    const double z82 = z53 * z59 - mu2 * z80 + (z60 * z64 + c_alpha * z81);
-    const double z83 = s_beta * z55 + c_beta * z58;
-    const double z84 = s_gamma * z51;
-    const double z85 = z55 * z65 - s_beta * z76 - (z58 * z63 - c_beta * z79);
-    const double z86 = e2 * z61 - s_gamma * z82 - (z83 * z84 + c_gamma * z85);
-    const double z87 = s_beta * s_gamma;
-    const double z88 = z3 + k1 * z7;
-    const double z89 = mu2 * (c_beta * k2);
-    const double z90 = I_c * z57;
-    const double z91 = c_beta * z22;
-    const double z92 = mu2 * z91;
-    const double z93 = c_beta * z92;
-    const double z94 = s_beta * z92;
-    const double z95 = s_beta * mu2;
-    const double z96 = z90 * (s_beta * z65 - z91 * z67 + (z54 * z93 + z51 * (c_alpha * z94 - c_beta * z95)));
-    const double z97 = mu3 * z91 + z41;
-    const double z98 = I_c * z77;
-    const double z99 = I_d * omega1 + I_b * w2;
-    const double z100 = I_d * w2 + I_a * omega1;
-    const double z101 = z100 * (s_beta * z63 - z91 * z66 + (z54 * z94 - z51 * (s_beta * z95 + c_alpha *
-        z93)));
-    const double z102 = z26 - z1 * z91;
-    const double z103 = I_a * z75;
-    const double z104 = z21 * z102;
-    const double z105 = z21 * z97;
-    const double z106 = c_beta * z104 + s_beta * z105;
-    const double z107 = r3 * z102 - r1 * z97;
-    const double z108 = c_alpha * z106 + mu2 * z107;
-    const double z109 = z59 * z64 + c_alpha * z80 - (z53 * z60 - mu2 * z81);
-    const double z110 = mu2 * z106 - c_alpha * z107;
-    const double z111 = s_beta * z104 - c_beta * z105;
-    const double z112 = e2 * z84 + c_gamma * z82 + (z83 * z61 - s_gamma * z85);
-    const double z113 = z108 * z109 + ((s_gamma * z110 + c_gamma * z111) * z86 - (c_gamma * z110 - s_gamma *
-        z111) * z112);
-    const double z114 = z96 - (z97 * z98 + (z99 * (z52 + z53 * z91) - (z101 + (z102 * z103 + z113)))) - g *
-        z108;
-    const double z115 = mu2 * z23;
-    const double z116 = c_beta * z115;
-    const double z117 = s_beta * z115;
-    const double z118 = c_beta * mu2;
-    const double z119 = z90 * (c_beta * z65 + z23 * z67 - (z54 * z116 + z51 * (c_alpha * z117 + c_beta *
-        z118)));
-    const double z120 = z100 * (c_beta * z63 + z23 * z66 - (z54 * z117 + z51 * (s_beta * z118 - c_alpha *
-        z116)));
-    const double z121 = z99 * (z56 - z53 * z23) - (z120 + (z24 * z103 + (z35 * z109 + (z33 * z86 - z34 *
-        z112))));
-    const double z122 = z119 + (z27 * z98 - z121) - g * z35;
-    const double z123 = omega1 * z90 - (I_d * z75 + (z57 * z100 + (z18 * z109 + (z16 * z86 - z17 * z112))));
-    const double z124 = z123 + g * z18 + z122 * z38;
-    const double z125 = (z114 + z122 * z45 + z48 * z124) / z49;
-    const double z126 = c_beta * s_gamma;
-    const double z127 = z3 + k3 * z7;
-    const double z128 = mu2 * (s_beta * k2);
-    const double z129 = z47 * z124 + z48 * z125;
-    const double z130 = z122 * z37 + z38 * z129 + z45 * z125;
-    const double z131 = c_alpha * z5;
-    const double z132 = s_beta * c_gamma;
-    const double z133 = c_beta * c_gamma;
-    const double z134 = z131 * (s_beta * ((z132 + s_gamma * z118) * k7) + k3 * c_gamma) - h * (z133 - s_gamma
-        * z95);
-    const double z135 = z5 * (z87 * z88 - c_gamma * z89) * z125 + ((z5 * (z126 * z127 + c_gamma * z128) -
-        s_gamma * z8) * z130 - z134 * z129);
-    const double z136 = z131 * (s_beta * (k7 * (z87 - c_gamma * z118)) + k3 * s_gamma) - h * (z126 + c_gamma
-        * z95);
-    const double z137 = z5 * (z132 * z88 + s_gamma * z89) * z125 + ((z5 * (z133 * z127 - s_gamma * z128) -
-        c_gamma * z8) * z130 + z136 * z129);
-    const double z138 = mu3 * z5;
-    const double z139 = z5 * (z1 * mu2) * k9 * z125 - (mu2 * (h + z138 * k8) * z130 - z1 * (h + k7 * z138) *
-        z129);
+    const double z5 = k1 * (z1 * z1) + z4 + k3 * (mu3 * mu3);
+    const double z6 = 1.0 / sqrt(z5);
+    const double r1 = z2 * z6;
+    const double z7 = mu2 * k2;
+    const double z8 = z6 * z7;
+    const double z9 = 1.0 / c_alpha;
+    const double z10 = s_beta * w1 - c_beta * w3;
+    const double z11 = z9 * z10;
+    const double z12 = z1 * w3 + mu3 * w1;
+    const double z13 = z12 * z9;
+    const double omega1 = z1 * z11 + c_beta * z13;
+    const double z14 = r1 * w2 + z8 * omega1;
+    const double z15 = mu3 * z11 - s_beta * z13;
+    const double z16 = mu3 * k3;
+    const double r3 = h - z6 * z16;
+    const double z17 = z8 * z15 - r3 * w2;
+    const double z18 = c_beta * z14 - s_beta * z17;
+    const double z19 = r3 * omega1 + r1 * z15;
+    const double e2 = mu2 * z18 - c_alpha * z19;
+    const double z20 = c_gamma * z11;
+    const double z21 = w2 + mu2 * z11;
+    const double z22 = s_beta * z21;
+    const double z23 = mu2 * z13;
+    const double z24 = c_beta * z21;
+    const double z25 = s_beta * z23 - c_alpha * z24;
+    const double z26 = c_alpha * z22 + c_beta * z23;
+    const double z27 = z6 * (z2 * z25 - z7 * z12 + z16 * z26) / z5;
+    const double z28 = k1 * (z6 * z25) - z2 * z27;
+    const double z29 = z23 / (c_alpha * c_alpha);
+    const double z30 = z10 * z29 + z9 * (w1 * z24 + w3 * z22);
+    const double z31 = z9 * (w3 * z25 + w1 * z26) - z12 * z29;
+    const double z32 = z11 * z25 - z1 * z30 + (z13 * z22 + c_beta * z31);
+    const double z33 = z7 * z27 + k2 * (z6 * z12);
+    const double z34 = w2 * z28 + (z8 * z32 - omega1 * z33);
+    const double z35 = z11 * z26 - mu3 * z30 + (z13 * z24 - s_beta * z31);
+    const double z36 = z16 * z27 - k3 * (z6 * z26);
+    const double z37 = z8 * z35 - z15 * z33 - w2 * z36;
+    const double z38 = z14 * z22 + c_beta * z34 + (z17 * z24 - s_beta * z37);
+    const double z39 = r3 * z32 + omega1 * z36 + (r1 * z35 + z15 * z28);
+    const double z40 = z12 * z18 - mu2 * z38 + (z19 * z23 + c_alpha * z39);
+    const double z41 = s_beta * z14 + c_beta * z17;
+    const double z42 = s_gamma * z11;
+    const double z43 = z14 * z24 - s_beta * z34 - (z17 * z22 + c_beta * z37);
+    const double z44 = s_beta * s_gamma;
+    const double z45 = 1.0 - z3;
+    const double z46 = z4 + k1 * z45;
+    const double z47 = c_beta * z7;
+    const double z48 = z6 * w3_dot;
+    const double z49 = h * c_alpha;
+    const double z50 = c_beta * s_gamma;
+    const double z51 = z4 + k3 * z45;
+    const double z52 = s_beta * z7;
+    const double z53 = c_beta * c_gamma;
+    const double z54 = s_beta * mu2;
+    const double z55 = c_alpha * z6;
+    const double z56 = c_beta * mu2;
+    const double z57 = s_beta * c_gamma;
+    const double z58 = s_beta * k4;
+    const double z59 = w2_dot * (h * (z53 - s_gamma * z54) - z55 * (k3 * c_gamma + (s_gamma * z56 + z57) *
+        z58));
+    const double z60 = (z44 * z46 - c_gamma * z47) * z48 - (w1_dot * (s_gamma * z49 - z6 * (z50 * z51 +
+        c_gamma * z52)) + z59);
+    const double z61 = w2_dot * (h * (z50 + c_gamma * z54) - z55 * (k3 * s_gamma + (z44 - c_gamma * z56) *
+        z58));
+    const double z62 = (z57 * z46 + s_gamma * z47) * z48 - (w1_dot * (c_gamma * z49 - z6 * (z51 * z53 -
+        s_gamma * z52)) - z61);
+    const double z63 = mu3 * z6;
+    const double z64 = k6 * (mu2 * (z1 * z48)) - ((h + z63 * k5) * (mu2 * w1_dot) + (h + k4 * z63) * (z1 *
+        w2_dot));
     /* (I.4.1) 44:5 */
-    lambda[0] = z86 - z135; /* reaction of roll_x: Q_i gains lambda_1 a_1i */
+    /* reaction of roll_x: Q_i gains lambda_1 a_1i */
+    lambda[0] = e2 * z20 - s_gamma * z40 - (z41 * z42 + c_gamma * z43) - z60;
     /* (I.4.1) 45:5 */
-    lambda[1] = z112 + z137; /* reaction of roll_y: Q_i gains lambda_2 a_2i */
+    /* reaction of roll_y: Q_i gains lambda_2 a_2i */
+    lambda[1] = e2 * z42 + c_gamma * z40 + (z41 * z20 - s_gamma * z43) + z62;
     /* (I.4.1) 46:5 */
-    lambda[2] = z139 - (g - z109); /* reaction of roll_z: Q_i gains lambda_3 a_3i */
+    /* reaction of roll_z: Q_i gains lambda_3 a_3i */
+    lambda[2] = z64 - (g - (z18 * z23 + c_alpha * z38 - (z12 * z19 - mu2 * z39)));
     return rattleback_finish(3, lambda);
 }
 
 double rattleback_energy(double t, const double *y, const double *p)
 {
     (void)t;
-    const double z = y[2]; /* centre of mass, downwards [cm] */
     const double alpha = y[3]; /* roll about the long axis [rad] */
     const double beta = y[4]; /* pitch [rad] */
     const double gamma_ = y[5]; /* heading [rad] */
+
+    /* sines and cosines */
+    const double s_gamma = sin(gamma_);
+    const double c_gamma = cos(gamma_);
+    const double mu2 = sin(alpha);
+    const double c_alpha = cos(alpha);
+    const double c_beta = cos(beta);
+    const double s_beta = sin(beta);
+    const double z = y[2]; /* centre of mass, downwards [cm] */
     const double w1 = y[6];
     const double w2 = y[7];
     const double w3 = y[8];
@@ -872,11 +812,6 @@ double rattleback_energy(double t, const double *y, const double *p)
     const double k3 = c * c;
 
     /* state */
-    const double s_gamma = sin(gamma_);
-    const double mu2 = sin(alpha);
-    const double c_beta = cos(beta);
-    const double c_alpha = cos(alpha);
-    const double s_beta = sin(beta);
     const double z1 = c_alpha * s_beta;
     const double mu3 = c_beta * c_alpha;
     const double z2 = 1.0 / sqrt(k1 * (z1 * z1) + k2 * (mu2 * mu2) + k3 * (mu3 * mu3));
@@ -893,22 +828,409 @@ double rattleback_energy(double t, const double *y, const double *p)
     const double z10 = c_beta * z7 - s_beta * z9;
     const double z11 = r3 * omega1 + r1 * z8;
     const double e2 = mu2 * z10 - c_alpha * z11;
-    const double c_gamma = cos(gamma_);
     const double z12 = s_beta * z7 + c_beta * z9;
     const double z13 = s_gamma * e2 + c_gamma * z12;
     const double z14 = c_gamma * e2 - s_gamma * z12;
     const double z15 = c_alpha * z10 + mu2 * z11;
-    const double z16 = 0.5 * (z13 * z13 + z14 * z14 + z15 * z15) + 0.5 * (I_a * (omega1 * omega1) + I_b * (w2
-        * w2) + I_c * (z8 * z8));
-    return z16 + w2 * (I_d * omega1) - z * g;
+    const double z16 = z13 * z13 + z14 * z14 + z15 * z15 + (I_a * (omega1 * omega1) + I_b * (w2 * w2) + I_c *
+        (z8 * z8));
+    return 0.5 * z16 + w2 * (I_d * omega1) - z * g;
+}
+
+static void rattleback_jacobian_sweep1(double t, const double *y, const double *p, const double *kept, const
+    double *seed, double *slope)
+{
+    (void)t;
+    const double w1 = y[6];
+    const double w2 = y[7];
+    const double w3 = y[8];
+    const double h = p[3]; /* from the centre of the ellipsoid down to the centre of mass [cm] */
+    const double I_a = p[4]; /* [cm^2] */
+    const double I_b = p[5]; /* [cm^2] */
+    const double I_c = p[6]; /* [cm^2] */
+    const double I_d = p[7]; /* product of inertia, what makes it a rattleback [cm^2] */
+    const double c_alpha = kept[0];
+    const double mu2 = kept[1];
+    const double s_beta = kept[2];
+    const double c_beta = kept[3];
+    const double s_gamma = kept[4];
+    const double c_gamma = kept[5];
+    const double k1 = kept[6];
+    const double k2 = kept[7];
+    const double k3 = kept[8];
+    const double k4 = kept[9];
+    const double k6 = kept[10];
+    const double z1 = kept[11];
+    const double mu3 = kept[12];
+    const double z4 = kept[13];
+    const double z5 = kept[14];
+    const double z6 = kept[15];
+    const double z7 = kept[16];
+    const double z8 = kept[17];
+    const double z9 = kept[18];
+    const double z10 = kept[19];
+    const double z12 = kept[20];
+    const double r1 = kept[21];
+    const double z13 = kept[22];
+    const double r3 = kept[23];
+    const double z14 = kept[24];
+    const double z15 = kept[25];
+    const double z16 = kept[26];
+    const double z17 = kept[27];
+    const double z18 = kept[28];
+    const double z19 = kept[29];
+    const double z21 = kept[30];
+    const double z22 = kept[31];
+    const double z23 = kept[32];
+    const double z24 = kept[33];
+    const double z25 = kept[34];
+    const double z26 = kept[35];
+    const double z28 = kept[36];
+    const double z29 = kept[37];
+    const double z30 = kept[38];
+    const double z31 = kept[39];
+    const double z32 = kept[40];
+    const double z33 = kept[41];
+    const double z34 = kept[42];
+    const double z35 = kept[43];
+    const double z36 = kept[44];
+    const double z38 = kept[45];
+    const double z39 = kept[46];
+    const double z41 = kept[47];
+    const double z43 = kept[48];
+    const double z44 = kept[49];
+    const double z46 = kept[50];
+    const double z47 = kept[51];
+    const double z48 = kept[52];
+    const double z49 = kept[53];
+    const double z50 = kept[54];
+    const double z52 = kept[55];
+    const double z54 = kept[56];
+    const double z55 = kept[57];
+    const double z57 = kept[58];
+    const double z58 = kept[59];
+    const double z60 = kept[60];
+    const double z61 = kept[61];
+    const double omega1 = kept[62];
+    const double z63 = kept[63];
+    const double z67 = kept[64];
+    const double z68 = kept[65];
+    const double z70 = kept[66];
+    const double z71 = kept[67];
+    const double z72 = kept[68];
+    const double z76 = kept[69];
+    const double z86 = kept[70];
+    const double e2 = kept[71];
+    const double z108 = kept[72];
+    const double z109 = kept[73];
+    const double z110 = kept[74];
+    const double z111 = kept[75];
+    const double z112 = kept[76];
+    const double z113 = kept[77];
+    const double z114 = kept[78];
+    const double z115 = kept[79];
+    const double z116 = kept[80];
+    const double z117 = kept[81];
+    const double z118 = kept[82];
+    const double z119 = kept[83];
+    const double z120 = kept[84];
+    const double z121 = kept[85];
+    const double z122 = kept[86];
+    const double z123 = kept[87];
+    const double z124 = kept[88];
+    const double z125 = kept[89];
+    const double z126 = kept[90];
+    const double z127 = kept[91];
+    const double z128 = kept[92];
+    const double z129 = kept[93];
+    const double z130 = kept[94];
+    const double z131 = kept[95];
+    const double z132 = kept[96];
+    const double z133 = kept[97];
+    const double z134 = kept[98];
+    const double z135 = kept[99];
+    const double z136 = kept[100];
+    const double z137 = kept[101];
+    const double z138 = kept[102];
+    const double z139 = kept[103];
+    const double z140 = kept[104];
+    const double z141 = kept[105];
+    const double z142 = kept[106];
+    const double z143 = kept[107];
+    const double z144 = kept[108];
+    const double z145 = kept[109];
+    const double z146 = kept[110];
+    const double z147 = kept[111];
+    const double z148 = kept[112];
+    const double z149 = kept[113];
+    const double z150 = kept[114];
+    const double z151 = kept[115];
+    const double z152 = kept[116];
+    const double z153 = kept[117];
+    const double z154 = kept[118];
+    const double z155 = kept[119];
+    const double z156 = kept[120];
+    const double z157 = kept[121];
+    const double z158 = kept[122];
+    const double z160 = kept[123];
+    const double z161 = kept[124];
+    const double z162 = kept[125];
+    const double z163 = kept[126];
+    const double z164 = kept[127];
+    const double z165 = kept[128];
+    const double z166 = kept[129];
+    const double z167 = kept[130];
+    const double z168 = kept[131];
+    const double z169 = kept[132];
+    const double z170 = kept[133];
+    const double z171 = kept[134];
+    const double z172 = kept[135];
+    const double z173 = kept[136];
+    const double z174 = kept[137];
+    const double z181 = kept[138];
+    const double z182 = kept[139];
+    const double z183 = kept[140];
+    const double z184 = kept[141];
+    const rattleback_lanes row_0 = rattleback_get(seed + 0 * RATTLEBACK_LANES);
+    const rattleback_lanes row_1 = rattleback_get(seed + 1 * RATTLEBACK_LANES);
+    const rattleback_lanes row_2 = rattleback_get(seed + 2 * RATTLEBACK_LANES);
+    const rattleback_lanes z185 = row_1 - z39 * row_0;
+    const rattleback_lanes z186 = z123 * (row_2 + z52 * row_0 - z55 * z185);
+    const rattleback_lanes z187 = I_c * z186;
+    const rattleback_lanes z188 = z67 * z187;
+    const rattleback_lanes z189 = z54 * z185 - z55 * z186;
+    const rattleback_lanes z190 = z38 * row_0 - z39 * z189 + z52 * z186;
+    const rattleback_lanes z191 = I_c * z190;
+    const rattleback_lanes z192 = z67 * z191;
+    const rattleback_lanes z193 = z119 * z186 + z19 * z189 + z36 * z190;
+    const rattleback_lanes z194 = z118 * z186 + z18 * z189 + z35 * z190;
+    const rattleback_lanes z195 = s_gamma * z193 - c_gamma * z194;
+    const rattleback_lanes z196 = z120 * z186 + z15 * z189 + z32 * z190;
+    const rattleback_lanes z197 = c_gamma * z193 + s_gamma * z194;
+    const rattleback_lanes z198 = c_alpha * z196 + mu2 * z197;
+    const rattleback_lanes z199 = mu2 * z196 - c_alpha * z197;
+    const rattleback_lanes z200 = c_beta * z195 + s_beta * z198;
+    const rattleback_lanes z201 = z112 * z187 - z28 * z191 - r1 * z199 + z25 * z200;
+    const rattleback_lanes z202 = I_a * z186;
+    const rattleback_lanes z203 = I_a * z190;
+    const rattleback_lanes z204 = s_beta * z195 - c_beta * z198;
+    const rattleback_lanes z205 = z110 * z202 + z23 * z203 + I_d * z189 + r3 * z199 - z25 * z204;
+    const rattleback_lanes z206 = mu3 * z201 - z1 * z205;
+    const rattleback_lanes z207 = z21 * z206;
+    const rattleback_lanes z208 = s_beta * z188 + c_beta * z192 + z63 * z195 + z68 * z198 - z61 * z201 + w1 *
+        z207;
+    const rattleback_lanes z209 = z144 * z186;
+    const rattleback_lanes z210 = z144 * z190;
+    const rattleback_lanes z211 = s_beta * z201 + c_beta * z205;
+    const rattleback_lanes z212 = z21 * z211;
+    const rattleback_lanes z213 = z67 * z199 - w2 * z204;
+    const rattleback_lanes z214 = omega1 * z199 + w2 * z200;
+    const rattleback_lanes z215 = z67 * z200 + omega1 * z204;
+    const rattleback_lanes z216 = z13 * z214 + z24 * z215 - z12 * z213;
+    const rattleback_lanes z217 = z41 * z216;
+    const rattleback_lanes z218 = z4 * z217;
+    const rattleback_lanes z219 = k1 * z218;
+    const rattleback_lanes z220 = z109 * z209 - z22 * z210 - z58 * z205 - w3 * z212 - k1 * (z4 * z213) - z1 *
+        z219;
+    const rattleback_lanes z221 = z208 + c_alpha * z220;
+    const rattleback_lanes z222 = s_beta * z209 + c_beta * z210 - z68 * z195 + z63 * z198 + z61 * z205 + w3 *
+        z207;
+    const rattleback_lanes z223 = k3 * z218;
+    const rattleback_lanes z224 = z109 * z188 - z22 * z192 + z58 * z201 - w1 * z212 + k3 * (z4 * z214) - mu3
+        * z223;
+    const rattleback_lanes z225 = z222 - c_alpha * z224;
+    const rattleback_lanes z226 = c_beta * z221 + s_beta * z225;
+    const rattleback_lanes z227 = z161 * z193 - z163 * z194;
+    const rattleback_lanes z228 = z58 * z210;
+    const rattleback_lanes z229 = z61 * z192 - c_alpha * z228;
+    const rattleback_lanes z230 = z58 * z192;
+    const rattleback_lanes z231 = c_alpha * z230 + z61 * z210;
+    const rattleback_lanes z232 = c_beta * z229 + s_beta * z231;
+    const rattleback_lanes z233 = z58 * z188;
+    const rattleback_lanes z234 = z58 * z209;
+    const rattleback_lanes z235 = c_beta * z233 + s_beta * z234;
+    const rattleback_lanes z236 = c_beta * z230 + s_beta * z228;
+    const rattleback_lanes z237 = k2 * z218;
+    const rattleback_lanes z238 = z57 * z206 - z60 * z211;
+    const rattleback_lanes z239 = z70 * z196 - z86 * z197 + z76 * z238 - c_beta * z224 - s_beta * z220;
+    const rattleback_lanes z240 = s_beta * z235 + c_beta * z236 - z158 * z196 - z157 * z197 + z60 * z237 -
+        z61 * z239;
+    const rattleback_lanes z241 = z160 * z186;
+    const rattleback_lanes z242 = z165 * z186;
+    const rattleback_lanes z243 = z166 * z186;
+    const rattleback_lanes z244 = c_gamma * z242 - s_gamma * z243;
+    const rattleback_lanes z245 = z61 * z188 - c_alpha * z234;
+    const rattleback_lanes z246 = c_alpha * z233 + z61 * z209;
+    const rattleback_lanes z247 = c_beta * z245 + s_beta * z246;
+    const rattleback_lanes z248 = z182 * z189;
+    const rattleback_lanes z249 = z183 * z189 - z182 * z190;
+    const rattleback_lanes z250 = z165 * z189 + 2.0 * (z19 * z248) - z36 * z249;
+    const rattleback_lanes z251 = z166 * z189 - 2.0 * (z18 * z248) + z35 * z249;
+    const rattleback_lanes z252 = c_gamma * z250 - s_gamma * z251;
+    const rattleback_lanes z253 = z160 * z190 - z15 * z249;
+    const rattleback_lanes z254 = z165 * z190 - z19 * z249;
+    const rattleback_lanes z255 = z166 * z190 + z18 * z249;
+    const rattleback_lanes z256 = c_gamma * z254 - s_gamma * z255;
+    const rattleback_lanes z257 = z240 + z115 * z241 + z114 * z244 - z109 * z247 + z14 * z252 + z31 * z253 +
+        z30 * z256;
+    const rattleback_lanes z258 = z163 * z193 + z161 * z194;
+    const rattleback_lanes z259 = z127 * z196 - z60 * z197 - mu2 * z227;
+    const rattleback_lanes z260 = z125 * z195 + z126 * z198 - s_beta * z258 + c_beta * z259;
+    const rattleback_lanes z261 = z126 * z195 - z125 * z198 + c_beta * z258 + s_beta * z259;
+    const rattleback_lanes z262 = s_gamma * z242 + c_gamma * z243;
+    const rattleback_lanes z263 = c_alpha * z241 + mu2 * z244;
+    const rattleback_lanes z264 = s_beta * z262 - c_beta * z263;
+    const rattleback_lanes z265 = c_beta * z262 + s_beta * z263;
+    const rattleback_lanes z266 = z182 * z186 - z181 * z189;
+    const rattleback_lanes z267 = s_gamma * z254 + c_gamma * z255;
+    const rattleback_lanes z268 = c_alpha * z253 + mu2 * z256;
+    const rattleback_lanes z269 = c_beta * z267 + s_beta * z268;
+    const rattleback_lanes z270 = z110 * z264 - (z112 * z265 + (z145 * z204 + (z139 * z200 + z50 * z266))) +
+        z28 * z269;
+    const rattleback_lanes z271 = s_beta * z267 - c_beta * z268;
+    const rattleback_lanes z272 = omega1 * z260 - (z67 * z261 - (z270 + z23 * z271));
+    const rattleback_lanes z273 = z58 * z226 - (z70 * z227 + (z22 * z232 + z257)) + k2 * (z149 * z215 + z4 *
+        z272);
+    const rattleback_lanes z274 = z181 * z186;
+    const rattleback_lanes z275 = z41 * z274;
+    const rattleback_lanes z276 = z183 * z190;
+    const rattleback_lanes z277 = z4 * z276;
+    const rattleback_lanes z278 = z5 * z277;
+    const rattleback_lanes z279 = z183 * z186 + z181 * z190;
+    const rattleback_lanes z280 = z25 * z266 + z48 * z279;
+    const rattleback_lanes z281 = z50 * z279;
+    const rattleback_lanes z282 = z7 * z278;
+    const rattleback_lanes z283 = z154 * z214 - (z49 * z280 - z47 * z281 + z10 * z276 + z9 * z277 + z5 *
+        z282);
+    const rattleback_lanes z284 = z60 * z196 + z127 * z197 - c_alpha * z227;
+    const rattleback_lanes z285 = mu2 * z241 - c_alpha * z244;
+    const rattleback_lanes z286 = s_gamma * z250 + c_gamma * z251;
+    const rattleback_lanes z287 = z160 * z189 + 2.0 * (z15 * z248) - z32 * z249;
+    const rattleback_lanes z288 = c_alpha * z287 + mu2 * z252;
+    const rattleback_lanes z289 = mu2 * z253 - c_alpha * z256;
+    const rattleback_lanes z290 = omega1 * z284 - (z145 * z199 - z110 * z285 - c_beta * z286 - s_beta * z288
+        - z23 * z289);
+    const rattleback_lanes z291 = w2 * z261 - z290;
+    const rattleback_lanes z292 = z67 * z284 - (z139 * z199 + z112 * z285 + s_beta * z286 - c_beta * z288 -
+        z28 * z289);
+    const rattleback_lanes z293 = w2 * z260 - z292;
+    const rattleback_lanes z294 = z147 * z217 + (z146 * z213 + (z151 * z215 - z283)) - z13 * z291 + z24 *
+        z272 + z12 * z293;
+    const rattleback_lanes z295 = z184 * (z148 * z216 + z44 * z274) + 0.5 * (z4 * (z41 * z294));
+    const rattleback_lanes z296 = 2.0 * (mu2 * (k4 * (z275 + z4 * z277) - (z43 * z275 + z6 * z278) - k2 *
+        z295));
+    const rattleback_lanes z297 = z4 * z280;
+    const rattleback_lanes z298 = z4 * z281;
+    const rattleback_lanes z299 = z129 * z234 - (z130 * z233 + (z5 * z297 - k1 * (s_beta * z298) - 2.0 * (h *
+        z278)));
+    const rattleback_lanes z300 = 2.0 * (z127 * z238 * z174) + (z158 * z197 - (z157 * z196 + (z167 * z228 -
+        (z168 * z230 + z299))));
+    const rattleback_lanes z301 = z115 * z244 - (z114 * z241 - (z125 * z220 - (z126 * z224 + z300))) - z14 *
+        z287 - z30 * z253;
+    const rattleback_lanes z302 = z129 * z188 + z130 * z209 - z167 * z192 - z168 * z210 - z125 * z201 + z126
+        * z205;
+    const rattleback_lanes z303 = I_c * z189;
+    const rattleback_lanes z304 = z132 * z187 - omega1 * z303 + z144 * z189 + z170 * z191 + z150 * z199 +
+        z152 * z200;
+    const rattleback_lanes z305 = z304 - r1 * z284 - z25 * z261;
+    const rattleback_lanes z306 = z143 * z186 + z67 * z189 + z173 * z190;
+    const rattleback_lanes z307 = z140 * z186 + z171 * z190;
+    const rattleback_lanes z308 = z67 * z303 - z155 * z199 - z152 * z204 - I_a * z306 + I_d * z307 + r3 *
+        z284;
+    const rattleback_lanes z309 = z308 - z25 * z260;
+    const rattleback_lanes z310 = z302 + mu2 * z239 - s_beta * z305 - c_beta * z309;
+    const rattleback_lanes z311 = z131 * z188 - z142 * z209 - z169 * z192 - z172 * z210 - z128 * z201 + z136
+        * z205;
+    const rattleback_lanes z312 = z108 * z193 - e2 * z194;
+    const rattleback_lanes z313 = e2 * z193 + z108 * z194;
+    const rattleback_lanes z314 = z141 * z190;
+    const rattleback_lanes z315 = z314 - z305;
+    const rattleback_lanes z316 = z141 * z186;
+    const rattleback_lanes z317 = z316 + z309;
+    const rattleback_lanes z318 = z311 - c_gamma * z312 - s_gamma * z313 - mu3 * z315 - z1 * z317 + mu2 *
+        z226;
+    const rattleback_lanes z319 = z139 * z187 - r1 * z285 + z25 * z265;
+    const rattleback_lanes z320 = z145 * z202 - r3 * z285 + z25 * z264;
+    const rattleback_lanes z321 = z128 * z188 + z60 * z316 + z136 * z209 + mu3 * z319 + z1 * z320 - mu2 *
+        z247;
+    const rattleback_lanes z322 = z139 * z191 - r1 * z289 + z25 * z269;
+    const rattleback_lanes z323 = z145 * z203 + I_d * z249 - r3 * z289 + z25 * z271;
+    const rattleback_lanes z324 = mu2 * z232 - (z128 * z192 + z60 * z314 + z136 * z210 + mu3 * z322 + z1 *
+        z323);
+    const rattleback_lanes z325 = z60 * z310 + (z57 * z318 + (z134 * z206 + z137 * z211 - c_beta * z321 -
+        s_beta * z324));
+    const rattleback_lanes z326 = z109 * z316 - z22 * z314 + z86 * z196 + z70 * z197 + z133 * z211 - k2 * (z4
+        * z215);
+    const rattleback_lanes z327 = z326 + mu2 * z237 - z21 * z310;
+    const rattleback_lanes z328 = w1 * z327 + (z58 * z315 - (z135 * z201 + z128 * z223 - z109 * z319 + z22 *
+        z322));
+    const rattleback_lanes z329 = z328 - k3 * (z149 * z214 - z4 * z291) + 2.0 * (mu3 * (k3 * z295));
+    const rattleback_lanes z330 = w3 * z327 + (z58 * z317 + (z135 * z205 - z136 * z219 + z109 * z320 - z22 *
+        z323));
+    const rattleback_lanes z331 = z330 + k1 * (z149 * z213 - z4 * z293) + 2.0 * (z1 * (k1 * z295));
+    const rattleback_lanes z332 = mu2 * (z86 * z227 + (z301 + z31 * z256) - z76 * z325 - c_beta * z329 -
+        s_beta * z331);
+    rattleback_put(slope + 0 * RATTLEBACK_LANES, c_alpha * (z273 + z296) - z332);
+    const rattleback_lanes z333 = z133 * z206 + z21 * z318;
+    const rattleback_lanes z334 = z122 * z246 - (mu2 * z235 + (z71 * z234 - (z126 * z209 + (z125 * z188 - z46
+        * z298))));
+    const rattleback_lanes z335 = z127 * z220 - (z138 * z201 + (z156 * z198 - (z153 * z195 + (z121 * z231 +
+        (z72 * z228 - z334)))));
+    const rattleback_lanes z336 = z113 * z263 - (z111 * z262 + (z124 * z225 - z335)) + 2.0 * (s_beta * (z319
+        - k6 * (z7 * z275)));
+    const rattleback_lanes z337 = z320 - z322;
+    const rattleback_lanes z338 = z336 - r1 * z286 + r3 * z288 - z26 * z267 - z29 * z268 - c_beta * z337 +
+        z21 * z324;
+    const rattleback_lanes z339 = c_beta * (w1 * z333 - (z61 * z305 + (z68 * z259 + (z63 * z258 + z338))) -
+        c_alpha * z331);
+    const rattleback_lanes z340 = z125 * z192 + (z122 * z245 - (z71 * z233 - k3 * (c_alpha * z297 + z8 * z277
+        + z4 * z282)));
+    const rattleback_lanes z341 = z153 * z198 + (z156 * z195 - (mu2 * z236 + (z121 * z229 - (z126 * z210 -
+        (z72 * z230 - z340)))));
+    const rattleback_lanes z342 = z21 * z321 + (z111 * z263 + (z113 * z262 - (z124 * z221 - (z127 * z224 -
+        (z138 * z205 + z341)))));
+    const rattleback_lanes z343 = z342 + r3 * z286 + r1 * z288 - z29 * z267 - s_beta * z337 + z26 * z268 -
+        2.0 * (c_beta * z323);
+    const rattleback_lanes z344 = s_beta * (w3 * z333 + (z61 * z309 - (z63 * z259 - (z68 * z258 + z343))) +
+        c_alpha * z329);
+    rattleback_put(slope + 1 * RATTLEBACK_LANES, z339 + z344);
+    const rattleback_lanes z345 = z164 * z193 - z162 * z194 - z58 * z313 + z117 * z242 + z116 * z243 + z17 *
+        z250;
+    const rattleback_lanes z346 = z162 * z193 + z164 * z194 + z58 * z312 + z116 * z242 - z117 * z243 + z16 *
+        z250;
+    const rattleback_lanes z347 = c_gamma * (z345 + z16 * z251 + z34 * z254 + z33 * z255) + s_gamma * (z346 -
+        z17 * z251 + z33 * z254 - z34 * z255);
+    rattleback_put(slope + 2 * RATTLEBACK_LANES, z347);
+    rattleback_put(slope + 3 * RATTLEBACK_LANES, z125 * z207 + z128 * z212 + s_beta * z333 - mu3 * z327);
+    const rattleback_lanes z348 = z155 * z200 - z150 * z204 - I_b * z307 + I_d * z306 + r3 * z261 + r1 * z260;
+    rattleback_put(slope + 4 * RATTLEBACK_LANES, z226 + z348);
+    rattleback_put(slope + 5 * RATTLEBACK_LANES, z126 * z207 + z136 * z212 - c_beta * z333 - z1 * z327);
 }
 
 int rattleback_jacobian(double t, const double *y, const double *p, double *J)
 {
+    double kept[142]; /* what parts of this function leave for others */
+    for (int entry = 0; entry < 81; ++entry) {
+        J[entry] = 0.0;
+    }
     (void)t;
     const double alpha = y[3]; /* roll about the long axis [rad] */
     const double beta = y[4]; /* pitch [rad] */
     const double gamma_ = y[5]; /* heading [rad] */
+
+    /* sines and cosines */
+    const double c_alpha = cos(alpha);
+    kept[0] = c_alpha;
+    const double mu2 = sin(alpha);
+    kept[1] = mu2;
+    const double s_beta = sin(beta);
+    kept[2] = s_beta;
+    const double c_beta = cos(beta);
+    kept[3] = c_beta;
+    const double s_gamma = sin(gamma_);
+    kept[4] = s_gamma;
+    const double c_gamma = cos(gamma_);
+    kept[5] = c_gamma;
     const double w1 = y[6];
     const double w2 = y[7];
     const double w3 = y[8];
@@ -924,685 +1246,400 @@ int rattleback_jacobian(double t, const double *y, const double *p, double *J)
 
     /* parameters only */
     const double k1 = a * a;
+    kept[6] = k1;
     const double k2 = b * b;
+    kept[7] = k2;
     const double k3 = c * c;
+    kept[8] = k3;
     const double k4 = b * b * b * b;
+    kept[9] = k4;
     const double k5 = I_a + h * h;
     const double k6 = a * a * a * a;
+    kept[10] = k6;
+    const double k7 = k1 - k3;
 
     /* state */
-    const double c_alpha = cos(alpha);
-    /* the coframe is singular */
-    if (!(fabs(-c_alpha) > 1e-12 * 4.0)) {
-        return RATTLEBACK_SINGULAR_1;
-    }
-    const double s_beta = sin(beta);
     const double z1 = c_alpha * s_beta;
-    const double mu2 = sin(alpha);
+    kept[11] = z1;
     const double z2 = mu2 * mu2;
-    const double c_beta = cos(beta);
     const double mu3 = c_beta * c_alpha;
+    kept[12] = mu3;
     const double z3 = k1 * (z1 * z1) + k2 * z2 + k3 * (mu3 * mu3);
     const double z4 = 1.0 / sqrt(z3);
+    kept[13] = z4;
     const double z5 = c_beta * k3;
+    kept[14] = z5;
     const double z6 = z4 * z5;
+    kept[15] = z6;
     const double z7 = 1.0 - z2;
+    kept[16] = z7;
     const double z8 = z6 * z7 - 2.0 * (h * c_alpha);
+    kept[17] = z8;
     const double z9 = z2 * k4;
+    kept[18] = z9;
     const double z10 = z5 * z8 + z4 * z9;
+    kept[19] = z10;
     const double z11 = z4 * z10 + k5;
+    const double z12 = z1 * k1;
+    kept[20] = z12;
+    const double r1 = z12 * z4;
+    kept[21] = r1;
+    const double z13 = mu3 * k3;
+    kept[22] = z13;
+    const double r3 = h - z4 * z13;
+    kept[23] = r3;
+    const double z14 = c_beta * r1 + s_beta * r3;
+    kept[24] = z14;
+    const double z15 = c_alpha * z14;
+    kept[25] = z15;
+    const double z16 = mu2 * z14;
+    kept[26] = z16;
+    const double z17 = s_beta * r1 - c_beta * r3;
+    kept[27] = z17;
+    const double z18 = s_gamma * z16 + c_gamma * z17;
+    kept[28] = z18;
+    const double z19 = c_gamma * z16 - s_gamma * z17;
+    kept[29] = z19;
+    const double z20 = I_b + (z15 * z15 + (z18 * z18 + z19 * z19));
+    const double z21 = 1.0 / c_alpha;
+    kept[30] = z21;
+    const double z22 = s_beta * z21;
+    kept[31] = z22;
+    const double z23 = z1 * z22 + c_beta * c_beta;
+    kept[32] = z23;
+    const double z24 = mu2 * k2;
+    kept[33] = z24;
+    const double z25 = z4 * z24;
+    kept[34] = z25;
+    const double z26 = z25 * z23;
+    kept[35] = z26;
+    const double z27 = c_beta * s_beta;
+    const double z28 = mu3 * z22 - z27;
+    kept[36] = z28;
+    const double z29 = z25 * z28;
+    kept[37] = z29;
+    const double z30 = c_beta * z26 - s_beta * z29;
+    kept[38] = z30;
+    const double z31 = r3 * z23 + r1 * z28;
+    kept[39] = z31;
+    const double z32 = c_alpha * z30 + mu2 * z31;
+    kept[40] = z32;
+    const double z33 = mu2 * z30 - c_alpha * z31;
+    kept[41] = z33;
+    const double z34 = s_beta * z26 + c_beta * z29;
+    kept[42] = z34;
+    const double z35 = s_gamma * z33 + c_gamma * z34;
+    kept[43] = z35;
+    const double z36 = c_gamma * z33 - s_gamma * z34;
+    kept[44] = z36;
+    const double z37 = I_d * z23 + (z32 * z15 + (z35 * z18 + z36 * z19));
+    const double z38 = 1.0 / z11;
+    kept[45] = z38;
+    const double z39 = z37 * z38;
+    kept[46] = z39;
+    const double z40 = z20 - z37 * z39;
+    const double z41 = 1.0 / z3;
+    kept[47] = z41;
+    const double z42 = s_beta * s_beta;
+    const double z43 = z42 * k6;
+    kept[48] = z43;
+    const double z44 = z9 + z7 * z43;
+    kept[49] = z44;
+    const double z45 = I_c + z41 * z44;
+    const double z46 = c_alpha * k1;
+    kept[50] = z46;
+    const double z47 = s_beta * z46;
+    kept[51] = z47;
+    const double z48 = z4 * z47;
+    kept[52] = z48;
+    const double z49 = c_alpha * z5;
+    kept[53] = z49;
+    const double z50 = h - z4 * z49;
+    kept[54] = z50;
+    const double z51 = z48 * z50;
+    const double z52 = z51 * z38;
+    kept[55] = z52;
+    const double z53 = z25 * z50 + z37 * z52;
+    const double z54 = 1.0 / z40;
+    kept[56] = z54;
+    const double z55 = z53 * z54;
+    kept[57] = z55;
+    const double z56 = z45 - z51 * z52 - z53 * z55;
+    const double z57 = s_beta * w1 - c_beta * w3;
+    kept[58] = z57;
+    const double z58 = z21 * z57;
+    kept[59] = z58;
+    const double z59 = z1 * z58;
+    const double z60 = z1 * w3 + mu3 * w1;
+    kept[60] = z60;
+    const double z61 = z60 * z21;
+    kept[61] = z61;
+    const double z62 = c_beta * z61;
+    const double omega1 = z59 + z62;
+    kept[62] = omega1;
+    const double z63 = r1 * w2 + z25 * omega1;
+    kept[63] = z63;
+    const double z64 = c_beta * z63;
+    const double z65 = mu3 * z58;
+    const double z66 = s_beta * z61;
+    const double z67 = z65 - z66;
+    kept[64] = z67;
+    const double z68 = z25 * z67 - r3 * w2;
+    kept[65] = z68;
+    const double z69 = s_beta * z68;
+    const double z70 = z64 - z69;
+    kept[66] = z70;
+    const double z71 = s_beta * mu2;
+    kept[67] = z71;
+    const double z72 = c_beta * mu2;
+    kept[68] = z72;
+    const double z73 = z41 * (z4 * (k1 * (z1 * z71) - k2 * (c_alpha * mu2) + k3 * (mu3 * z72)));
+    const double z74 = z4 * (k1 * z71) - z12 * z73;
+    const double z75 = z24 * z73 + z4 * (c_alpha * k2);
+    const double z76 = 1.0 / (c_alpha * c_alpha);
+    kept[69] = z76;
+    const double z77 = mu2 * z76;
+    const double z78 = z57 * z77;
+    const double z79 = z21 * (w3 * z71 + w1 * z72) - z60 * z77;
+    const double z80 = z58 * z71 - z1 * z78 + c_beta * z79;
+    const double z81 = w2 * z74 - (omega1 * z75 - z25 * z80);
+    const double z82 = z58 * z72 - mu3 * z78 - s_beta * z79;
+    const double z83 = z13 * z73 - z4 * (k3 * z72);
+    const double z84 = z67 * z75 - z25 * z82 + w2 * z83;
+    const double z85 = c_beta * z81 + s_beta * z84;
+    const double z86 = r3 * omega1 + r1 * z67;
+    kept[70] = z86;
+    const double z87 = omega1 * z83 + r3 * z80 + (z67 * z74 + r1 * z82);
+    const double z88 = c_alpha * z70 - mu2 * z85 + (mu2 * z86 + c_alpha * z87);
+    const double z89 = s_beta * z81 - c_beta * z84;
+    /* (I.2.15) */
+    J[3] = c_gamma * z89 - s_gamma * z88;
+    const double z90 = s_beta * z63;
+    const double z91 = z41 * (z4 * (k7 * (z1 * mu3)));
+    const double z92 = z4 * (mu3 * k1) - z12 * z91;
+    const double z93 = z24 * z91;
+    const double z94 = z21 * (c_beta * w1 + s_beta * w3);
+    const double z95 = z21 * (mu3 * w3 - z1 * w1);
+    const double z96 = z65 + z1 * z94 - (z66 - c_beta * z95);
+    const double z97 = w2 * z92 - (omega1 * z93 - z25 * z96);
+    const double z98 = c_beta * z68;
+    const double z99 = z59 - mu3 * z94 + (z62 + s_beta * z95);
+    const double z100 = z13 * z91 + z4 * (z1 * k3);
+    const double z101 = z67 * z93 + z25 * z99 + w2 * z100;
+    const double z102 = z90 - c_beta * z97 + (z98 - s_beta * z101);
+    const double z103 = omega1 * z100 + r3 * z96 + (z67 * z92 - r1 * z99);
+    const double z104 = mu2 * z102 + c_alpha * z103;
+    const double z105 = z64 + s_beta * z97 - (z69 + c_beta * z101);
+    J[4] = s_gamma * z104 - c_gamma * z105;
+    const double z106 = mu2 * z70;
+    const double z107 = c_alpha * z86;
+    const double e2 = z106 - z107;
+    kept[71] = e2;
+    const double z108 = z90 + z98;
+    kept[72] = z108;
+    J[5] = s_gamma * z108 - c_gamma * e2;
+    J[6] = -z35;
+    J[7] = -z18;
+    const double z109 = c_beta * z21;
+    kept[73] = z109;
+    const double z110 = z27 - z1 * z109;
+    kept[74] = z110;
+    const double z111 = z25 * z110;
+    kept[75] = z111;
+    const double z112 = mu3 * z109 + z42;
+    kept[76] = z112;
+    const double z113 = z25 * z112;
+    kept[77] = z113;
+    const double z114 = c_beta * z111 + s_beta * z113;
+    kept[78] = z114;
+    const double z115 = r3 * z110 - r1 * z112;
+    kept[79] = z115;
+    const double z116 = mu2 * z114 - c_alpha * z115;
+    kept[80] = z116;
+    const double z117 = s_beta * z111 - c_beta * z113;
+    kept[81] = z117;
+    const double z118 = s_gamma * z116 + c_gamma * z117;
+    kept[82] = z118;
+    J[8] = -z118;
+    J[12] = c_gamma * z88 + s_gamma * z89;
+    J[13] = -(c_gamma * z104 + s_gamma * z105);
+    J[14] = -(s_gamma * e2 + c_gamma * z108);
+    J[15] = z36;
+    J[16] = z19;
+    const double z119 = c_gamma * z116 - s_gamma * z117;
+    kept[83] = z119;
+    J[17] = z119;
+    J[21] = z106 + c_alpha * z85 - (z107 - mu2 * z87);
+    J[22] = c_alpha * z102 - mu2 * z103;
+    J[24] = -z32;
+    J[25] = -z15;
+    const double z120 = c_alpha * z114 + mu2 * z115;
+    kept[84] = z120;
+    J[26] = -z120;
+    J[30] = -z79;
+    J[31] = z95;
+    J[33] = c_beta;
+    J[35] = s_beta;
+    J[39] = z57 + mu2 * z78;
+    J[40] = mu2 * z94;
+    const double z121 = mu2 * z22;
+    kept[85] = z121;
+    J[42] = z121;
+    J[43] = 1.0;
+    const double z122 = mu2 * z109;
+    kept[86] = z122;
+    J[44] = -z122;
+    J[48] = -z78;
+    J[49] = -z94;
+    J[51] = -z22;
+    J[53] = z109;
+    const double z123 = 1.0 / z56;
+    kept[87] = z123;
+    const double z124 = w2 + mu2 * z58;
+    kept[88] = z124;
+    const double z125 = c_beta * z124;
+    kept[89] = z125;
+    const double z126 = s_beta * z124;
+    kept[90] = z126;
+    const double z127 = mu2 * z61;
+    kept[91] = z127;
+    const double z128 = c_alpha * z126 + c_beta * z127;
+    kept[92] = z128;
+    const double z129 = c_beta * z122;
+    kept[93] = z129;
+    const double z130 = s_beta * z122;
+    kept[94] = z130;
+    const double z131 = c_alpha * z130 - c_beta * z71;
+    kept[95] = z131;
+    const double z132 = s_beta * z125 - z109 * z128 + (z61 * z129 + z58 * z131);
+    kept[96] = z132;
+    const double z133 = z127 * z76;
+    kept[97] = z133;
+    const double z134 = w1 * z125 + w3 * z126;
+    kept[98] = z134;
+    const double z135 = z57 * z133 + z21 * z134;
+    kept[99] = z135;
+    const double z136 = s_beta * z127 - c_alpha * z125;
+    kept[100] = z136;
+    const double z137 = w3 * z136 + w1 * z128;
+    kept[101] = z137;
+    const double z138 = z21 * z137 - z60 * z133;
+    kept[102] = z138;
+    const double z139 = z58 * z128 - mu3 * z135 + (z61 * z125 - s_beta * z138);
+    kept[103] = z139;
+    const double z140 = z59 + z60 * z109;
+    kept[104] = z140;
+    const double z141 = I_d * omega1 + I_b * w2;
+    kept[105] = z141;
+    const double z142 = s_beta * z71 + c_alpha * z129;
+    kept[106] = z142;
+    const double z143 = s_beta * z126 - z109 * z136 + (z61 * z130 - z58 * z142);
+    kept[107] = z143;
+    const double z144 = I_d * w2 + I_a * omega1;
+    kept[108] = z144;
+    const double z145 = z58 * z136 - z1 * z135 + (z61 * z126 + c_beta * z138);
+    kept[109] = z145;
+    const double z146 = k1 * z136;
+    kept[110] = z146;
+    const double z147 = k1 * (z1 * z136) - k2 * (mu2 * z60) + k3 * (mu3 * z128);
+    kept[111] = z147;
+    const double z148 = z4 * z147;
+    kept[112] = z148;
+    const double z149 = z148 * z41;
+    kept[113] = z149;
+    const double z150 = z4 * z146 - z12 * z149;
+    kept[114] = z150;
+    const double z151 = k2 * z60;
+    kept[115] = z151;
+    const double z152 = z24 * z149 + z4 * z151;
+    kept[116] = z152;
+    const double z153 = w2 * z150 - (omega1 * z152 - z25 * z145);
+    kept[117] = z153;
+    const double z154 = k3 * z128;
+    kept[118] = z154;
+    const double z155 = z13 * z149 - z4 * z154;
+    kept[119] = z155;
+    const double z156 = z67 * z152 - z25 * z139 + w2 * z155;
+    kept[120] = z156;
+    const double z157 = z63 * z126 + c_beta * z153 + (z68 * z125 + s_beta * z156);
+    kept[121] = z157;
+    const double z158 = omega1 * z155 + r3 * z145 + (z67 * z150 + r1 * z139);
+    kept[122] = z158;
+    const double z159 = z70 * z127 + c_alpha * z157 - (z60 * z86 - mu2 * z158);
+    const double z160 = g - z159;
+    kept[123] = z160;
+    const double z161 = s_gamma * z58;
+    kept[124] = z161;
+    const double z162 = z60 * z70 - mu2 * z157 + (z86 * z127 + c_alpha * z158);
+    kept[125] = z162;
+    const double z163 = c_gamma * z58;
+    kept[126] = z163;
+    const double z164 = z63 * z125 - s_beta * z153 - (z68 * z126 - c_beta * z156);
+    kept[127] = z164;
+    const double z165 = e2 * z161 + c_gamma * z162 + (z108 * z163 - s_gamma * z164);
+    kept[128] = z165;
+    const double z166 = e2 * z163 - s_gamma * z162 - (z108 * z161 + c_gamma * z164);
+    kept[129] = z166;
+    const double z167 = c_beta * z121;
+    kept[130] = z167;
+    const double z168 = s_beta * z121;
+    kept[131] = z168;
+    const double z169 = c_alpha * z168 + c_beta * z72;
+    kept[132] = z169;
+    const double z170 = c_beta * z125 + z22 * z128 - (z61 * z167 + z58 * z169);
+    kept[133] = z170;
+    const double z171 = z65 - z60 * z22;
+    kept[134] = z171;
+    const double z172 = s_beta * z72 - c_alpha * z167;
+    kept[135] = z172;
+    const double z173 = c_beta * z126 + z22 * z136 - (z61 * z168 + z58 * z172);
+    kept[136] = z173;
+    const double z174 = 1.0 / (c_alpha * c_alpha * c_alpha);
+    kept[137] = z174;
+    const double z175 = z141 * z140 - (z144 * z143 + (z120 * z159 + (z118 * z166 - z119 * z165))) - I_a *
+        (z110 * z145);
+    const double z176 = z141 * z171 - (z144 * z173 + (z32 * z159 + (z35 * z166 - z36 * z165))) - I_a * (z23 *
+        z145);
+    const double z177 = z176 - I_c * (z28 * z139 + z67 * z170) + g * z32;
+    const double z178 = I_d * z145 + (z67 * z144 + (z15 * z159 + (z18 * z166 - z19 * z165))) - I_c * (omega1
+        * z67);
+    const double z179 = z178 - g * z15 + z177 * z39;
+    const double z180 = z175 + I_c * (z112 * z139 - z67 * z132) + g * z120 + z177 * z52 + z55 * z179;
+    const double z181 = z123 * z180;
+    kept[138] = z181;
+    const double z182 = z54 * z179 + z55 * z181;
+    kept[139] = z182;
+    const double z183 = z177 * z38 + z39 * z182 + z52 * z181;
+    kept[140] = z183;
+    const double z184 = 1.0 / (z3 * z3);
+    kept[141] = z184;
+    /* the coframe is singular */
+    if (!(fabs(c_alpha) > 1e-12 * 4.0)) {
+        return RATTLEBACK_SINGULAR_1;
+    }
     /* the mass matrix is singular */
     if (!(fabs(z11) > 0.0)) {
         return RATTLEBACK_SINGULAR_2;
     }
-    const double s_gamma = sin(gamma_);
-    const double z12 = z1 * k1;
-    const double r1 = z12 * z4;
-    const double z13 = mu3 * k3;
-    const double r3 = h - z4 * z13;
-    const double z14 = c_beta * r1 + s_beta * r3;
-    const double z15 = mu2 * z14;
-    const double c_gamma = cos(gamma_);
-    const double z16 = s_beta * r1 - c_beta * r3;
-    const double z17 = s_gamma * z15 + c_gamma * z16;
-    const double z18 = c_gamma * z15 - s_gamma * z16;
-    const double z19 = c_alpha * z14;
-    const double z20 = I_b + (z17 * z17 + z18 * z18 + z19 * z19);
-    const double z21 = mu2 * k2;
-    const double z22 = z4 * z21;
-    const double z23 = 1.0 / c_alpha;
-    const double z24 = s_beta * z23;
-    const double z25 = z1 * z24 + c_beta * c_beta;
-    const double z26 = z22 * z25;
-    const double z27 = c_beta * s_beta;
-    const double z28 = mu3 * z24 - z27;
-    const double z29 = z22 * z28;
-    const double z30 = c_beta * z26 - s_beta * z29;
-    const double z31 = r3 * z25 + r1 * z28;
-    const double z32 = mu2 * z30 - c_alpha * z31;
-    const double z33 = s_beta * z26 + c_beta * z29;
-    const double z34 = s_gamma * z32 + c_gamma * z33;
-    const double z35 = c_gamma * z32 - s_gamma * z33;
-    const double z36 = c_alpha * z30 + mu2 * z31;
-    const double z37 = z34 * z17 + z35 * z18 + z36 * z19 + I_d * z25;
-    const double z38 = 1.0 / z11;
-    const double z39 = z37 * z38;
-    const double z40 = z20 - z37 * z39;
     /* the mass matrix is singular */
     if (!(fabs(z40) > 1e-14 * z20)) {
         return RATTLEBACK_SINGULAR_2;
     }
-    const double z41 = 1.0 / z3;
-    const double z42 = s_beta * s_beta;
-    const double z43 = z42 * k6;
-    const double z44 = z9 + z7 * z43;
-    const double z45 = I_c + z41 * z44;
-    const double z46 = c_alpha * k1;
-    const double z47 = s_beta * z46;
-    const double z48 = z4 * z47;
-    const double z49 = c_alpha * z5;
-    const double z50 = h - z4 * z49;
-    const double z51 = z48 * z50;
-    const double z52 = z51 * z38;
-    const double z53 = z22 * z50 + z37 * z52;
-    const double z54 = 1.0 / z40;
-    const double z55 = z53 * z54;
-    const double z56 = z45 - z51 * z52 - z53 * z55;
     /* the mass matrix is singular */
     if (!(fabs(z56) > 1e-14 * z45)) {
         return RATTLEBACK_SINGULAR_2;
     }
-    /* (I.2.15) */
-    J[0] = 0.0;
-    J[1] = 0.0;
-    J[2] = 0.0;
-    const double z57 = s_beta * w1 - c_beta * w3;
-    const double z58 = z23 * z57;
-    const double z59 = z1 * z58;
-    const double z60 = z1 * w3 + mu3 * w1;
-    const double z61 = z60 * z23;
-    const double omega1 = z59 + c_beta * z61;
-    const double z62 = r1 * w2 + z22 * omega1;
-    const double z63 = mu3 * z58;
-    const double z64 = z63 - s_beta * z61;
-    const double z65 = z22 * z64 - r3 * w2;
-    const double z66 = c_beta * z62 - s_beta * z65;
-    const double z67 = mu2 * s_gamma;
-    const double z68 = s_beta * z67 - c_beta * c_gamma;
-    const double z69 = c_beta * z67 + s_beta * c_gamma;
-    const double z70 = z68 * z64 - z69 * omega1;
-    const double z71 = c_alpha * s_gamma;
-    const double z72 = z71 * omega1 - z68 * w2;
-    const double z73 = z71 * z64 - z69 * w2;
-    const double z74 = z4 * (z41 * (z13 * z72 - z21 * z70 - z12 * z73));
-    const double z75 = r3 * omega1 + r1 * z64;
-    const double z76 = 1.0 / (c_alpha * c_alpha);
-    const double z77 = r1 * z71 + z22 * z68;
-    const double z78 = z22 * z69 - r3 * z71;
-    const double z79 = mu3 * z77 - z1 * z78;
-    const double z80 = s_beta * z77 + c_beta * z78;
-    const double z81 = z80 * z23;
-    const double z82 = z77 * z58 - w1 * z81 - k3 * (z4 * z72) + mu3 * (k3 * z74);
-    const double z83 = z78 * z58 + w3 * z81 - k1 * (z4 * z73) - z1 * (k1 * z74);
-    const double z84 = mu2 * (s_gamma * z75 - z76 * (z57 * z79 - z80 * z60) + c_beta * z82 - s_beta * z83);
-    J[3] = -(c_alpha * (s_gamma * z66 - k2 * (z4 * z70) - mu2 * (k2 * z74)) + z84);
-    const double z85 = z23 * z79;
-    const double z86 = c_beta * (c_gamma * z62 - z67 * z65 + z77 * z61 - w1 * z85 + c_alpha * z83) - s_beta *
-        (c_gamma * z65 + z67 * z62 + z78 * z61 + w3 * z85 - c_alpha * z82);
-    J[4] = -z86;
-    const double e2 = mu2 * z66 - c_alpha * z75;
-    const double z87 = s_beta * z62 + c_beta * z65;
-    J[5] = s_gamma * z87 - c_gamma * e2;
-    J[6] = s_beta * z85 - mu3 * z81;
-    J[7] = -(r1 * z69 + r3 * z68);
-    J[8] = -(c_beta * z85 + z1 * z81);
-    J[9] = 0.0;
-    J[10] = 0.0;
-    J[11] = 0.0;
-    const double z88 = mu2 * c_gamma;
-    const double z89 = s_beta * z88 + c_beta * s_gamma;
-    const double z90 = c_beta * z88 - s_beta * s_gamma;
-    const double z91 = z89 * z64 - z90 * omega1;
-    const double z92 = c_alpha * c_gamma;
-    const double z93 = z92 * omega1 - z89 * w2;
-    const double z94 = z92 * z64 - z90 * w2;
-    const double z95 = z4 * (z41 * (z13 * z93 - z21 * z91 - z12 * z94));
-    const double z96 = r1 * z92 + z22 * z89;
-    const double z97 = z22 * z90 - r3 * z92;
-    const double z98 = mu3 * z96 - z1 * z97;
-    const double z99 = s_beta * z96 + c_beta * z97;
-    const double z100 = z99 * z23;
-    const double z101 = z96 * z58 - w1 * z100 - k3 * (z4 * z93) + mu3 * (k3 * z95);
-    const double z102 = z97 * z58 + w3 * z100 - k1 * (z4 * z94) - z1 * (k1 * z95);
-    const double z103 = mu2 * (c_gamma * z75 - z76 * (z57 * z98 - z99 * z60) + c_beta * z101 - s_beta * z102);
-    J[12] = c_alpha * (c_gamma * z66 - k2 * (z4 * z91) - mu2 * (k2 * z95)) + z103;
-    const double z104 = z23 * z98;
-    const double z105 = c_beta * (s_gamma * z62 + z88 * z65 - z96 * z61 + w1 * z104 - c_alpha * z102) -
-        s_beta * (s_gamma * z65 - z88 * z62 - z97 * z61 - w3 * z104 + c_alpha * z101);
-    J[13] = -z105;
-    J[14] = -(s_gamma * e2 + c_gamma * z87);
-    J[15] = mu3 * z100 - s_beta * z104;
-    J[16] = r1 * z90 + r3 * z89;
-    J[17] = c_beta * z104 + z1 * z100;
-    J[18] = 0.0;
-    J[19] = 0.0;
-    J[20] = 0.0;
-    const double z106 = z1 * z64 - mu3 * omega1;
-    const double z107 = mu2 * omega1 + z1 * w2;
-    const double z108 = mu2 * z64 + mu3 * w2;
-    const double z109 = z4 * (z41 * (z13 * z107 + z21 * z106 - z12 * z108));
-    const double z110 = mu2 * r1 - z1 * z22;
-    const double z111 = mu3 * z22 + mu2 * r3;
-    const double z112 = mu3 * z110 + z1 * z111;
-    const double z113 = s_beta * z110 - c_beta * z111;
-    const double z114 = z113 * z23;
-    const double z115 = z110 * z58 - w1 * z114 - k3 * (z4 * z107) + mu3 * (k3 * z109);
-    const double z116 = z111 * z58 - w3 * z114 + k1 * (z4 * z108) + z1 * (k1 * z109);
-    const double z117 = c_alpha * (z75 - k2 * (z4 * z106) + mu2 * (k2 * z109)) - mu2 * (z66 - z76 * (z57 *
-        z112 - z113 * z60) + c_beta * z115 + s_beta * z116);
-    J[21] = -z117;
-    const double z118 = z23 * z112;
-    const double z119 = c_beta * (c_alpha * z65 + z110 * z61 - w1 * z118 - c_alpha * z116) + s_beta *
-        (c_alpha * z62 + z111 * z61 - w3 * z118 + c_alpha * z115);
-    J[22] = z119;
-    J[23] = 0.0;
-    J[24] = mu3 * z114 - s_beta * z118;
-    J[25] = -(mu3 * r1 + z1 * r3);
-    J[26] = c_beta * z118 + z1 * z114;
-    J[27] = 0.0;
-    J[28] = 0.0;
-    J[29] = 0.0;
-    const double z120 = c_beta * (w1 * z23);
-    const double z121 = s_beta * (w3 * z23);
-    J[30] = mu2 * (z60 * z76 - z120 - z121);
-    J[31] = -z57;
-    J[32] = 0.0;
-    J[33] = c_beta;
-    J[34] = 0.0;
-    J[35] = s_beta;
-    J[36] = 0.0;
-    J[37] = 0.0;
-    J[38] = 0.0;
-    J[39] = z57 + mu2 * (z76 * (mu2 * z57));
-    const double z122 = mu2 * z23;
-    J[40] = c_beta * (w1 * z122) + s_beta * (w3 * z122);
-    J[41] = 0.0;
-    J[42] = s_beta * z122;
-    J[43] = 1.0;
-    J[44] = -c_beta * z122;
-    J[45] = 0.0;
-    J[46] = 0.0;
-    J[47] = 0.0;
-    J[48] = -mu2 * (z57 * z76);
-    J[49] = -(z120 + z121);
-    J[50] = 0.0;
-    J[51] = -z24;
-    J[52] = 0.0;
-    const double z123 = c_beta * z23;
-    J[53] = z123;
-    J[54] = 0.0;
-    J[55] = 0.0;
-    J[56] = 0.0;
-    const double z124 = I_c * z64;
-    const double z125 = s_gamma * z35 - c_gamma * z34;
-    const double z126 = c_gamma * z35 + s_gamma * z34;
-    const double z127 = c_alpha * z36 + mu2 * z126;
-    const double z128 = mu2 * z36 - c_alpha * z126;
-    const double z129 = c_beta * z125 + s_beta * z127;
-    const double z130 = I_c * z28 + r1 * z128 - z22 * z129;
-    const double z131 = s_beta * z125 - c_beta * z127;
-    const double z132 = I_a * z25 + r3 * z128 - z22 * z131;
-    const double z133 = mu3 * z130 + z1 * z132;
-    const double z134 = z23 * z133;
-    const double z135 = I_d * w2 + I_a * omega1;
-    const double z136 = s_beta * z130 - c_beta * z132;
-    const double z137 = z23 * z136;
-    const double z138 = z64 * z128 - w2 * z131;
-    const double z139 = omega1 * z128 + w2 * z129;
-    const double z140 = z64 * z129 + omega1 * z131;
-    const double z141 = 0.5 * (z13 * z139) + 0.5 * (z21 * z140) - 0.5 * (z12 * z138);
-    const double z142 = z41 * z141;
-    const double z143 = z4 * z142;
-    const double z144 = k1 * z143;
-    const double z145 = z24 * z135 + z58 * z132 - w3 * z137 + k1 * (z4 * z138) + 2.0 * (z1 * z144);
-    const double z146 = c_beta * z124 + z62 * z125 + z65 * z127 + z61 * z130 - w1 * z134 - c_alpha * z145;
-    const double z147 = k3 * z143;
-    const double z148 = z24 * z124 + z58 * z130 - w1 * z137 - k3 * (z4 * z139) + 2.0 * (mu3 * z147);
-    const double z149 = c_beta * z135 - z65 * z125 + z62 * z127 + z61 * z132 - w3 * z134 + c_alpha * z148;
-    const double z150 = c_beta * z146 + s_beta * z149;
-    const double z151 = s_gamma * z58;
-    const double z152 = c_gamma * z58;
-    const double z153 = z35 * z151 - z34 * z152;
-    const double z154 = z58 * z135;
-    const double z155 = z61 * z124 - c_alpha * z154;
-    const double z156 = z58 * z124;
-    const double z157 = c_alpha * z156 + z61 * z135;
-    const double z158 = c_beta * z155 + s_beta * z157;
-    const double z159 = c_beta * z156 + s_beta * z154;
-    const double z160 = mu2 * z61;
-    const double z161 = w2 + mu2 * z58;
-    const double z162 = c_beta * z161;
-    const double z163 = s_beta * z160 - c_alpha * z162;
-    const double z164 = s_beta * z161;
-    const double z165 = c_alpha * z164 + c_beta * z160;
-    const double z166 = 2.0 * (k1 * (z1 * z163)) - 2.0 * (k2 * (mu2 * z60)) + 2.0 * (k3 * (mu3 * z165));
-    const double z167 = z4 * z166;
-    const double z168 = z167 * z41;
-    const double z169 = k3 * z165;
-    const double z170 = 0.5 * (z13 * z168) - z4 * z169;
-    const double z171 = z160 * z76;
-    const double z172 = w1 * z162 + w3 * z164;
-    const double z173 = z57 * z171 + z23 * z172;
-    const double z174 = w3 * z163 + w1 * z165;
-    const double z175 = z23 * z174 - z60 * z171;
-    const double z176 = z58 * z163 - z1 * z173 + (z61 * z164 + c_beta * z175);
-    const double z177 = k1 * z163;
-    const double z178 = z4 * z177 - 0.5 * (z12 * z168);
-    const double z179 = z58 * z165 - mu3 * z173 + (z61 * z162 - s_beta * z175);
-    const double z180 = omega1 * z170 + r3 * z176 + (z64 * z178 + r1 * z179);
-    const double z181 = k2 * z60;
-    const double z182 = 0.5 * (z21 * z168) + z4 * z181;
-    const double z183 = w2 * z178 - (omega1 * z182 - z22 * z176);
-    const double z184 = z64 * z182 - z22 * z179 + w2 * z170;
-    const double z185 = z62 * z164 + c_beta * z183 + (z65 * z162 + s_beta * z184);
-    const double z186 = k2 * z143;
-    const double z187 = z57 * z133 - z60 * z136;
-    const double z188 = z66 * z36 - z75 * z126 - z76 * z187 + c_beta * z148 + s_beta * z145;
-    const double z189 = z66 * z160 + c_alpha * z185 - (z60 * z75 - mu2 * z180);
-    const double z190 = z60 * z66 - mu2 * z185 + (z75 * z160 + c_alpha * z180);
-    const double z191 = z62 * z162 - s_beta * z183 - (z65 * z164 - c_beta * z184);
-    const double z192 = e2 * z152 - s_gamma * z190 - (z87 * z151 + c_gamma * z191);
-    const double z193 = e2 * z151 + c_gamma * z190 + (z87 * z152 - s_gamma * z191);
-    const double z194 = omega1 * z124 - (I_d * z176 + (z64 * z135 + (z19 * z189 + (z17 * z192 - z18 *
-        z193))));
-    const double z195 = mu2 * z24;
-    const double z196 = c_beta * z195;
-    const double z197 = s_beta * z195;
-    const double z198 = c_beta * mu2;
-    const double z199 = c_alpha * z197 + c_beta * z198;
-    const double z200 = c_beta * z162 + z24 * z165 - (z61 * z196 + z58 * z199);
-    const double z201 = I_c * z179;
-    const double z202 = I_d * omega1 + I_b * w2;
-    const double z203 = z63 - z60 * z24;
-    const double z204 = s_beta * z198 - c_alpha * z196;
-    const double z205 = c_beta * z164 + z24 * z163 - (z61 * z197 + z58 * z204);
-    const double z206 = I_a * z176;
-    const double z207 = z202 * z203 - (z135 * z205 + (z25 * z206 + (z36 * z189 + (z34 * z192 - z35 * z193))));
-    const double z208 = z124 * z200 + (z28 * z201 - z207) - g * z36;
-    const double z209 = z194 + g * z19 + z208 * z39;
-    const double z210 = 1.0 / z56;
-    const double z211 = mu2 * z123;
-    const double z212 = c_beta * z211;
-    const double z213 = s_beta * z211;
-    const double z214 = s_beta * mu2;
-    const double z215 = c_alpha * z213 - c_beta * z214;
-    const double z216 = s_beta * z162 - z123 * z165 + (z61 * z212 + z58 * z215);
-    const double z217 = mu3 * z123 + z42;
-    const double z218 = z59 + z60 * z123;
-    const double z219 = s_beta * z214 + c_alpha * z212;
-    const double z220 = s_beta * z164 - z123 * z163 + (z61 * z213 - z58 * z219);
-    const double z221 = z27 - z1 * z123;
-    const double z222 = z22 * z221;
-    const double z223 = z22 * z217;
-    const double z224 = c_beta * z222 + s_beta * z223;
-    const double z225 = r3 * z221 - r1 * z217;
-    const double z226 = c_alpha * z224 + mu2 * z225;
-    const double z227 = mu2 * z224 - c_alpha * z225;
-    const double z228 = s_beta * z222 - c_beta * z223;
-    const double z229 = s_gamma * z227 + c_gamma * z228;
-    const double z230 = c_gamma * z227 - s_gamma * z228;
-    const double z231 = z202 * z218 - (z135 * z220 + (z221 * z206 + (z226 * z189 + (z229 * z192 - z230 *
-        z193))));
-    const double z232 = z210 * (z124 * z216 - (z217 * z201 + z231) - g * z226 + z208 * z52 + z55 * z209);
-    const double z233 = z54 * z209 + z55 * z232;
-    const double z234 = z35 * z233;
-    const double z235 = z34 * z233;
-    const double z236 = c_gamma * z234 + s_gamma * z235;
-    const double z237 = c_beta * z159 - z36 * z180 - z185 * z126 + 2.0 * (z60 * z186) - z61 * z188 - z14 *
-        z236;
-    const double z238 = g - z189;
-    const double z239 = z19 * z233;
-    const double z240 = z238 - z239;
-    const double z241 = z18 * z233;
-    const double z242 = z193 - z241;
-    const double z243 = z17 * z233;
-    const double z244 = z192 + z243;
-    const double z245 = c_gamma * z242 - s_gamma * z244;
-    const double z246 = z35 * z152 + z34 * z151;
-    const double z247 = z36 * z160 - z60 * z126 - mu2 * z153;
-    const double z248 = z162 * z125 + z164 * z127 - s_beta * z246 + c_beta * z247;
-    const double z249 = z164 * z125 - z162 * z127 + c_beta * z246 + s_beta * z247;
-    const double z250 = s_gamma * z242 + c_gamma * z244;
-    const double z251 = c_alpha * z240 + mu2 * z245;
-    const double z252 = c_beta * z250 + s_beta * z251;
-    const double z253 = s_beta * z250 - c_beta * z251;
-    const double z254 = omega1 * z248 - (z64 * z249 + (z179 * z129 + z176 * z131 - z28 * z252 - z25 * z253));
-    const double z255 = z58 * z150 - (z66 * z153 + (z24 * z158 + (z237 + z31 * z240 + z30 * z245))) + k2 *
-        (0.5 * (z168 * z140) + z4 * z254);
-    const double z256 = z208 * z38 + z39 * z233 + z52 * z232;
-    const double z257 = z4 * z256;
-    const double z258 = z5 * z257;
-    const double z259 = 1.0 / (z3 * z3);
-    const double z260 = z48 * z232;
-    const double z261 = z50 * z232;
-    const double z262 = z7 * z258;
-    const double z263 = z169 * z139 + (z49 * z260 - z47 * z261 + z10 * z256 + z9 * z257 + z5 * z262);
-    const double z264 = z60 * z36 + z160 * z126 - c_alpha * z153;
-    const double z265 = s_gamma * z234 - c_gamma * z235;
-    const double z266 = z36 * z233;
-    const double z267 = c_alpha * z266 + mu2 * z236;
-    const double z268 = mu2 * z240 - c_alpha * z245;
-    const double z269 = w2 * z249 - (omega1 * z264 - (z176 * z128 + c_beta * z265 + s_beta * z267 - z25 *
-        z268));
-    const double z270 = w2 * z248 - (z64 * z264 - (z179 * z128 - s_beta * z265 + c_beta * z267 - z28 * z268));
-    const double z271 = z166 * z142 + (z177 * z138 + (z181 * z140 - z263)) - z13 * z269 + z21 * z254 + z12 *
-        z270;
-    const double z272 = z167 * z141 * z259 + 0.5 * (z4 * (z41 * z271));
-    const double z273 = 1.0 / (c_alpha * c_alpha * c_alpha);
-    const double z274 = z4 * z260;
-    const double z275 = z4 * z261;
-    const double z276 = z196 * z154 - (z197 * z156 + (z5 * z274 - k1 * (s_beta * z275) - 2.0 * (h * z258)));
-    const double z277 = z162 * z145 - (z164 * z148 + (2.0 * (z160 * z187 * z273) - (z180 * z126 - (z36 * z185
-        + z276))));
-    const double z278 = z178 * z128 + z182 * z129 + I_c * z200 - r1 * z264 - z22 * z249;
-    const double z279 = z124 * z196 + z135 * z197 - z162 * z130 - z164 * z132 - mu2 * z188 + s_beta * z278;
-    const double z280 = z170 * z128 + z182 * z131 + I_a * z205 - I_d * z203 - r3 * z264 + z22 * z248;
-    const double z281 = z279 - c_beta * z280;
-    const double z282 = z87 * z35 - e2 * z34;
-    const double z283 = e2 * z35 + z87 * z34;
-    const double z284 = z124 * z199 + z135 * z204 - z165 * z130 - z163 * z132 + c_gamma * z282 + s_gamma *
-        z283;
-    const double z285 = z202 - z278;
-    const double z286 = z284 + mu3 * z285 - z1 * z280 - mu2 * z150;
-    const double z287 = mu2 * z158;
-    const double z288 = z124 * z165 + z60 * z202 + z135 * z163;
-    const double z289 = z201 - r1 * z268 + z22 * z252;
-    const double z290 = z206 + I_d * z233 - r3 * z268 + z22 * z253;
-    const double z291 = z287 - (z288 + mu3 * z289 + z1 * z290);
-    const double z292 = z75 * z153 - (z277 - z14 * z266 + z30 * z240 - z31 * z245) + z76 * (z60 * z281 + (z57
-        * z286 + (z172 * z133 + z174 * z136 + s_beta * z291)));
-    const double z293 = z24 * z202 - z75 * z36 - z66 * z126 + z171 * z136 + k2 * (z4 * z140) - 2.0 * (mu2 *
-        z186);
-    const double z294 = z293 - z23 * z281;
-    const double z295 = w1 * z294 - (z58 * z285 + (z173 * z130 - 2.0 * (z165 * z147) - z24 * z289)) + k3 *
-        (0.5 * (z168 * z139) - z4 * z269);
-    const double z296 = z295 - 2.0 * (mu3 * (k3 * z272));
-    const double z297 = w3 * z294 + (z58 * z280 - (z173 * z132 - 2.0 * (z163 * z144) - z24 * z290)) - k1 *
-        (0.5 * (z168 * z138) - z4 * z270);
-    const double z298 = z297 - 2.0 * (z1 * (k1 * z272));
-    const double z299 = c_alpha * (z255 - 2.0 * (mu2 * (k4 * (z4 * z257) - z6 * z258 + k2 * z272))) - mu2 *
-        (z292 + c_beta * z296 + s_beta * z298);
-    const double z300 = s_gamma * z18 - c_gamma * z17;
-    const double z301 = c_gamma * z18 + s_gamma * z17;
-    const double z302 = c_alpha * z19 + mu2 * z301;
-    const double z303 = mu2 * z19 - c_alpha * z301;
-    const double z304 = c_beta * z300 + s_beta * z302;
-    const double z305 = r1 * z303 - z22 * z304;
-    const double z306 = s_beta * z300 - c_beta * z302;
-    const double z307 = I_d + r3 * z303 - z22 * z306;
-    const double z308 = mu3 * z305 + z1 * z307;
-    const double z309 = z23 * z308;
-    const double z310 = s_beta * z305 - c_beta * z307;
-    const double z311 = z23 * z310;
-    const double z312 = z64 * z303 - w2 * z306;
-    const double z313 = omega1 * z303 + w2 * z304;
-    const double z314 = z64 * z304 + omega1 * z306;
-    const double z315 = 0.5 * (z13 * z313) + 0.5 * (z21 * z314) - 0.5 * (z12 * z312);
-    const double z316 = z41 * z315;
-    const double z317 = z4 * z316;
-    const double z318 = k1 * z317;
-    const double z319 = z58 * z307 - w3 * z311 + k1 * (z4 * z312) + 2.0 * (z1 * z318);
-    const double z320 = z62 * z300 + z65 * z302 + z61 * z305 - w1 * z309 - c_alpha * z319;
-    const double z321 = k3 * z317;
-    const double z322 = z58 * z305 - w1 * z311 - k3 * (z4 * z313) + 2.0 * (mu3 * z321);
-    const double z323 = z65 * z300 - z62 * z302 - z61 * z307 + w3 * z309 - c_alpha * z322;
-    const double z324 = c_beta * z320 - s_beta * z323;
-    const double z325 = z18 * z151 - z17 * z152;
-    const double z326 = k2 * z317;
-    const double z327 = z57 * z308 - z60 * z310;
-    const double z328 = z66 * z19 - z75 * z301 - z76 * z327 + c_beta * z322 + s_beta * z319;
-    const double z329 = z193 - 2.0 * z241 + z35 * z256;
-    const double z330 = z192 + 2.0 * z243 - z34 * z256;
-    const double z331 = c_gamma * z329 - s_gamma * z330;
-    const double z332 = z19 * z256;
-    const double z333 = z19 * z180 + z185 * z301 - 2.0 * (z60 * z326) + z61 * z328 - z14 * z331 - z31 * z332;
-    const double z334 = z18 * z256;
-    const double z335 = z17 * z256;
-    const double z336 = c_gamma * z334 + s_gamma * z335;
-    const double z337 = z18 * z152 + z17 * z151;
-    const double z338 = z19 * z160 - z60 * z301 - mu2 * z325;
-    const double z339 = z162 * z300 + z164 * z302 - s_beta * z337 + c_beta * z338;
-    const double z340 = z164 * z300 - z162 * z302 + c_beta * z337 + s_beta * z338;
-    const double z341 = s_gamma * z334 - c_gamma * z335;
-    const double z342 = c_alpha * z332 + mu2 * z336;
-    const double z343 = c_beta * z341 + s_beta * z342;
-    const double z344 = s_beta * z341 - c_beta * z342;
-    const double z345 = omega1 * z339 - (z64 * z340 + (z176 * z306 + (z179 * z304 + z261) - z28 * z343 - z25
-        * z344));
-    const double z346 = z58 * z324 - (z66 * z325 - (z333 - z30 * z336)) + k2 * (0.5 * (z168 * z314) + z4 *
-        z345);
-    const double z347 = z22 * z232;
-    const double z348 = z60 * z19 + z160 * z301 - c_alpha * z325;
-    const double z349 = s_gamma * z329 + c_gamma * z330;
-    const double z350 = z238 - 2.0 * z239 + z36 * z256;
-    const double z351 = c_alpha * z350 + mu2 * z331;
-    const double z352 = mu2 * z332 - c_alpha * z336;
-    const double z353 = w2 * z340 - (omega1 * z348 - (z176 * z303 - c_beta * z349 - s_beta * z351 - z25 *
-        z352));
-    const double z354 = z166 * z316 + (z177 * z312 + (z181 * z314 - (z169 * z313 - z49 * z347))) - z13 * z353;
-    const double z355 = w2 * z339 - (z64 * z348 - (z179 * z303 + s_beta * z349 - c_beta * z351 - z28 * z352));
-    const double z356 = z259 * (z167 * z315) + 0.5 * (z4 * (z41 * (z354 + z21 * z345 + z12 * z355)));
-    const double z357 = z4 * z347;
-    const double z358 = z164 * z322 + (2.0 * (z273 * (z160 * z327)) - (z180 * z301 - (z19 * z185 + z5 *
-        z357)));
-    const double z359 = z135 + z178 * z303 + z182 * z304 - I_c * omega1 - r1 * z348 - z22 * z340;
-    const double z360 = z124 - z170 * z303 - z182 * z306 - I_a * z64 + r3 * z348 - z22 * z339;
-    const double z361 = z162 * z305 + z164 * z307 + mu2 * z328 - s_beta * z359 - c_beta * z360;
-    const double z362 = z87 * z18 - e2 * z17;
-    const double z363 = e2 * z18 + z87 * z17;
-    const double z364 = z165 * z305 + z163 * z307 - c_gamma * z362 - s_gamma * z363 + mu3 * z359 - z1 * z360;
-    const double z365 = z364 + mu2 * z324;
-    const double z366 = r1 * z352 - z22 * z343;
-    const double z367 = I_d * z256 + r3 * z352 - z22 * z344;
-    const double z368 = mu3 * z366 + z1 * z367;
-    const double z369 = z75 * z325 - (z162 * z319 - z358 + z14 * z350 + z30 * z332 - z31 * z336) - z76 * (z60
-        * z361 + (z57 * z365 - (z172 * z308 + z174 * z310 + s_beta * z368)));
-    const double z370 = z75 * z19 + z66 * z301 - z171 * z310 - k2 * (z4 * z314) + 2.0 * (mu2 * z326);
-    const double z371 = z370 - z23 * z361;
-    const double z372 = w1 * z371 - (z58 * z359 - (z173 * z305 - 2.0 * (z165 * z321) + z24 * z366)) - k3 *
-        (0.5 * (z168 * z313) - z4 * z353);
-    const double z373 = z372 + 2.0 * (mu3 * (k3 * z356));
-    const double z374 = w3 * z371 + (z58 * z360 + (z173 * z307 - 2.0 * (z163 * z318) + z24 * z367)) + k1 *
-        (0.5 * (z168 * z312) - z4 * z355);
-    const double z375 = z374 + 2.0 * (z1 * (k1 * z356));
-    const double z376 = c_alpha * (z346 - 2.0 * (mu2 * (k2 * z356))) - mu2 * (z369 - c_beta * z373 - s_beta *
-        z375);
-    const double z377 = z376 - z39 * z299;
-    const double z378 = c_gamma * z230 + s_gamma * z229;
-    const double z379 = mu2 * z226 - c_alpha * z378;
-    const double z380 = s_gamma * z230 - c_gamma * z229;
-    const double z381 = c_alpha * z226 + mu2 * z378;
-    const double z382 = c_beta * z380 + s_beta * z381;
-    const double z383 = omega1 * z379 + w2 * z382;
-    const double z384 = s_beta * z380 - c_beta * z381;
-    const double z385 = z64 * z382 + omega1 * z384;
-    const double z386 = z64 * z379 - w2 * z384;
-    const double z387 = 0.5 * (z13 * z383) + 0.5 * (z21 * z385) - 0.5 * (z12 * z386);
-    const double z388 = z41 * z387;
-    const double z389 = z4 * z388;
-    const double z390 = k2 * z389;
-    const double z391 = I_c * z217 - r1 * z379 + z22 * z382;
-    const double z392 = I_a * z221 + r3 * z379 - z22 * z384;
-    const double z393 = mu3 * z391 - z1 * z392;
-    const double z394 = s_beta * z391 + c_beta * z392;
-    const double z395 = z57 * z393 - z60 * z394;
-    const double z396 = z23 * z394;
-    const double z397 = k3 * z389;
-    const double z398 = z123 * z124 + z58 * z391 - w1 * z396 + k3 * (z4 * z383) - 2.0 * (mu3 * z397);
-    const double z399 = k1 * z389;
-    const double z400 = z123 * z135 - z58 * z392 - w3 * z396 - k1 * (z4 * z386) - 2.0 * (z1 * z399);
-    const double z401 = z66 * z226 - z75 * z378 + z76 * z395 - c_beta * z398 - s_beta * z400;
-    const double z402 = s_beta * z159 - z226 * z180 - z185 * z378 + 2.0 * (z60 * z390) - z61 * z401 + z225 *
-        z238;
-    const double z403 = c_gamma * z193 - s_gamma * z192;
-    const double z404 = z230 * z151 - z229 * z152;
-    const double z405 = z23 * z393;
-    const double z406 = s_beta * z124 + z62 * z380 + z65 * z381 - z61 * z391 + w1 * z405 + c_alpha * z400;
-    const double z407 = s_beta * z135 - z65 * z380 + z62 * z381 + z61 * z392 + w3 * z405 - c_alpha * z398;
-    const double z408 = c_beta * z406 + s_beta * z407;
-    const double z409 = z230 * z152 + z229 * z151;
-    const double z410 = z226 * z160 - z60 * z378 - mu2 * z404;
-    const double z411 = z162 * z380 + z164 * z381 - s_beta * z409 + c_beta * z410;
-    const double z412 = z164 * z380 - z162 * z381 + c_beta * z409 + s_beta * z410;
-    const double z413 = s_gamma * z193 + c_gamma * z192;
-    const double z414 = c_alpha * z238 + mu2 * z403;
-    const double z415 = s_beta * z413 - c_beta * z414;
-    const double z416 = c_beta * z413 + s_beta * z414;
-    const double z417 = z64 * z412 - (z221 * z415 - (z217 * z416 + (z176 * z384 + (z179 * z382 - z50 *
-        z233))));
-    const double z418 = omega1 * z411 - z417;
-    const double z419 = z402 + z224 * z403 - z123 * z158 + z66 * z404 - z58 * z408 - k2 * (0.5 * (z168 *
-        z385) + z4 * z418);
-    const double z420 = z41 * z232;
-    const double z421 = mu2 * z238 - c_alpha * z403;
-    const double z422 = z60 * z226 + z160 * z378 - c_alpha * z404;
-    const double z423 = z179 * z379 + z217 * z421 - z64 * z422 + w2 * z411;
-    const double z424 = z176 * z379 - z221 * z421 - omega1 * z422 + w2 * z412;
-    const double z425 = z22 * z233 + z48 * z256;
-    const double z426 = z50 * z256;
-    const double z427 = z166 * z388 + (z177 * z386 + (z181 * z385 - (z169 * z383 + (z49 * z425 - z47 *
-        z426))));
-    const double z428 = z259 * (z167 * z387 - z44 * z232) + 0.5 * (z4 * (z41 * (z12 * z423 - (z13 * z424 -
-        z427 - z21 * z418))));
-    const double z429 = z201 - r1 * z421 + z22 * z416;
-    const double z430 = z206 - r3 * z421 + z22 * z415;
-    const double z431 = z287 - (z288 + mu3 * z429 + z1 * z430);
-    const double z432 = z87 * z230 - e2 * z229;
-    const double z433 = e2 * z230 + z87 * z229;
-    const double z434 = z124 * z215 - z135 * z219 - z165 * z391 + z163 * z392 - c_gamma * z432 - s_gamma *
-        z433;
-    const double z435 = z178 * z379 + z182 * z382 + I_c * z216 - r1 * z422 - z22 * z412;
-    const double z436 = z170 * z379 + z182 * z384 + I_a * z220 - I_d * z218 - r3 * z422 + z22 * z411;
-    const double z437 = z202 - z436;
-    const double z438 = z434 + mu3 * z435 - z1 * z437 + mu2 * z408;
-    const double z439 = z124 * z212 + z135 * z213 - z162 * z391 + z164 * z392 + mu2 * z401 - s_beta * z435;
-    const double z440 = z439 + c_beta * z436;
-    const double z441 = z4 * z425;
-    const double z442 = z4 * z426;
-    const double z443 = z180 * z378 - (z226 * z185 - (z212 * z154 - (z213 * z156 - (z5 * z441 - k1 * (s_beta
-        * z442)))));
-    const double z444 = z225 * z403 - (z224 * z238 - (z162 * z400 - (z164 * z398 + (2.0 * (z273 * (z160 *
-        z395)) + z443))));
-    const double z445 = z76 * (z172 * z393 + z174 * z394 + c_beta * z431 + z57 * z438 + z60 * z440) - (z75 *
-        z404 + z444);
-    const double z446 = z123 * z202 + z75 * z226 + z66 * z378 + z171 * z394 - k2 * (z4 * z385) + 2.0 * (mu2 *
-        z390);
-    const double z447 = z446 - z23 * z440;
-    const double z448 = z173 * z391 + 2.0 * (z165 * z397) - z123 * z429 + z58 * z435 - w1 * z447 + k3 * (0.5
-        * (z168 * z383) - z4 * z424);
-    const double z449 = z448 - 2.0 * (mu3 * (k3 * z428));
-    const double z450 = z173 * z392 - 2.0 * (z163 * z399) + z123 * z430 + z58 * z437 + w3 * z447 + k1 * (0.5
-        * (z168 * z386) - z4 * z423);
-    const double z451 = z450 + 2.0 * (z1 * (k1 * z428));
-    const double z452 = c_alpha * (z419 + 2.0 * (mu2 * ((k4 - z43) * z420 + k2 * z428))) - mu2 * (z445 -
-        c_beta * z449 + s_beta * z451);
-    const double z453 = z210 * (z452 - z52 * z299 + z55 * z377);
-    const double z454 = z54 * z377 + z55 * z453;
-    J[57] = z38 * z299 - z39 * z454 - z52 * z453;
-    const double z455 = z171 * z133 + z23 * z286;
-    const double z456 = z175 * z130 - (z184 * z127 - (z183 * z125 + (z195 * z157 + (z198 * z154 - z46 *
-        z275))));
-    const double z457 = z161 * z149 + (z160 * z145 - z456) - r1 * z265 + r3 * z267 + z26 * z250 + z29 * z251;
-    const double z458 = w1 * z455 + (z61 * z278 + (z65 * z247 + (z62 * z246 - (z457 - c_beta * z289 - z23 *
-        z291))));
-    const double z459 = mu2 * z159;
-    const double z460 = z135 * z164;
-    const double z461 = z124 * z162;
-    const double z462 = z195 * z155 - (z460 - (z198 * z156 - (z461 - k3 * (c_alpha * z274 + z8 * z257 + z4 *
-        z262))));
-    const double z463 = z161 * z146 + (z160 * z148 + (z175 * z132 + (z183 * z127 + (z184 * z125 - (z459 +
-        z462)))));
-    const double z464 = z463 + r3 * z265 + r1 * z267 + z29 * z250 - s_beta * z289 - z26 * z251 + 2.0 *
-        (c_beta * z290);
-    const double z465 = s_beta * (w3 * z455 + (z61 * z280 + (z62 * z247 - (z65 * z246 - z464))) + c_alpha *
-        z296);
-    const double z466 = c_beta * (z458 - c_alpha * z298) + z465;
-    const double z467 = z171 * z308 - z23 * z365;
-    const double z468 = z183 * z300 - z184 * z302 + z175 * z305 - z160 * z319 + z161 * z323 - r1 * z349;
-    const double z469 = z62 * z337 + (z468 + r3 * z351 - z26 * z341 - z29 * z342 - c_beta * z366 + z23 *
-        z368);
-    const double z470 = z161 * z320 + (z160 * z322 + (z175 * z307 + (z183 * z302 + (z184 * z300 + k3 *
-        (c_alpha * z357)))));
-    const double z471 = z470 - r3 * z349 - r1 * z351 + z29 * z341 + s_beta * z366 - z26 * z342 - 2.0 *
-        (c_beta * z367);
-    const double z472 = s_beta * (w3 * z467 - (z61 * z360 - (z62 * z338 - (z65 * z337 - z471))) - c_alpha *
-        z373);
-    const double z473 = c_beta * (w1 * z467 + (z61 * z359 + (z65 * z338 + z469)) + c_alpha * z375) + z472 -
-        z39 * z466;
-    const double z474 = z171 * z393 + z23 * z438;
-    const double z475 = z184 * z381 - (z183 * z380 - (z211 * z157 - (z459 + (z214 * z154 - (z460 + (z461 +
-        z46 * z442))))));
-    const double z476 = z223 * z414 - (z222 * z413 + (z161 * z407 - (z160 * z400 - (z175 * z391 + z475)))) +
-        2.0 * (s_beta * (z429 + k6 * (z7 * z420)));
-    const double z477 = w1 * z474 - (z61 * z435 + (z65 * z410 + (z62 * z409 - (c_beta * z430 - z476)))) -
-        c_alpha * z451;
-    const double z478 = z175 * z392 + (z183 * z381 + (z184 * z380 + (z211 * z155 - (z214 * z156 + k3 *
-        (c_alpha * z441)))));
-    const double z479 = s_beta * z430 + (z23 * z431 - (z222 * z414 + (z223 * z413 - (z161 * z406 - (z160 *
-        z398 - z478)))));
-    const double z480 = s_beta * (w3 * z474 - (z61 * z436 + (z62 * z410 - (z65 * z409 - z479))) - c_alpha *
-        z449);
-    const double z481 = z210 * (c_beta * z477 + z480 - z52 * z466 + z55 * z473);
-    const double z482 = z54 * z473 + z55 * z481;
-    J[58] = z52 * z481 - (z38 * z466 - z39 * z482);
-    const double z483 = z35 * z191 - z34 * z190 - z58 * z283 - z16 * z234 + z15 * z235 + z33 * z242;
-    const double z484 = z35 * z190 + z34 * z191 + z58 * z282 - z15 * z234 - z16 * z235 + z32 * z242;
-    const double z485 = c_gamma * (z483 + z32 * z244) + s_gamma * (z484 - z33 * z244);
-    const double z486 = z18 * z191 - z17 * z190 - z58 * z363 + z16 * z329 + z15 * z330 + z33 * z334;
-    const double z487 = z18 * z190 + z17 * z191 + z58 * z362 + z15 * z329 - z16 * z330 + z32 * z334;
-    const double z488 = c_gamma * (z486 - z32 * z335) + s_gamma * (z487 + z33 * z335) - z39 * z485;
-    const double z489 = c_gamma * (z230 * z191 - z229 * z190 - z58 * z433 + z228 * z193 + z227 * z192) +
-        s_gamma * (z230 * z190 + z229 * z191 + z58 * z432 + z227 * z193 - z228 * z192);
-    const double z490 = z210 * (z489 + z52 * z485 - z55 * z488);
-    const double z491 = z54 * z488 - z55 * z490;
-    J[59] = z38 * z485 - z39 * z491 + z52 * z490;
-    const double z492 = z162 * z134 + z165 * z137 + s_beta * z455 - mu3 * z294;
-    const double z493 = z162 * z309 + z165 * z311 + s_beta * z467 + mu3 * z371 - z39 * z492;
-    const double z494 = z162 * z405 + z165 * z396 + s_beta * z474 - mu3 * z447 - z52 * z492 + z55 * z493;
-    const double z495 = z210 * z494;
-    const double z496 = z54 * z493 + z55 * z495;
-    J[60] = z52 * z495 - (z38 * z492 - z39 * z496);
-    const double z497 = z170 * z129 - z178 * z131 - I_b * z203 + I_d * z205 + r3 * z249 + r1 * z248;
-    const double z498 = z150 + z497;
-    const double z499 = z324 + (z170 * z304 - z178 * z306 + I_d * z64 + r3 * z340 + r1 * z339) - z39 * z498;
-    const double z500 = z170 * z382 - z178 * z384 - I_b * z218 + I_d * z220 + r3 * z412 + r1 * z411;
-    const double z501 = z210 * (z408 + z500 + z52 * z498 - z55 * z499);
-    const double z502 = z54 * z499 - z55 * z501;
-    J[61] = z38 * z498 - z39 * z502 + z52 * z501;
-    const double z503 = z164 * z134 + z163 * z137 - c_beta * z455 - z1 * z294;
-    const double z504 = z164 * z309 + z163 * z311 - c_beta * z467 + z1 * z371 - z39 * z503;
-    const double z505 = z164 * z405 + z163 * z396 - c_beta * z474 - z1 * z447 - z52 * z503 + z55 * z504;
-    const double z506 = z210 * z505;
-    const double z507 = z54 * z504 + z55 * z506;
-    J[62] = z52 * z506 - (z38 * z503 - z39 * z507);
-    J[63] = 0.0;
-    J[64] = 0.0;
-    J[65] = 0.0;
-    J[66] = z454;
-    J[67] = -z482;
-    J[68] = z491;
-    J[69] = -z496;
-    J[70] = z502;
-    J[71] = -z507;
-    J[72] = 0.0;
-    J[73] = 0.0;
-    J[74] = 0.0;
-    J[75] = -z453;
-    J[76] = z481;
-    J[77] = z490;
-    J[78] = z495;
-    J[79] = z501;
-    J[80] = z506;
+
+    /* one rate in each pass: its row of the matrix */
+    for (int first = 0; first < 3; first += RATTLEBACK_LANES) {
+        static const int offset[] = {54, 63, 72};
+        static const int entry[] = {3, 4, 5, 6, 7, 8};
+        double seed[3 * RATTLEBACK_LANES];
+        double slope[6 * RATTLEBACK_LANES];
+        rattleback_unit(3, first, seed);
+        rattleback_jacobian_sweep1(t, y, p, kept, seed, slope);
+        rattleback_place(3 - first, offset + first, 6, entry, slope, J);
+    }
     return rattleback_finish(81, J);
 }
 
@@ -1615,18 +1652,241 @@ int rattleback_outputs(double t, const double *y, const double *p, double *out)
 
     /* state */
     const double c_alpha = cos(alpha);
-    /* the coframe is singular */
-    if (!(fabs(-c_alpha) > 1e-12 * 4.0)) {
-        return RATTLEBACK_SINGULAR_1;
-    }
     /* 53:9 */
     out[0] = w3; /* spin */
+    /* the coframe is singular */
+    if (!(fabs(c_alpha) > 1e-12 * 4.0)) {
+        return RATTLEBACK_SINGULAR_1;
+    }
     return rattleback_finish(1, out);
 }
+
+#if RATTLEBACK_LANES >= 2
+static __attribute__((noinline)) void rattleback_rhs_lanes(const double *fixed, size_t stride, const double
+    *t, const double *y, double *restrict dydt, double *check)
+{
+    (void)t;
+    rattleback_lanes far = {0}; /* the squares of the angles */
+    rattleback_lanes sum = {0}; /* an infinity or a NaN among the results stays in it */
+    rattleback_bits bad = {0}; /* singular blocks */
+    const double h = fixed[0];
+    const double I_a = fixed[1];
+    const double I_b = fixed[2];
+    const double I_c = fixed[3];
+    const double I_d = fixed[4];
+    const double g = fixed[5];
+    const double k1 = fixed[6];
+    const double k2 = fixed[7];
+    const double k3 = fixed[8];
+    const double k4 = fixed[9];
+    const double k5 = fixed[10];
+    const double k6 = fixed[11];
+    const rattleback_lanes alpha = rattleback_get(y + 3 * stride);
+    const rattleback_lanes beta = rattleback_get(y + 4 * stride);
+    const rattleback_lanes gamma_ = rattleback_get(y + 5 * stride);
+    const rattleback_lanes w1 = rattleback_get(y + 6 * stride);
+    const rattleback_lanes w2 = rattleback_get(y + 7 * stride);
+    const rattleback_lanes w3 = rattleback_get(y + 8 * stride);
+    rattleback_lanes sine1, cosine1;
+    rattleback_turn_lanes(RATTLEBACK_SPREAD(alpha), &far, &sine1, &cosine1);
+    const rattleback_lanes c_alpha = cosine1;
+    /* the coframe is singular */
+    bad |= rattleback_misses(rattleback_size(RATTLEBACK_SPREAD(c_alpha)), RATTLEBACK_SPREAD(1e-12 * 4.0));
+    rattleback_lanes sine2, cosine2;
+    rattleback_turn_lanes(RATTLEBACK_SPREAD(beta), &far, &sine2, &cosine2);
+    const rattleback_lanes s_beta = sine2;
+    const rattleback_lanes z1 = c_alpha * s_beta;
+    const rattleback_lanes mu2 = sine1;
+    const rattleback_lanes z2 = mu2 * mu2;
+    const rattleback_lanes c_beta = cosine2;
+    const rattleback_lanes mu3 = c_beta * c_alpha;
+    const rattleback_lanes z3 = k1 * (z1 * z1) + k2 * z2 + k3 * (mu3 * mu3);
+    const rattleback_lanes z4 = 1.0 / rattleback_each_sqrt(RATTLEBACK_SPREAD(z3));
+    const rattleback_lanes z5 = c_beta * k3;
+    const rattleback_lanes z6 = z4 * z5;
+    const rattleback_lanes z7 = 1.0 - z2;
+    const rattleback_lanes z8 = z2 * k4;
+    const rattleback_lanes z9 = z4 * (z5 * (z6 * z7 - 2.0 * (h * c_alpha)) + z4 * z8) + k5;
+    /* the mass matrix is singular */
+    bad |= rattleback_misses(rattleback_size(RATTLEBACK_SPREAD(z9)), RATTLEBACK_SPREAD(0.0));
+    const rattleback_lanes z10 = z1 * k1;
+    const rattleback_lanes r1 = z10 * z4;
+    const rattleback_lanes z11 = mu3 * k3;
+    const rattleback_lanes r3 = h - z4 * z11;
+    const rattleback_lanes z12 = c_beta * r1 + s_beta * r3;
+    const rattleback_lanes z13 = c_alpha * z12;
+    rattleback_lanes sine3, cosine3;
+    rattleback_turn_lanes(RATTLEBACK_SPREAD(gamma_), &far, &sine3, &cosine3);
+    const rattleback_lanes s_gamma = sine3;
+    const rattleback_lanes z14 = mu2 * z12;
+    const rattleback_lanes c_gamma = cosine3;
+    const rattleback_lanes z15 = s_beta * r1 - c_beta * r3;
+    const rattleback_lanes z16 = s_gamma * z14 + c_gamma * z15;
+    const rattleback_lanes z17 = c_gamma * z14 - s_gamma * z15;
+    const rattleback_lanes z18 = I_b + (z13 * z13 + (z16 * z16 + z17 * z17));
+    const rattleback_lanes z19 = 1.0 / c_alpha;
+    const rattleback_lanes z20 = s_beta * z19;
+    const rattleback_lanes z21 = z1 * z20 + c_beta * c_beta;
+    const rattleback_lanes z22 = mu2 * k2;
+    const rattleback_lanes z23 = z4 * z22;
+    const rattleback_lanes z24 = z23 * z21;
+    const rattleback_lanes z25 = c_beta * s_beta;
+    const rattleback_lanes z26 = mu3 * z20 - z25;
+    const rattleback_lanes z27 = z23 * z26;
+    const rattleback_lanes z28 = c_beta * z24 - s_beta * z27;
+    const rattleback_lanes z29 = r3 * z21 + r1 * z26;
+    const rattleback_lanes z30 = c_alpha * z28 + mu2 * z29;
+    const rattleback_lanes z31 = mu2 * z28 - c_alpha * z29;
+    const rattleback_lanes z32 = s_beta * z24 + c_beta * z27;
+    const rattleback_lanes z33 = s_gamma * z31 + c_gamma * z32;
+    const rattleback_lanes z34 = c_gamma * z31 - s_gamma * z32;
+    const rattleback_lanes z35 = I_d * z21 + (z30 * z13 + (z33 * z16 + z34 * z17));
+    const rattleback_lanes z36 = 1.0 / z9;
+    const rattleback_lanes z37 = z35 * z36;
+    const rattleback_lanes z38 = z18 - z35 * z37;
+    /* the mass matrix is singular */
+    bad |= rattleback_misses(rattleback_size(RATTLEBACK_SPREAD(z38)), 1e-14 * z18);
+    const rattleback_lanes z39 = 1.0 / z3;
+    const rattleback_lanes z40 = s_beta * s_beta;
+    const rattleback_lanes z41 = I_c + z39 * (z8 + k6 * (z40 * z7));
+    const rattleback_lanes z42 = h - c_alpha * z6;
+    const rattleback_lanes z43 = r1 * z42;
+    const rattleback_lanes z44 = z36 * z43;
+    const rattleback_lanes z45 = z23 * z42 + z35 * z44;
+    const rattleback_lanes z46 = 1.0 / z38;
+    const rattleback_lanes z47 = z46 * z45;
+    const rattleback_lanes z48 = z41 - z43 * z44 - z45 * z47;
+    /* the mass matrix is singular */
+    bad |= rattleback_misses(rattleback_size(RATTLEBACK_SPREAD(z48)), 1e-14 * z41);
+    const rattleback_lanes z49 = s_beta * w1 - c_beta * w3;
+    const rattleback_lanes z50 = z19 * z49;
+    const rattleback_lanes z51 = z1 * z50;
+    const rattleback_lanes z52 = z1 * w3 + mu3 * w1;
+    const rattleback_lanes z53 = z52 * z19;
+    const rattleback_lanes omega1 = z51 + c_beta * z53;
+    const rattleback_lanes z54 = r1 * w2 + z23 * omega1;
+    const rattleback_lanes z55 = mu3 * z50;
+    const rattleback_lanes z56 = z55 - s_beta * z53;
+    const rattleback_lanes z57 = z23 * z56 - r3 * w2;
+    const rattleback_lanes z58 = c_beta * z54 - s_beta * z57;
+    const rattleback_lanes z59 = r3 * omega1 + r1 * z56;
+    const rattleback_lanes e2 = mu2 * z58 - c_alpha * z59;
+    const rattleback_lanes z60 = s_beta * z54 + c_beta * z57;
+    const rattleback_lanes z61 = w2 + mu2 * z50;
+    const rattleback_lanes z62 = s_beta * z61;
+    const rattleback_lanes z63 = mu2 * z53;
+    const rattleback_lanes z64 = c_alpha * z62 + c_beta * z63;
+    const rattleback_lanes z65 = z63 / (c_alpha * c_alpha);
+    const rattleback_lanes z66 = c_beta * z61;
+    const rattleback_lanes z67 = z49 * z65 + z19 * (w1 * z66 + w3 * z62);
+    const rattleback_lanes z68 = s_beta * z63 - c_alpha * z66;
+    const rattleback_lanes z69 = z19 * (w3 * z68 + w1 * z64) - z52 * z65;
+    const rattleback_lanes z70 = z50 * z64 - mu3 * z67 + (z53 * z66 - s_beta * z69);
+    const rattleback_lanes z71 = mu2 * z20;
+    const rattleback_lanes z72 = c_beta * z71;
+    const rattleback_lanes z73 = s_beta * z71;
+    const rattleback_lanes z74 = c_beta * mu2;
+    const rattleback_lanes z75 = z56 * (c_beta * z66 + z20 * z64 - (z53 * z72 + z50 * (c_alpha * z73 + c_beta
+        * z74)));
+    const rattleback_lanes z76 = I_d * omega1 + I_b * w2;
+    const rattleback_lanes z77 = I_d * w2 + I_a * omega1;
+    const rattleback_lanes z78 = z77 * (c_beta * z62 + z20 * z68 - (z53 * z73 + z50 * (s_beta * z74 - c_alpha
+        * z72)));
+    const rattleback_lanes z79 = z39 * (z4 * (z10 * z68 - z22 * z52 + z11 * z64));
+    const rattleback_lanes z80 = k1 * (z4 * z68) - z10 * z79;
+    const rattleback_lanes z81 = z50 * z68 - z1 * z67 + (z53 * z62 + c_beta * z69);
+    const rattleback_lanes z82 = z22 * z79 + k2 * (z4 * z52);
+    const rattleback_lanes z83 = w2 * z80 + (z23 * z81 - omega1 * z82);
+    const rattleback_lanes z84 = z11 * z79 - k3 * (z4 * z64);
+    const rattleback_lanes z85 = z23 * z70 - z56 * z82 - w2 * z84;
+    const rattleback_lanes z86 = z54 * z62 + c_beta * z83 + (z57 * z66 - s_beta * z85);
+    const rattleback_lanes z87 = r3 * z81 + omega1 * z84 + (r1 * z70 + z56 * z80);
+    const rattleback_lanes z88 = z58 * z63 + c_alpha * z86 - (z52 * z59 - mu2 * z87);
+    const rattleback_lanes z89 = c_gamma * z50;
+    const rattleback_lanes z90 = z52 * z58 - mu2 * z86 + (z59 * z63 + c_alpha * z87);
+    const rattleback_lanes z91 = s_gamma * z50;
+    const rattleback_lanes z92 = z54 * z66 - s_beta * z83 - (z57 * z62 + c_beta * z85);
+    const rattleback_lanes z93 = e2 * z89 - s_gamma * z90 - (z60 * z91 + c_gamma * z92);
+    const rattleback_lanes z94 = e2 * z91 + c_gamma * z90 + (z60 * z89 - s_gamma * z92);
+    const rattleback_lanes z95 = I_a * z81;
+    const rattleback_lanes z96 = z76 * (z55 - z52 * z20) - (z78 + (z30 * z88 + (z33 * z93 - z34 * z94))) -
+        z21 * z95;
+    const rattleback_lanes z97 = g * z30 - (I_c * (z26 * z70 + z75) - z96);
+    const rattleback_lanes z98 = I_c * (omega1 * z56) - (I_d * z81 + (z56 * z77 + (z13 * z88 + (z16 * z93 -
+        z17 * z94))));
+    const rattleback_lanes z99 = g * z13 + z98 - z37 * z97;
+    const rattleback_lanes z100 = c_beta * z19;
+    const rattleback_lanes z101 = z25 - z1 * z100;
+    const rattleback_lanes z102 = z23 * z101;
+    const rattleback_lanes z103 = mu3 * z100 + z40;
+    const rattleback_lanes z104 = z23 * z103;
+    const rattleback_lanes z105 = c_beta * z102 + s_beta * z104;
+    const rattleback_lanes z106 = r3 * z101 - r1 * z103;
+    const rattleback_lanes z107 = c_alpha * z105 + mu2 * z106;
+    const rattleback_lanes z108 = mu2 * z100;
+    const rattleback_lanes z109 = c_beta * z108;
+    const rattleback_lanes z110 = s_beta * z108;
+    const rattleback_lanes z111 = s_beta * mu2;
+    const rattleback_lanes z112 = z56 * (s_beta * z66 - z100 * z64 + (z53 * z109 + z50 * (c_alpha * z110 -
+        c_beta * z111)));
+    const rattleback_lanes z113 = z77 * (s_beta * z62 - z100 * z68 + (z53 * z110 - z50 * (s_beta * z111 +
+        c_alpha * z109)));
+    const rattleback_lanes z114 = mu2 * z105 - c_alpha * z106;
+    const rattleback_lanes z115 = s_beta * z102 - c_beta * z104;
+    const rattleback_lanes z116 = z107 * z88 + ((s_gamma * z114 + c_gamma * z115) * z93 - (c_gamma * z114 -
+        s_gamma * z115) * z94);
+    const rattleback_lanes z117 = I_c * (z103 * z70 - z112) + (z76 * (z51 + z52 * z100) - (z113 + z116) -
+        z101 * z95);
+    const rattleback_lanes z118 = (g * z107 + z117 + z97 * z44 - z47 * z99) / z48;
+    const rattleback_lanes z119 = z46 * z99 - z47 * z118;
+    /* (I.2.15) */
+    const rattleback_lanes slope1 = -(s_gamma * e2 + c_gamma * z60);
+    sum += slope1;
+    rattleback_put(dydt, slope1);
+    const rattleback_lanes slope2 = c_gamma * e2 - s_gamma * z60;
+    sum += slope2;
+    rattleback_put(dydt + 1 * stride, slope2);
+    const rattleback_lanes slope3 = -(c_alpha * z58 + mu2 * z59);
+    sum += slope3;
+    rattleback_put(dydt + 2 * stride, slope3);
+    const rattleback_lanes slope4 = z53;
+    sum += slope4;
+    rattleback_put(dydt + 3 * stride, slope4);
+    const rattleback_lanes slope5 = z61;
+    sum += slope5;
+    rattleback_put(dydt + 4 * stride, slope5);
+    const rattleback_lanes slope6 = -z50;
+    sum += slope6;
+    rattleback_put(dydt + 5 * stride, slope6);
+    /* (I.2.15) 41:4 */
+    const rattleback_lanes slope7 = -(z36 * z97 - z37 * z119 + z44 * z118);
+    sum += slope7;
+    rattleback_put(dydt + 6 * stride, slope7);
+    const rattleback_lanes slope8 = -z119;
+    sum += slope8;
+    rattleback_put(dydt + 7 * stride, slope8);
+    const rattleback_lanes slope9 = -z118;
+    sum += slope9;
+    rattleback_put(dydt + 8 * stride, slope9);
+    rattleback_put(check, rattleback_mark(far + (sum - sum), bad));
+}
+
+static __attribute__((noinline)) void rattleback_rhs_tail(const double *fixed, size_t left, size_t count,
+    const double *t, const double *y, double *restrict dydt, double *check)
+{
+    double time[RATTLEBACK_LANES];
+    double state[9 * RATTLEBACK_LANES];
+    double slope[9 * RATTLEBACK_LANES];
+    rattleback_fill(left, count, t, y, time, state);
+    rattleback_rhs_lanes(fixed, RATTLEBACK_LANES, time, state, slope, check);
+    rattleback_pour(left, count, slope, dydt);
+}
+#endif
 
 int rattleback_rhs_batch(size_t count, const double *t, const double *y, const double *p, double *restrict
     dydt)
 {
+#if RATTLEBACK_LANES >= 2
     const double a = p[0]; /* half axis 1 of the ellipsoid [cm] */
     const double b = p[1]; /* half axis 2 [cm] */
     const double c = p[2]; /* half axis 3 [cm] */
@@ -1642,202 +1902,23 @@ int rattleback_rhs_batch(size_t count, const double *t, const double *y, const d
     const double k4 = b * b * b * b;
     const double k5 = I_a + h * h;
     const double k6 = a * a * a * a;
-    int singular1 = 0;
-    int singular2 = 0;
-    int bad = 0;
-    (void)t;
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC ivdep
+    const double fixed[] = {h, I_a, I_b, I_c, I_d, g, k1, k2, k3, k4, k5, k6};
+    double check[1 * RATTLEBACK_LANES];
+    int status = RATTLEBACK_OK;
+    for (size_t i = 0; i < count; i += RATTLEBACK_LANES) {
+        const size_t left = count - i < RATTLEBACK_LANES ? count - i : RATTLEBACK_LANES;
+        if (left == RATTLEBACK_LANES) {
+            rattleback_rhs_lanes(fixed, count, t + i, y + i, dydt + i, check);
+        } else {
+            rattleback_rhs_tail(fixed, left, count, t + i, y + i, dydt + i, check);
+        }
+        if (!rattleback_is_good(1 * RATTLEBACK_LANES, check)) {
+            const int one = rattleback_one_by_one(count, i, left, t, y, p, dydt);
+            status = status == RATTLEBACK_OK ? one : status;
+        }
+    }
+    return status;
+#else
+    return rattleback_one_by_one(count, 0, count, t, y, p, dydt);
 #endif
-    for (size_t i = 0; i < count; ++i) {
-        const double alpha = y[3 * count + i]; /* roll about the long axis [rad] */
-        const double beta = y[4 * count + i]; /* pitch [rad] */
-        const double gamma_ = y[5 * count + i]; /* heading [rad] */
-        const double w1 = y[6 * count + i];
-        const double w2 = y[7 * count + i];
-        const double w3 = y[8 * count + i];
-        const double c_alpha = cos(alpha);
-        /* the coframe is singular */
-        singular1 |= !(fabs(-c_alpha) > 1e-12 * 4.0);
-        const double s_beta = sin(beta);
-        const double z1 = c_alpha * s_beta;
-        const double mu2 = sin(alpha);
-        const double z2 = mu2 * mu2;
-        const double c_beta = cos(beta);
-        const double mu3 = c_beta * c_alpha;
-        const double z3 = k1 * (z1 * z1) + k2 * z2 + k3 * (mu3 * mu3);
-        const double z4 = 1.0 / sqrt(z3);
-        const double z5 = c_beta * k3;
-        const double z6 = 1.0 - z2;
-        const double z7 = z2 * k4;
-        const double z8 = z4 * (z5 * (z4 * z5 * z6 - 2.0 * (h * c_alpha)) + z4 * z7) + k5;
-        /* the mass matrix is singular */
-        singular2 |= !(fabs(z8) > 0.0);
-        const double s_gamma = sin(gamma_);
-        const double z9 = z1 * k1;
-        const double r1 = z9 * z4;
-        const double z10 = mu3 * k3;
-        const double r3 = h - z4 * z10;
-        const double z11 = c_beta * r1 + s_beta * r3;
-        const double z12 = mu2 * z11;
-        const double c_gamma = cos(gamma_);
-        const double z13 = s_beta * r1 - c_beta * r3;
-        const double z14 = s_gamma * z12 + c_gamma * z13;
-        const double z15 = c_gamma * z12 - s_gamma * z13;
-        const double z16 = c_alpha * z11;
-        const double z17 = I_b + (z14 * z14 + z15 * z15 + z16 * z16);
-        const double z18 = mu2 * k2;
-        const double z19 = z4 * z18;
-        const double z20 = 1.0 / c_alpha;
-        const double z21 = s_beta * z20;
-        const double z22 = z1 * z21 + c_beta * c_beta;
-        const double z23 = z19 * z22;
-        const double z24 = c_beta * s_beta;
-        const double z25 = mu3 * z21 - z24;
-        const double z26 = z19 * z25;
-        const double z27 = c_beta * z23 - s_beta * z26;
-        const double z28 = r3 * z22 + r1 * z25;
-        const double z29 = mu2 * z27 - c_alpha * z28;
-        const double z30 = s_beta * z23 + c_beta * z26;
-        const double z31 = s_gamma * z29 + c_gamma * z30;
-        const double z32 = c_gamma * z29 - s_gamma * z30;
-        const double z33 = c_alpha * z27 + mu2 * z28;
-        const double z34 = z31 * z14 + z32 * z15 + z33 * z16 + I_d * z22;
-        const double z35 = 1.0 / z8;
-        const double z36 = z34 * z35;
-        const double z37 = z17 - z34 * z36;
-        /* the mass matrix is singular */
-        singular2 |= !(fabs(z37) > 1e-14 * z17);
-        const double z38 = 1.0 / z3;
-        const double z39 = s_beta * s_beta;
-        const double z40 = I_c + z38 * (z7 + z6 * (z39 * k6));
-        const double z41 = h - z4 * (c_alpha * z5);
-        const double z42 = z4 * (s_beta * (c_alpha * k1)) * z41;
-        const double z43 = z42 * z35;
-        const double z44 = z19 * z41 + z34 * z43;
-        const double z45 = 1.0 / z37;
-        const double z46 = z44 * z45;
-        const double z47 = z40 - z42 * z43 - z44 * z46;
-        /* the mass matrix is singular */
-        singular2 |= !(fabs(z47) > 1e-14 * z40);
-        const double z48 = s_beta * w1 - c_beta * w3;
-        const double z49 = z20 * z48;
-        const double z50 = z1 * z49;
-        const double z51 = z1 * w3 + mu3 * w1;
-        const double z52 = z51 * z20;
-        const double omega1 = z50 + c_beta * z52;
-        const double z53 = r1 * w2 + z19 * omega1;
-        const double z54 = mu3 * z49;
-        const double z55 = z54 - s_beta * z52;
-        const double z56 = z19 * z55 - r3 * w2;
-        const double z57 = c_beta * z53 - s_beta * z56;
-        const double z58 = r3 * omega1 + r1 * z55;
-        const double e2 = mu2 * z57 - c_alpha * z58;
-        const double z59 = s_beta * z53 + c_beta * z56;
-        const double z60 = w2 + mu2 * z49;
-        const double z61 = I_c * z55;
-        const double z62 = c_beta * z60;
-        const double z63 = s_beta * z60;
-        const double z64 = mu2 * z52;
-        const double z65 = c_alpha * z63 + c_beta * z64;
-        const double z66 = mu2 * z21;
-        const double z67 = c_beta * z66;
-        const double z68 = s_beta * z66;
-        const double z69 = c_beta * mu2;
-        const double z70 = z61 * (c_beta * z62 + z21 * z65 - (z52 * z67 + z49 * (c_alpha * z68 + c_beta *
-            z69)));
-        const double z71 = z64 / (c_alpha * c_alpha);
-        const double z72 = z48 * z71 + z20 * (w1 * z62 + w3 * z63);
-        const double z73 = s_beta * z64 - c_alpha * z62;
-        const double z74 = z20 * (w3 * z73 + w1 * z65) - z51 * z71;
-        const double z75 = z49 * z65 - mu3 * z72 + (z52 * z62 - s_beta * z74);
-        const double z76 = I_c * z75;
-        const double z77 = I_d * omega1 + I_b * w2;
-        const double z78 = I_d * w2 + I_a * omega1;
-        const double z79 = z78 * (c_beta * z63 + z21 * z73 - (z52 * z68 + z49 * (s_beta * z69 - c_alpha *
-            z67)));
-        const double z80 = z49 * z73 - z1 * z72 + (z52 * z63 + c_beta * z74);
-        const double z81 = I_a * z80;
-        const double z82 = 2.0 * (k1 * (z1 * z73)) - 2.0 * (k2 * (mu2 * z51)) + 2.0 * (k3 * (mu3 * z65));
-        const double z83 = z4 * z82 * z38;
-        const double z84 = z4 * (k1 * z73) - 0.5 * (z9 * z83);
-        const double z85 = 0.5 * (z18 * z83) + z4 * (k2 * z51);
-        const double z86 = w2 * z84 - (omega1 * z85 - z19 * z80);
-        const double z87 = 0.5 * (z10 * z83) - z4 * (k3 * z65);
-        const double z88 = z55 * z85 - z19 * z75 + w2 * z87;
-        const double z89 = z53 * z63 + c_beta * z86 + (z56 * z62 + s_beta * z88);
-        const double z90 = omega1 * z87 + r3 * z80 + (z55 * z84 + r1 * z75);
-        const double z91 = z57 * z64 + c_alpha * z89 - (z51 * z58 - mu2 * z90);
-        const double z92 = c_gamma * z49;
-        const double z93 = z51 * z57 - mu2 * z89 + (z58 * z64 + c_alpha * z90);
-        const double z94 = s_gamma * z49;
-        const double z95 = z53 * z62 - s_beta * z86 - (z56 * z63 - c_beta * z88);
-        const double z96 = e2 * z92 - s_gamma * z93 - (z59 * z94 + c_gamma * z95);
-        const double z97 = e2 * z94 + c_gamma * z93 + (z59 * z92 - s_gamma * z95);
-        const double z98 = z77 * (z54 - z51 * z21) - (z79 + (z22 * z81 + (z33 * z91 + (z31 * z96 - z32 *
-            z97))));
-        const double z99 = z70 + (z25 * z76 - z98) - g * z33;
-        const double z100 = omega1 * z61 - (I_d * z80 + (z55 * z78 + (z16 * z91 + (z14 * z96 - z15 * z97))));
-        const double z101 = z100 + g * z16 + z99 * z36;
-        const double z102 = c_beta * z20;
-        const double z103 = mu2 * z102;
-        const double z104 = c_beta * z103;
-        const double z105 = s_beta * z103;
-        const double z106 = s_beta * mu2;
-        const double z107 = z61 * (s_beta * z62 - z102 * z65 + (z52 * z104 + z49 * (c_alpha * z105 - c_beta *
-            z106)));
-        const double z108 = mu3 * z102 + z39;
-        const double z109 = z78 * (s_beta * z63 - z102 * z73 + (z52 * z105 - z49 * (s_beta * z106 + c_alpha *
-            z104)));
-        const double z110 = z24 - z1 * z102;
-        const double z111 = z19 * z110;
-        const double z112 = z19 * z108;
-        const double z113 = c_beta * z111 + s_beta * z112;
-        const double z114 = r3 * z110 - r1 * z108;
-        const double z115 = c_alpha * z113 + mu2 * z114;
-        const double z116 = mu2 * z113 - c_alpha * z114;
-        const double z117 = s_beta * z111 - c_beta * z112;
-        const double z118 = z115 * z91 + ((s_gamma * z116 + c_gamma * z117) * z96 - (c_gamma * z116 - s_gamma
-            * z117) * z97);
-        const double z119 = z107 - (z108 * z76 + (z77 * (z50 + z51 * z102) - (z109 + (z110 * z81 + z118)))) -
-            g * z115;
-        const double z120 = (z119 + z99 * z43 + z46 * z101) / z47;
-        const double z121 = z45 * z101 + z46 * z120;
-        /* (I.2.15) */
-        const double slope1 = -(s_gamma * e2 + c_gamma * z59); /* x' */
-        dydt[i] = slope1;
-        bad |= !(fabs(slope1) <= DBL_MAX);
-        const double slope2 = c_gamma * e2 - s_gamma * z59; /* y' */
-        dydt[count + i] = slope2;
-        bad |= !(fabs(slope2) <= DBL_MAX);
-        const double slope3 = -(c_alpha * z57 + mu2 * z58); /* z' */
-        dydt[2 * count + i] = slope3;
-        bad |= !(fabs(slope3) <= DBL_MAX);
-        const double slope4 = z52; /* alpha' */
-        dydt[3 * count + i] = slope4;
-        bad |= !(fabs(slope4) <= DBL_MAX);
-        const double slope5 = z60; /* beta' */
-        dydt[4 * count + i] = slope5;
-        bad |= !(fabs(slope5) <= DBL_MAX);
-        const double slope6 = -z49; /* gamma' */
-        dydt[5 * count + i] = slope6;
-        bad |= !(fabs(slope6) <= DBL_MAX);
-        /* (I.2.15) 41:4 */
-        const double slope7 = z99 * z35 + z36 * z121 + z43 * z120; /* w1' */
-        dydt[6 * count + i] = slope7;
-        bad |= !(fabs(slope7) <= DBL_MAX);
-        const double slope8 = -z121; /* w2' */
-        dydt[7 * count + i] = slope8;
-        bad |= !(fabs(slope8) <= DBL_MAX);
-        const double slope9 = z120; /* w3' */
-        dydt[8 * count + i] = slope9;
-        bad |= !(fabs(slope9) <= DBL_MAX);
-    }
-    if (singular1) {
-        return RATTLEBACK_SINGULAR_1;
-    }
-    if (singular2) {
-        return RATTLEBACK_SINGULAR_2;
-    }
-    return bad ? RATTLEBACK_NOT_FINITE : RATTLEBACK_OK;
 }

@@ -1,5 +1,5 @@
 /*
- * roller_racer.c: roller_racer, emitted by nhc 0.1.0 (nhc:aead8343f66d2aee)
+ * roller_racer.c: roller_racer, emitted by nhc 0.1.0 (nhc:78fdce1a642ac0bb)
  * Two wheeled bodies with a hinge; it is driven by moving the hinge to and fro.
  * Source: roller_racer.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -11,6 +11,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <string.h>
 
 const char *const roller_racer_coordinate_names[] = {
     "x",
@@ -50,11 +51,143 @@ static int roller_racer_finish(int count, const double *values)
     return fabs(sum) <= DBL_MAX ? ROLLER_RACER_OK : ROLLER_RACER_NOT_FINITE;
 }
 
+/* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
+#ifndef ROLLER_RACER_LANES
+#if !defined(__GNUC__)
+#define ROLLER_RACER_LANES 1
+#elif defined(__AVX512F__)
+#define ROLLER_RACER_LANES 8
+#elif defined(__AVX__)
+#define ROLLER_RACER_LANES 4
+#else
+#define ROLLER_RACER_LANES 2
+#endif
+#endif
+#if ROLLER_RACER_LANES > 1
+typedef double roller_racer_lanes __attribute__((vector_size(8 * ROLLER_RACER_LANES)));
+#else
+typedef double roller_racer_lanes;
+#endif
+
+#if ROLLER_RACER_LANES >= 2
+static inline roller_racer_lanes roller_racer_get(const double *from)
+{
+    roller_racer_lanes value;
+    memcpy(&value, from, sizeof value);
+    return value;
+}
+
+static inline void roller_racer_put(double *to, roller_racer_lanes value)
+{
+    memcpy(to, &value, sizeof value);
+}
+#endif
+
+/* states first, first + 1, ... through rhs, one by one; the first status that is not OK */
+#if defined(__GNUC__)
+__attribute__((noinline))
+#endif
+static int roller_racer_one_by_one(size_t count, size_t first, size_t number, const double *t, const double *y, const double *p, double *dydt)
+{
+    int status = ROLLER_RACER_OK;
+    for (size_t i = first; i < first + number; ++i) {
+        double state[ROLLER_RACER_NY];
+        double slope[ROLLER_RACER_NY];
+        for (size_t k = 0; k < ROLLER_RACER_NY; ++k) {
+            state[k] = y[k * count + i];
+            slope[k] = NAN;
+        }
+        const int one = roller_racer_rhs(t[i], state, p, slope);
+        status = status == ROLLER_RACER_OK ? one : status;
+        for (size_t k = 0; k < ROLLER_RACER_NY; ++k) {
+            dydt[k * count + i] = slope[k];
+        }
+    }
+    return status;
+}
+
+#if ROLLER_RACER_LANES >= 2
+#define ROLLER_RACER_SPREAD(x) ((x) - (roller_racer_lanes){0}) /* a number in each lane; lanes stay what they are */
+
+typedef unsigned long long roller_racer_bits __attribute__((vector_size(8 * ROLLER_RACER_LANES)));
+
+/* all bits where value is not above bound, or is no number */
+static inline roller_racer_bits roller_racer_misses(roller_racer_lanes value, roller_racer_lanes bound)
+{
+    return ~(roller_racer_bits)(value > bound);
+}
+
+/* no number where a bit is set */
+static inline roller_racer_lanes roller_racer_mark(roller_racer_lanes value, roller_racer_bits bad)
+{
+    return (roller_racer_lanes)((roller_racer_bits)value | bad);
+}
+
+static inline roller_racer_lanes roller_racer_size(roller_racer_lanes x)
+{
+    return (roller_racer_lanes)((roller_racer_bits)x & 0x7fffffffffffffffULL);
+}
+/* whether none of the states must be asked again: no singular block, no infinity, no angle anywhere near 1e5 */
+static inline int roller_racer_is_good(int count, const double *check)
+{
+    double even = 0.0;
+    double odd = 0.0;
+    for (int k = 0; k < count; k += 2) {
+        even += check[k];
+        odd += check[k + 1];
+    }
+    return even + odd <= 1e10;
+}
+
+/* the last states, fewer than there are lanes; the others repeat the last one */
+static inline void roller_racer_fill(size_t left, size_t count, const double *t, const double *y, double *time, double *state)
+{
+    for (size_t l = 0; l < ROLLER_RACER_LANES; ++l) {
+        const size_t i = l < left ? l : left - 1;
+        time[l] = t[i];
+        for (size_t k = 0; k < ROLLER_RACER_NY; ++k) {
+            state[k * ROLLER_RACER_LANES + l] = y[k * count + i];
+        }
+    }
+}
+
+static inline void roller_racer_pour(size_t left, size_t count, const double *slope, double *dydt)
+{
+    for (size_t k = 0; k < ROLLER_RACER_NY; ++k) {
+        for (size_t l = 0; l < left; ++l) {
+            dydt[k * count + l] = slope[k * ROLLER_RACER_LANES + l];
+        }
+    }
+}
+
+/* libm's sine and cosine, lane by lane */
+static inline void roller_racer_turn_lanes(roller_racer_lanes x, roller_racer_lanes *far, roller_racer_lanes *sine, roller_racer_lanes *cosine)
+{
+    double angle[ROLLER_RACER_LANES];
+    double up[ROLLER_RACER_LANES];
+    double along[ROLLER_RACER_LANES];
+    (void)far;
+    memcpy(angle, &x, sizeof x);
+    for (int l = 0; l < ROLLER_RACER_LANES; ++l) {
+        up[l] = sin(angle[l]);
+        along[l] = cos(angle[l]);
+    }
+    memcpy(sine, up, sizeof x);
+    memcpy(cosine, along, sizeof x);
+}
+#endif
+
 int roller_racer_rhs(double t, const double *y, const double *p, double *dydt)
 {
     (void)t;
     const double theta = y[2]; /* heading of the main body [rad] */
     const double phi = y[3]; /* second body, relative to the first [rad] */
+
+    /* sines and cosines */
+    const double s_phi = sin(phi);
+    const double c_phi = cos(phi);
+    const double c_theta = cos(theta);
+    const double s_theta = sin(theta);
     const double v = y[4];
     const double theta_dot = y[5];
     const double m = p[0]; /* mass of the main body [kg] */
@@ -65,56 +198,43 @@ int roller_racer_rhs(double t, const double *y, const double *p, double *dydt)
 
     /* parameters only */
     const double k1 = 1.0 / d2;
+    const double k2 = I2 * k1;
+    const double k3 = k1 * k2;
 
     /* state */
+    const double z1 = m + k3 * (s_phi * s_phi);
+    const double z2 = d2 + d1 * c_phi;
+    const double z3 = 1.0 - z2 * k1;
+    const double z4 = I1 + I2 * (z3 * z3);
+    const double z5 = z3 * k2;
+    const double z6 = s_phi * z5;
+    const double z7 = 1.0 / z1;
+    const double z8 = z7 * z6;
+    const double z9 = z4 - z6 * z8;
+    const double z10 = k1 * (theta_dot * z2 - v * s_phi);
+    const double z11 = d1 * (z10 * (theta_dot * s_phi)) + z10 * (c_phi * v);
+    const double z12 = k3 * (s_phi * z11);
+    const double z13 = (z11 * z5 - z12 * z8) / z9;
+    /* (I.2.15) */
+    dydt[0] = c_theta * v; /* x' */
+    dydt[1] = s_theta * v; /* y' */
+    dydt[2] = theta_dot; /* theta' */
+    dydt[3] = -z10; /* phi' */
+    /* (I.2.15) 17:4 */
+    dydt[4] = z7 * z12 - z8 * z13; /* v' */
+    dydt[5] = z13; /* theta'' */
     /* the coframe is singular */
     if (!(fabs(d2) > 0.0)) {
         return ROLLER_RACER_SINGULAR_1;
     }
-    const double c_theta = cos(theta);
-    const double s_theta = sin(theta);
-    const double z1 = theta + phi;
-    const double c1 = cos(z1);
-    const double s1 = sin(z1);
-    const double z2 = (s_theta * c1 - c_theta * s1) * k1;
-    const double z3 = c_theta * (m * c_theta) + s_theta * (m * s_theta) + z2 * (I2 * z2);
     /* the mass matrix is singular */
-    if (!(fabs(z3) > 0.0)) {
+    if (!(fabs(z1) > 0.0)) {
         return ROLLER_RACER_SINGULAR_2;
     }
-    const double c_phi = cos(phi);
-    const double z4 = d2 + d1 * c_phi;
-    const double z5 = 1.0 - z4 * k1;
-    const double z6 = I2 * z5;
-    const double z7 = I1 + z5 * z6;
-    const double z8 = z2 * z6;
-    const double z9 = 1.0 / z3;
-    const double z10 = z8 * z9;
-    const double z11 = z7 - z8 * z10;
     /* the mass matrix is singular */
-    if (!(fabs(z11) > 1e-14 * z7)) {
+    if (!(fabs(z9) > 1e-14 * z4)) {
         return ROLLER_RACER_SINGULAR_2;
     }
-    const double z12 = c_theta * v;
-    const double z13 = s_theta * v;
-    const double z14 = k1 * (theta_dot * z4 + (c1 * z13 - s1 * z12));
-    const double s_phi = sin(phi);
-    const double z15 = theta_dot - z14;
-    const double z16 = v * (theta_dot * c_theta);
-    const double z17 = v * (theta_dot * s_theta);
-    const double z18 = theta_dot * (d1 * (z14 * s_phi)) - (z13 * (s1 * z15) - c1 * z16 + (z12 * (c1 * z15) -
-        s1 * z17));
-    const double z19 = I2 * (k1 * z18);
-    const double z20 = z2 * z19 - (c_theta * (m * z17) - s_theta * (m * z16));
-    const double z21 = (z5 * z19 - z20 * z10) / z11;
-    /* (I.2.15) */
-    dydt[0] = z12; /* x' */
-    dydt[1] = z13; /* y' */
-    dydt[2] = theta_dot; /* theta' */
-    dydt[3] = -z14; /* phi' */
-    /* (I.2.15) 17:4 */
-    dydt[4] = z10 * z21 - z20 * z9; /* v' */
-    dydt[5] = z21; /* theta'' */
     return roller_racer_finish(6, dydt);
 }
 
@@ -123,6 +243,12 @@ int roller_racer_velocities(double t, const double *y, const double *p, double *
     (void)t;
     const double theta = y[2]; /* heading of the main body [rad] */
     const double phi = y[3]; /* second body, relative to the first [rad] */
+
+    /* sines and cosines */
+    const double c_theta = cos(theta);
+    const double s_theta = sin(theta);
+    const double c_phi = cos(phi);
+    const double s_phi = sin(phi);
     const double v = y[4];
     const double theta_dot = y[5];
     const double d1 = p[3]; /* from the hinge to the first axle [m] */
@@ -132,23 +258,15 @@ int roller_racer_velocities(double t, const double *y, const double *p, double *
     const double k1 = 1.0 / d2;
 
     /* state */
+    /* (I.2.4) */
+    qdot[0] = c_theta * v; /* x' */
+    qdot[1] = s_theta * v; /* y' */
+    qdot[2] = theta_dot; /* theta' */
+    qdot[3] = -k1 * (theta_dot * (d2 + d1 * c_phi) - v * s_phi); /* phi' */
     /* the coframe is singular */
     if (!(fabs(d2) > 0.0)) {
         return ROLLER_RACER_SINGULAR_1;
     }
-    const double c_theta = cos(theta);
-    const double z1 = c_theta * v;
-    const double s_theta = sin(theta);
-    const double z2 = s_theta * v;
-    const double c_phi = cos(phi);
-    const double z3 = theta + phi;
-    const double c1 = cos(z3);
-    const double s1 = sin(z3);
-    /* (I.2.4) */
-    qdot[0] = z1; /* x' */
-    qdot[1] = z2; /* y' */
-    qdot[2] = theta_dot; /* theta' */
-    qdot[3] = -k1 * (theta_dot * (d2 + d1 * c_phi) + (c1 * z2 - s1 * z1)); /* phi' */
     return roller_racer_finish(4, qdot);
 }
 
@@ -157,6 +275,12 @@ int roller_racer_accelerations(double t, const double *y, const double *p, doubl
     (void)t;
     const double theta = y[2]; /* heading of the main body [rad] */
     const double phi = y[3]; /* second body, relative to the first [rad] */
+
+    /* sines and cosines */
+    const double s_phi = sin(phi);
+    const double c_phi = cos(phi);
+    const double s_theta = sin(theta);
+    const double c_theta = cos(theta);
     const double v = y[4];
     const double theta_dot = y[5];
     const double m = p[0]; /* mass of the main body [kg] */
@@ -167,57 +291,44 @@ int roller_racer_accelerations(double t, const double *y, const double *p, doubl
 
     /* parameters only */
     const double k1 = 1.0 / d2;
+    const double k2 = I2 * k1;
+    const double k3 = k1 * k2;
 
     /* state */
+    const double z1 = m + k3 * (s_phi * s_phi);
+    const double z2 = d2 + d1 * c_phi;
+    const double z3 = 1.0 - z2 * k1;
+    const double z4 = I1 + I2 * (z3 * z3);
+    const double z5 = z3 * k2;
+    const double z6 = s_phi * z5;
+    const double z7 = 1.0 / z1;
+    const double z8 = z7 * z6;
+    const double z9 = z4 - z6 * z8;
+    const double z10 = theta_dot * v;
+    const double z11 = k1 * (theta_dot * z2 - v * s_phi);
+    const double z12 = d1 * (z11 * (theta_dot * s_phi));
+    const double z13 = z11 * (c_phi * v);
+    const double z14 = z12 + z13;
+    const double z15 = k3 * (s_phi * z14);
+    const double z16 = (z14 * z5 - z15 * z8) / z9;
+    const double z17 = z7 * z15 - z8 * z16;
+    /* (I.2.15) */
+    qddot[0] = c_theta * z17 - s_theta * z10; /* x'' */
+    qddot[1] = c_theta * z10 + s_theta * z17; /* y'' */
+    qddot[2] = z16; /* theta'' */
+    qddot[3] = -k1 * (z12 + z2 * z16 + (z13 - s_phi * z17)); /* phi'' */
     /* the coframe is singular */
     if (!(fabs(d2) > 0.0)) {
         return ROLLER_RACER_SINGULAR_1;
     }
-    const double c_theta = cos(theta);
-    const double s_theta = sin(theta);
-    const double z1 = theta + phi;
-    const double c1 = cos(z1);
-    const double s1 = sin(z1);
-    const double z2 = (s_theta * c1 - c_theta * s1) * k1;
-    const double z3 = c_theta * (m * c_theta) + s_theta * (m * s_theta) + z2 * (I2 * z2);
     /* the mass matrix is singular */
-    if (!(fabs(z3) > 0.0)) {
+    if (!(fabs(z1) > 0.0)) {
         return ROLLER_RACER_SINGULAR_2;
     }
-    const double c_phi = cos(phi);
-    const double z4 = d2 + d1 * c_phi;
-    const double z5 = 1.0 - z4 * k1;
-    const double z6 = I2 * z5;
-    const double z7 = I1 + z5 * z6;
-    const double z8 = z2 * z6;
-    const double z9 = 1.0 / z3;
-    const double z10 = z8 * z9;
-    const double z11 = z7 - z8 * z10;
     /* the mass matrix is singular */
-    if (!(fabs(z11) > 1e-14 * z7)) {
+    if (!(fabs(z9) > 1e-14 * z4)) {
         return ROLLER_RACER_SINGULAR_2;
     }
-    const double z12 = v * (theta_dot * s_theta);
-    const double z13 = s_theta * v;
-    const double z14 = c_theta * v;
-    const double z15 = k1 * (theta_dot * z4 + (c1 * z13 - s1 * z14));
-    const double s_phi = sin(phi);
-    const double z16 = theta_dot * (d1 * (z15 * s_phi));
-    const double z17 = theta_dot - z15;
-    const double z18 = z13 * (s1 * z17);
-    const double z19 = v * (theta_dot * c_theta);
-    const double z20 = z14 * (c1 * z17);
-    const double z21 = I2 * (k1 * (z16 - (z18 - c1 * z19 + (z20 - s1 * z12))));
-    const double z22 = z2 * z21 - (c_theta * (m * z12) - s_theta * (m * z19));
-    const double z23 = (z5 * z21 - z22 * z10) / z11;
-    const double z24 = z22 * z9 - z10 * z23;
-    const double z25 = z12 + c_theta * z24;
-    const double z26 = z19 - s_theta * z24;
-    /* (I.2.15) */
-    qddot[0] = -z25; /* x'' */
-    qddot[1] = z26; /* y'' */
-    qddot[2] = z23; /* theta'' */
-    qddot[3] = -k1 * (z16 + z4 * z23 - (z18 - c1 * z26 + (z20 - s1 * z25))); /* phi'' */
     return roller_racer_finish(4, qddot);
 }
 
@@ -225,17 +336,19 @@ int roller_racer_state(double t, const double *q, const double *qdot, const doub
 {
     (void)t;
     (void)p;
+    const double theta = q[2]; /* heading of the main body [rad] */
+
+    /* sines and cosines */
+    const double c_theta = cos(theta);
+    const double s_theta = sin(theta);
     const double x = q[0]; /* axle of the main body [m] */
     const double y_2 = q[1]; /* axle of the main body [m] */
-    const double theta = q[2]; /* heading of the main body [rad] */
     const double phi = q[3]; /* second body, relative to the first [rad] */
     const double x_dot = qdot[0];
     const double y_dot = qdot[1];
     const double theta_dot = qdot[2];
 
     /* state */
-    const double c_theta = cos(theta);
-    const double s_theta = sin(theta);
     y[0] = x;
     y[1] = y_2;
     y[2] = theta;
@@ -250,6 +363,14 @@ int roller_racer_residuals(double t, const double *q, const double *qdot, const 
     (void)t;
     const double theta = q[2]; /* heading of the main body [rad] */
     const double phi = q[3]; /* second body, relative to the first [rad] */
+
+    /* sines and cosines */
+    const double z1 = theta + phi;
+    const double s_theta = sin(theta);
+    const double c_theta = cos(theta);
+    const double s1 = sin(z1);
+    const double c1 = cos(z1);
+    const double c_phi = cos(phi);
     const double x_dot = qdot[0];
     const double y_dot = qdot[1];
     const double theta_dot = qdot[2];
@@ -258,12 +379,6 @@ int roller_racer_residuals(double t, const double *q, const double *qdot, const 
     const double d2 = p[4]; /* from the hinge to the second axle [m] */
 
     /* state */
-    const double s_theta = sin(theta);
-    const double c_theta = cos(theta);
-    const double z1 = theta + phi;
-    const double s1 = sin(z1);
-    const double c1 = cos(z1);
-    const double c_phi = cos(phi);
     /* (I.1.1) 19:5 */
     r[0] = y_dot * c_theta - x_dot * s_theta; /* rear = 0 */
     /* (I.1.1) 20:5 */
@@ -274,8 +389,11 @@ int roller_racer_residuals(double t, const double *q, const double *qdot, const 
 int roller_racer_reactions(double t, const double *y, const double *p, double *lambda)
 {
     (void)t;
-    const double theta = y[2]; /* heading of the main body [rad] */
     const double phi = y[3]; /* second body, relative to the first [rad] */
+
+    /* sines and cosines */
+    const double s_phi = sin(phi);
+    const double c_phi = cos(phi);
     const double v = y[4];
     const double theta_dot = y[5];
     const double m = p[0]; /* mass of the main body [kg] */
@@ -286,61 +404,43 @@ int roller_racer_reactions(double t, const double *y, const double *p, double *l
 
     /* parameters only */
     const double k1 = 1.0 / d2;
+    const double k2 = I2 * k1;
+    const double k3 = k1 * k2;
 
     /* state */
+    const double z1 = m + k3 * (s_phi * s_phi);
+    const double z2 = d2 + d1 * c_phi;
+    const double z3 = 1.0 - z2 * k1;
+    const double z4 = I1 + I2 * (z3 * z3);
+    const double z5 = z3 * k2;
+    const double z6 = s_phi * z5;
+    const double z7 = 1.0 / z1;
+    const double z8 = z7 * z6;
+    const double z9 = z4 - z6 * z8;
+    const double z10 = k1 * (theta_dot * z2 - v * s_phi);
+    const double z11 = d1 * (z10 * (theta_dot * s_phi)) + z10 * (c_phi * v);
+    const double z12 = k3 * z11;
+    const double z13 = s_phi * k3;
+    const double z14 = z11 * z13;
+    const double z15 = (z11 * z5 - z8 * z14) / z9;
+    const double z16 = z13 * (z7 * z14 - z8 * z15) + z5 * z15;
+    /* (I.4.1) 19:5 */
+    /* reaction of rear: Q_i gains lambda_1 a_1i */
+    lambda[0] = m * (theta_dot * v) + c_phi * z12 - c_phi * z16;
+    /* (I.4.1) 20:5 */
+    lambda[1] = z16 - z12; /* reaction of front: Q_i gains lambda_2 a_2i */
     /* the coframe is singular */
     if (!(fabs(d2) > 0.0)) {
         return ROLLER_RACER_SINGULAR_1;
     }
-    const double c_theta = cos(theta);
-    const double z1 = m * c_theta;
-    const double s_theta = sin(theta);
-    const double z2 = m * s_theta;
-    const double z3 = theta + phi;
-    const double c1 = cos(z3);
-    const double s1 = sin(z3);
-    const double z4 = (s_theta * c1 - c_theta * s1) * k1;
-    const double z5 = I2 * z4;
-    const double z6 = c_theta * z1 + s_theta * z2 + z4 * z5;
     /* the mass matrix is singular */
-    if (!(fabs(z6) > 0.0)) {
+    if (!(fabs(z1) > 0.0)) {
         return ROLLER_RACER_SINGULAR_2;
     }
-    const double c_phi = cos(phi);
-    const double z7 = d2 + d1 * c_phi;
-    const double z8 = 1.0 - z7 * k1;
-    const double z9 = I2 * z8;
-    const double z10 = I1 + z8 * z9;
-    const double z11 = z4 * z9;
-    const double z12 = 1.0 / z6;
-    const double z13 = z11 * z12;
-    const double z14 = z10 - z11 * z13;
     /* the mass matrix is singular */
-    if (!(fabs(z14) > 1e-14 * z10)) {
+    if (!(fabs(z9) > 1e-14 * z4)) {
         return ROLLER_RACER_SINGULAR_2;
     }
-    const double z15 = k1 * (c_theta * c1 + s_theta * s1);
-    const double z16 = s_theta * v;
-    const double z17 = c_theta * v;
-    const double z18 = k1 * (theta_dot * z7 + (c1 * z16 - s1 * z17));
-    const double s_phi = sin(phi);
-    const double z19 = theta_dot - z18;
-    const double z20 = v * (theta_dot * c_theta);
-    const double z21 = v * (theta_dot * s_theta);
-    const double z22 = theta_dot * (d1 * (z18 * s_phi)) - (z16 * (s1 * z19) - c1 * z20 + (z17 * (c1 * z19) -
-        s1 * z21));
-    const double z23 = I2 * (k1 * z22);
-    const double z24 = m * z21;
-    const double z25 = m * z20;
-    const double z26 = z4 * z23 - (c_theta * z24 - s_theta * z25);
-    const double z27 = (z8 * z23 - z26 * z13) / z14;
-    const double z28 = z26 * z12 - z13 * z27;
-    const double z29 = z15 * z23 + (s_theta * z24 + c_theta * z25) + ((s_theta * z1 - c_theta * z2 - z15 *
-        z5) * z28 - z15 * z9 * z27);
-    /* (I.4.1) 19:5 */
-    lambda[0] = z29; /* reaction of rear: Q_i gains lambda_1 a_1i */
-    /* (I.4.1) 20:5 */
-    lambda[1] = k1 * z5 * z28 + k1 * z9 * z27 - k1 * z23; /* reaction of front: Q_i gains lambda_2 a_2i */
     return roller_racer_finish(2, lambda);
 }
 
@@ -349,6 +449,12 @@ double roller_racer_energy(double t, const double *y, const double *p)
     (void)t;
     const double theta = y[2]; /* heading of the main body [rad] */
     const double phi = y[3]; /* second body, relative to the first [rad] */
+
+    /* sines and cosines */
+    const double c_theta = cos(theta);
+    const double s_theta = sin(theta);
+    const double c_phi = cos(phi);
+    const double s_phi = sin(phi);
     const double v = y[4];
     const double theta_dot = y[5];
     const double m = p[0]; /* mass of the main body [kg] */
@@ -361,25 +467,27 @@ double roller_racer_energy(double t, const double *y, const double *p)
     const double k1 = 1.0 / d2;
 
     /* state */
-    const double c_theta = cos(theta);
     const double z1 = c_theta * v;
-    const double s_theta = sin(theta);
     const double z2 = s_theta * v;
-    const double c_phi = cos(phi);
-    const double z3 = theta + phi;
-    const double c1 = cos(z3);
-    const double s1 = sin(z3);
-    const double z4 = theta_dot - k1 * (theta_dot * (d2 + d1 * c_phi) + (c1 * z2 - s1 * z1));
-    const double z5 = 0.5 * (I1 * (theta_dot * theta_dot)) + 0.5 * (m * (z1 * z1 + z2 * z2)) + 0.5 * (I2 *
-        (z4 * z4));
-    return z5;
+    const double z3 = theta_dot - k1 * (theta_dot * (d2 + d1 * c_phi) - v * s_phi);
+    const double z4 = 0.5 * (I1 * (theta_dot * theta_dot) + m * (z1 * z1 + z2 * z2) + I2 * (z3 * z3));
+    return z4;
 }
 
 int roller_racer_jacobian(double t, const double *y, const double *p, double *J)
 {
+    for (int entry = 0; entry < 36; ++entry) {
+        J[entry] = 0.0;
+    }
     (void)t;
     const double theta = y[2]; /* heading of the main body [rad] */
     const double phi = y[3]; /* second body, relative to the first [rad] */
+
+    /* sines and cosines */
+    const double s_phi = sin(phi);
+    const double c_phi = cos(phi);
+    const double s_theta = sin(theta);
+    const double c_theta = cos(theta);
     const double v = y[4];
     const double theta_dot = y[5];
     const double m = p[0]; /* mass of the main body [kg] */
@@ -390,146 +498,75 @@ int roller_racer_jacobian(double t, const double *y, const double *p, double *J)
 
     /* parameters only */
     const double k1 = 1.0 / d2;
+    const double k2 = I2 * k1;
+    const double k3 = k1 * k2;
 
     /* state */
+    const double z1 = m + k3 * (s_phi * s_phi);
+    const double z2 = d2 + d1 * c_phi;
+    const double z3 = z2 * k1;
+    const double z4 = 1.0 - z3;
+    const double z5 = I1 + I2 * (z4 * z4);
+    const double z6 = z4 * k2;
+    const double z7 = s_phi * z6;
+    const double z8 = 1.0 / z1;
+    const double z9 = z8 * z7;
+    const double z10 = z5 - z7 * z9;
+    const double z11 = theta_dot * d1;
+    const double z12 = s_phi * k1;
+    const double z13 = s_phi * k3;
+    const double z14 = v * z13;
+    const double z15 = z11 * z13;
+    const double z16 = k1 * (c_phi * z14 + s_phi * z15);
+    const double z17 = k1 * (theta_dot * z2 - v * s_phi);
+    const double z18 = d1 * (s_phi * z17);
+    const double z19 = c_phi * z17;
+    const double z20 = theta_dot * z18 + v * z19;
+    const double z21 = 1.0 / z10;
+    const double z22 = z20 * z13;
+    const double z23 = z21 * (z20 * z6 - z9 * z22);
+    const double z24 = k2 * z23;
+    const double z25 = z8 * z22 - z9 * z23;
+    const double z26 = c_phi * (v * z16 - (z17 * z15 + (z20 * k3 - z4 * z24 - 2.0 * (z13 * z25))));
+    const double z27 = z26 + s_phi * (z17 * z14 + d1 * (theta_dot * z16 + z12 * z24));
+    const double z28 = v * z6;
+    const double z29 = z11 * z6;
+    const double z30 = k1 * (c_phi * z28 + s_phi * z29);
+    const double z31 = k2 * z25;
+    const double z32 = d1 * (theta_dot * z30 - k1 * (z20 * k2 - 2.0 * (I2 * (z4 * z23)) - s_phi * z31));
+    const double z33 = c_phi * (v * z30 - (z17 * z29 - z4 * z31)) + s_phi * (z17 * z28 + z32) - z9 * z27;
+    const double z34 = z21 * z33;
+    const double z35 = z19 * z13 - s_phi * z16;
+    const double z36 = z21 * (z19 * z6 - s_phi * z30 - z9 * z35);
+    const double z37 = z18 * z13 + z2 * z16;
+    const double z38 = z21 * (z18 * z6 + z2 * z30 - z9 * z37);
+    /* (I.2.15) */
+    J[2] = -s_theta * v;
+    J[4] = c_theta;
+    J[8] = c_theta * v;
+    J[10] = s_theta;
+    J[17] = 1.0;
+    J[21] = k1 * (c_phi * v + s_phi * z11);
+    J[22] = z12;
+    J[23] = -z3;
+    J[27] = z9 * z34 - z8 * z27;
+    J[28] = z8 * z35 - z9 * z36;
+    J[29] = z8 * z37 - z9 * z38;
+    J[33] = -z34;
+    J[34] = z36;
+    J[35] = z38;
     /* the coframe is singular */
     if (!(fabs(d2) > 0.0)) {
         return ROLLER_RACER_SINGULAR_1;
     }
-    const double c_theta = cos(theta);
-    const double z1 = m * c_theta;
-    const double s_theta = sin(theta);
-    const double z2 = m * s_theta;
-    const double z3 = theta + phi;
-    const double c1 = cos(z3);
-    const double s1 = sin(z3);
-    const double z4 = (s_theta * c1 - c_theta * s1) * k1;
-    const double z5 = I2 * z4;
-    const double z6 = c_theta * z1 + s_theta * z2 + z4 * z5;
     /* the mass matrix is singular */
-    if (!(fabs(z6) > 0.0)) {
+    if (!(fabs(z1) > 0.0)) {
         return ROLLER_RACER_SINGULAR_2;
     }
-    const double c_phi = cos(phi);
-    const double z7 = d2 + d1 * c_phi;
-    const double z8 = z7 * k1;
-    const double z9 = 1.0 - z8;
-    const double z10 = I2 * z9;
-    const double z11 = I1 + z9 * z10;
-    const double z12 = z4 * z10;
-    const double z13 = 1.0 / z6;
-    const double z14 = z12 * z13;
-    const double z15 = z11 - z12 * z14;
     /* the mass matrix is singular */
-    if (!(fabs(z15) > 1e-14 * z11)) {
+    if (!(fabs(z10) > 1e-14 * z5)) {
         return ROLLER_RACER_SINGULAR_2;
     }
-    const double z16 = s_theta * v;
-    const double z17 = c_theta * v;
-    const double z18 = s1 * (z16 * k1) + c1 * (z17 * k1);
-    const double z19 = s1 * k1;
-    const double z20 = c1 * k1;
-    const double s_phi = sin(phi);
-    const double z21 = theta_dot * c_theta;
-    const double z22 = v * z21;
-    const double z23 = k1 * z5;
-    const double z24 = k1 * (theta_dot * z7 + (c1 * z16 - s1 * z17));
-    const double z25 = theta_dot - z24;
-    const double z26 = z17 * z23;
-    const double z27 = d1 * (theta_dot * z23);
-    const double z28 = z16 * z23;
-    const double z29 = s1 * z28 + c1 * z26;
-    const double z30 = k1 * (s_phi * z27 + z29);
-    const double z31 = d1 * (z24 * s_phi);
-    const double z32 = s1 * z25;
-    const double z33 = c1 * z25;
-    const double z34 = theta_dot * s_theta;
-    const double z35 = v * z34;
-    const double z36 = I2 * (k1 * (theta_dot * z31 - (z16 * z32 - c1 * z22 + (z17 * z33 - s1 * z35))));
-    const double z37 = 1.0 / z15;
-    const double z38 = m * z35;
-    const double z39 = m * z22;
-    const double z40 = z4 * z36 - (c_theta * z38 - s_theta * z39);
-    const double z41 = z37 * (z9 * z36 - z40 * z14);
-    const double z42 = z36 - z10 * z41;
-    const double z43 = z40 * z13 - z14 * z41;
-    const double z44 = z4 * z43;
-    const double z45 = k1 * (z42 - z5 * z43 - I2 * z44);
-    const double z46 = s1 * (z22 * z23 - z25 * z26 + z16 * z30 + s_theta * z45) - c1 * (z35 * z23 - z25 * z28
-        - z17 * z30 - c_theta * z45);
-    const double z47 = z33 * z23 + s1 * z30;
-    const double z48 = z2 + c1 * z23;
-    const double z49 = v * z48;
-    const double z50 = v * z47 - (theta_dot * z49 - (z38 + z1 * z43 + m * (c_theta * z43))) + s1 * z45;
-    const double z51 = z32 * z23 - c1 * z30;
-    const double z52 = z1 - s1 * z23;
-    const double z53 = v * z52;
-    const double z54 = v * z51 + (theta_dot * z53 - (z39 - z2 * z43 - m * (s_theta * z43))) - c1 * z45;
-    const double z55 = z46 - s_theta * z50 + c_theta * z54;
-    const double z56 = k1 * z10;
-    const double z57 = z17 * z56;
-    const double z58 = d1 * (theta_dot * z56);
-    const double z59 = z16 * z56;
-    const double z60 = s1 * z59 + c1 * z57;
-    const double z61 = k1 * (s_phi * z58 + z60);
-    const double z62 = k1 * (z10 * z43);
-    const double z63 = s1 * (z22 * z56 - z25 * z57 + z16 * z61 - s_theta * z62) - c1 * (z35 * z56 - z25 * z59
-        - z17 * z61 + c_theta * z62);
-    const double z64 = c1 * z56;
-    const double z65 = v * z64;
-    const double z66 = z33 * z56 + s1 * z61;
-    const double z67 = s1 * z56;
-    const double z68 = v * z67;
-    const double z69 = z32 * z56 - c1 * z61;
-    const double z70 = z63 + s_theta * (theta_dot * z65 - v * z66 + s1 * z62) - c_theta * (theta_dot * z68 -
-        v * z69 - c1 * z62);
-    const double z71 = z37 * (z70 - z14 * z55);
-    const double z72 = z46 - (c_phi * (z24 * z27) - s_phi * (d1 * (theta_dot * z30 + k1 * (I2 * (z4 *
-        z41)))));
-    const double z73 = c_phi * (z24 * z58) - s_phi * (d1 * (theta_dot * z61 - k1 * (z42 - I2 * (z44 + z9 *
-        z41))));
-    const double z74 = z37 * (z63 - z73 - z14 * z72);
-    const double z75 = z21 * z48 - z34 * z52 - s_theta * z51 - c_theta * z47;
-    const double z76 = z37 * (z21 * z64 + z34 * z67 - s_theta * z69 - c_theta * z66 - z14 * z75);
-    const double z77 = z29 - (z31 * z23 - s_theta * z53 + c_theta * z49) - z7 * z30;
-    const double z78 = z37 * (z60 - (z31 * z56 + s_theta * z68 + c_theta * z65) - z7 * z61 - z14 * z77);
-    /* (I.2.15) */
-    J[0] = 0.0;
-    J[1] = 0.0;
-    J[2] = -z16;
-    J[3] = 0.0;
-    J[4] = c_theta;
-    J[5] = 0.0;
-    J[6] = 0.0;
-    J[7] = 0.0;
-    J[8] = z17;
-    J[9] = 0.0;
-    J[10] = s_theta;
-    J[11] = 0.0;
-    J[12] = 0.0;
-    J[13] = 0.0;
-    J[14] = 0.0;
-    J[15] = 0.0;
-    J[16] = 0.0;
-    J[17] = 1.0;
-    J[18] = 0.0;
-    J[19] = 0.0;
-    J[20] = z18 - s_theta * (v * z19) - c_theta * (v * z20);
-    J[21] = s_phi * (d1 * (theta_dot * k1)) + z18;
-    J[22] = c_theta * z19 - s_theta * z20;
-    J[23] = -z8;
-    J[24] = 0.0;
-    J[25] = 0.0;
-    J[26] = z13 * z55 - z14 * z71;
-    J[27] = z13 * z72 - z14 * z74;
-    J[28] = z14 * z76 - z13 * z75;
-    J[29] = z13 * z77 - z14 * z78;
-    J[30] = 0.0;
-    J[31] = 0.0;
-    J[32] = -z71;
-    J[33] = -z74;
-    J[34] = z76;
-    J[35] = -z78;
     return roller_racer_finish(36, J);
 }
 
@@ -540,94 +577,128 @@ int roller_racer_outputs(double t, const double *y, const double *p, double *out
     const double d2 = p[4]; /* from the hinge to the second axle [m] */
 
     /* state */
+    /* 22:10 */
+    out[0] = v; /* speed */
     /* the coframe is singular */
     if (!(fabs(d2) > 0.0)) {
         return ROLLER_RACER_SINGULAR_1;
     }
-    /* 22:10 */
-    out[0] = v; /* speed */
     return roller_racer_finish(1, out);
 }
+
+#if ROLLER_RACER_LANES >= 2
+static __attribute__((noinline)) void roller_racer_rhs_lanes(const double *fixed, size_t stride, const double
+    *t, const double *y, double *restrict dydt, double *check)
+{
+    (void)t;
+    roller_racer_lanes far = {0}; /* the squares of the angles */
+    roller_racer_lanes sum = {0}; /* an infinity or a NaN among the results stays in it */
+    roller_racer_bits bad = {0}; /* singular blocks */
+    const double m = fixed[0];
+    const double I1 = fixed[1];
+    const double I2 = fixed[2];
+    const double d1 = fixed[3];
+    const double d2 = fixed[4];
+    const double k1 = fixed[5];
+    const double k2 = fixed[6];
+    const double k3 = fixed[7];
+    const roller_racer_lanes theta = roller_racer_get(y + 2 * stride);
+    const roller_racer_lanes phi = roller_racer_get(y + 3 * stride);
+    const roller_racer_lanes v = roller_racer_get(y + 4 * stride);
+    const roller_racer_lanes theta_dot = roller_racer_get(y + 5 * stride);
+    roller_racer_lanes sine1, cosine1;
+    roller_racer_turn_lanes(ROLLER_RACER_SPREAD(phi), &far, &sine1, &cosine1);
+    const roller_racer_lanes s_phi = sine1;
+    const roller_racer_lanes z1 = m + k3 * (s_phi * s_phi);
+    /* the mass matrix is singular */
+    bad |= roller_racer_misses(roller_racer_size(ROLLER_RACER_SPREAD(z1)), ROLLER_RACER_SPREAD(0.0));
+    const roller_racer_lanes c_phi = cosine1;
+    const roller_racer_lanes z2 = d2 + d1 * c_phi;
+    const roller_racer_lanes z3 = 1.0 - z2 * k1;
+    const roller_racer_lanes z4 = I1 + I2 * (z3 * z3);
+    const roller_racer_lanes z5 = z3 * k2;
+    const roller_racer_lanes z6 = s_phi * z5;
+    const roller_racer_lanes z7 = 1.0 / z1;
+    const roller_racer_lanes z8 = z7 * z6;
+    const roller_racer_lanes z9 = z4 - z6 * z8;
+    /* the mass matrix is singular */
+    bad |= roller_racer_misses(roller_racer_size(ROLLER_RACER_SPREAD(z9)), 1e-14 * z4);
+    roller_racer_lanes sine2, cosine2;
+    roller_racer_turn_lanes(ROLLER_RACER_SPREAD(theta), &far, &sine2, &cosine2);
+    const roller_racer_lanes c_theta = cosine2;
+    const roller_racer_lanes s_theta = sine2;
+    const roller_racer_lanes z10 = k1 * (theta_dot * z2 - v * s_phi);
+    const roller_racer_lanes z11 = d1 * (z10 * (theta_dot * s_phi)) + z10 * (c_phi * v);
+    const roller_racer_lanes z12 = k3 * (s_phi * z11);
+    const roller_racer_lanes z13 = (z11 * z5 - z12 * z8) / z9;
+    /* (I.2.15) */
+    const roller_racer_lanes slope1 = c_theta * v;
+    sum += slope1;
+    roller_racer_put(dydt, slope1);
+    const roller_racer_lanes slope2 = s_theta * v;
+    sum += slope2;
+    roller_racer_put(dydt + 1 * stride, slope2);
+    const roller_racer_lanes slope3 = theta_dot;
+    sum += slope3;
+    roller_racer_put(dydt + 2 * stride, slope3);
+    const roller_racer_lanes slope4 = -z10;
+    sum += slope4;
+    roller_racer_put(dydt + 3 * stride, slope4);
+    /* (I.2.15) 17:4 */
+    const roller_racer_lanes slope5 = z7 * z12 - z8 * z13;
+    sum += slope5;
+    roller_racer_put(dydt + 4 * stride, slope5);
+    const roller_racer_lanes slope6 = z13;
+    sum += slope6;
+    roller_racer_put(dydt + 5 * stride, slope6);
+    roller_racer_put(check, roller_racer_mark(far + (sum - sum), bad));
+}
+
+static __attribute__((noinline)) void roller_racer_rhs_tail(const double *fixed, size_t left, size_t count,
+    const double *t, const double *y, double *restrict dydt, double *check)
+{
+    double time[ROLLER_RACER_LANES];
+    double state[6 * ROLLER_RACER_LANES];
+    double slope[6 * ROLLER_RACER_LANES];
+    roller_racer_fill(left, count, t, y, time, state);
+    roller_racer_rhs_lanes(fixed, ROLLER_RACER_LANES, time, state, slope, check);
+    roller_racer_pour(left, count, slope, dydt);
+}
+#endif
 
 int roller_racer_rhs_batch(size_t count, const double *t, const double *y, const double *p, double *restrict
     dydt)
 {
+#if ROLLER_RACER_LANES >= 2
     const double m = p[0]; /* mass of the main body [kg] */
     const double I1 = p[1]; /* [kg*m^2] */
     const double I2 = p[2]; /* [kg*m^2] */
     const double d1 = p[3]; /* from the hinge to the first axle [m] */
     const double d2 = p[4]; /* from the hinge to the second axle [m] */
     const double k1 = 1.0 / d2;
+    const double k2 = I2 * k1;
+    const double k3 = k1 * k2;
     /* the coframe is singular */
     if (!(fabs(d2) > 0.0)) {
         return ROLLER_RACER_SINGULAR_1;
     }
-    int singular1 = 0;
-    int bad = 0;
-    (void)t;
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC ivdep
+    const double fixed[] = {m, I1, I2, d1, d2, k1, k2, k3};
+    double check[1 * ROLLER_RACER_LANES];
+    int status = ROLLER_RACER_OK;
+    for (size_t i = 0; i < count; i += ROLLER_RACER_LANES) {
+        const size_t left = count - i < ROLLER_RACER_LANES ? count - i : ROLLER_RACER_LANES;
+        if (left == ROLLER_RACER_LANES) {
+            roller_racer_rhs_lanes(fixed, count, t + i, y + i, dydt + i, check);
+        } else {
+            roller_racer_rhs_tail(fixed, left, count, t + i, y + i, dydt + i, check);
+        }
+        if (!roller_racer_is_good(1 * ROLLER_RACER_LANES, check)) {
+            const int one = roller_racer_one_by_one(count, i, left, t, y, p, dydt);
+            status = status == ROLLER_RACER_OK ? one : status;
+        }
+    }
+    return status;
+#else
+    return roller_racer_one_by_one(count, 0, count, t, y, p, dydt);
 #endif
-    for (size_t i = 0; i < count; ++i) {
-        const double theta = y[2 * count + i]; /* heading of the main body [rad] */
-        const double phi = y[3 * count + i]; /* second body, relative to the first [rad] */
-        const double v = y[4 * count + i];
-        const double theta_dot = y[5 * count + i];
-        const double c_theta = cos(theta);
-        const double s_theta = sin(theta);
-        const double z1 = theta + phi;
-        const double c1 = cos(z1);
-        const double s1 = sin(z1);
-        const double z2 = (s_theta * c1 - c_theta * s1) * k1;
-        const double z3 = c_theta * (m * c_theta) + s_theta * (m * s_theta) + z2 * (I2 * z2);
-        /* the mass matrix is singular */
-        singular1 |= !(fabs(z3) > 0.0);
-        const double c_phi = cos(phi);
-        const double z4 = d2 + d1 * c_phi;
-        const double z5 = 1.0 - z4 * k1;
-        const double z6 = I2 * z5;
-        const double z7 = I1 + z5 * z6;
-        const double z8 = z2 * z6;
-        const double z9 = 1.0 / z3;
-        const double z10 = z8 * z9;
-        const double z11 = z7 - z8 * z10;
-        /* the mass matrix is singular */
-        singular1 |= !(fabs(z11) > 1e-14 * z7);
-        const double z12 = c_theta * v;
-        const double z13 = s_theta * v;
-        const double z14 = k1 * (theta_dot * z4 + (c1 * z13 - s1 * z12));
-        const double s_phi = sin(phi);
-        const double z15 = theta_dot - z14;
-        const double z16 = v * (theta_dot * c_theta);
-        const double z17 = v * (theta_dot * s_theta);
-        const double z18 = theta_dot * (d1 * (z14 * s_phi)) - (z13 * (s1 * z15) - c1 * z16 + (z12 * (c1 *
-            z15) - s1 * z17));
-        const double z19 = I2 * (k1 * z18);
-        const double z20 = z2 * z19 - (c_theta * (m * z17) - s_theta * (m * z16));
-        const double z21 = (z5 * z19 - z20 * z10) / z11;
-        /* (I.2.15) */
-        const double slope1 = z12; /* x' */
-        dydt[i] = slope1;
-        bad |= !(fabs(slope1) <= DBL_MAX);
-        const double slope2 = z13; /* y' */
-        dydt[count + i] = slope2;
-        bad |= !(fabs(slope2) <= DBL_MAX);
-        const double slope3 = theta_dot; /* theta' */
-        dydt[2 * count + i] = slope3;
-        bad |= !(fabs(slope3) <= DBL_MAX);
-        const double slope4 = -z14; /* phi' */
-        dydt[3 * count + i] = slope4;
-        bad |= !(fabs(slope4) <= DBL_MAX);
-        /* (I.2.15) 17:4 */
-        const double slope5 = z10 * z21 - z20 * z9; /* v' */
-        dydt[4 * count + i] = slope5;
-        bad |= !(fabs(slope5) <= DBL_MAX);
-        const double slope6 = z21; /* theta'' */
-        dydt[5 * count + i] = slope6;
-        bad |= !(fabs(slope6) <= DBL_MAX);
-    }
-    if (singular1) {
-        return ROLLER_RACER_SINGULAR_2;
-    }
-    return bad ? ROLLER_RACER_NOT_FINITE : ROLLER_RACER_OK;
 }

@@ -1,5 +1,5 @@
 /*
- * roller_racer.h: roller_racer, emitted by nhc 0.1.0 (nhc:a134f5aba9de1291)
+ * roller_racer.h: roller_racer, emitted by nhc 0.1.0 (nhc:9465ba85407bad39)
  * Two wheeled bodies with a hinge; it is driven by moving the hinge to and fro.
  * Source: roller_racer.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -29,14 +29,14 @@
  * out[0] = speed
  *
  * Operations:
- * rhs: 19 +-, 46 *, 3 /, 6 calls
- * velocities: 4 +-, 7 *, 1 /, 5 calls
- * accelerations: 26 +-, 52 *, 3 /, 6 calls
+ * rhs: 9 +-, 28 *, 3 /, 4 calls
+ * velocities: 2 +-, 6 *, 1 /, 4 calls
+ * accelerations: 14 +-, 34 *, 3 /, 4 calls
  * state: 1 +-, 2 *, 0 /, 2 calls
  * residuals: 6 +-, 7 *, 0 /, 5 calls
- * reactions: 28 +-, 63 *, 3 /, 6 calls
- * energy: 8 +-, 17 *, 1 /, 5 calls
- * jacobian: 99 +-, 193 *, 3 /, 6 calls
+ * reactions: 13 +-, 33 *, 3 /, 2 calls
+ * energy: 6 +-, 14 *, 1 /, 4 calls
+ * jacobian: 36 +-, 92 *, 3 /, 4 calls
  * outputs: 0 +-, 0 *, 0 /, 0 calls
  *
  * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.

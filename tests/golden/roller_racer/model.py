@@ -1,4 +1,4 @@
-"""roller_racer, emitted by nhc 0.1.0 (nhc:1743c386034232db).
+"""roller_racer, emitted by nhc 0.1.0 (nhc:ed5f8e4ccc774bcf).
 
 Two wheeled bodies with a hinge; it is driven by moving the hinge to and fro.
 Source: roller_racer.yaml
@@ -29,14 +29,14 @@ Outputs:
 out[0] = speed
 
 Operations:
-rhs: 19 +-, 46 *, 3 /, 6 calls
-velocities: 4 +-, 7 *, 1 /, 5 calls
-accelerations: 26 +-, 52 *, 3 /, 6 calls
+rhs: 9 +-, 28 *, 3 /, 4 calls
+velocities: 2 +-, 6 *, 1 /, 4 calls
+accelerations: 14 +-, 34 *, 3 /, 4 calls
 state: 1 +-, 2 *, 0 /, 2 calls
 residuals: 6 +-, 7 *, 0 /, 5 calls
-reactions: 28 +-, 63 *, 3 /, 6 calls
-energy: 8 +-, 17 *, 1 /, 5 calls
-jacobian: 99 +-, 193 *, 3 /, 6 calls
+reactions: 13 +-, 33 *, 3 /, 2 calls
+energy: 6 +-, 14 *, 1 /, 4 calls
+jacobian: 36 +-, 92 *, 3 /, 4 calls
 outputs: 0 +-, 0 *, 0 /, 0 calls
 
 A singular point raises SingularModelError.
@@ -101,58 +101,48 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     try:
         # parameters only
         k1 = 1.0 / d2
+        k2 = I2 * k1
+        k3 = k1 * k2
         # state
         # the coframe is singular
         if not abs(d2) > 0.0:
             raise SingularModelError(1, "rhs")
-        c_theta = math.cos(theta)
-        s_theta = math.sin(theta)
-        z1 = theta + phi
-        c1 = math.cos(z1)
-        s1 = math.sin(z1)
-        z2 = (s_theta * c1 - c_theta * s1) * k1
-        s2 = c_theta * (m * c_theta) + s_theta * (m * s_theta)
-        z3 = s2 + z2 * (I2 * z2)
+        s_phi = math.sin(phi)
+        z1 = m + k3 * (s_phi * s_phi)
         # the mass matrix is singular
-        if not abs(z3) > 0.0:
+        if not abs(z1) > 0.0:
             raise SingularModelError(2, "rhs")
         c_phi = math.cos(phi)
-        z4 = d2 + d1 * c_phi
-        z5 = 1.0 - z4 * k1
-        z6 = I2 * z5
-        z7 = I1 + z5 * z6
-        z8 = z2 * z6
-        z9 = 1.0 / z3
-        z10 = z8 * z9
-        z11 = z7 - z8 * z10
+        z2 = d2 + d1 * c_phi
+        z3 = 1.0 - z2 * k1
+        z4 = I1 + I2 * (z3 * z3)
+        z5 = z3 * k2
+        z6 = s_phi * z5
+        z7 = 1.0 / z1
+        z8 = z7 * z6
+        z9 = z4 - z6 * z8
         # the mass matrix is singular
-        if not abs(z11) > 1e-14 * z7:
+        if not abs(z9) > 1e-14 * z4:
             raise SingularModelError(2, "rhs")
-        z12 = c_theta * v
-        z13 = s_theta * v
-        z14 = k1 * (theta_dot * z4 + (c1 * z13 - s1 * z12))
-        s_phi = math.sin(phi)
-        z15 = theta_dot - z14
-        z16 = v * (theta_dot * c_theta)
-        z17 = v * (theta_dot * s_theta)
-        s3 = z13 * (s1 * z15) - c1 * z16 + (z12 * (c1 * z15) - s1 * z17)
-        z18 = theta_dot * (d1 * (z14 * s_phi)) - s3
-        z19 = I2 * (k1 * z18)
-        z20 = z2 * z19 - (c_theta * (m * z17) - s_theta * (m * z16))
-        z21 = (z5 * z19 - z20 * z10) / z11
+        c_theta = math.cos(theta)
+        s_theta = math.sin(theta)
+        z10 = k1 * (theta_dot * z2 - v * s_phi)
+        z11 = d1 * (z10 * (theta_dot * s_phi)) + z10 * (c_phi * v)
+        z12 = k3 * (s_phi * z11)
+        z13 = (z11 * z5 - z12 * z8) / z9
         dydt: list[float] = [
             # x' (I.2.15)
-            z12,
+            c_theta * v,
             # y' (I.2.15)
-            z13,
+            s_theta * v,
             # theta' (I.2.15)
             theta_dot,
             # phi' (I.2.15)
-            -z14,
+            -z10,
             # v' (I.2.15) 17:4
-            z10 * z21 - z20 * z9,
+            z7 * z12 - z8 * z13,
             # theta'' (I.2.15) 17:4
-            z21,
+            z13,
         ]
         return _finish("rhs", dydt)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -183,22 +173,18 @@ def velocities(
         if not abs(d2) > 0.0:
             raise SingularModelError(1, "velocities")
         c_theta = math.cos(theta)
-        z1 = c_theta * v
         s_theta = math.sin(theta)
-        z2 = s_theta * v
         c_phi = math.cos(phi)
-        z3 = theta + phi
-        c1 = math.cos(z3)
-        s1 = math.sin(z3)
+        s_phi = math.sin(phi)
         qdot: list[float] = [
             # x' (I.2.4)
-            z1,
+            c_theta * v,
             # y' (I.2.4)
-            z2,
+            s_theta * v,
             # theta' (I.2.4)
             theta_dot,
             # phi' (I.2.4)
-            -k1 * (theta_dot * (d2 + d1 * c_phi) + (c1 * z2 - s1 * z1)),
+            -k1 * (theta_dot * (d2 + d1 * c_phi) - v * s_phi),
         ]
         return _finish("velocities", qdot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -227,58 +213,48 @@ def accelerations(
     try:
         # parameters only
         k1 = 1.0 / d2
+        k2 = I2 * k1
+        k3 = k1 * k2
         # state
         # the coframe is singular
         if not abs(d2) > 0.0:
             raise SingularModelError(1, "accelerations")
-        c_theta = math.cos(theta)
-        s_theta = math.sin(theta)
-        z1 = theta + phi
-        c1 = math.cos(z1)
-        s1 = math.sin(z1)
-        z2 = (s_theta * c1 - c_theta * s1) * k1
-        s2 = c_theta * (m * c_theta) + s_theta * (m * s_theta)
-        z3 = s2 + z2 * (I2 * z2)
+        s_phi = math.sin(phi)
+        z1 = m + k3 * (s_phi * s_phi)
         # the mass matrix is singular
-        if not abs(z3) > 0.0:
+        if not abs(z1) > 0.0:
             raise SingularModelError(2, "accelerations")
         c_phi = math.cos(phi)
-        z4 = d2 + d1 * c_phi
-        z5 = 1.0 - z4 * k1
-        z6 = I2 * z5
-        z7 = I1 + z5 * z6
-        z8 = z2 * z6
-        z9 = 1.0 / z3
-        z10 = z8 * z9
-        z11 = z7 - z8 * z10
+        z2 = d2 + d1 * c_phi
+        z3 = 1.0 - z2 * k1
+        z4 = I1 + I2 * (z3 * z3)
+        z5 = z3 * k2
+        z6 = s_phi * z5
+        z7 = 1.0 / z1
+        z8 = z7 * z6
+        z9 = z4 - z6 * z8
         # the mass matrix is singular
-        if not abs(z11) > 1e-14 * z7:
+        if not abs(z9) > 1e-14 * z4:
             raise SingularModelError(2, "accelerations")
-        z12 = v * (theta_dot * s_theta)
-        z13 = s_theta * v
-        z14 = c_theta * v
-        z15 = k1 * (theta_dot * z4 + (c1 * z13 - s1 * z14))
-        s_phi = math.sin(phi)
-        z16 = theta_dot * (d1 * (z15 * s_phi))
-        z17 = theta_dot - z15
-        z18 = z13 * (s1 * z17)
-        z19 = v * (theta_dot * c_theta)
-        z20 = z14 * (c1 * z17)
-        z21 = I2 * (k1 * (z16 - (z18 - c1 * z19 + (z20 - s1 * z12))))
-        z22 = z2 * z21 - (c_theta * (m * z12) - s_theta * (m * z19))
-        z23 = (z5 * z21 - z22 * z10) / z11
-        z24 = z22 * z9 - z10 * z23
-        z25 = z12 + c_theta * z24
-        z26 = z19 - s_theta * z24
+        s_theta = math.sin(theta)
+        z10 = theta_dot * v
+        c_theta = math.cos(theta)
+        z11 = k1 * (theta_dot * z2 - v * s_phi)
+        z12 = d1 * (z11 * (theta_dot * s_phi))
+        z13 = z11 * (c_phi * v)
+        z14 = z12 + z13
+        z15 = k3 * (s_phi * z14)
+        z16 = (z14 * z5 - z15 * z8) / z9
+        z17 = z7 * z15 - z8 * z16
         qddot: list[float] = [
             # x'' (I.2.15)
-            -z25,
+            c_theta * z17 - s_theta * z10,
             # y'' (I.2.15)
-            z26,
+            c_theta * z10 + s_theta * z17,
             # theta'' (I.2.15)
-            z23,
+            z16,
             # phi'' (I.2.15)
-            -k1 * (z16 + z4 * z23 - (z18 - c1 * z26 + (z20 - s1 * z25))),
+            -k1 * (z12 + z2 * z16 + (z13 - s_phi * z17)),
         ]
         return _finish("accelerations", qddot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -370,7 +346,6 @@ def reactions(
     Returns lambda_ (2,).
     Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a.
     """
-    theta = float(y[2])  # heading of the main body [rad]
     phi = float(y[3])  # second body, relative to the first [rad]
     v = float(y[4])
     theta_dot = float(y[5])
@@ -382,59 +357,41 @@ def reactions(
     try:
         # parameters only
         k1 = 1.0 / d2
+        k2 = I2 * k1
+        k3 = k1 * k2
         # state
         # the coframe is singular
         if not abs(d2) > 0.0:
             raise SingularModelError(1, "reactions")
-        c_theta = math.cos(theta)
-        z1 = m * c_theta
-        s_theta = math.sin(theta)
-        z2 = m * s_theta
-        z3 = theta + phi
-        c1 = math.cos(z3)
-        s1 = math.sin(z3)
-        z4 = (s_theta * c1 - c_theta * s1) * k1
-        z5 = I2 * z4
-        z6 = c_theta * z1 + s_theta * z2 + z4 * z5
+        s_phi = math.sin(phi)
+        z1 = m + k3 * (s_phi * s_phi)
         # the mass matrix is singular
-        if not abs(z6) > 0.0:
+        if not abs(z1) > 0.0:
             raise SingularModelError(2, "reactions")
         c_phi = math.cos(phi)
-        z7 = d2 + d1 * c_phi
-        z8 = 1.0 - z7 * k1
-        z9 = I2 * z8
-        z10 = I1 + z8 * z9
-        z11 = z4 * z9
-        z12 = 1.0 / z6
-        z13 = z11 * z12
-        z14 = z10 - z11 * z13
+        z2 = d2 + d1 * c_phi
+        z3 = 1.0 - z2 * k1
+        z4 = I1 + I2 * (z3 * z3)
+        z5 = z3 * k2
+        z6 = s_phi * z5
+        z7 = 1.0 / z1
+        z8 = z7 * z6
+        z9 = z4 - z6 * z8
         # the mass matrix is singular
-        if not abs(z14) > 1e-14 * z10:
+        if not abs(z9) > 1e-14 * z4:
             raise SingularModelError(2, "reactions")
-        z15 = k1 * (c_theta * c1 + s_theta * s1)
-        z16 = s_theta * v
-        z17 = c_theta * v
-        z18 = k1 * (theta_dot * z7 + (c1 * z16 - s1 * z17))
-        s_phi = math.sin(phi)
-        z19 = theta_dot - z18
-        z20 = v * (theta_dot * c_theta)
-        z21 = v * (theta_dot * s_theta)
-        s2 = z16 * (s1 * z19) - c1 * z20 + (z17 * (c1 * z19) - s1 * z21)
-        z22 = theta_dot * (d1 * (z18 * s_phi)) - s2
-        z23 = I2 * (k1 * z22)
-        z24 = m * z21
-        z25 = m * z20
-        z26 = z4 * z23 - (c_theta * z24 - s_theta * z25)
-        z27 = (z8 * z23 - z26 * z13) / z14
-        z28 = z26 * z12 - z13 * z27
-        s3 = (s_theta * z1 - c_theta * z2 - z15 * z5) * z28
-        s4 = z15 * z23 + (s_theta * z24 + c_theta * z25)
-        z29 = s4 + (s3 - z15 * z9 * z27)
+        z10 = k1 * (theta_dot * z2 - v * s_phi)
+        z11 = d1 * (z10 * (theta_dot * s_phi)) + z10 * (c_phi * v)
+        z12 = k3 * z11
+        z13 = s_phi * k3
+        z14 = z11 * z13
+        z15 = (z11 * z5 - z8 * z14) / z9
+        z16 = z13 * (z7 * z14 - z8 * z15) + z5 * z15
         lambda_: list[float] = [
             # reaction of rear: Q_i gains lambda_1 a_1i (I.4.1) 19:5
-            z29,
+            m * (theta_dot * v) + c_phi * z12 - c_phi * z16,
             # reaction of front: Q_i gains lambda_2 a_2i (I.4.1) 20:5
-            k1 * z5 * z28 + k1 * z9 * z27 - k1 * z23,
+            z16 - z12,
         ]
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -465,15 +422,11 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
         s_theta = math.sin(theta)
         z2 = s_theta * v
         c_phi = math.cos(phi)
-        z3 = theta + phi
-        c1 = math.cos(z3)
-        s1 = math.sin(z3)
-        s2 = k1 * (theta_dot * (d2 + d1 * c_phi) + (c1 * z2 - s1 * z1))
-        z4 = theta_dot - s2
-        s3 = 0.5 * (I1 * (theta_dot * theta_dot))
-        s4 = s3 + 0.5 * (m * (z1 * z1 + z2 * z2))
-        z5 = s4 + 0.5 * (I2 * (z4 * z4))
-        value1 = z5
+        s_phi = math.sin(phi)
+        z3 = theta_dot - k1 * (theta_dot * (d2 + d1 * c_phi) - v * s_phi)
+        s1 = I1 * (theta_dot * theta_dot) + m * (z1 * z1 + z2 * z2)
+        z4 = 0.5 * (s1 + I2 * (z3 * z3))
+        value1 = z4
         return _single("energy", value1)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
         raise SingularModelError(NOT_FINITE, "energy") from error
@@ -501,188 +454,118 @@ def jacobian(
     try:
         # parameters only
         k1 = 1.0 / d2
+        k2 = I2 * k1
+        k3 = k1 * k2
         # state
         # the coframe is singular
         if not abs(d2) > 0.0:
             raise SingularModelError(1, "jacobian")
-        c_theta = math.cos(theta)
-        z1 = m * c_theta
-        s_theta = math.sin(theta)
-        z2 = m * s_theta
-        z3 = theta + phi
-        c1 = math.cos(z3)
-        s1 = math.sin(z3)
-        z4 = (s_theta * c1 - c_theta * s1) * k1
-        z5 = I2 * z4
-        z6 = c_theta * z1 + s_theta * z2 + z4 * z5
+        s_phi = math.sin(phi)
+        z1 = m + k3 * (s_phi * s_phi)
         # the mass matrix is singular
-        if not abs(z6) > 0.0:
+        if not abs(z1) > 0.0:
             raise SingularModelError(2, "jacobian")
         c_phi = math.cos(phi)
-        z7 = d2 + d1 * c_phi
-        z8 = z7 * k1
-        z9 = 1.0 - z8
-        z10 = I2 * z9
-        z11 = I1 + z9 * z10
-        z12 = z4 * z10
-        z13 = 1.0 / z6
-        z14 = z12 * z13
-        z15 = z11 - z12 * z14
+        z2 = d2 + d1 * c_phi
+        z3 = z2 * k1
+        z4 = 1.0 - z3
+        z5 = I1 + I2 * (z4 * z4)
+        z6 = z4 * k2
+        z7 = s_phi * z6
+        z8 = 1.0 / z1
+        z9 = z8 * z7
+        z10 = z5 - z7 * z9
         # the mass matrix is singular
-        if not abs(z15) > 1e-14 * z11:
+        if not abs(z10) > 1e-14 * z5:
             raise SingularModelError(2, "jacobian")
-        z16 = s_theta * v
-        z17 = c_theta * v
-        z18 = s1 * (z16 * k1) + c1 * (z17 * k1)
-        z19 = s1 * k1
-        z20 = c1 * k1
-        s_phi = math.sin(phi)
-        z21 = theta_dot * c_theta
-        z22 = v * z21
-        z23 = k1 * z5
-        z24 = k1 * (theta_dot * z7 + (c1 * z16 - s1 * z17))
-        z25 = theta_dot - z24
-        z26 = z17 * z23
-        z27 = d1 * (theta_dot * z23)
-        z28 = z16 * z23
-        z29 = s1 * z28 + c1 * z26
-        z30 = k1 * (s_phi * z27 + z29)
-        z31 = d1 * (z24 * s_phi)
-        z32 = s1 * z25
-        z33 = c1 * z25
-        z34 = theta_dot * s_theta
-        z35 = v * z34
-        s2 = z16 * z32 - c1 * z22 + (z17 * z33 - s1 * z35)
-        z36 = I2 * (k1 * (theta_dot * z31 - s2))
-        z37 = 1.0 / z15
-        z38 = m * z35
-        z39 = m * z22
-        z40 = z4 * z36 - (c_theta * z38 - s_theta * z39)
-        z41 = z37 * (z9 * z36 - z40 * z14)
-        z42 = z36 - z10 * z41
-        z43 = z40 * z13 - z14 * z41
-        z44 = z4 * z43
-        z45 = k1 * (z42 - z5 * z43 - I2 * z44)
-        s3 = s1 * (z22 * z23 - z25 * z26 + z16 * z30 + s_theta * z45)
-        s4 = c1 * (z35 * z23 - z25 * z28 - z17 * z30 - c_theta * z45)
-        z46 = s3 - s4
-        z47 = z33 * z23 + s1 * z30
-        z48 = z2 + c1 * z23
-        z49 = v * z48
-        s5 = theta_dot * z49 - (z38 + z1 * z43 + m * (c_theta * z43))
-        z50 = v * z47 - s5 + s1 * z45
-        z51 = z32 * z23 - c1 * z30
-        z52 = z1 - s1 * z23
-        z53 = v * z52
-        s6 = theta_dot * z53 - (z39 - z2 * z43 - m * (s_theta * z43))
-        z54 = v * z51 + s6 - c1 * z45
-        z55 = z46 - s_theta * z50 + c_theta * z54
-        z56 = k1 * z10
-        z57 = z17 * z56
-        z58 = d1 * (theta_dot * z56)
-        z59 = z16 * z56
-        z60 = s1 * z59 + c1 * z57
-        z61 = k1 * (s_phi * z58 + z60)
-        z62 = k1 * (z10 * z43)
-        s7 = s1 * (z22 * z56 - z25 * z57 + z16 * z61 - s_theta * z62)
-        s8 = c1 * (z35 * z56 - z25 * z59 - z17 * z61 + c_theta * z62)
-        z63 = s7 - s8
-        z64 = c1 * z56
-        z65 = v * z64
-        z66 = z33 * z56 + s1 * z61
-        z67 = s1 * z56
-        z68 = v * z67
-        z69 = z32 * z56 - c1 * z61
-        s9 = z63 + s_theta * (theta_dot * z65 - v * z66 + s1 * z62)
-        z70 = s9 - c_theta * (theta_dot * z68 - v * z69 - c1 * z62)
-        z71 = z37 * (z70 - z14 * z55)
-        s10 = s_phi * (d1 * (theta_dot * z30 + k1 * (I2 * (z4 * z41))))
-        z72 = z46 - (c_phi * (z24 * z27) - s10)
-        s11 = d1 * (theta_dot * z61 - k1 * (z42 - I2 * (z44 + z9 * z41)))
-        z73 = c_phi * (z24 * z58) - s_phi * s11
-        z74 = z37 * (z63 - z73 - z14 * z72)
-        z75 = z21 * z48 - z34 * z52 - s_theta * z51 - c_theta * z47
-        s12 = z21 * z64 + z34 * z67 - s_theta * z69 - c_theta * z66
-        z76 = z37 * (s12 - z14 * z75)
-        z77 = z29 - (z31 * z23 - s_theta * z53 + c_theta * z49) - z7 * z30
-        s13 = z60 - (z31 * z56 + s_theta * z68 + c_theta * z65) - z7 * z61
-        z78 = z37 * (s13 - z14 * z77)
+        s_theta = math.sin(theta)
+        c_theta = math.cos(theta)
+        z11 = theta_dot * d1
+        z12 = s_phi * k1
+        z13 = s_phi * k3
+        z14 = v * z13
+        z15 = z11 * z13
+        z16 = k1 * (c_phi * z14 + s_phi * z15)
+        z17 = k1 * (theta_dot * z2 - v * s_phi)
+        z18 = d1 * (s_phi * z17)
+        z19 = c_phi * z17
+        z20 = theta_dot * z18 + v * z19
+        z21 = 1.0 / z10
+        z22 = z20 * z13
+        z23 = z21 * (z20 * z6 - z9 * z22)
+        z24 = k2 * z23
+        z25 = z8 * z22 - z9 * z23
+        s1 = z17 * z15 + (z20 * k3 - z4 * z24 - 2.0 * (z13 * z25))
+        z26 = c_phi * (v * z16 - s1)
+        s2 = s_phi * (z17 * z14 + d1 * (theta_dot * z16 + z12 * z24))
+        z27 = z26 + s2
+        z28 = v * z6
+        z29 = z11 * z6
+        z30 = k1 * (c_phi * z28 + s_phi * z29)
+        z31 = k2 * z25
+        s3 = k1 * (z20 * k2 - 2.0 * (I2 * (z4 * z23)) - s_phi * z31)
+        z32 = d1 * (theta_dot * z30 - s3)
+        s4 = c_phi * (v * z30 - (z17 * z29 - z4 * z31))
+        z33 = s4 + s_phi * (z17 * z28 + z32) - z9 * z27
+        z34 = z21 * z33
+        z35 = z19 * z13 - s_phi * z16
+        z36 = z21 * (z19 * z6 - s_phi * z30 - z9 * z35)
+        z37 = z18 * z13 + z2 * z16
+        z38 = z21 * (z18 * z6 + z2 * z30 - z9 * z37)
         J: list[float] = [
-            # (I.2.15)
+            0.0,
             0.0,
             # (I.2.15)
-            0.0,
-            # (I.2.15)
-            -z16,
-            # (I.2.15)
+            -s_theta * v,
             0.0,
             # (I.2.15)
             c_theta,
-            # (I.2.15)
+            0.0,
+            0.0,
             0.0,
             # (I.2.15)
-            0.0,
-            # (I.2.15)
-            0.0,
-            # (I.2.15)
-            z17,
-            # (I.2.15)
+            c_theta * v,
             0.0,
             # (I.2.15)
             s_theta,
-            # (I.2.15)
             0.0,
-            # (I.2.15)
             0.0,
-            # (I.2.15)
             0.0,
-            # (I.2.15)
             0.0,
-            # (I.2.15)
             0.0,
-            # (I.2.15)
             0.0,
             # (I.2.15)
             1.0,
-            # (I.2.15)
+            0.0,
+            0.0,
             0.0,
             # (I.2.15)
+            k1 * (c_phi * v + s_phi * z11),
+            # (I.2.15)
+            z12,
+            # (I.2.15)
+            -z3,
+            0.0,
+            0.0,
             0.0,
             # (I.2.15)
-            z18 - s_theta * (v * z19) - c_theta * (v * z20),
+            z9 * z34 - z8 * z27,
             # (I.2.15)
-            s_phi * (d1 * (theta_dot * k1)) + z18,
+            z8 * z35 - z9 * z36,
             # (I.2.15)
-            c_theta * z19 - s_theta * z20,
-            # (I.2.15)
-            -z8,
-            # (I.2.15)
+            z8 * z37 - z9 * z38,
+            0.0,
+            0.0,
             0.0,
             # (I.2.15)
-            0.0,
+            -z34,
             # (I.2.15)
-            z13 * z55 - z14 * z71,
+            z36,
             # (I.2.15)
-            z13 * z72 - z14 * z74,
-            # (I.2.15)
-            z14 * z76 - z13 * z75,
-            # (I.2.15)
-            z13 * z77 - z14 * z78,
-            # (I.2.15)
-            0.0,
-            # (I.2.15)
-            0.0,
-            # (I.2.15)
-            -z71,
-            # (I.2.15)
-            -z74,
-            # (I.2.15)
-            z76,
-            # (I.2.15)
-            -z78,
+            z38,
         ]
         _finish("jacobian", J)
-        return [J[k2 : k2 + 6] for k2 in range(0, 36, 6)]
+        return [J[k4 : k4 + 6] for k4 in range(0, 36, 6)]
     except (ValueError, ZeroDivisionError, OverflowError) as error:
         raise SingularModelError(NOT_FINITE, "jacobian") from error
 

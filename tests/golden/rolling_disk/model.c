@@ -1,5 +1,5 @@
 /*
- * rolling_disk.c: rolling_disk, emitted by nhc 0.1.0 (nhc:c13ea24b4b1dd408)
+ * rolling_disk.c: rolling_disk, emitted by nhc 0.1.0 (nhc:8f5d2fc365860478)
  * A thin disk that rolls on a horizontal plane and may lean and fall (Euler's disk).
  * Source: rolling_disk.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -10,6 +10,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <string.h>
 
 const char *const rolling_disk_coordinate_names[] = {
     "x",
@@ -52,11 +53,143 @@ static int rolling_disk_finish(int count, const double *values)
     return fabs(sum) <= DBL_MAX ? ROLLING_DISK_OK : ROLLING_DISK_NOT_FINITE;
 }
 
+/* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
+#ifndef ROLLING_DISK_LANES
+#if !defined(__GNUC__)
+#define ROLLING_DISK_LANES 1
+#elif defined(__AVX512F__)
+#define ROLLING_DISK_LANES 8
+#elif defined(__AVX__)
+#define ROLLING_DISK_LANES 4
+#else
+#define ROLLING_DISK_LANES 2
+#endif
+#endif
+#if ROLLING_DISK_LANES > 1
+typedef double rolling_disk_lanes __attribute__((vector_size(8 * ROLLING_DISK_LANES)));
+#else
+typedef double rolling_disk_lanes;
+#endif
+
+#if ROLLING_DISK_LANES >= 2
+static inline rolling_disk_lanes rolling_disk_get(const double *from)
+{
+    rolling_disk_lanes value;
+    memcpy(&value, from, sizeof value);
+    return value;
+}
+
+static inline void rolling_disk_put(double *to, rolling_disk_lanes value)
+{
+    memcpy(to, &value, sizeof value);
+}
+#endif
+
+/* states first, first + 1, ... through rhs, one by one; the first status that is not OK */
+#if defined(__GNUC__)
+__attribute__((noinline))
+#endif
+static int rolling_disk_one_by_one(size_t count, size_t first, size_t number, const double *t, const double *y, const double *p, double *dydt)
+{
+    int status = ROLLING_DISK_OK;
+    for (size_t i = first; i < first + number; ++i) {
+        double state[ROLLING_DISK_NY];
+        double slope[ROLLING_DISK_NY];
+        for (size_t k = 0; k < ROLLING_DISK_NY; ++k) {
+            state[k] = y[k * count + i];
+            slope[k] = NAN;
+        }
+        const int one = rolling_disk_rhs(t[i], state, p, slope);
+        status = status == ROLLING_DISK_OK ? one : status;
+        for (size_t k = 0; k < ROLLING_DISK_NY; ++k) {
+            dydt[k * count + i] = slope[k];
+        }
+    }
+    return status;
+}
+
+#if ROLLING_DISK_LANES >= 2
+#define ROLLING_DISK_SPREAD(x) ((x) - (rolling_disk_lanes){0}) /* a number in each lane; lanes stay what they are */
+
+typedef unsigned long long rolling_disk_bits __attribute__((vector_size(8 * ROLLING_DISK_LANES)));
+
+/* all bits where value is not above bound, or is no number */
+static inline rolling_disk_bits rolling_disk_misses(rolling_disk_lanes value, rolling_disk_lanes bound)
+{
+    return ~(rolling_disk_bits)(value > bound);
+}
+
+/* no number where a bit is set */
+static inline rolling_disk_lanes rolling_disk_mark(rolling_disk_lanes value, rolling_disk_bits bad)
+{
+    return (rolling_disk_lanes)((rolling_disk_bits)value | bad);
+}
+
+static inline rolling_disk_lanes rolling_disk_size(rolling_disk_lanes x)
+{
+    return (rolling_disk_lanes)((rolling_disk_bits)x & 0x7fffffffffffffffULL);
+}
+/* whether none of the states must be asked again: no singular block, no infinity, no angle anywhere near 1e5 */
+static inline int rolling_disk_is_good(int count, const double *check)
+{
+    double even = 0.0;
+    double odd = 0.0;
+    for (int k = 0; k < count; k += 2) {
+        even += check[k];
+        odd += check[k + 1];
+    }
+    return even + odd <= 1e10;
+}
+
+/* the last states, fewer than there are lanes; the others repeat the last one */
+static inline void rolling_disk_fill(size_t left, size_t count, const double *t, const double *y, double *time, double *state)
+{
+    for (size_t l = 0; l < ROLLING_DISK_LANES; ++l) {
+        const size_t i = l < left ? l : left - 1;
+        time[l] = t[i];
+        for (size_t k = 0; k < ROLLING_DISK_NY; ++k) {
+            state[k * ROLLING_DISK_LANES + l] = y[k * count + i];
+        }
+    }
+}
+
+static inline void rolling_disk_pour(size_t left, size_t count, const double *slope, double *dydt)
+{
+    for (size_t k = 0; k < ROLLING_DISK_NY; ++k) {
+        for (size_t l = 0; l < left; ++l) {
+            dydt[k * count + l] = slope[k * ROLLING_DISK_LANES + l];
+        }
+    }
+}
+
+/* libm's sine and cosine, lane by lane */
+static inline void rolling_disk_turn_lanes(rolling_disk_lanes x, rolling_disk_lanes *far, rolling_disk_lanes *sine, rolling_disk_lanes *cosine)
+{
+    double angle[ROLLING_DISK_LANES];
+    double up[ROLLING_DISK_LANES];
+    double along[ROLLING_DISK_LANES];
+    (void)far;
+    memcpy(angle, &x, sizeof x);
+    for (int l = 0; l < ROLLING_DISK_LANES; ++l) {
+        up[l] = sin(angle[l]);
+        along[l] = cos(angle[l]);
+    }
+    memcpy(sine, up, sizeof x);
+    memcpy(cosine, along, sizeof x);
+}
+#endif
+
 int rolling_disk_rhs(double t, const double *y, const double *p, double *dydt)
 {
     (void)t;
     const double phi = y[2]; /* yaw, direction of the horizontal diameter [rad] */
     const double theta = y[3]; /* tilt of the plane of the disk, pi/2 upright [rad] */
+
+    /* sines and cosines */
+    const double s_theta = sin(theta);
+    const double c_theta = cos(theta);
+    const double c_phi = cos(phi);
+    const double s_phi = sin(phi);
     const double w_t = y[5];
     const double w_u = y[6];
     const double w_n = y[7];
@@ -73,10 +206,24 @@ int rolling_disk_rhs(double t, const double *y, const double *p, double *dydt)
     const double k4 = g * (m * R);
     const double k5 = 1.0 / k2;
     const double k6 = 1.0 / A;
-    const double k7 = 1.0 / k3;
+    const double k7 = k1 / k3;
 
     /* state */
-    const double s_theta = sin(theta);
+    const double z1 = R * w_n;
+    const double z2 = R * (s_theta * w_t);
+    const double z3 = w_u / s_theta;
+    const double z4 = c_theta * z3;
+    const double z5 = A * z4;
+    /* (I.2.15) */
+    dydt[0] = s_phi * z2 - c_phi * z1; /* x' */
+    dydt[1] = -(s_phi * z1 + c_phi * z2); /* y' */
+    dydt[2] = z3; /* phi' */
+    dydt[3] = w_t; /* theta' */
+    dydt[4] = w_n - z4; /* psi' */
+    /* (I.2.15) 22:4 */
+    dydt[5] = -k5 * (c_theta * k4 + w_u * (w_n * k3 - z5)); /* w_t' */
+    dydt[6] = k6 * (w_t * (C * w_n - z5)); /* w_u' */
+    dydt[7] = k7 * (w_t * w_u); /* w_n' */
     /* the coframe is singular */
     if (!(fabs(s_theta) > 1e-12)) {
         return ROLLING_DISK_SINGULAR_1;
@@ -93,24 +240,6 @@ int rolling_disk_rhs(double t, const double *y, const double *p, double *dydt)
     if (!(fabs(k3) > 0.0)) {
         return ROLLING_DISK_SINGULAR_2;
     }
-    const double z = R * s_theta;
-    const double s_phi = sin(phi);
-    const double c_phi = cos(phi);
-    const double z1 = R * w_n;
-    const double z2 = 1.0 / s_theta;
-    const double z3 = w_u * z2;
-    const double c_theta = cos(theta);
-    const double z4 = z2 * (w_u * (A * c_theta));
-    /* (I.2.15) */
-    dydt[0] = z * s_phi * w_t - c_phi * z1; /* x' */
-    dydt[1] = -(z * c_phi * w_t + s_phi * z1); /* y' */
-    dydt[2] = z3; /* phi' */
-    dydt[3] = w_t; /* theta' */
-    dydt[4] = w_n - c_theta * z3; /* psi' */
-    /* (I.2.15) 22:4 */
-    dydt[5] = -(w_u * (w_n * k3 - z4) + c_theta * k4) * k5; /* w_t' */
-    dydt[6] = w_t * (C * w_n - z4) * k6; /* w_u' */
-    dydt[7] = w_u * (w_t * k1) * k7; /* w_n' */
     return rolling_disk_finish(8, dydt);
 }
 
@@ -119,29 +248,31 @@ int rolling_disk_velocities(double t, const double *y, const double *p, double *
     (void)t;
     const double phi = y[2]; /* yaw, direction of the horizontal diameter [rad] */
     const double theta = y[3]; /* tilt of the plane of the disk, pi/2 upright [rad] */
+
+    /* sines and cosines */
+    const double s_theta = sin(theta);
+    const double c_theta = cos(theta);
+    const double s_phi = sin(phi);
+    const double c_phi = cos(phi);
     const double w_t = y[5];
     const double w_u = y[6];
     const double w_n = y[7];
     const double R = p[1]; /* radius [m] */
 
     /* state */
-    const double s_theta = sin(theta);
+    const double z1 = R * s_theta * w_t;
+    const double z2 = R * w_n;
+    const double z3 = w_u / s_theta;
+    /* (I.2.4) */
+    qdot[0] = s_phi * z1 - c_phi * z2; /* x' */
+    qdot[1] = -(c_phi * z1 + s_phi * z2); /* y' */
+    qdot[2] = z3; /* phi' */
+    qdot[3] = w_t; /* theta' */
+    qdot[4] = w_n - c_theta * z3; /* psi' */
     /* the coframe is singular */
     if (!(fabs(s_theta) > 1e-12)) {
         return ROLLING_DISK_SINGULAR_1;
     }
-    const double z = R * s_theta;
-    const double s_phi = sin(phi);
-    const double c_phi = cos(phi);
-    const double z1 = R * w_n;
-    const double z2 = w_u / s_theta;
-    const double c_theta = cos(theta);
-    /* (I.2.4) */
-    qdot[0] = z * s_phi * w_t - c_phi * z1; /* x' */
-    qdot[1] = -(z * c_phi * w_t + s_phi * z1); /* y' */
-    qdot[2] = z2; /* phi' */
-    qdot[3] = w_t; /* theta' */
-    qdot[4] = w_n - c_theta * z2; /* psi' */
     return rolling_disk_finish(5, qdot);
 }
 
@@ -150,6 +281,12 @@ int rolling_disk_accelerations(double t, const double *y, const double *p, doubl
     (void)t;
     const double phi = y[2]; /* yaw, direction of the horizontal diameter [rad] */
     const double theta = y[3]; /* tilt of the plane of the disk, pi/2 upright [rad] */
+
+    /* sines and cosines */
+    const double s_theta = sin(theta);
+    const double c_theta = cos(theta);
+    const double c_phi = cos(phi);
+    const double s_phi = sin(phi);
     const double w_t = y[5];
     const double w_u = y[6];
     const double w_n = y[7];
@@ -166,10 +303,29 @@ int rolling_disk_accelerations(double t, const double *y, const double *p, doubl
     const double k4 = g * (m * R);
     const double k5 = 1.0 / k2;
     const double k6 = 1.0 / A;
-    const double k7 = 1.0 - k1 / k3;
+    const double k7 = k1 / k3;
 
     /* state */
-    const double s_theta = sin(theta);
+    const double z = R * s_theta;
+    const double z1 = z * w_t;
+    const double z2 = 1.0 / s_theta;
+    const double z3 = w_u * z2;
+    const double z4 = c_phi * z3;
+    const double z5 = c_theta * w_t;
+    const double z6 = A * (c_theta * z3);
+    const double z7 = k5 * (c_theta * k4 + w_u * (w_n * k3 - z6));
+    const double z8 = R * (w_t * z5) - z * z7;
+    const double z9 = R * w_n;
+    const double z10 = s_phi * z3;
+    const double z11 = k7 * (w_t * w_u);
+    const double z12 = R * z11;
+    const double z13 = w_u * z5 / (s_theta * s_theta) - k6 * ((C * w_n - z6) * (w_t * z2));
+    /* (I.2.15) */
+    qddot[0] = z1 * z4 + s_phi * z8 + (z9 * z10 - c_phi * z12); /* x'' */
+    qddot[1] = z1 * z10 - c_phi * z8 - (z9 * z4 + s_phi * z12); /* y'' */
+    qddot[2] = -z13; /* phi'' */
+    qddot[3] = -z7; /* theta'' */
+    qddot[4] = z11 + (z3 * (s_theta * w_t) + c_theta * z13); /* psi'' */
     /* the coframe is singular */
     if (!(fabs(s_theta) > 1e-12)) {
         return ROLLING_DISK_SINGULAR_1;
@@ -186,20 +342,6 @@ int rolling_disk_accelerations(double t, const double *y, const double *p, doubl
     if (!(fabs(k3) > 0.0)) {
         return ROLLING_DISK_SINGULAR_2;
     }
-    const double s_phi = sin(phi);
-    const double z1 = 1.0 / s_theta;
-    const double c_theta = cos(theta);
-    const double z2 = w_u * (A * c_theta);
-    const double z3 = w_u * (w_n * (z1 - k3 * (s_theta * k5)) + z2 * k5) + c_theta * (w_t * w_t - k5 *
-        (s_theta * k4));
-    const double c_phi = cos(phi);
-    const double z4 = w_t * (w_u * (2.0 / (s_theta * s_theta) - k7) - w_n * (C * c_theta) / (A * s_theta));
-    /* (I.2.15) */
-    qddot[0] = R * (s_phi * z3 + w_u * (c_phi * w_t) * k7); /* x'' */
-    qddot[1] = -R * (c_phi * z3 - w_u * (s_phi * w_t) * k7); /* y'' */
-    qddot[2] = w_t * z1 * (C * w_n * k6 - 2.0 * (z1 * (c_theta * w_u))); /* phi'' */
-    qddot[3] = -(w_u * (w_n * k3 - z1 * z2) + c_theta * k4) * k5; /* theta'' */
-    qddot[4] = z4; /* psi'' */
     return rolling_disk_finish(5, qddot);
 }
 
@@ -207,18 +349,20 @@ int rolling_disk_state(double t, const double *q, const double *qdot, const doub
 {
     (void)t;
     (void)p;
+    const double theta = q[3]; /* tilt of the plane of the disk, pi/2 upright [rad] */
+
+    /* sines and cosines */
+    const double s_theta = sin(theta);
+    const double c_theta = cos(theta);
     const double x = q[0]; /* centre [m] */
     const double y_2 = q[1]; /* centre [m] */
     const double phi = q[2]; /* yaw, direction of the horizontal diameter [rad] */
-    const double theta = q[3]; /* tilt of the plane of the disk, pi/2 upright [rad] */
     const double psi = q[4]; /* spin [rad] */
     const double phi_dot = qdot[2];
     const double theta_dot = qdot[3];
     const double psi_dot = qdot[4];
 
     /* state */
-    const double s_theta = sin(theta);
-    const double c_theta = cos(theta);
     y[0] = x;
     y[1] = y_2;
     y[2] = phi;
@@ -235,6 +379,12 @@ int rolling_disk_residuals(double t, const double *q, const double *qdot, const 
     (void)t;
     const double phi = q[2]; /* yaw, direction of the horizontal diameter [rad] */
     const double theta = q[3]; /* tilt of the plane of the disk, pi/2 upright [rad] */
+
+    /* sines and cosines */
+    const double c_theta = cos(theta);
+    const double s_theta = sin(theta);
+    const double c_phi = cos(phi);
+    const double s_phi = sin(phi);
     const double x_dot = qdot[0];
     const double y_dot = qdot[1];
     const double phi_dot = qdot[2];
@@ -243,16 +393,12 @@ int rolling_disk_residuals(double t, const double *q, const double *qdot, const 
     const double R = p[1]; /* radius [m] */
 
     /* state */
-    const double c_theta = cos(theta);
     const double z1 = R * (psi_dot + phi_dot * c_theta);
-    const double c_phi = cos(phi);
-    const double s_theta = sin(theta);
-    const double z = R * s_theta;
-    const double s_phi = sin(phi);
+    const double z2 = theta_dot * (R * s_theta);
     /* (I.1.1) 25:5 */
-    r[0] = x_dot + z1 * c_phi - theta_dot * (z * s_phi); /* roll_x = 0 */
+    r[0] = x_dot + z1 * c_phi - s_phi * z2; /* roll_x = 0 */
     /* (I.1.1) 26:5 */
-    r[1] = y_dot + z1 * s_phi + theta_dot * (z * c_phi); /* roll_y = 0 */
+    r[1] = y_dot + z1 * s_phi + c_phi * z2; /* roll_y = 0 */
     return rolling_disk_finish(2, r);
 }
 
@@ -261,6 +407,12 @@ int rolling_disk_reactions(double t, const double *y, const double *p, double *l
     (void)t;
     const double phi = y[2]; /* yaw, direction of the horizontal diameter [rad] */
     const double theta = y[3]; /* tilt of the plane of the disk, pi/2 upright [rad] */
+
+    /* sines and cosines */
+    const double s_theta = sin(theta);
+    const double c_theta = cos(theta);
+    const double s_phi = sin(phi);
+    const double c_phi = cos(phi);
     const double w_t = y[5];
     const double w_u = y[6];
     const double w_n = y[7];
@@ -271,22 +423,30 @@ int rolling_disk_reactions(double t, const double *y, const double *p, double *l
     const double g = p[4]; /* acceleration of gravity [m/s^2] */
 
     /* parameters only */
-    const double k1 = m * (R * R);
-    const double k2 = A + k1;
-    const double k3 = C + k1;
-    const double k4 = m * R;
-    const double k5 = g * k4;
-    const double k6 = 1.0 / k2;
-    const double k7 = 1.0 - k1 / k3;
+    const double k1 = m * R;
+    const double k2 = m * (R * R);
+    const double k3 = A + k2;
+    const double k4 = C + k2;
+    const double k5 = g * k1;
+    const double k6 = 1.0 / k3;
+    const double k7 = 1.0 - k2 / k4;
+    const double k8 = A * k6;
 
     /* state */
-    const double s_theta = sin(theta);
+    const double z1 = s_theta * k6;
+    const double z2 = w_u * (w_n * (1.0 / s_theta - k4 * z1) + c_theta * w_u * k8) + c_theta * (w_t * w_t -
+        k5 * z1);
+    const double z3 = w_t * w_u * k7;
+    /* (I.4.1) 25:5 */
+    lambda[0] = k1 * (s_phi * z2 + c_phi * z3); /* reaction of roll_x: Q_i gains lambda_1 a_1i */
+    /* (I.4.1) 26:5 */
+    lambda[1] = -k1 * (c_phi * z2 - s_phi * z3); /* reaction of roll_y: Q_i gains lambda_2 a_2i */
     /* the coframe is singular */
     if (!(fabs(s_theta) > 1e-12)) {
         return ROLLING_DISK_SINGULAR_1;
     }
     /* the mass matrix is singular */
-    if (!(fabs(k2) > 0.0)) {
+    if (!(fabs(k3) > 0.0)) {
         return ROLLING_DISK_SINGULAR_2;
     }
     /* the mass matrix is singular */
@@ -294,20 +454,9 @@ int rolling_disk_reactions(double t, const double *y, const double *p, double *l
         return ROLLING_DISK_SINGULAR_2;
     }
     /* the mass matrix is singular */
-    if (!(fabs(k3) > 0.0)) {
+    if (!(fabs(k4) > 0.0)) {
         return ROLLING_DISK_SINGULAR_2;
     }
-    const double s_phi = sin(phi);
-    const double c_theta = cos(theta);
-    const double z1 = w_u * (w_n * (1.0 / s_theta - k3 * (s_theta * k6)) + w_u * (A * c_theta) * k6) +
-        c_theta * (w_t * w_t - k6 * (s_theta * k5));
-    const double c_phi = cos(phi);
-    /* (I.4.1) 25:5 */
-    /* reaction of roll_x: Q_i gains lambda_1 a_1i */
-    lambda[0] = k4 * (s_phi * z1 + w_u * (c_phi * w_t) * k7);
-    /* (I.4.1) 26:5 */
-    /* reaction of roll_y: Q_i gains lambda_2 a_2i */
-    lambda[1] = -k4 * (c_phi * z1 - w_u * (s_phi * w_t) * k7);
     return rolling_disk_finish(2, lambda);
 }
 
@@ -328,19 +477,27 @@ double rolling_disk_energy(double t, const double *y, const double *p)
     const double k1 = m * R;
 
     /* state */
-    const double z1 = 0.5 * (w_t * w_t);
+    const double z1 = w_t * w_t;
     const double z2 = w_n * w_n;
     const double s_theta = sin(theta);
-    const double z3 = k1 * (R * (z1 + 0.5 * z2) + g * s_theta) + (0.5 * (C * z2) + A * (z1 + 0.5 * (w_u *
-        w_u)));
+    const double z3 = k1 * (0.5 * (R * (z1 + z2)) + g * s_theta) + 0.5 * (A * (z1 + w_u * w_u) + C * z2);
     return z3;
 }
 
 int rolling_disk_jacobian(double t, const double *y, const double *p, double *J)
 {
+    for (int entry = 0; entry < 64; ++entry) {
+        J[entry] = 0.0;
+    }
     (void)t;
     const double phi = y[2]; /* yaw, direction of the horizontal diameter [rad] */
     const double theta = y[3]; /* tilt of the plane of the disk, pi/2 upright [rad] */
+
+    /* sines and cosines */
+    const double s_theta = sin(theta);
+    const double c_theta = cos(theta);
+    const double c_phi = cos(phi);
+    const double s_phi = sin(phi);
     const double w_t = y[5];
     const double w_u = y[6];
     const double w_n = y[7];
@@ -357,10 +514,45 @@ int rolling_disk_jacobian(double t, const double *y, const double *p, double *J)
     const double k4 = g * (m * R);
     const double k5 = 1.0 / k2;
     const double k6 = 1.0 / A;
-    const double k7 = 1.0 / k3;
+    const double k7 = k1 / k3;
+    const double k8 = C * k6;
+    const double k9 = k3 * k5;
 
     /* state */
-    const double s_theta = sin(theta);
+    const double z = R * s_theta;
+    const double z1 = z * w_t;
+    const double z2 = R * w_n;
+    const double z_dot = R * (c_theta * w_t);
+    const double z3 = 1.0 / (s_theta * s_theta);
+    const double z4 = w_u * z3;
+    const double z5 = c_theta * z4;
+    const double z6 = 1.0 / s_theta;
+    const double z7 = c_theta * z6;
+    const double z8 = A * (w_u * z7);
+    /* (I.2.15) */
+    J[2] = c_phi * z1 + s_phi * z2;
+    J[3] = s_phi * z_dot;
+    J[5] = z * s_phi;
+    J[7] = -R * c_phi;
+    J[10] = s_phi * z1 - c_phi * z2;
+    J[11] = -c_phi * z_dot;
+    J[13] = -z * c_phi;
+    J[15] = -R * s_phi;
+    J[19] = -z5;
+    J[22] = z6;
+    J[29] = 1.0;
+    J[35] = w_u + c_theta * z5;
+    J[38] = -z7;
+    J[39] = 1.0;
+    J[43] = k5 * (s_theta * k4 - A * (z3 * (w_u * w_u)));
+    J[46] = -k5 * (w_n * k3 - 2.0 * z8);
+    J[47] = -w_u * k9;
+    J[51] = w_t * z4;
+    J[53] = k6 * (C * w_n - z8);
+    J[54] = -w_t * z7;
+    J[55] = w_t * k8;
+    J[61] = w_u * k7;
+    J[62] = w_t * k7;
     /* the coframe is singular */
     if (!(fabs(s_theta) > 1e-12)) {
         return ROLLING_DISK_SINGULAR_1;
@@ -377,114 +569,120 @@ int rolling_disk_jacobian(double t, const double *y, const double *p, double *J)
     if (!(fabs(k3) > 0.0)) {
         return ROLLING_DISK_SINGULAR_2;
     }
-    const double s_phi = sin(phi);
-    const double z1 = R * w_n;
-    const double c_phi = cos(phi);
-    const double z = R * s_theta;
-    const double z2 = z * w_t;
-    const double c_theta = cos(theta);
-    const double z3 = 1.0 / (s_theta * s_theta);
-    const double z4 = 1.0 / s_theta;
-    const double z5 = c_theta * w_u;
-    /* (I.2.15) */
-    J[0] = 0.0;
-    J[1] = 0.0;
-    J[2] = s_phi * z1 + c_phi * z2;
-    J[3] = c_theta * (R * (s_phi * w_t));
-    J[4] = 0.0;
-    J[5] = z * s_phi;
-    J[6] = 0.0;
-    J[7] = -R * c_phi;
-    J[8] = 0.0;
-    J[9] = 0.0;
-    J[10] = s_phi * z2 - c_phi * z1;
-    J[11] = -c_theta * (R * (c_phi * w_t));
-    J[12] = 0.0;
-    J[13] = -z * c_phi;
-    J[14] = 0.0;
-    J[15] = -R * s_phi;
-    J[16] = 0.0;
-    J[17] = 0.0;
-    J[18] = 0.0;
-    J[19] = -c_theta * (w_u * z3);
-    J[20] = 0.0;
-    J[21] = 0.0;
-    J[22] = z4;
-    J[23] = 0.0;
-    J[24] = 0.0;
-    J[25] = 0.0;
-    J[26] = 0.0;
-    J[27] = 0.0;
-    J[28] = 0.0;
-    J[29] = 1.0;
-    J[30] = 0.0;
-    J[31] = 0.0;
-    J[32] = 0.0;
-    J[33] = 0.0;
-    J[34] = 0.0;
-    J[35] = w_u + c_theta * (z3 * z5);
-    J[36] = 0.0;
-    J[37] = 0.0;
-    J[38] = -c_theta * z4;
-    J[39] = 1.0;
-    J[40] = 0.0;
-    J[41] = 0.0;
-    J[42] = 0.0;
-    J[43] = k5 * (s_theta * k4 - z3 * (A * (w_u * w_u)));
-    J[44] = 0.0;
-    J[45] = 0.0;
-    J[46] = -k5 * (w_n * k3 - 2.0 * (z4 * (w_u * (A * c_theta))));
-    J[47] = -k3 * (w_u * k5);
-    J[48] = 0.0;
-    J[49] = 0.0;
-    J[50] = 0.0;
-    J[51] = z3 * (w_t * w_u);
-    J[52] = 0.0;
-    J[53] = C * w_n * k6 - z4 * z5;
-    J[54] = -z4 * (c_theta * w_t);
-    J[55] = k6 * (C * w_t);
-    J[56] = 0.0;
-    J[57] = 0.0;
-    J[58] = 0.0;
-    J[59] = 0.0;
-    J[60] = 0.0;
-    J[61] = k7 * (w_u * k1);
-    J[62] = w_t * k1 * k7;
-    J[63] = 0.0;
     return rolling_disk_finish(64, J);
 }
 
 int rolling_disk_outputs(double t, const double *y, const double *p, double *out)
 {
     (void)t;
-    const double x = y[0]; /* centre [m] */
-    const double y_2 = y[1]; /* centre [m] */
     const double phi = y[2]; /* yaw, direction of the horizontal diameter [rad] */
     const double theta = y[3]; /* tilt of the plane of the disk, pi/2 upright [rad] */
+
+    /* sines and cosines */
+    const double s_theta = sin(theta);
+    const double c_theta = cos(theta);
+    const double s_phi = sin(phi);
+    const double c_phi = cos(phi);
+    const double x = y[0]; /* centre [m] */
+    const double y_2 = y[1]; /* centre [m] */
     const double R = p[1]; /* radius [m] */
 
     /* state */
-    const double s_theta = sin(theta);
-    /* the coframe is singular */
-    if (!(fabs(s_theta) > 1e-12)) {
-        return ROLLING_DISK_SINGULAR_1;
-    }
-    const double s_phi = sin(phi);
-    const double c_theta = cos(theta);
     const double z1 = R * c_theta;
-    const double c_phi = cos(phi);
     /* 33:11 */
     out[0] = R * s_theta; /* height */
     /* 34:14 */
     out[1] = x - s_phi * z1; /* contact_x */
     /* 35:14 */
     out[2] = y_2 + c_phi * z1; /* contact_y */
+    /* the coframe is singular */
+    if (!(fabs(s_theta) > 1e-12)) {
+        return ROLLING_DISK_SINGULAR_1;
+    }
     return rolling_disk_finish(3, out);
 }
+
+#if ROLLING_DISK_LANES >= 2
+static __attribute__((noinline)) void rolling_disk_rhs_lanes(const double *fixed, size_t stride, const double
+    *t, const double *y, double *restrict dydt, double *check)
+{
+    (void)t;
+    rolling_disk_lanes far = {0}; /* the squares of the angles */
+    rolling_disk_lanes sum = {0}; /* an infinity or a NaN among the results stays in it */
+    rolling_disk_bits bad = {0}; /* singular blocks */
+    const double R = fixed[0];
+    const double A = fixed[1];
+    const double C = fixed[2];
+    const double k3 = fixed[3];
+    const double k4 = fixed[4];
+    const double k5 = fixed[5];
+    const double k6 = fixed[6];
+    const double k7 = fixed[7];
+    const rolling_disk_lanes phi = rolling_disk_get(y + 2 * stride);
+    const rolling_disk_lanes theta = rolling_disk_get(y + 3 * stride);
+    const rolling_disk_lanes w_t = rolling_disk_get(y + 5 * stride);
+    const rolling_disk_lanes w_u = rolling_disk_get(y + 6 * stride);
+    const rolling_disk_lanes w_n = rolling_disk_get(y + 7 * stride);
+    rolling_disk_lanes sine1, cosine1;
+    rolling_disk_turn_lanes(ROLLING_DISK_SPREAD(theta), &far, &sine1, &cosine1);
+    const rolling_disk_lanes s_theta = sine1;
+    /* the coframe is singular */
+    bad |= rolling_disk_misses(rolling_disk_size(ROLLING_DISK_SPREAD(s_theta)), ROLLING_DISK_SPREAD(1e-12));
+    rolling_disk_lanes sine2, cosine2;
+    rolling_disk_turn_lanes(ROLLING_DISK_SPREAD(phi), &far, &sine2, &cosine2);
+    const rolling_disk_lanes c_phi = cosine2;
+    const rolling_disk_lanes z1 = R * w_n;
+    const rolling_disk_lanes s_phi = sine2;
+    const rolling_disk_lanes z2 = R * (s_theta * w_t);
+    const rolling_disk_lanes z3 = w_u / s_theta;
+    const rolling_disk_lanes c_theta = cosine1;
+    const rolling_disk_lanes z4 = c_theta * z3;
+    const rolling_disk_lanes z5 = A * z4;
+    /* (I.2.15) */
+    const rolling_disk_lanes slope1 = s_phi * z2 - c_phi * z1;
+    sum += slope1;
+    rolling_disk_put(dydt, slope1);
+    const rolling_disk_lanes slope2 = -(s_phi * z1 + c_phi * z2);
+    sum += slope2;
+    rolling_disk_put(dydt + 1 * stride, slope2);
+    const rolling_disk_lanes slope3 = z3;
+    sum += slope3;
+    rolling_disk_put(dydt + 2 * stride, slope3);
+    const rolling_disk_lanes slope4 = w_t;
+    sum += slope4;
+    rolling_disk_put(dydt + 3 * stride, slope4);
+    const rolling_disk_lanes slope5 = w_n - z4;
+    sum += slope5;
+    rolling_disk_put(dydt + 4 * stride, slope5);
+    /* (I.2.15) 22:4 */
+    const rolling_disk_lanes slope6 = -k5 * (c_theta * k4 + w_u * (w_n * k3 - z5));
+    sum += slope6;
+    rolling_disk_put(dydt + 5 * stride, slope6);
+    const rolling_disk_lanes slope7 = k6 * (w_t * (C * w_n - z5));
+    sum += slope7;
+    rolling_disk_put(dydt + 6 * stride, slope7);
+    const rolling_disk_lanes slope8 = k7 * (w_t * w_u);
+    sum += slope8;
+    rolling_disk_put(dydt + 7 * stride, slope8);
+    rolling_disk_put(check, rolling_disk_mark(far + (sum - sum), bad));
+}
+
+static __attribute__((noinline)) void rolling_disk_rhs_tail(const double *fixed, size_t left, size_t count,
+    const double *t, const double *y, double *restrict dydt, double *check)
+{
+    double time[ROLLING_DISK_LANES];
+    double state[8 * ROLLING_DISK_LANES];
+    double slope[8 * ROLLING_DISK_LANES];
+    rolling_disk_fill(left, count, t, y, time, state);
+    rolling_disk_rhs_lanes(fixed, ROLLING_DISK_LANES, time, state, slope, check);
+    rolling_disk_pour(left, count, slope, dydt);
+}
+#endif
 
 int rolling_disk_rhs_batch(size_t count, const double *t, const double *y, const double *p, double *restrict
     dydt)
 {
+#if ROLLING_DISK_LANES >= 2
     const double m = p[0]; /* mass [kg] */
     const double R = p[1]; /* radius [m] */
     const double A = p[2]; /* moment of inertia about a diameter [kg*m^2] */
@@ -496,7 +694,7 @@ int rolling_disk_rhs_batch(size_t count, const double *t, const double *y, const
     const double k4 = g * (m * R);
     const double k5 = 1.0 / k2;
     const double k6 = 1.0 / A;
-    const double k7 = 1.0 / k3;
+    const double k7 = k1 / k3;
     /* the mass matrix is singular */
     if (!(fabs(k2) > 0.0)) {
         return ROLLING_DISK_SINGULAR_2;
@@ -509,58 +707,23 @@ int rolling_disk_rhs_batch(size_t count, const double *t, const double *y, const
     if (!(fabs(k3) > 0.0)) {
         return ROLLING_DISK_SINGULAR_2;
     }
-    int singular1 = 0;
-    int bad = 0;
-    (void)t;
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC ivdep
+    const double fixed[] = {R, A, C, k3, k4, k5, k6, k7};
+    double check[1 * ROLLING_DISK_LANES];
+    int status = ROLLING_DISK_OK;
+    for (size_t i = 0; i < count; i += ROLLING_DISK_LANES) {
+        const size_t left = count - i < ROLLING_DISK_LANES ? count - i : ROLLING_DISK_LANES;
+        if (left == ROLLING_DISK_LANES) {
+            rolling_disk_rhs_lanes(fixed, count, t + i, y + i, dydt + i, check);
+        } else {
+            rolling_disk_rhs_tail(fixed, left, count, t + i, y + i, dydt + i, check);
+        }
+        if (!rolling_disk_is_good(1 * ROLLING_DISK_LANES, check)) {
+            const int one = rolling_disk_one_by_one(count, i, left, t, y, p, dydt);
+            status = status == ROLLING_DISK_OK ? one : status;
+        }
+    }
+    return status;
+#else
+    return rolling_disk_one_by_one(count, 0, count, t, y, p, dydt);
 #endif
-    for (size_t i = 0; i < count; ++i) {
-        const double phi = y[2 * count + i]; /* yaw, direction of the horizontal diameter [rad] */
-        const double theta = y[3 * count + i]; /* tilt of the plane of the disk, pi/2 upright [rad] */
-        const double w_t = y[5 * count + i];
-        const double w_u = y[6 * count + i];
-        const double w_n = y[7 * count + i];
-        const double s_theta = sin(theta);
-        /* the coframe is singular */
-        singular1 |= !(fabs(s_theta) > 1e-12);
-        const double z = R * s_theta;
-        const double s_phi = sin(phi);
-        const double c_phi = cos(phi);
-        const double z1 = R * w_n;
-        const double z2 = 1.0 / s_theta;
-        const double z3 = w_u * z2;
-        const double c_theta = cos(theta);
-        const double z4 = z2 * (w_u * (A * c_theta));
-        /* (I.2.15) */
-        const double slope1 = z * s_phi * w_t - c_phi * z1; /* x' */
-        dydt[i] = slope1;
-        bad |= !(fabs(slope1) <= DBL_MAX);
-        const double slope2 = -(z * c_phi * w_t + s_phi * z1); /* y' */
-        dydt[count + i] = slope2;
-        bad |= !(fabs(slope2) <= DBL_MAX);
-        const double slope3 = z3; /* phi' */
-        dydt[2 * count + i] = slope3;
-        bad |= !(fabs(slope3) <= DBL_MAX);
-        const double slope4 = w_t; /* theta' */
-        dydt[3 * count + i] = slope4;
-        bad |= !(fabs(slope4) <= DBL_MAX);
-        const double slope5 = w_n - c_theta * z3; /* psi' */
-        dydt[4 * count + i] = slope5;
-        bad |= !(fabs(slope5) <= DBL_MAX);
-        /* (I.2.15) 22:4 */
-        const double slope6 = -(w_u * (w_n * k3 - z4) + c_theta * k4) * k5; /* w_t' */
-        dydt[5 * count + i] = slope6;
-        bad |= !(fabs(slope6) <= DBL_MAX);
-        const double slope7 = w_t * (C * w_n - z4) * k6; /* w_u' */
-        dydt[6 * count + i] = slope7;
-        bad |= !(fabs(slope7) <= DBL_MAX);
-        const double slope8 = w_u * (w_t * k1) * k7; /* w_n' */
-        dydt[7 * count + i] = slope8;
-        bad |= !(fabs(slope8) <= DBL_MAX);
-    }
-    if (singular1) {
-        return ROLLING_DISK_SINGULAR_1;
-    }
-    return bad ? ROLLING_DISK_NOT_FINITE : ROLLING_DISK_OK;
 }

@@ -1,4 +1,4 @@
-"""rolling_disk, emitted by nhc 0.1.0 (nhc:286fa780292f9211).
+"""rolling_disk, emitted by nhc 0.1.0 (nhc:05c8b091e618905f).
 
 A thin disk that rolls on a horizontal plane and may lean and fall (Euler's disk).
 Source: rolling_disk.yaml
@@ -32,14 +32,14 @@ out[1] = contact_x
 out[2] = contact_y
 
 Operations:
-rhs: 8 +-, 27 *, 4 /, 4 calls
-velocities: 3 +-, 9 *, 1 /, 4 calls
-accelerations: 14 +-, 43 *, 6 /, 4 calls
+rhs: 8 +-, 22 *, 4 /, 4 calls
+velocities: 3 +-, 8 *, 1 /, 4 calls
+accelerations: 15 +-, 40 *, 5 /, 4 calls
 state: 1 +-, 2 *, 0 /, 2 calls
-residuals: 5 +-, 9 *, 0 /, 4 calls
-reactions: 9 +-, 25 *, 3 /, 4 calls
-energy: 5 +-, 13 *, 0 /, 1 calls
-jacobian: 8 +-, 54 *, 5 /, 4 calls
+residuals: 5 +-, 8 *, 0 /, 4 calls
+reactions: 9 +-, 22 *, 3 /, 4 calls
+energy: 5 +-, 11 *, 0 /, 1 calls
+jacobian: 8 +-, 44 *, 5 /, 4 calls
 outputs: 2 +-, 4 *, 0 /, 4 calls
 
 A singular point raises SingularModelError.
@@ -110,7 +110,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         k4 = g * (m * R)
         k5 = 1.0 / k2
         k6 = 1.0 / A
-        k7 = 1.0 / k3
+        k7 = k1 / k3
         # state
         s_theta = math.sin(theta)
         # the coframe is singular
@@ -125,31 +125,31 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         # the mass matrix is singular
         if not abs(k3) > 0.0:
             raise SingularModelError(2, "rhs")
-        z = R * s_theta
-        s_phi = math.sin(phi)
         c_phi = math.cos(phi)
         z1 = R * w_n
-        z2 = 1.0 / s_theta
-        z3 = w_u * z2
+        s_phi = math.sin(phi)
+        z2 = R * (s_theta * w_t)
+        z3 = w_u / s_theta
         c_theta = math.cos(theta)
-        z4 = z2 * (w_u * (A * c_theta))
+        z4 = c_theta * z3
+        z5 = A * z4
         dydt: list[float] = [
             # x' (I.2.15)
-            z * s_phi * w_t - c_phi * z1,
+            s_phi * z2 - c_phi * z1,
             # y' (I.2.15)
-            -(z * c_phi * w_t + s_phi * z1),
+            -(s_phi * z1 + c_phi * z2),
             # phi' (I.2.15)
             z3,
             # theta' (I.2.15)
             w_t,
             # psi' (I.2.15)
-            w_n - c_theta * z3,
+            w_n - z4,
             # w_t' (I.2.15) 22:4
-            -(w_u * (w_n * k3 - z4) + c_theta * k4) * k5,
+            -k5 * (c_theta * k4 + w_u * (w_n * k3 - z5)),
             # w_u' (I.2.15) 22:4
-            w_t * (C * w_n - z4) * k6,
+            k6 * (w_t * (C * w_n - z5)),
             # w_n' (I.2.15) 22:4
-            w_u * (w_t * k1) * k7,
+            k7 * (w_t * w_u),
         ]
         return _finish("rhs", dydt)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -178,23 +178,23 @@ def velocities(
         # the coframe is singular
         if not abs(s_theta) > 1e-12:
             raise SingularModelError(1, "velocities")
-        z = R * s_theta
         s_phi = math.sin(phi)
+        z1 = R * s_theta * w_t
         c_phi = math.cos(phi)
-        z1 = R * w_n
-        z2 = w_u / s_theta
+        z2 = R * w_n
+        z3 = w_u / s_theta
         c_theta = math.cos(theta)
         qdot: list[float] = [
             # x' (I.2.4)
-            z * s_phi * w_t - c_phi * z1,
+            s_phi * z1 - c_phi * z2,
             # y' (I.2.4)
-            -(z * c_phi * w_t + s_phi * z1),
+            -(c_phi * z1 + s_phi * z2),
             # phi' (I.2.4)
-            z2,
+            z3,
             # theta' (I.2.4)
             w_t,
             # psi' (I.2.4)
-            w_n - c_theta * z2,
+            w_n - c_theta * z3,
         ]
         return _finish("velocities", qdot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -229,7 +229,7 @@ def accelerations(
         k4 = g * (m * R)
         k5 = 1.0 / k2
         k6 = 1.0 / A
-        k7 = 1.0 - k1 / k3
+        k7 = k1 / k3
         # state
         s_theta = math.sin(theta)
         # the coframe is singular
@@ -244,26 +244,35 @@ def accelerations(
         # the mass matrix is singular
         if not abs(k3) > 0.0:
             raise SingularModelError(2, "accelerations")
-        s_phi = math.sin(phi)
-        z1 = 1.0 / s_theta
-        c_theta = math.cos(theta)
-        z2 = w_u * (A * c_theta)
-        s1 = w_u * (w_n * (z1 - k3 * (s_theta * k5)) + z2 * k5)
-        z3 = s1 + c_theta * (w_t * w_t - k5 * (s_theta * k4))
+        z = R * s_theta
+        z1 = z * w_t
         c_phi = math.cos(phi)
-        s2 = w_u * (2.0 / (s_theta * s_theta) - k7)
-        z4 = w_t * (s2 - w_n * (C * c_theta) / (A * s_theta))
+        z2 = 1.0 / s_theta
+        z3 = w_u * z2
+        z4 = c_phi * z3
+        s_phi = math.sin(phi)
+        c_theta = math.cos(theta)
+        z5 = c_theta * w_t
+        z6 = A * (c_theta * z3)
+        z7 = k5 * (c_theta * k4 + w_u * (w_n * k3 - z6))
+        z8 = R * (w_t * z5) - z * z7
+        z9 = R * w_n
+        z10 = s_phi * z3
+        z11 = k7 * (w_t * w_u)
+        z12 = R * z11
+        s1 = k6 * ((C * w_n - z6) * (w_t * z2))
+        z13 = w_u * z5 / (s_theta * s_theta) - s1
         qddot: list[float] = [
             # x'' (I.2.15)
-            R * (s_phi * z3 + w_u * (c_phi * w_t) * k7),
+            z1 * z4 + s_phi * z8 + (z9 * z10 - c_phi * z12),
             # y'' (I.2.15)
-            -R * (c_phi * z3 - w_u * (s_phi * w_t) * k7),
+            z1 * z10 - c_phi * z8 - (z9 * z4 + s_phi * z12),
             # phi'' (I.2.15)
-            w_t * z1 * (C * w_n * k6 - 2.0 * (z1 * (c_theta * w_u))),
+            -z13,
             # theta'' (I.2.15)
-            -(w_u * (w_n * k3 - z1 * z2) + c_theta * k4) * k5,
+            -z7,
             # psi'' (I.2.15)
-            z4,
+            z11 + (z3 * (s_theta * w_t) + c_theta * z13),
         ]
         return _finish("accelerations", qddot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -332,14 +341,14 @@ def residuals(
         c_theta = math.cos(theta)
         z1 = R * (psi_dot + phi_dot * c_theta)
         c_phi = math.cos(phi)
-        s_theta = math.sin(theta)
-        z = R * s_theta
         s_phi = math.sin(phi)
+        s_theta = math.sin(theta)
+        z2 = theta_dot * (R * s_theta)
         r: list[float] = [
             # roll_x = 0 (I.1.1) 25:5
-            x_dot + z1 * c_phi - theta_dot * (z * s_phi),
+            x_dot + z1 * c_phi - s_phi * z2,
             # roll_y = 0 (I.1.1) 26:5
-            y_dot + z1 * s_phi + theta_dot * (z * c_phi),
+            y_dot + z1 * s_phi + c_phi * z2,
         ]
         return _finish("residuals", r)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -369,38 +378,40 @@ def reactions(
     g = float(p[4])  # acceleration of gravity [m/s^2]
     try:
         # parameters only
-        k1 = m * (R * R)
-        k2 = A + k1
-        k3 = C + k1
-        k4 = m * R
-        k5 = g * k4
-        k6 = 1.0 / k2
-        k7 = 1.0 - k1 / k3
+        k1 = m * R
+        k2 = m * (R * R)
+        k3 = A + k2
+        k4 = C + k2
+        k5 = g * k1
+        k6 = 1.0 / k3
+        k7 = 1.0 - k2 / k4
+        k8 = A * k6
         # state
         s_theta = math.sin(theta)
         # the coframe is singular
         if not abs(s_theta) > 1e-12:
             raise SingularModelError(1, "reactions")
         # the mass matrix is singular
-        if not abs(k2) > 0.0:
+        if not abs(k3) > 0.0:
             raise SingularModelError(2, "reactions")
         # the mass matrix is singular
         if not abs(A) > 0.0:
             raise SingularModelError(2, "reactions")
         # the mass matrix is singular
-        if not abs(k3) > 0.0:
+        if not abs(k4) > 0.0:
             raise SingularModelError(2, "reactions")
         s_phi = math.sin(phi)
+        z1 = s_theta * k6
         c_theta = math.cos(theta)
-        s1 = w_n * (1.0 / s_theta - k3 * (s_theta * k6))
-        s2 = c_theta * (w_t * w_t - k6 * (s_theta * k5))
-        z1 = w_u * (s1 + w_u * (A * c_theta) * k6) + s2
+        s1 = w_u * (w_n * (1.0 / s_theta - k4 * z1) + c_theta * w_u * k8)
+        z2 = s1 + c_theta * (w_t * w_t - k5 * z1)
         c_phi = math.cos(phi)
+        z3 = w_t * w_u * k7
         lambda_: list[float] = [
             # reaction of roll_x: Q_i gains lambda_1 a_1i (I.4.1) 25:5
-            k4 * (s_phi * z1 + w_u * (c_phi * w_t) * k7),
+            k1 * (s_phi * z2 + c_phi * z3),
             # reaction of roll_y: Q_i gains lambda_2 a_2i (I.4.1) 26:5
-            -k4 * (c_phi * z1 - w_u * (s_phi * w_t) * k7),
+            -k1 * (c_phi * z2 - s_phi * z3),
         ]
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -426,11 +437,11 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
         # parameters only
         k1 = m * R
         # state
-        z1 = 0.5 * (w_t * w_t)
+        z1 = w_t * w_t
         z2 = w_n * w_n
         s_theta = math.sin(theta)
-        s1 = 0.5 * (C * z2) + A * (z1 + 0.5 * (w_u * w_u))
-        z3 = k1 * (R * (z1 + 0.5 * z2) + g * s_theta) + s1
+        s1 = k1 * (0.5 * (R * (z1 + z2)) + g * s_theta)
+        z3 = s1 + 0.5 * (A * (z1 + w_u * w_u) + C * z2)
         value1 = z3
         return _single("energy", value1)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -465,7 +476,9 @@ def jacobian(
         k4 = g * (m * R)
         k5 = 1.0 / k2
         k6 = 1.0 / A
-        k7 = 1.0 / k3
+        k7 = k1 / k3
+        k8 = C * k6
+        k9 = k3 * k5
         # state
         s_theta = math.sin(theta)
         # the coframe is singular
@@ -480,147 +493,110 @@ def jacobian(
         # the mass matrix is singular
         if not abs(k3) > 0.0:
             raise SingularModelError(2, "jacobian")
-        s_phi = math.sin(phi)
-        z1 = R * w_n
         c_phi = math.cos(phi)
         z = R * s_theta
-        z2 = z * w_t
+        z1 = z * w_t
+        s_phi = math.sin(phi)
+        z2 = R * w_n
         c_theta = math.cos(theta)
+        z_dot = R * (c_theta * w_t)
         z3 = 1.0 / (s_theta * s_theta)
-        z4 = 1.0 / s_theta
-        z5 = c_theta * w_u
+        z4 = w_u * z3
+        z5 = c_theta * z4
+        z6 = 1.0 / s_theta
+        z7 = c_theta * z6
+        z8 = A * (w_u * z7)
         J: list[float] = [
-            # (I.2.15)
+            0.0,
             0.0,
             # (I.2.15)
-            0.0,
+            c_phi * z1 + s_phi * z2,
             # (I.2.15)
-            s_phi * z1 + c_phi * z2,
-            # (I.2.15)
-            c_theta * (R * (s_phi * w_t)),
-            # (I.2.15)
+            s_phi * z_dot,
             0.0,
             # (I.2.15)
             z * s_phi,
-            # (I.2.15)
             0.0,
             # (I.2.15)
             -R * c_phi,
-            # (I.2.15)
+            0.0,
             0.0,
             # (I.2.15)
-            0.0,
+            s_phi * z1 - c_phi * z2,
             # (I.2.15)
-            s_phi * z2 - c_phi * z1,
-            # (I.2.15)
-            -c_theta * (R * (c_phi * w_t)),
-            # (I.2.15)
+            -c_phi * z_dot,
             0.0,
             # (I.2.15)
             -z * c_phi,
-            # (I.2.15)
             0.0,
             # (I.2.15)
             -R * s_phi,
-            # (I.2.15)
+            0.0,
+            0.0,
             0.0,
             # (I.2.15)
+            -z5,
+            0.0,
             0.0,
             # (I.2.15)
+            z6,
             0.0,
-            # (I.2.15)
-            -c_theta * (w_u * z3),
-            # (I.2.15)
             0.0,
-            # (I.2.15)
             0.0,
-            # (I.2.15)
-            z4,
-            # (I.2.15)
             0.0,
-            # (I.2.15)
             0.0,
-            # (I.2.15)
-            0.0,
-            # (I.2.15)
-            0.0,
-            # (I.2.15)
-            0.0,
-            # (I.2.15)
             0.0,
             # (I.2.15)
             1.0,
-            # (I.2.15)
+            0.0,
+            0.0,
+            0.0,
+            0.0,
             0.0,
             # (I.2.15)
+            w_u + c_theta * z5,
+            0.0,
             0.0,
             # (I.2.15)
-            0.0,
-            # (I.2.15)
-            0.0,
-            # (I.2.15)
-            0.0,
-            # (I.2.15)
-            w_u + c_theta * (z3 * z5),
-            # (I.2.15)
-            0.0,
-            # (I.2.15)
-            0.0,
-            # (I.2.15)
-            -c_theta * z4,
+            -z7,
             # (I.2.15)
             1.0,
-            # (I.2.15)
+            0.0,
+            0.0,
             0.0,
             # (I.2.15)
+            k5 * (s_theta * k4 - A * (z3 * (w_u * w_u))),
+            0.0,
             0.0,
             # (I.2.15)
+            -k5 * (w_n * k3 - 2.0 * z8),
+            # (I.2.15)
+            -w_u * k9,
+            0.0,
+            0.0,
             0.0,
             # (I.2.15)
-            k5 * (s_theta * k4 - z3 * (A * (w_u * w_u))),
-            # (I.2.15)
+            w_t * z4,
             0.0,
             # (I.2.15)
+            k6 * (C * w_n - z8),
+            # (I.2.15)
+            -w_t * z7,
+            # (I.2.15)
+            w_t * k8,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
             0.0,
             # (I.2.15)
-            -k5 * (w_n * k3 - 2.0 * (z4 * (w_u * (A * c_theta)))),
+            w_u * k7,
             # (I.2.15)
-            -k3 * (w_u * k5),
-            # (I.2.15)
-            0.0,
-            # (I.2.15)
-            0.0,
-            # (I.2.15)
-            0.0,
-            # (I.2.15)
-            z3 * (w_t * w_u),
-            # (I.2.15)
-            0.0,
-            # (I.2.15)
-            C * w_n * k6 - z4 * z5,
-            # (I.2.15)
-            -z4 * (c_theta * w_t),
-            # (I.2.15)
-            k6 * (C * w_t),
-            # (I.2.15)
-            0.0,
-            # (I.2.15)
-            0.0,
-            # (I.2.15)
-            0.0,
-            # (I.2.15)
-            0.0,
-            # (I.2.15)
-            0.0,
-            # (I.2.15)
-            k7 * (w_u * k1),
-            # (I.2.15)
-            w_t * k1 * k7,
-            # (I.2.15)
+            w_t * k7,
             0.0,
         ]
         _finish("jacobian", J)
-        return [J[k8 : k8 + 8] for k8 in range(0, 64, 8)]
+        return [J[k10 : k10 + 8] for k10 in range(0, 64, 8)]
     except (ValueError, ZeroDivisionError, OverflowError) as error:
         raise SingularModelError(NOT_FINITE, "jacobian") from error
 

@@ -1,5 +1,5 @@
 /*
- * routh_sphere.c: routh_sphere, emitted by nhc 0.1.0 (nhc:ad17aa3b4868fad1)
+ * routh_sphere.c: routh_sphere, emitted by nhc 0.1.0 (nhc:805d1f2f64d36f85)
  * A ball with its centre of mass off its centre, dynamically symmetric, rolls on a horizontal plane.
  * Source: routh_sphere.yaml
  * Equations of motion: chaplygin (III.3)
@@ -10,6 +10,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <string.h>
 
 const char *const routh_sphere_coordinate_names[] = {
     "x",
@@ -54,11 +55,143 @@ static int routh_sphere_finish(int count, const double *values)
     return fabs(sum) <= DBL_MAX ? ROUTH_SPHERE_OK : ROUTH_SPHERE_NOT_FINITE;
 }
 
+/* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
+#ifndef ROUTH_SPHERE_LANES
+#if !defined(__GNUC__)
+#define ROUTH_SPHERE_LANES 1
+#elif defined(__AVX512F__)
+#define ROUTH_SPHERE_LANES 8
+#elif defined(__AVX__)
+#define ROUTH_SPHERE_LANES 4
+#else
+#define ROUTH_SPHERE_LANES 2
+#endif
+#endif
+#if ROUTH_SPHERE_LANES > 1
+typedef double routh_sphere_lanes __attribute__((vector_size(8 * ROUTH_SPHERE_LANES)));
+#else
+typedef double routh_sphere_lanes;
+#endif
+
+#if ROUTH_SPHERE_LANES >= 2
+static inline routh_sphere_lanes routh_sphere_get(const double *from)
+{
+    routh_sphere_lanes value;
+    memcpy(&value, from, sizeof value);
+    return value;
+}
+
+static inline void routh_sphere_put(double *to, routh_sphere_lanes value)
+{
+    memcpy(to, &value, sizeof value);
+}
+#endif
+
+/* states first, first + 1, ... through rhs, one by one; the first status that is not OK */
+#if defined(__GNUC__)
+__attribute__((noinline))
+#endif
+static int routh_sphere_one_by_one(size_t count, size_t first, size_t number, const double *t, const double *y, const double *p, double *dydt)
+{
+    int status = ROUTH_SPHERE_OK;
+    for (size_t i = first; i < first + number; ++i) {
+        double state[ROUTH_SPHERE_NY];
+        double slope[ROUTH_SPHERE_NY];
+        for (size_t k = 0; k < ROUTH_SPHERE_NY; ++k) {
+            state[k] = y[k * count + i];
+            slope[k] = NAN;
+        }
+        const int one = routh_sphere_rhs(t[i], state, p, slope);
+        status = status == ROUTH_SPHERE_OK ? one : status;
+        for (size_t k = 0; k < ROUTH_SPHERE_NY; ++k) {
+            dydt[k * count + i] = slope[k];
+        }
+    }
+    return status;
+}
+
+#if ROUTH_SPHERE_LANES >= 2
+#define ROUTH_SPHERE_SPREAD(x) ((x) - (routh_sphere_lanes){0}) /* a number in each lane; lanes stay what they are */
+
+typedef unsigned long long routh_sphere_bits __attribute__((vector_size(8 * ROUTH_SPHERE_LANES)));
+
+/* all bits where value is not above bound, or is no number */
+static inline routh_sphere_bits routh_sphere_misses(routh_sphere_lanes value, routh_sphere_lanes bound)
+{
+    return ~(routh_sphere_bits)(value > bound);
+}
+
+/* no number where a bit is set */
+static inline routh_sphere_lanes routh_sphere_mark(routh_sphere_lanes value, routh_sphere_bits bad)
+{
+    return (routh_sphere_lanes)((routh_sphere_bits)value | bad);
+}
+
+static inline routh_sphere_lanes routh_sphere_size(routh_sphere_lanes x)
+{
+    return (routh_sphere_lanes)((routh_sphere_bits)x & 0x7fffffffffffffffULL);
+}
+/* whether none of the states must be asked again: no singular block, no infinity, no angle anywhere near 1e5 */
+static inline int routh_sphere_is_good(int count, const double *check)
+{
+    double even = 0.0;
+    double odd = 0.0;
+    for (int k = 0; k < count; k += 2) {
+        even += check[k];
+        odd += check[k + 1];
+    }
+    return even + odd <= 1e10;
+}
+
+/* the last states, fewer than there are lanes; the others repeat the last one */
+static inline void routh_sphere_fill(size_t left, size_t count, const double *t, const double *y, double *time, double *state)
+{
+    for (size_t l = 0; l < ROUTH_SPHERE_LANES; ++l) {
+        const size_t i = l < left ? l : left - 1;
+        time[l] = t[i];
+        for (size_t k = 0; k < ROUTH_SPHERE_NY; ++k) {
+            state[k * ROUTH_SPHERE_LANES + l] = y[k * count + i];
+        }
+    }
+}
+
+static inline void routh_sphere_pour(size_t left, size_t count, const double *slope, double *dydt)
+{
+    for (size_t k = 0; k < ROUTH_SPHERE_NY; ++k) {
+        for (size_t l = 0; l < left; ++l) {
+            dydt[k * count + l] = slope[k * ROUTH_SPHERE_LANES + l];
+        }
+    }
+}
+
+/* libm's sine and cosine, lane by lane */
+static inline void routh_sphere_turn_lanes(routh_sphere_lanes x, routh_sphere_lanes *far, routh_sphere_lanes *sine, routh_sphere_lanes *cosine)
+{
+    double angle[ROUTH_SPHERE_LANES];
+    double up[ROUTH_SPHERE_LANES];
+    double along[ROUTH_SPHERE_LANES];
+    (void)far;
+    memcpy(angle, &x, sizeof x);
+    for (int l = 0; l < ROUTH_SPHERE_LANES; ++l) {
+        up[l] = sin(angle[l]);
+        along[l] = cos(angle[l]);
+    }
+    memcpy(sine, up, sizeof x);
+    memcpy(cosine, along, sizeof x);
+}
+#endif
+
 int routh_sphere_rhs(double t, const double *y, const double *p, double *dydt)
 {
     (void)t;
     const double phi = y[2]; /* precession [rad] */
     const double theta = y[3]; /* nutation [rad] */
+
+    /* sines and cosines */
+    const double s_theta = sin(theta);
+    const double c_theta = cos(theta);
+    const double c_phi = cos(phi);
+    const double s_phi = sin(phi);
     const double phi_dot = y[5];
     const double theta_dot = y[6];
     const double psi_dot = y[7];
@@ -72,56 +205,53 @@ int routh_sphere_rhs(double t, const double *y, const double *p, double *dydt)
     /* parameters only */
     const double k1 = R * R;
     const double k2 = m * k1;
-    const double k3 = e * e;
-    const double k4 = m * k3;
-    const double k5 = I3 - (I1 + k4);
-    const double k6 = m * R;
-    const double k7 = e * k6;
-    const double k8 = 2.0 * I3 - (2.0 * I1 + 2.0 * k4);
-    const double k9 = m * e;
+    const double k3 = m * e;
+    const double k4 = m * R;
+    const double k5 = e * e;
+    const double k6 = I3 - (I1 + m * k5);
+    const double k7 = e * k4;
 
     /* state */
-    const double s_theta = sin(theta);
     const double z1 = s_theta * s_theta;
-    const double z2 = I3 - z1 * k5;
-    /* the mass matrix is singular */
-    if (!(fabs(z2) > 0.0)) {
-        return ROUTH_SPHERE_SINGULAR_2;
-    }
-    const double c_theta = cos(theta);
+    const double z2 = I3 - z1 * k6;
     const double Z = e * c_theta;
     const double z3 = R + 2.0 * Z;
-    const double z4 = I1 + m * (k3 + R * z3);
-    /* the mass matrix is singular */
-    if (!(fabs(z4) > 0.0)) {
-        return ROUTH_SPHERE_SINGULAR_2;
-    }
+    const double z4 = I1 + m * (k5 + R * z3);
     const double z5 = I3 + z1 * k2;
     const double z6 = I3 * c_theta - z1 * k7;
     const double z7 = 1.0 / z2;
     const double z8 = z6 * z7;
     const double z9 = z5 - z6 * z8;
-    /* the mass matrix is singular */
-    if (!(fabs(z9) > 1e-14 * z5)) {
-        return ROUTH_SPHERE_SINGULAR_2;
-    }
-    const double s_phi = sin(phi);
-    const double c_phi = cos(phi);
-    const double z10 = theta_dot * s_theta;
-    const double z11 = z10 * (phi_dot * (k7 - c_theta * k8) - psi_dot * (I3 + c_theta * k7));
-    const double z12 = (z10 * (phi_dot * (I3 + k6 * z3) - c_theta * (k1 * (psi_dot * m))) + z11 * z8) / z9;
-    const double z13 = phi_dot * (phi_dot * (k7 - c_theta * k5) - psi_dot * (I3 + (R + Z) * k6)) + k9 * (g +
-        R * (theta_dot * theta_dot));
+    const double z10 = s_theta * (psi_dot * R);
+    const double z11 = theta_dot * R;
+    const double z12 = theta_dot * s_theta;
+    const double z13 = c_theta * k6;
+    const double z14 = z12 * (phi_dot * (k7 - 2.0 * z13) - psi_dot * (I3 + c_theta * k7));
+    const double z15 = (z12 * (phi_dot * (I3 + k4 * z3) - c_theta * (k1 * (psi_dot * m))) + z14 * z8) / z9;
+    const double z16 = phi_dot * (phi_dot * (k7 - z13) - psi_dot * (I3 + (R + Z) * k4)) + k3 * (g + R *
+        (theta_dot * theta_dot));
     /* (III.3) */
-    dydt[0] = R * (theta_dot * s_phi - psi_dot * (s_theta * c_phi)); /* x' */
-    dydt[1] = -R * (theta_dot * c_phi + psi_dot * (s_theta * s_phi)); /* y' */
+    dydt[0] = s_phi * z11 - c_phi * z10; /* x' */
+    dydt[1] = -(c_phi * z11 + s_phi * z10); /* y' */
     dydt[2] = phi_dot; /* phi' */
     dydt[3] = theta_dot; /* theta' */
     dydt[4] = psi_dot; /* psi' */
     /* (III.3) 26:4 */
-    dydt[5] = -(z11 * z7 + z8 * z12); /* phi'' */
-    dydt[6] = s_theta * z13 / z4; /* theta'' */
-    dydt[7] = z12; /* psi'' */
+    dydt[5] = -(z14 * z7 + z8 * z15); /* phi'' */
+    dydt[6] = s_theta * z16 / z4; /* theta'' */
+    dydt[7] = z15; /* psi'' */
+    /* the mass matrix is singular */
+    if (!(fabs(z2) > 0.0)) {
+        return ROUTH_SPHERE_SINGULAR_2;
+    }
+    /* the mass matrix is singular */
+    if (!(fabs(z4) > 0.0)) {
+        return ROUTH_SPHERE_SINGULAR_2;
+    }
+    /* the mass matrix is singular */
+    if (!(fabs(z9) > 1e-14 * z5)) {
+        return ROUTH_SPHERE_SINGULAR_2;
+    }
     return routh_sphere_finish(8, dydt);
 }
 
@@ -130,18 +260,22 @@ int routh_sphere_velocities(double t, const double *y, const double *p, double *
     (void)t;
     const double phi = y[2]; /* precession [rad] */
     const double theta = y[3]; /* nutation [rad] */
+
+    /* sines and cosines */
+    const double c_phi = cos(phi);
+    const double s_phi = sin(phi);
+    const double s_theta = sin(theta);
     const double phi_dot = y[5];
     const double theta_dot = y[6];
     const double psi_dot = y[7];
     const double R = p[1]; /* radius [m] */
 
     /* state */
-    const double s_phi = sin(phi);
-    const double s_theta = sin(theta);
-    const double c_phi = cos(phi);
+    const double z1 = s_theta * (psi_dot * R);
+    const double z2 = theta_dot * R;
     /* (I.2.4) */
-    qdot[0] = R * (theta_dot * s_phi - psi_dot * (s_theta * c_phi)); /* x' */
-    qdot[1] = -R * (theta_dot * c_phi + psi_dot * (s_theta * s_phi)); /* y' */
+    qdot[0] = s_phi * z2 - c_phi * z1; /* x' */
+    qdot[1] = -(c_phi * z2 + s_phi * z1); /* y' */
     qdot[2] = phi_dot; /* phi' */
     qdot[3] = theta_dot; /* theta' */
     qdot[4] = psi_dot; /* psi' */
@@ -153,6 +287,12 @@ int routh_sphere_accelerations(double t, const double *y, const double *p, doubl
     (void)t;
     const double phi = y[2]; /* precession [rad] */
     const double theta = y[3]; /* nutation [rad] */
+
+    /* sines and cosines */
+    const double s_theta = sin(theta);
+    const double c_theta = cos(theta);
+    const double s_phi = sin(phi);
+    const double c_phi = cos(phi);
     const double phi_dot = y[5];
     const double theta_dot = y[6];
     const double psi_dot = y[7];
@@ -166,60 +306,55 @@ int routh_sphere_accelerations(double t, const double *y, const double *p, doubl
     /* parameters only */
     const double k1 = R * R;
     const double k2 = m * k1;
-    const double k3 = e * e;
-    const double k4 = m * k3;
-    const double k5 = I3 - (I1 + k4);
-    const double k6 = m * R;
-    const double k7 = e * k6;
-    const double k8 = 2.0 * I3 - (2.0 * I1 + 2.0 * k4);
-    const double k9 = m * e;
+    const double k3 = m * e;
+    const double k4 = m * R;
+    const double k5 = e * e;
+    const double k6 = I3 - (I1 + m * k5);
+    const double k7 = e * k4;
 
     /* state */
-    const double s_theta = sin(theta);
     const double z1 = s_theta * s_theta;
-    const double z2 = I3 - z1 * k5;
-    /* the mass matrix is singular */
-    if (!(fabs(z2) > 0.0)) {
-        return ROUTH_SPHERE_SINGULAR_2;
-    }
-    const double c_theta = cos(theta);
+    const double z2 = I3 - z1 * k6;
     const double Z = e * c_theta;
     const double z3 = R + 2.0 * Z;
-    const double z4 = I1 + m * (k3 + R * z3);
-    /* the mass matrix is singular */
-    if (!(fabs(z4) > 0.0)) {
-        return ROUTH_SPHERE_SINGULAR_2;
-    }
+    const double z4 = I1 + m * (k5 + R * z3);
     const double z5 = I3 + z1 * k2;
     const double z6 = I3 * c_theta - z1 * k7;
     const double z7 = 1.0 / z2;
     const double z8 = z6 * z7;
     const double z9 = z5 - z6 * z8;
+    const double z10 = phi_dot * s_phi;
+    const double z11 = psi_dot * R;
+    const double z12 = s_theta * z11;
+    const double z13 = theta_dot * s_theta;
+    const double z14 = c_theta * k6;
+    const double z15 = z13 * (phi_dot * (k7 - 2.0 * z14) - psi_dot * (I3 + c_theta * k7));
+    const double z16 = (z13 * (phi_dot * (I3 + k4 * z3) - c_theta * (k1 * (psi_dot * m))) + z15 * z8) / z9;
+    const double z17 = theta_dot * c_theta * z11 + s_theta * (R * z16);
+    const double z18 = phi_dot * c_phi;
+    const double z19 = theta_dot * R;
+    const double z20 = phi_dot * (phi_dot * (k7 - z14) - psi_dot * (I3 + (R + Z) * k4)) + k3 * (g + R *
+        (theta_dot * theta_dot));
+    const double z21 = s_theta * z20 / z4;
+    const double z22 = R * z21;
+    /* (III.3) */
+    qddot[0] = z10 * z12 - c_phi * z17 + (z18 * z19 + s_phi * z22); /* x'' */
+    qddot[1] = z10 * z19 - c_phi * z22 - (z18 * z12 + s_phi * z17); /* y'' */
+    qddot[2] = -(z15 * z7 + z8 * z16); /* phi'' */
+    qddot[3] = z21; /* theta'' */
+    qddot[4] = z16; /* psi'' */
+    /* the mass matrix is singular */
+    if (!(fabs(z2) > 0.0)) {
+        return ROUTH_SPHERE_SINGULAR_2;
+    }
+    /* the mass matrix is singular */
+    if (!(fabs(z4) > 0.0)) {
+        return ROUTH_SPHERE_SINGULAR_2;
+    }
     /* the mass matrix is singular */
     if (!(fabs(z9) > 1e-14 * z5)) {
         return ROUTH_SPHERE_SINGULAR_2;
     }
-    const double c_phi = cos(phi);
-    const double z10 = phi_dot * c_phi;
-    const double s_phi = sin(phi);
-    const double z11 = phi_dot * (phi_dot * (k7 - c_theta * k5) - psi_dot * (I3 + (R + Z) * k6)) + k9 * (g +
-        R * (theta_dot * theta_dot));
-    const double z12 = s_theta * z11 / z4;
-    const double z13 = theta_dot * c_theta;
-    const double z14 = phi_dot * s_phi;
-    const double z15 = theta_dot * s_theta;
-    const double z16 = z15 * (phi_dot * (k7 - c_theta * k8) - psi_dot * (I3 + c_theta * k7));
-    const double z17 = (z15 * (phi_dot * (I3 + k6 * z3) - c_theta * (k1 * (psi_dot * m))) + z16 * z8) / z9;
-    const double z18 = theta_dot * z10 + s_phi * z12 - (psi_dot * (c_phi * z13 - s_theta * z14) + s_theta *
-        c_phi * z17);
-    const double z19 = theta_dot * z14 - c_phi * z12 - (psi_dot * (s_phi * z13 + s_theta * z10) + s_theta *
-        s_phi * z17);
-    /* (III.3) */
-    qddot[0] = R * z18; /* x'' */
-    qddot[1] = R * z19; /* y'' */
-    qddot[2] = -(z16 * z7 + z8 * z17); /* phi'' */
-    qddot[3] = z12; /* theta'' */
-    qddot[4] = z17; /* psi'' */
     return routh_sphere_finish(5, qddot);
 }
 
@@ -253,6 +388,11 @@ int routh_sphere_residuals(double t, const double *q, const double *qdot, const 
     (void)t;
     const double phi = q[2]; /* precession [rad] */
     const double theta = q[3]; /* nutation [rad] */
+
+    /* sines and cosines */
+    const double s_phi = sin(phi);
+    const double c_phi = cos(phi);
+    const double s_theta = sin(theta);
     const double x_dot = qdot[0];
     const double y_dot = qdot[1];
     const double theta_dot = qdot[3];
@@ -260,13 +400,11 @@ int routh_sphere_residuals(double t, const double *q, const double *qdot, const 
     const double R = p[1]; /* radius [m] */
 
     /* state */
-    const double s_phi = sin(phi);
-    const double s_theta = sin(theta);
-    const double c_phi = cos(phi);
+    const double z1 = psi_dot * s_theta;
     /* (I.1.1) 29:5 */
-    r[0] = x_dot - R * (theta_dot * s_phi - psi_dot * (s_theta * c_phi)); /* roll_x = 0 */
+    r[0] = x_dot - R * (theta_dot * s_phi - c_phi * z1); /* roll_x = 0 */
     /* (I.1.1) 30:5 */
-    r[1] = y_dot + R * (theta_dot * c_phi + psi_dot * (s_theta * s_phi)); /* roll_y = 0 */
+    r[1] = y_dot + R * (theta_dot * c_phi + s_phi * z1); /* roll_y = 0 */
     return routh_sphere_finish(2, r);
 }
 
@@ -275,6 +413,12 @@ int routh_sphere_reactions(double t, const double *y, const double *p, double *l
     (void)t;
     const double phi = y[2]; /* precession [rad] */
     const double theta = y[3]; /* nutation [rad] */
+
+    /* sines and cosines */
+    const double s_theta = sin(theta);
+    const double c_theta = cos(theta);
+    const double c_phi = cos(phi);
+    const double s_phi = sin(phi);
     const double phi_dot = y[5];
     const double theta_dot = y[6];
     const double psi_dot = y[7];
@@ -286,66 +430,58 @@ int routh_sphere_reactions(double t, const double *y, const double *p, double *l
     const double g = p[5]; /* acceleration of gravity [m/s^2] */
 
     /* parameters only */
-    const double k1 = R * R;
-    const double k2 = m * k1;
-    const double k3 = e * e;
-    const double k4 = m * k3;
-    const double k5 = I3 - (I1 + k4);
-    const double k6 = m * R;
-    const double k7 = e * k6;
-    const double k8 = 2.0 * I3 - (2.0 * I1 + 2.0 * k4);
-    const double k9 = m * e;
+    const double k1 = m * (R * R);
+    const double k2 = m * e;
+    const double k3 = m * R;
+    const double k4 = e * e;
+    const double k5 = I3 - (I1 + m * k4);
+    const double k6 = e * k3;
 
     /* state */
-    const double s_theta = sin(theta);
     const double z1 = s_theta * s_theta;
     const double z2 = I3 - z1 * k5;
+    const double Z = e * c_theta;
+    const double z3 = R + 2.0 * Z;
+    const double z4 = I1 + m * (k4 + R * z3);
+    const double z5 = I3 + z1 * k1;
+    const double z6 = I3 * c_theta - z1 * k6;
+    const double z7 = 1.0 / z2;
+    const double z8 = z6 * z7;
+    const double z9 = z5 - z6 * z8;
+    const double z10 = theta_dot * c_theta;
+    const double z11 = phi_dot * R;
+    const double z12 = phi_dot * (e * z10 + theta_dot * Z) - (R * (psi_dot * z10) - theta_dot * z11);
+    const double z13 = theta_dot * s_theta;
+    const double z14 = s_theta * (psi_dot * z11) - e * (theta_dot * z13 + s_theta * (phi_dot * phi_dot));
+    const double z15 = s_theta * c_phi;
+    const double z16 = c_theta * k5;
+    const double z17 = z13 * (phi_dot * (k6 - 2.0 * z16) - psi_dot * (I3 + c_theta * k6));
+    const double z18 = (z17 * z8 + z13 * (phi_dot * (I3 + k3 * z3) - k1 * (psi_dot * c_theta))) / z9;
+    const double z19 = k3 * z18;
+    const double z20 = k2 * (z17 * z7 + z8 * z18);
+    const double z21 = R + Z;
+    const double z22 = phi_dot * (phi_dot * (k6 - z16) - psi_dot * (I3 + z21 * k3)) + k2 * (g + R *
+        (theta_dot * theta_dot));
+    const double z23 = m * z21 * (s_theta * z22 / z4);
+    const double z24 = s_theta * s_phi;
+    /* (I.4.1) 29:5 */
+    /* reaction of roll_x: Q_i gains lambda_1 a_1i */
+    lambda[0] = m * (c_phi * z12 + s_phi * z14) - (z15 * z19 + (z15 * z20 - s_phi * z23));
+    /* (I.4.1) 30:5 */
+    /* reaction of roll_y: Q_i gains lambda_2 a_2i */
+    lambda[1] = m * (s_phi * z12 - c_phi * z14) - (z24 * z19 + (z24 * z20 + c_phi * z23));
     /* the mass matrix is singular */
     if (!(fabs(z2) > 0.0)) {
         return ROUTH_SPHERE_SINGULAR_2;
     }
-    const double c_theta = cos(theta);
-    const double Z = e * c_theta;
-    const double z3 = R + 2.0 * Z;
-    const double z4 = I1 + m * (k3 + R * z3);
     /* the mass matrix is singular */
     if (!(fabs(z4) > 0.0)) {
         return ROUTH_SPHERE_SINGULAR_2;
     }
-    const double z5 = I3 + z1 * k2;
-    const double z6 = I3 * c_theta - z1 * k7;
-    const double z7 = 1.0 / z2;
-    const double z8 = z6 * z7;
-    const double z9 = z5 - z6 * z8;
     /* the mass matrix is singular */
     if (!(fabs(z9) > 1e-14 * z5)) {
         return ROUTH_SPHERE_SINGULAR_2;
     }
-    const double c_phi = cos(phi);
-    const double s_phi = sin(phi);
-    const double z10 = psi_dot * R;
-    const double z11 = phi_dot * e - z10;
-    const double z12 = s_theta * (theta_dot * e);
-    const double z13 = phi_dot * (theta_dot * c_phi * z3 - s_theta * s_phi * z11) - theta_dot * (s_phi * z12
-        + c_theta * (c_phi * z10));
-    const double z14 = s_theta * k6;
-    const double z15 = theta_dot * s_theta;
-    const double z16 = z15 * (phi_dot * (k7 - c_theta * k8) - psi_dot * (I3 + c_theta * k7));
-    const double z17 = (z15 * (phi_dot * (I3 + k6 * z3) - c_theta * (k1 * (psi_dot * m))) + z16 * z8) / z9;
-    const double z18 = s_theta * k9;
-    const double z19 = z16 * z7 + z8 * z17;
-    const double z20 = R + Z;
-    const double z21 = phi_dot * (phi_dot * (k7 - c_theta * k5) - psi_dot * (I3 + z20 * k6)) + k9 * (g + R *
-        (theta_dot * theta_dot));
-    const double z22 = s_theta * z21 / z4;
-    const double z23 = m * z13 - (c_phi * z14 * z17 + (c_phi * z18 * z19 - z20 * (m * s_phi) * z22));
-    const double z24 = phi_dot * (theta_dot * s_phi * z3 + s_theta * c_phi * z11) + theta_dot * (c_phi * z12
-        - c_theta * (s_phi * z10));
-    const double z25 = m * z24 - (s_phi * z14 * z17 + (s_phi * z18 * z19 + z20 * (m * c_phi) * z22));
-    /* (I.4.1) 29:5 */
-    lambda[0] = z23; /* reaction of roll_x: Q_i gains lambda_1 a_1i */
-    /* (I.4.1) 30:5 */
-    lambda[1] = z25; /* reaction of roll_y: Q_i gains lambda_2 a_2i */
     return routh_sphere_finish(2, lambda);
 }
 
@@ -353,6 +489,10 @@ double routh_sphere_energy(double t, const double *y, const double *p)
 {
     (void)t;
     const double theta = y[3]; /* nutation [rad] */
+
+    /* sines and cosines */
+    const double s_theta = sin(theta);
+    const double c_theta = cos(theta);
     const double phi_dot = y[5];
     const double theta_dot = y[6];
     const double psi_dot = y[7];
@@ -368,25 +508,30 @@ double routh_sphere_energy(double t, const double *y, const double *p)
     const double k2 = 0.5 * e;
 
     /* state */
-    const double s_theta = sin(theta);
     const double z1 = s_theta * s_theta;
     const double z2 = theta_dot * theta_dot;
-    const double c_theta = cos(theta);
-    const double z3 = phi_dot * z1 * (0.5 * (phi_dot * e) - psi_dot * R) + (z2 * (k2 + R * c_theta) + g *
+    const double z3 = phi_dot * z1 * (psi_dot * R - 0.5 * (phi_dot * e)) - (z2 * (k2 + R * c_theta) + g *
         c_theta);
     const double z4 = psi_dot * psi_dot;
-    const double z5 = phi_dot * (c_theta * (psi_dot * I3) + phi_dot * (0.5 * (I1 * z1) + I3 * (0.5 - 0.5 *
-        z1)));
-    const double z6 = m * (e * z3 + k1 * (0.5 * z2 + 0.5 * (z1 * z4))) + (z5 + (0.5 * (I1 * z2) + 0.5 * (I3 *
-        z4)));
-    return z6;
+    const double z5 = 0.5 * (I1 * z2 + I3 * z4) + phi_dot * (0.5 * (phi_dot * (I1 * z1 + I3 * (1.0 - z1))) +
+        I3 * (psi_dot * c_theta));
+    return z5 - m * (e * z3 - 0.5 * (k1 * (z2 + z1 * z4)));
 }
 
 int routh_sphere_jacobian(double t, const double *y, const double *p, double *J)
 {
+    for (int entry = 0; entry < 64; ++entry) {
+        J[entry] = 0.0;
+    }
     (void)t;
     const double phi = y[2]; /* precession [rad] */
     const double theta = y[3]; /* nutation [rad] */
+
+    /* sines and cosines */
+    const double s_theta = sin(theta);
+    const double c_theta = cos(theta);
+    const double c_phi = cos(phi);
+    const double s_phi = sin(phi);
     const double phi_dot = y[5];
     const double theta_dot = y[6];
     const double psi_dot = y[7];
@@ -398,142 +543,98 @@ int routh_sphere_jacobian(double t, const double *y, const double *p, double *J)
     const double g = p[5]; /* acceleration of gravity [m/s^2] */
 
     /* parameters only */
-    const double k1 = R * R;
-    const double k2 = m * k1;
-    const double k3 = e * e;
-    const double k4 = m * k3;
-    const double k5 = I3 - (I1 + k4);
-    const double k6 = m * R;
-    const double k7 = e * k6;
-    const double k8 = 2.0 * I3 - (2.0 * I1 + 2.0 * k4);
-    const double k9 = m * e;
+    const double k1 = m * (R * R);
+    const double k2 = m * e;
+    const double k3 = m * R;
+    const double k4 = e * e;
+    const double k5 = I3 - (I1 + m * k4);
+    const double k6 = e * k3;
 
     /* state */
-    const double s_theta = sin(theta);
     const double z1 = s_theta * s_theta;
     const double z2 = I3 - z1 * k5;
+    const double Z = e * c_theta;
+    const double z3 = R + 2.0 * Z;
+    const double z4 = I1 + m * (k4 + R * z3);
+    const double z5 = I3 + z1 * k1;
+    const double z6 = I3 * c_theta - z1 * k6;
+    const double z7 = 1.0 / z2;
+    const double z8 = z6 * z7;
+    const double z9 = z5 - z6 * z8;
+    const double z10 = theta_dot * R;
+    const double z11 = psi_dot * R;
+    const double z12 = s_theta * z11;
+    const double z13 = c_theta * z11;
+    const double z14 = R * s_theta;
+    const double z15 = theta_dot * s_theta;
+    const double z16 = phi_dot * z15;
+    const double z17 = 1.0 / z9;
+    const double z18 = c_theta * k5;
+    const double z19 = k6 - 2.0 * z18;
+    const double z20 = I3 + c_theta * k6;
+    const double z21 = phi_dot * z19 - psi_dot * z20;
+    const double z22 = z15 * z21;
+    const double z23 = I3 + k3 * z3;
+    const double z24 = psi_dot * k1;
+    const double z25 = phi_dot * z23 - c_theta * z24;
+    const double z26 = z17 * (z22 * z8 + z15 * z25);
+    const double z27 = z22 * z7 + z8 * z26;
+    const double z28 = s_theta * (k6 * (psi_dot * z15) + 2.0 * (z16 * k5) - I3 * z26) + c_theta * (theta_dot
+        * z21 - 2.0 * (s_theta * (k6 * z26 - k5 * z27)));
+    const double z29 = s_theta * (2.0 * (z16 * k6) - (z15 * z24 - I3 * z27)) - c_theta * (theta_dot * z25 -
+        2.0 * (s_theta * (k1 * z26 + k6 * z27)));
+    const double z30 = z17 * (z29 - z8 * z28);
+    const double z31 = z15 * z19;
+    const double z32 = z17 * (z15 * z23 + z8 * z31);
+    const double z33 = s_theta * z21;
+    const double z34 = z17 * (z8 * z33 + s_theta * z25);
+    const double z35 = z15 * z20;
+    const double z36 = z17 * (z8 * z35 + k1 * (c_theta * z15));
+    const double z37 = 1.0 / z4;
+    const double z38 = k6 - z18;
+    const double z39 = I3 + (R + Z) * k3;
+    const double z40 = phi_dot * z38 - psi_dot * z39;
+    const double z41 = phi_dot * z40 + k2 * (g + R * (theta_dot * theta_dot));
+    const double z42 = phi_dot * s_theta;
+    const double z43 = z14 * z37;
+    const double z44 = s_theta * (k5 * (phi_dot * z42) + e * (k3 * (psi_dot * z42) + 2.0 * (m * (z41 *
+        z43))));
+    /* (III.3) */
+    J[2] = c_phi * z10 + s_phi * z12;
+    J[3] = -c_phi * z13;
+    J[6] = R * s_phi;
+    J[7] = -c_phi * z14;
+    J[10] = s_phi * z10 - c_phi * z12;
+    J[11] = -s_phi * z13;
+    J[14] = -R * c_phi;
+    J[15] = -s_phi * z14;
+    J[21] = 1.0;
+    J[30] = 1.0;
+    J[39] = 1.0;
+    J[43] = z8 * z30 - z7 * z28;
+    J[45] = -(z7 * z31 + z8 * z32);
+    J[46] = -(z7 * z33 + z8 * z34);
+    J[47] = z7 * z35 + z8 * z36;
+    J[51] = z37 * (c_theta * z41 + z44);
+    J[53] = z37 * (s_theta * z40 + z42 * z38);
+    J[54] = 2.0 * (k2 * (theta_dot * z43));
+    J[55] = -z37 * (z42 * z39);
+    J[59] = -z30;
+    J[61] = z32;
+    J[62] = z34;
+    J[63] = -z36;
     /* the mass matrix is singular */
     if (!(fabs(z2) > 0.0)) {
         return ROUTH_SPHERE_SINGULAR_2;
     }
-    const double c_theta = cos(theta);
-    const double Z = e * c_theta;
-    const double z3 = R + 2.0 * Z;
-    const double z4 = I1 + m * (k3 + R * z3);
     /* the mass matrix is singular */
     if (!(fabs(z4) > 0.0)) {
         return ROUTH_SPHERE_SINGULAR_2;
     }
-    const double z5 = I3 + z1 * k2;
-    const double z6 = I3 * c_theta - z1 * k7;
-    const double z7 = 1.0 / z2;
-    const double z8 = z6 * z7;
-    const double z9 = z5 - z6 * z8;
     /* the mass matrix is singular */
     if (!(fabs(z9) > 1e-14 * z5)) {
         return ROUTH_SPHERE_SINGULAR_2;
     }
-    const double s_phi = sin(phi);
-    const double z10 = psi_dot * R;
-    const double z11 = s_theta * z10;
-    const double c_phi = cos(phi);
-    const double z12 = theta_dot * R;
-    const double z13 = theta_dot * s_theta;
-    const double z14 = phi_dot * z13;
-    const double z15 = 1.0 / z9;
-    const double z16 = I3 + k6 * z3;
-    const double z17 = k1 * (psi_dot * m);
-    const double z18 = phi_dot * z16 - c_theta * z17;
-    const double z19 = k7 - c_theta * k8;
-    const double z20 = I3 + c_theta * k7;
-    const double z21 = phi_dot * z19 - psi_dot * z20;
-    const double z22 = z13 * z21;
-    const double z23 = z15 * (z13 * z18 + z22 * z8);
-    const double z24 = z22 * z7 + z8 * z23;
-    const double z25 = s_theta * (k7 * (psi_dot * z13) + z14 * k8 - I3 * z23) + c_theta * (theta_dot * z21 -
-        2.0 * (s_theta * (k7 * z23 - k5 * z24)));
-    const double z26 = s_theta * (2.0 * (e * (z14 * k6)) - (z13 * z17 - I3 * z24)) - c_theta * (theta_dot *
-        z18 - 2.0 * (s_theta * (k2 * z23 + k7 * z24)));
-    const double z27 = z15 * (z26 - z8 * z25);
-    const double z28 = z13 * z19;
-    const double z29 = z15 * (z13 * z16 + z8 * z28);
-    const double z30 = s_theta * z21;
-    const double z31 = z15 * (s_theta * z18 + z8 * z30);
-    const double z32 = z13 * z20;
-    const double z33 = z15 * (m * (k1 * (c_theta * z13)) + z8 * z32);
-    const double z34 = 1.0 / z4;
-    const double z35 = k7 - c_theta * k5;
-    const double z36 = I3 + (R + Z) * k6;
-    const double z37 = phi_dot * z35 - psi_dot * z36;
-    const double z38 = phi_dot * z37 + k9 * (g + R * (theta_dot * theta_dot));
-    const double z39 = phi_dot * s_theta;
-    const double z40 = k5 * (phi_dot * z39) + e * (k6 * (psi_dot * z39) + 2.0 * (R * (m * (s_theta * z38 *
-        z34))));
-    /* (III.3) */
-    J[0] = 0.0;
-    J[1] = 0.0;
-    J[2] = s_phi * z11 + c_phi * z12;
-    J[3] = -c_theta * (c_phi * z10);
-    J[4] = 0.0;
-    J[5] = 0.0;
-    J[6] = R * s_phi;
-    J[7] = -R * (s_theta * c_phi);
-    J[8] = 0.0;
-    J[9] = 0.0;
-    J[10] = s_phi * z12 - c_phi * z11;
-    J[11] = -c_theta * (s_phi * z10);
-    J[12] = 0.0;
-    J[13] = 0.0;
-    J[14] = -R * c_phi;
-    J[15] = -R * (s_theta * s_phi);
-    J[16] = 0.0;
-    J[17] = 0.0;
-    J[18] = 0.0;
-    J[19] = 0.0;
-    J[20] = 0.0;
-    J[21] = 1.0;
-    J[22] = 0.0;
-    J[23] = 0.0;
-    J[24] = 0.0;
-    J[25] = 0.0;
-    J[26] = 0.0;
-    J[27] = 0.0;
-    J[28] = 0.0;
-    J[29] = 0.0;
-    J[30] = 1.0;
-    J[31] = 0.0;
-    J[32] = 0.0;
-    J[33] = 0.0;
-    J[34] = 0.0;
-    J[35] = 0.0;
-    J[36] = 0.0;
-    J[37] = 0.0;
-    J[38] = 0.0;
-    J[39] = 1.0;
-    J[40] = 0.0;
-    J[41] = 0.0;
-    J[42] = 0.0;
-    J[43] = z8 * z27 - z7 * z25;
-    J[44] = 0.0;
-    J[45] = -(z7 * z28 + z8 * z29);
-    J[46] = -(z7 * z30 + z8 * z31);
-    J[47] = z7 * z32 + z8 * z33;
-    J[48] = 0.0;
-    J[49] = 0.0;
-    J[50] = 0.0;
-    J[51] = z34 * (c_theta * z38 + s_theta * z40);
-    J[52] = 0.0;
-    J[53] = z34 * (s_theta * z37 + z39 * z35);
-    J[54] = 2.0 * (z34 * (theta_dot * (R * (s_theta * k9))));
-    J[55] = -z34 * (z39 * z36);
-    J[56] = 0.0;
-    J[57] = 0.0;
-    J[58] = 0.0;
-    J[59] = -z27;
-    J[60] = 0.0;
-    J[61] = z29;
-    J[62] = z31;
-    J[63] = -z33;
     return routh_sphere_finish(64, J);
 }
 
@@ -541,6 +642,10 @@ int routh_sphere_outputs(double t, const double *y, const double *p, double *out
 {
     (void)t;
     const double theta = y[3]; /* nutation [rad] */
+
+    /* sines and cosines */
+    const double s_theta = sin(theta);
+    const double c_theta = cos(theta);
     const double phi_dot = y[5];
     const double psi_dot = y[7];
     const double m = p[0]; /* mass [kg] */
@@ -555,9 +660,7 @@ int routh_sphere_outputs(double t, const double *y, const double *p, double *out
     const double k3 = m * I3;
 
     /* state */
-    const double s_theta = sin(theta);
     const double z1 = s_theta * s_theta;
-    const double c_theta = cos(theta);
     const double omega3 = psi_dot + phi_dot * c_theta;
     const double z2 = e + R * c_theta;
     /* 33:12 */
@@ -567,9 +670,110 @@ int routh_sphere_outputs(double t, const double *y, const double *p, double *out
     return routh_sphere_finish(2, out);
 }
 
+#if ROUTH_SPHERE_LANES >= 2
+static __attribute__((noinline)) void routh_sphere_rhs_lanes(const double *fixed, size_t stride, const double
+    *t, const double *y, double *restrict dydt, double *check)
+{
+    (void)t;
+    routh_sphere_lanes far = {0}; /* the squares of the angles */
+    routh_sphere_lanes sum = {0}; /* an infinity or a NaN among the results stays in it */
+    routh_sphere_bits bad = {0}; /* singular blocks */
+    const double m = fixed[0];
+    const double R = fixed[1];
+    const double e = fixed[2];
+    const double I1 = fixed[3];
+    const double I3 = fixed[4];
+    const double g = fixed[5];
+    const double k1 = fixed[6];
+    const double k2 = fixed[7];
+    const double k3 = fixed[8];
+    const double k4 = fixed[9];
+    const double k5 = fixed[10];
+    const double k6 = fixed[11];
+    const double k7 = fixed[12];
+    const routh_sphere_lanes phi = routh_sphere_get(y + 2 * stride);
+    const routh_sphere_lanes theta = routh_sphere_get(y + 3 * stride);
+    const routh_sphere_lanes phi_dot = routh_sphere_get(y + 5 * stride);
+    const routh_sphere_lanes theta_dot = routh_sphere_get(y + 6 * stride);
+    const routh_sphere_lanes psi_dot = routh_sphere_get(y + 7 * stride);
+    routh_sphere_lanes sine1, cosine1;
+    routh_sphere_turn_lanes(ROUTH_SPHERE_SPREAD(theta), &far, &sine1, &cosine1);
+    const routh_sphere_lanes s_theta = sine1;
+    const routh_sphere_lanes z1 = s_theta * s_theta;
+    const routh_sphere_lanes z2 = I3 - z1 * k6;
+    /* the mass matrix is singular */
+    bad |= routh_sphere_misses(routh_sphere_size(ROUTH_SPHERE_SPREAD(z2)), ROUTH_SPHERE_SPREAD(0.0));
+    const routh_sphere_lanes c_theta = cosine1;
+    const routh_sphere_lanes Z = e * c_theta;
+    const routh_sphere_lanes z3 = R + 2.0 * Z;
+    const routh_sphere_lanes z4 = I1 + m * (k5 + R * z3);
+    /* the mass matrix is singular */
+    bad |= routh_sphere_misses(routh_sphere_size(ROUTH_SPHERE_SPREAD(z4)), ROUTH_SPHERE_SPREAD(0.0));
+    const routh_sphere_lanes z5 = I3 + z1 * k2;
+    const routh_sphere_lanes z6 = I3 * c_theta - z1 * k7;
+    const routh_sphere_lanes z7 = 1.0 / z2;
+    const routh_sphere_lanes z8 = z6 * z7;
+    const routh_sphere_lanes z9 = z5 - z6 * z8;
+    /* the mass matrix is singular */
+    bad |= routh_sphere_misses(routh_sphere_size(ROUTH_SPHERE_SPREAD(z9)), 1e-14 * z5);
+    routh_sphere_lanes sine2, cosine2;
+    routh_sphere_turn_lanes(ROUTH_SPHERE_SPREAD(phi), &far, &sine2, &cosine2);
+    const routh_sphere_lanes c_phi = cosine2;
+    const routh_sphere_lanes z10 = s_theta * (psi_dot * R);
+    const routh_sphere_lanes s_phi = sine2;
+    const routh_sphere_lanes z11 = theta_dot * R;
+    const routh_sphere_lanes z12 = theta_dot * s_theta;
+    const routh_sphere_lanes z13 = c_theta * k6;
+    const routh_sphere_lanes z14 = z12 * (phi_dot * (k7 - 2.0 * z13) - psi_dot * (I3 + c_theta * k7));
+    const routh_sphere_lanes z15 = (z12 * (phi_dot * (I3 + k4 * z3) - c_theta * (k1 * (psi_dot * m))) + z14 *
+        z8) / z9;
+    const routh_sphere_lanes z16 = phi_dot * (phi_dot * (k7 - z13) - psi_dot * (I3 + (R + Z) * k4)) + k3 * (g
+        + R * (theta_dot * theta_dot));
+    /* (III.3) */
+    const routh_sphere_lanes slope1 = s_phi * z11 - c_phi * z10;
+    sum += slope1;
+    routh_sphere_put(dydt, slope1);
+    const routh_sphere_lanes slope2 = -(c_phi * z11 + s_phi * z10);
+    sum += slope2;
+    routh_sphere_put(dydt + 1 * stride, slope2);
+    const routh_sphere_lanes slope3 = phi_dot;
+    sum += slope3;
+    routh_sphere_put(dydt + 2 * stride, slope3);
+    const routh_sphere_lanes slope4 = theta_dot;
+    sum += slope4;
+    routh_sphere_put(dydt + 3 * stride, slope4);
+    const routh_sphere_lanes slope5 = psi_dot;
+    sum += slope5;
+    routh_sphere_put(dydt + 4 * stride, slope5);
+    /* (III.3) 26:4 */
+    const routh_sphere_lanes slope6 = -(z14 * z7 + z8 * z15);
+    sum += slope6;
+    routh_sphere_put(dydt + 5 * stride, slope6);
+    const routh_sphere_lanes slope7 = s_theta * z16 / z4;
+    sum += slope7;
+    routh_sphere_put(dydt + 6 * stride, slope7);
+    const routh_sphere_lanes slope8 = z15;
+    sum += slope8;
+    routh_sphere_put(dydt + 7 * stride, slope8);
+    routh_sphere_put(check, routh_sphere_mark(far + (sum - sum), bad));
+}
+
+static __attribute__((noinline)) void routh_sphere_rhs_tail(const double *fixed, size_t left, size_t count,
+    const double *t, const double *y, double *restrict dydt, double *check)
+{
+    double time[ROUTH_SPHERE_LANES];
+    double state[8 * ROUTH_SPHERE_LANES];
+    double slope[8 * ROUTH_SPHERE_LANES];
+    routh_sphere_fill(left, count, t, y, time, state);
+    routh_sphere_rhs_lanes(fixed, ROUTH_SPHERE_LANES, time, state, slope, check);
+    routh_sphere_pour(left, count, slope, dydt);
+}
+#endif
+
 int routh_sphere_rhs_batch(size_t count, const double *t, const double *y, const double *p, double *restrict
     dydt)
 {
+#if ROUTH_SPHERE_LANES >= 2
     const double m = p[0]; /* mass [kg] */
     const double R = p[1]; /* radius [m] */
     const double e = p[2]; /* centre of mass along the axis of symmetry [m] */
@@ -578,80 +782,28 @@ int routh_sphere_rhs_batch(size_t count, const double *t, const double *y, const
     const double g = p[5]; /* acceleration of gravity [m/s^2] */
     const double k1 = R * R;
     const double k2 = m * k1;
-    const double k3 = e * e;
-    const double k4 = m * k3;
-    const double k5 = I3 - (I1 + k4);
-    const double k6 = m * R;
-    const double k7 = e * k6;
-    const double k8 = 2.0 * I3 - (2.0 * I1 + 2.0 * k4);
-    const double k9 = m * e;
-    int singular1 = 0;
-    int bad = 0;
-    (void)t;
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC ivdep
+    const double k3 = m * e;
+    const double k4 = m * R;
+    const double k5 = e * e;
+    const double k6 = I3 - (I1 + m * k5);
+    const double k7 = e * k4;
+    const double fixed[] = {m, R, e, I1, I3, g, k1, k2, k3, k4, k5, k6, k7};
+    double check[1 * ROUTH_SPHERE_LANES];
+    int status = ROUTH_SPHERE_OK;
+    for (size_t i = 0; i < count; i += ROUTH_SPHERE_LANES) {
+        const size_t left = count - i < ROUTH_SPHERE_LANES ? count - i : ROUTH_SPHERE_LANES;
+        if (left == ROUTH_SPHERE_LANES) {
+            routh_sphere_rhs_lanes(fixed, count, t + i, y + i, dydt + i, check);
+        } else {
+            routh_sphere_rhs_tail(fixed, left, count, t + i, y + i, dydt + i, check);
+        }
+        if (!routh_sphere_is_good(1 * ROUTH_SPHERE_LANES, check)) {
+            const int one = routh_sphere_one_by_one(count, i, left, t, y, p, dydt);
+            status = status == ROUTH_SPHERE_OK ? one : status;
+        }
+    }
+    return status;
+#else
+    return routh_sphere_one_by_one(count, 0, count, t, y, p, dydt);
 #endif
-    for (size_t i = 0; i < count; ++i) {
-        const double phi = y[2 * count + i]; /* precession [rad] */
-        const double theta = y[3 * count + i]; /* nutation [rad] */
-        const double phi_dot = y[5 * count + i];
-        const double theta_dot = y[6 * count + i];
-        const double psi_dot = y[7 * count + i];
-        const double s_theta = sin(theta);
-        const double z1 = s_theta * s_theta;
-        const double z2 = I3 - z1 * k5;
-        /* the mass matrix is singular */
-        singular1 |= !(fabs(z2) > 0.0);
-        const double c_theta = cos(theta);
-        const double Z = e * c_theta;
-        const double z3 = R + 2.0 * Z;
-        const double z4 = I1 + m * (k3 + R * z3);
-        /* the mass matrix is singular */
-        singular1 |= !(fabs(z4) > 0.0);
-        const double z5 = I3 + z1 * k2;
-        const double z6 = I3 * c_theta - z1 * k7;
-        const double z7 = 1.0 / z2;
-        const double z8 = z6 * z7;
-        const double z9 = z5 - z6 * z8;
-        /* the mass matrix is singular */
-        singular1 |= !(fabs(z9) > 1e-14 * z5);
-        const double s_phi = sin(phi);
-        const double c_phi = cos(phi);
-        const double z10 = theta_dot * s_theta;
-        const double z11 = z10 * (phi_dot * (k7 - c_theta * k8) - psi_dot * (I3 + c_theta * k7));
-        const double z12 = (z10 * (phi_dot * (I3 + k6 * z3) - c_theta * (k1 * (psi_dot * m))) + z11 * z8) /
-            z9;
-        const double z13 = phi_dot * (phi_dot * (k7 - c_theta * k5) - psi_dot * (I3 + (R + Z) * k6)) + k9 *
-            (g + R * (theta_dot * theta_dot));
-        /* (III.3) */
-        const double slope1 = R * (theta_dot * s_phi - psi_dot * (s_theta * c_phi)); /* x' */
-        dydt[i] = slope1;
-        bad |= !(fabs(slope1) <= DBL_MAX);
-        const double slope2 = -R * (theta_dot * c_phi + psi_dot * (s_theta * s_phi)); /* y' */
-        dydt[count + i] = slope2;
-        bad |= !(fabs(slope2) <= DBL_MAX);
-        const double slope3 = phi_dot; /* phi' */
-        dydt[2 * count + i] = slope3;
-        bad |= !(fabs(slope3) <= DBL_MAX);
-        const double slope4 = theta_dot; /* theta' */
-        dydt[3 * count + i] = slope4;
-        bad |= !(fabs(slope4) <= DBL_MAX);
-        const double slope5 = psi_dot; /* psi' */
-        dydt[4 * count + i] = slope5;
-        bad |= !(fabs(slope5) <= DBL_MAX);
-        /* (III.3) 26:4 */
-        const double slope6 = -(z11 * z7 + z8 * z12); /* phi'' */
-        dydt[5 * count + i] = slope6;
-        bad |= !(fabs(slope6) <= DBL_MAX);
-        const double slope7 = s_theta * z13 / z4; /* theta'' */
-        dydt[6 * count + i] = slope7;
-        bad |= !(fabs(slope7) <= DBL_MAX);
-        const double slope8 = z12; /* psi'' */
-        dydt[7 * count + i] = slope8;
-        bad |= !(fabs(slope8) <= DBL_MAX);
-    }
-    if (singular1) {
-        return ROUTH_SPHERE_SINGULAR_2;
-    }
-    return bad ? ROUTH_SPHERE_NOT_FINITE : ROUTH_SPHERE_OK;
 }

@@ -1,5 +1,5 @@
 /*
- * routh_sphere.h: routh_sphere, emitted by nhc 0.1.0 (nhc:b9ce810a5caf8952)
+ * routh_sphere.h: routh_sphere, emitted by nhc 0.1.0 (nhc:0a8583a213bf1d13)
  * A ball with its centre of mass off its centre, dynamically symmetric, rolls on a horizontal plane.
  * Source: routh_sphere.yaml
  * Equations of motion: chaplygin (III.3)
@@ -32,14 +32,14 @@
  * out[1] = routh
  *
  * Operations:
- * rhs: 26 +-, 53 *, 3 /, 4 calls
- * velocities: 2 +-, 8 *, 0 /, 3 calls
- * accelerations: 32 +-, 64 *, 3 /, 4 calls
+ * rhs: 24 +-, 49 *, 3 /, 4 calls
+ * velocities: 2 +-, 7 *, 0 /, 3 calls
+ * accelerations: 29 +-, 60 *, 3 /, 4 calls
  * state: 0 +-, 0 *, 0 /, 0 calls
- * residuals: 4 +-, 8 *, 0 /, 3 calls
- * reactions: 37 +-, 85 *, 3 /, 4 calls
- * energy: 12 +-, 31 *, 0 /, 2 calls
- * jacobian: 48 +-, 134 *, 3 /, 4 calls
+ * residuals: 4 +-, 7 *, 0 /, 3 calls
+ * reactions: 35 +-, 73 *, 3 /, 4 calls
+ * energy: 12 +-, 28 *, 0 /, 2 calls
+ * jacobian: 46 +-, 124 *, 3 /, 4 calls
  * outputs: 5 +-, 17 *, 0 /, 3 calls
  *
  * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.

@@ -1,4 +1,4 @@
-"""routh_sphere, emitted by nhc 0.1.0 (nhc:ee9c815b043f13ed).
+"""routh_sphere, emitted by nhc 0.1.0 (nhc:8499db0331a34f4e).
 
 A ball with its centre of mass off its centre, dynamically symmetric, rolls on a
     horizontal plane.
@@ -33,14 +33,14 @@ out[0] = jellett
 out[1] = routh
 
 Operations:
-rhs: 26 +-, 53 *, 3 /, 4 calls
-velocities: 2 +-, 8 *, 0 /, 3 calls
-accelerations: 32 +-, 64 *, 3 /, 4 calls
+rhs: 24 +-, 49 *, 3 /, 4 calls
+velocities: 2 +-, 7 *, 0 /, 3 calls
+accelerations: 29 +-, 60 *, 3 /, 4 calls
 state: 0 +-, 0 *, 0 /, 0 calls
-residuals: 4 +-, 8 *, 0 /, 3 calls
-reactions: 37 +-, 85 *, 3 /, 4 calls
-energy: 12 +-, 31 *, 0 /, 2 calls
-jacobian: 48 +-, 134 *, 3 /, 4 calls
+residuals: 4 +-, 7 *, 0 /, 3 calls
+reactions: 35 +-, 73 *, 3 /, 4 calls
+energy: 12 +-, 28 *, 0 /, 2 calls
+jacobian: 46 +-, 124 *, 3 /, 4 calls
 outputs: 5 +-, 17 *, 0 /, 3 calls
 
 A singular point raises SingularModelError.
@@ -108,24 +108,22 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         # parameters only
         k1 = R * R
         k2 = m * k1
-        k3 = e * e
-        k4 = m * k3
-        k5 = I3 - (I1 + k4)
-        k6 = m * R
-        k7 = e * k6
-        k8 = 2.0 * I3 - (2.0 * I1 + 2.0 * k4)
-        k9 = m * e
+        k3 = m * e
+        k4 = m * R
+        k5 = e * e
+        k6 = I3 - (I1 + m * k5)
+        k7 = e * k4
         # state
         s_theta = math.sin(theta)
         z1 = s_theta * s_theta
-        z2 = I3 - z1 * k5
+        z2 = I3 - z1 * k6
         # the mass matrix is singular
         if not abs(z2) > 0.0:
             raise SingularModelError(2, "rhs")
         c_theta = math.cos(theta)
         Z = e * c_theta
         z3 = R + 2.0 * Z
-        z4 = I1 + m * (k3 + R * z3)
+        z4 = I1 + m * (k5 + R * z3)
         # the mass matrix is singular
         if not abs(z4) > 0.0:
             raise SingularModelError(2, "rhs")
@@ -137,21 +135,23 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         # the mass matrix is singular
         if not abs(z9) > 1e-14 * z5:
             raise SingularModelError(2, "rhs")
-        s_phi = math.sin(phi)
         c_phi = math.cos(phi)
-        z10 = theta_dot * s_theta
-        s1 = phi_dot * (k7 - c_theta * k8)
-        z11 = z10 * (s1 - psi_dot * (I3 + c_theta * k7))
-        s2 = phi_dot * (I3 + k6 * z3) - c_theta * (k1 * (psi_dot * m))
-        z12 = (z10 * s2 + z11 * z8) / z9
-        s3 = phi_dot * (k7 - c_theta * k5)
-        s4 = phi_dot * (s3 - psi_dot * (I3 + (R + Z) * k6))
-        z13 = s4 + k9 * (g + R * (theta_dot * theta_dot))
+        z10 = s_theta * (psi_dot * R)
+        s_phi = math.sin(phi)
+        z11 = theta_dot * R
+        z12 = theta_dot * s_theta
+        z13 = c_theta * k6
+        s1 = phi_dot * (k7 - 2.0 * z13) - psi_dot * (I3 + c_theta * k7)
+        z14 = z12 * s1
+        s2 = phi_dot * (I3 + k4 * z3) - c_theta * (k1 * (psi_dot * m))
+        z15 = (z12 * s2 + z14 * z8) / z9
+        s3 = phi_dot * (k7 - z13) - psi_dot * (I3 + (R + Z) * k4)
+        z16 = phi_dot * s3 + k3 * (g + R * (theta_dot * theta_dot))
         dydt: list[float] = [
             # x' (III.3)
-            R * (theta_dot * s_phi - psi_dot * (s_theta * c_phi)),
+            s_phi * z11 - c_phi * z10,
             # y' (III.3)
-            -R * (theta_dot * c_phi + psi_dot * (s_theta * s_phi)),
+            -(c_phi * z11 + s_phi * z10),
             # phi' (III.3)
             phi_dot,
             # theta' (III.3)
@@ -159,11 +159,11 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
             # psi' (III.3)
             psi_dot,
             # phi'' (III.3) 26:4
-            -(z11 * z7 + z8 * z12),
+            -(z14 * z7 + z8 * z15),
             # theta'' (III.3) 26:4
-            s_theta * z13 / z4,
+            s_theta * z16 / z4,
             # psi'' (III.3) 26:4
-            z12,
+            z15,
         ]
         return _finish("rhs", dydt)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -188,14 +188,16 @@ def velocities(
     R = float(p[1])  # radius [m]
     try:
         # state
-        s_phi = math.sin(phi)
-        s_theta = math.sin(theta)
         c_phi = math.cos(phi)
+        s_theta = math.sin(theta)
+        z1 = s_theta * (psi_dot * R)
+        s_phi = math.sin(phi)
+        z2 = theta_dot * R
         qdot: list[float] = [
             # x' (I.2.4)
-            R * (theta_dot * s_phi - psi_dot * (s_theta * c_phi)),
+            s_phi * z2 - c_phi * z1,
             # y' (I.2.4)
-            -R * (theta_dot * c_phi + psi_dot * (s_theta * s_phi)),
+            -(c_phi * z2 + s_phi * z1),
             # phi' (I.2.4)
             phi_dot,
             # theta' (I.2.4)
@@ -233,24 +235,22 @@ def accelerations(
         # parameters only
         k1 = R * R
         k2 = m * k1
-        k3 = e * e
-        k4 = m * k3
-        k5 = I3 - (I1 + k4)
-        k6 = m * R
-        k7 = e * k6
-        k8 = 2.0 * I3 - (2.0 * I1 + 2.0 * k4)
-        k9 = m * e
+        k3 = m * e
+        k4 = m * R
+        k5 = e * e
+        k6 = I3 - (I1 + m * k5)
+        k7 = e * k4
         # state
         s_theta = math.sin(theta)
         z1 = s_theta * s_theta
-        z2 = I3 - z1 * k5
+        z2 = I3 - z1 * k6
         # the mass matrix is singular
         if not abs(z2) > 0.0:
             raise SingularModelError(2, "accelerations")
         c_theta = math.cos(theta)
         Z = e * c_theta
         z3 = R + 2.0 * Z
-        z4 = I1 + m * (k3 + R * z3)
+        z4 = I1 + m * (k5 + R * z3)
         # the mass matrix is singular
         if not abs(z4) > 0.0:
             raise SingularModelError(2, "accelerations")
@@ -262,35 +262,35 @@ def accelerations(
         # the mass matrix is singular
         if not abs(z9) > 1e-14 * z5:
             raise SingularModelError(2, "accelerations")
-        c_phi = math.cos(phi)
-        z10 = phi_dot * c_phi
         s_phi = math.sin(phi)
-        s1 = phi_dot * (k7 - c_theta * k5)
-        s2 = phi_dot * (s1 - psi_dot * (I3 + (R + Z) * k6))
-        z11 = s2 + k9 * (g + R * (theta_dot * theta_dot))
-        z12 = s_theta * z11 / z4
-        z13 = theta_dot * c_theta
-        z14 = phi_dot * s_phi
-        z15 = theta_dot * s_theta
-        s3 = phi_dot * (k7 - c_theta * k8)
-        z16 = z15 * (s3 - psi_dot * (I3 + c_theta * k7))
-        s4 = phi_dot * (I3 + k6 * z3) - c_theta * (k1 * (psi_dot * m))
-        z17 = (z15 * s4 + z16 * z8) / z9
-        s5 = psi_dot * (c_phi * z13 - s_theta * z14)
-        z18 = theta_dot * z10 + s_phi * z12 - (s5 + s_theta * c_phi * z17)
-        s6 = psi_dot * (s_phi * z13 + s_theta * z10)
-        z19 = theta_dot * z14 - c_phi * z12 - (s6 + s_theta * s_phi * z17)
+        z10 = phi_dot * s_phi
+        z11 = psi_dot * R
+        z12 = s_theta * z11
+        c_phi = math.cos(phi)
+        z13 = theta_dot * s_theta
+        z14 = c_theta * k6
+        s1 = phi_dot * (k7 - 2.0 * z14) - psi_dot * (I3 + c_theta * k7)
+        z15 = z13 * s1
+        s2 = phi_dot * (I3 + k4 * z3) - c_theta * (k1 * (psi_dot * m))
+        z16 = (z13 * s2 + z15 * z8) / z9
+        z17 = theta_dot * c_theta * z11 + s_theta * (R * z16)
+        z18 = phi_dot * c_phi
+        z19 = theta_dot * R
+        s3 = phi_dot * (k7 - z14) - psi_dot * (I3 + (R + Z) * k4)
+        z20 = phi_dot * s3 + k3 * (g + R * (theta_dot * theta_dot))
+        z21 = s_theta * z20 / z4
+        z22 = R * z21
         qddot: list[float] = [
             # x'' (III.3)
-            R * z18,
+            z10 * z12 - c_phi * z17 + (z18 * z19 + s_phi * z22),
             # y'' (III.3)
-            R * z19,
+            z10 * z19 - c_phi * z22 - (z18 * z12 + s_phi * z17),
             # phi'' (III.3)
-            -(z16 * z7 + z8 * z17),
+            -(z15 * z7 + z8 * z16),
             # theta'' (III.3)
-            z12,
+            z21,
             # psi'' (III.3)
-            z17,
+            z16,
         ]
         return _finish("accelerations", qddot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -345,15 +345,14 @@ def residuals(
     try:
         # state
         s_phi = math.sin(phi)
-        s_theta = math.sin(theta)
         c_phi = math.cos(phi)
-        s1 = R * (theta_dot * s_phi - psi_dot * (s_theta * c_phi))
-        s2 = R * (theta_dot * c_phi + psi_dot * (s_theta * s_phi))
+        s_theta = math.sin(theta)
+        z1 = psi_dot * s_theta
         r: list[float] = [
             # roll_x = 0 (I.1.1) 29:5
-            x_dot - s1,
+            x_dot - R * (theta_dot * s_phi - c_phi * z1),
             # roll_y = 0 (I.1.1) 30:5
-            y_dot + s2,
+            y_dot + R * (theta_dot * c_phi + s_phi * z1),
         ]
         return _finish("residuals", r)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -384,15 +383,12 @@ def reactions(
     g = float(p[5])  # acceleration of gravity [m/s^2]
     try:
         # parameters only
-        k1 = R * R
-        k2 = m * k1
-        k3 = e * e
-        k4 = m * k3
-        k5 = I3 - (I1 + k4)
-        k6 = m * R
-        k7 = e * k6
-        k8 = 2.0 * I3 - (2.0 * I1 + 2.0 * k4)
-        k9 = m * e
+        k1 = m * (R * R)
+        k2 = m * e
+        k3 = m * R
+        k4 = e * e
+        k5 = I3 - (I1 + m * k4)
+        k6 = e * k3
         # state
         s_theta = math.sin(theta)
         z1 = s_theta * s_theta
@@ -403,12 +399,12 @@ def reactions(
         c_theta = math.cos(theta)
         Z = e * c_theta
         z3 = R + 2.0 * Z
-        z4 = I1 + m * (k3 + R * z3)
+        z4 = I1 + m * (k4 + R * z3)
         # the mass matrix is singular
         if not abs(z4) > 0.0:
             raise SingularModelError(2, "reactions")
-        z5 = I3 + z1 * k2
-        z6 = I3 * c_theta - z1 * k7
+        z5 = I3 + z1 * k1
+        z6 = I3 * c_theta - z1 * k6
         z7 = 1.0 / z2
         z8 = z6 * z7
         z9 = z5 - z6 * z8
@@ -416,35 +412,34 @@ def reactions(
         if not abs(z9) > 1e-14 * z5:
             raise SingularModelError(2, "reactions")
         c_phi = math.cos(phi)
+        z10 = theta_dot * c_theta
+        z11 = phi_dot * R
+        s1 = R * (psi_dot * z10) - theta_dot * z11
+        z12 = phi_dot * (e * z10 + theta_dot * Z) - s1
         s_phi = math.sin(phi)
-        z10 = psi_dot * R
-        z11 = phi_dot * e - z10
-        z12 = s_theta * (theta_dot * e)
-        s1 = phi_dot * (theta_dot * c_phi * z3 - s_theta * s_phi * z11)
-        z13 = s1 - theta_dot * (s_phi * z12 + c_theta * (c_phi * z10))
-        z14 = s_theta * k6
-        z15 = theta_dot * s_theta
-        s2 = phi_dot * (k7 - c_theta * k8)
-        z16 = z15 * (s2 - psi_dot * (I3 + c_theta * k7))
-        s3 = phi_dot * (I3 + k6 * z3) - c_theta * (k1 * (psi_dot * m))
-        z17 = (z15 * s3 + z16 * z8) / z9
-        z18 = s_theta * k9
-        z19 = z16 * z7 + z8 * z17
-        z20 = R + Z
-        s4 = phi_dot * (k7 - c_theta * k5) - psi_dot * (I3 + z20 * k6)
-        z21 = phi_dot * s4 + k9 * (g + R * (theta_dot * theta_dot))
-        z22 = s_theta * z21 / z4
-        s5 = c_phi * z18 * z19 - z20 * (m * s_phi) * z22
-        z23 = m * z13 - (c_phi * z14 * z17 + s5)
-        s6 = phi_dot * (theta_dot * s_phi * z3 + s_theta * c_phi * z11)
-        z24 = s6 + theta_dot * (c_phi * z12 - c_theta * (s_phi * z10))
-        s7 = s_phi * z18 * z19 + z20 * (m * c_phi) * z22
-        z25 = m * z24 - (s_phi * z14 * z17 + s7)
+        z13 = theta_dot * s_theta
+        s2 = e * (theta_dot * z13 + s_theta * (phi_dot * phi_dot))
+        z14 = s_theta * (psi_dot * z11) - s2
+        z15 = s_theta * c_phi
+        z16 = c_theta * k5
+        s3 = phi_dot * (k6 - 2.0 * z16) - psi_dot * (I3 + c_theta * k6)
+        z17 = z13 * s3
+        s4 = z13 * (phi_dot * (I3 + k3 * z3) - k1 * (psi_dot * c_theta))
+        z18 = (z17 * z8 + s4) / z9
+        z19 = k3 * z18
+        z20 = k2 * (z17 * z7 + z8 * z18)
+        z21 = R + Z
+        s5 = phi_dot * (phi_dot * (k6 - z16) - psi_dot * (I3 + z21 * k3))
+        z22 = s5 + k2 * (g + R * (theta_dot * theta_dot))
+        z23 = m * z21 * (s_theta * z22 / z4)
+        z24 = s_theta * s_phi
+        s6 = z15 * z19 + (z15 * z20 - s_phi * z23)
+        s7 = z24 * z19 + (z24 * z20 + c_phi * z23)
         lambda_: list[float] = [
             # reaction of roll_x: Q_i gains lambda_1 a_1i (I.4.1) 29:5
-            z23,
+            m * (c_phi * z12 + s_phi * z14) - s6,
             # reaction of roll_y: Q_i gains lambda_2 a_2i (I.4.1) 30:5
-            z25,
+            m * (s_phi * z12 - c_phi * z14) - s7,
         ]
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -476,14 +471,13 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
         z1 = s_theta * s_theta
         z2 = theta_dot * theta_dot
         c_theta = math.cos(theta)
-        s1 = phi_dot * z1 * (0.5 * (phi_dot * e) - psi_dot * R)
-        z3 = s1 + (z2 * (k2 + R * c_theta) + g * c_theta)
+        s1 = phi_dot * z1 * (psi_dot * R - 0.5 * (phi_dot * e))
+        z3 = s1 - (z2 * (k2 + R * c_theta) + g * c_theta)
         z4 = psi_dot * psi_dot
-        s2 = phi_dot * (0.5 * (I1 * z1) + I3 * (0.5 - 0.5 * z1))
-        z5 = phi_dot * (c_theta * (psi_dot * I3) + s2)
-        s3 = m * (e * z3 + k1 * (0.5 * z2 + 0.5 * (z1 * z4)))
-        z6 = s3 + (z5 + (0.5 * (I1 * z2) + 0.5 * (I3 * z4)))
-        value1 = z6
+        s2 = 0.5 * (phi_dot * (I1 * z1 + I3 * (1.0 - z1)))
+        s3 = phi_dot * (s2 + I3 * (psi_dot * c_theta))
+        z5 = 0.5 * (I1 * z2 + I3 * z4) + s3
+        value1 = z5 - m * (e * z3 - 0.5 * (k1 * (z2 + z1 * z4)))
         return _single("energy", value1)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
         raise SingularModelError(NOT_FINITE, "energy") from error
@@ -512,15 +506,12 @@ def jacobian(
     g = float(p[5])  # acceleration of gravity [m/s^2]
     try:
         # parameters only
-        k1 = R * R
-        k2 = m * k1
-        k3 = e * e
-        k4 = m * k3
-        k5 = I3 - (I1 + k4)
-        k6 = m * R
-        k7 = e * k6
-        k8 = 2.0 * I3 - (2.0 * I1 + 2.0 * k4)
-        k9 = m * e
+        k1 = m * (R * R)
+        k2 = m * e
+        k3 = m * R
+        k4 = e * e
+        k5 = I3 - (I1 + m * k4)
+        k6 = e * k3
         # state
         s_theta = math.sin(theta)
         z1 = s_theta * s_theta
@@ -531,188 +522,151 @@ def jacobian(
         c_theta = math.cos(theta)
         Z = e * c_theta
         z3 = R + 2.0 * Z
-        z4 = I1 + m * (k3 + R * z3)
+        z4 = I1 + m * (k4 + R * z3)
         # the mass matrix is singular
         if not abs(z4) > 0.0:
             raise SingularModelError(2, "jacobian")
-        z5 = I3 + z1 * k2
-        z6 = I3 * c_theta - z1 * k7
+        z5 = I3 + z1 * k1
+        z6 = I3 * c_theta - z1 * k6
         z7 = 1.0 / z2
         z8 = z6 * z7
         z9 = z5 - z6 * z8
         # the mass matrix is singular
         if not abs(z9) > 1e-14 * z5:
             raise SingularModelError(2, "jacobian")
-        s_phi = math.sin(phi)
-        z10 = psi_dot * R
-        z11 = s_theta * z10
         c_phi = math.cos(phi)
-        z12 = theta_dot * R
-        z13 = theta_dot * s_theta
-        z14 = phi_dot * z13
-        z15 = 1.0 / z9
-        z16 = I3 + k6 * z3
-        z17 = k1 * (psi_dot * m)
-        z18 = phi_dot * z16 - c_theta * z17
-        z19 = k7 - c_theta * k8
-        z20 = I3 + c_theta * k7
+        z10 = theta_dot * R
+        s_phi = math.sin(phi)
+        z11 = psi_dot * R
+        z12 = s_theta * z11
+        z13 = c_theta * z11
+        z14 = R * s_theta
+        z15 = theta_dot * s_theta
+        z16 = phi_dot * z15
+        z17 = 1.0 / z9
+        z18 = c_theta * k5
+        z19 = k6 - 2.0 * z18
+        z20 = I3 + c_theta * k6
         z21 = phi_dot * z19 - psi_dot * z20
-        z22 = z13 * z21
-        z23 = z15 * (z13 * z18 + z22 * z8)
-        z24 = z22 * z7 + z8 * z23
-        s1 = theta_dot * z21 - 2.0 * (s_theta * (k7 * z23 - k5 * z24))
-        s2 = s_theta * (k7 * (psi_dot * z13) + z14 * k8 - I3 * z23)
-        z25 = s2 + c_theta * s1
-        s3 = theta_dot * z18 - 2.0 * (s_theta * (k2 * z23 + k7 * z24))
-        s4 = s_theta * (2.0 * (e * (z14 * k6)) - (z13 * z17 - I3 * z24))
-        z26 = s4 - c_theta * s3
-        z27 = z15 * (z26 - z8 * z25)
-        z28 = z13 * z19
-        z29 = z15 * (z13 * z16 + z8 * z28)
-        z30 = s_theta * z21
-        z31 = z15 * (s_theta * z18 + z8 * z30)
-        z32 = z13 * z20
-        z33 = z15 * (m * (k1 * (c_theta * z13)) + z8 * z32)
-        z34 = 1.0 / z4
-        z35 = k7 - c_theta * k5
-        z36 = I3 + (R + Z) * k6
-        z37 = phi_dot * z35 - psi_dot * z36
-        z38 = phi_dot * z37 + k9 * (g + R * (theta_dot * theta_dot))
-        z39 = phi_dot * s_theta
-        s5 = 2.0 * (R * (m * (s_theta * z38 * z34)))
-        z40 = k5 * (phi_dot * z39) + e * (k6 * (psi_dot * z39) + s5)
+        z22 = z15 * z21
+        z23 = I3 + k3 * z3
+        z24 = psi_dot * k1
+        z25 = phi_dot * z23 - c_theta * z24
+        z26 = z17 * (z22 * z8 + z15 * z25)
+        z27 = z22 * z7 + z8 * z26
+        s1 = theta_dot * z21 - 2.0 * (s_theta * (k6 * z26 - k5 * z27))
+        s2 = s_theta * (k6 * (psi_dot * z15) + 2.0 * (z16 * k5) - I3 * z26)
+        z28 = s2 + c_theta * s1
+        s3 = theta_dot * z25 - 2.0 * (s_theta * (k1 * z26 + k6 * z27))
+        s4 = s_theta * (2.0 * (z16 * k6) - (z15 * z24 - I3 * z27))
+        z29 = s4 - c_theta * s3
+        z30 = z17 * (z29 - z8 * z28)
+        z31 = z15 * z19
+        z32 = z17 * (z15 * z23 + z8 * z31)
+        z33 = s_theta * z21
+        z34 = z17 * (z8 * z33 + s_theta * z25)
+        z35 = z15 * z20
+        z36 = z17 * (z8 * z35 + k1 * (c_theta * z15))
+        z37 = 1.0 / z4
+        z38 = k6 - z18
+        z39 = I3 + (R + Z) * k3
+        z40 = phi_dot * z38 - psi_dot * z39
+        z41 = phi_dot * z40 + k2 * (g + R * (theta_dot * theta_dot))
+        z42 = phi_dot * s_theta
+        z43 = z14 * z37
+        s5 = e * (k3 * (psi_dot * z42) + 2.0 * (m * (z41 * z43)))
+        z44 = s_theta * (k5 * (phi_dot * z42) + s5)
         J: list[float] = [
-            # (III.3)
+            0.0,
             0.0,
             # (III.3)
+            c_phi * z10 + s_phi * z12,
+            # (III.3)
+            -c_phi * z13,
             0.0,
-            # (III.3)
-            s_phi * z11 + c_phi * z12,
-            # (III.3)
-            -c_theta * (c_phi * z10),
-            # (III.3)
-            0.0,
-            # (III.3)
             0.0,
             # (III.3)
             R * s_phi,
             # (III.3)
-            -R * (s_theta * c_phi),
-            # (III.3)
+            -c_phi * z14,
+            0.0,
             0.0,
             # (III.3)
+            s_phi * z10 - c_phi * z12,
+            # (III.3)
+            -s_phi * z13,
             0.0,
-            # (III.3)
-            s_phi * z12 - c_phi * z11,
-            # (III.3)
-            -c_theta * (s_phi * z10),
-            # (III.3)
-            0.0,
-            # (III.3)
             0.0,
             # (III.3)
             -R * c_phi,
             # (III.3)
-            -R * (s_theta * s_phi),
-            # (III.3)
+            -s_phi * z14,
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
             # (III.3)
             1.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
             # (III.3)
             1.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
             # (III.3)
             1.0,
-            # (III.3)
+            0.0,
+            0.0,
             0.0,
             # (III.3)
+            z8 * z30 - z7 * z28,
             0.0,
             # (III.3)
+            -(z7 * z31 + z8 * z32),
+            # (III.3)
+            -(z7 * z33 + z8 * z34),
+            # (III.3)
+            z7 * z35 + z8 * z36,
+            0.0,
+            0.0,
             0.0,
             # (III.3)
-            z8 * z27 - z7 * z25,
-            # (III.3)
+            z37 * (c_theta * z41 + z44),
             0.0,
             # (III.3)
-            -(z7 * z28 + z8 * z29),
+            z37 * (s_theta * z40 + z42 * z38),
             # (III.3)
-            -(z7 * z30 + z8 * z31),
+            2.0 * (k2 * (theta_dot * z43)),
             # (III.3)
-            z7 * z32 + z8 * z33,
-            # (III.3)
+            -z37 * (z42 * z39),
+            0.0,
+            0.0,
             0.0,
             # (III.3)
+            -z30,
             0.0,
             # (III.3)
-            0.0,
+            z32,
             # (III.3)
-            z34 * (c_theta * z38 + s_theta * z40),
+            z34,
             # (III.3)
-            0.0,
-            # (III.3)
-            z34 * (s_theta * z37 + z39 * z35),
-            # (III.3)
-            2.0 * (z34 * (theta_dot * (R * (s_theta * k9)))),
-            # (III.3)
-            -z34 * (z39 * z36),
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            -z27,
-            # (III.3)
-            0.0,
-            # (III.3)
-            z29,
-            # (III.3)
-            z31,
-            # (III.3)
-            -z33,
+            -z36,
         ]
         _finish("jacobian", J)
-        return [J[k10 : k10 + 8] for k10 in range(0, 64, 8)]
+        return [J[k7 : k7 + 8] for k7 in range(0, 64, 8)]
     except (ValueError, ZeroDivisionError, OverflowError) as error:
         raise SingularModelError(NOT_FINITE, "jacobian") from error
 

@@ -1,5 +1,5 @@
 /*
- * skate_incline.c: skate_incline, emitted by nhc 0.1.0 (nhc:b31f4f6c3a898a4a)
+ * skate_incline.c: skate_incline, emitted by nhc 0.1.0 (nhc:caadf33f9b76128e)
  * A skate on an inclined plane with its centre of mass above the edge; it never gets far downhill.
  * Source: skate_incline.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -11,6 +11,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <string.h>
 
 const char *const skate_incline_coordinate_names[] = {
     "x",
@@ -46,10 +47,129 @@ static int skate_incline_finish(int count, const double *values)
     return fabs(sum) <= DBL_MAX ? SKATE_INCLINE_OK : SKATE_INCLINE_NOT_FINITE;
 }
 
+/* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
+#ifndef SKATE_INCLINE_LANES
+#if !defined(__GNUC__)
+#define SKATE_INCLINE_LANES 1
+#elif defined(__AVX512F__)
+#define SKATE_INCLINE_LANES 8
+#elif defined(__AVX__)
+#define SKATE_INCLINE_LANES 4
+#else
+#define SKATE_INCLINE_LANES 2
+#endif
+#endif
+#if SKATE_INCLINE_LANES > 1
+typedef double skate_incline_lanes __attribute__((vector_size(8 * SKATE_INCLINE_LANES)));
+#else
+typedef double skate_incline_lanes;
+#endif
+
+#if SKATE_INCLINE_LANES >= 2
+static inline skate_incline_lanes skate_incline_get(const double *from)
+{
+    skate_incline_lanes value;
+    memcpy(&value, from, sizeof value);
+    return value;
+}
+
+static inline void skate_incline_put(double *to, skate_incline_lanes value)
+{
+    memcpy(to, &value, sizeof value);
+}
+#endif
+
+/* states first, first + 1, ... through rhs, one by one; the first status that is not OK */
+#if defined(__GNUC__)
+__attribute__((noinline))
+#endif
+static int skate_incline_one_by_one(size_t count, size_t first, size_t number, const double *t, const double *y, const double *p, double *dydt)
+{
+    int status = SKATE_INCLINE_OK;
+    for (size_t i = first; i < first + number; ++i) {
+        double state[SKATE_INCLINE_NY];
+        double slope[SKATE_INCLINE_NY];
+        for (size_t k = 0; k < SKATE_INCLINE_NY; ++k) {
+            state[k] = y[k * count + i];
+            slope[k] = NAN;
+        }
+        const int one = skate_incline_rhs(t[i], state, p, slope);
+        status = status == SKATE_INCLINE_OK ? one : status;
+        for (size_t k = 0; k < SKATE_INCLINE_NY; ++k) {
+            dydt[k * count + i] = slope[k];
+        }
+    }
+    return status;
+}
+
+#if SKATE_INCLINE_LANES >= 2
+#define SKATE_INCLINE_SPREAD(x) ((x) - (skate_incline_lanes){0}) /* a number in each lane; lanes stay what they are */
+
+typedef unsigned long long skate_incline_bits __attribute__((vector_size(8 * SKATE_INCLINE_LANES)));
+
+/* no number where a bit is set */
+static inline skate_incline_lanes skate_incline_mark(skate_incline_lanes value, skate_incline_bits bad)
+{
+    return (skate_incline_lanes)((skate_incline_bits)value | bad);
+}
+/* whether none of the states must be asked again: no singular block, no infinity, no angle anywhere near 1e5 */
+static inline int skate_incline_is_good(int count, const double *check)
+{
+    double even = 0.0;
+    double odd = 0.0;
+    for (int k = 0; k < count; k += 2) {
+        even += check[k];
+        odd += check[k + 1];
+    }
+    return even + odd <= 1e10;
+}
+
+/* the last states, fewer than there are lanes; the others repeat the last one */
+static inline void skate_incline_fill(size_t left, size_t count, const double *t, const double *y, double *time, double *state)
+{
+    for (size_t l = 0; l < SKATE_INCLINE_LANES; ++l) {
+        const size_t i = l < left ? l : left - 1;
+        time[l] = t[i];
+        for (size_t k = 0; k < SKATE_INCLINE_NY; ++k) {
+            state[k * SKATE_INCLINE_LANES + l] = y[k * count + i];
+        }
+    }
+}
+
+static inline void skate_incline_pour(size_t left, size_t count, const double *slope, double *dydt)
+{
+    for (size_t k = 0; k < SKATE_INCLINE_NY; ++k) {
+        for (size_t l = 0; l < left; ++l) {
+            dydt[k * count + l] = slope[k * SKATE_INCLINE_LANES + l];
+        }
+    }
+}
+
+/* libm's sine and cosine, lane by lane */
+static inline void skate_incline_turn_lanes(skate_incline_lanes x, skate_incline_lanes *far, skate_incline_lanes *sine, skate_incline_lanes *cosine)
+{
+    double angle[SKATE_INCLINE_LANES];
+    double up[SKATE_INCLINE_LANES];
+    double along[SKATE_INCLINE_LANES];
+    (void)far;
+    memcpy(angle, &x, sizeof x);
+    for (int l = 0; l < SKATE_INCLINE_LANES; ++l) {
+        up[l] = sin(angle[l]);
+        along[l] = cos(angle[l]);
+    }
+    memcpy(sine, up, sizeof x);
+    memcpy(cosine, along, sizeof x);
+}
+#endif
+
 int skate_incline_rhs(double t, const double *y, const double *p, double *dydt)
 {
     (void)t;
     const double phi = y[2]; /* heading, from the fall line [rad] */
+
+    /* sines and cosines */
+    const double c_phi = cos(phi);
+    const double s_phi = sin(phi);
     const double v = y[3];
     const double phi_dot = y[4];
     const double m = p[0]; /* mass [kg] */
@@ -62,6 +182,13 @@ int skate_incline_rhs(double t, const double *y, const double *p, double *dydt)
     const double k1 = g * s_alpha;
 
     /* state */
+    /* (I.2.15) */
+    dydt[0] = c_phi * v; /* x' */
+    dydt[1] = s_phi * v; /* y' */
+    dydt[2] = phi_dot; /* phi' */
+    /* (I.2.15) 15:4 */
+    dydt[3] = c_phi * k1; /* v' */
+    dydt[4] = 0.0; /* phi'' */
     /* the mass matrix is singular */
     if (!(fabs(m) > 0.0)) {
         return SKATE_INCLINE_SINGULAR_2;
@@ -70,15 +197,6 @@ int skate_incline_rhs(double t, const double *y, const double *p, double *dydt)
     if (!(fabs(J) > 0.0)) {
         return SKATE_INCLINE_SINGULAR_2;
     }
-    const double c_phi = cos(phi);
-    const double s_phi = sin(phi);
-    /* (I.2.15) */
-    dydt[0] = c_phi * v; /* x' */
-    dydt[1] = s_phi * v; /* y' */
-    dydt[2] = phi_dot; /* phi' */
-    /* (I.2.15) 15:4 */
-    dydt[3] = c_phi * k1; /* v' */
-    dydt[4] = 0.0; /* phi'' */
     return skate_incline_finish(5, dydt);
 }
 
@@ -87,12 +205,14 @@ int skate_incline_velocities(double t, const double *y, const double *p, double 
     (void)t;
     (void)p;
     const double phi = y[2]; /* heading, from the fall line [rad] */
+
+    /* sines and cosines */
+    const double c_phi = cos(phi);
+    const double s_phi = sin(phi);
     const double v = y[3];
     const double phi_dot = y[4];
 
     /* state */
-    const double c_phi = cos(phi);
-    const double s_phi = sin(phi);
     /* (I.2.4) */
     qdot[0] = c_phi * v; /* x' */
     qdot[1] = s_phi * v; /* y' */
@@ -104,6 +224,10 @@ int skate_incline_accelerations(double t, const double *y, const double *p, doub
 {
     (void)t;
     const double phi = y[2]; /* heading, from the fall line [rad] */
+
+    /* sines and cosines */
+    const double c_phi = cos(phi);
+    const double s_phi = sin(phi);
     const double v = y[3];
     const double phi_dot = y[4];
     const double m = p[0]; /* mass [kg] */
@@ -116,6 +240,12 @@ int skate_incline_accelerations(double t, const double *y, const double *p, doub
     const double k1 = g * s_alpha;
 
     /* state */
+    const double z1 = c_phi * k1;
+    const double z2 = phi_dot * v;
+    /* (I.2.15) */
+    qddot[0] = c_phi * z1 - s_phi * z2; /* x'' */
+    qddot[1] = s_phi * z1 + c_phi * z2; /* y'' */
+    qddot[2] = 0.0; /* phi'' */
     /* the mass matrix is singular */
     if (!(fabs(m) > 0.0)) {
         return SKATE_INCLINE_SINGULAR_2;
@@ -124,13 +254,6 @@ int skate_incline_accelerations(double t, const double *y, const double *p, doub
     if (!(fabs(J) > 0.0)) {
         return SKATE_INCLINE_SINGULAR_2;
     }
-    const double s_phi = sin(phi);
-    const double c_phi = cos(phi);
-    const double z1 = c_phi * k1;
-    /* (I.2.15) */
-    qddot[0] = c_phi * z1 - v * (phi_dot * s_phi); /* x'' */
-    qddot[1] = v * (phi_dot * c_phi) + s_phi * z1; /* y'' */
-    qddot[2] = 0.0; /* phi'' */
     return skate_incline_finish(3, qddot);
 }
 
@@ -138,16 +261,18 @@ int skate_incline_state(double t, const double *q, const double *qdot, const dou
 {
     (void)t;
     (void)p;
+    const double phi = q[2]; /* heading, from the fall line [rad] */
+
+    /* sines and cosines */
+    const double c_phi = cos(phi);
+    const double s_phi = sin(phi);
     const double x = q[0]; /* down the slope [m] */
     const double y_2 = q[1]; /* across the slope [m] */
-    const double phi = q[2]; /* heading, from the fall line [rad] */
     const double x_dot = qdot[0];
     const double y_dot = qdot[1];
     const double phi_dot = qdot[2];
 
     /* state */
-    const double c_phi = cos(phi);
-    const double s_phi = sin(phi);
     y[0] = x;
     y[1] = y_2;
     y[2] = phi;
@@ -161,12 +286,14 @@ int skate_incline_residuals(double t, const double *q, const double *qdot, const
     (void)t;
     (void)p;
     const double phi = q[2]; /* heading, from the fall line [rad] */
+
+    /* sines and cosines */
+    const double s_phi = sin(phi);
+    const double c_phi = cos(phi);
     const double x_dot = qdot[0];
     const double y_dot = qdot[1];
 
     /* state */
-    const double s_phi = sin(phi);
-    const double c_phi = cos(phi);
     /* (I.1.1) 18:5 */
     r[0] = x_dot * s_phi - y_dot * c_phi; /* slip = 0 */
     return skate_incline_finish(1, r);
@@ -188,6 +315,9 @@ int skate_incline_reactions(double t, const double *y, const double *p, double *
     const double k1 = g * s_alpha;
 
     /* state */
+    const double s_phi = sin(phi);
+    /* (I.4.1) 18:5 */
+    lambda[0] = -m * (phi_dot * v + s_phi * k1); /* reaction of slip: Q_i gains lambda_1 a_1i */
     /* the mass matrix is singular */
     if (!(fabs(m) > 0.0)) {
         return SKATE_INCLINE_SINGULAR_2;
@@ -196,9 +326,6 @@ int skate_incline_reactions(double t, const double *y, const double *p, double *
     if (!(fabs(J) > 0.0)) {
         return SKATE_INCLINE_SINGULAR_2;
     }
-    const double s_phi = sin(phi);
-    /* (I.4.1) 18:5 */
-    lambda[0] = -m * (phi_dot * v + s_phi * k1); /* reaction of slip: Q_i gains lambda_1 a_1i */
     return skate_incline_finish(1, lambda);
 }
 
@@ -222,8 +349,15 @@ double skate_incline_energy(double t, const double *y, const double *p)
 
 int skate_incline_jacobian(double t, const double *y, const double *p, double *J)
 {
+    for (int entry = 0; entry < 25; ++entry) {
+        J[entry] = 0.0;
+    }
     (void)t;
     const double phi = y[2]; /* heading, from the fall line [rad] */
+
+    /* sines and cosines */
+    const double s_phi = sin(phi);
+    const double c_phi = cos(phi);
     const double v = y[3];
     const double m = p[0]; /* mass [kg] */
     const double J_2 = p[1]; /* moment of inertia about the normal [kg*m^2] */
@@ -235,6 +369,13 @@ int skate_incline_jacobian(double t, const double *y, const double *p, double *J
     const double k1 = g * s_alpha;
 
     /* state */
+    /* (I.2.15) */
+    J[2] = -s_phi * v;
+    J[3] = c_phi;
+    J[7] = c_phi * v;
+    J[8] = s_phi;
+    J[14] = 1.0;
+    J[17] = -s_phi * k1;
     /* the mass matrix is singular */
     if (!(fabs(m) > 0.0)) {
         return SKATE_INCLINE_SINGULAR_2;
@@ -243,34 +384,6 @@ int skate_incline_jacobian(double t, const double *y, const double *p, double *J
     if (!(fabs(J_2) > 0.0)) {
         return SKATE_INCLINE_SINGULAR_2;
     }
-    const double s_phi = sin(phi);
-    const double c_phi = cos(phi);
-    /* (I.2.15) */
-    J[0] = 0.0;
-    J[1] = 0.0;
-    J[2] = -s_phi * v;
-    J[3] = c_phi;
-    J[4] = 0.0;
-    J[5] = 0.0;
-    J[6] = 0.0;
-    J[7] = c_phi * v;
-    J[8] = s_phi;
-    J[9] = 0.0;
-    J[10] = 0.0;
-    J[11] = 0.0;
-    J[12] = 0.0;
-    J[13] = 0.0;
-    J[14] = 1.0;
-    J[15] = 0.0;
-    J[16] = 0.0;
-    J[17] = -s_phi * k1;
-    J[18] = 0.0;
-    J[19] = 0.0;
-    J[20] = 0.0;
-    J[21] = 0.0;
-    J[22] = 0.0;
-    J[23] = 0.0;
-    J[24] = 0.0;
     return skate_incline_finish(25, J);
 }
 
@@ -286,9 +399,58 @@ int skate_incline_outputs(double t, const double *y, const double *p, double *ou
     return skate_incline_finish(1, out);
 }
 
+#if SKATE_INCLINE_LANES >= 2
+static __attribute__((noinline)) void skate_incline_rhs_lanes(const double *fixed, size_t stride, const
+    double *t, const double *y, double *restrict dydt, double *check)
+{
+    (void)t;
+    skate_incline_lanes far = {0}; /* the squares of the angles */
+    skate_incline_lanes sum = {0}; /* an infinity or a NaN among the results stays in it */
+    skate_incline_bits bad = {0}; /* singular blocks */
+    const double k1 = fixed[0];
+    const skate_incline_lanes phi = skate_incline_get(y + 2 * stride);
+    const skate_incline_lanes v = skate_incline_get(y + 3 * stride);
+    const skate_incline_lanes phi_dot = skate_incline_get(y + 4 * stride);
+    skate_incline_lanes sine1, cosine1;
+    skate_incline_turn_lanes(SKATE_INCLINE_SPREAD(phi), &far, &sine1, &cosine1);
+    const skate_incline_lanes c_phi = cosine1;
+    const skate_incline_lanes s_phi = sine1;
+    /* (I.2.15) */
+    const skate_incline_lanes slope1 = c_phi * v;
+    sum += slope1;
+    skate_incline_put(dydt, slope1);
+    const skate_incline_lanes slope2 = s_phi * v;
+    sum += slope2;
+    skate_incline_put(dydt + 1 * stride, slope2);
+    const skate_incline_lanes slope3 = phi_dot;
+    sum += slope3;
+    skate_incline_put(dydt + 2 * stride, slope3);
+    /* (I.2.15) 15:4 */
+    const skate_incline_lanes slope4 = c_phi * k1;
+    sum += slope4;
+    skate_incline_put(dydt + 3 * stride, slope4);
+    const skate_incline_lanes slope5 = SKATE_INCLINE_SPREAD(0.0);
+    sum += slope5;
+    skate_incline_put(dydt + 4 * stride, slope5);
+    skate_incline_put(check, skate_incline_mark(far + (sum - sum), bad));
+}
+
+static __attribute__((noinline)) void skate_incline_rhs_tail(const double *fixed, size_t left, size_t count,
+    const double *t, const double *y, double *restrict dydt, double *check)
+{
+    double time[SKATE_INCLINE_LANES];
+    double state[5 * SKATE_INCLINE_LANES];
+    double slope[5 * SKATE_INCLINE_LANES];
+    skate_incline_fill(left, count, t, y, time, state);
+    skate_incline_rhs_lanes(fixed, SKATE_INCLINE_LANES, time, state, slope, check);
+    skate_incline_pour(left, count, slope, dydt);
+}
+#endif
+
 int skate_incline_rhs_batch(size_t count, const double *t, const double *y, const double *p, double *restrict
     dydt)
 {
+#if SKATE_INCLINE_LANES >= 2
     const double m = p[0]; /* mass [kg] */
     const double J = p[1]; /* moment of inertia about the normal [kg*m^2] */
     const double g = p[2]; /* acceleration of gravity [m/s^2] */
@@ -303,34 +465,23 @@ int skate_incline_rhs_batch(size_t count, const double *t, const double *y, cons
     if (!(fabs(J) > 0.0)) {
         return SKATE_INCLINE_SINGULAR_2;
     }
-    int bad = 0;
-    (void)t;
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC ivdep
-#endif
-    for (size_t i = 0; i < count; ++i) {
-        const double phi = y[2 * count + i]; /* heading, from the fall line [rad] */
-        const double v = y[3 * count + i];
-        const double phi_dot = y[4 * count + i];
-        const double c_phi = cos(phi);
-        const double s_phi = sin(phi);
-        /* (I.2.15) */
-        const double slope1 = c_phi * v; /* x' */
-        dydt[i] = slope1;
-        bad |= !(fabs(slope1) <= DBL_MAX);
-        const double slope2 = s_phi * v; /* y' */
-        dydt[count + i] = slope2;
-        bad |= !(fabs(slope2) <= DBL_MAX);
-        const double slope3 = phi_dot; /* phi' */
-        dydt[2 * count + i] = slope3;
-        bad |= !(fabs(slope3) <= DBL_MAX);
-        /* (I.2.15) 15:4 */
-        const double slope4 = c_phi * k1; /* v' */
-        dydt[3 * count + i] = slope4;
-        bad |= !(fabs(slope4) <= DBL_MAX);
-        const double slope5 = 0.0; /* phi'' */
-        dydt[4 * count + i] = slope5;
-        bad |= !(fabs(slope5) <= DBL_MAX);
+    const double fixed[] = {k1};
+    double check[1 * SKATE_INCLINE_LANES];
+    int status = SKATE_INCLINE_OK;
+    for (size_t i = 0; i < count; i += SKATE_INCLINE_LANES) {
+        const size_t left = count - i < SKATE_INCLINE_LANES ? count - i : SKATE_INCLINE_LANES;
+        if (left == SKATE_INCLINE_LANES) {
+            skate_incline_rhs_lanes(fixed, count, t + i, y + i, dydt + i, check);
+        } else {
+            skate_incline_rhs_tail(fixed, left, count, t + i, y + i, dydt + i, check);
+        }
+        if (!skate_incline_is_good(1 * SKATE_INCLINE_LANES, check)) {
+            const int one = skate_incline_one_by_one(count, i, left, t, y, p, dydt);
+            status = status == SKATE_INCLINE_OK ? one : status;
+        }
     }
-    return bad ? SKATE_INCLINE_NOT_FINITE : SKATE_INCLINE_OK;
+    return status;
+#else
+    return skate_incline_one_by_one(count, 0, count, t, y, p, dydt);
+#endif
 }

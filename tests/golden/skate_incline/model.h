@@ -1,5 +1,5 @@
 /*
- * skate_incline.h: skate_incline, emitted by nhc 0.1.0 (nhc:4509b76f75f4cbab)
+ * skate_incline.h: skate_incline, emitted by nhc 0.1.0 (nhc:e62fe337340ab42c)
  * A skate on an inclined plane with its centre of mass above the edge; it never gets far downhill.
  * Source: skate_incline.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -28,7 +28,7 @@
  * Operations:
  * rhs: 0 +-, 4 *, 0 /, 3 calls
  * velocities: 0 +-, 2 *, 0 /, 2 calls
- * accelerations: 2 +-, 8 *, 0 /, 3 calls
+ * accelerations: 2 +-, 7 *, 0 /, 3 calls
  * state: 1 +-, 2 *, 0 /, 2 calls
  * residuals: 1 +-, 2 *, 0 /, 2 calls
  * reactions: 1 +-, 4 *, 0 /, 2 calls

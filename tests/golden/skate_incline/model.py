@@ -1,4 +1,4 @@
-"""skate_incline, emitted by nhc 0.1.0 (nhc:bbc59537968ad3c5).
+"""skate_incline, emitted by nhc 0.1.0 (nhc:375a3a568767eadb).
 
 A skate on an inclined plane with its centre of mass above the edge; it never gets
     far downhill.
@@ -29,7 +29,7 @@ out[0] = speed
 Operations:
 rhs: 0 +-, 4 *, 0 /, 3 calls
 velocities: 0 +-, 2 *, 0 /, 2 calls
-accelerations: 2 +-, 8 *, 0 /, 3 calls
+accelerations: 2 +-, 7 *, 0 /, 3 calls
 state: 1 +-, 2 *, 0 /, 2 calls
 residuals: 1 +-, 2 *, 0 /, 2 calls
 reactions: 1 +-, 4 *, 0 /, 2 calls
@@ -182,14 +182,15 @@ def accelerations(
         # the mass matrix is singular
         if not abs(J) > 0.0:
             raise SingularModelError(2, "accelerations")
-        s_phi = math.sin(phi)
         c_phi = math.cos(phi)
         z1 = c_phi * k1
+        s_phi = math.sin(phi)
+        z2 = phi_dot * v
         qddot: list[float] = [
             # x'' (I.2.15)
-            c_phi * z1 - v * (phi_dot * s_phi),
+            c_phi * z1 - s_phi * z2,
             # y'' (I.2.15)
-            v * (phi_dot * c_phi) + s_phi * z1,
+            s_phi * z1 + c_phi * z2,
             # phi'' (I.2.15)
             0.0,
         ]
@@ -345,55 +346,36 @@ def jacobian(
         s_phi = math.sin(phi)
         c_phi = math.cos(phi)
         J: list[float] = [
-            # (I.2.15)
             0.0,
-            # (I.2.15)
             0.0,
             # (I.2.15)
             -s_phi * v,
             # (I.2.15)
             c_phi,
-            # (I.2.15)
             0.0,
-            # (I.2.15)
             0.0,
-            # (I.2.15)
             0.0,
             # (I.2.15)
             c_phi * v,
             # (I.2.15)
             s_phi,
-            # (I.2.15)
             0.0,
-            # (I.2.15)
             0.0,
-            # (I.2.15)
             0.0,
-            # (I.2.15)
             0.0,
-            # (I.2.15)
             0.0,
             # (I.2.15)
             1.0,
-            # (I.2.15)
             0.0,
-            # (I.2.15)
             0.0,
             # (I.2.15)
             -s_phi * k1,
-            # (I.2.15)
             0.0,
-            # (I.2.15)
             0.0,
-            # (I.2.15)
             0.0,
-            # (I.2.15)
             0.0,
-            # (I.2.15)
             0.0,
-            # (I.2.15)
             0.0,
-            # (I.2.15)
             0.0,
         ]
         _finish("jacobian", J)

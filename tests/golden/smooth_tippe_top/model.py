@@ -1,4 +1,4 @@
-"""smooth_tippe_top, emitted by nhc 0.1.0 (nhc:ff72ab0e7574339d).
+"""smooth_tippe_top, emitted by nhc 0.1.0 (nhc:9838eebdc40d8ba1).
 
 The ball of routh_sphere on a plane without any friction.
 Source: smooth_tippe_top.yaml
@@ -32,15 +32,15 @@ out[2] = p_x
 out[3] = p_y
 
 Operations:
-rhs: 34 +-, 80 *, 4 /, 4 calls
+rhs: 32 +-, 74 *, 4 /, 4 calls
 velocities: 0 +-, 0 *, 0 /, 0 calls
-accelerations: 34 +-, 80 *, 4 /, 4 calls
+accelerations: 32 +-, 74 *, 4 /, 4 calls
 state: 0 +-, 0 *, 0 /, 0 calls
 residuals: 0 +-, 0 *, 0 /, 0 calls
-reactions: 11 +-, 29 *, 3 /, 4 calls
-energy: 11 +-, 29 *, 0 /, 4 calls
-jacobian: 124 +-, 257 *, 4 /, 4 calls
-outputs: 7 +-, 19 *, 0 /, 4 calls
+reactions: 11 +-, 28 *, 3 /, 4 calls
+energy: 11 +-, 25 *, 0 /, 4 calls
+jacobian: 122 +-, 246 *, 4 /, 4 calls
+outputs: 7 +-, 18 *, 0 /, 4 calls
 
 A singular point raises SingularModelError.
 """
@@ -118,12 +118,10 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     try:
         # parameters only
         k1 = m * e
-        k2 = m * (e * e)
-        k3 = I1 + k2
-        k4 = I3 - k3
-        k5 = 2.0 * I3 - (2.0 * I1 + 2.0 * k2)
-        k6 = g * k1
-        k7 = 1.0 / m
+        k2 = I1 + m * (e * e)
+        k3 = I3 - k2
+        k4 = g * k1
+        k5 = 1.0 / m
         # state
         # the mass matrix is singular
         if not abs(m) > 0.0:
@@ -132,54 +130,56 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         if not abs(m) > 0.0:
             raise SingularModelError(2, "rhs")
         s_theta = math.sin(theta)
-        z1 = I3 - s_theta * s_theta * k4
+        z1 = I3 - s_theta * s_theta * k3
         c_phi = math.cos(phi)
         z2 = s_theta * k1
         z3 = c_phi * z2
-        z4 = z3 * k7
+        z4 = z3 * k5
         s_phi = math.sin(phi)
         z5 = s_phi * z2
-        z6 = z5 * k7
+        z6 = z5 * k5
         z7 = z1 - z3 * z4 - z5 * z6
         # the mass matrix is singular
         if not abs(z7) > 1e-14 * z1:
             raise SingularModelError(2, "rhs")
         c_theta = math.cos(theta)
-        z8 = c_theta * (s_phi * k1)
-        z9 = z8 * k7
-        z10 = c_theta * (c_phi * k1)
-        z11 = z10 * k7
-        z12 = z3 * z9 - z5 * z11
-        z13 = 1.0 / z7
-        z14 = z12 * z13
-        z15 = k3 - z8 * z9 - z10 * z11 - z12 * z14
+        z8 = c_theta * k1
+        z9 = s_phi * z8
+        z10 = k5 * z9
+        z11 = c_phi * z8
+        z12 = k5 * z11
+        z13 = z3 * z10 - z5 * z12
+        z14 = 1.0 / z7
+        z15 = z14 * z13
+        z16 = k2 - z9 * z10 - z11 * z12 - z13 * z15
         # the mass matrix is singular
-        if not abs(z15) > 1e-14 * k3:
+        if not abs(z16) > 1e-14 * k2:
             raise SingularModelError(2, "rhs")
-        z16 = I3 * c_theta
-        z17 = z16 * z13
-        z18 = z12 * z17
-        z19 = 1.0 / z15
-        z20 = z18 * z19
-        z21 = I3 - z16 * z17 - z18 * z20
+        z17 = I3 * c_theta
+        z18 = z17 * z14
+        z19 = z18 * z13
+        z20 = 1.0 / z16
+        z21 = z19 * z20
+        z22 = I3 - z17 * z18 - z19 * z21
         # the mass matrix is singular
-        if not abs(z21) > 1e-14 * I3:
+        if not abs(z22) > 1e-14 * I3:
             raise SingularModelError(2, "rhs")
-        z22 = phi_dot * s_theta
         z23 = s_theta * (theta_dot * theta_dot)
-        s1 = s_phi * z22 - 2.0 * (c_theta * (theta_dot * c_phi))
-        z24 = k1 * (phi_dot * s1 + s_phi * z23)
-        z25 = phi_dot * c_theta
-        z26 = psi_dot * I3
-        s2 = c_phi * z22 + 2.0 * (c_theta * (theta_dot * s_phi))
-        z27 = k1 * (phi_dot * s2 + c_phi * z23)
-        z28 = theta_dot * s_theta * (z25 * k5 + z26) - z24 * z4 + z27 * z6
-        s3 = s_theta * (phi_dot * (z26 + z25 * k4) - k6) + z24 * z9
-        z29 = s3 + z27 * z11 - z14 * z28
-        s4 = s_theta * (I3 * (phi_dot * theta_dot)) - z17 * z28
-        z30 = (s4 + z20 * z29) / z21
-        z31 = z19 * z29 + z20 * z30
-        z32 = z13 * z28 - z14 * z31 - z17 * z30
+        z24 = phi_dot * s_theta
+        z25 = theta_dot * c_theta
+        s1 = s_phi * z23 + phi_dot * (s_phi * z24 - 2.0 * (c_phi * z25))
+        z26 = k1 * s1
+        z27 = phi_dot * c_theta * k3
+        z28 = psi_dot * I3
+        s2 = c_phi * z23 + phi_dot * (c_phi * z24 + 2.0 * (s_phi * z25))
+        z29 = k1 * s2
+        s3 = theta_dot * s_theta * (2.0 * z27 + z28) - z4 * z26
+        z30 = s3 + z6 * z29
+        s4 = s_theta * (phi_dot * (z27 + z28) - k4) + z26 * z10
+        z31 = s4 + z29 * z12 - z15 * z30
+        z32 = (I3 * (theta_dot * z24) - z18 * z30 + z21 * z31) / z22
+        z33 = z20 * z31 + z21 * z32
+        z34 = z14 * z30 - z15 * z33 - z18 * z32
         dydt: list[float] = [
             # x' (II.3)
             x_dot,
@@ -192,15 +192,15 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
             # psi' (II.3)
             psi_dot,
             # x'' (II.3) 24:4
-            z24 * k7 - z4 * z32 + z9 * z31,
+            k5 * z26 - z4 * z34 + z10 * z33,
             # y'' (II.3) 24:4
-            -(z27 * k7 + z6 * z32 + z11 * z31),
+            -(k5 * z29 + z6 * z34 + z12 * z33),
             # phi'' (II.3) 24:4
-            z32,
+            z34,
             # theta'' (II.3) 24:4
-            -z31,
+            -z33,
             # psi'' (II.3) 24:4
-            z30,
+            z32,
         ]
         return _finish("rhs", dydt)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -264,12 +264,10 @@ def accelerations(
     try:
         # parameters only
         k1 = m * e
-        k2 = m * (e * e)
-        k3 = I1 + k2
-        k4 = I3 - k3
-        k5 = 2.0 * I3 - (2.0 * I1 + 2.0 * k2)
-        k6 = g * k1
-        k7 = 1.0 / m
+        k2 = I1 + m * (e * e)
+        k3 = I3 - k2
+        k4 = g * k1
+        k5 = 1.0 / m
         # state
         # the mass matrix is singular
         if not abs(m) > 0.0:
@@ -278,65 +276,67 @@ def accelerations(
         if not abs(m) > 0.0:
             raise SingularModelError(2, "accelerations")
         s_theta = math.sin(theta)
-        z1 = I3 - s_theta * s_theta * k4
+        z1 = I3 - s_theta * s_theta * k3
         c_phi = math.cos(phi)
         z2 = s_theta * k1
         z3 = c_phi * z2
-        z4 = z3 * k7
+        z4 = z3 * k5
         s_phi = math.sin(phi)
         z5 = s_phi * z2
-        z6 = z5 * k7
+        z6 = z5 * k5
         z7 = z1 - z3 * z4 - z5 * z6
         # the mass matrix is singular
         if not abs(z7) > 1e-14 * z1:
             raise SingularModelError(2, "accelerations")
         c_theta = math.cos(theta)
-        z8 = c_theta * (s_phi * k1)
-        z9 = z8 * k7
-        z10 = c_theta * (c_phi * k1)
-        z11 = z10 * k7
-        z12 = z3 * z9 - z5 * z11
-        z13 = 1.0 / z7
-        z14 = z12 * z13
-        z15 = k3 - z8 * z9 - z10 * z11 - z12 * z14
+        z8 = c_theta * k1
+        z9 = s_phi * z8
+        z10 = k5 * z9
+        z11 = c_phi * z8
+        z12 = k5 * z11
+        z13 = z3 * z10 - z5 * z12
+        z14 = 1.0 / z7
+        z15 = z14 * z13
+        z16 = k2 - z9 * z10 - z11 * z12 - z13 * z15
         # the mass matrix is singular
-        if not abs(z15) > 1e-14 * k3:
+        if not abs(z16) > 1e-14 * k2:
             raise SingularModelError(2, "accelerations")
-        z16 = I3 * c_theta
-        z17 = z16 * z13
-        z18 = z12 * z17
-        z19 = 1.0 / z15
-        z20 = z18 * z19
-        z21 = I3 - z16 * z17 - z18 * z20
+        z17 = I3 * c_theta
+        z18 = z17 * z14
+        z19 = z18 * z13
+        z20 = 1.0 / z16
+        z21 = z19 * z20
+        z22 = I3 - z17 * z18 - z19 * z21
         # the mass matrix is singular
-        if not abs(z21) > 1e-14 * I3:
+        if not abs(z22) > 1e-14 * I3:
             raise SingularModelError(2, "accelerations")
-        z22 = phi_dot * s_theta
         z23 = s_theta * (theta_dot * theta_dot)
-        s1 = s_phi * z22 - 2.0 * (c_theta * (theta_dot * c_phi))
-        z24 = k1 * (phi_dot * s1 + s_phi * z23)
-        z25 = phi_dot * c_theta
-        z26 = psi_dot * I3
-        s2 = c_phi * z22 + 2.0 * (c_theta * (theta_dot * s_phi))
-        z27 = k1 * (phi_dot * s2 + c_phi * z23)
-        z28 = theta_dot * s_theta * (z25 * k5 + z26) - z24 * z4 + z27 * z6
-        s3 = s_theta * (phi_dot * (z26 + z25 * k4) - k6) + z24 * z9
-        z29 = s3 + z27 * z11 - z14 * z28
-        s4 = s_theta * (I3 * (phi_dot * theta_dot)) - z17 * z28
-        z30 = (s4 + z20 * z29) / z21
-        z31 = z19 * z29 + z20 * z30
-        z32 = z13 * z28 - z14 * z31 - z17 * z30
+        z24 = phi_dot * s_theta
+        z25 = theta_dot * c_theta
+        s1 = s_phi * z23 + phi_dot * (s_phi * z24 - 2.0 * (c_phi * z25))
+        z26 = k1 * s1
+        z27 = phi_dot * c_theta * k3
+        z28 = psi_dot * I3
+        s2 = c_phi * z23 + phi_dot * (c_phi * z24 + 2.0 * (s_phi * z25))
+        z29 = k1 * s2
+        s3 = theta_dot * s_theta * (2.0 * z27 + z28) - z4 * z26
+        z30 = s3 + z6 * z29
+        s4 = s_theta * (phi_dot * (z27 + z28) - k4) + z26 * z10
+        z31 = s4 + z29 * z12 - z15 * z30
+        z32 = (I3 * (theta_dot * z24) - z18 * z30 + z21 * z31) / z22
+        z33 = z20 * z31 + z21 * z32
+        z34 = z14 * z30 - z15 * z33 - z18 * z32
         qddot: list[float] = [
             # x'' (II.3)
-            z24 * k7 - z4 * z32 + z9 * z31,
+            k5 * z26 - z4 * z34 + z10 * z33,
             # y'' (II.3)
-            -(z27 * k7 + z6 * z32 + z11 * z31),
+            -(k5 * z29 + z6 * z34 + z12 * z33),
             # phi'' (II.3)
-            z32,
+            z34,
             # theta'' (II.3)
-            -z31,
+            -z33,
             # psi'' (II.3)
-            z30,
+            z32,
         ]
         return _finish("accelerations", qddot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -438,26 +438,27 @@ def reactions(
         z3 = c_phi * z2
         s_phi = math.sin(phi)
         z4 = s_phi * z2
-        z5 = z1 - z3 * (z3 * k4) - z4 * (z4 * k4)
+        z5 = z1 - k4 * (z3 * z3) - k4 * (z4 * z4)
         # the mass matrix is singular
         if not abs(z5) > 1e-14 * z1:
             raise SingularModelError(2, "reactions")
         c_theta = math.cos(theta)
-        z6 = c_theta * (s_phi * k1)
-        z7 = z6 * k4
-        z8 = c_theta * (c_phi * k1)
-        z9 = z8 * k4
-        z10 = z3 * z7 - z4 * z9
+        z6 = c_theta * k1
+        z7 = s_phi * z6
+        z8 = k4 * z7
+        z9 = c_phi * z6
+        z10 = k4 * z9
         z11 = 1.0 / z5
-        z12 = k2 - z6 * z7 - z8 * z9 - z10 * (z10 * z11)
+        z12 = z3 * z8 - z4 * z10
+        z13 = k2 - z7 * z8 - z9 * z10 - z11 * (z12 * z12)
         # the mass matrix is singular
-        if not abs(z12) > 1e-14 * k2:
+        if not abs(z13) > 1e-14 * k2:
             raise SingularModelError(2, "reactions")
-        z13 = I3 * c_theta
-        z14 = z13 * z11
-        z15 = z10 * z14
-        s1 = z15 * (z15 / z12)
-        s2 = I3 - z13 * z14 - s1
+        z14 = I3 * c_theta
+        z15 = z14 * z11
+        z16 = z12 * z15
+        s1 = z16 * z16 / z13
+        s2 = I3 - z14 * z15 - s1
         # the mass matrix is singular
         if not abs(s2) > 1e-14 * I3:
             raise SingularModelError(2, "reactions")
@@ -487,22 +488,23 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     g = float(p[5])  # acceleration of gravity [m/s^2]
     try:
         # parameters only
-        k1 = m * g
+        k1 = e * (m * g)
         # state
-        s_phi = math.sin(phi)
         c_theta = math.cos(theta)
-        z1 = e * (theta_dot * c_theta)
-        s_theta = math.sin(theta)
-        z2 = e * s_theta
-        c_phi = math.cos(phi)
-        X_dot = x_dot + (s_phi * z1 + z2 * (phi_dot * c_phi))
-        Y_dot = y_dot - (c_phi * z1 - z2 * (phi_dot * s_phi))
-        z3 = e * (theta_dot * s_theta)
-        s1 = s_theta * s_theta * (phi_dot * phi_dot)
-        s2 = 0.5 * (m * (X_dot * X_dot + Y_dot * Y_dot + z3 * z3))
-        z4 = s2 + 0.5 * (I1 * (theta_dot * theta_dot + s1))
         omega3 = psi_dot + phi_dot * c_theta
-        value1 = z4 + 0.5 * (I3 * (omega3 * omega3)) + e * c_theta * k1
+        s_theta = math.sin(theta)
+        s_phi = math.sin(phi)
+        z1 = theta_dot * e
+        z2 = c_theta * z1
+        c_phi = math.cos(phi)
+        z3 = phi_dot * (e * s_theta)
+        X_dot = x_dot + (s_phi * z2 + c_phi * z3)
+        Y_dot = y_dot - (c_phi * z2 - s_phi * z3)
+        z4 = s_theta * z1
+        s1 = s_theta * s_theta * (phi_dot * phi_dot)
+        s2 = m * (X_dot * X_dot + Y_dot * Y_dot + z4 * z4)
+        z5 = I1 * (theta_dot * theta_dot + s1) + s2
+        value1 = 0.5 * (I3 * (omega3 * omega3) + z5) + c_theta * k1
         return _single("energy", value1)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
         raise SingularModelError(NOT_FINITE, "energy") from error
@@ -531,12 +533,10 @@ def jacobian(
     try:
         # parameters only
         k1 = m * e
-        k2 = m * (e * e)
-        k3 = I1 + k2
-        k4 = I3 - k3
-        k5 = 2.0 * I3 - (2.0 * I1 + 2.0 * k2)
-        k6 = g * k1
-        k7 = 1.0 / m
+        k2 = I1 + m * (e * e)
+        k3 = I3 - k2
+        k4 = g * k1
+        k5 = 1.0 / m
         # state
         # the mass matrix is singular
         if not abs(m) > 0.0:
@@ -545,14 +545,14 @@ def jacobian(
         if not abs(m) > 0.0:
             raise SingularModelError(2, "jacobian")
         s_theta = math.sin(theta)
-        z1 = I3 - s_theta * s_theta * k4
+        z1 = I3 - s_theta * s_theta * k3
         c_phi = math.cos(phi)
         z2 = s_theta * k1
         z3 = c_phi * z2
-        z4 = z3 * k7
+        z4 = z3 * k5
         s_phi = math.sin(phi)
         z5 = s_phi * z2
-        z6 = z5 * k7
+        z6 = z5 * k5
         z7 = z1 - z3 * z4 - z5 * z6
         # the mass matrix is singular
         if not abs(z7) > 1e-14 * z1:
@@ -560,16 +560,16 @@ def jacobian(
         c_theta = math.cos(theta)
         z8 = s_phi * k1
         z9 = c_theta * z8
-        z10 = z9 * k7
+        z10 = z9 * k5
         z11 = c_phi * k1
         z12 = c_theta * z11
-        z13 = z12 * k7
+        z13 = z12 * k5
         z14 = z3 * z10 - z5 * z13
         z15 = 1.0 / z7
         z16 = z14 * z15
-        z17 = k3 - z9 * z10 - z12 * z13 - z14 * z16
+        z17 = k2 - z9 * z10 - z12 * z13 - z14 * z16
         # the mass matrix is singular
-        if not abs(z17) > 1e-14 * k3:
+        if not abs(z17) > 1e-14 * k2:
             raise SingularModelError(2, "jacobian")
         z18 = I3 * c_theta
         z19 = z18 * z15
@@ -583,9 +583,9 @@ def jacobian(
         z24 = phi_dot * k1
         z25 = c_theta * z24
         z26 = theta_dot * s_theta
-        z27 = phi_dot * c_theta
+        z27 = phi_dot * c_theta * k3
         z28 = psi_dot * I3
-        z29 = z27 * k5 + z28
+        z29 = 2.0 * z27 + z28
         z30 = phi_dot * s_theta
         z31 = theta_dot * c_phi
         z32 = s_phi * z30 - 2.0 * (c_theta * z31)
@@ -596,8 +596,8 @@ def jacobian(
         z37 = c_phi * z30 + 2.0 * (c_theta * z36)
         z38 = k1 * (phi_dot * z37 + c_phi * z34)
         z39 = z26 * z29 - z35 * z4 + z38 * z6
-        z40 = z28 + z27 * k4
-        z41 = phi_dot * z40 - k6
+        z40 = z27 + z28
+        z41 = phi_dot * z40 - k4
         z42 = s_theta * z41 + z35 * z10 + z38 * z13 - z16 * z39
         z43 = 1.0 / z23
         z44 = I3 * (phi_dot * theta_dot)
@@ -607,262 +607,188 @@ def jacobian(
         z48 = 2.0 * (theta_dot * z25) + z2 * z47
         z49 = k1 * z34 + z30 * z24 + k1 * (c_theta * z46)
         z50 = s_phi * z48 + c_phi * z49
-        z51 = z35 * k7 - z4 * z47 + z10 * z46
-        z52 = z38 * k7 + z6 * z47 + z13 * z46
-        z53 = s_phi * z49 - c_phi * z48
-        s1 = s_phi * (z2 * z51) + c_phi * (z2 * z52) - z4 * z50
-        z54 = s1 - z6 * z53
-        s2 = s_phi * (k1 * (c_theta * z52))
-        z55 = s2 - c_phi * (k1 * (c_theta * z51)) - z10 * z50 + z13 * z53
-        z56 = z55 + z16 * z54
-        z57 = z43 * (z19 * z54 + z22 * z56)
-        z58 = z21 * z56 + z22 * z57
-        z59 = z15 * z54 + z16 * z58 + z19 * z57
-        z60 = s_phi * z24
-        s3 = c_theta * (phi_dot * z60 + (z33 * z8 - k1 * (c_phi * z47)))
-        z61 = s_theta * (2.0 * (z31 * z24) - z8 * z46) + s3
-        z62 = z26 * k5
-        s4 = k1 * (s_phi * z52 - c_phi * z51)
-        s5 = theta_dot * z29 + (s4 + 2.0 * (s_theta * (k4 * z47)))
-        z63 = c_theta * s5
-        z64 = c_phi * z24
-        s6 = c_theta * (phi_dot * z64 + (z33 * z11 + k1 * (s_phi * z47)))
-        z65 = s_theta * (2.0 * (z36 * z24) + z11 * z46) - s6
-        s7 = s_theta * (phi_dot * z62 - I3 * z45) - z63 + z4 * z61
-        z66 = s7 + z6 * z65
-        z67 = z30 * k4
-        s8 = s_theta * (phi_dot * z67 + (z11 * z52 + z8 * z51))
-        z68 = c_theta * z41 - s8 + z10 * z61 - z13 * z65
-        z69 = z68 + z16 * z66
-        s9 = c_theta * z44 + s_theta * (I3 * z47) + z19 * z66 + z22 * z69
-        z70 = z43 * s9
-        z71 = z21 * z69 + z22 * z70
-        z72 = z15 * z66 + z16 * z71 + z19 * z70
-        z73 = k1 * z32 + s_theta * z60
-        z74 = k1 * z37 + s_theta * z64
-        z75 = c_theta * z62 - z4 * z73 + z6 * z74
-        s10 = s_theta * z40 + c_theta * z67 + z10 * z73 + z13 * z74
-        z76 = s10 - z16 * z75
-        z77 = I3 * s_theta
-        z78 = z43 * (theta_dot * z77 - z19 * z75 + z22 * z76)
-        z79 = z21 * z76 + z22 * z78
-        z80 = z15 * z75 - z16 * z79 - z19 * z78
-        z81 = 2.0 * (c_phi * z25) - 2.0 * (theta_dot * (s_theta * z8))
-        z82 = 2.0 * (s_phi * z25) + 2.0 * (theta_dot * (s_theta * z11))
-        z83 = s_theta * z29 + z4 * z81 + z6 * z82
-        z84 = z10 * z81 - z13 * z82 + z16 * z83
-        z85 = z43 * (phi_dot * z77 - z19 * z83 - z22 * z84)
-        z86 = z21 * z84 - z22 * z85
-        z87 = z15 * z83 + z16 * z86 - z19 * z85
-        z88 = I3 * z26
-        z89 = I3 * z30 - z16 * z88
-        z90 = z43 * (z19 * z88 - z22 * z89)
-        z91 = z21 * z89 - z22 * z90
-        z92 = z15 * z88 - z16 * z91 + z19 * z90
+        z51 = s_phi * z49 - c_phi * z48
+        z52 = z35 * k5 - z4 * z47 + z10 * z46
+        z53 = z38 * k5 + z6 * z47 + z13 * z46
+        z54 = z6 * z51 + (z4 * z50 - (z5 * z52 + z3 * z53))
+        z55 = z13 * z51 - (z10 * z50 - (z9 * z53 - z12 * z52)) - z16 * z54
+        z56 = z43 * (z19 * z54 - z22 * z55)
+        z57 = z21 * z55 - z22 * z56
+        z58 = z15 * z54 - z16 * z57 + z19 * z56
+        z59 = s_phi * z24
+        s1 = c_theta * (phi_dot * z59 + (z33 * z8 - z11 * z47))
+        z60 = s_theta * (2.0 * (z31 * z24) - z8 * z46) + s1
+        z61 = z26 * k3
+        s2 = k1 * (s_phi * z53 - c_phi * z52)
+        s3 = theta_dot * z29 + (s2 + 2.0 * (k3 * (s_theta * z47)))
+        z62 = c_theta * s3
+        z63 = c_phi * z24
+        s4 = c_theta * (phi_dot * z63 + (z33 * z11 + z8 * z47))
+        z64 = s_theta * (2.0 * (z36 * z24) + z11 * z46) - s4
+        s5 = s_theta * (2.0 * (phi_dot * z61) - I3 * z45) - z62
+        z65 = s5 + z4 * z60 + z6 * z64
+        z66 = z30 * k3
+        s6 = s_theta * (phi_dot * z66 + (z11 * z53 + z8 * z52))
+        z67 = c_theta * z41 - s6 + z10 * z60 - z13 * z64
+        z68 = z67 + z16 * z65
+        z69 = I3 * s_theta
+        z70 = z43 * (c_theta * z44 + z69 * z47 + z19 * z65 + z22 * z68)
+        z71 = z21 * z68 + z22 * z70
+        z72 = z15 * z65 + z16 * z71 + z19 * z70
+        z73 = k1 * z32 + s_theta * z59
+        z74 = k1 * z37 + s_theta * z63
+        z75 = 2.0 * (c_theta * z61) - z4 * z73 + z6 * z74
+        s7 = s_theta * z40 + c_theta * z66 + z10 * z73 + z13 * z74
+        z76 = s7 - z16 * z75
+        z77 = z43 * (theta_dot * z69 - z19 * z75 + z22 * z76)
+        z78 = z21 * z76 + z22 * z77
+        z79 = z15 * z75 - z16 * z78 - z19 * z77
+        z80 = c_phi * z25 - z26 * z8
+        z81 = s_phi * z25 + z26 * z11
+        z82 = s_theta * z29 + 2.0 * (z4 * z80) + 2.0 * (z6 * z81)
+        z83 = 2.0 * (z10 * z80 - z13 * z81) + z16 * z82
+        z84 = z43 * (phi_dot * z69 - z19 * z82 - z22 * z83)
+        z85 = z21 * z83 - z22 * z84
+        z86 = z15 * z82 + z16 * z85 - z19 * z84
+        z87 = I3 * z26
+        z88 = I3 * z30 - z16 * z87
+        z89 = z43 * (z19 * z87 - z22 * z88)
+        z90 = z21 * z88 - z22 * z89
+        z91 = z15 * z87 - z16 * z90 + z19 * z89
         J: list[float] = [
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
             # (II.3)
             1.0,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
             # (II.3)
             1.0,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
             # (II.3)
             1.0,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
             # (II.3)
             1.0,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
-            # (II.3)
             0.0,
             # (II.3)
             1.0,
-            # (II.3)
+            0.0,
             0.0,
             # (II.3)
+            k5 * z50 + z4 * z58 - z10 * z57,
+            # (II.3)
+            k5 * z60 + z4 * z72 + z10 * z71,
+            0.0,
+            0.0,
             0.0,
             # (II.3)
-            k7 * z50 - z4 * z59 - z10 * z58,
+            k5 * z73 - z4 * z79 + z10 * z78,
             # (II.3)
-            k7 * z61 + z4 * z72 + z10 * z71,
+            -(2.0 * (k5 * z80) + z4 * z86 + z10 * z85),
             # (II.3)
+            z10 * z90 - z4 * z91,
+            0.0,
             0.0,
             # (II.3)
+            k5 * z51 + z6 * z58 + z13 * z57,
+            # (II.3)
+            k5 * z64 + z6 * z72 - z13 * z71,
+            0.0,
+            0.0,
             0.0,
             # (II.3)
+            -(k5 * z74 + z6 * z79 + z13 * z78),
+            # (II.3)
+            z13 * z85 - (2.0 * (k5 * z81) + z6 * z86),
+            # (II.3)
+            -(z6 * z91 + z13 * z90),
+            0.0,
             0.0,
             # (II.3)
-            k7 * z73 - z4 * z80 + z10 * z79,
-            # (II.3)
-            -(k7 * z81 + z4 * z87 + z10 * z86),
-            # (II.3)
-            z10 * z91 - z4 * z92,
-            # (II.3)
-            0.0,
-            # (II.3)
-            0.0,
-            # (II.3)
-            k7 * z53 - z6 * z59 + z13 * z58,
-            # (II.3)
-            k7 * z65 + z6 * z72 - z13 * z71,
-            # (II.3)
-            0.0,
-            # (II.3)
-            0.0,
-            # (II.3)
-            0.0,
-            # (II.3)
-            -(k7 * z74 + z6 * z80 + z13 * z79),
-            # (II.3)
-            z13 * z86 - (k7 * z82 + z6 * z87),
-            # (II.3)
-            -(z6 * z92 + z13 * z91),
-            # (II.3)
-            0.0,
-            # (II.3)
-            0.0,
-            # (II.3)
-            z59,
+            -z58,
             # (II.3)
             -z72,
-            # (II.3)
+            0.0,
+            0.0,
             0.0,
             # (II.3)
-            0.0,
-            # (II.3)
-            0.0,
-            # (II.3)
-            z80,
-            # (II.3)
-            z87,
-            # (II.3)
-            z92,
-            # (II.3)
-            0.0,
-            # (II.3)
-            0.0,
-            # (II.3)
-            z58,
-            # (II.3)
-            -z71,
-            # (II.3)
-            0.0,
-            # (II.3)
-            0.0,
-            # (II.3)
-            0.0,
-            # (II.3)
-            -z79,
+            z79,
             # (II.3)
             z86,
             # (II.3)
-            -z91,
-            # (II.3)
+            z91,
+            0.0,
             0.0,
             # (II.3)
+            z57,
+            # (II.3)
+            -z71,
+            0.0,
+            0.0,
             0.0,
             # (II.3)
-            -z57,
-            # (II.3)
-            z70,
-            # (II.3)
-            0.0,
-            # (II.3)
-            0.0,
-            # (II.3)
-            0.0,
-            # (II.3)
-            z78,
+            -z78,
             # (II.3)
             z85,
             # (II.3)
             -z90,
+            0.0,
+            0.0,
+            # (II.3)
+            z56,
+            # (II.3)
+            z70,
+            0.0,
+            0.0,
+            0.0,
+            # (II.3)
+            z77,
+            # (II.3)
+            z84,
+            # (II.3)
+            -z89,
         ]
         _finish("jacobian", J)
-        return [J[k8 : k8 + 10] for k8 in range(0, 100, 10)]
+        return [J[k6 : k6 + 10] for k6 in range(0, 100, 10)]
     except (ValueError, ZeroDivisionError, OverflowError) as error:
         raise SingularModelError(NOT_FINITE, "jacobian") from error
 
@@ -886,24 +812,26 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
     I1 = float(p[3])  # across the axis, at the centre of mass [kg*m^2]
     I3 = float(p[4])  # about the axis [kg*m^2]
     try:
+        # parameters only
+        k1 = R * I1
         # state
         s_theta = math.sin(theta)
         c_theta = math.cos(theta)
         omega3 = psi_dot + phi_dot * c_theta
         s_phi = math.sin(phi)
         z1 = e * (theta_dot * c_theta)
-        z2 = e * s_theta
         c_phi = math.cos(phi)
-        s1 = R * (phi_dot * (I1 * (s_theta * s_theta)))
+        z2 = phi_dot * (e * s_theta)
+        s1 = k1 * (phi_dot * (s_theta * s_theta))
         out: list[float] = [
             # jellett 27:12
-            s1 + I3 * omega3 * (e + R * c_theta),
+            s1 + I3 * (omega3 * (e + R * c_theta)),
             # spin 28:9
             omega3,
             # p_x 29:8
-            m * (x_dot + (s_phi * z1 + z2 * (phi_dot * c_phi))),
+            m * (x_dot + (s_phi * z1 + c_phi * z2)),
             # p_y 30:8
-            m * (y_dot - (c_phi * z1 - z2 * (phi_dot * s_phi))),
+            m * (y_dot - (c_phi * z1 - s_phi * z2)),
         ]
         return _finish("outputs", out)
     except (ValueError, ZeroDivisionError, OverflowError) as error:

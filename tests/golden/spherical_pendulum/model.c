@@ -1,5 +1,5 @@
 /*
- * spherical_pendulum.c: spherical_pendulum, emitted by nhc 0.1.0 (nhc:65530e2dc7193a1c)
+ * spherical_pendulum.c: spherical_pendulum, emitted by nhc 0.1.0 (nhc:58e4ef305ed51098)
  * A pendulum that swings in space.
  * Source: spherical_pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -10,6 +10,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <string.h>
 
 const char *const spherical_pendulum_coordinate_names[] = {
     "theta",
@@ -41,10 +42,140 @@ static int spherical_pendulum_finish(int count, const double *values)
     return fabs(sum) <= DBL_MAX ? SPHERICAL_PENDULUM_OK : SPHERICAL_PENDULUM_NOT_FINITE;
 }
 
+/* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
+#ifndef SPHERICAL_PENDULUM_LANES
+#if !defined(__GNUC__)
+#define SPHERICAL_PENDULUM_LANES 1
+#elif defined(__AVX512F__)
+#define SPHERICAL_PENDULUM_LANES 8
+#elif defined(__AVX__)
+#define SPHERICAL_PENDULUM_LANES 4
+#else
+#define SPHERICAL_PENDULUM_LANES 2
+#endif
+#endif
+#if SPHERICAL_PENDULUM_LANES > 1
+typedef double spherical_pendulum_lanes __attribute__((vector_size(8 * SPHERICAL_PENDULUM_LANES)));
+#else
+typedef double spherical_pendulum_lanes;
+#endif
+
+#if SPHERICAL_PENDULUM_LANES >= 2
+static inline spherical_pendulum_lanes spherical_pendulum_get(const double *from)
+{
+    spherical_pendulum_lanes value;
+    memcpy(&value, from, sizeof value);
+    return value;
+}
+
+static inline void spherical_pendulum_put(double *to, spherical_pendulum_lanes value)
+{
+    memcpy(to, &value, sizeof value);
+}
+#endif
+
+/* states first, first + 1, ... through rhs, one by one; the first status that is not OK */
+#if defined(__GNUC__)
+__attribute__((noinline))
+#endif
+static int spherical_pendulum_one_by_one(size_t count, size_t first, size_t number, const double *t, const double *y, const double *p, double *dydt)
+{
+    int status = SPHERICAL_PENDULUM_OK;
+    for (size_t i = first; i < first + number; ++i) {
+        double state[SPHERICAL_PENDULUM_NY];
+        double slope[SPHERICAL_PENDULUM_NY];
+        for (size_t k = 0; k < SPHERICAL_PENDULUM_NY; ++k) {
+            state[k] = y[k * count + i];
+            slope[k] = NAN;
+        }
+        const int one = spherical_pendulum_rhs(t[i], state, p, slope);
+        status = status == SPHERICAL_PENDULUM_OK ? one : status;
+        for (size_t k = 0; k < SPHERICAL_PENDULUM_NY; ++k) {
+            dydt[k * count + i] = slope[k];
+        }
+    }
+    return status;
+}
+
+#if SPHERICAL_PENDULUM_LANES >= 2
+#define SPHERICAL_PENDULUM_SPREAD(x) ((x) - (spherical_pendulum_lanes){0}) /* a number in each lane; lanes stay what they are */
+
+typedef unsigned long long spherical_pendulum_bits __attribute__((vector_size(8 * SPHERICAL_PENDULUM_LANES)));
+
+/* all bits where value is not above bound, or is no number */
+static inline spherical_pendulum_bits spherical_pendulum_misses(spherical_pendulum_lanes value, spherical_pendulum_lanes bound)
+{
+    return ~(spherical_pendulum_bits)(value > bound);
+}
+
+/* no number where a bit is set */
+static inline spherical_pendulum_lanes spherical_pendulum_mark(spherical_pendulum_lanes value, spherical_pendulum_bits bad)
+{
+    return (spherical_pendulum_lanes)((spherical_pendulum_bits)value | bad);
+}
+
+static inline spherical_pendulum_lanes spherical_pendulum_size(spherical_pendulum_lanes x)
+{
+    return (spherical_pendulum_lanes)((spherical_pendulum_bits)x & 0x7fffffffffffffffULL);
+}
+/* whether none of the states must be asked again: no singular block, no infinity, no angle anywhere near 1e5 */
+static inline int spherical_pendulum_is_good(int count, const double *check)
+{
+    double even = 0.0;
+    double odd = 0.0;
+    for (int k = 0; k < count; k += 2) {
+        even += check[k];
+        odd += check[k + 1];
+    }
+    return even + odd <= 1e10;
+}
+
+/* the last states, fewer than there are lanes; the others repeat the last one */
+static inline void spherical_pendulum_fill(size_t left, size_t count, const double *t, const double *y, double *time, double *state)
+{
+    for (size_t l = 0; l < SPHERICAL_PENDULUM_LANES; ++l) {
+        const size_t i = l < left ? l : left - 1;
+        time[l] = t[i];
+        for (size_t k = 0; k < SPHERICAL_PENDULUM_NY; ++k) {
+            state[k * SPHERICAL_PENDULUM_LANES + l] = y[k * count + i];
+        }
+    }
+}
+
+static inline void spherical_pendulum_pour(size_t left, size_t count, const double *slope, double *dydt)
+{
+    for (size_t k = 0; k < SPHERICAL_PENDULUM_NY; ++k) {
+        for (size_t l = 0; l < left; ++l) {
+            dydt[k * count + l] = slope[k * SPHERICAL_PENDULUM_LANES + l];
+        }
+    }
+}
+
+/* libm's sine and cosine, lane by lane */
+static inline void spherical_pendulum_turn_lanes(spherical_pendulum_lanes x, spherical_pendulum_lanes *far, spherical_pendulum_lanes *sine, spherical_pendulum_lanes *cosine)
+{
+    double angle[SPHERICAL_PENDULUM_LANES];
+    double up[SPHERICAL_PENDULUM_LANES];
+    double along[SPHERICAL_PENDULUM_LANES];
+    (void)far;
+    memcpy(angle, &x, sizeof x);
+    for (int l = 0; l < SPHERICAL_PENDULUM_LANES; ++l) {
+        up[l] = sin(angle[l]);
+        along[l] = cos(angle[l]);
+    }
+    memcpy(sine, up, sizeof x);
+    memcpy(cosine, along, sizeof x);
+}
+#endif
+
 int spherical_pendulum_rhs(double t, const double *y, const double *p, double *dydt)
 {
     (void)t;
     const double theta = y[0]; /* angle from the downward vertical [rad] */
+
+    /* sines and cosines */
+    const double s_theta = sin(theta);
+    const double c_theta = cos(theta);
     const double theta_dot = y[2];
     const double phi_dot = y[3];
     const double m = p[0]; /* mass of the bob [kg] */
@@ -56,22 +187,20 @@ int spherical_pendulum_rhs(double t, const double *y, const double *p, double *d
     const double k2 = g / l;
 
     /* state */
-    /* the mass matrix is singular */
-    if (!(fabs(k1) > 0.0)) {
-        return SPHERICAL_PENDULUM_SINGULAR_2;
-    }
-    const double s_theta = sin(theta);
-    /* the mass matrix is singular */
-    if (!(fabs(k1 * (s_theta * s_theta)) > 0.0)) {
-        return SPHERICAL_PENDULUM_SINGULAR_2;
-    }
-    const double c_theta = cos(theta);
     /* (II.3) */
     dydt[0] = theta_dot; /* theta' */
     dydt[1] = phi_dot; /* phi' */
     /* (II.3) 13:4 */
     dydt[2] = s_theta * (phi_dot * phi_dot * c_theta - k2); /* theta'' */
     dydt[3] = -2.0 * (c_theta * (theta_dot * phi_dot) / s_theta); /* phi'' */
+    /* the mass matrix is singular */
+    if (!(fabs(k1) > 0.0)) {
+        return SPHERICAL_PENDULUM_SINGULAR_2;
+    }
+    /* the mass matrix is singular */
+    if (!(fabs(k1 * (s_theta * s_theta)) > 0.0)) {
+        return SPHERICAL_PENDULUM_SINGULAR_2;
+    }
     return spherical_pendulum_finish(4, dydt);
 }
 
@@ -93,6 +222,10 @@ int spherical_pendulum_accelerations(double t, const double *y, const double *p,
 {
     (void)t;
     const double theta = y[0]; /* angle from the downward vertical [rad] */
+
+    /* sines and cosines */
+    const double s_theta = sin(theta);
+    const double c_theta = cos(theta);
     const double theta_dot = y[2];
     const double phi_dot = y[3];
     const double m = p[0]; /* mass of the bob [kg] */
@@ -104,19 +237,17 @@ int spherical_pendulum_accelerations(double t, const double *y, const double *p,
     const double k2 = g / l;
 
     /* state */
+    /* (II.3) */
+    qddot[0] = s_theta * (phi_dot * phi_dot * c_theta - k2); /* theta'' */
+    qddot[1] = -2.0 * (c_theta * (theta_dot * phi_dot) / s_theta); /* phi'' */
     /* the mass matrix is singular */
     if (!(fabs(k1) > 0.0)) {
         return SPHERICAL_PENDULUM_SINGULAR_2;
     }
-    const double s_theta = sin(theta);
     /* the mass matrix is singular */
     if (!(fabs(k1 * (s_theta * s_theta)) > 0.0)) {
         return SPHERICAL_PENDULUM_SINGULAR_2;
     }
-    const double c_theta = cos(theta);
-    /* (II.3) */
-    qddot[0] = s_theta * (phi_dot * phi_dot * c_theta - k2); /* theta'' */
-    qddot[1] = -2.0 * (c_theta * (theta_dot * phi_dot) / s_theta); /* phi'' */
     return spherical_pendulum_finish(2, qddot);
 }
 
@@ -158,11 +289,11 @@ int spherical_pendulum_reactions(double t, const double *y, const double *p, dou
     const double k1 = m * (l * l);
 
     /* state */
+    const double s_theta = sin(theta);
     /* the mass matrix is singular */
     if (!(fabs(k1) > 0.0)) {
         return SPHERICAL_PENDULUM_SINGULAR_2;
     }
-    const double s_theta = sin(theta);
     /* the mass matrix is singular */
     if (!(fabs(k1 * (s_theta * s_theta)) > 0.0)) {
         return SPHERICAL_PENDULUM_SINGULAR_2;
@@ -175,6 +306,10 @@ double spherical_pendulum_energy(double t, const double *y, const double *p)
 {
     (void)t;
     const double theta = y[0]; /* angle from the downward vertical [rad] */
+
+    /* sines and cosines */
+    const double s_theta = sin(theta);
+    const double c_theta = cos(theta);
     const double theta_dot = y[2];
     const double phi_dot = y[3];
     const double m = p[0]; /* mass of the bob [kg] */
@@ -185,17 +320,20 @@ double spherical_pendulum_energy(double t, const double *y, const double *p)
     const double k1 = m * l;
 
     /* state */
-    const double s_theta = sin(theta);
-    const double c_theta = cos(theta);
-    const double z1 = k1 * (l * (0.5 * (theta_dot * theta_dot) + 0.5 * (s_theta * s_theta * (phi_dot *
-        phi_dot))) - g * c_theta);
-    return z1;
+    return k1 * (0.5 * (l * (theta_dot * theta_dot + s_theta * s_theta * (phi_dot * phi_dot))) - g * c_theta);
 }
 
 int spherical_pendulum_jacobian(double t, const double *y, const double *p, double *J)
 {
+    for (int entry = 0; entry < 16; ++entry) {
+        J[entry] = 0.0;
+    }
     (void)t;
     const double theta = y[0]; /* angle from the downward vertical [rad] */
+
+    /* sines and cosines */
+    const double s_theta = sin(theta);
+    const double c_theta = cos(theta);
     const double theta_dot = y[2];
     const double phi_dot = y[3];
     const double m = p[0]; /* mass of the bob [kg] */
@@ -204,38 +342,28 @@ int spherical_pendulum_jacobian(double t, const double *y, const double *p, doub
 
     /* parameters only */
     const double k1 = m * (l * l);
-    const double k2 = 1.0 / l;
+    const double k2 = g / l;
 
     /* state */
+    const double z1 = s_theta * s_theta;
+    const double z2 = phi_dot * c_theta;
+    const double z3 = 1.0 / s_theta;
+    /* (II.3) */
+    J[2] = 1.0;
+    J[7] = 1.0;
+    J[8] = phi_dot * phi_dot * (1.0 - 2.0 * z1) - c_theta * k2;
+    J[11] = 2.0 * (s_theta * z2);
+    J[12] = 2.0 * (theta_dot * phi_dot / (s_theta * s_theta));
+    J[14] = -2.0 * (z3 * z2);
+    J[15] = -2.0 * (theta_dot * c_theta * z3);
     /* the mass matrix is singular */
     if (!(fabs(k1) > 0.0)) {
         return SPHERICAL_PENDULUM_SINGULAR_2;
     }
-    const double s_theta = sin(theta);
-    const double z1 = s_theta * s_theta;
     /* the mass matrix is singular */
     if (!(fabs(k1 * z1) > 0.0)) {
         return SPHERICAL_PENDULUM_SINGULAR_2;
     }
-    const double c_theta = cos(theta);
-    const double z2 = 1.0 / s_theta;
-    /* (II.3) */
-    J[0] = 0.0;
-    J[1] = 0.0;
-    J[2] = 1.0;
-    J[3] = 0.0;
-    J[4] = 0.0;
-    J[5] = 0.0;
-    J[6] = 0.0;
-    J[7] = 1.0;
-    J[8] = phi_dot * phi_dot * (1.0 - 2.0 * z1) - k2 * (g * c_theta);
-    J[9] = 0.0;
-    J[10] = 0.0;
-    J[11] = 2.0 * (c_theta * (phi_dot * s_theta));
-    J[12] = 2.0 * (theta_dot * phi_dot / (s_theta * s_theta));
-    J[13] = 0.0;
-    J[14] = -2.0 * (z2 * (phi_dot * c_theta));
-    J[15] = -2.0 * (theta_dot * c_theta * z2);
     return spherical_pendulum_finish(16, J);
 }
 
@@ -257,9 +385,59 @@ int spherical_pendulum_outputs(double t, const double *y, const double *p, doubl
     return spherical_pendulum_finish(1, out);
 }
 
+#if SPHERICAL_PENDULUM_LANES >= 2
+static __attribute__((noinline)) void spherical_pendulum_rhs_lanes(const double *fixed, size_t stride, const
+    double *t, const double *y, double *restrict dydt, double *check)
+{
+    (void)t;
+    spherical_pendulum_lanes far = {0}; /* the squares of the angles */
+    spherical_pendulum_lanes sum = {0}; /* an infinity or a NaN among the results stays in it */
+    spherical_pendulum_bits bad = {0}; /* singular blocks */
+    const double k1 = fixed[0];
+    const double k2 = fixed[1];
+    const spherical_pendulum_lanes theta = spherical_pendulum_get(y);
+    const spherical_pendulum_lanes theta_dot = spherical_pendulum_get(y + 2 * stride);
+    const spherical_pendulum_lanes phi_dot = spherical_pendulum_get(y + 3 * stride);
+    spherical_pendulum_lanes sine1, cosine1;
+    spherical_pendulum_turn_lanes(SPHERICAL_PENDULUM_SPREAD(theta), &far, &sine1, &cosine1);
+    const spherical_pendulum_lanes s_theta = sine1;
+    /* the mass matrix is singular */
+    bad |= spherical_pendulum_misses(spherical_pendulum_size(SPHERICAL_PENDULUM_SPREAD(k1 * (s_theta *
+        s_theta))), SPHERICAL_PENDULUM_SPREAD(0.0));
+    const spherical_pendulum_lanes c_theta = cosine1;
+    /* (II.3) */
+    const spherical_pendulum_lanes slope1 = theta_dot;
+    sum += slope1;
+    spherical_pendulum_put(dydt, slope1);
+    const spherical_pendulum_lanes slope2 = phi_dot;
+    sum += slope2;
+    spherical_pendulum_put(dydt + 1 * stride, slope2);
+    /* (II.3) 13:4 */
+    const spherical_pendulum_lanes slope3 = s_theta * (phi_dot * phi_dot * c_theta - k2);
+    sum += slope3;
+    spherical_pendulum_put(dydt + 2 * stride, slope3);
+    const spherical_pendulum_lanes slope4 = -2.0 * (c_theta * (theta_dot * phi_dot) / s_theta);
+    sum += slope4;
+    spherical_pendulum_put(dydt + 3 * stride, slope4);
+    spherical_pendulum_put(check, spherical_pendulum_mark(far + (sum - sum), bad));
+}
+
+static __attribute__((noinline)) void spherical_pendulum_rhs_tail(const double *fixed, size_t left, size_t
+    count, const double *t, const double *y, double *restrict dydt, double *check)
+{
+    double time[SPHERICAL_PENDULUM_LANES];
+    double state[4 * SPHERICAL_PENDULUM_LANES];
+    double slope[4 * SPHERICAL_PENDULUM_LANES];
+    spherical_pendulum_fill(left, count, t, y, time, state);
+    spherical_pendulum_rhs_lanes(fixed, SPHERICAL_PENDULUM_LANES, time, state, slope, check);
+    spherical_pendulum_pour(left, count, slope, dydt);
+}
+#endif
+
 int spherical_pendulum_rhs_batch(size_t count, const double *t, const double *y, const double *p, double
     *restrict dydt)
 {
+#if SPHERICAL_PENDULUM_LANES >= 2
     const double m = p[0]; /* mass of the bob [kg] */
     const double l = p[1]; /* length of the rod [m] */
     const double g = p[2]; /* acceleration of gravity [m/s^2] */
@@ -269,37 +447,23 @@ int spherical_pendulum_rhs_batch(size_t count, const double *t, const double *y,
     if (!(fabs(k1) > 0.0)) {
         return SPHERICAL_PENDULUM_SINGULAR_2;
     }
-    int singular1 = 0;
-    int bad = 0;
-    (void)t;
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC ivdep
+    const double fixed[] = {k1, k2};
+    double check[1 * SPHERICAL_PENDULUM_LANES];
+    int status = SPHERICAL_PENDULUM_OK;
+    for (size_t i = 0; i < count; i += SPHERICAL_PENDULUM_LANES) {
+        const size_t left = count - i < SPHERICAL_PENDULUM_LANES ? count - i : SPHERICAL_PENDULUM_LANES;
+        if (left == SPHERICAL_PENDULUM_LANES) {
+            spherical_pendulum_rhs_lanes(fixed, count, t + i, y + i, dydt + i, check);
+        } else {
+            spherical_pendulum_rhs_tail(fixed, left, count, t + i, y + i, dydt + i, check);
+        }
+        if (!spherical_pendulum_is_good(1 * SPHERICAL_PENDULUM_LANES, check)) {
+            const int one = spherical_pendulum_one_by_one(count, i, left, t, y, p, dydt);
+            status = status == SPHERICAL_PENDULUM_OK ? one : status;
+        }
+    }
+    return status;
+#else
+    return spherical_pendulum_one_by_one(count, 0, count, t, y, p, dydt);
 #endif
-    for (size_t i = 0; i < count; ++i) {
-        const double theta = y[i]; /* angle from the downward vertical [rad] */
-        const double theta_dot = y[2 * count + i];
-        const double phi_dot = y[3 * count + i];
-        const double s_theta = sin(theta);
-        /* the mass matrix is singular */
-        singular1 |= !(fabs(k1 * (s_theta * s_theta)) > 0.0);
-        const double c_theta = cos(theta);
-        /* (II.3) */
-        const double slope1 = theta_dot; /* theta' */
-        dydt[i] = slope1;
-        bad |= !(fabs(slope1) <= DBL_MAX);
-        const double slope2 = phi_dot; /* phi' */
-        dydt[count + i] = slope2;
-        bad |= !(fabs(slope2) <= DBL_MAX);
-        /* (II.3) 13:4 */
-        const double slope3 = s_theta * (phi_dot * phi_dot * c_theta - k2); /* theta'' */
-        dydt[2 * count + i] = slope3;
-        bad |= !(fabs(slope3) <= DBL_MAX);
-        const double slope4 = -2.0 * (c_theta * (theta_dot * phi_dot) / s_theta); /* phi'' */
-        dydt[3 * count + i] = slope4;
-        bad |= !(fabs(slope4) <= DBL_MAX);
-    }
-    if (singular1) {
-        return SPHERICAL_PENDULUM_SINGULAR_2;
-    }
-    return bad ? SPHERICAL_PENDULUM_NOT_FINITE : SPHERICAL_PENDULUM_OK;
 }

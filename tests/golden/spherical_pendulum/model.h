@@ -1,5 +1,5 @@
 /*
- * spherical_pendulum.h: spherical_pendulum, emitted by nhc 0.1.0 (nhc:f5a2b07a9fa3ab39)
+ * spherical_pendulum.h: spherical_pendulum, emitted by nhc 0.1.0 (nhc:d55980f3389b9fa4)
  * A pendulum that swings in space.
  * Source: spherical_pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -26,8 +26,8 @@
  * state: 0 +-, 0 *, 0 /, 0 calls
  * residuals: 0 +-, 0 *, 0 /, 0 calls
  * reactions: 0 +-, 4 *, 0 /, 1 calls
- * energy: 2 +-, 10 *, 0 /, 2 calls
- * jacobian: 2 +-, 21 *, 3 /, 2 calls
+ * energy: 2 +-, 9 *, 0 /, 2 calls
+ * jacobian: 2 +-, 19 *, 3 /, 2 calls
  * outputs: 0 +-, 5 *, 0 /, 1 calls
  *
  * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.

@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""spherical_pendulum, emitted by nhc 0.1.0 (nhc:0db2eee8920edfd0).
+"""spherical_pendulum, emitted by nhc 0.1.0 (nhc:bf29bd32a4f17196).
 
 A pendulum that swings in space.
 Source: spherical_pendulum.yaml
@@ -27,8 +27,8 @@ accelerations: 1 +-, 10 *, 2 /, 2 calls
 state: 0 +-, 0 *, 0 /, 0 calls
 residuals: 0 +-, 0 *, 0 /, 0 calls
 reactions: 0 +-, 4 *, 0 /, 1 calls
-energy: 2 +-, 10 *, 0 /, 2 calls
-jacobian: 2 +-, 21 *, 3 /, 2 calls
+energy: 2 +-, 9 *, 0 /, 2 calls
+jacobian: 2 +-, 19 *, 3 /, 2 calls
 outputs: 0 +-, 5 *, 0 /, 1 calls
 
 A singular point raises SingularModelError.
@@ -273,9 +273,8 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
         # state
         s_theta = math.sin(theta)
         c_theta = math.cos(theta)
-        s1 = 0.5 * (s_theta * s_theta * (phi_dot * phi_dot))
-        z1 = k1 * (l * (0.5 * (theta_dot * theta_dot) + s1) - g * c_theta)
-        value1 = z1
+        s1 = s_theta * s_theta * (phi_dot * phi_dot)
+        value1 = k1 * (0.5 * (l * (theta_dot * theta_dot + s1)) - g * c_theta)
         return _single("energy", value1)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
         raise SingularModelError(NOT_FINITE, "energy") from error
@@ -300,7 +299,7 @@ def jacobian(
     try:
         # parameters only
         k1 = m * (l * l)
-        k2 = 1.0 / l
+        k2 = g / l
         # state
         # the mass matrix is singular
         if not abs(k1) > 0.0:
@@ -311,40 +310,32 @@ def jacobian(
         if not abs(k1 * z1) > 0.0:
             raise SingularModelError(2, "jacobian")
         c_theta = math.cos(theta)
-        z2 = 1.0 / s_theta
+        z2 = phi_dot * c_theta
+        z3 = 1.0 / s_theta
         J: list[float] = [
-            # (II.3)
+            0.0,
             0.0,
             # (II.3)
+            1.0,
+            0.0,
+            0.0,
+            0.0,
             0.0,
             # (II.3)
             1.0,
             # (II.3)
+            phi_dot * phi_dot * (1.0 - 2.0 * z1) - c_theta * k2,
+            0.0,
             0.0,
             # (II.3)
-            0.0,
-            # (II.3)
-            0.0,
-            # (II.3)
-            0.0,
-            # (II.3)
-            1.0,
-            # (II.3)
-            phi_dot * phi_dot * (1.0 - 2.0 * z1) - k2 * (g * c_theta),
-            # (II.3)
-            0.0,
-            # (II.3)
-            0.0,
-            # (II.3)
-            2.0 * (c_theta * (phi_dot * s_theta)),
+            2.0 * (s_theta * z2),
             # (II.3)
             2.0 * (theta_dot * phi_dot / (s_theta * s_theta)),
-            # (II.3)
             0.0,
             # (II.3)
-            -2.0 * (z2 * (phi_dot * c_theta)),
+            -2.0 * (z3 * z2),
             # (II.3)
-            -2.0 * (theta_dot * c_theta * z2),
+            -2.0 * (theta_dot * c_theta * z3),
         ]
         _finish("jacobian", J)
         return [J[k3 : k3 + 4] for k3 in range(0, 16, 4)]

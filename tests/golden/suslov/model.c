@@ -1,5 +1,5 @@
 /*
- * suslov.c: suslov, emitted by nhc 0.1.0 (nhc:5f7189a758d73cc8)
+ * suslov.c: suslov, emitted by nhc 0.1.0 (nhc:b6f3fc1b346204d7)
  * A rigid body with a fixed point that must not turn about one of its own axes.
  * Source: suslov.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -10,6 +10,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <string.h>
 
 const char *const suslov_coordinate_names[] = {
     "phi",
@@ -47,11 +48,143 @@ static int suslov_finish(int count, const double *values)
     return fabs(sum) <= DBL_MAX ? SUSLOV_OK : SUSLOV_NOT_FINITE;
 }
 
+/* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
+#ifndef SUSLOV_LANES
+#if !defined(__GNUC__)
+#define SUSLOV_LANES 1
+#elif defined(__AVX512F__)
+#define SUSLOV_LANES 8
+#elif defined(__AVX__)
+#define SUSLOV_LANES 4
+#else
+#define SUSLOV_LANES 2
+#endif
+#endif
+#if SUSLOV_LANES > 1
+typedef double suslov_lanes __attribute__((vector_size(8 * SUSLOV_LANES)));
+#else
+typedef double suslov_lanes;
+#endif
+
+#if SUSLOV_LANES >= 2
+static inline suslov_lanes suslov_get(const double *from)
+{
+    suslov_lanes value;
+    memcpy(&value, from, sizeof value);
+    return value;
+}
+
+static inline void suslov_put(double *to, suslov_lanes value)
+{
+    memcpy(to, &value, sizeof value);
+}
+#endif
+
+/* states first, first + 1, ... through rhs, one by one; the first status that is not OK */
+#if defined(__GNUC__)
+__attribute__((noinline))
+#endif
+static int suslov_one_by_one(size_t count, size_t first, size_t number, const double *t, const double *y, const double *p, double *dydt)
+{
+    int status = SUSLOV_OK;
+    for (size_t i = first; i < first + number; ++i) {
+        double state[SUSLOV_NY];
+        double slope[SUSLOV_NY];
+        for (size_t k = 0; k < SUSLOV_NY; ++k) {
+            state[k] = y[k * count + i];
+            slope[k] = NAN;
+        }
+        const int one = suslov_rhs(t[i], state, p, slope);
+        status = status == SUSLOV_OK ? one : status;
+        for (size_t k = 0; k < SUSLOV_NY; ++k) {
+            dydt[k * count + i] = slope[k];
+        }
+    }
+    return status;
+}
+
+#if SUSLOV_LANES >= 2
+#define SUSLOV_SPREAD(x) ((x) - (suslov_lanes){0}) /* a number in each lane; lanes stay what they are */
+
+typedef unsigned long long suslov_bits __attribute__((vector_size(8 * SUSLOV_LANES)));
+
+/* all bits where value is not above bound, or is no number */
+static inline suslov_bits suslov_misses(suslov_lanes value, suslov_lanes bound)
+{
+    return ~(suslov_bits)(value > bound);
+}
+
+/* no number where a bit is set */
+static inline suslov_lanes suslov_mark(suslov_lanes value, suslov_bits bad)
+{
+    return (suslov_lanes)((suslov_bits)value | bad);
+}
+
+static inline suslov_lanes suslov_size(suslov_lanes x)
+{
+    return (suslov_lanes)((suslov_bits)x & 0x7fffffffffffffffULL);
+}
+/* whether none of the states must be asked again: no singular block, no infinity, no angle anywhere near 1e5 */
+static inline int suslov_is_good(int count, const double *check)
+{
+    double even = 0.0;
+    double odd = 0.0;
+    for (int k = 0; k < count; k += 2) {
+        even += check[k];
+        odd += check[k + 1];
+    }
+    return even + odd <= 1e10;
+}
+
+/* the last states, fewer than there are lanes; the others repeat the last one */
+static inline void suslov_fill(size_t left, size_t count, const double *t, const double *y, double *time, double *state)
+{
+    for (size_t l = 0; l < SUSLOV_LANES; ++l) {
+        const size_t i = l < left ? l : left - 1;
+        time[l] = t[i];
+        for (size_t k = 0; k < SUSLOV_NY; ++k) {
+            state[k * SUSLOV_LANES + l] = y[k * count + i];
+        }
+    }
+}
+
+static inline void suslov_pour(size_t left, size_t count, const double *slope, double *dydt)
+{
+    for (size_t k = 0; k < SUSLOV_NY; ++k) {
+        for (size_t l = 0; l < left; ++l) {
+            dydt[k * count + l] = slope[k * SUSLOV_LANES + l];
+        }
+    }
+}
+
+/* libm's sine and cosine, lane by lane */
+static inline void suslov_turn_lanes(suslov_lanes x, suslov_lanes *far, suslov_lanes *sine, suslov_lanes *cosine)
+{
+    double angle[SUSLOV_LANES];
+    double up[SUSLOV_LANES];
+    double along[SUSLOV_LANES];
+    (void)far;
+    memcpy(angle, &x, sizeof x);
+    for (int l = 0; l < SUSLOV_LANES; ++l) {
+        up[l] = sin(angle[l]);
+        along[l] = cos(angle[l]);
+    }
+    memcpy(sine, up, sizeof x);
+    memcpy(cosine, along, sizeof x);
+}
+#endif
+
 int suslov_rhs(double t, const double *y, const double *p, double *dydt)
 {
     (void)t;
     const double theta = y[1]; /* nutation [rad] */
     const double psi = y[2]; /* spin [rad] */
+
+    /* sines and cosines */
+    const double s_theta = sin(theta);
+    const double c_theta = cos(theta);
+    const double c_psi = cos(psi);
+    const double s_psi = sin(psi);
     const double w1 = y[3];
     const double w2 = y[4];
     const double I11 = p[0]; /* [kg*m^2] */
@@ -64,7 +197,16 @@ int suslov_rhs(double t, const double *y, const double *p, double *dydt)
     const double k2 = 1.0 / I22;
 
     /* state */
-    const double s_theta = sin(theta);
+    const double z1 = 1.0 / s_theta;
+    const double z2 = (c_psi * w2 + s_psi * w1) * z1;
+    const double z3 = I13 * w1 + I23 * w2;
+    /* (I.2.15) */
+    dydt[0] = z2; /* phi' */
+    dydt[1] = z1 * (s_theta * c_psi * w1 - s_theta * s_psi * w2); /* theta' */
+    dydt[2] = -c_theta * z2; /* psi' */
+    /* (I.2.15) 20:4 */
+    dydt[3] = -w2 * z3 * k1; /* w1' */
+    dydt[4] = w1 * z3 * k2; /* w2' */
     /* the coframe is singular */
     if (!(fabs(s_theta) > 1e-12 * 4.0)) {
         return SUSLOV_SINGULAR_1;
@@ -77,19 +219,6 @@ int suslov_rhs(double t, const double *y, const double *p, double *dydt)
     if (!(fabs(I22) > 0.0)) {
         return SUSLOV_SINGULAR_2;
     }
-    const double c_psi = cos(psi);
-    const double s_psi = sin(psi);
-    const double z1 = 1.0 / s_theta;
-    const double z2 = (c_psi * w2 + s_psi * w1) * z1;
-    const double c_theta = cos(theta);
-    const double z3 = I13 * w1 + I23 * w2;
-    /* (I.2.15) */
-    dydt[0] = z2; /* phi' */
-    dydt[1] = z1 * (s_theta * c_psi * w1 - s_theta * s_psi * w2); /* theta' */
-    dydt[2] = -c_theta * z2; /* psi' */
-    /* (I.2.15) 20:4 */
-    dydt[3] = -w2 * z3 * k1; /* w1' */
-    dydt[4] = w1 * z3 * k2; /* w2' */
     return suslov_finish(5, dydt);
 }
 
@@ -99,24 +228,26 @@ int suslov_velocities(double t, const double *y, const double *p, double *qdot)
     (void)p;
     const double theta = y[1]; /* nutation [rad] */
     const double psi = y[2]; /* spin [rad] */
+
+    /* sines and cosines */
+    const double s_theta = sin(theta);
+    const double c_theta = cos(theta);
+    const double c_psi = cos(psi);
+    const double s_psi = sin(psi);
     const double w1 = y[3];
     const double w2 = y[4];
 
     /* state */
-    const double s_theta = sin(theta);
-    /* the coframe is singular */
-    if (!(fabs(s_theta) > 1e-12 * 4.0)) {
-        return SUSLOV_SINGULAR_1;
-    }
-    const double c_psi = cos(psi);
-    const double s_psi = sin(psi);
     const double z1 = 1.0 / s_theta;
     const double z2 = (c_psi * w2 + s_psi * w1) * z1;
-    const double c_theta = cos(theta);
     /* (I.2.4) */
     qdot[0] = z2; /* phi' */
     qdot[1] = z1 * (s_theta * c_psi * w1 - s_theta * s_psi * w2); /* theta' */
     qdot[2] = -c_theta * z2; /* psi' */
+    /* the coframe is singular */
+    if (!(fabs(s_theta) > 1e-12 * 4.0)) {
+        return SUSLOV_SINGULAR_1;
+    }
     return suslov_finish(3, qdot);
 }
 
@@ -125,6 +256,12 @@ int suslov_accelerations(double t, const double *y, const double *p, double *qdd
     (void)t;
     const double theta = y[1]; /* nutation [rad] */
     const double psi = y[2]; /* spin [rad] */
+
+    /* sines and cosines */
+    const double s_theta = sin(theta);
+    const double c_theta = cos(theta);
+    const double c_psi = cos(psi);
+    const double s_psi = sin(psi);
     const double w1 = y[3];
     const double w2 = y[4];
     const double I11 = p[0]; /* [kg*m^2] */
@@ -137,23 +274,7 @@ int suslov_accelerations(double t, const double *y, const double *p, double *qdd
     const double k2 = 1.0 / I22;
 
     /* state */
-    const double s_theta = sin(theta);
-    /* the coframe is singular */
-    if (!(fabs(s_theta) > 1e-12 * 4.0)) {
-        return SUSLOV_SINGULAR_1;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(I11) > 0.0)) {
-        return SUSLOV_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(I22) > 0.0)) {
-        return SUSLOV_SINGULAR_2;
-    }
-    const double c_psi = cos(psi);
-    const double s_psi = sin(psi);
     const double z1 = c_psi * w2 + s_psi * w1;
-    const double c_theta = cos(theta);
     const double z2 = 1.0 / s_theta;
     const double z3 = s_theta * c_psi;
     const double z4 = s_theta * s_psi;
@@ -174,6 +295,18 @@ int suslov_accelerations(double t, const double *y, const double *p, double *qdd
     qddot[0] = -z15; /* phi'' */
     qddot[1] = z2 * z16 - z5 * z7; /* theta'' */
     qddot[2] = z8 * z5 + c_theta * z15; /* psi'' */
+    /* the coframe is singular */
+    if (!(fabs(s_theta) > 1e-12 * 4.0)) {
+        return SUSLOV_SINGULAR_1;
+    }
+    /* the mass matrix is singular */
+    if (!(fabs(I11) > 0.0)) {
+        return SUSLOV_SINGULAR_2;
+    }
+    /* the mass matrix is singular */
+    if (!(fabs(I22) > 0.0)) {
+        return SUSLOV_SINGULAR_2;
+    }
     return suslov_finish(3, qddot);
 }
 
@@ -181,21 +314,24 @@ int suslov_state(double t, const double *q, const double *qdot, const double *p,
 {
     (void)t;
     (void)p;
-    const double phi = q[0]; /* precession [rad] */
     const double theta = q[1]; /* nutation [rad] */
     const double psi = q[2]; /* spin [rad] */
+
+    /* sines and cosines */
+    const double c_psi = cos(psi);
+    const double s_psi = sin(psi);
+    const double s_theta = sin(theta);
+    const double phi = q[0]; /* precession [rad] */
     const double phi_dot = qdot[0];
     const double theta_dot = qdot[1];
 
     /* state */
-    const double s_theta = sin(theta);
-    const double s_psi = sin(psi);
-    const double c_psi = cos(psi);
+    const double z1 = phi_dot * s_theta;
     y[0] = phi;
     y[1] = theta;
     y[2] = psi;
-    y[3] = phi_dot * (s_theta * s_psi) + theta_dot * c_psi;
-    y[4] = phi_dot * (s_theta * c_psi) - theta_dot * s_psi;
+    y[3] = theta_dot * c_psi + s_psi * z1;
+    y[4] = c_psi * z1 - theta_dot * s_psi;
     return suslov_finish(5, y);
 }
 
@@ -226,12 +362,16 @@ int suslov_reactions(double t, const double *y, const double *p, double *lambda)
     const double I23 = p[4]; /* [kg*m^2] */
 
     /* parameters only */
-    const double k1 = I11 - I22;
-    const double k2 = 1.0 / I11;
-    const double k3 = 1.0 / I22;
+    const double k1 = 1.0 / I11;
+    const double k2 = 1.0 / I22;
+    const double k3 = I11 - I22;
 
     /* state */
     const double s_theta = sin(theta);
+    const double z1 = I13 * w1 + I23 * w2;
+    /* (I.4.1) 22:5 */
+    /* reaction of no_spin: Q_i gains lambda_1 a_1i */
+    lambda[0] = -(k3 * (w1 * w2) + (I13 * (w2 * z1 * k1) - I23 * (w1 * z1 * k2)));
     /* the coframe is singular */
     if (!(fabs(s_theta) > 1e-12 * 4.0)) {
         return SUSLOV_SINGULAR_1;
@@ -244,10 +384,6 @@ int suslov_reactions(double t, const double *y, const double *p, double *lambda)
     if (!(fabs(I22) > 0.0)) {
         return SUSLOV_SINGULAR_2;
     }
-    const double z1 = I13 * w1 + I23 * w2;
-    /* (I.4.1) 22:5 */
-    /* reaction of no_spin: Q_i gains lambda_1 a_1i */
-    lambda[0] = -(w1 * w2 * k1 + (I13 * (w2 * z1 * k2) - I23 * (w1 * z1 * k3)));
     return suslov_finish(1, lambda);
 }
 
@@ -260,14 +396,23 @@ double suslov_energy(double t, const double *y, const double *p)
     const double I22 = p[1]; /* [kg*m^2] */
 
     /* state */
-    return 0.5 * (I11 * (w1 * w1)) + 0.5 * (I22 * (w2 * w2));
+    return 0.5 * (I11 * (w1 * w1) + I22 * (w2 * w2));
 }
 
 int suslov_jacobian(double t, const double *y, const double *p, double *J)
 {
+    for (int entry = 0; entry < 25; ++entry) {
+        J[entry] = 0.0;
+    }
     (void)t;
     const double theta = y[1]; /* nutation [rad] */
     const double psi = y[2]; /* spin [rad] */
+
+    /* sines and cosines */
+    const double s_theta = sin(theta);
+    const double c_theta = cos(theta);
+    const double c_psi = cos(psi);
+    const double s_psi = sin(psi);
     const double w1 = y[3];
     const double w2 = y[4];
     const double I11 = p[0]; /* [kg*m^2] */
@@ -278,9 +423,40 @@ int suslov_jacobian(double t, const double *y, const double *p, double *J)
     /* parameters only */
     const double k1 = 1.0 / I11;
     const double k2 = 1.0 / I22;
+    const double k3 = I13 * k1;
+    const double k4 = I23 * k2;
 
     /* state */
-    const double s_theta = sin(theta);
+    const double z1 = c_psi * w2 + s_psi * w1;
+    const double z2 = c_theta / (s_theta * s_theta);
+    const double z3 = z1 * z2;
+    const double z4 = 1.0 / s_theta;
+    const double z5 = c_psi * w1 - s_psi * w2;
+    const double z6 = z4 * z5;
+    const double z7 = s_psi * z4;
+    const double z8 = c_psi * z4;
+    const double z9 = s_theta * c_psi;
+    const double z10 = s_theta * s_psi;
+    const double z11 = I23 * w2;
+    const double z12 = I13 * w1;
+    const double z13 = z12 + z11;
+    /* (I.2.15) */
+    J[1] = -z3;
+    J[2] = z6;
+    J[3] = z7;
+    J[4] = z8;
+    J[6] = z4 * (c_theta * z5) - (z9 * w1 - z10 * w2) * z2;
+    J[7] = -z4 * (z10 * w1 + z9 * w2);
+    J[8] = c_psi;
+    J[9] = -s_psi;
+    J[11] = z1 + c_theta * z3;
+    J[12] = -c_theta * z6;
+    J[13] = -c_theta * z7;
+    J[14] = -c_theta * z8;
+    J[18] = -w2 * k3;
+    J[19] = -k1 * (z11 + z13);
+    J[23] = k2 * (z12 + z13);
+    J[24] = w1 * k4;
     /* the coframe is singular */
     if (!(fabs(s_theta) > 1e-12 * 4.0)) {
         return SUSLOV_SINGULAR_1;
@@ -293,44 +469,6 @@ int suslov_jacobian(double t, const double *y, const double *p, double *J)
     if (!(fabs(I22) > 0.0)) {
         return SUSLOV_SINGULAR_2;
     }
-    const double c_theta = cos(theta);
-    const double c_psi = cos(psi);
-    const double s_psi = sin(psi);
-    const double z1 = c_psi * w2 + s_psi * w1;
-    const double z2 = 1.0 / (s_theta * s_theta);
-    const double z3 = 1.0 / s_theta;
-    const double z4 = s_psi * (w2 * z3);
-    const double z5 = c_psi * (w1 * z3);
-    const double z6 = c_theta * z3;
-    const double z7 = I23 * w2;
-    const double z8 = I13 * w1;
-    const double z9 = z8 + z7;
-    /* (I.2.15) */
-    J[0] = 0.0;
-    J[1] = -c_theta * (z1 * z2);
-    J[2] = z5 - z4;
-    J[3] = s_psi * z3;
-    J[4] = c_psi * z3;
-    J[5] = 0.0;
-    J[6] = -c_theta * (z4 - (z5 - (s_theta * c_psi * w1 - s_theta * s_psi * w2) * z2));
-    J[7] = -z1;
-    J[8] = c_psi;
-    J[9] = -s_psi;
-    J[10] = 0.0;
-    J[11] = z1 + c_theta * (z2 * (c_theta * z1));
-    J[12] = s_psi * (w2 * z6) - c_psi * (w1 * z6);
-    J[13] = -s_psi * z6;
-    J[14] = -c_psi * z6;
-    J[15] = 0.0;
-    J[16] = 0.0;
-    J[17] = 0.0;
-    J[18] = -k1 * (I13 * w2);
-    J[19] = -k1 * (z7 + z9);
-    J[20] = 0.0;
-    J[21] = 0.0;
-    J[22] = 0.0;
-    J[23] = k2 * (z8 + z9);
-    J[24] = k2 * (I23 * w1);
     return suslov_finish(25, J);
 }
 
@@ -345,17 +483,79 @@ int suslov_outputs(double t, const double *y, const double *p, double *out)
 
     /* state */
     const double s_theta = sin(theta);
+    /* 28:7 */
+    out[0] = I13 * w1 + I23 * w2; /* M3 */
     /* the coframe is singular */
     if (!(fabs(s_theta) > 1e-12 * 4.0)) {
         return SUSLOV_SINGULAR_1;
     }
-    /* 28:7 */
-    out[0] = I13 * w1 + I23 * w2; /* M3 */
     return suslov_finish(1, out);
 }
 
+#if SUSLOV_LANES >= 2
+static __attribute__((noinline)) void suslov_rhs_lanes(const double *fixed, size_t stride, const double *t,
+    const double *y, double *restrict dydt, double *check)
+{
+    (void)t;
+    suslov_lanes far = {0}; /* the squares of the angles */
+    suslov_lanes sum = {0}; /* an infinity or a NaN among the results stays in it */
+    suslov_bits bad = {0}; /* singular blocks */
+    const double I13 = fixed[0];
+    const double I23 = fixed[1];
+    const double k1 = fixed[2];
+    const double k2 = fixed[3];
+    const suslov_lanes theta = suslov_get(y + 1 * stride);
+    const suslov_lanes psi = suslov_get(y + 2 * stride);
+    const suslov_lanes w1 = suslov_get(y + 3 * stride);
+    const suslov_lanes w2 = suslov_get(y + 4 * stride);
+    suslov_lanes sine1, cosine1;
+    suslov_turn_lanes(SUSLOV_SPREAD(theta), &far, &sine1, &cosine1);
+    const suslov_lanes s_theta = sine1;
+    /* the coframe is singular */
+    bad |= suslov_misses(suslov_size(SUSLOV_SPREAD(s_theta)), SUSLOV_SPREAD(1e-12 * 4.0));
+    suslov_lanes sine2, cosine2;
+    suslov_turn_lanes(SUSLOV_SPREAD(psi), &far, &sine2, &cosine2);
+    const suslov_lanes c_psi = cosine2;
+    const suslov_lanes s_psi = sine2;
+    const suslov_lanes z1 = 1.0 / s_theta;
+    const suslov_lanes z2 = (c_psi * w2 + s_psi * w1) * z1;
+    const suslov_lanes c_theta = cosine1;
+    const suslov_lanes z3 = I13 * w1 + I23 * w2;
+    /* (I.2.15) */
+    const suslov_lanes slope1 = z2;
+    sum += slope1;
+    suslov_put(dydt, slope1);
+    const suslov_lanes slope2 = z1 * (s_theta * c_psi * w1 - s_theta * s_psi * w2);
+    sum += slope2;
+    suslov_put(dydt + 1 * stride, slope2);
+    const suslov_lanes slope3 = -c_theta * z2;
+    sum += slope3;
+    suslov_put(dydt + 2 * stride, slope3);
+    /* (I.2.15) 20:4 */
+    const suslov_lanes slope4 = -w2 * z3 * k1;
+    sum += slope4;
+    suslov_put(dydt + 3 * stride, slope4);
+    const suslov_lanes slope5 = w1 * z3 * k2;
+    sum += slope5;
+    suslov_put(dydt + 4 * stride, slope5);
+    suslov_put(check, suslov_mark(far + (sum - sum), bad));
+}
+
+static __attribute__((noinline)) void suslov_rhs_tail(const double *fixed, size_t left, size_t count, const
+    double *t, const double *y, double *restrict dydt, double *check)
+{
+    double time[SUSLOV_LANES];
+    double state[5 * SUSLOV_LANES];
+    double slope[5 * SUSLOV_LANES];
+    suslov_fill(left, count, t, y, time, state);
+    suslov_rhs_lanes(fixed, SUSLOV_LANES, time, state, slope, check);
+    suslov_pour(left, count, slope, dydt);
+}
+#endif
+
 int suslov_rhs_batch(size_t count, const double *t, const double *y, const double *p, double *restrict dydt)
 {
+#if SUSLOV_LANES >= 2
     const double I11 = p[0]; /* [kg*m^2] */
     const double I22 = p[1]; /* [kg*m^2] */
     const double I13 = p[3]; /* [kg*m^2] */
@@ -370,46 +570,23 @@ int suslov_rhs_batch(size_t count, const double *t, const double *y, const doubl
     if (!(fabs(I22) > 0.0)) {
         return SUSLOV_SINGULAR_2;
     }
-    int singular1 = 0;
-    int bad = 0;
-    (void)t;
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC ivdep
+    const double fixed[] = {I13, I23, k1, k2};
+    double check[1 * SUSLOV_LANES];
+    int status = SUSLOV_OK;
+    for (size_t i = 0; i < count; i += SUSLOV_LANES) {
+        const size_t left = count - i < SUSLOV_LANES ? count - i : SUSLOV_LANES;
+        if (left == SUSLOV_LANES) {
+            suslov_rhs_lanes(fixed, count, t + i, y + i, dydt + i, check);
+        } else {
+            suslov_rhs_tail(fixed, left, count, t + i, y + i, dydt + i, check);
+        }
+        if (!suslov_is_good(1 * SUSLOV_LANES, check)) {
+            const int one = suslov_one_by_one(count, i, left, t, y, p, dydt);
+            status = status == SUSLOV_OK ? one : status;
+        }
+    }
+    return status;
+#else
+    return suslov_one_by_one(count, 0, count, t, y, p, dydt);
 #endif
-    for (size_t i = 0; i < count; ++i) {
-        const double theta = y[count + i]; /* nutation [rad] */
-        const double psi = y[2 * count + i]; /* spin [rad] */
-        const double w1 = y[3 * count + i];
-        const double w2 = y[4 * count + i];
-        const double s_theta = sin(theta);
-        /* the coframe is singular */
-        singular1 |= !(fabs(s_theta) > 1e-12 * 4.0);
-        const double c_psi = cos(psi);
-        const double s_psi = sin(psi);
-        const double z1 = 1.0 / s_theta;
-        const double z2 = (c_psi * w2 + s_psi * w1) * z1;
-        const double c_theta = cos(theta);
-        const double z3 = I13 * w1 + I23 * w2;
-        /* (I.2.15) */
-        const double slope1 = z2; /* phi' */
-        dydt[i] = slope1;
-        bad |= !(fabs(slope1) <= DBL_MAX);
-        const double slope2 = z1 * (s_theta * c_psi * w1 - s_theta * s_psi * w2); /* theta' */
-        dydt[count + i] = slope2;
-        bad |= !(fabs(slope2) <= DBL_MAX);
-        const double slope3 = -c_theta * z2; /* psi' */
-        dydt[2 * count + i] = slope3;
-        bad |= !(fabs(slope3) <= DBL_MAX);
-        /* (I.2.15) 20:4 */
-        const double slope4 = -w2 * z3 * k1; /* w1' */
-        dydt[3 * count + i] = slope4;
-        bad |= !(fabs(slope4) <= DBL_MAX);
-        const double slope5 = w1 * z3 * k2; /* w2' */
-        dydt[4 * count + i] = slope5;
-        bad |= !(fabs(slope5) <= DBL_MAX);
-    }
-    if (singular1) {
-        return SUSLOV_SINGULAR_1;
-    }
-    return bad ? SUSLOV_NOT_FINITE : SUSLOV_OK;
 }

@@ -1,4 +1,4 @@
-"""suslov, emitted by nhc 0.1.0 (nhc:d67832bcc20b9efc).
+"""suslov, emitted by nhc 0.1.0 (nhc:eaf60c9f97babe92).
 
 A rigid body with a fixed point that must not turn about one of its own axes.
 Source: suslov.yaml
@@ -29,11 +29,11 @@ Operations:
 rhs: 3 +-, 15 *, 3 /, 4 calls
 velocities: 2 +-, 9 *, 1 /, 4 calls
 accelerations: 14 +-, 37 *, 4 /, 4 calls
-state: 2 +-, 6 *, 0 /, 3 calls
+state: 2 +-, 5 *, 0 /, 3 calls
 residuals: 1 +-, 1 *, 0 /, 1 calls
 reactions: 4 +-, 10 *, 2 /, 1 calls
-energy: 1 +-, 6 *, 0 /, 0 calls
-jacobian: 10 +-, 35 *, 4 /, 4 calls
+energy: 1 +-, 5 *, 0 /, 0 calls
+jacobian: 9 +-, 31 *, 4 /, 4 calls
 outputs: 1 +-, 2 *, 0 /, 1 calls
 
 A singular point raises SingularModelError.
@@ -255,15 +255,16 @@ def state(
     theta_dot = float(qdot[1])
     try:
         # state
-        s_theta = math.sin(theta)
-        s_psi = math.sin(psi)
         c_psi = math.cos(psi)
+        s_psi = math.sin(psi)
+        s_theta = math.sin(theta)
+        z1 = phi_dot * s_theta
         y: list[float] = [
             phi,
             theta,
             psi,
-            phi_dot * (s_theta * s_psi) + theta_dot * c_psi,
-            phi_dot * (s_theta * c_psi) - theta_dot * s_psi,
+            theta_dot * c_psi + s_psi * z1,
+            c_psi * z1 - theta_dot * s_psi,
         ]
         return _finish("state", y)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -316,9 +317,9 @@ def reactions(
     I23 = float(p[4])  # [kg*m^2]
     try:
         # parameters only
-        k1 = I11 - I22
-        k2 = 1.0 / I11
-        k3 = 1.0 / I22
+        k1 = 1.0 / I11
+        k2 = 1.0 / I22
+        k3 = I11 - I22
         # state
         s_theta = math.sin(theta)
         # the coframe is singular
@@ -333,7 +334,7 @@ def reactions(
         z1 = I13 * w1 + I23 * w2
         lambda_: list[float] = [
             # reaction of no_spin: Q_i gains lambda_1 a_1i (I.4.1) 22:5
-            -(w1 * w2 * k1 + (I13 * (w2 * z1 * k2) - I23 * (w1 * z1 * k3))),
+            -(k3 * (w1 * w2) + (I13 * (w2 * z1 * k1) - I23 * (w1 * z1 * k2))),
         ]
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -352,7 +353,7 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     I22 = float(p[1])  # [kg*m^2]
     try:
         # state
-        value1 = 0.5 * (I11 * (w1 * w1)) + 0.5 * (I22 * (w2 * w2))
+        value1 = 0.5 * (I11 * (w1 * w1) + I22 * (w2 * w2))
         return _single("energy", value1)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
         raise SingularModelError(NOT_FINITE, "energy") from error
@@ -380,6 +381,8 @@ def jacobian(
         # parameters only
         k1 = 1.0 / I11
         k2 = 1.0 / I22
+        k3 = I13 * k1
+        k4 = I23 * k2
         # state
         s_theta = math.sin(theta)
         # the coframe is singular
@@ -391,73 +394,67 @@ def jacobian(
         # the mass matrix is singular
         if not abs(I22) > 0.0:
             raise SingularModelError(2, "jacobian")
-        c_theta = math.cos(theta)
         c_psi = math.cos(psi)
         s_psi = math.sin(psi)
         z1 = c_psi * w2 + s_psi * w1
-        z2 = 1.0 / (s_theta * s_theta)
-        z3 = 1.0 / s_theta
-        z4 = s_psi * (w2 * z3)
-        z5 = c_psi * (w1 * z3)
-        z6 = c_theta * z3
-        z7 = I23 * w2
-        z8 = I13 * w1
-        z9 = z8 + z7
-        s1 = z4 - (z5 - (s_theta * c_psi * w1 - s_theta * s_psi * w2) * z2)
+        c_theta = math.cos(theta)
+        z2 = c_theta / (s_theta * s_theta)
+        z3 = z1 * z2
+        z4 = 1.0 / s_theta
+        z5 = c_psi * w1 - s_psi * w2
+        z6 = z4 * z5
+        z7 = s_psi * z4
+        z8 = c_psi * z4
+        z9 = s_theta * c_psi
+        z10 = s_theta * s_psi
+        z11 = I23 * w2
+        z12 = I13 * w1
+        z13 = z12 + z11
         J: list[float] = [
-            # (I.2.15)
             0.0,
             # (I.2.15)
-            -c_theta * (z1 * z2),
+            -z3,
             # (I.2.15)
-            z5 - z4,
+            z6,
             # (I.2.15)
-            s_psi * z3,
+            z7,
             # (I.2.15)
-            c_psi * z3,
-            # (I.2.15)
+            z8,
             0.0,
             # (I.2.15)
-            -c_theta * s1,
+            z4 * (c_theta * z5) - (z9 * w1 - z10 * w2) * z2,
             # (I.2.15)
-            -z1,
+            -z4 * (z10 * w1 + z9 * w2),
             # (I.2.15)
             c_psi,
             # (I.2.15)
             -s_psi,
-            # (I.2.15)
             0.0,
             # (I.2.15)
-            z1 + c_theta * (z2 * (c_theta * z1)),
+            z1 + c_theta * z3,
             # (I.2.15)
-            s_psi * (w2 * z6) - c_psi * (w1 * z6),
+            -c_theta * z6,
             # (I.2.15)
-            -s_psi * z6,
+            -c_theta * z7,
             # (I.2.15)
-            -c_psi * z6,
-            # (I.2.15)
+            -c_theta * z8,
+            0.0,
+            0.0,
             0.0,
             # (I.2.15)
+            -w2 * k3,
+            # (I.2.15)
+            -k1 * (z11 + z13),
+            0.0,
+            0.0,
             0.0,
             # (I.2.15)
-            0.0,
+            k2 * (z12 + z13),
             # (I.2.15)
-            -k1 * (I13 * w2),
-            # (I.2.15)
-            -k1 * (z7 + z9),
-            # (I.2.15)
-            0.0,
-            # (I.2.15)
-            0.0,
-            # (I.2.15)
-            0.0,
-            # (I.2.15)
-            k2 * (z8 + z9),
-            # (I.2.15)
-            k2 * (I23 * w1),
+            w1 * k4,
         ]
         _finish("jacobian", J)
-        return [J[k3 : k3 + 5] for k3 in range(0, 25, 5)]
+        return [J[k5 : k5 + 5] for k5 in range(0, 25, 5)]
     except (ValueError, ZeroDivisionError, OverflowError) as error:
         raise SingularModelError(NOT_FINITE, "jacobian") from error
 

@@ -1,5 +1,5 @@
 /*
- * vertical_disk.c: vertical_disk, emitted by nhc 0.1.0 (nhc:d6fa714d0d60f36a)
+ * vertical_disk.c: vertical_disk, emitted by nhc 0.1.0 (nhc:c5c8fe33ec491e79)
  * A disk that stays upright and rolls without slipping.
  * Source: vertical_disk.yaml
  * Equations of motion: chaplygin (III.3)
@@ -10,6 +10,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <string.h>
 
 const char *const vertical_disk_coordinate_names[] = {
     "x",
@@ -47,10 +48,129 @@ static int vertical_disk_finish(int count, const double *values)
     return fabs(sum) <= DBL_MAX ? VERTICAL_DISK_OK : VERTICAL_DISK_NOT_FINITE;
 }
 
+/* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
+#ifndef VERTICAL_DISK_LANES
+#if !defined(__GNUC__)
+#define VERTICAL_DISK_LANES 1
+#elif defined(__AVX512F__)
+#define VERTICAL_DISK_LANES 8
+#elif defined(__AVX__)
+#define VERTICAL_DISK_LANES 4
+#else
+#define VERTICAL_DISK_LANES 2
+#endif
+#endif
+#if VERTICAL_DISK_LANES > 1
+typedef double vertical_disk_lanes __attribute__((vector_size(8 * VERTICAL_DISK_LANES)));
+#else
+typedef double vertical_disk_lanes;
+#endif
+
+#if VERTICAL_DISK_LANES >= 2
+static inline vertical_disk_lanes vertical_disk_get(const double *from)
+{
+    vertical_disk_lanes value;
+    memcpy(&value, from, sizeof value);
+    return value;
+}
+
+static inline void vertical_disk_put(double *to, vertical_disk_lanes value)
+{
+    memcpy(to, &value, sizeof value);
+}
+#endif
+
+/* states first, first + 1, ... through rhs, one by one; the first status that is not OK */
+#if defined(__GNUC__)
+__attribute__((noinline))
+#endif
+static int vertical_disk_one_by_one(size_t count, size_t first, size_t number, const double *t, const double *y, const double *p, double *dydt)
+{
+    int status = VERTICAL_DISK_OK;
+    for (size_t i = first; i < first + number; ++i) {
+        double state[VERTICAL_DISK_NY];
+        double slope[VERTICAL_DISK_NY];
+        for (size_t k = 0; k < VERTICAL_DISK_NY; ++k) {
+            state[k] = y[k * count + i];
+            slope[k] = NAN;
+        }
+        const int one = vertical_disk_rhs(t[i], state, p, slope);
+        status = status == VERTICAL_DISK_OK ? one : status;
+        for (size_t k = 0; k < VERTICAL_DISK_NY; ++k) {
+            dydt[k * count + i] = slope[k];
+        }
+    }
+    return status;
+}
+
+#if VERTICAL_DISK_LANES >= 2
+#define VERTICAL_DISK_SPREAD(x) ((x) - (vertical_disk_lanes){0}) /* a number in each lane; lanes stay what they are */
+
+typedef unsigned long long vertical_disk_bits __attribute__((vector_size(8 * VERTICAL_DISK_LANES)));
+
+/* no number where a bit is set */
+static inline vertical_disk_lanes vertical_disk_mark(vertical_disk_lanes value, vertical_disk_bits bad)
+{
+    return (vertical_disk_lanes)((vertical_disk_bits)value | bad);
+}
+/* whether none of the states must be asked again: no singular block, no infinity, no angle anywhere near 1e5 */
+static inline int vertical_disk_is_good(int count, const double *check)
+{
+    double even = 0.0;
+    double odd = 0.0;
+    for (int k = 0; k < count; k += 2) {
+        even += check[k];
+        odd += check[k + 1];
+    }
+    return even + odd <= 1e10;
+}
+
+/* the last states, fewer than there are lanes; the others repeat the last one */
+static inline void vertical_disk_fill(size_t left, size_t count, const double *t, const double *y, double *time, double *state)
+{
+    for (size_t l = 0; l < VERTICAL_DISK_LANES; ++l) {
+        const size_t i = l < left ? l : left - 1;
+        time[l] = t[i];
+        for (size_t k = 0; k < VERTICAL_DISK_NY; ++k) {
+            state[k * VERTICAL_DISK_LANES + l] = y[k * count + i];
+        }
+    }
+}
+
+static inline void vertical_disk_pour(size_t left, size_t count, const double *slope, double *dydt)
+{
+    for (size_t k = 0; k < VERTICAL_DISK_NY; ++k) {
+        for (size_t l = 0; l < left; ++l) {
+            dydt[k * count + l] = slope[k * VERTICAL_DISK_LANES + l];
+        }
+    }
+}
+
+/* libm's sine and cosine, lane by lane */
+static inline void vertical_disk_turn_lanes(vertical_disk_lanes x, vertical_disk_lanes *far, vertical_disk_lanes *sine, vertical_disk_lanes *cosine)
+{
+    double angle[VERTICAL_DISK_LANES];
+    double up[VERTICAL_DISK_LANES];
+    double along[VERTICAL_DISK_LANES];
+    (void)far;
+    memcpy(angle, &x, sizeof x);
+    for (int l = 0; l < VERTICAL_DISK_LANES; ++l) {
+        up[l] = sin(angle[l]);
+        along[l] = cos(angle[l]);
+    }
+    memcpy(sine, up, sizeof x);
+    memcpy(cosine, along, sizeof x);
+}
+#endif
+
 int vertical_disk_rhs(double t, const double *y, const double *p, double *dydt)
 {
     (void)t;
     const double phi = y[2]; /* heading [rad] */
+
+    /* sines and cosines */
+    const double c_phi = cos(phi);
+    const double s_phi = sin(phi);
     const double phi_dot = y[4];
     const double theta_dot = y[5];
     const double m = p[0]; /* mass [kg] */
@@ -59,24 +179,23 @@ int vertical_disk_rhs(double t, const double *y, const double *p, double *dydt)
     const double J = p[3]; /* moment of inertia about the vertical [kg*m^2] */
 
     /* state */
-    /* the mass matrix is singular */
-    if (!(fabs(J) > 0.0)) {
-        return VERTICAL_DISK_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(I + m * (R * R)) > 0.0)) {
-        return VERTICAL_DISK_SINGULAR_2;
-    }
-    const double c_phi = cos(phi);
-    const double s_phi = sin(phi);
+    const double v1_x = theta_dot * R;
     /* (III.3) */
-    dydt[0] = theta_dot * (R * c_phi); /* x' */
-    dydt[1] = theta_dot * (R * s_phi); /* y' */
+    dydt[0] = c_phi * v1_x; /* x' */
+    dydt[1] = s_phi * v1_x; /* y' */
     dydt[2] = phi_dot; /* phi' */
     dydt[3] = theta_dot; /* theta' */
     /* (III.3) 16:4 */
     dydt[4] = 0.0; /* phi'' */
     dydt[5] = 0.0; /* theta'' */
+    /* the mass matrix is singular */
+    if (!(fabs(J) > 0.0)) {
+        return VERTICAL_DISK_SINGULAR_2;
+    }
+    /* the mass matrix is singular */
+    if (!(fabs(I + R * (m * R)) > 0.0)) {
+        return VERTICAL_DISK_SINGULAR_2;
+    }
     return vertical_disk_finish(6, dydt);
 }
 
@@ -84,16 +203,19 @@ int vertical_disk_velocities(double t, const double *y, const double *p, double 
 {
     (void)t;
     const double phi = y[2]; /* heading [rad] */
+
+    /* sines and cosines */
+    const double c_phi = cos(phi);
+    const double s_phi = sin(phi);
     const double phi_dot = y[4];
     const double theta_dot = y[5];
     const double R = p[1]; /* radius [m] */
 
     /* state */
-    const double c_phi = cos(phi);
-    const double s_phi = sin(phi);
+    const double v1_x = theta_dot * R;
     /* (I.2.4) */
-    qdot[0] = theta_dot * (R * c_phi); /* x' */
-    qdot[1] = theta_dot * (R * s_phi); /* y' */
+    qdot[0] = c_phi * v1_x; /* x' */
+    qdot[1] = s_phi * v1_x; /* y' */
     qdot[2] = phi_dot; /* phi' */
     qdot[3] = theta_dot; /* theta' */
     return vertical_disk_finish(4, qdot);
@@ -103,6 +225,10 @@ int vertical_disk_accelerations(double t, const double *y, const double *p, doub
 {
     (void)t;
     const double phi = y[2]; /* heading [rad] */
+
+    /* sines and cosines */
+    const double s_phi = sin(phi);
+    const double c_phi = cos(phi);
     const double phi_dot = y[4];
     const double theta_dot = y[5];
     const double m = p[0]; /* mass [kg] */
@@ -111,22 +237,20 @@ int vertical_disk_accelerations(double t, const double *y, const double *p, doub
     const double J = p[3]; /* moment of inertia about the vertical [kg*m^2] */
 
     /* state */
-    /* the mass matrix is singular */
-    if (!(fabs(J) > 0.0)) {
-        return VERTICAL_DISK_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(I + m * (R * R)) > 0.0)) {
-        return VERTICAL_DISK_SINGULAR_2;
-    }
-    const double s_phi = sin(phi);
     const double z1 = R * (phi_dot * theta_dot);
-    const double c_phi = cos(phi);
     /* (III.3) */
     qddot[0] = -s_phi * z1; /* x'' */
     qddot[1] = c_phi * z1; /* y'' */
     qddot[2] = 0.0; /* phi'' */
     qddot[3] = 0.0; /* theta'' */
+    /* the mass matrix is singular */
+    if (!(fabs(J) > 0.0)) {
+        return VERTICAL_DISK_SINGULAR_2;
+    }
+    /* the mass matrix is singular */
+    if (!(fabs(I + R * (m * R)) > 0.0)) {
+        return VERTICAL_DISK_SINGULAR_2;
+    }
     return vertical_disk_finish(4, qddot);
 }
 
@@ -155,18 +279,21 @@ int vertical_disk_residuals(double t, const double *q, const double *qdot, const
 {
     (void)t;
     const double phi = q[2]; /* heading [rad] */
+
+    /* sines and cosines */
+    const double c_phi = cos(phi);
+    const double s_phi = sin(phi);
     const double x_dot = qdot[0];
     const double y_dot = qdot[1];
     const double theta_dot = qdot[3];
     const double R = p[1]; /* radius [m] */
 
     /* state */
-    const double c_phi = cos(phi);
-    const double s_phi = sin(phi);
+    const double v1_x = theta_dot * R;
     /* (I.1.1) 18:5 */
-    r[0] = x_dot - theta_dot * (R * c_phi); /* roll_x = 0 */
+    r[0] = x_dot - c_phi * v1_x; /* roll_x = 0 */
     /* (I.1.1) 19:5 */
-    r[1] = y_dot - theta_dot * (R * s_phi); /* roll_y = 0 */
+    r[1] = y_dot - s_phi * v1_x; /* roll_y = 0 */
     return vertical_disk_finish(2, r);
 }
 
@@ -174,6 +301,10 @@ int vertical_disk_reactions(double t, const double *y, const double *p, double *
 {
     (void)t;
     const double phi = y[2]; /* heading [rad] */
+
+    /* sines and cosines */
+    const double s_phi = sin(phi);
+    const double c_phi = cos(phi);
     const double phi_dot = y[4];
     const double theta_dot = y[5];
     const double m = p[0]; /* mass [kg] */
@@ -182,21 +313,19 @@ int vertical_disk_reactions(double t, const double *y, const double *p, double *
     const double J = p[3]; /* moment of inertia about the vertical [kg*m^2] */
 
     /* state */
+    const double z1 = R * (m * (phi_dot * theta_dot));
+    /* (I.4.1) 18:5 */
+    lambda[0] = -s_phi * z1; /* reaction of roll_x: Q_i gains lambda_1 a_1i */
+    /* (I.4.1) 19:5 */
+    lambda[1] = c_phi * z1; /* reaction of roll_y: Q_i gains lambda_2 a_2i */
     /* the mass matrix is singular */
     if (!(fabs(J) > 0.0)) {
         return VERTICAL_DISK_SINGULAR_2;
     }
     /* the mass matrix is singular */
-    if (!(fabs(I + m * (R * R)) > 0.0)) {
+    if (!(fabs(I + R * (m * R)) > 0.0)) {
         return VERTICAL_DISK_SINGULAR_2;
     }
-    const double s_phi = sin(phi);
-    const double z1 = R * (m * (phi_dot * theta_dot));
-    const double c_phi = cos(phi);
-    /* (I.4.1) 18:5 */
-    lambda[0] = -s_phi * z1; /* reaction of roll_x: Q_i gains lambda_1 a_1i */
-    /* (I.4.1) 19:5 */
-    lambda[1] = c_phi * z1; /* reaction of roll_y: Q_i gains lambda_2 a_2i */
     return vertical_disk_finish(2, lambda);
 }
 
@@ -211,16 +340,23 @@ double vertical_disk_energy(double t, const double *y, const double *p)
     const double J = p[3]; /* moment of inertia about the vertical [kg*m^2] */
 
     /* parameters only */
-    const double k1 = 0.5 * I + 0.5 * (m * (R * R));
+    const double k1 = I + m * (R * R);
 
     /* state */
-    return 0.5 * (J * (phi_dot * phi_dot)) + theta_dot * theta_dot * k1;
+    return 0.5 * (J * (phi_dot * phi_dot) + theta_dot * theta_dot * k1);
 }
 
 int vertical_disk_jacobian(double t, const double *y, const double *p, double *J)
 {
+    for (int entry = 0; entry < 36; ++entry) {
+        J[entry] = 0.0;
+    }
     (void)t;
     const double phi = y[2]; /* heading [rad] */
+
+    /* sines and cosines */
+    const double s_phi = sin(phi);
+    const double c_phi = cos(phi);
     const double theta_dot = y[5];
     const double m = p[0]; /* mass [kg] */
     const double R = p[1]; /* radius [m] */
@@ -228,54 +364,23 @@ int vertical_disk_jacobian(double t, const double *y, const double *p, double *J
     const double J_2 = p[3]; /* moment of inertia about the vertical [kg*m^2] */
 
     /* state */
+    const double z1 = R * s_phi;
+    const double z2 = R * c_phi;
+    /* (III.3) */
+    J[2] = -theta_dot * z1;
+    J[5] = z2;
+    J[8] = theta_dot * z2;
+    J[11] = z1;
+    J[16] = 1.0;
+    J[23] = 1.0;
     /* the mass matrix is singular */
     if (!(fabs(J_2) > 0.0)) {
         return VERTICAL_DISK_SINGULAR_2;
     }
     /* the mass matrix is singular */
-    if (!(fabs(I + m * (R * R)) > 0.0)) {
+    if (!(fabs(I + R * (m * R)) > 0.0)) {
         return VERTICAL_DISK_SINGULAR_2;
     }
-    const double s_phi = sin(phi);
-    const double z1 = theta_dot * R;
-    const double c_phi = cos(phi);
-    /* (III.3) */
-    J[0] = 0.0;
-    J[1] = 0.0;
-    J[2] = -s_phi * z1;
-    J[3] = 0.0;
-    J[4] = 0.0;
-    J[5] = R * c_phi;
-    J[6] = 0.0;
-    J[7] = 0.0;
-    J[8] = c_phi * z1;
-    J[9] = 0.0;
-    J[10] = 0.0;
-    J[11] = R * s_phi;
-    J[12] = 0.0;
-    J[13] = 0.0;
-    J[14] = 0.0;
-    J[15] = 0.0;
-    J[16] = 1.0;
-    J[17] = 0.0;
-    J[18] = 0.0;
-    J[19] = 0.0;
-    J[20] = 0.0;
-    J[21] = 0.0;
-    J[22] = 0.0;
-    J[23] = 1.0;
-    J[24] = 0.0;
-    J[25] = 0.0;
-    J[26] = 0.0;
-    J[27] = 0.0;
-    J[28] = 0.0;
-    J[29] = 0.0;
-    J[30] = 0.0;
-    J[31] = 0.0;
-    J[32] = 0.0;
-    J[33] = 0.0;
-    J[34] = 0.0;
-    J[35] = 0.0;
     return vertical_disk_finish(36, J);
 }
 
@@ -291,9 +396,62 @@ int vertical_disk_outputs(double t, const double *y, const double *p, double *ou
     return vertical_disk_finish(1, out);
 }
 
+#if VERTICAL_DISK_LANES >= 2
+static __attribute__((noinline)) void vertical_disk_rhs_lanes(const double *fixed, size_t stride, const
+    double *t, const double *y, double *restrict dydt, double *check)
+{
+    (void)t;
+    vertical_disk_lanes far = {0}; /* the squares of the angles */
+    vertical_disk_lanes sum = {0}; /* an infinity or a NaN among the results stays in it */
+    vertical_disk_bits bad = {0}; /* singular blocks */
+    const double R = fixed[0];
+    const vertical_disk_lanes phi = vertical_disk_get(y + 2 * stride);
+    const vertical_disk_lanes phi_dot = vertical_disk_get(y + 4 * stride);
+    const vertical_disk_lanes theta_dot = vertical_disk_get(y + 5 * stride);
+    vertical_disk_lanes sine1, cosine1;
+    vertical_disk_turn_lanes(VERTICAL_DISK_SPREAD(phi), &far, &sine1, &cosine1);
+    const vertical_disk_lanes c_phi = cosine1;
+    const vertical_disk_lanes v1_x = theta_dot * R;
+    const vertical_disk_lanes s_phi = sine1;
+    /* (III.3) */
+    const vertical_disk_lanes slope1 = c_phi * v1_x;
+    sum += slope1;
+    vertical_disk_put(dydt, slope1);
+    const vertical_disk_lanes slope2 = s_phi * v1_x;
+    sum += slope2;
+    vertical_disk_put(dydt + 1 * stride, slope2);
+    const vertical_disk_lanes slope3 = phi_dot;
+    sum += slope3;
+    vertical_disk_put(dydt + 2 * stride, slope3);
+    const vertical_disk_lanes slope4 = theta_dot;
+    sum += slope4;
+    vertical_disk_put(dydt + 3 * stride, slope4);
+    /* (III.3) 16:4 */
+    const vertical_disk_lanes slope5 = VERTICAL_DISK_SPREAD(0.0);
+    sum += slope5;
+    vertical_disk_put(dydt + 4 * stride, slope5);
+    const vertical_disk_lanes slope6 = VERTICAL_DISK_SPREAD(0.0);
+    sum += slope6;
+    vertical_disk_put(dydt + 5 * stride, slope6);
+    vertical_disk_put(check, vertical_disk_mark(far + (sum - sum), bad));
+}
+
+static __attribute__((noinline)) void vertical_disk_rhs_tail(const double *fixed, size_t left, size_t count,
+    const double *t, const double *y, double *restrict dydt, double *check)
+{
+    double time[VERTICAL_DISK_LANES];
+    double state[6 * VERTICAL_DISK_LANES];
+    double slope[6 * VERTICAL_DISK_LANES];
+    vertical_disk_fill(left, count, t, y, time, state);
+    vertical_disk_rhs_lanes(fixed, VERTICAL_DISK_LANES, time, state, slope, check);
+    vertical_disk_pour(left, count, slope, dydt);
+}
+#endif
+
 int vertical_disk_rhs_batch(size_t count, const double *t, const double *y, const double *p, double *restrict
     dydt)
 {
+#if VERTICAL_DISK_LANES >= 2
     const double m = p[0]; /* mass [kg] */
     const double R = p[1]; /* radius [m] */
     const double I = p[2]; /* moment of inertia about the axle [kg*m^2] */
@@ -303,40 +461,26 @@ int vertical_disk_rhs_batch(size_t count, const double *t, const double *y, cons
         return VERTICAL_DISK_SINGULAR_2;
     }
     /* the mass matrix is singular */
-    if (!(fabs(I + m * (R * R)) > 0.0)) {
+    if (!(fabs(I + R * (m * R)) > 0.0)) {
         return VERTICAL_DISK_SINGULAR_2;
     }
-    int bad = 0;
-    (void)t;
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC ivdep
-#endif
-    for (size_t i = 0; i < count; ++i) {
-        const double phi = y[2 * count + i]; /* heading [rad] */
-        const double phi_dot = y[4 * count + i];
-        const double theta_dot = y[5 * count + i];
-        const double c_phi = cos(phi);
-        const double s_phi = sin(phi);
-        /* (III.3) */
-        const double slope1 = theta_dot * (R * c_phi); /* x' */
-        dydt[i] = slope1;
-        bad |= !(fabs(slope1) <= DBL_MAX);
-        const double slope2 = theta_dot * (R * s_phi); /* y' */
-        dydt[count + i] = slope2;
-        bad |= !(fabs(slope2) <= DBL_MAX);
-        const double slope3 = phi_dot; /* phi' */
-        dydt[2 * count + i] = slope3;
-        bad |= !(fabs(slope3) <= DBL_MAX);
-        const double slope4 = theta_dot; /* theta' */
-        dydt[3 * count + i] = slope4;
-        bad |= !(fabs(slope4) <= DBL_MAX);
-        /* (III.3) 16:4 */
-        const double slope5 = 0.0; /* phi'' */
-        dydt[4 * count + i] = slope5;
-        bad |= !(fabs(slope5) <= DBL_MAX);
-        const double slope6 = 0.0; /* theta'' */
-        dydt[5 * count + i] = slope6;
-        bad |= !(fabs(slope6) <= DBL_MAX);
+    const double fixed[] = {R};
+    double check[1 * VERTICAL_DISK_LANES];
+    int status = VERTICAL_DISK_OK;
+    for (size_t i = 0; i < count; i += VERTICAL_DISK_LANES) {
+        const size_t left = count - i < VERTICAL_DISK_LANES ? count - i : VERTICAL_DISK_LANES;
+        if (left == VERTICAL_DISK_LANES) {
+            vertical_disk_rhs_lanes(fixed, count, t + i, y + i, dydt + i, check);
+        } else {
+            vertical_disk_rhs_tail(fixed, left, count, t + i, y + i, dydt + i, check);
+        }
+        if (!vertical_disk_is_good(1 * VERTICAL_DISK_LANES, check)) {
+            const int one = vertical_disk_one_by_one(count, i, left, t, y, p, dydt);
+            status = status == VERTICAL_DISK_OK ? one : status;
+        }
     }
-    return bad ? VERTICAL_DISK_NOT_FINITE : VERTICAL_DISK_OK;
+    return status;
+#else
+    return vertical_disk_one_by_one(count, 0, count, t, y, p, dydt);
+#endif
 }

@@ -1,5 +1,5 @@
 /*
- * vertical_disk.h: vertical_disk, emitted by nhc 0.1.0 (nhc:3a9a247d291c4ff9)
+ * vertical_disk.h: vertical_disk, emitted by nhc 0.1.0 (nhc:f9ea2f927560355a)
  * A disk that stays upright and rolls without slipping.
  * Source: vertical_disk.yaml
  * Equations of motion: chaplygin (III.3)
@@ -27,14 +27,14 @@
  * out[0] = speed
  *
  * Operations:
- * rhs: 1 +-, 6 *, 0 /, 2 calls
- * velocities: 0 +-, 4 *, 0 /, 2 calls
+ * rhs: 1 +-, 5 *, 0 /, 2 calls
+ * velocities: 0 +-, 3 *, 0 /, 2 calls
  * accelerations: 1 +-, 6 *, 0 /, 2 calls
  * state: 0 +-, 0 *, 0 /, 0 calls
- * residuals: 2 +-, 4 *, 0 /, 2 calls
+ * residuals: 2 +-, 3 *, 0 /, 2 calls
  * reactions: 1 +-, 7 *, 0 /, 2 calls
- * energy: 2 +-, 9 *, 0 /, 0 calls
- * jacobian: 1 +-, 7 *, 0 /, 2 calls
+ * energy: 2 +-, 7 *, 0 /, 0 calls
+ * jacobian: 1 +-, 6 *, 0 /, 2 calls
  * outputs: 0 +-, 1 *, 0 /, 0 calls
  *
  * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.

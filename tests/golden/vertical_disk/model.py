@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""vertical_disk, emitted by nhc 0.1.0 (nhc:453a5b41d13003e6).
+"""vertical_disk, emitted by nhc 0.1.0 (nhc:2b682e81379ab35d).
 
 A disk that stays upright and rolls without slipping.
 Source: vertical_disk.yaml
@@ -28,14 +28,14 @@ Outputs:
 out[0] = speed
 
 Operations:
-rhs: 1 +-, 6 *, 0 /, 2 calls
-velocities: 0 +-, 4 *, 0 /, 2 calls
+rhs: 1 +-, 5 *, 0 /, 2 calls
+velocities: 0 +-, 3 *, 0 /, 2 calls
 accelerations: 1 +-, 6 *, 0 /, 2 calls
 state: 0 +-, 0 *, 0 /, 0 calls
-residuals: 2 +-, 4 *, 0 /, 2 calls
+residuals: 2 +-, 3 *, 0 /, 2 calls
 reactions: 1 +-, 7 *, 0 /, 2 calls
-energy: 2 +-, 9 *, 0 /, 0 calls
-jacobian: 1 +-, 7 *, 0 /, 2 calls
+energy: 2 +-, 7 *, 0 /, 0 calls
+jacobian: 1 +-, 6 *, 0 /, 2 calls
 outputs: 0 +-, 1 *, 0 /, 0 calls
 
 A singular point raises SingularModelError.
@@ -100,17 +100,18 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         # the mass matrix is singular
         if not abs(J) > 0.0:
             raise SingularModelError(2, "rhs")
-        s1 = I + m * (R * R)
+        s1 = I + R * (m * R)
         # the mass matrix is singular
         if not abs(s1) > 0.0:
             raise SingularModelError(2, "rhs")
         c_phi = math.cos(phi)
+        v1_x = theta_dot * R
         s_phi = math.sin(phi)
         dydt: list[float] = [
             # x' (III.3)
-            theta_dot * (R * c_phi),
+            c_phi * v1_x,
             # y' (III.3)
-            theta_dot * (R * s_phi),
+            s_phi * v1_x,
             # phi' (III.3)
             phi_dot,
             # theta' (III.3)
@@ -142,12 +143,13 @@ def velocities(
     try:
         # state
         c_phi = math.cos(phi)
+        v1_x = theta_dot * R
         s_phi = math.sin(phi)
         qdot: list[float] = [
             # x' (I.2.4)
-            theta_dot * (R * c_phi),
+            c_phi * v1_x,
             # y' (I.2.4)
-            theta_dot * (R * s_phi),
+            s_phi * v1_x,
             # phi' (I.2.4)
             phi_dot,
             # theta' (I.2.4)
@@ -180,7 +182,7 @@ def accelerations(
         # the mass matrix is singular
         if not abs(J) > 0.0:
             raise SingularModelError(2, "accelerations")
-        s1 = I + m * (R * R)
+        s1 = I + R * (m * R)
         # the mass matrix is singular
         if not abs(s1) > 0.0:
             raise SingularModelError(2, "accelerations")
@@ -246,12 +248,13 @@ def residuals(
     try:
         # state
         c_phi = math.cos(phi)
+        v1_x = theta_dot * R
         s_phi = math.sin(phi)
         r: list[float] = [
             # roll_x = 0 (I.1.1) 18:5
-            x_dot - theta_dot * (R * c_phi),
+            x_dot - c_phi * v1_x,
             # roll_y = 0 (I.1.1) 19:5
-            y_dot - theta_dot * (R * s_phi),
+            y_dot - s_phi * v1_x,
         ]
         return _finish("residuals", r)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -281,7 +284,7 @@ def reactions(
         # the mass matrix is singular
         if not abs(J) > 0.0:
             raise SingularModelError(2, "reactions")
-        s1 = I + m * (R * R)
+        s1 = I + R * (m * R)
         # the mass matrix is singular
         if not abs(s1) > 0.0:
             raise SingularModelError(2, "reactions")
@@ -313,9 +316,9 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     J = float(p[3])  # moment of inertia about the vertical [kg*m^2]
     try:
         # parameters only
-        k1 = 0.5 * I + 0.5 * (m * (R * R))
+        k1 = I + m * (R * R)
         # state
-        value1 = 0.5 * (J * (phi_dot * phi_dot)) + theta_dot * theta_dot * k1
+        value1 = 0.5 * (J * (phi_dot * phi_dot) + theta_dot * theta_dot * k1)
         return _single("energy", value1)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
         raise SingularModelError(NOT_FINITE, "energy") from error
@@ -342,85 +345,56 @@ def jacobian(
         # the mass matrix is singular
         if not abs(J_2) > 0.0:
             raise SingularModelError(2, "jacobian")
-        s1 = I + m * (R * R)
+        s1 = I + R * (m * R)
         # the mass matrix is singular
         if not abs(s1) > 0.0:
             raise SingularModelError(2, "jacobian")
         s_phi = math.sin(phi)
-        z1 = theta_dot * R
+        z1 = R * s_phi
         c_phi = math.cos(phi)
+        z2 = R * c_phi
         J: list[float] = [
-            # (III.3)
+            0.0,
             0.0,
             # (III.3)
+            -theta_dot * z1,
+            0.0,
             0.0,
             # (III.3)
-            -s_phi * z1,
-            # (III.3)
+            z2,
+            0.0,
             0.0,
             # (III.3)
+            theta_dot * z2,
+            0.0,
             0.0,
             # (III.3)
-            R * c_phi,
-            # (III.3)
+            z1,
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
-            c_phi * z1,
-            # (III.3)
             0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            R * s_phi,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
-            0.0,
-            # (III.3)
             0.0,
             # (III.3)
             1.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
             # (III.3)
             1.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
-            # (III.3)
             0.0,
         ]
         _finish("jacobian", J)

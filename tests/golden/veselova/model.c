@@ -1,5 +1,5 @@
 /*
- * veselova.c: veselova, emitted by nhc 0.1.0 (nhc:73b588e15cd78034)
+ * veselova.c: veselova, emitted by nhc 0.1.0 (nhc:02f7b7c4781fa135)
  * A rigid body with a fixed point that must not turn about the vertical.
  * Source: veselova.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -10,6 +10,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <string.h>
 
 const char *const veselova_coordinate_names[] = {
     "phi",
@@ -43,12 +44,146 @@ static int veselova_finish(int count, const double *values)
     return fabs(sum) <= DBL_MAX ? VESELOVA_OK : VESELOVA_NOT_FINITE;
 }
 
+/* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
+#ifndef VESELOVA_LANES
+#if !defined(__GNUC__)
+#define VESELOVA_LANES 1
+#elif defined(__AVX512F__)
+#define VESELOVA_LANES 8
+#elif defined(__AVX__)
+#define VESELOVA_LANES 4
+#else
+#define VESELOVA_LANES 2
+#endif
+#endif
+#if VESELOVA_LANES > 1
+typedef double veselova_lanes __attribute__((vector_size(8 * VESELOVA_LANES)));
+#else
+typedef double veselova_lanes;
+#endif
+
+#if VESELOVA_LANES >= 2
+static inline veselova_lanes veselova_get(const double *from)
+{
+    veselova_lanes value;
+    memcpy(&value, from, sizeof value);
+    return value;
+}
+
+static inline void veselova_put(double *to, veselova_lanes value)
+{
+    memcpy(to, &value, sizeof value);
+}
+#endif
+
+/* states first, first + 1, ... through rhs, one by one; the first status that is not OK */
+#if defined(__GNUC__)
+__attribute__((noinline))
+#endif
+static int veselova_one_by_one(size_t count, size_t first, size_t number, const double *t, const double *y, const double *p, double *dydt)
+{
+    int status = VESELOVA_OK;
+    for (size_t i = first; i < first + number; ++i) {
+        double state[VESELOVA_NY];
+        double slope[VESELOVA_NY];
+        for (size_t k = 0; k < VESELOVA_NY; ++k) {
+            state[k] = y[k * count + i];
+            slope[k] = NAN;
+        }
+        const int one = veselova_rhs(t[i], state, p, slope);
+        status = status == VESELOVA_OK ? one : status;
+        for (size_t k = 0; k < VESELOVA_NY; ++k) {
+            dydt[k * count + i] = slope[k];
+        }
+    }
+    return status;
+}
+
+#if VESELOVA_LANES >= 2
+#define VESELOVA_SPREAD(x) ((x) - (veselova_lanes){0}) /* a number in each lane; lanes stay what they are */
+
+typedef unsigned long long veselova_bits __attribute__((vector_size(8 * VESELOVA_LANES)));
+
+/* all bits where value is not above bound, or is no number */
+static inline veselova_bits veselova_misses(veselova_lanes value, veselova_lanes bound)
+{
+    return ~(veselova_bits)(value > bound);
+}
+
+/* no number where a bit is set */
+static inline veselova_lanes veselova_mark(veselova_lanes value, veselova_bits bad)
+{
+    return (veselova_lanes)((veselova_bits)value | bad);
+}
+
+static inline veselova_lanes veselova_size(veselova_lanes x)
+{
+    return (veselova_lanes)((veselova_bits)x & 0x7fffffffffffffffULL);
+}
+/* whether none of the states must be asked again: no singular block, no infinity, no angle anywhere near 1e5 */
+static inline int veselova_is_good(int count, const double *check)
+{
+    double even = 0.0;
+    double odd = 0.0;
+    for (int k = 0; k < count; k += 2) {
+        even += check[k];
+        odd += check[k + 1];
+    }
+    return even + odd <= 1e10;
+}
+
+/* the last states, fewer than there are lanes; the others repeat the last one */
+static inline void veselova_fill(size_t left, size_t count, const double *t, const double *y, double *time, double *state)
+{
+    for (size_t l = 0; l < VESELOVA_LANES; ++l) {
+        const size_t i = l < left ? l : left - 1;
+        time[l] = t[i];
+        for (size_t k = 0; k < VESELOVA_NY; ++k) {
+            state[k * VESELOVA_LANES + l] = y[k * count + i];
+        }
+    }
+}
+
+static inline void veselova_pour(size_t left, size_t count, const double *slope, double *dydt)
+{
+    for (size_t k = 0; k < VESELOVA_NY; ++k) {
+        for (size_t l = 0; l < left; ++l) {
+            dydt[k * count + l] = slope[k * VESELOVA_LANES + l];
+        }
+    }
+}
+
+/* libm's sine and cosine, lane by lane */
+static inline void veselova_turn_lanes(veselova_lanes x, veselova_lanes *far, veselova_lanes *sine, veselova_lanes *cosine)
+{
+    double angle[VESELOVA_LANES];
+    double up[VESELOVA_LANES];
+    double along[VESELOVA_LANES];
+    (void)far;
+    memcpy(angle, &x, sizeof x);
+    for (int l = 0; l < VESELOVA_LANES; ++l) {
+        up[l] = sin(angle[l]);
+        along[l] = cos(angle[l]);
+    }
+    memcpy(sine, up, sizeof x);
+    memcpy(cosine, along, sizeof x);
+}
+#endif
+
 int veselova_rhs(double t, const double *y, const double *p, double *dydt)
 {
     (void)t;
     const double phi = y[0]; /* precession [rad] */
     const double theta = y[1]; /* nutation [rad] */
     const double psi = y[2]; /* spin [rad] */
+
+    /* sines and cosines */
+    const double s_theta = sin(theta);
+    const double c_theta = cos(theta);
+    const double s_psi = sin(psi);
+    const double c_psi = cos(psi);
+    const double s_phi = sin(phi);
+    const double c_phi = cos(phi);
     const double w_x = y[3];
     const double w_y = y[4];
     const double I1 = p[0]; /* [kg*m^2] */
@@ -56,58 +191,53 @@ int veselova_rhs(double t, const double *y, const double *p, double *dydt)
     const double I3 = p[2]; /* [kg*m^2] */
 
     /* parameters only */
-    const double k1 = 2.0 * I1 - 2.0 * I2;
-    const double k2 = I1 - I2;
-    const double k3 = I2 - I3;
+    const double k1 = I1 - I2;
+    const double k2 = I2 - I3;
 
     /* state */
-    const double s_theta = sin(theta);
+    const double z1 = s_psi * s_psi;
+    const double z2 = 1.0 - z1;
+    const double z3 = I1 * z2 + I2 * z1;
+    const double z4 = s_theta * s_theta;
+    const double z5 = I2 * (z4 * z2 - (1.0 - 2.0 * z1)) + (I1 * (1.0 - z1 * (2.0 - z4)) - I3 * z4);
+    const double z6 = s_psi * c_theta;
+    const double z7 = k1 * (c_psi * z6);
+    const double z8 = z3 - s_phi * (s_phi * z5 + 2.0 * (c_phi * z7));
+    const double z9 = 2.0 * (s_phi * z7);
+    const double z10 = c_theta * c_theta;
+    const double z11 = z9 + c_phi * (I3 * (1.0 - z10) - (I1 - I2 * z10) + k1 * (z1 * (1.0 + z10)));
+    const double z12 = z3 + c_phi * z11;
+    const double z13 = z7 + s_phi * (c_phi * z5 - z9);
+    const double z14 = 1.0 / z8;
+    const double z15 = z13 * z14;
+    const double z16 = z12 - z13 * z15;
+    const double z17 = 1.0 / s_theta;
+    const double z18 = s_phi * w_x - c_phi * w_y;
+    const double z19 = z17 * z18;
+    const double z20 = s_theta * w_y;
+    const double z21 = s_theta * w_x;
+    const double z22 = k1 * (s_psi * (z18 * z6 - c_psi * (c_phi * w_x + s_phi * w_y))) + k2 * (c_theta * z18);
+    const double z23 = z20 * z22;
+    const double z24 = (z21 * z22 + z23 * z15) / z16;
+    /* (I.2.15) */
+    dydt[0] = -c_theta * z19; /* phi' */
+    dydt[1] = z17 * (s_phi * z20 + c_phi * z21); /* theta' */
+    dydt[2] = z19; /* psi' */
+    /* (I.2.15) 24:4 */
+    dydt[3] = z23 * z14 + z15 * z24; /* w_x' */
+    dydt[4] = -z24; /* w_y' */
     /* the coframe is singular */
     if (!(fabs(s_theta) > 1e-12 * 4.0)) {
         return VESELOVA_SINGULAR_1;
     }
-    const double s_phi = sin(phi);
-    const double z1 = s_theta * s_theta;
-    const double s_psi = sin(psi);
-    const double z2 = s_psi * s_psi;
-    const double z3 = 1.0 - z2;
-    const double z4 = I2 * (z1 * z3 - (1.0 - 2.0 * z2)) + (I1 * (1.0 - z2 * (2.0 - z1)) - I3 * z1);
-    const double c_phi = cos(phi);
-    const double c_theta = cos(theta);
-    const double c_psi = cos(psi);
-    const double z5 = c_theta * (s_psi * c_psi);
-    const double z6 = I1 * z3 + I2 * z2;
-    const double z7 = s_phi * (s_phi * z4 + c_phi * z5 * k1) - z6;
     /* the mass matrix is singular */
-    if (!(fabs(-z7) > 0.0)) {
+    if (!(fabs(z8) > 0.0)) {
         return VESELOVA_SINGULAR_2;
     }
-    const double z8 = k1 * (s_phi * z5);
-    const double z9 = c_theta * c_theta;
-    const double z10 = z8 + c_phi * (z2 * (k2 * (1.0 + z9)) + (I3 * (1.0 - z9) - (I1 - I2 * z9)));
-    const double z11 = z6 + c_phi * z10;
-    const double z12 = s_phi * (c_phi * z4 - z8) + z5 * k2;
-    const double z13 = 1.0 / z7;
-    const double z14 = z12 * z13;
-    const double z15 = z11 + z12 * z14;
     /* the mass matrix is singular */
-    if (!(fabs(z15) > 1e-14 * z11)) {
+    if (!(fabs(z16) > 1e-14 * z12)) {
         return VESELOVA_SINGULAR_2;
     }
-    const double z16 = 1.0 / s_theta;
-    const double z17 = s_phi * w_x - c_phi * w_y;
-    const double z18 = z16 * z17;
-    const double z19 = s_psi * (k2 * (z17 * (s_psi * c_theta) - c_psi * (c_phi * w_x + s_phi * w_y))) +
-        c_theta * (z17 * k3);
-    const double z20 = s_theta * w_y * z19;
-    const double z21 = (z19 * (s_theta * w_x) - z20 * z14) / z15;
-    /* (I.2.15) */
-    dydt[0] = -c_theta * z18; /* phi' */
-    dydt[1] = (s_theta * s_phi * w_y + s_theta * c_phi * w_x) * z16; /* theta' */
-    dydt[2] = z18; /* psi' */
-    /* (I.2.15) 24:4 */
-    dydt[3] = -(z20 * z13 + z14 * z21); /* w_x' */
-    dydt[4] = -z21; /* w_y' */
     return veselova_finish(5, dydt);
 }
 
@@ -117,24 +247,26 @@ int veselova_velocities(double t, const double *y, const double *p, double *qdot
     (void)p;
     const double phi = y[0]; /* precession [rad] */
     const double theta = y[1]; /* nutation [rad] */
+
+    /* sines and cosines */
+    const double s_theta = sin(theta);
+    const double c_theta = cos(theta);
+    const double s_phi = sin(phi);
+    const double c_phi = cos(phi);
     const double w_x = y[3];
     const double w_y = y[4];
 
     /* state */
-    const double s_theta = sin(theta);
-    /* the coframe is singular */
-    if (!(fabs(s_theta) > 1e-12 * 4.0)) {
-        return VESELOVA_SINGULAR_1;
-    }
-    const double c_theta = cos(theta);
     const double z1 = 1.0 / s_theta;
-    const double s_phi = sin(phi);
-    const double c_phi = cos(phi);
     const double z2 = z1 * (s_phi * w_x - c_phi * w_y);
     /* (I.2.4) */
     qdot[0] = -c_theta * z2; /* phi' */
     qdot[1] = (s_theta * s_phi * w_y + s_theta * c_phi * w_x) * z1; /* theta' */
     qdot[2] = z2; /* psi' */
+    /* the coframe is singular */
+    if (!(fabs(s_theta) > 1e-12 * 4.0)) {
+        return VESELOVA_SINGULAR_1;
+    }
     return veselova_finish(3, qdot);
 }
 
@@ -144,6 +276,14 @@ int veselova_accelerations(double t, const double *y, const double *p, double *q
     const double phi = y[0]; /* precession [rad] */
     const double theta = y[1]; /* nutation [rad] */
     const double psi = y[2]; /* spin [rad] */
+
+    /* sines and cosines */
+    const double s_theta = sin(theta);
+    const double c_theta = cos(theta);
+    const double s_psi = sin(psi);
+    const double c_psi = cos(psi);
+    const double s_phi = sin(phi);
+    const double c_phi = cos(phi);
     const double w_x = y[3];
     const double w_y = y[4];
     const double I1 = p[0]; /* [kg*m^2] */
@@ -151,67 +291,61 @@ int veselova_accelerations(double t, const double *y, const double *p, double *q
     const double I3 = p[2]; /* [kg*m^2] */
 
     /* parameters only */
-    const double k1 = 2.0 * I1 - 2.0 * I2;
-    const double k2 = I1 - I2;
-    const double k3 = I2 - I3;
+    const double k1 = I1 - I2;
+    const double k2 = I2 - I3;
 
     /* state */
-    const double s_theta = sin(theta);
+    const double z1 = s_psi * s_psi;
+    const double z2 = 1.0 - z1;
+    const double z3 = I1 * z2 + I2 * z1;
+    const double z4 = s_theta * s_theta;
+    const double z5 = I2 * (z4 * z2 - (1.0 - 2.0 * z1)) + (I1 * (1.0 - z1 * (2.0 - z4)) - I3 * z4);
+    const double z6 = s_psi * c_theta;
+    const double z7 = k1 * (c_psi * z6);
+    const double z8 = z3 - s_phi * (s_phi * z5 + 2.0 * (c_phi * z7));
+    const double z9 = 2.0 * (s_phi * z7);
+    const double z10 = c_theta * c_theta;
+    const double z11 = z9 + c_phi * (I3 * (1.0 - z10) - (I1 - I2 * z10) + k1 * (z1 * (1.0 + z10)));
+    const double z12 = z3 + c_phi * z11;
+    const double z13 = z7 + s_phi * (c_phi * z5 - z9);
+    const double z14 = 1.0 / z8;
+    const double z15 = z13 * z14;
+    const double z16 = z12 - z13 * z15;
+    const double z17 = s_theta * s_phi;
+    const double z18 = s_theta * c_phi;
+    const double z19 = z17 * w_y + z18 * w_x;
+    const double z20 = 1.0 / s_theta;
+    const double z21 = s_phi * w_x - c_phi * w_y;
+    const double z22 = z20 * z21;
+    const double z23 = z20 * (c_theta * z19);
+    const double z24 = z23 / (s_theta * s_theta);
+    const double z25 = c_theta * z22;
+    const double z26 = c_phi * z25;
+    const double z27 = k1 * (s_psi * (z21 * z6 - c_psi * (c_phi * w_x + s_phi * w_y))) + k2 * (c_theta * z21);
+    const double z28 = s_theta * z27;
+    const double z29 = w_y * z28;
+    const double z30 = (w_x * z28 + z15 * z29) / z16;
+    const double z31 = z14 * z29 + z15 * z30;
+    const double z32 = s_phi * z25;
+    const double z33 = z21 * z24 + z20 * (w_x * z26 - s_phi * z31 + (w_y * z32 - c_phi * z30));
+    const double z34 = w_y * (s_theta * z26 - s_phi * z23) + z17 * z30 - (w_x * (s_theta * z32 + c_phi * z23)
+        + z18 * z31);
+    /* (I.2.15) */
+    qddot[0] = z19 * z22 + c_theta * z33; /* phi'' */
+    qddot[1] = -(z19 * z24 + z20 * z34); /* theta'' */
+    qddot[2] = -z33; /* psi'' */
     /* the coframe is singular */
     if (!(fabs(s_theta) > 1e-12 * 4.0)) {
         return VESELOVA_SINGULAR_1;
     }
-    const double s_phi = sin(phi);
-    const double z1 = s_theta * s_theta;
-    const double s_psi = sin(psi);
-    const double z2 = s_psi * s_psi;
-    const double z3 = 1.0 - z2;
-    const double z4 = I2 * (z1 * z3 - (1.0 - 2.0 * z2)) + (I1 * (1.0 - z2 * (2.0 - z1)) - I3 * z1);
-    const double c_phi = cos(phi);
-    const double c_theta = cos(theta);
-    const double c_psi = cos(psi);
-    const double z5 = c_theta * (s_psi * c_psi);
-    const double z6 = I1 * z3 + I2 * z2;
-    const double z7 = s_phi * (s_phi * z4 + c_phi * z5 * k1) - z6;
     /* the mass matrix is singular */
-    if (!(fabs(-z7) > 0.0)) {
+    if (!(fabs(z8) > 0.0)) {
         return VESELOVA_SINGULAR_2;
     }
-    const double z8 = k1 * (s_phi * z5);
-    const double z9 = c_theta * c_theta;
-    const double z10 = z8 + c_phi * (z2 * (k2 * (1.0 + z9)) + (I3 * (1.0 - z9) - (I1 - I2 * z9)));
-    const double z11 = z6 + c_phi * z10;
-    const double z12 = s_phi * (c_phi * z4 - z8) + z5 * k2;
-    const double z13 = 1.0 / z7;
-    const double z14 = z12 * z13;
-    const double z15 = z11 + z12 * z14;
     /* the mass matrix is singular */
-    if (!(fabs(z15) > 1e-14 * z11)) {
+    if (!(fabs(z16) > 1e-14 * z12)) {
         return VESELOVA_SINGULAR_2;
     }
-    const double z16 = s_theta * s_phi;
-    const double z17 = s_theta * c_phi;
-    const double z18 = z16 * w_y + z17 * w_x;
-    const double z19 = 1.0 / s_theta;
-    const double z20 = s_phi * w_x - c_phi * w_y;
-    const double z21 = z19 * z20;
-    const double z22 = c_theta * (z18 * z19);
-    const double z23 = z22 / (s_theta * s_theta);
-    const double z24 = c_theta * z21;
-    const double z25 = c_phi * z24;
-    const double z26 = s_psi * (k2 * (z20 * (s_psi * c_theta) - c_psi * (c_phi * w_x + s_phi * w_y))) +
-        c_theta * (z20 * k3);
-    const double z27 = s_theta * w_y * z26;
-    const double z28 = (z26 * (s_theta * w_x) - z27 * z14) / z15;
-    const double z29 = z27 * z13 + z14 * z28;
-    const double z30 = s_phi * z24;
-    const double z31 = z20 * z23 + z19 * (w_x * z25 + s_phi * z29 + (w_y * z30 - c_phi * z28));
-    const double z32 = w_y * (s_phi * z22 - s_theta * z25) - z16 * z28 + (w_x * (c_phi * z22 + s_theta * z30)
-        - z17 * z29);
-    /* (I.2.15) */
-    qddot[0] = z18 * z21 + c_theta * z31; /* phi'' */
-    qddot[1] = z19 * z32 - z18 * z23; /* theta'' */
-    qddot[2] = -z31; /* psi'' */
     return veselova_finish(3, qddot);
 }
 
@@ -221,19 +355,22 @@ int veselova_state(double t, const double *q, const double *qdot, const double *
     (void)p;
     const double phi = q[0]; /* precession [rad] */
     const double theta = q[1]; /* nutation [rad] */
+
+    /* sines and cosines */
+    const double c_phi = cos(phi);
+    const double s_phi = sin(phi);
+    const double s_theta = sin(theta);
     const double psi = q[2]; /* spin [rad] */
     const double theta_dot = qdot[1];
     const double psi_dot = qdot[2];
 
     /* state */
-    const double c_phi = cos(phi);
-    const double s_theta = sin(theta);
-    const double s_phi = sin(phi);
+    const double z1 = psi_dot * s_theta;
     y[0] = phi;
     y[1] = theta;
     y[2] = psi;
-    y[3] = theta_dot * c_phi + psi_dot * (s_theta * s_phi);
-    y[4] = theta_dot * s_phi - psi_dot * (s_theta * c_phi);
+    y[3] = theta_dot * c_phi + s_phi * z1;
+    y[4] = theta_dot * s_phi - c_phi * z1;
     return veselova_finish(5, y);
 }
 
@@ -258,6 +395,14 @@ int veselova_reactions(double t, const double *y, const double *p, double *lambd
     const double phi = y[0]; /* precession [rad] */
     const double theta = y[1]; /* nutation [rad] */
     const double psi = y[2]; /* spin [rad] */
+
+    /* sines and cosines */
+    const double s_theta = sin(theta);
+    const double c_theta = cos(theta);
+    const double s_psi = sin(psi);
+    const double c_psi = cos(psi);
+    const double s_phi = sin(phi);
+    const double c_phi = cos(phi);
     const double w_x = y[3];
     const double w_y = y[4];
     const double I1 = p[0]; /* [kg*m^2] */
@@ -265,81 +410,76 @@ int veselova_reactions(double t, const double *y, const double *p, double *lambd
     const double I3 = p[2]; /* [kg*m^2] */
 
     /* parameters only */
-    const double k1 = 2.0 * I1 - 2.0 * I2;
-    const double k2 = I1 - I2;
-    const double k3 = I2 - I3;
+    const double k1 = I1 - I2;
+    const double k2 = I2 - I3;
 
     /* state */
-    const double s_theta = sin(theta);
+    const double z1 = s_psi * s_psi;
+    const double z2 = 1.0 - z1;
+    const double z3 = I1 * z2 + I2 * z1;
+    const double z4 = s_theta * s_theta;
+    const double z5 = I2 * (z4 * z2 - (1.0 - 2.0 * z1)) + (I1 * (1.0 - z1 * (2.0 - z4)) - I3 * z4);
+    const double z6 = s_psi * c_theta;
+    const double z7 = k1 * (c_psi * z6);
+    const double z8 = z3 - s_phi * (s_phi * z5 + 2.0 * (c_phi * z7));
+    const double z9 = 2.0 * (s_phi * z7);
+    const double z10 = c_theta * c_theta;
+    const double z11 = z9 + c_phi * (I3 * (1.0 - z10) - (I1 - I2 * z10) + k1 * (z1 * (1.0 + z10)));
+    const double z12 = z3 + c_phi * z11;
+    const double z13 = z7 + s_phi * (c_phi * z5 - z9);
+    const double z14 = 1.0 / z8;
+    const double z15 = z13 * z14;
+    const double z16 = z12 - z13 * z15;
+    const double z17 = s_theta * s_psi;
+    const double z18 = 1.0 / s_theta;
+    const double z19 = s_phi * w_x - c_phi * w_y;
+    const double z20 = z18 * z19;
+    const double z21 = c_theta * z20;
+    const double z22 = c_psi * z20;
+    const double z23 = s_theta * w_y;
+    const double z24 = s_theta * w_x;
+    const double z25 = s_phi * z23 + c_phi * z24;
+    const double z26 = z18 * z25;
+    const double z27 = c_theta * z26;
+    const double z28 = s_theta * z22 + s_psi * z27;
+    const double z29 = c_phi * z21;
+    const double z30 = s_phi * z21;
+    const double z31 = z27 / (s_theta * s_theta);
+    const double z32 = z18 * (w_x * z29 + w_y * z30) + z19 * z31;
+    const double z33 = z20 * z25 + c_theta * z32;
+    const double z34 = s_psi * z20;
+    const double z35 = z18 * (w_y * (s_theta * z29 - s_phi * z27) - w_x * (s_theta * z30 + c_phi * z27)) +
+        z25 * z31;
+    const double z36 = z17 * (z21 * z28 - z17 * z33 + (z34 * z26 + c_psi * z35)) + (z17 * z21 - c_psi * z26)
+        * z28;
+    const double z37 = s_theta * c_psi;
+    const double z38 = s_theta * z34 - c_psi * z27;
+    const double z39 = z37 * (z21 * z38 + z37 * z33 - (z22 * z26 - s_psi * z35)) + (z37 * z21 + s_psi * z26)
+        * z38;
+    const double z40 = I1 * z36 - I2 * z39 + I3 * (c_theta * (z32 - (z21 * z25 + c_theta * z33)) + (z20 -
+        c_theta * z21) * z25);
+    const double z41 = s_psi * k1;
+    const double z42 = c_theta * k2;
+    const double z43 = (z19 * z6 - c_psi * (c_phi * w_x + s_phi * w_y)) * z41 + z19 * z42;
+    const double z44 = z23 * z43;
+    const double z45 = (z24 * z43 + z15 * z44) / z16;
+    const double z46 = ((c_psi * c_phi - s_phi * z6) * z41 - s_phi * z42) * (s_theta * (z14 * z44 + z15 *
+        z45));
+    /* (I.4.1) 26:5 */
+    /* reaction of no_turn: Q_i gains lambda_1 a_1i */
+    lambda[0] = z46 - ((c_psi * s_phi + c_phi * z6) * z41 + c_phi * z42) * (s_theta * z45) - z40;
     /* the coframe is singular */
     if (!(fabs(s_theta) > 1e-12 * 4.0)) {
         return VESELOVA_SINGULAR_1;
     }
-    const double s_phi = sin(phi);
-    const double z1 = s_theta * s_theta;
-    const double s_psi = sin(psi);
-    const double z2 = s_psi * s_psi;
-    const double z3 = 1.0 - z2;
-    const double z4 = I2 * (z1 * z3 - (1.0 - 2.0 * z2)) + (I1 * (1.0 - z2 * (2.0 - z1)) - I3 * z1);
-    const double c_phi = cos(phi);
-    const double c_theta = cos(theta);
-    const double c_psi = cos(psi);
-    const double z5 = c_theta * (s_psi * c_psi);
-    const double z6 = I1 * z3 + I2 * z2;
-    const double z7 = s_phi * (s_phi * z4 + c_phi * z5 * k1) - z6;
     /* the mass matrix is singular */
-    if (!(fabs(-z7) > 0.0)) {
+    if (!(fabs(z8) > 0.0)) {
         return VESELOVA_SINGULAR_2;
     }
-    const double z8 = k1 * (s_phi * z5);
-    const double z9 = c_theta * c_theta;
-    const double z10 = z8 + c_phi * (z2 * (k2 * (1.0 + z9)) + (I3 * (1.0 - z9) - (I1 - I2 * z9)));
-    const double z11 = z6 + c_phi * z10;
-    const double z12 = s_phi * (c_phi * z4 - z8) + z5 * k2;
-    const double z13 = 1.0 / z7;
-    const double z14 = z12 * z13;
-    const double z15 = z11 + z12 * z14;
     /* the mass matrix is singular */
-    if (!(fabs(z15) > 1e-14 * z11)) {
+    if (!(fabs(z16) > 1e-14 * z12)) {
         return VESELOVA_SINGULAR_2;
     }
-    const double z16 = s_theta * s_phi * w_y + s_theta * c_phi * w_x;
-    const double z17 = 1.0 / s_theta;
-    const double z18 = s_phi * w_x - c_phi * w_y;
-    const double z19 = z17 * z18;
-    const double z20 = c_theta * z19;
-    const double z21 = z16 * z17;
-    const double z22 = c_theta * z21;
-    const double z23 = z22 / (s_theta * s_theta);
-    const double z24 = c_phi * z20;
-    const double z25 = s_phi * z20;
-    const double z26 = z18 * z23 + z17 * (w_x * z24 + w_y * z25);
-    const double z27 = z16 * z19 + c_theta * z26;
-    const double z28 = s_theta * c_psi;
-    const double z29 = s_psi * z19;
-    const double z30 = c_psi * z22 - s_theta * z29;
-    const double z31 = c_psi * z19;
-    const double z32 = z17 * (w_y * (s_phi * z22 - s_theta * z24) + w_x * (c_phi * z22 + s_theta * z25)) -
-        z16 * z23;
-    const double z33 = s_theta * s_psi;
-    const double z34 = s_psi * z22 + s_theta * z31;
-    const double z35 = z33 * (I1 * (z20 * z34 - z33 * z27 + (z21 * z29 - c_psi * z32))) + I1 * (z33 * z20 -
-        c_psi * z21) * z34;
-    const double z36 = I2 * (z28 * z20 + s_psi * z21) * z30 + (z28 * (I2 * (z20 * z30 - z28 * z27 + (z21 *
-        z31 + s_psi * z32))) + z35);
-    const double z37 = z16 * (I3 * (z19 - c_theta * z20)) + (c_theta * (I3 * (z26 - (z16 * z20 + c_theta *
-        z27))) + z36);
-    const double z38 = s_psi * c_theta;
-    const double z39 = s_psi * (k2 * (z18 * z38 - c_psi * (c_phi * w_x + s_phi * w_y))) + c_theta * (z18 *
-        k3);
-    const double z40 = s_theta * w_y * z39;
-    const double z41 = (z39 * (s_theta * w_x) - z40 * z14) / z15;
-    const double z42 = s_theta * (s_psi * (k2 * (c_psi * c_phi - s_phi * z38)) - c_theta * s_phi * k3) * (z40
-        * z13 + z14 * z41);
-    const double z43 = z42 + s_theta * (s_psi * (k2 * (c_psi * s_phi + c_phi * z38)) + c_theta * c_phi * k3)
-        * z41;
-    /* (I.4.1) 26:5 */
-    lambda[0] = -(z37 + z43); /* reaction of no_turn: Q_i gains lambda_1 a_1i */
     return veselova_finish(1, lambda);
 }
 
@@ -349,6 +489,14 @@ double veselova_energy(double t, const double *y, const double *p)
     const double phi = y[0]; /* precession [rad] */
     const double theta = y[1]; /* nutation [rad] */
     const double psi = y[2]; /* spin [rad] */
+
+    /* sines and cosines */
+    const double s_theta = sin(theta);
+    const double c_theta = cos(theta);
+    const double s_phi = sin(phi);
+    const double c_phi = cos(phi);
+    const double c_psi = cos(psi);
+    const double s_psi = sin(psi);
     const double w_x = y[3];
     const double w_y = y[4];
     const double I1 = p[0]; /* [kg*m^2] */
@@ -356,28 +504,34 @@ double veselova_energy(double t, const double *y, const double *p)
     const double I3 = p[2]; /* [kg*m^2] */
 
     /* state */
-    const double s_theta = sin(theta);
-    const double s_psi = sin(psi);
-    const double c_theta = cos(theta);
     const double z1 = 1.0 / s_theta;
-    const double s_phi = sin(phi);
-    const double c_phi = cos(phi);
     const double z2 = z1 * (s_phi * w_x - c_phi * w_y);
     const double z3 = c_theta * z2;
-    const double c_psi = cos(psi);
-    const double z4 = (s_theta * s_phi * w_y + s_theta * c_phi * w_x) * z1;
-    const double z5 = s_theta * s_psi * z3 - c_psi * z4;
-    const double z6 = s_theta * c_psi * z3 + s_psi * z4;
     const double omega3 = z2 - c_theta * z3;
-    return 0.5 * (I1 * (z5 * z5) + I2 * (z6 * z6) + I3 * (omega3 * omega3));
+    const double z4 = (s_theta * s_phi * w_y + s_theta * c_phi * w_x) * z1;
+    const double z5 = s_theta * z3;
+    const double z6 = c_psi * z4 - s_psi * z5;
+    const double z7 = s_psi * z4 + c_psi * z5;
+    return 0.5 * (I3 * (omega3 * omega3) + (I1 * (z6 * z6) + I2 * (z7 * z7)));
 }
 
 int veselova_jacobian(double t, const double *y, const double *p, double *J)
 {
+    J[2] = 0.0;
+    J[7] = 0.0;
+    J[12] = 0.0;
     (void)t;
     const double phi = y[0]; /* precession [rad] */
     const double theta = y[1]; /* nutation [rad] */
     const double psi = y[2]; /* spin [rad] */
+
+    /* sines and cosines */
+    const double s_theta = sin(theta);
+    const double c_theta = cos(theta);
+    const double s_psi = sin(psi);
+    const double c_psi = cos(psi);
+    const double s_phi = sin(phi);
+    const double c_phi = cos(phi);
     const double w_x = y[3];
     const double w_y = y[4];
     const double I1 = p[0]; /* [kg*m^2] */
@@ -385,142 +539,138 @@ int veselova_jacobian(double t, const double *y, const double *p, double *J)
     const double I3 = p[2]; /* [kg*m^2] */
 
     /* parameters only */
-    const double k1 = 2.0 * I1 - 2.0 * I2;
-    const double k2 = I1 - I2;
-    const double k3 = I2 - I3;
+    const double k1 = I1 - I2;
+    const double k2 = I2 - I3;
 
     /* state */
-    const double s_theta = sin(theta);
+    const double z1 = s_psi * s_psi;
+    const double z2 = 1.0 - z1;
+    const double z3 = I1 * z2 + I2 * z1;
+    const double z4 = s_theta * s_theta;
+    const double z5 = 2.0 - z4;
+    const double z6 = I2 * (z4 * z2 - (1.0 - 2.0 * z1)) + (I1 * (1.0 - z1 * z5) - I3 * z4);
+    const double z7 = s_psi * c_psi;
+    const double z8 = c_theta * z7;
+    const double z9 = z8 * k1;
+    const double z10 = s_phi * z6 + 2.0 * (c_phi * z9);
+    const double z11 = z3 - s_phi * z10;
+    const double z12 = c_theta * c_theta;
+    const double z13 = k1 * (1.0 + z12);
+    const double z14 = z1 * z13 + (I3 * (1.0 - z12) - (I1 - I2 * z12));
+    const double z15 = 2.0 * (s_phi * z9);
+    const double z16 = c_phi * z14 + z15;
+    const double z17 = z3 + c_phi * z16;
+    const double z18 = c_phi * z6 - z15;
+    const double z19 = z9 + s_phi * z18;
+    const double z20 = 1.0 / z11;
+    const double z21 = z19 * z20;
+    const double z22 = z17 - z19 * z21;
+    const double z23 = 1.0 / s_theta;
+    const double z24 = c_phi * w_x + s_phi * w_y;
+    const double z25 = z23 * z24;
+    const double z26 = s_phi * w_x - c_phi * w_y;
+    const double z27 = c_theta / (s_theta * s_theta);
+    const double z28 = z26 * z27;
+    const double z29 = s_phi * z23;
+    const double z30 = c_phi * z23;
+    const double z31 = s_theta * c_phi;
+    const double z32 = s_theta * s_phi;
+    const double z33 = s_theta * w_y;
+    const double z34 = c_theta * k2;
+    const double z35 = s_psi * c_theta;
+    const double z36 = s_psi * k1;
+    const double z37 = z33 * z36;
+    const double z38 = z33 * z34 + z35 * z37;
+    const double z39 = c_psi * z37;
+    const double z40 = 1.0 / z22;
+    const double z41 = k1 * (z26 * z35 - c_psi * z24);
+    const double z42 = z26 * k2;
+    const double z43 = s_psi * z41 + c_theta * z42;
+    const double z44 = s_theta * w_x;
+    const double z45 = z33 * z43;
+    const double z46 = z40 * (z43 * z44 + z45 * z21);
+    const double z47 = s_phi * z46;
+    const double z48 = k1 * z47;
+    const double z49 = z45 * z20 + z21 * z46;
+    const double z50 = s_phi * z49;
+    const double z51 = z6 * z50;
+    const double z52 = w_x * z38 - (w_y * z39 - z18 * z46 + 2.0 * (z8 * z48) - z10 * z49 - z51);
+    const double z53 = k1 * z50;
+    const double z54 = c_phi * z52 + s_phi * (w_y * z38 + (w_x * z39 - z6 * z47 - 2.0 * (z8 * z53)));
+    const double z55 = z44 * z36;
+    const double z56 = z44 * z34 + z35 * z55;
+    const double z57 = c_psi * z55;
+    const double z58 = c_phi * z46;
+    const double z59 = k1 * (z50 + z58);
+    const double z60 = c_phi * (w_x * z56 - (w_y * z57 - z18 * z49 + 2.0 * (z8 * z59))) + s_phi * (w_y * z56
+        - (z51 - (w_x * z57 + (z16 * z46 + z14 * z58))));
+    const double z61 = z40 * (z60 + z21 * z54);
+    const double z62 = z26 * z37;
+    const double z63 = k1 * z46 - 2.0 * (s_phi * z48) + 2.0 * (c_phi * z53);
+    const double z64 = c_phi * z47 + s_phi * z50;
+    const double z65 = I1 * z64;
+    const double z66 = I2 * z64;
+    const double z67 = s_theta * (z33 * z42 + s_psi * z62 + z7 * z63) - c_theta * (w_y * z43 - 2.0 * (s_theta
+        * (I3 * z64 - z1 * z65 - z2 * z66)));
+    const double z68 = z26 * z55;
+    const double z69 = c_phi * z58;
+    const double z70 = k1 * z49 - 2.0 * (s_phi * z59);
+    const double z71 = s_psi * z68 + (z42 * z44 - 2.0 * (c_theta * (k1 * (z1 * z69) + k2 * z69))) + z7 * z70;
+    const double z72 = c_phi * z50;
+    const double z73 = I1 * z72;
+    const double z74 = I2 * z72;
+    const double z75 = s_theta * z71 - c_theta * (w_x * z43 - 2.0 * (s_theta * (I3 * z72 - z1 * z73 - z2 *
+        z74)));
+    const double z76 = z40 * (z75 + z21 * z67);
+    const double z77 = c_theta * z63;
+    const double z78 = 2.0 * (s_psi * (2.0 * z66 - (I2 * z49 + z5 * z65) + (I1 * z49 - z4 * z66)));
+    const double z79 = s_psi * (z24 * z37 - s_psi * z77) + c_psi * (z33 * z41 + c_theta * z62 + c_psi * z77 +
+        z78);
+    const double z80 = c_theta * z70;
+    const double z81 = 2.0 * z74 - (z13 * z69 + I2 * z46 + z5 * z73) + (I1 * z46 - z4 * z74);
+    const double z82 = s_psi * (z24 * z55 - s_psi * z80) + c_psi * (z41 * z44 + c_theta * z68 + c_psi * z80 +
+        2.0 * (s_psi * z81));
+    const double z83 = z40 * (z82 + z21 * z79);
+    const double z84 = c_phi * z39 - s_phi * z38;
+    const double z85 = s_theta * z43;
+    const double z86 = z40 * (z85 - c_phi * z57 + s_phi * z56 - z21 * z84);
+    const double z87 = z85 - s_phi * z39 - c_phi * z38;
+    const double z88 = z40 * (s_phi * z57 + c_phi * z56 - z21 * z87);
+    /* (I.2.15) */
+    J[0] = -c_theta * z25;
+    J[1] = z26 + c_theta * z28;
+    J[3] = -c_theta * z29;
+    J[4] = c_theta * z30;
+    J[5] = z23 * (z31 * w_y - z32 * w_x);
+    J[6] = z23 * (c_theta * z24) - (z32 * w_y + z31 * w_x) * z27;
+    J[8] = c_phi;
+    J[9] = s_phi;
+    J[10] = z25;
+    J[11] = -z28;
+    J[13] = z29;
+    J[14] = -z30;
+    J[15] = z20 * z54 + z21 * z61;
+    J[16] = -(z20 * z67 + z21 * z76);
+    J[17] = z20 * z79 + z21 * z83;
+    J[18] = z21 * z86 - z20 * z84;
+    J[19] = z20 * z87 - z21 * z88;
+    J[20] = -z61;
+    J[21] = z76;
+    J[22] = -z83;
+    J[23] = -z86;
+    J[24] = z88;
     /* the coframe is singular */
     if (!(fabs(s_theta) > 1e-12 * 4.0)) {
         return VESELOVA_SINGULAR_1;
     }
-    const double s_phi = sin(phi);
-    const double z1 = s_theta * s_theta;
-    const double s_psi = sin(psi);
-    const double z2 = s_psi * s_psi;
-    const double z3 = 1.0 - z2;
-    const double z4 = 2.0 - z1;
-    const double z5 = I2 * (z1 * z3 - (1.0 - 2.0 * z2)) + (I1 * (1.0 - z2 * z4) - I3 * z1);
-    const double c_phi = cos(phi);
-    const double c_theta = cos(theta);
-    const double c_psi = cos(psi);
-    const double z6 = s_psi * c_psi;
-    const double z7 = c_theta * z6;
-    const double z8 = s_phi * z5 + c_phi * z7 * k1;
-    const double z9 = I1 * z3 + I2 * z2;
-    const double z10 = s_phi * z8 - z9;
     /* the mass matrix is singular */
-    if (!(fabs(-z10) > 0.0)) {
+    if (!(fabs(z11) > 0.0)) {
         return VESELOVA_SINGULAR_2;
     }
-    const double z11 = k1 * (s_phi * z7);
-    const double z12 = c_theta * c_theta;
-    const double z13 = k2 * (1.0 + z12);
-    const double z14 = z2 * z13 + (I3 * (1.0 - z12) - (I1 - I2 * z12));
-    const double z15 = z11 + c_phi * z14;
-    const double z16 = z9 + c_phi * z15;
-    const double z17 = c_phi * z5 - z11;
-    const double z18 = s_phi * z17 + z7 * k2;
-    const double z19 = 1.0 / z10;
-    const double z20 = z18 * z19;
-    const double z21 = z16 + z18 * z20;
     /* the mass matrix is singular */
-    if (!(fabs(z21) > 1e-14 * z16)) {
+    if (!(fabs(z22) > 1e-14 * z17)) {
         return VESELOVA_SINGULAR_2;
     }
-    const double z22 = 1.0 / s_theta;
-    const double z23 = c_theta * z22;
-    const double z24 = s_phi * w_x - c_phi * w_y;
-    const double z25 = 1.0 / (s_theta * s_theta);
-    const double z26 = c_phi * (w_x * z22);
-    const double z27 = s_phi * (w_y * z22);
-    const double z28 = s_theta * w_y;
-    const double z29 = s_psi * c_theta;
-    const double z30 = k2 * (s_psi * z28);
-    const double z31 = k3 * (c_theta * z28) + z29 * z30;
-    const double z32 = c_psi * z30;
-    const double z33 = 1.0 / z21;
-    const double z34 = c_phi * w_x + s_phi * w_y;
-    const double z35 = k2 * (z24 * z29 - c_psi * z34);
-    const double z36 = z24 * k3;
-    const double z37 = s_psi * z35 + c_theta * z36;
-    const double z38 = s_theta * w_x;
-    const double z39 = z28 * z37;
-    const double z40 = z33 * (z37 * z38 - z39 * z20);
-    const double z41 = s_phi * z40;
-    const double z42 = k1 * z41;
-    const double z43 = z39 * z19 + z20 * z40;
-    const double z44 = s_phi * z43;
-    const double z45 = z5 * z44;
-    const double z46 = c_phi * (w_x * z31 - (w_y * z32 - z17 * z40 + z7 * z42 + z8 * z43 + z45));
-    const double z47 = k1 * z44;
-    const double z48 = z46 + s_phi * (w_y * z31 + (w_x * z32 - z5 * z41 + z7 * z47));
-    const double z49 = k2 * (s_psi * z38);
-    const double z50 = k3 * (c_theta * z38) + z29 * z49;
-    const double z51 = c_psi * z49;
-    const double z52 = c_phi * z40;
-    const double z53 = k1 * (z44 - z52);
-    const double z54 = c_phi * (w_x * z50 - (w_y * z51 + z17 * z43 - z7 * z53)) + s_phi * (w_y * z50 + (z45 +
-        (w_x * z51 + (z15 * z40 + z14 * z52))));
-    const double z55 = z33 * (z54 - z20 * z48);
-    const double z56 = z24 * z30;
-    const double z57 = k2 * z40 - s_phi * z42 - c_phi * z47;
-    const double z58 = c_phi * z41 - s_phi * z44;
-    const double z59 = I1 * z58;
-    const double z60 = I2 * z58;
-    const double z61 = s_theta * (z28 * z36 + s_psi * z56 + z6 * z57) - c_theta * (w_y * z37 - 2.0 * (s_theta
-        * (I3 * z58 - z2 * z59 - z3 * z60)));
-    const double z62 = z24 * z49;
-    const double z63 = c_phi * z52;
-    const double z64 = k2 * z43 - s_phi * z53;
-    const double z65 = s_psi * z62 + (z36 * z38 - 2.0 * (c_theta * (k2 * (z2 * z63) + k3 * z63))) - z6 * z64;
-    const double z66 = c_phi * z44;
-    const double z67 = I1 * z66;
-    const double z68 = I2 * z66;
-    const double z69 = s_theta * z65 - c_theta * (w_x * z37 + 2.0 * (s_theta * (I3 * z66 - z2 * z67 - z3 *
-        z68)));
-    const double z70 = z33 * (z69 - z20 * z61);
-    const double z71 = c_theta * z57;
-    const double z72 = 2.0 * (s_psi * (2.0 * z60 + (I2 * z43 - z4 * z59) - (I1 * z43 + z1 * z60)));
-    const double z73 = s_psi * (z34 * z30 - s_psi * z71) + c_psi * (z28 * z35 + c_theta * z56 + c_psi * z71 +
-        z72);
-    const double z74 = c_theta * z64;
-    const double z75 = 2.0 * z68 + (z13 * z63 + I2 * z40 - z4 * z67) - (I1 * z40 + z1 * z68);
-    const double z76 = s_psi * (z34 * z49 + s_psi * z74) + c_psi * (z35 * z38 + c_theta * z62 - c_psi * z74 -
-        2.0 * (s_psi * z75));
-    const double z77 = z33 * (z76 - z20 * z73);
-    const double z78 = c_phi * z32 - s_phi * z31;
-    const double z79 = s_theta * z37;
-    const double z80 = z33 * (z79 - c_phi * z51 + s_phi * z50 + z20 * z78);
-    const double z81 = s_phi * z32 - z79 + c_phi * z31;
-    const double z82 = z33 * (s_phi * z51 + c_phi * z50 - z20 * z81);
-    /* (I.2.15) */
-    J[0] = -(c_phi * (w_x * z23) + s_phi * (w_y * z23));
-    J[1] = z24 + c_theta * (z25 * (c_theta * z24));
-    J[2] = 0.0;
-    J[3] = -s_phi * z23;
-    J[4] = c_phi * z23;
-    J[5] = -z24;
-    J[6] = -c_theta * ((s_theta * s_phi * w_y + s_theta * c_phi * w_x) * z25 - z26 - z27);
-    J[7] = 0.0;
-    J[8] = c_phi;
-    J[9] = s_phi;
-    J[10] = z26 + z27;
-    J[11] = -c_theta * (z24 * z25);
-    J[12] = 0.0;
-    J[13] = s_phi * z22;
-    J[14] = -c_phi * z22;
-    J[15] = -(z19 * z48 + z20 * z55);
-    J[16] = z19 * z61 + z20 * z70;
-    J[17] = -(z19 * z73 + z20 * z77);
-    J[18] = z19 * z78 - z20 * z80;
-    J[19] = z19 * z81 + z20 * z82;
-    J[20] = -z55;
-    J[21] = z70;
-    J[22] = -z77;
-    J[23] = -z80;
-    J[24] = z82;
     return veselova_finish(25, J);
 }
 
@@ -530,6 +680,14 @@ int veselova_outputs(double t, const double *y, const double *p, double *out)
     const double phi = y[0]; /* precession [rad] */
     const double theta = y[1]; /* nutation [rad] */
     const double psi = y[2]; /* spin [rad] */
+
+    /* sines and cosines */
+    const double s_theta = sin(theta);
+    const double c_theta = cos(theta);
+    const double c_phi = cos(phi);
+    const double s_phi = sin(phi);
+    const double c_psi = cos(psi);
+    const double s_psi = sin(psi);
     const double w_x = y[3];
     const double w_y = y[4];
     const double I1 = p[0]; /* [kg*m^2] */
@@ -537,109 +695,144 @@ int veselova_outputs(double t, const double *y, const double *p, double *out)
     const double I3 = p[2]; /* [kg*m^2] */
 
     /* state */
-    const double s_theta = sin(theta);
+    const double z1 = 1.0 / s_theta;
+    const double z2 = (s_theta * s_phi * w_y + s_theta * c_phi * w_x) * z1;
+    const double z3 = z1 * (s_phi * w_x - c_phi * w_y);
+    const double z4 = c_theta * z3;
+    const double z5 = s_theta * z4;
+    const double z6 = I1 * (c_psi * z2 - s_psi * z5);
+    const double z7 = I2 * (s_psi * z2 + c_psi * z5);
+    const double z8 = c_psi * z6 + s_psi * z7;
+    const double z9 = c_theta * (s_psi * z6 - c_psi * z7) - I3 * (s_theta * (z3 - c_theta * z4));
+    /* 32:8 */
+    out[0] = c_phi * z8 - s_phi * z9; /* L_x */
+    /* 33:8 */
+    out[1] = s_phi * z8 + c_phi * z9; /* L_y */
     /* the coframe is singular */
     if (!(fabs(s_theta) > 1e-12 * 4.0)) {
         return VESELOVA_SINGULAR_1;
     }
-    const double c_phi = cos(phi);
-    const double c_psi = cos(psi);
-    const double s_psi = sin(psi);
-    const double c_theta = cos(theta);
-    const double z1 = 1.0 / s_theta;
-    const double s_phi = sin(phi);
-    const double z2 = z1 * (s_phi * w_x - c_phi * w_y);
-    const double z3 = c_theta * z2;
-    const double z4 = (s_theta * s_phi * w_y + s_theta * c_phi * w_x) * z1;
-    const double z5 = I1 * (s_theta * s_psi * z3 - c_psi * z4);
-    const double z6 = I2 * (s_theta * c_psi * z3 + s_psi * z4);
-    const double z7 = c_psi * z5 - s_psi * z6;
-    const double z8 = c_theta * (s_psi * z5 + c_psi * z6) + s_theta * (I3 * (z2 - c_theta * z3));
-    /* 32:8 */
-    out[0] = s_phi * z8 - c_phi * z7; /* L_x */
-    /* 33:8 */
-    out[1] = -(s_phi * z7 + c_phi * z8); /* L_y */
     return veselova_finish(2, out);
 }
 
+#if VESELOVA_LANES >= 2
+static __attribute__((noinline)) void veselova_rhs_lanes(const double *fixed, size_t stride, const double *t,
+    const double *y, double *restrict dydt, double *check)
+{
+    (void)t;
+    veselova_lanes far = {0}; /* the squares of the angles */
+    veselova_lanes sum = {0}; /* an infinity or a NaN among the results stays in it */
+    veselova_bits bad = {0}; /* singular blocks */
+    const double I1 = fixed[0];
+    const double I2 = fixed[1];
+    const double I3 = fixed[2];
+    const double k1 = fixed[3];
+    const double k2 = fixed[4];
+    const veselova_lanes phi = veselova_get(y);
+    const veselova_lanes theta = veselova_get(y + 1 * stride);
+    const veselova_lanes psi = veselova_get(y + 2 * stride);
+    const veselova_lanes w_x = veselova_get(y + 3 * stride);
+    const veselova_lanes w_y = veselova_get(y + 4 * stride);
+    veselova_lanes sine1, cosine1;
+    veselova_turn_lanes(VESELOVA_SPREAD(theta), &far, &sine1, &cosine1);
+    const veselova_lanes s_theta = sine1;
+    /* the coframe is singular */
+    bad |= veselova_misses(veselova_size(VESELOVA_SPREAD(s_theta)), VESELOVA_SPREAD(1e-12 * 4.0));
+    veselova_lanes sine2, cosine2;
+    veselova_turn_lanes(VESELOVA_SPREAD(psi), &far, &sine2, &cosine2);
+    const veselova_lanes s_psi = sine2;
+    const veselova_lanes z1 = s_psi * s_psi;
+    const veselova_lanes z2 = 1.0 - z1;
+    const veselova_lanes z3 = I1 * z2 + I2 * z1;
+    veselova_lanes sine3, cosine3;
+    veselova_turn_lanes(VESELOVA_SPREAD(phi), &far, &sine3, &cosine3);
+    const veselova_lanes s_phi = sine3;
+    const veselova_lanes z4 = s_theta * s_theta;
+    const veselova_lanes z5 = I2 * (z4 * z2 - (1.0 - 2.0 * z1)) + (I1 * (1.0 - z1 * (2.0 - z4)) - I3 * z4);
+    const veselova_lanes c_phi = cosine3;
+    const veselova_lanes c_psi = cosine2;
+    const veselova_lanes c_theta = cosine1;
+    const veselova_lanes z6 = s_psi * c_theta;
+    const veselova_lanes z7 = k1 * (c_psi * z6);
+    const veselova_lanes z8 = z3 - s_phi * (s_phi * z5 + 2.0 * (c_phi * z7));
+    /* the mass matrix is singular */
+    bad |= veselova_misses(veselova_size(VESELOVA_SPREAD(z8)), VESELOVA_SPREAD(0.0));
+    const veselova_lanes z9 = 2.0 * (s_phi * z7);
+    const veselova_lanes z10 = c_theta * c_theta;
+    const veselova_lanes z11 = z9 + c_phi * (I3 * (1.0 - z10) - (I1 - I2 * z10) + k1 * (z1 * (1.0 + z10)));
+    const veselova_lanes z12 = z3 + c_phi * z11;
+    const veselova_lanes z13 = z7 + s_phi * (c_phi * z5 - z9);
+    const veselova_lanes z14 = 1.0 / z8;
+    const veselova_lanes z15 = z13 * z14;
+    const veselova_lanes z16 = z12 - z13 * z15;
+    /* the mass matrix is singular */
+    bad |= veselova_misses(veselova_size(VESELOVA_SPREAD(z16)), 1e-14 * z12);
+    const veselova_lanes z17 = 1.0 / s_theta;
+    const veselova_lanes z18 = s_phi * w_x - c_phi * w_y;
+    const veselova_lanes z19 = z17 * z18;
+    const veselova_lanes z20 = s_theta * w_y;
+    const veselova_lanes z21 = s_theta * w_x;
+    const veselova_lanes z22 = k1 * (s_psi * (z18 * z6 - c_psi * (c_phi * w_x + s_phi * w_y))) + k2 *
+        (c_theta * z18);
+    const veselova_lanes z23 = z20 * z22;
+    const veselova_lanes z24 = (z21 * z22 + z23 * z15) / z16;
+    /* (I.2.15) */
+    const veselova_lanes slope1 = -c_theta * z19;
+    sum += slope1;
+    veselova_put(dydt, slope1);
+    const veselova_lanes slope2 = z17 * (s_phi * z20 + c_phi * z21);
+    sum += slope2;
+    veselova_put(dydt + 1 * stride, slope2);
+    const veselova_lanes slope3 = z19;
+    sum += slope3;
+    veselova_put(dydt + 2 * stride, slope3);
+    /* (I.2.15) 24:4 */
+    const veselova_lanes slope4 = z23 * z14 + z15 * z24;
+    sum += slope4;
+    veselova_put(dydt + 3 * stride, slope4);
+    const veselova_lanes slope5 = -z24;
+    sum += slope5;
+    veselova_put(dydt + 4 * stride, slope5);
+    veselova_put(check, veselova_mark(far + (sum - sum), bad));
+}
+
+static __attribute__((noinline)) void veselova_rhs_tail(const double *fixed, size_t left, size_t count, const
+    double *t, const double *y, double *restrict dydt, double *check)
+{
+    double time[VESELOVA_LANES];
+    double state[5 * VESELOVA_LANES];
+    double slope[5 * VESELOVA_LANES];
+    veselova_fill(left, count, t, y, time, state);
+    veselova_rhs_lanes(fixed, VESELOVA_LANES, time, state, slope, check);
+    veselova_pour(left, count, slope, dydt);
+}
+#endif
+
 int veselova_rhs_batch(size_t count, const double *t, const double *y, const double *p, double *restrict dydt)
 {
+#if VESELOVA_LANES >= 2
     const double I1 = p[0]; /* [kg*m^2] */
     const double I2 = p[1]; /* [kg*m^2] */
     const double I3 = p[2]; /* [kg*m^2] */
-    const double k1 = 2.0 * I1 - 2.0 * I2;
-    const double k2 = I1 - I2;
-    const double k3 = I2 - I3;
-    int singular1 = 0;
-    int singular2 = 0;
-    int bad = 0;
-    (void)t;
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC ivdep
+    const double k1 = I1 - I2;
+    const double k2 = I2 - I3;
+    const double fixed[] = {I1, I2, I3, k1, k2};
+    double check[1 * VESELOVA_LANES];
+    int status = VESELOVA_OK;
+    for (size_t i = 0; i < count; i += VESELOVA_LANES) {
+        const size_t left = count - i < VESELOVA_LANES ? count - i : VESELOVA_LANES;
+        if (left == VESELOVA_LANES) {
+            veselova_rhs_lanes(fixed, count, t + i, y + i, dydt + i, check);
+        } else {
+            veselova_rhs_tail(fixed, left, count, t + i, y + i, dydt + i, check);
+        }
+        if (!veselova_is_good(1 * VESELOVA_LANES, check)) {
+            const int one = veselova_one_by_one(count, i, left, t, y, p, dydt);
+            status = status == VESELOVA_OK ? one : status;
+        }
+    }
+    return status;
+#else
+    return veselova_one_by_one(count, 0, count, t, y, p, dydt);
 #endif
-    for (size_t i = 0; i < count; ++i) {
-        const double phi = y[i]; /* precession [rad] */
-        const double theta = y[count + i]; /* nutation [rad] */
-        const double psi = y[2 * count + i]; /* spin [rad] */
-        const double w_x = y[3 * count + i];
-        const double w_y = y[4 * count + i];
-        const double s_theta = sin(theta);
-        /* the coframe is singular */
-        singular1 |= !(fabs(s_theta) > 1e-12 * 4.0);
-        const double s_phi = sin(phi);
-        const double z1 = s_theta * s_theta;
-        const double s_psi = sin(psi);
-        const double z2 = s_psi * s_psi;
-        const double z3 = 1.0 - z2;
-        const double z4 = I2 * (z1 * z3 - (1.0 - 2.0 * z2)) + (I1 * (1.0 - z2 * (2.0 - z1)) - I3 * z1);
-        const double c_phi = cos(phi);
-        const double c_theta = cos(theta);
-        const double c_psi = cos(psi);
-        const double z5 = c_theta * (s_psi * c_psi);
-        const double z6 = I1 * z3 + I2 * z2;
-        const double z7 = s_phi * (s_phi * z4 + c_phi * z5 * k1) - z6;
-        /* the mass matrix is singular */
-        singular2 |= !(fabs(-z7) > 0.0);
-        const double z8 = k1 * (s_phi * z5);
-        const double z9 = c_theta * c_theta;
-        const double z10 = z8 + c_phi * (z2 * (k2 * (1.0 + z9)) + (I3 * (1.0 - z9) - (I1 - I2 * z9)));
-        const double z11 = z6 + c_phi * z10;
-        const double z12 = s_phi * (c_phi * z4 - z8) + z5 * k2;
-        const double z13 = 1.0 / z7;
-        const double z14 = z12 * z13;
-        const double z15 = z11 + z12 * z14;
-        /* the mass matrix is singular */
-        singular2 |= !(fabs(z15) > 1e-14 * z11);
-        const double z16 = 1.0 / s_theta;
-        const double z17 = s_phi * w_x - c_phi * w_y;
-        const double z18 = z16 * z17;
-        const double z19 = s_psi * (k2 * (z17 * (s_psi * c_theta) - c_psi * (c_phi * w_x + s_phi * w_y))) +
-            c_theta * (z17 * k3);
-        const double z20 = s_theta * w_y * z19;
-        const double z21 = (z19 * (s_theta * w_x) - z20 * z14) / z15;
-        /* (I.2.15) */
-        const double slope1 = -c_theta * z18; /* phi' */
-        dydt[i] = slope1;
-        bad |= !(fabs(slope1) <= DBL_MAX);
-        const double slope2 = (s_theta * s_phi * w_y + s_theta * c_phi * w_x) * z16; /* theta' */
-        dydt[count + i] = slope2;
-        bad |= !(fabs(slope2) <= DBL_MAX);
-        const double slope3 = z18; /* psi' */
-        dydt[2 * count + i] = slope3;
-        bad |= !(fabs(slope3) <= DBL_MAX);
-        /* (I.2.15) 24:4 */
-        const double slope4 = -(z20 * z13 + z14 * z21); /* w_x' */
-        dydt[3 * count + i] = slope4;
-        bad |= !(fabs(slope4) <= DBL_MAX);
-        const double slope5 = -z21; /* w_y' */
-        dydt[4 * count + i] = slope5;
-        bad |= !(fabs(slope5) <= DBL_MAX);
-    }
-    if (singular1) {
-        return VESELOVA_SINGULAR_1;
-    }
-    if (singular2) {
-        return VESELOVA_SINGULAR_2;
-    }
-    return bad ? VESELOVA_NOT_FINITE : VESELOVA_OK;
 }

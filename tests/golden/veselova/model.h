@@ -1,5 +1,5 @@
 /*
- * veselova.h: veselova, emitted by nhc 0.1.0 (nhc:845afd4617c6906e)
+ * veselova.h: veselova, emitted by nhc 0.1.0 (nhc:43ac6698fdc512b2)
  * A rigid body with a fixed point that must not turn about the vertical.
  * Source: veselova.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -25,15 +25,15 @@
  * out[1] = L_y
  *
  * Operations:
- * rhs: 30 +-, 57 *, 3 /, 6 calls
+ * rhs: 29 +-, 52 *, 3 /, 6 calls
  * velocities: 2 +-, 9 *, 1 /, 4 calls
- * accelerations: 41 +-, 79 *, 4 /, 6 calls
- * state: 2 +-, 6 *, 0 /, 3 calls
+ * accelerations: 40 +-, 75 *, 4 /, 6 calls
+ * state: 2 +-, 5 *, 0 /, 3 calls
  * residuals: 1 +-, 1 *, 0 /, 1 calls
- * reactions: 61 +-, 126 *, 4 /, 6 calls
- * energy: 7 +-, 23 *, 1 /, 6 calls
- * jacobian: 108 +-, 218 *, 4 /, 6 calls
- * outputs: 10 +-, 29 *, 1 /, 6 calls
+ * reactions: 60 +-, 114 *, 4 /, 6 calls
+ * energy: 7 +-, 22 *, 1 /, 6 calls
+ * jacobian: 105 +-, 214 *, 4 /, 6 calls
+ * outputs: 10 +-, 28 *, 1 /, 6 calls
  *
  * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
  */

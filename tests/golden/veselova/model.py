@@ -1,4 +1,4 @@
-"""veselova, emitted by nhc 0.1.0 (nhc:4811f8e429aaa7c0).
+"""veselova, emitted by nhc 0.1.0 (nhc:436881b930f5acb6).
 
 A rigid body with a fixed point that must not turn about the vertical.
 Source: veselova.yaml
@@ -25,15 +25,15 @@ out[0] = L_x
 out[1] = L_y
 
 Operations:
-rhs: 30 +-, 57 *, 3 /, 6 calls
+rhs: 29 +-, 52 *, 3 /, 6 calls
 velocities: 2 +-, 9 *, 1 /, 4 calls
-accelerations: 41 +-, 79 *, 4 /, 6 calls
-state: 2 +-, 6 *, 0 /, 3 calls
+accelerations: 40 +-, 75 *, 4 /, 6 calls
+state: 2 +-, 5 *, 0 /, 3 calls
 residuals: 1 +-, 1 *, 0 /, 1 calls
-reactions: 61 +-, 126 *, 4 /, 6 calls
-energy: 7 +-, 23 *, 1 /, 6 calls
-jacobian: 108 +-, 218 *, 4 /, 6 calls
-outputs: 10 +-, 29 *, 1 /, 6 calls
+reactions: 60 +-, 114 *, 4 /, 6 calls
+energy: 7 +-, 22 *, 1 /, 6 calls
+jacobian: 105 +-, 214 *, 4 /, 6 calls
+outputs: 10 +-, 28 *, 1 /, 6 calls
 
 A singular point raises SingularModelError.
 """
@@ -95,61 +95,62 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     I3 = float(p[2])  # [kg*m^2]
     try:
         # parameters only
-        k1 = 2.0 * I1 - 2.0 * I2
-        k2 = I1 - I2
-        k3 = I2 - I3
+        k1 = I1 - I2
+        k2 = I2 - I3
         # state
         s_theta = math.sin(theta)
         # the coframe is singular
         if not abs(s_theta) > 1e-12 * 4.0:
             raise SingularModelError(1, "rhs")
-        s_phi = math.sin(phi)
-        z1 = s_theta * s_theta
         s_psi = math.sin(psi)
-        z2 = s_psi * s_psi
-        z3 = 1.0 - z2
-        s1 = I1 * (1.0 - z2 * (2.0 - z1)) - I3 * z1
-        z4 = I2 * (z1 * z3 - (1.0 - 2.0 * z2)) + s1
+        z1 = s_psi * s_psi
+        z2 = 1.0 - z1
+        z3 = I1 * z2 + I2 * z1
+        s_phi = math.sin(phi)
+        z4 = s_theta * s_theta
+        s1 = I1 * (1.0 - z1 * (2.0 - z4)) - I3 * z4
+        z5 = I2 * (z4 * z2 - (1.0 - 2.0 * z1)) + s1
         c_phi = math.cos(phi)
-        c_theta = math.cos(theta)
         c_psi = math.cos(psi)
-        z5 = c_theta * (s_psi * c_psi)
-        z6 = I1 * z3 + I2 * z2
-        z7 = s_phi * (s_phi * z4 + c_phi * z5 * k1) - z6
+        c_theta = math.cos(theta)
+        z6 = s_psi * c_theta
+        z7 = k1 * (c_psi * z6)
+        z8 = z3 - s_phi * (s_phi * z5 + 2.0 * (c_phi * z7))
         # the mass matrix is singular
-        if not abs(-z7) > 0.0:
+        if not abs(z8) > 0.0:
             raise SingularModelError(2, "rhs")
-        z8 = k1 * (s_phi * z5)
-        z9 = c_theta * c_theta
-        s2 = z2 * (k2 * (1.0 + z9)) + (I3 * (1.0 - z9) - (I1 - I2 * z9))
-        z10 = z8 + c_phi * s2
-        z11 = z6 + c_phi * z10
-        z12 = s_phi * (c_phi * z4 - z8) + z5 * k2
-        z13 = 1.0 / z7
-        z14 = z12 * z13
-        z15 = z11 + z12 * z14
+        z9 = 2.0 * (s_phi * z7)
+        z10 = c_theta * c_theta
+        s2 = I3 * (1.0 - z10) - (I1 - I2 * z10) + k1 * (z1 * (1.0 + z10))
+        z11 = z9 + c_phi * s2
+        z12 = z3 + c_phi * z11
+        z13 = z7 + s_phi * (c_phi * z5 - z9)
+        z14 = 1.0 / z8
+        z15 = z13 * z14
+        z16 = z12 - z13 * z15
         # the mass matrix is singular
-        if not abs(z15) > 1e-14 * z11:
+        if not abs(z16) > 1e-14 * z12:
             raise SingularModelError(2, "rhs")
-        z16 = 1.0 / s_theta
-        z17 = s_phi * w_x - c_phi * w_y
-        z18 = z16 * z17
-        s3 = c_psi * (c_phi * w_x + s_phi * w_y)
-        s4 = s_psi * (k2 * (z17 * (s_psi * c_theta) - s3))
-        z19 = s4 + c_theta * (z17 * k3)
-        z20 = s_theta * w_y * z19
-        z21 = (z19 * (s_theta * w_x) - z20 * z14) / z15
+        z17 = 1.0 / s_theta
+        z18 = s_phi * w_x - c_phi * w_y
+        z19 = z17 * z18
+        z20 = s_theta * w_y
+        z21 = s_theta * w_x
+        s3 = s_psi * (z18 * z6 - c_psi * (c_phi * w_x + s_phi * w_y))
+        z22 = k1 * s3 + k2 * (c_theta * z18)
+        z23 = z20 * z22
+        z24 = (z21 * z22 + z23 * z15) / z16
         dydt: list[float] = [
             # phi' (I.2.15)
-            -c_theta * z18,
+            -c_theta * z19,
             # theta' (I.2.15)
-            (s_theta * s_phi * w_y + s_theta * c_phi * w_x) * z16,
+            z17 * (s_phi * z20 + c_phi * z21),
             # psi' (I.2.15)
-            z18,
+            z19,
             # w_x' (I.2.15) 24:4
-            -(z20 * z13 + z14 * z21),
+            z23 * z14 + z15 * z24,
             # w_y' (I.2.15) 24:4
-            -z21,
+            -z24,
         ]
         return _finish("rhs", dydt)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -214,70 +215,70 @@ def accelerations(
     I3 = float(p[2])  # [kg*m^2]
     try:
         # parameters only
-        k1 = 2.0 * I1 - 2.0 * I2
-        k2 = I1 - I2
-        k3 = I2 - I3
+        k1 = I1 - I2
+        k2 = I2 - I3
         # state
         s_theta = math.sin(theta)
         # the coframe is singular
         if not abs(s_theta) > 1e-12 * 4.0:
             raise SingularModelError(1, "accelerations")
-        s_phi = math.sin(phi)
-        z1 = s_theta * s_theta
         s_psi = math.sin(psi)
-        z2 = s_psi * s_psi
-        z3 = 1.0 - z2
-        s1 = I1 * (1.0 - z2 * (2.0 - z1)) - I3 * z1
-        z4 = I2 * (z1 * z3 - (1.0 - 2.0 * z2)) + s1
+        z1 = s_psi * s_psi
+        z2 = 1.0 - z1
+        z3 = I1 * z2 + I2 * z1
+        s_phi = math.sin(phi)
+        z4 = s_theta * s_theta
+        s1 = I1 * (1.0 - z1 * (2.0 - z4)) - I3 * z4
+        z5 = I2 * (z4 * z2 - (1.0 - 2.0 * z1)) + s1
         c_phi = math.cos(phi)
-        c_theta = math.cos(theta)
         c_psi = math.cos(psi)
-        z5 = c_theta * (s_psi * c_psi)
-        z6 = I1 * z3 + I2 * z2
-        z7 = s_phi * (s_phi * z4 + c_phi * z5 * k1) - z6
+        c_theta = math.cos(theta)
+        z6 = s_psi * c_theta
+        z7 = k1 * (c_psi * z6)
+        z8 = z3 - s_phi * (s_phi * z5 + 2.0 * (c_phi * z7))
         # the mass matrix is singular
-        if not abs(-z7) > 0.0:
+        if not abs(z8) > 0.0:
             raise SingularModelError(2, "accelerations")
-        z8 = k1 * (s_phi * z5)
-        z9 = c_theta * c_theta
-        s2 = z2 * (k2 * (1.0 + z9)) + (I3 * (1.0 - z9) - (I1 - I2 * z9))
-        z10 = z8 + c_phi * s2
-        z11 = z6 + c_phi * z10
-        z12 = s_phi * (c_phi * z4 - z8) + z5 * k2
-        z13 = 1.0 / z7
-        z14 = z12 * z13
-        z15 = z11 + z12 * z14
+        z9 = 2.0 * (s_phi * z7)
+        z10 = c_theta * c_theta
+        s2 = I3 * (1.0 - z10) - (I1 - I2 * z10) + k1 * (z1 * (1.0 + z10))
+        z11 = z9 + c_phi * s2
+        z12 = z3 + c_phi * z11
+        z13 = z7 + s_phi * (c_phi * z5 - z9)
+        z14 = 1.0 / z8
+        z15 = z13 * z14
+        z16 = z12 - z13 * z15
         # the mass matrix is singular
-        if not abs(z15) > 1e-14 * z11:
+        if not abs(z16) > 1e-14 * z12:
             raise SingularModelError(2, "accelerations")
-        z16 = s_theta * s_phi
-        z17 = s_theta * c_phi
-        z18 = z16 * w_y + z17 * w_x
-        z19 = 1.0 / s_theta
-        z20 = s_phi * w_x - c_phi * w_y
-        z21 = z19 * z20
-        z22 = c_theta * (z18 * z19)
-        z23 = z22 / (s_theta * s_theta)
-        z24 = c_theta * z21
-        z25 = c_phi * z24
-        s3 = c_psi * (c_phi * w_x + s_phi * w_y)
-        s4 = s_psi * (k2 * (z20 * (s_psi * c_theta) - s3))
-        z26 = s4 + c_theta * (z20 * k3)
-        z27 = s_theta * w_y * z26
-        z28 = (z26 * (s_theta * w_x) - z27 * z14) / z15
-        z29 = z27 * z13 + z14 * z28
-        z30 = s_phi * z24
-        s5 = z19 * (w_x * z25 + s_phi * z29 + (w_y * z30 - c_phi * z28))
-        z31 = z20 * z23 + s5
-        s6 = w_y * (s_phi * z22 - s_theta * z25) - z16 * z28
-        z32 = s6 + (w_x * (c_phi * z22 + s_theta * z30) - z17 * z29)
+        z17 = s_theta * s_phi
+        z18 = s_theta * c_phi
+        z19 = z17 * w_y + z18 * w_x
+        z20 = 1.0 / s_theta
+        z21 = s_phi * w_x - c_phi * w_y
+        z22 = z20 * z21
+        z23 = z20 * (c_theta * z19)
+        z24 = z23 / (s_theta * s_theta)
+        z25 = c_theta * z22
+        z26 = c_phi * z25
+        s3 = s_psi * (z21 * z6 - c_psi * (c_phi * w_x + s_phi * w_y))
+        z27 = k1 * s3 + k2 * (c_theta * z21)
+        z28 = s_theta * z27
+        z29 = w_y * z28
+        z30 = (w_x * z28 + z15 * z29) / z16
+        z31 = z14 * z29 + z15 * z30
+        z32 = s_phi * z25
+        s4 = z20 * (w_x * z26 - s_phi * z31 + (w_y * z32 - c_phi * z30))
+        z33 = z21 * z24 + s4
+        s5 = w_y * (s_theta * z26 - s_phi * z23) + z17 * z30
+        z34 = s5 - (w_x * (s_theta * z32 + c_phi * z23) + z18 * z31)
         qddot: list[float] = [
             # phi'' (I.2.15)
-            z18 * z21 + c_theta * z31,
+            z19 * z22 + c_theta * z33,
             # theta'' (I.2.15)
-            z19 * z32 - z18 * z23,
+            -(z19 * z24 + z20 * z34),
             # psi'' (I.2.15)
-            -z31,
+            -z33,
         ]
         return _finish("accelerations", qddot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -303,14 +304,15 @@ def state(
     try:
         # state
         c_phi = math.cos(phi)
-        s_theta = math.sin(theta)
         s_phi = math.sin(phi)
+        s_theta = math.sin(theta)
+        z1 = psi_dot * s_theta
         y: list[float] = [
             phi,
             theta,
             psi,
-            theta_dot * c_phi + psi_dot * (s_theta * s_phi),
-            theta_dot * s_phi - psi_dot * (s_theta * c_phi),
+            theta_dot * c_phi + s_phi * z1,
+            theta_dot * s_phi - c_phi * z1,
         ]
         return _finish("state", y)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -364,81 +366,83 @@ def reactions(
     I3 = float(p[2])  # [kg*m^2]
     try:
         # parameters only
-        k1 = 2.0 * I1 - 2.0 * I2
-        k2 = I1 - I2
-        k3 = I2 - I3
+        k1 = I1 - I2
+        k2 = I2 - I3
         # state
         s_theta = math.sin(theta)
         # the coframe is singular
         if not abs(s_theta) > 1e-12 * 4.0:
             raise SingularModelError(1, "reactions")
-        s_phi = math.sin(phi)
-        z1 = s_theta * s_theta
         s_psi = math.sin(psi)
-        z2 = s_psi * s_psi
-        z3 = 1.0 - z2
-        s1 = I1 * (1.0 - z2 * (2.0 - z1)) - I3 * z1
-        z4 = I2 * (z1 * z3 - (1.0 - 2.0 * z2)) + s1
+        z1 = s_psi * s_psi
+        z2 = 1.0 - z1
+        z3 = I1 * z2 + I2 * z1
+        s_phi = math.sin(phi)
+        z4 = s_theta * s_theta
+        s1 = I1 * (1.0 - z1 * (2.0 - z4)) - I3 * z4
+        z5 = I2 * (z4 * z2 - (1.0 - 2.0 * z1)) + s1
         c_phi = math.cos(phi)
-        c_theta = math.cos(theta)
         c_psi = math.cos(psi)
-        z5 = c_theta * (s_psi * c_psi)
-        z6 = I1 * z3 + I2 * z2
-        z7 = s_phi * (s_phi * z4 + c_phi * z5 * k1) - z6
+        c_theta = math.cos(theta)
+        z6 = s_psi * c_theta
+        z7 = k1 * (c_psi * z6)
+        z8 = z3 - s_phi * (s_phi * z5 + 2.0 * (c_phi * z7))
         # the mass matrix is singular
-        if not abs(-z7) > 0.0:
+        if not abs(z8) > 0.0:
             raise SingularModelError(2, "reactions")
-        z8 = k1 * (s_phi * z5)
-        z9 = c_theta * c_theta
-        s2 = z2 * (k2 * (1.0 + z9)) + (I3 * (1.0 - z9) - (I1 - I2 * z9))
-        z10 = z8 + c_phi * s2
-        z11 = z6 + c_phi * z10
-        z12 = s_phi * (c_phi * z4 - z8) + z5 * k2
-        z13 = 1.0 / z7
-        z14 = z12 * z13
-        z15 = z11 + z12 * z14
+        z9 = 2.0 * (s_phi * z7)
+        z10 = c_theta * c_theta
+        s2 = I3 * (1.0 - z10) - (I1 - I2 * z10) + k1 * (z1 * (1.0 + z10))
+        z11 = z9 + c_phi * s2
+        z12 = z3 + c_phi * z11
+        z13 = z7 + s_phi * (c_phi * z5 - z9)
+        z14 = 1.0 / z8
+        z15 = z13 * z14
+        z16 = z12 - z13 * z15
         # the mass matrix is singular
-        if not abs(z15) > 1e-14 * z11:
+        if not abs(z16) > 1e-14 * z12:
             raise SingularModelError(2, "reactions")
-        z16 = s_theta * s_phi * w_y + s_theta * c_phi * w_x
-        z17 = 1.0 / s_theta
-        z18 = s_phi * w_x - c_phi * w_y
-        z19 = z17 * z18
-        z20 = c_theta * z19
-        z21 = z16 * z17
-        z22 = c_theta * z21
-        z23 = z22 / (s_theta * s_theta)
-        z24 = c_phi * z20
-        z25 = s_phi * z20
-        z26 = z18 * z23 + z17 * (w_x * z24 + w_y * z25)
-        z27 = z16 * z19 + c_theta * z26
-        z28 = s_theta * c_psi
-        z29 = s_psi * z19
-        z30 = c_psi * z22 - s_theta * z29
-        z31 = c_psi * z19
-        s3 = w_y * (s_phi * z22 - s_theta * z24)
-        z32 = z17 * (s3 + w_x * (c_phi * z22 + s_theta * z25)) - z16 * z23
-        z33 = s_theta * s_psi
-        z34 = s_psi * z22 + s_theta * z31
-        s4 = I1 * (z20 * z34 - z33 * z27 + (z21 * z29 - c_psi * z32))
-        z35 = z33 * s4 + I1 * (z33 * z20 - c_psi * z21) * z34
-        s5 = I2 * (z20 * z30 - z28 * z27 + (z21 * z31 + s_psi * z32))
-        z36 = I2 * (z28 * z20 + s_psi * z21) * z30 + (z28 * s5 + z35)
-        s6 = c_theta * (I3 * (z26 - (z16 * z20 + c_theta * z27))) + z36
-        z37 = z16 * (I3 * (z19 - c_theta * z20)) + s6
-        z38 = s_psi * c_theta
-        s7 = k2 * (z18 * z38 - c_psi * (c_phi * w_x + s_phi * w_y))
-        z39 = s_psi * s7 + c_theta * (z18 * k3)
-        z40 = s_theta * w_y * z39
-        z41 = (z39 * (s_theta * w_x) - z40 * z14) / z15
-        s8 = s_psi * (k2 * (c_psi * c_phi - s_phi * z38))
-        s9 = s_theta * (s8 - c_theta * s_phi * k3)
-        z42 = s9 * (z40 * z13 + z14 * z41)
-        s10 = s_psi * (k2 * (c_psi * s_phi + c_phi * z38))
-        z43 = z42 + s_theta * (s10 + c_theta * c_phi * k3) * z41
+        z17 = s_theta * s_psi
+        z18 = 1.0 / s_theta
+        z19 = s_phi * w_x - c_phi * w_y
+        z20 = z18 * z19
+        z21 = c_theta * z20
+        z22 = c_psi * z20
+        z23 = s_theta * w_y
+        z24 = s_theta * w_x
+        z25 = s_phi * z23 + c_phi * z24
+        z26 = z18 * z25
+        z27 = c_theta * z26
+        z28 = s_theta * z22 + s_psi * z27
+        z29 = c_phi * z21
+        z30 = s_phi * z21
+        z31 = z27 / (s_theta * s_theta)
+        z32 = z18 * (w_x * z29 + w_y * z30) + z19 * z31
+        z33 = z20 * z25 + c_theta * z32
+        z34 = s_psi * z20
+        s3 = w_y * (s_theta * z29 - s_phi * z27)
+        z35 = z18 * (s3 - w_x * (s_theta * z30 + c_phi * z27)) + z25 * z31
+        s4 = z17 * (z21 * z28 - z17 * z33 + (z34 * z26 + c_psi * z35))
+        z36 = s4 + (z17 * z21 - c_psi * z26) * z28
+        z37 = s_theta * c_psi
+        z38 = s_theta * z34 - c_psi * z27
+        s5 = z37 * (z21 * z38 + z37 * z33 - (z22 * z26 - s_psi * z35))
+        z39 = s5 + (z37 * z21 + s_psi * z26) * z38
+        s6 = c_theta * (z32 - (z21 * z25 + c_theta * z33))
+        s7 = I3 * (s6 + (z20 - c_theta * z21) * z25)
+        z40 = I1 * z36 - I2 * z39 + s7
+        z41 = s_psi * k1
+        z42 = c_theta * k2
+        s8 = (z19 * z6 - c_psi * (c_phi * w_x + s_phi * w_y)) * z41
+        z43 = s8 + z19 * z42
+        z44 = z23 * z43
+        z45 = (z24 * z43 + z15 * z44) / z16
+        s9 = (c_psi * c_phi - s_phi * z6) * z41 - s_phi * z42
+        z46 = s9 * (s_theta * (z14 * z44 + z15 * z45))
+        s10 = (c_psi * s_phi + c_phi * z6) * z41 + c_phi * z42
         lambda_: list[float] = [
             # reaction of no_turn: Q_i gains lambda_1 a_1i (I.4.1) 26:5
-            -(z37 + z43),
+            z46 - s10 * (s_theta * z45) - z40,
         ]
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -462,19 +466,20 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     try:
         # state
         s_theta = math.sin(theta)
-        s_psi = math.sin(psi)
-        c_theta = math.cos(theta)
         z1 = 1.0 / s_theta
         s_phi = math.sin(phi)
         c_phi = math.cos(phi)
         z2 = z1 * (s_phi * w_x - c_phi * w_y)
+        c_theta = math.cos(theta)
         z3 = c_theta * z2
+        omega3 = z2 - c_theta * z3
         c_psi = math.cos(psi)
         z4 = (s_theta * s_phi * w_y + s_theta * c_phi * w_x) * z1
-        z5 = s_theta * s_psi * z3 - c_psi * z4
-        z6 = s_theta * c_psi * z3 + s_psi * z4
-        omega3 = z2 - c_theta * z3
-        s1 = I1 * (z5 * z5) + I2 * (z6 * z6) + I3 * (omega3 * omega3)
+        s_psi = math.sin(psi)
+        z5 = s_theta * z3
+        z6 = c_psi * z4 - s_psi * z5
+        z7 = s_psi * z4 + c_psi * z5
+        s1 = I3 * (omega3 * omega3) + (I1 * (z6 * z6) + I2 * (z7 * z7))
         value1 = 0.5 * s1
         return _single("energy", value1)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -501,176 +506,177 @@ def jacobian(
     I3 = float(p[2])  # [kg*m^2]
     try:
         # parameters only
-        k1 = 2.0 * I1 - 2.0 * I2
-        k2 = I1 - I2
-        k3 = I2 - I3
+        k1 = I1 - I2
+        k2 = I2 - I3
         # state
         s_theta = math.sin(theta)
         # the coframe is singular
         if not abs(s_theta) > 1e-12 * 4.0:
             raise SingularModelError(1, "jacobian")
-        s_phi = math.sin(phi)
-        z1 = s_theta * s_theta
         s_psi = math.sin(psi)
-        z2 = s_psi * s_psi
-        z3 = 1.0 - z2
-        z4 = 2.0 - z1
-        s1 = I2 * (z1 * z3 - (1.0 - 2.0 * z2))
-        z5 = s1 + (I1 * (1.0 - z2 * z4) - I3 * z1)
+        z1 = s_psi * s_psi
+        z2 = 1.0 - z1
+        z3 = I1 * z2 + I2 * z1
+        s_phi = math.sin(phi)
+        z4 = s_theta * s_theta
+        z5 = 2.0 - z4
+        s1 = I2 * (z4 * z2 - (1.0 - 2.0 * z1))
+        z6 = s1 + (I1 * (1.0 - z1 * z5) - I3 * z4)
         c_phi = math.cos(phi)
         c_theta = math.cos(theta)
         c_psi = math.cos(psi)
-        z6 = s_psi * c_psi
-        z7 = c_theta * z6
-        z8 = s_phi * z5 + c_phi * z7 * k1
-        z9 = I1 * z3 + I2 * z2
-        z10 = s_phi * z8 - z9
+        z7 = s_psi * c_psi
+        z8 = c_theta * z7
+        z9 = z8 * k1
+        z10 = s_phi * z6 + 2.0 * (c_phi * z9)
+        z11 = z3 - s_phi * z10
         # the mass matrix is singular
-        if not abs(-z10) > 0.0:
+        if not abs(z11) > 0.0:
             raise SingularModelError(2, "jacobian")
-        z11 = k1 * (s_phi * z7)
         z12 = c_theta * c_theta
-        z13 = k2 * (1.0 + z12)
-        z14 = z2 * z13 + (I3 * (1.0 - z12) - (I1 - I2 * z12))
-        z15 = z11 + c_phi * z14
-        z16 = z9 + c_phi * z15
-        z17 = c_phi * z5 - z11
-        z18 = s_phi * z17 + z7 * k2
-        z19 = 1.0 / z10
-        z20 = z18 * z19
-        z21 = z16 + z18 * z20
+        z13 = k1 * (1.0 + z12)
+        z14 = z1 * z13 + (I3 * (1.0 - z12) - (I1 - I2 * z12))
+        z15 = 2.0 * (s_phi * z9)
+        z16 = c_phi * z14 + z15
+        z17 = z3 + c_phi * z16
+        z18 = c_phi * z6 - z15
+        z19 = z9 + s_phi * z18
+        z20 = 1.0 / z11
+        z21 = z19 * z20
+        z22 = z17 - z19 * z21
         # the mass matrix is singular
-        if not abs(z21) > 1e-14 * z16:
+        if not abs(z22) > 1e-14 * z17:
             raise SingularModelError(2, "jacobian")
-        z22 = 1.0 / s_theta
-        z23 = c_theta * z22
-        z24 = s_phi * w_x - c_phi * w_y
-        z25 = 1.0 / (s_theta * s_theta)
-        z26 = c_phi * (w_x * z22)
-        z27 = s_phi * (w_y * z22)
-        z28 = s_theta * w_y
-        z29 = s_psi * c_theta
-        z30 = k2 * (s_psi * z28)
-        z31 = k3 * (c_theta * z28) + z29 * z30
-        z32 = c_psi * z30
-        z33 = 1.0 / z21
-        z34 = c_phi * w_x + s_phi * w_y
-        z35 = k2 * (z24 * z29 - c_psi * z34)
-        z36 = z24 * k3
-        z37 = s_psi * z35 + c_theta * z36
-        z38 = s_theta * w_x
-        z39 = z28 * z37
-        z40 = z33 * (z37 * z38 - z39 * z20)
-        z41 = s_phi * z40
-        z42 = k1 * z41
-        z43 = z39 * z19 + z20 * z40
-        z44 = s_phi * z43
-        z45 = z5 * z44
-        s2 = w_y * z32 - z17 * z40 + z7 * z42 + z8 * z43 + z45
-        z46 = c_phi * (w_x * z31 - s2)
-        z47 = k1 * z44
-        s3 = s_phi * (w_y * z31 + (w_x * z32 - z5 * z41 + z7 * z47))
-        z48 = z46 + s3
-        z49 = k2 * (s_psi * z38)
-        z50 = k3 * (c_theta * z38) + z29 * z49
-        z51 = c_psi * z49
-        z52 = c_phi * z40
-        z53 = k1 * (z44 - z52)
-        s4 = w_y * z50 + (z45 + (w_x * z51 + (z15 * z40 + z14 * z52)))
-        s5 = c_phi * (w_x * z50 - (w_y * z51 + z17 * z43 - z7 * z53))
-        z54 = s5 + s_phi * s4
-        z55 = z33 * (z54 - z20 * z48)
-        z56 = z24 * z30
-        z57 = k2 * z40 - s_phi * z42 - c_phi * z47
-        z58 = c_phi * z41 - s_phi * z44
-        z59 = I1 * z58
-        z60 = I2 * z58
-        s6 = 2.0 * (s_theta * (I3 * z58 - z2 * z59 - z3 * z60))
-        s7 = s_theta * (z28 * z36 + s_psi * z56 + z6 * z57)
-        z61 = s7 - c_theta * (w_y * z37 - s6)
-        z62 = z24 * z49
-        z63 = c_phi * z52
-        z64 = k2 * z43 - s_phi * z53
-        s8 = z36 * z38 - 2.0 * (c_theta * (k2 * (z2 * z63) + k3 * z63))
-        z65 = s_psi * z62 + s8 - z6 * z64
-        z66 = c_phi * z44
-        z67 = I1 * z66
-        z68 = I2 * z66
-        s9 = 2.0 * (s_theta * (I3 * z66 - z2 * z67 - z3 * z68))
-        z69 = s_theta * z65 - c_theta * (w_x * z37 + s9)
-        z70 = z33 * (z69 - z20 * z61)
-        z71 = c_theta * z57
-        s10 = 2.0 * z60 + (I2 * z43 - z4 * z59) - (I1 * z43 + z1 * z60)
-        z72 = 2.0 * (s_psi * s10)
-        s11 = c_psi * (z28 * z35 + c_theta * z56 + c_psi * z71 + z72)
-        z73 = s_psi * (z34 * z30 - s_psi * z71) + s11
-        z74 = c_theta * z64
-        s12 = 2.0 * z68 + (z13 * z63 + I2 * z40 - z4 * z67)
-        z75 = s12 - (I1 * z40 + z1 * z68)
-        s13 = z35 * z38 + c_theta * z62 - c_psi * z74
-        s14 = c_psi * (s13 - 2.0 * (s_psi * z75))
-        z76 = s_psi * (z34 * z49 + s_psi * z74) + s14
-        z77 = z33 * (z76 - z20 * z73)
-        z78 = c_phi * z32 - s_phi * z31
-        z79 = s_theta * z37
-        z80 = z33 * (z79 - c_phi * z51 + s_phi * z50 + z20 * z78)
-        z81 = s_phi * z32 - z79 + c_phi * z31
-        z82 = z33 * (s_phi * z51 + c_phi * z50 - z20 * z81)
-        s15 = (s_theta * s_phi * w_y + s_theta * c_phi * w_x) * z25 - z26
+        z23 = 1.0 / s_theta
+        z24 = c_phi * w_x + s_phi * w_y
+        z25 = z23 * z24
+        z26 = s_phi * w_x - c_phi * w_y
+        z27 = c_theta / (s_theta * s_theta)
+        z28 = z26 * z27
+        z29 = s_phi * z23
+        z30 = c_phi * z23
+        z31 = s_theta * c_phi
+        z32 = s_theta * s_phi
+        z33 = s_theta * w_y
+        z34 = c_theta * k2
+        z35 = s_psi * c_theta
+        z36 = s_psi * k1
+        z37 = z33 * z36
+        z38 = z33 * z34 + z35 * z37
+        z39 = c_psi * z37
+        z40 = 1.0 / z22
+        z41 = k1 * (z26 * z35 - c_psi * z24)
+        z42 = z26 * k2
+        z43 = s_psi * z41 + c_theta * z42
+        z44 = s_theta * w_x
+        z45 = z33 * z43
+        z46 = z40 * (z43 * z44 + z45 * z21)
+        z47 = s_phi * z46
+        z48 = k1 * z47
+        z49 = z45 * z20 + z21 * z46
+        z50 = s_phi * z49
+        z51 = z6 * z50
+        s2 = w_y * z39 - z18 * z46 + 2.0 * (z8 * z48) - z10 * z49 - z51
+        z52 = w_x * z38 - s2
+        z53 = k1 * z50
+        s3 = w_y * z38 + (w_x * z39 - z6 * z47 - 2.0 * (z8 * z53))
+        z54 = c_phi * z52 + s_phi * s3
+        z55 = z44 * z36
+        z56 = z44 * z34 + z35 * z55
+        z57 = c_psi * z55
+        z58 = c_phi * z46
+        z59 = k1 * (z50 + z58)
+        s4 = w_x * z56 - (w_y * z57 - z18 * z49 + 2.0 * (z8 * z59))
+        s5 = w_y * z56 - (z51 - (w_x * z57 + (z16 * z46 + z14 * z58)))
+        z60 = c_phi * s4 + s_phi * s5
+        z61 = z40 * (z60 + z21 * z54)
+        z62 = z26 * z37
+        z63 = k1 * z46 - 2.0 * (s_phi * z48) + 2.0 * (c_phi * z53)
+        z64 = c_phi * z47 + s_phi * z50
+        z65 = I1 * z64
+        z66 = I2 * z64
+        s6 = 2.0 * (s_theta * (I3 * z64 - z1 * z65 - z2 * z66))
+        s7 = s_theta * (z33 * z42 + s_psi * z62 + z7 * z63)
+        z67 = s7 - c_theta * (w_y * z43 - s6)
+        z68 = z26 * z55
+        z69 = c_phi * z58
+        z70 = k1 * z49 - 2.0 * (s_phi * z59)
+        s8 = z42 * z44 - 2.0 * (c_theta * (k1 * (z1 * z69) + k2 * z69))
+        z71 = s_psi * z68 + s8 + z7 * z70
+        z72 = c_phi * z50
+        z73 = I1 * z72
+        z74 = I2 * z72
+        s9 = 2.0 * (s_theta * (I3 * z72 - z1 * z73 - z2 * z74))
+        z75 = s_theta * z71 - c_theta * (w_x * z43 - s9)
+        z76 = z40 * (z75 + z21 * z67)
+        z77 = c_theta * z63
+        s10 = 2.0 * z66 - (I2 * z49 + z5 * z65) + (I1 * z49 - z4 * z66)
+        z78 = 2.0 * (s_psi * s10)
+        s11 = c_psi * (z33 * z41 + c_theta * z62 + c_psi * z77 + z78)
+        z79 = s_psi * (z24 * z37 - s_psi * z77) + s11
+        z80 = c_theta * z70
+        s12 = 2.0 * z74 - (z13 * z69 + I2 * z46 + z5 * z73)
+        z81 = s12 + (I1 * z46 - z4 * z74)
+        s13 = z41 * z44 + c_theta * z68 + c_psi * z80
+        s14 = c_psi * (s13 + 2.0 * (s_psi * z81))
+        z82 = s_psi * (z24 * z55 - s_psi * z80) + s14
+        z83 = z40 * (z82 + z21 * z79)
+        z84 = c_phi * z39 - s_phi * z38
+        z85 = s_theta * z43
+        z86 = z40 * (z85 - c_phi * z57 + s_phi * z56 - z21 * z84)
+        z87 = z85 - s_phi * z39 - c_phi * z38
+        z88 = z40 * (s_phi * z57 + c_phi * z56 - z21 * z87)
         J: list[float] = [
             # (I.2.15)
-            -(c_phi * (w_x * z23) + s_phi * (w_y * z23)),
+            -c_theta * z25,
             # (I.2.15)
-            z24 + c_theta * (z25 * (c_theta * z24)),
-            # (I.2.15)
+            z26 + c_theta * z28,
             0.0,
             # (I.2.15)
-            -s_phi * z23,
+            -c_theta * z29,
             # (I.2.15)
-            c_phi * z23,
+            c_theta * z30,
             # (I.2.15)
-            -z24,
+            z23 * (z31 * w_y - z32 * w_x),
             # (I.2.15)
-            -c_theta * (s15 - z27),
-            # (I.2.15)
+            z23 * (c_theta * z24) - (z32 * w_y + z31 * w_x) * z27,
             0.0,
             # (I.2.15)
             c_phi,
             # (I.2.15)
             s_phi,
             # (I.2.15)
-            z26 + z27,
+            z25,
             # (I.2.15)
-            -c_theta * (z24 * z25),
-            # (I.2.15)
+            -z28,
             0.0,
             # (I.2.15)
-            s_phi * z22,
+            z29,
             # (I.2.15)
-            -c_phi * z22,
+            -z30,
             # (I.2.15)
-            -(z19 * z48 + z20 * z55),
+            z20 * z54 + z21 * z61,
             # (I.2.15)
-            z19 * z61 + z20 * z70,
+            -(z20 * z67 + z21 * z76),
             # (I.2.15)
-            -(z19 * z73 + z20 * z77),
+            z20 * z79 + z21 * z83,
             # (I.2.15)
-            z19 * z78 - z20 * z80,
+            z21 * z86 - z20 * z84,
             # (I.2.15)
-            z19 * z81 + z20 * z82,
+            z20 * z87 - z21 * z88,
             # (I.2.15)
-            -z55,
+            -z61,
             # (I.2.15)
-            z70,
+            z76,
             # (I.2.15)
-            -z77,
+            -z83,
             # (I.2.15)
-            -z80,
+            -z86,
             # (I.2.15)
-            z82,
+            z88,
         ]
         _finish("jacobian", J)
-        return [J[k4 : k4 + 5] for k4 in range(0, 25, 5)]
+        return [J[k3 : k3 + 5] for k3 in range(0, 25, 5)]
     except (ValueError, ZeroDivisionError, OverflowError) as error:
         raise SingularModelError(NOT_FINITE, "jacobian") from error
 
@@ -697,23 +703,24 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
             raise SingularModelError(1, "outputs")
         c_phi = math.cos(phi)
         c_psi = math.cos(psi)
+        s_phi = math.sin(phi)
+        z1 = 1.0 / s_theta
+        z2 = (s_theta * s_phi * w_y + s_theta * c_phi * w_x) * z1
         s_psi = math.sin(psi)
         c_theta = math.cos(theta)
-        z1 = 1.0 / s_theta
-        s_phi = math.sin(phi)
-        z2 = z1 * (s_phi * w_x - c_phi * w_y)
-        z3 = c_theta * z2
-        z4 = (s_theta * s_phi * w_y + s_theta * c_phi * w_x) * z1
-        z5 = I1 * (s_theta * s_psi * z3 - c_psi * z4)
-        z6 = I2 * (s_theta * c_psi * z3 + s_psi * z4)
-        z7 = c_psi * z5 - s_psi * z6
-        s1 = s_theta * (I3 * (z2 - c_theta * z3))
-        z8 = c_theta * (s_psi * z5 + c_psi * z6) + s1
+        z3 = z1 * (s_phi * w_x - c_phi * w_y)
+        z4 = c_theta * z3
+        z5 = s_theta * z4
+        z6 = I1 * (c_psi * z2 - s_psi * z5)
+        z7 = I2 * (s_psi * z2 + c_psi * z5)
+        z8 = c_psi * z6 + s_psi * z7
+        s1 = I3 * (s_theta * (z3 - c_theta * z4))
+        z9 = c_theta * (s_psi * z6 - c_psi * z7) - s1
         out: list[float] = [
             # L_x 32:8
-            s_phi * z8 - c_phi * z7,
+            c_phi * z8 - s_phi * z9,
             # L_y 33:8
-            -(s_phi * z7 + c_phi * z8),
+            s_phi * z8 + c_phi * z9,
         ]
         return _finish("outputs", out)
     except (ValueError, ZeroDivisionError, OverflowError) as error:

@@ -1,5 +1,5 @@
 /*
- * voronec_particle.c: voronec_particle, emitted by nhc 0.1.0 (nhc:8c91a2c255aa344b)
+ * voronec_particle.c: voronec_particle, emitted by nhc 0.1.0 (nhc:2ad0817a462cd3e0)
  * A particle whose T, U and constraint depend on the dependent coordinate, so that Caplygin's hypotheses
  *     fail.
  * Source: voronec_particle.yaml
@@ -11,6 +11,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <string.h>
 
 const char *const voronec_particle_coordinate_names[] = {
     "x",
@@ -42,61 +43,190 @@ static int voronec_particle_finish(int count, const double *values)
     return fabs(sum) <= DBL_MAX ? VORONEC_PARTICLE_OK : VORONEC_PARTICLE_NOT_FINITE;
 }
 
+/* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
+#ifndef VORONEC_PARTICLE_LANES
+#if !defined(__GNUC__)
+#define VORONEC_PARTICLE_LANES 1
+#elif defined(__AVX512F__)
+#define VORONEC_PARTICLE_LANES 8
+#elif defined(__AVX__)
+#define VORONEC_PARTICLE_LANES 4
+#else
+#define VORONEC_PARTICLE_LANES 2
+#endif
+#endif
+#if VORONEC_PARTICLE_LANES > 1
+typedef double voronec_particle_lanes __attribute__((vector_size(8 * VORONEC_PARTICLE_LANES)));
+#else
+typedef double voronec_particle_lanes;
+#endif
+
+#if VORONEC_PARTICLE_LANES >= 2
+static inline voronec_particle_lanes voronec_particle_get(const double *from)
+{
+    voronec_particle_lanes value;
+    memcpy(&value, from, sizeof value);
+    return value;
+}
+
+static inline void voronec_particle_put(double *to, voronec_particle_lanes value)
+{
+    memcpy(to, &value, sizeof value);
+}
+#endif
+
+/* states first, first + 1, ... through rhs, one by one; the first status that is not OK */
+#if defined(__GNUC__)
+__attribute__((noinline))
+#endif
+static int voronec_particle_one_by_one(size_t count, size_t first, size_t number, const double *t, const double *y, const double *p, double *dydt)
+{
+    int status = VORONEC_PARTICLE_OK;
+    for (size_t i = first; i < first + number; ++i) {
+        double state[VORONEC_PARTICLE_NY];
+        double slope[VORONEC_PARTICLE_NY];
+        for (size_t k = 0; k < VORONEC_PARTICLE_NY; ++k) {
+            state[k] = y[k * count + i];
+            slope[k] = NAN;
+        }
+        const int one = voronec_particle_rhs(t[i], state, p, slope);
+        status = status == VORONEC_PARTICLE_OK ? one : status;
+        for (size_t k = 0; k < VORONEC_PARTICLE_NY; ++k) {
+            dydt[k * count + i] = slope[k];
+        }
+    }
+    return status;
+}
+
+#if VORONEC_PARTICLE_LANES >= 2
+#define VORONEC_PARTICLE_SPREAD(x) ((x) - (voronec_particle_lanes){0}) /* a number in each lane; lanes stay what they are */
+
+typedef unsigned long long voronec_particle_bits __attribute__((vector_size(8 * VORONEC_PARTICLE_LANES)));
+
+/* all bits where value is not above bound, or is no number */
+static inline voronec_particle_bits voronec_particle_misses(voronec_particle_lanes value, voronec_particle_lanes bound)
+{
+    return ~(voronec_particle_bits)(value > bound);
+}
+
+/* no number where a bit is set */
+static inline voronec_particle_lanes voronec_particle_mark(voronec_particle_lanes value, voronec_particle_bits bad)
+{
+    return (voronec_particle_lanes)((voronec_particle_bits)value | bad);
+}
+
+static inline voronec_particle_lanes voronec_particle_size(voronec_particle_lanes x)
+{
+    return (voronec_particle_lanes)((voronec_particle_bits)x & 0x7fffffffffffffffULL);
+}
+/* whether none of the states must be asked again: no singular block, no infinity, no angle anywhere near 1e5 */
+static inline int voronec_particle_is_good(int count, const double *check)
+{
+    double even = 0.0;
+    double odd = 0.0;
+    for (int k = 0; k < count; k += 2) {
+        even += check[k];
+        odd += check[k + 1];
+    }
+    return even + odd <= 1e10;
+}
+
+/* the last states, fewer than there are lanes; the others repeat the last one */
+static inline void voronec_particle_fill(size_t left, size_t count, const double *t, const double *y, double *time, double *state)
+{
+    for (size_t l = 0; l < VORONEC_PARTICLE_LANES; ++l) {
+        const size_t i = l < left ? l : left - 1;
+        time[l] = t[i];
+        for (size_t k = 0; k < VORONEC_PARTICLE_NY; ++k) {
+            state[k * VORONEC_PARTICLE_LANES + l] = y[k * count + i];
+        }
+    }
+}
+
+static inline void voronec_particle_pour(size_t left, size_t count, const double *slope, double *dydt)
+{
+    for (size_t k = 0; k < VORONEC_PARTICLE_NY; ++k) {
+        for (size_t l = 0; l < left; ++l) {
+            dydt[k * count + l] = slope[k * VORONEC_PARTICLE_LANES + l];
+        }
+    }
+}
+
+/* libm's sine and cosine, lane by lane */
+static inline void voronec_particle_turn_lanes(voronec_particle_lanes x, voronec_particle_lanes *far, voronec_particle_lanes *sine, voronec_particle_lanes *cosine)
+{
+    double angle[VORONEC_PARTICLE_LANES];
+    double up[VORONEC_PARTICLE_LANES];
+    double along[VORONEC_PARTICLE_LANES];
+    (void)far;
+    memcpy(angle, &x, sizeof x);
+    for (int l = 0; l < VORONEC_PARTICLE_LANES; ++l) {
+        up[l] = sin(angle[l]);
+        along[l] = cos(angle[l]);
+    }
+    memcpy(sine, up, sizeof x);
+    memcpy(cosine, along, sizeof x);
+}
+#endif
+
 int voronec_particle_rhs(double t, const double *y, const double *p, double *dydt)
 {
     (void)t;
     (void)p;
+    const double z = y[2];
+
+    /* sines and cosines */
+    const double c_z = cos(z);
+    const double s_z = sin(z);
     const double x = y[0];
     const double y_2 = y[1];
-    const double z = y[2];
     const double x_dot = y[3];
     const double y_dot = y[4];
 
     /* state */
-    const double c_z = cos(z);
     const double z1 = y_2 * c_z;
     const double z2 = c_z * z1;
     const double z3 = 1.0 + x * x;
-    const double z4 = 1.0 + z * z + 0.3 * z2 + z1 * (0.3 * c_z + z3 * z1);
-    /* the mass matrix is singular */
-    if (!(fabs(z4) > 0.0)) {
-        return VORONEC_PARTICLE_SINGULAR_2;
-    }
-    const double s_z = sin(z);
-    const double z5 = x * z;
-    const double z6 = z3 * z5;
-    const double z7 = 2.0 + s_z + 0.25 * (z5 * z6);
-    const double z8 = c_z * z5;
-    const double z9 = 0.15 * z8 + 0.5 * (z1 * z6);
-    const double z10 = 1.0 / z4;
-    const double z11 = z9 * z10;
-    const double z12 = z7 - z9 * z11;
-    /* the mass matrix is singular */
-    if (!(fabs(z12) > 1e-14 * z7)) {
-        return VORONEC_PARTICLE_SINGULAR_2;
-    }
-    const double z13 = x_dot * z1 + 0.5 * (y_dot * z5);
-    const double z14 = s_z * z13;
-    const double z15 = x_dot * (y_dot * c_z - y_2 * z14) + 0.5 * (y_dot * (z * x_dot + x * z13));
-    const double z16 = 0.3 * (x_dot * z14) - 2.0 * (z13 * (x * x_dot)) - z3 * z15;
-    const double z17 = 0.3 * (z13 * z14) - 2.0 * (x_dot * (z * z13)) - 0.3 * (c_z * z15) + z1 * z16;
-    const double z18 = x_dot * x_dot;
-    const double z19 = z * z1;
+    const double z4 = 0.3 * c_z + z3 * z1;
+    const double z5 = 1.0 + z * z + 0.3 * z2 + z1 * z4;
+    const double z6 = x * z;
+    const double z7 = 2.0 + s_z + 0.25 * (z6 * (z3 * z6));
+    const double z8 = z6 * z4;
+    const double z9 = 1.0 / z5;
+    const double z10 = z8 * z9;
+    const double z11 = z7 - 0.25 * (z8 * z10);
+    const double z12 = x_dot * z1 + 0.5 * (y_dot * z6);
+    const double z13 = y_dot * c_z;
+    const double z14 = s_z * z12;
+    const double z15 = x_dot * (z13 - y_2 * z14) + 0.5 * (y_dot * (z * x_dot + x * z12));
+    const double z16 = x_dot * z12;
+    const double z17 = z3 * z15 - (0.3 * (x_dot * z14) - 2.0 * (x * z16));
+    const double z18 = z * z1;
+    const double z19 = x_dot * x_dot;
     const double z20 = y_dot * y_dot;
-    const double z21 = 0.5 * (2.0 * (z18 * z19) + z20 * z2 + 2.0 * (x * (z13 * z13))) - 0.3 * (z13 * (x_dot *
-        (s_z * z1)));
-    const double z22 = z17 + (z21 - 0.5 * (2.0 * x + 6.0 * z19));
-    const double z23 = z * z5;
-    const double z24 = 0.5 * (z18 * z23 + 0.5 * (z20 * z8)) - 0.15 * (z13 * (x_dot * (s_z * z5))) - 0.5 *
-        (4.0 * y_2 + 3.0 * z23);
-    const double z25 = (y_dot * (c_z * z13) - 0.5 * (z5 * z16) - z24 + z22 * z11) / z12;
+    const double z21 = s_z * z16;
+    const double z22 = 0.5 * (2.0 * (z19 * z18) + z20 * z2 + 2.0 * (x * (z12 * z12))) - 0.3 * (z1 * z21);
+    const double z23 = 0.3 * (c_z * z15) - (0.3 * (z12 * z14) - 2.0 * (z * z16)) + z1 * z17 + (0.5 * (2.0 * x
+        + 6.0 * z18) - z22);
+    const double z24 = z * z6;
+    const double z25 = 0.5 * (4.0 * y_2 + 3.0 * z24) - (0.5 * (z19 * z24 + 0.5 * (c_z * (z20 * z6))) - 0.15 *
+        (z6 * z21));
+    const double z26 = (z12 * z13 + 0.5 * (z6 * z17) + z25 - 0.5 * (z10 * z23)) / z11;
     /* (I.4.9) */
     dydt[0] = x_dot; /* x' */
     dydt[1] = y_dot; /* y' */
-    dydt[2] = z13; /* z' */
+    dydt[2] = z12; /* z' */
     /* (I.4.9) 7:4 */
-    dydt[3] = z22 * z10 + z11 * z25; /* x'' */
-    dydt[4] = -z25; /* y'' */
+    dydt[3] = 0.5 * (z10 * z26) - z9 * z23; /* x'' */
+    dydt[4] = -z26; /* y'' */
+    /* the mass matrix is singular */
+    if (!(fabs(z5) > 0.0)) {
+        return VORONEC_PARTICLE_SINGULAR_2;
+    }
+    /* the mass matrix is singular */
+    if (!(fabs(z11) > 1e-14 * z7)) {
+        return VORONEC_PARTICLE_SINGULAR_2;
+    }
     return voronec_particle_finish(5, dydt);
 }
 
@@ -123,57 +253,60 @@ int voronec_particle_accelerations(double t, const double *y, const double *p, d
 {
     (void)t;
     (void)p;
+    const double z = y[2];
+
+    /* sines and cosines */
+    const double c_z = cos(z);
+    const double s_z = sin(z);
     const double x = y[0];
     const double y_2 = y[1];
-    const double z = y[2];
     const double x_dot = y[3];
     const double y_dot = y[4];
 
     /* state */
-    const double c_z = cos(z);
     const double z1 = y_2 * c_z;
     const double z2 = c_z * z1;
     const double z3 = 1.0 + x * x;
-    const double z4 = 1.0 + z * z + 0.3 * z2 + z1 * (0.3 * c_z + z3 * z1);
-    /* the mass matrix is singular */
-    if (!(fabs(z4) > 0.0)) {
-        return VORONEC_PARTICLE_SINGULAR_2;
-    }
-    const double s_z = sin(z);
-    const double z5 = x * z;
-    const double z6 = z3 * z5;
-    const double z7 = 2.0 + s_z + 0.25 * (z5 * z6);
-    const double z8 = c_z * z5;
-    const double z9 = 0.15 * z8 + 0.5 * (z1 * z6);
-    const double z10 = 1.0 / z4;
-    const double z11 = z9 * z10;
-    const double z12 = z7 - z9 * z11;
-    /* the mass matrix is singular */
-    if (!(fabs(z12) > 1e-14 * z7)) {
-        return VORONEC_PARTICLE_SINGULAR_2;
-    }
-    const double z13 = x_dot * z1 + 0.5 * (y_dot * z5);
+    const double z4 = 0.3 * c_z + z3 * z1;
+    const double z5 = 1.0 + z * z + 0.3 * z2 + z1 * z4;
+    const double z6 = x * z;
+    const double z7 = 2.0 + s_z + 0.25 * (z6 * (z3 * z6));
+    const double z8 = z6 * z4;
+    const double z9 = 1.0 / z5;
+    const double z10 = z8 * z9;
+    const double z11 = z7 - 0.25 * (z8 * z10);
+    const double z12 = y_dot * c_z;
+    const double z13 = x_dot * z1 + 0.5 * (y_dot * z6);
     const double z14 = s_z * z13;
-    const double z15 = x_dot * (y_dot * c_z - y_2 * z14);
+    const double z15 = x_dot * (z12 - y_2 * z14);
     const double z16 = y_dot * (z * x_dot + x * z13);
     const double z17 = z15 + 0.5 * z16;
-    const double z18 = 0.3 * (x_dot * z14) - 2.0 * (z13 * (x * x_dot)) - z3 * z17;
-    const double z19 = 0.3 * (z13 * z14) - 2.0 * (x_dot * (z * z13)) - 0.3 * (c_z * z17) + z1 * z18;
-    const double z20 = x_dot * x_dot;
-    const double z21 = z * z1;
+    const double z18 = x_dot * z13;
+    const double z19 = z3 * z17 - (0.3 * (x_dot * z14) - 2.0 * (x * z18));
+    const double z20 = z * z1;
+    const double z21 = x_dot * x_dot;
     const double z22 = y_dot * y_dot;
-    const double z23 = 0.5 * (2.0 * (z20 * z21) + z22 * z2 + 2.0 * (x * (z13 * z13))) - 0.3 * (z13 * (x_dot *
-        (s_z * z1)));
-    const double z24 = z19 + (z23 - 0.5 * (2.0 * x + 6.0 * z21));
-    const double z25 = z * z5;
-    const double z26 = 0.5 * (z20 * z25 + 0.5 * (z22 * z8)) - 0.15 * (z13 * (x_dot * (s_z * z5))) - 0.5 *
-        (4.0 * y_2 + 3.0 * z25);
-    const double z27 = (y_dot * (c_z * z13) - 0.5 * (z5 * z18) - z26 + z24 * z11) / z12;
-    const double z28 = z24 * z10 + z11 * z27;
+    const double z23 = s_z * z18;
+    const double z24 = 0.5 * (2.0 * (z21 * z20) + z22 * z2 + 2.0 * (x * (z13 * z13))) - 0.3 * (z1 * z23);
+    const double z25 = 0.3 * (c_z * z17) - (0.3 * (z13 * z14) - 2.0 * (z * z18)) + z1 * z19 + (0.5 * (2.0 * x
+        + 6.0 * z20) - z24);
+    const double z26 = z * z6;
+    const double z27 = 0.5 * (4.0 * y_2 + 3.0 * z26) - (0.5 * (z21 * z26 + 0.5 * (c_z * (z22 * z6))) - 0.15 *
+        (z6 * z23));
+    const double z28 = (z13 * z12 + 0.5 * (z6 * z19) + z27 - 0.5 * (z10 * z25)) / z11;
+    const double z29 = z9 * z25 - 0.5 * (z10 * z28);
     /* (I.4.9) */
-    qddot[0] = z28; /* x'' */
-    qddot[1] = -z27; /* y'' */
-    qddot[2] = z15 + z1 * z28 + 0.5 * (z16 - z5 * z27); /* z'' */
+    qddot[0] = -z29; /* x'' */
+    qddot[1] = -z28; /* y'' */
+    qddot[2] = z15 - z1 * z29 + 0.5 * (z16 - z6 * z28); /* z'' */
+    /* the mass matrix is singular */
+    if (!(fabs(z5) > 0.0)) {
+        return VORONEC_PARTICLE_SINGULAR_2;
+    }
+    /* the mass matrix is singular */
+    if (!(fabs(z11) > 1e-14 * z7)) {
+        return VORONEC_PARTICLE_SINGULAR_2;
+    }
     return voronec_particle_finish(3, qddot);
 }
 
@@ -218,55 +351,59 @@ int voronec_particle_reactions(double t, const double *y, const double *p, doubl
 {
     (void)t;
     (void)p;
+    const double z = y[2];
+
+    /* sines and cosines */
+    const double c_z = cos(z);
+    const double s_z = sin(z);
     const double x = y[0];
     const double y_2 = y[1];
-    const double z = y[2];
     const double x_dot = y[3];
     const double y_dot = y[4];
 
     /* state */
-    const double c_z = cos(z);
     const double z1 = y_2 * c_z;
     const double z2 = c_z * z1;
     const double z3 = 1.0 + x * x;
     const double z4 = 0.3 * c_z + z3 * z1;
     const double z5 = 1.0 + z * z + 0.3 * z2 + z1 * z4;
+    const double z6 = x * z;
+    const double z7 = z3 * z6;
+    const double z8 = 2.0 + s_z + 0.25 * (z6 * z7);
+    const double z9 = z6 * z4;
+    const double z10 = 1.0 / z5;
+    const double z11 = z9 * z10;
+    const double z12 = z8 - 0.25 * (z9 * z11);
+    const double z13 = y_dot * c_z;
+    const double z14 = x_dot * z1 + 0.5 * (y_dot * z6);
+    const double z15 = s_z * z14;
+    const double z16 = x_dot * (z13 - y_2 * z15) + 0.5 * (y_dot * (z * x_dot + x * z14));
+    const double z17 = x_dot * z14;
+    const double z18 = z3 * z16 - (0.3 * (x_dot * z15) - 2.0 * (x * z17));
+    const double z19 = x_dot * x_dot;
+    const double z20 = y_dot * y_dot;
+    const double z21 = z20 * c_z;
+    const double z22 = s_z * z17;
+    const double z23 = z * z1;
+    const double z24 = 0.5 * (2.0 * (z19 * z23) + z20 * z2 + 2.0 * (x * (z14 * z14))) - 0.3 * (z1 * z22);
+    const double z25 = 0.3 * (c_z * z16) - (0.3 * (z14 * z15) - 2.0 * (z * z17)) + z1 * z18 + (0.5 * (2.0 * x
+        + 6.0 * z23) - z24);
+    const double z26 = z * z6;
+    const double z27 = 0.5 * (4.0 * y_2 + 3.0 * z26) + (0.15 * (z6 * z22) - 0.5 * (z19 * z26 + 0.5 * (z6 *
+        z21)));
+    const double z28 = (0.5 * (z11 * z25) - (z14 * z13 + 0.5 * (z6 * z18) + z27)) / z12;
+    const double z29 = z18 + (3.0 * z - (0.5 * (2.0 * (z * z19) + z21) - 0.3 * z22)) - (z4 * (z10 * z25 + 0.5
+        * (z11 * z28)) - 0.5 * (z7 * z28));
+    /* (I.4.1) 10:5 */
+    lambda[0] = z29; /* reaction of contact: Q_i gains lambda_1 a_1i */
     /* the mass matrix is singular */
     if (!(fabs(z5) > 0.0)) {
         return VORONEC_PARTICLE_SINGULAR_2;
     }
-    const double s_z = sin(z);
-    const double z6 = x * z;
-    const double z7 = z3 * z6;
-    const double z8 = 2.0 + s_z + 0.25 * (z6 * z7);
-    const double z9 = c_z * z6;
-    const double z10 = 0.15 * z9 + 0.5 * (z1 * z7);
-    const double z11 = 1.0 / z5;
-    const double z12 = z10 * z11;
-    const double z13 = z8 - z10 * z12;
     /* the mass matrix is singular */
-    if (!(fabs(z13) > 1e-14 * z8)) {
+    if (!(fabs(z12) > 1e-14 * z8)) {
         return VORONEC_PARTICLE_SINGULAR_2;
     }
-    const double z14 = x_dot * z1 + 0.5 * (y_dot * z6);
-    const double z15 = s_z * z14;
-    const double z16 = x_dot * (y_dot * c_z - y_2 * z15) + 0.5 * (y_dot * (z * x_dot + x * z14));
-    const double z17 = 0.3 * (x_dot * z15) - 2.0 * (z14 * (x * x_dot)) - z3 * z16;
-    const double z18 = x_dot * x_dot;
-    const double z19 = y_dot * y_dot;
-    const double z20 = 3.0 * z - (0.5 * (2.0 * (z * z18) + z19 * c_z) - 0.3 * (z14 * (x_dot * s_z)));
-    const double z21 = 0.3 * (z14 * z15) - 2.0 * (x_dot * (z * z14)) - 0.3 * (c_z * z16) + z1 * z17;
-    const double z22 = z * z1;
-    const double z23 = 0.5 * (2.0 * (z18 * z22) + z19 * z2 + 2.0 * (x * (z14 * z14))) - 0.3 * (z14 * (x_dot *
-        (s_z * z1)));
-    const double z24 = z21 + (z23 - 0.5 * (2.0 * x + 6.0 * z22));
-    const double z25 = z * z6;
-    const double z26 = 0.5 * (z18 * z25 + 0.5 * (z19 * z9)) - 0.15 * (z14 * (x_dot * (s_z * z6))) - 0.5 *
-        (4.0 * y_2 + 3.0 * z25);
-    const double z27 = (y_dot * (c_z * z14) - 0.5 * (z6 * z17) - z26 + z24 * z12) / z13;
-    /* (I.4.1) 10:5 */
-    /* reaction of contact: Q_i gains lambda_1 a_1i */
-    lambda[0] = z4 * (z24 * z11 + z12 * z27) - 0.5 * (z7 * z27) - (z17 - z20);
     return voronec_particle_finish(1, lambda);
 }
 
@@ -274,161 +411,164 @@ double voronec_particle_energy(double t, const double *y, const double *p)
 {
     (void)t;
     (void)p;
+    const double z = y[2];
+
+    /* sines and cosines */
+    const double s_z = sin(z);
+    const double c_z = cos(z);
     const double x = y[0];
     const double y_2 = y[1];
-    const double z = y[2];
     const double x_dot = y[3];
     const double y_dot = y[4];
 
     /* state */
     const double z1 = z * z;
     const double z2 = x * x;
-    const double s_z = sin(z);
-    const double c_z = cos(z);
-    const double z3 = x_dot * (y_2 * c_z) + 0.5 * (y_dot * (x * z));
-    const double z4 = (1.0 + z1) * (x_dot * x_dot) + (2.0 + s_z) * (y_dot * y_dot) + (1.0 + z2) * (z3 * z3);
-    const double z5 = 0.5 * (3.0 * z1 + (z2 + 2.0 * (y_2 * y_2))) + (0.5 * z4 + 0.3 * (x_dot * c_z * z3));
-    return z5;
+    const double z3 = x_dot * c_z;
+    const double z4 = 0.5 * (y_dot * (x * z)) + y_2 * z3;
+    const double z5 = (1.0 + z1) * (x_dot * x_dot) + (2.0 + s_z) * (y_dot * y_dot) + (1.0 + z2) * (z4 * z4);
+    const double z6 = 0.5 * (3.0 * z1 + (z2 + 2.0 * (y_2 * y_2))) + (0.5 * z5 + 0.3 * (z3 * z4));
+    return z6;
 }
 
 int voronec_particle_jacobian(double t, const double *y, const double *p, double *J)
 {
-    (void)t;
-    (void)p;
-    const double x = y[0];
-    const double y_2 = y[1];
-    const double z = y[2];
-    const double x_dot = y[3];
-    const double y_dot = y[4];
-
-    /* state */
-    const double c_z = cos(z);
-    const double z1 = y_2 * c_z;
-    const double z2 = c_z * z1;
-    const double z3 = 1.0 + x * x;
-    const double z4 = 0.3 * c_z + z3 * z1;
-    const double z5 = 1.0 + z * z + 0.3 * z2 + z1 * z4;
-    /* the mass matrix is singular */
-    if (!(fabs(z5) > 0.0)) {
-        return VORONEC_PARTICLE_SINGULAR_2;
-    }
-    const double s_z = sin(z);
-    const double z6 = x * z;
-    const double z7 = z3 * z6;
-    const double z8 = 2.0 + s_z + 0.25 * (z6 * z7);
-    const double z9 = c_z * z6;
-    const double z10 = 0.15 * z9 + 0.5 * (z1 * z7);
-    const double z11 = 1.0 / z5;
-    const double z12 = z10 * z11;
-    const double z13 = z8 - z10 * z12;
-    /* the mass matrix is singular */
-    if (!(fabs(z13) > 1e-14 * z8)) {
-        return VORONEC_PARTICLE_SINGULAR_2;
-    }
-    const double z14 = x_dot * z1;
-    const double z15 = z14 + 0.5 * (y_dot * z6);
-    const double z16 = z15 * z15;
-    const double z17 = z1 * z15;
-    const double z18 = y_dot * z4;
-    const double z19 = z * x_dot;
-    const double z20 = s_z * z15;
-    const double z21 = x * z15;
-    const double z22 = s_z * z1;
-    const double z23 = x_dot * z22;
-    const double z24 = x * x_dot;
-    const double z25 = 2.0 * z19 - (0.3 * z20 + (2.0 * z21 - 0.3 * z23 - 2.0 * (z1 * z24))) + 0.5 * (x * z18);
-    const double z26 = x_dot * z4;
-    const double z27 = 0.3 * z14 + 0.3 * z15 + y_2 * z26;
-    const double z28 = z25 - s_z * z27;
-    const double z29 = 1.0 / z13;
-    const double z30 = c_z * z15;
-    const double z31 = y_dot * c_z;
-    const double z32 = z31 - y_2 * z20;
-    const double z33 = z19 + z21;
-    const double z34 = x_dot * z32 + 0.5 * (y_dot * z33);
-    const double z35 = 0.3 * (x_dot * z20) - 2.0 * (z15 * z24) - z3 * z34;
-    const double z36 = x_dot * x_dot;
-    const double z37 = z * z6;
-    const double z38 = y_dot * y_dot;
-    const double z39 = s_z * z6;
-    const double z40 = x_dot * z39;
-    const double z41 = 0.5 * (z36 * z37 + 0.5 * (z38 * z9)) - 0.15 * (z15 * z40) - 0.5 * (4.0 * y_2 + 3.0 *
-        z37);
-    const double z42 = z * z15;
-    const double z43 = z * z1;
-    const double z44 = 0.5 * (2.0 * (z36 * z43) + z38 * z2 + 2.0 * (x * z16)) - 0.3 * (z15 * z23);
-    const double z45 = 0.3 * (z15 * z20) - 2.0 * (x_dot * z42) - 0.3 * (c_z * z34) + z1 * z35 + (z44 - 0.5 *
-        (2.0 * x + 6.0 * z43));
-    const double z46 = z29 * (y_dot * z30 - 0.5 * (z6 * z35) - z41 + z45 * z12);
-    const double z47 = z1 * z46;
-    const double z48 = 0.5 * (y_dot * z28) - (0.5 * (z3 * z47) + 0.15 * (c_z * z46));
-    const double z49 = z45 * z11 + z12 * z46;
-    const double z50 = z1 * z49;
-    const double z51 = 1.0 - (z16 - 2.0 * (x_dot * z17)) + 0.5 * (z15 * z18) + z * z48 + 2.0 * (x * (z1 * z34
-        - (0.5 * (z6 * z47) - z1 * z50)));
-    const double z52 = z6 * z15;
-    const double z53 = y_dot * z7;
-    const double z54 = x_dot * z7;
-    const double z55 = 0.15 * (x_dot * z6) + 0.5 * (y_2 * z54);
-    const double z56 = z31 + (0.15 * z40 + z6 * z24 + 0.25 * (x * z53) - s_z * z55);
-    const double z57 = z7 * z46;
-    const double z58 = x_dot * z15;
-    const double z59 = s_z * z58;
-    const double z60 = 1.5 - 0.5 * z36;
-    const double z61 = z6 * z46;
-    const double z62 = 0.5 * z50 - 0.25 * z61;
-    const double z63 = 0.25 * z38 - 0.15 * z49;
-    const double z64 = 0.25 * z57 + (0.5 * z35 - (0.15 * z59 + z * z60)) - z3 * z62 + c_z * z63;
-    const double z65 = 0.5 * (y_dot * z56) - z64;
-    const double z66 = x_dot * z52 + 0.25 * (z15 * z53) + z * z65 + 2.0 * (x * (0.5 * (z6 * z34) + z6 * z62));
-    const double z67 = z29 * (z66 - z12 * z51);
-    const double z68 = 3.0 - z36;
-    const double z69 = 0.5 * z38 - 0.3 * z49;
-    const double z70 = z4 * z49 - (0.5 * z57 + (z35 - (0.3 * z59 + z * z68))) + z3 * z50 - c_z * z69;
-    const double z71 = x_dot * z28 + z70;
-    const double z72 = z20 * z26 - c_z * z71;
-    const double z73 = x_dot * z56 + 0.5 * (z7 * z49);
-    const double z74 = z29 * (2.0 - 0.5 * (z20 * z54) + c_z * z73 + z12 * z72);
-    const double z75 = 0.3 * z50 + (y_dot * z26 + (0.3 * z34 - (0.15 * z61 + z1 * z69)) + y_2 * z71);
-    const double z76 = c_z * (0.3 * (z1 * z58) - z15 * z27) + (2.0 * z58 + z1 * z68 + 0.5 * (x_dot * z18) + x
-        * z48 - s_z * z75);
-    const double z77 = z76 + 2.0 * (z * z49);
-    const double z78 = z6 * z60 + 0.25 * (x_dot * z53) + x * z65 - s_z * (y_dot * z15 + (0.5 * (y_dot * z54)
-        - z6 * z63) + y_2 * z73);
-    const double z79 = z29 * (z78 - c_z * (z46 - (0.15 * (z6 * z58) - z15 * z55)) - z12 * z77);
-    const double z80 = 2.0 * z42 + 0.3 * (z15 * z22) - 0.3 * (z1 * z20) + 2.0 * (x * z17) + 0.5 * (z * z18);
-    const double z81 = z80 + z32 * z4 + z1 * z28 - 2.0 * (x_dot * z43);
-    const double z82 = 0.15 * (z15 * z39) - 0.15 * (z6 * z20) + x * z52 + 0.25 * (z * z53) + 0.5 * (z32 * z7);
-    const double z83 = z29 * (z82 + z1 * z56 - x_dot * z37 - z12 * z81);
-    const double z84 = 0.5 * (z33 * z4) + c_z * z26 + 0.5 * (z6 * z28) - y_dot * z2;
-    const double z85 = z30 + 0.25 * (z33 * z7) + 0.5 * (c_z * z54) + 0.5 * (z6 * z56) - 0.5 * (y_dot * z9);
-    const double z86 = z29 * (z85 - z12 * z84);
-    /* (I.4.9) */
     J[0] = 0.0;
     J[1] = 0.0;
     J[2] = 0.0;
-    J[3] = 1.0;
     J[4] = 0.0;
     J[5] = 0.0;
     J[6] = 0.0;
     J[7] = 0.0;
     J[8] = 0.0;
+    (void)t;
+    (void)p;
+    const double z = y[2];
+
+    /* sines and cosines */
+    const double c_z = cos(z);
+    const double s_z = sin(z);
+    const double x = y[0];
+    const double y_2 = y[1];
+    const double x_dot = y[3];
+    const double y_dot = y[4];
+
+    /* state */
+    const double z1 = y_2 * c_z;
+    const double z2 = c_z * z1;
+    const double z3 = 1.0 + x * x;
+    const double z4 = 0.3 * c_z + z3 * z1;
+    const double z5 = 1.0 + z * z + 0.3 * z2 + z1 * z4;
+    const double z6 = x * z;
+    const double z7 = z3 * z6;
+    const double z8 = 2.0 + s_z + 0.25 * (z6 * z7);
+    const double z9 = z6 * z4;
+    const double z10 = 1.0 / z5;
+    const double z11 = z9 * z10;
+    const double z12 = z8 - 0.25 * (z9 * z11);
+    const double z13 = x_dot * z1;
+    const double z14 = z13 + 0.5 * (y_dot * z6);
+    const double z15 = z14 * z14;
+    const double z16 = z1 * z14;
+    const double z17 = y_dot * z4;
+    const double z18 = z * x_dot;
+    const double z19 = s_z * z14;
+    const double z20 = x * z14;
+    const double z21 = s_z * z1;
+    const double z22 = x_dot * z21;
+    const double z23 = x * x_dot;
+    const double z24 = 2.0 * z18 - (0.3 * z19 + (2.0 * z20 - 0.3 * z22 - 2.0 * (z1 * z23))) + 0.5 * (x * z17);
+    const double z25 = x_dot * z4;
+    const double z26 = 0.3 * (z13 + z14) + y_2 * z25;
+    const double z27 = z24 - s_z * z26;
+    const double z28 = 1.0 / z12;
+    const double z29 = c_z * z14;
+    const double z30 = y_dot * c_z;
+    const double z31 = z30 - y_2 * z19;
+    const double z32 = z18 + z20;
+    const double z33 = x_dot * z31 + 0.5 * (y_dot * z32);
+    const double z34 = 0.3 * (x_dot * z19) - 2.0 * (z14 * z23) - z3 * z33;
+    const double z35 = x_dot * x_dot;
+    const double z36 = z * z6;
+    const double z37 = y_dot * y_dot;
+    const double z38 = c_z * z6;
+    const double z39 = s_z * z6;
+    const double z40 = x_dot * z39;
+    const double z41 = 0.5 * (z35 * z36 + 0.5 * (z37 * z38)) - 0.15 * (z14 * z40) - 0.5 * (4.0 * y_2 + 3.0 *
+        z36);
+    const double z42 = z * z14;
+    const double z43 = z * z1;
+    const double z44 = 0.5 * (2.0 * (z35 * z43) + z37 * z2 + 2.0 * (x * z15)) - 0.3 * (z14 * z22);
+    const double z45 = 0.3 * (z14 * z19) - 2.0 * (x_dot * z42) - 0.3 * (c_z * z33) + z1 * z34 + (z44 - 0.5 *
+        (2.0 * x + 6.0 * z43));
+    const double z46 = z28 * (y_dot * z29 - 0.5 * (z6 * z34) - z41 + 0.5 * (z45 * z11));
+    const double z47 = y_dot * z27 - z4 * z46;
+    const double z48 = z45 * z10 + 0.5 * (z11 * z46);
+    const double z49 = z6 * z46;
+    const double z50 = z1 * z48 - 0.5 * z49;
+    const double z51 = 1.0 - (z15 - 2.0 * (x_dot * z16)) + 0.5 * (z14 * z17) + 0.5 * (z * z47) + 2.0 * ((z33
+        + z50) * (x * z1));
+    const double z52 = z6 * z14;
+    const double z53 = y_dot * z7;
+    const double z54 = x_dot * z7;
+    const double z55 = 0.15 * (x_dot * z6) + 0.5 * (y_2 * z54);
+    const double z56 = z30 + (0.15 * z40 + z6 * z23 + 0.25 * (x * z53) - s_z * z55);
+    const double z57 = z4 * z48;
+    const double z58 = x_dot * z14;
+    const double z59 = s_z * z58;
+    const double z60 = 1.5 - 0.5 * z35;
+    const double z61 = 0.25 * (z7 * z46) + (0.5 * z34 - (0.15 * z59 + z * z60)) + 0.25 * (z3 * z49);
+    const double z62 = 0.5 * (y_dot * z56) + (0.5 * z57 - (0.25 * (z37 * c_z) + z61));
+    const double z63 = z6 * z48;
+    const double z64 = x_dot * z52 + 0.25 * (z14 * z53) + z * z62 + 2.0 * (x * (0.5 * (z6 * z33) - (0.25 *
+        (z6 * z49) - 0.5 * (z1 * z63))));
+    const double z65 = z28 * (z64 - 0.5 * (z11 * z51));
+    const double z66 = 3.0 - z35;
+    const double z67 = 0.5 * z37 - 0.3 * z48;
+    const double z68 = x_dot * z27 + (z57 - (z34 - (0.3 * z59 + z * z66)) + z3 * z50 - c_z * z67);
+    const double z69 = z19 * z25 - c_z * z68;
+    const double z70 = x_dot * z56 + 0.5 * (z3 * z63);
+    const double z71 = z28 * (2.0 - 0.5 * (z19 * z54) + c_z * z70 + 0.5 * (z11 * z69));
+    const double z72 = 2.0 * z58 + z1 * z66 + 0.5 * (x_dot * z17) + 0.5 * (x * z47) - s_z * (0.3 * z50 +
+        (y_dot * z25 + (0.3 * z33 - z1 * z67) + y_2 * z68));
+    const double z73 = c_z * (0.3 * (z1 * z58) - z14 * z26) + z72 + 2.0 * (z * z48);
+    const double z74 = 0.15 * z63 - (0.25 * (z37 * z6) - 0.5 * (y_dot * z54) - y_dot * z14 - y_2 * z70);
+    const double z75 = z6 * z60 + 0.25 * (x_dot * z53) + x * z62 - s_z * z74 - c_z * (z46 - (0.15 * (z6 *
+        z58) - z14 * z55));
+    const double z76 = z28 * (z75 - 0.5 * (z11 * z73));
+    const double z77 = 2.0 * z42 + 0.3 * (z14 * z21) - 0.3 * (z1 * z19) + 2.0 * (x * z16) + 0.5 * (z * z17);
+    const double z78 = z77 + z31 * z4 + z1 * z27 - 2.0 * (x_dot * z43);
+    const double z79 = 0.15 * (z14 * z39 - z6 * z19) + x * z52 + 0.25 * (z * z53) + 0.5 * (z31 * z7);
+    const double z80 = z28 * (z79 + z1 * z56 - x_dot * z36 - 0.5 * (z11 * z78));
+    const double z81 = 0.5 * (z32 * z4) + c_z * z25 + 0.5 * (z6 * z27) - y_dot * z2;
+    const double z82 = z29 + 0.25 * (z32 * z7) + 0.5 * (c_z * z54) + 0.5 * (z6 * z56) - 0.5 * (y_dot * z38);
+    const double z83 = z28 * (z82 - 0.5 * (z11 * z81));
+    /* (I.4.9) */
+    J[3] = 1.0;
     J[9] = 1.0;
     J[10] = 0.5 * (z * y_dot);
     J[11] = x_dot * c_z;
     J[12] = 0.5 * (x * y_dot) - s_z * (y_2 * x_dot);
     J[13] = z1;
     J[14] = 0.5 * z6;
-    J[15] = z12 * z67 - z11 * z51;
-    J[16] = z11 * z72 + z12 * z74;
-    J[17] = z12 * z79 - z11 * z77;
-    J[18] = z12 * z83 - z11 * z81;
-    J[19] = z12 * z86 - z11 * z84;
-    J[20] = -z67;
-    J[21] = -z74;
-    J[22] = -z79;
-    J[23] = -z83;
-    J[24] = -z86;
+    J[15] = 0.5 * (z11 * z65) - z10 * z51;
+    J[16] = z10 * z69 + 0.5 * (z11 * z71);
+    J[17] = 0.5 * (z11 * z76) - z10 * z73;
+    J[18] = 0.5 * (z11 * z80) - z10 * z78;
+    J[19] = 0.5 * (z11 * z83) - z10 * z81;
+    J[20] = -z65;
+    J[21] = -z71;
+    J[22] = -z76;
+    J[23] = -z80;
+    J[24] = -z83;
+    /* the mass matrix is singular */
+    if (!(fabs(z5) > 0.0)) {
+        return VORONEC_PARTICLE_SINGULAR_2;
+    }
+    /* the mass matrix is singular */
+    if (!(fabs(z12) > 1e-14 * z8)) {
+        return VORONEC_PARTICLE_SINGULAR_2;
+    }
     return voronec_particle_finish(25, J);
 }
 
@@ -441,75 +581,111 @@ int voronec_particle_outputs(double t, const double *y, const double *p, double 
     return VORONEC_PARTICLE_OK;
 }
 
+#if VORONEC_PARTICLE_LANES >= 2
+static __attribute__((noinline)) void voronec_particle_rhs_lanes(const double *fixed, size_t stride, const
+    double *t, const double *y, double *restrict dydt, double *check)
+{
+    (void)t;
+    (void)fixed;
+    voronec_particle_lanes far = {0}; /* the squares of the angles */
+    voronec_particle_lanes sum = {0}; /* an infinity or a NaN among the results stays in it */
+    voronec_particle_bits bad = {0}; /* singular blocks */
+    const voronec_particle_lanes x = voronec_particle_get(y);
+    const voronec_particle_lanes y_2 = voronec_particle_get(y + 1 * stride);
+    const voronec_particle_lanes z = voronec_particle_get(y + 2 * stride);
+    const voronec_particle_lanes x_dot = voronec_particle_get(y + 3 * stride);
+    const voronec_particle_lanes y_dot = voronec_particle_get(y + 4 * stride);
+    voronec_particle_lanes sine1, cosine1;
+    voronec_particle_turn_lanes(VORONEC_PARTICLE_SPREAD(z), &far, &sine1, &cosine1);
+    const voronec_particle_lanes c_z = cosine1;
+    const voronec_particle_lanes z1 = y_2 * c_z;
+    const voronec_particle_lanes z2 = c_z * z1;
+    const voronec_particle_lanes z3 = 1.0 + x * x;
+    const voronec_particle_lanes z4 = 0.3 * c_z + z3 * z1;
+    const voronec_particle_lanes z5 = 1.0 + z * z + 0.3 * z2 + z1 * z4;
+    /* the mass matrix is singular */
+    bad |= voronec_particle_misses(voronec_particle_size(VORONEC_PARTICLE_SPREAD(z5)),
+        VORONEC_PARTICLE_SPREAD(0.0));
+    const voronec_particle_lanes s_z = sine1;
+    const voronec_particle_lanes z6 = x * z;
+    const voronec_particle_lanes z7 = 2.0 + s_z + 0.25 * (z6 * (z3 * z6));
+    const voronec_particle_lanes z8 = z6 * z4;
+    const voronec_particle_lanes z9 = 1.0 / z5;
+    const voronec_particle_lanes z10 = z8 * z9;
+    const voronec_particle_lanes z11 = z7 - 0.25 * (z8 * z10);
+    /* the mass matrix is singular */
+    bad |= voronec_particle_misses(voronec_particle_size(VORONEC_PARTICLE_SPREAD(z11)), 1e-14 * z7);
+    const voronec_particle_lanes z12 = x_dot * z1 + 0.5 * (y_dot * z6);
+    const voronec_particle_lanes z13 = y_dot * c_z;
+    const voronec_particle_lanes z14 = s_z * z12;
+    const voronec_particle_lanes z15 = x_dot * (z13 - y_2 * z14) + 0.5 * (y_dot * (z * x_dot + x * z12));
+    const voronec_particle_lanes z16 = x_dot * z12;
+    const voronec_particle_lanes z17 = z3 * z15 - (0.3 * (x_dot * z14) - 2.0 * (x * z16));
+    const voronec_particle_lanes z18 = z * z1;
+    const voronec_particle_lanes z19 = x_dot * x_dot;
+    const voronec_particle_lanes z20 = y_dot * y_dot;
+    const voronec_particle_lanes z21 = s_z * z16;
+    const voronec_particle_lanes z22 = 0.5 * (2.0 * (z19 * z18) + z20 * z2 + 2.0 * (x * (z12 * z12))) - 0.3 *
+        (z1 * z21);
+    const voronec_particle_lanes z23 = 0.3 * (c_z * z15) - (0.3 * (z12 * z14) - 2.0 * (z * z16)) + z1 * z17 +
+        (0.5 * (2.0 * x + 6.0 * z18) - z22);
+    const voronec_particle_lanes z24 = z * z6;
+    const voronec_particle_lanes z25 = 0.5 * (4.0 * y_2 + 3.0 * z24) - (0.5 * (z19 * z24 + 0.5 * (c_z * (z20
+        * z6))) - 0.15 * (z6 * z21));
+    const voronec_particle_lanes z26 = (z12 * z13 + 0.5 * (z6 * z17) + z25 - 0.5 * (z10 * z23)) / z11;
+    /* (I.4.9) */
+    const voronec_particle_lanes slope1 = x_dot;
+    sum += slope1;
+    voronec_particle_put(dydt, slope1);
+    const voronec_particle_lanes slope2 = y_dot;
+    sum += slope2;
+    voronec_particle_put(dydt + 1 * stride, slope2);
+    const voronec_particle_lanes slope3 = z12;
+    sum += slope3;
+    voronec_particle_put(dydt + 2 * stride, slope3);
+    /* (I.4.9) 7:4 */
+    const voronec_particle_lanes slope4 = 0.5 * (z10 * z26) - z9 * z23;
+    sum += slope4;
+    voronec_particle_put(dydt + 3 * stride, slope4);
+    const voronec_particle_lanes slope5 = -z26;
+    sum += slope5;
+    voronec_particle_put(dydt + 4 * stride, slope5);
+    voronec_particle_put(check, voronec_particle_mark(far + (sum - sum), bad));
+}
+
+static __attribute__((noinline)) void voronec_particle_rhs_tail(const double *fixed, size_t left, size_t
+    count, const double *t, const double *y, double *restrict dydt, double *check)
+{
+    double time[VORONEC_PARTICLE_LANES];
+    double state[5 * VORONEC_PARTICLE_LANES];
+    double slope[5 * VORONEC_PARTICLE_LANES];
+    voronec_particle_fill(left, count, t, y, time, state);
+    voronec_particle_rhs_lanes(fixed, VORONEC_PARTICLE_LANES, time, state, slope, check);
+    voronec_particle_pour(left, count, slope, dydt);
+}
+#endif
+
 int voronec_particle_rhs_batch(size_t count, const double *t, const double *y, const double *p, double
     *restrict dydt)
 {
-    int singular1 = 0;
-    int bad = 0;
-    (void)t;
-    (void)p;
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC ivdep
+#if VORONEC_PARTICLE_LANES >= 2
+    const double *fixed = p;
+    double check[1 * VORONEC_PARTICLE_LANES];
+    int status = VORONEC_PARTICLE_OK;
+    for (size_t i = 0; i < count; i += VORONEC_PARTICLE_LANES) {
+        const size_t left = count - i < VORONEC_PARTICLE_LANES ? count - i : VORONEC_PARTICLE_LANES;
+        if (left == VORONEC_PARTICLE_LANES) {
+            voronec_particle_rhs_lanes(fixed, count, t + i, y + i, dydt + i, check);
+        } else {
+            voronec_particle_rhs_tail(fixed, left, count, t + i, y + i, dydt + i, check);
+        }
+        if (!voronec_particle_is_good(1 * VORONEC_PARTICLE_LANES, check)) {
+            const int one = voronec_particle_one_by_one(count, i, left, t, y, p, dydt);
+            status = status == VORONEC_PARTICLE_OK ? one : status;
+        }
+    }
+    return status;
+#else
+    return voronec_particle_one_by_one(count, 0, count, t, y, p, dydt);
 #endif
-    for (size_t i = 0; i < count; ++i) {
-        const double x = y[i];
-        const double y_2 = y[count + i];
-        const double z = y[2 * count + i];
-        const double x_dot = y[3 * count + i];
-        const double y_dot = y[4 * count + i];
-        const double c_z = cos(z);
-        const double z1 = y_2 * c_z;
-        const double z2 = c_z * z1;
-        const double z3 = 1.0 + x * x;
-        const double z4 = 1.0 + z * z + 0.3 * z2 + z1 * (0.3 * c_z + z3 * z1);
-        /* the mass matrix is singular */
-        singular1 |= !(fabs(z4) > 0.0);
-        const double s_z = sin(z);
-        const double z5 = x * z;
-        const double z6 = z3 * z5;
-        const double z7 = 2.0 + s_z + 0.25 * (z5 * z6);
-        const double z8 = c_z * z5;
-        const double z9 = 0.15 * z8 + 0.5 * (z1 * z6);
-        const double z10 = 1.0 / z4;
-        const double z11 = z9 * z10;
-        const double z12 = z7 - z9 * z11;
-        /* the mass matrix is singular */
-        singular1 |= !(fabs(z12) > 1e-14 * z7);
-        const double z13 = x_dot * z1 + 0.5 * (y_dot * z5);
-        const double z14 = s_z * z13;
-        const double z15 = x_dot * (y_dot * c_z - y_2 * z14) + 0.5 * (y_dot * (z * x_dot + x * z13));
-        const double z16 = 0.3 * (x_dot * z14) - 2.0 * (z13 * (x * x_dot)) - z3 * z15;
-        const double z17 = 0.3 * (z13 * z14) - 2.0 * (x_dot * (z * z13)) - 0.3 * (c_z * z15) + z1 * z16;
-        const double z18 = x_dot * x_dot;
-        const double z19 = z * z1;
-        const double z20 = y_dot * y_dot;
-        const double z21 = 0.5 * (2.0 * (z18 * z19) + z20 * z2 + 2.0 * (x * (z13 * z13))) - 0.3 * (z13 *
-            (x_dot * (s_z * z1)));
-        const double z22 = z17 + (z21 - 0.5 * (2.0 * x + 6.0 * z19));
-        const double z23 = z * z5;
-        const double z24 = 0.5 * (z18 * z23 + 0.5 * (z20 * z8)) - 0.15 * (z13 * (x_dot * (s_z * z5))) - 0.5 *
-            (4.0 * y_2 + 3.0 * z23);
-        const double z25 = (y_dot * (c_z * z13) - 0.5 * (z5 * z16) - z24 + z22 * z11) / z12;
-        /* (I.4.9) */
-        const double slope1 = x_dot; /* x' */
-        dydt[i] = slope1;
-        bad |= !(fabs(slope1) <= DBL_MAX);
-        const double slope2 = y_dot; /* y' */
-        dydt[count + i] = slope2;
-        bad |= !(fabs(slope2) <= DBL_MAX);
-        const double slope3 = z13; /* z' */
-        dydt[2 * count + i] = slope3;
-        bad |= !(fabs(slope3) <= DBL_MAX);
-        /* (I.4.9) 7:4 */
-        const double slope4 = z22 * z10 + z11 * z25; /* x'' */
-        dydt[3 * count + i] = slope4;
-        bad |= !(fabs(slope4) <= DBL_MAX);
-        const double slope5 = -z25; /* y'' */
-        dydt[4 * count + i] = slope5;
-        bad |= !(fabs(slope5) <= DBL_MAX);
-    }
-    if (singular1) {
-        return VORONEC_PARTICLE_SINGULAR_2;
-    }
-    return bad ? VORONEC_PARTICLE_NOT_FINITE : VORONEC_PARTICLE_OK;
 }

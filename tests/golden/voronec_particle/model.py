@@ -1,4 +1,4 @@
-"""voronec_particle, emitted by nhc 0.1.0 (nhc:1148c58447420d1f).
+"""voronec_particle, emitted by nhc 0.1.0 (nhc:62eeff8cc44299a5).
 
 A particle whose T, U and constraint depend on the dependent coordinate, so that
     Caplygin's hypotheses fail.
@@ -19,14 +19,14 @@ Constraints:
 0: contact
 
 Operations:
-rhs: 32 +-, 79 *, 2 /, 2 calls
+rhs: 31 +-, 75 *, 2 /, 2 calls
 velocities: 1 +-, 5 *, 0 /, 1 calls
-accelerations: 35 +-, 82 *, 2 /, 2 calls
+accelerations: 34 +-, 78 *, 2 /, 2 calls
 state: 0 +-, 0 *, 0 /, 0 calls
 residuals: 2 +-, 5 *, 0 /, 1 calls
-reactions: 38 +-, 90 *, 2 /, 2 calls
-energy: 10 +-, 21 *, 0 /, 2 calls
-jacobian: 132 +-, 267 *, 2 /, 2 calls
+reactions: 37 +-, 83 *, 2 /, 2 calls
+energy: 10 +-, 20 *, 0 /, 2 calls
+jacobian: 129 +-, 274 *, 2 /, 2 calls
 outputs: 0 +-, 0 *, 0 /, 0 calls
 
 A singular point raises SingularModelError.
@@ -90,52 +90,51 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z1 = y_2 * c_z
         z2 = c_z * z1
         z3 = 1.0 + x * x
-        z4 = 1.0 + z * z + 0.3 * z2 + z1 * (0.3 * c_z + z3 * z1)
+        z4 = 0.3 * c_z + z3 * z1
+        z5 = 1.0 + z * z + 0.3 * z2 + z1 * z4
         # the mass matrix is singular
-        if not abs(z4) > 0.0:
+        if not abs(z5) > 0.0:
             raise SingularModelError(2, "rhs")
         s_z = math.sin(z)
-        z5 = x * z
-        z6 = z3 * z5
-        z7 = 2.0 + s_z + 0.25 * (z5 * z6)
-        z8 = c_z * z5
-        z9 = 0.15 * z8 + 0.5 * (z1 * z6)
-        z10 = 1.0 / z4
-        z11 = z9 * z10
-        z12 = z7 - z9 * z11
+        z6 = x * z
+        z7 = 2.0 + s_z + 0.25 * (z6 * (z3 * z6))
+        z8 = z6 * z4
+        z9 = 1.0 / z5
+        z10 = z8 * z9
+        z11 = z7 - 0.25 * (z8 * z10)
         # the mass matrix is singular
-        if not abs(z12) > 1e-14 * z7:
+        if not abs(z11) > 1e-14 * z7:
             raise SingularModelError(2, "rhs")
-        z13 = x_dot * z1 + 0.5 * (y_dot * z5)
-        z14 = s_z * z13
-        s1 = 0.5 * (y_dot * (z * x_dot + x * z13))
-        z15 = x_dot * (y_dot * c_z - y_2 * z14) + s1
-        z16 = 0.3 * (x_dot * z14) - 2.0 * (z13 * (x * x_dot)) - z3 * z15
-        s2 = 0.3 * (z13 * z14) - 2.0 * (x_dot * (z * z13))
-        z17 = s2 - 0.3 * (c_z * z15) + z1 * z16
-        z18 = x_dot * x_dot
-        z19 = z * z1
+        z12 = x_dot * z1 + 0.5 * (y_dot * z6)
+        z13 = y_dot * c_z
+        z14 = s_z * z12
+        s1 = 0.5 * (y_dot * (z * x_dot + x * z12))
+        z15 = x_dot * (z13 - y_2 * z14) + s1
+        z16 = x_dot * z12
+        z17 = z3 * z15 - (0.3 * (x_dot * z14) - 2.0 * (x * z16))
+        z18 = z * z1
+        z19 = x_dot * x_dot
         z20 = y_dot * y_dot
-        s3 = 0.5 * (2.0 * (z18 * z19) + z20 * z2 + 2.0 * (x * (z13 * z13)))
-        z21 = s3 - 0.3 * (z13 * (x_dot * (s_z * z1)))
-        z22 = z17 + (z21 - 0.5 * (2.0 * x + 6.0 * z19))
-        z23 = z * z5
-        s4 = 0.5 * (z18 * z23 + 0.5 * (z20 * z8))
-        s5 = s4 - 0.15 * (z13 * (x_dot * (s_z * z5)))
-        z24 = s5 - 0.5 * (4.0 * y_2 + 3.0 * z23)
-        s6 = y_dot * (c_z * z13) - 0.5 * (z5 * z16) - z24 + z22 * z11
-        z25 = s6 / z12
+        z21 = s_z * z16
+        s2 = 0.5 * (2.0 * (z19 * z18) + z20 * z2 + 2.0 * (x * (z12 * z12)))
+        z22 = s2 - 0.3 * (z1 * z21)
+        s3 = 0.3 * (c_z * z15) - (0.3 * (z12 * z14) - 2.0 * (z * z16))
+        z23 = s3 + z1 * z17 + (0.5 * (2.0 * x + 6.0 * z18) - z22)
+        z24 = z * z6
+        s4 = 0.5 * (z19 * z24 + 0.5 * (c_z * (z20 * z6)))
+        z25 = 0.5 * (4.0 * y_2 + 3.0 * z24) - (s4 - 0.15 * (z6 * z21))
+        z26 = (z12 * z13 + 0.5 * (z6 * z17) + z25 - 0.5 * (z10 * z23)) / z11
         dydt: list[float] = [
             # x' (I.4.9)
             x_dot,
             # y' (I.4.9)
             y_dot,
             # z' (I.4.9)
-            z13,
+            z12,
             # x'' (I.4.9) 7:4
-            z22 * z10 + z11 * z25,
+            0.5 * (z10 * z26) - z9 * z23,
             # y'' (I.4.9) 7:4
-            -z25,
+            -z26,
         ]
         return _finish("rhs", dydt)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -194,50 +193,49 @@ def accelerations(
         z1 = y_2 * c_z
         z2 = c_z * z1
         z3 = 1.0 + x * x
-        z4 = 1.0 + z * z + 0.3 * z2 + z1 * (0.3 * c_z + z3 * z1)
+        z4 = 0.3 * c_z + z3 * z1
+        z5 = 1.0 + z * z + 0.3 * z2 + z1 * z4
         # the mass matrix is singular
-        if not abs(z4) > 0.0:
+        if not abs(z5) > 0.0:
             raise SingularModelError(2, "accelerations")
         s_z = math.sin(z)
-        z5 = x * z
-        z6 = z3 * z5
-        z7 = 2.0 + s_z + 0.25 * (z5 * z6)
-        z8 = c_z * z5
-        z9 = 0.15 * z8 + 0.5 * (z1 * z6)
-        z10 = 1.0 / z4
-        z11 = z9 * z10
-        z12 = z7 - z9 * z11
+        z6 = x * z
+        z7 = 2.0 + s_z + 0.25 * (z6 * (z3 * z6))
+        z8 = z6 * z4
+        z9 = 1.0 / z5
+        z10 = z8 * z9
+        z11 = z7 - 0.25 * (z8 * z10)
         # the mass matrix is singular
-        if not abs(z12) > 1e-14 * z7:
+        if not abs(z11) > 1e-14 * z7:
             raise SingularModelError(2, "accelerations")
-        z13 = x_dot * z1 + 0.5 * (y_dot * z5)
+        z12 = y_dot * c_z
+        z13 = x_dot * z1 + 0.5 * (y_dot * z6)
         z14 = s_z * z13
-        z15 = x_dot * (y_dot * c_z - y_2 * z14)
+        z15 = x_dot * (z12 - y_2 * z14)
         z16 = y_dot * (z * x_dot + x * z13)
         z17 = z15 + 0.5 * z16
-        z18 = 0.3 * (x_dot * z14) - 2.0 * (z13 * (x * x_dot)) - z3 * z17
-        s1 = 0.3 * (z13 * z14) - 2.0 * (x_dot * (z * z13))
-        z19 = s1 - 0.3 * (c_z * z17) + z1 * z18
-        z20 = x_dot * x_dot
-        z21 = z * z1
+        z18 = x_dot * z13
+        z19 = z3 * z17 - (0.3 * (x_dot * z14) - 2.0 * (x * z18))
+        z20 = z * z1
+        z21 = x_dot * x_dot
         z22 = y_dot * y_dot
-        s2 = 0.5 * (2.0 * (z20 * z21) + z22 * z2 + 2.0 * (x * (z13 * z13)))
-        z23 = s2 - 0.3 * (z13 * (x_dot * (s_z * z1)))
-        z24 = z19 + (z23 - 0.5 * (2.0 * x + 6.0 * z21))
-        z25 = z * z5
-        s3 = 0.5 * (z20 * z25 + 0.5 * (z22 * z8))
-        s4 = s3 - 0.15 * (z13 * (x_dot * (s_z * z5)))
-        z26 = s4 - 0.5 * (4.0 * y_2 + 3.0 * z25)
-        s5 = y_dot * (c_z * z13) - 0.5 * (z5 * z18) - z26 + z24 * z11
-        z27 = s5 / z12
-        z28 = z24 * z10 + z11 * z27
+        z23 = s_z * z18
+        s1 = 0.5 * (2.0 * (z21 * z20) + z22 * z2 + 2.0 * (x * (z13 * z13)))
+        z24 = s1 - 0.3 * (z1 * z23)
+        s2 = 0.3 * (c_z * z17) - (0.3 * (z13 * z14) - 2.0 * (z * z18))
+        z25 = s2 + z1 * z19 + (0.5 * (2.0 * x + 6.0 * z20) - z24)
+        z26 = z * z6
+        s3 = 0.5 * (z21 * z26 + 0.5 * (c_z * (z22 * z6)))
+        z27 = 0.5 * (4.0 * y_2 + 3.0 * z26) - (s3 - 0.15 * (z6 * z23))
+        z28 = (z13 * z12 + 0.5 * (z6 * z19) + z27 - 0.5 * (z10 * z25)) / z11
+        z29 = z9 * z25 - 0.5 * (z10 * z28)
         qddot: list[float] = [
             # x'' (I.4.9)
-            z28,
+            -z29,
             # y'' (I.4.9)
-            -z27,
+            -z28,
             # z'' (I.4.9)
-            z15 + z1 * z28 + 0.5 * (z16 - z5 * z27),
+            z15 - z1 * z29 + 0.5 * (z16 - z6 * z28),
         ]
         return _finish("accelerations", qddot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -328,38 +326,39 @@ def reactions(
         z6 = x * z
         z7 = z3 * z6
         z8 = 2.0 + s_z + 0.25 * (z6 * z7)
-        z9 = c_z * z6
-        z10 = 0.15 * z9 + 0.5 * (z1 * z7)
-        z11 = 1.0 / z5
-        z12 = z10 * z11
-        z13 = z8 - z10 * z12
+        z9 = z6 * z4
+        z10 = 1.0 / z5
+        z11 = z9 * z10
+        z12 = z8 - 0.25 * (z9 * z11)
         # the mass matrix is singular
-        if not abs(z13) > 1e-14 * z8:
+        if not abs(z12) > 1e-14 * z8:
             raise SingularModelError(2, "reactions")
+        z13 = y_dot * c_z
         z14 = x_dot * z1 + 0.5 * (y_dot * z6)
         z15 = s_z * z14
         s1 = 0.5 * (y_dot * (z * x_dot + x * z14))
-        z16 = x_dot * (y_dot * c_z - y_2 * z15) + s1
-        z17 = 0.3 * (x_dot * z15) - 2.0 * (z14 * (x * x_dot)) - z3 * z16
-        z18 = x_dot * x_dot
-        z19 = y_dot * y_dot
-        s2 = 0.5 * (2.0 * (z * z18) + z19 * c_z)
-        z20 = 3.0 * z - (s2 - 0.3 * (z14 * (x_dot * s_z)))
-        s3 = 0.3 * (z14 * z15) - 2.0 * (x_dot * (z * z14))
-        z21 = s3 - 0.3 * (c_z * z16) + z1 * z17
-        z22 = z * z1
-        s4 = 0.5 * (2.0 * (z18 * z22) + z19 * z2 + 2.0 * (x * (z14 * z14)))
-        z23 = s4 - 0.3 * (z14 * (x_dot * (s_z * z1)))
-        z24 = z21 + (z23 - 0.5 * (2.0 * x + 6.0 * z22))
-        z25 = z * z6
-        s5 = 0.5 * (z18 * z25 + 0.5 * (z19 * z9))
-        s6 = s5 - 0.15 * (z14 * (x_dot * (s_z * z6)))
-        z26 = s6 - 0.5 * (4.0 * y_2 + 3.0 * z25)
-        s7 = y_dot * (c_z * z14) - 0.5 * (z6 * z17) - z26 + z24 * z12
-        z27 = s7 / z13
+        z16 = x_dot * (z13 - y_2 * z15) + s1
+        z17 = x_dot * z14
+        z18 = z3 * z16 - (0.3 * (x_dot * z15) - 2.0 * (x * z17))
+        z19 = x_dot * x_dot
+        z20 = y_dot * y_dot
+        z21 = z20 * c_z
+        z22 = s_z * z17
+        z23 = z * z1
+        s2 = 0.5 * (2.0 * (z19 * z23) + z20 * z2 + 2.0 * (x * (z14 * z14)))
+        z24 = s2 - 0.3 * (z1 * z22)
+        s3 = 0.3 * (c_z * z16) - (0.3 * (z14 * z15) - 2.0 * (z * z17))
+        z25 = s3 + z1 * z18 + (0.5 * (2.0 * x + 6.0 * z23) - z24)
+        z26 = z * z6
+        s4 = 0.15 * (z6 * z22) - 0.5 * (z19 * z26 + 0.5 * (z6 * z21))
+        z27 = 0.5 * (4.0 * y_2 + 3.0 * z26) + s4
+        s5 = 0.5 * (z11 * z25) - (z14 * z13 + 0.5 * (z6 * z18) + z27)
+        z28 = s5 / z12
+        s6 = z18 + (3.0 * z - (0.5 * (2.0 * (z * z19) + z21) - 0.3 * z22))
+        z29 = s6 - (z4 * (z10 * z25 + 0.5 * (z11 * z28)) - 0.5 * (z7 * z28))
         lambda_: list[float] = [
             # reaction of contact: Q_i gains lambda_1 a_1i (I.4.1) 10:5
-            z4 * (z24 * z11 + z12 * z27) - 0.5 * (z7 * z27) - (z17 - z20),
+            z29,
         ]
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -383,12 +382,13 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
         z2 = x * x
         s_z = math.sin(z)
         c_z = math.cos(z)
-        z3 = x_dot * (y_2 * c_z) + 0.5 * (y_dot * (x * z))
+        z3 = x_dot * c_z
+        z4 = 0.5 * (y_dot * (x * z)) + y_2 * z3
         s1 = (1.0 + z1) * (x_dot * x_dot) + (2.0 + s_z) * (y_dot * y_dot)
-        z4 = s1 + (1.0 + z2) * (z3 * z3)
+        z5 = s1 + (1.0 + z2) * (z4 * z4)
         s2 = 0.5 * (3.0 * z1 + (z2 + 2.0 * (y_2 * y_2)))
-        z5 = s2 + (0.5 * z4 + 0.3 * (x_dot * c_z * z3))
-        value1 = z5
+        z6 = s2 + (0.5 * z5 + 0.3 * (z3 * z4))
+        value1 = z6
         return _single("energy", value1)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
         raise SingularModelError(NOT_FINITE, "energy") from error
@@ -424,121 +424,111 @@ def jacobian(
         z6 = x * z
         z7 = z3 * z6
         z8 = 2.0 + s_z + 0.25 * (z6 * z7)
-        z9 = c_z * z6
-        z10 = 0.15 * z9 + 0.5 * (z1 * z7)
-        z11 = 1.0 / z5
-        z12 = z10 * z11
-        z13 = z8 - z10 * z12
+        z9 = z6 * z4
+        z10 = 1.0 / z5
+        z11 = z9 * z10
+        z12 = z8 - 0.25 * (z9 * z11)
         # the mass matrix is singular
-        if not abs(z13) > 1e-14 * z8:
+        if not abs(z12) > 1e-14 * z8:
             raise SingularModelError(2, "jacobian")
-        z14 = x_dot * z1
-        z15 = z14 + 0.5 * (y_dot * z6)
-        z16 = z15 * z15
-        z17 = z1 * z15
-        z18 = y_dot * z4
-        z19 = z * x_dot
-        z20 = s_z * z15
-        z21 = x * z15
-        z22 = s_z * z1
-        z23 = x_dot * z22
-        z24 = x * x_dot
-        s1 = 0.3 * z20 + (2.0 * z21 - 0.3 * z23 - 2.0 * (z1 * z24))
-        z25 = 2.0 * z19 - s1 + 0.5 * (x * z18)
-        z26 = x_dot * z4
-        z27 = 0.3 * z14 + 0.3 * z15 + y_2 * z26
-        z28 = z25 - s_z * z27
-        z29 = 1.0 / z13
-        z30 = c_z * z15
-        z31 = y_dot * c_z
-        z32 = z31 - y_2 * z20
-        z33 = z19 + z21
-        z34 = x_dot * z32 + 0.5 * (y_dot * z33)
-        z35 = 0.3 * (x_dot * z20) - 2.0 * (z15 * z24) - z3 * z34
-        z36 = x_dot * x_dot
-        z37 = z * z6
-        z38 = y_dot * y_dot
+        z13 = x_dot * z1
+        z14 = z13 + 0.5 * (y_dot * z6)
+        z15 = z14 * z14
+        z16 = z1 * z14
+        z17 = y_dot * z4
+        z18 = z * x_dot
+        z19 = s_z * z14
+        z20 = x * z14
+        z21 = s_z * z1
+        z22 = x_dot * z21
+        z23 = x * x_dot
+        s1 = 0.3 * z19 + (2.0 * z20 - 0.3 * z22 - 2.0 * (z1 * z23))
+        z24 = 2.0 * z18 - s1 + 0.5 * (x * z17)
+        z25 = x_dot * z4
+        z26 = 0.3 * (z13 + z14) + y_2 * z25
+        z27 = z24 - s_z * z26
+        z28 = 1.0 / z12
+        z29 = c_z * z14
+        z30 = y_dot * c_z
+        z31 = z30 - y_2 * z19
+        z32 = z18 + z20
+        z33 = x_dot * z31 + 0.5 * (y_dot * z32)
+        z34 = 0.3 * (x_dot * z19) - 2.0 * (z14 * z23) - z3 * z33
+        z35 = x_dot * x_dot
+        z36 = z * z6
+        z37 = y_dot * y_dot
+        z38 = c_z * z6
         z39 = s_z * z6
         z40 = x_dot * z39
-        s2 = 0.5 * (z36 * z37 + 0.5 * (z38 * z9)) - 0.15 * (z15 * z40)
-        z41 = s2 - 0.5 * (4.0 * y_2 + 3.0 * z37)
-        z42 = z * z15
+        s2 = 0.5 * (z35 * z36 + 0.5 * (z37 * z38)) - 0.15 * (z14 * z40)
+        z41 = s2 - 0.5 * (4.0 * y_2 + 3.0 * z36)
+        z42 = z * z14
         z43 = z * z1
-        s3 = 0.5 * (2.0 * (z36 * z43) + z38 * z2 + 2.0 * (x * z16))
-        z44 = s3 - 0.3 * (z15 * z23)
-        s4 = 0.3 * (z15 * z20) - 2.0 * (x_dot * z42) - 0.3 * (c_z * z34)
-        z45 = s4 + z1 * z35 + (z44 - 0.5 * (2.0 * x + 6.0 * z43))
-        z46 = z29 * (y_dot * z30 - 0.5 * (z6 * z35) - z41 + z45 * z12)
-        z47 = z1 * z46
-        z48 = 0.5 * (y_dot * z28) - (0.5 * (z3 * z47) + 0.15 * (c_z * z46))
-        z49 = z45 * z11 + z12 * z46
-        z50 = z1 * z49
-        s5 = 1.0 - (z16 - 2.0 * (x_dot * z17)) + 0.5 * (z15 * z18)
-        s6 = 2.0 * (x * (z1 * z34 - (0.5 * (z6 * z47) - z1 * z50)))
-        z51 = s5 + z * z48 + s6
-        z52 = z6 * z15
+        s3 = 0.5 * (2.0 * (z35 * z43) + z37 * z2 + 2.0 * (x * z15))
+        z44 = s3 - 0.3 * (z14 * z22)
+        s4 = 0.3 * (z14 * z19) - 2.0 * (x_dot * z42) - 0.3 * (c_z * z33)
+        z45 = s4 + z1 * z34 + (z44 - 0.5 * (2.0 * x + 6.0 * z43))
+        s5 = y_dot * z29 - 0.5 * (z6 * z34) - z41 + 0.5 * (z45 * z11)
+        z46 = z28 * s5
+        z47 = y_dot * z27 - z4 * z46
+        z48 = z45 * z10 + 0.5 * (z11 * z46)
+        z49 = z6 * z46
+        z50 = z1 * z48 - 0.5 * z49
+        s6 = 1.0 - (z15 - 2.0 * (x_dot * z16)) + 0.5 * (z14 * z17)
+        z51 = s6 + 0.5 * (z * z47) + 2.0 * ((z33 + z50) * (x * z1))
+        z52 = z6 * z14
         z53 = y_dot * z7
         z54 = x_dot * z7
         z55 = 0.15 * (x_dot * z6) + 0.5 * (y_2 * z54)
-        z56 = z31 + (0.15 * z40 + z6 * z24 + 0.25 * (x * z53) - s_z * z55)
-        z57 = z7 * z46
-        z58 = x_dot * z15
+        z56 = z30 + (0.15 * z40 + z6 * z23 + 0.25 * (x * z53) - s_z * z55)
+        z57 = z4 * z48
+        z58 = x_dot * z14
         z59 = s_z * z58
-        z60 = 1.5 - 0.5 * z36
-        z61 = z6 * z46
-        z62 = 0.5 * z50 - 0.25 * z61
-        z63 = 0.25 * z38 - 0.15 * z49
-        s7 = 0.25 * z57 + (0.5 * z35 - (0.15 * z59 + z * z60)) - z3 * z62
-        z64 = s7 + c_z * z63
-        z65 = 0.5 * (y_dot * z56) - z64
-        s8 = x_dot * z52 + 0.25 * (z15 * z53) + z * z65
-        z66 = s8 + 2.0 * (x * (0.5 * (z6 * z34) + z6 * z62))
-        z67 = z29 * (z66 - z12 * z51)
-        z68 = 3.0 - z36
-        z69 = 0.5 * z38 - 0.3 * z49
-        s9 = z4 * z49 - (0.5 * z57 + (z35 - (0.3 * z59 + z * z68)))
-        z70 = s9 + z3 * z50 - c_z * z69
-        z71 = x_dot * z28 + z70
-        z72 = z20 * z26 - c_z * z71
-        z73 = x_dot * z56 + 0.5 * (z7 * z49)
-        z74 = z29 * (2.0 - 0.5 * (z20 * z54) + c_z * z73 + z12 * z72)
-        s10 = y_dot * z26 + (0.3 * z34 - (0.15 * z61 + z1 * z69))
-        z75 = 0.3 * z50 + (s10 + y_2 * z71)
-        s11 = 2.0 * z58 + z1 * z68 + 0.5 * (x_dot * z18) + x * z48
-        z76 = c_z * (0.3 * (z1 * z58) - z15 * z27) + (s11 - s_z * z75)
-        z77 = z76 + 2.0 * (z * z49)
-        s12 = y_dot * z15 + (0.5 * (y_dot * z54) - z6 * z63) + y_2 * z73
-        z78 = z6 * z60 + 0.25 * (x_dot * z53) + x * z65 - s_z * s12
-        s13 = z78 - c_z * (z46 - (0.15 * (z6 * z58) - z15 * z55))
-        z79 = z29 * (s13 - z12 * z77)
-        s14 = 2.0 * z42 + 0.3 * (z15 * z22) - 0.3 * (z1 * z20)
-        z80 = s14 + 2.0 * (x * z17) + 0.5 * (z * z18)
-        z81 = z80 + z32 * z4 + z1 * z28 - 2.0 * (x_dot * z43)
-        s15 = 0.15 * (z15 * z39) - 0.15 * (z6 * z20) + x * z52
-        z82 = s15 + 0.25 * (z * z53) + 0.5 * (z32 * z7)
-        z83 = z29 * (z82 + z1 * z56 - x_dot * z37 - z12 * z81)
-        z84 = 0.5 * (z33 * z4) + c_z * z26 + 0.5 * (z6 * z28) - y_dot * z2
-        s16 = z30 + 0.25 * (z33 * z7) + 0.5 * (c_z * z54)
-        z85 = s16 + 0.5 * (z6 * z56) - 0.5 * (y_dot * z9)
-        z86 = z29 * (z85 - z12 * z84)
+        z60 = 1.5 - 0.5 * z35
+        s7 = 0.25 * (z7 * z46) + (0.5 * z34 - (0.15 * z59 + z * z60))
+        z61 = s7 + 0.25 * (z3 * z49)
+        z62 = 0.5 * (y_dot * z56) + (0.5 * z57 - (0.25 * (z37 * c_z) + z61))
+        z63 = z6 * z48
+        s8 = 0.5 * (z6 * z33) - (0.25 * (z6 * z49) - 0.5 * (z1 * z63))
+        z64 = x_dot * z52 + 0.25 * (z14 * z53) + z * z62 + 2.0 * (x * s8)
+        z65 = z28 * (z64 - 0.5 * (z11 * z51))
+        z66 = 3.0 - z35
+        z67 = 0.5 * z37 - 0.3 * z48
+        s9 = z57 - (z34 - (0.3 * z59 + z * z66)) + z3 * z50 - c_z * z67
+        z68 = x_dot * z27 + s9
+        z69 = z19 * z25 - c_z * z68
+        z70 = x_dot * z56 + 0.5 * (z3 * z63)
+        s10 = 2.0 - 0.5 * (z19 * z54) + c_z * z70 + 0.5 * (z11 * z69)
+        z71 = z28 * s10
+        s11 = 0.3 * z50 + (y_dot * z25 + (0.3 * z33 - z1 * z67) + y_2 * z68)
+        s12 = 2.0 * z58 + z1 * z66 + 0.5 * (x_dot * z17) + 0.5 * (x * z47)
+        z72 = s12 - s_z * s11
+        z73 = c_z * (0.3 * (z1 * z58) - z14 * z26) + z72 + 2.0 * (z * z48)
+        s13 = 0.25 * (z37 * z6) - 0.5 * (y_dot * z54) - y_dot * z14
+        z74 = 0.15 * z63 - (s13 - y_2 * z70)
+        s14 = z6 * z60 + 0.25 * (x_dot * z53) + x * z62 - s_z * z74
+        z75 = s14 - c_z * (z46 - (0.15 * (z6 * z58) - z14 * z55))
+        z76 = z28 * (z75 - 0.5 * (z11 * z73))
+        s15 = 2.0 * z42 + 0.3 * (z14 * z21) - 0.3 * (z1 * z19)
+        z77 = s15 + 2.0 * (x * z16) + 0.5 * (z * z17)
+        z78 = z77 + z31 * z4 + z1 * z27 - 2.0 * (x_dot * z43)
+        s16 = 0.15 * (z14 * z39 - z6 * z19) + x * z52 + 0.25 * (z * z53)
+        z79 = s16 + 0.5 * (z31 * z7)
+        z80 = z28 * (z79 + z1 * z56 - x_dot * z36 - 0.5 * (z11 * z78))
+        z81 = 0.5 * (z32 * z4) + c_z * z25 + 0.5 * (z6 * z27) - y_dot * z2
+        s17 = z29 + 0.25 * (z32 * z7) + 0.5 * (c_z * z54)
+        z82 = s17 + 0.5 * (z6 * z56) - 0.5 * (y_dot * z38)
+        z83 = z28 * (z82 - 0.5 * (z11 * z81))
         J: list[float] = [
-            # (I.4.9)
             0.0,
-            # (I.4.9)
             0.0,
-            # (I.4.9)
             0.0,
             # (I.4.9)
             1.0,
-            # (I.4.9)
             0.0,
-            # (I.4.9)
             0.0,
-            # (I.4.9)
             0.0,
-            # (I.4.9)
             0.0,
-            # (I.4.9)
             0.0,
             # (I.4.9)
             1.0,
@@ -553,25 +543,25 @@ def jacobian(
             # (I.4.9)
             0.5 * z6,
             # (I.4.9)
-            z12 * z67 - z11 * z51,
+            0.5 * (z11 * z65) - z10 * z51,
             # (I.4.9)
-            z11 * z72 + z12 * z74,
+            z10 * z69 + 0.5 * (z11 * z71),
             # (I.4.9)
-            z12 * z79 - z11 * z77,
+            0.5 * (z11 * z76) - z10 * z73,
             # (I.4.9)
-            z12 * z83 - z11 * z81,
+            0.5 * (z11 * z80) - z10 * z78,
             # (I.4.9)
-            z12 * z86 - z11 * z84,
+            0.5 * (z11 * z83) - z10 * z81,
             # (I.4.9)
-            -z67,
+            -z65,
             # (I.4.9)
-            -z74,
+            -z71,
             # (I.4.9)
-            -z79,
+            -z76,
+            # (I.4.9)
+            -z80,
             # (I.4.9)
             -z83,
-            # (I.4.9)
-            -z86,
         ]
         _finish("jacobian", J)
         return [J[k1 : k1 + 5] for k1 in range(0, 25, 5)]

@@ -1,0 +1,154 @@
+/*
+ * chaplygin_ball_quaternion.h: chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:95c375a9435d2558)
+ * A ball with three different moments of inertia rolls on a horizontal plane; its orientation is a
+ *     quaternion.
+ * Source: chaplygin_ball_quaternion.yaml
+ * Equations of motion: euler-lagrange (I.2.15)
+ * Why: angular velocities and quasi-velocities of the spec
+ *
+ * State y:
+ * y[0] = x [m]: centre
+ * y[1] = y [m]: centre
+ * y[2] = R_0 [1]: quaternion of R, scalar part
+ * y[3] = R_1 [1]: quaternion of R, along x
+ * y[4] = R_2 [1]: quaternion of R, along y
+ * y[5] = R_3 [1]: quaternion of R, along z
+ * y[6] = w1
+ * y[7] = w2
+ * y[8] = w3
+ *
+ * Parameters p:
+ * p[0]: m = 1.0 [kg]: mass
+ * p[1]: a = 1.0 [m]: radius
+ * p[2]: I1 = 0.4 [kg*m^2]
+ * p[3]: I2 = 0.5 [kg*m^2]
+ * p[4]: I3 = 0.7 [kg*m^2]
+ *
+ * Constraints:
+ * 0: roll_x
+ * 1: roll_y
+ * 2: R_norm
+ *
+ * Outputs:
+ * out[0] = K_x
+ * out[1] = K_y
+ * out[2] = K_z
+ *
+ * Operations:
+ * rhs: 53 +-, 112 *, 4 /, 0 calls
+ * velocities: 23 +-, 47 *, 1 /, 0 calls
+ * accelerations: 85 +-, 176 *, 4 /, 0 calls
+ * state: 12 +-, 23 *, 1 /, 0 calls
+ * residuals: 29 +-, 50 *, 1 /, 0 calls
+ * positions: 4 +-, 4 *, 0 /, 0 calls
+ * reactions: 53 +-, 110 *, 4 /, 0 calls
+ * energy: 19 +-, 41 *, 1 /, 0 calls
+ * jacobian: 213 +-, 485 *, 5 /, 0 calls
+ * outputs: 26 +-, 44 *, 1 /, 0 calls
+ *
+ * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
+ */
+#ifndef NHC_CHAPLYGIN_BALL_QUATERNION_H
+#define NHC_CHAPLYGIN_BALL_QUATERNION_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* sizes */
+enum {
+    CHAPLYGIN_BALL_QUATERNION_NQ = 6, /* coordinates */
+    CHAPLYGIN_BALL_QUATERNION_NY = 9, /* state: the coordinates and the velocities that are kept */
+    CHAPLYGIN_BALL_QUATERNION_NP = 5, /* parameters */
+    CHAPLYGIN_BALL_QUATERNION_NC = 3, /* constraints */
+    CHAPLYGIN_BALL_QUATERNION_NOUT = 3 /* outputs */
+};
+
+/* return codes */
+enum {
+    CHAPLYGIN_BALL_QUATERNION_OK = 0, /* the result is good */
+    CHAPLYGIN_BALL_QUATERNION_SINGULAR_2 = 2, /* the mass matrix is singular */
+    CHAPLYGIN_BALL_QUATERNION_NOT_FINITE = 3 /* a result is infinite or not a number */
+};
+
+extern const char *const chaplygin_ball_quaternion_coordinate_names[];
+extern const char *const chaplygin_ball_quaternion_state_names[];
+extern const char *const chaplygin_ball_quaternion_parameter_names[];
+extern const double chaplygin_ball_quaternion_parameter_defaults[];
+
+/*
+ * right-hand side dy/dt = f(t, y; p) (I.2.15)
+ * dydt: 9 entries
+ */
+int chaplygin_ball_quaternion_rhs(double t, const double *y, const double *p, double *dydt);
+
+/*
+ * all velocities q' from the state (I.2.4)
+ * qdot: 6 entries
+ */
+int chaplygin_ball_quaternion_velocities(double t, const double *y, const double *p, double *qdot);
+
+/*
+ * all accelerations q'' on the motion (I.2.15)
+ * qddot: 6 entries
+ */
+int chaplygin_ball_quaternion_accelerations(double t, const double *y, const double *p, double *qddot);
+
+/*
+ * the state y from coordinates and velocities (I.2.1)
+ * y: 9 entries
+ */
+int chaplygin_ball_quaternion_state(double t, const double *q, const double *qdot, const double *p, double *y);
+
+/*
+ * left sides of the constraints, zero on every motion (I.1.1)
+ * r: 3 entries
+ */
+int chaplygin_ball_quaternion_residuals(double t, const double *q, const double *qdot, const double *p,
+    double *r);
+
+/*
+ * residuals of the holonomic constraints at position level
+ * f: 1 entries
+ */
+int chaplygin_ball_quaternion_positions(double t, const double *q, const double *p, double *f);
+
+/*
+ * reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+ * lambda: 3 entries
+ * Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a
+ */
+int chaplygin_ball_quaternion_reactions(double t, const double *y, const double *p, double *lambda);
+
+/*
+ * T + V (II.1.4)
+ * not finite where the model is singular
+ */
+double chaplygin_ball_quaternion_energy(double t, const double *y, const double *p);
+
+/*
+ * d rhs_i / d y_j, row-major (I.2.15)
+ * J: 81 entries, row by row: d rhs_i / d y_j stands at 9*i + j
+ */
+int chaplygin_ball_quaternion_jacobian(double t, const double *y, const double *p, double *J);
+
+/*
+ * the spec's outputs
+ * out: 3 entries
+ */
+int chaplygin_ball_quaternion_outputs(double t, const double *y, const double *p, double *out);
+
+/*
+ * rhs for count states at once, a structure of arrays: entry k of state i is y[k*count + i], its time t[i];
+ * the parameters are shared. Nonzero when any of the states is singular. dydt must not overlap the inputs.
+ */
+int chaplygin_ball_quaternion_rhs_batch(size_t count, const double *t, const double *y, const double *p,
+    double *dydt);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,550 @@
+"""free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:47fb5c02d96303e1).
+
+A free rigid body, its orientation a quaternion; Euler's equations, and no
+    orientation that is special.
+Source: free_rigid_body_quaternion.yaml
+Equations of motion: euler-lagrange (I.2.15)
+Why: angular velocities and quasi-velocities of the spec
+
+State y:
+y[0] = R_0 [1]: quaternion of R, scalar part
+y[1] = R_1 [1]: quaternion of R, along x
+y[2] = R_2 [1]: quaternion of R, along y
+y[3] = R_3 [1]: quaternion of R, along z
+y[4] = w1
+y[5] = w2
+y[6] = w3
+
+Parameters p:
+p[0]: I1 = 1.0 [kg*m^2]
+p[1]: I2 = 2.0 [kg*m^2]
+p[2]: I3 = 3.0 [kg*m^2]
+
+Constraints:
+0: R_norm
+
+Outputs:
+out[0] = L_x
+out[1] = L_y
+out[2] = L_z
+
+Operations:
+rhs: 11 +-, 25 *, 3 /, 0 calls
+velocities: 8 +-, 16 *, 0 /, 0 calls
+accelerations: 31 +-, 58 *, 3 /, 0 calls
+state: 12 +-, 23 *, 1 /, 0 calls
+residuals: 3 +-, 5 *, 0 /, 0 calls
+positions: 4 +-, 4 *, 0 /, 0 calls
+reactions: 0 +-, 0 *, 0 /, 0 calls
+energy: 2 +-, 7 *, 0 /, 0 calls
+jacobian: 3 +-, 13 *, 3 /, 0 calls
+outputs: 15 +-, 28 *, 1 /, 0 calls
+
+A singular point raises SingularModelError.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+COORDINATES: tuple[str, ...] = ("R_0", "R_1", "R_2", "R_3")
+STATE: tuple[str, ...] = ("R_0", "R_1", "R_2", "R_3", "w1", "w2", "w3")
+PARAMETERS: tuple[str, ...] = ("I1", "I2", "I3")
+CONSTRAINTS: tuple[str, ...] = ("R_norm",)
+OUTPUTS: tuple[str, ...] = ("L_x", "L_y", "L_z")
+DEFAULTS: tuple[float, ...] = (1.0, 2.0, 3.0)
+
+REASONS = (
+    "",
+    "",
+    "the mass matrix is singular",
+    "a result is not finite or not defined",
+)
+NOT_FINITE = 3
+
+
+class SingularModelError(ArithmeticError):
+    """The model is singular here; ``status`` is the code that C returns."""
+
+    def __init__(self, status: int, function: str) -> None:
+        super().__init__(f"{function}: {REASONS[status]}")
+        self.status = status
+
+
+def _finish(function: str, values: list[float]) -> list[float]:
+    if not all(map(math.isfinite, values)):
+        raise SingularModelError(NOT_FINITE, function)
+    return values
+
+
+def _single(function: str, value: float) -> float:
+    if not math.isfinite(value):
+        raise SingularModelError(NOT_FINITE, function)
+    return value
+
+
+def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
+    """right-hand side dy/dt = f(t, y; p) (I.2.15)
+
+    Arguments: t (scalar), y (7,), p (3,).
+    Returns dydt (7,).
+    """
+    R_0 = float(y[0])  # quaternion of R, scalar part [1]
+    R_1 = float(y[1])  # quaternion of R, along x [1]
+    R_2 = float(y[2])  # quaternion of R, along y [1]
+    R_3 = float(y[3])  # quaternion of R, along z [1]
+    w1 = float(y[4])
+    w2 = float(y[5])
+    w3 = float(y[6])
+    I1 = float(p[0])  # [kg*m^2]
+    I2 = float(p[1])  # [kg*m^2]
+    I3 = float(p[2])  # [kg*m^2]
+    try:
+        # parameters only
+        k1 = I2 - I3
+        k2 = I1 - I3
+        k3 = I1 - I2
+        k4 = 1.0 / I1
+        k5 = 1.0 / I2
+        k6 = 1.0 / I3
+        # state
+        # the mass matrix is singular
+        if not abs(I1) > 0.0:
+            raise SingularModelError(2, "rhs")
+        # the mass matrix is singular
+        if not abs(I2) > 0.0:
+            raise SingularModelError(2, "rhs")
+        # the mass matrix is singular
+        if not abs(I3) > 0.0:
+            raise SingularModelError(2, "rhs")
+        dydt: list[float] = [
+            # R_0' (I.2.15)
+            -0.5 * (R_3 * w3 + (R_1 * w1 + R_2 * w2)),
+            # R_1' (I.2.15)
+            0.5 * (R_2 * w3 + (R_0 * w1 - R_3 * w2)),
+            # R_2' (I.2.15)
+            -0.5 * (R_1 * w3 - (R_3 * w1 + R_0 * w2)),
+            # R_3' (I.2.15)
+            0.5 * (R_0 * w3 - (R_2 * w1 - R_1 * w2)),
+            # w1' (I.2.15) 12:4
+            w2 * w3 * k1 * k4,
+            # w2' (I.2.15) 12:4
+            -w1 * w3 * k2 * k5,
+            # w3' (I.2.15) 12:4
+            w1 * w2 * k3 * k6,
+        ]
+        return _finish("rhs", dydt)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "rhs") from error
+
+
+def velocities(
+    t: float,
+    y: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """all velocities q' from the state (I.2.4)
+
+    Arguments: t (scalar), y (7,), p (3,).
+    Returns qdot (4,).
+    """
+    R_0 = float(y[0])  # quaternion of R, scalar part [1]
+    R_1 = float(y[1])  # quaternion of R, along x [1]
+    R_2 = float(y[2])  # quaternion of R, along y [1]
+    R_3 = float(y[3])  # quaternion of R, along z [1]
+    w1 = float(y[4])
+    w2 = float(y[5])
+    w3 = float(y[6])
+    try:
+        # state
+        qdot: list[float] = [
+            # R_0' (I.2.4)
+            -0.5 * (R_3 * w3 + (R_1 * w1 + R_2 * w2)),
+            # R_1' (I.2.4)
+            0.5 * (R_2 * w3 + (R_0 * w1 - R_3 * w2)),
+            # R_2' (I.2.4)
+            -0.5 * (R_1 * w3 - (R_3 * w1 + R_0 * w2)),
+            # R_3' (I.2.4)
+            0.5 * (R_0 * w3 - (R_2 * w1 - R_1 * w2)),
+        ]
+        return _finish("velocities", qdot)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "velocities") from error
+
+
+def accelerations(
+    t: float,
+    y: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """all accelerations q'' on the motion (I.2.15)
+
+    Arguments: t (scalar), y (7,), p (3,).
+    Returns qddot (4,).
+    """
+    R_0 = float(y[0])  # quaternion of R, scalar part [1]
+    R_1 = float(y[1])  # quaternion of R, along x [1]
+    R_2 = float(y[2])  # quaternion of R, along y [1]
+    R_3 = float(y[3])  # quaternion of R, along z [1]
+    w1 = float(y[4])
+    w2 = float(y[5])
+    w3 = float(y[6])
+    I1 = float(p[0])  # [kg*m^2]
+    I2 = float(p[1])  # [kg*m^2]
+    I3 = float(p[2])  # [kg*m^2]
+    try:
+        # parameters only
+        k1 = (I2 - I3) / I1
+        k2 = (I1 - I3) / I2
+        k3 = (I1 - I2) / I3
+        # state
+        # the mass matrix is singular
+        if not abs(I1) > 0.0:
+            raise SingularModelError(2, "accelerations")
+        # the mass matrix is singular
+        if not abs(I2) > 0.0:
+            raise SingularModelError(2, "accelerations")
+        # the mass matrix is singular
+        if not abs(I3) > 0.0:
+            raise SingularModelError(2, "accelerations")
+        z1 = R_0 * w3 - (R_2 * w1 - R_1 * w2)
+        z2 = w1 * w2 * k3
+        z3 = R_2 * w3 + (R_0 * w1 - R_3 * w2)
+        z4 = w2 * w3 * k1
+        z5 = R_1 * w3 - (R_3 * w1 + R_0 * w2)
+        z6 = w1 * w3 * k2
+        s1 = 0.5 * (w1 * z3) + R_1 * z4 - (0.5 * (w2 * z5) + R_2 * z6)
+        z7 = 0.5 * (w3 * z1) + R_3 * z2 + s1
+        z8 = R_3 * w3 + (R_1 * w1 + R_2 * w2)
+        s2 = 0.5 * (w1 * z8) - R_0 * z4 + (0.5 * (w2 * z1) - R_3 * z6)
+        z9 = 0.5 * (w3 * z5) - R_2 * z2 + s2
+        s3 = 0.5 * (w1 * z1) + R_3 * z4 - (0.5 * (w2 * z8) + R_0 * z6)
+        z10 = 0.5 * (w3 * z3) + R_1 * z2 - s3
+        s4 = 0.5 * (w1 * z5) - R_2 * z4 + (0.5 * (w2 * z3) - R_1 * z6)
+        z11 = 0.5 * (w3 * z8) - R_0 * z2 - s4
+        qddot: list[float] = [
+            # R_0'' (I.2.15)
+            -0.5 * z7,
+            # R_1'' (I.2.15)
+            -0.5 * z9,
+            # R_2'' (I.2.15)
+            -0.5 * z10,
+            # R_3'' (I.2.15)
+            -0.5 * z11,
+        ]
+        return _finish("accelerations", qddot)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "accelerations") from error
+
+
+def state(
+    t: float,
+    q: Sequence[float],
+    qdot: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """the state y from coordinates and velocities (I.2.1)
+
+    Arguments: t (scalar), q (4,), qdot (4,), p (3,).
+    Returns y (7,).
+    """
+    R_0 = float(q[0])  # quaternion of R, scalar part [1]
+    R_1 = float(q[1])  # quaternion of R, along x [1]
+    R_2 = float(q[2])  # quaternion of R, along y [1]
+    R_3 = float(q[3])  # quaternion of R, along z [1]
+    R_0_dot = float(qdot[0])
+    R_1_dot = float(qdot[1])
+    R_2_dot = float(qdot[2])
+    R_3_dot = float(qdot[3])
+    try:
+        # state
+        z1 = 1.0 / (R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)))
+        z2 = R_0 * z1
+        z3 = R_1 * z1
+        z4 = R_3 * z1
+        z5 = R_2 * z1
+        s1 = R_1_dot * z2 - R_0_dot * z3 + (R_2_dot * z4 - R_3_dot * z5)
+        s2 = R_2_dot * z2 - R_0_dot * z5 + (R_3_dot * z3 - R_1_dot * z4)
+        s3 = R_3_dot * z2 - R_0_dot * z4 + (R_1_dot * z5 - R_2_dot * z3)
+        y: list[float] = [R_0, R_1, R_2, R_3, 2.0 * s1, 2.0 * s2, 2.0 * s3]
+        return _finish("state", y)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "state") from error
+
+
+def residuals(
+    t: float,
+    q: Sequence[float],
+    qdot: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """left sides of the constraints, zero on every motion (I.1.1)
+
+    Arguments: t (scalar), q (4,), qdot (4,), p (3,).
+    Returns r (1,).
+    """
+    R_0 = float(q[0])  # quaternion of R, scalar part [1]
+    R_1 = float(q[1])  # quaternion of R, along x [1]
+    R_2 = float(q[2])  # quaternion of R, along y [1]
+    R_3 = float(q[3])  # quaternion of R, along z [1]
+    R_0_dot = float(qdot[0])
+    R_1_dot = float(qdot[1])
+    R_2_dot = float(qdot[2])
+    R_3_dot = float(qdot[3])
+    try:
+        # state
+        s1 = R_2 * R_2_dot + (R_0 * R_0_dot + R_1 * R_1_dot)
+        r: list[float] = [
+            # R_norm = 0 (I.1.1) 7:3
+            2.0 * (R_3 * R_3_dot + s1),
+        ]
+        return _finish("residuals", r)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "residuals") from error
+
+
+def positions(
+    t: float,
+    q: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """residuals of the holonomic constraints at position level
+
+    Arguments: t (scalar), q (4,), p (3,).
+    Returns f (1,).
+    """
+    R_0 = float(q[0])  # quaternion of R, scalar part [1]
+    R_1 = float(q[1])  # quaternion of R, along x [1]
+    R_2 = float(q[2])  # quaternion of R, along y [1]
+    R_3 = float(q[3])  # quaternion of R, along z [1]
+    try:
+        # state
+        f: list[float] = [
+            # R_norm = 0 7:3
+            R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)) - 1.0,
+        ]
+        return _finish("positions", f)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "positions") from error
+
+
+def reactions(
+    t: float,
+    y: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[float]:
+    """reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+
+    Arguments: t (scalar), y (7,), p (3,).
+    Returns lambda_ (1,).
+    Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a.
+    """
+    I1 = float(p[0])  # [kg*m^2]
+    I2 = float(p[1])  # [kg*m^2]
+    I3 = float(p[2])  # [kg*m^2]
+    try:
+        # state
+        # the mass matrix is singular
+        if not abs(I1) > 0.0:
+            raise SingularModelError(2, "reactions")
+        # the mass matrix is singular
+        if not abs(I2) > 0.0:
+            raise SingularModelError(2, "reactions")
+        # the mass matrix is singular
+        if not abs(I3) > 0.0:
+            raise SingularModelError(2, "reactions")
+        lambda_: list[float] = [
+            # reaction of R_norm: Q_i gains lambda_1 a_1i (I.4.1) 7:3
+            0.0,
+        ]
+        return _finish("reactions", lambda_)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "reactions") from error
+
+
+def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
+    """T + V (II.1.4)
+
+    Arguments: t (scalar), y (7,), p (3,).
+    Returns a scalar.
+    """
+    w1 = float(y[4])
+    w2 = float(y[5])
+    w3 = float(y[6])
+    I1 = float(p[0])  # [kg*m^2]
+    I2 = float(p[1])  # [kg*m^2]
+    I3 = float(p[2])  # [kg*m^2]
+    try:
+        # state
+        value1 = 0.5 * (I1 * (w1 * w1) + I2 * (w2 * w2) + I3 * (w3 * w3))
+        return _single("energy", value1)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "energy") from error
+
+
+def jacobian(
+    t: float,
+    y: Sequence[float],
+    p: Sequence[float] = DEFAULTS,
+) -> list[list[float]]:
+    """d rhs_i / d y_j, row-major (I.2.15)
+
+    Arguments: t (scalar), y (7,), p (3,).
+    Returns rows (7, 7): d rhs_i / d y_j stands at [i][j].
+    """
+    R_0 = float(y[0])  # quaternion of R, scalar part [1]
+    R_1 = float(y[1])  # quaternion of R, along x [1]
+    R_2 = float(y[2])  # quaternion of R, along y [1]
+    R_3 = float(y[3])  # quaternion of R, along z [1]
+    w1 = float(y[4])
+    w2 = float(y[5])
+    w3 = float(y[6])
+    I1 = float(p[0])  # [kg*m^2]
+    I2 = float(p[1])  # [kg*m^2]
+    I3 = float(p[2])  # [kg*m^2]
+    try:
+        # parameters only
+        k1 = (I2 - I3) / I1
+        k2 = (I1 - I3) / I2
+        k3 = (I1 - I2) / I3
+        # state
+        # the mass matrix is singular
+        if not abs(I1) > 0.0:
+            raise SingularModelError(2, "jacobian")
+        # the mass matrix is singular
+        if not abs(I2) > 0.0:
+            raise SingularModelError(2, "jacobian")
+        # the mass matrix is singular
+        if not abs(I3) > 0.0:
+            raise SingularModelError(2, "jacobian")
+        z1 = 0.5 * w1
+        z2 = 0.5 * w2
+        z3 = 0.5 * w3
+        z4 = 0.5 * R_1
+        z5 = 0.5 * R_2
+        z6 = 0.5 * R_3
+        z7 = 0.5 * R_0
+        J: list[float] = [
+            0.0,
+            # (I.2.15)
+            -z1,
+            # (I.2.15)
+            -z2,
+            # (I.2.15)
+            -z3,
+            # (I.2.15)
+            -z4,
+            # (I.2.15)
+            -z5,
+            # (I.2.15)
+            -z6,
+            # (I.2.15)
+            z1,
+            0.0,
+            # (I.2.15)
+            z3,
+            # (I.2.15)
+            -z2,
+            # (I.2.15)
+            z7,
+            # (I.2.15)
+            -z6,
+            # (I.2.15)
+            z5,
+            # (I.2.15)
+            z2,
+            # (I.2.15)
+            -z3,
+            0.0,
+            # (I.2.15)
+            z1,
+            # (I.2.15)
+            z6,
+            # (I.2.15)
+            z7,
+            # (I.2.15)
+            -z4,
+            # (I.2.15)
+            z3,
+            # (I.2.15)
+            z2,
+            # (I.2.15)
+            -z1,
+            0.0,
+            # (I.2.15)
+            -z5,
+            # (I.2.15)
+            z4,
+            # (I.2.15)
+            z7,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            # (I.2.15)
+            w3 * k1,
+            # (I.2.15)
+            w2 * k1,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            # (I.2.15)
+            -w3 * k2,
+            0.0,
+            # (I.2.15)
+            -w1 * k2,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            # (I.2.15)
+            w2 * k3,
+            # (I.2.15)
+            w1 * k3,
+            0.0,
+        ]
+        _finish("jacobian", J)
+        return [J[k4 : k4 + 7] for k4 in range(0, 49, 7)]
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "jacobian") from error
+
+
+def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
+    """the spec's outputs
+
+    Arguments: t (scalar), y (7,), p (3,).
+    Returns out (3,).
+    """
+    R_0 = float(y[0])  # quaternion of R, scalar part [1]
+    R_1 = float(y[1])  # quaternion of R, along x [1]
+    R_2 = float(y[2])  # quaternion of R, along y [1]
+    R_3 = float(y[3])  # quaternion of R, along z [1]
+    w1 = float(y[4])
+    w2 = float(y[5])
+    w3 = float(y[6])
+    I1 = float(p[0])  # [kg*m^2]
+    I2 = float(p[1])  # [kg*m^2]
+    I3 = float(p[2])  # [kg*m^2]
+    try:
+        # state
+        z1 = I1 * w1
+        z2 = 1.0 / (R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)))
+        z3 = I3 * w3
+        z4 = I2 * w2
+        z5 = R_2 * z1 - (R_0 * z3 + R_1 * z4)
+        z6 = R_3 * z1 + (R_0 * z4 - R_1 * z3)
+        z7 = R_3 * z4 - (R_0 * z1 + R_2 * z3)
+        out: list[float] = [
+            # L_x 14:8
+            z1 - 2.0 * (z2 * (R_2 * z5 + R_3 * z6)),
+            # L_y 15:8
+            z4 + 2.0 * (z2 * (R_1 * z5 - R_3 * z7)),
+            # L_z 16:8
+            z3 + 2.0 * (z2 * (R_1 * z6 + R_2 * z7)),
+        ]
+        return _finish("outputs", out)
+    except (ValueError, ZeroDivisionError, OverflowError) as error:
+        raise SingularModelError(NOT_FINITE, "outputs") from error

@@ -1,0 +1,590 @@
+/*
+ * heavy_top_quaternion.c: heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:accd2cd63b27140a)
+ * The symmetric top with a fixed point (Lagrange's top), its orientation a quaternion, so that it may stand
+ *     upright.
+ * Source: heavy_top_quaternion.yaml
+ * Equations of motion: euler-lagrange (I.2.15)
+ * Why: angular velocities and quasi-velocities of the spec
+ * heavy_top_quaternion.h says what each function does.
+ */
+#include "heavy_top_quaternion.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+const char *const heavy_top_quaternion_coordinate_names[] = {
+    "R_0",
+    "R_1",
+    "R_2",
+    "R_3"
+};
+const char *const heavy_top_quaternion_state_names[] = {
+    "R_0",
+    "R_1",
+    "R_2",
+    "R_3",
+    "w1",
+    "w2",
+    "w3"
+};
+const char *const heavy_top_quaternion_parameter_names[] = {
+    "I1",
+    "I3",
+    "mgl"
+};
+const double heavy_top_quaternion_parameter_defaults[] = {
+    1.0,
+    1.5,
+    2.0
+};
+
+static int heavy_top_quaternion_finish(int count, const double *values)
+{
+    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    for (int i = 0; i < count; ++i) {
+        sum += values[i];
+    }
+    return fabs(sum) <= DBL_MAX ? HEAVY_TOP_QUATERNION_OK : HEAVY_TOP_QUATERNION_NOT_FINITE;
+}
+
+/* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
+#ifndef HEAVY_TOP_QUATERNION_LANES
+#if !defined(__GNUC__)
+#define HEAVY_TOP_QUATERNION_LANES 1
+#elif defined(__AVX512F__)
+#define HEAVY_TOP_QUATERNION_LANES 8
+#elif defined(__AVX__)
+#define HEAVY_TOP_QUATERNION_LANES 4
+#else
+#define HEAVY_TOP_QUATERNION_LANES 2
+#endif
+#endif
+#if HEAVY_TOP_QUATERNION_LANES > 1
+typedef double heavy_top_quaternion_lanes __attribute__((vector_size(8 * HEAVY_TOP_QUATERNION_LANES)));
+#else
+typedef double heavy_top_quaternion_lanes;
+#endif
+
+#if HEAVY_TOP_QUATERNION_LANES >= 2
+static inline heavy_top_quaternion_lanes heavy_top_quaternion_get(const double *from)
+{
+    heavy_top_quaternion_lanes value;
+    memcpy(&value, from, sizeof value);
+    return value;
+}
+
+static inline void heavy_top_quaternion_put(double *to, heavy_top_quaternion_lanes value)
+{
+    memcpy(to, &value, sizeof value);
+}
+#endif
+
+/* states first, first + 1, ... through rhs, one by one; the first status that is not OK */
+#if defined(__GNUC__)
+__attribute__((noinline))
+#endif
+static int heavy_top_quaternion_one_by_one(size_t count, size_t first, size_t number, const double *t, const double *y, const double *p, double *dydt)
+{
+    int status = HEAVY_TOP_QUATERNION_OK;
+    for (size_t i = first; i < first + number; ++i) {
+        double state[HEAVY_TOP_QUATERNION_NY];
+        double slope[HEAVY_TOP_QUATERNION_NY];
+        for (size_t k = 0; k < HEAVY_TOP_QUATERNION_NY; ++k) {
+            state[k] = y[k * count + i];
+            slope[k] = NAN;
+        }
+        const int one = heavy_top_quaternion_rhs(t[i], state, p, slope);
+        status = status == HEAVY_TOP_QUATERNION_OK ? one : status;
+        for (size_t k = 0; k < HEAVY_TOP_QUATERNION_NY; ++k) {
+            dydt[k * count + i] = slope[k];
+        }
+    }
+    return status;
+}
+
+#if HEAVY_TOP_QUATERNION_LANES >= 2
+#define HEAVY_TOP_QUATERNION_SPREAD(x) ((x) - (heavy_top_quaternion_lanes){0}) /* a number in each lane; lanes stay what they are */
+
+typedef unsigned long long heavy_top_quaternion_bits __attribute__((vector_size(8 * HEAVY_TOP_QUATERNION_LANES)));
+
+/* no number where a bit is set */
+static inline heavy_top_quaternion_lanes heavy_top_quaternion_mark(heavy_top_quaternion_lanes value, heavy_top_quaternion_bits bad)
+{
+    return (heavy_top_quaternion_lanes)((heavy_top_quaternion_bits)value | bad);
+}
+/* whether none of the states must be asked again: no singular block, no infinity, no angle anywhere near 1e5 */
+static inline int heavy_top_quaternion_is_good(int count, const double *check)
+{
+    double even = 0.0;
+    double odd = 0.0;
+    for (int k = 0; k < count; k += 2) {
+        even += check[k];
+        odd += check[k + 1];
+    }
+    return even + odd <= 1e10;
+}
+
+/* the last states, fewer than there are lanes; the others repeat the last one */
+static inline void heavy_top_quaternion_fill(size_t left, size_t count, const double *t, const double *y, double *time, double *state)
+{
+    for (size_t l = 0; l < HEAVY_TOP_QUATERNION_LANES; ++l) {
+        const size_t i = l < left ? l : left - 1;
+        time[l] = t[i];
+        for (size_t k = 0; k < HEAVY_TOP_QUATERNION_NY; ++k) {
+            state[k * HEAVY_TOP_QUATERNION_LANES + l] = y[k * count + i];
+        }
+    }
+}
+
+static inline void heavy_top_quaternion_pour(size_t left, size_t count, const double *slope, double *dydt)
+{
+    for (size_t k = 0; k < HEAVY_TOP_QUATERNION_NY; ++k) {
+        for (size_t l = 0; l < left; ++l) {
+            dydt[k * count + l] = slope[k * HEAVY_TOP_QUATERNION_LANES + l];
+        }
+    }
+}
+#endif
+
+int heavy_top_quaternion_rhs(double t, const double *y, const double *p, double *dydt)
+{
+    (void)t;
+    const double R_0 = y[0]; /* quaternion of R, scalar part [1] */
+    const double R_1 = y[1]; /* quaternion of R, along x [1] */
+    const double R_2 = y[2]; /* quaternion of R, along y [1] */
+    const double R_3 = y[3]; /* quaternion of R, along z [1] */
+    const double w1 = y[4];
+    const double w2 = y[5];
+    const double w3 = y[6];
+    const double I1 = p[0]; /* across the axis, at the fixed point [kg*m^2] */
+    const double I3 = p[1]; /* about the axis [kg*m^2] */
+    const double mgl = p[2]; /* weight times the distance of the centre of mass [N*m] */
+
+    /* parameters only */
+    const double k1 = I1 - I3;
+    const double k2 = 1.0 / I1;
+
+    /* state */
+    const double z1 = mgl / (R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)));
+    const double z2 = w3 * k1;
+    /* (I.2.15) */
+    dydt[0] = -0.5 * (R_3 * w3 + (R_1 * w1 + R_2 * w2)); /* R_0' */
+    dydt[1] = 0.5 * (R_2 * w3 + (R_0 * w1 - R_3 * w2)); /* R_1' */
+    dydt[2] = -0.5 * (R_1 * w3 - (R_3 * w1 + R_0 * w2)); /* R_2' */
+    dydt[3] = 0.5 * (R_0 * w3 - (R_2 * w1 - R_1 * w2)); /* R_3' */
+    /* (I.2.15) 12:4 */
+    dydt[4] = k2 * (2.0 * (z1 * (R_0 * R_1 + R_2 * R_3)) + w2 * z2); /* w1' */
+    dydt[5] = k2 * (2.0 * (z1 * (R_0 * R_2 - R_1 * R_3)) - w1 * z2); /* w2' */
+    dydt[6] = 0.0; /* w3' */
+    /* the mass matrix is singular */
+    if (!(fabs(I1) > 0.0)) {
+        return HEAVY_TOP_QUATERNION_SINGULAR_2;
+    }
+    /* the mass matrix is singular */
+    if (!(fabs(I1) > 0.0)) {
+        return HEAVY_TOP_QUATERNION_SINGULAR_2;
+    }
+    /* the mass matrix is singular */
+    if (!(fabs(I3) > 0.0)) {
+        return HEAVY_TOP_QUATERNION_SINGULAR_2;
+    }
+    return heavy_top_quaternion_finish(7, dydt);
+}
+
+int heavy_top_quaternion_velocities(double t, const double *y, const double *p, double *qdot)
+{
+    (void)t;
+    (void)p;
+    const double R_0 = y[0]; /* quaternion of R, scalar part [1] */
+    const double R_1 = y[1]; /* quaternion of R, along x [1] */
+    const double R_2 = y[2]; /* quaternion of R, along y [1] */
+    const double R_3 = y[3]; /* quaternion of R, along z [1] */
+    const double w1 = y[4];
+    const double w2 = y[5];
+    const double w3 = y[6];
+
+    /* state */
+    /* (I.2.4) */
+    qdot[0] = -0.5 * (R_3 * w3 + (R_1 * w1 + R_2 * w2)); /* R_0' */
+    qdot[1] = 0.5 * (R_2 * w3 + (R_0 * w1 - R_3 * w2)); /* R_1' */
+    qdot[2] = -0.5 * (R_1 * w3 - (R_3 * w1 + R_0 * w2)); /* R_2' */
+    qdot[3] = 0.5 * (R_0 * w3 - (R_2 * w1 - R_1 * w2)); /* R_3' */
+    return heavy_top_quaternion_finish(4, qdot);
+}
+
+int heavy_top_quaternion_accelerations(double t, const double *y, const double *p, double *qddot)
+{
+    (void)t;
+    const double R_0 = y[0]; /* quaternion of R, scalar part [1] */
+    const double R_1 = y[1]; /* quaternion of R, along x [1] */
+    const double R_2 = y[2]; /* quaternion of R, along y [1] */
+    const double R_3 = y[3]; /* quaternion of R, along z [1] */
+    const double w1 = y[4];
+    const double w2 = y[5];
+    const double w3 = y[6];
+    const double I1 = p[0]; /* across the axis, at the fixed point [kg*m^2] */
+    const double I3 = p[1]; /* about the axis [kg*m^2] */
+    const double mgl = p[2]; /* weight times the distance of the centre of mass [N*m] */
+
+    /* parameters only */
+    const double k1 = 1.0 / I1;
+    const double k2 = 1.0 - I3 * k1;
+    const double k3 = mgl * k1;
+
+    /* state */
+    const double z1 = 0.25 * (w3 * w3 + (w1 * w1 + w2 * w2));
+    const double z2 = R_1 * R_1;
+    const double z3 = R_2 * R_2;
+    const double z4 = R_3 * R_3;
+    const double z5 = R_0 * R_0;
+    const double z6 = k3 / (z4 + (z3 + (z5 + z2)));
+    const double z7 = z1 + (z2 + z3) * z6;
+    const double z8 = z1 - (z5 + z4) * z6;
+    const double z9 = w3 * k2;
+    /* (I.2.15) */
+    qddot[0] = 0.5 * (w3 * ((R_2 * w1 - R_1 * w2) * k2)) - R_0 * z7; /* R_0'' */
+    qddot[1] = 0.5 * ((R_3 * w1 + R_0 * w2) * z9) - R_1 * z8; /* R_1'' */
+    qddot[2] = -(R_2 * z8 + 0.5 * ((R_0 * w1 - R_3 * w2) * z9)); /* R_2'' */
+    qddot[3] = -(R_3 * z7 + 0.5 * ((R_1 * w1 + R_2 * w2) * z9)); /* R_3'' */
+    /* the mass matrix is singular */
+    if (!(fabs(I1) > 0.0)) {
+        return HEAVY_TOP_QUATERNION_SINGULAR_2;
+    }
+    /* the mass matrix is singular */
+    if (!(fabs(I1) > 0.0)) {
+        return HEAVY_TOP_QUATERNION_SINGULAR_2;
+    }
+    /* the mass matrix is singular */
+    if (!(fabs(I3) > 0.0)) {
+        return HEAVY_TOP_QUATERNION_SINGULAR_2;
+    }
+    return heavy_top_quaternion_finish(4, qddot);
+}
+
+int heavy_top_quaternion_state(double t, const double *q, const double *qdot, const double *p, double *y)
+{
+    (void)t;
+    (void)p;
+    const double R_0 = q[0]; /* quaternion of R, scalar part [1] */
+    const double R_1 = q[1]; /* quaternion of R, along x [1] */
+    const double R_2 = q[2]; /* quaternion of R, along y [1] */
+    const double R_3 = q[3]; /* quaternion of R, along z [1] */
+    const double R_0_dot = qdot[0];
+    const double R_1_dot = qdot[1];
+    const double R_2_dot = qdot[2];
+    const double R_3_dot = qdot[3];
+
+    /* state */
+    const double z1 = 1.0 / (R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)));
+    const double z2 = R_0 * z1;
+    const double z3 = R_1 * z1;
+    const double z4 = R_3 * z1;
+    const double z5 = R_2 * z1;
+    y[0] = R_0;
+    y[1] = R_1;
+    y[2] = R_2;
+    y[3] = R_3;
+    y[4] = 2.0 * (R_1_dot * z2 - R_0_dot * z3 + (R_2_dot * z4 - R_3_dot * z5));
+    y[5] = 2.0 * (R_2_dot * z2 - R_0_dot * z5 + (R_3_dot * z3 - R_1_dot * z4));
+    y[6] = 2.0 * (R_3_dot * z2 - R_0_dot * z4 + (R_1_dot * z5 - R_2_dot * z3));
+    return heavy_top_quaternion_finish(7, y);
+}
+
+int heavy_top_quaternion_residuals(double t, const double *q, const double *qdot, const double *p, double *r)
+{
+    (void)t;
+    (void)p;
+    const double R_0 = q[0]; /* quaternion of R, scalar part [1] */
+    const double R_1 = q[1]; /* quaternion of R, along x [1] */
+    const double R_2 = q[2]; /* quaternion of R, along y [1] */
+    const double R_3 = q[3]; /* quaternion of R, along z [1] */
+    const double R_0_dot = qdot[0];
+    const double R_1_dot = qdot[1];
+    const double R_2_dot = qdot[2];
+    const double R_3_dot = qdot[3];
+
+    /* state */
+    /* (I.1.1) 7:3 */
+    r[0] = 2.0 * (R_3 * R_3_dot + (R_2 * R_2_dot + (R_0 * R_0_dot + R_1 * R_1_dot))); /* R_norm = 0 */
+    return heavy_top_quaternion_finish(1, r);
+}
+
+int heavy_top_quaternion_positions(double t, const double *q, const double *p, double *f)
+{
+    (void)t;
+    (void)p;
+    const double R_0 = q[0]; /* quaternion of R, scalar part [1] */
+    const double R_1 = q[1]; /* quaternion of R, along x [1] */
+    const double R_2 = q[2]; /* quaternion of R, along y [1] */
+    const double R_3 = q[3]; /* quaternion of R, along z [1] */
+
+    /* state */
+    /* 7:3 */
+    f[0] = R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)) - 1.0; /* R_norm = 0 */
+    return heavy_top_quaternion_finish(1, f);
+}
+
+int heavy_top_quaternion_reactions(double t, const double *y, const double *p, double *lambda)
+{
+    (void)t;
+    (void)y;
+    const double I1 = p[0]; /* across the axis, at the fixed point [kg*m^2] */
+    const double I3 = p[1]; /* about the axis [kg*m^2] */
+
+    /* state */
+    /* (I.4.1) 7:3 */
+    lambda[0] = 0.0; /* reaction of R_norm: Q_i gains lambda_1 a_1i */
+    /* the mass matrix is singular */
+    if (!(fabs(I1) > 0.0)) {
+        return HEAVY_TOP_QUATERNION_SINGULAR_2;
+    }
+    /* the mass matrix is singular */
+    if (!(fabs(I1) > 0.0)) {
+        return HEAVY_TOP_QUATERNION_SINGULAR_2;
+    }
+    /* the mass matrix is singular */
+    if (!(fabs(I3) > 0.0)) {
+        return HEAVY_TOP_QUATERNION_SINGULAR_2;
+    }
+    return heavy_top_quaternion_finish(1, lambda);
+}
+
+double heavy_top_quaternion_energy(double t, const double *y, const double *p)
+{
+    (void)t;
+    const double R_0 = y[0]; /* quaternion of R, scalar part [1] */
+    const double R_1 = y[1]; /* quaternion of R, along x [1] */
+    const double R_2 = y[2]; /* quaternion of R, along y [1] */
+    const double R_3 = y[3]; /* quaternion of R, along z [1] */
+    const double w1 = y[4];
+    const double w2 = y[5];
+    const double w3 = y[6];
+    const double I1 = p[0]; /* across the axis, at the fixed point [kg*m^2] */
+    const double I3 = p[1]; /* about the axis [kg*m^2] */
+    const double mgl = p[2]; /* weight times the distance of the centre of mass [N*m] */
+
+    /* state */
+    const double z1 = R_2 * R_2;
+    const double z2 = R_1 * R_1;
+    const double z3 = mgl * (1.0 - 2.0 * ((z2 + z1) / (R_3 * R_3 + (z1 + (R_0 * R_0 + z2)))));
+    return 0.5 * (I1 * (w1 * w1 + w2 * w2) + I3 * (w3 * w3)) + z3;
+}
+
+int heavy_top_quaternion_jacobian(double t, const double *y, const double *p, double *J)
+{
+    for (int entry = 0; entry < 49; ++entry) {
+        J[entry] = 0.0;
+    }
+    (void)t;
+    const double R_0 = y[0]; /* quaternion of R, scalar part [1] */
+    const double R_1 = y[1]; /* quaternion of R, along x [1] */
+    const double R_2 = y[2]; /* quaternion of R, along y [1] */
+    const double R_3 = y[3]; /* quaternion of R, along z [1] */
+    const double w1 = y[4];
+    const double w2 = y[5];
+    const double w3 = y[6];
+    const double I1 = p[0]; /* across the axis, at the fixed point [kg*m^2] */
+    const double I3 = p[1]; /* about the axis [kg*m^2] */
+    const double mgl = p[2]; /* weight times the distance of the centre of mass [N*m] */
+
+    /* parameters only */
+    const double k1 = 1.0 / I1;
+    const double k2 = (I1 - I3) * k1;
+
+    /* state */
+    const double z1 = 0.5 * w1;
+    const double z2 = 0.5 * w2;
+    const double z3 = 0.5 * w3;
+    const double z4 = 0.5 * R_1;
+    const double z5 = 0.5 * R_2;
+    const double z6 = 0.5 * R_3;
+    const double z7 = 0.5 * R_0;
+    const double z8 = R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1));
+    const double z9 = mgl / z8;
+    const double z10 = 2.0 * (R_1 * z9);
+    const double z11 = mgl / (z8 * z8);
+    const double z12 = (R_0 * R_1 + R_2 * R_3) * z11;
+    const double z13 = 2.0 * (R_0 * z9);
+    const double z14 = 2.0 * (R_3 * z9);
+    const double z15 = 2.0 * (R_2 * z9);
+    const double z16 = w3 * k2;
+    const double z17 = (R_0 * R_2 - R_1 * R_3) * z11;
+    /* (I.2.15) */
+    J[1] = -z1;
+    J[2] = -z2;
+    J[3] = -z3;
+    J[4] = -z4;
+    J[5] = -z5;
+    J[6] = -z6;
+    J[7] = z1;
+    J[9] = z3;
+    J[10] = -z2;
+    J[11] = z7;
+    J[12] = -z6;
+    J[13] = z5;
+    J[14] = z2;
+    J[15] = -z3;
+    J[17] = z1;
+    J[18] = z6;
+    J[19] = z7;
+    J[20] = -z4;
+    J[21] = z3;
+    J[22] = z2;
+    J[23] = -z1;
+    J[25] = -z5;
+    J[26] = z4;
+    J[27] = z7;
+    J[28] = k1 * (z10 - 4.0 * (R_0 * z12));
+    J[29] = k1 * (z13 - 4.0 * (R_1 * z12));
+    J[30] = k1 * (z14 - 4.0 * (R_2 * z12));
+    J[31] = k1 * (z15 - 4.0 * (R_3 * z12));
+    J[33] = z16;
+    J[34] = w2 * k2;
+    J[35] = k1 * (z15 - 4.0 * (R_0 * z17));
+    J[36] = -k1 * (z14 + 4.0 * (R_1 * z17));
+    J[37] = k1 * (z13 - 4.0 * (R_2 * z17));
+    J[38] = -k1 * (z10 + 4.0 * (R_3 * z17));
+    J[39] = -z16;
+    J[41] = -w1 * k2;
+    /* the mass matrix is singular */
+    if (!(fabs(I1) > 0.0)) {
+        return HEAVY_TOP_QUATERNION_SINGULAR_2;
+    }
+    /* the mass matrix is singular */
+    if (!(fabs(I1) > 0.0)) {
+        return HEAVY_TOP_QUATERNION_SINGULAR_2;
+    }
+    /* the mass matrix is singular */
+    if (!(fabs(I3) > 0.0)) {
+        return HEAVY_TOP_QUATERNION_SINGULAR_2;
+    }
+    return heavy_top_quaternion_finish(49, J);
+}
+
+int heavy_top_quaternion_outputs(double t, const double *y, const double *p, double *out)
+{
+    (void)t;
+    const double R_0 = y[0]; /* quaternion of R, scalar part [1] */
+    const double R_1 = y[1]; /* quaternion of R, along x [1] */
+    const double R_2 = y[2]; /* quaternion of R, along y [1] */
+    const double R_3 = y[3]; /* quaternion of R, along z [1] */
+    const double w1 = y[4];
+    const double w2 = y[5];
+    const double w3 = y[6];
+    const double I1 = p[0]; /* across the axis, at the fixed point [kg*m^2] */
+    const double I3 = p[1]; /* about the axis [kg*m^2] */
+
+    /* state */
+    const double z1 = R_2 * R_2;
+    const double z2 = R_1 * R_1;
+    const double z3 = 1.0 / (R_3 * R_3 + (z1 + (R_0 * R_0 + z2)));
+    const double z4 = z2 + z1;
+    const double z5 = I3 * w3;
+    const double z6 = I1 * (R_0 * (R_2 * w1 - R_1 * w2) - R_3 * (R_1 * w1 + R_2 * w2)) + z5 * z4;
+    /* 15:11 */
+    out[0] = 1.0 - 2.0 * (z3 * z4); /* height */
+    /* 16:8 */
+    out[1] = z5 - 2.0 * (z3 * z6); /* L_z */
+    return heavy_top_quaternion_finish(2, out);
+}
+
+#if HEAVY_TOP_QUATERNION_LANES >= 2
+static __attribute__((noinline)) void heavy_top_quaternion_rhs_lanes(const double *fixed, size_t stride,
+    const double *t, const double *y, double *restrict dydt, double *check)
+{
+    (void)t;
+    heavy_top_quaternion_lanes far = {0}; /* the squares of the angles */
+    heavy_top_quaternion_lanes sum = {0}; /* an infinity or a NaN among the results stays in it */
+    heavy_top_quaternion_bits bad = {0}; /* singular blocks */
+    const double mgl = fixed[0];
+    const double k1 = fixed[1];
+    const double k2 = fixed[2];
+    const heavy_top_quaternion_lanes R_0 = heavy_top_quaternion_get(y);
+    const heavy_top_quaternion_lanes R_1 = heavy_top_quaternion_get(y + 1 * stride);
+    const heavy_top_quaternion_lanes R_2 = heavy_top_quaternion_get(y + 2 * stride);
+    const heavy_top_quaternion_lanes R_3 = heavy_top_quaternion_get(y + 3 * stride);
+    const heavy_top_quaternion_lanes w1 = heavy_top_quaternion_get(y + 4 * stride);
+    const heavy_top_quaternion_lanes w2 = heavy_top_quaternion_get(y + 5 * stride);
+    const heavy_top_quaternion_lanes w3 = heavy_top_quaternion_get(y + 6 * stride);
+    const heavy_top_quaternion_lanes z1 = mgl / (R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)));
+    const heavy_top_quaternion_lanes z2 = w3 * k1;
+    /* (I.2.15) */
+    const heavy_top_quaternion_lanes slope1 = -0.5 * (R_3 * w3 + (R_1 * w1 + R_2 * w2));
+    sum += slope1;
+    heavy_top_quaternion_put(dydt, slope1);
+    const heavy_top_quaternion_lanes slope2 = 0.5 * (R_2 * w3 + (R_0 * w1 - R_3 * w2));
+    sum += slope2;
+    heavy_top_quaternion_put(dydt + 1 * stride, slope2);
+    const heavy_top_quaternion_lanes slope3 = -0.5 * (R_1 * w3 - (R_3 * w1 + R_0 * w2));
+    sum += slope3;
+    heavy_top_quaternion_put(dydt + 2 * stride, slope3);
+    const heavy_top_quaternion_lanes slope4 = 0.5 * (R_0 * w3 - (R_2 * w1 - R_1 * w2));
+    sum += slope4;
+    heavy_top_quaternion_put(dydt + 3 * stride, slope4);
+    /* (I.2.15) 12:4 */
+    const heavy_top_quaternion_lanes slope5 = k2 * (2.0 * (z1 * (R_0 * R_1 + R_2 * R_3)) + w2 * z2);
+    sum += slope5;
+    heavy_top_quaternion_put(dydt + 4 * stride, slope5);
+    const heavy_top_quaternion_lanes slope6 = k2 * (2.0 * (z1 * (R_0 * R_2 - R_1 * R_3)) - w1 * z2);
+    sum += slope6;
+    heavy_top_quaternion_put(dydt + 5 * stride, slope6);
+    const heavy_top_quaternion_lanes slope7 = HEAVY_TOP_QUATERNION_SPREAD(0.0);
+    sum += slope7;
+    heavy_top_quaternion_put(dydt + 6 * stride, slope7);
+    heavy_top_quaternion_put(check, heavy_top_quaternion_mark(far + (sum - sum), bad));
+}
+
+static __attribute__((noinline)) void heavy_top_quaternion_rhs_tail(const double *fixed, size_t left, size_t
+    count, const double *t, const double *y, double *restrict dydt, double *check)
+{
+    double time[HEAVY_TOP_QUATERNION_LANES];
+    double state[7 * HEAVY_TOP_QUATERNION_LANES];
+    double slope[7 * HEAVY_TOP_QUATERNION_LANES];
+    heavy_top_quaternion_fill(left, count, t, y, time, state);
+    heavy_top_quaternion_rhs_lanes(fixed, HEAVY_TOP_QUATERNION_LANES, time, state, slope, check);
+    heavy_top_quaternion_pour(left, count, slope, dydt);
+}
+#endif
+
+int heavy_top_quaternion_rhs_batch(size_t count, const double *t, const double *y, const double *p, double
+    *restrict dydt)
+{
+#if HEAVY_TOP_QUATERNION_LANES >= 2
+    const double I1 = p[0]; /* across the axis, at the fixed point [kg*m^2] */
+    const double I3 = p[1]; /* about the axis [kg*m^2] */
+    const double mgl = p[2]; /* weight times the distance of the centre of mass [N*m] */
+    const double k1 = I1 - I3;
+    const double k2 = 1.0 / I1;
+    /* the mass matrix is singular */
+    if (!(fabs(I1) > 0.0)) {
+        return HEAVY_TOP_QUATERNION_SINGULAR_2;
+    }
+    /* the mass matrix is singular */
+    if (!(fabs(I1) > 0.0)) {
+        return HEAVY_TOP_QUATERNION_SINGULAR_2;
+    }
+    /* the mass matrix is singular */
+    if (!(fabs(I3) > 0.0)) {
+        return HEAVY_TOP_QUATERNION_SINGULAR_2;
+    }
+    const double fixed[] = {mgl, k1, k2};
+    double check[1 * HEAVY_TOP_QUATERNION_LANES];
+    int status = HEAVY_TOP_QUATERNION_OK;
+    for (size_t i = 0; i < count; i += HEAVY_TOP_QUATERNION_LANES) {
+        const size_t left = count - i < HEAVY_TOP_QUATERNION_LANES ? count - i : HEAVY_TOP_QUATERNION_LANES;
+        if (left == HEAVY_TOP_QUATERNION_LANES) {
+            heavy_top_quaternion_rhs_lanes(fixed, count, t + i, y + i, dydt + i, check);
+        } else {
+            heavy_top_quaternion_rhs_tail(fixed, left, count, t + i, y + i, dydt + i, check);
+        }
+        if (!heavy_top_quaternion_is_good(1 * HEAVY_TOP_QUATERNION_LANES, check)) {
+            const int one = heavy_top_quaternion_one_by_one(count, i, left, t, y, p, dydt);
+            status = status == HEAVY_TOP_QUATERNION_OK ? one : status;
+        }
+    }
+    return status;
+#else
+    return heavy_top_quaternion_one_by_one(count, 0, count, t, y, p, dydt);
+#endif
+}

@@ -1,0 +1,146 @@
+/*
+ * heavy_top_quaternion.h: heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:fde86743dd136cc0)
+ * The symmetric top with a fixed point (Lagrange's top), its orientation a quaternion, so that it may stand
+ *     upright.
+ * Source: heavy_top_quaternion.yaml
+ * Equations of motion: euler-lagrange (I.2.15)
+ * Why: angular velocities and quasi-velocities of the spec
+ *
+ * State y:
+ * y[0] = R_0 [1]: quaternion of R, scalar part
+ * y[1] = R_1 [1]: quaternion of R, along x
+ * y[2] = R_2 [1]: quaternion of R, along y
+ * y[3] = R_3 [1]: quaternion of R, along z
+ * y[4] = w1
+ * y[5] = w2
+ * y[6] = w3
+ *
+ * Parameters p:
+ * p[0]: I1 = 1.0 [kg*m^2]: across the axis, at the fixed point
+ * p[1]: I3 = 1.5 [kg*m^2]: about the axis
+ * p[2]: mgl = 2.0 [N*m]: weight times the distance of the centre of mass
+ *
+ * Constraints:
+ * 0: R_norm
+ *
+ * Outputs:
+ * out[0] = height
+ * out[1] = L_z
+ *
+ * Operations:
+ * rhs: 16 +-, 33 *, 2 /, 0 calls
+ * velocities: 8 +-, 16 *, 0 /, 0 calls
+ * accelerations: 18 +-, 34 *, 2 /, 0 calls
+ * state: 12 +-, 23 *, 1 /, 0 calls
+ * residuals: 3 +-, 5 *, 0 /, 0 calls
+ * positions: 4 +-, 4 *, 0 /, 0 calls
+ * reactions: 0 +-, 0 *, 0 /, 0 calls
+ * energy: 8 +-, 12 *, 1 /, 0 calls
+ * jacobian: 14 +-, 54 *, 3 /, 0 calls
+ * outputs: 10 +-, 17 *, 1 /, 0 calls
+ *
+ * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
+ */
+#ifndef NHC_HEAVY_TOP_QUATERNION_H
+#define NHC_HEAVY_TOP_QUATERNION_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* sizes */
+enum {
+    HEAVY_TOP_QUATERNION_NQ = 4, /* coordinates */
+    HEAVY_TOP_QUATERNION_NY = 7, /* state: the coordinates and the velocities that are kept */
+    HEAVY_TOP_QUATERNION_NP = 3, /* parameters */
+    HEAVY_TOP_QUATERNION_NC = 1, /* constraints */
+    HEAVY_TOP_QUATERNION_NOUT = 2 /* outputs */
+};
+
+/* return codes */
+enum {
+    HEAVY_TOP_QUATERNION_OK = 0, /* the result is good */
+    HEAVY_TOP_QUATERNION_SINGULAR_2 = 2, /* the mass matrix is singular */
+    HEAVY_TOP_QUATERNION_NOT_FINITE = 3 /* a result is infinite or not a number */
+};
+
+extern const char *const heavy_top_quaternion_coordinate_names[];
+extern const char *const heavy_top_quaternion_state_names[];
+extern const char *const heavy_top_quaternion_parameter_names[];
+extern const double heavy_top_quaternion_parameter_defaults[];
+
+/*
+ * right-hand side dy/dt = f(t, y; p) (I.2.15)
+ * dydt: 7 entries
+ */
+int heavy_top_quaternion_rhs(double t, const double *y, const double *p, double *dydt);
+
+/*
+ * all velocities q' from the state (I.2.4)
+ * qdot: 4 entries
+ */
+int heavy_top_quaternion_velocities(double t, const double *y, const double *p, double *qdot);
+
+/*
+ * all accelerations q'' on the motion (I.2.15)
+ * qddot: 4 entries
+ */
+int heavy_top_quaternion_accelerations(double t, const double *y, const double *p, double *qddot);
+
+/*
+ * the state y from coordinates and velocities (I.2.1)
+ * y: 7 entries
+ */
+int heavy_top_quaternion_state(double t, const double *q, const double *qdot, const double *p, double *y);
+
+/*
+ * left sides of the constraints, zero on every motion (I.1.1)
+ * r: 1 entries
+ */
+int heavy_top_quaternion_residuals(double t, const double *q, const double *qdot, const double *p, double *r);
+
+/*
+ * residuals of the holonomic constraints at position level
+ * f: 1 entries
+ */
+int heavy_top_quaternion_positions(double t, const double *q, const double *p, double *f);
+
+/*
+ * reactions lambda: Q_i gains lambda_a a_ai (I.4.1)
+ * lambda: 1 entries
+ * Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a
+ */
+int heavy_top_quaternion_reactions(double t, const double *y, const double *p, double *lambda);
+
+/*
+ * T + V (II.1.4)
+ * not finite where the model is singular
+ */
+double heavy_top_quaternion_energy(double t, const double *y, const double *p);
+
+/*
+ * d rhs_i / d y_j, row-major (I.2.15)
+ * J: 49 entries, row by row: d rhs_i / d y_j stands at 7*i + j
+ */
+int heavy_top_quaternion_jacobian(double t, const double *y, const double *p, double *J);
+
+/*
+ * the spec's outputs
+ * out: 2 entries
+ */
+int heavy_top_quaternion_outputs(double t, const double *y, const double *p, double *out);
+
+/*
+ * rhs for count states at once, a structure of arrays: entry k of state i is y[k*count + i], its time t[i];
+ * the parameters are shared. Nonzero when any of the states is singular. dydt must not overlap the inputs.
+ */
+int heavy_top_quaternion_rhs_batch(size_t count, const double *t, const double *y, const double *p, double
+    *dydt);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
