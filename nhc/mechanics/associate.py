@@ -14,7 +14,7 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-from nhc.algebra.calculus import substitute, tangent
+from nhc.algebra.calculus import gradient, pullback_gradient, substitute, tangent
 from nhc.algebra.gather import gather
 from nhc.algebra.graph import Node
 from nhc.mechanics.kinetic import Kinetic, exterior_derivative
@@ -56,6 +56,7 @@ class Equations:
     definite: bool
     multipliers: tuple[Node, ...]
     react: Callable[[], tuple[Row, ...]]
+    sweep: Callable[[], tuple[Node, ...] | None]
     guards: tuple[tuple[Node, Node], ...]
     forms: tuple[tuple[Node, ...], Node] | tuple[()] = ()
     tree: Elimination | None = None
@@ -154,6 +155,28 @@ class Projector:
         slopes = substitute(g, tangent(g, [self.kinetic.tau], along(system, e)), self._to_motion)[0]
         potential = substitute(g, tangent(g, [self._potential], along(system, e)), self._places)[0]
         return Row(tuple(mass), g.sub(g.add(g.add(slopes, potential), applied), inertial))
+
+    def work_on_constraints(self, moved: Moved) -> tuple[Node, ...] | None:
+        """lambda_alpha with the rates' symbols, all by one reverse sweep of the virtual power over the constraints' forms.
+
+        None where a form of T has a term domega of its own.
+        """
+        g, system = self.system.graph, self.system
+        own = [k for k, carried in enumerate(self.carried) if not carried and not self.kinetic.is_exact(k)]
+        if own or self._gyro or system.rotations:
+            return None
+        spread = moved.spread()
+        rates = [
+            g.sum([g.mul(column[k], rate) for column, rate in zip(self.columns, self.motion.rates, strict=True)])
+            for k in range(len(self.carried))
+        ]
+        momenta = [g.add(a, b) for a, b in zip(self.pi_drift, self._momenta(rates), strict=True)]
+        explicit = gradient(g, self.kinetic.tau, system.q), gradient(g, self._potential, system.q)
+        slopes = substitute(g, explicit[0], self._to_motion), substitute(g, explicit[1], self._places)
+        applied = [g.sum(parts) for parts in zip(self._applied()[0], *slopes, strict=True)]
+        weighted = [*zip(spread.forms, momenta, strict=True)]
+        weighted += [(v, g.neg(force)) for v, force in zip(spread.velocities, applied, strict=True)]
+        return tuple(pullback_gradient(g, weighted, spread.held))
 
     def _add_turning(self, moved: Moved) -> list[Vector]:
         """Adds omega x p of all that turns, p T's slopes with the points at rest, and the loads, to the rates of the momenta.

@@ -26,6 +26,8 @@ from nhc.mechanics.tree_choice import FEW, worthwhile_tree
 from nhc.mechanics.whole_forms import whole_kinetic
 from nhc.records import record
 
+_FEW_ROWS = 40
+"""Coordinates times constraints up to which reactions are also made row by row."""
 _SMALL = 400
 """Operations up to which a second route is worth a try."""
 
@@ -54,6 +56,7 @@ class _Route:
     guards: tuple[tuple[Node, Node], ...]
     rows: list[Row]
     react: Callable[[], tuple[Row, ...]]
+    sweep: Callable[[], tuple[Node, ...] | None]
 
     def cost(self, graph: Graph) -> int:
         """Operations of the matrix, the right side and the kinematics; a single rate's as it will be solved."""
@@ -82,6 +85,7 @@ def equations_of(system: System, formulation: Formulation, kinetic: Kinetic | No
         definite=not bordered and (kinetic.is_positive() or _is_definite(system, rows)),
         multipliers=multiplier_symbols(system) if bordered else (),
         react=route.react,
+        sweep=route.sweep,
         guards=route.guards,
     )
 
@@ -111,6 +115,7 @@ def _from_leaves(system: System, formulation: Formulation, tree: Elimination, ki
         definite=True,
         multipliers=(),
         react=lambda: (),
+        sweep=lambda: None,
         guards=(),
         tree=tree,
     )
@@ -147,9 +152,11 @@ def _route(system: System, formulation: Formulation, kinetic: Kinetic, moved: Mo
         made = [projector.row(e, w) for e, w in zip(frame.vectors[: system.l], weights, strict=True)]
         return tuple(_polish(system.graph, made))
 
-    return _Route(
-        motion, frame.guards if frame is not None else (), _polish(system.graph, rows, motion.velocities), react
-    )
+    def sweep() -> tuple[Node, ...] | None:
+        return projector.work_on_constraints(moved) if moved is not None else None
+
+    guards = frame.guards if frame is not None else ()
+    return _Route(motion, guards, _polish(system.graph, rows, motion.velocities), react, sweep)
 
 
 def _assemble(rows: Sequence[Row]) -> tuple[Matrix, tuple[Node, ...]]:
@@ -198,13 +205,17 @@ def accelerations(equations: Equations) -> tuple[Node, ...]:
 
 
 def reaction_values(equations: Equations) -> tuple[Node, ...]:
-    """lambda_alpha = the rows of the constraints' own vectors, with the rates' symbols."""
-    g = equations.system.graph
+    """lambda_alpha with the rates' symbols: the rows of the constraints' own vectors, or one sweep where that is shorter."""
+    g, system = equations.system.graph, equations.system
+    swept = equations.sweep()
+    if swept is not None and system.n * system.l > _FEW_ROWS:
+        return swept
     rates = equations.motion.rates
-    return tuple(
+    values = tuple(
         g.sub(g.sum([g.mul(m, rate) for m, rate in zip(row.mass, rates, strict=True)]), row.force)
         for row in equations.reactions
     )
+    return values if swept is None or count(g, values) <= count(g, swept) else swept
 
 
 def bordered_system(equations: Equations) -> tuple[list[list[Node]], list[Node]]:

@@ -10,7 +10,7 @@ from nhc.algebra.graph import Graph, Node
 from nhc.algebra.linear import NamedBlock, Singular, solve_rows
 from nhc.mechanics.frame import Frame, form_value
 from nhc.mechanics.kinetic import Kinetic
-from nhc.mechanics.moved import Moved, Turning, Weights
+from nhc.mechanics.moved import Moved, Spread, Turning, Weights
 from nhc.mechanics.moving import Scene
 from nhc.mechanics.moving_bodies import Bodies, Placed, gather_bodies
 from nhc.mechanics.moving_loads import find_loads
@@ -134,6 +134,11 @@ def _finish(
         everywhere = _solve(scene, rows, everything=True)[0]
         return _weigh(everywhere, substitute(g, bodies.values, everywhere.found), turning, scene.held[: system.l])
 
+    def spread() -> Spread:
+        everywhere = _solve(scene, rows, everything=True)[0]
+        forms = substitute(g, bodies.values, everywhere.found)
+        return Spread(tuple(forms), tuple(everywhere.found[v] for v in system.v), scene.held[: system.l])
+
     loads, potential, places = find_loads(scene, bodies, len(moved))
     done = solution.finish([*kinematics, *moved, *drift], held)
     size, count = system.n, len(moved)
@@ -146,6 +151,7 @@ def _finish(
         drift=tuple(done[size + count :]),
         weights=_weigh(solution, general, turning, scene.held[system.l :]),
         weigh=weigh,
+        spread=spread,
         carried=tuple(carried),
         inertial=tuple(inertial),
         loads=loads,

@@ -33,11 +33,20 @@ class Weights:
 
 
 @record
+class Spread:
+    """T's forms and the velocities as linear functions of ``held``, the symbols of the constraints' forms."""
+
+    forms: tuple[Node, ...]
+    velocities: tuple[Node, ...]
+    held: tuple[Node, ...]
+
+
+@record
 class Moved:
     """T in the forms of ``kinetic`` on moving axes.
 
     ``u`` and ``drift`` are the forms on the motion and their rates with the kept velocities' rates left out; ``weights`` are
-    those along the frame's free vectors, ``weigh()`` gives those along the constraints' vectors.  The drift of an ``inertial``
+    those along the frame's free vectors, ``weigh()`` gives those along the constraints' vectors, ``spread()`` what they are taken from.  The drift of an ``inertial``
     form is a component of an acceleration; ``loads`` are what U gives to each form, ``potential`` what is left of U, in symbols
     for the ``places`` of points.  A form
     that is ``carried`` needs no term domega of its own.  ``settled``: every vector that stands on no other has forms of the
@@ -51,6 +60,7 @@ class Moved:
     drift: tuple[Node, ...]
     weights: tuple[Weights, ...]
     weigh: Callable[[], tuple[Weights, ...]]
+    spread: Callable[[], Spread]
     carried: tuple[bool, ...]
     inertial: tuple[bool, ...]
     loads: tuple[Node, ...]

@@ -6,7 +6,7 @@ differs from Omega_i by an exact one (a wheel's spin about its axle) has the sam
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 
 from nhc.algebra.calculus import reachable, substitute
 from nhc.algebra.graph import Node
@@ -62,8 +62,8 @@ def recognise(scene: Scene, kinetic: Kinetic, roots: Sequence[Node]) -> None:
                 scene.replaced.setdefault(opposite, g.neg(component))
 
 
-def find_spins(scene: Scene, kinetic: Kinetic, done: Sequence[bool]) -> list[Spin]:
-    """T's forms whose exterior derivative is that of a component of an angular velocity."""
+def find_spins(scene: Scene, kinetic: Kinetic, done: Sequence[bool], near: Collection[Path] = ()) -> list[Spin]:
+    """T's forms whose exterior derivative is that of a component of an angular velocity; ``near`` are tried first."""
     g, system = scene.graph, scene.system
     open_forms = [k for k, carried in enumerate(done) if not carried and not kinetic.is_exact(k)]
     if not open_forms:
@@ -75,7 +75,7 @@ def find_spins(scene: Scene, kinetic: Kinetic, done: Sequence[bool]) -> list[Spi
         for k in open_forms
     }
     spins: list[Spin] = []
-    for path in spatial_paths(scene):
+    for path in sorted(spatial_paths(scene), key=lambda path: path not in near):
         spin = scene.spin(path)
         along_x = substitute(g, spin, dict(zip(system.v, first[:-1], strict=True)))
         along_e = substitute(g, spin, dict(zip(system.v, second, strict=True)))
@@ -96,7 +96,7 @@ def find_turning(scene: Scene, bodies: Bodies, inertial: Sequence[bool]) -> list
         path: [[k] if k >= 0 else [] for k in numbers] for path, numbers in bodies.spins.items()
     }
     own = {k for numbers in bodies.spins.values() for k in numbers}
-    for spin in find_spins(scene, bodies.kinetic, [flag or k in own for k, flag in enumerate(inertial)]):
+    for spin in find_spins(scene, bodies.kinetic, [flag or k in own for k, flag in enumerate(inertial)], bodies.spins):
         for known, more in zip(members.setdefault(spin.path, [[], [], []]), spin.members, strict=True):
             known += more
     found = [Spin(path, (tuple(x), tuple(y), tuple(z)), bodies.spins.get(path)) for path, (x, y, z) in members.items()]

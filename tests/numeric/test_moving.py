@@ -144,3 +144,26 @@ def test_gathered_sums_keep_their_value_and_their_operands() -> None:
     assert count(g, [total]) < count(g, [plain])
     shared = g.mul(x, g.mul(m, y))  # m is inside: taking it out would make x*y a new product
     assert split(g, shared, g.mask((m,)), 0) == (g.one, g.one, shared)
+
+
+@pytest.mark.parametrize("text", [*(planar_tree(seed) for seed in range(8)), spec_path("bicycle").read_text()])
+def test_reactions_by_one_sweep(text: str) -> None:
+    """What one reverse sweep of the virtual power gives is what the rows of the constraints' own vectors give."""
+    system = system_of(text)
+    g, kinetic, swept_count = system.graph, kinetic_structure(system), 0
+    for formulation in applicable(system):
+        moved = None if formulation.frame is None else move(system, kinetic, formulation.frame)
+        if moved is None:
+            continue
+        route = _route(system, formulation, kinetic, moved)
+        swept = route.sweep()
+        if swept is None:
+            continue
+        swept_count += 1
+        rates = route.motion.rates
+        rows = [
+            g.sub(g.sum(g.mul(m, rate) for m, rate in zip(row.mass, rates, strict=True)), row.force)
+            for row in route.react()
+        ]
+        assert are_equal(g, swept, rows)
+    assert swept_count > 0
