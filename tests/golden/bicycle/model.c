@@ -1,5 +1,5 @@
 /*
- * bicycle.c: bicycle, emitted by nhc 0.1.0 (nhc:23e8f5ded783352c)
+ * bicycle.c: bicycle, emitted by nhc 0.1.0 (nhc:80b69b1f63fb96c3)
  * Whipple's bicycle, nonlinear; two wheels, rear frame with rider, front frame; x ahead, y right, z down.
  * Source: bicycle.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -631,159 +631,156 @@ int bicycle_rhs(double t, const double *y, const double *p, double *dydt)
     dydt[6] = steer_dot; /* steer' */
     dydt[7] = z215; /* thR' */
     dydt[8] = thF_dot; /* thF' */
-    const double z225 = R_yy * z220;
     const double h2z = e2z * c_steer + s_steer * z7;
-    const double z226 = c_lam * w1_pitch - s_lam * w3_pitch;
-    const double z227 = s_steer * z219 - c_steer * z226;
-    const double z228 = c_steer * z219 + s_steer * z226;
-    const double z229 = F_yy * (thF_dot - z228) - k47 * z228;
+    const double z225 = c_lam * w1_pitch - s_lam * w3_pitch;
+    const double z226 = s_steer * z219 - c_steer * z225;
+    const double z227 = c_steer * z219 + s_steer * z225;
+    const double z228 = F_yy * (thF_dot - z227) - k47 * z227;
     const double w3_steer = steer_dot + (c_lam * w3_pitch + s_lam * w1_pitch);
-    const double z230 = k43 * z227 - k44 * w3_steer;
-    const double z231 = c_pitch * z217;
-    const double z232 = roll_dot * z231;
-    const double z233 = s_pitch * z217;
-    const double z234 = roll_dot * e2z;
-    const double z235 = steer_dot * c_steer;
-    const double z236 = roll_dot * z233;
-    const double z237 = s_lam * z232 + c_lam * z236;
-    const double z238 = z235 * z201 - s_steer * z237;
-    const double z239 = roll_dot * c_roll;
-    const double z240 = steer_dot * s_steer;
-    const double z241 = s_pitch * z234 + c_roll * z231;
-    const double z242 = c_pitch * z234 - c_roll * z233;
-    const double z243 = s_steer * z239 + e2z * z235 + (z7 * z240 + c_steer * (c_lam * z241 + s_lam * z242));
-    const double z244 = s_lam * z241 - c_lam * z242;
-    const double z245 = c_lam * z243 + s_lam * z244;
-    const double z246 = r_F * z14;
-    const double z247 = c_lam * z244 - s_lam * z243;
-    const double z248 = (z10 * z245 + z12 * z247) * (z14 / z13);
-    const double z249 = z245 * z246 - z11 * z248;
-    const double z250 = k3 * z238;
-    const double z251 = r_R * z5;
-    const double z252 = (z3 * z241 + e3z * z242) * (z5 / z4);
-    const double z253 = z251 * z242 - z2 * z252;
-    const double z254 = z251 * z241 - z19 * z252;
-    const double z255 = k9 * z236 - k10 * z232 + (R3 * z236 - z198 * z253 - (z20 * z232 + z199 * z254));
-    const double z256 = k12 * z238 + (z235 * z205 + s_steer * z255);
-    const double z257 = s_lam * z240;
-    const double z258 = s_lam * z257;
-    const double z259 = c_lam * z257;
-    const double z260 = z20 * z258 + z25 * z254 - (R3 * z259 - z26 * z253);
-    const double z261 = s_lam * z235;
-    const double z262 = z235 * z16 - s_steer * z249;
-    const double z263 = z1 * z254;
-    const double z264 = z18 * z231 - s_pitch * (z6 * z261 - z1 * z253 + c_lam * z262) + (z22 * z233 + c_pitch
-        * (z21 * z261 - z263 - s_lam * z262));
-    const double z265 = k10 * z258 - k9 * z259 + z260 - (z240 * z16 + c_steer * z249);
-    const double z266 = z215 * z260 + (z218 * (z234 * z23 + c_roll * z264 + (z239 * z28 - e2z * z265)) - z217
-        * z265);
-    const double z267 = z15 * z238 - z208 * z249 - (c_lam * z250 + s_lam * z256) + z266;
-    const double z268 = s_lam * z236 - c_lam * z232;
-    const double z269 = z240 * z201 + c_steer * z237;
-    const double z270 = z247 * z246 - z36 * z248;
-    const double z271 = z37 * (s_lam * z268 + c_lam * z269) - z203 * z270 + (z15 * (s_lam * z269 - c_lam *
-        z268) + z204 * z249);
-    const double z272 = c_lam * z235;
-    const double z273 = z34 * z253;
-    const double z274 = R3 * z272 - z273 - (z20 * z261 - z263);
-    const double z275 = c_lam * z270 + s_lam * z249;
-    const double z276 = z240 * z38 - c_steer * z275;
-    const double z277 = s_lam * z270 - c_lam * z249;
-    const double z278 = z47 * z231 + s_pitch * (z240 * z6 + c_steer * z253 - c_lam * z276 + s_lam * z277) +
-        (z48 * z233 - c_pitch * (z240 * z21 + c_steer * z254 + s_lam * z276 + c_lam * z277));
-    const double z279 = k9 * z272 - k10 * z261 + z274 - (z235 * z38 + s_steer * z275);
-    const double z280 = z215 * z274 - (z218 * (z234 * z49 + c_roll * z278 + (z239 * z39 + e2z * z279)) + z217
-        * z279);
-    const double z281 = z271 - (k12 * z269 - k3 * z268 + (z240 * z205 - c_steer * z255)) + z280;
-    const double z282 = c_lam * z240;
-    const double z283 = s_lam * z282;
-    const double z284 = c_lam * z282;
-    const double z285 = z20 * z283 - z31 * z254 - (R3 * z284 + z32 * z253);
-    const double z286 = z235 * z40 - s_steer * z270;
-    const double z287 = z52 * z231 - s_pitch * (z6 * z272 - z273 + c_lam * z286) + (z53 * z233 + c_pitch *
-        (z21 * z272 - z34 * z254 - s_lam * z286));
-    const double z288 = k10 * z283 - k9 * z284 + z285 - (z240 * z40 + c_steer * z270);
-    const double z289 = z215 * z285 + (z218 * (z234 * z54 + c_roll * z287 - (z239 * z41 + e2z * z288)) - z217
-        * z288);
-    const double z290 = z37 * z238 - z208 * z270 + (s_lam * z250 - c_lam * z256) + z289;
-    const double z291 = z33 * z281 - z35 * z290;
-    const double z292 = z41 * z281 - z39 * z290;
-    const double z293 = z59 * (z42 * z267 + z28 * z291 - z27 * z292);
-    const double z294 = z234 * z218 - c_roll * z293;
-    const double z295 = z232 + (z223 * z233 - c_pitch * z294);
-    const double z296 = z236 - (z223 * z231 + s_pitch * z294);
-    const double z297 = c_lam * z295 - s_lam * z296;
-    const double z298 = a1 * w3_pitch - a3 * w1_pitch + (w1_pitch * z253 - R3 * z296 + (w3_pitch * z254 + z20
-        * z295));
-    const double z299 = k9 * z219;
-    const double z300 = k10 * z219;
-    const double z301 = z298 - (w3_pitch * z299 - w1_pitch * z300 - (k10 * z295 - k9 * z296));
-    const double z302 = z50 * z290 + z55 * z281;
-    const double z303 = z59 * (z29 * z291 + z56 * z267 + z27 * z302) + (z239 * z218 + e2z * z293);
-    const double z304 = z59 * (z29 * z292 + z28 * z302 + z57 * z267) - z303;
-    const double z305 = z219 * a3 - w3_pitch * v2_x + (z220 * z253 - R3 * z304);
-    const double z306 = k10 * w3_pitch + k9 * w1_pitch;
-    const double z307 = z305 - (z219 * z300 + w3_pitch * z306 - k9 * z303);
-    const double z308 = w1_pitch * v2_x - z219 * a1 + (z220 * z254 - z20 * z304);
-    const double z309 = z308 + (w1_pitch * z306 + z219 * z299 + k10 * z303);
-    const double z310 = c_lam * z307 - s_lam * z309;
-    const double z311 = c_steer * z301 + s_steer * z310;
-    const double z312 = c_lam * z296 + s_lam * z295;
-    const double z313 = z235 * z219 + s_steer * z303 + (z240 * z226 - c_steer * z312);
-    const double z314 = h2z * k64 - (z227 * z229 + z228 * z230 + (k51 * z297 + (k36 * z311 + k50 * z313)));
-    const double z315 = k50 * z227 - k51 * w3_steer;
-    const double z316 = z240 * z219 - c_steer * z303 - (z235 * z226 + s_steer * z312);
-    const double z317 = c_steer * z310 - s_steer * z301;
-    const double z318 = c_lam * z309 + s_lam * z307;
-    const double z319 = z8 * k59 + z9 * k58 + (z8 * k62 - z9 * k61) - (w3_steer * z230 + z227 * z315 - (k47 *
-        z316 + (k33 * z317 - k36 * z318)));
-    const double z320 = h2z * k63 + (z228 * z315 - w3_steer * z229 - (k44 * z297 - (k33 * z311 - k43 *
-        z313)));
-    const double z321 = k33 * z227 + k36 * w3_steer;
-    const double z322 = k33 * z228;
-    const double z323 = z9 * k60 - (z227 * z321 + z228 * z322 - (k31 * z318 - k36 * z316));
-    const double z324 = k36 * z228;
-    const double z325 = h2z * k60 + (w3_steer * z322 - z227 * z324 + (k36 * z297 + (k31 * z311 - k33 *
-        z313)));
-    const double z326 = z8 * k60 - (z228 * z324 + w3_steer * z321 - (k31 * z317 + k33 * z316));
-    const double z327 = k27 * z219;
-    const double z328 = k25 * w1_pitch + k28 * w3_pitch;
-    const double z329 = e2z * k56 + (w1_pitch * z327 - z219 * z328 + (k29 * z295 + (k23 * z298 - k28 *
-        z296)));
-    const double z330 = k28 * w1_pitch + k29 * w3_pitch;
-    const double z331 = z3 * k57 + e3z * k56 + (w3_pitch * z328 - w1_pitch * z330 - (k27 * z303 - (k22 * z305
-        - k23 * z308)));
-    const double z332 = e2z * k57 - (z219 * z330 - w3_pitch * z327 + (k28 * z295 - (k22 * z298 + k25 *
-        z296)));
-    const double z333 = k22 * w1_pitch - k23 * w3_pitch;
-    const double z334 = k22 * z219;
-    const double z335 = e3z * k55 + (w1_pitch * z333 + z219 * z334 - (k21 * z308 + k23 * z303));
-    const double z336 = k23 * z219;
-    const double z337 = z3 * k55 - (z219 * z336 - w3_pitch * z333 - (k21 * z305 - k22 * z303));
-    const double z338 = e2z * k55 + (w3_pitch * z334 + w1_pitch * z336 + (k23 * z295 + (k21 * z298 + k22 *
-        z296)));
-    const double z339 = z74 * z329 + (z80 * z331 - (z75 * z332 + (z84 * z335 - (z82 * z337 + z77 * z338))));
-    const double z340 = z76 * z314 - (z91 * z319 + (z89 * z320 + (z93 * z323 + (z87 * z325 + (z92 * z326 +
-        z339)))));
-    const double z341 = roll_dot * z225;
-    const double z342 = z223 * z225 + z340 + z149 * z304 - z150 * z316 - z73 * z341;
-    const double z343 = z113 * z329 - (z119 * z331 - (z114 * z332 + (z123 * z335 - (z121 * z337 + z116 *
-        z338))));
-    const double z344 = z115 * z314 - (z130 * z319 + (z128 * z320 + (z132 * z323 + (z126 * z325 + (z131 *
-        z326 - z343)))));
-    const double z345 = z344 + z192 * z304 - z193 * z316 - z112 * z341 - z342 * z153;
-    const double z346 = z159 * z329 + (z165 * z331 + (z160 * z332 - (z169 * z335 - (z167 * z337 - z162 *
-        z338))));
-    const double z347 = z161 * z314 - (z175 * z319 + (z174 * z320 + (z177 * z323 - (z172 * z325 - (z176 *
-        z326 + z346)))));
-    const double z348 = z347 + R_yy * (z166 * z304) - F_yy * (z184 * z316) + z158 * z341 - z342 * z189 - z196
-        * z345;
-    const double z349 = z348 / z197;
-    const double z350 = z195 * z345 - z196 * z349;
+    const double z229 = k43 * z226 - k44 * w3_steer;
+    const double z230 = c_pitch * z217;
+    const double z231 = roll_dot * z230;
+    const double z232 = s_pitch * z217;
+    const double z233 = roll_dot * e2z;
+    const double z234 = steer_dot * c_steer;
+    const double z235 = roll_dot * z232;
+    const double z236 = s_lam * z231 + c_lam * z235;
+    const double z237 = z234 * z201 - s_steer * z236;
+    const double z238 = roll_dot * c_roll;
+    const double z239 = steer_dot * s_steer;
+    const double z240 = s_pitch * z233 + c_roll * z230;
+    const double z241 = c_pitch * z233 - c_roll * z232;
+    const double z242 = s_steer * z238 + e2z * z234 + (z7 * z239 + c_steer * (c_lam * z240 + s_lam * z241));
+    const double z243 = s_lam * z240 - c_lam * z241;
+    const double z244 = c_lam * z242 + s_lam * z243;
+    const double z245 = r_F * z14;
+    const double z246 = c_lam * z243 - s_lam * z242;
+    const double z247 = (z10 * z244 + z12 * z246) * (z14 / z13);
+    const double z248 = z244 * z245 - z11 * z247;
+    const double z249 = k3 * z237;
+    const double z250 = r_R * z5;
+    const double z251 = (z3 * z240 + e3z * z241) * (z5 / z4);
+    const double z252 = z250 * z241 - z2 * z251;
+    const double z253 = z250 * z240 - z19 * z251;
+    const double z254 = k9 * z235 - k10 * z231 + (R3 * z235 - z198 * z252 - (z20 * z231 + z199 * z253));
+    const double z255 = k12 * z237 + (z234 * z205 + s_steer * z254);
+    const double z256 = s_lam * z239;
+    const double z257 = s_lam * z256;
+    const double z258 = c_lam * z256;
+    const double z259 = z20 * z257 + z25 * z253 - (R3 * z258 - z26 * z252);
+    const double z260 = s_lam * z234;
+    const double z261 = z234 * z16 - s_steer * z248;
+    const double z262 = z1 * z253;
+    const double z263 = z18 * z230 - s_pitch * (z6 * z260 - z1 * z252 + c_lam * z261) + (z22 * z232 + c_pitch
+        * (z21 * z260 - z262 - s_lam * z261));
+    const double z264 = k10 * z257 - k9 * z258 + z259 - (z239 * z16 + c_steer * z248);
+    const double z265 = z215 * z259 + (z218 * (z233 * z23 + c_roll * z263 + (z238 * z28 - e2z * z264)) - z217
+        * z264);
+    const double z266 = z15 * z237 - z208 * z248 - (c_lam * z249 + s_lam * z255) + z265;
+    const double z267 = s_lam * z235 - c_lam * z231;
+    const double z268 = z239 * z201 + c_steer * z236;
+    const double z269 = z246 * z245 - z36 * z247;
+    const double z270 = z37 * (s_lam * z267 + c_lam * z268) - z203 * z269 + (z15 * (s_lam * z268 - c_lam *
+        z267) + z204 * z248);
+    const double z271 = c_lam * z234;
+    const double z272 = z34 * z252;
+    const double z273 = R3 * z271 - z272 - (z20 * z260 - z262);
+    const double z274 = c_lam * z269 + s_lam * z248;
+    const double z275 = z239 * z38 - c_steer * z274;
+    const double z276 = s_lam * z269 - c_lam * z248;
+    const double z277 = z47 * z230 + s_pitch * (z239 * z6 + c_steer * z252 - c_lam * z275 + s_lam * z276) +
+        (z48 * z232 - c_pitch * (z239 * z21 + c_steer * z253 + s_lam * z275 + c_lam * z276));
+    const double z278 = k9 * z271 - k10 * z260 + z273 - (z234 * z38 + s_steer * z274);
+    const double z279 = z215 * z273 - (z218 * (z233 * z49 + c_roll * z277 + (z238 * z39 + e2z * z278)) + z217
+        * z278);
+    const double z280 = z270 - (k12 * z268 - k3 * z267 + (z239 * z205 - c_steer * z254)) + z279;
+    const double z281 = c_lam * z239;
+    const double z282 = s_lam * z281;
+    const double z283 = c_lam * z281;
+    const double z284 = z20 * z282 - z31 * z253 - (R3 * z283 + z32 * z252);
+    const double z285 = z234 * z40 - s_steer * z269;
+    const double z286 = z52 * z230 - s_pitch * (z6 * z271 - z272 + c_lam * z285) + (z53 * z232 + c_pitch *
+        (z21 * z271 - z34 * z253 - s_lam * z285));
+    const double z287 = k10 * z282 - k9 * z283 + z284 - (z239 * z40 + c_steer * z269);
+    const double z288 = z215 * z284 + (z218 * (z233 * z54 + c_roll * z286 - (z238 * z41 + e2z * z287)) - z217
+        * z287);
+    const double z289 = z37 * z237 - z208 * z269 + (s_lam * z249 - c_lam * z255) + z288;
+    const double z290 = z33 * z280 - z35 * z289;
+    const double z291 = z41 * z280 - z39 * z289;
+    const double z292 = z59 * (z42 * z266 + z28 * z290 - z27 * z291);
+    const double z293 = z233 * z218 - c_roll * z292;
+    const double z294 = z231 + (z223 * z232 - c_pitch * z293);
+    const double z295 = z235 - (z223 * z230 + s_pitch * z293);
+    const double z296 = c_lam * z294 - s_lam * z295;
+    const double z297 = a1 * w3_pitch - a3 * w1_pitch + (w1_pitch * z252 - R3 * z295 + (w3_pitch * z253 + z20
+        * z294));
+    const double z298 = k9 * z219;
+    const double z299 = k10 * z219;
+    const double z300 = z297 - (w3_pitch * z298 - w1_pitch * z299 - (k10 * z294 - k9 * z295));
+    const double z301 = z50 * z289 + z55 * z280;
+    const double z302 = z59 * (z29 * z290 + z56 * z266 + z27 * z301) + (z238 * z218 + e2z * z292);
+    const double z303 = z59 * (z29 * z291 + z28 * z301 + z57 * z266) - z302;
+    const double z304 = z219 * a3 - w3_pitch * v2_x + (z220 * z252 - R3 * z303);
+    const double z305 = k10 * w3_pitch + k9 * w1_pitch;
+    const double z306 = z304 - (z219 * z299 + w3_pitch * z305 - k9 * z302);
+    const double z307 = w1_pitch * v2_x - z219 * a1 + (z220 * z253 - z20 * z303);
+    const double z308 = z307 + (w1_pitch * z305 + z219 * z298 + k10 * z302);
+    const double z309 = c_lam * z306 - s_lam * z308;
+    const double z310 = c_steer * z300 + s_steer * z309;
+    const double z311 = c_lam * z295 + s_lam * z294;
+    const double z312 = z234 * z219 + s_steer * z302 + (z239 * z225 - c_steer * z311);
+    const double z313 = h2z * k64 - (z226 * z228 + z227 * z229 + (k51 * z296 + (k36 * z310 + k50 * z312)));
+    const double z314 = k50 * z226 - k51 * w3_steer;
+    const double z315 = z239 * z219 - c_steer * z302 - (z234 * z225 + s_steer * z311);
+    const double z316 = c_steer * z309 - s_steer * z300;
+    const double z317 = c_lam * z308 + s_lam * z306;
+    const double z318 = z8 * k59 + z9 * k58 + (z8 * k62 - z9 * k61) - (w3_steer * z229 + z226 * z314 - (k47 *
+        z315 + (k33 * z316 - k36 * z317)));
+    const double z319 = h2z * k63 + (z227 * z314 - w3_steer * z228 - (k44 * z296 - (k33 * z310 - k43 *
+        z312)));
+    const double z320 = k33 * z226 + k36 * w3_steer;
+    const double z321 = k33 * z227;
+    const double z322 = z9 * k60 - (z226 * z320 + z227 * z321 - (k31 * z317 - k36 * z315));
+    const double z323 = k36 * z227;
+    const double z324 = h2z * k60 + (w3_steer * z321 - z226 * z323 + (k36 * z296 + (k31 * z310 - k33 *
+        z312)));
+    const double z325 = z8 * k60 - (z227 * z323 + w3_steer * z320 - (k31 * z316 + k33 * z315));
+    const double z326 = R_yy * z220 - k27 * z219;
+    const double z327 = k25 * w1_pitch + k28 * w3_pitch;
+    const double z328 = e2z * k56 - (w1_pitch * z326 + z219 * z327 - (k29 * z294 + (k23 * z297 - k28 *
+        z295)));
+    const double z329 = k28 * w1_pitch + k29 * w3_pitch;
+    const double z330 = z3 * k57 + e3z * k56 + (w3_pitch * z327 - w1_pitch * z329 - (k27 * z302 - (k22 * z304
+        - k23 * z307)));
+    const double z331 = e2z * k57 - (z219 * z329 + w3_pitch * z326 + (k28 * z294 - (k22 * z297 + k25 *
+        z295)));
+    const double z332 = k22 * w1_pitch - k23 * w3_pitch;
+    const double z333 = k22 * z219;
+    const double z334 = e3z * k55 + (w1_pitch * z332 + z219 * z333 - (k21 * z307 + k23 * z302));
+    const double z335 = k23 * z219;
+    const double z336 = z3 * k55 - (z219 * z335 - w3_pitch * z332 - (k21 * z304 - k22 * z302));
+    const double z337 = e2z * k55 + (w3_pitch * z333 + w1_pitch * z335 + (k23 * z294 + (k21 * z297 + k22 *
+        z295)));
+    const double z338 = z74 * z328 + (z80 * z330 - (z75 * z331 + (z84 * z334 - (z82 * z336 + z77 * z337))));
+    const double z339 = z76 * z313 - (z91 * z318 + (z89 * z319 + (z93 * z322 + (z87 * z324 + (z92 * z325 +
+        z338)))));
+    const double z340 = z339 + z149 * z303 - z150 * z315;
+    const double z341 = z113 * z328 - (z119 * z330 - (z114 * z331 + (z123 * z334 - (z121 * z336 + z116 *
+        z337))));
+    const double z342 = z115 * z313 - (z130 * z318 + (z128 * z319 + (z132 * z322 + (z126 * z324 + (z131 *
+        z325 - z341)))));
+    const double z343 = z342 + z192 * z303 - z193 * z315 - z340 * z153;
+    const double z344 = z159 * z328 + (z165 * z330 + (z160 * z331 - (z169 * z334 - (z167 * z336 - z162 *
+        z337))));
+    const double z345 = z161 * z313 - (z175 * z318 + (z174 * z319 + (z177 * z322 - (z172 * z324 - (z176 *
+        z325 + z344)))));
+    const double z346 = (z345 + R_yy * (z166 * z303) - F_yy * (z184 * z315) - z340 * z189 - z196 * z343) /
+        z197;
+    const double z347 = z195 * z343 - z196 * z346;
     /* (I.2.15) 112:4 */
-    dydt[9] = z189 * z349 - (z152 * z342 - z153 * z350); /* roll'' */
-    dydt[10] = -z350; /* steer'' */
-    dydt[11] = z349; /* thF'' */
+    dydt[9] = z189 * z346 - (z152 * z340 - z153 * z347); /* roll'' */
+    dydt[10] = -z347; /* steer'' */
+    dydt[11] = z346; /* thF'' */
     /* the coframe is singular */
     if (!(fabs(z58) > 1e-12 * (k20 * (k20 * (13.0 * k19 + (14.0 * k18 + (24.0 * k16 + 33.0 * k17))))))) {
         return BICYCLE_SINGULAR_1;
@@ -1381,25 +1378,24 @@ static int bicycle_reactions_part1(double t, const double *y, const double *p, c
     const double r_F = p[22]; /* radius of the front wheel [m] */
     const double m_F = p[23]; /* mass of the front wheel [kg] */
     const double F_xx = p[24]; /* front wheel, across the axle [kg*m^2] */
-    const double F_yy = p[25]; /* front wheel, about the axle [kg*m^2] */
 
     /* sines and cosines */
+    const double s_yaw = sin(yaw);
+    kept[0] = s_yaw;
+    const double c_yaw = cos(yaw);
+    kept[1] = c_yaw;
     const double e2z = sin(roll);
-    kept[0] = e2z;
+    kept[2] = e2z;
     const double c_roll = cos(roll);
-    kept[1] = c_roll;
-    const double c_steer = cos(steer);
-    kept[2] = c_steer;
-    const double s_steer = sin(steer);
-    kept[3] = s_steer;
+    kept[3] = c_roll;
     const double s_pitch = sin(pitch);
     kept[4] = s_pitch;
     const double c_pitch = cos(pitch);
     kept[5] = c_pitch;
-    const double c_yaw = cos(yaw);
-    kept[6] = c_yaw;
-    const double s_yaw = sin(yaw);
-    kept[7] = s_yaw;
+    const double s_steer = sin(steer);
+    kept[6] = s_steer;
+    const double c_steer = cos(steer);
+    kept[7] = c_steer;
 
     /* parameters only */
     const double s_lam = sin(lam);
@@ -1498,91 +1494,104 @@ static int bicycle_reactions_part1(double t, const double *y, const double *p, c
     /* state */
     const double z1 = s_pitch * c_roll;
     kept[39] = z1;
+    const double z2 = s_lam * s_steer;
+    kept[40] = z2;
     const double e3z = c_pitch * c_roll;
-    kept[40] = e3z;
-    const double z2 = z1 * c_lam + e3z * s_lam;
-    const double h2z = e2z * c_steer + s_steer * z2;
-    kept[41] = h2z;
-    const double z3 = s_lam * s_steer;
-    const double z4 = r_R * e3z;
-    const double z5 = z1 * z1 + e3z * e3z;
-    const double z6 = 1.0 / sqrt(z5);
-    const double R3 = z4 * z6;
+    kept[41] = e3z;
+    const double z3 = r_R * e3z;
+    const double z4 = z1 * z1 + e3z * e3z;
+    const double z5 = 1.0 / sqrt(z4);
+    const double R3 = z3 * z5;
     kept[42] = R3;
-    const double z7 = R3 + k9;
-    const double z8 = c_steer * z2 - e2z * s_steer;
-    kept[43] = z8;
+    const double z6 = R3 + k9;
+    kept[43] = z6;
+    const double z7 = z1 * c_lam + e3z * s_lam;
+    kept[44] = z7;
+    const double z8 = c_steer * z7 - e2z * s_steer;
+    kept[45] = z8;
     const double z9 = z1 * s_lam - e3z * c_lam;
-    kept[44] = z9;
+    kept[46] = z9;
     const double z10 = c_lam * z8 + s_lam * z9;
-    kept[45] = z10;
     const double z11 = r_F * z10;
     const double z12 = c_lam * z9 - s_lam * z8;
-    kept[46] = z12;
     const double z13 = z10 * z10 + z12 * z12;
     const double z14 = 1.0 / sqrt(z13);
     const double z15 = z11 * z14;
     kept[47] = z15;
     const double z16 = z15 - k15;
+    kept[48] = z16;
     const double z17 = s_steer * z16;
-    const double z18 = z3 * z7 + c_lam * z17;
+    const double z18 = z2 * z6 + c_lam * z17;
+    kept[49] = z18;
     const double z19 = r_R * z1;
-    const double z20 = z19 * z6;
-    kept[48] = z20;
+    const double z20 = z19 * z5;
+    kept[50] = z20;
     const double z21 = z20 + k10;
-    const double z22 = z3 * z21 - s_lam * z17;
+    kept[51] = z21;
+    const double z22 = z2 * z21 - s_lam * z17;
+    kept[52] = z22;
     const double z23 = s_pitch * z18 - c_pitch * z22;
+    kept[53] = z23;
     const double z24 = s_lam * c_steer;
     const double z25 = k11 + s_lam * z24;
+    kept[54] = z25;
     const double z26 = c_lam * (s_lam - z24);
+    kept[55] = z26;
     const double z27 = z20 * z25 + R3 * z26;
-    kept[49] = z27;
+    kept[56] = z27;
     const double z28 = k10 * z25 + k9 * z26 + z27 - c_steer * z16;
-    kept[50] = z28;
+    kept[57] = z28;
     const double z29 = c_roll * z23 - e2z * z28;
-    kept[51] = z29;
+    kept[58] = z29;
     const double z30 = c_lam * c_steer;
     const double z31 = s_lam * (c_lam - z30);
+    kept[59] = z31;
     const double z32 = c_lam * z30 + k14;
+    kept[60] = z32;
     const double z33 = z20 * z31 + R3 * z32;
-    kept[52] = z33;
+    kept[61] = z33;
     const double z34 = c_lam * s_steer;
-    const double z35 = R3 * z34 - z20 * z3;
-    kept[53] = z35;
+    kept[62] = z34;
+    const double z35 = R3 * z34 - z20 * z2;
+    kept[63] = z35;
     const double z36 = r_F * z12;
     const double z37 = z36 * z14;
-    kept[54] = z37;
+    kept[64] = z37;
     const double z38 = k12 - c_lam * z37 - s_lam * z15;
-    const double z39 = z34 * k9 - z3 * k10 + z35 - s_steer * z38;
-    kept[55] = z39;
+    const double z39 = z34 * k9 - z2 * k10 + z35 - s_steer * z38;
+    kept[65] = z39;
     const double z40 = z37 + k13;
+    kept[66] = z40;
     const double z41 = k10 * z31 + k9 * z32 + z33 + c_steer * z40;
-    kept[56] = z41;
+    kept[67] = z41;
     const double z42 = z33 * z39 - z41 * z35;
-    kept[57] = z42;
+    kept[68] = z42;
     const double z43 = c_steer * z38;
     const double z44 = s_lam * z37;
-    kept[58] = z44;
+    kept[69] = z44;
     const double z45 = c_lam * z15;
-    kept[59] = z45;
+    kept[70] = z45;
     const double z46 = k3 + z44 - z45;
-    const double z47 = c_steer * z7 - c_lam * z43 + s_lam * z46;
+    const double z47 = c_steer * z6 - c_lam * z43 + s_lam * z46;
     const double z48 = c_steer * z21 + s_lam * z43 + c_lam * z46;
     const double z49 = s_pitch * z47 - c_pitch * z48;
     const double z50 = c_roll * z49 - e2z * z39;
-    kept[60] = z50;
+    kept[71] = z50;
     const double z51 = s_steer * z40;
-    const double z52 = z34 * z7 + c_lam * z51;
+    const double z52 = z34 * z6 + c_lam * z51;
+    kept[72] = z52;
     const double z53 = z34 * z21 - s_lam * z51;
+    kept[73] = z53;
     const double z54 = s_pitch * z52 - c_pitch * z53;
+    kept[74] = z54;
     const double z55 = c_roll * z54 + e2z * z41;
-    kept[61] = z55;
+    kept[75] = z55;
     const double z56 = z33 * z50 + z55 * z35;
-    kept[62] = z56;
+    kept[76] = z56;
     const double z57 = z41 * z50 + z55 * z39;
-    kept[63] = z57;
+    kept[77] = z57;
     const double z58 = 1.0 / (z29 * z42 - z28 * z56 + z27 * z57);
-    kept[64] = z58;
+    kept[78] = z58;
     const double z59 = roll_dot * c_pitch;
     const double z60 = roll_dot * s_pitch;
     const double z61 = steer_dot + (s_lam * z59 + c_lam * z60);
@@ -1591,9 +1600,11 @@ static int bicycle_reactions_part1(double t, const double *y, const double *p, c
     const double z64 = s_lam * z61 - c_lam * z63;
     const double z65 = s_lam * z63 + c_lam * z61;
     const double z66 = z59 * k9 + z60 * k10 + (z59 * R3 + z60 * z20);
+    kept[79] = z66;
     const double z67 = z37 * z64 - z15 * z65 + (k12 * z63 + k3 * z61 + c_steer * z66);
     const double z68 = s_steer * z62;
     const double z69 = thF_dot + z68;
+    kept[80] = z69;
     const double z70 = k3 * z68;
     const double z71 = k12 * z68 + s_steer * z66;
     const double z72 = z37 * z69 + (s_lam * z70 - c_lam * z71);
@@ -1601,134 +1612,92 @@ static int bicycle_reactions_part1(double t, const double *y, const double *p, c
     const double z74 = z15 * z69 - (s_lam * z71 + c_lam * z70);
     const double z75 = z50 * z72 + z55 * z67;
     const double z76 = z58 * (z29 * z73 + z56 * z74 + z27 * z75);
+    kept[81] = z76;
     const double z77 = z41 * z67 - z39 * z72;
     const double z78 = z58 * (z42 * z74 + z28 * z73 - z27 * z77);
-    kept[65] = z78;
+    kept[82] = z78;
     const double z79 = z76 + e2z * z78;
-    kept[66] = z79;
-    const double z80 = c_roll * z78;
-    const double w1_pitch = z59 + s_pitch * z80;
-    kept[67] = w1_pitch;
-    const double w3_pitch = z60 - c_pitch * z80;
-    kept[68] = w3_pitch;
-    const double z81 = c_lam * w1_pitch - s_lam * w3_pitch;
-    kept[69] = z81;
-    const double z82 = s_steer * z79 - c_steer * z81;
-    kept[70] = z82;
-    const double z83 = c_steer * z79 + s_steer * z81;
-    kept[71] = z83;
-    const double z84 = F_yy * (thF_dot - z83) - k42 * z83;
-    kept[72] = z84;
-    const double w3_steer = steer_dot + (c_lam * w3_pitch + s_lam * w1_pitch);
-    kept[73] = w3_steer;
-    const double z85 = k38 * z82 - k39 * w3_steer;
-    kept[74] = z85;
-    const double z86 = c_pitch * z76;
-    const double z87 = roll_dot * z86;
-    const double z88 = s_pitch * z76;
-    const double z89 = roll_dot * e2z;
-    const double z90 = steer_dot * c_steer;
-    kept[75] = z90;
-    const double z91 = roll_dot * z88;
-    const double z92 = s_lam * z87 + c_lam * z91;
-    const double z93 = z90 * z62 - s_steer * z92;
-    const double z94 = roll_dot * c_roll;
-    kept[76] = z94;
-    const double z95 = steer_dot * s_steer;
-    kept[77] = z95;
-    const double z96 = s_pitch * z89 + c_roll * z86;
-    const double z97 = c_pitch * z89 - c_roll * z88;
-    const double z98 = s_steer * z94 + e2z * z90 + (z2 * z95 + c_steer * (c_lam * z96 + s_lam * z97));
-    const double z99 = s_lam * z96 - c_lam * z97;
-    const double z100 = c_lam * z98 + s_lam * z99;
-    const double z101 = r_F * z14;
-    const double z102 = c_lam * z99 - s_lam * z98;
-    const double z103 = (z10 * z100 + z12 * z102) * (z14 / z13);
-    const double z104 = z100 * z101 - z11 * z103;
-    const double z105 = k3 * z93;
-    const double z106 = r_R * z6;
-    const double z107 = (z1 * z96 + e3z * z97) * (z6 / z5);
-    const double z108 = z106 * z97 - z4 * z107;
-    kept[78] = z108;
-    const double z109 = z106 * z96 - z19 * z107;
-    kept[79] = z109;
-    const double z110 = k9 * z91 - k10 * z87 + (R3 * z91 - z59 * z108 - (z20 * z87 + z60 * z109));
-    const double z111 = k12 * z93 + (z90 * z66 + s_steer * z110);
-    const double z112 = z58 * (z29 * z77 + z28 * z75 + z57 * z74);
-    const double z113 = s_lam * z95;
-    const double z114 = s_lam * z113;
-    const double z115 = c_lam * z113;
-    const double z116 = z20 * z114 + z25 * z109 - (R3 * z115 - z26 * z108);
-    const double z117 = s_lam * z90;
-    const double z118 = z90 * z16 - s_steer * z104;
-    const double z119 = z3 * z109;
-    const double z120 = z18 * z86 - s_pitch * (z7 * z117 - z3 * z108 + c_lam * z118) + (z22 * z88 + c_pitch *
-        (z21 * z117 - z119 - s_lam * z118));
-    const double z121 = k10 * z114 - k9 * z115 + z116 - (z95 * z16 + c_steer * z104);
-    const double z122 = z112 * z116 + (z78 * (z89 * z23 + c_roll * z120 + (z94 * z28 - e2z * z121)) - z76 *
-        z121);
-    const double z123 = z15 * z93 - z69 * z104 - (c_lam * z105 + s_lam * z111) + z122;
-    kept[80] = z123;
-    const double z124 = s_lam * z91 - c_lam * z87;
-    const double z125 = z95 * z62 + c_steer * z92;
-    const double z126 = z102 * z101 - z36 * z103;
-    const double z127 = z37 * (s_lam * z124 + c_lam * z125) - z64 * z126 + (z15 * (s_lam * z125 - c_lam *
-        z124) + z65 * z104);
-    const double z128 = c_lam * z90;
-    const double z129 = z34 * z108;
-    const double z130 = R3 * z128 - z129 - (z20 * z117 - z119);
-    const double z131 = c_lam * z126 + s_lam * z104;
-    const double z132 = z95 * z38 - c_steer * z131;
-    const double z133 = s_lam * z126 - c_lam * z104;
-    const double z134 = z47 * z86 + s_pitch * (z95 * z7 + c_steer * z108 - c_lam * z132 + s_lam * z133) +
-        (z48 * z88 - c_pitch * (z95 * z21 + c_steer * z109 + s_lam * z132 + c_lam * z133));
-    const double z135 = k9 * z128 - k10 * z117 + z130 - (z90 * z38 + s_steer * z131);
-    const double z136 = z112 * z130 - (z78 * (z89 * z49 + c_roll * z134 + (z94 * z39 + e2z * z135)) + z76 *
-        z135);
-    const double z137 = z127 - (k12 * z125 - k3 * z124 + (z95 * z66 - c_steer * z110)) + z136;
-    kept[81] = z137;
-    const double z138 = c_lam * z95;
-    const double z139 = s_lam * z138;
-    const double z140 = c_lam * z138;
-    const double z141 = z20 * z139 - z31 * z109 - (R3 * z140 + z32 * z108);
-    const double z142 = z90 * z40 - s_steer * z126;
-    const double z143 = z52 * z86 - s_pitch * (z7 * z128 - z129 + c_lam * z142) + (z53 * z88 + c_pitch * (z21
-        * z128 - z34 * z109 - s_lam * z142));
-    const double z144 = k10 * z139 - k9 * z140 + z141 - (z95 * z40 + c_steer * z126);
-    const double z145 = z112 * z141 + (z78 * (z89 * z54 + c_roll * z143 - (z94 * z41 + e2z * z144)) - z76 *
-        z144);
-    const double z146 = z37 * z93 - z69 * z126 + (s_lam * z105 - c_lam * z111) + z145;
-    kept[82] = z146;
-    const double z147 = z33 * z137 - z35 * z146;
-    kept[83] = z147;
-    const double z148 = z41 * z137 - z39 * z146;
-    kept[84] = z148;
-    const double z149 = z58 * (z42 * z123 + z28 * z147 - z27 * z148);
-    kept[85] = z149;
-    const double z150 = z89 * z78 - c_roll * z149;
-    const double z151 = z87 + (z80 * z88 - c_pitch * z150);
-    kept[86] = z151;
-    const double z152 = z91 - (z80 * z86 + s_pitch * z150);
-    kept[87] = z152;
-    const double z153 = c_lam * z151 - s_lam * z152;
-    kept[88] = z153;
-    const double z154 = z112 - z79;
-    kept[89] = z154;
-    const double a1 = R3 * z154;
-    kept[90] = a1;
-    const double a3 = z20 * z154;
+    kept[83] = z79;
+    const double z80 = k18 * z79;
+    kept[84] = z80;
+    const double z81 = c_roll * z78;
+    kept[85] = z81;
+    const double w3_pitch = z60 - c_pitch * z81;
+    kept[86] = w3_pitch;
+    const double w1_pitch = z59 + s_pitch * z81;
+    kept[87] = w1_pitch;
+    const double z82 = k17 * w1_pitch - k18 * w3_pitch;
+    kept[88] = z82;
+    const double z83 = z58 * (z29 * z77 + z28 * z75 + z57 * z74);
+    kept[89] = z83;
+    const double z84 = z83 - z79;
+    kept[90] = z84;
+    const double a3 = z20 * z84;
     kept[91] = a3;
-    const double z155 = a1 * w3_pitch - a3 * w1_pitch + (w1_pitch * z108 - R3 * z152 + (w3_pitch * z109 + z20
-        * z151));
-    kept[92] = z155;
-    const double z156 = k9 * z79;
-    kept[93] = z156;
-    const double z157 = k10 * z79;
-    kept[94] = z157;
-    const double z158 = z155 - (w3_pitch * z156 - w1_pitch * z157 - (k10 * z151 - k9 * z152));
-    kept[95] = z158;
     const double v2_x = R3 * w1_pitch + z20 * w3_pitch;
-    kept[96] = v2_x;
+    kept[92] = v2_x;
+    const double z85 = r_R * z5;
+    const double z86 = roll_dot * e2z;
+    kept[93] = z86;
+    const double z87 = s_pitch * z76;
+    kept[94] = z87;
+    const double z88 = c_pitch * z86 - c_roll * z87;
+    const double z89 = c_pitch * z76;
+    kept[95] = z89;
+    const double z90 = s_pitch * z86 + c_roll * z89;
+    const double z91 = (z1 * z90 + e3z * z88) * (z5 / z4);
+    const double z92 = z85 * z88 - z3 * z91;
+    kept[96] = z92;
+    const double z93 = roll_dot * z87;
+    kept[97] = z93;
+    const double z94 = roll_dot * z89;
+    kept[98] = z94;
+    const double z95 = s_lam * z93 - c_lam * z94;
+    const double z96 = steer_dot * s_steer;
+    kept[99] = z96;
+    const double z97 = s_lam * z94 + c_lam * z93;
+    const double z98 = z96 * z62 + c_steer * z97;
+    const double z99 = s_lam * z90 - c_lam * z88;
+    const double z100 = roll_dot * c_roll;
+    kept[100] = z100;
+    const double z101 = steer_dot * c_steer;
+    kept[101] = z101;
+    const double z102 = s_steer * z100 + e2z * z101 + (z7 * z96 + c_steer * (c_lam * z90 + s_lam * z88));
+    const double z103 = c_lam * z99 - s_lam * z102;
+    const double z104 = r_F * z14;
+    const double z105 = c_lam * z102 + s_lam * z99;
+    const double z106 = (z10 * z105 + z12 * z103) * (z14 / z13);
+    const double z107 = z103 * z104 - z36 * z106;
+    kept[102] = z107;
+    const double z108 = z105 * z104 - z11 * z106;
+    kept[103] = z108;
+    const double z109 = z37 * (s_lam * z95 + c_lam * z98) - z64 * z107 + (z15 * (s_lam * z98 - c_lam * z95) +
+        z65 * z108);
+    const double z110 = z85 * z90 - z19 * z91;
+    kept[104] = z110;
+    const double z111 = k9 * z93 - k10 * z94 + (R3 * z93 - z59 * z92 - (z20 * z94 + z60 * z110));
+    kept[105] = z111;
+    const double z112 = c_lam * z101;
+    kept[106] = z112;
+    const double z113 = z34 * z92;
+    kept[107] = z113;
+    const double z114 = s_lam * z101;
+    kept[108] = z114;
+    const double z115 = z2 * z110;
+    kept[109] = z115;
+    const double z116 = R3 * z112 - z113 - (z20 * z114 - z115);
+    const double z117 = c_lam * z107 + s_lam * z108;
+    const double z118 = z96 * z38 - c_steer * z117;
+    const double z119 = s_lam * z107 - c_lam * z108;
+    const double z120 = z47 * z89 + s_pitch * (z96 * z6 + c_steer * z92 - c_lam * z118 + s_lam * z119) + (z48
+        * z87 - c_pitch * (z96 * z21 + c_steer * z110 + s_lam * z118 + c_lam * z119));
+    const double z121 = k9 * z112 - k10 * z114 + z116 - (z101 * z38 + s_steer * z117);
+    const double z122 = z83 * z116 - (z78 * (z86 * z49 + c_roll * z120 + (z100 * z39 + e2z * z121)) + z76 *
+        z121);
+    const double z123 = z109 - (k12 * z98 - k3 * z95 + (z96 * z66 - c_steer * z111)) + z122;
+    kept[110] = z123;
+    const double z124 = z101 * z62 - s_steer * z97;
+    kept[111] = z124;
     return BICYCLE_OK;
 }
 
@@ -1736,20 +1705,21 @@ static int bicycle_reactions_part2(double t, const double *y, const double *p, c
     *kept, double *lambda)
 {
     (void)t;
-    const double roll_dot = y[9];
+    const double steer_dot = y[10];
+    const double thF_dot = y[11];
     const double R_yy = p[7]; /* rear wheel, about the axle [kg*m^2] */
     const double F_yy = p[25]; /* front wheel, about the axle [kg*m^2] */
     const double roll_ddot = dydt[9]; /* roll'' */
     const double steer_ddot = dydt[10]; /* steer'' */
     const double thF_ddot = dydt[11]; /* thF'' */
-    const double e2z = kept[0];
-    const double c_roll = kept[1];
-    const double c_steer = kept[2];
-    const double s_steer = kept[3];
+    const double s_yaw = kept[0];
+    const double c_yaw = kept[1];
+    const double e2z = kept[2];
+    const double c_roll = kept[3];
     const double s_pitch = kept[4];
     const double c_pitch = kept[5];
-    const double c_yaw = kept[6];
-    const double s_yaw = kept[7];
+    const double s_steer = kept[6];
+    const double c_steer = kept[7];
     const double s_lam = kept[8];
     const double c_lam = kept[9];
     const double k3 = kept[10];
@@ -1782,887 +1752,318 @@ static int bicycle_reactions_part2(double t, const double *y, const double *p, c
     const double k58 = kept[37];
     const double k59 = kept[38];
     const double z1 = kept[39];
-    const double e3z = kept[40];
-    const double h2z = kept[41];
+    const double z2 = kept[40];
+    const double e3z = kept[41];
     const double R3 = kept[42];
-    const double z8 = kept[43];
-    const double z9 = kept[44];
+    const double z6 = kept[43];
+    const double z7 = kept[44];
+    const double z8 = kept[45];
+    const double z9 = kept[46];
     const double z15 = kept[47];
-    const double z20 = kept[48];
-    const double z27 = kept[49];
-    const double z28 = kept[50];
-    const double z29 = kept[51];
-    const double z33 = kept[52];
-    const double z35 = kept[53];
-    const double z37 = kept[54];
-    const double z39 = kept[55];
-    const double z41 = kept[56];
-    const double z42 = kept[57];
-    const double z44 = kept[58];
-    const double z45 = kept[59];
-    const double z50 = kept[60];
-    const double z55 = kept[61];
-    const double z56 = kept[62];
-    const double z57 = kept[63];
-    const double z58 = kept[64];
-    const double z78 = kept[65];
-    const double z79 = kept[66];
-    const double w1_pitch = kept[67];
-    const double w3_pitch = kept[68];
-    const double z81 = kept[69];
-    const double z82 = kept[70];
-    const double z83 = kept[71];
-    const double z84 = kept[72];
-    const double w3_steer = kept[73];
-    const double z85 = kept[74];
-    const double z90 = kept[75];
-    const double z94 = kept[76];
-    const double z95 = kept[77];
-    const double z108 = kept[78];
-    const double z109 = kept[79];
-    const double z123 = kept[80];
-    const double z137 = kept[81];
-    const double z146 = kept[82];
-    const double z147 = kept[83];
-    const double z148 = kept[84];
-    const double z149 = kept[85];
-    const double z151 = kept[86];
-    const double z152 = kept[87];
-    const double z153 = kept[88];
-    const double z154 = kept[89];
-    const double a1 = kept[90];
+    const double z16 = kept[48];
+    const double z18 = kept[49];
+    const double z20 = kept[50];
+    const double z21 = kept[51];
+    const double z22 = kept[52];
+    const double z23 = kept[53];
+    const double z25 = kept[54];
+    const double z26 = kept[55];
+    const double z27 = kept[56];
+    const double z28 = kept[57];
+    const double z29 = kept[58];
+    const double z31 = kept[59];
+    const double z32 = kept[60];
+    const double z33 = kept[61];
+    const double z34 = kept[62];
+    const double z35 = kept[63];
+    const double z37 = kept[64];
+    const double z39 = kept[65];
+    const double z40 = kept[66];
+    const double z41 = kept[67];
+    const double z42 = kept[68];
+    const double z44 = kept[69];
+    const double z45 = kept[70];
+    const double z50 = kept[71];
+    const double z52 = kept[72];
+    const double z53 = kept[73];
+    const double z54 = kept[74];
+    const double z55 = kept[75];
+    const double z56 = kept[76];
+    const double z57 = kept[77];
+    const double z58 = kept[78];
+    const double z66 = kept[79];
+    const double z69 = kept[80];
+    const double z76 = kept[81];
+    const double z78 = kept[82];
+    const double z79 = kept[83];
+    const double z80 = kept[84];
+    const double z81 = kept[85];
+    const double w3_pitch = kept[86];
+    const double w1_pitch = kept[87];
+    const double z82 = kept[88];
+    const double z83 = kept[89];
+    const double z84 = kept[90];
     const double a3 = kept[91];
-    const double z155 = kept[92];
-    const double z156 = kept[93];
-    const double z157 = kept[94];
-    const double z158 = kept[95];
-    const double v2_x = kept[96];
-    const double z159 = z50 * z146 + z55 * z137;
-    const double z160 = z58 * (z29 * z147 + z56 * z123 + z27 * z159) + (z94 * z78 + e2z * z149);
-    const double z161 = z58 * (z29 * z148 + z28 * z159 + z57 * z123) - z160;
-    kept[97] = z161;
-    const double z162 = z79 * a3 - w3_pitch * v2_x + (z154 * z108 - R3 * z161);
-    const double z163 = k10 * w3_pitch + k9 * w1_pitch;
-    const double z164 = z162 - (z79 * z157 + w3_pitch * z163 - k9 * z160);
-    const double z165 = w1_pitch * v2_x - z79 * a1 + (z154 * z109 - z20 * z161);
-    const double z166 = z165 + (w1_pitch * z163 + z79 * z156 + k10 * z160);
-    const double z167 = c_lam * z164 - s_lam * z166;
-    const double z168 = c_steer * z158 + s_steer * z167;
-    const double z169 = c_lam * z152 + s_lam * z151;
-    const double z170 = z90 * z79 + s_steer * z160 + (z95 * z81 - c_steer * z169);
-    const double z171 = h2z * k59 - (z82 * z84 + z83 * z85 + (k46 * z153 + (k31 * z168 + k45 * z170)));
-    kept[98] = z171;
-    const double z172 = s_yaw * e2z;
-    const double e1x = c_yaw * c_pitch - z172 * s_pitch;
-    const double e3x = c_yaw * s_pitch + c_pitch * z172;
-    const double sx = e1x * s_lam + e3x * c_lam;
-    const double z173 = e1x * c_lam - e3x * s_lam;
-    const double z174 = s_yaw * c_roll;
-    const double f1x = c_steer * z173 - z174 * s_steer;
-    const double h3x = c_lam * sx - s_lam * f1x;
-    const double z175 = z174 * c_steer + z173 * s_steer;
-    const double h1x = c_lam * f1x + s_lam * sx;
-    const double z176 = z175 * z33 - h1x * z35;
-    const double z177 = z175 * z41 - h1x * z39;
-    const double z178 = z58 * (h3x * z42 - z28 * z176 + z27 * z177);
-    const double z179 = c_roll * z178;
-    const double z180 = c_pitch * z179;
-    const double z181 = s_pitch * z179;
-    const double z182 = c_lam * z180 - s_lam * z181;
-    const double z183 = z171 * z182;
-    kept[99] = z183;
-    const double z184 = k45 * z82 - k46 * w3_steer;
-    const double z185 = z95 * z79 - c_steer * z160 - (z90 * z81 + s_steer * z169);
-    kept[100] = z185;
-    const double z186 = c_steer * z167 - s_steer * z158;
-    const double z187 = c_lam * z166 + s_lam * z164;
-    const double z188 = z8 * k54 + z9 * k53 + (z8 * k57 - z9 * k56) - (w3_steer * z85 + z82 * z184 - (k42 *
-        z185 + (k28 * z186 - k31 * z187)));
-    kept[101] = z188;
-    const double z189 = h1x * z50 + z175 * z55;
-    const double z190 = z58 * (z29 * z176 - h3x * z56 + z27 * z189) - e2z * z178;
-    const double z191 = c_lam * z181 + s_lam * z180;
-    const double z192 = c_steer * z190 - s_steer * z191;
-    const double z193 = z188 * z192;
-    kept[102] = z193;
-    const double z194 = h2z * k58 + (z83 * z184 - w3_steer * z84 - (k39 * z153 - (k28 * z168 - k38 * z170)));
-    kept[103] = z194;
-    const double z195 = s_steer * z190 + c_steer * z191;
-    const double z196 = z194 * z195;
-    kept[104] = z196;
-    const double z197 = k28 * z82 + k31 * w3_steer;
-    const double z198 = k28 * z83;
-    const double z199 = z9 * k55 - (z82 * z197 + z83 * z198 - (k26 * z187 - k31 * z185));
-    kept[105] = z199;
-    const double z200 = z58 * (z29 * z177 + z28 * z189 - h3x * z57) - z190;
-    const double z201 = z20 * z200;
-    kept[106] = z201;
-    const double z202 = e3x + z201;
-    const double z203 = k10 * z190;
-    kept[107] = z203;
-    const double z204 = z202 - z203;
-    const double z205 = R3 * z200;
-    kept[108] = z205;
-    const double z206 = e1x + z205;
-    const double z207 = k9 * z190;
-    kept[109] = z207;
-    const double z208 = z206 - z207;
-    const double z209 = c_lam * z204 + s_lam * z208;
-    const double z210 = k31 * z83;
-    const double z211 = h2z * k55 + (w3_steer * z198 - z82 * z210 + (k31 * z153 + (k26 * z168 - k28 * z170)));
-    kept[110] = z211;
-    const double z212 = R3 * z181 - z20 * z180;
-    kept[111] = z212;
-    const double z213 = z174 - z212;
-    const double z214 = k10 * z180 - k9 * z181;
-    kept[112] = z214;
-    const double z215 = z213 + z214;
-    const double z216 = c_lam * z208 - s_lam * z204;
-    const double z217 = c_steer * z215 + s_steer * z216;
-    const double z218 = z8 * k55 - (z83 * z210 + w3_steer * z197 - (k26 * z186 + k28 * z185));
-    kept[113] = z218;
-    const double z219 = c_steer * z216 - s_steer * z215;
-    const double z220 = k22 * z79;
-    const double z221 = k20 * w1_pitch + k23 * w3_pitch;
-    const double z222 = e2z * k51 + (w1_pitch * z220 - z79 * z221 + (k24 * z151 + (k18 * z155 - k23 * z152)));
-    kept[114] = z222;
-    const double z223 = z222 * z180;
-    kept[115] = z223;
-    const double z224 = k23 * w1_pitch + k24 * w3_pitch;
-    const double z225 = z1 * k52 + e3z * k51 + (w3_pitch * z221 - w1_pitch * z224 - (k22 * z160 - (k17 * z162
-        - k18 * z165)));
-    kept[116] = z225;
-    const double z226 = z225 * z190;
-    kept[117] = z226;
-    const double z227 = e2z * k52 - (z79 * z224 - w3_pitch * z220 + (k23 * z151 - (k17 * z155 + k20 * z152)));
-    kept[118] = z227;
-    const double z228 = z227 * z181;
-    kept[119] = z228;
-    const double z229 = k17 * w1_pitch - k18 * w3_pitch;
-    const double z230 = k17 * z79;
-    const double z231 = e3z * k50 + (w1_pitch * z229 + z79 * z230 - (k16 * z165 + k18 * z160));
-    kept[120] = z231;
-    const double z232 = k18 * z79;
-    const double z233 = z1 * k50 - (z79 * z232 - w3_pitch * z229 - (k16 * z162 - k17 * z160));
-    kept[121] = z233;
-    const double z234 = e2z * k50 + (w3_pitch * z230 + w1_pitch * z232 + (k18 * z151 + (k16 * z155 + k17 *
-        z152)));
-    kept[122] = z234;
-    const double z235 = z211 * z217 + (z218 * z219 + (z223 + (z226 + (z228 - (z231 * z202 - (z233 * z206 +
-        z234 * z213))))));
-    const double z236 = R_yy * z200;
-    const double z237 = z161 * z236;
-    kept[123] = z237;
-    const double z238 = F_yy * z192;
-    const double z239 = z185 * z238;
-    kept[124] = z239;
-    const double z240 = z154 * (roll_dot * R_yy);
-    kept[125] = z240;
-    const double z241 = z179 * z240;
-    kept[126] = z241;
-    const double z242 = z37 * z35;
-    const double z243 = z37 * z39;
-    const double z244 = z58 * (z15 * z42 - z28 * z242 + z27 * z243);
-    const double z245 = c_roll * z244;
-    const double z246 = c_pitch * z245;
-    kept[127] = z246;
-    const double z247 = s_pitch * z245;
-    kept[128] = z247;
-    const double z248 = c_lam * z246 - s_lam * z247;
-    kept[129] = z248;
-    const double z249 = k46 * z182;
-    kept[130] = z249;
-    const double z250 = k45 * z195;
-    kept[131] = z250;
-    const double z251 = z249 + (k31 * z217 - z250);
-    const double z252 = z37 * z50;
-    const double z253 = z58 * (z29 * z242 - z15 * z56 - z27 * z252) - e2z * z244;
-    kept[132] = z253;
-    const double z254 = c_lam * z247 + s_lam * z246;
-    const double z255 = c_steer * z253 - s_steer * z254;
-    kept[133] = z255;
-    const double z256 = k42 * z192;
-    kept[134] = z256;
-    const double z257 = z256 + (k28 * z219 - k31 * z209);
-    const double z258 = s_steer * z253 + c_steer * z254;
-    kept[135] = z258;
-    const double z259 = k39 * z182;
-    kept[136] = z259;
-    const double z260 = k38 * z195;
-    kept[137] = z260;
-    const double z261 = z259 - (k28 * z217 + z260);
-    const double z262 = z58 * (z29 * z243 - z28 * z252 - z15 * z57) - z253;
-    kept[138] = z262;
-    const double z263 = z20 * z262;
-    kept[139] = z263;
-    const double z264 = z263 - k10 * z253;
-    const double z265 = R3 * z262;
-    kept[140] = z265;
-    const double z266 = z265 - k9 * z253;
-    const double z267 = c_lam * z264 + s_lam * z266;
-    kept[141] = z267;
-    const double z268 = k31 * z192;
-    kept[142] = z268;
-    const double z269 = k26 * z209 - z268;
-    const double z270 = R3 * z247 - z20 * z246;
-    kept[143] = z270;
-    const double z271 = z270 - (k10 * z246 - k9 * z247);
-    const double z272 = c_lam * z266 - s_lam * z264;
-    const double z273 = c_steer * z271 - s_steer * z272;
-    kept[144] = z273;
-    const double z274 = k31 * z182;
-    kept[145] = z274;
-    const double z275 = k28 * z195;
-    kept[146] = z275;
-    const double z276 = z274 + (k26 * z217 + z275);
-    const double z277 = c_steer * z272 + s_steer * z271;
-    kept[147] = z277;
-    const double z278 = k28 * z192;
-    kept[148] = z278;
-    const double z279 = k26 * z219 + z278;
-    const double z280 = k24 * z180;
-    kept[149] = z280;
-    const double z281 = k23 * z181;
-    kept[150] = z281;
-    const double z282 = z280 + (k18 * z213 - z281);
-    const double z283 = k22 * z190;
-    kept[151] = z283;
-    const double z284 = z283 + (k17 * z206 - k18 * z202);
-    const double z285 = k23 * z180;
-    kept[152] = z285;
-    const double z286 = k20 * z181;
-    kept[153] = z286;
-    const double z287 = z285 - (k17 * z213 + z286);
-    const double z288 = k18 * z190;
-    kept[154] = z288;
-    const double z289 = k16 * z202 - z288;
-    const double z290 = k17 * z190;
-    kept[155] = z290;
-    const double z291 = k16 * z206 + z290;
-    const double z292 = k18 * z180;
-    kept[156] = z292;
-    const double z293 = k17 * z181;
-    kept[157] = z293;
-    const double z294 = z292 + (k16 * z213 + z293);
-    const double z295 = z246 * z282 + (z253 * z284 - (z247 * z287 - (z263 * z289 + (z265 * z291 - z270 *
-        z294))));
-    const double z296 = z248 * z251 + (z255 * z257 - (z258 * z261 - (z267 * z269 - (z273 * z276 - (z277 *
-        z279 + z295)))));
-    const double z297 = z262 * z236;
-    kept[158] = z297;
-    const double z298 = 1.0 + z255;
-    kept[159] = z298;
-    const double z299 = z298 * z238;
-    kept[160] = z299;
-    const double z300 = s_pitch * s_lam - c_pitch * c_lam;
-    const double z301 = s_steer * z300;
-    const double z302 = c_pitch * k9 + s_pitch * k10 + (c_pitch * R3 + s_pitch * z20);
-    const double z303 = k12 * z301 + s_steer * z302;
-    const double z304 = k3 * z301;
-    const double z305 = z15 * z301 - (s_lam * z303 + c_lam * z304);
-    const double z306 = c_pitch * s_lam + s_pitch * c_lam;
-    const double z307 = c_steer * z300;
-    const double z308 = z37 * (s_lam * z306 - c_lam * z307) - z15 * (s_lam * z307 + c_lam * z306) + (k12 *
-        z307 + k3 * z306 + c_steer * z302);
-    const double z309 = z37 * z301 + (s_lam * z304 - c_lam * z303);
-    const double z310 = z33 * z308 - z35 * z309;
-    const double z311 = z41 * z308 - z39 * z309;
-    const double z312 = z58 * (z42 * z305 + z28 * z310 - z27 * z311);
-    const double z313 = c_roll * z312;
-    const double z314 = s_pitch - c_pitch * z313;
-    kept[161] = z314;
-    const double z315 = c_pitch + s_pitch * z313;
-    kept[162] = z315;
-    const double z316 = c_lam * z314 + s_lam * z315;
-    kept[163] = z316;
-    const double z317 = z50 * z309 + z55 * z308;
-    const double z318 = z58 * (z29 * z310 + z56 * z305 + z27 * z317) + e2z * z312;
-    kept[164] = z318;
-    const double z319 = c_lam * z315 - s_lam * z314;
-    const double z320 = c_steer * z318 + s_steer * z319;
-    kept[165] = z320;
-    const double z321 = s_steer * z318 - c_steer * z319;
-    kept[166] = z321;
-    const double z322 = z58 * (z29 * z311 + z28 * z317 + z57 * z305) - z318;
-    kept[167] = z322;
-    const double z323 = z20 * z322;
-    kept[168] = z323;
-    const double z324 = z323 - k10 * z318;
-    const double z325 = R3 * z322;
-    kept[169] = z325;
-    const double z326 = z325 - k9 * z318;
-    const double z327 = c_lam * z324 + s_lam * z326;
-    kept[170] = z327;
-    const double z328 = R3 * z315 + z20 * z314;
-    kept[171] = z328;
-    const double z329 = z328 + (k10 * z314 + k9 * z315);
-    const double z330 = c_lam * z326 - s_lam * z324;
-    const double z331 = c_steer * z329 + s_steer * z330;
-    kept[172] = z331;
-    const double z332 = c_steer * z330 - s_steer * z329;
-    kept[173] = z332;
-    const double z333 = z314 * z282 + (z318 * z284 + (z315 * z287 + (z323 * z289 + (z325 * z291 + z328 *
-        z294))));
-    const double z334 = z316 * z251 + (z320 * z257 - (z321 * z261 - (z327 * z269 + (z331 * z276 + (z332 *
-        z279 + z333)))));
-    const double z335 = z322 * z236;
-    kept[174] = z335;
-    const double z336 = z320 * z238;
-    kept[175] = z336;
-    const double z337 = k3 + (z44 - z45);
-    const double z338 = z33 * z337;
-    const double z339 = z41 * z337;
-    const double z340 = z58 * (z28 * z338 - z27 * z339);
-    const double z341 = c_roll * z340;
-    const double z342 = c_pitch * z341;
-    kept[176] = z342;
-    const double z343 = s_pitch * z341;
-    kept[177] = z343;
-    const double z344 = 1.0 - (c_lam * z342 - s_lam * z343);
-    kept[178] = z344;
-    const double z345 = z55 * z337;
-    const double z346 = z58 * (z29 * z338 + z27 * z345) + e2z * z340;
-    kept[179] = z346;
-    const double z347 = c_lam * z343 + s_lam * z342;
-    const double z348 = c_steer * z346 + s_steer * z347;
-    kept[180] = z348;
-    const double z349 = s_steer * z346 - c_steer * z347;
-    kept[181] = z349;
-    const double z350 = z58 * (z29 * z339 + z28 * z345) - z346;
-    kept[182] = z350;
-    const double z351 = z20 * z350;
-    kept[183] = z351;
-    const double z352 = z351 - k10 * z346;
-    const double z353 = R3 * z350;
-    kept[184] = z353;
-    const double z354 = z353 - k9 * z346;
-    const double z355 = c_lam * z352 + s_lam * z354;
-    kept[185] = z355;
-    const double z356 = R3 * z343 - z20 * z342;
-    kept[186] = z356;
-    const double z357 = z356 - (k10 * z342 - k9 * z343);
-    const double z358 = c_lam * z354 - s_lam * z352;
-    const double z359 = c_steer * z357 + s_steer * z358;
-    kept[187] = z359;
-    const double z360 = c_steer * z358 - s_steer * z357;
-    kept[188] = z360;
-    const double z361 = z342 * z282 - (z346 * z284 + (z343 * z287 + (z351 * z289 + (z353 * z291 + z356 *
-        z294))));
-    const double z362 = z344 * z251 + (z348 * z257 - (z349 * z261 - (z355 * z269 + (z359 * z276 + (z360 *
-        z279 - z361)))));
-    const double z363 = z350 * z236;
-    kept[189] = z363;
-    const double z364 = z348 * z238;
-    kept[190] = z364;
-    const double z365 = thF_ddot * (z296 + z297 + z299) - (roll_ddot * (z334 + z335 + z336) + steer_ddot *
-        (z362 + z363 + z364));
+    const double v2_x = kept[92];
+    const double z86 = kept[93];
+    const double z87 = kept[94];
+    const double z89 = kept[95];
+    const double z92 = kept[96];
+    const double z93 = kept[97];
+    const double z94 = kept[98];
+    const double z96 = kept[99];
+    const double z100 = kept[100];
+    const double z101 = kept[101];
+    const double z107 = kept[102];
+    const double z108 = kept[103];
+    const double z110 = kept[104];
+    const double z111 = kept[105];
+    const double z112 = kept[106];
+    const double z113 = kept[107];
+    const double z114 = kept[108];
+    const double z115 = kept[109];
+    const double z123 = kept[110];
+    const double z124 = kept[111];
+    const double z125 = k3 * z124;
+    const double z126 = k12 * z124 + (z101 * z66 + s_steer * z111);
+    const double z127 = c_lam * z96;
+    const double z128 = s_lam * z127;
+    const double z129 = c_lam * z127;
+    const double z130 = z20 * z128 - z31 * z110 - (R3 * z129 + z32 * z92);
+    const double z131 = z101 * z40 - s_steer * z107;
+    const double z132 = z52 * z89 - s_pitch * (z6 * z112 - z113 + c_lam * z131) + (z53 * z87 + c_pitch * (z21
+        * z112 - z34 * z110 - s_lam * z131));
+    const double z133 = k10 * z128 - k9 * z129 + z130 - (z96 * z40 + c_steer * z107);
+    const double z134 = z83 * z130 + (z78 * (z86 * z54 + c_roll * z132 - (z100 * z41 + e2z * z133)) - z76 *
+        z133);
+    const double z135 = z37 * z124 - z69 * z107 + (s_lam * z125 - c_lam * z126) + z134;
+    const double z136 = z41 * z123 - z39 * z135;
+    const double z137 = z50 * z135 + z55 * z123;
+    const double z138 = s_lam * z96;
+    const double z139 = s_lam * z138;
+    const double z140 = c_lam * z138;
+    const double z141 = z20 * z139 + z25 * z110 - (R3 * z140 - z26 * z92);
+    const double z142 = z101 * z16 - s_steer * z108;
+    const double z143 = z18 * z89 - s_pitch * (z6 * z114 - z2 * z92 + c_lam * z142) + (z22 * z87 + c_pitch *
+        (z21 * z114 - z115 - s_lam * z142));
+    const double z144 = k10 * z139 - k9 * z140 + z141 - (z96 * z16 + c_steer * z108);
+    const double z145 = z83 * z141 + (z78 * (z86 * z23 + c_roll * z143 + (z100 * z28 - e2z * z144)) - z76 *
+        z144);
+    const double z146 = z15 * z124 - z69 * z108 - (c_lam * z125 + s_lam * z126) + z145;
+    const double z147 = z33 * z123 - z35 * z135;
+    const double z148 = z58 * (z42 * z146 + z28 * z147 - z27 * z136);
+    const double z149 = z58 * (z29 * z147 + z56 * z146 + z27 * z137) + (z100 * z78 + e2z * z148);
+    const double z150 = z58 * (z29 * z136 + z28 * z137 + z57 * z146) - z149;
+    const double z151 = z79 * a3 - w3_pitch * v2_x + (z84 * z92 - R3 * z150);
+    const double z152 = z37 * z39;
+    const double z153 = z37 * z50;
+    const double z154 = z37 * z35;
+    const double z155 = z58 * (z15 * z42 - z28 * z154 + z27 * z152);
+    const double z156 = z58 * (z29 * z154 - z15 * z56 - z27 * z153) - e2z * z155;
+    const double z157 = z58 * (z29 * z152 - z28 * z153 - z15 * z57) - z156;
+    const double z158 = R3 * z157;
+    const double z159 = c_pitch * s_lam + s_pitch * c_lam;
+    const double z160 = s_pitch * s_lam - c_pitch * c_lam;
+    const double z161 = c_steer * z160;
+    const double z162 = c_pitch * k9 + s_pitch * k10 + (c_pitch * R3 + s_pitch * z20);
+    const double z163 = z37 * (s_lam * z159 - c_lam * z161) - z15 * (s_lam * z161 + c_lam * z159) + (k12 *
+        z161 + k3 * z159 + c_steer * z162);
+    const double z164 = s_steer * z160;
+    const double z165 = k3 * z164;
+    const double z166 = k12 * z164 + s_steer * z162;
+    const double z167 = z37 * z164 + (s_lam * z165 - c_lam * z166);
+    const double z168 = z41 * z163 - z39 * z167;
+    const double z169 = z50 * z167 + z55 * z163;
+    const double z170 = z15 * z164 - (s_lam * z166 + c_lam * z165);
+    const double z171 = z33 * z163 - z35 * z167;
+    const double z172 = z58 * (z42 * z170 + z28 * z171 - z27 * z168);
+    const double z173 = z58 * (z29 * z171 + z56 * z170 + z27 * z169) + e2z * z172;
+    const double z174 = z58 * (z29 * z168 + z28 * z169 + z57 * z170) - z173;
+    const double z175 = R3 * z174;
+    const double z176 = k3 + (z44 - z45);
+    const double z177 = z41 * z176;
+    const double z178 = z55 * z176;
+    const double z179 = z33 * z176;
+    const double z180 = z58 * (z28 * z179 - z27 * z177);
+    const double z181 = z58 * (z29 * z179 + z27 * z178) + e2z * z180;
+    const double z182 = z58 * (z29 * z177 + z28 * z178) - z181;
+    const double z183 = R3 * z182;
+    const double z184 = z158 * thF_ddot - (z175 * roll_ddot + z183 * steer_ddot);
+    const double z185 = z156 * thF_ddot - (z173 * roll_ddot + z181 * steer_ddot);
+    const double z186 = z1 * k50 - (z79 * z80 - w3_pitch * z82 - (k16 * z151 - k17 * z149)) + (k16 * z184 +
+        k17 * z185);
+    const double h2z = e2z * c_steer + s_steer * z7;
+    const double w3_steer = steer_dot + (c_lam * w3_pitch + s_lam * w1_pitch);
+    const double z187 = c_lam * w1_pitch - s_lam * w3_pitch;
+    const double z188 = c_steer * z79 + s_steer * z187;
+    const double z189 = k28 * z188;
+    const double z190 = s_steer * z79 - c_steer * z187;
+    const double z191 = k31 * z188;
+    const double z192 = z86 * z78 - c_roll * z148;
+    const double z193 = z94 + (z81 * z87 - c_pitch * z192);
+    const double z194 = z93 - (z81 * z89 + s_pitch * z192);
+    const double z195 = c_lam * z193 - s_lam * z194;
+    const double a1 = R3 * z84;
+    const double z196 = a1 * w3_pitch - a3 * w1_pitch + (w1_pitch * z92 - R3 * z194 + (w3_pitch * z110 + z20
+        * z193));
+    const double z197 = k9 * z79;
+    const double z198 = k10 * z79;
+    const double z199 = z196 - (w3_pitch * z197 - w1_pitch * z198 - (k10 * z193 - k9 * z194));
+    const double z200 = k10 * w3_pitch + k9 * w1_pitch;
+    const double z201 = z151 - (z79 * z198 + w3_pitch * z200 - k9 * z149);
+    const double z202 = w1_pitch * v2_x - z79 * a1 + (z84 * z110 - z20 * z150);
+    const double z203 = z202 + (w1_pitch * z200 + z79 * z197 + k10 * z149);
+    const double z204 = c_lam * z201 - s_lam * z203;
+    const double z205 = c_steer * z199 + s_steer * z204;
+    const double z206 = c_lam * z194 + s_lam * z193;
+    const double z207 = z101 * z79 + s_steer * z149 + (z96 * z187 - c_steer * z206);
+    const double z208 = h2z * k55 + (w3_steer * z189 - z190 * z191 + (k31 * z195 + (k26 * z205 - k28 *
+        z207)));
+    const double z209 = c_roll * z155;
+    const double z210 = c_pitch * z209;
+    const double z211 = s_pitch * z209;
+    const double z212 = c_roll * z172;
+    const double z213 = s_pitch - c_pitch * z212;
+    const double z214 = c_pitch + s_pitch * z212;
+    const double z215 = c_roll * z180;
+    const double z216 = c_pitch * z215;
+    const double z217 = s_pitch * z215;
+    const double z218 = (c_lam * z210 - s_lam * z211) * thF_ddot - ((c_lam * z213 + s_lam * z214) * roll_ddot
+        + (1.0 - (c_lam * z216 - s_lam * z217)) * steer_ddot);
+    const double z219 = R3 * z211 - z20 * z210;
+    const double z220 = z219 - (k10 * z210 - k9 * z211);
+    const double z221 = z158 - k9 * z156;
+    const double z222 = z20 * z157;
+    const double z223 = z222 - k10 * z156;
+    const double z224 = c_lam * z221 - s_lam * z223;
+    const double z225 = R3 * z214 + z20 * z213;
+    const double z226 = z225 + (k10 * z213 + k9 * z214);
+    const double z227 = z175 - k9 * z173;
+    const double z228 = z20 * z174;
+    const double z229 = z228 - k10 * z173;
+    const double z230 = c_lam * z227 - s_lam * z229;
+    const double z231 = R3 * z217 - z20 * z216;
+    const double z232 = z231 - (k10 * z216 - k9 * z217);
+    const double z233 = z183 - k9 * z181;
+    const double z234 = z20 * z182;
+    const double z235 = z234 - k10 * z181;
+    const double z236 = c_lam * z233 - s_lam * z235;
+    const double z237 = (c_steer * z220 - s_steer * z224) * thF_ddot + ((c_steer * z226 + s_steer * z230) *
+        roll_ddot + (c_steer * z232 + s_steer * z236) * steer_ddot);
+    const double z238 = c_lam * z211 + s_lam * z210;
+    const double z239 = c_lam * z214 - s_lam * z213;
+    const double z240 = c_lam * z217 + s_lam * z216;
+    const double z241 = (s_steer * z156 + c_steer * z238) * thF_ddot - ((s_steer * z173 - c_steer * z239) *
+        roll_ddot + (s_steer * z181 - c_steer * z240) * steer_ddot);
+    const double z242 = z208 + (k31 * z218 - (k26 * z237 - k28 * z241));
+    const double z243 = k28 * z190 + k31 * w3_steer;
+    const double z244 = c_steer * z204 - s_steer * z199;
+    const double z245 = z96 * z79 - c_steer * z149 - (z101 * z187 + s_steer * z206);
+    const double z246 = (c_steer * z224 + s_steer * z220) * thF_ddot - ((c_steer * z230 - s_steer * z226) *
+        roll_ddot + (c_steer * z236 - s_steer * z232) * steer_ddot);
+    const double z247 = c_steer * z156 - s_steer * z238;
+    const double z248 = (c_steer * z173 + s_steer * z239) * roll_ddot + (c_steer * z181 + s_steer * z240) *
+        steer_ddot;
+    const double z249 = z247 * thF_ddot - z248;
+    const double z250 = z8 * k55 - (z188 * z191 + w3_steer * z243 - (k26 * z244 + k28 * z245)) + (k26 * z246
+        + k28 * z249);
+    const double z251 = s_steer * z242 + c_steer * z250;
+    const double z252 = c_lam * z203 + s_lam * z201;
+    const double z253 = (c_lam * z223 + s_lam * z221) * thF_ddot - ((c_lam * z229 + s_lam * z227) * roll_ddot
+        + (c_lam * z235 + s_lam * z233) * steer_ddot);
+    const double z254 = z9 * k55 - (z190 * z243 + z188 * z189 - (k26 * z252 - k31 * z245)) + (k26 * z253 -
+        k31 * z249);
+    const double z255 = c_lam * z251 + s_lam * z254;
+    const double z256 = z186 + z255;
+    const double z257 = k17 * z79;
+    const double z258 = z222 * thF_ddot - (z228 * roll_ddot + z234 * steer_ddot);
+    const double z259 = e3z * k50 + (w1_pitch * z82 + z79 * z257 - (k16 * z202 + k18 * z149)) - (k16 * z258 -
+        k18 * z185);
+    const double z260 = s_lam * z251 - c_lam * z254;
+    const double z261 = z259 + z260;
+    const double z262 = R_yy * (z150 - (z157 * thF_ddot - (z174 * roll_ddot + z182 * steer_ddot))) + z20 *
+        z261 - R3 * z256;
+    const double z263 = z58 * z262;
+    const double z264 = k20 * w1_pitch + k23 * w3_pitch;
+    const double z265 = k23 * w1_pitch + k24 * w3_pitch;
+    const double z266 = z1 * k52 + e3z * k51 + (w3_pitch * z264 - w1_pitch * z265 - (k22 * z149 - (k17 * z151
+        - k18 * z202)));
+    const double z267 = k38 * z190 - k39 * w3_steer;
+    const double z268 = k45 * z190 - k46 * w3_steer;
+    const double z269 = z8 * k54 + z9 * k53 + (z8 * k57 - z9 * k56) - (w3_steer * z267 + z190 * z268 - (k42 *
+        z245 + (k28 * z244 - k31 * z252)));
+    const double z270 = z269 + (k42 * z249 + (k28 * z246 - k31 * z253)) + F_yy * (z245 - (z248 - (1.0 + z247)
+        * thF_ddot));
+    const double z271 = z266 + (k22 * z185 + (k17 * z184 - k18 * z258)) + k10 * z260 - k9 * z255 + c_steer *
+        z270;
+    const double z272 = F_yy * (thF_dot - z188) - k42 * z188;
+    const double z273 = h2z * k58 + (z188 * z268 - w3_steer * z272 - (k39 * z195 - (k28 * z205 - k38 *
+        z207)));
+    const double z274 = z273 - (k39 * z218 + (k28 * z237 - k38 * z241));
+    const double z275 = z271 + s_steer * z274 + z262;
+    const double z276 = z58 * z275;
+    const double z277 = z28 * z263 - z27 * z276;
+    const double z278 = R_yy * z84 - k22 * z79;
+    const double z279 = e2z * k51 - (w1_pitch * z278 + z79 * z264 - (k24 * z193 + (k18 * z196 - k23 * z194)));
+    const double z280 = z210 * thF_ddot - (z213 * roll_ddot - z216 * steer_ddot);
+    const double z281 = z219 * thF_ddot + (z225 * roll_ddot + z231 * steer_ddot);
+    const double z282 = z211 * thF_ddot + (z214 * roll_ddot + z217 * steer_ddot);
+    const double z283 = c_steer * z242 - s_steer * z250;
+    const double z284 = s_steer * z270 - c_steer * z274;
+    const double z285 = h2z * k59 - (z190 * z272 + z188 * z267 + (k46 * z195 + (k31 * z205 + k45 * z207)));
+    const double z286 = z285 - (k46 * z218 - (k31 * z237 + k45 * z241));
+    const double z287 = z279 + (k24 * z280 - (k18 * z281 + k23 * z282)) + k10 * z283 - s_lam * z284 - c_lam *
+        z286;
+    const double z288 = e2z * k50 + (w3_pitch * z257 + w1_pitch * z80 + (k18 * z193 + (k16 * z196 + k17 *
+        z194)));
+    const double z289 = z288 + (k18 * z280 - (k16 * z281 - k17 * z282)) + z283;
+    const double z290 = e2z * k52 - (z79 * z265 + w3_pitch * z278 + (k23 * z193 - (k17 * z196 + k20 * z194)));
+    const double z291 = z290 - (k23 * z280 + (k17 * z281 - k20 * z282)) - k9 * z283 - c_lam * z284 + s_lam *
+        z286;
+    const double z292 = z58 * (c_roll * (c_pitch * (z287 + z20 * z289) + s_pitch * (z291 - R3 * z289)) - e2z
+        * z275);
+    const double z293 = z29 * z263 - z27 * z292;
+    const double z294 = z29 * z276 - z28 * z292;
+    const double z295 = z50 * z277 - z39 * z293 + z35 * z294;
+    const double z296 = z57 * z263 - z56 * z276 + z42 * z292;
+    const double z297 = s_lam * z295 - c_lam * z296;
+    const double z298 = s_lam * z297;
+    const double z299 = z55 * z277 + z41 * z293 - z33 * z294;
+    const double z300 = c_lam * z295 + s_lam * z296;
+    const double z301 = s_steer * z299 + c_steer * z300;
+    const double z302 = c_lam * z301;
+    const double z303 = z256 - z298 - z302;
+    const double z304 = c_lam * z297;
+    const double z305 = s_lam * z301;
+    const double z306 = z261 + z304 - z305;
+    const double z307 = s_pitch * z303 + c_pitch * z306;
+    const double z308 = c_steer * z299 - s_steer * z300;
+    const double z309 = z289 - z308;
+    const double z310 = e2z * z307 - c_roll * z309;
+    const double z311 = c_pitch * z303 - s_pitch * z306;
     /* (I.4.1) 115:5 */
-    /* reaction of rear_x: Q_i gains lambda_1 a_1i */
-    lambda[0] = z365 - (z183 - (z193 + (z196 + (z199 * z209 + z235))) + z237 - z239 + z241);
-    const double z366 = c_yaw * e2z;
-    const double e1y = c_pitch * s_yaw + s_pitch * z366;
-    kept[191] = e1y;
-    const double e3y = s_yaw * s_pitch - c_pitch * z366;
-    kept[192] = e3y;
-    const double sy = e1y * s_lam + e3y * c_lam;
-    const double z367 = e1y * c_lam - e3y * s_lam;
-    const double e2y = c_yaw * c_roll;
-    kept[193] = e2y;
-    const double f1y = c_steer * z367 + e2y * s_steer;
-    const double h3y = c_lam * sy - s_lam * f1y;
-    kept[194] = h3y;
-    const double h2y = e2y * c_steer - s_steer * z367;
-    const double h1y = c_lam * f1y + s_lam * sy;
-    const double z368 = h2y * z33 + h1y * z35;
-    const double z369 = h2y * z41 + h1y * z39;
-    kept[195] = z369;
-    const double z370 = z58 * (h3y * z42 + z28 * z368 - z27 * z369);
-    const double z371 = c_roll * z370;
-    kept[196] = z371;
-    const double z372 = c_pitch * z371;
-    kept[197] = z372;
-    const double z373 = s_pitch * z371;
-    kept[198] = z373;
-    const double z374 = c_lam * z372 - s_lam * z373;
-    kept[199] = z374;
-    const double z375 = z171 * z374;
-    kept[200] = z375;
-    const double z376 = h1y * z50 - h2y * z55;
-    kept[201] = z376;
-    const double z377 = z58 * (z29 * z368 + h3y * z56 - z27 * z376) + e2z * z370;
-    kept[202] = z377;
-    const double z378 = c_lam * z373 + s_lam * z372;
-    const double z379 = c_steer * z377 + s_steer * z378;
-    kept[203] = z379;
-    const double z380 = z188 * z379;
-    kept[204] = z380;
-    const double z381 = s_steer * z377 - c_steer * z378;
-    kept[205] = z381;
-    const double z382 = z194 * z381;
-    kept[206] = z382;
-    return BICYCLE_OK;
-}
-
-static int bicycle_reactions_part3(double t, const double *y, const double *p, const double *dydt, double
-    *kept, double *lambda)
-{
-    (void)t;
-    (void)y;
-    const double R_yy = p[7]; /* rear wheel, about the axle [kg*m^2] */
-    const double F_yy = p[25]; /* front wheel, about the axle [kg*m^2] */
-    const double roll_ddot = dydt[9]; /* roll'' */
-    const double steer_ddot = dydt[10]; /* steer'' */
-    const double thF_ddot = dydt[11]; /* thF'' */
-    const double e2z = kept[0];
-    const double c_roll = kept[1];
-    const double c_steer = kept[2];
-    const double s_steer = kept[3];
-    const double s_pitch = kept[4];
-    const double c_pitch = kept[5];
-    const double s_lam = kept[8];
-    const double c_lam = kept[9];
-    const double k9 = kept[11];
-    const double k10 = kept[12];
-    const double k16 = kept[14];
-    const double k17 = kept[15];
-    const double k18 = kept[16];
-    const double k20 = kept[17];
-    const double k22 = kept[18];
-    const double k23 = kept[19];
-    const double k24 = kept[20];
-    const double k26 = kept[21];
-    const double k28 = kept[22];
-    const double k31 = kept[23];
-    const double k38 = kept[24];
-    const double k39 = kept[25];
-    const double k42 = kept[26];
-    const double k45 = kept[27];
-    const double k46 = kept[28];
-    const double z1 = kept[39];
-    const double e3z = kept[40];
-    const double h2z = kept[41];
-    const double R3 = kept[42];
-    const double z10 = kept[45];
-    const double z12 = kept[46];
-    const double z20 = kept[48];
-    const double z27 = kept[49];
-    const double z28 = kept[50];
-    const double z29 = kept[51];
-    const double z33 = kept[52];
-    const double z35 = kept[53];
-    const double z39 = kept[55];
-    const double z41 = kept[56];
-    const double z42 = kept[57];
-    const double z50 = kept[60];
-    const double z55 = kept[61];
-    const double z56 = kept[62];
-    const double z57 = kept[63];
-    const double z58 = kept[64];
-    const double z161 = kept[97];
-    const double z171 = kept[98];
-    const double z183 = kept[99];
-    const double z185 = kept[100];
-    const double z188 = kept[101];
-    const double z193 = kept[102];
-    const double z194 = kept[103];
-    const double z196 = kept[104];
-    const double z199 = kept[105];
-    const double z201 = kept[106];
-    const double z203 = kept[107];
-    const double z205 = kept[108];
-    const double z207 = kept[109];
-    const double z211 = kept[110];
-    const double z212 = kept[111];
-    const double z214 = kept[112];
-    const double z218 = kept[113];
-    const double z222 = kept[114];
-    const double z223 = kept[115];
-    const double z225 = kept[116];
-    const double z226 = kept[117];
-    const double z227 = kept[118];
-    const double z228 = kept[119];
-    const double z231 = kept[120];
-    const double z233 = kept[121];
-    const double z234 = kept[122];
-    const double z237 = kept[123];
-    const double z239 = kept[124];
-    const double z240 = kept[125];
-    const double z241 = kept[126];
-    const double z246 = kept[127];
-    const double z247 = kept[128];
-    const double z248 = kept[129];
-    const double z249 = kept[130];
-    const double z250 = kept[131];
-    const double z253 = kept[132];
-    const double z255 = kept[133];
-    const double z256 = kept[134];
-    const double z258 = kept[135];
-    const double z259 = kept[136];
-    const double z260 = kept[137];
-    const double z262 = kept[138];
-    const double z263 = kept[139];
-    const double z265 = kept[140];
-    const double z267 = kept[141];
-    const double z268 = kept[142];
-    const double z270 = kept[143];
-    const double z273 = kept[144];
-    const double z274 = kept[145];
-    const double z275 = kept[146];
-    const double z277 = kept[147];
-    const double z278 = kept[148];
-    const double z280 = kept[149];
-    const double z281 = kept[150];
-    const double z283 = kept[151];
-    const double z285 = kept[152];
-    const double z286 = kept[153];
-    const double z288 = kept[154];
-    const double z290 = kept[155];
-    const double z292 = kept[156];
-    const double z293 = kept[157];
-    const double z297 = kept[158];
-    const double z298 = kept[159];
-    const double z299 = kept[160];
-    const double z314 = kept[161];
-    const double z315 = kept[162];
-    const double z316 = kept[163];
-    const double z318 = kept[164];
-    const double z320 = kept[165];
-    const double z321 = kept[166];
-    const double z322 = kept[167];
-    const double z323 = kept[168];
-    const double z325 = kept[169];
-    const double z327 = kept[170];
-    const double z328 = kept[171];
-    const double z331 = kept[172];
-    const double z332 = kept[173];
-    const double z335 = kept[174];
-    const double z336 = kept[175];
-    const double z342 = kept[176];
-    const double z343 = kept[177];
-    const double z344 = kept[178];
-    const double z346 = kept[179];
-    const double z348 = kept[180];
-    const double z349 = kept[181];
-    const double z350 = kept[182];
-    const double z351 = kept[183];
-    const double z353 = kept[184];
-    const double z355 = kept[185];
-    const double z356 = kept[186];
-    const double z359 = kept[187];
-    const double z360 = kept[188];
-    const double z363 = kept[189];
-    const double z364 = kept[190];
-    const double e1y = kept[191];
-    const double e3y = kept[192];
-    const double e2y = kept[193];
-    const double h3y = kept[194];
-    const double z369 = kept[195];
-    const double z371 = kept[196];
-    const double z372 = kept[197];
-    const double z373 = kept[198];
-    const double z374 = kept[199];
-    const double z375 = kept[200];
-    const double z376 = kept[201];
-    const double z377 = kept[202];
-    const double z379 = kept[203];
-    const double z380 = kept[204];
-    const double z381 = kept[205];
-    const double z382 = kept[206];
-    const double z383 = z58 * (z29 * z369 - z28 * z376 + h3y * z57) - z377;
-    const double z384 = z20 * z383;
-    const double z385 = e3y - z384;
-    const double z386 = k10 * z377;
-    const double z387 = z385 + z386;
-    const double z388 = R3 * z383;
-    const double z389 = e1y - z388;
-    const double z390 = k9 * z377;
-    const double z391 = z389 + z390;
-    const double z392 = c_lam * z387 + s_lam * z391;
-    const double z393 = R3 * z373 - z20 * z372;
-    const double z394 = e2y + z393;
-    const double z395 = k10 * z372 - k9 * z373;
-    const double z396 = z394 - z395;
-    const double z397 = c_lam * z391 - s_lam * z387;
-    const double z398 = c_steer * z396 - s_steer * z397;
-    const double z399 = c_steer * z397 + s_steer * z396;
-    const double z400 = z222 * z372;
-    const double z401 = z225 * z377;
-    const double z402 = z227 * z373;
-    const double z403 = z211 * z398 - (z218 * z399 + (z400 - (z401 - (z402 - (z231 * z385 - (z233 * z389 -
-        z234 * z394))))));
-    const double z404 = R_yy * z383;
-    const double z405 = z161 * z404;
-    const double z406 = F_yy * z379;
-    const double z407 = z185 * z406;
-    const double z408 = z371 * z240;
-    const double z409 = k46 * z374;
-    const double z410 = k45 * z381;
-    const double z411 = z409 - (k31 * z398 - z410);
-    const double z412 = k42 * z379;
-    const double z413 = z412 - (k28 * z399 - k31 * z392);
-    const double z414 = k39 * z374;
-    const double z415 = k38 * z381;
-    const double z416 = z414 + (k28 * z398 + z415);
-    const double z417 = k31 * z379;
-    const double z418 = k26 * z392 + z417;
-    const double z419 = k31 * z374;
-    const double z420 = k28 * z381;
-    const double z421 = z419 - (k26 * z398 + z420);
-    const double z422 = k28 * z379;
-    const double z423 = k26 * z399 - z422;
-    const double z424 = k24 * z372;
-    const double z425 = k23 * z373;
-    const double z426 = z424 - (k18 * z394 + z425);
-    const double z427 = k22 * z377;
-    const double z428 = z427 - (k17 * z389 - k18 * z385);
-    const double z429 = k23 * z372;
-    const double z430 = k20 * z373;
-    const double z431 = z429 + (k17 * z394 - z430);
-    const double z432 = k18 * z377;
-    const double z433 = k16 * z385 + z432;
-    const double z434 = k17 * z377;
-    const double z435 = k16 * z389 - z434;
-    const double z436 = k18 * z372;
-    const double z437 = k17 * z373;
-    const double z438 = z436 - (k16 * z394 - z437);
-    const double z439 = z246 * z426 - (z253 * z428 + (z247 * z431 - (z263 * z433 + (z265 * z435 - z270 *
-        z438))));
-    const double z440 = z248 * z411 - (z255 * z413 + (z258 * z416 - (z267 * z418 - (z273 * z421 - (z277 *
-        z423 + z439)))));
-    const double z441 = z262 * z404;
-    const double z442 = z298 * z406;
-    const double z443 = z314 * z426 - (z318 * z428 - (z315 * z431 + (z323 * z433 + (z325 * z435 + z328 *
-        z438))));
-    const double z444 = z316 * z411 - (z320 * z413 + (z321 * z416 - (z327 * z418 + (z331 * z421 + (z332 *
-        z423 + z443)))));
-    const double z445 = z322 * z404;
-    const double z446 = z320 * z406;
-    const double z447 = z342 * z426 + (z346 * z428 - (z343 * z431 + (z351 * z433 + (z353 * z435 + z356 *
-        z438))));
-    const double z448 = z344 * z411 - (z348 * z413 + (z349 * z416 - (z355 * z418 + (z359 * z421 + (z360 *
-        z423 - z447)))));
-    const double z449 = z350 * z404;
-    const double z450 = z348 * z406;
-    const double z451 = thF_ddot * (z440 - z441 - z442) - (roll_ddot * (z444 - z445 - z446) + steer_ddot *
-        (z448 - z449 - z450));
+    lambda[0] = c_yaw * z311 - s_yaw * z310; /* reaction of rear_x: Q_i gains lambda_1 a_1i */
     /* (I.4.1) 116:5 */
-    /* reaction of rear_y: Q_i gains lambda_2 a_2i */
-    lambda[1] = z451 - (z375 + (z380 + (z382 - (z199 * z392 - z403))) - z405 + z407 + z408);
-    const double z452 = h2z * z33 - z10 * z35;
-    const double z453 = h2z * z41 - z10 * z39;
-    const double z454 = z58 * (z12 * z42 - z28 * z452 + z27 * z453);
-    const double z455 = c_roll * z454;
-    const double z456 = c_pitch * z455;
-    const double z457 = s_pitch * z455;
-    const double z458 = c_lam * z456 - s_lam * z457;
-    const double z459 = z171 * z458;
-    const double z460 = z10 * z50 + h2z * z55;
-    const double z461 = z58 * (z29 * z452 - z12 * z56 + z27 * z460) - e2z * z454;
-    const double z462 = c_lam * z457 + s_lam * z456;
-    const double z463 = c_steer * z461 - s_steer * z462;
-    const double z464 = z188 * z463;
-    const double z465 = s_steer * z461 + c_steer * z462;
-    const double z466 = z194 * z465;
-    const double z467 = z58 * (z29 * z453 + z28 * z460 - z12 * z57) - z461;
-    const double z468 = z20 * z467;
-    const double z469 = e3z - z468;
-    const double z470 = k10 * z461;
-    const double z471 = z469 + z470;
-    const double z472 = R3 * z467;
-    const double z473 = z1 + z472;
-    const double z474 = k9 * z461;
-    const double z475 = z473 - z474;
-    const double z476 = c_lam * z471 - s_lam * z475;
-    const double z477 = R3 * z457 - z20 * z456;
-    const double z478 = e2z - z477;
-    const double z479 = k10 * z456 - k9 * z457;
-    const double z480 = z478 + z479;
-    const double z481 = c_lam * z475 + s_lam * z471;
-    const double z482 = c_steer * z480 + s_steer * z481;
-    const double z483 = c_steer * z481 - s_steer * z480;
-    const double z484 = z222 * z456;
-    const double z485 = z225 * z461;
-    const double z486 = z227 * z457;
-    const double z487 = z211 * z482 + (z218 * z483 + (z484 + (z485 + (z486 + (z231 * z469 + (z233 * z473 +
-        z234 * z478))))));
-    const double z488 = R_yy * z467;
-    const double z489 = z161 * z488;
-    const double z490 = F_yy * z463;
-    const double z491 = z185 * z490;
-    const double z492 = z455 * z240;
-    const double z493 = k46 * z458;
-    const double z494 = k45 * z465;
-    const double z495 = z493 + (k31 * z482 - z494);
-    const double z496 = k42 * z463;
-    const double z497 = z496 + (k28 * z483 + k31 * z476);
-    const double z498 = k39 * z458;
-    const double z499 = k38 * z465;
-    const double z500 = z498 - (k28 * z482 + z499);
-    const double z501 = k31 * z463;
-    const double z502 = k26 * z476 + z501;
-    const double z503 = k31 * z458;
-    const double z504 = k28 * z465;
-    const double z505 = z503 + (k26 * z482 + z504);
-    const double z506 = k28 * z463;
-    const double z507 = k26 * z483 + z506;
-    const double z508 = k24 * z456;
-    const double z509 = k23 * z457;
-    const double z510 = z508 + (k18 * z478 - z509);
-    const double z511 = k22 * z461;
-    const double z512 = z511 + (k17 * z473 + k18 * z469);
-    const double z513 = k23 * z456;
-    const double z514 = k20 * z457;
-    const double z515 = z513 - (k17 * z478 + z514);
-    const double z516 = k18 * z461;
-    const double z517 = k16 * z469 + z516;
-    const double z518 = k17 * z461;
-    const double z519 = k16 * z473 + z518;
-    const double z520 = k18 * z456;
-    const double z521 = k17 * z457;
-    const double z522 = z520 + (k16 * z478 + z521);
-    const double z523 = z246 * z510 + (z253 * z512 - (z247 * z515 + (z263 * z517 - (z265 * z519 - z270 *
-        z522))));
-    const double z524 = z248 * z495 + (z255 * z497 - (z258 * z500 + (z267 * z502 + (z273 * z505 - (z277 *
-        z507 + z523)))));
-    const double z525 = z262 * z488;
-    const double z526 = z298 * z490;
-    const double z527 = z314 * z510 + (z318 * z512 + (z315 * z515 - (z323 * z517 - (z325 * z519 + z328 *
-        z522))));
-    const double z528 = z316 * z495 + (z320 * z497 - (z321 * z500 + (z327 * z502 - (z331 * z505 + (z332 *
-        z507 + z527)))));
-    const double z529 = z322 * z488;
-    const double z530 = z320 * z490;
-    const double z531 = z342 * z510 - (z346 * z512 + (z343 * z515 - (z351 * z517 - (z353 * z519 + z356 *
-        z522))));
-    const double z532 = z344 * z495 + (z348 * z497 - (z349 * z500 + (z355 * z502 - (z359 * z505 + (z360 *
-        z507 - z531)))));
-    const double z533 = z350 * z488;
-    const double z534 = z348 * z490;
-    const double z535 = thF_ddot * (z524 + z525 + z526) - (roll_ddot * (z528 + z529 + z530) + steer_ddot *
-        (z532 + z533 + z534));
+    lambda[1] = c_yaw * z310 + s_yaw * z311; /* reaction of rear_y: Q_i gains lambda_2 a_2i */
     /* (I.4.1) 117:5 */
-    /* reaction of rear_z: Q_i gains lambda_3 a_3i */
-    lambda[2] = z459 - (z464 + (z466 - (z199 * z476 - z487))) + z489 - z491 + z492 - z535;
-    const double z536 = z201 - z203;
-    const double z537 = z205 - z207;
-    const double z538 = c_lam * z536 + s_lam * z537;
-    const double z539 = z212 - z214;
-    const double z540 = c_lam * z537 - s_lam * z536;
-    const double z541 = c_steer * z539 - s_steer * z540;
-    const double z542 = c_steer * z540 + s_steer * z539;
-    const double z543 = z211 * z541 - (z218 * z542 + (z223 + (z226 + (z228 - (z231 * z201 - (z233 * z205 -
-        z234 * z212))))));
-    const double z544 = z249 - (z250 + k31 * z541);
-    const double z545 = z256 + (k28 * z542 - k31 * z538);
-    const double z546 = z259 - (z260 - k28 * z541);
-    const double z547 = z268 - k26 * z538;
-    const double z548 = z274 + (z275 - k26 * z541);
-    const double z549 = z278 + k26 * z542;
-    const double z550 = z280 - (z281 + k18 * z212);
-    const double z551 = z283 + (k17 * z205 - k18 * z201);
-    const double z552 = z285 - (z286 - k17 * z212);
-    const double z553 = z288 - k16 * z201;
-    const double z554 = z290 + k16 * z205;
-    const double z555 = z292 + (z293 - k16 * z212);
-    const double z556 = z246 * z550 + (z253 * z551 - (z247 * z552 + (z263 * z553 - (z265 * z554 - z270 *
-        z555))));
-    const double z557 = z248 * z544 + (z255 * z545 - (z258 * z546 + (z267 * z547 + (z273 * z548 - (z277 *
-        z549 + z556)))));
-    const double z558 = z314 * z550 + (z318 * z551 + (z315 * z552 - (z323 * z553 - (z325 * z554 + z328 *
-        z555))));
-    const double z559 = z316 * z544 + (z320 * z545 - (z321 * z546 + (z327 * z547 - (z331 * z548 + (z332 *
-        z549 + z558)))));
-    const double z560 = z342 * z550 - (z346 * z551 + (z343 * z552 - (z351 * z553 - (z353 * z554 + z356 *
-        z555))));
-    const double z561 = z344 * z544 + (z348 * z545 - (z349 * z546 + (z355 * z547 - (z359 * z548 + (z360 *
-        z549 - z560)))));
-    const double z562 = thF_ddot * (z299 + (z557 + z297)) - (roll_ddot * (z336 + (z559 + z335)) + steer_ddot
-        * (z364 + (z561 + z363)));
+    lambda[2] = -(c_roll * z307 + e2z * z309); /* reaction of rear_z: Q_i gains lambda_3 a_3i */
+    const double z312 = z298 + z302;
+    const double z313 = z304 - z305;
+    const double z314 = s_pitch * z312 - c_pitch * z313;
+    const double z315 = e2z * z314 - c_roll * z308;
+    const double z316 = c_pitch * z312 + s_pitch * z313;
     /* (I.4.1) 118:5 */
-    /* reaction of front_x: Q_i gains lambda_4 a_4i */
-    lambda[3] = z241 - (z239 - (z237 + (z183 - (z193 + (z196 + (z199 * z538 - z543)))))) - z562;
-    const double z563 = z384 - z386;
-    const double z564 = z388 - z390;
-    const double z565 = c_lam * z563 + s_lam * z564;
-    const double z566 = z393 - z395;
-    const double z567 = c_lam * z564 - s_lam * z563;
-    const double z568 = c_steer * z566 + s_steer * z567;
-    const double z569 = c_steer * z567 - s_steer * z566;
-    const double z570 = z211 * z568 + (z218 * z569 - (z400 - (z401 - (z402 + (z231 * z384 - (z233 * z388 +
-        z234 * z393))))));
-    const double z571 = z409 + (z410 - k31 * z568);
-    const double z572 = z412 + (k28 * z569 - k31 * z565);
-    const double z573 = z414 + (z415 + k28 * z568);
-    const double z574 = z417 - k26 * z565;
-    const double z575 = z419 - (z420 + k26 * z568);
-    const double z576 = z422 + k26 * z569;
-    const double z577 = z424 - (z425 + k18 * z393);
-    const double z578 = z427 + (k17 * z388 - k18 * z384);
-    const double z579 = z429 - (z430 - k17 * z393);
-    const double z580 = z432 - k16 * z384;
-    const double z581 = z434 + k16 * z388;
-    const double z582 = z436 + (z437 - k16 * z393);
-    const double z583 = z246 * z577 - (z253 * z578 + (z247 * z579 - (z263 * z580 - (z265 * z581 + z270 *
-        z582))));
-    const double z584 = z248 * z571 - (z255 * z572 + (z258 * z573 - (z267 * z574 - (z273 * z575 + (z277 *
-        z576 - z583)))));
-    const double z585 = z314 * z577 - (z318 * z578 - (z315 * z579 + (z323 * z580 - (z325 * z581 - z328 *
-        z582))));
-    const double z586 = z316 * z571 - (z320 * z572 + (z321 * z573 - (z327 * z574 + (z331 * z575 - (z332 *
-        z576 - z585)))));
-    const double z587 = z342 * z577 + (z346 * z578 - (z343 * z579 + (z351 * z580 - (z353 * z581 - z356 *
-        z582))));
-    const double z588 = z344 * z571 - (z348 * z572 + (z349 * z573 - (z355 * z574 + (z359 * z575 - (z360 *
-        z576 + z587)))));
-    const double z589 = thF_ddot * (z442 - (z584 - z441)) - (roll_ddot * (z446 - (z586 - z445)) + steer_ddot
-        * (z450 - (z588 - z449)));
+    lambda[3] = c_yaw * z316 - s_yaw * z315; /* reaction of front_x: Q_i gains lambda_4 a_4i */
     /* (I.4.1) 119:5 */
-    /* reaction of front_y: Q_i gains lambda_5 a_5i */
-    lambda[4] = z408 + (z407 - (z405 - (z375 + (z380 + (z382 + (z199 * z565 + z570)))))) + z589;
-    const double z590 = z468 - z470;
-    const double z591 = z472 - z474;
-    const double z592 = c_lam * z590 + s_lam * z591;
-    const double z593 = z477 - z479;
-    const double z594 = c_lam * z591 - s_lam * z590;
-    const double z595 = c_steer * z593 - s_steer * z594;
-    const double z596 = c_steer * z594 + s_steer * z593;
-    const double z597 = z211 * z595 - (z218 * z596 + (z484 + (z485 + (z486 - (z231 * z468 - (z233 * z472 -
-        z234 * z477))))));
-    const double z598 = z493 - (z494 + k31 * z595);
-    const double z599 = z496 + (k28 * z596 - k31 * z592);
-    const double z600 = z498 - (z499 - k28 * z595);
-    const double z601 = z501 - k26 * z592;
-    const double z602 = z503 + (z504 - k26 * z595);
-    const double z603 = z506 + k26 * z596;
-    const double z604 = z508 - (z509 + k18 * z477);
-    const double z605 = z511 + (k17 * z472 - k18 * z468);
-    const double z606 = z513 - (z514 - k17 * z477);
-    const double z607 = z516 - k16 * z468;
-    const double z608 = z518 + k16 * z472;
-    const double z609 = z520 + (z521 - k16 * z477);
-    const double z610 = z246 * z604 + (z253 * z605 - (z247 * z606 + (z263 * z607 - (z265 * z608 - z270 *
-        z609))));
-    const double z611 = z248 * z598 + (z255 * z599 - (z258 * z600 + (z267 * z601 + (z273 * z602 - (z277 *
-        z603 + z610)))));
-    const double z612 = z314 * z604 + (z318 * z605 + (z315 * z606 - (z323 * z607 - (z325 * z608 + z328 *
-        z609))));
-    const double z613 = z316 * z598 + (z320 * z599 - (z321 * z600 + (z327 * z601 - (z331 * z602 + (z332 *
-        z603 + z612)))));
-    const double z614 = z342 * z604 - (z346 * z605 + (z343 * z606 - (z351 * z607 - (z353 * z608 + z356 *
-        z609))));
-    const double z615 = z344 * z598 + (z348 * z599 - (z349 * z600 + (z355 * z601 - (z359 * z602 + (z360 *
-        z603 - z614)))));
-    const double z616 = thF_ddot * (z526 + (z611 + z525)) - (roll_ddot * (z530 + (z613 + z529)) + steer_ddot
-        * (z534 + (z615 + z533)));
+    lambda[4] = c_yaw * z315 + s_yaw * z316; /* reaction of front_y: Q_i gains lambda_5 a_5i */
     /* (I.4.1) 120:5 */
-    /* reaction of front_z: Q_i gains lambda_6 a_6i */
-    lambda[5] = z616 - (z492 - (z491 - (z489 + (z459 - (z464 + (z466 + (z199 * z592 - z597)))))));
+    lambda[5] = -(c_roll * z314 + e2z * z308); /* reaction of front_z: Q_i gains lambda_6 a_6i */
     return BICYCLE_OK;
 }
 
 int bicycle_reactions(double t, const double *y, const double *p, double *lambda)
 {
-    double kept[207]; /* what parts of this function leave for others */
+    double kept[112]; /* what parts of this function leave for others */
     double dydt[12];
     const int status1 = bicycle_rhs(t, y, p, dydt);
     if (status1 != BICYCLE_OK) {
@@ -2671,9 +2072,6 @@ int bicycle_reactions(double t, const double *y, const double *p, double *lambda
     int status = bicycle_reactions_part1(t, y, p, dydt, kept, lambda);
     if (status == BICYCLE_OK) {
         status = bicycle_reactions_part2(t, y, p, dydt, kept, lambda);
-    }
-    if (status == BICYCLE_OK) {
-        status = bicycle_reactions_part3(t, y, p, dydt, kept, lambda);
     }
     if (status != BICYCLE_OK) {
         return status;
@@ -3372,9 +2770,7 @@ static int bicycle_jacobian_part1(double t, const double *y, const double *p, do
     kept[192] = z160;
     const double z161 = z126 * z155 + (z136 * z156 - (z127 * z157 - (z140 * z158 + (z138 * z159 - z129 *
         z160))));
-    const double z162 = z128 * z146 + (z147 * z150 - (z145 * z151 - (z149 * z152 + (z143 * z153 + (z148 *
-        z154 + z161)))));
-    kept[193] = z162;
+    kept[193] = z161;
     return BICYCLE_OK;
 }
 
@@ -3511,7 +2907,9 @@ static int bicycle_jacobian_part2(double t, const double *y, const double *p, do
     const double z158 = kept[190];
     const double z159 = kept[191];
     const double z160 = kept[192];
-    const double z162 = kept[193];
+    const double z161 = kept[193];
+    const double z162 = z128 * z146 + (z147 * z150 - (z145 * z151 - (z149 * z152 + (z143 * z153 + (z148 *
+        z154 + z161)))));
     const double z163 = z162 + R_yy * (z137 * z137) + F_yy * (z147 * z147);
     kept[194] = z163;
     const double z164 = z126 * z111 - (z136 * z112 + (z127 * z113 + (z140 * z114 + (z138 * z115 + z129 *
@@ -3877,10 +3275,6 @@ static int bicycle_jacobian_part2(double t, const double *y, const double *p, do
     const double z392 = c_roll * (s_pitch * (z6 * z24 + c_lam * z387) - c_pitch * (z21 * z24 - s_lam * z387))
         + e2z * z391;
     kept[301] = z392;
-    const double z393 = s_lam * z35;
-    kept[302] = z393;
-    const double z394 = c_lam * z35;
-    kept[303] = z394;
     return BICYCLE_OK;
 }
 
@@ -3998,7 +3392,6 @@ static int bicycle_jacobian_part3(double t, const double *y, const double *p, do
     const double z63 = kept[105];
     const double z64 = kept[106];
     const double z80 = kept[118];
-    const double z81 = kept[119];
     const double z82 = kept[120];
     const double z83 = kept[121];
     const double z84 = kept[122];
@@ -4016,7 +3409,6 @@ static int bicycle_jacobian_part3(double t, const double *y, const double *p, do
     const double z105 = kept[141];
     const double z119 = kept[153];
     const double z124 = kept[158];
-    const double z125 = kept[159];
     const double z126 = kept[160];
     const double z127 = kept[161];
     const double z128 = kept[162];
@@ -4037,7 +3429,6 @@ static int bicycle_jacobian_part3(double t, const double *y, const double *p, do
     const double z168 = kept[196];
     const double z169 = kept[197];
     const double z173 = kept[201];
-    const double z174 = kept[202];
     const double z175 = kept[203];
     const double z176 = kept[204];
     const double z177 = kept[205];
@@ -4119,8 +3510,8 @@ static int bicycle_jacobian_part3(double t, const double *y, const double *p, do
     const double z390 = kept[299];
     const double z391 = kept[300];
     const double z392 = kept[301];
-    const double z393 = kept[302];
-    const double z394 = kept[303];
+    const double z393 = s_lam * z35;
+    const double z394 = c_lam * z35;
     const double z395 = z20 * z393 - R3 * z394;
     const double z396 = R3 * z31 - z20 * z24;
     const double z397 = z14 * (r_F * z384) + z39 * z385;
@@ -4211,290 +3602,281 @@ static int bicycle_jacobian_part3(double t, const double *y, const double *p, do
     J[95] = -z182;
     J[107] = 1.0;
     const double z443 = 1.0 / z223;
-    kept[304] = z443;
-    const double z444 = R_yy * (z174 * z253);
-    kept[305] = z444;
-    const double z445 = steer_dot * s_steer;
-    kept[306] = z445;
-    const double z446 = roll_dot * e2z;
-    kept[307] = z446;
-    const double z447 = c_pitch * z248;
-    kept[308] = z447;
-    const double z448 = s_pitch * z446 + c_roll * z447;
-    kept[309] = z448;
-    const double z449 = s_pitch * z248;
-    kept[310] = z449;
-    const double z450 = c_pitch * z446 - c_roll * z449;
-    kept[311] = z450;
-    const double z451 = s_lam * z448 - c_lam * z450;
-    const double z452 = roll_dot * c_roll;
-    kept[312] = z452;
-    const double z453 = steer_dot * c_steer;
-    kept[313] = z453;
-    const double z454 = c_lam * z448 + s_lam * z450;
-    kept[314] = z454;
-    const double z455 = s_steer * z452 + e2z * z453 + (z7 * z445 + c_steer * z454);
-    const double z456 = c_lam * z451 - s_lam * z455;
-    kept[315] = z456;
-    const double z457 = r_F * z456;
-    kept[316] = z457;
-    const double z458 = c_lam * z455 + s_lam * z451;
-    kept[317] = z458;
-    const double z459 = z10 * z458 + z12 * z456;
-    kept[318] = z459;
-    const double z460 = z14 * z459;
-    kept[319] = z460;
-    const double z461 = z276 * z460;
-    kept[320] = z461;
-    const double z462 = z14 * z457 - z39 * z461;
-    kept[321] = z462;
-    const double z463 = roll_dot * z449;
-    kept[322] = z463;
-    const double z464 = roll_dot * z447;
-    kept[323] = z464;
-    const double z465 = s_lam * z463 - c_lam * z464;
-    const double z466 = s_lam * z464 + c_lam * z463;
-    kept[324] = z466;
-    const double z467 = z445 * z228 + c_steer * z466;
-    const double z468 = s_lam * z465 + c_lam * z467;
-    kept[325] = z468;
-    const double z469 = r_F * z458;
-    kept[326] = z469;
-    const double z470 = z14 * z469 - z11 * z461;
-    kept[327] = z470;
-    const double z471 = s_lam * z467 - c_lam * z465;
-    kept[328] = z471;
-    const double z472 = r_R * z450;
-    kept[329] = z472;
-    const double z473 = z3 * z448 + e3z * z450;
-    kept[330] = z473;
-    const double z474 = z5 * z473;
-    kept[331] = z474;
-    const double z475 = z267 * z474;
-    kept[332] = z475;
-    const double z476 = z5 * z472 - z2 * z475;
-    kept[333] = z476;
-    const double z477 = r_R * z448;
-    kept[334] = z477;
-    const double z478 = z5 * z477 - z19 * z475;
-    kept[335] = z478;
-    const double z479 = k9 * z463 - k10 * z464 + (R3 * z463 - z224 * z476 - (z20 * z464 + z225 * z478));
-    kept[336] = z479;
-    const double z480 = z230 * z462 - z40 * z468 - (z231 * z470 + z15 * z471) + (k12 * z467 - k3 * z465 +
-        (z445 * z233 - c_steer * z479));
-    const double z481 = c_lam * z453;
-    kept[337] = z481;
-    const double z482 = z35 * z476;
-    const double z483 = s_lam * z453;
-    kept[338] = z483;
-    const double z484 = z1 * z478;
-    const double z485 = R3 * z481 - z482 - (z20 * z483 - z484);
-    kept[339] = z485;
-    const double z486 = c_lam * z462 + s_lam * z470;
-    kept[340] = z486;
-    const double z487 = z445 * z41 - c_steer * z486;
-    const double z488 = s_lam * z462 - c_lam * z470;
-    const double z489 = z445 * z6 + c_steer * z476 - c_lam * z487 + s_lam * z488;
-    kept[341] = z489;
-    const double z490 = z445 * z21 + c_steer * z478 + s_lam * z487 + c_lam * z488;
-    kept[342] = z490;
-    const double z491 = z52 * z447 + s_pitch * z489 + (z53 * z449 - c_pitch * z490);
-    kept[343] = z491;
-    const double z492 = k9 * z481 - k10 * z483 + z485 - (z453 * z41 + s_steer * z486);
-    kept[344] = z492;
-    const double z493 = z446 * z54 + c_roll * z491 + (z452 * z43 + e2z * z492);
-    kept[345] = z493;
-    const double z494 = z480 - (z245 * z485 - (z250 * z493 + z248 * z492));
-    kept[346] = z494;
-    const double z495 = z453 * z228 - s_steer * z466;
-    kept[347] = z495;
-    const double z496 = k3 * z495;
-    const double z497 = k12 * z495 + (z453 * z233 + s_steer * z479);
-    const double z498 = c_lam * z445;
-    const double z499 = s_lam * z498;
-    kept[348] = z499;
-    const double z500 = c_lam * z498;
-    kept[349] = z500;
-    const double z501 = z20 * z499 - z32 * z478 - (R3 * z500 + z33 * z476);
-    kept[350] = z501;
-    const double z502 = z453 * z44 - s_steer * z462;
-    const double z503 = z6 * z481 - z482 + c_lam * z502;
-    kept[351] = z503;
-    const double z504 = z21 * z481 - z35 * z478 - s_lam * z502;
-    kept[352] = z504;
-    const double z505 = z57 * z447 - s_pitch * z503 + (z58 * z449 + c_pitch * z504);
-    kept[353] = z505;
-    const double z506 = k10 * z499 - k9 * z500 + z501 - (z445 * z44 + c_steer * z462);
-    kept[354] = z506;
-    const double z507 = z446 * z59 + c_roll * z505 - (z452 * z46 + e2z * z506);
-    kept[355] = z507;
-    const double z508 = z237 * z462 - z40 * z495 - (s_lam * z496 - c_lam * z497) - (z245 * z501 + (z250 *
-        z507 - z248 * z506));
-    kept[356] = z508;
-    const double z509 = z34 * z494 - z38 * z508;
-    kept[357] = z509;
-    const double z510 = s_lam * z445;
-    const double z511 = s_lam * z510;
-    kept[358] = z511;
-    const double z512 = c_lam * z510;
-    kept[359] = z512;
-    const double z513 = z20 * z511 + z25 * z478 - (R3 * z512 - z26 * z476);
-    kept[360] = z513;
-    const double z514 = z453 * z16 - s_steer * z470;
-    const double z515 = z6 * z483 - z1 * z476 + c_lam * z514;
-    kept[361] = z515;
-    const double z516 = z21 * z483 - z484 - s_lam * z514;
-    kept[362] = z516;
-    const double z517 = z18 * z447 - s_pitch * z515 + (z22 * z449 + c_pitch * z516);
-    kept[363] = z517;
-    const double z518 = k10 * z511 - k9 * z512 + z513 - (z445 * z16 + c_steer * z470);
-    kept[364] = z518;
-    const double z519 = z446 * z23 + c_roll * z517 + (z452 * z29 - e2z * z518);
-    kept[365] = z519;
-    const double z520 = z237 * z470 - z15 * z495 + (s_lam * z497 + c_lam * z496) - (z245 * z513 + (z250 *
-        z519 - z248 * z518));
-    kept[366] = z520;
-    const double z521 = z55 * z508 + z60 * z494;
-    kept[367] = z521;
-    const double z522 = z30 * z509 + z61 * z520 + z27 * z521;
-    kept[368] = z522;
-    const double z523 = z46 * z494 - z43 * z508;
-    kept[369] = z523;
-    const double z524 = z47 * z520 + z29 * z509 - z27 * z523;
-    kept[370] = z524;
-    const double z525 = z64 * z524;
-    kept[371] = z525;
-    const double z526 = z64 * z522 - (z452 * z250 - e2z * z525);
-    kept[372] = z526;
-    const double z527 = c_lam * w1_pitch - s_lam * w3_pitch;
-    kept[373] = z527;
-    const double z528 = z446 * z250 + c_roll * z525;
-    kept[374] = z528;
-    const double z529 = z463 - (z261 * z447 + s_pitch * z528);
-    kept[375] = z529;
-    const double z530 = z464 + (z261 * z449 - c_pitch * z528);
-    kept[376] = z530;
-    const double z531 = c_lam * z529 + s_lam * z530;
-    kept[377] = z531;
-    const double z532 = z445 * z252 + c_steer * z526 - (z453 * z527 + s_steer * z531);
-    kept[378] = z532;
-    const double z533 = z30 * z523 + z29 * z521 + z62 * z520;
-    kept[379] = z533;
-    const double z534 = z64 * z533 - z526;
-    kept[380] = z534;
-    const double z535 = c_lam * z530 - s_lam * z529;
-    const double z536 = w1_pitch * z476 - R3 * z529 + (w3_pitch * z478 + z20 * z530) + (a1 * w3_pitch - a3 *
+    kept[302] = z443;
+    const double z444 = steer_dot * s_steer;
+    kept[303] = z444;
+    const double z445 = roll_dot * e2z;
+    kept[304] = z445;
+    const double z446 = c_pitch * z248;
+    kept[305] = z446;
+    const double z447 = s_pitch * z445 + c_roll * z446;
+    kept[306] = z447;
+    const double z448 = s_pitch * z248;
+    kept[307] = z448;
+    const double z449 = c_pitch * z445 - c_roll * z448;
+    kept[308] = z449;
+    const double z450 = s_lam * z447 - c_lam * z449;
+    const double z451 = roll_dot * c_roll;
+    kept[309] = z451;
+    const double z452 = steer_dot * c_steer;
+    kept[310] = z452;
+    const double z453 = c_lam * z447 + s_lam * z449;
+    kept[311] = z453;
+    const double z454 = s_steer * z451 + e2z * z452 + (z7 * z444 + c_steer * z453);
+    const double z455 = c_lam * z450 - s_lam * z454;
+    kept[312] = z455;
+    const double z456 = r_F * z455;
+    kept[313] = z456;
+    const double z457 = c_lam * z454 + s_lam * z450;
+    kept[314] = z457;
+    const double z458 = z10 * z457 + z12 * z455;
+    kept[315] = z458;
+    const double z459 = z14 * z458;
+    kept[316] = z459;
+    const double z460 = z276 * z459;
+    kept[317] = z460;
+    const double z461 = z14 * z456 - z39 * z460;
+    kept[318] = z461;
+    const double z462 = roll_dot * z448;
+    kept[319] = z462;
+    const double z463 = roll_dot * z446;
+    kept[320] = z463;
+    const double z464 = s_lam * z462 - c_lam * z463;
+    const double z465 = s_lam * z463 + c_lam * z462;
+    kept[321] = z465;
+    const double z466 = z444 * z228 + c_steer * z465;
+    const double z467 = s_lam * z464 + c_lam * z466;
+    kept[322] = z467;
+    const double z468 = r_F * z457;
+    kept[323] = z468;
+    const double z469 = z14 * z468 - z11 * z460;
+    kept[324] = z469;
+    const double z470 = s_lam * z466 - c_lam * z464;
+    kept[325] = z470;
+    const double z471 = r_R * z449;
+    kept[326] = z471;
+    const double z472 = z3 * z447 + e3z * z449;
+    kept[327] = z472;
+    const double z473 = z5 * z472;
+    kept[328] = z473;
+    const double z474 = z267 * z473;
+    kept[329] = z474;
+    const double z475 = z5 * z471 - z2 * z474;
+    kept[330] = z475;
+    const double z476 = r_R * z447;
+    kept[331] = z476;
+    const double z477 = z5 * z476 - z19 * z474;
+    kept[332] = z477;
+    const double z478 = k9 * z462 - k10 * z463 + (R3 * z462 - z224 * z475 - (z20 * z463 + z225 * z477));
+    kept[333] = z478;
+    const double z479 = z230 * z461 - z40 * z467 - (z231 * z469 + z15 * z470) + (k12 * z466 - k3 * z464 +
+        (z444 * z233 - c_steer * z478));
+    const double z480 = c_lam * z452;
+    kept[334] = z480;
+    const double z481 = z35 * z475;
+    const double z482 = s_lam * z452;
+    kept[335] = z482;
+    const double z483 = z1 * z477;
+    const double z484 = R3 * z480 - z481 - (z20 * z482 - z483);
+    kept[336] = z484;
+    const double z485 = c_lam * z461 + s_lam * z469;
+    kept[337] = z485;
+    const double z486 = z444 * z41 - c_steer * z485;
+    const double z487 = s_lam * z461 - c_lam * z469;
+    const double z488 = z444 * z6 + c_steer * z475 - c_lam * z486 + s_lam * z487;
+    kept[338] = z488;
+    const double z489 = z444 * z21 + c_steer * z477 + s_lam * z486 + c_lam * z487;
+    kept[339] = z489;
+    const double z490 = z52 * z446 + s_pitch * z488 + (z53 * z448 - c_pitch * z489);
+    kept[340] = z490;
+    const double z491 = k9 * z480 - k10 * z482 + z484 - (z452 * z41 + s_steer * z485);
+    kept[341] = z491;
+    const double z492 = z445 * z54 + c_roll * z490 + (z451 * z43 + e2z * z491);
+    kept[342] = z492;
+    const double z493 = z479 - (z245 * z484 - (z250 * z492 + z248 * z491));
+    kept[343] = z493;
+    const double z494 = z452 * z228 - s_steer * z465;
+    kept[344] = z494;
+    const double z495 = k3 * z494;
+    const double z496 = k12 * z494 + (z452 * z233 + s_steer * z478);
+    const double z497 = c_lam * z444;
+    const double z498 = s_lam * z497;
+    kept[345] = z498;
+    const double z499 = c_lam * z497;
+    kept[346] = z499;
+    const double z500 = z20 * z498 - z32 * z477 - (R3 * z499 + z33 * z475);
+    kept[347] = z500;
+    const double z501 = z452 * z44 - s_steer * z461;
+    const double z502 = z6 * z480 - z481 + c_lam * z501;
+    kept[348] = z502;
+    const double z503 = z21 * z480 - z35 * z477 - s_lam * z501;
+    kept[349] = z503;
+    const double z504 = z57 * z446 - s_pitch * z502 + (z58 * z448 + c_pitch * z503);
+    kept[350] = z504;
+    const double z505 = k10 * z498 - k9 * z499 + z500 - (z444 * z44 + c_steer * z461);
+    kept[351] = z505;
+    const double z506 = z445 * z59 + c_roll * z504 - (z451 * z46 + e2z * z505);
+    kept[352] = z506;
+    const double z507 = z237 * z461 - z40 * z494 - (s_lam * z495 - c_lam * z496) - (z245 * z500 + (z250 *
+        z506 - z248 * z505));
+    kept[353] = z507;
+    const double z508 = z34 * z493 - z38 * z507;
+    kept[354] = z508;
+    const double z509 = s_lam * z444;
+    const double z510 = s_lam * z509;
+    kept[355] = z510;
+    const double z511 = c_lam * z509;
+    kept[356] = z511;
+    const double z512 = z20 * z510 + z25 * z477 - (R3 * z511 - z26 * z475);
+    kept[357] = z512;
+    const double z513 = z452 * z16 - s_steer * z469;
+    const double z514 = z6 * z482 - z1 * z475 + c_lam * z513;
+    kept[358] = z514;
+    const double z515 = z21 * z482 - z483 - s_lam * z513;
+    kept[359] = z515;
+    const double z516 = z18 * z446 - s_pitch * z514 + (z22 * z448 + c_pitch * z515);
+    kept[360] = z516;
+    const double z517 = k10 * z510 - k9 * z511 + z512 - (z444 * z16 + c_steer * z469);
+    kept[361] = z517;
+    const double z518 = z445 * z23 + c_roll * z516 + (z451 * z29 - e2z * z517);
+    kept[362] = z518;
+    const double z519 = z237 * z469 - z15 * z494 + (s_lam * z496 + c_lam * z495) - (z245 * z512 + (z250 *
+        z518 - z248 * z517));
+    kept[363] = z519;
+    const double z520 = z55 * z507 + z60 * z493;
+    kept[364] = z520;
+    const double z521 = z30 * z508 + z61 * z519 + z27 * z520;
+    kept[365] = z521;
+    const double z522 = z46 * z493 - z43 * z507;
+    kept[366] = z522;
+    const double z523 = z47 * z519 + z29 * z508 - z27 * z522;
+    kept[367] = z523;
+    const double z524 = z64 * z523;
+    kept[368] = z524;
+    const double z525 = z64 * z521 - (z451 * z250 - e2z * z524);
+    kept[369] = z525;
+    const double z526 = c_lam * w1_pitch - s_lam * w3_pitch;
+    kept[370] = z526;
+    const double z527 = z445 * z250 + c_roll * z524;
+    kept[371] = z527;
+    const double z528 = z462 - (z261 * z446 + s_pitch * z527);
+    kept[372] = z528;
+    const double z529 = z463 + (z261 * z448 - c_pitch * z527);
+    kept[373] = z529;
+    const double z530 = c_lam * z528 + s_lam * z529;
+    kept[374] = z530;
+    const double z531 = z444 * z252 + c_steer * z525 - (z452 * z526 + s_steer * z530);
+    kept[375] = z531;
+    const double z532 = z30 * z522 + z29 * z520 + z62 * z519;
+    kept[376] = z532;
+    const double z533 = z64 * z532 - z525;
+    kept[377] = z533;
+    const double z534 = c_lam * z529 - s_lam * z528;
+    const double z535 = w1_pitch * z475 - R3 * z528 + (w3_pitch * z477 + z20 * z529) + (a1 * w3_pitch - a3 *
         w1_pitch);
-    const double z537 = k9 * z252;
-    kept[381] = z537;
-    const double z538 = k10 * z252;
-    kept[382] = z538;
-    const double z539 = z536 + (k10 * z530 - k9 * z529 - (w3_pitch * z537 - w1_pitch * z538));
-    kept[383] = z539;
-    const double z540 = z253 * z476 + R3 * z534 + (z252 * a3 - w3_pitch * v2_x);
-    const double z541 = k10 * w3_pitch + k9 * w1_pitch;
-    kept[384] = z541;
-    const double z542 = z540 - (k9 * z526 + (z252 * z538 + w3_pitch * z541));
-    const double z543 = z253 * z478 + z20 * z534 + (w1_pitch * v2_x - z252 * a1);
-    const double z544 = z543 - (k10 * z526 - (w1_pitch * z541 + z252 * z537));
-    const double z545 = c_lam * z542 - s_lam * z544;
-    kept[385] = z545;
-    const double z546 = c_steer * z539 + s_steer * z545;
-    const double z547 = z453 * z252 - s_steer * z526 + (z445 * z527 - c_steer * z531);
-    const double z548 = s_steer * z252 - c_steer * z527;
-    kept[386] = z548;
-    const double z549 = c_steer * z252 + s_steer * z527;
-    kept[387] = z549;
-    const double z550 = F_yy * (thF_dot - z549) - k47 * z549;
-    kept[388] = z550;
+    const double z536 = k9 * z252;
+    kept[378] = z536;
+    const double z537 = k10 * z252;
+    kept[379] = z537;
+    const double z538 = z535 + (k10 * z529 - k9 * z528 - (w3_pitch * z536 - w1_pitch * z537));
+    kept[380] = z538;
+    const double z539 = z253 * z475 + R3 * z533 + (z252 * a3 - w3_pitch * v2_x);
+    const double z540 = k10 * w3_pitch + k9 * w1_pitch;
+    kept[381] = z540;
+    const double z541 = z539 - (k9 * z525 + (z252 * z537 + w3_pitch * z540));
+    const double z542 = z253 * z477 + z20 * z533 + (w1_pitch * v2_x - z252 * a1);
+    const double z543 = z542 - (k10 * z525 - (w1_pitch * z540 + z252 * z536));
+    const double z544 = c_lam * z541 - s_lam * z543;
+    kept[382] = z544;
+    const double z545 = c_steer * z538 + s_steer * z544;
+    const double z546 = z452 * z252 - s_steer * z525 + (z444 * z526 - c_steer * z530);
+    const double z547 = s_steer * z252 - c_steer * z526;
+    kept[383] = z547;
+    const double z548 = c_steer * z252 + s_steer * z526;
+    kept[384] = z548;
+    const double z549 = F_yy * (thF_dot - z548) - k47 * z548;
+    kept[385] = z549;
     const double w3_steer = steer_dot + (c_lam * w3_pitch + s_lam * w1_pitch);
-    kept[389] = w3_steer;
-    const double z551 = k43 * z548 - k44 * w3_steer;
-    kept[390] = z551;
-    const double z552 = h2z * k64 - (k51 * z535 + (k36 * z546 + k50 * z547) + (z548 * z550 + z549 * z551));
-    kept[391] = z552;
-    const double z553 = c_steer * z545 - s_steer * z539;
-    const double z554 = c_lam * z544 + s_lam * z542;
-    const double z555 = k50 * z548 - k51 * w3_steer;
-    kept[392] = z555;
-    const double z556 = z8 * k59 + z9 * k58 + (z8 * k62 - z9 * k61) + (k47 * z532 + (k33 * z553 - k36 * z554)
-        - (w3_steer * z551 + z548 * z555));
-    kept[393] = z556;
-    const double z557 = h2z * k63 - (k44 * z535 - (k33 * z546 - k43 * z547) - (z549 * z555 - w3_steer *
-        z550));
-    kept[394] = z557;
-    const double z558 = k33 * z548 + k36 * w3_steer;
-    kept[395] = z558;
-    const double z559 = k33 * z549;
-    kept[396] = z559;
-    const double z560 = z9 * k60 + (k31 * z554 - k36 * z532 - (z548 * z558 + z549 * z559));
-    kept[397] = z560;
-    const double z561 = k36 * z549;
-    kept[398] = z561;
-    const double z562 = h2z * k60 + (k36 * z535 + (k31 * z546 - k33 * z547) + (w3_steer * z559 - z548 *
-        z561));
-    kept[399] = z562;
-    const double z563 = z8 * k60 + (k31 * z553 + k33 * z532 - (z549 * z561 + w3_steer * z558));
-    kept[400] = z563;
-    const double z564 = k27 * z252;
-    kept[401] = z564;
-    const double z565 = k25 * w1_pitch + k28 * w3_pitch;
-    kept[402] = z565;
-    const double z566 = e2z * k56 + (k29 * z530 + (k23 * z536 - k28 * z529) + (w1_pitch * z564 - z252 *
-        z565));
-    kept[403] = z566;
-    const double z567 = k28 * w1_pitch + k29 * w3_pitch;
-    kept[404] = z567;
-    const double z568 = z3 * k57 + e3z * k56 + (k27 * z526 + (k22 * z540 - k23 * z543) + (w3_pitch * z565 -
-        w1_pitch * z567));
-    kept[405] = z568;
-    const double z569 = e2z * k57 - (k28 * z530 - (k22 * z536 + k25 * z529) + (z252 * z567 - w3_pitch *
+    kept[386] = w3_steer;
+    const double z550 = k43 * z547 - k44 * w3_steer;
+    kept[387] = z550;
+    const double z551 = h2z * k64 - (k51 * z534 + (k36 * z545 + k50 * z546) + (z547 * z549 + z548 * z550));
+    kept[388] = z551;
+    const double z552 = c_steer * z544 - s_steer * z538;
+    const double z553 = c_lam * z543 + s_lam * z541;
+    const double z554 = k50 * z547 - k51 * w3_steer;
+    kept[389] = z554;
+    const double z555 = z8 * k59 + z9 * k58 + (z8 * k62 - z9 * k61) + (k47 * z531 + (k33 * z552 - k36 * z553)
+        - (w3_steer * z550 + z547 * z554));
+    kept[390] = z555;
+    const double z556 = h2z * k63 - (k44 * z534 - (k33 * z545 - k43 * z546) - (z548 * z554 - w3_steer *
+        z549));
+    kept[391] = z556;
+    const double z557 = k33 * z547 + k36 * w3_steer;
+    kept[392] = z557;
+    const double z558 = k33 * z548;
+    kept[393] = z558;
+    const double z559 = z9 * k60 + (k31 * z553 - k36 * z531 - (z547 * z557 + z548 * z558));
+    kept[394] = z559;
+    const double z560 = k36 * z548;
+    kept[395] = z560;
+    const double z561 = h2z * k60 + (k36 * z534 + (k31 * z545 - k33 * z546) + (w3_steer * z558 - z547 *
+        z560));
+    kept[396] = z561;
+    const double z562 = z8 * k60 + (k31 * z552 + k33 * z531 - (z548 * z560 + w3_steer * z557));
+    kept[397] = z562;
+    const double z563 = R_yy * z253 - k27 * z252;
+    kept[398] = z563;
+    const double z564 = k25 * w1_pitch + k28 * w3_pitch;
+    kept[399] = z564;
+    const double z565 = e2z * k56 + (k29 * z529 + (k23 * z535 - k28 * z528) - (w1_pitch * z563 + z252 *
         z564));
-    kept[406] = z569;
-    const double z570 = k22 * w1_pitch - k23 * w3_pitch;
-    kept[407] = z570;
-    const double z571 = k22 * z252;
-    kept[408] = z571;
-    const double z572 = e3z * k55 - (k21 * z543 - k23 * z526 - (w1_pitch * z570 + z252 * z571));
-    kept[409] = z572;
-    const double z573 = k23 * z252;
-    kept[410] = z573;
-    const double z574 = e2z * k55 + (k23 * z530 + (k21 * z536 + k22 * z529) + (w3_pitch * z571 + w1_pitch *
-        z573));
-    kept[411] = z574;
-    const double z575 = z3 * k55 + (k21 * z540 + k22 * z526 - (z252 * z573 - w3_pitch * z570));
-    kept[412] = z575;
-    const double z576 = R_yy * (z125 * z253);
-    kept[413] = z576;
-    const double z577 = R_yy * (z81 * z253);
-    kept[414] = z577;
-    const double z578 = R_yy * z253;
-    kept[415] = z578;
-    const double z579 = 1.0 / (z13 * z13);
-    kept[416] = z579;
-    const double z580 = 1.0 / (z4 * z4);
-    kept[417] = z580;
-    const double z581 = z175 * z566 + (z185 * z568 + (z176 * z569 - (z189 * z572 - (z187 * z575 - z178 *
-        z574))));
-    const double z582 = z177 * z552 - (z196 * z556 + (z194 * z557 + (z198 * z560 - (z192 * z562 - (z197 *
-        z563 + z581)))));
-    const double z583 = z82 * z566 + (z92 * z568 - (z83 * z569 + (z96 * z572 - (z94 * z575 + z85 * z574))));
-    const double z584 = z84 * z552 - (z103 * z556 + (z101 * z557 + (z105 * z560 + (z99 * z562 + (z104 * z563
-        + z583)))));
-    const double z585 = z261 * z578 + z584 - R_yy * (z93 * z534) - F_yy * (z103 * z532) - roll_dot * z577;
-    const double z586 = z126 * z566 - (z136 * z568 - (z127 * z569 + (z140 * z572 - (z138 * z575 + z129 *
-        z574))));
-    const double z587 = z128 * z552 - (z147 * z556 + (z145 * z557 + (z149 * z560 + (z143 * z562 + (z148 *
-        z563 - z586)))));
-    const double z588 = z587 - R_yy * (z137 * z534) - F_yy * (z147 * z532) - roll_dot * z576 - z585 * z168;
-    const double z589 = z582 - R_yy * (z186 * z534) - F_yy * (z212 * z532) + roll_dot * z444 - z585 * z217 -
-        z222 * z588;
-    const double z590 = z443 * z589;
-    kept[418] = z590;
-    const double z591 = z221 * z588 - z222 * z590;
-    kept[419] = z591;
-    const double z592 = z585 * z167 - z168 * z591 - z217 * z590;
-    kept[420] = z592;
+    kept[400] = z565;
+    const double z566 = k28 * w1_pitch + k29 * w3_pitch;
+    kept[401] = z566;
+    const double z567 = z3 * k57 + e3z * k56 + (k27 * z525 + (k22 * z539 - k23 * z542) + (w3_pitch * z564 -
+        w1_pitch * z566));
+    kept[402] = z567;
+    const double z568 = e2z * k57 - (k28 * z529 - (k22 * z535 + k25 * z528) + (z252 * z566 + w3_pitch *
+        z563));
+    kept[403] = z568;
+    const double z569 = k22 * w1_pitch - k23 * w3_pitch;
+    kept[404] = z569;
+    const double z570 = k22 * z252;
+    kept[405] = z570;
+    const double z571 = e3z * k55 - (k21 * z542 - k23 * z525 - (w1_pitch * z569 + z252 * z570));
+    kept[406] = z571;
+    const double z572 = k23 * z252;
+    kept[407] = z572;
+    const double z573 = e2z * k55 + (k23 * z529 + (k21 * z535 + k22 * z528) + (w3_pitch * z570 + w1_pitch *
+        z572));
+    kept[408] = z573;
+    const double z574 = z3 * k55 + (k21 * z539 + k22 * z525 - (z252 * z572 - w3_pitch * z569));
+    kept[409] = z574;
+    const double z575 = 1.0 / (z13 * z13);
+    kept[410] = z575;
+    const double z576 = 1.0 / (z4 * z4);
+    kept[411] = z576;
+    const double z577 = z175 * z565 + (z185 * z567 + (z176 * z568 - (z189 * z571 - (z187 * z574 - z178 *
+        z573))));
+    const double z578 = z177 * z551 - (z196 * z555 + (z194 * z556 + (z198 * z559 - (z192 * z561 - (z197 *
+        z562 + z577)))));
+    const double z579 = z82 * z565 + (z92 * z567 - (z83 * z568 + (z96 * z571 - (z94 * z574 + z85 * z573))));
+    const double z580 = z84 * z551 - (z103 * z555 + (z101 * z556 + (z105 * z559 + (z99 * z561 + (z104 * z562
+        + z579)))));
+    const double z581 = z580 - R_yy * (z93 * z533) - F_yy * (z103 * z531);
+    const double z582 = z126 * z565 - (z136 * z567 - (z127 * z568 + (z140 * z571 - (z138 * z574 + z129 *
+        z573))));
+    const double z583 = z128 * z551 - (z147 * z555 + (z145 * z556 + (z149 * z559 + (z143 * z561 + (z148 *
+        z562 - z582)))));
+    const double z584 = z583 - R_yy * (z137 * z533) - F_yy * (z147 * z531) - z581 * z168;
+    const double z585 = z443 * (z578 - R_yy * (z186 * z533) - F_yy * (z212 * z531) - z581 * z217 - z222 *
+        z584);
+    kept[412] = z585;
+    const double z586 = z221 * z584 - z222 * z585;
+    kept[413] = z586;
+    const double z587 = z581 * z167 - z168 * z586 - z217 * z585;
+    kept[414] = z587;
     /* the coframe is singular */
     if (!(fabs(z63) > 1e-12 * (k20 * (k20 * (13.0 * k19 + (14.0 * k18 + (24.0 * k16 + 33.0 * k17))))))) {
         return BICYCLE_SINGULAR_1;
@@ -4519,7 +3901,7 @@ static void bicycle_jacobian_sweep1_part1(double t, const double *y, const doubl
 {
     (void)slope;
     (void)t;
-    const double roll_dot = y[9];
+    (void)y;
     const double r_R = p[4]; /* radius of the rear wheel [m] */
     const double R_yy = p[7]; /* rear wheel, about the axle [kg*m^2] */
     const double r_F = p[22]; /* radius of the front wheel [m] */
@@ -4573,6 +3955,7 @@ static void bicycle_jacobian_sweep1_part1(double t, const double *y, const doubl
     const double z35 = kept[80];
     const double z38 = kept[83];
     const double z39 = kept[84];
+    const double z40 = kept[85];
     const double z43 = kept[88];
     const double z46 = kept[91];
     const double z47 = kept[92];
@@ -4581,7 +3964,6 @@ static void bicycle_jacobian_sweep1_part1(double t, const double *y, const doubl
     const double z61 = kept[103];
     const double z62 = kept[104];
     const double z64 = kept[106];
-    const double z81 = kept[119];
     const double z82 = kept[120];
     const double z83 = kept[121];
     const double z84 = kept[122];
@@ -4603,7 +3985,6 @@ static void bicycle_jacobian_sweep1_part1(double t, const double *y, const doubl
     const double z111 = kept[147];
     const double z113 = kept[149];
     const double z116 = kept[152];
-    const double z125 = kept[159];
     const double z126 = kept[160];
     const double z127 = kept[161];
     const double z128 = kept[162];
@@ -4627,7 +4008,6 @@ static void bicycle_jacobian_sweep1_part1(double t, const double *y, const doubl
     const double z160 = kept[192];
     const double z167 = kept[195];
     const double z168 = kept[196];
-    const double z174 = kept[202];
     const double z175 = kept[203];
     const double z176 = kept[204];
     const double z177 = kept[205];
@@ -4665,434 +4045,431 @@ static void bicycle_jacobian_sweep1_part1(double t, const double *y, const doubl
     const double z253 = kept[267];
     const double a3 = kept[268];
     const double a1 = kept[269];
-    const double z261 = kept[272];
     const double w1_pitch = kept[273];
     const double w3_pitch = kept[274];
     const double v2_x = kept[275];
     const double z267 = kept[278];
     const double z276 = kept[280];
-    const double z443 = kept[304];
-    const double z445 = kept[306];
-    const double z447 = kept[308];
-    const double z449 = kept[310];
-    const double z453 = kept[313];
-    const double z476 = kept[333];
-    const double z478 = kept[335];
-    const double z485 = kept[339];
-    const double z491 = kept[343];
-    const double z501 = kept[350];
-    const double z505 = kept[353];
-    const double z513 = kept[360];
-    const double z517 = kept[363];
-    const double z525 = kept[371];
-    const double z532 = kept[378];
-    const double z537 = kept[381];
-    const double z538 = kept[382];
-    const double z541 = kept[384];
-    const double z548 = kept[386];
-    const double z549 = kept[387];
-    const double z550 = kept[388];
-    const double w3_steer = kept[389];
-    const double z551 = kept[390];
-    const double z552 = kept[391];
-    const double z555 = kept[392];
-    const double z556 = kept[393];
-    const double z557 = kept[394];
-    const double z558 = kept[395];
-    const double z559 = kept[396];
-    const double z561 = kept[398];
-    const double z562 = kept[399];
-    const double z563 = kept[400];
-    const double z564 = kept[401];
-    const double z565 = kept[402];
-    const double z566 = kept[403];
-    const double z567 = kept[404];
-    const double z569 = kept[406];
-    const double z570 = kept[407];
-    const double z571 = kept[408];
-    const double z573 = kept[410];
-    const double z574 = kept[411];
-    const double z578 = kept[415];
-    const double z590 = kept[418];
-    const double z591 = kept[419];
-    const double z592 = kept[420];
+    const double z443 = kept[302];
+    const double z444 = kept[303];
+    const double z446 = kept[305];
+    const double z448 = kept[307];
+    const double z452 = kept[310];
+    const double z475 = kept[330];
+    const double z477 = kept[332];
+    const double z484 = kept[336];
+    const double z490 = kept[340];
+    const double z500 = kept[347];
+    const double z504 = kept[350];
+    const double z512 = kept[357];
+    const double z516 = kept[360];
+    const double z524 = kept[368];
+    const double z531 = kept[375];
+    const double z536 = kept[378];
+    const double z537 = kept[379];
+    const double z540 = kept[381];
+    const double z547 = kept[383];
+    const double z548 = kept[384];
+    const double z549 = kept[385];
+    const double w3_steer = kept[386];
+    const double z550 = kept[387];
+    const double z551 = kept[388];
+    const double z554 = kept[389];
+    const double z555 = kept[390];
+    const double z556 = kept[391];
+    const double z557 = kept[392];
+    const double z558 = kept[393];
+    const double z560 = kept[395];
+    const double z561 = kept[396];
+    const double z562 = kept[397];
+    const double z563 = kept[398];
+    const double z564 = kept[399];
+    const double z565 = kept[400];
+    const double z566 = kept[401];
+    const double z568 = kept[403];
+    const double z569 = kept[404];
+    const double z570 = kept[405];
+    const double z572 = kept[407];
+    const double z573 = kept[408];
+    const double z585 = kept[412];
+    const double z586 = kept[413];
+    const double z587 = kept[414];
     const bicycle_lanes row_0 = bicycle_get(seed + 0 * BICYCLE_LANES);
     const bicycle_lanes row_1 = bicycle_get(seed + 1 * BICYCLE_LANES);
     const bicycle_lanes row_2 = bicycle_get(seed + 2 * BICYCLE_LANES);
-    const bicycle_lanes z593 = row_1 - z168 * row_0;
-    const bicycle_lanes z594 = z443 * (row_2 + z217 * row_0 + z222 * z593);
-    bicycle_put(carried + 0 * BICYCLE_LANES, z594);
-    const bicycle_lanes z595 = z221 * z593 + z222 * z594;
-    bicycle_put(carried + 1 * BICYCLE_LANES, z595);
-    const bicycle_lanes z596 = z167 * row_0 - z168 * z595 + z217 * z594;
-    bicycle_put(carried + 2 * BICYCLE_LANES, z596);
-    const bicycle_lanes z597 = z185 * z594 - z136 * z595 - z92 * z596;
-    bicycle_put(carried + 3 * BICYCLE_LANES, z597);
-    const bicycle_lanes z598 = z189 * z594 - z140 * z595 - z96 * z596;
-    bicycle_put(carried + 4 * BICYCLE_LANES, z598);
-    const bicycle_lanes z599 = z187 * z594 - z138 * z595 - z94 * z596;
-    bicycle_put(carried + 5 * BICYCLE_LANES, z599);
-    const bicycle_lanes z600 = z177 * z594 - z128 * z595 - z84 * z596;
-    bicycle_put(carried + 6 * BICYCLE_LANES, z600);
-    const bicycle_lanes z601 = z194 * z594 - z145 * z595 - z101 * z596;
-    bicycle_put(carried + 7 * BICYCLE_LANES, z601);
-    const bicycle_lanes z602 = z192 * z594 + z143 * z595 + z99 * z596;
-    bicycle_put(carried + 8 * BICYCLE_LANES, z602);
-    const bicycle_lanes z603 = k36 * z600 + k33 * z601 - k31 * z602;
-    bicycle_put(carried + 9 * BICYCLE_LANES, z603);
-    const bicycle_lanes z604 = z196 * z594 - z147 * z595 - z103 * z596;
-    bicycle_put(carried + 10 * BICYCLE_LANES, z604);
-    const bicycle_lanes z605 = z197 * z594 - z148 * z595 - z104 * z596;
-    bicycle_put(carried + 11 * BICYCLE_LANES, z605);
-    const bicycle_lanes z606 = k33 * z604 + k31 * z605;
-    bicycle_put(carried + 12 * BICYCLE_LANES, z606);
-    const bicycle_lanes z607 = s_steer * z603 + c_steer * z606;
-    const bicycle_lanes z608 = z198 * z594 - z149 * z595 - z105 * z596;
-    bicycle_put(carried + 13 * BICYCLE_LANES, z608);
-    const bicycle_lanes z609 = k36 * z604 - k31 * z608;
-    const bicycle_lanes z610 = s_lam * z607 + c_lam * z609;
-    bicycle_put(carried + 14 * BICYCLE_LANES, z610);
-    const bicycle_lanes z611 = c_lam * z607 - s_lam * z609;
-    bicycle_put(carried + 15 * BICYCLE_LANES, z611);
-    const bicycle_lanes z612 = F_yy * z594;
-    const bicycle_lanes z613 = F_yy * z595;
-    const bicycle_lanes z614 = F_yy * z596;
-    const bicycle_lanes z615 = z212 * z612 - z147 * z613 - z103 * z614 + k47 * z604 - k36 * z608 + k33 * z605;
-    bicycle_put(carried + 16 * BICYCLE_LANES, z615);
-    const bicycle_lanes z616 = k27 * z597 - k23 * z598 + k22 * z599 + k10 * z610 - k9 * z611 + c_steer * z615;
-    const bicycle_lanes z617 = k50 * z600 - k43 * z601 + k33 * z602;
-    bicycle_put(carried + 17 * BICYCLE_LANES, z617);
-    const bicycle_lanes z618 = R_yy * z594;
-    bicycle_put(carried + 18 * BICYCLE_LANES, z618);
-    const bicycle_lanes z619 = R_yy * z595;
-    bicycle_put(carried + 19 * BICYCLE_LANES, z619);
-    const bicycle_lanes z620 = R_yy * z596;
-    bicycle_put(carried + 20 * BICYCLE_LANES, z620);
-    const bicycle_lanes z621 = k23 * z597 - k21 * z598 + z610;
-    bicycle_put(carried + 21 * BICYCLE_LANES, z621);
-    const bicycle_lanes z622 = k22 * z597 + k21 * z599 + z611;
-    bicycle_put(carried + 22 * BICYCLE_LANES, z622);
-    const bicycle_lanes z623 = z186 * z618 - z137 * z619 - z93 * z620 - z20 * z621 + R3 * z622;
-    bicycle_put(carried + 23 * BICYCLE_LANES, z623);
-    const bicycle_lanes z624 = z616 - s_steer * z617 - z623;
-    bicycle_put(carried + 24 * BICYCLE_LANES, z624);
-    const bicycle_lanes z625 = z64 * z623;
-    bicycle_put(carried + 25 * BICYCLE_LANES, z625);
-    const bicycle_lanes z626 = z64 * z624;
-    bicycle_put(carried + 26 * BICYCLE_LANES, z626);
-    const bicycle_lanes z627 = z175 * z594 + z126 * z595 - z82 * z596;
-    bicycle_put(carried + 27 * BICYCLE_LANES, z627);
-    const bicycle_lanes z628 = z176 * z594 + z127 * z595 + z83 * z596;
-    bicycle_put(carried + 28 * BICYCLE_LANES, z628);
-    const bicycle_lanes z629 = z178 * z594 + z129 * z595 + z85 * z596;
-    bicycle_put(carried + 29 * BICYCLE_LANES, z629);
-    const bicycle_lanes z630 = c_steer * z603 - s_steer * z606;
-    bicycle_put(carried + 30 * BICYCLE_LANES, z630);
-    const bicycle_lanes z631 = s_steer * z615 + c_steer * z617;
-    const bicycle_lanes z632 = k51 * z600 - k44 * z601 - k36 * z602;
-    const bicycle_lanes z633 = k29 * z627 - k28 * z628 - k23 * z629 + k10 * z630 - s_lam * z631 + c_lam *
-        z632;
-    const bicycle_lanes z634 = k23 * z627 + k22 * z628 - k21 * z629 + z630;
-    bicycle_put(carried + 31 * BICYCLE_LANES, z634);
-    const bicycle_lanes z635 = z633 + z20 * z634;
-    bicycle_put(carried + 32 * BICYCLE_LANES, z635);
-    const bicycle_lanes z636 = k28 * z627 - k25 * z628 + k22 * z629 + k9 * z630 + c_lam * z631 + s_lam * z632;
-    const bicycle_lanes z637 = z636 + R3 * z634;
-    bicycle_put(carried + 33 * BICYCLE_LANES, z637);
-    const bicycle_lanes z638 = c_pitch * z635 - s_pitch * z637;
-    bicycle_put(carried + 34 * BICYCLE_LANES, z638);
-    const bicycle_lanes z639 = c_roll * z638 - e2z * z624;
-    bicycle_put(carried + 35 * BICYCLE_LANES, z639);
-    const bicycle_lanes z640 = z64 * z639;
-    bicycle_put(carried + 36 * BICYCLE_LANES, z640);
-    const bicycle_lanes z641 = z62 * z625 + z61 * z626 - z47 * z640;
-    bicycle_put(carried + 37 * BICYCLE_LANES, z641);
+    const bicycle_lanes z588 = row_1 - z168 * row_0;
+    const bicycle_lanes z589 = z443 * (row_2 + z217 * row_0 + z222 * z588);
+    bicycle_put(carried + 0 * BICYCLE_LANES, z589);
+    const bicycle_lanes z590 = z221 * z588 + z222 * z589;
+    bicycle_put(carried + 1 * BICYCLE_LANES, z590);
+    const bicycle_lanes z591 = z167 * row_0 - z168 * z590 + z217 * z589;
+    bicycle_put(carried + 2 * BICYCLE_LANES, z591);
+    const bicycle_lanes z592 = z185 * z589 - z136 * z590 - z92 * z591;
+    bicycle_put(carried + 3 * BICYCLE_LANES, z592);
+    const bicycle_lanes z593 = z189 * z589 - z140 * z590 - z96 * z591;
+    bicycle_put(carried + 4 * BICYCLE_LANES, z593);
+    const bicycle_lanes z594 = z187 * z589 - z138 * z590 - z94 * z591;
+    bicycle_put(carried + 5 * BICYCLE_LANES, z594);
+    const bicycle_lanes z595 = z177 * z589 - z128 * z590 - z84 * z591;
+    bicycle_put(carried + 6 * BICYCLE_LANES, z595);
+    const bicycle_lanes z596 = z194 * z589 - z145 * z590 - z101 * z591;
+    bicycle_put(carried + 7 * BICYCLE_LANES, z596);
+    const bicycle_lanes z597 = z192 * z589 + z143 * z590 + z99 * z591;
+    bicycle_put(carried + 8 * BICYCLE_LANES, z597);
+    const bicycle_lanes z598 = k36 * z595 + k33 * z596 - k31 * z597;
+    bicycle_put(carried + 9 * BICYCLE_LANES, z598);
+    const bicycle_lanes z599 = z196 * z589 - z147 * z590 - z103 * z591;
+    bicycle_put(carried + 10 * BICYCLE_LANES, z599);
+    const bicycle_lanes z600 = z197 * z589 - z148 * z590 - z104 * z591;
+    bicycle_put(carried + 11 * BICYCLE_LANES, z600);
+    const bicycle_lanes z601 = k33 * z599 + k31 * z600;
+    bicycle_put(carried + 12 * BICYCLE_LANES, z601);
+    const bicycle_lanes z602 = s_steer * z598 + c_steer * z601;
+    const bicycle_lanes z603 = z198 * z589 - z149 * z590 - z105 * z591;
+    bicycle_put(carried + 13 * BICYCLE_LANES, z603);
+    const bicycle_lanes z604 = k36 * z599 - k31 * z603;
+    const bicycle_lanes z605 = s_lam * z602 + c_lam * z604;
+    bicycle_put(carried + 14 * BICYCLE_LANES, z605);
+    const bicycle_lanes z606 = c_lam * z602 - s_lam * z604;
+    bicycle_put(carried + 15 * BICYCLE_LANES, z606);
+    const bicycle_lanes z607 = F_yy * z589;
+    const bicycle_lanes z608 = F_yy * z590;
+    const bicycle_lanes z609 = F_yy * z591;
+    const bicycle_lanes z610 = z212 * z607 - z147 * z608 - z103 * z609 + k47 * z599 - k36 * z603 + k33 * z600;
+    bicycle_put(carried + 16 * BICYCLE_LANES, z610);
+    const bicycle_lanes z611 = k27 * z592 - k23 * z593 + k22 * z594 + k10 * z605 - k9 * z606 + c_steer * z610;
+    const bicycle_lanes z612 = k50 * z595 - k43 * z596 + k33 * z597;
+    bicycle_put(carried + 17 * BICYCLE_LANES, z612);
+    const bicycle_lanes z613 = R_yy * z589;
+    bicycle_put(carried + 18 * BICYCLE_LANES, z613);
+    const bicycle_lanes z614 = R_yy * z590;
+    bicycle_put(carried + 19 * BICYCLE_LANES, z614);
+    const bicycle_lanes z615 = R_yy * z591;
+    bicycle_put(carried + 20 * BICYCLE_LANES, z615);
+    const bicycle_lanes z616 = k23 * z592 - k21 * z593 + z605;
+    bicycle_put(carried + 21 * BICYCLE_LANES, z616);
+    const bicycle_lanes z617 = k22 * z592 + k21 * z594 + z606;
+    bicycle_put(carried + 22 * BICYCLE_LANES, z617);
+    const bicycle_lanes z618 = z186 * z613 - z137 * z614 - z93 * z615 - z20 * z616 + R3 * z617;
+    bicycle_put(carried + 23 * BICYCLE_LANES, z618);
+    const bicycle_lanes z619 = z611 - s_steer * z612 - z618;
+    bicycle_put(carried + 24 * BICYCLE_LANES, z619);
+    const bicycle_lanes z620 = z64 * z618;
+    bicycle_put(carried + 25 * BICYCLE_LANES, z620);
+    const bicycle_lanes z621 = z64 * z619;
+    bicycle_put(carried + 26 * BICYCLE_LANES, z621);
+    const bicycle_lanes z622 = z175 * z589 + z126 * z590 - z82 * z591;
+    bicycle_put(carried + 27 * BICYCLE_LANES, z622);
+    const bicycle_lanes z623 = z176 * z589 + z127 * z590 + z83 * z591;
+    bicycle_put(carried + 28 * BICYCLE_LANES, z623);
+    const bicycle_lanes z624 = z178 * z589 + z129 * z590 + z85 * z591;
+    bicycle_put(carried + 29 * BICYCLE_LANES, z624);
+    const bicycle_lanes z625 = c_steer * z598 - s_steer * z601;
+    bicycle_put(carried + 30 * BICYCLE_LANES, z625);
+    const bicycle_lanes z626 = s_steer * z610 + c_steer * z612;
+    const bicycle_lanes z627 = k51 * z595 - k44 * z596 - k36 * z597;
+    const bicycle_lanes z628 = k29 * z622 - k28 * z623 - k23 * z624 + k10 * z625 - s_lam * z626 + c_lam *
+        z627;
+    const bicycle_lanes z629 = k23 * z622 + k22 * z623 - k21 * z624 + z625;
+    bicycle_put(carried + 31 * BICYCLE_LANES, z629);
+    const bicycle_lanes z630 = z628 + z20 * z629;
+    bicycle_put(carried + 32 * BICYCLE_LANES, z630);
+    const bicycle_lanes z631 = k28 * z622 - k25 * z623 + k22 * z624 + k9 * z625 + c_lam * z626 + s_lam * z627;
+    const bicycle_lanes z632 = z631 + R3 * z629;
+    bicycle_put(carried + 33 * BICYCLE_LANES, z632);
+    const bicycle_lanes z633 = c_pitch * z630 - s_pitch * z632;
+    bicycle_put(carried + 34 * BICYCLE_LANES, z633);
+    const bicycle_lanes z634 = c_roll * z633 - e2z * z619;
+    bicycle_put(carried + 35 * BICYCLE_LANES, z634);
+    const bicycle_lanes z635 = z64 * z634;
+    bicycle_put(carried + 36 * BICYCLE_LANES, z635);
+    const bicycle_lanes z636 = z62 * z620 + z61 * z621 - z47 * z635;
+    bicycle_put(carried + 37 * BICYCLE_LANES, z636);
+    const bicycle_lanes z637 = z250 * z636;
+    bicycle_put(carried + 38 * BICYCLE_LANES, z637);
+    const bicycle_lanes z638 = z29 * z620 + z27 * z621;
+    bicycle_put(carried + 39 * BICYCLE_LANES, z638);
+    const bicycle_lanes z639 = z30 * z620 + z27 * z635;
+    bicycle_put(carried + 40 * BICYCLE_LANES, z639);
+    const bicycle_lanes z640 = z30 * z621 - z29 * z635;
+    bicycle_put(carried + 41 * BICYCLE_LANES, z640);
+    const bicycle_lanes z641 = z60 * z638 + z46 * z639 + z34 * z640;
+    bicycle_put(carried + 42 * BICYCLE_LANES, z641);
     const bicycle_lanes z642 = z250 * z641;
-    bicycle_put(carried + 38 * BICYCLE_LANES, z642);
-    const bicycle_lanes z643 = z29 * z625 + z27 * z626;
-    bicycle_put(carried + 39 * BICYCLE_LANES, z643);
-    const bicycle_lanes z644 = z30 * z625 + z27 * z640;
-    bicycle_put(carried + 40 * BICYCLE_LANES, z644);
-    const bicycle_lanes z645 = z30 * z626 - z29 * z640;
-    bicycle_put(carried + 41 * BICYCLE_LANES, z645);
-    const bicycle_lanes z646 = z60 * z643 + z46 * z644 + z34 * z645;
-    bicycle_put(carried + 42 * BICYCLE_LANES, z646);
-    const bicycle_lanes z647 = z250 * z646;
-    bicycle_put(carried + 43 * BICYCLE_LANES, z647);
-    const bicycle_lanes z648 = z55 * z643 - z43 * z644 - z38 * z645;
-    bicycle_put(carried + 44 * BICYCLE_LANES, z648);
-    const bicycle_lanes z649 = z250 * z648;
-    bicycle_put(carried + 45 * BICYCLE_LANES, z649);
-    const bicycle_lanes z650 = z248 * z646 + e2z * z647;
-    bicycle_put(carried + 46 * BICYCLE_LANES, z650);
-    const bicycle_lanes z651 = c_roll * z647;
-    bicycle_put(carried + 47 * BICYCLE_LANES, z651);
-    const bicycle_lanes z652 = s_pitch * z651;
-    bicycle_put(carried + 48 * BICYCLE_LANES, z652);
-    const bicycle_lanes z653 = c_pitch * z651;
-    bicycle_put(carried + 49 * BICYCLE_LANES, z653);
-    const bicycle_lanes z654 = c_lam * z652 + s_lam * z653;
-    bicycle_put(carried + 50 * BICYCLE_LANES, z654);
-    const bicycle_lanes z655 = s_steer * z650 - c_steer * z654;
-    const bicycle_lanes z656 = c_lam * z653 - s_lam * z652;
-    const bicycle_lanes z657 = z248 * z648 + e2z * z649;
-    bicycle_put(carried + 51 * BICYCLE_LANES, z657);
-    const bicycle_lanes z658 = c_roll * z649;
-    bicycle_put(carried + 52 * BICYCLE_LANES, z658);
-    const bicycle_lanes z659 = s_pitch * z658;
-    bicycle_put(carried + 53 * BICYCLE_LANES, z659);
-    const bicycle_lanes z660 = c_pitch * z658;
-    bicycle_put(carried + 54 * BICYCLE_LANES, z660);
-    const bicycle_lanes z661 = c_lam * z659 + s_lam * z660;
-    bicycle_put(carried + 55 * BICYCLE_LANES, z661);
-    const bicycle_lanes z662 = z237 * z648 + z230 * z646 - c_lam * z655 - s_lam * z656 - c_steer * z657 -
-        s_steer * z661;
-    bicycle_put(carried + 56 * BICYCLE_LANES, z662);
-    const bicycle_lanes z663 = z248 * z641 + e2z * z642;
-    bicycle_put(carried + 57 * BICYCLE_LANES, z663);
-    const bicycle_lanes z664 = c_roll * z642;
-    bicycle_put(carried + 58 * BICYCLE_LANES, z664);
-    const bicycle_lanes z665 = s_pitch * z664;
-    bicycle_put(carried + 59 * BICYCLE_LANES, z665);
-    const bicycle_lanes z666 = c_pitch * z664;
-    bicycle_put(carried + 60 * BICYCLE_LANES, z666);
-    const bicycle_lanes z667 = c_lam * z665 + s_lam * z666;
-    bicycle_put(carried + 61 * BICYCLE_LANES, z667);
-    const bicycle_lanes z668 = z231 * z646 - z237 * z641 + c_steer * z663 + s_steer * z667 - c_lam * z656 +
-        s_lam * z655;
-    bicycle_put(carried + 62 * BICYCLE_LANES, z668);
-    const bicycle_lanes z669 = z39 * z662 - z11 * z668;
-    bicycle_put(carried + 63 * BICYCLE_LANES, z669);
-    const bicycle_lanes z670 = z276 * z669;
-    bicycle_put(carried + 64 * BICYCLE_LANES, z670);
-    const bicycle_lanes z671 = z14 * z670;
-    bicycle_put(carried + 65 * BICYCLE_LANES, z671);
-    const bicycle_lanes z672 = z12 * z671 - r_F * (z14 * z662);
-    const bicycle_lanes z673 = z10 * z671 + r_F * (z14 * z668);
-    const bicycle_lanes z674 = s_lam * z672 - c_lam * z673;
-    bicycle_put(carried + 66 * BICYCLE_LANES, z674);
-    const bicycle_lanes z675 = z250 * z624 + z29 * z642 - z43 * z647 - z46 * z649 - s_steer * z674;
-    bicycle_put(carried + 67 * BICYCLE_LANES, z675);
-    const bicycle_lanes z676 = w1_pitch * z634;
-    const bicycle_lanes z677 = c_lam * z648 + s_lam * z641;
-    bicycle_put(carried + 68 * BICYCLE_LANES, z677);
-    const bicycle_lanes z678 = c_steer * z646 - s_steer * z677;
-    bicycle_put(carried + 69 * BICYCLE_LANES, z678);
-    const bicycle_lanes z679 = z245 * z641 - z663;
-    bicycle_put(carried + 70 * BICYCLE_LANES, z679);
-    const bicycle_lanes z680 = z245 * z648 - z657;
-    bicycle_put(carried + 71 * BICYCLE_LANES, z680);
-    const bicycle_lanes z681 = z676 + z253 * z622 + z224 * z678 - z26 * z679 - z1 * z665 + c_steer * z652 +
-        z33 * z680;
-    const bicycle_lanes z682 = z245 * z646 - z650;
-    bicycle_put(carried + 72 * BICYCLE_LANES, z682);
-    const bicycle_lanes z683 = z682 - z659;
-    bicycle_put(carried + 73 * BICYCLE_LANES, z683);
-    const bicycle_lanes z684 = z681 + z35 * z683;
-    bicycle_put(carried + 74 * BICYCLE_LANES, z684);
-    const bicycle_lanes z685 = w3_pitch * z634;
-    const bicycle_lanes z686 = z666 - z682;
-    bicycle_put(carried + 75 * BICYCLE_LANES, z686);
-    const bicycle_lanes z687 = z685 - z253 * z621 + z225 * z678 - z25 * z679 + z1 * z686 - c_steer * z653 +
-        z32 * z680;
-    const bicycle_lanes z688 = z687 + z35 * z660;
-    bicycle_put(carried + 76 * BICYCLE_LANES, z688);
-    const bicycle_lanes z689 = z2 * z684 + z19 * z688;
-    bicycle_put(carried + 77 * BICYCLE_LANES, z689);
-    const bicycle_lanes z690 = z267 * z689;
-    bicycle_put(carried + 78 * BICYCLE_LANES, z690);
-    const bicycle_lanes z691 = z5 * z690;
-    bicycle_put(carried + 79 * BICYCLE_LANES, z691);
-    const bicycle_lanes z692 = c_steer * z674;
-    const bicycle_lanes z693 = c_lam * z672 + s_lam * z673;
-    const bicycle_lanes z694 = e3z * z691 - r_R * (z5 * z684) - s_lam * z692 - c_lam * z693;
-    bicycle_put(carried + 80 * BICYCLE_LANES, z694);
-    const bicycle_lanes z695 = z3 * z691 - r_R * (z5 * z688) - c_lam * z692 + s_lam * z693;
-    bicycle_put(carried + 81 * BICYCLE_LANES, z695);
-    const bicycle_lanes z696 = z525 * z638 + z517 * z642 - z491 * z647 + z505 * z649 - z449 * z694 + z447 *
-        z695;
-    bicycle_put(carried + 82 * BICYCLE_LANES, z696);
-    const bicycle_lanes z697 = w1_pitch * z597 + z252 * z628;
-    const bicycle_lanes z698 = z252 * z627 - w3_pitch * z597;
-    const bicycle_lanes z699 = z571 * z629 - z570 * z599 - z565 * z597 - z564 * z628 + k29 * z697 + k28 *
-        z698;
-    const bicycle_lanes z700 = w1_pitch * z598 - w3_pitch * z599;
-    const bicycle_lanes z701 = z699 - k23 * z700 + z537 * z630 + z541 * z611 - a1 * z634 + v2_x * z622 - z478
-        * z634;
-    const bicycle_lanes z702 = w1_pitch * z610 + w3_pitch * z611;
-    const bicycle_lanes z703 = z548 * z600 - w3_steer * z601;
-    const bicycle_lanes z704 = z559 * z608 + z561 * z605 - z551 * z600 - z555 * z601 + k47 * z703 - k36 *
-        (z548 * z602 - z549 * z605);
-    const bicycle_lanes z705 = F_yy * z703;
-    bicycle_put(carried + 83 * BICYCLE_LANES, z705);
-    const bicycle_lanes z706 = z704 + k33 * (z549 * z608 + w3_steer * z602) + z705;
-    bicycle_put(carried + 84 * BICYCLE_LANES, z706);
-    const bicycle_lanes z707 = z548 * z604 - z549 * z601;
-    const bicycle_lanes z708 = z549 * z600 - w3_steer * z604;
-    const bicycle_lanes z709 = z558 * z608 - z561 * z602 - z550 * z600 + z555 * z604 + k50 * z707 - k43 *
-        z708;
-    const bicycle_lanes z710 = z548 * z608 + w3_steer * z605;
-    const bicycle_lanes z711 = z709 + k33 * z710;
-    bicycle_put(carried + 85 * BICYCLE_LANES, z711);
-    const bicycle_lanes z712 = z453 * z615 - z445 * z617 + s_steer * z706 - c_steer * z711;
-    const bicycle_lanes z713 = z559 * z602 + z558 * z605 + z551 * z604 + z550 * z601 - k51 * z707 + k44 *
-        z708;
-    const bicycle_lanes z714 = z713 + k36 * z710;
-    bicycle_put(carried + 86 * BICYCLE_LANES, z714);
-    const bicycle_lanes z715 = w1_pitch * z621 + w3_pitch * z622;
-    bicycle_put(carried + 87 * BICYCLE_LANES, z715);
-    const bicycle_lanes z716 = z701 + k10 * z702 - s_lam * z712 + c_lam * z714 + z20 * z715;
-    bicycle_put(carried + 88 * BICYCLE_LANES, z716);
-    const bicycle_lanes z717 = z570 * z598 + z573 * z629 - z564 * z627 + z567 * z597 + k28 * z697 + k25 *
-        z698;
-    const bicycle_lanes z718 = z717 + k22 * z700 + z541 * z610 - z538 * z630 + v2_x * z621 + a3 * z634 - z476
-        * z634;
-    const bicycle_lanes z719 = z718 + k9 * z702 + c_lam * z712 + s_lam * z714 + R3 * z715;
-    bicycle_put(carried + 89 * BICYCLE_LANES, z719);
-    const bicycle_lanes z720 = z578 * z596 + z449 * z635 + z447 * z637 + c_pitch * z716 - s_pitch * z719;
-    bicycle_put(carried + 90 * BICYCLE_LANES, z720);
-    const bicycle_lanes z721 = R_yy * (roll_dot * z594);
-    const bicycle_lanes z722 = z590 * z594;
-    bicycle_put(carried + 91 * BICYCLE_LANES, z722);
-    const bicycle_lanes z723 = z175 * z722;
-    const bicycle_lanes z724 = z176 * z722;
-    const bicycle_lanes z725 = z178 * z722;
-    const bicycle_lanes z726 = z591 * z594 - z590 * z595;
-    bicycle_put(carried + 92 * BICYCLE_LANES, z726);
-    const bicycle_lanes z727 = z566 * z594 + z204 * z722 + k29 * z723 - k28 * z724 - k23 * z725 - z155 * z726;
-    const bicycle_lanes z728 = z592 * z594 - z590 * z596;
-    bicycle_put(carried + 93 * BICYCLE_LANES, z728);
-    const bicycle_lanes z729 = z177 * z722;
-    const bicycle_lanes z730 = z194 * z722;
-    const bicycle_lanes z731 = z192 * z722;
-    const bicycle_lanes z732 = z552 * z594 - z195 * z722 - k51 * z729 + k44 * z730 + k36 * z731 - z146 * z726;
-    const bicycle_lanes z733 = z732 - z102 * z728;
-    const bicycle_lanes z734 = F_yy * z726;
-    const bicycle_lanes z735 = F_yy * z728;
-    const bicycle_lanes z736 = z196 * z722;
-    bicycle_put(carried + 94 * BICYCLE_LANES, z736);
-    const bicycle_lanes z737 = z198 * z722;
-    bicycle_put(carried + 95 * BICYCLE_LANES, z737);
-    const bicycle_lanes z738 = z197 * z722;
-    const bicycle_lanes z739 = z556 * z594 + z199 * z722 + k47 * z736 - k36 * z737 + k33 * z738 + z150 * z726;
-    const bicycle_lanes z740 = z532 * z612 + 2.0 * (z212 * (F_yy * z722)) + z147 * z734 + z103 * z735 + (z739
-        + z106 * z728);
-    bicycle_put(carried + 96 * BICYCLE_LANES, z740);
-    const bicycle_lanes z741 = z557 * z594 - z200 * z722 - k50 * z729 + k43 * z730 - k33 * z731 - z151 * z726;
-    const bicycle_lanes z742 = z741 - z107 * z728;
-    bicycle_put(carried + 97 * BICYCLE_LANES, z742);
-    const bicycle_lanes z743 = s_steer * z740 - c_steer * z742;
-    const bicycle_lanes z744 = z562 * z594 + z202 * z722 + k36 * z729 + k33 * z730 - k31 * z731 + z153 * z726;
-    const bicycle_lanes z745 = z744 + z109 * z728;
-    bicycle_put(carried + 98 * BICYCLE_LANES, z745);
-    const bicycle_lanes z746 = z563 * z594 + z203 * z722 + k33 * z736 + k31 * z738 + z154 * z726 + z110 *
-        z728;
-    bicycle_put(carried + 99 * BICYCLE_LANES, z746);
-    const bicycle_lanes z747 = c_steer * z745 - s_steer * z746;
-    const bicycle_lanes z748 = z574 * z594 + z209 * z722 + k23 * z723 + k22 * z724 - k21 * z725 - z160 * z726;
-    const bicycle_lanes z749 = z748 + z116 * z728 + z747;
-    bicycle_put(carried + 100 * BICYCLE_LANES, z749);
-    const bicycle_lanes z750 = z727 + z111 * z728 - c_lam * z733 - s_lam * z743 + k10 * z747 + z20 * z749;
-    bicycle_put(carried + 101 * BICYCLE_LANES, z750);
-    const bicycle_lanes z751 = z569 * z594 - z206 * z722 - k28 * z723 + k25 * z724 - k22 * z725 + z157 * z726;
-    const bicycle_lanes z752 = z751 - z113 * z728 + s_lam * z733 - c_lam * z743 - k9 * z747 - R3 * z749;
-    bicycle_put(carried + 102 * BICYCLE_LANES, z752);
-    const bicycle_lanes z753 = z253 * z721 - c_pitch * z750 - s_pitch * z752;
-    bicycle_put(carried + 103 * BICYCLE_LANES, z753);
-    const bicycle_lanes z754 = R_yy * (roll_dot * z595);
-    const bicycle_lanes z755 = z591 * z595;
-    bicycle_put(carried + 104 * BICYCLE_LANES, z755);
-    const bicycle_lanes z756 = z175 * z726 + z126 * z755;
-    const bicycle_lanes z757 = z176 * z726 + z127 * z755;
-    const bicycle_lanes z758 = z178 * z726 + z129 * z755;
-    const bicycle_lanes z759 = z592 * z595 + z591 * z596;
-    bicycle_put(carried + 105 * BICYCLE_LANES, z759);
-    const bicycle_lanes z760 = z566 * z595 - z155 * z755 - k29 * z756 + k28 * z757 + k23 * z758 + z111 * z759;
-    const bicycle_lanes z761 = z177 * z726 - z128 * z755;
-    const bicycle_lanes z762 = z194 * z726 - z145 * z755;
-    const bicycle_lanes z763 = z192 * z726 + z143 * z755;
-    const bicycle_lanes z764 = z552 * z595 - z146 * z755 + k51 * z761 - k44 * z762 - k36 * z763 - z102 * z759;
-    const bicycle_lanes z765 = z532 * z613 + z556 * z595 - z212 * z734 + 2.0 * (z147 * (F_yy * z755)) + z150
-        * z755;
-    const bicycle_lanes z766 = z196 * z726 - z147 * z755;
-    bicycle_put(carried + 106 * BICYCLE_LANES, z766);
-    const bicycle_lanes z767 = z198 * z726 - z149 * z755;
-    bicycle_put(carried + 107 * BICYCLE_LANES, z767);
-    const bicycle_lanes z768 = z197 * z726 - z148 * z755;
-    const bicycle_lanes z769 = F_yy * z759;
-    const bicycle_lanes z770 = z765 - k47 * z766 + k36 * z767 - k33 * z768 + z103 * z769 + z106 * z759;
-    bicycle_put(carried + 108 * BICYCLE_LANES, z770);
-    const bicycle_lanes z771 = z557 * z595 - z151 * z755 + k50 * z761 - k43 * z762 + k33 * z763 - z107 * z759;
-    bicycle_put(carried + 109 * BICYCLE_LANES, z771);
-    const bicycle_lanes z772 = s_steer * z770 - c_steer * z771;
-    const bicycle_lanes z773 = z562 * z595 + z153 * z755 - k36 * z761 - k33 * z762 + k31 * z763 + z109 * z759;
-    bicycle_put(carried + 110 * BICYCLE_LANES, z773);
-    const bicycle_lanes z774 = z563 * z595 + z154 * z755 - k33 * z766 - k31 * z768 + z110 * z759;
-    bicycle_put(carried + 111 * BICYCLE_LANES, z774);
-    const bicycle_lanes z775 = c_steer * z773 - s_steer * z774;
-    const bicycle_lanes z776 = z574 * z595 - z160 * z755 - k23 * z756 - k22 * z757 + k21 * z758 + z116 * z759;
-    const bicycle_lanes z777 = z776 + z775;
-    bicycle_put(carried + 112 * BICYCLE_LANES, z777);
-    const bicycle_lanes z778 = z760 - c_lam * z764 - s_lam * z772 + k10 * z775 + z20 * z777;
-    bicycle_put(carried + 113 * BICYCLE_LANES, z778);
-    const bicycle_lanes z779 = z569 * z595 + z157 * z755 + k28 * z756 - k25 * z757 + k22 * z758 - z113 * z759;
-    const bicycle_lanes z780 = z779 + s_lam * z764 - c_lam * z772 - k9 * z775 - R3 * z777;
-    bicycle_put(carried + 114 * BICYCLE_LANES, z780);
-    const bicycle_lanes z781 = z253 * z754 - c_pitch * z778 - s_pitch * z780;
-    bicycle_put(carried + 115 * BICYCLE_LANES, z781);
-    const bicycle_lanes z782 = R_yy * (roll_dot * z596);
-    const bicycle_lanes z783 = z592 * z596;
-    bicycle_put(carried + 116 * BICYCLE_LANES, z783);
-    const bicycle_lanes z784 = z175 * z728 + z126 * z759 - z82 * z783;
-    const bicycle_lanes z785 = z176 * z728 + z127 * z759 + z83 * z783;
-    const bicycle_lanes z786 = z178 * z728 + z129 * z759 + z85 * z783;
-    const bicycle_lanes z787 = z177 * z728 - z128 * z759 - z84 * z783;
-    const bicycle_lanes z788 = z194 * z728 - z145 * z759 - z101 * z783;
-    const bicycle_lanes z789 = z192 * z728 + z143 * z759 + z99 * z783;
-    const bicycle_lanes z790 = z552 * z596 - z102 * z783 + k51 * z787 - k44 * z788 - k36 * z789;
-    const bicycle_lanes z791 = z566 * z596 + z111 * z783 - k29 * z784 + k28 * z785 + k23 * z786 - c_lam *
-        z790;
-    const bicycle_lanes z792 = z532 * z614 + z556 * z596 - z212 * z735 + z147 * z769 + 2.0 * (z103 * (F_yy *
-        z783));
-    const bicycle_lanes z793 = z196 * z728 - z147 * z759 - z103 * z783;
-    bicycle_put(carried + 117 * BICYCLE_LANES, z793);
-    const bicycle_lanes z794 = z198 * z728 - z149 * z759 - z105 * z783;
-    bicycle_put(carried + 118 * BICYCLE_LANES, z794);
-    const bicycle_lanes z795 = z197 * z728 - z148 * z759 - z104 * z783;
-    const bicycle_lanes z796 = z792 + z106 * z783 - k47 * z793 + k36 * z794 - k33 * z795;
-    bicycle_put(carried + 119 * BICYCLE_LANES, z796);
-    const bicycle_lanes z797 = z557 * z596 - z107 * z783 + k50 * z787 - k43 * z788 + k33 * z789;
-    bicycle_put(carried + 120 * BICYCLE_LANES, z797);
-    const bicycle_lanes z798 = s_steer * z796 - c_steer * z797;
-    const bicycle_lanes z799 = z562 * z596 + z109 * z783 - k36 * z787 - k33 * z788 + k31 * z789;
-    bicycle_put(carried + 121 * BICYCLE_LANES, z799);
-    const bicycle_lanes z800 = z563 * z596 + z110 * z783 - k33 * z793 - k31 * z795;
-    bicycle_put(carried + 122 * BICYCLE_LANES, z800);
-    const bicycle_lanes z801 = c_steer * z799 - s_steer * z800;
-    const bicycle_lanes z802 = z574 * z596 + z116 * z783 - k23 * z784 - k22 * z785 + k21 * z786 + z801;
-    bicycle_put(carried + 123 * BICYCLE_LANES, z802);
-    const bicycle_lanes z803 = z791 - s_lam * z798 + k10 * z801 + z20 * z802;
-    bicycle_put(carried + 124 * BICYCLE_LANES, z803);
-    const bicycle_lanes z804 = z569 * z596 - z113 * z783 + k28 * z784 - k25 * z785 + k22 * z786 + s_lam *
-        z790;
-    const bicycle_lanes z805 = z804 - c_lam * z798 - k9 * z801 - R3 * z802;
-    bicycle_put(carried + 125 * BICYCLE_LANES, z805);
-    const bicycle_lanes z806 = z253 * z782 - c_pitch * z803 - s_pitch * z805;
-    bicycle_put(carried + 126 * BICYCLE_LANES, z806);
-    const bicycle_lanes z807 = z174 * z721 + z125 * z754 + z81 * z782 - R_yy * (z261 * z596) + z478 * z621 -
-        z476 * z622;
-    const bicycle_lanes z808 = z676 - z252 * z622;
-    bicycle_put(carried + 127 * BICYCLE_LANES, z808);
-    const bicycle_lanes z809 = z252 * z621 + z685;
-    bicycle_put(carried + 128 * BICYCLE_LANES, z809);
-    const bicycle_lanes z810 = z807 + z20 * z808 - R3 * z809;
-    bicycle_put(carried + 129 * BICYCLE_LANES, z810);
-    const bicycle_lanes z811 = z501 * z648 + z485 * z646 + z513 * z641 + z810;
-    bicycle_put(carried + 130 * BICYCLE_LANES, z811);
-    const bicycle_lanes z812 = z64 * z811;
-    bicycle_put(carried + 131 * BICYCLE_LANES, z812);
-    const bicycle_lanes z813 = z15 * z646;
-    bicycle_put(carried + 132 * BICYCLE_LANES, z813);
+    bicycle_put(carried + 43 * BICYCLE_LANES, z642);
+    const bicycle_lanes z643 = z55 * z638 - z43 * z639 - z38 * z640;
+    bicycle_put(carried + 44 * BICYCLE_LANES, z643);
+    const bicycle_lanes z644 = z250 * z643;
+    bicycle_put(carried + 45 * BICYCLE_LANES, z644);
+    const bicycle_lanes z645 = z248 * z641 + e2z * z642;
+    bicycle_put(carried + 46 * BICYCLE_LANES, z645);
+    const bicycle_lanes z646 = c_roll * z642;
+    bicycle_put(carried + 47 * BICYCLE_LANES, z646);
+    const bicycle_lanes z647 = s_pitch * z646;
+    bicycle_put(carried + 48 * BICYCLE_LANES, z647);
+    const bicycle_lanes z648 = c_pitch * z646;
+    bicycle_put(carried + 49 * BICYCLE_LANES, z648);
+    const bicycle_lanes z649 = c_lam * z647 + s_lam * z648;
+    bicycle_put(carried + 50 * BICYCLE_LANES, z649);
+    const bicycle_lanes z650 = s_steer * z645 - c_steer * z649;
+    const bicycle_lanes z651 = c_lam * z648 - s_lam * z647;
+    const bicycle_lanes z652 = z248 * z643 + e2z * z644;
+    bicycle_put(carried + 51 * BICYCLE_LANES, z652);
+    const bicycle_lanes z653 = c_roll * z644;
+    bicycle_put(carried + 52 * BICYCLE_LANES, z653);
+    const bicycle_lanes z654 = s_pitch * z653;
+    bicycle_put(carried + 53 * BICYCLE_LANES, z654);
+    const bicycle_lanes z655 = c_pitch * z653;
+    bicycle_put(carried + 54 * BICYCLE_LANES, z655);
+    const bicycle_lanes z656 = c_lam * z654 + s_lam * z655;
+    bicycle_put(carried + 55 * BICYCLE_LANES, z656);
+    const bicycle_lanes z657 = z237 * z643 + z230 * z641 - c_lam * z650 - s_lam * z651 - c_steer * z652 -
+        s_steer * z656;
+    bicycle_put(carried + 56 * BICYCLE_LANES, z657);
+    const bicycle_lanes z658 = z248 * z636 + e2z * z637;
+    bicycle_put(carried + 57 * BICYCLE_LANES, z658);
+    const bicycle_lanes z659 = c_roll * z637;
+    bicycle_put(carried + 58 * BICYCLE_LANES, z659);
+    const bicycle_lanes z660 = s_pitch * z659;
+    bicycle_put(carried + 59 * BICYCLE_LANES, z660);
+    const bicycle_lanes z661 = c_pitch * z659;
+    bicycle_put(carried + 60 * BICYCLE_LANES, z661);
+    const bicycle_lanes z662 = c_lam * z660 + s_lam * z661;
+    bicycle_put(carried + 61 * BICYCLE_LANES, z662);
+    const bicycle_lanes z663 = z231 * z641 - z237 * z636 + c_steer * z658 + s_steer * z662 - c_lam * z651 +
+        s_lam * z650;
+    bicycle_put(carried + 62 * BICYCLE_LANES, z663);
+    const bicycle_lanes z664 = z39 * z657 - z11 * z663;
+    bicycle_put(carried + 63 * BICYCLE_LANES, z664);
+    const bicycle_lanes z665 = z276 * z664;
+    bicycle_put(carried + 64 * BICYCLE_LANES, z665);
+    const bicycle_lanes z666 = z14 * z665;
+    bicycle_put(carried + 65 * BICYCLE_LANES, z666);
+    const bicycle_lanes z667 = z12 * z666 - r_F * (z14 * z657);
+    const bicycle_lanes z668 = z10 * z666 + r_F * (z14 * z663);
+    const bicycle_lanes z669 = s_lam * z667 - c_lam * z668;
+    bicycle_put(carried + 66 * BICYCLE_LANES, z669);
+    const bicycle_lanes z670 = z250 * z619 + z29 * z637 - z43 * z642 - z46 * z644 - s_steer * z669;
+    bicycle_put(carried + 67 * BICYCLE_LANES, z670);
+    const bicycle_lanes z671 = w1_pitch * z629;
+    const bicycle_lanes z672 = c_lam * z643 + s_lam * z636;
+    bicycle_put(carried + 68 * BICYCLE_LANES, z672);
+    const bicycle_lanes z673 = c_steer * z641 - s_steer * z672;
+    bicycle_put(carried + 69 * BICYCLE_LANES, z673);
+    const bicycle_lanes z674 = z245 * z636 - z658;
+    bicycle_put(carried + 70 * BICYCLE_LANES, z674);
+    const bicycle_lanes z675 = z245 * z643 - z652;
+    bicycle_put(carried + 71 * BICYCLE_LANES, z675);
+    const bicycle_lanes z676 = z671 + z253 * z617 + z224 * z673 - z26 * z674 - z1 * z660 + c_steer * z647 +
+        z33 * z675;
+    const bicycle_lanes z677 = z245 * z641 - z645;
+    bicycle_put(carried + 72 * BICYCLE_LANES, z677);
+    const bicycle_lanes z678 = z677 - z654;
+    bicycle_put(carried + 73 * BICYCLE_LANES, z678);
+    const bicycle_lanes z679 = z676 + z35 * z678;
+    bicycle_put(carried + 74 * BICYCLE_LANES, z679);
+    const bicycle_lanes z680 = w3_pitch * z629;
+    const bicycle_lanes z681 = z661 - z677;
+    bicycle_put(carried + 75 * BICYCLE_LANES, z681);
+    const bicycle_lanes z682 = z680 - z253 * z616 + z225 * z673 - z25 * z674 + z1 * z681 - c_steer * z648 +
+        z32 * z675;
+    const bicycle_lanes z683 = z682 + z35 * z655;
+    bicycle_put(carried + 76 * BICYCLE_LANES, z683);
+    const bicycle_lanes z684 = z2 * z679 + z19 * z683;
+    bicycle_put(carried + 77 * BICYCLE_LANES, z684);
+    const bicycle_lanes z685 = z267 * z684;
+    bicycle_put(carried + 78 * BICYCLE_LANES, z685);
+    const bicycle_lanes z686 = z5 * z685;
+    bicycle_put(carried + 79 * BICYCLE_LANES, z686);
+    const bicycle_lanes z687 = c_steer * z669;
+    const bicycle_lanes z688 = c_lam * z667 + s_lam * z668;
+    const bicycle_lanes z689 = e3z * z686 - r_R * (z5 * z679) - s_lam * z687 - c_lam * z688;
+    bicycle_put(carried + 80 * BICYCLE_LANES, z689);
+    const bicycle_lanes z690 = z3 * z686 - r_R * (z5 * z683) - c_lam * z687 + s_lam * z688;
+    bicycle_put(carried + 81 * BICYCLE_LANES, z690);
+    const bicycle_lanes z691 = z524 * z633 + z516 * z637 - z490 * z642 + z504 * z644 - z448 * z689 + z446 *
+        z690;
+    bicycle_put(carried + 82 * BICYCLE_LANES, z691);
+    const bicycle_lanes z692 = w1_pitch * z592 + z252 * z623;
+    const bicycle_lanes z693 = z252 * z622 - w3_pitch * z592;
+    const bicycle_lanes z694 = z570 * z624 - z569 * z594 - z564 * z592 + z563 * z623 + k29 * z692 + k28 *
+        z693;
+    const bicycle_lanes z695 = w1_pitch * z593 - w3_pitch * z594;
+    const bicycle_lanes z696 = z694 - k23 * z695 + z536 * z625 + z540 * z606 - a1 * z629 + v2_x * z617 - z477
+        * z629;
+    const bicycle_lanes z697 = w1_pitch * z605 + w3_pitch * z606;
+    const bicycle_lanes z698 = z547 * z595 - w3_steer * z596;
+    const bicycle_lanes z699 = z558 * z603 + z560 * z600 - z550 * z595 - z554 * z596 + k47 * z698 - k36 *
+        (z547 * z597 - z548 * z600);
+    const bicycle_lanes z700 = F_yy * z698;
+    bicycle_put(carried + 83 * BICYCLE_LANES, z700);
+    const bicycle_lanes z701 = z699 + k33 * (z548 * z603 + w3_steer * z597) + z700;
+    bicycle_put(carried + 84 * BICYCLE_LANES, z701);
+    const bicycle_lanes z702 = z547 * z599 - z548 * z596;
+    const bicycle_lanes z703 = z548 * z595 - w3_steer * z599;
+    const bicycle_lanes z704 = z557 * z603 - z560 * z597 - z549 * z595 + z554 * z599 + k50 * z702 - k43 *
+        z703;
+    const bicycle_lanes z705 = z547 * z603 + w3_steer * z600;
+    const bicycle_lanes z706 = z704 + k33 * z705;
+    bicycle_put(carried + 85 * BICYCLE_LANES, z706);
+    const bicycle_lanes z707 = z452 * z610 - z444 * z612 + s_steer * z701 - c_steer * z706;
+    const bicycle_lanes z708 = z558 * z597 + z557 * z600 + z550 * z599 + z549 * z596 - k51 * z702 + k44 *
+        z703;
+    const bicycle_lanes z709 = z708 + k36 * z705;
+    bicycle_put(carried + 86 * BICYCLE_LANES, z709);
+    const bicycle_lanes z710 = w1_pitch * z616 + w3_pitch * z617;
+    bicycle_put(carried + 87 * BICYCLE_LANES, z710);
+    const bicycle_lanes z711 = z696 + k10 * z697 - s_lam * z707 + c_lam * z709 + z20 * z710;
+    bicycle_put(carried + 88 * BICYCLE_LANES, z711);
+    const bicycle_lanes z712 = z569 * z593 + z572 * z624 + z563 * z622 + z566 * z592 + k28 * z692 + k25 *
+        z693;
+    const bicycle_lanes z713 = z712 + k22 * z695 + z540 * z605 - z537 * z625 + v2_x * z616 + a3 * z629 - z475
+        * z629;
+    const bicycle_lanes z714 = z713 + k9 * z697 + c_lam * z707 + s_lam * z709 + R3 * z710;
+    bicycle_put(carried + 89 * BICYCLE_LANES, z714);
+    const bicycle_lanes z715 = z448 * z630 + z446 * z632 + c_pitch * z711 - s_pitch * z714;
+    bicycle_put(carried + 90 * BICYCLE_LANES, z715);
+    const bicycle_lanes z716 = z585 * z589;
+    bicycle_put(carried + 91 * BICYCLE_LANES, z716);
+    const bicycle_lanes z717 = z175 * z716;
+    const bicycle_lanes z718 = z176 * z716;
+    const bicycle_lanes z719 = z178 * z716;
+    const bicycle_lanes z720 = z586 * z589 - z585 * z590;
+    bicycle_put(carried + 92 * BICYCLE_LANES, z720);
+    const bicycle_lanes z721 = z565 * z589 + z204 * z716 + k29 * z717 - k28 * z718 - k23 * z719 - z155 * z720;
+    const bicycle_lanes z722 = z587 * z589 - z585 * z591;
+    bicycle_put(carried + 93 * BICYCLE_LANES, z722);
+    const bicycle_lanes z723 = z177 * z716;
+    const bicycle_lanes z724 = z194 * z716;
+    const bicycle_lanes z725 = z192 * z716;
+    const bicycle_lanes z726 = z551 * z589 - z195 * z716 - k51 * z723 + k44 * z724 + k36 * z725 - z146 * z720;
+    const bicycle_lanes z727 = z726 - z102 * z722;
+    const bicycle_lanes z728 = F_yy * z720;
+    const bicycle_lanes z729 = F_yy * z722;
+    const bicycle_lanes z730 = z196 * z716;
+    bicycle_put(carried + 94 * BICYCLE_LANES, z730);
+    const bicycle_lanes z731 = z198 * z716;
+    bicycle_put(carried + 95 * BICYCLE_LANES, z731);
+    const bicycle_lanes z732 = z197 * z716;
+    const bicycle_lanes z733 = z555 * z589 + z199 * z716 + k47 * z730 - k36 * z731 + k33 * z732 + z150 * z720;
+    const bicycle_lanes z734 = z531 * z607 + 2.0 * (z212 * (F_yy * z716)) + z147 * z728 + z103 * z729 + (z733
+        + z106 * z722);
+    bicycle_put(carried + 96 * BICYCLE_LANES, z734);
+    const bicycle_lanes z735 = z556 * z589 - z200 * z716 - k50 * z723 + k43 * z724 - k33 * z725 - z151 * z720;
+    const bicycle_lanes z736 = z735 - z107 * z722;
+    bicycle_put(carried + 97 * BICYCLE_LANES, z736);
+    const bicycle_lanes z737 = s_steer * z734 - c_steer * z736;
+    const bicycle_lanes z738 = z561 * z589 + z202 * z716 + k36 * z723 + k33 * z724 - k31 * z725 + z153 * z720;
+    const bicycle_lanes z739 = z738 + z109 * z722;
+    bicycle_put(carried + 98 * BICYCLE_LANES, z739);
+    const bicycle_lanes z740 = z562 * z589 + z203 * z716 + k33 * z730 + k31 * z732 + z154 * z720 + z110 *
+        z722;
+    bicycle_put(carried + 99 * BICYCLE_LANES, z740);
+    const bicycle_lanes z741 = c_steer * z739 - s_steer * z740;
+    const bicycle_lanes z742 = z573 * z589 + z209 * z716 + k23 * z717 + k22 * z718 - k21 * z719 - z160 * z720;
+    const bicycle_lanes z743 = z742 + z116 * z722 + z741;
+    bicycle_put(carried + 100 * BICYCLE_LANES, z743);
+    const bicycle_lanes z744 = z721 + z111 * z722 - c_lam * z727 - s_lam * z737 + k10 * z741 + z20 * z743;
+    bicycle_put(carried + 101 * BICYCLE_LANES, z744);
+    const bicycle_lanes z745 = z568 * z589 - z206 * z716 - k28 * z717 + k25 * z718 - k22 * z719 + z157 * z720;
+    const bicycle_lanes z746 = z745 - z113 * z722 + s_lam * z727 - c_lam * z737 - k9 * z741 - R3 * z743;
+    bicycle_put(carried + 102 * BICYCLE_LANES, z746);
+    const bicycle_lanes z747 = c_pitch * z744 + s_pitch * z746;
+    bicycle_put(carried + 103 * BICYCLE_LANES, z747);
+    const bicycle_lanes z748 = z586 * z590;
+    bicycle_put(carried + 104 * BICYCLE_LANES, z748);
+    const bicycle_lanes z749 = z175 * z720 + z126 * z748;
+    const bicycle_lanes z750 = z176 * z720 + z127 * z748;
+    const bicycle_lanes z751 = z178 * z720 + z129 * z748;
+    const bicycle_lanes z752 = z587 * z590 + z586 * z591;
+    bicycle_put(carried + 105 * BICYCLE_LANES, z752);
+    const bicycle_lanes z753 = z565 * z590 - z155 * z748 - k29 * z749 + k28 * z750 + k23 * z751 + z111 * z752;
+    const bicycle_lanes z754 = z177 * z720 - z128 * z748;
+    const bicycle_lanes z755 = z194 * z720 - z145 * z748;
+    const bicycle_lanes z756 = z192 * z720 + z143 * z748;
+    const bicycle_lanes z757 = z551 * z590 - z146 * z748 + k51 * z754 - k44 * z755 - k36 * z756 - z102 * z752;
+    const bicycle_lanes z758 = z531 * z608 + z555 * z590 - z212 * z728 + 2.0 * (z147 * (F_yy * z748)) + z150
+        * z748;
+    const bicycle_lanes z759 = z196 * z720 - z147 * z748;
+    bicycle_put(carried + 106 * BICYCLE_LANES, z759);
+    const bicycle_lanes z760 = z198 * z720 - z149 * z748;
+    bicycle_put(carried + 107 * BICYCLE_LANES, z760);
+    const bicycle_lanes z761 = z197 * z720 - z148 * z748;
+    const bicycle_lanes z762 = F_yy * z752;
+    const bicycle_lanes z763 = z758 - k47 * z759 + k36 * z760 - k33 * z761 + z103 * z762 + z106 * z752;
+    bicycle_put(carried + 108 * BICYCLE_LANES, z763);
+    const bicycle_lanes z764 = z556 * z590 - z151 * z748 + k50 * z754 - k43 * z755 + k33 * z756 - z107 * z752;
+    bicycle_put(carried + 109 * BICYCLE_LANES, z764);
+    const bicycle_lanes z765 = s_steer * z763 - c_steer * z764;
+    const bicycle_lanes z766 = z561 * z590 + z153 * z748 - k36 * z754 - k33 * z755 + k31 * z756 + z109 * z752;
+    bicycle_put(carried + 110 * BICYCLE_LANES, z766);
+    const bicycle_lanes z767 = z562 * z590 + z154 * z748 - k33 * z759 - k31 * z761 + z110 * z752;
+    bicycle_put(carried + 111 * BICYCLE_LANES, z767);
+    const bicycle_lanes z768 = c_steer * z766 - s_steer * z767;
+    const bicycle_lanes z769 = z573 * z590 - z160 * z748 - k23 * z749 - k22 * z750 + k21 * z751 + z116 * z752;
+    const bicycle_lanes z770 = z769 + z768;
+    bicycle_put(carried + 112 * BICYCLE_LANES, z770);
+    const bicycle_lanes z771 = z753 - c_lam * z757 - s_lam * z765 + k10 * z768 + z20 * z770;
+    bicycle_put(carried + 113 * BICYCLE_LANES, z771);
+    const bicycle_lanes z772 = z568 * z590 + z157 * z748 + k28 * z749 - k25 * z750 + k22 * z751 - z113 * z752;
+    const bicycle_lanes z773 = z772 + s_lam * z757 - c_lam * z765 - k9 * z768 - R3 * z770;
+    bicycle_put(carried + 114 * BICYCLE_LANES, z773);
+    const bicycle_lanes z774 = c_pitch * z771 + s_pitch * z773;
+    bicycle_put(carried + 115 * BICYCLE_LANES, z774);
+    const bicycle_lanes z775 = z587 * z591;
+    bicycle_put(carried + 116 * BICYCLE_LANES, z775);
+    const bicycle_lanes z776 = z175 * z722 + z126 * z752 - z82 * z775;
+    const bicycle_lanes z777 = z176 * z722 + z127 * z752 + z83 * z775;
+    const bicycle_lanes z778 = z178 * z722 + z129 * z752 + z85 * z775;
+    const bicycle_lanes z779 = z177 * z722 - z128 * z752 - z84 * z775;
+    const bicycle_lanes z780 = z194 * z722 - z145 * z752 - z101 * z775;
+    const bicycle_lanes z781 = z192 * z722 + z143 * z752 + z99 * z775;
+    const bicycle_lanes z782 = z551 * z591 - z102 * z775 + k51 * z779 - k44 * z780 - k36 * z781;
+    const bicycle_lanes z783 = z565 * z591 + z111 * z775 - k29 * z776 + k28 * z777 + k23 * z778 - c_lam *
+        z782;
+    const bicycle_lanes z784 = z531 * z609 + z555 * z591 - z212 * z729 + z147 * z762 + 2.0 * (z103 * (F_yy *
+        z775));
+    const bicycle_lanes z785 = z196 * z722 - z147 * z752 - z103 * z775;
+    bicycle_put(carried + 117 * BICYCLE_LANES, z785);
+    const bicycle_lanes z786 = z198 * z722 - z149 * z752 - z105 * z775;
+    bicycle_put(carried + 118 * BICYCLE_LANES, z786);
+    const bicycle_lanes z787 = z197 * z722 - z148 * z752 - z104 * z775;
+    const bicycle_lanes z788 = z784 + z106 * z775 - k47 * z785 + k36 * z786 - k33 * z787;
+    bicycle_put(carried + 119 * BICYCLE_LANES, z788);
+    const bicycle_lanes z789 = z556 * z591 - z107 * z775 + k50 * z779 - k43 * z780 + k33 * z781;
+    bicycle_put(carried + 120 * BICYCLE_LANES, z789);
+    const bicycle_lanes z790 = s_steer * z788 - c_steer * z789;
+    const bicycle_lanes z791 = z561 * z591 + z109 * z775 - k36 * z779 - k33 * z780 + k31 * z781;
+    bicycle_put(carried + 121 * BICYCLE_LANES, z791);
+    const bicycle_lanes z792 = z562 * z591 + z110 * z775 - k33 * z785 - k31 * z787;
+    bicycle_put(carried + 122 * BICYCLE_LANES, z792);
+    const bicycle_lanes z793 = c_steer * z791 - s_steer * z792;
+    const bicycle_lanes z794 = z573 * z591 + z116 * z775 - k23 * z776 - k22 * z777 + k21 * z778 + z793;
+    bicycle_put(carried + 123 * BICYCLE_LANES, z794);
+    const bicycle_lanes z795 = z783 - s_lam * z790 + k10 * z793 + z20 * z794;
+    bicycle_put(carried + 124 * BICYCLE_LANES, z795);
+    const bicycle_lanes z796 = z568 * z591 - z113 * z775 + k28 * z776 - k25 * z777 + k22 * z778 + s_lam *
+        z782;
+    const bicycle_lanes z797 = z796 - c_lam * z790 - k9 * z793 - R3 * z794;
+    bicycle_put(carried + 125 * BICYCLE_LANES, z797);
+    const bicycle_lanes z798 = c_pitch * z795 + s_pitch * z797;
+    bicycle_put(carried + 126 * BICYCLE_LANES, z798);
+    const bicycle_lanes z799 = w1_pitch * z622 + w3_pitch * z623;
+    bicycle_put(carried + 127 * BICYCLE_LANES, z799);
+    const bicycle_lanes z800 = z671 - z252 * z617;
+    bicycle_put(carried + 128 * BICYCLE_LANES, z800);
+    const bicycle_lanes z801 = z252 * z616 + z680;
+    bicycle_put(carried + 129 * BICYCLE_LANES, z801);
+    const bicycle_lanes z802 = R_yy * z799 + z477 * z616 - z475 * z617 + z20 * z800 - R3 * z801;
+    bicycle_put(carried + 130 * BICYCLE_LANES, z802);
+    const bicycle_lanes z803 = z500 * z643 + z484 * z641 + z512 * z636 + z802;
+    bicycle_put(carried + 131 * BICYCLE_LANES, z803);
+    const bicycle_lanes z804 = z64 * z803;
+    bicycle_put(carried + 132 * BICYCLE_LANES, z804);
+    const bicycle_lanes z805 = z15 * z641;
+    bicycle_put(carried + 133 * BICYCLE_LANES, z805);
+    const bicycle_lanes z806 = z40 * z641;
+    bicycle_put(carried + 134 * BICYCLE_LANES, z806);
 }
 
 static void bicycle_jacobian_sweep1_part2(double t, const double *y, const double *p, const double *kept,
@@ -5281,521 +4658,519 @@ static void bicycle_jacobian_sweep1_part2(double t, const double *y, const doubl
     const double z267 = kept[278];
     const double z271 = kept[279];
     const double z276 = kept[280];
-    const double z444 = kept[305];
-    const double z445 = kept[306];
-    const double z446 = kept[307];
-    const double z447 = kept[308];
-    const double z448 = kept[309];
-    const double z449 = kept[310];
-    const double z450 = kept[311];
-    const double z452 = kept[312];
-    const double z453 = kept[313];
-    const double z454 = kept[314];
-    const double z456 = kept[315];
-    const double z457 = kept[316];
-    const double z458 = kept[317];
-    const double z459 = kept[318];
-    const double z460 = kept[319];
-    const double z461 = kept[320];
-    const double z462 = kept[321];
-    const double z463 = kept[322];
-    const double z464 = kept[323];
-    const double z466 = kept[324];
-    const double z468 = kept[325];
-    const double z469 = kept[326];
-    const double z470 = kept[327];
-    const double z471 = kept[328];
-    const double z472 = kept[329];
-    const double z473 = kept[330];
-    const double z474 = kept[331];
-    const double z475 = kept[332];
-    const double z476 = kept[333];
-    const double z477 = kept[334];
-    const double z478 = kept[335];
-    const double z479 = kept[336];
-    const double z481 = kept[337];
-    const double z483 = kept[338];
-    const double z486 = kept[340];
-    const double z489 = kept[341];
-    const double z490 = kept[342];
-    const double z492 = kept[344];
-    const double z493 = kept[345];
-    const double z494 = kept[346];
-    const double z495 = kept[347];
-    const double z499 = kept[348];
-    const double z500 = kept[349];
-    const double z503 = kept[351];
-    const double z504 = kept[352];
-    const double z506 = kept[354];
-    const double z507 = kept[355];
-    const double z508 = kept[356];
-    const double z509 = kept[357];
-    const double z511 = kept[358];
-    const double z512 = kept[359];
-    const double z515 = kept[361];
-    const double z516 = kept[362];
-    const double z518 = kept[364];
-    const double z519 = kept[365];
-    const double z520 = kept[366];
-    const double z521 = kept[367];
-    const double z522 = kept[368];
-    const double z523 = kept[369];
-    const double z524 = kept[370];
-    const double z525 = kept[371];
-    const double z526 = kept[372];
-    const double z527 = kept[373];
-    const double z528 = kept[374];
-    const double z529 = kept[375];
-    const double z530 = kept[376];
-    const double z531 = kept[377];
-    const double z533 = kept[379];
-    const double z534 = kept[380];
-    const double z537 = kept[381];
-    const double z538 = kept[382];
-    const double z539 = kept[383];
-    const double z545 = kept[385];
-    const double z560 = kept[397];
-    const double z565 = kept[402];
-    const double z567 = kept[404];
-    const double z568 = kept[405];
-    const double z571 = kept[408];
-    const double z572 = kept[409];
-    const double z573 = kept[410];
-    const double z575 = kept[412];
-    const double z576 = kept[413];
-    const double z577 = kept[414];
-    const double z579 = kept[416];
-    const double z580 = kept[417];
-    const bicycle_lanes z594 = bicycle_get(carried + 0 * BICYCLE_LANES);
-    const bicycle_lanes z595 = bicycle_get(carried + 1 * BICYCLE_LANES);
-    const bicycle_lanes z596 = bicycle_get(carried + 2 * BICYCLE_LANES);
-    const bicycle_lanes z597 = bicycle_get(carried + 3 * BICYCLE_LANES);
-    const bicycle_lanes z598 = bicycle_get(carried + 4 * BICYCLE_LANES);
-    const bicycle_lanes z599 = bicycle_get(carried + 5 * BICYCLE_LANES);
-    const bicycle_lanes z600 = bicycle_get(carried + 6 * BICYCLE_LANES);
-    const bicycle_lanes z601 = bicycle_get(carried + 7 * BICYCLE_LANES);
-    const bicycle_lanes z602 = bicycle_get(carried + 8 * BICYCLE_LANES);
-    const bicycle_lanes z603 = bicycle_get(carried + 9 * BICYCLE_LANES);
-    const bicycle_lanes z604 = bicycle_get(carried + 10 * BICYCLE_LANES);
-    const bicycle_lanes z605 = bicycle_get(carried + 11 * BICYCLE_LANES);
-    const bicycle_lanes z606 = bicycle_get(carried + 12 * BICYCLE_LANES);
-    const bicycle_lanes z608 = bicycle_get(carried + 13 * BICYCLE_LANES);
-    const bicycle_lanes z610 = bicycle_get(carried + 14 * BICYCLE_LANES);
-    const bicycle_lanes z611 = bicycle_get(carried + 15 * BICYCLE_LANES);
-    const bicycle_lanes z615 = bicycle_get(carried + 16 * BICYCLE_LANES);
-    const bicycle_lanes z617 = bicycle_get(carried + 17 * BICYCLE_LANES);
-    const bicycle_lanes z618 = bicycle_get(carried + 18 * BICYCLE_LANES);
-    const bicycle_lanes z619 = bicycle_get(carried + 19 * BICYCLE_LANES);
-    const bicycle_lanes z620 = bicycle_get(carried + 20 * BICYCLE_LANES);
-    const bicycle_lanes z621 = bicycle_get(carried + 21 * BICYCLE_LANES);
-    const bicycle_lanes z622 = bicycle_get(carried + 22 * BICYCLE_LANES);
-    const bicycle_lanes z623 = bicycle_get(carried + 23 * BICYCLE_LANES);
-    const bicycle_lanes z624 = bicycle_get(carried + 24 * BICYCLE_LANES);
-    const bicycle_lanes z625 = bicycle_get(carried + 25 * BICYCLE_LANES);
-    const bicycle_lanes z626 = bicycle_get(carried + 26 * BICYCLE_LANES);
-    const bicycle_lanes z627 = bicycle_get(carried + 27 * BICYCLE_LANES);
-    const bicycle_lanes z628 = bicycle_get(carried + 28 * BICYCLE_LANES);
-    const bicycle_lanes z629 = bicycle_get(carried + 29 * BICYCLE_LANES);
-    const bicycle_lanes z630 = bicycle_get(carried + 30 * BICYCLE_LANES);
-    const bicycle_lanes z634 = bicycle_get(carried + 31 * BICYCLE_LANES);
-    const bicycle_lanes z635 = bicycle_get(carried + 32 * BICYCLE_LANES);
-    const bicycle_lanes z637 = bicycle_get(carried + 33 * BICYCLE_LANES);
-    const bicycle_lanes z638 = bicycle_get(carried + 34 * BICYCLE_LANES);
-    const bicycle_lanes z639 = bicycle_get(carried + 35 * BICYCLE_LANES);
-    const bicycle_lanes z640 = bicycle_get(carried + 36 * BICYCLE_LANES);
-    const bicycle_lanes z641 = bicycle_get(carried + 37 * BICYCLE_LANES);
-    const bicycle_lanes z642 = bicycle_get(carried + 38 * BICYCLE_LANES);
-    const bicycle_lanes z643 = bicycle_get(carried + 39 * BICYCLE_LANES);
-    const bicycle_lanes z644 = bicycle_get(carried + 40 * BICYCLE_LANES);
-    const bicycle_lanes z645 = bicycle_get(carried + 41 * BICYCLE_LANES);
-    const bicycle_lanes z646 = bicycle_get(carried + 42 * BICYCLE_LANES);
-    const bicycle_lanes z647 = bicycle_get(carried + 43 * BICYCLE_LANES);
-    const bicycle_lanes z648 = bicycle_get(carried + 44 * BICYCLE_LANES);
-    const bicycle_lanes z649 = bicycle_get(carried + 45 * BICYCLE_LANES);
-    const bicycle_lanes z650 = bicycle_get(carried + 46 * BICYCLE_LANES);
-    const bicycle_lanes z651 = bicycle_get(carried + 47 * BICYCLE_LANES);
-    const bicycle_lanes z652 = bicycle_get(carried + 48 * BICYCLE_LANES);
-    const bicycle_lanes z653 = bicycle_get(carried + 49 * BICYCLE_LANES);
-    const bicycle_lanes z654 = bicycle_get(carried + 50 * BICYCLE_LANES);
-    const bicycle_lanes z657 = bicycle_get(carried + 51 * BICYCLE_LANES);
-    const bicycle_lanes z658 = bicycle_get(carried + 52 * BICYCLE_LANES);
-    const bicycle_lanes z659 = bicycle_get(carried + 53 * BICYCLE_LANES);
-    const bicycle_lanes z660 = bicycle_get(carried + 54 * BICYCLE_LANES);
-    const bicycle_lanes z661 = bicycle_get(carried + 55 * BICYCLE_LANES);
-    const bicycle_lanes z662 = bicycle_get(carried + 56 * BICYCLE_LANES);
-    const bicycle_lanes z663 = bicycle_get(carried + 57 * BICYCLE_LANES);
-    const bicycle_lanes z664 = bicycle_get(carried + 58 * BICYCLE_LANES);
-    const bicycle_lanes z665 = bicycle_get(carried + 59 * BICYCLE_LANES);
-    const bicycle_lanes z666 = bicycle_get(carried + 60 * BICYCLE_LANES);
-    const bicycle_lanes z667 = bicycle_get(carried + 61 * BICYCLE_LANES);
-    const bicycle_lanes z668 = bicycle_get(carried + 62 * BICYCLE_LANES);
-    const bicycle_lanes z669 = bicycle_get(carried + 63 * BICYCLE_LANES);
-    const bicycle_lanes z670 = bicycle_get(carried + 64 * BICYCLE_LANES);
-    const bicycle_lanes z671 = bicycle_get(carried + 65 * BICYCLE_LANES);
-    const bicycle_lanes z674 = bicycle_get(carried + 66 * BICYCLE_LANES);
-    const bicycle_lanes z675 = bicycle_get(carried + 67 * BICYCLE_LANES);
-    const bicycle_lanes z677 = bicycle_get(carried + 68 * BICYCLE_LANES);
-    const bicycle_lanes z678 = bicycle_get(carried + 69 * BICYCLE_LANES);
-    const bicycle_lanes z679 = bicycle_get(carried + 70 * BICYCLE_LANES);
-    const bicycle_lanes z680 = bicycle_get(carried + 71 * BICYCLE_LANES);
-    const bicycle_lanes z682 = bicycle_get(carried + 72 * BICYCLE_LANES);
-    const bicycle_lanes z683 = bicycle_get(carried + 73 * BICYCLE_LANES);
-    const bicycle_lanes z684 = bicycle_get(carried + 74 * BICYCLE_LANES);
-    const bicycle_lanes z686 = bicycle_get(carried + 75 * BICYCLE_LANES);
-    const bicycle_lanes z688 = bicycle_get(carried + 76 * BICYCLE_LANES);
-    const bicycle_lanes z689 = bicycle_get(carried + 77 * BICYCLE_LANES);
-    const bicycle_lanes z690 = bicycle_get(carried + 78 * BICYCLE_LANES);
-    const bicycle_lanes z691 = bicycle_get(carried + 79 * BICYCLE_LANES);
-    const bicycle_lanes z694 = bicycle_get(carried + 80 * BICYCLE_LANES);
-    const bicycle_lanes z695 = bicycle_get(carried + 81 * BICYCLE_LANES);
-    const bicycle_lanes z696 = bicycle_get(carried + 82 * BICYCLE_LANES);
-    const bicycle_lanes z705 = bicycle_get(carried + 83 * BICYCLE_LANES);
-    const bicycle_lanes z706 = bicycle_get(carried + 84 * BICYCLE_LANES);
-    const bicycle_lanes z711 = bicycle_get(carried + 85 * BICYCLE_LANES);
-    const bicycle_lanes z714 = bicycle_get(carried + 86 * BICYCLE_LANES);
-    const bicycle_lanes z715 = bicycle_get(carried + 87 * BICYCLE_LANES);
-    const bicycle_lanes z716 = bicycle_get(carried + 88 * BICYCLE_LANES);
-    const bicycle_lanes z719 = bicycle_get(carried + 89 * BICYCLE_LANES);
-    const bicycle_lanes z720 = bicycle_get(carried + 90 * BICYCLE_LANES);
-    const bicycle_lanes z722 = bicycle_get(carried + 91 * BICYCLE_LANES);
-    const bicycle_lanes z726 = bicycle_get(carried + 92 * BICYCLE_LANES);
-    const bicycle_lanes z728 = bicycle_get(carried + 93 * BICYCLE_LANES);
-    const bicycle_lanes z736 = bicycle_get(carried + 94 * BICYCLE_LANES);
-    const bicycle_lanes z737 = bicycle_get(carried + 95 * BICYCLE_LANES);
-    const bicycle_lanes z740 = bicycle_get(carried + 96 * BICYCLE_LANES);
-    const bicycle_lanes z742 = bicycle_get(carried + 97 * BICYCLE_LANES);
-    const bicycle_lanes z745 = bicycle_get(carried + 98 * BICYCLE_LANES);
-    const bicycle_lanes z746 = bicycle_get(carried + 99 * BICYCLE_LANES);
-    const bicycle_lanes z749 = bicycle_get(carried + 100 * BICYCLE_LANES);
-    const bicycle_lanes z750 = bicycle_get(carried + 101 * BICYCLE_LANES);
-    const bicycle_lanes z752 = bicycle_get(carried + 102 * BICYCLE_LANES);
-    const bicycle_lanes z753 = bicycle_get(carried + 103 * BICYCLE_LANES);
-    const bicycle_lanes z755 = bicycle_get(carried + 104 * BICYCLE_LANES);
-    const bicycle_lanes z759 = bicycle_get(carried + 105 * BICYCLE_LANES);
-    const bicycle_lanes z766 = bicycle_get(carried + 106 * BICYCLE_LANES);
-    const bicycle_lanes z767 = bicycle_get(carried + 107 * BICYCLE_LANES);
-    const bicycle_lanes z770 = bicycle_get(carried + 108 * BICYCLE_LANES);
-    const bicycle_lanes z771 = bicycle_get(carried + 109 * BICYCLE_LANES);
-    const bicycle_lanes z773 = bicycle_get(carried + 110 * BICYCLE_LANES);
-    const bicycle_lanes z774 = bicycle_get(carried + 111 * BICYCLE_LANES);
-    const bicycle_lanes z777 = bicycle_get(carried + 112 * BICYCLE_LANES);
-    const bicycle_lanes z778 = bicycle_get(carried + 113 * BICYCLE_LANES);
-    const bicycle_lanes z780 = bicycle_get(carried + 114 * BICYCLE_LANES);
-    const bicycle_lanes z781 = bicycle_get(carried + 115 * BICYCLE_LANES);
-    const bicycle_lanes z783 = bicycle_get(carried + 116 * BICYCLE_LANES);
-    const bicycle_lanes z793 = bicycle_get(carried + 117 * BICYCLE_LANES);
-    const bicycle_lanes z794 = bicycle_get(carried + 118 * BICYCLE_LANES);
-    const bicycle_lanes z796 = bicycle_get(carried + 119 * BICYCLE_LANES);
-    const bicycle_lanes z797 = bicycle_get(carried + 120 * BICYCLE_LANES);
-    const bicycle_lanes z799 = bicycle_get(carried + 121 * BICYCLE_LANES);
-    const bicycle_lanes z800 = bicycle_get(carried + 122 * BICYCLE_LANES);
-    const bicycle_lanes z802 = bicycle_get(carried + 123 * BICYCLE_LANES);
-    const bicycle_lanes z803 = bicycle_get(carried + 124 * BICYCLE_LANES);
-    const bicycle_lanes z805 = bicycle_get(carried + 125 * BICYCLE_LANES);
-    const bicycle_lanes z806 = bicycle_get(carried + 126 * BICYCLE_LANES);
-    const bicycle_lanes z808 = bicycle_get(carried + 127 * BICYCLE_LANES);
-    const bicycle_lanes z809 = bicycle_get(carried + 128 * BICYCLE_LANES);
-    const bicycle_lanes z810 = bicycle_get(carried + 129 * BICYCLE_LANES);
-    const bicycle_lanes z811 = bicycle_get(carried + 130 * BICYCLE_LANES);
-    const bicycle_lanes z812 = bicycle_get(carried + 131 * BICYCLE_LANES);
-    const bicycle_lanes z813 = bicycle_get(carried + 132 * BICYCLE_LANES);
-    const bicycle_lanes z814 = z40 * z646;
-    const bicycle_lanes z815 = c_lam * z813 - s_lam * z814 - k3 * z646;
-    const bicycle_lanes z816 = s_lam * z813 + c_lam * z814 - k12 * z646;
-    const bicycle_lanes z817 = z40 * z648 + z15 * z641 + k3 * (s_lam * z648 - c_lam * z641) - k12 * z677;
-    const bicycle_lanes z818 = c_steer * z816 - s_steer * z817;
-    const bicycle_lanes z819 = z635 - c_lam * z815 + z20 * z678 + k10 * z678 - s_lam * z818;
-    const bicycle_lanes z820 = z261 * z637 - z18 * z664 + z52 * z651 - z57 * z658 + roll_dot * z819 - c_roll
-        * z695;
-    const bicycle_lanes z821 = z637 - s_lam * z815 + R3 * z678 + k9 * z678 + c_lam * z818;
-    const bicycle_lanes z822 = z261 * z635 - z22 * z664 + z53 * z651 - z58 * z658 - roll_dot * z821 + c_roll
-        * z694;
-    const bicycle_lanes z823 = z571 * z598 + z573 * z599 + z565 * z627 + z567 * z628 - k27 * (w1_pitch * z627
-        + w3_pitch * z628);
-    const bicycle_lanes z824 = z823 + k23 * (w1_pitch * z629 + z252 * z599) + k22 * (z252 * z598 + w3_pitch *
-        z629) + z537 * z610;
-    const bicycle_lanes z825 = z824 + z538 * z611 - a1 * z621 - a3 * z622 - z445 * z615 - z453 * z617 - k10 *
-        (w1_pitch * z630 - z252 * z611);
-    const bicycle_lanes z826 = z825 + k9 * (z252 * z610 + w3_pitch * z630) + c_steer * z706 + s_steer * z711
-        - z810;
-    const bicycle_lanes z827 = z506 * z648 + z492 * z646 + z518 * z641 + c_pitch * z820 + s_pitch * z822 -
-        z826;
-    const bicycle_lanes z828 = z64 * z827;
-    const bicycle_lanes z829 = R_yy * z726;
-    const bicycle_lanes z830 = R_yy * z728;
-    const bicycle_lanes z831 = z185 * z722;
-    const bicycle_lanes z832 = z189 * z722;
-    const bicycle_lanes z833 = z572 * z594 - z207 * z722 + k23 * z831 - k21 * z832 - z158 * z726 - z114 *
-        z728;
-    const bicycle_lanes z834 = z560 * z594 + z201 * z722 - k36 * z736 + k31 * z737 + z152 * z726 + z108 *
-        z728;
-    const bicycle_lanes z835 = s_steer * z745 + c_steer * z746;
-    const bicycle_lanes z836 = c_lam * z834 - s_lam * z835;
-    const bicycle_lanes z837 = z833 - z836;
-    const bicycle_lanes z838 = z534 * z618 + 2.0 * (z186 * (R_yy * z722)) + z137 * z829 + z93 * z830 - z20 *
-        z837;
-    const bicycle_lanes z839 = z187 * z722;
-    const bicycle_lanes z840 = z575 * z594 + z208 * z722 + k22 * z831 + k21 * z839 + z159 * z726 + z115 *
-        z728;
-    const bicycle_lanes z841 = s_lam * z834 + c_lam * z835;
-    const bicycle_lanes z842 = z840 + z841;
-    const bicycle_lanes z843 = z838 + R3 * z842;
-    const bicycle_lanes z844 = z64 * z843;
-    const bicycle_lanes z845 = z568 * z594 + z205 * z722 + k27 * z831 - k23 * z832 + k22 * z839 + z156 * z726;
-    const bicycle_lanes z846 = z845 + z112 * z728 + c_steer * z740 + s_steer * z742 - k10 * z836 - k9 * z841
-        - z843;
-    const bicycle_lanes z847 = z64 * z846;
-    const bicycle_lanes z848 = z523 * z625 + z509 * z626 - z241 * z812 + z246 * z828 + z171 * z844 + z170 *
+    const double z444 = kept[303];
+    const double z445 = kept[304];
+    const double z446 = kept[305];
+    const double z447 = kept[306];
+    const double z448 = kept[307];
+    const double z449 = kept[308];
+    const double z451 = kept[309];
+    const double z452 = kept[310];
+    const double z453 = kept[311];
+    const double z455 = kept[312];
+    const double z456 = kept[313];
+    const double z457 = kept[314];
+    const double z458 = kept[315];
+    const double z459 = kept[316];
+    const double z460 = kept[317];
+    const double z461 = kept[318];
+    const double z462 = kept[319];
+    const double z463 = kept[320];
+    const double z465 = kept[321];
+    const double z467 = kept[322];
+    const double z468 = kept[323];
+    const double z469 = kept[324];
+    const double z470 = kept[325];
+    const double z471 = kept[326];
+    const double z472 = kept[327];
+    const double z473 = kept[328];
+    const double z474 = kept[329];
+    const double z475 = kept[330];
+    const double z476 = kept[331];
+    const double z477 = kept[332];
+    const double z478 = kept[333];
+    const double z480 = kept[334];
+    const double z482 = kept[335];
+    const double z485 = kept[337];
+    const double z488 = kept[338];
+    const double z489 = kept[339];
+    const double z491 = kept[341];
+    const double z492 = kept[342];
+    const double z493 = kept[343];
+    const double z494 = kept[344];
+    const double z498 = kept[345];
+    const double z499 = kept[346];
+    const double z502 = kept[348];
+    const double z503 = kept[349];
+    const double z505 = kept[351];
+    const double z506 = kept[352];
+    const double z507 = kept[353];
+    const double z508 = kept[354];
+    const double z510 = kept[355];
+    const double z511 = kept[356];
+    const double z514 = kept[358];
+    const double z515 = kept[359];
+    const double z517 = kept[361];
+    const double z518 = kept[362];
+    const double z519 = kept[363];
+    const double z520 = kept[364];
+    const double z521 = kept[365];
+    const double z522 = kept[366];
+    const double z523 = kept[367];
+    const double z524 = kept[368];
+    const double z525 = kept[369];
+    const double z526 = kept[370];
+    const double z527 = kept[371];
+    const double z528 = kept[372];
+    const double z529 = kept[373];
+    const double z530 = kept[374];
+    const double z532 = kept[376];
+    const double z533 = kept[377];
+    const double z536 = kept[378];
+    const double z537 = kept[379];
+    const double z538 = kept[380];
+    const double z544 = kept[382];
+    const double z559 = kept[394];
+    const double z564 = kept[399];
+    const double z566 = kept[401];
+    const double z567 = kept[402];
+    const double z570 = kept[405];
+    const double z571 = kept[406];
+    const double z572 = kept[407];
+    const double z574 = kept[409];
+    const double z575 = kept[410];
+    const double z576 = kept[411];
+    const bicycle_lanes z589 = bicycle_get(carried + 0 * BICYCLE_LANES);
+    const bicycle_lanes z590 = bicycle_get(carried + 1 * BICYCLE_LANES);
+    const bicycle_lanes z591 = bicycle_get(carried + 2 * BICYCLE_LANES);
+    const bicycle_lanes z592 = bicycle_get(carried + 3 * BICYCLE_LANES);
+    const bicycle_lanes z593 = bicycle_get(carried + 4 * BICYCLE_LANES);
+    const bicycle_lanes z594 = bicycle_get(carried + 5 * BICYCLE_LANES);
+    const bicycle_lanes z595 = bicycle_get(carried + 6 * BICYCLE_LANES);
+    const bicycle_lanes z596 = bicycle_get(carried + 7 * BICYCLE_LANES);
+    const bicycle_lanes z597 = bicycle_get(carried + 8 * BICYCLE_LANES);
+    const bicycle_lanes z598 = bicycle_get(carried + 9 * BICYCLE_LANES);
+    const bicycle_lanes z599 = bicycle_get(carried + 10 * BICYCLE_LANES);
+    const bicycle_lanes z600 = bicycle_get(carried + 11 * BICYCLE_LANES);
+    const bicycle_lanes z601 = bicycle_get(carried + 12 * BICYCLE_LANES);
+    const bicycle_lanes z603 = bicycle_get(carried + 13 * BICYCLE_LANES);
+    const bicycle_lanes z605 = bicycle_get(carried + 14 * BICYCLE_LANES);
+    const bicycle_lanes z606 = bicycle_get(carried + 15 * BICYCLE_LANES);
+    const bicycle_lanes z610 = bicycle_get(carried + 16 * BICYCLE_LANES);
+    const bicycle_lanes z612 = bicycle_get(carried + 17 * BICYCLE_LANES);
+    const bicycle_lanes z613 = bicycle_get(carried + 18 * BICYCLE_LANES);
+    const bicycle_lanes z614 = bicycle_get(carried + 19 * BICYCLE_LANES);
+    const bicycle_lanes z615 = bicycle_get(carried + 20 * BICYCLE_LANES);
+    const bicycle_lanes z616 = bicycle_get(carried + 21 * BICYCLE_LANES);
+    const bicycle_lanes z617 = bicycle_get(carried + 22 * BICYCLE_LANES);
+    const bicycle_lanes z618 = bicycle_get(carried + 23 * BICYCLE_LANES);
+    const bicycle_lanes z619 = bicycle_get(carried + 24 * BICYCLE_LANES);
+    const bicycle_lanes z620 = bicycle_get(carried + 25 * BICYCLE_LANES);
+    const bicycle_lanes z621 = bicycle_get(carried + 26 * BICYCLE_LANES);
+    const bicycle_lanes z622 = bicycle_get(carried + 27 * BICYCLE_LANES);
+    const bicycle_lanes z623 = bicycle_get(carried + 28 * BICYCLE_LANES);
+    const bicycle_lanes z624 = bicycle_get(carried + 29 * BICYCLE_LANES);
+    const bicycle_lanes z625 = bicycle_get(carried + 30 * BICYCLE_LANES);
+    const bicycle_lanes z629 = bicycle_get(carried + 31 * BICYCLE_LANES);
+    const bicycle_lanes z630 = bicycle_get(carried + 32 * BICYCLE_LANES);
+    const bicycle_lanes z632 = bicycle_get(carried + 33 * BICYCLE_LANES);
+    const bicycle_lanes z633 = bicycle_get(carried + 34 * BICYCLE_LANES);
+    const bicycle_lanes z634 = bicycle_get(carried + 35 * BICYCLE_LANES);
+    const bicycle_lanes z635 = bicycle_get(carried + 36 * BICYCLE_LANES);
+    const bicycle_lanes z636 = bicycle_get(carried + 37 * BICYCLE_LANES);
+    const bicycle_lanes z637 = bicycle_get(carried + 38 * BICYCLE_LANES);
+    const bicycle_lanes z638 = bicycle_get(carried + 39 * BICYCLE_LANES);
+    const bicycle_lanes z639 = bicycle_get(carried + 40 * BICYCLE_LANES);
+    const bicycle_lanes z640 = bicycle_get(carried + 41 * BICYCLE_LANES);
+    const bicycle_lanes z641 = bicycle_get(carried + 42 * BICYCLE_LANES);
+    const bicycle_lanes z642 = bicycle_get(carried + 43 * BICYCLE_LANES);
+    const bicycle_lanes z643 = bicycle_get(carried + 44 * BICYCLE_LANES);
+    const bicycle_lanes z644 = bicycle_get(carried + 45 * BICYCLE_LANES);
+    const bicycle_lanes z645 = bicycle_get(carried + 46 * BICYCLE_LANES);
+    const bicycle_lanes z646 = bicycle_get(carried + 47 * BICYCLE_LANES);
+    const bicycle_lanes z647 = bicycle_get(carried + 48 * BICYCLE_LANES);
+    const bicycle_lanes z648 = bicycle_get(carried + 49 * BICYCLE_LANES);
+    const bicycle_lanes z649 = bicycle_get(carried + 50 * BICYCLE_LANES);
+    const bicycle_lanes z652 = bicycle_get(carried + 51 * BICYCLE_LANES);
+    const bicycle_lanes z653 = bicycle_get(carried + 52 * BICYCLE_LANES);
+    const bicycle_lanes z654 = bicycle_get(carried + 53 * BICYCLE_LANES);
+    const bicycle_lanes z655 = bicycle_get(carried + 54 * BICYCLE_LANES);
+    const bicycle_lanes z656 = bicycle_get(carried + 55 * BICYCLE_LANES);
+    const bicycle_lanes z657 = bicycle_get(carried + 56 * BICYCLE_LANES);
+    const bicycle_lanes z658 = bicycle_get(carried + 57 * BICYCLE_LANES);
+    const bicycle_lanes z659 = bicycle_get(carried + 58 * BICYCLE_LANES);
+    const bicycle_lanes z660 = bicycle_get(carried + 59 * BICYCLE_LANES);
+    const bicycle_lanes z661 = bicycle_get(carried + 60 * BICYCLE_LANES);
+    const bicycle_lanes z662 = bicycle_get(carried + 61 * BICYCLE_LANES);
+    const bicycle_lanes z663 = bicycle_get(carried + 62 * BICYCLE_LANES);
+    const bicycle_lanes z664 = bicycle_get(carried + 63 * BICYCLE_LANES);
+    const bicycle_lanes z665 = bicycle_get(carried + 64 * BICYCLE_LANES);
+    const bicycle_lanes z666 = bicycle_get(carried + 65 * BICYCLE_LANES);
+    const bicycle_lanes z669 = bicycle_get(carried + 66 * BICYCLE_LANES);
+    const bicycle_lanes z670 = bicycle_get(carried + 67 * BICYCLE_LANES);
+    const bicycle_lanes z672 = bicycle_get(carried + 68 * BICYCLE_LANES);
+    const bicycle_lanes z673 = bicycle_get(carried + 69 * BICYCLE_LANES);
+    const bicycle_lanes z674 = bicycle_get(carried + 70 * BICYCLE_LANES);
+    const bicycle_lanes z675 = bicycle_get(carried + 71 * BICYCLE_LANES);
+    const bicycle_lanes z677 = bicycle_get(carried + 72 * BICYCLE_LANES);
+    const bicycle_lanes z678 = bicycle_get(carried + 73 * BICYCLE_LANES);
+    const bicycle_lanes z679 = bicycle_get(carried + 74 * BICYCLE_LANES);
+    const bicycle_lanes z681 = bicycle_get(carried + 75 * BICYCLE_LANES);
+    const bicycle_lanes z683 = bicycle_get(carried + 76 * BICYCLE_LANES);
+    const bicycle_lanes z684 = bicycle_get(carried + 77 * BICYCLE_LANES);
+    const bicycle_lanes z685 = bicycle_get(carried + 78 * BICYCLE_LANES);
+    const bicycle_lanes z686 = bicycle_get(carried + 79 * BICYCLE_LANES);
+    const bicycle_lanes z689 = bicycle_get(carried + 80 * BICYCLE_LANES);
+    const bicycle_lanes z690 = bicycle_get(carried + 81 * BICYCLE_LANES);
+    const bicycle_lanes z691 = bicycle_get(carried + 82 * BICYCLE_LANES);
+    const bicycle_lanes z700 = bicycle_get(carried + 83 * BICYCLE_LANES);
+    const bicycle_lanes z701 = bicycle_get(carried + 84 * BICYCLE_LANES);
+    const bicycle_lanes z706 = bicycle_get(carried + 85 * BICYCLE_LANES);
+    const bicycle_lanes z709 = bicycle_get(carried + 86 * BICYCLE_LANES);
+    const bicycle_lanes z710 = bicycle_get(carried + 87 * BICYCLE_LANES);
+    const bicycle_lanes z711 = bicycle_get(carried + 88 * BICYCLE_LANES);
+    const bicycle_lanes z714 = bicycle_get(carried + 89 * BICYCLE_LANES);
+    const bicycle_lanes z715 = bicycle_get(carried + 90 * BICYCLE_LANES);
+    const bicycle_lanes z716 = bicycle_get(carried + 91 * BICYCLE_LANES);
+    const bicycle_lanes z720 = bicycle_get(carried + 92 * BICYCLE_LANES);
+    const bicycle_lanes z722 = bicycle_get(carried + 93 * BICYCLE_LANES);
+    const bicycle_lanes z730 = bicycle_get(carried + 94 * BICYCLE_LANES);
+    const bicycle_lanes z731 = bicycle_get(carried + 95 * BICYCLE_LANES);
+    const bicycle_lanes z734 = bicycle_get(carried + 96 * BICYCLE_LANES);
+    const bicycle_lanes z736 = bicycle_get(carried + 97 * BICYCLE_LANES);
+    const bicycle_lanes z739 = bicycle_get(carried + 98 * BICYCLE_LANES);
+    const bicycle_lanes z740 = bicycle_get(carried + 99 * BICYCLE_LANES);
+    const bicycle_lanes z743 = bicycle_get(carried + 100 * BICYCLE_LANES);
+    const bicycle_lanes z744 = bicycle_get(carried + 101 * BICYCLE_LANES);
+    const bicycle_lanes z746 = bicycle_get(carried + 102 * BICYCLE_LANES);
+    const bicycle_lanes z747 = bicycle_get(carried + 103 * BICYCLE_LANES);
+    const bicycle_lanes z748 = bicycle_get(carried + 104 * BICYCLE_LANES);
+    const bicycle_lanes z752 = bicycle_get(carried + 105 * BICYCLE_LANES);
+    const bicycle_lanes z759 = bicycle_get(carried + 106 * BICYCLE_LANES);
+    const bicycle_lanes z760 = bicycle_get(carried + 107 * BICYCLE_LANES);
+    const bicycle_lanes z763 = bicycle_get(carried + 108 * BICYCLE_LANES);
+    const bicycle_lanes z764 = bicycle_get(carried + 109 * BICYCLE_LANES);
+    const bicycle_lanes z766 = bicycle_get(carried + 110 * BICYCLE_LANES);
+    const bicycle_lanes z767 = bicycle_get(carried + 111 * BICYCLE_LANES);
+    const bicycle_lanes z770 = bicycle_get(carried + 112 * BICYCLE_LANES);
+    const bicycle_lanes z771 = bicycle_get(carried + 113 * BICYCLE_LANES);
+    const bicycle_lanes z773 = bicycle_get(carried + 114 * BICYCLE_LANES);
+    const bicycle_lanes z774 = bicycle_get(carried + 115 * BICYCLE_LANES);
+    const bicycle_lanes z775 = bicycle_get(carried + 116 * BICYCLE_LANES);
+    const bicycle_lanes z785 = bicycle_get(carried + 117 * BICYCLE_LANES);
+    const bicycle_lanes z786 = bicycle_get(carried + 118 * BICYCLE_LANES);
+    const bicycle_lanes z788 = bicycle_get(carried + 119 * BICYCLE_LANES);
+    const bicycle_lanes z789 = bicycle_get(carried + 120 * BICYCLE_LANES);
+    const bicycle_lanes z791 = bicycle_get(carried + 121 * BICYCLE_LANES);
+    const bicycle_lanes z792 = bicycle_get(carried + 122 * BICYCLE_LANES);
+    const bicycle_lanes z794 = bicycle_get(carried + 123 * BICYCLE_LANES);
+    const bicycle_lanes z795 = bicycle_get(carried + 124 * BICYCLE_LANES);
+    const bicycle_lanes z797 = bicycle_get(carried + 125 * BICYCLE_LANES);
+    const bicycle_lanes z798 = bicycle_get(carried + 126 * BICYCLE_LANES);
+    const bicycle_lanes z799 = bicycle_get(carried + 127 * BICYCLE_LANES);
+    const bicycle_lanes z800 = bicycle_get(carried + 128 * BICYCLE_LANES);
+    const bicycle_lanes z801 = bicycle_get(carried + 129 * BICYCLE_LANES);
+    const bicycle_lanes z802 = bicycle_get(carried + 130 * BICYCLE_LANES);
+    const bicycle_lanes z803 = bicycle_get(carried + 131 * BICYCLE_LANES);
+    const bicycle_lanes z804 = bicycle_get(carried + 132 * BICYCLE_LANES);
+    const bicycle_lanes z805 = bicycle_get(carried + 133 * BICYCLE_LANES);
+    const bicycle_lanes z806 = bicycle_get(carried + 134 * BICYCLE_LANES);
+    const bicycle_lanes z807 = c_lam * z805 - s_lam * z806 - k3 * z641;
+    const bicycle_lanes z808 = s_lam * z805 + c_lam * z806 - k12 * z641;
+    const bicycle_lanes z809 = z40 * z643 + z15 * z636 + k3 * (s_lam * z643 - c_lam * z636) - k12 * z672;
+    const bicycle_lanes z810 = c_steer * z808 - s_steer * z809;
+    const bicycle_lanes z811 = z630 - c_lam * z807 + z20 * z673 + k10 * z673 - s_lam * z810;
+    const bicycle_lanes z812 = z261 * z632 - z18 * z659 + z52 * z646 - z57 * z653 + roll_dot * z811 - c_roll
+        * z690;
+    const bicycle_lanes z813 = z632 - s_lam * z807 + R3 * z673 + k9 * z673 + c_lam * z810;
+    const bicycle_lanes z814 = z261 * z630 - z22 * z659 + z53 * z646 - z58 * z653 - roll_dot * z813 + c_roll
+        * z689;
+    const bicycle_lanes z815 = z570 * z593 + z572 * z594 + z564 * z622 + z566 * z623 - k27 * z799 + k23 *
+        (w1_pitch * z624 + z252 * z594);
+    const bicycle_lanes z816 = z815 + k22 * (z252 * z593 + w3_pitch * z624) + z536 * z605 + z537 * z606 - a1
+        * z616;
+    const bicycle_lanes z817 = z816 - a3 * z617 - z444 * z610 - z452 * z612 - k10 * (w1_pitch * z625 - z252 *
+        z606);
+    const bicycle_lanes z818 = z817 + k9 * (z252 * z605 + w3_pitch * z625) + c_steer * z701 + s_steer * z706
+        - z802;
+    const bicycle_lanes z819 = z505 * z643 + z491 * z641 + z517 * z636 + c_pitch * z812 + s_pitch * z814 -
+        z818;
+    const bicycle_lanes z820 = z64 * z819;
+    const bicycle_lanes z821 = R_yy * z720;
+    const bicycle_lanes z822 = R_yy * z722;
+    const bicycle_lanes z823 = z185 * z716;
+    const bicycle_lanes z824 = z189 * z716;
+    const bicycle_lanes z825 = z571 * z589 - z207 * z716 + k23 * z823 - k21 * z824 - z158 * z720 - z114 *
+        z722;
+    const bicycle_lanes z826 = z559 * z589 + z201 * z716 - k36 * z730 + k31 * z731 + z152 * z720 + z108 *
+        z722;
+    const bicycle_lanes z827 = s_steer * z739 + c_steer * z740;
+    const bicycle_lanes z828 = c_lam * z826 - s_lam * z827;
+    const bicycle_lanes z829 = z825 - z828;
+    const bicycle_lanes z830 = z533 * z613 + 2.0 * (z186 * (R_yy * z716)) + z137 * z821 + z93 * z822 - z20 *
+        z829;
+    const bicycle_lanes z831 = z187 * z716;
+    const bicycle_lanes z832 = z574 * z589 + z208 * z716 + k22 * z823 + k21 * z831 + z159 * z720 + z115 *
+        z722;
+    const bicycle_lanes z833 = s_lam * z826 + c_lam * z827;
+    const bicycle_lanes z834 = z832 + z833;
+    const bicycle_lanes z835 = z830 + R3 * z834;
+    const bicycle_lanes z836 = z64 * z835;
+    const bicycle_lanes z837 = z567 * z589 + z205 * z716 + k27 * z823 - k23 * z824 + k22 * z831 + z156 * z720;
+    const bicycle_lanes z838 = z837 + z112 * z722 + c_steer * z734 + s_steer * z736 - k10 * z828 - k9 * z833
+        - z835;
+    const bicycle_lanes z839 = z64 * z838;
+    const bicycle_lanes z840 = z522 * z620 + z508 * z621 - z241 * z804 + z246 * z820 + z171 * z836 + z170 *
+        z839;
+    const bicycle_lanes z841 = R_yy * z752;
+    const bicycle_lanes z842 = z185 * z720 - z136 * z748;
+    const bicycle_lanes z843 = z189 * z720 - z140 * z748;
+    const bicycle_lanes z844 = z559 * z590 + z152 * z748 + k36 * z759 - k31 * z760 + z108 * z752;
+    const bicycle_lanes z845 = s_steer * z766 + c_steer * z767;
+    const bicycle_lanes z846 = c_lam * z844 - s_lam * z845;
+    const bicycle_lanes z847 = z571 * z590 - z158 * z748 - k23 * z842 + k21 * z843 - z114 * z752 - z846;
+    const bicycle_lanes z848 = z533 * z614 - z186 * z821 + 2.0 * (z137 * (R_yy * z748)) + z93 * z841 - z20 *
         z847;
-    const bicycle_lanes z849 = R_yy * z759;
-    const bicycle_lanes z850 = z185 * z726 - z136 * z755;
-    const bicycle_lanes z851 = z189 * z726 - z140 * z755;
-    const bicycle_lanes z852 = z560 * z595 + z152 * z755 + k36 * z766 - k31 * z767 + z108 * z759;
-    const bicycle_lanes z853 = s_steer * z773 + c_steer * z774;
-    const bicycle_lanes z854 = c_lam * z852 - s_lam * z853;
-    const bicycle_lanes z855 = z572 * z595 - z158 * z755 - k23 * z850 + k21 * z851 - z114 * z759 - z854;
-    const bicycle_lanes z856 = z534 * z619 - z186 * z829 + 2.0 * (z137 * (R_yy * z755)) + z93 * z849 - z20 *
-        z855;
-    const bicycle_lanes z857 = z187 * z726 - z138 * z755;
-    const bicycle_lanes z858 = s_lam * z852 + c_lam * z853;
-    const bicycle_lanes z859 = z575 * z595 + z159 * z755 - k22 * z850 - k21 * z857 + z115 * z759 + z858;
-    const bicycle_lanes z860 = z856 + R3 * z859;
-    const bicycle_lanes z861 = z64 * z860;
-    const bicycle_lanes z862 = z568 * z595 + z156 * z755 - k27 * z850 + k23 * z851 - k22 * z857 + z112 * z759;
-    const bicycle_lanes z863 = z862 + c_steer * z770 + s_steer * z771 - k10 * z854 - k9 * z858 - z860;
-    const bicycle_lanes z864 = z64 * z863;
-    const bicycle_lanes z865 = z185 * z728 - z136 * z759 - z92 * z783;
-    const bicycle_lanes z866 = z189 * z728 - z140 * z759 - z96 * z783;
-    const bicycle_lanes z867 = z560 * z596 + z108 * z783 + k36 * z793 - k31 * z794;
-    const bicycle_lanes z868 = s_steer * z799 + c_steer * z800;
-    const bicycle_lanes z869 = c_lam * z867 - s_lam * z868;
-    const bicycle_lanes z870 = z572 * z596 - z114 * z783 - k23 * z865 + k21 * z866 - z869;
-    const bicycle_lanes z871 = z534 * z620 - z186 * z830 + z137 * z849 + 2.0 * (z93 * (R_yy * z783)) - z20 *
-        z870;
-    const bicycle_lanes z872 = z187 * z728 - z138 * z759 - z94 * z783;
-    const bicycle_lanes z873 = s_lam * z867 + c_lam * z868;
-    const bicycle_lanes z874 = z575 * z596 + z115 * z783 - k22 * z865 - k21 * z872 + z873;
-    const bicycle_lanes z875 = z871 + R3 * z874;
-    const bicycle_lanes z876 = z64 * z875;
-    const bicycle_lanes z877 = z568 * z596 + z112 * z783 - k27 * z865 + k23 * z866 - k22 * z872 + c_steer *
-        z796;
-    const bicycle_lanes z878 = z877 + s_steer * z797 - k10 * z869 - k9 * z873 - z875;
-    const bicycle_lanes z879 = z64 * z878;
-    const bicycle_lanes z880 = z446 * z638 + z452 * z624 + z507 * z648 - z493 * z646 + z519 * z641 - c_roll *
-        z720;
-    const bicycle_lanes z881 = z880 + e2z * z826;
-    const bicycle_lanes z882 = z533 * z623 + z522 * z624 - z524 * z639 - z244 * z811 + z247 * z827 - z249 *
-        z881;
-    const bicycle_lanes z883 = c_roll * z753 + e2z * z846;
-    const bicycle_lanes z884 = c_roll * z781 + e2z * z863;
-    const bicycle_lanes z885 = z882 + z181 * z843 + z183 * z846 - z172 * z883 - z132 * z860 - z134 * z863 -
-        z123 * z884;
-    const bicycle_lanes z886 = c_roll * z806 + e2z * z878;
-    const bicycle_lanes z887 = z271 * (z885 - z88 * z875 - z90 * z878 - z79 * z886);
-    const bicycle_lanes z888 = z848 - z122 * z861 - z121 * z864 - z78 * z876 - z77 * z879 - z47 * z887;
-    const bicycle_lanes z889 = z29 * z812 - z27 * z828;
-    const bicycle_lanes z890 = z29 * z844 + z27 * z847;
-    const bicycle_lanes z891 = z29 * z876 + z27 * z879;
-    const bicycle_lanes z892 = z520 * z625 - z243 * z812 - z15 * z844 - z70 * z876 - z27 * z887;
-    const bicycle_lanes z893 = z520 * z626 + z243 * z828 - z15 * z847 - z70 * z879 + z29 * z887;
-    const bicycle_lanes z894 = z508 * z643 - z240 * z889 - z40 * z890 - z76 * z891 + z46 * z892 + z34 * z893;
-    const bicycle_lanes z895 = z696 - z250 * z720 + z173 * z753 + z124 * z781 + z80 * z806 - z23 * z888 - z54
-        * z894;
-    const bicycle_lanes z896 = z29 * z861 + z27 * z864;
-    const bicycle_lanes z897 = z494 * z643 - z235 * z889 - z120 * z896 - z75 * z891 + z43 * z892 + z38 * z893;
-    const bicycle_lanes z898 = z529 * z634 - z534 * z622 + z463 * z678 + w1_pitch * z715 - z253 * z809 - z512
-        * z679;
-    const bicycle_lanes z899 = z64 * z881;
-    const bicycle_lanes z900 = z30 * z812 - z27 * z899;
-    const bicycle_lanes z901 = z30 * z828 - z29 * z899;
-    const bicycle_lanes z902 = z60 * z889 + z46 * z900 - z34 * z901;
-    const bicycle_lanes z903 = z55 * z889 - z43 * z900 + z38 * z901;
-    const bicycle_lanes z904 = z62 * z812 - z61 * z828 + z47 * z899;
-    const bicycle_lanes z905 = c_lam * z903 + s_lam * z904;
-    const bicycle_lanes z906 = z445 * z646 + z453 * z677 - c_steer * z902 + s_steer * z905;
-    const bicycle_lanes z907 = z898 - z500 * z680 + z481 * z682 - z224 * z906 + z176 * z749 - z186 * z842 +
-        z127 * z777;
-    const bicycle_lanes z908 = z64 * z886;
-    const bicycle_lanes z909 = z30 * z876 - z27 * z908;
-    const bicycle_lanes z910 = z30 * z879 + z29 * z908;
-    const bicycle_lanes z911 = z60 * z891 + z46 * z909 + z34 * z910;
-    const bicycle_lanes z912 = z55 * z891 - z43 * z909 - z38 * z910;
-    const bicycle_lanes z913 = z62 * z876 + z61 * z879 + z47 * z908;
-    const bicycle_lanes z914 = c_lam * z912 + s_lam * z913;
-    const bicycle_lanes z915 = c_steer * z911 - s_steer * z914;
-    const bicycle_lanes z916 = z64 * z883;
-    const bicycle_lanes z917 = z521 * z626 + z523 * z640 + z242 * z828 + z241 * z899 - z180 * z847 - z171 *
-        z916;
-    const bicycle_lanes z918 = z64 * z884;
-    const bicycle_lanes z919 = z521 * z625 - z509 * z640 - z452 * z642 - z242 * z812 - z246 * z899 - z180 *
-        z844;
-    const bicycle_lanes z920 = z919 + z170 * z916 - z131 * z861 - z121 * z918 - z87 * z876 - z77 * z908 + z61
-        * z887;
-    const bicycle_lanes z921 = z920 - e2z * z888;
-    const bicycle_lanes z922 = z917 - z131 * z864 + z122 * z918 - z87 * z879 + z78 * z908 - z62 * z887 + z921;
-    const bicycle_lanes z923 = z30 * z864 + z29 * z918;
-    const bicycle_lanes z924 = z520 * z640 + z243 * z899 + z15 * z916 + z70 * z908 + z30 * z887;
-    const bicycle_lanes z925 = z494 * z645 + z235 * z901 - z120 * z923 - z75 * z910 + z55 * z893 - z43 * z924;
-    const bicycle_lanes z926 = z30 * z861 - z27 * z918;
-    const bicycle_lanes z927 = z494 * z644 + z452 * z649 - z235 * z900 - z120 * z926 - z75 * z909 + z55 *
-        z892;
-    const bicycle_lanes z928 = z927 + z38 * z924 + e2z * z897;
-    const bicycle_lanes z929 = z925 + z928;
-    const bicycle_lanes z930 = z907 + z137 * z859 + z83 * z802 + z93 * z874 + c_pitch * z915 - z26 * z922 -
-        z33 * z929;
-    const bicycle_lanes z931 = z446 * z642 - c_roll * z888;
-    const bicycle_lanes z932 = z447 * z664 + s_pitch * z931;
-    const bicycle_lanes z933 = z446 * z647 + c_roll * z894;
-    const bicycle_lanes z934 = z447 * z651 + s_pitch * z933;
-    const bicycle_lanes z935 = z446 * z649 - c_roll * z897;
-    const bicycle_lanes z936 = z447 * z658 + s_pitch * z935;
-    const bicycle_lanes z937 = z483 * z665 + z445 * z652 + z481 * z659 - z1 * z932 + c_steer * z934 - z35 *
-        z936;
-    const bicycle_lanes z938 = z30 * z847 + z29 * z916;
-    const bicycle_lanes z939 = z508 * z645 + z240 * z901 - z40 * z938 - z76 * z910 - z60 * z893 - z46 * z924;
-    const bicycle_lanes z940 = z30 * z844 - z27 * z916;
-    const bicycle_lanes z941 = z508 * z644 - z452 * z647 - z240 * z900 - z40 * z940 - z76 * z909 - z60 * z892;
-    const bicycle_lanes z942 = z941 + z34 * z924 + e2z * z894;
-    const bicycle_lanes z943 = z939 + z942;
-    const bicycle_lanes z944 = z930 - z937 + z35 * z943;
-    const bicycle_lanes z945 = z530 * z634 - z534 * z621 + z464 * z678 - w3_pitch * z715 - z253 * z808 - z511
-        * z679;
-    const bicycle_lanes z946 = z945 + z483 * z682 - z499 * z680 + z225 * z906 + z175 * z749 - z186 * z837 +
-        z126 * z777;
-    const bicycle_lanes z947 = z946 + z137 * z855 - z82 * z802 + z93 * z870 - s_pitch * z915 + z25 * z922 +
-        z1 * z943;
-    const bicycle_lanes z948 = z449 * z664 - c_pitch * z931;
-    const bicycle_lanes z949 = z449 * z651 - c_pitch * z933;
-    const bicycle_lanes z950 = z449 * z658 - c_pitch * z935;
-    const bicycle_lanes z951 = z483 * z666 + z445 * z653 + z481 * z660 + z1 * z948 - c_steer * z949 + z35 *
-        z950;
-    const bicycle_lanes z952 = z947 + z32 * z929 - z951;
-    const bicycle_lanes z953 = z5 * (z267 * (z472 * z684 + z477 * z688 - z473 * z690 - z2 * z944 + z19 *
-        z952));
-    const bicycle_lanes z954 = z474 * z689 * z580 - 0.5 * z953;
-    const bicycle_lanes z955 = z450 * z691 - k56 * z597 + k55 * z598 - 2.0 * (e3z * z954) + r_R * (z475 *
-        z684 + z5 * z944);
-    const bicycle_lanes z956 = k64 * z600 - k63 * z601 + k60 * z602;
-    const bicycle_lanes z957 = z495 * z648 + z468 * z646 + z237 * z903 + z230 * z902 + z55 * z890 - z43 *
-        z940;
-    const bicycle_lanes z958 = c_lam * z934 - s_lam * z949;
-    const bicycle_lanes z959 = z453 * z650 + z445 * z654 - s_steer * z942 + c_steer * z958;
-    const bicycle_lanes z960 = z60 * z896 + z46 * z926 + z34 * z923 - (c_lam * z949 + s_lam * z934);
-    const bicycle_lanes z961 = c_lam * z936 - s_lam * z950;
-    const bicycle_lanes z962 = z957 - z38 * z938 + z66 * z912 + z73 * z911 - c_lam * z959 + s_lam * z960 +
-        (z445 * z657 - z453 * z661 - c_steer * z928 + s_steer * z961);
-    const bicycle_lanes z963 = z471 * z646 + z495 * z641 - z231 * z902 + z237 * z904 + z62 * z844 + z61 *
-        z847;
-    const bicycle_lanes z964 = c_lam * z932 - s_lam * z948;
-    const bicycle_lanes z965 = z963 + z47 * z916 - z74 * z911 + z66 * z913 + (z445 * z663 - z453 * z667 +
-        c_steer * z921 + s_steer * z964);
-    const bicycle_lanes z966 = z965 - c_lam * z960 - s_lam * z959;
-    const bicycle_lanes z967 = z14 * (z276 * (z457 * z662 - z469 * z668 - z459 * z670 - z39 * z962 - z11 *
-        z966));
-    const bicycle_lanes z968 = z460 * z669 * z579 - 0.5 * z967;
-    const bicycle_lanes z969 = z456 * z671 - 2.0 * (z12 * z968) + r_F * (z461 * z662 + z14 * z962);
-    const bicycle_lanes z970 = z458 * z671 - 2.0 * (z10 * z968) - r_F * (z461 * z668 - z14 * z966);
-    const bicycle_lanes z971 = k62 * z604 + k60 * z605 + k59 * z604 + s_lam * z969 - c_lam * z970;
-    const bicycle_lanes z972 = z445 * z674 - s_steer * z956 + c_steer * z971;
-    const bicycle_lanes z973 = k61 * z604 - k60 * z608 - k58 * z604 + c_lam * z969 + s_lam * z970;
-    const bicycle_lanes z974 = z955 - s_lam * z972 - c_lam * z973;
-    const bicycle_lanes z975 = z448 * z691 - k57 * z597 - k55 * z599 - 2.0 * (z3 * z954) + r_R * (z475 * z688
-        - z5 * z952);
-    const bicycle_lanes z976 = z975 - c_lam * z972 + s_lam * z973;
-    const bicycle_lanes z977 = z250 * z638 + z23 * z642 - z54 * z647 + z59 * z649 + c_pitch * z694 + s_pitch
-        * z695;
-    const bicycle_lanes z978 = z525 * z624 + z518 * z642 + z492 * z647 + z506 * z649 - z250 * z826 + k56 *
-        z627;
-    const bicycle_lanes z979 = z978 + k57 * z628 - k55 * z629 - z173 * z846 - z124 * z863 - z80 * z878 - z29
-        * z888;
-    const bicycle_lanes z980 = c_steer * z956 + (roll_dot * z977 - (z453 * z674 + (z979 - z43 * z894 + z46 *
-        z897))) + s_steer * z971;
-    const bicycle_lanes z981 = e2z * (roll_dot * z675 + (z895 - z59 * z897) + c_pitch * z974 + s_pitch *
-        z976) - c_roll * z980;
-    bicycle_put(slope + 0 * BICYCLE_LANES, -z981);
-    const bicycle_lanes z982 = z470 * z646 - z15 * z902;
-    const bicycle_lanes z983 = z462 * z646 - z40 * z902;
-    const bicycle_lanes z984 = c_lam * z982 - s_lam * z983 + k3 * z902;
-    const bicycle_lanes z985 = s_lam * z982 + c_lam * z983 + k12 * z902;
-    const bicycle_lanes z986 = z462 * z648 + z470 * z641 - z40 * z903 - z15 * z904;
-    const bicycle_lanes z987 = z986 - k3 * (s_lam * z903 - c_lam * z904) + k12 * z905;
-    const bicycle_lanes z988 = z445 * z816 + z453 * z817 + c_steer * z985 - s_steer * z987;
-    const bicycle_lanes z989 = z478 * z678 - z716 - c_lam * z984 + z20 * z906 + k10 * z906 - s_lam * z988;
-    const bicycle_lanes z990 = z528 * z637 + z515 * z664 + z489 * z651 + z503 * z658 + z248 * z822 - z261 *
-        z719;
-    const bicycle_lanes z991 = z15 * z911;
-    const bicycle_lanes z992 = z40 * z911;
-    const bicycle_lanes z993 = c_lam * z991 - s_lam * z992 - k3 * z911;
-    const bicycle_lanes z994 = z990 + z174 * z752 + z125 * z780 - z803 + z81 * z805 + c_lam * z993 - z20 *
-        z915;
-    const bicycle_lanes z995 = s_lam * z991 + c_lam * z992 - k12 * z911;
-    const bicycle_lanes z996 = z40 * z912 + z15 * z913 + k3 * (s_lam * z912 - c_lam * z913) - k12 * z914;
-    const bicycle_lanes z997 = c_steer * z995 - s_steer * z996;
-    const bicycle_lanes z998 = z446 * z695 - (z994 + s_lam * z997 - z18 * z931 + z52 * z933 - z57 * z935 -
-        k10 * z915);
-    const bicycle_lanes z999 = z476 * z678 - z719 - s_lam * z984 + R3 * z906 + k9 * z906 + c_lam * z988;
-    const bicycle_lanes z1000 = z528 * z635 + z516 * z664 + z490 * z651 + z504 * z658 - z248 * z820 - z261 *
-        z716;
-    const bicycle_lanes z1001 = z1000 - z174 * z750 - z125 * z778 - z81 * z803 - z805 - s_lam * z993 + R3 *
-        z915;
-    const bicycle_lanes z1002 = z446 * z694 + (z1001 + c_lam * z997 - z22 * z931 + z53 * z933 - z58 * z935 +
-        k9 * z915);
-    const bicycle_lanes z1003 = c_pitch * (roll_dot * z989 - z998 - c_roll * z976) - s_pitch * (roll_dot *
-        z999 - z1002 - c_roll * z974);
-    bicycle_put(slope + 1 * BICYCLE_LANES, -z1003);
-    const bicycle_lanes z1004 = z527 * z617 + z252 * z615 + z233 * z646 - z228 * z816 - z16 * z663 + s_lam *
-        (c_lam * (R3 * z679 - k9 * z663) - s_lam * (z20 * z679 - k10 * z663));
-    const bicycle_lanes z1005 = z1004 - z41 * z654 - z21 * z653 + z6 * z652 - z44 * z657 - c_lam * (s_lam *
-        (z20 * z680 - k10 * z657) - c_lam * (R3 * z680 - k9 * z657));
-    const bicycle_lanes z1006 = z1005 + z7 * z674;
-    const bicycle_lanes z1007 = z545 * z603 - z539 * z606 - z531 * z615 - z526 * z617 - z527 * z706 + z479 *
-        z677;
-    const bicycle_lanes z1008 = z1007 + z466 * z817 - z470 * z667 - z486 * z650 - z462 * z661 - z252 * z711 -
-        z193 * z740;
-    const bicycle_lanes z1009 = z1008 + z185 * z742 + z191 * z745 + z179 * z746 - z144 * z770 - z136 * z771 -
-        z142 * z773;
-    const bicycle_lanes z1010 = z233 * z905 + (z1009 + z130 * z774 - z100 * z796 - z92 * z797 - z98 * z799 +
-        z86 * z800);
-    const bicycle_lanes z1011 = z228 * z987 + z1010 + z67 * z914 - z65 * z996 - z16 * z964 + z41 * z942 - z44
-        * z961;
-    const bicycle_lanes z1012 = z478 * z660 + z476 * z683 - z21 * z950 - z6 * z936 - R3 * z943 - k9 * z942;
-    const bicycle_lanes z1013 = z476 * z665 - z478 * z686 + z21 * z948 + z6 * z932 - z20 * z943 - k10 * z942;
-    const bicycle_lanes z1014 = z7 * z956 - (steer_dot * z1006 + (z452 * z674 + (z1011 + c_lam * z1012 -
-        s_lam * z1013))) + e2z * z971;
-    const bicycle_lanes z1015 = z527 * z615 - z252 * z617 - z233 * z677 + z228 * z817 - z16 * z667 + z41 *
-        z650;
-    const bicycle_lanes z1016 = z1015 - z44 * z661 + c_lam * (z21 * z660 - z6 * z659 + R3 * z682 - k9 * z650);
-    const bicycle_lanes z1017 = z1016 + s_lam * (z21 * z666 - z6 * z665 - z20 * z682 + k10 * z650) - e2z *
-        z674;
-    const bicycle_lanes z1018 = z539 * z603 + z545 * z606 - z531 * z617 + z526 * z615 + z527 * z711 - z479 *
-        z646;
-    const bicycle_lanes z1019 = z1018 - z466 * z816 - z470 * z663 + z486 * z654 - z478 * z653 + z476 * z652 -
-        z462 * z657;
-    const bicycle_lanes z1020 = z1019 + z454 * z674 - z252 * z706 + z185 * z740 + z193 * z742 - z179 * z745 +
-        z191 * z746;
-    const bicycle_lanes z1021 = z1020 - z136 * z770 + z144 * z771 - z130 * z773 - z142 * z774 - z92 * z796 +
-        z100 * z797;
-    const bicycle_lanes z1022 = z228 * z985 + (z233 * z902 - (z1021 - z86 * z799 - z98 * z800)) + z67 * z911
-        - z65 * z995;
-    const bicycle_lanes z1023 = c_lam * (z476 * z679 - R3 * z922 - k9 * z921) - s_lam * (z478 * z679 - z20 *
-        z922 - k10 * z921);
-    const bicycle_lanes z1024 = z1022 + z16 * z921 - s_lam * z1023 + z41 * z958 - z21 * z949 - z6 * z934 -
-        z44 * z928;
-    const bicycle_lanes z1025 = s_lam * (z478 * z680 + z20 * z929 + k10 * z928) - c_lam * (z476 * z680 + R3 *
-        z929 + k9 * z928);
-    const bicycle_lanes z1026 = c_steer * z1014 - s_steer * (e2z * z956 + (steer_dot * z1017 + (z1024 + c_lam
-        * z1025)) - z7 * z971);
-    bicycle_put(slope + 2 * BICYCLE_LANES, z1026);
-    const bicycle_lanes z1027 = z444 * z594 + z576 * z595 + z577 * z596 - z447 * z819 + z449 * z821 + e2z *
-        z977;
-    bicycle_put(slope + 3 * BICYCLE_LANES, z1027 + c_roll * z675 - s_pitch * z989 - c_pitch * z999);
-    bicycle_put(slope + 4 * BICYCLE_LANES, z714 + z984 + c_steer * z1017 - s_steer * z1006);
-    bicycle_put(slope + 5 * BICYCLE_LANES, -(z705 + z986));
+    const bicycle_lanes z849 = z187 * z720 - z138 * z748;
+    const bicycle_lanes z850 = s_lam * z844 + c_lam * z845;
+    const bicycle_lanes z851 = z574 * z590 + z159 * z748 - k22 * z842 - k21 * z849 + z115 * z752 + z850;
+    const bicycle_lanes z852 = z848 + R3 * z851;
+    const bicycle_lanes z853 = z64 * z852;
+    const bicycle_lanes z854 = z567 * z590 + z156 * z748 - k27 * z842 + k23 * z843 - k22 * z849 + z112 * z752;
+    const bicycle_lanes z855 = z854 + c_steer * z763 + s_steer * z764 - k10 * z846 - k9 * z850 - z852;
+    const bicycle_lanes z856 = z64 * z855;
+    const bicycle_lanes z857 = z185 * z722 - z136 * z752 - z92 * z775;
+    const bicycle_lanes z858 = z189 * z722 - z140 * z752 - z96 * z775;
+    const bicycle_lanes z859 = z559 * z591 + z108 * z775 + k36 * z785 - k31 * z786;
+    const bicycle_lanes z860 = s_steer * z791 + c_steer * z792;
+    const bicycle_lanes z861 = c_lam * z859 - s_lam * z860;
+    const bicycle_lanes z862 = z571 * z591 - z114 * z775 - k23 * z857 + k21 * z858 - z861;
+    const bicycle_lanes z863 = z533 * z615 - z186 * z822 + z137 * z841 + 2.0 * (z93 * (R_yy * z775)) - z20 *
+        z862;
+    const bicycle_lanes z864 = z187 * z722 - z138 * z752 - z94 * z775;
+    const bicycle_lanes z865 = s_lam * z859 + c_lam * z860;
+    const bicycle_lanes z866 = z574 * z591 + z115 * z775 - k22 * z857 - k21 * z864 + z865;
+    const bicycle_lanes z867 = z863 + R3 * z866;
+    const bicycle_lanes z868 = z64 * z867;
+    const bicycle_lanes z869 = z567 * z591 + z112 * z775 - k27 * z857 + k23 * z858 - k22 * z864 + c_steer *
+        z788;
+    const bicycle_lanes z870 = z869 + s_steer * z789 - k10 * z861 - k9 * z865 - z867;
+    const bicycle_lanes z871 = z64 * z870;
+    const bicycle_lanes z872 = z445 * z633 + z451 * z619 + z506 * z643 - z492 * z641 + z518 * z636 - c_roll *
+        z715;
+    const bicycle_lanes z873 = z872 + e2z * z818;
+    const bicycle_lanes z874 = z532 * z618 + z521 * z619 - z523 * z634 - z244 * z803 + z247 * z819 - z249 *
+        z873;
+    const bicycle_lanes z875 = c_roll * z747 - e2z * z838;
+    const bicycle_lanes z876 = c_roll * z774 - e2z * z855;
+    const bicycle_lanes z877 = z874 + z181 * z835 + z183 * z838 + z172 * z875 - z132 * z852 - z134 * z855 +
+        z123 * z876;
+    const bicycle_lanes z878 = c_roll * z798 - e2z * z870;
+    const bicycle_lanes z879 = z271 * (z877 - z88 * z867 - z90 * z870 + z79 * z878);
+    const bicycle_lanes z880 = z840 - z122 * z853 - z121 * z856 - z78 * z868 - z77 * z871 - z47 * z879;
+    const bicycle_lanes z881 = z29 * z804 - z27 * z820;
+    const bicycle_lanes z882 = z29 * z836 + z27 * z839;
+    const bicycle_lanes z883 = z29 * z868 + z27 * z871;
+    const bicycle_lanes z884 = z519 * z620 - z243 * z804 - z15 * z836 - z70 * z868 - z27 * z879;
+    const bicycle_lanes z885 = z519 * z621 + z243 * z820 - z15 * z839 - z70 * z871 + z29 * z879;
+    const bicycle_lanes z886 = z507 * z638 - z240 * z881 - z40 * z882 - z76 * z883 + z46 * z884 + z34 * z885;
+    const bicycle_lanes z887 = z691 - z250 * z715 - z173 * z747 - z124 * z774 - z80 * z798 - z23 * z880 - z54
+        * z886;
+    const bicycle_lanes z888 = z29 * z853 + z27 * z856;
+    const bicycle_lanes z889 = z493 * z638 - z235 * z881 - z120 * z888 - z75 * z883 + z43 * z884 + z38 * z885;
+    const bicycle_lanes z890 = z528 * z629 - z533 * z617 + z462 * z673 + w1_pitch * z710 - z253 * z801 - z511
+        * z674;
+    const bicycle_lanes z891 = z64 * z873;
+    const bicycle_lanes z892 = z30 * z804 - z27 * z891;
+    const bicycle_lanes z893 = z30 * z820 - z29 * z891;
+    const bicycle_lanes z894 = z60 * z881 + z46 * z892 - z34 * z893;
+    const bicycle_lanes z895 = z55 * z881 - z43 * z892 + z38 * z893;
+    const bicycle_lanes z896 = z62 * z804 - z61 * z820 + z47 * z891;
+    const bicycle_lanes z897 = c_lam * z895 + s_lam * z896;
+    const bicycle_lanes z898 = z444 * z641 + z452 * z672 - c_steer * z894 + s_steer * z897;
+    const bicycle_lanes z899 = z890 - z499 * z675 + z480 * z677 - z224 * z898 + z176 * z743 - z186 * z834 +
+        z127 * z770;
+    const bicycle_lanes z900 = z64 * z878;
+    const bicycle_lanes z901 = z30 * z868 + z27 * z900;
+    const bicycle_lanes z902 = z30 * z871 - z29 * z900;
+    const bicycle_lanes z903 = z60 * z883 + z46 * z901 + z34 * z902;
+    const bicycle_lanes z904 = z55 * z883 - z43 * z901 - z38 * z902;
+    const bicycle_lanes z905 = z62 * z868 + z61 * z871 - z47 * z900;
+    const bicycle_lanes z906 = c_lam * z904 + s_lam * z905;
+    const bicycle_lanes z907 = c_steer * z903 - s_steer * z906;
+    const bicycle_lanes z908 = z64 * z875;
+    const bicycle_lanes z909 = z520 * z621 + z522 * z635 + z242 * z820 + z241 * z891 - z180 * z839 + z171 *
+        z908;
+    const bicycle_lanes z910 = z64 * z876;
+    const bicycle_lanes z911 = z520 * z620 - z508 * z635 - z451 * z637 - z242 * z804 - z246 * z891 - z180 *
+        z836;
+    const bicycle_lanes z912 = z911 - z170 * z908 - z131 * z853 + z121 * z910 - z87 * z868 + z77 * z900 + z61
+        * z879;
+    const bicycle_lanes z913 = z912 - e2z * z880;
+    const bicycle_lanes z914 = z909 - z131 * z856 - z122 * z910 - z87 * z871 - z78 * z900 - z62 * z879 + z913;
+    const bicycle_lanes z915 = z30 * z856 - z29 * z910;
+    const bicycle_lanes z916 = z519 * z635 + z243 * z891 - z15 * z908 - z70 * z900 + z30 * z879;
+    const bicycle_lanes z917 = z493 * z640 + z235 * z893 - z120 * z915 - z75 * z902 + z55 * z885 - z43 * z916;
+    const bicycle_lanes z918 = z30 * z853 + z27 * z910;
+    const bicycle_lanes z919 = z493 * z639 + z451 * z644 - z235 * z892 - z120 * z918 - z75 * z901 + z55 *
+        z884;
+    const bicycle_lanes z920 = z919 + z38 * z916 + e2z * z889;
+    const bicycle_lanes z921 = z917 + z920;
+    const bicycle_lanes z922 = z899 + z137 * z851 + z83 * z794 + z93 * z866 + c_pitch * z907 - z26 * z914 -
+        z33 * z921;
+    const bicycle_lanes z923 = z445 * z637 - c_roll * z880;
+    const bicycle_lanes z924 = z446 * z659 + s_pitch * z923;
+    const bicycle_lanes z925 = z445 * z642 + c_roll * z886;
+    const bicycle_lanes z926 = z446 * z646 + s_pitch * z925;
+    const bicycle_lanes z927 = z445 * z644 - c_roll * z889;
+    const bicycle_lanes z928 = z446 * z653 + s_pitch * z927;
+    const bicycle_lanes z929 = z482 * z660 + z444 * z647 + z480 * z654 - z1 * z924 + c_steer * z926 - z35 *
+        z928;
+    const bicycle_lanes z930 = z30 * z839 - z29 * z908;
+    const bicycle_lanes z931 = z507 * z640 + z240 * z893 - z40 * z930 - z76 * z902 - z60 * z885 - z46 * z916;
+    const bicycle_lanes z932 = z30 * z836 + z27 * z908;
+    const bicycle_lanes z933 = z507 * z639 - z451 * z642 - z240 * z892 - z40 * z932 - z76 * z901 - z60 * z884;
+    const bicycle_lanes z934 = z933 + z34 * z916 + e2z * z886;
+    const bicycle_lanes z935 = z931 + z934;
+    const bicycle_lanes z936 = z922 - z929 + z35 * z935;
+    const bicycle_lanes z937 = z529 * z629 - z533 * z616 + z463 * z673 - w3_pitch * z710 - z253 * z800 - z510
+        * z674;
+    const bicycle_lanes z938 = z937 + z482 * z677 - z498 * z675 + z225 * z898 + z175 * z743 - z186 * z829 +
+        z126 * z770;
+    const bicycle_lanes z939 = z938 + z137 * z847 - z82 * z794 + z93 * z862 - s_pitch * z907 + z25 * z914 +
+        z1 * z935;
+    const bicycle_lanes z940 = z448 * z659 - c_pitch * z923;
+    const bicycle_lanes z941 = z448 * z646 - c_pitch * z925;
+    const bicycle_lanes z942 = z448 * z653 - c_pitch * z927;
+    const bicycle_lanes z943 = z482 * z661 + z444 * z648 + z480 * z655 + z1 * z940 - c_steer * z941 + z35 *
+        z942;
+    const bicycle_lanes z944 = z939 + z32 * z921 - z943;
+    const bicycle_lanes z945 = z5 * (z267 * (z471 * z679 + z476 * z683 - z472 * z685 - z2 * z936 + z19 *
+        z944));
+    const bicycle_lanes z946 = z473 * z684 * z576 - 0.5 * z945;
+    const bicycle_lanes z947 = z449 * z686 - k56 * z592 + k55 * z593 - 2.0 * (e3z * z946) + r_R * (z474 *
+        z679 + z5 * z936);
+    const bicycle_lanes z948 = k64 * z595 - k63 * z596 + k60 * z597;
+    const bicycle_lanes z949 = z494 * z643 + z467 * z641 + z237 * z895 + z230 * z894 + z55 * z882 - z43 *
+        z932;
+    const bicycle_lanes z950 = c_lam * z926 - s_lam * z941;
+    const bicycle_lanes z951 = z452 * z645 + z444 * z649 - s_steer * z934 + c_steer * z950;
+    const bicycle_lanes z952 = z60 * z888 + z46 * z918 + z34 * z915 - (c_lam * z941 + s_lam * z926);
+    const bicycle_lanes z953 = c_lam * z928 - s_lam * z942;
+    const bicycle_lanes z954 = z949 - z38 * z930 + z66 * z904 + z73 * z903 - c_lam * z951 + s_lam * z952 +
+        (z444 * z652 - z452 * z656 - c_steer * z920 + s_steer * z953);
+    const bicycle_lanes z955 = z470 * z641 + z494 * z636 - z231 * z894 + z237 * z896 + z62 * z836 + z61 *
+        z839;
+    const bicycle_lanes z956 = c_lam * z924 - s_lam * z940;
+    const bicycle_lanes z957 = z955 - z47 * z908 - z74 * z903 + z66 * z905 + (z444 * z658 - z452 * z662 +
+        c_steer * z913 + s_steer * z956);
+    const bicycle_lanes z958 = z957 - c_lam * z952 - s_lam * z951;
+    const bicycle_lanes z959 = z14 * (z276 * (z456 * z657 - z468 * z663 - z458 * z665 - z39 * z954 - z11 *
+        z958));
+    const bicycle_lanes z960 = z459 * z664 * z575 - 0.5 * z959;
+    const bicycle_lanes z961 = z455 * z666 - 2.0 * (z12 * z960) + r_F * (z460 * z657 + z14 * z954);
+    const bicycle_lanes z962 = z457 * z666 - 2.0 * (z10 * z960) - r_F * (z460 * z663 - z14 * z958);
+    const bicycle_lanes z963 = k62 * z599 + k60 * z600 + k59 * z599 + s_lam * z961 - c_lam * z962;
+    const bicycle_lanes z964 = z444 * z669 - s_steer * z948 + c_steer * z963;
+    const bicycle_lanes z965 = k61 * z599 - k60 * z603 - k58 * z599 + c_lam * z961 + s_lam * z962;
+    const bicycle_lanes z966 = z947 - s_lam * z964 - c_lam * z965;
+    const bicycle_lanes z967 = z447 * z686 - k57 * z592 - k55 * z594 - 2.0 * (z3 * z946) + r_R * (z474 * z683
+        - z5 * z944);
+    const bicycle_lanes z968 = z967 - c_lam * z964 + s_lam * z965;
+    const bicycle_lanes z969 = z250 * z633 + z23 * z637 - z54 * z642 + z59 * z644 + c_pitch * z689 + s_pitch
+        * z690;
+    const bicycle_lanes z970 = z524 * z619 + z517 * z637 + z491 * z642 + z505 * z644 - z250 * z818 + k56 *
+        z622;
+    const bicycle_lanes z971 = z970 + k57 * z623 - k55 * z624 - z173 * z838 - z124 * z855 - z80 * z870 - z29
+        * z880;
+    const bicycle_lanes z972 = c_steer * z948 + (roll_dot * z969 - (z452 * z669 + (z971 - z43 * z886 + z46 *
+        z889))) + s_steer * z963;
+    const bicycle_lanes z973 = e2z * (roll_dot * z670 + (z887 - z59 * z889) + c_pitch * z966 + s_pitch *
+        z968) - c_roll * z972;
+    bicycle_put(slope + 0 * BICYCLE_LANES, -z973);
+    const bicycle_lanes z974 = z469 * z641 - z15 * z894;
+    const bicycle_lanes z975 = z461 * z641 - z40 * z894;
+    const bicycle_lanes z976 = c_lam * z974 - s_lam * z975 + k3 * z894;
+    const bicycle_lanes z977 = s_lam * z974 + c_lam * z975 + k12 * z894;
+    const bicycle_lanes z978 = z461 * z643 + z469 * z636 - z40 * z895 - z15 * z896;
+    const bicycle_lanes z979 = z978 - k3 * (s_lam * z895 - c_lam * z896) + k12 * z897;
+    const bicycle_lanes z980 = z444 * z808 + z452 * z809 + c_steer * z977 - s_steer * z979;
+    const bicycle_lanes z981 = z477 * z673 - z711 - c_lam * z976 + z20 * z898 + k10 * z898 - s_lam * z980;
+    const bicycle_lanes z982 = z527 * z632 + z514 * z659 + z488 * z646 + z502 * z653 + z248 * z814 - z261 *
+        z714;
+    const bicycle_lanes z983 = z15 * z903;
+    const bicycle_lanes z984 = z40 * z903;
+    const bicycle_lanes z985 = c_lam * z983 - s_lam * z984 - k3 * z903;
+    const bicycle_lanes z986 = z982 + z174 * z746 + z125 * z773 - z795 + z81 * z797 + c_lam * z985 - z20 *
+        z907;
+    const bicycle_lanes z987 = s_lam * z983 + c_lam * z984 - k12 * z903;
+    const bicycle_lanes z988 = z40 * z904 + z15 * z905 + k3 * (s_lam * z904 - c_lam * z905) - k12 * z906;
+    const bicycle_lanes z989 = c_steer * z987 - s_steer * z988;
+    const bicycle_lanes z990 = z445 * z690 - (z986 + s_lam * z989 - z18 * z923 + z52 * z925 - z57 * z927 -
+        k10 * z907);
+    const bicycle_lanes z991 = z475 * z673 - z714 - s_lam * z976 + R3 * z898 + k9 * z898 + c_lam * z980;
+    const bicycle_lanes z992 = z527 * z630 + z515 * z659 + z489 * z646 + z503 * z653 - z248 * z812 - z261 *
+        z711;
+    const bicycle_lanes z993 = z992 - z174 * z744 - z125 * z771 - z81 * z795 - z797 - s_lam * z985 + R3 *
+        z907;
+    const bicycle_lanes z994 = z445 * z689 + (z993 + c_lam * z989 - z22 * z923 + z53 * z925 - z58 * z927 + k9
+        * z907);
+    const bicycle_lanes z995 = c_pitch * (roll_dot * z981 - z990 - c_roll * z968) - s_pitch * (roll_dot *
+        z991 - z994 - c_roll * z966);
+    bicycle_put(slope + 1 * BICYCLE_LANES, -z995);
+    const bicycle_lanes z996 = z526 * z612 + z252 * z610 + z233 * z641 - z228 * z808 - z16 * z658 + s_lam *
+        (c_lam * (R3 * z674 - k9 * z658) - s_lam * (z20 * z674 - k10 * z658));
+    const bicycle_lanes z997 = z996 - z41 * z649 - z21 * z648 + z6 * z647 - z44 * z652 - c_lam * (s_lam *
+        (z20 * z675 - k10 * z652) - c_lam * (R3 * z675 - k9 * z652));
+    const bicycle_lanes z998 = z997 + z7 * z669;
+    const bicycle_lanes z999 = z544 * z598 - z538 * z601 - z530 * z610 - z525 * z612 - z526 * z701 + z478 *
+        z672;
+    const bicycle_lanes z1000 = z999 + z465 * z809 - z469 * z662 - z485 * z645 - z461 * z656 - z252 * z706 -
+        z193 * z734;
+    const bicycle_lanes z1001 = z1000 + z185 * z736 + z191 * z739 + z179 * z740 - z144 * z763 - z136 * z764 -
+        z142 * z766;
+    const bicycle_lanes z1002 = z233 * z897 + (z1001 + z130 * z767 - z100 * z788 - z92 * z789 - z98 * z791 +
+        z86 * z792);
+    const bicycle_lanes z1003 = z228 * z979 + z1002 + z67 * z906 - z65 * z988 - z16 * z956 + z41 * z934 - z44
+        * z953;
+    const bicycle_lanes z1004 = z477 * z655 + z475 * z678 - z21 * z942 - z6 * z928 - R3 * z935 - k9 * z934;
+    const bicycle_lanes z1005 = z475 * z660 - z477 * z681 + z21 * z940 + z6 * z924 - z20 * z935 - k10 * z934;
+    const bicycle_lanes z1006 = z7 * z948 - (steer_dot * z998 + (z451 * z669 + (z1003 + c_lam * z1004 - s_lam
+        * z1005))) + e2z * z963;
+    const bicycle_lanes z1007 = z526 * z610 - z252 * z612 - z233 * z672 + z228 * z809 - z16 * z662 + z41 *
+        z645;
+    const bicycle_lanes z1008 = z1007 - z44 * z656 + c_lam * (z21 * z655 - z6 * z654 + R3 * z677 - k9 * z645);
+    const bicycle_lanes z1009 = z1008 + s_lam * (z21 * z661 - z6 * z660 - z20 * z677 + k10 * z645) - e2z *
+        z669;
+    const bicycle_lanes z1010 = z538 * z598 + z544 * z601 - z530 * z612 + z525 * z610 + z526 * z706 - z478 *
+        z641;
+    const bicycle_lanes z1011 = z1010 - z465 * z808 - z469 * z658 + z485 * z649 - z477 * z648 + z475 * z647 -
+        z461 * z652;
+    const bicycle_lanes z1012 = z1011 + z453 * z669 - z252 * z701 + z185 * z734 + z193 * z736 - z179 * z739 +
+        z191 * z740;
+    const bicycle_lanes z1013 = z1012 - z136 * z763 + z144 * z764 - z130 * z766 - z142 * z767 - z92 * z788 +
+        z100 * z789;
+    const bicycle_lanes z1014 = z228 * z977 + (z233 * z894 - (z1013 - z86 * z791 - z98 * z792)) + z67 * z903
+        - z65 * z987;
+    const bicycle_lanes z1015 = c_lam * (z475 * z674 - R3 * z914 - k9 * z913) - s_lam * (z477 * z674 - z20 *
+        z914 - k10 * z913);
+    const bicycle_lanes z1016 = z1014 + z16 * z913 - s_lam * z1015 + z41 * z950 - z21 * z941 - z6 * z926 -
+        z44 * z920;
+    const bicycle_lanes z1017 = s_lam * (z477 * z675 + z20 * z921 + k10 * z920) - c_lam * (z475 * z675 + R3 *
+        z921 + k9 * z920);
+    const bicycle_lanes z1018 = c_steer * z1006 - s_steer * (e2z * z948 + (steer_dot * z1009 + (z1016 + c_lam
+        * z1017)) - z7 * z963);
+    bicycle_put(slope + 2 * BICYCLE_LANES, z1018);
+    const bicycle_lanes z1019 = z446 * z811 - z448 * z813 - e2z * z969 - c_roll * z670 + s_pitch * z981 +
+        c_pitch * z991;
+    bicycle_put(slope + 3 * BICYCLE_LANES, -z1019);
+    bicycle_put(slope + 4 * BICYCLE_LANES, z709 + z976 + c_steer * z1009 - s_steer * z998);
+    bicycle_put(slope + 5 * BICYCLE_LANES, -(z700 + z978));
 }
 
 int bicycle_jacobian(double t, const double *y, const double *p, double *J)
 {
-    double kept[421]; /* what parts of this function leave for others */
+    double kept[415]; /* what parts of this function leave for others */
     for (int entry = 0; entry < 144; ++entry) {
         J[entry] = 0.0;
     }
@@ -5815,7 +5190,7 @@ int bicycle_jacobian(double t, const double *y, const double *p, double *J)
         static const int offset[] = {108, 120, 132};
         static const int entry[] = {4, 5, 6, 9, 10, 11};
         double seed[3 * BICYCLE_LANES];
-        double carried[133 * BICYCLE_LANES];
+        double carried[135 * BICYCLE_LANES];
         double slope[6 * BICYCLE_LANES];
         bicycle_unit(3, first, seed);
         bicycle_jacobian_sweep1_part1(t, y, p, kept, seed, carried, slope);
@@ -6275,159 +5650,156 @@ static __attribute__((noinline)) void bicycle_rhs_lanes(const double *fixed, siz
     const bicycle_lanes w3_pitch = z199 - c_pitch * z223;
     const bicycle_lanes v2_x = R3 * w1_pitch + z20 * w3_pitch;
     const bicycle_lanes z224 = e2z * z222 - c_roll * v2_x;
-    const bicycle_lanes z225 = R_yy * z220;
     const bicycle_lanes h2z = e2z * c_steer + s_steer * z7;
-    const bicycle_lanes z226 = c_lam * w1_pitch - s_lam * w3_pitch;
-    const bicycle_lanes z227 = s_steer * z219 - c_steer * z226;
-    const bicycle_lanes z228 = c_steer * z219 + s_steer * z226;
-    const bicycle_lanes z229 = F_yy * (thF_dot - z228) - k47 * z228;
+    const bicycle_lanes z225 = c_lam * w1_pitch - s_lam * w3_pitch;
+    const bicycle_lanes z226 = s_steer * z219 - c_steer * z225;
+    const bicycle_lanes z227 = c_steer * z219 + s_steer * z225;
+    const bicycle_lanes z228 = F_yy * (thF_dot - z227) - k47 * z227;
     const bicycle_lanes w3_steer = steer_dot + (c_lam * w3_pitch + s_lam * w1_pitch);
-    const bicycle_lanes z230 = k43 * z227 - k44 * w3_steer;
-    const bicycle_lanes z231 = c_pitch * z217;
-    const bicycle_lanes z232 = roll_dot * z231;
-    const bicycle_lanes z233 = s_pitch * z217;
-    const bicycle_lanes z234 = roll_dot * e2z;
-    const bicycle_lanes z235 = steer_dot * c_steer;
-    const bicycle_lanes z236 = roll_dot * z233;
-    const bicycle_lanes z237 = s_lam * z232 + c_lam * z236;
-    const bicycle_lanes z238 = z235 * z201 - s_steer * z237;
-    const bicycle_lanes z239 = roll_dot * c_roll;
-    const bicycle_lanes z240 = steer_dot * s_steer;
-    const bicycle_lanes z241 = s_pitch * z234 + c_roll * z231;
-    const bicycle_lanes z242 = c_pitch * z234 - c_roll * z233;
-    const bicycle_lanes z243 = s_steer * z239 + e2z * z235 + (z7 * z240 + c_steer * (c_lam * z241 + s_lam *
-        z242));
-    const bicycle_lanes z244 = s_lam * z241 - c_lam * z242;
-    const bicycle_lanes z245 = c_lam * z243 + s_lam * z244;
-    const bicycle_lanes z246 = r_F * z14;
-    const bicycle_lanes z247 = c_lam * z244 - s_lam * z243;
-    const bicycle_lanes z248 = (z10 * z245 + z12 * z247) * (z14 / z13);
-    const bicycle_lanes z249 = z245 * z246 - z11 * z248;
-    const bicycle_lanes z250 = k3 * z238;
-    const bicycle_lanes z251 = r_R * z5;
-    const bicycle_lanes z252 = (z3 * z241 + e3z * z242) * (z5 / z4);
-    const bicycle_lanes z253 = z251 * z242 - z2 * z252;
-    const bicycle_lanes z254 = z251 * z241 - z19 * z252;
-    const bicycle_lanes z255 = k9 * z236 - k10 * z232 + (R3 * z236 - z198 * z253 - (z20 * z232 + z199 *
-        z254));
-    const bicycle_lanes z256 = k12 * z238 + (z235 * z205 + s_steer * z255);
-    const bicycle_lanes z257 = s_lam * z240;
-    const bicycle_lanes z258 = s_lam * z257;
-    const bicycle_lanes z259 = c_lam * z257;
-    const bicycle_lanes z260 = z20 * z258 + z25 * z254 - (R3 * z259 - z26 * z253);
-    const bicycle_lanes z261 = s_lam * z235;
-    const bicycle_lanes z262 = z235 * z16 - s_steer * z249;
-    const bicycle_lanes z263 = z1 * z254;
-    const bicycle_lanes z264 = z18 * z231 - s_pitch * (z6 * z261 - z1 * z253 + c_lam * z262) + (z22 * z233 +
-        c_pitch * (z21 * z261 - z263 - s_lam * z262));
-    const bicycle_lanes z265 = k10 * z258 - k9 * z259 + z260 - (z240 * z16 + c_steer * z249);
-    const bicycle_lanes z266 = z215 * z260 + (z218 * (z234 * z23 + c_roll * z264 + (z239 * z28 - e2z * z265))
-        - z217 * z265);
-    const bicycle_lanes z267 = z15 * z238 - z208 * z249 - (c_lam * z250 + s_lam * z256) + z266;
-    const bicycle_lanes z268 = s_lam * z236 - c_lam * z232;
-    const bicycle_lanes z269 = z240 * z201 + c_steer * z237;
-    const bicycle_lanes z270 = z247 * z246 - z36 * z248;
-    const bicycle_lanes z271 = z37 * (s_lam * z268 + c_lam * z269) - z203 * z270 + (z15 * (s_lam * z269 -
-        c_lam * z268) + z204 * z249);
-    const bicycle_lanes z272 = c_lam * z235;
-    const bicycle_lanes z273 = z34 * z253;
-    const bicycle_lanes z274 = R3 * z272 - z273 - (z20 * z261 - z263);
-    const bicycle_lanes z275 = c_lam * z270 + s_lam * z249;
-    const bicycle_lanes z276 = z240 * z38 - c_steer * z275;
-    const bicycle_lanes z277 = s_lam * z270 - c_lam * z249;
-    const bicycle_lanes z278 = z47 * z231 + s_pitch * (z240 * z6 + c_steer * z253 - c_lam * z276 + s_lam *
-        z277) + (z48 * z233 - c_pitch * (z240 * z21 + c_steer * z254 + s_lam * z276 + c_lam * z277));
-    const bicycle_lanes z279 = k9 * z272 - k10 * z261 + z274 - (z235 * z38 + s_steer * z275);
-    const bicycle_lanes z280 = z215 * z274 - (z218 * (z234 * z49 + c_roll * z278 + (z239 * z39 + e2z * z279))
-        + z217 * z279);
-    const bicycle_lanes z281 = z271 - (k12 * z269 - k3 * z268 + (z240 * z205 - c_steer * z255)) + z280;
-    const bicycle_lanes z282 = c_lam * z240;
-    const bicycle_lanes z283 = s_lam * z282;
-    const bicycle_lanes z284 = c_lam * z282;
-    const bicycle_lanes z285 = z20 * z283 - z31 * z254 - (R3 * z284 + z32 * z253);
-    const bicycle_lanes z286 = z235 * z40 - s_steer * z270;
-    const bicycle_lanes z287 = z52 * z231 - s_pitch * (z6 * z272 - z273 + c_lam * z286) + (z53 * z233 +
-        c_pitch * (z21 * z272 - z34 * z254 - s_lam * z286));
-    const bicycle_lanes z288 = k10 * z283 - k9 * z284 + z285 - (z240 * z40 + c_steer * z270);
-    const bicycle_lanes z289 = z215 * z285 + (z218 * (z234 * z54 + c_roll * z287 - (z239 * z41 + e2z * z288))
-        - z217 * z288);
-    const bicycle_lanes z290 = z37 * z238 - z208 * z270 + (s_lam * z250 - c_lam * z256) + z289;
-    const bicycle_lanes z291 = z33 * z281 - z35 * z290;
-    const bicycle_lanes z292 = z41 * z281 - z39 * z290;
-    const bicycle_lanes z293 = z59 * (z42 * z267 + z28 * z291 - z27 * z292);
-    const bicycle_lanes z294 = z234 * z218 - c_roll * z293;
-    const bicycle_lanes z295 = z232 + (z223 * z233 - c_pitch * z294);
-    const bicycle_lanes z296 = z236 - (z223 * z231 + s_pitch * z294);
-    const bicycle_lanes z297 = c_lam * z295 - s_lam * z296;
-    const bicycle_lanes z298 = a1 * w3_pitch - a3 * w1_pitch + (w1_pitch * z253 - R3 * z296 + (w3_pitch *
-        z254 + z20 * z295));
-    const bicycle_lanes z299 = k9 * z219;
-    const bicycle_lanes z300 = k10 * z219;
-    const bicycle_lanes z301 = z298 - (w3_pitch * z299 - w1_pitch * z300 - (k10 * z295 - k9 * z296));
-    const bicycle_lanes z302 = z50 * z290 + z55 * z281;
-    const bicycle_lanes z303 = z59 * (z29 * z291 + z56 * z267 + z27 * z302) + (z239 * z218 + e2z * z293);
-    const bicycle_lanes z304 = z59 * (z29 * z292 + z28 * z302 + z57 * z267) - z303;
-    const bicycle_lanes z305 = z219 * a3 - w3_pitch * v2_x + (z220 * z253 - R3 * z304);
-    const bicycle_lanes z306 = k10 * w3_pitch + k9 * w1_pitch;
-    const bicycle_lanes z307 = z305 - (z219 * z300 + w3_pitch * z306 - k9 * z303);
-    const bicycle_lanes z308 = w1_pitch * v2_x - z219 * a1 + (z220 * z254 - z20 * z304);
-    const bicycle_lanes z309 = z308 + (w1_pitch * z306 + z219 * z299 + k10 * z303);
-    const bicycle_lanes z310 = c_lam * z307 - s_lam * z309;
-    const bicycle_lanes z311 = c_steer * z301 + s_steer * z310;
-    const bicycle_lanes z312 = c_lam * z296 + s_lam * z295;
-    const bicycle_lanes z313 = z235 * z219 + s_steer * z303 + (z240 * z226 - c_steer * z312);
-    const bicycle_lanes z314 = h2z * k64 - (z227 * z229 + z228 * z230 + (k51 * z297 + (k36 * z311 + k50 *
-        z313)));
-    const bicycle_lanes z315 = k50 * z227 - k51 * w3_steer;
-    const bicycle_lanes z316 = z240 * z219 - c_steer * z303 - (z235 * z226 + s_steer * z312);
-    const bicycle_lanes z317 = c_steer * z310 - s_steer * z301;
-    const bicycle_lanes z318 = c_lam * z309 + s_lam * z307;
-    const bicycle_lanes z319 = z8 * k59 + z9 * k58 + (z8 * k62 - z9 * k61) - (w3_steer * z230 + z227 * z315 -
-        (k47 * z316 + (k33 * z317 - k36 * z318)));
-    const bicycle_lanes z320 = h2z * k63 + (z228 * z315 - w3_steer * z229 - (k44 * z297 - (k33 * z311 - k43 *
-        z313)));
-    const bicycle_lanes z321 = k33 * z227 + k36 * w3_steer;
-    const bicycle_lanes z322 = k33 * z228;
-    const bicycle_lanes z323 = z9 * k60 - (z227 * z321 + z228 * z322 - (k31 * z318 - k36 * z316));
-    const bicycle_lanes z324 = k36 * z228;
-    const bicycle_lanes z325 = h2z * k60 + (w3_steer * z322 - z227 * z324 + (k36 * z297 + (k31 * z311 - k33 *
-        z313)));
-    const bicycle_lanes z326 = z8 * k60 - (z228 * z324 + w3_steer * z321 - (k31 * z317 + k33 * z316));
-    const bicycle_lanes z327 = k27 * z219;
-    const bicycle_lanes z328 = k25 * w1_pitch + k28 * w3_pitch;
-    const bicycle_lanes z329 = e2z * k56 + (w1_pitch * z327 - z219 * z328 + (k29 * z295 + (k23 * z298 - k28 *
-        z296)));
-    const bicycle_lanes z330 = k28 * w1_pitch + k29 * w3_pitch;
-    const bicycle_lanes z331 = z3 * k57 + e3z * k56 + (w3_pitch * z328 - w1_pitch * z330 - (k27 * z303 - (k22
-        * z305 - k23 * z308)));
-    const bicycle_lanes z332 = e2z * k57 - (z219 * z330 - w3_pitch * z327 + (k28 * z295 - (k22 * z298 + k25 *
-        z296)));
-    const bicycle_lanes z333 = k22 * w1_pitch - k23 * w3_pitch;
-    const bicycle_lanes z334 = k22 * z219;
-    const bicycle_lanes z335 = e3z * k55 + (w1_pitch * z333 + z219 * z334 - (k21 * z308 + k23 * z303));
-    const bicycle_lanes z336 = k23 * z219;
-    const bicycle_lanes z337 = z3 * k55 - (z219 * z336 - w3_pitch * z333 - (k21 * z305 - k22 * z303));
-    const bicycle_lanes z338 = e2z * k55 + (w3_pitch * z334 + w1_pitch * z336 + (k23 * z295 + (k21 * z298 +
-        k22 * z296)));
-    const bicycle_lanes z339 = z74 * z329 + (z80 * z331 - (z75 * z332 + (z84 * z335 - (z82 * z337 + z77 *
-        z338))));
-    const bicycle_lanes z340 = z76 * z314 - (z91 * z319 + (z89 * z320 + (z93 * z323 + (z87 * z325 + (z92 *
-        z326 + z339)))));
-    const bicycle_lanes z341 = roll_dot * z225;
-    const bicycle_lanes z342 = z223 * z225 + z340 + z149 * z304 - z150 * z316 - z73 * z341;
-    const bicycle_lanes z343 = z113 * z329 - (z119 * z331 - (z114 * z332 + (z123 * z335 - (z121 * z337 + z116
-        * z338))));
-    const bicycle_lanes z344 = z115 * z314 - (z130 * z319 + (z128 * z320 + (z132 * z323 + (z126 * z325 +
-        (z131 * z326 - z343)))));
-    const bicycle_lanes z345 = z344 + z192 * z304 - z193 * z316 - z112 * z341 - z342 * z153;
-    const bicycle_lanes z346 = z159 * z329 + (z165 * z331 + (z160 * z332 - (z169 * z335 - (z167 * z337 - z162
-        * z338))));
-    const bicycle_lanes z347 = z161 * z314 - (z175 * z319 + (z174 * z320 + (z177 * z323 - (z172 * z325 -
-        (z176 * z326 + z346)))));
-    const bicycle_lanes z348 = z347 + R_yy * (z166 * z304) - F_yy * (z184 * z316) + z158 * z341 - z342 * z189
-        - z196 * z345;
-    const bicycle_lanes z349 = z348 / z197;
-    const bicycle_lanes z350 = z195 * z345 - z196 * z349;
+    const bicycle_lanes z229 = k43 * z226 - k44 * w3_steer;
+    const bicycle_lanes z230 = c_pitch * z217;
+    const bicycle_lanes z231 = roll_dot * z230;
+    const bicycle_lanes z232 = s_pitch * z217;
+    const bicycle_lanes z233 = roll_dot * e2z;
+    const bicycle_lanes z234 = steer_dot * c_steer;
+    const bicycle_lanes z235 = roll_dot * z232;
+    const bicycle_lanes z236 = s_lam * z231 + c_lam * z235;
+    const bicycle_lanes z237 = z234 * z201 - s_steer * z236;
+    const bicycle_lanes z238 = roll_dot * c_roll;
+    const bicycle_lanes z239 = steer_dot * s_steer;
+    const bicycle_lanes z240 = s_pitch * z233 + c_roll * z230;
+    const bicycle_lanes z241 = c_pitch * z233 - c_roll * z232;
+    const bicycle_lanes z242 = s_steer * z238 + e2z * z234 + (z7 * z239 + c_steer * (c_lam * z240 + s_lam *
+        z241));
+    const bicycle_lanes z243 = s_lam * z240 - c_lam * z241;
+    const bicycle_lanes z244 = c_lam * z242 + s_lam * z243;
+    const bicycle_lanes z245 = r_F * z14;
+    const bicycle_lanes z246 = c_lam * z243 - s_lam * z242;
+    const bicycle_lanes z247 = (z10 * z244 + z12 * z246) * (z14 / z13);
+    const bicycle_lanes z248 = z244 * z245 - z11 * z247;
+    const bicycle_lanes z249 = k3 * z237;
+    const bicycle_lanes z250 = r_R * z5;
+    const bicycle_lanes z251 = (z3 * z240 + e3z * z241) * (z5 / z4);
+    const bicycle_lanes z252 = z250 * z241 - z2 * z251;
+    const bicycle_lanes z253 = z250 * z240 - z19 * z251;
+    const bicycle_lanes z254 = k9 * z235 - k10 * z231 + (R3 * z235 - z198 * z252 - (z20 * z231 + z199 *
+        z253));
+    const bicycle_lanes z255 = k12 * z237 + (z234 * z205 + s_steer * z254);
+    const bicycle_lanes z256 = s_lam * z239;
+    const bicycle_lanes z257 = s_lam * z256;
+    const bicycle_lanes z258 = c_lam * z256;
+    const bicycle_lanes z259 = z20 * z257 + z25 * z253 - (R3 * z258 - z26 * z252);
+    const bicycle_lanes z260 = s_lam * z234;
+    const bicycle_lanes z261 = z234 * z16 - s_steer * z248;
+    const bicycle_lanes z262 = z1 * z253;
+    const bicycle_lanes z263 = z18 * z230 - s_pitch * (z6 * z260 - z1 * z252 + c_lam * z261) + (z22 * z232 +
+        c_pitch * (z21 * z260 - z262 - s_lam * z261));
+    const bicycle_lanes z264 = k10 * z257 - k9 * z258 + z259 - (z239 * z16 + c_steer * z248);
+    const bicycle_lanes z265 = z215 * z259 + (z218 * (z233 * z23 + c_roll * z263 + (z238 * z28 - e2z * z264))
+        - z217 * z264);
+    const bicycle_lanes z266 = z15 * z237 - z208 * z248 - (c_lam * z249 + s_lam * z255) + z265;
+    const bicycle_lanes z267 = s_lam * z235 - c_lam * z231;
+    const bicycle_lanes z268 = z239 * z201 + c_steer * z236;
+    const bicycle_lanes z269 = z246 * z245 - z36 * z247;
+    const bicycle_lanes z270 = z37 * (s_lam * z267 + c_lam * z268) - z203 * z269 + (z15 * (s_lam * z268 -
+        c_lam * z267) + z204 * z248);
+    const bicycle_lanes z271 = c_lam * z234;
+    const bicycle_lanes z272 = z34 * z252;
+    const bicycle_lanes z273 = R3 * z271 - z272 - (z20 * z260 - z262);
+    const bicycle_lanes z274 = c_lam * z269 + s_lam * z248;
+    const bicycle_lanes z275 = z239 * z38 - c_steer * z274;
+    const bicycle_lanes z276 = s_lam * z269 - c_lam * z248;
+    const bicycle_lanes z277 = z47 * z230 + s_pitch * (z239 * z6 + c_steer * z252 - c_lam * z275 + s_lam *
+        z276) + (z48 * z232 - c_pitch * (z239 * z21 + c_steer * z253 + s_lam * z275 + c_lam * z276));
+    const bicycle_lanes z278 = k9 * z271 - k10 * z260 + z273 - (z234 * z38 + s_steer * z274);
+    const bicycle_lanes z279 = z215 * z273 - (z218 * (z233 * z49 + c_roll * z277 + (z238 * z39 + e2z * z278))
+        + z217 * z278);
+    const bicycle_lanes z280 = z270 - (k12 * z268 - k3 * z267 + (z239 * z205 - c_steer * z254)) + z279;
+    const bicycle_lanes z281 = c_lam * z239;
+    const bicycle_lanes z282 = s_lam * z281;
+    const bicycle_lanes z283 = c_lam * z281;
+    const bicycle_lanes z284 = z20 * z282 - z31 * z253 - (R3 * z283 + z32 * z252);
+    const bicycle_lanes z285 = z234 * z40 - s_steer * z269;
+    const bicycle_lanes z286 = z52 * z230 - s_pitch * (z6 * z271 - z272 + c_lam * z285) + (z53 * z232 +
+        c_pitch * (z21 * z271 - z34 * z253 - s_lam * z285));
+    const bicycle_lanes z287 = k10 * z282 - k9 * z283 + z284 - (z239 * z40 + c_steer * z269);
+    const bicycle_lanes z288 = z215 * z284 + (z218 * (z233 * z54 + c_roll * z286 - (z238 * z41 + e2z * z287))
+        - z217 * z287);
+    const bicycle_lanes z289 = z37 * z237 - z208 * z269 + (s_lam * z249 - c_lam * z255) + z288;
+    const bicycle_lanes z290 = z33 * z280 - z35 * z289;
+    const bicycle_lanes z291 = z41 * z280 - z39 * z289;
+    const bicycle_lanes z292 = z59 * (z42 * z266 + z28 * z290 - z27 * z291);
+    const bicycle_lanes z293 = z233 * z218 - c_roll * z292;
+    const bicycle_lanes z294 = z231 + (z223 * z232 - c_pitch * z293);
+    const bicycle_lanes z295 = z235 - (z223 * z230 + s_pitch * z293);
+    const bicycle_lanes z296 = c_lam * z294 - s_lam * z295;
+    const bicycle_lanes z297 = a1 * w3_pitch - a3 * w1_pitch + (w1_pitch * z252 - R3 * z295 + (w3_pitch *
+        z253 + z20 * z294));
+    const bicycle_lanes z298 = k9 * z219;
+    const bicycle_lanes z299 = k10 * z219;
+    const bicycle_lanes z300 = z297 - (w3_pitch * z298 - w1_pitch * z299 - (k10 * z294 - k9 * z295));
+    const bicycle_lanes z301 = z50 * z289 + z55 * z280;
+    const bicycle_lanes z302 = z59 * (z29 * z290 + z56 * z266 + z27 * z301) + (z238 * z218 + e2z * z292);
+    const bicycle_lanes z303 = z59 * (z29 * z291 + z28 * z301 + z57 * z266) - z302;
+    const bicycle_lanes z304 = z219 * a3 - w3_pitch * v2_x + (z220 * z252 - R3 * z303);
+    const bicycle_lanes z305 = k10 * w3_pitch + k9 * w1_pitch;
+    const bicycle_lanes z306 = z304 - (z219 * z299 + w3_pitch * z305 - k9 * z302);
+    const bicycle_lanes z307 = w1_pitch * v2_x - z219 * a1 + (z220 * z253 - z20 * z303);
+    const bicycle_lanes z308 = z307 + (w1_pitch * z305 + z219 * z298 + k10 * z302);
+    const bicycle_lanes z309 = c_lam * z306 - s_lam * z308;
+    const bicycle_lanes z310 = c_steer * z300 + s_steer * z309;
+    const bicycle_lanes z311 = c_lam * z295 + s_lam * z294;
+    const bicycle_lanes z312 = z234 * z219 + s_steer * z302 + (z239 * z225 - c_steer * z311);
+    const bicycle_lanes z313 = h2z * k64 - (z226 * z228 + z227 * z229 + (k51 * z296 + (k36 * z310 + k50 *
+        z312)));
+    const bicycle_lanes z314 = k50 * z226 - k51 * w3_steer;
+    const bicycle_lanes z315 = z239 * z219 - c_steer * z302 - (z234 * z225 + s_steer * z311);
+    const bicycle_lanes z316 = c_steer * z309 - s_steer * z300;
+    const bicycle_lanes z317 = c_lam * z308 + s_lam * z306;
+    const bicycle_lanes z318 = z8 * k59 + z9 * k58 + (z8 * k62 - z9 * k61) - (w3_steer * z229 + z226 * z314 -
+        (k47 * z315 + (k33 * z316 - k36 * z317)));
+    const bicycle_lanes z319 = h2z * k63 + (z227 * z314 - w3_steer * z228 - (k44 * z296 - (k33 * z310 - k43 *
+        z312)));
+    const bicycle_lanes z320 = k33 * z226 + k36 * w3_steer;
+    const bicycle_lanes z321 = k33 * z227;
+    const bicycle_lanes z322 = z9 * k60 - (z226 * z320 + z227 * z321 - (k31 * z317 - k36 * z315));
+    const bicycle_lanes z323 = k36 * z227;
+    const bicycle_lanes z324 = h2z * k60 + (w3_steer * z321 - z226 * z323 + (k36 * z296 + (k31 * z310 - k33 *
+        z312)));
+    const bicycle_lanes z325 = z8 * k60 - (z227 * z323 + w3_steer * z320 - (k31 * z316 + k33 * z315));
+    const bicycle_lanes z326 = R_yy * z220 - k27 * z219;
+    const bicycle_lanes z327 = k25 * w1_pitch + k28 * w3_pitch;
+    const bicycle_lanes z328 = e2z * k56 - (w1_pitch * z326 + z219 * z327 - (k29 * z294 + (k23 * z297 - k28 *
+        z295)));
+    const bicycle_lanes z329 = k28 * w1_pitch + k29 * w3_pitch;
+    const bicycle_lanes z330 = z3 * k57 + e3z * k56 + (w3_pitch * z327 - w1_pitch * z329 - (k27 * z302 - (k22
+        * z304 - k23 * z307)));
+    const bicycle_lanes z331 = e2z * k57 - (z219 * z329 + w3_pitch * z326 + (k28 * z294 - (k22 * z297 + k25 *
+        z295)));
+    const bicycle_lanes z332 = k22 * w1_pitch - k23 * w3_pitch;
+    const bicycle_lanes z333 = k22 * z219;
+    const bicycle_lanes z334 = e3z * k55 + (w1_pitch * z332 + z219 * z333 - (k21 * z307 + k23 * z302));
+    const bicycle_lanes z335 = k23 * z219;
+    const bicycle_lanes z336 = z3 * k55 - (z219 * z335 - w3_pitch * z332 - (k21 * z304 - k22 * z302));
+    const bicycle_lanes z337 = e2z * k55 + (w3_pitch * z333 + w1_pitch * z335 + (k23 * z294 + (k21 * z297 +
+        k22 * z295)));
+    const bicycle_lanes z338 = z74 * z328 + (z80 * z330 - (z75 * z331 + (z84 * z334 - (z82 * z336 + z77 *
+        z337))));
+    const bicycle_lanes z339 = z76 * z313 - (z91 * z318 + (z89 * z319 + (z93 * z322 + (z87 * z324 + (z92 *
+        z325 + z338)))));
+    const bicycle_lanes z340 = z339 + z149 * z303 - z150 * z315;
+    const bicycle_lanes z341 = z113 * z328 - (z119 * z330 - (z114 * z331 + (z123 * z334 - (z121 * z336 + z116
+        * z337))));
+    const bicycle_lanes z342 = z115 * z313 - (z130 * z318 + (z128 * z319 + (z132 * z322 + (z126 * z324 +
+        (z131 * z325 - z341)))));
+    const bicycle_lanes z343 = z342 + z192 * z303 - z193 * z315 - z340 * z153;
+    const bicycle_lanes z344 = z159 * z328 + (z165 * z330 + (z160 * z331 - (z169 * z334 - (z167 * z336 - z162
+        * z337))));
+    const bicycle_lanes z345 = z161 * z313 - (z175 * z318 + (z174 * z319 + (z177 * z322 - (z172 * z324 -
+        (z176 * z325 + z344)))));
+    const bicycle_lanes z346 = (z345 + R_yy * (z166 * z303) - F_yy * (z184 * z315) - z340 * z189 - z196 *
+        z343) / z197;
+    const bicycle_lanes z347 = z195 * z343 - z196 * z346;
     /* (I.2.15) */
     const bicycle_lanes slope1 = s_yaw * z224 - c_yaw * z221;
     sum += slope1;
@@ -6457,13 +5829,13 @@ static __attribute__((noinline)) void bicycle_rhs_lanes(const double *fixed, siz
     sum += slope9;
     bicycle_put(dydt + 8 * stride, slope9);
     /* (I.2.15) 112:4 */
-    const bicycle_lanes slope10 = z189 * z349 - (z152 * z342 - z153 * z350);
+    const bicycle_lanes slope10 = z189 * z346 - (z152 * z340 - z153 * z347);
     sum += slope10;
     bicycle_put(dydt + 9 * stride, slope10);
-    const bicycle_lanes slope11 = -z350;
+    const bicycle_lanes slope11 = -z347;
     sum += slope11;
     bicycle_put(dydt + 10 * stride, slope11);
-    const bicycle_lanes slope12 = z349;
+    const bicycle_lanes slope12 = z346;
     sum += slope12;
     bicycle_put(dydt + 11 * stride, slope12);
     bicycle_put(check, bicycle_mark(far + (sum - sum), bad));

@@ -1,5 +1,5 @@
 /*
- * bicycle.h: bicycle, emitted by nhc 0.1.0 (nhc:9f5192646f2c109c)
+ * bicycle.h: bicycle, emitted by nhc 0.1.0 (nhc:d3933044b9b64ba9)
  * Whipple's bicycle, nonlinear; two wheels, rear frame with rider, front frame; x ahead, y right, z down.
  * Source: bicycle.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -62,14 +62,14 @@
  * out[2] = front_height
  *
  * Operations:
- * rhs: 650 +-, 985 *, 8 /, 16 calls
+ * rhs: 647 +-, 980 *, 8 /, 16 calls
  * velocities: 101 +-, 177 *, 3 /, 16 calls
  * accelerations: 267 +-, 426 *, 6 /, 12 calls
  * state: 0 +-, 0 *, 0 /, 0 calls
  * residuals: 108 +-, 185 *, 2 /, 12 calls
- * reactions: 1021 +-, 1367 *, 5 /, 12 calls
+ * reactions: 567 +-, 865 *, 5 /, 12 calls
  * energy: 214 +-, 349 *, 3 /, 12 calls
- * jacobian: 4283 +-, 5921 *, 11 /, 16 calls
+ * jacobian: 4250 +-, 5860 *, 11 /, 16 calls
  * outputs: 93 +-, 157 *, 3 /, 14 calls
  *
  * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.

@@ -1,5 +1,5 @@
 /*
- * chaplygin_sleigh.c: chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:7b0c1c63c6eea864)
+ * chaplygin_sleigh.c: chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:ed20d8c5bc22d0b5)
  * A rigid body on a knife edge; the centre of mass is a distance a ahead of the edge.
  * Source: chaplygin_sleigh.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -306,13 +306,14 @@ int chaplygin_sleigh_reactions(double t, const double *y, const double *p, doubl
     const double a = p[2]; /* from the edge to the centre of mass [m] */
 
     /* parameters only */
-    const double k1 = m * a;
-    const double k2 = J + a * k1;
-    const double k3 = m - k1 * k1 / k2;
+    const double k1 = a * (m * a);
+    const double k2 = J + k1;
+    const double k3 = k1 / k2;
 
     /* state */
+    const double z1 = v * w;
     /* (I.4.1) 19:5 */
-    lambda[0] = v * w * k3; /* reaction of slip: Q_i gains lambda_1 a_1i */
+    lambda[0] = m * (z1 - z1 * k3); /* reaction of slip: Q_i gains lambda_1 a_1i */
     /* the mass matrix is singular */
     if (!(fabs(m) > 0.0)) {
         return CHAPLYGIN_SLEIGH_SINGULAR_2;

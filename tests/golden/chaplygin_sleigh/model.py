@@ -1,4 +1,4 @@
-"""chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:4a70209e43a92e2c).
+"""chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:4a0a3cc146ab9dad).
 
 A rigid body on a knife edge; the centre of mass is a distance a ahead of the edge.
 Source: chaplygin_sleigh.yaml
@@ -270,9 +270,9 @@ def reactions(
     a = float(p[2])  # from the edge to the centre of mass [m]
     try:
         # parameters only
-        k1 = m * a
-        k2 = J + a * k1
-        k3 = m - k1 * k1 / k2
+        k1 = a * (m * a)
+        k2 = J + k1
+        k3 = k1 / k2
         # state
         # the mass matrix is singular
         if not abs(m) > 0.0:
@@ -280,9 +280,10 @@ def reactions(
         # the mass matrix is singular
         if not abs(k2) > 0.0:
             raise SingularModelError(2, "reactions")
+        z1 = v * w
         lambda_: list[float] = [
             # reaction of slip: Q_i gains lambda_1 a_1i (I.4.1) 19:5
-            v * w * k3,
+            m * (z1 - z1 * k3),
         ]
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:

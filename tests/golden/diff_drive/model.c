@@ -1,5 +1,5 @@
 /*
- * diff_drive.c: diff_drive, emitted by nhc 0.1.0 (nhc:d6b366585467c456)
+ * diff_drive.c: diff_drive, emitted by nhc 0.1.0 (nhc:17bded1301ee420c)
  * A cart with two driven wheels and a caster; three velocity constraints, one of which is holonomic in
  *     disguise.
  * Source: diff_drive.yaml
@@ -390,40 +390,35 @@ int diff_drive_reactions(double t, const double *y, const double *p, double *lam
     /* parameters only */
     const double k1 = 1.0 / r;
     const double k2 = b * k1;
-    const double k3 = J_w * k1;
-    const double k4 = k1 * k3;
-    const double k5 = m + 2.0 * k4;
-    const double k6 = k2 * k3;
-    const double k7 = m * d;
-    const double k8 = tau_R * k1;
-    const double k9 = tau_L * k1;
-    const double k10 = k1 * (tau_R + tau_L);
-    const double k11 = d * k7 + (I + 2.0 * (k2 * (J_w * k2)));
-    const double k12 = k2 * (tau_R - tau_L);
-    const double k13 = 1.0 / k5;
-    const double k14 = 1.0 / k11;
+    const double k3 = m + 2.0 * (k1 * (J_w * k1));
+    const double k4 = m * d;
+    const double k5 = k1 * (tau_R + tau_L);
+    const double k6 = d * k4 + (I + 2.0 * (k2 * (J_w * k2)));
+    const double k7 = k2 * (tau_R - tau_L);
+    const double k8 = 1.0 / k3;
+    const double k9 = 1.0 / k6;
 
     /* state */
     const double z1 = v * w;
-    const double z2 = (z1 * k7 - k12) * k14;
-    const double z3 = k4 * ((k7 * (w * w) + k10) * k13);
-    const double z4 = k6 * z2;
+    const double z2 = (z1 * k4 - k7) * k9;
+    const double z3 = k1 * ((k4 * (w * w) + k5) * k8);
+    const double z4 = k2 * z2;
     /* (I.4.1) 29:5 */
-    lambda[0] = m * z1 - k7 * z2; /* reaction of slip: Q_i gains lambda_1 a_1i */
+    lambda[0] = m * (z1 - d * z2); /* reaction of slip: Q_i gains lambda_1 a_1i */
     /* (I.4.1) 30:5 */
-    lambda[1] = k8 - (z3 - z4); /* reaction of roll_R: Q_i gains lambda_2 a_2i */
+    lambda[1] = k1 * (tau_R - J_w * (z3 - z4)); /* reaction of roll_R: Q_i gains lambda_2 a_2i */
     /* (I.4.1) 31:5 */
-    lambda[2] = k9 - (z3 + z4); /* reaction of roll_L: Q_i gains lambda_3 a_3i */
+    lambda[2] = k1 * (tau_L - J_w * (z3 + z4)); /* reaction of roll_L: Q_i gains lambda_3 a_3i */
     /* the coframe is singular */
     if (!(fabs(r) > 0.0)) {
         return DIFF_DRIVE_SINGULAR_1;
     }
     /* the mass matrix is singular */
-    if (!(fabs(k5) > 0.0)) {
+    if (!(fabs(k3) > 0.0)) {
         return DIFF_DRIVE_SINGULAR_2;
     }
     /* the mass matrix is singular */
-    if (!(fabs(k11) > 0.0)) {
+    if (!(fabs(k6) > 0.0)) {
         return DIFF_DRIVE_SINGULAR_2;
     }
     return diff_drive_finish(3, lambda);

@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""diff_drive, emitted by nhc 0.1.0 (nhc:e0dbf30b3b2d1099).
+"""diff_drive, emitted by nhc 0.1.0 (nhc:72e1302567ca84b4).
 
 A cart with two driven wheels and a caster; three velocity constraints, one of which
     is holonomic in disguise.
@@ -37,7 +37,7 @@ velocities: 2 +-, 5 *, 1 /, 2 calls
 accelerations: 11 +-, 24 *, 3 /, 2 calls
 state: 1 +-, 2 *, 0 /, 2 calls
 residuals: 6 +-, 7 *, 0 /, 2 calls
-reactions: 12 +-, 24 *, 3 /, 0 calls
+reactions: 12 +-, 25 *, 3 /, 0 calls
 energy: 4 +-, 13 *, 1 /, 0 calls
 jacobian: 3 +-, 17 *, 3 /, 2 calls
 outputs: 0 +-, 0 *, 0 /, 0 calls
@@ -358,39 +358,34 @@ def reactions(
         # parameters only
         k1 = 1.0 / r
         k2 = b * k1
-        k3 = J_w * k1
-        k4 = k1 * k3
-        k5 = m + 2.0 * k4
-        k6 = k2 * k3
-        k7 = m * d
-        k8 = tau_R * k1
-        k9 = tau_L * k1
-        k10 = k1 * (tau_R + tau_L)
-        k11 = d * k7 + (I + 2.0 * (k2 * (J_w * k2)))
-        k12 = k2 * (tau_R - tau_L)
-        k13 = 1.0 / k5
-        k14 = 1.0 / k11
+        k3 = m + 2.0 * (k1 * (J_w * k1))
+        k4 = m * d
+        k5 = k1 * (tau_R + tau_L)
+        k6 = d * k4 + (I + 2.0 * (k2 * (J_w * k2)))
+        k7 = k2 * (tau_R - tau_L)
+        k8 = 1.0 / k3
+        k9 = 1.0 / k6
         # state
         # the coframe is singular
         if not abs(r) > 0.0:
             raise SingularModelError(1, "reactions")
         # the mass matrix is singular
-        if not abs(k5) > 0.0:
+        if not abs(k3) > 0.0:
             raise SingularModelError(2, "reactions")
         # the mass matrix is singular
-        if not abs(k11) > 0.0:
+        if not abs(k6) > 0.0:
             raise SingularModelError(2, "reactions")
         z1 = v * w
-        z2 = (z1 * k7 - k12) * k14
-        z3 = k4 * ((k7 * (w * w) + k10) * k13)
-        z4 = k6 * z2
+        z2 = (z1 * k4 - k7) * k9
+        z3 = k1 * ((k4 * (w * w) + k5) * k8)
+        z4 = k2 * z2
         lambda_: list[float] = [
             # reaction of slip: Q_i gains lambda_1 a_1i (I.4.1) 29:5
-            m * z1 - k7 * z2,
+            m * (z1 - d * z2),
             # reaction of roll_R: Q_i gains lambda_2 a_2i (I.4.1) 30:5
-            k8 - (z3 - z4),
+            k1 * (tau_R - J_w * (z3 - z4)),
             # reaction of roll_L: Q_i gains lambda_3 a_3i (I.4.1) 31:5
-            k9 - (z3 + z4),
+            k1 * (tau_L - J_w * (z3 + z4)),
         ]
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:

@@ -1,5 +1,5 @@
 /*
- * n_snake3.c: n_snake3, emitted by nhc 0.1.0 (nhc:0956470baae4c644)
+ * n_snake3.c: n_snake3, emitted by nhc 0.1.0 (nhc:facaa2246bf4ce10)
  * Three links with a wheeled axle under the middle of each, hinged in a row with springs in the hinges.
  * Source: n_snake3.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -499,10 +499,7 @@ int n_snake3_reactions(double t, const double *y, const double *p, double *lambd
     const double k3 = k1 * k2;
     const double k4 = m * a;
     const double k5 = a * k4;
-    const double k6 = k2 - k4;
-    const double k7 = m - k3;
-    const double k8 = k2 + k4;
-    const double k9 = m * k1;
+    const double k6 = m * k1;
 
     /* state */
     const double z3 = c1 * c2 + s1 * s2;
@@ -515,55 +512,47 @@ int n_snake3_reactions(double t, const double *y, const double *p, double *lambd
     const double z10 = s2 * z8 + c2 * z9;
     const double z11 = c2 * z8 - s2 * z9;
     const double z12 = J * z4 + k3 * (z10 * z10) + z5 * k5 + m * (z11 * z11);
-    const double z13 = m * z11;
-    const double z14 = c1 * s1;
-    const double z15 = z6 * k3;
-    const double z16 = z3 * z13 + (z14 * k4 - (k2 * z14 - z10 * z15));
+    const double z13 = c1 * s1;
+    const double z14 = z10 * k3;
+    const double z15 = m * z11;
+    const double z16 = z13 * k4 - (k2 * z13 - z6 * z14) + z3 * z15;
     const double z17 = 1.0 / z7;
     const double z18 = z17 * z16;
     const double z19 = z12 - z16 * z18;
     const double z20 = a * w;
-    const double z21 = v * s1 - c1 * z20;
-    const double z22 = k1 * z21;
-    const double z23 = w - z22;
-    const double z24 = c1 * z23;
-    const double z25 = s1 * z23;
-    const double z26 = v * z24 + z20 * z25;
-    const double z27 = c1 * z26;
     const double v1_x2 = v * c1 + s1 * z20;
-    const double z28 = s2 * v1_x2 - c2 * z21;
-    const double z29 = k1 * (z21 - z28);
-    const double z30 = c2 * z29;
-    const double z31 = v * z25 - z20 * z24;
-    const double z32 = s2 * z29;
-    const double z33 = v1_x2 * z30 - s2 * z31 + (z21 * z32 - c2 * z26);
-    const double z34 = s1 * z31;
-    const double z35 = v1_x2 * z32 + c2 * z31 - (z21 * z30 + s2 * z26);
-    const double z36 = z1 * k1;
-    const double z37 = z2 * k1;
-    const double z38 = m * (v * w) + (k3 * (z27 - z3 * z33) + m * (z34 - z6 * z35)) - k * (c1 * z36 - (c1 +
-        z3) * z37);
-    const double z39 = k3 * (s1 * z26 + z6 * z33) - m * (c1 * z31 + z3 * z35) - k * (s1 * z36 - (s1 - z6) *
-        z37);
-    const double z40 = z33 * k3;
-    const double z41 = k * (z1 * (1.0 + c1) - z2 * (c1 + k1 * z10)) - (z35 * z13 + (k4 * z34 + (k2 * z27 -
-        z10 * z40)));
-    const double z42 = (z41 - z39 * z18) / z19;
-    const double z43 = z17 * z39 - z18 * z42;
-    const double z44 = z6 * k6;
-    const double z45 = k7 * ((z14 - z6 * z3) * z43) + z42 * (k8 + c2 * (c2 * k6 + 2.0 * (s1 * z44)));
-    const double z46 = m * s2;
-    const double z47 = k * (z36 - z2 * (k1 + 2.0 * (c2 * k1))) + (m * (z22 * v1_x2) - (z26 * k3 - 2.0 * (c2 *
-        z40)) + 2.0 * (z35 * z46));
-    const double z48 = z43 * (s1 * k3 - 2.0 * (c2 * z15) + 2.0 * (z3 * z46)) - z42 * (3.0 * (c1 * k2) - 2.0 *
-        (s2 * z44));
-    const double z49 = k * z37 - (z40 - k9 * (z28 * (c2 * v1_x2 + s2 * z21))) + (z15 * z43 + k2 * (z3 * z42));
+    const double z21 = v * s1 - c1 * z20;
+    const double z22 = s2 * v1_x2 - c2 * z21;
+    const double z23 = k1 * (z21 - z22);
+    const double z24 = s2 * z23;
+    const double z25 = k1 * z21;
+    const double z26 = w - z25;
+    const double z27 = s1 * z26;
+    const double z28 = c1 * z26;
+    const double z29 = v * z27 - z20 * z28;
+    const double z30 = c2 * z23;
+    const double z31 = v * z28 + z20 * z27;
+    const double z32 = v1_x2 * z24 + c2 * z29 - (z21 * z30 + s2 * z31);
+    const double z33 = v1_x2 * z30 - s2 * z29 + (z21 * z24 - c2 * z31);
+    const double z34 = s1 * k1;
+    const double z35 = k3 * (s1 * z31 + z6 * z33) - m * (c1 * z29 + z3 * z32) - k * (z1 * z34 - k1 * (z2 *
+        (s1 - z6)));
+    const double z36 = k1 * z10;
+    const double z37 = k * (z1 * (1.0 + c1) - z2 * (c1 + z36)) - (k4 * (s1 * z29) + (k2 * (c1 * z31) - z33 *
+        z14) + z32 * z15);
+    const double z38 = (z37 - z18 * z35) / z19;
+    const double z39 = z17 * z35 - z18 * z38;
+    const double z40 = m * (z32 + (z3 * z39 + z11 * z38));
+    const double z41 = k1 * (k * z2 - J * (k1 * z33 - (k1 * (z6 * z39) + z36 * z38)));
+    const double z42 = s2 * z40 - c2 * z41;
+    const double z43 = z42 + k1 * (k * (z1 - z2) - J * (k1 * z31 - (z34 * z39 - c1 * z38)));
+    const double z44 = c1 * z43 - s1 * (m * (z29 + (c1 * z39 + z8 * z38)) + s2 * z41 + c2 * z40);
     /* (I.4.1) 25:5 */
-    lambda[0] = z38 + z45; /* reaction of wheel1: Q_i gains lambda_1 a_1i */
+    lambda[0] = m * (v * w) - z44; /* reaction of wheel1: Q_i gains lambda_1 a_1i */
     /* (I.4.1) 26:5 */
-    lambda[1] = z47 + z48; /* reaction of wheel2: Q_i gains lambda_2 a_2i */
+    lambda[1] = m * (z25 * v1_x2) + z42 + z43; /* reaction of wheel2: Q_i gains lambda_2 a_2i */
     /* (I.4.1) 27:5 */
-    lambda[2] = z49; /* reaction of wheel3: Q_i gains lambda_3 a_3i */
+    lambda[2] = k6 * (z22 * (c2 * v1_x2 + s2 * z21)) + z41; /* reaction of wheel3: Q_i gains lambda_3 a_3i */
     /* the coframe is singular */
     if (!(fabs(a) > 0.0)) {
         return N_SNAKE3_SINGULAR_1;
@@ -697,10 +686,10 @@ int n_snake3_jacobian(double t, const double *y, const double *p, double *J)
     const double z32 = v1_x2 * z28 - z23 * z30;
     const double z33 = k1 * (c2 * z31 - s2 * z32);
     const double z34 = m * c1 + c2 * z28 + s2 * z30;
-    const double z35 = c2 * z30 - (s1 * k3 + s2 * z28);
-    const double z36 = z20 * z34 - v * z35;
-    const double z37 = z20 * z35 + v * z34;
-    const double z38 = c1 * z36 - s1 * z37;
+    const double z35 = s1 * k3 + s2 * z28 - c2 * z30;
+    const double z36 = z20 * z34 + v * z35;
+    const double z37 = z20 * z35 - v * z34;
+    const double z38 = c1 * z36 + s1 * z37;
     const double z39 = z27 * z28 + z29 * z30 + z33 + c2 * z33 - k1 * z38;
     const double z40 = z29 * z28 - z27 * z30 + s2 * z33;
     const double z41 = w - k1 * z23;
@@ -729,7 +718,7 @@ int n_snake3_jacobian(double t, const double *y, const double *p, double *J)
     const double z64 = m * z59;
     const double z65 = z3 * z64;
     const double z66 = z61 + z63 + 2.0 * z65;
-    const double z67 = z41 * z37 - (z44 * k3 + z45 + c1 * z58 - 2.0 * (s1 * z60)) + s2 * z66;
+    const double z67 = z41 * z37 + (z44 * k3 + z45 + c1 * z58 - 2.0 * (s1 * z60)) - s2 * z66;
     const double z68 = z3 * z62;
     const double z69 = k3 * z57;
     const double z70 = z6 * z69;
@@ -737,7 +726,7 @@ int n_snake3_jacobian(double t, const double *y, const double *p, double *J)
     const double z72 = z10 * z69;
     const double z73 = z6 * z60;
     const double z74 = z71 - z45 - z72 - 2.0 * z73;
-    const double z75 = v * z39 - (z20 * z40 + z67) - a * (c2 * z68 + s2 * z70) - c2 * z74;
+    const double z75 = v * z39 - (z20 * z40 - z67) - a * (c2 * z68 + s2 * z70) - c2 * z74;
     const double z76 = z20 * z39 - (z41 * z36 - (m * z49 - s1 * z58 + 2.0 * (c1 * z64)) - c2 * z66);
     const double z77 = k * z22 + c1 * (z1 * k7 - z75) - s1 * (v * z40 + z76 - a * (s2 * z68 - c2 * z70) - s2
         * z74);
@@ -771,9 +760,9 @@ int n_snake3_jacobian(double t, const double *y, const double *p, double *J)
     const double z105 = k * z48 + c2 * (z103 + z8 * z92 + c1 * z93) + s2 * (z104 - z9 * z92 + s1 * z93);
     const double z106 = z46 * (z97 + z105 + z18 * z102);
     const double z107 = z46 * (z105 + z18 * z101);
-    const double z108 = z42 * z35 + z43 * z34 - s1 * z39 + c1 * z40;
-    const double z109 = z46 * (z42 * z82 + z43 * z81 - s1 * z86 + c1 * z87 - z18 * z108);
-    const double z110 = z38 + a * (z42 * z34 - z43 * z35 - s1 * z40 - c1 * z39);
+    const double z108 = z42 * z35 - z43 * z34 + s1 * z39 - c1 * z40;
+    const double z109 = z46 * (z42 * z82 + z43 * z81 - s1 * z86 + c1 * z87 + z18 * z108);
+    const double z110 = z38 + a * (z42 * z34 + z43 * z35 - s1 * z40 - c1 * z39);
     const double z111 = z85 + a * (z42 * z81 - z43 * z82 - s1 * z87 - c1 * z86) - z18 * z110;
     const double z112 = z46 * z111;
     /* (I.2.15) */
@@ -794,7 +783,7 @@ int n_snake3_jacobian(double t, const double *y, const double *p, double *J)
     J[37] = z17 * z77 + z18 * z98;
     J[38] = -(z17 * z102 + z18 * z106);
     J[39] = z17 * z101 + z18 * z107;
-    J[40] = z17 * z108 - z18 * z109;
+    J[40] = -(z17 * z108 + z18 * z109);
     J[41] = z18 * z112 - z17 * z110;
     J[44] = -z98;
     J[45] = z106;

@@ -1,4 +1,4 @@
-"""n_snake3, emitted by nhc 0.1.0 (nhc:5ade1ac70db4c62c).
+"""n_snake3, emitted by nhc 0.1.0 (nhc:309a4f422100f3b6).
 
 Three links with a wheeled axle under the middle of each, hinged in a row with
     springs in the hinges.
@@ -32,7 +32,7 @@ velocities: 5 +-, 11 *, 1 /, 6 calls
 accelerations: 56 +-, 97 *, 3 /, 6 calls
 state: 1 +-, 2 *, 0 /, 2 calls
 residuals: 11 +-, 15 *, 0 /, 6 calls
-reactions: 76 +-, 135 *, 3 /, 4 calls
+reactions: 66 +-, 118 *, 3 /, 4 calls
 energy: 23 +-, 32 *, 1 /, 10 calls
 jacobian: 191 +-, 301 *, 3 /, 6 calls
 outputs: 0 +-, 0 *, 0 /, 0 calls
@@ -450,10 +450,7 @@ def reactions(
         k3 = k1 * k2
         k4 = m * a
         k5 = a * k4
-        k6 = k2 - k4
-        k7 = m - k3
-        k8 = k2 + k4
-        k9 = m * k1
+        k6 = m * k1
         # state
         # the coframe is singular
         if not abs(a) > 0.0:
@@ -477,10 +474,10 @@ def reactions(
         z10 = s2 * z8 + c2 * z9
         z11 = c2 * z8 - s2 * z9
         z12 = J * z4 + k3 * (z10 * z10) + z5 * k5 + m * (z11 * z11)
-        z13 = m * z11
-        z14 = c1 * s1
-        z15 = z6 * k3
-        z16 = z3 * z13 + (z14 * k4 - (k2 * z14 - z10 * z15))
+        z13 = c1 * s1
+        z14 = z10 * k3
+        z15 = m * z11
+        z16 = z13 * k4 - (k2 * z13 - z6 * z14) + z3 * z15
         z17 = 1.0 / z7
         z18 = z17 * z16
         z19 = z12 - z16 * z18
@@ -488,51 +485,42 @@ def reactions(
         if not abs(z19) > 1e-14 * z12:
             raise SingularModelError(2, "reactions")
         z20 = a * w
-        z21 = v * s1 - c1 * z20
-        z22 = k1 * z21
-        z23 = w - z22
-        z24 = c1 * z23
-        z25 = s1 * z23
-        z26 = v * z24 + z20 * z25
-        z27 = c1 * z26
         v1_x2 = v * c1 + s1 * z20
-        z28 = s2 * v1_x2 - c2 * z21
-        z29 = k1 * (z21 - z28)
-        z30 = c2 * z29
-        z31 = v * z25 - z20 * z24
-        z32 = s2 * z29
-        z33 = v1_x2 * z30 - s2 * z31 + (z21 * z32 - c2 * z26)
-        z34 = s1 * z31
-        z35 = v1_x2 * z32 + c2 * z31 - (z21 * z30 + s2 * z26)
-        z36 = z1 * k1
-        z37 = z2 * k1
-        s3 = m * (v * w) + (k3 * (z27 - z3 * z33) + m * (z34 - z6 * z35))
-        z38 = s3 - k * (c1 * z36 - (c1 + z3) * z37)
-        s4 = k3 * (s1 * z26 + z6 * z33) - m * (c1 * z31 + z3 * z35)
-        z39 = s4 - k * (s1 * z36 - (s1 - z6) * z37)
-        z40 = z33 * k3
-        s5 = z35 * z13 + (k4 * z34 + (k2 * z27 - z10 * z40))
-        z41 = k * (z1 * (1.0 + c1) - z2 * (c1 + k1 * z10)) - s5
-        z42 = (z41 - z39 * z18) / z19
-        z43 = z17 * z39 - z18 * z42
-        z44 = z6 * k6
-        s6 = z42 * (k8 + c2 * (c2 * k6 + 2.0 * (s1 * z44)))
-        z45 = k7 * ((z14 - z6 * z3) * z43) + s6
-        z46 = m * s2
-        s7 = m * (z22 * v1_x2) - (z26 * k3 - 2.0 * (c2 * z40))
-        s8 = k * (z36 - z2 * (k1 + 2.0 * (c2 * k1)))
-        z47 = s8 + (s7 + 2.0 * (z35 * z46))
-        s9 = z43 * (s1 * k3 - 2.0 * (c2 * z15) + 2.0 * (z3 * z46))
-        z48 = s9 - z42 * (3.0 * (c1 * k2) - 2.0 * (s2 * z44))
-        s10 = k * z37 - (z40 - k9 * (z28 * (c2 * v1_x2 + s2 * z21)))
-        z49 = s10 + (z15 * z43 + k2 * (z3 * z42))
+        z21 = v * s1 - c1 * z20
+        z22 = s2 * v1_x2 - c2 * z21
+        z23 = k1 * (z21 - z22)
+        z24 = s2 * z23
+        z25 = k1 * z21
+        z26 = w - z25
+        z27 = s1 * z26
+        z28 = c1 * z26
+        z29 = v * z27 - z20 * z28
+        z30 = c2 * z23
+        z31 = v * z28 + z20 * z27
+        z32 = v1_x2 * z24 + c2 * z29 - (z21 * z30 + s2 * z31)
+        z33 = v1_x2 * z30 - s2 * z29 + (z21 * z24 - c2 * z31)
+        z34 = s1 * k1
+        s3 = k3 * (s1 * z31 + z6 * z33) - m * (c1 * z29 + z3 * z32)
+        z35 = s3 - k * (z1 * z34 - k1 * (z2 * (s1 - z6)))
+        z36 = k1 * z10
+        s4 = k4 * (s1 * z29) + (k2 * (c1 * z31) - z33 * z14) + z32 * z15
+        z37 = k * (z1 * (1.0 + c1) - z2 * (c1 + z36)) - s4
+        z38 = (z37 - z18 * z35) / z19
+        z39 = z17 * z35 - z18 * z38
+        z40 = m * (z32 + (z3 * z39 + z11 * z38))
+        z41 = k1 * (k * z2 - J * (k1 * z33 - (k1 * (z6 * z39) + z36 * z38)))
+        z42 = s2 * z40 - c2 * z41
+        s5 = k1 * (k * (z1 - z2) - J * (k1 * z31 - (z34 * z39 - c1 * z38)))
+        z43 = z42 + s5
+        s6 = s1 * (m * (z29 + (c1 * z39 + z8 * z38)) + s2 * z41 + c2 * z40)
+        z44 = c1 * z43 - s6
         lambda_: list[float] = [
             # reaction of wheel1: Q_i gains lambda_1 a_1i (I.4.1) 25:5
-            z38 + z45,
+            m * (v * w) - z44,
             # reaction of wheel2: Q_i gains lambda_2 a_2i (I.4.1) 26:5
-            z47 + z48,
+            m * (z25 * v1_x2) + z42 + z43,
             # reaction of wheel3: Q_i gains lambda_3 a_3i (I.4.1) 27:5
-            z49,
+            k6 * (z22 * (c2 * v1_x2 + s2 * z21)) + z41,
         ]
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -672,10 +660,10 @@ def jacobian(
         z32 = v1_x2 * z28 - z23 * z30
         z33 = k1 * (c2 * z31 - s2 * z32)
         z34 = m * c1 + c2 * z28 + s2 * z30
-        z35 = c2 * z30 - (s1 * k3 + s2 * z28)
-        z36 = z20 * z34 - v * z35
-        z37 = z20 * z35 + v * z34
-        z38 = c1 * z36 - s1 * z37
+        z35 = s1 * k3 + s2 * z28 - c2 * z30
+        z36 = z20 * z34 + v * z35
+        z37 = z20 * z35 - v * z34
+        z38 = c1 * z36 + s1 * z37
         z39 = z27 * z28 + z29 * z30 + z33 + c2 * z33 - k1 * z38
         z40 = z29 * z28 - z27 * z30 + s2 * z33
         z41 = w - k1 * z23
@@ -706,8 +694,8 @@ def jacobian(
         z64 = m * z59
         z65 = z3 * z64
         z66 = z61 + z63 + 2.0 * z65
-        s5 = z41 * z37 - (z44 * k3 + z45 + c1 * z58 - 2.0 * (s1 * z60))
-        z67 = s5 + s2 * z66
+        s5 = z41 * z37 + (z44 * k3 + z45 + c1 * z58 - 2.0 * (s1 * z60))
+        z67 = s5 - s2 * z66
         z68 = z3 * z62
         z69 = k3 * z57
         z70 = z6 * z69
@@ -715,7 +703,7 @@ def jacobian(
         z72 = z10 * z69
         z73 = z6 * z60
         z74 = z71 - z45 - z72 - 2.0 * z73
-        s6 = v * z39 - (z20 * z40 + z67) - a * (c2 * z68 + s2 * z70)
+        s6 = v * z39 - (z20 * z40 - z67) - a * (c2 * z68 + s2 * z70)
         z75 = s6 - c2 * z74
         s7 = z41 * z36 - (m * z49 - s1 * z58 + 2.0 * (c1 * z64))
         z76 = z20 * z39 - (s7 - c2 * z66)
@@ -761,10 +749,10 @@ def jacobian(
         z105 = s18 + s2 * (z104 - z9 * z92 + s1 * z93)
         z106 = z46 * (z97 + z105 + z18 * z102)
         z107 = z46 * (z105 + z18 * z101)
-        z108 = z42 * z35 + z43 * z34 - s1 * z39 + c1 * z40
-        s19 = z42 * z82 + z43 * z81 - s1 * z86 + c1 * z87 - z18 * z108
+        z108 = z42 * z35 - z43 * z34 + s1 * z39 - c1 * z40
+        s19 = z42 * z82 + z43 * z81 - s1 * z86 + c1 * z87 + z18 * z108
         z109 = z46 * s19
-        z110 = z38 + a * (z42 * z34 - z43 * z35 - s1 * z40 - c1 * z39)
+        z110 = z38 + a * (z42 * z34 + z43 * z35 - s1 * z40 - c1 * z39)
         s20 = z85 + a * (z42 * z81 - z43 * z82 - s1 * z87 - c1 * z86)
         z111 = s20 - z18 * z110
         z112 = z46 * z111
@@ -827,7 +815,7 @@ def jacobian(
             # (I.2.15)
             z17 * z101 + z18 * z107,
             # (I.2.15)
-            z17 * z108 - z18 * z109,
+            -(z17 * z108 + z18 * z109),
             # (I.2.15)
             z18 * z112 - z17 * z110,
             0.0,

@@ -1,5 +1,5 @@
 /*
- * n_trailer3.c: n_trailer3, emitted by nhc 0.1.0 (nhc:a0416ec190faec52)
+ * n_trailer3.c: n_trailer3, emitted by nhc 0.1.0 (nhc:05072b720d0cc736)
  * A tractor with three trailers, each hitched to the axle before it; none of the four axles slips sideways.
  * Source: n_trailer3.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -470,52 +470,47 @@ int n_trailer3_reactions(double t, const double *y, const double *p, double *lam
 
     /* parameters only */
     const double k1 = 1.0 / L;
-    const double k2 = k1 * (J * k1);
+    const double k2 = J * k1;
+    const double k3 = k1 * k2;
 
     /* state */
     const double z4 = c1 * c2;
     const double z5 = s1 * z4;
     const double z6 = c1 * s3;
     const double z7 = c3 * z4;
-    const double z8 = m0 + k2 * (z5 * z5 + (s2 * s2 + z6 * z6)) + m * (z7 * z7 + (c1 * c1 + z4 * z4));
-    const double z9 = v * k1;
-    const double z10 = (z6 - z5) * z9;
-    const double z11 = s2 * z9;
-    const double z12 = w - z11;
-    const double z13 = s2 * z12;
-    const double z14 = (s2 - z6) * z9;
-    const double z15 = c2 * z13 + z6 * z14;
-    const double z16 = z7 * z10 - s1 * z15;
-    const double z17 = s2 * c2;
-    const double z18 = s1 * z17;
-    const double z19 = c1 * z12;
-    const double z20 = s3 * z13 - z4 * z14;
-    const double z21 = s2 * s3;
-    const double z22 = z5 * z10 + c3 * z15;
-    const double z23 = c3 * z17;
-    const double z24 = k2 * (z16 * z18 - (c1 * z19 + z20 * z21)) - m * (z22 * z23 + (s2 * z13 + z15 * z17));
-    const double z25 = c1 * s2;
-    const double z26 = k2 * (z5 * z18 - (z25 - z6 * z21)) + m * (z7 * z23 + (z25 + z4 * z17));
-    const double z27 = m * (z7 * z22 + (c1 * z13 + z4 * z15)) - k2 * (z5 * z16 - (z6 * z20 - s2 * z19));
-    const double z28 = v * z27 / z8;
-    const double z29 = m * v;
-    const double z30 = s3 * s1;
-    const double z31 = s3 * c3;
-    const double z32 = v * (k2 * (z16 * z30 + (z19 + c2 * z20)) - m * (s3 * z15 + z22 * z31));
-    const double z33 = (k2 * (z5 * z30 + (s2 - c2 * z6)) + m * (s3 * z4 + z7 * z31)) * z28;
-    const double z34 = z9 * z29;
-    const double z35 = m * s1;
-    const double z36 = z4 * (z6 * z34) + v * (k2 * (z20 + c3 * z16) + z22 * z35) - z28 * (k2 * (z6 - c3 * z5)
-        + z7 * z35);
+    const double z8 = m0 + k3 * (z5 * z5 + (s2 * s2 + z6 * z6)) + m * (z7 * z7 + (c1 * c1 + z4 * z4));
+    const double z9 = s2 * k1;
+    const double z10 = v * z9;
+    const double z11 = w - z10;
+    const double z12 = c1 * z11;
+    const double z13 = v * k1;
+    const double z14 = (z6 - z5) * z13;
+    const double z15 = s2 * z11;
+    const double z16 = (s2 - z6) * z13;
+    const double z17 = c2 * z15 + z6 * z16;
+    const double z18 = z7 * z14 - s1 * z17;
+    const double z19 = s3 * z15 - z4 * z16;
+    const double z20 = z5 * z14 + c3 * z17;
+    const double z21 = k3 * (z5 * z18 + (s2 * z12 - z6 * z19)) - m * (z7 * z20 + (c1 * z15 + z4 * z17));
+    const double z22 = v * z21 / z8;
+    const double z23 = k2 * (z12 * z13 - z9 * z22);
+    const double z24 = k1 * z6;
+    const double z25 = k2 * (z13 * z19 + z24 * z22);
+    const double z26 = k1 * z5;
+    const double z27 = k2 * (z13 * z18 - z26 * z22);
+    const double z28 = m * (v * z20 + z7 * z22);
+    const double z29 = m * (v * z17 + z4 * z22) - s1 * z27 + c3 * z28;
+    const double z30 = m0 * (v * w) + c1 * z23 + s2 * (m * (v * z15 + c1 * z22) + s3 * z25 + c2 * z29);
+    const double z31 = m * v;
+    const double z32 = v * z31;
     /* (I.4.1) 32:5 */
-    lambda[0] = m0 * (v * w) - v * z24 - z26 * z28; /* reaction of axle0: Q_i gains lambda_1 a_1i */
+    lambda[0] = z30; /* reaction of axle0: Q_i gains lambda_1 a_1i */
     /* (I.4.1) 33:5 */
-    lambda[1] = z11 * (c1 * z29) - z32 - z33; /* reaction of axle1: Q_i gains lambda_2 a_2i */
+    lambda[1] = z10 * (c1 * z31) - z23 - c2 * z25 + s3 * z29; /* reaction of axle1: Q_i gains lambda_2 a_2i */
     /* (I.4.1) 34:5 */
-    lambda[2] = z36; /* reaction of axle2: Q_i gains lambda_3 a_3i */
+    lambda[2] = z4 * (z24 * z32) + z25 + c3 * z27 + s1 * z28; /* reaction of axle2: Q_i gains lambda_3 a_3i */
     /* (I.4.1) 35:5 */
-    /* reaction of axle3: Q_i gains lambda_4 a_4i */
-    lambda[3] = z7 * (z5 * z34) - k2 * (v * z16) - k2 * (z5 * z28);
+    lambda[3] = z7 * (z26 * z32) - z27; /* reaction of axle3: Q_i gains lambda_4 a_4i */
     /* the coframe is singular */
     if (!(fabs(L) > 0.0)) {
         return N_TRAILER3_SINGULAR_1;

@@ -1,4 +1,4 @@
-"""n_trailer3, emitted by nhc 0.1.0 (nhc:4a6d7546d5f4f482).
+"""n_trailer3, emitted by nhc 0.1.0 (nhc:3e708e4eed3e1f41).
 
 A tractor with three trailers, each hitched to the axle before it; none of the four
     axles slips sideways.
@@ -39,7 +39,7 @@ velocities: 3 +-, 8 *, 1 /, 7 calls
 accelerations: 26 +-, 50 *, 2 /, 8 calls
 state: 1 +-, 2 *, 0 /, 2 calls
 residuals: 10 +-, 17 *, 0 /, 8 calls
-reactions: 51 +-, 97 *, 2 /, 6 calls
+reactions: 40 +-, 78 *, 2 /, 6 calls
 energy: 22 +-, 36 *, 1 /, 14 calls
 jacobian: 68 +-, 141 *, 2 /, 8 calls
 outputs: 6 +-, 2 *, 0 /, 6 calls
@@ -428,7 +428,8 @@ def reactions(
     try:
         # parameters only
         k1 = 1.0 / L
-        k2 = k1 * (J * k1)
+        k2 = J * k1
+        k3 = k1 * k2
         # state
         # the coframe is singular
         if not abs(L) > 0.0:
@@ -446,7 +447,7 @@ def reactions(
         z6 = c1 * s3
         c3 = math.cos(z1)
         z7 = c3 * z4
-        s4 = m0 + k2 * (z5 * z5 + (s2 * s2 + z6 * z6))
+        s4 = m0 + k3 * (z5 * z5 + (s2 * s2 + z6 * z6))
         z8 = s4 + m * (z7 * z7 + (c1 * c1 + z4 * z4))
         # the mass matrix is singular
         if not abs(z8) > 0.0:
@@ -454,49 +455,41 @@ def reactions(
         # the mass matrix is singular
         if not abs(J0) > 0.0:
             raise SingularModelError(2, "reactions")
-        z9 = v * k1
-        z10 = (z6 - z5) * z9
-        z11 = s2 * z9
-        z12 = w - z11
-        z13 = s2 * z12
-        z14 = (s2 - z6) * z9
-        z15 = c2 * z13 + z6 * z14
-        z16 = z7 * z10 - s1 * z15
-        z17 = s2 * c2
-        z18 = s1 * z17
-        z19 = c1 * z12
-        z20 = s3 * z13 - z4 * z14
-        z21 = s2 * s3
-        z22 = z5 * z10 + c3 * z15
-        z23 = c3 * z17
-        s5 = k2 * (z16 * z18 - (c1 * z19 + z20 * z21))
-        z24 = s5 - m * (z22 * z23 + (s2 * z13 + z15 * z17))
-        z25 = c1 * s2
-        s6 = k2 * (z5 * z18 - (z25 - z6 * z21))
-        z26 = s6 + m * (z7 * z23 + (z25 + z4 * z17))
-        s7 = k2 * (z5 * z16 - (z6 * z20 - s2 * z19))
-        z27 = m * (z7 * z22 + (c1 * z13 + z4 * z15)) - s7
-        z28 = v * z27 / z8
-        z29 = m * v
-        z30 = s3 * s1
-        z31 = s3 * c3
-        s8 = k2 * (z16 * z30 + (z19 + c2 * z20))
-        z32 = v * (s8 - m * (s3 * z15 + z22 * z31))
-        s9 = k2 * (z5 * z30 + (s2 - c2 * z6)) + m * (s3 * z4 + z7 * z31)
-        z33 = s9 * z28
-        z34 = z9 * z29
-        z35 = m * s1
-        s10 = z4 * (z6 * z34) + v * (k2 * (z20 + c3 * z16) + z22 * z35)
-        z36 = s10 - z28 * (k2 * (z6 - c3 * z5) + z7 * z35)
+        z9 = s2 * k1
+        z10 = v * z9
+        z11 = w - z10
+        z12 = c1 * z11
+        z13 = v * k1
+        z14 = (z6 - z5) * z13
+        z15 = s2 * z11
+        z16 = (s2 - z6) * z13
+        z17 = c2 * z15 + z6 * z16
+        z18 = z7 * z14 - s1 * z17
+        z19 = s3 * z15 - z4 * z16
+        z20 = z5 * z14 + c3 * z17
+        s5 = k3 * (z5 * z18 + (s2 * z12 - z6 * z19))
+        z21 = s5 - m * (z7 * z20 + (c1 * z15 + z4 * z17))
+        z22 = v * z21 / z8
+        z23 = k2 * (z12 * z13 - z9 * z22)
+        z24 = k1 * z6
+        z25 = k2 * (z13 * z19 + z24 * z22)
+        z26 = k1 * z5
+        z27 = k2 * (z13 * z18 - z26 * z22)
+        z28 = m * (v * z20 + z7 * z22)
+        z29 = m * (v * z17 + z4 * z22) - s1 * z27 + c3 * z28
+        s6 = s2 * (m * (v * z15 + c1 * z22) + s3 * z25 + c2 * z29)
+        z30 = m0 * (v * w) + c1 * z23 + s6
+        z31 = m * v
+        z32 = v * z31
         lambda_: list[float] = [
             # reaction of axle0: Q_i gains lambda_1 a_1i (I.4.1) 32:5
-            m0 * (v * w) - v * z24 - z26 * z28,
+            z30,
             # reaction of axle1: Q_i gains lambda_2 a_2i (I.4.1) 33:5
-            z11 * (c1 * z29) - z32 - z33,
+            z10 * (c1 * z31) - z23 - c2 * z25 + s3 * z29,
             # reaction of axle2: Q_i gains lambda_3 a_3i (I.4.1) 34:5
-            z36,
+            z4 * (z24 * z32) + z25 + c3 * z27 + s1 * z28,
             # reaction of axle3: Q_i gains lambda_4 a_4i (I.4.1) 35:5
-            z7 * (z5 * z34) - k2 * (v * z16) - k2 * (z5 * z28),
+            z7 * (z26 * z32) - z27,
         ]
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:

@@ -1,5 +1,5 @@
 /*
- * roller_racer.c: roller_racer, emitted by nhc 0.1.0 (nhc:78fdce1a642ac0bb)
+ * roller_racer.c: roller_racer, emitted by nhc 0.1.0 (nhc:0b327100537fd5c6)
  * Two wheeled bodies with a hinge; it is driven by moving the hinge to and fro.
  * Source: roller_racer.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -419,16 +419,13 @@ int roller_racer_reactions(double t, const double *y, const double *p, double *l
     const double z9 = z4 - z6 * z8;
     const double z10 = k1 * (theta_dot * z2 - v * s_phi);
     const double z11 = d1 * (z10 * (theta_dot * s_phi)) + z10 * (c_phi * v);
-    const double z12 = k3 * z11;
-    const double z13 = s_phi * k3;
-    const double z14 = z11 * z13;
-    const double z15 = (z11 * z5 - z8 * z14) / z9;
-    const double z16 = z13 * (z7 * z14 - z8 * z15) + z5 * z15;
+    const double z12 = k3 * (s_phi * z11);
+    const double z13 = (z11 * z5 - z12 * z8) / z9;
+    const double z14 = k2 * (k1 * z11 - (k1 * (s_phi * (z7 * z12 - z8 * z13)) + z3 * z13));
     /* (I.4.1) 19:5 */
-    /* reaction of rear: Q_i gains lambda_1 a_1i */
-    lambda[0] = m * (theta_dot * v) + c_phi * z12 - c_phi * z16;
+    lambda[0] = m * (theta_dot * v) + c_phi * z14; /* reaction of rear: Q_i gains lambda_1 a_1i */
     /* (I.4.1) 20:5 */
-    lambda[1] = z16 - z12; /* reaction of front: Q_i gains lambda_2 a_2i */
+    lambda[1] = -z14; /* reaction of front: Q_i gains lambda_2 a_2i */
     /* the coframe is singular */
     if (!(fabs(d2) > 0.0)) {
         return ROLLER_RACER_SINGULAR_1;

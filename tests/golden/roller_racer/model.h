@@ -1,5 +1,5 @@
 /*
- * roller_racer.h: roller_racer, emitted by nhc 0.1.0 (nhc:9465ba85407bad39)
+ * roller_racer.h: roller_racer, emitted by nhc 0.1.0 (nhc:9f53c4da4cc7866c)
  * Two wheeled bodies with a hinge; it is driven by moving the hinge to and fro.
  * Source: roller_racer.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -34,7 +34,7 @@
  * accelerations: 14 +-, 34 *, 3 /, 4 calls
  * state: 1 +-, 2 *, 0 /, 2 calls
  * residuals: 6 +-, 7 *, 0 /, 5 calls
- * reactions: 13 +-, 33 *, 3 /, 2 calls
+ * reactions: 12 +-, 34 *, 3 /, 2 calls
  * energy: 6 +-, 14 *, 1 /, 4 calls
  * jacobian: 36 +-, 92 *, 3 /, 4 calls
  * outputs: 0 +-, 0 *, 0 /, 0 calls

@@ -1,4 +1,4 @@
-"""roller_racer, emitted by nhc 0.1.0 (nhc:ed5f8e4ccc774bcf).
+"""roller_racer, emitted by nhc 0.1.0 (nhc:49154c088612069c).
 
 Two wheeled bodies with a hinge; it is driven by moving the hinge to and fro.
 Source: roller_racer.yaml
@@ -34,7 +34,7 @@ velocities: 2 +-, 6 *, 1 /, 4 calls
 accelerations: 14 +-, 34 *, 3 /, 4 calls
 state: 1 +-, 2 *, 0 /, 2 calls
 residuals: 6 +-, 7 *, 0 /, 5 calls
-reactions: 13 +-, 33 *, 3 /, 2 calls
+reactions: 12 +-, 34 *, 3 /, 2 calls
 energy: 6 +-, 14 *, 1 /, 4 calls
 jacobian: 36 +-, 92 *, 3 /, 4 calls
 outputs: 0 +-, 0 *, 0 /, 0 calls
@@ -382,16 +382,15 @@ def reactions(
             raise SingularModelError(2, "reactions")
         z10 = k1 * (theta_dot * z2 - v * s_phi)
         z11 = d1 * (z10 * (theta_dot * s_phi)) + z10 * (c_phi * v)
-        z12 = k3 * z11
-        z13 = s_phi * k3
-        z14 = z11 * z13
-        z15 = (z11 * z5 - z8 * z14) / z9
-        z16 = z13 * (z7 * z14 - z8 * z15) + z5 * z15
+        z12 = k3 * (s_phi * z11)
+        z13 = (z11 * z5 - z12 * z8) / z9
+        s1 = k1 * z11 - (k1 * (s_phi * (z7 * z12 - z8 * z13)) + z3 * z13)
+        z14 = k2 * s1
         lambda_: list[float] = [
             # reaction of rear: Q_i gains lambda_1 a_1i (I.4.1) 19:5
-            m * (theta_dot * v) + c_phi * z12 - c_phi * z16,
+            m * (theta_dot * v) + c_phi * z14,
             # reaction of front: Q_i gains lambda_2 a_2i (I.4.1) 20:5
-            z16 - z12,
+            -z14,
         ]
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
