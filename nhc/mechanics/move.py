@@ -130,14 +130,9 @@ def _finish(
     for k in (k for own in turning for axis in own.members for k in axis):
         carried[k] = True
 
-    def weigh() -> tuple[Weights, ...]:
-        everywhere = _solve(scene, rows, everything=True)[0]
-        return _weigh(everywhere, substitute(g, bodies.values, everywhere.found), turning, scene.held[: system.l])
-
-    def spread() -> Spread:
-        everywhere = _solve(scene, rows, everything=True)[0]
-        forms = substitute(g, bodies.values, everywhere.found)
-        return Spread(tuple(forms), tuple(everywhere.found[v] for v in system.v), scene.held[: system.l])
+    def whole() -> tuple[Solution, list[Node]]:
+        own = _solve(scene, rows, everything=True)[0]
+        return own, substitute(g, bodies.values, own.found)
 
     loads, potential, places = find_loads(scene, bodies, len(moved))
     done = solution.finish([*kinematics, *moved, *drift], held)
@@ -150,8 +145,8 @@ def _finish(
         u=tuple(done[size : size + count]),
         drift=tuple(done[size + count :]),
         weights=_weigh(solution, general, turning, scene.held[system.l :]),
-        weigh=weigh,
-        spread=spread,
+        weigh=lambda: _weigh(*whole(), turning, scene.held[: system.l]),
+        spread=lambda: _spread(*whole()),
         carried=tuple(carried),
         inertial=tuple(inertial),
         loads=loads,
@@ -223,6 +218,11 @@ def _name(scene: Scene, bodies: Bodies, values: Sequence[Node]) -> None:
 def _turn(rates: Rates, own: Spin, held: dict[Node, Node]) -> Turning:
     x, y, z = rates.solution.finish(rates.value(rates.scene.spin(own.path)), held)
     return Turning(own.members, (x, y, z), own.forms)
+
+
+def _spread(solution: Solution, forms: Sequence[Node]) -> Spread:
+    system, held = solution.scene.system, solution.scene.held
+    return Spread(tuple(forms), tuple(solution.found[v] for v in system.v), held[: system.l])
 
 
 def _weigh(
