@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import itertools
 import re
 import shutil
 import subprocess
+from fractions import Fraction
 from pathlib import Path
 
 import pytest
@@ -12,12 +14,14 @@ import pytest
 from nhc.emit.environment import create_environment
 from nhc.emit.latex import list_context, render
 from nhc.emit.latex.document import TEMPLATE
-from nhc.emit.latex.math import estimate, print_mark
+from nhc.emit.latex.math import LatexMath, estimate, print_mark
 from nhc.emit.latex.spelling import escape, spell_unit
+from nhc.emit.text.math import TextMath
 from nhc.language import Source, decode, read
 from nhc.mechanics.choose import formulate
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.resolve import resolve
+from nhc.program.ir import Binary, Call, Number, Pi
 from nhc.program.paper import Derivation, Mark, derivation
 from nhc.stamp import PLACEHOLDER, is_untouched, stamp
 
@@ -150,3 +154,12 @@ if LATEX is not None:
             "U: -Omega*abs(lambda_1) + sqrt(1 + thetadotdot^2) + atan2(lambda_1, 2)\n"
         )
         check_clean(compile_document(render(derive(Source("hostile.yaml", text))), tmp_path))
+
+
+def test_a_minus_inside_a_product_joins_the_sign_of_its_term() -> None:
+    inner = Binary("*", Number(Fraction(-1, 4)), Call("sqrt", (Pi(),)))
+    for op, sign in (("+", "-"), ("-", "+")):
+        whole = Binary(op, Pi(), inner)
+        for printed in (LatexMath({}).pieces(whole), TextMath({}).pieces(whole)):
+            assert sign in [piece.text.strip() for piece in printed]
+            assert not any(a.text.strip() in "+-" and b.text.strip() == "-" for a, b in itertools.pairwise(printed))

@@ -248,6 +248,8 @@ def _enclose(pieces: list[Piece]) -> list[Piece]:
 
 
 def _signed(first: bool, negative: bool, body: list[Piece]) -> list[Piece]:
+    if len(body) > 1 and body[0].text == "-":  # a minus inside a product that the sum did not see
+        negative, body = not negative, body[1:]
     if first:
         return [_piece("-"), *body] if negative else body
     return [_piece(" - " if negative else " + ", 1), *body]

@@ -77,7 +77,7 @@ class TextMath:
         under = [self._factor(factor) for factor in product.under]
         if number.denominator != 1:
             under.insert(0, [_piece(str(number.denominator))])
-        if product.negative:  # a minus inside a product that the sum did not see
+        if product.negative:
             top.insert(0, _piece("-"))
         if not under:
             return top
@@ -126,6 +126,8 @@ def _fraction(value: Fraction) -> str:
 
 
 def _signed(first: bool, negative: bool, body: list[Piece]) -> list[Piece]:
+    if len(body) > 1 and body[0].text == "-":  # a minus inside a product that the sum did not see
+        negative, body = not negative, body[1:]
     if first:
         return [_piece("-"), *body] if negative else body
     sign = " - " if negative else " + "
