@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from nhc.algebra.calculus import count, reachable, substitute
-from nhc.algebra.graph import ADD, NEG, Graph, Node
+from nhc.algebra.calculus import count, list_terms, reachable, substitute
+from nhc.algebra.graph import Graph, Node
 from nhc.algebra.polynomial import normalise
 
 _MOST_TERMS = 4
@@ -16,7 +16,7 @@ def split_angles(graph: Graph, nodes: Sequence[Node]) -> list[Node]:
     g, new = graph, dict[Node, Node]()
     for node in reachable(g, nodes):
         if g.op[node] in ("sin", "cos"):
-            terms = _terms(g, g.a[node])
+            terms = list_terms(g, g.a[node])
             if 1 < len(terms) <= _MOST_TERMS:
                 s, c = _circle(g, terms)
                 new[node] = s if g.op[node] == "sin" else c
@@ -41,16 +41,3 @@ def _circle(graph: Graph, terms: Sequence[Node]) -> tuple[Node, Node]:
         x, y = g.function("sin", term), g.function("cos", term)
         s, c = g.add(g.mul(s, y), g.mul(c, x)), g.sub(g.mul(c, y), g.mul(s, x))
     return s, c
-
-
-def _terms(graph: Graph, node: Node) -> list[Node]:
-    found, stack = list[Node](), [(node, False)]
-    while stack:
-        top, negative = stack.pop()
-        if graph.op[top] == NEG:
-            stack.append((graph.a[top], not negative))
-        elif graph.op[top] == ADD:
-            stack += [(graph.b[top], negative), (graph.a[top], negative)]
-        else:
-            found.append(graph.neg(top) if negative else top)
-    return found

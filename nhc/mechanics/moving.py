@@ -16,7 +16,7 @@ from nhc.algebra.calculus import Derivation
 from nhc.algebra.graph import Graph, Node
 from nhc.mechanics.signatures import Signatures
 from nhc.mechanics.system import System
-from nhc.mechanics.turns import Path, Vector, add_spin, add_vectors, change_axes, cross
+from nhc.mechanics.turns import Path, Vector, add_spin, add_vectors, change_axes, climb, cross
 from nhc.mechanics.vectors import Chained, Part, Reader
 from nhc.records import record
 
@@ -160,21 +160,10 @@ class Scene:
     def components_in(self, vector: Chained, is_position: bool, path: Path) -> Vector:
         """The velocity on the axes of a path: what has the base's axes is added before they are changed."""
         g = self.graph
-        at: Path = ()
-        total: Vector = (g.zero, g.zero, g.zero)
-        parts = list(vector.parts)
-        if vector.base is not None:
-            base = self.home(vector.base, is_position)
-            at, total = base.path, base.velocity
-        for there in (at, path):
-            total = change_axes(g, total, at, there)
-            at = there
-            for part in [p for p in parts if p.path == there]:
-                total = add_vectors(g, total, self.local_velocity(part, is_position))
-                parts.remove(part)
-        for part in parts:
-            total = add_vectors(g, total, change_axes(g, self.local_velocity(part, is_position), part.path, path))
-        return total
+        base = None if vector.base is None else self.home(vector.base, is_position)
+        at, start = ((), (g.zero, g.zero, g.zero)) if base is None else (base.path, base.velocity)
+        local = [(part.path, self.local_velocity(part, is_position)) for part in vector.parts]
+        return climb(g, start, at, path, local)
 
     def _settle(self, components: Vector) -> tuple[Vector, dict[int, Node]]:
         """Components that are forms become their held symbols; the forms' numbers with the expression found."""

@@ -10,7 +10,7 @@ from nhc.algebra.calculus import Derivation, Replacement, substitute, tangent
 from nhc.algebra.graph import Node
 from nhc.algebra.linear import NamedBlock
 from nhc.mechanics.moving import Scene
-from nhc.mechanics.turns import Path, Vector, add_vectors, change_axes, cross
+from nhc.mechanics.turns import Path, Vector, add_vectors, climb, cross
 from nhc.mechanics.vectors import Chained, Part
 
 
@@ -132,17 +132,9 @@ class Rates:
         if home.settled or vector.base is None:
             return self._carried(self.value(home.velocity), home.path)
         at = scene.home(vector.base, is_position).path
-        total = self.acceleration(vector.base, is_position)
-        parts = list(vector.parts)
-        for there in (at, home.path):
-            total = change_axes(g, total, at, there)
-            at = there
-            for part in [p for p in parts if p.path == there]:
-                total = add_vectors(g, total, self._local(part, is_position))
-                parts.remove(part)
-        for part in parts:
-            total = add_vectors(g, total, change_axes(g, self._local(part, is_position), part.path, home.path))
-        return total
+        start = self.acceleration(vector.base, is_position)
+        local = [(part.path, self._local(part, is_position)) for part in vector.parts]
+        return climb(g, start, at, home.path, local)
 
     def _local(self, part: Part, is_position: bool) -> Vector:
         return self._carried(self.value(self.scene.local_velocity(part, is_position)), part.path)

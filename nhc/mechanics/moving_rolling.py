@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from nhc.algebra.calculus import reachable, substitute
-from nhc.algebra.graph import ADD, NEG, Graph, Node
+from nhc.algebra.calculus import list_terms, reachable, substitute
+from nhc.algebra.graph import Graph, Node
 from nhc.mechanics.moving import Scene
 from nhc.mechanics.turns import Path, Vector, add_vectors, change_axes
 from nhc.mechanics.vectors import Chained
@@ -56,7 +56,7 @@ def _by_term(scene: Scene) -> dict[Node, list[Candidate]]:
     for is_position, reader in ((True, scene.positions), (False, scene.velocities)):
         for vector in sorted(reader.known.values(), key=lambda v: v.components, reverse=True):
             velocity = scene.velocity_of(vector, is_position)
-            for key in dict.fromkeys((velocity[0], *_terms(g, velocity[0], -1)[:1])):
+            for key in dict.fromkeys((velocity[0], *list_terms(g, velocity[0])[:1])):
                 found.setdefault(key, []).append((is_position, vector, velocity))
     return found
 
@@ -66,7 +66,7 @@ def _read(
 ) -> Rolling | None:
     g = scene.graph
     components = [*values, *([g.zero] * (3 - len(values)))]
-    keys = dict.fromkeys((values[0], *_terms(g, values[0], -1)))
+    keys = dict.fromkeys((values[0], *list_terms(g, values[0])))
     candidates = {
         id(vector): (not kind, vector, velocity) for key in keys for kind, vector, velocity in known.get(key, ())
     }
@@ -98,30 +98,16 @@ def _without(graph: Graph, components: Sequence[Node], velocity: Vector) -> Vect
 def _take(graph: Graph, node: Node, taken: Node) -> Node | None:
     """node - taken where taken is one of its terms, or all its terms are."""
     g = graph
-    mine = list(_terms(g, node, taken))
+    mine = list_terms(g, node, (taken,))
     if taken in mine:
         mine.remove(taken)
         return g.sum(mine)
-    theirs = list(_terms(g, taken, -1))
+    theirs = list_terms(g, taken)
     for term in theirs:
         if term not in mine:
             return None
         mine.remove(term)
     return g.sum(mine)
-
-
-def _terms(graph: Graph, node: Node, whole: Node) -> list[Node]:
-    g, found = graph, []
-    stack = [(node, False)]
-    while stack:
-        top, negative = stack.pop()
-        if g.op[top] == NEG:
-            stack.append((g.a[top], not negative))
-        elif g.op[top] == ADD and (negative or top != whole):
-            stack += [(g.b[top], negative), (g.a[top], negative)]
-        else:
-            found.append(g.neg(top) if negative else top)
-    return found
 
 
 def _on_axes(scene: Scene, rest: Vector, *, planar: bool) -> tuple[Path, Vector] | None:

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from nhc.algebra.graph import ADD, MUL, NEG, Graph, Node
+from nhc.algebra.calculus import list_terms
+from nhc.algebra.graph import MUL, NEG, Graph, Node
 from nhc.mechanics.kinetic import Kinetic
 from nhc.mechanics.moving import Scene
 from nhc.mechanics.system import System
@@ -73,7 +74,7 @@ class Sided:
 def along_direction(graph: Graph, row: Node) -> Sided | None:
     """The row as a component along a direction, where sin and cos of one angle multiply two of its terms."""
     g = graph
-    terms = list(_terms(g, row))
+    terms = list_terms(g, row)
     products = [_factors(g, term) for term in terms]
     users: dict[tuple[str, Node], list[int]] = {}
     for k, product in enumerate(products):
@@ -112,18 +113,6 @@ def _factors(graph: Graph, term: Node) -> list[Node]:
         else:
             found.append(node)
     return [*found, g.number(-1)] if negative else found
-
-
-def _terms(graph: Graph, node: Node) -> Iterator[Node]:
-    stack = [(node, False)]
-    while stack:
-        top, negative = stack.pop()
-        if graph.op[top] == NEG:
-            stack.append((graph.a[top], not negative))
-        elif graph.op[top] == ADD:
-            stack += [(graph.b[top], negative), (graph.a[top], negative)]
-        else:
-            yield graph.neg(top) if negative else top
 
 
 def read_vector(scene: Scene, components: Vector) -> tuple[Chained, bool]:

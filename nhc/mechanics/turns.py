@@ -11,6 +11,8 @@ same plane are joined by one turn by the difference of their angles, which is wh
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from nhc.algebra.graph import Graph, Node
 from nhc.records import record
 
@@ -74,6 +76,22 @@ def cross(graph: Graph, x: Vector, y: Vector) -> Vector:
 def add_vectors(graph: Graph, x: Vector, y: Vector) -> Vector:
     """x + y."""
     return graph.add(x[0], y[0]), graph.add(x[1], y[1]), graph.add(x[2], y[2])
+
+
+def climb(graph: Graph, start: Vector, at: Path, path: Path, parts: Iterable[tuple[Path, Vector]]) -> Vector:
+    """A vector on the axes of ``at`` and parts on axes of their own, added up on the axes of ``path``.
+
+    Parts that have the axes of ``at`` are added before these are changed: one change for both.
+    """
+    total, rest = start, list(parts)
+    for there in (at, path):
+        total, at = change_axes(graph, total, at, there), there
+        for own in [part for part in rest if part[0] == there]:
+            total = add_vectors(graph, total, own[1])
+            rest.remove(own)
+    for source, local in rest:
+        total = add_vectors(graph, total, change_axes(graph, local, source, path))
+    return total
 
 
 def add_spin(graph: Graph, turn: Turn, outer: Vector, rate: Node) -> Vector:

@@ -11,8 +11,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 
-from nhc.algebra.calculus import gradient, reachable, substitute
-from nhc.algebra.graph import ADD, NEG, Graph, Node
+from nhc.algebra.calculus import gradient, list_terms, reachable, substitute
+from nhc.algebra.graph import Graph, Node
 from nhc.algebra.modular import are_zero
 from nhc.algebra.polynomial import normalise
 from nhc.mechanics.turns import Path, Turn, Vector, add_vectors, change_axes, turn_in, turn_out
@@ -102,7 +102,7 @@ class Reader:
     def _take_base(self, components: Vector) -> tuple[Chained | None, Vector]:
         """The newest known vector whose components are terms of these, and what is left."""
         g = self.graph
-        terms = [list(self._terms(component, axis)) for axis, component in enumerate(components)]
+        terms = [list_terms(self.graph, x, known) for x, known in zip(components, self._at, strict=True)]
         candidates: dict[Vector, Chained] = {}
         for at, list_of in zip(self._at, terms, strict=True):
             candidates.update((v.components, v) for term in list_of for v in at.get(term, ()))
@@ -140,7 +140,7 @@ class Reader:
         """The terms of a sum without their rational factors, and those."""
         if node not in self._sums:
             found: dict[Node, Fraction] = {}
-            for term in self._terms(node, None):
+            for term in list_terms(self.graph, node):
                 factor, body = self.graph.split_coefficient(term)
                 found[body] = found.get(body, Fraction(0)) + factor
             self._sums[node] = found
@@ -151,20 +151,6 @@ class Reader:
         bodies = dict.fromkeys([*mine, *theirs])
         left = [(body, mine.get(body, Fraction(0)) - theirs.get(body, Fraction(0))) for body in bodies]
         return g.sum(g.mul_number(factor, body) for body, factor in left if factor)
-
-    def _terms(self, node: Node, axis: int | None) -> Iterator[Node]:
-        """The terms of a sum, down to components that are known on that axis."""
-        g = self.graph
-        known = self._at[axis] if axis is not None else {}
-        stack = [(node, False)]
-        while stack:
-            top, negative = stack.pop()
-            if g.op[top] == NEG:
-                stack.append((g.a[top], not negative))
-            elif g.op[top] == ADD and (g.neg(top) if negative else top) not in known:
-                stack += [(g.b[top], negative), (g.a[top], negative)]
-            elif top != g.zero:
-                yield g.neg(top) if negative else top
 
     # --- turns ------------------------------------------------------------------------------------------------
 
