@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import shutil
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
@@ -13,6 +14,25 @@ ROOT = Path(__file__).resolve().parent.parent
 def pytest_addoption(parser: pytest.Parser) -> None:
     """Add ``--update``."""
     parser.addoption("--update", action="store_true", help="rewrite the expected files in place of comparing with them")
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """Refuse to run without a C compiler: most of what is tested is compiled, and skipped tests look like passed ones.
+
+    Raises:
+        pytest.UsageError: there is none.
+    """
+    if not any(shutil.which(name) for name in ("cc", "gcc", "clang")):
+        raise pytest.UsageError("the tests compile C, and there is no cc, gcc or clang on the path")
+
+
+@pytest.fixture(scope="module")
+def own_cache(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
+    """A cache of compiled models for the tests of one file."""
+    folder = tmp_path_factory.mktemp("cache")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("NHC_CACHE", str(folder))
+        yield folder
 
 
 @pytest.fixture

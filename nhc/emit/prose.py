@@ -21,7 +21,7 @@ def clean(text: str) -> str:
 
 
 def fold_ascii(text: str) -> str:
-    """ASCII for a text: accents are dropped, Greek letters named, the rest is written <U+XXXX>."""
+    """ASCII for a text: accents are dropped, Greek letters named, what is left is written by its code, as <U+2126>."""
     return "".join(_fold_character(character) for character in text)
 
 

@@ -7,10 +7,10 @@ the masses are an acceleration of everything (d'Alembert), which costs nothing b
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import replace
 
-from nhc.algebra.graph import ADD, NEG, Graph, Node
+from nhc.algebra.calculus import list_terms
+from nhc.algebra.graph import NEG, Node
 from nhc.algebra.monomials import split_parameters
 from nhc.mechanics.chain import Chain
 
@@ -40,7 +40,7 @@ def _lift(chain: Chain, force: list[Node], i: int, places: dict[Node, tuple[int,
     """Move the terms of the force on rate i that fit to the forms."""
     g = chain.graph
     kept = g.zero
-    for term in _terms(g, force[i]):
+    for term in list_terms(g, force[i]):
         monomial, rest = split_parameters(g, term, chain.parameters)
         negative = g.op[rest] == NEG
         place = places.get(g.a[rest] if negative else rest)
@@ -56,18 +56,6 @@ def _lift(chain: Chain, force: list[Node], i: int, places: dict[Node, tuple[int,
             if c != i:
                 force[c] = g.sub(force[c], g.mul(a, value))
     force[i] = kept
-
-
-def _terms(graph: Graph, node: Node) -> Iterator[Node]:
-    stack = [(node, False)]
-    while stack:
-        part, negative = stack.pop()
-        if graph.op[part] == NEG:
-            stack.append((graph.a[part], not negative))
-        elif graph.op[part] == ADD:
-            stack += [(graph.b[part], negative), (graph.a[part], negative)]
-        elif part != graph.zero:
-            yield graph.neg(part) if negative else part
 
 
 def _as_offsets(chain: Chain) -> Chain:

@@ -12,7 +12,7 @@ of T's own.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 
@@ -85,8 +85,8 @@ class Kinetic:
         return all(sign > 0 for sign in pivot_signs([[found[h] for h in row] for row in self.hessian]))
 
 
-def _atoms(graph: Graph, root: Node, degree: Sequence[int]) -> list[Node]:
-    """The largest nodes of degree one under the root, in the order of their numbers."""
+def list_atoms(graph: Graph, root: Node, degree: Sequence[int], strip: Callable[[Node], Node]) -> list[Node]:
+    """The largest nodes of degree one under the root, in the order of their numbers; ``strip`` takes factors off them."""
     found: set[Node] = set()
     stack, seen = [root], set()
     while stack:
@@ -94,12 +94,10 @@ def _atoms(graph: Graph, root: Node, degree: Sequence[int]) -> list[Node]:
         if node in seen or degree[node] == 0:
             continue
         seen.add(node)
-        if graph.op[node] == NEG and degree[node] == 1:
-            node = graph.a[node]
         if degree[node] == 1:
-            found.add(_without_factor(graph, node, degree))
-            continue
-        stack.extend(graph.children(node))
+            found.add(strip(node))
+        else:
+            stack.extend(graph.children(node))
     return sorted(found)
 
 
@@ -171,7 +169,9 @@ def kinetic_structure(system: System) -> Kinetic:
     """T's velocity forms; where T is no polynomial in the velocities they are the velocities themselves."""
     g = system.graph
     degree = degrees(g, system.v)
-    atoms = [] if degree[system.T] == 99 else _atoms(g, system.T, degree)
+    atoms = (
+        [] if degree[system.T] == 99 else list_atoms(g, system.T, degree, lambda node: _without_factor(g, node, degree))
+    )
     mask = g.mask(system.v)
     u = tuple(g.symbol(f"u{k + 1}", "form") for k in range(len(atoms)))
     tau = substitute(g, [system.T], dict(zip(atoms, u, strict=True)))[0] if atoms else system.T

@@ -6,12 +6,10 @@ the first of them, y1' = l sin(th1) th1', has to stay what the next ones, y2' = 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 from nhc.algebra.calculus import gradient, substitute
 from nhc.algebra.graph import MUL, NEG, Graph, Node
 from nhc.algebra.linear import degrees
-from nhc.mechanics.kinetic import Kinetic
+from nhc.mechanics.kinetic import Kinetic, list_atoms
 from nhc.mechanics.system import System
 
 
@@ -25,7 +23,8 @@ def whole_kinetic(system: System) -> Kinetic | None:
     degree = degrees(g, system.v)
     if degree[system.T] != 2:
         return None
-    atoms = _atoms(g, system.T, degree, g.mask(system.p))
+    parameters = g.mask(system.p)
+    atoms = list_atoms(g, system.T, degree, lambda node: _without_parameters(g, node, parameters))
     u = tuple(g.symbol(f"u{k + 1}", "form") for k in range(len(atoms)))
     (tau,) = substitute(g, [system.T], dict(zip(atoms, u, strict=True)))
     if g.depends(tau, g.mask(system.v)):
@@ -40,21 +39,6 @@ def whole_kinetic(system: System) -> Kinetic | None:
             row[place[symbol]] = h
         hessian.append(tuple(row))
     return Kinetic(system, tuple(atoms), u, tau, slope, tuple(hessian))
-
-
-def _atoms(graph: Graph, root: Node, degree: Sequence[int], parameters: int) -> list[Node]:
-    found: set[Node] = set()
-    stack, seen = [root], set()
-    while stack:
-        node = stack.pop()
-        if node in seen or degree[node] == 0:
-            continue
-        seen.add(node)
-        if degree[node] == 1:
-            found.add(_without_parameters(graph, node, parameters))
-        else:
-            stack.extend(graph.children(node))
-    return sorted(found)
 
 
 def _without_parameters(graph: Graph, node: Node, parameters: int) -> Node:

@@ -95,7 +95,6 @@ def check_formulations(case: Case, states: Sequence[State]) -> float:
 
 def compile_cases(cases: Sequence[Case], folder: Path, flags: tuple[str, ...] = ("-O0",)) -> ctypes.CDLL:
     """One shared library of all cases, compiled strictly."""
-    assert COMPILER is not None
     sources = []
     for case in cases:
         for file, text in case.files.items():

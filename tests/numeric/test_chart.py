@@ -25,7 +25,7 @@ from nhc.study.chart.advice import advise
 from nhc.study.chart.case import RESOLVED, Study
 from nhc.study.chart.grid import Grid
 from nhc.study.chart.study import chart
-from tests.support import COMPILER, spec_path
+from tests.support import spec_path
 
 STIFF = """
 nhc: 1
@@ -47,7 +47,6 @@ scenes:
     time: [0, 10]
 """
 SMALL = Grid(budget=1e-4, peers=False)
-needs_compiler = pytest.mark.skipif(COMPILER is None, reason="no C compiler")
 
 
 def gallery(name: str) -> Source:
@@ -62,7 +61,6 @@ def sleigh() -> Study:
     return chart(gallery("chaplygin_sleigh"), grid)
 
 
-@needs_compiler
 def test_errors_fall_with_the_tolerance_in_every_line() -> None:
     lines: dict[tuple[str, str, str], list[float]] = {}
     for result in sleigh().results:
@@ -76,7 +74,6 @@ def test_errors_fall_with_the_tolerance_in_every_line() -> None:
         assert errors[0] > 30 * errors[1] > 900 * errors[2]
 
 
-@needs_compiler
 def test_c_and_python_make_the_same_errors() -> None:
     known = {(*r.case.series, r.case.tolerance): r for r in sleigh().results if not r.failed}
     compared = 0
@@ -89,7 +86,6 @@ def test_c_and_python_make_the_same_errors() -> None:
     assert compared == 18
 
 
-@needs_compiler
 def test_a_fixed_block_that_is_crossed_is_shown_as_failed() -> None:
     made = sleigh()
     crossed = [r for r in made.results if r.case.formulation in ("chaplygin", "voronec")]
@@ -101,7 +97,6 @@ def test_a_fixed_block_that_is_crossed_is_shown_as_failed() -> None:
     assert all(a.best is None or a.best.case.formulation not in ("chaplygin", "voronec") for a in advise(made))
 
 
-@needs_compiler
 def test_the_reference_states_its_own_error_and_is_right() -> None:
     made = sleigh()
     assert 0 <= made.reference.error < 1e-14 and "gauss6" in made.reference.confirmed_by
@@ -114,7 +109,6 @@ def test_the_reference_states_its_own_error_and_is_right() -> None:
             assert result.residual < 1e-15 or result.case.formulation != "euler-lagrange"
 
 
-@needs_compiler
 def test_all_formulations_end_at_the_same_reference() -> None:
     grid = replace(SMALL, methods=("dop853",), languages=("c",), tolerances=(1e-12,))
     made = chart(gallery("rolling_disk"), grid)
@@ -148,7 +142,6 @@ def test_auto_follows_its_rule(rate: str, accuracy: float, method: str) -> None:
     assert chosen == method and ("stiff" in why)
 
 
-@needs_compiler
 def test_the_rule_of_auto_is_what_a_study_says() -> None:
     """For the stiff particle radau5 needs the least work of the adaptive methods, for the sleigh dop853."""
     grid = replace(SMALL, methods=("dop853", "dopri5", "radau5"), languages=("c",), tolerances=(1e-4, 1e-6))
@@ -164,7 +157,6 @@ def test_the_rule_of_auto_is_what_a_study_says() -> None:
     assert calls["dop853"] < calls["dopri5"] < calls["rk4"]
 
 
-@needs_compiler
 def test_the_verb_writes_four_files_and_refuses_to_overwrite_others(tmp_path: Path) -> None:
     options = [
         "--methods",
@@ -191,7 +183,6 @@ def test_the_verb_writes_four_files_and_refuses_to_overwrite_others(tmp_path: Pa
     )
 
 
-@needs_compiler
 def test_a_named_scene_is_charted_on_its_smallest_state_beside_the_whole_one() -> None:
     grid = replace(SMALL, scene="lean", methods=("dop853",), languages=("c",), tolerances=(1e-6, 1e-11))
     made = chart(gallery("rolling_disk"), grid)
@@ -213,7 +204,6 @@ def test_a_named_scene_is_charted_on_its_smallest_state_beside_the_whole_one() -
     assert "What the scene does not need" in make_file(made, ".html")
 
 
-@needs_compiler
 def test_the_model_that_emit_writes_for_a_scene_is_in_its_chart() -> None:
     """A sleeping top: with its conserved momentum as a parameter it is cheaper than in any formulation of the spec."""
     grid = replace(SMALL, scene="sleeping", methods=("dop853",), languages=("c",), tolerances=(1e-5, 1e-9), peers=True)
@@ -230,7 +220,6 @@ def test_the_model_that_emit_writes_for_a_scene_is_in_its_chart() -> None:
     assert errors[1e-9] < 1e-7 and errors[1e-9] < 1e-2 * errors[1e-5]
 
 
-@needs_compiler
 def test_other_needs_reduce_otherwise() -> None:
     grid = replace(SMALL, scene="reference", methods=("dop853",), languages=("c",), tolerances=(1e-8,))
     small = chart(gallery("chaplygin_sleigh"), replace(grid, needs=("v", "w"), formulations=("euler-lagrange",)))
@@ -238,7 +227,6 @@ def test_other_needs_reduce_otherwise() -> None:
     assert all(r.error < 1e-5 for r in small.results)
 
 
-@needs_compiler
 def test_structure_preserving_methods_stand_in_the_chart_where_they_apply() -> None:
     grid = replace(SMALL, languages=("c",), tolerances=(1e-4, 1e-6), formulations=("multipliers",), methods=())
     made = chart(gallery("contact_oscillator"), grid)
@@ -254,7 +242,6 @@ def test_structure_preserving_methods_stand_in_the_chart_where_they_apply() -> N
     assert energies["energy"] < 1e-10 < energies["rk4"]
 
 
-@needs_compiler
 def test_where_they_do_not_apply_it_says_why() -> None:
     sleigh_ = chart(gallery("chaplygin_sleigh"), replace(SMALL, methods=("perlmutter",), tolerances=(1e-2,)))
     assert (
@@ -268,7 +255,6 @@ def test_where_they_do_not_apply_it_says_why() -> None:
     }
 
 
-@needs_compiler
 def test_an_implicit_method_beside_explicit_ones_solves_its_steps() -> None:
     """What starts at zero and stays there but for rounding does not keep the iteration from ending."""
     grid = replace(SMALL, methods=("dop853", "gauss6"), languages=("c", "python"), tolerances=(1e-3, 1e-6))
@@ -293,7 +279,6 @@ class FakeCvode:
         return SimpleNamespace(success=True, y=done.y.T, t=done.t, njev=None, message="")
 
 
-@needs_compiler
 def test_sundials_runs_on_the_same_right_hand_side(monkeypatch: pytest.MonkeyPatch) -> None:
     module = SimpleNamespace(CVODE=FakeCvode)
     monkeypatch.setitem(sys.modules, "sksundae", cast(Any, SimpleNamespace(cvode=module)))
@@ -307,7 +292,6 @@ def test_sundials_runs_on_the_same_right_hand_side(monkeypatch: pytest.MonkeyPat
     assert {what for what, _ in made.left_out} >= {"scipy", "heyoka", "diffrax"}
 
 
-@needs_compiler
 def test_what_is_too_large_for_xla_is_shown_as_failed(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("nhc.study.chart.diffrax_peer.MOST_OPERATIONS", 1)
     monkeypatch.setattr("nhc.study.chart.peers.find_spec", lambda name: name == "diffrax" or None)

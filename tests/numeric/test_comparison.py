@@ -19,10 +19,8 @@ from nhc.report.comparison_text import advise_models, observations, to_markdown
 from nhc.resources import find_specs
 from nhc.study.chart.fidelity import Comparison, compare_models, name_models
 from nhc.study.chart.grid import Grid
-from tests.support import COMPILER
 
 LADDER = ("point_mass", "rigid_bicycle", "relaxing_tyres")
-needs_compiler = pytest.mark.skipif(COMPILER is None, reason="no C compiler")
 # an oscillator, and the same with a force that it is held against: their distance is known in closed form
 OSCILLATOR = """
 nhc: 1
@@ -50,7 +48,6 @@ def ladder(scene: str) -> Comparison:
     return compare_models(sources[:2], sources[2], Grid(scene=scene, tolerances=(1e-3, 1e-6, 1e-9), budget=1e-4))
 
 
-@needs_compiler
 def test_the_finer_vehicle_is_nearer_where_its_tyres_hardly_yield() -> None:
     made = ladder("lane_change")
     assert [rung.name for rung in made.rungs] == list(LADDER) and made.finest == "relaxing_tyres"
@@ -61,13 +58,11 @@ def test_the_finer_vehicle_is_nearer_where_its_tyres_hardly_yield() -> None:
     assert not observations(made)
 
 
-@needs_compiler
 def test_a_model_that_is_no_better_than_a_cheaper_one_is_named() -> None:
     (text,) = observations(ladder("quick_change"))
     assert text.startswith("on this scene rigid_bicycle is not worth its price: point_mass")
 
 
-@needs_compiler
 def test_the_error_falls_with_the_tolerance_down_to_the_models_own() -> None:
     made = ladder("lane_change")
     for rung in made.rungs:
@@ -77,7 +72,6 @@ def test_the_error_falls_with_the_tolerance_down_to_the_models_own() -> None:
     assert tyres[0] > 30 * tyres[1] > 900 * tyres[2]
 
 
-@needs_compiler
 def test_advice_takes_the_cheapest_model_that_reaches_the_accuracy() -> None:
     for target, best, text in advise_models(ladder("lane_change")):
         assert best is not None and best.error <= target
@@ -87,7 +81,6 @@ def test_advice_takes_the_cheapest_model_that_reaches_the_accuracy() -> None:
             assert best.case.formulation != "relaxing_tyres"
 
 
-@needs_compiler
 def test_a_known_error_comes_out() -> None:
     """x = cos t against x = 0.01 + 0.99 cos t: the distance is 0.01 (1 - cos t), at most where t = 3."""
     made = compare_models(
@@ -128,7 +121,6 @@ def test_what_cannot_be_compared_is_refused_at_its_place(change: tuple[str, str]
     assert source.position(found.labels[0].span.start)[0] >= 8
 
 
-@needs_compiler
 def test_pictures_pages_and_texts_carry_all_models() -> None:
     made = ladder("lane_change")
     text = draw_comparison(made)
@@ -148,7 +140,6 @@ def test_pictures_pages_and_texts_carry_all_models() -> None:
     assert "point_mass: `v`: constant of the motion" in table
 
 
-@needs_compiler
 def test_the_verb_compares_models(tmp_path: Path) -> None:
     for name, force in (("free", "0"), ("held", "0.01")):
         (tmp_path / f"{name}.yaml").write_text(oscillator(name, force).text)

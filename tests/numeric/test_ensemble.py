@@ -22,7 +22,7 @@ from nhc.simulate.opening import open_scene
 from nhc.simulate.prepare import move_start
 from nhc.simulate.run import Settings, run
 from nhc.simulate.starts import list_starts, read_starts
-from tests.support import COMPILER, ROOT, spec_path
+from tests.support import ROOT, spec_path
 
 SLEIGH = "theta,w,m\n0,1.3,1\n0.5,1.2,2\n1,,1.5\n"
 
@@ -37,11 +37,7 @@ scenes:
 """
 
 
-@pytest.fixture(autouse=True, scope="module")
-def _cache(tmp_path_factory: pytest.TempPathFactory) -> object:
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setenv("NHC_CACHE", str(tmp_path_factory.mktemp("cache")))
-        yield
+pytestmark = pytest.mark.usefixtures("own_cache")
 
 
 def run_table(name: str, table: str, settings: Settings, formulation: str = "") -> Ensemble:
@@ -51,7 +47,6 @@ def run_table(name: str, table: str, settings: Settings, formulation: str = "") 
     return run_ensemble(job, starts, settings)
 
 
-@pytest.mark.skipif(COMPILER is None, reason="no C compiler")
 @pytest.mark.parametrize("method", RUNGE_KUTTA)
 def test_each_start_is_its_own_run(method: str) -> None:
     """Bit for bit: one call over all starts, and one run for each."""
@@ -159,7 +154,6 @@ def test_failures_are_told_by_row(how: tuple[str, ...], tmp_path: Path, capsys: 
     assert (code, out) == (3, "")
 
 
-@pytest.mark.skipif(COMPILER is None, reason="no C compiler")
 @pytest.mark.parametrize("how", [(), ("--python",)])
 def test_an_interrupt_keeps_the_starts_that_are_done(how: tuple[str, ...], tmp_path: Path) -> None:
     """SIGINT to the process: exit code 130, a partial file with whole starts only, and a message."""

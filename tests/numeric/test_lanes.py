@@ -23,7 +23,6 @@ from nhc.simulate.source import write_source
 from nhc.simulate.task import DONE, STOPPED, UNDERFLOW, Outcome, Task
 from tests.support import COMPILER, STRICT, spec_path
 
-pytestmark = pytest.mark.skipif(COMPILER is None, reason="no C compiler")
 EXPLICIT = [name for name, method in RUNGE_KUTTA.items() if isinstance(method, Explicit)]
 STARTS = 19
 
@@ -48,11 +47,7 @@ scenes:
 """
 
 
-@pytest.fixture(autouse=True, scope="module")
-def _cache(tmp_path_factory: pytest.TempPathFactory) -> object:
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setenv("NHC_CACHE", str(tmp_path_factory.mktemp("cache")))
-        yield
+pytestmark = pytest.mark.usefixtures("own_cache")
 
 
 def open_job(name: str) -> Job:
@@ -160,7 +155,6 @@ def test_names_and_functions_of_all_kinds(tmp_path: Path) -> None:
     sources = write_source(job.program, [RUNGE_KUTTA["dopri5"]], 0, dips=job.watch.dips, lanes=True)
     for file, text in sources.items():
         (tmp_path / file).write_text(text)
-    assert COMPILER is not None
     for flags in ((), lane_flags(len(job.y))):
         command = [COMPILER, *STRICT, "-O1", *flags, "-c", "odd_names_run.c"]
         done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True)

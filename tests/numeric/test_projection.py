@@ -12,7 +12,7 @@ from nhc.simulate.methods import RUNGE_KUTTA
 from nhc.simulate.opening import open_scene
 from nhc.simulate.prepare import Job
 from nhc.simulate.run import Settings, run
-from tests.support import COMPILER, spec_path
+from tests.support import spec_path
 
 # far enough down for the slope, far enough above rounding: the longer of two steps, and the end
 FINE = 1 / 64
@@ -22,11 +22,7 @@ STEPS = {
 }
 
 
-@pytest.fixture(autouse=True, scope="module")
-def _cache(tmp_path_factory: pytest.TempPathFactory) -> object:
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setenv("NHC_CACHE", str(tmp_path_factory.mktemp("cache")))
-        yield
+pytestmark = pytest.mark.usefixtures("own_cache")
 
 
 def open_held(name: str, method: str, hold: bool = True) -> Job:
@@ -35,7 +31,7 @@ def open_held(name: str, method: str, hold: bool = True) -> Job:
 
 
 def last(job: Job, method: str, step: float = 0.0, tolerance: float = 1e-12) -> list[float]:
-    found = run(job, Settings(method, tolerance, step, 2, COMPILER is not None))
+    found = run(job, Settings(method, tolerance, step, 2, True))
     assert found.ended == "done", found.reason
     return list(found.rows[-1])
 
@@ -56,8 +52,7 @@ def test_without_projection_the_constraints_drift() -> None:
     """Rows of residuals after 2 s of coarse steps: rounding with it, the method's error without."""
     for name, least in (("holonomic_pendulum", 1e-7), ("contact_oscillator_eps", 1e-9)):
         kept, lost = (
-            run(open_held(name, "rk4", hold), Settings("rk4", 1e-6, 0.05, 41, COMPILER is not None))
-            for hold in (True, False)
+            run(open_held(name, "rk4", hold), Settings("rk4", 1e-6, 0.05, 41, True)) for hold in (True, False)
         )
         groups = [column.group for column in kept.job.checks]
         places = [k for k, group in enumerate(groups) if "residual" in group or "constraint" in group]

@@ -24,7 +24,7 @@ from nhc.program.scene_model import SceneModel
 from nhc.simulate.opening import open_scene
 from nhc.simulate.run import Settings, run
 from nhc.study.chart.measure import sizes_of
-from tests.support import COMPILER, GALLERY, compile_c, emitted_python, error, python_model, spec_path
+from tests.support import GALLERY, compile_c, emitted_python, error, python_model, spec_path
 
 SCENES = [(name, scene.name) for name in GALLERY for scene in decode(read(str(spec_path(name)))).scenes]
 LONGEST = {"bicycle": 0.1, "rattleback": 0.5}  # seconds; their right-hand sides take long in Python
@@ -117,7 +117,6 @@ def pairs() -> dict[tuple[str, str], Pair]:
     return {(pair.name, pair.scene): pair for pair in list_pairs()}
 
 
-@pytest.mark.skipif(COMPILER is None, reason="no C compiler on this machine")
 def test_the_whole_scene_is_the_same_to_its_tolerance_in_emitted_c() -> None:
     """Over the whole time of every scene whose model is another one: exact reductions leave a thousandth of the tolerance."""
     found = {}
@@ -248,7 +247,6 @@ def test_jacobian(name: str) -> None:
         assert error([row[j] for row in found], [(a - b) / (2 * step) for a, b in zip(up, down, strict=True)]) < 1e-7
 
 
-@pytest.mark.skipif(COMPILER is None, reason="no C compiler on this machine")
 @pytest.mark.parametrize(
     ("name", "scene"), [("ball_on_table", "modulated"), ("rolling_disk", "lean"), ("holonomic_pendulum", "reference")]
 )

@@ -15,7 +15,7 @@ from nhc.program.reduced import build_scene_program
 from nhc.program.scene_model import SceneModel
 from nhc.simulate.opening import open_scene
 from nhc.simulate.run import Settings, run
-from tests.support import COMPILER, error, python_model
+from tests.support import error, python_model
 
 PARABOLA = """
 nhc: 1
@@ -127,7 +127,6 @@ def test_folded_values_stand_in_the_code_as_numbers() -> None:
     assert error(model.rhs(0.0, [0.2, 0.4], wrong), [0.4, -0.3]) < 1e-15
 
 
-@pytest.mark.skipif(COMPILER is None, reason="no C compiler")
 @pytest.mark.parametrize(
     ("text", "scene"), [(PARABOLA, "slide"), (PARABOLA, "beside"), (CENTRAL, "angle"), (CENTRAL, "driven")]
 )

@@ -25,19 +25,13 @@ scenes:
 """
 
 
-@pytest.fixture(autouse=True, scope="module")
-def _cache(tmp_path_factory: pytest.TempPathFactory) -> object:
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setenv("NHC_CACHE", str(tmp_path_factory.mktemp("cache")))
-        yield
+pytestmark = pytest.mark.usefixtures("own_cache")
 
 
 @pytest.mark.parametrize("compiled", [True, False])
 @pytest.mark.parametrize("method", METHODS)
 def test_a_body_is_pushed_from_rest(method: str, compiled: bool) -> None:
     """x = F t^2 / (2 m) along the edge; y and th stay exactly zero."""
-    if compiled and COMPILER is None:
-        pytest.skip("no C compiler")
     try:
         job = open_scene(Source("push.yaml", PUSH), method=method, needs=("x", "y", "th", "x'"))
     except RunError as error:

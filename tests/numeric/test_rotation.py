@@ -27,7 +27,7 @@ from nhc.mechanics.resolve import resolve
 from nhc.mechanics.scenes import start_of
 from nhc.mechanics.symmetry import turning_symmetries
 from nhc.pipeline import Options, emit
-from tests.support import COMPILER, ROOT, c_model, emitted_python, error, formulations, python_model, spec_path
+from tests.support import ROOT, c_model, emitted_python, error, formulations, python_model, spec_path
 
 GALLERY = ("free_rigid_body_quaternion", "heavy_top_quaternion", "chaplygin_ball_quaternion")
 TWO = ROOT / "tests" / "specs" / "two_rotations.yaml"
@@ -216,7 +216,6 @@ def operations(name: str) -> list[int]:
 # --- emitted code -----------------------------------------------------------------------------------------
 
 
-@pytest.mark.skipif(COMPILER is None, reason="no C compiler on this machine")
 @pytest.mark.parametrize("name", GALLERY)
 def test_c_is_python(name: str, tmp_path: Path) -> None:
     python, c = emitted_python(name, "euler-lagrange"), c_model(name, "euler-lagrange", tmp_path)
@@ -228,7 +227,6 @@ def test_c_is_python(name: str, tmp_path: Path) -> None:
     assert error(c("positions", 1, 0.0, y[: len(python.COORDINATES)], p), python.positions(0.0, y)) < 1e-14
 
 
-@pytest.mark.skipif(COMPILER is None, reason="no C compiler on this machine")
 def test_a_quaternion_that_is_zero_is_refused(tmp_path: Path) -> None:
     name = "heavy_top_quaternion"
     python, c = emitted_python(name), c_model(name, "", tmp_path)
@@ -373,7 +371,6 @@ def test_what_stays(capsys: pytest.CaptureFixture[str]) -> None:
         assert f"constants of the motion: {constants} among" in capsys.readouterr().out
 
 
-@pytest.mark.skipif(COMPILER is None, reason="no C compiler on this machine")
 @pytest.mark.parametrize(
     ("name", "method"),
     [*(("heavy_top_quaternion", m) for m in ("leapfrog", "dla", "energy")), ("chaplygin_ball_quaternion", "leapfrog")],

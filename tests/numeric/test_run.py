@@ -29,15 +29,7 @@ from nhc.simulate.run import Settings, Trajectory, run
 from nhc.simulate.source import write_natural, write_source
 from tests.support import COMPILER, ROOT, STRICT, formulations, reference, spec_path
 
-needs_compiler = pytest.mark.skipif(COMPILER is None, reason="no C compiler")
-
-
-@pytest.fixture(autouse=True, scope="module")
-def _cache(tmp_path_factory: pytest.TempPathFactory) -> object:
-    folder = tmp_path_factory.mktemp("cache")
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setenv("NHC_CACHE", str(folder))
-        yield folder
+pytestmark = pytest.mark.usefixtures("own_cache")
 
 
 def job_of(
@@ -77,7 +69,6 @@ def test_order_by_slope(name: str, method: str) -> None:
     assert math.log2(coarse / fine) == pytest.approx(order, abs=0.1)
 
 
-@needs_compiler
 @pytest.mark.parametrize("method", RUNGE_KUTTA)
 def test_c_and_python_take_the_same_steps(method: str) -> None:
     for name, formulation in (("chaplygin_sleigh", "multipliers"), ("pumped_pendulum", "")):
@@ -90,7 +81,6 @@ def test_c_and_python_take_the_same_steps(method: str) -> None:
             assert distance(list(a), list(b)) < 1e-11
 
 
-@needs_compiler
 @pytest.mark.parametrize("entry", reference("final_states"), ids=lambda e: e["system"])
 def test_the_tolerance_is_honoured_at_the_end(entry: dict[str, Any]) -> None:
     """By the default formulation and method, where the motion does not magnify errors by itself."""
@@ -106,7 +96,6 @@ def test_the_tolerance_is_honoured_at_the_end(entry: dict[str, Any]) -> None:
             assert abs(value - exact) <= tolerance * max(size, 1e-3 * max(sizes)) * max(1.0, entry["sensitivity"])
 
 
-@needs_compiler
 @pytest.mark.parametrize("method", RUNGE_KUTTA)
 def test_the_emitted_source_is_clean(method: str, tmp_path: Path) -> None:
     """Warnings are errors for the model and its integrator together, with everything that a run can have in it."""
@@ -114,14 +103,12 @@ def test_the_emitted_source_is_clean(method: str, tmp_path: Path) -> None:
     sources = write_source(job.program, [RUNGE_KUTTA[method]], job.events, job.holds)
     for file, text in sources.items():
         (tmp_path / file).write_text(text)
-    assert COMPILER is not None
     done = subprocess.run(
         [COMPILER, *STRICT, "-O1", "-c", "holonomic_pendulum_run.c"], cwd=tmp_path, capture_output=True, text=True
     )
     assert done.returncode == 0, done.stderr
 
 
-@needs_compiler
 @pytest.mark.parametrize("method", STRUCTURE)
 def test_structure_in_c_and_in_python(method: str, tmp_path: Path) -> None:
     """The same motion from both, and C that compiles without a warning, with constraints and without."""
@@ -136,7 +123,6 @@ def test_structure_in_c_and_in_python(method: str, tmp_path: Path) -> None:
             assert distance(list(a), list(b)) < 1e-11
         for file, text in write_natural(job.program, STRUCTURE[method]).items():
             (tmp_path / file).write_text(text)
-        assert COMPILER is not None
         command = [COMPILER, *STRICT, "-O1", "-c", f"{name}_run.c"]
         done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True)
         assert done.returncode == 0, done.stderr
@@ -183,7 +169,6 @@ def test_energy_does_not_drift(method: str) -> None:
         assert max(error[-tenth:]) <= 1.1 * max(error[:tenth])
 
 
-@needs_compiler
 def test_an_integrator_without_structure_does_drift() -> None:
     found = run(job_of("contact_oscillator", "rk4", 400.0, needs=("energy",)), Settings("rk4", step=0.2, points=2001))
     error = [abs(row[0] - found.rows[0][0]) for row in found.rows]
@@ -337,7 +322,6 @@ def test_files_of_each_kind(tmp_path: Path, capsys: pytest.CaptureFixture[str]) 
     assert "http" not in page.replace("http://www.w3.org/2000/svg", "")
 
 
-@needs_compiler
 def test_an_interrupt_keeps_what_there_is(tmp_path: Path) -> None:
     spec = tmp_path / "long.yaml"
     spec.write_text(BLOW_UP.replace("-x^4", "x^4"))
@@ -358,7 +342,6 @@ def test_an_interrupt_keeps_what_there_is(tmp_path: Path) -> None:
 UNIT = {"one.c": '#include "two.h"\nint value(void) { return TWO; }\n', "two.h": "#define TWO 2\n"}
 
 
-@needs_compiler
 def test_the_cache_is_addressed_by_content(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("NHC_CACHE", str(tmp_path / "models"))
     first = build(UNIT, "one.c")

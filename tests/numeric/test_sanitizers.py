@@ -138,7 +138,7 @@ def run(command: list[str], folder: Path) -> subprocess.CompletedProcess[str]:
     return subprocess.run(command, capture_output=True, text=True, cwd=folder, env=ENVIRONMENT, timeout=300)
 
 
-@pytest.mark.skipif(not COMPILERS, reason="no C compiler on this machine")
+@pytest.mark.skipif(not COMPILERS, reason="no compiler here has the sanitizers' libraries")
 @pytest.mark.parametrize("name", SYSTEMS)
 def test_emitted_c_is_clean_under_sanitizers(name: str, tmp_path: Path) -> None:
     source = read(str(spec_path(name)))
@@ -180,7 +180,7 @@ def test_the_gallery_compiles_without_a_warning(compiler: str, tmp_path: Path) -
     assert len(sources) >= len(GALLERY)
 
 
-@pytest.mark.skipif(not COMPILERS, reason="no C compiler on this machine")
+@pytest.mark.skipif(not COMPILERS, reason="no compiler here has the sanitizers' libraries")
 def test_the_sanitizers_see_a_write_past_the_end(tmp_path: Path) -> None:
     """An output one place too far must fail, else the test above proves nothing."""
     name = "chaplygin_sleigh"

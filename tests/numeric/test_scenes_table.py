@@ -6,12 +6,10 @@ import re
 from collections.abc import Callable
 from pathlib import Path
 
-import pytest
-
 from benchmarks import scenes
 from nhc.language import decode, read
 from nhc.pipeline import Options, reduce_scene
-from tests.support import COMPILER, GALLERY, ROOT, spec_path
+from tests.support import GALLERY, ROOT, spec_path
 
 DOCUMENT = ROOT / "docs" / "scenes.md"
 PART = re.compile(r"^<!-- generated: scenes -->\n.*?^<!-- end -->$", re.MULTILINE | re.DOTALL)
@@ -48,7 +46,6 @@ def test_the_measured_table_has_the_scenes_whose_model_is_another_one() -> None:
     assert all(len(p.reduced.y) <= len(p.full.y) for p in pairs)
 
 
-@pytest.mark.skipif(COMPILER is None, reason="no C compiler")
 def test_what_a_scene_saves_is_measured() -> None:
     (pair,) = [p for p in scenes.list_pairs() if (p.name, p.scene) == ("suslov", "rates_only")]
     full, reduced = scenes.measure(pair)

@@ -31,9 +31,8 @@ from nhc.study.simplify.measure import Meter, NotMeasured, meter_of
 from nhc.study.simplify.search import Trial, _Search, simplify
 from nhc.study.simplify.text import write_draft
 from nhc.study.simplify.zero import INFINITE, is_infinite, list_terms, replace_parts, vanish
-from tests.support import COMPILER, GALLERY, spec_path
+from tests.support import GALLERY, spec_path
 
-pytestmark = pytest.mark.skipif(COMPILER is None, reason="no C compiler")
 TOLERANCE = 1e-4
 SPEC = """\
 nhc: 1
@@ -68,11 +67,7 @@ scenes:
 """
 
 
-@pytest.fixture(autouse=True, scope="module")
-def _cache(tmp_path_factory: pytest.TempPathFactory) -> object:
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setenv("NHC_CACHE", str(tmp_path_factory.mktemp("cache")))
-        yield
+pytestmark = pytest.mark.usefixtures("own_cache")
 
 
 def source(text: str = SPEC) -> Source:

@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 
 from benchmarks import simulation
-from tests.support import COMPILER
 
 
 def test_the_time_is_interpolated_geometrically() -> None:
@@ -24,7 +23,6 @@ def test_the_error_is_the_worst_starts() -> None:
     assert simulation.find_error(reference + np.array([[0.0, 0.2], [0.4, 0.0]]), reference) == pytest.approx(0.1)
 
 
-@pytest.mark.skipif(COMPILER is None, reason="no C compiler")
 @pytest.mark.parametrize("system", ["sleigh", "trailers5"])
 def test_solvers_agree(system: str, tmp_path: object, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("NHC_CACHE", str(tmp_path))

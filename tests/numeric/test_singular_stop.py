@@ -11,9 +11,7 @@ from nhc.cli.entry import main
 from nhc.language import Source, decode, read
 from nhc.simulate.opening import open_scene
 from nhc.simulate.run import Settings, Trajectory, run
-from tests.support import COMPILER, SPECS, spec_path
-
-needs_compiler = pytest.mark.skipif(COMPILER is None, reason="no C compiler")
+from tests.support import SPECS, spec_path
 
 BOARD = """
   through:
@@ -25,12 +23,7 @@ BOARD = """
 CLOSED = 1.1707963267948966  # p_b = p_f = pi/2
 
 
-@pytest.fixture(autouse=True, scope="module")
-def _cache(tmp_path_factory: pytest.TempPathFactory) -> object:
-    folder = tmp_path_factory.mktemp("cache")
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setenv("NHC_CACHE", str(folder))
-        yield folder
+pytestmark = pytest.mark.usefixtures("own_cache")
 
 
 def board(front: str = "0.4") -> Source:
@@ -44,7 +37,6 @@ def follow(source: Source, scene: str, formulation: str = "", method: str = "dop
     return run(job, Settings(method, points=31, **more))  # type: ignore[arg-type]
 
 
-@needs_compiler
 @pytest.mark.parametrize("formulation", ["", "voronec", "multipliers"])
 @pytest.mark.parametrize(
     ("method", "step"), [("dop853", 0.0), ("dopri5", 0.0), ("radau5", 0.0), ("rk4", 0.1), ("rk4", 0.013)]
@@ -62,7 +54,6 @@ def test_python_stops_where_c_does() -> None:
     assert [note.partition(" t = ")[0] for note in c.notes] == [note.partition(" t = ")[0] for note in python.notes]
 
 
-@needs_compiler
 def test_close_by_it_goes_on_says_so_and_is_right() -> None:
     """A thousandth of a radian beside it the board is caught for a while; two formulations agree on what follows."""
     one, other = (follow(board("0.401"), "through", name, "auto", tolerance=1e-9) for name in ("", "multipliers"))
@@ -79,7 +70,6 @@ def body(d: str) -> Source:
     return Source("body.yaml", text[: text.index("scenes:")] + scene)
 
 
-@needs_compiler
 @pytest.mark.parametrize("formulation", ["", "lagrange"])
 @pytest.mark.parametrize("method", ["dop853", "rk4"])
 def test_gimbal_lock_is_a_stop(formulation: str, method: str) -> None:
@@ -87,7 +77,6 @@ def test_gimbal_lock_is_a_stop(formulation: str, method: str) -> None:
     assert found.ended == "failed" and found.outcome.t == pytest.approx(1.0, abs=0.05 if method == "rk4" else 1e-5)
 
 
-@needs_compiler
 @pytest.mark.parametrize(("d", "said"), [("0.2", False), ("0.01", True), ("0.0001", True)])
 def test_near_the_lock_it_is_said(d: str, said: bool) -> None:
     """The spin of the free body's own axes is known from Euler's equations, which know of no angles."""
@@ -99,7 +88,6 @@ def test_near_the_lock_it_is_said(d: str, said: bool) -> None:
     assert found.rows[-1][:3] == pytest.approx(free.rows[-1], abs=1e-7)
 
 
-@needs_compiler
 def test_a_pendulum_through_its_pole() -> None:
     """Spherical angles: along a meridian nothing is felt of the pole, but phi has no meaning there."""
     text = spec_path("spherical_pendulum").read_text()
@@ -123,7 +111,6 @@ scenes: {still: {initial: {z': 1}, time: [0, 3]}}
 """
 
 
-@needs_compiler
 @pytest.mark.parametrize(("method", "step"), [("dop853", 0.0), ("rk4", 0.3)])
 def test_a_mass_matrix_that_changes_its_sign(method: str, step: float) -> None:
     """At sin z = 2/3 the coupling outweighs the masses; at rest in x and y nothing is felt of it."""
@@ -137,7 +124,6 @@ NEAR = {("heavy_top", "sleeping"), ("heavy_top", "waking"), ("rolling_disk", "bo
 """An upright top in Euler's angles, and a disk that falls almost flat."""
 
 
-@needs_compiler
 @pytest.mark.slow
 @pytest.mark.parametrize(("name", "scene"), SCENES)
 def test_no_scene_of_the_gallery_raises_an_alarm(name: str, scene: str) -> None:

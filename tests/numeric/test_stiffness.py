@@ -12,9 +12,7 @@ from nhc.language import Source, read
 from nhc.simulate.opening import open_scene
 from nhc.simulate.run import Settings, Trajectory, run
 from nhc.simulate.stiffness import spectral_size
-from tests.support import COMPILER, spec_path
-
-needs_compiler = pytest.mark.skipif(COMPILER is None, reason="no C compiler")
+from tests.support import spec_path
 
 SYRUP = """nhc: 1
 system: syrup
@@ -28,12 +26,7 @@ DRAG = "-5e5*(x' - cos(t))"
 THAW = "-1e5*exp(-8*t^2)*(x' - cos(t)) - sin(t) - 400*(x - sin(t))"
 
 
-@pytest.fixture(autouse=True, scope="module")
-def _cache(tmp_path_factory: pytest.TempPathFactory) -> object:
-    folder = tmp_path_factory.mktemp("cache")
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setenv("NHC_CACHE", str(folder))
-        yield folder
+pytestmark = pytest.mark.usefixtures("own_cache")
 
 
 def pour(force: str, method: str = "auto", tolerance: float = 1e-6, start: str = "y: 1") -> Trajectory:
@@ -41,7 +34,6 @@ def pour(force: str, method: str = "auto", tolerance: float = 1e-6, start: str =
     return run(open_scene(source, method=method), Settings(method, tolerance, points=21))
 
 
-@needs_compiler
 def test_strong_drag_is_handed_over() -> None:
     """C6: an explicit method is bound to steps of about 1.2e-5; the whole run takes steps a hundred times as long on average."""
     found = pour(DRAG)
@@ -54,7 +46,6 @@ def test_strong_drag_is_handed_over() -> None:
         assert row == pytest.approx([math.sin(t) - 2e-6 * (math.cos(t) - 1), math.cos(t)], abs=5e-6)
 
 
-@needs_compiler
 def test_a_method_that_is_asked_for_is_kept_and_warned_of() -> None:
     found = pour("-2e4*(x' - cos(t))", "dop853")
     (note,) = found.notes
@@ -63,7 +54,6 @@ def test_a_method_that_is_asked_for_is_kept_and_warned_of() -> None:
     assert pour("-2*(x' - cos(t))", "dop853").notes == ()
 
 
-@needs_compiler
 def test_back_where_the_implicit_method_no_longer_pays() -> None:
     """The drag is gone after a second; then a spring's motion is to be followed, which is not stiff."""
     found = pour(THAW, tolerance=1e-9, start="y: 1, x': 1")
@@ -76,7 +66,6 @@ def test_back_where_the_implicit_method_no_longer_pays() -> None:
     assert max(abs(row[0] - math.sin(t)) for t, row in zip(found.times, found.rows, strict=True)) < 1e-6
 
 
-@needs_compiler
 def test_an_oscillation_is_not_stiff() -> None:
     """The fast spring of the disks swings: its motion has to be followed."""
     for scene in ("reference", "stiff"):

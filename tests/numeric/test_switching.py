@@ -15,9 +15,7 @@ from nhc.language import Source, read
 from nhc.simulate.conditioning import GAIN
 from nhc.simulate.opening import open_scene
 from nhc.simulate.run import Settings, Trajectory, run
-from tests.support import COMPILER, spec_path
-
-needs_compiler = pytest.mark.skipif(COMPILER is None, reason="no C compiler")
+from tests.support import spec_path
 
 SKATER = """nhc: 1
 system: skater
@@ -37,12 +35,7 @@ scenes:
 """
 
 
-@pytest.fixture(autouse=True, scope="module")
-def _cache(tmp_path_factory: pytest.TempPathFactory) -> object:
-    folder = tmp_path_factory.mktemp("cache")
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setenv("NHC_CACHE", str(folder))
-        yield folder
+pytestmark = pytest.mark.usefixtures("own_cache")
 
 
 def forced(text: str, dependent: str) -> Source:
@@ -68,7 +61,6 @@ def apart(found: Trajectory, exact: Trajectory) -> float:
     )
 
 
-@needs_compiler
 @pytest.mark.parametrize("dependent", ["x", "y"])
 @pytest.mark.parametrize("tolerance", [1e-6, 1e-10])
 def test_every_choice_becomes_singular_and_the_run_goes_on(dependent: str, tolerance: float) -> None:
@@ -88,7 +80,6 @@ def test_python_changes_where_c_does() -> None:
     assert told[0] == told[1] and abs(c.outcome.steps - python.outcome.steps) <= 3 and apart(c, python) < 1e-6
 
 
-@needs_compiler
 @pytest.mark.parametrize(
     ("name", "dependent"),
     [  # C4 of the atlas: each of these blocks becomes singular in the scene
@@ -110,13 +101,11 @@ def test_blocks_of_the_gallery(name: str, dependent: str) -> None:
     assert found.headings == tuple(f"{q}" for q in exact.headings)
 
 
-@needs_compiler
 def test_a_regular_choice_is_left_alone() -> None:
     for name in ("vertical_disk", "chaplygin_sleigh", "roller_racer", "n_trailer3", "diff_drive"):
         assert run(open_scene(read(str(spec_path(name)))), Settings()).notes == ()
 
 
-@needs_compiler
 def test_it_does_not_chatter() -> None:
     """A skate that swings about the heading where x' and y' serve equally well changes once at most; about a singular one, too."""
     text = SKATER.replace("tau*sin(0.9*t) - c*phi'", "-40*(phi - HEADING)").replace("phi: 0.3, phi': 2", "phi: START")
@@ -129,7 +118,6 @@ def test_it_does_not_chatter() -> None:
     assert GAIN > 2
 
 
-@needs_compiler
 def test_a_start_that_is_singular_for_the_choice() -> None:
     """The sleigh starts along x: solved for x' there is no first step."""
     source = forced(SKATER.replace("phi: 0.3", "phi: 0"), "x")
