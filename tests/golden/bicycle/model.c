@@ -1,5 +1,5 @@
 /*
- * bicycle.c: bicycle, emitted by nhc 0.1.0 (nhc:80b69b1f63fb96c3)
+ * bicycle.c: bicycle, emitted by nhc 0.1.0 (nhc:27fecc40f6220233)
  * Whipple's bicycle, nonlinear; two wheels, rear frame with rider, front frame; x ahead, y right, z down.
  * Source: bicycle.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -321,8 +321,8 @@ int bicycle_rhs(double t, const double *y, const double *p, double *dydt)
     const double k10 = c_lam * k8;
     const double k11 = c_lam * c_lam;
     const double k12 = w * s_lam + c_lam * (r_R - r_F);
-    const double k13 = s_lam * k3 - c_lam * k12;
-    const double k14 = s_lam * s_lam;
+    const double k13 = s_lam * s_lam;
+    const double k14 = s_lam * k3 - c_lam * k12;
     const double k15 = c_lam * k3 + s_lam * k12;
     const double k16 = fabs(r_R);
     const double k17 = fabs(r_F);
@@ -408,7 +408,7 @@ int bicycle_rhs(double t, const double *y, const double *p, double *dydt)
     const double z29 = c_roll * z23 - e2z * z28;
     const double z30 = c_lam * c_steer;
     const double z31 = s_lam * (c_lam - z30);
-    const double z32 = c_lam * z30 + k14;
+    const double z32 = c_lam * z30 + k13;
     const double z33 = z20 * z31 + R3 * z32;
     const double z34 = c_lam * s_steer;
     const double z35 = R3 * z34 - z20 * z1;
@@ -416,7 +416,7 @@ int bicycle_rhs(double t, const double *y, const double *p, double *dydt)
     const double z37 = z36 * z14;
     const double z38 = k12 - c_lam * z37 - s_lam * z15;
     const double z39 = z34 * k9 - z1 * k10 + z35 - s_steer * z38;
-    const double z40 = z37 + k13;
+    const double z40 = z37 + k14;
     const double z41 = k10 * z31 + k9 * z32 + z33 + c_steer * z40;
     const double z42 = z33 * z39 - z41 * z35;
     const double z43 = c_steer * z38;
@@ -835,8 +835,8 @@ int bicycle_velocities(double t, const double *y, const double *p, double *qdot)
     const double k4 = c_lam * k2;
     const double k5 = c_lam * c_lam;
     const double k6 = w * s_lam + c_lam * (r_R - r_F);
-    const double k7 = s_lam * k1 - c_lam * k6;
-    const double k8 = s_lam * s_lam;
+    const double k7 = s_lam * s_lam;
+    const double k8 = s_lam * k1 - c_lam * k6;
     const double k9 = c_lam * k1 + s_lam * k6;
     const double k10 = fabs(r_R);
     const double k11 = fabs(r_F);
@@ -870,14 +870,14 @@ int bicycle_velocities(double t, const double *y, const double *p, double *qdot)
         e2z * z19;
     const double z21 = c_lam * c_steer;
     const double z22 = s_lam * (c_lam - z21);
-    const double z23 = c_lam * z21 + k8;
+    const double z23 = c_lam * z21 + k7;
     const double z24 = z22 * z13 + z23 * R3;
     const double z25 = c_lam * s_steer;
     const double z26 = z25 * R3 - z1 * z13;
     const double z27 = z8 * z9;
     const double z28 = k6 - c_lam * z27 - s_lam * z10;
     const double z29 = z25 * k3 - z1 * k4 + z26 - s_steer * z28;
-    const double z30 = k7 + z27;
+    const double z30 = k8 + z27;
     const double z31 = k4 * z22 + k3 * z23 + z24 + c_steer * z30;
     const double z32 = z24 * z29 - z31 * z26;
     const double z33 = c_steer * z28;
@@ -980,8 +980,8 @@ int bicycle_accelerations(double t, const double *y, const double *p, double *qd
     const double k4 = c_lam * k2;
     const double k5 = c_lam * c_lam;
     const double k6 = w * s_lam + c_lam * (r_R - r_F);
-    const double k7 = s_lam * k1 - c_lam * k6;
-    const double k8 = s_lam * s_lam;
+    const double k7 = s_lam * s_lam;
+    const double k8 = s_lam * k1 - c_lam * k6;
     const double k9 = c_lam * k1 + s_lam * k6;
 
     /* state */
@@ -1018,7 +1018,7 @@ int bicycle_accelerations(double t, const double *y, const double *p, double *qd
     const double z29 = c_roll * z23 - e2z * z28;
     const double z30 = c_lam * c_steer;
     const double z31 = s_lam * (c_lam - z30);
-    const double z32 = c_lam * z30 + k8;
+    const double z32 = c_lam * z30 + k7;
     const double z33 = z5 * z31 + R3 * z32;
     const double z34 = c_lam * s_steer;
     const double z35 = R3 * z34 - z5 * z6;
@@ -1026,7 +1026,7 @@ int bicycle_accelerations(double t, const double *y, const double *p, double *qd
     const double z37 = z36 * z16;
     const double z38 = k6 - c_lam * z37 - s_lam * z17;
     const double z39 = z34 * k3 - z6 * k4 + z35 - s_steer * z38;
-    const double z40 = z37 + k7;
+    const double z40 = z37 + k8;
     const double z41 = k4 * z31 + k3 * z32 + z33 + c_steer * z40;
     const double z42 = z33 * z39 - z41 * z35;
     const double z43 = c_steer * z38;
@@ -1418,8 +1418,8 @@ static int bicycle_reactions_part1(double t, const double *y, const double *p, c
     const double k11 = c_lam * c_lam;
     const double k12 = w * s_lam + c_lam * (r_R - r_F);
     kept[13] = k12;
-    const double k13 = s_lam * k3 - c_lam * k12;
-    const double k14 = s_lam * s_lam;
+    const double k13 = s_lam * s_lam;
+    const double k14 = s_lam * k3 - c_lam * k12;
     const double k15 = c_lam * k3 + s_lam * k12;
     const double k16 = m_R + m_B;
     kept[14] = k16;
@@ -1546,7 +1546,7 @@ static int bicycle_reactions_part1(double t, const double *y, const double *p, c
     const double z30 = c_lam * c_steer;
     const double z31 = s_lam * (c_lam - z30);
     kept[59] = z31;
-    const double z32 = c_lam * z30 + k14;
+    const double z32 = c_lam * z30 + k13;
     kept[60] = z32;
     const double z33 = z20 * z31 + R3 * z32;
     kept[61] = z33;
@@ -1560,7 +1560,7 @@ static int bicycle_reactions_part1(double t, const double *y, const double *p, c
     const double z38 = k12 - c_lam * z37 - s_lam * z15;
     const double z39 = z34 * k9 - z2 * k10 + z35 - s_steer * z38;
     kept[65] = z39;
-    const double z40 = z37 + k13;
+    const double z40 = z37 + k14;
     kept[66] = z40;
     const double z41 = k10 * z31 + k9 * z32 + z33 + c_steer * z40;
     kept[67] = z41;
@@ -2139,8 +2139,8 @@ double bicycle_energy(double t, const double *y, const double *p)
     const double k7 = c_lam * k5;
     const double k8 = c_lam * c_lam;
     const double k9 = w * s_lam + c_lam * (r_R - r_F);
-    const double k10 = s_lam * k4 - c_lam * k9;
-    const double k11 = s_lam * s_lam;
+    const double k10 = s_lam * s_lam;
+    const double k11 = s_lam * k4 - c_lam * k9;
     const double k12 = c_lam * k4 + s_lam * k9;
 
     /* state */
@@ -2173,7 +2173,7 @@ double bicycle_energy(double t, const double *y, const double *p)
     const double z24 = c_roll * (s_pitch * (z12 * z13 - c_lam * z17) - c_pitch * (z12 * z18 + s_lam * z17)) -
         e2z * z23;
     const double z25 = c_lam * c_steer;
-    const double z26 = c_lam * z25 + k11;
+    const double z26 = c_lam * z25 + k10;
     const double z27 = s_lam * (c_lam - z25);
     const double z28 = R3 * z26 + z27 * z11;
     const double z29 = c_lam * s_steer;
@@ -2181,7 +2181,7 @@ double bicycle_energy(double t, const double *y, const double *p)
     const double z31 = z9 * z14;
     const double z32 = k9 - c_lam * z31 - s_lam * z15;
     const double z33 = z29 * k6 - z12 * k7 + z30 - s_steer * z32;
-    const double z34 = z31 + k10;
+    const double z34 = z31 + k11;
     const double z35 = c_steer * z34 + (k7 * z27 + k6 * z26 + z28);
     const double z36 = z28 * z33 - z35 * z30;
     const double z37 = c_steer * z32;
@@ -2372,8 +2372,8 @@ static int bicycle_jacobian_part1(double t, const double *y, const double *p, do
     const double k11 = c_lam * c_lam;
     const double k12 = w * s_lam + c_lam * (r_R - r_F);
     kept[13] = k12;
-    const double k13 = s_lam * k3 - c_lam * k12;
-    const double k14 = s_lam * s_lam;
+    const double k13 = s_lam * s_lam;
+    const double k14 = s_lam * k3 - c_lam * k12;
     const double k15 = c_lam * k3 + s_lam * k12;
     const double k16 = fabs(r_R);
     kept[14] = k16;
@@ -2524,7 +2524,7 @@ static int bicycle_jacobian_part1(double t, const double *y, const double *p, do
     kept[76] = z31;
     const double z32 = s_lam * (c_lam - z31);
     kept[77] = z32;
-    const double z33 = c_lam * z31 + k14;
+    const double z33 = c_lam * z31 + k13;
     kept[78] = z33;
     const double z34 = z20 * z32 + R3 * z33;
     kept[79] = z34;
@@ -2546,7 +2546,7 @@ static int bicycle_jacobian_part1(double t, const double *y, const double *p, do
     kept[87] = z42;
     const double z43 = z35 * k9 - z1 * k10 + z38 - z42;
     kept[88] = z43;
-    const double z44 = z40 + k13;
+    const double z44 = z40 + k14;
     kept[89] = z44;
     const double z45 = c_steer * z44;
     kept[90] = z45;
@@ -4879,10 +4879,10 @@ static void bicycle_jacobian_sweep1_part2(double t, const double *y, const doubl
     const bicycle_lanes z808 = s_lam * z805 + c_lam * z806 - k12 * z641;
     const bicycle_lanes z809 = z40 * z643 + z15 * z636 + k3 * (s_lam * z643 - c_lam * z636) - k12 * z672;
     const bicycle_lanes z810 = c_steer * z808 - s_steer * z809;
-    const bicycle_lanes z811 = z630 - c_lam * z807 + z20 * z673 + k10 * z673 - s_lam * z810;
+    const bicycle_lanes z811 = z630 - c_lam * z807 - s_lam * z810 + z20 * z673 + k10 * z673;
     const bicycle_lanes z812 = z261 * z632 - z18 * z659 + z52 * z646 - z57 * z653 + roll_dot * z811 - c_roll
         * z690;
-    const bicycle_lanes z813 = z632 - s_lam * z807 + R3 * z673 + k9 * z673 + c_lam * z810;
+    const bicycle_lanes z813 = z632 - s_lam * z807 + c_lam * z810 + R3 * z673 + k9 * z673;
     const bicycle_lanes z814 = z261 * z630 - z22 * z659 + z53 * z646 - z58 * z653 - roll_dot * z813 + c_roll
         * z689;
     const bicycle_lanes z815 = z570 * z593 + z572 * z594 + z564 * z622 + z566 * z623 - k27 * z799 + k23 *
@@ -5095,26 +5095,26 @@ static void bicycle_jacobian_sweep1_part2(double t, const double *y, const doubl
     const bicycle_lanes z978 = z461 * z643 + z469 * z636 - z40 * z895 - z15 * z896;
     const bicycle_lanes z979 = z978 - k3 * (s_lam * z895 - c_lam * z896) + k12 * z897;
     const bicycle_lanes z980 = z444 * z808 + z452 * z809 + c_steer * z977 - s_steer * z979;
-    const bicycle_lanes z981 = z477 * z673 - z711 - c_lam * z976 + z20 * z898 + k10 * z898 - s_lam * z980;
+    const bicycle_lanes z981 = z477 * z673 - z711 - c_lam * z976 - s_lam * z980 + z20 * z898 + k10 * z898;
     const bicycle_lanes z982 = z527 * z632 + z514 * z659 + z488 * z646 + z502 * z653 + z248 * z814 - z261 *
         z714;
     const bicycle_lanes z983 = z15 * z903;
     const bicycle_lanes z984 = z40 * z903;
     const bicycle_lanes z985 = c_lam * z983 - s_lam * z984 - k3 * z903;
-    const bicycle_lanes z986 = z982 + z174 * z746 + z125 * z773 - z795 + z81 * z797 + c_lam * z985 - z20 *
-        z907;
-    const bicycle_lanes z987 = s_lam * z983 + c_lam * z984 - k12 * z903;
-    const bicycle_lanes z988 = z40 * z904 + z15 * z905 + k3 * (s_lam * z904 - c_lam * z905) - k12 * z906;
-    const bicycle_lanes z989 = c_steer * z987 - s_steer * z988;
-    const bicycle_lanes z990 = z445 * z690 - (z986 + s_lam * z989 - z18 * z923 + z52 * z925 - z57 * z927 -
-        k10 * z907);
-    const bicycle_lanes z991 = z475 * z673 - z714 - s_lam * z976 + R3 * z898 + k9 * z898 + c_lam * z980;
+    const bicycle_lanes z986 = s_lam * z983 + c_lam * z984 - k12 * z903;
+    const bicycle_lanes z987 = z40 * z904 + z15 * z905 + k3 * (s_lam * z904 - c_lam * z905) - k12 * z906;
+    const bicycle_lanes z988 = c_steer * z986 - s_steer * z987;
+    const bicycle_lanes z989 = z982 + z174 * z746 + z125 * z773 - z795 + z81 * z797 + c_lam * z985 + s_lam *
+        z988;
+    const bicycle_lanes z990 = z445 * z690 - (z989 - z20 * z907 - z18 * z923 + z52 * z925 - z57 * z927 - k10
+        * z907);
+    const bicycle_lanes z991 = z475 * z673 - z714 - s_lam * z976 + c_lam * z980 + R3 * z898 + k9 * z898;
     const bicycle_lanes z992 = z527 * z630 + z515 * z659 + z489 * z646 + z503 * z653 - z248 * z812 - z261 *
         z711;
-    const bicycle_lanes z993 = z992 - z174 * z744 - z125 * z771 - z81 * z795 - z797 - s_lam * z985 + R3 *
-        z907;
-    const bicycle_lanes z994 = z445 * z689 + (z993 + c_lam * z989 - z22 * z923 + z53 * z925 - z58 * z927 + k9
-        * z907);
+    const bicycle_lanes z993 = z992 - z174 * z744 - z125 * z771 - z81 * z795 - z797 - s_lam * z985 + c_lam *
+        z988;
+    const bicycle_lanes z994 = z445 * z689 + (z993 + R3 * z907 - z22 * z923 + z53 * z925 - z58 * z927 + k9 *
+        z907);
     const bicycle_lanes z995 = c_pitch * (roll_dot * z981 - z990 - c_roll * z968) - s_pitch * (roll_dot *
         z991 - z994 - c_roll * z966);
     bicycle_put(slope + 1 * BICYCLE_LANES, -z995);
@@ -5131,7 +5131,7 @@ static void bicycle_jacobian_sweep1_part2(double t, const double *y, const doubl
         z142 * z766;
     const bicycle_lanes z1002 = z233 * z897 + (z1001 + z130 * z767 - z100 * z788 - z92 * z789 - z98 * z791 +
         z86 * z792);
-    const bicycle_lanes z1003 = z228 * z979 + z1002 + z67 * z906 - z65 * z988 - z16 * z956 + z41 * z934 - z44
+    const bicycle_lanes z1003 = z228 * z979 + z1002 + z67 * z906 - z65 * z987 - z16 * z956 + z41 * z934 - z44
         * z953;
     const bicycle_lanes z1004 = z477 * z655 + z475 * z678 - z21 * z942 - z6 * z928 - R3 * z935 - k9 * z934;
     const bicycle_lanes z1005 = z475 * z660 - z477 * z681 + z21 * z940 + z6 * z924 - z20 * z935 - k10 * z934;
@@ -5151,7 +5151,7 @@ static void bicycle_jacobian_sweep1_part2(double t, const double *y, const doubl
     const bicycle_lanes z1013 = z1012 - z136 * z763 + z144 * z764 - z130 * z766 - z142 * z767 - z92 * z788 +
         z100 * z789;
     const bicycle_lanes z1014 = z228 * z977 + (z233 * z894 - (z1013 - z86 * z791 - z98 * z792)) + z67 * z903
-        - z65 * z987;
+        - z65 * z986;
     const bicycle_lanes z1015 = c_lam * (z475 * z674 - R3 * z914 - k9 * z913) - s_lam * (z477 * z674 - z20 *
         z914 - k10 * z913);
     const bicycle_lanes z1016 = z1014 + z16 * z913 - s_lam * z1015 + z41 * z950 - z21 * z941 - z6 * z926 -
@@ -5234,8 +5234,8 @@ int bicycle_outputs(double t, const double *y, const double *p, double *out)
     const double k5 = c_lam * k3;
     const double k6 = c_lam * c_lam;
     const double k7 = w * s_lam + c_lam * (r_R - r_F);
-    const double k8 = s_lam * k2 - c_lam * k7;
-    const double k9 = s_lam * s_lam;
+    const double k8 = s_lam * s_lam;
+    const double k9 = s_lam * k2 - c_lam * k7;
     const double k10 = c_lam * k2 + s_lam * k7;
     const double k11 = fabs(r_R);
     const double k12 = fabs(r_F);
@@ -5270,7 +5270,7 @@ int bicycle_outputs(double t, const double *y, const double *p, double *out)
         e2z * z20;
     const double z22 = c_lam * c_steer;
     const double z23 = s_lam * (c_lam - z22);
-    const double z24 = c_lam * z22 + k9;
+    const double z24 = c_lam * z22 + k8;
     const double z25 = z14 * z23 + R3 * z24;
     const double z26 = c_lam * s_steer;
     const double z27 = R3 * z26 - z14 * z1;
@@ -5278,7 +5278,7 @@ int bicycle_outputs(double t, const double *y, const double *p, double *out)
     const double z29 = z28 * z10;
     const double z30 = k7 - c_lam * z29 - s_lam * z11;
     const double z31 = z26 * k4 - z1 * k5 + z27 - s_steer * z30;
-    const double z32 = z29 + k8;
+    const double z32 = z29 + k9;
     const double z33 = k5 * z23 + k4 * z24 + z25 + c_steer * z32;
     const double z34 = c_steer * z30;
     const double z35 = k2 + s_lam * z29 - c_lam * z11;
@@ -5422,7 +5422,7 @@ static __attribute__((noinline)) void bicycle_rhs_lanes(const double *fixed, siz
     const bicycle_lanes z29 = c_roll * z23 - e2z * z28;
     const bicycle_lanes z30 = c_lam * c_steer;
     const bicycle_lanes z31 = s_lam * (c_lam - z30);
-    const bicycle_lanes z32 = c_lam * z30 + k14;
+    const bicycle_lanes z32 = c_lam * z30 + k13;
     const bicycle_lanes z33 = z20 * z31 + R3 * z32;
     const bicycle_lanes z34 = c_lam * s_steer;
     const bicycle_lanes z35 = R3 * z34 - z20 * z1;
@@ -5430,7 +5430,7 @@ static __attribute__((noinline)) void bicycle_rhs_lanes(const double *fixed, siz
     const bicycle_lanes z37 = z36 * z14;
     const bicycle_lanes z38 = k12 - c_lam * z37 - s_lam * z15;
     const bicycle_lanes z39 = z34 * k9 - z1 * k10 + z35 - s_steer * z38;
-    const bicycle_lanes z40 = z37 + k13;
+    const bicycle_lanes z40 = z37 + k14;
     const bicycle_lanes z41 = k10 * z31 + k9 * z32 + z33 + c_steer * z40;
     const bicycle_lanes z42 = z33 * z39 - z41 * z35;
     const bicycle_lanes z43 = c_steer * z38;
@@ -5896,8 +5896,8 @@ int bicycle_rhs_batch(size_t count, const double *t, const double *y, const doub
     const double k10 = c_lam * k8;
     const double k11 = c_lam * c_lam;
     const double k12 = w * s_lam + c_lam * (r_R - r_F);
-    const double k13 = s_lam * k3 - c_lam * k12;
-    const double k14 = s_lam * s_lam;
+    const double k13 = s_lam * s_lam;
+    const double k14 = s_lam * k3 - c_lam * k12;
     const double k15 = c_lam * k3 + s_lam * k12;
     const double k16 = fabs(r_R);
     const double k17 = fabs(r_F);
