@@ -25,6 +25,11 @@ ROOT = Path(__file__).resolve().parent.parent
 SPECS = ROOT / "specs"
 GALLERY = tuple(sorted(path.stem for path in SPECS.glob("*.yaml")))
 STRICT = ("-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror")
+# nhc as somebody at a terminal has it: a shell starts background jobs with interrupts ignored, and children inherit that
+_RESTORE = (
+    "import os, signal, sys; signal.signal(signal.SIGINT, signal.SIG_DFL); os.execv(sys.executable, sys.argv[1:])"
+)
+INTERRUPTIBLE = (sys.executable, "-c", _RESTORE, sys.executable, "-m", "nhc")
 COMPILER = shutil.which("cc") or shutil.which("gcc") or shutil.which("clang") or "cc"
 
 

@@ -20,6 +20,7 @@ from nhc.cli import explain, main
 from nhc.cli.entry import VERBS
 from nhc.cli.options import FORMULATIONS
 from nhc.cli.terminal import Exit, Failure, wants_colour
+from tests.support import INTERRUPTIBLE
 
 MODULES = {path.stem for path in Path(explain.__file__).parent.glob("*.py")}
 HELPERS = {"__init__", "ensemble", "simplify", "entry", "options", "specs", "terminal", "write"}
@@ -90,11 +91,7 @@ def test_an_interrupt_is_130(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_an_interrupt_from_outside_is_130() -> None:
-    # a shell starts background jobs with the signal ignored, and children inherit that
-    restore = (
-        "import os, signal, sys; signal.signal(signal.SIGINT, signal.SIG_DFL); os.execv(sys.executable, sys.argv[1:])"
-    )
-    command = [sys.executable, "-c", restore, sys.executable, "-m", "nhc", "check", "-"]
+    command = [*INTERRUPTIBLE, "check", "-"]
     for patience in (
         0.5,
         2,

@@ -27,7 +27,7 @@ from nhc.simulate.peers import SCIPY
 from nhc.simulate.prepare import Job
 from nhc.simulate.run import Settings, Trajectory, run
 from nhc.simulate.source import write_natural, write_source
-from tests.support import COMPILER, ROOT, STRICT, formulations, reference, spec_path
+from tests.support import COMPILER, INTERRUPTIBLE, ROOT, STRICT, formulations, reference, spec_path
 
 pytestmark = pytest.mark.usefixtures("own_cache")
 
@@ -325,7 +325,7 @@ def test_files_of_each_kind(tmp_path: Path, capsys: pytest.CaptureFixture[str]) 
 def test_an_interrupt_keeps_what_there_is(tmp_path: Path) -> None:
     spec = tmp_path / "long.yaml"
     spec.write_text(BLOW_UP.replace("-x^4", "x^4"))
-    command = [sys.executable, "-m", "nhc", "run", str(spec), "--scene", "long", "-o", str(tmp_path / "a.csv")]
+    command = [*INTERRUPTIBLE, "run", str(spec), "--scene", "long", "-o", str(tmp_path / "a.csv")]
     command += ["--points", "100000", "--method", "rk4", "--step", "0.1"]
     process = subprocess.Popen(command, cwd=ROOT, stderr=subprocess.PIPE, text=True, env={**os.environ})
     time.sleep(3)
