@@ -23,7 +23,8 @@ def share_products(graph: Graph, roots: Sequence[Node], constants: int) -> list[
     chains, inner = _chains(graph, nodes, roots, constants)
     before = {node: list(factors) for node, factors in chains.items()}
     pairs = _share(chains)
-    if chains == before:
+    fixed_apart = any(sum(not graph.deps[f] & ~constants for f in factors) > 1 for factors in before.values())
+    if chains == before and not fixed_apart:
         return list(roots)
     new: dict[Node, Node] = {}
 

@@ -33,7 +33,7 @@ from nhc.program.ir import (
     Store,
     Sweep,
 )
-from nhc.program.named_nodes import UNROLLED, choose_names, find_constants, find_shared
+from nhc.program.named_nodes import UNROLLED, choose_names, find_constants, find_shared, find_turned
 from nhc.program.naming import Namer
 from nhc.program.passes import count_operations
 from nhc.program.plan import FunctionPlan, GuardPlan, SolvePlan, SweepPlan
@@ -55,6 +55,7 @@ class Lowering:
         self.body: list[Statement] = []
         self.needed = reachable(graph, self._roots())
         self.waiting: set[Node] = set()
+        self.turned: dict[Node, Node] = {}
         self._done: set[Node] = set()
         self.swept = graph.mask([seed for sweep in plan.sweeps for seed in sweep.seeds])
         self._unknowns = [graph.mask([s for column in solve.symbols for s in column]) for solve in plan.solves]
@@ -98,6 +99,7 @@ class Lowering:
         """Each let stands where it is first needed, so that few values live at once; guards come before the results."""
         self._load()
         lets = self.choose_names()
+        self._turn()
         self._parameter_section([n for n in lets if self._constant(n)])
         self.waiting = {n for n in lets if not self._constant(n)}
         for stage in range(len(self.plan.solves) + 1):
@@ -113,6 +115,10 @@ class Lowering:
         for sweep in self.plan.sweeps:
             self._sweep(sweep)
         return self._function()
+
+    def _turn(self) -> None:
+        targets = [target.node for target in self.plan.targets]
+        self.turned = find_turned(self.graph, targets, self._roots(), self.needed, self._constant)
 
     def _prepare(self, roots: Iterable[Node]) -> None:
         """Write the lets that the roots need and that are not written yet, each after those that it needs itself."""
@@ -152,7 +158,7 @@ class Lowering:
         self.body.append(Section("state"))
 
     def _let(self, node: Node) -> None:
-        value = self.expression(node)
+        value = self._opposite(node) if node in self.turned.values() else self._whole(node)
         self.names[node] = self.namer.node(node, self._constant(node))
         self.body.append(Let(self.names[node], value))
 
@@ -186,7 +192,7 @@ class Lowering:
         for target in plan.targets:
             assert plan.output is not None
             self._prepare([target.node])
-            value = self.expression(target.node)
+            value = self._whole(target.node)
             self.body.append(Store(plan.output.name, target.index, value, target.about, target.origin))
         if plan.result is not None:
             self._prepare([plan.result])
@@ -246,8 +252,29 @@ class Lowering:
         assert op in UNARY or op in BINARY
         return Call("pow" if op == "powf" else op, tuple(self.expression(c) for c in g.children(node)))
 
+    def _whole(self, node: Node) -> Expr:
+        """The expression of a statement; ``x * v * v`` needs no copy of v where x is not needed again, ``x * (v * v)`` does."""
+        g = self.graph
+        if g.op[node] == MUL and node not in self.names:
+            for x, y in (g.kids[node], g.kids[node][::-1]):
+                if g.op[y] == POW and y not in self.names and g.b[y] == 2:
+                    factor = self.expression(g.a[y])
+                    return Binary("*", Binary("*", self.expression(x), factor), factor)
+        return self.expression(node)
+
+    def _opposite(self, node: Node) -> Expr:
+        """Minus a node, the sign at its first factor."""
+        value = self.expression(node)
+        return (
+            Binary(value.op, Negate(value.left), value.right)
+            if isinstance(value, Binary) and value.op in "*/"
+            else Negate(value)
+        )
+
     def _negated(self, inner: Node) -> Expr:
         g = self.graph
+        if inner in self.turned and inner not in self.names:
+            return self.expression(inner)  # the constant among its factors has the sign
         if g.op[inner] == ADD and inner not in self.names and g.op[g.b[inner]] == NEG:
             return Binary("-", self.expression(g.a[g.b[inner]]), self.expression(g.a[inner]))  # -(x - y) = y - x
         return Negate(self.expression(inner))

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 
-from nhc.algebra.graph import NEG, POW, Graph, Node
+from nhc.algebra.graph import MUL, NEG, POW, Graph, Node
 
 LONG = 10  # operations in one expression
 UNROLLED = 4  # integer powers up to this are products
@@ -75,3 +75,27 @@ def find_shared(graph: Graph, needed: Sequence[Node], seeds: int) -> set[Node]:
             inner = [g.a[child] if g.op[child] == NEG else child for child in g.children(node)]
             boundary.update(n for n in inner if g.children(n) and not g.deps[n] & seeds)
     return boundary
+
+
+def find_turned(
+    graph: Graph,
+    targets: Iterable[Node],
+    roots: Iterable[Node],
+    needed: Sequence[Node],
+    is_constant: Callable[[Node], bool],
+) -> dict[Node, Node]:
+    """Products of which minus is a target, each with a constant factor that nothing else uses: it takes the sign, once and not at
+    every state.
+    """
+    g, found = graph, dict[Node, Node]()
+    inner = [g.a[node] for node in targets if g.op[node] == NEG]
+    products = [node for node in inner if g.op[node] == MUL]
+    if not products:
+        return found
+    uses = count_uses(graph, needed, roots)
+    for product in products:
+        if uses[product] == 1 and product not in found:
+            factor = next((f for f in g.kids[product] if g.kids[f] and is_constant(f) and uses[f] == 1), None)
+            if factor is not None:
+                found[product] = factor
+    return found

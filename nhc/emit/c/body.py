@@ -201,15 +201,15 @@ class BodyPrinter:
         if name in self.kept:
             self.lines.append(f"{self.indent}kept[{self.kept[name]}] = {self.scope[name]};")
 
-    def print_test(self, guard: Guard) -> str:
-        """The condition under which the guard's block is singular; a NaN makes it true."""
+    def print_good(self, guard: Guard) -> str:
+        """The condition under which the guard's block is regular; a NaN makes it false."""
         value = self.printer.print(Call("abs", (guard.value,)))
-        return f"!({value} > {self.printer.print(bound_test(guard))})"
+        return f"{value} > {self.printer.print(bound_test(guard))}"
 
     def print_guard(self, guard: Guard) -> None:
         """Leave where the block is singular."""
         self.add_comment(print_comment(guard.what))
-        self.add(f"if ({self.print_test(guard)}) {{")
+        self.add(f"if (!({self.print_good(guard)})) {{")
         self.lines.append(f"{self.indent}    return {self.leave(guard.status)};")
         self.lines.append(f"{self.indent}}}")
 

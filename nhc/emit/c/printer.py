@@ -6,6 +6,7 @@ from nhc.emit.c.arrange import arrange
 from nhc.emit.c.batch import Batch, mark_unused, print_batch
 from nhc.emit.c.body import ANY, BodyPrinter, print_singular, wrap_code
 from nhc.emit.c.driver import list_driver_functions, make_driver
+from nhc.emit.c.finish import choose_finish, print_finish
 from nhc.emit.c.header import frame, print_file_comment, print_function_comment, print_source_comment
 from nhc.emit.c.literals import print_comment, print_float, print_string
 from nhc.emit.c.names import make_scope
@@ -14,7 +15,7 @@ from nhc.emit.c.sweep import SweepPrinter
 from nhc.emit.environment import File
 from nhc.emit.options import BATCH, EmitError, EmitOptions, check_options, select_functions
 from nhc.emit.statements import drop_unused, find_not_finite, list_missing, list_statuses, list_used_names
-from nhc.program.ir import Argument, Evaluate, Function, Load, Program, Quantity, Solve, Statement, Sweep
+from nhc.program.ir import Argument, Evaluate, Function, Guard, Load, Program, Quantity, Solve, Statement, Sweep
 from nhc.records import record
 
 FEW = 8  # entries of zero that are stored one by one
@@ -185,8 +186,12 @@ def print_function(program: Program, function: Function, helpers: set[str], *, i
         ANY if inline else "",
     )
     printer.arguments, printer.kept = tuple(argument.name for argument in function.inputs), layout.kept
-    parts = print_statements(printer, function, body, layout)
-    if output is not None and output.size:
+    whole = output is not None and output.size and not layout.divided
+    finish = choose_finish(body) if whole else None
+    parts = print_statements(printer, function, body, layout, guarded=finish is None)
+    if finish is not None and output is not None:
+        print_finish(printer, finish, body, output.name, capitals)
+    elif output is not None and output.size:
         helpers.add("finish")
         printer.lines.append(f"    return {prefix}_finish({output.size}, {output.name});")
     elif output is not None:
@@ -198,9 +203,9 @@ def print_function(program: Program, function: Function, helpers: set[str], *, i
 
 
 def print_statements(
-    printer: BodyPrinter, function: Function, body: tuple[Statement, ...], layout: Layout
+    printer: BodyPrinter, function: Function, body: tuple[Statement, ...], layout: Layout, *, guarded: bool
 ) -> list[str]:
-    """Print the body into the printer's lines; the functions of its parts."""
+    """Print the body into the printer's lines, with its guards or without; the functions of its parts."""
     functions: list[str] = []
     if layout.divided:
         size = max(1, len(layout.kept))
@@ -214,7 +219,8 @@ def print_statements(
         printer.lines += print_calls(printer, function, names)
     else:
         printer.lines += mark_unused(function, body)
-        printer.print_all(tuple(statement for statement in body if not isinstance(statement, Sweep)))
+        later = Sweep if guarded else Sweep | Guard
+        printer.print_all(tuple(statement for statement in body if not isinstance(statement, later)))
     for number, sweep in enumerate(s for s in body if isinstance(s, Sweep)):
         printer.helpers |= {"lanes", "get", "sweep"}
         inner = SweepPrinter(printer, function, sweep, number + 1)

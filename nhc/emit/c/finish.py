@@ -1,0 +1,188 @@
+"""What a function tests before it says that its output is good: a short sum in place of every entry and every pivot.
+
+Infinities and NaN pass through sums, products and roots, so that a finite rate proves much of what it was computed from to be
+finite, and a finite quotient proves its denominator to be nonzero.  What is proved so is not tested again; which block was singular
+is found out after the test has failed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from fractions import Fraction
+
+from nhc.emit.c.body import BodyPrinter
+from nhc.program.ir import (
+    Binary,
+    Call,
+    Expr,
+    Guard,
+    Let,
+    Load,
+    Negate,
+    Number,
+    Pi,
+    Power,
+    Ref,
+    Section,
+    Statement,
+    Store,
+)
+from nhc.records import record
+
+MOST = 32  # terms of a sum that is written out
+_THROUGH = frozenset(
+    {"sin", "cos", "tan", "asin", "acos", "sinh", "cosh", "sqrt", "abs", "log"}
+)  # no finite value at an infinity
+_UPRIGHT = frozenset({"sqrt", "abs", "sin", "tan", "asin", "sinh"})  # zero where their argument is
+_BOUNDED = frozenset({"sin", "cos"})
+_ZERO = Number(Fraction(0))
+
+
+@record
+class Finish:
+    """Entries of the output whose sum is tested, and the guards that it does not decide."""
+
+    entries: tuple[int, ...]
+    guards: tuple[Guard, ...]
+
+
+def choose_finish(body: Sequence[Statement]) -> Finish | None:
+    """What must be tested at the end of a body; None where parts of it stand elsewhere or leave early, or where it is too long."""
+    if not all(isinstance(s, Section | Load | Let | Guard | Store) for s in body):
+        return None
+    proof = _Proof(body)
+    stores = [s for s in body if isinstance(s, Store)]
+    entries: list[int] = []
+    simple = [s for s in stores if _is_simple(s.value)]
+    for store in (*(s for s in reversed(stores) if not _is_simple(s.value)), *simple):  # the last depend on most
+        if not proof.bounds(store.value):
+            entries.append(store.index)
+            proof.assume_finite(store.value)
+    if len(entries) > MOST:
+        return None
+    guards = tuple(g for g in body if isinstance(g, Guard) and not (g.scale == _ZERO and proof.excludes_zero(g.value)))
+    return Finish(tuple(sorted(entries)), guards)
+
+
+def _is_simple(value: Expr) -> bool:
+    return isinstance(value, Ref) or (
+        isinstance(value, Binary) and isinstance(value.left, Ref) and isinstance(value.right, Ref)
+    )
+
+
+def print_finish(printer: BodyPrinter, finish: Finish, body: Sequence[Statement], output: str, capitals: str) -> None:
+    """The test and, behind it, what to say when it fails."""
+    tests = [printer.print_good(guard) for guard in finish.guards]
+    if finish.entries:
+        total = " + ".join(f"{output}[{index}]" for index in finish.entries)
+        tests.insert(0, f"fabs({total}) <= DBL_MAX")
+    if tests:
+        printer.add_comment(
+            "an infinity, a NaN or a division by zero anywhere above stays in this sum" if finish.entries else ""
+        )
+        printer.add(f"if (!({' && '.join(tests)})) {{")
+        printer.indent += "    "
+        for statement in body:
+            if isinstance(statement, Guard):
+                printer.print_guard(statement)
+        printer.add(f"return {capitals}_NOT_FINITE;")
+        printer.indent = printer.indent[4:]
+        printer.add("}")
+    printer.add(f"return {capitals}_OK;")
+
+
+class _Proof:
+    """Names that are known to be finite, and names that are known to be neither zero nor NaN."""
+
+    def __init__(self, body: Iterable[Statement]) -> None:
+        self._values = {s.name: s.value for s in body if isinstance(s, Let)}
+        self._finite: set[str] = set()
+        self._nonzero: set[str] = set()
+        self._inputs = {s.name for s in body if isinstance(s, Load)}
+
+    def assume_finite(self, expression: Expr) -> None:
+        """Draw what follows from a finite value."""
+        stack = [expression]
+        while stack:
+            part = stack.pop()
+            match part:
+                case Ref():
+                    if part.name not in self._finite:
+                        self._finite.add(part.name)
+                        stack += [self._values[part.name]] if part.name in self._values else []
+                case Binary():
+                    stack.append(part.left)
+                    if part.op == "/":
+                        self._assume_nonzero(part.right)
+                    else:
+                        stack.append(part.right)
+                case Negate():
+                    stack.append(part.operand)
+                case Power():
+                    if part.exponent > 0:
+                        stack.append(part.base)
+                    else:
+                        self._assume_nonzero(part.base)
+                case Call():
+                    stack += part.arguments if part.function in _THROUGH else ()
+                case Number() | Pi():
+                    pass
+
+    def _assume_nonzero(self, expression: Expr) -> None:
+        stack = [expression]
+        while stack:
+            part = stack.pop()
+            match part:
+                case Ref():
+                    if part.name not in self._nonzero:
+                        self._nonzero.add(part.name)
+                        stack += [self._values[part.name]] if part.name in self._values else []
+                case Binary(op="*"):
+                    stack += (part.left, part.right)
+                case Binary(op="/"):
+                    stack.append(part.left)
+                case Negate():
+                    stack.append(part.operand)
+                case Power():
+                    stack += [part.base] if part.exponent > 0 else []
+                case Call():
+                    stack += part.arguments if part.function in _UPRIGHT else ()
+                case _:
+                    pass
+
+    def excludes_zero(self, expression: Expr) -> bool:
+        """Whether the value is known to be neither zero nor NaN."""
+        match expression:
+            case Ref():
+                return expression.name in self._nonzero
+            case Negate():
+                return self.excludes_zero(expression.operand)
+            case Call(function="abs"):
+                return self.excludes_zero(expression.arguments[0])
+        return False
+
+    def bounds(self, expression: Expr) -> bool:
+        """Whether the value is known to be finite without a test."""
+        match expression:
+            case Number() | Pi():
+                return True
+            case Ref():
+                if expression.name in self._finite:
+                    return True
+                value = self._values.get(expression.name)
+                return value is not None and self.bounds(value)
+            case Negate():
+                return self.bounds(expression.operand)
+            case Call():
+                return expression.function in _BOUNDED and self.bounds(expression.arguments[0])
+            case Binary(op="*"):
+                pairs = ((expression.left, expression.right), (expression.right, expression.left))
+                return any(self._is_turned(one) and self.bounds(other) for one, other in pairs)
+        return False
+
+    def _is_turned(self, expression: Expr) -> bool:
+        """Whether the value lies between -1 and 1."""
+        if isinstance(expression, Ref):
+            value = self._values.get(expression.name)
+            return value is not None and self._is_turned(value)
+        return isinstance(expression, Call) and expression.function in _BOUNDED and self.bounds(expression.arguments[0])
