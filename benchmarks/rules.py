@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from benchmarks.counting import count_instructions
-from benchmarks.models import names, nhc_sources, parameters, source, states
+from benchmarks.models import FLAGS, names, nhc_sources, parameters, source, states
 from benchmarks.systems import ROOT
 from nhc.algebra.rules import RULES, WithoutRules
 from nhc.language import decode
@@ -46,14 +46,17 @@ def count(system: str, off: Iterable[str] = (), style: str = "positions") -> Ope
     return Operations(rhs.adds + rhs.multiplications + rhs.divisions, rhs.divisions)
 
 
-def count_trig(system: str) -> tuple[float, float]:
-    """Machine instructions per call with libm's sine and cosine, and with ``--trig inline``."""
+def count_trig(system: str) -> tuple[float, ...]:
+    """Machine instructions per call with libm's sine and cosine and with ``--trig inline``: plain, then with fused operations."""
     points = states(system, sum(map(len, names(system))))
-    libm, inline = (
-        count_instructions(nhc_sources(system, trig=trig), points, parameters(system)) for trig in ("", "inline")
+    return tuple(
+        count_instructions(nhc_sources(system, trig=trig), points, parameters(system), flags)
+        for flags in (FLAGS, FUSED)
+        for trig in ("", "inline")
     )
-    return libm, inline
 
+
+FUSED = (*FLAGS, "-march=x86-64-v3", "-ffp-contract=fast")
 
 _HEAD = """\
 # Rewriting rules
@@ -68,10 +71,11 @@ right-hand sides without it against those with it.
 _TRIG = """\
 
 Sine and cosine are half of the instructions of a small model; `--trig inline` puts them into the file
-([accuracy](emitted-code.md#c)).  Instructions per right-hand side, counted by callgrind:
+([accuracy](emitted-code.md#c)).  Instructions per right-hand side, counted by callgrind: `-O3` for x86-64 without options, and with
+fused multiply-add (`{fused}`); in parentheses against the first.
 
-| | libm | inlined | ratio |
-|---|---|---|---|
+| | libm | inlined | libm, fused | inlined, fused |
+|---|---|---|---|---|
 """
 
 
@@ -93,9 +97,10 @@ def write_trig() -> str:
     """The table of inlined sine and cosine."""
     rows = []
     for system in SYSTEMS:
-        libm, inline = count_trig(system)
-        rows.append(f"| {system} | {libm:.0f} | {inline:.0f} | {inline / libm:.2f} |")
-    return _TRIG + "\n".join(rows) + "\n"
+        libm, *others = count_trig(system)
+        cells = [f"{libm:.0f}", *(f"{count:.0f} ({count / libm:.2f})" for count in others)]
+        rows.append(f"| {system} | {' | '.join(cells)} |")
+    return _TRIG.format(fused=" ".join(FUSED[2:])) + "\n".join(rows) + "\n"
 
 
 def _cell(operations: Operations) -> str:
