@@ -19,6 +19,8 @@ _MOST_FACTORS = 10
 
 def share_products(graph: Graph, roots: Sequence[Node], constants: int) -> list[Node]:
     """Equal roots in which products share more of their factors; what contains only ``constants`` (a mask) stays whole."""
+    if "shared products" in graph.off:
+        return list(roots)
     nodes = reachable(graph, roots)
     chains, inner = _chains(graph, nodes, roots, constants)
     before = {node: list(factors) for node, factors in chains.items()}

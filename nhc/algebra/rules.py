@@ -45,6 +45,11 @@ RULES = (
         "accelerations of chains and trees from the leaves to the root, not by L D L^T",
         "program/mass_route.py",
     ),
+    Rule(
+        "shared products",
+        "pairs of factors that stand in several products are multiplied once; parameters stand together in front",
+        "algebra/products.py",
+    ),
     Rule("shared reciprocals", "x / d is x times 1/d, computed once; 1/d of parameters first", "program/lower.py"),
 )
 NAMES = frozenset(rule.name for rule in RULES)

@@ -17,13 +17,16 @@ from nhc.emit.names import Scope
 from nhc.emit.statements import collect_refs, drop_unused, fill_stores, iterate_refs, split_hoisted
 from nhc.program.ir import Call, Expr, Function, Guard, Let, Load, Program, Solve, Statement, Store
 from nhc.simulate.angles import TURNED, Turn, gather_angles, name_turned
+from nhc.simulate.layers import Split, split_layers
 
-ONE, LANES = "one", "lanes"
+ONE, PACK, LANES = "one", "pack", "lanes"
 _MAPPED = ("fabs", "sqrt", "exp", "log", "pow", "tan", "asin", "acos", "atan", "atan2", "sinh", "cosh", "tanh")
 _OWN = (
-    *("fixed", "far", "bad", "pack", "lanes", "spread", "duo", "turn_one", "turn_pack", "square_pack"),
-    *(f"{name}_{kind}" for name in ("sin", "cos", *_MAPPED) for kind in (ONE, LANES)),
+    *("fixed", "far", "bad", "kept", "layers", "pack", "lanes", "spread", "spread_pack", "duo"),
+    *("turn_one", "turn_pack", "square_pack", "total_pack"),
+    *(f"{name}_{kind}" for name in ("sin", "cos", *_MAPPED) for kind in (ONE, PACK, LANES)),
 )
+_SPREAD = {PACK: "spread_pack", LANES: "spread"}
 _PACK = 4
 """Angles turned together; as many doubles as a 256-bit vector holds."""
 _SHORT = 40  # statements: a longer body is called and not repeated at each stage
@@ -31,11 +34,22 @@ _LONGEST = 1500  # statements: beyond them the compiler would take too long for 
 
 
 @dataclass(frozen=True, slots=True)
-class Kernel:
-    """``prepare`` fills ``fixed`` with ``count`` numbers from p; ``bodies`` are for one state (``one``) and for ``lanes``.
+class PrintedLayer:
+    """A layer's body for several stages at once; ``entries`` and ``reads`` as in ``Layer``."""
 
-    ``calls``: C's functions of (one, two) arguments that lanes need, entry by entry; ``reads``: the entries of the state that
-    the body reads.
+    entries: tuple[int, ...]
+    reads: tuple[int, ...]
+    lines: tuple[str, ...]
+    short: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Kernel:
+    """``prepare`` fills ``fixed`` with ``count`` numbers from p; ``one`` and ``lanes`` are the bodies for one state and for many.
+
+    ``layers``: what ``one`` leaves to be done later, from ``kept`` values, the first of which are ``handed`` over by it and the
+    others by the layers to one another; ``packed`` and ``calls``: C's functions of (one, two) arguments that layers and lanes need, entry by entry;
+    ``reads``: the entries of the state that a stage asks for, ``waiting``: the others.
     """
 
     name: str
@@ -45,9 +59,18 @@ class Kernel:
     prepare: tuple[str, ...]
     one: tuple[str, ...]
     lanes: tuple[str, ...]
+    layers: tuple[PrintedLayer, ...]
+    kept: int
+    handed: int
+    packed: tuple[tuple[str, ...], tuple[str, ...]]
     calls: tuple[tuple[str, ...], tuple[str, ...]]
     reads: tuple[int, ...]
+    waiting: tuple[int, ...]
     short: bool
+
+    def list_read(self, depth: int) -> tuple[int, ...]:
+        """The waiting entries that the first ``depth`` layers read."""
+        return tuple(sorted({entry for layer in self.layers[:depth] for entry in layer.reads}))
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,7 +92,7 @@ class _Dialect:
 
     def print_call(self, function: str, arguments: tuple[str, ...]) -> str:
         if function in TURNED:
-            return f"{function}_lanes({arguments[0]}, far)"
+            return f"{function}_{self.kind}({arguments[0]}, far)"
         if function in HELPERS:
             name = f"{self.prefix}_{HELPERS[function]}"
             text = arguments[0] if len(arguments) > 1 else self._call(name, arguments)
@@ -82,7 +105,7 @@ class _Dialect:
         if self.kind == ONE:
             return f"{name}({', '.join(arguments)})"
         self.called[name] = len(arguments)
-        return f"{name}_lanes({', '.join(f'spread({argument})' for argument in arguments)})"
+        return f"{name}_{self.kind}({', '.join(f'{_SPREAD[self.kind]}({argument})' for argument in arguments)})"
 
 
 class _Printer:
@@ -90,7 +113,7 @@ class _Printer:
 
     def __init__(self, prefix: str, kind: str, scope: Scope, called: dict[str, int]) -> None:
         self.kind, self.scope = kind, scope
-        self.type = "double" if kind == ONE else "lanes"
+        self.type = "double" if kind == ONE else kind
         self.printer = ExpressionPrinter(_Dialect(prefix, kind, called), scope)
         self.lines: list[str] = []
 
@@ -100,7 +123,7 @@ class _Printer:
     def print_value(self, value: Expr) -> str:
         """A number alone is no vector."""
         text = self.printer.print(value)
-        return text if self.kind == ONE or any(True for _ in iterate_refs(value)) else f"spread({text})"
+        return text if self.kind == ONE or any(True for _ in iterate_refs(value)) else f"{_SPREAD[self.kind]}({text})"
 
     def print_statement(self, statement: Statement) -> None:
         if isinstance(statement, Load):
@@ -152,45 +175,106 @@ def print_kernel(program: Program, function: Function) -> Kernel | None:
     bound = [statement.name for statement in outside if isinstance(statement, Load | Let)]
     read = {name for statement in inside for name in collect_refs(statement)}
     fixed = [name for name in bound if name in read]
+    split = split_layers(inside) if function.name == "rhs" else Split(inside, (), ())
+    packed: dict[str, int] = {}
     called: dict[str, int] = {}
-    one, lanes = (_print_body(program, function, inside, fixed, scope, kind, called) for kind in (ONE, LANES))
+    bodies = _Bodies(program, function, split, fixed, scope)
     return Kernel(
         name=function.name,
         about=function.about,
         output=function.output.name,
         count=len(fixed),
         prepare=_print_prepare(program, outside, fixed, scope),
-        one=one,
-        lanes=lanes,
+        one=bodies.print_one(),
+        lanes=bodies.print_lanes(called),
+        layers=tuple(
+            PrintedLayer(layer.entries, layer.reads, bodies.print_layer(place, packed), len(layer.body) <= _SHORT)
+            for place, layer in enumerate(split.layers)
+        ),
+        kept=len(split.kept),
+        handed=len(_list_bound(split.early).intersection(split.kept)),
+        packed=(_named(packed, 1), _named(packed, 2)),
         calls=(_named(called, 1), _named(called, 2)),
-        reads=tuple(sorted({s.index for s in inside if isinstance(s, Load) and s.array == "y"})),
-        short=len(inside) <= _SHORT,
+        reads=tuple(sorted({s.index for s in split.early if isinstance(s, Load) and s.array == "y"})),
+        waiting=split.waiting,
+        short=len(split.early) <= _SHORT,
     )
 
 
-def _print_body(
-    program: Program,
-    function: Function,
-    inside: tuple[Statement, ...],
-    fixed: list[str],
-    scope: Scope,
-    kind: str,
-    called: dict[str, int],
-) -> tuple[str, ...]:
-    printer = _Printer(program.system, kind, scope, called)
-    loads = {statement.array for statement in inside if isinstance(statement, Load)}
-    unused = [argument.name for argument in function.inputs if argument.name not in {*loads, "p"}]
-    unused += ["far", "bad"]  # a body need not have an angle or a guard
-    printer.lines += [f"    (void){name};" for name in (*unused, *(() if fixed else ("fixed",)))]
-    for k, name in enumerate(fixed):
-        printer.add(f"const {printer.type} {scope[name]} = fixed[{k}];")
-    statements = gather_angles(inside) if kind == ONE else inside
-    for statement in statements:
-        if isinstance(statement, Turn):
-            printer.print_turn(statement)
-        else:
+@dataclass(frozen=True, slots=True)
+class _Bodies:
+    """The same statements for each kind of number."""
+
+    program: Program
+    function: Function
+    split: Split
+    fixed: list[str]
+    scope: Scope
+
+    def print_one(self) -> tuple[str, ...]:
+        """What each stage needs; it hands over the values that the layers need."""
+        printer = self._begin(ONE, {}, self.split.early)
+        for statement in gather_angles(self.split.early):
+            if isinstance(statement, Turn):
+                printer.print_turn(statement)
+            else:
+                printer.print_statement(statement)
+        bound = _list_bound(self.split.early)
+        for k, name in enumerate(self.split.kept):
+            if name in bound:
+                printer.add(f"kept[{k}] = {self.scope[name]};")
+        return tuple(printer.lines)
+
+    def print_layer(self, place: int, called: dict[str, int]) -> tuple[str, ...]:
+        """A layer for several stages; it finds in ``kept`` what was handed over, and hands over what it binds."""
+        body = self.split.layers[place].body
+        printer = self._begin(PACK, called, body)
+        bound = _list_bound(body)
+        used = {name for statement in body for name in collect_refs(statement)}
+        kept = {name: k for k, name in enumerate(self.split.kept)}
+        for name, k in kept.items():
+            if name in used and name not in bound:
+                printer.add(f"const pack {self.scope[name]} = kept[{k}];")
+        for statement in body:
             printer.print_statement(statement)
-    return tuple(printer.lines)
+        for name, k in kept.items():
+            if name in bound:
+                printer.add(f"kept[{k}] = {self.scope[name]};")
+        return tuple(printer.lines)
+
+    def print_lanes(self, called: dict[str, int]) -> tuple[str, ...]:
+        """All of it, the layers one inside the other."""
+        whole = self.split.early + tuple(s for layer in self.split.layers for s in layer.body)
+        printer = self._begin(LANES, called, whole)
+        seen: set[str] = set()
+        for place, body in enumerate((self.split.early, *(layer.body for layer in self.split.layers))):
+            if place:
+                printer.add(f"if (layers >= {place}) {{")
+            for statement in body:
+                if not isinstance(statement, Load) or statement.name not in seen:
+                    printer.print_statement(statement)
+            seen |= _list_bound(body)
+        printer.lines += ["    }" for _ in self.split.layers]
+        return tuple(printer.lines)
+
+    def _begin(self, kind: str, called: dict[str, int], body: tuple[Statement, ...]) -> _Printer:
+        """A printer that has marked the arguments that a body need not use, and has the fixed values that it does."""
+        printer = _Printer(self.program.system, kind, self.scope, called)
+        loads = {statement.array for statement in body if isinstance(statement, Load)}
+        used = {name for statement in body for name in collect_refs(statement)}
+        unused = [argument.name for argument in self.function.inputs if argument.name not in {*loads, "p"}]
+        unused += ["far", "bad"] if kind != PACK else ["far", "kept"]
+        unused += ["layers"] if kind == LANES and self.split.layers else []
+        fixed = [(k, name) for k, name in enumerate(self.fixed) if name in used]
+        printer.lines += [f"    (void){name};" for name in (*unused, *(() if fixed else ("fixed",)))]
+        for k, name in fixed:
+            value = f"spread_pack(fixed[{k}])" if kind == PACK else f"fixed[{k}]"
+            printer.add(f"const {printer.type} {self.scope[name]} = {value};")
+        return printer
+
+
+def _list_bound(body: tuple[Statement, ...]) -> set[str]:
+    return {statement.name for statement in body if isinstance(statement, Load | Let)}
 
 
 def _print_prepare(program: Program, outside: tuple[Statement, ...], fixed: list[str], scope: Scope) -> tuple[str, ...]:

@@ -8,7 +8,8 @@ from dataclasses import dataclass
 from nhc.emit import EmitOptions, render
 from nhc.emit.environment import File, render_file
 from nhc.program.ir import Function, Load, Program
-from nhc.simulate.kernel import print_kernel
+from nhc.simulate.groups import FOUR, Waiting, count_slots, plan_waiting
+from nhc.simulate.kernel import Kernel, print_kernel
 from nhc.simulate.methods.natural import Scheme
 from nhc.simulate.methods.tableau import Collocation, Explicit, Tableau
 from nhc.stamp import PLACEHOLDER
@@ -27,6 +28,13 @@ class Line:
 
 
 @dataclass(frozen=True, slots=True)
+class StageLine(Line):
+    """A stage: ``state`` is its state, by a sum that waits least for the youngest slope."""
+
+    state: str
+
+
+@dataclass(frozen=True, slots=True)
 class ExplicitText:
     """What ``explicit.c.jinja`` places; ``extra`` is the last slope that only the interpolant needs, or 0; ``hidden`` adds up the
     slopes that are not in the step itself.
@@ -35,13 +43,14 @@ class ExplicitText:
     name: str
     template: str
     nodes: str
-    stages: tuple[Line, ...]
+    stages: tuple[StageLine, ...]
     end: int
     extra: int
     errors: tuple[str, ...]
     hidden: str
     dense: tuple[Line, ...]
     exponent: int
+    waiting: Waiting
     paced: bool = True
 
 
@@ -76,12 +85,19 @@ def print_sum(row: Sequence[float], array: str = "s->k") -> str:
     return " + ".join(terms).replace("+ -", "- ")
 
 
+def print_state(row: Sequence[float]) -> str:
+    """``s->y[i]`` and the slopes by ``row``; one product and one sum are left to do once the last of them is there."""
+    *first, weight = row
+    known = f"(s->y[i] + s->h * ({print_sum(first)}))" if any(first) else "s->y[i]"
+    return f"{known} + (s->h * {weight!r}) * k[{len(first)}][i]"
+
+
 def print_row(row: Sequence[float]) -> str:
     """Numbers between commas."""
     return ", ".join(repr(value) for value in row)
 
 
-def describe_explicit(method: Explicit) -> ExplicitText:
+def describe_explicit(method: Explicit, kernel: Kernel | None) -> ExplicitText:
     """An explicit method's tableau as text."""
     last = len(method.rows)
     weights = method.rows[method.stages - 1]
@@ -90,13 +106,14 @@ def describe_explicit(method: Explicit) -> ExplicitText:
         name=method.name,
         template=f"c/methods/{method.name}.c.jinja",
         nodes=print_row(method.nodes),
-        stages=tuple(Line(j + 1, print_sum(row)) for j, row in enumerate(method.rows)),
+        stages=tuple(StageLine(j + 1, print_sum(row), print_state(row)) for j, row in enumerate(method.rows)),
         end=method.stages,
         extra=last if last > method.stages else 0,
         errors=tuple(print_sum(row) for row in method.errors),
         hidden=" + ".join(f"s->k[{j}][i]" for j in hidden),
         dense=tuple(Line(CUBIC + j, print_sum(row)) for j, row in enumerate(method.dense)),
         exponent=max(method.exponent, 1),
+        waiting=plan_waiting(method, kernel) if kernel else Waiting(),
     )
 
 
@@ -116,9 +133,9 @@ def describe_collocation(method: Collocation) -> CollocationText:
     )
 
 
-def describe(method: Tableau) -> ExplicitText | CollocationText:
+def describe(method: Tableau, kernel: Kernel | None) -> ExplicitText | CollocationText:
     """A method's tableau as text."""
-    return describe_explicit(method) if isinstance(method, Explicit) else describe_collocation(method)
+    return describe_explicit(method, kernel) if isinstance(method, Explicit) else describe_collocation(method)
 
 
 def write_source(
@@ -155,8 +172,14 @@ def write_source(
         "kernels": tuple(known),
         "lanes": lanes,
         "called": tuple(sorted({name for k in known for name in k.calls[i]}) for i in (0, 1)),
-        "reads": known[0].reads if known else (),
-        "states": len(program.state),
+        "reads": kernel.reads if kernel else (),
+        "waiting": kernel.waiting if kernel else (),
+        "kept": kernel.kept if kernel else 0,
+        "handed": kernel.handed if kernel else 0,
+        "packed": kernel.packed if kernel else ((), ()),
+        "slots": max(count_slots(method) for method in explicit) if kernel else 0,
+        "pieces": list_pieces(kernel.reads, len(program.state)) if kernel else (),
+        "packs": count_packs(len(program.state)),
         "fixed": max(1, sum(kernel.count for kernel in known)),
         "fixed_watch": known[0].count if known else 0,
         "paced": bool(explicit),
@@ -172,7 +195,7 @@ def write_source(
         "hermite": bool(explicit) or any(not method.adaptive for method in implicit),
         "allowed": any(method.adaptive for method in methods) or bool(implicit),
         "timed": any(isinstance(s, Load) and s.index < 0 for s in functions["rhs"].body),
-        "methods": tuple(describe(method) for method in methods),
+        "methods": tuple(describe(method, kernel) for method in methods),
     }
     return model | {f"{program.system}_run.c": render_file(File("run.c", "c/run.c.jinja", context))}
 
@@ -192,6 +215,20 @@ def write_natural(program: Program, method: Scheme) -> dict[str, str]:
         "constrained": any(function.name == "rows" for function in used),
     }
     return model | {f"{program.system}_run.c": render_file(File("run.c", "c/natural.c.jinja", context))}
+
+
+def count_packs(states: int) -> int:
+    """Fours that hold so many entries."""
+    return -(-states // FOUR)
+
+
+def list_pieces(entries: Sequence[int], states: int) -> tuple[int, ...]:
+    """Where fours begin that hold these entries, as few as there can be."""
+    found: list[int] = []
+    for entry in sorted(entries):
+        if not found or entry >= found[-1] + FOUR:
+            found.append(min(entry, FOUR * count_packs(states) - FOUR))
+    return tuple(found)
 
 
 def size(function: Function | None) -> int:

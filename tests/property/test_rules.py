@@ -33,7 +33,8 @@ LOCAL: dict[str, Tree] = {
     "cancelled factors": ("*", ("*", X, ("pow", Y, 2)), ("pow", Y, -1)),
     "circle": ("+", ("*", num(3), ("pow", ("sin", X), 2)), ("*", num(3), ("pow", ("cos", X), 2))),
 }
-WHOLE = {  # a system on which the rule changes the right-hand side
+WHOLE = {
+    "shared products": "trailers3",  # a system on which the rule changes the right-hand side
     "canonical forms": "disk",
     "gathered sums": "trailers3",
     "Cramer's rule": "bicycle",
