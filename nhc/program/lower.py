@@ -7,7 +7,7 @@ guards and solves need is visited.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 from fractions import Fraction
 
 from nhc.algebra.calculus import reachable
@@ -99,7 +99,7 @@ class Lowering:
         """Each let stands where it is first needed, so that few values live at once; guards come before the results."""
         self._load()
         lets = self.choose_names()
-        self._turn()
+        self._turn(set(lets))
         self._parameter_section([n for n in lets if self._constant(n)])
         self.waiting = {n for n in lets if not self._constant(n)}
         for stage in range(len(self.plan.solves) + 1):
@@ -116,9 +116,9 @@ class Lowering:
             self._sweep(sweep)
         return self._function()
 
-    def _turn(self) -> None:
+    def _turn(self, named: Collection[Node]) -> None:
         targets = [target.node for target in self.plan.targets]
-        self.turned = find_turned(self.graph, targets, self._roots(), self.needed, self._constant)
+        self.turned = find_turned(self.graph, targets, self._roots(), self.needed, named, self._constant)
 
     def _prepare(self, roots: Iterable[Node]) -> None:
         """Write the lets that the roots need and that are not written yet, each after those that it needs itself."""

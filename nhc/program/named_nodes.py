@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Collection, Iterable, Sequence
 
 from nhc.algebra.graph import MUL, NEG, POW, Graph, Node
 
@@ -82,10 +82,11 @@ def find_turned(
     targets: Iterable[Node],
     roots: Iterable[Node],
     needed: Sequence[Node],
+    named: Collection[Node],
     is_constant: Callable[[Node], bool],
 ) -> dict[Node, Node]:
-    """Products of which minus is a target, each with a constant factor that nothing else uses: it takes the sign, once and not at
-    every state.
+    """Products without a name of which minus is a target, each with a named constant factor that nothing else uses: it takes the
+    sign, once and not at every state.
     """
     g, found = graph, dict[Node, Node]()
     inner = [g.a[node] for node in targets if g.op[node] == NEG]
@@ -94,8 +95,8 @@ def find_turned(
         return found
     uses = count_uses(graph, needed, roots)
     for product in products:
-        if uses[product] == 1 and product not in found:
-            factor = next((f for f in g.kids[product] if g.kids[f] and is_constant(f) and uses[f] == 1), None)
+        if uses[product] == 1 and product not in found and product not in named:
+            factor = next((f for f in g.kids[product] if f in named and is_constant(f) and uses[f] == 1), None)
             if factor is not None:
                 found[product] = factor
     return found
