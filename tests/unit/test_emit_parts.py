@@ -27,10 +27,10 @@ WIDTHS = (1, 2, 4, 8)
 @pytest.fixture(autouse=True)
 def short_parts(monkeypatch: pytest.MonkeyPatch) -> None:
     """Limits that a program of some hundred statements exceeds: compilers take their time over longer ones."""
-    for module in (parts, sweep, batch):
-        monkeypatch.setattr(module, "LONGEST", 120)
-        monkeypatch.setattr(module, "USUAL", 60)
-    monkeypatch.setattr(parts, "RHS", 1)
+    for module in (parts, sweep):
+        monkeypatch.setattr(module, "choose_lengths", lambda _: (120, 60))
+    monkeypatch.setattr(batch, "LONGEST", 120)
+    monkeypatch.setattr(batch, "USUAL", 60)
 
 
 @pytest.mark.parametrize("compiler", COMPILERS)
@@ -43,10 +43,31 @@ def test_it_compiles_without_a_warning(compiler: str, machine: str, tmp_path: Pa
 def test_no_function_is_long(tmp_path: Path) -> None:
     (source,) = write(make_long(), tmp_path, EmitOptions())
     text = source.read_text()
-    bodies = dict(re.findall(r"\n[a-z ]+ (\w+)\([^{}]*\)\n\{\n(.*?)\n\}", text, re.DOTALL))
+    bodies = dict(re.findall(r"\n[A-Za-z_ ]+ (\w+)\([^{}]*\)\n\{\n(.*?)\n\}", text, re.DOTALL))
     long = [name for name, body in bodies.items() if body.count(";") > LINKS]
     assert not long
     assert "long_chain_rhs_part2" in text and "long_chain_jacobian_sweep1_part2" in text
+
+
+def test_long_functions_that_are_called_seldom_say_so(tmp_path: Path) -> None:
+    (source,) = write(make_long(), tmp_path, EmitOptions())
+    slow = re.findall(
+        r"^LONG_CHAIN_SLOW\s(?:static )?(?:int|void) long_chain_(\w+)\(", source.read_text(), re.MULTILINE
+    )
+    assert {name.split("_")[0] for name in slow} == {"accelerations", "jacobian"}
+    assert {"jacobian", "jacobian_part1", "jacobian_sweep1_part1", "accelerations"} <= set(slow)
+    (text,) = (t for name, t in render(make_long(), "c", EmitOptions(only=("rhs",))).items() if name.endswith(".c"))
+    assert "SLOW" not in text
+
+
+def test_a_part_reads_what_others_left_just_before_it_needs_it(tmp_path: Path) -> None:
+    (source,) = write(make_long(), tmp_path, EmitOptions())
+    read = re.compile(r"    const \w+ (\w+) = (?:\w+\()?(?:kept|carried|seed|y|p)\b[^;]*;.*\n")
+    text = source.read_text().split("static int long_chain_jacobian_part1", 1)[1].split("_rhs_lanes_part1")[0]
+    runs = re.findall(rf"((?:{read.pattern})+)([^;]*;)", text)
+    assert len(runs) > LINKS / 10
+    for names, _, statement in runs:
+        assert set(read.findall(names)) <= set(re.findall(r"\w+", statement))
 
 
 @pytest.mark.parametrize("width", WIDTHS)

@@ -1,11 +1,12 @@
 """A long body in several functions: compilers take more than twice as long over one that is twice as long.
 
-A part finds what others have computed in an array, ``kept`` (doubles) or, inside a sweep, ``carried`` (vectors).
+A part finds what others have computed in an array, ``kept`` (doubles) or, inside a sweep, ``carried`` (vectors), and reads it
+just before it is first needed: what compilers take longest over is finding places for values that live at once.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 
 from nhc.emit.c.body import BodyPrinter, wrap_code
 from nhc.emit.statements import collect_refs
@@ -13,8 +14,12 @@ from nhc.program.ir import Argument, Evaluate, Function, Let, Load, Solve, State
 from nhc.records import record
 
 OWN = ("kept", "carried", "first", "seed", "slope", "offset", "entry", "status")
-LONGEST, USUAL = 400, 250  # statements that one function may have; those of a part where there are more
-RHS = 3  # how many times as long ``rhs`` may be, which must be fast above all: what parts leave for others costs stores and loads
+SLOW = frozenset(
+    ("velocities", "accelerations", "state", "residuals", "positions", "reactions", "energy", "jacobian", "outputs")
+)  # functions that no integrator calls at each stage: where they are long, they shall be compiled soon above all
+SLOW_LENGTHS = (120, 80)  # statements that one function may have, those of a part where there are more
+LENGTHS = (400, 250)
+RHS_LENGTHS = (1200, 750)  # it must be fast above all: what parts leave for others costs stores and loads
 
 
 @record
@@ -36,6 +41,19 @@ def list_bound(statement: Statement) -> tuple[str, ...]:
     if isinstance(statement, Solve):
         return tuple(name for column in statement.names for name in column)
     return ()
+
+
+def choose_lengths(function: Function) -> tuple[int, int]:
+    """The statements that a function may have, and those of its parts where it has more."""
+    if function.name in SLOW:
+        return SLOW_LENGTHS
+    return RHS_LENGTHS if function.name == "rhs" else LENGTHS
+
+
+def is_long(function: Function, body: Sequence[Statement]) -> bool:
+    """Whether a function that is called seldom is so long that the compiler shall not take pains over it."""
+    straight = [s for s in body if not isinstance(s, Evaluate | Load | Sweep)]
+    return function.name in SLOW and (len(straight) > SLOW_LENGTHS[0] or any(isinstance(s, Sweep) for s in body))
 
 
 def cut(body: Sequence[Statement], longest: int, usual: int) -> tuple[tuple[Statement, ...], ...]:
@@ -60,8 +78,7 @@ def lay_out(function: Function, body: tuple[Statement, ...]) -> Layout:
     """The parts of a body without its loads, calls and sweeps; a sweep counts as a part that uses what it uses."""
     sweeps = [(statement,) for statement in body if isinstance(statement, Sweep)]
     straight = [s for s in body if not isinstance(s, Evaluate | Load | Sweep)]
-    longer = RHS if function.name == "rhs" else 1
-    parts = cut(straight, longer * LONGEST, longer * USUAL) if function.output is not None else (tuple(straight),)
+    parts = cut(straight, *choose_lengths(function)) if function.output is not None else (tuple(straight),)
     return Layout(parts, find_crossing((*parts, *sweeps)), bool(sweeps) or len(parts) > 1)
 
 
@@ -76,24 +93,54 @@ def list_arguments(function: Function) -> tuple[Argument, ...]:
     return (*function.inputs, *(Argument(s.array, s.size) for s in function.body if isinstance(s, Evaluate)))
 
 
+def print_slow(printer: BodyPrinter, function: Function) -> str:
+    """What stands before a part of a function, or a function, that is called seldom; nothing for others."""
+    if function.name not in SLOW:
+        return ""
+    printer.helpers.add("slow")
+    return f"{printer.prefix.upper()}_SLOW "
+
+
 def print_argument(name: str, size: int) -> str:
     """An input in a parameter list."""
     return f"double {name}" if size < 0 else f"const double *{name}"
 
 
-def print_head(printer: BodyPrinter, function: Function, part: Sequence[Statement], own: Sequence[str]) -> None:
-    """The first lines of a part: arguments that it does not read, its loads, and what it takes from others.
-
-    ``own`` are the arguments besides the function's that it does use.
-    """
+def find_sources(printer: BodyPrinter, function: Function, part: Sequence[Statement]) -> dict[str, Load | str]:
+    """Where a part has the names from that it uses and does not compute: loads of its own, lines that read ``kept``."""
     used = list_names(part)
-    loads = tuple(s for s in function.body if isinstance(s, Load) and s.name in used)
-    taken = [(name, place) for name, place in printer.kept.items() if name in used]
-    read = {load.array for load in loads} | set(own) | ({"kept"} if taken else set())
+    found: dict[str, Load | str] = {s.name: s for s in function.body if isinstance(s, Load) and s.name in used}
+    taken = {name: place for name, place in printer.kept.items() if name in used}
+    return found | {name: f"const double {printer.scope[name]} = kept[{place}];" for name, place in taken.items()}
+
+
+def print_unread(
+    printer: BodyPrinter, function: Function, sources: Mapping[str, Load | str], own: Sequence[str]
+) -> None:
+    """The first lines of a part: the arguments that it does not read; ``own`` are those that it writes."""
+    read = {source.array for source in sources.values() if isinstance(source, Load)} | set(own)
+    read |= {"kept"} if any(isinstance(source, str) for source in sources.values()) else set()
     given = [*(argument.name for argument in list_arguments(function)), "kept"]
     printer.lines += [f"    (void){name};" for name in given if name not in read]
-    printer.print_all(loads)
-    printer.lines += [f"    const double {printer.scope[name]} = kept[{place}];" for name, place in taken]
+
+
+def print_in_turn(
+    printer: BodyPrinter,
+    part: Sequence[Statement],
+    sources: Mapping[str, Load | str],
+    print_one: Callable[[Statement], None],
+) -> None:
+    """The statements of a part, before each what it is the first to read."""
+    waiting = {name: place for place, name in enumerate(sources)}
+    for statement in part:
+        for name in sorted(collect_refs(statement) & waiting.keys(), key=waiting.__getitem__):
+            del waiting[name]
+            source = sources[name]
+            if isinstance(source, Load):
+                printer.print_statement(source)
+            else:
+                printer.add(source)
+        print_one(statement)
 
 
 def print_part(printer: BodyPrinter, function: Function, part: Sequence[Statement], name: str) -> list[str]:
@@ -104,10 +151,11 @@ def print_part(printer: BodyPrinter, function: Function, part: Sequence[Statemen
     leaves = any(name in printer.kept for statement in part for name in list_bound(statement))
     stores = any(isinstance(statement, Store) for statement in part)
     arguments = ", ".join((*inputs, "double *kept", f"double *{output}"))
-    head = wrap_code(f"static int {name}({arguments})", "")
+    head = wrap_code(f"{print_slow(printer, function)}static int {name}({arguments})", "")
     inner.lines += [] if stores else [f"    (void){output};"]
-    print_head(inner, function, part, ("kept",) if leaves else ())
-    inner.print_all(tuple(part))
+    sources = find_sources(inner, function, part)
+    print_unread(inner, function, sources, ("kept",) if leaves else ())
+    print_in_turn(inner, part, sources, inner.print_statement)
     return ["", *head, "{", *inner.lines, f"    return {printer.prefix.upper()}_OK;", "}"]
 
 

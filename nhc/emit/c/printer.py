@@ -10,7 +10,7 @@ from nhc.emit.c.finish import choose_finish, print_finish
 from nhc.emit.c.header import frame, print_file_comment, print_function_comment, print_source_comment
 from nhc.emit.c.literals import print_comment, print_float, print_string
 from nhc.emit.c.names import make_scope
-from nhc.emit.c.parts import OWN, Layout, lay_out, print_calls, print_part
+from nhc.emit.c.parts import OWN, Layout, is_long, lay_out, print_calls, print_part, print_slow
 from nhc.emit.c.sweep import SweepPrinter
 from nhc.emit.environment import File
 from nhc.emit.options import BATCH, EmitError, EmitOptions, check_options, select_functions
@@ -198,8 +198,10 @@ def print_function(program: Program, function: Function, helpers: set[str], *, i
         printer.lines += [f"    (void){output.name};", f"    return {capitals}_OK;"]
     texts = ", ".join(print_argument(argument, argument is output) for argument in arguments)
     prototype = wrap_prototype(f"{'double' if output is None else 'int'} {prefix}_{function.name}({texts})")
+    slow = print_slow(printer, function).rstrip() if is_long(function, body) else ""
+    definition = f"{slow}\n{prototype}" if slow else prototype
     comment = print_function_comment(program, function)
-    return PrintedFunction(comment, prototype, prototype, tuple(printer.lines), tuple(parts))
+    return PrintedFunction(comment, prototype, definition, tuple(printer.lines), tuple(parts))
 
 
 def print_statements(

@@ -7,10 +7,18 @@ from __future__ import annotations
 
 from nhc.emit.c.body import BodyPrinter, wrap_code
 from nhc.emit.c.literals import print_comment
-from nhc.emit.c.parts import cut, find_crossing, list_names, print_argument, print_head
+from nhc.emit.c.parts import (
+    choose_lengths,
+    cut,
+    find_crossing,
+    find_sources,
+    list_names,
+    print_argument,
+    print_in_turn,
+    print_slow,
+    print_unread,
+)
 from nhc.program.ir import Function, Let, Statement, Store, Sweep
-
-LONGEST, USUAL = 300, 250  # statements of one function, and of a part where there are more
 
 
 class SweepPrinter:
@@ -22,7 +30,7 @@ class SweepPrinter:
         self.output = function.output.name
         self.name = f"{printer.prefix}_{function.name}_sweep{number}"
         self.width = f"{printer.prefix.upper()}_LANES"
-        self.parts = cut(sweep.body, LONGEST, USUAL)
+        self.parts = cut(sweep.body, *choose_lengths(function))
         self.carried = find_crossing(self.parts)
         self.places = {s.index: k for k, s in enumerate(s for s in sweep.body if isinstance(s, Store))}
 
@@ -62,7 +70,8 @@ class SweepPrinter:
             own = ["const double *kept", "const double *seed", "double *slope"]
             if self.carried:
                 own.insert(2, "double *carried")
-            head = f"static void {self.name_part(number)}({', '.join((*inputs, *own))})"
+            slow = print_slow(self.printer, self.function)
+            head = f"{slow}static void {self.name_part(number)}({', '.join((*inputs, *own))})"
             lines += ["", *wrap_code(head, ""), "{", *self.print_part(part), "}"]
         return lines
 
@@ -81,16 +90,13 @@ class SweepPrinter:
             inner.lines.append("    (void)carried;")
         if not any(isinstance(statement, Store) for statement in part):
             inner.lines.append("    (void)slope;")
-        print_head(inner, self.function, part, ())
-        kind = f"    const {prefix}_lanes"
-        inner.lines += [f"{kind} {scope[seed]} = {prefix}_get(seed + {k} * {self.width});" for k, seed in seeds]
-        inner.lines += [
-            f"{kind} {scope[name]} = {prefix}_get(carried + {k} * {self.width});"
-            for name, k in self.carried.items()
-            if name in used
-        ]
-        for statement in part:
-            self.print_statement(inner, statement)
+        sources = find_sources(inner, self.function, part)
+        print_unread(inner, self.function, sources, ())
+        vectors = [("seed", k, seed) for k, seed in seeds]
+        vectors += [("carried", k, name) for name, k in self.carried.items() if name in used]
+        for array, k, name in vectors:
+            sources[name] = f"const {prefix}_lanes {scope[name]} = {prefix}_get({array} + {k} * {self.width});"
+        print_in_turn(inner, part, sources, lambda statement: self.print_statement(inner, statement))
         return inner.lines
 
     def print_statement(self, inner: BodyPrinter, statement: Statement) -> None:
