@@ -48,8 +48,8 @@ class Kernel:
     """``prepare`` fills ``fixed`` with ``count`` numbers from p; ``one`` and ``lanes`` are the bodies for one state and for many.
 
     ``layers``: what ``one`` leaves to be done later, from ``kept`` values, the first of which are ``handed`` over by it and the
-    others by the layers to one another; ``packed`` and ``calls``: C's functions of (one, two) arguments that layers and lanes need, entry by entry;
-    ``reads``: the entries of the state that a stage asks for, ``waiting``: the others.
+    others by the layers to one another; ``packed`` and ``calls``: C's functions of (one, two) arguments that layers and lanes
+    need, entry by entry; ``reads``: the entries of the state that a stage asks for, ``waiting``: the others.
     """
 
     name: str
@@ -67,10 +67,6 @@ class Kernel:
     reads: tuple[int, ...]
     waiting: tuple[int, ...]
     short: bool
-
-    def list_read(self, depth: int) -> tuple[int, ...]:
-        """The waiting entries that the first ``depth`` layers read."""
-        return tuple(sorted({entry for layer in self.layers[:depth] for entry in layer.reads}))
 
 
 @dataclass(frozen=True, slots=True)

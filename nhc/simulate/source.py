@@ -89,7 +89,7 @@ def print_state(row: Sequence[float]) -> str:
     """``s->y[i]`` and the slopes by ``row``; one product and one sum are left to do once the last of them is there."""
     *first, weight = row
     known = f"(s->y[i] + s->h * ({print_sum(first)}))" if any(first) else "s->y[i]"
-    return f"{known} + (s->h * {weight!r}) * k[{len(first)}][i]"
+    return f"{known} + (s->h * {weight!r}) * s->k[{len(first)}][i]"
 
 
 def print_row(row: Sequence[float]) -> str:
