@@ -2,7 +2,7 @@
 
 Written out, the code grows as rows times columns, and compilers take long over it.  In a sweep the statements stand once and
 are passed through once for each column (a directional derivative of all rows) or once for each row (its gradient); what the
-passes share is computed before them.  The velocities' rows are short and always written out.
+passes share is computed before them.  The velocities' rows are written out too where they are short or have many columns.
 """
 
 from __future__ import annotations
@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 
 LONGEST = 1500
 """Operations of the rates' rows, roughly, beyond which they are not written out."""
+SPARED, SLOWER = 150, 1.5
+"""Operations that a sweep over the velocities must save, and how many times as many its passes may take, two at once."""
 
 
 @record
@@ -38,7 +40,8 @@ def plan_jacobian(planner: Planner) -> FunctionPlan:
     g, motion, y = planner.graph, planner.equations.motion, planner.y_nodes
     size = len(y)
     slopes = differentiate_rates(planner) if motion.rates else Slopes()
-    rows = [*differentiate(g, [motion.velocities[i] for i in planner.kept_q], y), *slopes.entries]
+    rows, swept = differentiate_velocities(planner)
+    rows += slopes.entries
     plan = planner.plan(
         "jacobian",
         "d rhs_i / d y_j, row-major",
@@ -49,7 +52,7 @@ def plan_jacobian(planner: Planner) -> FunctionPlan:
         slopes.solves,
     )
     targets = tuple(target for target in plan.targets if target.node != g.zero)
-    return replace(plan, targets=targets, sweeps=slopes.sweeps)
+    return replace(plan, targets=targets, sweeps=(*swept, *slopes.sweeps))
 
 
 def differentiate(graph: Graph, nodes: Sequence[Node], wrt: Sequence[Node]) -> list[list[Node]]:
@@ -59,6 +62,25 @@ def differentiate(graph: Graph, nodes: Sequence[Node], wrt: Sequence[Node]) -> l
     backward = [gradient(graph, node, wrt) for node in nodes]
     found = (forward, backward)
     return min(found, key=lambda rows: count(graph, [*nodes, *(entry for row in rows for entry in row)]))
+
+
+def differentiate_velocities(planner: Planner) -> tuple[list[Sequence[Node]], tuple[SweepPlan, ...]]:
+    """The rows of the velocities written out, but for the coordinates' columns where a sweep is shorter, and this sweep."""
+    g, y, split = planner.graph, planner.y_nodes, len(planner.kept_q)
+    nodes = [planner.equations.motion.velocities[i] for i in planner.kept_q]
+    rows = differentiate(g, nodes, y)
+    left = [[*([g.zero] * split), *row[split:]] for row in rows]
+    written, rest = (count(g, [*nodes, *(entry for row in made for entry in row)]) for made in (rows, left))
+    if written - rest < SPARED:
+        return list(rows), ()
+    active = [j for j in range(split) if any(row[j] != g.zero for row in rows)]
+    seeds = {y[j]: g.symbol(f"turn_{j}", "direction") for j in active}
+    targets = _targets(g, tangent(g, nodes, seeds), [i * len(y) for i in range(split)])
+    about = "one coordinate in each pass: a column of the velocities' rows"
+    sweep = SweepPlan(about, tuple(seeds.values()), tuple(active), targets)
+    once = count(g, [*nodes, *(target.node for target in targets)]) - count(g, nodes)
+    short = written - rest - once >= SPARED and once * len(active) <= 2 * SLOWER * (written - rest)
+    return (list(left), (sweep,)) if short and targets else (list(rows), ())
 
 
 def differentiate_rates(planner: Planner) -> Slopes:

@@ -17,6 +17,7 @@ OWN = ("kept", "carried", "first", "seed", "slope", "offset", "entry", "status")
 SLOW = frozenset(
     ("velocities", "accelerations", "state", "residuals", "positions", "reactions", "energy", "jacobian", "outputs")
 )  # functions that no integrator calls at each stage: where they are long, they shall be compiled soon above all
+LONG = 40  # statements from which on this holds
 SLOW_LENGTHS = (120, 80)  # statements that one function may have, those of a part where there are more
 LENGTHS = (400, 250)
 RHS_LENGTHS = (1200, 750)  # it must be fast above all: what parts leave for others costs stores and loads
@@ -53,7 +54,7 @@ def choose_lengths(function: Function) -> tuple[int, int]:
 def is_long(function: Function, body: Sequence[Statement]) -> bool:
     """Whether a function that is called seldom is so long that the compiler shall not take pains over it."""
     straight = [s for s in body if not isinstance(s, Evaluate | Load | Sweep)]
-    return function.name in SLOW and (len(straight) > SLOW_LENGTHS[0] or any(isinstance(s, Sweep) for s in body))
+    return function.name in SLOW and (len(straight) > LONG or any(isinstance(s, Sweep) for s in body))
 
 
 def cut(body: Sequence[Statement], longest: int, usual: int) -> tuple[tuple[Statement, ...], ...]:
