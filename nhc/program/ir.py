@@ -121,7 +121,9 @@ class Guard:
 class Solve:
     """Dense ``matrix @ x = column`` for each column, by elimination with row pivoting; ``names[c][i]`` binds x_i of column c.
 
-    Leaves with ``status`` when a pivot is no larger than ``tolerance`` times the largest entry of its row of the matrix.
+    Leaves with ``status`` when a pivot is no larger than ``tolerance`` times the largest entry of its row of the matrix, after
+    the columns from ``masses`` on, of multipliers, are scaled to the largest magnitude on the diagonal: neither the unit of mass
+    nor a factor of a constraint may decide what is singular.
     ``matrix[i][j]`` and ``columns[c][i]`` are expressions (often Number(0)).
     """
 
@@ -131,6 +133,14 @@ class Solve:
     tolerance: float
     status: int
     what: str
+
+    @property
+    def masses(self) -> int:
+        """The number of unknowns before those that stand beside a block of zeros."""
+        masses = len(self.matrix)
+        while masses and all(entry == Number(Fraction(0)) for entry in self.matrix[masses - 1][masses - 1 :]):
+            masses -= 1
+        return masses
 
 
 @record

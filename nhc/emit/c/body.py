@@ -227,7 +227,7 @@ class BodyPrinter:
             for j, entry in enumerate((*row, *(column[i] for column in solve.columns))):
                 self.add(f"{array}[{i * width + j}] = {self.printer.print(entry)};")
         tolerance = print_double(Fraction(solve.tolerance))
-        self.add(f"if ({self.prefix}_solve({size}, {width}, {array}, {tolerance}) != 0) {{")
+        self.add(f"if ({self.prefix}_solve({size}, {solve.masses}, {width}, {array}, {tolerance}) != 0) {{")
         self.lines.append(f"{self.indent}    return {self.leave(solve.status)};")
         self.lines.append(f"{self.indent}}}")
         for c, names in enumerate(solve.names):

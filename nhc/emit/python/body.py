@@ -242,7 +242,7 @@ class BodyPrinter:
         block, solution = self.scope.fresh("block"), self.scope.fresh("solution")
         self.add_comment(f"the matrix beside its right sides; {solve.what} where it has no pivot", self.indent)
         self.lines += print_sequence(f"{block}: list[list[{kind}]] = ", rows, "[]", self.indent)
-        arguments = f"{block}, {print_float(solve.tolerance)}"
+        arguments = f"{block}, {solve.masses}, {print_float(solve.tolerance)}"
         if self.array == "jax":
             regular = self.scope.fresh("regular")
             self.lines.append(f"{self.indent}{solution}, {regular} = _solve({arguments})")
