@@ -8,6 +8,7 @@ from nhc.algebra.calculus import substitute, tangent
 from nhc.algebra.field import Unlucky
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.linear import NamedBlock, Singular, solve_rows
+from nhc.mechanics.askew import count_from_joint, find_lean
 from nhc.mechanics.frame import Frame, form_value
 from nhc.mechanics.kinetic import Kinetic
 from nhc.mechanics.moved import Moved, Spread, Turning, Weights
@@ -29,12 +30,15 @@ from nhc.mechanics.moving_spin import Spin, find_turning, recognise, spatial_pat
 from nhc.mechanics.regularity import pivot_weakness
 from nhc.mechanics.signatures import Signatures
 from nhc.mechanics.system import System
-from nhc.mechanics.turns import change_axes
+from nhc.mechanics.turns import Turn, change_axes
 from nhc.mechanics.vectors import Chained, Reader
 
 
-def move(system: System, kinetic: Kinetic, frame: Frame) -> Moved | None:
-    """The frame and T on moving axes; None where T has no vector that turns."""
+def move(system: System, kinetic: Kinetic, frame: Frame, backs: tuple[Turn, ...] = ()) -> Moved | None:
+    """The frame and T on moving axes; None where T has no vector that turns.
+
+    ``backs`` are turns from axes on which the next joint stands straight to those of the spec (:mod:`nhc.mechanics.askew`).
+    """
     g = system.graph
     groups = square_groups(system, kinetic)
     if not groups:
@@ -52,11 +56,15 @@ def move(system: System, kinetic: Kinetic, frame: Frame) -> Moved | None:
         forms.setdefault(signature, symbol)
         forms.setdefault(marks.negative(signature), g.neg(symbol))
     moving = g.mask((*system.q, system.t))
-    scene = Scene(system, held, tuple(values), marks, forms, Reader(g, moving), Reader(g, moving))
+    scene = Scene(system, held, tuple(values), marks, forms, Reader(g, moving), Reader(g, moving), backs=backs)
     vectors: list[Placed] = []
     for group in groups:
         components = [kinetic.atoms[k] for k in group] + [g.zero] * (3 - len(group))
         vectors.append((group, *read_square(scene, (components[0], components[1], components[2]))))
+        lean = find_lean(g, [part.path for part in vectors[-1][1].parts])
+        straight = None if lean is None else move(*count_from_joint(lean, system, kinetic, frame), (*backs, lean.back))
+        if straight is not None:
+            return straight
     for sided in _directions(g, values):
         read_vector(scene, direction_vector(g, sided)[0])
         scene.paths.append(sided.path)

@@ -16,7 +16,7 @@ from nhc.algebra.calculus import Derivation
 from nhc.algebra.graph import Graph, Node
 from nhc.mechanics.signatures import Signatures
 from nhc.mechanics.system import System
-from nhc.mechanics.turns import Path, Vector, add_spin, add_vectors, change_axes, climb, cross
+from nhc.mechanics.turns import Path, Turn, Vector, add_spin, add_vectors, change_axes, climb, cross
 from nhc.mechanics.vectors import Chained, Part, Reader
 from nhc.records import record
 
@@ -56,9 +56,9 @@ class Scene:
     unknown: dict[Node, Node] = field(default_factory=dict)  # components at home that take the place of velocities
     given: dict[Node, Node] = field(default_factory=dict)  # those velocities, from the components
     dropped: set[int] = field(default_factory=set)  # forms that are among the components
-    replaced: dict[Node, Node] = field(
-        default_factory=dict
-    )  # the spec's expressions of angular velocities -> the chain's
+    # the spec's expressions of angular velocities -> the chain's
+    replaced: dict[Node, Node] = field(default_factory=dict)
+    backs: tuple[Turn, ...] = ()  # constant turns to axes on which the spec may have its components
 
     @cached_property
     def _derivation(self) -> Derivation:

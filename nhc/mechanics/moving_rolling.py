@@ -11,6 +11,7 @@ from collections.abc import Sequence
 from nhc.algebra.calculus import list_terms, reachable, substitute
 from nhc.algebra.graph import Graph, Node
 from nhc.mechanics.moving import Scene
+from nhc.mechanics.moving_straight import straighten
 from nhc.mechanics.turns import Path, Vector, add_vectors, change_axes
 from nhc.mechanics.vectors import Chained
 from nhc.records import record
@@ -132,7 +133,7 @@ def _on_axes(scene: Scene, rest: Vector, *, planar: bool) -> tuple[Path, Vector]
                 break
             local.append(known)
         if len(local) == 3:
-            return path, (local[0], local[1], local[2])
+            return straighten(scene, path, (local[0], local[1], local[2]))
     return None
 
 

@@ -37,6 +37,8 @@ def spatial_paths(scene: Scene) -> list[Path]:
     for path in scene.paths:
         for length in range(2, len(path) + 1):
             found.setdefault(path[:length])
+            for back in scene.backs:
+                found.setdefault((*path[:length], back))
         if len(path) > 2 and not scene.graph.deps[path[-2].angle] & scene.graph.mask(scene.system.q):
             tilt = path[-2]
             found.setdefault((*path, Turn(tilt.plane, scene.graph.neg(tilt.angle))))

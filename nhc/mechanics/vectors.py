@@ -161,6 +161,8 @@ class Reader:
     def _peel(self, components: Vector, path: Path) -> Iterator[Part]:
         """Parts whose sum is the vector: on turned axes where it turns as a whole."""
         for angle in self.angles_of(components):
+            if not self.graph.deps[angle] & self.moving:
+                continue
             found = self._try(components, angle)
             if found is None:
                 continue
