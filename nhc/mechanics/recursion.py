@@ -85,8 +85,10 @@ def _as_written(graph: Graph, forms: Sequence[Node], w: Sequence[Node], paramete
 
 
 def _is_plain(graph: Graph, terms: Terms, constant: Node, parameters: int) -> bool:
-    """One variable times parameters."""
-    return len(terms) == 1 and constant == graph.zero and not graph.deps[next(iter(terms.values()))] & ~parameters
+    """Nothing at all, or one variable times parameters."""
+    if constant != graph.zero or len(terms) > 1:
+        return False
+    return not any(graph.deps[factor] & ~parameters for factor in terms.values())
 
 
 def _combine(
@@ -154,7 +156,7 @@ def _by_terms(graph: Graph, wide: Recursion) -> Recursion:
         flat.append(_flatten(graph, wide.rates, terms, flat))
         if constant != graph.zero or len(set(flat[-1])) < len(flat[-1]):
             return wide
-    heads = [form for form in wide.forms if next(iter(form)) >= wide.rates]
+    heads = [form for form in wide.forms if form and next(iter(form)) >= wide.rates]
     wanted = sorted({next(iter(form)) - wide.rates for form in heads})
     count: dict[Term, int] = {}
     for k in wanted:
