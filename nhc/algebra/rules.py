@@ -41,6 +41,11 @@ RULES = (
     ),
     Rule("moving axes", "vectors of T stand on axes that move, where constraints make them short", "mechanics/move.py"),
     Rule(
+        "leaning joints",
+        "a turn before a joint that leans by a constant angle goes by the sum of both angles, and the lean is gone",
+        "mechanics/askew.py",
+    ),
+    Rule(
         "trees",
         "accelerations of chains and trees from the leaves to the root, not by L D L^T",
         "program/mass_route.py",

@@ -14,7 +14,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from nhc.algebra.calculus import Derivation, count, rebuild
-from nhc.algebra.graph import ADD, POW, SYM, Graph, Node
+from nhc.algebra.graph import ADD, NEG, POW, SYM, Graph, Node
 from nhc.algebra.polynomial import normalise
 from nhc.mechanics.frame import Frame, make_frame
 from nhc.mechanics.kinetic import Kinetic
@@ -41,7 +41,7 @@ class Lean:
 
 def find_lean(graph: Graph, paths: Sequence[Path]) -> Lean | None:
     """The first joint that leans: a turn, a constant one in its plane, and another turn."""
-    if all(len(path) < 3 for path in paths):
+    if all(len(path) < 3 for path in paths) or "leaning joints" in graph.off:
         return None
     constant = {turn.angle for path in paths for turn in path if _is_constant(graph, turn.angle)}
     for path in paths:
@@ -103,8 +103,10 @@ class Counted:
         for rate, place in list(g.rate_of.items()):
             if g.deps[place] & self._mask:
                 new = self.one(place)
-                self._known[rate] = derivation.of(new)
-                g.rate_of.setdefault(self._known[rate], new)
+                made = self._known[rate] = derivation.of(new)
+                if g.op[rate] == NEG:  # T's forms have no sign
+                    self._known[g.a[rate]] = g.neg(made)
+                g.rate_of.setdefault(made, new)
 
     def _is_direction_sum(self, node: Node) -> bool:
         """Whether the node is a component of a direction, and no sum of squares of some."""

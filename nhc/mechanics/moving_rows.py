@@ -127,7 +127,7 @@ def read_vector(scene: Scene, components: Vector) -> tuple[Chained, bool]:
 def read_square(scene: Scene, components: Vector) -> tuple[Chained, bool]:
     """The same for components of a square, whose signs say nothing: those that the spec differentiated, or that share a base."""
     g = scene.graph
-    signed = [(node, g.neg(node)) if node != g.zero else (node,) for node in components]
+    signed = [sorted({node, g.neg(node)}, key=lambda n: (g.op[n] == NEG, n)) for node in components]
     placed = [next((n for n in both if place_of(scene, n) is not None), None) for both in signed]
     x, y, z = placed
     if x is not None and y is not None and z is not None:

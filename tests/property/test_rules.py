@@ -39,6 +39,7 @@ WHOLE = {
     "gathered sums": "trailers3",
     "Cramer's rule": "bicycle",
     "moving axes": "trailers3",
+    "leaning joints": "bicycle",
     "trees": "pendulum5",
     "shared reciprocals": "snake3",
 }
