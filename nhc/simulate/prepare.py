@@ -118,7 +118,7 @@ def prepare(
     functions += held
     if natural:
         functions += build_functions(planner, ("velocities", "state"))
-    frame = build_program(system, formulation, equations, only=("residuals",))
+    frame = build_program(system, formulation, equations, only=("residuals",), scenes=False)
     program = replace(frame, functions=functions, scenes=())
     meanings = {status.code: status.what for status in list_statuses(program)}
     return Job(

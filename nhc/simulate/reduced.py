@@ -49,7 +49,7 @@ def job_of(planner: ScenePlanner, start: Start, jacobian: bool, energy: bool = F
     functions += (needed_function(planner, [*columns, *checks]), *(() if watch is None else (watch,)))
     whole = state_quantities(system, planner)
     constants = planner.list_constants(start)
-    frame = build_program(system, made.formulation, equations, only=("residuals",))
+    frame = build_program(system, made.formulation, equations, only=("residuals",), scenes=False)
     program = replace(
         frame,
         functions=functions,

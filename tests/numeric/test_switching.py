@@ -161,3 +161,11 @@ def test_the_command_goes_on_and_says_so(
     assert "the run goes on with voronec solved for y' (conditioning 1)" in err
     code, out, err = call(capsys, *arguments, "--stay", *how)
     assert (code, out) == (3, "") and "cannot be solved for x'" in err and "leave `--stay` out" in err
+
+
+def test_a_start_by_a_quasi_velocity_that_the_other_choice_does_not_have() -> None:
+    text = SKATER.replace("scenes:", "quasi_velocities: {u: x'}\nscenes:").replace("phi': 2}", "phi': 2, u: 0.5}")
+    source = Source("skater.yaml", text)
+    found = follow(source, "euler-lagrange", 1e-8)
+    assert any("euler-lagrange with v, phi'" in note and "in place of" in note for note in found.notes)
+    assert apart(found, follow(source, "multipliers", 1e-11)) < 1e-6
