@@ -118,7 +118,9 @@ class ExpressionPrinter:
         negative, positive = split_sign(right_side)
         if negative and op in OPPOSITE:
             op, right_side = OPPOSITE[op], positive  # a + (-b) and a - b are the same double
-        left, right = self._shorten([left, self.render(right_side)], 7)
+        right = self.render(right_side)
+        if self.width:
+            left, right = self._shorten([left, right], 7)
         level = LEVELS[op]
         return Text(f"{enclose(left, level)} {op} {enclose(right, level + 1)}", level)
 

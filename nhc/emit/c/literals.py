@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from fractions import Fraction
+from functools import lru_cache
 
 from nhc.emit.options import EmitError
 from nhc.emit.prose import clean, fold_ascii
@@ -41,6 +42,7 @@ def _print_byte(byte: int) -> str:
     return character if 32 <= byte < 127 else f"\\{byte:03o}"
 
 
+@lru_cache(maxsize=1 << 12)
 def print_comment(text: str) -> str:
     """Text that may stand in a comment: it cannot close it, open another, continue a line or hold a trigraph."""
     text = fold_ascii(clean(text))

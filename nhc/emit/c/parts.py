@@ -18,8 +18,7 @@ SLOW = frozenset(
     ("velocities", "accelerations", "state", "residuals", "positions", "reactions", "energy", "jacobian", "outputs")
 )  # functions that no integrator calls at each stage: where they are long, they shall be compiled soon above all
 LONG = 40  # statements from which on this holds
-SLOW_LENGTHS = (120, 80)  # statements that one function may have, those of a part where there are more
-LENGTHS = (400, 250)
+LENGTHS = (250, 200)  # statements that one function may have, those of a part where there are more
 RHS_LENGTHS = (1200, 750)  # it must be fast above all: what parts leave for others costs stores and loads
 
 
@@ -46,8 +45,6 @@ def list_bound(statement: Statement) -> tuple[str, ...]:
 
 def choose_lengths(function: Function) -> tuple[int, int]:
     """The statements that a function may have, and those of its parts where it has more."""
-    if function.name in SLOW:
-        return SLOW_LENGTHS
     return RHS_LENGTHS if function.name == "rhs" else LENGTHS
 
 
