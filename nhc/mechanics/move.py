@@ -16,7 +16,7 @@ from nhc.mechanics.moving import Scene
 from nhc.mechanics.moving_bodies import Bodies, Placed, gather_bodies
 from nhc.mechanics.moving_loads import find_loads
 from nhc.mechanics.moving_rates import OnMotion, Rates, Solution
-from nhc.mechanics.moving_rolling import apply_rolling, read_rolling
+from nhc.mechanics.moving_rolling import apply_rolling, peel_rolling, read_rolling
 from nhc.mechanics.moving_rows import (
     Sided,
     along_direction,
@@ -71,6 +71,8 @@ def move(system: System, kinetic: Kinetic, frame: Frame, backs: tuple[Turn, ...]
     for vector in _known(scene):
         scene.paths += [part.path for part in vector.parts if part.path]
     scene.paths = list(dict.fromkeys(scene.paths))
+    if not spatial_paths(scene):
+        scene.paths += peel_rolling(scene, values)
     recognise(scene, kinetic, values)
     scene.paths += [path for path in spatial_paths(scene) if path not in scene.paths]
     rolling = read_rolling(scene, values)

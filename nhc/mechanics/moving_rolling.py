@@ -47,6 +47,20 @@ def read_rolling(scene: Scene, values: Sequence[Node]) -> list[Rolling]:
     return found
 
 
+def peel_rolling(scene: Scene, values: Sequence[Node]) -> list[Path]:
+    """Axes in space on which triples of constraints were written down, turn by turn: no vector of T need turn with them."""
+    g, known, found = scene.graph, _by_term(scene), list[Path]()
+    for row in range(scene.system.l - 2):
+        rows = values[row : row + 3]
+        for _, velocity in _standing_in(scene, known, rows):
+            rest = _without(g, rows, velocity)
+            path = scene.velocities.unturn(rest).path if rest is not None else ()
+            if len({axis for turn in path for axis in turn.plane}) == 3:
+                found.append(path)
+                break
+    return found
+
+
 Candidate = tuple[bool, Chained, Vector]
 """Whether it was read as a position, the vector, its velocity."""
 
@@ -67,20 +81,24 @@ def _read(
 ) -> Rolling | None:
     g = scene.graph
     components = [*values, *([g.zero] * (3 - len(values)))]
-    keys = dict.fromkeys((values[0], *list_terms(g, values[0])))
-    candidates = {
-        id(vector): (not kind, vector, velocity) for key in keys for kind, vector, velocity in known.get(key, ())
-    }
-    for velocities, vector, velocity in sorted(
-        candidates.values(), key=lambda c: (not c[0], c[1].components), reverse=True
-    ):
+    for (is_position, vector), velocity in _standing_in(scene, known, values):
         rest = _without(g, components, velocity)
         if rest is None:
             continue
         place = _on_axes(scene, rest, planar=len(rows) == 2)
         if place is not None:
-            return Rolling(rows, vector, not velocities, *place)
+            return Rolling(rows, vector, is_position, *place)
     return None
+
+
+def _standing_in(
+    scene: Scene, known: dict[Node, list[Candidate]], values: Sequence[Node]
+) -> list[tuple[tuple[bool, Chained], Vector]]:
+    """Vectors of which the first row has a term, positions first and the newest first of them, with their velocities."""
+    keys = dict.fromkeys((values[0], *list_terms(scene.graph, values[0])))
+    candidates = {id(vector): (kind, vector, velocity) for key in keys for kind, vector, velocity in known.get(key, ())}
+    ordered = sorted(candidates.values(), key=lambda c: (c[0], c[1].components), reverse=True)
+    return [((kind, vector), velocity) for kind, vector, velocity in ordered]
 
 
 def _without(graph: Graph, components: Sequence[Node], velocity: Vector) -> Vector | None:

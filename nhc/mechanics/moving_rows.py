@@ -5,15 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from nhc.algebra.calculus import list_terms
-from nhc.algebra.graph import MUL, NEG, Graph, Node
+from nhc.algebra.graph import NEG, Graph, Node
 from nhc.mechanics.kinetic import Kinetic
 from nhc.mechanics.moving import Scene
 from nhc.mechanics.system import System
 from nhc.mechanics.turns import Path, Turn, Vector, change_axes
-from nhc.mechanics.vectors import Chained
+from nhc.mechanics.vectors import Chained, list_factors
 from nhc.records import record
-
-_FEW_FACTORS = 8
 
 
 def square_groups(system: System, kinetic: Kinetic) -> list[tuple[int, ...]]:
@@ -75,7 +73,7 @@ def along_direction(graph: Graph, row: Node) -> Sided | None:
     """The row as a component along a direction, where sin and cos of one angle multiply two of its terms."""
     g = graph
     terms = list_terms(g, row)
-    products = [_factors(g, term) for term in terms]
+    products = [list_factors(g, term) for term in terms]
     users: dict[tuple[str, Node], list[int]] = {}
     for k, product in enumerate(products):
         for own in dict.fromkeys(product):
@@ -98,21 +96,6 @@ def along_direction(graph: Graph, row: Node) -> Sided | None:
         rest = g.sum([t for i, t in enumerate(terms) if i not in (k, j)])
         return Sided(angle, g.product(with_cos), g.product(with_sin), scale, rest)
     return None
-
-
-def _factors(graph: Graph, term: Node) -> list[Node]:
-    """The factors of a short product, a sign among the others."""
-    g, found, stack, negative = graph, list[Node](), [term], False
-    while stack:
-        node = stack.pop()
-        if g.op[node] == NEG:
-            negative = not negative
-            stack.append(g.a[node])
-        elif g.op[node] == MUL and len(found) + len(stack) < _FEW_FACTORS:
-            stack += [g.b[node], g.a[node]]
-        else:
-            found.append(node)
-    return [*found, g.number(-1)] if negative else found
 
 
 def read_vector(scene: Scene, components: Vector) -> tuple[Chained, bool]:

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 
 from nhc.algebra.calculus import gradient, list_terms, reachable, substitute
-from nhc.algebra.graph import Graph, Node
+from nhc.algebra.graph import MUL, NEG, Graph, Node
 from nhc.algebra.modular import are_zero
 from nhc.algebra.polynomial import normalise
 from nhc.mechanics.turns import Path, Turn, Vector, add_vectors, change_axes, turn_in, turn_out
@@ -21,6 +21,7 @@ from nhc.records import record
 _PLANES = ((0, 1), (1, 2), (2, 0))
 _FEW_ANGLES = 2  # a link and its neighbour: fewer cannot be hoped for
 _LOOK_BACK = 4
+_FEW_FACTORS = 8
 
 
 @record
@@ -42,6 +43,21 @@ class Chained:
     @property
     def turned(self) -> bool:
         return any(part.path for part in self.parts) or (self.base is not None and self.base.turned)
+
+
+def list_factors(graph: Graph, term: Node) -> list[Node]:
+    """The factors of a short product, a sign among the others."""
+    g, found, stack, negative = graph, list[Node](), [term], False
+    while stack:
+        node = stack.pop()
+        if g.op[node] == NEG:
+            negative = not negative
+            stack.append(g.a[node])
+        elif g.op[node] == MUL and len(found) + len(stack) < _FEW_FACTORS:
+            stack += [g.b[node], g.a[node]]
+        else:
+            found.append(node)
+    return [*found, g.number(-1)] if negative else found
 
 
 def _goes_on(path: Path, longer: Path) -> bool:
@@ -153,6 +169,48 @@ class Reader:
         return g.sum(g.mul_number(factor, body) for body, factor in left if factor)
 
     # --- turns ------------------------------------------------------------------------------------------------
+
+    def unturn(self, components: Vector) -> Part:
+        """The vector on the axes that its terms were turned from, one turn after the other, whatever else contains their angles."""
+        path: Path = ()
+        found = self._outer_turn(components, path)
+        while found is not None:
+            turn, components = found
+            path = (*path, turn)
+            found = self._outer_turn(components, path)
+        return Part(path, components)
+
+    def _outer_turn(self, components: Vector, path: Path) -> tuple[Turn, Vector] | None:
+        """A turn of two whole components: (cos l_i - sin l_j, sin l_i + cos l_j)."""
+        g = self.graph
+        seen = {turn.angle for turn in path}
+        for i, j in _PLANES:
+            split = [self._by_angle(components[axis]) for axis in (i, j)]
+            for angle in sorted((split[0].keys() & split[1].keys()) - seen):
+                (xc, xs), (yc, ys) = split[0][angle], split[1][angle]
+                for sign, plane in ((1, (i, j)), (-1, (j, i))):
+                    if xc == (ys if sign > 0 else g.neg(ys)) and yc == (g.neg(xs) if sign > 0 else xs):
+                        inner = list(components)
+                        inner[i], inner[j] = xc, yc
+                        return Turn(plane, angle), (inner[0], inner[1], inner[2])
+        return None
+
+    def _by_angle(self, node: Node) -> dict[Node, tuple[Node, Node]]:
+        """Factors of cosine and sine of the angles by which the whole node is turned."""
+        g, found = self.graph, dict[Node, tuple[Node, Node]]()
+        terms = list_terms(g, node)
+        for angle in sorted({g.a[f] for term in terms for f in list_factors(g, term) if g.op[f] in ("sin", "cos")}):
+            sides = {"cos": g.zero, "sin": g.zero}
+            for term in terms:
+                factors = list_factors(g, term)
+                own = next((f for f in factors if g.op[f] in sides and g.a[f] == angle), None)
+                if own is None:
+                    break
+                factors.remove(own)
+                sides[g.op[own]] = g.add(sides[g.op[own]], g.product(factors))
+            else:
+                found[angle] = sides["cos"], sides["sin"]
+        return found
 
     def peel(self, components: Vector) -> list[Part]:
         """The vector as parts on turned axes."""

@@ -61,7 +61,7 @@ def test_spatial_pairs(seed: int) -> None:
     assert assert_same(system_of(spatial_pair(seed))) > 0
 
 
-@pytest.mark.parametrize("name", ["n_trailer3", "n_snake3", "roller_racer", "rolling_disk", "bicycle"])
+@pytest.mark.parametrize("name", ["n_trailer3", "n_snake3", "roller_racer", "rolling_disk", "bicycle", "rattleback"])
 def test_gallery(name: str) -> None:
     assert assert_same(system_of(spec_path(name).read_text())) > 0
 
@@ -73,7 +73,7 @@ def cost(system: System, *, moving: bool) -> int:
     return _route(system, formulation, kinetic, moved).cost(system.graph)
 
 
-@pytest.mark.parametrize(("name", "most"), [("n_trailer3", 0.6), ("n_snake3", 0.75), ("bicycle", 0.65)])
+@pytest.mark.parametrize(("name", "most"), [("n_trailer3", 0.6), ("n_snake3", 0.75), ("bicycle", 0.5), ("rattleback", 0.65)])
 def test_operations_are_saved(name: str, most: float) -> None:
     text = spec_path(name).read_text()
     assert cost(system_of(text), moving=True) < most * cost(system_of(text), moving=False)
