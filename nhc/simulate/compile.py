@@ -94,7 +94,11 @@ def loop_flags(states: int) -> tuple[str, ...]:
     """
     if not machine_flags():
         return ()
-    return ("-fno-tree-vectorize", "-fpeel-loops") if states < 12 else ("-O3", "-fno-tree-slp-vectorize")
+    return (
+        ("-fno-tree-vectorize", "-fpeel-loops", "-frename-registers")
+        if states < 12
+        else ("-O3", "-fno-tree-slp-vectorize")
+    )
 
 
 @cache

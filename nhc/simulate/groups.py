@@ -52,7 +52,7 @@ class Waiting:
     """How a method brings the entries that wait to the end of a step; empty where none does.
 
     ``ends``: those whose state at the end is none of the layers' business;
-    ``arrived``: (entry, row) and the slot of their last slopes; ``errors``: what each estimate is for each of them;
+    ``arrived``: (entry, row) and the slot of their last slopes; ``errors``: for each estimate what it is for each of them;
     ``depths[j]``: how many layers stage j needs; ``states[j]``: what they read there, or what there is at the end, for lanes.
     """
 
@@ -87,7 +87,7 @@ def plan_waiting(method: Explicit, kernel: Kernel) -> Waiting:
         states=tuple(map(tuple, states)),
         rows=tuple((entry, row) for row, entry in enumerate(kernel.waiting)),
         slots=tuple((stage, plan.place(stage)) for stage in range(1, method.stages + 1)),
-        errors=tuple(tuple(plan.combine(entry, row) for row in method.errors) for entry in kernel.waiting),
+        errors=tuple(tuple(plan.combine(entry, row) for entry in kernel.waiting) for row in method.errors),
         depths=tuple(sum(stage in need for need in plan.needs) for stage in range(method.stages + 1)),
     )
 
@@ -128,7 +128,7 @@ class _Plan:
         return Combination(
             entry,
             first,
-            f"total_pack({' + '.join(packs)})" if packs else "0.0",
+            " + ".join(packs) or "(pack){0}",
             (f"{first} * g->slope[{entry}] + ({total})",),
         )
 
