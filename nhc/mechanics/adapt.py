@@ -30,6 +30,7 @@ from nhc.mechanics.rotation import rows_in_base
 from nhc.mechanics.system import Form, System
 
 _MOST_ROWS = 3
+_TURNS = 8  # orders of velocities to complete a coframe with that are tried
 
 
 def adapted_forms(system: System) -> tuple[Form, ...] | None:
@@ -150,9 +151,27 @@ def complete(system: System) -> tuple[tuple[Form, ...], tuple[str, ...]]:
         candidates = turning_choices(system, forms)
         best = min(candidates, key=lambda made: _weak_at_starts(system, made)) if candidates[1:] else candidates[0]
     else:
-        candidates = [_extend(system, forms, wanted, pool) for pool in _pools(system)]
-        best = min(candidates, key=lambda made: coframe_weakness(system, (*system.constraints, *made)))
+        best = _least_weak(system, forms, wanted)
     return best, tuple(_spelled(system, form) for form in best[len(forms) :] if form.name not in turning)
+
+
+def _least_weak(system: System, forms: Sequence[Form], wanted: int) -> tuple[Form, ...]:
+    """The completion that is least often near-singular; other velocities than the first ones only where that is gained."""
+
+    def weigh(pool: Sequence[Form]) -> tuple[tuple[int, float], tuple[Form, ...]]:
+        made = _extend(system, forms, wanted, pool)
+        return coframe_weakness(system, (*system.constraints, *made)), made
+
+    pools = _pools(system)
+    (weak, _), best = min((weigh(pool) for pool in pools), key=lambda weighed: weighed[0])
+    own = pools[0][: -system.n]
+    for k in range(1, min(len(own), _TURNS) if forms else 0):
+        if weak == 0:
+            break
+        (trial, _), made = weigh([*own[k:], *pools[0]])
+        if trial < weak:
+            weak, best = trial, made
+    return best
 
 
 def _pools(system: System) -> list[list[Form]]:

@@ -5,8 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any
 
+from nhc.algebra.angles import normalise_angles
 from nhc.algebra.calculus import reachable
-from nhc.algebra.graph import Node
+from nhc.algebra.graph import Graph, Node
 from nhc.algebra.interval import cannot_vanish
 from nhc.algebra.linear import degrees
 from nhc.algebra.modular import Unlucky, are_zero
@@ -202,7 +203,7 @@ def _dependent(system: System, facts: Facts, bag: Bag) -> None:
     if system.dependent and not choice.regular and choice.determinant is not None:
         bag.warning(
             "W0408",
-            f"the dependent velocities {names} are singular where `{to_text(system.graph, choice.determinant)} = 0`",
+            f"the dependent velocities {names} are singular where `{_zero_text(system.graph, choice.determinant)} = 0`",
             system.spec.key_span("dependent"),
             help=("leave `dependent:` out, or use quasi-velocities that stay regular",),
         )
@@ -222,7 +223,7 @@ def _quasi(system: System, formulation: Formulation, bag: Bag) -> None:
     for guard, _ in formulation.frame.guards:
         if cannot_vanish(system.graph, guard, known):
             continue
-        where = _entry_text(system, guard) or to_text(system.graph, guard)
+        where = _entry_text(system, guard) or _zero_text(system.graph, guard)
         own = len(system.quasi) > 3 * len(system.rotations)
         other = ", take the other `frame` of the rotation" if system.rotations else ""
         bag.warning(
@@ -231,6 +232,13 @@ def _quasi(system: System, formulation: Formulation, bag: Bag) -> None:
             system.spec.key_span("quasi_velocities" if own else "rotation"),
             help=(f"choose forms that stay independent there{other}, or keep away from it",),
         )
+
+
+def _zero_text(graph: Graph, node: Node) -> str:
+    """The shortest known expression with the same zeros, without a number in front."""
+    plain = graph.split_coefficient(node)[1]
+    other = graph.split_coefficient(normalise_angles(graph, plain, 40))[1]
+    return min((to_text(graph, each) for each in (plain, other)), key=len)
 
 
 def _entry_text(system: System, node: Node) -> str:

@@ -24,6 +24,7 @@ from nhc.mechanics.named import named_text
 from nhc.mechanics.system import Form, System
 
 _MOST = 150  # candidates
+_PARTNERS = {"sin": "cos", "cos": "sin", "sinh": "cosh", "cosh": "sinh"}  # up to a factor, integrals of each other
 _SPARE = 8  # equations more than candidates
 _LONGEST = 160  # characters of a text that is still worth printing
 
@@ -47,15 +48,19 @@ def find_position_integrals(
     found: list[PositionIntegral] = []
     for form in system.constraints:
         if form.equation is not None and _is_new(system, found, form.equation):
-            found.append(PositionIntegral(form.equation, named_text(system, form.equation, _LONGEST), (form.name,)))
+            found.append(PositionIntegral(form.equation, _text(system, form.equation), (form.name,)))
     for candidates in _stages(system, closed):
         if len(found) >= hidden:
             break
         for node in _search(system, frame, candidates):
             if len(found) < hidden and _is_new(system, found, node):
                 names = tuple(form.name for form in system.constraints if _is_used(system, node, form))
-                found.append(PositionIntegral(node, named_text(system, node, _LONGEST), names))
+                found.append(PositionIntegral(node, _text(system, node), names))
     return tuple(found)
+
+
+def _text(system: System, node: Node) -> str:
+    return named_text(system, system.graph.split_coefficient(node)[1], _LONGEST)
 
 
 def _is_new(system: System, found: Sequence[PositionIntegral], node: Node) -> bool:
@@ -98,6 +103,7 @@ def _stages(system: System, closed: Sequence[str]) -> list[list[Candidate]]:
             continue
         own = [x for x, a in zip(coordinates, (*form.coefficients, form.constant), strict=False) if a != g.zero]
         inside = [x for x in _functions(system, [form]) if not g.deps[x] & g.mask(coordinates) & ~g.mask(own)]
+        inside += [g.function(_PARTNERS[g.op[x]], g.a[x]) for x in inside if g.op[x] in _PARTNERS]
         held = [s for s in parameters if any(g.depends(x, g.deps[s]) for x in _entries([form]))]
         stages.append([*own, *inside, *(g.mul(s, x) for s in held for x in inside)])
         stages.append([*own, *inside, *(g.mul(x, y) for x in own for y in inside), *products])
