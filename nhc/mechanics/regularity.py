@@ -20,6 +20,7 @@ from nhc.mechanics.system import Form, System
 from nhc.records import record
 
 _TRIALS = 12
+_LATEST = 2.0  # time of states that are in no scene
 _WEAK = 0.03  # of the largest determinant that rows of these lengths can have (per row)
 _MANY = 250  # subsets of columns that are tried one by one
 
@@ -108,14 +109,24 @@ def trial_points(system: System) -> list[dict[Node, float]]:
 
 
 def ordinary_points(system: System) -> list[dict[Node, float]]:
-    """The scenes' own starts and zero, each with its neighbourhood."""
+    """The scenes' own starts, each with its neighbourhood at some time of the scene, and zero."""
     rng, defaults = random.Random(7), default_values(system)
-    starts = [*_scene_starts(system), [float(c.start) for c in system.spec.coordinates]]
-    return [_state_at(system, defaults, rng, start, spread) for start in starts for spread in (0.0, 0.2)]
+    found = []
+    for start, (begin, end) in _scene_starts(system):
+        found.append({**_state_at(system, defaults, rng, start, 0.0), system.t: begin})
+        near = _state_at(system, defaults, rng, start, 0.2)
+        found.append({**near, system.t: begin + (end - begin) * near[system.t] / _LATEST})
+    zero = [float(c.start) for c in system.spec.coordinates]
+    return [*found, *(_state_at(system, defaults, rng, zero, spread) for spread in (0.0, 0.2))]
 
 
-def _scene_starts(system: System) -> list[list[float]]:
-    """Initial coordinates of the first scenes (velocities play no part in regularity)."""
+def _starts(system: System) -> list[dict[Node, float]]:
+    """The scenes' own starts among the trial points."""
+    return _kept_points(system, ordinary=False)[: 2 * len(_scene_starts(system)) : 2]
+
+
+def _scene_starts(system: System) -> list[tuple[list[float], tuple[float, float]]]:
+    """Initial coordinates and time of the first scenes (velocities play no part in regularity)."""
     starts = []
     parameters = dict(zip((p.name for p in system.spec.parameters), default_values(system).values(), strict=True))
     for scene in system.spec.scenes[:3]:
@@ -123,7 +134,8 @@ def _scene_starts(system: System) -> list[list[float]]:
             given = {e.name: constant_value(e.value, parameters) for e in scene.initial if e.kind == "coordinate"}
         except (ArithmeticError, ValueError):
             continue  # said of the scene itself
-        starts.append([given.get(c.name, float(c.start)) for c in system.spec.coordinates])
+        start = [given.get(c.name, float(c.start)) for c in system.spec.coordinates]
+        starts.append((start, (float(scene.time[0]), float(scene.time[1]))))
     return starts
 
 
@@ -138,7 +150,7 @@ def _state_at(
         point[symbol] = value
     for symbol in system.v:
         point[symbol] = rng.uniform(-1, 1)
-    point[system.t] = rng.uniform(0, 2)
+    point[system.t] = rng.uniform(0, _LATEST)
     return point
 
 
@@ -263,14 +275,18 @@ def _choose(system: System) -> Choice:
     else:
         candidates = [_greedy(system, samples)]
     minors = [relative_minors(matrix, candidates) for matrix in samples]
-    scored = [(*weakness([row[k] for row in minors]), columns) for k, columns in enumerate(candidates)]
+    begin = [
+        relative_minors(matrix, candidates) for matrix in sampled_rows(system, system.constraints, _starts(system))
+    ]
+    lost = [sum(row[k] < _WEAK for row in begin) for k in range(len(candidates))]
+    scored = [(lost[k], *weakness([row[k] for row in minors]), columns) for k, columns in enumerate(candidates)]
     scored.sort()
     best: Choice | None = None
-    for weak, _, columns in scored[:8]:
+    for first, weak, _, columns in scored[:8]:
         choice = judge(system, tuple(columns))
         if best is None or (choice.regular and not best.regular):
             best = choice
-        if best.regular or weak > scored[0][0]:
+        if best.regular or (first, weak) > scored[0][:2]:
             break
     assert best is not None
     return best
