@@ -30,6 +30,8 @@ _FEW_ROWS = 40
 """Coordinates times constraints up to which reactions are also made row by row."""
 _SMALL = 400
 """Operations up to which a second route is worth a try."""
+_FEW_FORMS, _TINY = 3, 25
+"""Velocity forms of T up to which the spec's axes are tried first, and operations that no moving axes would make fewer."""
 
 
 def motion_of(system: System, formulation: Formulation) -> Motion:
@@ -126,6 +128,10 @@ def _cheapest_route(system: System, formulation: Formulation, kinetic: Kinetic) 
     frame = formulation.frame
     # axes of a rotation group are at hand already
     may = frame is not None and not system.rotations and "moving axes" not in system.graph.off
+    if may and len(kinetic.atoms) <= _FEW_FORMS:
+        here = _route(system, formulation, kinetic)
+        if here.cost(system.graph) <= _TINY:
+            return here
     moved = move(system, kinetic, frame) if may and frame is not None else None
     if moved is None:
         return _route(system, formulation, kinetic)
