@@ -13,13 +13,24 @@ from nhc.algebra.graph import ADD, BINARY, MUL, NEG, POW, SYM, Graph, Node
 def reachable(graph: Graph, roots: Iterable[Node], within: int = -1) -> list[Node]:
     """The nodes that the roots are made of, in increasing order; with ``within``, only those that contain one of its symbols."""
     kids, deps = graph.kids, graph.deps
-    seen = {root for root in roots if within == -1 or deps[root] & within}
+    if within == -1:
+        seen = set(roots)
+        stack = list(seen)
+        while stack:
+            for child in kids[stack.pop()]:
+                if child not in seen:
+                    seen.add(child)
+                    if kids[child]:
+                        stack.append(child)
+        return sorted(seen)
+    seen = {root for root in roots if deps[root] & within}
     stack = list(seen)
     while stack:
         for child in kids[stack.pop()]:
-            if child not in seen and (within == -1 or deps[child] & within):
+            if child not in seen and deps[child] & within:
                 seen.add(child)
-                stack.append(child)
+                if kids[child]:
+                    stack.append(child)
     return sorted(seen)
 
 
