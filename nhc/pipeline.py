@@ -300,10 +300,12 @@ def stability(source: Source, question: Question, options: Options = Options()) 
         SpecError: the spec or the question has errors.
         nhc.simulate.opening.RunError: no such scene.
     """
-    from nhc.study.stability.laboratory import examine
+    from nhc.study.stability.laboratory import examine, examine_whole
 
     made = model(source, options)
-    return examine(made.equations, made.formulation, question)
+    asked = options.formulation or made.system.spec.formulation
+    study = examine if asked not in ("", "auto") else examine_whole
+    return study(made.equations, made.formulation, question)
 
 
 def chart(source: Source, grid: Grid, show: Show | None = None) -> Study:

@@ -98,9 +98,7 @@ def command(
         raise Failure(str(error), error.help) from error
     _deliver(found, question, target, as_json)
     if found.failed:
-        advice = (
-            [f"`nhc run` {found.conduct[-1]}"] if found.conduct and found.conduct[-1].startswith("it stops") else []
-        )
+        advice = [f"`nhc run` {found.conduct[-1]}"] if found.stopped else []
         if found.conduct and not advice:
             advice = ["`nhc run` ends this scene in other formulations: leave `--formulation` out"]
         raise Failure(f"the scene cannot be studied: {found.failed}", advice, exit=Exit.NUMERICAL)

@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 from nhc.cli.entry import main
+from nhc.diagnostics import Source
 from nhc.language import read
 from nhc.pipeline import Options, stability
 from nhc.report.stability import list_charts
@@ -237,3 +238,18 @@ def test_a_question_about_what_is_not_there(capsys: pytest.CaptureFixture[str]) 
     assert main(["stability", "pendulum", "--sweep", "nothing=0:1"]) == 1
     assert main(["stability", "pendulum", "--sweep", "theta=1:0"]) == 2
     assert main(["stability", "bead_on_rod", "--about", "r=5", "--hold", "r=5", "--sweep", "Omega=1:2"]) == 3
+
+
+def test_a_scene_that_leads_its_formulation_astray_is_studied_with_multipliers() -> None:
+    """A crank turns through the place where the slider's velocity and its own follow from nothing; nobody asked for a formulation."""
+    text = """nhc: 1
+system: crank
+coordinates: [c, b, s]
+T: (c'^2 + b'^2 + s'^2)/2
+holonomic: ["cos(c) + 2*cos(b) - s = 0", "sin(c) - 2*sin(b) = 0"]
+scenes: {turn: {initial: {s: 3, c': 4}, time: [0, 3]}}
+"""
+    found = stability(Source("crank.yaml", text), Question(lengths=1))
+    assert not found.failed and found.bench.formulation.name == "multipliers"
+    assert any("studied with multipliers: the scene ends at t = " in note for note in found.bench.notes)
+    assert any("the run goes on with" in note for note in found.conduct)

@@ -7,7 +7,8 @@ from dataclasses import dataclass, replace
 from typing import TypeVar
 
 from nhc.mechanics.associate import Equations
-from nhc.mechanics.choose import Formulation
+from nhc.mechanics.choose import Formulation, build
+from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.scenes import Start, start_of
 from nhc.simulate.opening import find_scene
 from nhc.study.stability.bench import Bench, open_bench
@@ -59,6 +60,11 @@ class Laboratory:
     conduct: tuple[str, ...] = ()
 
     @property
+    def stopped(self) -> bool:
+        """Whether ``nhc run`` does not end the scene either."""
+        return bool(self.conduct) and self.conduct[-1].startswith("it stops")
+
+    @property
     def stiffness(self) -> float | None:
         """The fastest decay against the slowest thing that matters: the smallest other rate, but nothing slower than the scene."""
         if self.spectrum is None:
@@ -99,6 +105,24 @@ def examine(equations: Equations, formulation: Formulation, question: Question) 
     found = Laboratory(bench, motion, along, limits, tuple(runs), growth, near, tuple(missing), "")
     troubled = (found.stiffness or 0.0) > STIFF or any(d.least < NEAR for d in near if d.used)
     return replace(found, conduct=conduct(bench)) if troubled else found
+
+
+def examine_whole(equations: Equations, formulation: Formulation, question: Question) -> Laboratory:
+    """The same where nobody asked for the formulation: one that the scene leads to where it cannot go on gives way to multipliers.
+
+    Raises:
+        nhc.diagnostics.SpecError: unknown names, or a start that violates the constraints.
+        nhc.simulate.opening.RunError: no such scene.
+    """
+    found = examine(equations, formulation, question)
+    if not found.failed or found.stopped or formulation.frame is None:
+        return found
+    other = build(equations.system, "multipliers")
+    whole = examine(equations_of(equations.system, other), other, question)
+    if whole.failed:
+        return found
+    note = f"studied with {other.name}: {found.failed}"
+    return replace(whole, bench=replace(whole.bench, notes=(*whole.bench.notes, note)), conduct=found.conduct)
 
 
 def _motion(bench: Bench, question: Question) -> Motion:
