@@ -241,7 +241,7 @@ def test_a_question_about_what_is_not_there(capsys: pytest.CaptureFixture[str]) 
 
 
 def test_a_scene_that_leads_its_formulation_astray_is_studied_with_multipliers() -> None:
-    """A crank leaves the range that it was declared for, and with it the velocities that were chosen there; nobody asked for them."""
+    """A crank leaves the range declared for it, where the velocities chosen there become singular; nobody asked for them."""
     text = """nhc: 1
 system: crank
 coordinates: {c: {range: [0.2, 1.2]}, b: {}, s: {range: [1.5, 3]}}
