@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from fractions import Fraction
-from functools import lru_cache
 
 from nhc.program.ir import (
     Binary,
@@ -29,6 +28,9 @@ from nhc.program.ir import (
 from nhc.records import record
 
 ZERO = Number(Fraction(0))
+_MANY = 1 << 14
+# by identity, for comparing what statements say takes longer than looking through them; an entry keeps its statement alive
+_REFS: dict[int, tuple[Statement, frozenset[str]]] = {}
 
 
 def list_expressions(statement: Statement) -> tuple[Expr, ...]:
@@ -64,27 +66,13 @@ def iterate_refs(expression: Expr) -> Iterator[str]:
 
 def collect_refs(statement: Statement) -> frozenset[str]:
     """The names that a statement uses; asked several times for each statement, found once."""
-    return _find_refs(_Same(statement))
-
-
-class _Same:
-    """A statement that is equal to itself only: comparing what it says would take longer than looking through it."""
-
-    __slots__ = ("statement",)
-
-    def __init__(self, statement: Statement) -> None:
-        self.statement = statement
-
-    def __hash__(self) -> int:
-        return id(self.statement)
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, _Same) and self.statement is other.statement
-
-
-@lru_cache(maxsize=1 << 14)
-def _find_refs(same: _Same) -> frozenset[str]:
-    return frozenset(name for expression in list_expressions(same.statement) for name in iterate_refs(expression))
+    known = _REFS.get(id(statement))
+    if known is None:
+        if len(_REFS) >= _MANY:
+            _REFS.clear()
+        names = frozenset(name for expression in list_expressions(statement) for name in iterate_refs(expression))
+        known = _REFS[id(statement)] = statement, names
+    return known[1]
 
 
 def list_used_names(body: tuple[Statement, ...]) -> set[str]:

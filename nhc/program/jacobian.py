@@ -88,31 +88,46 @@ def differentiate_rates(planner: Planner) -> Slopes:
 
     The latter takes the factors that are at hand, and no derivative of them.
     """
-    g, motion, y = planner.graph, planner.equations.motion, planner.y_nodes
-    matrix, right = planner._dense()
-    unknowns = (*motion.rates, *planner.equations.multipliers)
-    residual = [
-        g.sub(value, g.sum([g.mul(m, x) for m, x in zip(row, unknowns, strict=True)]))
-        for row, value in zip(matrix, right, strict=True)
-    ]
+    g, y = planner.graph, planner.y_nodes
     if not planner.equations.definite:
-        columns = [list(column) for column in zip(*(gradient(g, node, y) for node in residual), strict=True)]
-        symbols = [[g.symbol(f"d{i}_{j}", "unknown") for i in range(len(matrix))] for j in range(len(columns))]
-        solves = (*planner.solves, planner._dense_solve(matrix, columns, symbols))
-        return Slopes(tuple(tuple(column[k] for column in symbols) for k in planner.kept_w), (), solves)
+        return _solve_densely(planner)
     direct = planner.route.tree is not None
-    rates = planner.known(motion.rates) if direct else residual
+    rates = planner.known(planner.equations.motion.rates) if direct else make_residual(planner, *planner._dense())
     backward = sweep_rows(planner, rates, direct)
     if len(planner.kept_w) * _cost(g, backward) > LONGEST:
+        active = sum(1 for symbol in y if any(g.deps[node] & g.deps[symbol] for node in rates))
+        if 2 * len(backward.offsets) <= active:  # a pass by columns takes about as long as one by rows
+            return Slopes((), (backward,))
         forward = sweep_columns(planner, rates, direct)
         return Slopes((), min(((backward,), forward), key=lambda sweeps: _passes(g, sweeps)))
     if direct:
         return Slopes(tuple(map(tuple, differentiate(g, [rates[k] for k in planner.kept_w], y))))
-    slopes = zip(*(gradient(g, node, y) for node in residual), strict=True)
+    slopes = zip(*(gradient(g, node, y) for node in rates), strict=True)
     solved = [planner.route.solve(planner.known(column)) for column in slopes]
     flat = shorten(g, [node for column in solved for node in column])
-    size = len(residual)
+    size = len(rates)
     return Slopes(tuple(tuple(flat[j * size + k] for j in range(len(y))) for k in planner.kept_w))
+
+
+def make_residual(planner: Planner, matrix: Sequence[Sequence[Node]], right: Sequence[Node]) -> list[Node]:
+    """right - matrix x, row by row, where x are the rates' symbols and those of the multipliers."""
+    g = planner.graph
+    unknowns = (*planner.equations.motion.rates, *planner.equations.multipliers)
+    return [
+        g.sub(value, g.sum([g.mul(m, x) for m, x in zip(row, unknowns, strict=True)]))
+        for row, value in zip(matrix, right, strict=True)
+    ]
+
+
+def _solve_densely(planner: Planner) -> Slopes:
+    """The columns as unknowns of a second dense solve."""
+    g, y = planner.graph, planner.y_nodes
+    matrix, right = planner._dense()
+    residual = make_residual(planner, matrix, right)
+    columns = [list(column) for column in zip(*(gradient(g, node, y) for node in residual), strict=True)]
+    symbols = [[g.symbol(f"d{i}_{j}", "unknown") for i in range(len(matrix))] for j in range(len(columns))]
+    solves = (*planner.solves, planner._dense_solve(matrix, columns, symbols))
+    return Slopes(tuple(tuple(column[k] for column in symbols) for k in planner.kept_w), (), solves)
 
 
 def sweep_rows(planner: Planner, nodes: Sequence[Node], direct: bool) -> SweepPlan:
