@@ -7,11 +7,10 @@ from typing import Any
 
 from nhc.algebra.angles import normalise_angles
 from nhc.algebra.calculus import reachable
-from nhc.algebra.graph import Graph, Node
+from nhc.algebra.graph import Node
 from nhc.algebra.interval import cannot_vanish
 from nhc.algebra.linear import degrees
 from nhc.algebra.modular import Unlucky, are_zero
-from nhc.algebra.show import to_text
 from nhc.diagnostics import Bag
 from nhc.mechanics import chaplygin
 from nhc.mechanics.choose import Formulation, applicable, dependent_of
@@ -19,6 +18,7 @@ from nhc.mechanics.conserved import Integral, find_conserved
 from nhc.mechanics.frame import coordinate_frame
 from nhc.mechanics.integrability import Integrability, classify, cyclic_coordinates
 from nhc.mechanics.integrals import PositionIntegral, find_position_integrals
+from nhc.mechanics.named import named_text
 from nhc.mechanics.regularity import choose_dependent, intervals
 from nhc.mechanics.singular import find_rank_loss
 from nhc.mechanics.system import System
@@ -152,7 +152,7 @@ def _warn_integrable(system: System, found: Integrability, integrals: tuple[Posi
 
 def _rank_loss(system: System, facts: Facts) -> None:
     found = find_rank_loss(system)
-    minors = [to_text(system.graph, minor, 100) for minor in found.minors]
+    minors = [named_text(system, minor, 100) for minor in found.minors]
     if found.regular is None:
         text = "too large to decide where it is lost"
     elif found.regular:
@@ -193,7 +193,7 @@ def _dependent(system: System, facts: Facts, bag: Bag) -> None:
     if choice.determinant is None:
         limit = "the determinant is too large to print"
     else:
-        limit = f"determinant {to_text(system.graph, choice.determinant)}"
+        limit = f"determinant {named_text(system, choice.determinant)}"
     regular = "never singular" if choice.regular else "singular where it vanishes"
     facts.say(
         "dependent",
@@ -203,7 +203,7 @@ def _dependent(system: System, facts: Facts, bag: Bag) -> None:
     if system.dependent and not choice.regular and choice.determinant is not None:
         bag.warning(
             "W0408",
-            f"the dependent velocities {names} are singular where `{_zero_text(system.graph, choice.determinant)} = 0`",
+            f"the dependent velocities {names} are singular where `{_zero_text(system, choice.determinant)} = 0`",
             system.spec.key_span("dependent"),
             help=("leave `dependent:` out, or use quasi-velocities that stay regular",),
         )
@@ -223,7 +223,7 @@ def _quasi(system: System, formulation: Formulation, bag: Bag) -> None:
     for guard, _ in formulation.frame.guards:
         if cannot_vanish(system.graph, guard, known):
             continue
-        where = _entry_text(system, guard) or _zero_text(system.graph, guard)
+        where = _entry_text(system, guard) or _zero_text(system, guard)
         own = len(system.quasi) > 3 * len(system.rotations)
         other = ", take the other `frame` of the rotation" if system.rotations else ""
         bag.warning(
@@ -234,11 +234,12 @@ def _quasi(system: System, formulation: Formulation, bag: Bag) -> None:
         )
 
 
-def _zero_text(graph: Graph, node: Node) -> str:
+def _zero_text(system: System, node: Node) -> str:
     """The shortest known expression with the same zeros, without a number in front."""
+    graph = system.graph
     plain = graph.split_coefficient(node)[1]
     other = graph.split_coefficient(normalise_angles(graph, plain, 40))[1]
-    return min((to_text(graph, each) for each in (plain, other)), key=len)
+    return min((named_text(system, each, 400) for each in (plain, other)), key=len)
 
 
 def _entry_text(system: System, node: Node) -> str:

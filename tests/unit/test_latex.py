@@ -15,7 +15,7 @@ from nhc.emit.environment import create_environment
 from nhc.emit.latex import list_context, render
 from nhc.emit.latex.document import TEMPLATE
 from nhc.emit.latex.math import LatexMath, estimate, print_mark
-from nhc.emit.latex.spelling import escape, spell_unit
+from nhc.emit.latex.spelling import escape, escape_breakable, spell_unit
 from nhc.emit.text.math import TextMath
 from nhc.language import Source, decode, read
 from nhc.mechanics.choose import formulate
@@ -163,3 +163,10 @@ def test_a_minus_inside_a_product_joins_the_sign_of_its_term() -> None:
         for printed in (LatexMath({}).pieces(whole), TextMath({}).pieces(whole)):
             assert sign in [piece.text.strip() for piece in printed]
             assert not any(a.text.strip() in "+-" and b.text.strip() == "-" for a, b in itertools.pairwise(printed))
+
+
+def test_long_expressions_in_prose_may_be_broken_and_cut_ones_end_in_dots() -> None:
+    expression = "sin(theta+atan(sin(gamma)*sin(lf)/cos(lf)))*cos(theta…"
+    text = escape_breakable(f"lost where {expression} = 0 (a*b)")
+    assert text.replace(r"\allowbreak{}", "") == f"lost where {expression.replace('…', '...')} = 0 (a*b)"
+    assert text.count(r"\allowbreak{}") == 9 and "(a*b)" in text

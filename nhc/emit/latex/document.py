@@ -9,7 +9,7 @@ from itertools import groupby
 
 from nhc.emit.environment import create_environment
 from nhc.emit.latex.math import LatexMath, estimate, print_mark
-from nhc.emit.latex.spelling import escape, escape_part, spell_unit
+from nhc.emit.latex.spelling import escape, escape_breakable, spell_unit
 from nhc.emit.layout import Piece, fill, total
 from nhc.emit.prose import clean, fold_ascii
 from nhc.program.sheets.model import Derivation, Formula, Item, Mark, Prose, Sheet, Statement, Table
@@ -129,7 +129,7 @@ class _Printer:
     def _prose(self, text: str) -> str:
         """Names between back-ticks that stand for quantities are set as math, others as words."""
         pieces = re.split(r"`([^`]*)`", clean(text))
-        return "".join(self._name(part) if k % 2 else escape_part(part) for k, part in enumerate(pieces))
+        return "".join(self._name(part) if k % 2 else escape_breakable(part) for k, part in enumerate(pieces))
 
     def _name(self, name: str) -> str:
         if name not in self.names:

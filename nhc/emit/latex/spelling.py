@@ -16,6 +16,7 @@ _LATIN_CAPITALS = {"Alpha": "A", "Beta": "B", "Epsilon": "E", "Zeta": "Z", "Eta"
 _LATIN_CAPITALS |= {"Mu": "M", "Nu": "N", "Omicron": "O", "Rho": "P", "Tau": "T", "Chi": "X", "omicron": "o"}
 _SPELLED = {"epsilon": r"\varepsilon", "phi": r"\varphi"}
 _SPECIAL = {"Omega_form": r"\boldsymbol{\Omega}", "Theta_form": r"\boldsymbol{\theta}"}
+_LONG_WORD = 25
 _SYMBOLS = {
     "\\": r"\textbackslash{}", "{": r"\{", "}": r"\}", "$": r"\$", "&": r"\&", "#": r"\#", "%": r"\%", "_": r"\_",
     "^": r"\textasciicircum{}", "~": r"\textasciitilde{}", "<": r"\textless{}", ">": r"\textgreater{}", "|": r"\textbar{}",
@@ -75,6 +76,16 @@ def escape(text: str) -> str:
 def escape_part(text: str) -> str:
     """A part of a text that is clean already; blanks at its ends stay."""
     return "".join(_escape_character(character) for character in text)
+
+
+def escape_breakable(text: str) -> str:
+    """The same; an expression that is one long word may be broken after an operator or a parenthesis."""
+    return " ".join(_escape_word(word) for word in text.split(" "))
+
+
+def _escape_word(word: str) -> str:
+    parts = re.split(r"(?<=[*/(,])", word) if len(word) > _LONG_WORD else [word]
+    return r"\allowbreak{}".join(escape_part(part) for part in parts)
 
 
 def spell_unit(unit: str) -> str:
