@@ -25,6 +25,9 @@ from nhc.mechanics.resolve import resolve
 from nhc.program.ir import Binary, Call, Expr, Negate, Number, Pi, Power, Ref
 from nhc.program.model import build_program
 from nhc.program.paper import SHEETS, Derivation, Statement, derivation
+from nhc.program.sheets.draft import Desk, Draft, DraftSheet
+from nhc.program.sheets.model import Mark
+from nhc.program.sheets.write import without_zeros
 
 SPECS = Path(__file__).resolve().parents[2] / "specs"
 OPERATORS = {"+": operator.add, "-": operator.sub, "*": operator.mul, "/": operator.truediv}
@@ -244,3 +247,20 @@ def test_a_dense_solve_is_printed_row_by_row() -> None:
     (head,) = [k for k, line in enumerate(lines) if line.startswith("  solve size ")]
     size = equations.system.n + equations.system.l
     assert all(line.startswith("    row [") for line in lines[head + 1 : head + 1 + size])
+
+
+def test_sums_that_vanish_are_not_printed() -> None:
+    """(x + y) (x - y) - x^2 + y^2 is zero, and nothing in the node says so."""
+    system = resolve(decode(read(str(SPECS / "point_mass.yaml"))))
+    formulation = formulate(system)
+    g, (x, y) = system.graph, system.q[:2]
+    squares = g.sub(g.power(y, 2), g.power(x, 2))
+    nothing = g.add(g.mul(g.add(x, y), g.sub(x, y)), squares)
+    assert nothing != g.zero
+    right = ((g.add(x, nothing), (Mark("x"),)), (g.mul(y, nothing), (Mark("y"),)))
+    item = Draft(((nothing, ()),), right)
+    desk = Desk(system, formulation, equations_of(system, formulation))
+    (sheet,) = without_zeros(desk, [DraftSheet("motion", "Motion", [item])])
+    (found,) = sheet.items
+    assert isinstance(found, Draft)
+    assert found.left == ((g.zero, ()),) and found.right == ((x, (Mark("x"),)),)

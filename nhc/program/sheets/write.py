@@ -8,14 +8,16 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Sequence
+from dataclasses import replace
 
-from nhc.algebra.calculus import reachable
-from nhc.algebra.graph import NEG, SYM, Node
+from nhc.algebra.calculus import reachable, substitute
+from nhc.algebra.graph import ADD, NEG, SYM, Node
+from nhc.algebra.modular import are_zero
 from nhc.program.ir import Expr, Negate, Power, Ref
 from nhc.program.lower import Lowering
 from nhc.program.naming import identifier
 from nhc.program.plan import FunctionPlan, Target
-from nhc.program.sheets.draft import Desk, Draft, DraftSheet, Part
+from nhc.program.sheets.draft import Desk, Draft, DraftItem, DraftSheet, Part
 from nhc.program.sheets.model import RANK_STEP, Item, Mark, Sheet, Statement, Symbol, Term
 
 _REPEATED = 8  # operations from which a repeated expression gets a name
@@ -146,6 +148,26 @@ def _roots(drafts: Iterable[Draft]) -> list[Node]:
     return [node for draft in drafts for node, _ in (*draft.left, *draft.right)]
 
 
+def without_zeros(desk: Desk, drafts: Sequence[DraftSheet]) -> tuple[DraftSheet, ...]:
+    """The drafts without sums that vanish identically although their nodes do not show it: in print their terms would cancel."""
+    g = desk.graph
+    roots = _roots(item for sheet in drafts for item in sheet.items if isinstance(item, Draft))
+    sums = [node for node in reachable(g, roots) if g.op[node] == ADD]
+    vanishing = {node: g.zero for node, zero in zip(sums, are_zero(g, sums), strict=True) if zero}
+    if not vanishing:
+        return tuple(drafts)
+    new = dict(zip(roots, substitute(g, roots, vanishing), strict=True))
+
+    def side(parts: Sequence[Part]) -> tuple[Part, ...]:
+        found = tuple((new[node], factors) for node, factors in parts)
+        return tuple(part for part in found if part[0] != g.zero) or found[:1]
+
+    def item(old: DraftItem) -> DraftItem:
+        return replace(old, left=side(old.left), right=side(old.right)) if isinstance(old, Draft) else old
+
+    return tuple(replace(sheet, items=[item(old) for old in sheet.items]) for sheet in drafts)
+
+
 def _side(lowering: PaperLowering, parts: Sequence[Part]) -> tuple[Term, ...]:
     return tuple(Term(lowering.written_out(node), factors) for node, factors in parts)
 
@@ -154,6 +176,7 @@ def write_sheets(
     desk: Desk, drafts: Sequence[DraftSheet]
 ) -> tuple[tuple[Sheet, ...], dict[str, Symbol], dict[str, Statement]]:
     """The sheets, the symbols of their expressions, and all abbreviations by name."""
+    drafts = without_zeros(desk, drafts)
     every = [item for sheet in drafts for item in sheet.items if isinstance(item, Draft)]
     lowering = PaperLowering(desk, _roots(every))
     sheets: list[Sheet] = []
