@@ -14,7 +14,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from nhc.algebra.calculus import Derivation, count, rebuild
-from nhc.algebra.graph import ADD, NEG, POW, SYM, Graph, Node
+from nhc.algebra.graph import ADD, NEG, POW, Graph, Node
 from nhc.algebra.polynomial import normalise
 from nhc.mechanics.frame import Frame, make_frame
 from nhc.mechanics.kinetic import Kinetic
@@ -27,7 +27,7 @@ _TERMS = 40  # of a canonical form that is tried
 
 @record
 class Lean:
-    """``angle`` is that of a coordinate's turn, ``tilt`` the constant turn behind it, in the same plane."""
+    """``angle`` is that of a turn, ``tilt`` the constant turn behind it, in the same plane."""
 
     angle: Node
     tilt: Turn
@@ -46,7 +46,7 @@ def find_lean(graph: Graph, paths: Sequence[Path]) -> Lean | None:
     constant = {turn.angle for path in paths for turn in path if _is_constant(graph, turn.angle)}
     for path in paths:
         for before, tilt, _ in zip(path, path[1:], path[2:], strict=False):
-            if tilt.angle not in constant or before.angle in constant or graph.op[before.angle] != SYM:
+            if tilt.angle not in constant or before.angle in constant:
                 continue
             if set(before.plane) == set(tilt.plane):
                 angle = tilt.angle if before.plane == tilt.plane else graph.neg(tilt.angle)

@@ -33,6 +33,8 @@ from nhc.mechanics.system import System
 from nhc.mechanics.turns import Turn, change_axes
 from nhc.mechanics.vectors import Chained, Reader
 
+_LEANS = 4  # leaning joints that are looked for
+
 
 def move(system: System, kinetic: Kinetic, frame: Frame, backs: tuple[Turn, ...] = ()) -> Moved | None:
     """The frame and T on moving axes; None where T has no vector that turns.
@@ -61,7 +63,7 @@ def move(system: System, kinetic: Kinetic, frame: Frame, backs: tuple[Turn, ...]
     for group in groups:
         components = [kinetic.atoms[k] for k in group] + [g.zero] * (3 - len(group))
         vectors.append((group, *read_square(scene, (components[0], components[1], components[2]))))
-        lean = find_lean(g, [part.path for part in vectors[-1][1].parts])
+        lean = find_lean(g, [part.path for part in vectors[-1][1].parts]) if len(backs) < _LEANS else None
         straight = None if lean is None else move(*count_from_joint(lean, system, kinetic, frame), (*backs, lean.back))
         if straight is not None:
             return straight

@@ -82,7 +82,7 @@ class Lowering:
 
     def _constant(self, node: Node) -> bool:
         deps = self.graph.deps[node]
-        return deps != 0 and not deps & ~self.parameter_mask
+        return not deps & ~self.parameter_mask and (deps != 0 or bool(self.graph.kids[node]))
 
     def choose_names(self) -> list[Node]:
         """The nodes that become lets, in increasing order."""

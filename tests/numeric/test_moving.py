@@ -10,6 +10,7 @@ from nhc.algebra.calculus import count, tangent
 from nhc.algebra.gather import gather, split
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.modular import are_equal, are_zero
+from nhc.algebra.rules import WithoutRules
 from nhc.diagnostics import Source
 from nhc.language import decode
 from nhc.mechanics.associate import Row
@@ -66,6 +67,22 @@ def test_gallery(name: str) -> None:
     assert assert_same(system_of(spec_path(name).read_text())) > 0
 
 
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [("(k)", "(k)"), ("(k)", "(0.5)"), ("(k)", "(0.2 + k)"), ("sin(k)", "(-sin(k))"), ("(c)", "(c - k)")],
+    ids=["parameter", "number", "sum", "other way", "shifted"],
+)
+def test_a_joint_that_leans_stands_straight(old: str, new: str) -> None:
+    """Whatever its angle is written like: the same values, exactly, in the same number of operations."""
+    text = spatial_pair(3).replace(old, new)
+    assert assert_same(system_of(text)) > 0
+    straight, leaning = system_of(spatial_pair(3)), WithoutRules({"leaning joints"})
+    assert abs(cost(system_of(text), moving=True) - cost(straight, moving=True)) < 5
+    assert cost(straight, moving=True) < cost(
+        resolve(decode(Source("tree.yaml", spatial_pair(3))), leaning), moving=True
+    )
+
+
 def cost(system: System, *, moving: bool) -> int:
     formulation, kinetic = formulate(system), kinetic_structure(system)
     assert formulation.frame is not None
@@ -73,7 +90,9 @@ def cost(system: System, *, moving: bool) -> int:
     return _route(system, formulation, kinetic, moved).cost(system.graph)
 
 
-@pytest.mark.parametrize(("name", "most"), [("n_trailer3", 0.6), ("n_snake3", 0.75), ("bicycle", 0.5), ("rattleback", 0.65)])
+@pytest.mark.parametrize(
+    ("name", "most"), [("n_trailer3", 0.6), ("n_snake3", 0.75), ("bicycle", 0.5), ("rattleback", 0.65)]
+)
 def test_operations_are_saved(name: str, most: float) -> None:
     text = spec_path(name).read_text()
     assert cost(system_of(text), moving=True) < most * cost(system_of(text), moving=False)
