@@ -118,3 +118,39 @@ def spatial_pair(seed: int) -> str:
         *(f"  - {r}" for r in rows),
     ]
     return "\n".join(lines) + "\n"
+
+
+def robot_arm(seed: int, joints: int = 3) -> str:
+    """An arm of bodies in space, each turned by one angle about an axis of the one before, on a base that stands still."""
+    draw = random.Random(seed)
+    define: dict[str, str] = {}
+    axes = [{k: ["1" if i == k else "0" for i in range(3)] for k in range(3)}]
+    spin, place, energy, potential = ["0"] * 3, ["0"] * 3, [], []
+    for j in range(1, joints + 1):
+        a = draw.randrange(3)
+        b, c = (a + 1) % 3, (a + 2) % 3
+        s, co, before = f"sin(q{j})", f"cos(q{j})", axes[-1]
+        axes.append({k: [f"e{j}{k}{x}" for x in "xyz"] for k in range(3)})
+        for i in range(3):
+            define[axes[j][a][i]] = before[a][i]
+            define[axes[j][b][i]] = f"{co}*{before[b][i]} + {s}*{before[c][i]}"
+            define[axes[j][c][i]] = f"{co}*{before[c][i]} - {s}*{before[b][i]}"
+        define |= {f"w{j}{a}": f"{spin[a]} + q{j}'", f"w{j}{b}": f"{co}*{spin[b]} + {s}*{spin[c]}"}
+        define[f"w{j}{c}"] = f"{co}*{spin[c]} - {s}*{spin[b]}"
+        spin = [f"w{j}{k}" for k in range(3)]
+        for i, x in enumerate("xyz"):
+            define[f"G{j}{x}"] = f"{place[i]} + c{j}*{axes[j][2][i]}"
+            define[f"P{j}{x}"] = f"{place[i]} + l{j}*{axes[j][2][i]} + 0.1*{axes[j][0][i]}"
+        place = [f"P{j}{x}" for x in "xyz"]
+        energy.append(f"m{j}/2*(G{j}x'^2 + G{j}y'^2 + G{j}z'^2) + (A{j}*w{j}0^2 + B{j}*w{j}1^2 + C{j}*w{j}2^2)/2")
+        potential.append(f"m{j}*g*G{j}z")
+    values = ", ".join(
+        f"m{j}: {j}, c{j}: 0.2, l{j}: 0.4, A{j}: 0.1, B{j}: 0.12, C{j}: 0.05" for j in range(1, joints + 1)
+    )
+    lines = ["nhc: 1", "system: robot", f"coordinates: [{', '.join(f'q{j}' for j in range(1, joints + 1))}]"]
+    lines += [
+        f"parameters: {{g: 9.81, {values}}}",
+        "define:",
+        *(f"  {name}: {value}" for name, value in define.items()),
+    ]
+    return "\n".join([*lines, f"T: {' + '.join(energy)}", f"V: {' + '.join(potential)}"]) + "\n"

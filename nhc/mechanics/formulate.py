@@ -13,7 +13,7 @@ from nhc.algebra.shorten import shorten
 from nhc.mechanics.associate import Equations, Matrix, Projector, Row
 from nhc.mechanics.choose import Formulation
 from nhc.mechanics.determined import check_determined
-from nhc.mechanics.frame import total_derivative
+from nhc.mechanics.frame import coordinate_frame, total_derivative
 from nhc.mechanics.kinetic import Kinetic, kinetic_structure, pivot_signs
 from nhc.mechanics.motion import Motion
 from nhc.mechanics.move import move
@@ -30,6 +30,8 @@ _FEW_ROWS = 40
 """Coordinates times constraints up to which reactions are also made row by row."""
 _SMALL = 400
 """Operations up to which a second route is worth a try."""
+_WORTH_AXES = 100
+"""Operations of Lagrange's equations from which moving axes are tried."""
 _FEW_FORMS, _TINY = 3, 25
 """Velocity forms of T up to which the spec's axes are tried first, and operations that no moving axes would make fewer."""
 
@@ -126,6 +128,8 @@ def _from_leaves(system: System, formulation: Formulation, tree: Elimination, ki
 def _cheapest_route(system: System, formulation: Formulation, kinetic: Kinetic) -> _Route:
     """On moving axes where T has vectors for them; also on the spec's where that may be shorter and is soon tried."""
     frame = formulation.frame
+    if frame is None and not system.constraints:
+        return _without_constraints(system, formulation, kinetic)
     # axes of a rotation group are at hand already
     may = frame is not None and not system.rotations and "moving axes" not in system.graph.off
     if may and len(kinetic.atoms) <= _FEW_FORMS:
@@ -141,6 +145,17 @@ def _cheapest_route(system: System, formulation: Formulation, kinetic: Kinetic) 
         return there
     here = _route(system, formulation, kinetic)
     return here if here.cost(system.graph) < cost else there
+
+
+def _without_constraints(system: System, formulation: Formulation, kinetic: Kinetic) -> _Route:
+    """Lagrange's equations, which moving axes make shorter where bodies turn on bodies in space."""
+    here = _route(system, formulation, kinetic)
+    cost = here.cost(system.graph)
+    if cost <= _WORTH_AXES or system.rotations or "moving axes" in system.graph.off:
+        return here
+    moved = move(system, kinetic, coordinate_frame(system, ()))
+    there = None if moved is None else _route(system, formulation, kinetic, moved)
+    return here if there is None or there.cost(system.graph) >= cost else there
 
 
 def _route(system: System, formulation: Formulation, kinetic: Kinetic, moved: Moved | None = None) -> _Route:
