@@ -97,6 +97,25 @@ def drop_unused(body: tuple[Statement, ...]) -> tuple[Statement, ...]:
     )
 
 
+def place_guards(body: tuple[Statement, ...]) -> tuple[Statement, ...]:
+    """Each guard once, as soon as its value is known: where a quotient by zero raises, what was singular has been said before."""
+    waiting = [(guard, collect_refs(guard)) for guard in dict.fromkeys(s for s in body if isinstance(s, Guard))]
+    known: set[str] = set()
+    ordered: list[Statement] = []
+    for statement in body:
+        if isinstance(statement, Guard):
+            continue
+        ordered.append(statement)
+        if isinstance(statement, Load | Let):
+            known.add(statement.name)
+        elif isinstance(statement, Solve):
+            known.update(name for names in statement.names for name in names)
+        ready = [(guard, refs) for guard, refs in waiting if refs <= known]
+        ordered += [guard for guard, _ in ready]
+        waiting = [pair for pair in waiting if pair not in ready]
+    return (*ordered, *(guard for guard, _ in waiting))
+
+
 def split_hoisted(body: tuple[Statement, ...]) -> tuple[tuple[Statement, ...], tuple[Statement, ...]]:
     """Statements that depend on the parameters alone (they may leave a loop over states), and the rest."""
     outside: list[Statement] = []

@@ -10,7 +10,14 @@ from nhc.emit.python.body import MODULES, WIDTH, BodyPrinter, print_sequence
 from nhc.emit.python.docs import print_function_docstring, print_module_docstring
 from nhc.emit.python.literals import print_float, print_string
 from nhc.emit.python.names import AMBIGUOUS, make_scope, spell
-from nhc.emit.statements import drop_unused, fill_stores, find_not_finite, list_statuses, list_used_names
+from nhc.emit.statements import (
+    drop_unused,
+    fill_stores,
+    find_not_finite,
+    list_statuses,
+    list_used_names,
+    place_guards,
+)
 from nhc.program.ir import Argument, Evaluate, Function, Load, Program, Quantity, Store, Sweep
 
 LONGEST_REASON = WIDTH - 8
@@ -117,7 +124,7 @@ def print_argument(argument: Argument, array: str) -> str:
 
 def print_function(program: Program, function: Function, array: str, helpers: set[str]) -> PrintedFunction:
     """One function: loads first, then the statements in which something may be singular."""
-    body = drop_unused(function.body)
+    body = place_guards(drop_unused(function.body))
     arguments = function.inputs if function.output is None else (*function.inputs, function.output)
     used = frozenset(list_used_names(body))
     printer = BodyPrinter(function.name, array, make_scope(arguments, body), helpers, used)
