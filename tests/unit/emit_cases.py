@@ -198,11 +198,18 @@ def make_sleigh() -> Program:
     )  # fmt: skip
 
 
-def make_solver(size: int = 3) -> Program:
-    """A linear system with two right sides whose matrix needs pivoting: its diagonal is y, zero at the start."""
+def make_solver(size: int = 3, band: int = 99) -> Program:
+    """A linear system with two right sides whose matrix needs pivoting: its diagonal is y, zero at the start.
+
+    Entries farther than ``band`` from the diagonal are zero.
+    """
     names = tuple(f"u{i}" for i in range(size))
     matrix = tuple(
-        tuple((ref(names[i]) if i == j else wrap(1.0 / (1 + i + j))).node for j in range(size)) for i in range(size)
+        tuple(
+            (ref(names[i]) if i == j else wrap(1.0 / (1 + i + j) if abs(i - j) <= band else 0.0)).node
+            for j in range(size)
+        )
+        for i in range(size)
     )
     columns = (
         tuple(wrap(float(i + 1)).node for i in range(size)),

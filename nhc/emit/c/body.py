@@ -28,6 +28,7 @@ from nhc.program.ir import (
 from nhc.records import record
 
 WIDTH = 110
+ZERO, FEW = Number(Fraction(0)), 8  # entries of zero that are stored one by one
 FUNCTIONS = {"abs": "fabs"}
 ANY = "_any"  # this file's own sine and cosine, for any angle
 HELPERS = {"sign": "sign", "min": "minimum", "max": "maximum"}  # functions that this file must bring itself
@@ -223,9 +224,11 @@ class BodyPrinter:
             print_comment(f"the matrix beside its right sides, row by row; {solve.what} where it has no pivot")
         )
         self.lines.append(f"{self.indent}double {array}[{size * width}];")
-        for i, row in enumerate(solve.matrix):
-            for j, entry in enumerate((*row, *(column[i] for column in solve.columns))):
-                self.add(f"{array}[{i * width + j}] = {self.printer.print(entry)};")
+        entries = [e for i, row in enumerate(solve.matrix) for e in (*row, *(column[i] for column in solve.columns))]
+        skipped = self.print_zeros(array, entries)
+        for k, entry in enumerate(entries):
+            if not (skipped and entry == ZERO):
+                self.add(f"{array}[{k}] = {self.printer.print(entry)};")
         tolerance = print_double(Fraction(solve.tolerance))
         self.add(f"if ({self.prefix}_solve({size}, {solve.masses}, {width}, {array}, {tolerance}) != 0) {{")
         self.lines.append(f"{self.indent}    return {self.leave(solve.status)};")
@@ -237,6 +240,18 @@ class BodyPrinter:
                         f"{self.indent}const double {self.scope[name]} = {array}[{i * width + size + c}];"
                     )
                     self.keep(name)
+
+    def print_zeros(self, array: str, entries: list[Expr]) -> bool:
+        """All entries zero in a loop, where many are; whether it was done."""
+        if entries.count(ZERO) <= FEW:
+            return False
+        k = self.scope.fresh("entry")
+        self.lines += [
+            f"{self.indent}for (int {k} = 0; {k} < {len(entries)}; ++{k}) {{",
+            f"{self.indent}    {array}[{k}] = 0.0;",
+            f"{self.indent}}}",
+        ]
+        return True
 
     def print_evaluate(self, evaluate: Evaluate) -> None:
         """Another function's output; leave where that is singular."""

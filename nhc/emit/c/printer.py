@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from nhc.emit.c.arrange import arrange
 from nhc.emit.c.batch import Batch, mark_unused, print_batch
-from nhc.emit.c.body import ANY, BodyPrinter, print_singular, wrap_code
+from nhc.emit.c.body import ANY, FEW, BodyPrinter, print_singular, wrap_code
 from nhc.emit.c.driver import list_driver_functions, make_driver
 from nhc.emit.c.finish import choose_finish, print_finish
 from nhc.emit.c.header import frame, print_file_comment, print_function_comment, print_source_comment
@@ -17,8 +17,6 @@ from nhc.emit.options import BATCH, EmitError, EmitOptions, check_options, selec
 from nhc.emit.statements import drop_unused, find_not_finite, list_missing, list_statuses, list_used_names
 from nhc.program.ir import Argument, Evaluate, Function, Guard, Load, Program, Quantity, Solve, Statement, Sweep
 from nhc.records import record
-
-FEW = 8  # entries of zero that are stored one by one
 
 
 @record
