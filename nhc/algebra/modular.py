@@ -23,6 +23,7 @@ _SIGNED = ("sign", "abs", "min", "max")
 _ROOTS = ("sqrt", "powf")
 _SQUARES: WeakKeyDictionary[Graph, dict[Node, bool]] = WeakKeyDictionary()
 _RANK_POINTS = 8
+_DRAWS = 600  # a root has a value at every second point: nine of them in one expression still find points
 _SIGNED_POINTS = 48  # a sign is right by chance at every second point
 
 
@@ -32,16 +33,16 @@ def sample(
     """Residues of the roots at ``count`` random points, each modulo its own prime; unlucky points are drawn again.
 
     Raises:
-        Unlucky: after 4000 unlucky draws (an expression that is singular everywhere).
+        Unlucky: after many unlucky draws in a row (an expression that is singular everywhere, or dozens of nested roots).
     """
     results: list[list[int]] = []
     known: dict[tuple[int, int], FieldPoint] = {}
     if kind is QuickPoint:  # these stay, and know what was evaluated before
         known = graph.memory.setdefault("points", known)
-    attempt = 0
+    attempt = unlucky = 0
     while len(results) < count:
         attempt += 1
-        if attempt > 4000:
+        if unlucky > _DRAWS:
             raise Unlucky
         key = seed * 1_000_003 + attempt, PRIMES[len(results) % len(PRIMES)]
         point = known.get(key) or kind(graph, *key)
@@ -49,8 +50,9 @@ def sample(
             results.append(point.evaluate(roots))
         except Unlucky:
             known.pop(key, None)
+            unlucky += 1
             continue
-        known[key] = point
+        known[key], unlucky = point, 0
     return results
 
 

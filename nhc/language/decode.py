@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from fractions import Fraction
 
 from nhc.diagnostics import Bag, Source, Span, SpecError, nearest
@@ -56,7 +56,7 @@ class _Decoder:
     def run(self) -> Spec:
         place = self.root.entries[0][0].span if self.root.entries else self.root.span
         rotates = self.root.get("rotation") is not None  # then other coordinates need not be
-        keys = [replace(key, required=False) if rotates and key.name == "coordinates" else key for key in SPEC_KEYS]
+        keys = [key.optional() if rotates and key.name == "coordinates" else key for key in SPEC_KEYS]
         meant = self.shapes.check_keys(self.root, keys, "the spec", place)
         self.scope.open = any(key in _DECLARING for key in meant)
         version, system = self._version(), self._system()

@@ -20,6 +20,10 @@ class Key:
     about: str
     choices: tuple[str, ...] = ()
 
+    def optional(self) -> Key:
+        """The same key where it may be left out."""
+        return Key(self.name, self.kind, False, self.about, self.choices)
+
 
 _COORDINATES = "a list of names, or each name with `unit`, `about`, `range`; may be left out beside `rotation`"
 

@@ -13,6 +13,8 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field
 from types import FrameType, SimpleNamespace
 
+import mpmath  # noqa: F401 - what an input may import for the first time must not look as if the input did it
+
 from nhc.diagnostics import Bag, Source, Span, SpecError, render_concise, render_text, to_json
 from nhc.language import decode, read, unparse
 from nhc.language.parser import parse_equation, parse_expression
