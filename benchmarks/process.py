@@ -22,7 +22,9 @@ from benchmarks.systems import ROOT
 PYTHON = sys.executable
 IMPORT = "import sympy.physics.mechanics"
 BICYCLE = str(ROOT / "specs" / "bicycle.yaml")
-COMPILED = ("sleigh", "disk", "trailers5", "trailers20", "snake5", "snake20", "pendulum5", "pendulum20", "bicycle")
+COMPILED = (
+    "sleigh", "disk", *(f"{family}{n}" for family in ("trailers", "snake", "pendulum") for n in (5, 10, 15, 20)), "bicycle",
+)  # fmt: skip
 
 
 @dataclass(frozen=True)
