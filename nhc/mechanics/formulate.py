@@ -65,7 +65,7 @@ class _Route:
     def cost(self, graph: Graph) -> int:
         """Operations of the matrix, the right side and the kinematics; a single rate's as it will be solved."""
         entries = [n for row in self.rows for n in (*row.mass, row.force)]
-        if len(self.rows) == 1:
+        if len(self.rows) == 1 and entries[0] != graph.zero:
             entries = shorten(graph, [graph.div(entries[1], entries[0])])
         return count(graph, [*self.motion.velocities, *entries])
 

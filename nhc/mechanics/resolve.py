@@ -6,14 +6,15 @@ from collections.abc import Mapping, Sequence
 
 from nhc.algebra.calculus import Derivation, tangent
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.linear import NotLinear, is_clearly_linear, is_clearly_regular, linear_form
-from nhc.algebra.modular import are_zero, rank
+from nhc.algebra.linear import NotLinear, is_clearly_linear, linear_form
+from nhc.algebra.modular import are_zero
 from nhc.algebra.nodes import NumberTooLong
 from nhc.diagnostics import Bag, Span
 from nhc.language import Spec
 from nhc.language.spec import Rotation
 from nhc.language.syntax import Binary, Call, Differential, Name, Negate, Number, Prime, Syntax
 from nhc.mechanics import rotation as mechanics
+from nhc.mechanics.dependent_rows import check_rank
 from nhc.mechanics.system import Form, System
 
 
@@ -194,7 +195,7 @@ def resolve(spec: Spec, graph: Graph | None = None) -> System:
         rotations=build.rotations,
         torques=torques,
     )
-    _check_rank(build, system)
+    check_rank(build.bag, build.spec, system)
     if not build.bag.has_errors:
         _check_freedom(build, system)
     if spec.draw and not build.bag.has_errors:
@@ -303,34 +304,3 @@ def _check_freedom(build: Resolver, system: System) -> None:
             build.spec.key_span("constraints" if build.spec.constraints else "holonomic"),
             help=("remove a constraint, or declare the coordinate that is missing",),
         )
-
-
-def _check_rank(build: Resolver, system: System) -> None:
-    """Dependent constraints and contradictory ones, row by row."""
-    g = build.graph
-    written = [form.value for form in system.constraints if form.value is not None]
-    if len(written) == system.l and is_clearly_regular(g, written, system.v):
-        return
-    kept: list[Form] = []
-    spans = [c.span for c in build.spec.constraints] + [h.span for h in build.spec.holonomic]
-    for form, span in zip(system.constraints, spans, strict=True):
-        linear = [list(f.coefficients) for f in (*kept, form)]
-        if rank(g, linear) == len(linear):
-            kept.append(form)
-            continue
-        full = [[*f.coefficients, f.constant] for f in (*kept, form)]
-        if rank(g, full) == len(full):
-            build.bag.error(
-                "E0403",
-                f"the constraint `{form.name}` contradicts those before it",
-                span,
-                help=("remove it, or correct its terms: together they ask for `0 = 1`",),
-            )
-        else:
-            build.bag.error(
-                "E0402",
-                f"the constraint `{form.name}` follows from those before it",
-                span,
-                notes=(f"the rows have rank {len(kept)}, so the reactions would not be unique",),
-                help=("remove it",),
-            )

@@ -1,0 +1,63 @@
+"""Constraints that follow from others, or contradict them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from nhc.algebra.calculus import gradient
+from nhc.algebra.graph import Graph
+from nhc.algebra.linear import is_clearly_regular
+from nhc.algebra.modular import are_zero, rank
+from nhc.diagnostics import Bag
+from nhc.language import Spec
+from nhc.mechanics.system import Form, System
+
+
+def check_rank(bag: Bag, spec: Spec, system: System) -> None:
+    """Dependent constraints and contradictory ones, row by row."""
+    g = system.graph
+    written = [form.value for form in system.constraints if form.value is not None]
+    if len(written) == system.l and is_clearly_regular(g, written, system.v):
+        return
+    kept: list[Form] = []
+    spans = [c.span for c in spec.constraints] + [h.span for h in spec.holonomic]
+    for form, span in zip(system.constraints, spans, strict=True):
+        linear = [list(f.coefficients) for f in (*kept, form)]
+        if rank(g, linear) == len(linear):
+            kept.append(form)
+            continue
+        full = [[*f.coefficients, f.constant] for f in (*kept, form)]
+        empty = all(are_zero(g, form.coefficients))
+        if rank(g, full) == len(full) or _is_apart(g, system, form, kept):
+            bag.error(
+                "E0403",
+                f"the constraint `{form.name}` " + ("cannot hold" if empty else "contradicts those before it"),
+                span,
+                help=(f"remove it, or correct its terms: {'it asks' if empty else 'together they ask'} for `0 = 1`",),
+            )
+        else:
+            bag.error(
+                "E0402",
+                f"the constraint `{form.name}` " + ("restricts nothing" if empty else "follows from those before it"),
+                span,
+                notes=(
+                    "no velocity is left in it"
+                    if empty
+                    else f"the rows have rank {len(kept)}, so the reactions would not be unique",
+                ),
+                help=("remove it",),
+            )
+
+
+def _is_apart(g: Graph, system: System, form: Form, before: Sequence[Form]) -> bool:
+    """Whether an equation of positions differs from a multiple of one before it, or from zero, by a constant."""
+    moving = (*system.q, system.t)
+    for other in (g.zero, *(f.equation for f in before)):
+        if form.equation is None or other is None:
+            continue
+        slopes, own = gradient(g, other, moving), gradient(g, form.equation, moving)
+        ratio = next((g.div(a, b) for a, b in zip(own, slopes, strict=True) if b != g.zero), g.zero)
+        rest = g.sub(form.equation, g.mul(ratio, other))
+        if all(are_zero(g, gradient(g, rest, moving))) and not all(are_zero(g, [rest])):
+            return True
+    return False
