@@ -20,6 +20,8 @@ from nhc.language import decode
 from nhc.mechanics.choose import applicable
 from nhc.mechanics.resolve import resolve
 from nhc.pipeline import Options, check, emit
+from nhc.simulate.opening import open_scene
+from nhc.simulate.run import Settings, run
 from tests.support import CModel, compile_c, error, python_model
 
 SPECS = {
@@ -270,3 +272,15 @@ def test_a_parameter_of_zero_has_the_same_status_everywhere(tmp_path: Path) -> N
                 assert stopped.args == (status,)
             seen.add(status)
     assert seen >= {0, 2}
+
+
+@pytest.mark.parametrize("compiled", [True, False])
+def test_a_start_where_everything_is_zero(compiled: bool) -> None:
+    """The wheels turn as t, the body as t^3: in very short steps its angle is a difference of equal numbers, without a digit."""
+    text = source("wheels_without_inertia").text + "scenes: {go: {time: [0, 2], need: [x, y, th]}}\n"
+    rows = []
+    for tolerance in (1e-8, 1e-12):
+        found = run(open_scene(Source("wheels.yaml", text)), Settings("dop853", tolerance, points=2, compiled=compiled))
+        assert found.ended == "done"
+        rows.append(found.rows[-1])
+    assert rows[0] == pytest.approx(rows[1], rel=1e-8)

@@ -92,13 +92,16 @@ def integrate(model: Watched, method: Tableau, task: Task, news: News) -> Outcom
 
 
 def _guess(step: Step, method: Tableau, duration: float) -> float:
-    """The first step: the state moves by the part that the tolerance's root allows, with other methods by a hundredth."""
+    """The first step: the state moves by the part that the tolerance's root allows, with other methods by a hundredth.
+
+    From a state at zero, which has no size, it is found from above: in very short steps what grows late has no digits yet.
+    """
     trusted = isinstance(method, Explicit)
     part, longest = 0.01, (0.1 if trusted else 0.01) * abs(duration)
     if trusted and step.tolerance > 0:
         part = find_pace(step.tolerance, -1.0 / max(method.exponent, 1), 1.0, 0.0)
     size, speed = max(map(abs, step.y), default=0.0), max(map(abs, step.slope), default=0.0)
-    wish = part * size / speed if size > 1e-5 and speed > 1e-5 else 1e-6
+    wish = part * size / speed if size > 1e-5 and speed > 1e-5 else longest
     return min(wish, longest)
 
 
