@@ -8,11 +8,14 @@ from pathlib import Path
 
 import pytest
 
+from benchmarks.models import source as spec_source
 from nhc.emit import EmitOptions, render
 from nhc.emit.c import batch, parts, sweep
 from nhc.emit.c.arrange import arrange
 from nhc.emit.c.parts import cut, find_crossing
 from nhc.emit.text.program import print_program
+from nhc.pipeline import Options
+from nhc.pipeline import program as build_program
 from nhc.program.ir import Guard, Let, Load, Section, Solve, Sweep
 from nhc.program.passes import count_operations
 from tests.unit.emit_cases import call, let, make_solver, ref, store
@@ -167,6 +170,43 @@ def test_sines_come_first_in_pairs_and_guards_last() -> None:
     assert [s.name for s in found if isinstance(s, Let)] == ["d", "s", "c", "cd", "a", "late", "scaled"]
     assert found[-2:] == (end, guard)
     assert [s.name for s in found[:2]] == ["x", "z"] and found.index(read[2]) > found.index(lets["cd"])
+
+
+@pytest.mark.parametrize("compiler", COMPILERS)
+@pytest.mark.parametrize("band", [1, 9])
+def test_parts_share_the_filling_of_a_long_dense_solve(
+    band: int, compiler: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    program, size = make_solver(9, band=band), 9
+    y = [0.0, *(0.3 * i for i in range(1, size))]
+    whole = evaluate(load(program, tmp_path).solver_rhs, [y, []], size)
+    monkeypatch.setattr(parts, "SLOW", frozenset({"rhs"}))
+    monkeypatch.setattr(parts, "LENGTHS", (20, 15))
+    monkeypatch.setattr(parts, "choose_lengths", lambda _: (20, 15))
+    (tmp_path / "parts").mkdir()
+    (source,) = write(program, tmp_path / "parts", EmitOptions())
+    text = source.read_text()
+    assert "solver_rhs_part3" in text and "kept[entry] = 0.0;" in text and "block1" not in text
+    subprocess.run([compiler, *FLAGS, "-Wshadow", "-c", source], check=True, cwd=tmp_path)
+    library = load(program, tmp_path / "parts")
+    assert whole[0] == 0 and evaluate(library.solver_rhs, [y, []], size) == whole
+    assert evaluate(library.solver_rhs, [[float("nan")] * size, []], size)[0] == 1
+
+
+def test_unknowns_of_a_filled_solve_are_found_by_later_parts(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(parts, "LENGTHS", (60, 50))
+    model = build_program(
+        spec_source("trailers4"), Options(formulation="multipliers", only=("rhs", "jacobian", "reactions"))
+    )
+    library, module = load(model, tmp_path), load_python(model)
+    assert (tmp_path / "trailers4.c").read_text().count("kept[entry] = 0.0;") == 2
+    size, given = len(model.state), [float(q.default) for q in model.parameters if q.default is not None]
+    y = [0.3 - 0.07 * k for k in range(size)]
+    for name, count in (("jacobian", size**2), ("reactions", len(model.constraints))):
+        status, found = evaluate(getattr(library, f"trailers4_{name}"), [y, given], count)
+        expected = module[name](0.0, y)  # type: ignore[operator]
+        flat = [x for row in expected for x in row] if name == "jacobian" else expected
+        assert status == 0 and found == pytest.approx(flat, rel=1e-13, abs=1e-13)
 
 
 def test_a_dense_solve_keeps_its_guards_before_it() -> None:

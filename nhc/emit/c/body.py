@@ -67,6 +67,19 @@ class CDialect:
         return text
 
 
+@record
+class Block:
+    """Where in ``kept`` the matrix of a dense solve stands with its right sides; ``masses`` as in the solve."""
+
+    place: int
+    masses: int
+
+
+def list_entries(solve: Solve) -> list[Expr]:
+    """The matrix beside its right sides, row by row."""
+    return [e for i, row in enumerate(solve.matrix) for e in (*row, *(column[i] for column in solve.columns))]
+
+
 def bound_test(guard: Guard) -> Expr:
     """What the guarded value's magnitude must exceed: ``tolerance * scale``."""
     if guard.scale == Number(Fraction(0)):
@@ -129,13 +142,14 @@ class BodyPrinter:
         self.trig = trig
         self.printer = ExpressionPrinter(CDialect(prefix, helpers, trig), scope)
         self.kept: dict[str, int] = {}  # names that parts of the function find in the array `kept`, and where
+        self.blocks: dict[tuple[tuple[str, ...], ...], Block] = {}  # dense solves that parts have filled
         self.arguments: tuple[str, ...] = ()  # what other functions are called with
         self._origin = ""
 
     def fork(self) -> BodyPrinter:
         """A printer for another part of the same function."""
         made = BodyPrinter(self.prefix, self.scope, self.helpers, self.element, self.leave, self.used, self.trig)
-        made.kept, made.arguments = self.kept, self.arguments
+        made.kept, made.blocks, made.arguments = self.kept, self.blocks, self.arguments
         return made
 
     def add(self, text: str) -> None:
@@ -218,28 +232,39 @@ class BodyPrinter:
         """Fill the matrix with its right sides, eliminate, name the solutions."""
         self.helpers.add("solve")
         size, sides = len(solve.matrix), len(solve.columns)
-        width = size + sides
-        array = self.scope.fresh("block")
+        width, block = size + sides, self.blocks.get(solve.names)
+        if block is None:
+            array, first, masses = self.scope.fresh("block"), 0, solve.masses
+            self.print_block(solve, array)
+        else:
+            array, first, masses = "kept", block.place, block.masses
+        where = f"{array} + {first}" if first else array
+        tolerance = print_double(Fraction(solve.tolerance))
+        self.add(f"if ({self.prefix}_solve({size}, {masses}, {width}, {where}, {tolerance}) != 0) {{")
+        self.lines.append(f"{self.indent}    return {self.leave(solve.status)};")
+        self.lines.append(f"{self.indent}}}")
+        if block is not None:
+            return  # the unknowns are read where they are needed
+        for c, names in enumerate(solve.names):
+            for i, name in enumerate(names):
+                place = f"{array}[{i * width + size + c}]"
+                if sides > 1 and name not in self.kept:
+                    self.scope.alias(name, place)  # many names that are read once
+                elif name in self.used:
+                    self.lines.append(f"{self.indent}const double {self.scope[name]} = {place};")
+                    self.keep(name)
+
+    def print_block(self, solve: Solve, array: str) -> None:
+        """The matrix of a dense solve beside its right sides."""
         self.add_comment(
             print_comment(f"the matrix beside its right sides, row by row; {solve.what} where it has no pivot")
         )
-        self.lines.append(f"{self.indent}double {array}[{size * width}];")
-        entries = [e for i, row in enumerate(solve.matrix) for e in (*row, *(column[i] for column in solve.columns))]
+        entries = list_entries(solve)
+        self.lines.append(f"{self.indent}double {array}[{len(entries)}];")
         skipped = self.print_zeros(array, entries)
         for k, entry in enumerate(entries):
             if not (skipped and entry == ZERO):
                 self.add(f"{array}[{k}] = {self.printer.print(entry)};")
-        tolerance = print_double(Fraction(solve.tolerance))
-        self.add(f"if ({self.prefix}_solve({size}, {solve.masses}, {width}, {array}, {tolerance}) != 0) {{")
-        self.lines.append(f"{self.indent}    return {self.leave(solve.status)};")
-        self.lines.append(f"{self.indent}}}")
-        for c, names in enumerate(solve.names):
-            for i, name in enumerate(names):
-                if name in self.used:
-                    self.lines.append(
-                        f"{self.indent}const double {self.scope[name]} = {array}[{i * width + size + c}];"
-                    )
-                    self.keep(name)
 
     def print_zeros(self, array: str, entries: list[Expr]) -> bool:
         """All entries zero in a loop, where many are; whether it was done."""

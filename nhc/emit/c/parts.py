@@ -7,10 +7,11 @@ just before it is first needed: what compilers take longest over is finding plac
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import replace
 
-from nhc.emit.c.body import BodyPrinter, wrap_code
+from nhc.emit.c.body import ZERO, Block, BodyPrinter, list_entries, wrap_code
 from nhc.emit.statements import collect_refs
-from nhc.program.ir import Argument, Evaluate, Function, Let, Load, Solve, Statement, Store, Sweep
+from nhc.program.ir import Argument, Evaluate, Function, Let, Load, Section, Solve, Statement, Store, Sweep
 from nhc.records import record
 
 OWN = ("kept", "carried", "first", "seed", "slope", "offset", "entry", "status")
@@ -22,16 +23,21 @@ LENGTHS = (250, 200)  # statements that one function may have, those of a part w
 RHS_LENGTHS = (1200, 750)  # it must be fast above all: what parts leave for others costs stores and loads
 
 
+Blocks = dict[tuple[tuple[str, ...], ...], Block]
+
+
 @record
 class Layout:
     """The parts of a body, and the names that one of them leaves for others, each with its place in ``kept``.
 
-    ``divided``: there are several parts, or sweeps.
+    ``divided``: there are several parts, or sweeps.  ``blocks``: the dense solves that parts fill, in the first ``size`` places.
     """
 
     parts: tuple[tuple[Statement, ...], ...]
     kept: dict[str, int]
     divided: bool
+    blocks: Blocks
+    size: int
 
 
 def list_bound(statement: Statement) -> tuple[str, ...]:
@@ -72,12 +78,55 @@ def find_crossing(parts: Iterable[Iterable[Statement]]) -> dict[str, int]:
     return {name: place for place, name in enumerate(name for name in home if name in crossing)}
 
 
+def find_tail(straight: Sequence[Statement]) -> int:
+    """Where a dense solve begins after which only stores come: they take its unknowns from where it leaves them."""
+    solves = [place for place, statement in enumerate(straight) if isinstance(statement, Solve)]
+    if solves and all(isinstance(s, Section | Store) for s in straight[solves[-1] + 1 :]):
+        return solves[-1]
+    return len(straight)
+
+
 def lay_out(function: Function, body: tuple[Statement, ...]) -> Layout:
     """The parts of a body without its loads, calls and sweeps; a sweep counts as a part that uses what it uses."""
     sweeps = [(statement,) for statement in body if isinstance(statement, Sweep)]
-    straight = [s for s in body if not isinstance(s, Evaluate | Load | Sweep)]
-    parts = cut(straight, *choose_lengths(function)) if function.output is not None else (tuple(straight),)
-    return Layout(parts, find_crossing((*parts, *sweeps)), bool(sweeps) or len(parts) > 1)
+    straight, blocks, places, size = spread(function, [s for s in body if not isinstance(s, Evaluate | Load | Sweep)])
+    end = find_tail(straight)
+    parts = cut(straight[:end], *choose_lengths(function)) if function.output is not None else (tuple(straight[:end]),)
+    if end < len(straight):
+        parts = (*parts[:-1], (*(parts[-1] if parts else ()), *straight[end:]))
+    crossing = {name: size + place for name, place in find_crossing((*parts, *sweeps)).items()}
+    return Layout(parts, crossing | places, bool(sweeps) or len(parts) > 1, blocks, size)
+
+
+def spread(function: Function, straight: Sequence[Statement]) -> tuple[list[Statement], Blocks, dict[str, int], int]:
+    """Long dense solves as stores of their entries, which parts may share, and solves of what is then in ``kept``.
+
+    These bind no names: the unknowns have their places in ``kept``.
+    """
+    made: list[Statement] = []
+    blocks, places, size = Blocks(), dict[str, int](), 0
+    for statement in straight:
+        entries = list_entries(statement) if isinstance(statement, Solve) and function.name in SLOW else []
+        if not isinstance(statement, Solve) or len(entries) - entries.count(ZERO) <= LENGTHS[0]:
+            made.append(statement)
+            continue
+        made += [Store("kept", size + k, entry) for k, entry in enumerate(entries) if entry != ZERO]
+        rows, columns = statement.matrix, statement.columns
+        mark = (("kept", str(size)),)
+        made.append(
+            replace(
+                statement,
+                matrix=tuple((ZERO,) * len(row) for row in rows),
+                columns=tuple((ZERO,) * len(column) for column in columns),
+                names=mark,
+            )
+        )
+        blocks[mark] = Block(size, statement.masses)
+        width = len(rows) + len(columns)
+        for c, names in enumerate(statement.names):
+            places |= {name: size + i * width + len(rows) + c for i, name in enumerate(names)}
+        size += len(entries)
+    return made, blocks, places, size
 
 
 def list_names(part: Iterable[Statement]) -> set[str]:
@@ -141,13 +190,19 @@ def print_in_turn(
         print_one(statement)
 
 
+def is_kept(statement: Statement) -> bool:
+    """Whether a statement fills a dense solve."""
+    return isinstance(statement, Store) and statement.array == "kept"
+
+
 def print_part(printer: BodyPrinter, function: Function, part: Sequence[Statement], name: str) -> list[str]:
     """A part of a function's straight code as a function of its own, from its first line to its last."""
     assert function.output is not None
     inner, output = printer.fork(), function.output.name
     inputs = [print_argument(argument.name, argument.size) for argument in list_arguments(function)]
     leaves = any(name in printer.kept for statement in part for name in list_bound(statement))
-    stores = any(isinstance(statement, Store) for statement in part)
+    leaves = leaves or (bool(printer.blocks) and any(isinstance(s, Solve) or is_kept(s) for s in part))
+    stores = any(isinstance(statement, Store) and not is_kept(statement) for statement in part)
     arguments = ", ".join((*inputs, "double *kept", f"double *{output}"))
     head = wrap_code(f"{print_slow(printer, function)}static int {name}({arguments})", "")
     inner.lines += [] if stores else [f"    (void){output};"]

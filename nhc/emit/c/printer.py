@@ -184,6 +184,7 @@ def print_function(program: Program, function: Function, helpers: set[str], *, i
         ANY if inline else "",
     )
     printer.arguments, printer.kept = tuple(argument.name for argument in function.inputs), layout.kept
+    printer.blocks = layout.blocks
     whole = output is not None and output.size and not layout.divided
     finish = choose_finish(body) if whole else None
     parts = print_statements(printer, function, body, layout, guarded=finish is None)
@@ -208,8 +209,14 @@ def print_statements(
     """Print the body into the printer's lines, with its guards or without; the functions of its parts."""
     functions: list[str] = []
     if layout.divided:
-        size = max(1, len(layout.kept))
+        size = max(1, layout.size + len(layout.kept))
         printer.lines.append(f"    double kept[{size}]; /* what parts of this function leave for others */")
+    if layout.size:
+        printer.lines += [
+            f"    for (int entry = 0; entry < {layout.size}; ++entry) {{",
+            "        kept[entry] = 0.0;",
+            "    }",
+        ]
     printer.lines += print_zeros(function)
     if len(layout.parts) > 1:
         printer.print_all(tuple(statement for statement in body if isinstance(statement, Evaluate)))
