@@ -8,7 +8,6 @@ the hundred small classes of a compiler that is a third of the start-up time, an
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from types import FunctionType
 from typing import Any, TypeVar, dataclass_transform
 
@@ -82,12 +81,14 @@ def identity_record(cls: type[T]) -> type[T]:
 
 def _make(cls: type[T], base: type) -> type[T]:
     names = tuple(vars(cls).get("__annotations__", ()))
-    if len(names) >= len(_CONSTRUCTORS):  # large ones are few
-        return dataclass(frozen=True, slots=True, eq=base is _Value, repr=base is _Value)(cls)
     body: dict[str, Any] = {key: value for key, value in vars(cls).items() if key not in ("__dict__", "__weakref__")}
     defaults = tuple(body.pop(name) for name in names if name in body)
     setters: dict[str, Any] = {}
-    code = _CONSTRUCTORS[len(names)].__code__.replace(co_varnames=("self", *names))
+    if len(names) < len(_CONSTRUCTORS):
+        code = _CONSTRUCTORS[len(names)].__code__.replace(co_varnames=("self", *names))
+        constructor: Any = FunctionType(code, setters, "__init__", defaults)
+    else:  # large ones have few instances
+        constructor, body["_defaults"] = _many, dict(zip(names[len(names) - len(defaults) :], defaults, strict=True))
     made = type(
         cls.__name__,
         (base,),
@@ -97,7 +98,7 @@ def _make(cls: type[T], base: type) -> type[T]:
             "_fields": names,
             "__match_args__": names,
             "__qualname__": cls.__qualname__,
-            "__init__": FunctionType(code, setters, "__init__", defaults),
+            "__init__": constructor,
         },
     )
     setters.update((f"_{k}", vars(made)[name].__set__) for k, name in enumerate(names))
@@ -155,6 +156,20 @@ def _six(self: Any, a: Any, b: Any, c: Any, d: Any, e: Any, f: Any) -> None:
     _3(self, d)
     _4(self, e)
     _5(self, f)
+
+
+def _many(self: Any, *arguments: Any, **named: Any) -> None:
+    names, kind = self._fields, type(self).__qualname__
+    if len(arguments) > len(names):
+        raise TypeError(f"{kind} takes {len(names)} values, not {len(arguments)}")
+    values = dict(zip(names, arguments, strict=False))
+    twice = values.keys() & named.keys()
+    values = {**self._defaults, **values, **named}
+    wrong = sorted(twice | (values.keys() - set(names)) | (set(names) - values.keys()))
+    if wrong:
+        raise TypeError(f"{kind}: {', '.join(wrong)} given twice, not known or not given")
+    for name in names:
+        object.__setattr__(self, name, values[name])
 
 
 _CONSTRUCTORS = (_none, _one, _two, _three, _four, _five, _six)
