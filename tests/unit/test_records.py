@@ -34,6 +34,28 @@ class Leaf:
     name: str
 
 
+@record
+class Wide:
+    a: int
+    b: int
+    c: int
+    d: int
+    e: int
+    f: int
+    g: int = 7
+    h: str = "eight"
+
+
+def test_wide_ones_take_their_fields_in_every_way() -> None:
+    wide = Wide(1, 2, 3, 4, 5, f=6)
+    assert wide == Wide(1, 2, 3, 4, 5, 6, 7, "eight") != replace(wide, h="h")
+    assert repr(wide) == "Wide(a=1, b=2, c=3, d=4, e=5, f=6, g=7, h='eight')" and hash(wide) == hash(replace(wide))
+    assert not hasattr(wide, "__dict__") and pickle.loads(pickle.dumps(wide)) == wide
+    for mistaken in (lambda: Wide(1, 2, 3, 4, 5), lambda: Wide(*range(9)), lambda: Wide(*range(6), a=1)):
+        with pytest.raises(TypeError, match="Wide"):
+            mistaken()
+
+
 def test_equal_by_value_and_class() -> None:
     assert Point(1) == Point(1, 2) == Point(y=2, x=1) != Point(2)
     assert Point(1) != Other(1) and Point(1) != (1, 2)
