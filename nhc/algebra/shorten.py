@@ -27,6 +27,8 @@ def shorten(graph: Graph, nodes: Sequence[Node], beside: Sequence[Node] = ()) ->
     if before == 0 or before > _LARGE or "canonical forms" in graph.off:
         return list(nodes)
     canonical = normalise_all(graph, nodes, _TERMS, _SWOLLEN)
+    if canonical == list(nodes):
+        return canonical
     total, other = count(graph, [*nodes, *beside]), count(graph, [*canonical, *beside])
     best, rest = (canonical, list(nodes)) if other < total else (list(nodes), canonical)
     least = min(total, other)
