@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
 
-from nhc.emit.c.body import BodyPrinter
+from nhc.emit.c.body import WIDTH, BodyPrinter
 from nhc.program.ir import (
     Binary,
     Call,
@@ -80,7 +80,14 @@ def print_finish(printer: BodyPrinter, finish: Finish, body: Sequence[Statement]
         printer.add_comment(
             "an infinity, a NaN or a division by zero anywhere above stays in this sum" if finish.entries else ""
         )
-        printer.add(f"if (!({' && '.join(tests)})) {{")
+        condition = f"if (!({' && '.join(tests)})) {{"
+        if len(printer.indent) + len(condition) <= WIDTH:
+            printer.add(condition)
+        else:
+            printer.add(f"if (!({tests[0]}")
+            for test in tests[1:]:
+                printer.add(f"    && {test}")
+            printer.lines[-1] += ")) {"
         printer.indent += "    "
         for statement in body:
             if isinstance(statement, Guard):
