@@ -1,5 +1,5 @@
 /*
- * affine_voronec.c: affine_voronec, emitted by nhc 0.1.0 (nhc:b01497e1f0553379)
+ * affine_voronec.c: affine_voronec, emitted by nhc 0.1.0 (nhc:221219799cc371a7)
  * A particle with everything at once; affine constraint, time, T of degrees 2, 1 and 0, drag, a driving
  *     force.
  * Source: affine_voronec.yaml
@@ -34,14 +34,12 @@ const double affine_voronec_parameter_defaults[] = {
     0.0
 };
 
-static int affine_voronec_finish(int count, const double *values)
-{
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
-    for (int i = 0; i < count; ++i) {
-        sum += values[i];
-    }
-    return fabs(sum) <= DBL_MAX ? AFFINE_VORONEC_OK : AFFINE_VORONEC_NOT_FINITE;
-}
+/* long functions that are called seldom: gcc is to take less time over them (other compilers do so by themselves) */
+#if defined(__GNUC__) && !defined(__clang__) && defined(__OPTIMIZE__)
+#define AFFINE_VORONEC_SLOW __attribute__((cold, optimize("O1")))
+#else
+#define AFFINE_VORONEC_SLOW
+#endif
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
 #ifndef AFFINE_VORONEC_LANES
@@ -226,7 +224,7 @@ int affine_voronec_rhs(double t, const double *y, const double *p, double *dydt)
     const double z35 = z4 - 0.05 * z22;
     const double z36 = z * z6;
     const double z37 = x_dot * x_dot;
-    const double z38 = y_dot * y_dot * c_z;
+    const double z38 = c_z * y_dot * y_dot;
     const double z39 = 0.5 * (2.0 * (x * (z22 * z22)) + (2.0 * (z37 * z36) + z6 * z38)) - 0.3 * (z6 * z32);
     const double z40 = 0.5 * (2.0 * x + 6.0 * z36) - (0.2 * (2.0 * z13 + z8 * z6) + z2 * z39);
     const double z41 = z24 + (0.3 * (z7 * z28) - z31 + z6 * z34) + (0.1 * x_dot - z6 * z35 + z40);
@@ -243,15 +241,19 @@ int affine_voronec_rhs(double t, const double *y, const double *p, double *dydt)
     /* (I.4.9) 11:4 */
     dydt[3] = -(z15 * z41 + 0.5 * (z16 * z47)); /* x'' */
     dydt[4] = z47; /* y'' */
-    /* the mass matrix is singular */
-    if (!(fabs(z12) > 0.0)) {
-        return AFFINE_VORONEC_SINGULAR_2;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(dydt[3]) <= DBL_MAX && fabs(-z19) > 1e-14 * z18)) {
+        /* the mass matrix is singular */
+        if (!(fabs(z12) > 0.0)) {
+            return AFFINE_VORONEC_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(-z19) > 1e-14 * z18)) {
+            return AFFINE_VORONEC_SINGULAR_2;
+        }
+        return AFFINE_VORONEC_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(-z19) > 1e-14 * z18)) {
-        return AFFINE_VORONEC_SINGULAR_2;
-    }
-    return affine_voronec_finish(5, dydt);
+    return AFFINE_VORONEC_OK;
 }
 
 int affine_voronec_velocities(double t, const double *y, const double *p, double *qdot)
@@ -275,9 +277,14 @@ int affine_voronec_velocities(double t, const double *y, const double *p, double
     qdot[0] = x_dot; /* x' */
     qdot[1] = y_dot; /* y' */
     qdot[2] = z2; /* z' */
-    return affine_voronec_finish(3, qdot);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qdot[0] + qdot[1] + qdot[2]) <= DBL_MAX)) {
+        return AFFINE_VORONEC_NOT_FINITE;
+    }
+    return AFFINE_VORONEC_OK;
 }
 
+AFFINE_VORONEC_SLOW
 int affine_voronec_accelerations(double t, const double *y, const double *p, double *qddot)
 {
     (void)p;
@@ -338,7 +345,7 @@ int affine_voronec_accelerations(double t, const double *y, const double *p, dou
     const double z38 = z4 - 0.05 * z23;
     const double z39 = z * z6;
     const double z40 = x_dot * x_dot;
-    const double z41 = y_dot * y_dot * c_z;
+    const double z41 = c_z * y_dot * y_dot;
     const double z42 = 0.5 * (2.0 * (x * (z23 * z23)) + (2.0 * (z40 * z39) + z6 * z41)) - 0.3 * (z6 * z35);
     const double z43 = 0.5 * (2.0 * x + 6.0 * z39) - (0.2 * (2.0 * z13 + z8 * z6) + z2 * z42);
     const double z44 = z24 + (0.3 * (z7 * z31) - z34 + z6 * z37) + (0.1 * x_dot - z6 * z38 + z43);
@@ -353,15 +360,19 @@ int affine_voronec_accelerations(double t, const double *y, const double *p, dou
     qddot[0] = -z51; /* x'' */
     qddot[1] = z50; /* y'' */
     qddot[2] = z30 + (z26 + (z28 - z6 * z51 + 0.5 * (z29 + z13 * z50))); /* z'' */
-    /* the mass matrix is singular */
-    if (!(fabs(z12) > 0.0)) {
-        return AFFINE_VORONEC_SINGULAR_2;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qddot[2]) <= DBL_MAX && fabs(-z19) > 1e-14 * z18)) {
+        /* the mass matrix is singular */
+        if (!(fabs(z12) > 0.0)) {
+            return AFFINE_VORONEC_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(-z19) > 1e-14 * z18)) {
+            return AFFINE_VORONEC_SINGULAR_2;
+        }
+        return AFFINE_VORONEC_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(-z19) > 1e-14 * z18)) {
-        return AFFINE_VORONEC_SINGULAR_2;
-    }
-    return affine_voronec_finish(3, qddot);
+    return AFFINE_VORONEC_OK;
 }
 
 int affine_voronec_state(double t, const double *q, const double *qdot, const double *p, double *y)
@@ -380,7 +391,11 @@ int affine_voronec_state(double t, const double *q, const double *qdot, const do
     y[2] = z;
     y[3] = x_dot;
     y[4] = y_dot;
-    return affine_voronec_finish(5, y);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(y[0] + y[1] + y[2] + y[3] + y[4]) <= DBL_MAX)) {
+        return AFFINE_VORONEC_NOT_FINITE;
+    }
+    return AFFINE_VORONEC_OK;
 }
 
 int affine_voronec_residuals(double t, const double *q, const double *qdot, const double *p, double *r)
@@ -403,9 +418,14 @@ int affine_voronec_residuals(double t, const double *q, const double *qdot, cons
     const double z2 = 0.3 * z1 + (x_dot * (y * c_z * (1.0 + 0.1 * s_t)) + 0.5 * (y_dot * z1)) + 0.2 * s1;
     /* (I.1.1) 18:5 */
     r[0] = z_dot - z2; /* contact = 0 */
-    return affine_voronec_finish(1, r);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(r[0]) <= DBL_MAX)) {
+        return AFFINE_VORONEC_NOT_FINITE;
+    }
+    return AFFINE_VORONEC_OK;
 }
 
+AFFINE_VORONEC_SLOW
 int affine_voronec_reactions(double t, const double *y, const double *p, double *lambda)
 {
     (void)p;
@@ -459,7 +479,7 @@ int affine_voronec_reactions(double t, const double *y, const double *p, double 
     const double z32 = x + t * x_dot;
     const double z33 = z4 - 0.05 * z23;
     const double z34 = x_dot * x_dot;
-    const double z35 = y_dot * y_dot * c_z;
+    const double z35 = c_z * y_dot * y_dot;
     const double z36 = 3.0 * z - (0.2 * z8 + z2 * (0.5 * (2.0 * (z * z34) + z35) - 0.3 * z28));
     const double z37 = 0.4 * (y_dot * c_t - y_2 * s_t) + 0.1 * (z6 * z32) + (0.3 * (y_dot * z6) - 0.1 * (t *
         z23));
@@ -479,15 +499,19 @@ int affine_voronec_reactions(double t, const double *y, const double *p, double 
         + 0.5 * (z15 * z49));
     /* (I.4.1) 18:5 */
     lambda[0] = z50; /* reaction of contact: Q_i gains lambda_1 a_1i */
-    /* the mass matrix is singular */
-    if (!(fabs(z12) > 0.0)) {
-        return AFFINE_VORONEC_SINGULAR_2;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(lambda[0]) <= DBL_MAX && fabs(z20) > 1e-14 * z16)) {
+        /* the mass matrix is singular */
+        if (!(fabs(z12) > 0.0)) {
+            return AFFINE_VORONEC_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z20) > 1e-14 * z16)) {
+            return AFFINE_VORONEC_SINGULAR_2;
+        }
+        return AFFINE_VORONEC_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(z20) > 1e-14 * z16)) {
-        return AFFINE_VORONEC_SINGULAR_2;
-    }
-    return affine_voronec_finish(1, lambda);
+    return AFFINE_VORONEC_OK;
 }
 
 double affine_voronec_energy(double t, const double *y, const double *p)
@@ -518,6 +542,7 @@ double affine_voronec_energy(double t, const double *y, const double *p)
     return 0.5 * (3.0 * z1 + (z2 + 2.0 * (y_2 * y_2))) + (0.2 * (z * z2) + z7);
 }
 
+AFFINE_VORONEC_SLOW
 int affine_voronec_jacobian(double t, const double *y, const double *p, double *J)
 {
     J[0] = 0.0;
@@ -698,15 +723,21 @@ int affine_voronec_jacobian(double t, const double *y, const double *p, double *
     J[22] = -z119;
     J[23] = -z125;
     J[24] = z128;
-    /* the mass matrix is singular */
-    if (!(fabs(z12) > 0.0)) {
-        return AFFINE_VORONEC_SINGULAR_2;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(J[10] + J[12] + J[14] + J[15] + J[16] + J[17] + J[18] + J[19] + J[20] + J[21] + J[22] + J[23])
+        <= DBL_MAX
+        && fabs(z20) > 1e-14 * z16)) {
+        /* the mass matrix is singular */
+        if (!(fabs(z12) > 0.0)) {
+            return AFFINE_VORONEC_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z20) > 1e-14 * z16)) {
+            return AFFINE_VORONEC_SINGULAR_2;
+        }
+        return AFFINE_VORONEC_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(z20) > 1e-14 * z16)) {
-        return AFFINE_VORONEC_SINGULAR_2;
-    }
-    return affine_voronec_finish(25, J);
+    return AFFINE_VORONEC_OK;
 }
 
 int affine_voronec_outputs(double t, const double *y, const double *p, double *out)
@@ -789,7 +820,7 @@ static __attribute__((noinline)) void affine_voronec_rhs_lanes(const double *fix
     const affine_voronec_lanes z35 = z4 - 0.05 * z22;
     const affine_voronec_lanes z36 = z * z6;
     const affine_voronec_lanes z37 = x_dot * x_dot;
-    const affine_voronec_lanes z38 = y_dot * y_dot * c_z;
+    const affine_voronec_lanes z38 = c_z * y_dot * y_dot;
     const affine_voronec_lanes z39 = 0.5 * (2.0 * (x * (z22 * z22)) + (2.0 * (z37 * z36) + z6 * z38)) - 0.3 *
         (z6 * z32);
     const affine_voronec_lanes z40 = 0.5 * (2.0 * x + 6.0 * z36) - (0.2 * (2.0 * z13 + z8 * z6) + z2 * z39);

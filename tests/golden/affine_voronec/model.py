@@ -1,4 +1,4 @@
-"""affine_voronec, emitted by nhc 0.1.0 (nhc:58448ac3938b4589).
+"""affine_voronec, emitted by nhc 0.1.0 (nhc:afe4b76a1dcf9e58).
 
 A particle with everything at once; affine constraint, time, T of degrees 2, 1 and
     0, drag, a driving force.
@@ -140,7 +140,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z35 = z4 - 0.05 * z22
         z36 = z * z6
         z37 = x_dot * x_dot
-        z38 = y_dot * y_dot * c_z
+        z38 = c_z * y_dot * y_dot
         s6 = 2.0 * (x * (z22 * z22)) + (2.0 * (z37 * z36) + z6 * z38)
         z39 = 0.5 * s6 - 0.3 * (z6 * z32)
         s7 = 0.2 * (2.0 * z13 + z8 * z6) + z2 * z39
@@ -284,7 +284,7 @@ def accelerations(
         z38 = z4 - 0.05 * z23
         z39 = z * z6
         z40 = x_dot * x_dot
-        z41 = y_dot * y_dot * c_z
+        z41 = c_z * y_dot * y_dot
         s5 = 2.0 * (x * (z23 * z23)) + (2.0 * (z40 * z39) + z6 * z41)
         z42 = 0.5 * s5 - 0.3 * (z6 * z35)
         s6 = 0.2 * (2.0 * z13 + z8 * z6) + z2 * z42
@@ -441,7 +441,7 @@ def reactions(
         z32 = x + t_ * x_dot
         z33 = z4 - 0.05 * z23
         z34 = x_dot * x_dot
-        z35 = y_dot * y_dot * c_z
+        z35 = c_z * y_dot * y_dot
         s4 = 0.2 * z8 + z2 * (0.5 * (2.0 * (z * z34) + z35) - 0.3 * z28)
         z36 = 3.0 * z - s4
         s5 = 0.4 * (y_dot * c_t - y_2 * s_t) + 0.1 * (z6 * z32)

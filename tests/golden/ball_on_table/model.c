@@ -1,5 +1,5 @@
 /*
- * ball_on_table.c: ball_on_table, emitted by nhc 0.1.0 (nhc:6cc049e9e8af5322)
+ * ball_on_table.c: ball_on_table, emitted by nhc 0.1.0 (nhc:68cdd7c6de67721f)
  * A homogeneous ball that rolls on a turning table; its centre runs on a circle, though nothing holds it
  *     there.
  * Source: ball_on_table.yaml
@@ -55,14 +55,12 @@ const double ball_on_table_parameter_defaults[] = {
     2.0
 };
 
-static int ball_on_table_finish(int count, const double *values)
-{
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
-    for (int i = 0; i < count; ++i) {
-        sum += values[i];
-    }
-    return fabs(sum) <= DBL_MAX ? BALL_ON_TABLE_OK : BALL_ON_TABLE_NOT_FINITE;
-}
+/* long functions that are called seldom: gcc is to take less time over them (other compilers do so by themselves) */
+#if defined(__GNUC__) && !defined(__clang__) && defined(__OPTIMIZE__)
+#define BALL_ON_TABLE_SLOW __attribute__((cold, optimize("O1")))
+#else
+#define BALL_ON_TABLE_SLOW
+#endif
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
 #ifndef BALL_ON_TABLE_LANES
@@ -217,7 +215,7 @@ int ball_on_table_rhs(double t, const double *y, const double *p, double *dydt)
 
     /* parameters only */
     const double k1 = m * a;
-    const double k2 = m * (a * a);
+    const double k2 = m * a * a;
     const double k3 = k * k2;
     const double k4 = 1.0 + k;
     const double k5 = k2 * k4;
@@ -257,19 +255,25 @@ int ball_on_table_rhs(double t, const double *y, const double *p, double *dydt)
     dydt[5] = s_theta * (theta_dot * psi_dot + c_theta * z17); /* phi'' */
     dydt[6] = k8 * z19; /* theta'' */
     dydt[7] = -s_theta * z17; /* psi'' */
-    /* the mass matrix is singular */
-    if (!(fabs(k3) > 0.0)) {
-        return BALL_ON_TABLE_SINGULAR_2;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(dydt[0] + dydt[1] + dydt[5] + dydt[6] + dydt[7]) <= DBL_MAX
+        && fabs(k3) > 0.0
+        && fabs(z2) > 1e-14 * z1)) {
+        /* the mass matrix is singular */
+        if (!(fabs(k3) > 0.0)) {
+            return BALL_ON_TABLE_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(k5) > 0.0)) {
+            return BALL_ON_TABLE_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z2) > 1e-14 * z1)) {
+            return BALL_ON_TABLE_SINGULAR_2;
+        }
+        return BALL_ON_TABLE_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(k5) > 0.0)) {
-        return BALL_ON_TABLE_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(z2) > 1e-14 * z1)) {
-        return BALL_ON_TABLE_SINGULAR_2;
-    }
-    return ball_on_table_finish(8, dydt);
+    return BALL_ON_TABLE_OK;
 }
 
 int ball_on_table_velocities(double t, const double *y, const double *p, double *qdot)
@@ -301,9 +305,14 @@ int ball_on_table_velocities(double t, const double *y, const double *p, double 
     qdot[2] = phi_dot; /* phi' */
     qdot[3] = theta_dot; /* theta' */
     qdot[4] = psi_dot; /* psi' */
-    return ball_on_table_finish(5, qdot);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qdot[0] + qdot[1] + qdot[2]) <= DBL_MAX)) {
+        return BALL_ON_TABLE_NOT_FINITE;
+    }
+    return BALL_ON_TABLE_OK;
 }
 
+BALL_ON_TABLE_SLOW
 int ball_on_table_accelerations(double t, const double *y, const double *p, double *qddot)
 {
     const double phi = y[2]; /* precession [rad] */
@@ -331,7 +340,7 @@ int ball_on_table_accelerations(double t, const double *y, const double *p, doub
 
     /* parameters only */
     const double k1 = m * a;
-    const double k2 = m * (a * a);
+    const double k2 = m * a * a;
     const double k3 = k * k2;
     const double k4 = 1.0 + k;
     const double k5 = k2 * k4;
@@ -378,19 +387,25 @@ int ball_on_table_accelerations(double t, const double *y, const double *p, doub
     qddot[2] = s_theta * (theta_dot * psi_dot + c_theta * z25); /* phi'' */
     qddot[3] = z19; /* theta'' */
     qddot[4] = -z26; /* psi'' */
-    /* the mass matrix is singular */
-    if (!(fabs(k3) > 0.0)) {
-        return BALL_ON_TABLE_SINGULAR_2;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qddot[0] + qddot[1] + qddot[2] + qddot[4]) <= DBL_MAX
+        && fabs(k3) > 0.0
+        && fabs(z2) > 1e-14 * z1)) {
+        /* the mass matrix is singular */
+        if (!(fabs(k3) > 0.0)) {
+            return BALL_ON_TABLE_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(k5) > 0.0)) {
+            return BALL_ON_TABLE_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z2) > 1e-14 * z1)) {
+            return BALL_ON_TABLE_SINGULAR_2;
+        }
+        return BALL_ON_TABLE_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(k5) > 0.0)) {
-        return BALL_ON_TABLE_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(z2) > 1e-14 * z1)) {
-        return BALL_ON_TABLE_SINGULAR_2;
-    }
-    return ball_on_table_finish(5, qddot);
+    return BALL_ON_TABLE_OK;
 }
 
 int ball_on_table_state(double t, const double *q, const double *qdot, const double *p, double *y)
@@ -415,7 +430,11 @@ int ball_on_table_state(double t, const double *q, const double *qdot, const dou
     y[5] = phi_dot;
     y[6] = theta_dot;
     y[7] = psi_dot;
-    return ball_on_table_finish(8, y);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(y[0] + y[1] + y[2] + y[3] + y[4] + y[5] + y[6] + y[7]) <= DBL_MAX)) {
+        return BALL_ON_TABLE_NOT_FINITE;
+    }
+    return BALL_ON_TABLE_OK;
 }
 
 int ball_on_table_residuals(double t, const double *q, const double *qdot, const double *p, double *r)
@@ -446,9 +465,14 @@ int ball_on_table_residuals(double t, const double *q, const double *qdot, const
     r[0] = y * Omega + (x_dot - a * (theta_dot * s_phi - c_phi * z1)); /* roll_x = 0 */
     /* (I.1.1) 28:5 */
     r[1] = y_dot + a * (theta_dot * c_phi + s_phi * z1) - x * Omega; /* roll_y = 0 */
-    return ball_on_table_finish(2, r);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(r[0] + r[1]) <= DBL_MAX)) {
+        return BALL_ON_TABLE_NOT_FINITE;
+    }
+    return BALL_ON_TABLE_OK;
 }
 
+BALL_ON_TABLE_SLOW
 int ball_on_table_reactions(double t, const double *y, const double *p, double *lambda)
 {
     const double phi = y[2]; /* precession [rad] */
@@ -476,7 +500,7 @@ int ball_on_table_reactions(double t, const double *y, const double *p, double *
 
     /* parameters only */
     const double k1 = m * a;
-    const double k2 = m * (a * a);
+    const double k2 = m * a * a;
     const double k3 = k * k2;
     const double k4 = 1.0 + k;
     const double k5 = k2 * k4;
@@ -522,19 +546,23 @@ int ball_on_table_reactions(double t, const double *y, const double *p, double *
     lambda[0] = z28; /* reaction of roll_x: Q_i gains lambda_1 a_1i */
     /* (I.4.1) 28:5 */
     lambda[1] = z29; /* reaction of roll_y: Q_i gains lambda_2 a_2i */
-    /* the mass matrix is singular */
-    if (!(fabs(k3) > 0.0)) {
-        return BALL_ON_TABLE_SINGULAR_2;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(lambda[0] + lambda[1]) <= DBL_MAX && fabs(k3) > 0.0 && fabs(z2) > 1e-14 * z1)) {
+        /* the mass matrix is singular */
+        if (!(fabs(k3) > 0.0)) {
+            return BALL_ON_TABLE_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(k5) > 0.0)) {
+            return BALL_ON_TABLE_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z2) > 1e-14 * z1)) {
+            return BALL_ON_TABLE_SINGULAR_2;
+        }
+        return BALL_ON_TABLE_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(k5) > 0.0)) {
-        return BALL_ON_TABLE_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(z2) > 1e-14 * z1)) {
-        return BALL_ON_TABLE_SINGULAR_2;
-    }
-    return ball_on_table_finish(2, lambda);
+    return BALL_ON_TABLE_OK;
 }
 
 double ball_on_table_energy(double t, const double *y, const double *p)
@@ -561,7 +589,7 @@ double ball_on_table_energy(double t, const double *y, const double *p)
     const double Omega1 = p[4]; /* amplitude of its modulation [rad/s] */
 
     /* parameters only */
-    const double I = m * k * (a * a);
+    const double I = m * k * a * a;
 
     /* state */
     const double omega_z = phi_dot + psi_dot * c_theta;
@@ -576,6 +604,7 @@ double ball_on_table_energy(double t, const double *y, const double *p)
     return 0.5 * z4;
 }
 
+BALL_ON_TABLE_SLOW
 int ball_on_table_jacobian(double t, const double *y, const double *p, double *J)
 {
     for (int entry = 0; entry < 64; ++entry) {
@@ -606,7 +635,7 @@ int ball_on_table_jacobian(double t, const double *y, const double *p, double *J
 
     /* parameters only */
     const double k1 = m * a;
-    const double k2 = m * (a * a);
+    const double k2 = m * a * a;
     const double k3 = k * k2;
     const double k4 = 1.0 + k;
     const double k5 = k2 * k4;
@@ -698,19 +727,26 @@ int ball_on_table_jacobian(double t, const double *y, const double *p, double *J
     J[61] = z41 * z44;
     J[62] = z37 * (z12 * z43);
     J[63] = -z42;
-    /* the mass matrix is singular */
-    if (!(fabs(k3) > 0.0)) {
-        return BALL_ON_TABLE_SINGULAR_2;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(J[2] + J[3] + J[7] + J[10] + J[11] + J[15] + J[40] + J[41] + J[42] + J[43] + J[46] + J[47] +
+        J[48] + J[49] + J[50] + J[51] + J[53] + J[55] + J[56] + J[57] + J[58] + J[61] + J[62] + J[63]) <=
+        DBL_MAX
+        && fabs(z3) > 1e-14 * z1)) {
+        /* the mass matrix is singular */
+        if (!(fabs(k3) > 0.0)) {
+            return BALL_ON_TABLE_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(k5) > 0.0)) {
+            return BALL_ON_TABLE_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z3) > 1e-14 * z1)) {
+            return BALL_ON_TABLE_SINGULAR_2;
+        }
+        return BALL_ON_TABLE_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(k5) > 0.0)) {
-        return BALL_ON_TABLE_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(z3) > 1e-14 * z1)) {
-        return BALL_ON_TABLE_SINGULAR_2;
-    }
-    return ball_on_table_finish(64, J);
+    return BALL_ON_TABLE_OK;
 }
 
 int ball_on_table_outputs(double t, const double *y, const double *p, double *out)
@@ -741,17 +777,21 @@ int ball_on_table_outputs(double t, const double *y, const double *p, double *ou
     /* state */
     const double z1 = psi_dot * c_theta;
     const double z2 = Omega1 * s1;
-    const double z3 = x * x + y_2 * y_2;
-    const double z4 = theta_dot * theta_dot;
-    const double z5 = phi_dot * (z2 + (Omega0 - (0.5 * phi_dot + z1))) - (psi_dot * (0.5 * psi_dot - (Omega0
-        + z2) * c_theta) + 0.5 * z4);
-    const double z6 = Omega0 * ((k3 + z2) * z3) + 0.5 * (k2 * (s1 * s1) * z3) + k1 * (k * z5 - 0.5 * (z4 +
-        s_theta * s_theta * (psi_dot * psi_dot)));
+    const double z3 = theta_dot * theta_dot;
+    const double z4 = phi_dot * (z2 + (Omega0 - (0.5 * phi_dot + z1))) - (psi_dot * (0.5 * psi_dot - (Omega0
+        + z2) * c_theta) + 0.5 * z3);
+    const double z5 = x * x + y_2 * y_2;
+    const double z6 = k1 * (k * z4 - 0.5 * (z3 + s_theta * s_theta * (psi_dot * psi_dot))) + (Omega0 * ((k3 +
+        z2) * z5) + 0.5 * (k2 * (s1 * s1 * z5)));
     /* 31:9 */
     out[0] = phi_dot + z1; /* spin */
     /* 32:18 */
     out[1] = -m * z6; /* moving_energy */
-    return ball_on_table_finish(2, out);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(out[0] + out[1]) <= DBL_MAX)) {
+        return BALL_ON_TABLE_NOT_FINITE;
+    }
+    return BALL_ON_TABLE_OK;
 }
 
 #if BALL_ON_TABLE_LANES >= 2
@@ -869,7 +909,7 @@ int ball_on_table_rhs_batch(size_t count, const double *t, const double *y, cons
     const double Omega1 = p[4]; /* amplitude of its modulation [rad/s] */
     const double nu = p[5]; /* frequency of its modulation [rad/s] */
     const double k1 = m * a;
-    const double k2 = m * (a * a);
+    const double k2 = m * a * a;
     const double k3 = k * k2;
     const double k4 = 1.0 + k;
     const double k5 = k2 * k4;

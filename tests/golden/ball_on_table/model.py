@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""ball_on_table, emitted by nhc 0.1.0 (nhc:70a5008d61325a3b).
+"""ball_on_table, emitted by nhc 0.1.0 (nhc:31524a0f482fa216).
 
 A homogeneous ball that rolls on a turning table; its centre runs on a circle,
     though nothing holds it there.
@@ -119,20 +119,20 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     try:
         # parameters only
         k1 = m * a
-        k2 = m * (a * a)
+        k2 = m * a * a
         k3 = k * k2
+        # the mass matrix is singular
+        if not abs(k3) > 0.0:
+            raise SingularModelError(2, "rhs")
         k4 = 1.0 + k
         k5 = k2 * k4
+        # the mass matrix is singular
+        if not abs(k5) > 0.0:
+            raise SingularModelError(2, "rhs")
         k6 = 2.0 * Omega0
         k7 = Omega0 * Omega0
         k8 = k1 / k5
         # state
-        # the mass matrix is singular
-        if not abs(k3) > 0.0:
-            raise SingularModelError(2, "rhs")
-        # the mass matrix is singular
-        if not abs(k5) > 0.0:
-            raise SingularModelError(2, "rhs")
         s_theta = math.sin(theta)
         z1 = k2 * (k + s_theta * s_theta)
         c_theta = math.cos(theta)
@@ -261,20 +261,20 @@ def accelerations(
     try:
         # parameters only
         k1 = m * a
-        k2 = m * (a * a)
+        k2 = m * a * a
         k3 = k * k2
+        # the mass matrix is singular
+        if not abs(k3) > 0.0:
+            raise SingularModelError(2, "accelerations")
         k4 = 1.0 + k
         k5 = k2 * k4
+        # the mass matrix is singular
+        if not abs(k5) > 0.0:
+            raise SingularModelError(2, "accelerations")
         k6 = 2.0 * Omega0
         k7 = Omega0 * Omega0
         k8 = k1 / k5
         # state
-        # the mass matrix is singular
-        if not abs(k3) > 0.0:
-            raise SingularModelError(2, "accelerations")
-        # the mass matrix is singular
-        if not abs(k5) > 0.0:
-            raise SingularModelError(2, "accelerations")
         s_theta = math.sin(theta)
         z1 = k2 * (k + s_theta * s_theta)
         c_theta = math.cos(theta)
@@ -435,21 +435,21 @@ def reactions(
     try:
         # parameters only
         k1 = m * a
-        k2 = m * (a * a)
+        k2 = m * a * a
         k3 = k * k2
+        # the mass matrix is singular
+        if not abs(k3) > 0.0:
+            raise SingularModelError(2, "reactions")
         k4 = 1.0 + k
         k5 = k2 * k4
+        # the mass matrix is singular
+        if not abs(k5) > 0.0:
+            raise SingularModelError(2, "reactions")
         k6 = 2.0 * Omega0
         k7 = Omega0 * Omega0
         k8 = k1 / k5
         k9 = Omega1 * Omega1
         # state
-        # the mass matrix is singular
-        if not abs(k3) > 0.0:
-            raise SingularModelError(2, "reactions")
-        # the mass matrix is singular
-        if not abs(k5) > 0.0:
-            raise SingularModelError(2, "reactions")
         s_theta = math.sin(theta)
         z1 = k2 * (k + s_theta * s_theta)
         c_theta = math.cos(theta)
@@ -525,7 +525,7 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     nu = float(p[5])  # frequency of its modulation [rad/s]
     try:
         # parameters only
-        I = m * k * (a * a)
+        I = m * k * a * a
         # state
         c_theta = math.cos(theta)
         omega_z = phi_dot + psi_dot * c_theta
@@ -574,22 +574,22 @@ def jacobian(
     try:
         # parameters only
         k1 = m * a
-        k2 = m * (a * a)
+        k2 = m * a * a
         k3 = k * k2
+        # the mass matrix is singular
+        if not abs(k3) > 0.0:
+            raise SingularModelError(2, "jacobian")
         k4 = 1.0 + k
         k5 = k2 * k4
+        # the mass matrix is singular
+        if not abs(k5) > 0.0:
+            raise SingularModelError(2, "jacobian")
         k6 = 2.0 * Omega0
         k7 = Omega0 * Omega0
         k8 = 1.0 / k3
         k9 = 1.0 / k5
         k10 = k1 * k9
         # state
-        # the mass matrix is singular
-        if not abs(k3) > 0.0:
-            raise SingularModelError(2, "jacobian")
-        # the mass matrix is singular
-        if not abs(k5) > 0.0:
-            raise SingularModelError(2, "jacobian")
         s_theta = math.sin(theta)
         z1 = k2 * (k + s_theta * s_theta)
         c_theta = math.cos(theta)
@@ -782,15 +782,15 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
         z1 = psi_dot * c_theta
         s1 = math.sin(t_ * nu)
         z2 = Omega1 * s1
-        z3 = x * x + y_2 * y_2
-        z4 = theta_dot * theta_dot
+        z3 = theta_dot * theta_dot
         s2 = psi_dot * (0.5 * psi_dot - (Omega0 + z2) * c_theta)
         s3 = phi_dot * (z2 + (Omega0 - (0.5 * phi_dot + z1)))
-        z5 = s3 - (s2 + 0.5 * z4)
+        z4 = s3 - (s2 + 0.5 * z3)
         s_theta = math.sin(theta)
-        s4 = 0.5 * (z4 + s_theta * s_theta * (psi_dot * psi_dot))
-        s5 = Omega0 * ((k3 + z2) * z3) + 0.5 * (k2 * (s1 * s1) * z3)
-        z6 = s5 + k1 * (k * z5 - s4)
+        z5 = x * x + y_2 * y_2
+        s4 = 0.5 * (z3 + s_theta * s_theta * (psi_dot * psi_dot))
+        s5 = Omega0 * ((k3 + z2) * z5) + 0.5 * (k2 * (s1 * s1 * z5))
+        z6 = k1 * (k * z4 - s4) + s5
         out: list[float] = [
             # spin 31:9
             phi_dot + z1,

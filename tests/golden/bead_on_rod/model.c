@@ -1,5 +1,5 @@
 /*
- * bead_on_rod.c: bead_on_rod, emitted by nhc 0.1.0 (nhc:4db9f6a1fc42bc8a)
+ * bead_on_rod.c: bead_on_rod, emitted by nhc 0.1.0 (nhc:fd91cecdb709953d)
  * A bead on a straight horizontal rod that turns at a constant rate; T has a part without velocities.
  * Source: bead_on_rod.yaml
  * Equations of motion: lagrange (II.3)
@@ -27,15 +27,6 @@ const double bead_on_rod_parameter_defaults[] = {
     1.0,
     2.0
 };
-
-static int bead_on_rod_finish(int count, const double *values)
-{
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
-    for (int i = 0; i < count; ++i) {
-        sum += values[i];
-    }
-    return fabs(sum) <= DBL_MAX ? BEAD_ON_ROD_OK : BEAD_ON_ROD_NOT_FINITE;
-}
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
 #ifndef BEAD_ON_ROD_LANES
@@ -152,11 +143,15 @@ int bead_on_rod_rhs(double t, const double *y, const double *p, double *dydt)
     dydt[0] = r_dot; /* r' */
     /* (II.3) 14:4 */
     dydt[1] = r * k1; /* r'' */
-    /* the mass matrix is singular */
-    if (!(fabs(m) > 0.0)) {
-        return BEAD_ON_ROD_SINGULAR_2;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(dydt[0] + dydt[1]) <= DBL_MAX && fabs(m) > 0.0)) {
+        /* the mass matrix is singular */
+        if (!(fabs(m) > 0.0)) {
+            return BEAD_ON_ROD_SINGULAR_2;
+        }
+        return BEAD_ON_ROD_NOT_FINITE;
     }
-    return bead_on_rod_finish(2, dydt);
+    return BEAD_ON_ROD_OK;
 }
 
 int bead_on_rod_velocities(double t, const double *y, const double *p, double *qdot)
@@ -168,7 +163,11 @@ int bead_on_rod_velocities(double t, const double *y, const double *p, double *q
     /* state */
     /* (I.2.4) */
     qdot[0] = r_dot; /* r' */
-    return bead_on_rod_finish(1, qdot);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qdot[0]) <= DBL_MAX)) {
+        return BEAD_ON_ROD_NOT_FINITE;
+    }
+    return BEAD_ON_ROD_OK;
 }
 
 int bead_on_rod_accelerations(double t, const double *y, const double *p, double *qddot)
@@ -184,11 +183,15 @@ int bead_on_rod_accelerations(double t, const double *y, const double *p, double
     /* state */
     /* (II.3) */
     qddot[0] = r * k1; /* r'' */
-    /* the mass matrix is singular */
-    if (!(fabs(m) > 0.0)) {
-        return BEAD_ON_ROD_SINGULAR_2;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qddot[0]) <= DBL_MAX && fabs(m) > 0.0)) {
+        /* the mass matrix is singular */
+        if (!(fabs(m) > 0.0)) {
+            return BEAD_ON_ROD_SINGULAR_2;
+        }
+        return BEAD_ON_ROD_NOT_FINITE;
     }
-    return bead_on_rod_finish(1, qddot);
+    return BEAD_ON_ROD_OK;
 }
 
 int bead_on_rod_state(double t, const double *q, const double *qdot, const double *p, double *y)
@@ -201,7 +204,11 @@ int bead_on_rod_state(double t, const double *q, const double *qdot, const doubl
     /* state */
     y[0] = r;
     y[1] = r_dot;
-    return bead_on_rod_finish(2, y);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(y[0] + y[1]) <= DBL_MAX)) {
+        return BEAD_ON_ROD_NOT_FINITE;
+    }
+    return BEAD_ON_ROD_OK;
 }
 
 int bead_on_rod_residuals(double t, const double *q, const double *qdot, const double *p, double *r)
@@ -257,11 +264,15 @@ int bead_on_rod_jacobian(double t, const double *y, const double *p, double *J)
     /* (II.3) */
     J[1] = 1.0;
     J[2] = Omega * Omega;
-    /* the mass matrix is singular */
-    if (!(fabs(m) > 0.0)) {
-        return BEAD_ON_ROD_SINGULAR_2;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(J[2]) <= DBL_MAX && fabs(m) > 0.0)) {
+        /* the mass matrix is singular */
+        if (!(fabs(m) > 0.0)) {
+            return BEAD_ON_ROD_SINGULAR_2;
+        }
+        return BEAD_ON_ROD_NOT_FINITE;
     }
-    return bead_on_rod_finish(4, J);
+    return BEAD_ON_ROD_OK;
 }
 
 int bead_on_rod_outputs(double t, const double *y, const double *p, double *out)
@@ -280,8 +291,12 @@ int bead_on_rod_outputs(double t, const double *y, const double *p, double *out)
     /* 16:11 */
     out[0] = 0.5 * (m * (r_dot * r_dot - k1 * (r * r))); /* jacobi */
     /* 17:11 */
-    out[1] = 2.0 * (r_dot * (r * k2)); /* torque */
-    return bead_on_rod_finish(2, out);
+    out[1] = 2.0 * (k2 * (r * r_dot)); /* torque */
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(out[0] + out[1]) <= DBL_MAX)) {
+        return BEAD_ON_ROD_NOT_FINITE;
+    }
+    return BEAD_ON_ROD_OK;
 }
 
 #if BEAD_ON_ROD_LANES >= 2

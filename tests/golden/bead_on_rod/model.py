@@ -1,4 +1,4 @@
-"""bead_on_rod, emitted by nhc 0.1.0 (nhc:1aee8a128c2a35d3).
+"""bead_on_rod, emitted by nhc 0.1.0 (nhc:d097e80b34935055).
 
 A bead on a straight horizontal rod that turns at a constant rate; T has a part
     without velocities.
@@ -84,12 +84,12 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     m = float(p[0])  # mass of the bead [kg]
     Omega = float(p[1])  # rate of the rod [rad/s]
     try:
-        # parameters only
-        k1 = Omega * Omega
-        # state
         # the mass matrix is singular
         if not abs(m) > 0.0:
             raise SingularModelError(2, "rhs")
+        # parameters only
+        k1 = Omega * Omega
+        # state
         dydt: list[float] = [
             # r' (II.3)
             r_dot,
@@ -137,12 +137,12 @@ def accelerations(
     m = float(p[0])  # mass of the bead [kg]
     Omega = float(p[1])  # rate of the rod [rad/s]
     try:
-        # parameters only
-        k1 = Omega * Omega
-        # state
         # the mass matrix is singular
         if not abs(m) > 0.0:
             raise SingularModelError(2, "accelerations")
+        # parameters only
+        k1 = Omega * Omega
+        # state
         qddot: list[float] = [
             # r'' (II.3)
             r * k1,
@@ -204,10 +204,10 @@ def reactions(
     """
     m = float(p[0])  # mass of the bead [kg]
     try:
-        # state
         # the mass matrix is singular
         if not abs(m) > 0.0:
             raise SingularModelError(2, "reactions")
+        # state
         lambda_: list[float] = []
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -247,10 +247,10 @@ def jacobian(
     m = float(p[0])  # mass of the bead [kg]
     Omega = float(p[1])  # rate of the rod [rad/s]
     try:
-        # state
         # the mass matrix is singular
         if not abs(m) > 0.0:
             raise SingularModelError(2, "jacobian")
+        # state
         J: list[float] = [
             0.0,
             # (II.3)
@@ -284,7 +284,7 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
             # jacobi 16:11
             0.5 * (m * (r_dot * r_dot - k1 * (r * r))),
             # torque 17:11
-            2.0 * (r_dot * (r * k2)),
+            2.0 * (k2 * (r * r_dot)),
         ]
         return _finish("outputs", out)
     except (ValueError, ZeroDivisionError, OverflowError) as error:

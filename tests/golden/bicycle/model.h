@@ -1,5 +1,5 @@
 /*
- * bicycle.h: bicycle, emitted by nhc 0.1.0 (nhc:d3933044b9b64ba9)
+ * bicycle.h: bicycle, emitted by nhc 0.1.0 (nhc:55db3c308fdf6b5c)
  * Whipple's bicycle, nonlinear; two wheels, rear frame with rider, front frame; x ahead, y right, z down.
  * Source: bicycle.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -62,15 +62,15 @@
  * out[2] = front_height
  *
  * Operations:
- * rhs: 647 +-, 980 *, 8 /, 16 calls
- * velocities: 101 +-, 177 *, 3 /, 16 calls
- * accelerations: 267 +-, 426 *, 6 /, 12 calls
+ * rhs: 516 +-, 782 *, 8 /, 17 calls
+ * velocities: 62 +-, 109 *, 3 /, 17 calls
+ * accelerations: 172 +-, 285 *, 6 /, 12 calls
  * state: 0 +-, 0 *, 0 /, 0 calls
  * residuals: 108 +-, 185 *, 2 /, 12 calls
- * reactions: 567 +-, 865 *, 5 /, 12 calls
- * energy: 214 +-, 349 *, 3 /, 12 calls
- * jacobian: 4250 +-, 5860 *, 11 /, 16 calls
- * outputs: 93 +-, 157 *, 3 /, 14 calls
+ * reactions: 432 +-, 659 *, 5 /, 12 calls
+ * energy: 176 +-, 289 *, 3 /, 14 calls
+ * jacobian: 3688 +-, 5105 *, 11 /, 17 calls
+ * outputs: 63 +-, 108 *, 5 /, 19 calls
  *
  * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
  */

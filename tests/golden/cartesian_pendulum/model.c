@@ -1,5 +1,5 @@
 /*
- * cartesian_pendulum.c: cartesian_pendulum, emitted by nhc 0.1.0 (nhc:c143b81bcec8ca29)
+ * cartesian_pendulum.c: cartesian_pendulum, emitted by nhc 0.1.0 (nhc:3f463d037fba88a4)
  * The plane pendulum in Cartesian coordinates; its constraint is written with velocities, but it is
  *     holonomic.
  * Source: cartesian_pendulum.yaml
@@ -31,15 +31,6 @@ const double cartesian_pendulum_parameter_defaults[] = {
     1.0,
     9.81
 };
-
-static int cartesian_pendulum_finish(int count, const double *values)
-{
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
-    for (int i = 0; i < count; ++i) {
-        sum += values[i];
-    }
-    return fabs(sum) <= DBL_MAX ? CARTESIAN_PENDULUM_OK : CARTESIAN_PENDULUM_NOT_FINITE;
-}
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
 #ifndef CARTESIAN_PENDULUM_LANES
@@ -170,15 +161,21 @@ int cartesian_pendulum_rhs(double t, const double *y, const double *p, double *d
     dydt[1] = -x * z4; /* y' */
     /* (I.2.15) 12:4 */
     dydt[2] = x * g; /* v' */
-    /* the coframe is singular */
-    if (!(fabs(z1) > 1e-12 * (z2 * z2))) {
-        return CARTESIAN_PENDULUM_SINGULAR_1;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(dydt[0] + dydt[1] + dydt[2]) <= DBL_MAX
+        && fabs(z1) > 1e-12 * (z2 * z2)
+        && fabs(m * z3) > 0.0)) {
+        /* the coframe is singular */
+        if (!(fabs(z1) > 1e-12 * (z2 * z2))) {
+            return CARTESIAN_PENDULUM_SINGULAR_1;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(m * z3) > 0.0)) {
+            return CARTESIAN_PENDULUM_SINGULAR_2;
+        }
+        return CARTESIAN_PENDULUM_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(m * z3) > 0.0)) {
-        return CARTESIAN_PENDULUM_SINGULAR_2;
-    }
-    return cartesian_pendulum_finish(3, dydt);
+    return CARTESIAN_PENDULUM_OK;
 }
 
 int cartesian_pendulum_velocities(double t, const double *y, const double *p, double *qdot)
@@ -196,11 +193,15 @@ int cartesian_pendulum_velocities(double t, const double *y, const double *p, do
     /* (I.2.4) */
     qdot[0] = y_2 * z3; /* x' */
     qdot[1] = -x * z3; /* y' */
-    /* the coframe is singular */
-    if (!(fabs(z1) > 1e-12 * (z2 * z2))) {
-        return CARTESIAN_PENDULUM_SINGULAR_1;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qdot[0] + qdot[1]) <= DBL_MAX && fabs(z1) > 1e-12 * (z2 * z2))) {
+        /* the coframe is singular */
+        if (!(fabs(z1) > 1e-12 * (z2 * z2))) {
+            return CARTESIAN_PENDULUM_SINGULAR_1;
+        }
+        return CARTESIAN_PENDULUM_NOT_FINITE;
     }
-    return cartesian_pendulum_finish(2, qdot);
+    return CARTESIAN_PENDULUM_OK;
 }
 
 int cartesian_pendulum_accelerations(double t, const double *y, const double *p, double *qddot)
@@ -217,19 +218,23 @@ int cartesian_pendulum_accelerations(double t, const double *y, const double *p,
     const double z2 = z1 + y_2 * y_2;
     const double z3 = fabs(y_2) + fabs(x);
     const double z4 = 1.0 / z2;
-    const double z5 = z4 * (v * v);
+    const double z5 = z4 * v * v;
     /* (I.2.15) */
     qddot[0] = x * z4 * (y_2 * g - z5); /* x'' */
     qddot[1] = -z4 * (g * z1 + y_2 * z5); /* y'' */
-    /* the coframe is singular */
-    if (!(fabs(z2) > 1e-12 * (z3 * z3))) {
-        return CARTESIAN_PENDULUM_SINGULAR_1;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qddot[0] + qddot[1]) <= DBL_MAX && fabs(z2) > 1e-12 * (z3 * z3) && fabs(m * z4) > 0.0)) {
+        /* the coframe is singular */
+        if (!(fabs(z2) > 1e-12 * (z3 * z3))) {
+            return CARTESIAN_PENDULUM_SINGULAR_1;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(m * z4) > 0.0)) {
+            return CARTESIAN_PENDULUM_SINGULAR_2;
+        }
+        return CARTESIAN_PENDULUM_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(m * z4) > 0.0)) {
-        return CARTESIAN_PENDULUM_SINGULAR_2;
-    }
-    return cartesian_pendulum_finish(2, qddot);
+    return CARTESIAN_PENDULUM_OK;
 }
 
 int cartesian_pendulum_state(double t, const double *q, const double *qdot, const double *p, double *y)
@@ -245,7 +250,11 @@ int cartesian_pendulum_state(double t, const double *q, const double *qdot, cons
     y[0] = x;
     y[1] = y_2;
     y[2] = y_2 * x_dot - x * y_dot;
-    return cartesian_pendulum_finish(3, y);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(y[2]) <= DBL_MAX)) {
+        return CARTESIAN_PENDULUM_NOT_FINITE;
+    }
+    return CARTESIAN_PENDULUM_OK;
 }
 
 int cartesian_pendulum_residuals(double t, const double *q, const double *qdot, const double *p, double *r)
@@ -260,7 +269,11 @@ int cartesian_pendulum_residuals(double t, const double *q, const double *qdot, 
     /* state */
     /* (I.1.1) 15:5 */
     r[0] = x * x_dot + y * y_dot; /* rod = 0 */
-    return cartesian_pendulum_finish(1, r);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(r[0]) <= DBL_MAX)) {
+        return CARTESIAN_PENDULUM_NOT_FINITE;
+    }
+    return CARTESIAN_PENDULUM_OK;
 }
 
 int cartesian_pendulum_reactions(double t, const double *y, const double *p, double *lambda)
@@ -277,18 +290,22 @@ int cartesian_pendulum_reactions(double t, const double *y, const double *p, dou
     const double z2 = z1 + y_2 * y_2;
     const double z3 = fabs(y_2) + fabs(x);
     const double z4 = m / z2;
-    const double z5 = v * v / (z2 * z2);
+    const double z5 = 1.0 / (z2 * z2) * v * v;
     /* (I.4.1) 15:5 */
     lambda[0] = z4 * (y_2 * (g - y_2 * z5) - z1 * z5); /* reaction of rod: Q_i gains lambda_1 a_1i */
-    /* the coframe is singular */
-    if (!(fabs(z2) > 1e-12 * (z3 * z3))) {
-        return CARTESIAN_PENDULUM_SINGULAR_1;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(lambda[0]) <= DBL_MAX && fabs(z2) > 1e-12 * (z3 * z3) && fabs(z4) > 0.0)) {
+        /* the coframe is singular */
+        if (!(fabs(z2) > 1e-12 * (z3 * z3))) {
+            return CARTESIAN_PENDULUM_SINGULAR_1;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z4) > 0.0)) {
+            return CARTESIAN_PENDULUM_SINGULAR_2;
+        }
+        return CARTESIAN_PENDULUM_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(z4) > 0.0)) {
-        return CARTESIAN_PENDULUM_SINGULAR_2;
-    }
-    return cartesian_pendulum_finish(1, lambda);
+    return CARTESIAN_PENDULUM_OK;
 }
 
 double cartesian_pendulum_energy(double t, const double *y, const double *p)
@@ -303,7 +320,7 @@ double cartesian_pendulum_energy(double t, const double *y, const double *p)
     /* state */
     const double z1 = x * x;
     const double z2 = z1 + y_2 * y_2;
-    const double z3 = v * v / (z2 * z2);
+    const double z3 = 1.0 / (z2 * z2) * v * v;
     return m * (0.5 * (z1 * z3) + y_2 * (g + 0.5 * (y_2 * z3)));
 }
 
@@ -336,15 +353,21 @@ int cartesian_pendulum_jacobian(double t, const double *y, const double *p, doub
     J[4] = 2.0 * (z9 * z8);
     J[5] = -x * z3;
     J[6] = g;
-    /* the coframe is singular */
-    if (!(fabs(z1) > 1e-12 * (z2 * z2))) {
-        return CARTESIAN_PENDULUM_SINGULAR_1;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(J[0] + J[1] + J[2] + J[3] + J[4] + J[5] + J[6]) <= DBL_MAX
+        && fabs(z1) > 1e-12 * (z2 * z2)
+        && fabs(m * z3) > 0.0)) {
+        /* the coframe is singular */
+        if (!(fabs(z1) > 1e-12 * (z2 * z2))) {
+            return CARTESIAN_PENDULUM_SINGULAR_1;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(m * z3) > 0.0)) {
+            return CARTESIAN_PENDULUM_SINGULAR_2;
+        }
+        return CARTESIAN_PENDULUM_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(m * z3) > 0.0)) {
-        return CARTESIAN_PENDULUM_SINGULAR_2;
-    }
-    return cartesian_pendulum_finish(9, J);
+    return CARTESIAN_PENDULUM_OK;
 }
 
 int cartesian_pendulum_outputs(double t, const double *y, const double *p, double *out)
@@ -359,11 +382,15 @@ int cartesian_pendulum_outputs(double t, const double *y, const double *p, doubl
     const double z2 = fabs(y_2) + fabs(x);
     /* 17:11 */
     out[0] = sqrt(z1); /* length */
-    /* the coframe is singular */
-    if (!(fabs(z1) > 1e-12 * (z2 * z2))) {
-        return CARTESIAN_PENDULUM_SINGULAR_1;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(out[0]) <= DBL_MAX && fabs(z1) > 1e-12 * (z2 * z2))) {
+        /* the coframe is singular */
+        if (!(fabs(z1) > 1e-12 * (z2 * z2))) {
+            return CARTESIAN_PENDULUM_SINGULAR_1;
+        }
+        return CARTESIAN_PENDULUM_NOT_FINITE;
     }
-    return cartesian_pendulum_finish(1, out);
+    return CARTESIAN_PENDULUM_OK;
 }
 
 #if CARTESIAN_PENDULUM_LANES >= 2

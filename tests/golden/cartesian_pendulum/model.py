@@ -1,4 +1,4 @@
-"""cartesian_pendulum, emitted by nhc 0.1.0 (nhc:7fc6d0614e5f3591).
+"""cartesian_pendulum, emitted by nhc 0.1.0 (nhc:4182d0b7097a7dea).
 
 The plane pendulum in Cartesian coordinates; its constraint is written with
     velocities, but it is holonomic.
@@ -28,8 +28,8 @@ velocities: 2 +-, 5 *, 1 /, 2 calls
 accelerations: 4 +-, 12 *, 1 /, 2 calls
 state: 1 +-, 2 *, 0 /, 0 calls
 residuals: 1 +-, 2 *, 0 /, 0 calls
-reactions: 4 +-, 9 *, 2 /, 2 calls
-energy: 3 +-, 10 *, 1 /, 0 calls
+reactions: 4 +-, 10 *, 2 /, 2 calls
+energy: 3 +-, 11 *, 1 /, 0 calls
 jacobian: 4 +-, 20 *, 2 /, 2 calls
 outputs: 2 +-, 3 *, 0 /, 3 calls
 
@@ -172,7 +172,7 @@ def accelerations(
         # the mass matrix is singular
         if not abs(m * z4) > 0.0:
             raise SingularModelError(2, "accelerations")
-        z5 = z4 * (v * v)
+        z5 = z4 * v * v
         qddot: list[float] = [
             # x'' (I.2.15)
             x * z4 * (y_2 * g - z5),
@@ -261,7 +261,7 @@ def reactions(
         # the mass matrix is singular
         if not abs(z4) > 0.0:
             raise SingularModelError(2, "reactions")
-        z5 = v * v / (z2 * z2)
+        z5 = 1.0 / (z2 * z2) * v * v
         lambda_: list[float] = [
             # reaction of rod: Q_i gains lambda_1 a_1i (I.4.1) 15:5
             z4 * (y_2 * (g - y_2 * z5) - z1 * z5),
@@ -286,7 +286,7 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
         # state
         z1 = x * x
         z2 = z1 + y_2 * y_2
-        z3 = v * v / (z2 * z2)
+        z3 = 1.0 / (z2 * z2) * v * v
         value1 = m * (0.5 * (z1 * z3) + y_2 * (g + 0.5 * (y_2 * z3)))
         return _single("energy", value1)
     except (ValueError, ZeroDivisionError, OverflowError) as error:

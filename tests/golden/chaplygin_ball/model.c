@@ -1,5 +1,5 @@
 /*
- * chaplygin_ball.c: chaplygin_ball, emitted by nhc 0.1.0 (nhc:fe6c7d43dc0807f8)
+ * chaplygin_ball.c: chaplygin_ball, emitted by nhc 0.1.0 (nhc:2b2015c6fb4b06e1)
  * A ball with three different moments of inertia and its centre of mass at its centre rolls on a horizontal
  *     plane.
  * Source: chaplygin_ball.yaml
@@ -45,14 +45,12 @@ const double chaplygin_ball_parameter_defaults[] = {
     0.7
 };
 
-static int chaplygin_ball_finish(int count, const double *values)
-{
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
-    for (int i = 0; i < count; ++i) {
-        sum += values[i];
-    }
-    return fabs(sum) <= DBL_MAX ? CHAPLYGIN_BALL_OK : CHAPLYGIN_BALL_NOT_FINITE;
-}
+/* long functions that are called seldom: gcc is to take less time over them (other compilers do so by themselves) */
+#if defined(__GNUC__) && !defined(__clang__) && defined(__OPTIMIZE__)
+#define CHAPLYGIN_BALL_SLOW __attribute__((cold, optimize("O1")))
+#else
+#define CHAPLYGIN_BALL_SLOW
+#endif
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
 #ifndef CHAPLYGIN_BALL_LANES
@@ -204,7 +202,7 @@ int chaplygin_ball_rhs(double t, const double *y, const double *p, double *dydt)
     const double I3 = p[4]; /* [kg*m^2] */
 
     /* parameters only */
-    const double k1 = m * (a * a);
+    const double k1 = m * a * a;
     const double k2 = I2 - I3;
     const double k3 = I1 - I3;
     const double k4 = I1 - I2;
@@ -246,23 +244,30 @@ int chaplygin_ball_rhs(double t, const double *y, const double *p, double *dydt)
     dydt[5] = z23 * z6 - z7 * z26 + z12 * z25; /* w1' */
     dydt[6] = -z26; /* w2' */
     dydt[7] = z25; /* w3' */
-    /* the coframe is singular */
-    if (!(fabs(s_theta) > 1e-12 * 4.0)) {
-        return CHAPLYGIN_BALL_SINGULAR_1;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(dydt[0] + dydt[1] + dydt[5] + dydt[6]) <= DBL_MAX
+        && fabs(s_theta) > 1e-12 * 4.0
+        && fabs(z8) > 1e-14 * z3
+        && fabs(z16) > 1e-14 * z9)) {
+        /* the coframe is singular */
+        if (!(fabs(s_theta) > 1e-12 * 4.0)) {
+            return CHAPLYGIN_BALL_SINGULAR_1;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z2) > 0.0)) {
+            return CHAPLYGIN_BALL_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z8) > 1e-14 * z3)) {
+            return CHAPLYGIN_BALL_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z16) > 1e-14 * z9)) {
+            return CHAPLYGIN_BALL_SINGULAR_2;
+        }
+        return CHAPLYGIN_BALL_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(z2) > 0.0)) {
-        return CHAPLYGIN_BALL_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(z8) > 1e-14 * z3)) {
-        return CHAPLYGIN_BALL_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(z16) > 1e-14 * z9)) {
-        return CHAPLYGIN_BALL_SINGULAR_2;
-    }
-    return chaplygin_ball_finish(8, dydt);
+    return CHAPLYGIN_BALL_OK;
 }
 
 int chaplygin_ball_velocities(double t, const double *y, const double *p, double *qdot)
@@ -297,13 +302,18 @@ int chaplygin_ball_velocities(double t, const double *y, const double *p, double
     qdot[2] = z4; /* phi' */
     qdot[3] = z2; /* theta' */
     qdot[4] = z5; /* psi' */
-    /* the coframe is singular */
-    if (!(fabs(s_theta) > 1e-12 * 4.0)) {
-        return CHAPLYGIN_BALL_SINGULAR_1;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qdot[0] + qdot[1]) <= DBL_MAX && fabs(s_theta) > 1e-12 * 4.0)) {
+        /* the coframe is singular */
+        if (!(fabs(s_theta) > 1e-12 * 4.0)) {
+            return CHAPLYGIN_BALL_SINGULAR_1;
+        }
+        return CHAPLYGIN_BALL_NOT_FINITE;
     }
-    return chaplygin_ball_finish(5, qdot);
+    return CHAPLYGIN_BALL_OK;
 }
 
+CHAPLYGIN_BALL_SLOW
 int chaplygin_ball_accelerations(double t, const double *y, const double *p, double *qddot)
 {
     (void)t;
@@ -328,7 +338,7 @@ int chaplygin_ball_accelerations(double t, const double *y, const double *p, dou
     const double I3 = p[4]; /* [kg*m^2] */
 
     /* parameters only */
-    const double k1 = m * (a * a);
+    const double k1 = m * a * a;
     const double k2 = I2 - I3;
     const double k3 = I1 - I3;
     const double k4 = I1 - I2;
@@ -385,23 +395,30 @@ int chaplygin_ball_accelerations(double t, const double *y, const double *p, dou
     qddot[2] = -z42; /* phi'' */
     qddot[3] = -z37; /* theta'' */
     qddot[4] = z43; /* psi'' */
-    /* the coframe is singular */
-    if (!(fabs(s_theta) > 1e-12 * 4.0)) {
-        return CHAPLYGIN_BALL_SINGULAR_1;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qddot[0] + qddot[1] + qddot[2] + qddot[3]) <= DBL_MAX
+        && fabs(s_theta) > 1e-12 * 4.0
+        && fabs(z8) > 1e-14 * z3
+        && fabs(z16) > 1e-14 * z9)) {
+        /* the coframe is singular */
+        if (!(fabs(s_theta) > 1e-12 * 4.0)) {
+            return CHAPLYGIN_BALL_SINGULAR_1;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z2) > 0.0)) {
+            return CHAPLYGIN_BALL_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z8) > 1e-14 * z3)) {
+            return CHAPLYGIN_BALL_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z16) > 1e-14 * z9)) {
+            return CHAPLYGIN_BALL_SINGULAR_2;
+        }
+        return CHAPLYGIN_BALL_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(z2) > 0.0)) {
-        return CHAPLYGIN_BALL_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(z8) > 1e-14 * z3)) {
-        return CHAPLYGIN_BALL_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(z16) > 1e-14 * z9)) {
-        return CHAPLYGIN_BALL_SINGULAR_2;
-    }
-    return chaplygin_ball_finish(5, qddot);
+    return CHAPLYGIN_BALL_OK;
 }
 
 int chaplygin_ball_state(double t, const double *q, const double *qdot, const double *p, double *y)
@@ -433,7 +450,11 @@ int chaplygin_ball_state(double t, const double *q, const double *qdot, const do
     y[5] = theta_dot * c_psi + s_psi * z1;
     y[6] = c_psi * z1 - theta_dot * s_psi;
     y[7] = psi_dot + phi_dot * c_theta;
-    return chaplygin_ball_finish(8, y);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(y[0] + y[1] + y[2] + y[5] + y[6] + y[7]) <= DBL_MAX)) {
+        return CHAPLYGIN_BALL_NOT_FINITE;
+    }
+    return CHAPLYGIN_BALL_OK;
 }
 
 int chaplygin_ball_residuals(double t, const double *q, const double *qdot, const double *p, double *r)
@@ -458,9 +479,14 @@ int chaplygin_ball_residuals(double t, const double *q, const double *qdot, cons
     r[0] = x_dot - a * (theta_dot * s_phi - c_phi * z1); /* roll_x = 0 */
     /* (I.1.1) 28:5 */
     r[1] = y_dot + a * (theta_dot * c_phi + s_phi * z1); /* roll_y = 0 */
-    return chaplygin_ball_finish(2, r);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(r[0] + r[1]) <= DBL_MAX)) {
+        return CHAPLYGIN_BALL_NOT_FINITE;
+    }
+    return CHAPLYGIN_BALL_OK;
 }
 
+CHAPLYGIN_BALL_SLOW
 int chaplygin_ball_reactions(double t, const double *y, const double *p, double *lambda)
 {
     (void)t;
@@ -485,7 +511,7 @@ int chaplygin_ball_reactions(double t, const double *y, const double *p, double 
     const double I3 = p[4]; /* [kg*m^2] */
 
     /* parameters only */
-    const double k1 = m * (a * a);
+    const double k1 = m * a * a;
     const double k2 = m * a;
     const double k3 = I2 - I3;
     const double k4 = I1 - I3;
@@ -525,23 +551,30 @@ int chaplygin_ball_reactions(double t, const double *y, const double *p, double 
     lambda[0] = -z26; /* reaction of roll_x: Q_i gains lambda_1 a_1i */
     /* (I.4.1) 28:5 */
     lambda[1] = -z27; /* reaction of roll_y: Q_i gains lambda_2 a_2i */
-    /* the coframe is singular */
-    if (!(fabs(s_theta) > 1e-12 * 4.0)) {
-        return CHAPLYGIN_BALL_SINGULAR_1;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(lambda[0] + lambda[1]) <= DBL_MAX
+        && fabs(s_theta) > 1e-12 * 4.0
+        && fabs(z8) > 1e-14 * z3
+        && fabs(z18) > 1e-14 * z9)) {
+        /* the coframe is singular */
+        if (!(fabs(s_theta) > 1e-12 * 4.0)) {
+            return CHAPLYGIN_BALL_SINGULAR_1;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z2) > 0.0)) {
+            return CHAPLYGIN_BALL_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z8) > 1e-14 * z3)) {
+            return CHAPLYGIN_BALL_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z18) > 1e-14 * z9)) {
+            return CHAPLYGIN_BALL_SINGULAR_2;
+        }
+        return CHAPLYGIN_BALL_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(z2) > 0.0)) {
-        return CHAPLYGIN_BALL_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(z8) > 1e-14 * z3)) {
-        return CHAPLYGIN_BALL_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(z18) > 1e-14 * z9)) {
-        return CHAPLYGIN_BALL_SINGULAR_2;
-    }
-    return chaplygin_ball_finish(2, lambda);
+    return CHAPLYGIN_BALL_OK;
 }
 
 double chaplygin_ball_energy(double t, const double *y, const double *p)
@@ -565,7 +598,7 @@ double chaplygin_ball_energy(double t, const double *y, const double *p)
     const double I3 = p[4]; /* [kg*m^2] */
 
     /* parameters only */
-    const double k1 = m * (a * a);
+    const double k1 = m * a * a;
 
     /* state */
     const double z1 = w3 * w3;
@@ -578,6 +611,7 @@ double chaplygin_ball_energy(double t, const double *y, const double *p)
     return z6;
 }
 
+CHAPLYGIN_BALL_SLOW
 int chaplygin_ball_jacobian(double t, const double *y, const double *p, double *J)
 {
     for (int entry = 0; entry < 64; ++entry) {
@@ -605,7 +639,7 @@ int chaplygin_ball_jacobian(double t, const double *y, const double *p, double *
     const double I3 = p[4]; /* [kg*m^2] */
 
     /* parameters only */
-    const double k1 = m * (a * a);
+    const double k1 = m * a * a;
     const double k2 = I2 - I3;
     const double k3 = I1 - I3;
     const double k4 = I1 - I2;
@@ -742,23 +776,32 @@ int chaplygin_ball_jacobian(double t, const double *y, const double *p, double *
     J[61] = z81;
     J[62] = z85;
     J[63] = z88;
-    /* the coframe is singular */
-    if (!(fabs(s_theta) > 1e-12 * 4.0)) {
-        return CHAPLYGIN_BALL_SINGULAR_1;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(J[2] + J[3] + J[4] + J[5] + J[6] + J[10] + J[11] + J[12] + J[13] + J[14] + J[15] + J[19] +
+        J[20] + J[27] + J[28] + J[38] + J[43] + J[44] + J[45] + J[46] + J[47] + J[51] + J[52] + J[53] +
+        J[55]) <= DBL_MAX
+        && fabs(s_theta) > 1e-12 * 4.0
+        && fabs(z11) > 1e-14 * z5
+        && fabs(z21) > 1e-14 * z12)) {
+        /* the coframe is singular */
+        if (!(fabs(s_theta) > 1e-12 * 4.0)) {
+            return CHAPLYGIN_BALL_SINGULAR_1;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z3) > 0.0)) {
+            return CHAPLYGIN_BALL_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z11) > 1e-14 * z5)) {
+            return CHAPLYGIN_BALL_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z21) > 1e-14 * z12)) {
+            return CHAPLYGIN_BALL_SINGULAR_2;
+        }
+        return CHAPLYGIN_BALL_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(z3) > 0.0)) {
-        return CHAPLYGIN_BALL_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(z11) > 1e-14 * z5)) {
-        return CHAPLYGIN_BALL_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(z21) > 1e-14 * z12)) {
-        return CHAPLYGIN_BALL_SINGULAR_2;
-    }
-    return chaplygin_ball_finish(64, J);
+    return CHAPLYGIN_BALL_OK;
 }
 
 int chaplygin_ball_outputs(double t, const double *y, const double *p, double *out)
@@ -782,7 +825,7 @@ int chaplygin_ball_outputs(double t, const double *y, const double *p, double *o
     const double I3 = p[4]; /* [kg*m^2] */
 
     /* parameters only */
-    const double k1 = m * (a * a);
+    const double k1 = m * a * a;
 
     /* state */
     const double z1 = c_psi * w2 + s_psi * w1;
@@ -793,11 +836,15 @@ int chaplygin_ball_outputs(double t, const double *y, const double *p, double *o
     out[1] = I2 * w2 + k1 * (w2 - c_psi * z2); /* K2 */
     /* 37:7 */
     out[2] = I3 * w3 + k1 * (s_theta * (s_theta * w3 - c_theta * z1)); /* K3 */
-    /* the coframe is singular */
-    if (!(fabs(s_theta) > 1e-12 * 4.0)) {
-        return CHAPLYGIN_BALL_SINGULAR_1;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(out[0] + out[1] + out[2]) <= DBL_MAX && fabs(s_theta) > 1e-12 * 4.0)) {
+        /* the coframe is singular */
+        if (!(fabs(s_theta) > 1e-12 * 4.0)) {
+            return CHAPLYGIN_BALL_SINGULAR_1;
+        }
+        return CHAPLYGIN_BALL_NOT_FINITE;
     }
-    return chaplygin_ball_finish(3, out);
+    return CHAPLYGIN_BALL_OK;
 }
 
 #if CHAPLYGIN_BALL_LANES >= 2
@@ -919,7 +966,7 @@ int chaplygin_ball_rhs_batch(size_t count, const double *t, const double *y, con
     const double I1 = p[2]; /* [kg*m^2] */
     const double I2 = p[3]; /* [kg*m^2] */
     const double I3 = p[4]; /* [kg*m^2] */
-    const double k1 = m * (a * a);
+    const double k1 = m * a * a;
     const double k2 = I2 - I3;
     const double k3 = I1 - I3;
     const double k4 = I1 - I2;

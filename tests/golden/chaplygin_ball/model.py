@@ -1,4 +1,4 @@
-"""chaplygin_ball, emitted by nhc 0.1.0 (nhc:29287133110cdd8e).
+"""chaplygin_ball, emitted by nhc 0.1.0 (nhc:c3efb85ae3d30ced).
 
 A ball with three different moments of inertia and its centre of mass at its centre
     rolls on a horizontal plane.
@@ -106,7 +106,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     I3 = float(p[4])  # [kg*m^2]
     try:
         # parameters only
-        k1 = m * (a * a)
+        k1 = m * a * a
         k2 = I2 - I3
         k3 = I1 - I3
         k4 = I1 - I2
@@ -252,7 +252,7 @@ def accelerations(
     I3 = float(p[4])  # [kg*m^2]
     try:
         # parameters only
-        k1 = m * (a * a)
+        k1 = m * a * a
         k2 = I2 - I3
         k3 = I1 - I3
         k4 = I1 - I2
@@ -438,7 +438,7 @@ def reactions(
     I3 = float(p[4])  # [kg*m^2]
     try:
         # parameters only
-        k1 = m * (a * a)
+        k1 = m * a * a
         k2 = m * a
         k3 = I2 - I3
         k4 = I1 - I3
@@ -520,7 +520,7 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     I3 = float(p[4])  # [kg*m^2]
     try:
         # parameters only
-        k1 = m * (a * a)
+        k1 = m * a * a
         # state
         z1 = w3 * w3
         z2 = w1 * w1
@@ -564,7 +564,7 @@ def jacobian(
     I3 = float(p[4])  # [kg*m^2]
     try:
         # parameters only
-        k1 = m * (a * a)
+        k1 = m * a * a
         k2 = I2 - I3
         k3 = I1 - I3
         k4 = I1 - I2
@@ -811,7 +811,7 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
     I3 = float(p[4])  # [kg*m^2]
     try:
         # parameters only
-        k1 = m * (a * a)
+        k1 = m * a * a
         # state
         s_theta = math.sin(theta)
         # the coframe is singular

@@ -1,4 +1,4 @@
-"""chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:bd1da3918c9513da).
+"""chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:c7639af57e66ddbc).
 
 A ball with three different moments of inertia rolls on a horizontal plane; its
     orientation is a quaternion.
@@ -110,7 +110,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     I3 = float(p[4])  # [kg*m^2]
     try:
         # parameters only
-        k1 = m * (a * a)
+        k1 = m * a * a
         k2 = a * (m * a)
         k3 = I2 - I3
         k4 = I1 - I3
@@ -267,7 +267,7 @@ def accelerations(
     I3 = float(p[4])  # [kg*m^2]
     try:
         # parameters only
-        k1 = m * (a * a)
+        k1 = m * a * a
         k2 = a * (m * a)
         k3 = I2 - I3
         k4 = I1 - I3
@@ -506,7 +506,7 @@ def reactions(
     I3 = float(p[4])  # [kg*m^2]
     try:
         # parameters only
-        k1 = m * (a * a)
+        k1 = m * a * a
         k2 = m * a
         k3 = a * k2
         k4 = I2 - I3
@@ -656,7 +656,7 @@ def jacobian(
     I3 = float(p[4])  # [kg*m^2]
     try:
         # parameters only
-        k1 = m * (a * a)
+        k1 = m * a * a
         k2 = a * (m * a)
         k3 = I2 - I3
         k4 = I1 - I3
@@ -1048,7 +1048,7 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
     I3 = float(p[4])  # [kg*m^2]
     try:
         # parameters only
-        k1 = m * (a * a)
+        k1 = m * a * a
         k2 = I1 + k1
         k3 = I2 + k1
         # state

@@ -1,5 +1,5 @@
 /*
- * chaplygin_sleigh.c: chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:ed20d8c5bc22d0b5)
+ * chaplygin_sleigh.c: chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:2707013ecb2bf4d7)
  * A rigid body on a knife edge; the centre of mass is a distance a ahead of the edge.
  * Source: chaplygin_sleigh.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -34,15 +34,6 @@ const double chaplygin_sleigh_parameter_defaults[] = {
     0.5,
     0.7
 };
-
-static int chaplygin_sleigh_finish(int count, const double *values)
-{
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
-    for (int i = 0; i < count; ++i) {
-        sum += values[i];
-    }
-    return fabs(sum) <= DBL_MAX ? CHAPLYGIN_SLEIGH_OK : CHAPLYGIN_SLEIGH_NOT_FINITE;
-}
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
 #ifndef CHAPLYGIN_SLEIGH_LANES
@@ -176,7 +167,7 @@ int chaplygin_sleigh_rhs(double t, const double *y, const double *p, double *dyd
     /* parameters only */
     const double k1 = m * a;
     const double k2 = J + a * k1;
-    const double k3 = 1.0 / k2;
+    const double k3 = -k1 / k2;
 
     /* state */
     /* (I.2.15) */
@@ -184,17 +175,21 @@ int chaplygin_sleigh_rhs(double t, const double *y, const double *p, double *dyd
     dydt[1] = s_theta * v; /* y' */
     dydt[2] = w; /* theta' */
     /* (I.2.15) 17:4 */
-    dydt[3] = a * (w * w); /* v' */
-    dydt[4] = -w * (v * k1) * k3; /* w' */
-    /* the mass matrix is singular */
-    if (!(fabs(m) > 0.0)) {
-        return CHAPLYGIN_SLEIGH_SINGULAR_2;
+    dydt[3] = a * w * w; /* v' */
+    dydt[4] = k3 * (v * w); /* w' */
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(dydt[0] + dydt[3] + dydt[4]) <= DBL_MAX && fabs(m) > 0.0)) {
+        /* the mass matrix is singular */
+        if (!(fabs(m) > 0.0)) {
+            return CHAPLYGIN_SLEIGH_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(k2) > 0.0)) {
+            return CHAPLYGIN_SLEIGH_SINGULAR_2;
+        }
+        return CHAPLYGIN_SLEIGH_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(k2) > 0.0)) {
-        return CHAPLYGIN_SLEIGH_SINGULAR_2;
-    }
-    return chaplygin_sleigh_finish(5, dydt);
+    return CHAPLYGIN_SLEIGH_OK;
 }
 
 int chaplygin_sleigh_velocities(double t, const double *y, const double *p, double *qdot)
@@ -214,7 +209,11 @@ int chaplygin_sleigh_velocities(double t, const double *y, const double *p, doub
     qdot[0] = c_theta * v; /* x' */
     qdot[1] = s_theta * v; /* y' */
     qdot[2] = w; /* theta' */
-    return chaplygin_sleigh_finish(3, qdot);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qdot[0] + qdot[2]) <= DBL_MAX)) {
+        return CHAPLYGIN_SLEIGH_NOT_FINITE;
+    }
+    return CHAPLYGIN_SLEIGH_OK;
 }
 
 int chaplygin_sleigh_accelerations(double t, const double *y, const double *p, double *qddot)
@@ -234,24 +233,28 @@ int chaplygin_sleigh_accelerations(double t, const double *y, const double *p, d
     /* parameters only */
     const double k1 = m * a;
     const double k2 = J + a * k1;
-    const double k3 = k1 / k2;
+    const double k3 = -k1 / k2;
 
     /* state */
-    const double z1 = a * (w * w);
+    const double z1 = a * w * w;
     const double z2 = v * w;
     /* (I.2.15) */
     qddot[0] = c_theta * z1 - s_theta * z2; /* x'' */
     qddot[1] = s_theta * z1 + c_theta * z2; /* y'' */
-    qddot[2] = -z2 * k3; /* theta'' */
-    /* the mass matrix is singular */
-    if (!(fabs(m) > 0.0)) {
-        return CHAPLYGIN_SLEIGH_SINGULAR_2;
+    qddot[2] = k3 * z2; /* theta'' */
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qddot[0] + qddot[1] + qddot[2]) <= DBL_MAX && fabs(m) > 0.0)) {
+        /* the mass matrix is singular */
+        if (!(fabs(m) > 0.0)) {
+            return CHAPLYGIN_SLEIGH_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(k2) > 0.0)) {
+            return CHAPLYGIN_SLEIGH_SINGULAR_2;
+        }
+        return CHAPLYGIN_SLEIGH_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(k2) > 0.0)) {
-        return CHAPLYGIN_SLEIGH_SINGULAR_2;
-    }
-    return chaplygin_sleigh_finish(3, qddot);
+    return CHAPLYGIN_SLEIGH_OK;
 }
 
 int chaplygin_sleigh_state(double t, const double *q, const double *qdot, const double *p, double *y)
@@ -275,7 +278,11 @@ int chaplygin_sleigh_state(double t, const double *q, const double *qdot, const 
     y[2] = theta;
     y[3] = x_dot * c_theta + y_dot * s_theta;
     y[4] = theta_dot;
-    return chaplygin_sleigh_finish(5, y);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(y[0] + y[1] + y[3] + y[4]) <= DBL_MAX)) {
+        return CHAPLYGIN_SLEIGH_NOT_FINITE;
+    }
+    return CHAPLYGIN_SLEIGH_OK;
 }
 
 int chaplygin_sleigh_residuals(double t, const double *q, const double *qdot, const double *p, double *r)
@@ -293,7 +300,11 @@ int chaplygin_sleigh_residuals(double t, const double *q, const double *qdot, co
     /* state */
     /* (I.1.1) 19:5 */
     r[0] = y_dot * c_theta - x_dot * s_theta; /* slip = 0 */
-    return chaplygin_sleigh_finish(1, r);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(r[0]) <= DBL_MAX)) {
+        return CHAPLYGIN_SLEIGH_NOT_FINITE;
+    }
+    return CHAPLYGIN_SLEIGH_OK;
 }
 
 int chaplygin_sleigh_reactions(double t, const double *y, const double *p, double *lambda)
@@ -306,23 +317,26 @@ int chaplygin_sleigh_reactions(double t, const double *y, const double *p, doubl
     const double a = p[2]; /* from the edge to the centre of mass [m] */
 
     /* parameters only */
-    const double k1 = a * (m * a);
-    const double k2 = J + k1;
-    const double k3 = k1 / k2;
+    const double k1 = m * a;
+    const double k2 = J + a * k1;
+    const double k3 = m - k1 * k1 / k2;
 
     /* state */
-    const double z1 = v * w;
     /* (I.4.1) 19:5 */
-    lambda[0] = m * (z1 - z1 * k3); /* reaction of slip: Q_i gains lambda_1 a_1i */
-    /* the mass matrix is singular */
-    if (!(fabs(m) > 0.0)) {
-        return CHAPLYGIN_SLEIGH_SINGULAR_2;
+    lambda[0] = v * w * k3; /* reaction of slip: Q_i gains lambda_1 a_1i */
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(lambda[0]) <= DBL_MAX && fabs(m) > 0.0)) {
+        /* the mass matrix is singular */
+        if (!(fabs(m) > 0.0)) {
+            return CHAPLYGIN_SLEIGH_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(k2) > 0.0)) {
+            return CHAPLYGIN_SLEIGH_SINGULAR_2;
+        }
+        return CHAPLYGIN_SLEIGH_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(k2) > 0.0)) {
-        return CHAPLYGIN_SLEIGH_SINGULAR_2;
-    }
-    return chaplygin_sleigh_finish(1, lambda);
+    return CHAPLYGIN_SLEIGH_OK;
 }
 
 double chaplygin_sleigh_energy(double t, const double *y, const double *p)
@@ -374,15 +388,19 @@ int chaplygin_sleigh_jacobian(double t, const double *y, const double *p, double
     J[19] = 2.0 * (a * w);
     J[23] = -w * k3;
     J[24] = -v * k3;
-    /* the mass matrix is singular */
-    if (!(fabs(m) > 0.0)) {
-        return CHAPLYGIN_SLEIGH_SINGULAR_2;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(J[2] + J[19] + J[23] + J[24]) <= DBL_MAX && fabs(m) > 0.0)) {
+        /* the mass matrix is singular */
+        if (!(fabs(m) > 0.0)) {
+            return CHAPLYGIN_SLEIGH_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(k2) > 0.0)) {
+            return CHAPLYGIN_SLEIGH_SINGULAR_2;
+        }
+        return CHAPLYGIN_SLEIGH_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(k2) > 0.0)) {
-        return CHAPLYGIN_SLEIGH_SINGULAR_2;
-    }
-    return chaplygin_sleigh_finish(25, J);
+    return CHAPLYGIN_SLEIGH_OK;
 }
 
 int chaplygin_sleigh_outputs(double t, const double *y, const double *p, double *out)
@@ -405,7 +423,11 @@ int chaplygin_sleigh_outputs(double t, const double *y, const double *p, double 
     out[1] = x + a * c_theta; /* X */
     /* 26:6 */
     out[2] = y_2 + a * s_theta; /* Y */
-    return chaplygin_sleigh_finish(3, out);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(out[0] + out[1] + out[2]) <= DBL_MAX)) {
+        return CHAPLYGIN_SLEIGH_NOT_FINITE;
+    }
+    return CHAPLYGIN_SLEIGH_OK;
 }
 
 #if CHAPLYGIN_SLEIGH_LANES >= 2
@@ -417,8 +439,7 @@ static __attribute__((noinline)) void chaplygin_sleigh_rhs_lanes(const double *f
     chaplygin_sleigh_lanes sum = {0}; /* an infinity or a NaN among the results stays in it */
     chaplygin_sleigh_bits bad = {0}; /* singular blocks */
     const double a = fixed[0];
-    const double k1 = fixed[1];
-    const double k3 = fixed[2];
+    const double k3 = fixed[1];
     const chaplygin_sleigh_lanes theta = chaplygin_sleigh_get(y + 2 * stride);
     const chaplygin_sleigh_lanes v = chaplygin_sleigh_get(y + 3 * stride);
     const chaplygin_sleigh_lanes w = chaplygin_sleigh_get(y + 4 * stride);
@@ -437,10 +458,10 @@ static __attribute__((noinline)) void chaplygin_sleigh_rhs_lanes(const double *f
     sum += slope3;
     chaplygin_sleigh_put(dydt + 2 * stride, slope3);
     /* (I.2.15) 17:4 */
-    const chaplygin_sleigh_lanes slope4 = a * (w * w);
+    const chaplygin_sleigh_lanes slope4 = a * w * w;
     sum += slope4;
     chaplygin_sleigh_put(dydt + 3 * stride, slope4);
-    const chaplygin_sleigh_lanes slope5 = -w * (v * k1) * k3;
+    const chaplygin_sleigh_lanes slope5 = k3 * (v * w);
     sum += slope5;
     chaplygin_sleigh_put(dydt + 4 * stride, slope5);
     chaplygin_sleigh_put(check, chaplygin_sleigh_mark(far + (sum - sum), bad));
@@ -467,7 +488,7 @@ int chaplygin_sleigh_rhs_batch(size_t count, const double *t, const double *y, c
     const double a = p[2]; /* from the edge to the centre of mass [m] */
     const double k1 = m * a;
     const double k2 = J + a * k1;
-    const double k3 = 1.0 / k2;
+    const double k3 = -k1 / k2;
     /* the mass matrix is singular */
     if (!(fabs(m) > 0.0)) {
         return CHAPLYGIN_SLEIGH_SINGULAR_2;
@@ -476,7 +497,7 @@ int chaplygin_sleigh_rhs_batch(size_t count, const double *t, const double *y, c
     if (!(fabs(k2) > 0.0)) {
         return CHAPLYGIN_SLEIGH_SINGULAR_2;
     }
-    const double fixed[] = {a, k1, k3};
+    const double fixed[] = {a, k3};
     double check[1 * CHAPLYGIN_SLEIGH_LANES];
     int status = CHAPLYGIN_SLEIGH_OK;
     for (size_t i = 0; i < count; i += CHAPLYGIN_SLEIGH_LANES) {

@@ -1,5 +1,5 @@
 /*
- * chaplygin_sleigh.h: chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:8bb3b7ebaf0b710d)
+ * chaplygin_sleigh.h: chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:caf85273e1bdaaac)
  * A rigid body on a knife edge; the centre of mass is a distance a ahead of the edge.
  * Source: chaplygin_sleigh.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -26,7 +26,7 @@
  * out[2] = Y
  *
  * Operations:
- * rhs: 1 +-, 9 *, 1 /, 2 calls
+ * rhs: 1 +-, 8 *, 1 /, 2 calls
  * velocities: 0 +-, 2 *, 0 /, 2 calls
  * accelerations: 3 +-, 10 *, 1 /, 2 calls
  * state: 1 +-, 2 *, 0 /, 2 calls

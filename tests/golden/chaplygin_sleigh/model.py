@@ -1,4 +1,4 @@
-"""chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:4a0a3cc146ab9dad).
+"""chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:b96e6ed8a577cd74).
 
 A rigid body on a knife edge; the centre of mass is a distance a ahead of the edge.
 Source: chaplygin_sleigh.yaml
@@ -26,7 +26,7 @@ out[1] = X
 out[2] = Y
 
 Operations:
-rhs: 1 +-, 9 *, 1 /, 2 calls
+rhs: 1 +-, 8 *, 1 /, 2 calls
 velocities: 0 +-, 2 *, 0 /, 2 calls
 accelerations: 3 +-, 10 *, 1 /, 2 calls
 state: 1 +-, 2 *, 0 /, 2 calls
@@ -93,17 +93,17 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     J = float(p[1])  # moment of inertia about the centre of mass [kg*m^2]
     a = float(p[2])  # from the edge to the centre of mass [m]
     try:
-        # parameters only
-        k1 = m * a
-        k2 = J + a * k1
-        k3 = 1.0 / k2
-        # state
         # the mass matrix is singular
         if not abs(m) > 0.0:
             raise SingularModelError(2, "rhs")
+        # parameters only
+        k1 = m * a
+        k2 = J + a * k1
         # the mass matrix is singular
         if not abs(k2) > 0.0:
             raise SingularModelError(2, "rhs")
+        k3 = -k1 / k2
+        # state
         c_theta = math.cos(theta)
         s_theta = math.sin(theta)
         dydt: list[float] = [
@@ -114,9 +114,9 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
             # theta' (I.2.15)
             w,
             # v' (I.2.15) 17:4
-            a * (w * w),
+            a * w * w,
             # w' (I.2.15) 17:4
-            -w * (v * k1) * k3,
+            k3 * (v * w),
         ]
         return _finish("rhs", dydt)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -170,19 +170,19 @@ def accelerations(
     J = float(p[1])  # moment of inertia about the centre of mass [kg*m^2]
     a = float(p[2])  # from the edge to the centre of mass [m]
     try:
-        # parameters only
-        k1 = m * a
-        k2 = J + a * k1
-        k3 = k1 / k2
-        # state
         # the mass matrix is singular
         if not abs(m) > 0.0:
             raise SingularModelError(2, "accelerations")
+        # parameters only
+        k1 = m * a
+        k2 = J + a * k1
         # the mass matrix is singular
         if not abs(k2) > 0.0:
             raise SingularModelError(2, "accelerations")
+        k3 = -k1 / k2
+        # state
         c_theta = math.cos(theta)
-        z1 = a * (w * w)
+        z1 = a * w * w
         s_theta = math.sin(theta)
         z2 = v * w
         qddot: list[float] = [
@@ -191,7 +191,7 @@ def accelerations(
             # y'' (I.2.15)
             s_theta * z1 + c_theta * z2,
             # theta'' (I.2.15)
-            -z2 * k3,
+            k3 * z2,
         ]
         return _finish("accelerations", qddot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -269,21 +269,20 @@ def reactions(
     J = float(p[1])  # moment of inertia about the centre of mass [kg*m^2]
     a = float(p[2])  # from the edge to the centre of mass [m]
     try:
-        # parameters only
-        k1 = a * (m * a)
-        k2 = J + k1
-        k3 = k1 / k2
-        # state
         # the mass matrix is singular
         if not abs(m) > 0.0:
             raise SingularModelError(2, "reactions")
+        # parameters only
+        k1 = m * a
+        k2 = J + a * k1
         # the mass matrix is singular
         if not abs(k2) > 0.0:
             raise SingularModelError(2, "reactions")
-        z1 = v * w
+        k3 = m - k1 * k1 / k2
+        # state
         lambda_: list[float] = [
             # reaction of slip: Q_i gains lambda_1 a_1i (I.4.1) 19:5
-            m * (z1 - z1 * k3),
+            v * w * k3,
         ]
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -329,17 +328,17 @@ def jacobian(
     J_2 = float(p[1])  # moment of inertia about the centre of mass [kg*m^2]
     a = float(p[2])  # from the edge to the centre of mass [m]
     try:
-        # parameters only
-        k1 = m * a
-        k2 = J_2 + a * k1
-        k3 = k1 / k2
-        # state
         # the mass matrix is singular
         if not abs(m) > 0.0:
             raise SingularModelError(2, "jacobian")
+        # parameters only
+        k1 = m * a
+        k2 = J_2 + a * k1
         # the mass matrix is singular
         if not abs(k2) > 0.0:
             raise SingularModelError(2, "jacobian")
+        k3 = k1 / k2
+        # state
         s_theta = math.sin(theta)
         c_theta = math.cos(theta)
         J: list[float] = [

@@ -1,5 +1,5 @@
 /*
- * charged_sleigh.c: charged_sleigh, emitted by nhc 0.1.0 (nhc:a0f7bb40fe3cf91e)
+ * charged_sleigh.c: charged_sleigh, emitted by nhc 0.1.0 (nhc:1b977293e50fbb19)
  * Chaplygin's sleigh with a charge at its centre of mass in a magnetic field; T depends on x and y.
  * Source: charged_sleigh.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -36,15 +36,6 @@ const double charged_sleigh_parameter_defaults[] = {
     0.7,
     0.9
 };
-
-static int charged_sleigh_finish(int count, const double *values)
-{
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
-    for (int i = 0; i < count; ++i) {
-        sum += values[i];
-    }
-    return fabs(sum) <= DBL_MAX ? CHARGED_SLEIGH_OK : CHARGED_SLEIGH_NOT_FINITE;
-}
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
 #ifndef CHARGED_SLEIGH_LANES
@@ -179,7 +170,7 @@ int charged_sleigh_rhs(double t, const double *y, const double *p, double *dydt)
     /* parameters only */
     const double k1 = J + m * (a * a);
     const double k2 = 1.0 / m;
-    const double k3 = 1.0 / k1;
+    const double k3 = -1.0 / k1;
 
     /* state */
     const double z1 = a * (B + m * w);
@@ -189,16 +180,20 @@ int charged_sleigh_rhs(double t, const double *y, const double *p, double *dydt)
     dydt[2] = w; /* theta' */
     /* (I.2.15) 18:4 */
     dydt[3] = k2 * (w * z1); /* v' */
-    dydt[4] = -k3 * (v * z1); /* w' */
-    /* the mass matrix is singular */
-    if (!(fabs(m) > 0.0)) {
-        return CHARGED_SLEIGH_SINGULAR_2;
+    dydt[4] = k3 * (v * z1); /* w' */
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(dydt[0] + dydt[3] + dydt[4]) <= DBL_MAX)) {
+        /* the mass matrix is singular */
+        if (!(fabs(m) > 0.0)) {
+            return CHARGED_SLEIGH_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(k1) > 0.0)) {
+            return CHARGED_SLEIGH_SINGULAR_2;
+        }
+        return CHARGED_SLEIGH_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(k1) > 0.0)) {
-        return CHARGED_SLEIGH_SINGULAR_2;
-    }
-    return charged_sleigh_finish(5, dydt);
+    return CHARGED_SLEIGH_OK;
 }
 
 int charged_sleigh_velocities(double t, const double *y, const double *p, double *qdot)
@@ -218,7 +213,11 @@ int charged_sleigh_velocities(double t, const double *y, const double *p, double
     qdot[0] = c_theta * v; /* x' */
     qdot[1] = s_theta * v; /* y' */
     qdot[2] = w; /* theta' */
-    return charged_sleigh_finish(3, qdot);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qdot[0] + qdot[2]) <= DBL_MAX)) {
+        return CHARGED_SLEIGH_NOT_FINITE;
+    }
+    return CHARGED_SLEIGH_OK;
 }
 
 int charged_sleigh_accelerations(double t, const double *y, const double *p, double *qddot)
@@ -239,7 +238,7 @@ int charged_sleigh_accelerations(double t, const double *y, const double *p, dou
     /* parameters only */
     const double k1 = J + m * (a * a);
     const double k2 = 1.0 / m;
-    const double k3 = 1.0 / k1;
+    const double k3 = -1.0 / k1;
 
     /* state */
     const double z1 = v * w;
@@ -248,16 +247,20 @@ int charged_sleigh_accelerations(double t, const double *y, const double *p, dou
     /* (I.2.15) */
     qddot[0] = c_theta * z3 - s_theta * z1; /* x'' */
     qddot[1] = c_theta * z1 + s_theta * z3; /* y'' */
-    qddot[2] = -k3 * (v * z2); /* theta'' */
-    /* the mass matrix is singular */
-    if (!(fabs(m) > 0.0)) {
-        return CHARGED_SLEIGH_SINGULAR_2;
+    qddot[2] = k3 * (v * z2); /* theta'' */
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qddot[0] + qddot[1] + qddot[2]) <= DBL_MAX)) {
+        /* the mass matrix is singular */
+        if (!(fabs(m) > 0.0)) {
+            return CHARGED_SLEIGH_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(k1) > 0.0)) {
+            return CHARGED_SLEIGH_SINGULAR_2;
+        }
+        return CHARGED_SLEIGH_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(k1) > 0.0)) {
-        return CHARGED_SLEIGH_SINGULAR_2;
-    }
-    return charged_sleigh_finish(3, qddot);
+    return CHARGED_SLEIGH_OK;
 }
 
 int charged_sleigh_state(double t, const double *q, const double *qdot, const double *p, double *y)
@@ -281,7 +284,11 @@ int charged_sleigh_state(double t, const double *q, const double *qdot, const do
     y[2] = theta;
     y[3] = x_dot * c_theta + y_dot * s_theta;
     y[4] = theta_dot;
-    return charged_sleigh_finish(5, y);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(y[0] + y[1] + y[3] + y[4]) <= DBL_MAX)) {
+        return CHARGED_SLEIGH_NOT_FINITE;
+    }
+    return CHARGED_SLEIGH_OK;
 }
 
 int charged_sleigh_residuals(double t, const double *q, const double *qdot, const double *p, double *r)
@@ -299,7 +306,11 @@ int charged_sleigh_residuals(double t, const double *q, const double *qdot, cons
     /* state */
     /* (I.1.1) 20:5 */
     r[0] = y_dot * c_theta - x_dot * s_theta; /* slip = 0 */
-    return charged_sleigh_finish(1, r);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(r[0]) <= DBL_MAX)) {
+        return CHARGED_SLEIGH_NOT_FINITE;
+    }
+    return CHARGED_SLEIGH_OK;
 }
 
 int charged_sleigh_reactions(double t, const double *y, const double *p, double *lambda)
@@ -320,15 +331,19 @@ int charged_sleigh_reactions(double t, const double *y, const double *p, double 
     /* state */
     /* (I.4.1) 20:5 */
     lambda[0] = v * (B + m * (w - (B + m * w) * k3)); /* reaction of slip: Q_i gains lambda_1 a_1i */
-    /* the mass matrix is singular */
-    if (!(fabs(m) > 0.0)) {
-        return CHARGED_SLEIGH_SINGULAR_2;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(lambda[0]) <= DBL_MAX && fabs(m) > 0.0)) {
+        /* the mass matrix is singular */
+        if (!(fabs(m) > 0.0)) {
+            return CHARGED_SLEIGH_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(k2) > 0.0)) {
+            return CHARGED_SLEIGH_SINGULAR_2;
+        }
+        return CHARGED_SLEIGH_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(k2) > 0.0)) {
-        return CHARGED_SLEIGH_SINGULAR_2;
-    }
-    return charged_sleigh_finish(1, lambda);
+    return CHARGED_SLEIGH_OK;
 }
 
 double charged_sleigh_energy(double t, const double *y, const double *p)
@@ -380,7 +395,7 @@ int charged_sleigh_jacobian(double t, const double *y, const double *p, double *
     const double k2 = J_2 + m * (a * a);
     const double k3 = 1.0 / m;
     const double k4 = 1.0 / k2;
-    const double k5 = k1 * k4;
+    const double k5 = -k1 * k4;
 
     /* state */
     const double z1 = a * (B + m * w);
@@ -392,16 +407,20 @@ int charged_sleigh_jacobian(double t, const double *y, const double *p, double *
     J[14] = 1.0;
     J[19] = k3 * (z1 + w * k1);
     J[23] = -k4 * z1;
-    J[24] = -v * k5;
-    /* the mass matrix is singular */
-    if (!(fabs(m) > 0.0)) {
-        return CHARGED_SLEIGH_SINGULAR_2;
+    J[24] = v * k5;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(J[2] + J[19] + J[23] + J[24]) <= DBL_MAX)) {
+        /* the mass matrix is singular */
+        if (!(fabs(m) > 0.0)) {
+            return CHARGED_SLEIGH_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(k2) > 0.0)) {
+            return CHARGED_SLEIGH_SINGULAR_2;
+        }
+        return CHARGED_SLEIGH_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(k2) > 0.0)) {
-        return CHARGED_SLEIGH_SINGULAR_2;
-    }
-    return charged_sleigh_finish(25, J);
+    return CHARGED_SLEIGH_OK;
 }
 
 int charged_sleigh_outputs(double t, const double *y, const double *p, double *out)
@@ -413,7 +432,11 @@ int charged_sleigh_outputs(double t, const double *y, const double *p, double *o
     /* state */
     /* 25:10 */
     out[0] = v; /* speed */
-    return charged_sleigh_finish(1, out);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(out[0]) <= DBL_MAX)) {
+        return CHARGED_SLEIGH_NOT_FINITE;
+    }
+    return CHARGED_SLEIGH_OK;
 }
 
 #if CHARGED_SLEIGH_LANES >= 2
@@ -451,7 +474,7 @@ static __attribute__((noinline)) void charged_sleigh_rhs_lanes(const double *fix
     const charged_sleigh_lanes slope4 = k2 * (w * z1);
     sum += slope4;
     charged_sleigh_put(dydt + 3 * stride, slope4);
-    const charged_sleigh_lanes slope5 = -k3 * (v * z1);
+    const charged_sleigh_lanes slope5 = k3 * (v * z1);
     sum += slope5;
     charged_sleigh_put(dydt + 4 * stride, slope5);
     charged_sleigh_put(check, charged_sleigh_mark(far + (sum - sum), bad));
@@ -479,7 +502,7 @@ int charged_sleigh_rhs_batch(size_t count, const double *t, const double *y, con
     const double B = p[3]; /* charge times field [kg/s] */
     const double k1 = J + m * (a * a);
     const double k2 = 1.0 / m;
-    const double k3 = 1.0 / k1;
+    const double k3 = -1.0 / k1;
     /* the mass matrix is singular */
     if (!(fabs(m) > 0.0)) {
         return CHARGED_SLEIGH_SINGULAR_2;

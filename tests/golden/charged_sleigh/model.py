@@ -1,4 +1,4 @@
-"""charged_sleigh, emitted by nhc 0.1.0 (nhc:296010cb4f23e7cb).
+"""charged_sleigh, emitted by nhc 0.1.0 (nhc:9f752fb84dd61f03).
 
 Chaplygin's sleigh with a charge at its centre of mass in a magnetic field; T
     depends on x and y.
@@ -94,17 +94,17 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     a = float(p[2])  # from the edge to the centre of mass [m]
     B = float(p[3])  # charge times field [kg/s]
     try:
-        # parameters only
-        k1 = J + m * (a * a)
-        k2 = 1.0 / m
-        k3 = 1.0 / k1
-        # state
         # the mass matrix is singular
         if not abs(m) > 0.0:
             raise SingularModelError(2, "rhs")
+        # parameters only
+        k1 = J + m * (a * a)
         # the mass matrix is singular
         if not abs(k1) > 0.0:
             raise SingularModelError(2, "rhs")
+        k2 = 1.0 / m
+        k3 = -1.0 / k1
+        # state
         c_theta = math.cos(theta)
         s_theta = math.sin(theta)
         z1 = a * (B + m * w)
@@ -118,7 +118,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
             # v' (I.2.15) 18:4
             k2 * (w * z1),
             # w' (I.2.15) 18:4
-            -k3 * (v * z1),
+            k3 * (v * z1),
         ]
         return _finish("rhs", dydt)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -173,17 +173,17 @@ def accelerations(
     a = float(p[2])  # from the edge to the centre of mass [m]
     B = float(p[3])  # charge times field [kg/s]
     try:
-        # parameters only
-        k1 = J + m * (a * a)
-        k2 = 1.0 / m
-        k3 = 1.0 / k1
-        # state
         # the mass matrix is singular
         if not abs(m) > 0.0:
             raise SingularModelError(2, "accelerations")
+        # parameters only
+        k1 = J + m * (a * a)
         # the mass matrix is singular
         if not abs(k1) > 0.0:
             raise SingularModelError(2, "accelerations")
+        k2 = 1.0 / m
+        k3 = -1.0 / k1
+        # state
         s_theta = math.sin(theta)
         z1 = v * w
         c_theta = math.cos(theta)
@@ -195,7 +195,7 @@ def accelerations(
             # y'' (I.2.15)
             c_theta * z1 + s_theta * z3,
             # theta'' (I.2.15)
-            -k3 * (v * z2),
+            k3 * (v * z2),
         ]
         return _finish("accelerations", qddot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -274,17 +274,17 @@ def reactions(
     a = float(p[2])  # from the edge to the centre of mass [m]
     B = float(p[3])  # charge times field [kg/s]
     try:
-        # parameters only
-        k1 = a * a
-        k2 = J + m * k1
-        k3 = k1 / k2
-        # state
         # the mass matrix is singular
         if not abs(m) > 0.0:
             raise SingularModelError(2, "reactions")
+        # parameters only
+        k1 = a * a
+        k2 = J + m * k1
         # the mass matrix is singular
         if not abs(k2) > 0.0:
             raise SingularModelError(2, "reactions")
+        k3 = k1 / k2
+        # state
         lambda_: list[float] = [
             # reaction of slip: Q_i gains lambda_1 a_1i (I.4.1) 20:5
             v * (B + m * (w - (B + m * w) * k3)),
@@ -342,19 +342,19 @@ def jacobian(
     a = float(p[2])  # from the edge to the centre of mass [m]
     B = float(p[3])  # charge times field [kg/s]
     try:
-        # parameters only
-        k1 = m * a
-        k2 = J_2 + m * (a * a)
-        k3 = 1.0 / m
-        k4 = 1.0 / k2
-        k5 = k1 * k4
-        # state
         # the mass matrix is singular
         if not abs(m) > 0.0:
             raise SingularModelError(2, "jacobian")
+        # parameters only
+        k1 = m * a
+        k2 = J_2 + m * (a * a)
         # the mass matrix is singular
         if not abs(k2) > 0.0:
             raise SingularModelError(2, "jacobian")
+        k3 = 1.0 / m
+        k4 = 1.0 / k2
+        k5 = -k1 * k4
+        # state
         s_theta = math.sin(theta)
         c_theta = math.cos(theta)
         z1 = a * (B + m * w)
@@ -391,7 +391,7 @@ def jacobian(
             # (I.2.15)
             -k4 * z1,
             # (I.2.15)
-            -v * k5,
+            v * k5,
         ]
         _finish("jacobian", J)
         return [J[k6 : k6 + 5] for k6 in range(0, 25, 5)]

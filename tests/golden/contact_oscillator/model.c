@@ -1,5 +1,5 @@
 /*
- * contact_oscillator.c: contact_oscillator, emitted by nhc 0.1.0 (nhc:033907ea86569f06)
+ * contact_oscillator.c: contact_oscillator, emitted by nhc 0.1.0 (nhc:2a722f93f8dd5b8d)
  * Three equal oscillators with one contact constraint; reversible and integrable.
  * Source: contact_oscillator.yaml
  * Equations of motion: chaplygin (III.3)
@@ -34,15 +34,6 @@ const double contact_oscillator_parameter_defaults[] = {
     /* no entry counts: C99 has no empty array */
     0.0
 };
-
-static int contact_oscillator_finish(int count, const double *values)
-{
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
-    for (int i = 0; i < count; ++i) {
-        sum += values[i];
-    }
-    return fabs(sum) <= DBL_MAX ? CONTACT_OSCILLATOR_OK : CONTACT_OSCILLATOR_NOT_FINITE;
-}
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
 #ifndef CONTACT_OSCILLATOR_LANES
@@ -173,11 +164,15 @@ int contact_oscillator_rhs(double t, const double *y, const double *p, double *d
     /* (III.3) 7:4 */
     dydt[3] = -y_2; /* y'' */
     dydt[4] = -(z - y_2 * (x - y_dot * z_dot)) / z1; /* z'' */
-    /* the mass matrix is singular */
-    if (!(fabs(z1) > 0.0)) {
-        return CONTACT_OSCILLATOR_SINGULAR_2;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(dydt[0] + dydt[4]) <= DBL_MAX)) {
+        /* the mass matrix is singular */
+        if (!(fabs(z1) > 0.0)) {
+            return CONTACT_OSCILLATOR_SINGULAR_2;
+        }
+        return CONTACT_OSCILLATOR_NOT_FINITE;
     }
-    return contact_oscillator_finish(5, dydt);
+    return CONTACT_OSCILLATOR_OK;
 }
 
 int contact_oscillator_velocities(double t, const double *y, const double *p, double *qdot)
@@ -193,7 +188,11 @@ int contact_oscillator_velocities(double t, const double *y, const double *p, do
     qdot[0] = -y_2 * z_dot; /* x' */
     qdot[1] = y_dot; /* y' */
     qdot[2] = z_dot; /* z' */
-    return contact_oscillator_finish(3, qdot);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qdot[0] + qdot[1]) <= DBL_MAX)) {
+        return CONTACT_OSCILLATOR_NOT_FINITE;
+    }
+    return CONTACT_OSCILLATOR_OK;
 }
 
 int contact_oscillator_accelerations(double t, const double *y, const double *p, double *qddot)
@@ -214,11 +213,15 @@ int contact_oscillator_accelerations(double t, const double *y, const double *p,
     qddot[0] = y_2 * z3 - z2; /* x'' */
     qddot[1] = -y_2; /* y'' */
     qddot[2] = -z3; /* z'' */
-    /* the mass matrix is singular */
-    if (!(fabs(z1) > 0.0)) {
-        return CONTACT_OSCILLATOR_SINGULAR_2;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qddot[0] + qddot[2]) <= DBL_MAX)) {
+        /* the mass matrix is singular */
+        if (!(fabs(z1) > 0.0)) {
+            return CONTACT_OSCILLATOR_SINGULAR_2;
+        }
+        return CONTACT_OSCILLATOR_NOT_FINITE;
     }
-    return contact_oscillator_finish(3, qddot);
+    return CONTACT_OSCILLATOR_OK;
 }
 
 int contact_oscillator_state(double t, const double *q, const double *qdot, const double *p, double *y)
@@ -237,7 +240,11 @@ int contact_oscillator_state(double t, const double *q, const double *qdot, cons
     y[2] = z;
     y[3] = y_dot;
     y[4] = z_dot;
-    return contact_oscillator_finish(5, y);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(y[0] + y[1] + y[2] + y[3] + y[4]) <= DBL_MAX)) {
+        return CONTACT_OSCILLATOR_NOT_FINITE;
+    }
+    return CONTACT_OSCILLATOR_OK;
 }
 
 int contact_oscillator_residuals(double t, const double *q, const double *qdot, const double *p, double *r)
@@ -251,7 +258,11 @@ int contact_oscillator_residuals(double t, const double *q, const double *qdot, 
     /* state */
     /* (I.1.1) 10:5 */
     r[0] = x_dot + y * z_dot; /* contact = 0 */
-    return contact_oscillator_finish(1, r);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(r[0]) <= DBL_MAX)) {
+        return CONTACT_OSCILLATOR_NOT_FINITE;
+    }
+    return CONTACT_OSCILLATOR_OK;
 }
 
 int contact_oscillator_reactions(double t, const double *y, const double *p, double *lambda)
@@ -269,11 +280,15 @@ int contact_oscillator_reactions(double t, const double *y, const double *p, dou
     const double z2 = x - y_dot * z_dot;
     /* (I.4.1) 10:5 */
     lambda[0] = z2 + y_2 * ((z - y_2 * z2) / z1); /* reaction of contact: Q_i gains lambda_1 a_1i */
-    /* the mass matrix is singular */
-    if (!(fabs(z1) > 0.0)) {
-        return CONTACT_OSCILLATOR_SINGULAR_2;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(lambda[0]) <= DBL_MAX)) {
+        /* the mass matrix is singular */
+        if (!(fabs(z1) > 0.0)) {
+            return CONTACT_OSCILLATOR_SINGULAR_2;
+        }
+        return CONTACT_OSCILLATOR_NOT_FINITE;
     }
-    return contact_oscillator_finish(1, lambda);
+    return CONTACT_OSCILLATOR_OK;
 }
 
 double contact_oscillator_energy(double t, const double *y, const double *p)
@@ -321,11 +336,15 @@ int contact_oscillator_jacobian(double t, const double *y, const double *p, doub
     J[22] = -z2;
     J[23] = -z_dot * z3;
     J[24] = -y_dot * z3;
-    /* the mass matrix is singular */
-    if (!(fabs(z1) > 0.0)) {
-        return CONTACT_OSCILLATOR_SINGULAR_2;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(J[21] + J[23] + J[24]) <= DBL_MAX)) {
+        /* the mass matrix is singular */
+        if (!(fabs(z1) > 0.0)) {
+            return CONTACT_OSCILLATOR_SINGULAR_2;
+        }
+        return CONTACT_OSCILLATOR_NOT_FINITE;
     }
-    return contact_oscillator_finish(25, J);
+    return CONTACT_OSCILLATOR_OK;
 }
 
 int contact_oscillator_outputs(double t, const double *y, const double *p, double *out)
@@ -344,7 +363,11 @@ int contact_oscillator_outputs(double t, const double *y, const double *p, doubl
     out[0] = 0.5 * (y_dot * y_dot + z1); /* H_y */
     /* 14:6 */
     out[1] = 0.5 * (x * x + z * z + z_dot * z_dot * (1.0 + z1)); /* R */
-    return contact_oscillator_finish(2, out);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(out[0] + out[1]) <= DBL_MAX)) {
+        return CONTACT_OSCILLATOR_NOT_FINITE;
+    }
+    return CONTACT_OSCILLATOR_OK;
 }
 
 #if CONTACT_OSCILLATOR_LANES >= 2

@@ -1,5 +1,5 @@
 /*
- * contact_oscillator_eps.c: contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:2fa30a20e4d5a0fc)
+ * contact_oscillator_eps.c: contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:6ef0660a6f23729f)
  * The contact oscillator with a quartic coupling; still reversible and still with a second integral.
  * Source: contact_oscillator_eps.yaml
  * Equations of motion: chaplygin (III.3)
@@ -34,15 +34,6 @@ const char *const contact_oscillator_eps_parameter_names[] = {
 const double contact_oscillator_eps_parameter_defaults[] = {
     0.3
 };
-
-static int contact_oscillator_eps_finish(int count, const double *values)
-{
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
-    for (int i = 0; i < count; ++i) {
-        sum += values[i];
-    }
-    return fabs(sum) <= DBL_MAX ? CONTACT_OSCILLATOR_EPS_OK : CONTACT_OSCILLATOR_EPS_NOT_FINITE;
-}
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
 #ifndef CONTACT_OSCILLATOR_EPS_LANES
@@ -175,11 +166,15 @@ int contact_oscillator_eps_rhs(double t, const double *y, const double *p, doubl
     /* (III.3) 9:4 */
     dydt[3] = -y_2; /* y'' */
     dydt[4] = z3 / z1; /* z'' */
-    /* the mass matrix is singular */
-    if (!(fabs(z1) > 0.0)) {
-        return CONTACT_OSCILLATOR_EPS_SINGULAR_2;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(dydt[0] + dydt[1] + dydt[3] + dydt[4]) <= DBL_MAX)) {
+        /* the mass matrix is singular */
+        if (!(fabs(z1) > 0.0)) {
+            return CONTACT_OSCILLATOR_EPS_SINGULAR_2;
+        }
+        return CONTACT_OSCILLATOR_EPS_NOT_FINITE;
     }
-    return contact_oscillator_eps_finish(5, dydt);
+    return CONTACT_OSCILLATOR_EPS_OK;
 }
 
 int contact_oscillator_eps_velocities(double t, const double *y, const double *p, double *qdot)
@@ -195,7 +190,11 @@ int contact_oscillator_eps_velocities(double t, const double *y, const double *p
     qdot[0] = -y_2 * z_dot; /* x' */
     qdot[1] = y_dot; /* y' */
     qdot[2] = z_dot; /* z' */
-    return contact_oscillator_eps_finish(3, qdot);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qdot[0] + qdot[1]) <= DBL_MAX)) {
+        return CONTACT_OSCILLATOR_EPS_NOT_FINITE;
+    }
+    return CONTACT_OSCILLATOR_EPS_OK;
 }
 
 int contact_oscillator_eps_accelerations(double t, const double *y, const double *p, double *qddot)
@@ -217,11 +216,15 @@ int contact_oscillator_eps_accelerations(double t, const double *y, const double
     qddot[0] = -(z2 + y_2 * z4); /* x'' */
     qddot[1] = -y_2; /* y'' */
     qddot[2] = z4; /* z'' */
-    /* the mass matrix is singular */
-    if (!(fabs(z1) > 0.0)) {
-        return CONTACT_OSCILLATOR_EPS_SINGULAR_2;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qddot[0] + qddot[1]) <= DBL_MAX)) {
+        /* the mass matrix is singular */
+        if (!(fabs(z1) > 0.0)) {
+            return CONTACT_OSCILLATOR_EPS_SINGULAR_2;
+        }
+        return CONTACT_OSCILLATOR_EPS_NOT_FINITE;
     }
-    return contact_oscillator_eps_finish(3, qddot);
+    return CONTACT_OSCILLATOR_EPS_OK;
 }
 
 int contact_oscillator_eps_state(double t, const double *q, const double *qdot, const double *p, double *y)
@@ -240,7 +243,11 @@ int contact_oscillator_eps_state(double t, const double *q, const double *qdot, 
     y[2] = z;
     y[3] = y_dot;
     y[4] = z_dot;
-    return contact_oscillator_eps_finish(5, y);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(y[0] + y[1] + y[2] + y[3] + y[4]) <= DBL_MAX)) {
+        return CONTACT_OSCILLATOR_EPS_NOT_FINITE;
+    }
+    return CONTACT_OSCILLATOR_EPS_OK;
 }
 
 int contact_oscillator_eps_residuals(double t, const double *q, const double *qdot, const double *p, double
@@ -255,7 +262,11 @@ int contact_oscillator_eps_residuals(double t, const double *q, const double *qd
     /* state */
     /* (I.1.1) 12:5 */
     r[0] = x_dot + y * z_dot; /* contact = 0 */
-    return contact_oscillator_eps_finish(1, r);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(r[0]) <= DBL_MAX)) {
+        return CONTACT_OSCILLATOR_EPS_NOT_FINITE;
+    }
+    return CONTACT_OSCILLATOR_EPS_OK;
 }
 
 int contact_oscillator_eps_reactions(double t, const double *y, const double *p, double *lambda)
@@ -276,11 +287,15 @@ int contact_oscillator_eps_reactions(double t, const double *y, const double *p,
     const double z5 = x * (z2 - (y_2 * z2 - eps * (x * z)) * z3) - (z4 - z3 * (z + y_2 * z4));
     /* (I.4.1) 12:5 */
     lambda[0] = z5; /* reaction of contact: Q_i gains lambda_1 a_1i */
-    /* the mass matrix is singular */
-    if (!(fabs(z1) > 0.0)) {
-        return CONTACT_OSCILLATOR_EPS_SINGULAR_2;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(lambda[0]) <= DBL_MAX)) {
+        /* the mass matrix is singular */
+        if (!(fabs(z1) > 0.0)) {
+            return CONTACT_OSCILLATOR_EPS_SINGULAR_2;
+        }
+        return CONTACT_OSCILLATOR_EPS_NOT_FINITE;
     }
-    return contact_oscillator_eps_finish(1, lambda);
+    return CONTACT_OSCILLATOR_EPS_OK;
 }
 
 double contact_oscillator_eps_energy(double t, const double *y, const double *p)
@@ -333,11 +348,15 @@ int contact_oscillator_eps_jacobian(double t, const double *y, const double *p, 
     J[22] = -z2 * (1.0 + z3 * (x - 2.0 * (y_2 * z)));
     J[23] = -y_2 * z_dot * z2;
     J[24] = -z7 * z2;
-    /* the mass matrix is singular */
-    if (!(fabs(z1) > 0.0)) {
-        return CONTACT_OSCILLATOR_EPS_SINGULAR_2;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(J[20] + J[21] + J[22] + J[23] + J[24]) <= DBL_MAX)) {
+        /* the mass matrix is singular */
+        if (!(fabs(z1) > 0.0)) {
+            return CONTACT_OSCILLATOR_EPS_SINGULAR_2;
+        }
+        return CONTACT_OSCILLATOR_EPS_NOT_FINITE;
     }
-    return contact_oscillator_eps_finish(25, J);
+    return CONTACT_OSCILLATOR_EPS_OK;
 }
 
 int contact_oscillator_eps_outputs(double t, const double *y, const double *p, double *out)
@@ -357,7 +376,11 @@ int contact_oscillator_eps_outputs(double t, const double *y, const double *p, d
     out[0] = 0.5 * (y_dot * y_dot + z1); /* H_y */
     /* 16:6 */
     out[1] = 0.5 * (z2 + z * z * (1.0 + eps * z2) + z_dot * z_dot * (1.0 + z1)); /* R */
-    return contact_oscillator_eps_finish(2, out);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(out[0] + out[1]) <= DBL_MAX)) {
+        return CONTACT_OSCILLATOR_EPS_NOT_FINITE;
+    }
+    return CONTACT_OSCILLATOR_EPS_OK;
 }
 
 #if CONTACT_OSCILLATOR_EPS_LANES >= 2

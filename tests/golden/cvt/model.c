@@ -1,5 +1,5 @@
 /*
- * cvt.c: cvt, emitted by nhc 0.1.0 (nhc:5fae42c575a12e86)
+ * cvt.c: cvt, emitted by nhc 0.1.0 (nhc:33b69216044c4199)
  * A continuously variable transmission; a plane oscillator whose free direction is set by a symmetric driver.
  * Source: cvt.yaml
  * Equations of motion: chaplygin (III.3)
@@ -34,15 +34,6 @@ const double cvt_parameter_defaults[] = {
     /* no entry counts: C99 has no empty array */
     0.0
 };
-
-static int cvt_finish(int count, const double *values)
-{
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
-    for (int i = 0; i < count; ++i) {
-        sum += values[i];
-    }
-    return fabs(sum) <= DBL_MAX ? CVT_OK : CVT_NOT_FINITE;
-}
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
 #ifndef CVT_LANES
@@ -193,11 +184,15 @@ int cvt_rhs(double t, const double *y, const double *p, double *dydt)
     /* (III.3) 7:4 */
     dydt[3] = -(x - s_xi * (y_2 - c_xi * (x_dot * xi_dot))) / z1; /* x'' */
     dydt[4] = s_xi; /* xi'' */
-    /* the mass matrix is singular */
-    if (!(fabs(z1) > 0.0)) {
-        return CVT_SINGULAR_2;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(dydt[3]) <= DBL_MAX)) {
+        /* the mass matrix is singular */
+        if (!(fabs(z1) > 0.0)) {
+            return CVT_SINGULAR_2;
+        }
+        return CVT_NOT_FINITE;
     }
-    return cvt_finish(5, dydt);
+    return CVT_OK;
 }
 
 int cvt_velocities(double t, const double *y, const double *p, double *qdot)
@@ -214,7 +209,11 @@ int cvt_velocities(double t, const double *y, const double *p, double *qdot)
     qdot[0] = x_dot; /* x' */
     qdot[1] = -x_dot * s_xi; /* y' */
     qdot[2] = xi_dot; /* xi' */
-    return cvt_finish(3, qdot);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qdot[1] + qdot[2]) <= DBL_MAX)) {
+        return CVT_NOT_FINITE;
+    }
+    return CVT_OK;
 }
 
 int cvt_accelerations(double t, const double *y, const double *p, double *qddot)
@@ -239,11 +238,15 @@ int cvt_accelerations(double t, const double *y, const double *p, double *qddot)
     qddot[0] = -z3; /* x'' */
     qddot[1] = s_xi * z3 - z2; /* y'' */
     qddot[2] = s_xi; /* xi'' */
-    /* the mass matrix is singular */
-    if (!(fabs(z1) > 0.0)) {
-        return CVT_SINGULAR_2;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qddot[1]) <= DBL_MAX)) {
+        /* the mass matrix is singular */
+        if (!(fabs(z1) > 0.0)) {
+            return CVT_SINGULAR_2;
+        }
+        return CVT_NOT_FINITE;
     }
-    return cvt_finish(3, qddot);
+    return CVT_OK;
 }
 
 int cvt_state(double t, const double *q, const double *qdot, const double *p, double *y)
@@ -262,7 +265,11 @@ int cvt_state(double t, const double *q, const double *qdot, const double *p, do
     y[2] = xi;
     y[3] = x_dot;
     y[4] = xi_dot;
-    return cvt_finish(5, y);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(y[0] + y[1] + y[2] + y[3] + y[4]) <= DBL_MAX)) {
+        return CVT_NOT_FINITE;
+    }
+    return CVT_OK;
 }
 
 int cvt_residuals(double t, const double *q, const double *qdot, const double *p, double *r)
@@ -277,7 +284,11 @@ int cvt_residuals(double t, const double *q, const double *qdot, const double *p
     const double s_xi = sin(xi);
     /* (I.1.1) 10:5 */
     r[0] = y_dot + x_dot * s_xi; /* belt = 0 */
-    return cvt_finish(1, r);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(r[0]) <= DBL_MAX)) {
+        return CVT_NOT_FINITE;
+    }
+    return CVT_OK;
 }
 
 int cvt_reactions(double t, const double *y, const double *p, double *lambda)
@@ -299,11 +310,15 @@ int cvt_reactions(double t, const double *y, const double *p, double *lambda)
     const double z2 = y_2 - c_xi * (x_dot * xi_dot);
     /* (I.4.1) 10:5 */
     lambda[0] = z2 + s_xi * ((x - s_xi * z2) / z1); /* reaction of belt: Q_i gains lambda_1 a_1i */
-    /* the mass matrix is singular */
-    if (!(fabs(z1) > 0.0)) {
-        return CVT_SINGULAR_2;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(lambda[0]) <= DBL_MAX)) {
+        /* the mass matrix is singular */
+        if (!(fabs(z1) > 0.0)) {
+            return CVT_SINGULAR_2;
+        }
+        return CVT_NOT_FINITE;
     }
-    return cvt_finish(1, lambda);
+    return CVT_OK;
 }
 
 double cvt_energy(double t, const double *y, const double *p)
@@ -362,11 +377,15 @@ int cvt_jacobian(double t, const double *y, const double *p, double *J)
     J[18] = -xi_dot * z7;
     J[19] = -x_dot * z7;
     J[22] = c_xi;
-    /* the mass matrix is singular */
-    if (!(fabs(z2) > 0.0)) {
-        return CVT_SINGULAR_2;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(J[17] + J[18] + J[19]) <= DBL_MAX)) {
+        /* the mass matrix is singular */
+        if (!(fabs(z2) > 0.0)) {
+            return CVT_SINGULAR_2;
+        }
+        return CVT_NOT_FINITE;
     }
-    return cvt_finish(25, J);
+    return CVT_OK;
 }
 
 int cvt_outputs(double t, const double *y, const double *p, double *out)
@@ -389,7 +408,11 @@ int cvt_outputs(double t, const double *y, const double *p, double *out)
     out[0] = 0.5 * (xi_dot * xi_dot) + c_xi; /* E_xi */
     /* 14:9 */
     out[1] = 0.5 * (y_2 * y_2 + (x * x + (x_dot * x_dot + z1 * z1))); /* E_xy */
-    return cvt_finish(2, out);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(out[0] + out[1]) <= DBL_MAX)) {
+        return CVT_NOT_FINITE;
+    }
+    return CVT_OK;
 }
 
 #if CVT_LANES >= 2

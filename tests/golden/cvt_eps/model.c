@@ -1,5 +1,5 @@
 /*
- * cvt_eps.c: cvt_eps, emitted by nhc 0.1.0 (nhc:b91b699054c4a59f)
+ * cvt_eps.c: cvt_eps, emitted by nhc 0.1.0 (nhc:6a87f4b6c3da32dd)
  * The transmission with a driver that breaks the symmetry; most integrators for nonholonomic systems drift on
  *     it.
  * Source: cvt_eps.yaml
@@ -33,15 +33,6 @@ const char *const cvt_eps_parameter_names[] = {
 const double cvt_eps_parameter_defaults[] = {
     0.3
 };
-
-static int cvt_eps_finish(int count, const double *values)
-{
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
-    for (int i = 0; i < count; ++i) {
-        sum += values[i];
-    }
-    return fabs(sum) <= DBL_MAX ? CVT_EPS_OK : CVT_EPS_NOT_FINITE;
-}
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
 #ifndef CVT_EPS_LANES
@@ -193,11 +184,15 @@ int cvt_eps_rhs(double t, const double *y, const double *p, double *dydt)
     /* (III.3) 9:4 */
     dydt[3] = -(x - s_xi * (y_2 - c_xi * (x_dot * xi_dot))) / z1; /* x'' */
     dydt[4] = s_xi + eps * c1; /* xi'' */
-    /* the mass matrix is singular */
-    if (!(fabs(z1) > 0.0)) {
-        return CVT_EPS_SINGULAR_2;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(dydt[3] + dydt[4]) <= DBL_MAX)) {
+        /* the mass matrix is singular */
+        if (!(fabs(z1) > 0.0)) {
+            return CVT_EPS_SINGULAR_2;
+        }
+        return CVT_EPS_NOT_FINITE;
     }
-    return cvt_eps_finish(5, dydt);
+    return CVT_EPS_OK;
 }
 
 int cvt_eps_velocities(double t, const double *y, const double *p, double *qdot)
@@ -214,7 +209,11 @@ int cvt_eps_velocities(double t, const double *y, const double *p, double *qdot)
     qdot[0] = x_dot; /* x' */
     qdot[1] = -x_dot * s_xi; /* y' */
     qdot[2] = xi_dot; /* xi' */
-    return cvt_eps_finish(3, qdot);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qdot[1] + qdot[2]) <= DBL_MAX)) {
+        return CVT_EPS_NOT_FINITE;
+    }
+    return CVT_EPS_OK;
 }
 
 int cvt_eps_accelerations(double t, const double *y, const double *p, double *qddot)
@@ -240,11 +239,15 @@ int cvt_eps_accelerations(double t, const double *y, const double *p, double *qd
     qddot[0] = -z3; /* x'' */
     qddot[1] = s_xi * z3 - z2; /* y'' */
     qddot[2] = s_xi + eps * c1; /* xi'' */
-    /* the mass matrix is singular */
-    if (!(fabs(z1) > 0.0)) {
-        return CVT_EPS_SINGULAR_2;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qddot[1] + qddot[2]) <= DBL_MAX)) {
+        /* the mass matrix is singular */
+        if (!(fabs(z1) > 0.0)) {
+            return CVT_EPS_SINGULAR_2;
+        }
+        return CVT_EPS_NOT_FINITE;
     }
-    return cvt_eps_finish(3, qddot);
+    return CVT_EPS_OK;
 }
 
 int cvt_eps_state(double t, const double *q, const double *qdot, const double *p, double *y)
@@ -263,7 +266,11 @@ int cvt_eps_state(double t, const double *q, const double *qdot, const double *p
     y[2] = xi;
     y[3] = x_dot;
     y[4] = xi_dot;
-    return cvt_eps_finish(5, y);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(y[0] + y[1] + y[2] + y[3] + y[4]) <= DBL_MAX)) {
+        return CVT_EPS_NOT_FINITE;
+    }
+    return CVT_EPS_OK;
 }
 
 int cvt_eps_residuals(double t, const double *q, const double *qdot, const double *p, double *r)
@@ -278,7 +285,11 @@ int cvt_eps_residuals(double t, const double *q, const double *qdot, const doubl
     const double s_xi = sin(xi);
     /* (I.1.1) 12:5 */
     r[0] = y_dot + x_dot * s_xi; /* belt = 0 */
-    return cvt_eps_finish(1, r);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(r[0]) <= DBL_MAX)) {
+        return CVT_EPS_NOT_FINITE;
+    }
+    return CVT_EPS_OK;
 }
 
 int cvt_eps_reactions(double t, const double *y, const double *p, double *lambda)
@@ -300,11 +311,15 @@ int cvt_eps_reactions(double t, const double *y, const double *p, double *lambda
     const double z2 = y_2 - c_xi * (x_dot * xi_dot);
     /* (I.4.1) 12:5 */
     lambda[0] = z2 + s_xi * ((x - s_xi * z2) / z1); /* reaction of belt: Q_i gains lambda_1 a_1i */
-    /* the mass matrix is singular */
-    if (!(fabs(z1) > 0.0)) {
-        return CVT_EPS_SINGULAR_2;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(lambda[0]) <= DBL_MAX)) {
+        /* the mass matrix is singular */
+        if (!(fabs(z1) > 0.0)) {
+            return CVT_EPS_SINGULAR_2;
+        }
+        return CVT_EPS_NOT_FINITE;
     }
-    return cvt_eps_finish(1, lambda);
+    return CVT_EPS_OK;
 }
 
 double cvt_eps_energy(double t, const double *y, const double *p)
@@ -365,11 +380,15 @@ int cvt_eps_jacobian(double t, const double *y, const double *p, double *J)
     J[18] = -xi_dot * z7;
     J[19] = -x_dot * z7;
     J[22] = c_xi - 2.0 * (eps * s1);
-    /* the mass matrix is singular */
-    if (!(fabs(z2) > 0.0)) {
-        return CVT_EPS_SINGULAR_2;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(J[17] + J[18] + J[19] + J[22]) <= DBL_MAX)) {
+        /* the mass matrix is singular */
+        if (!(fabs(z2) > 0.0)) {
+            return CVT_EPS_SINGULAR_2;
+        }
+        return CVT_EPS_NOT_FINITE;
     }
-    return cvt_eps_finish(25, J);
+    return CVT_EPS_OK;
 }
 
 int cvt_eps_outputs(double t, const double *y, const double *p, double *out)
@@ -392,7 +411,11 @@ int cvt_eps_outputs(double t, const double *y, const double *p, double *out)
     out[0] = c_xi + 0.5 * (xi_dot * xi_dot - eps * s1); /* E_xi */
     /* 16:9 */
     out[1] = 0.5 * (x * x + y_2 * y_2 + x_dot * x_dot * (1.0 + s_xi * s_xi)); /* E_xy */
-    return cvt_eps_finish(2, out);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(out[0] + out[1]) <= DBL_MAX)) {
+        return CVT_EPS_NOT_FINITE;
+    }
+    return CVT_EPS_OK;
 }
 
 #if CVT_EPS_LANES >= 2

@@ -1,5 +1,5 @@
 /*
- * diff_drive.c: diff_drive, emitted by nhc 0.1.0 (nhc:17bded1301ee420c)
+ * diff_drive.c: diff_drive, emitted by nhc 0.1.0 (nhc:87a2ebd760b79822)
  * A cart with two driven wheels and a caster; three velocity constraints, one of which is holonomic in
  *     disguise.
  * Source: diff_drive.yaml
@@ -49,15 +49,6 @@ const double diff_drive_parameter_defaults[] = {
     0.3,
     0.2
 };
-
-static int diff_drive_finish(int count, const double *values)
-{
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
-    for (int i = 0; i < count; ++i) {
-        sum += values[i];
-    }
-    return fabs(sum) <= DBL_MAX ? DIFF_DRIVE_OK : DIFF_DRIVE_NOT_FINITE;
-}
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
 #ifndef DIFF_DRIVE_LANES
@@ -202,7 +193,7 @@ int diff_drive_rhs(double t, const double *y, const double *p, double *dydt)
     const double k6 = d * k4 + (I + 2.0 * (k2 * (J_w * k2)));
     const double k7 = k2 * (tau_R - tau_L);
     const double k8 = 1.0 / k3;
-    const double k9 = 1.0 / k6;
+    const double k9 = -1.0 / k6;
 
     /* state */
     const double z1 = b * w;
@@ -214,20 +205,24 @@ int diff_drive_rhs(double t, const double *y, const double *p, double *dydt)
     dydt[4] = k1 * (v - z1); /* p_L' */
     /* (I.2.15) 24:4 */
     dydt[5] = (k4 * (w * w) + k5) * k8; /* v' */
-    dydt[6] = -(v * w * k4 - k7) * k9; /* w' */
-    /* the coframe is singular */
-    if (!(fabs(r) > 0.0)) {
-        return DIFF_DRIVE_SINGULAR_1;
+    dydt[6] = (v * w * k4 - k7) * k9; /* w' */
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(dydt[0] + dydt[3] + dydt[4] + dydt[5] + dydt[6]) <= DBL_MAX)) {
+        /* the coframe is singular */
+        if (!(fabs(r) > 0.0)) {
+            return DIFF_DRIVE_SINGULAR_1;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(k3) > 0.0)) {
+            return DIFF_DRIVE_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(k6) > 0.0)) {
+            return DIFF_DRIVE_SINGULAR_2;
+        }
+        return DIFF_DRIVE_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(k3) > 0.0)) {
-        return DIFF_DRIVE_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(k6) > 0.0)) {
-        return DIFF_DRIVE_SINGULAR_2;
-    }
-    return diff_drive_finish(7, dydt);
+    return DIFF_DRIVE_OK;
 }
 
 int diff_drive_velocities(double t, const double *y, const double *p, double *qdot)
@@ -254,11 +249,15 @@ int diff_drive_velocities(double t, const double *y, const double *p, double *qd
     qdot[2] = w; /* theta' */
     qdot[3] = k1 * (v + z1); /* p_R' */
     qdot[4] = k1 * (v - z1); /* p_L' */
-    /* the coframe is singular */
-    if (!(fabs(r) > 0.0)) {
-        return DIFF_DRIVE_SINGULAR_1;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qdot[0] + qdot[3] + qdot[4]) <= DBL_MAX)) {
+        /* the coframe is singular */
+        if (!(fabs(r) > 0.0)) {
+            return DIFF_DRIVE_SINGULAR_1;
+        }
+        return DIFF_DRIVE_NOT_FINITE;
     }
-    return diff_drive_finish(5, qdot);
+    return DIFF_DRIVE_OK;
 }
 
 int diff_drive_accelerations(double t, const double *y, const double *p, double *qddot)
@@ -302,19 +301,23 @@ int diff_drive_accelerations(double t, const double *y, const double *p, double 
     qddot[2] = -z3; /* theta'' */
     qddot[3] = k1 * (z1 - z4); /* p_R'' */
     qddot[4] = k1 * (z1 + z4); /* p_L'' */
-    /* the coframe is singular */
-    if (!(fabs(r) > 0.0)) {
-        return DIFF_DRIVE_SINGULAR_1;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qddot[0] + qddot[1] + qddot[3] + qddot[4]) <= DBL_MAX)) {
+        /* the coframe is singular */
+        if (!(fabs(r) > 0.0)) {
+            return DIFF_DRIVE_SINGULAR_1;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(k3) > 0.0)) {
+            return DIFF_DRIVE_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(k6) > 0.0)) {
+            return DIFF_DRIVE_SINGULAR_2;
+        }
+        return DIFF_DRIVE_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(k3) > 0.0)) {
-        return DIFF_DRIVE_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(k6) > 0.0)) {
-        return DIFF_DRIVE_SINGULAR_2;
-    }
-    return diff_drive_finish(5, qddot);
+    return DIFF_DRIVE_OK;
 }
 
 int diff_drive_state(double t, const double *q, const double *qdot, const double *p, double *y)
@@ -342,7 +345,11 @@ int diff_drive_state(double t, const double *q, const double *qdot, const double
     y[4] = p_L;
     y[5] = x_dot * c_theta + y_dot * s_theta;
     y[6] = theta_dot;
-    return diff_drive_finish(7, y);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(y[0] + y[1] + y[3] + y[4] + y[5] + y[6]) <= DBL_MAX)) {
+        return DIFF_DRIVE_NOT_FINITE;
+    }
+    return DIFF_DRIVE_OK;
 }
 
 int diff_drive_residuals(double t, const double *q, const double *qdot, const double *p, double *r)
@@ -370,7 +377,11 @@ int diff_drive_residuals(double t, const double *q, const double *qdot, const do
     r[1] = v + z1 - p_R_dot * r_2; /* roll_R = 0 */
     /* (I.1.1) 31:5 */
     r[2] = v - z1 - p_L_dot * r_2; /* roll_L = 0 */
-    return diff_drive_finish(3, r);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(r[0] + r[1] + r[2]) <= DBL_MAX)) {
+        return DIFF_DRIVE_NOT_FINITE;
+    }
+    return DIFF_DRIVE_OK;
 }
 
 int diff_drive_reactions(double t, const double *y, const double *p, double *lambda)
@@ -395,33 +406,37 @@ int diff_drive_reactions(double t, const double *y, const double *p, double *lam
     const double k5 = k1 * (tau_R + tau_L);
     const double k6 = d * k4 + (I + 2.0 * (k2 * (J_w * k2)));
     const double k7 = k2 * (tau_R - tau_L);
-    const double k8 = 1.0 / k3;
-    const double k9 = 1.0 / k6;
+    const double k8 = 1.0 / k6;
+    const double k9 = k1 / k3;
 
     /* state */
     const double z1 = v * w;
-    const double z2 = (z1 * k4 - k7) * k9;
-    const double z3 = k1 * ((k4 * (w * w) + k5) * k8);
-    const double z4 = k2 * z2;
+    const double z2 = (z1 * k4 - k7) * k8;
+    const double z3 = k2 * z2;
+    const double z4 = (k4 * (w * w) + k5) * k9;
     /* (I.4.1) 29:5 */
     lambda[0] = m * (z1 - d * z2); /* reaction of slip: Q_i gains lambda_1 a_1i */
     /* (I.4.1) 30:5 */
-    lambda[1] = k1 * (tau_R - J_w * (z3 - z4)); /* reaction of roll_R: Q_i gains lambda_2 a_2i */
+    lambda[1] = k1 * (tau_R + J_w * (z3 - z4)); /* reaction of roll_R: Q_i gains lambda_2 a_2i */
     /* (I.4.1) 31:5 */
     lambda[2] = k1 * (tau_L - J_w * (z3 + z4)); /* reaction of roll_L: Q_i gains lambda_3 a_3i */
-    /* the coframe is singular */
-    if (!(fabs(r) > 0.0)) {
-        return DIFF_DRIVE_SINGULAR_1;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(lambda[0] + lambda[1] + lambda[2]) <= DBL_MAX)) {
+        /* the coframe is singular */
+        if (!(fabs(r) > 0.0)) {
+            return DIFF_DRIVE_SINGULAR_1;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(k3) > 0.0)) {
+            return DIFF_DRIVE_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(k6) > 0.0)) {
+            return DIFF_DRIVE_SINGULAR_2;
+        }
+        return DIFF_DRIVE_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(k3) > 0.0)) {
-        return DIFF_DRIVE_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(k6) > 0.0)) {
-        return DIFF_DRIVE_SINGULAR_2;
-    }
-    return diff_drive_finish(3, lambda);
+    return DIFF_DRIVE_OK;
 }
 
 double diff_drive_energy(double t, const double *y, const double *p)
@@ -473,6 +488,7 @@ int diff_drive_jacobian(double t, const double *y, const double *p, double *J)
     const double k5 = d * k4 + (I + 2.0 * (k2 * (J_w * k2)));
     const double k6 = 1.0 / k3;
     const double k7 = 1.0 / k5;
+    const double k8 = -k4 * k7;
 
     /* state */
     const double z1 = w * k4;
@@ -488,20 +504,24 @@ int diff_drive_jacobian(double t, const double *y, const double *p, double *J)
     J[34] = -k2;
     J[41] = 2.0 * (k6 * z1);
     J[47] = -k7 * z1;
-    J[48] = -v * k4 * k7;
-    /* the coframe is singular */
-    if (!(fabs(r) > 0.0)) {
-        return DIFF_DRIVE_SINGULAR_1;
+    J[48] = v * k8;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(J[2] + J[34] + J[41] + J[47] + J[48]) <= DBL_MAX)) {
+        /* the coframe is singular */
+        if (!(fabs(r) > 0.0)) {
+            return DIFF_DRIVE_SINGULAR_1;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(k3) > 0.0)) {
+            return DIFF_DRIVE_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(k5) > 0.0)) {
+            return DIFF_DRIVE_SINGULAR_2;
+        }
+        return DIFF_DRIVE_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(k3) > 0.0)) {
-        return DIFF_DRIVE_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(k5) > 0.0)) {
-        return DIFF_DRIVE_SINGULAR_2;
-    }
-    return diff_drive_finish(49, J);
+    return DIFF_DRIVE_OK;
 }
 
 int diff_drive_outputs(double t, const double *y, const double *p, double *out)
@@ -562,7 +582,7 @@ static __attribute__((noinline)) void diff_drive_rhs_lanes(const double *fixed, 
     const diff_drive_lanes slope6 = (k4 * (w * w) + k5) * k8;
     sum += slope6;
     diff_drive_put(dydt + 5 * stride, slope6);
-    const diff_drive_lanes slope7 = -(v * w * k4 - k7) * k9;
+    const diff_drive_lanes slope7 = (v * w * k4 - k7) * k9;
     sum += slope7;
     diff_drive_put(dydt + 6 * stride, slope7);
     diff_drive_put(check, diff_drive_mark(far + (sum - sum), bad));
@@ -600,7 +620,7 @@ int diff_drive_rhs_batch(size_t count, const double *t, const double *y, const d
     const double k6 = d * k4 + (I + 2.0 * (k2 * (J_w * k2)));
     const double k7 = k2 * (tau_R - tau_L);
     const double k8 = 1.0 / k3;
-    const double k9 = 1.0 / k6;
+    const double k9 = -1.0 / k6;
     /* the coframe is singular */
     if (!(fabs(r) > 0.0)) {
         return DIFF_DRIVE_SINGULAR_1;

@@ -1,5 +1,5 @@
 /*
- * diff_drive.h: diff_drive, emitted by nhc 0.1.0 (nhc:cbdd4e909c309d1e)
+ * diff_drive.h: diff_drive, emitted by nhc 0.1.0 (nhc:40dced3315553f32)
  * A cart with two driven wheels and a caster; three velocity constraints, one of which is holonomic in
  *     disguise.
  * Source: diff_drive.yaml
@@ -36,7 +36,7 @@
  * accelerations: 11 +-, 24 *, 3 /, 2 calls
  * state: 1 +-, 2 *, 0 /, 2 calls
  * residuals: 6 +-, 7 *, 0 /, 2 calls
- * reactions: 12 +-, 25 *, 3 /, 0 calls
+ * reactions: 12 +-, 24 *, 3 /, 0 calls
  * energy: 4 +-, 13 *, 1 /, 0 calls
  * jacobian: 3 +-, 17 *, 3 /, 2 calls
  * outputs: 0 +-, 0 *, 0 /, 0 calls

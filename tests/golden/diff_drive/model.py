@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""diff_drive, emitted by nhc 0.1.0 (nhc:72e1302567ca84b4).
+"""diff_drive, emitted by nhc 0.1.0 (nhc:d6c9efc97d60fbe7).
 
 A cart with two driven wheels and a caster; three velocity constraints, one of which
     is holonomic in disguise.
@@ -37,7 +37,7 @@ velocities: 2 +-, 5 *, 1 /, 2 calls
 accelerations: 11 +-, 24 *, 3 /, 2 calls
 state: 1 +-, 2 *, 0 /, 2 calls
 residuals: 6 +-, 7 *, 0 /, 2 calls
-reactions: 12 +-, 25 *, 3 /, 0 calls
+reactions: 12 +-, 24 *, 3 /, 0 calls
 energy: 4 +-, 13 *, 1 /, 0 calls
 jacobian: 3 +-, 17 *, 3 /, 2 calls
 outputs: 0 +-, 0 *, 0 /, 0 calls
@@ -105,26 +105,26 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     tau_R = float(p[6])  # torque on the right wheel [N*m]
     tau_L = float(p[7])  # torque on the left wheel [N*m]
     try:
+        # the coframe is singular
+        if not abs(r) > 0.0:
+            raise SingularModelError(1, "rhs")
         # parameters only
         k1 = 1.0 / r
         k2 = b * k1
         k3 = m + 2.0 * (k1 * (J_w * k1))
-        k4 = m * d
-        k5 = k1 * (tau_R + tau_L)
-        k6 = d * k4 + (I + 2.0 * (k2 * (J_w * k2)))
-        k7 = k2 * (tau_R - tau_L)
-        k8 = 1.0 / k3
-        k9 = 1.0 / k6
-        # state
-        # the coframe is singular
-        if not abs(r) > 0.0:
-            raise SingularModelError(1, "rhs")
         # the mass matrix is singular
         if not abs(k3) > 0.0:
             raise SingularModelError(2, "rhs")
+        k4 = m * d
+        k5 = k1 * (tau_R + tau_L)
+        k6 = d * k4 + (I + 2.0 * (k2 * (J_w * k2)))
         # the mass matrix is singular
         if not abs(k6) > 0.0:
             raise SingularModelError(2, "rhs")
+        k7 = k2 * (tau_R - tau_L)
+        k8 = 1.0 / k3
+        k9 = -1.0 / k6
+        # state
         c_theta = math.cos(theta)
         s_theta = math.sin(theta)
         z1 = b * w
@@ -142,7 +142,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
             # v' (I.2.15) 24:4
             (k4 * (w * w) + k5) * k8,
             # w' (I.2.15) 24:4
-            -(v * w * k4 - k7) * k9,
+            (v * w * k4 - k7) * k9,
         ]
         return _finish("rhs", dydt)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -165,12 +165,12 @@ def velocities(
     r = float(p[3])  # radius of the wheels [m]
     b = float(p[4])  # half the track [m]
     try:
-        # parameters only
-        k1 = 1.0 / r
-        # state
         # the coframe is singular
         if not abs(r) > 0.0:
             raise SingularModelError(1, "velocities")
+        # parameters only
+        k1 = 1.0 / r
+        # state
         c_theta = math.cos(theta)
         s_theta = math.sin(theta)
         z1 = b * w
@@ -214,26 +214,26 @@ def accelerations(
     tau_R = float(p[6])  # torque on the right wheel [N*m]
     tau_L = float(p[7])  # torque on the left wheel [N*m]
     try:
+        # the coframe is singular
+        if not abs(r) > 0.0:
+            raise SingularModelError(1, "accelerations")
         # parameters only
         k1 = 1.0 / r
         k2 = b * k1
         k3 = m + 2.0 * (k1 * (J_w * k1))
+        # the mass matrix is singular
+        if not abs(k3) > 0.0:
+            raise SingularModelError(2, "accelerations")
         k4 = m * d
         k5 = k1 * (tau_R + tau_L)
         k6 = d * k4 + (I + 2.0 * (k2 * (J_w * k2)))
+        # the mass matrix is singular
+        if not abs(k6) > 0.0:
+            raise SingularModelError(2, "accelerations")
         k7 = k2 * (tau_R - tau_L)
         k8 = 1.0 / k3
         k9 = 1.0 / k6
         # state
-        # the coframe is singular
-        if not abs(r) > 0.0:
-            raise SingularModelError(1, "accelerations")
-        # the mass matrix is singular
-        if not abs(k3) > 0.0:
-            raise SingularModelError(2, "accelerations")
-        # the mass matrix is singular
-        if not abs(k6) > 0.0:
-            raise SingularModelError(2, "accelerations")
         c_theta = math.cos(theta)
         z1 = (k4 * (w * w) + k5) * k8
         s_theta = math.sin(theta)
@@ -355,35 +355,35 @@ def reactions(
     tau_R = float(p[6])  # torque on the right wheel [N*m]
     tau_L = float(p[7])  # torque on the left wheel [N*m]
     try:
+        # the coframe is singular
+        if not abs(r) > 0.0:
+            raise SingularModelError(1, "reactions")
         # parameters only
         k1 = 1.0 / r
         k2 = b * k1
         k3 = m + 2.0 * (k1 * (J_w * k1))
-        k4 = m * d
-        k5 = k1 * (tau_R + tau_L)
-        k6 = d * k4 + (I + 2.0 * (k2 * (J_w * k2)))
-        k7 = k2 * (tau_R - tau_L)
-        k8 = 1.0 / k3
-        k9 = 1.0 / k6
-        # state
-        # the coframe is singular
-        if not abs(r) > 0.0:
-            raise SingularModelError(1, "reactions")
         # the mass matrix is singular
         if not abs(k3) > 0.0:
             raise SingularModelError(2, "reactions")
+        k4 = m * d
+        k5 = k1 * (tau_R + tau_L)
+        k6 = d * k4 + (I + 2.0 * (k2 * (J_w * k2)))
         # the mass matrix is singular
         if not abs(k6) > 0.0:
             raise SingularModelError(2, "reactions")
+        k7 = k2 * (tau_R - tau_L)
+        k8 = 1.0 / k6
+        k9 = k1 / k3
+        # state
         z1 = v * w
-        z2 = (z1 * k4 - k7) * k9
-        z3 = k1 * ((k4 * (w * w) + k5) * k8)
-        z4 = k2 * z2
+        z2 = (z1 * k4 - k7) * k8
+        z3 = k2 * z2
+        z4 = (k4 * (w * w) + k5) * k9
         lambda_: list[float] = [
             # reaction of slip: Q_i gains lambda_1 a_1i (I.4.1) 29:5
             m * (z1 - d * z2),
             # reaction of roll_R: Q_i gains lambda_2 a_2i (I.4.1) 30:5
-            k1 * (tau_R - J_w * (z3 - z4)),
+            k1 * (tau_R + J_w * (z3 - z4)),
             # reaction of roll_L: Q_i gains lambda_3 a_3i (I.4.1) 31:5
             k1 * (tau_L - J_w * (z3 + z4)),
         ]
@@ -440,24 +440,25 @@ def jacobian(
     b = float(p[4])  # half the track [m]
     d = float(p[5])  # from the axle to the centre of mass [m]
     try:
+        # the coframe is singular
+        if not abs(r) > 0.0:
+            raise SingularModelError(1, "jacobian")
         # parameters only
         k1 = 1.0 / r
         k2 = b * k1
         k3 = m + 2.0 * (k1 * (J_w * k1))
-        k4 = m * d
-        k5 = d * k4 + (I + 2.0 * (k2 * (J_w * k2)))
-        k6 = 1.0 / k3
-        k7 = 1.0 / k5
-        # state
-        # the coframe is singular
-        if not abs(r) > 0.0:
-            raise SingularModelError(1, "jacobian")
         # the mass matrix is singular
         if not abs(k3) > 0.0:
             raise SingularModelError(2, "jacobian")
+        k4 = m * d
+        k5 = d * k4 + (I + 2.0 * (k2 * (J_w * k2)))
         # the mass matrix is singular
         if not abs(k5) > 0.0:
             raise SingularModelError(2, "jacobian")
+        k6 = 1.0 / k3
+        k7 = 1.0 / k5
+        k8 = -k4 * k7
+        # state
         s_theta = math.sin(theta)
         c_theta = math.cos(theta)
         z1 = w * k4
@@ -522,10 +523,10 @@ def jacobian(
             # (I.2.15)
             -k7 * z1,
             # (I.2.15)
-            -v * k4 * k7,
+            v * k8,
         ]
         _finish("jacobian", J)
-        return [J[k8 : k8 + 7] for k8 in range(0, 49, 7)]
+        return [J[k9 : k9 + 7] for k9 in range(0, 49, 7)]
     except (ValueError, ZeroDivisionError, OverflowError) as error:
         raise SingularModelError(NOT_FINITE, "jacobian") from error
 
@@ -538,10 +539,10 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
     """
     r = float(p[3])  # radius of the wheels [m]
     try:
-        # state
         # the coframe is singular
         if not abs(r) > 0.0:
             raise SingularModelError(1, "outputs")
+        # state
         out: list[float] = []
         return _finish("outputs", out)
     except (ValueError, ZeroDivisionError, OverflowError) as error:

@@ -1,5 +1,5 @@
 /*
- * disk_chain2.c: disk_chain2, emitted by nhc 0.1.0 (nhc:1c067db64ebd5b85)
+ * disk_chain2.c: disk_chain2, emitted by nhc 0.1.0 (nhc:48d7e85328940e23)
  * Two upright rolling disks joined by a spring; the first link of a chain that may be made as long as one
  *     likes.
  * Source: disk_chain2.yaml
@@ -68,14 +68,12 @@ const double disk_chain2_parameter_defaults[] = {
     1.0
 };
 
-static int disk_chain2_finish(int count, const double *values)
-{
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
-    for (int i = 0; i < count; ++i) {
-        sum += values[i];
-    }
-    return fabs(sum) <= DBL_MAX ? DISK_CHAIN2_OK : DISK_CHAIN2_NOT_FINITE;
-}
+/* long functions that are called seldom: gcc is to take less time over them (other compilers do so by themselves) */
+#if defined(__GNUC__) && !defined(__clang__) && defined(__OPTIMIZE__)
+#define DISK_CHAIN2_SLOW __attribute__((cold, optimize("O1")))
+#else
+#define DISK_CHAIN2_SLOW
+#endif
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
 #ifndef DISK_CHAIN2_LANES
@@ -240,23 +238,29 @@ int disk_chain2_rhs(double t, const double *y, const double *p, double *dydt)
     dydt[9] = -(z1 * c_phi1 + z2 * s_phi1) * k2; /* theta1'' */
     dydt[10] = 0.0; /* phi2'' */
     dydt[11] = (z1 * c_phi2 + z2 * s_phi2) * k2; /* theta2'' */
-    /* the mass matrix is singular */
-    if (!(fabs(J) > 0.0)) {
-        return DISK_CHAIN2_SINGULAR_2;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(dydt[0] + dydt[2] + dydt[4] + dydt[6] + dydt[9] + dydt[11]) <= DBL_MAX
+        && fabs(J) > 0.0
+        && fabs(J) > 0.0)) {
+        /* the mass matrix is singular */
+        if (!(fabs(J) > 0.0)) {
+            return DISK_CHAIN2_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(k1) > 0.0)) {
+            return DISK_CHAIN2_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(J) > 0.0)) {
+            return DISK_CHAIN2_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(k1) > 0.0)) {
+            return DISK_CHAIN2_SINGULAR_2;
+        }
+        return DISK_CHAIN2_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(k1) > 0.0)) {
-        return DISK_CHAIN2_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(J) > 0.0)) {
-        return DISK_CHAIN2_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(k1) > 0.0)) {
-        return DISK_CHAIN2_SINGULAR_2;
-    }
-    return disk_chain2_finish(12, dydt);
+    return DISK_CHAIN2_OK;
 }
 
 int disk_chain2_velocities(double t, const double *y, const double *p, double *qdot)
@@ -288,7 +292,11 @@ int disk_chain2_velocities(double t, const double *y, const double *p, double *q
     qdot[5] = s_phi2 * v1_x2; /* y2' */
     qdot[6] = phi2_dot; /* phi2' */
     qdot[7] = theta2_dot; /* theta2' */
-    return disk_chain2_finish(8, qdot);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qdot[0] + qdot[2] + qdot[4] + qdot[6]) <= DBL_MAX)) {
+        return DISK_CHAIN2_NOT_FINITE;
+    }
+    return DISK_CHAIN2_OK;
 }
 
 int disk_chain2_accelerations(double t, const double *y, const double *p, double *qddot)
@@ -338,23 +346,29 @@ int disk_chain2_accelerations(double t, const double *y, const double *p, double
     qddot[5] = c_phi2 * z6 + s_phi2 * z8; /* y2'' */
     qddot[6] = 0.0; /* phi2'' */
     qddot[7] = z7; /* theta2'' */
-    /* the mass matrix is singular */
-    if (!(fabs(J) > 0.0)) {
-        return DISK_CHAIN2_SINGULAR_2;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qddot[0] + qddot[1] + qddot[3] + qddot[4] + qddot[5]) <= DBL_MAX
+        && fabs(J) > 0.0
+        && fabs(J) > 0.0)) {
+        /* the mass matrix is singular */
+        if (!(fabs(J) > 0.0)) {
+            return DISK_CHAIN2_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(k1) > 0.0)) {
+            return DISK_CHAIN2_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(J) > 0.0)) {
+            return DISK_CHAIN2_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(k1) > 0.0)) {
+            return DISK_CHAIN2_SINGULAR_2;
+        }
+        return DISK_CHAIN2_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(k1) > 0.0)) {
-        return DISK_CHAIN2_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(J) > 0.0)) {
-        return DISK_CHAIN2_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(k1) > 0.0)) {
-        return DISK_CHAIN2_SINGULAR_2;
-    }
-    return disk_chain2_finish(8, qddot);
+    return DISK_CHAIN2_OK;
 }
 
 int disk_chain2_state(double t, const double *q, const double *qdot, const double *p, double *y)
@@ -387,7 +401,11 @@ int disk_chain2_state(double t, const double *q, const double *qdot, const doubl
     y[9] = theta1_dot;
     y[10] = phi2_dot;
     y[11] = theta2_dot;
-    return disk_chain2_finish(12, y);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(y[0] + y[1] + y[2] + y[3] + y[4] + y[5] + y[6] + y[7] + y[8] + y[9] + y[10] + y[11]) <= DBL_MAX)) {
+        return DISK_CHAIN2_NOT_FINITE;
+    }
+    return DISK_CHAIN2_OK;
 }
 
 int disk_chain2_residuals(double t, const double *q, const double *qdot, const double *p, double *r)
@@ -420,7 +438,11 @@ int disk_chain2_residuals(double t, const double *q, const double *qdot, const d
     r[2] = x2_dot - c_phi2 * v1_x2; /* roll_x2 = 0 */
     /* (I.1.1) 30:5 */
     r[3] = y2_dot - s_phi2 * v1_x2; /* roll_y2 = 0 */
-    return disk_chain2_finish(4, r);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(r[0] + r[1] + r[2] + r[3]) <= DBL_MAX)) {
+        return DISK_CHAIN2_NOT_FINITE;
+    }
+    return DISK_CHAIN2_OK;
 }
 
 int disk_chain2_reactions(double t, const double *y, const double *p, double *lambda)
@@ -470,23 +492,27 @@ int disk_chain2_reactions(double t, const double *y, const double *p, double *la
     lambda[2] = c_phi2 * z8 - (z2 + s_phi2 * z7); /* reaction of roll_x2: Q_i gains lambda_3 a_3i */
     /* (I.4.1) 30:5 */
     lambda[3] = s_phi2 * z8 - (z6 - c_phi2 * z7); /* reaction of roll_y2: Q_i gains lambda_4 a_4i */
-    /* the mass matrix is singular */
-    if (!(fabs(J) > 0.0)) {
-        return DISK_CHAIN2_SINGULAR_2;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(lambda[0] + lambda[1] + lambda[2] + lambda[3]) <= DBL_MAX && fabs(J) > 0.0 && fabs(J) > 0.0)) {
+        /* the mass matrix is singular */
+        if (!(fabs(J) > 0.0)) {
+            return DISK_CHAIN2_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(k2) > 0.0)) {
+            return DISK_CHAIN2_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(J) > 0.0)) {
+            return DISK_CHAIN2_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(k2) > 0.0)) {
+            return DISK_CHAIN2_SINGULAR_2;
+        }
+        return DISK_CHAIN2_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(k2) > 0.0)) {
-        return DISK_CHAIN2_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(J) > 0.0)) {
-        return DISK_CHAIN2_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(k2) > 0.0)) {
-        return DISK_CHAIN2_SINGULAR_2;
-    }
-    return disk_chain2_finish(4, lambda);
+    return DISK_CHAIN2_OK;
 }
 
 double disk_chain2_energy(double t, const double *y, const double *p)
@@ -516,6 +542,7 @@ double disk_chain2_energy(double t, const double *y, const double *p)
     return k * z1 + z2;
 }
 
+DISK_CHAIN2_SLOW
 int disk_chain2_jacobian(double t, const double *y, const double *p, double *J)
 {
     for (int entry = 0; entry < 144; ++entry) {
@@ -580,23 +607,29 @@ int disk_chain2_jacobian(double t, const double *y, const double *p, double *J)
     J[136] = -z9;
     J[137] = -z10;
     J[138] = k2 * (z7 * c_phi2 - z8 * s_phi2);
-    /* the mass matrix is singular */
-    if (!(fabs(J_2) > 0.0)) {
-        return DISK_CHAIN2_SINGULAR_2;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(J[2] + J[14] + J[54] + J[66] + J[110] + J[138]) <= DBL_MAX
+        && fabs(J_2) > 0.0
+        && fabs(J_2) > 0.0)) {
+        /* the mass matrix is singular */
+        if (!(fabs(J_2) > 0.0)) {
+            return DISK_CHAIN2_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(k1) > 0.0)) {
+            return DISK_CHAIN2_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(J_2) > 0.0)) {
+            return DISK_CHAIN2_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(k1) > 0.0)) {
+            return DISK_CHAIN2_SINGULAR_2;
+        }
+        return DISK_CHAIN2_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(k1) > 0.0)) {
-        return DISK_CHAIN2_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(J_2) > 0.0)) {
-        return DISK_CHAIN2_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(k1) > 0.0)) {
-        return DISK_CHAIN2_SINGULAR_2;
-    }
-    return disk_chain2_finish(144, J);
+    return DISK_CHAIN2_OK;
 }
 
 int disk_chain2_outputs(double t, const double *y, const double *p, double *out)

@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""disk_chain2, emitted by nhc 0.1.0 (nhc:c3ff9c2270e5d339).
+"""disk_chain2, emitted by nhc 0.1.0 (nhc:b797121534bb6577).
 
 Two upright rolling disks joined by a spring; the first link of a chain that may be
     made as long as one likes.
@@ -149,22 +149,16 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     J = float(p[3])  # about the vertical [kg*m^2]
     k = float(p[4])  # stiffness of the spring [N/m]
     try:
+        # the mass matrix is singular
+        if not abs(J) > 0.0:
+            raise SingularModelError(2, "rhs")
         # parameters only
         k1 = I + m * (R * R)
+        # the mass matrix is singular
+        if not abs(k1) > 0.0:
+            raise SingularModelError(2, "rhs")
         k2 = R * k / k1
         # state
-        # the mass matrix is singular
-        if not abs(J) > 0.0:
-            raise SingularModelError(2, "rhs")
-        # the mass matrix is singular
-        if not abs(k1) > 0.0:
-            raise SingularModelError(2, "rhs")
-        # the mass matrix is singular
-        if not abs(J) > 0.0:
-            raise SingularModelError(2, "rhs")
-        # the mass matrix is singular
-        if not abs(k1) > 0.0:
-            raise SingularModelError(2, "rhs")
         c_phi1 = math.cos(phi1)
         v1_x1 = theta1_dot * R
         s_phi1 = math.sin(phi1)
@@ -278,22 +272,16 @@ def accelerations(
     J = float(p[3])  # about the vertical [kg*m^2]
     k = float(p[4])  # stiffness of the spring [N/m]
     try:
+        # the mass matrix is singular
+        if not abs(J) > 0.0:
+            raise SingularModelError(2, "accelerations")
         # parameters only
         k1 = I + m * (R * R)
+        # the mass matrix is singular
+        if not abs(k1) > 0.0:
+            raise SingularModelError(2, "accelerations")
         k2 = R * k / k1
         # state
-        # the mass matrix is singular
-        if not abs(J) > 0.0:
-            raise SingularModelError(2, "accelerations")
-        # the mass matrix is singular
-        if not abs(k1) > 0.0:
-            raise SingularModelError(2, "accelerations")
-        # the mass matrix is singular
-        if not abs(J) > 0.0:
-            raise SingularModelError(2, "accelerations")
-        # the mass matrix is singular
-        if not abs(k1) > 0.0:
-            raise SingularModelError(2, "accelerations")
         s_phi1 = math.sin(phi1)
         z1 = R * (phi1_dot * theta1_dot)
         c_phi1 = math.cos(phi1)
@@ -443,23 +431,17 @@ def reactions(
     J = float(p[3])  # about the vertical [kg*m^2]
     k = float(p[4])  # stiffness of the spring [N/m]
     try:
+        # the mass matrix is singular
+        if not abs(J) > 0.0:
+            raise SingularModelError(2, "reactions")
         # parameters only
         k1 = m * R
         k2 = I + m * (R * R)
+        # the mass matrix is singular
+        if not abs(k2) > 0.0:
+            raise SingularModelError(2, "reactions")
         k3 = R * k / k2
         # state
-        # the mass matrix is singular
-        if not abs(J) > 0.0:
-            raise SingularModelError(2, "reactions")
-        # the mass matrix is singular
-        if not abs(k2) > 0.0:
-            raise SingularModelError(2, "reactions")
-        # the mass matrix is singular
-        if not abs(J) > 0.0:
-            raise SingularModelError(2, "reactions")
-        # the mass matrix is singular
-        if not abs(k2) > 0.0:
-            raise SingularModelError(2, "reactions")
         z1 = x1 - x2
         z2 = k * z1
         s_phi1 = math.sin(phi1)
@@ -545,22 +527,16 @@ def jacobian(
     J_2 = float(p[3])  # about the vertical [kg*m^2]
     k = float(p[4])  # stiffness of the spring [N/m]
     try:
+        # the mass matrix is singular
+        if not abs(J_2) > 0.0:
+            raise SingularModelError(2, "jacobian")
         # parameters only
         k1 = I + m * (R * R)
+        # the mass matrix is singular
+        if not abs(k1) > 0.0:
+            raise SingularModelError(2, "jacobian")
         k2 = R * k / k1
         # state
-        # the mass matrix is singular
-        if not abs(J_2) > 0.0:
-            raise SingularModelError(2, "jacobian")
-        # the mass matrix is singular
-        if not abs(k1) > 0.0:
-            raise SingularModelError(2, "jacobian")
-        # the mass matrix is singular
-        if not abs(J_2) > 0.0:
-            raise SingularModelError(2, "jacobian")
-        # the mass matrix is singular
-        if not abs(k1) > 0.0:
-            raise SingularModelError(2, "jacobian")
         s_phi1 = math.sin(phi1)
         z1 = R * s_phi1
         c_phi1 = math.cos(phi1)

@@ -1,5 +1,5 @@
 /*
- * double_pendulum.c: double_pendulum, emitted by nhc 0.1.0 (nhc:fa947a4b1e1bbbbe)
+ * double_pendulum.c: double_pendulum, emitted by nhc 0.1.0 (nhc:194e18548f4daba6)
  * Two pendulums in a row, absolute angles; the model gives positions and nhc differentiates them.
  * Source: double_pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -37,14 +37,12 @@ const double double_pendulum_parameter_defaults[] = {
     9.81
 };
 
-static int double_pendulum_finish(int count, const double *values)
-{
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
-    for (int i = 0; i < count; ++i) {
-        sum += values[i];
-    }
-    return fabs(sum) <= DBL_MAX ? DOUBLE_PENDULUM_OK : DOUBLE_PENDULUM_NOT_FINITE;
-}
+/* long functions that are called seldom: gcc is to take less time over them (other compilers do so by themselves) */
+#if defined(__GNUC__) && !defined(__clang__) && defined(__OPTIMIZE__)
+#define DOUBLE_PENDULUM_SLOW __attribute__((cold, optimize("O1")))
+#else
+#define DOUBLE_PENDULUM_SLOW
+#endif
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
 #ifndef DOUBLE_PENDULUM_LANES
@@ -193,7 +191,7 @@ int double_pendulum_rhs(double t, const double *y, const double *p, double *dydt
     const double g = p[4]; /* acceleration of gravity [m/s^2] */
 
     /* parameters only */
-    const double k1 = 1.0 / l1;
+    const double k1 = -1.0 / l1;
     const double k2 = 1.0 / l2;
 
     /* state */
@@ -205,17 +203,21 @@ int double_pendulum_rhs(double t, const double *y, const double *p, double *dydt
     dydt[0] = theta1_dot; /* theta1' */
     dydt[1] = theta2_dot; /* theta2' */
     /* (II.3) 20:4 */
-    dydt[2] = -k1 * (g * s_theta1 + z5); /* theta1'' */
+    dydt[2] = k1 * (g * s_theta1 + z5); /* theta1'' */
     dydt[3] = k2 * (s1 * z4 + c1 * z5); /* theta2'' */
-    /* the mass matrix is singular */
-    if (!(fabs(z3) > 1e-14 * m1)) {
-        return DOUBLE_PENDULUM_SINGULAR_2;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(dydt[2] + dydt[3]) <= DBL_MAX && fabs(z3) > 1e-14 * m1 && fabs(m2) > 0.0)) {
+        /* the mass matrix is singular */
+        if (!(fabs(z3) > 1e-14 * m1)) {
+            return DOUBLE_PENDULUM_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(m2) > 0.0)) {
+            return DOUBLE_PENDULUM_SINGULAR_2;
+        }
+        return DOUBLE_PENDULUM_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(m2) > 0.0)) {
-        return DOUBLE_PENDULUM_SINGULAR_2;
-    }
-    return double_pendulum_finish(4, dydt);
+    return DOUBLE_PENDULUM_OK;
 }
 
 int double_pendulum_velocities(double t, const double *y, const double *p, double *qdot)
@@ -229,7 +231,11 @@ int double_pendulum_velocities(double t, const double *y, const double *p, doubl
     /* (I.2.4) */
     qdot[0] = theta1_dot; /* theta1' */
     qdot[1] = theta2_dot; /* theta2' */
-    return double_pendulum_finish(2, qdot);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qdot[0] + qdot[1]) <= DBL_MAX)) {
+        return DOUBLE_PENDULUM_NOT_FINITE;
+    }
+    return DOUBLE_PENDULUM_OK;
 }
 
 int double_pendulum_accelerations(double t, const double *y, const double *p, double *qddot)
@@ -253,7 +259,7 @@ int double_pendulum_accelerations(double t, const double *y, const double *p, do
     const double g = p[4]; /* acceleration of gravity [m/s^2] */
 
     /* parameters only */
-    const double k1 = 1.0 / l1;
+    const double k1 = -1.0 / l1;
     const double k2 = 1.0 / l2;
 
     /* state */
@@ -262,17 +268,21 @@ int double_pendulum_accelerations(double t, const double *y, const double *p, do
     const double z4 = l1 * (theta1_dot * theta1_dot) + g * c_theta1;
     const double z5 = (l2 * (theta2_dot * theta2_dot) + c1 * z4) * (z2 / z3);
     /* (II.3) */
-    qddot[0] = -k1 * (g * s_theta1 + z5); /* theta1'' */
+    qddot[0] = k1 * (g * s_theta1 + z5); /* theta1'' */
     qddot[1] = k2 * (s1 * z4 + c1 * z5); /* theta2'' */
-    /* the mass matrix is singular */
-    if (!(fabs(z3) > 1e-14 * m1)) {
-        return DOUBLE_PENDULUM_SINGULAR_2;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qddot[0] + qddot[1]) <= DBL_MAX && fabs(z3) > 1e-14 * m1 && fabs(m2) > 0.0)) {
+        /* the mass matrix is singular */
+        if (!(fabs(z3) > 1e-14 * m1)) {
+            return DOUBLE_PENDULUM_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(m2) > 0.0)) {
+            return DOUBLE_PENDULUM_SINGULAR_2;
+        }
+        return DOUBLE_PENDULUM_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(m2) > 0.0)) {
-        return DOUBLE_PENDULUM_SINGULAR_2;
-    }
-    return double_pendulum_finish(2, qddot);
+    return DOUBLE_PENDULUM_OK;
 }
 
 int double_pendulum_state(double t, const double *q, const double *qdot, const double *p, double *y)
@@ -289,7 +299,11 @@ int double_pendulum_state(double t, const double *q, const double *qdot, const d
     y[1] = theta2;
     y[2] = theta1_dot;
     y[3] = theta2_dot;
-    return double_pendulum_finish(4, y);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(y[0] + y[1] + y[2] + y[3]) <= DBL_MAX)) {
+        return DOUBLE_PENDULUM_NOT_FINITE;
+    }
+    return DOUBLE_PENDULUM_OK;
 }
 
 int double_pendulum_residuals(double t, const double *q, const double *qdot, const double *p, double *r)
@@ -355,6 +369,7 @@ double double_pendulum_energy(double t, const double *y, const double *p)
     return z3;
 }
 
+DOUBLE_PENDULUM_SLOW
 int double_pendulum_jacobian(double t, const double *y, const double *p, double *J)
 {
     J[0] = 0.0;
@@ -416,15 +431,21 @@ int double_pendulum_jacobian(double t, const double *y, const double *p, double 
     J[13] = -k2 * (z7 - (z20 + c1 * z16));
     J[14] = 2.0 * (k2 * (z17 * s1 + c1 * z18));
     J[15] = 2.0 * (k2 * (c1 * z19));
-    /* the mass matrix is singular */
-    if (!(fabs(z3) > 1e-14 * m1)) {
-        return DOUBLE_PENDULUM_SINGULAR_2;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(J[8] + J[9] + J[10] + J[11] + J[12] + J[13] + J[14] + J[15]) <= DBL_MAX
+        && fabs(z3) > 1e-14 * m1
+        && fabs(m2) > 0.0)) {
+        /* the mass matrix is singular */
+        if (!(fabs(z3) > 1e-14 * m1)) {
+            return DOUBLE_PENDULUM_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(m2) > 0.0)) {
+            return DOUBLE_PENDULUM_SINGULAR_2;
+        }
+        return DOUBLE_PENDULUM_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(m2) > 0.0)) {
-        return DOUBLE_PENDULUM_SINGULAR_2;
-    }
-    return double_pendulum_finish(16, J);
+    return DOUBLE_PENDULUM_OK;
 }
 
 int double_pendulum_outputs(double t, const double *y, const double *p, double *out)
@@ -446,7 +467,11 @@ int double_pendulum_outputs(double t, const double *y, const double *p, double *
     out[0] = l1 * s_theta1 + l2 * s_theta2; /* tip_x */
     /* 24:10 */
     out[1] = -(l1 * c_theta1 + l2 * c_theta2); /* tip_y */
-    return double_pendulum_finish(2, out);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(out[0] + out[1]) <= DBL_MAX)) {
+        return DOUBLE_PENDULUM_NOT_FINITE;
+    }
+    return DOUBLE_PENDULUM_OK;
 }
 
 #if DOUBLE_PENDULUM_LANES >= 2
@@ -492,7 +517,7 @@ static __attribute__((noinline)) void double_pendulum_rhs_lanes(const double *fi
     sum += slope2;
     double_pendulum_put(dydt + 1 * stride, slope2);
     /* (II.3) 20:4 */
-    const double_pendulum_lanes slope3 = -k1 * (g * s_theta1 + z5);
+    const double_pendulum_lanes slope3 = k1 * (g * s_theta1 + z5);
     sum += slope3;
     double_pendulum_put(dydt + 2 * stride, slope3);
     const double_pendulum_lanes slope4 = k2 * (s1 * z4 + c1 * z5);
@@ -522,7 +547,7 @@ int double_pendulum_rhs_batch(size_t count, const double *t, const double *y, co
     const double l1 = p[2]; /* [m] */
     const double l2 = p[3]; /* [m] */
     const double g = p[4]; /* acceleration of gravity [m/s^2] */
-    const double k1 = 1.0 / l1;
+    const double k1 = -1.0 / l1;
     const double k2 = 1.0 / l2;
     /* the mass matrix is singular */
     if (!(fabs(m2) > 0.0)) {

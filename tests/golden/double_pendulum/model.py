@@ -1,4 +1,4 @@
-"""double_pendulum, emitted by nhc 0.1.0 (nhc:3f396a08dffe0da8).
+"""double_pendulum, emitted by nhc 0.1.0 (nhc:4700978d808b4008).
 
 Two pendulums in a row, absolute angles; the model gives positions and nhc
     differentiates them.
@@ -94,8 +94,11 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     l2 = float(p[3])  # [m]
     g = float(p[4])  # acceleration of gravity [m/s^2]
     try:
+        # the mass matrix is singular
+        if not abs(m2) > 0.0:
+            raise SingularModelError(2, "rhs")
         # parameters only
-        k1 = 1.0 / l1
+        k1 = -1.0 / l1
         k2 = 1.0 / l2
         # state
         z1 = theta1 - theta2
@@ -104,9 +107,6 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z3 = m1 + s1 * z2
         # the mass matrix is singular
         if not abs(z3) > 1e-14 * m1:
-            raise SingularModelError(2, "rhs")
-        # the mass matrix is singular
-        if not abs(m2) > 0.0:
             raise SingularModelError(2, "rhs")
         s_theta1 = math.sin(theta1)
         c1 = math.cos(z1)
@@ -119,7 +119,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
             # theta2' (II.3)
             theta2_dot,
             # theta1'' (II.3) 20:4
-            -k1 * (g * s_theta1 + z5),
+            k1 * (g * s_theta1 + z5),
             # theta2'' (II.3) 20:4
             k2 * (s1 * z4 + c1 * z5),
         ]
@@ -173,8 +173,11 @@ def accelerations(
     l2 = float(p[3])  # [m]
     g = float(p[4])  # acceleration of gravity [m/s^2]
     try:
+        # the mass matrix is singular
+        if not abs(m2) > 0.0:
+            raise SingularModelError(2, "accelerations")
         # parameters only
-        k1 = 1.0 / l1
+        k1 = -1.0 / l1
         k2 = 1.0 / l2
         # state
         z1 = theta1 - theta2
@@ -184,9 +187,6 @@ def accelerations(
         # the mass matrix is singular
         if not abs(z3) > 1e-14 * m1:
             raise SingularModelError(2, "accelerations")
-        # the mass matrix is singular
-        if not abs(m2) > 0.0:
-            raise SingularModelError(2, "accelerations")
         s_theta1 = math.sin(theta1)
         c1 = math.cos(z1)
         c_theta1 = math.cos(theta1)
@@ -194,7 +194,7 @@ def accelerations(
         z5 = (l2 * (theta2_dot * theta2_dot) + c1 * z4) * (z2 / z3)
         qddot: list[float] = [
             # theta1'' (II.3)
-            -k1 * (g * s_theta1 + z5),
+            k1 * (g * s_theta1 + z5),
             # theta2'' (II.3)
             k2 * (s1 * z4 + c1 * z5),
         ]
@@ -260,14 +260,14 @@ def reactions(
     m1 = float(p[0])  # [kg]
     m2 = float(p[1])  # [kg]
     try:
+        # the mass matrix is singular
+        if not abs(m2) > 0.0:
+            raise SingularModelError(2, "reactions")
         # state
         s1 = math.sin(theta1 - theta2)
         s2 = m1 + s1 * (m2 * s1)
         # the mass matrix is singular
         if not abs(s2) > 1e-14 * m1:
-            raise SingularModelError(2, "reactions")
-        # the mass matrix is singular
-        if not abs(m2) > 0.0:
             raise SingularModelError(2, "reactions")
         lambda_: list[float] = []
         return _finish("reactions", lambda_)
@@ -330,6 +330,9 @@ def jacobian(
     l2 = float(p[3])  # [m]
     g = float(p[4])  # acceleration of gravity [m/s^2]
     try:
+        # the mass matrix is singular
+        if not abs(m2) > 0.0:
+            raise SingularModelError(2, "jacobian")
         # parameters only
         k1 = 1.0 / l1
         k2 = 1.0 / l2
@@ -340,9 +343,6 @@ def jacobian(
         z3 = m1 + s1 * z2
         # the mass matrix is singular
         if not abs(z3) > 1e-14 * m1:
-            raise SingularModelError(2, "jacobian")
-        # the mass matrix is singular
-        if not abs(m2) > 0.0:
             raise SingularModelError(2, "jacobian")
         c_theta1 = math.cos(theta1)
         z4 = g * c_theta1

@@ -1,5 +1,5 @@
 /*
- * free_rigid_body.c: free_rigid_body, emitted by nhc 0.1.0 (nhc:1a6df419c4bc3f16)
+ * free_rigid_body.c: free_rigid_body, emitted by nhc 0.1.0 (nhc:42f0daf268f52b01)
  * A free rigid body; the components of its angular velocity on body axes are the quasi-velocities.
  * Source: free_rigid_body.yaml
  * Equations of motion: euler-lagrange (I.2.14)
@@ -36,14 +36,12 @@ const double free_rigid_body_parameter_defaults[] = {
     3.0
 };
 
-static int free_rigid_body_finish(int count, const double *values)
-{
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
-    for (int i = 0; i < count; ++i) {
-        sum += values[i];
-    }
-    return fabs(sum) <= DBL_MAX ? FREE_RIGID_BODY_OK : FREE_RIGID_BODY_NOT_FINITE;
-}
+/* long functions that are called seldom: gcc is to take less time over them (other compilers do so by themselves) */
+#if defined(__GNUC__) && !defined(__clang__) && defined(__OPTIMIZE__)
+#define FREE_RIGID_BODY_SLOW __attribute__((cold, optimize("O1")))
+#else
+#define FREE_RIGID_BODY_SLOW
+#endif
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
 #ifndef FREE_RIGID_BODY_LANES
@@ -190,12 +188,9 @@ int free_rigid_body_rhs(double t, const double *y, const double *p, double *dydt
     const double I3 = p[2]; /* [kg*m^2] */
 
     /* parameters only */
-    const double k1 = I2 - I3;
-    const double k2 = I1 - I3;
-    const double k3 = I1 - I2;
-    const double k4 = 1.0 / I1;
-    const double k5 = 1.0 / I2;
-    const double k6 = 1.0 / I3;
+    const double k1 = (I2 - I3) / I1;
+    const double k2 = -(I1 - I3) / I2;
+    const double k3 = (I1 - I2) / I3;
 
     /* state */
     const double z1 = 1.0 / s_theta;
@@ -205,26 +200,30 @@ int free_rigid_body_rhs(double t, const double *y, const double *p, double *dydt
     dydt[1] = z1 * (w1 * (s_theta * c_psi) - w2 * (s_theta * s_psi)); /* theta' */
     dydt[2] = w3 - c_theta * z2; /* psi' */
     /* (I.2.14) 18:4 */
-    dydt[3] = w2 * w3 * k1 * k4; /* w1' */
-    dydt[4] = -w1 * w3 * k2 * k5; /* w2' */
-    dydt[5] = w1 * w2 * k3 * k6; /* w3' */
-    /* the coframe is singular */
-    if (!(fabs(s_theta) > 1e-12 * 4.0)) {
-        return FREE_RIGID_BODY_SINGULAR_1;
+    dydt[3] = w2 * w3 * k1; /* w1' */
+    dydt[4] = w1 * w3 * k2; /* w2' */
+    dydt[5] = w1 * w2 * k3; /* w3' */
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(dydt[1] + dydt[2] + dydt[3] + dydt[4] + dydt[5]) <= DBL_MAX && fabs(s_theta) > 1e-12 * 4.0)) {
+        /* the coframe is singular */
+        if (!(fabs(s_theta) > 1e-12 * 4.0)) {
+            return FREE_RIGID_BODY_SINGULAR_1;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(I1) > 0.0)) {
+            return FREE_RIGID_BODY_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(I2) > 0.0)) {
+            return FREE_RIGID_BODY_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(I3) > 0.0)) {
+            return FREE_RIGID_BODY_SINGULAR_2;
+        }
+        return FREE_RIGID_BODY_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(I1) > 0.0)) {
-        return FREE_RIGID_BODY_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(I2) > 0.0)) {
-        return FREE_RIGID_BODY_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(I3) > 0.0)) {
-        return FREE_RIGID_BODY_SINGULAR_2;
-    }
-    return free_rigid_body_finish(6, dydt);
+    return FREE_RIGID_BODY_OK;
 }
 
 int free_rigid_body_velocities(double t, const double *y, const double *p, double *qdot)
@@ -250,11 +249,15 @@ int free_rigid_body_velocities(double t, const double *y, const double *p, doubl
     qdot[0] = z2; /* phi' */
     qdot[1] = z1 * (w1 * (s_theta * c_psi) - w2 * (s_theta * s_psi)); /* theta' */
     qdot[2] = w3 - c_theta * z2; /* psi' */
-    /* the coframe is singular */
-    if (!(fabs(s_theta) > 1e-12 * 4.0)) {
-        return FREE_RIGID_BODY_SINGULAR_1;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qdot[1] + qdot[2]) <= DBL_MAX && fabs(s_theta) > 1e-12 * 4.0)) {
+        /* the coframe is singular */
+        if (!(fabs(s_theta) > 1e-12 * 4.0)) {
+            return FREE_RIGID_BODY_SINGULAR_1;
+        }
+        return FREE_RIGID_BODY_NOT_FINITE;
     }
-    return free_rigid_body_finish(3, qdot);
+    return FREE_RIGID_BODY_OK;
 }
 
 int free_rigid_body_accelerations(double t, const double *y, const double *p, double *qddot)
@@ -276,51 +279,52 @@ int free_rigid_body_accelerations(double t, const double *y, const double *p, do
     const double I3 = p[2]; /* [kg*m^2] */
 
     /* parameters only */
-    const double k1 = I2 - I3;
-    const double k2 = I1 - I3;
-    const double k3 = I1 - I2;
-    const double k4 = 1.0 / I1;
-    const double k5 = 1.0 / I2;
-    const double k6 = 1.0 / I3;
+    const double k1 = (I2 - I3) / I1;
+    const double k2 = (I1 - I3) / I2;
+    const double k3 = (I1 - I2) / I3;
 
     /* state */
     const double z1 = c_psi * w2 + s_psi * w1;
-    const double z2 = 1.0 / s_theta;
-    const double z3 = s_theta * c_psi;
-    const double z4 = s_theta * s_psi;
-    const double z5 = w1 * z3 - w2 * z4;
-    const double z6 = c_theta * (z2 * z5);
+    const double z2 = s_theta * c_psi;
+    const double z3 = s_theta * s_psi;
+    const double z4 = w1 * z2 - w2 * z3;
+    const double z5 = 1.0 / s_theta;
+    const double z6 = z4 * (c_theta * z5);
     const double z7 = z6 / (s_theta * s_theta);
-    const double z8 = z1 * z2;
+    const double z8 = z1 * z5;
     const double z9 = w3 - c_theta * z8;
     const double z10 = s_psi * z9;
-    const double z11 = w1 * w3 * k2 * k5;
+    const double z11 = w1 * w3 * k2;
     const double z12 = c_psi * z9;
-    const double z13 = w2 * w3 * k1 * k4;
-    const double z14 = z1 * z7 + z2 * (w2 * z10 + c_psi * z11 - (w1 * z12 + s_psi * z13));
-    const double z15 = w1 * (c_psi * z6 - s_theta * z10) + z3 * z13 - (w2 * (s_psi * z6 + s_theta * z12) - z4
+    const double z13 = w2 * w3 * k1;
+    const double z14 = z1 * z7 + z5 * (w2 * z10 + c_psi * z11 - (w1 * z12 + s_psi * z13));
+    const double z15 = w1 * (s_theta * z10 - c_psi * z6) - z2 * z13 + (w2 * (s_theta * z12 + s_psi * z6) - z3
         * z11);
     /* (I.2.14) */
     qddot[0] = -z14; /* phi'' */
-    qddot[1] = z2 * z15 - z5 * z7; /* theta'' */
-    qddot[2] = w1 * w2 * k3 * k6 + (z8 * z5 + c_theta * z14); /* psi'' */
-    /* the coframe is singular */
-    if (!(fabs(s_theta) > 1e-12 * 4.0)) {
-        return FREE_RIGID_BODY_SINGULAR_1;
+    qddot[1] = -(z4 * z7 + z5 * z15); /* theta'' */
+    qddot[2] = w1 * w2 * k3 + (z8 * z4 + c_theta * z14); /* psi'' */
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qddot[1] + qddot[2]) <= DBL_MAX && fabs(s_theta) > 1e-12 * 4.0)) {
+        /* the coframe is singular */
+        if (!(fabs(s_theta) > 1e-12 * 4.0)) {
+            return FREE_RIGID_BODY_SINGULAR_1;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(I1) > 0.0)) {
+            return FREE_RIGID_BODY_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(I2) > 0.0)) {
+            return FREE_RIGID_BODY_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(I3) > 0.0)) {
+            return FREE_RIGID_BODY_SINGULAR_2;
+        }
+        return FREE_RIGID_BODY_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(I1) > 0.0)) {
-        return FREE_RIGID_BODY_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(I2) > 0.0)) {
-        return FREE_RIGID_BODY_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(I3) > 0.0)) {
-        return FREE_RIGID_BODY_SINGULAR_2;
-    }
-    return free_rigid_body_finish(3, qddot);
+    return FREE_RIGID_BODY_OK;
 }
 
 int free_rigid_body_state(double t, const double *q, const double *qdot, const double *p, double *y)
@@ -348,7 +352,11 @@ int free_rigid_body_state(double t, const double *q, const double *qdot, const d
     y[3] = z1 * s_psi + theta_dot * c_psi;
     y[4] = z1 * c_psi - theta_dot * s_psi;
     y[5] = psi_dot + phi_dot * c_theta;
-    return free_rigid_body_finish(6, y);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(y[0] + y[3] + y[4] + y[5]) <= DBL_MAX)) {
+        return FREE_RIGID_BODY_NOT_FINITE;
+    }
+    return FREE_RIGID_BODY_OK;
 }
 
 int free_rigid_body_residuals(double t, const double *q, const double *qdot, const double *p, double *r)
@@ -405,6 +413,7 @@ double free_rigid_body_energy(double t, const double *y, const double *p)
     return 0.5 * (I3 * (w3 * w3) + (I1 * (w1 * w1) + I2 * (w2 * w2)));
 }
 
+FREE_RIGID_BODY_SLOW
 int free_rigid_body_jacobian(double t, const double *y, const double *p, double *J)
 {
     for (int entry = 0; entry < 36; ++entry) {
@@ -462,23 +471,28 @@ int free_rigid_body_jacobian(double t, const double *y, const double *p, double 
     J[29] = -w1 * k2;
     J[33] = w2 * k3;
     J[34] = w1 * k3;
-    /* the coframe is singular */
-    if (!(fabs(s_theta) > 1e-12 * 4.0)) {
-        return FREE_RIGID_BODY_SINGULAR_1;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(J[2] + J[7] + J[8] + J[13] + J[16] + J[22] + J[23] + J[27] + J[29] + J[33] + J[34]) <= DBL_MAX
+        && fabs(s_theta) > 1e-12 * 4.0)) {
+        /* the coframe is singular */
+        if (!(fabs(s_theta) > 1e-12 * 4.0)) {
+            return FREE_RIGID_BODY_SINGULAR_1;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(I1) > 0.0)) {
+            return FREE_RIGID_BODY_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(I2) > 0.0)) {
+            return FREE_RIGID_BODY_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(I3) > 0.0)) {
+            return FREE_RIGID_BODY_SINGULAR_2;
+        }
+        return FREE_RIGID_BODY_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(I1) > 0.0)) {
-        return FREE_RIGID_BODY_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(I2) > 0.0)) {
-        return FREE_RIGID_BODY_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(I3) > 0.0)) {
-        return FREE_RIGID_BODY_SINGULAR_2;
-    }
-    return free_rigid_body_finish(36, J);
+    return FREE_RIGID_BODY_OK;
 }
 
 int free_rigid_body_outputs(double t, const double *y, const double *p, double *out)
@@ -501,11 +515,15 @@ int free_rigid_body_outputs(double t, const double *y, const double *p, double *
     const double s_theta = sin(theta);
     /* 24:14 */
     out[0] = w3 * w3 * k3 + (w1 * w1 * k1 + w2 * w2 * k2); /* L_squared */
-    /* the coframe is singular */
-    if (!(fabs(s_theta) > 1e-12 * 4.0)) {
-        return FREE_RIGID_BODY_SINGULAR_1;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(out[0]) <= DBL_MAX && fabs(s_theta) > 1e-12 * 4.0)) {
+        /* the coframe is singular */
+        if (!(fabs(s_theta) > 1e-12 * 4.0)) {
+            return FREE_RIGID_BODY_SINGULAR_1;
+        }
+        return FREE_RIGID_BODY_NOT_FINITE;
     }
-    return free_rigid_body_finish(1, out);
+    return FREE_RIGID_BODY_OK;
 }
 
 #if FREE_RIGID_BODY_LANES >= 2
@@ -519,9 +537,6 @@ static __attribute__((noinline)) void free_rigid_body_rhs_lanes(const double *fi
     const double k1 = fixed[0];
     const double k2 = fixed[1];
     const double k3 = fixed[2];
-    const double k4 = fixed[3];
-    const double k5 = fixed[4];
-    const double k6 = fixed[5];
     const free_rigid_body_lanes theta = free_rigid_body_get(y + 1 * stride);
     const free_rigid_body_lanes psi = free_rigid_body_get(y + 2 * stride);
     const free_rigid_body_lanes w1 = free_rigid_body_get(y + 3 * stride);
@@ -551,13 +566,13 @@ static __attribute__((noinline)) void free_rigid_body_rhs_lanes(const double *fi
     sum += slope3;
     free_rigid_body_put(dydt + 2 * stride, slope3);
     /* (I.2.14) 18:4 */
-    const free_rigid_body_lanes slope4 = w2 * w3 * k1 * k4;
+    const free_rigid_body_lanes slope4 = w2 * w3 * k1;
     sum += slope4;
     free_rigid_body_put(dydt + 3 * stride, slope4);
-    const free_rigid_body_lanes slope5 = -w1 * w3 * k2 * k5;
+    const free_rigid_body_lanes slope5 = w1 * w3 * k2;
     sum += slope5;
     free_rigid_body_put(dydt + 4 * stride, slope5);
-    const free_rigid_body_lanes slope6 = w1 * w2 * k3 * k6;
+    const free_rigid_body_lanes slope6 = w1 * w2 * k3;
     sum += slope6;
     free_rigid_body_put(dydt + 5 * stride, slope6);
     free_rigid_body_put(check, free_rigid_body_mark(far + (sum - sum), bad));
@@ -582,12 +597,9 @@ int free_rigid_body_rhs_batch(size_t count, const double *t, const double *y, co
     const double I1 = p[0]; /* [kg*m^2] */
     const double I2 = p[1]; /* [kg*m^2] */
     const double I3 = p[2]; /* [kg*m^2] */
-    const double k1 = I2 - I3;
-    const double k2 = I1 - I3;
-    const double k3 = I1 - I2;
-    const double k4 = 1.0 / I1;
-    const double k5 = 1.0 / I2;
-    const double k6 = 1.0 / I3;
+    const double k1 = (I2 - I3) / I1;
+    const double k2 = -(I1 - I3) / I2;
+    const double k3 = (I1 - I2) / I3;
     /* the mass matrix is singular */
     if (!(fabs(I1) > 0.0)) {
         return FREE_RIGID_BODY_SINGULAR_2;
@@ -600,7 +612,7 @@ int free_rigid_body_rhs_batch(size_t count, const double *t, const double *y, co
     if (!(fabs(I3) > 0.0)) {
         return FREE_RIGID_BODY_SINGULAR_2;
     }
-    const double fixed[] = {k1, k2, k3, k4, k5, k6};
+    const double fixed[] = {k1, k2, k3};
     double check[1 * FREE_RIGID_BODY_LANES];
     int status = FREE_RIGID_BODY_OK;
     for (size_t i = 0; i < count; i += FREE_RIGID_BODY_LANES) {

@@ -1,5 +1,5 @@
 /*
- * free_rigid_body.h: free_rigid_body, emitted by nhc 0.1.0 (nhc:3d007c2eee40b3b8)
+ * free_rigid_body.h: free_rigid_body, emitted by nhc 0.1.0 (nhc:b12f0059fb3e66e4)
  * A free rigid body; the components of its angular velocity on body axes are the quasi-velocities.
  * Source: free_rigid_body.yaml
  * Equations of motion: euler-lagrange (I.2.14)
@@ -22,9 +22,9 @@
  * out[0] = L_squared
  *
  * Operations:
- * rhs: 6 +-, 18 *, 4 /, 4 calls
+ * rhs: 6 +-, 15 *, 4 /, 4 calls
  * velocities: 3 +-, 9 *, 1 /, 4 calls
- * accelerations: 18 +-, 40 *, 5 /, 4 calls
+ * accelerations: 18 +-, 37 *, 5 /, 4 calls
  * state: 3 +-, 6 *, 0 /, 4 calls
  * residuals: 0 +-, 0 *, 0 /, 0 calls
  * reactions: 0 +-, 0 *, 0 /, 1 calls

@@ -1,4 +1,4 @@
-"""free_rigid_body, emitted by nhc 0.1.0 (nhc:532348d904b24ee8).
+"""free_rigid_body, emitted by nhc 0.1.0 (nhc:ed4fd7cc19830077).
 
 A free rigid body; the components of its angular velocity on body axes are the
     quasi-velocities.
@@ -23,9 +23,9 @@ Outputs:
 out[0] = L_squared
 
 Operations:
-rhs: 6 +-, 18 *, 4 /, 4 calls
+rhs: 6 +-, 15 *, 4 /, 4 calls
 velocities: 3 +-, 9 *, 1 /, 4 calls
-accelerations: 18 +-, 40 *, 5 /, 4 calls
+accelerations: 18 +-, 37 *, 5 /, 4 calls
 state: 3 +-, 6 *, 0 /, 4 calls
 residuals: 0 +-, 0 *, 0 /, 0 calls
 reactions: 0 +-, 0 *, 0 /, 1 calls
@@ -92,18 +92,6 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     I2 = float(p[1])  # [kg*m^2]
     I3 = float(p[2])  # [kg*m^2]
     try:
-        # parameters only
-        k1 = I2 - I3
-        k2 = I1 - I3
-        k3 = I1 - I2
-        k4 = 1.0 / I1
-        k5 = 1.0 / I2
-        k6 = 1.0 / I3
-        # state
-        s_theta = math.sin(theta)
-        # the coframe is singular
-        if not abs(s_theta) > 1e-12 * 4.0:
-            raise SingularModelError(1, "rhs")
         # the mass matrix is singular
         if not abs(I1) > 0.0:
             raise SingularModelError(2, "rhs")
@@ -113,6 +101,15 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         # the mass matrix is singular
         if not abs(I3) > 0.0:
             raise SingularModelError(2, "rhs")
+        # parameters only
+        k1 = (I2 - I3) / I1
+        k2 = -(I1 - I3) / I2
+        k3 = (I1 - I2) / I3
+        # state
+        s_theta = math.sin(theta)
+        # the coframe is singular
+        if not abs(s_theta) > 1e-12 * 4.0:
+            raise SingularModelError(1, "rhs")
         c_psi = math.cos(psi)
         s_psi = math.sin(psi)
         z1 = 1.0 / s_theta
@@ -126,11 +123,11 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
             # psi' (I.2.14)
             w3 - c_theta * z2,
             # w1' (I.2.14) 18:4
-            w2 * w3 * k1 * k4,
+            w2 * w3 * k1,
             # w2' (I.2.14) 18:4
-            -w1 * w3 * k2 * k5,
+            w1 * w3 * k2,
             # w3' (I.2.14) 18:4
-            w1 * w2 * k3 * k6,
+            w1 * w2 * k3,
         ]
         return _finish("rhs", dydt)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -195,18 +192,6 @@ def accelerations(
     I2 = float(p[1])  # [kg*m^2]
     I3 = float(p[2])  # [kg*m^2]
     try:
-        # parameters only
-        k1 = I2 - I3
-        k2 = I1 - I3
-        k3 = I1 - I2
-        k4 = 1.0 / I1
-        k5 = 1.0 / I2
-        k6 = 1.0 / I3
-        # state
-        s_theta = math.sin(theta)
-        # the coframe is singular
-        if not abs(s_theta) > 1e-12 * 4.0:
-            raise SingularModelError(1, "accelerations")
         # the mass matrix is singular
         if not abs(I1) > 0.0:
             raise SingularModelError(2, "accelerations")
@@ -216,33 +201,42 @@ def accelerations(
         # the mass matrix is singular
         if not abs(I3) > 0.0:
             raise SingularModelError(2, "accelerations")
+        # parameters only
+        k1 = (I2 - I3) / I1
+        k2 = (I1 - I3) / I2
+        k3 = (I1 - I2) / I3
+        # state
+        s_theta = math.sin(theta)
+        # the coframe is singular
+        if not abs(s_theta) > 1e-12 * 4.0:
+            raise SingularModelError(1, "accelerations")
         c_psi = math.cos(psi)
         s_psi = math.sin(psi)
         z1 = c_psi * w2 + s_psi * w1
+        z2 = s_theta * c_psi
+        z3 = s_theta * s_psi
+        z4 = w1 * z2 - w2 * z3
         c_theta = math.cos(theta)
-        z2 = 1.0 / s_theta
-        z3 = s_theta * c_psi
-        z4 = s_theta * s_psi
-        z5 = w1 * z3 - w2 * z4
-        z6 = c_theta * (z2 * z5)
+        z5 = 1.0 / s_theta
+        z6 = z4 * (c_theta * z5)
         z7 = z6 / (s_theta * s_theta)
-        z8 = z1 * z2
+        z8 = z1 * z5
         z9 = w3 - c_theta * z8
         z10 = s_psi * z9
-        z11 = w1 * w3 * k2 * k5
+        z11 = w1 * w3 * k2
         z12 = c_psi * z9
-        z13 = w2 * w3 * k1 * k4
-        s1 = z2 * (w2 * z10 + c_psi * z11 - (w1 * z12 + s_psi * z13))
+        z13 = w2 * w3 * k1
+        s1 = z5 * (w2 * z10 + c_psi * z11 - (w1 * z12 + s_psi * z13))
         z14 = z1 * z7 + s1
-        s2 = w1 * (c_psi * z6 - s_theta * z10) + z3 * z13
-        z15 = s2 - (w2 * (s_psi * z6 + s_theta * z12) - z4 * z11)
+        s2 = w1 * (s_theta * z10 - c_psi * z6) - z2 * z13
+        z15 = s2 + (w2 * (s_theta * z12 + s_psi * z6) - z3 * z11)
         qddot: list[float] = [
             # phi'' (I.2.14)
             -z14,
             # theta'' (I.2.14)
-            z2 * z15 - z5 * z7,
+            -(z4 * z7 + z5 * z15),
             # psi'' (I.2.14)
-            w1 * w2 * k3 * k6 + (z8 * z5 + c_theta * z14),
+            w1 * w2 * k3 + (z8 * z4 + c_theta * z14),
         ]
         return _finish("accelerations", qddot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -320,11 +314,6 @@ def reactions(
     I2 = float(p[1])  # [kg*m^2]
     I3 = float(p[2])  # [kg*m^2]
     try:
-        # state
-        s_theta = math.sin(theta)
-        # the coframe is singular
-        if not abs(s_theta) > 1e-12 * 4.0:
-            raise SingularModelError(1, "reactions")
         # the mass matrix is singular
         if not abs(I1) > 0.0:
             raise SingularModelError(2, "reactions")
@@ -334,6 +323,11 @@ def reactions(
         # the mass matrix is singular
         if not abs(I3) > 0.0:
             raise SingularModelError(2, "reactions")
+        # state
+        s_theta = math.sin(theta)
+        # the coframe is singular
+        if not abs(s_theta) > 1e-12 * 4.0:
+            raise SingularModelError(1, "reactions")
         lambda_: list[float] = []
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -379,15 +373,6 @@ def jacobian(
     I2 = float(p[1])  # [kg*m^2]
     I3 = float(p[2])  # [kg*m^2]
     try:
-        # parameters only
-        k1 = (I2 - I3) / I1
-        k2 = (I1 - I3) / I2
-        k3 = (I1 - I2) / I3
-        # state
-        s_theta = math.sin(theta)
-        # the coframe is singular
-        if not abs(s_theta) > 1e-12 * 4.0:
-            raise SingularModelError(1, "jacobian")
         # the mass matrix is singular
         if not abs(I1) > 0.0:
             raise SingularModelError(2, "jacobian")
@@ -397,6 +382,15 @@ def jacobian(
         # the mass matrix is singular
         if not abs(I3) > 0.0:
             raise SingularModelError(2, "jacobian")
+        # parameters only
+        k1 = (I2 - I3) / I1
+        k2 = (I1 - I3) / I2
+        k3 = (I1 - I2) / I3
+        # state
+        s_theta = math.sin(theta)
+        # the coframe is singular
+        if not abs(s_theta) > 1e-12 * 4.0:
+            raise SingularModelError(1, "jacobian")
         c_psi = math.cos(psi)
         s_psi = math.sin(psi)
         z1 = c_psi * w2 + s_psi * w1

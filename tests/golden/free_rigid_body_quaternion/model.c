@@ -1,5 +1,5 @@
 /*
- * free_rigid_body_quaternion.c: free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:c35180291791f7ba)
+ * free_rigid_body_quaternion.c: free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:f0361865693726a2)
  * A free rigid body, its orientation a quaternion; Euler's equations, and no orientation that is special.
  * Source: free_rigid_body_quaternion.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -38,14 +38,12 @@ const double free_rigid_body_quaternion_parameter_defaults[] = {
     3.0
 };
 
-static int free_rigid_body_quaternion_finish(int count, const double *values)
-{
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
-    for (int i = 0; i < count; ++i) {
-        sum += values[i];
-    }
-    return fabs(sum) <= DBL_MAX ? FREE_RIGID_BODY_QUATERNION_OK : FREE_RIGID_BODY_QUATERNION_NOT_FINITE;
-}
+/* long functions that are called seldom: gcc is to take less time over them (other compilers do so by themselves) */
+#if defined(__GNUC__) && !defined(__clang__) && defined(__OPTIMIZE__)
+#define FREE_RIGID_BODY_QUATERNION_SLOW __attribute__((cold, optimize("O1")))
+#else
+#define FREE_RIGID_BODY_QUATERNION_SLOW
+#endif
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
 #ifndef FREE_RIGID_BODY_QUATERNION_LANES
@@ -161,12 +159,9 @@ int free_rigid_body_quaternion_rhs(double t, const double *y, const double *p, d
     const double I3 = p[2]; /* [kg*m^2] */
 
     /* parameters only */
-    const double k1 = I2 - I3;
-    const double k2 = I1 - I3;
-    const double k3 = I1 - I2;
-    const double k4 = 1.0 / I1;
-    const double k5 = 1.0 / I2;
-    const double k6 = 1.0 / I3;
+    const double k1 = (I2 - I3) / I1;
+    const double k2 = -(I1 - I3) / I2;
+    const double k3 = (I1 - I2) / I3;
 
     /* state */
     /* (I.2.15) */
@@ -175,22 +170,26 @@ int free_rigid_body_quaternion_rhs(double t, const double *y, const double *p, d
     dydt[2] = -0.5 * (R_1 * w3 - (R_3 * w1 + R_0 * w2)); /* R_2' */
     dydt[3] = 0.5 * (R_0 * w3 - (R_2 * w1 - R_1 * w2)); /* R_3' */
     /* (I.2.15) 12:4 */
-    dydt[4] = w2 * w3 * k1 * k4; /* w1' */
-    dydt[5] = -w1 * w3 * k2 * k5; /* w2' */
-    dydt[6] = w1 * w2 * k3 * k6; /* w3' */
-    /* the mass matrix is singular */
-    if (!(fabs(I1) > 0.0)) {
-        return FREE_RIGID_BODY_QUATERNION_SINGULAR_2;
+    dydt[4] = w2 * w3 * k1; /* w1' */
+    dydt[5] = w1 * w3 * k2; /* w2' */
+    dydt[6] = w1 * w2 * k3; /* w3' */
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(dydt[0] + dydt[1] + dydt[2] + dydt[3] + dydt[4] + dydt[5] + dydt[6]) <= DBL_MAX)) {
+        /* the mass matrix is singular */
+        if (!(fabs(I1) > 0.0)) {
+            return FREE_RIGID_BODY_QUATERNION_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(I2) > 0.0)) {
+            return FREE_RIGID_BODY_QUATERNION_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(I3) > 0.0)) {
+            return FREE_RIGID_BODY_QUATERNION_SINGULAR_2;
+        }
+        return FREE_RIGID_BODY_QUATERNION_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(I2) > 0.0)) {
-        return FREE_RIGID_BODY_QUATERNION_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(I3) > 0.0)) {
-        return FREE_RIGID_BODY_QUATERNION_SINGULAR_2;
-    }
-    return free_rigid_body_quaternion_finish(7, dydt);
+    return FREE_RIGID_BODY_QUATERNION_OK;
 }
 
 int free_rigid_body_quaternion_velocities(double t, const double *y, const double *p, double *qdot)
@@ -211,7 +210,11 @@ int free_rigid_body_quaternion_velocities(double t, const double *y, const doubl
     qdot[1] = 0.5 * (R_2 * w3 + (R_0 * w1 - R_3 * w2)); /* R_1' */
     qdot[2] = -0.5 * (R_1 * w3 - (R_3 * w1 + R_0 * w2)); /* R_2' */
     qdot[3] = 0.5 * (R_0 * w3 - (R_2 * w1 - R_1 * w2)); /* R_3' */
-    return free_rigid_body_quaternion_finish(4, qdot);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qdot[0] + qdot[1] + qdot[2] + qdot[3]) <= DBL_MAX)) {
+        return FREE_RIGID_BODY_QUATERNION_NOT_FINITE;
+    }
+    return FREE_RIGID_BODY_QUATERNION_OK;
 }
 
 int free_rigid_body_quaternion_accelerations(double t, const double *y, const double *p, double *qddot)
@@ -254,19 +257,23 @@ int free_rigid_body_quaternion_accelerations(double t, const double *y, const do
     qddot[1] = -0.5 * z9; /* R_1'' */
     qddot[2] = -0.5 * z10; /* R_2'' */
     qddot[3] = -0.5 * z11; /* R_3'' */
-    /* the mass matrix is singular */
-    if (!(fabs(I1) > 0.0)) {
-        return FREE_RIGID_BODY_QUATERNION_SINGULAR_2;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qddot[0] + qddot[1] + qddot[2] + qddot[3]) <= DBL_MAX)) {
+        /* the mass matrix is singular */
+        if (!(fabs(I1) > 0.0)) {
+            return FREE_RIGID_BODY_QUATERNION_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(I2) > 0.0)) {
+            return FREE_RIGID_BODY_QUATERNION_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(I3) > 0.0)) {
+            return FREE_RIGID_BODY_QUATERNION_SINGULAR_2;
+        }
+        return FREE_RIGID_BODY_QUATERNION_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(I2) > 0.0)) {
-        return FREE_RIGID_BODY_QUATERNION_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(I3) > 0.0)) {
-        return FREE_RIGID_BODY_QUATERNION_SINGULAR_2;
-    }
-    return free_rigid_body_quaternion_finish(4, qddot);
+    return FREE_RIGID_BODY_QUATERNION_OK;
 }
 
 int free_rigid_body_quaternion_state(double t, const double *q, const double *qdot, const double *p, double
@@ -296,7 +303,11 @@ int free_rigid_body_quaternion_state(double t, const double *q, const double *qd
     y[4] = 2.0 * (R_1_dot * z2 - R_0_dot * z3 + (R_2_dot * z4 - R_3_dot * z5));
     y[5] = 2.0 * (R_2_dot * z2 - R_0_dot * z5 + (R_3_dot * z3 - R_1_dot * z4));
     y[6] = 2.0 * (R_3_dot * z2 - R_0_dot * z4 + (R_1_dot * z5 - R_2_dot * z3));
-    return free_rigid_body_quaternion_finish(7, y);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(y[4] + y[5] + y[6]) <= DBL_MAX)) {
+        return FREE_RIGID_BODY_QUATERNION_NOT_FINITE;
+    }
+    return FREE_RIGID_BODY_QUATERNION_OK;
 }
 
 int free_rigid_body_quaternion_residuals(double t, const double *q, const double *qdot, const double *p,
@@ -316,7 +327,11 @@ int free_rigid_body_quaternion_residuals(double t, const double *q, const double
     /* state */
     /* (I.1.1) 7:3 */
     r[0] = 2.0 * (R_3 * R_3_dot + (R_2 * R_2_dot + (R_0 * R_0_dot + R_1 * R_1_dot))); /* R_norm = 0 */
-    return free_rigid_body_quaternion_finish(1, r);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(r[0]) <= DBL_MAX)) {
+        return FREE_RIGID_BODY_QUATERNION_NOT_FINITE;
+    }
+    return FREE_RIGID_BODY_QUATERNION_OK;
 }
 
 int free_rigid_body_quaternion_positions(double t, const double *q, const double *p, double *f)
@@ -331,7 +346,11 @@ int free_rigid_body_quaternion_positions(double t, const double *q, const double
     /* state */
     /* 7:3 */
     f[0] = R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)) - 1.0; /* R_norm = 0 */
-    return free_rigid_body_quaternion_finish(1, f);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(f[0]) <= DBL_MAX)) {
+        return FREE_RIGID_BODY_QUATERNION_NOT_FINITE;
+    }
+    return FREE_RIGID_BODY_QUATERNION_OK;
 }
 
 int free_rigid_body_quaternion_reactions(double t, const double *y, const double *p, double *lambda)
@@ -345,19 +364,22 @@ int free_rigid_body_quaternion_reactions(double t, const double *y, const double
     /* state */
     /* (I.4.1) 7:3 */
     lambda[0] = 0.0; /* reaction of R_norm: Q_i gains lambda_1 a_1i */
-    /* the mass matrix is singular */
-    if (!(fabs(I1) > 0.0)) {
-        return FREE_RIGID_BODY_QUATERNION_SINGULAR_2;
+    if (!(fabs(I1) > 0.0 && fabs(I2) > 0.0 && fabs(I3) > 0.0)) {
+        /* the mass matrix is singular */
+        if (!(fabs(I1) > 0.0)) {
+            return FREE_RIGID_BODY_QUATERNION_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(I2) > 0.0)) {
+            return FREE_RIGID_BODY_QUATERNION_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(I3) > 0.0)) {
+            return FREE_RIGID_BODY_QUATERNION_SINGULAR_2;
+        }
+        return FREE_RIGID_BODY_QUATERNION_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(I2) > 0.0)) {
-        return FREE_RIGID_BODY_QUATERNION_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(I3) > 0.0)) {
-        return FREE_RIGID_BODY_QUATERNION_SINGULAR_2;
-    }
-    return free_rigid_body_quaternion_finish(1, lambda);
+    return FREE_RIGID_BODY_QUATERNION_OK;
 }
 
 double free_rigid_body_quaternion_energy(double t, const double *y, const double *p)
@@ -374,6 +396,7 @@ double free_rigid_body_quaternion_energy(double t, const double *y, const double
     return 0.5 * (I1 * (w1 * w1) + I2 * (w2 * w2) + I3 * (w3 * w3));
 }
 
+FREE_RIGID_BODY_QUATERNION_SLOW
 int free_rigid_body_quaternion_jacobian(double t, const double *y, const double *p, double *J)
 {
     for (int entry = 0; entry < 49; ++entry) {
@@ -435,19 +458,24 @@ int free_rigid_body_quaternion_jacobian(double t, const double *y, const double 
     J[41] = -w1 * k2;
     J[46] = w2 * k3;
     J[47] = w1 * k3;
-    /* the mass matrix is singular */
-    if (!(fabs(I1) > 0.0)) {
-        return FREE_RIGID_BODY_QUATERNION_SINGULAR_2;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(J[10] + J[11] + J[12] + J[15] + J[20] + J[23] + J[25] + J[33] + J[34] + J[39] + J[41] + J[46]
+        + J[47]) <= DBL_MAX)) {
+        /* the mass matrix is singular */
+        if (!(fabs(I1) > 0.0)) {
+            return FREE_RIGID_BODY_QUATERNION_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(I2) > 0.0)) {
+            return FREE_RIGID_BODY_QUATERNION_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(I3) > 0.0)) {
+            return FREE_RIGID_BODY_QUATERNION_SINGULAR_2;
+        }
+        return FREE_RIGID_BODY_QUATERNION_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(I2) > 0.0)) {
-        return FREE_RIGID_BODY_QUATERNION_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(I3) > 0.0)) {
-        return FREE_RIGID_BODY_QUATERNION_SINGULAR_2;
-    }
-    return free_rigid_body_quaternion_finish(49, J);
+    return FREE_RIGID_BODY_QUATERNION_OK;
 }
 
 int free_rigid_body_quaternion_outputs(double t, const double *y, const double *p, double *out)
@@ -478,7 +506,11 @@ int free_rigid_body_quaternion_outputs(double t, const double *y, const double *
     out[1] = z4 + 2.0 * (z2 * (R_1 * z5 - R_3 * z7)); /* L_y */
     /* 16:8 */
     out[2] = z3 + 2.0 * (z2 * (R_1 * z6 + R_2 * z7)); /* L_z */
-    return free_rigid_body_quaternion_finish(3, out);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(out[0] + out[1] + out[2]) <= DBL_MAX)) {
+        return FREE_RIGID_BODY_QUATERNION_NOT_FINITE;
+    }
+    return FREE_RIGID_BODY_QUATERNION_OK;
 }
 
 #if FREE_RIGID_BODY_QUATERNION_LANES >= 2
@@ -492,9 +524,6 @@ static __attribute__((noinline)) void free_rigid_body_quaternion_rhs_lanes(const
     const double k1 = fixed[0];
     const double k2 = fixed[1];
     const double k3 = fixed[2];
-    const double k4 = fixed[3];
-    const double k5 = fixed[4];
-    const double k6 = fixed[5];
     const free_rigid_body_quaternion_lanes R_0 = free_rigid_body_quaternion_get(y);
     const free_rigid_body_quaternion_lanes R_1 = free_rigid_body_quaternion_get(y + 1 * stride);
     const free_rigid_body_quaternion_lanes R_2 = free_rigid_body_quaternion_get(y + 2 * stride);
@@ -516,13 +545,13 @@ static __attribute__((noinline)) void free_rigid_body_quaternion_rhs_lanes(const
     sum += slope4;
     free_rigid_body_quaternion_put(dydt + 3 * stride, slope4);
     /* (I.2.15) 12:4 */
-    const free_rigid_body_quaternion_lanes slope5 = w2 * w3 * k1 * k4;
+    const free_rigid_body_quaternion_lanes slope5 = w2 * w3 * k1;
     sum += slope5;
     free_rigid_body_quaternion_put(dydt + 4 * stride, slope5);
-    const free_rigid_body_quaternion_lanes slope6 = -w1 * w3 * k2 * k5;
+    const free_rigid_body_quaternion_lanes slope6 = w1 * w3 * k2;
     sum += slope6;
     free_rigid_body_quaternion_put(dydt + 5 * stride, slope6);
-    const free_rigid_body_quaternion_lanes slope7 = w1 * w2 * k3 * k6;
+    const free_rigid_body_quaternion_lanes slope7 = w1 * w2 * k3;
     sum += slope7;
     free_rigid_body_quaternion_put(dydt + 6 * stride, slope7);
     free_rigid_body_quaternion_put(check, free_rigid_body_quaternion_mark(far + (sum - sum), bad));
@@ -547,12 +576,9 @@ int free_rigid_body_quaternion_rhs_batch(size_t count, const double *t, const do
     const double I1 = p[0]; /* [kg*m^2] */
     const double I2 = p[1]; /* [kg*m^2] */
     const double I3 = p[2]; /* [kg*m^2] */
-    const double k1 = I2 - I3;
-    const double k2 = I1 - I3;
-    const double k3 = I1 - I2;
-    const double k4 = 1.0 / I1;
-    const double k5 = 1.0 / I2;
-    const double k6 = 1.0 / I3;
+    const double k1 = (I2 - I3) / I1;
+    const double k2 = -(I1 - I3) / I2;
+    const double k3 = (I1 - I2) / I3;
     /* the mass matrix is singular */
     if (!(fabs(I1) > 0.0)) {
         return FREE_RIGID_BODY_QUATERNION_SINGULAR_2;
@@ -565,7 +591,7 @@ int free_rigid_body_quaternion_rhs_batch(size_t count, const double *t, const do
     if (!(fabs(I3) > 0.0)) {
         return FREE_RIGID_BODY_QUATERNION_SINGULAR_2;
     }
-    const double fixed[] = {k1, k2, k3, k4, k5, k6};
+    const double fixed[] = {k1, k2, k3};
     double check[1 * FREE_RIGID_BODY_QUATERNION_LANES];
     int status = FREE_RIGID_BODY_QUATERNION_OK;
     for (size_t i = 0; i < count; i += FREE_RIGID_BODY_QUATERNION_LANES) {

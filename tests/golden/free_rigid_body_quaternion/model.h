@@ -1,5 +1,5 @@
 /*
- * free_rigid_body_quaternion.h: free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:ac7eae8a67caaa2c)
+ * free_rigid_body_quaternion.h: free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:bb786eedcb339c6b)
  * A free rigid body, its orientation a quaternion; Euler's equations, and no orientation that is special.
  * Source: free_rigid_body_quaternion.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -28,7 +28,7 @@
  * out[2] = L_z
  *
  * Operations:
- * rhs: 11 +-, 25 *, 3 /, 0 calls
+ * rhs: 11 +-, 22 *, 3 /, 0 calls
  * velocities: 8 +-, 16 *, 0 /, 0 calls
  * accelerations: 31 +-, 58 *, 3 /, 0 calls
  * state: 12 +-, 23 *, 1 /, 0 calls

@@ -1,4 +1,4 @@
-"""free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:47fb5c02d96303e1).
+"""free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:dc4afed00752d197).
 
 A free rigid body, its orientation a quaternion; Euler's equations, and no
     orientation that is special.
@@ -29,7 +29,7 @@ out[1] = L_y
 out[2] = L_z
 
 Operations:
-rhs: 11 +-, 25 *, 3 /, 0 calls
+rhs: 11 +-, 22 *, 3 /, 0 calls
 velocities: 8 +-, 16 *, 0 /, 0 calls
 accelerations: 31 +-, 58 *, 3 /, 0 calls
 state: 12 +-, 23 *, 1 /, 0 calls
@@ -101,14 +101,6 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     I2 = float(p[1])  # [kg*m^2]
     I3 = float(p[2])  # [kg*m^2]
     try:
-        # parameters only
-        k1 = I2 - I3
-        k2 = I1 - I3
-        k3 = I1 - I2
-        k4 = 1.0 / I1
-        k5 = 1.0 / I2
-        k6 = 1.0 / I3
-        # state
         # the mass matrix is singular
         if not abs(I1) > 0.0:
             raise SingularModelError(2, "rhs")
@@ -118,6 +110,11 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         # the mass matrix is singular
         if not abs(I3) > 0.0:
             raise SingularModelError(2, "rhs")
+        # parameters only
+        k1 = (I2 - I3) / I1
+        k2 = -(I1 - I3) / I2
+        k3 = (I1 - I2) / I3
+        # state
         dydt: list[float] = [
             # R_0' (I.2.15)
             -0.5 * (R_3 * w3 + (R_1 * w1 + R_2 * w2)),
@@ -128,11 +125,11 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
             # R_3' (I.2.15)
             0.5 * (R_0 * w3 - (R_2 * w1 - R_1 * w2)),
             # w1' (I.2.15) 12:4
-            w2 * w3 * k1 * k4,
+            w2 * w3 * k1,
             # w2' (I.2.15) 12:4
-            -w1 * w3 * k2 * k5,
+            w1 * w3 * k2,
             # w3' (I.2.15) 12:4
-            w1 * w2 * k3 * k6,
+            w1 * w2 * k3,
         ]
         return _finish("rhs", dydt)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -194,11 +191,6 @@ def accelerations(
     I2 = float(p[1])  # [kg*m^2]
     I3 = float(p[2])  # [kg*m^2]
     try:
-        # parameters only
-        k1 = (I2 - I3) / I1
-        k2 = (I1 - I3) / I2
-        k3 = (I1 - I2) / I3
-        # state
         # the mass matrix is singular
         if not abs(I1) > 0.0:
             raise SingularModelError(2, "accelerations")
@@ -208,6 +200,11 @@ def accelerations(
         # the mass matrix is singular
         if not abs(I3) > 0.0:
             raise SingularModelError(2, "accelerations")
+        # parameters only
+        k1 = (I2 - I3) / I1
+        k2 = (I1 - I3) / I2
+        k3 = (I1 - I2) / I3
+        # state
         z1 = R_0 * w3 - (R_2 * w1 - R_1 * w2)
         z2 = w1 * w2 * k3
         z3 = R_2 * w3 + (R_0 * w1 - R_3 * w2)
@@ -344,7 +341,6 @@ def reactions(
     I2 = float(p[1])  # [kg*m^2]
     I3 = float(p[2])  # [kg*m^2]
     try:
-        # state
         # the mass matrix is singular
         if not abs(I1) > 0.0:
             raise SingularModelError(2, "reactions")
@@ -354,6 +350,7 @@ def reactions(
         # the mass matrix is singular
         if not abs(I3) > 0.0:
             raise SingularModelError(2, "reactions")
+        # state
         lambda_: list[float] = [
             # reaction of R_norm: Q_i gains lambda_1 a_1i (I.4.1) 7:3
             0.0,
@@ -404,11 +401,6 @@ def jacobian(
     I2 = float(p[1])  # [kg*m^2]
     I3 = float(p[2])  # [kg*m^2]
     try:
-        # parameters only
-        k1 = (I2 - I3) / I1
-        k2 = (I1 - I3) / I2
-        k3 = (I1 - I2) / I3
-        # state
         # the mass matrix is singular
         if not abs(I1) > 0.0:
             raise SingularModelError(2, "jacobian")
@@ -418,6 +410,11 @@ def jacobian(
         # the mass matrix is singular
         if not abs(I3) > 0.0:
             raise SingularModelError(2, "jacobian")
+        # parameters only
+        k1 = (I2 - I3) / I1
+        k2 = (I1 - I3) / I2
+        k3 = (I1 - I2) / I3
+        # state
         z1 = 0.5 * w1
         z2 = 0.5 * w2
         z3 = 0.5 * w3

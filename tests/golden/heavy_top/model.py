@@ -1,4 +1,4 @@
-"""heavy_top, emitted by nhc 0.1.0 (nhc:003655e6ebcbb888).
+"""heavy_top, emitted by nhc 0.1.0 (nhc:707f03ea74a062ae).
 
 The symmetric top with a fixed point (Lagrange's top).
 Source: heavy_top.yaml
@@ -91,6 +91,9 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     I3 = float(p[1])  # about the axis [kg*m^2]
     mgl = float(p[2])  # weight times the distance of the centre of mass [N*m]
     try:
+        # the mass matrix is singular
+        if not abs(I1) > 0.0:
+            raise SingularModelError(2, "rhs")
         # parameters only
         k1 = I1 - I3
         k2 = 1.0 / I1
@@ -100,9 +103,6 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z2 = I1 * z1 + I3 * (1.0 - z1)
         # the mass matrix is singular
         if not abs(z2) > 0.0:
-            raise SingularModelError(2, "rhs")
-        # the mass matrix is singular
-        if not abs(I1) > 0.0:
             raise SingularModelError(2, "rhs")
         c_theta = math.cos(theta)
         z3 = I3 * c_theta
@@ -182,6 +182,9 @@ def accelerations(
     I3 = float(p[1])  # about the axis [kg*m^2]
     mgl = float(p[2])  # weight times the distance of the centre of mass [N*m]
     try:
+        # the mass matrix is singular
+        if not abs(I1) > 0.0:
+            raise SingularModelError(2, "accelerations")
         # parameters only
         k1 = I1 - I3
         k2 = 1.0 / I1
@@ -191,9 +194,6 @@ def accelerations(
         z2 = I1 * z1 + I3 * (1.0 - z1)
         # the mass matrix is singular
         if not abs(z2) > 0.0:
-            raise SingularModelError(2, "accelerations")
-        # the mass matrix is singular
-        if not abs(I1) > 0.0:
             raise SingularModelError(2, "accelerations")
         c_theta = math.cos(theta)
         z3 = I3 * c_theta
@@ -279,15 +279,15 @@ def reactions(
     I1 = float(p[0])  # across the axis, at the fixed point [kg*m^2]
     I3 = float(p[1])  # about the axis [kg*m^2]
     try:
+        # the mass matrix is singular
+        if not abs(I1) > 0.0:
+            raise SingularModelError(2, "reactions")
         # state
         s_theta = math.sin(theta)
         z1 = s_theta * s_theta
         z2 = I1 * z1 + I3 * (1.0 - z1)
         # the mass matrix is singular
         if not abs(z2) > 0.0:
-            raise SingularModelError(2, "reactions")
-        # the mass matrix is singular
-        if not abs(I1) > 0.0:
             raise SingularModelError(2, "reactions")
         c_theta = math.cos(theta)
         z3 = I3 * c_theta
@@ -346,19 +346,19 @@ def jacobian(
     I3 = float(p[1])  # about the axis [kg*m^2]
     mgl = float(p[2])  # weight times the distance of the centre of mass [N*m]
     try:
+        # the mass matrix is singular
+        if not abs(I1) > 0.0:
+            raise SingularModelError(2, "jacobian")
         # parameters only
         k1 = I1 - I3
         k2 = 1.0 / I1
-        k3 = I3 * k2
+        k3 = -I3 * k2
         # state
         s_theta = math.sin(theta)
         z1 = s_theta * s_theta
         z2 = I1 * z1 + I3 * (1.0 - z1)
         # the mass matrix is singular
         if not abs(z2) > 0.0:
-            raise SingularModelError(2, "jacobian")
-        # the mass matrix is singular
-        if not abs(I1) > 0.0:
             raise SingularModelError(2, "jacobian")
         c_theta = math.cos(theta)
         z3 = I3 * c_theta
@@ -431,7 +431,7 @@ def jacobian(
             k2 * (s_theta * z26 + c_theta * z28),
             0.0,
             # (II.3)
-            -z27 * k3,
+            z27 * k3,
             0.0,
             # (II.3)
             z19,

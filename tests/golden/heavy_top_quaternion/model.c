@@ -1,5 +1,5 @@
 /*
- * heavy_top_quaternion.c: heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:accd2cd63b27140a)
+ * heavy_top_quaternion.c: heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:905ec61b6919719d)
  * The symmetric top with a fixed point (Lagrange's top), its orientation a quaternion, so that it may stand
  *     upright.
  * Source: heavy_top_quaternion.yaml
@@ -39,14 +39,12 @@ const double heavy_top_quaternion_parameter_defaults[] = {
     2.0
 };
 
-static int heavy_top_quaternion_finish(int count, const double *values)
-{
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
-    for (int i = 0; i < count; ++i) {
-        sum += values[i];
-    }
-    return fabs(sum) <= DBL_MAX ? HEAVY_TOP_QUATERNION_OK : HEAVY_TOP_QUATERNION_NOT_FINITE;
-}
+/* long functions that are called seldom: gcc is to take less time over them (other compilers do so by themselves) */
+#if defined(__GNUC__) && !defined(__clang__) && defined(__OPTIMIZE__)
+#define HEAVY_TOP_QUATERNION_SLOW __attribute__((cold, optimize("O1")))
+#else
+#define HEAVY_TOP_QUATERNION_SLOW
+#endif
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
 #ifndef HEAVY_TOP_QUATERNION_LANES
@@ -177,19 +175,23 @@ int heavy_top_quaternion_rhs(double t, const double *y, const double *p, double 
     dydt[4] = k2 * (2.0 * (z1 * (R_0 * R_1 + R_2 * R_3)) + w2 * z2); /* w1' */
     dydt[5] = k2 * (2.0 * (z1 * (R_0 * R_2 - R_1 * R_3)) - w1 * z2); /* w2' */
     dydt[6] = 0.0; /* w3' */
-    /* the mass matrix is singular */
-    if (!(fabs(I1) > 0.0)) {
-        return HEAVY_TOP_QUATERNION_SINGULAR_2;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(dydt[0] + dydt[1] + dydt[2] + dydt[3] + dydt[4] + dydt[5]) <= DBL_MAX && fabs(I3) > 0.0)) {
+        /* the mass matrix is singular */
+        if (!(fabs(I1) > 0.0)) {
+            return HEAVY_TOP_QUATERNION_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(I1) > 0.0)) {
+            return HEAVY_TOP_QUATERNION_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(I3) > 0.0)) {
+            return HEAVY_TOP_QUATERNION_SINGULAR_2;
+        }
+        return HEAVY_TOP_QUATERNION_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(I1) > 0.0)) {
-        return HEAVY_TOP_QUATERNION_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(I3) > 0.0)) {
-        return HEAVY_TOP_QUATERNION_SINGULAR_2;
-    }
-    return heavy_top_quaternion_finish(7, dydt);
+    return HEAVY_TOP_QUATERNION_OK;
 }
 
 int heavy_top_quaternion_velocities(double t, const double *y, const double *p, double *qdot)
@@ -210,7 +212,11 @@ int heavy_top_quaternion_velocities(double t, const double *y, const double *p, 
     qdot[1] = 0.5 * (R_2 * w3 + (R_0 * w1 - R_3 * w2)); /* R_1' */
     qdot[2] = -0.5 * (R_1 * w3 - (R_3 * w1 + R_0 * w2)); /* R_2' */
     qdot[3] = 0.5 * (R_0 * w3 - (R_2 * w1 - R_1 * w2)); /* R_3' */
-    return heavy_top_quaternion_finish(4, qdot);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qdot[0] + qdot[1] + qdot[2] + qdot[3]) <= DBL_MAX)) {
+        return HEAVY_TOP_QUATERNION_NOT_FINITE;
+    }
+    return HEAVY_TOP_QUATERNION_OK;
 }
 
 int heavy_top_quaternion_accelerations(double t, const double *y, const double *p, double *qddot)
@@ -247,19 +253,23 @@ int heavy_top_quaternion_accelerations(double t, const double *y, const double *
     qddot[1] = 0.5 * ((R_3 * w1 + R_0 * w2) * z9) - R_1 * z8; /* R_1'' */
     qddot[2] = -(R_2 * z8 + 0.5 * ((R_0 * w1 - R_3 * w2) * z9)); /* R_2'' */
     qddot[3] = -(R_3 * z7 + 0.5 * ((R_1 * w1 + R_2 * w2) * z9)); /* R_3'' */
-    /* the mass matrix is singular */
-    if (!(fabs(I1) > 0.0)) {
-        return HEAVY_TOP_QUATERNION_SINGULAR_2;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qddot[0] + qddot[1] + qddot[2] + qddot[3]) <= DBL_MAX && fabs(I3) > 0.0)) {
+        /* the mass matrix is singular */
+        if (!(fabs(I1) > 0.0)) {
+            return HEAVY_TOP_QUATERNION_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(I1) > 0.0)) {
+            return HEAVY_TOP_QUATERNION_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(I3) > 0.0)) {
+            return HEAVY_TOP_QUATERNION_SINGULAR_2;
+        }
+        return HEAVY_TOP_QUATERNION_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(I1) > 0.0)) {
-        return HEAVY_TOP_QUATERNION_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(I3) > 0.0)) {
-        return HEAVY_TOP_QUATERNION_SINGULAR_2;
-    }
-    return heavy_top_quaternion_finish(4, qddot);
+    return HEAVY_TOP_QUATERNION_OK;
 }
 
 int heavy_top_quaternion_state(double t, const double *q, const double *qdot, const double *p, double *y)
@@ -288,7 +298,11 @@ int heavy_top_quaternion_state(double t, const double *q, const double *qdot, co
     y[4] = 2.0 * (R_1_dot * z2 - R_0_dot * z3 + (R_2_dot * z4 - R_3_dot * z5));
     y[5] = 2.0 * (R_2_dot * z2 - R_0_dot * z5 + (R_3_dot * z3 - R_1_dot * z4));
     y[6] = 2.0 * (R_3_dot * z2 - R_0_dot * z4 + (R_1_dot * z5 - R_2_dot * z3));
-    return heavy_top_quaternion_finish(7, y);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(y[4] + y[5] + y[6]) <= DBL_MAX)) {
+        return HEAVY_TOP_QUATERNION_NOT_FINITE;
+    }
+    return HEAVY_TOP_QUATERNION_OK;
 }
 
 int heavy_top_quaternion_residuals(double t, const double *q, const double *qdot, const double *p, double *r)
@@ -307,7 +321,11 @@ int heavy_top_quaternion_residuals(double t, const double *q, const double *qdot
     /* state */
     /* (I.1.1) 7:3 */
     r[0] = 2.0 * (R_3 * R_3_dot + (R_2 * R_2_dot + (R_0 * R_0_dot + R_1 * R_1_dot))); /* R_norm = 0 */
-    return heavy_top_quaternion_finish(1, r);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(r[0]) <= DBL_MAX)) {
+        return HEAVY_TOP_QUATERNION_NOT_FINITE;
+    }
+    return HEAVY_TOP_QUATERNION_OK;
 }
 
 int heavy_top_quaternion_positions(double t, const double *q, const double *p, double *f)
@@ -322,7 +340,11 @@ int heavy_top_quaternion_positions(double t, const double *q, const double *p, d
     /* state */
     /* 7:3 */
     f[0] = R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)) - 1.0; /* R_norm = 0 */
-    return heavy_top_quaternion_finish(1, f);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(f[0]) <= DBL_MAX)) {
+        return HEAVY_TOP_QUATERNION_NOT_FINITE;
+    }
+    return HEAVY_TOP_QUATERNION_OK;
 }
 
 int heavy_top_quaternion_reactions(double t, const double *y, const double *p, double *lambda)
@@ -335,19 +357,22 @@ int heavy_top_quaternion_reactions(double t, const double *y, const double *p, d
     /* state */
     /* (I.4.1) 7:3 */
     lambda[0] = 0.0; /* reaction of R_norm: Q_i gains lambda_1 a_1i */
-    /* the mass matrix is singular */
-    if (!(fabs(I1) > 0.0)) {
-        return HEAVY_TOP_QUATERNION_SINGULAR_2;
+    if (!(fabs(I1) > 0.0 && fabs(I1) > 0.0 && fabs(I3) > 0.0)) {
+        /* the mass matrix is singular */
+        if (!(fabs(I1) > 0.0)) {
+            return HEAVY_TOP_QUATERNION_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(I1) > 0.0)) {
+            return HEAVY_TOP_QUATERNION_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(I3) > 0.0)) {
+            return HEAVY_TOP_QUATERNION_SINGULAR_2;
+        }
+        return HEAVY_TOP_QUATERNION_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(I1) > 0.0)) {
-        return HEAVY_TOP_QUATERNION_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(I3) > 0.0)) {
-        return HEAVY_TOP_QUATERNION_SINGULAR_2;
-    }
-    return heavy_top_quaternion_finish(1, lambda);
+    return HEAVY_TOP_QUATERNION_OK;
 }
 
 double heavy_top_quaternion_energy(double t, const double *y, const double *p)
@@ -371,6 +396,7 @@ double heavy_top_quaternion_energy(double t, const double *y, const double *p)
     return 0.5 * (I1 * (w1 * w1 + w2 * w2) + I3 * (w3 * w3)) + z3;
 }
 
+HEAVY_TOP_QUATERNION_SLOW
 int heavy_top_quaternion_jacobian(double t, const double *y, const double *p, double *J)
 {
     for (int entry = 0; entry < 49; ++entry) {
@@ -447,19 +473,25 @@ int heavy_top_quaternion_jacobian(double t, const double *y, const double *p, do
     J[38] = -k1 * (z10 + 4.0 * (R_3 * z17));
     J[39] = -z16;
     J[41] = -w1 * k2;
-    /* the mass matrix is singular */
-    if (!(fabs(I1) > 0.0)) {
-        return HEAVY_TOP_QUATERNION_SINGULAR_2;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(J[10] + J[11] + J[12] + J[15] + J[20] + J[23] + J[25] + J[28] + J[29] + J[30] + J[31] + J[34]
+        + J[35] + J[36] + J[37] + J[38] + J[39] + J[41]) <= DBL_MAX
+        && fabs(I3) > 0.0)) {
+        /* the mass matrix is singular */
+        if (!(fabs(I1) > 0.0)) {
+            return HEAVY_TOP_QUATERNION_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(I1) > 0.0)) {
+            return HEAVY_TOP_QUATERNION_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(I3) > 0.0)) {
+            return HEAVY_TOP_QUATERNION_SINGULAR_2;
+        }
+        return HEAVY_TOP_QUATERNION_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(I1) > 0.0)) {
-        return HEAVY_TOP_QUATERNION_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(I3) > 0.0)) {
-        return HEAVY_TOP_QUATERNION_SINGULAR_2;
-    }
-    return heavy_top_quaternion_finish(49, J);
+    return HEAVY_TOP_QUATERNION_OK;
 }
 
 int heavy_top_quaternion_outputs(double t, const double *y, const double *p, double *out)
@@ -486,7 +518,11 @@ int heavy_top_quaternion_outputs(double t, const double *y, const double *p, dou
     out[0] = 1.0 - 2.0 * (z3 * z4); /* height */
     /* 16:8 */
     out[1] = z5 - 2.0 * (z3 * z6); /* L_z */
-    return heavy_top_quaternion_finish(2, out);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(out[0] + out[1]) <= DBL_MAX)) {
+        return HEAVY_TOP_QUATERNION_NOT_FINITE;
+    }
+    return HEAVY_TOP_QUATERNION_OK;
 }
 
 #if HEAVY_TOP_QUATERNION_LANES >= 2

@@ -1,4 +1,4 @@
-"""heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:57b44a63b082936f).
+"""heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:2cf159cf7ee9f1eb).
 
 The symmetric top with a fixed point (Lagrange's top), its orientation a quaternion,
     so that it may stand upright.
@@ -100,19 +100,16 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     I3 = float(p[1])  # about the axis [kg*m^2]
     mgl = float(p[2])  # weight times the distance of the centre of mass [N*m]
     try:
-        # parameters only
-        k1 = I1 - I3
-        k2 = 1.0 / I1
-        # state
-        # the mass matrix is singular
-        if not abs(I1) > 0.0:
-            raise SingularModelError(2, "rhs")
         # the mass matrix is singular
         if not abs(I1) > 0.0:
             raise SingularModelError(2, "rhs")
         # the mass matrix is singular
         if not abs(I3) > 0.0:
             raise SingularModelError(2, "rhs")
+        # parameters only
+        k1 = I1 - I3
+        k2 = 1.0 / I1
+        # state
         z1 = mgl / (R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)))
         z2 = w3 * k1
         dydt: list[float] = [
@@ -191,20 +188,17 @@ def accelerations(
     I3 = float(p[1])  # about the axis [kg*m^2]
     mgl = float(p[2])  # weight times the distance of the centre of mass [N*m]
     try:
-        # parameters only
-        k1 = 1.0 / I1
-        k2 = 1.0 - I3 * k1
-        k3 = mgl * k1
-        # state
-        # the mass matrix is singular
-        if not abs(I1) > 0.0:
-            raise SingularModelError(2, "accelerations")
         # the mass matrix is singular
         if not abs(I1) > 0.0:
             raise SingularModelError(2, "accelerations")
         # the mass matrix is singular
         if not abs(I3) > 0.0:
             raise SingularModelError(2, "accelerations")
+        # parameters only
+        k1 = 1.0 / I1
+        k2 = 1.0 - I3 * k1
+        k3 = mgl * k1
+        # state
         z1 = 0.25 * (w3 * w3 + (w1 * w1 + w2 * w2))
         z2 = R_1 * R_1
         z3 = R_2 * R_2
@@ -334,16 +328,13 @@ def reactions(
     I1 = float(p[0])  # across the axis, at the fixed point [kg*m^2]
     I3 = float(p[1])  # about the axis [kg*m^2]
     try:
-        # state
-        # the mass matrix is singular
-        if not abs(I1) > 0.0:
-            raise SingularModelError(2, "reactions")
         # the mass matrix is singular
         if not abs(I1) > 0.0:
             raise SingularModelError(2, "reactions")
         # the mass matrix is singular
         if not abs(I3) > 0.0:
             raise SingularModelError(2, "reactions")
+        # state
         lambda_: list[float] = [
             # reaction of R_norm: Q_i gains lambda_1 a_1i (I.4.1) 7:3
             0.0,
@@ -402,19 +393,16 @@ def jacobian(
     I3 = float(p[1])  # about the axis [kg*m^2]
     mgl = float(p[2])  # weight times the distance of the centre of mass [N*m]
     try:
-        # parameters only
-        k1 = 1.0 / I1
-        k2 = (I1 - I3) * k1
-        # state
-        # the mass matrix is singular
-        if not abs(I1) > 0.0:
-            raise SingularModelError(2, "jacobian")
         # the mass matrix is singular
         if not abs(I1) > 0.0:
             raise SingularModelError(2, "jacobian")
         # the mass matrix is singular
         if not abs(I3) > 0.0:
             raise SingularModelError(2, "jacobian")
+        # parameters only
+        k1 = 1.0 / I1
+        k2 = (I1 - I3) * k1
+        # state
         z1 = 0.5 * w1
         z2 = 0.5 * w2
         z3 = 0.5 * w3

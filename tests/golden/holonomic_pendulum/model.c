@@ -1,5 +1,5 @@
 /*
- * holonomic_pendulum.c: holonomic_pendulum, emitted by nhc 0.1.0 (nhc:1de89235ed90c746)
+ * holonomic_pendulum.c: holonomic_pendulum, emitted by nhc 0.1.0 (nhc:34c9150b323ad48a)
  * The plane pendulum in Cartesian coordinates with the rod as a constraint on the positions.
  * Source: holonomic_pendulum.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -32,15 +32,6 @@ const double holonomic_pendulum_parameter_defaults[] = {
     9.81,
     1.0
 };
-
-static int holonomic_pendulum_finish(int count, const double *values)
-{
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
-    for (int i = 0; i < count; ++i) {
-        sum += values[i];
-    }
-    return fabs(sum) <= DBL_MAX ? HOLONOMIC_PENDULUM_OK : HOLONOMIC_PENDULUM_NOT_FINITE;
-}
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
 #ifndef HOLONOMIC_PENDULUM_LANES
@@ -171,15 +162,21 @@ int holonomic_pendulum_rhs(double t, const double *y, const double *p, double *d
     dydt[1] = -x * z4; /* y' */
     /* (I.2.15) 13:4 */
     dydt[2] = x * g; /* v' */
-    /* the coframe is singular */
-    if (!(fabs(z1) > 1e-12 * (z2 * z2))) {
-        return HOLONOMIC_PENDULUM_SINGULAR_1;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(dydt[0] + dydt[1] + dydt[2]) <= DBL_MAX
+        && fabs(z1) > 1e-12 * (z2 * z2)
+        && fabs(m * z3) > 0.0)) {
+        /* the coframe is singular */
+        if (!(fabs(z1) > 1e-12 * (z2 * z2))) {
+            return HOLONOMIC_PENDULUM_SINGULAR_1;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(m * z3) > 0.0)) {
+            return HOLONOMIC_PENDULUM_SINGULAR_2;
+        }
+        return HOLONOMIC_PENDULUM_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(m * z3) > 0.0)) {
-        return HOLONOMIC_PENDULUM_SINGULAR_2;
-    }
-    return holonomic_pendulum_finish(3, dydt);
+    return HOLONOMIC_PENDULUM_OK;
 }
 
 int holonomic_pendulum_velocities(double t, const double *y, const double *p, double *qdot)
@@ -197,11 +194,15 @@ int holonomic_pendulum_velocities(double t, const double *y, const double *p, do
     /* (I.2.4) */
     qdot[0] = y_2 * z3; /* x' */
     qdot[1] = -x * z3; /* y' */
-    /* the coframe is singular */
-    if (!(fabs(z1) > 1e-12 * (z2 * z2))) {
-        return HOLONOMIC_PENDULUM_SINGULAR_1;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qdot[0] + qdot[1]) <= DBL_MAX && fabs(z1) > 1e-12 * (z2 * z2))) {
+        /* the coframe is singular */
+        if (!(fabs(z1) > 1e-12 * (z2 * z2))) {
+            return HOLONOMIC_PENDULUM_SINGULAR_1;
+        }
+        return HOLONOMIC_PENDULUM_NOT_FINITE;
     }
-    return holonomic_pendulum_finish(2, qdot);
+    return HOLONOMIC_PENDULUM_OK;
 }
 
 int holonomic_pendulum_accelerations(double t, const double *y, const double *p, double *qddot)
@@ -218,19 +219,23 @@ int holonomic_pendulum_accelerations(double t, const double *y, const double *p,
     const double z2 = z1 + y_2 * y_2;
     const double z3 = fabs(y_2) + fabs(x);
     const double z4 = 1.0 / z2;
-    const double z5 = z4 * (v * v);
+    const double z5 = z4 * v * v;
     /* (I.2.15) */
     qddot[0] = x * z4 * (y_2 * g - z5); /* x'' */
     qddot[1] = -z4 * (g * z1 + y_2 * z5); /* y'' */
-    /* the coframe is singular */
-    if (!(fabs(z2) > 1e-12 * (z3 * z3))) {
-        return HOLONOMIC_PENDULUM_SINGULAR_1;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qddot[0] + qddot[1]) <= DBL_MAX && fabs(z2) > 1e-12 * (z3 * z3) && fabs(m * z4) > 0.0)) {
+        /* the coframe is singular */
+        if (!(fabs(z2) > 1e-12 * (z3 * z3))) {
+            return HOLONOMIC_PENDULUM_SINGULAR_1;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(m * z4) > 0.0)) {
+            return HOLONOMIC_PENDULUM_SINGULAR_2;
+        }
+        return HOLONOMIC_PENDULUM_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(m * z4) > 0.0)) {
-        return HOLONOMIC_PENDULUM_SINGULAR_2;
-    }
-    return holonomic_pendulum_finish(2, qddot);
+    return HOLONOMIC_PENDULUM_OK;
 }
 
 int holonomic_pendulum_state(double t, const double *q, const double *qdot, const double *p, double *y)
@@ -246,7 +251,11 @@ int holonomic_pendulum_state(double t, const double *q, const double *qdot, cons
     y[0] = x;
     y[1] = y_2;
     y[2] = y_2 * x_dot - x * y_dot;
-    return holonomic_pendulum_finish(3, y);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(y[2]) <= DBL_MAX)) {
+        return HOLONOMIC_PENDULUM_NOT_FINITE;
+    }
+    return HOLONOMIC_PENDULUM_OK;
 }
 
 int holonomic_pendulum_residuals(double t, const double *q, const double *qdot, const double *p, double *r)
@@ -261,7 +270,11 @@ int holonomic_pendulum_residuals(double t, const double *q, const double *qdot, 
     /* state */
     /* (I.1.1) 16:5 */
     r[0] = x * x_dot + y * y_dot; /* rod = 0 */
-    return holonomic_pendulum_finish(1, r);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(r[0]) <= DBL_MAX)) {
+        return HOLONOMIC_PENDULUM_NOT_FINITE;
+    }
+    return HOLONOMIC_PENDULUM_OK;
 }
 
 int holonomic_pendulum_positions(double t, const double *q, const double *p, double *f)
@@ -277,7 +290,11 @@ int holonomic_pendulum_positions(double t, const double *q, const double *p, dou
     /* state */
     /* 16:5 */
     f[0] = 0.5 * (x * x + y * y - k1); /* rod = 0 */
-    return holonomic_pendulum_finish(1, f);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(f[0]) <= DBL_MAX)) {
+        return HOLONOMIC_PENDULUM_NOT_FINITE;
+    }
+    return HOLONOMIC_PENDULUM_OK;
 }
 
 int holonomic_pendulum_reactions(double t, const double *y, const double *p, double *lambda)
@@ -294,18 +311,22 @@ int holonomic_pendulum_reactions(double t, const double *y, const double *p, dou
     const double z2 = z1 + y_2 * y_2;
     const double z3 = fabs(y_2) + fabs(x);
     const double z4 = m / z2;
-    const double z5 = v * v / (z2 * z2);
+    const double z5 = 1.0 / (z2 * z2) * v * v;
     /* (I.4.1) 16:5 */
     lambda[0] = z4 * (y_2 * (g - y_2 * z5) - z1 * z5); /* reaction of rod: Q_i gains lambda_1 a_1i */
-    /* the coframe is singular */
-    if (!(fabs(z2) > 1e-12 * (z3 * z3))) {
-        return HOLONOMIC_PENDULUM_SINGULAR_1;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(lambda[0]) <= DBL_MAX && fabs(z2) > 1e-12 * (z3 * z3) && fabs(z4) > 0.0)) {
+        /* the coframe is singular */
+        if (!(fabs(z2) > 1e-12 * (z3 * z3))) {
+            return HOLONOMIC_PENDULUM_SINGULAR_1;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z4) > 0.0)) {
+            return HOLONOMIC_PENDULUM_SINGULAR_2;
+        }
+        return HOLONOMIC_PENDULUM_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(z4) > 0.0)) {
-        return HOLONOMIC_PENDULUM_SINGULAR_2;
-    }
-    return holonomic_pendulum_finish(1, lambda);
+    return HOLONOMIC_PENDULUM_OK;
 }
 
 double holonomic_pendulum_energy(double t, const double *y, const double *p)
@@ -320,7 +341,7 @@ double holonomic_pendulum_energy(double t, const double *y, const double *p)
     /* state */
     const double z1 = x * x;
     const double z2 = z1 + y_2 * y_2;
-    const double z3 = v * v / (z2 * z2);
+    const double z3 = 1.0 / (z2 * z2) * v * v;
     return m * (0.5 * (z1 * z3) + y_2 * (g + 0.5 * (y_2 * z3)));
 }
 
@@ -353,15 +374,21 @@ int holonomic_pendulum_jacobian(double t, const double *y, const double *p, doub
     J[4] = 2.0 * (z9 * z8);
     J[5] = -x * z3;
     J[6] = g;
-    /* the coframe is singular */
-    if (!(fabs(z1) > 1e-12 * (z2 * z2))) {
-        return HOLONOMIC_PENDULUM_SINGULAR_1;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(J[0] + J[1] + J[2] + J[3] + J[4] + J[5] + J[6]) <= DBL_MAX
+        && fabs(z1) > 1e-12 * (z2 * z2)
+        && fabs(m * z3) > 0.0)) {
+        /* the coframe is singular */
+        if (!(fabs(z1) > 1e-12 * (z2 * z2))) {
+            return HOLONOMIC_PENDULUM_SINGULAR_1;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(m * z3) > 0.0)) {
+            return HOLONOMIC_PENDULUM_SINGULAR_2;
+        }
+        return HOLONOMIC_PENDULUM_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(m * z3) > 0.0)) {
-        return HOLONOMIC_PENDULUM_SINGULAR_2;
-    }
-    return holonomic_pendulum_finish(9, J);
+    return HOLONOMIC_PENDULUM_OK;
 }
 
 int holonomic_pendulum_outputs(double t, const double *y, const double *p, double *out)

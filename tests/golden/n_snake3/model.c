@@ -1,5 +1,5 @@
 /*
- * n_snake3.c: n_snake3, emitted by nhc 0.1.0 (nhc:facaa2246bf4ce10)
+ * n_snake3.c: n_snake3, emitted by nhc 0.1.0 (nhc:8cc990663d6b4839)
  * Three links with a wheeled axle under the middle of each, hinged in a row with springs in the hinges.
  * Source: n_snake3.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -41,14 +41,12 @@ const double n_snake3_parameter_defaults[] = {
     0.5
 };
 
-static int n_snake3_finish(int count, const double *values)
-{
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
-    for (int i = 0; i < count; ++i) {
-        sum += values[i];
-    }
-    return fabs(sum) <= DBL_MAX ? N_SNAKE3_OK : N_SNAKE3_NOT_FINITE;
-}
+/* long functions that are called seldom: gcc is to take less time over them (other compilers do so by themselves) */
+#if defined(__GNUC__) && !defined(__clang__) && defined(__OPTIMIZE__)
+#define N_SNAKE3_SLOW __attribute__((cold, optimize("O1")))
+#else
+#define N_SNAKE3_SLOW
+#endif
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
 #ifndef N_SNAKE3_LANES
@@ -253,19 +251,23 @@ int n_snake3_rhs(double t, const double *y, const double *p, double *dydt)
     /* (I.2.15) 22:4 */
     dydt[5] = z18 * z36 - z17 * z34; /* v' */
     dydt[6] = -z36; /* w' */
-    /* the coframe is singular */
-    if (!(fabs(a) > 0.0)) {
-        return N_SNAKE3_SINGULAR_1;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(dydt[4] + dydt[5] + dydt[6]) <= DBL_MAX && fabs(z19) > 1e-14 * z12)) {
+        /* the coframe is singular */
+        if (!(fabs(a) > 0.0)) {
+            return N_SNAKE3_SINGULAR_1;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z7) > 0.0)) {
+            return N_SNAKE3_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z19) > 1e-14 * z12)) {
+            return N_SNAKE3_SINGULAR_2;
+        }
+        return N_SNAKE3_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(z7) > 0.0)) {
-        return N_SNAKE3_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(z19) > 1e-14 * z12)) {
-        return N_SNAKE3_SINGULAR_2;
-    }
-    return n_snake3_finish(7, dydt);
+    return N_SNAKE3_OK;
 }
 
 int n_snake3_velocities(double t, const double *y, const double *p, double *qdot)
@@ -300,13 +302,18 @@ int n_snake3_velocities(double t, const double *y, const double *p, double *qdot
     qdot[2] = w; /* theta1' */
     qdot[3] = k1 * z3; /* theta2' */
     qdot[4] = k1 * (s2 * (v * c1 + s1 * z2) - c2 * z3); /* theta3' */
-    /* the coframe is singular */
-    if (!(fabs(a) > 0.0)) {
-        return N_SNAKE3_SINGULAR_1;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qdot[3] + qdot[4]) <= DBL_MAX)) {
+        /* the coframe is singular */
+        if (!(fabs(a) > 0.0)) {
+            return N_SNAKE3_SINGULAR_1;
+        }
+        return N_SNAKE3_NOT_FINITE;
     }
-    return n_snake3_finish(5, qdot);
+    return N_SNAKE3_OK;
 }
 
+N_SNAKE3_SLOW
 int n_snake3_accelerations(double t, const double *y, const double *p, double *qddot)
 {
     (void)t;
@@ -390,19 +397,23 @@ int n_snake3_accelerations(double t, const double *y, const double *p, double *q
     qddot[2] = -z41; /* theta1'' */
     qddot[3] = k1 * z44; /* theta2'' */
     qddot[4] = z45; /* theta3'' */
-    /* the coframe is singular */
-    if (!(fabs(a) > 0.0)) {
-        return N_SNAKE3_SINGULAR_1;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qddot[0] + qddot[1] + qddot[2] + qddot[3] + qddot[4]) <= DBL_MAX && fabs(z19) > 1e-14 * z12)) {
+        /* the coframe is singular */
+        if (!(fabs(a) > 0.0)) {
+            return N_SNAKE3_SINGULAR_1;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z7) > 0.0)) {
+            return N_SNAKE3_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z19) > 1e-14 * z12)) {
+            return N_SNAKE3_SINGULAR_2;
+        }
+        return N_SNAKE3_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(z7) > 0.0)) {
-        return N_SNAKE3_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(z19) > 1e-14 * z12)) {
-        return N_SNAKE3_SINGULAR_2;
-    }
-    return n_snake3_finish(5, qddot);
+    return N_SNAKE3_OK;
 }
 
 int n_snake3_state(double t, const double *q, const double *qdot, const double *p, double *y)
@@ -430,7 +441,11 @@ int n_snake3_state(double t, const double *q, const double *qdot, const double *
     y[4] = theta3;
     y[5] = x_dot * c_theta1 + y_dot * s_theta1;
     y[6] = theta1_dot;
-    return n_snake3_finish(7, y);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(y[0] + y[1] + y[3] + y[4] + y[5] + y[6]) <= DBL_MAX)) {
+        return N_SNAKE3_NOT_FINITE;
+    }
+    return N_SNAKE3_OK;
 }
 
 int n_snake3_residuals(double t, const double *q, const double *qdot, const double *p, double *r)
@@ -469,9 +484,14 @@ int n_snake3_residuals(double t, const double *q, const double *qdot, const doub
     /* (I.1.1) 27:5 */
     /* wheel3 = 0 */
     r[2] = -(s_theta3 * (z3 + x2_dot + s_theta3 * z5) + c_theta3 * (z4 - y2_dot + c_theta3 * z5));
-    return n_snake3_finish(3, r);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(r[0] + r[1] + r[2]) <= DBL_MAX)) {
+        return N_SNAKE3_NOT_FINITE;
+    }
+    return N_SNAKE3_OK;
 }
 
+N_SNAKE3_SLOW
 int n_snake3_reactions(double t, const double *y, const double *p, double *lambda)
 {
     (void)t;
@@ -553,19 +573,23 @@ int n_snake3_reactions(double t, const double *y, const double *p, double *lambd
     lambda[1] = m * (z25 * v1_x2) + z42 + z43; /* reaction of wheel2: Q_i gains lambda_2 a_2i */
     /* (I.4.1) 27:5 */
     lambda[2] = k6 * (z22 * (c2 * v1_x2 + s2 * z21)) + z41; /* reaction of wheel3: Q_i gains lambda_3 a_3i */
-    /* the coframe is singular */
-    if (!(fabs(a) > 0.0)) {
-        return N_SNAKE3_SINGULAR_1;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(lambda[0] + lambda[1] + lambda[2]) <= DBL_MAX && fabs(z19) > 1e-14 * z12)) {
+        /* the coframe is singular */
+        if (!(fabs(a) > 0.0)) {
+            return N_SNAKE3_SINGULAR_1;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z7) > 0.0)) {
+            return N_SNAKE3_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z19) > 1e-14 * z12)) {
+            return N_SNAKE3_SINGULAR_2;
+        }
+        return N_SNAKE3_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(z7) > 0.0)) {
-        return N_SNAKE3_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(z19) > 1e-14 * z12)) {
-        return N_SNAKE3_SINGULAR_2;
-    }
-    return n_snake3_finish(3, lambda);
+    return N_SNAKE3_OK;
 }
 
 double n_snake3_energy(double t, const double *y, const double *p)
@@ -617,6 +641,7 @@ double n_snake3_energy(double t, const double *y, const double *p)
     return 0.5 * z14;
 }
 
+N_SNAKE3_SLOW
 int n_snake3_jacobian(double t, const double *y, const double *p, double *J)
 {
     for (int entry = 0; entry < 49; ++entry) {
@@ -790,19 +815,25 @@ int n_snake3_jacobian(double t, const double *y, const double *p, double *J)
     J[46] = -z107;
     J[47] = z109;
     J[48] = -z112;
-    /* the coframe is singular */
-    if (!(fabs(a) > 0.0)) {
-        return N_SNAKE3_SINGULAR_1;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(J[24] + J[31] + J[32] + J[33] + J[37] + J[38] + J[39] + J[40] + J[41] + J[44] + J[46] + J[48])
+        <= DBL_MAX
+        && fabs(z19) > 1e-14 * z12)) {
+        /* the coframe is singular */
+        if (!(fabs(a) > 0.0)) {
+            return N_SNAKE3_SINGULAR_1;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z7) > 0.0)) {
+            return N_SNAKE3_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z19) > 1e-14 * z12)) {
+            return N_SNAKE3_SINGULAR_2;
+        }
+        return N_SNAKE3_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(z7) > 0.0)) {
-        return N_SNAKE3_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(z19) > 1e-14 * z12)) {
-        return N_SNAKE3_SINGULAR_2;
-    }
-    return n_snake3_finish(49, J);
+    return N_SNAKE3_OK;
 }
 
 int n_snake3_outputs(double t, const double *y, const double *p, double *out)

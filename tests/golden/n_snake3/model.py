@@ -1,4 +1,4 @@
-"""n_snake3, emitted by nhc 0.1.0 (nhc:309a4f422100f3b6).
+"""n_snake3, emitted by nhc 0.1.0 (nhc:efaaf9631e43ebd5).
 
 Three links with a wheeled axle under the middle of each, hinged in a row with
     springs in the hinges.
@@ -97,6 +97,9 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     a = float(p[2])  # half the length of a link [m]
     k = float(p[3])  # stiffness of the hinges [N*m]
     try:
+        # the coframe is singular
+        if not abs(a) > 0.0:
+            raise SingularModelError(1, "rhs")
         # parameters only
         k1 = 1.0 / a
         k2 = J * k1
@@ -104,9 +107,6 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         k4 = m * a
         k5 = a * k4
         # state
-        # the coframe is singular
-        if not abs(a) > 0.0:
-            raise SingularModelError(1, "rhs")
         z1 = theta1 - theta2
         c1 = math.cos(z1)
         z2 = theta2 - theta3
@@ -196,12 +196,12 @@ def velocities(
     w = float(y[6])
     a = float(p[2])  # half the length of a link [m]
     try:
-        # parameters only
-        k1 = 1.0 / a
-        # state
         # the coframe is singular
         if not abs(a) > 0.0:
             raise SingularModelError(1, "velocities")
+        # parameters only
+        k1 = 1.0 / a
+        # state
         c_theta1 = math.cos(theta1)
         s_theta1 = math.sin(theta1)
         z1 = theta1 - theta2
@@ -249,6 +249,9 @@ def accelerations(
     a = float(p[2])  # half the length of a link [m]
     k = float(p[3])  # stiffness of the hinges [N*m]
     try:
+        # the coframe is singular
+        if not abs(a) > 0.0:
+            raise SingularModelError(1, "accelerations")
         # parameters only
         k1 = 1.0 / a
         k2 = J * k1
@@ -256,9 +259,6 @@ def accelerations(
         k4 = m * a
         k5 = a * k4
         # state
-        # the coframe is singular
-        if not abs(a) > 0.0:
-            raise SingularModelError(1, "accelerations")
         z1 = theta1 - theta2
         c1 = math.cos(z1)
         z2 = theta2 - theta3
@@ -444,6 +444,9 @@ def reactions(
     a = float(p[2])  # half the length of a link [m]
     k = float(p[3])  # stiffness of the hinges [N*m]
     try:
+        # the coframe is singular
+        if not abs(a) > 0.0:
+            raise SingularModelError(1, "reactions")
         # parameters only
         k1 = 1.0 / a
         k2 = J * k1
@@ -452,9 +455,6 @@ def reactions(
         k5 = a * k4
         k6 = m * k1
         # state
-        # the coframe is singular
-        if not abs(a) > 0.0:
-            raise SingularModelError(1, "reactions")
         z1 = theta1 - theta2
         c1 = math.cos(z1)
         z2 = theta2 - theta3
@@ -601,6 +601,9 @@ def jacobian(
     a = float(p[2])  # half the length of a link [m]
     k = float(p[3])  # stiffness of the hinges [N*m]
     try:
+        # the coframe is singular
+        if not abs(a) > 0.0:
+            raise SingularModelError(1, "jacobian")
         # parameters only
         k1 = 1.0 / a
         k2 = J_2 * k1
@@ -610,9 +613,6 @@ def jacobian(
         k6 = k2 - k4
         k7 = k * k1
         # state
-        # the coframe is singular
-        if not abs(a) > 0.0:
-            raise SingularModelError(1, "jacobian")
         z1 = theta1 - theta2
         c1 = math.cos(z1)
         z2 = theta2 - theta3
@@ -845,10 +845,10 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
     """
     a = float(p[2])  # half the length of a link [m]
     try:
-        # state
         # the coframe is singular
         if not abs(a) > 0.0:
             raise SingularModelError(1, "outputs")
+        # state
         out: list[float] = []
         return _finish("outputs", out)
     except (ValueError, ZeroDivisionError, OverflowError) as error:

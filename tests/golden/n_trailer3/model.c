@@ -1,5 +1,5 @@
 /*
- * n_trailer3.c: n_trailer3, emitted by nhc 0.1.0 (nhc:05072b720d0cc736)
+ * n_trailer3.c: n_trailer3, emitted by nhc 0.1.0 (nhc:be6b6b55dade3c00)
  * A tractor with three trailers, each hitched to the axle before it; none of the four axles slips sideways.
  * Source: n_trailer3.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -45,14 +45,12 @@ const double n_trailer3_parameter_defaults[] = {
     0.8
 };
 
-static int n_trailer3_finish(int count, const double *values)
-{
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
-    for (int i = 0; i < count; ++i) {
-        sum += values[i];
-    }
-    return fabs(sum) <= DBL_MAX ? N_TRAILER3_OK : N_TRAILER3_NOT_FINITE;
-}
+/* long functions that are called seldom: gcc is to take less time over them (other compilers do so by themselves) */
+#if defined(__GNUC__) && !defined(__clang__) && defined(__OPTIMIZE__)
+#define N_TRAILER3_SLOW __attribute__((cold, optimize("O1")))
+#else
+#define N_TRAILER3_SLOW
+#endif
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
 #ifndef N_TRAILER3_LANES
@@ -237,19 +235,23 @@ int n_trailer3_rhs(double t, const double *y, const double *p, double *dydt)
     /* (I.2.15) 30:4 */
     dydt[6] = -z17; /* v' */
     dydt[7] = 0.0; /* w' */
-    /* the coframe is singular */
-    if (!(fabs(L) > 0.0)) {
-        return N_TRAILER3_SINGULAR_1;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(dydt[4] + dydt[5] + dydt[6]) <= DBL_MAX && fabs(J0) > 0.0)) {
+        /* the coframe is singular */
+        if (!(fabs(L) > 0.0)) {
+            return N_TRAILER3_SINGULAR_1;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z8) > 0.0)) {
+            return N_TRAILER3_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(J0) > 0.0)) {
+            return N_TRAILER3_SINGULAR_2;
+        }
+        return N_TRAILER3_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(z8) > 0.0)) {
-        return N_TRAILER3_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(J0) > 0.0)) {
-        return N_TRAILER3_SINGULAR_2;
-    }
-    return n_trailer3_finish(8, dydt);
+    return N_TRAILER3_OK;
 }
 
 int n_trailer3_velocities(double t, const double *y, const double *p, double *qdot)
@@ -287,13 +289,18 @@ int n_trailer3_velocities(double t, const double *y, const double *p, double *qd
     qdot[3] = s1 * z2; /* theta1' */
     qdot[4] = s2 * z4; /* theta2' */
     qdot[5] = s3 * (c2 * z4); /* theta3' */
-    /* the coframe is singular */
-    if (!(fabs(L) > 0.0)) {
-        return N_TRAILER3_SINGULAR_1;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qdot[2] + qdot[5]) <= DBL_MAX)) {
+        /* the coframe is singular */
+        if (!(fabs(L) > 0.0)) {
+            return N_TRAILER3_SINGULAR_1;
+        }
+        return N_TRAILER3_NOT_FINITE;
     }
-    return n_trailer3_finish(6, qdot);
+    return N_TRAILER3_OK;
 }
 
+N_TRAILER3_SLOW
 int n_trailer3_accelerations(double t, const double *y, const double *p, double *qddot)
 {
     (void)t;
@@ -354,19 +361,23 @@ int n_trailer3_accelerations(double t, const double *y, const double *p, double 
     qddot[3] = z18 * z10 - z12 * z21; /* theta1'' */
     qddot[4] = -(z10 * z19 + z6 * z22); /* theta2'' */
     qddot[5] = z10 * z17 - z5 * z22; /* theta3'' */
-    /* the coframe is singular */
-    if (!(fabs(L) > 0.0)) {
-        return N_TRAILER3_SINGULAR_1;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qddot[0] + qddot[1] + qddot[3] + qddot[4] + qddot[5]) <= DBL_MAX && fabs(J0) > 0.0)) {
+        /* the coframe is singular */
+        if (!(fabs(L) > 0.0)) {
+            return N_TRAILER3_SINGULAR_1;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z8) > 0.0)) {
+            return N_TRAILER3_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(J0) > 0.0)) {
+            return N_TRAILER3_SINGULAR_2;
+        }
+        return N_TRAILER3_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(z8) > 0.0)) {
-        return N_TRAILER3_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(J0) > 0.0)) {
-        return N_TRAILER3_SINGULAR_2;
-    }
-    return n_trailer3_finish(6, qddot);
+    return N_TRAILER3_OK;
 }
 
 int n_trailer3_state(double t, const double *q, const double *qdot, const double *p, double *y)
@@ -396,7 +407,11 @@ int n_trailer3_state(double t, const double *q, const double *qdot, const double
     y[5] = theta3;
     y[6] = x_dot * c_theta0 + y_dot * s_theta0;
     y[7] = theta0_dot;
-    return n_trailer3_finish(8, y);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(y[0] + y[1] + y[3] + y[4] + y[5] + y[6] + y[7]) <= DBL_MAX)) {
+        return N_TRAILER3_NOT_FINITE;
+    }
+    return N_TRAILER3_OK;
 }
 
 int n_trailer3_residuals(double t, const double *q, const double *qdot, const double *p, double *r)
@@ -439,9 +454,14 @@ int n_trailer3_residuals(double t, const double *q, const double *qdot, const do
     r[2] = c_theta2 * y2_dot - s_theta2 * x2_dot; /* axle2 = 0 */
     /* (I.1.1) 35:5 */
     r[3] = c_theta3 * (y2_dot - c_theta3 * z3) - s_theta3 * (x2_dot + s_theta3 * z3); /* axle3 = 0 */
-    return n_trailer3_finish(4, r);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(r[0] + r[1] + r[2] + r[3]) <= DBL_MAX)) {
+        return N_TRAILER3_NOT_FINITE;
+    }
+    return N_TRAILER3_OK;
 }
 
+N_TRAILER3_SLOW
 int n_trailer3_reactions(double t, const double *y, const double *p, double *lambda)
 {
     (void)t;
@@ -511,19 +531,23 @@ int n_trailer3_reactions(double t, const double *y, const double *p, double *lam
     lambda[2] = z4 * (z24 * z32) + z25 + c3 * z27 + s1 * z28; /* reaction of axle2: Q_i gains lambda_3 a_3i */
     /* (I.4.1) 35:5 */
     lambda[3] = z7 * (z26 * z32) - z27; /* reaction of axle3: Q_i gains lambda_4 a_4i */
-    /* the coframe is singular */
-    if (!(fabs(L) > 0.0)) {
-        return N_TRAILER3_SINGULAR_1;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(lambda[0] + lambda[1] + lambda[2] + lambda[3]) <= DBL_MAX && fabs(J0) > 0.0)) {
+        /* the coframe is singular */
+        if (!(fabs(L) > 0.0)) {
+            return N_TRAILER3_SINGULAR_1;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z8) > 0.0)) {
+            return N_TRAILER3_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(J0) > 0.0)) {
+            return N_TRAILER3_SINGULAR_2;
+        }
+        return N_TRAILER3_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(z8) > 0.0)) {
-        return N_TRAILER3_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(J0) > 0.0)) {
-        return N_TRAILER3_SINGULAR_2;
-    }
-    return n_trailer3_finish(4, lambda);
+    return N_TRAILER3_OK;
 }
 
 double n_trailer3_energy(double t, const double *y, const double *p)
@@ -577,6 +601,7 @@ double n_trailer3_energy(double t, const double *y, const double *p)
     return 0.5 * (J0 * (w * w)) + v * v * z10;
 }
 
+N_TRAILER3_SLOW
 int n_trailer3_jacobian(double t, const double *y, const double *p, double *J)
 {
     for (int entry = 0; entry < 64; ++entry) {
@@ -696,19 +721,25 @@ int n_trailer3_jacobian(double t, const double *y, const double *p, double *J)
     J[53] = z17 * z61;
     J[54] = -z17 * (z42 + z29 * z53 + z33 * z47 - z11 * z26);
     J[55] = -z17 * z26;
-    /* the coframe is singular */
-    if (!(fabs(L) > 0.0)) {
-        return N_TRAILER3_SINGULAR_1;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(J[34] + J[35] + J[38] + J[42] + J[43] + J[44] + J[45] + J[46] + J[50] + J[51] + J[52] + J[53]
+        + J[54] + J[55]) <= DBL_MAX
+        && fabs(J0) > 0.0)) {
+        /* the coframe is singular */
+        if (!(fabs(L) > 0.0)) {
+            return N_TRAILER3_SINGULAR_1;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z8) > 0.0)) {
+            return N_TRAILER3_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(J0) > 0.0)) {
+            return N_TRAILER3_SINGULAR_2;
+        }
+        return N_TRAILER3_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(z8) > 0.0)) {
-        return N_TRAILER3_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(J0) > 0.0)) {
-        return N_TRAILER3_SINGULAR_2;
-    }
-    return n_trailer3_finish(64, J);
+    return N_TRAILER3_OK;
 }
 
 int n_trailer3_outputs(double t, const double *y, const double *p, double *out)
@@ -734,11 +765,15 @@ int n_trailer3_outputs(double t, const double *y, const double *p, double *out)
     out[0] = x - L * (c_theta3 + (c_theta1 + c_theta2)); /* tail_x */
     /* 41:11 */
     out[1] = y_2 - L * (s_theta3 + (s_theta1 + s_theta2)); /* tail_y */
-    /* the coframe is singular */
-    if (!(fabs(L) > 0.0)) {
-        return N_TRAILER3_SINGULAR_1;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(out[0] + out[1]) <= DBL_MAX && fabs(L) > 0.0)) {
+        /* the coframe is singular */
+        if (!(fabs(L) > 0.0)) {
+            return N_TRAILER3_SINGULAR_1;
+        }
+        return N_TRAILER3_NOT_FINITE;
     }
-    return n_trailer3_finish(2, out);
+    return N_TRAILER3_OK;
 }
 
 #if N_TRAILER3_LANES >= 2

@@ -1,4 +1,4 @@
-"""n_trailer3, emitted by nhc 0.1.0 (nhc:3e708e4eed3e1f41).
+"""n_trailer3, emitted by nhc 0.1.0 (nhc:746c694273322510).
 
 A tractor with three trailers, each hitched to the axle before it; none of the four
     axles slips sideways.
@@ -106,13 +106,16 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     J = float(p[3])  # each trailer [kg*m^2]
     L = float(p[4])  # from axle to axle [m]
     try:
+        # the mass matrix is singular
+        if not abs(J0) > 0.0:
+            raise SingularModelError(2, "rhs")
+        # the coframe is singular
+        if not abs(L) > 0.0:
+            raise SingularModelError(1, "rhs")
         # parameters only
         k1 = 1.0 / L
         k2 = k1 * (J * k1)
         # state
-        # the coframe is singular
-        if not abs(L) > 0.0:
-            raise SingularModelError(1, "rhs")
         z1 = theta2 - theta3
         s1 = math.sin(z1)
         z2 = theta0 - theta1
@@ -130,9 +133,6 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z8 = s4 + m * (z7 * z7 + (c1 * c1 + z4 * z4))
         # the mass matrix is singular
         if not abs(z8) > 0.0:
-            raise SingularModelError(2, "rhs")
-        # the mass matrix is singular
-        if not abs(J0) > 0.0:
             raise SingularModelError(2, "rhs")
         c_theta0 = math.cos(theta0)
         s_theta0 = math.sin(theta0)
@@ -188,12 +188,12 @@ def velocities(
     w = float(y[7])
     L = float(p[4])  # from axle to axle [m]
     try:
-        # parameters only
-        k1 = 1.0 / L
-        # state
         # the coframe is singular
         if not abs(L) > 0.0:
             raise SingularModelError(1, "velocities")
+        # parameters only
+        k1 = 1.0 / L
+        # state
         c_theta0 = math.cos(theta0)
         s_theta0 = math.sin(theta0)
         z1 = theta0 - theta1
@@ -246,13 +246,16 @@ def accelerations(
     J = float(p[3])  # each trailer [kg*m^2]
     L = float(p[4])  # from axle to axle [m]
     try:
+        # the mass matrix is singular
+        if not abs(J0) > 0.0:
+            raise SingularModelError(2, "accelerations")
+        # the coframe is singular
+        if not abs(L) > 0.0:
+            raise SingularModelError(1, "accelerations")
         # parameters only
         k1 = 1.0 / L
         k2 = k1 * (J * k1)
         # state
-        # the coframe is singular
-        if not abs(L) > 0.0:
-            raise SingularModelError(1, "accelerations")
         z1 = theta2 - theta3
         s1 = math.sin(z1)
         z2 = theta0 - theta1
@@ -270,9 +273,6 @@ def accelerations(
         z8 = s4 + m * (z7 * z7 + (c1 * c1 + z4 * z4))
         # the mass matrix is singular
         if not abs(z8) > 0.0:
-            raise SingularModelError(2, "accelerations")
-        # the mass matrix is singular
-        if not abs(J0) > 0.0:
             raise SingularModelError(2, "accelerations")
         s_theta0 = math.sin(theta0)
         z9 = v * w
@@ -426,14 +426,17 @@ def reactions(
     J = float(p[3])  # each trailer [kg*m^2]
     L = float(p[4])  # from axle to axle [m]
     try:
+        # the mass matrix is singular
+        if not abs(J0) > 0.0:
+            raise SingularModelError(2, "reactions")
+        # the coframe is singular
+        if not abs(L) > 0.0:
+            raise SingularModelError(1, "reactions")
         # parameters only
         k1 = 1.0 / L
         k2 = J * k1
         k3 = k1 * k2
         # state
-        # the coframe is singular
-        if not abs(L) > 0.0:
-            raise SingularModelError(1, "reactions")
         z1 = theta2 - theta3
         s1 = math.sin(z1)
         z2 = theta0 - theta1
@@ -451,9 +454,6 @@ def reactions(
         z8 = s4 + m * (z7 * z7 + (c1 * c1 + z4 * z4))
         # the mass matrix is singular
         if not abs(z8) > 0.0:
-            raise SingularModelError(2, "reactions")
-        # the mass matrix is singular
-        if not abs(J0) > 0.0:
             raise SingularModelError(2, "reactions")
         z9 = s2 * k1
         z10 = v * z9
@@ -574,13 +574,16 @@ def jacobian(
     J_2 = float(p[3])  # each trailer [kg*m^2]
     L = float(p[4])  # from axle to axle [m]
     try:
+        # the mass matrix is singular
+        if not abs(J0) > 0.0:
+            raise SingularModelError(2, "jacobian")
+        # the coframe is singular
+        if not abs(L) > 0.0:
+            raise SingularModelError(1, "jacobian")
         # parameters only
         k1 = 1.0 / L
         k2 = k1 * (J_2 * k1)
         # state
-        # the coframe is singular
-        if not abs(L) > 0.0:
-            raise SingularModelError(1, "jacobian")
         z1 = theta2 - theta3
         s1 = math.sin(z1)
         z2 = theta0 - theta1
@@ -598,9 +601,6 @@ def jacobian(
         z8 = s4 + m * (z7 * z7 + (c1 * c1 + z4 * z4))
         # the mass matrix is singular
         if not abs(z8) > 0.0:
-            raise SingularModelError(2, "jacobian")
-        # the mass matrix is singular
-        if not abs(J0) > 0.0:
             raise SingularModelError(2, "jacobian")
         s_theta0 = math.sin(theta0)
         c_theta0 = math.cos(theta0)
@@ -771,10 +771,10 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
     theta3 = float(y[5])  # third trailer [rad]
     L = float(p[4])  # from axle to axle [m]
     try:
-        # state
         # the coframe is singular
         if not abs(L) > 0.0:
             raise SingularModelError(1, "outputs")
+        # state
         c_theta3 = math.cos(theta3)
         c_theta1 = math.cos(theta1)
         c_theta2 = math.cos(theta2)

@@ -1,5 +1,5 @@
 /*
- * nh_particle.c: nh_particle, emitted by nhc 0.1.0 (nhc:b2dac8b12706b219)
+ * nh_particle.c: nh_particle, emitted by nhc 0.1.0 (nhc:4525f5861e4f3804)
  * A free particle with one velocity constraint that cannot be integrated.
  * Source: nh_particle.yaml
  * Equations of motion: chaplygin (III.3)
@@ -30,15 +30,6 @@ const char *const nh_particle_parameter_names[] = {
 const double nh_particle_parameter_defaults[] = {
     1.0
 };
-
-static int nh_particle_finish(int count, const double *values)
-{
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
-    for (int i = 0; i < count; ++i) {
-        sum += values[i];
-    }
-    return fabs(sum) <= DBL_MAX ? NH_PARTICLE_OK : NH_PARTICLE_NOT_FINITE;
-}
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
 #ifndef NH_PARTICLE_LANES
@@ -168,15 +159,19 @@ int nh_particle_rhs(double t, const double *y, const double *p, double *dydt)
     /* (III.3) 9:4 */
     dydt[3] = -m * (y_dot * z2) / z1; /* x'' */
     dydt[4] = 0.0; /* y'' */
-    /* the mass matrix is singular */
-    if (!(fabs(z1) > 0.0)) {
-        return NH_PARTICLE_SINGULAR_2;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(dydt[3]) <= DBL_MAX)) {
+        /* the mass matrix is singular */
+        if (!(fabs(z1) > 0.0)) {
+            return NH_PARTICLE_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(m) > 0.0)) {
+            return NH_PARTICLE_SINGULAR_2;
+        }
+        return NH_PARTICLE_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(m) > 0.0)) {
-        return NH_PARTICLE_SINGULAR_2;
-    }
-    return nh_particle_finish(5, dydt);
+    return NH_PARTICLE_OK;
 }
 
 int nh_particle_velocities(double t, const double *y, const double *p, double *qdot)
@@ -192,7 +187,11 @@ int nh_particle_velocities(double t, const double *y, const double *p, double *q
     qdot[0] = x_dot; /* x' */
     qdot[1] = y_dot; /* y' */
     qdot[2] = y_2 * x_dot; /* z' */
-    return nh_particle_finish(3, qdot);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qdot[0] + qdot[1] + qdot[2]) <= DBL_MAX)) {
+        return NH_PARTICLE_NOT_FINITE;
+    }
+    return NH_PARTICLE_OK;
 }
 
 int nh_particle_accelerations(double t, const double *y, const double *p, double *qddot)
@@ -211,15 +210,19 @@ int nh_particle_accelerations(double t, const double *y, const double *p, double
     qddot[0] = -z3; /* x'' */
     qddot[1] = 0.0; /* y'' */
     qddot[2] = z2 - y_2 * z3; /* z'' */
-    /* the mass matrix is singular */
-    if (!(fabs(z1) > 0.0)) {
-        return NH_PARTICLE_SINGULAR_2;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qddot[2]) <= DBL_MAX)) {
+        /* the mass matrix is singular */
+        if (!(fabs(z1) > 0.0)) {
+            return NH_PARTICLE_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(m) > 0.0)) {
+            return NH_PARTICLE_SINGULAR_2;
+        }
+        return NH_PARTICLE_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(m) > 0.0)) {
-        return NH_PARTICLE_SINGULAR_2;
-    }
-    return nh_particle_finish(3, qddot);
+    return NH_PARTICLE_OK;
 }
 
 int nh_particle_state(double t, const double *q, const double *qdot, const double *p, double *y)
@@ -238,7 +241,11 @@ int nh_particle_state(double t, const double *q, const double *qdot, const doubl
     y[2] = z;
     y[3] = x_dot;
     y[4] = y_dot;
-    return nh_particle_finish(5, y);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(y[0] + y[1] + y[2] + y[3] + y[4]) <= DBL_MAX)) {
+        return NH_PARTICLE_NOT_FINITE;
+    }
+    return NH_PARTICLE_OK;
 }
 
 int nh_particle_residuals(double t, const double *q, const double *qdot, const double *p, double *r)
@@ -252,7 +259,11 @@ int nh_particle_residuals(double t, const double *q, const double *qdot, const d
     /* state */
     /* (I.1.1) 11:5 */
     r[0] = z_dot - y * x_dot; /* contact = 0 */
-    return nh_particle_finish(1, r);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(r[0]) <= DBL_MAX)) {
+        return NH_PARTICLE_NOT_FINITE;
+    }
+    return NH_PARTICLE_OK;
 }
 
 int nh_particle_reactions(double t, const double *y, const double *p, double *lambda)
@@ -268,15 +279,19 @@ int nh_particle_reactions(double t, const double *y, const double *p, double *la
     const double z2 = m * (1.0 + z1);
     /* (I.4.1) 11:5 */
     lambda[0] = m * (x_dot * y_dot) * (1.0 - m * z1 / z2); /* reaction of contact: Q_i gains lambda_1 a_1i */
-    /* the mass matrix is singular */
-    if (!(fabs(z2) > 0.0)) {
-        return NH_PARTICLE_SINGULAR_2;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(lambda[0]) <= DBL_MAX)) {
+        /* the mass matrix is singular */
+        if (!(fabs(z2) > 0.0)) {
+            return NH_PARTICLE_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(m) > 0.0)) {
+            return NH_PARTICLE_SINGULAR_2;
+        }
+        return NH_PARTICLE_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(m) > 0.0)) {
-        return NH_PARTICLE_SINGULAR_2;
-    }
-    return nh_particle_finish(1, lambda);
+    return NH_PARTICLE_OK;
 }
 
 double nh_particle_energy(double t, const double *y, const double *p)
@@ -316,15 +331,19 @@ int nh_particle_jacobian(double t, const double *y, const double *p, double *J)
     J[16] = -(1.0 - 2.0 * (z1 * z3)) * (y_dot * (x_dot * z3));
     J[18] = -y_dot * z4;
     J[19] = -x_dot * z4;
-    /* the mass matrix is singular */
-    if (!(fabs(z2) > 0.0)) {
-        return NH_PARTICLE_SINGULAR_2;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(J[16] + J[18] + J[19]) <= DBL_MAX)) {
+        /* the mass matrix is singular */
+        if (!(fabs(z2) > 0.0)) {
+            return NH_PARTICLE_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(m) > 0.0)) {
+            return NH_PARTICLE_SINGULAR_2;
+        }
+        return NH_PARTICLE_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(m) > 0.0)) {
-        return NH_PARTICLE_SINGULAR_2;
-    }
-    return nh_particle_finish(25, J);
+    return NH_PARTICLE_OK;
 }
 
 int nh_particle_outputs(double t, const double *y, const double *p, double *out)
@@ -337,7 +356,11 @@ int nh_particle_outputs(double t, const double *y, const double *p, double *out)
     /* state */
     /* 14:8 */
     out[0] = m * (x_dot + y_2 * (y_2 * x_dot)); /* p_x */
-    return nh_particle_finish(1, out);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(out[0]) <= DBL_MAX)) {
+        return NH_PARTICLE_NOT_FINITE;
+    }
+    return NH_PARTICLE_OK;
 }
 
 #if NH_PARTICLE_LANES >= 2

@@ -1,4 +1,4 @@
-"""nh_particle, emitted by nhc 0.1.0 (nhc:4433f19289a545d1).
+"""nh_particle, emitted by nhc 0.1.0 (nhc:e9cb5d4a6d926fe5).
 
 A free particle with one velocity constraint that cannot be integrated.
 Source: nh_particle.yaml
@@ -87,13 +87,13 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     y_dot = float(y[4])
     m = float(p[0])
     try:
+        # the mass matrix is singular
+        if not abs(m) > 0.0:
+            raise SingularModelError(2, "rhs")
         # state
         z1 = m * (1.0 + y_2 * y_2)
         # the mass matrix is singular
         if not abs(z1) > 0.0:
-            raise SingularModelError(2, "rhs")
-        # the mass matrix is singular
-        if not abs(m) > 0.0:
             raise SingularModelError(2, "rhs")
         z2 = y_2 * x_dot
         dydt: list[float] = [
@@ -156,13 +156,13 @@ def accelerations(
     y_dot = float(y[4])
     m = float(p[0])
     try:
+        # the mass matrix is singular
+        if not abs(m) > 0.0:
+            raise SingularModelError(2, "accelerations")
         # state
         z1 = m * (1.0 + y_2 * y_2)
         # the mass matrix is singular
         if not abs(z1) > 0.0:
-            raise SingularModelError(2, "accelerations")
-        # the mass matrix is singular
-        if not abs(m) > 0.0:
             raise SingularModelError(2, "accelerations")
         z2 = x_dot * y_dot
         z3 = m * (y_2 * z2 / z1)
@@ -244,14 +244,14 @@ def reactions(
     y_dot = float(y[4])
     m = float(p[0])
     try:
+        # the mass matrix is singular
+        if not abs(m) > 0.0:
+            raise SingularModelError(2, "reactions")
         # state
         z1 = y_2 * y_2
         z2 = m * (1.0 + z1)
         # the mass matrix is singular
         if not abs(z2) > 0.0:
-            raise SingularModelError(2, "reactions")
-        # the mass matrix is singular
-        if not abs(m) > 0.0:
             raise SingularModelError(2, "reactions")
         lambda_: list[float] = [
             # reaction of contact: Q_i gains lambda_1 a_1i (I.4.1) 11:5
@@ -296,14 +296,14 @@ def jacobian(
     y_dot = float(y[4])
     m = float(p[0])
     try:
+        # the mass matrix is singular
+        if not abs(m) > 0.0:
+            raise SingularModelError(2, "jacobian")
         # state
         z1 = y_2 * y_2
         z2 = m * (1.0 + z1)
         # the mass matrix is singular
         if not abs(z2) > 0.0:
-            raise SingularModelError(2, "jacobian")
-        # the mass matrix is singular
-        if not abs(m) > 0.0:
             raise SingularModelError(2, "jacobian")
         z3 = m / z2
         z4 = y_2 * z3

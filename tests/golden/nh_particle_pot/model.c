@@ -1,5 +1,5 @@
 /*
- * nh_particle_pot.c: nh_particle_pot, emitted by nhc 0.1.0 (nhc:3ffadda079297f19)
+ * nh_particle_pot.c: nh_particle_pot, emitted by nhc 0.1.0 (nhc:bcf6ca4d3a8f553d)
  * The nonholonomic particle with springs in x and y.
  * Source: nh_particle_pot.yaml
  * Equations of motion: chaplygin (III.3)
@@ -32,15 +32,6 @@ const double nh_particle_pot_parameter_defaults[] = {
     1.0,
     1.0
 };
-
-static int nh_particle_pot_finish(int count, const double *values)
-{
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
-    for (int i = 0; i < count; ++i) {
-        sum += values[i];
-    }
-    return fabs(sum) <= DBL_MAX ? NH_PARTICLE_POT_OK : NH_PARTICLE_POT_NOT_FINITE;
-}
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
 #ifndef NH_PARTICLE_POT_LANES
@@ -163,7 +154,7 @@ int nh_particle_pot_rhs(double t, const double *y, const double *p, double *dydt
     const double k = p[1];
 
     /* parameters only */
-    const double k1 = 1.0 / m;
+    const double k1 = -k / m;
 
     /* state */
     const double z1 = m * (1.0 + y_2 * y_2);
@@ -174,16 +165,20 @@ int nh_particle_pot_rhs(double t, const double *y, const double *p, double *dydt
     dydt[2] = z2; /* z' */
     /* (III.3) 10:4 */
     dydt[3] = -(x * k + m * (y_dot * z2)) / z1; /* x'' */
-    dydt[4] = -y_2 * k * k1; /* y'' */
-    /* the mass matrix is singular */
-    if (!(fabs(z1) > 0.0)) {
-        return NH_PARTICLE_POT_SINGULAR_2;
+    dydt[4] = y_2 * k1; /* y'' */
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(dydt[3] + dydt[4]) <= DBL_MAX)) {
+        /* the mass matrix is singular */
+        if (!(fabs(z1) > 0.0)) {
+            return NH_PARTICLE_POT_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(m) > 0.0)) {
+            return NH_PARTICLE_POT_SINGULAR_2;
+        }
+        return NH_PARTICLE_POT_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(m) > 0.0)) {
-        return NH_PARTICLE_POT_SINGULAR_2;
-    }
-    return nh_particle_pot_finish(5, dydt);
+    return NH_PARTICLE_POT_OK;
 }
 
 int nh_particle_pot_velocities(double t, const double *y, const double *p, double *qdot)
@@ -199,7 +194,11 @@ int nh_particle_pot_velocities(double t, const double *y, const double *p, doubl
     qdot[0] = x_dot; /* x' */
     qdot[1] = y_dot; /* y' */
     qdot[2] = y_2 * x_dot; /* z' */
-    return nh_particle_pot_finish(3, qdot);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qdot[0] + qdot[1] + qdot[2]) <= DBL_MAX)) {
+        return NH_PARTICLE_POT_NOT_FINITE;
+    }
+    return NH_PARTICLE_POT_OK;
 }
 
 int nh_particle_pot_accelerations(double t, const double *y, const double *p, double *qddot)
@@ -213,7 +212,7 @@ int nh_particle_pot_accelerations(double t, const double *y, const double *p, do
     const double k = p[1];
 
     /* parameters only */
-    const double k1 = k / m;
+    const double k1 = -k / m;
 
     /* state */
     const double z1 = m * (1.0 + y_2 * y_2);
@@ -221,17 +220,21 @@ int nh_particle_pot_accelerations(double t, const double *y, const double *p, do
     const double z3 = (x * k + m * (y_2 * z2)) / z1;
     /* (III.3) */
     qddot[0] = -z3; /* x'' */
-    qddot[1] = -y_2 * k1; /* y'' */
+    qddot[1] = y_2 * k1; /* y'' */
     qddot[2] = z2 - y_2 * z3; /* z'' */
-    /* the mass matrix is singular */
-    if (!(fabs(z1) > 0.0)) {
-        return NH_PARTICLE_POT_SINGULAR_2;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qddot[1] + qddot[2]) <= DBL_MAX)) {
+        /* the mass matrix is singular */
+        if (!(fabs(z1) > 0.0)) {
+            return NH_PARTICLE_POT_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(m) > 0.0)) {
+            return NH_PARTICLE_POT_SINGULAR_2;
+        }
+        return NH_PARTICLE_POT_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(m) > 0.0)) {
-        return NH_PARTICLE_POT_SINGULAR_2;
-    }
-    return nh_particle_pot_finish(3, qddot);
+    return NH_PARTICLE_POT_OK;
 }
 
 int nh_particle_pot_state(double t, const double *q, const double *qdot, const double *p, double *y)
@@ -250,7 +253,11 @@ int nh_particle_pot_state(double t, const double *q, const double *qdot, const d
     y[2] = z;
     y[3] = x_dot;
     y[4] = y_dot;
-    return nh_particle_pot_finish(5, y);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(y[0] + y[1] + y[2] + y[3] + y[4]) <= DBL_MAX)) {
+        return NH_PARTICLE_POT_NOT_FINITE;
+    }
+    return NH_PARTICLE_POT_OK;
 }
 
 int nh_particle_pot_residuals(double t, const double *q, const double *qdot, const double *p, double *r)
@@ -264,7 +271,11 @@ int nh_particle_pot_residuals(double t, const double *q, const double *qdot, con
     /* state */
     /* (I.1.1) 13:5 */
     r[0] = z_dot - y * x_dot; /* contact = 0 */
-    return nh_particle_pot_finish(1, r);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(r[0]) <= DBL_MAX)) {
+        return NH_PARTICLE_POT_NOT_FINITE;
+    }
+    return NH_PARTICLE_POT_OK;
 }
 
 int nh_particle_pot_reactions(double t, const double *y, const double *p, double *lambda)
@@ -283,15 +294,19 @@ int nh_particle_pot_reactions(double t, const double *y, const double *p, double
     /* (I.4.1) 13:5 */
     /* reaction of contact: Q_i gains lambda_1 a_1i */
     lambda[0] = m * (z2 - y_2 * (x * k + m * (y_2 * z2)) / z1);
-    /* the mass matrix is singular */
-    if (!(fabs(z1) > 0.0)) {
-        return NH_PARTICLE_POT_SINGULAR_2;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(lambda[0]) <= DBL_MAX)) {
+        /* the mass matrix is singular */
+        if (!(fabs(z1) > 0.0)) {
+            return NH_PARTICLE_POT_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(m) > 0.0)) {
+            return NH_PARTICLE_POT_SINGULAR_2;
+        }
+        return NH_PARTICLE_POT_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(m) > 0.0)) {
-        return NH_PARTICLE_POT_SINGULAR_2;
-    }
-    return nh_particle_pot_finish(1, lambda);
+    return NH_PARTICLE_POT_OK;
 }
 
 double nh_particle_pot_energy(double t, const double *y, const double *p)
@@ -339,15 +354,19 @@ int nh_particle_pot_jacobian(double t, const double *y, const double *p, double 
     J[18] = -z3 * z4;
     J[19] = -m * (z5 * z2);
     J[21] = -k / m;
-    /* the mass matrix is singular */
-    if (!(fabs(z1) > 0.0)) {
-        return NH_PARTICLE_POT_SINGULAR_2;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(J[15] + J[16] + J[18] + J[19] + J[21]) <= DBL_MAX)) {
+        /* the mass matrix is singular */
+        if (!(fabs(z1) > 0.0)) {
+            return NH_PARTICLE_POT_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(m) > 0.0)) {
+            return NH_PARTICLE_POT_SINGULAR_2;
+        }
+        return NH_PARTICLE_POT_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(m) > 0.0)) {
-        return NH_PARTICLE_POT_SINGULAR_2;
-    }
-    return nh_particle_pot_finish(25, J);
+    return NH_PARTICLE_POT_OK;
 }
 
 int nh_particle_pot_outputs(double t, const double *y, const double *p, double *out)
@@ -393,7 +412,7 @@ static __attribute__((noinline)) void nh_particle_pot_rhs_lanes(const double *fi
     const nh_particle_pot_lanes slope4 = -(x * k + m * (y_dot * z2)) / z1;
     sum += slope4;
     nh_particle_pot_put(dydt + 3 * stride, slope4);
-    const nh_particle_pot_lanes slope5 = -y_2 * k * k1;
+    const nh_particle_pot_lanes slope5 = y_2 * k1;
     sum += slope5;
     nh_particle_pot_put(dydt + 4 * stride, slope5);
     nh_particle_pot_put(check, nh_particle_pot_mark(far + (sum - sum), bad));
@@ -417,7 +436,7 @@ int nh_particle_pot_rhs_batch(size_t count, const double *t, const double *y, co
 #if NH_PARTICLE_POT_LANES >= 2
     const double m = p[0];
     const double k = p[1];
-    const double k1 = 1.0 / m;
+    const double k1 = -k / m;
     /* the mass matrix is singular */
     if (!(fabs(m) > 0.0)) {
         return NH_PARTICLE_POT_SINGULAR_2;

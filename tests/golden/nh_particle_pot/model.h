@@ -1,5 +1,5 @@
 /*
- * nh_particle_pot.h: nh_particle_pot, emitted by nhc 0.1.0 (nhc:fcab64df82ec8c1f)
+ * nh_particle_pot.h: nh_particle_pot, emitted by nhc 0.1.0 (nhc:1838d844b85e874f)
  * The nonholonomic particle with springs in x and y.
  * Source: nh_particle_pot.yaml
  * Equations of motion: chaplygin (III.3)
@@ -20,7 +20,7 @@
  * 0: contact
  *
  * Operations:
- * rhs: 2 +-, 8 *, 2 /, 0 calls
+ * rhs: 2 +-, 7 *, 2 /, 0 calls
  * velocities: 0 +-, 1 *, 0 /, 0 calls
  * accelerations: 3 +-, 8 *, 2 /, 0 calls
  * state: 0 +-, 0 *, 0 /, 0 calls

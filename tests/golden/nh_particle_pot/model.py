@@ -1,4 +1,4 @@
-"""nh_particle_pot, emitted by nhc 0.1.0 (nhc:ad19fbbb856d9a00).
+"""nh_particle_pot, emitted by nhc 0.1.0 (nhc:67bc292ce675bf39).
 
 The nonholonomic particle with springs in x and y.
 Source: nh_particle_pot.yaml
@@ -20,7 +20,7 @@ Constraints:
 0: contact
 
 Operations:
-rhs: 2 +-, 8 *, 2 /, 0 calls
+rhs: 2 +-, 7 *, 2 /, 0 calls
 velocities: 0 +-, 1 *, 0 /, 0 calls
 accelerations: 3 +-, 8 *, 2 /, 0 calls
 state: 0 +-, 0 *, 0 /, 0 calls
@@ -87,15 +87,15 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     m = float(p[0])
     k = float(p[1])
     try:
+        # the mass matrix is singular
+        if not abs(m) > 0.0:
+            raise SingularModelError(2, "rhs")
         # parameters only
-        k1 = 1.0 / m
+        k1 = -k / m
         # state
         z1 = m * (1.0 + y_2 * y_2)
         # the mass matrix is singular
         if not abs(z1) > 0.0:
-            raise SingularModelError(2, "rhs")
-        # the mass matrix is singular
-        if not abs(m) > 0.0:
             raise SingularModelError(2, "rhs")
         z2 = y_2 * x_dot
         dydt: list[float] = [
@@ -108,7 +108,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
             # x'' (III.3) 10:4
             -(x * k + m * (y_dot * z2)) / z1,
             # y'' (III.3) 10:4
-            -y_2 * k * k1,
+            y_2 * k1,
         ]
         return _finish("rhs", dydt)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -160,15 +160,15 @@ def accelerations(
     m = float(p[0])
     k = float(p[1])
     try:
+        # the mass matrix is singular
+        if not abs(m) > 0.0:
+            raise SingularModelError(2, "accelerations")
         # parameters only
-        k1 = k / m
+        k1 = -k / m
         # state
         z1 = m * (1.0 + y_2 * y_2)
         # the mass matrix is singular
         if not abs(z1) > 0.0:
-            raise SingularModelError(2, "accelerations")
-        # the mass matrix is singular
-        if not abs(m) > 0.0:
             raise SingularModelError(2, "accelerations")
         z2 = x_dot * y_dot
         z3 = (x * k + m * (y_2 * z2)) / z1
@@ -176,7 +176,7 @@ def accelerations(
             # x'' (III.3)
             -z3,
             # y'' (III.3)
-            -y_2 * k1,
+            y_2 * k1,
             # z'' (III.3)
             z2 - y_2 * z3,
         ]
@@ -252,13 +252,13 @@ def reactions(
     m = float(p[0])
     k = float(p[1])
     try:
+        # the mass matrix is singular
+        if not abs(m) > 0.0:
+            raise SingularModelError(2, "reactions")
         # state
         z1 = m * (1.0 + y_2 * y_2)
         # the mass matrix is singular
         if not abs(z1) > 0.0:
-            raise SingularModelError(2, "reactions")
-        # the mass matrix is singular
-        if not abs(m) > 0.0:
             raise SingularModelError(2, "reactions")
         z2 = x_dot * y_dot
         lambda_: list[float] = [
@@ -310,13 +310,13 @@ def jacobian(
     m = float(p[0])
     k = float(p[1])
     try:
+        # the mass matrix is singular
+        if not abs(m) > 0.0:
+            raise SingularModelError(2, "jacobian")
         # state
         z1 = m * (1.0 + y_2 * y_2)
         # the mass matrix is singular
         if not abs(z1) > 0.0:
-            raise SingularModelError(2, "jacobian")
-        # the mass matrix is singular
-        if not abs(m) > 0.0:
             raise SingularModelError(2, "jacobian")
         z2 = 1.0 / z1
         z3 = y_dot * m

@@ -1,5 +1,5 @@
 /*
- * pendulum.c: pendulum, emitted by nhc 0.1.0 (nhc:de0f2e1bec05f6fd)
+ * pendulum.c: pendulum, emitted by nhc 0.1.0 (nhc:c3319f5bac8ed059)
  * The plane pendulum, large swings.
  * Source: pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -29,15 +29,6 @@ const double pendulum_parameter_defaults[] = {
     1.0,
     9.81
 };
-
-static int pendulum_finish(int count, const double *values)
-{
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
-    for (int i = 0; i < count; ++i) {
-        sum += values[i];
-    }
-    return fabs(sum) <= DBL_MAX ? PENDULUM_OK : PENDULUM_NOT_FINITE;
-}
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
 #ifndef PENDULUM_LANES
@@ -164,19 +155,23 @@ int pendulum_rhs(double t, const double *y, const double *p, double *dydt)
     const double g = p[2]; /* acceleration of gravity [m/s^2] */
 
     /* parameters only */
-    const double k1 = 1.0 / l;
+    const double k1 = -g / l;
 
     /* state */
     const double s_theta = sin(theta);
     /* (II.3) */
     dydt[0] = theta_dot; /* theta' */
     /* (II.3) 12:4 */
-    dydt[1] = -g * s_theta * k1; /* theta'' */
-    /* the mass matrix is singular */
-    if (!(fabs(m * (l * l)) > 0.0)) {
-        return PENDULUM_SINGULAR_2;
+    dydt[1] = s_theta * k1; /* theta'' */
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(dydt[0] + dydt[1]) <= DBL_MAX && fabs(m * (l * l)) > 0.0)) {
+        /* the mass matrix is singular */
+        if (!(fabs(m * (l * l)) > 0.0)) {
+            return PENDULUM_SINGULAR_2;
+        }
+        return PENDULUM_NOT_FINITE;
     }
-    return pendulum_finish(2, dydt);
+    return PENDULUM_OK;
 }
 
 int pendulum_velocities(double t, const double *y, const double *p, double *qdot)
@@ -188,7 +183,11 @@ int pendulum_velocities(double t, const double *y, const double *p, double *qdot
     /* state */
     /* (I.2.4) */
     qdot[0] = theta_dot; /* theta' */
-    return pendulum_finish(1, qdot);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qdot[0]) <= DBL_MAX)) {
+        return PENDULUM_NOT_FINITE;
+    }
+    return PENDULUM_OK;
 }
 
 int pendulum_accelerations(double t, const double *y, const double *p, double *qddot)
@@ -200,17 +199,21 @@ int pendulum_accelerations(double t, const double *y, const double *p, double *q
     const double g = p[2]; /* acceleration of gravity [m/s^2] */
 
     /* parameters only */
-    const double k1 = 1.0 / l;
+    const double k1 = -g / l;
 
     /* state */
     const double s_theta = sin(theta);
     /* (II.3) */
-    qddot[0] = -g * s_theta * k1; /* theta'' */
-    /* the mass matrix is singular */
-    if (!(fabs(m * (l * l)) > 0.0)) {
-        return PENDULUM_SINGULAR_2;
+    qddot[0] = s_theta * k1; /* theta'' */
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qddot[0]) <= DBL_MAX && fabs(m * (l * l)) > 0.0)) {
+        /* the mass matrix is singular */
+        if (!(fabs(m * (l * l)) > 0.0)) {
+            return PENDULUM_SINGULAR_2;
+        }
+        return PENDULUM_NOT_FINITE;
     }
-    return pendulum_finish(1, qddot);
+    return PENDULUM_OK;
 }
 
 int pendulum_state(double t, const double *q, const double *qdot, const double *p, double *y)
@@ -223,7 +226,11 @@ int pendulum_state(double t, const double *q, const double *qdot, const double *
     /* state */
     y[0] = theta;
     y[1] = theta_dot;
-    return pendulum_finish(2, y);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(y[0] + y[1]) <= DBL_MAX)) {
+        return PENDULUM_NOT_FINITE;
+    }
+    return PENDULUM_OK;
 }
 
 int pendulum_residuals(double t, const double *q, const double *qdot, const double *p, double *r)
@@ -280,18 +287,22 @@ int pendulum_jacobian(double t, const double *y, const double *p, double *J)
     const double g = p[2]; /* acceleration of gravity [m/s^2] */
 
     /* parameters only */
-    const double k1 = 1.0 / l;
+    const double k1 = -g / l;
 
     /* state */
     const double c_theta = cos(theta);
     /* (II.3) */
     J[1] = 1.0;
-    J[2] = -k1 * (g * c_theta);
-    /* the mass matrix is singular */
-    if (!(fabs(m * (l * l)) > 0.0)) {
-        return PENDULUM_SINGULAR_2;
+    J[2] = c_theta * k1;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(J[2]) <= DBL_MAX && fabs(m * (l * l)) > 0.0)) {
+        /* the mass matrix is singular */
+        if (!(fabs(m * (l * l)) > 0.0)) {
+            return PENDULUM_SINGULAR_2;
+        }
+        return PENDULUM_NOT_FINITE;
     }
-    return pendulum_finish(4, J);
+    return PENDULUM_OK;
 }
 
 int pendulum_outputs(double t, const double *y, const double *p, double *out)
@@ -303,7 +314,11 @@ int pendulum_outputs(double t, const double *y, const double *p, double *out)
     /* state */
     /* 15:9 */
     out[0] = theta_dot; /* rate */
-    return pendulum_finish(1, out);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(out[0]) <= DBL_MAX)) {
+        return PENDULUM_NOT_FINITE;
+    }
+    return PENDULUM_OK;
 }
 
 #if PENDULUM_LANES >= 2
@@ -314,8 +329,7 @@ static __attribute__((noinline)) void pendulum_rhs_lanes(const double *fixed, si
     pendulum_lanes far = {0}; /* the squares of the angles */
     pendulum_lanes sum = {0}; /* an infinity or a NaN among the results stays in it */
     pendulum_bits bad = {0}; /* singular blocks */
-    const double g = fixed[0];
-    const double k1 = fixed[1];
+    const double k1 = fixed[0];
     const pendulum_lanes theta = pendulum_get(y);
     const pendulum_lanes theta_dot = pendulum_get(y + 1 * stride);
     pendulum_lanes sine1, cosine1;
@@ -326,7 +340,7 @@ static __attribute__((noinline)) void pendulum_rhs_lanes(const double *fixed, si
     sum += slope1;
     pendulum_put(dydt, slope1);
     /* (II.3) 12:4 */
-    const pendulum_lanes slope2 = -g * s_theta * k1;
+    const pendulum_lanes slope2 = s_theta * k1;
     sum += slope2;
     pendulum_put(dydt + 1 * stride, slope2);
     pendulum_put(check, pendulum_mark(far + (sum - sum), bad));
@@ -350,12 +364,12 @@ int pendulum_rhs_batch(size_t count, const double *t, const double *y, const dou
     const double m = p[0]; /* mass of the bob [kg] */
     const double l = p[1]; /* length of the rod [m] */
     const double g = p[2]; /* acceleration of gravity [m/s^2] */
-    const double k1 = 1.0 / l;
+    const double k1 = -g / l;
     /* the mass matrix is singular */
     if (!(fabs(m * (l * l)) > 0.0)) {
         return PENDULUM_SINGULAR_2;
     }
-    const double fixed[] = {g, k1};
+    const double fixed[] = {k1};
     double check[1 * PENDULUM_LANES];
     int status = PENDULUM_OK;
     for (size_t i = 0; i < count; i += PENDULUM_LANES) {

@@ -1,5 +1,5 @@
 /*
- * pendulum.h: pendulum, emitted by nhc 0.1.0 (nhc:f8f57073796f93a0)
+ * pendulum.h: pendulum, emitted by nhc 0.1.0 (nhc:10b6d187b60d7be9)
  * The plane pendulum, large swings.
  * Source: pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -18,14 +18,14 @@
  * out[0] = rate
  *
  * Operations:
- * rhs: 0 +-, 4 *, 1 /, 1 calls
+ * rhs: 0 +-, 3 *, 1 /, 1 calls
  * velocities: 0 +-, 0 *, 0 /, 0 calls
- * accelerations: 0 +-, 4 *, 1 /, 1 calls
+ * accelerations: 0 +-, 3 *, 1 /, 1 calls
  * state: 0 +-, 0 *, 0 /, 0 calls
  * residuals: 0 +-, 0 *, 0 /, 0 calls
  * reactions: 0 +-, 2 *, 0 /, 0 calls
  * energy: 1 +-, 6 *, 0 /, 1 calls
- * jacobian: 0 +-, 4 *, 1 /, 1 calls
+ * jacobian: 0 +-, 3 *, 1 /, 1 calls
  * outputs: 0 +-, 0 *, 0 /, 0 calls
  *
  * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.

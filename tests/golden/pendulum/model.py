@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""pendulum, emitted by nhc 0.1.0 (nhc:d0cdb549572a066e).
+"""pendulum, emitted by nhc 0.1.0 (nhc:a7e99b95438934b7).
 
 The plane pendulum, large swings.
 Source: pendulum.yaml
@@ -19,14 +19,14 @@ Outputs:
 out[0] = rate
 
 Operations:
-rhs: 0 +-, 4 *, 1 /, 1 calls
+rhs: 0 +-, 3 *, 1 /, 1 calls
 velocities: 0 +-, 0 *, 0 /, 0 calls
-accelerations: 0 +-, 4 *, 1 /, 1 calls
+accelerations: 0 +-, 3 *, 1 /, 1 calls
 state: 0 +-, 0 *, 0 /, 0 calls
 residuals: 0 +-, 0 *, 0 /, 0 calls
 reactions: 0 +-, 2 *, 0 /, 0 calls
 energy: 1 +-, 6 *, 0 /, 1 calls
-jacobian: 0 +-, 4 *, 1 /, 1 calls
+jacobian: 0 +-, 3 *, 1 /, 1 calls
 outputs: 0 +-, 0 *, 0 /, 0 calls
 
 A singular point raises SingularModelError.
@@ -85,19 +85,19 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     l = float(p[1])  # length of the rod [m]
     g = float(p[2])  # acceleration of gravity [m/s^2]
     try:
-        # parameters only
-        k1 = 1.0 / l
-        # state
         s1 = m * (l * l)
         # the mass matrix is singular
         if not abs(s1) > 0.0:
             raise SingularModelError(2, "rhs")
+        # parameters only
+        k1 = -g / l
+        # state
         s_theta = math.sin(theta)
         dydt: list[float] = [
             # theta' (II.3)
             theta_dot,
             # theta'' (II.3) 12:4
-            -g * s_theta * k1,
+            s_theta * k1,
         ]
         return _finish("rhs", dydt)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -141,17 +141,17 @@ def accelerations(
     l = float(p[1])  # length of the rod [m]
     g = float(p[2])  # acceleration of gravity [m/s^2]
     try:
-        # parameters only
-        k1 = 1.0 / l
-        # state
         s1 = m * (l * l)
         # the mass matrix is singular
         if not abs(s1) > 0.0:
             raise SingularModelError(2, "accelerations")
+        # parameters only
+        k1 = -g / l
+        # state
         s_theta = math.sin(theta)
         qddot: list[float] = [
             # theta'' (II.3)
-            -g * s_theta * k1,
+            s_theta * k1,
         ]
         return _finish("accelerations", qddot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -211,11 +211,11 @@ def reactions(
     m = float(p[0])  # mass of the bob [kg]
     l = float(p[1])  # length of the rod [m]
     try:
-        # state
         s1 = m * (l * l)
         # the mass matrix is singular
         if not abs(s1) > 0.0:
             raise SingularModelError(2, "reactions")
+        # state
         lambda_: list[float] = []
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -259,20 +259,20 @@ def jacobian(
     l = float(p[1])  # length of the rod [m]
     g = float(p[2])  # acceleration of gravity [m/s^2]
     try:
-        # parameters only
-        k1 = 1.0 / l
-        # state
         s1 = m * (l * l)
         # the mass matrix is singular
         if not abs(s1) > 0.0:
             raise SingularModelError(2, "jacobian")
+        # parameters only
+        k1 = -g / l
+        # state
         c_theta = math.cos(theta)
         J: list[float] = [
             0.0,
             # (II.3)
             1.0,
             # (II.3)
-            -k1 * (g * c_theta),
+            c_theta * k1,
             0.0,
         ]
         _finish("jacobian", J)

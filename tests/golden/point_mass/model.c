@@ -1,5 +1,5 @@
 /*
- * point_mass.c: point_mass, emitted by nhc 0.1.0 (nhc:a2ffc6a478c5781f)
+ * point_mass.c: point_mass, emitted by nhc 0.1.0 (nhc:8921a9a4077b601f)
  * A point mass thrown in a uniform field of gravity, with linear drag.
  * Source: point_mass.yaml
  * Equations of motion: lagrange (II.3)
@@ -35,15 +35,6 @@ const double point_mass_parameter_defaults[] = {
     9.81,
     0.5
 };
-
-static int point_mass_finish(int count, const double *values)
-{
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
-    for (int i = 0; i < count; ++i) {
-        sum += values[i];
-    }
-    return fabs(sum) <= DBL_MAX ? POINT_MASS_OK : POINT_MASS_NOT_FINITE;
-}
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
 #ifndef POINT_MASS_LANES
@@ -166,19 +157,23 @@ int point_mass_rhs(double t, const double *y, const double *p, double *dydt)
     dydt[3] = -x_dot * k1; /* x'' */
     dydt[4] = -y_dot * k1; /* y'' */
     dydt[5] = -(g + z_dot * k1); /* z'' */
-    /* the mass matrix is singular */
-    if (!(fabs(m) > 0.0)) {
-        return POINT_MASS_SINGULAR_2;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(dydt[3] + dydt[4] + dydt[5]) <= DBL_MAX)) {
+        /* the mass matrix is singular */
+        if (!(fabs(m) > 0.0)) {
+            return POINT_MASS_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(m) > 0.0)) {
+            return POINT_MASS_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(m) > 0.0)) {
+            return POINT_MASS_SINGULAR_2;
+        }
+        return POINT_MASS_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(m) > 0.0)) {
-        return POINT_MASS_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(m) > 0.0)) {
-        return POINT_MASS_SINGULAR_2;
-    }
-    return point_mass_finish(6, dydt);
+    return POINT_MASS_OK;
 }
 
 int point_mass_velocities(double t, const double *y, const double *p, double *qdot)
@@ -194,7 +189,11 @@ int point_mass_velocities(double t, const double *y, const double *p, double *qd
     qdot[0] = x_dot; /* x' */
     qdot[1] = y_dot; /* y' */
     qdot[2] = z_dot; /* z' */
-    return point_mass_finish(3, qdot);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qdot[0] + qdot[1] + qdot[2]) <= DBL_MAX)) {
+        return POINT_MASS_NOT_FINITE;
+    }
+    return POINT_MASS_OK;
 }
 
 int point_mass_accelerations(double t, const double *y, const double *p, double *qddot)
@@ -215,19 +214,23 @@ int point_mass_accelerations(double t, const double *y, const double *p, double 
     qddot[0] = -x_dot * k1; /* x'' */
     qddot[1] = -y_dot * k1; /* y'' */
     qddot[2] = -(g + z_dot * k1); /* z'' */
-    /* the mass matrix is singular */
-    if (!(fabs(m) > 0.0)) {
-        return POINT_MASS_SINGULAR_2;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qddot[0] + qddot[1] + qddot[2]) <= DBL_MAX)) {
+        /* the mass matrix is singular */
+        if (!(fabs(m) > 0.0)) {
+            return POINT_MASS_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(m) > 0.0)) {
+            return POINT_MASS_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(m) > 0.0)) {
+            return POINT_MASS_SINGULAR_2;
+        }
+        return POINT_MASS_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(m) > 0.0)) {
-        return POINT_MASS_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(m) > 0.0)) {
-        return POINT_MASS_SINGULAR_2;
-    }
-    return point_mass_finish(3, qddot);
+    return POINT_MASS_OK;
 }
 
 int point_mass_state(double t, const double *q, const double *qdot, const double *p, double *y)
@@ -248,7 +251,11 @@ int point_mass_state(double t, const double *q, const double *qdot, const double
     y[3] = x_dot;
     y[4] = y_dot;
     y[5] = z_dot;
-    return point_mass_finish(6, y);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(y[0] + y[1] + y[2] + y[3] + y[4] + y[5]) <= DBL_MAX)) {
+        return POINT_MASS_NOT_FINITE;
+    }
+    return POINT_MASS_OK;
 }
 
 int point_mass_residuals(double t, const double *q, const double *qdot, const double *p, double *r)
@@ -322,19 +329,23 @@ int point_mass_jacobian(double t, const double *y, const double *p, double *J)
     J[21] = -k1;
     J[28] = -k1;
     J[35] = -k1;
-    /* the mass matrix is singular */
-    if (!(fabs(m) > 0.0)) {
-        return POINT_MASS_SINGULAR_2;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(J[35]) <= DBL_MAX)) {
+        /* the mass matrix is singular */
+        if (!(fabs(m) > 0.0)) {
+            return POINT_MASS_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(m) > 0.0)) {
+            return POINT_MASS_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(m) > 0.0)) {
+            return POINT_MASS_SINGULAR_2;
+        }
+        return POINT_MASS_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(m) > 0.0)) {
-        return POINT_MASS_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(m) > 0.0)) {
-        return POINT_MASS_SINGULAR_2;
-    }
-    return point_mass_finish(36, J);
+    return POINT_MASS_OK;
 }
 
 int point_mass_outputs(double t, const double *y, const double *p, double *out)
@@ -348,7 +359,11 @@ int point_mass_outputs(double t, const double *y, const double *p, double *out)
     /* state */
     /* 21:10 */
     out[0] = sqrt(x_dot * x_dot + y_dot * y_dot + z_dot * z_dot); /* speed */
-    return point_mass_finish(1, out);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(out[0]) <= DBL_MAX)) {
+        return POINT_MASS_NOT_FINITE;
+    }
+    return POINT_MASS_OK;
 }
 
 #if POINT_MASS_LANES >= 2

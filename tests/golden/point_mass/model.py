@@ -1,4 +1,4 @@
-"""point_mass, emitted by nhc 0.1.0 (nhc:9edaa4b60cda6be6).
+"""point_mass, emitted by nhc 0.1.0 (nhc:08fbbc00b5e71453).
 
 A point mass thrown in a uniform field of gravity, with linear drag.
 Source: point_mass.yaml
@@ -89,18 +89,12 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     g = float(p[1])  # acceleration of gravity [m/s^2]
     c = float(p[2])  # drag coefficient [kg/s]
     try:
+        # the mass matrix is singular
+        if not abs(m) > 0.0:
+            raise SingularModelError(2, "rhs")
         # parameters only
         k1 = c / m
         # state
-        # the mass matrix is singular
-        if not abs(m) > 0.0:
-            raise SingularModelError(2, "rhs")
-        # the mass matrix is singular
-        if not abs(m) > 0.0:
-            raise SingularModelError(2, "rhs")
-        # the mass matrix is singular
-        if not abs(m) > 0.0:
-            raise SingularModelError(2, "rhs")
         dydt: list[float] = [
             # x' (II.3)
             x_dot,
@@ -165,18 +159,12 @@ def accelerations(
     g = float(p[1])  # acceleration of gravity [m/s^2]
     c = float(p[2])  # drag coefficient [kg/s]
     try:
+        # the mass matrix is singular
+        if not abs(m) > 0.0:
+            raise SingularModelError(2, "accelerations")
         # parameters only
         k1 = c / m
         # state
-        # the mass matrix is singular
-        if not abs(m) > 0.0:
-            raise SingularModelError(2, "accelerations")
-        # the mass matrix is singular
-        if not abs(m) > 0.0:
-            raise SingularModelError(2, "accelerations")
-        # the mass matrix is singular
-        if not abs(m) > 0.0:
-            raise SingularModelError(2, "accelerations")
         qddot: list[float] = [
             # x'' (II.3)
             -x_dot * k1,
@@ -246,16 +234,10 @@ def reactions(
     """
     m = float(p[0])  # mass [kg]
     try:
+        # the mass matrix is singular
+        if not abs(m) > 0.0:
+            raise SingularModelError(2, "reactions")
         # state
-        # the mass matrix is singular
-        if not abs(m) > 0.0:
-            raise SingularModelError(2, "reactions")
-        # the mass matrix is singular
-        if not abs(m) > 0.0:
-            raise SingularModelError(2, "reactions")
-        # the mass matrix is singular
-        if not abs(m) > 0.0:
-            raise SingularModelError(2, "reactions")
         lambda_: list[float] = []
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -298,18 +280,12 @@ def jacobian(
     m = float(p[0])  # mass [kg]
     c = float(p[2])  # drag coefficient [kg/s]
     try:
+        # the mass matrix is singular
+        if not abs(m) > 0.0:
+            raise SingularModelError(2, "jacobian")
         # parameters only
         k1 = c / m
         # state
-        # the mass matrix is singular
-        if not abs(m) > 0.0:
-            raise SingularModelError(2, "jacobian")
-        # the mass matrix is singular
-        if not abs(m) > 0.0:
-            raise SingularModelError(2, "jacobian")
-        # the mass matrix is singular
-        if not abs(m) > 0.0:
-            raise SingularModelError(2, "jacobian")
         J: list[float] = [
             0.0,
             0.0,

@@ -1,5 +1,5 @@
 /*
- * pumped_pendulum.c: pumped_pendulum, emitted by nhc 0.1.0 (nhc:b7006e7e2601edbc)
+ * pumped_pendulum.c: pumped_pendulum, emitted by nhc 0.1.0 (nhc:c8584773cab2045f)
  * A pendulum whose pivot is moved to and fro; T depends on time and is not homogeneous in the velocities.
  * Source: pumped_pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -33,15 +33,6 @@ const double pumped_pendulum_parameter_defaults[] = {
     0.3,
     3.0
 };
-
-static int pumped_pendulum_finish(int count, const double *values)
-{
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
-    for (int i = 0; i < count; ++i) {
-        sum += values[i];
-    }
-    return fabs(sum) <= DBL_MAX ? PUMPED_PENDULUM_OK : PUMPED_PENDULUM_NOT_FINITE;
-}
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
 #ifndef PUMPED_PENDULUM_LANES
@@ -174,19 +165,23 @@ int pumped_pendulum_rhs(double t, const double *y, const double *p, double *dydt
     const double a = p[3]; /* amplitude of the pivot [m] */
 
     /* parameters only */
-    const double k1 = a * (nu * nu);
-    const double k2 = 1.0 / l;
+    const double k1 = a * nu * nu;
+    const double k2 = -1.0 / l;
 
     /* state */
     /* (II.3) */
     dydt[0] = theta_dot; /* theta' */
     /* (II.3) 17:4 */
-    dydt[1] = -(g * s_theta - c_theta * (s1 * k1)) * k2; /* theta'' */
-    /* the mass matrix is singular */
-    if (!(fabs(m * (l * l)) > 0.0)) {
-        return PUMPED_PENDULUM_SINGULAR_2;
+    dydt[1] = (g * s_theta - c_theta * (s1 * k1)) * k2; /* theta'' */
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(dydt[0] + dydt[1]) <= DBL_MAX && fabs(m * (l * l)) > 0.0)) {
+        /* the mass matrix is singular */
+        if (!(fabs(m * (l * l)) > 0.0)) {
+            return PUMPED_PENDULUM_SINGULAR_2;
+        }
+        return PUMPED_PENDULUM_NOT_FINITE;
     }
-    return pumped_pendulum_finish(2, dydt);
+    return PUMPED_PENDULUM_OK;
 }
 
 int pumped_pendulum_velocities(double t, const double *y, const double *p, double *qdot)
@@ -198,7 +193,11 @@ int pumped_pendulum_velocities(double t, const double *y, const double *p, doubl
     /* state */
     /* (I.2.4) */
     qdot[0] = theta_dot; /* theta' */
-    return pumped_pendulum_finish(1, qdot);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qdot[0]) <= DBL_MAX)) {
+        return PUMPED_PENDULUM_NOT_FINITE;
+    }
+    return PUMPED_PENDULUM_OK;
 }
 
 int pumped_pendulum_accelerations(double t, const double *y, const double *p, double *qddot)
@@ -216,17 +215,21 @@ int pumped_pendulum_accelerations(double t, const double *y, const double *p, do
     const double a = p[3]; /* amplitude of the pivot [m] */
 
     /* parameters only */
-    const double k1 = a * (nu * nu);
-    const double k2 = 1.0 / l;
+    const double k1 = a * nu * nu;
+    const double k2 = -1.0 / l;
 
     /* state */
     /* (II.3) */
-    qddot[0] = -(g * s_theta - c_theta * (s1 * k1)) * k2; /* theta'' */
-    /* the mass matrix is singular */
-    if (!(fabs(m * (l * l)) > 0.0)) {
-        return PUMPED_PENDULUM_SINGULAR_2;
+    qddot[0] = (g * s_theta - c_theta * (s1 * k1)) * k2; /* theta'' */
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qddot[0]) <= DBL_MAX && fabs(m * (l * l)) > 0.0)) {
+        /* the mass matrix is singular */
+        if (!(fabs(m * (l * l)) > 0.0)) {
+            return PUMPED_PENDULUM_SINGULAR_2;
+        }
+        return PUMPED_PENDULUM_NOT_FINITE;
     }
-    return pumped_pendulum_finish(1, qddot);
+    return PUMPED_PENDULUM_OK;
 }
 
 int pumped_pendulum_state(double t, const double *q, const double *qdot, const double *p, double *y)
@@ -239,7 +242,11 @@ int pumped_pendulum_state(double t, const double *q, const double *qdot, const d
     /* state */
     y[0] = theta;
     y[1] = theta_dot;
-    return pumped_pendulum_finish(2, y);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(y[0] + y[1]) <= DBL_MAX)) {
+        return PUMPED_PENDULUM_NOT_FINITE;
+    }
+    return PUMPED_PENDULUM_OK;
 }
 
 int pumped_pendulum_residuals(double t, const double *q, const double *qdot, const double *p, double *r)
@@ -311,18 +318,22 @@ int pumped_pendulum_jacobian(double t, const double *y, const double *p, double 
     const double a = p[3]; /* amplitude of the pivot [m] */
 
     /* parameters only */
-    const double k1 = a * (nu * nu);
-    const double k2 = 1.0 / l;
+    const double k1 = a * nu * nu;
+    const double k2 = -1.0 / l;
 
     /* state */
     /* (II.3) */
     J[1] = 1.0;
-    J[2] = -k2 * (g * c_theta + s_theta * (s1 * k1));
-    /* the mass matrix is singular */
-    if (!(fabs(m * (l * l)) > 0.0)) {
-        return PUMPED_PENDULUM_SINGULAR_2;
+    J[2] = k2 * (g * c_theta + s_theta * (s1 * k1));
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(J[2]) <= DBL_MAX && fabs(m * (l * l)) > 0.0)) {
+        /* the mass matrix is singular */
+        if (!(fabs(m * (l * l)) > 0.0)) {
+            return PUMPED_PENDULUM_SINGULAR_2;
+        }
+        return PUMPED_PENDULUM_NOT_FINITE;
     }
-    return pumped_pendulum_finish(4, J);
+    return PUMPED_PENDULUM_OK;
 }
 
 int pumped_pendulum_outputs(double t, const double *y, const double *p, double *out)
@@ -360,7 +371,7 @@ static __attribute__((noinline)) void pumped_pendulum_rhs_lanes(const double *fi
     sum += slope1;
     pumped_pendulum_put(dydt, slope1);
     /* (II.3) 17:4 */
-    const pumped_pendulum_lanes slope2 = -(g * s_theta - c_theta * (s1 * k1)) * k2;
+    const pumped_pendulum_lanes slope2 = (g * s_theta - c_theta * (s1 * k1)) * k2;
     sum += slope2;
     pumped_pendulum_put(dydt + 1 * stride, slope2);
     pumped_pendulum_put(check, pumped_pendulum_mark(far + (sum - sum), bad));
@@ -387,8 +398,8 @@ int pumped_pendulum_rhs_batch(size_t count, const double *t, const double *y, co
     const double g = p[2]; /* acceleration of gravity [m/s^2] */
     const double a = p[3]; /* amplitude of the pivot [m] */
     const double nu = p[4]; /* frequency of the pivot [rad/s] */
-    const double k1 = a * (nu * nu);
-    const double k2 = 1.0 / l;
+    const double k1 = a * nu * nu;
+    const double k2 = -1.0 / l;
     /* the mass matrix is singular */
     if (!(fabs(m * (l * l)) > 0.0)) {
         return PUMPED_PENDULUM_SINGULAR_2;

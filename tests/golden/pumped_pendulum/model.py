@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""pumped_pendulum, emitted by nhc 0.1.0 (nhc:933e29f4c23bf001).
+"""pumped_pendulum, emitted by nhc 0.1.0 (nhc:6c198256f2860f5b).
 
 A pendulum whose pivot is moved to and fro; T depends on time and is not homogeneous
     in the velocities.
@@ -88,14 +88,14 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     a = float(p[3])  # amplitude of the pivot [m]
     nu = float(p[4])  # frequency of the pivot [rad/s]
     try:
-        # parameters only
-        k1 = a * (nu * nu)
-        k2 = 1.0 / l
-        # state
         s2 = m * (l * l)
         # the mass matrix is singular
         if not abs(s2) > 0.0:
             raise SingularModelError(2, "rhs")
+        # parameters only
+        k1 = a * nu * nu
+        k2 = -1.0 / l
+        # state
         s_theta = math.sin(theta)
         c_theta = math.cos(theta)
         s1 = math.sin(t_ * nu)
@@ -103,7 +103,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
             # theta' (II.3)
             theta_dot,
             # theta'' (II.3) 17:4
-            -(g * s_theta - c_theta * (s1 * k1)) * k2,
+            (g * s_theta - c_theta * (s1 * k1)) * k2,
         ]
         return _finish("rhs", dydt)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -150,20 +150,20 @@ def accelerations(
     a = float(p[3])  # amplitude of the pivot [m]
     nu = float(p[4])  # frequency of the pivot [rad/s]
     try:
-        # parameters only
-        k1 = a * (nu * nu)
-        k2 = 1.0 / l
-        # state
         s2 = m * (l * l)
         # the mass matrix is singular
         if not abs(s2) > 0.0:
             raise SingularModelError(2, "accelerations")
+        # parameters only
+        k1 = a * nu * nu
+        k2 = -1.0 / l
+        # state
         s_theta = math.sin(theta)
         c_theta = math.cos(theta)
         s1 = math.sin(t_ * nu)
         qddot: list[float] = [
             # theta'' (II.3)
-            -(g * s_theta - c_theta * (s1 * k1)) * k2,
+            (g * s_theta - c_theta * (s1 * k1)) * k2,
         ]
         return _finish("accelerations", qddot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -223,11 +223,11 @@ def reactions(
     m = float(p[0])  # mass of the bob [kg]
     l = float(p[1])  # length of the rod [m]
     try:
-        # state
         s1 = m * (l * l)
         # the mass matrix is singular
         if not abs(s1) > 0.0:
             raise SingularModelError(2, "reactions")
+        # state
         lambda_: list[float] = []
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -283,14 +283,14 @@ def jacobian(
     a = float(p[3])  # amplitude of the pivot [m]
     nu = float(p[4])  # frequency of the pivot [rad/s]
     try:
-        # parameters only
-        k1 = a * (nu * nu)
-        k2 = 1.0 / l
-        # state
         s2 = m * (l * l)
         # the mass matrix is singular
         if not abs(s2) > 0.0:
             raise SingularModelError(2, "jacobian")
+        # parameters only
+        k1 = a * nu * nu
+        k2 = -1.0 / l
+        # state
         c_theta = math.cos(theta)
         s_theta = math.sin(theta)
         s1 = math.sin(t_ * nu)
@@ -299,7 +299,7 @@ def jacobian(
             # (II.3)
             1.0,
             # (II.3)
-            -k2 * (g * c_theta + s_theta * (s1 * k1)),
+            k2 * (g * c_theta + s_theta * (s1 * k1)),
             0.0,
         ]
         _finish("jacobian", J)

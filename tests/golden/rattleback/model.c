@@ -1,5 +1,5 @@
 /*
- * rattleback.c: rattleback, emitted by nhc 0.1.0 (nhc:5b022fc0102d16cb)
+ * rattleback.c: rattleback, emitted by nhc 0.1.0 (nhc:d52e4126f4f27889)
  * A loaded ellipsoid that rolls on a plane and prefers one sense of spin (celt, wobblestone).
  * Source: rattleback.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -54,6 +54,13 @@ const double rattleback_parameter_defaults[] = {
     981.0
 };
 
+/* long functions that are called seldom: gcc is to take less time over them (other compilers do so by themselves) */
+#if defined(__GNUC__) && !defined(__clang__) && defined(__OPTIMIZE__)
+#define RATTLEBACK_SLOW __attribute__((cold, optimize("O1")))
+#else
+#define RATTLEBACK_SLOW
+#endif
+
 static int rattleback_finish(int count, const double *values)
 {
     double sum = 0.0; /* an infinity or a NaN among the values stays in it */
@@ -81,6 +88,7 @@ typedef double rattleback_lanes __attribute__((vector_size(8 * RATTLEBACK_LANES)
 typedef double rattleback_lanes;
 #endif
 
+#if RATTLEBACK_LANES >= 2
 static inline rattleback_lanes rattleback_get(const double *from)
 {
     rattleback_lanes value;
@@ -92,26 +100,7 @@ static inline void rattleback_put(double *to, rattleback_lanes value)
 {
     memcpy(to, &value, sizeof value);
 }
-
-/* the seeds of the passes from first on: in each lane the seed of its pass is 1 */
-static void rattleback_unit(int size, int first, double *seed)
-{
-    for (int i = 0; i < size; ++i) {
-        for (int k = 0; k < RATTLEBACK_LANES; ++k) {
-            seed[i * RATTLEBACK_LANES + k] = i == first + k ? 1.0 : 0.0;
-        }
-    }
-}
-
-/* the results of the passes, each to its own entries of the output */
-static void rattleback_place(int passes, const int *offset, int count, const int *entry, const double *slope, double *out)
-{
-    for (int k = 0; k < passes && k < RATTLEBACK_LANES; ++k) {
-        for (int i = 0; i < count; ++i) {
-            out[offset[k] + entry[i]] = slope[i * RATTLEBACK_LANES + k];
-        }
-    }
-}
+#endif
 
 /* states first, first + 1, ... through rhs, one by one; the first status that is not OK */
 #if defined(__GNUC__)
@@ -249,167 +238,114 @@ int rattleback_rhs(double t, const double *y, const double *p, double *dydt)
     const double k1 = a * a;
     const double k2 = b * b;
     const double k3 = c * c;
-    const double k4 = b * b * b * b;
-    const double k5 = I_a + h * h;
-    const double k6 = a * a * a * a;
 
     /* state */
     const double z1 = c_alpha * s_beta;
-    const double z2 = mu2 * mu2;
     const double mu3 = c_beta * c_alpha;
-    const double z3 = k1 * (z1 * z1) + k2 * z2 + k3 * (mu3 * mu3);
-    const double z4 = 1.0 / sqrt(z3);
-    const double z5 = c_beta * k3;
-    const double z6 = z4 * z5;
-    const double z7 = 1.0 - z2;
-    const double z8 = z2 * k4;
-    const double z9 = z4 * (z5 * (z6 * z7 - 2.0 * (h * c_alpha)) + z4 * z8) + k5;
+    const double z2 = k1 * (z1 * z1) + k2 * (mu2 * mu2) + k3 * (mu3 * mu3);
+    const double z3 = 1.0 / sqrt(z2);
+    const double z4 = mu3 * k3;
+    const double r3 = h - z3 * z4;
+    const double z5 = r3 * r3;
+    const double z6 = mu2 * k2;
+    const double z7 = z3 * z6;
+    const double z8 = z7 * z7;
+    const double z9 = I_a + (z5 + z8);
     const double z10 = z1 * k1;
-    const double r1 = z10 * z4;
-    const double z11 = mu3 * k3;
-    const double r3 = h - z4 * z11;
-    const double z12 = c_beta * r1 + s_beta * r3;
-    const double z13 = c_alpha * z12;
-    const double z14 = mu2 * z12;
-    const double z15 = s_beta * r1 - c_beta * r3;
-    const double z16 = s_gamma * z14 + c_gamma * z15;
-    const double z17 = c_gamma * z14 - s_gamma * z15;
-    const double z18 = I_b + (z13 * z13 + (z16 * z16 + z17 * z17));
-    const double z19 = 1.0 / c_alpha;
-    const double z20 = s_beta * z19;
-    const double z21 = z1 * z20 + c_beta * c_beta;
-    const double z22 = mu2 * k2;
-    const double z23 = z4 * z22;
-    const double z24 = z23 * z21;
-    const double z25 = c_beta * s_beta;
-    const double z26 = mu3 * z20 - z25;
-    const double z27 = z23 * z26;
-    const double z28 = c_beta * z24 - s_beta * z27;
-    const double z29 = r3 * z21 + r1 * z26;
-    const double z30 = c_alpha * z28 + mu2 * z29;
-    const double z31 = mu2 * z28 - c_alpha * z29;
-    const double z32 = s_beta * z24 + c_beta * z27;
-    const double z33 = s_gamma * z31 + c_gamma * z32;
-    const double z34 = c_gamma * z31 - s_gamma * z32;
-    const double z35 = I_d * z21 + (z30 * z13 + (z33 * z16 + z34 * z17));
-    const double z36 = 1.0 / z9;
-    const double z37 = z35 * z36;
-    const double z38 = z18 - z35 * z37;
-    const double z39 = 1.0 / z3;
-    const double z40 = s_beta * s_beta;
-    const double z41 = I_c + z39 * (z8 + k6 * (z40 * z7));
-    const double z42 = h - c_alpha * z6;
-    const double z43 = r1 * z42;
-    const double z44 = z36 * z43;
-    const double z45 = z23 * z42 + z35 * z44;
-    const double z46 = 1.0 / z38;
-    const double z47 = z46 * z45;
-    const double z48 = z41 - z43 * z44 - z45 * z47;
-    const double z49 = s_beta * w1 - c_beta * w3;
-    const double z50 = z19 * z49;
-    const double z51 = z1 * z50;
-    const double z52 = z1 * w3 + mu3 * w1;
-    const double z53 = z52 * z19;
-    const double omega1 = z51 + c_beta * z53;
-    const double z54 = r1 * w2 + z23 * omega1;
-    const double z55 = mu3 * z50;
-    const double z56 = z55 - s_beta * z53;
-    const double z57 = z23 * z56 - r3 * w2;
-    const double z58 = c_beta * z54 - s_beta * z57;
-    const double z59 = r3 * omega1 + r1 * z56;
-    const double e2 = mu2 * z58 - c_alpha * z59;
-    const double z60 = s_beta * z54 + c_beta * z57;
-    const double z61 = w2 + mu2 * z50;
-    const double z62 = s_beta * z61;
-    const double z63 = mu2 * z53;
-    const double z64 = c_alpha * z62 + c_beta * z63;
-    const double z65 = z63 / (c_alpha * c_alpha);
-    const double z66 = c_beta * z61;
-    const double z67 = z49 * z65 + z19 * (w1 * z66 + w3 * z62);
-    const double z68 = s_beta * z63 - c_alpha * z66;
-    const double z69 = z19 * (w3 * z68 + w1 * z64) - z52 * z65;
-    const double z70 = z50 * z64 - mu3 * z67 + (z53 * z66 - s_beta * z69);
-    const double z71 = mu2 * z20;
-    const double z72 = c_beta * z71;
-    const double z73 = s_beta * z71;
-    const double z74 = c_beta * mu2;
-    const double z75 = z56 * (c_beta * z66 + z20 * z64 - (z53 * z72 + z50 * (c_alpha * z73 + c_beta * z74)));
-    const double z76 = I_d * omega1 + I_b * w2;
-    const double z77 = I_d * w2 + I_a * omega1;
-    const double z78 = z77 * (c_beta * z62 + z20 * z68 - (z53 * z73 + z50 * (s_beta * z74 - c_alpha * z72)));
-    const double z79 = z39 * (z4 * (z10 * z68 - z22 * z52 + z11 * z64));
-    const double z80 = k1 * (z4 * z68) - z10 * z79;
-    const double z81 = z50 * z68 - z1 * z67 + (z53 * z62 + c_beta * z69);
-    const double z82 = z22 * z79 + k2 * (z4 * z52);
-    const double z83 = w2 * z80 + (z23 * z81 - omega1 * z82);
-    const double z84 = z11 * z79 - k3 * (z4 * z64);
-    const double z85 = z23 * z70 - z56 * z82 - w2 * z84;
-    const double z86 = z54 * z62 + c_beta * z83 + (z57 * z66 - s_beta * z85);
-    const double z87 = r3 * z81 + omega1 * z84 + (r1 * z70 + z56 * z80);
-    const double z88 = z58 * z63 + c_alpha * z86 - (z52 * z59 - mu2 * z87);
-    const double z89 = c_gamma * z50;
-    const double z90 = z52 * z58 - mu2 * z86 + (z59 * z63 + c_alpha * z87);
-    const double z91 = s_gamma * z50;
-    const double z92 = z54 * z66 - s_beta * z83 - (z57 * z62 + c_beta * z85);
-    const double z93 = e2 * z89 - s_gamma * z90 - (z60 * z91 + c_gamma * z92);
-    const double z94 = e2 * z91 + c_gamma * z90 + (z60 * z89 - s_gamma * z92);
-    const double z95 = I_a * z81;
-    const double z96 = z76 * (z55 - z52 * z20) - (z78 + (z30 * z88 + (z33 * z93 - z34 * z94))) - z21 * z95;
-    const double z97 = g * z30 - (I_c * (z26 * z70 + z75) - z96);
-    const double z98 = I_c * (omega1 * z56) - (I_d * z81 + (z56 * z77 + (z13 * z88 + (z16 * z93 - z17 *
-        z94))));
-    const double z99 = g * z13 + z98 - z37 * z97;
-    const double z100 = c_beta * z19;
-    const double z101 = z25 - z1 * z100;
-    const double z102 = z23 * z101;
-    const double z103 = mu3 * z100 + z40;
-    const double z104 = z23 * z103;
-    const double z105 = c_beta * z102 + s_beta * z104;
-    const double z106 = r3 * z101 - r1 * z103;
-    const double z107 = c_alpha * z105 + mu2 * z106;
-    const double z108 = mu2 * z100;
-    const double z109 = c_beta * z108;
-    const double z110 = s_beta * z108;
-    const double z111 = s_beta * mu2;
-    const double z112 = z56 * (s_beta * z66 - z100 * z64 + (z53 * z109 + z50 * (c_alpha * z110 - c_beta *
-        z111)));
-    const double z113 = z77 * (s_beta * z62 - z100 * z68 + (z53 * z110 - z50 * (s_beta * z111 + c_alpha *
-        z109)));
-    const double z114 = mu2 * z105 - c_alpha * z106;
-    const double z115 = s_beta * z102 - c_beta * z104;
-    const double z116 = z107 * z88 + ((s_gamma * z114 + c_gamma * z115) * z93 - (c_gamma * z114 - s_gamma *
-        z115) * z94);
-    const double z117 = I_c * (z103 * z70 - z112) + (z76 * (z51 + z52 * z100) - (z113 + z116) - z101 * z95);
-    const double z118 = (g * z107 + z117 + z97 * z44 - z47 * z99) / z48;
-    const double z119 = z46 * z99 - z47 * z118;
+    const double r1 = z10 * z3;
+    const double z11 = r1 * r1;
+    const double z12 = I_b + (z5 + z11);
+    const double z13 = I_d + r1 * z7;
+    const double z14 = 1.0 / z9;
+    const double z15 = z13 * z14;
+    const double z16 = z12 - z13 * z15;
+    const double z17 = I_c + (z8 + z11);
+    const double z18 = r1 * r3;
+    const double z19 = z18 * z14;
+    const double z20 = z7 * r3 + z13 * z19;
+    const double z21 = 1.0 / z16;
+    const double z22 = z20 * z21;
+    const double z23 = z17 - z18 * z19 - z20 * z22;
+    const double z24 = s_beta * w1 - c_beta * w3;
+    const double z25 = 1.0 / c_alpha;
+    const double z26 = z1 * w3 + mu3 * w1;
+    const double z27 = z25 * z26;
+    const double z28 = s_beta * z24 + c_beta * z27;
+    const double z29 = c_beta * z24 - s_beta * z27;
+    const double z30 = r3 * z28 + r1 * z29;
+    const double u1 = r3 * w2 - z7 * z29;
+    const double z31 = r1 * w2 + z7 * z28;
+    const double z32 = s_beta * u1 + c_beta * z31;
+    const double z33 = c_alpha * z30 - mu2 * z32;
+    const double z34 = s_beta * z31 - c_beta * u1;
+    const double z35 = z25 * z24;
+    const double z36 = w2 + mu2 * z35;
+    const double z37 = I_c * z29;
+    const double z38 = c_beta * z36;
+    const double z39 = s_beta * z36;
+    const double z40 = z27 * z39;
+    const double z41 = mu2 * z27;
+    const double z42 = s_beta * z41 - c_alpha * z38;
+    const double z43 = z40 + z35 * z42;
+    const double z44 = z27 * z38;
+    const double z45 = c_alpha * z39 + c_beta * z41;
+    const double z46 = z44 + z35 * z45;
+    const double z47 = s_beta * z43 + c_beta * z46 - z35 * z41;
+    const double z48 = z25 * (z1 * z46 - mu3 * z43);
+    const double z49 = z24 * z38 + s_beta * z47 - (z40 + c_beta * z48);
+    const double z50 = I_d * z28 + I_b * w2;
+    const double z51 = z27 * z50;
+    const double z52 = z24 * z50;
+    const double z53 = (z10 * z42 - z6 * z26 + z4 * z45) * (z3 / z2);
+    const double z54 = z4 * z53 - k3 * (z3 * z45);
+    const double z55 = z24 * z39 - c_beta * z47 + (z44 - s_beta * z48);
+    const double z56 = k1 * (z3 * z42) - z10 * z53;
+    const double z57 = z29 * u1 - z28 * z31 + (r3 * z49 - z28 * z54 - (r1 * z55 + z29 * z56));
+    const double z58 = g * mu2 + z57;
+    const double z59 = z6 * z53 + k2 * (z3 * z26);
+    const double z60 = g * mu3 + (z28 * z30 + w2 * u1 + (z7 * z49 + z28 * z59 - w2 * z56));
+    const double z61 = w2 * z37 - (I_a * z49 - (s_beta * z51 - (c_beta * z52 + (r3 * z58 + z7 * z60))));
+    const double z62 = I_d * w2 + I_a * z28;
+    const double z63 = g * z1 - (w2 * z31 + z29 * z30 - (z7 * z55 - z29 * z59 - w2 * z54));
+    const double z64 = I_d * z49 - (z29 * z62 - z28 * z37 - (r3 * z63 + r1 * z60)) + z15 * z61;
+    const double z65 = w2 * z62 - (I_c * z55 + (c_beta * z51 + (s_beta * z52 + (z7 * z63 - r1 * z58))));
+    const double z66 = (z65 + z19 * z61 + z22 * z64) / z23;
+    const double z67 = z21 * z64 + z22 * z66;
     /* (I.2.15) */
-    dydt[0] = -(s_gamma * e2 + c_gamma * z60); /* x' */
-    dydt[1] = c_gamma * e2 - s_gamma * z60; /* y' */
-    dydt[2] = -(c_alpha * z58 + mu2 * z59); /* z' */
-    dydt[3] = z53; /* alpha' */
-    dydt[4] = z61; /* beta' */
-    dydt[5] = -z50; /* gamma' */
+    dydt[0] = s_gamma * z33 - c_gamma * z34; /* x' */
+    dydt[1] = -(s_gamma * z34 + c_gamma * z33); /* y' */
+    dydt[2] = -(mu2 * z30 + c_alpha * z32); /* z' */
+    dydt[3] = z27; /* alpha' */
+    dydt[4] = z36; /* beta' */
+    dydt[5] = -z35; /* gamma' */
     /* (I.2.15) 41:4 */
-    dydt[6] = -(z36 * z97 - z37 * z119 + z44 * z118); /* w1' */
-    dydt[7] = -z119; /* w2' */
-    dydt[8] = -z118; /* w3' */
-    /* the coframe is singular */
-    if (!(fabs(c_alpha) > 1e-12 * 4.0)) {
-        return RATTLEBACK_SINGULAR_1;
+    dydt[6] = z14 * z61 + z15 * z67 + z19 * z66; /* w1' */
+    dydt[7] = -z67; /* w2' */
+    dydt[8] = z66; /* w3' */
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(dydt[0] + dydt[1] + dydt[2] + dydt[6] + dydt[7]) <= DBL_MAX
+        && fabs(c_alpha) > 1e-12 * 4.0
+        && fabs(z16) > 1e-14 * z12
+        && fabs(z23) > 1e-14 * z17)) {
+        /* the coframe is singular */
+        if (!(fabs(c_alpha) > 1e-12 * 4.0)) {
+            return RATTLEBACK_SINGULAR_1;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z9) > 0.0)) {
+            return RATTLEBACK_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z16) > 1e-14 * z12)) {
+            return RATTLEBACK_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z23) > 1e-14 * z17)) {
+            return RATTLEBACK_SINGULAR_2;
+        }
+        return RATTLEBACK_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(z9) > 0.0)) {
-        return RATTLEBACK_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(z38) > 1e-14 * z18)) {
-        return RATTLEBACK_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(z48) > 1e-14 * z41)) {
-        return RATTLEBACK_SINGULAR_2;
-    }
-    return rattleback_finish(9, dydt);
+    return RATTLEBACK_OK;
 }
 
 int rattleback_velocities(double t, const double *y, const double *p, double *qdot)
@@ -424,8 +360,8 @@ int rattleback_velocities(double t, const double *y, const double *p, double *qd
     const double mu2 = sin(alpha);
     const double s_gamma = sin(gamma_);
     const double c_gamma = cos(gamma_);
-    const double c_beta = cos(beta);
     const double s_beta = sin(beta);
+    const double c_beta = cos(beta);
     const double w1 = y[6];
     const double w2 = y[7];
     const double w3 = y[8];
@@ -443,51 +379,52 @@ int rattleback_velocities(double t, const double *y, const double *p, double *qd
     const double z1 = c_alpha * s_beta;
     const double mu3 = c_beta * c_alpha;
     const double z2 = 1.0 / sqrt(k1 * (z1 * z1) + k2 * (mu2 * mu2) + k3 * (mu3 * mu3));
-    const double r1 = z1 * k1 * z2;
-    const double z3 = z2 * (mu2 * k2);
-    const double z4 = 1.0 / c_alpha;
-    const double z5 = z4 * (s_beta * w1 - c_beta * w3);
-    const double z6 = (z1 * w3 + mu3 * w1) * z4;
-    const double omega1 = z1 * z5 + c_beta * z6;
-    const double z7 = r1 * w2 + z3 * omega1;
-    const double z8 = mu3 * z5 - s_beta * z6;
     const double r3 = h - z2 * (mu3 * k3);
-    const double z9 = z3 * z8 - r3 * w2;
-    const double z10 = c_beta * z7 - s_beta * z9;
-    const double z11 = r3 * omega1 + r1 * z8;
-    const double e2 = mu2 * z10 - c_alpha * z11;
-    const double z12 = s_beta * z7 + c_beta * z9;
+    const double z3 = s_beta * w1 - c_beta * w3;
+    const double z4 = 1.0 / c_alpha;
+    const double z5 = z4 * (z1 * w3 + mu3 * w1);
+    const double z6 = s_beta * z3 + c_beta * z5;
+    const double r1 = z1 * k1 * z2;
+    const double z7 = c_beta * z3 - s_beta * z5;
+    const double z8 = r3 * z6 + r1 * z7;
+    const double z9 = z2 * (mu2 * k2);
+    const double u1 = r3 * w2 - z9 * z7;
+    const double z10 = r1 * w2 + z9 * z6;
+    const double z11 = s_beta * u1 + c_beta * z10;
+    const double z12 = c_alpha * z8 - mu2 * z11;
+    const double z13 = s_beta * z10 - c_beta * u1;
+    const double z14 = z4 * z3;
     /* (I.2.4) */
-    qdot[0] = -(s_gamma * e2 + c_gamma * z12); /* x' */
-    qdot[1] = c_gamma * e2 - s_gamma * z12; /* y' */
-    qdot[2] = -(c_alpha * z10 + mu2 * z11); /* z' */
-    qdot[3] = z6; /* alpha' */
-    qdot[4] = w2 + mu2 * z5; /* beta' */
-    qdot[5] = -z5; /* gamma' */
-    /* the coframe is singular */
-    if (!(fabs(c_alpha) > 1e-12 * 4.0)) {
-        return RATTLEBACK_SINGULAR_1;
+    qdot[0] = s_gamma * z12 - c_gamma * z13; /* x' */
+    qdot[1] = -(s_gamma * z13 + c_gamma * z12); /* y' */
+    qdot[2] = -(mu2 * z8 + c_alpha * z11); /* z' */
+    qdot[3] = z5; /* alpha' */
+    qdot[4] = w2 + mu2 * z14; /* beta' */
+    qdot[5] = -z14; /* gamma' */
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qdot[0] + qdot[1] + qdot[2] + qdot[4] + qdot[5]) <= DBL_MAX && fabs(c_alpha) > 1e-12 * 4.0)) {
+        /* the coframe is singular */
+        if (!(fabs(c_alpha) > 1e-12 * 4.0)) {
+            return RATTLEBACK_SINGULAR_1;
+        }
+        return RATTLEBACK_NOT_FINITE;
     }
-    return rattleback_finish(6, qdot);
+    return RATTLEBACK_OK;
 }
 
+RATTLEBACK_SLOW
 int rattleback_accelerations(double t, const double *y, const double *p, double *qddot)
 {
     (void)t;
-    double dydt[9];
-    const int status1 = rattleback_rhs(t, y, p, dydt);
-    if (status1 != RATTLEBACK_OK) {
-        return status1;
-    }
     const double alpha = y[3]; /* roll about the long axis [rad] */
     const double beta = y[4]; /* pitch [rad] */
     const double gamma_ = y[5]; /* heading [rad] */
 
     /* sines and cosines */
-    const double mu2 = sin(alpha);
     const double c_alpha = cos(alpha);
-    const double c_beta = cos(beta);
+    const double mu2 = sin(alpha);
     const double s_beta = sin(beta);
+    const double c_beta = cos(beta);
     const double c_gamma = cos(gamma_);
     const double s_gamma = sin(gamma_);
     const double w1 = y[6];
@@ -497,9 +434,11 @@ int rattleback_accelerations(double t, const double *y, const double *p, double 
     const double b = p[1]; /* half axis 2 [cm] */
     const double c = p[2]; /* half axis 3 [cm] */
     const double h = p[3]; /* from the centre of the ellipsoid down to the centre of mass [cm] */
-    const double w1_dot = dydt[6]; /* w1' */
-    const double w2_dot = dydt[7]; /* w2' */
-    const double w3_dot = dydt[8]; /* w3' */
+    const double I_a = p[4]; /* [cm^2] */
+    const double I_b = p[5]; /* [cm^2] */
+    const double I_c = p[6]; /* [cm^2] */
+    const double I_d = p[7]; /* product of inertia, what makes it a rattleback [cm^2] */
+    const double g = p[8]; /* acceleration of gravity [cm/s^2] */
 
     /* parameters only */
     const double k1 = a * a;
@@ -508,59 +447,129 @@ int rattleback_accelerations(double t, const double *y, const double *p, double 
 
     /* state */
     const double z1 = c_alpha * s_beta;
-    const double z2 = z1 * k1;
     const double mu3 = c_beta * c_alpha;
-    const double z3 = k1 * (z1 * z1) + k2 * (mu2 * mu2) + k3 * (mu3 * mu3);
-    const double z4 = 1.0 / sqrt(z3);
-    const double r1 = z2 * z4;
-    const double z5 = mu2 * k2;
-    const double z6 = z4 * z5;
-    const double z7 = 1.0 / c_alpha;
-    const double z8 = s_beta * w1 - c_beta * w3;
-    const double z9 = z7 * z8;
-    const double z10 = z1 * w3 + mu3 * w1;
-    const double z11 = z10 * z7;
-    const double omega1 = z1 * z9 + c_beta * z11;
-    const double z12 = r1 * w2 + z6 * omega1;
-    const double z13 = mu3 * z9 - s_beta * z11;
-    const double z14 = mu3 * k3;
-    const double r3 = h - z4 * z14;
-    const double z15 = z6 * z13 - r3 * w2;
-    const double z16 = c_beta * z12 - s_beta * z15;
-    const double z17 = r3 * omega1 + r1 * z13;
-    const double e2 = mu2 * z16 - c_alpha * z17;
-    const double z18 = c_gamma * z9;
-    const double z19 = w2 + mu2 * z9;
-    const double z20 = s_beta * z19;
-    const double z21 = mu2 * z11;
-    const double z22 = c_beta * z19;
-    const double z23 = s_beta * z21 - c_alpha * z22;
-    const double z24 = c_alpha * z20 + c_beta * z21;
-    const double z25 = z4 * (z2 * z23 - z5 * z10 + z14 * z24) / z3;
-    const double z26 = k1 * (z4 * z23) - z2 * z25;
-    const double z27 = z5 * z25 + k2 * (z4 * z10);
-    const double z28 = z21 / (c_alpha * c_alpha);
-    const double z29 = z8 * z28 + z7 * (w1 * z22 + s_beta * w1_dot + (w3 * z20 - c_beta * w3_dot));
-    const double z30 = z10 * z28 - z7 * (w3 * z23 - z1 * w3_dot + (w1 * z24 - mu3 * w1_dot));
-    const double z31 = z9 * z23 - z1 * z29 + (z11 * z20 - c_beta * z30);
-    const double z32 = w2 * z26 - r1 * w2_dot - (omega1 * z27 - z6 * z31);
-    const double z33 = z9 * z24 - mu3 * z29 + (z11 * z22 + s_beta * z30);
-    const double z34 = z14 * z25 - k3 * (z4 * z24);
-    const double z35 = z13 * z27 - z6 * z33 + (w2 * z34 - r3 * w2_dot);
-    const double z36 = z12 * z20 + c_beta * z32 + (z15 * z22 + s_beta * z35);
-    const double z37 = omega1 * z34 + r3 * z31 + (z13 * z26 + r1 * z33);
-    const double z38 = z10 * z16 - mu2 * z36 + (z17 * z21 + c_alpha * z37);
-    const double z39 = s_beta * z12 + c_beta * z15;
-    const double z40 = s_gamma * z9;
-    const double z41 = z12 * z22 - s_beta * z32 - (z15 * z20 - c_beta * z35);
+    const double z2 = k1 * (z1 * z1) + k2 * (mu2 * mu2) + k3 * (mu3 * mu3);
+    const double z3 = 1.0 / sqrt(z2);
+    const double z4 = mu3 * k3;
+    const double r3 = h - z3 * z4;
+    const double z5 = r3 * r3;
+    const double z6 = mu2 * k2;
+    const double z7 = z3 * z6;
+    const double z8 = z7 * z7;
+    const double z9 = I_a + (z5 + z8);
+    const double z10 = z1 * k1;
+    const double r1 = z10 * z3;
+    const double z11 = r1 * r1;
+    const double z12 = I_b + (z5 + z11);
+    const double z13 = I_d + r1 * z7;
+    const double z14 = 1.0 / z9;
+    const double z15 = z13 * z14;
+    const double z16 = z12 - z13 * z15;
+    const double z17 = I_c + (z8 + z11);
+    const double z18 = r1 * r3;
+    const double z19 = z18 * z14;
+    const double z20 = z7 * r3 + z13 * z19;
+    const double z21 = 1.0 / z16;
+    const double z22 = z20 * z21;
+    const double z23 = z17 - z18 * z19 - z20 * z22;
+    const double z24 = s_beta * w1 - c_beta * w3;
+    const double z25 = 1.0 / c_alpha;
+    const double z26 = z1 * w3 + mu3 * w1;
+    const double z27 = z25 * z26;
+    const double z28 = s_beta * z24 + c_beta * z27;
+    const double z29 = c_beta * z24 - s_beta * z27;
+    const double z30 = r3 * z28 + r1 * z29;
+    const double u1 = r3 * w2 - z7 * z29;
+    const double z31 = r1 * w2 + z7 * z28;
+    const double z32 = s_beta * u1 + c_beta * z31;
+    const double z33 = c_alpha * z30 - mu2 * z32;
+    const double z34 = z25 * z24;
+    const double z35 = c_gamma * z34;
+    const double z36 = mu2 * z27;
+    const double z37 = w2 + mu2 * z34;
+    const double z38 = c_beta * z37;
+    const double z39 = s_beta * z36 - c_alpha * z38;
+    const double z40 = s_beta * z37;
+    const double z41 = c_alpha * z40 + c_beta * z36;
+    const double z42 = (z10 * z39 - z6 * z26 + z4 * z41) * (z3 / z2);
+    const double z43 = z4 * z42 - k3 * (z3 * z41);
+    const double z44 = z28 * z43;
+    const double z45 = z24 * z38;
+    const double z46 = I_c * z29;
+    const double z47 = z27 * z40;
+    const double z48 = z47 + z34 * z39;
+    const double z49 = z27 * z38;
+    const double z50 = z49 + z34 * z41;
+    const double z51 = s_beta * z48 + c_beta * z50 - z34 * z36;
+    const double z52 = z25 * (z1 * z50 - mu3 * z48);
+    const double z53 = z45 + s_beta * z51 - (z47 + c_beta * z52);
+    const double z54 = I_d * z28 + I_b * w2;
+    const double z55 = z27 * z54;
+    const double z56 = z24 * z54;
+    const double z57 = z24 * z40;
+    const double z58 = z57 - c_beta * z51 + (z49 - s_beta * z52);
+    const double z59 = k1 * (z3 * z39) - z10 * z42;
+    const double z60 = z29 * z59;
+    const double z61 = g * mu2 + (z29 * u1 - z28 * z31 + (r3 * z53 - z44 - (r1 * z58 + z60)));
+    const double z62 = z6 * z42 + k2 * (z3 * z26);
+    const double z63 = z28 * z62;
+    const double z64 = w2 * z59;
+    const double z65 = g * mu3 + (z28 * z30 + w2 * u1 + (z7 * z53 + z63 - z64));
+    const double z66 = w2 * z46 - (I_a * z53 - (s_beta * z55 - (c_beta * z56 + (r3 * z61 + z7 * z65))));
+    const double z67 = I_d * w2 + I_a * z28;
+    const double z68 = z29 * z62;
+    const double z69 = w2 * z43;
+    const double z70 = g * z1 - (w2 * z31 + z29 * z30 - (z7 * z58 - z68 - z69));
+    const double z71 = I_d * z53 - (z29 * z67 - z28 * z46 - (r3 * z70 + r1 * z65)) + z15 * z66;
+    const double z72 = w2 * z67 - (I_c * z58 + (c_beta * z55 + (s_beta * z56 + (z7 * z70 - r1 * z61))));
+    const double z73 = (z72 + z19 * z66 + z22 * z71) / z23;
+    const double z74 = z21 * z71 + z22 * z73;
+    const double z75 = z14 * z66 + z15 * z74 + z19 * z73;
+    const double z76 = w1 * z38 + s_beta * z75 + (w3 * z40 - c_beta * z73);
+    const double z77 = z36 / (c_alpha * c_alpha);
+    const double z78 = z26 * z77 - z25 * (w3 * z39 - z1 * z73 + (w1 * z41 - mu3 * z75));
+    const double z79 = z45 + s_beta * z76 - (z47 - c_beta * z78);
+    const double z80 = z57 - c_beta * z76 + (z49 + s_beta * z78);
+    const double z81 = z44 - r3 * z79 + (z60 + r1 * z80);
+    const double z82 = z69 + r3 * z74 + (z68 - z7 * z80);
+    const double z83 = z64 + r1 * z74 - (z63 + z7 * z79);
+    const double z84 = u1 * z38 - s_beta * z82 - (z31 * z40 + c_beta * z83);
+    const double z85 = z30 * z36 + c_alpha * z81 + (z26 * z32 + mu2 * z84);
+    const double z86 = s_beta * z31 - c_beta * u1;
+    const double z87 = s_gamma * z34;
+    const double z88 = z31 * z38 - s_beta * z83 + (u1 * z40 + c_beta * z82);
+    const double z89 = z24 * z77 + z25 * z76;
     /* (I.2.15) */
-    qddot[0] = e2 * z18 - s_gamma * z38 - (z39 * z40 + c_gamma * z41); /* x'' */
-    qddot[1] = e2 * z40 + c_gamma * z38 + (z39 * z18 - s_gamma * z41); /* y'' */
-    qddot[2] = z16 * z21 + c_alpha * z36 - (z10 * z17 - mu2 * z37); /* z'' */
-    qddot[3] = z30; /* alpha'' */
-    qddot[4] = w2_dot + (z10 * z9 + mu2 * z29); /* beta'' */
-    qddot[5] = -z29; /* gamma'' */
-    return rattleback_finish(6, qddot);
+    qddot[0] = -(z33 * z35 + s_gamma * z85 + (z86 * z87 + c_gamma * z88)); /* x'' */
+    qddot[1] = z86 * z35 - s_gamma * z88 - (z33 * z87 - c_gamma * z85); /* y'' */
+    qddot[2] = z32 * z36 - c_alpha * z84 - (z26 * z30 - mu2 * z81); /* z'' */
+    qddot[3] = z78; /* alpha'' */
+    qddot[4] = z26 * z34 + mu2 * z89 - z74; /* beta'' */
+    qddot[5] = -z89; /* gamma'' */
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qddot[0] + qddot[1] + qddot[2] + qddot[4] + qddot[5]) <= DBL_MAX
+        && fabs(c_alpha) > 1e-12 * 4.0
+        && fabs(z16) > 1e-14 * z12
+        && fabs(z23) > 1e-14 * z17)) {
+        /* the coframe is singular */
+        if (!(fabs(c_alpha) > 1e-12 * 4.0)) {
+            return RATTLEBACK_SINGULAR_1;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z9) > 0.0)) {
+            return RATTLEBACK_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z16) > 1e-14 * z12)) {
+            return RATTLEBACK_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z23) > 1e-14 * z17)) {
+            return RATTLEBACK_SINGULAR_2;
+        }
+        return RATTLEBACK_NOT_FINITE;
+    }
+    return RATTLEBACK_OK;
 }
 
 int rattleback_state(double t, const double *q, const double *qdot, const double *p, double *y)
@@ -594,7 +603,11 @@ int rattleback_state(double t, const double *q, const double *qdot, const double
     y[6] = alpha_dot * c_beta - s_beta * z1;
     y[7] = beta_dot + gamma_dot * mu2;
     y[8] = alpha_dot * s_beta + c_beta * z1;
-    return rattleback_finish(9, y);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(y[0] + y[1] + y[2] + y[5] + y[6] + y[7] + y[8]) <= DBL_MAX)) {
+        return RATTLEBACK_NOT_FINITE;
+    }
+    return RATTLEBACK_OK;
 }
 
 int rattleback_residuals(double t, const double *q, const double *qdot, const double *p, double *r)
@@ -649,28 +662,28 @@ int rattleback_residuals(double t, const double *q, const double *qdot, const do
     r[1] = y_dot - v1 * s_gamma - e2 * c_gamma; /* roll_y = 0 */
     /* (I.1.1) 46:5 */
     r[2] = z_dot - (mu2 * u2 - c_alpha * z5); /* roll_z = 0 */
-    return rattleback_finish(3, r);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(r[0] + r[1] + r[2]) <= DBL_MAX)) {
+        return RATTLEBACK_NOT_FINITE;
+    }
+    return RATTLEBACK_OK;
 }
 
+RATTLEBACK_SLOW
 int rattleback_reactions(double t, const double *y, const double *p, double *lambda)
 {
     (void)t;
-    double dydt[9];
-    const int status1 = rattleback_rhs(t, y, p, dydt);
-    if (status1 != RATTLEBACK_OK) {
-        return status1;
-    }
     const double alpha = y[3]; /* roll about the long axis [rad] */
     const double beta = y[4]; /* pitch [rad] */
     const double gamma_ = y[5]; /* heading [rad] */
 
     /* sines and cosines */
-    const double mu2 = sin(alpha);
     const double c_alpha = cos(alpha);
-    const double c_beta = cos(beta);
+    const double mu2 = sin(alpha);
     const double s_beta = sin(beta);
-    const double c_gamma = cos(gamma_);
+    const double c_beta = cos(beta);
     const double s_gamma = sin(gamma_);
+    const double c_gamma = cos(gamma_);
     const double w1 = y[6];
     const double w2 = y[7];
     const double w3 = y[8];
@@ -678,104 +691,131 @@ int rattleback_reactions(double t, const double *y, const double *p, double *lam
     const double b = p[1]; /* half axis 2 [cm] */
     const double c = p[2]; /* half axis 3 [cm] */
     const double h = p[3]; /* from the centre of the ellipsoid down to the centre of mass [cm] */
+    const double I_a = p[4]; /* [cm^2] */
+    const double I_b = p[5]; /* [cm^2] */
+    const double I_c = p[6]; /* [cm^2] */
+    const double I_d = p[7]; /* product of inertia, what makes it a rattleback [cm^2] */
     const double g = p[8]; /* acceleration of gravity [cm/s^2] */
-    const double w1_dot = dydt[6]; /* w1' */
-    const double w2_dot = dydt[7]; /* w2' */
-    const double w3_dot = dydt[8]; /* w3' */
 
     /* parameters only */
     const double k1 = a * a;
     const double k2 = b * b;
     const double k3 = c * c;
-    const double k4 = k1 - k3;
-    const double k5 = k2 - k3;
-    const double k6 = k1 - k2;
 
     /* state */
     const double z1 = c_alpha * s_beta;
-    const double z2 = z1 * k1;
-    const double z3 = mu2 * mu2;
-    const double z4 = k2 * z3;
     const double mu3 = c_beta * c_alpha;
-    const double z5 = k1 * (z1 * z1) + z4 + k3 * (mu3 * mu3);
-    const double z6 = 1.0 / sqrt(z5);
-    const double r1 = z2 * z6;
-    const double z7 = mu2 * k2;
-    const double z8 = z6 * z7;
-    const double z9 = 1.0 / c_alpha;
-    const double z10 = s_beta * w1 - c_beta * w3;
-    const double z11 = z9 * z10;
-    const double z12 = z1 * w3 + mu3 * w1;
-    const double z13 = z12 * z9;
-    const double omega1 = z1 * z11 + c_beta * z13;
-    const double z14 = r1 * w2 + z8 * omega1;
-    const double z15 = mu3 * z11 - s_beta * z13;
-    const double z16 = mu3 * k3;
-    const double r3 = h - z6 * z16;
-    const double z17 = z8 * z15 - r3 * w2;
-    const double z18 = c_beta * z14 - s_beta * z17;
-    const double z19 = r3 * omega1 + r1 * z15;
-    const double e2 = mu2 * z18 - c_alpha * z19;
-    const double z20 = c_gamma * z11;
-    const double z21 = w2 + mu2 * z11;
-    const double z22 = s_beta * z21;
-    const double z23 = mu2 * z13;
-    const double z24 = c_beta * z21;
-    const double z25 = s_beta * z23 - c_alpha * z24;
-    const double z26 = c_alpha * z22 + c_beta * z23;
-    const double z27 = z6 * (z2 * z25 - z7 * z12 + z16 * z26) / z5;
-    const double z28 = k1 * (z6 * z25) - z2 * z27;
-    const double z29 = z23 / (c_alpha * c_alpha);
-    const double z30 = z10 * z29 + z9 * (w1 * z24 + w3 * z22);
-    const double z31 = z9 * (w3 * z25 + w1 * z26) - z12 * z29;
-    const double z32 = z11 * z25 - z1 * z30 + (z13 * z22 + c_beta * z31);
-    const double z33 = z7 * z27 + k2 * (z6 * z12);
-    const double z34 = w2 * z28 + (z8 * z32 - omega1 * z33);
-    const double z35 = z11 * z26 - mu3 * z30 + (z13 * z24 - s_beta * z31);
-    const double z36 = z16 * z27 - k3 * (z6 * z26);
-    const double z37 = z8 * z35 - z15 * z33 - w2 * z36;
-    const double z38 = z14 * z22 + c_beta * z34 + (z17 * z24 - s_beta * z37);
-    const double z39 = r3 * z32 + omega1 * z36 + (r1 * z35 + z15 * z28);
-    const double z40 = z12 * z18 - mu2 * z38 + (z19 * z23 + c_alpha * z39);
-    const double z41 = s_beta * z14 + c_beta * z17;
-    const double z42 = s_gamma * z11;
-    const double z43 = z14 * z24 - s_beta * z34 - (z17 * z22 + c_beta * z37);
-    const double z44 = s_beta * s_gamma;
-    const double z45 = 1.0 - z3;
-    const double z46 = z4 + k1 * z45;
-    const double z47 = c_beta * z7;
-    const double z48 = z6 * w3_dot;
-    const double z49 = h * c_alpha;
-    const double z50 = c_beta * s_gamma;
-    const double z51 = z4 + k3 * z45;
-    const double z52 = s_beta * z7;
-    const double z53 = c_beta * c_gamma;
-    const double z54 = s_beta * mu2;
-    const double z55 = c_alpha * z6;
-    const double z56 = c_beta * mu2;
-    const double z57 = s_beta * c_gamma;
-    const double z58 = s_beta * k4;
-    const double z59 = w2_dot * (h * (z53 - s_gamma * z54) - z55 * (k3 * c_gamma + (s_gamma * z56 + z57) *
-        z58));
-    const double z60 = (z44 * z46 - c_gamma * z47) * z48 - (w1_dot * (s_gamma * z49 - z6 * (z50 * z51 +
-        c_gamma * z52)) + z59);
-    const double z61 = w2_dot * (h * (z50 + c_gamma * z54) - z55 * (k3 * s_gamma + (z44 - c_gamma * z56) *
-        z58));
-    const double z62 = (z57 * z46 + s_gamma * z47) * z48 - (w1_dot * (c_gamma * z49 - z6 * (z51 * z53 -
-        s_gamma * z52)) - z61);
-    const double z63 = mu3 * z6;
-    const double z64 = k6 * (mu2 * (z1 * z48)) - ((h + z63 * k5) * (mu2 * w1_dot) + (h + k4 * z63) * (z1 *
-        w2_dot));
+    const double z2 = k1 * (z1 * z1) + k2 * (mu2 * mu2) + k3 * (mu3 * mu3);
+    const double z3 = 1.0 / sqrt(z2);
+    const double z4 = mu3 * k3;
+    const double r3 = h - z3 * z4;
+    const double z5 = r3 * r3;
+    const double z6 = mu2 * k2;
+    const double z7 = z3 * z6;
+    const double z8 = z7 * z7;
+    const double z9 = I_a + (z5 + z8);
+    const double z10 = z1 * k1;
+    const double r1 = z10 * z3;
+    const double z11 = r1 * r1;
+    const double z12 = I_b + (z5 + z11);
+    const double z13 = I_d + r1 * z7;
+    const double z14 = 1.0 / z9;
+    const double z15 = z13 * z14;
+    const double z16 = z12 - z13 * z15;
+    const double z17 = I_c + (z8 + z11);
+    const double z18 = r1 * r3;
+    const double z19 = z18 * z14;
+    const double z20 = z7 * r3 + z13 * z19;
+    const double z21 = 1.0 / z16;
+    const double z22 = z20 * z21;
+    const double z23 = z17 - z18 * z19 - z20 * z22;
+    const double z24 = s_beta * w1 - c_beta * w3;
+    const double z25 = 1.0 / c_alpha;
+    const double z26 = z1 * w3 + mu3 * w1;
+    const double z27 = z25 * z26;
+    const double z28 = s_beta * z24 + c_beta * z27;
+    const double z29 = c_beta * z24 - s_beta * z27;
+    const double z30 = r3 * z28 + r1 * z29;
+    const double u1 = r3 * w2 - z7 * z29;
+    const double z31 = z25 * z24;
+    const double z32 = w2 + mu2 * z31;
+    const double z33 = c_beta * z32;
+    const double z34 = s_beta * z32;
+    const double z35 = z27 * z34;
+    const double z36 = mu2 * z27;
+    const double z37 = s_beta * z36 - c_alpha * z33;
+    const double z38 = z35 + z31 * z37;
+    const double z39 = z27 * z33;
+    const double z40 = c_alpha * z34 + c_beta * z36;
+    const double z41 = z39 + z31 * z40;
+    const double z42 = s_beta * z38 + c_beta * z41 - z31 * z36;
+    const double z43 = z25 * (z1 * z41 - mu3 * z38);
+    const double z44 = z24 * z33 + s_beta * z42 - (z35 + c_beta * z43);
+    const double z45 = (z10 * z37 - z6 * z26 + z4 * z40) * (z3 / z2);
+    const double z46 = z6 * z45 + k2 * (z3 * z26);
+    const double z47 = k1 * (z3 * z37) - z10 * z45;
+    const double z48 = g * mu3 + (z28 * z30 + w2 * u1 + (z7 * z44 + z28 * z46 - w2 * z47));
+    const double z49 = mu2 * s_gamma;
+    const double z50 = c_beta * z49 + s_beta * c_gamma;
+    const double z51 = r1 * w2 + z7 * z28;
+    const double z52 = z24 * z34 - c_beta * z42 + (z39 - s_beta * z43);
+    const double z53 = z4 * z45 - k3 * (z3 * z40);
+    const double z54 = g * z1 - (w2 * z51 + z29 * z30 - (z7 * z52 - z29 * z46 - w2 * z53));
+    const double z55 = c_beta * c_gamma - s_beta * z49;
+    const double z56 = z29 * u1 - z28 * z51 + (r3 * z44 - z28 * z53 - (r1 * z52 + z29 * z47));
+    const double z57 = g * mu2 + z56;
+    const double z58 = c_alpha * s_gamma;
+    const double z59 = I_d * w2 + I_a * z28;
+    const double z60 = I_d * z28 + I_b * w2;
+    const double z61 = z27 * z60;
+    const double z62 = z24 * z60;
+    const double z63 = w2 * z59 - (I_c * z52 + (c_beta * z61 + (s_beta * z62 + (z7 * z54 - r1 * z57))));
+    const double z64 = I_c * z29;
+    const double z65 = w2 * z64 - (I_a * z44 - (s_beta * z61 - (c_beta * z62 + (r3 * z57 + z7 * z48))));
+    const double z66 = I_d * z44 - (z29 * z59 - z28 * z64 - (r3 * z54 + r1 * z48)) + z15 * z65;
+    const double z67 = (z63 + z19 * z65 + z22 * z66) / z23;
+    const double z68 = z21 * z66 + z22 * z67;
+    const double z69 = z14 * z65 + z15 * z68 + z19 * z67;
+    const double z70 = z67 * (z7 * z55 - r1 * z58) + (z69 * (r3 * z58 - z7 * z50) - z68 * (r3 * z55 - r1 *
+        z50));
+    const double z71 = mu2 * c_gamma;
+    const double z72 = c_beta * z71 - s_beta * s_gamma;
+    const double z73 = c_beta * s_gamma + s_beta * z71;
+    const double z74 = c_alpha * c_gamma;
+    const double z75 = z67 * (z7 * z73 + r1 * z74) - (z69 * (r3 * z74 - z7 * z72) + z68 * (r3 * z73 + r1 *
+        z72));
+    const double z76 = z67 * (mu2 * r1 - z1 * z7) - (z69 * (mu2 * r3 + mu3 * z7) - z68 * (z1 * r3 + mu3 *
+        r1));
     /* (I.4.1) 44:5 */
-    /* reaction of roll_x: Q_i gains lambda_1 a_1i */
-    lambda[0] = e2 * z20 - s_gamma * z40 - (z41 * z42 + c_gamma * z43) - z60;
+    lambda[0] = z70 - (z48 * z50 - (z54 * z55 + z57 * z58)); /* reaction of roll_x: Q_i gains lambda_1 a_1i */
     /* (I.4.1) 45:5 */
-    /* reaction of roll_y: Q_i gains lambda_2 a_2i */
-    lambda[1] = e2 * z42 + c_gamma * z40 + (z41 * z20 - s_gamma * z43) + z62;
+    lambda[1] = z48 * z72 + (z54 * z73 - z57 * z74) + z75; /* reaction of roll_y: Q_i gains lambda_2 a_2i */
     /* (I.4.1) 46:5 */
-    /* reaction of roll_z: Q_i gains lambda_3 a_3i */
-    lambda[2] = z64 - (g - (z18 * z23 + c_alpha * z38 - (z12 * z19 - mu2 * z39)));
-    return rattleback_finish(3, lambda);
+    lambda[2] = z76 - (mu3 * z48 + (z1 * z54 + mu2 * z57)); /* reaction of roll_z: Q_i gains lambda_3 a_3i */
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(lambda[0] + lambda[1] + lambda[2]) <= DBL_MAX
+        && fabs(c_alpha) > 1e-12 * 4.0
+        && fabs(z16) > 1e-14 * z12
+        && fabs(z23) > 1e-14 * z17)) {
+        /* the coframe is singular */
+        if (!(fabs(c_alpha) > 1e-12 * 4.0)) {
+            return RATTLEBACK_SINGULAR_1;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z9) > 0.0)) {
+            return RATTLEBACK_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z16) > 1e-14 * z12)) {
+            return RATTLEBACK_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z23) > 1e-14 * z17)) {
+            return RATTLEBACK_SINGULAR_2;
+        }
+        return RATTLEBACK_NOT_FINITE;
+    }
+    return RATTLEBACK_OK;
 }
 
 double rattleback_energy(double t, const double *y, const double *p)
@@ -788,10 +828,10 @@ double rattleback_energy(double t, const double *y, const double *p)
     /* sines and cosines */
     const double s_gamma = sin(gamma_);
     const double c_gamma = cos(gamma_);
-    const double mu2 = sin(alpha);
     const double c_alpha = cos(alpha);
-    const double c_beta = cos(beta);
+    const double mu2 = sin(alpha);
     const double s_beta = sin(beta);
+    const double c_beta = cos(beta);
     const double z = y[2]; /* centre of mass, downwards [cm] */
     const double w1 = y[6];
     const double w2 = y[7];
@@ -815,830 +855,695 @@ double rattleback_energy(double t, const double *y, const double *p)
     const double z1 = c_alpha * s_beta;
     const double mu3 = c_beta * c_alpha;
     const double z2 = 1.0 / sqrt(k1 * (z1 * z1) + k2 * (mu2 * mu2) + k3 * (mu3 * mu3));
-    const double r1 = z1 * k1 * z2;
-    const double z3 = z2 * (mu2 * k2);
-    const double z4 = 1.0 / c_alpha;
-    const double z5 = z4 * (s_beta * w1 - c_beta * w3);
-    const double z6 = (z1 * w3 + mu3 * w1) * z4;
-    const double omega1 = z1 * z5 + c_beta * z6;
-    const double z7 = r1 * w2 + z3 * omega1;
-    const double z8 = mu3 * z5 - s_beta * z6;
     const double r3 = h - z2 * (mu3 * k3);
-    const double z9 = z3 * z8 - r3 * w2;
-    const double z10 = c_beta * z7 - s_beta * z9;
-    const double z11 = r3 * omega1 + r1 * z8;
-    const double e2 = mu2 * z10 - c_alpha * z11;
-    const double z12 = s_beta * z7 + c_beta * z9;
-    const double z13 = s_gamma * e2 + c_gamma * z12;
-    const double z14 = c_gamma * e2 - s_gamma * z12;
-    const double z15 = c_alpha * z10 + mu2 * z11;
-    const double z16 = z13 * z13 + z14 * z14 + z15 * z15 + (I_a * (omega1 * omega1) + I_b * (w2 * w2) + I_c *
-        (z8 * z8));
-    return 0.5 * z16 + w2 * (I_d * omega1) - z * g;
+    const double z3 = s_beta * w1 - c_beta * w3;
+    const double z4 = 1.0 / c_alpha;
+    const double z5 = z4 * (z1 * w3 + mu3 * w1);
+    const double z6 = c_beta * z5;
+    const double z7 = s_beta * z3 + z6;
+    const double r1 = z1 * k1 * z2;
+    const double z8 = s_beta * z5;
+    const double z9 = c_beta * z3 - z8;
+    const double z10 = r3 * z7 + r1 * z9;
+    const double z11 = z2 * (mu2 * k2);
+    const double u1 = r3 * w2 - z11 * z9;
+    const double z12 = r1 * w2 + z11 * z7;
+    const double z13 = s_beta * u1 + c_beta * z12;
+    const double z14 = c_alpha * z10 - mu2 * z13;
+    const double z15 = s_beta * z12 - c_beta * u1;
+    const double z16 = s_gamma * z14 - c_gamma * z15;
+    const double z17 = s_gamma * z15 + c_gamma * z14;
+    const double z18 = mu2 * z10 + c_alpha * z13;
+    const double z19 = z4 * z3;
+    const double omega1 = z6 + z1 * z19;
+    const double omega3 = z8 - mu3 * z19;
+    const double z20 = z16 * z16 + z17 * z17 + z18 * z18 + (I_a * (omega1 * omega1) + I_b * (w2 * w2) + I_c *
+        (omega3 * omega3));
+    return 0.5 * z20 + w2 * (I_d * omega1) - z * g;
 }
 
-static void rattleback_jacobian_sweep1(double t, const double *y, const double *p, const double *kept, const
-    double *seed, double *slope)
+RATTLEBACK_SLOW static int rattleback_jacobian_part1(double t, const double *y, const double *p, double
+    *kept, double *J)
 {
     (void)t;
-    const double w1 = y[6];
-    const double w2 = y[7];
-    const double w3 = y[8];
-    const double h = p[3]; /* from the centre of the ellipsoid down to the centre of mass [cm] */
-    const double I_a = p[4]; /* [cm^2] */
-    const double I_b = p[5]; /* [cm^2] */
-    const double I_c = p[6]; /* [cm^2] */
-    const double I_d = p[7]; /* product of inertia, what makes it a rattleback [cm^2] */
-    const double c_alpha = kept[0];
-    const double mu2 = kept[1];
-    const double s_beta = kept[2];
-    const double c_beta = kept[3];
-    const double s_gamma = kept[4];
-    const double c_gamma = kept[5];
-    const double k1 = kept[6];
-    const double k2 = kept[7];
-    const double k3 = kept[8];
-    const double k4 = kept[9];
-    const double k6 = kept[10];
-    const double z1 = kept[11];
-    const double mu3 = kept[12];
-    const double z4 = kept[13];
-    const double z5 = kept[14];
-    const double z6 = kept[15];
-    const double z7 = kept[16];
-    const double z8 = kept[17];
-    const double z9 = kept[18];
-    const double z10 = kept[19];
-    const double z12 = kept[20];
-    const double r1 = kept[21];
-    const double z13 = kept[22];
-    const double r3 = kept[23];
-    const double z14 = kept[24];
-    const double z15 = kept[25];
-    const double z16 = kept[26];
-    const double z17 = kept[27];
-    const double z18 = kept[28];
-    const double z19 = kept[29];
-    const double z21 = kept[30];
-    const double z22 = kept[31];
-    const double z23 = kept[32];
-    const double z24 = kept[33];
-    const double z25 = kept[34];
-    const double z26 = kept[35];
-    const double z28 = kept[36];
-    const double z29 = kept[37];
-    const double z30 = kept[38];
-    const double z31 = kept[39];
-    const double z32 = kept[40];
-    const double z33 = kept[41];
-    const double z34 = kept[42];
-    const double z35 = kept[43];
-    const double z36 = kept[44];
-    const double z38 = kept[45];
-    const double z39 = kept[46];
-    const double z41 = kept[47];
-    const double z43 = kept[48];
-    const double z44 = kept[49];
-    const double z46 = kept[50];
-    const double z47 = kept[51];
-    const double z48 = kept[52];
-    const double z49 = kept[53];
-    const double z50 = kept[54];
-    const double z52 = kept[55];
-    const double z54 = kept[56];
-    const double z55 = kept[57];
-    const double z57 = kept[58];
-    const double z58 = kept[59];
-    const double z60 = kept[60];
-    const double z61 = kept[61];
-    const double omega1 = kept[62];
-    const double z63 = kept[63];
-    const double z67 = kept[64];
-    const double z68 = kept[65];
-    const double z70 = kept[66];
-    const double z71 = kept[67];
-    const double z72 = kept[68];
-    const double z76 = kept[69];
-    const double z86 = kept[70];
-    const double e2 = kept[71];
-    const double z108 = kept[72];
-    const double z109 = kept[73];
-    const double z110 = kept[74];
-    const double z111 = kept[75];
-    const double z112 = kept[76];
-    const double z113 = kept[77];
-    const double z114 = kept[78];
-    const double z115 = kept[79];
-    const double z116 = kept[80];
-    const double z117 = kept[81];
-    const double z118 = kept[82];
-    const double z119 = kept[83];
-    const double z120 = kept[84];
-    const double z121 = kept[85];
-    const double z122 = kept[86];
-    const double z123 = kept[87];
-    const double z124 = kept[88];
-    const double z125 = kept[89];
-    const double z126 = kept[90];
-    const double z127 = kept[91];
-    const double z128 = kept[92];
-    const double z129 = kept[93];
-    const double z130 = kept[94];
-    const double z131 = kept[95];
-    const double z132 = kept[96];
-    const double z133 = kept[97];
-    const double z134 = kept[98];
-    const double z135 = kept[99];
-    const double z136 = kept[100];
-    const double z137 = kept[101];
-    const double z138 = kept[102];
-    const double z139 = kept[103];
-    const double z140 = kept[104];
-    const double z141 = kept[105];
-    const double z142 = kept[106];
-    const double z143 = kept[107];
-    const double z144 = kept[108];
-    const double z145 = kept[109];
-    const double z146 = kept[110];
-    const double z147 = kept[111];
-    const double z148 = kept[112];
-    const double z149 = kept[113];
-    const double z150 = kept[114];
-    const double z151 = kept[115];
-    const double z152 = kept[116];
-    const double z153 = kept[117];
-    const double z154 = kept[118];
-    const double z155 = kept[119];
-    const double z156 = kept[120];
-    const double z157 = kept[121];
-    const double z158 = kept[122];
-    const double z160 = kept[123];
-    const double z161 = kept[124];
-    const double z162 = kept[125];
-    const double z163 = kept[126];
-    const double z164 = kept[127];
-    const double z165 = kept[128];
-    const double z166 = kept[129];
-    const double z167 = kept[130];
-    const double z168 = kept[131];
-    const double z169 = kept[132];
-    const double z170 = kept[133];
-    const double z171 = kept[134];
-    const double z172 = kept[135];
-    const double z173 = kept[136];
-    const double z174 = kept[137];
-    const double z181 = kept[138];
-    const double z182 = kept[139];
-    const double z183 = kept[140];
-    const double z184 = kept[141];
-    const rattleback_lanes row_0 = rattleback_get(seed + 0 * RATTLEBACK_LANES);
-    const rattleback_lanes row_1 = rattleback_get(seed + 1 * RATTLEBACK_LANES);
-    const rattleback_lanes row_2 = rattleback_get(seed + 2 * RATTLEBACK_LANES);
-    const rattleback_lanes z185 = row_1 - z39 * row_0;
-    const rattleback_lanes z186 = z123 * (row_2 + z52 * row_0 - z55 * z185);
-    const rattleback_lanes z187 = I_c * z186;
-    const rattleback_lanes z188 = z67 * z187;
-    const rattleback_lanes z189 = z54 * z185 - z55 * z186;
-    const rattleback_lanes z190 = z38 * row_0 - z39 * z189 + z52 * z186;
-    const rattleback_lanes z191 = I_c * z190;
-    const rattleback_lanes z192 = z67 * z191;
-    const rattleback_lanes z193 = z119 * z186 + z19 * z189 + z36 * z190;
-    const rattleback_lanes z194 = z118 * z186 + z18 * z189 + z35 * z190;
-    const rattleback_lanes z195 = s_gamma * z193 - c_gamma * z194;
-    const rattleback_lanes z196 = z120 * z186 + z15 * z189 + z32 * z190;
-    const rattleback_lanes z197 = c_gamma * z193 + s_gamma * z194;
-    const rattleback_lanes z198 = c_alpha * z196 + mu2 * z197;
-    const rattleback_lanes z199 = mu2 * z196 - c_alpha * z197;
-    const rattleback_lanes z200 = c_beta * z195 + s_beta * z198;
-    const rattleback_lanes z201 = z112 * z187 - z28 * z191 - r1 * z199 + z25 * z200;
-    const rattleback_lanes z202 = I_a * z186;
-    const rattleback_lanes z203 = I_a * z190;
-    const rattleback_lanes z204 = s_beta * z195 - c_beta * z198;
-    const rattleback_lanes z205 = z110 * z202 + z23 * z203 + I_d * z189 + r3 * z199 - z25 * z204;
-    const rattleback_lanes z206 = mu3 * z201 - z1 * z205;
-    const rattleback_lanes z207 = z21 * z206;
-    const rattleback_lanes z208 = s_beta * z188 + c_beta * z192 + z63 * z195 + z68 * z198 - z61 * z201 + w1 *
-        z207;
-    const rattleback_lanes z209 = z144 * z186;
-    const rattleback_lanes z210 = z144 * z190;
-    const rattleback_lanes z211 = s_beta * z201 + c_beta * z205;
-    const rattleback_lanes z212 = z21 * z211;
-    const rattleback_lanes z213 = z67 * z199 - w2 * z204;
-    const rattleback_lanes z214 = omega1 * z199 + w2 * z200;
-    const rattleback_lanes z215 = z67 * z200 + omega1 * z204;
-    const rattleback_lanes z216 = z13 * z214 + z24 * z215 - z12 * z213;
-    const rattleback_lanes z217 = z41 * z216;
-    const rattleback_lanes z218 = z4 * z217;
-    const rattleback_lanes z219 = k1 * z218;
-    const rattleback_lanes z220 = z109 * z209 - z22 * z210 - z58 * z205 - w3 * z212 - k1 * (z4 * z213) - z1 *
-        z219;
-    const rattleback_lanes z221 = z208 + c_alpha * z220;
-    const rattleback_lanes z222 = s_beta * z209 + c_beta * z210 - z68 * z195 + z63 * z198 + z61 * z205 + w3 *
-        z207;
-    const rattleback_lanes z223 = k3 * z218;
-    const rattleback_lanes z224 = z109 * z188 - z22 * z192 + z58 * z201 - w1 * z212 + k3 * (z4 * z214) - mu3
-        * z223;
-    const rattleback_lanes z225 = z222 - c_alpha * z224;
-    const rattleback_lanes z226 = c_beta * z221 + s_beta * z225;
-    const rattleback_lanes z227 = z161 * z193 - z163 * z194;
-    const rattleback_lanes z228 = z58 * z210;
-    const rattleback_lanes z229 = z61 * z192 - c_alpha * z228;
-    const rattleback_lanes z230 = z58 * z192;
-    const rattleback_lanes z231 = c_alpha * z230 + z61 * z210;
-    const rattleback_lanes z232 = c_beta * z229 + s_beta * z231;
-    const rattleback_lanes z233 = z58 * z188;
-    const rattleback_lanes z234 = z58 * z209;
-    const rattleback_lanes z235 = c_beta * z233 + s_beta * z234;
-    const rattleback_lanes z236 = c_beta * z230 + s_beta * z228;
-    const rattleback_lanes z237 = k2 * z218;
-    const rattleback_lanes z238 = z57 * z206 - z60 * z211;
-    const rattleback_lanes z239 = z70 * z196 - z86 * z197 + z76 * z238 - c_beta * z224 - s_beta * z220;
-    const rattleback_lanes z240 = s_beta * z235 + c_beta * z236 - z158 * z196 - z157 * z197 + z60 * z237 -
-        z61 * z239;
-    const rattleback_lanes z241 = z160 * z186;
-    const rattleback_lanes z242 = z165 * z186;
-    const rattleback_lanes z243 = z166 * z186;
-    const rattleback_lanes z244 = c_gamma * z242 - s_gamma * z243;
-    const rattleback_lanes z245 = z61 * z188 - c_alpha * z234;
-    const rattleback_lanes z246 = c_alpha * z233 + z61 * z209;
-    const rattleback_lanes z247 = c_beta * z245 + s_beta * z246;
-    const rattleback_lanes z248 = z182 * z189;
-    const rattleback_lanes z249 = z183 * z189 - z182 * z190;
-    const rattleback_lanes z250 = z165 * z189 + 2.0 * (z19 * z248) - z36 * z249;
-    const rattleback_lanes z251 = z166 * z189 - 2.0 * (z18 * z248) + z35 * z249;
-    const rattleback_lanes z252 = c_gamma * z250 - s_gamma * z251;
-    const rattleback_lanes z253 = z160 * z190 - z15 * z249;
-    const rattleback_lanes z254 = z165 * z190 - z19 * z249;
-    const rattleback_lanes z255 = z166 * z190 + z18 * z249;
-    const rattleback_lanes z256 = c_gamma * z254 - s_gamma * z255;
-    const rattleback_lanes z257 = z240 + z115 * z241 + z114 * z244 - z109 * z247 + z14 * z252 + z31 * z253 +
-        z30 * z256;
-    const rattleback_lanes z258 = z163 * z193 + z161 * z194;
-    const rattleback_lanes z259 = z127 * z196 - z60 * z197 - mu2 * z227;
-    const rattleback_lanes z260 = z125 * z195 + z126 * z198 - s_beta * z258 + c_beta * z259;
-    const rattleback_lanes z261 = z126 * z195 - z125 * z198 + c_beta * z258 + s_beta * z259;
-    const rattleback_lanes z262 = s_gamma * z242 + c_gamma * z243;
-    const rattleback_lanes z263 = c_alpha * z241 + mu2 * z244;
-    const rattleback_lanes z264 = s_beta * z262 - c_beta * z263;
-    const rattleback_lanes z265 = c_beta * z262 + s_beta * z263;
-    const rattleback_lanes z266 = z182 * z186 - z181 * z189;
-    const rattleback_lanes z267 = s_gamma * z254 + c_gamma * z255;
-    const rattleback_lanes z268 = c_alpha * z253 + mu2 * z256;
-    const rattleback_lanes z269 = c_beta * z267 + s_beta * z268;
-    const rattleback_lanes z270 = z110 * z264 - (z112 * z265 + (z145 * z204 + (z139 * z200 + z50 * z266))) +
-        z28 * z269;
-    const rattleback_lanes z271 = s_beta * z267 - c_beta * z268;
-    const rattleback_lanes z272 = omega1 * z260 - (z67 * z261 - (z270 + z23 * z271));
-    const rattleback_lanes z273 = z58 * z226 - (z70 * z227 + (z22 * z232 + z257)) + k2 * (z149 * z215 + z4 *
-        z272);
-    const rattleback_lanes z274 = z181 * z186;
-    const rattleback_lanes z275 = z41 * z274;
-    const rattleback_lanes z276 = z183 * z190;
-    const rattleback_lanes z277 = z4 * z276;
-    const rattleback_lanes z278 = z5 * z277;
-    const rattleback_lanes z279 = z183 * z186 + z181 * z190;
-    const rattleback_lanes z280 = z25 * z266 + z48 * z279;
-    const rattleback_lanes z281 = z50 * z279;
-    const rattleback_lanes z282 = z7 * z278;
-    const rattleback_lanes z283 = z154 * z214 - (z49 * z280 - z47 * z281 + z10 * z276 + z9 * z277 + z5 *
-        z282);
-    const rattleback_lanes z284 = z60 * z196 + z127 * z197 - c_alpha * z227;
-    const rattleback_lanes z285 = mu2 * z241 - c_alpha * z244;
-    const rattleback_lanes z286 = s_gamma * z250 + c_gamma * z251;
-    const rattleback_lanes z287 = z160 * z189 + 2.0 * (z15 * z248) - z32 * z249;
-    const rattleback_lanes z288 = c_alpha * z287 + mu2 * z252;
-    const rattleback_lanes z289 = mu2 * z253 - c_alpha * z256;
-    const rattleback_lanes z290 = omega1 * z284 - (z145 * z199 - z110 * z285 - c_beta * z286 - s_beta * z288
-        - z23 * z289);
-    const rattleback_lanes z291 = w2 * z261 - z290;
-    const rattleback_lanes z292 = z67 * z284 - (z139 * z199 + z112 * z285 + s_beta * z286 - c_beta * z288 -
-        z28 * z289);
-    const rattleback_lanes z293 = w2 * z260 - z292;
-    const rattleback_lanes z294 = z147 * z217 + (z146 * z213 + (z151 * z215 - z283)) - z13 * z291 + z24 *
-        z272 + z12 * z293;
-    const rattleback_lanes z295 = z184 * (z148 * z216 + z44 * z274) + 0.5 * (z4 * (z41 * z294));
-    const rattleback_lanes z296 = 2.0 * (mu2 * (k4 * (z275 + z4 * z277) - (z43 * z275 + z6 * z278) - k2 *
-        z295));
-    const rattleback_lanes z297 = z4 * z280;
-    const rattleback_lanes z298 = z4 * z281;
-    const rattleback_lanes z299 = z129 * z234 - (z130 * z233 + (z5 * z297 - k1 * (s_beta * z298) - 2.0 * (h *
-        z278)));
-    const rattleback_lanes z300 = 2.0 * (z127 * z238 * z174) + (z158 * z197 - (z157 * z196 + (z167 * z228 -
-        (z168 * z230 + z299))));
-    const rattleback_lanes z301 = z115 * z244 - (z114 * z241 - (z125 * z220 - (z126 * z224 + z300))) - z14 *
-        z287 - z30 * z253;
-    const rattleback_lanes z302 = z129 * z188 + z130 * z209 - z167 * z192 - z168 * z210 - z125 * z201 + z126
-        * z205;
-    const rattleback_lanes z303 = I_c * z189;
-    const rattleback_lanes z304 = z132 * z187 - omega1 * z303 + z144 * z189 + z170 * z191 + z150 * z199 +
-        z152 * z200;
-    const rattleback_lanes z305 = z304 - r1 * z284 - z25 * z261;
-    const rattleback_lanes z306 = z143 * z186 + z67 * z189 + z173 * z190;
-    const rattleback_lanes z307 = z140 * z186 + z171 * z190;
-    const rattleback_lanes z308 = z67 * z303 - z155 * z199 - z152 * z204 - I_a * z306 + I_d * z307 + r3 *
-        z284;
-    const rattleback_lanes z309 = z308 - z25 * z260;
-    const rattleback_lanes z310 = z302 + mu2 * z239 - s_beta * z305 - c_beta * z309;
-    const rattleback_lanes z311 = z131 * z188 - z142 * z209 - z169 * z192 - z172 * z210 - z128 * z201 + z136
-        * z205;
-    const rattleback_lanes z312 = z108 * z193 - e2 * z194;
-    const rattleback_lanes z313 = e2 * z193 + z108 * z194;
-    const rattleback_lanes z314 = z141 * z190;
-    const rattleback_lanes z315 = z314 - z305;
-    const rattleback_lanes z316 = z141 * z186;
-    const rattleback_lanes z317 = z316 + z309;
-    const rattleback_lanes z318 = z311 - c_gamma * z312 - s_gamma * z313 - mu3 * z315 - z1 * z317 + mu2 *
-        z226;
-    const rattleback_lanes z319 = z139 * z187 - r1 * z285 + z25 * z265;
-    const rattleback_lanes z320 = z145 * z202 - r3 * z285 + z25 * z264;
-    const rattleback_lanes z321 = z128 * z188 + z60 * z316 + z136 * z209 + mu3 * z319 + z1 * z320 - mu2 *
-        z247;
-    const rattleback_lanes z322 = z139 * z191 - r1 * z289 + z25 * z269;
-    const rattleback_lanes z323 = z145 * z203 + I_d * z249 - r3 * z289 + z25 * z271;
-    const rattleback_lanes z324 = mu2 * z232 - (z128 * z192 + z60 * z314 + z136 * z210 + mu3 * z322 + z1 *
-        z323);
-    const rattleback_lanes z325 = z60 * z310 + (z57 * z318 + (z134 * z206 + z137 * z211 - c_beta * z321 -
-        s_beta * z324));
-    const rattleback_lanes z326 = z109 * z316 - z22 * z314 + z86 * z196 + z70 * z197 + z133 * z211 - k2 * (z4
-        * z215);
-    const rattleback_lanes z327 = z326 + mu2 * z237 - z21 * z310;
-    const rattleback_lanes z328 = w1 * z327 + (z58 * z315 - (z135 * z201 + z128 * z223 - z109 * z319 + z22 *
-        z322));
-    const rattleback_lanes z329 = z328 - k3 * (z149 * z214 - z4 * z291) + 2.0 * (mu3 * (k3 * z295));
-    const rattleback_lanes z330 = w3 * z327 + (z58 * z317 + (z135 * z205 - z136 * z219 + z109 * z320 - z22 *
-        z323));
-    const rattleback_lanes z331 = z330 + k1 * (z149 * z213 - z4 * z293) + 2.0 * (z1 * (k1 * z295));
-    const rattleback_lanes z332 = mu2 * (z86 * z227 + (z301 + z31 * z256) - z76 * z325 - c_beta * z329 -
-        s_beta * z331);
-    rattleback_put(slope + 0 * RATTLEBACK_LANES, c_alpha * (z273 + z296) - z332);
-    const rattleback_lanes z333 = z133 * z206 + z21 * z318;
-    const rattleback_lanes z334 = z122 * z246 - (mu2 * z235 + (z71 * z234 - (z126 * z209 + (z125 * z188 - z46
-        * z298))));
-    const rattleback_lanes z335 = z127 * z220 - (z138 * z201 + (z156 * z198 - (z153 * z195 + (z121 * z231 +
-        (z72 * z228 - z334)))));
-    const rattleback_lanes z336 = z113 * z263 - (z111 * z262 + (z124 * z225 - z335)) + 2.0 * (s_beta * (z319
-        - k6 * (z7 * z275)));
-    const rattleback_lanes z337 = z320 - z322;
-    const rattleback_lanes z338 = z336 - r1 * z286 + r3 * z288 - z26 * z267 - z29 * z268 - c_beta * z337 +
-        z21 * z324;
-    const rattleback_lanes z339 = c_beta * (w1 * z333 - (z61 * z305 + (z68 * z259 + (z63 * z258 + z338))) -
-        c_alpha * z331);
-    const rattleback_lanes z340 = z125 * z192 + (z122 * z245 - (z71 * z233 - k3 * (c_alpha * z297 + z8 * z277
-        + z4 * z282)));
-    const rattleback_lanes z341 = z153 * z198 + (z156 * z195 - (mu2 * z236 + (z121 * z229 - (z126 * z210 -
-        (z72 * z230 - z340)))));
-    const rattleback_lanes z342 = z21 * z321 + (z111 * z263 + (z113 * z262 - (z124 * z221 - (z127 * z224 -
-        (z138 * z205 + z341)))));
-    const rattleback_lanes z343 = z342 + r3 * z286 + r1 * z288 - z29 * z267 - s_beta * z337 + z26 * z268 -
-        2.0 * (c_beta * z323);
-    const rattleback_lanes z344 = s_beta * (w3 * z333 + (z61 * z309 - (z63 * z259 - (z68 * z258 + z343))) +
-        c_alpha * z329);
-    rattleback_put(slope + 1 * RATTLEBACK_LANES, z339 + z344);
-    const rattleback_lanes z345 = z164 * z193 - z162 * z194 - z58 * z313 + z117 * z242 + z116 * z243 + z17 *
-        z250;
-    const rattleback_lanes z346 = z162 * z193 + z164 * z194 + z58 * z312 + z116 * z242 - z117 * z243 + z16 *
-        z250;
-    const rattleback_lanes z347 = c_gamma * (z345 + z16 * z251 + z34 * z254 + z33 * z255) + s_gamma * (z346 -
-        z17 * z251 + z33 * z254 - z34 * z255);
-    rattleback_put(slope + 2 * RATTLEBACK_LANES, z347);
-    rattleback_put(slope + 3 * RATTLEBACK_LANES, z125 * z207 + z128 * z212 + s_beta * z333 - mu3 * z327);
-    const rattleback_lanes z348 = z155 * z200 - z150 * z204 - I_b * z307 + I_d * z306 + r3 * z261 + r1 * z260;
-    rattleback_put(slope + 4 * RATTLEBACK_LANES, z226 + z348);
-    rattleback_put(slope + 5 * RATTLEBACK_LANES, z126 * z207 + z136 * z212 - c_beta * z333 - z1 * z327);
-}
-
-int rattleback_jacobian(double t, const double *y, const double *p, double *J)
-{
-    double kept[142]; /* what parts of this function leave for others */
-    for (int entry = 0; entry < 81; ++entry) {
-        J[entry] = 0.0;
-    }
-    (void)t;
-    const double alpha = y[3]; /* roll about the long axis [rad] */
-    const double beta = y[4]; /* pitch [rad] */
-    const double gamma_ = y[5]; /* heading [rad] */
 
     /* sines and cosines */
+    const double alpha = y[3]; /* roll about the long axis [rad] */
     const double c_alpha = cos(alpha);
     kept[0] = c_alpha;
     const double mu2 = sin(alpha);
     kept[1] = mu2;
+    const double beta = y[4]; /* pitch [rad] */
     const double s_beta = sin(beta);
     kept[2] = s_beta;
     const double c_beta = cos(beta);
     kept[3] = c_beta;
+    const double gamma_ = y[5]; /* heading [rad] */
     const double s_gamma = sin(gamma_);
-    kept[4] = s_gamma;
     const double c_gamma = cos(gamma_);
-    kept[5] = c_gamma;
-    const double w1 = y[6];
-    const double w2 = y[7];
-    const double w3 = y[8];
-    const double a = p[0]; /* half axis 1 of the ellipsoid [cm] */
-    const double b = p[1]; /* half axis 2 [cm] */
-    const double c = p[2]; /* half axis 3 [cm] */
-    const double h = p[3]; /* from the centre of the ellipsoid down to the centre of mass [cm] */
-    const double I_a = p[4]; /* [cm^2] */
-    const double I_b = p[5]; /* [cm^2] */
-    const double I_c = p[6]; /* [cm^2] */
-    const double I_d = p[7]; /* product of inertia, what makes it a rattleback [cm^2] */
-    const double g = p[8]; /* acceleration of gravity [cm/s^2] */
 
     /* parameters only */
+    const double a = p[0]; /* half axis 1 of the ellipsoid [cm] */
     const double k1 = a * a;
-    kept[6] = k1;
+    kept[4] = k1;
+    const double b = p[1]; /* half axis 2 [cm] */
     const double k2 = b * b;
-    kept[7] = k2;
+    kept[5] = k2;
+    const double c = p[2]; /* half axis 3 [cm] */
     const double k3 = c * c;
-    kept[8] = k3;
-    const double k4 = b * b * b * b;
-    kept[9] = k4;
-    const double k5 = I_a + h * h;
-    const double k6 = a * a * a * a;
-    kept[10] = k6;
-    const double k7 = k1 - k3;
+    kept[6] = k3;
+    const double k4 = k1 - k3;
+    const double I_b = p[5]; /* [cm^2] */
+    const double I_c = p[6]; /* [cm^2] */
+    const double k5 = I_b - I_c;
+    kept[7] = k5;
+    const double I_a = p[4]; /* [cm^2] */
+    const double k6 = I_a - I_c;
+    kept[8] = k6;
 
     /* state */
     const double z1 = c_alpha * s_beta;
-    kept[11] = z1;
-    const double z2 = mu2 * mu2;
+    kept[9] = z1;
     const double mu3 = c_beta * c_alpha;
-    kept[12] = mu3;
-    const double z3 = k1 * (z1 * z1) + k2 * z2 + k3 * (mu3 * mu3);
-    const double z4 = 1.0 / sqrt(z3);
+    kept[10] = mu3;
+    const double z2 = k1 * (z1 * z1) + k2 * (mu2 * mu2) + k3 * (mu3 * mu3);
+    kept[11] = z2;
+    const double z3 = 1.0 / sqrt(z2);
+    kept[12] = z3;
+    const double z4 = mu3 * k3;
     kept[13] = z4;
-    const double z5 = c_beta * k3;
-    kept[14] = z5;
-    const double z6 = z4 * z5;
+    const double h = p[3]; /* from the centre of the ellipsoid down to the centre of mass [cm] */
+    const double r3 = h - z3 * z4;
+    kept[14] = r3;
+    const double z5 = r3 * r3;
+    const double z6 = mu2 * k2;
     kept[15] = z6;
-    const double z7 = 1.0 - z2;
+    const double z7 = z3 * z6;
     kept[16] = z7;
-    const double z8 = z6 * z7 - 2.0 * (h * c_alpha);
+    const double z8 = z7 * z7;
     kept[17] = z8;
-    const double z9 = z2 * k4;
+    const double z9 = I_a + (z5 + z8);
     kept[18] = z9;
-    const double z10 = z5 * z8 + z4 * z9;
+    const double z10 = z1 * k1;
     kept[19] = z10;
-    const double z11 = z4 * z10 + k5;
-    const double z12 = z1 * k1;
-    kept[20] = z12;
-    const double r1 = z12 * z4;
-    kept[21] = r1;
-    const double z13 = mu3 * k3;
-    kept[22] = z13;
-    const double r3 = h - z4 * z13;
-    kept[23] = r3;
-    const double z14 = c_beta * r1 + s_beta * r3;
+    const double r1 = z10 * z3;
+    kept[20] = r1;
+    const double z11 = r1 * r1;
+    kept[21] = z11;
+    const double z12 = I_b + (z5 + z11);
+    kept[22] = z12;
+    const double I_d = p[7]; /* product of inertia, what makes it a rattleback [cm^2] */
+    const double z13 = I_d + r1 * z7;
+    kept[23] = z13;
+    const double z14 = 1.0 / z9;
     kept[24] = z14;
-    const double z15 = c_alpha * z14;
+    const double z15 = z13 * z14;
     kept[25] = z15;
-    const double z16 = mu2 * z14;
+    const double z16 = z12 - z13 * z15;
     kept[26] = z16;
-    const double z17 = s_beta * r1 - c_beta * r3;
+    const double z17 = I_c + (z8 + z11);
     kept[27] = z17;
-    const double z18 = s_gamma * z16 + c_gamma * z17;
+    const double z18 = r1 * r3;
     kept[28] = z18;
-    const double z19 = c_gamma * z16 - s_gamma * z17;
+    const double z19 = z18 * z14;
     kept[29] = z19;
-    const double z20 = I_b + (z15 * z15 + (z18 * z18 + z19 * z19));
-    const double z21 = 1.0 / c_alpha;
-    kept[30] = z21;
-    const double z22 = s_beta * z21;
+    const double z20 = z7 * r3;
+    kept[30] = z20;
+    const double z21 = z20 + z13 * z19;
+    const double z22 = 1.0 / z16;
     kept[31] = z22;
-    const double z23 = z1 * z22 + c_beta * c_beta;
+    const double z23 = z21 * z22;
     kept[32] = z23;
-    const double z24 = mu2 * k2;
+    const double z24 = z17 - z18 * z19 - z21 * z23;
     kept[33] = z24;
-    const double z25 = z4 * z24;
+    const double w1 = y[6];
+    const double w3 = y[8];
+    const double z25 = s_beta * w1 - c_beta * w3;
     kept[34] = z25;
-    const double z26 = z25 * z23;
-    kept[35] = z26;
-    const double z27 = c_beta * s_beta;
-    const double z28 = mu3 * z22 - z27;
+    const double z26 = s_beta * z25;
+    const double z27 = 1.0 / c_alpha;
+    kept[35] = z27;
+    const double z28 = z1 * w3 + mu3 * w1;
     kept[36] = z28;
-    const double z29 = z25 * z28;
+    const double z29 = z27 * z28;
     kept[37] = z29;
-    const double z30 = c_beta * z26 - s_beta * z29;
-    kept[38] = z30;
-    const double z31 = r3 * z23 + r1 * z28;
-    kept[39] = z31;
-    const double z32 = c_alpha * z30 + mu2 * z31;
-    kept[40] = z32;
-    const double z33 = mu2 * z30 - c_alpha * z31;
-    kept[41] = z33;
-    const double z34 = s_beta * z26 + c_beta * z29;
-    kept[42] = z34;
-    const double z35 = s_gamma * z33 + c_gamma * z34;
-    kept[43] = z35;
-    const double z36 = c_gamma * z33 - s_gamma * z34;
-    kept[44] = z36;
-    const double z37 = I_d * z23 + (z32 * z15 + (z35 * z18 + z36 * z19));
-    const double z38 = 1.0 / z11;
-    kept[45] = z38;
-    const double z39 = z37 * z38;
-    kept[46] = z39;
-    const double z40 = z20 - z37 * z39;
-    const double z41 = 1.0 / z3;
-    kept[47] = z41;
-    const double z42 = s_beta * s_beta;
-    const double z43 = z42 * k6;
-    kept[48] = z43;
-    const double z44 = z9 + z7 * z43;
-    kept[49] = z44;
-    const double z45 = I_c + z41 * z44;
-    const double z46 = c_alpha * k1;
-    kept[50] = z46;
-    const double z47 = s_beta * z46;
-    kept[51] = z47;
-    const double z48 = z4 * z47;
-    kept[52] = z48;
-    const double z49 = c_alpha * z5;
-    kept[53] = z49;
-    const double z50 = h - z4 * z49;
-    kept[54] = z50;
-    const double z51 = z48 * z50;
-    const double z52 = z51 * z38;
-    kept[55] = z52;
-    const double z53 = z25 * z50 + z37 * z52;
-    const double z54 = 1.0 / z40;
-    kept[56] = z54;
-    const double z55 = z53 * z54;
-    kept[57] = z55;
-    const double z56 = z45 - z51 * z52 - z53 * z55;
-    const double z57 = s_beta * w1 - c_beta * w3;
-    kept[58] = z57;
-    const double z58 = z21 * z57;
-    kept[59] = z58;
-    const double z59 = z1 * z58;
-    const double z60 = z1 * w3 + mu3 * w1;
-    kept[60] = z60;
-    const double z61 = z60 * z21;
-    kept[61] = z61;
-    const double z62 = c_beta * z61;
-    const double omega1 = z59 + z62;
-    kept[62] = omega1;
-    const double z63 = r1 * w2 + z25 * omega1;
-    kept[63] = z63;
-    const double z64 = c_beta * z63;
-    const double z65 = mu3 * z58;
-    const double z66 = s_beta * z61;
-    const double z67 = z65 - z66;
-    kept[64] = z67;
-    const double z68 = z25 * z67 - r3 * w2;
-    kept[65] = z68;
-    const double z69 = s_beta * z68;
-    const double z70 = z64 - z69;
-    kept[66] = z70;
-    const double z71 = s_beta * mu2;
-    kept[67] = z71;
-    const double z72 = c_beta * mu2;
-    kept[68] = z72;
-    const double z73 = z41 * (z4 * (k1 * (z1 * z71) - k2 * (c_alpha * mu2) + k3 * (mu3 * z72)));
-    const double z74 = z4 * (k1 * z71) - z12 * z73;
-    const double z75 = z24 * z73 + z4 * (c_alpha * k2);
-    const double z76 = 1.0 / (c_alpha * c_alpha);
-    kept[69] = z76;
-    const double z77 = mu2 * z76;
-    const double z78 = z57 * z77;
-    const double z79 = z21 * (w3 * z71 + w1 * z72) - z60 * z77;
-    const double z80 = z58 * z71 - z1 * z78 + c_beta * z79;
-    const double z81 = w2 * z74 - (omega1 * z75 - z25 * z80);
-    const double z82 = z58 * z72 - mu3 * z78 - s_beta * z79;
-    const double z83 = z13 * z73 - z4 * (k3 * z72);
-    const double z84 = z67 * z75 - z25 * z82 + w2 * z83;
-    const double z85 = c_beta * z81 + s_beta * z84;
-    const double z86 = r3 * omega1 + r1 * z67;
-    kept[70] = z86;
-    const double z87 = omega1 * z83 + r3 * z80 + (z67 * z74 + r1 * z82);
-    const double z88 = c_alpha * z70 - mu2 * z85 + (mu2 * z86 + c_alpha * z87);
-    const double z89 = s_beta * z81 - c_beta * z84;
+    const double z30 = c_beta * z29;
+    const double z31 = z26 + z30;
+    kept[38] = z31;
+    const double z32 = r3 * z31;
+    kept[39] = z32;
+    const double z33 = c_beta * z25;
+    const double z34 = s_beta * z29;
+    const double z35 = z33 - z34;
+    kept[40] = z35;
+    const double z36 = r1 * z35;
+    kept[41] = z36;
+    const double z37 = z32 + z36;
+    kept[42] = z37;
+    const double z38 = 1.0 / (c_alpha * c_alpha);
+    kept[43] = z38;
+    const double z39 = mu2 * z38;
+    const double z40 = s_beta * mu2;
+    const double z41 = c_beta * mu2;
+    const double z42 = z28 * z39 - z27 * (w3 * z40 + w1 * z41);
+    const double z43 = c_beta * z42;
+    const double z44 = 1.0 / z2;
+    kept[44] = z44;
+    const double z45 = z3 * z44;
+    kept[45] = z45;
+    const double z46 = z45 * (z10 * z40 - c_alpha * z6 + z4 * z41);
+    const double z47 = k3 * z3;
+    kept[46] = z47;
+    const double z48 = z4 * z46 - z41 * z47;
+    const double z49 = s_beta * z42;
+    const double z50 = k1 * z3;
+    kept[47] = z50;
+    const double z51 = z40 * z50 - z10 * z46;
+    const double z52 = r3 * z43 - z31 * z48 - (r1 * z49 + z35 * z51);
+    const double w2 = y[7];
+    const double z53 = r3 * w2;
+    kept[48] = z53;
+    const double z54 = z7 * z35;
+    kept[49] = z54;
+    const double u1 = z53 - z54;
+    kept[50] = u1;
+    const double z55 = s_beta * u1;
+    const double z56 = r1 * w2;
+    kept[51] = z56;
+    const double z57 = z7 * z31;
+    kept[52] = z57;
+    const double z58 = z56 + z57;
+    kept[53] = z58;
+    const double z59 = c_beta * z58;
+    const double z60 = z55 + z59;
+    const double z61 = k2 * z3;
+    kept[54] = z61;
+    const double z62 = z6 * z46 + c_alpha * z61;
+    const double z63 = w2 * z48 - (z7 * z49 - z35 * z62);
+    const double z64 = w2 * z51 - (z7 * z43 + z31 * z62);
+    const double z65 = s_beta * z63 + c_beta * z64;
+    const double z66 = mu2 * z37 - c_alpha * z52 + (c_alpha * z60 - mu2 * z65);
+    const double z67 = s_beta * z64 - c_beta * z63;
     /* (I.2.15) */
-    J[3] = c_gamma * z89 - s_gamma * z88;
-    const double z90 = s_beta * z63;
-    const double z91 = z41 * (z4 * (k7 * (z1 * mu3)));
-    const double z92 = z4 * (mu3 * k1) - z12 * z91;
-    const double z93 = z24 * z91;
-    const double z94 = z21 * (c_beta * w1 + s_beta * w3);
-    const double z95 = z21 * (mu3 * w3 - z1 * w1);
-    const double z96 = z65 + z1 * z94 - (z66 - c_beta * z95);
-    const double z97 = w2 * z92 - (omega1 * z93 - z25 * z96);
-    const double z98 = c_beta * z68;
-    const double z99 = z59 - mu3 * z94 + (z62 + s_beta * z95);
-    const double z100 = z13 * z91 + z4 * (z1 * k3);
-    const double z101 = z67 * z93 + z25 * z99 + w2 * z100;
-    const double z102 = z90 - c_beta * z97 + (z98 - s_beta * z101);
-    const double z103 = omega1 * z100 + r3 * z96 + (z67 * z92 - r1 * z99);
-    const double z104 = mu2 * z102 + c_alpha * z103;
-    const double z105 = z64 + s_beta * z97 - (z69 + c_beta * z101);
-    J[4] = s_gamma * z104 - c_gamma * z105;
-    const double z106 = mu2 * z70;
-    const double z107 = c_alpha * z86;
-    const double e2 = z106 - z107;
-    kept[71] = e2;
-    const double z108 = z90 + z98;
-    kept[72] = z108;
-    J[5] = s_gamma * z108 - c_gamma * e2;
-    J[6] = -z35;
-    J[7] = -z18;
-    const double z109 = c_beta * z21;
-    kept[73] = z109;
-    const double z110 = z27 - z1 * z109;
-    kept[74] = z110;
-    const double z111 = z25 * z110;
-    kept[75] = z111;
-    const double z112 = mu3 * z109 + z42;
-    kept[76] = z112;
-    const double z113 = z25 * z112;
-    kept[77] = z113;
-    const double z114 = c_beta * z111 + s_beta * z113;
-    kept[78] = z114;
-    const double z115 = r3 * z110 - r1 * z112;
-    kept[79] = z115;
-    const double z116 = mu2 * z114 - c_alpha * z115;
-    kept[80] = z116;
-    const double z117 = s_beta * z111 - c_beta * z113;
-    kept[81] = z117;
-    const double z118 = s_gamma * z116 + c_gamma * z117;
-    kept[82] = z118;
-    J[8] = -z118;
-    J[12] = c_gamma * z88 + s_gamma * z89;
-    J[13] = -(c_gamma * z104 + s_gamma * z105);
-    J[14] = -(s_gamma * e2 + c_gamma * z108);
-    J[15] = z36;
-    J[16] = z19;
-    const double z119 = c_gamma * z116 - s_gamma * z117;
-    kept[83] = z119;
-    J[17] = z119;
-    J[21] = z106 + c_alpha * z85 - (z107 - mu2 * z87);
-    J[22] = c_alpha * z102 - mu2 * z103;
-    J[24] = -z32;
-    J[25] = -z15;
-    const double z120 = c_alpha * z114 + mu2 * z115;
-    kept[84] = z120;
-    J[26] = -z120;
-    J[30] = -z79;
-    J[31] = z95;
+    J[3] = c_gamma * z67 - s_gamma * z66;
+    const double z68 = c_beta * w1 + s_beta * w3;
+    const double z69 = z27 * (mu3 * w3 - z1 * w1);
+    const double z70 = z33 + s_beta * z68 - (z34 - c_beta * z69);
+    const double z71 = k4 * (mu3 * (z1 * z45));
+    const double z72 = z4 * z71 + z1 * z47;
+    const double z73 = z26 - c_beta * z68 + (z30 + s_beta * z69);
+    const double z74 = mu3 * z50 - z10 * z71;
+    const double z75 = r3 * z70 + z31 * z72 - (r1 * z73 - z35 * z74);
+    const double z76 = c_beta * u1;
+    const double z77 = z6 * z71;
+    const double z78 = w2 * z72 + (z7 * z73 + z35 * z77);
+    const double z79 = s_beta * z58;
+    const double z80 = w2 * z74 + (z7 * z70 - z31 * z77);
+    const double z81 = z76 + s_beta * z78 - (z79 - c_beta * z80);
+    const double z82 = c_alpha * z75 - mu2 * z81;
+    const double z83 = z59 + s_beta * z80 + (z55 - c_beta * z78);
+    J[4] = s_gamma * z82 - c_gamma * z83;
+    const double z84 = z79 - z76;
+    const double z85 = c_alpha * z37;
+    const double z86 = mu2 * z60;
+    const double z87 = z85 - z86;
+    J[5] = s_gamma * z84 + c_gamma * z87;
+    const double z88 = c_beta * z7;
+    const double z89 = mu2 * z88 - c_alpha * r3;
+    const double z90 = s_beta * z7;
+    J[6] = -(s_gamma * z89 + c_gamma * z90);
+    const double z91 = s_beta * r3 + c_beta * r1;
+    const double z92 = mu2 * z91;
+    const double z93 = s_beta * r1 - c_beta * r3;
+    J[7] = -(s_gamma * z92 + c_gamma * z93);
+    const double z94 = mu2 * z90 + c_alpha * r1;
+    J[8] = c_gamma * z88 - s_gamma * z94;
+    J[12] = s_gamma * z67 + c_gamma * z66;
+    J[13] = -(s_gamma * z83 + c_gamma * z82);
+    J[14] = s_gamma * z87 - c_gamma * z84;
+    J[15] = c_gamma * z89 - s_gamma * z90;
+    J[16] = c_gamma * z92 - s_gamma * z93;
+    J[17] = s_gamma * z88 + c_gamma * z94;
+    J[21] = z86 + c_alpha * z65 - (z85 + mu2 * z52);
+    J[22] = -(mu2 * z75 + c_alpha * z81);
+    J[24] = -(mu2 * r3 + c_alpha * z88);
+    J[25] = -c_alpha * z91;
+    J[26] = mu2 * r1 - c_alpha * z90;
+    J[30] = z42;
+    J[31] = z69;
     J[33] = c_beta;
     J[35] = s_beta;
-    J[39] = z57 + mu2 * z78;
-    J[40] = mu2 * z94;
-    const double z121 = mu2 * z22;
-    kept[85] = z121;
-    J[42] = z121;
+    const double z95 = z25 * z39;
+    J[39] = z25 + mu2 * z95;
+    const double z96 = z27 * z68;
+    J[40] = mu2 * z96;
+    const double z97 = s_beta * z27;
+    J[42] = mu2 * z97;
     J[43] = 1.0;
-    const double z122 = mu2 * z109;
-    kept[86] = z122;
-    J[44] = -z122;
-    J[48] = -z78;
-    J[49] = -z94;
-    J[51] = -z22;
-    J[53] = z109;
-    const double z123 = 1.0 / z56;
-    kept[87] = z123;
-    const double z124 = w2 + mu2 * z58;
-    kept[88] = z124;
-    const double z125 = c_beta * z124;
-    kept[89] = z125;
-    const double z126 = s_beta * z124;
-    kept[90] = z126;
-    const double z127 = mu2 * z61;
-    kept[91] = z127;
-    const double z128 = c_alpha * z126 + c_beta * z127;
-    kept[92] = z128;
-    const double z129 = c_beta * z122;
-    kept[93] = z129;
-    const double z130 = s_beta * z122;
-    kept[94] = z130;
-    const double z131 = c_alpha * z130 - c_beta * z71;
-    kept[95] = z131;
-    const double z132 = s_beta * z125 - z109 * z128 + (z61 * z129 + z58 * z131);
-    kept[96] = z132;
-    const double z133 = z127 * z76;
-    kept[97] = z133;
-    const double z134 = w1 * z125 + w3 * z126;
-    kept[98] = z134;
-    const double z135 = z57 * z133 + z21 * z134;
-    kept[99] = z135;
-    const double z136 = s_beta * z127 - c_alpha * z125;
-    kept[100] = z136;
-    const double z137 = w3 * z136 + w1 * z128;
-    kept[101] = z137;
-    const double z138 = z21 * z137 - z60 * z133;
-    kept[102] = z138;
-    const double z139 = z58 * z128 - mu3 * z135 + (z61 * z125 - s_beta * z138);
-    kept[103] = z139;
-    const double z140 = z59 + z60 * z109;
-    kept[104] = z140;
-    const double z141 = I_d * omega1 + I_b * w2;
-    kept[105] = z141;
-    const double z142 = s_beta * z71 + c_alpha * z129;
-    kept[106] = z142;
-    const double z143 = s_beta * z126 - z109 * z136 + (z61 * z130 - z58 * z142);
-    kept[107] = z143;
-    const double z144 = I_d * w2 + I_a * omega1;
-    kept[108] = z144;
-    const double z145 = z58 * z136 - z1 * z135 + (z61 * z126 + c_beta * z138);
-    kept[109] = z145;
-    const double z146 = k1 * z136;
-    kept[110] = z146;
-    const double z147 = k1 * (z1 * z136) - k2 * (mu2 * z60) + k3 * (mu3 * z128);
-    kept[111] = z147;
-    const double z148 = z4 * z147;
-    kept[112] = z148;
-    const double z149 = z148 * z41;
-    kept[113] = z149;
-    const double z150 = z4 * z146 - z12 * z149;
-    kept[114] = z150;
-    const double z151 = k2 * z60;
-    kept[115] = z151;
-    const double z152 = z24 * z149 + z4 * z151;
-    kept[116] = z152;
-    const double z153 = w2 * z150 - (omega1 * z152 - z25 * z145);
-    kept[117] = z153;
-    const double z154 = k3 * z128;
-    kept[118] = z154;
-    const double z155 = z13 * z149 - z4 * z154;
-    kept[119] = z155;
-    const double z156 = z67 * z152 - z25 * z139 + w2 * z155;
-    kept[120] = z156;
-    const double z157 = z63 * z126 + c_beta * z153 + (z68 * z125 + s_beta * z156);
-    kept[121] = z157;
-    const double z158 = omega1 * z155 + r3 * z145 + (z67 * z150 + r1 * z139);
-    kept[122] = z158;
-    const double z159 = z70 * z127 + c_alpha * z157 - (z60 * z86 - mu2 * z158);
-    const double z160 = g - z159;
-    kept[123] = z160;
-    const double z161 = s_gamma * z58;
-    kept[124] = z161;
-    const double z162 = z60 * z70 - mu2 * z157 + (z86 * z127 + c_alpha * z158);
-    kept[125] = z162;
-    const double z163 = c_gamma * z58;
-    kept[126] = z163;
-    const double z164 = z63 * z125 - s_beta * z153 - (z68 * z126 - c_beta * z156);
-    kept[127] = z164;
-    const double z165 = e2 * z161 + c_gamma * z162 + (z108 * z163 - s_gamma * z164);
-    kept[128] = z165;
-    const double z166 = e2 * z163 - s_gamma * z162 - (z108 * z161 + c_gamma * z164);
-    kept[129] = z166;
-    const double z167 = c_beta * z121;
-    kept[130] = z167;
-    const double z168 = s_beta * z121;
-    kept[131] = z168;
-    const double z169 = c_alpha * z168 + c_beta * z72;
-    kept[132] = z169;
-    const double z170 = c_beta * z125 + z22 * z128 - (z61 * z167 + z58 * z169);
-    kept[133] = z170;
-    const double z171 = z65 - z60 * z22;
-    kept[134] = z171;
-    const double z172 = s_beta * z72 - c_alpha * z167;
-    kept[135] = z172;
-    const double z173 = c_beta * z126 + z22 * z136 - (z61 * z168 + z58 * z172);
-    kept[136] = z173;
-    const double z174 = 1.0 / (c_alpha * c_alpha * c_alpha);
-    kept[137] = z174;
-    const double z175 = z141 * z140 - (z144 * z143 + (z120 * z159 + (z118 * z166 - z119 * z165))) - I_a *
-        (z110 * z145);
-    const double z176 = z141 * z171 - (z144 * z173 + (z32 * z159 + (z35 * z166 - z36 * z165))) - I_a * (z23 *
-        z145);
-    const double z177 = z176 - I_c * (z28 * z139 + z67 * z170) + g * z32;
-    const double z178 = I_d * z145 + (z67 * z144 + (z15 * z159 + (z18 * z166 - z19 * z165))) - I_c * (omega1
-        * z67);
-    const double z179 = z178 - g * z15 + z177 * z39;
-    const double z180 = z175 + I_c * (z112 * z139 - z67 * z132) + g * z120 + z177 * z52 + z55 * z179;
-    const double z181 = z123 * z180;
-    kept[138] = z181;
-    const double z182 = z54 * z179 + z55 * z181;
-    kept[139] = z182;
-    const double z183 = z177 * z38 + z39 * z182 + z52 * z181;
-    kept[140] = z183;
-    const double z184 = 1.0 / (z3 * z3);
-    kept[141] = z184;
+    const double z98 = c_beta * z27;
+    J[44] = -mu2 * z98;
+    J[48] = -z95;
+    J[49] = -z96;
+    J[51] = -z97;
+    J[53] = z98;
+    const double g = p[8]; /* acceleration of gravity [cm/s^2] */
+    const double z99 = g * r3;
+    kept[55] = z99;
+    const double z100 = z7 * w2;
+    kept[56] = z100;
+    const double z101 = r3 * z35;
+    kept[57] = z101;
+    const double z102 = z100 + z101;
+    kept[58] = z102;
+    const double z103 = z4 * z32 - z6 * z57 - z10 * z102;
+    kept[59] = z103;
+    const double z104 = z44 * z103;
+    kept[60] = z104;
+    const double z105 = z3 * z104;
+    const double z106 = k2 * z105;
+    kept[61] = z106;
+    const double z107 = z27 * z25;
+    kept[62] = z107;
+    const double z108 = z8 + (I_a + z5);
+    kept[63] = z108;
+    const double z109 = c_beta * z18;
+    kept[64] = z109;
+    const double z110 = s_beta * z108 + z109;
+    kept[65] = z110;
+    const double z111 = s_beta * z18;
+    kept[66] = z111;
+    const double z112 = c_beta * z108 - z111;
+    kept[67] = z112;
+    const double z113 = z27 * z112;
+    kept[68] = z113;
+    const double z114 = c_beta * z110 - z1 * z113;
+    kept[69] = z114;
+    const double z115 = k3 * z105;
+    kept[70] = z115;
+    const double z116 = z107 * z114 - (mu3 * z115 - z32 * z47);
+    kept[71] = z116;
+    const double z117 = s_beta * z110 + mu3 * z113;
+    kept[72] = z117;
+    const double z118 = k1 * z105;
+    kept[73] = z118;
+    const double z119 = z107 * z117 - (z1 * z118 + z102 * z50);
+    kept[74] = z119;
+    const double z120 = z107 * z110 - c_beta * z116 - s_beta * z119;
+    kept[75] = z120;
+    const double z121 = z18 - z114;
+    kept[76] = z121;
+    const double z122 = z25 * z108 - z29 * z121 - c_alpha * z119;
+    kept[77] = z122;
+    const double z123 = z25 * z18;
+    kept[78] = z123;
+    const double z124 = z108 - z117;
+    kept[79] = z124;
+    const double z125 = z123 + z29 * z124 - c_alpha * z116;
+    kept[80] = z125;
+    const double z126 = c_beta * z122 - s_beta * z125;
+    kept[81] = z126;
+    const double z127 = mu2 * z29;
+    kept[82] = z127;
+    const double z128 = w2 + mu2 * z107;
+    kept[83] = z128;
+    const double z129 = c_beta * z128;
+    kept[84] = z129;
+    const double z130 = s_beta * z127 - c_alpha * z129;
+    kept[85] = z130;
+    const double z131 = s_beta * z128;
+    kept[86] = z131;
+    const double z132 = c_alpha * z131 + c_beta * z127;
+    kept[87] = z132;
+    const double z133 = z10 * z130 - z6 * z28 + z4 * z132;
+    kept[88] = z133;
+    const double z134 = z3 * z133;
+    kept[89] = z134;
+    const double z135 = z44 * z134;
+    kept[90] = z135;
+    const double z136 = z29 * z131;
+    const double z137 = z136 + z107 * z130;
+    kept[91] = z137;
+    const double z138 = z29 * z129;
+    kept[92] = z138;
+    const double z139 = z138 + z107 * z132;
+    kept[93] = z139;
+    const double z140 = s_beta * z137 + c_beta * z139 - z107 * z127;
+    kept[94] = z140;
+    const double z141 = z1 * z139 - mu3 * z137;
+    kept[95] = z141;
+    const double z142 = z27 * z141;
+    kept[96] = z142;
+    const double z143 = z25 * z129 + s_beta * z140 - (z136 + c_beta * z142);
+    kept[97] = z143;
+    const double z144 = z7 * z143;
+    kept[98] = z144;
+    return RATTLEBACK_OK;
+}
+
+RATTLEBACK_SLOW static int rattleback_jacobian_part2(double t, const double *y, const double *p, double
+    *kept, double *J)
+{
+    (void)t;
+    const double k2 = kept[5];
+    const double z28 = kept[36];
+    const double z145 = k2 * z28;
+    const double z3 = kept[12];
+    const double z6 = kept[15];
+    const double z135 = kept[90];
+    const double z146 = z3 * z145 + z6 * z135;
+    const double k1 = kept[4];
+    const double z130 = kept[85];
+    const double z147 = k1 * z130;
+    const double z10 = kept[19];
+    const double z148 = z3 * z147 - z10 * z135;
+    const double w2 = y[7];
+    const double g = p[8]; /* acceleration of gravity [cm/s^2] */
+    const double mu3 = kept[10];
+    const double z31 = kept[38];
+    const double z37 = kept[42];
+    const double u1 = kept[50];
+    const double z144 = kept[98];
+    const double z149 = g * mu3 + (z31 * z37 + w2 * u1 + (z144 + z31 * z146 - w2 * z148));
+    const double I_d = p[7]; /* product of inertia, what makes it a rattleback [cm^2] */
+    const double z150 = I_d * w2;
+    const double I_a = p[4]; /* [cm^2] */
+    const double z151 = z150 + I_a * z31;
+    const double I_c = p[6]; /* [cm^2] */
+    const double z35 = kept[40];
+    const double z152 = I_c * z35;
+    const double s_beta = kept[2];
+    const double c_beta = kept[3];
+    const double z25 = kept[34];
+    const double z131 = kept[86];
+    const double z138 = kept[92];
+    const double z140 = kept[94];
+    const double z142 = kept[96];
+    const double z153 = z25 * z131 - c_beta * z140 + (z138 - s_beta * z142);
+    const double z7 = kept[16];
+    const double z154 = z7 * z153;
+    const double k3 = kept[6];
+    const double z132 = kept[87];
+    const double z155 = k3 * z132;
+    const double z4 = kept[13];
+    const double z156 = z3 * z155 - z4 * z135;
+    const double z1 = kept[9];
+    const double z58 = kept[53];
+    const double z157 = g * z1 - (w2 * z58 + z35 * z37 - (z154 - z35 * z146 + w2 * z156));
+    const double z158 = I_d * z31;
+    const double I_b = p[5]; /* [cm^2] */
+    const double z159 = z158 + I_b * w2;
+    const double z29 = kept[37];
+    const double z160 = z29 * z159;
+    const double z161 = z25 * z159;
+    const double r3 = kept[14];
+    const double z143 = kept[97];
+    const double z162 = r3 * z143;
+    const double r1 = kept[20];
+    const double z163 = r1 * z153;
+    const double mu2 = kept[1];
+    const double z164 = g * mu2 + (z35 * u1 - z31 * z58 + (z162 + z31 * z156 - (z163 + z35 * z148)));
+    const double z165 = w2 * z152 - (I_a * z143 - (s_beta * z160 - (c_beta * z161 + (r3 * z164 + z7 *
+        z149))));
+    const double z15 = kept[25];
+    const double z166 = I_d * z143 - (z35 * z151 - z31 * z152 - (r3 * z157 + r1 * z149)) + z15 * z165;
+    const double z24 = kept[33];
+    const double z167 = 1.0 / z24;
+    const double z168 = w2 * z151 - (I_c * z153 + (c_beta * z160 + (s_beta * z161 + (z7 * z157 - r1 *
+        z164))));
+    const double z19 = kept[29];
+    const double z23 = kept[32];
+    const double z169 = z167 * (z168 + z19 * z165 + z23 * z166);
+    const double z22 = kept[31];
+    const double z170 = z22 * z166 + z23 * z169;
+    const double z171 = r1 * z170;
+    const double z14 = kept[24];
+    const double z172 = z14 * z165 + z15 * z170 + z19 * z169;
+    const double z173 = z7 * z172;
+    const double z32 = kept[39];
+    const double z102 = kept[58];
+    const double z174 = z35 * z102 + (z31 * z32 - (z144 + (z149 - z171 + 2.0 * z173)));
+    const double z57 = kept[52];
+    const double z99 = kept[55];
+    const double z106 = kept[61];
+    const double z107 = kept[62];
+    const double z120 = kept[75];
+    const double z126 = kept[81];
+    const double z175 = z99 + (z28 * z106 - z29 * z120 + z107 * z126) + k2 * (z57 * z135 - z3 * z174);
+    const double z2 = kept[11];
+    const double z134 = kept[89];
+    const double z176 = z134 / (z2 * z2);
+    const double z177 = r1 * z169;
+    const double z178 = r3 * z172;
+    const double z179 = w2 * z102 + (z31 * z57 + (z162 + (z164 - z177 + 2.0 * z178)));
+    const double z104 = kept[60];
+    const double z133 = kept[88];
+    const double z180 = z32 * z155 + z57 * z145 - z147 * z102 - z133 * z104 - z4 * z179 - z6 * z174;
+    const double z181 = r3 * z153;
+    const double z182 = r3 * z169;
+    const double z183 = z7 * z170;
+    const double z184 = w2 * z32 - (z35 * z57 - (z181 + (z182 + z183)));
+    const double z45 = kept[45];
+    const double z103 = kept[59];
+    const double z185 = z103 * z176 - 0.5 * (z45 * (z180 - z10 * z184));
+    const double z110 = kept[65];
+    const double z114 = kept[69];
+    const double z117 = kept[72];
+    const double z127 = kept[82];
+    const double z186 = z127 * z110 - z130 * z117 - z132 * z114 - mu2 * z126;
+    const double z187 = s_beta * z159;
+    const double z188 = I_d * z35;
+    const double z189 = z7 * z37;
+    const double z190 = r3 * z58;
+    const double z191 = r3 * z156;
+    const double z192 = z7 * z146;
+    const double z193 = z7 * z32 - (r3 * z57 + (z188 + z189 - z190 + z191 + z192));
+    const double z194 = z7 * z102 - (r1 * z57 - (I_c * w2 - r3 * u1 + r3 * z148));
+    const double z121 = kept[76];
+    const double z124 = kept[79];
+    const double z129 = kept[84];
+    const double z195 = z187 + z131 * z124 + z129 * z121 + mu2 * z120 + c_beta * z193 - s_beta * z194;
+    const double z196 = g * z7;
+    const double z27 = kept[35];
+    const double z61 = kept[54];
+    const double z197 = mu2 * z106 + z57 * z61 - z27 * z195;
+    const double w1 = y[6];
+    const double z113 = kept[68];
+    const double z115 = kept[70];
+    const double z137 = kept[91];
+    const double z198 = z132 * z115 - z137 * z113 - z196 - w1 * z197 + k3 * (z32 * z135 + z3 * z179);
+    const double z199 = z198 - 2.0 * (z4 * z185);
+    const double z38 = kept[43];
+    const double z112 = kept[67];
+    const double z116 = kept[71];
+    const double z119 = kept[74];
+    const double z141 = kept[95];
+    const double z200 = z131 * z116 - z129 * z119 + z38 * (z141 * z112 + z25 * z186 + z28 * z195) - c_beta *
+        z199;
+    const double w3 = y[8];
+    const double z118 = kept[73];
+    const double z139 = kept[93];
+    const double z201 = z130 * z118 + z139 * z113 - w3 * z197 - k1 * (z102 * z135 - z3 * z184) - 2.0 * (z10 *
+        z185);
+    const double c_alpha = kept[0];
+    const double z202 = c_alpha * (z175 + 2.0 * (z6 * z185)) - mu2 * (z200 - s_beta * z201);
+    const double z203 = r1 * z31;
+    const double z101 = kept[57];
+    const double z204 = z101 - z203;
+    const double z53 = kept[48];
+    const double z56 = kept[51];
+    const double z205 = z4 * z53 + z6 * z204 - z10 * z56;
+    const double z44 = kept[44];
+    const double z206 = z44 * z205;
+    const double z207 = z3 * z206;
+    const double z208 = k2 * z207;
+    const double z13 = kept[23];
+    const double z20 = kept[30];
+    const double z209 = s_beta * z13 - c_beta * z20;
+    const double z210 = c_beta * z13 + s_beta * z20;
+    const double z211 = z27 * z210;
+    const double z212 = c_beta * z209 - z1 * z211;
+    const double z213 = k3 * z207;
+    const double z47 = kept[46];
+    const double z214 = z107 * z212 - (mu3 * z213 - z53 * z47);
+    const double z215 = s_beta * z209 + mu3 * z211;
+    const double z216 = k1 * z207;
+    const double z50 = kept[47];
+    const double z217 = z107 * z215 - (z1 * z216 + z56 * z50);
+    const double z218 = z107 * z209 - c_beta * z214 - s_beta * z217;
+    const double z219 = z20 + z212;
+    const double z220 = z25 * z13 + z29 * z219 - c_alpha * z217;
+    const double z221 = z13 - z215;
+    const double z222 = z25 * z20 - z29 * z221 + c_alpha * z214;
+    const double z223 = c_beta * z220 + s_beta * z222;
+    const double z224 = r1 * z143;
+    const double z225 = r1 * z172;
+    const double z226 = z56 * z35 + (z53 * z31 - (z181 + (z224 + (z182 + z225))));
+    const double z227 = r3 * z170;
+    const double z228 = z7 * z169;
+    const double z229 = w2 * z56 - (z31 * z204 + (2.0 * z227 - (z157 + z228)));
+    const double z230 = z53 * z155 - z145 * z204 - z56 * z147 - z133 * z206 - z4 * z229 - z6 * z226;
+    const double z231 = w2 * z53 + (z35 * z204 - (z173 + (z149 - 2.0 * z171)));
+    const double z232 = z205 * z176 - 0.5 * (z45 * (z230 - z10 * z231));
+    const double z233 = z28 * z208 - z29 * z218 + z107 * z223 - k2 * (z204 * z135 + z3 * z226) + 2.0 * (z6 *
+        z232);
+    const double z234 = z127 * z209 - z130 * z215 - z132 * z212 - mu2 * z223;
+    const double k6 = kept[8];
+    const double z235 = z7 * z53 + (r3 * z204 + (z35 * k6 - r1 * z37 - r1 * z146));
+    const double z236 = z7 * z56 + (r1 * z204 + (z151 - I_c * z31 + r3 * z37 + r3 * z146));
+    const double z237 = z131 * z221 - z129 * z219 + mu2 * z218 + c_beta * z235 - s_beta * z236;
+    const double z238 = g * r1;
+    const double z239 = mu2 * z208 - z204 * z61 - z27 * z237;
+    const double z240 = z132 * z213 - z137 * z211 - z238 - w1 * z239 + k3 * (z53 * z135 + z3 * z229);
+    const double z241 = z240 - 2.0 * (z4 * z232);
+    const double z242 = z131 * z214 - z129 * z217 + z38 * (z141 * z210 + z25 * z234 + z28 * z237) - c_beta *
+        z241;
+    const double z243 = z99 - (z130 * z216 + z139 * z211) + w3 * z239 + k1 * (z56 * z135 - z3 * z231);
+    const double z244 = z243 + 2.0 * (z10 * z232);
+    const double z245 = c_alpha * z233 - mu2 * (z242 + s_beta * z244) - z15 * z202;
+    const double z100 = kept[56];
+    const double z246 = z100 - z203;
+    const double z36 = kept[41];
+    const double z54 = kept[49];
+    const double z247 = z4 * z246 + z6 * z54 + z10 * z36;
+    const double z248 = z44 * z247;
+    const double z249 = z3 * z248;
+    const double z250 = k2 * z249;
+    const double z8 = kept[17];
+    const double z11 = kept[21];
+    const double z251 = z8 + (I_c + z11);
+    const double z111 = kept[66];
+    const double z252 = z111 + c_beta * z251;
+    const double z109 = kept[64];
+    const double z253 = z109 - s_beta * z251;
+    const double z254 = z27 * z253;
+    const double z255 = c_beta * z252 - z1 * z254;
+    const double z256 = k3 * z249;
+    const double z257 = z107 * z255 + (mu3 * z256 - z246 * z47);
+    const double z258 = s_beta * z252 + mu3 * z254;
+    const double z259 = k1 * z249;
+    const double z260 = z107 * z258 + (z1 * z259 - z36 * z50);
+    const double z261 = z107 * z252 - c_beta * z257 - s_beta * z260;
+    const double z262 = z251 - z255;
+    const double z123 = kept[78];
+    const double z263 = z123 - z29 * z262 - c_alpha * z260;
+    const double z18 = kept[28];
+    const double z264 = z18 - z258;
+    const double z265 = z25 * z251 + z29 * z264 - c_alpha * z257;
+    const double z266 = c_beta * z263 - s_beta * z265;
+    const double z267 = z35 * z36 - (z31 * z246 - (z154 + (2.0 * z228 + (z157 - z227))));
+    const double z268 = z238 - (z28 * z250 + z29 * z261 - z107 * z266) + k2 * (z54 * z135 - z3 * z267);
+    const double z269 = w2 * z36 + (z54 * z31 + (z224 + (z183 + z225)));
+    const double z270 = z155 * z246 - z54 * z145 + z36 * z147 - z133 * z248 + z4 * z269 + z6 * z267;
+    const double z271 = w2 * z246 + (z35 * z54 - (z163 - (z178 + (z164 - 2.0 * z177))));
+    const double z272 = z247 * z176 - 0.5 * (z45 * (z270 - z10 * z271));
+    const double z273 = z127 * z252 - z130 * z258 - z132 * z255 - mu2 * z266;
+    const double z274 = c_beta * z159;
+    const double z275 = z7 * z246 + (r3 * z54 - (z158 - I_a * w2 + r1 * z58 - r1 * z156));
+    const double z276 = r1 * u1;
+    const double z277 = r1 * z148;
+    const double z278 = z7 * z36 - (r1 * z54 + (z192 + (z189 + z276 - z277)));
+    const double z279 = z274 + z131 * z264 + z129 * z262 + mu2 * z261 - c_beta * z275 - s_beta * z278;
+    const double z280 = mu2 * z250 - z54 * z61 + z27 * z279;
+    const double z281 = z132 * z256 + z137 * z254 - w1 * z280 + k3 * (z246 * z135 - z3 * z269) - 2.0 * (z4 *
+        z272);
+    const double z282 = z131 * z257 - z129 * z260 + z38 * (z141 * z253 + z25 * z273 + z28 * z279) + c_beta *
+        z281;
+    const double z283 = z196 - (z130 * z259 - z139 * z254) + w3 * z280 - k1 * (z36 * z135 + z3 * z271);
+    const double z284 = z283 + 2.0 * (z10 * z272);
+    const double z285 = c_alpha * (z268 - 2.0 * (z6 * z272)) - mu2 * (z282 - s_beta * z284) - z19 * z202 +
+        z23 * z245;
+    const double z286 = z167 * z285;
+    const double z287 = z22 * z245 + z23 * z286;
+    /* (I.2.15) */
+    J[57] = z19 * z286 - (z14 * z202 - z15 * z287);
+    const double z288 = z142 * z18;
+    const double z108 = kept[63];
+    const double z125 = kept[80];
+    const double z128 = kept[83];
+    const double z289 = z160 - z140 * z108 - z288 - z137 * z110 - z127 * z119 + z128 * z125 + z25 * z193;
+    const double z290 = z274 + z129 * z108 - z131 * z18 - s_beta * z193 - c_beta * z194 - z27 * z186;
+    const double z291 = z140 * z18;
+    const double z122 = kept[77];
+    const double z292 = z161 - z142 * z108 + z291 + z139 * z110 + z127 * z116 + z128 * z122 - z29 * z193;
+    const double z293 = c_beta * (z289 - z29 * z194 - w1 * z290 + c_alpha * z201) + s_beta * (z292 - z25 *
+        z194 - w3 * z290 - c_alpha * z199);
+    const double z294 = z140 * z13 - z142 * z20 + z137 * z209 + z127 * z217 + z128 * z222 - z25 * z235;
+    const double z295 = z129 * z13 + z131 * z20 - s_beta * z235 - c_beta * z236 - z27 * z234;
+    const double z296 = z142 * z13 + z140 * z20 - z139 * z209 - z127 * z214 - z128 * z220 + z29 * z235;
+    const double z297 = c_beta * (z294 + z29 * z236 + w1 * z295 + c_alpha * z244) + s_beta * (z296 + z25 *
+        z236 + w3 * z295 + c_alpha * z241);
+    const double z298 = z297 + z15 * z293;
+    const double z299 = z161 - z291 - z142 * z251 - z137 * z252 - z127 * z260 + z128 * z265 - z25 * z275;
+    const double z300 = z187 - z129 * z18 + z131 * z251 - s_beta * z275 + c_beta * z278 + z27 * z273;
+    const double z301 = z160 + z288 - z140 * z251 - z139 * z252 - z127 * z257 - z128 * z263 - z29 * z275;
+    const double z302 = c_beta * (z299 - z29 * z278 + w1 * z300 + c_alpha * z284) - s_beta * (z301 + z25 *
+        z278 - w3 * z300 - c_alpha * z281);
+    const double z303 = z167 * (z302 - z19 * z293 - z23 * z298);
+    const double z304 = z22 * z298 - z23 * z303;
+    J[58] = z14 * z293 + z15 * z304 - z19 * z303;
+    const double z305 = s_beta * z290 + mu3 * z197;
+    const double z306 = s_beta * z295 + mu3 * z239 - z15 * z305;
+    const double z307 = z167 * (s_beta * z300 + mu3 * z280 + z19 * z305 - z23 * z306);
+    const double z308 = z22 * z306 - z23 * z307;
+    J[60] = -(z14 * z305 - z15 * z308 + z19 * z307);
+    const double k5 = kept[7];
+    const double z309 = r3 * z102 - (r1 * z32 - (z35 * k5 + z7 * u1 - z7 * z148 + z126));
+    const double z310 = r3 * z56 - (r1 * z53 - (z191 - (z190 + (z188 - z276) + z277) + z223)) - z15 * z309;
+    const double z311 = r3 * z36 + (r1 * z246 + (z150 + (z151 - I_b * z31) + z7 * z58 - z7 * z156 + z266));
+    const double z312 = z167 * (z311 - z19 * z309 + z23 * z310);
+    const double z313 = z22 * z310 + z23 * z312;
+    J[61] = z19 * z312 - (z14 * z309 - z15 * z313);
+    const double z314 = c_beta * z290 - z1 * z197;
+    const double z315 = c_beta * z295 - z1 * z239 - z15 * z314;
+    const double z316 = z167 * (c_beta * z300 - z1 * z280 + z19 * z314 - z23 * z315);
+    const double z317 = z22 * z315 - z23 * z316;
+    J[62] = z14 * z314 - z15 * z317 + z19 * z316;
+    J[66] = -z287;
+    J[67] = -z304;
+    J[69] = -z308;
+    J[70] = -z313;
+    J[71] = z317;
+    J[75] = z286;
+    J[76] = -z303;
+    J[78] = -z307;
+    J[79] = z312;
+    J[80] = z316;
     /* the coframe is singular */
     if (!(fabs(c_alpha) > 1e-12 * 4.0)) {
         return RATTLEBACK_SINGULAR_1;
     }
+    const double z9 = kept[18];
     /* the mass matrix is singular */
-    if (!(fabs(z11) > 0.0)) {
+    if (!(fabs(z9) > 0.0)) {
         return RATTLEBACK_SINGULAR_2;
     }
+    const double z12 = kept[22];
+    const double z16 = kept[26];
     /* the mass matrix is singular */
-    if (!(fabs(z40) > 1e-14 * z20)) {
+    if (!(fabs(z16) > 1e-14 * z12)) {
         return RATTLEBACK_SINGULAR_2;
     }
+    const double z17 = kept[27];
     /* the mass matrix is singular */
-    if (!(fabs(z56) > 1e-14 * z45)) {
+    if (!(fabs(z24) > 1e-14 * z17)) {
         return RATTLEBACK_SINGULAR_2;
     }
+    return RATTLEBACK_OK;
+}
 
-    /* one rate in each pass: its row of the matrix */
-    for (int first = 0; first < 3; first += RATTLEBACK_LANES) {
-        static const int offset[] = {54, 63, 72};
-        static const int entry[] = {3, 4, 5, 6, 7, 8};
-        double seed[3 * RATTLEBACK_LANES];
-        double slope[6 * RATTLEBACK_LANES];
-        rattleback_unit(3, first, seed);
-        rattleback_jacobian_sweep1(t, y, p, kept, seed, slope);
-        rattleback_place(3 - first, offset + first, 6, entry, slope, J);
+RATTLEBACK_SLOW
+int rattleback_jacobian(double t, const double *y, const double *p, double *J)
+{
+    double kept[99]; /* what parts of this function leave for others */
+    for (int entry = 0; entry < 81; ++entry) {
+        J[entry] = 0.0;
+    }
+    int status = rattleback_jacobian_part1(t, y, p, kept, J);
+    if (status == RATTLEBACK_OK) {
+        status = rattleback_jacobian_part2(t, y, p, kept, J);
+    }
+    if (status != RATTLEBACK_OK) {
+        return status;
     }
     return rattleback_finish(81, J);
 }
@@ -1654,11 +1559,15 @@ int rattleback_outputs(double t, const double *y, const double *p, double *out)
     const double c_alpha = cos(alpha);
     /* 53:9 */
     out[0] = w3; /* spin */
-    /* the coframe is singular */
-    if (!(fabs(c_alpha) > 1e-12 * 4.0)) {
-        return RATTLEBACK_SINGULAR_1;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(out[0]) <= DBL_MAX && fabs(c_alpha) > 1e-12 * 4.0)) {
+        /* the coframe is singular */
+        if (!(fabs(c_alpha) > 1e-12 * 4.0)) {
+            return RATTLEBACK_SINGULAR_1;
+        }
+        return RATTLEBACK_NOT_FINITE;
     }
-    return rattleback_finish(1, out);
+    return RATTLEBACK_OK;
 }
 
 #if RATTLEBACK_LANES >= 2
@@ -1678,9 +1587,6 @@ static __attribute__((noinline)) void rattleback_rhs_lanes(const double *fixed, 
     const double k1 = fixed[6];
     const double k2 = fixed[7];
     const double k3 = fixed[8];
-    const double k4 = fixed[9];
-    const double k5 = fixed[10];
-    const double k6 = fixed[11];
     const rattleback_lanes alpha = rattleback_get(y + 3 * stride);
     const rattleback_lanes beta = rattleback_get(y + 4 * stride);
     const rattleback_lanes gamma_ = rattleback_get(y + 5 * stride);
@@ -1697,175 +1603,116 @@ static __attribute__((noinline)) void rattleback_rhs_lanes(const double *fixed, 
     const rattleback_lanes s_beta = sine2;
     const rattleback_lanes z1 = c_alpha * s_beta;
     const rattleback_lanes mu2 = sine1;
-    const rattleback_lanes z2 = mu2 * mu2;
     const rattleback_lanes c_beta = cosine2;
     const rattleback_lanes mu3 = c_beta * c_alpha;
-    const rattleback_lanes z3 = k1 * (z1 * z1) + k2 * z2 + k3 * (mu3 * mu3);
-    const rattleback_lanes z4 = 1.0 / rattleback_each_sqrt(RATTLEBACK_SPREAD(z3));
-    const rattleback_lanes z5 = c_beta * k3;
-    const rattleback_lanes z6 = z4 * z5;
-    const rattleback_lanes z7 = 1.0 - z2;
-    const rattleback_lanes z8 = z2 * k4;
-    const rattleback_lanes z9 = z4 * (z5 * (z6 * z7 - 2.0 * (h * c_alpha)) + z4 * z8) + k5;
+    const rattleback_lanes z2 = k1 * (z1 * z1) + k2 * (mu2 * mu2) + k3 * (mu3 * mu3);
+    const rattleback_lanes z3 = 1.0 / rattleback_each_sqrt(RATTLEBACK_SPREAD(z2));
+    const rattleback_lanes z4 = mu3 * k3;
+    const rattleback_lanes r3 = h - z3 * z4;
+    const rattleback_lanes z5 = r3 * r3;
+    const rattleback_lanes z6 = mu2 * k2;
+    const rattleback_lanes z7 = z3 * z6;
+    const rattleback_lanes z8 = z7 * z7;
+    const rattleback_lanes z9 = I_a + (z5 + z8);
     /* the mass matrix is singular */
     bad |= rattleback_misses(rattleback_size(RATTLEBACK_SPREAD(z9)), RATTLEBACK_SPREAD(0.0));
     const rattleback_lanes z10 = z1 * k1;
-    const rattleback_lanes r1 = z10 * z4;
-    const rattleback_lanes z11 = mu3 * k3;
-    const rattleback_lanes r3 = h - z4 * z11;
-    const rattleback_lanes z12 = c_beta * r1 + s_beta * r3;
-    const rattleback_lanes z13 = c_alpha * z12;
+    const rattleback_lanes r1 = z10 * z3;
+    const rattleback_lanes z11 = r1 * r1;
+    const rattleback_lanes z12 = I_b + (z5 + z11);
+    const rattleback_lanes z13 = I_d + r1 * z7;
+    const rattleback_lanes z14 = 1.0 / z9;
+    const rattleback_lanes z15 = z13 * z14;
+    const rattleback_lanes z16 = z12 - z13 * z15;
+    /* the mass matrix is singular */
+    bad |= rattleback_misses(rattleback_size(RATTLEBACK_SPREAD(z16)), 1e-14 * z12);
+    const rattleback_lanes z17 = I_c + (z8 + z11);
+    const rattleback_lanes z18 = r1 * r3;
+    const rattleback_lanes z19 = z18 * z14;
+    const rattleback_lanes z20 = z7 * r3 + z13 * z19;
+    const rattleback_lanes z21 = 1.0 / z16;
+    const rattleback_lanes z22 = z20 * z21;
+    const rattleback_lanes z23 = z17 - z18 * z19 - z20 * z22;
+    /* the mass matrix is singular */
+    bad |= rattleback_misses(rattleback_size(RATTLEBACK_SPREAD(z23)), 1e-14 * z17);
     rattleback_lanes sine3, cosine3;
     rattleback_turn_lanes(RATTLEBACK_SPREAD(gamma_), &far, &sine3, &cosine3);
     const rattleback_lanes s_gamma = sine3;
-    const rattleback_lanes z14 = mu2 * z12;
+    const rattleback_lanes z24 = s_beta * w1 - c_beta * w3;
+    const rattleback_lanes z25 = 1.0 / c_alpha;
+    const rattleback_lanes z26 = z1 * w3 + mu3 * w1;
+    const rattleback_lanes z27 = z25 * z26;
+    const rattleback_lanes z28 = s_beta * z24 + c_beta * z27;
+    const rattleback_lanes z29 = c_beta * z24 - s_beta * z27;
+    const rattleback_lanes z30 = r3 * z28 + r1 * z29;
+    const rattleback_lanes u1 = r3 * w2 - z7 * z29;
+    const rattleback_lanes z31 = r1 * w2 + z7 * z28;
+    const rattleback_lanes z32 = s_beta * u1 + c_beta * z31;
+    const rattleback_lanes z33 = c_alpha * z30 - mu2 * z32;
     const rattleback_lanes c_gamma = cosine3;
-    const rattleback_lanes z15 = s_beta * r1 - c_beta * r3;
-    const rattleback_lanes z16 = s_gamma * z14 + c_gamma * z15;
-    const rattleback_lanes z17 = c_gamma * z14 - s_gamma * z15;
-    const rattleback_lanes z18 = I_b + (z13 * z13 + (z16 * z16 + z17 * z17));
-    const rattleback_lanes z19 = 1.0 / c_alpha;
-    const rattleback_lanes z20 = s_beta * z19;
-    const rattleback_lanes z21 = z1 * z20 + c_beta * c_beta;
-    const rattleback_lanes z22 = mu2 * k2;
-    const rattleback_lanes z23 = z4 * z22;
-    const rattleback_lanes z24 = z23 * z21;
-    const rattleback_lanes z25 = c_beta * s_beta;
-    const rattleback_lanes z26 = mu3 * z20 - z25;
-    const rattleback_lanes z27 = z23 * z26;
-    const rattleback_lanes z28 = c_beta * z24 - s_beta * z27;
-    const rattleback_lanes z29 = r3 * z21 + r1 * z26;
-    const rattleback_lanes z30 = c_alpha * z28 + mu2 * z29;
-    const rattleback_lanes z31 = mu2 * z28 - c_alpha * z29;
-    const rattleback_lanes z32 = s_beta * z24 + c_beta * z27;
-    const rattleback_lanes z33 = s_gamma * z31 + c_gamma * z32;
-    const rattleback_lanes z34 = c_gamma * z31 - s_gamma * z32;
-    const rattleback_lanes z35 = I_d * z21 + (z30 * z13 + (z33 * z16 + z34 * z17));
-    const rattleback_lanes z36 = 1.0 / z9;
-    const rattleback_lanes z37 = z35 * z36;
-    const rattleback_lanes z38 = z18 - z35 * z37;
-    /* the mass matrix is singular */
-    bad |= rattleback_misses(rattleback_size(RATTLEBACK_SPREAD(z38)), 1e-14 * z18);
-    const rattleback_lanes z39 = 1.0 / z3;
-    const rattleback_lanes z40 = s_beta * s_beta;
-    const rattleback_lanes z41 = I_c + z39 * (z8 + k6 * (z40 * z7));
-    const rattleback_lanes z42 = h - c_alpha * z6;
-    const rattleback_lanes z43 = r1 * z42;
-    const rattleback_lanes z44 = z36 * z43;
-    const rattleback_lanes z45 = z23 * z42 + z35 * z44;
-    const rattleback_lanes z46 = 1.0 / z38;
-    const rattleback_lanes z47 = z46 * z45;
-    const rattleback_lanes z48 = z41 - z43 * z44 - z45 * z47;
-    /* the mass matrix is singular */
-    bad |= rattleback_misses(rattleback_size(RATTLEBACK_SPREAD(z48)), 1e-14 * z41);
-    const rattleback_lanes z49 = s_beta * w1 - c_beta * w3;
-    const rattleback_lanes z50 = z19 * z49;
-    const rattleback_lanes z51 = z1 * z50;
-    const rattleback_lanes z52 = z1 * w3 + mu3 * w1;
-    const rattleback_lanes z53 = z52 * z19;
-    const rattleback_lanes omega1 = z51 + c_beta * z53;
-    const rattleback_lanes z54 = r1 * w2 + z23 * omega1;
-    const rattleback_lanes z55 = mu3 * z50;
-    const rattleback_lanes z56 = z55 - s_beta * z53;
-    const rattleback_lanes z57 = z23 * z56 - r3 * w2;
-    const rattleback_lanes z58 = c_beta * z54 - s_beta * z57;
-    const rattleback_lanes z59 = r3 * omega1 + r1 * z56;
-    const rattleback_lanes e2 = mu2 * z58 - c_alpha * z59;
-    const rattleback_lanes z60 = s_beta * z54 + c_beta * z57;
-    const rattleback_lanes z61 = w2 + mu2 * z50;
-    const rattleback_lanes z62 = s_beta * z61;
-    const rattleback_lanes z63 = mu2 * z53;
-    const rattleback_lanes z64 = c_alpha * z62 + c_beta * z63;
-    const rattleback_lanes z65 = z63 / (c_alpha * c_alpha);
-    const rattleback_lanes z66 = c_beta * z61;
-    const rattleback_lanes z67 = z49 * z65 + z19 * (w1 * z66 + w3 * z62);
-    const rattleback_lanes z68 = s_beta * z63 - c_alpha * z66;
-    const rattleback_lanes z69 = z19 * (w3 * z68 + w1 * z64) - z52 * z65;
-    const rattleback_lanes z70 = z50 * z64 - mu3 * z67 + (z53 * z66 - s_beta * z69);
-    const rattleback_lanes z71 = mu2 * z20;
-    const rattleback_lanes z72 = c_beta * z71;
-    const rattleback_lanes z73 = s_beta * z71;
-    const rattleback_lanes z74 = c_beta * mu2;
-    const rattleback_lanes z75 = z56 * (c_beta * z66 + z20 * z64 - (z53 * z72 + z50 * (c_alpha * z73 + c_beta
-        * z74)));
-    const rattleback_lanes z76 = I_d * omega1 + I_b * w2;
-    const rattleback_lanes z77 = I_d * w2 + I_a * omega1;
-    const rattleback_lanes z78 = z77 * (c_beta * z62 + z20 * z68 - (z53 * z73 + z50 * (s_beta * z74 - c_alpha
-        * z72)));
-    const rattleback_lanes z79 = z39 * (z4 * (z10 * z68 - z22 * z52 + z11 * z64));
-    const rattleback_lanes z80 = k1 * (z4 * z68) - z10 * z79;
-    const rattleback_lanes z81 = z50 * z68 - z1 * z67 + (z53 * z62 + c_beta * z69);
-    const rattleback_lanes z82 = z22 * z79 + k2 * (z4 * z52);
-    const rattleback_lanes z83 = w2 * z80 + (z23 * z81 - omega1 * z82);
-    const rattleback_lanes z84 = z11 * z79 - k3 * (z4 * z64);
-    const rattleback_lanes z85 = z23 * z70 - z56 * z82 - w2 * z84;
-    const rattleback_lanes z86 = z54 * z62 + c_beta * z83 + (z57 * z66 - s_beta * z85);
-    const rattleback_lanes z87 = r3 * z81 + omega1 * z84 + (r1 * z70 + z56 * z80);
-    const rattleback_lanes z88 = z58 * z63 + c_alpha * z86 - (z52 * z59 - mu2 * z87);
-    const rattleback_lanes z89 = c_gamma * z50;
-    const rattleback_lanes z90 = z52 * z58 - mu2 * z86 + (z59 * z63 + c_alpha * z87);
-    const rattleback_lanes z91 = s_gamma * z50;
-    const rattleback_lanes z92 = z54 * z66 - s_beta * z83 - (z57 * z62 + c_beta * z85);
-    const rattleback_lanes z93 = e2 * z89 - s_gamma * z90 - (z60 * z91 + c_gamma * z92);
-    const rattleback_lanes z94 = e2 * z91 + c_gamma * z90 + (z60 * z89 - s_gamma * z92);
-    const rattleback_lanes z95 = I_a * z81;
-    const rattleback_lanes z96 = z76 * (z55 - z52 * z20) - (z78 + (z30 * z88 + (z33 * z93 - z34 * z94))) -
-        z21 * z95;
-    const rattleback_lanes z97 = g * z30 - (I_c * (z26 * z70 + z75) - z96);
-    const rattleback_lanes z98 = I_c * (omega1 * z56) - (I_d * z81 + (z56 * z77 + (z13 * z88 + (z16 * z93 -
-        z17 * z94))));
-    const rattleback_lanes z99 = g * z13 + z98 - z37 * z97;
-    const rattleback_lanes z100 = c_beta * z19;
-    const rattleback_lanes z101 = z25 - z1 * z100;
-    const rattleback_lanes z102 = z23 * z101;
-    const rattleback_lanes z103 = mu3 * z100 + z40;
-    const rattleback_lanes z104 = z23 * z103;
-    const rattleback_lanes z105 = c_beta * z102 + s_beta * z104;
-    const rattleback_lanes z106 = r3 * z101 - r1 * z103;
-    const rattleback_lanes z107 = c_alpha * z105 + mu2 * z106;
-    const rattleback_lanes z108 = mu2 * z100;
-    const rattleback_lanes z109 = c_beta * z108;
-    const rattleback_lanes z110 = s_beta * z108;
-    const rattleback_lanes z111 = s_beta * mu2;
-    const rattleback_lanes z112 = z56 * (s_beta * z66 - z100 * z64 + (z53 * z109 + z50 * (c_alpha * z110 -
-        c_beta * z111)));
-    const rattleback_lanes z113 = z77 * (s_beta * z62 - z100 * z68 + (z53 * z110 - z50 * (s_beta * z111 +
-        c_alpha * z109)));
-    const rattleback_lanes z114 = mu2 * z105 - c_alpha * z106;
-    const rattleback_lanes z115 = s_beta * z102 - c_beta * z104;
-    const rattleback_lanes z116 = z107 * z88 + ((s_gamma * z114 + c_gamma * z115) * z93 - (c_gamma * z114 -
-        s_gamma * z115) * z94);
-    const rattleback_lanes z117 = I_c * (z103 * z70 - z112) + (z76 * (z51 + z52 * z100) - (z113 + z116) -
-        z101 * z95);
-    const rattleback_lanes z118 = (g * z107 + z117 + z97 * z44 - z47 * z99) / z48;
-    const rattleback_lanes z119 = z46 * z99 - z47 * z118;
+    const rattleback_lanes z34 = s_beta * z31 - c_beta * u1;
+    const rattleback_lanes z35 = z25 * z24;
+    const rattleback_lanes z36 = w2 + mu2 * z35;
+    const rattleback_lanes z37 = I_c * z29;
+    const rattleback_lanes z38 = c_beta * z36;
+    const rattleback_lanes z39 = s_beta * z36;
+    const rattleback_lanes z40 = z27 * z39;
+    const rattleback_lanes z41 = mu2 * z27;
+    const rattleback_lanes z42 = s_beta * z41 - c_alpha * z38;
+    const rattleback_lanes z43 = z40 + z35 * z42;
+    const rattleback_lanes z44 = z27 * z38;
+    const rattleback_lanes z45 = c_alpha * z39 + c_beta * z41;
+    const rattleback_lanes z46 = z44 + z35 * z45;
+    const rattleback_lanes z47 = s_beta * z43 + c_beta * z46 - z35 * z41;
+    const rattleback_lanes z48 = z25 * (z1 * z46 - mu3 * z43);
+    const rattleback_lanes z49 = z24 * z38 + s_beta * z47 - (z40 + c_beta * z48);
+    const rattleback_lanes z50 = I_d * z28 + I_b * w2;
+    const rattleback_lanes z51 = z27 * z50;
+    const rattleback_lanes z52 = z24 * z50;
+    const rattleback_lanes z53 = (z10 * z42 - z6 * z26 + z4 * z45) * (z3 / z2);
+    const rattleback_lanes z54 = z4 * z53 - k3 * (z3 * z45);
+    const rattleback_lanes z55 = z24 * z39 - c_beta * z47 + (z44 - s_beta * z48);
+    const rattleback_lanes z56 = k1 * (z3 * z42) - z10 * z53;
+    const rattleback_lanes z57 = z29 * u1 - z28 * z31 + (r3 * z49 - z28 * z54 - (r1 * z55 + z29 * z56));
+    const rattleback_lanes z58 = g * mu2 + z57;
+    const rattleback_lanes z59 = z6 * z53 + k2 * (z3 * z26);
+    const rattleback_lanes z60 = g * mu3 + (z28 * z30 + w2 * u1 + (z7 * z49 + z28 * z59 - w2 * z56));
+    const rattleback_lanes z61 = w2 * z37 - (I_a * z49 - (s_beta * z51 - (c_beta * z52 + (r3 * z58 + z7 *
+        z60))));
+    const rattleback_lanes z62 = I_d * w2 + I_a * z28;
+    const rattleback_lanes z63 = g * z1 - (w2 * z31 + z29 * z30 - (z7 * z55 - z29 * z59 - w2 * z54));
+    const rattleback_lanes z64 = I_d * z49 - (z29 * z62 - z28 * z37 - (r3 * z63 + r1 * z60)) + z15 * z61;
+    const rattleback_lanes z65 = w2 * z62 - (I_c * z55 + (c_beta * z51 + (s_beta * z52 + (z7 * z63 - r1 *
+        z58))));
+    const rattleback_lanes z66 = (z65 + z19 * z61 + z22 * z64) / z23;
+    const rattleback_lanes z67 = z21 * z64 + z22 * z66;
     /* (I.2.15) */
-    const rattleback_lanes slope1 = -(s_gamma * e2 + c_gamma * z60);
+    const rattleback_lanes slope1 = s_gamma * z33 - c_gamma * z34;
     sum += slope1;
     rattleback_put(dydt, slope1);
-    const rattleback_lanes slope2 = c_gamma * e2 - s_gamma * z60;
+    const rattleback_lanes slope2 = -(s_gamma * z34 + c_gamma * z33);
     sum += slope2;
     rattleback_put(dydt + 1 * stride, slope2);
-    const rattleback_lanes slope3 = -(c_alpha * z58 + mu2 * z59);
+    const rattleback_lanes slope3 = -(mu2 * z30 + c_alpha * z32);
     sum += slope3;
     rattleback_put(dydt + 2 * stride, slope3);
-    const rattleback_lanes slope4 = z53;
+    const rattleback_lanes slope4 = z27;
     sum += slope4;
     rattleback_put(dydt + 3 * stride, slope4);
-    const rattleback_lanes slope5 = z61;
+    const rattleback_lanes slope5 = z36;
     sum += slope5;
     rattleback_put(dydt + 4 * stride, slope5);
-    const rattleback_lanes slope6 = -z50;
+    const rattleback_lanes slope6 = -z35;
     sum += slope6;
     rattleback_put(dydt + 5 * stride, slope6);
     /* (I.2.15) 41:4 */
-    const rattleback_lanes slope7 = -(z36 * z97 - z37 * z119 + z44 * z118);
+    const rattleback_lanes slope7 = z14 * z61 + z15 * z67 + z19 * z66;
     sum += slope7;
     rattleback_put(dydt + 6 * stride, slope7);
-    const rattleback_lanes slope8 = -z119;
+    const rattleback_lanes slope8 = -z67;
     sum += slope8;
     rattleback_put(dydt + 7 * stride, slope8);
-    const rattleback_lanes slope9 = -z118;
+    const rattleback_lanes slope9 = z66;
     sum += slope9;
     rattleback_put(dydt + 8 * stride, slope9);
     rattleback_put(check, rattleback_mark(far + (sum - sum), bad));
@@ -1899,10 +1746,7 @@ int rattleback_rhs_batch(size_t count, const double *t, const double *y, const d
     const double k1 = a * a;
     const double k2 = b * b;
     const double k3 = c * c;
-    const double k4 = b * b * b * b;
-    const double k5 = I_a + h * h;
-    const double k6 = a * a * a * a;
-    const double fixed[] = {h, I_a, I_b, I_c, I_d, g, k1, k2, k3, k4, k5, k6};
+    const double fixed[] = {h, I_a, I_b, I_c, I_d, g, k1, k2, k3};
     double check[1 * RATTLEBACK_LANES];
     int status = RATTLEBACK_OK;
     for (size_t i = 0; i < count; i += RATTLEBACK_LANES) {

@@ -1,5 +1,5 @@
 /*
- * rattleback.h: rattleback, emitted by nhc 0.1.0 (nhc:f7ea2ebe006410ed)
+ * rattleback.h: rattleback, emitted by nhc 0.1.0 (nhc:9a44cf66c947688f)
  * A loaded ellipsoid that rolls on a plane and prefers one sense of spin (celt, wobblestone).
  * Source: rattleback.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -36,14 +36,14 @@
  * out[0] = spin
  *
  * Operations:
- * rhs: 147 +-, 282 *, 7 /, 7 calls
+ * rhs: 84 +-, 146 *, 6 /, 7 calls
  * velocities: 17 +-, 46 *, 2 /, 7 calls
- * accelerations: 64 +-, 121 *, 4 /, 7 calls
+ * accelerations: 124 +-, 191 *, 7 /, 7 calls
  * state: 3 +-, 6 *, 0 /, 4 calls
  * residuals: 18 +-, 40 *, 1 /, 7 calls
- * reactions: 88 +-, 167 *, 4 /, 7 calls
- * energy: 23 +-, 58 *, 2 /, 7 calls
- * jacobian: 1269 +-, 1933 *, 9 /, 7 calls
+ * reactions: 106 +-, 182 *, 6 /, 7 calls
+ * energy: 25 +-, 60 *, 2 /, 7 calls
+ * jacobian: 530 +-, 753 *, 8 /, 7 calls
  * outputs: 0 +-, 0 *, 0 /, 1 calls
  *
  * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.

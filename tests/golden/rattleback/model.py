@@ -1,4 +1,4 @@
-"""rattleback, emitted by nhc 0.1.0 (nhc:2c5e74242f6954ff).
+"""rattleback, emitted by nhc 0.1.0 (nhc:13e524ecd9aabf86).
 
 A loaded ellipsoid that rolls on a plane and prefers one sense of spin (celt,
     wobblestone).
@@ -37,14 +37,14 @@ Outputs:
 out[0] = spin
 
 Operations:
-rhs: 147 +-, 282 *, 7 /, 7 calls
+rhs: 84 +-, 146 *, 6 /, 7 calls
 velocities: 17 +-, 46 *, 2 /, 7 calls
-accelerations: 64 +-, 121 *, 4 /, 7 calls
+accelerations: 124 +-, 191 *, 7 /, 7 calls
 state: 3 +-, 6 *, 0 /, 4 calls
 residuals: 18 +-, 40 *, 1 /, 7 calls
-reactions: 88 +-, 167 *, 4 /, 7 calls
-energy: 23 +-, 58 *, 2 /, 7 calls
-jacobian: 1269 +-, 1933 *, 9 /, 7 calls
+reactions: 106 +-, 182 *, 6 /, 7 calls
+energy: 25 +-, 60 *, 2 /, 7 calls
+jacobian: 530 +-, 753 *, 8 /, 7 calls
 outputs: 0 +-, 0 *, 0 /, 1 calls
 
 A singular point raises SingularModelError.
@@ -117,9 +117,6 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         k1 = a * a
         k2 = b * b
         k3 = c * c
-        k4 = b * b * b * b
-        k5 = I_a + h * h
-        k6 = a * a * a * a
         # state
         c_alpha = math.cos(alpha)
         # the coframe is singular
@@ -128,168 +125,113 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         s_beta = math.sin(beta)
         z1 = c_alpha * s_beta
         mu2 = math.sin(alpha)
-        z2 = mu2 * mu2
         c_beta = math.cos(beta)
         mu3 = c_beta * c_alpha
-        z3 = k1 * (z1 * z1) + k2 * z2 + k3 * (mu3 * mu3)
-        z4 = 1.0 / math.sqrt(z3)
-        z5 = c_beta * k3
-        z6 = z4 * z5
-        z7 = 1.0 - z2
-        z8 = z2 * k4
-        z9 = z4 * (z5 * (z6 * z7 - 2.0 * (h * c_alpha)) + z4 * z8) + k5
+        z2 = k1 * (z1 * z1) + k2 * (mu2 * mu2) + k3 * (mu3 * mu3)
+        z3 = 1.0 / math.sqrt(z2)
+        z4 = mu3 * k3
+        r3 = h - z3 * z4
+        z5 = r3 * r3
+        z6 = mu2 * k2
+        z7 = z3 * z6
+        z8 = z7 * z7
+        z9 = I_a + (z5 + z8)
         # the mass matrix is singular
         if not abs(z9) > 0.0:
             raise SingularModelError(2, "rhs")
         z10 = z1 * k1
-        r1 = z10 * z4
-        z11 = mu3 * k3
-        r3 = h - z4 * z11
-        z12 = c_beta * r1 + s_beta * r3
-        z13 = c_alpha * z12
+        r1 = z10 * z3
+        z11 = r1 * r1
+        z12 = I_b + (z5 + z11)
+        z13 = I_d + r1 * z7
+        z14 = 1.0 / z9
+        z15 = z13 * z14
+        z16 = z12 - z13 * z15
+        # the mass matrix is singular
+        if not abs(z16) > 1e-14 * z12:
+            raise SingularModelError(2, "rhs")
+        z17 = I_c + (z8 + z11)
+        z18 = r1 * r3
+        z19 = z18 * z14
+        z20 = z7 * r3 + z13 * z19
+        z21 = 1.0 / z16
+        z22 = z20 * z21
+        z23 = z17 - z18 * z19 - z20 * z22
+        # the mass matrix is singular
+        if not abs(z23) > 1e-14 * z17:
+            raise SingularModelError(2, "rhs")
         s_gamma = math.sin(gamma)
-        z14 = mu2 * z12
+        z24 = s_beta * w1 - c_beta * w3
+        z25 = 1.0 / c_alpha
+        z26 = z1 * w3 + mu3 * w1
+        z27 = z25 * z26
+        z28 = s_beta * z24 + c_beta * z27
+        z29 = c_beta * z24 - s_beta * z27
+        z30 = r3 * z28 + r1 * z29
+        u1 = r3 * w2 - z7 * z29
+        z31 = r1 * w2 + z7 * z28
+        z32 = s_beta * u1 + c_beta * z31
+        z33 = c_alpha * z30 - mu2 * z32
         c_gamma = math.cos(gamma)
-        z15 = s_beta * r1 - c_beta * r3
-        z16 = s_gamma * z14 + c_gamma * z15
-        z17 = c_gamma * z14 - s_gamma * z15
-        z18 = I_b + (z13 * z13 + (z16 * z16 + z17 * z17))
-        z19 = 1.0 / c_alpha
-        z20 = s_beta * z19
-        z21 = z1 * z20 + c_beta * c_beta
-        z22 = mu2 * k2
-        z23 = z4 * z22
-        z24 = z23 * z21
-        z25 = c_beta * s_beta
-        z26 = mu3 * z20 - z25
-        z27 = z23 * z26
-        z28 = c_beta * z24 - s_beta * z27
-        z29 = r3 * z21 + r1 * z26
-        z30 = c_alpha * z28 + mu2 * z29
-        z31 = mu2 * z28 - c_alpha * z29
-        z32 = s_beta * z24 + c_beta * z27
-        z33 = s_gamma * z31 + c_gamma * z32
-        z34 = c_gamma * z31 - s_gamma * z32
-        z35 = I_d * z21 + (z30 * z13 + (z33 * z16 + z34 * z17))
-        z36 = 1.0 / z9
-        z37 = z35 * z36
-        z38 = z18 - z35 * z37
-        # the mass matrix is singular
-        if not abs(z38) > 1e-14 * z18:
-            raise SingularModelError(2, "rhs")
-        z39 = 1.0 / z3
-        z40 = s_beta * s_beta
-        z41 = I_c + z39 * (z8 + k6 * (z40 * z7))
-        z42 = h - c_alpha * z6
-        z43 = r1 * z42
-        z44 = z36 * z43
-        z45 = z23 * z42 + z35 * z44
-        z46 = 1.0 / z38
-        z47 = z46 * z45
-        z48 = z41 - z43 * z44 - z45 * z47
-        # the mass matrix is singular
-        if not abs(z48) > 1e-14 * z41:
-            raise SingularModelError(2, "rhs")
-        z49 = s_beta * w1 - c_beta * w3
-        z50 = z19 * z49
-        z51 = z1 * z50
-        z52 = z1 * w3 + mu3 * w1
-        z53 = z52 * z19
-        omega1 = z51 + c_beta * z53
-        z54 = r1 * w2 + z23 * omega1
-        z55 = mu3 * z50
-        z56 = z55 - s_beta * z53
-        z57 = z23 * z56 - r3 * w2
-        z58 = c_beta * z54 - s_beta * z57
-        z59 = r3 * omega1 + r1 * z56
-        e2 = mu2 * z58 - c_alpha * z59
-        z60 = s_beta * z54 + c_beta * z57
-        z61 = w2 + mu2 * z50
-        z62 = s_beta * z61
-        z63 = mu2 * z53
-        z64 = c_alpha * z62 + c_beta * z63
-        z65 = z63 / (c_alpha * c_alpha)
-        z66 = c_beta * z61
-        z67 = z49 * z65 + z19 * (w1 * z66 + w3 * z62)
-        z68 = s_beta * z63 - c_alpha * z66
-        z69 = z19 * (w3 * z68 + w1 * z64) - z52 * z65
-        z70 = z50 * z64 - mu3 * z67 + (z53 * z66 - s_beta * z69)
-        z71 = mu2 * z20
-        z72 = c_beta * z71
-        z73 = s_beta * z71
-        z74 = c_beta * mu2
-        s1 = z53 * z72 + z50 * (c_alpha * z73 + c_beta * z74)
-        z75 = z56 * (c_beta * z66 + z20 * z64 - s1)
-        z76 = I_d * omega1 + I_b * w2
-        z77 = I_d * w2 + I_a * omega1
-        s2 = z53 * z73 + z50 * (s_beta * z74 - c_alpha * z72)
-        z78 = z77 * (c_beta * z62 + z20 * z68 - s2)
-        z79 = z39 * (z4 * (z10 * z68 - z22 * z52 + z11 * z64))
-        z80 = k1 * (z4 * z68) - z10 * z79
-        z81 = z50 * z68 - z1 * z67 + (z53 * z62 + c_beta * z69)
-        z82 = z22 * z79 + k2 * (z4 * z52)
-        z83 = w2 * z80 + (z23 * z81 - omega1 * z82)
-        z84 = z11 * z79 - k3 * (z4 * z64)
-        z85 = z23 * z70 - z56 * z82 - w2 * z84
-        z86 = z54 * z62 + c_beta * z83 + (z57 * z66 - s_beta * z85)
-        z87 = r3 * z81 + omega1 * z84 + (r1 * z70 + z56 * z80)
-        z88 = z58 * z63 + c_alpha * z86 - (z52 * z59 - mu2 * z87)
-        z89 = c_gamma * z50
-        z90 = z52 * z58 - mu2 * z86 + (z59 * z63 + c_alpha * z87)
-        z91 = s_gamma * z50
-        z92 = z54 * z66 - s_beta * z83 - (z57 * z62 + c_beta * z85)
-        z93 = e2 * z89 - s_gamma * z90 - (z60 * z91 + c_gamma * z92)
-        z94 = e2 * z91 + c_gamma * z90 + (z60 * z89 - s_gamma * z92)
-        z95 = I_a * z81
-        s3 = z78 + (z30 * z88 + (z33 * z93 - z34 * z94))
-        z96 = z76 * (z55 - z52 * z20) - s3 - z21 * z95
-        z97 = g * z30 - (I_c * (z26 * z70 + z75) - z96)
-        s4 = z56 * z77 + (z13 * z88 + (z16 * z93 - z17 * z94))
-        z98 = I_c * (omega1 * z56) - (I_d * z81 + s4)
-        z99 = g * z13 + z98 - z37 * z97
-        z100 = c_beta * z19
-        z101 = z25 - z1 * z100
-        z102 = z23 * z101
-        z103 = mu3 * z100 + z40
-        z104 = z23 * z103
-        z105 = c_beta * z102 + s_beta * z104
-        z106 = r3 * z101 - r1 * z103
-        z107 = c_alpha * z105 + mu2 * z106
-        z108 = mu2 * z100
-        z109 = c_beta * z108
-        z110 = s_beta * z108
-        z111 = s_beta * mu2
-        s5 = z53 * z109 + z50 * (c_alpha * z110 - c_beta * z111)
-        z112 = z56 * (s_beta * z66 - z100 * z64 + s5)
-        s6 = z53 * z110 - z50 * (s_beta * z111 + c_alpha * z109)
-        z113 = z77 * (s_beta * z62 - z100 * z68 + s6)
-        z114 = mu2 * z105 - c_alpha * z106
-        z115 = s_beta * z102 - c_beta * z104
-        s7 = (s_gamma * z114 + c_gamma * z115) * z93
-        z116 = z107 * z88 + (s7 - (c_gamma * z114 - s_gamma * z115) * z94)
-        s8 = z76 * (z51 + z52 * z100) - (z113 + z116) - z101 * z95
-        z117 = I_c * (z103 * z70 - z112) + s8
-        z118 = (g * z107 + z117 + z97 * z44 - z47 * z99) / z48
-        z119 = z46 * z99 - z47 * z118
+        z34 = s_beta * z31 - c_beta * u1
+        z35 = z25 * z24
+        z36 = w2 + mu2 * z35
+        z37 = I_c * z29
+        z38 = c_beta * z36
+        z39 = s_beta * z36
+        z40 = z27 * z39
+        z41 = mu2 * z27
+        z42 = s_beta * z41 - c_alpha * z38
+        z43 = z40 + z35 * z42
+        z44 = z27 * z38
+        z45 = c_alpha * z39 + c_beta * z41
+        z46 = z44 + z35 * z45
+        z47 = s_beta * z43 + c_beta * z46 - z35 * z41
+        z48 = z25 * (z1 * z46 - mu3 * z43)
+        z49 = z24 * z38 + s_beta * z47 - (z40 + c_beta * z48)
+        z50 = I_d * z28 + I_b * w2
+        z51 = z27 * z50
+        z52 = z24 * z50
+        z53 = (z10 * z42 - z6 * z26 + z4 * z45) * (z3 / z2)
+        z54 = z4 * z53 - k3 * (z3 * z45)
+        z55 = z24 * z39 - c_beta * z47 + (z44 - s_beta * z48)
+        z56 = k1 * (z3 * z42) - z10 * z53
+        s1 = r3 * z49 - z28 * z54 - (r1 * z55 + z29 * z56)
+        z57 = z29 * u1 - z28 * z31 + s1
+        z58 = g * mu2 + z57
+        z59 = z6 * z53 + k2 * (z3 * z26)
+        s2 = z28 * z30 + w2 * u1 + (z7 * z49 + z28 * z59 - w2 * z56)
+        z60 = g * mu3 + s2
+        s3 = s_beta * z51 - (c_beta * z52 + (r3 * z58 + z7 * z60))
+        z61 = w2 * z37 - (I_a * z49 - s3)
+        z62 = I_d * w2 + I_a * z28
+        s4 = w2 * z31 + z29 * z30 - (z7 * z55 - z29 * z59 - w2 * z54)
+        z63 = g * z1 - s4
+        s5 = I_d * z49 - (z29 * z62 - z28 * z37 - (r3 * z63 + r1 * z60))
+        z64 = s5 + z15 * z61
+        s6 = c_beta * z51 + (s_beta * z52 + (z7 * z63 - r1 * z58))
+        z65 = w2 * z62 - (I_c * z55 + s6)
+        z66 = (z65 + z19 * z61 + z22 * z64) / z23
+        z67 = z21 * z64 + z22 * z66
         dydt: list[float] = [
             # x' (I.2.15)
-            -(s_gamma * e2 + c_gamma * z60),
+            s_gamma * z33 - c_gamma * z34,
             # y' (I.2.15)
-            c_gamma * e2 - s_gamma * z60,
+            -(s_gamma * z34 + c_gamma * z33),
             # z' (I.2.15)
-            -(c_alpha * z58 + mu2 * z59),
+            -(mu2 * z30 + c_alpha * z32),
             # alpha' (I.2.15)
-            z53,
+            z27,
             # beta' (I.2.15)
-            z61,
+            z36,
             # gamma' (I.2.15)
-            -z50,
+            -z35,
             # w1' (I.2.15) 41:4
-            -(z36 * z97 - z37 * z119 + z44 * z118),
+            z14 * z61 + z15 * z67 + z19 * z66,
             # w2' (I.2.15) 41:4
-            -z119,
+            -z67,
             # w3' (I.2.15) 41:4
-            -z118,
+            z66,
         ]
         return _finish("rhs", dydt)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -327,41 +269,42 @@ def velocities(
         if not abs(c_alpha) > 1e-12 * 4.0:
             raise SingularModelError(1, "velocities")
         s_gamma = math.sin(gamma)
-        mu2 = math.sin(alpha)
-        c_beta = math.cos(beta)
         s_beta = math.sin(beta)
         z1 = c_alpha * s_beta
+        mu2 = math.sin(alpha)
+        c_beta = math.cos(beta)
         mu3 = c_beta * c_alpha
         s1 = k1 * (z1 * z1) + k2 * (mu2 * mu2) + k3 * (mu3 * mu3)
         z2 = 1.0 / math.sqrt(s1)
-        r1 = z1 * k1 * z2
-        z3 = z2 * (mu2 * k2)
-        z4 = 1.0 / c_alpha
-        z5 = z4 * (s_beta * w1 - c_beta * w3)
-        z6 = (z1 * w3 + mu3 * w1) * z4
-        omega1 = z1 * z5 + c_beta * z6
-        z7 = r1 * w2 + z3 * omega1
-        z8 = mu3 * z5 - s_beta * z6
         r3 = h - z2 * (mu3 * k3)
-        z9 = z3 * z8 - r3 * w2
-        z10 = c_beta * z7 - s_beta * z9
-        z11 = r3 * omega1 + r1 * z8
-        e2 = mu2 * z10 - c_alpha * z11
+        z3 = s_beta * w1 - c_beta * w3
+        z4 = 1.0 / c_alpha
+        z5 = z4 * (z1 * w3 + mu3 * w1)
+        z6 = s_beta * z3 + c_beta * z5
+        r1 = z1 * k1 * z2
+        z7 = c_beta * z3 - s_beta * z5
+        z8 = r3 * z6 + r1 * z7
+        z9 = z2 * (mu2 * k2)
+        u1 = r3 * w2 - z9 * z7
+        z10 = r1 * w2 + z9 * z6
+        z11 = s_beta * u1 + c_beta * z10
+        z12 = c_alpha * z8 - mu2 * z11
         c_gamma = math.cos(gamma)
-        z12 = s_beta * z7 + c_beta * z9
+        z13 = s_beta * z10 - c_beta * u1
+        z14 = z4 * z3
         qdot: list[float] = [
             # x' (I.2.4)
-            -(s_gamma * e2 + c_gamma * z12),
+            s_gamma * z12 - c_gamma * z13,
             # y' (I.2.4)
-            c_gamma * e2 - s_gamma * z12,
+            -(s_gamma * z13 + c_gamma * z12),
             # z' (I.2.4)
-            -(c_alpha * z10 + mu2 * z11),
+            -(mu2 * z8 + c_alpha * z11),
             # alpha' (I.2.4)
-            z6,
+            z5,
             # beta' (I.2.4)
-            w2 + mu2 * z5,
+            w2 + mu2 * z14,
             # gamma' (I.2.4)
-            -z5,
+            -z14,
         ]
         return _finish("velocities", qdot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -378,7 +321,6 @@ def accelerations(
     Arguments: t (scalar), y (9,), p (9,).
     Returns qddot (6,).
     """
-    dydt = rhs(t, y, p)
     alpha = float(y[3])  # roll about the long axis [rad]
     beta = float(y[4])  # pitch [rad]
     gamma = float(y[5])  # heading [rad]
@@ -389,82 +331,146 @@ def accelerations(
     b = float(p[1])  # half axis 2 [cm]
     c = float(p[2])  # half axis 3 [cm]
     h = float(p[3])  # from the centre of the ellipsoid down to the centre of mass [cm]
-    w1_dot = float(dydt[6])  # w1'
-    w2_dot = float(dydt[7])  # w2'
-    w3_dot = float(dydt[8])  # w3'
+    I_a = float(p[4])  # [cm^2]
+    I_b = float(p[5])  # [cm^2]
+    I_c = float(p[6])  # [cm^2]
+    I_d = float(p[7])  # product of inertia, what makes it a rattleback [cm^2]
+    g = float(p[8])  # acceleration of gravity [cm/s^2]
     try:
         # parameters only
         k1 = a * a
         k2 = b * b
         k3 = c * c
         # state
-        mu2 = math.sin(alpha)
-        c_beta = math.cos(beta)
         c_alpha = math.cos(alpha)
+        # the coframe is singular
+        if not abs(c_alpha) > 1e-12 * 4.0:
+            raise SingularModelError(1, "accelerations")
         s_beta = math.sin(beta)
         z1 = c_alpha * s_beta
-        z2 = z1 * k1
+        mu2 = math.sin(alpha)
+        c_beta = math.cos(beta)
         mu3 = c_beta * c_alpha
-        z3 = k1 * (z1 * z1) + k2 * (mu2 * mu2) + k3 * (mu3 * mu3)
-        z4 = 1.0 / math.sqrt(z3)
-        r1 = z2 * z4
-        z5 = mu2 * k2
-        z6 = z4 * z5
-        z7 = 1.0 / c_alpha
-        z8 = s_beta * w1 - c_beta * w3
-        z9 = z7 * z8
-        z10 = z1 * w3 + mu3 * w1
-        z11 = z10 * z7
-        omega1 = z1 * z9 + c_beta * z11
-        z12 = r1 * w2 + z6 * omega1
-        z13 = mu3 * z9 - s_beta * z11
-        z14 = mu3 * k3
-        r3 = h - z4 * z14
-        z15 = z6 * z13 - r3 * w2
-        z16 = c_beta * z12 - s_beta * z15
-        z17 = r3 * omega1 + r1 * z13
-        e2 = mu2 * z16 - c_alpha * z17
+        z2 = k1 * (z1 * z1) + k2 * (mu2 * mu2) + k3 * (mu3 * mu3)
+        z3 = 1.0 / math.sqrt(z2)
+        z4 = mu3 * k3
+        r3 = h - z3 * z4
+        z5 = r3 * r3
+        z6 = mu2 * k2
+        z7 = z3 * z6
+        z8 = z7 * z7
+        z9 = I_a + (z5 + z8)
+        # the mass matrix is singular
+        if not abs(z9) > 0.0:
+            raise SingularModelError(2, "accelerations")
+        z10 = z1 * k1
+        r1 = z10 * z3
+        z11 = r1 * r1
+        z12 = I_b + (z5 + z11)
+        z13 = I_d + r1 * z7
+        z14 = 1.0 / z9
+        z15 = z13 * z14
+        z16 = z12 - z13 * z15
+        # the mass matrix is singular
+        if not abs(z16) > 1e-14 * z12:
+            raise SingularModelError(2, "accelerations")
+        z17 = I_c + (z8 + z11)
+        z18 = r1 * r3
+        z19 = z18 * z14
+        z20 = z7 * r3 + z13 * z19
+        z21 = 1.0 / z16
+        z22 = z20 * z21
+        z23 = z17 - z18 * z19 - z20 * z22
+        # the mass matrix is singular
+        if not abs(z23) > 1e-14 * z17:
+            raise SingularModelError(2, "accelerations")
+        z24 = s_beta * w1 - c_beta * w3
+        z25 = 1.0 / c_alpha
+        z26 = z1 * w3 + mu3 * w1
+        z27 = z25 * z26
+        z28 = s_beta * z24 + c_beta * z27
+        z29 = c_beta * z24 - s_beta * z27
+        z30 = r3 * z28 + r1 * z29
+        u1 = r3 * w2 - z7 * z29
+        z31 = r1 * w2 + z7 * z28
+        z32 = s_beta * u1 + c_beta * z31
+        z33 = c_alpha * z30 - mu2 * z32
         c_gamma = math.cos(gamma)
-        z18 = c_gamma * z9
+        z34 = z25 * z24
+        z35 = c_gamma * z34
         s_gamma = math.sin(gamma)
-        z19 = w2 + mu2 * z9
-        z20 = s_beta * z19
-        z21 = mu2 * z11
-        z22 = c_beta * z19
-        z23 = s_beta * z21 - c_alpha * z22
-        z24 = c_alpha * z20 + c_beta * z21
-        z25 = z4 * (z2 * z23 - z5 * z10 + z14 * z24) / z3
-        z26 = k1 * (z4 * z23) - z2 * z25
-        z27 = z5 * z25 + k2 * (z4 * z10)
-        z28 = z21 / (c_alpha * c_alpha)
-        s1 = w1 * z22 + s_beta * w1_dot + (w3 * z20 - c_beta * w3_dot)
-        z29 = z8 * z28 + z7 * s1
-        s2 = z7 * (w3 * z23 - z1 * w3_dot + (w1 * z24 - mu3 * w1_dot))
-        z30 = z10 * z28 - s2
-        z31 = z9 * z23 - z1 * z29 + (z11 * z20 - c_beta * z30)
-        z32 = w2 * z26 - r1 * w2_dot - (omega1 * z27 - z6 * z31)
-        z33 = z9 * z24 - mu3 * z29 + (z11 * z22 + s_beta * z30)
-        z34 = z14 * z25 - k3 * (z4 * z24)
-        z35 = z13 * z27 - z6 * z33 + (w2 * z34 - r3 * w2_dot)
-        z36 = z12 * z20 + c_beta * z32 + (z15 * z22 + s_beta * z35)
-        z37 = omega1 * z34 + r3 * z31 + (z13 * z26 + r1 * z33)
-        z38 = z10 * z16 - mu2 * z36 + (z17 * z21 + c_alpha * z37)
-        z39 = s_beta * z12 + c_beta * z15
-        z40 = s_gamma * z9
-        z41 = z12 * z22 - s_beta * z32 - (z15 * z20 - c_beta * z35)
+        z36 = mu2 * z27
+        z37 = w2 + mu2 * z34
+        z38 = c_beta * z37
+        z39 = s_beta * z36 - c_alpha * z38
+        z40 = s_beta * z37
+        z41 = c_alpha * z40 + c_beta * z36
+        z42 = (z10 * z39 - z6 * z26 + z4 * z41) * (z3 / z2)
+        z43 = z4 * z42 - k3 * (z3 * z41)
+        z44 = z28 * z43
+        z45 = z24 * z38
+        z46 = I_c * z29
+        z47 = z27 * z40
+        z48 = z47 + z34 * z39
+        z49 = z27 * z38
+        z50 = z49 + z34 * z41
+        z51 = s_beta * z48 + c_beta * z50 - z34 * z36
+        z52 = z25 * (z1 * z50 - mu3 * z48)
+        z53 = z45 + s_beta * z51 - (z47 + c_beta * z52)
+        z54 = I_d * z28 + I_b * w2
+        z55 = z27 * z54
+        z56 = z24 * z54
+        z57 = z24 * z40
+        z58 = z57 - c_beta * z51 + (z49 - s_beta * z52)
+        z59 = k1 * (z3 * z39) - z10 * z42
+        z60 = z29 * z59
+        s1 = z29 * u1 - z28 * z31 + (r3 * z53 - z44 - (r1 * z58 + z60))
+        z61 = g * mu2 + s1
+        z62 = z6 * z42 + k2 * (z3 * z26)
+        z63 = z28 * z62
+        z64 = w2 * z59
+        z65 = g * mu3 + (z28 * z30 + w2 * u1 + (z7 * z53 + z63 - z64))
+        s2 = s_beta * z55 - (c_beta * z56 + (r3 * z61 + z7 * z65))
+        z66 = w2 * z46 - (I_a * z53 - s2)
+        z67 = I_d * w2 + I_a * z28
+        z68 = z29 * z62
+        z69 = w2 * z43
+        z70 = g * z1 - (w2 * z31 + z29 * z30 - (z7 * z58 - z68 - z69))
+        s3 = I_d * z53 - (z29 * z67 - z28 * z46 - (r3 * z70 + r1 * z65))
+        z71 = s3 + z15 * z66
+        s4 = c_beta * z55 + (s_beta * z56 + (z7 * z70 - r1 * z61))
+        z72 = w2 * z67 - (I_c * z58 + s4)
+        z73 = (z72 + z19 * z66 + z22 * z71) / z23
+        z74 = z21 * z71 + z22 * z73
+        z75 = z14 * z66 + z15 * z74 + z19 * z73
+        z76 = w1 * z38 + s_beta * z75 + (w3 * z40 - c_beta * z73)
+        z77 = z36 / (c_alpha * c_alpha)
+        s5 = z25 * (w3 * z39 - z1 * z73 + (w1 * z41 - mu3 * z75))
+        z78 = z26 * z77 - s5
+        z79 = z45 + s_beta * z76 - (z47 - c_beta * z78)
+        z80 = z57 - c_beta * z76 + (z49 + s_beta * z78)
+        z81 = z44 - r3 * z79 + (z60 + r1 * z80)
+        z82 = z69 + r3 * z74 + (z68 - z7 * z80)
+        z83 = z64 + r1 * z74 - (z63 + z7 * z79)
+        z84 = u1 * z38 - s_beta * z82 - (z31 * z40 + c_beta * z83)
+        z85 = z30 * z36 + c_alpha * z81 + (z26 * z32 + mu2 * z84)
+        z86 = s_beta * z31 - c_beta * u1
+        z87 = s_gamma * z34
+        z88 = z31 * z38 - s_beta * z83 + (u1 * z40 + c_beta * z82)
+        z89 = z24 * z77 + z25 * z76
         qddot: list[float] = [
             # x'' (I.2.15)
-            e2 * z18 - s_gamma * z38 - (z39 * z40 + c_gamma * z41),
+            -(z33 * z35 + s_gamma * z85 + (z86 * z87 + c_gamma * z88)),
             # y'' (I.2.15)
-            e2 * z40 + c_gamma * z38 + (z39 * z18 - s_gamma * z41),
+            z86 * z35 - s_gamma * z88 - (z33 * z87 - c_gamma * z85),
             # z'' (I.2.15)
-            z16 * z21 + c_alpha * z36 - (z10 * z17 - mu2 * z37),
+            z32 * z36 - c_alpha * z84 - (z26 * z30 - mu2 * z81),
             # alpha'' (I.2.15)
-            z30,
+            z78,
             # beta'' (I.2.15)
-            w2_dot + (z10 * z9 + mu2 * z29),
+            z26 * z34 + mu2 * z89 - z74,
             # gamma'' (I.2.15)
-            -z29,
+            -z89,
         ]
         return _finish("accelerations", qddot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -590,7 +596,6 @@ def reactions(
     Returns lambda_ (3,).
     Q_i gains lambda_a a_ai: lambda_a times the coefficient of q'_i in constraint a.
     """
-    dydt = rhs(t, y, p)
     alpha = float(y[3])  # roll about the long axis [rad]
     beta = float(y[4])  # pitch [rad]
     gamma = float(y[5])  # heading [rad]
@@ -601,108 +606,131 @@ def reactions(
     b = float(p[1])  # half axis 2 [cm]
     c = float(p[2])  # half axis 3 [cm]
     h = float(p[3])  # from the centre of the ellipsoid down to the centre of mass [cm]
+    I_a = float(p[4])  # [cm^2]
+    I_b = float(p[5])  # [cm^2]
+    I_c = float(p[6])  # [cm^2]
+    I_d = float(p[7])  # product of inertia, what makes it a rattleback [cm^2]
     g = float(p[8])  # acceleration of gravity [cm/s^2]
-    w1_dot = float(dydt[6])  # w1'
-    w2_dot = float(dydt[7])  # w2'
-    w3_dot = float(dydt[8])  # w3'
     try:
         # parameters only
         k1 = a * a
         k2 = b * b
         k3 = c * c
-        k4 = k1 - k3
-        k5 = k2 - k3
-        k6 = k1 - k2
         # state
-        mu2 = math.sin(alpha)
-        c_beta = math.cos(beta)
         c_alpha = math.cos(alpha)
+        # the coframe is singular
+        if not abs(c_alpha) > 1e-12 * 4.0:
+            raise SingularModelError(1, "reactions")
         s_beta = math.sin(beta)
         z1 = c_alpha * s_beta
-        z2 = z1 * k1
-        z3 = mu2 * mu2
-        z4 = k2 * z3
+        mu2 = math.sin(alpha)
+        c_beta = math.cos(beta)
         mu3 = c_beta * c_alpha
-        z5 = k1 * (z1 * z1) + z4 + k3 * (mu3 * mu3)
-        z6 = 1.0 / math.sqrt(z5)
-        r1 = z2 * z6
-        z7 = mu2 * k2
-        z8 = z6 * z7
-        z9 = 1.0 / c_alpha
-        z10 = s_beta * w1 - c_beta * w3
-        z11 = z9 * z10
-        z12 = z1 * w3 + mu3 * w1
-        z13 = z12 * z9
-        omega1 = z1 * z11 + c_beta * z13
-        z14 = r1 * w2 + z8 * omega1
-        z15 = mu3 * z11 - s_beta * z13
-        z16 = mu3 * k3
-        r3 = h - z6 * z16
-        z17 = z8 * z15 - r3 * w2
-        z18 = c_beta * z14 - s_beta * z17
-        z19 = r3 * omega1 + r1 * z15
-        e2 = mu2 * z18 - c_alpha * z19
-        c_gamma = math.cos(gamma)
-        z20 = c_gamma * z11
+        z2 = k1 * (z1 * z1) + k2 * (mu2 * mu2) + k3 * (mu3 * mu3)
+        z3 = 1.0 / math.sqrt(z2)
+        z4 = mu3 * k3
+        r3 = h - z3 * z4
+        z5 = r3 * r3
+        z6 = mu2 * k2
+        z7 = z3 * z6
+        z8 = z7 * z7
+        z9 = I_a + (z5 + z8)
+        # the mass matrix is singular
+        if not abs(z9) > 0.0:
+            raise SingularModelError(2, "reactions")
+        z10 = z1 * k1
+        r1 = z10 * z3
+        z11 = r1 * r1
+        z12 = I_b + (z5 + z11)
+        z13 = I_d + r1 * z7
+        z14 = 1.0 / z9
+        z15 = z13 * z14
+        z16 = z12 - z13 * z15
+        # the mass matrix is singular
+        if not abs(z16) > 1e-14 * z12:
+            raise SingularModelError(2, "reactions")
+        z17 = I_c + (z8 + z11)
+        z18 = r1 * r3
+        z19 = z18 * z14
+        z20 = z7 * r3 + z13 * z19
+        z21 = 1.0 / z16
+        z22 = z20 * z21
+        z23 = z17 - z18 * z19 - z20 * z22
+        # the mass matrix is singular
+        if not abs(z23) > 1e-14 * z17:
+            raise SingularModelError(2, "reactions")
+        z24 = s_beta * w1 - c_beta * w3
+        z25 = 1.0 / c_alpha
+        z26 = z1 * w3 + mu3 * w1
+        z27 = z25 * z26
+        z28 = s_beta * z24 + c_beta * z27
+        z29 = c_beta * z24 - s_beta * z27
+        z30 = r3 * z28 + r1 * z29
+        u1 = r3 * w2 - z7 * z29
+        z31 = z25 * z24
+        z32 = w2 + mu2 * z31
+        z33 = c_beta * z32
+        z34 = s_beta * z32
+        z35 = z27 * z34
+        z36 = mu2 * z27
+        z37 = s_beta * z36 - c_alpha * z33
+        z38 = z35 + z31 * z37
+        z39 = z27 * z33
+        z40 = c_alpha * z34 + c_beta * z36
+        z41 = z39 + z31 * z40
+        z42 = s_beta * z38 + c_beta * z41 - z31 * z36
+        z43 = z25 * (z1 * z41 - mu3 * z38)
+        z44 = z24 * z33 + s_beta * z42 - (z35 + c_beta * z43)
+        z45 = (z10 * z37 - z6 * z26 + z4 * z40) * (z3 / z2)
+        z46 = z6 * z45 + k2 * (z3 * z26)
+        z47 = k1 * (z3 * z37) - z10 * z45
+        s1 = z28 * z30 + w2 * u1 + (z7 * z44 + z28 * z46 - w2 * z47)
+        z48 = g * mu3 + s1
         s_gamma = math.sin(gamma)
-        z21 = w2 + mu2 * z11
-        z22 = s_beta * z21
-        z23 = mu2 * z13
-        z24 = c_beta * z21
-        z25 = s_beta * z23 - c_alpha * z24
-        z26 = c_alpha * z22 + c_beta * z23
-        z27 = z6 * (z2 * z25 - z7 * z12 + z16 * z26) / z5
-        z28 = k1 * (z6 * z25) - z2 * z27
-        z29 = z23 / (c_alpha * c_alpha)
-        z30 = z10 * z29 + z9 * (w1 * z24 + w3 * z22)
-        z31 = z9 * (w3 * z25 + w1 * z26) - z12 * z29
-        z32 = z11 * z25 - z1 * z30 + (z13 * z22 + c_beta * z31)
-        z33 = z7 * z27 + k2 * (z6 * z12)
-        z34 = w2 * z28 + (z8 * z32 - omega1 * z33)
-        z35 = z11 * z26 - mu3 * z30 + (z13 * z24 - s_beta * z31)
-        z36 = z16 * z27 - k3 * (z6 * z26)
-        z37 = z8 * z35 - z15 * z33 - w2 * z36
-        z38 = z14 * z22 + c_beta * z34 + (z17 * z24 - s_beta * z37)
-        z39 = r3 * z32 + omega1 * z36 + (r1 * z35 + z15 * z28)
-        z40 = z12 * z18 - mu2 * z38 + (z19 * z23 + c_alpha * z39)
-        z41 = s_beta * z14 + c_beta * z17
-        z42 = s_gamma * z11
-        z43 = z14 * z24 - s_beta * z34 - (z17 * z22 + c_beta * z37)
-        z44 = s_beta * s_gamma
-        z45 = 1.0 - z3
-        z46 = z4 + k1 * z45
-        z47 = c_beta * z7
-        z48 = z6 * w3_dot
-        z49 = h * c_alpha
-        z50 = c_beta * s_gamma
-        z51 = z4 + k3 * z45
-        z52 = s_beta * z7
-        z53 = c_beta * c_gamma
-        z54 = s_beta * mu2
-        z55 = c_alpha * z6
-        z56 = c_beta * mu2
-        z57 = s_beta * c_gamma
-        z58 = s_beta * k4
-        s1 = z55 * (k3 * c_gamma + (s_gamma * z56 + z57) * z58)
-        z59 = w2_dot * (h * (z53 - s_gamma * z54) - s1)
-        s2 = w1_dot * (s_gamma * z49 - z6 * (z50 * z51 + c_gamma * z52))
-        z60 = (z44 * z46 - c_gamma * z47) * z48 - (s2 + z59)
-        s3 = z55 * (k3 * s_gamma + (z44 - c_gamma * z56) * z58)
-        z61 = w2_dot * (h * (z50 + c_gamma * z54) - s3)
-        s4 = w1_dot * (c_gamma * z49 - z6 * (z51 * z53 - s_gamma * z52))
-        z62 = (z57 * z46 + s_gamma * z47) * z48 - (s4 - z61)
-        z63 = mu3 * z6
-        s5 = (h + z63 * k5) * (mu2 * w1_dot)
-        s6 = s5 + (h + k4 * z63) * (z1 * w2_dot)
-        z64 = k6 * (mu2 * (z1 * z48)) - s6
-        s7 = g - (z18 * z23 + c_alpha * z38 - (z12 * z19 - mu2 * z39))
+        z49 = mu2 * s_gamma
+        c_gamma = math.cos(gamma)
+        z50 = c_beta * z49 + s_beta * c_gamma
+        z51 = r1 * w2 + z7 * z28
+        z52 = z24 * z34 - c_beta * z42 + (z39 - s_beta * z43)
+        z53 = z4 * z45 - k3 * (z3 * z40)
+        s2 = w2 * z51 + z29 * z30 - (z7 * z52 - z29 * z46 - w2 * z53)
+        z54 = g * z1 - s2
+        z55 = c_beta * c_gamma - s_beta * z49
+        s3 = r3 * z44 - z28 * z53 - (r1 * z52 + z29 * z47)
+        z56 = z29 * u1 - z28 * z51 + s3
+        z57 = g * mu2 + z56
+        z58 = c_alpha * s_gamma
+        z59 = I_d * w2 + I_a * z28
+        z60 = I_d * z28 + I_b * w2
+        z61 = z27 * z60
+        z62 = z24 * z60
+        s4 = c_beta * z61 + (s_beta * z62 + (z7 * z54 - r1 * z57))
+        z63 = w2 * z59 - (I_c * z52 + s4)
+        z64 = I_c * z29
+        s5 = s_beta * z61 - (c_beta * z62 + (r3 * z57 + z7 * z48))
+        z65 = w2 * z64 - (I_a * z44 - s5)
+        s6 = I_d * z44 - (z29 * z59 - z28 * z64 - (r3 * z54 + r1 * z48))
+        z66 = s6 + z15 * z65
+        z67 = (z63 + z19 * z65 + z22 * z66) / z23
+        z68 = z21 * z66 + z22 * z67
+        z69 = z14 * z65 + z15 * z68 + z19 * z67
+        s7 = z69 * (r3 * z58 - z7 * z50) - z68 * (r3 * z55 - r1 * z50)
+        z70 = z67 * (z7 * z55 - r1 * z58) + s7
+        z71 = mu2 * c_gamma
+        z72 = c_beta * z71 - s_beta * s_gamma
+        z73 = c_beta * s_gamma + s_beta * z71
+        z74 = c_alpha * c_gamma
+        s8 = z69 * (r3 * z74 - z7 * z72) + z68 * (r3 * z73 + r1 * z72)
+        z75 = z67 * (z7 * z73 + r1 * z74) - s8
+        s9 = z69 * (mu2 * r3 + mu3 * z7) - z68 * (z1 * r3 + mu3 * r1)
+        z76 = z67 * (mu2 * r1 - z1 * z7) - s9
         lambda_: list[float] = [
             # reaction of roll_x: Q_i gains lambda_1 a_1i (I.4.1) 44:5
-            e2 * z20 - s_gamma * z40 - (z41 * z42 + c_gamma * z43) - z60,
+            z70 - (z48 * z50 - (z54 * z55 + z57 * z58)),
             # reaction of roll_y: Q_i gains lambda_2 a_2i (I.4.1) 45:5
-            e2 * z42 + c_gamma * z40 + (z41 * z20 - s_gamma * z43) + z62,
+            z48 * z72 + (z54 * z73 - z57 * z74) + z75,
             # reaction of roll_z: Q_i gains lambda_3 a_3i (I.4.1) 46:5
-            z64 - s7,
+            z76 - (mu3 * z48 + (z1 * z54 + mu2 * z57)),
         ]
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -738,35 +766,41 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
         k3 = c * c
         # state
         s_gamma = math.sin(gamma)
-        mu2 = math.sin(alpha)
-        c_beta = math.cos(beta)
         c_alpha = math.cos(alpha)
         s_beta = math.sin(beta)
         z1 = c_alpha * s_beta
+        mu2 = math.sin(alpha)
+        c_beta = math.cos(beta)
         mu3 = c_beta * c_alpha
         s1 = k1 * (z1 * z1) + k2 * (mu2 * mu2) + k3 * (mu3 * mu3)
         z2 = 1.0 / math.sqrt(s1)
-        r1 = z1 * k1 * z2
-        z3 = z2 * (mu2 * k2)
-        z4 = 1.0 / c_alpha
-        z5 = z4 * (s_beta * w1 - c_beta * w3)
-        z6 = (z1 * w3 + mu3 * w1) * z4
-        omega1 = z1 * z5 + c_beta * z6
-        z7 = r1 * w2 + z3 * omega1
-        z8 = mu3 * z5 - s_beta * z6
         r3 = h - z2 * (mu3 * k3)
-        z9 = z3 * z8 - r3 * w2
-        z10 = c_beta * z7 - s_beta * z9
-        z11 = r3 * omega1 + r1 * z8
-        e2 = mu2 * z10 - c_alpha * z11
+        z3 = s_beta * w1 - c_beta * w3
+        z4 = 1.0 / c_alpha
+        z5 = z4 * (z1 * w3 + mu3 * w1)
+        z6 = c_beta * z5
+        z7 = s_beta * z3 + z6
+        r1 = z1 * k1 * z2
+        z8 = s_beta * z5
+        z9 = c_beta * z3 - z8
+        z10 = r3 * z7 + r1 * z9
+        z11 = z2 * (mu2 * k2)
+        u1 = r3 * w2 - z11 * z9
+        z12 = r1 * w2 + z11 * z7
+        z13 = s_beta * u1 + c_beta * z12
+        z14 = c_alpha * z10 - mu2 * z13
         c_gamma = math.cos(gamma)
-        z12 = s_beta * z7 + c_beta * z9
-        z13 = s_gamma * e2 + c_gamma * z12
-        z14 = c_gamma * e2 - s_gamma * z12
-        z15 = c_alpha * z10 + mu2 * z11
-        s2 = I_a * (omega1 * omega1) + I_b * (w2 * w2) + I_c * (z8 * z8)
-        z16 = z13 * z13 + z14 * z14 + z15 * z15 + s2
-        value1 = 0.5 * z16 + w2 * (I_d * omega1) - z * g
+        z15 = s_beta * z12 - c_beta * u1
+        z16 = s_gamma * z14 - c_gamma * z15
+        z17 = s_gamma * z15 + c_gamma * z14
+        z18 = mu2 * z10 + c_alpha * z13
+        z19 = z4 * z3
+        omega1 = z6 + z1 * z19
+        omega3 = z8 - mu3 * z19
+        s2 = I_a * (omega1 * omega1) + I_b * (w2 * w2)
+        s3 = z16 * z16 + z17 * z17 + z18 * z18
+        z20 = s3 + (s2 + I_c * (omega3 * omega3))
+        value1 = 0.5 * z20 + w2 * (I_d * omega1) - z * g
         return _single("energy", value1)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
         raise SingularModelError(NOT_FINITE, "energy") from error
@@ -802,10 +836,9 @@ def jacobian(
         k1 = a * a
         k2 = b * b
         k3 = c * c
-        k4 = b * b * b * b
-        k5 = I_a + h * h
-        k6 = a * a * a * a
-        k7 = k1 - k3
+        k4 = k1 - k3
+        k5 = I_b - I_c
+        k6 = I_a - I_c
         # state
         c_alpha = math.cos(alpha)
         # the coframe is singular
@@ -814,263 +847,438 @@ def jacobian(
         s_beta = math.sin(beta)
         z1 = c_alpha * s_beta
         mu2 = math.sin(alpha)
-        z2 = mu2 * mu2
         c_beta = math.cos(beta)
         mu3 = c_beta * c_alpha
-        z3 = k1 * (z1 * z1) + k2 * z2 + k3 * (mu3 * mu3)
-        z4 = 1.0 / math.sqrt(z3)
-        z5 = c_beta * k3
-        z6 = z4 * z5
-        z7 = 1.0 - z2
-        z8 = z6 * z7 - 2.0 * (h * c_alpha)
-        z9 = z2 * k4
-        z10 = z5 * z8 + z4 * z9
-        z11 = z4 * z10 + k5
+        z2 = k1 * (z1 * z1) + k2 * (mu2 * mu2) + k3 * (mu3 * mu3)
+        z3 = 1.0 / math.sqrt(z2)
+        z4 = mu3 * k3
+        r3 = h - z3 * z4
+        z5 = r3 * r3
+        z6 = mu2 * k2
+        z7 = z3 * z6
+        z8 = z7 * z7
+        z9 = I_a + (z5 + z8)
         # the mass matrix is singular
-        if not abs(z11) > 0.0:
+        if not abs(z9) > 0.0:
             raise SingularModelError(2, "jacobian")
-        z12 = z1 * k1
-        r1 = z12 * z4
-        z13 = mu3 * k3
-        r3 = h - z4 * z13
-        z14 = c_beta * r1 + s_beta * r3
-        z15 = c_alpha * z14
+        z10 = z1 * k1
+        r1 = z10 * z3
+        z11 = r1 * r1
+        z12 = I_b + (z5 + z11)
+        z13 = I_d + r1 * z7
+        z14 = 1.0 / z9
+        z15 = z13 * z14
+        z16 = z12 - z13 * z15
+        # the mass matrix is singular
+        if not abs(z16) > 1e-14 * z12:
+            raise SingularModelError(2, "jacobian")
+        z17 = I_c + (z8 + z11)
+        z18 = r1 * r3
+        z19 = z18 * z14
+        z20 = z7 * r3
+        z21 = z20 + z13 * z19
+        z22 = 1.0 / z16
+        z23 = z21 * z22
+        z24 = z17 - z18 * z19 - z21 * z23
+        # the mass matrix is singular
+        if not abs(z24) > 1e-14 * z17:
+            raise SingularModelError(2, "jacobian")
         s_gamma = math.sin(gamma)
-        z16 = mu2 * z14
+        z25 = s_beta * w1 - c_beta * w3
+        z26 = s_beta * z25
+        z27 = 1.0 / c_alpha
+        z28 = z1 * w3 + mu3 * w1
+        z29 = z27 * z28
+        z30 = c_beta * z29
+        z31 = z26 + z30
+        z32 = r3 * z31
+        z33 = c_beta * z25
+        z34 = s_beta * z29
+        z35 = z33 - z34
+        z36 = r1 * z35
+        z37 = z32 + z36
+        z38 = 1.0 / (c_alpha * c_alpha)
+        z39 = mu2 * z38
+        z40 = s_beta * mu2
+        z41 = c_beta * mu2
+        z42 = z28 * z39 - z27 * (w3 * z40 + w1 * z41)
+        z43 = c_beta * z42
+        z44 = 1.0 / z2
+        z45 = z3 * z44
+        z46 = z45 * (z10 * z40 - c_alpha * z6 + z4 * z41)
+        z47 = k3 * z3
+        z48 = z4 * z46 - z41 * z47
+        z49 = s_beta * z42
+        z50 = k1 * z3
+        z51 = z40 * z50 - z10 * z46
+        z52 = r3 * z43 - z31 * z48 - (r1 * z49 + z35 * z51)
+        z53 = r3 * w2
+        z54 = z7 * z35
+        u1 = z53 - z54
+        z55 = s_beta * u1
+        z56 = r1 * w2
+        z57 = z7 * z31
+        z58 = z56 + z57
+        z59 = c_beta * z58
+        z60 = z55 + z59
+        z61 = k2 * z3
+        z62 = z6 * z46 + c_alpha * z61
+        z63 = w2 * z48 - (z7 * z49 - z35 * z62)
+        z64 = w2 * z51 - (z7 * z43 + z31 * z62)
+        z65 = s_beta * z63 + c_beta * z64
+        z66 = mu2 * z37 - c_alpha * z52 + (c_alpha * z60 - mu2 * z65)
         c_gamma = math.cos(gamma)
-        z17 = s_beta * r1 - c_beta * r3
-        z18 = s_gamma * z16 + c_gamma * z17
-        z19 = c_gamma * z16 - s_gamma * z17
-        z20 = I_b + (z15 * z15 + (z18 * z18 + z19 * z19))
-        z21 = 1.0 / c_alpha
-        z22 = s_beta * z21
-        z23 = z1 * z22 + c_beta * c_beta
-        z24 = mu2 * k2
-        z25 = z4 * z24
-        z26 = z25 * z23
-        z27 = c_beta * s_beta
-        z28 = mu3 * z22 - z27
-        z29 = z25 * z28
-        z30 = c_beta * z26 - s_beta * z29
-        z31 = r3 * z23 + r1 * z28
-        z32 = c_alpha * z30 + mu2 * z31
-        z33 = mu2 * z30 - c_alpha * z31
-        z34 = s_beta * z26 + c_beta * z29
-        z35 = s_gamma * z33 + c_gamma * z34
-        z36 = c_gamma * z33 - s_gamma * z34
-        z37 = I_d * z23 + (z32 * z15 + (z35 * z18 + z36 * z19))
-        z38 = 1.0 / z11
-        z39 = z37 * z38
-        z40 = z20 - z37 * z39
-        # the mass matrix is singular
-        if not abs(z40) > 1e-14 * z20:
-            raise SingularModelError(2, "jacobian")
-        z41 = 1.0 / z3
-        z42 = s_beta * s_beta
-        z43 = z42 * k6
-        z44 = z9 + z7 * z43
-        z45 = I_c + z41 * z44
-        z46 = c_alpha * k1
-        z47 = s_beta * z46
-        z48 = z4 * z47
-        z49 = c_alpha * z5
-        z50 = h - z4 * z49
-        z51 = z48 * z50
-        z52 = z51 * z38
-        z53 = z25 * z50 + z37 * z52
-        z54 = 1.0 / z40
-        z55 = z53 * z54
-        z56 = z45 - z51 * z52 - z53 * z55
-        # the mass matrix is singular
-        if not abs(z56) > 1e-14 * z45:
-            raise SingularModelError(2, "jacobian")
-        z57 = s_beta * w1 - c_beta * w3
-        z58 = z21 * z57
-        z59 = z1 * z58
-        z60 = z1 * w3 + mu3 * w1
-        z61 = z60 * z21
-        z62 = c_beta * z61
-        omega1 = z59 + z62
-        z63 = r1 * w2 + z25 * omega1
-        z64 = c_beta * z63
-        z65 = mu3 * z58
-        z66 = s_beta * z61
-        z67 = z65 - z66
-        z68 = z25 * z67 - r3 * w2
-        z69 = s_beta * z68
-        z70 = z64 - z69
-        z71 = s_beta * mu2
-        z72 = c_beta * mu2
-        s1 = k1 * (z1 * z71) - k2 * (c_alpha * mu2) + k3 * (mu3 * z72)
-        z73 = z41 * (z4 * s1)
-        z74 = z4 * (k1 * z71) - z12 * z73
-        z75 = z24 * z73 + z4 * (c_alpha * k2)
-        z76 = 1.0 / (c_alpha * c_alpha)
-        z77 = mu2 * z76
-        z78 = z57 * z77
-        z79 = z21 * (w3 * z71 + w1 * z72) - z60 * z77
-        z80 = z58 * z71 - z1 * z78 + c_beta * z79
-        z81 = w2 * z74 - (omega1 * z75 - z25 * z80)
-        z82 = z58 * z72 - mu3 * z78 - s_beta * z79
-        z83 = z13 * z73 - z4 * (k3 * z72)
-        z84 = z67 * z75 - z25 * z82 + w2 * z83
-        z85 = c_beta * z81 + s_beta * z84
-        z86 = r3 * omega1 + r1 * z67
-        z87 = omega1 * z83 + r3 * z80 + (z67 * z74 + r1 * z82)
-        z88 = c_alpha * z70 - mu2 * z85 + (mu2 * z86 + c_alpha * z87)
-        z89 = s_beta * z81 - c_beta * z84
-        z90 = s_beta * z63
-        z91 = z41 * (z4 * (k7 * (z1 * mu3)))
-        z92 = z4 * (mu3 * k1) - z12 * z91
-        z93 = z24 * z91
-        z94 = z21 * (c_beta * w1 + s_beta * w3)
-        z95 = z21 * (mu3 * w3 - z1 * w1)
-        z96 = z65 + z1 * z94 - (z66 - c_beta * z95)
-        z97 = w2 * z92 - (omega1 * z93 - z25 * z96)
-        z98 = c_beta * z68
-        z99 = z59 - mu3 * z94 + (z62 + s_beta * z95)
-        z100 = z13 * z91 + z4 * (z1 * k3)
-        z101 = z67 * z93 + z25 * z99 + w2 * z100
-        z102 = z90 - c_beta * z97 + (z98 - s_beta * z101)
-        z103 = omega1 * z100 + r3 * z96 + (z67 * z92 - r1 * z99)
-        z104 = mu2 * z102 + c_alpha * z103
-        z105 = z64 + s_beta * z97 - (z69 + c_beta * z101)
-        z106 = mu2 * z70
-        z107 = c_alpha * z86
-        e2 = z106 - z107
-        z108 = z90 + z98
-        z109 = c_beta * z21
-        z110 = z27 - z1 * z109
-        z111 = z25 * z110
-        z112 = mu3 * z109 + z42
-        z113 = z25 * z112
-        z114 = c_beta * z111 + s_beta * z113
-        z115 = r3 * z110 - r1 * z112
-        z116 = mu2 * z114 - c_alpha * z115
-        z117 = s_beta * z111 - c_beta * z113
-        z118 = s_gamma * z116 + c_gamma * z117
-        z119 = c_gamma * z116 - s_gamma * z117
-        z120 = c_alpha * z114 + mu2 * z115
-        z121 = mu2 * z22
-        z122 = mu2 * z109
-        z123 = 1.0 / z56
-        z124 = w2 + mu2 * z58
-        z125 = c_beta * z124
-        z126 = s_beta * z124
-        z127 = mu2 * z61
-        z128 = c_alpha * z126 + c_beta * z127
-        z129 = c_beta * z122
-        z130 = s_beta * z122
-        z131 = c_alpha * z130 - c_beta * z71
-        z132 = s_beta * z125 - z109 * z128 + (z61 * z129 + z58 * z131)
-        z133 = z127 * z76
-        z134 = w1 * z125 + w3 * z126
-        z135 = z57 * z133 + z21 * z134
-        z136 = s_beta * z127 - c_alpha * z125
-        z137 = w3 * z136 + w1 * z128
-        z138 = z21 * z137 - z60 * z133
-        z139 = z58 * z128 - mu3 * z135 + (z61 * z125 - s_beta * z138)
-        z140 = z59 + z60 * z109
-        z141 = I_d * omega1 + I_b * w2
-        z142 = s_beta * z71 + c_alpha * z129
-        z143 = s_beta * z126 - z109 * z136 + (z61 * z130 - z58 * z142)
-        z144 = I_d * w2 + I_a * omega1
-        z145 = z58 * z136 - z1 * z135 + (z61 * z126 + c_beta * z138)
-        z146 = k1 * z136
-        z147 = k1 * (z1 * z136) - k2 * (mu2 * z60) + k3 * (mu3 * z128)
-        z148 = z4 * z147
-        z149 = z148 * z41
-        z150 = z4 * z146 - z12 * z149
-        z151 = k2 * z60
-        z152 = z24 * z149 + z4 * z151
-        z153 = w2 * z150 - (omega1 * z152 - z25 * z145)
-        z154 = k3 * z128
-        z155 = z13 * z149 - z4 * z154
-        z156 = z67 * z152 - z25 * z139 + w2 * z155
-        z157 = z63 * z126 + c_beta * z153 + (z68 * z125 + s_beta * z156)
-        z158 = omega1 * z155 + r3 * z145 + (z67 * z150 + r1 * z139)
-        z159 = z70 * z127 + c_alpha * z157 - (z60 * z86 - mu2 * z158)
-        z160 = g - z159
-        z161 = s_gamma * z58
-        z162 = z60 * z70 - mu2 * z157 + (z86 * z127 + c_alpha * z158)
-        z163 = c_gamma * z58
-        z164 = z63 * z125 - s_beta * z153 - (z68 * z126 - c_beta * z156)
-        z165 = e2 * z161 + c_gamma * z162 + (z108 * z163 - s_gamma * z164)
-        z166 = e2 * z163 - s_gamma * z162 - (z108 * z161 + c_gamma * z164)
-        z167 = c_beta * z121
-        z168 = s_beta * z121
-        z169 = c_alpha * z168 + c_beta * z72
-        z170 = c_beta * z125 + z22 * z128 - (z61 * z167 + z58 * z169)
-        z171 = z65 - z60 * z22
-        z172 = s_beta * z72 - c_alpha * z167
-        z173 = c_beta * z126 + z22 * z136 - (z61 * z168 + z58 * z172)
-        z174 = 1.0 / (c_alpha * c_alpha * c_alpha)
-        s2 = z144 * z143 + (z120 * z159 + (z118 * z166 - z119 * z165))
-        z175 = z141 * z140 - s2 - I_a * (z110 * z145)
-        s3 = z144 * z173 + (z32 * z159 + (z35 * z166 - z36 * z165))
-        z176 = z141 * z171 - s3 - I_a * (z23 * z145)
-        z177 = z176 - I_c * (z28 * z139 + z67 * z170) + g * z32
-        s4 = z67 * z144 + (z15 * z159 + (z18 * z166 - z19 * z165))
-        z178 = I_d * z145 + s4 - I_c * (omega1 * z67)
-        z179 = z178 - g * z15 + z177 * z39
-        s5 = z175 + I_c * (z112 * z139 - z67 * z132) + g * z120
-        z180 = s5 + z177 * z52 + z55 * z179
-        z181 = z123 * z180
-        z182 = z54 * z179 + z55 * z181
-        z183 = z177 * z38 + z39 * z182 + z52 * z181
-        z184 = 1.0 / (z3 * z3)
+        z67 = s_beta * z64 - c_beta * z63
+        z68 = c_beta * w1 + s_beta * w3
+        z69 = z27 * (mu3 * w3 - z1 * w1)
+        z70 = z33 + s_beta * z68 - (z34 - c_beta * z69)
+        z71 = k4 * (mu3 * (z1 * z45))
+        z72 = z4 * z71 + z1 * z47
+        z73 = z26 - c_beta * z68 + (z30 + s_beta * z69)
+        z74 = mu3 * z50 - z10 * z71
+        z75 = r3 * z70 + z31 * z72 - (r1 * z73 - z35 * z74)
+        z76 = c_beta * u1
+        z77 = z6 * z71
+        z78 = w2 * z72 + (z7 * z73 + z35 * z77)
+        z79 = s_beta * z58
+        z80 = w2 * z74 + (z7 * z70 - z31 * z77)
+        z81 = z76 + s_beta * z78 - (z79 - c_beta * z80)
+        z82 = c_alpha * z75 - mu2 * z81
+        z83 = z59 + s_beta * z80 + (z55 - c_beta * z78)
+        z84 = z79 - z76
+        z85 = c_alpha * z37
+        z86 = mu2 * z60
+        z87 = z85 - z86
+        z88 = c_beta * z7
+        z89 = mu2 * z88 - c_alpha * r3
+        z90 = s_beta * z7
+        z91 = s_beta * r3 + c_beta * r1
+        z92 = mu2 * z91
+        z93 = s_beta * r1 - c_beta * r3
+        z94 = mu2 * z90 + c_alpha * r1
+        z95 = z25 * z39
+        z96 = z27 * z68
+        z97 = s_beta * z27
+        z98 = c_beta * z27
+        z99 = g * r3
+        z100 = z7 * w2
+        z101 = r3 * z35
+        z102 = z100 + z101
+        z103 = z4 * z32 - z6 * z57 - z10 * z102
+        z104 = z44 * z103
+        z105 = z3 * z104
+        z106 = k2 * z105
+        z107 = z27 * z25
+        z108 = z8 + (I_a + z5)
+        z109 = c_beta * z18
+        z110 = s_beta * z108 + z109
+        z111 = s_beta * z18
+        z112 = c_beta * z108 - z111
+        z113 = z27 * z112
+        z114 = c_beta * z110 - z1 * z113
+        z115 = k3 * z105
+        z116 = z107 * z114 - (mu3 * z115 - z32 * z47)
+        z117 = s_beta * z110 + mu3 * z113
+        z118 = k1 * z105
+        z119 = z107 * z117 - (z1 * z118 + z102 * z50)
+        z120 = z107 * z110 - c_beta * z116 - s_beta * z119
+        z121 = z18 - z114
+        z122 = z25 * z108 - z29 * z121 - c_alpha * z119
+        z123 = z25 * z18
+        z124 = z108 - z117
+        z125 = z123 + z29 * z124 - c_alpha * z116
+        z126 = c_beta * z122 - s_beta * z125
+        z127 = mu2 * z29
+        z128 = w2 + mu2 * z107
+        z129 = c_beta * z128
+        z130 = s_beta * z127 - c_alpha * z129
+        z131 = s_beta * z128
+        z132 = c_alpha * z131 + c_beta * z127
+        z133 = z10 * z130 - z6 * z28 + z4 * z132
+        z134 = z3 * z133
+        z135 = z44 * z134
+        z136 = z29 * z131
+        z137 = z136 + z107 * z130
+        z138 = z29 * z129
+        z139 = z138 + z107 * z132
+        z140 = s_beta * z137 + c_beta * z139 - z107 * z127
+        z141 = z1 * z139 - mu3 * z137
+        z142 = z27 * z141
+        z143 = z25 * z129 + s_beta * z140 - (z136 + c_beta * z142)
+        z144 = z7 * z143
+        z145 = k2 * z28
+        z146 = z3 * z145 + z6 * z135
+        z147 = k1 * z130
+        z148 = z3 * z147 - z10 * z135
+        s1 = z31 * z37 + w2 * u1 + (z144 + z31 * z146 - w2 * z148)
+        z149 = g * mu3 + s1
+        z150 = I_d * w2
+        z151 = z150 + I_a * z31
+        z152 = I_c * z35
+        z153 = z25 * z131 - c_beta * z140 + (z138 - s_beta * z142)
+        z154 = z7 * z153
+        z155 = k3 * z132
+        z156 = z3 * z155 - z4 * z135
+        s2 = w2 * z58 + z35 * z37 - (z154 - z35 * z146 + w2 * z156)
+        z157 = g * z1 - s2
+        z158 = I_d * z31
+        z159 = z158 + I_b * w2
+        z160 = z29 * z159
+        z161 = z25 * z159
+        z162 = r3 * z143
+        z163 = r1 * z153
+        s3 = z162 + z31 * z156 - (z163 + z35 * z148)
+        z164 = g * mu2 + (z35 * u1 - z31 * z58 + s3)
+        s4 = s_beta * z160 - (c_beta * z161 + (r3 * z164 + z7 * z149))
+        z165 = w2 * z152 - (I_a * z143 - s4)
+        s5 = z35 * z151 - z31 * z152 - (r3 * z157 + r1 * z149)
+        z166 = I_d * z143 - s5 + z15 * z165
+        z167 = 1.0 / z24
+        s6 = c_beta * z160 + (s_beta * z161 + (z7 * z157 - r1 * z164))
+        z168 = w2 * z151 - (I_c * z153 + s6)
+        z169 = z167 * (z168 + z19 * z165 + z23 * z166)
+        z170 = z22 * z166 + z23 * z169
+        z171 = r1 * z170
+        z172 = z14 * z165 + z15 * z170 + z19 * z169
+        z173 = z7 * z172
+        z174 = z35 * z102 + (z31 * z32 - (z144 + (z149 - z171 + 2.0 * z173)))
+        s7 = z99 + (z28 * z106 - z29 * z120 + z107 * z126)
+        z175 = s7 + k2 * (z57 * z135 - z3 * z174)
+        z176 = z134 / (z2 * z2)
+        z177 = r1 * z169
+        z178 = r3 * z172
+        z179 = w2 * z102 + (z31 * z57 + (z162 + (z164 - z177 + 2.0 * z178)))
+        s8 = z32 * z155 + z57 * z145 - z147 * z102 - z133 * z104
+        z180 = s8 - z4 * z179 - z6 * z174
+        z181 = r3 * z153
+        z182 = r3 * z169
+        z183 = z7 * z170
+        z184 = w2 * z32 - (z35 * z57 - (z181 + (z182 + z183)))
+        z185 = z103 * z176 - 0.5 * (z45 * (z180 - z10 * z184))
+        z186 = z127 * z110 - z130 * z117 - z132 * z114 - mu2 * z126
+        z187 = s_beta * z159
+        z188 = I_d * z35
+        z189 = z7 * z37
+        z190 = r3 * z58
+        z191 = r3 * z156
+        z192 = z7 * z146
+        z193 = z7 * z32 - (r3 * z57 + (z188 + z189 - z190 + z191 + z192))
+        z194 = z7 * z102 - (r1 * z57 - (I_c * w2 - r3 * u1 + r3 * z148))
+        s9 = z187 + z131 * z124 + z129 * z121 + mu2 * z120
+        z195 = s9 + c_beta * z193 - s_beta * z194
+        z196 = g * z7
+        z197 = mu2 * z106 + z57 * z61 - z27 * z195
+        s10 = z132 * z115 - z137 * z113 - z196 - w1 * z197
+        z198 = s10 + k3 * (z32 * z135 + z3 * z179)
+        z199 = z198 - 2.0 * (z4 * z185)
+        s11 = z38 * (z141 * z112 + z25 * z186 + z28 * z195)
+        z200 = z131 * z116 - z129 * z119 + s11 - c_beta * z199
+        s12 = z130 * z118 + z139 * z113 - w3 * z197
+        z201 = s12 - k1 * (z102 * z135 - z3 * z184) - 2.0 * (z10 * z185)
+        s13 = c_alpha * (z175 + 2.0 * (z6 * z185))
+        z202 = s13 - mu2 * (z200 - s_beta * z201)
+        z203 = r1 * z31
+        z204 = z101 - z203
+        z205 = z4 * z53 + z6 * z204 - z10 * z56
+        z206 = z44 * z205
+        z207 = z3 * z206
+        z208 = k2 * z207
+        z209 = s_beta * z13 - c_beta * z20
+        z210 = c_beta * z13 + s_beta * z20
+        z211 = z27 * z210
+        z212 = c_beta * z209 - z1 * z211
+        z213 = k3 * z207
+        z214 = z107 * z212 - (mu3 * z213 - z53 * z47)
+        z215 = s_beta * z209 + mu3 * z211
+        z216 = k1 * z207
+        z217 = z107 * z215 - (z1 * z216 + z56 * z50)
+        z218 = z107 * z209 - c_beta * z214 - s_beta * z217
+        z219 = z20 + z212
+        z220 = z25 * z13 + z29 * z219 - c_alpha * z217
+        z221 = z13 - z215
+        z222 = z25 * z20 - z29 * z221 + c_alpha * z214
+        z223 = c_beta * z220 + s_beta * z222
+        z224 = r1 * z143
+        z225 = r1 * z172
+        z226 = z56 * z35 + (z53 * z31 - (z181 + (z224 + (z182 + z225))))
+        z227 = r3 * z170
+        z228 = z7 * z169
+        z229 = w2 * z56 - (z31 * z204 + (2.0 * z227 - (z157 + z228)))
+        s14 = z53 * z155 - z145 * z204 - z56 * z147 - z133 * z206
+        z230 = s14 - z4 * z229 - z6 * z226
+        z231 = w2 * z53 + (z35 * z204 - (z173 + (z149 - 2.0 * z171)))
+        z232 = z205 * z176 - 0.5 * (z45 * (z230 - z10 * z231))
+        s15 = z28 * z208 - z29 * z218 + z107 * z223
+        z233 = s15 - k2 * (z204 * z135 + z3 * z226) + 2.0 * (z6 * z232)
+        z234 = z127 * z209 - z130 * z215 - z132 * z212 - mu2 * z223
+        z235 = z7 * z53 + (r3 * z204 + (z35 * k6 - r1 * z37 - r1 * z146))
+        s16 = r1 * z204 + (z151 - I_c * z31 + r3 * z37 + r3 * z146)
+        z236 = z7 * z56 + s16
+        s17 = z131 * z221 - z129 * z219 + mu2 * z218 + c_beta * z235
+        z237 = s17 - s_beta * z236
+        z238 = g * r1
+        z239 = mu2 * z208 - z204 * z61 - z27 * z237
+        s18 = z132 * z213 - z137 * z211 - z238 - w1 * z239
+        z240 = s18 + k3 * (z53 * z135 + z3 * z229)
+        z241 = z240 - 2.0 * (z4 * z232)
+        s19 = z38 * (z141 * z210 + z25 * z234 + z28 * z237)
+        z242 = z131 * z214 - z129 * z217 + s19 - c_beta * z241
+        s20 = z99 - (z130 * z216 + z139 * z211) + w3 * z239
+        z243 = s20 + k1 * (z56 * z135 - z3 * z231)
+        z244 = z243 + 2.0 * (z10 * z232)
+        z245 = c_alpha * z233 - mu2 * (z242 + s_beta * z244) - z15 * z202
+        z246 = z100 - z203
+        z247 = z4 * z246 + z6 * z54 + z10 * z36
+        z248 = z44 * z247
+        z249 = z3 * z248
+        z250 = k2 * z249
+        z251 = z8 + (I_c + z11)
+        z252 = z111 + c_beta * z251
+        z253 = z109 - s_beta * z251
+        z254 = z27 * z253
+        z255 = c_beta * z252 - z1 * z254
+        z256 = k3 * z249
+        z257 = z107 * z255 + (mu3 * z256 - z246 * z47)
+        z258 = s_beta * z252 + mu3 * z254
+        z259 = k1 * z249
+        z260 = z107 * z258 + (z1 * z259 - z36 * z50)
+        z261 = z107 * z252 - c_beta * z257 - s_beta * z260
+        z262 = z251 - z255
+        z263 = z123 - z29 * z262 - c_alpha * z260
+        z264 = z18 - z258
+        z265 = z25 * z251 + z29 * z264 - c_alpha * z257
+        z266 = c_beta * z263 - s_beta * z265
+        s21 = z31 * z246 - (z154 + (2.0 * z228 + (z157 - z227)))
+        z267 = z35 * z36 - s21
+        s22 = z238 - (z28 * z250 + z29 * z261 - z107 * z266)
+        z268 = s22 + k2 * (z54 * z135 - z3 * z267)
+        z269 = w2 * z36 + (z54 * z31 + (z224 + (z183 + z225)))
+        s23 = z155 * z246 - z54 * z145 + z36 * z147 - z133 * z248
+        z270 = s23 + z4 * z269 + z6 * z267
+        s24 = z35 * z54 - (z163 - (z178 + (z164 - 2.0 * z177)))
+        z271 = w2 * z246 + s24
+        z272 = z247 * z176 - 0.5 * (z45 * (z270 - z10 * z271))
+        z273 = z127 * z252 - z130 * z258 - z132 * z255 - mu2 * z266
+        z274 = c_beta * z159
+        s25 = r3 * z54 - (z158 - I_a * w2 + r1 * z58 - r1 * z156)
+        z275 = z7 * z246 + s25
+        z276 = r1 * u1
+        z277 = r1 * z148
+        z278 = z7 * z36 - (r1 * z54 + (z192 + (z189 + z276 - z277)))
+        s26 = z274 + z131 * z264 + z129 * z262 + mu2 * z261
+        z279 = s26 - c_beta * z275 - s_beta * z278
+        z280 = mu2 * z250 - z54 * z61 + z27 * z279
+        s27 = z132 * z256 + z137 * z254 - w1 * z280
+        z281 = s27 + k3 * (z246 * z135 - z3 * z269) - 2.0 * (z4 * z272)
+        s28 = z38 * (z141 * z253 + z25 * z273 + z28 * z279)
+        z282 = z131 * z257 - z129 * z260 + s28 + c_beta * z281
+        s29 = z196 - (z130 * z259 - z139 * z254) + w3 * z280
+        z283 = s29 - k1 * (z36 * z135 + z3 * z271)
+        z284 = z283 + 2.0 * (z10 * z272)
+        s30 = c_alpha * (z268 - 2.0 * (z6 * z272))
+        z285 = s30 - mu2 * (z282 - s_beta * z284) - z19 * z202 + z23 * z245
+        z286 = z167 * z285
+        z287 = z22 * z245 + z23 * z286
+        z288 = z142 * z18
+        s31 = z160 - z140 * z108 - z288 - z137 * z110 - z127 * z119
+        z289 = s31 + z128 * z125 + z25 * z193
+        s32 = z274 + z129 * z108 - z131 * z18 - s_beta * z193
+        z290 = s32 - c_beta * z194 - z27 * z186
+        z291 = z140 * z18
+        s33 = z161 - z142 * z108 + z291 + z139 * z110 + z127 * z116
+        z292 = s33 + z128 * z122 - z29 * z193
+        s34 = c_beta * (z289 - z29 * z194 - w1 * z290 + c_alpha * z201)
+        s35 = s_beta * (z292 - z25 * z194 - w3 * z290 - c_alpha * z199)
+        z293 = s34 + s35
+        s36 = z140 * z13 - z142 * z20 + z137 * z209 + z127 * z217
+        z294 = s36 + z128 * z222 - z25 * z235
+        s37 = z129 * z13 + z131 * z20 - s_beta * z235 - c_beta * z236
+        z295 = s37 - z27 * z234
+        s38 = z142 * z13 + z140 * z20 - z139 * z209 - z127 * z214
+        z296 = s38 - z128 * z220 + z29 * z235
+        s39 = c_beta * (z294 + z29 * z236 + w1 * z295 + c_alpha * z244)
+        s40 = s_beta * (z296 + z25 * z236 + w3 * z295 + c_alpha * z241)
+        z297 = s39 + s40
+        z298 = z297 + z15 * z293
+        s41 = z161 - z291 - z142 * z251 - z137 * z252 - z127 * z260
+        z299 = s41 + z128 * z265 - z25 * z275
+        s42 = z187 - z129 * z18 + z131 * z251 - s_beta * z275
+        z300 = s42 + c_beta * z278 + z27 * z273
+        s43 = z160 + z288 - z140 * z251 - z139 * z252 - z127 * z257
+        z301 = s43 - z128 * z263 - z29 * z275
+        s44 = c_beta * (z299 - z29 * z278 + w1 * z300 + c_alpha * z284)
+        s45 = s_beta * (z301 + z25 * z278 - w3 * z300 - c_alpha * z281)
+        z302 = s44 - s45
+        z303 = z167 * (z302 - z19 * z293 - z23 * z298)
+        z304 = z22 * z298 - z23 * z303
+        z305 = s_beta * z290 + mu3 * z197
+        z306 = s_beta * z295 + mu3 * z239 - z15 * z305
+        z307 = z167 * (s_beta * z300 + mu3 * z280 + z19 * z305 - z23 * z306)
+        z308 = z22 * z306 - z23 * z307
+        s46 = r1 * z32 - (z35 * k5 + z7 * u1 - z7 * z148 + z126)
+        z309 = r3 * z102 - s46
+        s47 = r1 * z53 - (z191 - (z190 + (z188 - z276) + z277) + z223)
+        z310 = r3 * z56 - s47 - z15 * z309
+        s48 = z150 + (z151 - I_b * z31) + z7 * z58 - z7 * z156 + z266
+        z311 = r3 * z36 + (r1 * z246 + s48)
+        z312 = z167 * (z311 - z19 * z309 + z23 * z310)
+        z313 = z22 * z310 + z23 * z312
+        z314 = c_beta * z290 - z1 * z197
+        z315 = c_beta * z295 - z1 * z239 - z15 * z314
+        z316 = z167 * (c_beta * z300 - z1 * z280 + z19 * z314 - z23 * z315)
+        z317 = z22 * z315 - z23 * z316
         J: list[float] = [
             0.0,
             0.0,
             0.0,
             # (I.2.15)
-            c_gamma * z89 - s_gamma * z88,
+            c_gamma * z67 - s_gamma * z66,
             # (I.2.15)
-            s_gamma * z104 - c_gamma * z105,
+            s_gamma * z82 - c_gamma * z83,
             # (I.2.15)
-            s_gamma * z108 - c_gamma * e2,
+            s_gamma * z84 + c_gamma * z87,
             # (I.2.15)
-            -z35,
+            -(s_gamma * z89 + c_gamma * z90),
             # (I.2.15)
-            -z18,
+            -(s_gamma * z92 + c_gamma * z93),
             # (I.2.15)
-            -z118,
+            c_gamma * z88 - s_gamma * z94,
             0.0,
             0.0,
             0.0,
             # (I.2.15)
-            c_gamma * z88 + s_gamma * z89,
+            s_gamma * z67 + c_gamma * z66,
             # (I.2.15)
-            -(c_gamma * z104 + s_gamma * z105),
+            -(s_gamma * z83 + c_gamma * z82),
             # (I.2.15)
-            -(s_gamma * e2 + c_gamma * z108),
+            s_gamma * z87 - c_gamma * z84,
             # (I.2.15)
-            z36,
+            c_gamma * z89 - s_gamma * z90,
             # (I.2.15)
-            z19,
+            c_gamma * z92 - s_gamma * z93,
             # (I.2.15)
-            z119,
+            s_gamma * z88 + c_gamma * z94,
             0.0,
             0.0,
             0.0,
             # (I.2.15)
-            z106 + c_alpha * z85 - (z107 - mu2 * z87),
+            z86 + c_alpha * z65 - (z85 + mu2 * z52),
             # (I.2.15)
-            c_alpha * z102 - mu2 * z103,
+            -(mu2 * z75 + c_alpha * z81),
             0.0,
             # (I.2.15)
-            -z32,
+            -(mu2 * r3 + c_alpha * z88),
             # (I.2.15)
-            -z15,
+            -c_alpha * z91,
             # (I.2.15)
-            -z120,
+            mu2 * r1 - c_alpha * z90,
             0.0,
             0.0,
             0.0,
             # (I.2.15)
-            -z79,
+            z42,
             # (I.2.15)
-            z95,
+            z69,
             0.0,
             # (I.2.15)
             c_beta,
@@ -1081,285 +1289,74 @@ def jacobian(
             0.0,
             0.0,
             # (I.2.15)
-            z57 + mu2 * z78,
+            z25 + mu2 * z95,
             # (I.2.15)
-            mu2 * z94,
+            mu2 * z96,
             0.0,
             # (I.2.15)
-            z121,
+            mu2 * z97,
             # (I.2.15)
             1.0,
             # (I.2.15)
-            -z122,
+            -mu2 * z98,
             0.0,
             0.0,
             0.0,
             # (I.2.15)
-            -z78,
+            -z95,
             # (I.2.15)
-            -z94,
-            0.0,
-            # (I.2.15)
-            -z22,
+            -z96,
             0.0,
             # (I.2.15)
-            z109,
+            -z97,
+            0.0,
+            # (I.2.15)
+            z98,
             0.0,
             0.0,
             0.0,
+            # (I.2.15)
+            z19 * z286 - (z14 * z202 - z15 * z287),
+            # (I.2.15)
+            z14 * z293 + z15 * z304 - z19 * z303,
+            0.0,
+            # (I.2.15)
+            -(z14 * z305 - z15 * z308 + z19 * z307),
+            # (I.2.15)
+            z19 * z312 - (z14 * z309 - z15 * z313),
+            # (I.2.15)
+            z14 * z314 - z15 * z317 + z19 * z316,
             0.0,
             0.0,
             0.0,
+            # (I.2.15)
+            -z287,
+            # (I.2.15)
+            -z304,
+            0.0,
+            # (I.2.15)
+            -z308,
+            # (I.2.15)
+            -z313,
+            # (I.2.15)
+            z317,
             0.0,
             0.0,
             0.0,
+            # (I.2.15)
+            z286,
+            # (I.2.15)
+            -z303,
             0.0,
-            0.0,
-            0.0,
-            0.0,
-            0.0,
-            0.0,
-            0.0,
-            0.0,
-            0.0,
-            0.0,
-            0.0,
-            0.0,
-            0.0,
-            0.0,
-            0.0,
-            0.0,
-            0.0,
-            0.0,
+            # (I.2.15)
+            -z307,
+            # (I.2.15)
+            z312,
+            # (I.2.15)
+            z316,
         ]
-        # one rate in each pass: its row of the matrix
-        offsets1 = (54, 63, 72)
-        for k8, offset1 in enumerate(offsets1):
-            row_0 = 1.0 if k8 == 0 else 0.0
-            row_1 = 1.0 if k8 == 1 else 0.0
-            row_2 = 1.0 if k8 == 2 else 0.0
-            z185 = row_1 - z39 * row_0
-            z186 = z123 * (row_2 + z52 * row_0 - z55 * z185)
-            z187 = I_c * z186
-            z188 = z67 * z187
-            z189 = z54 * z185 - z55 * z186
-            z190 = z38 * row_0 - z39 * z189 + z52 * z186
-            z191 = I_c * z190
-            z192 = z67 * z191
-            z193 = z119 * z186 + z19 * z189 + z36 * z190
-            z194 = z118 * z186 + z18 * z189 + z35 * z190
-            z195 = s_gamma * z193 - c_gamma * z194
-            z196 = z120 * z186 + z15 * z189 + z32 * z190
-            z197 = c_gamma * z193 + s_gamma * z194
-            z198 = c_alpha * z196 + mu2 * z197
-            z199 = mu2 * z196 - c_alpha * z197
-            z200 = c_beta * z195 + s_beta * z198
-            z201 = z112 * z187 - z28 * z191 - r1 * z199 + z25 * z200
-            z202 = I_a * z186
-            z203 = I_a * z190
-            z204 = s_beta * z195 - c_beta * z198
-            s6 = z110 * z202 + z23 * z203 + I_d * z189 + r3 * z199
-            z205 = s6 - z25 * z204
-            z206 = mu3 * z201 - z1 * z205
-            z207 = z21 * z206
-            s7 = s_beta * z188 + c_beta * z192 + z63 * z195 + z68 * z198
-            z208 = s7 - z61 * z201 + w1 * z207
-            z209 = z144 * z186
-            z210 = z144 * z190
-            z211 = s_beta * z201 + c_beta * z205
-            z212 = z21 * z211
-            z213 = z67 * z199 - w2 * z204
-            z214 = omega1 * z199 + w2 * z200
-            z215 = z67 * z200 + omega1 * z204
-            z216 = z13 * z214 + z24 * z215 - z12 * z213
-            z217 = z41 * z216
-            z218 = z4 * z217
-            z219 = k1 * z218
-            s8 = z109 * z209 - z22 * z210 - z58 * z205 - w3 * z212
-            z220 = s8 - k1 * (z4 * z213) - z1 * z219
-            z221 = z208 + c_alpha * z220
-            s9 = s_beta * z209 + c_beta * z210 - z68 * z195 + z63 * z198
-            z222 = s9 + z61 * z205 + w3 * z207
-            z223 = k3 * z218
-            s10 = z109 * z188 - z22 * z192 + z58 * z201 - w1 * z212
-            z224 = s10 + k3 * (z4 * z214) - mu3 * z223
-            z225 = z222 - c_alpha * z224
-            z226 = c_beta * z221 + s_beta * z225
-            z227 = z161 * z193 - z163 * z194
-            z228 = z58 * z210
-            z229 = z61 * z192 - c_alpha * z228
-            z230 = z58 * z192
-            z231 = c_alpha * z230 + z61 * z210
-            z232 = c_beta * z229 + s_beta * z231
-            z233 = z58 * z188
-            z234 = z58 * z209
-            z235 = c_beta * z233 + s_beta * z234
-            z236 = c_beta * z230 + s_beta * z228
-            z237 = k2 * z218
-            z238 = z57 * z206 - z60 * z211
-            s11 = z70 * z196 - z86 * z197 + z76 * z238 - c_beta * z224
-            z239 = s11 - s_beta * z220
-            s12 = s_beta * z235 + c_beta * z236 - z158 * z196 - z157 * z197
-            z240 = s12 + z60 * z237 - z61 * z239
-            z241 = z160 * z186
-            z242 = z165 * z186
-            z243 = z166 * z186
-            z244 = c_gamma * z242 - s_gamma * z243
-            z245 = z61 * z188 - c_alpha * z234
-            z246 = c_alpha * z233 + z61 * z209
-            z247 = c_beta * z245 + s_beta * z246
-            z248 = z182 * z189
-            z249 = z183 * z189 - z182 * z190
-            z250 = z165 * z189 + 2.0 * (z19 * z248) - z36 * z249
-            z251 = z166 * z189 - 2.0 * (z18 * z248) + z35 * z249
-            z252 = c_gamma * z250 - s_gamma * z251
-            z253 = z160 * z190 - z15 * z249
-            z254 = z165 * z190 - z19 * z249
-            z255 = z166 * z190 + z18 * z249
-            z256 = c_gamma * z254 - s_gamma * z255
-            s13 = z240 + z115 * z241 + z114 * z244 - z109 * z247 + z14 * z252
-            z257 = s13 + z31 * z253 + z30 * z256
-            z258 = z163 * z193 + z161 * z194
-            z259 = z127 * z196 - z60 * z197 - mu2 * z227
-            z260 = z125 * z195 + z126 * z198 - s_beta * z258 + c_beta * z259
-            z261 = z126 * z195 - z125 * z198 + c_beta * z258 + s_beta * z259
-            z262 = s_gamma * z242 + c_gamma * z243
-            z263 = c_alpha * z241 + mu2 * z244
-            z264 = s_beta * z262 - c_beta * z263
-            z265 = c_beta * z262 + s_beta * z263
-            z266 = z182 * z186 - z181 * z189
-            z267 = s_gamma * z254 + c_gamma * z255
-            z268 = c_alpha * z253 + mu2 * z256
-            z269 = c_beta * z267 + s_beta * z268
-            s14 = z112 * z265 + (z145 * z204 + (z139 * z200 + z50 * z266))
-            z270 = z110 * z264 - s14 + z28 * z269
-            z271 = s_beta * z267 - c_beta * z268
-            z272 = omega1 * z260 - (z67 * z261 - (z270 + z23 * z271))
-            s15 = z58 * z226 - (z70 * z227 + (z22 * z232 + z257))
-            z273 = s15 + k2 * (z149 * z215 + z4 * z272)
-            z274 = z181 * z186
-            z275 = z41 * z274
-            z276 = z183 * z190
-            z277 = z4 * z276
-            z278 = z5 * z277
-            z279 = z183 * z186 + z181 * z190
-            z280 = z25 * z266 + z48 * z279
-            z281 = z50 * z279
-            z282 = z7 * z278
-            s16 = z49 * z280 - z47 * z281 + z10 * z276 + z9 * z277 + z5 * z282
-            z283 = z154 * z214 - s16
-            z284 = z60 * z196 + z127 * z197 - c_alpha * z227
-            z285 = mu2 * z241 - c_alpha * z244
-            z286 = s_gamma * z250 + c_gamma * z251
-            z287 = z160 * z189 + 2.0 * (z15 * z248) - z32 * z249
-            z288 = c_alpha * z287 + mu2 * z252
-            z289 = mu2 * z253 - c_alpha * z256
-            s17 = z145 * z199 - z110 * z285 - c_beta * z286 - s_beta * z288
-            z290 = omega1 * z284 - (s17 - z23 * z289)
-            z291 = w2 * z261 - z290
-            s18 = z139 * z199 + z112 * z285 + s_beta * z286 - c_beta * z288
-            z292 = z67 * z284 - (s18 - z28 * z289)
-            z293 = w2 * z260 - z292
-            s19 = z147 * z217 + (z146 * z213 + (z151 * z215 - z283))
-            z294 = s19 - z13 * z291 + z24 * z272 + z12 * z293
-            s20 = z184 * (z148 * z216 + z44 * z274)
-            z295 = s20 + 0.5 * (z4 * (z41 * z294))
-            s21 = k4 * (z275 + z4 * z277) - (z43 * z275 + z6 * z278)
-            z296 = 2.0 * (mu2 * (s21 - k2 * z295))
-            z297 = z4 * z280
-            z298 = z4 * z281
-            s22 = z5 * z297 - k1 * (s_beta * z298) - 2.0 * (h * z278)
-            z299 = z129 * z234 - (z130 * z233 + s22)
-            s23 = z157 * z196 + (z167 * z228 - (z168 * z230 + z299))
-            z300 = 2.0 * (z127 * z238 * z174) + (z158 * z197 - s23)
-            s24 = z114 * z241 - (z125 * z220 - (z126 * z224 + z300))
-            z301 = z115 * z244 - s24 - z14 * z287 - z30 * z253
-            s25 = z129 * z188 + z130 * z209 - z167 * z192 - z168 * z210
-            z302 = s25 - z125 * z201 + z126 * z205
-            z303 = I_c * z189
-            s26 = z132 * z187 - omega1 * z303 + z144 * z189 + z170 * z191
-            z304 = s26 + z150 * z199 + z152 * z200
-            z305 = z304 - r1 * z284 - z25 * z261
-            z306 = z143 * z186 + z67 * z189 + z173 * z190
-            z307 = z140 * z186 + z171 * z190
-            s27 = z67 * z303 - z155 * z199 - z152 * z204 - I_a * z306
-            z308 = s27 + I_d * z307 + r3 * z284
-            z309 = z308 - z25 * z260
-            z310 = z302 + mu2 * z239 - s_beta * z305 - c_beta * z309
-            s28 = z131 * z188 - z142 * z209 - z169 * z192 - z172 * z210
-            z311 = s28 - z128 * z201 + z136 * z205
-            z312 = z108 * z193 - e2 * z194
-            z313 = e2 * z193 + z108 * z194
-            z314 = z141 * z190
-            z315 = z314 - z305
-            z316 = z141 * z186
-            z317 = z316 + z309
-            s29 = z311 - c_gamma * z312 - s_gamma * z313 - mu3 * z315
-            z318 = s29 - z1 * z317 + mu2 * z226
-            z319 = z139 * z187 - r1 * z285 + z25 * z265
-            z320 = z145 * z202 - r3 * z285 + z25 * z264
-            s30 = z128 * z188 + z60 * z316 + z136 * z209 + mu3 * z319
-            z321 = s30 + z1 * z320 - mu2 * z247
-            z322 = z139 * z191 - r1 * z289 + z25 * z269
-            z323 = z145 * z203 + I_d * z249 - r3 * z289 + z25 * z271
-            s31 = z128 * z192 + z60 * z314 + z136 * z210 + mu3 * z322
-            z324 = mu2 * z232 - (s31 + z1 * z323)
-            s32 = z134 * z206 + z137 * z211 - c_beta * z321 - s_beta * z324
-            z325 = z60 * z310 + (z57 * z318 + s32)
-            s33 = z109 * z316 - z22 * z314 + z86 * z196 + z70 * z197
-            z326 = s33 + z133 * z211 - k2 * (z4 * z215)
-            z327 = z326 + mu2 * z237 - z21 * z310
-            s34 = z135 * z201 + z128 * z223 - z109 * z319 + z22 * z322
-            z328 = w1 * z327 + (z58 * z315 - s34)
-            s35 = z328 - k3 * (z149 * z214 - z4 * z291)
-            z329 = s35 + 2.0 * (mu3 * (k3 * z295))
-            s36 = z135 * z205 - z136 * z219 + z109 * z320 - z22 * z323
-            z330 = w3 * z327 + (z58 * z317 + s36)
-            s37 = z330 + k1 * (z149 * z213 - z4 * z293)
-            z331 = s37 + 2.0 * (z1 * (k1 * z295))
-            s38 = z86 * z227 + (z301 + z31 * z256) - z76 * z325
-            z332 = mu2 * (s38 - c_beta * z329 - s_beta * z331)
-            J[offset1 + 3] = c_alpha * (z273 + z296) - z332
-            z333 = z133 * z206 + z21 * z318
-            s39 = z71 * z234 - (z126 * z209 + (z125 * z188 - z46 * z298))
-            z334 = z122 * z246 - (mu2 * z235 + s39)
-            s40 = z153 * z195 + (z121 * z231 + (z72 * z228 - z334))
-            z335 = z127 * z220 - (z138 * z201 + (z156 * z198 - s40))
-            s41 = z113 * z263 - (z111 * z262 + (z124 * z225 - z335))
-            z336 = s41 + 2.0 * (s_beta * (z319 - k6 * (z7 * z275)))
-            z337 = z320 - z322
-            s42 = z336 - r1 * z286 + r3 * z288 - z26 * z267 - z29 * z268
-            z338 = s42 - c_beta * z337 + z21 * z324
-            s43 = w1 * z333 - (z61 * z305 + (z68 * z259 + (z63 * z258 + z338)))
-            z339 = c_beta * (s43 - c_alpha * z331)
-            s44 = z71 * z233 - k3 * (c_alpha * z297 + z8 * z277 + z4 * z282)
-            z340 = z125 * z192 + (z122 * z245 - s44)
-            s45 = z121 * z229 - (z126 * z210 - (z72 * z230 - z340))
-            z341 = z153 * z198 + (z156 * z195 - (mu2 * z236 + s45))
-            s46 = z124 * z221 - (z127 * z224 - (z138 * z205 + z341))
-            z342 = z21 * z321 + (z111 * z263 + (z113 * z262 - s46))
-            s47 = z342 + r3 * z286 + r1 * z288 - z29 * z267 - s_beta * z337
-            z343 = s47 + z26 * z268 - 2.0 * (c_beta * z323)
-            s48 = w3 * z333 + (z61 * z309 - (z63 * z259 - (z68 * z258 + z343)))
-            z344 = s_beta * (s48 + c_alpha * z329)
-            J[offset1 + 4] = z339 + z344
-            s49 = z164 * z193 - z162 * z194 - z58 * z313 + z117 * z242
-            z345 = s49 + z116 * z243 + z17 * z250
-            s50 = z162 * z193 + z164 * z194 + z58 * z312 + z116 * z242
-            z346 = s50 - z117 * z243 + z16 * z250
-            s51 = c_gamma * (z345 + z16 * z251 + z34 * z254 + z33 * z255)
-            s52 = s_gamma * (z346 - z17 * z251 + z33 * z254 - z34 * z255)
-            z347 = s51 + s52
-            J[offset1 + 5] = z347
-            s53 = z125 * z207 + z128 * z212 + s_beta * z333
-            J[offset1 + 6] = s53 - mu3 * z327
-            s54 = z155 * z200 - z150 * z204 - I_b * z307 + I_d * z306
-            z348 = s54 + r3 * z261 + r1 * z260
-            J[offset1 + 7] = z226 + z348
-            s55 = z126 * z207 + z136 * z212 - c_beta * z333
-            J[offset1 + 8] = s55 - z1 * z327
         _finish("jacobian", J)
-        return [J[k9 : k9 + 9] for k9 in range(0, 81, 9)]
+        return [J[k7 : k7 + 9] for k7 in range(0, 81, 9)]
     except (ValueError, ZeroDivisionError, OverflowError) as error:
         raise SingularModelError(NOT_FINITE, "jacobian") from error
 

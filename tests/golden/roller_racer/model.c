@@ -1,5 +1,5 @@
 /*
- * roller_racer.c: roller_racer, emitted by nhc 0.1.0 (nhc:0b327100537fd5c6)
+ * roller_racer.c: roller_racer, emitted by nhc 0.1.0 (nhc:e3813baa65bf954f)
  * Two wheeled bodies with a hinge; it is driven by moving the hinge to and fro.
  * Source: roller_racer.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -42,14 +42,12 @@ const double roller_racer_parameter_defaults[] = {
     0.25
 };
 
-static int roller_racer_finish(int count, const double *values)
-{
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
-    for (int i = 0; i < count; ++i) {
-        sum += values[i];
-    }
-    return fabs(sum) <= DBL_MAX ? ROLLER_RACER_OK : ROLLER_RACER_NOT_FINITE;
-}
+/* long functions that are called seldom: gcc is to take less time over them (other compilers do so by themselves) */
+#if defined(__GNUC__) && !defined(__clang__) && defined(__OPTIMIZE__)
+#define ROLLER_RACER_SLOW __attribute__((cold, optimize("O1")))
+#else
+#define ROLLER_RACER_SLOW
+#endif
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
 #ifndef ROLLER_RACER_LANES
@@ -223,19 +221,23 @@ int roller_racer_rhs(double t, const double *y, const double *p, double *dydt)
     /* (I.2.15) 17:4 */
     dydt[4] = z7 * z12 - z8 * z13; /* v' */
     dydt[5] = z13; /* theta'' */
-    /* the coframe is singular */
-    if (!(fabs(d2) > 0.0)) {
-        return ROLLER_RACER_SINGULAR_1;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(dydt[0] + dydt[4]) <= DBL_MAX && fabs(z9) > 1e-14 * z4)) {
+        /* the coframe is singular */
+        if (!(fabs(d2) > 0.0)) {
+            return ROLLER_RACER_SINGULAR_1;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z1) > 0.0)) {
+            return ROLLER_RACER_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z9) > 1e-14 * z4)) {
+            return ROLLER_RACER_SINGULAR_2;
+        }
+        return ROLLER_RACER_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(z1) > 0.0)) {
-        return ROLLER_RACER_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(z9) > 1e-14 * z4)) {
-        return ROLLER_RACER_SINGULAR_2;
-    }
-    return roller_racer_finish(6, dydt);
+    return ROLLER_RACER_OK;
 }
 
 int roller_racer_velocities(double t, const double *y, const double *p, double *qdot)
@@ -255,19 +257,23 @@ int roller_racer_velocities(double t, const double *y, const double *p, double *
     const double d2 = p[4]; /* from the hinge to the second axle [m] */
 
     /* parameters only */
-    const double k1 = 1.0 / d2;
+    const double k1 = -1.0 / d2;
 
     /* state */
     /* (I.2.4) */
     qdot[0] = c_theta * v; /* x' */
     qdot[1] = s_theta * v; /* y' */
     qdot[2] = theta_dot; /* theta' */
-    qdot[3] = -k1 * (theta_dot * (d2 + d1 * c_phi) - v * s_phi); /* phi' */
-    /* the coframe is singular */
-    if (!(fabs(d2) > 0.0)) {
-        return ROLLER_RACER_SINGULAR_1;
+    qdot[3] = k1 * (theta_dot * (d2 + d1 * c_phi) - v * s_phi); /* phi' */
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qdot[0] + qdot[3]) <= DBL_MAX)) {
+        /* the coframe is singular */
+        if (!(fabs(d2) > 0.0)) {
+            return ROLLER_RACER_SINGULAR_1;
+        }
+        return ROLLER_RACER_NOT_FINITE;
     }
-    return roller_racer_finish(4, qdot);
+    return ROLLER_RACER_OK;
 }
 
 int roller_racer_accelerations(double t, const double *y, const double *p, double *qddot)
@@ -317,19 +323,23 @@ int roller_racer_accelerations(double t, const double *y, const double *p, doubl
     qddot[1] = c_theta * z10 + s_theta * z17; /* y'' */
     qddot[2] = z16; /* theta'' */
     qddot[3] = -k1 * (z12 + z2 * z16 + (z13 - s_phi * z17)); /* phi'' */
-    /* the coframe is singular */
-    if (!(fabs(d2) > 0.0)) {
-        return ROLLER_RACER_SINGULAR_1;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qddot[0] + qddot[1] + qddot[3]) <= DBL_MAX && fabs(z9) > 1e-14 * z4)) {
+        /* the coframe is singular */
+        if (!(fabs(d2) > 0.0)) {
+            return ROLLER_RACER_SINGULAR_1;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z1) > 0.0)) {
+            return ROLLER_RACER_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z9) > 1e-14 * z4)) {
+            return ROLLER_RACER_SINGULAR_2;
+        }
+        return ROLLER_RACER_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(z1) > 0.0)) {
-        return ROLLER_RACER_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(z9) > 1e-14 * z4)) {
-        return ROLLER_RACER_SINGULAR_2;
-    }
-    return roller_racer_finish(4, qddot);
+    return ROLLER_RACER_OK;
 }
 
 int roller_racer_state(double t, const double *q, const double *qdot, const double *p, double *y)
@@ -355,7 +365,11 @@ int roller_racer_state(double t, const double *q, const double *qdot, const doub
     y[3] = phi;
     y[4] = x_dot * c_theta + y_dot * s_theta;
     y[5] = theta_dot;
-    return roller_racer_finish(6, y);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(y[0] + y[1] + y[3] + y[4] + y[5]) <= DBL_MAX)) {
+        return ROLLER_RACER_NOT_FINITE;
+    }
+    return ROLLER_RACER_OK;
 }
 
 int roller_racer_residuals(double t, const double *q, const double *qdot, const double *p, double *r)
@@ -383,7 +397,11 @@ int roller_racer_residuals(double t, const double *q, const double *qdot, const 
     r[0] = y_dot * c_theta - x_dot * s_theta; /* rear = 0 */
     /* (I.1.1) 20:5 */
     r[1] = phi_dot * d2 - (x_dot * s1 - y_dot * c1 - theta_dot * (d2 + d1 * c_phi)); /* front = 0 */
-    return roller_racer_finish(2, r);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(r[0] + r[1]) <= DBL_MAX)) {
+        return ROLLER_RACER_NOT_FINITE;
+    }
+    return ROLLER_RACER_OK;
 }
 
 int roller_racer_reactions(double t, const double *y, const double *p, double *lambda)
@@ -426,19 +444,23 @@ int roller_racer_reactions(double t, const double *y, const double *p, double *l
     lambda[0] = m * (theta_dot * v) + c_phi * z14; /* reaction of rear: Q_i gains lambda_1 a_1i */
     /* (I.4.1) 20:5 */
     lambda[1] = -z14; /* reaction of front: Q_i gains lambda_2 a_2i */
-    /* the coframe is singular */
-    if (!(fabs(d2) > 0.0)) {
-        return ROLLER_RACER_SINGULAR_1;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(lambda[0] + lambda[1]) <= DBL_MAX && fabs(z9) > 1e-14 * z4)) {
+        /* the coframe is singular */
+        if (!(fabs(d2) > 0.0)) {
+            return ROLLER_RACER_SINGULAR_1;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z1) > 0.0)) {
+            return ROLLER_RACER_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z9) > 1e-14 * z4)) {
+            return ROLLER_RACER_SINGULAR_2;
+        }
+        return ROLLER_RACER_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(z1) > 0.0)) {
-        return ROLLER_RACER_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(z9) > 1e-14 * z4)) {
-        return ROLLER_RACER_SINGULAR_2;
-    }
-    return roller_racer_finish(2, lambda);
+    return ROLLER_RACER_OK;
 }
 
 double roller_racer_energy(double t, const double *y, const double *p)
@@ -471,6 +493,7 @@ double roller_racer_energy(double t, const double *y, const double *p)
     return z4;
 }
 
+ROLLER_RACER_SLOW
 int roller_racer_jacobian(double t, const double *y, const double *p, double *J)
 {
     for (int entry = 0; entry < 36; ++entry) {
@@ -552,19 +575,23 @@ int roller_racer_jacobian(double t, const double *y, const double *p, double *J)
     J[33] = -z34;
     J[34] = z36;
     J[35] = z38;
-    /* the coframe is singular */
-    if (!(fabs(d2) > 0.0)) {
-        return ROLLER_RACER_SINGULAR_1;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(J[2] + J[21] + J[27] + J[28] + J[29] + J[33]) <= DBL_MAX && fabs(z10) > 1e-14 * z5)) {
+        /* the coframe is singular */
+        if (!(fabs(d2) > 0.0)) {
+            return ROLLER_RACER_SINGULAR_1;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z1) > 0.0)) {
+            return ROLLER_RACER_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z10) > 1e-14 * z5)) {
+            return ROLLER_RACER_SINGULAR_2;
+        }
+        return ROLLER_RACER_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(z1) > 0.0)) {
-        return ROLLER_RACER_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(z10) > 1e-14 * z5)) {
-        return ROLLER_RACER_SINGULAR_2;
-    }
-    return roller_racer_finish(36, J);
+    return ROLLER_RACER_OK;
 }
 
 int roller_racer_outputs(double t, const double *y, const double *p, double *out)
@@ -576,11 +603,15 @@ int roller_racer_outputs(double t, const double *y, const double *p, double *out
     /* state */
     /* 22:10 */
     out[0] = v; /* speed */
-    /* the coframe is singular */
-    if (!(fabs(d2) > 0.0)) {
-        return ROLLER_RACER_SINGULAR_1;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(out[0]) <= DBL_MAX && fabs(d2) > 0.0)) {
+        /* the coframe is singular */
+        if (!(fabs(d2) > 0.0)) {
+            return ROLLER_RACER_SINGULAR_1;
+        }
+        return ROLLER_RACER_NOT_FINITE;
     }
-    return roller_racer_finish(1, out);
+    return ROLLER_RACER_OK;
 }
 
 #if ROLLER_RACER_LANES >= 2

@@ -1,4 +1,4 @@
-"""roller_racer, emitted by nhc 0.1.0 (nhc:49154c088612069c).
+"""roller_racer, emitted by nhc 0.1.0 (nhc:80f5dfbb9cde2003).
 
 Two wheeled bodies with a hinge; it is driven by moving the hinge to and fro.
 Source: roller_racer.yaml
@@ -99,14 +99,14 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     d1 = float(p[3])  # from the hinge to the first axle [m]
     d2 = float(p[4])  # from the hinge to the second axle [m]
     try:
+        # the coframe is singular
+        if not abs(d2) > 0.0:
+            raise SingularModelError(1, "rhs")
         # parameters only
         k1 = 1.0 / d2
         k2 = I2 * k1
         k3 = k1 * k2
         # state
-        # the coframe is singular
-        if not abs(d2) > 0.0:
-            raise SingularModelError(1, "rhs")
         s_phi = math.sin(phi)
         z1 = m + k3 * (s_phi * s_phi)
         # the mass matrix is singular
@@ -166,12 +166,12 @@ def velocities(
     d1 = float(p[3])  # from the hinge to the first axle [m]
     d2 = float(p[4])  # from the hinge to the second axle [m]
     try:
-        # parameters only
-        k1 = 1.0 / d2
-        # state
         # the coframe is singular
         if not abs(d2) > 0.0:
             raise SingularModelError(1, "velocities")
+        # parameters only
+        k1 = -1.0 / d2
+        # state
         c_theta = math.cos(theta)
         s_theta = math.sin(theta)
         c_phi = math.cos(phi)
@@ -184,7 +184,7 @@ def velocities(
             # theta' (I.2.4)
             theta_dot,
             # phi' (I.2.4)
-            -k1 * (theta_dot * (d2 + d1 * c_phi) - v * s_phi),
+            k1 * (theta_dot * (d2 + d1 * c_phi) - v * s_phi),
         ]
         return _finish("velocities", qdot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -211,14 +211,14 @@ def accelerations(
     d1 = float(p[3])  # from the hinge to the first axle [m]
     d2 = float(p[4])  # from the hinge to the second axle [m]
     try:
+        # the coframe is singular
+        if not abs(d2) > 0.0:
+            raise SingularModelError(1, "accelerations")
         # parameters only
         k1 = 1.0 / d2
         k2 = I2 * k1
         k3 = k1 * k2
         # state
-        # the coframe is singular
-        if not abs(d2) > 0.0:
-            raise SingularModelError(1, "accelerations")
         s_phi = math.sin(phi)
         z1 = m + k3 * (s_phi * s_phi)
         # the mass matrix is singular
@@ -355,14 +355,14 @@ def reactions(
     d1 = float(p[3])  # from the hinge to the first axle [m]
     d2 = float(p[4])  # from the hinge to the second axle [m]
     try:
+        # the coframe is singular
+        if not abs(d2) > 0.0:
+            raise SingularModelError(1, "reactions")
         # parameters only
         k1 = 1.0 / d2
         k2 = I2 * k1
         k3 = k1 * k2
         # state
-        # the coframe is singular
-        if not abs(d2) > 0.0:
-            raise SingularModelError(1, "reactions")
         s_phi = math.sin(phi)
         z1 = m + k3 * (s_phi * s_phi)
         # the mass matrix is singular
@@ -451,14 +451,14 @@ def jacobian(
     d1 = float(p[3])  # from the hinge to the first axle [m]
     d2 = float(p[4])  # from the hinge to the second axle [m]
     try:
+        # the coframe is singular
+        if not abs(d2) > 0.0:
+            raise SingularModelError(1, "jacobian")
         # parameters only
         k1 = 1.0 / d2
         k2 = I2 * k1
         k3 = k1 * k2
         # state
-        # the coframe is singular
-        if not abs(d2) > 0.0:
-            raise SingularModelError(1, "jacobian")
         s_phi = math.sin(phi)
         z1 = m + k3 * (s_phi * s_phi)
         # the mass matrix is singular
@@ -578,10 +578,10 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
     v = float(y[4])
     d2 = float(p[4])  # from the hinge to the second axle [m]
     try:
-        # state
         # the coframe is singular
         if not abs(d2) > 0.0:
             raise SingularModelError(1, "outputs")
+        # state
         out: list[float] = [
             # speed 22:10
             v,

@@ -1,5 +1,5 @@
 /*
- * rolling_disk.c: rolling_disk, emitted by nhc 0.1.0 (nhc:8f5d2fc365860478)
+ * rolling_disk.c: rolling_disk, emitted by nhc 0.1.0 (nhc:fcac91531270767c)
  * A thin disk that rolls on a horizontal plane and may lean and fall (Euler's disk).
  * Source: rolling_disk.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -44,14 +44,12 @@ const double rolling_disk_parameter_defaults[] = {
     9.81
 };
 
-static int rolling_disk_finish(int count, const double *values)
-{
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
-    for (int i = 0; i < count; ++i) {
-        sum += values[i];
-    }
-    return fabs(sum) <= DBL_MAX ? ROLLING_DISK_OK : ROLLING_DISK_NOT_FINITE;
-}
+/* long functions that are called seldom: gcc is to take less time over them (other compilers do so by themselves) */
+#if defined(__GNUC__) && !defined(__clang__) && defined(__OPTIMIZE__)
+#define ROLLING_DISK_SLOW __attribute__((cold, optimize("O1")))
+#else
+#define ROLLING_DISK_SLOW
+#endif
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
 #ifndef ROLLING_DISK_LANES
@@ -200,11 +198,11 @@ int rolling_disk_rhs(double t, const double *y, const double *p, double *dydt)
     const double g = p[4]; /* acceleration of gravity [m/s^2] */
 
     /* parameters only */
-    const double k1 = m * (R * R);
+    const double k1 = m * R * R;
     const double k2 = A + k1;
     const double k3 = C + k1;
     const double k4 = g * (m * R);
-    const double k5 = 1.0 / k2;
+    const double k5 = -1.0 / k2;
     const double k6 = 1.0 / A;
     const double k7 = k1 / k3;
 
@@ -221,26 +219,31 @@ int rolling_disk_rhs(double t, const double *y, const double *p, double *dydt)
     dydt[3] = w_t; /* theta' */
     dydt[4] = w_n - z4; /* psi' */
     /* (I.2.15) 22:4 */
-    dydt[5] = -k5 * (c_theta * k4 + w_u * (w_n * k3 - z5)); /* w_t' */
+    dydt[5] = k5 * (c_theta * k4 + w_u * (w_n * k3 - z5)); /* w_t' */
     dydt[6] = k6 * (w_t * (C * w_n - z5)); /* w_u' */
     dydt[7] = k7 * (w_t * w_u); /* w_n' */
-    /* the coframe is singular */
-    if (!(fabs(s_theta) > 1e-12)) {
-        return ROLLING_DISK_SINGULAR_1;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(dydt[0] + dydt[1] + dydt[4] + dydt[5] + dydt[6] + dydt[7]) <= DBL_MAX
+        && fabs(s_theta) > 1e-12)) {
+        /* the coframe is singular */
+        if (!(fabs(s_theta) > 1e-12)) {
+            return ROLLING_DISK_SINGULAR_1;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(k2) > 0.0)) {
+            return ROLLING_DISK_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(A) > 0.0)) {
+            return ROLLING_DISK_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(k3) > 0.0)) {
+            return ROLLING_DISK_SINGULAR_2;
+        }
+        return ROLLING_DISK_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(k2) > 0.0)) {
-        return ROLLING_DISK_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(A) > 0.0)) {
-        return ROLLING_DISK_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(k3) > 0.0)) {
-        return ROLLING_DISK_SINGULAR_2;
-    }
-    return rolling_disk_finish(8, dydt);
+    return ROLLING_DISK_OK;
 }
 
 int rolling_disk_velocities(double t, const double *y, const double *p, double *qdot)
@@ -269,11 +272,15 @@ int rolling_disk_velocities(double t, const double *y, const double *p, double *
     qdot[2] = z3; /* phi' */
     qdot[3] = w_t; /* theta' */
     qdot[4] = w_n - c_theta * z3; /* psi' */
-    /* the coframe is singular */
-    if (!(fabs(s_theta) > 1e-12)) {
-        return ROLLING_DISK_SINGULAR_1;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qdot[0] + qdot[1] + qdot[4]) <= DBL_MAX && fabs(s_theta) > 1e-12)) {
+        /* the coframe is singular */
+        if (!(fabs(s_theta) > 1e-12)) {
+            return ROLLING_DISK_SINGULAR_1;
+        }
+        return ROLLING_DISK_NOT_FINITE;
     }
-    return rolling_disk_finish(5, qdot);
+    return ROLLING_DISK_OK;
 }
 
 int rolling_disk_accelerations(double t, const double *y, const double *p, double *qddot)
@@ -297,7 +304,7 @@ int rolling_disk_accelerations(double t, const double *y, const double *p, doubl
     const double g = p[4]; /* acceleration of gravity [m/s^2] */
 
     /* parameters only */
-    const double k1 = m * (R * R);
+    const double k1 = m * R * R;
     const double k2 = A + k1;
     const double k3 = C + k1;
     const double k4 = g * (m * R);
@@ -326,23 +333,27 @@ int rolling_disk_accelerations(double t, const double *y, const double *p, doubl
     qddot[2] = -z13; /* phi'' */
     qddot[3] = -z7; /* theta'' */
     qddot[4] = z11 + (z3 * (s_theta * w_t) + c_theta * z13); /* psi'' */
-    /* the coframe is singular */
-    if (!(fabs(s_theta) > 1e-12)) {
-        return ROLLING_DISK_SINGULAR_1;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qddot[0] + qddot[1] + qddot[3] + qddot[4]) <= DBL_MAX && fabs(s_theta) > 1e-12)) {
+        /* the coframe is singular */
+        if (!(fabs(s_theta) > 1e-12)) {
+            return ROLLING_DISK_SINGULAR_1;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(k2) > 0.0)) {
+            return ROLLING_DISK_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(A) > 0.0)) {
+            return ROLLING_DISK_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(k3) > 0.0)) {
+            return ROLLING_DISK_SINGULAR_2;
+        }
+        return ROLLING_DISK_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(k2) > 0.0)) {
-        return ROLLING_DISK_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(A) > 0.0)) {
-        return ROLLING_DISK_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(k3) > 0.0)) {
-        return ROLLING_DISK_SINGULAR_2;
-    }
-    return rolling_disk_finish(5, qddot);
+    return ROLLING_DISK_OK;
 }
 
 int rolling_disk_state(double t, const double *q, const double *qdot, const double *p, double *y)
@@ -371,7 +382,11 @@ int rolling_disk_state(double t, const double *q, const double *qdot, const doub
     y[5] = theta_dot;
     y[6] = phi_dot * s_theta;
     y[7] = psi_dot + phi_dot * c_theta;
-    return rolling_disk_finish(8, y);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(y[0] + y[1] + y[2] + y[4] + y[5] + y[7]) <= DBL_MAX)) {
+        return ROLLING_DISK_NOT_FINITE;
+    }
+    return ROLLING_DISK_OK;
 }
 
 int rolling_disk_residuals(double t, const double *q, const double *qdot, const double *p, double *r)
@@ -399,7 +414,11 @@ int rolling_disk_residuals(double t, const double *q, const double *qdot, const 
     r[0] = x_dot + z1 * c_phi - s_phi * z2; /* roll_x = 0 */
     /* (I.1.1) 26:5 */
     r[1] = y_dot + z1 * s_phi + c_phi * z2; /* roll_y = 0 */
-    return rolling_disk_finish(2, r);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(r[0] + r[1]) <= DBL_MAX)) {
+        return ROLLING_DISK_NOT_FINITE;
+    }
+    return ROLLING_DISK_OK;
 }
 
 int rolling_disk_reactions(double t, const double *y, const double *p, double *lambda)
@@ -424,7 +443,7 @@ int rolling_disk_reactions(double t, const double *y, const double *p, double *l
 
     /* parameters only */
     const double k1 = m * R;
-    const double k2 = m * (R * R);
+    const double k2 = m * R * R;
     const double k3 = A + k2;
     const double k4 = C + k2;
     const double k5 = g * k1;
@@ -441,23 +460,27 @@ int rolling_disk_reactions(double t, const double *y, const double *p, double *l
     lambda[0] = k1 * (s_phi * z2 + c_phi * z3); /* reaction of roll_x: Q_i gains lambda_1 a_1i */
     /* (I.4.1) 26:5 */
     lambda[1] = -k1 * (c_phi * z2 - s_phi * z3); /* reaction of roll_y: Q_i gains lambda_2 a_2i */
-    /* the coframe is singular */
-    if (!(fabs(s_theta) > 1e-12)) {
-        return ROLLING_DISK_SINGULAR_1;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(lambda[0] + lambda[1]) <= DBL_MAX && fabs(s_theta) > 1e-12 && fabs(A) > 0.0)) {
+        /* the coframe is singular */
+        if (!(fabs(s_theta) > 1e-12)) {
+            return ROLLING_DISK_SINGULAR_1;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(k3) > 0.0)) {
+            return ROLLING_DISK_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(A) > 0.0)) {
+            return ROLLING_DISK_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(k4) > 0.0)) {
+            return ROLLING_DISK_SINGULAR_2;
+        }
+        return ROLLING_DISK_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(k3) > 0.0)) {
-        return ROLLING_DISK_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(A) > 0.0)) {
-        return ROLLING_DISK_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(k4) > 0.0)) {
-        return ROLLING_DISK_SINGULAR_2;
-    }
-    return rolling_disk_finish(2, lambda);
+    return ROLLING_DISK_OK;
 }
 
 double rolling_disk_energy(double t, const double *y, const double *p)
@@ -484,6 +507,7 @@ double rolling_disk_energy(double t, const double *y, const double *p)
     return z3;
 }
 
+ROLLING_DISK_SLOW
 int rolling_disk_jacobian(double t, const double *y, const double *p, double *J)
 {
     for (int entry = 0; entry < 64; ++entry) {
@@ -508,7 +532,7 @@ int rolling_disk_jacobian(double t, const double *y, const double *p, double *J)
     const double g = p[4]; /* acceleration of gravity [m/s^2] */
 
     /* parameters only */
-    const double k1 = m * (R * R);
+    const double k1 = m * R * R;
     const double k2 = A + k1;
     const double k3 = C + k1;
     const double k4 = g * (m * R);
@@ -516,7 +540,7 @@ int rolling_disk_jacobian(double t, const double *y, const double *p, double *J)
     const double k6 = 1.0 / A;
     const double k7 = k1 / k3;
     const double k8 = C * k6;
-    const double k9 = k3 * k5;
+    const double k9 = -k3 * k5;
 
     /* state */
     const double z = R * s_theta;
@@ -546,30 +570,36 @@ int rolling_disk_jacobian(double t, const double *y, const double *p, double *J)
     J[39] = 1.0;
     J[43] = k5 * (s_theta * k4 - A * (z3 * (w_u * w_u)));
     J[46] = -k5 * (w_n * k3 - 2.0 * z8);
-    J[47] = -w_u * k9;
+    J[47] = w_u * k9;
     J[51] = w_t * z4;
     J[53] = k6 * (C * w_n - z8);
     J[54] = -w_t * z7;
     J[55] = w_t * k8;
     J[61] = w_u * k7;
     J[62] = w_t * k7;
-    /* the coframe is singular */
-    if (!(fabs(s_theta) > 1e-12)) {
-        return ROLLING_DISK_SINGULAR_1;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(J[2] + J[10] + J[11] + J[15] + J[35] + J[43] + J[46] + J[47] + J[51] + J[53] + J[54] + J[55] +
+        J[61] + J[62]) <= DBL_MAX
+        && fabs(s_theta) > 1e-12)) {
+        /* the coframe is singular */
+        if (!(fabs(s_theta) > 1e-12)) {
+            return ROLLING_DISK_SINGULAR_1;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(k2) > 0.0)) {
+            return ROLLING_DISK_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(A) > 0.0)) {
+            return ROLLING_DISK_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(k3) > 0.0)) {
+            return ROLLING_DISK_SINGULAR_2;
+        }
+        return ROLLING_DISK_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(k2) > 0.0)) {
-        return ROLLING_DISK_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(A) > 0.0)) {
-        return ROLLING_DISK_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(k3) > 0.0)) {
-        return ROLLING_DISK_SINGULAR_2;
-    }
-    return rolling_disk_finish(64, J);
+    return ROLLING_DISK_OK;
 }
 
 int rolling_disk_outputs(double t, const double *y, const double *p, double *out)
@@ -595,11 +625,15 @@ int rolling_disk_outputs(double t, const double *y, const double *p, double *out
     out[1] = x - s_phi * z1; /* contact_x */
     /* 35:14 */
     out[2] = y_2 + c_phi * z1; /* contact_y */
-    /* the coframe is singular */
-    if (!(fabs(s_theta) > 1e-12)) {
-        return ROLLING_DISK_SINGULAR_1;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(out[1] + out[2]) <= DBL_MAX && fabs(s_theta) > 1e-12)) {
+        /* the coframe is singular */
+        if (!(fabs(s_theta) > 1e-12)) {
+            return ROLLING_DISK_SINGULAR_1;
+        }
+        return ROLLING_DISK_NOT_FINITE;
     }
-    return rolling_disk_finish(3, out);
+    return ROLLING_DISK_OK;
 }
 
 #if ROLLING_DISK_LANES >= 2
@@ -655,7 +689,7 @@ static __attribute__((noinline)) void rolling_disk_rhs_lanes(const double *fixed
     sum += slope5;
     rolling_disk_put(dydt + 4 * stride, slope5);
     /* (I.2.15) 22:4 */
-    const rolling_disk_lanes slope6 = -k5 * (c_theta * k4 + w_u * (w_n * k3 - z5));
+    const rolling_disk_lanes slope6 = k5 * (c_theta * k4 + w_u * (w_n * k3 - z5));
     sum += slope6;
     rolling_disk_put(dydt + 5 * stride, slope6);
     const rolling_disk_lanes slope7 = k6 * (w_t * (C * w_n - z5));
@@ -688,11 +722,11 @@ int rolling_disk_rhs_batch(size_t count, const double *t, const double *y, const
     const double A = p[2]; /* moment of inertia about a diameter [kg*m^2] */
     const double C = p[3]; /* moment of inertia about the axis [kg*m^2] */
     const double g = p[4]; /* acceleration of gravity [m/s^2] */
-    const double k1 = m * (R * R);
+    const double k1 = m * R * R;
     const double k2 = A + k1;
     const double k3 = C + k1;
     const double k4 = g * (m * R);
-    const double k5 = 1.0 / k2;
+    const double k5 = -1.0 / k2;
     const double k6 = 1.0 / A;
     const double k7 = k1 / k3;
     /* the mass matrix is singular */

@@ -1,4 +1,4 @@
-"""rolling_disk, emitted by nhc 0.1.0 (nhc:05c8b091e618905f).
+"""rolling_disk, emitted by nhc 0.1.0 (nhc:1928a9359a78f0da).
 
 A thin disk that rolls on a horizontal plane and may lean and fall (Euler's disk).
 Source: rolling_disk.yaml
@@ -103,12 +103,21 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     C = float(p[3])  # moment of inertia about the axis [kg*m^2]
     g = float(p[4])  # acceleration of gravity [m/s^2]
     try:
+        # the mass matrix is singular
+        if not abs(A) > 0.0:
+            raise SingularModelError(2, "rhs")
         # parameters only
-        k1 = m * (R * R)
+        k1 = m * R * R
         k2 = A + k1
+        # the mass matrix is singular
+        if not abs(k2) > 0.0:
+            raise SingularModelError(2, "rhs")
         k3 = C + k1
+        # the mass matrix is singular
+        if not abs(k3) > 0.0:
+            raise SingularModelError(2, "rhs")
         k4 = g * (m * R)
-        k5 = 1.0 / k2
+        k5 = -1.0 / k2
         k6 = 1.0 / A
         k7 = k1 / k3
         # state
@@ -116,15 +125,6 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         # the coframe is singular
         if not abs(s_theta) > 1e-12:
             raise SingularModelError(1, "rhs")
-        # the mass matrix is singular
-        if not abs(k2) > 0.0:
-            raise SingularModelError(2, "rhs")
-        # the mass matrix is singular
-        if not abs(A) > 0.0:
-            raise SingularModelError(2, "rhs")
-        # the mass matrix is singular
-        if not abs(k3) > 0.0:
-            raise SingularModelError(2, "rhs")
         c_phi = math.cos(phi)
         z1 = R * w_n
         s_phi = math.sin(phi)
@@ -145,7 +145,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
             # psi' (I.2.15)
             w_n - z4,
             # w_t' (I.2.15) 22:4
-            -k5 * (c_theta * k4 + w_u * (w_n * k3 - z5)),
+            k5 * (c_theta * k4 + w_u * (w_n * k3 - z5)),
             # w_u' (I.2.15) 22:4
             k6 * (w_t * (C * w_n - z5)),
             # w_n' (I.2.15) 22:4
@@ -222,10 +222,19 @@ def accelerations(
     C = float(p[3])  # moment of inertia about the axis [kg*m^2]
     g = float(p[4])  # acceleration of gravity [m/s^2]
     try:
+        # the mass matrix is singular
+        if not abs(A) > 0.0:
+            raise SingularModelError(2, "accelerations")
         # parameters only
-        k1 = m * (R * R)
+        k1 = m * R * R
         k2 = A + k1
+        # the mass matrix is singular
+        if not abs(k2) > 0.0:
+            raise SingularModelError(2, "accelerations")
         k3 = C + k1
+        # the mass matrix is singular
+        if not abs(k3) > 0.0:
+            raise SingularModelError(2, "accelerations")
         k4 = g * (m * R)
         k5 = 1.0 / k2
         k6 = 1.0 / A
@@ -235,15 +244,6 @@ def accelerations(
         # the coframe is singular
         if not abs(s_theta) > 1e-12:
             raise SingularModelError(1, "accelerations")
-        # the mass matrix is singular
-        if not abs(k2) > 0.0:
-            raise SingularModelError(2, "accelerations")
-        # the mass matrix is singular
-        if not abs(A) > 0.0:
-            raise SingularModelError(2, "accelerations")
-        # the mass matrix is singular
-        if not abs(k3) > 0.0:
-            raise SingularModelError(2, "accelerations")
         z = R * s_theta
         z1 = z * w_t
         c_phi = math.cos(phi)
@@ -377,11 +377,20 @@ def reactions(
     C = float(p[3])  # moment of inertia about the axis [kg*m^2]
     g = float(p[4])  # acceleration of gravity [m/s^2]
     try:
+        # the mass matrix is singular
+        if not abs(A) > 0.0:
+            raise SingularModelError(2, "reactions")
         # parameters only
         k1 = m * R
-        k2 = m * (R * R)
+        k2 = m * R * R
         k3 = A + k2
+        # the mass matrix is singular
+        if not abs(k3) > 0.0:
+            raise SingularModelError(2, "reactions")
         k4 = C + k2
+        # the mass matrix is singular
+        if not abs(k4) > 0.0:
+            raise SingularModelError(2, "reactions")
         k5 = g * k1
         k6 = 1.0 / k3
         k7 = 1.0 - k2 / k4
@@ -391,15 +400,6 @@ def reactions(
         # the coframe is singular
         if not abs(s_theta) > 1e-12:
             raise SingularModelError(1, "reactions")
-        # the mass matrix is singular
-        if not abs(k3) > 0.0:
-            raise SingularModelError(2, "reactions")
-        # the mass matrix is singular
-        if not abs(A) > 0.0:
-            raise SingularModelError(2, "reactions")
-        # the mass matrix is singular
-        if not abs(k4) > 0.0:
-            raise SingularModelError(2, "reactions")
         s_phi = math.sin(phi)
         z1 = s_theta * k6
         c_theta = math.cos(theta)
@@ -469,30 +469,30 @@ def jacobian(
     C = float(p[3])  # moment of inertia about the axis [kg*m^2]
     g = float(p[4])  # acceleration of gravity [m/s^2]
     try:
+        # the mass matrix is singular
+        if not abs(A) > 0.0:
+            raise SingularModelError(2, "jacobian")
         # parameters only
-        k1 = m * (R * R)
+        k1 = m * R * R
         k2 = A + k1
+        # the mass matrix is singular
+        if not abs(k2) > 0.0:
+            raise SingularModelError(2, "jacobian")
         k3 = C + k1
+        # the mass matrix is singular
+        if not abs(k3) > 0.0:
+            raise SingularModelError(2, "jacobian")
         k4 = g * (m * R)
         k5 = 1.0 / k2
         k6 = 1.0 / A
         k7 = k1 / k3
         k8 = C * k6
-        k9 = k3 * k5
+        k9 = -k3 * k5
         # state
         s_theta = math.sin(theta)
         # the coframe is singular
         if not abs(s_theta) > 1e-12:
             raise SingularModelError(1, "jacobian")
-        # the mass matrix is singular
-        if not abs(k2) > 0.0:
-            raise SingularModelError(2, "jacobian")
-        # the mass matrix is singular
-        if not abs(A) > 0.0:
-            raise SingularModelError(2, "jacobian")
-        # the mass matrix is singular
-        if not abs(k3) > 0.0:
-            raise SingularModelError(2, "jacobian")
         c_phi = math.cos(phi)
         z = R * s_theta
         z1 = z * w_t
@@ -571,7 +571,7 @@ def jacobian(
             # (I.2.15)
             -k5 * (w_n * k3 - 2.0 * z8),
             # (I.2.15)
-            -w_u * k9,
+            w_u * k9,
             0.0,
             0.0,
             0.0,

@@ -1,5 +1,5 @@
 /*
- * routh_sphere.c: routh_sphere, emitted by nhc 0.1.0 (nhc:805d1f2f64d36f85)
+ * routh_sphere.c: routh_sphere, emitted by nhc 0.1.0 (nhc:670bf18c199ea6d8)
  * A ball with its centre of mass off its centre, dynamically symmetric, rolls on a horizontal plane.
  * Source: routh_sphere.yaml
  * Equations of motion: chaplygin (III.3)
@@ -46,14 +46,12 @@ const double routh_sphere_parameter_defaults[] = {
     9.81
 };
 
-static int routh_sphere_finish(int count, const double *values)
-{
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
-    for (int i = 0; i < count; ++i) {
-        sum += values[i];
-    }
-    return fabs(sum) <= DBL_MAX ? ROUTH_SPHERE_OK : ROUTH_SPHERE_NOT_FINITE;
-}
+/* long functions that are called seldom: gcc is to take less time over them (other compilers do so by themselves) */
+#if defined(__GNUC__) && !defined(__clang__) && defined(__OPTIMIZE__)
+#define ROUTH_SPHERE_SLOW __attribute__((cold, optimize("O1")))
+#else
+#define ROUTH_SPHERE_SLOW
+#endif
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
 #ifndef ROUTH_SPHERE_LANES
@@ -190,8 +188,8 @@ int routh_sphere_rhs(double t, const double *y, const double *p, double *dydt)
     /* sines and cosines */
     const double s_theta = sin(theta);
     const double c_theta = cos(theta);
-    const double c_phi = cos(phi);
     const double s_phi = sin(phi);
+    const double c_phi = cos(phi);
     const double phi_dot = y[5];
     const double theta_dot = y[6];
     const double psi_dot = y[7];
@@ -203,36 +201,35 @@ int routh_sphere_rhs(double t, const double *y, const double *p, double *dydt)
     const double g = p[5]; /* acceleration of gravity [m/s^2] */
 
     /* parameters only */
-    const double k1 = R * R;
-    const double k2 = m * k1;
-    const double k3 = m * e;
-    const double k4 = m * R;
-    const double k5 = e * e;
-    const double k6 = I3 - (I1 + m * k5);
-    const double k7 = e * k4;
+    const double k1 = m * R * R;
+    const double k2 = m * e;
+    const double k3 = m * R;
+    const double k4 = e * e;
+    const double k5 = I3 - (I1 + m * k4);
+    const double k6 = e * k3;
 
     /* state */
     const double z1 = s_theta * s_theta;
-    const double z2 = I3 - z1 * k6;
+    const double z2 = I3 - z1 * k5;
     const double Z = e * c_theta;
     const double z3 = R + 2.0 * Z;
-    const double z4 = I1 + m * (k5 + R * z3);
-    const double z5 = I3 + z1 * k2;
-    const double z6 = I3 * c_theta - z1 * k7;
+    const double z4 = I1 + m * (k4 + R * z3);
+    const double z5 = I3 + z1 * k1;
+    const double z6 = I3 * c_theta - z1 * k6;
     const double z7 = 1.0 / z2;
     const double z8 = z6 * z7;
     const double z9 = z5 - z6 * z8;
-    const double z10 = s_theta * (psi_dot * R);
-    const double z11 = theta_dot * R;
+    const double z10 = theta_dot * R;
+    const double z11 = R * (psi_dot * s_theta);
     const double z12 = theta_dot * s_theta;
-    const double z13 = c_theta * k6;
-    const double z14 = z12 * (phi_dot * (k7 - 2.0 * z13) - psi_dot * (I3 + c_theta * k7));
-    const double z15 = (z12 * (phi_dot * (I3 + k4 * z3) - c_theta * (k1 * (psi_dot * m))) + z14 * z8) / z9;
-    const double z16 = phi_dot * (phi_dot * (k7 - z13) - psi_dot * (I3 + (R + Z) * k4)) + k3 * (g + R *
+    const double z13 = c_theta * k5;
+    const double z14 = z12 * (phi_dot * (k6 - 2.0 * z13) - psi_dot * (I3 + c_theta * k6));
+    const double z15 = (z14 * z8 + z12 * (phi_dot * (I3 + k3 * z3) - k1 * (psi_dot * c_theta))) / z9;
+    const double z16 = phi_dot * (phi_dot * (k6 - z13) - psi_dot * (I3 + (R + Z) * k3)) + k2 * (g + R *
         (theta_dot * theta_dot));
     /* (III.3) */
-    dydt[0] = s_phi * z11 - c_phi * z10; /* x' */
-    dydt[1] = -(c_phi * z11 + s_phi * z10); /* y' */
+    dydt[0] = s_phi * z10 - c_phi * z11; /* x' */
+    dydt[1] = -(c_phi * z10 + s_phi * z11); /* y' */
     dydt[2] = phi_dot; /* phi' */
     dydt[3] = theta_dot; /* theta' */
     dydt[4] = psi_dot; /* psi' */
@@ -240,19 +237,23 @@ int routh_sphere_rhs(double t, const double *y, const double *p, double *dydt)
     dydt[5] = -(z14 * z7 + z8 * z15); /* phi'' */
     dydt[6] = s_theta * z16 / z4; /* theta'' */
     dydt[7] = z15; /* psi'' */
-    /* the mass matrix is singular */
-    if (!(fabs(z2) > 0.0)) {
-        return ROUTH_SPHERE_SINGULAR_2;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(dydt[0] + dydt[1] + dydt[5] + dydt[6]) <= DBL_MAX && fabs(z9) > 1e-14 * z5)) {
+        /* the mass matrix is singular */
+        if (!(fabs(z2) > 0.0)) {
+            return ROUTH_SPHERE_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z4) > 0.0)) {
+            return ROUTH_SPHERE_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z9) > 1e-14 * z5)) {
+            return ROUTH_SPHERE_SINGULAR_2;
+        }
+        return ROUTH_SPHERE_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(z4) > 0.0)) {
-        return ROUTH_SPHERE_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(z9) > 1e-14 * z5)) {
-        return ROUTH_SPHERE_SINGULAR_2;
-    }
-    return routh_sphere_finish(8, dydt);
+    return ROUTH_SPHERE_OK;
 }
 
 int routh_sphere_velocities(double t, const double *y, const double *p, double *qdot)
@@ -279,9 +280,14 @@ int routh_sphere_velocities(double t, const double *y, const double *p, double *
     qdot[2] = phi_dot; /* phi' */
     qdot[3] = theta_dot; /* theta' */
     qdot[4] = psi_dot; /* psi' */
-    return routh_sphere_finish(5, qdot);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qdot[0] + qdot[1] + qdot[2]) <= DBL_MAX)) {
+        return ROUTH_SPHERE_NOT_FINITE;
+    }
+    return ROUTH_SPHERE_OK;
 }
 
+ROUTH_SPHERE_SLOW
 int routh_sphere_accelerations(double t, const double *y, const double *p, double *qddot)
 {
     (void)t;
@@ -291,8 +297,8 @@ int routh_sphere_accelerations(double t, const double *y, const double *p, doubl
     /* sines and cosines */
     const double s_theta = sin(theta);
     const double c_theta = cos(theta);
-    const double s_phi = sin(phi);
     const double c_phi = cos(phi);
+    const double s_phi = sin(phi);
     const double phi_dot = y[5];
     const double theta_dot = y[6];
     const double psi_dot = y[7];
@@ -304,58 +310,61 @@ int routh_sphere_accelerations(double t, const double *y, const double *p, doubl
     const double g = p[5]; /* acceleration of gravity [m/s^2] */
 
     /* parameters only */
-    const double k1 = R * R;
-    const double k2 = m * k1;
-    const double k3 = m * e;
-    const double k4 = m * R;
-    const double k5 = e * e;
-    const double k6 = I3 - (I1 + m * k5);
-    const double k7 = e * k4;
+    const double k1 = m * R * R;
+    const double k2 = m * e;
+    const double k3 = m * R;
+    const double k4 = e * e;
+    const double k5 = I3 - (I1 + m * k4);
+    const double k6 = e * k3;
 
     /* state */
     const double z1 = s_theta * s_theta;
-    const double z2 = I3 - z1 * k6;
+    const double z2 = I3 - z1 * k5;
     const double Z = e * c_theta;
     const double z3 = R + 2.0 * Z;
-    const double z4 = I1 + m * (k5 + R * z3);
-    const double z5 = I3 + z1 * k2;
-    const double z6 = I3 * c_theta - z1 * k7;
+    const double z4 = I1 + m * (k4 + R * z3);
+    const double z5 = I3 + z1 * k1;
+    const double z6 = I3 * c_theta - z1 * k6;
     const double z7 = 1.0 / z2;
     const double z8 = z6 * z7;
     const double z9 = z5 - z6 * z8;
-    const double z10 = phi_dot * s_phi;
-    const double z11 = psi_dot * R;
-    const double z12 = s_theta * z11;
-    const double z13 = theta_dot * s_theta;
-    const double z14 = c_theta * k6;
-    const double z15 = z13 * (phi_dot * (k7 - 2.0 * z14) - psi_dot * (I3 + c_theta * k7));
-    const double z16 = (z13 * (phi_dot * (I3 + k4 * z3) - c_theta * (k1 * (psi_dot * m))) + z15 * z8) / z9;
-    const double z17 = theta_dot * c_theta * z11 + s_theta * (R * z16);
-    const double z18 = phi_dot * c_phi;
-    const double z19 = theta_dot * R;
-    const double z20 = phi_dot * (phi_dot * (k7 - z14) - psi_dot * (I3 + (R + Z) * k4)) + k3 * (g + R *
+    const double z10 = phi_dot * c_phi;
+    const double z11 = theta_dot * R;
+    const double z12 = c_theta * k5;
+    const double z13 = phi_dot * (phi_dot * (k6 - z12) - psi_dot * (I3 + (R + Z) * k3)) + k2 * (g + R *
         (theta_dot * theta_dot));
-    const double z21 = s_theta * z20 / z4;
-    const double z22 = R * z21;
+    const double z14 = s_theta * z13 / z4;
+    const double z15 = R * z14;
+    const double z16 = phi_dot * s_phi;
+    const double z17 = psi_dot * R;
+    const double z18 = s_theta * z17;
+    const double z19 = theta_dot * s_theta;
+    const double z20 = z19 * (phi_dot * (k6 - 2.0 * z12) - psi_dot * (I3 + c_theta * k6));
+    const double z21 = (z20 * z8 + z19 * (phi_dot * (I3 + k3 * z3) - k1 * (psi_dot * c_theta))) / z9;
+    const double z22 = theta_dot * c_theta * z17 + R * (s_theta * z21);
     /* (III.3) */
-    qddot[0] = z10 * z12 - c_phi * z17 + (z18 * z19 + s_phi * z22); /* x'' */
-    qddot[1] = z10 * z19 - c_phi * z22 - (z18 * z12 + s_phi * z17); /* y'' */
-    qddot[2] = -(z15 * z7 + z8 * z16); /* phi'' */
-    qddot[3] = z21; /* theta'' */
-    qddot[4] = z16; /* psi'' */
-    /* the mass matrix is singular */
-    if (!(fabs(z2) > 0.0)) {
-        return ROUTH_SPHERE_SINGULAR_2;
+    qddot[0] = z10 * z11 + s_phi * z15 + (z16 * z18 - c_phi * z22); /* x'' */
+    qddot[1] = z16 * z11 - c_phi * z15 - (z10 * z18 + s_phi * z22); /* y'' */
+    qddot[2] = -(z20 * z7 + z8 * z21); /* phi'' */
+    qddot[3] = z14; /* theta'' */
+    qddot[4] = z21; /* psi'' */
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qddot[0] + qddot[1] + qddot[2]) <= DBL_MAX && fabs(z9) > 1e-14 * z5)) {
+        /* the mass matrix is singular */
+        if (!(fabs(z2) > 0.0)) {
+            return ROUTH_SPHERE_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z4) > 0.0)) {
+            return ROUTH_SPHERE_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z9) > 1e-14 * z5)) {
+            return ROUTH_SPHERE_SINGULAR_2;
+        }
+        return ROUTH_SPHERE_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(z4) > 0.0)) {
-        return ROUTH_SPHERE_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(z9) > 1e-14 * z5)) {
-        return ROUTH_SPHERE_SINGULAR_2;
-    }
-    return routh_sphere_finish(5, qddot);
+    return ROUTH_SPHERE_OK;
 }
 
 int routh_sphere_state(double t, const double *q, const double *qdot, const double *p, double *y)
@@ -380,7 +389,11 @@ int routh_sphere_state(double t, const double *q, const double *qdot, const doub
     y[5] = phi_dot;
     y[6] = theta_dot;
     y[7] = psi_dot;
-    return routh_sphere_finish(8, y);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(y[0] + y[1] + y[2] + y[3] + y[4] + y[5] + y[6] + y[7]) <= DBL_MAX)) {
+        return ROUTH_SPHERE_NOT_FINITE;
+    }
+    return ROUTH_SPHERE_OK;
 }
 
 int routh_sphere_residuals(double t, const double *q, const double *qdot, const double *p, double *r)
@@ -405,9 +418,14 @@ int routh_sphere_residuals(double t, const double *q, const double *qdot, const 
     r[0] = x_dot - R * (theta_dot * s_phi - c_phi * z1); /* roll_x = 0 */
     /* (I.1.1) 30:5 */
     r[1] = y_dot + R * (theta_dot * c_phi + s_phi * z1); /* roll_y = 0 */
-    return routh_sphere_finish(2, r);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(r[0] + r[1]) <= DBL_MAX)) {
+        return ROUTH_SPHERE_NOT_FINITE;
+    }
+    return ROUTH_SPHERE_OK;
 }
 
+ROUTH_SPHERE_SLOW
 int routh_sphere_reactions(double t, const double *y, const double *p, double *lambda)
 {
     (void)t;
@@ -430,7 +448,7 @@ int routh_sphere_reactions(double t, const double *y, const double *p, double *l
     const double g = p[5]; /* acceleration of gravity [m/s^2] */
 
     /* parameters only */
-    const double k1 = m * (R * R);
+    const double k1 = m * R * R;
     const double k2 = m * e;
     const double k3 = m * R;
     const double k4 = e * e;
@@ -470,19 +488,23 @@ int routh_sphere_reactions(double t, const double *y, const double *p, double *l
     /* (I.4.1) 30:5 */
     /* reaction of roll_y: Q_i gains lambda_2 a_2i */
     lambda[1] = m * (s_phi * z12 - c_phi * z14) - (z24 * z19 + (z24 * z20 + c_phi * z23));
-    /* the mass matrix is singular */
-    if (!(fabs(z2) > 0.0)) {
-        return ROUTH_SPHERE_SINGULAR_2;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(lambda[0] + lambda[1]) <= DBL_MAX && fabs(z9) > 1e-14 * z5)) {
+        /* the mass matrix is singular */
+        if (!(fabs(z2) > 0.0)) {
+            return ROUTH_SPHERE_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z4) > 0.0)) {
+            return ROUTH_SPHERE_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z9) > 1e-14 * z5)) {
+            return ROUTH_SPHERE_SINGULAR_2;
+        }
+        return ROUTH_SPHERE_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(z4) > 0.0)) {
-        return ROUTH_SPHERE_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(z9) > 1e-14 * z5)) {
-        return ROUTH_SPHERE_SINGULAR_2;
-    }
-    return routh_sphere_finish(2, lambda);
+    return ROUTH_SPHERE_OK;
 }
 
 double routh_sphere_energy(double t, const double *y, const double *p)
@@ -518,6 +540,7 @@ double routh_sphere_energy(double t, const double *y, const double *p)
     return z5 - m * (e * z3 - 0.5 * (k1 * (z2 + z1 * z4)));
 }
 
+ROUTH_SPHERE_SLOW
 int routh_sphere_jacobian(double t, const double *y, const double *p, double *J)
 {
     for (int entry = 0; entry < 64; ++entry) {
@@ -543,7 +566,7 @@ int routh_sphere_jacobian(double t, const double *y, const double *p, double *J)
     const double g = p[5]; /* acceleration of gravity [m/s^2] */
 
     /* parameters only */
-    const double k1 = m * (R * R);
+    const double k1 = m * R * R;
     const double k2 = m * e;
     const double k3 = m * R;
     const double k4 = e * e;
@@ -623,19 +646,25 @@ int routh_sphere_jacobian(double t, const double *y, const double *p, double *J)
     J[61] = z32;
     J[62] = z34;
     J[63] = -z36;
-    /* the mass matrix is singular */
-    if (!(fabs(z2) > 0.0)) {
-        return ROUTH_SPHERE_SINGULAR_2;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(J[2] + J[10] + J[11] + J[15] + J[43] + J[45] + J[46] + J[47] + J[51] + J[53] + J[54] + J[55] +
+        J[59] + J[63]) <= DBL_MAX
+        && fabs(z9) > 1e-14 * z5)) {
+        /* the mass matrix is singular */
+        if (!(fabs(z2) > 0.0)) {
+            return ROUTH_SPHERE_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z4) > 0.0)) {
+            return ROUTH_SPHERE_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z9) > 1e-14 * z5)) {
+            return ROUTH_SPHERE_SINGULAR_2;
+        }
+        return ROUTH_SPHERE_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(z4) > 0.0)) {
-        return ROUTH_SPHERE_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(z9) > 1e-14 * z5)) {
-        return ROUTH_SPHERE_SINGULAR_2;
-    }
-    return routh_sphere_finish(64, J);
+    return ROUTH_SPHERE_OK;
 }
 
 int routh_sphere_outputs(double t, const double *y, const double *p, double *out)
@@ -658,16 +687,21 @@ int routh_sphere_outputs(double t, const double *y, const double *p, double *out
     const double k1 = I1 * I3;
     const double k2 = I1 * (m * (R * R));
     const double k3 = m * I3;
+    const double k4 = R * I1;
 
     /* state */
     const double z1 = s_theta * s_theta;
     const double omega3 = psi_dot + phi_dot * c_theta;
     const double z2 = e + R * c_theta;
     /* 33:12 */
-    out[0] = R * (phi_dot * (I1 * z1)) + I3 * omega3 * z2; /* jellett */
+    out[0] = phi_dot * z1 * k4 + I3 * (omega3 * z2); /* jellett */
     /* 34:10 */
     out[1] = omega3 * sqrt(k1 + z1 * k2 + k3 * (z2 * z2)); /* routh */
-    return routh_sphere_finish(2, out);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(out[0] + out[1]) <= DBL_MAX)) {
+        return ROUTH_SPHERE_NOT_FINITE;
+    }
+    return ROUTH_SPHERE_OK;
 }
 
 #if ROUTH_SPHERE_LANES >= 2
@@ -690,7 +724,6 @@ static __attribute__((noinline)) void routh_sphere_rhs_lanes(const double *fixed
     const double k4 = fixed[9];
     const double k5 = fixed[10];
     const double k6 = fixed[11];
-    const double k7 = fixed[12];
     const routh_sphere_lanes phi = routh_sphere_get(y + 2 * stride);
     const routh_sphere_lanes theta = routh_sphere_get(y + 3 * stride);
     const routh_sphere_lanes phi_dot = routh_sphere_get(y + 5 * stride);
@@ -700,17 +733,17 @@ static __attribute__((noinline)) void routh_sphere_rhs_lanes(const double *fixed
     routh_sphere_turn_lanes(ROUTH_SPHERE_SPREAD(theta), &far, &sine1, &cosine1);
     const routh_sphere_lanes s_theta = sine1;
     const routh_sphere_lanes z1 = s_theta * s_theta;
-    const routh_sphere_lanes z2 = I3 - z1 * k6;
+    const routh_sphere_lanes z2 = I3 - z1 * k5;
     /* the mass matrix is singular */
     bad |= routh_sphere_misses(routh_sphere_size(ROUTH_SPHERE_SPREAD(z2)), ROUTH_SPHERE_SPREAD(0.0));
     const routh_sphere_lanes c_theta = cosine1;
     const routh_sphere_lanes Z = e * c_theta;
     const routh_sphere_lanes z3 = R + 2.0 * Z;
-    const routh_sphere_lanes z4 = I1 + m * (k5 + R * z3);
+    const routh_sphere_lanes z4 = I1 + m * (k4 + R * z3);
     /* the mass matrix is singular */
     bad |= routh_sphere_misses(routh_sphere_size(ROUTH_SPHERE_SPREAD(z4)), ROUTH_SPHERE_SPREAD(0.0));
-    const routh_sphere_lanes z5 = I3 + z1 * k2;
-    const routh_sphere_lanes z6 = I3 * c_theta - z1 * k7;
+    const routh_sphere_lanes z5 = I3 + z1 * k1;
+    const routh_sphere_lanes z6 = I3 * c_theta - z1 * k6;
     const routh_sphere_lanes z7 = 1.0 / z2;
     const routh_sphere_lanes z8 = z6 * z7;
     const routh_sphere_lanes z9 = z5 - z6 * z8;
@@ -718,22 +751,22 @@ static __attribute__((noinline)) void routh_sphere_rhs_lanes(const double *fixed
     bad |= routh_sphere_misses(routh_sphere_size(ROUTH_SPHERE_SPREAD(z9)), 1e-14 * z5);
     routh_sphere_lanes sine2, cosine2;
     routh_sphere_turn_lanes(ROUTH_SPHERE_SPREAD(phi), &far, &sine2, &cosine2);
-    const routh_sphere_lanes c_phi = cosine2;
-    const routh_sphere_lanes z10 = s_theta * (psi_dot * R);
     const routh_sphere_lanes s_phi = sine2;
-    const routh_sphere_lanes z11 = theta_dot * R;
+    const routh_sphere_lanes z10 = theta_dot * R;
+    const routh_sphere_lanes c_phi = cosine2;
+    const routh_sphere_lanes z11 = R * (psi_dot * s_theta);
     const routh_sphere_lanes z12 = theta_dot * s_theta;
-    const routh_sphere_lanes z13 = c_theta * k6;
-    const routh_sphere_lanes z14 = z12 * (phi_dot * (k7 - 2.0 * z13) - psi_dot * (I3 + c_theta * k7));
-    const routh_sphere_lanes z15 = (z12 * (phi_dot * (I3 + k4 * z3) - c_theta * (k1 * (psi_dot * m))) + z14 *
-        z8) / z9;
-    const routh_sphere_lanes z16 = phi_dot * (phi_dot * (k7 - z13) - psi_dot * (I3 + (R + Z) * k4)) + k3 * (g
+    const routh_sphere_lanes z13 = c_theta * k5;
+    const routh_sphere_lanes z14 = z12 * (phi_dot * (k6 - 2.0 * z13) - psi_dot * (I3 + c_theta * k6));
+    const routh_sphere_lanes z15 = (z14 * z8 + z12 * (phi_dot * (I3 + k3 * z3) - k1 * (psi_dot * c_theta))) /
+        z9;
+    const routh_sphere_lanes z16 = phi_dot * (phi_dot * (k6 - z13) - psi_dot * (I3 + (R + Z) * k3)) + k2 * (g
         + R * (theta_dot * theta_dot));
     /* (III.3) */
-    const routh_sphere_lanes slope1 = s_phi * z11 - c_phi * z10;
+    const routh_sphere_lanes slope1 = s_phi * z10 - c_phi * z11;
     sum += slope1;
     routh_sphere_put(dydt, slope1);
-    const routh_sphere_lanes slope2 = -(c_phi * z11 + s_phi * z10);
+    const routh_sphere_lanes slope2 = -(c_phi * z10 + s_phi * z11);
     sum += slope2;
     routh_sphere_put(dydt + 1 * stride, slope2);
     const routh_sphere_lanes slope3 = phi_dot;
@@ -780,14 +813,13 @@ int routh_sphere_rhs_batch(size_t count, const double *t, const double *y, const
     const double I1 = p[3]; /* across the axis, at the centre of mass [kg*m^2] */
     const double I3 = p[4]; /* about the axis [kg*m^2] */
     const double g = p[5]; /* acceleration of gravity [m/s^2] */
-    const double k1 = R * R;
-    const double k2 = m * k1;
-    const double k3 = m * e;
-    const double k4 = m * R;
-    const double k5 = e * e;
-    const double k6 = I3 - (I1 + m * k5);
-    const double k7 = e * k4;
-    const double fixed[] = {m, R, e, I1, I3, g, k1, k2, k3, k4, k5, k6, k7};
+    const double k1 = m * R * R;
+    const double k2 = m * e;
+    const double k3 = m * R;
+    const double k4 = e * e;
+    const double k5 = I3 - (I1 + m * k4);
+    const double k6 = e * k3;
+    const double fixed[] = {m, R, e, I1, I3, g, k1, k2, k3, k4, k5, k6};
     double check[1 * ROUTH_SPHERE_LANES];
     int status = ROUTH_SPHERE_OK;
     for (size_t i = 0; i < count; i += ROUTH_SPHERE_LANES) {

@@ -1,5 +1,5 @@
 /*
- * routh_sphere.h: routh_sphere, emitted by nhc 0.1.0 (nhc:0a8583a213bf1d13)
+ * routh_sphere.h: routh_sphere, emitted by nhc 0.1.0 (nhc:7db7b14a759bb9dd)
  * A ball with its centre of mass off its centre, dynamically symmetric, rolls on a horizontal plane.
  * Source: routh_sphere.yaml
  * Equations of motion: chaplygin (III.3)
@@ -32,9 +32,9 @@
  * out[1] = routh
  *
  * Operations:
- * rhs: 24 +-, 49 *, 3 /, 4 calls
+ * rhs: 24 +-, 48 *, 3 /, 4 calls
  * velocities: 2 +-, 7 *, 0 /, 3 calls
- * accelerations: 29 +-, 60 *, 3 /, 4 calls
+ * accelerations: 29 +-, 59 *, 3 /, 4 calls
  * state: 0 +-, 0 *, 0 /, 0 calls
  * residuals: 4 +-, 7 *, 0 /, 3 calls
  * reactions: 35 +-, 73 *, 3 /, 4 calls

@@ -1,4 +1,4 @@
-"""routh_sphere, emitted by nhc 0.1.0 (nhc:8499db0331a34f4e).
+"""routh_sphere, emitted by nhc 0.1.0 (nhc:151d486a96bcc5ee).
 
 A ball with its centre of mass off its centre, dynamically symmetric, rolls on a
     horizontal plane.
@@ -33,9 +33,9 @@ out[0] = jellett
 out[1] = routh
 
 Operations:
-rhs: 24 +-, 49 *, 3 /, 4 calls
+rhs: 24 +-, 48 *, 3 /, 4 calls
 velocities: 2 +-, 7 *, 0 /, 3 calls
-accelerations: 29 +-, 60 *, 3 /, 4 calls
+accelerations: 29 +-, 59 *, 3 /, 4 calls
 state: 0 +-, 0 *, 0 /, 0 calls
 residuals: 4 +-, 7 *, 0 /, 3 calls
 reactions: 35 +-, 73 *, 3 /, 4 calls
@@ -106,52 +106,51 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     g = float(p[5])  # acceleration of gravity [m/s^2]
     try:
         # parameters only
-        k1 = R * R
-        k2 = m * k1
-        k3 = m * e
-        k4 = m * R
-        k5 = e * e
-        k6 = I3 - (I1 + m * k5)
-        k7 = e * k4
+        k1 = m * R * R
+        k2 = m * e
+        k3 = m * R
+        k4 = e * e
+        k5 = I3 - (I1 + m * k4)
+        k6 = e * k3
         # state
         s_theta = math.sin(theta)
         z1 = s_theta * s_theta
-        z2 = I3 - z1 * k6
+        z2 = I3 - z1 * k5
         # the mass matrix is singular
         if not abs(z2) > 0.0:
             raise SingularModelError(2, "rhs")
         c_theta = math.cos(theta)
         Z = e * c_theta
         z3 = R + 2.0 * Z
-        z4 = I1 + m * (k5 + R * z3)
+        z4 = I1 + m * (k4 + R * z3)
         # the mass matrix is singular
         if not abs(z4) > 0.0:
             raise SingularModelError(2, "rhs")
-        z5 = I3 + z1 * k2
-        z6 = I3 * c_theta - z1 * k7
+        z5 = I3 + z1 * k1
+        z6 = I3 * c_theta - z1 * k6
         z7 = 1.0 / z2
         z8 = z6 * z7
         z9 = z5 - z6 * z8
         # the mass matrix is singular
         if not abs(z9) > 1e-14 * z5:
             raise SingularModelError(2, "rhs")
-        c_phi = math.cos(phi)
-        z10 = s_theta * (psi_dot * R)
         s_phi = math.sin(phi)
-        z11 = theta_dot * R
+        z10 = theta_dot * R
+        c_phi = math.cos(phi)
+        z11 = R * (psi_dot * s_theta)
         z12 = theta_dot * s_theta
-        z13 = c_theta * k6
-        s1 = phi_dot * (k7 - 2.0 * z13) - psi_dot * (I3 + c_theta * k7)
+        z13 = c_theta * k5
+        s1 = phi_dot * (k6 - 2.0 * z13) - psi_dot * (I3 + c_theta * k6)
         z14 = z12 * s1
-        s2 = phi_dot * (I3 + k4 * z3) - c_theta * (k1 * (psi_dot * m))
-        z15 = (z12 * s2 + z14 * z8) / z9
-        s3 = phi_dot * (k7 - z13) - psi_dot * (I3 + (R + Z) * k4)
-        z16 = phi_dot * s3 + k3 * (g + R * (theta_dot * theta_dot))
+        s2 = z12 * (phi_dot * (I3 + k3 * z3) - k1 * (psi_dot * c_theta))
+        z15 = (z14 * z8 + s2) / z9
+        s3 = phi_dot * (k6 - z13) - psi_dot * (I3 + (R + Z) * k3)
+        z16 = phi_dot * s3 + k2 * (g + R * (theta_dot * theta_dot))
         dydt: list[float] = [
             # x' (III.3)
-            s_phi * z11 - c_phi * z10,
+            s_phi * z10 - c_phi * z11,
             # y' (III.3)
-            -(c_phi * z11 + s_phi * z10),
+            -(c_phi * z10 + s_phi * z11),
             # phi' (III.3)
             phi_dot,
             # theta' (III.3)
@@ -233,64 +232,63 @@ def accelerations(
     g = float(p[5])  # acceleration of gravity [m/s^2]
     try:
         # parameters only
-        k1 = R * R
-        k2 = m * k1
-        k3 = m * e
-        k4 = m * R
-        k5 = e * e
-        k6 = I3 - (I1 + m * k5)
-        k7 = e * k4
+        k1 = m * R * R
+        k2 = m * e
+        k3 = m * R
+        k4 = e * e
+        k5 = I3 - (I1 + m * k4)
+        k6 = e * k3
         # state
         s_theta = math.sin(theta)
         z1 = s_theta * s_theta
-        z2 = I3 - z1 * k6
+        z2 = I3 - z1 * k5
         # the mass matrix is singular
         if not abs(z2) > 0.0:
             raise SingularModelError(2, "accelerations")
         c_theta = math.cos(theta)
         Z = e * c_theta
         z3 = R + 2.0 * Z
-        z4 = I1 + m * (k5 + R * z3)
+        z4 = I1 + m * (k4 + R * z3)
         # the mass matrix is singular
         if not abs(z4) > 0.0:
             raise SingularModelError(2, "accelerations")
-        z5 = I3 + z1 * k2
-        z6 = I3 * c_theta - z1 * k7
+        z5 = I3 + z1 * k1
+        z6 = I3 * c_theta - z1 * k6
         z7 = 1.0 / z2
         z8 = z6 * z7
         z9 = z5 - z6 * z8
         # the mass matrix is singular
         if not abs(z9) > 1e-14 * z5:
             raise SingularModelError(2, "accelerations")
-        s_phi = math.sin(phi)
-        z10 = phi_dot * s_phi
-        z11 = psi_dot * R
-        z12 = s_theta * z11
         c_phi = math.cos(phi)
-        z13 = theta_dot * s_theta
-        z14 = c_theta * k6
-        s1 = phi_dot * (k7 - 2.0 * z14) - psi_dot * (I3 + c_theta * k7)
-        z15 = z13 * s1
-        s2 = phi_dot * (I3 + k4 * z3) - c_theta * (k1 * (psi_dot * m))
-        z16 = (z13 * s2 + z15 * z8) / z9
-        z17 = theta_dot * c_theta * z11 + s_theta * (R * z16)
-        z18 = phi_dot * c_phi
-        z19 = theta_dot * R
-        s3 = phi_dot * (k7 - z14) - psi_dot * (I3 + (R + Z) * k4)
-        z20 = phi_dot * s3 + k3 * (g + R * (theta_dot * theta_dot))
-        z21 = s_theta * z20 / z4
-        z22 = R * z21
+        z10 = phi_dot * c_phi
+        z11 = theta_dot * R
+        s_phi = math.sin(phi)
+        z12 = c_theta * k5
+        s1 = phi_dot * (k6 - z12) - psi_dot * (I3 + (R + Z) * k3)
+        z13 = phi_dot * s1 + k2 * (g + R * (theta_dot * theta_dot))
+        z14 = s_theta * z13 / z4
+        z15 = R * z14
+        z16 = phi_dot * s_phi
+        z17 = psi_dot * R
+        z18 = s_theta * z17
+        z19 = theta_dot * s_theta
+        s2 = phi_dot * (k6 - 2.0 * z12) - psi_dot * (I3 + c_theta * k6)
+        z20 = z19 * s2
+        s3 = z19 * (phi_dot * (I3 + k3 * z3) - k1 * (psi_dot * c_theta))
+        z21 = (z20 * z8 + s3) / z9
+        z22 = theta_dot * c_theta * z17 + R * (s_theta * z21)
         qddot: list[float] = [
             # x'' (III.3)
-            z10 * z12 - c_phi * z17 + (z18 * z19 + s_phi * z22),
+            z10 * z11 + s_phi * z15 + (z16 * z18 - c_phi * z22),
             # y'' (III.3)
-            z10 * z19 - c_phi * z22 - (z18 * z12 + s_phi * z17),
+            z16 * z11 - c_phi * z15 - (z10 * z18 + s_phi * z22),
             # phi'' (III.3)
-            -(z15 * z7 + z8 * z16),
+            -(z20 * z7 + z8 * z21),
             # theta'' (III.3)
-            z21,
+            z14,
             # psi'' (III.3)
-            z16,
+            z21,
         ]
         return _finish("accelerations", qddot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -383,7 +381,7 @@ def reactions(
     g = float(p[5])  # acceleration of gravity [m/s^2]
     try:
         # parameters only
-        k1 = m * (R * R)
+        k1 = m * R * R
         k2 = m * e
         k3 = m * R
         k4 = e * e
@@ -506,7 +504,7 @@ def jacobian(
     g = float(p[5])  # acceleration of gravity [m/s^2]
     try:
         # parameters only
-        k1 = m * (R * R)
+        k1 = m * R * R
         k2 = m * e
         k3 = m * R
         k4 = e * e
@@ -690,6 +688,7 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
         k1 = I1 * I3
         k2 = I1 * (m * (R * R))
         k3 = m * I3
+        k4 = R * I1
         # state
         s_theta = math.sin(theta)
         z1 = s_theta * s_theta
@@ -698,7 +697,7 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
         z2 = e + R * c_theta
         out: list[float] = [
             # jellett 33:12
-            R * (phi_dot * (I1 * z1)) + I3 * omega3 * z2,
+            phi_dot * z1 * k4 + I3 * (omega3 * z2),
             # routh 34:10
             omega3 * math.sqrt(k1 + z1 * k2 + k3 * (z2 * z2)),
         ]

@@ -1,5 +1,5 @@
 /*
- * skate_incline.c: skate_incline, emitted by nhc 0.1.0 (nhc:caadf33f9b76128e)
+ * skate_incline.c: skate_incline, emitted by nhc 0.1.0 (nhc:dc68996fd7363489)
  * A skate on an inclined plane with its centre of mass above the edge; it never gets far downhill.
  * Source: skate_incline.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -37,15 +37,6 @@ const double skate_incline_parameter_defaults[] = {
     9.81,
     0.5235987755982988
 };
-
-static int skate_incline_finish(int count, const double *values)
-{
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
-    for (int i = 0; i < count; ++i) {
-        sum += values[i];
-    }
-    return fabs(sum) <= DBL_MAX ? SKATE_INCLINE_OK : SKATE_INCLINE_NOT_FINITE;
-}
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
 #ifndef SKATE_INCLINE_LANES
@@ -189,15 +180,19 @@ int skate_incline_rhs(double t, const double *y, const double *p, double *dydt)
     /* (I.2.15) 15:4 */
     dydt[3] = c_phi * k1; /* v' */
     dydt[4] = 0.0; /* phi'' */
-    /* the mass matrix is singular */
-    if (!(fabs(m) > 0.0)) {
-        return SKATE_INCLINE_SINGULAR_2;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(dydt[0] + dydt[2] + dydt[3]) <= DBL_MAX && fabs(m) > 0.0 && fabs(J) > 0.0)) {
+        /* the mass matrix is singular */
+        if (!(fabs(m) > 0.0)) {
+            return SKATE_INCLINE_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(J) > 0.0)) {
+            return SKATE_INCLINE_SINGULAR_2;
+        }
+        return SKATE_INCLINE_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(J) > 0.0)) {
-        return SKATE_INCLINE_SINGULAR_2;
-    }
-    return skate_incline_finish(5, dydt);
+    return SKATE_INCLINE_OK;
 }
 
 int skate_incline_velocities(double t, const double *y, const double *p, double *qdot)
@@ -217,7 +212,11 @@ int skate_incline_velocities(double t, const double *y, const double *p, double 
     qdot[0] = c_phi * v; /* x' */
     qdot[1] = s_phi * v; /* y' */
     qdot[2] = phi_dot; /* phi' */
-    return skate_incline_finish(3, qdot);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qdot[0] + qdot[2]) <= DBL_MAX)) {
+        return SKATE_INCLINE_NOT_FINITE;
+    }
+    return SKATE_INCLINE_OK;
 }
 
 int skate_incline_accelerations(double t, const double *y, const double *p, double *qddot)
@@ -246,15 +245,19 @@ int skate_incline_accelerations(double t, const double *y, const double *p, doub
     qddot[0] = c_phi * z1 - s_phi * z2; /* x'' */
     qddot[1] = s_phi * z1 + c_phi * z2; /* y'' */
     qddot[2] = 0.0; /* phi'' */
-    /* the mass matrix is singular */
-    if (!(fabs(m) > 0.0)) {
-        return SKATE_INCLINE_SINGULAR_2;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qddot[0] + qddot[1]) <= DBL_MAX && fabs(m) > 0.0 && fabs(J) > 0.0)) {
+        /* the mass matrix is singular */
+        if (!(fabs(m) > 0.0)) {
+            return SKATE_INCLINE_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(J) > 0.0)) {
+            return SKATE_INCLINE_SINGULAR_2;
+        }
+        return SKATE_INCLINE_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(J) > 0.0)) {
-        return SKATE_INCLINE_SINGULAR_2;
-    }
-    return skate_incline_finish(3, qddot);
+    return SKATE_INCLINE_OK;
 }
 
 int skate_incline_state(double t, const double *q, const double *qdot, const double *p, double *y)
@@ -278,7 +281,11 @@ int skate_incline_state(double t, const double *q, const double *qdot, const dou
     y[2] = phi;
     y[3] = x_dot * c_phi + y_dot * s_phi;
     y[4] = phi_dot;
-    return skate_incline_finish(5, y);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(y[0] + y[1] + y[3] + y[4]) <= DBL_MAX)) {
+        return SKATE_INCLINE_NOT_FINITE;
+    }
+    return SKATE_INCLINE_OK;
 }
 
 int skate_incline_residuals(double t, const double *q, const double *qdot, const double *p, double *r)
@@ -296,7 +303,11 @@ int skate_incline_residuals(double t, const double *q, const double *qdot, const
     /* state */
     /* (I.1.1) 18:5 */
     r[0] = x_dot * s_phi - y_dot * c_phi; /* slip = 0 */
-    return skate_incline_finish(1, r);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(r[0]) <= DBL_MAX)) {
+        return SKATE_INCLINE_NOT_FINITE;
+    }
+    return SKATE_INCLINE_OK;
 }
 
 int skate_incline_reactions(double t, const double *y, const double *p, double *lambda)
@@ -318,15 +329,19 @@ int skate_incline_reactions(double t, const double *y, const double *p, double *
     const double s_phi = sin(phi);
     /* (I.4.1) 18:5 */
     lambda[0] = -m * (phi_dot * v + s_phi * k1); /* reaction of slip: Q_i gains lambda_1 a_1i */
-    /* the mass matrix is singular */
-    if (!(fabs(m) > 0.0)) {
-        return SKATE_INCLINE_SINGULAR_2;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(lambda[0]) <= DBL_MAX && fabs(m) > 0.0 && fabs(J) > 0.0)) {
+        /* the mass matrix is singular */
+        if (!(fabs(m) > 0.0)) {
+            return SKATE_INCLINE_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(J) > 0.0)) {
+            return SKATE_INCLINE_SINGULAR_2;
+        }
+        return SKATE_INCLINE_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(J) > 0.0)) {
-        return SKATE_INCLINE_SINGULAR_2;
-    }
-    return skate_incline_finish(1, lambda);
+    return SKATE_INCLINE_OK;
 }
 
 double skate_incline_energy(double t, const double *y, const double *p)
@@ -342,9 +357,10 @@ double skate_incline_energy(double t, const double *y, const double *p)
 
     /* parameters only */
     const double s_alpha = sin(alpha);
+    const double k1 = g * s_alpha;
 
     /* state */
-    return 0.5 * (J * (phi_dot * phi_dot)) - m * (s_alpha * (x * g) - 0.5 * (v * v));
+    return 0.5 * (J * (phi_dot * phi_dot)) + m * (0.5 * (v * v) - x * k1);
 }
 
 int skate_incline_jacobian(double t, const double *y, const double *p, double *J)
@@ -366,7 +382,7 @@ int skate_incline_jacobian(double t, const double *y, const double *p, double *J
 
     /* parameters only */
     const double s_alpha = sin(alpha);
-    const double k1 = g * s_alpha;
+    const double k1 = -g * s_alpha;
 
     /* state */
     /* (I.2.15) */
@@ -375,16 +391,20 @@ int skate_incline_jacobian(double t, const double *y, const double *p, double *J
     J[7] = c_phi * v;
     J[8] = s_phi;
     J[14] = 1.0;
-    J[17] = -s_phi * k1;
-    /* the mass matrix is singular */
-    if (!(fabs(m) > 0.0)) {
-        return SKATE_INCLINE_SINGULAR_2;
+    J[17] = s_phi * k1;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(J[2] + J[17]) <= DBL_MAX && fabs(m) > 0.0 && fabs(J_2) > 0.0)) {
+        /* the mass matrix is singular */
+        if (!(fabs(m) > 0.0)) {
+            return SKATE_INCLINE_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(J_2) > 0.0)) {
+            return SKATE_INCLINE_SINGULAR_2;
+        }
+        return SKATE_INCLINE_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(J_2) > 0.0)) {
-        return SKATE_INCLINE_SINGULAR_2;
-    }
-    return skate_incline_finish(25, J);
+    return SKATE_INCLINE_OK;
 }
 
 int skate_incline_outputs(double t, const double *y, const double *p, double *out)
@@ -396,7 +416,11 @@ int skate_incline_outputs(double t, const double *y, const double *p, double *ou
     /* state */
     /* 20:10 */
     out[0] = v; /* speed */
-    return skate_incline_finish(1, out);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(out[0]) <= DBL_MAX)) {
+        return SKATE_INCLINE_NOT_FINITE;
+    }
+    return SKATE_INCLINE_OK;
 }
 
 #if SKATE_INCLINE_LANES >= 2

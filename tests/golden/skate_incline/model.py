@@ -1,4 +1,4 @@
-"""skate_incline, emitted by nhc 0.1.0 (nhc:375a3a568767eadb).
+"""skate_incline, emitted by nhc 0.1.0 (nhc:fb8c98e8f3b69017).
 
 A skate on an inclined plane with its centre of mass above the edge; it never gets
     far downhill.
@@ -95,16 +95,16 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     g = float(p[2])  # acceleration of gravity [m/s^2]
     alpha = float(p[3])  # slope, 30 degrees [rad]
     try:
-        # parameters only
-        s_alpha = math.sin(alpha)
-        k1 = g * s_alpha
-        # state
         # the mass matrix is singular
         if not abs(m) > 0.0:
             raise SingularModelError(2, "rhs")
         # the mass matrix is singular
         if not abs(J) > 0.0:
             raise SingularModelError(2, "rhs")
+        # parameters only
+        s_alpha = math.sin(alpha)
+        k1 = g * s_alpha
+        # state
         c_phi = math.cos(phi)
         s_phi = math.sin(phi)
         dydt: list[float] = [
@@ -172,16 +172,16 @@ def accelerations(
     g = float(p[2])  # acceleration of gravity [m/s^2]
     alpha = float(p[3])  # slope, 30 degrees [rad]
     try:
-        # parameters only
-        s_alpha = math.sin(alpha)
-        k1 = g * s_alpha
-        # state
         # the mass matrix is singular
         if not abs(m) > 0.0:
             raise SingularModelError(2, "accelerations")
         # the mass matrix is singular
         if not abs(J) > 0.0:
             raise SingularModelError(2, "accelerations")
+        # parameters only
+        s_alpha = math.sin(alpha)
+        k1 = g * s_alpha
+        # state
         c_phi = math.cos(phi)
         z1 = c_phi * k1
         s_phi = math.sin(phi)
@@ -272,16 +272,16 @@ def reactions(
     g = float(p[2])  # acceleration of gravity [m/s^2]
     alpha = float(p[3])  # slope, 30 degrees [rad]
     try:
-        # parameters only
-        s_alpha = math.sin(alpha)
-        k1 = g * s_alpha
-        # state
         # the mass matrix is singular
         if not abs(m) > 0.0:
             raise SingularModelError(2, "reactions")
         # the mass matrix is singular
         if not abs(J) > 0.0:
             raise SingularModelError(2, "reactions")
+        # parameters only
+        s_alpha = math.sin(alpha)
+        k1 = g * s_alpha
+        # state
         s_phi = math.sin(phi)
         lambda_: list[float] = [
             # reaction of slip: Q_i gains lambda_1 a_1i (I.4.1) 18:5
@@ -308,9 +308,10 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     try:
         # parameters only
         s_alpha = math.sin(alpha)
+        k1 = g * s_alpha
         # state
-        s1 = m * (s_alpha * (x * g) - 0.5 * (v * v))
-        value1 = 0.5 * (J * (phi_dot * phi_dot)) - s1
+        s1 = 0.5 * (J * (phi_dot * phi_dot))
+        value1 = s1 + m * (0.5 * (v * v) - x * k1)
         return _single("energy", value1)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
         raise SingularModelError(NOT_FINITE, "energy") from error
@@ -333,16 +334,16 @@ def jacobian(
     g = float(p[2])  # acceleration of gravity [m/s^2]
     alpha = float(p[3])  # slope, 30 degrees [rad]
     try:
-        # parameters only
-        s_alpha = math.sin(alpha)
-        k1 = g * s_alpha
-        # state
         # the mass matrix is singular
         if not abs(m) > 0.0:
             raise SingularModelError(2, "jacobian")
         # the mass matrix is singular
         if not abs(J_2) > 0.0:
             raise SingularModelError(2, "jacobian")
+        # parameters only
+        s_alpha = math.sin(alpha)
+        k1 = -g * s_alpha
+        # state
         s_phi = math.sin(phi)
         c_phi = math.cos(phi)
         J: list[float] = [
@@ -369,7 +370,7 @@ def jacobian(
             0.0,
             0.0,
             # (I.2.15)
-            -s_phi * k1,
+            s_phi * k1,
             0.0,
             0.0,
             0.0,

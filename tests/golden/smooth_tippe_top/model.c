@@ -1,5 +1,5 @@
 /*
- * smooth_tippe_top.c: smooth_tippe_top, emitted by nhc 0.1.0 (nhc:c102d8d2033b1838)
+ * smooth_tippe_top.c: smooth_tippe_top, emitted by nhc 0.1.0 (nhc:a56cff7dbf3cf865)
  * The ball of routh_sphere on a plane without any friction.
  * Source: smooth_tippe_top.yaml
  * Equations of motion: lagrange (II.3)
@@ -48,14 +48,12 @@ const double smooth_tippe_top_parameter_defaults[] = {
     9.81
 };
 
-static int smooth_tippe_top_finish(int count, const double *values)
-{
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
-    for (int i = 0; i < count; ++i) {
-        sum += values[i];
-    }
-    return fabs(sum) <= DBL_MAX ? SMOOTH_TIPPE_TOP_OK : SMOOTH_TIPPE_TOP_NOT_FINITE;
-}
+/* long functions that are called seldom: gcc is to take less time over them (other compilers do so by themselves) */
+#if defined(__GNUC__) && !defined(__clang__) && defined(__OPTIMIZE__)
+#define SMOOTH_TIPPE_TOP_SLOW __attribute__((cold, optimize("O1")))
+#else
+#define SMOOTH_TIPPE_TOP_SLOW
+#endif
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
 #ifndef SMOOTH_TIPPE_TOP_LANES
@@ -235,7 +233,7 @@ int smooth_tippe_top_rhs(double t, const double *y, const double *p, double *dyd
     const double z20 = 1.0 / z16;
     const double z21 = z19 * z20;
     const double z22 = I3 - z17 * z18 - z19 * z21;
-    const double z23 = s_theta * (theta_dot * theta_dot);
+    const double z23 = s_theta * theta_dot * theta_dot;
     const double z24 = phi_dot * s_theta;
     const double z25 = theta_dot * c_theta;
     const double z26 = k1 * (s_phi * z23 + phi_dot * (s_phi * z24 - 2.0 * (c_phi * z25)));
@@ -259,27 +257,34 @@ int smooth_tippe_top_rhs(double t, const double *y, const double *p, double *dyd
     dydt[7] = z34; /* phi'' */
     dydt[8] = -z33; /* theta'' */
     dydt[9] = z32; /* psi'' */
-    /* the mass matrix is singular */
-    if (!(fabs(m) > 0.0)) {
-        return SMOOTH_TIPPE_TOP_SINGULAR_2;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(dydt[0] + dydt[1] + dydt[5] + dydt[6] + dydt[8]) <= DBL_MAX
+        && fabs(z7) > 1e-14 * z1
+        && fabs(z16) > 1e-14 * k2
+        && fabs(z22) > 1e-14 * I3)) {
+        /* the mass matrix is singular */
+        if (!(fabs(m) > 0.0)) {
+            return SMOOTH_TIPPE_TOP_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(m) > 0.0)) {
+            return SMOOTH_TIPPE_TOP_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z7) > 1e-14 * z1)) {
+            return SMOOTH_TIPPE_TOP_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z16) > 1e-14 * k2)) {
+            return SMOOTH_TIPPE_TOP_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z22) > 1e-14 * I3)) {
+            return SMOOTH_TIPPE_TOP_SINGULAR_2;
+        }
+        return SMOOTH_TIPPE_TOP_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(m) > 0.0)) {
-        return SMOOTH_TIPPE_TOP_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(z7) > 1e-14 * z1)) {
-        return SMOOTH_TIPPE_TOP_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(z16) > 1e-14 * k2)) {
-        return SMOOTH_TIPPE_TOP_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(z22) > 1e-14 * I3)) {
-        return SMOOTH_TIPPE_TOP_SINGULAR_2;
-    }
-    return smooth_tippe_top_finish(10, dydt);
+    return SMOOTH_TIPPE_TOP_OK;
 }
 
 int smooth_tippe_top_velocities(double t, const double *y, const double *p, double *qdot)
@@ -299,9 +304,14 @@ int smooth_tippe_top_velocities(double t, const double *y, const double *p, doub
     qdot[2] = phi_dot; /* phi' */
     qdot[3] = theta_dot; /* theta' */
     qdot[4] = psi_dot; /* psi' */
-    return smooth_tippe_top_finish(5, qdot);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qdot[0] + qdot[1] + qdot[2] + qdot[3] + qdot[4]) <= DBL_MAX)) {
+        return SMOOTH_TIPPE_TOP_NOT_FINITE;
+    }
+    return SMOOTH_TIPPE_TOP_OK;
 }
 
+SMOOTH_TIPPE_TOP_SLOW
 int smooth_tippe_top_accelerations(double t, const double *y, const double *p, double *qddot)
 {
     (void)t;
@@ -352,7 +362,7 @@ int smooth_tippe_top_accelerations(double t, const double *y, const double *p, d
     const double z20 = 1.0 / z16;
     const double z21 = z19 * z20;
     const double z22 = I3 - z17 * z18 - z19 * z21;
-    const double z23 = s_theta * (theta_dot * theta_dot);
+    const double z23 = s_theta * theta_dot * theta_dot;
     const double z24 = phi_dot * s_theta;
     const double z25 = theta_dot * c_theta;
     const double z26 = k1 * (s_phi * z23 + phi_dot * (s_phi * z24 - 2.0 * (c_phi * z25)));
@@ -370,27 +380,34 @@ int smooth_tippe_top_accelerations(double t, const double *y, const double *p, d
     qddot[2] = z34; /* phi'' */
     qddot[3] = -z33; /* theta'' */
     qddot[4] = z32; /* psi'' */
-    /* the mass matrix is singular */
-    if (!(fabs(m) > 0.0)) {
-        return SMOOTH_TIPPE_TOP_SINGULAR_2;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qddot[0] + qddot[1] + qddot[3]) <= DBL_MAX
+        && fabs(z7) > 1e-14 * z1
+        && fabs(z16) > 1e-14 * k2
+        && fabs(z22) > 1e-14 * I3)) {
+        /* the mass matrix is singular */
+        if (!(fabs(m) > 0.0)) {
+            return SMOOTH_TIPPE_TOP_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(m) > 0.0)) {
+            return SMOOTH_TIPPE_TOP_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z7) > 1e-14 * z1)) {
+            return SMOOTH_TIPPE_TOP_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z16) > 1e-14 * k2)) {
+            return SMOOTH_TIPPE_TOP_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z22) > 1e-14 * I3)) {
+            return SMOOTH_TIPPE_TOP_SINGULAR_2;
+        }
+        return SMOOTH_TIPPE_TOP_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(m) > 0.0)) {
-        return SMOOTH_TIPPE_TOP_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(z7) > 1e-14 * z1)) {
-        return SMOOTH_TIPPE_TOP_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(z16) > 1e-14 * k2)) {
-        return SMOOTH_TIPPE_TOP_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(z22) > 1e-14 * I3)) {
-        return SMOOTH_TIPPE_TOP_SINGULAR_2;
-    }
-    return smooth_tippe_top_finish(5, qddot);
+    return SMOOTH_TIPPE_TOP_OK;
 }
 
 int smooth_tippe_top_state(double t, const double *q, const double *qdot, const double *p, double *y)
@@ -419,7 +436,11 @@ int smooth_tippe_top_state(double t, const double *q, const double *qdot, const 
     y[7] = phi_dot;
     y[8] = theta_dot;
     y[9] = psi_dot;
-    return smooth_tippe_top_finish(10, y);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(y[0] + y[1] + y[2] + y[3] + y[4] + y[5] + y[6] + y[7] + y[8] + y[9]) <= DBL_MAX)) {
+        return SMOOTH_TIPPE_TOP_NOT_FINITE;
+    }
+    return SMOOTH_TIPPE_TOP_OK;
 }
 
 int smooth_tippe_top_residuals(double t, const double *q, const double *qdot, const double *p, double *r)
@@ -533,6 +554,7 @@ double smooth_tippe_top_energy(double t, const double *y, const double *p)
     return 0.5 * (I3 * (omega3 * omega3) + z5) + c_theta * k1;
 }
 
+SMOOTH_TIPPE_TOP_SLOW
 int smooth_tippe_top_jacobian(double t, const double *y, const double *p, double *J)
 {
     for (int entry = 0; entry < 100; ++entry) {
@@ -690,27 +712,35 @@ int smooth_tippe_top_jacobian(double t, const double *y, const double *p, double
     J[97] = z77;
     J[98] = z84;
     J[99] = -z89;
-    /* the mass matrix is singular */
-    if (!(fabs(m) > 0.0)) {
-        return SMOOTH_TIPPE_TOP_SINGULAR_2;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(J[52] + J[53] + J[57] + J[58] + J[59] + J[62] + J[63] + J[67] + J[68] + J[69] + J[72] + J[73]
+        + J[83] + J[87] + J[89] + J[99]) <= DBL_MAX
+        && fabs(z7) > 1e-14 * z1
+        && fabs(z17) > 1e-14 * k2
+        && fabs(z23) > 1e-14 * I3)) {
+        /* the mass matrix is singular */
+        if (!(fabs(m) > 0.0)) {
+            return SMOOTH_TIPPE_TOP_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(m) > 0.0)) {
+            return SMOOTH_TIPPE_TOP_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z7) > 1e-14 * z1)) {
+            return SMOOTH_TIPPE_TOP_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z17) > 1e-14 * k2)) {
+            return SMOOTH_TIPPE_TOP_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z23) > 1e-14 * I3)) {
+            return SMOOTH_TIPPE_TOP_SINGULAR_2;
+        }
+        return SMOOTH_TIPPE_TOP_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(m) > 0.0)) {
-        return SMOOTH_TIPPE_TOP_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(z7) > 1e-14 * z1)) {
-        return SMOOTH_TIPPE_TOP_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(z17) > 1e-14 * k2)) {
-        return SMOOTH_TIPPE_TOP_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(z23) > 1e-14 * I3)) {
-        return SMOOTH_TIPPE_TOP_SINGULAR_2;
-    }
-    return smooth_tippe_top_finish(100, J);
+    return SMOOTH_TIPPE_TOP_OK;
 }
 
 int smooth_tippe_top_outputs(double t, const double *y, const double *p, double *out)
@@ -750,7 +780,11 @@ int smooth_tippe_top_outputs(double t, const double *y, const double *p, double 
     out[2] = m * (x_dot + (s_phi * z1 + c_phi * z2)); /* p_x */
     /* 30:8 */
     out[3] = m * (y_dot - (c_phi * z1 - s_phi * z2)); /* p_y */
-    return smooth_tippe_top_finish(4, out);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(out[0] + out[2] + out[3]) <= DBL_MAX)) {
+        return SMOOTH_TIPPE_TOP_NOT_FINITE;
+    }
+    return SMOOTH_TIPPE_TOP_OK;
 }
 
 #if SMOOTH_TIPPE_TOP_LANES >= 2
@@ -812,7 +846,7 @@ static __attribute__((noinline)) void smooth_tippe_top_rhs_lanes(const double *f
     /* the mass matrix is singular */
     bad |= smooth_tippe_top_misses(smooth_tippe_top_size(SMOOTH_TIPPE_TOP_SPREAD(z22)),
         SMOOTH_TIPPE_TOP_SPREAD(1e-14 * I3));
-    const smooth_tippe_top_lanes z23 = s_theta * (theta_dot * theta_dot);
+    const smooth_tippe_top_lanes z23 = s_theta * theta_dot * theta_dot;
     const smooth_tippe_top_lanes z24 = phi_dot * s_theta;
     const smooth_tippe_top_lanes z25 = theta_dot * c_theta;
     const smooth_tippe_top_lanes z26 = k1 * (s_phi * z23 + phi_dot * (s_phi * z24 - 2.0 * (c_phi * z25)));

@@ -1,4 +1,4 @@
-"""smooth_tippe_top, emitted by nhc 0.1.0 (nhc:9838eebdc40d8ba1).
+"""smooth_tippe_top, emitted by nhc 0.1.0 (nhc:c52f2207a349bfd8).
 
 The ball of routh_sphere on a plane without any friction.
 Source: smooth_tippe_top.yaml
@@ -116,6 +116,9 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     I3 = float(p[4])  # about the axis [kg*m^2]
     g = float(p[5])  # acceleration of gravity [m/s^2]
     try:
+        # the mass matrix is singular
+        if not abs(m) > 0.0:
+            raise SingularModelError(2, "rhs")
         # parameters only
         k1 = m * e
         k2 = I1 + m * (e * e)
@@ -123,12 +126,6 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         k4 = g * k1
         k5 = 1.0 / m
         # state
-        # the mass matrix is singular
-        if not abs(m) > 0.0:
-            raise SingularModelError(2, "rhs")
-        # the mass matrix is singular
-        if not abs(m) > 0.0:
-            raise SingularModelError(2, "rhs")
         s_theta = math.sin(theta)
         z1 = I3 - s_theta * s_theta * k3
         c_phi = math.cos(phi)
@@ -164,7 +161,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         # the mass matrix is singular
         if not abs(z22) > 1e-14 * I3:
             raise SingularModelError(2, "rhs")
-        z23 = s_theta * (theta_dot * theta_dot)
+        z23 = s_theta * theta_dot * theta_dot
         z24 = phi_dot * s_theta
         z25 = theta_dot * c_theta
         s1 = s_phi * z23 + phi_dot * (s_phi * z24 - 2.0 * (c_phi * z25))
@@ -262,6 +259,9 @@ def accelerations(
     I3 = float(p[4])  # about the axis [kg*m^2]
     g = float(p[5])  # acceleration of gravity [m/s^2]
     try:
+        # the mass matrix is singular
+        if not abs(m) > 0.0:
+            raise SingularModelError(2, "accelerations")
         # parameters only
         k1 = m * e
         k2 = I1 + m * (e * e)
@@ -269,12 +269,6 @@ def accelerations(
         k4 = g * k1
         k5 = 1.0 / m
         # state
-        # the mass matrix is singular
-        if not abs(m) > 0.0:
-            raise SingularModelError(2, "accelerations")
-        # the mass matrix is singular
-        if not abs(m) > 0.0:
-            raise SingularModelError(2, "accelerations")
         s_theta = math.sin(theta)
         z1 = I3 - s_theta * s_theta * k3
         c_phi = math.cos(phi)
@@ -310,7 +304,7 @@ def accelerations(
         # the mass matrix is singular
         if not abs(z22) > 1e-14 * I3:
             raise SingularModelError(2, "accelerations")
-        z23 = s_theta * (theta_dot * theta_dot)
+        z23 = s_theta * theta_dot * theta_dot
         z24 = phi_dot * s_theta
         z25 = theta_dot * c_theta
         s1 = s_phi * z23 + phi_dot * (s_phi * z24 - 2.0 * (c_phi * z25))
@@ -419,18 +413,15 @@ def reactions(
     I1 = float(p[3])  # across the axis, at the centre of mass [kg*m^2]
     I3 = float(p[4])  # about the axis [kg*m^2]
     try:
+        # the mass matrix is singular
+        if not abs(m) > 0.0:
+            raise SingularModelError(2, "reactions")
         # parameters only
         k1 = m * e
         k2 = I1 + m * (e * e)
         k3 = I3 - k2
         k4 = 1.0 / m
         # state
-        # the mass matrix is singular
-        if not abs(m) > 0.0:
-            raise SingularModelError(2, "reactions")
-        # the mass matrix is singular
-        if not abs(m) > 0.0:
-            raise SingularModelError(2, "reactions")
         s_theta = math.sin(theta)
         z1 = I3 - s_theta * s_theta * k3
         c_phi = math.cos(phi)
@@ -531,6 +522,9 @@ def jacobian(
     I3 = float(p[4])  # about the axis [kg*m^2]
     g = float(p[5])  # acceleration of gravity [m/s^2]
     try:
+        # the mass matrix is singular
+        if not abs(m) > 0.0:
+            raise SingularModelError(2, "jacobian")
         # parameters only
         k1 = m * e
         k2 = I1 + m * (e * e)
@@ -538,12 +532,6 @@ def jacobian(
         k4 = g * k1
         k5 = 1.0 / m
         # state
-        # the mass matrix is singular
-        if not abs(m) > 0.0:
-            raise SingularModelError(2, "jacobian")
-        # the mass matrix is singular
-        if not abs(m) > 0.0:
-            raise SingularModelError(2, "jacobian")
         s_theta = math.sin(theta)
         z1 = I3 - s_theta * s_theta * k3
         c_phi = math.cos(phi)

@@ -1,5 +1,5 @@
 /*
- * snakeboard.c: snakeboard, emitted by nhc 0.1.0 (nhc:4652e4cbb9813715)
+ * snakeboard.c: snakeboard, emitted by nhc 0.1.0 (nhc:c5c1da83eb2105ec)
  * A board on two steerable axles and a rotor; it moves by turning the rotor and the axles to and fro.
  * Source: snakeboard.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -54,14 +54,12 @@ const double snakeboard_parameter_defaults[] = {
     1.0
 };
 
-static int snakeboard_finish(int count, const double *values)
-{
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
-    for (int i = 0; i < count; ++i) {
-        sum += values[i];
-    }
-    return fabs(sum) <= DBL_MAX ? SNAKEBOARD_OK : SNAKEBOARD_NOT_FINITE;
-}
+/* long functions that are called seldom: gcc is to take less time over them (other compilers do so by themselves) */
+#if defined(__GNUC__) && !defined(__clang__) && defined(__OPTIMIZE__)
+#define SNAKEBOARD_SLOW __attribute__((cold, optimize("O1")))
+#else
+#define SNAKEBOARD_SLOW
+#endif
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
 #ifndef SNAKEBOARD_LANES
@@ -241,7 +239,7 @@ int snakeboard_rhs(double t, const double *y, const double *p, double *dydt)
     const double z9 = s1 * c1 - c2 * s2;
     const double z10 = 1.0 / z6;
     const double z11 = z9 * z10;
-    const double z12 = J * (z11 * z11);
+    const double z12 = J * z11 * z11;
     const double z13 = l * c_p_f;
     const double z14 = l * c_p_b;
     const double z15 = s1 * z13 + z14 * s2;
@@ -291,27 +289,33 @@ int snakeboard_rhs(double t, const double *y, const double *p, double *dydt)
     dydt[7] = z49 + k5 * z38; /* psi'' */
     dydt[8] = z49 + k6 * z41; /* p_b'' */
     dydt[9] = z49 - k6 * z42; /* p_f'' */
-    /* the coframe is singular */
-    if (!(fabs(z6) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)))) {
-        return SNAKEBOARD_SINGULAR_1;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(dydt[0] + dydt[1] + dydt[3] + dydt[7] + dydt[8] + dydt[9]) <= DBL_MAX
+        && fabs(z6) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4))
+        && fabs(z19) > 1e-14 * (z12 + m * (z16 * z16) + m * (z18 * z18)))) {
+        /* the coframe is singular */
+        if (!(fabs(z6) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)))) {
+            return SNAKEBOARD_SINGULAR_1;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(J_w) > 0.0)) {
+            return SNAKEBOARD_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(J_w) > 0.0)) {
+            return SNAKEBOARD_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(J_r) > 0.0)) {
+            return SNAKEBOARD_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z19) > 1e-14 * (z12 + m * (z16 * z16) + m * (z18 * z18)))) {
+            return SNAKEBOARD_SINGULAR_2;
+        }
+        return SNAKEBOARD_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(J_w) > 0.0)) {
-        return SNAKEBOARD_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(J_w) > 0.0)) {
-        return SNAKEBOARD_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(J_r) > 0.0)) {
-        return SNAKEBOARD_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(z19) > 1e-14 * (z12 + m * (z16 * z16) + m * (z18 * z18)))) {
-        return SNAKEBOARD_SINGULAR_2;
-    }
-    return snakeboard_finish(10, dydt);
+    return SNAKEBOARD_OK;
 }
 
 int snakeboard_velocities(double t, const double *y, const double *p, double *qdot)
@@ -359,13 +363,19 @@ int snakeboard_velocities(double t, const double *y, const double *p, double *qd
     qdot[3] = psi_dot; /* psi' */
     qdot[4] = p_b_dot; /* p_b' */
     qdot[5] = p_f_dot; /* p_f' */
-    /* the coframe is singular */
-    if (!(fabs(z4) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)))) {
-        return SNAKEBOARD_SINGULAR_1;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qdot[0] + qdot[1] + qdot[2] + qdot[3] + qdot[4] + qdot[5]) <= DBL_MAX
+        && fabs(z4) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)))) {
+        /* the coframe is singular */
+        if (!(fabs(z4) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)))) {
+            return SNAKEBOARD_SINGULAR_1;
+        }
+        return SNAKEBOARD_NOT_FINITE;
     }
-    return snakeboard_finish(6, qdot);
+    return SNAKEBOARD_OK;
 }
 
+SNAKEBOARD_SLOW
 int snakeboard_accelerations(double t, const double *y, const double *p, double *qddot)
 {
     const double theta = y[2]; /* heading of the board [rad] */
@@ -417,7 +427,7 @@ int snakeboard_accelerations(double t, const double *y, const double *p, double 
     const double z9 = s1 * c1 - c2 * s2;
     const double z10 = 1.0 / z6;
     const double z11 = z9 * z10;
-    const double z12 = J * (z11 * z11);
+    const double z12 = J * z11 * z11;
     const double z13 = l * c_p_f;
     const double z14 = l * c_p_b;
     const double z15 = s1 * z13 + z14 * s2;
@@ -468,27 +478,33 @@ int snakeboard_accelerations(double t, const double *y, const double *p, double 
     qddot[3] = k5 * z44 + z54; /* psi'' */
     qddot[4] = k6 * z47 + z54; /* p_b'' */
     qddot[5] = z54 - k6 * z48; /* p_f'' */
-    /* the coframe is singular */
-    if (!(fabs(z6) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)))) {
-        return SNAKEBOARD_SINGULAR_1;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qddot[0] + qddot[1] + qddot[2] + qddot[3] + qddot[4] + qddot[5]) <= DBL_MAX
+        && fabs(z6) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4))
+        && fabs(z19) > 1e-14 * (z12 + m * (z16 * z16) + m * (z18 * z18)))) {
+        /* the coframe is singular */
+        if (!(fabs(z6) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)))) {
+            return SNAKEBOARD_SINGULAR_1;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(J_w) > 0.0)) {
+            return SNAKEBOARD_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(J_w) > 0.0)) {
+            return SNAKEBOARD_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(J_r) > 0.0)) {
+            return SNAKEBOARD_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z19) > 1e-14 * (z12 + m * (z16 * z16) + m * (z18 * z18)))) {
+            return SNAKEBOARD_SINGULAR_2;
+        }
+        return SNAKEBOARD_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(J_w) > 0.0)) {
-        return SNAKEBOARD_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(J_w) > 0.0)) {
-        return SNAKEBOARD_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(J_r) > 0.0)) {
-        return SNAKEBOARD_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(z19) > 1e-14 * (z12 + m * (z16 * z16) + m * (z18 * z18)))) {
-        return SNAKEBOARD_SINGULAR_2;
-    }
-    return snakeboard_finish(6, qddot);
+    return SNAKEBOARD_OK;
 }
 
 int snakeboard_state(double t, const double *q, const double *qdot, const double *p, double *y)
@@ -532,7 +548,11 @@ int snakeboard_state(double t, const double *q, const double *qdot, const double
     y[7] = psi_dot;
     y[8] = p_b_dot;
     y[9] = p_f_dot;
-    return snakeboard_finish(10, y);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(y[0] + y[1] + y[3] + y[6] + y[7] + y[8] + y[9]) <= DBL_MAX)) {
+        return SNAKEBOARD_NOT_FINITE;
+    }
+    return SNAKEBOARD_OK;
 }
 
 int snakeboard_residuals(double t, const double *q, const double *qdot, const double *p, double *r)
@@ -562,9 +582,14 @@ int snakeboard_residuals(double t, const double *q, const double *qdot, const do
     r[0] = -(x_dot * s1 - y_dot * c1 + c_p_b * z2); /* back = 0 */
     /* (I.1.1) 29:5 */
     r[1] = c_p_f * z2 - (x_dot * s2 - y_dot * c2); /* front = 0 */
-    return snakeboard_finish(2, r);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(r[0] + r[1]) <= DBL_MAX)) {
+        return SNAKEBOARD_NOT_FINITE;
+    }
+    return SNAKEBOARD_OK;
 }
 
+SNAKEBOARD_SLOW
 int snakeboard_reactions(double t, const double *y, const double *p, double *lambda)
 {
     const double theta = y[2]; /* heading of the board [rad] */
@@ -616,7 +641,7 @@ int snakeboard_reactions(double t, const double *y, const double *p, double *lam
     const double z9 = s1 * c1 - c2 * s2;
     const double z10 = 1.0 / z6;
     const double z11 = z9 * z10;
-    const double z12 = J * (z11 * z11);
+    const double z12 = J * z11 * z11;
     const double z13 = l * c_p_f;
     const double z14 = l * c_p_b;
     const double z15 = s1 * z13 + z14 * s2;
@@ -692,27 +717,33 @@ int snakeboard_reactions(double t, const double *y, const double *p, double *lam
     /* (I.4.1) 29:5 */
     /* reaction of front: Q_i gains lambda_2 a_2i */
     lambda[1] = z77 - (z67 * z78 - (z69 * z78 - (z65 * z80 - z75 * z72)));
-    /* the coframe is singular */
-    if (!(fabs(z6) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)))) {
-        return SNAKEBOARD_SINGULAR_1;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(lambda[0] + lambda[1]) <= DBL_MAX
+        && fabs(z6) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4))
+        && fabs(z19) > 1e-14 * (z12 + m * (z16 * z16) + m * (z18 * z18)))) {
+        /* the coframe is singular */
+        if (!(fabs(z6) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)))) {
+            return SNAKEBOARD_SINGULAR_1;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(J_w) > 0.0)) {
+            return SNAKEBOARD_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(J_w) > 0.0)) {
+            return SNAKEBOARD_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(J_r) > 0.0)) {
+            return SNAKEBOARD_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z19) > 1e-14 * (z12 + m * (z16 * z16) + m * (z18 * z18)))) {
+            return SNAKEBOARD_SINGULAR_2;
+        }
+        return SNAKEBOARD_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(J_w) > 0.0)) {
-        return SNAKEBOARD_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(J_w) > 0.0)) {
-        return SNAKEBOARD_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(J_r) > 0.0)) {
-        return SNAKEBOARD_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(z19) > 1e-14 * (z12 + m * (z16 * z16) + m * (z18 * z18)))) {
-        return SNAKEBOARD_SINGULAR_2;
-    }
-    return snakeboard_finish(2, lambda);
+    return SNAKEBOARD_OK;
 }
 
 double snakeboard_energy(double t, const double *y, const double *p)
@@ -765,6 +796,7 @@ double snakeboard_energy(double t, const double *y, const double *p)
     return 0.5 * z15;
 }
 
+SNAKEBOARD_SLOW
 int snakeboard_jacobian(double t, const double *y, const double *p, double *J)
 {
     for (int entry = 0; entry < 100; ++entry) {
@@ -999,27 +1031,37 @@ int snakeboard_jacobian(double t, const double *y, const double *p, double *J)
     J[96] = z152;
     J[98] = z153;
     J[99] = -z154;
-    /* the coframe is singular */
-    if (!(fabs(z7) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)))) {
-        return SNAKEBOARD_SINGULAR_1;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(J[2] + J[4] + J[5] + J[12] + J[14] + J[15] + J[65] + J[66] + J[68] + J[75] + J[76] + J[78] +
+        J[94] + J[99]) <= DBL_MAX
+        && fabs(z7) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4))
+        && fabs(J_w) > 0.0
+        && fabs(J_w) > 0.0
+        && fabs(J_r) > 0.0
+        && fabs(z25) > 1e-14 * (J_2 * (z12 * z12) + m * (z19 * z19) + m * (z23 * z23)))) {
+        /* the coframe is singular */
+        if (!(fabs(z7) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)))) {
+            return SNAKEBOARD_SINGULAR_1;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(J_w) > 0.0)) {
+            return SNAKEBOARD_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(J_w) > 0.0)) {
+            return SNAKEBOARD_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(J_r) > 0.0)) {
+            return SNAKEBOARD_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z25) > 1e-14 * (J_2 * (z12 * z12) + m * (z19 * z19) + m * (z23 * z23)))) {
+            return SNAKEBOARD_SINGULAR_2;
+        }
+        return SNAKEBOARD_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(J_w) > 0.0)) {
-        return SNAKEBOARD_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(J_w) > 0.0)) {
-        return SNAKEBOARD_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(J_r) > 0.0)) {
-        return SNAKEBOARD_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(z25) > 1e-14 * (J_2 * (z12 * z12) + m * (z19 * z19) + m * (z23 * z23)))) {
-        return SNAKEBOARD_SINGULAR_2;
-    }
-    return snakeboard_finish(100, J);
+    return SNAKEBOARD_OK;
 }
 
 int snakeboard_outputs(double t, const double *y, const double *p, double *out)
@@ -1056,15 +1098,19 @@ int snakeboard_outputs(double t, const double *y, const double *p, double *out)
     const double z2 = 2.0 * z1;
     const double z3 = s_p_b * (s_p_b * (1.0 - z2 - k1 * (3.0 - z2)) - 2.0 * (s_p_f * (c_p_b * c_p_f) * k2));
     const double z4 = z3 + (z1 + k1 * (4.0 - 3.0 * z1));
-    const double z7 = l * v / z4 * (c_p_b * (s1 * s_theta + c1 * c_theta) + c_p_f * (s2 * s_theta + c2 *
+    const double z7 = v / z4 * (c_p_b * (s1 * s_theta + c1 * c_theta) + c_p_f * (s2 * s_theta + c2 *
         c_theta));
     /* 32:10 */
-    out[0] = z7; /* speed */
-    /* the coframe is singular */
-    if (!(fabs(z4) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)))) {
-        return SNAKEBOARD_SINGULAR_1;
+    out[0] = l * z7; /* speed */
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(out[0]) <= DBL_MAX && fabs(z4) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)))) {
+        /* the coframe is singular */
+        if (!(fabs(z4) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)))) {
+            return SNAKEBOARD_SINGULAR_1;
+        }
+        return SNAKEBOARD_NOT_FINITE;
     }
-    return snakeboard_finish(1, out);
+    return SNAKEBOARD_OK;
 }
 
 #if SNAKEBOARD_LANES >= 2
@@ -1127,7 +1173,7 @@ static __attribute__((noinline)) void snakeboard_rhs_lanes(const double *fixed, 
     const snakeboard_lanes z9 = s1 * c1 - c2 * s2;
     const snakeboard_lanes z10 = 1.0 / z6;
     const snakeboard_lanes z11 = z9 * z10;
-    const snakeboard_lanes z12 = J * (z11 * z11);
+    const snakeboard_lanes z12 = J * z11 * z11;
     const snakeboard_lanes z13 = l * c_p_f;
     const snakeboard_lanes z14 = l * c_p_b;
     const snakeboard_lanes z15 = s1 * z13 + z14 * s2;

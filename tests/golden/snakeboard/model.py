@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""snakeboard, emitted by nhc 0.1.0 (nhc:274a392d9b31e344).
+"""snakeboard, emitted by nhc 0.1.0 (nhc:942ca59eab617072).
 
 A board on two steerable axles and a rotor; it moves by turning the rotor and the
     axles to and fro.
@@ -126,6 +126,12 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     sigma = float(p[6])  # amplitude of the torques on the axles [N*m]
     nu = float(p[7])  # frequency of the torques [rad/s]
     try:
+        # the mass matrix is singular
+        if not abs(J_r) > 0.0:
+            raise SingularModelError(2, "rhs")
+        # the mass matrix is singular
+        if not abs(J_w) > 0.0:
+            raise SingularModelError(2, "rhs")
         # parameters only
         k1 = l * l
         k2 = 1.0 - k1
@@ -149,15 +155,6 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         # the coframe is singular
         if not abs(z6) > 1e-12 * (k4 * s4):
             raise SingularModelError(1, "rhs")
-        # the mass matrix is singular
-        if not abs(J_w) > 0.0:
-            raise SingularModelError(2, "rhs")
-        # the mass matrix is singular
-        if not abs(J_w) > 0.0:
-            raise SingularModelError(2, "rhs")
-        # the mass matrix is singular
-        if not abs(J_r) > 0.0:
-            raise SingularModelError(2, "rhs")
         z7 = theta + p_b
         s1 = math.sin(z7)
         z8 = theta + p_f
@@ -167,7 +164,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z9 = s1 * c1 - c2 * s2
         z10 = 1.0 / z6
         z11 = z9 * z10
-        z12 = J * (z11 * z11)
+        z12 = J * z11 * z11
         z13 = l * c_p_f
         z14 = l * c_p_b
         z15 = s1 * z13 + z14 * s2
@@ -336,6 +333,12 @@ def accelerations(
     sigma = float(p[6])  # amplitude of the torques on the axles [N*m]
     nu = float(p[7])  # frequency of the torques [rad/s]
     try:
+        # the mass matrix is singular
+        if not abs(J_r) > 0.0:
+            raise SingularModelError(2, "accelerations")
+        # the mass matrix is singular
+        if not abs(J_w) > 0.0:
+            raise SingularModelError(2, "accelerations")
         # parameters only
         k1 = l * l
         k2 = 1.0 - k1
@@ -359,15 +362,6 @@ def accelerations(
         # the coframe is singular
         if not abs(z6) > 1e-12 * (k4 * s4):
             raise SingularModelError(1, "accelerations")
-        # the mass matrix is singular
-        if not abs(J_w) > 0.0:
-            raise SingularModelError(2, "accelerations")
-        # the mass matrix is singular
-        if not abs(J_w) > 0.0:
-            raise SingularModelError(2, "accelerations")
-        # the mass matrix is singular
-        if not abs(J_r) > 0.0:
-            raise SingularModelError(2, "accelerations")
         z7 = theta + p_b
         s1 = math.sin(z7)
         z8 = theta + p_f
@@ -377,7 +371,7 @@ def accelerations(
         z9 = s1 * c1 - c2 * s2
         z10 = 1.0 / z6
         z11 = z9 * z10
-        z12 = J * (z11 * z11)
+        z12 = J * z11 * z11
         z13 = l * c_p_f
         z14 = l * c_p_b
         z15 = s1 * z13 + z14 * s2
@@ -570,6 +564,12 @@ def reactions(
     sigma = float(p[6])  # amplitude of the torques on the axles [N*m]
     nu = float(p[7])  # frequency of the torques [rad/s]
     try:
+        # the mass matrix is singular
+        if not abs(J_r) > 0.0:
+            raise SingularModelError(2, "reactions")
+        # the mass matrix is singular
+        if not abs(J_w) > 0.0:
+            raise SingularModelError(2, "reactions")
         # parameters only
         k1 = l * l
         k2 = 1.0 - k1
@@ -593,15 +593,6 @@ def reactions(
         # the coframe is singular
         if not abs(z6) > 1e-12 * (k4 * s4):
             raise SingularModelError(1, "reactions")
-        # the mass matrix is singular
-        if not abs(J_w) > 0.0:
-            raise SingularModelError(2, "reactions")
-        # the mass matrix is singular
-        if not abs(J_w) > 0.0:
-            raise SingularModelError(2, "reactions")
-        # the mass matrix is singular
-        if not abs(J_r) > 0.0:
-            raise SingularModelError(2, "reactions")
         z7 = theta + p_b
         s1 = math.sin(z7)
         z8 = theta + p_f
@@ -611,7 +602,7 @@ def reactions(
         z9 = s1 * c1 - c2 * s2
         z10 = 1.0 / z6
         z11 = z9 * z10
-        z12 = J * (z11 * z11)
+        z12 = J * z11 * z11
         z13 = l * c_p_f
         z14 = l * c_p_b
         z15 = s1 * z13 + z14 * s2
@@ -784,6 +775,12 @@ def jacobian(
     sigma = float(p[6])  # amplitude of the torques on the axles [N*m]
     nu = float(p[7])  # frequency of the torques [rad/s]
     try:
+        # the mass matrix is singular
+        if not abs(J_r) > 0.0:
+            raise SingularModelError(2, "jacobian")
+        # the mass matrix is singular
+        if not abs(J_w) > 0.0:
+            raise SingularModelError(2, "jacobian")
         # parameters only
         k1 = l * l
         k2 = 1.0 - k1
@@ -806,15 +803,6 @@ def jacobian(
         # the coframe is singular
         if not abs(z7) > 1e-12 * (k4 * s4):
             raise SingularModelError(1, "jacobian")
-        # the mass matrix is singular
-        if not abs(J_w) > 0.0:
-            raise SingularModelError(2, "jacobian")
-        # the mass matrix is singular
-        if not abs(J_w) > 0.0:
-            raise SingularModelError(2, "jacobian")
-        # the mass matrix is singular
-        if not abs(J_r) > 0.0:
-            raise SingularModelError(2, "jacobian")
         z8 = 1.0 / z7
         z9 = theta + p_b
         s1 = math.sin(z9)
@@ -1180,10 +1168,10 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
         s2 = math.sin(z6)
         c2 = math.cos(z6)
         s5 = c_p_b * (s1 * s_theta + c1 * c_theta)
-        z7 = l * v / z4 * (s5 + c_p_f * (s2 * s_theta + c2 * c_theta))
+        z7 = v / z4 * (s5 + c_p_f * (s2 * s_theta + c2 * c_theta))
         out: list[float] = [
             # speed 32:10
-            z7,
+            l * z7,
         ]
         return _finish("outputs", out)
     except (ValueError, ZeroDivisionError, OverflowError) as error:

@@ -1,5 +1,5 @@
 /*
- * spherical_pendulum.c: spherical_pendulum, emitted by nhc 0.1.0 (nhc:58e4ef305ed51098)
+ * spherical_pendulum.c: spherical_pendulum, emitted by nhc 0.1.0 (nhc:8827115f91b04869)
  * A pendulum that swings in space.
  * Source: spherical_pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -32,15 +32,6 @@ const double spherical_pendulum_parameter_defaults[] = {
     1.0,
     9.81
 };
-
-static int spherical_pendulum_finish(int count, const double *values)
-{
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
-    for (int i = 0; i < count; ++i) {
-        sum += values[i];
-    }
-    return fabs(sum) <= DBL_MAX ? SPHERICAL_PENDULUM_OK : SPHERICAL_PENDULUM_NOT_FINITE;
-}
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
 #ifndef SPHERICAL_PENDULUM_LANES
@@ -183,7 +174,7 @@ int spherical_pendulum_rhs(double t, const double *y, const double *p, double *d
     const double g = p[2]; /* acceleration of gravity [m/s^2] */
 
     /* parameters only */
-    const double k1 = m * (l * l);
+    const double k1 = m * l * l;
     const double k2 = g / l;
 
     /* state */
@@ -193,15 +184,19 @@ int spherical_pendulum_rhs(double t, const double *y, const double *p, double *d
     /* (II.3) 13:4 */
     dydt[2] = s_theta * (phi_dot * phi_dot * c_theta - k2); /* theta'' */
     dydt[3] = -2.0 * (c_theta * (theta_dot * phi_dot) / s_theta); /* phi'' */
-    /* the mass matrix is singular */
-    if (!(fabs(k1) > 0.0)) {
-        return SPHERICAL_PENDULUM_SINGULAR_2;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(dydt[2] + dydt[3]) <= DBL_MAX && fabs(k1) > 0.0 && fabs(k1 * (s_theta * s_theta)) > 0.0)) {
+        /* the mass matrix is singular */
+        if (!(fabs(k1) > 0.0)) {
+            return SPHERICAL_PENDULUM_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(k1 * (s_theta * s_theta)) > 0.0)) {
+            return SPHERICAL_PENDULUM_SINGULAR_2;
+        }
+        return SPHERICAL_PENDULUM_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(k1 * (s_theta * s_theta)) > 0.0)) {
-        return SPHERICAL_PENDULUM_SINGULAR_2;
-    }
-    return spherical_pendulum_finish(4, dydt);
+    return SPHERICAL_PENDULUM_OK;
 }
 
 int spherical_pendulum_velocities(double t, const double *y, const double *p, double *qdot)
@@ -215,7 +210,11 @@ int spherical_pendulum_velocities(double t, const double *y, const double *p, do
     /* (I.2.4) */
     qdot[0] = theta_dot; /* theta' */
     qdot[1] = phi_dot; /* phi' */
-    return spherical_pendulum_finish(2, qdot);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qdot[0] + qdot[1]) <= DBL_MAX)) {
+        return SPHERICAL_PENDULUM_NOT_FINITE;
+    }
+    return SPHERICAL_PENDULUM_OK;
 }
 
 int spherical_pendulum_accelerations(double t, const double *y, const double *p, double *qddot)
@@ -233,22 +232,26 @@ int spherical_pendulum_accelerations(double t, const double *y, const double *p,
     const double g = p[2]; /* acceleration of gravity [m/s^2] */
 
     /* parameters only */
-    const double k1 = m * (l * l);
+    const double k1 = m * l * l;
     const double k2 = g / l;
 
     /* state */
     /* (II.3) */
     qddot[0] = s_theta * (phi_dot * phi_dot * c_theta - k2); /* theta'' */
     qddot[1] = -2.0 * (c_theta * (theta_dot * phi_dot) / s_theta); /* phi'' */
-    /* the mass matrix is singular */
-    if (!(fabs(k1) > 0.0)) {
-        return SPHERICAL_PENDULUM_SINGULAR_2;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qddot[0] + qddot[1]) <= DBL_MAX && fabs(k1) > 0.0 && fabs(k1 * (s_theta * s_theta)) > 0.0)) {
+        /* the mass matrix is singular */
+        if (!(fabs(k1) > 0.0)) {
+            return SPHERICAL_PENDULUM_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(k1 * (s_theta * s_theta)) > 0.0)) {
+            return SPHERICAL_PENDULUM_SINGULAR_2;
+        }
+        return SPHERICAL_PENDULUM_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(k1 * (s_theta * s_theta)) > 0.0)) {
-        return SPHERICAL_PENDULUM_SINGULAR_2;
-    }
-    return spherical_pendulum_finish(2, qddot);
+    return SPHERICAL_PENDULUM_OK;
 }
 
 int spherical_pendulum_state(double t, const double *q, const double *qdot, const double *p, double *y)
@@ -265,7 +268,11 @@ int spherical_pendulum_state(double t, const double *q, const double *qdot, cons
     y[1] = phi;
     y[2] = theta_dot;
     y[3] = phi_dot;
-    return spherical_pendulum_finish(4, y);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(y[0] + y[1] + y[2] + y[3]) <= DBL_MAX)) {
+        return SPHERICAL_PENDULUM_NOT_FINITE;
+    }
+    return SPHERICAL_PENDULUM_OK;
 }
 
 int spherical_pendulum_residuals(double t, const double *q, const double *qdot, const double *p, double *r)
@@ -286,7 +293,7 @@ int spherical_pendulum_reactions(double t, const double *y, const double *p, dou
     const double l = p[1]; /* length of the rod [m] */
 
     /* parameters only */
-    const double k1 = m * (l * l);
+    const double k1 = m * l * l;
 
     /* state */
     const double s_theta = sin(theta);
@@ -341,7 +348,7 @@ int spherical_pendulum_jacobian(double t, const double *y, const double *p, doub
     const double g = p[2]; /* acceleration of gravity [m/s^2] */
 
     /* parameters only */
-    const double k1 = m * (l * l);
+    const double k1 = m * l * l;
     const double k2 = g / l;
 
     /* state */
@@ -356,15 +363,19 @@ int spherical_pendulum_jacobian(double t, const double *y, const double *p, doub
     J[12] = 2.0 * (theta_dot * phi_dot / (s_theta * s_theta));
     J[14] = -2.0 * (z3 * z2);
     J[15] = -2.0 * (theta_dot * c_theta * z3);
-    /* the mass matrix is singular */
-    if (!(fabs(k1) > 0.0)) {
-        return SPHERICAL_PENDULUM_SINGULAR_2;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(J[8] + J[11] + J[12] + J[14] + J[15]) <= DBL_MAX && fabs(k1) > 0.0 && fabs(k1 * z1) > 0.0)) {
+        /* the mass matrix is singular */
+        if (!(fabs(k1) > 0.0)) {
+            return SPHERICAL_PENDULUM_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(k1 * z1) > 0.0)) {
+            return SPHERICAL_PENDULUM_SINGULAR_2;
+        }
+        return SPHERICAL_PENDULUM_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(k1 * z1) > 0.0)) {
-        return SPHERICAL_PENDULUM_SINGULAR_2;
-    }
-    return spherical_pendulum_finish(16, J);
+    return SPHERICAL_PENDULUM_OK;
 }
 
 int spherical_pendulum_outputs(double t, const double *y, const double *p, double *out)
@@ -376,13 +387,17 @@ int spherical_pendulum_outputs(double t, const double *y, const double *p, doubl
     const double l = p[1]; /* length of the rod [m] */
 
     /* parameters only */
-    const double k1 = m * (l * l);
+    const double k1 = m * l * l;
 
     /* state */
     const double s_theta = sin(theta);
     /* 16:8 */
     out[0] = phi_dot * (k1 * (s_theta * s_theta)); /* L_z */
-    return spherical_pendulum_finish(1, out);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(out[0]) <= DBL_MAX)) {
+        return SPHERICAL_PENDULUM_NOT_FINITE;
+    }
+    return SPHERICAL_PENDULUM_OK;
 }
 
 #if SPHERICAL_PENDULUM_LANES >= 2
@@ -441,7 +456,7 @@ int spherical_pendulum_rhs_batch(size_t count, const double *t, const double *y,
     const double m = p[0]; /* mass of the bob [kg] */
     const double l = p[1]; /* length of the rod [m] */
     const double g = p[2]; /* acceleration of gravity [m/s^2] */
-    const double k1 = m * (l * l);
+    const double k1 = m * l * l;
     const double k2 = g / l;
     /* the mass matrix is singular */
     if (!(fabs(k1) > 0.0)) {

@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""spherical_pendulum, emitted by nhc 0.1.0 (nhc:bf29bd32a4f17196).
+"""spherical_pendulum, emitted by nhc 0.1.0 (nhc:a4e464e9ee727561).
 
 A pendulum that swings in space.
 Source: spherical_pendulum.yaml
@@ -89,12 +89,12 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     g = float(p[2])  # acceleration of gravity [m/s^2]
     try:
         # parameters only
-        k1 = m * (l * l)
-        k2 = g / l
-        # state
+        k1 = m * l * l
         # the mass matrix is singular
         if not abs(k1) > 0.0:
             raise SingularModelError(2, "rhs")
+        k2 = g / l
+        # state
         s_theta = math.sin(theta)
         s1 = s_theta * s_theta
         # the mass matrix is singular
@@ -159,12 +159,12 @@ def accelerations(
     g = float(p[2])  # acceleration of gravity [m/s^2]
     try:
         # parameters only
-        k1 = m * (l * l)
-        k2 = g / l
-        # state
+        k1 = m * l * l
         # the mass matrix is singular
         if not abs(k1) > 0.0:
             raise SingularModelError(2, "accelerations")
+        k2 = g / l
+        # state
         s_theta = math.sin(theta)
         s1 = s_theta * s_theta
         # the mass matrix is singular
@@ -239,11 +239,11 @@ def reactions(
     l = float(p[1])  # length of the rod [m]
     try:
         # parameters only
-        k1 = m * (l * l)
-        # state
+        k1 = m * l * l
         # the mass matrix is singular
         if not abs(k1) > 0.0:
             raise SingularModelError(2, "reactions")
+        # state
         s_theta = math.sin(theta)
         s1 = s_theta * s_theta
         # the mass matrix is singular
@@ -298,12 +298,12 @@ def jacobian(
     g = float(p[2])  # acceleration of gravity [m/s^2]
     try:
         # parameters only
-        k1 = m * (l * l)
-        k2 = g / l
-        # state
+        k1 = m * l * l
         # the mass matrix is singular
         if not abs(k1) > 0.0:
             raise SingularModelError(2, "jacobian")
+        k2 = g / l
+        # state
         s_theta = math.sin(theta)
         z1 = s_theta * s_theta
         # the mass matrix is singular
@@ -355,7 +355,7 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
     l = float(p[1])  # length of the rod [m]
     try:
         # parameters only
-        k1 = m * (l * l)
+        k1 = m * l * l
         # state
         s_theta = math.sin(theta)
         out: list[float] = [

@@ -1,5 +1,5 @@
 /*
- * suslov.c: suslov, emitted by nhc 0.1.0 (nhc:b6f3fc1b346204d7)
+ * suslov.c: suslov, emitted by nhc 0.1.0 (nhc:7b56eaf56513f4f8)
  * A rigid body with a fixed point that must not turn about one of its own axes.
  * Source: suslov.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -39,14 +39,12 @@ const double suslov_parameter_defaults[] = {
     -0.2
 };
 
-static int suslov_finish(int count, const double *values)
-{
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
-    for (int i = 0; i < count; ++i) {
-        sum += values[i];
-    }
-    return fabs(sum) <= DBL_MAX ? SUSLOV_OK : SUSLOV_NOT_FINITE;
-}
+/* long functions that are called seldom: gcc is to take less time over them (other compilers do so by themselves) */
+#if defined(__GNUC__) && !defined(__clang__) && defined(__OPTIMIZE__)
+#define SUSLOV_SLOW __attribute__((cold, optimize("O1")))
+#else
+#define SUSLOV_SLOW
+#endif
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
 #ifndef SUSLOV_LANES
@@ -193,7 +191,7 @@ int suslov_rhs(double t, const double *y, const double *p, double *dydt)
     const double I23 = p[4]; /* [kg*m^2] */
 
     /* parameters only */
-    const double k1 = 1.0 / I11;
+    const double k1 = -1.0 / I11;
     const double k2 = 1.0 / I22;
 
     /* state */
@@ -205,21 +203,25 @@ int suslov_rhs(double t, const double *y, const double *p, double *dydt)
     dydt[1] = z1 * (s_theta * c_psi * w1 - s_theta * s_psi * w2); /* theta' */
     dydt[2] = -c_theta * z2; /* psi' */
     /* (I.2.15) 20:4 */
-    dydt[3] = -w2 * z3 * k1; /* w1' */
+    dydt[3] = w2 * z3 * k1; /* w1' */
     dydt[4] = w1 * z3 * k2; /* w2' */
-    /* the coframe is singular */
-    if (!(fabs(s_theta) > 1e-12 * 4.0)) {
-        return SUSLOV_SINGULAR_1;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(dydt[1] + dydt[2] + dydt[3] + dydt[4]) <= DBL_MAX && fabs(s_theta) > 1e-12 * 4.0)) {
+        /* the coframe is singular */
+        if (!(fabs(s_theta) > 1e-12 * 4.0)) {
+            return SUSLOV_SINGULAR_1;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(I11) > 0.0)) {
+            return SUSLOV_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(I22) > 0.0)) {
+            return SUSLOV_SINGULAR_2;
+        }
+        return SUSLOV_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(I11) > 0.0)) {
-        return SUSLOV_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(I22) > 0.0)) {
-        return SUSLOV_SINGULAR_2;
-    }
-    return suslov_finish(5, dydt);
+    return SUSLOV_OK;
 }
 
 int suslov_velocities(double t, const double *y, const double *p, double *qdot)
@@ -244,11 +246,15 @@ int suslov_velocities(double t, const double *y, const double *p, double *qdot)
     qdot[0] = z2; /* phi' */
     qdot[1] = z1 * (s_theta * c_psi * w1 - s_theta * s_psi * w2); /* theta' */
     qdot[2] = -c_theta * z2; /* psi' */
-    /* the coframe is singular */
-    if (!(fabs(s_theta) > 1e-12 * 4.0)) {
-        return SUSLOV_SINGULAR_1;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qdot[1] + qdot[2]) <= DBL_MAX && fabs(s_theta) > 1e-12 * 4.0)) {
+        /* the coframe is singular */
+        if (!(fabs(s_theta) > 1e-12 * 4.0)) {
+            return SUSLOV_SINGULAR_1;
+        }
+        return SUSLOV_NOT_FINITE;
     }
-    return suslov_finish(3, qdot);
+    return SUSLOV_OK;
 }
 
 int suslov_accelerations(double t, const double *y, const double *p, double *qddot)
@@ -295,19 +301,23 @@ int suslov_accelerations(double t, const double *y, const double *p, double *qdd
     qddot[0] = -z15; /* phi'' */
     qddot[1] = z2 * z16 - z5 * z7; /* theta'' */
     qddot[2] = z8 * z5 + c_theta * z15; /* psi'' */
-    /* the coframe is singular */
-    if (!(fabs(s_theta) > 1e-12 * 4.0)) {
-        return SUSLOV_SINGULAR_1;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qddot[1] + qddot[2]) <= DBL_MAX && fabs(s_theta) > 1e-12 * 4.0)) {
+        /* the coframe is singular */
+        if (!(fabs(s_theta) > 1e-12 * 4.0)) {
+            return SUSLOV_SINGULAR_1;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(I11) > 0.0)) {
+            return SUSLOV_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(I22) > 0.0)) {
+            return SUSLOV_SINGULAR_2;
+        }
+        return SUSLOV_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(I11) > 0.0)) {
-        return SUSLOV_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(I22) > 0.0)) {
-        return SUSLOV_SINGULAR_2;
-    }
-    return suslov_finish(3, qddot);
+    return SUSLOV_OK;
 }
 
 int suslov_state(double t, const double *q, const double *qdot, const double *p, double *y)
@@ -332,7 +342,11 @@ int suslov_state(double t, const double *q, const double *qdot, const double *p,
     y[2] = psi;
     y[3] = theta_dot * c_psi + s_psi * z1;
     y[4] = c_psi * z1 - theta_dot * s_psi;
-    return suslov_finish(5, y);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(y[0] + y[3] + y[4]) <= DBL_MAX)) {
+        return SUSLOV_NOT_FINITE;
+    }
+    return SUSLOV_OK;
 }
 
 int suslov_residuals(double t, const double *q, const double *qdot, const double *p, double *r)
@@ -347,7 +361,11 @@ int suslov_residuals(double t, const double *q, const double *qdot, const double
     const double c_theta = cos(theta);
     /* (I.1.1) 22:5 */
     r[0] = psi_dot + phi_dot * c_theta; /* no_spin = 0 */
-    return suslov_finish(1, r);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(r[0]) <= DBL_MAX)) {
+        return SUSLOV_NOT_FINITE;
+    }
+    return SUSLOV_OK;
 }
 
 int suslov_reactions(double t, const double *y, const double *p, double *lambda)
@@ -362,29 +380,33 @@ int suslov_reactions(double t, const double *y, const double *p, double *lambda)
     const double I23 = p[4]; /* [kg*m^2] */
 
     /* parameters only */
-    const double k1 = 1.0 / I11;
-    const double k2 = 1.0 / I22;
-    const double k3 = I11 - I22;
+    const double k1 = I11 - I22;
+    const double k2 = I13 / I11;
+    const double k3 = I23 / I22;
 
     /* state */
     const double s_theta = sin(theta);
     const double z1 = I13 * w1 + I23 * w2;
     /* (I.4.1) 22:5 */
     /* reaction of no_spin: Q_i gains lambda_1 a_1i */
-    lambda[0] = -(k3 * (w1 * w2) + (I13 * (w2 * z1 * k1) - I23 * (w1 * z1 * k2)));
-    /* the coframe is singular */
-    if (!(fabs(s_theta) > 1e-12 * 4.0)) {
-        return SUSLOV_SINGULAR_1;
+    lambda[0] = -(k1 * (w1 * w2) + (w2 * z1 * k2 - w1 * z1 * k3));
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(lambda[0]) <= DBL_MAX && fabs(s_theta) > 1e-12 * 4.0)) {
+        /* the coframe is singular */
+        if (!(fabs(s_theta) > 1e-12 * 4.0)) {
+            return SUSLOV_SINGULAR_1;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(I11) > 0.0)) {
+            return SUSLOV_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(I22) > 0.0)) {
+            return SUSLOV_SINGULAR_2;
+        }
+        return SUSLOV_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(I11) > 0.0)) {
-        return SUSLOV_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(I22) > 0.0)) {
-        return SUSLOV_SINGULAR_2;
-    }
-    return suslov_finish(1, lambda);
+    return SUSLOV_OK;
 }
 
 double suslov_energy(double t, const double *y, const double *p)
@@ -399,6 +421,7 @@ double suslov_energy(double t, const double *y, const double *p)
     return 0.5 * (I11 * (w1 * w1) + I22 * (w2 * w2));
 }
 
+SUSLOV_SLOW
 int suslov_jacobian(double t, const double *y, const double *p, double *J)
 {
     for (int entry = 0; entry < 25; ++entry) {
@@ -423,7 +446,7 @@ int suslov_jacobian(double t, const double *y, const double *p, double *J)
     /* parameters only */
     const double k1 = 1.0 / I11;
     const double k2 = 1.0 / I22;
-    const double k3 = I13 * k1;
+    const double k3 = -I13 * k1;
     const double k4 = I23 * k2;
 
     /* state */
@@ -453,23 +476,28 @@ int suslov_jacobian(double t, const double *y, const double *p, double *J)
     J[12] = -c_theta * z6;
     J[13] = -c_theta * z7;
     J[14] = -c_theta * z8;
-    J[18] = -w2 * k3;
+    J[18] = w2 * k3;
     J[19] = -k1 * (z11 + z13);
     J[23] = k2 * (z12 + z13);
     J[24] = w1 * k4;
-    /* the coframe is singular */
-    if (!(fabs(s_theta) > 1e-12 * 4.0)) {
-        return SUSLOV_SINGULAR_1;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(J[6] + J[7] + J[11] + J[12] + J[14] + J[18] + J[19] + J[23] + J[24]) <= DBL_MAX
+        && fabs(s_theta) > 1e-12 * 4.0)) {
+        /* the coframe is singular */
+        if (!(fabs(s_theta) > 1e-12 * 4.0)) {
+            return SUSLOV_SINGULAR_1;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(I11) > 0.0)) {
+            return SUSLOV_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(I22) > 0.0)) {
+            return SUSLOV_SINGULAR_2;
+        }
+        return SUSLOV_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(I11) > 0.0)) {
-        return SUSLOV_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(I22) > 0.0)) {
-        return SUSLOV_SINGULAR_2;
-    }
-    return suslov_finish(25, J);
+    return SUSLOV_OK;
 }
 
 int suslov_outputs(double t, const double *y, const double *p, double *out)
@@ -485,11 +513,15 @@ int suslov_outputs(double t, const double *y, const double *p, double *out)
     const double s_theta = sin(theta);
     /* 28:7 */
     out[0] = I13 * w1 + I23 * w2; /* M3 */
-    /* the coframe is singular */
-    if (!(fabs(s_theta) > 1e-12 * 4.0)) {
-        return SUSLOV_SINGULAR_1;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(out[0]) <= DBL_MAX && fabs(s_theta) > 1e-12 * 4.0)) {
+        /* the coframe is singular */
+        if (!(fabs(s_theta) > 1e-12 * 4.0)) {
+            return SUSLOV_SINGULAR_1;
+        }
+        return SUSLOV_NOT_FINITE;
     }
-    return suslov_finish(1, out);
+    return SUSLOV_OK;
 }
 
 #if SUSLOV_LANES >= 2
@@ -532,7 +564,7 @@ static __attribute__((noinline)) void suslov_rhs_lanes(const double *fixed, size
     sum += slope3;
     suslov_put(dydt + 2 * stride, slope3);
     /* (I.2.15) 20:4 */
-    const suslov_lanes slope4 = -w2 * z3 * k1;
+    const suslov_lanes slope4 = w2 * z3 * k1;
     sum += slope4;
     suslov_put(dydt + 3 * stride, slope4);
     const suslov_lanes slope5 = w1 * z3 * k2;
@@ -560,7 +592,7 @@ int suslov_rhs_batch(size_t count, const double *t, const double *y, const doubl
     const double I22 = p[1]; /* [kg*m^2] */
     const double I13 = p[3]; /* [kg*m^2] */
     const double I23 = p[4]; /* [kg*m^2] */
-    const double k1 = 1.0 / I11;
+    const double k1 = -1.0 / I11;
     const double k2 = 1.0 / I22;
     /* the mass matrix is singular */
     if (!(fabs(I11) > 0.0)) {

@@ -1,5 +1,5 @@
 /*
- * suslov.h: suslov, emitted by nhc 0.1.0 (nhc:420ed3c7cccfa75c)
+ * suslov.h: suslov, emitted by nhc 0.1.0 (nhc:90ea150ad73e42bf)
  * A rigid body with a fixed point that must not turn about one of its own axes.
  * Source: suslov.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -31,7 +31,7 @@
  * accelerations: 14 +-, 37 *, 4 /, 4 calls
  * state: 2 +-, 5 *, 0 /, 3 calls
  * residuals: 1 +-, 1 *, 0 /, 1 calls
- * reactions: 4 +-, 10 *, 2 /, 1 calls
+ * reactions: 4 +-, 8 *, 2 /, 1 calls
  * energy: 1 +-, 5 *, 0 /, 0 calls
  * jacobian: 9 +-, 31 *, 4 /, 4 calls
  * outputs: 1 +-, 2 *, 0 /, 1 calls

@@ -1,4 +1,4 @@
-"""suslov, emitted by nhc 0.1.0 (nhc:eaf60c9f97babe92).
+"""suslov, emitted by nhc 0.1.0 (nhc:6803bbc3f65da236).
 
 A rigid body with a fixed point that must not turn about one of its own axes.
 Source: suslov.yaml
@@ -31,7 +31,7 @@ velocities: 2 +-, 9 *, 1 /, 4 calls
 accelerations: 14 +-, 37 *, 4 /, 4 calls
 state: 2 +-, 5 *, 0 /, 3 calls
 residuals: 1 +-, 1 *, 0 /, 1 calls
-reactions: 4 +-, 10 *, 2 /, 1 calls
+reactions: 4 +-, 8 *, 2 /, 1 calls
 energy: 1 +-, 5 *, 0 /, 0 calls
 jacobian: 9 +-, 31 *, 4 /, 4 calls
 outputs: 1 +-, 2 *, 0 /, 1 calls
@@ -95,20 +95,20 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     I13 = float(p[3])  # [kg*m^2]
     I23 = float(p[4])  # [kg*m^2]
     try:
-        # parameters only
-        k1 = 1.0 / I11
-        k2 = 1.0 / I22
-        # state
-        s_theta = math.sin(theta)
-        # the coframe is singular
-        if not abs(s_theta) > 1e-12 * 4.0:
-            raise SingularModelError(1, "rhs")
         # the mass matrix is singular
         if not abs(I11) > 0.0:
             raise SingularModelError(2, "rhs")
         # the mass matrix is singular
         if not abs(I22) > 0.0:
             raise SingularModelError(2, "rhs")
+        # parameters only
+        k1 = -1.0 / I11
+        k2 = 1.0 / I22
+        # state
+        s_theta = math.sin(theta)
+        # the coframe is singular
+        if not abs(s_theta) > 1e-12 * 4.0:
+            raise SingularModelError(1, "rhs")
         c_psi = math.cos(psi)
         s_psi = math.sin(psi)
         z1 = 1.0 / s_theta
@@ -123,7 +123,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
             # psi' (I.2.15)
             -c_theta * z2,
             # w1' (I.2.15) 20:4
-            -w2 * z3 * k1,
+            w2 * z3 * k1,
             # w2' (I.2.15) 20:4
             w1 * z3 * k2,
         ]
@@ -189,6 +189,12 @@ def accelerations(
     I13 = float(p[3])  # [kg*m^2]
     I23 = float(p[4])  # [kg*m^2]
     try:
+        # the mass matrix is singular
+        if not abs(I11) > 0.0:
+            raise SingularModelError(2, "accelerations")
+        # the mass matrix is singular
+        if not abs(I22) > 0.0:
+            raise SingularModelError(2, "accelerations")
         # parameters only
         k1 = 1.0 / I11
         k2 = 1.0 / I22
@@ -197,12 +203,6 @@ def accelerations(
         # the coframe is singular
         if not abs(s_theta) > 1e-12 * 4.0:
             raise SingularModelError(1, "accelerations")
-        # the mass matrix is singular
-        if not abs(I11) > 0.0:
-            raise SingularModelError(2, "accelerations")
-        # the mass matrix is singular
-        if not abs(I22) > 0.0:
-            raise SingularModelError(2, "accelerations")
         c_psi = math.cos(psi)
         s_psi = math.sin(psi)
         z1 = c_psi * w2 + s_psi * w1
@@ -316,25 +316,25 @@ def reactions(
     I13 = float(p[3])  # [kg*m^2]
     I23 = float(p[4])  # [kg*m^2]
     try:
-        # parameters only
-        k1 = 1.0 / I11
-        k2 = 1.0 / I22
-        k3 = I11 - I22
-        # state
-        s_theta = math.sin(theta)
-        # the coframe is singular
-        if not abs(s_theta) > 1e-12 * 4.0:
-            raise SingularModelError(1, "reactions")
         # the mass matrix is singular
         if not abs(I11) > 0.0:
             raise SingularModelError(2, "reactions")
         # the mass matrix is singular
         if not abs(I22) > 0.0:
             raise SingularModelError(2, "reactions")
+        # parameters only
+        k1 = I11 - I22
+        k2 = I13 / I11
+        k3 = I23 / I22
+        # state
+        s_theta = math.sin(theta)
+        # the coframe is singular
+        if not abs(s_theta) > 1e-12 * 4.0:
+            raise SingularModelError(1, "reactions")
         z1 = I13 * w1 + I23 * w2
         lambda_: list[float] = [
             # reaction of no_spin: Q_i gains lambda_1 a_1i (I.4.1) 22:5
-            -(k3 * (w1 * w2) + (I13 * (w2 * z1 * k1) - I23 * (w1 * z1 * k2))),
+            -(k1 * (w1 * w2) + (w2 * z1 * k2 - w1 * z1 * k3)),
         ]
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -378,22 +378,22 @@ def jacobian(
     I13 = float(p[3])  # [kg*m^2]
     I23 = float(p[4])  # [kg*m^2]
     try:
-        # parameters only
-        k1 = 1.0 / I11
-        k2 = 1.0 / I22
-        k3 = I13 * k1
-        k4 = I23 * k2
-        # state
-        s_theta = math.sin(theta)
-        # the coframe is singular
-        if not abs(s_theta) > 1e-12 * 4.0:
-            raise SingularModelError(1, "jacobian")
         # the mass matrix is singular
         if not abs(I11) > 0.0:
             raise SingularModelError(2, "jacobian")
         # the mass matrix is singular
         if not abs(I22) > 0.0:
             raise SingularModelError(2, "jacobian")
+        # parameters only
+        k1 = 1.0 / I11
+        k2 = 1.0 / I22
+        k3 = -I13 * k1
+        k4 = I23 * k2
+        # state
+        s_theta = math.sin(theta)
+        # the coframe is singular
+        if not abs(s_theta) > 1e-12 * 4.0:
+            raise SingularModelError(1, "jacobian")
         c_psi = math.cos(psi)
         s_psi = math.sin(psi)
         z1 = c_psi * w2 + s_psi * w1
@@ -442,7 +442,7 @@ def jacobian(
             0.0,
             0.0,
             # (I.2.15)
-            -w2 * k3,
+            w2 * k3,
             # (I.2.15)
             -k1 * (z11 + z13),
             0.0,

@@ -1,5 +1,5 @@
 /*
- * vertical_disk.c: vertical_disk, emitted by nhc 0.1.0 (nhc:c5c8fe33ec491e79)
+ * vertical_disk.c: vertical_disk, emitted by nhc 0.1.0 (nhc:24c587ba305a1316)
  * A disk that stays upright and rolls without slipping.
  * Source: vertical_disk.yaml
  * Equations of motion: chaplygin (III.3)
@@ -38,15 +38,6 @@ const double vertical_disk_parameter_defaults[] = {
     0.125,
     0.0625
 };
-
-static int vertical_disk_finish(int count, const double *values)
-{
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
-    for (int i = 0; i < count; ++i) {
-        sum += values[i];
-    }
-    return fabs(sum) <= DBL_MAX ? VERTICAL_DISK_OK : VERTICAL_DISK_NOT_FINITE;
-}
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
 #ifndef VERTICAL_DISK_LANES
@@ -188,15 +179,19 @@ int vertical_disk_rhs(double t, const double *y, const double *p, double *dydt)
     /* (III.3) 16:4 */
     dydt[4] = 0.0; /* phi'' */
     dydt[5] = 0.0; /* theta'' */
-    /* the mass matrix is singular */
-    if (!(fabs(J) > 0.0)) {
-        return VERTICAL_DISK_SINGULAR_2;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(dydt[0] + dydt[2]) <= DBL_MAX && fabs(J) > 0.0 && fabs(I + R * (m * R)) > 0.0)) {
+        /* the mass matrix is singular */
+        if (!(fabs(J) > 0.0)) {
+            return VERTICAL_DISK_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(I + R * (m * R)) > 0.0)) {
+            return VERTICAL_DISK_SINGULAR_2;
+        }
+        return VERTICAL_DISK_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(I + R * (m * R)) > 0.0)) {
-        return VERTICAL_DISK_SINGULAR_2;
-    }
-    return vertical_disk_finish(6, dydt);
+    return VERTICAL_DISK_OK;
 }
 
 int vertical_disk_velocities(double t, const double *y, const double *p, double *qdot)
@@ -218,7 +213,11 @@ int vertical_disk_velocities(double t, const double *y, const double *p, double 
     qdot[1] = s_phi * v1_x; /* y' */
     qdot[2] = phi_dot; /* phi' */
     qdot[3] = theta_dot; /* theta' */
-    return vertical_disk_finish(4, qdot);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qdot[0] + qdot[2]) <= DBL_MAX)) {
+        return VERTICAL_DISK_NOT_FINITE;
+    }
+    return VERTICAL_DISK_OK;
 }
 
 int vertical_disk_accelerations(double t, const double *y, const double *p, double *qddot)
@@ -243,15 +242,19 @@ int vertical_disk_accelerations(double t, const double *y, const double *p, doub
     qddot[1] = c_phi * z1; /* y'' */
     qddot[2] = 0.0; /* phi'' */
     qddot[3] = 0.0; /* theta'' */
-    /* the mass matrix is singular */
-    if (!(fabs(J) > 0.0)) {
-        return VERTICAL_DISK_SINGULAR_2;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qddot[0]) <= DBL_MAX && fabs(J) > 0.0 && fabs(I + R * (m * R)) > 0.0)) {
+        /* the mass matrix is singular */
+        if (!(fabs(J) > 0.0)) {
+            return VERTICAL_DISK_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(I + R * (m * R)) > 0.0)) {
+            return VERTICAL_DISK_SINGULAR_2;
+        }
+        return VERTICAL_DISK_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(I + R * (m * R)) > 0.0)) {
-        return VERTICAL_DISK_SINGULAR_2;
-    }
-    return vertical_disk_finish(4, qddot);
+    return VERTICAL_DISK_OK;
 }
 
 int vertical_disk_state(double t, const double *q, const double *qdot, const double *p, double *y)
@@ -272,7 +275,11 @@ int vertical_disk_state(double t, const double *q, const double *qdot, const dou
     y[3] = theta;
     y[4] = phi_dot;
     y[5] = theta_dot;
-    return vertical_disk_finish(6, y);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(y[0] + y[1] + y[2] + y[3] + y[4] + y[5]) <= DBL_MAX)) {
+        return VERTICAL_DISK_NOT_FINITE;
+    }
+    return VERTICAL_DISK_OK;
 }
 
 int vertical_disk_residuals(double t, const double *q, const double *qdot, const double *p, double *r)
@@ -294,7 +301,11 @@ int vertical_disk_residuals(double t, const double *q, const double *qdot, const
     r[0] = x_dot - c_phi * v1_x; /* roll_x = 0 */
     /* (I.1.1) 19:5 */
     r[1] = y_dot - s_phi * v1_x; /* roll_y = 0 */
-    return vertical_disk_finish(2, r);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(r[0] + r[1]) <= DBL_MAX)) {
+        return VERTICAL_DISK_NOT_FINITE;
+    }
+    return VERTICAL_DISK_OK;
 }
 
 int vertical_disk_reactions(double t, const double *y, const double *p, double *lambda)
@@ -312,21 +323,28 @@ int vertical_disk_reactions(double t, const double *y, const double *p, double *
     const double I = p[2]; /* moment of inertia about the axle [kg*m^2] */
     const double J = p[3]; /* moment of inertia about the vertical [kg*m^2] */
 
+    /* parameters only */
+    const double k1 = m * R;
+
     /* state */
-    const double z1 = R * (m * (phi_dot * theta_dot));
+    const double z1 = phi_dot * theta_dot * k1;
     /* (I.4.1) 18:5 */
     lambda[0] = -s_phi * z1; /* reaction of roll_x: Q_i gains lambda_1 a_1i */
     /* (I.4.1) 19:5 */
     lambda[1] = c_phi * z1; /* reaction of roll_y: Q_i gains lambda_2 a_2i */
-    /* the mass matrix is singular */
-    if (!(fabs(J) > 0.0)) {
-        return VERTICAL_DISK_SINGULAR_2;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(lambda[0]) <= DBL_MAX && fabs(J) > 0.0 && fabs(I + R * k1) > 0.0)) {
+        /* the mass matrix is singular */
+        if (!(fabs(J) > 0.0)) {
+            return VERTICAL_DISK_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(I + R * k1) > 0.0)) {
+            return VERTICAL_DISK_SINGULAR_2;
+        }
+        return VERTICAL_DISK_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(I + R * (m * R)) > 0.0)) {
-        return VERTICAL_DISK_SINGULAR_2;
-    }
-    return vertical_disk_finish(2, lambda);
+    return VERTICAL_DISK_OK;
 }
 
 double vertical_disk_energy(double t, const double *y, const double *p)
@@ -373,15 +391,19 @@ int vertical_disk_jacobian(double t, const double *y, const double *p, double *J
     J[11] = z1;
     J[16] = 1.0;
     J[23] = 1.0;
-    /* the mass matrix is singular */
-    if (!(fabs(J_2) > 0.0)) {
-        return VERTICAL_DISK_SINGULAR_2;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(J[2] + J[8]) <= DBL_MAX && fabs(J_2) > 0.0 && fabs(I + R * (m * R)) > 0.0)) {
+        /* the mass matrix is singular */
+        if (!(fabs(J_2) > 0.0)) {
+            return VERTICAL_DISK_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(I + R * (m * R)) > 0.0)) {
+            return VERTICAL_DISK_SINGULAR_2;
+        }
+        return VERTICAL_DISK_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(I + R * (m * R)) > 0.0)) {
-        return VERTICAL_DISK_SINGULAR_2;
-    }
-    return vertical_disk_finish(36, J);
+    return VERTICAL_DISK_OK;
 }
 
 int vertical_disk_outputs(double t, const double *y, const double *p, double *out)
@@ -393,7 +415,11 @@ int vertical_disk_outputs(double t, const double *y, const double *p, double *ou
     /* state */
     /* 22:10 */
     out[0] = theta_dot * R; /* speed */
-    return vertical_disk_finish(1, out);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(out[0]) <= DBL_MAX)) {
+        return VERTICAL_DISK_NOT_FINITE;
+    }
+    return VERTICAL_DISK_OK;
 }
 
 #if VERTICAL_DISK_LANES >= 2

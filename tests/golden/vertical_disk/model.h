@@ -1,5 +1,5 @@
 /*
- * vertical_disk.h: vertical_disk, emitted by nhc 0.1.0 (nhc:f9ea2f927560355a)
+ * vertical_disk.h: vertical_disk, emitted by nhc 0.1.0 (nhc:91e8e03faa066da4)
  * A disk that stays upright and rolls without slipping.
  * Source: vertical_disk.yaml
  * Equations of motion: chaplygin (III.3)
@@ -32,7 +32,7 @@
  * accelerations: 1 +-, 6 *, 0 /, 2 calls
  * state: 0 +-, 0 *, 0 /, 0 calls
  * residuals: 2 +-, 3 *, 0 /, 2 calls
- * reactions: 1 +-, 7 *, 0 /, 2 calls
+ * reactions: 1 +-, 6 *, 0 /, 2 calls
  * energy: 2 +-, 7 *, 0 /, 0 calls
  * jacobian: 1 +-, 6 *, 0 /, 2 calls
  * outputs: 0 +-, 1 *, 0 /, 0 calls

@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""vertical_disk, emitted by nhc 0.1.0 (nhc:2b682e81379ab35d).
+"""vertical_disk, emitted by nhc 0.1.0 (nhc:f39094028fa6a2e9).
 
 A disk that stays upright and rolls without slipping.
 Source: vertical_disk.yaml
@@ -33,7 +33,7 @@ velocities: 0 +-, 3 *, 0 /, 2 calls
 accelerations: 1 +-, 6 *, 0 /, 2 calls
 state: 0 +-, 0 *, 0 /, 0 calls
 residuals: 2 +-, 3 *, 0 /, 2 calls
-reactions: 1 +-, 7 *, 0 /, 2 calls
+reactions: 1 +-, 6 *, 0 /, 2 calls
 energy: 2 +-, 7 *, 0 /, 0 calls
 jacobian: 1 +-, 6 *, 0 /, 2 calls
 outputs: 0 +-, 1 *, 0 /, 0 calls
@@ -96,14 +96,14 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     I = float(p[2])  # moment of inertia about the axle [kg*m^2]
     J = float(p[3])  # moment of inertia about the vertical [kg*m^2]
     try:
-        # state
-        # the mass matrix is singular
-        if not abs(J) > 0.0:
-            raise SingularModelError(2, "rhs")
         s1 = I + R * (m * R)
         # the mass matrix is singular
         if not abs(s1) > 0.0:
             raise SingularModelError(2, "rhs")
+        # the mass matrix is singular
+        if not abs(J) > 0.0:
+            raise SingularModelError(2, "rhs")
+        # state
         c_phi = math.cos(phi)
         v1_x = theta_dot * R
         s_phi = math.sin(phi)
@@ -178,14 +178,14 @@ def accelerations(
     I = float(p[2])  # moment of inertia about the axle [kg*m^2]
     J = float(p[3])  # moment of inertia about the vertical [kg*m^2]
     try:
-        # state
-        # the mass matrix is singular
-        if not abs(J) > 0.0:
-            raise SingularModelError(2, "accelerations")
         s1 = I + R * (m * R)
         # the mass matrix is singular
         if not abs(s1) > 0.0:
             raise SingularModelError(2, "accelerations")
+        # the mass matrix is singular
+        if not abs(J) > 0.0:
+            raise SingularModelError(2, "accelerations")
+        # state
         s_phi = math.sin(phi)
         z1 = R * (phi_dot * theta_dot)
         c_phi = math.cos(phi)
@@ -280,16 +280,17 @@ def reactions(
     I = float(p[2])  # moment of inertia about the axle [kg*m^2]
     J = float(p[3])  # moment of inertia about the vertical [kg*m^2]
     try:
-        # state
         # the mass matrix is singular
         if not abs(J) > 0.0:
             raise SingularModelError(2, "reactions")
-        s1 = I + R * (m * R)
+        # parameters only
+        k1 = m * R
         # the mass matrix is singular
-        if not abs(s1) > 0.0:
+        if not abs(I + R * k1) > 0.0:
             raise SingularModelError(2, "reactions")
+        # state
         s_phi = math.sin(phi)
-        z1 = R * (m * (phi_dot * theta_dot))
+        z1 = phi_dot * theta_dot * k1
         c_phi = math.cos(phi)
         lambda_: list[float] = [
             # reaction of roll_x: Q_i gains lambda_1 a_1i (I.4.1) 18:5
@@ -341,14 +342,14 @@ def jacobian(
     I = float(p[2])  # moment of inertia about the axle [kg*m^2]
     J_2 = float(p[3])  # moment of inertia about the vertical [kg*m^2]
     try:
-        # state
-        # the mass matrix is singular
-        if not abs(J_2) > 0.0:
-            raise SingularModelError(2, "jacobian")
         s1 = I + R * (m * R)
         # the mass matrix is singular
         if not abs(s1) > 0.0:
             raise SingularModelError(2, "jacobian")
+        # the mass matrix is singular
+        if not abs(J_2) > 0.0:
+            raise SingularModelError(2, "jacobian")
+        # state
         s_phi = math.sin(phi)
         z1 = R * s_phi
         c_phi = math.cos(phi)

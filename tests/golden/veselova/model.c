@@ -1,5 +1,5 @@
 /*
- * veselova.c: veselova, emitted by nhc 0.1.0 (nhc:02f7b7c4781fa135)
+ * veselova.c: veselova, emitted by nhc 0.1.0 (nhc:27c70d065a37a78e)
  * A rigid body with a fixed point that must not turn about the vertical.
  * Source: veselova.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -35,14 +35,12 @@ const double veselova_parameter_defaults[] = {
     2.3
 };
 
-static int veselova_finish(int count, const double *values)
-{
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
-    for (int i = 0; i < count; ++i) {
-        sum += values[i];
-    }
-    return fabs(sum) <= DBL_MAX ? VESELOVA_OK : VESELOVA_NOT_FINITE;
-}
+/* long functions that are called seldom: gcc is to take less time over them (other compilers do so by themselves) */
+#if defined(__GNUC__) && !defined(__clang__) && defined(__OPTIMIZE__)
+#define VESELOVA_SLOW __attribute__((cold, optimize("O1")))
+#else
+#define VESELOVA_SLOW
+#endif
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
 #ifndef VESELOVA_LANES
@@ -226,19 +224,25 @@ int veselova_rhs(double t, const double *y, const double *p, double *dydt)
     /* (I.2.15) 24:4 */
     dydt[3] = z23 * z14 + z15 * z24; /* w_x' */
     dydt[4] = -z24; /* w_y' */
-    /* the coframe is singular */
-    if (!(fabs(s_theta) > 1e-12 * 4.0)) {
-        return VESELOVA_SINGULAR_1;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(dydt[0] + dydt[1] + dydt[3] + dydt[4]) <= DBL_MAX
+        && fabs(s_theta) > 1e-12 * 4.0
+        && fabs(z16) > 1e-14 * z12)) {
+        /* the coframe is singular */
+        if (!(fabs(s_theta) > 1e-12 * 4.0)) {
+            return VESELOVA_SINGULAR_1;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z8) > 0.0)) {
+            return VESELOVA_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z16) > 1e-14 * z12)) {
+            return VESELOVA_SINGULAR_2;
+        }
+        return VESELOVA_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(z8) > 0.0)) {
-        return VESELOVA_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(z16) > 1e-14 * z12)) {
-        return VESELOVA_SINGULAR_2;
-    }
-    return veselova_finish(5, dydt);
+    return VESELOVA_OK;
 }
 
 int veselova_velocities(double t, const double *y, const double *p, double *qdot)
@@ -263,13 +267,18 @@ int veselova_velocities(double t, const double *y, const double *p, double *qdot
     qdot[0] = -c_theta * z2; /* phi' */
     qdot[1] = (s_theta * s_phi * w_y + s_theta * c_phi * w_x) * z1; /* theta' */
     qdot[2] = z2; /* psi' */
-    /* the coframe is singular */
-    if (!(fabs(s_theta) > 1e-12 * 4.0)) {
-        return VESELOVA_SINGULAR_1;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qdot[0] + qdot[1]) <= DBL_MAX && fabs(s_theta) > 1e-12 * 4.0)) {
+        /* the coframe is singular */
+        if (!(fabs(s_theta) > 1e-12 * 4.0)) {
+            return VESELOVA_SINGULAR_1;
+        }
+        return VESELOVA_NOT_FINITE;
     }
-    return veselova_finish(3, qdot);
+    return VESELOVA_OK;
 }
 
+VESELOVA_SLOW
 int veselova_accelerations(double t, const double *y, const double *p, double *qddot)
 {
     (void)t;
@@ -334,19 +343,25 @@ int veselova_accelerations(double t, const double *y, const double *p, double *q
     qddot[0] = z19 * z22 + c_theta * z33; /* phi'' */
     qddot[1] = -(z19 * z24 + z20 * z34); /* theta'' */
     qddot[2] = -z33; /* psi'' */
-    /* the coframe is singular */
-    if (!(fabs(s_theta) > 1e-12 * 4.0)) {
-        return VESELOVA_SINGULAR_1;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qddot[0] + qddot[1] + qddot[2]) <= DBL_MAX
+        && fabs(s_theta) > 1e-12 * 4.0
+        && fabs(z16) > 1e-14 * z12)) {
+        /* the coframe is singular */
+        if (!(fabs(s_theta) > 1e-12 * 4.0)) {
+            return VESELOVA_SINGULAR_1;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z8) > 0.0)) {
+            return VESELOVA_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z16) > 1e-14 * z12)) {
+            return VESELOVA_SINGULAR_2;
+        }
+        return VESELOVA_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(z8) > 0.0)) {
-        return VESELOVA_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(z16) > 1e-14 * z12)) {
-        return VESELOVA_SINGULAR_2;
-    }
-    return veselova_finish(3, qddot);
+    return VESELOVA_OK;
 }
 
 int veselova_state(double t, const double *q, const double *qdot, const double *p, double *y)
@@ -371,7 +386,11 @@ int veselova_state(double t, const double *q, const double *qdot, const double *
     y[2] = psi;
     y[3] = theta_dot * c_phi + s_phi * z1;
     y[4] = theta_dot * s_phi - c_phi * z1;
-    return veselova_finish(5, y);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(y[2] + y[3] + y[4]) <= DBL_MAX)) {
+        return VESELOVA_NOT_FINITE;
+    }
+    return VESELOVA_OK;
 }
 
 int veselova_residuals(double t, const double *q, const double *qdot, const double *p, double *r)
@@ -386,9 +405,14 @@ int veselova_residuals(double t, const double *q, const double *qdot, const doub
     const double c_theta = cos(theta);
     /* (I.1.1) 26:5 */
     r[0] = phi_dot + psi_dot * c_theta; /* no_turn = 0 */
-    return veselova_finish(1, r);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(r[0]) <= DBL_MAX)) {
+        return VESELOVA_NOT_FINITE;
+    }
+    return VESELOVA_OK;
 }
 
+VESELOVA_SLOW
 int veselova_reactions(double t, const double *y, const double *p, double *lambda)
 {
     (void)t;
@@ -468,19 +492,23 @@ int veselova_reactions(double t, const double *y, const double *p, double *lambd
     /* (I.4.1) 26:5 */
     /* reaction of no_turn: Q_i gains lambda_1 a_1i */
     lambda[0] = z46 - ((c_psi * s_phi + c_phi * z6) * z41 + c_phi * z42) * (s_theta * z45) - z40;
-    /* the coframe is singular */
-    if (!(fabs(s_theta) > 1e-12 * 4.0)) {
-        return VESELOVA_SINGULAR_1;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(lambda[0]) <= DBL_MAX && fabs(s_theta) > 1e-12 * 4.0 && fabs(z16) > 1e-14 * z12)) {
+        /* the coframe is singular */
+        if (!(fabs(s_theta) > 1e-12 * 4.0)) {
+            return VESELOVA_SINGULAR_1;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z8) > 0.0)) {
+            return VESELOVA_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z16) > 1e-14 * z12)) {
+            return VESELOVA_SINGULAR_2;
+        }
+        return VESELOVA_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(z8) > 0.0)) {
-        return VESELOVA_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(z16) > 1e-14 * z12)) {
-        return VESELOVA_SINGULAR_2;
-    }
-    return veselova_finish(1, lambda);
+    return VESELOVA_OK;
 }
 
 double veselova_energy(double t, const double *y, const double *p)
@@ -515,6 +543,7 @@ double veselova_energy(double t, const double *y, const double *p)
     return 0.5 * (I3 * (omega3 * omega3) + (I1 * (z6 * z6) + I2 * (z7 * z7)));
 }
 
+VESELOVA_SLOW
 int veselova_jacobian(double t, const double *y, const double *p, double *J)
 {
     J[2] = 0.0;
@@ -659,19 +688,26 @@ int veselova_jacobian(double t, const double *y, const double *p, double *J)
     J[22] = -z83;
     J[23] = -z86;
     J[24] = z88;
-    /* the coframe is singular */
-    if (!(fabs(s_theta) > 1e-12 * 4.0)) {
-        return VESELOVA_SINGULAR_1;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(J[0] + J[1] + J[5] + J[6] + J[11] + J[14] + J[15] + J[16] + J[17] + J[18] + J[19] + J[20] +
+        J[22] + J[23]) <= DBL_MAX
+        && fabs(s_theta) > 1e-12 * 4.0
+        && fabs(z22) > 1e-14 * z17)) {
+        /* the coframe is singular */
+        if (!(fabs(s_theta) > 1e-12 * 4.0)) {
+            return VESELOVA_SINGULAR_1;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z11) > 0.0)) {
+            return VESELOVA_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z22) > 1e-14 * z17)) {
+            return VESELOVA_SINGULAR_2;
+        }
+        return VESELOVA_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(z11) > 0.0)) {
-        return VESELOVA_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(z22) > 1e-14 * z17)) {
-        return VESELOVA_SINGULAR_2;
-    }
-    return veselova_finish(25, J);
+    return VESELOVA_OK;
 }
 
 int veselova_outputs(double t, const double *y, const double *p, double *out)
@@ -708,11 +744,15 @@ int veselova_outputs(double t, const double *y, const double *p, double *out)
     out[0] = c_phi * z8 - s_phi * z9; /* L_x */
     /* 33:8 */
     out[1] = s_phi * z8 + c_phi * z9; /* L_y */
-    /* the coframe is singular */
-    if (!(fabs(s_theta) > 1e-12 * 4.0)) {
-        return VESELOVA_SINGULAR_1;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(out[0] + out[1]) <= DBL_MAX && fabs(s_theta) > 1e-12 * 4.0)) {
+        /* the coframe is singular */
+        if (!(fabs(s_theta) > 1e-12 * 4.0)) {
+            return VESELOVA_SINGULAR_1;
+        }
+        return VESELOVA_NOT_FINITE;
     }
-    return veselova_finish(2, out);
+    return VESELOVA_OK;
 }
 
 #if VESELOVA_LANES >= 2

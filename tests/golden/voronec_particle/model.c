@@ -1,5 +1,5 @@
 /*
- * voronec_particle.c: voronec_particle, emitted by nhc 0.1.0 (nhc:2ad0817a462cd3e0)
+ * voronec_particle.c: voronec_particle, emitted by nhc 0.1.0 (nhc:1b42863b83d81e4d)
  * A particle whose T, U and constraint depend on the dependent coordinate, so that Caplygin's hypotheses
  *     fail.
  * Source: voronec_particle.yaml
@@ -34,14 +34,12 @@ const double voronec_particle_parameter_defaults[] = {
     0.0
 };
 
-static int voronec_particle_finish(int count, const double *values)
-{
-    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
-    for (int i = 0; i < count; ++i) {
-        sum += values[i];
-    }
-    return fabs(sum) <= DBL_MAX ? VORONEC_PARTICLE_OK : VORONEC_PARTICLE_NOT_FINITE;
-}
+/* long functions that are called seldom: gcc is to take less time over them (other compilers do so by themselves) */
+#if defined(__GNUC__) && !defined(__clang__) && defined(__OPTIMIZE__)
+#define VORONEC_PARTICLE_SLOW __attribute__((cold, optimize("O1")))
+#else
+#define VORONEC_PARTICLE_SLOW
+#endif
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
 #ifndef VORONEC_PARTICLE_LANES
@@ -219,15 +217,19 @@ int voronec_particle_rhs(double t, const double *y, const double *p, double *dyd
     /* (I.4.9) 7:4 */
     dydt[3] = 0.5 * (z10 * z26) - z9 * z23; /* x'' */
     dydt[4] = -z26; /* y'' */
-    /* the mass matrix is singular */
-    if (!(fabs(z5) > 0.0)) {
-        return VORONEC_PARTICLE_SINGULAR_2;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(dydt[3] + dydt[4]) <= DBL_MAX && fabs(z11) > 1e-14 * z7)) {
+        /* the mass matrix is singular */
+        if (!(fabs(z5) > 0.0)) {
+            return VORONEC_PARTICLE_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z11) > 1e-14 * z7)) {
+            return VORONEC_PARTICLE_SINGULAR_2;
+        }
+        return VORONEC_PARTICLE_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(z11) > 1e-14 * z7)) {
-        return VORONEC_PARTICLE_SINGULAR_2;
-    }
-    return voronec_particle_finish(5, dydt);
+    return VORONEC_PARTICLE_OK;
 }
 
 int voronec_particle_velocities(double t, const double *y, const double *p, double *qdot)
@@ -246,7 +248,11 @@ int voronec_particle_velocities(double t, const double *y, const double *p, doub
     qdot[0] = x_dot; /* x' */
     qdot[1] = y_dot; /* y' */
     qdot[2] = x_dot * (y_2 * c_z) + 0.5 * (y_dot * (x * z)); /* z' */
-    return voronec_particle_finish(3, qdot);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qdot[2]) <= DBL_MAX)) {
+        return VORONEC_PARTICLE_NOT_FINITE;
+    }
+    return VORONEC_PARTICLE_OK;
 }
 
 int voronec_particle_accelerations(double t, const double *y, const double *p, double *qddot)
@@ -299,15 +305,19 @@ int voronec_particle_accelerations(double t, const double *y, const double *p, d
     qddot[0] = -z29; /* x'' */
     qddot[1] = -z28; /* y'' */
     qddot[2] = z15 - z1 * z29 + 0.5 * (z16 - z6 * z28); /* z'' */
-    /* the mass matrix is singular */
-    if (!(fabs(z5) > 0.0)) {
-        return VORONEC_PARTICLE_SINGULAR_2;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(qddot[2]) <= DBL_MAX && fabs(z11) > 1e-14 * z7)) {
+        /* the mass matrix is singular */
+        if (!(fabs(z5) > 0.0)) {
+            return VORONEC_PARTICLE_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z11) > 1e-14 * z7)) {
+            return VORONEC_PARTICLE_SINGULAR_2;
+        }
+        return VORONEC_PARTICLE_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(z11) > 1e-14 * z7)) {
-        return VORONEC_PARTICLE_SINGULAR_2;
-    }
-    return voronec_particle_finish(3, qddot);
+    return VORONEC_PARTICLE_OK;
 }
 
 int voronec_particle_state(double t, const double *q, const double *qdot, const double *p, double *y)
@@ -326,7 +336,11 @@ int voronec_particle_state(double t, const double *q, const double *qdot, const 
     y[2] = z;
     y[3] = x_dot;
     y[4] = y_dot;
-    return voronec_particle_finish(5, y);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(y[0] + y[1] + y[2] + y[3] + y[4]) <= DBL_MAX)) {
+        return VORONEC_PARTICLE_NOT_FINITE;
+    }
+    return VORONEC_PARTICLE_OK;
 }
 
 int voronec_particle_residuals(double t, const double *q, const double *qdot, const double *p, double *r)
@@ -344,7 +358,11 @@ int voronec_particle_residuals(double t, const double *q, const double *qdot, co
     const double c_z = cos(z);
     /* (I.1.1) 10:5 */
     r[0] = z_dot - (x_dot * (y * c_z) + 0.5 * (y_dot * (x * z))); /* contact = 0 */
-    return voronec_particle_finish(1, r);
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(r[0]) <= DBL_MAX)) {
+        return VORONEC_PARTICLE_NOT_FINITE;
+    }
+    return VORONEC_PARTICLE_OK;
 }
 
 int voronec_particle_reactions(double t, const double *y, const double *p, double *lambda)
@@ -396,15 +414,19 @@ int voronec_particle_reactions(double t, const double *y, const double *p, doubl
         * (z11 * z28)) - 0.5 * (z7 * z28));
     /* (I.4.1) 10:5 */
     lambda[0] = z29; /* reaction of contact: Q_i gains lambda_1 a_1i */
-    /* the mass matrix is singular */
-    if (!(fabs(z5) > 0.0)) {
-        return VORONEC_PARTICLE_SINGULAR_2;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(lambda[0]) <= DBL_MAX && fabs(z12) > 1e-14 * z8)) {
+        /* the mass matrix is singular */
+        if (!(fabs(z5) > 0.0)) {
+            return VORONEC_PARTICLE_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z12) > 1e-14 * z8)) {
+            return VORONEC_PARTICLE_SINGULAR_2;
+        }
+        return VORONEC_PARTICLE_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(z12) > 1e-14 * z8)) {
-        return VORONEC_PARTICLE_SINGULAR_2;
-    }
-    return voronec_particle_finish(1, lambda);
+    return VORONEC_PARTICLE_OK;
 }
 
 double voronec_particle_energy(double t, const double *y, const double *p)
@@ -431,6 +453,7 @@ double voronec_particle_energy(double t, const double *y, const double *p)
     return z6;
 }
 
+VORONEC_PARTICLE_SLOW
 int voronec_particle_jacobian(double t, const double *y, const double *p, double *J)
 {
     J[0] = 0.0;
@@ -561,15 +584,21 @@ int voronec_particle_jacobian(double t, const double *y, const double *p, double
     J[22] = -z76;
     J[23] = -z80;
     J[24] = -z83;
-    /* the mass matrix is singular */
-    if (!(fabs(z5) > 0.0)) {
-        return VORONEC_PARTICLE_SINGULAR_2;
+    /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
+    if (!(fabs(J[10] + J[12] + J[14] + J[15] + J[16] + J[17] + J[18] + J[19] + J[20] + J[21] + J[22] + J[23]
+        + J[24]) <= DBL_MAX
+        && fabs(z12) > 1e-14 * z8)) {
+        /* the mass matrix is singular */
+        if (!(fabs(z5) > 0.0)) {
+            return VORONEC_PARTICLE_SINGULAR_2;
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z12) > 1e-14 * z8)) {
+            return VORONEC_PARTICLE_SINGULAR_2;
+        }
+        return VORONEC_PARTICLE_NOT_FINITE;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(z12) > 1e-14 * z8)) {
-        return VORONEC_PARTICLE_SINGULAR_2;
-    }
-    return voronec_particle_finish(25, J);
+    return VORONEC_PARTICLE_OK;
 }
 
 int voronec_particle_outputs(double t, const double *y, const double *p, double *out)
