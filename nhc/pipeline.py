@@ -285,12 +285,11 @@ def linearize(source: Source, request: Request, options: Options = Options()) ->
         SpecError: the spec or the request has errors.
         nhc.study.steady.NotSteady: no steady motion is found.
     """
-    from nhc.mechanics.linearize import reduced
-    from nhc.study.motion import linearise
+    from nhc.study.motion import linearise, linearise_whole
 
     made = model(source, options)
-    formulation = made.formulation if options.formulation else reduced(made.system, made.formulation)
-    return linearise(equations_of(made.system, formulation), formulation, request)
+    study = linearise if options.formulation else linearise_whole
+    return study(made.equations, made.formulation, request)
 
 
 def stability(source: Source, question: Question, options: Options = Options()) -> Laboratory:

@@ -14,14 +14,25 @@ from nhc.algebra.show import to_text
 from nhc.diagnostics import Bag, Source, Span, nearest
 from nhc.mechanics.about import point_of, read_pairs, scene_about, state_of
 from nhc.mechanics.associate import Equations
-from nhc.mechanics.choose import Formulation
+from nhc.mechanics.choose import Formulation, build
+from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.frame import coordinate_frame
-from nhc.mechanics.linearize import Flow, Leaf, cyclic_of, flow_of, is_autonomous, leaf_of, quantity, symbolic_matrix
+from nhc.mechanics.linearize import (
+    Flow,
+    Leaf,
+    cyclic_of,
+    flow_of,
+    is_autonomous,
+    leaf_of,
+    quantity,
+    reduced,
+    symbolic_matrix,
+)
 from nhc.mechanics.regularity import choose_dependent, constant_value
 from nhc.mechanics.scenes import start_of
 from nhc.mechanics.symmetry import Generator, turning_symmetries
 from nhc.study.linearize import Branch, Linearisation, Sweep, linearise_at, sweep
-from nhc.study.steady import Hold, Matrix, NotSteady, Steady, SteadyModel, find_steady
+from nhc.study.steady import Hold, Matrix, NotSteady, SingularFrame, Steady, SteadyModel, find_steady
 from nhc.study.tape import Tapes
 
 _SNAP = 1e-11
@@ -103,6 +114,22 @@ def linearise(equations: Equations, formulation: Formulation, request: Request) 
     rows = tuple(tuple(to_text(flow.graph, node) for node in row) for row in paper.entries)
     held = tuple((name, to_text(flow.graph, node)) for name, node in paper.held)
     return Findings(flow, formulation, model, made, rows, held, "", swept)
+
+
+def linearise_whole(equations: Equations, formulation: Formulation, request: Request) -> Findings:
+    """The same where nobody asked for the formulation: one that is singular at the steady motion gives way to multipliers.
+
+    Raises:
+        nhc.diagnostics.SpecError: unknown names, or a guess that violates the constraints.
+        NotSteady: no steady motion is found.
+    """
+    system = equations.system
+    better = reduced(system, formulation)
+    try:
+        return linearise(equations if better is formulation else equations_of(system, better), better, request)
+    except SingularFrame:
+        whole = build(system, "multipliers")
+        return linearise(equations_of(system, whole), whole, request)
 
 
 def _exact_place(

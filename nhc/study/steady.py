@@ -13,6 +13,7 @@ from nhc.algebra.calculus import gradient
 from nhc.algebra.graph import Node
 from nhc.mechanics.frame import Frame, form_value
 from nhc.mechanics.linearize import Flow, Leaf
+from nhc.mechanics.regularity import relative_determinant, sampled_rows
 from nhc.study.tape import Tapes
 
 Vector = NDArray[np.float64]
@@ -21,6 +22,7 @@ Matrix = NDArray[np.float64]
 RANK = 1e-9
 """Singular values below this part of the largest one count as zero."""
 _STEPS, _HALVINGS, _LEAST = 100, 40, 0.05
+_LEAST_FRAME = 0.01  # of the coframe's relative determinant, per constraint
 
 
 class NotSteady(ArithmeticError):
@@ -29,6 +31,10 @@ class NotSteady(ArithmeticError):
     def __init__(self, message: str, residual: float) -> None:
         super().__init__(message)
         self.residual = residual
+
+
+class SingularFrame(NotSteady):
+    """The coframe is singular at the steady motion, which its equations can neither find nor judge."""
 
 
 @dataclass(frozen=True)
@@ -171,7 +177,7 @@ def find_steady(model: SteadyModel, guess: Sequence[float], holds: Sequence[Hold
     sets it.
 
     Raises:
-        NotSteady: the iteration ends elsewhere, or the model is singular on the way.
+        NotSteady: the iteration ends elsewhere, or the model is singular on the way, or at the motion itself.
     """
     y = np.array(guess, dtype=float)
     found: list[tuple[float, Steady]] = []
@@ -186,7 +192,14 @@ def find_steady(model: SteadyModel, guess: Sequence[float], holds: Sequence[Hold
         found.append((round(float(np.linalg.norm(np.array(made.y) - y)), 6), made))
     if not found:
         raise failed[0] from None
-    return min(found, key=lambda one: one[0])[1]  # of equally near ones that with fewer turns
+    best = min(found, key=lambda one: one[0])[1]  # of equally near ones that with fewer turns
+    if model.frame is not None:
+        rows = sampled_rows(model.flow.system, model.frame.forms, [model.values(best.y)])
+        power = len(model.frame.forms) / max(model.flow.system.l, 1)
+        sound = min((relative_determinant(row, range(len(row))) ** power for row in rows), default=0.0)
+        if sound < _LEAST_FRAME:
+            raise SingularFrame(f"the coframe is singular at the steady motion (conditioning {sound:.2g})", float("inf"))
+    return best
 
 
 def _first_turn(model: SteadyModel, turns: Sequence[Matrix], y: Vector) -> Vector:

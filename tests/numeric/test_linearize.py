@@ -6,6 +6,7 @@ Meijaard, Papadopoulos, Ruina and Schwab 2007 (bicycle); O'Reilly 1996 and the c
 
 from __future__ import annotations
 
+import cmath
 import json
 import math
 import sys
@@ -389,3 +390,25 @@ def test_linear_systems_in_a_prime_field() -> None:
     x = [[5], [11], [13]]
     right = [[sum(a * b[0] for a, b in zip(row, x, strict=True)) % p] for row in matrix]
     assert solve_modulo(matrix, right, p) == x
+
+
+def test_a_coframe_that_is_singular_at_the_steady_motion_gives_way_to_multipliers() -> None:
+    """A slider-crank hangs at its lower quarter turn: 16/3 c'' + 10 c' + 14.715 c = 0, where the choice for its range is singular."""
+    text = """nhc: 1
+system: crank
+coordinates: {c: {range: [0.2, 1.2]}, b: {}, s: {range: [1.5, 3]}}
+define: {bx: cos(c) + 1.25*cos(b), by: sin(c) - 1.25*sin(b)}
+T: c'^2/6 + bx'^2 + by'^2 + 6.25/12*b'^2 + 3/2*s'^2
+V: 9.81*(sin(c)/2 + 2*by)
+forces: {s: -10*s'}
+holonomic: ["cos(c) + 2.5*cos(b) - s = 0", "sin(c) = 2.5*sin(b)"]
+scenes: {turn: {initial: {s: 3.5, c': 4}, time: [0, 3]}}
+"""
+    source = Source("crank.yaml", text)
+    found = linearize(source, Request("turn"))
+    assert found.formulation.name == "multipliers"
+    root = cmath.sqrt(100 - 4 * 16 / 3 * 14.715)
+    wanted = sorted(((-10 + sign * root) * 3 / 32 for sign in (1, -1)), key=lambda x: x.imag)
+    assert sorted(eigenvalues(found.linearisation), key=lambda x: x.imag) == pytest.approx(wanted, rel=1e-6)
+    with pytest.raises(NotSteady, match="coframe is singular at the steady motion"):
+        linearize(source, Request("turn"), Options(formulation="voronec"))

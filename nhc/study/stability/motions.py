@@ -12,14 +12,14 @@ from dataclasses import dataclass
 from nhc.algebra.graph import Node
 from nhc.mechanics.about import scene_about, state_of
 from nhc.mechanics.associate import Equations
-from nhc.mechanics.choose import Formulation
+from nhc.mechanics.choose import Formulation, build
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.linearize import Flow, kept_forms, reduced
 from nhc.mechanics.scenes import Start, kept_velocities, start_of
 from nhc.study.linearize import Linearisation, Sweep, linearise_at, sweep
 from nhc.study.motion import branch_of, read_holds, steady_model
 from nhc.study.stability.distance import scaled_least
-from nhc.study.steady import Hold, NotSteady, Steady, SteadyModel, find_steady
+from nhc.study.steady import Hold, NotSteady, SingularFrame, Steady, SteadyModel, find_steady
 
 SINGULAR = 1e-6
 SweepRange = tuple[str, float, float, int]
@@ -67,8 +67,15 @@ def steady_motion(
     """
     system = equations.system
     better = reduced(system, formulation)
-    if better is not formulation:
-        equations = equations_of(system, better)
+    try:
+        return _motion(equations if better is formulation else equations_of(system, better), better, search, beside)
+    except SingularFrame:
+        whole = build(system, "multipliers")
+        return _motion(equations_of(system, whole), whole, search, beside)
+
+
+def _motion(equations: Equations, better: Formulation, search: Search, beside: Sequence[tuple[float, Start]]) -> Motion:
+    system = equations.system
     start = start_of(system, scene_about(system.spec, search.about, search.settings))
     model = steady_model(equations, better, start.p)
     guess = state_of(model.flow, better.frame, start)
