@@ -393,7 +393,7 @@ def test_linear_systems_in_a_prime_field() -> None:
 
 
 def test_a_coframe_that_is_singular_at_the_steady_motion_gives_way_to_multipliers() -> None:
-    """A slider-crank hangs at its lower quarter turn: 16/3 c'' + 10 c' + 14.715 c = 0; the choice for its range is singular there."""
+    """A slider-crank hangs at its lower quarter turn: 16/3 c'' + 10 c' + 14.715 c = 0; the choice for its range fails there."""
     text = """nhc: 1
 system: crank
 coordinates: {c: {range: [0.2, 1.2]}, b: {}, s: {range: [1.5, 3]}}
