@@ -21,7 +21,7 @@ from nhc.language import Source, decode, read
 from nhc.mechanics.choose import formulate
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.resolve import resolve
-from nhc.program.ir import Binary, Call, Number, Pi
+from nhc.program.ir import Binary, Call, Number, Pi, Power
 from nhc.program.paper import Derivation, Mark, derivation
 from nhc.stamp import PLACEHOLDER, is_untouched, stamp
 
@@ -170,3 +170,8 @@ def test_long_expressions_in_prose_may_be_broken_and_cut_ones_end_in_dots() -> N
     text = escape_breakable(f"lost where {expression} = 0 (a*b)")
     assert text.replace(r"\allowbreak{}", "") == f"lost where {expression.replace('…', '...')} = 0 (a*b)"
     assert text.count(r"\allowbreak{}") == 9 and "(a*b)" in text
+
+
+def test_bars_enclose_as_parentheses_do() -> None:
+    pieces = LatexMath({}).pieces(Power(Call("abs", (Pi(),)), 3))
+    assert "".join(piece.text for piece in pieces) == r"|\pi|^{3}"

@@ -197,7 +197,9 @@ class LatexMath:
             text = print_mark(mark)
             safe = f"({text})" if mark.star or mark.upper else f"{{{text}}}" if mark.dots else text
             return [_piece(f"{safe}^{{{exponent}}}")]
-        return [*_enclose(self.pieces(base)), _piece(f"^{{{exponent}}}")]
+        bars = isinstance(base, Call) and base.function == "abs"  # enclose as parentheses do
+        inner = self.pieces(base)
+        return [*(inner if bars else _enclose(inner)), _piece(f"^{{{exponent}}}")]
 
     def _call(self, call: Call, exponent: str = "") -> list[Piece]:
         inner = [self.pieces(argument) for argument in call.arguments]
