@@ -198,7 +198,9 @@ def find_steady(model: SteadyModel, guess: Sequence[float], holds: Sequence[Hold
         power = len(model.frame.forms) / max(model.flow.system.l, 1)
         sound = min((relative_determinant(row, range(len(row))) ** power for row in rows), default=0.0)
         if sound < _LEAST_FRAME:
-            raise SingularFrame(f"the coframe is singular at the steady motion (conditioning {sound:.2g})", float("inf"))
+            raise SingularFrame(
+                f"the coframe is singular at the steady motion (conditioning {sound:.2g})", float("inf")
+            )
     return best
 
 

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from nhc.emit.c.body import BodyPrinter, print_singular, wrap_code
+from nhc.emit.c.body import ANY, BodyPrinter, print_singular, wrap_code
+from nhc.emit.c.finish import choose_finish
 from nhc.emit.c.lanes import Each, LanesPrinter
 from nhc.emit.c.names import make_scope
 from nhc.emit.c.parts import cut, find_crossing, list_names
@@ -37,7 +38,7 @@ def print_batch(program: Program, function: Function, helpers: set[str], *, inli
     if any(isinstance(statement, Solve) for statement in function.body):
         return Batch(print_one_by_one(program))  # elimination with pivots takes another way for each state
     helpers |= {"lanes", "batch"} | ({"near"} if inline else set())
-    return BatchPrinter(program, function, helpers).print()
+    return BatchPrinter(program, function, helpers, ANY if inline else "").print()
 
 
 def print_one_by_one(program: Program) -> tuple[str, ...]:
@@ -54,14 +55,18 @@ def mark_unused(function: Function, body: tuple[Statement, ...]) -> list[str]:
 class BatchPrinter:
     """Prints the states' work, in several functions where it is long, and the loop that calls them."""
 
-    def __init__(self, program: Program, function: Function, helpers: set[str]) -> None:
-        self.program, self.prefix, self.helpers = program, program.system, helpers
+    def __init__(self, program: Program, function: Function, helpers: set[str], trig: str = "") -> None:
+        self.program, self.prefix, self.helpers, self.trig = program, program.system, helpers, trig
         self.capitals = self.prefix.upper()
         self.width = f"{self.capitals}_LANES"
         body = drop_unused(function.body)
         output = () if function.output is None else (function.output,)
         self.scope = make_scope(program, (*function.inputs, *output), body, OWN)
-        straight = tuple(s for s in body if not isinstance(s, Store)) + fill_stores(function)
+        finish = choose_finish(body)
+        self.summed = None if finish is None else frozenset(finish.entries)
+        tested = body if finish is None else finish.guards
+        lasting = tuple(s for s in body if not isinstance(s, Store | Guard) or any(s is guard for guard in tested))
+        straight = tuple(s for s in lasting if not isinstance(s, Store)) + fill_stores(function)
         self.outside, inside = split_hoisted(straight)
         self.loads = {s.name: s for s in inside if isinstance(s, Load)}
         self.parts = cut([s for s in inside if not isinstance(s, Load)], LONGEST, USUAL)
@@ -89,7 +94,7 @@ class BatchPrinter:
         return Batch(body, ("", condition, *functions[1:], "#endif"), each, least)
 
     def print_hoisted(self) -> list[str]:
-        """The work on parameters, once for all states; libm's functions do here."""
+        """The work on parameters, once for all states."""
         used = frozenset(self.fixed)
         for statement in reversed(self.outside):
             if isinstance(statement, Guard) or (isinstance(statement, Let) and statement.name in used):
@@ -101,6 +106,7 @@ class BatchPrinter:
             lambda array, index: f"{array}[{index}]",
             lambda code: print_singular(self.prefix, code),
             used,
+            self.trig,
         )
         printer.print_all(tuple(s for s in self.outside if not isinstance(s, Load | Let) or s.name in used))
         if not self.fixed:
@@ -110,7 +116,7 @@ class BatchPrinter:
 
     def print_part(self, number: int, part: tuple[Statement, ...]) -> list[str]:
         """A function of the states' work; what one leaves for others stands in ``carried``."""
-        printer = LanesPrinter(self.prefix, self.scope, self.helpers, self.each, frozenset(self.fixed))
+        printer = LanesPrinter(self.prefix, self.scope, self.helpers, self.each, frozenset(self.fixed), self.summed)
         used = list_names(part)
         for name, place in self.carried.items():
             if name in used:

@@ -32,11 +32,19 @@ class LanesPrinter:
     """Prints lets, guards and stores over lanes into ``lines``.
 
     ``scalars`` are names of single numbers.  ``each`` collects the functions that are called lane by lane.
+    ``summed`` are the entries that tell whether all are finite (None: every one).
     """
 
     def __init__(
-        self, prefix: str, scope: Scope, helpers: set[str], each: dict[str, Each], scalars: frozenset[str]
+        self,
+        prefix: str,
+        scope: Scope,
+        helpers: set[str],
+        each: dict[str, Each],
+        scalars: frozenset[str],
+        summed: frozenset[int] | None = None,
     ) -> None:
+        self.summed = summed
         self.prefix, self.scope, self.helpers, self.each, self.scalars = prefix, scope, helpers, each, scalars
         self.kind = f"{prefix}_lanes"
         self.printer = ExpressionPrinter(_Dialect(self), scope)
@@ -91,7 +99,7 @@ class LanesPrinter:
             self.print_store(statement)
 
     def print_store(self, store: Store) -> None:
-        """A result, which also enters the sum that tells whether all of them are finite."""
+        """A result, which may enter the sum that tells whether all of them are finite."""
         text = print_origin(store.origin)
         if text and text != self._origin:
             self._origin = text
@@ -99,7 +107,8 @@ class LanesPrinter:
         name = self.scope.fresh("slope")
         target = f"dydt + {store.index} * stride" if store.index else "dydt"
         self.add(f"const {self.kind} {name} = {self.print_value(store.value)};")
-        self.add(f"sum += {name};")
+        if self.summed is None or store.index in self.summed:
+            self.add(f"sum += {name};")
         self.add(f"{self.prefix}_put({target}, {name});")
 
 

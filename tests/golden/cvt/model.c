@@ -1,5 +1,5 @@
 /*
- * cvt.c: cvt, emitted by nhc 0.1.0 (nhc:33b69216044c4199)
+ * cvt.c: cvt, emitted by nhc 0.1.0 (nhc:525129ccfdecb536)
  * A continuously variable transmission; a plane oscillator whose free direction is set by a symmetric driver.
  * Source: cvt.yaml
  * Equations of motion: chaplygin (III.3)
@@ -95,32 +95,24 @@ static int cvt_one_by_one(size_t count, size_t first, size_t number, const doubl
 
 typedef unsigned long long cvt_bits __attribute__((vector_size(8 * CVT_LANES)));
 
-/* all bits where value is not above bound, or is no number */
-static inline cvt_bits cvt_misses(cvt_lanes value, cvt_lanes bound)
-{
-    return ~(cvt_bits)(value > bound);
-}
-
 /* no number where a bit is set */
 static inline cvt_lanes cvt_mark(cvt_lanes value, cvt_bits bad)
 {
     return (cvt_lanes)((cvt_bits)value | bad);
 }
-
-static inline cvt_lanes cvt_size(cvt_lanes x)
-{
-    return (cvt_lanes)((cvt_bits)x & 0x7fffffffffffffffULL);
-}
 /* whether none of the states must be asked again: no singular block, no infinity, no angle anywhere near 1e5 */
 static inline int cvt_is_good(int count, const double *check)
 {
-    double even = 0.0;
-    double odd = 0.0;
-    for (int k = 0; k < count; k += 2) {
-        even += check[k];
-        odd += check[k + 1];
+    double sum = check[0] + check[1];
+    int k = 2;
+    if (count >= 8) { /* pairs of pairs: sums that need not wait for one another */
+        sum = (sum + (check[2] + check[3])) + ((check[4] + check[5]) + (check[6] + check[7]));
+        k = 8;
     }
-    return even + odd <= 1e10;
+    for (; k < count; k += 2) {
+        sum += check[k] + check[k + 1];
+    }
+    return sum <= 1e10;
 }
 
 /* the last states, fewer than there are lanes; the others repeat the last one */
@@ -433,25 +425,19 @@ static __attribute__((noinline)) void cvt_rhs_lanes(const double *fixed, size_t 
     cvt_turn_lanes(CVT_SPREAD(xi), &far, &sine1, &cosine1);
     const cvt_lanes s_xi = sine1;
     const cvt_lanes z1 = 1.0 + s_xi * s_xi;
-    /* the mass matrix is singular */
-    bad |= cvt_misses(cvt_size(CVT_SPREAD(z1)), CVT_SPREAD(0.0));
     const cvt_lanes c_xi = cosine1;
     /* (III.3) */
     const cvt_lanes slope1 = x_dot;
-    sum += slope1;
     cvt_put(dydt, slope1);
     const cvt_lanes slope2 = -x_dot * s_xi;
-    sum += slope2;
     cvt_put(dydt + 1 * stride, slope2);
     const cvt_lanes slope3 = xi_dot;
-    sum += slope3;
     cvt_put(dydt + 2 * stride, slope3);
     /* (III.3) 7:4 */
     const cvt_lanes slope4 = -(x - s_xi * (y_2 - c_xi * (x_dot * xi_dot))) / z1;
     sum += slope4;
     cvt_put(dydt + 3 * stride, slope4);
     const cvt_lanes slope5 = s_xi;
-    sum += slope5;
     cvt_put(dydt + 4 * stride, slope5);
     cvt_put(check, cvt_mark(far + (sum - sum), bad));
 }

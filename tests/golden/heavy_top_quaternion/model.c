@@ -1,5 +1,5 @@
 /*
- * heavy_top_quaternion.c: heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:905ec61b6919719d)
+ * heavy_top_quaternion.c: heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:ab33d0450551874b)
  * The symmetric top with a fixed point (Lagrange's top), its orientation a quaternion, so that it may stand
  *     upright.
  * Source: heavy_top_quaternion.yaml
@@ -114,13 +114,16 @@ static inline heavy_top_quaternion_lanes heavy_top_quaternion_mark(heavy_top_qua
 /* whether none of the states must be asked again: no singular block, no infinity, no angle anywhere near 1e5 */
 static inline int heavy_top_quaternion_is_good(int count, const double *check)
 {
-    double even = 0.0;
-    double odd = 0.0;
-    for (int k = 0; k < count; k += 2) {
-        even += check[k];
-        odd += check[k + 1];
+    double sum = check[0] + check[1];
+    int k = 2;
+    if (count >= 8) { /* pairs of pairs: sums that need not wait for one another */
+        sum = (sum + (check[2] + check[3])) + ((check[4] + check[5]) + (check[6] + check[7]));
+        k = 8;
     }
-    return even + odd <= 1e10;
+    for (; k < count; k += 2) {
+        sum += check[k] + check[k + 1];
+    }
+    return sum <= 1e10;
 }
 
 /* the last states, fewer than there are lanes; the others repeat the last one */
@@ -566,7 +569,6 @@ static __attribute__((noinline)) void heavy_top_quaternion_rhs_lanes(const doubl
     sum += slope6;
     heavy_top_quaternion_put(dydt + 5 * stride, slope6);
     const heavy_top_quaternion_lanes slope7 = HEAVY_TOP_QUATERNION_SPREAD(0.0);
-    sum += slope7;
     heavy_top_quaternion_put(dydt + 6 * stride, slope7);
     heavy_top_quaternion_put(check, heavy_top_quaternion_mark(far + (sum - sum), bad));
 }
@@ -592,14 +594,6 @@ int heavy_top_quaternion_rhs_batch(size_t count, const double *t, const double *
     const double mgl = p[2]; /* weight times the distance of the centre of mass [N*m] */
     const double k1 = I1 - I3;
     const double k2 = 1.0 / I1;
-    /* the mass matrix is singular */
-    if (!(fabs(I1) > 0.0)) {
-        return HEAVY_TOP_QUATERNION_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(I1) > 0.0)) {
-        return HEAVY_TOP_QUATERNION_SINGULAR_2;
-    }
     /* the mass matrix is singular */
     if (!(fabs(I3) > 0.0)) {
         return HEAVY_TOP_QUATERNION_SINGULAR_2;

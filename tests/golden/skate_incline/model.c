@@ -1,5 +1,5 @@
 /*
- * skate_incline.c: skate_incline, emitted by nhc 0.1.0 (nhc:dc68996fd7363489)
+ * skate_incline.c: skate_incline, emitted by nhc 0.1.0 (nhc:946ee28773b1e38f)
  * A skate on an inclined plane with its centre of mass above the edge; it never gets far downhill.
  * Source: skate_incline.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -106,13 +106,16 @@ static inline skate_incline_lanes skate_incline_mark(skate_incline_lanes value, 
 /* whether none of the states must be asked again: no singular block, no infinity, no angle anywhere near 1e5 */
 static inline int skate_incline_is_good(int count, const double *check)
 {
-    double even = 0.0;
-    double odd = 0.0;
-    for (int k = 0; k < count; k += 2) {
-        even += check[k];
-        odd += check[k + 1];
+    double sum = check[0] + check[1];
+    int k = 2;
+    if (count >= 8) { /* pairs of pairs: sums that need not wait for one another */
+        sum = (sum + (check[2] + check[3])) + ((check[4] + check[5]) + (check[6] + check[7]));
+        k = 8;
     }
-    return even + odd <= 1e10;
+    for (; k < count; k += 2) {
+        sum += check[k] + check[k + 1];
+    }
+    return sum <= 1e10;
 }
 
 /* the last states, fewer than there are lanes; the others repeat the last one */
@@ -444,7 +447,6 @@ static __attribute__((noinline)) void skate_incline_rhs_lanes(const double *fixe
     sum += slope1;
     skate_incline_put(dydt, slope1);
     const skate_incline_lanes slope2 = s_phi * v;
-    sum += slope2;
     skate_incline_put(dydt + 1 * stride, slope2);
     const skate_incline_lanes slope3 = phi_dot;
     sum += slope3;
@@ -454,7 +456,6 @@ static __attribute__((noinline)) void skate_incline_rhs_lanes(const double *fixe
     sum += slope4;
     skate_incline_put(dydt + 3 * stride, slope4);
     const skate_incline_lanes slope5 = SKATE_INCLINE_SPREAD(0.0);
-    sum += slope5;
     skate_incline_put(dydt + 4 * stride, slope5);
     skate_incline_put(check, skate_incline_mark(far + (sum - sum), bad));
 }
