@@ -123,6 +123,10 @@ class NodeStore:
 
     # --- questions ----------------------------------------------------------------------------------------
 
+    def find(self, op: str, a: int, b: int = 0) -> Node | None:
+        """The node of an operation that is no sum, product or sign, where there is one already."""
+        return self._cache.get((op, a, b))
+
     def value(self, node: Node) -> Fraction | None:
         """The rational that the node is, or None."""
         return self._numbers[self.a[node]] if self.op[node] == NUM else None

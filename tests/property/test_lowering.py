@@ -32,6 +32,7 @@ from nhc.program.plan import FunctionPlan, Target
 from tests.property.expressions import NAMES, QUIET, Tree, build, rational_trees, smooth_trees
 
 VALUES = (Fraction(3, 7), Fraction(-5, 4), Fraction(11, 9))
+MPMATH = {"abs": "fabs"}
 OPERATORS = {"+": operator.add, "-": operator.sub, "*": operator.mul, "/": operator.truediv}
 
 
@@ -62,6 +63,20 @@ def test_a_quotient_of_parameters_keeps_its_sign() -> None:
     root = g.neg(g.mul(g.number(Fraction(1, 100)), g.inverse(g.mul(x, y))))
     function = lower_function(g, _plan(g, [x, y, z], [root]), [x, y, z])
     assert abs(_run(function)[0] + 1 / (100 * float(VALUES[0] * VALUES[1]))) < 1e-12
+
+
+def test_roots_of_squares_and_inverse_roots() -> None:
+    """sqrt(x^2) is a magnitude; 1/u takes no division where 1/sqrt(u) is at hand."""
+    g = Graph()
+    x, y, z = (g.symbol(name) for name in NAMES)
+    u = g.add(g.power(x, 2), g.power(z, 2))
+    inverse = g.inverse(g.function("sqrt", u))
+    roots = [g.function("sqrt", g.power(y, 2)), g.mul(x, inverse), g.mul(z, inverse), g.mul(y, g.inverse(u))]
+    function = lower_function(g, _plan(g, [x, y, z], roots), [])
+    a, b, c = (float(value) for value in VALUES)
+    wanted = [abs(b), a / (a * a + c * c) ** 0.5, c / (a * a + c * c) ** 0.5, b / (a * a + c * c)]
+    assert all(abs(found - wanted[k]) < 1e-14 for k, found in _run(function).items())
+    assert function.divisions == 1 and function.calls == 2
 
 
 def _plan(g: Graph, symbols: list[int], roots: list[int]) -> FunctionPlan:
@@ -102,4 +117,6 @@ def _value(expression: Expr, names: dict[str, mpmath.mpf]) -> mpmath.mpf:
         case Power():
             return _value(expression.base, names) ** expression.exponent
         case Call():
-            return getattr(mpmath, expression.function)(*(_value(a, names) for a in expression.arguments))
+            return getattr(mpmath, MPMATH.get(expression.function, expression.function))(
+                *(_value(a, names) for a in expression.arguments)
+            )

@@ -123,7 +123,9 @@ def value(expression: Expr, known: dict[str, float]) -> float:
         case Power():
             return value(expression.base, known) ** expression.exponent
         case Call():
-            function: Callable[..., float] = getattr(math, expression.function)
+            function: Callable[..., float] = getattr(
+                math, {"abs": "fabs"}.get(expression.function, expression.function)
+            )
             return function(*(value(argument, known) for argument in expression.arguments))
         case Binary():
             return OPERATORS[expression.op](value(expression.left, known), value(expression.right, known))

@@ -1,5 +1,5 @@
 /*
- * bicycle.c: bicycle, emitted by nhc 0.1.0 (nhc:bae3c7e5738723b8)
+ * bicycle.c: bicycle, emitted by nhc 0.1.0 (nhc:eadae7859f66f598)
  * Whipple's bicycle, nonlinear; two wheels, rear frame with rider, front frame; x ahead, y right, z down.
  * Source: bicycle.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -408,7 +408,7 @@ int bicycle_rhs(double t, const double *y, const double *p, double *dydt)
     const double z9 = k4 + z8;
     const double z10 = s_steer * z9;
     const double z11 = s1 * z10;
-    const double z12 = 1.0 / sqrt(c_roll * c_roll);
+    const double z12 = 1.0 / fabs(c_roll);
     const double z13 = r_R * z3;
     const double z14 = z12 * z13;
     const double z15 = k10 + z14 + c_steer * z9;
@@ -608,7 +608,7 @@ int bicycle_rhs(double t, const double *y, const double *p, double *dydt)
     const double z198 = steer_dot * s_steer;
     const double z199 = z192 * s1 + c_roll * z189;
     const double z200 = s_steer * z197 + e2z * z193 + (z198 * z3 + c_steer * z199);
-    const double z201 = (z2 * z196 - z4 * z200) * (z6 / z5);
+    const double z201 = (z2 * z196 - z4 * z200) * (z6 * (z6 * z6));
     const double z202 = r_F * z6;
     const double z203 = z7 * z201 + z202 * z200;
     const double z204 = z192 * z12;
@@ -791,7 +791,7 @@ int bicycle_velocities(double t, const double *y, const double *p, double *qdot)
     const double z5 = r_F / sqrt(z4 * z4 + z3 * z3);
     const double z6 = z3 * z5;
     const double z7 = k2 + z6;
-    const double z8 = 1.0 / sqrt(c_roll * c_roll);
+    const double z8 = 1.0 / fabs(c_roll);
     const double z9 = r_R * z8;
     const double z10 = z2 * z9;
     const double z11 = k3 + z10 + c_steer * z7;
@@ -903,7 +903,7 @@ int bicycle_accelerations(double t, const double *y, const double *p, double *qd
     const double k4 = s_lam * k1 - (r_F * c_lam + c * s_lam - r_R * c_lam);
 
     /* state */
-    const double z2 = 1.0 / sqrt(c_roll * c_roll);
+    const double z2 = 1.0 / fabs(c_roll);
     const double z3 = c_roll * s1;
     const double z4 = r_R * z3;
     const double z5 = z2 * z4;
@@ -979,7 +979,7 @@ int bicycle_accelerations(double t, const double *y, const double *p, double *qd
     const double z75 = roll_dot * c_roll;
     const double z76 = steer_dot * s_steer;
     const double z77 = s_steer * z75 + e2z * z72 + (z76 * z3 + c_steer * z69);
-    const double z78 = (z6 * z74 - z7 * z77) * (z9 / z8);
+    const double z78 = (z6 * z74 - z7 * z77) * (z9 * (z9 * z9));
     const double z79 = r_F * z9;
     const double z80 = z10 * z78 + z79 * z77;
     const double z81 = z76 * z12 - c_steer * z80 - z71;
@@ -1386,7 +1386,7 @@ BICYCLE_SLOW static int bicycle_reactions_part1(double t, const double *y, const
     kept[42] = z10;
     const double z11 = s1 * z10;
     kept[43] = z11;
-    const double z12 = 1.0 / sqrt(c_roll * c_roll);
+    const double z12 = 1.0 / fabs(c_roll);
     const double z13 = r_R * z2;
     kept[44] = z13;
     const double z14 = z12 * z13;
@@ -1518,7 +1518,7 @@ BICYCLE_SLOW static int bicycle_reactions_part1(double t, const double *y, const
     const double z79 = z67 * s1 + c_roll * z74;
     kept[102] = z79;
     const double z80 = s_steer * z76 + e2z * z77 + (z78 * z2 + c_steer * z79);
-    const double z81 = (z3 * z71 - z4 * z80) * (z6 / z5);
+    const double z81 = (z3 * z71 - z4 * z80) * (z6 * (z6 * z6));
     kept[103] = z81;
     const double z82 = r_F * z6;
     kept[104] = z82;
@@ -1933,7 +1933,7 @@ double bicycle_energy(double t, const double *y, const double *p)
     const double z7 = c_lam * z5 - s_lam * z4;
     const double z8 = z * m_R + m_B * (z - x_B * z1 + e3z * k1) + m_H * (Sz + z6 * k3 - z_H * z7);
     const double z10 = c_roll * s1;
-    const double z11 = r_R / sqrt(c_roll * c_roll);
+    const double z11 = r_R / fabs(c_roll);
     const double z12 = z10 * z11;
     const double z13 = z3 - c_steer * z10;
     const double z14 = c_roll * c1;
@@ -2240,7 +2240,7 @@ BICYCLE_SLOW static int bicycle_jacobian_part1(double t, const double *y, const 
     kept[48] = z10;
     const double z11 = s1 * z10;
     kept[49] = z11;
-    const double z12 = 1.0 / sqrt(c_roll * c_roll);
+    const double z12 = 1.0 / fabs(c_roll);
     kept[50] = z12;
     const double z13 = r_R * z3;
     kept[51] = z13;
@@ -2656,8 +2656,8 @@ BICYCLE_SLOW static int bicycle_jacobian_part2(double t, const double *y, const 
     kept[196] = z186;
     const double z187 = c_roll * z186;
     kept[197] = z187;
-    const double z5 = kept[43];
-    const double z188 = 1.0 / z5;
+    const double z6 = kept[44];
+    const double z188 = z6 * z6;
     kept[198] = z188;
     const double z12 = kept[50];
     const double z189 = z12 * z187;
@@ -4666,7 +4666,7 @@ static __attribute__((noinline)) void bicycle_rhs_lanes(const double *fixed, siz
     const bicycle_lanes z9 = k4 + z8;
     const bicycle_lanes z10 = s_steer * z9;
     const bicycle_lanes z11 = s1 * z10;
-    const bicycle_lanes z12 = 1.0 / bicycle_each_sqrt(BICYCLE_SPREAD(c_roll * c_roll));
+    const bicycle_lanes z12 = 1.0 / bicycle_size(BICYCLE_SPREAD(c_roll));
     const bicycle_lanes z13 = r_R * z3;
     const bicycle_lanes z14 = z12 * z13;
     const bicycle_lanes z15 = k10 + z14 + c_steer * z9;
@@ -4881,7 +4881,7 @@ static __attribute__((noinline)) void bicycle_rhs_lanes(const double *fixed, siz
     const bicycle_lanes z198 = steer_dot * s_steer;
     const bicycle_lanes z199 = z192 * s1 + c_roll * z189;
     const bicycle_lanes z200 = s_steer * z197 + e2z * z193 + (z198 * z3 + c_steer * z199);
-    const bicycle_lanes z201 = (z2 * z196 - z4 * z200) * (z6 / z5);
+    const bicycle_lanes z201 = (z2 * z196 - z4 * z200) * (z6 * (z6 * z6));
     const bicycle_lanes z202 = r_F * z6;
     const bicycle_lanes z203 = z7 * z201 + z202 * z200;
     const bicycle_lanes z204 = z192 * z12;

@@ -1,5 +1,5 @@
 /*
- * bicycle.h: bicycle, emitted by nhc 0.1.0 (nhc:55db3c308fdf6b5c)
+ * bicycle.h: bicycle, emitted by nhc 0.1.0 (nhc:94ed39e96f7ab8b2)
  * Whipple's bicycle, nonlinear; two wheels, rear frame with rider, front frame; x ahead, y right, z down.
  * Source: bicycle.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -62,14 +62,14 @@
  * out[2] = front_height
  *
  * Operations:
- * rhs: 516 +-, 782 *, 8 /, 17 calls
- * velocities: 62 +-, 109 *, 3 /, 17 calls
- * accelerations: 172 +-, 285 *, 6 /, 12 calls
+ * rhs: 516 +-, 783 *, 7 /, 17 calls
+ * velocities: 62 +-, 108 *, 3 /, 17 calls
+ * accelerations: 172 +-, 286 *, 5 /, 12 calls
  * state: 0 +-, 0 *, 0 /, 0 calls
  * residuals: 108 +-, 185 *, 2 /, 12 calls
- * reactions: 432 +-, 659 *, 5 /, 12 calls
- * energy: 176 +-, 289 *, 3 /, 14 calls
- * jacobian: 3688 +-, 5105 *, 11 /, 17 calls
+ * reactions: 432 +-, 660 *, 4 /, 12 calls
+ * energy: 176 +-, 288 *, 3 /, 14 calls
+ * jacobian: 3688 +-, 5105 *, 10 /, 17 calls
  * outputs: 63 +-, 108 *, 5 /, 19 calls
  *
  * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.

@@ -1,4 +1,4 @@
-"""bicycle, emitted by nhc 0.1.0 (nhc:e9a8ecdfcb828255).
+"""bicycle, emitted by nhc 0.1.0 (nhc:b180f28f2f8ce31f).
 
 Whipple's bicycle, nonlinear; two wheels, rear frame with rider, front frame; x
     ahead, y right, z down.
@@ -63,14 +63,14 @@ out[1] = rear_height
 out[2] = front_height
 
 Operations:
-rhs: 516 +-, 782 *, 8 /, 17 calls
-velocities: 62 +-, 109 *, 3 /, 17 calls
-accelerations: 172 +-, 285 *, 6 /, 12 calls
+rhs: 516 +-, 783 *, 7 /, 17 calls
+velocities: 62 +-, 108 *, 3 /, 17 calls
+accelerations: 172 +-, 286 *, 5 /, 12 calls
 state: 0 +-, 0 *, 0 /, 0 calls
 residuals: 108 +-, 185 *, 2 /, 12 calls
-reactions: 432 +-, 659 *, 5 /, 12 calls
-energy: 176 +-, 289 *, 3 /, 14 calls
-jacobian: 3688 +-, 5105 *, 11 /, 17 calls
+reactions: 432 +-, 660 *, 4 /, 12 calls
+energy: 176 +-, 288 *, 3 /, 14 calls
+jacobian: 3688 +-, 5105 *, 10 /, 17 calls
 outputs: 63 +-, 108 *, 5 /, 19 calls
 
 A singular point raises SingularModelError.
@@ -338,7 +338,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z9 = k4 + z8
         z10 = s_steer * z9
         z11 = s1 * z10
-        z12 = 1.0 / math.sqrt(c_roll * c_roll)
+        z12 = 1.0 / abs(c_roll)
         z13 = r_R * z3
         z14 = z12 * z13
         z15 = k10 + z14 + c_steer * z9
@@ -562,7 +562,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z198 = steer_dot * s_steer
         z199 = z192 * s1 + c_roll * z189
         z200 = s_steer * z197 + e2z * z193 + (z198 * z3 + c_steer * z199)
-        z201 = (z2 * z196 - z4 * z200) * (z6 / z5)
+        z201 = (z2 * z196 - z4 * z200) * (z6 * (z6 * z6))
         z202 = r_F * z6
         z203 = z7 * z201 + z202 * z200
         z204 = z192 * z12
@@ -756,7 +756,7 @@ def velocities(
         z5 = r_F / math.sqrt(z4 * z4 + z3 * z3)
         z6 = z3 * z5
         z7 = k2 + z6
-        z8 = 1.0 / math.sqrt(c_roll * c_roll)
+        z8 = 1.0 / abs(c_roll)
         z9 = r_R * z8
         z10 = z2 * z9
         z11 = k3 + z10 + c_steer * z7
@@ -871,7 +871,7 @@ def accelerations(
         z1 = pitch + lam
         s1 = math.sin(z1)
         c_roll = math.cos(roll)
-        z2 = 1.0 / math.sqrt(c_roll * c_roll)
+        z2 = 1.0 / abs(c_roll)
         z3 = c_roll * s1
         z4 = r_R * z3
         z5 = z2 * z4
@@ -953,7 +953,7 @@ def accelerations(
         z75 = roll_dot * c_roll
         z76 = steer_dot * s_steer
         z77 = s_steer * z75 + e2z * z72 + (z76 * z3 + c_steer * z69)
-        z78 = (z6 * z74 - z7 * z77) * (z9 / z8)
+        z78 = (z6 * z74 - z7 * z77) * (z9 * (z9 * z9))
         z79 = r_F * z9
         z80 = z10 * z78 + z79 * z77
         z81 = z76 * z12 - c_steer * z80 - z71
@@ -1364,7 +1364,7 @@ def reactions(
         z9 = k4 + z8
         z10 = s_steer * z9
         z11 = s1 * z10
-        z12 = 1.0 / math.sqrt(c_roll * c_roll)
+        z12 = 1.0 / abs(c_roll)
         z13 = r_R * z2
         z14 = z12 * z13
         z15 = k10 + z14 + c_steer * z9
@@ -1434,7 +1434,7 @@ def reactions(
         z78 = steer_dot * s_steer
         z79 = z67 * s1 + c_roll * z74
         z80 = s_steer * z76 + e2z * z77 + (z78 * z2 + c_steer * z79)
-        z81 = (z3 * z71 - z4 * z80) * (z6 / z5)
+        z81 = (z3 * z71 - z4 * z80) * (z6 * (z6 * z6))
         z82 = r_F * z6
         z83 = z7 * z81 + z82 * z80
         z84 = roll_dot * z70
@@ -1724,7 +1724,7 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
         z9 = pitch + lam
         s1 = math.sin(z9)
         z10 = c_roll * s1
-        z11 = r_R / math.sqrt(c_roll * c_roll)
+        z11 = r_R / abs(c_roll)
         z12 = z10 * z11
         z13 = z3 - c_steer * z10
         c1 = math.cos(z9)
@@ -1998,7 +1998,7 @@ def jacobian(
         z9 = k4 + z8
         z10 = s_steer * z9
         z11 = s1 * z10
-        z12 = 1.0 / math.sqrt(c_roll * c_roll)
+        z12 = 1.0 / abs(c_roll)
         z13 = r_R * z3
         z14 = z12 * z13
         z15 = k10 + z14 + c_steer * z9
@@ -2202,7 +2202,7 @@ def jacobian(
         z185 = 1.0 / (c_roll * c_roll)
         z186 = roll_dot * r_R
         z187 = c_roll * z186
-        z188 = 1.0 / z5
+        z188 = z6 * z6
         z189 = z12 * z187
         z190 = 1.0 / (z38 * z38)
         z191 = roll_dot * c1

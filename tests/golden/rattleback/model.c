@@ -1,5 +1,5 @@
 /*
- * rattleback.c: rattleback, emitted by nhc 0.1.0 (nhc:f0833b2792756cd6)
+ * rattleback.c: rattleback, emitted by nhc 0.1.0 (nhc:2322f277d585b198)
  * A loaded ellipsoid that rolls on a plane and prefers one sense of spin (celt, wobblestone).
  * Source: rattleback.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -299,7 +299,7 @@ int rattleback_rhs(double t, const double *y, const double *p, double *dydt)
     const double z50 = I_d * z28 + I_b * w2;
     const double z51 = z27 * z50;
     const double z52 = z24 * z50;
-    const double z53 = (z10 * z42 - z6 * z26 + z4 * z45) * (z3 / z2);
+    const double z53 = (z10 * z42 - z6 * z26 + z4 * z45) * (z3 * (z3 * z3));
     const double z54 = z4 * z53 - k3 * (z3 * z45);
     const double z55 = z24 * z39 - c_beta * z47 + (z44 - s_beta * z48);
     const double z56 = k1 * (z3 * z42) - z10 * z53;
@@ -494,7 +494,7 @@ int rattleback_accelerations(double t, const double *y, const double *p, double 
     const double z39 = s_beta * z36 - c_alpha * z38;
     const double z40 = s_beta * z37;
     const double z41 = c_alpha * z40 + c_beta * z36;
-    const double z42 = (z10 * z39 - z6 * z26 + z4 * z41) * (z3 / z2);
+    const double z42 = (z10 * z39 - z6 * z26 + z4 * z41) * (z3 * (z3 * z3));
     const double z43 = z4 * z42 - k3 * (z3 * z41);
     const double z44 = z28 * z43;
     const double z45 = z24 * z38;
@@ -754,7 +754,7 @@ int rattleback_reactions(double t, const double *y, const double *p, double *lam
     const double z42 = s_beta * z38 + c_beta * z41 - z31 * z36;
     const double z43 = z25 * (z1 * z41 - mu3 * z38);
     const double z44 = z24 * z33 + s_beta * z42 - (z35 + c_beta * z43);
-    const double z45 = (z10 * z37 - z6 * z26 + z4 * z40) * (z3 / z2);
+    const double z45 = (z10 * z37 - z6 * z26 + z4 * z40) * (z3 * (z3 * z3));
     const double z46 = z6 * z45 + k2 * (z3 * z26);
     const double z47 = k1 * (z3 * z37) - z10 * z45;
     const double z48 = g * mu3 + (z28 * z30 + w2 * u1 + (z7 * z44 + z28 * z46 - w2 * z47));
@@ -1010,7 +1010,7 @@ RATTLEBACK_SLOW static int rattleback_jacobian_part1(double t, const double *y, 
     const double z41 = c_beta * mu2;
     const double z42 = z28 * z39 - z27 * (w3 * z40 + w1 * z41);
     const double z43 = c_beta * z42;
-    const double z44 = 1.0 / z2;
+    const double z44 = z3 * z3;
     kept[44] = z44;
     const double z45 = z3 * z44;
     kept[45] = z45;
@@ -1670,7 +1670,7 @@ static __attribute__((noinline)) void rattleback_rhs_lanes(const double *fixed, 
     const rattleback_lanes z50 = I_d * z28 + I_b * w2;
     const rattleback_lanes z51 = z27 * z50;
     const rattleback_lanes z52 = z24 * z50;
-    const rattleback_lanes z53 = (z10 * z42 - z6 * z26 + z4 * z45) * (z3 / z2);
+    const rattleback_lanes z53 = (z10 * z42 - z6 * z26 + z4 * z45) * (z3 * (z3 * z3));
     const rattleback_lanes z54 = z4 * z53 - k3 * (z3 * z45);
     const rattleback_lanes z55 = z24 * z39 - c_beta * z47 + (z44 - s_beta * z48);
     const rattleback_lanes z56 = k1 * (z3 * z42) - z10 * z53;

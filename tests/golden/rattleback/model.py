@@ -1,4 +1,4 @@
-"""rattleback, emitted by nhc 0.1.0 (nhc:13e524ecd9aabf86).
+"""rattleback, emitted by nhc 0.1.0 (nhc:309f44b885643821).
 
 A loaded ellipsoid that rolls on a plane and prefers one sense of spin (celt,
     wobblestone).
@@ -37,14 +37,14 @@ Outputs:
 out[0] = spin
 
 Operations:
-rhs: 84 +-, 146 *, 6 /, 7 calls
+rhs: 84 +-, 148 *, 5 /, 7 calls
 velocities: 17 +-, 46 *, 2 /, 7 calls
-accelerations: 124 +-, 191 *, 7 /, 7 calls
+accelerations: 124 +-, 193 *, 6 /, 7 calls
 state: 3 +-, 6 *, 0 /, 4 calls
 residuals: 18 +-, 40 *, 1 /, 7 calls
-reactions: 106 +-, 182 *, 6 /, 7 calls
+reactions: 106 +-, 184 *, 5 /, 7 calls
 energy: 25 +-, 60 *, 2 /, 7 calls
-jacobian: 530 +-, 753 *, 8 /, 7 calls
+jacobian: 530 +-, 754 *, 7 /, 7 calls
 outputs: 0 +-, 0 *, 0 /, 1 calls
 
 A singular point raises SingularModelError.
@@ -192,7 +192,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z50 = I_d * z28 + I_b * w2
         z51 = z27 * z50
         z52 = z24 * z50
-        z53 = (z10 * z42 - z6 * z26 + z4 * z45) * (z3 / z2)
+        z53 = (z10 * z42 - z6 * z26 + z4 * z45) * (z3 * (z3 * z3))
         z54 = z4 * z53 - k3 * (z3 * z45)
         z55 = z24 * z39 - c_beta * z47 + (z44 - s_beta * z48)
         z56 = k1 * (z3 * z42) - z10 * z53
@@ -405,7 +405,7 @@ def accelerations(
         z39 = s_beta * z36 - c_alpha * z38
         z40 = s_beta * z37
         z41 = c_alpha * z40 + c_beta * z36
-        z42 = (z10 * z39 - z6 * z26 + z4 * z41) * (z3 / z2)
+        z42 = (z10 * z39 - z6 * z26 + z4 * z41) * (z3 * (z3 * z3))
         z43 = z4 * z42 - k3 * (z3 * z41)
         z44 = z28 * z43
         z45 = z24 * z38
@@ -681,7 +681,7 @@ def reactions(
         z42 = s_beta * z38 + c_beta * z41 - z31 * z36
         z43 = z25 * (z1 * z41 - mu3 * z38)
         z44 = z24 * z33 + s_beta * z42 - (z35 + c_beta * z43)
-        z45 = (z10 * z37 - z6 * z26 + z4 * z40) * (z3 / z2)
+        z45 = (z10 * z37 - z6 * z26 + z4 * z40) * (z3 * (z3 * z3))
         z46 = z6 * z45 + k2 * (z3 * z26)
         z47 = k1 * (z3 * z37) - z10 * z45
         s1 = z28 * z30 + w2 * u1 + (z7 * z44 + z28 * z46 - w2 * z47)
@@ -903,7 +903,7 @@ def jacobian(
         z41 = c_beta * mu2
         z42 = z28 * z39 - z27 * (w3 * z40 + w1 * z41)
         z43 = c_beta * z42
-        z44 = 1.0 / z2
+        z44 = z3 * z3
         z45 = z3 * z44
         z46 = z45 * (z10 * z40 - c_alpha * z6 + z4 * z41)
         z47 = k3 * z3
