@@ -84,10 +84,14 @@ class Replacement:
                     seen.add(child)
                     stack.append(child)
         for node in sorted(seen):
-            made = known[node] = rebuild(graph, node, [known.get(c, c) for c in kids[node]])
+            made = known[node] = self.make(node, [known.get(c, c) for c in kids[node]])
             if node in labels and made != node:
                 labels.setdefault(made, labels[node])
         return [known.get(node, node) for node in nodes]
+
+    def make(self, node: Node, children: Sequence[Node]) -> Node:
+        """What becomes of a node when its operands have been replaced."""
+        return rebuild(self.graph, node, children)
 
 
 def rebuild(graph: Graph, node: Node, children: Sequence[Node]) -> Node:

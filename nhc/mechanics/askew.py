@@ -13,7 +13,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from nhc.algebra.calculus import Derivation, count, rebuild
+from nhc.algebra.calculus import Derivation, Replacement, count
 from nhc.algebra.graph import ADD, NEG, POW, Graph, Node
 from nhc.algebra.polynomial import normalise
 from nhc.mechanics.frame import Frame, make_frame
@@ -59,7 +59,7 @@ def _is_constant(graph: Graph, angle: Node) -> bool:
     return kinds <= {"parameter"}
 
 
-class Counted:
+class Counted(Replacement):
     """Expressions with the angle counted from the joint.
 
     Components of directions, which hold sines and cosines of coordinates only, are written in canonical form where that is
@@ -67,34 +67,20 @@ class Counted:
     """
 
     def __init__(self, graph: Graph, lean: Lean) -> None:
-        g = self.graph = graph
+        g = graph
         whole = g.add(lean.angle, lean.tilt.angle)
         s, c = g.function("sin", whole), g.function("cos", whole)
         k, h = g.function("sin", lean.tilt.angle), g.function("cos", lean.tilt.angle)
         sine, cosine = g.function("sin", lean.angle), g.function("cos", lean.angle)
-        self._known = {sine: g.sub(g.mul(s, h), g.mul(c, k)), cosine: g.add(g.mul(c, h), g.mul(s, k))}
-        self._mask = g.mask((sine, cosine))
+        super().__init__(g, {sine: g.sub(g.mul(s, h), g.mul(c, k)), cosine: g.add(g.mul(c, h), g.mul(s, k))})
         self._moves: dict[Node, bool] = {}
 
-    def of(self, nodes: Sequence[Node]) -> list[Node]:
-        """The nodes, children first."""
-        g, known, labels = self.graph, self._known, self.graph.labels
-        pending = [node for node in nodes if node not in known and g.deps[node] & self._mask]
-        seen = set(pending)
-        while pending:
-            for child in g.kids[pending.pop()]:
-                if child not in seen and child not in known and g.deps[child] & self._mask:
-                    seen.add(child)
-                    pending.append(child)
-        for node in sorted(seen):
-            made = rebuild(g, node, [known.get(c, c) for c in g.kids[node]])
-            if made != node and self._is_direction_sum(made):
-                short = normalise(g, made, _TERMS)
-                made = short if count(g, [short]) < count(g, [made]) else made
-            known[node] = made
-            if node in labels and made != node:
-                labels.setdefault(made, labels[node])
-        return [known.get(node, node) for node in nodes]
+    def make(self, node: Node, children: Sequence[Node]) -> Node:
+        made = super().make(node, children)
+        if made == node or not self._is_direction_sum(made):
+            return made
+        short = normalise(self.graph, made, _TERMS)
+        return short if count(self.graph, [short]) < count(self.graph, [made]) else made
 
     def differentiate(self, system: System) -> None:
         """Rates of the spec's positions are those of the new expressions, not new expressions of the rates."""

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from nhc.algebra.calculus import count, gradient, reachable, rebuild, substitute
+from nhc.algebra.calculus import Replacement, count, gradient, reachable, substitute
 from nhc.algebra.graph import ADD, Graph, Node
 from nhc.algebra.polynomial import normalise
 from nhc.mechanics.moving import Scene
@@ -65,22 +65,19 @@ def _by_velocities(graph: Graph, node: Node, velocities: Sequence[Node]) -> Node
     return g.add(g.sum(g.mul(factor, total) for factor, total in behind.items()), normalise(g, rest, _TERMS))
 
 
-class _Shortened:
+class _Shortened(Replacement):
     """A substitution; sums are brought to canonical form as they are made, where that is shorter beside what is there anyway."""
 
     def __init__(self, graph: Graph, mapping: dict[Node, Node], beside: Sequence[Node]) -> None:
-        self.graph, self._known, self._beside = graph, dict(mapping), beside
+        super().__init__(graph, mapping)
+        self._beside = beside
 
     def vector(self, nodes: Vector) -> Vector:
-        x, y, z = (self._of(node) for node in nodes)
+        x, y, z = self.of(nodes)
         return x, y, z
 
-    def _of(self, root: Node) -> Node:
-        g, known = self.graph, self._known
-        for node in reachable(g, (root,)):
-            if node not in known:
-                made = rebuild(g, node, [known[child] for child in g.kids[node]])
-                if made != node and g.op[made] == ADD:
-                    made = min(made, normalise(g, made, _TERMS), key=lambda n: count(g, [n, *self._beside]))
-                known[node] = made
-        return known[root]
+    def make(self, node: Node, children: Sequence[Node]) -> Node:
+        g, made = self.graph, super().make(node, children)
+        if made == node or g.op[made] != ADD:
+            return made
+        return min(made, normalise(g, made, _TERMS), key=lambda n: count(g, [n, *self._beside]))
