@@ -32,8 +32,6 @@ _SMALL = 400
 """Operations up to which a second route is worth a try."""
 _WORTH_AXES = 100
 """Operations of Lagrange's equations from which moving axes are tried."""
-_FEW_FORMS, _TINY = 3, 25
-"""Velocity forms of T up to which the spec's axes are tried first, and operations that no moving axes would make fewer."""
 
 
 def motion_of(system: System, formulation: Formulation) -> Motion:
@@ -132,10 +130,6 @@ def _cheapest_route(system: System, formulation: Formulation, kinetic: Kinetic) 
         return _without_constraints(system, formulation, kinetic)
     # axes of a rotation group are at hand already
     may = frame is not None and not system.rotations and "moving axes" not in system.graph.off
-    if may and len(kinetic.atoms) <= _FEW_FORMS:
-        here = _route(system, formulation, kinetic)
-        if here.cost(system.graph) <= _TINY:
-            return here
     moved = move(system, kinetic, frame) if may and frame is not None else None
     if moved is None:
         return _route(system, formulation, kinetic)

@@ -180,7 +180,7 @@ def test_what_a_run_does_is_said_where_something_is_weak(tmp_path_factory: pytes
     """A skater of one's own with a fixed block, drag in syrup, and a system that is sound."""
     folder = tmp_path_factory.mktemp("own")
     skater, syrup = folder / "skater.yaml", folder / "syrup.yaml"
-    skater.write_text(forced(SKATER, "x").text.replace("[0, 12]", "[0, 1.14]"))
+    skater.write_text(forced(SKATER, "x").text.replace("[0, 12]", "[0, 1.15]"))
     syrup.write_text(SYRUP.replace("FORCE", "-2e4*(x' - cos(t))").replace("10]", "1]"))
     weak = stability(read(str(skater)), Question(lengths=1), Options(formulation="voronec"))
     assert not weak.failed and weak.conduct == ()  # it ends just before its block is weak

@@ -1,5 +1,5 @@
 /*
- * chaplygin_sleigh.c: chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:348cd75e4c7067e7)
+ * chaplygin_sleigh.c: chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:f5e255071a529199)
  * A rigid body on a knife edge; the centre of mass is a distance a ahead of the edge.
  * Source: chaplygin_sleigh.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -179,7 +179,7 @@ int chaplygin_sleigh_rhs(double t, const double *y, const double *p, double *dyd
     dydt[2] = w; /* theta' */
     /* (I.2.15) 17:4 */
     dydt[3] = a * w * w; /* v' */
-    dydt[4] = k3 * (v * w); /* w' */
+    dydt[4] = v * w * k3; /* w' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(dydt[0] + dydt[3] + dydt[4]) <= DBL_MAX && fabs(m) > 0.0)) {
         /* the mass matrix is singular */
@@ -244,7 +244,7 @@ int chaplygin_sleigh_accelerations(double t, const double *y, const double *p, d
     /* (I.2.15) */
     qddot[0] = c_theta * z1 - s_theta * z2; /* x'' */
     qddot[1] = s_theta * z1 + c_theta * z2; /* y'' */
-    qddot[2] = k3 * z2; /* theta'' */
+    qddot[2] = z2 * k3; /* theta'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qddot[0] + qddot[1] + qddot[2]) <= DBL_MAX && fabs(m) > 0.0)) {
         /* the mass matrix is singular */
@@ -320,13 +320,14 @@ int chaplygin_sleigh_reactions(double t, const double *y, const double *p, doubl
     const double a = p[2]; /* from the edge to the centre of mass [m] */
 
     /* parameters only */
-    const double k1 = m * a;
-    const double k2 = J + a * k1;
-    const double k3 = m - k1 * k1 / k2;
+    const double k1 = a * (m * a);
+    const double k2 = J + k1;
+    const double k3 = k1 / k2;
 
     /* state */
+    const double z1 = v * w;
     /* (I.4.1) 19:5 */
-    lambda[0] = v * w * k3; /* reaction of slip: Q_i gains lambda_1 a_1i */
+    lambda[0] = m * (z1 - z1 * k3); /* reaction of slip: Q_i gains lambda_1 a_1i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(lambda[0]) <= DBL_MAX && fabs(m) > 0.0)) {
         /* the mass matrix is singular */
@@ -462,7 +463,7 @@ static __attribute__((noinline)) void chaplygin_sleigh_rhs_lanes(const double *f
     const chaplygin_sleigh_lanes slope4 = a * w * w;
     sum += slope4;
     chaplygin_sleigh_put(dydt + 3 * stride, slope4);
-    const chaplygin_sleigh_lanes slope5 = k3 * (v * w);
+    const chaplygin_sleigh_lanes slope5 = v * w * k3;
     sum += slope5;
     chaplygin_sleigh_put(dydt + 4 * stride, slope5);
     chaplygin_sleigh_put(check, chaplygin_sleigh_mark(far + (sum - sum), bad));

@@ -1,4 +1,4 @@
-"""chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:b96e6ed8a577cd74).
+"""chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:3f3b3af4cce88813).
 
 A rigid body on a knife edge; the centre of mass is a distance a ahead of the edge.
 Source: chaplygin_sleigh.yaml
@@ -116,7 +116,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
             # v' (I.2.15) 17:4
             a * w * w,
             # w' (I.2.15) 17:4
-            k3 * (v * w),
+            v * w * k3,
         ]
         return _finish("rhs", dydt)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -191,7 +191,7 @@ def accelerations(
             # y'' (I.2.15)
             s_theta * z1 + c_theta * z2,
             # theta'' (I.2.15)
-            k3 * z2,
+            z2 * k3,
         ]
         return _finish("accelerations", qddot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -273,16 +273,17 @@ def reactions(
         if not abs(m) > 0.0:
             raise SingularModelError(2, "reactions")
         # parameters only
-        k1 = m * a
-        k2 = J + a * k1
+        k1 = a * (m * a)
+        k2 = J + k1
         # the mass matrix is singular
         if not abs(k2) > 0.0:
             raise SingularModelError(2, "reactions")
-        k3 = m - k1 * k1 / k2
+        k3 = k1 / k2
         # state
+        z1 = v * w
         lambda_: list[float] = [
             # reaction of slip: Q_i gains lambda_1 a_1i (I.4.1) 19:5
-            v * w * k3,
+            m * (z1 - z1 * k3),
         ]
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
