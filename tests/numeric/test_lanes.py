@@ -75,10 +75,10 @@ def integrate(model: CompiledModel, task: Task, method: str, starts: Sequence[Se
     return model.integrate_each(task, method, starts, [task.p] * len(starts), model.news())
 
 
-def assert_close(found: Outcome, single: Outcome, tolerance: float, steps: int = 1) -> None:
+def assert_close(found: Outcome, single: Outcome, tolerance: float) -> None:
     """The same end by nearly the same steps: where an error is just what is allowed, rounding decides."""
     assert (found.kind, found.status, len(found.states)) == (single.kind, single.status, len(single.states))
-    assert abs(found.steps - single.steps) <= steps and found.calls == pytest.approx(single.calls, rel=0.1)
+    assert abs(found.steps - single.steps) <= 1 and found.calls == pytest.approx(single.calls, rel=0.1)
     for one, other in zip(found.states, single.states, strict=True):
         size = max(1.0, *map(abs, other))
         assert max(abs(a - b) for a, b in zip(one, other, strict=True)) <= tolerance * size
@@ -150,9 +150,9 @@ def test_names_and_functions_of_all_kinds(tmp_path: Path) -> None:
     """The kernel's own names are not the spec's; functions without a vector are called lane by lane; no warning."""
     job = open_scene(Source("odd_names.yaml", ODD), whole=True)
     wide, alone = load_wide(job, "dopri5"), load_alone(job, "dopri5")
-    task = Task(job.p, job.y, job.time, 1e-8)
+    task = Task(job.p, job.y, job.time, 1e-6)  # steps that a kink's rounding does not decide
     for one, other in zip(*(integrate(m, task, "dopri5", spread_starts(job)) for m in (wide, alone)), strict=True):
-        assert_close(one, other, 1e-7, 3)  # at a kink rounding decides more often
+        assert_close(one, other, 1e-9)
     sources = write_source(job.program, [RUNGE_KUTTA["dopri5"]], 0, dips=job.watch.dips, lanes=True)
     for file, text in sources.items():
         (tmp_path / file).write_text(text)

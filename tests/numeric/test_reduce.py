@@ -121,14 +121,14 @@ def test_the_whole_scene_is_the_same_to_its_tolerance_in_emitted_c() -> None:
     """Over the whole time of every scene whose model is another one: exact reductions leave a thousandth of the tolerance."""
     found = {}
     for key, pair in pairs().items():
-        full, small = (run(job, Settings(tolerance=1e-12, points=21)) for job in (pair.full, pair.reduced))
+        full, small = (run(job, Settings(tolerance=1e-13, points=21)) for job in (pair.full, pair.reduced))
         assert full.ended == small.ended == "done" and full.headings == small.headings, key
         sizes = sizes_of(full.rows, len(full.headings))
         rows = zip(full.rows, small.rows, strict=True)
         error = max(abs(a - b) / size for row, other in rows for a, b, size in zip(row, other, sizes, strict=True))
         found[key] = error / pair.full.tolerance
     assert len(found) >= 25
-    assert {key: ratio for key, ratio in found.items() if ratio > 0.3} == {}  # a free body amplifies rounding by 1e5
+    assert {key: ratio for key, ratio in found.items() if ratio > 0.1} == {}  # a free body amplifies rounding by 1e5
     assert sum(ratio < 2e-3 for ratio in found.values()) >= len(found) - 2
 
 
