@@ -12,6 +12,8 @@ from types import FunctionType
 from typing import Any, TypeVar, dataclass_transform
 
 T = TypeVar("T")
+WIDEST = 24  # fields of a record
+_NOTHING: Any = object()
 
 
 class _Described:
@@ -84,11 +86,10 @@ def _make(cls: type[T], base: type) -> type[T]:
     body: dict[str, Any] = {key: value for key, value in vars(cls).items() if key not in ("__dict__", "__weakref__")}
     defaults = tuple(body.pop(name) for name in names if name in body)
     setters: dict[str, Any] = {}
-    if len(names) < len(_CONSTRUCTORS):
-        code = _CONSTRUCTORS[len(names)].__code__.replace(co_varnames=("self", *names))
-        constructor: Any = FunctionType(code, setters, "__init__", defaults)
-    else:  # large ones have few instances
-        constructor, body["_defaults"] = _many, dict(zip(names[len(names) - len(defaults) :], defaults, strict=True))
+    spare = tuple(f"_spare{k}" for k in range(len(names), WIDEST)) if len(names) >= len(_CONSTRUCTORS) else ()
+    code = (_wide if spare else _CONSTRUCTORS[len(names)]).__code__
+    code = code.replace(co_varnames=("self", *names, *spare), co_qualname=f"{cls.__qualname__}.__init__")
+    defaults += (_NOTHING,) * len(spare)
     made = type(
         cls.__name__,
         (base,),
@@ -98,10 +99,11 @@ def _make(cls: type[T], base: type) -> type[T]:
             "_fields": names,
             "__match_args__": names,
             "__qualname__": cls.__qualname__,
-            "__init__": constructor,
+            "__init__": FunctionType(code, setters, "__init__", defaults),
         },
     )
     setters.update((f"_{k}", vars(made)[name].__set__) for k, name in enumerate(names))
+    setters.update((f"_{k}", _refuse) for k in range(len(names), len(names) + len(spare)))
     return made
 
 
@@ -113,6 +115,24 @@ _2: Any = None
 _3: Any = None
 _4: Any = None
 _5: Any = None
+_6: Any = None
+_7: Any = None
+_8: Any = None
+_9: Any = None
+_10: Any = None
+_11: Any = None
+_12: Any = None
+_13: Any = None
+_14: Any = None
+_15: Any = None
+_16: Any = None
+_17: Any = None
+_18: Any = None
+_19: Any = None
+_20: Any = None
+_21: Any = None
+_22: Any = None
+_23: Any = None
 
 
 def _none(self: Any) -> None:
@@ -158,18 +178,43 @@ def _six(self: Any, a: Any, b: Any, c: Any, d: Any, e: Any, f: Any) -> None:
     _5(self, f)
 
 
-def _many(self: Any, *arguments: Any, **named: Any) -> None:
-    names, kind = self._fields, type(self).__qualname__
-    if len(arguments) > len(names):
-        raise TypeError(f"{kind} takes {len(names)} values, not {len(arguments)}")
-    values = dict(zip(names, arguments, strict=False))
-    twice = values.keys() & named.keys()
-    values = {**self._defaults, **values, **named}
-    wrong = sorted(twice | (values.keys() - set(names)) | (set(names) - values.keys()))
-    if wrong:
-        raise TypeError(f"{kind}: {', '.join(wrong)} given twice, not known or not given")
-    for name in names:
-        object.__setattr__(self, name, values[name])
+# fmt: off
+def _wide(
+    self: Any, a0: Any, a1: Any, a2: Any, a3: Any, a4: Any, a5: Any,
+    a6: Any, a7: Any, a8: Any, a9: Any, a10: Any, a11: Any,
+    a12: Any, a13: Any, a14: Any, a15: Any, a16: Any, a17: Any,
+    a18: Any, a19: Any, a20: Any, a21: Any, a22: Any, a23: Any,
+) -> None:
+    _0(self, a0)
+    _1(self, a1)
+    _2(self, a2)
+    _3(self, a3)
+    _4(self, a4)
+    _5(self, a5)
+    _6(self, a6)
+    _7(self, a7)
+    _8(self, a8)
+    _9(self, a9)
+    _10(self, a10)
+    _11(self, a11)
+    _12(self, a12)
+    _13(self, a13)
+    _14(self, a14)
+    _15(self, a15)
+    _16(self, a16)
+    _17(self, a17)
+    _18(self, a18)
+    _19(self, a19)
+    _20(self, a20)
+    _21(self, a21)
+    _22(self, a22)
+    _23(self, a23)
+# fmt: on
+
+
+def _refuse(self: object, value: object) -> None:
+    if value is not _NOTHING:
+        raise TypeError(f"{type(self).__qualname__} has no field for {value!r}")
 
 
 _CONSTRUCTORS = (_none, _one, _two, _three, _four, _five, _six)

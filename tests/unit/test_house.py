@@ -64,7 +64,7 @@ def test_no_state_travels_in_keyword_mappings() -> None:
         f"{path.relative_to(ROOT)}:{function.lineno}"
         for path in MODULES
         for function in _functions(ast.parse(path.read_text()))
-        if function.args.kwarg is not None and path.name != "records.py"  # whose constructors take any fields by name
+        if function.args.kwarg is not None
     ]
     assert found == []
 
