@@ -5,14 +5,30 @@ All passes loop over node numbers (children come before parents), so deep expres
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Collection, Container, Iterable, Mapping, Sequence
 
 from nhc.algebra.graph import ADD, BINARY, MUL, NEG, POW, SYM, Graph, Node
 
 
-def reachable(graph: Graph, roots: Iterable[Node], within: int = -1) -> list[Node]:
-    """The nodes that the roots are made of, in increasing order; with ``within``, only those that contain one of its symbols."""
+def reachable(
+    graph: Graph, roots: Iterable[Node], within: int = -1, known: Container[Node] | None = None
+) -> list[Node]:
+    """The nodes that the roots are made of, in increasing order.
+
+    With ``within``, only those that contain one of its symbols; what is ``known`` is left out, and not walked into.
+    """
     kids, deps = graph.kids, graph.deps
+    if known is not None:
+        every = within == -1
+        seen = {root for root in roots if root not in known and (every or deps[root] & within)}
+        stack = list(seen)
+        while stack:
+            for child in kids[stack.pop()]:
+                if child not in seen and child not in known and (every or deps[child] & within):
+                    seen.add(child)
+                    if kids[child]:
+                        stack.append(child)
+        return sorted(seen)
     if within == -1:
         seen = set(roots)
         stack = list(seen)
@@ -74,16 +90,9 @@ class Replacement:
 
     def of(self, nodes: Sequence[Node]) -> list[Node]:
         """The nodes with the mapping applied."""
-        graph, known, mask = self.graph, self._known, self._mask
-        kids, deps, labels = graph.kids, graph.deps, graph.labels
-        seen = {node for node in nodes if node not in known and deps[node] & mask}
-        stack = list(seen)
-        while stack:
-            for child in kids[stack.pop()]:
-                if child not in seen and child not in known and deps[child] & mask:
-                    seen.add(child)
-                    stack.append(child)
-        for node in sorted(seen):
+        graph, known = self.graph, self._known
+        kids, labels = graph.kids, graph.labels
+        for node in reachable(graph, nodes, self._mask, known):
             made = known[node] = self.make(node, [known.get(c, c) for c in kids[node]])
             if node in labels and made != node:
                 labels.setdefault(made, labels[node])
@@ -220,13 +229,7 @@ class Derivation:
         kids, deps, op, a, b = graph.kids, graph.deps, graph.op, graph.a, graph.b
         if root in known or not deps[root] & mask:
             return known.get(root, 0)
-        seen, stack = {root}, [root]
-        while stack:
-            for child in kids[stack.pop()]:
-                if child not in seen and child not in known and deps[child] & mask:
-                    seen.add(child)
-                    stack.append(child)
-        for node in sorted(seen):
+        for node in reachable(graph, (root,), mask, known):
             kind, x = op[node], a[node]
             if kind == ADD:
                 made = graph.add(known.get(x, 0), known.get(b[node], 0))

@@ -80,7 +80,7 @@ class FieldPoint:
         roots, values = list(roots), self.values
         if fixed:
             values.update(fixed)
-        todo = self._missing(roots)
+        todo = reachable(self.graph, roots, known=values)  # operands first
         self._prepare(todo)
         g, p = self.graph, self.prime
         op, first, second = g.op, g.a, g.b
@@ -95,18 +95,6 @@ class FieldPoint:
             else:
                 values[node] = self._value(node)
         return [values[root] for root in roots]
-
-    def _missing(self, roots: Sequence[Node]) -> list[Node]:
-        """What has no value yet under the roots, operands first."""
-        values, kids = self.values, self.graph.kids
-        seen = {root for root in roots if root not in values}
-        stack = list(seen)
-        while stack:
-            for child in kids[stack.pop()]:
-                if child not in seen and child not in values:
-                    seen.add(child)
-                    stack.append(child)
-        return sorted(seen)
 
     def prepare(self, roots: Iterable[Node]) -> None:
         """Announce what will be evaluated later, in several calls: the points of the circle are then fine enough for all of it.
