@@ -7,6 +7,8 @@ import io
 import json
 import math
 import os
+import pty
+import re
 import signal
 import subprocess
 import sys
@@ -335,6 +337,24 @@ def test_an_interrupt_keeps_what_there_is(tmp_path: Path) -> None:
     assert not (tmp_path / "a.csv").exists()
     _, rows = table((tmp_path / "a.partial.csv").read_text())
     assert 2 <= len(rows) < 100000 and f"t = {rows[-1][0]!r}" in err
+
+
+def test_a_bar_shows_on_a_terminal_how_far_a_long_run_is(tmp_path: Path) -> None:
+    spec = tmp_path / "long.yaml"
+    spec.write_text(BLOW_UP.replace("-x^4", "x^4"))
+    command = [*INTERRUPTIBLE, "run", str(spec), "--scene", "long", "-o", str(tmp_path / "a.csv")]
+    command += ["--points", "100", "--method", "rk4", "--step", "0.1"]
+    screen, terminal = pty.openpty()
+    with subprocess.Popen(command, cwd=ROOT, stderr=terminal, env={**os.environ}) as process:
+        os.close(terminal)
+        seen = b""
+        while not re.search(rb"\r\[#+\.+\] +[1-9]\d* %  t = [\d.e+]+ ", seen):
+            seen += os.read(screen, 4096)  # ends with an error if the run ends first
+        process.send_signal(signal.SIGINT)
+        while b"interrupted at t = " not in seen:
+            seen += os.read(screen, 4096)
+        assert process.wait(timeout=60) == 130
+    os.close(screen)
 
 
 # --- the cache ----------------------------------------------------------------------------------------------
