@@ -78,7 +78,6 @@ class Options:
     only: tuple[str, ...] = ()
     driver: bool = False
     array: str = ""
-    explain: bool = False
     simplify: float = 0.0
     trig: str = ""
     reduce: bool = False

@@ -42,7 +42,7 @@ def find_specs() -> Path:
 
 
 def cache_folder() -> Path:
-    """Where compiled models and templates are kept: ``$NHC_CACHE``, else ``nhc`` in the user's cache folder."""
+    """Where compiled models, templates and answers are kept: ``$NHC_CACHE``, else ``nhc`` in the user's cache folder."""
     if os.environ.get("NHC_CACHE"):
         return Path(os.environ["NHC_CACHE"])
     base = os.environ.get("XDG_CACHE_HOME") or str(Path.home() / ".cache")

@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING
 
 import click
 
-from nhc.cli.options import explain_option, formulation_option, output_option, spec_argument
-from nhc.cli.specs import open_spec
+from nhc.answers import Answer, answer
+from nhc.cli.options import anew_option, explain_option, formulation_option, output_option, spec_argument
+from nhc.cli.specs import list_texts, open_spec
 from nhc.cli.terminal import Failure, say, wants_colour
 from nhc.cli.write import deliver
 
@@ -31,6 +32,7 @@ if TYPE_CHECKING:
     default=0.0,
     help="Let SymPy simplify what is printed, so long at most.",
 )
+@anew_option
 @output_option
 @click.option("--force", is_flag=True, help="Replace the file after `-o` when it exists.")
 def command(
@@ -41,6 +43,7 @@ def command(
     scene: str,
     dump: str | None,
     simplify: float,
+    anew: bool,
     output: str | None,
     force: bool,
 ) -> int:
@@ -49,17 +52,22 @@ def command(
     Prints the derivation of SPEC: the data, the 2-form, the equations of motion, each with its number in the thesis.
     """
     source = open_spec(spec)
-    from nhc import pipeline
 
-    options = pipeline.Options(formulation=formulation or "", scene=scene, to=to, explain=explain, simplify=simplify)
-    if dump is None:
-        text = pipeline.derive(source, options)
-    else:
+    def make() -> Answer:
+        from nhc import pipeline
+
+        options = pipeline.Options(formulation=formulation or "", scene=scene, to=to, simplify=simplify)
+        if dump is None:
+            return {"": pipeline.derive(source, options)}
         stages = {stage.name: stage.about for stage in pipeline.STAGES}
         if dump not in stages:
             lines = [f"{name}: {about}" for name, about in stages.items()]
             raise Failure(f"no stage `{dump}`; the stages are {', '.join(stages)}", lines, "E0502")
-        text = pipeline.dump(source, dump, options)
+        return {"": pipeline.dump(source, dump, options)}
+
+    asked = (formulation, scene, to)
+    kept = not (anew or dump or simplify)  # what a time limit decides may differ next time
+    text = (answer(("derive", repr(asked), *list_texts(source)), make) if kept else make())[""]
     if explain:
         _explain(source, formulation)
     deliver(text, output, force=force)

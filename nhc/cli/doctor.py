@@ -82,7 +82,7 @@ def _folders() -> list[Row]:
 
 
 def _runs() -> list[Row]:
-    """The compiler that ``nhc run`` takes, with its flags, and the folder of compiled models with its size."""
+    """The compiler that ``nhc run`` takes, with its flags, and the folder of what is kept with its size."""
     from nhc.resources import cache_folder
     from nhc.simulate.compile import find_compiler, lane_flags, machine_flags
 
@@ -90,19 +90,19 @@ def _runs() -> list[Row]:
     flags = " ".join(machine_flags()) or "no flags for this processor"
     lanes = 8 if any("v4" in flag for flag in lane_flags(0)) else 4
     found = f"{compiler}; {flags}; {lanes} lanes" if compiler else "none: runs are in Python, some hundred times slower"
-    models, size_in_bytes = _measure(folder)
-    size = f"{models} compiled models, {size_in_bytes / 1e6:.1f} MB"
+    models, answers, size_in_bytes = _measure(folder)
+    size = f"{models} compiled models, {answers} answers, {size_in_bytes / 1e6:.1f} MB"
     place = next(path for path in (folder, *folder.parents) if path.exists())
     writable = os.access(place, os.W_OK) and place.is_dir()
     return [
         ("compiler of runs", bool(compiler), found),
-        ("cache of runs", writable, f"{folder} ({size if writable else 'cannot be written'})"),
+        ("cache", writable, f"{folder} ({size if writable else 'cannot be written'})"),
     ]
 
 
-def _measure(folder: Path) -> tuple[int, int]:
-    """(libraries, bytes) below a folder that others may change meanwhile: what has gone does not count."""
-    models = size = 0
+def _measure(folder: Path) -> tuple[int, int, int]:
+    """(libraries, answers, bytes) below a folder that others may change meanwhile: what has gone does not count."""
+    models = answers = size = 0
     for place, _, names in os.walk(folder):
         for name in names:
             try:
@@ -110,7 +110,8 @@ def _measure(folder: Path) -> tuple[int, int]:
             except OSError:
                 continue
             models += name.endswith(".so")
-    return models, size
+            answers += name.endswith(".json")
+    return models, answers, size
 
 
 def _tool(name: str, purpose: str) -> Row:

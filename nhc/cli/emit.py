@@ -3,14 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import partial
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
-from nhc.cli.options import formulation_option, spec_argument
-from nhc.cli.specs import open_spec
+from nhc.answers import Answer, answer
+from nhc.cli.options import anew_option, formulation_option, spec_argument
+from nhc.cli.specs import list_texts, open_spec
 from nhc.cli.terminal import Failure, put
 from nhc.cli.write import compare_files, place_files, refuse_to_overwrite, write_files
+
+if TYPE_CHECKING:
+    from nhc.diagnostics import Source
 
 
 def _split(context: click.Context, parameter: click.Parameter, value: str | None) -> tuple[str, ...]:
@@ -32,6 +38,7 @@ def _split(context: click.Context, parameter: click.Parameter, value: str | None
 @click.option("--array", type=click.Choice(["numpy", "jax"]), help="With Python: functions that broadcast over arrays.")
 @click.option("--trig", type=click.Choice(["libm", "inline"]), help="With C: whose sine and cosine; default: libm's.")
 @click.option("--check", "compare", is_flag=True, help="Write nothing; exit with 1 when the files differ.")
+@anew_option
 @click.option("--force", is_flag=True, help="Overwrite files that were edited by hand.")
 def command(
     spec: str,
@@ -46,6 +53,7 @@ def command(
     array: str | None,
     trig: str | None,
     compare: bool,
+    anew: bool,
     force: bool,
 ) -> int:
     """Write the equations as C, Python or LaTeX.
@@ -67,22 +75,9 @@ def command(
     if fold and (not scene or language == "latex"):
         raise click.UsageError("`--fold` puts the values of a scene into C or Python: it needs `--scene`")
     source = open_spec(spec)
-    from nhc.emit import EmitError
-    from nhc.pipeline import Options, emit
-
-    options = Options(
-        formulation=formulation or "",
-        scene=scene,
-        only=only,
-        driver=driver,
-        array=array or "",
-        trig=trig or "",
-        fold=fold,
-    )
-    try:
-        files = emit(source, language, options)
-    except EmitError as error:
-        raise Failure(str(error), code="E0504") from error
+    asked = (formulation or "", scene, only, driver, array or "", trig or "", fold)
+    make = partial(_emit, source, language, *asked)
+    files = make() if anew else answer(("emit", language, repr(asked), *list_texts(source)), make)
     if to_stdout or output == "-":
         _print(files, titled=to_stdout)
         return 0
@@ -93,6 +88,27 @@ def command(
         refuse_to_overwrite(placed)
     write_files(placed)
     return 0
+
+
+def _emit(
+    source: Source,
+    language: str,
+    formulation: str,
+    scene: str,
+    only: tuple[str, ...],
+    driver: bool,
+    array: str,
+    trig: str,
+    fold: bool,
+) -> Answer:
+    from nhc.emit import EmitError
+    from nhc.pipeline import Options, emit
+
+    options = Options(formulation, scene, only=only, driver=driver, array=array, trig=trig, fold=fold)
+    try:
+        return emit(source, language, options)
+    except EmitError as error:
+        raise Failure(str(error), code="E0504") from error
 
 
 def _print(files: Mapping[str, str], *, titled: bool) -> None:

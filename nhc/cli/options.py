@@ -21,3 +21,4 @@ formulation_option = click.option(
 json_option = click.option("--json", "as_json", is_flag=True, help="Print JSON with a versioned schema.")
 explain_option = click.option("--explain", is_flag=True, help="Say what was found out on the way, and why.")
 output_option = click.option("-o", "output", metavar="FILE", help="Write to FILE in place of stdout (`-`).")
+anew_option = click.option("--anew", is_flag=True, help="Derive anew, whatever an earlier run has kept.")

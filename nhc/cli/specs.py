@@ -47,6 +47,11 @@ def open_spec(spec: str) -> Source:
     return replace(read(gallery[spec]), path=gallery[spec].name)
 
 
+def list_texts(source: Source) -> tuple[str, ...]:
+    """Everything of a spec that an answer can depend on: its name and text, and those of what it extends."""
+    return tuple(part for each in (source, *source.bases) for part in (each.path, each.text))
+
+
 def complete_spec(ctx: click.Context, parameter: click.Parameter, incomplete: str) -> list[CompletionItem]:
     """Offer files and the gallery's names to the shell."""
     names = [CompletionItem(name) for name in gallery_paths() if incomplete and name.startswith(incomplete)]

@@ -57,14 +57,16 @@ def test_the_cache_and_the_compiler_of_runs_are_named(
 ) -> None:
     monkeypatch.setenv("NHC_CACHE", str(tmp_path / "models"))
     assert main(["doctor"]) == 0
-    assert f"{tmp_path / 'models'} (0 compiled models, 0.0 MB)" in capsys.readouterr().out
+    assert f"{tmp_path / 'models'} (0 compiled models, 0 answers, 0.0 MB)" in capsys.readouterr().out
     entry = tmp_path / "models" / "0123"
     entry.mkdir(parents=True)
     (entry / "a_run.so").write_bytes(bytes(1_500_000))
     (entry / "a_run.c").write_bytes(bytes(100_000))
+    (tmp_path / "models" / "answers").mkdir()
+    (tmp_path / "models" / "answers" / "4567.json").write_bytes(bytes(100_000))
     assert main(["doctor", "--json"]) == 0
     rows = {row["name"]: row for row in json.loads(capsys.readouterr().out)["optional"]}
-    assert rows["cache of runs"]["found"] and "(1 compiled models, 1.6 MB)" in rows["cache of runs"]["detail"]
+    assert rows["cache"]["found"] and "(1 compiled models, 1 answers, 1.7 MB)" in rows["cache"]["detail"]
     monkeypatch.setenv("NHC_CACHE", str(entry / "a_run.so" / "below"))
     assert main(["doctor"]) == 0
     assert "cannot be written" in capsys.readouterr().out

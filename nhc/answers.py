@@ -1,0 +1,122 @@
+"""What nhc has written before, kept: the same question to the same nhc has the same answer, and it is derived once.
+
+A question is a verb, its options and the texts of the spec; nhc itself is part of it, as the sizes and times of its own
+files, so that a new version or an edited template asks anew.  An answer is a set of texts by file name, in JSON, in
+``answers`` below the cache folder; it appears by a rename and is taken only when it is whole.  Whatever goes wrong with
+the folder costs the time of deriving again and nothing else.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import sys
+from collections.abc import Callable, Iterator, Sequence
+from hashlib import sha256
+from importlib.util import find_spec
+from pathlib import Path
+
+from nhc.resources import PACKAGE, cache_folder, find_templates
+from nhc.version import __version__
+
+MOST = 256
+"""Answers kept; one more, and the quarter that was asked for least recently goes."""
+
+Answer = dict[str, str]
+
+
+def answer(question: Sequence[str], make: Callable[[], Answer]) -> Answer:
+    """The texts by name that answer ``question``: those of last time, else what ``make`` returns, which is kept.
+
+    Raises what ``make`` raises; errors are not kept.
+    """
+    path = _folder() / f"{_key(question)}.json"
+    kept = _recall(path)
+    if kept is not None:
+        return kept
+    made = make()
+    _keep(path, made)
+    return made
+
+
+def _folder() -> Path:
+    return cache_folder() / "answers"
+
+
+def _key(question: Sequence[str]) -> str:
+    digest = sha256()
+    for part in (*question, *_identity()):
+        digest.update(f"{len(part)}:{part}".encode(errors="surrogatepass"))
+    return digest.hexdigest()[:32]
+
+
+def _identity() -> Iterator[str]:
+    """What decides about the answer beside the question: this nhc, the libraries that print, and Python."""
+    yield __version__
+    yield sys.version
+    for folder in (PACKAGE, find_templates()):
+        yield from _describe(folder)
+    for library in ("yaml", "jinja2"):
+        found = find_spec(library)
+        if found is not None and found.origin:
+            yield _stand(found.origin, os.stat(found.origin))
+
+
+def _describe(folder: Path | str) -> Iterator[str]:
+    """Name, size and time of each source file below a folder, in an order of their own."""
+    with os.scandir(folder) as entries:
+        for entry in sorted(entries, key=lambda entry: entry.name):
+            if entry.is_dir():
+                if entry.name != "__pycache__":
+                    yield from _describe(entry.path)
+            else:
+                yield _stand(entry.path, entry.stat())
+
+
+def _stand(path: str, status: os.stat_result) -> str:
+    return f"{path} {status.st_size} {status.st_mtime_ns}"
+
+
+def _recall(path: Path) -> Answer | None:
+    """The answer in a file; None without one, or where it is damaged: its first line is the hash of the rest."""
+    try:
+        mark, _, text = path.read_text(encoding="utf-8").partition("\n")
+        if mark != _hash(text):
+            return None
+        os.utime(path)
+    except (OSError, ValueError):
+        return None
+    kept: Answer = json.loads(text)
+    return kept
+
+
+def _keep(path: Path, made: Answer) -> None:
+    text = json.dumps(made, ensure_ascii=False)
+    temporary = path.with_name(f".{path.name}.{os.getpid()}.tmp")
+    try:
+        path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
+        temporary.write_text(f"{_hash(text)}\n{text}", encoding="utf-8")
+        os.replace(temporary, path)
+        _make_room(path.parent)
+    except (OSError, ValueError):  # a full disk, a folder of someone else, half of a surrogate pair
+        _remove(temporary)
+
+
+def _make_room(folder: Path) -> None:
+    names = [path for path in folder.iterdir() if path.suffix == ".json"]
+    if len(names) <= MOST:
+        return
+    names.sort(key=lambda path: path.stat().st_mtime)
+    for path in names[: MOST // 4]:
+        _remove(path)
+
+
+def _remove(path: Path) -> None:
+    try:
+        path.unlink(missing_ok=True)
+    except OSError:
+        return
+
+
+def _hash(text: str) -> str:
+    return sha256(text.encode()).hexdigest()
