@@ -22,15 +22,16 @@ from nhc.program.ir import Program
 from nhc.program.model import build_program
 
 PAGE = ROOT / "docs" / "rewriting.md"
-SYSTEMS = ("sleigh", "disk", "trailers5", "snake5", "pendulum5", "bicycle")
+SYSTEMS = ("sleigh", "disk", "trailers5", "snake5", "pendulum5", "bicycle", "snakeboard")
 
 
 @dataclass(frozen=True)
 class Operations:
-    """Of one call of ``rhs``: additions, multiplications and divisions together; divisions alone."""
+    """Of one call of ``rhs``: additions, multiplications and divisions together; divisions alone; calls of functions."""
 
     all: int
     divisions: int
+    calls: int
 
 
 def compile_without(system: str, off: Iterable[str], style: str = "positions") -> Program:
@@ -43,7 +44,7 @@ def compile_without(system: str, off: Iterable[str], style: str = "positions") -
 def count(system: str, off: Iterable[str] = (), style: str = "positions") -> Operations:
     """Operations of the right-hand side derived without some rules."""
     (rhs,) = compile_without(system, off, style).functions
-    return Operations(rhs.adds + rhs.multiplications + rhs.divisions, rhs.divisions)
+    return Operations(rhs.adds + rhs.multiplications + rhs.divisions, rhs.divisions, rhs.calls)
 
 
 def count_trig(system: str) -> tuple[float, ...]:
@@ -61,11 +62,11 @@ FUSED = (*FLAGS, "-march=x86-64-v3", "-ffp-contract=fast")
 _HEAD = """\
 # Rewriting rules
 
-Written by `python -m benchmarks.rules`; nothing here is typed in.  Additions, multiplications and divisions of one right-hand side
-(divisions in parentheses), from specs in positions: with all rules, then without one of them at a time.  A rule may buy nothing
-on one system and much on another, and several reach the same shorter form, so that the table understates each.  Every rule keeps
-the value: `tests/property/test_rules.py` holds each against the unrewritten expression modulo primes, and the compiled
-right-hand sides without it against those with it.
+Written by `python -m benchmarks.rules`; nothing here is typed in.  Additions, multiplications and divisions of one right-hand
+side (in parentheses divisions, then calls of sine, cosine and the like), from specs in positions: with all rules, then without
+one of them at a time.  A rule may buy nothing on one system and much on another, and several reach the same shorter form, so
+that the table understates each.  Every rule keeps the value: `tests/property/test_rules.py` holds each against the unrewritten
+expression modulo primes, and the compiled right-hand sides without it against those with it.
 """
 
 _TRIG = """\
@@ -104,7 +105,7 @@ def write_trig() -> str:
 
 
 def _cell(operations: Operations) -> str:
-    return f"{operations.all} ({operations.divisions})"
+    return f"{operations.all} ({operations.divisions}, {operations.calls})"
 
 
 def main(page: Path = PAGE) -> None:

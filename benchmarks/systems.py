@@ -12,6 +12,7 @@ from pathlib import Path
 
 STYLES = ("positions", "expanded")
 ROOT = Path(__file__).resolve().parent.parent
+GALLERY = {path.stem: path for path in sorted((ROOT / "specs").glob("*.yaml"))}
 
 Section = tuple[str, list[str] | str]
 
@@ -19,7 +20,8 @@ Section = tuple[str, list[str] | str]
 def spec(name: str, style: str = "positions", *, velocities: bool = True) -> str:
     """The YAML text of ``sleigh``, ``disk``, ``bicycle``, ``trailers<N>``, ``snake<N>`` or ``pendulum<N>``.
 
-    ``bicycle`` is the gallery's own file with three rates named as quasi-velocities, and has one style.
+    ``bicycle`` is the gallery's own file with three rates named as quasi-velocities, and has one style.  Other systems of the
+    gallery have one style too.
 
     Raises:
         KeyError: no such system or style.
@@ -27,13 +29,16 @@ def spec(name: str, style: str = "positions", *, velocities: bool = True) -> str
     family, count = split_name(name)
     if style not in STYLES:
         raise KeyError(style)
-    text = _FAMILIES[family](count, style == "expanded")
+    if family not in _FAMILIES and name in GALLERY:
+        text = GALLERY[name].read_text(encoding="utf-8")
+    else:
+        text = _FAMILIES[family](count, style == "expanded")
     return text if velocities else drop_section(text, "quasi_velocities")
 
 
 def split_name(name: str) -> tuple[str, int]:
     """``trailers5`` -> ``("trailers", 5)``; a system without a size has 0."""
-    found = re.fullmatch(r"([a-z]+)(\d*)", name)
+    found = re.fullmatch(r"([a-z_]+)(\d*)", name)
     if found is None:
         raise KeyError(name)
     return found[1], int(found[2] or 0)

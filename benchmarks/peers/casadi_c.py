@@ -18,11 +18,10 @@ from benchmarks.systems import split_name
 _WRAPPER = """
 int casadi_call(double t, const double *y, const double *p, double *dydt)
 {{
-    const double *arg[{arguments}] = {{y, p}};
+    const double *arg[{arguments}] = {{y, p, &t}};
     double *res[{results}] = {{dydt}};
     casadi_int iw[{integers} + 1];
     double w[{reals} + 1];
-    (void)t;
     return casadi_rhs(arg, res, iw, w, 0);
 }}
 """
@@ -76,6 +75,11 @@ def casadi_sources(name: str) -> Sources:
     state = ca.vertcat(assembly.q, assembly.u)
     slope = ca.cse(ca.vertcat(assembly.rates, assembly.solve()))
     function = ca.Function("casadi_rhs", [state, parameters], [slope])
+    return print_sources(function)
+
+
+def print_sources(function: Any) -> Sources:
+    """C of ``casadi_call`` around a function ``casadi_rhs`` of (state, parameters), or of (state, parameters, time)."""
     with tempfile.TemporaryDirectory() as folder:
         generator = ca.CodeGenerator("model.c", {"with_header": False})
         generator.add(function)

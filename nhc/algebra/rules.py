@@ -55,6 +55,11 @@ RULES = (
         "pairs of factors that stand in several products are multiplied once; parameters stand together in front",
         "algebra/products.py",
     ),
+    Rule(
+        "related angles",
+        "sines and cosines of sums, differences and multiples of angles at hand come from theirs",
+        "algebra/related.py",
+    ),
     Rule("shared reciprocals", "x / d is x times 1/d, computed once; 1/d of parameters first", "program/lower.py"),
 )
 NAMES = frozenset(rule.name for rule in RULES)

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from nhc.algebra.calculus import count
 from nhc.algebra.graph import Node
 from nhc.algebra.products import share_products
+from nhc.algebra.related import relate_angles
 from nhc.algebra.shorten import shorten
 from nhc.mechanics.formulate import accelerations, reaction_values
 from nhc.mechanics.frame import coordinate_form, form_value
@@ -201,6 +202,6 @@ def build_functions(planner: Planner, only: Sequence[str] = ()) -> tuple[Functio
             continue
         plan = getattr(planner, name)()
         if plan is not None:
-            plan = map_nodes(plan, lambda nodes: share_products(g, nodes, constants))
+            plan = map_nodes(plan, lambda nodes: share_products(g, relate_angles(g, nodes), constants))
             functions.append(lower_function(g, plan, planner.parameters))
     return tuple(functions)

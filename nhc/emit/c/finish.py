@@ -60,8 +60,12 @@ def choose_finish(body: Sequence[Statement]) -> Finish | None:
             proof.assume_finite(store.value)
     if len(entries) > MOST:
         return None
-    guards = tuple(g for g in body if isinstance(g, Guard) and not (g.scale == _ZERO and proof.excludes_zero(g.value)))
-    return Finish(tuple(sorted(entries)), guards)
+    guards: list[Guard] = []
+    for guard in reversed([s for s in body if isinstance(s, Guard)]):  # the last depend on most
+        if not (guard.scale == _ZERO and proof.excludes_zero(guard.value)):
+            guards.insert(0, guard)
+            proof.assume_nonzero(guard.value)
+    return Finish(tuple(sorted(entries)), tuple(guards))
 
 
 def _is_simple(value: Expr) -> bool:
@@ -120,7 +124,7 @@ class _Proof:
                 case Binary():
                     stack.append(part.left)
                     if part.op == "/":
-                        self._assume_nonzero(part.right)
+                        self.assume_nonzero(part.right)
                     else:
                         stack.append(part.right)
                 case Negate():
@@ -129,13 +133,14 @@ class _Proof:
                     if part.exponent > 0:
                         stack.append(part.base)
                     else:
-                        self._assume_nonzero(part.base)
+                        self.assume_nonzero(part.base)
                 case Call():
                     stack += part.arguments if part.function in _THROUGH else ()
                 case Number() | Pi():
                     pass
 
-    def _assume_nonzero(self, expression: Expr) -> None:
+    def assume_nonzero(self, expression: Expr) -> None:
+        """Draw what follows from a value that is neither zero nor NaN."""
         stack = [expression]
         while stack:
             part = stack.pop()

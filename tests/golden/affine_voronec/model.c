@@ -1,5 +1,5 @@
 /*
- * affine_voronec.c: affine_voronec, emitted by nhc 0.1.0 (nhc:4cad1e13445c9db8)
+ * affine_voronec.c: affine_voronec, emitted by nhc 0.1.0 (nhc:53110e33829df7f3)
  * A particle with everything at once; affine constraint, time, T of degrees 2, 1 and 0, drag, a driving
  *     force.
  * Source: affine_voronec.yaml
@@ -176,13 +176,10 @@ int affine_voronec_rhs(double t, const double *y, const double *p, double *dydt)
     const double z = y[2];
 
     /* sines and cosines */
-    const double z21 = 2.0 * t;
     const double s_t = sin(t);
     const double c_t = cos(t);
     const double c_z = cos(z);
     const double s_z = sin(z);
-    const double s1 = sin(z21);
-    const double c1 = cos(z21);
     const double x = y[0];
     const double y_2 = y[1];
     const double x_dot = y[3];
@@ -209,41 +206,41 @@ int affine_voronec_rhs(double t, const double *y, const double *p, double *dydt)
     const double z18 = z17 * z2 + 0.25 * (z10 * (z13 * z13));
     const double z19 = 0.25 * (z14 * z16) - z18;
     const double z20 = y_dot * z13;
-    const double z22 = 0.3 * z13 + (x_dot * z6 + 0.5 * z20) + 0.2 * s1;
-    const double z23 = x + t * x_dot;
-    const double z24 = 0.4 * (y_dot * c_t - y_2 * s_t) + 0.1 * (z6 * z23) + (0.3 * (y_dot * z6) - 0.1 * (t *
-        z22));
-    const double z25 = x * z22 + z * x_dot;
-    const double z26 = s_z * z22;
-    const double z27 = x_dot * (z5 * (y_dot * c_z - y_2 * z26) + 0.1 * (c_t * z3)) + 0.5 * (y_dot * z25);
-    const double z28 = 0.3 * z25 + z27 + 0.4 * c1;
-    const double z29 = z2 * z22;
-    const double z30 = c_z * c_t;
-    const double z31 = 0.3 * (z29 * z26 - 0.2 * (z22 * z30)) - x_dot * (0.2 * (z1 * c_t) + 2.0 * (z * z29));
-    const double z32 = x_dot * z26;
-    const double z33 = 0.3 * (z2 * z32 - 0.2 * (x_dot * z30)) - z22 * (0.2 * (z9 * c_t) + 2.0 * (x * (x_dot *
+    const double z21 = 0.3 * z13 + (x_dot * z6 + 0.5 * z20) + 0.4 * (c_t * s_t);
+    const double z22 = x + t * x_dot;
+    const double z23 = 0.4 * (y_dot * c_t - y_2 * s_t) + 0.1 * (z6 * z22) + (0.3 * (y_dot * z6) - 0.1 * (t *
+        z21));
+    const double z24 = z * x_dot + x * z21;
+    const double z25 = s_z * z21;
+    const double z26 = x_dot * (0.1 * (c_t * z3) + z5 * (y_dot * c_z - y_2 * z25)) + 0.5 * (y_dot * z24);
+    const double z27 = 0.4 * (c_t * c_t - s_t * s_t) + (0.3 * z24 + z26);
+    const double z28 = z2 * z21;
+    const double z29 = c_z * c_t;
+    const double z30 = 0.3 * (z28 * z25 - 0.2 * (z21 * z29)) - x_dot * (0.2 * (z1 * c_t) + 2.0 * (z * z28));
+    const double z31 = x_dot * z25;
+    const double z32 = 0.3 * (z2 * z31 - 0.2 * (x_dot * z29)) - z21 * (0.2 * (z9 * c_t) + 2.0 * (x * (x_dot *
         z2)));
-    const double z34 = z10 * z28 - z33;
-    const double z35 = z4 - 0.05 * z22;
-    const double z36 = z * z6;
-    const double z37 = x_dot * x_dot;
-    const double z38 = c_z * y_dot * y_dot;
-    const double z39 = 0.5 * (2.0 * (x * (z22 * z22)) + (2.0 * (z37 * z36) + z6 * z38)) - 0.3 * (z6 * z32);
-    const double z40 = 0.5 * (2.0 * x + 6.0 * z36) - (0.2 * (2.0 * z13 + z8 * z6) + z2 * z39);
-    const double z41 = z24 + (0.3 * (z7 * z28) - z31 + z6 * z34) + (0.1 * x_dot - z6 * z35 + z40);
-    const double z42 = 0.3 * z22;
-    const double z43 = z42 - 0.05 * (z13 * z23) - (0.15 * z20 - 0.4 * (x_dot * c_t)) - 0.5 * (z13 * z34);
-    const double z44 = z * z13;
-    const double z45 = 0.1 * (z8 * z13) + z2 * (0.5 * (z37 * z44 + 0.5 * (z13 * z38)) - 0.15 * (z13 * z32));
-    const double z46 = 0.2 * y_dot - z42 - 0.5 * (z13 * z35) + (0.5 * (4.0 * y_2 + 3.0 * z44) - z45);
-    const double z47 = (y_dot * (c_z * z29 + 0.2 * (z17 * c_t)) - z43 + z46 - 0.5 * (z16 * z41)) / z19;
+    const double z33 = z10 * z27 - z32;
+    const double z34 = z4 - 0.05 * z21;
+    const double z35 = z * z6;
+    const double z36 = x_dot * x_dot;
+    const double z37 = c_z * y_dot * y_dot;
+    const double z38 = 0.5 * (2.0 * (x * (z21 * z21)) + (2.0 * (z36 * z35) + z6 * z37)) - 0.3 * (z6 * z31);
+    const double z39 = 0.5 * (2.0 * x + 6.0 * z35) - (0.2 * (2.0 * z13 + z8 * z6) + z2 * z38);
+    const double z40 = z23 + (0.3 * (z7 * z27) - z30 + z6 * z33) + (0.1 * x_dot - z6 * z34 + z39);
+    const double z41 = 0.3 * z21;
+    const double z42 = 0.15 * z20 - 0.4 * (x_dot * c_t) + (0.05 * (z13 * z22) - z41) + 0.5 * (z13 * z33);
+    const double z43 = z * z13;
+    const double z44 = 0.1 * (z8 * z13) + z2 * (0.5 * (z36 * z43 + 0.5 * (z13 * z37)) - 0.15 * (z13 * z31));
+    const double z45 = 0.2 * y_dot - z41 - 0.5 * (z13 * z34) + (0.5 * (4.0 * y_2 + 3.0 * z43) - z44);
+    const double z46 = (y_dot * (0.2 * (z17 * c_t) + c_z * z28) + z42 + z45 - 0.5 * (z16 * z40)) / z19;
     /* (I.4.9) */
     dydt[0] = x_dot; /* x' */
     dydt[1] = y_dot; /* y' */
-    dydt[2] = z22; /* z' */
+    dydt[2] = z21; /* z' */
     /* (I.4.9) 11:4 */
-    dydt[3] = -(z15 * z41 + 0.5 * (z16 * z47)); /* x'' */
-    dydt[4] = z47; /* y'' */
+    dydt[3] = -(z15 * z40 + 0.5 * (z16 * z46)); /* x'' */
+    dydt[4] = z46; /* y'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(dydt[3]) <= DBL_MAX && fabs(-z19) > 1e-14 * z18)) {
         /* the mass matrix is singular */
@@ -267,7 +264,7 @@ int affine_voronec_velocities(double t, const double *y, const double *p, double
     /* sines and cosines */
     const double c_z = cos(z);
     const double s_t = sin(t);
-    const double s1 = sin(2.0 * t);
+    const double c_t = cos(t);
     const double x = y[0];
     const double y_2 = y[1];
     const double x_dot = y[3];
@@ -275,7 +272,8 @@ int affine_voronec_velocities(double t, const double *y, const double *p, double
 
     /* state */
     const double z1 = x * z;
-    const double z2 = 0.3 * z1 + (x_dot * (y_2 * c_z * (1.0 + 0.1 * s_t)) + 0.5 * (y_dot * z1)) + 0.2 * s1;
+    const double z2 = 0.3 * z1 + (x_dot * (y_2 * c_z * (1.0 + 0.1 * s_t)) + 0.5 * (y_dot * z1)) + 0.4 * (c_t
+        * s_t);
     /* (I.2.4) */
     qdot[0] = x_dot; /* x' */
     qdot[1] = y_dot; /* y' */
@@ -294,13 +292,10 @@ int affine_voronec_accelerations(double t, const double *y, const double *p, dou
     const double z = y[2];
 
     /* sines and cosines */
-    const double z22 = 2.0 * t;
     const double s_t = sin(t);
     const double c_t = cos(t);
     const double c_z = cos(z);
     const double s_z = sin(z);
-    const double s1 = sin(z22);
-    const double c1 = cos(z22);
     const double x = y[0];
     const double y_2 = y[1];
     const double x_dot = y[3];
@@ -328,41 +323,41 @@ int affine_voronec_accelerations(double t, const double *y, const double *p, dou
     const double z19 = 0.25 * (z14 * z16) - z18;
     const double z20 = x + t * x_dot;
     const double z21 = y_dot * z13;
-    const double z23 = 0.3 * z13 + (x_dot * z6 + 0.5 * z21) + 0.2 * s1;
-    const double z24 = 0.4 * (y_dot * c_t - y_2 * s_t) + 0.1 * (z6 * z20) + (0.3 * (y_dot * z6) - 0.1 * (t *
-        z23));
-    const double z25 = x * z23 + z * x_dot;
+    const double z22 = 0.3 * z13 + (x_dot * z6 + 0.5 * z21) + 0.4 * (c_t * s_t);
+    const double z23 = 0.4 * (y_dot * c_t - y_2 * s_t) + 0.1 * (z6 * z20) + (0.3 * (y_dot * z6) - 0.1 * (t *
+        z22));
+    const double z24 = 0.4 * (c_t * c_t - s_t * s_t);
+    const double z25 = z * x_dot + x * z22;
     const double z26 = 0.3 * z25;
-    const double z27 = s_z * z23;
-    const double z28 = x_dot * (z5 * (y_dot * c_z - y_2 * z27) + 0.1 * (c_t * z3));
+    const double z27 = s_z * z22;
+    const double z28 = x_dot * (0.1 * (c_t * z3) + z5 * (y_dot * c_z - y_2 * z27));
     const double z29 = y_dot * z25;
-    const double z30 = 0.4 * c1;
-    const double z31 = z26 + (z28 + 0.5 * z29) + z30;
-    const double z32 = z2 * z23;
-    const double z33 = c_z * c_t;
-    const double z34 = 0.3 * (z32 * z27 - 0.2 * (z23 * z33)) - x_dot * (0.2 * (z1 * c_t) + 2.0 * (z * z32));
-    const double z35 = x_dot * z27;
-    const double z36 = 0.3 * (z2 * z35 - 0.2 * (x_dot * z33)) - z23 * (0.2 * (z9 * c_t) + 2.0 * (x * (x_dot *
+    const double z30 = z24 + (z26 + (z28 + 0.5 * z29));
+    const double z31 = z2 * z22;
+    const double z32 = c_z * c_t;
+    const double z33 = 0.3 * (z31 * z27 - 0.2 * (z22 * z32)) - x_dot * (0.2 * (z1 * c_t) + 2.0 * (z * z31));
+    const double z34 = x_dot * z27;
+    const double z35 = 0.3 * (z2 * z34 - 0.2 * (x_dot * z32)) - z22 * (0.2 * (z9 * c_t) + 2.0 * (x * (x_dot *
         z2)));
-    const double z37 = z10 * z31 - z36;
-    const double z38 = z4 - 0.05 * z23;
-    const double z39 = z * z6;
-    const double z40 = x_dot * x_dot;
-    const double z41 = c_z * y_dot * y_dot;
-    const double z42 = 0.5 * (2.0 * (x * (z23 * z23)) + (2.0 * (z40 * z39) + z6 * z41)) - 0.3 * (z6 * z35);
-    const double z43 = 0.5 * (2.0 * x + 6.0 * z39) - (0.2 * (2.0 * z13 + z8 * z6) + z2 * z42);
-    const double z44 = z24 + (0.3 * (z7 * z31) - z34 + z6 * z37) + (0.1 * x_dot - z6 * z38 + z43);
-    const double z45 = 0.3 * z23;
-    const double z46 = z45 - 0.05 * (z13 * z20) - (0.15 * z21 - 0.4 * (x_dot * c_t)) - 0.5 * (z13 * z37);
-    const double z47 = z * z13;
-    const double z48 = 0.1 * (z8 * z13) + z2 * (0.5 * (z40 * z47 + 0.5 * (z13 * z41)) - 0.15 * (z13 * z35));
-    const double z49 = 0.2 * y_dot - z45 - 0.5 * (z13 * z38) + (0.5 * (4.0 * y_2 + 3.0 * z47) - z48);
-    const double z50 = (y_dot * (c_z * z32 + 0.2 * (z17 * c_t)) - z46 + z49 - 0.5 * (z16 * z44)) / z19;
-    const double z51 = z15 * z44 + 0.5 * (z16 * z50);
+    const double z36 = z10 * z30 - z35;
+    const double z37 = z4 - 0.05 * z22;
+    const double z38 = z * z6;
+    const double z39 = x_dot * x_dot;
+    const double z40 = c_z * y_dot * y_dot;
+    const double z41 = 0.5 * (2.0 * (x * (z22 * z22)) + (2.0 * (z39 * z38) + z6 * z40)) - 0.3 * (z6 * z34);
+    const double z42 = 0.5 * (2.0 * x + 6.0 * z38) - (0.2 * (2.0 * z13 + z8 * z6) + z2 * z41);
+    const double z43 = z23 + (0.3 * (z7 * z30) - z33 + z6 * z36) + (0.1 * x_dot - z6 * z37 + z42);
+    const double z44 = 0.3 * z22;
+    const double z45 = 0.15 * z21 - 0.4 * (x_dot * c_t) + (0.05 * (z13 * z20) - z44) + 0.5 * (z13 * z36);
+    const double z46 = z * z13;
+    const double z47 = 0.1 * (z8 * z13) + z2 * (0.5 * (z39 * z46 + 0.5 * (z13 * z40)) - 0.15 * (z13 * z34));
+    const double z48 = 0.2 * y_dot - z44 - 0.5 * (z13 * z37) + (0.5 * (4.0 * y_2 + 3.0 * z46) - z47);
+    const double z49 = (y_dot * (0.2 * (z17 * c_t) + c_z * z31) + z45 + z48 - 0.5 * (z16 * z43)) / z19;
+    const double z50 = z15 * z43 + 0.5 * (z16 * z49);
     /* (I.4.9) */
-    qddot[0] = -z51; /* x'' */
-    qddot[1] = z50; /* y'' */
-    qddot[2] = z30 + (z26 + (z28 - z6 * z51 + 0.5 * (z29 + z13 * z50))); /* z'' */
+    qddot[0] = -z50; /* x'' */
+    qddot[1] = z49; /* y'' */
+    qddot[2] = z24 + (z26 + (z28 - z6 * z50 + 0.5 * (z29 + z13 * z49))); /* z'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qddot[2]) <= DBL_MAX && fabs(-z19) > 1e-14 * z18)) {
         /* the mass matrix is singular */
@@ -409,7 +404,7 @@ int affine_voronec_residuals(double t, const double *q, const double *qdot, cons
     /* sines and cosines */
     const double c_z = cos(z);
     const double s_t = sin(t);
-    const double s1 = sin(2.0 * t);
+    const double c_t = cos(t);
     const double x = q[0];
     const double y = q[1];
     const double x_dot = qdot[0];
@@ -418,7 +413,8 @@ int affine_voronec_residuals(double t, const double *q, const double *qdot, cons
 
     /* state */
     const double z1 = x * z;
-    const double z2 = 0.3 * z1 + (x_dot * (y * c_z * (1.0 + 0.1 * s_t)) + 0.5 * (y_dot * z1)) + 0.2 * s1;
+    const double z2 = 0.3 * z1 + (x_dot * (y * c_z * (1.0 + 0.1 * s_t)) + 0.5 * (y_dot * z1)) + 0.4 * (c_t *
+        s_t);
     /* (I.1.1) 18:5 */
     r[0] = z_dot - z2; /* contact = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
@@ -435,13 +431,10 @@ int affine_voronec_reactions(double t, const double *y, const double *p, double 
     const double z = y[2];
 
     /* sines and cosines */
-    const double z22 = 2.0 * t;
     const double s_t = sin(t);
     const double c_t = cos(t);
     const double c_z = cos(z);
     const double s_z = sin(z);
-    const double s1 = sin(z22);
-    const double c1 = cos(z22);
     const double x = y[0];
     const double y_2 = y[1];
     const double x_dot = y[3];
@@ -469,39 +462,39 @@ int affine_voronec_reactions(double t, const double *y, const double *p, double 
     const double z19 = z17 * z18;
     const double z20 = z16 - 0.25 * (z17 * z19);
     const double z21 = y_dot * z14;
-    const double z23 = 0.3 * z14 + (x_dot * z6 + 0.5 * z21) + 0.2 * s1;
-    const double z24 = x * z23 + z * x_dot;
-    const double z25 = s_z * z23;
-    const double z26 = x_dot * (z5 * (y_dot * c_z - y_2 * z25) + 0.1 * (c_t * z3)) + 0.5 * (y_dot * z24);
-    const double z27 = 0.3 * z24 + z26 + 0.4 * c1;
-    const double z28 = x_dot * z25;
-    const double z29 = c_z * c_t;
-    const double z30 = 0.3 * (z2 * z28 - 0.2 * (x_dot * z29)) - z23 * (0.2 * (z9 * c_t) + 2.0 * (x * (x_dot *
+    const double z22 = 0.3 * z14 + (x_dot * z6 + 0.5 * z21) + 0.4 * (c_t * s_t);
+    const double z23 = z * x_dot + x * z22;
+    const double z24 = s_z * z22;
+    const double z25 = x_dot * (0.1 * (c_t * z3) + z5 * (y_dot * c_z - y_2 * z24)) + 0.5 * (y_dot * z23);
+    const double z26 = 0.4 * (c_t * c_t - s_t * s_t) + (0.3 * z23 + z25);
+    const double z27 = x_dot * z24;
+    const double z28 = c_z * c_t;
+    const double z29 = 0.3 * (z2 * z27 - 0.2 * (x_dot * z28)) - z22 * (0.2 * (z9 * c_t) + 2.0 * (x * (x_dot *
         z2)));
-    const double z31 = z10 * z27 - z30;
-    const double z32 = x + t * x_dot;
-    const double z33 = z4 - 0.05 * z23;
-    const double z34 = x_dot * x_dot;
-    const double z35 = c_z * y_dot * y_dot;
-    const double z36 = 3.0 * z - (0.2 * z8 + z2 * (0.5 * (2.0 * (z * z34) + z35) - 0.3 * z28));
-    const double z37 = 0.4 * (y_dot * c_t - y_2 * s_t) + 0.1 * (z6 * z32) + (0.3 * (y_dot * z6) - 0.1 * (t *
-        z23));
-    const double z38 = z2 * z23;
-    const double z39 = 0.3 * (z38 * z25 - 0.2 * (z23 * z29)) - x_dot * (0.2 * (z1 * c_t) + 2.0 * (z * z38));
-    const double z40 = z * z6;
-    const double z41 = 0.5 * (2.0 * (x * (z23 * z23)) + (2.0 * (z34 * z40) + z6 * z35)) - 0.3 * (z6 * z28);
-    const double z42 = 0.5 * (2.0 * x + 6.0 * z40) - (0.2 * (2.0 * z14 + z8 * z6) + z2 * z41);
-    const double z43 = z37 + (0.3 * (z7 * z27) - z39 + z6 * z31) + (0.1 * x_dot - z6 * z33 + z42);
-    const double z44 = 0.3 * z23;
-    const double z45 = z44 - 0.05 * (z14 * z32) - (0.15 * z21 - 0.4 * (x_dot * c_t)) - 0.5 * (z14 * z31);
-    const double z46 = z * z14;
-    const double z47 = 0.1 * (z8 * z14) + z2 * (0.5 * (z34 * z46 + 0.5 * (z14 * z35)) - 0.15 * (z14 * z28));
-    const double z48 = 0.2 * y_dot - z44 - 0.5 * (z14 * z33) + (0.5 * (4.0 * y_2 + 3.0 * z46) - z47);
-    const double z49 = (y_dot * (c_z * z38 + 0.2 * (z13 * c_t)) - z45 + z48 - 0.5 * (z19 * z43)) / z20;
-    const double z50 = z31 + (0.3 * y_dot + 0.1 * z32) - (z33 - z36) - (z11 * (z18 * z43 - 0.5 * (z19 * z49))
-        + 0.5 * (z15 * z49));
+    const double z30 = z10 * z26 - z29;
+    const double z31 = x + t * x_dot;
+    const double z32 = z4 - 0.05 * z22;
+    const double z33 = x_dot * x_dot;
+    const double z34 = c_z * y_dot * y_dot;
+    const double z35 = 3.0 * z - (0.2 * z8 + z2 * (0.5 * (2.0 * (z * z33) + z34) - 0.3 * z27));
+    const double z36 = 0.4 * (y_dot * c_t - y_2 * s_t) + 0.1 * (z6 * z31) + (0.3 * (y_dot * z6) - 0.1 * (t *
+        z22));
+    const double z37 = z2 * z22;
+    const double z38 = 0.3 * (z37 * z24 - 0.2 * (z22 * z28)) - x_dot * (0.2 * (z1 * c_t) + 2.0 * (z * z37));
+    const double z39 = z * z6;
+    const double z40 = 0.5 * (2.0 * (x * (z22 * z22)) + (2.0 * (z33 * z39) + z6 * z34)) - 0.3 * (z6 * z27);
+    const double z41 = 0.5 * (2.0 * x + 6.0 * z39) - (0.2 * (2.0 * z14 + z8 * z6) + z2 * z40);
+    const double z42 = z36 + (0.3 * (z7 * z26) - z38 + z6 * z30) + (0.1 * x_dot - z6 * z32 + z41);
+    const double z43 = 0.3 * z22;
+    const double z44 = 0.15 * z21 - 0.4 * (x_dot * c_t) + (0.05 * (z14 * z31) - z43) + 0.5 * (z14 * z30);
+    const double z45 = z * z14;
+    const double z46 = 0.1 * (z8 * z14) + z2 * (0.5 * (z33 * z45 + 0.5 * (z14 * z34)) - 0.15 * (z14 * z27));
+    const double z47 = 0.2 * y_dot - z43 - 0.5 * (z14 * z32) + (0.5 * (4.0 * y_2 + 3.0 * z45) - z46);
+    const double z48 = (y_dot * (0.2 * (z13 * c_t) + c_z * z37) + z44 + z47 - 0.5 * (z19 * z42)) / z20;
+    const double z49 = z30 + (0.3 * y_dot + 0.1 * z31) - (z32 - z35) - (z11 * (z18 * z42 - 0.5 * (z19 * z48))
+        + 0.5 * (z15 * z48));
     /* (I.4.1) 18:5 */
-    lambda[0] = z50; /* reaction of contact: Q_i gains lambda_1 a_1i */
+    lambda[0] = z49; /* reaction of contact: Q_i gains lambda_1 a_1i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(lambda[0]) <= DBL_MAX && fabs(z20) > 1e-14 * z16)) {
         /* the mass matrix is singular */
@@ -525,7 +518,6 @@ double affine_voronec_energy(double t, const double *y, const double *p)
     /* sines and cosines */
     const double c_t = cos(t);
     const double s_t = sin(t);
-    const double s1 = sin(2.0 * t);
     const double c_z = cos(z);
     const double s_z = sin(z);
     const double x = y[0];
@@ -538,7 +530,7 @@ double affine_voronec_energy(double t, const double *y, const double *p)
     const double z2 = x * x;
     const double z3 = y_2 * x_dot;
     const double z4 = x * z;
-    const double z5 = 0.2 * s1 + (0.3 * z4 + (0.5 * (y_dot * z4) + (1.0 + 0.1 * s_t) * (c_z * z3)));
+    const double z5 = 0.4 * (c_t * s_t) + (0.3 * z4 + (0.5 * (y_dot * z4) + (1.0 + 0.1 * s_t) * (c_z * z3)));
     const double z6 = (1.0 + z1) * (x_dot * x_dot) + (2.0 + s_z) * (y_dot * y_dot) + (1.0 + z2) * (z5 * z5);
     const double z7 = 0.4 * (z3 * c_t) - 0.3 * (z * y_dot) + 0.1 * (t * x * z5) + (1.0 + 0.2 * s_t) * (0.5 *
         z6 + 0.3 * (x_dot * c_z * z5));
@@ -560,13 +552,10 @@ int affine_voronec_jacobian(double t, const double *y, const double *p, double *
     const double z = y[2];
 
     /* sines and cosines */
-    const double z24 = 2.0 * t;
     const double s_t = sin(t);
     const double c_t = cos(t);
     const double c_z = cos(z);
     const double s_z = sin(z);
-    const double s1 = sin(z24);
-    const double c1 = cos(z24);
     const double x = y[0];
     const double y_2 = y[1];
     const double x_dot = y[3];
@@ -596,118 +585,118 @@ int affine_voronec_jacobian(double t, const double *y, const double *p, double *
     const double z21 = 0.3 + 0.5 * y_dot;
     const double z22 = x_dot * z5;
     const double z23 = y_dot * z14;
-    const double z25 = 0.3 * z14 + (x_dot * z6 + 0.5 * z23) + 0.2 * s1;
-    const double z26 = z25 * z25;
-    const double z27 = z6 * z25;
-    const double z28 = z2 * z27;
-    const double z29 = 0.3 * z11 + 0.5 * (y_dot * z11);
-    const double z30 = s_z * z25;
-    const double z31 = z2 * z25;
-    const double z32 = z2 * z6;
-    const double z33 = x_dot * z11;
-    const double z34 = z5 * z33;
-    const double z35 = 0.3 * (z31 + x_dot * z32) + y_2 * z34;
-    const double z36 = x_dot * z2;
+    const double z24 = 0.3 * z14 + (x_dot * z6 + 0.5 * z23) + 0.4 * (c_t * s_t);
+    const double z25 = z24 * z24;
+    const double z26 = z6 * z24;
+    const double z27 = z2 * z26;
+    const double z28 = 0.3 * z11 + 0.5 * (y_dot * z11);
+    const double z29 = s_z * z24;
+    const double z30 = x_dot * z11;
+    const double z31 = z5 * z30;
+    const double z32 = z2 * z24;
+    const double z33 = z2 * z6;
+    const double z34 = y_2 * z31 + 0.3 * (z32 + x_dot * z33);
+    const double z35 = x_dot * z2;
+    const double z36 = 0.2 * (z9 * c_t) + 2.0 * (x * z35);
     const double z37 = s_z * z6;
     const double z38 = x_dot * z37;
-    const double z39 = 0.2 * (z9 * c_t) + 2.0 * (x * z36);
-    const double z40 = 0.1 * t - (0.05 * z6 + (0.3 * (z2 * z38) - 2.0 * (x * z31))) - z6 * z39;
-    const double z41 = 0.3 * (z2 * z30) + (s_z * z35 - (2.0 * (z * z36) + (0.06 * (c_z * c_t) - z40)));
-    const double z42 = x * z29 - z41;
-    const double z43 = 1.0 / z20;
-    const double z44 = 0.3 * z25;
-    const double z45 = z4 - 0.05 * z25;
+    const double z39 = z6 * z36 - (0.1 * t - (0.05 * z6 + (0.3 * (z2 * z38) - 2.0 * (x * z32))));
+    const double z40 = 0.3 * (z2 * z29) + (s_z * z34 - (2.0 * (z * z35) + (0.06 * (c_z * c_t) + z39)));
+    const double z41 = x * z28 - z40;
+    const double z42 = 1.0 / z20;
+    const double z43 = 0.3 * z24;
+    const double z44 = z4 - 0.05 * z24;
+    const double z45 = z * z14;
     const double z46 = x_dot * x_dot;
-    const double z47 = z * z14;
-    const double z48 = y_dot * y_dot;
-    const double z49 = c_z * z14;
-    const double z50 = s_z * z14;
-    const double z51 = x_dot * z50;
-    const double z52 = 0.1 * (z8 * z14) + z2 * (0.5 * (z46 * z47 + 0.5 * (z48 * z49)) - 0.15 * (z25 * z51));
-    const double z53 = 0.2 * y_dot - z44 - 0.5 * (z14 * z45) - (z52 - 0.5 * (4.0 * y_2 + 3.0 * z47));
-    const double z54 = c_z * z31 + 0.2 * (z13 * c_t);
+    const double z47 = y_dot * y_dot;
+    const double z48 = c_z * z14;
+    const double z49 = s_z * z14;
+    const double z50 = x_dot * z49;
+    const double z51 = 0.1 * (z8 * z14) + z2 * (0.5 * (z46 * z45 + 0.5 * (z47 * z48)) - 0.15 * (z50 * z24));
+    const double z52 = 0.2 * y_dot - z43 - 0.5 * (z14 * z44) + (0.5 * (4.0 * y_2 + 3.0 * z45) - z51);
+    const double z53 = 0.2 * (z13 * c_t) + c_z * z32;
+    const double z54 = x_dot * c_t;
     const double z55 = x + t * x_dot;
-    const double z56 = x_dot * c_t;
-    const double z57 = x * z25 + z * x_dot;
-    const double z58 = z5 * (y_dot * c_z - y_2 * z30) + 0.1 * (c_t * z3);
-    const double z59 = 0.3 * z57 + (x_dot * z58 + 0.5 * (y_dot * z57)) + 0.4 * c1;
-    const double z60 = z10 * z59 + (z25 * z39 + 0.3 * (0.2 * (c_z * z56) - z30 * z36));
-    const double z61 = y_dot * z54 - (z44 - 0.05 * (z14 * z55) - (0.15 * z23 - 0.4 * z56) - 0.5 * (z14 *
-        z60));
-    const double z62 = z * z6;
-    const double z63 = c_z * z6;
-    const double z64 = 0.5 * (2.0 * (z46 * z62) + z48 * z63 + 2.0 * (x * z26)) - 0.3 * (z25 * z38);
-    const double z65 = 0.2 * (2.0 * z14 + z8 * z6) + z2 * z64 - 0.5 * (2.0 * x + 6.0 * z62);
-    const double z66 = y_dot * c_t;
-    const double z67 = 0.4 * (z66 - y_2 * s_t) + 0.1 * (z6 * z55) + (0.3 * (y_dot * z6) - 0.1 * (t * z25));
-    const double z68 = c_t * z25;
-    const double z69 = 0.2 * (z1 * c_t) + 2.0 * (z * z31);
-    const double z70 = 0.3 * (z7 * z59) - (0.3 * (z31 * z30 - 0.2 * (c_z * z68)) - x_dot * z69) + z6 * z60;
-    const double z71 = 0.1 * x_dot - z6 * z45 - z65 + (z67 + z70);
-    const double z72 = z43 * (z53 + z61 - 0.5 * (z19 * z71));
-    const double z73 = 0.5 * (y_dot * z42) + (0.3 * z42 - (0.4 + 0.5 * (z11 * z72)));
-    const double z74 = 1.0 + (0.1 * z6 - z2 * z26 + 2.0 * (x_dot * z28)) + z25 * z29 + z * z73;
-    const double z75 = z18 * z71 - 0.5 * (z19 * z72);
-    const double z76 = z6 * z75;
-    const double z77 = z14 * z72;
-    const double z78 = z76 + 0.5 * z77;
-    const double z79 = z74 - 2.0 * (x * (0.2 * z6 - (0.2 * (c_t * z27) + z32 * (z59 - z78))));
-    const double z80 = z14 * z25;
-    const double z81 = z2 * z80;
-    const double z82 = 0.15 * z15 + 0.25 * (y_dot * z15);
-    const double z83 = z2 * z14;
-    const double z84 = x_dot * z15;
-    const double z85 = z5 * z84;
-    const double z86 = 0.15 * (x_dot * z83) + 0.5 * (y_2 * z85);
-    const double z87 = y_dot * z2;
-    const double z88 = s_z * z86 - (c_z * z87 - (0.6 - (0.025 * z14 + 0.15 * (z2 * z51)) - 0.5 * (z14 *
-        z39)));
-    const double z89 = x * z82 - z88;
-    const double z90 = 0.15 + 0.5 * z89;
-    const double z91 = z11 * z75;
-    const double z92 = z48 * z2;
-    const double z93 = c_z * z92;
-    const double z94 = x_dot * z31;
-    const double z95 = s_z * z94;
-    const double z96 = z46 * z2;
-    const double z97 = 1.5 - 0.5 * z96;
-    const double z98 = 0.5 * z45 + (0.25 * z93 + (0.1 * z8 - 0.15 * z95) - z * z97) - 0.5 * z60;
-    const double z99 = 0.3 * z89 - (0.5 * z91 - (0.05 * z55 - z98 - 0.25 * (z15 * z72) - 0.25 * (z10 * z77)));
-    const double z100 = y_dot * z90 + z99;
-    const double z101 = z14 * z75;
-    const double z102 = 0.1 * (c_t * z80) + z2 * (0.5 * (z14 * z59) - (0.25 * (z14 * z77) + 0.5 * (z6 *
-        z101)));
-    const double z103 = 0.05 * z14 + x_dot * z81 + z25 * z82 + z * z100 - 2.0 * (x * (0.1 * z14 - z102));
-    const double z104 = z43 * (z103 - 0.5 * (z19 * z79));
-    const double z105 = 3.0 - z96;
-    const double z106 = 0.3 * y_dot - (z45 + (0.2 * z8 - 0.3 * z95 + 0.5 * z93 - z * z105) - z60);
-    const double z107 = z5 * (x_dot * z42 - (z91 - (0.1 * z55 + z106) + z10 * z78 + 0.3 * (z7 * z75)));
-    const double z108 = 0.1 * (c_t * z33) + z107;
-    const double z109 = 0.4 * s_t + z30 * z34 - c_z * z108;
-    const double z110 = 0.05 * (c_t * z84) + z5 * (x_dot * z89 - 0.5 * (z10 * z101));
-    const double z111 = z43 * (2.0 - 0.5 * (z30 * z85) + c_z * z110 + 0.5 * (z19 * z109));
-    const double z112 = c_t * z6;
-    const double z113 = 0.06 * z68 - 0.5 * (z6 * z92) + y_dot * z34 - 0.3 * (z2 * (z78 - (z59 - z76)));
-    const double z114 = z6 * z105 + 2.0 * (z25 * z36) + x_dot * z29 + x * z73 - s_z * (0.06 * (x_dot * z112)
-        + (z113 + y_2 * z108));
-    const double z115 = c_z * (0.3 * (z6 * z94) - z25 * z35) + z114 + 2.0 * (z * (0.2 * z56 - z2 * z75));
-    const double z116 = c_t * z14;
-    const double z117 = 0.25 * (z14 * z92) - z25 * z87 - 0.5 * (y_dot * z85) + 0.15 * (z2 * z101) - y_2 *
-        z110;
-    const double z118 = z14 * z97 + x_dot * z82 + x * z100 - s_z * (0.03 * (x_dot * z116) - z117) + c_z *
-        (0.15 * (z14 * z94) - z25 * z86 + (0.2 * z66 - z2 * z72));
-    const double z119 = z43 * (z118 - 0.5 * (z19 * z115));
-    const double z120 = 2.0 * (x * z28) - (0.3 * (z30 * z32) - (z69 + (0.3 * (z31 * z37) + 0.1 * (t * z6))));
-    const double z121 = 0.06 * (c_z * z112) + (0.1 + (z58 * z11 + (z * z29 + z120)) + z6 * z42) - 2.0 * (z62
-        * z36);
-    const double z122 = 0.4 * c_t;
-    const double z123 = z122 - 0.15 * (z31 * z50) - 0.05 * (t * z14) + 0.15 * (z30 * z83) - x * z81;
-    const double z124 = 0.03 * (c_z * z116) - (z123 - z * z82 - 0.5 * (z58 * z15) - z6 * z89) - z47 * z36;
-    const double z125 = z43 * (z124 - 0.5 * (z19 * z121));
-    const double z126 = z122 + 0.3 * z6 + 0.5 * (z57 * z11) + c_z * z34 + 0.5 * (z14 * z42) - z63 * z87;
-    const double z127 = 0.5 * (y_dot * (z2 * z49)) - (0.2 + (0.5 * (c_z * z85) + (z54 + 0.25 * (z57 * z15)))
-        + z14 * z90);
-    const double z128 = z43 * (z127 + 0.5 * (z19 * z126));
+    const double z56 = z * x_dot + x * z24;
+    const double z57 = 0.1 * (c_t * z3) + z5 * (y_dot * c_z - y_2 * z29);
+    const double z58 = 0.4 * (c_t * c_t - s_t * s_t) + (0.3 * z56 + (x_dot * z57 + 0.5 * (y_dot * z56)));
+    const double z59 = z10 * z58 + (z24 * z36 + 0.3 * (0.2 * (c_z * z54) - z29 * z35));
+    const double z60 = y_dot * z53 + (0.15 * z23 - 0.4 * z54 + (0.05 * (z14 * z55) - z43) + 0.5 * (z14 *
+        z59));
+    const double z61 = z * z6;
+    const double z62 = c_z * z6;
+    const double z63 = 0.5 * (2.0 * (z46 * z61) + z47 * z62 + 2.0 * (x * z25)) - 0.3 * (z38 * z24);
+    const double z64 = 0.5 * (2.0 * x + 6.0 * z61) - (0.2 * (2.0 * z14 + z8 * z6) + z2 * z63);
+    const double z65 = y_dot * c_t;
+    const double z66 = 0.4 * (z65 - y_2 * s_t) + 0.1 * (z6 * z55) + (0.3 * (y_dot * z6) - 0.1 * (t * z24));
+    const double z67 = c_t * z24;
+    const double z68 = 0.2 * (z1 * c_t) + 2.0 * (z * z32);
+    const double z69 = 0.3 * (z7 * z58) - (0.3 * (z32 * z29 - 0.2 * (c_z * z67)) - x_dot * z68) + z6 * z59;
+    const double z70 = 0.1 * x_dot - z6 * z44 + z64 + (z66 + z69);
+    const double z71 = z42 * (z52 + z60 - 0.5 * (z19 * z70));
+    const double z72 = 0.5 * (y_dot * z41) + (0.3 * z41 - (0.4 + 0.5 * (z11 * z71)));
+    const double z73 = 1.0 + (0.1 * z6 - z2 * z25 + 2.0 * (x_dot * z27)) + z24 * z28 + z * z72;
+    const double z74 = z18 * z70 - 0.5 * (z19 * z71);
+    const double z75 = z6 * z74;
+    const double z76 = z14 * z71;
+    const double z77 = z75 + 0.5 * z76;
+    const double z78 = z73 - 2.0 * (x * (0.2 * z6 - (0.2 * (c_t * z26) + z33 * (z58 - z77))));
+    const double z79 = z14 * z24;
+    const double z80 = z2 * z79;
+    const double z81 = 0.15 * z15 + 0.25 * (y_dot * z15);
+    const double z82 = z2 * z14;
+    const double z83 = x_dot * z15;
+    const double z84 = z5 * z83;
+    const double z85 = 0.15 * (x_dot * z82) + 0.5 * (y_2 * z84);
+    const double z86 = y_dot * z2;
+    const double z87 = s_z * z85 - (c_z * z86 - (0.6 - (0.025 * z14 + 0.15 * (z2 * z50)) - 0.5 * (z14 *
+        z36)));
+    const double z88 = x * z81 - z87;
+    const double z89 = 0.15 + 0.5 * z88;
+    const double z90 = z11 * z74;
+    const double z91 = z46 * z2;
+    const double z92 = 1.5 - 0.5 * z91;
+    const double z93 = z47 * z2;
+    const double z94 = c_z * z93;
+    const double z95 = x_dot * z32;
+    const double z96 = s_z * z95;
+    const double z97 = 0.5 * z44 - (z * z92 - (0.25 * z94 + (0.1 * z8 - 0.15 * z96))) - 0.5 * z59;
+    const double z98 = 0.3 * z88 - (0.5 * z90 - (0.05 * z55 - z97 - 0.25 * (z15 * z71) - 0.25 * (z10 * z76)));
+    const double z99 = y_dot * z89 + z98;
+    const double z100 = z14 * z74;
+    const double z101 = 0.1 * (c_t * z79) + z2 * (0.5 * (z14 * z58) - (0.25 * (z14 * z76) + 0.5 * (z6 *
+        z100)));
+    const double z102 = 0.05 * z14 + x_dot * z80 + z24 * z81 + z * z99 - 2.0 * (x * (0.1 * z14 - z101));
+    const double z103 = z42 * (z102 - 0.5 * (z19 * z78));
+    const double z104 = 3.0 - z91;
+    const double z105 = 0.3 * y_dot - (z44 - (z * z104 - (0.5 * z94 + (0.2 * z8 - 0.3 * z96))) - z59);
+    const double z106 = z5 * (x_dot * z41 - (z90 - (0.1 * z55 + z105) + z10 * z77 + 0.3 * (z7 * z74)));
+    const double z107 = 0.1 * (c_t * z30) + z106;
+    const double z108 = 0.4 * s_t + z29 * z31 - c_z * z107;
+    const double z109 = 0.05 * (c_t * z83) + z5 * (x_dot * z88 - 0.5 * (z10 * z100));
+    const double z110 = z42 * (2.0 - 0.5 * (z29 * z84) + c_z * z109 + 0.5 * (z19 * z108));
+    const double z111 = c_t * z6;
+    const double z112 = y_dot * z31 + (0.06 * z67 - 0.5 * (z6 * z93)) - 0.3 * (z2 * (z77 - (z58 - z75)));
+    const double z113 = x_dot * z28 + (z6 * z104 + 2.0 * (z24 * z35)) + x * z72 - s_z * (0.06 * (x_dot *
+        z111) + (z112 + y_2 * z107));
+    const double z114 = c_z * (0.3 * (z6 * z95) - z24 * z34) + z113 + 2.0 * (z * (0.2 * z54 - z2 * z74));
+    const double z115 = c_t * z14;
+    const double z116 = 0.5 * (y_dot * z84) - (0.25 * (z14 * z93) - z24 * z86) - 0.15 * (z2 * z100) + y_2 *
+        z109;
+    const double z117 = z14 * z92 + x_dot * z81 + x * z99 - s_z * (0.03 * (x_dot * z115) + z116) + c_z *
+        (0.15 * (z14 * z95) - z24 * z85 + (0.2 * z65 - z2 * z71));
+    const double z118 = z42 * (z117 - 0.5 * (z19 * z114));
+    const double z119 = 2.0 * (x * z27) - (0.3 * (z29 * z33) - (z68 + (0.1 * (t * z6) + 0.3 * (z37 * z32))));
+    const double z120 = 2.0 * (z61 * z35) - (0.06 * (c_z * z111) + (0.1 + (z11 * z57 + (z * z28 + z119)) + z6
+        * z41));
+    const double z121 = 0.4 * c_t;
+    const double z122 = 0.05 * (t * z14) - (z121 - 0.15 * (z49 * z32)) - 0.15 * (z29 * z82) + x * z80;
+    const double z123 = z45 * z35 - (0.03 * (c_z * z115) + (z * z81 + z122 + 0.5 * (z15 * z57) + z6 * z88));
+    const double z124 = z42 * (z123 - 0.5 * (z19 * z120));
+    const double z125 = z62 * z86 - (c_z * z31 + (z121 + 0.3 * z6 + 0.5 * (z11 * z56)) + 0.5 * (z14 * z41));
+    const double z126 = 0.5 * (y_dot * (z2 * z48)) - (z14 * z89 + (0.2 + (0.5 * (c_z * z84) + (z53 + 0.25 *
+        (z15 * z56)))));
+    const double z127 = z42 * (z126 - 0.5 * (z19 * z125));
     /* (I.4.9) */
     J[3] = 1.0;
     J[9] = 1.0;
@@ -716,19 +705,19 @@ int affine_voronec_jacobian(double t, const double *y, const double *p, double *
     J[12] = x * z21 - y_2 * s_z * z22;
     J[13] = z6;
     J[14] = 0.5 * z14;
-    J[15] = 0.5 * (z19 * z104) - z18 * z79;
-    J[16] = z18 * z109 + 0.5 * (z19 * z111);
-    J[17] = 0.5 * (z19 * z119) - z18 * z115;
-    J[18] = 0.5 * (z19 * z125) - z18 * z121;
-    J[19] = -(z18 * z126 + 0.5 * (z19 * z128));
-    J[20] = -z104;
-    J[21] = -z111;
-    J[22] = -z119;
-    J[23] = -z125;
-    J[24] = z128;
+    J[15] = 0.5 * (z19 * z103) - z18 * z78;
+    J[16] = z18 * z108 + 0.5 * (z19 * z110);
+    J[17] = 0.5 * (z19 * z118) - z18 * z114;
+    J[18] = z18 * z120 - 0.5 * (z19 * z124);
+    J[19] = z18 * z125 - 0.5 * (z19 * z127);
+    J[20] = -z103;
+    J[21] = -z110;
+    J[22] = -z118;
+    J[23] = z124;
+    J[24] = z127;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(J[10] + J[12] + J[14] + J[15] + J[16] + J[17] + J[18] + J[19] + J[20] + J[21] + J[22] + J[23])
-        <= DBL_MAX
+    if (!(fabs(J[10] + J[12] + J[14] + J[15] + J[16] + J[17] + J[18] + J[19] + J[20] + J[21] + J[22]) <=
+        DBL_MAX
         && fabs(z20) > 1e-14 * z16)) {
         /* the mass matrix is singular */
         if (!(fabs(z12) > 0.0)) {
@@ -795,60 +784,55 @@ static __attribute__((noinline)) void affine_voronec_rhs_lanes(const double *fix
     /* the mass matrix is singular */
     bad |= affine_voronec_misses(affine_voronec_size(AFFINE_VORONEC_SPREAD(-z19)), 1e-14 * z18);
     const affine_voronec_lanes z20 = y_dot * z13;
-    const affine_voronec_lanes z21 = 2.0 * t_;
-    affine_voronec_lanes sine3, cosine3;
-    affine_voronec_turn_lanes(AFFINE_VORONEC_SPREAD(z21), &far, &sine3, &cosine3);
-    const affine_voronec_lanes s1 = sine3;
-    const affine_voronec_lanes z22 = 0.3 * z13 + (x_dot * z6 + 0.5 * z20) + 0.2 * s1;
     const affine_voronec_lanes c_t = cosine1;
-    const affine_voronec_lanes z23 = x + t_ * x_dot;
-    const affine_voronec_lanes z24 = 0.4 * (y_dot * c_t - y_2 * s_t) + 0.1 * (z6 * z23) + (0.3 * (y_dot * z6)
-        - 0.1 * (t_ * z22));
-    const affine_voronec_lanes z25 = x * z22 + z * x_dot;
-    const affine_voronec_lanes z26 = s_z * z22;
-    const affine_voronec_lanes z27 = x_dot * (z5 * (y_dot * c_z - y_2 * z26) + 0.1 * (c_t * z3)) + 0.5 *
-        (y_dot * z25);
-    const affine_voronec_lanes c1 = cosine3;
-    const affine_voronec_lanes z28 = 0.3 * z25 + z27 + 0.4 * c1;
-    const affine_voronec_lanes z29 = z2 * z22;
-    const affine_voronec_lanes z30 = c_z * c_t;
-    const affine_voronec_lanes z31 = 0.3 * (z29 * z26 - 0.2 * (z22 * z30)) - x_dot * (0.2 * (z1 * c_t) + 2.0
-        * (z * z29));
-    const affine_voronec_lanes z32 = x_dot * z26;
-    const affine_voronec_lanes z33 = 0.3 * (z2 * z32 - 0.2 * (x_dot * z30)) - z22 * (0.2 * (z9 * c_t) + 2.0 *
+    const affine_voronec_lanes z21 = 0.3 * z13 + (x_dot * z6 + 0.5 * z20) + 0.4 * (c_t * s_t);
+    const affine_voronec_lanes z22 = x + t_ * x_dot;
+    const affine_voronec_lanes z23 = 0.4 * (y_dot * c_t - y_2 * s_t) + 0.1 * (z6 * z22) + (0.3 * (y_dot * z6)
+        - 0.1 * (t_ * z21));
+    const affine_voronec_lanes z24 = z * x_dot + x * z21;
+    const affine_voronec_lanes z25 = s_z * z21;
+    const affine_voronec_lanes z26 = x_dot * (0.1 * (c_t * z3) + z5 * (y_dot * c_z - y_2 * z25)) + 0.5 *
+        (y_dot * z24);
+    const affine_voronec_lanes z27 = 0.4 * (c_t * c_t - s_t * s_t) + (0.3 * z24 + z26);
+    const affine_voronec_lanes z28 = z2 * z21;
+    const affine_voronec_lanes z29 = c_z * c_t;
+    const affine_voronec_lanes z30 = 0.3 * (z28 * z25 - 0.2 * (z21 * z29)) - x_dot * (0.2 * (z1 * c_t) + 2.0
+        * (z * z28));
+    const affine_voronec_lanes z31 = x_dot * z25;
+    const affine_voronec_lanes z32 = 0.3 * (z2 * z31 - 0.2 * (x_dot * z29)) - z21 * (0.2 * (z9 * c_t) + 2.0 *
         (x * (x_dot * z2)));
-    const affine_voronec_lanes z34 = z10 * z28 - z33;
-    const affine_voronec_lanes z35 = z4 - 0.05 * z22;
-    const affine_voronec_lanes z36 = z * z6;
-    const affine_voronec_lanes z37 = x_dot * x_dot;
-    const affine_voronec_lanes z38 = c_z * y_dot * y_dot;
-    const affine_voronec_lanes z39 = 0.5 * (2.0 * (x * (z22 * z22)) + (2.0 * (z37 * z36) + z6 * z38)) - 0.3 *
-        (z6 * z32);
-    const affine_voronec_lanes z40 = 0.5 * (2.0 * x + 6.0 * z36) - (0.2 * (2.0 * z13 + z8 * z6) + z2 * z39);
-    const affine_voronec_lanes z41 = z24 + (0.3 * (z7 * z28) - z31 + z6 * z34) + (0.1 * x_dot - z6 * z35 +
-        z40);
-    const affine_voronec_lanes z42 = 0.3 * z22;
-    const affine_voronec_lanes z43 = z42 - 0.05 * (z13 * z23) - (0.15 * z20 - 0.4 * (x_dot * c_t)) - 0.5 *
-        (z13 * z34);
-    const affine_voronec_lanes z44 = z * z13;
-    const affine_voronec_lanes z45 = 0.1 * (z8 * z13) + z2 * (0.5 * (z37 * z44 + 0.5 * (z13 * z38)) - 0.15 *
-        (z13 * z32));
-    const affine_voronec_lanes z46 = 0.2 * y_dot - z42 - 0.5 * (z13 * z35) + (0.5 * (4.0 * y_2 + 3.0 * z44) -
-        z45);
-    const affine_voronec_lanes z47 = (y_dot * (c_z * z29 + 0.2 * (z17 * c_t)) - z43 + z46 - 0.5 * (z16 *
-        z41)) / z19;
+    const affine_voronec_lanes z33 = z10 * z27 - z32;
+    const affine_voronec_lanes z34 = z4 - 0.05 * z21;
+    const affine_voronec_lanes z35 = z * z6;
+    const affine_voronec_lanes z36 = x_dot * x_dot;
+    const affine_voronec_lanes z37 = c_z * y_dot * y_dot;
+    const affine_voronec_lanes z38 = 0.5 * (2.0 * (x * (z21 * z21)) + (2.0 * (z36 * z35) + z6 * z37)) - 0.3 *
+        (z6 * z31);
+    const affine_voronec_lanes z39 = 0.5 * (2.0 * x + 6.0 * z35) - (0.2 * (2.0 * z13 + z8 * z6) + z2 * z38);
+    const affine_voronec_lanes z40 = z23 + (0.3 * (z7 * z27) - z30 + z6 * z33) + (0.1 * x_dot - z6 * z34 +
+        z39);
+    const affine_voronec_lanes z41 = 0.3 * z21;
+    const affine_voronec_lanes z42 = 0.15 * z20 - 0.4 * (x_dot * c_t) + (0.05 * (z13 * z22) - z41) + 0.5 *
+        (z13 * z33);
+    const affine_voronec_lanes z43 = z * z13;
+    const affine_voronec_lanes z44 = 0.1 * (z8 * z13) + z2 * (0.5 * (z36 * z43 + 0.5 * (z13 * z37)) - 0.15 *
+        (z13 * z31));
+    const affine_voronec_lanes z45 = 0.2 * y_dot - z41 - 0.5 * (z13 * z34) + (0.5 * (4.0 * y_2 + 3.0 * z43) -
+        z44);
+    const affine_voronec_lanes z46 = (y_dot * (0.2 * (z17 * c_t) + c_z * z28) + z42 + z45 - 0.5 * (z16 *
+        z40)) / z19;
     /* (I.4.9) */
     const affine_voronec_lanes slope1 = x_dot;
     affine_voronec_put(dydt, slope1);
     const affine_voronec_lanes slope2 = y_dot;
     affine_voronec_put(dydt + 1 * stride, slope2);
-    const affine_voronec_lanes slope3 = z22;
+    const affine_voronec_lanes slope3 = z21;
     affine_voronec_put(dydt + 2 * stride, slope3);
     /* (I.4.9) 11:4 */
-    const affine_voronec_lanes slope4 = -(z15 * z41 + 0.5 * (z16 * z47));
+    const affine_voronec_lanes slope4 = -(z15 * z40 + 0.5 * (z16 * z46));
     sum += slope4;
     affine_voronec_put(dydt + 3 * stride, slope4);
-    const affine_voronec_lanes slope5 = z47;
+    const affine_voronec_lanes slope5 = z46;
     affine_voronec_put(dydt + 4 * stride, slope5);
     affine_voronec_put(check, affine_voronec_mark(far + (sum - sum), bad));
 }

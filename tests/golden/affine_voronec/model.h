@@ -1,5 +1,5 @@
 /*
- * affine_voronec.h: affine_voronec, emitted by nhc 0.1.0 (nhc:de12d6187c1e5e94)
+ * affine_voronec.h: affine_voronec, emitted by nhc 0.1.0 (nhc:b36a460be26eb940)
  * A particle with everything at once; affine constraint, time, T of degrees 2, 1 and 0, drag, a driving
  *     force.
  * Source: affine_voronec.yaml
@@ -19,14 +19,14 @@
  * 0: contact
  *
  * Operations:
- * rhs: 62 +-, 134 *, 2 /, 6 calls
+ * rhs: 63 +-, 136 *, 2 /, 4 calls
  * velocities: 4 +-, 10 *, 0 /, 3 calls
- * accelerations: 67 +-, 137 *, 2 /, 6 calls
+ * accelerations: 68 +-, 139 *, 2 /, 4 calls
  * state: 0 +-, 0 *, 0 /, 0 calls
  * residuals: 5 +-, 10 *, 0 /, 3 calls
- * reactions: 72 +-, 146 *, 2 /, 6 calls
- * energy: 18 +-, 37 *, 0 /, 5 calls
- * jacobian: 203 +-, 398 *, 2 /, 6 calls
+ * reactions: 73 +-, 148 *, 2 /, 4 calls
+ * energy: 18 +-, 37 *, 0 /, 4 calls
+ * jacobian: 204 +-, 400 *, 2 /, 4 calls
  * outputs: 0 +-, 0 *, 0 /, 0 calls
  *
  * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.

@@ -1,5 +1,5 @@
 /*
- * bicycle.c: bicycle, emitted by nhc 0.1.0 (nhc:eadae7859f66f598)
+ * bicycle.c: bicycle, emitted by nhc 0.1.0 (nhc:f2411ebaea140ea4)
  * Whipple's bicycle, nonlinear; two wheels, rear frame with rider, front frame; x ahead, y right, z down.
  * Source: bicycle.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -1867,10 +1867,8 @@ double bicycle_energy(double t, const double *y, const double *p)
     const double roll = y[4]; /* second turn, about x [rad] */
     const double pitch = y[5]; /* third turn, about y [rad] */
     const double steer = y[6]; /* front frame against rear frame [rad] */
-    const double lam = p[2]; /* tilt of the steering axis, 18 degrees [rad] */
 
     /* sines and cosines */
-    const double z9 = pitch + lam;
     const double s_pitch = sin(pitch);
     const double c_pitch = cos(pitch);
     const double c_roll = cos(roll);
@@ -1879,14 +1877,13 @@ double bicycle_energy(double t, const double *y, const double *p)
     const double s_steer = sin(steer);
     const double c_yaw = cos(yaw);
     const double s_yaw = sin(yaw);
-    const double s1 = sin(z9);
-    const double c1 = cos(z9);
     const double z = y[2]; /* centre of the rear wheel, downwards [m] */
     const double roll_dot = y[9];
     const double steer_dot = y[10];
     const double thF_dot = y[11];
     const double w = p[0]; /* wheelbase [m] */
     const double c = p[1]; /* trail [m] */
+    const double lam = p[2]; /* tilt of the steering axis, 18 degrees [rad] */
     const double g = p[3]; /* acceleration of gravity [m/s^2] */
     const double r_R = p[4]; /* radius of the rear wheel [m] */
     const double m_R = p[5]; /* mass of the rear wheel [kg] */
@@ -1932,126 +1929,128 @@ double bicycle_energy(double t, const double *y, const double *p)
     const double z6 = c_lam * z4 + s_lam * z5;
     const double z7 = c_lam * z5 - s_lam * z4;
     const double z8 = z * m_R + m_B * (z - x_B * z1 + e3z * k1) + m_H * (Sz + z6 * k3 - z_H * z7);
-    const double z10 = c_roll * s1;
+    const double z9 = s_pitch * c_lam + c_pitch * s_lam;
+    const double z10 = c_roll * z9;
     const double z11 = r_R / fabs(c_roll);
     const double z12 = z10 * z11;
     const double z13 = z3 - c_steer * z10;
-    const double z14 = c_roll * c1;
-    const double z15 = r_F / sqrt(z14 * z14 + z13 * z13);
-    const double z16 = z13 * z15;
-    const double z17 = k4 + z16;
-    const double z18 = k5 + z12 + c_steer * z17;
-    const double z19 = s_steer * z10 * z17 + e2z * z18;
-    const double z20 = z14 * z11;
-    const double z21 = c_steer * z20;
-    const double z22 = z14 * z15;
-    const double z23 = k6 + z22;
-    const double z24 = z20 - z23;
-    const double z25 = s_steer * z24;
-    const double z26 = c_steer * z24;
-    const double z27 = s_steer * z20;
-    const double z28 = z21 * z25 - z26 * z27;
-    const double z29 = s1 * z23;
-    const double z30 = c_roll * (c_steer * z29 + c1 * (c_steer * k5 + z17)) + e2z * z25;
-    const double z31 = c_roll * (s_steer * z29 + k5 * (s_steer * c1)) - e2z * z26;
-    const double z32 = z21 * z30 + z31 * z27;
-    const double z33 = z26 * z30 + z31 * z25;
-    const double z34 = 1.0 / (z19 * z28 - z18 * z32 + z12 * z33);
-    const double z35 = roll_dot * c1;
-    const double z36 = s_steer * z35;
-    const double z37 = thF_dot - z36;
-    const double z38 = k4 * z36 - z37 * z16;
-    const double z39 = roll_dot * s1;
-    const double z40 = steer_dot + z39;
-    const double z41 = c_steer * z35;
-    const double z42 = roll_dot * c_roll;
-    const double z43 = z42 * z11;
-    const double z44 = k5 * z39 + z43;
-    const double z45 = z40 * z16 - z41 * z22 - (k6 * z41 - k4 * z40 - c_steer * z44);
-    const double z46 = z37 * z22 - (k6 * z36 - s_steer * z44);
-    const double z47 = z26 * z45 + z25 * z46;
-    const double z48 = z30 * z46 - z31 * z45;
-    const double z49 = z21 * z45 + z27 * z46;
-    const double z50 = z34 * (z32 * z38 + z19 * z49 - z12 * z48);
-    const double z51 = z34 * (z28 * z38 + z18 * z49 - z12 * z47);
-    const double z52 = z50 - e2z * z51;
-    const double z53 = z34 * (z33 * z38 + (z19 * z47 - z18 * z48)) - z52;
-    const double z54 = z12 * z53;
-    const double z55 = z20 * z53;
-    const double z56 = s1 * z54 + c1 * z55;
-    const double z57 = s1 * z55 - c1 * z54;
-    const double z58 = c_roll * z43 - e2z * z57;
-    const double z59 = c_yaw * z56 + s_yaw * z58;
-    const double z60 = s_yaw * z51;
-    const double z61 = s_pitch * z50;
-    const double z62 = c_yaw * z51;
-    const double z63 = s_yaw * z42 + e2z * z62;
-    const double z64 = s_yaw * e2z;
-    const double z65 = c_pitch * z50;
-    const double z66 = c_pitch * z60 - c_yaw * z61 + (s_pitch * z63 - z64 * z65);
-    const double z67 = s_pitch * z60 + c_yaw * z65 - (z64 * z61 + c_pitch * z63);
-    const double z68 = z59 + k2 * z66 + r_R * z67;
-    const double z69 = steer_dot * s_steer;
-    const double z70 = ((c_yaw * c_pitch - z64 * s_pitch) * c_lam - (c_yaw * s_pitch + c_pitch * z64) *
-        s_lam) * z69 + c_steer * (c_lam * z66 - s_lam * z67);
-    const double z71 = steer_dot * c_steer;
-    const double z72 = c_roll * z71;
-    const double z73 = roll_dot * e2z;
-    const double z74 = z70 + (s_yaw * z72 - s_steer * (s_yaw * z73 - c_roll * z62));
-    const double z75 = s_lam * z66 + c_lam * z67;
-    const double z76 = c_lam * z74 + s_lam * z75;
-    const double z77 = c_lam * z75 - s_lam * z74;
-    const double z78 = z68 - c * z76 - r_F * z77;
-    const double z79 = s_yaw * z56 - c_yaw * z58;
-    const double z80 = c_yaw * e2z;
-    const double z81 = c_yaw * z42 - e2z * z60;
-    const double z82 = s_yaw * z61 + c_pitch * z62 - (z80 * z65 - s_pitch * z81);
-    const double z83 = s_pitch * z62 - s_yaw * z65 - (z80 * z61 + c_pitch * z81);
-    const double z84 = z79 - k2 * z82 - r_R * z83;
-    const double z85 = ((c_pitch * s_yaw + s_pitch * z80) * c_lam - (s_yaw * s_pitch - c_pitch * z80) *
-        s_lam) * z69 - c_steer * (c_lam * z82 - s_lam * z83);
-    const double z86 = z85 - (c_yaw * z72 - s_steer * (c_yaw * z73 + c_roll * z60));
-    const double z87 = s_lam * z82 + c_lam * z83;
-    const double z88 = c_lam * z86 - s_lam * z87;
-    const double z89 = c_lam * z87 + s_lam * z86;
-    const double z90 = z84 - c * z88 + r_F * z89;
-    const double z91 = e2z * z43 + c_roll * z57;
-    const double z92 = s_pitch * z73 + c_roll * z65;
-    const double z93 = c_pitch * z73 - c_roll * z61;
-    const double z94 = z91 + k2 * z92 - r_R * z93;
-    const double z95 = s_steer * z42 + e2z * z71 + (z2 * z69 + c_steer * (c_lam * z92 + s_lam * z93));
-    const double z96 = s_lam * z92 - c_lam * z93;
-    const double z97 = c_lam * z95 + s_lam * z96;
-    const double z98 = c_lam * z96 - s_lam * z95;
-    const double Fz_dot = z94 - c * z97 - r_F * z98;
-    const double w1 = roll_dot * c_pitch - z1 * z51;
-    const double w3 = roll_dot * s_pitch + e3z * z51;
-    const double z99 = c_lam * w1 - s_lam * w3;
-    const double z100 = s_steer * z52 - c_steer * z99;
+    const double z14 = c_pitch * c_lam - s_pitch * s_lam;
+    const double z15 = c_roll * z14;
+    const double z16 = r_F / sqrt(z15 * z15 + z13 * z13);
+    const double z17 = z13 * z16;
+    const double z18 = k4 + z17;
+    const double z19 = k5 + z12 + c_steer * z18;
+    const double z20 = z18 * (s_steer * z10) + e2z * z19;
+    const double z21 = z15 * z11;
+    const double z22 = c_steer * z21;
+    const double z23 = z15 * z16;
+    const double z24 = k6 + z23;
+    const double z25 = z21 - z24;
+    const double z26 = s_steer * z25;
+    const double z27 = c_steer * z25;
+    const double z28 = s_steer * z21;
+    const double z29 = z22 * z26 - z27 * z28;
+    const double z30 = z9 * z24;
+    const double z31 = c_roll * (c_steer * z30 + z14 * (c_steer * k5 + z18)) + e2z * z26;
+    const double z32 = c_roll * (s_steer * z30 + k5 * (s_steer * z14)) - e2z * z27;
+    const double z33 = z22 * z31 + z32 * z28;
+    const double z34 = z27 * z31 + z32 * z26;
+    const double z35 = 1.0 / (z20 * z29 - z19 * z33 + z12 * z34);
+    const double z36 = roll_dot * z9;
+    const double z37 = steer_dot + z36;
+    const double z38 = roll_dot * z14;
+    const double z39 = c_steer * z38;
+    const double z40 = roll_dot * c_roll;
+    const double z41 = z40 * z11;
+    const double z42 = k5 * z36 + z41;
+    const double z43 = z37 * z17 - z39 * z23 - (k6 * z39 - k4 * z37 - c_steer * z42);
+    const double z44 = s_steer * z38;
+    const double z45 = thF_dot - z44;
+    const double z46 = z45 * z23 - (k6 * z44 - s_steer * z42);
+    const double z47 = z27 * z43 + z26 * z46;
+    const double z48 = z31 * z46 - z32 * z43;
+    const double z49 = k4 * z44 - z45 * z17;
+    const double z50 = z22 * z43 + z28 * z46;
+    const double z51 = z35 * (z20 * z50 + z33 * z49 - z12 * z48);
+    const double z52 = z35 * (z29 * z49 + z19 * z50 - z12 * z47);
+    const double z53 = z51 - e2z * z52;
+    const double z54 = z35 * (z20 * z47 - z19 * z48 + z34 * z49) - z53;
+    const double z55 = z12 * z54;
+    const double z56 = z21 * z54;
+    const double z57 = z9 * z55 + z14 * z56;
+    const double z58 = z9 * z56 - z14 * z55;
+    const double z59 = c_roll * z41 - e2z * z58;
+    const double z60 = c_yaw * z57 + s_yaw * z59;
+    const double z61 = s_yaw * z52;
+    const double z62 = s_pitch * z51;
+    const double z63 = c_yaw * z52;
+    const double z64 = s_yaw * z40 + e2z * z63;
+    const double z65 = s_yaw * e2z;
+    const double z66 = c_pitch * z51;
+    const double z67 = c_pitch * z61 - c_yaw * z62 + (s_pitch * z64 - z65 * z66);
+    const double z68 = s_pitch * z61 + c_yaw * z66 - (z65 * z62 + c_pitch * z64);
+    const double z69 = z60 + k2 * z67 + r_R * z68;
+    const double z70 = steer_dot * s_steer;
+    const double z71 = ((c_yaw * c_pitch - z65 * s_pitch) * c_lam - (c_yaw * s_pitch + c_pitch * z65) *
+        s_lam) * z70 + c_steer * (c_lam * z67 - s_lam * z68);
+    const double z72 = steer_dot * c_steer;
+    const double z73 = c_roll * z72;
+    const double z74 = roll_dot * e2z;
+    const double z75 = z71 + (s_yaw * z73 - s_steer * (s_yaw * z74 - c_roll * z63));
+    const double z76 = s_lam * z67 + c_lam * z68;
+    const double z77 = c_lam * z75 + s_lam * z76;
+    const double z78 = c_lam * z76 - s_lam * z75;
+    const double z79 = z69 - c * z77 - r_F * z78;
+    const double z80 = s_yaw * z57 - c_yaw * z59;
+    const double z81 = c_yaw * e2z;
+    const double z82 = c_yaw * z40 - e2z * z61;
+    const double z83 = s_yaw * z62 + c_pitch * z63 - (z81 * z66 - s_pitch * z82);
+    const double z84 = s_pitch * z63 - s_yaw * z66 - (z81 * z62 + c_pitch * z82);
+    const double z85 = z80 - k2 * z83 - r_R * z84;
+    const double z86 = ((c_pitch * s_yaw + s_pitch * z81) * c_lam - (s_yaw * s_pitch - c_pitch * z81) *
+        s_lam) * z70 - c_steer * (c_lam * z83 - s_lam * z84);
+    const double z87 = z86 - (c_yaw * z73 - s_steer * (c_yaw * z74 + c_roll * z61));
+    const double z88 = s_lam * z83 + c_lam * z84;
+    const double z89 = c_lam * z87 - s_lam * z88;
+    const double z90 = c_lam * z88 + s_lam * z87;
+    const double z91 = z85 - c * z89 + r_F * z90;
+    const double z92 = e2z * z41 + c_roll * z58;
+    const double z93 = s_pitch * z74 + c_roll * z66;
+    const double z94 = c_pitch * z74 - c_roll * z62;
+    const double z95 = z92 + k2 * z93 - r_R * z94;
+    const double z96 = s_steer * z40 + e2z * z72 + (z2 * z70 + c_steer * (c_lam * z93 + s_lam * z94));
+    const double z97 = s_lam * z93 - c_lam * z94;
+    const double z98 = c_lam * z96 + s_lam * z97;
+    const double z99 = c_lam * z97 - s_lam * z96;
+    const double Fz_dot = z95 - c * z98 - r_F * z99;
+    const double w1 = roll_dot * c_pitch - z1 * z52;
+    const double w3 = roll_dot * s_pitch + e3z * z52;
+    const double z100 = c_lam * w1 - s_lam * w3;
+    const double z101 = s_steer * z53 - c_steer * z100;
     const double ws = steer_dot + (s_lam * w1 + c_lam * w3);
-    const double z101 = c_lam * z100 - s_lam * ws;
-    const double z102 = z101 * z101;
-    const double o3 = c_lam * ws + s_lam * z100;
-    const double z103 = o3 * o3;
-    const double z104 = c_steer * z52 + s_steer * z99;
-    const double z105 = thF_dot - z104;
-    const double z106 = m_F * (z78 * z78 + z90 * z90 + Fz_dot * Fz_dot) + F_xx * (z102 + z103) + F_yy * (z105
-        * z105);
-    const double z107 = z68 - k3 * z76 + z_H * z77;
-    const double z108 = z84 - k3 * z88 - z_H * z89;
-    const double Hz_dot = z94 - k3 * z97 + z_H * z98;
-    const double z109 = m_H * (z107 * z107 + z108 * z108 + Hz_dot * Hz_dot) + (H_xx * z102 + H_yy * (z104 *
-        z104) + H_zz * z103);
-    const double z110 = w1 * w1;
-    const double z111 = w3 * w3;
-    const double z112 = m_R * (z59 * z59 + z79 * z79 + z91 * z91) + R_xx * (z110 + z111) + R_yy * (z53 * z53);
-    const double z113 = z59 + x_B * z66 + k1 * z67;
-    const double z114 = z79 - x_B * z82 - k1 * z83;
-    const double Bz_dot = z91 + x_B * z92 - k1 * z93;
-    const double z115 = m_B * (z113 * z113 + z114 * z114 + Bz_dot * Bz_dot) + (B_xx * z110 + B_yy * (z52 *
-        z52) + B_zz * z111);
-    const double z116 = 0.5 * z109 - H_xz * (z101 * o3) + (0.5 * z112 + (0.5 * z115 + B_xz * (w1 * w3)));
-    return 0.5 * z106 + z116 - g * (z8 + m_F * (Sz + c * z6 + r_F * z7));
+    const double z102 = c_lam * z101 - s_lam * ws;
+    const double z103 = z102 * z102;
+    const double o3 = c_lam * ws + s_lam * z101;
+    const double z104 = o3 * o3;
+    const double z105 = c_steer * z53 + s_steer * z100;
+    const double z106 = thF_dot - z105;
+    const double z107 = m_F * (z79 * z79 + z91 * z91 + Fz_dot * Fz_dot) + F_xx * (z103 + z104) + F_yy * (z106
+        * z106);
+    const double z108 = z69 - k3 * z77 + z_H * z78;
+    const double z109 = z85 - k3 * z89 - z_H * z90;
+    const double Hz_dot = z95 - k3 * z98 + z_H * z99;
+    const double z110 = m_H * (z108 * z108 + z109 * z109 + Hz_dot * Hz_dot) + (H_xx * z103 + H_yy * (z105 *
+        z105) + H_zz * z104);
+    const double z111 = w1 * w1;
+    const double z112 = w3 * w3;
+    const double z113 = m_R * (z60 * z60 + z80 * z80 + z92 * z92) + R_xx * (z111 + z112) + R_yy * (z54 * z54);
+    const double z114 = z60 + x_B * z67 + k1 * z68;
+    const double z115 = z80 - x_B * z83 - k1 * z84;
+    const double Bz_dot = z92 + x_B * z93 - k1 * z94;
+    const double z116 = m_B * (z114 * z114 + z115 * z115 + Bz_dot * Bz_dot) + (B_xx * z111 + B_yy * (z53 *
+        z53) + B_zz * z112);
+    const double z117 = 0.5 * z110 - H_xz * (z102 * o3) + (0.5 * z113 + (0.5 * z116 + B_xz * (w1 * w3)));
+    return 0.5 * z107 + z117 - g * (z8 + m_F * (Sz + c * z6 + r_F * z7));
 }
 
 BICYCLE_SLOW static int bicycle_jacobian_part1(double t, const double *y, const double *p, double *kept,
@@ -4485,16 +4484,12 @@ int bicycle_outputs(double t, const double *y, const double *p, double *out)
     const double roll = y[4]; /* second turn, about x [rad] */
     const double pitch = y[5]; /* third turn, about y [rad] */
     const double steer = y[6]; /* front frame against rear frame [rad] */
-    const double lam = p[2]; /* tilt of the steering axis, 18 degrees [rad] */
 
     /* sines and cosines */
-    const double z1 = pitch + lam;
+    const double e2z = sin(roll);
+    const double c_roll = cos(roll);
     const double s_steer = sin(steer);
     const double c_steer = cos(steer);
-    const double c_roll = cos(roll);
-    const double e2z = sin(roll);
-    const double s1 = sin(z1);
-    const double c1 = cos(z1);
     const double s_pitch = sin(pitch);
     const double c_pitch = cos(pitch);
     const double z = y[2]; /* centre of the rear wheel, downwards [m] */
@@ -4503,6 +4498,7 @@ int bicycle_outputs(double t, const double *y, const double *p, double *out)
     const double thF_dot = y[11];
     const double w = p[0]; /* wheelbase [m] */
     const double c = p[1]; /* trail [m] */
+    const double lam = p[2]; /* tilt of the steering axis, 18 degrees [rad] */
     const double r_R = p[4]; /* radius of the rear wheel [m] */
     const double r_F = p[22]; /* radius of the front wheel [m] */
 
@@ -4524,65 +4520,67 @@ int bicycle_outputs(double t, const double *y, const double *p, double *out)
     const double k13 = 10.0 * k8 + (k9 + k11);
 
     /* state */
-    const double z2 = c_roll * s1;
-    const double z3 = e2z * s_steer;
-    const double z4 = z3 - c_steer * z2;
-    const double z5 = c_roll * c1;
-    const double z6 = r_F / sqrt(z5 * z5 + z4 * z4);
-    const double z7 = z4 * z6;
-    const double z8 = k2 + z7;
-    const double z9 = c_roll * c_roll;
-    const double z10 = 1.0 / sqrt(z9);
-    const double z11 = r_R * z10;
-    const double z12 = z2 * z11;
-    const double z13 = k3 + z12 + c_steer * z8;
-    const double z14 = s_steer * z2 * z8 + e2z * z13;
-    const double z15 = z5 * z11;
-    const double z16 = c_steer * z15;
-    const double z17 = z5 * z6;
-    const double z18 = k4 + z17;
-    const double z19 = z15 - z18;
-    const double z20 = s_steer * z19;
-    const double z21 = c_steer * z19;
-    const double z22 = s_steer * z15;
-    const double z23 = s1 * z18;
-    const double z24 = c_roll * (c_steer * z23 + c1 * (c_steer * k3 + z8)) + e2z * z20;
-    const double z25 = c_roll * (s_steer * z23 + k3 * (s_steer * c1)) - e2z * z21;
-    const double z26 = z21 * z24 + z25 * z20;
-    const double z27 = z14 * (z16 * z20 - z21 * z22) - z13 * (z16 * z24 + z25 * z22) + z12 * z26;
-    const double z28 = k5 * (9.0 + fabs(z10));
-    const double z29 = roll_dot * s1;
-    const double z30 = steer_dot + z29;
-    const double z31 = roll_dot * c1;
-    const double z32 = c_steer * z31;
-    const double z33 = k3 * z29 + c_roll * (roll_dot * z11);
-    const double z34 = z30 * z7 - z32 * z17 - (k4 * z32 - k2 * z30 - c_steer * z33);
-    const double z35 = s_steer * z31;
-    const double z36 = thF_dot - z35;
-    const double z37 = z36 * z17 - (k4 * z35 - s_steer * z33);
-    const double z38 = z14 * (z21 * z34 + z20 * z37) - z13 * (z24 * z37 - z25 * z34) + z26 * (k2 * z35 - z36
-        * z7);
-    const double z39 = s_pitch * c_roll;
+    const double z1 = e2z * s_steer;
+    const double z2 = s_pitch * c_lam + c_pitch * s_lam;
+    const double z3 = c_roll * z2;
+    const double z4 = z1 - c_steer * z3;
+    const double z5 = c_pitch * c_lam - s_pitch * s_lam;
+    const double z6 = c_roll * z5;
+    const double z7 = r_F / sqrt(z6 * z6 + z4 * z4);
+    const double z8 = z4 * z7;
+    const double z9 = k2 + z8;
+    const double z10 = c_roll * c_roll;
+    const double z11 = 1.0 / sqrt(z10);
+    const double z12 = r_R * z11;
+    const double z13 = z3 * z12;
+    const double z14 = k3 + z13 + c_steer * z9;
+    const double z15 = z9 * (s_steer * z3) + e2z * z14;
+    const double z16 = z6 * z12;
+    const double z17 = c_steer * z16;
+    const double z18 = z6 * z7;
+    const double z19 = k4 + z18;
+    const double z20 = z16 - z19;
+    const double z21 = s_steer * z20;
+    const double z22 = c_steer * z20;
+    const double z23 = s_steer * z16;
+    const double z24 = z2 * z19;
+    const double z25 = c_roll * (c_steer * z24 + z5 * (c_steer * k3 + z9)) + e2z * z21;
+    const double z26 = c_roll * (s_steer * z24 + k3 * (s_steer * z5)) - e2z * z22;
+    const double z27 = z22 * z25 + z26 * z21;
+    const double z28 = z15 * (z17 * z21 - z22 * z23) - z14 * (z17 * z25 + z26 * z23) + z13 * z27;
+    const double z29 = k5 * (9.0 + fabs(z11));
+    const double z30 = roll_dot * z5;
+    const double z31 = s_steer * z30;
+    const double z32 = thF_dot - z31;
+    const double z33 = roll_dot * z2;
+    const double z34 = steer_dot + z33;
+    const double z35 = c_steer * z30;
+    const double z36 = c_roll * (roll_dot * z12) + k3 * z33;
+    const double z37 = z34 * z8 - z35 * z18 - (k4 * z35 - k2 * z34 - c_steer * z36);
+    const double z38 = z32 * z18 - (k4 * z31 - s_steer * z36);
+    const double z39 = z27 * (k2 * z31 - z32 * z8) + (z15 * (z22 * z37 + z21 * z38) - z14 * (z25 * z38 - z26
+        * z37));
+    const double z40 = s_pitch * c_roll;
     const double e3z = c_pitch * c_roll;
-    const double z40 = c_steer * (z39 * c_lam + e3z * s_lam) - z3;
-    const double z41 = z39 * s_lam - e3z * c_lam;
-    const double z42 = c_lam * z40 + s_lam * z41;
-    const double z43 = c_lam * z41 - s_lam * z40;
-    const double z44 = r_F * z43;
-    const double z45 = z42 * z42;
-    const double z46 = 1.0 / sqrt(z45 + z43 * z43);
-    const double z47 = z - z39 * k1 + r_R * e3z + c * z42 + z44 + r_F * (z45 * z46) + z46 * (z43 * z44);
+    const double z41 = c_steer * (z40 * c_lam + e3z * s_lam) - z1;
+    const double z42 = z40 * s_lam - e3z * c_lam;
+    const double z43 = c_lam * z41 + s_lam * z42;
+    const double z44 = c_lam * z42 - s_lam * z41;
+    const double z45 = r_F * z44;
+    const double z46 = z43 * z43;
+    const double z47 = 1.0 / sqrt(z46 + z44 * z44);
+    const double z48 = z - z40 * k1 + r_R * e3z + c * z43 + z45 + r_F * (z46 * z47) + z47 * (z44 * z45);
     /* 123:10 */
-    out[0] = -r_R * (z38 / z27); /* speed */
+    out[0] = -r_R * (z39 / z28); /* speed */
     /* 124:16 */
-    out[1] = z + r_R * (z9 / sqrt(z39 * z39 + e3z * e3z)); /* rear_height */
+    out[1] = z + r_R * (z10 / sqrt(z40 * z40 + e3z * e3z)); /* rear_height */
     /* 125:17 */
-    out[2] = z47; /* front_height */
+    out[2] = z48; /* front_height */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(out[0] + out[1] + out[2]) <= DBL_MAX
-        && fabs(z27) > 1e-12 * (k10 * ((z28 + k12) * (z28 + k13))))) {
+        && fabs(z28) > 1e-12 * (k10 * ((z29 + k12) * (z29 + k13))))) {
         /* the coframe is singular */
-        if (!(fabs(z27) > 1e-12 * (k10 * ((z28 + k12) * (z28 + k13))))) {
+        if (!(fabs(z28) > 1e-12 * (k10 * ((z29 + k12) * (z29 + k13))))) {
             return BICYCLE_SINGULAR_1;
         }
         return BICYCLE_NOT_FINITE;

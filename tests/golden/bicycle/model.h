@@ -1,5 +1,5 @@
 /*
- * bicycle.h: bicycle, emitted by nhc 0.1.0 (nhc:94ed39e96f7ab8b2)
+ * bicycle.h: bicycle, emitted by nhc 0.1.0 (nhc:e1634ca2a1e392ef)
  * Whipple's bicycle, nonlinear; two wheels, rear frame with rider, front frame; x ahead, y right, z down.
  * Source: bicycle.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -68,9 +68,9 @@
  * state: 0 +-, 0 *, 0 /, 0 calls
  * residuals: 108 +-, 185 *, 2 /, 12 calls
  * reactions: 432 +-, 660 *, 4 /, 12 calls
- * energy: 176 +-, 288 *, 3 /, 14 calls
+ * energy: 177 +-, 292 *, 3 /, 12 calls
  * jacobian: 3688 +-, 5105 *, 10 /, 17 calls
- * outputs: 63 +-, 108 *, 5 /, 19 calls
+ * outputs: 64 +-, 112 *, 5 /, 17 calls
  *
  * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
  */

@@ -1,5 +1,5 @@
 /*
- * cvt_eps.c: cvt_eps, emitted by nhc 0.1.0 (nhc:e942256bb262287d)
+ * cvt_eps.c: cvt_eps, emitted by nhc 0.1.0 (nhc:0994d29cb9cdbff6)
  * The transmission with a driver that breaks the symmetry; most integrators for nonholonomic systems drift on
  *     it.
  * Source: cvt_eps.yaml
@@ -160,7 +160,6 @@ int cvt_eps_rhs(double t, const double *y, const double *p, double *dydt)
     /* sines and cosines */
     const double s_xi = sin(xi);
     const double c_xi = cos(xi);
-    const double c1 = cos(2.0 * xi);
     const double x = y[0];
     const double y_2 = y[1];
     const double x_dot = y[3];
@@ -168,18 +167,19 @@ int cvt_eps_rhs(double t, const double *y, const double *p, double *dydt)
     const double eps = p[0]; /* what breaks the symmetry of the driver */
 
     /* state */
-    const double z1 = 1.0 + s_xi * s_xi;
+    const double z1 = s_xi * s_xi;
+    const double z2 = 1.0 + z1;
     /* (III.3) */
     dydt[0] = x_dot; /* x' */
     dydt[1] = -x_dot * s_xi; /* y' */
     dydt[2] = xi_dot; /* xi' */
     /* (III.3) 9:4 */
-    dydt[3] = -(x - s_xi * (y_2 - c_xi * (x_dot * xi_dot))) / z1; /* x'' */
-    dydt[4] = s_xi + eps * c1; /* xi'' */
+    dydt[3] = -(x - s_xi * (y_2 - c_xi * (x_dot * xi_dot))) / z2; /* x'' */
+    dydt[4] = s_xi - eps * (z1 - c_xi * c_xi); /* xi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(dydt[3] + dydt[4]) <= DBL_MAX)) {
         /* the mass matrix is singular */
-        if (!(fabs(z1) > 0.0)) {
+        if (!(fabs(z2) > 0.0)) {
             return CVT_EPS_SINGULAR_2;
         }
         return CVT_EPS_NOT_FINITE;
@@ -216,7 +216,6 @@ int cvt_eps_accelerations(double t, const double *y, const double *p, double *qd
     /* sines and cosines */
     const double s_xi = sin(xi);
     const double c_xi = cos(xi);
-    const double c1 = cos(2.0 * xi);
     const double x = y[0];
     const double y_2 = y[1];
     const double x_dot = y[3];
@@ -224,17 +223,18 @@ int cvt_eps_accelerations(double t, const double *y, const double *p, double *qd
     const double eps = p[0]; /* what breaks the symmetry of the driver */
 
     /* state */
-    const double z1 = 1.0 + s_xi * s_xi;
-    const double z2 = c_xi * (x_dot * xi_dot);
-    const double z3 = (x - s_xi * (y_2 - z2)) / z1;
+    const double z1 = s_xi * s_xi;
+    const double z2 = 1.0 + z1;
+    const double z3 = c_xi * (x_dot * xi_dot);
+    const double z4 = (x - s_xi * (y_2 - z3)) / z2;
     /* (III.3) */
-    qddot[0] = -z3; /* x'' */
-    qddot[1] = s_xi * z3 - z2; /* y'' */
-    qddot[2] = s_xi + eps * c1; /* xi'' */
+    qddot[0] = -z4; /* x'' */
+    qddot[1] = s_xi * z4 - z3; /* y'' */
+    qddot[2] = s_xi - eps * (z1 - c_xi * c_xi); /* xi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qddot[1] + qddot[2]) <= DBL_MAX)) {
         /* the mass matrix is singular */
-        if (!(fabs(z1) > 0.0)) {
+        if (!(fabs(z2) > 0.0)) {
             return CVT_EPS_SINGULAR_2;
         }
         return CVT_EPS_NOT_FINITE;
@@ -322,7 +322,6 @@ double cvt_eps_energy(double t, const double *y, const double *p)
     /* sines and cosines */
     const double s_xi = sin(xi);
     const double c_xi = cos(xi);
-    const double s1 = sin(2.0 * xi);
     const double x = y[0];
     const double y_2 = y[1];
     const double x_dot = y[3];
@@ -330,9 +329,8 @@ double cvt_eps_energy(double t, const double *y, const double *p)
     const double eps = p[0]; /* what breaks the symmetry of the driver */
 
     /* state */
-    const double z1 = 0.5 * (x_dot * x_dot * (1.0 + s_xi * s_xi)) + (c_xi - 0.5 * (eps * s1 - (xi_dot *
-        xi_dot + (x * x + y_2 * y_2))));
-    return z1;
+    const double z1 = c_xi + 0.5 * (xi_dot * xi_dot + (x * x + y_2 * y_2) - 2.0 * (eps * (c_xi * s_xi)));
+    return 0.5 * (x_dot * x_dot * (1.0 + s_xi * s_xi)) + z1;
 }
 
 int cvt_eps_jacobian(double t, const double *y, const double *p, double *J)
@@ -346,7 +344,6 @@ int cvt_eps_jacobian(double t, const double *y, const double *p, double *J)
     /* sines and cosines */
     const double s_xi = sin(xi);
     const double c_xi = cos(xi);
-    const double s1 = sin(2.0 * xi);
     const double x = y[0];
     const double y_2 = y[1];
     const double x_dot = y[3];
@@ -360,7 +357,8 @@ int cvt_eps_jacobian(double t, const double *y, const double *p, double *J)
     const double z4 = s_xi * z3;
     const double z5 = x_dot * xi_dot;
     const double z6 = y_2 - c_xi * z5;
-    const double z7 = c_xi * s_xi * z3;
+    const double z7 = c_xi * s_xi;
+    const double z8 = z7 * z3;
     /* (III.3) */
     J[3] = 1.0;
     J[7] = -x_dot * c_xi;
@@ -369,9 +367,9 @@ int cvt_eps_jacobian(double t, const double *y, const double *p, double *J)
     J[15] = -z3;
     J[16] = z4;
     J[17] = z3 * (z1 * z5 + c_xi * (z6 + 2.0 * ((x - s_xi * z6) * z4)));
-    J[18] = -xi_dot * z7;
-    J[19] = -x_dot * z7;
-    J[22] = c_xi - 2.0 * (eps * s1);
+    J[18] = -xi_dot * z8;
+    J[19] = -x_dot * z8;
+    J[22] = c_xi - 4.0 * (eps * z7);
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(J[17] + J[18] + J[19] + J[22]) <= DBL_MAX)) {
         /* the mass matrix is singular */
@@ -391,7 +389,6 @@ int cvt_eps_outputs(double t, const double *y, const double *p, double *out)
     /* sines and cosines */
     const double c_xi = cos(xi);
     const double s_xi = sin(xi);
-    const double s1 = sin(2.0 * xi);
     const double x = y[0];
     const double y_2 = y[1];
     const double x_dot = y[3];
@@ -400,7 +397,7 @@ int cvt_eps_outputs(double t, const double *y, const double *p, double *out)
 
     /* state */
     /* 15:9 */
-    out[0] = c_xi + 0.5 * (xi_dot * xi_dot - eps * s1); /* E_xi */
+    out[0] = c_xi + 0.5 * (xi_dot * xi_dot - 2.0 * (eps * (c_xi * s_xi))); /* E_xi */
     /* 16:9 */
     out[1] = 0.5 * (x * x + y_2 * y_2 + x_dot * x_dot * (1.0 + s_xi * s_xi)); /* E_xy */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
@@ -427,11 +424,9 @@ static __attribute__((noinline)) void cvt_eps_rhs_lanes(const double *fixed, siz
     cvt_eps_lanes sine1, cosine1;
     cvt_eps_turn_lanes(CVT_EPS_SPREAD(xi), &far, &sine1, &cosine1);
     const cvt_eps_lanes s_xi = sine1;
-    const cvt_eps_lanes z1 = 1.0 + s_xi * s_xi;
+    const cvt_eps_lanes z1 = s_xi * s_xi;
+    const cvt_eps_lanes z2 = 1.0 + z1;
     const cvt_eps_lanes c_xi = cosine1;
-    cvt_eps_lanes sine2, cosine2;
-    cvt_eps_turn_lanes(CVT_EPS_SPREAD(2.0 * xi), &far, &sine2, &cosine2);
-    const cvt_eps_lanes c1 = cosine2;
     /* (III.3) */
     const cvt_eps_lanes slope1 = x_dot;
     cvt_eps_put(dydt, slope1);
@@ -440,10 +435,10 @@ static __attribute__((noinline)) void cvt_eps_rhs_lanes(const double *fixed, siz
     const cvt_eps_lanes slope3 = xi_dot;
     cvt_eps_put(dydt + 2 * stride, slope3);
     /* (III.3) 9:4 */
-    const cvt_eps_lanes slope4 = -(x - s_xi * (y_2 - c_xi * (x_dot * xi_dot))) / z1;
+    const cvt_eps_lanes slope4 = -(x - s_xi * (y_2 - c_xi * (x_dot * xi_dot))) / z2;
     sum += slope4;
     cvt_eps_put(dydt + 3 * stride, slope4);
-    const cvt_eps_lanes slope5 = s_xi + eps * c1;
+    const cvt_eps_lanes slope5 = s_xi - eps * (z1 - c_xi * c_xi);
     sum += slope5;
     cvt_eps_put(dydt + 4 * stride, slope5);
     cvt_eps_put(check, cvt_eps_mark(far + (sum - sum), bad));

@@ -1,5 +1,5 @@
 /*
- * cvt_eps.h: cvt_eps, emitted by nhc 0.1.0 (nhc:bf91f5a02c789c61)
+ * cvt_eps.h: cvt_eps, emitted by nhc 0.1.0 (nhc:99eab14b6c5a35e5)
  * The transmission with a driver that breaks the symmetry; most integrators for nonholonomic systems drift on
  *     it.
  * Source: cvt_eps.yaml
@@ -26,15 +26,15 @@
  * out[1] = E_xy
  *
  * Operations:
- * rhs: 4 +-, 7 *, 1 /, 3 calls
+ * rhs: 5 +-, 7 *, 1 /, 2 calls
  * velocities: 0 +-, 1 *, 0 /, 1 calls
- * accelerations: 5 +-, 7 *, 1 /, 3 calls
+ * accelerations: 6 +-, 7 *, 1 /, 2 calls
  * state: 0 +-, 0 *, 0 /, 0 calls
  * residuals: 1 +-, 1 *, 0 /, 1 calls
  * reactions: 4 +-, 5 *, 1 /, 2 calls
- * energy: 6 +-, 10 *, 0 /, 3 calls
- * jacobian: 6 +-, 18 *, 1 /, 3 calls
- * outputs: 5 +-, 10 *, 0 /, 3 calls
+ * energy: 6 +-, 11 *, 0 /, 2 calls
+ * jacobian: 6 +-, 17 *, 1 /, 2 calls
+ * outputs: 5 +-, 11 *, 0 /, 2 calls
  *
  * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
  */

@@ -1,5 +1,5 @@
 /*
- * heavy_top_quaternion.c: heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:ab33d0450551874b)
+ * heavy_top_quaternion.c: heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:f7e033367bcc6ee9)
  * The symmetric top with a fixed point (Lagrange's top), its orientation a quaternion, so that it may stand
  *     upright.
  * Source: heavy_top_quaternion.yaml
@@ -360,7 +360,7 @@ int heavy_top_quaternion_reactions(double t, const double *y, const double *p, d
     /* state */
     /* (I.4.1) 7:3 */
     lambda[0] = 0.0; /* reaction of R_norm: Q_i gains lambda_1 a_1i */
-    if (!(fabs(I1) > 0.0 && fabs(I1) > 0.0 && fabs(I3) > 0.0)) {
+    if (!(fabs(I1) > 0.0 && fabs(I3) > 0.0)) {
         /* the mass matrix is singular */
         if (!(fabs(I1) > 0.0)) {
             return HEAVY_TOP_QUATERNION_SINGULAR_2;

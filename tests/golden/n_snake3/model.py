@@ -1,4 +1,4 @@
-"""n_snake3, emitted by nhc 0.1.0 (nhc:efaaf9631e43ebd5).
+"""n_snake3, emitted by nhc 0.1.0 (nhc:2b9ed2cf45bbdeba).
 
 Three links with a wheeled axle under the middle of each, hinged in a row with
     springs in the hinges.
@@ -33,7 +33,7 @@ accelerations: 56 +-, 97 *, 3 /, 6 calls
 state: 1 +-, 2 *, 0 /, 2 calls
 residuals: 11 +-, 15 *, 0 /, 6 calls
 reactions: 66 +-, 118 *, 3 /, 4 calls
-energy: 23 +-, 32 *, 1 /, 10 calls
+energy: 27 +-, 40 *, 1 /, 6 calls
 jacobian: 191 +-, 301 *, 3 /, 6 calls
 outputs: 0 +-, 0 *, 0 /, 0 calls
 
@@ -548,34 +548,33 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
         # state
         z1 = theta1 - theta2
         z2 = theta2 - theta3
-        s1 = math.sin(z1)
-        c1 = math.cos(z1)
-        z3 = a * w
-        z4 = v * s1 - c1 * z3
-        z5 = k1 * z4
-        s2 = math.sin(z2)
-        c2 = math.cos(z2)
-        z6 = s2 * (v * c1 + s1 * z3) - c2 * z4
-        z7 = k1 * z6
-        c_theta1 = math.cos(theta1)
-        z8 = c_theta1 * v
-        s_theta1 = math.sin(theta1)
-        z9 = s_theta1 * v
-        s_theta2 = math.sin(theta2)
-        z10 = s_theta2 * z4
-        x2_dot = z8 + s_theta1 * z3 + z10
         c_theta2 = math.cos(theta2)
-        z11 = c_theta2 * z4
-        y2_dot = z9 - c_theta1 * z3 - z11
-        s_theta3 = math.sin(theta3)
-        x3_dot = z10 + x2_dot + s_theta3 * z6
+        s_theta1 = math.sin(theta1)
+        c_theta1 = math.cos(theta1)
+        s_theta2 = math.sin(theta2)
+        z3 = c_theta2 * s_theta1 - c_theta1 * s_theta2
+        z4 = a * w
+        z5 = c_theta1 * c_theta2 + s_theta1 * s_theta2
+        z6 = v * z3 - z4 * z5
+        z7 = k1 * z6
         c_theta3 = math.cos(theta3)
-        z12 = z11 - y2_dot + c_theta3 * z6
-        s3 = z8 * z8 + z9 * z9 + x2_dot * x2_dot + y2_dot * y2_dot
-        z13 = s3 + x3_dot * x3_dot + z12 * z12
-        s4 = J * (w * w + z5 * z5 + z7 * z7) + m * z13
-        z14 = k * (z1 * z1 + z2 * z2) + s4
-        value1 = 0.5 * z14
+        s_theta3 = math.sin(theta3)
+        s1 = (s_theta2 * c_theta3 - c_theta2 * s_theta3) * (v * z5 + z4 * z3)
+        z8 = s1 - (c_theta2 * c_theta3 + s_theta2 * s_theta3) * z6
+        z9 = k1 * z8
+        z10 = c_theta1 * v
+        z11 = s_theta1 * v
+        z12 = s_theta2 * z6
+        x2_dot = z10 + s_theta1 * z4 + z12
+        z13 = c_theta2 * z6
+        y2_dot = z11 - c_theta1 * z4 - z13
+        x3_dot = z12 + x2_dot + s_theta3 * z8
+        z14 = z13 - y2_dot + c_theta3 * z8
+        s2 = z10 * z10 + z11 * z11 + x2_dot * x2_dot + y2_dot * y2_dot
+        z15 = s2 + x3_dot * x3_dot + z14 * z14
+        s3 = J * (w * w + z7 * z7 + z9 * z9) + m * z15
+        z16 = k * (z1 * z1 + z2 * z2) + s3
+        value1 = 0.5 * z16
         return _single("energy", value1)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
         raise SingularModelError(NOT_FINITE, "energy") from error

@@ -1,5 +1,5 @@
 /*
- * n_trailer3.c: n_trailer3, emitted by nhc 0.1.0 (nhc:de471188c84d595b)
+ * n_trailer3.c: n_trailer3, emitted by nhc 0.1.0 (nhc:1e76df615aff36c5)
  * A tractor with three trailers, each hitched to the axle before it; none of the four axles slips sideways.
  * Source: n_trailer3.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -551,23 +551,14 @@ double n_trailer3_energy(double t, const double *y, const double *p)
     const double theta3 = y[5]; /* third trailer [rad] */
 
     /* sines and cosines */
-    const double z1 = theta2 - theta3;
-    const double z3 = theta0 - theta1;
-    const double z4 = theta1 - theta2;
-    const double c1 = cos(z1);
-    const double s3 = sin(z1);
-    const double c2 = cos(z3);
-    const double s1 = sin(z3);
-    const double c3 = cos(z4);
-    const double s2 = sin(z4);
-    const double c_theta1 = cos(theta1);
-    const double s_theta1 = sin(theta1);
-    const double s_theta0 = sin(theta0);
-    const double c_theta0 = cos(theta0);
     const double c_theta2 = cos(theta2);
     const double s_theta2 = sin(theta2);
     const double c_theta3 = cos(theta3);
     const double s_theta3 = sin(theta3);
+    const double c_theta1 = cos(theta1);
+    const double s_theta1 = sin(theta1);
+    const double c_theta0 = cos(theta0);
+    const double s_theta0 = sin(theta0);
     const double v = y[6];
     const double w = y[7];
     const double m0 = p[0]; /* tractor [kg] */
@@ -580,17 +571,22 @@ double n_trailer3_energy(double t, const double *y, const double *p)
     const double k1 = J / (L * L);
 
     /* state */
-    const double z2 = c1 * c1;
-    const double z5 = c_theta1 * s1;
-    const double z6 = s_theta1 * s1;
-    const double z7 = c2 * s2;
-    const double z8 = s3 * (c_theta3 * (s_theta0 - (z5 + c_theta2 * z7)) - s_theta3 * (c_theta0 + (z6 +
-        s_theta2 * z7))) + 0.5 * (c2 * (c3 * (1.0 + z2)));
-    const double z9 = 0.5 * c2 + 2.0 * (s2 * (c_theta2 * (s_theta0 - z5) - s_theta2 * (c_theta0 + z6))) + c3
-        * z8;
-    const double z10 = 0.5 * (m0 + k1 * (1.0 - z2 * (c2 * c2 * (c3 * c3)))) + m * (3.0 * (1.0 - s1 *
-        (c_theta1 * s_theta0 - s_theta1 * c_theta0)) - c2 * z9);
-    return 0.5 * (J0 * (w * w)) + v * v * z10;
+    const double z1 = c_theta2 * c_theta3 + s_theta2 * s_theta3;
+    const double z2 = z1 * z1;
+    const double z3 = c_theta1 * c_theta0 + s_theta1 * s_theta0;
+    const double z4 = c_theta1 * c_theta2 + s_theta1 * s_theta2;
+    const double z5 = c_theta1 * s_theta0 - s_theta1 * c_theta0;
+    const double z6 = s_theta1 * c_theta2 - c_theta1 * s_theta2;
+    const double z7 = c_theta1 * z5;
+    const double z8 = s_theta1 * z5;
+    const double z9 = z3 * z6;
+    const double z10 = (s_theta2 * c_theta3 - c_theta2 * s_theta3) * (c_theta3 * (s_theta0 - (z7 + c_theta2 *
+        z9)) - s_theta3 * (c_theta0 + (z8 + s_theta2 * z9)));
+    const double z11 = 0.5 * z3 + 2.0 * (z6 * (c_theta2 * (s_theta0 - z7) - s_theta2 * (c_theta0 + z8))) + z4
+        * (z10 + 0.5 * (z3 * (z4 * (1.0 + z2))));
+    const double z12 = 0.5 * (m0 + k1 * (1.0 - z2 * (z3 * z3 * (z4 * z4)))) + m * (3.0 * (1.0 - z5 * z5) - z3
+        * z11);
+    return 0.5 * (J0 * (w * w)) + v * v * z12;
 }
 
 N_TRAILER3_SLOW

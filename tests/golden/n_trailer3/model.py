@@ -1,4 +1,4 @@
-"""n_trailer3, emitted by nhc 0.1.0 (nhc:746c694273322510).
+"""n_trailer3, emitted by nhc 0.1.0 (nhc:683bc5a277498875).
 
 A tractor with three trailers, each hitched to the axle before it; none of the four
     axles slips sideways.
@@ -40,7 +40,7 @@ accelerations: 26 +-, 50 *, 2 /, 8 calls
 state: 1 +-, 2 *, 0 /, 2 calls
 residuals: 10 +-, 17 *, 0 /, 8 calls
 reactions: 40 +-, 78 *, 2 /, 6 calls
-energy: 22 +-, 36 *, 1 /, 14 calls
+energy: 24 +-, 46 *, 1 /, 8 calls
 jacobian: 68 +-, 141 *, 2 /, 8 calls
 outputs: 6 +-, 2 *, 0 /, 6 calls
 
@@ -517,36 +517,32 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
         # parameters only
         k1 = J / (L * L)
         # state
-        z1 = theta2 - theta3
-        c1 = math.cos(z1)
-        z2 = c1 * c1
-        z3 = theta0 - theta1
-        c2 = math.cos(z3)
-        z4 = theta1 - theta2
-        c3 = math.cos(z4)
-        s1 = math.sin(z3)
-        c_theta1 = math.cos(theta1)
-        s_theta0 = math.sin(theta0)
-        s_theta1 = math.sin(theta1)
-        c_theta0 = math.cos(theta0)
-        s2 = math.sin(z4)
         c_theta2 = math.cos(theta2)
-        z5 = c_theta1 * s1
-        s_theta2 = math.sin(theta2)
-        z6 = s_theta1 * s1
-        s3 = math.sin(z1)
         c_theta3 = math.cos(theta3)
-        z7 = c2 * s2
+        s_theta2 = math.sin(theta2)
         s_theta3 = math.sin(theta3)
-        s4 = c_theta3 * (s_theta0 - (z5 + c_theta2 * z7))
-        s5 = s3 * (s4 - s_theta3 * (c_theta0 + (z6 + s_theta2 * z7)))
-        z8 = s5 + 0.5 * (c2 * (c3 * (1.0 + z2)))
-        s6 = s2 * (c_theta2 * (s_theta0 - z5) - s_theta2 * (c_theta0 + z6))
-        z9 = 0.5 * c2 + 2.0 * s6 + c3 * z8
-        s7 = 3.0 * (1.0 - s1 * (c_theta1 * s_theta0 - s_theta1 * c_theta0))
-        s8 = 0.5 * (m0 + k1 * (1.0 - z2 * (c2 * c2 * (c3 * c3))))
-        z10 = s8 + m * (s7 - c2 * z9)
-        value1 = 0.5 * (J0 * (w * w)) + v * v * z10
+        z1 = c_theta2 * c_theta3 + s_theta2 * s_theta3
+        z2 = z1 * z1
+        c_theta1 = math.cos(theta1)
+        c_theta0 = math.cos(theta0)
+        s_theta1 = math.sin(theta1)
+        s_theta0 = math.sin(theta0)
+        z3 = c_theta1 * c_theta0 + s_theta1 * s_theta0
+        z4 = c_theta1 * c_theta2 + s_theta1 * s_theta2
+        z5 = c_theta1 * s_theta0 - s_theta1 * c_theta0
+        z6 = s_theta1 * c_theta2 - c_theta1 * s_theta2
+        z7 = c_theta1 * z5
+        z8 = s_theta1 * z5
+        z9 = z3 * z6
+        s1 = c_theta3 * (s_theta0 - (z7 + c_theta2 * z9))
+        s2 = s1 - s_theta3 * (c_theta0 + (z8 + s_theta2 * z9))
+        z10 = (s_theta2 * c_theta3 - c_theta2 * s_theta3) * s2
+        s3 = z6 * (c_theta2 * (s_theta0 - z7) - s_theta2 * (c_theta0 + z8))
+        s4 = z4 * (z10 + 0.5 * (z3 * (z4 * (1.0 + z2))))
+        z11 = 0.5 * z3 + 2.0 * s3 + s4
+        s5 = 0.5 * (m0 + k1 * (1.0 - z2 * (z3 * z3 * (z4 * z4))))
+        z12 = s5 + m * (3.0 * (1.0 - z5 * z5) - z3 * z11)
+        value1 = 0.5 * (J0 * (w * w)) + v * v * z12
         return _single("energy", value1)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
         raise SingularModelError(NOT_FINITE, "energy") from error

@@ -1,5 +1,5 @@
 /*
- * roller_racer.c: roller_racer, emitted by nhc 0.1.0 (nhc:fd6126998ed186fa)
+ * roller_racer.c: roller_racer, emitted by nhc 0.1.0 (nhc:15d4473c69b7fc6e)
  * Two wheeled bodies with a hinge; it is driven by moving the hinge to and fro.
  * Source: roller_racer.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -382,12 +382,10 @@ int roller_racer_residuals(double t, const double *q, const double *qdot, const 
     const double phi = q[3]; /* second body, relative to the first [rad] */
 
     /* sines and cosines */
-    const double z1 = theta + phi;
     const double s_theta = sin(theta);
     const double c_theta = cos(theta);
-    const double s1 = sin(z1);
-    const double c1 = cos(z1);
     const double c_phi = cos(phi);
+    const double s_phi = sin(phi);
     const double x_dot = qdot[0];
     const double y_dot = qdot[1];
     const double theta_dot = qdot[2];
@@ -396,10 +394,12 @@ int roller_racer_residuals(double t, const double *q, const double *qdot, const 
     const double d2 = p[4]; /* from the hinge to the second axle [m] */
 
     /* state */
+    const double z1 = theta_dot * (d2 + d1 * c_phi) - (x_dot * (s_theta * c_phi + c_theta * s_phi) - y_dot *
+        (c_theta * c_phi - s_theta * s_phi));
     /* (I.1.1) 19:5 */
     r[0] = y_dot * c_theta - x_dot * s_theta; /* rear = 0 */
     /* (I.1.1) 20:5 */
-    r[1] = phi_dot * d2 - (x_dot * s1 - y_dot * c1 - theta_dot * (d2 + d1 * c_phi)); /* front = 0 */
+    r[1] = phi_dot * d2 + z1; /* front = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(r[0] + r[1]) <= DBL_MAX)) {
         return ROLLER_RACER_NOT_FINITE;

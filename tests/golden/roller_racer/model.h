@@ -1,5 +1,5 @@
 /*
- * roller_racer.h: roller_racer, emitted by nhc 0.1.0 (nhc:9f53c4da4cc7866c)
+ * roller_racer.h: roller_racer, emitted by nhc 0.1.0 (nhc:32a857655e3541f8)
  * Two wheeled bodies with a hinge; it is driven by moving the hinge to and fro.
  * Source: roller_racer.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -33,7 +33,7 @@
  * velocities: 2 +-, 6 *, 1 /, 4 calls
  * accelerations: 14 +-, 34 *, 3 /, 4 calls
  * state: 1 +-, 2 *, 0 /, 2 calls
- * residuals: 6 +-, 7 *, 0 /, 5 calls
+ * residuals: 7 +-, 11 *, 0 /, 4 calls
  * reactions: 12 +-, 34 *, 3 /, 2 calls
  * energy: 6 +-, 14 *, 1 /, 4 calls
  * jacobian: 36 +-, 92 *, 3 /, 4 calls

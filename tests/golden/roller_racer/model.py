@@ -1,4 +1,4 @@
-"""roller_racer, emitted by nhc 0.1.0 (nhc:80f5dfbb9cde2003).
+"""roller_racer, emitted by nhc 0.1.0 (nhc:3cfe1650d5435739).
 
 Two wheeled bodies with a hinge; it is driven by moving the hinge to and fro.
 Source: roller_racer.yaml
@@ -33,7 +33,7 @@ rhs: 9 +-, 28 *, 3 /, 4 calls
 velocities: 2 +-, 6 *, 1 /, 4 calls
 accelerations: 14 +-, 34 *, 3 /, 4 calls
 state: 1 +-, 2 *, 0 /, 2 calls
-residuals: 6 +-, 7 *, 0 /, 5 calls
+residuals: 7 +-, 11 *, 0 /, 4 calls
 reactions: 12 +-, 34 *, 3 /, 2 calls
 energy: 6 +-, 14 *, 1 /, 4 calls
 jacobian: 36 +-, 92 *, 3 /, 4 calls
@@ -319,16 +319,16 @@ def residuals(
         # state
         s_theta = math.sin(theta)
         c_theta = math.cos(theta)
-        z1 = theta + phi
-        s1 = math.sin(z1)
-        c1 = math.cos(z1)
         c_phi = math.cos(phi)
-        s2 = x_dot * s1 - y_dot * c1 - theta_dot * (d2 + d1 * c_phi)
+        s_phi = math.sin(phi)
+        s1 = x_dot * (s_theta * c_phi + c_theta * s_phi)
+        s2 = s1 - y_dot * (c_theta * c_phi - s_theta * s_phi)
+        z1 = theta_dot * (d2 + d1 * c_phi) - s2
         r: list[float] = [
             # rear = 0 (I.1.1) 19:5
             y_dot * c_theta - x_dot * s_theta,
             # front = 0 (I.1.1) 20:5
-            phi_dot * d2 - s2,
+            phi_dot * d2 + z1,
         ]
         return _finish("residuals", r)
     except (ValueError, ZeroDivisionError, OverflowError) as error:

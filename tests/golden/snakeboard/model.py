@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""snakeboard, emitted by nhc 0.1.0 (nhc:942ca59eab617072).
+"""snakeboard, emitted by nhc 0.1.0 (nhc:f57e4603c159dbe1).
 
 A board on two steerable axles and a rotor; it moves by turning the rotor and the
     axles to and fro.
@@ -38,15 +38,15 @@ Outputs:
 out[0] = speed
 
 Operations:
-rhs: 55 +-, 100 *, 5 /, 11 calls
-velocities: 15 +-, 26 *, 1 /, 9 calls
-accelerations: 61 +-, 111 *, 5 /, 11 calls
-state: 7 +-, 11 *, 0 /, 8 calls
+rhs: 58 +-, 109 *, 5 /, 9 calls
+velocities: 18 +-, 34 *, 1 /, 7 calls
+accelerations: 64 +-, 120 *, 5 /, 9 calls
+state: 10 +-, 17 *, 0 /, 6 calls
 residuals: 6 +-, 7 *, 0 /, 6 calls
-reactions: 91 +-, 175 *, 5 /, 11 calls
-energy: 21 +-, 34 *, 1 /, 8 calls
-jacobian: 191 +-, 338 *, 5 /, 11 calls
-outputs: 15 +-, 23 *, 1 /, 11 calls
+reactions: 94 +-, 182 *, 5 /, 9 calls
+energy: 24 +-, 42 *, 1 /, 6 calls
+jacobian: 194 +-, 346 *, 5 /, 9 calls
+outputs: 17 +-, 31 *, 1 /, 7 calls
 
 A singular point raises SingularModelError.
 """
@@ -151,76 +151,78 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z4 = c_p_b * c_p_f
         z5 = s_p_b * z3 - 2.0 * (s_p_f * z4 * k2)
         z6 = s_p_b * z5 + (z1 + k1 * (4.0 - 3.0 * z1))
-        s4 = (2.0 + 4.0 * k3) * k4
+        s3 = (2.0 + 4.0 * k3) * k4
         # the coframe is singular
-        if not abs(z6) > 1e-12 * (k4 * s4):
+        if not abs(z6) > 1e-12 * (k4 * s3):
             raise SingularModelError(1, "rhs")
-        z7 = theta + p_b
-        s1 = math.sin(z7)
-        z8 = theta + p_f
+        z7 = 1.0 / z6
+        z8 = theta + p_b
+        s1 = math.sin(z8)
         c1 = math.cos(z8)
-        c2 = math.cos(z7)
-        s2 = math.sin(z8)
-        z9 = s1 * c1 - c2 * s2
-        z10 = 1.0 / z6
-        z11 = z9 * z10
-        z12 = J * z11 * z11
-        z13 = l * c_p_f
-        z14 = l * c_p_b
-        z15 = s1 * z13 + z14 * s2
-        z16 = z15 * z10
-        z17 = c2 * z13 + z14 * c1
-        z18 = z17 * z10
-        z19 = z12 + m * (z10 * (z15 * z16 + z17 * z18))
-        s5 = z12 + m * (z16 * z16)
-        s6 = s5 + m * (z18 * z18)
+        z9 = c1 * c_p_f - s1 * s_p_f
+        z10 = s1 * c_p_f + c1 * s_p_f
+        z11 = c_p_b * z9 + s_p_b * z10
+        z12 = c_p_b * z10 - s_p_b * z9
+        z13 = s1 * z11 - c1 * z12
+        z14 = z7 * z13
+        z15 = J * z14 * z14
+        z16 = l * c_p_f
+        z17 = l * c_p_b
+        z18 = s1 * z16 + z17 * z12
+        z19 = z7 * z18
+        z20 = c1 * z16 + z17 * z11
+        z21 = z7 * z20
+        z22 = z15 + m * (z7 * (z18 * z19 + z20 * z21))
+        s4 = z15 + m * (z19 * z19)
+        s5 = s4 + m * (z21 * z21)
         # the mass matrix is singular
-        if not abs(z19) > 1e-14 * s6:
+        if not abs(z22) > 1e-14 * s5:
             raise SingularModelError(2, "rhs")
-        z20 = v * z11
-        z21 = t_ * nu
-        s3 = math.sin(z21)
-        z22 = p_b_dot * c_p_b
-        z23 = p_f_dot * c_p_f
-        z24 = s_p_f * z23
-        z25 = k1 * z24
-        z26 = p_b_dot * s_p_b
-        z27 = p_f_dot * s_p_f
-        s7 = 2.0 * (k2 * (z4 * z23 - s_p_f * (c_p_f * z26 + c_p_b * z27)))
-        z28 = z3 * z22 - 4.0 * (s_p_b * (z24 - z25)) - s7
-        z29 = (z5 * z22 + s_p_b * z28 + (2.0 * z24 - 6.0 * z25)) / (z6 * z6)
-        z30 = p_b_dot - z20
-        z31 = c2 * z30
-        z32 = p_f_dot - z20
-        z33 = s2 * z32
-        z34 = s1 * z30
-        z35 = c1 * z32
-        s8 = z10 * (c1 * z31 - s1 * z33 + (s2 * z34 - c2 * z35))
-        z36 = v * (z9 * z29 - s8)
-        z37 = J_r * z36
-        z38 = tau * s3 - z37
-        c3 = math.cos(z21)
-        z39 = sigma * c3
-        z40 = J_w * z36
-        z41 = z39 - z40
-        z42 = z39 + z40
-        z43 = l * z27
-        z44 = l * z26
-        z45 = m * v
-        s9 = z10 * (s1 * z43 - z13 * z31 + (s2 * z44 - z14 * z35))
-        z46 = (z15 * z29 + s9) * (z16 * z45)
-        s10 = z10 * (c2 * z43 + z13 * z34 + (c1 * z44 + z14 * z33))
-        z47 = (z17 * z29 + s10) * (z18 * z45)
-        s11 = z11 * (z38 + (z37 + (z41 + (z40 - (z42 - k7 * z36))))) + z46
-        z48 = (s11 + z47) / z19
-        z49 = z11 * z48
+        z23 = v * z7
+        z24 = z13 * z23
+        z25 = t_ * nu
+        s2 = math.sin(z25)
+        z26 = p_b_dot * c_p_b
+        z27 = p_f_dot * c_p_f
+        z28 = s_p_f * z27
+        z29 = k1 * z28
+        z30 = p_b_dot * s_p_b
+        z31 = p_f_dot * s_p_f
+        s6 = 2.0 * (k2 * (z4 * z27 - s_p_f * (c_p_f * z30 + c_p_b * z31)))
+        z32 = z3 * z26 - 4.0 * (s_p_b * (z28 - z29)) - s6
+        z33 = (z5 * z26 + s_p_b * z32 + (2.0 * z28 - 6.0 * z29)) / (z6 * z6)
+        z34 = p_b_dot - z24
+        z35 = c1 * z34
+        z36 = p_f_dot - z24
+        z37 = z12 * z36
+        z38 = s1 * z34
+        z39 = z11 * z36
+        s7 = z7 * (z11 * z35 - s1 * z37 + (z12 * z38 - c1 * z39))
+        z40 = v * (z33 * z13 - s7)
+        z41 = J_r * z40
+        z42 = tau * s2 - z41
+        c2 = math.cos(z25)
+        z43 = sigma * c2
+        z44 = J_w * z40
+        z45 = z43 - z44
+        z46 = z43 + z44
+        z47 = l * z31
+        z48 = l * z30
+        z49 = m * v
+        s8 = z7 * (s1 * z47 - z16 * z35 + (z48 * z12 - z17 * z39))
+        z50 = (z33 * z18 + s8) * (z19 * z49)
+        s9 = z7 * (c1 * z47 + z16 * z38 + (z48 * z11 + z17 * z37))
+        z51 = (z33 * z20 + s9) * (z21 * z49)
+        s10 = z14 * (z42 + (z41 + (z45 + (z44 - (z46 - k7 * z40))))) + z50
+        z52 = (s10 + z51) / z22
+        z53 = z14 * z52
         dydt: list[float] = [
             # x' (I.2.15)
-            v * z18,
+            z20 * z23,
             # y' (I.2.15)
-            v * z16,
+            z18 * z23,
             # theta' (I.2.15)
-            -z20,
+            -z24,
             # psi' (I.2.15)
             psi_dot,
             # p_b' (I.2.15)
@@ -228,13 +230,13 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
             # p_f' (I.2.15)
             p_f_dot,
             # v' (I.2.15) 22:4
-            z48,
+            z52,
             # psi'' (I.2.15) 22:4
-            z49 + k5 * z38,
+            z53 + k5 * z42,
             # p_b'' (I.2.15) 22:4
-            z49 + k6 * z41,
+            z53 + k6 * z45,
             # p_f'' (I.2.15) 22:4
-            z49 - k6 * z42,
+            z53 - k6 * z46,
         ]
         return _finish("rhs", dydt)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -272,29 +274,30 @@ def velocities(
         z2 = 2.0 * z1
         c_p_b = math.cos(p_b)
         c_p_f = math.cos(p_f)
-        s3 = s_p_b * (1.0 - z2 - k1 * (3.0 - z2))
-        z3 = s_p_b * (s3 - 2.0 * (s_p_f * (c_p_b * c_p_f) * k2))
+        s2 = s_p_b * (1.0 - z2 - k1 * (3.0 - z2))
+        z3 = s_p_b * (s2 - 2.0 * (s_p_f * (c_p_b * c_p_f) * k2))
         z4 = z3 + (z1 + k1 * (4.0 - 3.0 * z1))
-        s4 = (2.0 + 4.0 * k3) * k4
+        s3 = (2.0 + 4.0 * k3) * k4
         # the coframe is singular
-        if not abs(z4) > 1e-12 * (k4 * s4):
+        if not abs(z4) > 1e-12 * (k4 * s3):
             raise SingularModelError(1, "velocities")
         z5 = theta + p_b
         c1 = math.cos(z5)
         z6 = l * c_p_f
         z7 = l * c_p_b
-        z8 = theta + p_f
-        c2 = math.cos(z8)
-        z9 = v / z4
         s1 = math.sin(z5)
-        s2 = math.sin(z8)
+        z8 = c1 * c_p_f - s1 * s_p_f
+        z9 = s1 * c_p_f + c1 * s_p_f
+        z10 = c_p_b * z8 + s_p_b * z9
+        z11 = v / z4
+        z12 = c_p_b * z9 - s_p_b * z8
         qdot: list[float] = [
             # x' (I.2.4)
-            (c1 * z6 + z7 * c2) * z9,
+            (c1 * z6 + z7 * z10) * z11,
             # y' (I.2.4)
-            (s1 * z6 + z7 * s2) * z9,
+            (s1 * z6 + z7 * z12) * z11,
             # theta' (I.2.4)
-            -(s1 * c2 - c1 * s2) * z9,
+            -(s1 * z10 - c1 * z12) * z11,
             # psi' (I.2.4)
             psi_dot,
             # p_b' (I.2.4)
@@ -358,84 +361,84 @@ def accelerations(
         z4 = c_p_b * c_p_f
         z5 = s_p_b * z3 - 2.0 * (s_p_f * z4 * k2)
         z6 = s_p_b * z5 + (z1 + k1 * (4.0 - 3.0 * z1))
-        s4 = (2.0 + 4.0 * k3) * k4
+        s3 = (2.0 + 4.0 * k3) * k4
         # the coframe is singular
-        if not abs(z6) > 1e-12 * (k4 * s4):
+        if not abs(z6) > 1e-12 * (k4 * s3):
             raise SingularModelError(1, "accelerations")
-        z7 = theta + p_b
-        s1 = math.sin(z7)
-        z8 = theta + p_f
+        z7 = 1.0 / z6
+        z8 = theta + p_b
+        s1 = math.sin(z8)
         c1 = math.cos(z8)
-        c2 = math.cos(z7)
-        s2 = math.sin(z8)
-        z9 = s1 * c1 - c2 * s2
-        z10 = 1.0 / z6
-        z11 = z9 * z10
-        z12 = J * z11 * z11
-        z13 = l * c_p_f
-        z14 = l * c_p_b
-        z15 = s1 * z13 + z14 * s2
-        z16 = z15 * z10
-        z17 = c2 * z13 + z14 * c1
-        z18 = z17 * z10
-        z19 = z12 + m * (z10 * (z15 * z16 + z17 * z18))
-        s5 = z12 + m * (z16 * z16)
-        s6 = s5 + m * (z18 * z18)
+        z9 = c1 * c_p_f - s1 * s_p_f
+        z10 = s1 * c_p_f + c1 * s_p_f
+        z11 = c_p_b * z9 + s_p_b * z10
+        z12 = c_p_b * z10 - s_p_b * z9
+        z13 = s1 * z11 - c1 * z12
+        z14 = z7 * z13
+        z15 = J * z14 * z14
+        z16 = l * c_p_f
+        z17 = l * c_p_b
+        z18 = s1 * z16 + z17 * z12
+        z19 = z7 * z18
+        z20 = c1 * z16 + z17 * z11
+        z21 = z7 * z20
+        z22 = z15 + m * (z7 * (z18 * z19 + z20 * z21))
+        s4 = z15 + m * (z19 * z19)
+        s5 = s4 + m * (z21 * z21)
         # the mass matrix is singular
-        if not abs(z19) > 1e-14 * s6:
+        if not abs(z22) > 1e-14 * s5:
             raise SingularModelError(2, "accelerations")
-        z20 = p_b_dot * c_p_b
-        z21 = p_f_dot * c_p_f
-        z22 = s_p_f * z21
-        z23 = k1 * z22
-        z24 = p_b_dot * s_p_b
-        z25 = p_f_dot * s_p_f
-        s7 = 2.0 * (k2 * (z4 * z21 - s_p_f * (c_p_f * z24 + c_p_b * z25)))
-        z26 = z3 * z20 - 4.0 * (s_p_b * (z22 - z23)) - s7
-        z27 = (z5 * z20 + s_p_b * z26 + (2.0 * z22 - 6.0 * z23)) / (z6 * z6)
-        z28 = z17 * z27
-        z29 = z9 * v
-        z30 = z10 * z29
-        z31 = p_b_dot - z30
-        z32 = s1 * z31
-        z33 = l * z25
-        z34 = l * z24
-        z35 = p_f_dot - z30
-        z36 = s2 * z35
-        z37 = z13 * z32 + c2 * z33 + (c1 * z34 + z14 * z36)
-        z38 = t_ * nu
-        s3 = math.sin(z38)
-        z39 = c2 * z31
-        z40 = c1 * z35
-        z41 = c1 * z39 - s1 * z36 + (s2 * z32 - c2 * z40)
-        z42 = v * (z10 * z41 - z9 * z27)
-        z43 = J_r * z42
-        z44 = tau * s3 + z43
-        c3 = math.cos(z38)
-        z45 = sigma * c3
-        z46 = J_w * z42
-        z47 = z45 + z46
-        z48 = z45 - z46
-        z49 = z13 * z39 - s1 * z33 - (s2 * z34 - z14 * z40)
-        z50 = z15 * z27
-        z51 = m * v
-        s8 = z11 * (z44 - (z43 - (z47 - (z46 + (z48 + z42 * k7)))))
-        z52 = s8 - (z10 * z49 - z50) * (z16 * z51)
-        z53 = (z52 + (z10 * z37 + z28) * (z18 * z51)) / z19
-        z54 = z11 * z53
+        z23 = p_b_dot * c_p_b
+        z24 = p_f_dot * c_p_f
+        z25 = s_p_f * z24
+        z26 = k1 * z25
+        z27 = p_b_dot * s_p_b
+        z28 = p_f_dot * s_p_f
+        s6 = 2.0 * (k2 * (z4 * z24 - s_p_f * (c_p_f * z27 + c_p_b * z28)))
+        z29 = z3 * z23 - 4.0 * (s_p_b * (z25 - z26)) - s6
+        z30 = (z5 * z23 + s_p_b * z29 + (2.0 * z25 - 6.0 * z26)) / (z6 * z6)
+        z31 = v * z30
+        z32 = l * z28
+        z33 = v * z13
+        z34 = z7 * z33
+        z35 = p_b_dot - z34
+        z36 = s1 * z35
+        z37 = l * z27
+        z38 = p_f_dot - z34
+        z39 = z12 * z38
+        z40 = c1 * z32 + z16 * z36 + (z37 * z11 + z17 * z39)
+        z41 = t_ * nu
+        s2 = math.sin(z41)
+        z42 = c1 * z35
+        z43 = z11 * z38
+        z44 = z11 * z42 - s1 * z39 + (z12 * z36 - c1 * z43)
+        z45 = v * (z7 * z44 - z30 * z13)
+        z46 = J_r * z45
+        z47 = tau * s2 + z46
+        c2 = math.cos(z41)
+        z48 = sigma * c2
+        z49 = J_w * z45
+        z50 = z48 + z49
+        z51 = z48 - z49
+        z52 = s1 * z32 - z16 * z42 + (z37 * z12 - z17 * z43)
+        z53 = m * v
+        s7 = z14 * (z47 - (z46 - (z50 - (z49 + (z51 + k7 * z45)))))
+        z54 = s7 + (z7 * z52 + z30 * z18) * (z19 * z53)
+        z55 = (z54 + (z7 * z40 + z30 * z20) * (z21 * z53)) / z22
+        z56 = z14 * z55
         qddot: list[float] = [
             # x'' (I.2.15)
-            -(v * z28 + z10 * (v * z37 - z17 * z53)),
+            -(z20 * z31 + z7 * (v * z40 - z20 * z55)),
             # y'' (I.2.15)
-            z10 * (v * z49 + z15 * z53) - v * z50,
+            -(z18 * z31 + z7 * (v * z52 - z18 * z55)),
             # theta'' (I.2.15)
-            z29 * z27 - z10 * (v * z41 + z9 * z53),
+            z30 * z33 - z7 * (v * z44 + z13 * z55),
             # psi'' (I.2.15)
-            k5 * z44 + z54,
+            k5 * z47 + z56,
             # p_b'' (I.2.15)
-            k6 * z47 + z54,
+            k6 * z50 + z56,
             # p_f'' (I.2.15)
-            z54 - k6 * z48,
+            z56 - k6 * z51,
         ]
         return _finish("accelerations", qddot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -474,12 +477,13 @@ def state(
         s_p_b = math.sin(p_b)
         z1 = theta + p_b
         c1 = math.cos(z1)
-        z2 = theta + p_f
-        c2 = math.cos(z2)
+        z2 = c1 * c_p_f
         s1 = math.sin(z1)
-        s2 = math.sin(z2)
-        s3 = x_dot * (l * (c1 * c_p_f + c_p_b * c2))
-        z3 = s3 + y_dot * (l * (s1 * c_p_f + c_p_b * s2))
+        z3 = z2 - s1 * s_p_f
+        z4 = s1 * c_p_f
+        z5 = z4 + c1 * s_p_f
+        s2 = x_dot * (l * (z2 + c_p_b * (c_p_b * z3 + s_p_b * z5)))
+        z6 = s2 + y_dot * (l * (z4 + c_p_b * (c_p_b * z5 - s_p_b * z3)))
         y: list[float] = [
             x,
             y_2,
@@ -487,7 +491,7 @@ def state(
             psi,
             p_b,
             p_f,
-            theta_dot * (c_p_b * s_p_f - c_p_f * s_p_b) + z3,
+            theta_dot * (c_p_b * s_p_f - c_p_f * s_p_b) + z6,
             psi_dot,
             p_b_dot,
             p_f_dot,
@@ -589,106 +593,108 @@ def reactions(
         z4 = c_p_b * c_p_f
         z5 = s_p_b * z3 - 2.0 * (s_p_f * z4 * k2)
         z6 = s_p_b * z5 + (z1 + k1 * (4.0 - 3.0 * z1))
-        s4 = (2.0 + 4.0 * k3) * k4
+        s3 = (2.0 + 4.0 * k3) * k4
         # the coframe is singular
-        if not abs(z6) > 1e-12 * (k4 * s4):
+        if not abs(z6) > 1e-12 * (k4 * s3):
             raise SingularModelError(1, "reactions")
-        z7 = theta + p_b
-        s1 = math.sin(z7)
-        z8 = theta + p_f
+        z7 = 1.0 / z6
+        z8 = theta + p_b
+        s1 = math.sin(z8)
         c1 = math.cos(z8)
-        c2 = math.cos(z7)
-        s2 = math.sin(z8)
-        z9 = s1 * c1 - c2 * s2
-        z10 = 1.0 / z6
-        z11 = z9 * z10
-        z12 = J * z11 * z11
-        z13 = l * c_p_f
-        z14 = l * c_p_b
-        z15 = s1 * z13 + z14 * s2
-        z16 = z15 * z10
-        z17 = c2 * z13 + z14 * c1
-        z18 = z17 * z10
-        z19 = z12 + m * (z10 * (z15 * z16 + z17 * z18))
-        s5 = z12 + m * (z16 * z16)
-        s6 = s5 + m * (z18 * z18)
+        z9 = c1 * c_p_f
+        z10 = z9 - s1 * s_p_f
+        z11 = s1 * c_p_f
+        z12 = z11 + c1 * s_p_f
+        z13 = c_p_b * z10 + s_p_b * z12
+        z14 = c_p_b * z12 - s_p_b * z10
+        z15 = s1 * z13 - c1 * z14
+        z16 = z7 * z15
+        z17 = J * z16 * z16
+        z18 = l * c_p_f
+        z19 = l * c_p_b
+        z20 = s1 * z18 + z19 * z14
+        z21 = z7 * z20
+        z22 = c1 * z18 + z19 * z13
+        z23 = z7 * z22
+        z24 = z17 + m * (z7 * (z20 * z21 + z22 * z23))
+        s4 = z17 + m * (z21 * z21)
+        s5 = s4 + m * (z23 * z23)
         # the mass matrix is singular
-        if not abs(z19) > 1e-14 * s6:
+        if not abs(z24) > 1e-14 * s5:
             raise SingularModelError(2, "reactions")
-        z20 = l * (s1 * c_p_f + c_p_b * s2)
-        z21 = c_p_b * s_p_f - c_p_f * s_p_b
-        z22 = z10 * (z13 * z20 - c1 * z21)
-        z23 = p_b_dot * c_p_b
-        z24 = p_f_dot * c_p_f
-        z25 = s_p_f * z24
-        z26 = k1 * z25
-        z27 = p_b_dot * s_p_b
-        z28 = p_f_dot * s_p_f
-        s7 = 2.0 * (k2 * (z4 * z24 - s_p_f * (c_p_f * z27 + c_p_b * z28)))
-        z29 = z3 * z23 - 4.0 * (s_p_b * (z25 - z26)) - s7
-        z30 = (z5 * z23 + s_p_b * z29 + (2.0 * z25 - 6.0 * z26)) / (z6 * z6)
-        z31 = z17 * z30
-        z32 = z9 * v
-        z33 = z10 * z32
-        z34 = p_b_dot - z33
-        z35 = s1 * z34
-        z36 = l * z28
-        z37 = l * z27
-        z38 = p_f_dot - z33
-        z39 = s2 * z38
-        z40 = z13 * z35 + c2 * z36 + (c1 * z37 + z14 * z39)
-        z41 = v * z10
-        z42 = v * z31 + z40 * z41
-        z43 = l * (c2 * c_p_f + c_p_b * c1)
-        z44 = z10 * (z13 * z43 + s2 * z21)
-        z45 = z15 * z30
-        z46 = c2 * z34
-        z47 = c1 * z38
-        z48 = z13 * z46 - s1 * z36 - (s2 * z37 - z14 * z47)
-        z49 = v * z45 - z48 * z41
-        z50 = z10 * (c1 * z43 + s2 * z20)
-        z51 = c1 * z46 - s1 * z39 + (s2 * z35 - c2 * z47)
-        z52 = z32 * z30 - z51 * z41
-        z53 = z50 * z52
-        s8 = m * (z22 * z42 - z44 * z49) - J * z53 - J_r * z53
-        z54 = s8 - 2.0 * (J_w * z53)
-        z55 = t_ * nu
-        c3 = math.cos(z55)
-        z56 = sigma * c3
-        z57 = v * (z10 * z51 - z9 * z30)
-        z58 = J_w * z57
-        z59 = z56 - z58
-        s3 = math.sin(z55)
-        z60 = J_r * z57
-        z61 = tau * s3 + z60
-        z62 = z56 + z58
-        z63 = m * v
-        s9 = z11 * (z61 - (z60 - (z62 - (z58 + (z59 + z57 * k7)))))
-        z64 = s9 - (z10 * z48 - z45) * (z16 * z63)
-        z65 = (z64 + (z10 * z40 + z31) * (z18 * z63)) / z19
-        z66 = z11 * z65
-        z67 = k6 * z59 - z66
-        z68 = J_w * z50
-        z69 = k6 * z62 + z66
-        z70 = z11 * z50
-        s10 = m * (z18 * z22 - z16 * z44) - J * z70 - J_r * z70
-        z71 = s10 - 2.0 * (J_w * z70)
-        z72 = J_r * (k5 * z61 + z66)
-        z73 = z10 * (z14 * z20 + c2 * z21)
-        z74 = z10 * (z14 * z43 - s1 * z21)
-        z75 = z10 * (c2 * z43 + s1 * z20)
-        z76 = z75 * z52
-        s11 = m * (z73 * z42 - z74 * z49) + J * z76 + J_r * z76
-        z77 = s11 + 2.0 * (J_w * z76)
-        z78 = J_w * z75
-        z79 = z11 * z75
-        s12 = m * (z18 * z73 - z16 * z74) + J * z79 + J_r * z79
-        z80 = s12 + 2.0 * (J_w * z79)
+        z25 = l * (z11 + c_p_b * z14)
+        z26 = c_p_b * s_p_f - c_p_f * s_p_b
+        z27 = z7 * (z18 * z25 - z26 * z13)
+        z28 = p_b_dot * c_p_b
+        z29 = p_f_dot * c_p_f
+        z30 = s_p_f * z29
+        z31 = k1 * z30
+        z32 = p_b_dot * s_p_b
+        z33 = p_f_dot * s_p_f
+        s6 = 2.0 * (k2 * (z4 * z29 - s_p_f * (c_p_f * z32 + c_p_b * z33)))
+        z34 = z3 * z28 - 4.0 * (s_p_b * (z30 - z31)) - s6
+        z35 = (z5 * z28 + s_p_b * z34 + (2.0 * z30 - 6.0 * z31)) / (z6 * z6)
+        z36 = v * z35
+        z37 = l * z33
+        z38 = v * z15
+        z39 = z7 * z38
+        z40 = p_b_dot - z39
+        z41 = s1 * z40
+        z42 = l * z32
+        z43 = p_f_dot - z39
+        z44 = z14 * z43
+        z45 = c1 * z37 + z18 * z41 + (z42 * z13 + z19 * z44)
+        z46 = v * z7
+        z47 = z22 * z36 + z45 * z46
+        z48 = l * (z9 + c_p_b * z13)
+        z49 = z7 * (z18 * z48 + z26 * z14)
+        z50 = c1 * z40
+        z51 = z13 * z43
+        z52 = s1 * z37 - z18 * z50 + (z42 * z14 - z19 * z51)
+        z53 = z20 * z36 + z52 * z46
+        z54 = z7 * (z13 * z48 + z14 * z25)
+        z55 = z13 * z50 - s1 * z44 + (z14 * z41 - c1 * z51)
+        z56 = z35 * z38 - z55 * z46
+        z57 = z54 * z56
+        s7 = m * (z27 * z47 - z49 * z53) - J * z57 - J_r * z57
+        z58 = s7 - 2.0 * (J_w * z57)
+        z59 = t_ * nu
+        c2 = math.cos(z59)
+        z60 = sigma * c2
+        z61 = v * (z7 * z55 - z35 * z15)
+        z62 = J_w * z61
+        z63 = z60 - z62
+        s2 = math.sin(z59)
+        z64 = J_r * z61
+        z65 = tau * s2 + z64
+        z66 = z60 + z62
+        z67 = m * v
+        s8 = z16 * (z65 - (z64 - (z66 - (z62 + (z63 + k7 * z61)))))
+        z68 = s8 + (z7 * z52 + z35 * z20) * (z21 * z67)
+        z69 = (z68 + (z7 * z45 + z35 * z22) * (z23 * z67)) / z24
+        z70 = z16 * z69
+        z71 = k6 * z63 - z70
+        z72 = J_w * z54
+        z73 = k6 * z66 + z70
+        z74 = z16 * z54
+        s9 = m * (z23 * z27 - z21 * z49) - J * z74 - J_r * z74
+        z75 = s9 - 2.0 * (J_w * z74)
+        z76 = J_r * (k5 * z65 + z70)
+        z77 = z7 * (c1 * z26 + z19 * z25)
+        z78 = z7 * (s1 * z26 - z19 * z48)
+        z79 = z7 * (c1 * z48 + s1 * z25)
+        z80 = z79 * z56
+        s10 = m * (z77 * z47 + z78 * z53) + J * z80 + J_r * z80
+        z81 = s10 + 2.0 * (J_w * z80)
+        z82 = J_w * z79
+        z83 = z16 * z79
+        s11 = m * (z23 * z77 + z21 * z78) + J * z83 + J_r * z83
+        z84 = s11 + 2.0 * (J_w * z83)
         lambda_: list[float] = [
             # reaction of back: Q_i gains lambda_1 a_1i (I.4.1) 28:5
-            z54 + (z67 * z68 - (z69 * z68 + (z65 * z71 + z50 * z72))),
+            z58 + (z71 * z72 - (z73 * z72 + (z69 * z75 + z54 * z76))),
             # reaction of front: Q_i gains lambda_2 a_2i (I.4.1) 29:5
-            z77 - (z67 * z78 - (z69 * z78 - (z65 * z80 - z75 * z72))),
+            z81 - (z71 * z82 - (z73 * z82 - (z69 * z84 - z79 * z76))),
         ]
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -724,26 +730,27 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
         z2 = l * c_p_f
         c_p_b = math.cos(p_b)
         z3 = l * c_p_b
-        z4 = theta + p_f
-        c2 = math.cos(z4)
-        s_p_b = math.sin(p_b)
-        s_p_f = math.sin(p_f)
-        z5 = s_p_f * s_p_f
-        z6 = 2.0 * z5
-        s3 = s_p_b * (1.0 - z6 - k1 * (3.0 - z6))
-        z7 = s_p_b * (s3 - 2.0 * (s_p_f * (c_p_b * c_p_f) * k2))
-        z8 = v / (z7 + (z5 + k1 * (4.0 - 3.0 * z5)))
-        z9 = (c1 * z2 + z3 * c2) * z8
         s1 = math.sin(z1)
-        s2 = math.sin(z4)
-        z10 = (s1 * z2 + z3 * s2) * z8
-        z11 = (s1 * c2 - c1 * s2) * z8
-        z12 = psi_dot - z11
-        z13 = p_b_dot - z11
-        z14 = p_f_dot - z11
-        s4 = m * (z9 * z9 + z10 * z10) + J * (z11 * z11)
-        z15 = s4 + J_r * (z12 * z12) + J_w * (z13 * z13 + z14 * z14)
-        value1 = 0.5 * z15
+        s_p_f = math.sin(p_f)
+        z4 = c1 * c_p_f - s1 * s_p_f
+        s_p_b = math.sin(p_b)
+        z5 = s1 * c_p_f + c1 * s_p_f
+        z6 = c_p_b * z4 + s_p_b * z5
+        z7 = s_p_f * s_p_f
+        z8 = 2.0 * z7
+        s2 = s_p_b * (1.0 - z8 - k1 * (3.0 - z8))
+        z9 = s_p_b * (s2 - 2.0 * (s_p_f * (c_p_b * c_p_f) * k2))
+        z10 = v / (z9 + (z7 + k1 * (4.0 - 3.0 * z7)))
+        z11 = (c1 * z2 + z3 * z6) * z10
+        z12 = c_p_b * z5 - s_p_b * z4
+        z13 = (s1 * z2 + z3 * z12) * z10
+        z14 = (s1 * z6 - c1 * z12) * z10
+        z15 = psi_dot - z14
+        z16 = p_b_dot - z14
+        z17 = p_f_dot - z14
+        s3 = m * (z11 * z11 + z13 * z13) + J * (z14 * z14)
+        z18 = s3 + J_r * (z15 * z15) + J_w * (z16 * z16 + z17 * z17)
+        value1 = 0.5 * z18
         return _single("energy", value1)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
         raise SingularModelError(NOT_FINITE, "energy") from error
@@ -799,235 +806,220 @@ def jacobian(
         z5 = s_p_f * k2
         z6 = s_p_b * z3 - 2.0 * (z4 * z5)
         z7 = z1 + k1 * (4.0 - 3.0 * z1) + s_p_b * z6
-        s4 = (2.0 + 4.0 * k3) * k4
+        s3 = (2.0 + 4.0 * k3) * k4
         # the coframe is singular
-        if not abs(z7) > 1e-12 * (k4 * s4):
+        if not abs(z7) > 1e-12 * (k4 * s3):
             raise SingularModelError(1, "jacobian")
         z8 = 1.0 / z7
         z9 = theta + p_b
         s1 = math.sin(z9)
-        z10 = theta + p_f
-        c1 = math.cos(z10)
-        c2 = math.cos(z9)
-        s2 = math.sin(z10)
-        z11 = s1 * c1 - c2 * s2
-        z12 = z11 * z8
-        z13 = z11 * z12
-        z14 = l * c_p_f
-        z15 = s1 * z14
-        z16 = l * c_p_b
-        z17 = z16 * s2
-        z18 = z15 + z17
-        z19 = z18 * z8
-        z20 = c2 * z14
-        z21 = z16 * c1
-        z22 = z20 + z21
-        z23 = z22 * z8
-        z24 = z18 * z19 + z22 * z23
-        z25 = J_2 * (z8 * z13) + m * (z8 * z24)
-        s5 = J_2 * (z12 * z12)
-        s6 = s5 + m * (z19 * z19)
-        s7 = s6 + m * (z23 * z23)
+        c1 = math.cos(z9)
+        z10 = c1 * c_p_f - s1 * s_p_f
+        z11 = s1 * c_p_f + c1 * s_p_f
+        z12 = c_p_b * z10 + s_p_b * z11
+        z13 = c_p_b * z11 - s_p_b * z10
+        z14 = s1 * z12 - c1 * z13
+        z15 = z14 * z8
+        z16 = z14 * z15
+        z17 = l * c_p_f
+        z18 = s1 * z17
+        z19 = l * c_p_b
+        z20 = z19 * z13
+        z21 = z18 + z20
+        z22 = z21 * z8
+        z23 = c1 * z17
+        z24 = z19 * z12
+        z25 = z23 + z24
+        z26 = z25 * z8
+        z27 = z21 * z22 + z25 * z26
+        z28 = J_2 * (z8 * z16) + m * (z8 * z27)
+        s4 = J_2 * (z15 * z15)
+        s5 = s4 + m * (z22 * z22)
+        s6 = s5 + m * (z26 * z26)
         # the mass matrix is singular
-        if not abs(z25) > 1e-14 * s7:
+        if not abs(z28) > 1e-14 * s6:
             raise SingularModelError(2, "jacobian")
-        z26 = z18 * v
-        z27 = z22 * v
-        z28 = 1.0 / (z7 * z7)
-        z29 = c_p_f * s_p_b
-        z30 = c_p_b * z3 + 2.0 * (z29 * z5)
-        z31 = c_p_b * z6 + s_p_b * z30
-        z32 = z28 * z31
-        z33 = l * s_p_b
-        z34 = z15 + c1 * z33
-        z35 = v * z8
-        z36 = c_p_f * s_p_f
-        z37 = k1 * z36
-        z38 = z36 - z37
-        z39 = c_p_b * s_p_f
-        s8 = 2.0 * (k2 * (c_p_f * z4 - s_p_f * z39))
-        z40 = 4.0 * (s_p_b * z38) + s8
-        z41 = s_p_b * z40 - (2.0 * z36 - 6.0 * z37)
-        z42 = z41 * z28
-        z43 = l * s_p_f
-        z44 = z17 + c2 * z43
-        z45 = z20 - s2 * z33
-        z46 = z21 - s1 * z43
-        z47 = z11 * v
-        z48 = s1 * s2 + c2 * c1
-        z49 = z48 * z35
-        z50 = z47 * z32 - z49
-        z51 = z49 - z47 * z42
-        z52 = z48 * z12
-        z53 = z48 * z8
-        z54 = z53 - z11 * z32
-        z55 = z45 * z8 - z18 * z32
-        z56 = z34 * z8 + z22 * z32
-        s9 = z8 * (z45 * z19 + z18 * z55 - (z34 * z23 + z22 * z56))
-        z57 = m * (z24 * z32 - s9)
-        z58 = t_ * nu
-        s3 = math.sin(z58)
-        z59 = z47 * z8
-        z60 = p_b_dot - z59
-        z61 = c2 * z60
-        z62 = p_f_dot - z59
-        z63 = s2 * z62
-        z64 = s1 * z60
-        z65 = c1 * z62
-        z66 = c1 * z61 - s1 * z63 + (s2 * z64 - c2 * z65)
-        z67 = p_f_dot * c_p_f
-        z68 = s_p_f * z67
-        z69 = k1 * z68
-        z70 = p_b_dot * c_p_b
-        z71 = z68 - z69
-        z72 = p_b_dot * s_p_b
-        z73 = p_f_dot * s_p_f
-        z74 = c_p_f * z72 + c_p_b * z73
-        s10 = 2.0 * (k2 * (z4 * z67 - s_p_f * z74))
-        z75 = z3 * z70 - 4.0 * (s_p_b * z71) - s10
-        z76 = 2.0 * z68 - 6.0 * z69 + (s_p_b * z75 + z70 * z6)
-        z77 = z28 * z76
-        z78 = z8 * z66 - z11 * z77
-        z79 = v * z78
-        z80 = J_r * z79
-        c3 = math.cos(z58)
-        z81 = sigma * c3
-        z82 = J_w * z79
-        s11 = z80 - (z81 + z82 - (z82 + (z81 - z82 + k5 * z79)))
-        z83 = tau * s3 + z80 - s11
-        z84 = m * v
-        z85 = l * z73
-        z86 = s1 * z85
-        z87 = l * z72
-        z88 = s2 * z87
-        z89 = z86 - z14 * z61 + (z88 - z16 * z65)
-        z90 = z8 * z89 + z18 * z77
-        z91 = z84 * z90
-        z92 = c2 * z85
-        z93 = c1 * z87
-        z94 = z92 + z14 * z64 + (z93 + z16 * z63)
-        z95 = z8 * z94 + z22 * z77
-        z96 = z84 * z95
-        z97 = z12 * z83 + z19 * z91 + z23 * z96
-        z98 = z97 / (z25 * z25)
-        z99 = 1.0 / z25
-        z100 = z64 - c2 * z50
-        z101 = s2 * z50
-        z102 = z61 + s1 * z50
-        z103 = c1 * z50
-        s12 = c1 * z100 + (c2 * z63 + s1 * z101)
-        z104 = s12 - (s2 * z102 + (s1 * z65 - c2 * z103))
-        z105 = z48 * z77
-        z106 = z76 / (z7 * z7 * z7)
-        s13 = 2.0 * (k2 * (z29 * z67 - s_p_f * (s_p_b * z73 - c_p_f * z70)))
-        z107 = z3 * z72 + 4.0 * (c_p_b * z71) - s13
-        s14 = z28 * (c_p_b * z75 - s_p_b * z107 + (z70 * z30 - z72 * z6))
-        z108 = 2.0 * (z31 * z106) - s14
-        z109 = v * (z66 * z32 + z8 * z104 + (z105 - z11 * z108))
-        z110 = J_2 * z12
-        z111 = l * z70
-        s15 = z92 + z14 * z100 + (s2 * z111 + (z33 * z65 - z16 * z103))
-        z112 = z89 * z32 - z8 * s15
-        z113 = z84 * z19
-        s16 = z91 * z55 - (z112 - (z45 * z77 - z18 * z108)) * z113
-        z114 = z83 * z54 + z109 * z110 + s16
-        s17 = z86 - z14 * z102 - (c1 * z111 - (z33 * z63 - z16 * z101))
-        z115 = z94 * z32 + z8 * s17
-        z116 = z84 * z23
-        s18 = z114 - (z96 * z56 + (z115 + (z34 * z77 + z22 * z108)) * z116)
-        s19 = (J_2 * (z13 * z32 - z8 * (z52 + z11 * z54)) + z57) * z98
-        z117 = s19 + z99 * s18
-        z118 = z53 - z11 * z42
-        z119 = z46 * z8 + z18 * z42
-        z120 = z44 * z8 - z22 * z42
-        s20 = z8 * (z46 * z19 + z18 * z119 - (z44 * z23 + z22 * z120))
-        z121 = m * (z24 * z42 + s20)
-        z122 = c2 * z51
-        z123 = z65 + s2 * z51
-        z124 = s1 * z51
-        z125 = z63 - c1 * z51
-        s21 = s2 * z61 - c1 * z122 + s1 * z123
-        z126 = s21 - (c1 * z64 + s2 * z124 + c2 * z125)
-        z127 = c_p_f * z67 - s_p_f * z73
-        z128 = k1 * z127
-        s22 = c_p_f * z74 - s_p_f * (s_p_f * z72 - c_p_b * z67)
-        z129 = k2 * (z39 * z67 + z4 * z73 + s22)
-        s23 = 4.0 * (z70 * z38 + s_p_b * (z127 - z128)) - 2.0 * z129
-        z130 = z70 * z40 + s_p_b * s23 - (2.0 * z127 - 6.0 * z128)
-        z131 = 2.0 * (z41 * z106) - z130 * z28
-        z132 = v * (z66 * z42 - z8 * z126 + (z105 - z11 * z131))
-        z133 = l * z67
-        s24 = s1 * z133 + (z43 * z61 - z14 * z122) + (z93 + z16 * z125)
-        z134 = z89 * z42 + z8 * s24
-        s25 = z91 * z119 + z113 * (z134 + (z46 * z77 + z18 * z131))
-        z135 = z83 * z118 + z110 * z132 - s25
-        s26 = c2 * z133 - (z43 * z64 - z14 * z124) - (z88 - z16 * z123)
-        z136 = z94 * z42 + z8 * s26
-        s27 = z135 + (z96 * z120 - z116 * (z136 - (z44 * z77 - z22 * z131)))
-        s28 = z98 * (J_2 * (z13 * z42 - z8 * (z52 + z11 * z118)) + z121)
-        z137 = s28 + z99 * s27
-        z138 = c2 * z12
-        z139 = s2 * z12
-        z140 = s1 * z12
-        z141 = c1 * z12
-        s29 = z35 * (c1 * z138 - s1 * z139 + (s2 * z140 - c2 * z141))
-        z142 = z78 - s29
-        s30 = m * (z19 * (z90 + z35 * (z14 * z138 + z16 * z141)))
-        s31 = m * (z23 * (z95 - z35 * (z14 * z140 + z16 * z139)))
-        z143 = z110 * z142 - s30 - s31
-        z144 = z99 * z143
-        z145 = v * z54
-        z146 = z99 * (z110 * z145 + z55 * z113 - z56 * z116)
-        z147 = v * z118
-        z148 = z99 * (z110 * z147 - z113 * z119 + z116 * z120)
-        z149 = z99 * z97
-        z150 = z109 - (z149 * z54 + z12 * z117)
-        z151 = z132 - (z149 * z118 + z12 * z137)
-        z152 = z142 - z12 * z144
-        z153 = z145 - z12 * z146
-        z154 = z147 - z12 * z148
+        z29 = v * z21
+        z30 = v * z25
+        z31 = 1.0 / (z7 * z7)
+        z32 = c_p_f * s_p_b
+        z33 = c_p_b * z3 + 2.0 * (z32 * z5)
+        z34 = c_p_b * z6 + s_p_b * z33
+        z35 = z31 * z34
+        z36 = l * s_p_b
+        z37 = z18 + z12 * z36
+        z38 = v * z8
+        z39 = c_p_f * s_p_f
+        z40 = k1 * z39
+        z41 = z39 - z40
+        z42 = c_p_b * s_p_f
+        s7 = 2.0 * (k2 * (c_p_f * z4 - s_p_f * z42))
+        z43 = 4.0 * (s_p_b * z41) + s7
+        z44 = s_p_b * z43 - (2.0 * z39 - 6.0 * z40)
+        z45 = z44 * z31
+        z46 = l * s_p_f
+        z47 = z20 + c1 * z46
+        z48 = z23 - z13 * z36
+        z49 = z24 - s1 * z46
+        z50 = v * z14
+        z51 = s1 * z13 + c1 * z12
+        z52 = z51 * z38
+        z53 = z50 * z35 - z52
+        z54 = z52 - z50 * z45
+        z55 = z51 * z15
+        z56 = z51 * z8
+        z57 = z56 - z14 * z35
+        z58 = z48 * z8 - z21 * z35
+        z59 = z37 * z8 + z25 * z35
+        s8 = z8 * (z48 * z22 + z21 * z58 - (z37 * z26 + z25 * z59))
+        z60 = m * (z27 * z35 - s8)
+        z61 = t_ * nu
+        s2 = math.sin(z61)
+        z62 = z50 * z8
+        z63 = p_b_dot - z62
+        z64 = c1 * z63
+        z65 = p_f_dot - z62
+        z66 = z13 * z65
+        z67 = s1 * z63
+        z68 = z12 * z65
+        z69 = z12 * z64 - s1 * z66 + (z13 * z67 - c1 * z68)
+        z70 = p_f_dot * c_p_f
+        z71 = s_p_f * z70
+        z72 = k1 * z71
+        z73 = p_b_dot * c_p_b
+        z74 = z71 - z72
+        z75 = p_b_dot * s_p_b
+        z76 = p_f_dot * s_p_f
+        z77 = c_p_f * z75 + c_p_b * z76
+        s9 = 2.0 * (k2 * (z4 * z70 - s_p_f * z77))
+        z78 = z3 * z73 - 4.0 * (s_p_b * z74) - s9
+        z79 = 2.0 * z71 - 6.0 * z72 + (s_p_b * z78 + z73 * z6)
+        z80 = z31 * z79
+        z81 = z8 * z69 - z14 * z80
+        z82 = v * z81
+        z83 = J_r * z82
+        c2 = math.cos(z61)
+        z84 = sigma * c2
+        z85 = J_w * z82
+        s10 = z83 - (z84 + z85 - (z85 + (z84 - z85 + k5 * z82)))
+        z86 = tau * s2 + z83 - s10
+        z87 = m * v
+        z88 = l * z76
+        z89 = s1 * z88
+        z90 = l * z75
+        z91 = z90 * z13
+        z92 = z89 - z17 * z64 + (z91 - z19 * z68)
+        z93 = z8 * z92 + z21 * z80
+        z94 = z87 * z93
+        z95 = c1 * z88
+        z96 = z90 * z12
+        z97 = z95 + z17 * z67 + (z96 + z19 * z66)
+        z98 = z8 * z97 + z25 * z80
+        z99 = z87 * z98
+        z100 = z15 * z86 + z22 * z94 + z26 * z99
+        z101 = z100 / (z28 * z28)
+        z102 = 1.0 / z28
+        z103 = z67 - c1 * z53
+        z104 = z13 * z53
+        z105 = z64 + s1 * z53
+        z106 = z12 * z53
+        s11 = z12 * z103 + (c1 * z66 + s1 * z104)
+        z107 = s11 - (z13 * z105 + (s1 * z68 - c1 * z106))
+        z108 = z51 * z80
+        z109 = z79 / (z7 * z7 * z7)
+        s12 = 2.0 * (k2 * (z32 * z70 - s_p_f * (s_p_b * z76 - c_p_f * z73)))
+        z110 = z3 * z75 + 4.0 * (c_p_b * z74) - s12
+        s13 = z31 * (c_p_b * z78 - s_p_b * z110 + (z73 * z33 - z75 * z6))
+        z111 = 2.0 * (z34 * z109) - s13
+        z112 = v * (z69 * z35 + z8 * z107 + (z108 - z14 * z111))
+        z113 = J_2 * z15
+        z114 = l * z73
+        s14 = z95 + z17 * z103 + (z13 * z114 + (z36 * z68 - z19 * z106))
+        z115 = z92 * z35 - z8 * s14
+        z116 = z87 * z22
+        s15 = z94 * z58 - (z115 - (z48 * z80 - z21 * z111)) * z116
+        z117 = z86 * z57 + z112 * z113 + s15
+        s16 = z89 - z17 * z105 - (z12 * z114 - (z36 * z66 - z19 * z104))
+        z118 = z97 * z35 + z8 * s16
+        z119 = z87 * z26
+        s17 = z117 - (z99 * z59 + (z118 + (z37 * z80 + z25 * z111)) * z119)
+        s18 = (J_2 * (z16 * z35 - z8 * (z55 + z14 * z57)) + z60) * z101
+        z120 = s18 + z102 * s17
+        z121 = z56 - z14 * z45
+        z122 = z49 * z8 + z21 * z45
+        z123 = z47 * z8 - z25 * z45
+        s19 = z8 * (z49 * z22 + z21 * z122 - (z47 * z26 + z25 * z123))
+        z124 = m * (z27 * z45 + s19)
+        z125 = c1 * z54
+        z126 = z68 + z13 * z54
+        z127 = s1 * z54
+        z128 = z66 - z12 * z54
+        s20 = z13 * z64 - z12 * z125 + s1 * z126
+        z129 = s20 - (z12 * z67 + z13 * z127 + c1 * z128)
+        z130 = c_p_f * z70 - s_p_f * z76
+        z131 = k1 * z130
+        s21 = c_p_f * z77 - s_p_f * (s_p_f * z75 - c_p_b * z70)
+        z132 = k2 * (z42 * z70 + z4 * z76 + s21)
+        s22 = 4.0 * (z73 * z41 + s_p_b * (z130 - z131)) - 2.0 * z132
+        z133 = z73 * z43 + s_p_b * s22 - (2.0 * z130 - 6.0 * z131)
+        z134 = 2.0 * (z44 * z109) - z133 * z31
+        z135 = v * (z69 * z45 - z8 * z129 + (z108 - z14 * z134))
+        z136 = l * z70
+        s23 = s1 * z136 + (z46 * z64 - z17 * z125) + (z96 + z19 * z128)
+        z137 = z92 * z45 + z8 * s23
+        s24 = z94 * z122 + z116 * (z137 + (z49 * z80 + z21 * z134))
+        z138 = z86 * z121 + z113 * z135 - s24
+        s25 = c1 * z136 - (z46 * z67 - z17 * z127) - (z91 - z19 * z126)
+        z139 = z97 * z45 + z8 * s25
+        s26 = z138 + (z99 * z123 - z119 * (z139 - (z47 * z80 - z25 * z134)))
+        s27 = z101 * (J_2 * (z16 * z45 - z8 * (z55 + z14 * z121)) + z124)
+        z140 = s27 + z102 * s26
+        z141 = c1 * z15
+        z142 = z13 * z15
+        z143 = s1 * z15
+        z144 = z12 * z15
+        s28 = z38 * (z12 * z141 - s1 * z142 + (z13 * z143 - c1 * z144))
+        z145 = z81 - s28
+        s29 = m * (z22 * (z93 + z38 * (z17 * z141 + z19 * z144)))
+        s30 = m * (z26 * (z98 - z38 * (z17 * z143 + z19 * z142)))
+        z146 = z113 * z145 - s29 - s30
+        z147 = z102 * z146
+        z148 = v * z57
+        z149 = z102 * (z113 * z148 + z58 * z116 - z59 * z119)
+        z150 = v * z121
+        z151 = z102 * (z113 * z150 - z116 * z122 + z119 * z123)
+        z152 = z102 * z100
+        z153 = z112 - (z152 * z57 + z15 * z120)
+        z154 = z135 - (z152 * z121 + z15 * z140)
+        z155 = z145 - z15 * z147
+        z156 = z148 - z15 * z149
+        z157 = z150 - z15 * z151
         J: list[float] = [
             0.0,
             0.0,
             # (I.2.15)
-            -z26 * z8,
+            -z29 * z8,
             0.0,
             # (I.2.15)
-            -(z27 * z32 + z34 * z35),
+            -(z30 * z35 + z37 * z38),
             # (I.2.15)
-            z27 * z42 - z44 * z35,
+            z30 * z45 - z47 * z38,
             # (I.2.15)
-            z23,
-            0.0,
-            0.0,
-            0.0,
-            0.0,
-            0.0,
-            # (I.2.15)
-            z27 * z8,
-            0.0,
-            # (I.2.15)
-            z45 * z35 - z26 * z32,
-            # (I.2.15)
-            z26 * z42 + z46 * z35,
-            # (I.2.15)
-            z19,
-            0.0,
-            0.0,
+            z26,
             0.0,
             0.0,
             0.0,
             0.0,
             0.0,
             # (I.2.15)
-            z50,
+            z30 * z8,
+            0.0,
             # (I.2.15)
-            z51,
+            z48 * z38 - z29 * z35,
             # (I.2.15)
-            -z12,
-            0.0,
-            0.0,
-            0.0,
+            z29 * z45 + z49 * z38,
+            # (I.2.15)
+            z22,
             0.0,
             0.0,
             0.0,
@@ -1036,7 +1028,11 @@ def jacobian(
             0.0,
             0.0,
             # (I.2.15)
-            1.0,
+            z53,
+            # (I.2.15)
+            z54,
+            # (I.2.15)
+            -z15,
             0.0,
             0.0,
             0.0,
@@ -1065,62 +1061,74 @@ def jacobian(
             0.0,
             0.0,
             0.0,
-            # (I.2.15)
-            z117,
-            # (I.2.15)
-            -z137,
-            # (I.2.15)
-            -z144,
             0.0,
-            # (I.2.15)
-            -z146,
-            # (I.2.15)
-            z148,
+            0.0,
             0.0,
             0.0,
             0.0,
             0.0,
             # (I.2.15)
-            -z150,
+            1.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            # (I.2.15)
+            z120,
+            # (I.2.15)
+            -z140,
+            # (I.2.15)
+            -z147,
+            0.0,
+            # (I.2.15)
+            -z149,
             # (I.2.15)
             z151,
-            # (I.2.15)
-            z152,
-            0.0,
-            # (I.2.15)
-            z153,
-            # (I.2.15)
-            -z154,
             0.0,
             0.0,
             0.0,
             0.0,
             # (I.2.15)
-            -z150,
+            -z153,
             # (I.2.15)
-            z151,
+            z154,
             # (I.2.15)
-            z152,
+            z155,
             0.0,
             # (I.2.15)
-            z153,
+            z156,
             # (I.2.15)
-            -z154,
+            -z157,
             0.0,
             0.0,
             0.0,
             0.0,
             # (I.2.15)
-            -z150,
+            -z153,
             # (I.2.15)
-            z151,
+            z154,
             # (I.2.15)
-            z152,
+            z155,
             0.0,
             # (I.2.15)
-            z153,
+            z156,
             # (I.2.15)
-            -z154,
+            -z157,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            # (I.2.15)
+            -z153,
+            # (I.2.15)
+            z154,
+            # (I.2.15)
+            z155,
+            0.0,
+            # (I.2.15)
+            z156,
+            # (I.2.15)
+            -z157,
         ]
         _finish("jacobian", J)
         return [J[k6 : k6 + 10] for k6 in range(0, 100, 10)]
@@ -1152,26 +1160,23 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
         z2 = 2.0 * z1
         c_p_b = math.cos(p_b)
         c_p_f = math.cos(p_f)
-        s3 = s_p_b * (1.0 - z2 - k1 * (3.0 - z2))
-        z3 = s_p_b * (s3 - 2.0 * (s_p_f * (c_p_b * c_p_f) * k2))
+        s1 = s_p_b * (1.0 - z2 - k1 * (3.0 - z2))
+        z3 = s_p_b * (s1 - 2.0 * (s_p_f * (c_p_b * c_p_f) * k2))
         z4 = z3 + (z1 + k1 * (4.0 - 3.0 * z1))
-        s4 = (2.0 + 4.0 * k3) * k4
+        s2 = (2.0 + 4.0 * k3) * k4
         # the coframe is singular
-        if not abs(z4) > 1e-12 * (k4 * s4):
+        if not abs(z4) > 1e-12 * (k4 * s2):
             raise SingularModelError(1, "outputs")
-        z5 = theta + p_f
-        s1 = math.sin(z5)
-        s_theta = math.sin(theta)
-        c1 = math.cos(z5)
         c_theta = math.cos(theta)
-        z6 = theta + p_b
-        s2 = math.sin(z6)
-        c2 = math.cos(z6)
-        s5 = c_p_b * (s1 * s_theta + c1 * c_theta)
-        z7 = v / z4 * (s5 + c_p_f * (s2 * s_theta + c2 * c_theta))
+        s_theta = math.sin(theta)
+        s3 = c_theta * (c_p_b * c_theta - s_theta * s_p_b)
+        s4 = s_theta * (c_p_f * s_theta + c_theta * s_p_f)
+        s5 = c_p_f * (s3 + s_theta * (c_p_b * s_theta + c_theta * s_p_b))
+        s6 = c_p_b * (s4 + c_theta * (c_p_f * c_theta - s_theta * s_p_f))
+        z5 = s5 + s6
         out: list[float] = [
             # speed 32:10
-            l * z7,
+            l * (v / z4 * z5),
         ]
         return _finish("outputs", out)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
