@@ -67,10 +67,11 @@ without quasi-velocities (nhc chooses; the state is then another one).
 """
 
 _GALLERY = """\
-The gallery, {alike} of {all} systems at most 0.8 of CasADi: T, U, forces and rows as the spec writes them, derivatives by CasADi, the
-rates by elimination that takes constant pivots first, its LDL^T and cse, in nhc's own state.  The values agree to 1e-9, which is a
-derivation by other hands.  Above 0.8 are systems where sines, cosines and the closing test for infinities, which CasADi's C does not
-have, are nearly all there is, and those without structure: a T of arbitrary functions.
+The gallery, {alike} of {all} systems at most 0.8 of CasADi: T, U, forces and rows as the spec writes them, derivatives
+by CasADi, the rates by elimination that takes constant pivots first, its LDL^T and cse, in nhc's own state.  The values
+agree to 1e-9, which is a derivation by other hands.  Above 0.8 are systems where sines, cosines and the closing test
+for infinities, which CasADi's C does not have, are nearly all there is, and those without structure: a T of arbitrary
+functions.
 """
 
 _BATCH = """\
