@@ -56,6 +56,11 @@ RULES = (
         "algebra/products.py",
     ),
     Rule(
+        "pieces",
+        "where a spec has numbers, the trees between shared nodes become canonical forms over these, if that is shorter",
+        "algebra/pieces.py",
+    ),
+    Rule(
         "related angles",
         "sines and cosines of sums, differences and multiples of angles at hand come from theirs",
         "algebra/related.py",

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 
 from nhc.algebra.calculus import count
 from nhc.algebra.graph import Node
+from nhc.algebra.pieces import shorten_pieces
 from nhc.algebra.products import share_products
 from nhc.algebra.related import relate_angles
 from nhc.algebra.shorten import shorten
@@ -202,6 +203,8 @@ def build_functions(planner: Planner, only: Sequence[str] = ()) -> tuple[Functio
             continue
         plan = getattr(planner, name)()
         if plan is not None:
-            plan = map_nodes(plan, lambda nodes: share_products(g, relate_angles(g, nodes), constants))
+            plan = map_nodes(
+                plan, lambda nodes: share_products(g, shorten_pieces(g, relate_angles(g, nodes)), constants)
+            )
             functions.append(lower_function(g, plan, planner.parameters))
     return tuple(functions)

@@ -41,6 +41,7 @@ WHOLE = {
     "moving axes": "trailers3",
     "leaning joints": "bicycle",
     "trees": "pendulum5",
+    "pieces": "voronec_particle",
     "related angles": "snakeboard",
     "shared reciprocals": "snake3",
 }

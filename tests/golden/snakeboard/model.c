@@ -1,5 +1,5 @@
 /*
- * snakeboard.c: snakeboard, emitted by nhc 0.1.0 (nhc:f33b0002c71aa696)
+ * snakeboard.c: snakeboard, emitted by nhc 0.1.0 (nhc:3196643d0b9b64ba)
  * A board on two steerable axles and a rotor; it moves by turning the rotor and the axles to and fro.
  * Source: snakeboard.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -1078,7 +1078,6 @@ int snakeboard_jacobian(double t, const double *y, const double *p, double *J)
 int snakeboard_outputs(double t, const double *y, const double *p, double *out)
 {
     (void)t;
-    const double theta = y[2]; /* heading of the board [rad] */
     const double p_b = y[4]; /* back axle, relative to the board [rad] */
     const double p_f = y[5]; /* front axle, relative to the board [rad] */
 
@@ -1087,8 +1086,6 @@ int snakeboard_outputs(double t, const double *y, const double *p, double *out)
     const double c_p_b = cos(p_b);
     const double s_p_f = sin(p_f);
     const double c_p_f = cos(p_f);
-    const double c_theta = cos(theta);
-    const double s_theta = sin(theta);
     const double v = y[6];
     const double l = p[1]; /* from the centre to an axle [m] */
 
@@ -1101,13 +1098,11 @@ int snakeboard_outputs(double t, const double *y, const double *p, double *out)
     /* state */
     const double z1 = s_p_f * s_p_f;
     const double z2 = 2.0 * z1;
-    const double z3 = s_p_b * (s_p_b * (1.0 - z2 - k1 * (3.0 - z2)) - 2.0 * (s_p_f * (c_p_b * c_p_f) * k2));
-    const double z4 = z3 + (z1 + k1 * (4.0 - 3.0 * z1));
-    const double z5 = c_p_f * (c_theta * (c_p_b * c_theta - s_theta * s_p_b) + s_theta * (c_p_b * s_theta +
-        c_theta * s_p_b)) + c_p_b * (s_theta * (c_p_f * s_theta + c_theta * s_p_f) + c_theta * (c_p_f *
-        c_theta - s_theta * s_p_f));
+    const double z3 = c_p_b * c_p_f;
+    const double z4 = s_p_b * (s_p_b * (1.0 - z2 - k1 * (3.0 - z2)) - 2.0 * (s_p_f * z3 * k2)) + (z1 + k1 *
+        (4.0 - 3.0 * z1));
     /* 32:10 */
-    out[0] = l * (v / z4 * z5); /* speed */
+    out[0] = 2.0 * (l * (z3 * v / z4)); /* speed */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(out[0]) <= DBL_MAX && fabs(z4) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)))) {
         /* the coframe is singular */

@@ -1,5 +1,5 @@
 /*
- * snakeboard.h: snakeboard, emitted by nhc 0.1.0 (nhc:2b51f0244859ad03)
+ * snakeboard.h: snakeboard, emitted by nhc 0.1.0 (nhc:c497305aab0eae99)
  * A board on two steerable axles and a rotor; it moves by turning the rotor and the axles to and fro.
  * Source: snakeboard.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -44,7 +44,7 @@
  * reactions: 94 +-, 182 *, 5 /, 9 calls
  * energy: 24 +-, 42 *, 1 /, 6 calls
  * jacobian: 194 +-, 346 *, 5 /, 9 calls
- * outputs: 17 +-, 31 *, 1 /, 7 calls
+ * outputs: 10 +-, 18 *, 1 /, 5 calls
  *
  * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
  */

@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""snakeboard, emitted by nhc 0.1.0 (nhc:f57e4603c159dbe1).
+"""snakeboard, emitted by nhc 0.1.0 (nhc:b682ff394a5bd12e).
 
 A board on two steerable axles and a rotor; it moves by turning the rotor and the
     axles to and fro.
@@ -46,7 +46,7 @@ residuals: 6 +-, 7 *, 0 /, 6 calls
 reactions: 94 +-, 182 *, 5 /, 9 calls
 energy: 24 +-, 42 *, 1 /, 6 calls
 jacobian: 194 +-, 346 *, 5 /, 9 calls
-outputs: 17 +-, 31 *, 1 /, 7 calls
+outputs: 10 +-, 18 *, 1 /, 5 calls
 
 A singular point raises SingularModelError.
 """
@@ -1142,7 +1142,6 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
     Arguments: t (scalar), y (10,), p (8,).
     Returns out (1,).
     """
-    theta = float(y[2])  # heading of the board [rad]
     p_b = float(y[4])  # back axle, relative to the board [rad]
     p_f = float(y[5])  # front axle, relative to the board [rad]
     v = float(y[6])
@@ -1160,23 +1159,17 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
         z2 = 2.0 * z1
         c_p_b = math.cos(p_b)
         c_p_f = math.cos(p_f)
+        z3 = c_p_b * c_p_f
         s1 = s_p_b * (1.0 - z2 - k1 * (3.0 - z2))
-        z3 = s_p_b * (s1 - 2.0 * (s_p_f * (c_p_b * c_p_f) * k2))
-        z4 = z3 + (z1 + k1 * (4.0 - 3.0 * z1))
-        s2 = (2.0 + 4.0 * k3) * k4
+        s2 = s_p_b * (s1 - 2.0 * (s_p_f * z3 * k2))
+        z4 = s2 + (z1 + k1 * (4.0 - 3.0 * z1))
+        s3 = (2.0 + 4.0 * k3) * k4
         # the coframe is singular
-        if not abs(z4) > 1e-12 * (k4 * s2):
+        if not abs(z4) > 1e-12 * (k4 * s3):
             raise SingularModelError(1, "outputs")
-        c_theta = math.cos(theta)
-        s_theta = math.sin(theta)
-        s3 = c_theta * (c_p_b * c_theta - s_theta * s_p_b)
-        s4 = s_theta * (c_p_f * s_theta + c_theta * s_p_f)
-        s5 = c_p_f * (s3 + s_theta * (c_p_b * s_theta + c_theta * s_p_b))
-        s6 = c_p_b * (s4 + c_theta * (c_p_f * c_theta - s_theta * s_p_f))
-        z5 = s5 + s6
         out: list[float] = [
             # speed 32:10
-            l * (v / z4 * z5),
+            2.0 * (l * (z3 * v / z4)),
         ]
         return _finish("outputs", out)
     except (ValueError, ZeroDivisionError, OverflowError) as error:

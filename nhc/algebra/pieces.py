@@ -1,0 +1,118 @@
+"""Shorter forms of the pieces between shared nodes.
+
+What is used twice is computed once and stands for itself; between such nodes an expression is a tree. Where a spec has numbers
+in its energy, derivatives, sums over bodies and eliminations leave trees such as ``(2 x a + 6 x b)/2 + x c``. A tree in which
+something occurs twice, or two numbers, is brought to canonical form with the shared nodes as unknowns, and the shorter of the
+two is taken.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Container, Mapping, Sequence
+
+from nhc.algebra.calculus import count, reachable, rebuild, substitute
+from nhc.algebra.graph import ADD, MUL, NEG, NUM, POW, Graph, Node
+from nhc.algebra.polynomial import normalise
+
+_TERMS = 24
+"""Terms of a canonical form; longer ones are seldom shorter than the tree."""
+_LEAVES = 100
+"""Leaves of a tree; beyond them the canonical form is not tried."""
+_FEW = 25
+"""Operations for each multiplication by a number, above which trees stay as they are: there is little to win (none to four percent
+of the operations, measured on trains, snakes and a bicycle), and trying takes up to a quarter of the derivation."""
+_OPEN = frozenset({ADD, MUL, NEG, POW})
+"""What a canonical form looks into."""
+
+
+def shorten_pieces(graph: Graph, roots: Sequence[Node]) -> list[Node]:
+    """Equal roots with shorter trees between the nodes that are used more than once."""
+    if "pieces" in graph.off:
+        return list(roots)
+    nodes = reachable(graph, roots)
+    op, first = graph.op, graph.a
+    numbers = sum(op[node] == MUL and op[first[node]] == NUM for node in nodes)
+    if numbers * _FEW < len(nodes):
+        return list(roots)
+    whole = _list_shared(graph, nodes, roots)
+    new: dict[Node, Node] = {}
+    for node in nodes:
+        shorter = _shorten(graph, node, whole, new) if node in whole else None
+        if shorter is not None:
+            new[node] = shorter
+            if node in graph.labels:
+                graph.labels.setdefault(shorter, graph.labels[node])
+            continue
+        kids = graph.kids[node]
+        if any(child in new for child in kids):
+            made = rebuild(graph, node, [new.get(child, child) for child in kids])
+            if made != node:
+                new[node] = made
+                if node in graph.labels:
+                    graph.labels.setdefault(made, graph.labels[node])
+    return [new.get(root, root) for root in roots]
+
+
+def _list_shared(graph: Graph, nodes: Sequence[Node], roots: Sequence[Node]) -> set[Node]:
+    """Roots, what is used twice, and the operands of whatever is no sum or product."""
+    found, used = set(roots), set[Node]()
+    op, kids = graph.op, graph.kids
+    for node in nodes:
+        if op[node] in (ADD, MUL, NEG):
+            for child in kids[node]:
+                (found if child in used else used).add(child)
+        else:
+            found.update(kids[node])
+    return found
+
+
+def _shorten(graph: Graph, node: Node, whole: Container[Node], new: Mapping[Node, Node]) -> Node | None:
+    """The shorter form of the tree below a node, over what the tree's leaves have become; None where there is none."""
+    op = graph.op
+    if op[node] not in (ADD, MUL):
+        return None
+    leaves = _list_leaves(graph, node, whole)
+    symbolic = [leaf for leaf in leaves if op[leaf] != NUM]
+    distinct = dict.fromkeys(symbolic)
+    if len(leaves) > _LEAVES or (len(symbolic) == len(distinct) and len(leaves) - len(symbolic) < 2):
+        return None
+    opaque = [leaf for leaf in distinct if op[leaf] in _OPEN]
+    places = {leaf: graph.symbol(f"piece {k}") for k, leaf in enumerate(opaque)}
+    tree = _copy(graph, node, whole, places)
+    made = normalise(graph, tree, _TERMS)
+    if count(graph, [made]) >= count(graph, [tree]) or not _is_over(graph, made, {places.get(x, x) for x in distinct}):
+        return None
+    back = {places.get(leaf, leaf): new.get(leaf, leaf) for leaf in distinct if leaf in places or leaf in new}
+    return substitute(graph, [made], back)[0] if back else made
+
+
+def _is_inner(graph: Graph, node: Node, whole: Container[Node]) -> bool:
+    return node not in whole and (graph.op[node] in (ADD, MUL, NEG) or (graph.op[node] == POW and graph.b[node] > 0))
+
+
+def _list_leaves(graph: Graph, node: Node, whole: Container[Node]) -> list[Node]:
+    """The leaves of the tree below a node, each as often as it occurs."""
+    found, stack = list[Node](), list(graph.kids[node])
+    while stack:
+        top = stack.pop()
+        if _is_inner(graph, top, whole):
+            stack += graph.kids[top]
+            if graph.op[top] == POW:
+                found.append(graph.a[top])
+        else:
+            found.append(top)
+    return found
+
+
+def _copy(graph: Graph, node: Node, whole: Container[Node], places: Mapping[Node, Node]) -> Node:
+    """The tree with symbols in the places of its opaque leaves."""
+    kids = [
+        _copy(graph, kid, whole, places) if _is_inner(graph, kid, whole) else places.get(kid, kid)
+        for kid in graph.kids[node]
+    ]
+    return rebuild(graph, node, kids)
+
+
+def _is_over(graph: Graph, node: Node, atoms: Container[Node]) -> bool:
+    """Whether an expression calls no function that is not at hand: canonical forms may turn sin^2 into 1 - cos^2."""
+    return all(n in atoms for n in reachable(graph, [node]) if graph.kids[n] and graph.op[n] not in _OPEN)
