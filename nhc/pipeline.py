@@ -26,9 +26,10 @@ from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.resolve import resolve
 from nhc.mechanics.scenes import start_of
 from nhc.mechanics.system import System
-from nhc.program.build import FUNCTIONS
+from nhc.program.build import FUNCTIONS, Planner
 from nhc.program.ir import Program
 from nhc.program.model import build_program
+from nhc.program.starting import warn_undetermined
 from nhc.stamp import stamp
 
 if TYPE_CHECKING:
@@ -175,14 +176,16 @@ def check(source: Source, *, explain: bool = True) -> Report:
     spec = decode(source)
     system = resolve(spec)
     formulation = formulate(system)
-    equations_of(system, formulation)  # refuses what the forces do not determine
+    planner = Planner(equations_of(system, formulation), formulation)  # refuses what the forces do not determine
     bag = Bag(source)
     for scene in spec.scenes:
         try:
-            start_of(system, scene)
+            start = start_of(system, scene)
         except SpecError as error:
             for diagnostic in error.diagnostics:
                 bag.add(diagnostic)
+        else:
+            warn_undetermined(planner, start, bag)
     bag.raise_if_errors()
     facts = describe(system, formulation, bag, explain=explain)
     return Report(bag.diagnostics, facts.lines, facts.data)

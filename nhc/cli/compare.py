@@ -53,7 +53,9 @@ def _read(path: str) -> str:
     try:
         return Path(path).read_bytes().decode(errors="replace")
     except OSError as error:
-        raise Failure(f"cannot read `{path}`: {describe_os_error(error)}") from error
+        raise Failure(
+            f"cannot read `{path}`: {describe_os_error(error)}", ["name a file that `nhc compare` wrote"]
+        ) from error
 
 
 def _check(wrong: list[str], path: str) -> int:

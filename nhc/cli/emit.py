@@ -108,7 +108,7 @@ def _emit(
     try:
         return emit(source, language, options)
     except EmitError as error:
-        raise Failure(str(error), code="E0504") from error
+        raise Failure(str(error), [error.help], "E0504") from error
 
 
 def _print(files: Mapping[str, str], *, titled: bool) -> None:

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from nhc.simulate.run import Settings
 
 SHOWN = 20
+_TABLE = "name a CSV table with a header of names, or `-` for standard input"
 """Failures that are told one by one."""
 
 
@@ -72,9 +73,9 @@ def _read_table(path: str) -> str:
     try:
         return sys.stdin.read() if path == "-" else Path(path).read_text(encoding="utf-8-sig")
     except OSError as error:
-        raise Failure(f"cannot read `{path}`: {describe_os_error(error)}") from error
+        raise Failure(f"cannot read `{path}`: {describe_os_error(error)}", [_TABLE]) from error
     except UnicodeDecodeError as error:
-        raise Failure(f"`{path}` is not a text in UTF-8") from error
+        raise Failure(f"`{path}` is not a text in UTF-8", [_TABLE]) from error
 
 
 def _deliver(found: Ensemble, target: Path | None) -> int:

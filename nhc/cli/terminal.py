@@ -32,7 +32,7 @@ class Exit(IntEnum):
 class Failure(Exception):
     """A verb cannot go on, for a reason outside the text of a spec: a file is not there, or must not be replaced."""
 
-    def __init__(self, message: str, help: Sequence[str] = (), code: str = "", exit: Exit = Exit.USAGE) -> None:
+    def __init__(self, message: str, help: Sequence[str], code: str = "", exit: Exit = Exit.USAGE) -> None:
         super().__init__(message)
         self.message = message
         self.help = tuple(help)

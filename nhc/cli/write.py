@@ -136,4 +136,4 @@ def _read(path: Path) -> str | None:
     except FileNotFoundError:
         return None
     except OSError as error:
-        raise Failure(f"cannot read `{path}`: {describe_os_error(error)}") from error
+        raise Failure(f"cannot read `{path}`: {describe_os_error(error)}", ["name another place after `-o`"]) from error

@@ -69,6 +69,7 @@ TITLES: dict[str, str] = {
     "E0418": "parameter without a value",
     "E0419": "scene names an unknown thing",
     "E0420": "no motion is left",
+    "W0421": "scene that cannot run",
     "E0501": "file was edited by hand",
     "E0502": "unknown stage",
     "E0503": "no such scene",

@@ -105,7 +105,7 @@ class Bag:
         *,
         labels: tuple[Label, ...] = (),
         notes: tuple[str, ...] = (),
-        help: tuple[str, ...] = (),
+        help: tuple[str, ...],
     ) -> None:
         """Add an error at ``span``; ``labels`` are further places."""
         self.add(Diagnostic(code, Severity.ERROR, message, (Label(span, label), *labels), notes, help))
@@ -119,7 +119,7 @@ class Bag:
         *,
         labels: tuple[Label, ...] = (),
         notes: tuple[str, ...] = (),
-        help: tuple[str, ...] = (),
+        help: tuple[str, ...],
     ) -> None:
         """Add a warning at ``span``; ``labels`` are further places."""
         self.add(Diagnostic(code, Severity.WARNING, message, (Label(span, label), *labels), notes, help))

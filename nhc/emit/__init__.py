@@ -21,7 +21,7 @@ def list_files(program: Program, language: str, options: EmitOptions) -> tuple[F
         from nhc.emit.python import printer as python
 
         return python.list_files(program, options)
-    raise EmitError(f"no back end `{language}`; there are {', '.join(LANGUAGES)}")
+    raise EmitError(f"no back end `{language}`", f"name one of {', '.join(LANGUAGES)}")
 
 
 def render(program: Program, language: str, options: EmitOptions) -> dict[str, str]:

@@ -10,7 +10,11 @@ BATCH = "rhs_batch"
 
 
 class EmitError(ValueError):
-    """The program cannot be printed as asked; the message says why, in one line for the user."""
+    """The program cannot be printed as asked; the message says why, ``help`` what to do, each in one line for the user."""
+
+    def __init__(self, message: str, help: str) -> None:
+        super().__init__(message)
+        self.help = help
 
 
 @record
@@ -32,12 +36,12 @@ def check_options(program: Program, options: EmitOptions, extra: tuple[str, ...]
     known = tuple(function.name for function in program.functions) + extra
     for name in options.only:
         if name not in known:
-            raise EmitError(f"no function `{name}` in this program; there are {', '.join(known)}")
+            raise EmitError(f"no function `{name}` in this program", f"name one of {', '.join(known)}")
     if options.array not in ARRAYS:
-        raise EmitError(f"no array library `{options.array}`; there are numpy and jax")
+        raise EmitError(f"no array library `{options.array}`", "take numpy or jax")
     scenes = tuple(scene.name for scene in program.scenes)
     if options.scene and options.scene not in scenes:
-        raise EmitError(f"no scene `{options.scene}` in this program; there are {', '.join(scenes) or 'none'}")
+        raise EmitError(f"no scene `{options.scene}` in this program", f"its scenes: {', '.join(scenes) or 'none'}")
 
 
 def select_functions(program: Program, wanted: tuple[str, ...]) -> tuple[Function, ...]:

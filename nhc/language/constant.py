@@ -31,11 +31,15 @@ _FUNCTIONS: dict[str, Callable[..., float]] = {
 }
 
 
+_DIVISOR = "mend the divisor"
+
+
 class ConstantError(Exception):
     """The expression has no real, finite value."""
 
-    def __init__(self, code: str, message: str, span: Span) -> None:
+    def __init__(self, code: str, message: str, span: Span, help: str) -> None:
         super().__init__(message)
+        self.help = help
         self.code = code
         self.message = message
         self.span = span
@@ -70,18 +74,19 @@ def _visit(node: Syntax, parts: tuple[Fraction | float, ...]) -> Fraction | floa
             case Name():
                 return math.pi
             case Prime():
-                raise ConstantError("E0212", "time derivative of a constant", node.span)
+                raise ConstantError("E0212", "time derivative of a constant", node.span, "leave it out: it is 0")
             case _:
-                raise ConstantError("E0314", "value is not constant", node.span)
+                raise ConstantError("E0314", "value is not constant", node.span, "write numbers and `pi` only")
         if math.isfinite(float(value)):
             return value
     except ZeroDivisionError:
-        raise ConstantError("E0417", "division by zero", node.span) from None
+        raise ConstantError("E0417", "division by zero", node.span, _DIVISOR) from None
     except (ValueError, OverflowError):
         pass
     if isinstance(node, Binary) and node.op == "^" and parts[0] == 0:
-        raise ConstantError("E0417", "division by zero", node.span)
-    raise ConstantError("E0313", "the expression has no real, finite value", node.span)
+        raise ConstantError("E0417", "division by zero", node.span, _DIVISOR)
+    help = "keep arguments where the function is real, and results below 1e308"
+    raise ConstantError("E0313", "the expression has no real, finite value", node.span, help)
 
 
 def evaluate(tree: Syntax) -> Fraction | float:

@@ -313,7 +313,7 @@ class _Decoder:
             if self.scope.kind(name) != "coordinate" and not self.scope.check_coordinate(text):
                 continue
             if name in found:
-                self.bag.error("E0305", f"`{name}` stands twice in `dependent`", text.span)
+                self.bag.error("E0305", f"`{name}` stands twice in `dependent`", text.span, help=("keep one of them",))
             found[name] = None
         if len(items.items) != count:
             message = f"`dependent` names {len(items.items)} velocities, but there {_count(count)}"

@@ -14,7 +14,7 @@ from fractions import Fraction
 from nhc.diagnostics import Bag, Span, nearest
 
 from .names import DOT, FUNCTIONS, SPELLINGS
-from .numbers import exact
+from .numbers import DOUBLES, exact
 from .syntax import Binary, Call, Name, Negate, Number, Prime, Syntax
 from .tokens import LONGEST, ExpressionError, Locate, Token, tokenise
 
@@ -88,17 +88,18 @@ class _Parser:
             return value if value is not None else Fraction(0)
         except ValueError as error:
             shown = token.text if len(token.text) <= 24 else token.text[:20] + "..."
-            raise ExpressionError("E0210", f"the number `{shown}` {error}", self._span(token)) from None
+            raise ExpressionError("E0210", f"the number `{shown}` {error}", self._span(token), DOUBLES) from None
 
     def _unexpected(self, token: Token) -> ExpressionError:
         if token.kind == "end":
             at = self.locate(max(0, token.start - 1), token.end)
-            return ExpressionError("E0202", "the expression ends where a term is expected", at)
+            help = "write a number, a name or `(`, or leave the last operator out"
+            return ExpressionError("E0202", "the expression ends where a term is expected", at, help)
         if token.kind == ")" and self.frames and self.frames[-1].kind == "(" and self.frames[-1].function:
             name = self.frames[-1].function
             return ExpressionError("E0206", f"`{name}` needs an argument", self._span(token), f"write `{name}(x)`")
         advice = {"+": "leave the `+` out", "prime": "the prime stands after a name or a parenthesis: `x'`"}
-        help = advice.get(token.kind, "")
+        help = advice.get(token.kind, f"leave the `{token.text}` out, or write what it stands between")
         return ExpressionError(
             "E0202", f"expected a number, a name or `(`, found `{token.text}`", self._span(token), help
         )
@@ -178,7 +179,9 @@ class _Parser:
     def _close(self, token: Token) -> None:
         self._reduce(0)
         if not self.frames:
-            raise ExpressionError("E0204", "`)` without its `(`", self._span(token))
+            raise ExpressionError(
+                "E0204", "`)` without its `(`", self._span(token), "leave the `)` out, or open it before"
+            )
         frame = self.frames.pop()
         self.depth -= 1
         node = self.operands.pop()[0]
@@ -190,7 +193,9 @@ class _Parser:
         least, most = _ARITY[frame.function]
         if not least <= len(arguments) <= most:
             count = f"{least} argument{'s' if least > 1 else ''}"
-            raise ExpressionError("E0206", f"`{frame.function}` takes {count}, found {len(arguments)}", span)
+            shown = "y, x" if frame.function == "atan2" else ", ".join("xyz"[:least])
+            help = f"write `{frame.function}({shown})`"
+            raise ExpressionError("E0206", f"`{frame.function}` takes {count}, found {len(arguments)}", span, help)
         call: Syntax = Prime(node, span) if frame.function == DOT else Call(frame.function, arguments, span)
         self._push(call, frame.token.start, token.end)
 
@@ -208,7 +213,8 @@ class _Parser:
     def _equal(self, token: Token) -> None:
         self._reduce(0)
         if self.frames:
-            raise ExpressionError("E0208", "`=` inside of a parenthesis", self._span(token))
+            help = "close the parenthesis before the `=`"
+            raise ExpressionError("E0208", "`=` inside of a parenthesis", self._span(token), help)
         if not self.equation:
             raise ExpressionError(
                 "E0208", "`=` in an expression", self._span(token), "only constraints and `holonomic` hold equations"
@@ -270,7 +276,7 @@ def _run(text: str, locate: Locate, bag: Bag, equation: bool) -> list[Syntax]:
     try:
         return _Parser(text, locate, equation).run()
     except ExpressionError as error:
-        bag.error(error.code, error.message, error.span, help=(error.help,) if error.help else ())
+        bag.error(error.code, error.message, error.span, help=(error.help,))
         return []
 
 

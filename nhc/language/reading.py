@@ -13,10 +13,10 @@ LARGEST = 1 << 20  # bytes of a spec
 STDIN = "<stdin>"
 
 
-def _refuse(path: str, text: str, code: str, message: str, span: Span, help: str = "") -> SpecError:
+def _refuse(path: str, text: str, code: str, message: str, span: Span, help: str) -> SpecError:
     source = Source(path, text)
     bag = Bag(source)
-    bag.error(code, message, span, help=(help,) if help else ())
+    bag.error(code, message, span, help=(help,))
     return SpecError(bag.diagnostics, source)
 
 
@@ -48,7 +48,10 @@ def _read_text(path: str) -> str:
         help = "give the path of a spec, or `-` for standard input"
         raise _refuse(name, "", "E0101", message, nowhere, help) from None
     if len(data) > LARGEST:
-        raise _refuse(name, "", "E0103", f"the file is larger than 1 MiB ({LARGEST} bytes)", nowhere)
+        message = f"the file is larger than 1 MiB ({LARGEST} bytes)"
+        raise _refuse(
+            name, "", "E0103", message, nowhere, "name what repeats under `define:`, or take over a base by `extends:`"
+        )
     data = data.removeprefix(b"\xef\xbb\xbf")
     try:
         text = data.decode("utf-8")

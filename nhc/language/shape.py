@@ -11,7 +11,7 @@ from .constant import ConstantError, evaluate
 from .keys import Key
 from .names import FUNCTIONS, PI
 from .nodes import Items, Node, Table, Text, describe
-from .numbers import exact
+from .numbers import DOUBLES, exact
 from .parser import parse_expression
 from .syntax import Name, Negate, Number, Syntax, walk
 from .yaml_reader import is_empty
@@ -31,7 +31,7 @@ class Shapes:
     def _wrong(self, node: Node, wanted: str, help: str) -> None:
         if not is_empty(node):
             message = f"expected {wanted}, found {describe(node)}"
-            self.bag.error("E0301", message, _first(node), help=(help,) if help else ())
+            self.bag.error("E0301", message, _first(node), help=(help or f"write {wanted} here",))
 
     def text(self, node: Node, wanted: str = "a text", help: str = "") -> Text | None:
         """Return a text that is not empty."""
@@ -85,7 +85,7 @@ class Shapes:
         try:
             value = exact(text.value)
         except ValueError as error:
-            self.bag.error("E0210", f"the number {error}", text.span)
+            self.bag.error("E0210", f"the number {error}", text.span, help=(DOUBLES,))
             return None
         if value is not None:
             return value
@@ -98,15 +98,16 @@ class Shapes:
         for node in walk(tree):
             if isinstance(node, Name) and node.name != PI:
                 if node.name in FUNCTIONS:
-                    self.bag.error("E0206", f"`{node.name}` needs its argument in parentheses", node.span)
+                    message = f"`{node.name}` needs its argument in parentheses"
+                    self.bag.error("E0206", message, node.span, help=(f"write `{node.name}(1)`",))
                     return False
                 message = f"`{node.name}` is not constant: {what} holds numbers and `pi` only"
-                self.bag.error("E0314", message, node.span)
+                self.bag.error("E0314", message, node.span, help=(f"put the number in the place of `{node.name}`",))
                 return False
         try:
             evaluate(tree)
         except ConstantError as error:
-            self.bag.error(error.code, error.message, error.span)
+            self.bag.error(error.code, error.message, error.span, help=(error.help,))
             return False
         return True
 
@@ -131,7 +132,9 @@ class Shapes:
             return None
         if low >= high:
             first = Label(items.items[0].span, "not before this")
-            self.bag.error("E0313", f"{what} ends where it starts, or before", items.items[1].span, labels=(first,))
+            message = f"{what} ends where it starts, or before"
+            help = ("write `[low, high]`, the smaller number first",)
+            self.bag.error("E0313", message, items.items[1].span, labels=(first,), help=help)
             return None
         return low, high
 

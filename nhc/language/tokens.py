@@ -44,7 +44,7 @@ _INSTEAD = {
 class ExpressionError(Exception):
     """The first mistake of one expression; becomes a diagnostic in ``parse``."""
 
-    def __init__(self, code: str, message: str, span: Span, help: str = "") -> None:
+    def __init__(self, code: str, message: str, span: Span, help: str) -> None:
         super().__init__(message)
         self.code = code
         self.message = message
@@ -104,7 +104,8 @@ def _next(text: str, at: int, locate: Locate) -> Token:
         if is_folded(name):
             return Token("name", name, at, end)
     shown = character if character.isprintable() else f"U+{ord(character):04X}"
-    raise ExpressionError("E0201", f"unexpected character `{shown}`", locate(at, at + 1), _INSTEAD.get(character, ""))
+    help = _INSTEAD.get(character, "expressions hold numbers, names, `+ - * / ^ ( ) , '` and `=`")
+    raise ExpressionError("E0201", f"unexpected character `{shown}`", locate(at, at + 1), help)
 
 
 def _number(text: str, start: int, end: int, locate: Locate) -> Token:

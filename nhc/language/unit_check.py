@@ -12,6 +12,7 @@ from .spec import Constraint, Definition, Holonomic, Spec
 from .syntax import Binary, Call, Differential, Name, Negate, Number, Prime, Syntax, fold_tree
 from .units import ENERGY, ONE, SECOND, Dimension, multiply, parse_unit, raise_to, show
 
+_RATIO = "divide it by a parameter of the same unit"
 _SAME = ("abs", "min", "max")  # functions whose value has the dimension of their arguments
 _PER_SECOND = raise_to(SECOND, -1)
 _PER_SECOND_2 = raise_to(SECOND, -2)
@@ -93,19 +94,21 @@ class _Checker:
             what = f"{show(left.dimension)} {word} {show(right.dimension)}"
             labels = (Label(node.left.span, show(left.dimension)), Label(node.right.span, show(right.dimension)))
             bare = left.number is not None or right.number is not None
-            help = ("a bare number has no unit: make it a parameter with its unit",) if bare else ()
+            missing = _lack(left.dimension, right.dimension)
+            help = ("a bare number has no unit: make it a parameter with its unit" if bare else missing,)
             self.bag.error("E0413", f"units do not fit: {what}", node.operator, labels=labels, help=help)
             return _UNKNOWN
         return _Quantity(left.dimension)
 
     def _power(self, node: Binary, base: _Quantity, exponent: _Quantity) -> _Quantity:
         if exponent.dimension not in (None, ONE) and not exponent.any:
-            self._report(node.right, exponent, "an exponent must have no unit")
+            self._report(node.right, exponent, "an exponent must have no unit", _RATIO)
             return _UNKNOWN
         if base.dimension is None or base.dimension == ONE:
             return base
         if exponent.number is None:
-            self._report(node.left, base, "what has a unit takes constant exponents only")
+            help = "divide the base by a parameter of its unit, or write the exponent as a number"
+            self._report(node.left, base, "what has a unit takes constant exponents only", help)
             return _UNKNOWN
         return _Quantity(raise_to(base.dimension, exponent.number), base.any)
 
@@ -116,7 +119,8 @@ class _Checker:
             known = [(part, tree) for part, tree in zip(parts, node.arguments, strict=True) if not part.any]
             for part, tree in known[1:]:
                 if None not in (part.dimension, known[0][0].dimension) and part.dimension != known[0][0].dimension:
-                    self._report(tree, part, f"the arguments of `{node.function}` must have one unit")
+                    rule = f"the arguments of `{node.function}` must have one unit"
+                    self._report(tree, part, rule, _lack(known[0][0].dimension or ONE, part.dimension or ONE))
                     return _UNKNOWN
             if node.function == "atan2":
                 return _Quantity(ONE)
@@ -124,19 +128,21 @@ class _Checker:
         if node.function != "sign":
             for part, tree in zip(parts, node.arguments, strict=True):
                 if part.dimension not in (None, ONE) and not part.any:
-                    self._report(tree, part, f"the argument of `{node.function}` must have no unit")
+                    self._report(tree, part, f"the argument of `{node.function}` must have no unit", _RATIO)
         return _Quantity(ONE)
 
-    def _report(self, tree: Syntax, quantity: _Quantity, rule: str) -> None:
+    def _report(self, tree: Syntax, quantity: _Quantity, rule: str, help: str) -> None:
         shown = show(quantity.dimension or ONE)
-        self.bag.error("E0413", f"units do not fit: {rule}, found {shown}", tree.span, shown)
+        self.bag.error("E0413", f"units do not fit: {rule}, found {shown}", tree.span, shown, help=(help,))
 
     def demand(self, tree: Syntax, wanted: tuple[Dimension, ...], what: str) -> _Quantity:
         """Measure an expression and report one of another dimension than those wanted."""
         found = self.measure(tree)
         if wanted and found.dimension is not None and not found.any and found.dimension not in wanted:
             message = f"units do not fit: {what} must be {show(wanted[0])}, found {show(found.dimension)}"
-            self.bag.error("E0413", message, tree.span, show(found.dimension))
+            self.bag.error(
+                "E0413", message, tree.span, show(found.dimension), help=(_lack(wanted[0], found.dimension),)
+            )
             return _UNKNOWN
         return found
 
@@ -147,7 +153,14 @@ class _Checker:
             return
         message = f"units do not fit: {show(left.dimension or ONE)} = {show(right.dimension or ONE)}"
         label = Label(item.left.span, show(left.dimension or ONE))
-        self.bag.error("E0413", message, item.right.span, show(right.dimension or ONE), labels=(label,))
+        help = (_lack(left.dimension or ONE, right.dimension or ONE),)
+        self.bag.error("E0413", message, item.right.span, show(right.dimension or ONE), labels=(label,), help=help)
+
+
+def _lack(wanted: Dimension, found: Dimension) -> str:
+    """What would make one dimension the other."""
+    missing = multiply(wanted, raise_to(found, -1))
+    return f"a factor in {show(missing)} is missing here, or a unit is declared wrongly"
 
 
 def _combine(op: str, left: Fraction | None, right: Fraction | None) -> Fraction | None:

@@ -49,7 +49,8 @@ def _take_events(text: str, loader: Any, bag: Bag) -> list[Any]:
             depth -= 1
         if depth > _DEEPEST:
             at = event.start_mark.index
-            bag.error("E0110", f"lists and mappings nested deeper than {_DEEPEST}", Span(at, at + 1))
+            help = "no part of a spec is that deep: look for a list that is never closed"
+            bag.error("E0110", f"lists and mappings nested deeper than {_DEEPEST}", Span(at, at + 1), help=(help,))
             raise Stop
     return events
 
@@ -71,7 +72,8 @@ def _scan(source: Source, bag: Bag) -> list[Any]:
                 break
         except yaml.YAMLError as error:
             if loader is last:
-                bag.error("E0104", f"YAML: {str(error).splitlines()[0].lower()}", Span(0, 0))
+                help = "save the file as plain UTF-8 text, and look for characters that do not show"
+                bag.error("E0104", f"YAML: {str(error).splitlines()[0].lower()}", Span(0, 0), help=(help,))
                 break
     raise Stop
 
@@ -184,7 +186,8 @@ def _close(source: Source, opened: _Open, end: int, bag: Bag) -> Node:
     seen: dict[str, Text] = {}
     for key, value in zip(opened.items[::2], opened.items[1::2], strict=True):
         if not isinstance(key, Text):
-            bag.error("E0301", "a key must be a text", Span(key.span.start, key.span.start + 1))
+            place = Span(key.span.start, key.span.start + 1)
+            bag.error("E0301", "a key must be a text", place, help=("write `name: value`",))
             continue
         if key.value in seen:
             first = Label(seen[key.value].span, "first here")

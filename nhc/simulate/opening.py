@@ -28,7 +28,7 @@ _EVENT = "until"
 class RunError(Exception):
     """What was asked does not fit the spec; ``help`` says what would."""
 
-    def __init__(self, message: str, help: tuple[str, ...] = ()) -> None:
+    def __init__(self, message: str, help: tuple[str, ...]) -> None:
         super().__init__(message)
         self.help = help
 

@@ -17,6 +17,8 @@ from nhc.mechanics.scenes import Start, start_of
 from nhc.mechanics.system import System
 from nhc.simulate.opening import RunError
 
+_CELLS = "each row has one number for each name; an empty cell takes the scene's value"
+
 Key = tuple[str, str]
 """("coordinate", "velocity", "quasi" or "parameter", name)"""
 
@@ -40,7 +42,7 @@ def read_starts(text: str, spec: Spec) -> Table:
     keys = tuple(_find_key(cell, known) for cell in header)
     for k, key in enumerate(keys):
         if key in keys[:k]:
-            raise RunError(f"the header names `{header[k].strip()}` twice")
+            raise RunError(f"the header names `{header[k].strip()}` twice", ("keep one of the columns",))
     if not lines:
         raise RunError("the table has no starts", ("a header of names, then one row for each start",))
     return Table(keys, tuple(_read_row(number, header, line) for number, line in enumerate(lines, 1)))
@@ -69,7 +71,7 @@ def _find_key(cell: str, known: dict[str, Key]) -> Key:
 
 def _read_row(number: int, header: Sequence[str], line: Sequence[str]) -> tuple[float | None, ...]:
     if len(line) != len(header):
-        raise RunError(f"row {number} has {len(line)} values, the header {len(header)} names")
+        raise RunError(f"row {number} has {len(line)} values, the header {len(header)} names", (_CELLS,))
     values: list[float | None] = []
     for name, cell in zip(header, line, strict=True):
         try:
@@ -77,7 +79,7 @@ def _read_row(number: int, header: Sequence[str], line: Sequence[str]) -> tuple[
         except ValueError:
             value = math.nan
         if value is not None and not math.isfinite(value):
-            raise RunError(f"row {number}: `{cell.strip()}` for `{name.strip()}` is not a finite number")
+            raise RunError(f"row {number}: `{cell.strip()}` for `{name.strip()}` is not a finite number", (_CELLS,))
         values.append(value)
     return tuple(values)
 

@@ -88,6 +88,7 @@ def try_expression(text: str, equation: bool) -> bool:
 
 
 def show(source: Source, bag: Bag) -> None:
+    assert all(found.help for found in bag.diagnostics)
     render_text(source, bag.diagnostics, False)
     render_text(source, bag.diagnostics, True)
     render_concise(source, bag.diagnostics)
@@ -104,6 +105,7 @@ def try_spec(data: bytes, deep: bool) -> tuple[bool, bool]:
         return True, deep
     except SpecError as error:
         assert error.diagnostics
+        assert all(found.help for found in error.diagnostics)
         for render in (render_text, render_concise, to_json):
             render(error.source, error.diagnostics, *([False] if render is render_text else []))
         return False, False

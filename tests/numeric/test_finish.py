@@ -59,7 +59,7 @@ def test_long_outputs_are_summed_in_a_loop() -> None:
     assert choose_finish((*loads, *_stores(*(Ref(load.name) for load in loads)))) is None
 
 
-HOSTILE = (0.0, math.inf, -math.inf, math.nan, 1e200, -1e-320)
+HOSTILE = (0.0, math.inf, -math.inf, math.nan, 1e200, -1e-320, 1.7e308, -1.7e308)
 
 
 @pytest.mark.parametrize("name", GALLERY)

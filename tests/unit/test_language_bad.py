@@ -31,6 +31,7 @@ def diagnose(source: Source) -> list[tuple[str, int, int, str]]:
         decode(source)
     except SpecError as error:
         assert render_text(source, error.diagnostics)
+        assert all(found.help for found in error.diagnostics), "every diagnostic says what to do"
         return [(found.code, *source.position(found.span.start), found.message) for found in error.diagnostics]
     return []
 

@@ -58,7 +58,8 @@ def find_columns(program: Program, need: str) -> tuple[Column, ...]:
         return (Column(need, "ENERGY", 0),)
     if need == "reactions":
         return tuple(Column(f"lambda_{q.name}", "REACTION", i) for i, q in enumerate(program.constraints))
-    raise EmitError(f"the driver cannot compute `{need}`: the {program.formulation} equations do not keep it")
+    message = f"the driver cannot compute `{need}`: the {program.formulation} equations do not keep it"
+    raise EmitError(message, "leave it out of the scene's `need:`, or choose another formulation")
 
 
 def list_columns(program: Program, scene: SceneData) -> tuple[Column, ...]:
@@ -76,7 +77,7 @@ def make_driver(program: Program, scene_name: str) -> dict[str, object]:
     """The context of ``model_main.c.jinja``.  Raises EmitError without a scene, or for a need that nothing computes."""
     chosen = tuple(scene for scene in program.scenes if scene_name in ("", scene.name))
     if not chosen:
-        raise EmitError("a driver integrates a scene, and this program has none")
+        raise EmitError("a driver integrates a scene, and this program has none", "write one under `scenes:`")
     columns: list[Column] = []
     scenes: list[Scene] = []
     for scene in chosen:
@@ -109,7 +110,8 @@ def check_functions(program: Program, kinds: tuple[str, ...]) -> None:
     present = {function.name for function in program.functions}
     for needed in ("rhs", *(FUNCTIONS[kind] for kind in kinds)):
         if needed and needed not in present:
-            raise EmitError(f"the driver needs the function `{needed}`, which this program does not have")
+            message = f"the driver needs the function `{needed}`, which this program does not have"
+            raise EmitError(message, "leave `--only` out")
 
 
 def list_driver_functions(driver: dict[str, object]) -> tuple[str, ...]:

@@ -74,8 +74,8 @@ def _is_simple(value: Expr) -> bool:
     )
 
 
-def print_finish(printer: BodyPrinter, finish: Finish, body: Sequence[Statement], output: str, capitals: str) -> None:
-    """The test and, behind it, what to say when it fails."""
+def print_finish(printer: BodyPrinter, finish: Finish, body: Sequence[Statement], output: str, size: int) -> None:
+    """The test and, behind it, which block is singular or which entry infinite where it fails, if any."""
     tests = [printer.print_good(guard) for guard in finish.guards]
     if finish.entries:
         total = " + ".join(f"{output}[{index}]" for index in finish.entries)
@@ -96,10 +96,11 @@ def print_finish(printer: BodyPrinter, finish: Finish, body: Sequence[Statement]
         for statement in body:
             if isinstance(statement, Guard):
                 printer.print_guard(statement)
-        printer.add(f"return {capitals}_NOT_FINITE;")
+        printer.helpers.add("finish")
+        printer.add(f"return {printer.prefix}_finish({size}, {output});")  # finite numbers may have an infinite sum
         printer.indent = printer.indent[4:]
         printer.add("}")
-    printer.add(f"return {capitals}_OK;")
+    printer.add(f"return {printer.prefix.upper()}_OK;")
 
 
 class _Proof:

@@ -17,7 +17,7 @@ def print_double(value: Fraction) -> str:
     try:
         number = float(value)
     except OverflowError:
-        raise EmitError("a number of the spec is too large for a double (1.8e308)") from None
+        raise EmitError("a number of the spec is too large for a double (1.8e308)", "choose other units") from None
     return repr(number).replace("e+", "e")
 
 

@@ -154,7 +154,8 @@ def print_default(quantity: Quantity) -> str:
     try:
         return print_float(float(quantity.default))
     except OverflowError:
-        raise EmitError(f"the default of `{quantity.name}` is too large for a double (1.8e308)") from None
+        message = f"the default of `{quantity.name}` is too large for a double (1.8e308)"
+        raise EmitError(message, "choose other units") from None
 
 
 def print_argument(argument: Argument, written: bool) -> str:
@@ -189,7 +190,7 @@ def print_function(program: Program, function: Function, helpers: set[str], *, i
     finish = choose_finish(body) if whole else None
     parts = print_statements(printer, function, body, layout, guarded=finish is None)
     if finish is not None and output is not None:
-        print_finish(printer, finish, body, output.name, capitals)
+        print_finish(printer, finish, body, output.name, output.size)
     elif output is not None and output.size:
         helpers.add("finish")
         printer.lines.append(f"    return {prefix}_finish({output.size}, {output.name});")

@@ -13,7 +13,7 @@ def print_float(value: Fraction | float) -> str:
     try:
         number = float(value)
     except OverflowError:
-        raise EmitError("a number of the spec is too large for a double (1.8e308)") from None
+        raise EmitError("a number of the spec is too large for a double (1.8e308)", "choose other units") from None
     if number != number:
         return "math.nan"
     if number in (float("inf"), float("-inf")):

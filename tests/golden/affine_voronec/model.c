@@ -1,5 +1,5 @@
 /*
- * affine_voronec.c: affine_voronec, emitted by nhc 0.1.0 (nhc:b680055fcaba1fb0)
+ * affine_voronec.c: affine_voronec, emitted by nhc 0.1.0 (nhc:932a98e865ebc752)
  * A particle with everything at once; affine constraint, time, T of degrees 2, 1 and 0, drag, a driving
  *     force.
  * Source: affine_voronec.yaml
@@ -40,6 +40,23 @@ const double affine_voronec_parameter_defaults[] = {
 #else
 #define AFFINE_VORONEC_SLOW
 #endif
+
+static int affine_voronec_finish(int count, const double *values)
+{
+    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    for (int i = 0; i < count; ++i) {
+        sum += values[i];
+    }
+    if (fabs(sum) <= DBL_MAX) {
+        return AFFINE_VORONEC_OK;
+    }
+    for (int i = 0; i < count; ++i) { /* finite values may have an infinite sum */
+        if (!(fabs(values[i]) <= DBL_MAX)) {
+            return AFFINE_VORONEC_NOT_FINITE;
+        }
+    }
+    return AFFINE_VORONEC_OK;
+}
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
 #ifndef AFFINE_VORONEC_LANES
@@ -247,7 +264,7 @@ int affine_voronec_rhs(double t, const double *y, const double *p, double *dydt)
         if (!(fabs(-z20) > 1e-14 * z19)) {
             return AFFINE_VORONEC_SINGULAR_2;
         }
-        return AFFINE_VORONEC_NOT_FINITE;
+        return affine_voronec_finish(5, dydt);
     }
     return AFFINE_VORONEC_OK;
 }
@@ -275,7 +292,7 @@ int affine_voronec_velocities(double t, const double *y, const double *p, double
     qdot[2] = z1; /* z' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qdot[0] + qdot[1] + qdot[2]) <= DBL_MAX)) {
-        return AFFINE_VORONEC_NOT_FINITE;
+        return affine_voronec_finish(3, qdot);
     }
     return AFFINE_VORONEC_OK;
 }
@@ -360,7 +377,7 @@ int affine_voronec_accelerations(double t, const double *y, const double *p, dou
         if (!(fabs(-z20) > 1e-14 * z19)) {
             return AFFINE_VORONEC_SINGULAR_2;
         }
-        return AFFINE_VORONEC_NOT_FINITE;
+        return affine_voronec_finish(3, qddot);
     }
     return AFFINE_VORONEC_OK;
 }
@@ -383,7 +400,7 @@ int affine_voronec_state(double t, const double *q, const double *qdot, const do
     y[4] = y_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1] + y[2] + y[3] + y[4]) <= DBL_MAX)) {
-        return AFFINE_VORONEC_NOT_FINITE;
+        return affine_voronec_finish(5, y);
     }
     return AFFINE_VORONEC_OK;
 }
@@ -410,7 +427,7 @@ int affine_voronec_residuals(double t, const double *q, const double *qdot, cons
     r[0] = -z1; /* contact = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(r[0]) <= DBL_MAX)) {
-        return AFFINE_VORONEC_NOT_FINITE;
+        return affine_voronec_finish(1, r);
     }
     return AFFINE_VORONEC_OK;
 }
@@ -495,7 +512,7 @@ int affine_voronec_reactions(double t, const double *y, const double *p, double 
         if (!(fabs(z21) > 1e-14 * z17)) {
             return AFFINE_VORONEC_SINGULAR_2;
         }
-        return AFFINE_VORONEC_NOT_FINITE;
+        return affine_voronec_finish(1, lambda);
     }
     return AFFINE_VORONEC_OK;
 }
@@ -721,7 +738,7 @@ int affine_voronec_jacobian(double t, const double *y, const double *p, double *
         if (!(fabs(z21) > 1e-14 * z17)) {
             return AFFINE_VORONEC_SINGULAR_2;
         }
-        return AFFINE_VORONEC_NOT_FINITE;
+        return affine_voronec_finish(25, J);
     }
     return AFFINE_VORONEC_OK;
 }

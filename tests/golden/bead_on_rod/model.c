@@ -1,5 +1,5 @@
 /*
- * bead_on_rod.c: bead_on_rod, emitted by nhc 0.1.0 (nhc:873d4caf906a5831)
+ * bead_on_rod.c: bead_on_rod, emitted by nhc 0.1.0 (nhc:d7fdc744b195a899)
  * A bead on a straight horizontal rod that turns at a constant rate; T has a part without velocities.
  * Source: bead_on_rod.yaml
  * Equations of motion: lagrange (II.3)
@@ -27,6 +27,23 @@ const double bead_on_rod_parameter_defaults[] = {
     1.0,
     2.0
 };
+
+static int bead_on_rod_finish(int count, const double *values)
+{
+    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    for (int i = 0; i < count; ++i) {
+        sum += values[i];
+    }
+    if (fabs(sum) <= DBL_MAX) {
+        return BEAD_ON_ROD_OK;
+    }
+    for (int i = 0; i < count; ++i) { /* finite values may have an infinite sum */
+        if (!(fabs(values[i]) <= DBL_MAX)) {
+            return BEAD_ON_ROD_NOT_FINITE;
+        }
+    }
+    return BEAD_ON_ROD_OK;
+}
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
 #ifndef BEAD_ON_ROD_LANES
@@ -152,7 +169,7 @@ int bead_on_rod_rhs(double t, const double *y, const double *p, double *dydt)
         if (!(fabs(m) > 0.0)) {
             return BEAD_ON_ROD_SINGULAR_2;
         }
-        return BEAD_ON_ROD_NOT_FINITE;
+        return bead_on_rod_finish(2, dydt);
     }
     return BEAD_ON_ROD_OK;
 }
@@ -168,7 +185,7 @@ int bead_on_rod_velocities(double t, const double *y, const double *p, double *q
     qdot[0] = r_dot; /* r' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qdot[0]) <= DBL_MAX)) {
-        return BEAD_ON_ROD_NOT_FINITE;
+        return bead_on_rod_finish(1, qdot);
     }
     return BEAD_ON_ROD_OK;
 }
@@ -192,7 +209,7 @@ int bead_on_rod_accelerations(double t, const double *y, const double *p, double
         if (!(fabs(m) > 0.0)) {
             return BEAD_ON_ROD_SINGULAR_2;
         }
-        return BEAD_ON_ROD_NOT_FINITE;
+        return bead_on_rod_finish(1, qddot);
     }
     return BEAD_ON_ROD_OK;
 }
@@ -209,7 +226,7 @@ int bead_on_rod_state(double t, const double *q, const double *qdot, const doubl
     y[1] = r_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1]) <= DBL_MAX)) {
-        return BEAD_ON_ROD_NOT_FINITE;
+        return bead_on_rod_finish(2, y);
     }
     return BEAD_ON_ROD_OK;
 }
@@ -273,7 +290,7 @@ int bead_on_rod_jacobian(double t, const double *y, const double *p, double *J)
         if (!(fabs(m) > 0.0)) {
             return BEAD_ON_ROD_SINGULAR_2;
         }
-        return BEAD_ON_ROD_NOT_FINITE;
+        return bead_on_rod_finish(4, J);
     }
     return BEAD_ON_ROD_OK;
 }
@@ -297,7 +314,7 @@ int bead_on_rod_outputs(double t, const double *y, const double *p, double *out)
     out[1] = 2.0 * (k2 * (r * r_dot)); /* torque */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(out[0] + out[1]) <= DBL_MAX)) {
-        return BEAD_ON_ROD_NOT_FINITE;
+        return bead_on_rod_finish(2, out);
     }
     return BEAD_ON_ROD_OK;
 }

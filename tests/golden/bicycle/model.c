@@ -1,5 +1,5 @@
 /*
- * bicycle.c: bicycle, emitted by nhc 0.1.0 (nhc:f2411ebaea140ea4)
+ * bicycle.c: bicycle, emitted by nhc 0.1.0 (nhc:41c88780c6534e6b)
  * Whipple's bicycle, nonlinear; two wheels, rear frame with rider, front frame; x ahead, y right, z down.
  * Source: bicycle.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -108,7 +108,15 @@ static int bicycle_finish(int count, const double *values)
     for (int i = 0; i < count; ++i) {
         sum += values[i];
     }
-    return fabs(sum) <= DBL_MAX ? BICYCLE_OK : BICYCLE_NOT_FINITE;
+    if (fabs(sum) <= DBL_MAX) {
+        return BICYCLE_OK;
+    }
+    for (int i = 0; i < count; ++i) { /* finite values may have an infinite sum */
+        if (!(fabs(values[i]) <= DBL_MAX)) {
+            return BICYCLE_NOT_FINITE;
+        }
+    }
+    return BICYCLE_OK;
 }
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
@@ -734,7 +742,7 @@ int bicycle_rhs(double t, const double *y, const double *p, double *dydt)
         if (!(fabs(z155) > 1e-14 * z143)) {
             return BICYCLE_SINGULAR_2;
         }
-        return BICYCLE_NOT_FINITE;
+        return bicycle_finish(12, dydt);
     }
     return BICYCLE_OK;
 }
@@ -853,7 +861,7 @@ int bicycle_velocities(double t, const double *y, const double *p, double *qdot)
         if (!(fabs(z27) > 1e-12 * (k10 * ((z28 + k12) * (z28 + k13))))) {
             return BICYCLE_SINGULAR_1;
         }
-        return BICYCLE_NOT_FINITE;
+        return bicycle_finish(9, qdot);
     }
     return BICYCLE_OK;
 }
@@ -1076,7 +1084,7 @@ int bicycle_state(double t, const double *q, const double *qdot, const double *p
     y[11] = thF_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1] + y[2] + y[3] + y[4] + y[5] + y[6] + y[7] + y[8] + y[9] + y[10] + y[11]) <= DBL_MAX)) {
-        return BICYCLE_NOT_FINITE;
+        return bicycle_finish(12, y);
     }
     return BICYCLE_OK;
 }
@@ -1209,7 +1217,7 @@ int bicycle_residuals(double t, const double *q, const double *qdot, const doubl
     r[5] = Fz_dot + z29 * z32 - (e2z * c_steer + s_steer * z26) * z34 - z28 * b3; /* front_z = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(r[0] + r[1] + r[2] + r[3] + r[4] + r[5]) <= DBL_MAX)) {
-        return BICYCLE_NOT_FINITE;
+        return bicycle_finish(6, r);
     }
     return BICYCLE_OK;
 }
@@ -4583,7 +4591,7 @@ int bicycle_outputs(double t, const double *y, const double *p, double *out)
         if (!(fabs(z28) > 1e-12 * (k10 * ((z29 + k12) * (z29 + k13))))) {
             return BICYCLE_SINGULAR_1;
         }
-        return BICYCLE_NOT_FINITE;
+        return bicycle_finish(3, out);
     }
     return BICYCLE_OK;
 }

@@ -1,5 +1,5 @@
 /*
- * cartesian_pendulum.c: cartesian_pendulum, emitted by nhc 0.1.0 (nhc:65b16925eb5baf1f)
+ * cartesian_pendulum.c: cartesian_pendulum, emitted by nhc 0.1.0 (nhc:ae9f610da24c782a)
  * The plane pendulum in Cartesian coordinates; its constraint is written with velocities, but it is
  *     holonomic.
  * Source: cartesian_pendulum.yaml
@@ -31,6 +31,23 @@ const double cartesian_pendulum_parameter_defaults[] = {
     1.0,
     9.81
 };
+
+static int cartesian_pendulum_finish(int count, const double *values)
+{
+    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    for (int i = 0; i < count; ++i) {
+        sum += values[i];
+    }
+    if (fabs(sum) <= DBL_MAX) {
+        return CARTESIAN_PENDULUM_OK;
+    }
+    for (int i = 0; i < count; ++i) { /* finite values may have an infinite sum */
+        if (!(fabs(values[i]) <= DBL_MAX)) {
+            return CARTESIAN_PENDULUM_NOT_FINITE;
+        }
+    }
+    return CARTESIAN_PENDULUM_OK;
+}
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
 #ifndef CARTESIAN_PENDULUM_LANES
@@ -176,7 +193,7 @@ int cartesian_pendulum_rhs(double t, const double *y, const double *p, double *d
         if (!(fabs(m * z3) > 0.0)) {
             return CARTESIAN_PENDULUM_SINGULAR_2;
         }
-        return CARTESIAN_PENDULUM_NOT_FINITE;
+        return cartesian_pendulum_finish(3, dydt);
     }
     return CARTESIAN_PENDULUM_OK;
 }
@@ -202,7 +219,7 @@ int cartesian_pendulum_velocities(double t, const double *y, const double *p, do
         if (!(fabs(z1) > 1e-12 * (z2 * z2))) {
             return CARTESIAN_PENDULUM_SINGULAR_1;
         }
-        return CARTESIAN_PENDULUM_NOT_FINITE;
+        return cartesian_pendulum_finish(2, qdot);
     }
     return CARTESIAN_PENDULUM_OK;
 }
@@ -235,7 +252,7 @@ int cartesian_pendulum_accelerations(double t, const double *y, const double *p,
         if (!(fabs(m * z4) > 0.0)) {
             return CARTESIAN_PENDULUM_SINGULAR_2;
         }
-        return CARTESIAN_PENDULUM_NOT_FINITE;
+        return cartesian_pendulum_finish(2, qddot);
     }
     return CARTESIAN_PENDULUM_OK;
 }
@@ -255,7 +272,7 @@ int cartesian_pendulum_state(double t, const double *q, const double *qdot, cons
     y[2] = y_2 * x_dot - x * y_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[2]) <= DBL_MAX)) {
-        return CARTESIAN_PENDULUM_NOT_FINITE;
+        return cartesian_pendulum_finish(3, y);
     }
     return CARTESIAN_PENDULUM_OK;
 }
@@ -274,7 +291,7 @@ int cartesian_pendulum_residuals(double t, const double *q, const double *qdot, 
     r[0] = x * x_dot + y * y_dot; /* rod = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(r[0]) <= DBL_MAX)) {
-        return CARTESIAN_PENDULUM_NOT_FINITE;
+        return cartesian_pendulum_finish(1, r);
     }
     return CARTESIAN_PENDULUM_OK;
 }
@@ -306,7 +323,7 @@ int cartesian_pendulum_reactions(double t, const double *y, const double *p, dou
         if (!(fabs(z4) > 0.0)) {
             return CARTESIAN_PENDULUM_SINGULAR_2;
         }
-        return CARTESIAN_PENDULUM_NOT_FINITE;
+        return cartesian_pendulum_finish(1, lambda);
     }
     return CARTESIAN_PENDULUM_OK;
 }
@@ -368,7 +385,7 @@ int cartesian_pendulum_jacobian(double t, const double *y, const double *p, doub
         if (!(fabs(m * z3) > 0.0)) {
             return CARTESIAN_PENDULUM_SINGULAR_2;
         }
-        return CARTESIAN_PENDULUM_NOT_FINITE;
+        return cartesian_pendulum_finish(9, J);
     }
     return CARTESIAN_PENDULUM_OK;
 }
@@ -391,7 +408,7 @@ int cartesian_pendulum_outputs(double t, const double *y, const double *p, doubl
         if (!(fabs(z1) > 1e-12 * (z2 * z2))) {
             return CARTESIAN_PENDULUM_SINGULAR_1;
         }
-        return CARTESIAN_PENDULUM_NOT_FINITE;
+        return cartesian_pendulum_finish(1, out);
     }
     return CARTESIAN_PENDULUM_OK;
 }

@@ -1,5 +1,5 @@
 /*
- * chaotic.c: chaotic, emitted by nhc 0.1.0 (nhc:ba90bd2b58c3510a)
+ * chaotic.c: chaotic, emitted by nhc 0.1.0 (nhc:e176c35d0b5cab7d)
  * Seven coupled oscillators with one contact constraint; reversible and chaotic.
  * Source: chaotic.yaml
  * Equations of motion: chaplygin (III.3)
@@ -60,7 +60,15 @@ static int chaotic_finish(int count, const double *values)
     for (int i = 0; i < count; ++i) {
         sum += values[i];
     }
-    return fabs(sum) <= DBL_MAX ? CHAOTIC_OK : CHAOTIC_NOT_FINITE;
+    if (fabs(sum) <= DBL_MAX) {
+        return CHAOTIC_OK;
+    }
+    for (int i = 0; i < count; ++i) { /* finite values may have an infinite sum */
+        if (!(fabs(values[i]) <= DBL_MAX)) {
+            return CHAOTIC_NOT_FINITE;
+        }
+    }
+    return CHAOTIC_OK;
 }
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
@@ -217,7 +225,7 @@ int chaotic_rhs(double t, const double *y, const double *p, double *dydt)
         if (!(fabs(z7) > 0.0)) {
             return CHAOTIC_SINGULAR_2;
         }
-        return CHAOTIC_NOT_FINITE;
+        return chaotic_finish(13, dydt);
     }
     return CHAOTIC_OK;
 }
@@ -247,7 +255,7 @@ int chaotic_velocities(double t, const double *y, const double *p, double *qdot)
     qdot[6] = z3_dot; /* z3' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qdot[0] + qdot[1] + qdot[2] + qdot[3]) <= DBL_MAX)) {
-        return CHAOTIC_NOT_FINITE;
+        return chaotic_finish(7, qdot);
     }
     return CHAOTIC_OK;
 }
@@ -301,7 +309,7 @@ int chaotic_accelerations(double t, const double *y, const double *p, double *qd
         if (!(fabs(z7) > 0.0)) {
             return CHAOTIC_SINGULAR_2;
         }
-        return CHAOTIC_NOT_FINITE;
+        return chaotic_finish(7, qddot);
     }
     return CHAOTIC_OK;
 }
@@ -341,7 +349,7 @@ int chaotic_state(double t, const double *q, const double *qdot, const double *p
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1] + y[2] + y[3] + y[4] + y[5] + y[6] + y[7] + y[8] + y[9] + y[10] + y[11] + y[12])
         <= DBL_MAX)) {
-        return CHAOTIC_NOT_FINITE;
+        return chaotic_finish(13, y);
     }
     return CHAOTIC_OK;
 }
@@ -363,7 +371,7 @@ int chaotic_residuals(double t, const double *q, const double *qdot, const doubl
     r[0] = x_dot + y1_ * z1_dot + y2 * z2_dot + y3 * z3_dot; /* contact = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(r[0]) <= DBL_MAX)) {
-        return CHAOTIC_NOT_FINITE;
+        return chaotic_finish(1, r);
     }
     return CHAOTIC_OK;
 }
@@ -405,7 +413,7 @@ int chaotic_reactions(double t, const double *y, const double *p, double *lambda
         if (!(fabs(z7) > 0.0)) {
             return CHAOTIC_SINGULAR_2;
         }
-        return CHAOTIC_NOT_FINITE;
+        return chaotic_finish(1, lambda);
     }
     return CHAOTIC_OK;
 }

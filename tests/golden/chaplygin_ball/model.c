@@ -1,5 +1,5 @@
 /*
- * chaplygin_ball.c: chaplygin_ball, emitted by nhc 0.1.0 (nhc:4418507b67e51f2c)
+ * chaplygin_ball.c: chaplygin_ball, emitted by nhc 0.1.0 (nhc:7867cd9f25b1e940)
  * A ball with three different moments of inertia and its centre of mass at its centre rolls on a horizontal
  *     plane.
  * Source: chaplygin_ball.yaml
@@ -51,6 +51,23 @@ const double chaplygin_ball_parameter_defaults[] = {
 #else
 #define CHAPLYGIN_BALL_SLOW
 #endif
+
+static int chaplygin_ball_finish(int count, const double *values)
+{
+    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    for (int i = 0; i < count; ++i) {
+        sum += values[i];
+    }
+    if (fabs(sum) <= DBL_MAX) {
+        return CHAPLYGIN_BALL_OK;
+    }
+    for (int i = 0; i < count; ++i) { /* finite values may have an infinite sum */
+        if (!(fabs(values[i]) <= DBL_MAX)) {
+            return CHAPLYGIN_BALL_NOT_FINITE;
+        }
+    }
+    return CHAPLYGIN_BALL_OK;
+}
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
 #ifndef CHAPLYGIN_BALL_LANES
@@ -268,7 +285,7 @@ int chaplygin_ball_rhs(double t, const double *y, const double *p, double *dydt)
         if (!(fabs(z16) > 1e-14 * z9)) {
             return CHAPLYGIN_BALL_SINGULAR_2;
         }
-        return CHAPLYGIN_BALL_NOT_FINITE;
+        return chaplygin_ball_finish(8, dydt);
     }
     return CHAPLYGIN_BALL_OK;
 }
@@ -311,7 +328,7 @@ int chaplygin_ball_velocities(double t, const double *y, const double *p, double
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
             return CHAPLYGIN_BALL_SINGULAR_1;
         }
-        return CHAPLYGIN_BALL_NOT_FINITE;
+        return chaplygin_ball_finish(5, qdot);
     }
     return CHAPLYGIN_BALL_OK;
 }
@@ -419,7 +436,7 @@ int chaplygin_ball_accelerations(double t, const double *y, const double *p, dou
         if (!(fabs(z16) > 1e-14 * z9)) {
             return CHAPLYGIN_BALL_SINGULAR_2;
         }
-        return CHAPLYGIN_BALL_NOT_FINITE;
+        return chaplygin_ball_finish(5, qddot);
     }
     return CHAPLYGIN_BALL_OK;
 }
@@ -455,7 +472,7 @@ int chaplygin_ball_state(double t, const double *q, const double *qdot, const do
     y[7] = psi_dot + phi_dot * c_theta;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1] + y[2] + y[5] + y[6] + y[7]) <= DBL_MAX)) {
-        return CHAPLYGIN_BALL_NOT_FINITE;
+        return chaplygin_ball_finish(8, y);
     }
     return CHAPLYGIN_BALL_OK;
 }
@@ -484,7 +501,7 @@ int chaplygin_ball_residuals(double t, const double *q, const double *qdot, cons
     r[1] = y_dot + a * (theta_dot * c_phi + s_phi * z1); /* roll_y = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(r[0] + r[1]) <= DBL_MAX)) {
-        return CHAPLYGIN_BALL_NOT_FINITE;
+        return chaplygin_ball_finish(2, r);
     }
     return CHAPLYGIN_BALL_OK;
 }
@@ -575,7 +592,7 @@ int chaplygin_ball_reactions(double t, const double *y, const double *p, double 
         if (!(fabs(z18) > 1e-14 * z9)) {
             return CHAPLYGIN_BALL_SINGULAR_2;
         }
-        return CHAPLYGIN_BALL_NOT_FINITE;
+        return chaplygin_ball_finish(2, lambda);
     }
     return CHAPLYGIN_BALL_OK;
 }
@@ -802,7 +819,7 @@ int chaplygin_ball_jacobian(double t, const double *y, const double *p, double *
         if (!(fabs(z21) > 1e-14 * z12)) {
             return CHAPLYGIN_BALL_SINGULAR_2;
         }
-        return CHAPLYGIN_BALL_NOT_FINITE;
+        return chaplygin_ball_finish(64, J);
     }
     return CHAPLYGIN_BALL_OK;
 }
@@ -845,7 +862,7 @@ int chaplygin_ball_outputs(double t, const double *y, const double *p, double *o
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
             return CHAPLYGIN_BALL_SINGULAR_1;
         }
-        return CHAPLYGIN_BALL_NOT_FINITE;
+        return chaplygin_ball_finish(3, out);
     }
     return CHAPLYGIN_BALL_OK;
 }

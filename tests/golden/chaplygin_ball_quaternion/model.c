@@ -1,5 +1,5 @@
 /*
- * chaplygin_ball_quaternion.c: chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:17cb2f51d7e1e562)
+ * chaplygin_ball_quaternion.c: chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:2f3845f8a3aa83ea)
  * A ball with three different moments of inertia rolls on a horizontal plane; its orientation is a
  *     quaternion.
  * Source: chaplygin_ball_quaternion.yaml
@@ -60,7 +60,15 @@ static int chaplygin_ball_quaternion_finish(int count, const double *values)
     for (int i = 0; i < count; ++i) {
         sum += values[i];
     }
-    return fabs(sum) <= DBL_MAX ? CHAPLYGIN_BALL_QUATERNION_OK : CHAPLYGIN_BALL_QUATERNION_NOT_FINITE;
+    if (fabs(sum) <= DBL_MAX) {
+        return CHAPLYGIN_BALL_QUATERNION_OK;
+    }
+    for (int i = 0; i < count; ++i) { /* finite values may have an infinite sum */
+        if (!(fabs(values[i]) <= DBL_MAX)) {
+            return CHAPLYGIN_BALL_QUATERNION_NOT_FINITE;
+        }
+    }
+    return CHAPLYGIN_BALL_QUATERNION_OK;
 }
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
@@ -267,7 +275,7 @@ int chaplygin_ball_quaternion_rhs(double t, const double *y, const double *p, do
         if (!(fabs(z34) > 1e-14 * z26)) {
             return CHAPLYGIN_BALL_QUATERNION_SINGULAR_2;
         }
-        return CHAPLYGIN_BALL_QUATERNION_NOT_FINITE;
+        return chaplygin_ball_quaternion_finish(9, dydt);
     }
     return CHAPLYGIN_BALL_QUATERNION_OK;
 }
@@ -306,7 +314,7 @@ int chaplygin_ball_quaternion_velocities(double t, const double *y, const double
     qdot[5] = 0.5 * (R_0 * w3 - (R_2 * w1 - R_1 * w2)); /* R_3' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qdot[0] + qdot[1] + qdot[2] + qdot[3] + qdot[4] + qdot[5]) <= DBL_MAX)) {
-        return CHAPLYGIN_BALL_QUATERNION_NOT_FINITE;
+        return chaplygin_ball_quaternion_finish(6, qdot);
     }
     return CHAPLYGIN_BALL_QUATERNION_OK;
 }
@@ -415,7 +423,7 @@ int chaplygin_ball_quaternion_accelerations(double t, const double *y, const dou
         if (!(fabs(z34) > 1e-14 * z26)) {
             return CHAPLYGIN_BALL_QUATERNION_SINGULAR_2;
         }
-        return CHAPLYGIN_BALL_QUATERNION_NOT_FINITE;
+        return chaplygin_ball_quaternion_finish(6, qddot);
     }
     return CHAPLYGIN_BALL_QUATERNION_OK;
 }
@@ -452,7 +460,7 @@ int chaplygin_ball_quaternion_state(double t, const double *q, const double *qdo
     y[8] = 2.0 * (R_3_dot * z2 - R_0_dot * z4 + (R_1_dot * z5 - R_2_dot * z3));
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1] + y[6] + y[7] + y[8]) <= DBL_MAX)) {
-        return CHAPLYGIN_BALL_QUATERNION_NOT_FINITE;
+        return chaplygin_ball_quaternion_finish(9, y);
     }
     return CHAPLYGIN_BALL_QUATERNION_OK;
 }
@@ -497,7 +505,7 @@ int chaplygin_ball_quaternion_residuals(double t, const double *q, const double 
     r[2] = 2.0 * (R_3 * R_3_dot + (R_2 * R_2_dot + (R_0 * R_0_dot + R_1 * R_1_dot))); /* R_norm = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(r[0] + r[1] + r[2]) <= DBL_MAX)) {
-        return CHAPLYGIN_BALL_QUATERNION_NOT_FINITE;
+        return chaplygin_ball_quaternion_finish(3, r);
     }
     return CHAPLYGIN_BALL_QUATERNION_OK;
 }
@@ -516,7 +524,7 @@ int chaplygin_ball_quaternion_positions(double t, const double *q, const double 
     f[0] = R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)) - 1.0; /* R_norm = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(f[0]) <= DBL_MAX)) {
-        return CHAPLYGIN_BALL_QUATERNION_NOT_FINITE;
+        return chaplygin_ball_quaternion_finish(1, f);
     }
     return CHAPLYGIN_BALL_QUATERNION_OK;
 }
@@ -618,7 +626,7 @@ int chaplygin_ball_quaternion_reactions(double t, const double *y, const double 
         if (!(fabs(z38) > 1e-14 * z27)) {
             return CHAPLYGIN_BALL_QUATERNION_SINGULAR_2;
         }
-        return CHAPLYGIN_BALL_QUATERNION_NOT_FINITE;
+        return chaplygin_ball_quaternion_finish(3, lambda);
     }
     return CHAPLYGIN_BALL_QUATERNION_OK;
 }
@@ -1241,7 +1249,7 @@ int chaplygin_ball_quaternion_outputs(double t, const double *y, const double *p
     out[2] = z3 + 2.0 * (z1 * (R_1 * z6 + R_2 * z8)); /* K_z */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(out[0] + out[1] + out[2]) <= DBL_MAX)) {
-        return CHAPLYGIN_BALL_QUATERNION_NOT_FINITE;
+        return chaplygin_ball_quaternion_finish(3, out);
     }
     return CHAPLYGIN_BALL_QUATERNION_OK;
 }

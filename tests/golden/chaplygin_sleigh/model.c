@@ -1,5 +1,5 @@
 /*
- * chaplygin_sleigh.c: chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:f5e255071a529199)
+ * chaplygin_sleigh.c: chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:ec24d3c2ac21b85a)
  * A rigid body on a knife edge; the centre of mass is a distance a ahead of the edge.
  * Source: chaplygin_sleigh.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -34,6 +34,23 @@ const double chaplygin_sleigh_parameter_defaults[] = {
     0.5,
     0.7
 };
+
+static int chaplygin_sleigh_finish(int count, const double *values)
+{
+    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    for (int i = 0; i < count; ++i) {
+        sum += values[i];
+    }
+    if (fabs(sum) <= DBL_MAX) {
+        return CHAPLYGIN_SLEIGH_OK;
+    }
+    for (int i = 0; i < count; ++i) { /* finite values may have an infinite sum */
+        if (!(fabs(values[i]) <= DBL_MAX)) {
+            return CHAPLYGIN_SLEIGH_NOT_FINITE;
+        }
+    }
+    return CHAPLYGIN_SLEIGH_OK;
+}
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
 #ifndef CHAPLYGIN_SLEIGH_LANES
@@ -190,7 +207,7 @@ int chaplygin_sleigh_rhs(double t, const double *y, const double *p, double *dyd
         if (!(fabs(k2) > 0.0)) {
             return CHAPLYGIN_SLEIGH_SINGULAR_2;
         }
-        return CHAPLYGIN_SLEIGH_NOT_FINITE;
+        return chaplygin_sleigh_finish(5, dydt);
     }
     return CHAPLYGIN_SLEIGH_OK;
 }
@@ -214,7 +231,7 @@ int chaplygin_sleigh_velocities(double t, const double *y, const double *p, doub
     qdot[2] = w; /* theta' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qdot[0] + qdot[2]) <= DBL_MAX)) {
-        return CHAPLYGIN_SLEIGH_NOT_FINITE;
+        return chaplygin_sleigh_finish(3, qdot);
     }
     return CHAPLYGIN_SLEIGH_OK;
 }
@@ -255,7 +272,7 @@ int chaplygin_sleigh_accelerations(double t, const double *y, const double *p, d
         if (!(fabs(k2) > 0.0)) {
             return CHAPLYGIN_SLEIGH_SINGULAR_2;
         }
-        return CHAPLYGIN_SLEIGH_NOT_FINITE;
+        return chaplygin_sleigh_finish(3, qddot);
     }
     return CHAPLYGIN_SLEIGH_OK;
 }
@@ -283,7 +300,7 @@ int chaplygin_sleigh_state(double t, const double *q, const double *qdot, const 
     y[4] = theta_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1] + y[3] + y[4]) <= DBL_MAX)) {
-        return CHAPLYGIN_SLEIGH_NOT_FINITE;
+        return chaplygin_sleigh_finish(5, y);
     }
     return CHAPLYGIN_SLEIGH_OK;
 }
@@ -305,7 +322,7 @@ int chaplygin_sleigh_residuals(double t, const double *q, const double *qdot, co
     r[0] = y_dot * c_theta - x_dot * s_theta; /* slip = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(r[0]) <= DBL_MAX)) {
-        return CHAPLYGIN_SLEIGH_NOT_FINITE;
+        return chaplygin_sleigh_finish(1, r);
     }
     return CHAPLYGIN_SLEIGH_OK;
 }
@@ -338,7 +355,7 @@ int chaplygin_sleigh_reactions(double t, const double *y, const double *p, doubl
         if (!(fabs(k2) > 0.0)) {
             return CHAPLYGIN_SLEIGH_SINGULAR_2;
         }
-        return CHAPLYGIN_SLEIGH_NOT_FINITE;
+        return chaplygin_sleigh_finish(1, lambda);
     }
     return CHAPLYGIN_SLEIGH_OK;
 }
@@ -402,7 +419,7 @@ int chaplygin_sleigh_jacobian(double t, const double *y, const double *p, double
         if (!(fabs(k2) > 0.0)) {
             return CHAPLYGIN_SLEIGH_SINGULAR_2;
         }
-        return CHAPLYGIN_SLEIGH_NOT_FINITE;
+        return chaplygin_sleigh_finish(25, J);
     }
     return CHAPLYGIN_SLEIGH_OK;
 }
@@ -429,7 +446,7 @@ int chaplygin_sleigh_outputs(double t, const double *y, const double *p, double 
     out[2] = y_2 + a * s_theta; /* Y */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(out[0] + out[1] + out[2]) <= DBL_MAX)) {
-        return CHAPLYGIN_SLEIGH_NOT_FINITE;
+        return chaplygin_sleigh_finish(3, out);
     }
     return CHAPLYGIN_SLEIGH_OK;
 }

@@ -1,5 +1,5 @@
 /*
- * charged_sleigh.c: charged_sleigh, emitted by nhc 0.1.0 (nhc:611d93bbdd14b8de)
+ * charged_sleigh.c: charged_sleigh, emitted by nhc 0.1.0 (nhc:379140221753be7a)
  * Chaplygin's sleigh with a charge at its centre of mass in a magnetic field; T depends on x and y.
  * Source: charged_sleigh.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -36,6 +36,23 @@ const double charged_sleigh_parameter_defaults[] = {
     0.7,
     0.9
 };
+
+static int charged_sleigh_finish(int count, const double *values)
+{
+    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    for (int i = 0; i < count; ++i) {
+        sum += values[i];
+    }
+    if (fabs(sum) <= DBL_MAX) {
+        return CHARGED_SLEIGH_OK;
+    }
+    for (int i = 0; i < count; ++i) { /* finite values may have an infinite sum */
+        if (!(fabs(values[i]) <= DBL_MAX)) {
+            return CHARGED_SLEIGH_NOT_FINITE;
+        }
+    }
+    return CHARGED_SLEIGH_OK;
+}
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
 #ifndef CHARGED_SLEIGH_LANES
@@ -194,7 +211,7 @@ int charged_sleigh_rhs(double t, const double *y, const double *p, double *dydt)
         if (!(fabs(k1) > 0.0)) {
             return CHARGED_SLEIGH_SINGULAR_2;
         }
-        return CHARGED_SLEIGH_NOT_FINITE;
+        return charged_sleigh_finish(5, dydt);
     }
     return CHARGED_SLEIGH_OK;
 }
@@ -218,7 +235,7 @@ int charged_sleigh_velocities(double t, const double *y, const double *p, double
     qdot[2] = w; /* theta' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qdot[0] + qdot[2]) <= DBL_MAX)) {
-        return CHARGED_SLEIGH_NOT_FINITE;
+        return charged_sleigh_finish(3, qdot);
     }
     return CHARGED_SLEIGH_OK;
 }
@@ -261,7 +278,7 @@ int charged_sleigh_accelerations(double t, const double *y, const double *p, dou
         if (!(fabs(k1) > 0.0)) {
             return CHARGED_SLEIGH_SINGULAR_2;
         }
-        return CHARGED_SLEIGH_NOT_FINITE;
+        return charged_sleigh_finish(3, qddot);
     }
     return CHARGED_SLEIGH_OK;
 }
@@ -289,7 +306,7 @@ int charged_sleigh_state(double t, const double *q, const double *qdot, const do
     y[4] = theta_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1] + y[3] + y[4]) <= DBL_MAX)) {
-        return CHARGED_SLEIGH_NOT_FINITE;
+        return charged_sleigh_finish(5, y);
     }
     return CHARGED_SLEIGH_OK;
 }
@@ -311,7 +328,7 @@ int charged_sleigh_residuals(double t, const double *q, const double *qdot, cons
     r[0] = y_dot * c_theta - x_dot * s_theta; /* slip = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(r[0]) <= DBL_MAX)) {
-        return CHARGED_SLEIGH_NOT_FINITE;
+        return charged_sleigh_finish(1, r);
     }
     return CHARGED_SLEIGH_OK;
 }
@@ -344,7 +361,7 @@ int charged_sleigh_reactions(double t, const double *y, const double *p, double 
         if (!(fabs(k2) > 0.0)) {
             return CHARGED_SLEIGH_SINGULAR_2;
         }
-        return CHARGED_SLEIGH_NOT_FINITE;
+        return charged_sleigh_finish(1, lambda);
     }
     return CHARGED_SLEIGH_OK;
 }
@@ -421,7 +438,7 @@ int charged_sleigh_jacobian(double t, const double *y, const double *p, double *
         if (!(fabs(k2) > 0.0)) {
             return CHARGED_SLEIGH_SINGULAR_2;
         }
-        return CHARGED_SLEIGH_NOT_FINITE;
+        return charged_sleigh_finish(25, J);
     }
     return CHARGED_SLEIGH_OK;
 }
@@ -437,7 +454,7 @@ int charged_sleigh_outputs(double t, const double *y, const double *p, double *o
     out[0] = v; /* speed */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(out[0]) <= DBL_MAX)) {
-        return CHARGED_SLEIGH_NOT_FINITE;
+        return charged_sleigh_finish(1, out);
     }
     return CHARGED_SLEIGH_OK;
 }

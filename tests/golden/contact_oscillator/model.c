@@ -1,5 +1,5 @@
 /*
- * contact_oscillator.c: contact_oscillator, emitted by nhc 0.1.0 (nhc:4f737981b877842f)
+ * contact_oscillator.c: contact_oscillator, emitted by nhc 0.1.0 (nhc:193b101e7e20cab0)
  * Three equal oscillators with one contact constraint; reversible and integrable.
  * Source: contact_oscillator.yaml
  * Equations of motion: chaplygin (III.3)
@@ -34,6 +34,23 @@ const double contact_oscillator_parameter_defaults[] = {
     /* no entry counts: C99 has no empty array */
     0.0
 };
+
+static int contact_oscillator_finish(int count, const double *values)
+{
+    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    for (int i = 0; i < count; ++i) {
+        sum += values[i];
+    }
+    if (fabs(sum) <= DBL_MAX) {
+        return CONTACT_OSCILLATOR_OK;
+    }
+    for (int i = 0; i < count; ++i) { /* finite values may have an infinite sum */
+        if (!(fabs(values[i]) <= DBL_MAX)) {
+            return CONTACT_OSCILLATOR_NOT_FINITE;
+        }
+    }
+    return CONTACT_OSCILLATOR_OK;
+}
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
 #ifndef CONTACT_OSCILLATOR_LANES
@@ -162,7 +179,7 @@ int contact_oscillator_rhs(double t, const double *y, const double *p, double *d
         if (!(fabs(z1) > 0.0)) {
             return CONTACT_OSCILLATOR_SINGULAR_2;
         }
-        return CONTACT_OSCILLATOR_NOT_FINITE;
+        return contact_oscillator_finish(5, dydt);
     }
     return CONTACT_OSCILLATOR_OK;
 }
@@ -182,7 +199,7 @@ int contact_oscillator_velocities(double t, const double *y, const double *p, do
     qdot[2] = z_dot; /* z' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qdot[0] + qdot[1]) <= DBL_MAX)) {
-        return CONTACT_OSCILLATOR_NOT_FINITE;
+        return contact_oscillator_finish(3, qdot);
     }
     return CONTACT_OSCILLATOR_OK;
 }
@@ -211,7 +228,7 @@ int contact_oscillator_accelerations(double t, const double *y, const double *p,
         if (!(fabs(z1) > 0.0)) {
             return CONTACT_OSCILLATOR_SINGULAR_2;
         }
-        return CONTACT_OSCILLATOR_NOT_FINITE;
+        return contact_oscillator_finish(3, qddot);
     }
     return CONTACT_OSCILLATOR_OK;
 }
@@ -234,7 +251,7 @@ int contact_oscillator_state(double t, const double *q, const double *qdot, cons
     y[4] = z_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1] + y[2] + y[3] + y[4]) <= DBL_MAX)) {
-        return CONTACT_OSCILLATOR_NOT_FINITE;
+        return contact_oscillator_finish(5, y);
     }
     return CONTACT_OSCILLATOR_OK;
 }
@@ -252,7 +269,7 @@ int contact_oscillator_residuals(double t, const double *q, const double *qdot, 
     r[0] = x_dot + y * z_dot; /* contact = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(r[0]) <= DBL_MAX)) {
-        return CONTACT_OSCILLATOR_NOT_FINITE;
+        return contact_oscillator_finish(1, r);
     }
     return CONTACT_OSCILLATOR_OK;
 }
@@ -278,7 +295,7 @@ int contact_oscillator_reactions(double t, const double *y, const double *p, dou
         if (!(fabs(z1) > 0.0)) {
             return CONTACT_OSCILLATOR_SINGULAR_2;
         }
-        return CONTACT_OSCILLATOR_NOT_FINITE;
+        return contact_oscillator_finish(1, lambda);
     }
     return CONTACT_OSCILLATOR_OK;
 }
@@ -334,7 +351,7 @@ int contact_oscillator_jacobian(double t, const double *y, const double *p, doub
         if (!(fabs(z1) > 0.0)) {
             return CONTACT_OSCILLATOR_SINGULAR_2;
         }
-        return CONTACT_OSCILLATOR_NOT_FINITE;
+        return contact_oscillator_finish(25, J);
     }
     return CONTACT_OSCILLATOR_OK;
 }
@@ -357,7 +374,7 @@ int contact_oscillator_outputs(double t, const double *y, const double *p, doubl
     out[1] = 0.5 * (x * x + z * z + z_dot * z_dot * (1.0 + z1)); /* R */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(out[0] + out[1]) <= DBL_MAX)) {
-        return CONTACT_OSCILLATOR_NOT_FINITE;
+        return contact_oscillator_finish(2, out);
     }
     return CONTACT_OSCILLATOR_OK;
 }

@@ -1,5 +1,5 @@
 /*
- * contact_oscillator_eps.c: contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:8253d717efcee17c)
+ * contact_oscillator_eps.c: contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:8e9aae8d8368bb82)
  * The contact oscillator with a quartic coupling; still reversible and still with a second integral.
  * Source: contact_oscillator_eps.yaml
  * Equations of motion: chaplygin (III.3)
@@ -34,6 +34,23 @@ const char *const contact_oscillator_eps_parameter_names[] = {
 const double contact_oscillator_eps_parameter_defaults[] = {
     0.3
 };
+
+static int contact_oscillator_eps_finish(int count, const double *values)
+{
+    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    for (int i = 0; i < count; ++i) {
+        sum += values[i];
+    }
+    if (fabs(sum) <= DBL_MAX) {
+        return CONTACT_OSCILLATOR_EPS_OK;
+    }
+    for (int i = 0; i < count; ++i) { /* finite values may have an infinite sum */
+        if (!(fabs(values[i]) <= DBL_MAX)) {
+            return CONTACT_OSCILLATOR_EPS_NOT_FINITE;
+        }
+    }
+    return CONTACT_OSCILLATOR_EPS_OK;
+}
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
 #ifndef CONTACT_OSCILLATOR_EPS_LANES
@@ -164,7 +181,7 @@ int contact_oscillator_eps_rhs(double t, const double *y, const double *p, doubl
         if (!(fabs(z1) > 0.0)) {
             return CONTACT_OSCILLATOR_EPS_SINGULAR_2;
         }
-        return CONTACT_OSCILLATOR_EPS_NOT_FINITE;
+        return contact_oscillator_eps_finish(5, dydt);
     }
     return CONTACT_OSCILLATOR_EPS_OK;
 }
@@ -184,7 +201,7 @@ int contact_oscillator_eps_velocities(double t, const double *y, const double *p
     qdot[2] = z_dot; /* z' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qdot[0] + qdot[1]) <= DBL_MAX)) {
-        return CONTACT_OSCILLATOR_EPS_NOT_FINITE;
+        return contact_oscillator_eps_finish(3, qdot);
     }
     return CONTACT_OSCILLATOR_EPS_OK;
 }
@@ -214,7 +231,7 @@ int contact_oscillator_eps_accelerations(double t, const double *y, const double
         if (!(fabs(z1) > 0.0)) {
             return CONTACT_OSCILLATOR_EPS_SINGULAR_2;
         }
-        return CONTACT_OSCILLATOR_EPS_NOT_FINITE;
+        return contact_oscillator_eps_finish(3, qddot);
     }
     return CONTACT_OSCILLATOR_EPS_OK;
 }
@@ -237,7 +254,7 @@ int contact_oscillator_eps_state(double t, const double *q, const double *qdot, 
     y[4] = z_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1] + y[2] + y[3] + y[4]) <= DBL_MAX)) {
-        return CONTACT_OSCILLATOR_EPS_NOT_FINITE;
+        return contact_oscillator_eps_finish(5, y);
     }
     return CONTACT_OSCILLATOR_EPS_OK;
 }
@@ -256,7 +273,7 @@ int contact_oscillator_eps_residuals(double t, const double *q, const double *qd
     r[0] = x_dot + y * z_dot; /* contact = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(r[0]) <= DBL_MAX)) {
-        return CONTACT_OSCILLATOR_EPS_NOT_FINITE;
+        return contact_oscillator_eps_finish(1, r);
     }
     return CONTACT_OSCILLATOR_EPS_OK;
 }
@@ -285,7 +302,7 @@ int contact_oscillator_eps_reactions(double t, const double *y, const double *p,
         if (!(fabs(z1) > 0.0)) {
             return CONTACT_OSCILLATOR_EPS_SINGULAR_2;
         }
-        return CONTACT_OSCILLATOR_EPS_NOT_FINITE;
+        return contact_oscillator_eps_finish(1, lambda);
     }
     return CONTACT_OSCILLATOR_EPS_OK;
 }
@@ -346,7 +363,7 @@ int contact_oscillator_eps_jacobian(double t, const double *y, const double *p, 
         if (!(fabs(z1) > 0.0)) {
             return CONTACT_OSCILLATOR_EPS_SINGULAR_2;
         }
-        return CONTACT_OSCILLATOR_EPS_NOT_FINITE;
+        return contact_oscillator_eps_finish(25, J);
     }
     return CONTACT_OSCILLATOR_EPS_OK;
 }
@@ -370,7 +387,7 @@ int contact_oscillator_eps_outputs(double t, const double *y, const double *p, d
     out[1] = 0.5 * (z2 + z * z * (1.0 + eps * z2) + z_dot * z_dot * (1.0 + z1)); /* R */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(out[0] + out[1]) <= DBL_MAX)) {
-        return CONTACT_OSCILLATOR_EPS_NOT_FINITE;
+        return contact_oscillator_eps_finish(2, out);
     }
     return CONTACT_OSCILLATOR_EPS_OK;
 }

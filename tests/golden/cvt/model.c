@@ -1,5 +1,5 @@
 /*
- * cvt.c: cvt, emitted by nhc 0.1.0 (nhc:525129ccfdecb536)
+ * cvt.c: cvt, emitted by nhc 0.1.0 (nhc:70f885f055f6d2ca)
  * A continuously variable transmission; a plane oscillator whose free direction is set by a symmetric driver.
  * Source: cvt.yaml
  * Equations of motion: chaplygin (III.3)
@@ -34,6 +34,23 @@ const double cvt_parameter_defaults[] = {
     /* no entry counts: C99 has no empty array */
     0.0
 };
+
+static int cvt_finish(int count, const double *values)
+{
+    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    for (int i = 0; i < count; ++i) {
+        sum += values[i];
+    }
+    if (fabs(sum) <= DBL_MAX) {
+        return CVT_OK;
+    }
+    for (int i = 0; i < count; ++i) { /* finite values may have an infinite sum */
+        if (!(fabs(values[i]) <= DBL_MAX)) {
+            return CVT_NOT_FINITE;
+        }
+    }
+    return CVT_OK;
+}
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
 #ifndef CVT_LANES
@@ -182,7 +199,7 @@ int cvt_rhs(double t, const double *y, const double *p, double *dydt)
         if (!(fabs(z1) > 0.0)) {
             return CVT_SINGULAR_2;
         }
-        return CVT_NOT_FINITE;
+        return cvt_finish(5, dydt);
     }
     return CVT_OK;
 }
@@ -203,7 +220,7 @@ int cvt_velocities(double t, const double *y, const double *p, double *qdot)
     qdot[2] = xi_dot; /* xi' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qdot[1] + qdot[2]) <= DBL_MAX)) {
-        return CVT_NOT_FINITE;
+        return cvt_finish(3, qdot);
     }
     return CVT_OK;
 }
@@ -236,7 +253,7 @@ int cvt_accelerations(double t, const double *y, const double *p, double *qddot)
         if (!(fabs(z1) > 0.0)) {
             return CVT_SINGULAR_2;
         }
-        return CVT_NOT_FINITE;
+        return cvt_finish(3, qddot);
     }
     return CVT_OK;
 }
@@ -259,7 +276,7 @@ int cvt_state(double t, const double *q, const double *qdot, const double *p, do
     y[4] = xi_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1] + y[2] + y[3] + y[4]) <= DBL_MAX)) {
-        return CVT_NOT_FINITE;
+        return cvt_finish(5, y);
     }
     return CVT_OK;
 }
@@ -278,7 +295,7 @@ int cvt_residuals(double t, const double *q, const double *qdot, const double *p
     r[0] = y_dot + x_dot * s_xi; /* belt = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(r[0]) <= DBL_MAX)) {
-        return CVT_NOT_FINITE;
+        return cvt_finish(1, r);
     }
     return CVT_OK;
 }
@@ -308,7 +325,7 @@ int cvt_reactions(double t, const double *y, const double *p, double *lambda)
         if (!(fabs(z1) > 0.0)) {
             return CVT_SINGULAR_2;
         }
-        return CVT_NOT_FINITE;
+        return cvt_finish(1, lambda);
     }
     return CVT_OK;
 }
@@ -375,7 +392,7 @@ int cvt_jacobian(double t, const double *y, const double *p, double *J)
         if (!(fabs(z2) > 0.0)) {
             return CVT_SINGULAR_2;
         }
-        return CVT_NOT_FINITE;
+        return cvt_finish(25, J);
     }
     return CVT_OK;
 }
@@ -402,7 +419,7 @@ int cvt_outputs(double t, const double *y, const double *p, double *out)
     out[1] = 0.5 * (y_2 * y_2 + (x * x + (x_dot * x_dot + z1 * z1))); /* E_xy */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(out[0] + out[1]) <= DBL_MAX)) {
-        return CVT_NOT_FINITE;
+        return cvt_finish(2, out);
     }
     return CVT_OK;
 }

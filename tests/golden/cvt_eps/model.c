@@ -1,5 +1,5 @@
 /*
- * cvt_eps.c: cvt_eps, emitted by nhc 0.1.0 (nhc:e672207a575f7ece)
+ * cvt_eps.c: cvt_eps, emitted by nhc 0.1.0 (nhc:e958a53316b3a384)
  * The transmission with a driver that breaks the symmetry; most integrators for nonholonomic systems drift on
  *     it.
  * Source: cvt_eps.yaml
@@ -33,6 +33,23 @@ const char *const cvt_eps_parameter_names[] = {
 const double cvt_eps_parameter_defaults[] = {
     0.3
 };
+
+static int cvt_eps_finish(int count, const double *values)
+{
+    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    for (int i = 0; i < count; ++i) {
+        sum += values[i];
+    }
+    if (fabs(sum) <= DBL_MAX) {
+        return CVT_EPS_OK;
+    }
+    for (int i = 0; i < count; ++i) { /* finite values may have an infinite sum */
+        if (!(fabs(values[i]) <= DBL_MAX)) {
+            return CVT_EPS_NOT_FINITE;
+        }
+    }
+    return CVT_EPS_OK;
+}
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
 #ifndef CVT_EPS_LANES
@@ -182,7 +199,7 @@ int cvt_eps_rhs(double t, const double *y, const double *p, double *dydt)
         if (!(fabs(z2) > 0.0)) {
             return CVT_EPS_SINGULAR_2;
         }
-        return CVT_EPS_NOT_FINITE;
+        return cvt_eps_finish(5, dydt);
     }
     return CVT_EPS_OK;
 }
@@ -203,7 +220,7 @@ int cvt_eps_velocities(double t, const double *y, const double *p, double *qdot)
     qdot[2] = xi_dot; /* xi' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qdot[1] + qdot[2]) <= DBL_MAX)) {
-        return CVT_EPS_NOT_FINITE;
+        return cvt_eps_finish(3, qdot);
     }
     return CVT_EPS_OK;
 }
@@ -237,7 +254,7 @@ int cvt_eps_accelerations(double t, const double *y, const double *p, double *qd
         if (!(fabs(z2) > 0.0)) {
             return CVT_EPS_SINGULAR_2;
         }
-        return CVT_EPS_NOT_FINITE;
+        return cvt_eps_finish(3, qddot);
     }
     return CVT_EPS_OK;
 }
@@ -260,7 +277,7 @@ int cvt_eps_state(double t, const double *q, const double *qdot, const double *p
     y[4] = xi_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1] + y[2] + y[3] + y[4]) <= DBL_MAX)) {
-        return CVT_EPS_NOT_FINITE;
+        return cvt_eps_finish(5, y);
     }
     return CVT_EPS_OK;
 }
@@ -279,7 +296,7 @@ int cvt_eps_residuals(double t, const double *q, const double *qdot, const doubl
     r[0] = y_dot + x_dot * s_xi; /* belt = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(r[0]) <= DBL_MAX)) {
-        return CVT_EPS_NOT_FINITE;
+        return cvt_eps_finish(1, r);
     }
     return CVT_EPS_OK;
 }
@@ -309,7 +326,7 @@ int cvt_eps_reactions(double t, const double *y, const double *p, double *lambda
         if (!(fabs(z1) > 0.0)) {
             return CVT_EPS_SINGULAR_2;
         }
-        return CVT_EPS_NOT_FINITE;
+        return cvt_eps_finish(1, lambda);
     }
     return CVT_EPS_OK;
 }
@@ -377,7 +394,7 @@ int cvt_eps_jacobian(double t, const double *y, const double *p, double *J)
         if (!(fabs(z2) > 0.0)) {
             return CVT_EPS_SINGULAR_2;
         }
-        return CVT_EPS_NOT_FINITE;
+        return cvt_eps_finish(25, J);
     }
     return CVT_EPS_OK;
 }
@@ -403,7 +420,7 @@ int cvt_eps_outputs(double t, const double *y, const double *p, double *out)
     out[1] = 0.5 * (x * x + y_2 * y_2 + x_dot * x_dot * (1.0 + s_xi * s_xi)); /* E_xy */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(out[0] + out[1]) <= DBL_MAX)) {
-        return CVT_EPS_NOT_FINITE;
+        return cvt_eps_finish(2, out);
     }
     return CVT_EPS_OK;
 }

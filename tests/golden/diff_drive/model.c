@@ -1,5 +1,5 @@
 /*
- * diff_drive.c: diff_drive, emitted by nhc 0.1.0 (nhc:8be37010e25c0596)
+ * diff_drive.c: diff_drive, emitted by nhc 0.1.0 (nhc:4d46e9f0fdb0ac82)
  * A cart with two driven wheels and a caster; three velocity constraints, one of which is holonomic in
  *     disguise.
  * Source: diff_drive.yaml
@@ -49,6 +49,23 @@ const double diff_drive_parameter_defaults[] = {
     0.3,
     0.2
 };
+
+static int diff_drive_finish(int count, const double *values)
+{
+    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    for (int i = 0; i < count; ++i) {
+        sum += values[i];
+    }
+    if (fabs(sum) <= DBL_MAX) {
+        return DIFF_DRIVE_OK;
+    }
+    for (int i = 0; i < count; ++i) { /* finite values may have an infinite sum */
+        if (!(fabs(values[i]) <= DBL_MAX)) {
+            return DIFF_DRIVE_NOT_FINITE;
+        }
+    }
+    return DIFF_DRIVE_OK;
+}
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
 #ifndef DIFF_DRIVE_LANES
@@ -223,7 +240,7 @@ int diff_drive_rhs(double t, const double *y, const double *p, double *dydt)
         if (!(fabs(k6) > 0.0)) {
             return DIFF_DRIVE_SINGULAR_2;
         }
-        return DIFF_DRIVE_NOT_FINITE;
+        return diff_drive_finish(7, dydt);
     }
     return DIFF_DRIVE_OK;
 }
@@ -258,7 +275,7 @@ int diff_drive_velocities(double t, const double *y, const double *p, double *qd
         if (!(fabs(r) > 0.0)) {
             return DIFF_DRIVE_SINGULAR_1;
         }
-        return DIFF_DRIVE_NOT_FINITE;
+        return diff_drive_finish(5, qdot);
     }
     return DIFF_DRIVE_OK;
 }
@@ -318,7 +335,7 @@ int diff_drive_accelerations(double t, const double *y, const double *p, double 
         if (!(fabs(k6) > 0.0)) {
             return DIFF_DRIVE_SINGULAR_2;
         }
-        return DIFF_DRIVE_NOT_FINITE;
+        return diff_drive_finish(5, qddot);
     }
     return DIFF_DRIVE_OK;
 }
@@ -350,7 +367,7 @@ int diff_drive_state(double t, const double *q, const double *qdot, const double
     y[6] = theta_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1] + y[3] + y[4] + y[5] + y[6]) <= DBL_MAX)) {
-        return DIFF_DRIVE_NOT_FINITE;
+        return diff_drive_finish(7, y);
     }
     return DIFF_DRIVE_OK;
 }
@@ -382,7 +399,7 @@ int diff_drive_residuals(double t, const double *q, const double *qdot, const do
     r[2] = v - z1 - p_L_dot * r_2; /* roll_L = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(r[0] + r[1] + r[2]) <= DBL_MAX)) {
-        return DIFF_DRIVE_NOT_FINITE;
+        return diff_drive_finish(3, r);
     }
     return DIFF_DRIVE_OK;
 }
@@ -437,7 +454,7 @@ int diff_drive_reactions(double t, const double *y, const double *p, double *lam
         if (!(fabs(k6) > 0.0)) {
             return DIFF_DRIVE_SINGULAR_2;
         }
-        return DIFF_DRIVE_NOT_FINITE;
+        return diff_drive_finish(3, lambda);
     }
     return DIFF_DRIVE_OK;
 }
@@ -522,7 +539,7 @@ int diff_drive_jacobian(double t, const double *y, const double *p, double *J)
         if (!(fabs(k5) > 0.0)) {
             return DIFF_DRIVE_SINGULAR_2;
         }
-        return DIFF_DRIVE_NOT_FINITE;
+        return diff_drive_finish(49, J);
     }
     return DIFF_DRIVE_OK;
 }

@@ -1,5 +1,5 @@
 /*
- * disk_chain2.c: disk_chain2, emitted by nhc 0.1.0 (nhc:9b8778f8762fc14a)
+ * disk_chain2.c: disk_chain2, emitted by nhc 0.1.0 (nhc:b093e3a550a67366)
  * Two upright rolling disks joined by a spring; the first link of a chain that may be made as long as one
  *     likes.
  * Source: disk_chain2.yaml
@@ -74,6 +74,23 @@ const double disk_chain2_parameter_defaults[] = {
 #else
 #define DISK_CHAIN2_SLOW
 #endif
+
+static int disk_chain2_finish(int count, const double *values)
+{
+    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    for (int i = 0; i < count; ++i) {
+        sum += values[i];
+    }
+    if (fabs(sum) <= DBL_MAX) {
+        return DISK_CHAIN2_OK;
+    }
+    for (int i = 0; i < count; ++i) { /* finite values may have an infinite sum */
+        if (!(fabs(values[i]) <= DBL_MAX)) {
+            return DISK_CHAIN2_NOT_FINITE;
+        }
+    }
+    return DISK_CHAIN2_OK;
+}
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
 #ifndef DISK_CHAIN2_LANES
@@ -259,7 +276,7 @@ int disk_chain2_rhs(double t, const double *y, const double *p, double *dydt)
         if (!(fabs(k1) > 0.0)) {
             return DISK_CHAIN2_SINGULAR_2;
         }
-        return DISK_CHAIN2_NOT_FINITE;
+        return disk_chain2_finish(12, dydt);
     }
     return DISK_CHAIN2_OK;
 }
@@ -295,7 +312,7 @@ int disk_chain2_velocities(double t, const double *y, const double *p, double *q
     qdot[7] = theta2_dot; /* theta2' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qdot[0] + qdot[2] + qdot[4] + qdot[6]) <= DBL_MAX)) {
-        return DISK_CHAIN2_NOT_FINITE;
+        return disk_chain2_finish(8, qdot);
     }
     return DISK_CHAIN2_OK;
 }
@@ -365,7 +382,7 @@ int disk_chain2_accelerations(double t, const double *y, const double *p, double
         if (!(fabs(k1) > 0.0)) {
             return DISK_CHAIN2_SINGULAR_2;
         }
-        return DISK_CHAIN2_NOT_FINITE;
+        return disk_chain2_finish(8, qddot);
     }
     return DISK_CHAIN2_OK;
 }
@@ -402,7 +419,7 @@ int disk_chain2_state(double t, const double *q, const double *qdot, const doubl
     y[11] = theta2_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1] + y[2] + y[3] + y[4] + y[5] + y[6] + y[7] + y[8] + y[9] + y[10] + y[11]) <= DBL_MAX)) {
-        return DISK_CHAIN2_NOT_FINITE;
+        return disk_chain2_finish(12, y);
     }
     return DISK_CHAIN2_OK;
 }
@@ -439,7 +456,7 @@ int disk_chain2_residuals(double t, const double *q, const double *qdot, const d
     r[3] = y2_dot - s_phi2 * v1_x2; /* roll_y2 = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(r[0] + r[1] + r[2] + r[3]) <= DBL_MAX)) {
-        return DISK_CHAIN2_NOT_FINITE;
+        return disk_chain2_finish(4, r);
     }
     return DISK_CHAIN2_OK;
 }
@@ -509,7 +526,7 @@ int disk_chain2_reactions(double t, const double *y, const double *p, double *la
         if (!(fabs(k2) > 0.0)) {
             return DISK_CHAIN2_SINGULAR_2;
         }
-        return DISK_CHAIN2_NOT_FINITE;
+        return disk_chain2_finish(4, lambda);
     }
     return DISK_CHAIN2_OK;
 }
@@ -624,7 +641,7 @@ int disk_chain2_jacobian(double t, const double *y, const double *p, double *J)
         if (!(fabs(k1) > 0.0)) {
             return DISK_CHAIN2_SINGULAR_2;
         }
-        return DISK_CHAIN2_NOT_FINITE;
+        return disk_chain2_finish(144, J);
     }
     return DISK_CHAIN2_OK;
 }

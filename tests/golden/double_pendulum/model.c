@@ -1,5 +1,5 @@
 /*
- * double_pendulum.c: double_pendulum, emitted by nhc 0.1.0 (nhc:47ed99e7b3c1c9a6)
+ * double_pendulum.c: double_pendulum, emitted by nhc 0.1.0 (nhc:d161cda683b9326f)
  * Two pendulums in a row, absolute angles; the model gives positions and nhc differentiates them.
  * Source: double_pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -43,6 +43,23 @@ const double double_pendulum_parameter_defaults[] = {
 #else
 #define DOUBLE_PENDULUM_SLOW
 #endif
+
+static int double_pendulum_finish(int count, const double *values)
+{
+    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    for (int i = 0; i < count; ++i) {
+        sum += values[i];
+    }
+    if (fabs(sum) <= DBL_MAX) {
+        return DOUBLE_PENDULUM_OK;
+    }
+    for (int i = 0; i < count; ++i) { /* finite values may have an infinite sum */
+        if (!(fabs(values[i]) <= DBL_MAX)) {
+            return DOUBLE_PENDULUM_NOT_FINITE;
+        }
+    }
+    return DOUBLE_PENDULUM_OK;
+}
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
 #ifndef DOUBLE_PENDULUM_LANES
@@ -218,7 +235,7 @@ int double_pendulum_rhs(double t, const double *y, const double *p, double *dydt
         if (!(fabs(m2) > 0.0)) {
             return DOUBLE_PENDULUM_SINGULAR_2;
         }
-        return DOUBLE_PENDULUM_NOT_FINITE;
+        return double_pendulum_finish(4, dydt);
     }
     return DOUBLE_PENDULUM_OK;
 }
@@ -236,7 +253,7 @@ int double_pendulum_velocities(double t, const double *y, const double *p, doubl
     qdot[1] = theta2_dot; /* theta2' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qdot[0] + qdot[1]) <= DBL_MAX)) {
-        return DOUBLE_PENDULUM_NOT_FINITE;
+        return double_pendulum_finish(2, qdot);
     }
     return DOUBLE_PENDULUM_OK;
 }
@@ -283,7 +300,7 @@ int double_pendulum_accelerations(double t, const double *y, const double *p, do
         if (!(fabs(m2) > 0.0)) {
             return DOUBLE_PENDULUM_SINGULAR_2;
         }
-        return DOUBLE_PENDULUM_NOT_FINITE;
+        return double_pendulum_finish(2, qddot);
     }
     return DOUBLE_PENDULUM_OK;
 }
@@ -304,7 +321,7 @@ int double_pendulum_state(double t, const double *q, const double *qdot, const d
     y[3] = theta2_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1] + y[2] + y[3]) <= DBL_MAX)) {
-        return DOUBLE_PENDULUM_NOT_FINITE;
+        return double_pendulum_finish(4, y);
     }
     return DOUBLE_PENDULUM_OK;
 }
@@ -446,7 +463,7 @@ int double_pendulum_jacobian(double t, const double *y, const double *p, double 
         if (!(fabs(m2) > 0.0)) {
             return DOUBLE_PENDULUM_SINGULAR_2;
         }
-        return DOUBLE_PENDULUM_NOT_FINITE;
+        return double_pendulum_finish(16, J);
     }
     return DOUBLE_PENDULUM_OK;
 }
@@ -472,7 +489,7 @@ int double_pendulum_outputs(double t, const double *y, const double *p, double *
     out[1] = -(l1 * c_theta1 + l2 * c_theta2); /* tip_y */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(out[0] + out[1]) <= DBL_MAX)) {
-        return DOUBLE_PENDULUM_NOT_FINITE;
+        return double_pendulum_finish(2, out);
     }
     return DOUBLE_PENDULUM_OK;
 }

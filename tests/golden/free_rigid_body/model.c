@@ -1,5 +1,5 @@
 /*
- * free_rigid_body.c: free_rigid_body, emitted by nhc 0.1.0 (nhc:e3152c4ff8514357)
+ * free_rigid_body.c: free_rigid_body, emitted by nhc 0.1.0 (nhc:103d38d38e6b9ff4)
  * A free rigid body; the components of its angular velocity on body axes are the quasi-velocities.
  * Source: free_rigid_body.yaml
  * Equations of motion: euler-lagrange (I.2.14)
@@ -42,6 +42,23 @@ const double free_rigid_body_parameter_defaults[] = {
 #else
 #define FREE_RIGID_BODY_SLOW
 #endif
+
+static int free_rigid_body_finish(int count, const double *values)
+{
+    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    for (int i = 0; i < count; ++i) {
+        sum += values[i];
+    }
+    if (fabs(sum) <= DBL_MAX) {
+        return FREE_RIGID_BODY_OK;
+    }
+    for (int i = 0; i < count; ++i) { /* finite values may have an infinite sum */
+        if (!(fabs(values[i]) <= DBL_MAX)) {
+            return FREE_RIGID_BODY_NOT_FINITE;
+        }
+    }
+    return FREE_RIGID_BODY_OK;
+}
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
 #ifndef FREE_RIGID_BODY_LANES
@@ -224,7 +241,7 @@ int free_rigid_body_rhs(double t, const double *y, const double *p, double *dydt
         if (!(fabs(I3) > 0.0)) {
             return FREE_RIGID_BODY_SINGULAR_2;
         }
-        return FREE_RIGID_BODY_NOT_FINITE;
+        return free_rigid_body_finish(6, dydt);
     }
     return FREE_RIGID_BODY_OK;
 }
@@ -258,7 +275,7 @@ int free_rigid_body_velocities(double t, const double *y, const double *p, doubl
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
             return FREE_RIGID_BODY_SINGULAR_1;
         }
-        return FREE_RIGID_BODY_NOT_FINITE;
+        return free_rigid_body_finish(3, qdot);
     }
     return FREE_RIGID_BODY_OK;
 }
@@ -325,7 +342,7 @@ int free_rigid_body_accelerations(double t, const double *y, const double *p, do
         if (!(fabs(I3) > 0.0)) {
             return FREE_RIGID_BODY_SINGULAR_2;
         }
-        return FREE_RIGID_BODY_NOT_FINITE;
+        return free_rigid_body_finish(3, qddot);
     }
     return FREE_RIGID_BODY_OK;
 }
@@ -357,7 +374,7 @@ int free_rigid_body_state(double t, const double *q, const double *qdot, const d
     y[5] = psi_dot + phi_dot * c_theta;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[3] + y[4] + y[5]) <= DBL_MAX)) {
-        return FREE_RIGID_BODY_NOT_FINITE;
+        return free_rigid_body_finish(6, y);
     }
     return FREE_RIGID_BODY_OK;
 }
@@ -493,7 +510,7 @@ int free_rigid_body_jacobian(double t, const double *y, const double *p, double 
         if (!(fabs(I3) > 0.0)) {
             return FREE_RIGID_BODY_SINGULAR_2;
         }
-        return FREE_RIGID_BODY_NOT_FINITE;
+        return free_rigid_body_finish(36, J);
     }
     return FREE_RIGID_BODY_OK;
 }
@@ -524,7 +541,7 @@ int free_rigid_body_outputs(double t, const double *y, const double *p, double *
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
             return FREE_RIGID_BODY_SINGULAR_1;
         }
-        return FREE_RIGID_BODY_NOT_FINITE;
+        return free_rigid_body_finish(1, out);
     }
     return FREE_RIGID_BODY_OK;
 }

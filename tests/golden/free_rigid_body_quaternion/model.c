@@ -1,5 +1,5 @@
 /*
- * free_rigid_body_quaternion.c: free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:33bd173694a8173d)
+ * free_rigid_body_quaternion.c: free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:68c1944e698f18c4)
  * A free rigid body, its orientation a quaternion; Euler's equations, and no orientation that is special.
  * Source: free_rigid_body_quaternion.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -44,6 +44,23 @@ const double free_rigid_body_quaternion_parameter_defaults[] = {
 #else
 #define FREE_RIGID_BODY_QUATERNION_SLOW
 #endif
+
+static int free_rigid_body_quaternion_finish(int count, const double *values)
+{
+    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    for (int i = 0; i < count; ++i) {
+        sum += values[i];
+    }
+    if (fabs(sum) <= DBL_MAX) {
+        return FREE_RIGID_BODY_QUATERNION_OK;
+    }
+    for (int i = 0; i < count; ++i) { /* finite values may have an infinite sum */
+        if (!(fabs(values[i]) <= DBL_MAX)) {
+            return FREE_RIGID_BODY_QUATERNION_NOT_FINITE;
+        }
+    }
+    return FREE_RIGID_BODY_QUATERNION_OK;
+}
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
 #ifndef FREE_RIGID_BODY_QUATERNION_LANES
@@ -190,7 +207,7 @@ int free_rigid_body_quaternion_rhs(double t, const double *y, const double *p, d
         if (!(fabs(I3) > 0.0)) {
             return FREE_RIGID_BODY_QUATERNION_SINGULAR_2;
         }
-        return FREE_RIGID_BODY_QUATERNION_NOT_FINITE;
+        return free_rigid_body_quaternion_finish(7, dydt);
     }
     return FREE_RIGID_BODY_QUATERNION_OK;
 }
@@ -215,7 +232,7 @@ int free_rigid_body_quaternion_velocities(double t, const double *y, const doubl
     qdot[3] = 0.5 * (R_0 * w3 - (R_2 * w1 - R_1 * w2)); /* R_3' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qdot[0] + qdot[1] + qdot[2] + qdot[3]) <= DBL_MAX)) {
-        return FREE_RIGID_BODY_QUATERNION_NOT_FINITE;
+        return free_rigid_body_quaternion_finish(4, qdot);
     }
     return FREE_RIGID_BODY_QUATERNION_OK;
 }
@@ -274,7 +291,7 @@ int free_rigid_body_quaternion_accelerations(double t, const double *y, const do
         if (!(fabs(I3) > 0.0)) {
             return FREE_RIGID_BODY_QUATERNION_SINGULAR_2;
         }
-        return FREE_RIGID_BODY_QUATERNION_NOT_FINITE;
+        return free_rigid_body_quaternion_finish(4, qddot);
     }
     return FREE_RIGID_BODY_QUATERNION_OK;
 }
@@ -308,7 +325,7 @@ int free_rigid_body_quaternion_state(double t, const double *q, const double *qd
     y[6] = 2.0 * (R_3_dot * z2 - R_0_dot * z4 + (R_1_dot * z5 - R_2_dot * z3));
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[4] + y[5] + y[6]) <= DBL_MAX)) {
-        return FREE_RIGID_BODY_QUATERNION_NOT_FINITE;
+        return free_rigid_body_quaternion_finish(7, y);
     }
     return FREE_RIGID_BODY_QUATERNION_OK;
 }
@@ -332,7 +349,7 @@ int free_rigid_body_quaternion_residuals(double t, const double *q, const double
     r[0] = 2.0 * (R_3 * R_3_dot + (R_2 * R_2_dot + (R_0 * R_0_dot + R_1 * R_1_dot))); /* R_norm = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(r[0]) <= DBL_MAX)) {
-        return FREE_RIGID_BODY_QUATERNION_NOT_FINITE;
+        return free_rigid_body_quaternion_finish(1, r);
     }
     return FREE_RIGID_BODY_QUATERNION_OK;
 }
@@ -351,7 +368,7 @@ int free_rigid_body_quaternion_positions(double t, const double *q, const double
     f[0] = R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)) - 1.0; /* R_norm = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(f[0]) <= DBL_MAX)) {
-        return FREE_RIGID_BODY_QUATERNION_NOT_FINITE;
+        return free_rigid_body_quaternion_finish(1, f);
     }
     return FREE_RIGID_BODY_QUATERNION_OK;
 }
@@ -380,7 +397,7 @@ int free_rigid_body_quaternion_reactions(double t, const double *y, const double
         if (!(fabs(I3) > 0.0)) {
             return FREE_RIGID_BODY_QUATERNION_SINGULAR_2;
         }
-        return FREE_RIGID_BODY_QUATERNION_NOT_FINITE;
+        return free_rigid_body_quaternion_finish(1, lambda);
     }
     return FREE_RIGID_BODY_QUATERNION_OK;
 }
@@ -476,7 +493,7 @@ int free_rigid_body_quaternion_jacobian(double t, const double *y, const double 
         if (!(fabs(I3) > 0.0)) {
             return FREE_RIGID_BODY_QUATERNION_SINGULAR_2;
         }
-        return FREE_RIGID_BODY_QUATERNION_NOT_FINITE;
+        return free_rigid_body_quaternion_finish(49, J);
     }
     return FREE_RIGID_BODY_QUATERNION_OK;
 }
@@ -511,7 +528,7 @@ int free_rigid_body_quaternion_outputs(double t, const double *y, const double *
     out[2] = z3 + 2.0 * (z2 * (R_1 * z6 + R_2 * z7)); /* L_z */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(out[0] + out[1] + out[2]) <= DBL_MAX)) {
-        return FREE_RIGID_BODY_QUATERNION_NOT_FINITE;
+        return free_rigid_body_quaternion_finish(3, out);
     }
     return FREE_RIGID_BODY_QUATERNION_OK;
 }

@@ -1,5 +1,5 @@
 /*
- * heavy_top.c: heavy_top, emitted by nhc 0.1.0 (nhc:8a593aa045204063)
+ * heavy_top.c: heavy_top, emitted by nhc 0.1.0 (nhc:02f3e9a3f44cfa6e)
  * The symmetric top with a fixed point (Lagrange's top).
  * Source: heavy_top.yaml
  * Equations of motion: lagrange (II.3)
@@ -42,6 +42,23 @@ const double heavy_top_parameter_defaults[] = {
 #else
 #define HEAVY_TOP_SLOW
 #endif
+
+static int heavy_top_finish(int count, const double *values)
+{
+    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    for (int i = 0; i < count; ++i) {
+        sum += values[i];
+    }
+    if (fabs(sum) <= DBL_MAX) {
+        return HEAVY_TOP_OK;
+    }
+    for (int i = 0; i < count; ++i) { /* finite values may have an infinite sum */
+        if (!(fabs(values[i]) <= DBL_MAX)) {
+            return HEAVY_TOP_NOT_FINITE;
+        }
+    }
+    return HEAVY_TOP_OK;
+}
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
 #ifndef HEAVY_TOP_LANES
@@ -225,7 +242,7 @@ int heavy_top_rhs(double t, const double *y, const double *p, double *dydt)
         if (!(fabs(z6) > 1e-14 * I3)) {
             return HEAVY_TOP_SINGULAR_2;
         }
-        return HEAVY_TOP_NOT_FINITE;
+        return heavy_top_finish(6, dydt);
     }
     return HEAVY_TOP_OK;
 }
@@ -245,7 +262,7 @@ int heavy_top_velocities(double t, const double *y, const double *p, double *qdo
     qdot[2] = psi_dot; /* psi' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qdot[0] + qdot[1] + qdot[2]) <= DBL_MAX)) {
-        return HEAVY_TOP_NOT_FINITE;
+        return heavy_top_finish(3, qdot);
     }
     return HEAVY_TOP_OK;
 }
@@ -299,7 +316,7 @@ int heavy_top_accelerations(double t, const double *y, const double *p, double *
         if (!(fabs(z6) > 1e-14 * I3)) {
             return HEAVY_TOP_SINGULAR_2;
         }
-        return HEAVY_TOP_NOT_FINITE;
+        return heavy_top_finish(3, qddot);
     }
     return HEAVY_TOP_OK;
 }
@@ -324,7 +341,7 @@ int heavy_top_state(double t, const double *q, const double *qdot, const double 
     y[5] = psi_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1] + y[2] + y[3] + y[4] + y[5]) <= DBL_MAX)) {
-        return HEAVY_TOP_NOT_FINITE;
+        return heavy_top_finish(6, y);
     }
     return HEAVY_TOP_OK;
 }
@@ -476,7 +493,7 @@ int heavy_top_jacobian(double t, const double *y, const double *p, double *J)
         if (!(fabs(z6) > 1e-14 * I3)) {
             return HEAVY_TOP_SINGULAR_2;
         }
-        return HEAVY_TOP_NOT_FINITE;
+        return heavy_top_finish(36, J);
     }
     return HEAVY_TOP_OK;
 }
@@ -502,7 +519,7 @@ int heavy_top_outputs(double t, const double *y, const double *p, double *out)
     out[1] = z1; /* p_psi */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(out[0]) <= DBL_MAX)) {
-        return HEAVY_TOP_NOT_FINITE;
+        return heavy_top_finish(2, out);
     }
     return HEAVY_TOP_OK;
 }

@@ -1,5 +1,5 @@
 /*
- * heavy_top_quaternion.c: heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:f7e033367bcc6ee9)
+ * heavy_top_quaternion.c: heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:a1eee716fb6172c9)
  * The symmetric top with a fixed point (Lagrange's top), its orientation a quaternion, so that it may stand
  *     upright.
  * Source: heavy_top_quaternion.yaml
@@ -45,6 +45,23 @@ const double heavy_top_quaternion_parameter_defaults[] = {
 #else
 #define HEAVY_TOP_QUATERNION_SLOW
 #endif
+
+static int heavy_top_quaternion_finish(int count, const double *values)
+{
+    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    for (int i = 0; i < count; ++i) {
+        sum += values[i];
+    }
+    if (fabs(sum) <= DBL_MAX) {
+        return HEAVY_TOP_QUATERNION_OK;
+    }
+    for (int i = 0; i < count; ++i) { /* finite values may have an infinite sum */
+        if (!(fabs(values[i]) <= DBL_MAX)) {
+            return HEAVY_TOP_QUATERNION_NOT_FINITE;
+        }
+    }
+    return HEAVY_TOP_QUATERNION_OK;
+}
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
 #ifndef HEAVY_TOP_QUATERNION_LANES
@@ -192,7 +209,7 @@ int heavy_top_quaternion_rhs(double t, const double *y, const double *p, double 
         if (!(fabs(I3) > 0.0)) {
             return HEAVY_TOP_QUATERNION_SINGULAR_2;
         }
-        return HEAVY_TOP_QUATERNION_NOT_FINITE;
+        return heavy_top_quaternion_finish(7, dydt);
     }
     return HEAVY_TOP_QUATERNION_OK;
 }
@@ -217,7 +234,7 @@ int heavy_top_quaternion_velocities(double t, const double *y, const double *p, 
     qdot[3] = 0.5 * (R_0 * w3 - (R_2 * w1 - R_1 * w2)); /* R_3' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qdot[0] + qdot[1] + qdot[2] + qdot[3]) <= DBL_MAX)) {
-        return HEAVY_TOP_QUATERNION_NOT_FINITE;
+        return heavy_top_quaternion_finish(4, qdot);
     }
     return HEAVY_TOP_QUATERNION_OK;
 }
@@ -270,7 +287,7 @@ int heavy_top_quaternion_accelerations(double t, const double *y, const double *
         if (!(fabs(I3) > 0.0)) {
             return HEAVY_TOP_QUATERNION_SINGULAR_2;
         }
-        return HEAVY_TOP_QUATERNION_NOT_FINITE;
+        return heavy_top_quaternion_finish(4, qddot);
     }
     return HEAVY_TOP_QUATERNION_OK;
 }
@@ -303,7 +320,7 @@ int heavy_top_quaternion_state(double t, const double *q, const double *qdot, co
     y[6] = 2.0 * (R_3_dot * z2 - R_0_dot * z4 + (R_1_dot * z5 - R_2_dot * z3));
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[4] + y[5] + y[6]) <= DBL_MAX)) {
-        return HEAVY_TOP_QUATERNION_NOT_FINITE;
+        return heavy_top_quaternion_finish(7, y);
     }
     return HEAVY_TOP_QUATERNION_OK;
 }
@@ -326,7 +343,7 @@ int heavy_top_quaternion_residuals(double t, const double *q, const double *qdot
     r[0] = 2.0 * (R_3 * R_3_dot + (R_2 * R_2_dot + (R_0 * R_0_dot + R_1 * R_1_dot))); /* R_norm = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(r[0]) <= DBL_MAX)) {
-        return HEAVY_TOP_QUATERNION_NOT_FINITE;
+        return heavy_top_quaternion_finish(1, r);
     }
     return HEAVY_TOP_QUATERNION_OK;
 }
@@ -345,7 +362,7 @@ int heavy_top_quaternion_positions(double t, const double *q, const double *p, d
     f[0] = R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)) - 1.0; /* R_norm = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(f[0]) <= DBL_MAX)) {
-        return HEAVY_TOP_QUATERNION_NOT_FINITE;
+        return heavy_top_quaternion_finish(1, f);
     }
     return HEAVY_TOP_QUATERNION_OK;
 }
@@ -373,7 +390,7 @@ int heavy_top_quaternion_reactions(double t, const double *y, const double *p, d
         if (!(fabs(I3) > 0.0)) {
             return HEAVY_TOP_QUATERNION_SINGULAR_2;
         }
-        return HEAVY_TOP_QUATERNION_NOT_FINITE;
+        return heavy_top_quaternion_finish(1, lambda);
     }
     return HEAVY_TOP_QUATERNION_OK;
 }
@@ -492,7 +509,7 @@ int heavy_top_quaternion_jacobian(double t, const double *y, const double *p, do
         if (!(fabs(I3) > 0.0)) {
             return HEAVY_TOP_QUATERNION_SINGULAR_2;
         }
-        return HEAVY_TOP_QUATERNION_NOT_FINITE;
+        return heavy_top_quaternion_finish(49, J);
     }
     return HEAVY_TOP_QUATERNION_OK;
 }
@@ -523,7 +540,7 @@ int heavy_top_quaternion_outputs(double t, const double *y, const double *p, dou
     out[1] = z5 - 2.0 * (z3 * z6); /* L_z */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(out[0] + out[1]) <= DBL_MAX)) {
-        return HEAVY_TOP_QUATERNION_NOT_FINITE;
+        return heavy_top_quaternion_finish(2, out);
     }
     return HEAVY_TOP_QUATERNION_OK;
 }

@@ -1,5 +1,5 @@
 /*
- * holonomic_pendulum.c: holonomic_pendulum, emitted by nhc 0.1.0 (nhc:e9c4044ccc4a776a)
+ * holonomic_pendulum.c: holonomic_pendulum, emitted by nhc 0.1.0 (nhc:c70d9f32ac0b7689)
  * The plane pendulum in Cartesian coordinates with the rod as a constraint on the positions.
  * Source: holonomic_pendulum.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -32,6 +32,23 @@ const double holonomic_pendulum_parameter_defaults[] = {
     9.81,
     1.0
 };
+
+static int holonomic_pendulum_finish(int count, const double *values)
+{
+    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    for (int i = 0; i < count; ++i) {
+        sum += values[i];
+    }
+    if (fabs(sum) <= DBL_MAX) {
+        return HOLONOMIC_PENDULUM_OK;
+    }
+    for (int i = 0; i < count; ++i) { /* finite values may have an infinite sum */
+        if (!(fabs(values[i]) <= DBL_MAX)) {
+            return HOLONOMIC_PENDULUM_NOT_FINITE;
+        }
+    }
+    return HOLONOMIC_PENDULUM_OK;
+}
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
 #ifndef HOLONOMIC_PENDULUM_LANES
@@ -177,7 +194,7 @@ int holonomic_pendulum_rhs(double t, const double *y, const double *p, double *d
         if (!(fabs(m * z3) > 0.0)) {
             return HOLONOMIC_PENDULUM_SINGULAR_2;
         }
-        return HOLONOMIC_PENDULUM_NOT_FINITE;
+        return holonomic_pendulum_finish(3, dydt);
     }
     return HOLONOMIC_PENDULUM_OK;
 }
@@ -203,7 +220,7 @@ int holonomic_pendulum_velocities(double t, const double *y, const double *p, do
         if (!(fabs(z1) > 1e-12 * (z2 * z2))) {
             return HOLONOMIC_PENDULUM_SINGULAR_1;
         }
-        return HOLONOMIC_PENDULUM_NOT_FINITE;
+        return holonomic_pendulum_finish(2, qdot);
     }
     return HOLONOMIC_PENDULUM_OK;
 }
@@ -236,7 +253,7 @@ int holonomic_pendulum_accelerations(double t, const double *y, const double *p,
         if (!(fabs(m * z4) > 0.0)) {
             return HOLONOMIC_PENDULUM_SINGULAR_2;
         }
-        return HOLONOMIC_PENDULUM_NOT_FINITE;
+        return holonomic_pendulum_finish(2, qddot);
     }
     return HOLONOMIC_PENDULUM_OK;
 }
@@ -256,7 +273,7 @@ int holonomic_pendulum_state(double t, const double *q, const double *qdot, cons
     y[2] = y_2 * x_dot - x * y_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[2]) <= DBL_MAX)) {
-        return HOLONOMIC_PENDULUM_NOT_FINITE;
+        return holonomic_pendulum_finish(3, y);
     }
     return HOLONOMIC_PENDULUM_OK;
 }
@@ -275,7 +292,7 @@ int holonomic_pendulum_residuals(double t, const double *q, const double *qdot, 
     r[0] = x * x_dot + y * y_dot; /* rod = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(r[0]) <= DBL_MAX)) {
-        return HOLONOMIC_PENDULUM_NOT_FINITE;
+        return holonomic_pendulum_finish(1, r);
     }
     return HOLONOMIC_PENDULUM_OK;
 }
@@ -295,7 +312,7 @@ int holonomic_pendulum_positions(double t, const double *q, const double *p, dou
     f[0] = 0.5 * (x * x + y * y - k1); /* rod = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(f[0]) <= DBL_MAX)) {
-        return HOLONOMIC_PENDULUM_NOT_FINITE;
+        return holonomic_pendulum_finish(1, f);
     }
     return HOLONOMIC_PENDULUM_OK;
 }
@@ -327,7 +344,7 @@ int holonomic_pendulum_reactions(double t, const double *y, const double *p, dou
         if (!(fabs(z4) > 0.0)) {
             return HOLONOMIC_PENDULUM_SINGULAR_2;
         }
-        return HOLONOMIC_PENDULUM_NOT_FINITE;
+        return holonomic_pendulum_finish(1, lambda);
     }
     return HOLONOMIC_PENDULUM_OK;
 }
@@ -389,7 +406,7 @@ int holonomic_pendulum_jacobian(double t, const double *y, const double *p, doub
         if (!(fabs(m * z3) > 0.0)) {
             return HOLONOMIC_PENDULUM_SINGULAR_2;
         }
-        return HOLONOMIC_PENDULUM_NOT_FINITE;
+        return holonomic_pendulum_finish(9, J);
     }
     return HOLONOMIC_PENDULUM_OK;
 }

@@ -1,5 +1,5 @@
 /*
- * n_snake3.c: n_snake3, emitted by nhc 0.1.0 (nhc:5e85a6a5f1bdbf7d)
+ * n_snake3.c: n_snake3, emitted by nhc 0.1.0 (nhc:d2de59639aea3ffd)
  * Three links with a wheeled axle under the middle of each, hinged in a row with springs in the hinges.
  * Source: n_snake3.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -47,6 +47,23 @@ const double n_snake3_parameter_defaults[] = {
 #else
 #define N_SNAKE3_SLOW
 #endif
+
+static int n_snake3_finish(int count, const double *values)
+{
+    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    for (int i = 0; i < count; ++i) {
+        sum += values[i];
+    }
+    if (fabs(sum) <= DBL_MAX) {
+        return N_SNAKE3_OK;
+    }
+    for (int i = 0; i < count; ++i) { /* finite values may have an infinite sum */
+        if (!(fabs(values[i]) <= DBL_MAX)) {
+            return N_SNAKE3_NOT_FINITE;
+        }
+    }
+    return N_SNAKE3_OK;
+}
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
 #ifndef N_SNAKE3_LANES
@@ -268,7 +285,7 @@ int n_snake3_rhs(double t, const double *y, const double *p, double *dydt)
         if (!(fabs(z19) > 1e-14 * z12)) {
             return N_SNAKE3_SINGULAR_2;
         }
-        return N_SNAKE3_NOT_FINITE;
+        return n_snake3_finish(7, dydt);
     }
     return N_SNAKE3_OK;
 }
@@ -311,7 +328,7 @@ int n_snake3_velocities(double t, const double *y, const double *p, double *qdot
         if (!(fabs(a) > 0.0)) {
             return N_SNAKE3_SINGULAR_1;
         }
-        return N_SNAKE3_NOT_FINITE;
+        return n_snake3_finish(5, qdot);
     }
     return N_SNAKE3_OK;
 }
@@ -414,7 +431,7 @@ int n_snake3_accelerations(double t, const double *y, const double *p, double *q
         if (!(fabs(z19) > 1e-14 * z12)) {
             return N_SNAKE3_SINGULAR_2;
         }
-        return N_SNAKE3_NOT_FINITE;
+        return n_snake3_finish(5, qddot);
     }
     return N_SNAKE3_OK;
 }
@@ -446,7 +463,7 @@ int n_snake3_state(double t, const double *q, const double *qdot, const double *
     y[6] = theta1_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1] + y[3] + y[4] + y[5] + y[6]) <= DBL_MAX)) {
-        return N_SNAKE3_NOT_FINITE;
+        return n_snake3_finish(7, y);
     }
     return N_SNAKE3_OK;
 }
@@ -489,7 +506,7 @@ int n_snake3_residuals(double t, const double *q, const double *qdot, const doub
     r[2] = -(s_theta3 * (z3 + x2_dot + s_theta3 * z5) + c_theta3 * (z4 - y2_dot + c_theta3 * z5));
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(r[0] + r[1] + r[2]) <= DBL_MAX)) {
-        return N_SNAKE3_NOT_FINITE;
+        return n_snake3_finish(3, r);
     }
     return N_SNAKE3_OK;
 }
@@ -590,7 +607,7 @@ int n_snake3_reactions(double t, const double *y, const double *p, double *lambd
         if (!(fabs(z19) > 1e-14 * z12)) {
             return N_SNAKE3_SINGULAR_2;
         }
-        return N_SNAKE3_NOT_FINITE;
+        return n_snake3_finish(3, lambda);
     }
     return N_SNAKE3_OK;
 }
@@ -834,7 +851,7 @@ int n_snake3_jacobian(double t, const double *y, const double *p, double *J)
         if (!(fabs(z19) > 1e-14 * z12)) {
             return N_SNAKE3_SINGULAR_2;
         }
-        return N_SNAKE3_NOT_FINITE;
+        return n_snake3_finish(49, J);
     }
     return N_SNAKE3_OK;
 }

@@ -1,5 +1,5 @@
 /*
- * n_trailer3.c: n_trailer3, emitted by nhc 0.1.0 (nhc:1e76df615aff36c5)
+ * n_trailer3.c: n_trailer3, emitted by nhc 0.1.0 (nhc:3f976d1e1fe71025)
  * A tractor with three trailers, each hitched to the axle before it; none of the four axles slips sideways.
  * Source: n_trailer3.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -51,6 +51,23 @@ const double n_trailer3_parameter_defaults[] = {
 #else
 #define N_TRAILER3_SLOW
 #endif
+
+static int n_trailer3_finish(int count, const double *values)
+{
+    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    for (int i = 0; i < count; ++i) {
+        sum += values[i];
+    }
+    if (fabs(sum) <= DBL_MAX) {
+        return N_TRAILER3_OK;
+    }
+    for (int i = 0; i < count; ++i) { /* finite values may have an infinite sum */
+        if (!(fabs(values[i]) <= DBL_MAX)) {
+            return N_TRAILER3_NOT_FINITE;
+        }
+    }
+    return N_TRAILER3_OK;
+}
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
 #ifndef N_TRAILER3_LANES
@@ -241,7 +258,7 @@ int n_trailer3_rhs(double t, const double *y, const double *p, double *dydt)
         if (!(fabs(J0) > 0.0)) {
             return N_TRAILER3_SINGULAR_2;
         }
-        return N_TRAILER3_NOT_FINITE;
+        return n_trailer3_finish(8, dydt);
     }
     return N_TRAILER3_OK;
 }
@@ -287,7 +304,7 @@ int n_trailer3_velocities(double t, const double *y, const double *p, double *qd
         if (!(fabs(L) > 0.0)) {
             return N_TRAILER3_SINGULAR_1;
         }
-        return N_TRAILER3_NOT_FINITE;
+        return n_trailer3_finish(6, qdot);
     }
     return N_TRAILER3_OK;
 }
@@ -367,7 +384,7 @@ int n_trailer3_accelerations(double t, const double *y, const double *p, double 
         if (!(fabs(J0) > 0.0)) {
             return N_TRAILER3_SINGULAR_2;
         }
-        return N_TRAILER3_NOT_FINITE;
+        return n_trailer3_finish(6, qddot);
     }
     return N_TRAILER3_OK;
 }
@@ -401,7 +418,7 @@ int n_trailer3_state(double t, const double *q, const double *qdot, const double
     y[7] = theta0_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1] + y[3] + y[4] + y[5] + y[6] + y[7]) <= DBL_MAX)) {
-        return N_TRAILER3_NOT_FINITE;
+        return n_trailer3_finish(8, y);
     }
     return N_TRAILER3_OK;
 }
@@ -448,7 +465,7 @@ int n_trailer3_residuals(double t, const double *q, const double *qdot, const do
     r[3] = c_theta3 * (y2_dot - c_theta3 * z3) - s_theta3 * (x2_dot + s_theta3 * z3); /* axle3 = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(r[0] + r[1] + r[2] + r[3]) <= DBL_MAX)) {
-        return N_TRAILER3_NOT_FINITE;
+        return n_trailer3_finish(4, r);
     }
     return N_TRAILER3_OK;
 }
@@ -537,7 +554,7 @@ int n_trailer3_reactions(double t, const double *y, const double *p, double *lam
         if (!(fabs(J0) > 0.0)) {
             return N_TRAILER3_SINGULAR_2;
         }
-        return N_TRAILER3_NOT_FINITE;
+        return n_trailer3_finish(4, lambda);
     }
     return N_TRAILER3_OK;
 }
@@ -725,7 +742,7 @@ int n_trailer3_jacobian(double t, const double *y, const double *p, double *J)
         if (!(fabs(J0) > 0.0)) {
             return N_TRAILER3_SINGULAR_2;
         }
-        return N_TRAILER3_NOT_FINITE;
+        return n_trailer3_finish(64, J);
     }
     return N_TRAILER3_OK;
 }
@@ -759,7 +776,7 @@ int n_trailer3_outputs(double t, const double *y, const double *p, double *out)
         if (!(fabs(L) > 0.0)) {
             return N_TRAILER3_SINGULAR_1;
         }
-        return N_TRAILER3_NOT_FINITE;
+        return n_trailer3_finish(2, out);
     }
     return N_TRAILER3_OK;
 }

@@ -1,5 +1,5 @@
 /*
- * nh_particle.c: nh_particle, emitted by nhc 0.1.0 (nhc:efa6e676b4fc18a5)
+ * nh_particle.c: nh_particle, emitted by nhc 0.1.0 (nhc:59685d94d9bb2a2c)
  * A free particle with one velocity constraint that cannot be integrated.
  * Source: nh_particle.yaml
  * Equations of motion: chaplygin (III.3)
@@ -30,6 +30,23 @@ const char *const nh_particle_parameter_names[] = {
 const double nh_particle_parameter_defaults[] = {
     1.0
 };
+
+static int nh_particle_finish(int count, const double *values)
+{
+    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    for (int i = 0; i < count; ++i) {
+        sum += values[i];
+    }
+    if (fabs(sum) <= DBL_MAX) {
+        return NH_PARTICLE_OK;
+    }
+    for (int i = 0; i < count; ++i) { /* finite values may have an infinite sum */
+        if (!(fabs(values[i]) <= DBL_MAX)) {
+            return NH_PARTICLE_NOT_FINITE;
+        }
+    }
+    return NH_PARTICLE_OK;
+}
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
 #ifndef NH_PARTICLE_LANES
@@ -161,7 +178,7 @@ int nh_particle_rhs(double t, const double *y, const double *p, double *dydt)
         if (!(fabs(m) > 0.0)) {
             return NH_PARTICLE_SINGULAR_2;
         }
-        return NH_PARTICLE_NOT_FINITE;
+        return nh_particle_finish(5, dydt);
     }
     return NH_PARTICLE_OK;
 }
@@ -181,7 +198,7 @@ int nh_particle_velocities(double t, const double *y, const double *p, double *q
     qdot[2] = y_2 * x_dot; /* z' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qdot[0] + qdot[1] + qdot[2]) <= DBL_MAX)) {
-        return NH_PARTICLE_NOT_FINITE;
+        return nh_particle_finish(3, qdot);
     }
     return NH_PARTICLE_OK;
 }
@@ -212,7 +229,7 @@ int nh_particle_accelerations(double t, const double *y, const double *p, double
         if (!(fabs(m) > 0.0)) {
             return NH_PARTICLE_SINGULAR_2;
         }
-        return NH_PARTICLE_NOT_FINITE;
+        return nh_particle_finish(3, qddot);
     }
     return NH_PARTICLE_OK;
 }
@@ -235,7 +252,7 @@ int nh_particle_state(double t, const double *q, const double *qdot, const doubl
     y[4] = y_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1] + y[2] + y[3] + y[4]) <= DBL_MAX)) {
-        return NH_PARTICLE_NOT_FINITE;
+        return nh_particle_finish(5, y);
     }
     return NH_PARTICLE_OK;
 }
@@ -253,7 +270,7 @@ int nh_particle_residuals(double t, const double *q, const double *qdot, const d
     r[0] = z_dot - y * x_dot; /* contact = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(r[0]) <= DBL_MAX)) {
-        return NH_PARTICLE_NOT_FINITE;
+        return nh_particle_finish(1, r);
     }
     return NH_PARTICLE_OK;
 }
@@ -281,7 +298,7 @@ int nh_particle_reactions(double t, const double *y, const double *p, double *la
         if (!(fabs(m) > 0.0)) {
             return NH_PARTICLE_SINGULAR_2;
         }
-        return NH_PARTICLE_NOT_FINITE;
+        return nh_particle_finish(1, lambda);
     }
     return NH_PARTICLE_OK;
 }
@@ -333,7 +350,7 @@ int nh_particle_jacobian(double t, const double *y, const double *p, double *J)
         if (!(fabs(m) > 0.0)) {
             return NH_PARTICLE_SINGULAR_2;
         }
-        return NH_PARTICLE_NOT_FINITE;
+        return nh_particle_finish(25, J);
     }
     return NH_PARTICLE_OK;
 }
@@ -350,7 +367,7 @@ int nh_particle_outputs(double t, const double *y, const double *p, double *out)
     out[0] = m * (x_dot + y_2 * (y_2 * x_dot)); /* p_x */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(out[0]) <= DBL_MAX)) {
-        return NH_PARTICLE_NOT_FINITE;
+        return nh_particle_finish(1, out);
     }
     return NH_PARTICLE_OK;
 }

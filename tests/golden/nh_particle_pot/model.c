@@ -1,5 +1,5 @@
 /*
- * nh_particle_pot.c: nh_particle_pot, emitted by nhc 0.1.0 (nhc:dd8663f427e1856c)
+ * nh_particle_pot.c: nh_particle_pot, emitted by nhc 0.1.0 (nhc:20a912165afacb2f)
  * The nonholonomic particle with springs in x and y.
  * Source: nh_particle_pot.yaml
  * Equations of motion: chaplygin (III.3)
@@ -32,6 +32,23 @@ const double nh_particle_pot_parameter_defaults[] = {
     1.0,
     1.0
 };
+
+static int nh_particle_pot_finish(int count, const double *values)
+{
+    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    for (int i = 0; i < count; ++i) {
+        sum += values[i];
+    }
+    if (fabs(sum) <= DBL_MAX) {
+        return NH_PARTICLE_POT_OK;
+    }
+    for (int i = 0; i < count; ++i) { /* finite values may have an infinite sum */
+        if (!(fabs(values[i]) <= DBL_MAX)) {
+            return NH_PARTICLE_POT_NOT_FINITE;
+        }
+    }
+    return NH_PARTICLE_POT_OK;
+}
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
 #ifndef NH_PARTICLE_POT_LANES
@@ -168,7 +185,7 @@ int nh_particle_pot_rhs(double t, const double *y, const double *p, double *dydt
         if (!(fabs(m) > 0.0)) {
             return NH_PARTICLE_POT_SINGULAR_2;
         }
-        return NH_PARTICLE_POT_NOT_FINITE;
+        return nh_particle_pot_finish(5, dydt);
     }
     return NH_PARTICLE_POT_OK;
 }
@@ -188,7 +205,7 @@ int nh_particle_pot_velocities(double t, const double *y, const double *p, doubl
     qdot[2] = y_2 * x_dot; /* z' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qdot[0] + qdot[1] + qdot[2]) <= DBL_MAX)) {
-        return NH_PARTICLE_POT_NOT_FINITE;
+        return nh_particle_pot_finish(3, qdot);
     }
     return NH_PARTICLE_POT_OK;
 }
@@ -224,7 +241,7 @@ int nh_particle_pot_accelerations(double t, const double *y, const double *p, do
         if (!(fabs(m) > 0.0)) {
             return NH_PARTICLE_POT_SINGULAR_2;
         }
-        return NH_PARTICLE_POT_NOT_FINITE;
+        return nh_particle_pot_finish(3, qddot);
     }
     return NH_PARTICLE_POT_OK;
 }
@@ -247,7 +264,7 @@ int nh_particle_pot_state(double t, const double *q, const double *qdot, const d
     y[4] = y_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1] + y[2] + y[3] + y[4]) <= DBL_MAX)) {
-        return NH_PARTICLE_POT_NOT_FINITE;
+        return nh_particle_pot_finish(5, y);
     }
     return NH_PARTICLE_POT_OK;
 }
@@ -265,7 +282,7 @@ int nh_particle_pot_residuals(double t, const double *q, const double *qdot, con
     r[0] = z_dot - y * x_dot; /* contact = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(r[0]) <= DBL_MAX)) {
-        return NH_PARTICLE_POT_NOT_FINITE;
+        return nh_particle_pot_finish(1, r);
     }
     return NH_PARTICLE_POT_OK;
 }
@@ -296,7 +313,7 @@ int nh_particle_pot_reactions(double t, const double *y, const double *p, double
         if (!(fabs(m) > 0.0)) {
             return NH_PARTICLE_POT_SINGULAR_2;
         }
-        return NH_PARTICLE_POT_NOT_FINITE;
+        return nh_particle_pot_finish(1, lambda);
     }
     return NH_PARTICLE_POT_OK;
 }
@@ -356,7 +373,7 @@ int nh_particle_pot_jacobian(double t, const double *y, const double *p, double 
         if (!(fabs(m) > 0.0)) {
             return NH_PARTICLE_POT_SINGULAR_2;
         }
-        return NH_PARTICLE_POT_NOT_FINITE;
+        return nh_particle_pot_finish(25, J);
     }
     return NH_PARTICLE_POT_OK;
 }

@@ -1,5 +1,5 @@
 /*
- * pendulum.c: pendulum, emitted by nhc 0.1.0 (nhc:e1670ae422dd1617)
+ * pendulum.c: pendulum, emitted by nhc 0.1.0 (nhc:819993fb3e553d3a)
  * The plane pendulum, large swings.
  * Source: pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -29,6 +29,23 @@ const double pendulum_parameter_defaults[] = {
     1.0,
     9.81
 };
+
+static int pendulum_finish(int count, const double *values)
+{
+    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    for (int i = 0; i < count; ++i) {
+        sum += values[i];
+    }
+    if (fabs(sum) <= DBL_MAX) {
+        return PENDULUM_OK;
+    }
+    for (int i = 0; i < count; ++i) { /* finite values may have an infinite sum */
+        if (!(fabs(values[i]) <= DBL_MAX)) {
+            return PENDULUM_NOT_FINITE;
+        }
+    }
+    return PENDULUM_OK;
+}
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
 #ifndef PENDULUM_LANES
@@ -172,7 +189,7 @@ int pendulum_rhs(double t, const double *y, const double *p, double *dydt)
         if (!(fabs(m * (l * l)) > 0.0)) {
             return PENDULUM_SINGULAR_2;
         }
-        return PENDULUM_NOT_FINITE;
+        return pendulum_finish(2, dydt);
     }
     return PENDULUM_OK;
 }
@@ -188,7 +205,7 @@ int pendulum_velocities(double t, const double *y, const double *p, double *qdot
     qdot[0] = theta_dot; /* theta' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qdot[0]) <= DBL_MAX)) {
-        return PENDULUM_NOT_FINITE;
+        return pendulum_finish(1, qdot);
     }
     return PENDULUM_OK;
 }
@@ -214,7 +231,7 @@ int pendulum_accelerations(double t, const double *y, const double *p, double *q
         if (!(fabs(m * (l * l)) > 0.0)) {
             return PENDULUM_SINGULAR_2;
         }
-        return PENDULUM_NOT_FINITE;
+        return pendulum_finish(1, qddot);
     }
     return PENDULUM_OK;
 }
@@ -231,7 +248,7 @@ int pendulum_state(double t, const double *q, const double *qdot, const double *
     y[1] = theta_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1]) <= DBL_MAX)) {
-        return PENDULUM_NOT_FINITE;
+        return pendulum_finish(2, y);
     }
     return PENDULUM_OK;
 }
@@ -303,7 +320,7 @@ int pendulum_jacobian(double t, const double *y, const double *p, double *J)
         if (!(fabs(m * (l * l)) > 0.0)) {
             return PENDULUM_SINGULAR_2;
         }
-        return PENDULUM_NOT_FINITE;
+        return pendulum_finish(4, J);
     }
     return PENDULUM_OK;
 }
@@ -319,7 +336,7 @@ int pendulum_outputs(double t, const double *y, const double *p, double *out)
     out[0] = theta_dot; /* rate */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(out[0]) <= DBL_MAX)) {
-        return PENDULUM_NOT_FINITE;
+        return pendulum_finish(1, out);
     }
     return PENDULUM_OK;
 }

@@ -1,5 +1,5 @@
 /*
- * point_mass.c: point_mass, emitted by nhc 0.1.0 (nhc:d15e1dcd35075c57)
+ * point_mass.c: point_mass, emitted by nhc 0.1.0 (nhc:042e286a6999f334)
  * A point mass thrown in a uniform field of gravity, with linear drag.
  * Source: point_mass.yaml
  * Equations of motion: lagrange (II.3)
@@ -35,6 +35,23 @@ const double point_mass_parameter_defaults[] = {
     9.81,
     0.5
 };
+
+static int point_mass_finish(int count, const double *values)
+{
+    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    for (int i = 0; i < count; ++i) {
+        sum += values[i];
+    }
+    if (fabs(sum) <= DBL_MAX) {
+        return POINT_MASS_OK;
+    }
+    for (int i = 0; i < count; ++i) { /* finite values may have an infinite sum */
+        if (!(fabs(values[i]) <= DBL_MAX)) {
+            return POINT_MASS_NOT_FINITE;
+        }
+    }
+    return POINT_MASS_OK;
+}
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
 #ifndef POINT_MASS_LANES
@@ -174,7 +191,7 @@ int point_mass_rhs(double t, const double *y, const double *p, double *dydt)
         if (!(fabs(m) > 0.0)) {
             return POINT_MASS_SINGULAR_2;
         }
-        return POINT_MASS_NOT_FINITE;
+        return point_mass_finish(6, dydt);
     }
     return POINT_MASS_OK;
 }
@@ -194,7 +211,7 @@ int point_mass_velocities(double t, const double *y, const double *p, double *qd
     qdot[2] = z_dot; /* z' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qdot[0] + qdot[1] + qdot[2]) <= DBL_MAX)) {
-        return POINT_MASS_NOT_FINITE;
+        return point_mass_finish(3, qdot);
     }
     return POINT_MASS_OK;
 }
@@ -231,7 +248,7 @@ int point_mass_accelerations(double t, const double *y, const double *p, double 
         if (!(fabs(m) > 0.0)) {
             return POINT_MASS_SINGULAR_2;
         }
-        return POINT_MASS_NOT_FINITE;
+        return point_mass_finish(3, qddot);
     }
     return POINT_MASS_OK;
 }
@@ -256,7 +273,7 @@ int point_mass_state(double t, const double *q, const double *qdot, const double
     y[5] = z_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1] + y[2] + y[3] + y[4] + y[5]) <= DBL_MAX)) {
-        return POINT_MASS_NOT_FINITE;
+        return point_mass_finish(6, y);
     }
     return POINT_MASS_OK;
 }
@@ -346,7 +363,7 @@ int point_mass_jacobian(double t, const double *y, const double *p, double *J)
         if (!(fabs(m) > 0.0)) {
             return POINT_MASS_SINGULAR_2;
         }
-        return POINT_MASS_NOT_FINITE;
+        return point_mass_finish(36, J);
     }
     return POINT_MASS_OK;
 }
@@ -364,7 +381,7 @@ int point_mass_outputs(double t, const double *y, const double *p, double *out)
     out[0] = sqrt(x_dot * x_dot + y_dot * y_dot + z_dot * z_dot); /* speed */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(out[0]) <= DBL_MAX)) {
-        return POINT_MASS_NOT_FINITE;
+        return point_mass_finish(1, out);
     }
     return POINT_MASS_OK;
 }

@@ -1,5 +1,5 @@
 /*
- * rattleback.c: rattleback, emitted by nhc 0.1.0 (nhc:2322f277d585b198)
+ * rattleback.c: rattleback, emitted by nhc 0.1.0 (nhc:a3fe2cf4a2215f28)
  * A loaded ellipsoid that rolls on a plane and prefers one sense of spin (celt, wobblestone).
  * Source: rattleback.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -67,7 +67,15 @@ static int rattleback_finish(int count, const double *values)
     for (int i = 0; i < count; ++i) {
         sum += values[i];
     }
-    return fabs(sum) <= DBL_MAX ? RATTLEBACK_OK : RATTLEBACK_NOT_FINITE;
+    if (fabs(sum) <= DBL_MAX) {
+        return RATTLEBACK_OK;
+    }
+    for (int i = 0; i < count; ++i) { /* finite values may have an infinite sum */
+        if (!(fabs(values[i]) <= DBL_MAX)) {
+            return RATTLEBACK_NOT_FINITE;
+        }
+    }
+    return RATTLEBACK_OK;
 }
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
@@ -346,7 +354,7 @@ int rattleback_rhs(double t, const double *y, const double *p, double *dydt)
         if (!(fabs(z23) > 1e-14 * z17)) {
             return RATTLEBACK_SINGULAR_2;
         }
-        return RATTLEBACK_NOT_FINITE;
+        return rattleback_finish(9, dydt);
     }
     return RATTLEBACK_OK;
 }
@@ -410,7 +418,7 @@ int rattleback_velocities(double t, const double *y, const double *p, double *qd
         if (!(fabs(c_alpha) > 1e-12 * 4.0)) {
             return RATTLEBACK_SINGULAR_1;
         }
-        return RATTLEBACK_NOT_FINITE;
+        return rattleback_finish(6, qdot);
     }
     return RATTLEBACK_OK;
 }
@@ -570,7 +578,7 @@ int rattleback_accelerations(double t, const double *y, const double *p, double 
         if (!(fabs(z23) > 1e-14 * z17)) {
             return RATTLEBACK_SINGULAR_2;
         }
-        return RATTLEBACK_NOT_FINITE;
+        return rattleback_finish(6, qddot);
     }
     return RATTLEBACK_OK;
 }
@@ -608,7 +616,7 @@ int rattleback_state(double t, const double *q, const double *qdot, const double
     y[8] = alpha_dot * s_beta + c_beta * z1;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1] + y[2] + y[5] + y[6] + y[7] + y[8]) <= DBL_MAX)) {
-        return RATTLEBACK_NOT_FINITE;
+        return rattleback_finish(9, y);
     }
     return RATTLEBACK_OK;
 }
@@ -667,7 +675,7 @@ int rattleback_residuals(double t, const double *q, const double *qdot, const do
     r[2] = z_dot - (mu2 * u2 - c_alpha * z5); /* roll_z = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(r[0] + r[1] + r[2]) <= DBL_MAX)) {
-        return RATTLEBACK_NOT_FINITE;
+        return rattleback_finish(3, r);
     }
     return RATTLEBACK_OK;
 }
@@ -816,7 +824,7 @@ int rattleback_reactions(double t, const double *y, const double *p, double *lam
         if (!(fabs(z23) > 1e-14 * z17)) {
             return RATTLEBACK_SINGULAR_2;
         }
-        return RATTLEBACK_NOT_FINITE;
+        return rattleback_finish(3, lambda);
     }
     return RATTLEBACK_OK;
 }
@@ -1568,7 +1576,7 @@ int rattleback_outputs(double t, const double *y, const double *p, double *out)
         if (!(fabs(c_alpha) > 1e-12 * 4.0)) {
             return RATTLEBACK_SINGULAR_1;
         }
-        return RATTLEBACK_NOT_FINITE;
+        return rattleback_finish(1, out);
     }
     return RATTLEBACK_OK;
 }

@@ -1,5 +1,5 @@
 /*
- * roller_racer.c: roller_racer, emitted by nhc 0.1.0 (nhc:15d4473c69b7fc6e)
+ * roller_racer.c: roller_racer, emitted by nhc 0.1.0 (nhc:120521ec76107a2d)
  * Two wheeled bodies with a hinge; it is driven by moving the hinge to and fro.
  * Source: roller_racer.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -48,6 +48,23 @@ const double roller_racer_parameter_defaults[] = {
 #else
 #define ROLLER_RACER_SLOW
 #endif
+
+static int roller_racer_finish(int count, const double *values)
+{
+    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    for (int i = 0; i < count; ++i) {
+        sum += values[i];
+    }
+    if (fabs(sum) <= DBL_MAX) {
+        return ROLLER_RACER_OK;
+    }
+    for (int i = 0; i < count; ++i) { /* finite values may have an infinite sum */
+        if (!(fabs(values[i]) <= DBL_MAX)) {
+            return ROLLER_RACER_NOT_FINITE;
+        }
+    }
+    return ROLLER_RACER_OK;
+}
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
 #ifndef ROLLER_RACER_LANES
@@ -238,7 +255,7 @@ int roller_racer_rhs(double t, const double *y, const double *p, double *dydt)
         if (!(fabs(z9) > 1e-14 * z4)) {
             return ROLLER_RACER_SINGULAR_2;
         }
-        return ROLLER_RACER_NOT_FINITE;
+        return roller_racer_finish(6, dydt);
     }
     return ROLLER_RACER_OK;
 }
@@ -274,7 +291,7 @@ int roller_racer_velocities(double t, const double *y, const double *p, double *
         if (!(fabs(d2) > 0.0)) {
             return ROLLER_RACER_SINGULAR_1;
         }
-        return ROLLER_RACER_NOT_FINITE;
+        return roller_racer_finish(4, qdot);
     }
     return ROLLER_RACER_OK;
 }
@@ -340,7 +357,7 @@ int roller_racer_accelerations(double t, const double *y, const double *p, doubl
         if (!(fabs(z9) > 1e-14 * z4)) {
             return ROLLER_RACER_SINGULAR_2;
         }
-        return ROLLER_RACER_NOT_FINITE;
+        return roller_racer_finish(4, qddot);
     }
     return ROLLER_RACER_OK;
 }
@@ -370,7 +387,7 @@ int roller_racer_state(double t, const double *q, const double *qdot, const doub
     y[5] = theta_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1] + y[3] + y[4] + y[5]) <= DBL_MAX)) {
-        return ROLLER_RACER_NOT_FINITE;
+        return roller_racer_finish(6, y);
     }
     return ROLLER_RACER_OK;
 }
@@ -402,7 +419,7 @@ int roller_racer_residuals(double t, const double *q, const double *qdot, const 
     r[1] = phi_dot * d2 + z1; /* front = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(r[0] + r[1]) <= DBL_MAX)) {
-        return ROLLER_RACER_NOT_FINITE;
+        return roller_racer_finish(2, r);
     }
     return ROLLER_RACER_OK;
 }
@@ -461,7 +478,7 @@ int roller_racer_reactions(double t, const double *y, const double *p, double *l
         if (!(fabs(z9) > 1e-14 * z4)) {
             return ROLLER_RACER_SINGULAR_2;
         }
-        return ROLLER_RACER_NOT_FINITE;
+        return roller_racer_finish(2, lambda);
     }
     return ROLLER_RACER_OK;
 }
@@ -592,7 +609,7 @@ int roller_racer_jacobian(double t, const double *y, const double *p, double *J)
         if (!(fabs(z10) > 1e-14 * z5)) {
             return ROLLER_RACER_SINGULAR_2;
         }
-        return ROLLER_RACER_NOT_FINITE;
+        return roller_racer_finish(36, J);
     }
     return ROLLER_RACER_OK;
 }
@@ -612,7 +629,7 @@ int roller_racer_outputs(double t, const double *y, const double *p, double *out
         if (!(fabs(d2) > 0.0)) {
             return ROLLER_RACER_SINGULAR_1;
         }
-        return ROLLER_RACER_NOT_FINITE;
+        return roller_racer_finish(1, out);
     }
     return ROLLER_RACER_OK;
 }

@@ -1,5 +1,5 @@
 /*
- * rolling_disk.c: rolling_disk, emitted by nhc 0.1.0 (nhc:50294eac1340f1b6)
+ * rolling_disk.c: rolling_disk, emitted by nhc 0.1.0 (nhc:e0aa8b86bae18773)
  * A thin disk that rolls on a horizontal plane and may lean and fall (Euler's disk).
  * Source: rolling_disk.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -50,6 +50,23 @@ const double rolling_disk_parameter_defaults[] = {
 #else
 #define ROLLING_DISK_SLOW
 #endif
+
+static int rolling_disk_finish(int count, const double *values)
+{
+    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    for (int i = 0; i < count; ++i) {
+        sum += values[i];
+    }
+    if (fabs(sum) <= DBL_MAX) {
+        return ROLLING_DISK_OK;
+    }
+    for (int i = 0; i < count; ++i) { /* finite values may have an infinite sum */
+        if (!(fabs(values[i]) <= DBL_MAX)) {
+            return ROLLING_DISK_NOT_FINITE;
+        }
+    }
+    return ROLLING_DISK_OK;
+}
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
 #ifndef ROLLING_DISK_LANES
@@ -244,7 +261,7 @@ int rolling_disk_rhs(double t, const double *y, const double *p, double *dydt)
         if (!(fabs(k3) > 0.0)) {
             return ROLLING_DISK_SINGULAR_2;
         }
-        return ROLLING_DISK_NOT_FINITE;
+        return rolling_disk_finish(8, dydt);
     }
     return ROLLING_DISK_OK;
 }
@@ -281,7 +298,7 @@ int rolling_disk_velocities(double t, const double *y, const double *p, double *
         if (!(fabs(s_theta) > 1e-12)) {
             return ROLLING_DISK_SINGULAR_1;
         }
-        return ROLLING_DISK_NOT_FINITE;
+        return rolling_disk_finish(5, qdot);
     }
     return ROLLING_DISK_OK;
 }
@@ -354,7 +371,7 @@ int rolling_disk_accelerations(double t, const double *y, const double *p, doubl
         if (!(fabs(k3) > 0.0)) {
             return ROLLING_DISK_SINGULAR_2;
         }
-        return ROLLING_DISK_NOT_FINITE;
+        return rolling_disk_finish(5, qddot);
     }
     return ROLLING_DISK_OK;
 }
@@ -387,7 +404,7 @@ int rolling_disk_state(double t, const double *q, const double *qdot, const doub
     y[7] = psi_dot + phi_dot * c_theta;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1] + y[2] + y[4] + y[5] + y[7]) <= DBL_MAX)) {
-        return ROLLING_DISK_NOT_FINITE;
+        return rolling_disk_finish(8, y);
     }
     return ROLLING_DISK_OK;
 }
@@ -419,7 +436,7 @@ int rolling_disk_residuals(double t, const double *q, const double *qdot, const 
     r[1] = y_dot + z1 * s_phi + c_phi * z2; /* roll_y = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(r[0] + r[1]) <= DBL_MAX)) {
-        return ROLLING_DISK_NOT_FINITE;
+        return rolling_disk_finish(2, r);
     }
     return ROLLING_DISK_OK;
 }
@@ -481,7 +498,7 @@ int rolling_disk_reactions(double t, const double *y, const double *p, double *l
         if (!(fabs(k4) > 0.0)) {
             return ROLLING_DISK_SINGULAR_2;
         }
-        return ROLLING_DISK_NOT_FINITE;
+        return rolling_disk_finish(2, lambda);
     }
     return ROLLING_DISK_OK;
 }
@@ -600,7 +617,7 @@ int rolling_disk_jacobian(double t, const double *y, const double *p, double *J)
         if (!(fabs(k3) > 0.0)) {
             return ROLLING_DISK_SINGULAR_2;
         }
-        return ROLLING_DISK_NOT_FINITE;
+        return rolling_disk_finish(64, J);
     }
     return ROLLING_DISK_OK;
 }
@@ -634,7 +651,7 @@ int rolling_disk_outputs(double t, const double *y, const double *p, double *out
         if (!(fabs(s_theta) > 1e-12)) {
             return ROLLING_DISK_SINGULAR_1;
         }
-        return ROLLING_DISK_NOT_FINITE;
+        return rolling_disk_finish(3, out);
     }
     return ROLLING_DISK_OK;
 }

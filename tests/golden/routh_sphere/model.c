@@ -1,5 +1,5 @@
 /*
- * routh_sphere.c: routh_sphere, emitted by nhc 0.1.0 (nhc:877f83a0673a37aa)
+ * routh_sphere.c: routh_sphere, emitted by nhc 0.1.0 (nhc:ac1d1d618aa7aac2)
  * A ball with its centre of mass off its centre, dynamically symmetric, rolls on a horizontal plane.
  * Source: routh_sphere.yaml
  * Equations of motion: chaplygin (III.3)
@@ -52,6 +52,23 @@ const double routh_sphere_parameter_defaults[] = {
 #else
 #define ROUTH_SPHERE_SLOW
 #endif
+
+static int routh_sphere_finish(int count, const double *values)
+{
+    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    for (int i = 0; i < count; ++i) {
+        sum += values[i];
+    }
+    if (fabs(sum) <= DBL_MAX) {
+        return ROUTH_SPHERE_OK;
+    }
+    for (int i = 0; i < count; ++i) { /* finite values may have an infinite sum */
+        if (!(fabs(values[i]) <= DBL_MAX)) {
+            return ROUTH_SPHERE_NOT_FINITE;
+        }
+    }
+    return ROUTH_SPHERE_OK;
+}
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
 #ifndef ROUTH_SPHERE_LANES
@@ -254,7 +271,7 @@ int routh_sphere_rhs(double t, const double *y, const double *p, double *dydt)
         if (!(fabs(z9) > 1e-14 * z5)) {
             return ROUTH_SPHERE_SINGULAR_2;
         }
-        return ROUTH_SPHERE_NOT_FINITE;
+        return routh_sphere_finish(8, dydt);
     }
     return ROUTH_SPHERE_OK;
 }
@@ -285,7 +302,7 @@ int routh_sphere_velocities(double t, const double *y, const double *p, double *
     qdot[4] = psi_dot; /* psi' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qdot[0] + qdot[1] + qdot[2]) <= DBL_MAX)) {
-        return ROUTH_SPHERE_NOT_FINITE;
+        return routh_sphere_finish(5, qdot);
     }
     return ROUTH_SPHERE_OK;
 }
@@ -365,7 +382,7 @@ int routh_sphere_accelerations(double t, const double *y, const double *p, doubl
         if (!(fabs(z9) > 1e-14 * z5)) {
             return ROUTH_SPHERE_SINGULAR_2;
         }
-        return ROUTH_SPHERE_NOT_FINITE;
+        return routh_sphere_finish(5, qddot);
     }
     return ROUTH_SPHERE_OK;
 }
@@ -394,7 +411,7 @@ int routh_sphere_state(double t, const double *q, const double *qdot, const doub
     y[7] = psi_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1] + y[2] + y[3] + y[4] + y[5] + y[6] + y[7]) <= DBL_MAX)) {
-        return ROUTH_SPHERE_NOT_FINITE;
+        return routh_sphere_finish(8, y);
     }
     return ROUTH_SPHERE_OK;
 }
@@ -423,7 +440,7 @@ int routh_sphere_residuals(double t, const double *q, const double *qdot, const 
     r[1] = y_dot + R * (theta_dot * c_phi + s_phi * z1); /* roll_y = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(r[0] + r[1]) <= DBL_MAX)) {
-        return ROUTH_SPHERE_NOT_FINITE;
+        return routh_sphere_finish(2, r);
     }
     return ROUTH_SPHERE_OK;
 }
@@ -505,7 +522,7 @@ int routh_sphere_reactions(double t, const double *y, const double *p, double *l
         if (!(fabs(z9) > 1e-14 * z5)) {
             return ROUTH_SPHERE_SINGULAR_2;
         }
-        return ROUTH_SPHERE_NOT_FINITE;
+        return routh_sphere_finish(2, lambda);
     }
     return ROUTH_SPHERE_OK;
 }
@@ -665,7 +682,7 @@ int routh_sphere_jacobian(double t, const double *y, const double *p, double *J)
         if (!(fabs(z9) > 1e-14 * z5)) {
             return ROUTH_SPHERE_SINGULAR_2;
         }
-        return ROUTH_SPHERE_NOT_FINITE;
+        return routh_sphere_finish(64, J);
     }
     return ROUTH_SPHERE_OK;
 }
@@ -702,7 +719,7 @@ int routh_sphere_outputs(double t, const double *y, const double *p, double *out
     out[1] = omega3 * sqrt(k1 + z1 * k2 + k3 * (z2 * z2)); /* routh */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(out[0] + out[1]) <= DBL_MAX)) {
-        return ROUTH_SPHERE_NOT_FINITE;
+        return routh_sphere_finish(2, out);
     }
     return ROUTH_SPHERE_OK;
 }

@@ -1,5 +1,5 @@
 /*
- * skate_incline.c: skate_incline, emitted by nhc 0.1.0 (nhc:946ee28773b1e38f)
+ * skate_incline.c: skate_incline, emitted by nhc 0.1.0 (nhc:22d75428e4394324)
  * A skate on an inclined plane with its centre of mass above the edge; it never gets far downhill.
  * Source: skate_incline.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -37,6 +37,23 @@ const double skate_incline_parameter_defaults[] = {
     9.81,
     0.5235987755982988
 };
+
+static int skate_incline_finish(int count, const double *values)
+{
+    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    for (int i = 0; i < count; ++i) {
+        sum += values[i];
+    }
+    if (fabs(sum) <= DBL_MAX) {
+        return SKATE_INCLINE_OK;
+    }
+    for (int i = 0; i < count; ++i) { /* finite values may have an infinite sum */
+        if (!(fabs(values[i]) <= DBL_MAX)) {
+            return SKATE_INCLINE_NOT_FINITE;
+        }
+    }
+    return SKATE_INCLINE_OK;
+}
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
 #ifndef SKATE_INCLINE_LANES
@@ -193,7 +210,7 @@ int skate_incline_rhs(double t, const double *y, const double *p, double *dydt)
         if (!(fabs(J) > 0.0)) {
             return SKATE_INCLINE_SINGULAR_2;
         }
-        return SKATE_INCLINE_NOT_FINITE;
+        return skate_incline_finish(5, dydt);
     }
     return SKATE_INCLINE_OK;
 }
@@ -217,7 +234,7 @@ int skate_incline_velocities(double t, const double *y, const double *p, double 
     qdot[2] = phi_dot; /* phi' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qdot[0] + qdot[2]) <= DBL_MAX)) {
-        return SKATE_INCLINE_NOT_FINITE;
+        return skate_incline_finish(3, qdot);
     }
     return SKATE_INCLINE_OK;
 }
@@ -258,7 +275,7 @@ int skate_incline_accelerations(double t, const double *y, const double *p, doub
         if (!(fabs(J) > 0.0)) {
             return SKATE_INCLINE_SINGULAR_2;
         }
-        return SKATE_INCLINE_NOT_FINITE;
+        return skate_incline_finish(3, qddot);
     }
     return SKATE_INCLINE_OK;
 }
@@ -286,7 +303,7 @@ int skate_incline_state(double t, const double *q, const double *qdot, const dou
     y[4] = phi_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1] + y[3] + y[4]) <= DBL_MAX)) {
-        return SKATE_INCLINE_NOT_FINITE;
+        return skate_incline_finish(5, y);
     }
     return SKATE_INCLINE_OK;
 }
@@ -308,7 +325,7 @@ int skate_incline_residuals(double t, const double *q, const double *qdot, const
     r[0] = x_dot * s_phi - y_dot * c_phi; /* slip = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(r[0]) <= DBL_MAX)) {
-        return SKATE_INCLINE_NOT_FINITE;
+        return skate_incline_finish(1, r);
     }
     return SKATE_INCLINE_OK;
 }
@@ -342,7 +359,7 @@ int skate_incline_reactions(double t, const double *y, const double *p, double *
         if (!(fabs(J) > 0.0)) {
             return SKATE_INCLINE_SINGULAR_2;
         }
-        return SKATE_INCLINE_NOT_FINITE;
+        return skate_incline_finish(1, lambda);
     }
     return SKATE_INCLINE_OK;
 }
@@ -405,7 +422,7 @@ int skate_incline_jacobian(double t, const double *y, const double *p, double *J
         if (!(fabs(J_2) > 0.0)) {
             return SKATE_INCLINE_SINGULAR_2;
         }
-        return SKATE_INCLINE_NOT_FINITE;
+        return skate_incline_finish(25, J);
     }
     return SKATE_INCLINE_OK;
 }
@@ -421,7 +438,7 @@ int skate_incline_outputs(double t, const double *y, const double *p, double *ou
     out[0] = v; /* speed */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(out[0]) <= DBL_MAX)) {
-        return SKATE_INCLINE_NOT_FINITE;
+        return skate_incline_finish(1, out);
     }
     return SKATE_INCLINE_OK;
 }

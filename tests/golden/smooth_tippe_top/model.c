@@ -1,5 +1,5 @@
 /*
- * smooth_tippe_top.c: smooth_tippe_top, emitted by nhc 0.1.0 (nhc:4d88dc100597bf4f)
+ * smooth_tippe_top.c: smooth_tippe_top, emitted by nhc 0.1.0 (nhc:905957a24184be05)
  * The ball of routh_sphere on a plane without any friction.
  * Source: smooth_tippe_top.yaml
  * Equations of motion: lagrange (II.3)
@@ -54,6 +54,23 @@ const double smooth_tippe_top_parameter_defaults[] = {
 #else
 #define SMOOTH_TIPPE_TOP_SLOW
 #endif
+
+static int smooth_tippe_top_finish(int count, const double *values)
+{
+    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    for (int i = 0; i < count; ++i) {
+        sum += values[i];
+    }
+    if (fabs(sum) <= DBL_MAX) {
+        return SMOOTH_TIPPE_TOP_OK;
+    }
+    for (int i = 0; i < count; ++i) { /* finite values may have an infinite sum */
+        if (!(fabs(values[i]) <= DBL_MAX)) {
+            return SMOOTH_TIPPE_TOP_NOT_FINITE;
+        }
+    }
+    return SMOOTH_TIPPE_TOP_OK;
+}
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
 #ifndef SMOOTH_TIPPE_TOP_LANES
@@ -285,7 +302,7 @@ int smooth_tippe_top_rhs(double t, const double *y, const double *p, double *dyd
         if (!(fabs(z22) > 1e-14 * I3)) {
             return SMOOTH_TIPPE_TOP_SINGULAR_2;
         }
-        return SMOOTH_TIPPE_TOP_NOT_FINITE;
+        return smooth_tippe_top_finish(10, dydt);
     }
     return SMOOTH_TIPPE_TOP_OK;
 }
@@ -309,7 +326,7 @@ int smooth_tippe_top_velocities(double t, const double *y, const double *p, doub
     qdot[4] = psi_dot; /* psi' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qdot[0] + qdot[1] + qdot[2] + qdot[3] + qdot[4]) <= DBL_MAX)) {
-        return SMOOTH_TIPPE_TOP_NOT_FINITE;
+        return smooth_tippe_top_finish(5, qdot);
     }
     return SMOOTH_TIPPE_TOP_OK;
 }
@@ -408,7 +425,7 @@ int smooth_tippe_top_accelerations(double t, const double *y, const double *p, d
         if (!(fabs(z22) > 1e-14 * I3)) {
             return SMOOTH_TIPPE_TOP_SINGULAR_2;
         }
-        return SMOOTH_TIPPE_TOP_NOT_FINITE;
+        return smooth_tippe_top_finish(5, qddot);
     }
     return SMOOTH_TIPPE_TOP_OK;
 }
@@ -441,7 +458,7 @@ int smooth_tippe_top_state(double t, const double *q, const double *qdot, const 
     y[9] = psi_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1] + y[2] + y[3] + y[4] + y[5] + y[6] + y[7] + y[8] + y[9]) <= DBL_MAX)) {
-        return SMOOTH_TIPPE_TOP_NOT_FINITE;
+        return smooth_tippe_top_finish(10, y);
     }
     return SMOOTH_TIPPE_TOP_OK;
 }
@@ -741,7 +758,7 @@ int smooth_tippe_top_jacobian(double t, const double *y, const double *p, double
         if (!(fabs(z23) > 1e-14 * I3)) {
             return SMOOTH_TIPPE_TOP_SINGULAR_2;
         }
-        return SMOOTH_TIPPE_TOP_NOT_FINITE;
+        return smooth_tippe_top_finish(100, J);
     }
     return SMOOTH_TIPPE_TOP_OK;
 }
@@ -785,7 +802,7 @@ int smooth_tippe_top_outputs(double t, const double *y, const double *p, double 
     out[3] = m * (y_dot - (c_phi * z1 - s_phi * z2)); /* p_y */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(out[0] + out[2] + out[3]) <= DBL_MAX)) {
-        return SMOOTH_TIPPE_TOP_NOT_FINITE;
+        return smooth_tippe_top_finish(4, out);
     }
     return SMOOTH_TIPPE_TOP_OK;
 }

@@ -1,5 +1,5 @@
 /*
- * snakeboard.c: snakeboard, emitted by nhc 0.1.0 (nhc:3196643d0b9b64ba)
+ * snakeboard.c: snakeboard, emitted by nhc 0.1.0 (nhc:5a943cabfbbcb374)
  * A board on two steerable axles and a rotor; it moves by turning the rotor and the axles to and fro.
  * Source: snakeboard.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -60,6 +60,23 @@ const double snakeboard_parameter_defaults[] = {
 #else
 #define SNAKEBOARD_SLOW
 #endif
+
+static int snakeboard_finish(int count, const double *values)
+{
+    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    for (int i = 0; i < count; ++i) {
+        sum += values[i];
+    }
+    if (fabs(sum) <= DBL_MAX) {
+        return SNAKEBOARD_OK;
+    }
+    for (int i = 0; i < count; ++i) { /* finite values may have an infinite sum */
+        if (!(fabs(values[i]) <= DBL_MAX)) {
+            return SNAKEBOARD_NOT_FINITE;
+        }
+    }
+    return SNAKEBOARD_OK;
+}
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
 #ifndef SNAKEBOARD_LANES
@@ -318,7 +335,7 @@ int snakeboard_rhs(double t, const double *y, const double *p, double *dydt)
         if (!(fabs(z22) > 1e-14 * (z15 + m * (z19 * z19) + m * (z21 * z21)))) {
             return SNAKEBOARD_SINGULAR_2;
         }
-        return SNAKEBOARD_NOT_FINITE;
+        return snakeboard_finish(10, dydt);
     }
     return SNAKEBOARD_OK;
 }
@@ -376,7 +393,7 @@ int snakeboard_velocities(double t, const double *y, const double *p, double *qd
         if (!(fabs(z4) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)))) {
             return SNAKEBOARD_SINGULAR_1;
         }
-        return SNAKEBOARD_NOT_FINITE;
+        return snakeboard_finish(6, qdot);
     }
     return SNAKEBOARD_OK;
 }
@@ -508,7 +525,7 @@ int snakeboard_accelerations(double t, const double *y, const double *p, double 
         if (!(fabs(z22) > 1e-14 * (z15 + m * (z19 * z19) + m * (z21 * z21)))) {
             return SNAKEBOARD_SINGULAR_2;
         }
-        return SNAKEBOARD_NOT_FINITE;
+        return snakeboard_finish(6, qddot);
     }
     return SNAKEBOARD_OK;
 }
@@ -558,7 +575,7 @@ int snakeboard_state(double t, const double *q, const double *qdot, const double
     y[9] = p_f_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1] + y[3] + y[6] + y[7] + y[8] + y[9]) <= DBL_MAX)) {
-        return SNAKEBOARD_NOT_FINITE;
+        return snakeboard_finish(10, y);
     }
     return SNAKEBOARD_OK;
 }
@@ -592,7 +609,7 @@ int snakeboard_residuals(double t, const double *q, const double *qdot, const do
     r[1] = c_p_f * z2 - (x_dot * s2 - y_dot * c2); /* front = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(r[0] + r[1]) <= DBL_MAX)) {
-        return SNAKEBOARD_NOT_FINITE;
+        return snakeboard_finish(2, r);
     }
     return SNAKEBOARD_OK;
 }
@@ -751,7 +768,7 @@ int snakeboard_reactions(double t, const double *y, const double *p, double *lam
         if (!(fabs(z24) > 1e-14 * (z17 + m * (z21 * z21) + m * (z23 * z23)))) {
             return SNAKEBOARD_SINGULAR_2;
         }
-        return SNAKEBOARD_NOT_FINITE;
+        return snakeboard_finish(2, lambda);
     }
     return SNAKEBOARD_OK;
 }
@@ -1070,7 +1087,7 @@ int snakeboard_jacobian(double t, const double *y, const double *p, double *J)
         if (!(fabs(z28) > 1e-14 * (J_2 * (z15 * z15) + m * (z22 * z22) + m * (z26 * z26)))) {
             return SNAKEBOARD_SINGULAR_2;
         }
-        return SNAKEBOARD_NOT_FINITE;
+        return snakeboard_finish(100, J);
     }
     return SNAKEBOARD_OK;
 }
@@ -1109,7 +1126,7 @@ int snakeboard_outputs(double t, const double *y, const double *p, double *out)
         if (!(fabs(z4) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)))) {
             return SNAKEBOARD_SINGULAR_1;
         }
-        return SNAKEBOARD_NOT_FINITE;
+        return snakeboard_finish(1, out);
     }
     return SNAKEBOARD_OK;
 }

@@ -1,5 +1,5 @@
 /*
- * spherical_pendulum.c: spherical_pendulum, emitted by nhc 0.1.0 (nhc:6bebeb2d6cbec4af)
+ * spherical_pendulum.c: spherical_pendulum, emitted by nhc 0.1.0 (nhc:f93b9be48a7d3935)
  * A pendulum that swings in space.
  * Source: spherical_pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -32,6 +32,23 @@ const double spherical_pendulum_parameter_defaults[] = {
     1.0,
     9.81
 };
+
+static int spherical_pendulum_finish(int count, const double *values)
+{
+    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    for (int i = 0; i < count; ++i) {
+        sum += values[i];
+    }
+    if (fabs(sum) <= DBL_MAX) {
+        return SPHERICAL_PENDULUM_OK;
+    }
+    for (int i = 0; i < count; ++i) { /* finite values may have an infinite sum */
+        if (!(fabs(values[i]) <= DBL_MAX)) {
+            return SPHERICAL_PENDULUM_NOT_FINITE;
+        }
+    }
+    return SPHERICAL_PENDULUM_OK;
+}
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
 #ifndef SPHERICAL_PENDULUM_LANES
@@ -197,7 +214,7 @@ int spherical_pendulum_rhs(double t, const double *y, const double *p, double *d
         if (!(fabs(k1 * (s_theta * s_theta)) > 0.0)) {
             return SPHERICAL_PENDULUM_SINGULAR_2;
         }
-        return SPHERICAL_PENDULUM_NOT_FINITE;
+        return spherical_pendulum_finish(4, dydt);
     }
     return SPHERICAL_PENDULUM_OK;
 }
@@ -215,7 +232,7 @@ int spherical_pendulum_velocities(double t, const double *y, const double *p, do
     qdot[1] = phi_dot; /* phi' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qdot[0] + qdot[1]) <= DBL_MAX)) {
-        return SPHERICAL_PENDULUM_NOT_FINITE;
+        return spherical_pendulum_finish(2, qdot);
     }
     return SPHERICAL_PENDULUM_OK;
 }
@@ -252,7 +269,7 @@ int spherical_pendulum_accelerations(double t, const double *y, const double *p,
         if (!(fabs(k1 * (s_theta * s_theta)) > 0.0)) {
             return SPHERICAL_PENDULUM_SINGULAR_2;
         }
-        return SPHERICAL_PENDULUM_NOT_FINITE;
+        return spherical_pendulum_finish(2, qddot);
     }
     return SPHERICAL_PENDULUM_OK;
 }
@@ -273,7 +290,7 @@ int spherical_pendulum_state(double t, const double *q, const double *qdot, cons
     y[3] = phi_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1] + y[2] + y[3]) <= DBL_MAX)) {
-        return SPHERICAL_PENDULUM_NOT_FINITE;
+        return spherical_pendulum_finish(4, y);
     }
     return SPHERICAL_PENDULUM_OK;
 }
@@ -376,7 +393,7 @@ int spherical_pendulum_jacobian(double t, const double *y, const double *p, doub
         if (!(fabs(k1 * z1) > 0.0)) {
             return SPHERICAL_PENDULUM_SINGULAR_2;
         }
-        return SPHERICAL_PENDULUM_NOT_FINITE;
+        return spherical_pendulum_finish(16, J);
     }
     return SPHERICAL_PENDULUM_OK;
 }
@@ -398,7 +415,7 @@ int spherical_pendulum_outputs(double t, const double *y, const double *p, doubl
     out[0] = phi_dot * (k1 * (s_theta * s_theta)); /* L_z */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(out[0]) <= DBL_MAX)) {
-        return SPHERICAL_PENDULUM_NOT_FINITE;
+        return spherical_pendulum_finish(1, out);
     }
     return SPHERICAL_PENDULUM_OK;
 }

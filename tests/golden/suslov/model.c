@@ -1,5 +1,5 @@
 /*
- * suslov.c: suslov, emitted by nhc 0.1.0 (nhc:c6c26c1781032e75)
+ * suslov.c: suslov, emitted by nhc 0.1.0 (nhc:d863b2211e8f6a45)
  * A rigid body with a fixed point that must not turn about one of its own axes.
  * Source: suslov.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -45,6 +45,23 @@ const double suslov_parameter_defaults[] = {
 #else
 #define SUSLOV_SLOW
 #endif
+
+static int suslov_finish(int count, const double *values)
+{
+    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    for (int i = 0; i < count; ++i) {
+        sum += values[i];
+    }
+    if (fabs(sum) <= DBL_MAX) {
+        return SUSLOV_OK;
+    }
+    for (int i = 0; i < count; ++i) { /* finite values may have an infinite sum */
+        if (!(fabs(values[i]) <= DBL_MAX)) {
+            return SUSLOV_NOT_FINITE;
+        }
+    }
+    return SUSLOV_OK;
+}
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
 #ifndef SUSLOV_LANES
@@ -222,7 +239,7 @@ int suslov_rhs(double t, const double *y, const double *p, double *dydt)
         if (!(fabs(I22) > 0.0)) {
             return SUSLOV_SINGULAR_2;
         }
-        return SUSLOV_NOT_FINITE;
+        return suslov_finish(5, dydt);
     }
     return SUSLOV_OK;
 }
@@ -255,7 +272,7 @@ int suslov_velocities(double t, const double *y, const double *p, double *qdot)
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
             return SUSLOV_SINGULAR_1;
         }
-        return SUSLOV_NOT_FINITE;
+        return suslov_finish(3, qdot);
     }
     return SUSLOV_OK;
 }
@@ -318,7 +335,7 @@ int suslov_accelerations(double t, const double *y, const double *p, double *qdd
         if (!(fabs(I22) > 0.0)) {
             return SUSLOV_SINGULAR_2;
         }
-        return SUSLOV_NOT_FINITE;
+        return suslov_finish(3, qddot);
     }
     return SUSLOV_OK;
 }
@@ -347,7 +364,7 @@ int suslov_state(double t, const double *q, const double *qdot, const double *p,
     y[4] = c_psi * z1 - theta_dot * s_psi;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[3] + y[4]) <= DBL_MAX)) {
-        return SUSLOV_NOT_FINITE;
+        return suslov_finish(5, y);
     }
     return SUSLOV_OK;
 }
@@ -366,7 +383,7 @@ int suslov_residuals(double t, const double *q, const double *qdot, const double
     r[0] = psi_dot + phi_dot * c_theta; /* no_spin = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(r[0]) <= DBL_MAX)) {
-        return SUSLOV_NOT_FINITE;
+        return suslov_finish(1, r);
     }
     return SUSLOV_OK;
 }
@@ -407,7 +424,7 @@ int suslov_reactions(double t, const double *y, const double *p, double *lambda)
         if (!(fabs(I22) > 0.0)) {
             return SUSLOV_SINGULAR_2;
         }
-        return SUSLOV_NOT_FINITE;
+        return suslov_finish(1, lambda);
     }
     return SUSLOV_OK;
 }
@@ -498,7 +515,7 @@ int suslov_jacobian(double t, const double *y, const double *p, double *J)
         if (!(fabs(I22) > 0.0)) {
             return SUSLOV_SINGULAR_2;
         }
-        return SUSLOV_NOT_FINITE;
+        return suslov_finish(25, J);
     }
     return SUSLOV_OK;
 }
@@ -522,7 +539,7 @@ int suslov_outputs(double t, const double *y, const double *p, double *out)
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
             return SUSLOV_SINGULAR_1;
         }
-        return SUSLOV_NOT_FINITE;
+        return suslov_finish(1, out);
     }
     return SUSLOV_OK;
 }

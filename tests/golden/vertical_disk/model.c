@@ -1,5 +1,5 @@
 /*
- * vertical_disk.c: vertical_disk, emitted by nhc 0.1.0 (nhc:791a8f0ffbb7399e)
+ * vertical_disk.c: vertical_disk, emitted by nhc 0.1.0 (nhc:f22d965dd1160ef7)
  * A disk that stays upright and rolls without slipping.
  * Source: vertical_disk.yaml
  * Equations of motion: chaplygin (III.3)
@@ -38,6 +38,23 @@ const double vertical_disk_parameter_defaults[] = {
     0.125,
     0.0625
 };
+
+static int vertical_disk_finish(int count, const double *values)
+{
+    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    for (int i = 0; i < count; ++i) {
+        sum += values[i];
+    }
+    if (fabs(sum) <= DBL_MAX) {
+        return VERTICAL_DISK_OK;
+    }
+    for (int i = 0; i < count; ++i) { /* finite values may have an infinite sum */
+        if (!(fabs(values[i]) <= DBL_MAX)) {
+            return VERTICAL_DISK_NOT_FINITE;
+        }
+    }
+    return VERTICAL_DISK_OK;
+}
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
 #ifndef VERTICAL_DISK_LANES
@@ -192,7 +209,7 @@ int vertical_disk_rhs(double t, const double *y, const double *p, double *dydt)
         if (!(fabs(I + R * (m * R)) > 0.0)) {
             return VERTICAL_DISK_SINGULAR_2;
         }
-        return VERTICAL_DISK_NOT_FINITE;
+        return vertical_disk_finish(6, dydt);
     }
     return VERTICAL_DISK_OK;
 }
@@ -218,7 +235,7 @@ int vertical_disk_velocities(double t, const double *y, const double *p, double 
     qdot[3] = theta_dot; /* theta' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qdot[0] + qdot[2]) <= DBL_MAX)) {
-        return VERTICAL_DISK_NOT_FINITE;
+        return vertical_disk_finish(4, qdot);
     }
     return VERTICAL_DISK_OK;
 }
@@ -255,7 +272,7 @@ int vertical_disk_accelerations(double t, const double *y, const double *p, doub
         if (!(fabs(I + R * (m * R)) > 0.0)) {
             return VERTICAL_DISK_SINGULAR_2;
         }
-        return VERTICAL_DISK_NOT_FINITE;
+        return vertical_disk_finish(4, qddot);
     }
     return VERTICAL_DISK_OK;
 }
@@ -280,7 +297,7 @@ int vertical_disk_state(double t, const double *q, const double *qdot, const dou
     y[5] = theta_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1] + y[2] + y[3] + y[4] + y[5]) <= DBL_MAX)) {
-        return VERTICAL_DISK_NOT_FINITE;
+        return vertical_disk_finish(6, y);
     }
     return VERTICAL_DISK_OK;
 }
@@ -306,7 +323,7 @@ int vertical_disk_residuals(double t, const double *q, const double *qdot, const
     r[1] = y_dot - s_phi * v1_x; /* roll_y = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(r[0] + r[1]) <= DBL_MAX)) {
-        return VERTICAL_DISK_NOT_FINITE;
+        return vertical_disk_finish(2, r);
     }
     return VERTICAL_DISK_OK;
 }
@@ -345,7 +362,7 @@ int vertical_disk_reactions(double t, const double *y, const double *p, double *
         if (!(fabs(I + R * k1) > 0.0)) {
             return VERTICAL_DISK_SINGULAR_2;
         }
-        return VERTICAL_DISK_NOT_FINITE;
+        return vertical_disk_finish(2, lambda);
     }
     return VERTICAL_DISK_OK;
 }
@@ -404,7 +421,7 @@ int vertical_disk_jacobian(double t, const double *y, const double *p, double *J
         if (!(fabs(I + R * (m * R)) > 0.0)) {
             return VERTICAL_DISK_SINGULAR_2;
         }
-        return VERTICAL_DISK_NOT_FINITE;
+        return vertical_disk_finish(36, J);
     }
     return VERTICAL_DISK_OK;
 }
@@ -420,7 +437,7 @@ int vertical_disk_outputs(double t, const double *y, const double *p, double *ou
     out[0] = theta_dot * R; /* speed */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(out[0]) <= DBL_MAX)) {
-        return VERTICAL_DISK_NOT_FINITE;
+        return vertical_disk_finish(1, out);
     }
     return VERTICAL_DISK_OK;
 }

@@ -1,5 +1,5 @@
 /*
- * veselova.c: veselova, emitted by nhc 0.1.0 (nhc:6fe7e7c7e9537961)
+ * veselova.c: veselova, emitted by nhc 0.1.0 (nhc:8d782da5a516313a)
  * A rigid body with a fixed point that must not turn about the vertical.
  * Source: veselova.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -41,6 +41,23 @@ const double veselova_parameter_defaults[] = {
 #else
 #define VESELOVA_SLOW
 #endif
+
+static int veselova_finish(int count, const double *values)
+{
+    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    for (int i = 0; i < count; ++i) {
+        sum += values[i];
+    }
+    if (fabs(sum) <= DBL_MAX) {
+        return VESELOVA_OK;
+    }
+    for (int i = 0; i < count; ++i) { /* finite values may have an infinite sum */
+        if (!(fabs(values[i]) <= DBL_MAX)) {
+            return VESELOVA_NOT_FINITE;
+        }
+    }
+    return VESELOVA_OK;
+}
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
 #ifndef VESELOVA_LANES
@@ -243,7 +260,7 @@ int veselova_rhs(double t, const double *y, const double *p, double *dydt)
         if (!(fabs(z16) > 1e-14 * z12)) {
             return VESELOVA_SINGULAR_2;
         }
-        return VESELOVA_NOT_FINITE;
+        return veselova_finish(5, dydt);
     }
     return VESELOVA_OK;
 }
@@ -276,7 +293,7 @@ int veselova_velocities(double t, const double *y, const double *p, double *qdot
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
             return VESELOVA_SINGULAR_1;
         }
-        return VESELOVA_NOT_FINITE;
+        return veselova_finish(3, qdot);
     }
     return VESELOVA_OK;
 }
@@ -362,7 +379,7 @@ int veselova_accelerations(double t, const double *y, const double *p, double *q
         if (!(fabs(z16) > 1e-14 * z12)) {
             return VESELOVA_SINGULAR_2;
         }
-        return VESELOVA_NOT_FINITE;
+        return veselova_finish(3, qddot);
     }
     return VESELOVA_OK;
 }
@@ -391,7 +408,7 @@ int veselova_state(double t, const double *q, const double *qdot, const double *
     y[4] = theta_dot * s_phi - c_phi * z1;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[2] + y[3] + y[4]) <= DBL_MAX)) {
-        return VESELOVA_NOT_FINITE;
+        return veselova_finish(5, y);
     }
     return VESELOVA_OK;
 }
@@ -410,7 +427,7 @@ int veselova_residuals(double t, const double *q, const double *qdot, const doub
     r[0] = phi_dot + psi_dot * c_theta; /* no_turn = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(r[0]) <= DBL_MAX)) {
-        return VESELOVA_NOT_FINITE;
+        return veselova_finish(1, r);
     }
     return VESELOVA_OK;
 }
@@ -509,7 +526,7 @@ int veselova_reactions(double t, const double *y, const double *p, double *lambd
         if (!(fabs(z16) > 1e-14 * z12)) {
             return VESELOVA_SINGULAR_2;
         }
-        return VESELOVA_NOT_FINITE;
+        return veselova_finish(1, lambda);
     }
     return VESELOVA_OK;
 }
@@ -708,7 +725,7 @@ int veselova_jacobian(double t, const double *y, const double *p, double *J)
         if (!(fabs(z22) > 1e-14 * z17)) {
             return VESELOVA_SINGULAR_2;
         }
-        return VESELOVA_NOT_FINITE;
+        return veselova_finish(25, J);
     }
     return VESELOVA_OK;
 }
@@ -753,7 +770,7 @@ int veselova_outputs(double t, const double *y, const double *p, double *out)
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
             return VESELOVA_SINGULAR_1;
         }
-        return VESELOVA_NOT_FINITE;
+        return veselova_finish(2, out);
     }
     return VESELOVA_OK;
 }

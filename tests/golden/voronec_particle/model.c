@@ -1,5 +1,5 @@
 /*
- * voronec_particle.c: voronec_particle, emitted by nhc 0.1.0 (nhc:f4f29d35b5933713)
+ * voronec_particle.c: voronec_particle, emitted by nhc 0.1.0 (nhc:bc5fe582c8bd82b9)
  * A particle whose T, U and constraint depend on the dependent coordinate, so that Caplygin's hypotheses
  *     fail.
  * Source: voronec_particle.yaml
@@ -40,6 +40,23 @@ const double voronec_particle_parameter_defaults[] = {
 #else
 #define VORONEC_PARTICLE_SLOW
 #endif
+
+static int voronec_particle_finish(int count, const double *values)
+{
+    double sum = 0.0; /* an infinity or a NaN among the values stays in it */
+    for (int i = 0; i < count; ++i) {
+        sum += values[i];
+    }
+    if (fabs(sum) <= DBL_MAX) {
+        return VORONEC_PARTICLE_OK;
+    }
+    for (int i = 0; i < count; ++i) { /* finite values may have an infinite sum */
+        if (!(fabs(values[i]) <= DBL_MAX)) {
+            return VORONEC_PARTICLE_NOT_FINITE;
+        }
+    }
+    return VORONEC_PARTICLE_OK;
+}
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
 #ifndef VORONEC_PARTICLE_LANES
@@ -226,7 +243,7 @@ int voronec_particle_rhs(double t, const double *y, const double *p, double *dyd
         if (!(fabs(z11) > 1e-14 * z7)) {
             return VORONEC_PARTICLE_SINGULAR_2;
         }
-        return VORONEC_PARTICLE_NOT_FINITE;
+        return voronec_particle_finish(5, dydt);
     }
     return VORONEC_PARTICLE_OK;
 }
@@ -249,7 +266,7 @@ int voronec_particle_velocities(double t, const double *y, const double *p, doub
     qdot[2] = x_dot * (y_2 * c_z) + 0.5 * (y_dot * (x * z)); /* z' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qdot[2]) <= DBL_MAX)) {
-        return VORONEC_PARTICLE_NOT_FINITE;
+        return voronec_particle_finish(3, qdot);
     }
     return VORONEC_PARTICLE_OK;
 }
@@ -310,7 +327,7 @@ int voronec_particle_accelerations(double t, const double *y, const double *p, d
         if (!(fabs(z11) > 1e-14 * z7)) {
             return VORONEC_PARTICLE_SINGULAR_2;
         }
-        return VORONEC_PARTICLE_NOT_FINITE;
+        return voronec_particle_finish(3, qddot);
     }
     return VORONEC_PARTICLE_OK;
 }
@@ -333,7 +350,7 @@ int voronec_particle_state(double t, const double *q, const double *qdot, const 
     y[4] = y_dot;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(y[0] + y[1] + y[2] + y[3] + y[4]) <= DBL_MAX)) {
-        return VORONEC_PARTICLE_NOT_FINITE;
+        return voronec_particle_finish(5, y);
     }
     return VORONEC_PARTICLE_OK;
 }
@@ -355,7 +372,7 @@ int voronec_particle_residuals(double t, const double *q, const double *qdot, co
     r[0] = z_dot - (x_dot * (y * c_z) + 0.5 * (y_dot * (x * z))); /* contact = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(r[0]) <= DBL_MAX)) {
-        return VORONEC_PARTICLE_NOT_FINITE;
+        return voronec_particle_finish(1, r);
     }
     return VORONEC_PARTICLE_OK;
 }
@@ -416,7 +433,7 @@ int voronec_particle_reactions(double t, const double *y, const double *p, doubl
         if (!(fabs(z12) > 1e-14 * z8)) {
             return VORONEC_PARTICLE_SINGULAR_2;
         }
-        return VORONEC_PARTICLE_NOT_FINITE;
+        return voronec_particle_finish(1, lambda);
     }
     return VORONEC_PARTICLE_OK;
 }
@@ -591,7 +608,7 @@ int voronec_particle_jacobian(double t, const double *y, const double *p, double
         if (!(fabs(z12) > 1e-14 * z8)) {
             return VORONEC_PARTICLE_SINGULAR_2;
         }
-        return VORONEC_PARTICLE_NOT_FINITE;
+        return voronec_particle_finish(25, J);
     }
     return VORONEC_PARTICLE_OK;
 }

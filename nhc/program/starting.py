@@ -1,0 +1,65 @@
+"""Whether the accelerations are determined where a scene starts, for its values of the parameters."""
+
+from __future__ import annotations
+
+from nhc.algebra.elimination import solve_double
+from nhc.algebra.evaluate import evaluate
+from nhc.algebra.graph import Node
+from nhc.algebra.linear import Singular
+from nhc.diagnostics import Bag
+from nhc.mechanics.scenes import Start, kept_velocities
+from nhc.program.build import Planner
+
+_NOTHING: tuple[str, tuple[str, ...]] = ("", ())
+
+
+def warn_undetermined(planner: Planner, start: Start, bag: Bag) -> None:
+    """Add a warning (W0421) where a scene starts at a singular mass matrix."""
+    what, zero = find_undetermined(planner, start)
+    if not what:
+        return
+    names = " and ".join(f"`{name}`" for name in zero)
+    bag.warning(
+        "W0421",
+        f"the scene `{start.scene.name}` cannot run: {what} at its start",
+        start.scene.span,
+        notes=(f"{names} {'is' if len(zero) == 1 else 'are'} zero there",) if zero else (),
+        help=(f"give {names} a value, under `parameters:` or in the scene" if zero else "let it start elsewhere",),
+    )
+
+
+def find_undetermined(planner: Planner, start: Start) -> tuple[str, tuple[str, ...]]:
+    """What is singular at a start, and the parameters in it that are zero; empty where the accelerations are determined.
+
+    A coframe that is singular there is not asked for: a run begins with another.
+    """
+    g, system = planner.graph, planner.system
+    rates = kept_velocities(system, planner.kept_forms(), start)
+    values = {**dict(zip(planner.equations.motion.w, rates, strict=True)), **start.values(system)}
+    for guard in planner.mass_guards:
+        try:
+            value, scale = (float(x) for x in evaluate(g, [guard.value, guard.scale], values))
+        except (ArithmeticError, ValueError, KeyError):
+            return _NOTHING  # the coframe, or a function outside its domain
+        if not abs(value) > guard.tolerance * scale:
+            return guard.what, _blame(planner, start, guard.value)
+    for solve in planner.solves:
+        flat = [entry for row in solve.matrix for entry in row]
+        try:
+            numbers = [float(x) for x in evaluate(g, flat, values)]
+            size = len(solve.matrix)
+            solve_double([numbers[i * size : (i + 1) * size] for i in range(size)], [0.0] * size)
+        except Singular:
+            return solve.what, _blame(planner, start, *flat)
+        except (ArithmeticError, ValueError, KeyError):
+            return _NOTHING
+    return _NOTHING
+
+
+def _blame(planner: Planner, start: Start, *nodes: Node) -> tuple[str, ...]:
+    g, system = planner.graph, planner.system
+    return tuple(
+        parameter.name
+        for symbol, parameter, value in zip(system.p, system.spec.parameters, start.p, strict=True)
+        if value == 0.0 and any(g.depends(node, g.deps[symbol]) for node in nodes)
+    )
