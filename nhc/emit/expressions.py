@@ -72,14 +72,16 @@ class ExpressionPrinter:
 
         A minus goes to the first factor of a product, and two of them cancel: that changes no double.
         """
+        if type(expression) is Ref:  # every other operand
+            return Text(self.names[expression.name], ATOM)
         spine: list[Binary] = []
         negative = False
         while True:
-            if isinstance(expression, Negate):
-                negative, expression = not negative, expression.operand
-            elif isinstance(expression, Binary) and not (negative and expression.op in OPPOSITE):
+            if isinstance(expression, Binary) and not (negative and expression.op in OPPOSITE):
                 spine.append(expression)
                 expression = expression.left
+            elif isinstance(expression, Negate):
+                negative, expression = not negative, expression.operand
             else:
                 break
         if negative and isinstance(expression, Number):
@@ -92,11 +94,11 @@ class ExpressionPrinter:
         return part
 
     def _render_term(self, expression: Expr) -> Text:
+        if isinstance(expression, Ref):
+            return Text(self.names[expression.name], ATOM)
         if isinstance(expression, Number):
             text = self.dialect.print_number(expression.value)
             return Text(text, UNARY if text.startswith("-") else ATOM)
-        if isinstance(expression, Ref):
-            return Text(self.names[expression.name], ATOM)
         if isinstance(expression, Pi):
             return Text(self.dialect.print_pi(), ATOM)
         if isinstance(expression, Power):
@@ -115,14 +117,17 @@ class ExpressionPrinter:
         return Text(f"-{enclose(operand, ATOM)}", UNARY)
 
     def _join(self, op: str, left: Text, right_side: Expr) -> Text:
-        negative, positive = split_sign(right_side)
-        if negative and op in OPPOSITE:
-            op, right_side = OPPOSITE[op], positive  # a + (-b) and a - b are the same double
+        if op in OPPOSITE and type(right_side) is not Ref:
+            negative, positive = split_sign(right_side)
+            if negative:
+                op, right_side = OPPOSITE[op], positive  # a + (-b) and a - b are the same double
         right = self.render(right_side)
         if self.width:
             left, right = self._shorten([left, right], 7)
         level = LEVELS[op]
-        return Text(f"{enclose(left, level)} {op} {enclose(right, level + 1)}", level)
+        first = left.text if left.level >= level else f"({left.text})"
+        second = right.text if right.level > level else f"({right.text})"
+        return Text(f"{first} {op} {second}", level)
 
     def _shorten(self, parts: list[Text], extra: int) -> list[Text]:
         """Store the longest parts under names until all of them and ``extra`` characters fit."""

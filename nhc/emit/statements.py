@@ -54,10 +54,10 @@ def iterate_refs(expression: Expr) -> Iterator[str]:
         node = stack.pop()
         if isinstance(node, Ref):
             yield node.name
-        elif isinstance(node, Negate):
-            stack.append(node.operand)
         elif isinstance(node, Binary):
             stack += (node.left, node.right)
+        elif isinstance(node, Negate):
+            stack.append(node.operand)
         elif isinstance(node, Power):
             stack.append(node.base)
         elif isinstance(node, Call):

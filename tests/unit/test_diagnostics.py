@@ -137,17 +137,17 @@ def test_concise_and_json() -> None:
 
 def test_a_bag_raises_everything_in_order() -> None:
     bag = Bag(Source("a", "abc"))
-    bag.warning("W0410", "second", Span(1, 2))
+    bag.warning("W0410", "second", Span(1, 2), help=("do",))
     bag.raise_if_errors()
-    bag.error("E0302", "third", Span(2, 3))
-    bag.error("E0302", "first", Span(0, 1))
-    bag.error("E0302", "first", Span(0, 1))
+    bag.error("E0302", "third", Span(2, 3), help=("do",))
+    bag.error("E0302", "first", Span(0, 1), help=("do",))
+    bag.error("E0302", "first", Span(0, 1), help=("do",))
     with pytest.raises(SpecError) as caught:
         bag.raise_if_errors()
     assert [found.message for found in caught.value.diagnostics] == ["first", "second", "third"]
     assert str(caught.value).splitlines()[0] == "a:1:1: E0302: first"
     with pytest.raises(KeyError):
-        bag.error("E9999", "no such code", Span(0, 0))
+        bag.error("E9999", "no such code", Span(0, 0), help=("do",))
 
 
 def test_nearest() -> None:
