@@ -19,8 +19,9 @@ _TERMS = 24
 _LEAVES = 100
 """Leaves of a tree; beyond them the canonical form is not tried."""
 _FEW = 25
-"""Operations for each multiplication by a number, above which trees stay as they are: there is little to win (none to four percent
-of the operations, measured on trains, snakes and a bicycle), and trying takes up to a quarter of the derivation."""
+"""Nodes for each multiplication by a number, up to which every tree is tried."""
+_LARGE, _SPARE = 150, 8
+"""Nodes of an expression without numbers in which smaller trees are tried: what is shorter has its canonical form already."""
 _OPEN = frozenset({ADD, MUL, NEG, POW})
 """What a canonical form looks into."""
 
@@ -32,12 +33,16 @@ def shorten_pieces(graph: Graph, roots: Sequence[Node]) -> list[Node]:
     nodes = reachable(graph, roots)
     op, first = graph.op, graph.a
     numbers = sum(op[node] == MUL and op[first[node]] == NUM for node in nodes)
-    if numbers * _FEW < len(nodes):
+    if numbers * _FEW >= len(nodes):
+        spare = _LEAVES
+    elif len(nodes) >= _LARGE:
+        spare = _SPARE
+    else:
         return list(roots)
     whole = _list_shared(graph, nodes, roots)
     new: dict[Node, Node] = {}
     for node in nodes:
-        shorter = _shorten(graph, node, whole, new) if node in whole else None
+        shorter = _shorten(graph, node, whole, new, spare) if node in whole else None
         if shorter is not None:
             new[node] = shorter
             if node in graph.labels:
@@ -66,15 +71,21 @@ def _list_shared(graph: Graph, nodes: Sequence[Node], roots: Sequence[Node]) -> 
     return found
 
 
-def _shorten(graph: Graph, node: Node, whole: Container[Node], new: Mapping[Node, Node]) -> Node | None:
-    """The shorter form of the tree below a node, over what the tree's leaves have become; None where there is none."""
+def _shorten(graph: Graph, node: Node, whole: Container[Node], new: Mapping[Node, Node], spare: int) -> Node | None:
+    """The shorter form of the tree below a node, over what the tree's leaves have become; None where there is none.
+
+    A tree has one operation less than leaves, and cannot have fewer than one less than different leaves; where there could be
+    more than ``spare`` to win, the tree is a large one, and not tried.
+    """
     op = graph.op
     if op[node] not in (ADD, MUL):
         return None
     leaves = _list_leaves(graph, node, whole)
     symbolic = [leaf for leaf in leaves if op[leaf] != NUM]
     distinct = dict.fromkeys(symbolic)
-    if len(leaves) > _LEAVES or (len(symbolic) == len(distinct) and len(leaves) - len(symbolic) < 2):
+    if len(symbolic) == len(distinct) and len(leaves) - len(symbolic) < 2:
+        return None
+    if len(leaves) > _LEAVES or len(leaves) - len(distinct) > spare:
         return None
     opaque = [leaf for leaf in distinct if op[leaf] in _OPEN]
     places = {leaf: graph.symbol(f"piece {k}") for k, leaf in enumerate(opaque)}

@@ -1,5 +1,5 @@
 /*
- * bicycle.c: bicycle, emitted by nhc 0.1.0 (nhc:41c88780c6534e6b)
+ * bicycle.c: bicycle, emitted by nhc 0.1.0 (nhc:89ba75fd93fa7be9)
  * Whipple's bicycle, nonlinear; two wheels, rear frame with rider, front frame; x ahead, y right, z down.
  * Source: bicycle.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -397,13 +397,9 @@ int bicycle_rhs(double t, const double *y, const double *p, double *dydt)
     const double k67 = g * k26;
     const double k68 = k12 * k66;
     const double k69 = k11 * k66;
-    const double k70 = k9 * k65;
-    const double k71 = k15 * k65;
-    const double k72 = g * k43;
-    const double k73 = k4 * k64;
-    const double k74 = k16 * k64;
-    const double k75 = k71 + k74;
-    const double k76 = k70 - k73;
+    const double k70 = g * k43;
+    const double k71 = k15 * k65 + k16 * k64;
+    const double k72 = k9 * k65 - k4 * k64;
 
     /* state */
     const double z2 = c_roll * c1;
@@ -444,288 +440,287 @@ int bicycle_rhs(double t, const double *y, const double *p, double *dydt)
     const double z37 = z25 * z31 + z35 * z24;
     const double z38 = z16 * z27 - z15 * z36 + z14 * z37;
     const double z39 = k17 * (9.0 + fabs(z12));
-    const double z40 = 1.0 / z38;
-    const double z41 = s_steer * c1;
-    const double z42 = z9 * z41;
-    const double z43 = c_steer * c1;
-    const double z44 = r_R * c_roll;
-    const double z45 = z44 * z12;
-    const double z46 = k10 * s1 + z45;
-    const double z47 = s1 * z8 - z21 * z43 - (k16 * z43 - k4 * s1 - c_steer * z46);
-    const double z48 = z21 * z41 + (k16 * z41 - s_steer * z46);
-    const double z49 = z19 * z47 - z26 * z48;
-    const double z50 = z25 * z47 - z24 * z48;
-    const double z51 = z40 * (z27 * z42 + z15 * z49 - z14 * z50);
-    const double z52 = c_roll * z51;
-    const double z53 = s1 + c1 * z52;
-    const double z54 = z45 + k10 * z53;
-    const double z55 = z31 * z48 + z35 * z47;
-    const double z56 = z40 * (z16 * z49 + z36 * z42 + z14 * z55) - e2z * z51;
-    const double z57 = z40 * (z16 * z50 + z15 * z55 + z37 * z42) - z56;
+    const double z40 = r_R * c_roll;
+    const double z41 = z40 * z12;
+    const double z42 = 1.0 / z38;
+    const double z43 = s_steer * c1;
+    const double z44 = z9 * z43;
+    const double z45 = k10 * s1 + z41;
+    const double z46 = s_steer * z45 - z22 * z43;
+    const double z47 = s1 * z9 + (c_steer * z45 - c1 * z28);
+    const double z48 = z26 * z46 + z19 * z47;
+    const double z49 = z24 * z46 + z25 * z47;
+    const double z50 = z42 * (z27 * z44 + z15 * z48 - z14 * z49);
+    const double z51 = c_roll * z50;
+    const double z52 = s1 + c1 * z51;
+    const double z53 = c1 - s1 * z51;
+    const double z54 = z31 * z46 - z35 * z47;
+    const double z55 = z42 * (z36 * z44 + z16 * z48 - z14 * z54) - e2z * z50;
+    const double z56 = c_steer * z55 + s_steer * z53;
+    const double z57 = z42 * (z37 * z44 + (z16 * z49 - z15 * z54)) - z55;
     const double z58 = z18 * z57;
-    const double z59 = c_steer * z54 + s_steer * z58;
-    const double z60 = c1 - s1 * z52;
-    const double z61 = s_steer * z56 - c_steer * z60;
-    const double z62 = k63 * z53 + (k48 * z59 + k62 * z61);
-    const double z63 = c_steer * z56 + s_steer * z60;
-    const double z64 = c_steer * z58 - s_steer * z54;
-    const double z65 = z14 * z57;
-    const double z66 = z65 - k10 * z56;
-    const double z67 = k59 * z63 + (k45 * z64 - k48 * z66);
-    const double z68 = k56 * z53 + (k45 * z59 + k55 * z61);
-    const double z69 = k43 * z66 - k48 * z63;
-    const double z70 = k48 * z53 + (k43 * z59 + k45 * z61);
-    const double z71 = k43 * z64 + k45 * z63;
-    const double z72 = k41 * z53 + (z45 * k28 - k40 * z60);
-    const double z73 = z56 * k37 + (z58 * k27 - z65 * k28);
-    const double z74 = k35 * z53 + (z45 * k27 - k34 * z60);
-    const double z75 = z65 * k26 - z56 * k28;
-    const double z76 = z58 * k26 + z56 * k27;
-    const double z77 = z60 * z74 - (z65 * z75 + (z58 * z76 + z45 * (k28 * z53 + (z45 * k26 - k27 * z60))));
-    const double z78 = z61 * z68 + (z66 * z69 + (z59 * z70 + (z64 * z71 + (z53 * z72 + (z56 * z73 - z77)))));
-    const double z79 = z53 * z62 + (z63 * z67 + z78) + R_yy * (z57 * z57) + F_yy * (z63 * z63);
+    const double z59 = z41 + k10 * z52;
+    const double z60 = c_steer * z58 - s_steer * z59;
+    const double z61 = z14 * z57;
+    const double z62 = z61 - k10 * z55;
+    const double z63 = k59 * z56 + (k45 * z60 - k48 * z62);
+    const double z64 = z63 + F_yy * z56;
+    const double z65 = k41 * z52 + (z41 * k28 - k40 * z53);
+    const double z66 = c_steer * z59 + s_steer * z58;
+    const double z67 = s_steer * z55 - c_steer * z53;
+    const double z68 = k63 * z52 + (k48 * z66 + k62 * z67);
+    const double z69 = z65 + z68;
+    const double z70 = k56 * z52 + (k45 * z66 + k55 * z67);
+    const double z71 = k43 * z62 - k48 * z56;
+    const double z72 = k48 * z52 + (k43 * z66 + k45 * z67);
+    const double z73 = k43 * z60 + k45 * z56;
+    const double z74 = k37 * z55 + (k27 * z58 - k28 * z61);
+    const double z75 = k26 * z61 - k28 * z55;
+    const double z76 = k26 * z58 + k27 * z55;
+    const double z77 = k35 * z52 + (z41 * k27 - k34 * z53);
+    const double z78 = z60 * z73 + (z55 * z74 + (z61 * z75 + (z58 * z76 - (z53 * z77 - R_yy * (z57 * z57)))));
+    const double z79 = z41 * (k28 * z52 + (z41 * k26 - k27 * z53)) + (z56 * z64 + (z52 * z69 + (z67 * z70 +
+        (z62 * z71 + (z66 * z72 + z78)))));
     const double z80 = z19 * z9;
-    const double z81 = z25 * z9;
-    const double z82 = z40 * (z15 * z80 - z14 * z81);
-    const double z83 = c_roll * z82;
-    const double z84 = c1 * z83;
-    const double z85 = 1.0 + z84;
-    const double z86 = k10 * z84;
-    const double z87 = z35 * z9;
-    const double z88 = z40 * (z16 * z80 + z14 * z87) - e2z * z82;
-    const double z89 = z40 * (z16 * z81 + z15 * z87) - z88;
-    const double z90 = z18 * z89;
-    const double z91 = c_steer * z86 + s_steer * z90;
-    const double z92 = s1 * z83;
-    const double z93 = s_steer * z88 + c_steer * z92;
-    const double z94 = k63 * z85 + (k48 * z91 + k62 * z93);
-    const double z95 = c_steer * z88 - s_steer * z92;
-    const double z96 = c_steer * z90 - s_steer * z86;
-    const double z97 = z14 * z89;
-    const double z98 = z97 - k10 * z88;
-    const double z99 = k59 * z95 + (k45 * z96 - k48 * z98);
-    const double z100 = k56 * z85 + (k45 * z91 + k55 * z93);
-    const double z101 = k43 * z98 - k48 * z95;
-    const double z102 = k48 * z85 + (k43 * z91 + k45 * z93);
-    const double z103 = k43 * z96 + k45 * z95;
-    const double z104 = k40 * z92 + k41 * z84;
-    const double z105 = z88 * k37 + (z90 * k27 - z97 * k28);
-    const double z106 = k34 * z92 + k35 * z84;
-    const double z107 = z90 * k26 + z88 * k27;
-    const double z108 = z97 * k26 - z88 * k28;
-    const double z109 = z96 * z103 + (z84 * z104 + (z88 * z105 + (z92 * z106 + (z90 * z107 + z97 * z108))));
-    const double z110 = z85 * z94 + (z95 * z99 + (z93 * z100 + (z98 * z101 + (z91 * z102 + z109)))) + R_yy *
-        (z89 * z89);
-    const double z111 = z110 + F_yy * (z95 * z95);
-    const double z112 = z96 * z71 + (z84 * z72 + (z88 * z73 + (z92 * z74 + (z90 * z76 + z97 * z75))));
-    const double z113 = R_yy * z57;
-    const double z114 = z85 * z62 + (z95 * z67 + (z93 * z68 + (z98 * z69 + (z91 * z70 + z112)))) + z89 * z113;
-    const double z115 = F_yy * z63;
-    const double z116 = z114 + z95 * z115;
-    const double z117 = 1.0 / z79;
-    const double z118 = z117 * z116;
-    const double z119 = z111 - z116 * z118;
-    const double z120 = z21 * z26;
-    const double z121 = z21 * z24;
-    const double z122 = z40 * (z8 * z27 - z15 * z120 + z14 * z121);
-    const double z123 = c_roll * z122;
-    const double z124 = c1 * z123;
-    const double z125 = k10 * z124;
-    const double z126 = z21 * z31;
-    const double z127 = z40 * (z16 * z120 - z8 * z36 - z14 * z126) + e2z * z122;
-    const double z128 = z40 * (z16 * z121 - z15 * z126 - z8 * z37) - z127;
-    const double z129 = z18 * z128;
-    const double z130 = c_steer * z125 - s_steer * z129;
-    const double z131 = s1 * z123;
-    const double z132 = s_steer * z127 - c_steer * z131;
-    const double z133 = c_steer * z127 + s_steer * z131;
-    const double z134 = c_steer * z129 + s_steer * z125;
-    const double z135 = z14 * z128;
-    const double z136 = z135 - k10 * z127;
-    const double z137 = z131 * (k34 * z131 + k35 * z124) + (z129 * (z129 * k26 + z127 * k27) + z135 * (z135 *
-        k26 - z127 * k28));
-    const double z138 = z124 * (k40 * z131 + k41 * z124) + (z127 * (z127 * k37 + (z129 * k27 - z135 * k28)) +
-        z137);
-    const double z139 = z130 * (k48 * z124 + (k43 * z130 - k45 * z132)) + (z134 * (k43 * z134 + k45 * z133) +
-        z138);
-    const double z140 = z132 * (k56 * z124 + (k45 * z130 - k55 * z132)) - (z136 * (k43 * z136 - k48 * z133) +
-        z139);
-    const double z141 = z124 * (k63 * z124 + (k48 * z130 - k62 * z132)) + (z133 * (k59 * z133 + (k45 * z134 -
-        k48 * z136)) - z140);
-    const double z142 = 1.0 - z133;
-    const double z143 = z141 + R_yy * (z128 * z128) + F_yy * (z142 * z142);
-    const double z144 = z134 * z71 - (z124 * z72 - (z127 * z73 - (z131 * z74 - (z129 * z76 + z135 * z75))));
-    const double z145 = z124 * z62 - (z133 * z67 + (z132 * z68 + (z136 * z69 - (z130 * z70 - z144)))) - z128
-        * z113;
-    const double z146 = z145 + z142 * z115;
-    const double z147 = z117 * z146;
-    const double z148 = z134 * z103 - (z124 * z104 - (z127 * z105 - (z131 * z106 - (z129 * z107 + z135 *
-        z108))));
-    const double z149 = R_yy * z89;
-    const double z150 = z124 * z94 - (z133 * z99 + (z132 * z100 + (z136 * z101 - (z130 * z102 - z148)))) -
-        z128 * z149;
-    const double z151 = F_yy * z95;
-    const double z152 = z150 + z142 * z151 - z116 * z147;
-    const double z153 = 1.0 / z119;
-    const double z154 = z152 * z153;
-    const double z155 = z143 - z146 * z147 - z152 * z154;
-    const double z156 = roll_dot * s1;
-    const double z157 = steer_dot + z156;
-    const double z158 = roll_dot * c1;
-    const double z159 = c_steer * z158;
-    const double z160 = roll_dot * r_R;
-    const double z161 = c_roll * z160;
-    const double z162 = z12 * z161;
-    const double z163 = z162 + k10 * z156;
-    const double z164 = z8 * z157 - z21 * z159 - (k16 * z159 - k4 * z157 - c_steer * z163);
-    const double z165 = s_steer * z158;
-    const double z166 = thF_dot - z165;
-    const double z167 = z21 * z166 - (k16 * z165 - s_steer * z163);
-    const double z168 = z25 * z164 + z24 * z167;
-    const double z169 = z31 * z167 - z35 * z164;
-    const double z170 = k4 * z165 - z8 * z166;
-    const double z171 = z40 * (z16 * z168 - z15 * z169 + z37 * z170);
-    const double z172 = z19 * z164 + z26 * z167;
-    const double z173 = z40 * (z16 * z172 + z36 * z170 - z14 * z169);
-    const double z174 = z40 * (z27 * z170 + z15 * z172 - z14 * z168);
-    const double z175 = z173 - e2z * z174;
-    const double z176 = z171 - z175;
-    const double z177 = z14 * z176;
-    const double z178 = z18 * z176;
-    const double z179 = s1 * z177 + c1 * z178;
-    const double z180 = s1 * z178 - c1 * z177;
-    const double z181 = c_roll * z162 - e2z * z180;
+    const double z81 = z35 * z9;
+    const double z82 = z25 * z9;
+    const double z83 = z42 * (z15 * z80 - z14 * z82);
+    const double z84 = z42 * (z16 * z80 + z14 * z81) - e2z * z83;
+    const double z85 = c_roll * z83;
+    const double z86 = s1 * z85;
+    const double z87 = c_steer * z84 - s_steer * z86;
+    const double z88 = z42 * (z16 * z82 + z15 * z81) - z84;
+    const double z89 = z18 * z88;
+    const double z90 = c1 * z85;
+    const double z91 = k10 * z90;
+    const double z92 = c_steer * z89 - s_steer * z91;
+    const double z93 = z14 * z88;
+    const double z94 = z93 - k10 * z84;
+    const double z95 = k59 * z87 + (k45 * z92 - k48 * z94);
+    const double z96 = 1.0 + z90;
+    const double z97 = c_steer * z91 + s_steer * z89;
+    const double z98 = s_steer * z84 + c_steer * z86;
+    const double z99 = k63 * z96 + (k48 * z97 + k62 * z98);
+    const double z100 = k56 * z96 + (k45 * z97 + k55 * z98);
+    const double z101 = k43 * z94 - k48 * z87;
+    const double z102 = k48 * z96 + (k43 * z97 + k45 * z98);
+    const double z103 = k43 * z92 + k45 * z87;
+    const double z104 = k40 * z86 + k41 * z90;
+    const double z105 = z84 * k37 + (z89 * k27 - z93 * k28);
+    const double z106 = k34 * z86 + k35 * z90;
+    const double z107 = z89 * k26 + z84 * k27;
+    const double z108 = z93 * k26 - z84 * k28;
+    const double z109 = z90 * z104 + (z84 * z105 + (z86 * z106 + (z89 * z107 + (z93 * z108 + R_yy * (z88 *
+        z88)))));
+    const double z110 = z87 * (z95 + F_yy * z87) + (z96 * z99 + (z98 * z100 + (z94 * z101 + (z97 * z102 +
+        (z92 * z103 + z109)))));
+    const double z111 = z90 * z65 + (z84 * z74 + (z86 * z77 + (z89 * z76 + (z93 * z75 + R_yy * (z88 *
+        z57)))));
+    const double z112 = z87 * z64 + (z96 * z68 + (z98 * z70 + (z94 * z71 + (z97 * z72 + (z92 * z73 +
+        z111)))));
+    const double z113 = 1.0 / z79;
+    const double z114 = z112 * z113;
+    const double z115 = z110 - z112 * z114;
+    const double z116 = z21 * z26;
+    const double z117 = z21 * z24;
+    const double z118 = z42 * (z8 * z27 - z15 * z116 + z14 * z117);
+    const double z119 = c_roll * z118;
+    const double z120 = c1 * z119;
+    const double z121 = k10 * z120;
+    const double z122 = z21 * z31;
+    const double z123 = z42 * (z16 * z116 - z8 * z36 - z14 * z122) + e2z * z118;
+    const double z124 = z42 * (z16 * z117 - z15 * z122 - z8 * z37) - z123;
+    const double z125 = z18 * z124;
+    const double z126 = c_steer * z121 - s_steer * z125;
+    const double z127 = s1 * z119;
+    const double z128 = s_steer * z123 - c_steer * z127;
+    const double z129 = c_steer * z123 + s_steer * z127;
+    const double z130 = c_steer * z125 + s_steer * z121;
+    const double z131 = z14 * z124;
+    const double z132 = z131 - k10 * z123;
+    const double z133 = z127 * (k34 * z127 + k35 * z120) + (z125 * (z125 * k26 + z123 * k27) + z131 * (z131 *
+        k26 - z123 * k28));
+    const double z134 = z120 * (k40 * z127 + k41 * z120) + (z123 * (z123 * k37 + (z125 * k27 - z131 * k28)) +
+        z133);
+    const double z135 = z126 * (k48 * z120 + (k43 * z126 - k45 * z128)) + (z130 * (k43 * z130 + k45 * z129) +
+        z134);
+    const double z136 = z128 * (k56 * z120 + (k45 * z126 - k55 * z128)) - (z132 * (k43 * z132 - k48 * z129) +
+        z135);
+    const double z137 = z120 * (k63 * z120 + (k48 * z126 - k62 * z128)) + (z129 * (k59 * z129 + (k45 * z130 -
+        k48 * z132)) - z136);
+    const double z138 = 1.0 - z129;
+    const double z139 = z137 + R_yy * (z124 * z124) + F_yy * (z138 * z138);
+    const double z140 = R_yy * z124;
+    const double z141 = F_yy * z138;
+    const double z142 = z123 * z74 - (z127 * z77 - (z125 * z76 + (z131 * z75 + (z140 * z57 - z141 * z56))));
+    const double z143 = z120 * z69 - (z129 * z63 + (z128 * z70 + (z132 * z71 - (z126 * z72 - (z130 * z73 +
+        z142)))));
+    const double z144 = z143 * z113;
+    const double z145 = z127 * z106 - (z125 * z107 + (z131 * z108 + (z88 * z140 - z87 * z141 + z112 * z144)));
+    const double z146 = z129 * z95 + (z128 * z100 + (z132 * z101 - (z126 * z102 - (z130 * z103 + (z123 * z105
+        - z145)))));
+    const double z147 = z120 * (z104 + z99) - z146;
+    const double z148 = 1.0 / z115;
+    const double z149 = z147 * z148;
+    const double z150 = z139 - z143 * z144 - z147 * z149;
+    const double z151 = roll_dot * c1;
+    const double z152 = s_steer * z151;
+    const double z153 = thF_dot - z152;
+    const double z154 = k4 * z152 - z8 * z153;
+    const double z155 = roll_dot * r_R;
+    const double z156 = c_roll * z155;
+    const double z157 = z12 * z156;
+    const double z158 = roll_dot * s1;
+    const double z159 = z157 + k10 * z158;
+    const double z160 = z21 * z153 - (k16 * z152 - s_steer * z159);
+    const double z161 = steer_dot + z158;
+    const double z162 = c_steer * z151;
+    const double z163 = z161 * z9 + (c_steer * z159 - z22 * z162);
+    const double z164 = z24 * z160 + z25 * z163;
+    const double z165 = z31 * z160 - z35 * z163;
+    const double z166 = z42 * (z37 * z154 + (z16 * z164 - z15 * z165));
+    const double z167 = z26 * z160 + z19 * z163;
+    const double z168 = z42 * (z36 * z154 + z16 * z167 - z14 * z165);
+    const double z169 = z42 * (z27 * z154 + z15 * z167 - z14 * z164);
+    const double z170 = z168 - e2z * z169;
+    const double z171 = z166 - z170;
+    const double z172 = z14 * z171;
+    const double z173 = z18 * z171;
+    const double z174 = s1 * z172 + c1 * z173;
+    const double z175 = s1 * z173 - c1 * z172;
+    const double z176 = c_roll * z157 - e2z * z175;
+    const double z177 = c1 * z168;
+    const double z178 = roll_dot * z177;
+    const double z179 = c_roll * z169;
+    const double z180 = s1 * z168;
+    const double z181 = roll_dot * e2z;
+    const double z182 = steer_dot * c_steer;
+    const double z183 = z181 * c1 - c_roll * z180;
+    const double z184 = roll_dot * c_roll;
+    const double z185 = steer_dot * s_steer;
+    const double z186 = z181 * s1 + c_roll * z177;
+    const double z187 = s_steer * z184 + e2z * z182 + (z185 * z3 + c_steer * z186);
+    const double z188 = (z2 * z183 - z4 * z187) * (z6 * (z6 * z6));
+    const double z189 = r_F * z6;
+    const double z190 = z7 * z188 + z189 * z187;
+    const double z191 = z181 * z12;
+    const double z192 = z191 / c_roll;
+    const double z193 = r_R * z12;
+    const double z194 = z13 * z192 - z186 * z193;
+    const double z195 = z194 - (z185 * z9 - c_steer * z190);
+    const double z196 = c_roll * (z10 * z177 - s1 * (z182 * z9 + s_steer * z190)) + (z181 * z11 - (z184 * z15
+        + e2z * z195));
+    const double z197 = roll_dot * z180;
+    const double z198 = z182 * z151 + s_steer * z197;
+    const double z199 = z169 * z196 + (z9 * z198 - (z166 * z194 + (z153 * z190 - z168 * z195)));
+    const double z200 = z20 * z188 - z189 * z183;
+    const double z201 = s1 * (z185 * z22 - c_steer * z200) + (z28 * z177 - z29 * z180 + c1 * (z185 * k10 -
+        z190));
+    const double z202 = z17 * z192 - z183 * z193;
+    const double z203 = z202 - z200;
+    const double z204 = z182 * z23 + s_steer * z203;
+    const double z205 = k10 * z178 - (z156 * z192 - z155 * z191);
+    const double z206 = z22 * (z185 * z151 - c_steer * z197) - (z162 * z200 + (z185 * z159 - (z161 * z190 -
+        (c_steer * z205 + z168 * z204))));
+    const double z207 = z169 * (c_roll * z201 + (z181 * z30 - (z184 * z24 + e2z * z204))) - (z166 * (z182 *
+        z18 + s_steer * z202) - (z9 * z178 - z206));
+    const double z208 = s1 * (z182 * z22 + s_steer * z200) - (z32 * z177 - (z33 * z180 + k10 * (z182 * c1)));
+    const double z209 = z185 * z23 - c_steer * z203;
+    const double z210 = z166 * (z185 * z18 - c_steer * z202) - (z22 * z198 - (z153 * z200 + (z182 * z159 -
+        (s_steer * z205 + z168 * z209))));
+    const double z211 = z169 * (c_roll * z208 - (z181 * z34 + (z184 * z25 - e2z * z209))) + z210;
+    const double z212 = z19 * z207 - z26 * z211;
+    const double z213 = z25 * z207 - z24 * z211;
+    const double z214 = z42 * (z27 * z199 - z15 * z212 + z14 * z213);
+    const double z215 = z181 * z169 - c_roll * z214;
+    const double z216 = z178 - (z179 * z180 - c1 * z215);
+    const double z217 = z158 + c1 * z179;
+    const double z218 = z151 - s1 * z179;
+    const double z219 = z173 * z217 - z172 * z218 + roll_dot * (z181 * z193 - z40 * z192);
+    const double z220 = k27 * z170;
+    const double z221 = k28 * z170;
+    const double z222 = z197 + (z179 * z177 + s1 * z215);
+    const double z223 = k28 * z216 + (k26 * z219 + (z217 * z220 + (e2z * k67 + z218 * z221) + k27 * z222));
+    const double z224 = z31 * z211 + z35 * z207;
+    const double z225 = z42 * (z16 * z212 - z36 * z199 + z14 * z224) + (z184 * z169 + e2z * z214);
+    const double z226 = z185 * z170 + c_steer * z225 - (z182 * z218 + s_steer * z222);
+    const double z227 = k10 * z170;
+    const double z228 = k10 * z217;
+    const double v2_x = roll_dot * z41;
+    const double z229 = z42 * (z16 * z213 + z15 * z224 - z37 * z199) - z225;
+    const double z230 = z170 * z172 - v2_x * z217 - (z171 * z202 - z18 * z229);
+    const double z231 = z170 * z227 + z217 * z228 - z230;
+    const double z232 = z219 + (z227 * z218 + k10 * z216);
+    const double z233 = c_steer * z231 + s_steer * z232;
+    const double w3_steer = steer_dot + z217;
+    const double z234 = s_steer * z170 - c_steer * z218;
+    const double z235 = k55 * z234 + k56 * w3_steer;
+    const double z236 = k62 * z234 + k63 * w3_steer;
+    const double z237 = v2_x * z218 - z170 * z173 - (z171 * z194 - z14 * z229);
+    const double z238 = z237 + (z218 * z228 - k10 * z225);
+    const double z239 = z4 * k71 - (k59 * z226 - (k45 * z233 + (w3_steer * z235 - z234 * z236 + k48 * z238)));
+    const double z240 = z2 * k72 + z239;
+    const double z241 = F_yy * z226;
+    const double z242 = z240 - z241;
+    const double z243 = R_yy * z171 - k37 * z170;
+    const double z244 = k34 * z218 - k35 * z217;
+    const double z245 = e2z * k68 - (z218 * z243 + z170 * z244 - (k41 * z216 + (k28 * z219 + k40 * z222)));
     const double h2z = e2z * c_steer + s_steer * z3;
-    const double z182 = c_roll * z174;
-    const double z183 = z158 - s1 * z182;
-    const double z184 = s_steer * z175 - c_steer * z183;
-    const double z185 = c_steer * z175 + s_steer * z183;
-    const double z186 = F_yy * (thF_dot - z185) - k59 * z185;
-    const double z187 = z156 + c1 * z182;
-    const double w3_steer = steer_dot + z187;
-    const double z188 = k55 * z184 + k56 * w3_steer;
-    const double z189 = c1 * z173;
-    const double z190 = roll_dot * z189;
-    const double z191 = s1 * z173;
-    const double z192 = roll_dot * e2z;
-    const double z193 = steer_dot * c_steer;
-    const double z194 = roll_dot * z191;
-    const double z195 = z193 * z158 + s_steer * z194;
-    const double z196 = z192 * c1 - c_roll * z191;
-    const double z197 = roll_dot * c_roll;
-    const double z198 = steer_dot * s_steer;
-    const double z199 = z192 * s1 + c_roll * z189;
-    const double z200 = s_steer * z197 + e2z * z193 + (z198 * z3 + c_steer * z199);
-    const double z201 = (z2 * z196 - z4 * z200) * (z6 * (z6 * z6));
-    const double z202 = r_F * z6;
-    const double z203 = z7 * z201 + z202 * z200;
-    const double z204 = z192 * z12;
-    const double z205 = z204 / c_roll;
-    const double z206 = r_R * z12;
-    const double z207 = z13 * z205 - z199 * z206;
-    const double z208 = z207 - (z198 * z9 - c_steer * z203);
-    const double z209 = z192 * z11 + c_roll * (z10 * z189 - s1 * (z193 * z9 + s_steer * z203)) - (z197 * z15
-        + e2z * z208);
-    const double z210 = k4 * z195 + (z8 * z195 - z166 * z203) - (z171 * z207 - (z174 * z209 + z173 * z208));
-    const double z211 = z198 * z158 - c_steer * z194;
-    const double z212 = z20 * z201 - z202 * z196;
-    const double z213 = k10 * z190 - (z161 * z205 - z160 * z204);
-    const double z214 = z8 * z190 - z157 * z203 - (z21 * z211 - z159 * z212) - (k16 * z211 - k4 * z190 -
-        (z198 * z163 + c_steer * z213));
-    const double z215 = z17 * z205 - z196 * z206;
-    const double z216 = z28 * z189 + s1 * (z198 * z22 - c_steer * z212) - (z29 * z191 - c1 * (z198 * k10 -
-        z203));
-    const double z217 = z215 - z212;
-    const double z218 = z193 * z23 + s_steer * z217;
-    const double z219 = z171 * (z193 * z18 + s_steer * z215) - (z174 * (z192 * z30 + c_roll * z216 - (z197 *
-        z24 + e2z * z218)) + z173 * z218);
-    const double z220 = z214 - z219;
-    const double z221 = z32 * z189 - s1 * (z193 * z22 + s_steer * z212) - (z33 * z191 + k10 * (z193 * c1));
-    const double z222 = z198 * z23 - c_steer * z217;
-    const double z223 = z171 * (z198 * z18 - c_steer * z215) - (z174 * (z192 * z34 + c_roll * z221 + (z197 *
-        z25 - e2z * z222)) + z173 * z222);
-    const double z224 = z21 * z195 - z166 * z212 + (k16 * z195 - (z193 * z163 - s_steer * z213)) - z223;
-    const double z225 = z19 * z220 + z26 * z224;
-    const double z226 = z25 * z220 + z24 * z224;
-    const double z227 = z40 * (z27 * z210 - z15 * z225 + z14 * z226);
-    const double z228 = z192 * z174 - c_roll * z227;
-    const double z229 = z190 - (z182 * z191 - c1 * z228);
-    const double z230 = z178 * z187 - z177 * z183 + roll_dot * (z192 * z206 - z44 * z205);
-    const double z231 = k10 * z175;
-    const double z232 = z230 + (z231 * z183 + k10 * z229);
-    const double z233 = k10 * z187;
-    const double v2_x = roll_dot * z45;
-    const double z234 = z31 * z224 - z35 * z220;
-    const double z235 = z40 * (z16 * z225 - z36 * z210 - z14 * z234) + (z197 * z174 + e2z * z227);
-    const double z236 = z40 * (z16 * z226 - z15 * z234 - z37 * z210) - z235;
-    const double z237 = z175 * z177 - v2_x * z187 - (z176 * z215 - z18 * z236);
-    const double z238 = z175 * z231 + z187 * z233 - z237;
-    const double z239 = c_steer * z232 - s_steer * z238;
-    const double z240 = z194 + (z182 * z189 + s1 * z228);
-    const double z241 = z193 * z175 - s_steer * z235 + (z198 * z183 - c_steer * z240);
-    const double z242 = h2z * k76 - (z184 * z186 + z185 * z188 + (k63 * z229 + (k48 * z239 - k62 * z241)));
-    const double z243 = k62 * z184 + k63 * w3_steer;
-    const double z244 = z198 * z175 + c_steer * z235 - (z193 * z183 + s_steer * z240);
-    const double z245 = c_steer * z238 + s_steer * z232;
-    const double z246 = v2_x * z183 - z175 * z178 - (z176 * z207 - z14 * z236);
-    const double z247 = z246 + (z183 * z233 - k10 * z235);
-    const double z248 = z4 * k71 + z2 * k70 + (z4 * k74 - z2 * k73) + (w3_steer * z188 - z184 * z243 - (k59 *
-        z244 - (k45 * z245 + k48 * z247)));
-    const double z249 = h2z * k75 - (z185 * z243 + w3_steer * z186 - (k56 * z229 + (k45 * z239 - k55 *
-        z241)));
-    const double z250 = k45 * z184 + k48 * w3_steer;
-    const double z251 = k45 * z185;
-    const double z252 = z2 * k72 + (z184 * z250 + z185 * z251 - (k43 * z247 - k48 * z244));
-    const double z253 = k48 * z185;
-    const double z254 = h2z * k72 + (w3_steer * z251 - z184 * z253 + (k48 * z229 + (k43 * z239 - k45 *
-        z241)));
-    const double z255 = z4 * k72 + (z185 * z253 + w3_steer * z250 + (k43 * z245 - k45 * z244));
-    const double z256 = R_yy * z176 - k37 * z175;
-    const double z257 = k34 * z183 - k35 * z187;
-    const double z258 = e2z * k68 - (z183 * z256 + z175 * z257 - (k41 * z229 + (k28 * z230 + k40 * z240)));
-    const double z259 = k40 * z183 - k41 * z187;
-    const double z260 = z3 * k69 + z2 * k68 + (z187 * z257 + z183 * z259 + (k37 * z235 + (k27 * z237 - k28 *
-        z246)));
-    const double z261 = e2z * k69 + (z175 * z259 - z187 * z256 + (k35 * z229 + (k27 * z230 + k34 * z240)));
-    const double z262 = k27 * z183 - k28 * z187;
-    const double z263 = k27 * z175;
-    const double z264 = z2 * k67 + (z183 * z262 + z175 * z263 - (k26 * z246 - k28 * z235));
-    const double z265 = k28 * z175;
-    const double z266 = z3 * k67 - (z175 * z265 - z187 * z262 - (k26 * z237 + k27 * z235));
-    const double z267 = e2z * k67 + (z187 * z263 + z183 * z265 + (k28 * z229 + (k26 * z230 + k27 * z240)));
-    const double z268 = z53 * z258 + (z56 * z260 - (z60 * z261 + (z65 * z264 - (z58 * z266 + z45 * z267))));
-    const double z269 = z53 * z242 + (z63 * z248 - (z61 * z249 - (z66 * z252 - (z59 * z254 - (z64 * z255 -
+    const double z246 = c_steer * z170 + s_steer * z218;
+    const double z247 = F_yy * (thF_dot - z246) - k59 * z246;
+    const double z248 = c_steer * z232 - s_steer * z231;
+    const double z249 = z182 * z170 - s_steer * z225 + (z185 * z218 - c_steer * z222);
+    const double z250 = h2z * k72 - (z234 * z247 + z246 * z235 + (k63 * z216 + (k48 * z248 - k62 * z249)));
+    const double z251 = z245 - z250;
+    const double z252 = h2z * k71 - (z246 * z236 + w3_steer * z247 - (k56 * z216 + (k45 * z248 - k55 *
+        z249)));
+    const double z253 = k45 * z234 + k48 * w3_steer;
+    const double z254 = k45 * z246;
+    const double z255 = z2 * k70 + (z234 * z253 + z246 * z254 - (k43 * z238 - k48 * z226));
+    const double z256 = k48 * z246;
+    const double z257 = h2z * k70 + (w3_steer * z254 - z234 * z256 + (k48 * z216 + (k43 * z248 - k45 *
+        z249)));
+    const double z258 = z4 * k70 + (z246 * z256 + w3_steer * z253 + (k43 * z233 - k45 * z226));
+    const double z259 = k40 * z218 - k41 * z217;
+    const double z260 = z3 * k69 + z2 * k68 + (z217 * z244 + z218 * z259 + (k37 * z225 + (k27 * z230 - k28 *
+        z237)));
+    const double z261 = e2z * k69 + (z170 * z259 - z217 * z243 + (k35 * z216 + (k27 * z219 + k34 * z222)));
+    const double z262 = k27 * z218 - k28 * z217;
+    const double z263 = z2 * k67 + (z218 * z262 + z170 * z220 - (k26 * z237 - k28 * z225));
+    const double z264 = z3 * k67 - (z170 * z221 - z217 * z262 - (k26 * z230 + k27 * z225));
+    const double z265 = R_yy * z229;
+    const double z266 = z60 * z258 - (z55 * z260 - (z53 * z261 + (z61 * z263 - (z58 * z264 + z57 * z265))));
+    const double z267 = z41 * z223 - (z56 * z242 - (z52 * z251 + (z67 * z252 - (z62 * z255 - (z66 * z257 -
+        z266)))));
+    const double z268 = z84 * z260 + (z86 * z261 + (z89 * z264 - (z93 * z263 + (z267 * z114 - z88 * z265))));
+    const double z269 = z96 * z250 - (z98 * z252 - (z94 * z255 - (z97 * z257 - (z92 * z258 - (z90 * z245 +
         z268)))));
-    const double z270 = z269 - z113 * z236 - z115 * z244;
-    const double z271 = z96 * z255 - (z84 * z258 + (z88 * z260 + (z92 * z261 + (z90 * z266 - z97 * z264))));
-    const double z272 = z85 * z242 + (z95 * z248 - (z93 * z249 - (z98 * z252 - (z91 * z254 - z271)))) - z149
-        * z236;
-    const double z273 = z272 - z151 * z244 - z270 * z118;
-    const double z274 = z134 * z255 + (z124 * z258 - (z127 * z260 - (z131 * z261 - (z129 * z266 - z135 *
-        z264))));
-    const double z275 = z124 * z242 - (z133 * z248 - (z132 * z249 - (z136 * z252 + (z130 * z254 + z274)))) +
-        R_yy * (z128 * z236);
-    const double z276 = (z275 - F_yy * (z142 * z244) - z270 * z147 - z154 * z273) / z155;
-    const double z277 = z153 * z273 - z154 * z276;
+    const double z270 = z87 * z242 + z269;
+    const double z271 = z125 * z264 - (z131 * z263 - (z267 * z144 - (z149 * z270 - (z124 * z265 - z138 *
+        z241))));
+    const double z272 = z128 * z252 - (z132 * z255 + (z126 * z257 + (z130 * z258 - (z123 * z260 - (z127 *
+        z261 - z271)))));
+    const double z273 = (z120 * z251 + (z129 * z240 - z272)) / z150;
+    const double z274 = z148 * z270 + z149 * z273;
     /* (I.2.15) */
-    dydt[0] = -(c_yaw * z179 + s_yaw * z181); /* x' */
-    dydt[1] = c_yaw * z181 - s_yaw * z179; /* y' */
-    dydt[2] = e2z * z162 + c_roll * z180; /* z' */
-    dydt[3] = z174; /* yaw' */
+    dydt[0] = -(c_yaw * z174 + s_yaw * z176); /* x' */
+    dydt[1] = c_yaw * z176 - s_yaw * z174; /* y' */
+    dydt[2] = e2z * z157 + c_roll * z175; /* z' */
+    dydt[3] = z169; /* yaw' */
     dydt[4] = roll_dot; /* roll' */
-    dydt[5] = -z173; /* pitch' */
+    dydt[5] = -z168; /* pitch' */
     dydt[6] = steer_dot; /* steer' */
-    dydt[7] = z171; /* thR' */
+    dydt[7] = z166; /* thR' */
     dydt[8] = thF_dot; /* thF' */
     /* (I.2.15) 112:4 */
-    dydt[9] = z147 * z276 - (z117 * z270 - z118 * z277); /* roll'' */
-    dydt[10] = -z277; /* steer'' */
-    dydt[11] = z276; /* thF'' */
+    dydt[9] = z267 * z113 + z114 * z274 - z144 * z273; /* roll'' */
+    dydt[10] = -z274; /* steer'' */
+    dydt[11] = -z273; /* thF'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(dydt[0] + dydt[1] + dydt[2] + dydt[9] + dydt[10]) <= DBL_MAX
+    if (!(fabs(dydt[0] + dydt[1] + dydt[2] + dydt[9] + dydt[10] + dydt[11]) <= DBL_MAX
         && fabs(z38) > 1e-12 * (k22 * ((z39 + k24) * (z39 + k25)))
-        && fabs(z119) > 1e-14 * z111
-        && fabs(z155) > 1e-14 * z143)) {
+        && fabs(z115) > 1e-14 * z110
+        && fabs(z150) > 1e-14 * z139)) {
         /* the coframe is singular */
         if (!(fabs(z38) > 1e-12 * (k22 * ((z39 + k24) * (z39 + k25))))) {
             return BICYCLE_SINGULAR_1;
@@ -735,11 +730,11 @@ int bicycle_rhs(double t, const double *y, const double *p, double *dydt)
             return BICYCLE_SINGULAR_2;
         }
         /* the mass matrix is singular */
-        if (!(fabs(z119) > 1e-14 * z111)) {
+        if (!(fabs(z115) > 1e-14 * z110)) {
             return BICYCLE_SINGULAR_2;
         }
         /* the mass matrix is singular */
-        if (!(fabs(z155) > 1e-14 * z143)) {
+        if (!(fabs(z150) > 1e-14 * z139)) {
             return BICYCLE_SINGULAR_2;
         }
         return bicycle_finish(12, dydt);
@@ -759,12 +754,12 @@ int bicycle_velocities(double t, const double *y, const double *p, double *qdot)
 
     /* sines and cosines */
     const double z1 = pitch + lam;
-    const double s_steer = sin(steer);
-    const double c_steer = cos(steer);
-    const double c_roll = cos(roll);
-    const double e2z = sin(roll);
     const double s1 = sin(z1);
     const double c1 = cos(z1);
+    const double c_roll = cos(roll);
+    const double e2z = sin(roll);
+    const double s_steer = sin(steer);
+    const double c_steer = cos(steer);
     const double c_yaw = cos(yaw);
     const double s_yaw = sin(yaw);
     const double roll_dot = y[9];
@@ -778,87 +773,85 @@ int bicycle_velocities(double t, const double *y, const double *p, double *qdot)
     /* parameters only */
     const double s_lam = sin(lam);
     const double c_lam = cos(lam);
-    const double k1 = w + c;
-    const double k2 = r_F * s_lam - c * c_lam;
-    const double k3 = c_lam * k1 - r_R * s_lam;
-    const double k4 = s_lam * k1 - (r_F * c_lam + c * s_lam - r_R * c_lam);
-    const double k5 = fabs(r_R);
-    const double k6 = fabs(r_F);
-    const double k7 = fabs(w);
-    const double k8 = fabs(c);
-    const double k9 = 9.0 * k6;
-    const double k10 = 6.0 * k8 + (2.0 * k7 + (5.0 * k5 + k9));
-    const double k11 = 6.0 * k7;
-    const double k12 = 13.0 * k8 + (14.0 * k6 + k11);
-    const double k13 = 10.0 * k8 + (k9 + k11);
+    const double k1 = r_F * s_lam - c * c_lam;
+    const double k2 = c_lam * (w + c) - r_R * s_lam;
+    const double k3 = fabs(r_R);
+    const double k4 = fabs(r_F);
+    const double k5 = fabs(w);
+    const double k6 = fabs(c);
+    const double k7 = 9.0 * k4;
+    const double k8 = 6.0 * k6 + (2.0 * k5 + (5.0 * k3 + k7));
+    const double k9 = 6.0 * k5;
+    const double k10 = 13.0 * k6 + (14.0 * k4 + k9);
+    const double k11 = 10.0 * k6 + (k7 + k9);
+    const double k12 = w * s_lam + c_lam * (r_R - r_F);
 
     /* state */
-    const double z2 = c_roll * s1;
-    const double z3 = e2z * s_steer - c_steer * z2;
-    const double z4 = c_roll * c1;
-    const double z5 = r_F / sqrt(z4 * z4 + z3 * z3);
-    const double z6 = z3 * z5;
-    const double z7 = k2 + z6;
-    const double z8 = 1.0 / fabs(c_roll);
-    const double z9 = r_R * z8;
-    const double z10 = z2 * z9;
-    const double z11 = k3 + z10 + c_steer * z7;
-    const double z12 = s_steer * z2 * z7 + e2z * z11;
-    const double z13 = z4 * z9;
-    const double z14 = c_steer * z13;
-    const double z15 = z4 * z5;
-    const double z16 = k4 + z15;
-    const double z17 = z13 - z16;
-    const double z18 = s_steer * z17;
-    const double z19 = c_steer * z17;
-    const double z20 = s_steer * z13;
-    const double z21 = z14 * z18 - z19 * z20;
-    const double z22 = s1 * z16;
-    const double z23 = c_roll * (c_steer * z22 + c1 * (c_steer * k3 + z7)) + e2z * z18;
-    const double z24 = c_roll * (s_steer * z22 + k3 * (s_steer * c1)) - e2z * z19;
-    const double z25 = z14 * z23 + z24 * z20;
-    const double z26 = z19 * z23 + z24 * z18;
-    const double z27 = z12 * z21 - z11 * z25 + z10 * z26;
-    const double z28 = k5 * (9.0 + fabs(z8));
-    const double z29 = 1.0 / z27;
-    const double z30 = roll_dot * s1;
-    const double z31 = steer_dot + z30;
-    const double z32 = roll_dot * c1;
-    const double z33 = c_steer * z32;
-    const double z34 = c_roll * (roll_dot * z9);
-    const double z35 = k3 * z30 + z34;
-    const double z36 = z31 * z6 - z33 * z15 - (k4 * z33 - k2 * z31 - c_steer * z35);
-    const double z37 = s_steer * z32;
-    const double z38 = thF_dot - z37;
-    const double z39 = z38 * z15 - (k4 * z37 - s_steer * z35);
-    const double z40 = z19 * z36 + z18 * z39;
-    const double z41 = z23 * z39 - z24 * z36;
-    const double z42 = k2 * z37 - z38 * z6;
-    const double z43 = z29 * (z12 * z40 - z11 * z41 + z26 * z42);
-    const double z44 = z14 * z36 + z20 * z39;
-    const double z45 = z29 * (z12 * z44 + z25 * z42 - z10 * z41);
-    const double z46 = z29 * (z21 * z42 + z11 * z44 - z10 * z40);
-    const double z47 = z43 - (z45 - e2z * z46);
-    const double z48 = z10 * z47;
-    const double z49 = z13 * z47;
-    const double z50 = s1 * z48 + c1 * z49;
-    const double z51 = s1 * z49 - c1 * z48;
-    const double z52 = c_roll * z34 - e2z * z51;
+    const double z2 = c_roll * s_steer;
+    const double z3 = c_roll * s1;
+    const double z4 = e2z * s_steer - c_steer * z3;
+    const double z5 = c_roll * c1;
+    const double z6 = r_F / sqrt(z5 * z5 + z4 * z4);
+    const double z7 = z4 * z6;
+    const double z8 = k1 + z7;
+    const double z9 = 1.0 / fabs(c_roll);
+    const double z10 = r_R * z9;
+    const double z11 = z3 * z10;
+    const double z12 = k2 + z11 + c_steer * z8;
+    const double z13 = s1 * z2 * z8 + e2z * z12;
+    const double z14 = z5 * z10;
+    const double z15 = c_steer * z14;
+    const double z16 = z5 * z6;
+    const double z17 = k12 + z16;
+    const double z18 = z14 - z17;
+    const double z19 = s_steer * z18;
+    const double z20 = s_steer * z14;
+    const double z21 = c_steer * z18;
+    const double z22 = z15 * z19 - z20 * z21;
+    const double z23 = c_steer * z17;
+    const double z24 = c_roll * (c1 * (c_steer * k2 + z8) + s1 * z23) + e2z * z19;
+    const double z25 = e2z * z21 - z2 * (k2 * c1 + s1 * z17);
+    const double z26 = z15 * z24 - z20 * z25;
+    const double z27 = z21 * z24 - z25 * z19;
+    const double z28 = z13 * z22 - z12 * z26 + z11 * z27;
+    const double z29 = k3 * (9.0 + fabs(z9));
+    const double z30 = 1.0 / z28;
+    const double z31 = roll_dot * s1;
+    const double z32 = c_roll * (roll_dot * z10);
+    const double z33 = k2 * z31 + z32;
+    const double z34 = roll_dot * c1;
+    const double z35 = (steer_dot + z31) * z8 + (c_steer * z33 - z34 * z23);
+    const double z36 = s_steer * z34;
+    const double z37 = thF_dot - z36;
+    const double z38 = z37 * z16 - (z36 * k12 - s_steer * z33);
+    const double z39 = z21 * z35 + z19 * z38;
+    const double z40 = z24 * z38 + z25 * z35;
+    const double z41 = k1 * z36 - z37 * z7;
+    const double z42 = z30 * (z13 * z39 - z12 * z40 + z41 * z27);
+    const double z43 = z15 * z35 + z20 * z38;
+    const double z44 = z30 * (z13 * z43 + z41 * z26 - z11 * z40);
+    const double z45 = z30 * (z41 * z22 + z12 * z43 - z11 * z39);
+    const double z46 = z42 - (z44 - e2z * z45);
+    const double z47 = z11 * z46;
+    const double z48 = z14 * z46;
+    const double z49 = s1 * z47 + c1 * z48;
+    const double z50 = s1 * z48 - c1 * z47;
+    const double z51 = c_roll * z32 - e2z * z50;
     /* (I.2.4) */
-    qdot[0] = -(c_yaw * z50 + s_yaw * z52); /* x' */
-    qdot[1] = c_yaw * z52 - s_yaw * z50; /* y' */
-    qdot[2] = e2z * z34 + c_roll * z51; /* z' */
-    qdot[3] = z46; /* yaw' */
+    qdot[0] = -(c_yaw * z49 + s_yaw * z51); /* x' */
+    qdot[1] = c_yaw * z51 - s_yaw * z49; /* y' */
+    qdot[2] = e2z * z32 + c_roll * z50; /* z' */
+    qdot[3] = z45; /* yaw' */
     qdot[4] = roll_dot; /* roll' */
-    qdot[5] = -z45; /* pitch' */
+    qdot[5] = -z44; /* pitch' */
     qdot[6] = steer_dot; /* steer' */
-    qdot[7] = z43; /* thR' */
+    qdot[7] = z42; /* thR' */
     qdot[8] = thF_dot; /* thF' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qdot[0] + qdot[1] + qdot[2] + qdot[5]) <= DBL_MAX
-        && fabs(z27) > 1e-12 * (k10 * ((z28 + k12) * (z28 + k13))))) {
+        && fabs(z28) > 1e-12 * (k8 * ((z29 + k10) * (z29 + k11))))) {
         /* the coframe is singular */
-        if (!(fabs(z27) > 1e-12 * (k10 * ((z28 + k12) * (z28 + k13))))) {
+        if (!(fabs(z28) > 1e-12 * (k8 * ((z29 + k10) * (z29 + k11))))) {
             return BICYCLE_SINGULAR_1;
         }
         return bicycle_finish(9, qdot);
@@ -905,10 +898,9 @@ int bicycle_accelerations(double t, const double *y, const double *p, double *qd
     /* parameters only */
     const double s_lam = sin(lam);
     const double c_lam = cos(lam);
-    const double k1 = w + c;
-    const double k2 = r_F * s_lam - c * c_lam;
-    const double k3 = c_lam * k1 - r_R * s_lam;
-    const double k4 = s_lam * k1 - (r_F * c_lam + c * s_lam - r_R * c_lam);
+    const double k1 = r_F * s_lam - c * c_lam;
+    const double k2 = c_lam * (w + c) - r_R * s_lam;
+    const double k3 = w * s_lam + c_lam * (r_R - r_F);
 
     /* state */
     const double z2 = 1.0 / fabs(c_roll);
@@ -921,55 +913,55 @@ int bicycle_accelerations(double t, const double *y, const double *p, double *qd
     const double z9 = 1.0 / sqrt(z8);
     const double z10 = r_F * z7;
     const double z11 = z9 * z10;
-    const double z12 = k2 + z11;
+    const double z12 = k1 + z11;
     const double z13 = s_steer * z12;
     const double z14 = s1 * z13;
-    const double z15 = k3 + z5 + c_steer * z12;
+    const double z15 = k2 + z5 + c_steer * z12;
     const double z16 = c_roll * z14 + e2z * z15;
     const double z17 = r_R * z6;
     const double z18 = z2 * z17;
     const double z19 = c_steer * z18;
     const double z20 = r_F * z6;
     const double z21 = z9 * z20;
-    const double z22 = k4 + z21;
+    const double z22 = z21 + k3;
     const double z23 = z18 - z22;
     const double z24 = s_steer * z23;
-    const double z25 = c_steer * z23;
-    const double z26 = s_steer * z18;
+    const double z25 = s_steer * z18;
+    const double z26 = c_steer * z23;
     const double z27 = z19 * z24 - z25 * z26;
-    const double z28 = c_steer * z22;
-    const double z29 = c_steer * k3 + z12;
-    const double z30 = s1 * z28 + c1 * z29;
+    const double z28 = c_steer * k2 + z12;
+    const double z29 = c_steer * z22;
+    const double z30 = c1 * z28 + s1 * z29;
     const double z31 = c_roll * z30 + e2z * z24;
-    const double z32 = s_steer * z22;
-    const double z33 = s_steer * k3;
-    const double z34 = s1 * z32 + c1 * z33;
-    const double z35 = c_roll * z34 - e2z * z25;
-    const double z36 = z19 * z31 + z35 * z26;
-    const double z37 = z25 * z31 + z35 * z24;
+    const double z32 = s_steer * k2;
+    const double z33 = s_steer * z22;
+    const double z34 = c1 * z32 + s1 * z33;
+    const double z35 = c_roll * z34 - e2z * z26;
+    const double z36 = z19 * z31 + z25 * z35;
+    const double z37 = z26 * z31 + z24 * z35;
     const double z38 = z16 * z27 - z15 * z36 + z5 * z37;
     const double z39 = 1.0 / z38;
     const double z40 = roll_dot * s1;
     const double z41 = steer_dot + z40;
-    const double z42 = roll_dot * c1;
-    const double z43 = c_steer * z42;
-    const double z44 = roll_dot * r_R;
-    const double z45 = c_roll * z44;
-    const double z46 = z2 * z45;
-    const double z47 = z46 + k3 * z40;
-    const double z48 = z11 * z41 - z21 * z43 - (k4 * z43 - k2 * z41 - c_steer * z47);
-    const double z49 = s_steer * z42;
+    const double z42 = roll_dot * r_R;
+    const double z43 = c_roll * z42;
+    const double z44 = z2 * z43;
+    const double z45 = z44 + k2 * z40;
+    const double z46 = roll_dot * c1;
+    const double z47 = c_steer * z46;
+    const double z48 = z41 * z12 + (c_steer * z45 - z47 * z22);
+    const double z49 = s_steer * z46;
     const double z50 = thF_dot - z49;
-    const double z51 = z21 * z50 - (k4 * z49 - s_steer * z47);
-    const double z52 = z25 * z48 + z24 * z51;
-    const double z53 = z31 * z51 - z35 * z48;
-    const double z54 = k2 * z49 - z11 * z50;
-    const double z55 = z16 * z52 - z15 * z53 + z37 * z54;
-    const double z56 = z19 * z48 + z26 * z51;
-    const double z57 = z16 * z56 + z36 * z54 - z5 * z53;
+    const double z51 = z21 * z50 + (s_steer * z45 - z49 * k3);
+    const double z52 = z26 * z48 + z24 * z51;
+    const double z53 = z31 * z51 - z48 * z35;
+    const double z54 = k1 * z49 - z11 * z50;
+    const double z55 = z16 * z52 - z15 * z53 + z54 * z37;
+    const double z56 = z19 * z48 + z25 * z51;
+    const double z57 = z16 * z56 + z54 * z36 - z5 * z53;
     const double z58 = z39 * z57;
-    const double z59 = z27 * z54 + z15 * z56 - z5 * z52;
-    const double z60 = z39 * z59;
+    const double z59 = z54 * z27 + z15 * z56 - z5 * z52;
+    const double z60 = z59 * z39;
     const double z61 = z39 * z55 - (z58 - e2z * z60);
     const double z62 = z5 * z61;
     const double z63 = z18 * z61;
@@ -978,76 +970,75 @@ int bicycle_accelerations(double t, const double *y, const double *p, double *qd
     const double z66 = c1 * z58;
     const double z67 = roll_dot * e2z;
     const double z68 = z2 * (c_roll * z67) / (c_roll * c_roll);
-    const double z69 = z67 * s1 + c_roll * z66;
-    const double z70 = r_R * z2;
+    const double z69 = r_R * z2;
+    const double z70 = z67 * s1 + c_roll * z66;
     const double z71 = z4 * z68 - z69 * z70;
     const double z72 = steer_dot * c_steer;
     const double z73 = s1 * z58;
     const double z74 = z67 * c1 - c_roll * z73;
     const double z75 = roll_dot * c_roll;
     const double z76 = steer_dot * s_steer;
-    const double z77 = s_steer * z75 + e2z * z72 + (z76 * z3 + c_steer * z69);
-    const double z78 = (z6 * z74 - z7 * z77) * (z9 * (z9 * z9));
+    const double z77 = s_steer * z75 + e2z * z72 + (z76 * z3 + c_steer * z70);
+    const double z78 = z9 * (z9 * z9) * (z6 * z74 - z7 * z77);
     const double z79 = r_F * z9;
     const double z80 = z10 * z78 + z79 * z77;
-    const double z81 = z76 * z12 - c_steer * z80 - z71;
-    const double z82 = z67 * z14 + c_roll * (z13 * z66 - s1 * (z72 * z12 + s_steer * z80)) - (z75 * z15 - e2z
+    const double z81 = z71 - (z76 * z12 - c_steer * z80);
+    const double z82 = z67 * z14 + c_roll * (z13 * z66 - s1 * (z72 * z12 + s_steer * z80)) - (z75 * z15 + e2z
         * z81);
-    const double z83 = z17 * z68 - z74 * z70;
+    const double z83 = z17 * z68 - z69 * z74;
     const double z84 = z76 * z18 - c_steer * z83;
     const double z85 = z20 * z78 - z79 * z74;
-    const double z86 = z85 - z83;
-    const double z87 = z72 * z23 - s_steer * z86;
-    const double z88 = z76 * z23 + c_steer * z86;
+    const double z86 = z83 - z85;
+    const double z87 = z72 * z23 + s_steer * z86;
+    const double z88 = z76 * z23 - c_steer * z86;
     const double z89 = z72 * z18 + s_steer * z83;
-    const double z90 = z24 * z84 - z19 * z87 - (z26 * z88 - z25 * z89);
-    const double z91 = z28 * z66 + s1 * (z76 * z22 - c_steer * z85) - (z29 * z73 - c1 * (z76 * k3 - z80));
+    const double z90 = z24 * z84 - z19 * z87 - (z25 * z88 - z26 * z89);
+    const double z91 = z29 * z66 + s1 * (z76 * z22 - c_steer * z85) - (z28 * z73 - c1 * (z76 * k2 - z80));
     const double z92 = z67 * z30 + c_roll * z91 - (z75 * z24 + e2z * z87);
-    const double z93 = z32 * z66 - s1 * (z72 * z22 + s_steer * z85) - (z33 * z73 + k3 * (z72 * c1));
-    const double z94 = z67 * z34 + c_roll * z93 + (z75 * z25 - e2z * z88);
-    const double z95 = z31 * z84 + z19 * z92 + (z26 * z94 - z35 * z89);
-    const double z96 = z31 * z88 + z25 * z92 + (z24 * z94 - z35 * z87);
-    const double z97 = z27 * z82 + z16 * z90 - (z36 * z81 + z15 * z95) - (z37 * z71 - z5 * z96);
+    const double z93 = z33 * z66 - s1 * (z72 * z22 + s_steer * z85) - (k2 * (z72 * c1) + z32 * z73);
+    const double z94 = z67 * z34 + c_roll * z93 + (z75 * z26 - e2z * z88);
+    const double z95 = z31 * z84 + z19 * z92 + (z25 * z94 - z35 * z89);
+    const double z96 = z31 * z88 + z26 * z92 + (z24 * z94 - z35 * z87);
+    const double z97 = z27 * z82 + z16 * z90 + (z36 * z81 - z15 * z95) - (z37 * z71 - z5 * z96);
     const double z98 = z97 / (z38 * z38);
-    const double z99 = roll_dot * z66 - s1 * roll_ddot;
-    const double z100 = steer_ddot - z99;
-    const double z101 = roll_dot * z73 + c1 * roll_ddot;
-    const double z102 = z76 * z42 - c_steer * z101;
-    const double z103 = z45 * z68 - z2 * (z67 * z44 - r_R * (c_roll * roll_ddot));
-    const double z104 = k3 * z99 - z103;
-    const double z105 = z41 * z80 + z11 * z100 - (z43 * z85 - z21 * z102) + (k4 * z102 + k2 * z100 - (z76 *
-        z47 + c_steer * z104));
-    const double z106 = z72 * z42 + s_steer * z101;
-    const double z107 = thF_ddot - z106;
-    const double z108 = z50 * z85 + z21 * z107 - (k4 * z106 - (z72 * z47 - s_steer * z104));
-    const double z109 = z48 * z88 - z25 * z105 - (z51 * z87 + z24 * z108);
-    const double z110 = z51 * z92 - z31 * z108 - (z48 * z94 - z35 * z105);
-    const double z111 = k2 * z106 - (z50 * z80 + z11 * z107);
-    const double z112 = z52 * z82 + z16 * z109 - (z53 * z81 + z15 * z110) + (z54 * z96 - z37 * z111);
-    const double z113 = z55 * z98 - z39 * z112;
-    const double z114 = z48 * z84 - z19 * z105 - (z51 * z89 + z26 * z108);
-    const double z115 = z56 * z82 + z16 * z114 + (z54 * z95 - z36 * z111) + (z53 * z71 - z5 * z110);
-    const double z116 = z57 * z98 - z39 * z115;
-    const double z117 = z54 * z90 - z27 * z111 + (z56 * z81 + z15 * z114) + (z52 * z71 - z5 * z109);
-    const double z118 = z59 * z98 - z39 * z117;
-    const double z119 = z113 - (z116 - (z75 * z60 + e2z * z118));
-    const double z120 = z61 * z71 + z5 * z119;
-    const double z121 = z61 * z83 + z18 * z119;
-    const double z122 = z62 * z66 - s1 * z120 - (z63 * z73 + c1 * z121);
-    const double z123 = s1 * z63 - c1 * z62;
-    const double z124 = c_roll * z46 - e2z * z123;
-    const double z125 = c_yaw * z60;
-    const double z126 = z63 * z66 - s1 * z121 + (z62 * z73 + c1 * z120);
-    const double z127 = z67 * z46 - c_roll * z103 + (z75 * z123 - e2z * z126);
+    const double z99 = s1 * roll_ddot - roll_dot * z66;
+    const double z100 = c1 * roll_ddot + roll_dot * z73;
+    const double z101 = z43 * z68 - z2 * (z67 * z42 - r_R * (c_roll * roll_ddot));
+    const double z102 = k2 * z99 + z101;
+    const double z103 = z22 * (z76 * z46 - c_steer * z100) + (z41 * z80 - (z47 * z85 + (z76 * z45 - c_steer *
+        z102)));
+    const double z104 = z12 * (steer_ddot + z99) + z103;
+    const double z105 = z72 * z46 + s_steer * z100;
+    const double z106 = thF_ddot - z105;
+    const double z107 = z21 * z106 + z50 * z85 - (k3 * z105 - (z72 * z45 + s_steer * z102));
+    const double z108 = z48 * z88 - z26 * z104 - (z51 * z87 + z24 * z107);
+    const double z109 = z51 * z92 - z31 * z107 - (z48 * z94 - z35 * z104);
+    const double z110 = k1 * z105 - (z11 * z106 + z50 * z80);
+    const double z111 = z52 * z82 + z16 * z108 + (z53 * z81 - z15 * z109) + (z54 * z96 - z37 * z110);
+    const double z112 = z55 * z98 - z39 * z111;
+    const double z113 = z48 * z84 - z19 * z104 - (z51 * z89 + z25 * z107);
+    const double z114 = z56 * z82 + z16 * z113 + (z54 * z95 - z36 * z110) + (z53 * z71 - z5 * z109);
+    const double z115 = z57 * z98 - z39 * z114;
+    const double z116 = z54 * z90 - z27 * z110 - (z56 * z81 - z15 * z113) + (z52 * z71 - z5 * z108);
+    const double z117 = z59 * z98 - z39 * z116;
+    const double z118 = z112 - (z115 - (z75 * z60 + e2z * z117));
+    const double z119 = z61 * z71 + z5 * z118;
+    const double z120 = z61 * z83 + z18 * z118;
+    const double z121 = z62 * z66 - s1 * z119 - (z63 * z73 + c1 * z120);
+    const double z122 = s1 * z63 - c1 * z62;
+    const double z123 = c_roll * z44 - e2z * z122;
+    const double z124 = c_yaw * z60;
+    const double z125 = z63 * z66 - s1 * z120 + (z62 * z73 + c1 * z119);
+    const double z126 = z67 * z44 - c_roll * z101 + (z75 * z122 - e2z * z125);
     /* (I.2.15) */
-    qddot[0] = z64 * z65 + c_yaw * z122 - (z124 * z125 - s_yaw * z127); /* x'' */
-    qddot[1] = -(z64 * z125 - s_yaw * z122 + (z124 * z65 + c_yaw * z127)); /* y'' */
-    qddot[2] = z75 * z46 + e2z * z103 - (z67 * z123 + c_roll * z126); /* z'' */
-    qddot[3] = z118; /* yaw'' */
+    qddot[0] = z64 * z65 + c_yaw * z121 - (z123 * z124 - s_yaw * z126); /* x'' */
+    qddot[1] = -(z64 * z124 - s_yaw * z121 + (z123 * z65 + c_yaw * z126)); /* y'' */
+    qddot[2] = z75 * z44 + e2z * z101 - (z67 * z122 + c_roll * z125); /* z'' */
+    qddot[3] = z117; /* yaw'' */
     qddot[4] = roll_ddot; /* roll'' */
-    qddot[5] = -z116; /* pitch'' */
+    qddot[5] = -z115; /* pitch'' */
     qddot[6] = steer_ddot; /* steer'' */
-    qddot[7] = z113; /* thR'' */
+    qddot[7] = z112; /* thR'' */
     qddot[8] = thF_ddot; /* thF'' */
     return bicycle_finish(9, qddot);
 }
@@ -1266,7 +1257,6 @@ BICYCLE_SLOW static int bicycle_reactions_part1(double t, const double *y, const
     const double k3 = c + (w - x_H);
     const double r_F = p[22]; /* radius of the front wheel [m] */
     const double k4 = r_F * s_lam - c * c_lam;
-    kept[8] = k4;
     const double H_zz = p[21]; /* [kg*m^2] */
     const double F_xx = p[24]; /* front wheel, across the axle [kg*m^2] */
     const double k5 = H_zz + F_xx;
@@ -1280,7 +1270,7 @@ BICYCLE_SLOW static int bicycle_reactions_part1(double t, const double *y, const
     const double z_H = p[16]; /* [m] */
     const double k9 = z_H * s_lam + c_lam * k3;
     const double k10 = c_lam * k2 - r_R * s_lam;
-    kept[9] = k10;
+    kept[8] = k10;
     const double x_B = p[8]; /* rear frame and rider, ahead of the rear contact [m] */
     const double k11 = c_lam * k1 + x_B * s_lam;
     const double k12 = x_B * c_lam - s_lam * k1;
@@ -1288,15 +1278,14 @@ BICYCLE_SLOW static int bicycle_reactions_part1(double t, const double *y, const
     const double k14 = s_lam * k2;
     const double k15 = z_H * c_lam - s_lam * k3 + k13 + k14;
     const double k16 = k14 - (r_F * c_lam + c * s_lam - k13);
-    kept[10] = k16;
     const double m_R = p[5]; /* mass of the rear wheel [kg] */
     const double m_B = p[10]; /* [kg] */
     const double k17 = m_R + m_B;
-    kept[11] = k17;
+    kept[9] = k17;
     const double k18 = m_B * k11;
-    kept[12] = k18;
+    kept[10] = k18;
     const double k19 = m_B * k12;
-    kept[13] = k19;
+    kept[11] = k19;
     const double B_xz = p[12]; /* [kg*m^2] */
     const double k20 = B_xz * c_lam;
     const double k21 = s_lam * k8 - k20;
@@ -1304,31 +1293,31 @@ BICYCLE_SLOW static int bicycle_reactions_part1(double t, const double *y, const
     const double k23 = c_lam * k7 - k22;
     const double k24 = k11 * k18;
     const double k25 = s_lam * k21 + c_lam * k23 + k24;
-    kept[14] = k25;
+    kept[12] = k25;
     const double k26 = c_lam * k21 - s_lam * k23 + k12 * k18;
-    kept[15] = k26;
+    kept[13] = k26;
     const double k27 = k12 * k19;
     const double B_yy = p[13]; /* [kg*m^2] */
     const double k28 = k24 + (B_yy + k27);
-    kept[16] = k28;
+    kept[14] = k28;
     const double k29 = k22 + c_lam * k8;
     const double k30 = k20 + s_lam * k7;
     const double k31 = s_lam * k29 - c_lam * k30 + k11 * k19;
-    kept[17] = k31;
+    kept[15] = k31;
     const double k32 = k27 + (c_lam * k29 + s_lam * k30);
-    kept[18] = k32;
+    kept[16] = k32;
     const double m_F = p[23]; /* mass of the front wheel [kg] */
     const double k33 = m_F * k16;
     const double m_H = p[17]; /* [kg] */
     const double k34 = m_H + m_F;
-    kept[19] = k34;
+    kept[17] = k34;
     const double k35 = m_H * k15;
     const double k36 = k33 + k35;
-    kept[20] = k36;
+    kept[18] = k36;
     const double k37 = m_F * k4;
     const double k38 = m_H * k9;
     const double k39 = k37 - k38;
-    kept[21] = k39;
+    kept[19] = k39;
     const double H_xz = p[19]; /* [kg*m^2] */
     const double k40 = H_xz * c_lam;
     const double k41 = s_lam * k5 - k40;
@@ -1337,201 +1326,177 @@ BICYCLE_SLOW static int bicycle_reactions_part1(double t, const double *y, const
     const double k44 = k16 * k33;
     const double k45 = k15 * k35;
     const double k46 = s_lam * k41 + c_lam * k43 + k44 + k45;
-    kept[22] = k46;
+    kept[20] = k46;
     const double k47 = c_lam * k41 - s_lam * k43 + k4 * k33 - k9 * k35;
-    kept[23] = k47;
+    kept[21] = k47;
     const double k48 = k4 * k37;
     const double k49 = k9 * k38;
     const double H_yy = p[20]; /* [kg*m^2] */
     const double k50 = k45 + (k44 + (H_yy + k48) + k49);
-    kept[24] = k50;
+    kept[22] = k50;
     const double k51 = k42 + c_lam * k5;
     const double k52 = k40 + s_lam * k6;
     const double k53 = s_lam * k51 - c_lam * k52 + k16 * k37 - k15 * k38;
-    kept[25] = k53;
+    kept[23] = k53;
     const double k54 = k49 + (k48 + (c_lam * k51 + s_lam * k52));
-    kept[26] = k54;
+    kept[24] = k54;
     const double g = p[3]; /* acceleration of gravity [m/s^2] */
     const double k55 = g * m_F;
     const double k56 = g * m_H;
     const double k57 = g * m_B;
     const double k58 = g * k17;
-    kept[27] = k58;
+    kept[25] = k58;
     const double k59 = k12 * k57;
-    kept[28] = k59;
+    kept[26] = k59;
     const double k60 = k11 * k57;
-    kept[29] = k60;
-    const double k61 = k9 * k56;
-    kept[30] = k61;
-    const double k62 = k15 * k56;
-    kept[31] = k62;
-    const double k63 = g * k34;
-    kept[32] = k63;
-    const double k64 = k4 * k55;
-    kept[33] = k64;
-    const double k65 = k16 * k55;
-    kept[34] = k65;
-    const double k66 = k62 + k65;
-    kept[35] = k66;
-    const double k67 = k61 - k64;
-    kept[36] = k67;
+    kept[27] = k60;
+    const double k61 = g * k34;
+    kept[28] = k61;
+    const double k62 = k15 * k56 + k16 * k55;
+    kept[29] = k62;
+    const double k63 = k9 * k56 - k4 * k55;
+    kept[30] = k63;
 
     /* state */
-    const double z2 = c_roll * s1;
-    kept[37] = z2;
-    const double z3 = c_roll * c1;
-    kept[38] = z3;
-    const double z4 = e2z * s_steer - c_steer * z2;
-    kept[39] = z4;
-    const double z5 = z3 * z3 + z4 * z4;
+    const double z2 = c_roll * c1;
+    kept[31] = z2;
+    const double z3 = c_roll * s1;
+    kept[32] = z3;
+    const double z4 = e2z * s_steer - c_steer * z3;
+    kept[33] = z4;
+    const double z5 = z2 * z2 + z4 * z4;
     const double z6 = 1.0 / sqrt(z5);
     const double z7 = r_F * z4;
     const double z8 = z6 * z7;
-    kept[40] = z8;
+    kept[34] = z8;
     const double z9 = k4 + z8;
-    kept[41] = z9;
+    kept[35] = z9;
     const double z10 = s_steer * z9;
-    kept[42] = z10;
+    kept[36] = z10;
     const double z11 = s1 * z10;
-    kept[43] = z11;
+    kept[37] = z11;
     const double z12 = 1.0 / fabs(c_roll);
-    const double z13 = r_R * z2;
-    kept[44] = z13;
+    kept[38] = z12;
+    const double z13 = r_R * z3;
+    kept[39] = z13;
     const double z14 = z12 * z13;
-    kept[45] = z14;
+    kept[40] = z14;
     const double z15 = k10 + z14 + c_steer * z9;
-    kept[46] = z15;
+    kept[41] = z15;
     const double z16 = c_roll * z11 + e2z * z15;
-    kept[47] = z16;
-    const double z17 = r_R * z3;
+    kept[42] = z16;
+    const double z17 = r_R * z2;
     const double z18 = z12 * z17;
-    kept[48] = z18;
+    kept[43] = z18;
     const double z19 = c_steer * z18;
-    kept[49] = z19;
-    const double z20 = r_F * z3;
-    kept[50] = z20;
+    kept[44] = z19;
+    const double z20 = r_F * z2;
     const double z21 = z6 * z20;
-    kept[51] = z21;
+    kept[45] = z21;
     const double z22 = k16 + z21;
-    kept[52] = z22;
+    kept[46] = z22;
     const double z23 = z18 - z22;
-    kept[53] = z23;
     const double z24 = s_steer * z23;
-    kept[54] = z24;
+    kept[47] = z24;
     const double z25 = c_steer * z23;
-    kept[55] = z25;
+    kept[48] = z25;
     const double z26 = s_steer * z18;
-    kept[56] = z26;
+    kept[49] = z26;
     const double z27 = z19 * z24 - z25 * z26;
-    kept[57] = z27;
+    kept[50] = z27;
     const double z28 = c_steer * z22;
-    kept[58] = z28;
+    kept[51] = z28;
     const double z29 = c_steer * k10 + z9;
-    kept[59] = z29;
     const double z30 = s1 * z28 + c1 * z29;
-    kept[60] = z30;
     const double z31 = c_roll * z30 + e2z * z24;
-    kept[61] = z31;
+    kept[52] = z31;
     const double z32 = s_steer * z22;
-    kept[62] = z32;
     const double z33 = s_steer * k10;
-    kept[63] = z33;
     const double z34 = s1 * z32 + c1 * z33;
-    kept[64] = z34;
+    kept[53] = z34;
     const double z35 = c_roll * z34 - e2z * z25;
-    kept[65] = z35;
+    kept[54] = z35;
     const double z36 = z19 * z31 + z35 * z26;
-    kept[66] = z36;
+    kept[55] = z36;
     const double z37 = z25 * z31 + z35 * z24;
-    kept[67] = z37;
+    kept[56] = z37;
     const double z38 = 1.0 / (z16 * z27 - z15 * z36 + z14 * z37);
-    kept[68] = z38;
+    kept[57] = z38;
     const double roll_dot = y[9];
-    const double z39 = roll_dot * s1;
-    const double steer_dot = y[10];
-    const double z40 = steer_dot + z39;
-    kept[69] = z40;
-    const double z41 = roll_dot * c1;
-    kept[70] = z41;
-    const double z42 = c_steer * z41;
-    kept[71] = z42;
-    const double z43 = roll_dot * r_R;
-    kept[72] = z43;
-    const double z44 = c_roll * z43;
-    kept[73] = z44;
-    const double z45 = z12 * z44 + k10 * z39;
-    kept[74] = z45;
-    const double z46 = z8 * z40 - z21 * z42 - (k16 * z42 - k4 * z40 - c_steer * z45);
-    const double z47 = s_steer * z41;
+    const double z39 = roll_dot * c1;
+    kept[58] = z39;
+    const double z40 = s_steer * z39;
     const double thF_dot = y[11];
-    const double z48 = thF_dot - z47;
-    kept[75] = z48;
-    const double z49 = z21 * z48 - (k16 * z47 - s_steer * z45);
-    const double z50 = z19 * z46 + z26 * z49;
-    const double z51 = k4 * z47 - z8 * z48;
-    const double z52 = z31 * z49 - z35 * z46;
-    const double z53 = z38 * (z16 * z50 + z36 * z51 - z14 * z52);
-    kept[76] = z53;
-    const double z54 = z25 * z46 + z24 * z49;
-    const double z55 = z38 * (z27 * z51 + z15 * z50 - z14 * z54);
-    kept[77] = z55;
-    const double z56 = z53 - e2z * z55;
-    kept[78] = z56;
-    const double z57 = k19 * z56;
-    kept[79] = z57;
-    const double z58 = c_roll * z55;
-    kept[80] = z58;
-    const double z59 = z39 + c1 * z58;
-    kept[81] = z59;
-    const double z60 = z41 - s1 * z58;
-    kept[82] = z60;
-    const double z61 = k18 * z60 - k19 * z59;
-    kept[83] = z61;
-    const double z62 = z38 * (z16 * z54 - z15 * z52 + z37 * z51);
-    kept[84] = z62;
-    const double z63 = z62 - z56;
-    kept[85] = z63;
-    const double z64 = z14 * z63;
-    kept[86] = z64;
-    const double z65 = r_R * c_roll;
-    kept[87] = z65;
-    const double z66 = z65 * z12;
-    kept[88] = z66;
-    const double v2_x = roll_dot * z66;
-    kept[89] = v2_x;
-    const double z67 = roll_dot * e2z;
-    kept[90] = z67;
-    const double z68 = z67 * z12;
-    kept[91] = z68;
-    const double z69 = z68 / c_roll;
-    kept[92] = z69;
-    const double z70 = s1 * z53;
-    kept[93] = z70;
-    const double z71 = z67 * c1 - c_roll * z70;
-    kept[94] = z71;
+    const double z41 = thF_dot - z40;
+    kept[59] = z41;
+    const double z42 = k4 * z40 - z8 * z41;
+    const double z43 = roll_dot * r_R;
+    const double z44 = c_roll * z43;
+    const double z45 = roll_dot * s1;
+    kept[60] = z45;
+    const double z46 = z12 * z44 + k10 * z45;
+    kept[61] = z46;
+    const double z47 = z21 * z41 - (k16 * z40 - s_steer * z46);
+    const double steer_dot = y[10];
+    const double z48 = steer_dot + z45;
+    const double z49 = c_steer * z39;
+    const double z50 = z48 * z9 + (c_steer * z46 - z22 * z49);
+    const double z51 = z26 * z47 + z19 * z50;
+    const double z52 = z24 * z47 + z25 * z50;
+    const double z53 = z38 * (z27 * z42 + z15 * z51 - z14 * z52);
+    kept[62] = z53;
+    const double z54 = steer_dot * s_steer;
+    kept[63] = z54;
+    const double z55 = roll_dot * e2z;
+    kept[64] = z55;
+    const double z56 = z31 * z47 - z35 * z50;
+    const double z57 = z38 * (z36 * z42 + z16 * z51 - z14 * z56);
+    kept[65] = z57;
+    const double z58 = s1 * z57;
+    kept[66] = z58;
+    const double z59 = z55 * c1 - c_roll * z58;
+    const double z60 = roll_dot * c_roll;
+    kept[67] = z60;
+    const double z61 = steer_dot * c_steer;
+    kept[68] = z61;
+    const double z62 = c1 * z57;
+    kept[69] = z62;
+    const double z63 = z55 * s1 + c_roll * z62;
+    kept[70] = z63;
+    const double z64 = s_steer * z60 + e2z * z61 + (z54 * z3 + c_steer * z63);
+    const double z65 = (z2 * z59 - z4 * z64) * (z6 * (z6 * z6));
+    const double z66 = r_F * z6;
+    const double z67 = z20 * z65 - z66 * z59;
+    kept[71] = z67;
+    const double z68 = z7 * z65 + z66 * z64;
+    kept[72] = z68;
+    const double z69 = s1 * (z54 * z22 - c_steer * z67) + (z28 * z62 - z29 * z58 + c1 * (z54 * k10 - z68));
+    const double z70 = z55 * z12;
+    const double z71 = z70 / c_roll;
+    kept[73] = z71;
     const double z72 = r_R * z12;
-    kept[95] = z72;
-    const double z73 = z17 * z69 - z71 * z72;
-    kept[96] = z73;
-    const double z74 = c1 * z53;
-    kept[97] = z74;
-    const double z75 = roll_dot * z74;
-    kept[98] = z75;
-    const double z76 = roll_dot * c_roll;
-    kept[99] = z76;
-    const double z77 = steer_dot * c_steer;
-    kept[100] = z77;
-    const double z78 = steer_dot * s_steer;
-    kept[101] = z78;
-    const double z79 = z67 * s1 + c_roll * z74;
-    kept[102] = z79;
-    const double z80 = s_steer * z76 + e2z * z77 + (z78 * z2 + c_steer * z79);
-    const double z81 = (z3 * z71 - z4 * z80) * (z6 * (z6 * z6));
-    kept[103] = z81;
-    const double z82 = r_F * z6;
-    kept[104] = z82;
-    const double z83 = z7 * z81 + z82 * z80;
-    kept[105] = z83;
+    kept[74] = z72;
+    const double z73 = z17 * z71 - z59 * z72;
+    kept[75] = z73;
+    const double z74 = z73 - z67;
+    const double z75 = z61 * z23 + s_steer * z74;
+    const double z76 = z38 * (z37 * z42 + (z16 * z52 - z15 * z56));
+    kept[76] = z76;
+    const double z77 = roll_dot * z62;
+    kept[77] = z77;
+    const double z78 = roll_dot * z58;
+    kept[78] = z78;
+    const double z79 = k10 * z77 - (z44 * z71 - z43 * z70);
+    kept[79] = z79;
+    const double z80 = z22 * (z54 * z39 - c_steer * z78) - (z49 * z67 + (z54 * z46 - (z48 * z68 - (c_steer *
+        z79 + z57 * z75))));
+    const double z81 = z53 * (c_roll * z69 + (z55 * z30 - (z60 * z24 + e2z * z75))) - (z76 * (z61 * z18 +
+        s_steer * z73) - (z9 * z77 - z80));
+    kept[80] = z81;
+    const double z82 = s1 * (z61 * z22 + s_steer * z67) - (z32 * z62 - (z33 * z58 + k10 * (z61 * c1)));
+    kept[81] = z82;
+    const double z83 = z54 * z23 - c_steer * z74;
+    kept[82] = z83;
     return BICYCLE_OK;
 }
 
@@ -1539,319 +1504,280 @@ BICYCLE_SLOW static int bicycle_reactions_part2(double t, const double *y, const
     *dydt, double *kept, double *lambda)
 {
     (void)t;
-    const double roll_dot = y[9];
-    const double z70 = kept[93];
-    const double z84 = roll_dot * z70;
-    const double c_steer = kept[7];
-    const double z41 = kept[70];
-    const double z78 = kept[101];
-    const double z85 = z78 * z41 - c_steer * z84;
-    const double z20 = kept[50];
-    const double z71 = kept[94];
-    const double z81 = kept[103];
-    const double z82 = kept[104];
-    const double z86 = z20 * z81 - z82 * z71;
-    const double k10 = kept[9];
-    const double z43 = kept[72];
-    const double z44 = kept[73];
-    const double z68 = kept[91];
-    const double z69 = kept[92];
-    const double z75 = kept[98];
-    const double z87 = k10 * z75 - (z44 * z69 - z43 * z68);
-    const double k4 = kept[8];
-    const double k16 = kept[10];
-    const double z8 = kept[40];
-    const double z21 = kept[51];
-    const double z40 = kept[69];
-    const double z42 = kept[71];
-    const double z45 = kept[74];
-    const double z83 = kept[105];
-    const double z88 = z8 * z75 - z40 * z83 - (z21 * z85 - z42 * z86) - (k16 * z85 - k4 * z75 - (z78 * z45 +
-        c_steer * z87));
-    const double s1 = kept[4];
-    const double c1 = kept[5];
-    const double z22 = kept[52];
-    const double z28 = kept[58];
-    const double z29 = kept[59];
-    const double z74 = kept[97];
-    const double z89 = z28 * z74 + s1 * (z78 * z22 - c_steer * z86) - (z29 * z70 - c1 * (z78 * k10 - z83));
-    const double z73 = kept[96];
-    const double z90 = z73 - z86;
     const double s_steer = kept[6];
-    const double z23 = kept[53];
-    const double z77 = kept[100];
-    const double z91 = z77 * z23 + s_steer * z90;
+    const double z39 = kept[58];
+    const double z61 = kept[68];
+    const double z78 = kept[78];
+    const double z84 = z61 * z39 + s_steer * z78;
+    const double c_steer = kept[7];
+    const double z18 = kept[43];
+    const double z22 = kept[46];
+    const double z41 = kept[59];
+    const double z46 = kept[61];
+    const double z54 = kept[63];
+    const double z57 = kept[65];
+    const double z67 = kept[71];
+    const double z73 = kept[75];
+    const double z76 = kept[76];
+    const double z79 = kept[79];
+    const double z83 = kept[82];
+    const double z85 = z76 * (z54 * z18 - c_steer * z73) - (z22 * z84 - (z41 * z67 + (z61 * z46 - (s_steer *
+        z79 + z57 * z83))));
     const double e2z = kept[2];
     const double c_roll = kept[3];
-    const double z18 = kept[48];
-    const double z24 = kept[54];
-    const double z30 = kept[60];
-    const double z53 = kept[76];
-    const double z55 = kept[77];
-    const double z62 = kept[84];
-    const double z67 = kept[90];
-    const double z76 = kept[99];
-    const double z92 = z62 * (z77 * z18 + s_steer * z73) - (z55 * (z67 * z30 + c_roll * z89 - (z76 * z24 +
-        e2z * z91)) + z53 * z91);
-    const double z93 = z88 - z92;
-    const double z94 = z77 * z41 + s_steer * z84;
-    const double z32 = kept[62];
-    const double z33 = kept[63];
-    const double z95 = z32 * z74 - s1 * (z77 * z22 + s_steer * z86) - (z33 * z70 + k10 * (z77 * c1));
-    const double z96 = z78 * z23 - c_steer * z90;
-    const double z25 = kept[55];
-    const double z34 = kept[64];
-    const double z97 = z62 * (z78 * z18 - c_steer * z73) - (z55 * (z67 * z34 + c_roll * z95 + (z76 * z25 -
-        e2z * z96)) + z53 * z96);
-    const double z48 = kept[75];
-    const double z98 = z21 * z94 - z48 * z86 + (k16 * z94 - (z77 * z45 - s_steer * z87)) - z97;
-    const double z99 = z25 * z93 + z24 * z98;
-    const double z31 = kept[61];
-    const double z35 = kept[65];
-    const double z100 = z31 * z98 - z35 * z93;
-    const double z13 = kept[44];
-    const double z72 = kept[95];
-    const double z79 = kept[102];
-    const double z101 = z13 * z69 - z79 * z72;
-    const double z9 = kept[41];
-    const double z102 = z101 - (z78 * z9 - c_steer * z83);
-    const double z10 = kept[42];
-    const double z11 = kept[43];
-    const double z15 = kept[46];
-    const double z103 = z67 * z11 + c_roll * (z10 * z74 - s1 * (z77 * z9 + s_steer * z83)) - (z76 * z15 + e2z
-        * z102);
-    const double z104 = k4 * z94 + (z8 * z94 - z48 * z83) - (z62 * z101 - (z55 * z103 + z53 * z102));
-    const double z19 = kept[49];
-    const double z26 = kept[56];
-    const double z105 = z19 * z93 + z26 * z98;
-    const double z14 = kept[45];
-    const double z27 = kept[57];
-    const double z38 = kept[68];
-    const double z106 = z38 * (z27 * z104 - z15 * z105 + z14 * z99);
-    const double z16 = kept[47];
-    const double z36 = kept[66];
-    const double z107 = z38 * (z16 * z105 - z36 * z104 - z14 * z100) + (z76 * z55 + e2z * z106);
-    const double z37 = kept[67];
-    const double z108 = z38 * (z16 * z99 - z15 * z100 - z37 * z104) - z107;
-    const double z56 = kept[78];
-    const double z59 = kept[81];
-    const double z63 = kept[85];
-    const double z64 = kept[86];
-    const double v2_x = kept[89];
-    const double z109 = z56 * z64 - v2_x * z59 - (z63 * z73 - z18 * z108);
-    const double z110 = z21 * z24;
-    const double z111 = z21 * z31;
-    const double z112 = z21 * z26;
-    const double z113 = z38 * (z8 * z27 - z15 * z112 + z14 * z110);
-    const double z114 = z38 * (z16 * z112 - z8 * z36 - z14 * z111) + e2z * z113;
-    const double z115 = z38 * (z16 * z110 - z15 * z111 - z8 * z37) - z114;
-    const double z116 = z18 * z115;
-    const double z117 = c_steer * c1;
-    const double z66 = kept[88];
-    const double z118 = k10 * s1 + z66;
-    const double z119 = s1 * z8 - z21 * z117 - (k16 * z117 - k4 * s1 - c_steer * z118);
-    const double z120 = s_steer * c1;
-    const double z121 = z21 * z120 + (k16 * z120 - s_steer * z118);
-    const double z122 = z25 * z119 - z24 * z121;
-    const double z123 = z31 * z121 + z35 * z119;
-    const double z124 = z9 * z120;
-    const double z125 = z19 * z119 - z26 * z121;
-    const double z126 = z38 * (z27 * z124 + z15 * z125 - z14 * z122);
-    const double z127 = z38 * (z16 * z125 + z36 * z124 + z14 * z123) - e2z * z126;
-    const double z128 = z38 * (z16 * z122 + z15 * z123 + z37 * z124) - z127;
-    const double z129 = z18 * z128;
-    const double z130 = z25 * z9;
-    const double z131 = z35 * z9;
-    const double z132 = z19 * z9;
-    const double z133 = z38 * (z15 * z132 - z14 * z130);
-    const double z134 = z38 * (z16 * z132 + z14 * z131) - e2z * z133;
-    const double z135 = z38 * (z16 * z130 + z15 * z131) - z134;
-    const double z136 = z18 * z135;
+    const double z25 = kept[48];
+    const double z34 = kept[53];
+    const double z53 = kept[62];
+    const double z55 = kept[64];
+    const double z60 = kept[67];
+    const double z82 = kept[81];
+    const double z86 = z53 * (c_roll * z82 - (z55 * z34 + (z60 * z25 - e2z * z83))) + z85;
+    const double z19 = kept[44];
+    const double z26 = kept[49];
+    const double z81 = kept[80];
+    const double z87 = z19 * z81 - z26 * z86;
+    const double z13 = kept[39];
+    const double z63 = kept[70];
+    const double z71 = kept[73];
+    const double z72 = kept[74];
+    const double z88 = z13 * z71 - z63 * z72;
+    const double z9 = kept[35];
+    const double z68 = kept[72];
+    const double z89 = z88 - (z54 * z9 - c_steer * z68);
+    const double s1 = kept[4];
+    const double z10 = kept[36];
+    const double z11 = kept[37];
+    const double z15 = kept[41];
+    const double z62 = kept[69];
+    const double z90 = c_roll * (z10 * z62 - s1 * (z61 * z9 + s_steer * z68)) + (z55 * z11 - (z60 * z15 + e2z
+        * z89));
+    const double z91 = z53 * z90 + (z9 * z84 - (z76 * z88 + (z41 * z68 - z57 * z89)));
+    const double z31 = kept[52];
+    const double z35 = kept[54];
+    const double z92 = z31 * z86 + z35 * z81;
+    const double z24 = kept[47];
+    const double z93 = z25 * z81 - z24 * z86;
+    const double z14 = kept[40];
+    const double z27 = kept[50];
+    const double z38 = kept[57];
+    const double z94 = z38 * (z27 * z91 - z15 * z87 + z14 * z93);
+    const double z16 = kept[42];
+    const double z36 = kept[55];
+    const double z95 = z38 * (z16 * z87 - z36 * z91 + z14 * z92) + (z60 * z53 + e2z * z94);
+    const double z21 = kept[45];
+    const double z96 = z21 * z26;
+    const double z97 = z21 * z31;
+    const double z98 = z21 * z24;
+    const double z8 = kept[34];
+    const double z99 = z38 * (z8 * z27 - z15 * z96 + z14 * z98);
+    const double z100 = z38 * (z16 * z96 - z8 * z36 - z14 * z97) + e2z * z99;
+    const double z101 = z19 * z9;
+    const double z102 = z35 * z9;
+    const double z103 = z25 * z9;
+    const double z104 = z38 * (z15 * z101 - z14 * z103);
+    const double z105 = z38 * (z16 * z101 + z14 * z102) - e2z * z104;
+    const double c1 = kept[5];
+    const double z106 = s_steer * c1;
+    const double z107 = z9 * z106;
+    const double r_R = p[4]; /* radius of the rear wheel [m] */
+    const double z108 = r_R * c_roll;
+    const double z12 = kept[38];
+    const double z109 = z108 * z12;
+    const double k10 = kept[8];
+    const double z110 = k10 * s1 + z109;
+    const double z111 = s_steer * z110 - z22 * z106;
+    const double z28 = kept[51];
+    const double z112 = s1 * z9 + (c_steer * z110 - c1 * z28);
+    const double z113 = z26 * z111 + z19 * z112;
+    const double z114 = z31 * z111 - z35 * z112;
+    const double z115 = z24 * z111 + z25 * z112;
+    const double z116 = z38 * (z27 * z107 + z15 * z113 - z14 * z115);
+    const double z117 = z38 * (z36 * z107 + z16 * z113 - z14 * z114) - e2z * z116;
     const double roll_ddot = dydt[9]; /* roll'' */
     const double steer_ddot = dydt[10]; /* steer'' */
     const double thF_ddot = dydt[11]; /* thF'' */
-    const double z137 = z116 * thF_ddot + (z129 * roll_ddot + z136 * steer_ddot);
-    const double z138 = z114 * thF_ddot + (z127 * roll_ddot + z134 * steer_ddot);
-    const double k17 = kept[11];
-    const double k18 = kept[12];
-    const double k58 = kept[27];
-    const double z2 = kept[37];
-    const double z57 = kept[79];
-    const double z61 = kept[83];
-    const double z139 = z2 * k58 - (z56 * z57 - z59 * z61 - (k17 * z109 + k18 * z107)) - (k17 * z137 + k18 *
-        z138);
-    const double h2z = e2z * c_steer + s_steer * z2;
+    const double z118 = z100 * thF_ddot + (z105 * steer_ddot + roll_ddot * z117);
+    const double z119 = z95 - z118;
+    const double z120 = z57 - e2z * z53;
+    const double z121 = z76 - z120;
+    const double z122 = z14 * z121;
+    const double roll_dot = y[9];
+    const double v2_x = roll_dot * z109;
+    const double z123 = c_roll * z53;
+    const double z45 = kept[60];
+    const double z124 = z45 + c1 * z123;
+    const double z37 = kept[56];
+    const double z125 = z38 * (z16 * z93 + z15 * z92 - z37 * z91) - z95;
+    const double z126 = z120 * z122 - v2_x * z124 - (z121 * z73 - z18 * z125);
+    const double z127 = z38 * (z16 * z98 - z15 * z97 - z8 * z37) - z100;
+    const double z128 = z38 * (z16 * z103 + z15 * z102) - z105;
+    const double z129 = z38 * (z37 * z107 + (z16 * z115 - z15 * z114)) - z117;
+    const double z130 = z127 * thF_ddot + (z128 * steer_ddot + roll_ddot * z129);
+    const double z131 = z18 * z130;
+    const double z132 = z126 - z131;
+    const double k19 = kept[11];
+    const double z133 = k19 * z120;
+    const double z134 = z39 - s1 * z123;
+    const double k18 = kept[10];
+    const double z135 = k18 * z134 - k19 * z124;
+    const double z136 = z55 * z53 - c_roll * z94;
+    const double z137 = z78 + (z123 * z62 + s1 * z136);
+    const double z138 = z61 * z120 - s_steer * z95 + (z54 * z134 - c_steer * z137);
+    const double z139 = c_roll * z99;
+    const double z140 = s1 * z139;
+    const double z141 = c_roll * z104;
+    const double z142 = s1 * z141;
+    const double z143 = c_roll * z116;
+    const double z144 = c1 - s1 * z143;
+    const double z145 = z140 * thF_ddot - (z142 * steer_ddot - roll_ddot * z144);
+    const double z146 = c_steer * z145 - s_steer * z118;
+    const double z147 = z138 - z146;
+    const double z148 = z18 * z121;
+    const double z149 = z148 * z124 - z122 * z134 + roll_dot * (z55 * z72 - z108 * z71);
+    const double z150 = k10 * z120;
+    const double z58 = kept[66];
+    const double z77 = kept[77];
+    const double z151 = z77 - (z123 * z58 - c1 * z136);
+    const double z152 = z149 + (z150 * z134 + k10 * z151);
+    const double z153 = k10 * z124;
+    const double z154 = z120 * z150 + z124 * z153 - z126;
+    const double z155 = c_steer * z152 - s_steer * z154;
+    const double z156 = c1 * z139 * thF_ddot;
+    const double z157 = s1 + c1 * z143;
+    const double z158 = c1 * z141;
+    const double z159 = z158 * steer_ddot;
+    const double z160 = k10 * z156 - (roll_ddot * (z109 + k10 * z157) + k10 * z159);
+    const double z161 = c_steer * z160 - s_steer * z131;
+    const double z162 = z155 + z161;
+    const double z3 = kept[32];
+    const double h2z = e2z * c_steer + s_steer * z3;
     const double steer_dot = y[10];
-    const double w3_steer = steer_dot + z59;
-    const double z60 = kept[82];
-    const double z140 = c_steer * z56 + s_steer * z60;
-    const double k36 = kept[20];
-    const double z141 = k36 * z140;
-    const double z142 = s_steer * z56 - c_steer * z60;
-    const double k39 = kept[21];
-    const double z143 = k39 * z140;
-    const double z144 = z67 * z55 - c_roll * z106;
-    const double z58 = kept[80];
-    const double z145 = z75 - (z58 * z70 - c1 * z144);
-    const double z146 = z18 * z63;
-    const double z65 = kept[87];
-    const double z147 = z146 * z59 - z64 * z60 + roll_dot * (z67 * z72 - z65 * z69);
-    const double z148 = k10 * z56;
-    const double z149 = z147 + (z148 * z60 + k10 * z145);
-    const double z150 = k10 * z59;
-    const double z151 = z56 * z148 + z59 * z150 - z109;
-    const double z152 = c_steer * z149 - s_steer * z151;
-    const double z153 = z84 + (z58 * z74 + s1 * z144);
-    const double z154 = z77 * z56 - s_steer * z107 + (z78 * z60 - c_steer * z153);
-    const double k34 = kept[19];
-    const double k63 = kept[32];
-    const double z155 = h2z * k63 + (w3_steer * z141 - z142 * z143 + (k39 * z145 + (k34 * z152 - k36 *
-        z154)));
-    const double z156 = c_roll * z113;
-    const double z157 = c1 * z156;
-    const double z158 = z157 * thF_ddot;
-    const double z159 = c_roll * z126;
-    const double z160 = s1 + c1 * z159;
-    const double z161 = z160 * roll_ddot;
-    const double z162 = c_roll * z133;
-    const double z163 = c1 * z162;
-    const double z164 = z158 - (z161 + (1.0 + z163) * steer_ddot);
-    const double z165 = k10 * z157;
-    const double z166 = z66 + k10 * z160;
-    const double z167 = k10 * z163;
-    const double z168 = (c_steer * z165 - s_steer * z116) * thF_ddot - ((c_steer * z166 + s_steer * z129) *
-        roll_ddot + (c_steer * z167 + s_steer * z136) * steer_ddot);
-    const double z169 = s1 * z156;
-    const double z170 = c1 - s1 * z159;
-    const double z171 = s1 * z162;
-    const double z172 = (s_steer * z114 - c_steer * z169) * thF_ddot + ((s_steer * z127 - c_steer * z170) *
-        roll_ddot + (s_steer * z134 + c_steer * z171) * steer_ddot);
-    const double z173 = z155 + (k39 * z164 + (k34 * z168 - k36 * z172));
-    const double z174 = k36 * z142 + k39 * w3_steer;
-    const double z175 = c_steer * z151 + s_steer * z149;
-    const double z176 = z78 * z56 + c_steer * z107 - (z77 * z60 + s_steer * z153);
-    const double z177 = (c_steer * z116 + s_steer * z165) * thF_ddot + ((c_steer * z129 - s_steer * z166) *
-        roll_ddot + (c_steer * z136 - s_steer * z167) * steer_ddot);
-    const double z178 = c_steer * z114 + s_steer * z169;
-    const double z179 = (c_steer * z127 + s_steer * z170) * roll_ddot + (c_steer * z134 - s_steer * z171) *
-        steer_ddot;
-    const double z180 = z178 * thF_ddot + z179;
-    const double z4 = kept[39];
-    const double z181 = z4 * k63 + (z140 * z143 + w3_steer * z174 + (k34 * z175 - k36 * z176)) + (k34 * z177
-        + k36 * z180);
-    const double z182 = z139 + s_steer * z173 - c_steer * z181;
-    const double z183 = k18 * z56;
-    const double z184 = v2_x * z60 - z56 * z146 - (z63 * z101 - z14 * z108);
-    const double z185 = z14 * z115;
-    const double z186 = z14 * z128;
-    const double z187 = z14 * z135;
-    const double z188 = z185 * thF_ddot + (z186 * roll_ddot + z187 * steer_ddot);
-    const double k19 = kept[13];
-    const double z3 = kept[38];
-    const double z189 = z3 * k58 + (z60 * z61 + z56 * z183 - (k17 * z184 - k19 * z107)) + (k17 * z188 - k19 *
-        z138);
-    const double z190 = z184 + (z60 * z150 - k10 * z107);
-    const double z191 = (z185 - k10 * z114) * thF_ddot + ((z186 - k10 * z127) * roll_ddot + (z187 - k10 *
-        z134) * steer_ddot);
-    const double z192 = z3 * k63 + (z142 * z174 + z140 * z141 - (k34 * z190 - k39 * z176)) + (k34 * z191 -
-        k39 * z180);
-    const double z193 = z189 + z192;
+    const double w3_steer = steer_dot + z124;
+    const double z163 = c_steer * z120 + s_steer * z134;
+    const double k36 = kept[18];
+    const double z164 = k36 * z163;
+    const double z165 = s_steer * z120 - c_steer * z134;
+    const double k39 = kept[19];
+    const double z166 = k39 * z163;
+    const double z167 = roll_ddot * z157;
+    const double z168 = z156 - ((1.0 + z158) * steer_ddot + z167);
+    const double z169 = z151 + z168;
+    const double k34 = kept[17];
+    const double k61 = kept[28];
+    const double z170 = k36 * z147 - (k34 * z162 + (h2z * k61 + (w3_steer * z164 - z165 * z166) + k39 *
+        z169));
+    const double z171 = z54 * z120 + c_steer * z95 - (z61 * z134 + s_steer * z137);
+    const double z172 = c_steer * z100 + s_steer * z140;
+    const double z173 = (c_steer * z105 - s_steer * z142) * steer_ddot + roll_ddot * (c_steer * z117 +
+        s_steer * z144);
+    const double z174 = z171 - (z172 * thF_ddot + z173);
+    const double z175 = k36 * z165 + k39 * w3_steer;
+    const double z176 = c_steer * z154 + s_steer * z152 + (c_steer * z131 + s_steer * z160);
+    const double z4 = kept[33];
+    const double z177 = k36 * z174 - (z4 * k61 + (z163 * z166 + w3_steer * z175) + k34 * z176);
+    const double k17 = kept[9];
+    const double k58 = kept[25];
+    const double z178 = k17 * z132 + (z3 * k58 - (z120 * z133 - (z124 * z135 - (s_steer * z170 - c_steer *
+        z177))));
+    const double z179 = k18 * z119 + z178;
+    const double z180 = v2_x * z134 - z120 * z148 - (z121 * z88 - z14 * z125);
+    const double z181 = z14 * z127;
+    const double z182 = z14 * z128;
+    const double z183 = z14 * z129;
+    const double z184 = z180 - (z181 * thF_ddot + (z182 * steer_ddot + roll_ddot * z183));
+    const double z185 = k18 * z120;
+    const double z186 = (z181 - k10 * z100) * thF_ddot + ((z182 - k10 * z105) * steer_ddot + roll_ddot *
+        (z183 - k10 * z117));
+    const double z187 = z180 + (z134 * z153 - k10 * z95) - z186;
+    const double z2 = kept[31];
+    const double z188 = k39 * z174 + (z2 * k61 + (z165 * z175 + z163 * z164) - k34 * z187);
+    const double z189 = k19 * z119 - (k17 * z184 - (z2 * k58 + (z134 * z135 + (z120 * z185 + z188))));
     const double R_yy = p[7]; /* rear wheel, about the axle [kg*m^2] */
-    const double z194 = R_yy * (z108 - (z115 * thF_ddot + (z128 * roll_ddot + z135 * steer_ddot))) - z14 *
-        z193 + z18 * z182;
-    const double z195 = z38 * z194;
-    const double k25 = kept[14];
-    const double k26 = kept[15];
-    const double z196 = k25 * z60 - k26 * z59;
-    const double k31 = kept[17];
-    const double k32 = kept[18];
-    const double z197 = k31 * z60 - k32 * z59;
-    const double k28 = kept[16];
-    const double k59 = kept[28];
-    const double k60 = kept[29];
-    const double z198 = z2 * k60 + z3 * k59 + (z59 * z196 + z60 * z197 + (k28 * z107 + (k18 * z109 - k19 *
-        z184)));
-    const double k46 = kept[22];
-    const double k47 = kept[23];
-    const double z199 = k46 * z142 + k47 * w3_steer;
-    const double k53 = kept[25];
-    const double k54 = kept[26];
-    const double z200 = k53 * z142 + k54 * w3_steer;
-    const double k50 = kept[24];
-    const double k61 = kept[30];
-    const double k62 = kept[31];
-    const double k64 = kept[33];
-    const double k65 = kept[34];
-    const double z201 = z4 * k62 + z3 * k61 + (z4 * k65 - z3 * k64) + (w3_steer * z199 - z142 * z200 - (k50 *
-        z176 - (k36 * z175 + k39 * z190)));
+    const double z190 = R_yy * (z125 - z130) - z14 * z189 + z18 * z179;
+    const double z191 = z38 * z190;
+    const double k25 = kept[12];
+    const double k26 = kept[13];
+    const double z192 = k25 * z134 - k26 * z124;
+    const double k31 = kept[15];
+    const double k32 = kept[16];
+    const double z193 = k31 * z134 - k32 * z124;
+    const double k46 = kept[20];
+    const double k47 = kept[21];
+    const double z194 = k46 * z165 + k47 * w3_steer;
+    const double k53 = kept[23];
+    const double k54 = kept[24];
+    const double z195 = k53 * z165 + k54 * w3_steer;
+    const double k50 = kept[22];
+    const double k62 = kept[29];
+    const double k63 = kept[30];
+    const double z196 = k36 * z176 + (z2 * k63 + (w3_steer * z194 - z165 * z195 + z4 * k62) - k50 * z174);
     const double F_yy = p[25]; /* front wheel, about the axle [kg*m^2] */
-    const double z202 = z201 + (k50 * z180 + (k36 * z177 - k39 * z191)) - F_yy * (z176 - (z179 - (1.0 - z178)
-        * thF_ddot));
+    const double z197 = F_yy * ((1.0 - z172) * thF_ddot + (z171 - z173)) - (k39 * z187 + z196);
     const double thF_dot = y[11];
-    const double z203 = F_yy * (thF_dot - z140) - k50 * z140;
-    const double k66 = kept[35];
-    const double z204 = h2z * k66 - (z140 * z200 + w3_steer * z203 - (k47 * z145 + (k36 * z152 - k46 *
-        z154)));
-    const double z205 = z204 + (k47 * z164 + (k36 * z168 - k46 * z172));
-    const double z206 = z198 - (k28 * z138 + (k18 * z137 - k19 * z188)) + k10 * z192 - c_steer * z202 +
-        s_steer * z205;
-    const double z207 = z206 - z194;
-    const double z208 = z38 * z207;
-    const double z209 = z15 * z195 + z14 * z208;
-    const double z210 = R_yy * z63 - k28 * z56;
-    const double z211 = e2z * k60 + (z56 * z197 - z59 * z210 + (k26 * z145 + (k18 * z147 + k25 * z153)));
-    const double z212 = z158 - (z161 + z163 * steer_ddot);
-    const double z213 = z66 * roll_ddot;
-    const double z214 = z169 * thF_ddot + (z170 * roll_ddot - z171 * steer_ddot);
-    const double z215 = s1 * (z211 + (k26 * z212 - (k18 * z213 - k25 * z214)) + s_steer * z202 + c_steer *
-        z205);
-    const double k67 = kept[36];
-    const double z216 = h2z * k67 - (z142 * z203 + z140 * z199 + (k54 * z145 + (k39 * z152 - k53 * z154)));
-    const double z217 = e2z * k59 - (z60 * z210 + z56 * z196 - (k32 * z145 + (k19 * z147 + k31 * z153)));
-    const double z218 = c_steer * z173 + s_steer * z181;
-    const double z219 = z216 - (k54 * z164 + (k39 * z168 - k53 * z172)) - (z217 + (k32 * z212 - (k19 * z213 -
-        k31 * z214)) + k10 * z218);
-    const double z220 = z38 * (c_roll * (z215 - c1 * z219) - e2z * z207);
-    const double z221 = z16 * z195 - z14 * z220;
-    const double z222 = z16 * z208 + z15 * z220;
-    const double z223 = z31 * z209 - z24 * z221 - z26 * z222;
-    const double z224 = c_steer * z223;
-    const double z225 = z35 * z209 + z25 * z221 + z19 * z222;
-    const double z226 = s_steer * z225;
-    const double z227 = z182 + z224 + z226;
-    const double z228 = z37 * z195 + z36 * z208 + z27 * z220;
-    const double z229 = z193 + z228;
-    const double z230 = s1 * z227 + c1 * z229;
-    const double z231 = e2z * k58 + (z59 * z183 + z60 * z57 + (k19 * z145 + (k17 * z147 + k18 * z153)));
-    const double z232 = s_steer * z223 - c_steer * z225;
-    const double z233 = z231 + (k19 * z212 - (k17 * z213 - k18 * z214)) + z218 - z232;
-    const double z234 = e2z * z230 - c_roll * z233;
-    const double z235 = c1 * z227 - s1 * z229;
+    const double z198 = F_yy * (thF_dot - z163) - k50 * z163;
+    const double z199 = k46 * z147 - (k36 * z162 + (h2z * k62 - (z163 * z195 + w3_steer * z198) + k47 *
+        z169));
+    const double k59 = kept[26];
+    const double z200 = z2 * k59 + (z124 * z192 + (z134 * z193 + (k10 * z188 - (z190 - (c_steer * z197 -
+        s_steer * z199)))));
+    const double k28 = kept[14];
+    const double k60 = kept[27];
+    const double z201 = k19 * z184 - (k18 * z132 + (k28 * z119 + (z3 * k60 + z200)));
+    const double z202 = z38 * z201;
+    const double z203 = z15 * z191 - z14 * z202;
+    const double z204 = R_yy * z121 - k28 * z120;
+    const double z205 = e2z * k60 + (z120 * z193 - z124 * z204 + (k26 * z151 + (k18 * z149 + k25 * z137)));
+    const double z206 = z156 - (z159 + z167);
+    const double z207 = z109 * roll_ddot;
+    const double z208 = s1 * (z205 + (k26 * z206 - (k18 * z207 - k25 * z145)) - s_steer * z197 - c_steer *
+        z199);
+    const double z209 = h2z * k63 - (z165 * z198 + z163 * z194 + (k54 * z151 + (k39 * z155 - k53 * z138)));
+    const double z210 = e2z * k59 - (z134 * z204 + z120 * z192 - (k32 * z151 + (k19 * z149 + k31 * z137)));
+    const double z211 = c_steer * z170 + s_steer * z177;
+    const double z212 = z209 - (k54 * z168 + (k39 * z161 + k53 * z146)) - (z210 + (k32 * z206 - (k19 * z207 -
+        k31 * z145)) - k10 * z211);
+    const double z213 = z38 * (c_roll * (z208 - c1 * z212) + e2z * z201);
+    const double z214 = z16 * z191 - z14 * z213;
+    const double z215 = z16 * z202 - z15 * z213;
+    const double z216 = z31 * z203 - z24 * z214 + z26 * z215;
+    const double z217 = c_steer * z216;
+    const double z218 = z35 * z203 + z25 * z214 - z19 * z215;
+    const double z219 = s_steer * z218;
+    const double z220 = z179 + z217 + z219;
+    const double z221 = z37 * z191 - z36 * z202 + z27 * z213;
+    const double z222 = z189 + z221;
+    const double z223 = s1 * z220 + c1 * z222;
+    const double z224 = s_steer * z216 - c_steer * z218;
+    const double z225 = k17 * (z149 - z207) + (k19 * (z151 + z206) + (z124 * z185 + (z134 * z133 - (z211 -
+        (e2z * k58 - z224)))));
+    const double z226 = k18 * (z137 + z145) + z225;
+    const double z227 = e2z * z223 - c_roll * z226;
+    const double z228 = c1 * z220 - s1 * z222;
     const double s_yaw = kept[0];
     const double c_yaw = kept[1];
     /* (I.4.1) 115:5 */
-    lambda[0] = c_yaw * z235 - s_yaw * z234; /* reaction of rear_x: Q_i gains lambda_1 a_1i */
+    lambda[0] = c_yaw * z228 - s_yaw * z227; /* reaction of rear_x: Q_i gains lambda_1 a_1i */
     /* (I.4.1) 116:5 */
-    lambda[1] = c_yaw * z234 + s_yaw * z235; /* reaction of rear_y: Q_i gains lambda_2 a_2i */
+    lambda[1] = c_yaw * z227 + s_yaw * z228; /* reaction of rear_y: Q_i gains lambda_2 a_2i */
     /* (I.4.1) 117:5 */
-    lambda[2] = -(c_roll * z230 + e2z * z233); /* reaction of rear_z: Q_i gains lambda_3 a_3i */
-    const double z236 = z224 + z226;
-    const double z237 = s1 * z236 + c1 * z228;
-    const double z238 = e2z * z237 + c_roll * z232;
-    const double z239 = c1 * z236 - s1 * z228;
+    lambda[2] = -(c_roll * z223 + e2z * z226); /* reaction of rear_z: Q_i gains lambda_3 a_3i */
+    const double z229 = z217 + z219;
+    const double z230 = s1 * z229 + c1 * z221;
+    const double z231 = e2z * z230 + c_roll * z224;
+    const double z232 = c1 * z229 - s1 * z221;
     /* (I.4.1) 118:5 */
-    lambda[3] = s_yaw * z238 - c_yaw * z239; /* reaction of front_x: Q_i gains lambda_4 a_4i */
+    lambda[3] = s_yaw * z231 - c_yaw * z232; /* reaction of front_x: Q_i gains lambda_4 a_4i */
     /* (I.4.1) 119:5 */
-    lambda[4] = -(c_yaw * z238 + s_yaw * z239); /* reaction of front_y: Q_i gains lambda_5 a_5i */
+    lambda[4] = -(c_yaw * z231 + s_yaw * z232); /* reaction of front_y: Q_i gains lambda_5 a_5i */
     /* (I.4.1) 120:5 */
-    lambda[5] = c_roll * z237 - e2z * z232; /* reaction of front_z: Q_i gains lambda_6 a_6i */
+    lambda[5] = c_roll * z230 - e2z * z224; /* reaction of front_z: Q_i gains lambda_6 a_6i */
     return BICYCLE_OK;
 }
 
 BICYCLE_SLOW
 int bicycle_reactions(double t, const double *y, const double *p, double *lambda)
 {
-    double kept[106]; /* what parts of this function leave for others */
+    double kept[83]; /* what parts of this function leave for others */
     double dydt[12];
     const int status1 = bicycle_rhs(t, y, p, dydt);
     if (status1 != BICYCLE_OK) {
@@ -1924,7 +1850,7 @@ double bicycle_energy(double t, const double *y, const double *p)
     const double k3 = c + (w - x_H);
     const double k4 = r_F * s_lam - c * c_lam;
     const double k5 = c_lam * k2 - r_R * s_lam;
-    const double k6 = s_lam * k2 - (r_F * c_lam + c * s_lam - r_R * c_lam);
+    const double k6 = w * s_lam + c_lam * (r_R - r_F);
 
     /* state */
     const double z1 = s_pitch * c_roll;
@@ -1947,118 +1873,117 @@ double bicycle_energy(double t, const double *y, const double *p)
     const double z16 = r_F / sqrt(z15 * z15 + z13 * z13);
     const double z17 = z13 * z16;
     const double z18 = k4 + z17;
-    const double z19 = k5 + z12 + c_steer * z18;
-    const double z20 = z18 * (s_steer * z10) + e2z * z19;
-    const double z21 = z15 * z11;
-    const double z22 = c_steer * z21;
-    const double z23 = z15 * z16;
-    const double z24 = k6 + z23;
-    const double z25 = z21 - z24;
-    const double z26 = s_steer * z25;
-    const double z27 = c_steer * z25;
-    const double z28 = s_steer * z21;
-    const double z29 = z22 * z26 - z27 * z28;
-    const double z30 = z9 * z24;
-    const double z31 = c_roll * (c_steer * z30 + z14 * (c_steer * k5 + z18)) + e2z * z26;
-    const double z32 = c_roll * (s_steer * z30 + k5 * (s_steer * z14)) - e2z * z27;
-    const double z33 = z22 * z31 + z32 * z28;
-    const double z34 = z27 * z31 + z32 * z26;
-    const double z35 = 1.0 / (z20 * z29 - z19 * z33 + z12 * z34);
-    const double z36 = roll_dot * z9;
-    const double z37 = steer_dot + z36;
-    const double z38 = roll_dot * z14;
-    const double z39 = c_steer * z38;
-    const double z40 = roll_dot * c_roll;
-    const double z41 = z40 * z11;
-    const double z42 = k5 * z36 + z41;
-    const double z43 = z37 * z17 - z39 * z23 - (k6 * z39 - k4 * z37 - c_steer * z42);
-    const double z44 = s_steer * z38;
-    const double z45 = thF_dot - z44;
-    const double z46 = z45 * z23 - (k6 * z44 - s_steer * z42);
-    const double z47 = z27 * z43 + z26 * z46;
-    const double z48 = z31 * z46 - z32 * z43;
-    const double z49 = k4 * z44 - z45 * z17;
-    const double z50 = z22 * z43 + z28 * z46;
-    const double z51 = z35 * (z20 * z50 + z33 * z49 - z12 * z48);
-    const double z52 = z35 * (z29 * z49 + z19 * z50 - z12 * z47);
-    const double z53 = z51 - e2z * z52;
-    const double z54 = z35 * (z20 * z47 - z19 * z48 + z34 * z49) - z53;
-    const double z55 = z12 * z54;
-    const double z56 = z21 * z54;
-    const double z57 = z9 * z55 + z14 * z56;
-    const double z58 = z9 * z56 - z14 * z55;
-    const double z59 = c_roll * z41 - e2z * z58;
-    const double z60 = c_yaw * z57 + s_yaw * z59;
-    const double z61 = s_yaw * z52;
-    const double z62 = s_pitch * z51;
-    const double z63 = c_yaw * z52;
-    const double z64 = s_yaw * z40 + e2z * z63;
-    const double z65 = s_yaw * e2z;
-    const double z66 = c_pitch * z51;
-    const double z67 = c_pitch * z61 - c_yaw * z62 + (s_pitch * z64 - z65 * z66);
-    const double z68 = s_pitch * z61 + c_yaw * z66 - (z65 * z62 + c_pitch * z64);
-    const double z69 = z60 + k2 * z67 + r_R * z68;
-    const double z70 = steer_dot * s_steer;
-    const double z71 = ((c_yaw * c_pitch - z65 * s_pitch) * c_lam - (c_yaw * s_pitch + c_pitch * z65) *
-        s_lam) * z70 + c_steer * (c_lam * z67 - s_lam * z68);
-    const double z72 = steer_dot * c_steer;
-    const double z73 = c_roll * z72;
-    const double z74 = roll_dot * e2z;
-    const double z75 = z71 + (s_yaw * z73 - s_steer * (s_yaw * z74 - c_roll * z63));
-    const double z76 = s_lam * z67 + c_lam * z68;
-    const double z77 = c_lam * z75 + s_lam * z76;
-    const double z78 = c_lam * z76 - s_lam * z75;
-    const double z79 = z69 - c * z77 - r_F * z78;
-    const double z80 = s_yaw * z57 - c_yaw * z59;
-    const double z81 = c_yaw * e2z;
-    const double z82 = c_yaw * z40 - e2z * z61;
-    const double z83 = s_yaw * z62 + c_pitch * z63 - (z81 * z66 - s_pitch * z82);
-    const double z84 = s_pitch * z63 - s_yaw * z66 - (z81 * z62 + c_pitch * z82);
-    const double z85 = z80 - k2 * z83 - r_R * z84;
-    const double z86 = ((c_pitch * s_yaw + s_pitch * z81) * c_lam - (s_yaw * s_pitch - c_pitch * z81) *
-        s_lam) * z70 - c_steer * (c_lam * z83 - s_lam * z84);
-    const double z87 = z86 - (c_yaw * z73 - s_steer * (c_yaw * z74 + c_roll * z61));
-    const double z88 = s_lam * z83 + c_lam * z84;
-    const double z89 = c_lam * z87 - s_lam * z88;
-    const double z90 = c_lam * z88 + s_lam * z87;
-    const double z91 = z85 - c * z89 + r_F * z90;
-    const double z92 = e2z * z41 + c_roll * z58;
-    const double z93 = s_pitch * z74 + c_roll * z66;
-    const double z94 = c_pitch * z74 - c_roll * z62;
-    const double z95 = z92 + k2 * z93 - r_R * z94;
-    const double z96 = s_steer * z40 + e2z * z72 + (z2 * z70 + c_steer * (c_lam * z93 + s_lam * z94));
-    const double z97 = s_lam * z93 - c_lam * z94;
-    const double z98 = c_lam * z96 + s_lam * z97;
-    const double z99 = c_lam * z97 - s_lam * z96;
-    const double Fz_dot = z95 - c * z98 - r_F * z99;
-    const double w1 = roll_dot * c_pitch - z1 * z52;
-    const double w3 = roll_dot * s_pitch + e3z * z52;
-    const double z100 = c_lam * w1 - s_lam * w3;
-    const double z101 = s_steer * z53 - c_steer * z100;
+    const double z19 = c_roll * s_steer;
+    const double z20 = k5 + z12 + c_steer * z18;
+    const double z21 = z18 * (z19 * z9) + e2z * z20;
+    const double z22 = z15 * z11;
+    const double z23 = c_steer * z22;
+    const double z24 = z15 * z16;
+    const double z25 = k6 + z24;
+    const double z26 = z22 - z25;
+    const double z27 = s_steer * z26;
+    const double z28 = s_steer * z22;
+    const double z29 = c_steer * z26;
+    const double z30 = z23 * z27 - z28 * z29;
+    const double z31 = c_steer * z25;
+    const double z32 = c_roll * (z14 * (c_steer * k5 + z18) + z9 * z31) + e2z * z27;
+    const double z33 = e2z * z29 - z19 * (k5 * z14 + z9 * z25);
+    const double z34 = z23 * z32 - z28 * z33;
+    const double z35 = z29 * z32 - z33 * z27;
+    const double z36 = 1.0 / (z21 * z30 - z20 * z34 + z12 * z35);
+    const double z37 = roll_dot * z9;
+    const double z38 = roll_dot * c_roll;
+    const double z39 = z38 * z11;
+    const double z40 = k5 * z37 + z39;
+    const double z41 = roll_dot * z14;
+    const double z42 = (steer_dot + z37) * z18 + (c_steer * z40 - z41 * z31);
+    const double z43 = s_steer * z41;
+    const double z44 = thF_dot - z43;
+    const double z45 = z44 * z24 - (k6 * z43 - s_steer * z40);
+    const double z46 = z29 * z42 + z27 * z45;
+    const double z47 = z32 * z45 + z33 * z42;
+    const double z48 = k4 * z43 - z44 * z17;
+    const double z49 = z23 * z42 + z28 * z45;
+    const double z50 = z36 * (z21 * z49 + z48 * z34 - z12 * z47);
+    const double z51 = z36 * (z48 * z30 + z20 * z49 - z12 * z46);
+    const double z52 = z50 - e2z * z51;
+    const double z53 = z36 * (z21 * z46 - z20 * z47 + z48 * z35) - z52;
+    const double z54 = z12 * z53;
+    const double z55 = z22 * z53;
+    const double z56 = z9 * z54 + z14 * z55;
+    const double z57 = z9 * z55 - z14 * z54;
+    const double z58 = c_roll * z39 - e2z * z57;
+    const double z59 = c_yaw * z56 + s_yaw * z58;
+    const double z60 = s_yaw * z51;
+    const double z61 = s_pitch * z50;
+    const double z62 = c_yaw * z51;
+    const double z63 = s_yaw * z38 + e2z * z62;
+    const double z64 = s_yaw * e2z;
+    const double z65 = c_pitch * z50;
+    const double z66 = c_pitch * z60 - c_yaw * z61 + (s_pitch * z63 - z64 * z65);
+    const double z67 = s_pitch * z60 + c_yaw * z65 - (z64 * z61 + c_pitch * z63);
+    const double z68 = z59 + k2 * z66 + r_R * z67;
+    const double z69 = steer_dot * s_steer;
+    const double z70 = ((c_yaw * c_pitch - z64 * s_pitch) * c_lam - (c_yaw * s_pitch + c_pitch * z64) *
+        s_lam) * z69 + c_steer * (c_lam * z66 - s_lam * z67);
+    const double z71 = steer_dot * c_steer;
+    const double z72 = c_roll * z71;
+    const double z73 = roll_dot * e2z;
+    const double z74 = z70 + (s_yaw * z72 - s_steer * (s_yaw * z73 - c_roll * z62));
+    const double z75 = s_lam * z66 + c_lam * z67;
+    const double z76 = c_lam * z74 + s_lam * z75;
+    const double z77 = c_lam * z75 - s_lam * z74;
+    const double z78 = z68 - c * z76 - r_F * z77;
+    const double z79 = s_yaw * z56 - c_yaw * z58;
+    const double z80 = c_yaw * e2z;
+    const double z81 = c_yaw * z38 - e2z * z60;
+    const double z82 = s_yaw * z61 + c_pitch * z62 - (z80 * z65 - s_pitch * z81);
+    const double z83 = s_pitch * z62 - s_yaw * z65 - (z80 * z61 + c_pitch * z81);
+    const double z84 = z79 - k2 * z82 - r_R * z83;
+    const double z85 = ((c_pitch * s_yaw + s_pitch * z80) * c_lam - (s_yaw * s_pitch - c_pitch * z80) *
+        s_lam) * z69 - c_steer * (c_lam * z82 - s_lam * z83);
+    const double z86 = z85 - (c_yaw * z72 - s_steer * (c_yaw * z73 + c_roll * z60));
+    const double z87 = s_lam * z82 + c_lam * z83;
+    const double z88 = c_lam * z86 - s_lam * z87;
+    const double z89 = c_lam * z87 + s_lam * z86;
+    const double z90 = z84 - c * z88 + r_F * z89;
+    const double z91 = e2z * z39 + c_roll * z57;
+    const double z92 = s_pitch * z73 + c_roll * z65;
+    const double z93 = c_pitch * z73 - c_roll * z61;
+    const double z94 = z91 + k2 * z92 - r_R * z93;
+    const double z95 = s_steer * z38 + e2z * z71 + (z2 * z69 + c_steer * (c_lam * z92 + s_lam * z93));
+    const double z96 = s_lam * z92 - c_lam * z93;
+    const double z97 = c_lam * z95 + s_lam * z96;
+    const double z98 = c_lam * z96 - s_lam * z95;
+    const double Fz_dot = z94 - c * z97 - r_F * z98;
+    const double w1 = roll_dot * c_pitch - z1 * z51;
+    const double w3 = roll_dot * s_pitch + e3z * z51;
+    const double z99 = c_lam * w1 - s_lam * w3;
+    const double z100 = s_steer * z52 - c_steer * z99;
     const double ws = steer_dot + (s_lam * w1 + c_lam * w3);
-    const double z102 = c_lam * z101 - s_lam * ws;
-    const double z103 = z102 * z102;
-    const double o3 = c_lam * ws + s_lam * z101;
-    const double z104 = o3 * o3;
-    const double z105 = c_steer * z53 + s_steer * z100;
-    const double z106 = thF_dot - z105;
-    const double z107 = m_F * (z79 * z79 + z91 * z91 + Fz_dot * Fz_dot) + F_xx * (z103 + z104) + F_yy * (z106
-        * z106);
-    const double z108 = z69 - k3 * z77 + z_H * z78;
-    const double z109 = z85 - k3 * z89 - z_H * z90;
-    const double Hz_dot = z95 - k3 * z98 + z_H * z99;
-    const double z110 = m_H * (z108 * z108 + z109 * z109 + Hz_dot * Hz_dot) + (H_xx * z103 + H_yy * (z105 *
-        z105) + H_zz * z104);
-    const double z111 = w1 * w1;
-    const double z112 = w3 * w3;
-    const double z113 = m_R * (z60 * z60 + z80 * z80 + z92 * z92) + R_xx * (z111 + z112) + R_yy * (z54 * z54);
-    const double z114 = z60 + x_B * z67 + k1 * z68;
-    const double z115 = z80 - x_B * z83 - k1 * z84;
-    const double Bz_dot = z92 + x_B * z93 - k1 * z94;
-    const double z116 = m_B * (z114 * z114 + z115 * z115 + Bz_dot * Bz_dot) + (B_xx * z111 + B_yy * (z53 *
-        z53) + B_zz * z112);
-    const double z117 = 0.5 * z110 - H_xz * (z102 * o3) + (0.5 * z113 + (0.5 * z116 + B_xz * (w1 * w3)));
-    return 0.5 * z107 + z117 - g * (z8 + m_F * (Sz + c * z6 + r_F * z7));
+    const double z101 = c_lam * z100 - s_lam * ws;
+    const double z102 = z101 * z101;
+    const double o3 = c_lam * ws + s_lam * z100;
+    const double z103 = o3 * o3;
+    const double z104 = c_steer * z52 + s_steer * z99;
+    const double z105 = thF_dot - z104;
+    const double z106 = m_F * (z78 * z78 + z90 * z90 + Fz_dot * Fz_dot) + F_xx * (z102 + z103) + F_yy * (z105
+        * z105);
+    const double z107 = z68 - k3 * z76 + z_H * z77;
+    const double z108 = z84 - k3 * z88 - z_H * z89;
+    const double Hz_dot = z94 - k3 * z97 + z_H * z98;
+    const double z109 = m_H * (z107 * z107 + z108 * z108 + Hz_dot * Hz_dot) + (H_xx * z102 + H_yy * (z104 *
+        z104) + H_zz * z103);
+    const double z110 = w1 * w1;
+    const double z111 = w3 * w3;
+    const double z112 = m_R * (z59 * z59 + z79 * z79 + z91 * z91) + R_xx * (z110 + z111) + R_yy * (z53 * z53);
+    const double z113 = z59 + x_B * z66 + k1 * z67;
+    const double z114 = z79 - x_B * z82 - k1 * z83;
+    const double Bz_dot = z91 + x_B * z92 - k1 * z93;
+    const double z115 = m_B * (z113 * z113 + z114 * z114 + Bz_dot * Bz_dot) + (B_xx * z110 + B_yy * (z52 *
+        z52) + B_zz * z111);
+    const double z116 = 0.5 * z109 - H_xz * (z101 * o3) + (0.5 * z112 + (0.5 * z115 + B_xz * (w1 * w3)));
+    return 0.5 * z106 + z116 - g * (z8 + m_F * (Sz + c * z6 + r_F * z7));
 }
 
 BICYCLE_SLOW static int bicycle_jacobian_part1(double t, const double *y, const double *p, double *kept,
@@ -4516,16 +4441,16 @@ int bicycle_outputs(double t, const double *y, const double *p, double *out)
     const double k1 = w + c;
     const double k2 = r_F * s_lam - c * c_lam;
     const double k3 = c_lam * k1 - r_R * s_lam;
-    const double k4 = s_lam * k1 - (r_F * c_lam + c * s_lam - r_R * c_lam);
-    const double k5 = fabs(r_R);
-    const double k6 = fabs(r_F);
-    const double k7 = fabs(w);
-    const double k8 = fabs(c);
-    const double k9 = 9.0 * k6;
-    const double k10 = 6.0 * k8 + (2.0 * k7 + (5.0 * k5 + k9));
-    const double k11 = 6.0 * k7;
-    const double k12 = 13.0 * k8 + (14.0 * k6 + k11);
-    const double k13 = 10.0 * k8 + (k9 + k11);
+    const double k4 = fabs(r_R);
+    const double k5 = fabs(r_F);
+    const double k6 = fabs(w);
+    const double k7 = fabs(c);
+    const double k8 = 9.0 * k5;
+    const double k9 = 6.0 * k7 + (2.0 * k6 + (5.0 * k4 + k8));
+    const double k10 = 6.0 * k6;
+    const double k11 = 13.0 * k7 + (14.0 * k5 + k10);
+    const double k12 = 10.0 * k7 + (k8 + k10);
+    const double k13 = w * s_lam + c_lam * (r_R - r_F);
 
     /* state */
     const double z1 = e2z * s_steer;
@@ -4537,58 +4462,57 @@ int bicycle_outputs(double t, const double *y, const double *p, double *out)
     const double z7 = r_F / sqrt(z6 * z6 + z4 * z4);
     const double z8 = z4 * z7;
     const double z9 = k2 + z8;
-    const double z10 = c_roll * c_roll;
-    const double z11 = 1.0 / sqrt(z10);
-    const double z12 = r_R * z11;
-    const double z13 = z3 * z12;
-    const double z14 = k3 + z13 + c_steer * z9;
-    const double z15 = z9 * (s_steer * z3) + e2z * z14;
-    const double z16 = z6 * z12;
-    const double z17 = c_steer * z16;
-    const double z18 = z6 * z7;
-    const double z19 = k4 + z18;
-    const double z20 = z16 - z19;
-    const double z21 = s_steer * z20;
-    const double z22 = c_steer * z20;
-    const double z23 = s_steer * z16;
-    const double z24 = z2 * z19;
-    const double z25 = c_roll * (c_steer * z24 + z5 * (c_steer * k3 + z9)) + e2z * z21;
-    const double z26 = c_roll * (s_steer * z24 + k3 * (s_steer * z5)) - e2z * z22;
-    const double z27 = z22 * z25 + z26 * z21;
-    const double z28 = z15 * (z17 * z21 - z22 * z23) - z14 * (z17 * z25 + z26 * z23) + z13 * z27;
-    const double z29 = k5 * (9.0 + fabs(z11));
-    const double z30 = roll_dot * z5;
-    const double z31 = s_steer * z30;
-    const double z32 = thF_dot - z31;
-    const double z33 = roll_dot * z2;
-    const double z34 = steer_dot + z33;
-    const double z35 = c_steer * z30;
-    const double z36 = c_roll * (roll_dot * z12) + k3 * z33;
-    const double z37 = z34 * z8 - z35 * z18 - (k4 * z35 - k2 * z34 - c_steer * z36);
-    const double z38 = z32 * z18 - (k4 * z31 - s_steer * z36);
-    const double z39 = z27 * (k2 * z31 - z32 * z8) + (z15 * (z22 * z37 + z21 * z38) - z14 * (z25 * z38 - z26
-        * z37));
-    const double z40 = s_pitch * c_roll;
+    const double z10 = c_roll * s_steer;
+    const double z11 = c_roll * c_roll;
+    const double z12 = 1.0 / sqrt(z11);
+    const double z13 = r_R * z12;
+    const double z14 = z3 * z13;
+    const double z15 = k3 + z14 + c_steer * z9;
+    const double z16 = z9 * (z10 * z2) + e2z * z15;
+    const double z17 = z6 * z13;
+    const double z18 = c_steer * z17;
+    const double z19 = z6 * z7;
+    const double z20 = k13 + z19;
+    const double z21 = z17 - z20;
+    const double z22 = s_steer * z21;
+    const double z23 = s_steer * z17;
+    const double z24 = c_steer * z21;
+    const double z25 = c_steer * z20;
+    const double z26 = c_roll * (z5 * (c_steer * k3 + z9) + z2 * z25) + e2z * z22;
+    const double z27 = e2z * z24 - z10 * (k3 * z5 + z2 * z20);
+    const double z28 = z24 * z26 - z27 * z22;
+    const double z29 = z16 * (z18 * z22 - z23 * z24) - z15 * (z18 * z26 - z23 * z27) + z14 * z28;
+    const double z30 = k4 * (9.0 + fabs(z12));
+    const double z31 = roll_dot * z5;
+    const double z32 = s_steer * z31;
+    const double z33 = thF_dot - z32;
+    const double z34 = roll_dot * z2;
+    const double z35 = c_roll * (roll_dot * z13) + k3 * z34;
+    const double z36 = (steer_dot + z34) * z9 - (z31 * z25 - c_steer * z35);
+    const double z37 = z33 * z19 - (k13 * z32 - s_steer * z35);
+    const double z38 = (k2 * z32 - z33 * z8) * z28 + (z16 * (z24 * z36 + z22 * z37) - z15 * (z26 * z37 + z27
+        * z36));
+    const double z39 = s_pitch * c_roll;
     const double e3z = c_pitch * c_roll;
-    const double z41 = c_steer * (z40 * c_lam + e3z * s_lam) - z1;
-    const double z42 = z40 * s_lam - e3z * c_lam;
-    const double z43 = c_lam * z41 + s_lam * z42;
-    const double z44 = c_lam * z42 - s_lam * z41;
+    const double z40 = c_steer * (z39 * c_lam + e3z * s_lam) - z1;
+    const double z41 = z39 * s_lam - e3z * c_lam;
+    const double z42 = c_lam * z40 + s_lam * z41;
+    const double z43 = z42 * z42;
+    const double z44 = c_lam * z41 - s_lam * z40;
     const double z45 = r_F * z44;
-    const double z46 = z43 * z43;
-    const double z47 = 1.0 / sqrt(z46 + z44 * z44);
-    const double z48 = z - z40 * k1 + r_R * e3z + c * z43 + z45 + r_F * (z46 * z47) + z47 * (z44 * z45);
+    const double z46 = (z44 * z45 + r_F * z43) / sqrt(z43 + z44 * z44) - (z39 * k1 - (z45 + (r_R * e3z + (z +
+        c * z42))));
     /* 123:10 */
-    out[0] = -r_R * (z39 / z28); /* speed */
+    out[0] = -r_R * (z38 / z29); /* speed */
     /* 124:16 */
-    out[1] = z + r_R * (z10 / sqrt(z40 * z40 + e3z * e3z)); /* rear_height */
+    out[1] = z + r_R * (z11 / sqrt(z39 * z39 + e3z * e3z)); /* rear_height */
     /* 125:17 */
-    out[2] = z48; /* front_height */
+    out[2] = z46; /* front_height */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(out[0] + out[1] + out[2]) <= DBL_MAX
-        && fabs(z28) > 1e-12 * (k10 * ((z29 + k12) * (z29 + k13))))) {
+        && fabs(z29) > 1e-12 * (k9 * ((z30 + k11) * (z30 + k12))))) {
         /* the coframe is singular */
-        if (!(fabs(z28) > 1e-12 * (k10 * ((z29 + k12) * (z29 + k13))))) {
+        if (!(fabs(z29) > 1e-12 * (k9 * ((z30 + k11) * (z30 + k12))))) {
             return BICYCLE_SINGULAR_1;
         }
         return bicycle_finish(3, out);
@@ -4638,10 +4562,6 @@ static __attribute__((noinline)) void bicycle_rhs_lanes(const double *fixed, siz
     const double k70 = fixed[31];
     const double k71 = fixed[32];
     const double k72 = fixed[33];
-    const double k73 = fixed[34];
-    const double k74 = fixed[35];
-    const double k75 = fixed[36];
-    const double k76 = fixed[37];
     const bicycle_lanes yaw = bicycle_get(y + 3 * stride);
     const bicycle_lanes roll = bicycle_get(y + 4 * stride);
     const bicycle_lanes pitch = bicycle_get(y + 5 * stride);
@@ -4702,321 +4622,318 @@ static __attribute__((noinline)) void bicycle_rhs_lanes(const double *fixed, siz
     const bicycle_lanes z39 = k17 * (9.0 + bicycle_size(BICYCLE_SPREAD(z12)));
     /* the coframe is singular */
     bad |= bicycle_misses(bicycle_size(BICYCLE_SPREAD(z38)), 1e-12 * (k22 * ((z39 + k24) * (z39 + k25))));
-    const bicycle_lanes z40 = 1.0 / z38;
-    const bicycle_lanes z41 = s_steer * c1;
-    const bicycle_lanes z42 = z9 * z41;
-    const bicycle_lanes z43 = c_steer * c1;
-    const bicycle_lanes z44 = r_R * c_roll;
-    const bicycle_lanes z45 = z44 * z12;
-    const bicycle_lanes z46 = k10 * s1 + z45;
-    const bicycle_lanes z47 = s1 * z8 - z21 * z43 - (k16 * z43 - k4 * s1 - c_steer * z46);
-    const bicycle_lanes z48 = z21 * z41 + (k16 * z41 - s_steer * z46);
-    const bicycle_lanes z49 = z19 * z47 - z26 * z48;
-    const bicycle_lanes z50 = z25 * z47 - z24 * z48;
-    const bicycle_lanes z51 = z40 * (z27 * z42 + z15 * z49 - z14 * z50);
-    const bicycle_lanes z52 = c_roll * z51;
-    const bicycle_lanes z53 = s1 + c1 * z52;
-    const bicycle_lanes z54 = z45 + k10 * z53;
-    const bicycle_lanes z55 = z31 * z48 + z35 * z47;
-    const bicycle_lanes z56 = z40 * (z16 * z49 + z36 * z42 + z14 * z55) - e2z * z51;
-    const bicycle_lanes z57 = z40 * (z16 * z50 + z15 * z55 + z37 * z42) - z56;
+    const bicycle_lanes z40 = r_R * c_roll;
+    const bicycle_lanes z41 = z40 * z12;
+    const bicycle_lanes z42 = 1.0 / z38;
+    const bicycle_lanes z43 = s_steer * c1;
+    const bicycle_lanes z44 = z9 * z43;
+    const bicycle_lanes z45 = k10 * s1 + z41;
+    const bicycle_lanes z46 = s_steer * z45 - z22 * z43;
+    const bicycle_lanes z47 = s1 * z9 + (c_steer * z45 - c1 * z28);
+    const bicycle_lanes z48 = z26 * z46 + z19 * z47;
+    const bicycle_lanes z49 = z24 * z46 + z25 * z47;
+    const bicycle_lanes z50 = z42 * (z27 * z44 + z15 * z48 - z14 * z49);
+    const bicycle_lanes z51 = c_roll * z50;
+    const bicycle_lanes z52 = s1 + c1 * z51;
+    const bicycle_lanes z53 = c1 - s1 * z51;
+    const bicycle_lanes z54 = z31 * z46 - z35 * z47;
+    const bicycle_lanes z55 = z42 * (z36 * z44 + z16 * z48 - z14 * z54) - e2z * z50;
+    const bicycle_lanes z56 = c_steer * z55 + s_steer * z53;
+    const bicycle_lanes z57 = z42 * (z37 * z44 + (z16 * z49 - z15 * z54)) - z55;
     const bicycle_lanes z58 = z18 * z57;
-    const bicycle_lanes z59 = c_steer * z54 + s_steer * z58;
-    const bicycle_lanes z60 = c1 - s1 * z52;
-    const bicycle_lanes z61 = s_steer * z56 - c_steer * z60;
-    const bicycle_lanes z62 = k63 * z53 + (k48 * z59 + k62 * z61);
-    const bicycle_lanes z63 = c_steer * z56 + s_steer * z60;
-    const bicycle_lanes z64 = c_steer * z58 - s_steer * z54;
-    const bicycle_lanes z65 = z14 * z57;
-    const bicycle_lanes z66 = z65 - k10 * z56;
-    const bicycle_lanes z67 = k59 * z63 + (k45 * z64 - k48 * z66);
-    const bicycle_lanes z68 = k56 * z53 + (k45 * z59 + k55 * z61);
-    const bicycle_lanes z69 = k43 * z66 - k48 * z63;
-    const bicycle_lanes z70 = k48 * z53 + (k43 * z59 + k45 * z61);
-    const bicycle_lanes z71 = k43 * z64 + k45 * z63;
-    const bicycle_lanes z72 = k41 * z53 + (z45 * k28 - k40 * z60);
-    const bicycle_lanes z73 = z56 * k37 + (z58 * k27 - z65 * k28);
-    const bicycle_lanes z74 = k35 * z53 + (z45 * k27 - k34 * z60);
-    const bicycle_lanes z75 = z65 * k26 - z56 * k28;
-    const bicycle_lanes z76 = z58 * k26 + z56 * k27;
-    const bicycle_lanes z77 = z60 * z74 - (z65 * z75 + (z58 * z76 + z45 * (k28 * z53 + (z45 * k26 - k27 *
-        z60))));
-    const bicycle_lanes z78 = z61 * z68 + (z66 * z69 + (z59 * z70 + (z64 * z71 + (z53 * z72 + (z56 * z73 -
-        z77)))));
-    const bicycle_lanes z79 = z53 * z62 + (z63 * z67 + z78) + R_yy * (z57 * z57) + F_yy * (z63 * z63);
+    const bicycle_lanes z59 = z41 + k10 * z52;
+    const bicycle_lanes z60 = c_steer * z58 - s_steer * z59;
+    const bicycle_lanes z61 = z14 * z57;
+    const bicycle_lanes z62 = z61 - k10 * z55;
+    const bicycle_lanes z63 = k59 * z56 + (k45 * z60 - k48 * z62);
+    const bicycle_lanes z64 = z63 + F_yy * z56;
+    const bicycle_lanes z65 = k41 * z52 + (z41 * k28 - k40 * z53);
+    const bicycle_lanes z66 = c_steer * z59 + s_steer * z58;
+    const bicycle_lanes z67 = s_steer * z55 - c_steer * z53;
+    const bicycle_lanes z68 = k63 * z52 + (k48 * z66 + k62 * z67);
+    const bicycle_lanes z69 = z65 + z68;
+    const bicycle_lanes z70 = k56 * z52 + (k45 * z66 + k55 * z67);
+    const bicycle_lanes z71 = k43 * z62 - k48 * z56;
+    const bicycle_lanes z72 = k48 * z52 + (k43 * z66 + k45 * z67);
+    const bicycle_lanes z73 = k43 * z60 + k45 * z56;
+    const bicycle_lanes z74 = k37 * z55 + (k27 * z58 - k28 * z61);
+    const bicycle_lanes z75 = k26 * z61 - k28 * z55;
+    const bicycle_lanes z76 = k26 * z58 + k27 * z55;
+    const bicycle_lanes z77 = k35 * z52 + (z41 * k27 - k34 * z53);
+    const bicycle_lanes z78 = z60 * z73 + (z55 * z74 + (z61 * z75 + (z58 * z76 - (z53 * z77 - R_yy * (z57 *
+        z57)))));
+    const bicycle_lanes z79 = z41 * (k28 * z52 + (z41 * k26 - k27 * z53)) + (z56 * z64 + (z52 * z69 + (z67 *
+        z70 + (z62 * z71 + (z66 * z72 + z78)))));
     const bicycle_lanes z80 = z19 * z9;
-    const bicycle_lanes z81 = z25 * z9;
-    const bicycle_lanes z82 = z40 * (z15 * z80 - z14 * z81);
-    const bicycle_lanes z83 = c_roll * z82;
-    const bicycle_lanes z84 = c1 * z83;
-    const bicycle_lanes z85 = 1.0 + z84;
-    const bicycle_lanes z86 = k10 * z84;
-    const bicycle_lanes z87 = z35 * z9;
-    const bicycle_lanes z88 = z40 * (z16 * z80 + z14 * z87) - e2z * z82;
-    const bicycle_lanes z89 = z40 * (z16 * z81 + z15 * z87) - z88;
-    const bicycle_lanes z90 = z18 * z89;
-    const bicycle_lanes z91 = c_steer * z86 + s_steer * z90;
-    const bicycle_lanes z92 = s1 * z83;
-    const bicycle_lanes z93 = s_steer * z88 + c_steer * z92;
-    const bicycle_lanes z94 = k63 * z85 + (k48 * z91 + k62 * z93);
-    const bicycle_lanes z95 = c_steer * z88 - s_steer * z92;
-    const bicycle_lanes z96 = c_steer * z90 - s_steer * z86;
-    const bicycle_lanes z97 = z14 * z89;
-    const bicycle_lanes z98 = z97 - k10 * z88;
-    const bicycle_lanes z99 = k59 * z95 + (k45 * z96 - k48 * z98);
-    const bicycle_lanes z100 = k56 * z85 + (k45 * z91 + k55 * z93);
-    const bicycle_lanes z101 = k43 * z98 - k48 * z95;
-    const bicycle_lanes z102 = k48 * z85 + (k43 * z91 + k45 * z93);
-    const bicycle_lanes z103 = k43 * z96 + k45 * z95;
-    const bicycle_lanes z104 = k40 * z92 + k41 * z84;
-    const bicycle_lanes z105 = z88 * k37 + (z90 * k27 - z97 * k28);
-    const bicycle_lanes z106 = k34 * z92 + k35 * z84;
-    const bicycle_lanes z107 = z90 * k26 + z88 * k27;
-    const bicycle_lanes z108 = z97 * k26 - z88 * k28;
-    const bicycle_lanes z109 = z96 * z103 + (z84 * z104 + (z88 * z105 + (z92 * z106 + (z90 * z107 + z97 *
-        z108))));
-    const bicycle_lanes z110 = z85 * z94 + (z95 * z99 + (z93 * z100 + (z98 * z101 + (z91 * z102 + z109)))) +
-        R_yy * (z89 * z89);
-    const bicycle_lanes z111 = z110 + F_yy * (z95 * z95);
-    const bicycle_lanes z112 = z96 * z71 + (z84 * z72 + (z88 * z73 + (z92 * z74 + (z90 * z76 + z97 * z75))));
-    const bicycle_lanes z113 = R_yy * z57;
-    const bicycle_lanes z114 = z85 * z62 + (z95 * z67 + (z93 * z68 + (z98 * z69 + (z91 * z70 + z112)))) + z89
-        * z113;
-    const bicycle_lanes z115 = F_yy * z63;
-    const bicycle_lanes z116 = z114 + z95 * z115;
-    const bicycle_lanes z117 = 1.0 / z79;
-    const bicycle_lanes z118 = z117 * z116;
-    const bicycle_lanes z119 = z111 - z116 * z118;
+    const bicycle_lanes z81 = z35 * z9;
+    const bicycle_lanes z82 = z25 * z9;
+    const bicycle_lanes z83 = z42 * (z15 * z80 - z14 * z82);
+    const bicycle_lanes z84 = z42 * (z16 * z80 + z14 * z81) - e2z * z83;
+    const bicycle_lanes z85 = c_roll * z83;
+    const bicycle_lanes z86 = s1 * z85;
+    const bicycle_lanes z87 = c_steer * z84 - s_steer * z86;
+    const bicycle_lanes z88 = z42 * (z16 * z82 + z15 * z81) - z84;
+    const bicycle_lanes z89 = z18 * z88;
+    const bicycle_lanes z90 = c1 * z85;
+    const bicycle_lanes z91 = k10 * z90;
+    const bicycle_lanes z92 = c_steer * z89 - s_steer * z91;
+    const bicycle_lanes z93 = z14 * z88;
+    const bicycle_lanes z94 = z93 - k10 * z84;
+    const bicycle_lanes z95 = k59 * z87 + (k45 * z92 - k48 * z94);
+    const bicycle_lanes z96 = 1.0 + z90;
+    const bicycle_lanes z97 = c_steer * z91 + s_steer * z89;
+    const bicycle_lanes z98 = s_steer * z84 + c_steer * z86;
+    const bicycle_lanes z99 = k63 * z96 + (k48 * z97 + k62 * z98);
+    const bicycle_lanes z100 = k56 * z96 + (k45 * z97 + k55 * z98);
+    const bicycle_lanes z101 = k43 * z94 - k48 * z87;
+    const bicycle_lanes z102 = k48 * z96 + (k43 * z97 + k45 * z98);
+    const bicycle_lanes z103 = k43 * z92 + k45 * z87;
+    const bicycle_lanes z104 = k40 * z86 + k41 * z90;
+    const bicycle_lanes z105 = z84 * k37 + (z89 * k27 - z93 * k28);
+    const bicycle_lanes z106 = k34 * z86 + k35 * z90;
+    const bicycle_lanes z107 = z89 * k26 + z84 * k27;
+    const bicycle_lanes z108 = z93 * k26 - z84 * k28;
+    const bicycle_lanes z109 = z90 * z104 + (z84 * z105 + (z86 * z106 + (z89 * z107 + (z93 * z108 + R_yy *
+        (z88 * z88)))));
+    const bicycle_lanes z110 = z87 * (z95 + F_yy * z87) + (z96 * z99 + (z98 * z100 + (z94 * z101 + (z97 *
+        z102 + (z92 * z103 + z109)))));
+    const bicycle_lanes z111 = z90 * z65 + (z84 * z74 + (z86 * z77 + (z89 * z76 + (z93 * z75 + R_yy * (z88 *
+        z57)))));
+    const bicycle_lanes z112 = z87 * z64 + (z96 * z68 + (z98 * z70 + (z94 * z71 + (z97 * z72 + (z92 * z73 +
+        z111)))));
+    const bicycle_lanes z113 = 1.0 / z79;
+    const bicycle_lanes z114 = z112 * z113;
+    const bicycle_lanes z115 = z110 - z112 * z114;
     /* the mass matrix is singular */
-    bad |= bicycle_misses(bicycle_size(BICYCLE_SPREAD(z119)), 1e-14 * z111);
-    const bicycle_lanes z120 = z21 * z26;
-    const bicycle_lanes z121 = z21 * z24;
-    const bicycle_lanes z122 = z40 * (z8 * z27 - z15 * z120 + z14 * z121);
-    const bicycle_lanes z123 = c_roll * z122;
-    const bicycle_lanes z124 = c1 * z123;
-    const bicycle_lanes z125 = k10 * z124;
-    const bicycle_lanes z126 = z21 * z31;
-    const bicycle_lanes z127 = z40 * (z16 * z120 - z8 * z36 - z14 * z126) + e2z * z122;
-    const bicycle_lanes z128 = z40 * (z16 * z121 - z15 * z126 - z8 * z37) - z127;
-    const bicycle_lanes z129 = z18 * z128;
-    const bicycle_lanes z130 = c_steer * z125 - s_steer * z129;
-    const bicycle_lanes z131 = s1 * z123;
-    const bicycle_lanes z132 = s_steer * z127 - c_steer * z131;
-    const bicycle_lanes z133 = c_steer * z127 + s_steer * z131;
-    const bicycle_lanes z134 = c_steer * z129 + s_steer * z125;
-    const bicycle_lanes z135 = z14 * z128;
-    const bicycle_lanes z136 = z135 - k10 * z127;
-    const bicycle_lanes z137 = z131 * (k34 * z131 + k35 * z124) + (z129 * (z129 * k26 + z127 * k27) + z135 *
-        (z135 * k26 - z127 * k28));
-    const bicycle_lanes z138 = z124 * (k40 * z131 + k41 * z124) + (z127 * (z127 * k37 + (z129 * k27 - z135 *
-        k28)) + z137);
-    const bicycle_lanes z139 = z130 * (k48 * z124 + (k43 * z130 - k45 * z132)) + (z134 * (k43 * z134 + k45 *
-        z133) + z138);
-    const bicycle_lanes z140 = z132 * (k56 * z124 + (k45 * z130 - k55 * z132)) - (z136 * (k43 * z136 - k48 *
-        z133) + z139);
-    const bicycle_lanes z141 = z124 * (k63 * z124 + (k48 * z130 - k62 * z132)) + (z133 * (k59 * z133 + (k45 *
-        z134 - k48 * z136)) - z140);
-    const bicycle_lanes z142 = 1.0 - z133;
-    const bicycle_lanes z143 = z141 + R_yy * (z128 * z128) + F_yy * (z142 * z142);
-    const bicycle_lanes z144 = z134 * z71 - (z124 * z72 - (z127 * z73 - (z131 * z74 - (z129 * z76 + z135 *
-        z75))));
-    const bicycle_lanes z145 = z124 * z62 - (z133 * z67 + (z132 * z68 + (z136 * z69 - (z130 * z70 - z144))))
-        - z128 * z113;
-    const bicycle_lanes z146 = z145 + z142 * z115;
-    const bicycle_lanes z147 = z117 * z146;
-    const bicycle_lanes z148 = z134 * z103 - (z124 * z104 - (z127 * z105 - (z131 * z106 - (z129 * z107 + z135
-        * z108))));
-    const bicycle_lanes z149 = R_yy * z89;
-    const bicycle_lanes z150 = z124 * z94 - (z133 * z99 + (z132 * z100 + (z136 * z101 - (z130 * z102 -
-        z148)))) - z128 * z149;
-    const bicycle_lanes z151 = F_yy * z95;
-    const bicycle_lanes z152 = z150 + z142 * z151 - z116 * z147;
-    const bicycle_lanes z153 = 1.0 / z119;
-    const bicycle_lanes z154 = z152 * z153;
-    const bicycle_lanes z155 = z143 - z146 * z147 - z152 * z154;
+    bad |= bicycle_misses(bicycle_size(BICYCLE_SPREAD(z115)), 1e-14 * z110);
+    const bicycle_lanes z116 = z21 * z26;
+    const bicycle_lanes z117 = z21 * z24;
+    const bicycle_lanes z118 = z42 * (z8 * z27 - z15 * z116 + z14 * z117);
+    const bicycle_lanes z119 = c_roll * z118;
+    const bicycle_lanes z120 = c1 * z119;
+    const bicycle_lanes z121 = k10 * z120;
+    const bicycle_lanes z122 = z21 * z31;
+    const bicycle_lanes z123 = z42 * (z16 * z116 - z8 * z36 - z14 * z122) + e2z * z118;
+    const bicycle_lanes z124 = z42 * (z16 * z117 - z15 * z122 - z8 * z37) - z123;
+    const bicycle_lanes z125 = z18 * z124;
+    const bicycle_lanes z126 = c_steer * z121 - s_steer * z125;
+    const bicycle_lanes z127 = s1 * z119;
+    const bicycle_lanes z128 = s_steer * z123 - c_steer * z127;
+    const bicycle_lanes z129 = c_steer * z123 + s_steer * z127;
+    const bicycle_lanes z130 = c_steer * z125 + s_steer * z121;
+    const bicycle_lanes z131 = z14 * z124;
+    const bicycle_lanes z132 = z131 - k10 * z123;
+    const bicycle_lanes z133 = z127 * (k34 * z127 + k35 * z120) + (z125 * (z125 * k26 + z123 * k27) + z131 *
+        (z131 * k26 - z123 * k28));
+    const bicycle_lanes z134 = z120 * (k40 * z127 + k41 * z120) + (z123 * (z123 * k37 + (z125 * k27 - z131 *
+        k28)) + z133);
+    const bicycle_lanes z135 = z126 * (k48 * z120 + (k43 * z126 - k45 * z128)) + (z130 * (k43 * z130 + k45 *
+        z129) + z134);
+    const bicycle_lanes z136 = z128 * (k56 * z120 + (k45 * z126 - k55 * z128)) - (z132 * (k43 * z132 - k48 *
+        z129) + z135);
+    const bicycle_lanes z137 = z120 * (k63 * z120 + (k48 * z126 - k62 * z128)) + (z129 * (k59 * z129 + (k45 *
+        z130 - k48 * z132)) - z136);
+    const bicycle_lanes z138 = 1.0 - z129;
+    const bicycle_lanes z139 = z137 + R_yy * (z124 * z124) + F_yy * (z138 * z138);
+    const bicycle_lanes z140 = R_yy * z124;
+    const bicycle_lanes z141 = F_yy * z138;
+    const bicycle_lanes z142 = z123 * z74 - (z127 * z77 - (z125 * z76 + (z131 * z75 + (z140 * z57 - z141 *
+        z56))));
+    const bicycle_lanes z143 = z120 * z69 - (z129 * z63 + (z128 * z70 + (z132 * z71 - (z126 * z72 - (z130 *
+        z73 + z142)))));
+    const bicycle_lanes z144 = z143 * z113;
+    const bicycle_lanes z145 = z127 * z106 - (z125 * z107 + (z131 * z108 + (z88 * z140 - z87 * z141 + z112 *
+        z144)));
+    const bicycle_lanes z146 = z129 * z95 + (z128 * z100 + (z132 * z101 - (z126 * z102 - (z130 * z103 + (z123
+        * z105 - z145)))));
+    const bicycle_lanes z147 = z120 * (z104 + z99) - z146;
+    const bicycle_lanes z148 = 1.0 / z115;
+    const bicycle_lanes z149 = z147 * z148;
+    const bicycle_lanes z150 = z139 - z143 * z144 - z147 * z149;
     /* the mass matrix is singular */
-    bad |= bicycle_misses(bicycle_size(BICYCLE_SPREAD(z155)), 1e-14 * z143);
+    bad |= bicycle_misses(bicycle_size(BICYCLE_SPREAD(z150)), 1e-14 * z139);
     bicycle_lanes sine4, cosine4;
     bicycle_turn_lanes(BICYCLE_SPREAD(yaw), &far, &sine4, &cosine4);
     const bicycle_lanes c_yaw = cosine4;
-    const bicycle_lanes z156 = roll_dot * s1;
-    const bicycle_lanes z157 = steer_dot + z156;
-    const bicycle_lanes z158 = roll_dot * c1;
-    const bicycle_lanes z159 = c_steer * z158;
-    const bicycle_lanes z160 = roll_dot * r_R;
-    const bicycle_lanes z161 = c_roll * z160;
-    const bicycle_lanes z162 = z12 * z161;
-    const bicycle_lanes z163 = z162 + k10 * z156;
-    const bicycle_lanes z164 = z8 * z157 - z21 * z159 - (k16 * z159 - k4 * z157 - c_steer * z163);
-    const bicycle_lanes z165 = s_steer * z158;
-    const bicycle_lanes z166 = thF_dot - z165;
-    const bicycle_lanes z167 = z21 * z166 - (k16 * z165 - s_steer * z163);
-    const bicycle_lanes z168 = z25 * z164 + z24 * z167;
-    const bicycle_lanes z169 = z31 * z167 - z35 * z164;
-    const bicycle_lanes z170 = k4 * z165 - z8 * z166;
-    const bicycle_lanes z171 = z40 * (z16 * z168 - z15 * z169 + z37 * z170);
-    const bicycle_lanes z172 = z19 * z164 + z26 * z167;
-    const bicycle_lanes z173 = z40 * (z16 * z172 + z36 * z170 - z14 * z169);
-    const bicycle_lanes z174 = z40 * (z27 * z170 + z15 * z172 - z14 * z168);
-    const bicycle_lanes z175 = z173 - e2z * z174;
-    const bicycle_lanes z176 = z171 - z175;
-    const bicycle_lanes z177 = z14 * z176;
-    const bicycle_lanes z178 = z18 * z176;
-    const bicycle_lanes z179 = s1 * z177 + c1 * z178;
+    const bicycle_lanes z151 = roll_dot * c1;
+    const bicycle_lanes z152 = s_steer * z151;
+    const bicycle_lanes z153 = thF_dot - z152;
+    const bicycle_lanes z154 = k4 * z152 - z8 * z153;
+    const bicycle_lanes z155 = roll_dot * r_R;
+    const bicycle_lanes z156 = c_roll * z155;
+    const bicycle_lanes z157 = z12 * z156;
+    const bicycle_lanes z158 = roll_dot * s1;
+    const bicycle_lanes z159 = z157 + k10 * z158;
+    const bicycle_lanes z160 = z21 * z153 - (k16 * z152 - s_steer * z159);
+    const bicycle_lanes z161 = steer_dot + z158;
+    const bicycle_lanes z162 = c_steer * z151;
+    const bicycle_lanes z163 = z161 * z9 + (c_steer * z159 - z22 * z162);
+    const bicycle_lanes z164 = z24 * z160 + z25 * z163;
+    const bicycle_lanes z165 = z31 * z160 - z35 * z163;
+    const bicycle_lanes z166 = z42 * (z37 * z154 + (z16 * z164 - z15 * z165));
+    const bicycle_lanes z167 = z26 * z160 + z19 * z163;
+    const bicycle_lanes z168 = z42 * (z36 * z154 + z16 * z167 - z14 * z165);
+    const bicycle_lanes z169 = z42 * (z27 * z154 + z15 * z167 - z14 * z164);
+    const bicycle_lanes z170 = z168 - e2z * z169;
+    const bicycle_lanes z171 = z166 - z170;
+    const bicycle_lanes z172 = z14 * z171;
+    const bicycle_lanes z173 = z18 * z171;
+    const bicycle_lanes z174 = s1 * z172 + c1 * z173;
     const bicycle_lanes s_yaw = sine4;
-    const bicycle_lanes z180 = s1 * z178 - c1 * z177;
-    const bicycle_lanes z181 = c_roll * z162 - e2z * z180;
+    const bicycle_lanes z175 = s1 * z173 - c1 * z172;
+    const bicycle_lanes z176 = c_roll * z157 - e2z * z175;
+    const bicycle_lanes z177 = c1 * z168;
+    const bicycle_lanes z178 = roll_dot * z177;
+    const bicycle_lanes z179 = c_roll * z169;
+    const bicycle_lanes z180 = s1 * z168;
+    const bicycle_lanes z181 = roll_dot * e2z;
+    const bicycle_lanes z182 = steer_dot * c_steer;
+    const bicycle_lanes z183 = z181 * c1 - c_roll * z180;
+    const bicycle_lanes z184 = roll_dot * c_roll;
+    const bicycle_lanes z185 = steer_dot * s_steer;
+    const bicycle_lanes z186 = z181 * s1 + c_roll * z177;
+    const bicycle_lanes z187 = s_steer * z184 + e2z * z182 + (z185 * z3 + c_steer * z186);
+    const bicycle_lanes z188 = (z2 * z183 - z4 * z187) * (z6 * (z6 * z6));
+    const bicycle_lanes z189 = r_F * z6;
+    const bicycle_lanes z190 = z7 * z188 + z189 * z187;
+    const bicycle_lanes z191 = z181 * z12;
+    const bicycle_lanes z192 = z191 / c_roll;
+    const bicycle_lanes z193 = r_R * z12;
+    const bicycle_lanes z194 = z13 * z192 - z186 * z193;
+    const bicycle_lanes z195 = z194 - (z185 * z9 - c_steer * z190);
+    const bicycle_lanes z196 = c_roll * (z10 * z177 - s1 * (z182 * z9 + s_steer * z190)) + (z181 * z11 -
+        (z184 * z15 + e2z * z195));
+    const bicycle_lanes z197 = roll_dot * z180;
+    const bicycle_lanes z198 = z182 * z151 + s_steer * z197;
+    const bicycle_lanes z199 = z169 * z196 + (z9 * z198 - (z166 * z194 + (z153 * z190 - z168 * z195)));
+    const bicycle_lanes z200 = z20 * z188 - z189 * z183;
+    const bicycle_lanes z201 = s1 * (z185 * z22 - c_steer * z200) + (z28 * z177 - z29 * z180 + c1 * (z185 *
+        k10 - z190));
+    const bicycle_lanes z202 = z17 * z192 - z183 * z193;
+    const bicycle_lanes z203 = z202 - z200;
+    const bicycle_lanes z204 = z182 * z23 + s_steer * z203;
+    const bicycle_lanes z205 = k10 * z178 - (z156 * z192 - z155 * z191);
+    const bicycle_lanes z206 = z22 * (z185 * z151 - c_steer * z197) - (z162 * z200 + (z185 * z159 - (z161 *
+        z190 - (c_steer * z205 + z168 * z204))));
+    const bicycle_lanes z207 = z169 * (c_roll * z201 + (z181 * z30 - (z184 * z24 + e2z * z204))) - (z166 *
+        (z182 * z18 + s_steer * z202) - (z9 * z178 - z206));
+    const bicycle_lanes z208 = s1 * (z182 * z22 + s_steer * z200) - (z32 * z177 - (z33 * z180 + k10 * (z182 *
+        c1)));
+    const bicycle_lanes z209 = z185 * z23 - c_steer * z203;
+    const bicycle_lanes z210 = z166 * (z185 * z18 - c_steer * z202) - (z22 * z198 - (z153 * z200 + (z182 *
+        z159 - (s_steer * z205 + z168 * z209))));
+    const bicycle_lanes z211 = z169 * (c_roll * z208 - (z181 * z34 + (z184 * z25 - e2z * z209))) + z210;
+    const bicycle_lanes z212 = z19 * z207 - z26 * z211;
+    const bicycle_lanes z213 = z25 * z207 - z24 * z211;
+    const bicycle_lanes z214 = z42 * (z27 * z199 - z15 * z212 + z14 * z213);
+    const bicycle_lanes z215 = z181 * z169 - c_roll * z214;
+    const bicycle_lanes z216 = z178 - (z179 * z180 - c1 * z215);
+    const bicycle_lanes z217 = z158 + c1 * z179;
+    const bicycle_lanes z218 = z151 - s1 * z179;
+    const bicycle_lanes z219 = z173 * z217 - z172 * z218 + roll_dot * (z181 * z193 - z40 * z192);
+    const bicycle_lanes z220 = k27 * z170;
+    const bicycle_lanes z221 = k28 * z170;
+    const bicycle_lanes z222 = z197 + (z179 * z177 + s1 * z215);
+    const bicycle_lanes z223 = k28 * z216 + (k26 * z219 + (z217 * z220 + (e2z * k67 + z218 * z221) + k27 *
+        z222));
+    const bicycle_lanes z224 = z31 * z211 + z35 * z207;
+    const bicycle_lanes z225 = z42 * (z16 * z212 - z36 * z199 + z14 * z224) + (z184 * z169 + e2z * z214);
+    const bicycle_lanes z226 = z185 * z170 + c_steer * z225 - (z182 * z218 + s_steer * z222);
+    const bicycle_lanes z227 = k10 * z170;
+    const bicycle_lanes z228 = k10 * z217;
+    const bicycle_lanes v2_x = roll_dot * z41;
+    const bicycle_lanes z229 = z42 * (z16 * z213 + z15 * z224 - z37 * z199) - z225;
+    const bicycle_lanes z230 = z170 * z172 - v2_x * z217 - (z171 * z202 - z18 * z229);
+    const bicycle_lanes z231 = z170 * z227 + z217 * z228 - z230;
+    const bicycle_lanes z232 = z219 + (z227 * z218 + k10 * z216);
+    const bicycle_lanes z233 = c_steer * z231 + s_steer * z232;
+    const bicycle_lanes w3_steer = steer_dot + z217;
+    const bicycle_lanes z234 = s_steer * z170 - c_steer * z218;
+    const bicycle_lanes z235 = k55 * z234 + k56 * w3_steer;
+    const bicycle_lanes z236 = k62 * z234 + k63 * w3_steer;
+    const bicycle_lanes z237 = v2_x * z218 - z170 * z173 - (z171 * z194 - z14 * z229);
+    const bicycle_lanes z238 = z237 + (z218 * z228 - k10 * z225);
+    const bicycle_lanes z239 = z4 * k71 - (k59 * z226 - (k45 * z233 + (w3_steer * z235 - z234 * z236 + k48 *
+        z238)));
+    const bicycle_lanes z240 = z2 * k72 + z239;
+    const bicycle_lanes z241 = F_yy * z226;
+    const bicycle_lanes z242 = z240 - z241;
+    const bicycle_lanes z243 = R_yy * z171 - k37 * z170;
+    const bicycle_lanes z244 = k34 * z218 - k35 * z217;
+    const bicycle_lanes z245 = e2z * k68 - (z218 * z243 + z170 * z244 - (k41 * z216 + (k28 * z219 + k40 *
+        z222)));
     const bicycle_lanes h2z = e2z * c_steer + s_steer * z3;
-    const bicycle_lanes z182 = c_roll * z174;
-    const bicycle_lanes z183 = z158 - s1 * z182;
-    const bicycle_lanes z184 = s_steer * z175 - c_steer * z183;
-    const bicycle_lanes z185 = c_steer * z175 + s_steer * z183;
-    const bicycle_lanes z186 = F_yy * (thF_dot - z185) - k59 * z185;
-    const bicycle_lanes z187 = z156 + c1 * z182;
-    const bicycle_lanes w3_steer = steer_dot + z187;
-    const bicycle_lanes z188 = k55 * z184 + k56 * w3_steer;
-    const bicycle_lanes z189 = c1 * z173;
-    const bicycle_lanes z190 = roll_dot * z189;
-    const bicycle_lanes z191 = s1 * z173;
-    const bicycle_lanes z192 = roll_dot * e2z;
-    const bicycle_lanes z193 = steer_dot * c_steer;
-    const bicycle_lanes z194 = roll_dot * z191;
-    const bicycle_lanes z195 = z193 * z158 + s_steer * z194;
-    const bicycle_lanes z196 = z192 * c1 - c_roll * z191;
-    const bicycle_lanes z197 = roll_dot * c_roll;
-    const bicycle_lanes z198 = steer_dot * s_steer;
-    const bicycle_lanes z199 = z192 * s1 + c_roll * z189;
-    const bicycle_lanes z200 = s_steer * z197 + e2z * z193 + (z198 * z3 + c_steer * z199);
-    const bicycle_lanes z201 = (z2 * z196 - z4 * z200) * (z6 * (z6 * z6));
-    const bicycle_lanes z202 = r_F * z6;
-    const bicycle_lanes z203 = z7 * z201 + z202 * z200;
-    const bicycle_lanes z204 = z192 * z12;
-    const bicycle_lanes z205 = z204 / c_roll;
-    const bicycle_lanes z206 = r_R * z12;
-    const bicycle_lanes z207 = z13 * z205 - z199 * z206;
-    const bicycle_lanes z208 = z207 - (z198 * z9 - c_steer * z203);
-    const bicycle_lanes z209 = z192 * z11 + c_roll * (z10 * z189 - s1 * (z193 * z9 + s_steer * z203)) - (z197
-        * z15 + e2z * z208);
-    const bicycle_lanes z210 = k4 * z195 + (z8 * z195 - z166 * z203) - (z171 * z207 - (z174 * z209 + z173 *
-        z208));
-    const bicycle_lanes z211 = z198 * z158 - c_steer * z194;
-    const bicycle_lanes z212 = z20 * z201 - z202 * z196;
-    const bicycle_lanes z213 = k10 * z190 - (z161 * z205 - z160 * z204);
-    const bicycle_lanes z214 = z8 * z190 - z157 * z203 - (z21 * z211 - z159 * z212) - (k16 * z211 - k4 * z190
-        - (z198 * z163 + c_steer * z213));
-    const bicycle_lanes z215 = z17 * z205 - z196 * z206;
-    const bicycle_lanes z216 = z28 * z189 + s1 * (z198 * z22 - c_steer * z212) - (z29 * z191 - c1 * (z198 *
-        k10 - z203));
-    const bicycle_lanes z217 = z215 - z212;
-    const bicycle_lanes z218 = z193 * z23 + s_steer * z217;
-    const bicycle_lanes z219 = z171 * (z193 * z18 + s_steer * z215) - (z174 * (z192 * z30 + c_roll * z216 -
-        (z197 * z24 + e2z * z218)) + z173 * z218);
-    const bicycle_lanes z220 = z214 - z219;
-    const bicycle_lanes z221 = z32 * z189 - s1 * (z193 * z22 + s_steer * z212) - (z33 * z191 + k10 * (z193 *
-        c1));
-    const bicycle_lanes z222 = z198 * z23 - c_steer * z217;
-    const bicycle_lanes z223 = z171 * (z198 * z18 - c_steer * z215) - (z174 * (z192 * z34 + c_roll * z221 +
-        (z197 * z25 - e2z * z222)) + z173 * z222);
-    const bicycle_lanes z224 = z21 * z195 - z166 * z212 + (k16 * z195 - (z193 * z163 - s_steer * z213)) -
-        z223;
-    const bicycle_lanes z225 = z19 * z220 + z26 * z224;
-    const bicycle_lanes z226 = z25 * z220 + z24 * z224;
-    const bicycle_lanes z227 = z40 * (z27 * z210 - z15 * z225 + z14 * z226);
-    const bicycle_lanes z228 = z192 * z174 - c_roll * z227;
-    const bicycle_lanes z229 = z190 - (z182 * z191 - c1 * z228);
-    const bicycle_lanes z230 = z178 * z187 - z177 * z183 + roll_dot * (z192 * z206 - z44 * z205);
-    const bicycle_lanes z231 = k10 * z175;
-    const bicycle_lanes z232 = z230 + (z231 * z183 + k10 * z229);
-    const bicycle_lanes z233 = k10 * z187;
-    const bicycle_lanes v2_x = roll_dot * z45;
-    const bicycle_lanes z234 = z31 * z224 - z35 * z220;
-    const bicycle_lanes z235 = z40 * (z16 * z225 - z36 * z210 - z14 * z234) + (z197 * z174 + e2z * z227);
-    const bicycle_lanes z236 = z40 * (z16 * z226 - z15 * z234 - z37 * z210) - z235;
-    const bicycle_lanes z237 = z175 * z177 - v2_x * z187 - (z176 * z215 - z18 * z236);
-    const bicycle_lanes z238 = z175 * z231 + z187 * z233 - z237;
-    const bicycle_lanes z239 = c_steer * z232 - s_steer * z238;
-    const bicycle_lanes z240 = z194 + (z182 * z189 + s1 * z228);
-    const bicycle_lanes z241 = z193 * z175 - s_steer * z235 + (z198 * z183 - c_steer * z240);
-    const bicycle_lanes z242 = h2z * k76 - (z184 * z186 + z185 * z188 + (k63 * z229 + (k48 * z239 - k62 *
-        z241)));
-    const bicycle_lanes z243 = k62 * z184 + k63 * w3_steer;
-    const bicycle_lanes z244 = z198 * z175 + c_steer * z235 - (z193 * z183 + s_steer * z240);
-    const bicycle_lanes z245 = c_steer * z238 + s_steer * z232;
-    const bicycle_lanes z246 = v2_x * z183 - z175 * z178 - (z176 * z207 - z14 * z236);
-    const bicycle_lanes z247 = z246 + (z183 * z233 - k10 * z235);
-    const bicycle_lanes z248 = z4 * k71 + z2 * k70 + (z4 * k74 - z2 * k73) + (w3_steer * z188 - z184 * z243 -
-        (k59 * z244 - (k45 * z245 + k48 * z247)));
-    const bicycle_lanes z249 = h2z * k75 - (z185 * z243 + w3_steer * z186 - (k56 * z229 + (k45 * z239 - k55 *
-        z241)));
-    const bicycle_lanes z250 = k45 * z184 + k48 * w3_steer;
-    const bicycle_lanes z251 = k45 * z185;
-    const bicycle_lanes z252 = z2 * k72 + (z184 * z250 + z185 * z251 - (k43 * z247 - k48 * z244));
-    const bicycle_lanes z253 = k48 * z185;
-    const bicycle_lanes z254 = h2z * k72 + (w3_steer * z251 - z184 * z253 + (k48 * z229 + (k43 * z239 - k45 *
-        z241)));
-    const bicycle_lanes z255 = z4 * k72 + (z185 * z253 + w3_steer * z250 + (k43 * z245 - k45 * z244));
-    const bicycle_lanes z256 = R_yy * z176 - k37 * z175;
-    const bicycle_lanes z257 = k34 * z183 - k35 * z187;
-    const bicycle_lanes z258 = e2z * k68 - (z183 * z256 + z175 * z257 - (k41 * z229 + (k28 * z230 + k40 *
-        z240)));
-    const bicycle_lanes z259 = k40 * z183 - k41 * z187;
-    const bicycle_lanes z260 = z3 * k69 + z2 * k68 + (z187 * z257 + z183 * z259 + (k37 * z235 + (k27 * z237 -
-        k28 * z246)));
-    const bicycle_lanes z261 = e2z * k69 + (z175 * z259 - z187 * z256 + (k35 * z229 + (k27 * z230 + k34 *
-        z240)));
-    const bicycle_lanes z262 = k27 * z183 - k28 * z187;
-    const bicycle_lanes z263 = k27 * z175;
-    const bicycle_lanes z264 = z2 * k67 + (z183 * z262 + z175 * z263 - (k26 * z246 - k28 * z235));
-    const bicycle_lanes z265 = k28 * z175;
-    const bicycle_lanes z266 = z3 * k67 - (z175 * z265 - z187 * z262 - (k26 * z237 + k27 * z235));
-    const bicycle_lanes z267 = e2z * k67 + (z187 * z263 + z183 * z265 + (k28 * z229 + (k26 * z230 + k27 *
-        z240)));
-    const bicycle_lanes z268 = z53 * z258 + (z56 * z260 - (z60 * z261 + (z65 * z264 - (z58 * z266 + z45 *
-        z267))));
-    const bicycle_lanes z269 = z53 * z242 + (z63 * z248 - (z61 * z249 - (z66 * z252 - (z59 * z254 - (z64 *
-        z255 - z268)))));
-    const bicycle_lanes z270 = z269 - z113 * z236 - z115 * z244;
-    const bicycle_lanes z271 = z96 * z255 - (z84 * z258 + (z88 * z260 + (z92 * z261 + (z90 * z266 - z97 *
-        z264))));
-    const bicycle_lanes z272 = z85 * z242 + (z95 * z248 - (z93 * z249 - (z98 * z252 - (z91 * z254 - z271))))
-        - z149 * z236;
-    const bicycle_lanes z273 = z272 - z151 * z244 - z270 * z118;
-    const bicycle_lanes z274 = z134 * z255 + (z124 * z258 - (z127 * z260 - (z131 * z261 - (z129 * z266 - z135
-        * z264))));
-    const bicycle_lanes z275 = z124 * z242 - (z133 * z248 - (z132 * z249 - (z136 * z252 + (z130 * z254 +
-        z274)))) + R_yy * (z128 * z236);
-    const bicycle_lanes z276 = (z275 - F_yy * (z142 * z244) - z270 * z147 - z154 * z273) / z155;
-    const bicycle_lanes z277 = z153 * z273 - z154 * z276;
+    const bicycle_lanes z246 = c_steer * z170 + s_steer * z218;
+    const bicycle_lanes z247 = F_yy * (thF_dot - z246) - k59 * z246;
+    const bicycle_lanes z248 = c_steer * z232 - s_steer * z231;
+    const bicycle_lanes z249 = z182 * z170 - s_steer * z225 + (z185 * z218 - c_steer * z222);
+    const bicycle_lanes z250 = h2z * k72 - (z234 * z247 + z246 * z235 + (k63 * z216 + (k48 * z248 - k62 *
+        z249)));
+    const bicycle_lanes z251 = z245 - z250;
+    const bicycle_lanes z252 = h2z * k71 - (z246 * z236 + w3_steer * z247 - (k56 * z216 + (k45 * z248 - k55 *
+        z249)));
+    const bicycle_lanes z253 = k45 * z234 + k48 * w3_steer;
+    const bicycle_lanes z254 = k45 * z246;
+    const bicycle_lanes z255 = z2 * k70 + (z234 * z253 + z246 * z254 - (k43 * z238 - k48 * z226));
+    const bicycle_lanes z256 = k48 * z246;
+    const bicycle_lanes z257 = h2z * k70 + (w3_steer * z254 - z234 * z256 + (k48 * z216 + (k43 * z248 - k45 *
+        z249)));
+    const bicycle_lanes z258 = z4 * k70 + (z246 * z256 + w3_steer * z253 + (k43 * z233 - k45 * z226));
+    const bicycle_lanes z259 = k40 * z218 - k41 * z217;
+    const bicycle_lanes z260 = z3 * k69 + z2 * k68 + (z217 * z244 + z218 * z259 + (k37 * z225 + (k27 * z230 -
+        k28 * z237)));
+    const bicycle_lanes z261 = e2z * k69 + (z170 * z259 - z217 * z243 + (k35 * z216 + (k27 * z219 + k34 *
+        z222)));
+    const bicycle_lanes z262 = k27 * z218 - k28 * z217;
+    const bicycle_lanes z263 = z2 * k67 + (z218 * z262 + z170 * z220 - (k26 * z237 - k28 * z225));
+    const bicycle_lanes z264 = z3 * k67 - (z170 * z221 - z217 * z262 - (k26 * z230 + k27 * z225));
+    const bicycle_lanes z265 = R_yy * z229;
+    const bicycle_lanes z266 = z60 * z258 - (z55 * z260 - (z53 * z261 + (z61 * z263 - (z58 * z264 + z57 *
+        z265))));
+    const bicycle_lanes z267 = z41 * z223 - (z56 * z242 - (z52 * z251 + (z67 * z252 - (z62 * z255 - (z66 *
+        z257 - z266)))));
+    const bicycle_lanes z268 = z84 * z260 + (z86 * z261 + (z89 * z264 - (z93 * z263 + (z267 * z114 - z88 *
+        z265))));
+    const bicycle_lanes z269 = z96 * z250 - (z98 * z252 - (z94 * z255 - (z97 * z257 - (z92 * z258 - (z90 *
+        z245 + z268)))));
+    const bicycle_lanes z270 = z87 * z242 + z269;
+    const bicycle_lanes z271 = z125 * z264 - (z131 * z263 - (z267 * z144 - (z149 * z270 - (z124 * z265 - z138
+        * z241))));
+    const bicycle_lanes z272 = z128 * z252 - (z132 * z255 + (z126 * z257 + (z130 * z258 - (z123 * z260 -
+        (z127 * z261 - z271)))));
+    const bicycle_lanes z273 = (z120 * z251 + (z129 * z240 - z272)) / z150;
+    const bicycle_lanes z274 = z148 * z270 + z149 * z273;
     /* (I.2.15) */
-    const bicycle_lanes slope1 = -(c_yaw * z179 + s_yaw * z181);
+    const bicycle_lanes slope1 = -(c_yaw * z174 + s_yaw * z176);
     sum += slope1;
     bicycle_put(dydt, slope1);
-    const bicycle_lanes slope2 = c_yaw * z181 - s_yaw * z179;
+    const bicycle_lanes slope2 = c_yaw * z176 - s_yaw * z174;
     sum += slope2;
     bicycle_put(dydt + 1 * stride, slope2);
-    const bicycle_lanes slope3 = e2z * z162 + c_roll * z180;
+    const bicycle_lanes slope3 = e2z * z157 + c_roll * z175;
     sum += slope3;
     bicycle_put(dydt + 2 * stride, slope3);
-    const bicycle_lanes slope4 = z174;
+    const bicycle_lanes slope4 = z169;
     bicycle_put(dydt + 3 * stride, slope4);
     const bicycle_lanes slope5 = roll_dot;
     bicycle_put(dydt + 4 * stride, slope5);
-    const bicycle_lanes slope6 = -z173;
+    const bicycle_lanes slope6 = -z168;
     bicycle_put(dydt + 5 * stride, slope6);
     const bicycle_lanes slope7 = steer_dot;
     bicycle_put(dydt + 6 * stride, slope7);
-    const bicycle_lanes slope8 = z171;
+    const bicycle_lanes slope8 = z166;
     bicycle_put(dydt + 7 * stride, slope8);
     const bicycle_lanes slope9 = thF_dot;
     bicycle_put(dydt + 8 * stride, slope9);
     /* (I.2.15) 112:4 */
-    const bicycle_lanes slope10 = z147 * z276 - (z117 * z270 - z118 * z277);
+    const bicycle_lanes slope10 = z267 * z113 + z114 * z274 - z144 * z273;
     sum += slope10;
     bicycle_put(dydt + 9 * stride, slope10);
-    const bicycle_lanes slope11 = -z277;
+    const bicycle_lanes slope11 = -z274;
     sum += slope11;
     bicycle_put(dydt + 10 * stride, slope11);
-    const bicycle_lanes slope12 = z276;
+    const bicycle_lanes slope12 = -z273;
+    sum += slope12;
     bicycle_put(dydt + 11 * stride, slope12);
     bicycle_put(check, bicycle_mark(far + (sum - sum), bad));
 }
@@ -5133,16 +5050,11 @@ int bicycle_rhs_batch(size_t count, const double *t, const double *y, const doub
     const double k67 = g * k26;
     const double k68 = k12 * k66;
     const double k69 = k11 * k66;
-    const double k70 = k9 * k65;
-    const double k71 = k15 * k65;
-    const double k72 = g * k43;
-    const double k73 = k4 * k64;
-    const double k74 = k16 * k64;
-    const double k75 = k71 + k74;
-    const double k76 = k70 - k73;
+    const double k70 = g * k43;
+    const double k71 = k15 * k65 + k16 * k64;
+    const double k72 = k9 * k65 - k4 * k64;
     const double fixed[] = {lam, r_R, R_yy, r_F, F_yy, k4, k10, k16, k17, k22, k24, k25, k26, k27, k28, k34,
-        k35, k37, k40, k41, k43, k45, k48, k55, k56, k59, k62, k63, k67, k68, k69, k70, k71, k72, k73, k74,
-        k75, k76};
+        k35, k37, k40, k41, k43, k45, k48, k55, k56, k59, k62, k63, k67, k68, k69, k70, k71, k72};
     double check[1 * BICYCLE_LANES];
     int status = BICYCLE_OK;
     for (size_t i = 0; i < count; i += BICYCLE_LANES) {
