@@ -26,6 +26,8 @@ _BOTH = ("sin", "cos")
 _FIRST, _SECOND = 50, 45  # operations of a call, and of the other function of the same angle
 _SUM = 3  # operations of an addition theorem, for one of the functions
 _MOST = 12  # angles; beyond them, sums of three are too many to look at
+_ALL = 64  # angles; beyond them, sums of two are
+_DEEPEST = 2  # sums of sums: each adds its rounding
 
 
 def relate_angles(graph: Graph, roots: Sequence[Node]) -> list[Node]:
@@ -33,24 +35,27 @@ def relate_angles(graph: Graph, roots: Sequence[Node]) -> list[Node]:
     if "related angles" in graph.off:
         return list(roots)
     needed = _list_angles(graph, roots)
-    if len(needed) < 2:
+    if not 2 <= len(needed) <= _ALL:
         return list(roots)
     vectors = {node: _split(graph, node) for node in needed}
     if _are_independent(vectors.values()):
         return list(roots)
     known: dict[Angle, Node] = {}
     pairs: dict[Node, Pair] = {}
+    depth: dict[Node, int] = {}
     new: dict[Node, Node] = {}
     for node in sorted(needed, key=lambda node: (*_size(vectors[node]), node)):
         called = graph.function("sin", node), graph.function("cos", node)
-        pairs[node] = called
+        pairs[node], depth[node] = called, 0
         terms = _find_terms(known, vectors[node])
         operands = [known[vector] for vector, _ in terms or ()]
         if terms is not None and _saves(needed, node, operands, new, pairs):
             pairs[node] = _add_angles(graph, [(pairs[known[vector]], sign) for vector, sign in terms])
             new |= zip(called, pairs[node], strict=True)
             needed |= {operand: set(_BOTH) for operand in operands}
-        known.setdefault(vectors[node], node)
+            depth[node] = 1 + max(depth[operand] for operand in operands)
+        if depth[node] < _DEEPEST:
+            known.setdefault(vectors[node], node)
     return substitute(graph, roots, new) if new else list(roots)
 
 

@@ -61,6 +61,17 @@ def test_the_simplest_angles_are_computed_and_the_others_come_from_them(
     assert (made == roots) == (calls == 2 * len(angles))
 
 
+def test_sums_of_sums_end_where_their_rounding_would_add_up() -> None:
+    g = Graph()
+    x = g.symbol("x")
+    for count in (20, 200):
+        roots = turn(g, [g.mul_number(k, x) for k in range(1, count + 1)])
+        made = relate_angles(g, roots)
+        exact = evaluate(g, roots, {x: 0.7})
+        assert max(abs(a - b) for a, b in zip(evaluate(g, made, {x: 0.7}), exact, strict=True)) < 4e-15
+        assert (count_calls(g, made) < count_calls(g, roots)) == (count == 20)
+
+
 def test_no_second_function_is_called_to_spare_one() -> None:
     g = Graph()
     x, y, _ = symbols(g)
