@@ -198,13 +198,18 @@ def build_functions(planner: Planner, only: Sequence[str] = ()) -> tuple[Functio
     wanted = set(only)
     if wanted & {"accelerations", "reactions"} and planner.calls_rhs():
         wanted.add("rhs")
+    recursive = planner.equations.tree is not None
+
+    def rewrite(nodes: Sequence[Node]) -> list[Node]:
+        related = relate_angles(g, nodes)
+        # a recursion along a tree has no such pieces
+        return share_products(g, related if recursive else shorten_pieces(g, related), constants)
+
     for name in FUNCTIONS:
         if wanted and name not in wanted:
             continue
         plan = getattr(planner, name)()
         if plan is not None:
-            plan = map_nodes(
-                plan, lambda nodes: share_products(g, shorten_pieces(g, relate_angles(g, nodes)), constants)
-            )
+            plan = map_nodes(plan, rewrite)
             functions.append(lower_function(g, plan, planner.parameters))
     return tuple(functions)
