@@ -15,7 +15,6 @@ Stages are pure; the names below are those of ``--dump``.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from nhc.diagnostics import Bag, Diagnostic, Source, SpecError
@@ -30,6 +29,7 @@ from nhc.program.build import FUNCTIONS, Planner
 from nhc.program.ir import Program
 from nhc.program.model import build_program
 from nhc.program.starting import warn_undetermined
+from nhc.records import record
 from nhc.stamp import stamp
 
 if TYPE_CHECKING:
@@ -46,7 +46,7 @@ if TYPE_CHECKING:
     from nhc.study.stability.laboratory import Laboratory, Question
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Stage:
     """A stage's name and what its dump shows."""
 
@@ -66,7 +66,7 @@ STAGES = (
 )
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Options:
     """``formulation``, ``scene``: names or empty; ``to``: text, latex or json; ``only``: functions; ``array``: numpy or jax.
 
@@ -85,16 +85,16 @@ class Options:
     fold: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Report:
     """What a check found: warnings, facts as lines, and the same as data."""
 
     diagnostics: tuple[Diagnostic, ...]
     facts: tuple[str, ...]
-    data: dict[str, Any] = field(default_factory=dict)
+    data: dict[str, Any]
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Model:
     """A spec that has been carried as far as its equations."""
 

@@ -7,12 +7,12 @@ the system compiled without that rule.  nhc itself always applies all of them.
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 
 from nhc.algebra.graph import Graph, Node
+from nhc.records import record
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Rule:
     """``about`` says what becomes what, ``where`` names the module that does it."""
 

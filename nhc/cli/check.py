@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -12,6 +11,7 @@ import click
 from nhc.cli.options import explain_option, json_option, specs_argument
 from nhc.cli.specs import open_spec
 from nhc.cli.terminal import Exit, put, put_json, wants_colour
+from nhc.records import record
 
 if TYPE_CHECKING:
     from nhc.diagnostics import Diagnostic, Source
@@ -38,7 +38,7 @@ def command(specs: tuple[str, ...], explain: bool, concise: bool, as_json: bool)
     return Exit.DONE if all(result.ok for result in results) else Exit.FAILED
 
 
-@dataclass(frozen=True)
+@record
 class Result:
     """What ``check`` says of one spec; ``facts`` as lines, ``data`` as a tree for JSON."""
 

@@ -4,16 +4,16 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Mapping
-from dataclasses import dataclass
 from fractions import Fraction
 
 from nhc.program.ir import Binary, Call, Expr, Negate, Number, Pi, Power, Ref
 from nhc.program.sheets.model import RANK_STEP, Side, Symbol, Term
+from nhc.records import record
 
 _NUMBER, _PI, _SUM, _CALL = 0, 1, 8 * RANK_STEP, 9 * RANK_STEP
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Product:
     """``number * over... / under...`` with a positive number; ``negative`` is its sign."""
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
 
 from nhc.algebra.graph import Node
@@ -15,9 +15,10 @@ from nhc.mechanics.frame import Frame
 from nhc.mechanics.linearize import Flow, kept_forms
 from nhc.mechanics.resolve import Resolver
 from nhc.mechanics.scenes import Start, kept_velocities
+from nhc.records import record
 
 
-@dataclass(frozen=True)
+@record
 class Pair:
     """``name = value``; the value holds numbers, pi and parameters."""
 

@@ -13,7 +13,6 @@ from __future__ import annotations
 import hashlib
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from nhc.algebra.degree import Degrees
 from nhc.algebra.draw import MOST_DRAWS, draw_points
@@ -36,11 +35,12 @@ from nhc.mechanics.frame import Frame, coordinate_frame
 from nhc.mechanics.kinetic import kinetic_structure
 from nhc.mechanics.regularity import choose_dependent
 from nhc.mechanics.system import System
+from nhc.records import record
 
 POINTS = 3
 
 
-@dataclass(frozen=True)
+@record
 class Agreement:
     """One formulation beside the reference; ``distance`` is the double-precision difference."""
 
@@ -51,7 +51,7 @@ class Agreement:
     distance: Distance
 
 
-@dataclass(frozen=True)
+@record
 class Rejection:
     """A wrong derivation: ``told_apart`` if its accelerations differ exactly (None: it determines none)."""
 
@@ -62,7 +62,7 @@ class Rejection:
     distance: Distance
 
 
-@dataclass(frozen=True)
+@record
 class Point:
     """A place in a prime field; ``seed`` draws it again, ``digest`` is the hash of the reference's q'' and lambda there."""
 
@@ -71,7 +71,7 @@ class Point:
     digest: str
 
 
-@dataclass(frozen=True)
+@record
 class Certificate:
     """What was compared, where, and what came out; ``degree`` is d of the bound, ``states`` how many double-precision states.
 

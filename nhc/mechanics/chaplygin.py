@@ -11,7 +11,6 @@ The hypotheses: T, the constraints and the forces do not contain the dependent c
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from nhc.algebra.calculus import derivative, gradient, tangent
 from nhc.algebra.graph import Node
@@ -19,10 +18,11 @@ from nhc.algebra.modular import are_zero
 from nhc.mechanics.frame import Frame, dependent_coefficients
 from nhc.mechanics.system import System
 from nhc.mechanics.voronec import Reduced, applied_force, motion_rate
+from nhc.records import record
 from nhc.thesis import equation
 
 
-@dataclass(frozen=True)
+@record
 class Hypotheses:
     """``broken`` are the hypotheses of I.3 that fail, each with the symbol that breaks it; ``fatal`` those without
     which the generalized equations do not hold either.

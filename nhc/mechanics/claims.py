@@ -8,7 +8,6 @@ never written out.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import TypeVar
 
 from nhc.algebra.elimination import solve_double, solve_modulo
@@ -23,6 +22,7 @@ from nhc.mechanics.formulate import bordered_system, motion_of, rate_symbols
 from nhc.mechanics.frame import Frame, total_derivative
 from nhc.mechanics.motion import Motion
 from nhc.mechanics.system import System
+from nhc.records import record
 
 V = TypeVar("V", int, float)
 
@@ -32,7 +32,7 @@ Affine = tuple[tuple[Node, ...], Node]
 Guards = tuple[tuple[Node, Node], ...]
 
 
-@dataclass(frozen=True)
+@record
 class Claim:
     """``guards`` are (quantity, scale) pairs that must not vanish; ``reactions`` is empty where nothing is said of them."""
 
@@ -51,7 +51,7 @@ class Claim:
         return [*rows, *self.right, *affine]
 
 
-@dataclass(frozen=True)
+@record
 class Wrong:
     """A wrong derivation's claim, with the erratum it belongs to and what it does."""
 
@@ -187,7 +187,7 @@ def _affine_rows(claim: Claim, values: Sequence[V]) -> list[list[V]]:
 # --- admissible states ------------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True)
+@record
 class Velocities:
     """Every velocity symbol as a function of free ones: q'_i and the quasi-velocities on the constraints."""
 

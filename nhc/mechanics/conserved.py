@@ -10,7 +10,7 @@ the candidates is not found.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
 from itertools import combinations
 
@@ -23,6 +23,7 @@ from nhc.mechanics.regularity import default_values
 from nhc.mechanics.rotation import moving
 from nhc.mechanics.sampling import Sampler
 from nhc.mechanics.system import System
+from nhc.records import record
 from nhc.thesis import equation
 
 _SPARE = 6  # points more than candidates
@@ -32,7 +33,7 @@ _MOST_POINTS = 8  # modulo each of two primes, where signs occur
 ENERGY, MOMENTUM = "energy", "momentum"
 
 
-@dataclass(frozen=True)
+@record
 class Candidate:
     """A function of q, q' and t with the text that names it; ``kind`` is energy, momentum or empty."""
 
@@ -41,7 +42,7 @@ class Candidate:
     kind: str = ""
 
 
-@dataclass(frozen=True)
+@record
 class Integral:
     """A constant of the motion; ``where`` are the parameters that have to be zero for it.
 
@@ -54,7 +55,7 @@ class Integral:
     moving: bool = False
 
 
-@dataclass(frozen=True)
+@record
 class Conserved:
     """What was found.
 

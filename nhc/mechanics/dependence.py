@@ -8,19 +8,19 @@ from __future__ import annotations
 
 import random
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from nhc.algebra.calculus import reachable
 from nhc.algebra.graph import Node
 from nhc.algebra.modular import PRIMES, FieldPoint, Unlucky
 from nhc.mechanics.linearize import Flow, solve_modulo
+from nhc.records import record
 
 _POINTS, _DRAWS, _CHANGES = 2, 400, 60
 _SIGNED = ("sign", "abs", "min", "max")
 _SIGNED_CHANGES = 24  # a sign stays the same at every second change
 
 
-@dataclass(frozen=True)
+@record
 class Dependence:
     """``rates[j]`` are the entries of the state that y'_j depends on, ``needs[k]`` those of the k-th further quantity.
 

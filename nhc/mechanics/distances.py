@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Graph, Node
@@ -14,6 +13,7 @@ from nhc.mechanics.claims import Claim, Guards, Velocities, solve_in_doubles
 from nhc.mechanics.regularity import trial_points
 from nhc.mechanics.scenes import start_of
 from nhc.mechanics.system import System
+from nhc.records import record
 
 _SPECIAL = 4  # the first of the trial points stand where careless choices are singular
 
@@ -21,7 +21,7 @@ _NEAR = 1e-7
 """Relative to the scale of a determinant: states closer to a frame's singular set tell of its conditioning only."""
 
 
-@dataclass(frozen=True)
+@record
 class State:
     """Values of every symbol, and what the reference says there."""
 
@@ -30,7 +30,7 @@ class State:
     reactions: list[float]
 
 
-@dataclass(frozen=True)
+@record
 class Distance:
     """Largest differences from the reference, each relative to the larger of 1 and the largest component of the truth.
 

@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from nhc.algebra.graph import Graph, Node
 from nhc.language.spec import Figure, Place
 from nhc.mechanics.resolve import Resolver, define_names
 from nhc.mechanics.system import System
+from nhc.records import record
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Outline:
     """A shape; ``places`` index the sketch's nodes.
 
@@ -25,7 +25,7 @@ class Outline:
     places: tuple[int, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Sketch:
     """All shapes, and each node of them once; ``spatial``: one of them leaves the plane z = 0."""
 

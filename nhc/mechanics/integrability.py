@@ -9,7 +9,6 @@ Ranks are computed modulo a prime at a random point, so they are exact up to the
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from nhc.algebra.calculus import gradient, tangent
 from nhc.algebra.draw import MOST_DRAWS, draw_points
@@ -19,6 +18,7 @@ from nhc.algebra.modular import PRIMES, FieldPoint, Unlucky, are_zero, enough_po
 from nhc.mechanics.frame import Frame, coordinate_frame
 from nhc.mechanics.regularity import choose_dependent
 from nhc.mechanics.system import Form, System
+from nhc.records import record
 from nhc.thesis import equation
 
 Field = tuple[Node, ...]
@@ -29,7 +29,7 @@ Rows = list[tuple[int, list[int]]]
 _MOST_POINTS = 12
 
 
-@dataclass(frozen=True)
+@record
 class Integrability:
     """``growth``: ranks of the successive brackets of ker A; ``hidden``: how many holonomic constraints are in
     disguise; ``closed``: names of constraints that are integrable by themselves; ``affine``, ``rheonomic``: kinds of

@@ -10,7 +10,6 @@ with no integrating factor; each is tested again modulo another prime.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from itertools import combinations_with_replacement
 
 from nhc.algebra.calculus import gradient, reachable, tangent
@@ -22,6 +21,7 @@ from nhc.mechanics.conserved import Candidate, combine
 from nhc.mechanics.frame import Frame
 from nhc.mechanics.named import named_text
 from nhc.mechanics.system import Form, System
+from nhc.records import record
 
 _MOST = 150  # candidates
 _PARTNERS = {"sin": "cos", "cos": "sin", "sinh": "cosh", "cosh": "sinh"}  # up to a factor, integrals of each other
@@ -29,7 +29,7 @@ _SPARE = 8  # equations more than candidates
 _LONGEST = 160  # characters of a text that is still worth printing
 
 
-@dataclass(frozen=True)
+@record
 class PositionIntegral:
     """``node`` = const on every motion; ``names`` are the constraints that imply it (several: a combination of them)."""
 

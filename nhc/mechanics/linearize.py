@@ -26,6 +26,7 @@ from nhc.mechanics.integrability import Field as VectorField
 from nhc.mechanics.integrability import is_integrable, lie_bracket
 from nhc.mechanics.rotation import moving
 from nhc.mechanics.system import Form, System
+from nhc.records import record
 
 _POINTS, _DRAWS = 2, 400
 _READABLE = 60
@@ -196,7 +197,7 @@ def reduced(system: System, formulation: Formulation) -> Formulation:
 # --- leaves --------------------------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True)
+@record
 class Leaf:
     """The leaf through a configuration: ``dimension``, and vectors over q that span its tangent space (``fields``) or rows that
     vanish on it (``normals``), whichever is known.  Neither is needed where ``dimension`` is n: no hidden holonomic constraint.
@@ -272,7 +273,7 @@ def quantity(flow: Flow, name: str) -> Node | None:
 # --- the matrix on paper -------------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True)
+@record
 class SymbolicMatrix:
     """A over the rows and columns of ``indices`` of the state; ``held`` are the symbols it was made at."""
 

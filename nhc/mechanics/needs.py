@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from nhc.algebra.calculus import substitute
 from nhc.algebra.graph import Node
 from nhc.language.spec import Need, Scene
@@ -11,9 +9,10 @@ from nhc.mechanics.associate import Equations
 from nhc.mechanics.formulate import reaction_values
 from nhc.mechanics.frame import form_value
 from nhc.mechanics.rotation import moving
+from nhc.records import record
 
 
-@dataclass(frozen=True)
+@record
 class Wanted:
     """A column of what a scene needs: its name in a trajectory, and its value over (q, w, t), rates and multipliers."""
 

@@ -9,7 +9,6 @@ stands linearly with a constant factor, that coordinate is a function of the oth
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 
 from nhc.algebra.calculus import substitute
 from nhc.algebra.graph import Node
@@ -23,13 +22,14 @@ from nhc.mechanics.integrability import classify
 from nhc.mechanics.integrals import find_position_integrals
 from nhc.mechanics.regularity import choose_dependent
 from nhc.mechanics.system import System
+from nhc.records import record
 
 _TERMS = 40
 _LONGEST = 160  # characters of a reason that is still read
 MOST_COORDINATES = 6  # beyond, looking for integrals takes longer than it saves
 
 
-@dataclass(frozen=True)
+@record
 class Integral:
     """q_index = ``symbol`` + ``rest``, the symbol being a constant of the motion."""
 
@@ -39,7 +39,7 @@ class Integral:
     text: str
 
 
-@dataclass(frozen=True)
+@record
 class _Row:
     """sum of weights * q' = vector . w + drift; ``vector`` is 1 in column ``pivot``."""
 

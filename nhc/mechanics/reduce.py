@@ -8,7 +8,6 @@ depend on what is left out, so any value may stand for the latter in its equatio
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 
 from nhc.algebra.calculus import count, substitute
 from nhc.algebra.graph import Node
@@ -21,11 +20,12 @@ from nhc.mechanics.dependence import Dependence, find_dependence
 from nhc.mechanics.linearize import Flow, flow_of, solve_modulo
 from nhc.mechanics.needs import Wanted, list_needs
 from nhc.mechanics.quadrature import Integral, find_integrals, solve_closed
+from nhc.records import record
 
 _DRAWS = 60
 
 
-@dataclass(frozen=True)
+@record
 class Omission:
     """An entry of the state that the scene's model does not hold, with the reason in words."""
 
@@ -33,7 +33,7 @@ class Omission:
     reason: str
 
 
-@dataclass(frozen=True)
+@record
 class Reduction:
     """``kept`` and ``constants`` are indices into the full state ``names``; ``fixed`` has the values that stand for the rest.
 
@@ -176,7 +176,7 @@ def _reasons(
 # --- what stands for the entries that are left out --------------------------------------------------------------
 
 
-@dataclass(frozen=True)
+@record
 class _Model:
     """What the reduced equations are made of: rates of the held coordinates, matrix @ unknowns = right, needs, guards."""
 

@@ -13,7 +13,6 @@ is their combination with -w_mu: the theorem of energy.  Nothing of this is assu
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from nhc.algebra.graph import Node
 from nhc.algebra.modular import are_zero
@@ -22,12 +21,13 @@ from nhc.mechanics import euler_lagrange, lagrange, multipliers, newton, voronec
 from nhc.mechanics.choose import Formulation
 from nhc.mechanics.motion import Motion
 from nhc.mechanics.system import System
+from nhc.records import record
 from nhc.thesis import equation
 
 AUTOMATIC, MOTION, ENERGY = "automatic", "motion", "energy"
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class AssociatedRow:
     """The coefficient ``node`` of i_X Omega on the basis form ``name``; ``kind`` is automatic, motion or energy."""
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from itertools import combinations
 
 from nhc.algebra.calculus import gradient
@@ -17,12 +16,13 @@ from nhc.mechanics.adapt import set_pivots_aside
 from nhc.mechanics.regularity import intervals
 from nhc.mechanics.rotation import rows_in_base
 from nhc.mechanics.system import System
+from nhc.records import record
 
 _MOST_ROWS = 3
 _MOST_MINORS = 60
 
 
-@dataclass(frozen=True)
+@record
 class RankLoss:
     """``regular``: shown to have full rank everywhere (None: too large to decide); else only where all of ``minors`` vanish."""
 

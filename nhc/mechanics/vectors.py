@@ -16,7 +16,7 @@ from nhc.algebra.graph import MUL, NEG, Graph, Node
 from nhc.algebra.modular import are_zero
 from nhc.algebra.polynomial import normalise
 from nhc.mechanics.turns import Path, Turn, Vector, add_vectors, change_axes, turn_in, turn_out
-from nhc.records import record
+from nhc.records import identity_record, record
 
 _PLANES = ((0, 1), (1, 2), (2, 0))
 _FEW_ANGLES = 2  # a link and its neighbour: fewer cannot be hoped for
@@ -32,7 +32,7 @@ class Part:
     local: Vector
 
 
-@dataclass(frozen=True, eq=False)
+@identity_record
 class Chained:
     """base + the parts; ``components`` are as the spec has them."""
 

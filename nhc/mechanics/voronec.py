@@ -8,17 +8,16 @@ with p_alpha = dT/dq'_alpha from the full T.  (I.4.9) is the case b_alpha = 0 wi
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from nhc.algebra.calculus import gradient, substitute, tangent
 from nhc.algebra.graph import Graph, Node
 from nhc.exterior import Coframe, Form, basis_form, one_form, wedge
 from nhc.mechanics.frame import Frame, dependent_coefficients
 from nhc.mechanics.system import System
+from nhc.records import record
 from nhc.thesis import equation
 
 
-@dataclass(frozen=True)
+@record
 class Reduced:
     """What the reduced equations are made of: T*, p_alpha, Q on the constraints, b and b_alpha.
 

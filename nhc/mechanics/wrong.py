@@ -7,7 +7,6 @@ zero, with the rates of the free velocities as given symbols.  The errata they b
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
 
 from nhc.algebra.calculus import derivative, gradient, substitute
 from nhc.algebra.evaluate import evaluate
@@ -16,6 +15,7 @@ from nhc.algebra.linear import Singular, linear_form
 from nhc.mechanics import euler_lagrange
 from nhc.mechanics.frame import Frame, total_derivative
 from nhc.mechanics.voronec import Reduced, applied_force, motion_rate
+from nhc.records import record
 
 Rows = list[Node]
 
@@ -115,7 +115,7 @@ def _hamel_rows(frame: Frame, rates: tuple[Node, ...], upper: Sequence[int], tim
 # --- what they predict ------------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class OnReduced:
     """A wrong derivation in the independent velocities; ``erratum`` is empty where the text itself does not err."""
 
@@ -125,7 +125,7 @@ class OnReduced:
     rows: Callable[[Reduced, tuple[Node, ...]], Rows]
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class OnFrame:
     """A wrong derivation in quasi-velocities."""
 

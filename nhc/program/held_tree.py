@@ -10,7 +10,6 @@ a small matrix, positive where the constraints are independent.  The cost is tha
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from nhc.algebra.calculus import substitute
 from nhc.algebra.graph import Graph, Node
@@ -22,9 +21,10 @@ from nhc.mechanics.tree import Elimination
 from nhc.mechanics.tree_choice import FEW, tree_of
 from nhc.mechanics.whole_forms import whole_kinetic
 from nhc.program.plan import factor, solve_factored
+from nhc.records import record
 
 
-@dataclass(frozen=True)
+@record
 class HeldTree:
     """Rates of the kept velocities; (pivot, scale) pairs that must not vanish."""
 

@@ -7,7 +7,7 @@ formulation's state, for everything is an expression in (t, y, p).
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from nhc.algebra.calculus import substitute
 from nhc.algebra.graph import Node
@@ -24,11 +24,12 @@ from nhc.program.ir import Argument, Function, Origin
 from nhc.program.lower import lower_function
 from nhc.program.plan import FunctionPlan, GuardPlan, Target
 from nhc.program.scene_planner import ScenePlanner
+from nhc.records import record
 
 _T = Argument("t", -1)
 
 
-@dataclass(frozen=True)
+@record
 class Column:
     """``heading`` as a CSV has it; ``group`` is need, energy, kinetic, residual or position; ``unit`` where the spec gives one."""
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from fractions import Fraction
 
 from nhc.algebra.calculus import count
@@ -25,6 +24,7 @@ from nhc.program.build import Planner
 from nhc.program.ir import Function
 from nhc.program.lower import lower_function
 from nhc.program.scene_planner import ScenePlanner
+from nhc.records import record
 
 ENTRY, DIVISION, CALL = 80, 8, 20
 """What an entry of the state (stages to combine, a row and a column of the Jacobian), a division and a function cost."""
@@ -35,7 +35,7 @@ _LARGE = 10_000
 """Operations of the equations beyond which only the formulation itself is reduced: trying others would take seconds each."""
 
 
-@dataclass(frozen=True)
+@record
 class Tried:
     """A formulation that was tried for a scene, with the operations of its right-hand side and its cost.
 
@@ -51,7 +51,7 @@ class Tried:
     rejected: str = ""
 
 
-@dataclass(frozen=True)
+@record
 class SceneModel:
     """The reduction that was chosen, its planner, what was tried, and the operations of the full right-hand side."""
 
@@ -130,7 +130,7 @@ def _fold(system: System, start: Start) -> dict[Node, Node]:
     return {symbol: g.number(Fraction(value)) for symbol, value in zip(system.p, start.p, strict=True)}
 
 
-@dataclass(frozen=True)
+@record
 class _Found:
     """A reduction that may be taken; ``place`` is its index among those tried."""
 

@@ -7,7 +7,6 @@ is T + V.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from nhc.algebra.calculus import gradient, substitute
 from nhc.algebra.graph import Node
@@ -18,9 +17,10 @@ from nhc.program.build import Planner
 from nhc.program.ir import Argument, Function
 from nhc.program.lower import lower_function
 from nhc.program.plan import FunctionPlan, Target
+from nhc.records import record
 
 
-@dataclass(frozen=True)
+@record
 class Structure:
     """The functions, and whether M is constant; ``lacking`` says why a system has no such structure."""
 

@@ -8,7 +8,6 @@ determinant d with the size s that its entries allow gives d^2 - (c s)^2, a pivo
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 
 from nhc.algebra.blocks import determinant_of, row_scale, size_of
@@ -22,6 +21,7 @@ from nhc.program.build import Planner
 from nhc.program.ir import Argument, Function, Origin
 from nhc.program.lower import lower_function
 from nhc.program.plan import FunctionPlan, Target
+from nhc.records import record
 
 NOTHING = Fraction(1, 10**12)
 """Of the scale: less is singular.  An angle's sine, squared in a mass matrix, is 1e-6 there."""
@@ -36,7 +36,7 @@ _MOST_ROWS = 4  # of a matrix whose determinant is written out
 _T = Argument("t", -1)
 
 
-@dataclass(frozen=True)
+@record
 class Watch:
     """``about[k]`` says what value k is, ``kinds[k]`` is event, frame, mass or rank, and deep for a frame's lower levels.
 
@@ -61,7 +61,7 @@ class Watch:
         return self.dips + self.close
 
 
-@dataclass(frozen=True)
+@record
 class _Measure:
     """``value`` against ``scale``; ``squared``: it is a square or positive already."""
 

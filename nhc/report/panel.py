@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 
+from nhc.records import record
 from nhc.report.marks import SHAPES, draw_box, draw_line, draw_marker, draw_text
 from nhc.report.svg import COLOURS
 from nhc.report.ticks import Scale, log_scale
@@ -20,7 +20,7 @@ ROUNDING = 1e-13  # relative deviations below it in all runs are not worth a pic
 Value = Callable[[Result], float]
 
 
-@dataclass(frozen=True)
+@record
 class Style:
     """Colours say the method, shapes the formulation, dashes the language; ``foreign`` are (method, its maker)."""
 
@@ -60,7 +60,7 @@ def style_of(results: Sequence[Result]) -> Style:
     )
 
 
-@dataclass(frozen=True)
+@record
 class Panel:
     """Where a panel stands, in pixels of the whole picture, and what its axes carry.
 

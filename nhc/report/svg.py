@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 from html import escape
 
+from nhc.records import record
 from nhc.report.ticks import Scale, linear_scale, log_scale
 
 # Okabe and Ito: told apart by most eyes
@@ -16,7 +16,7 @@ MOST = 2000  # points of a line; more do not show
 LEFT, RIGHT, TOP, BOTTOM, ROW = 68, 16, 30, 46, 17
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Series:
     """A line; ``markers`` puts a dot on each point."""
 
@@ -26,7 +26,7 @@ class Series:
     markers: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Axis:
     """``log``: logarithmic; ``exact``: ends where the data end."""
 
@@ -35,7 +35,7 @@ class Axis:
     exact: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Chart:
     """``equal``: one unit is as long upwards as sideways."""
 
@@ -48,7 +48,7 @@ class Chart:
     equal: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Frame:
     """Where a chart's plot stands in the picture."""
 

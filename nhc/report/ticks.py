@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+
+from nhc.records import record
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Scale:
     """From values to places along an axis of ``length`` pixels; ``ticks`` are (place, label), ``grid`` further places."""
 

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from nhc.emit.statements import collect_refs, iterate_refs, list_expressions
 from nhc.program.ir import Binary, Call, Expr, Guard, Let, Load, Negate, Power, Ref, Statement, Store
 from nhc.program.passes import walk
+from nhc.records import record
 
 TURNED = ("sin", "cos")
 
@@ -17,7 +17,7 @@ def name_turned(function: str, index: int) -> str:
     return f"{function}:{index}"
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Turn:
     """Here the sines and cosines of these angles are computed; ``first`` is the first one's index."""
 

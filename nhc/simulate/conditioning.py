@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import combinations
 from math import comb, sqrt
 from weakref import WeakKeyDictionary
@@ -16,6 +16,7 @@ from nhc.mechanics.frame import coordinate_form
 from nhc.mechanics.regularity import relative_determinant, sampled_rows
 from nhc.mechanics.singular import symmetric_eigenvalues
 from nhc.mechanics.system import Form, System
+from nhc.records import record
 from nhc.simulate.methods.linear import SingularMatrix, factor, resolve
 
 Place = dict[Node, float]
@@ -28,7 +29,7 @@ _LENGTHS: WeakKeyDictionary[Graph, dict[tuple[Node, ...], float]] = WeakKeyDicti
 _KEPT = 0.5  # a preferred choice is taken down to this part of the best conditioning
 
 
-@dataclass(frozen=True)
+@record
 class Choice:
     """A formulation of ``system``, which may have other dependent velocities than the spec's, with its conditioning."""
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import time
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from nhc.mechanics.scenes import Start
+from nhc.records import record
 from nhc.simulate.compile import CompileError, build, lane_flags
 from nhc.simulate.compiled import CompiledModel
 from nhc.simulate.methods import RUNGE_KUTTA
@@ -18,7 +18,7 @@ from nhc.simulate.task import STOPPED, News, Outcome, Task
 from nhc.simulate.waiting import Show, wait_for
 
 
-@dataclass(frozen=True)
+@record
 class Ensemble:
     """``members`` in the order of the starts, fewer where it was stopped; ``seconds`` for all of them."""
 

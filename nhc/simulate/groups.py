@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 
+from nhc.records import record
 from nhc.simulate.kernel import Kernel
 from nhc.simulate.methods.tableau import Explicit, Row
 
 FOUR = 4  # doubles of a pack
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Combination:
     """``first`` times the entry's slope at the start of the step plus the sum over the slots of the others.
 
@@ -24,7 +24,7 @@ class Combination:
     lanes: tuple[str, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class LayerRun:
     """A layer in one group: the states of the entries that it ``reads`` between the ends, and where its slopes go (entry, row)."""
 
@@ -33,7 +33,7 @@ class LayerRun:
     slopes: tuple[tuple[int, int], ...]
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Group:
     """Four stages, done as soon as the ``last`` is known; its slopes go to the slots from ``slot`` on.
 
@@ -47,7 +47,7 @@ class Group:
     layers: tuple[LayerRun, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Waiting:
     """How a method brings the entries that wait to the end of a step; empty where none does.
 

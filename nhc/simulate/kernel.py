@@ -6,7 +6,6 @@ noted, like an angle too large for them: who called asks the model itself then, 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from fractions import Fraction
 
 from nhc.emit.c.body import FUNCTIONS, HELPERS, BodyPrinter, bound_test, wrap_code
@@ -16,6 +15,7 @@ from nhc.emit.expressions import ATOM, ExpressionPrinter, Text
 from nhc.emit.names import Scope
 from nhc.emit.statements import collect_refs, drop_unused, fill_stores, iterate_refs, split_hoisted
 from nhc.program.ir import Call, Expr, Function, Guard, Let, Load, Program, Solve, Statement, Store
+from nhc.records import record
 from nhc.simulate.angles import TURNED, Turn, gather_angles, name_turned
 from nhc.simulate.layers import Split, split_layers
 
@@ -33,7 +33,7 @@ _SHORT = 40  # statements: a longer body is called and not repeated at each stag
 _LONGEST = 1500  # statements: beyond them the compiler would take too long for what a kernel gains
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class PrintedLayer:
     """A layer's body for several stages at once; ``entries`` and ``reads`` as in ``Layer``."""
 
@@ -43,7 +43,7 @@ class PrintedLayer:
     short: bool
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Kernel:
     """``prepare`` fills ``fixed`` with ``count`` numbers from p; ``one`` and ``lanes`` are the bodies for one state and for many.
 
@@ -69,7 +69,7 @@ class Kernel:
     short: bool
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class _Dialect:
     """C's leaves for numbers of one kind; ``called`` collects name -> number of arguments."""
 
@@ -197,7 +197,7 @@ def print_kernel(program: Program, function: Function) -> Kernel | None:
     )
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class _Bodies:
     """The same statements for each kind of number."""
 

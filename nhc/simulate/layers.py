@@ -8,15 +8,15 @@ more (a heading that only the position asks for), and so on.
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 
 from nhc.emit.statements import collect_refs
 from nhc.program.ir import Guard, Let, Load, Statement, Store
+from nhc.records import record
 
 _EARLY = 0
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Layer:
     """Entries whose rates are computed together; ``reads`` are the waiting entries that they read, of earlier layers all."""
 
@@ -25,7 +25,7 @@ class Layer:
     reads: tuple[int, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Split:
     """A body in parts: ``early`` at each stage, then the layers one after the other.
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from nhc.records import record
 from nhc.simulate.auto import COARSE
 from nhc.simulate.carrying import implicit_job
 from nhc.simulate.prepare import Job
@@ -19,7 +20,7 @@ def first_method(tolerance: float) -> str:
     return "dopri5" if tolerance >= COARSE else "dop853"
 
 
-@dataclass(frozen=True)
+@record
 class _Trial:
     """What an implicit method has to better: the explicit one, its job, its mean step; and when the next look would be."""
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from nhc.algebra.graph import Node
 from nhc.emit.statements import list_statuses
@@ -20,11 +20,12 @@ from nhc.program.model import build_program
 from nhc.program.needed import Column, list_checks, list_columns, needed_function, planned_sketch
 from nhc.program.structure import Structure, structure_of
 from nhc.program.watch import Watch, watch_function
+from nhc.records import record
 
 _NOTHING = Sketch()
 
 
-@dataclass(frozen=True)
+@record
 class Recipe:
     """What :func:`prepare` is asked for beside formulation and start."""
 
@@ -38,7 +39,7 @@ class Recipe:
     weak: bool = False
 
 
-@dataclass(frozen=True)
+@record
 class Job:
     """A scene that is ready to run.  ``columns`` are what the user needs, ``checks`` energy and residuals after
     them, ``sketch`` what is drawn; ``needed`` of the program computes all, in this order.

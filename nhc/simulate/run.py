@@ -7,6 +7,7 @@ import time
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
+from nhc.records import record
 from nhc.simulate.compile import CompileError, build, loop_flags
 from nhc.simulate.compiled import CompiledModel
 from nhc.simulate.interpreted import InterpretedModel
@@ -28,7 +29,7 @@ MOST_HALVINGS = 20
 Model = CompiledModel | InterpretedModel | NaturalModel
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Settings:
     """``tolerance`` 0: the scene's; ``step`` 0: adaptive, or found by halving for a method with fixed steps."""
 
@@ -39,7 +40,7 @@ class Settings:
     compiled: bool = True
 
 
-@dataclass(frozen=True)
+@record
 class Trajectory:
     """``rows`` follow the job's columns and ``checks`` its checks, ``drawn`` its sketch, one row for each of ``times``.
 

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from nhc.emit import EmitOptions, render
 from nhc.emit.environment import File, render_file
 from nhc.program.ir import Function, Load, Program
+from nhc.records import record
 from nhc.simulate.groups import FOUR, Waiting, count_slots, plan_waiting
 from nhc.simulate.kernel import Kernel, print_kernel
 from nhc.simulate.methods.natural import Scheme
@@ -34,7 +35,7 @@ class StageLine(Line):
     state: str
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class ExplicitText:
     """What ``explicit.c.jinja`` places; ``extra`` is the last slope that only the interpolant needs, or 0; ``hidden`` adds up the
     slopes that are not in the step itself.
@@ -54,7 +55,7 @@ class ExplicitText:
     paced: bool = True
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class CollocationText:
     """What ``collocation.c.jinja`` places."""
 
@@ -71,7 +72,7 @@ class CollocationText:
     paced: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Named:
     """A method that its template says in full."""
 

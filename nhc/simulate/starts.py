@@ -6,7 +6,7 @@ import csv
 import io
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
 
 from nhc.diagnostics import SpecError, nearest
@@ -15,6 +15,7 @@ from nhc.language.spec import Initial, Override, Scene, Spec
 from nhc.language.syntax import Number
 from nhc.mechanics.scenes import Start, start_of
 from nhc.mechanics.system import System
+from nhc.records import record
 from nhc.simulate.opening import RunError
 
 _CELLS = "each row has one number for each name; an empty cell takes the scene's value"
@@ -23,7 +24,7 @@ Key = tuple[str, str]
 """("coordinate", "velocity", "quasi" or "parameter", name)"""
 
 
-@dataclass(frozen=True)
+@record
 class Table:
     """``rows`` hold a number for each key, or None where the scene's own value stays."""
 

@@ -12,6 +12,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 
 from nhc.program.planner import SINGULAR_FRAME
+from nhc.records import record
 from nhc.simulate.carrying import carry, is_same, make_job, name_of, place_of
 from nhc.simulate.conditioning import Choice, conditioning, find_better
 from nhc.simulate.interpreted import InterpretedModel
@@ -30,7 +31,7 @@ _NEAR = {
 }
 
 
-@dataclass(frozen=True)
+@record
 class Leg:
     """A part of a trajectory: ``task`` from its start, with all times that were still to come, and what came out."""
 

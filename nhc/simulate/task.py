@@ -5,11 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
+from nhc.records import record
+
 DONE, SINGULAR, UNDERFLOW, STOPPED, EVENT, TOO_MANY, NO_SOLUTION, CROSSED = range(8)
 MOST_STEPS = 1_000_000_000
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Task:
     """``times``: the rows wanted, from the start to the end.  ``tolerance``: relative to each component's size so far;
     ``step``: fixed steps of at most that length, where positive; ``longest``: no adaptive step is longer, where positive.

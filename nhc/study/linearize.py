@@ -9,10 +9,11 @@ computed.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
+from nhc.records import record
 from nhc.study.steady import RANK, Hold, Matrix, NotSteady, Steady, SteadyModel, find_steady
 
 MARGINAL = 1e-8
@@ -22,7 +23,7 @@ _FLOOR = 1e-5  # a matrix of rounding has rank 0
 _BISECTIONS = 60
 
 
-@dataclass(frozen=True)
+@record
 class Linearisation:
     """``full`` is the Jacobian over ``rest``; ``basis`` (rows over ``rest``) spans the admissible perturbations and
     ``matrix`` is the Jacobian on it; ``core`` is that without the ``zeros`` null directions (rows of ``null`` over
@@ -159,7 +160,7 @@ def verdict(made: Linearisation) -> str:
 # --- along a parameter ---------------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True)
+@record
 class Crossing:
     """At ``value`` an eigenvalue (``frequency`` 0) or a pair (rad per unit of time) crosses the imaginary axis.
 
@@ -173,7 +174,7 @@ class Crossing:
     unstable_above: bool
 
 
-@dataclass(frozen=True)
+@record
 class Sweep:
     """Linearisations at ``values`` and the crossings between them."""
 

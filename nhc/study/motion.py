@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
@@ -31,6 +31,7 @@ from nhc.mechanics.linearize import (
 from nhc.mechanics.regularity import choose_dependent, constant_value
 from nhc.mechanics.scenes import start_of
 from nhc.mechanics.symmetry import Generator, turning_symmetries
+from nhc.records import record
 from nhc.study.linearize import Branch, Linearisation, Sweep, linearise_at, sweep
 from nhc.study.steady import Hold, Matrix, NotSteady, SingularFrame, Steady, SteadyModel, find_steady
 from nhc.study.tape import Tapes
@@ -38,7 +39,7 @@ from nhc.study.tape import Tapes
 _SNAP = 1e-11
 
 
-@dataclass(frozen=True)
+@record
 class Request:
     """``about``: a scene or pairs; ``settings``, ``holds``: more pairs; ``sweep``: name, first and last value, count."""
 
@@ -48,7 +49,7 @@ class Request:
     sweep: tuple[str, float, float, int] | None = None
 
 
-@dataclass(frozen=True)
+@record
 class Findings:
     """What was found; ``paper`` holds the matrix as text (rows of texts) or is empty, ``why`` says why it is."""
 

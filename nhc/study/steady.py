@@ -14,6 +14,7 @@ from nhc.algebra.graph import Node
 from nhc.mechanics.frame import Frame, form_value
 from nhc.mechanics.linearize import Flow, Leaf
 from nhc.mechanics.regularity import relative_determinant, sampled_rows
+from nhc.records import record
 from nhc.study.tape import Tapes
 
 Vector = NDArray[np.float64]
@@ -37,7 +38,7 @@ class SingularFrame(NotSteady):
     """The coframe is singular at the steady motion, which its equations can neither find nor judge."""
 
 
-@dataclass(frozen=True)
+@record
 class Hold:
     """A quantity that a steady motion shall have: ``node`` over the state equals ``value``."""
 

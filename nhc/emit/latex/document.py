@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass
 from itertools import groupby
 
 from nhc.emit.environment import create_environment
@@ -13,6 +12,7 @@ from nhc.emit.latex.spelling import escape, escape_breakable, spell_unit
 from nhc.emit.layout import Piece, fill, total
 from nhc.emit.prose import clean, fold_ascii
 from nhc.program.sheets.model import Derivation, Formula, Item, Mark, Prose, Sheet, Statement, Table
+from nhc.records import record
 from nhc.stamp import PLACEHOLDER
 from nhc.version import __version__
 
@@ -25,7 +25,7 @@ _LONG_CELL = 55  # characters from which a column is set as a paragraph
 _ALIGNED = 120.0  # widest left side that is aligned at its relation
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Section:
     """What the template places."""
 
@@ -33,7 +33,7 @@ class Section:
     paragraphs: tuple[str, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class _Block:
     """A sentence (``opens``: it starts a paragraph unless it follows another) or what belongs to the one before."""
 

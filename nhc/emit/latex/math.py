@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
 
@@ -13,6 +12,7 @@ from nhc.emit.layout import Piece, nest, total
 from nhc.emit.terms import Product, flatten_product, flatten_sum, is_sum, is_unit, list_terms
 from nhc.program.ir import Binary, Call, Expr, Negate, Number, Pi, Power, Ref
 from nhc.program.sheets.model import RANK_STEP, Mark, Side, Symbol
+from nhc.records import record
 
 _FRACTION = 190.0  # widest numerator or denominator that is set as a fraction, in points
 _FUNCTIONS = {
@@ -93,7 +93,7 @@ def _piece(text: str, breaks: int = 0) -> Piece:
     return Piece(text, estimate(text), breaks)
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class LatexMath:
     """Prints over one derivation's symbols."""
 

@@ -6,7 +6,6 @@ their order stay the same, so the doubles do too.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from fractions import Fraction
 
 from nhc.emit.expressions import ATOM, POWER, ExpressionPrinter, Text, enclose
@@ -30,6 +29,7 @@ from nhc.program.ir import (
     Store,
     Sweep,
 )
+from nhc.records import record
 
 WIDTH = 88  # ruff's own default: what fits there is left alone at every wider setting too
 LONGEST_VALUE = 68
@@ -47,7 +47,7 @@ ARRAY = {
 MODULES = {"": "math", "numpy": "np", "jax": "jnp"}
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class PythonDialect:
     """Python's leaves for one array library (empty: ``math``); ``helpers`` collects the module's own functions."""
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from nhc.emit.environment import File
 from nhc.emit.options import EmitOptions, check_options, select_functions
 from nhc.emit.python.body import MODULES, WIDTH, BodyPrinter, print_sequence
@@ -19,6 +17,7 @@ from nhc.emit.statements import (
     place_guards,
 )
 from nhc.program.ir import Argument, Evaluate, Function, Load, Program, Quantity, Store, Sweep
+from nhc.records import record
 
 LONGEST_REASON = WIDTH - 8
 PRELUDES = {"": "python/math.py.jinja", "numpy": "python/numpy.py.jinja", "jax": "python/jax.py.jinja"}
@@ -37,7 +36,7 @@ IMPORTS = {
 }
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class PrintedFunction:
     """What the template places: signature, docstring, loads, and the statements that may meet a singular point."""
 

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from fractions import Fraction
 
 from nhc.emit.layout import Piece, nest
 from nhc.emit.terms import flatten_product, flatten_sum, is_sum, is_unit, list_terms
 from nhc.program.ir import Binary, Call, Expr, Negate, Number, Pi, Power, Ref
 from nhc.program.sheets.model import Mark, Side, Symbol
+from nhc.records import record
 
 _SUM, _PRODUCT, _POWER, _ATOM = range(4)
 _SPECIAL = {"Omega_form": "Omega", "Theta_form": "Theta", "epsilon": "eps"}
@@ -29,7 +29,7 @@ def print_mark(mark: Mark) -> str:
     return f"{mark.prefix}{base}{chr(39) * mark.dots}{mark.at}"
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class TextMath:
     """Prints over one derivation's symbols."""
 

@@ -14,6 +14,7 @@ from nhc.mechanics.associate import Equations
 from nhc.mechanics.choose import Formulation
 from nhc.mechanics.system import System
 from nhc.program.sheets.model import Formula, Mark, Prose, Table
+from nhc.records import record
 
 _CANONICAL = 60  # terms of a canonical polynomial that may be shorter than what it came from
 _WORTH = 250  # operations beyond which no canonical form is tried
@@ -23,7 +24,7 @@ Part = tuple[Node, tuple[Mark, ...]]
 _KINDS = {"velocity": 1, "rate": 1, "acceleration": 2}
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Draft:
     """A statement over nodes; see :class:`nhc.program.sheets.model.Statement`."""
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from nhc.algebra.calculus import count, gradient, substitute
 from nhc.algebra.graph import Node
 from nhc.exterior import Form, basis_form, one_form, wedge
@@ -12,6 +10,7 @@ from nhc.mechanics.rows import omega_of
 from nhc.program.sheets.draft import Desk, Draft, DraftSheet
 from nhc.program.sheets.formulas import OMEGA, THETA, THETA_QUASI
 from nhc.program.sheets.model import Mark
+from nhc.records import record
 
 MOST_TERMS = 400
 """Nonzero coefficients of Omega beyond which it is printed in factored form only."""
@@ -19,7 +18,7 @@ _MOST_OPERATIONS = 2500  # of all coefficients together
 _MOST_WORK = 1500  # operations of T times coordinates, beyond which the coefficients are not even computed
 
 
-@dataclass(frozen=True)
+@record
 class Forms:
     """Omega = ``exact`` + ``dynamic`` (+ the reactions' work); ``whole`` is None where it is too long to be written out."""
 

@@ -8,13 +8,13 @@ Not supported, on purpose: graph nodes, simplification, decisions about what to 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 from nhc.mechanics.system import System
 from nhc.program.ir import Expr
+from nhc.records import record
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Mark:
     """A symbol: ``base`` and indices are names of the spec or of the thesis ("theta", "gamma"); ``prefix`` is "d" or "".
 
@@ -30,7 +30,7 @@ class Mark:
     at: str = ""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Term:
     """``coefficient`` times the wedge of ``factors`` (one factor: a basis form or a rate; none: the coefficient alone)."""
 
@@ -42,7 +42,7 @@ Side = tuple[Term, ...]
 """A sum; the empty one is zero."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Statement:
     """``left relation right`` with the thesis's number, the place in the spec and a note.
 
@@ -58,7 +58,7 @@ class Statement:
     label: Mark | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Formula:
     """A general formula in both spellings."""
 
@@ -67,14 +67,14 @@ class Formula:
     equation: str = ""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Prose:
     """A sentence; what stands between back-ticks is a name of the spec."""
 
     text: str
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Table:
     """Rows of cells: a mark, or text."""
 
@@ -85,7 +85,7 @@ class Table:
 Item = Statement | Formula | Prose | Table
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Sheet:
     """One section; ``lets`` are the abbreviations that its items use and no earlier sheet has introduced."""
 
@@ -104,7 +104,7 @@ RANK_STEP = 1000
 """Between the ranks of two kinds of symbols; within a kind the spec's order counts."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Symbol:
     """How a name of the expressions is written; factors of a product are sorted by ``rank``."""
 
@@ -112,7 +112,7 @@ class Symbol:
     rank: int
 
 
-@dataclass(frozen=True)
+@record
 class Derivation:
     """``symbols`` knows every name that stands in an expression; ``lets`` finds an abbreviation by its name."""
 

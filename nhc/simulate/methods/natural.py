@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from typing import Protocol
 
+from nhc.records import record
 from nhc.simulate.methods.linear import Matrix, SingularMatrix, factor, resolve, solve
 from nhc.simulate.methods.step import NoSolution
 
@@ -25,7 +25,7 @@ class Natural(Protocol):
     def total(self, q: Sequence[float], v: Sequence[float]) -> float: ...
 
 
-@dataclass(frozen=True)
+@record
 class Point:
     """What a method carries from step to step: positions and a velocity or momentum, as it defines it."""
 

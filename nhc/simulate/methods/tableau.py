@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from nhc.records import record
 
 Row = tuple[float, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Explicit:
     """An explicit method whose last slope, at the new point, is the first of the next step.
 
@@ -33,7 +33,7 @@ class Explicit:
         return bool(self.errors)
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Collocation:
     """An implicit method: y_i = y + h a_ij f(t + c_j h, y_j), the step y + h b_j f_j.
 

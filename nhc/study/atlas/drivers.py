@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from nhc.language import read
+from nhc.records import record
 from nhc.simulate.opening import open_scene
 from nhc.simulate.run import Settings
 from nhc.simulate.run import run as run_scene
@@ -17,7 +18,7 @@ LIVES, DIES = 1.1, 5.0
 ROUNDING = 1e-8
 
 
-@dataclass(frozen=True)
+@record
 class Problem:
     """``kept``: methods whose energy error stays bounded; ``lost``: those whose error grows; others are not judged."""
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -17,6 +17,7 @@ from nhc.mechanics.resolve import resolve
 from nhc.mechanics.scenes import Start, start_of
 from nhc.mechanics.system import System
 from nhc.program.watch import Watch
+from nhc.records import record
 from nhc.resources import find_specs
 from nhc.simulate.methods import RUNGE_KUTTA
 from nhc.simulate.methods.tableau import Collocation
@@ -26,7 +27,7 @@ from nhc.simulate.task import Outcome, Task
 from nhc.study.steady import Matrix
 
 
-@dataclass(frozen=True)
+@record
 class Measure:
     """``number`` is what was measured, ``text`` says what it is."""
 
@@ -34,7 +35,7 @@ class Measure:
     number: float
 
 
-@dataclass(frozen=True)
+@record
 class Verdict:
     """``passed``: the naive way fails as told, and nhc meets the ``criterion``."""
 
@@ -44,7 +45,7 @@ class Verdict:
     passed: bool
 
 
-@dataclass(frozen=True)
+@record
 class Scenario:
     """``code`` is that of the catalogue of failures; ``slow`` ones run by ``make atlas`` only."""
 
@@ -74,7 +75,7 @@ def edit_spec(name: str, drop: Sequence[str], add: str) -> Source:
     return Source(f"{name}.yaml", "\n".join([*lines, add, ""]))
 
 
-@dataclass(frozen=True)
+@record
 class Runner:
     """A formulation of a system from one start, with one method loaded."""
 

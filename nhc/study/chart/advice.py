@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
 
+from nhc.records import record
 from nhc.study.chart.case import Case, Cost, Result, Study
 
 EQUAL = 1.05
@@ -21,7 +21,7 @@ NAMES = {
 }
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Advice:
     """``best`` is the fastest case that reaches ``target`` (None: none does); ``text`` says it with its reasons."""
 

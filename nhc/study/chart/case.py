@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+
+from nhc.records import record
 
 RESOLVED = 100.0
 """An error counts as resolved when it is this many times the reference's own."""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Case:
     """One run of the grid; ``language`` is c, python or the name of a peer; ``step`` is positive for fixed steps.
 
@@ -28,7 +29,7 @@ class Case:
         return self.formulation, self.method, self.language
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Result:
     """What a case gave; not a number where there is nothing to measure.
 
@@ -54,7 +55,7 @@ class Result:
     failed: str = ""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Reference:
     """How the reference was made, how its second method was, and the distance of the two: its own error, relative."""
 
@@ -65,7 +66,7 @@ class Reference:
     energy_error: float
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Cost:
     """What a formulation costs: the size of its state, the operations and the time in seconds of one right-hand side.
 
@@ -83,7 +84,7 @@ class Cost:
     full_states: int = 0
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Machine:
     """Where the numbers come from."""
 
@@ -102,7 +103,7 @@ class Machine:
         return "; ".join([*parts, f"nhc {self.nhc}"])
 
 
-@dataclass(frozen=True)
+@record
 class Study:
     """A chart's data.  ``left_out`` are (what, why); ``notes`` say what could not be had on this machine."""
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import PurePath
 
 from nhc.diagnostics import Source
@@ -15,6 +15,7 @@ from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.resolve import resolve
 from nhc.mechanics.scenes import start_of
 from nhc.program.scene_model import SceneModel, count_operations_of, scene_model
+from nhc.records import record
 from nhc.simulate.auto import choose_method
 from nhc.simulate.compile import find_compiler
 from nhc.simulate.opening import find_need, find_scene
@@ -35,7 +36,7 @@ POINTS = 201
 Show = Callable[[float, str], None]
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Rung:
     """A model of the comparison; errors are those of its finest run, the largest on the grid relative to the quantity's size.
 
@@ -66,7 +67,7 @@ class Rung:
         return max(self.errors, default=math.nan)
 
 
-@dataclass(frozen=True)
+@record
 class Comparison:
     """Models in the order in which they were named, the finest one last; each of the ``results`` has a model's name as its
     formulation, and as its error the largest on the grid against the finest model's reference.
@@ -87,7 +88,7 @@ class Comparison:
     machine: Machine
 
 
-@dataclass(frozen=True)
+@record
 class _Opened:
     """A spec with its scene and what is compared of it."""
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from nhc.records import record
 
 METHODS = ("dop853", "dopri5", "rk4", "radau5", "gauss6")
 STRUCTURE = ("leapfrog", "dla", "perlmutter", "energy")
@@ -14,7 +14,7 @@ PYTHON_STRIDE = 3  # the interpreter takes every third rung of the default ladde
 MOST_PYTHON = 4000  # right-hand sides of an interpreted run that is still worth its time
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Grid:
     """What to chart; empty: what nhc takes by itself.  ``budget``: seconds for the repeats of one case."""
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from nhc.language.spec import Need, Scene, Spec
 from nhc.mechanics.choose import FORMULATIONS, Formulation, NotApplicable, build, formulate
@@ -12,6 +12,7 @@ from nhc.mechanics.reduce import Reduction
 from nhc.mechanics.scenes import start_of
 from nhc.mechanics.system import System
 from nhc.program.scene_model import reduce_one, scene_model
+from nhc.records import record
 from nhc.simulate.prepare import Job, prepare
 from nhc.simulate.reduced import job_of
 
@@ -20,7 +21,7 @@ SCENE = "scene"
 FULL = ", full"
 
 
-@dataclass(frozen=True)
+@record
 class Shrunk:
     """What a reduced job leaves out: (name, reason) of each entry of the full state, and that state's size."""
 
@@ -28,7 +29,7 @@ class Shrunk:
     full_states: int
 
 
-@dataclass(frozen=True)
+@record
 class Prepared:
     """The jobs of a study by name, the one that nhc would choose first; what does not apply, with the reason.
 

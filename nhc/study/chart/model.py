@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import ctypes
 from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path
 
 from nhc.emit.environment import File, render_file
+from nhc.records import record
 from nhc.simulate.compile import build, loop_flags
 from nhc.simulate.compiled import CompiledModel
 from nhc.simulate.methods import RUNGE_KUTTA, STRUCTURE
@@ -113,7 +113,7 @@ class ChartModel(RepeatedModel):
         return float(function(_Whole(n), _Whole(len(times)), doubles(times), flat, doubles(p), out))
 
 
-@dataclass(frozen=True)
+@record
 class LongRun:
     """``rows`` of needed columns, or none where the run failed."""
 

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from importlib.util import find_spec
 from typing import Any
 
+from nhc.records import record
 from nhc.study.chart import cvode, diffrax_peer
 from nhc.study.chart.case import Case, Result
 from nhc.study.chart.measure import time_repeats
@@ -18,7 +19,7 @@ from nhc.study.chart.taylor import LANGUAGE, METHOD, run_taylor
 LEAST_SCIPY = 3e-14  # SciPy raises smaller relative tolerances by itself
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Peer:
     """``language`` is its name in the chart, ``module`` what must be there; every ``stride``-th tolerance is run."""
 

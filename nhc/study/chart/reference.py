@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 import time
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 
+from nhc.records import record
 from nhc.simulate.interpreted import InterpretedModel
 from nhc.simulate.prepare import Job
 from nhc.simulate.task import DONE, ModelError, Task
@@ -27,7 +27,7 @@ class NoReference(Exception):
     """No method comes to the end of the scene."""
 
 
-@dataclass(frozen=True)
+@record
 class Solution:
     """``rows`` follow the job's columns, then its checks."""
 

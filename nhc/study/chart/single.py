@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
+from nhc.records import record
 from nhc.simulate.interpreted import InterpretedModel
 from nhc.simulate.natural import NaturalModel
 from nhc.simulate.prepare import Job
@@ -18,7 +19,7 @@ from nhc.study.chart.reference import Solution
 MOST = 100_000
 
 
-@dataclass(frozen=True)
+@record
 class Bench:
     """A formulation ready to be run; ``times`` are those of the reference's rows."""
 

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from itertools import combinations
 
 from nhc.diagnostics import Span
 from nhc.language.syntax import Binary, Differential, Name, Prime, Syntax
+from nhc.records import identity_record
 from nhc.study.simplify.zero import INFINITE, ZERO, is_named
 
 _NOWHERE = Span(0, 0)
@@ -15,7 +15,7 @@ _STILL = 1e-12  # a rate below it is rounding in a start that stands still
 _MOST = 5  # coordinates of which pairs are tried
 
 
-@dataclass(frozen=True, eq=False)
+@identity_record
 class Candidate:
     """One thing that can go; ``about`` says it.
 

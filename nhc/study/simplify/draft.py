@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from nhc.diagnostics import Bag, Source
 from nhc.language import Spec, decode
@@ -15,6 +15,7 @@ from nhc.language.syntax import Binary, Name, Negate, Syntax, same
 from nhc.language.unparse import unparse
 from nhc.language.yaml_reader import read_nodes
 from nhc.mechanics.scenes import Start
+from nhc.records import record
 from nhc.study.simplify.candidate import Candidate, expand, group, hold
 from nhc.study.simplify.zero import ZERO, is_infinite, is_zero, list_terms, replace_parts
 
@@ -28,7 +29,7 @@ spec may have hundreds that only describe positions.
 """
 
 
-@dataclass(frozen=True)
+@record
 class Changed:
     """The trees of a smaller model; ``copies`` are definitions that the model has otherwise than the outputs: (name, its copy)."""
 
@@ -43,7 +44,7 @@ class Changed:
         return {c.name: c for c in self.gone if c.takes_coordinate}
 
 
-@dataclass(frozen=True)
+@record
 class Draft:
     """``trees`` are all expressions of the spec; ``shown`` the names of definitions that questions, drawings and starts use."""
 

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from nhc.program.scene_model import ENTRY
+from nhc.records import record
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Size:
     """What a model costs: entries of its state, operations of its right-hand side, and how often a run evaluated it."""
 
@@ -21,7 +20,7 @@ class Size:
         return self.operations + ENTRY * self.states
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Price:
     """Measured seconds, the least of several: of one right-hand side, and of a run that keeps its end only."""
 
@@ -29,7 +28,7 @@ class Price:
     run: float
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Rung:
     """One model: what it leaves out beyond the one before it, its errors (as the ladder's ``needs``), its size and price."""
 
@@ -43,7 +42,7 @@ class Rung:
         return max(self.errors)
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Kept:
     """A candidate that stays, and why."""
 
@@ -51,7 +50,7 @@ class Kept:
     reason: str
 
 
-@dataclass(frozen=True)
+@record
 class Ladder:
     """``rungs`` from the full model, whose errors are the reference's own, to the smallest within ``tolerance``.
 

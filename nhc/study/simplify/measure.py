@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from nhc.diagnostics import Source, SpecError
 from nhc.language import Spec
 from nhc.program.scene_model import count_operations_of
+from nhc.records import record
 from nhc.simulate.auto import choose_method
 from nhc.simulate.interpreted import InterpretedModel
 from nhc.simulate.opening import RunError, open_scene
@@ -41,7 +42,7 @@ class Refused(Exception):
     """A smaller model cannot be had: it does not compile, or its run fails."""
 
 
-@dataclass(frozen=True)
+@record
 class Meter:
     """The reference, to hold models against; ``own`` are its own errors, ``sizes`` the quantities' largest magnitudes.
 

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 
 from nhc.diagnostics import Source
 from nhc.language import decode
+from nhc.records import record
 from nhc.simulate.opening import find_scene
 from nhc.simulate.run import POINTS
 from nhc.study.chart.measure import describe_machine
@@ -27,7 +28,7 @@ class Bounded(Exception):
     """No more models may be measured."""
 
 
-@dataclass(frozen=True)
+@record
 class Trial:
     """A model without some candidates: its errors and size."""
 

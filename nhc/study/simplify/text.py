@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from nhc.diagnostics import Span
 from nhc.language.names import fold
@@ -11,6 +11,7 @@ from nhc.language.nodes import Items, Node, Table, Text
 from nhc.language.scope import names_in
 from nhc.language.syntax import Syntax, same
 from nhc.language.unparse import unparse
+from nhc.records import record
 from nhc.study.simplify.draft import Changed, Draft, Place, reach
 from nhc.study.simplify.yaml_writer import write_nodes
 from nhc.study.simplify.zero import is_infinite, is_zero
@@ -33,7 +34,7 @@ def write_draft(draft: Draft, changed: Changed, about: str = "") -> str:
     return _Writer(draft, changed, about).write()
 
 
-@dataclass(frozen=True)
+@record
 class _Writer:
     draft: Draft
     changed: Changed

@@ -7,12 +7,13 @@ values of matrices whose rows have length 1, smallest eigenvalues of mass matric
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
 from nhc.mechanics.choose import NotApplicable, dependent_of
 from nhc.mechanics.regularity import relative_determinant
+from nhc.records import record
 from nhc.study.stability.bench import Bench
 from nhc.study.steady import Matrix
 
@@ -20,7 +21,7 @@ NEAR = 0.03
 """Below this a choice is called weak, as in :mod:`nhc.mechanics.regularity`."""
 
 
-@dataclass(frozen=True)
+@record
 class Distance:
     """``least`` along the scene, reached at ``t``; ``series`` over the scene's rows; ``used``: the run rests on it."""
 

@@ -8,11 +8,11 @@ the integral of its power (III.2.2), by Simpson's rule, with the rule's own erro
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
+from nhc.records import record
 from nhc.simulate.run import list_times
 from nhc.simulate.task import DONE, ModelError, Outcome
 from nhc.study.stability.bench import Bench
@@ -24,7 +24,7 @@ ROUNDING = 1e-14
 Series = NDArray[np.float64]
 
 
-@dataclass(frozen=True)
+@record
 class Drift:
     """``first`` and ``last``: the largest deviations in the first and the last tenth; ``floor``: what is rounding.
 
@@ -45,7 +45,7 @@ class Drift:
         return self.last > 2.0 * max(self.first, self.floor)
 
 
-@dataclass(frozen=True)
+@record
 class LongRun:
     """``reached`` of the ``wanted`` end, and ``why`` not further."""
 

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TypeVar
 
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choose import Formulation, build
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.scenes import Start, start_of
+from nhc.records import record
 from nhc.simulate.opening import find_scene
 from nhc.study.stability.bench import Bench, open_bench
 from nhc.study.stability.conduct import conduct
@@ -25,7 +26,7 @@ STIFF = 1e3
 """Stiffness ratio from which an implicit method is advised."""
 
 
-@dataclass(frozen=True)
+@record
 class Question:
     """``scene``: a name (empty: the first).  ``about`` (empty: it), ``settings``, ``holds``, ``sweep``: as for a linearisation.
 
@@ -41,7 +42,7 @@ class Question:
     compiled: bool = True
 
 
-@dataclass(frozen=True)
+@record
 class Laboratory:
     """What was found; a study that could not be done is None or empty and ``missing`` says why, as (study, reason).
 

@@ -7,7 +7,6 @@ not end from the start it is tried from places along the scene.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from nhc.algebra.graph import Node
 from nhc.mechanics.about import scene_about, state_of
@@ -16,6 +15,7 @@ from nhc.mechanics.choose import Formulation, build
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.linearize import Flow, kept_forms, reduced
 from nhc.mechanics.scenes import Start, kept_velocities, start_of
+from nhc.records import record
 from nhc.study.linearize import Linearisation, Sweep, linearise_at, sweep
 from nhc.study.motion import branch_of, read_holds, steady_model
 from nhc.study.stability.distance import scaled_least
@@ -25,7 +25,7 @@ SINGULAR = 1e-6
 SweepRange = tuple[str, float, float, int]
 
 
-@dataclass(frozen=True)
+@record
 class Motion:
     """``place`` says from where it was found; ``swept`` is None where nothing was asked.
 
@@ -45,7 +45,7 @@ class Motion:
         return self.model.flow
 
 
-@dataclass(frozen=True)
+@record
 class Search:
     """``about``, ``settings``, ``holds``: as for ``nhc linearize``; ``hidden``: integrals of the constraints over q."""
 

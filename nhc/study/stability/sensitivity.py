@@ -7,11 +7,11 @@ derivative over the whole scene, also where it is too large for differences at i
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
 
+from nhc.records import record
 from nhc.simulate.task import DONE
 from nhc.study.stability.bench import Bench
 from nhc.study.steady import Matrix
@@ -21,7 +21,7 @@ _NUDGE = 3e-6  # of a component's size: central differences of a run at 1e-13 ar
 _ROUNDING = 2.0**-53
 
 
-@dataclass(frozen=True)
+@record
 class Sensitivity:
     """``norms`` at ``times``: by how much admissible perturbations of the start are multiplied at most, each component relative to
     its size in the scene; ``plain`` is the last one in the state's own units.

@@ -10,11 +10,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
+from nhc.records import record
 from nhc.simulate.methods import RUNGE_KUTTA, STRUCTURE
 from nhc.simulate.methods.tableau import Explicit, Tableau
 from nhc.simulate.outcomes import name_outcome
@@ -31,7 +31,7 @@ _FEWEST = 4  # steps of a scene: longer ones are not looked at
 _MOST = 200_000
 
 
-@dataclass(frozen=True)
+@record
 class StepLimit:
     """``predicted``, ``measured`` in units of time; infinite where no step of at least a quarter of the scene is refused.
 
@@ -47,7 +47,7 @@ class StepLimit:
     why: str
 
 
-@dataclass(frozen=True)
+@record
 class Spectrum:
     """Eigenvalues of the Jacobian at ``times``, one row for each."""
 

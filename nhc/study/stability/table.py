@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from typing import Any
 
+from nhc.records import record
 from nhc.study.linearize import Sweep, eigenvalues, verdict
 from nhc.study.stability.distance import NEAR, Distance
 from nhc.study.stability.drift import LongRun
@@ -14,7 +14,7 @@ from nhc.study.stability.motions import SINGULAR, Motion
 from nhc.study.stability.sensitivity import Sensitivity
 
 
-@dataclass(frozen=True)
+@record
 class Row:
     """``what``, its ``value`` as text, and a ``remark``."""
 
@@ -23,7 +23,7 @@ class Row:
     remark: str = ""
 
 
-@dataclass(frozen=True)
+@record
 class Section:
     """Rows under a title."""
 
