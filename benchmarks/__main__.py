@@ -172,6 +172,8 @@ def process_rows() -> Iterator[Row]:
         ("`nhc emit specs/bicycle.yaml --lang c`, derived", walls.emit_c, 0.35),
         ("the same again, from the cache", walls.emit_again, 0.35),
         ("`nhc emit specs/bicycle.yaml --lang c --only rhs`, derived", walls.emit_rhs, None),
+        ("`nhc run specs/bicycle.yaml`, compiling the model", walls.run_first, None),
+        ("the same again, with the model from the cache", walls.run_again, None),
     ):
         yield Row(what, f"{seconds * 1e3:.0f} ms", peer, seconds / walls.imported, target)
     yield Row("LaTeX of the bicycle, seconds", f"{walls.emit_latex:.2f} s", "2 s", walls.emit_latex / 2, 1)

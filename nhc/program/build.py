@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 
 from nhc.algebra.calculus import count
-from nhc.algebra.graph import Node
+from nhc.algebra.graph import Graph, Node
 from nhc.algebra.pieces import shorten_pieces
 from nhc.algebra.products import share_products
 from nhc.algebra.related import relate_angles
@@ -198,18 +199,19 @@ def build_functions(planner: Planner, only: Sequence[str] = ()) -> tuple[Functio
     wanted = set(only)
     if wanted & {"accelerations", "reactions"} and planner.calls_rhs():
         wanted.add("rhs")
-    recursive = planner.equations.tree is not None
-
-    def rewrite(nodes: Sequence[Node]) -> list[Node]:
-        related = relate_angles(g, nodes)
-        # a recursion along a tree has no such pieces
-        return share_products(g, related if recursive else shorten_pieces(g, related), constants)
-
     for name in FUNCTIONS:
         if wanted and name not in wanted:
             continue
         plan = getattr(planner, name)()
         if plan is not None:
-            plan = map_nodes(plan, rewrite)
+            # only what is called all the time is worth the trouble, and a recursion along a tree has no such pieces
+            in_pieces = name == "rhs" and planner.equations.tree is None
+            plan = map_nodes(plan, partial(_rewrite, g, constants, in_pieces))
             functions.append(lower_function(g, plan, planner.parameters))
     return tuple(functions)
+
+
+def _rewrite(graph: Graph, constants: int, in_pieces: bool, nodes: Sequence[Node]) -> list[Node]:
+    """The rules that look at a whole function."""
+    related = relate_angles(graph, nodes)
+    return share_products(graph, shorten_pieces(graph, related) if in_pieces else related, constants)

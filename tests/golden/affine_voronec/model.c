@@ -1,5 +1,5 @@
 /*
- * affine_voronec.c: affine_voronec, emitted by nhc 0.1.0 (nhc:932a98e865ebc752)
+ * affine_voronec.c: affine_voronec, emitted by nhc 0.1.0 (nhc:500ced4efe37c81a)
  * A particle with everything at once; affine constraint, time, T of degrees 2, 1 and 0, drag, a driving
  *     force.
  * Source: affine_voronec.yaml
@@ -275,21 +275,22 @@ int affine_voronec_velocities(double t, const double *y, const double *p, double
     const double z = y[2];
 
     /* sines and cosines */
+    const double c_z = cos(z);
     const double s_t = sin(t);
     const double c_t = cos(t);
-    const double c_z = cos(z);
     const double x = y[0];
     const double y_2 = y[1];
     const double x_dot = y[3];
     const double y_dot = y[4];
 
     /* state */
-    const double z1 = (1.0 + 0.1 * s_t) * (c_z * (y_2 * x_dot)) + (0.4 * (c_t * s_t) + x * z * (0.3 + 0.5 *
-        y_dot));
+    const double z1 = x * z;
+    const double z2 = 0.3 * z1 + (x_dot * (y_2 * c_z * (1.0 + 0.1 * s_t)) + 0.5 * (y_dot * z1)) + 0.4 * (c_t
+        * s_t);
     /* (I.2.4) */
     qdot[0] = x_dot; /* x' */
     qdot[1] = y_dot; /* y' */
-    qdot[2] = z1; /* z' */
+    qdot[2] = z2; /* z' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qdot[0] + qdot[1] + qdot[2]) <= DBL_MAX)) {
         return affine_voronec_finish(3, qdot);
@@ -321,60 +322,63 @@ int affine_voronec_accelerations(double t, const double *y, const double *p, dou
     const double z5 = 1.0 + z4;
     const double z6 = z3 * z5;
     const double z7 = c_z * z2;
-    const double z8 = 0.3 * z7;
-    const double z9 = x * x;
-    const double z10 = 1.0 + z9;
-    const double z11 = z10 * z2;
-    const double z12 = z8 + z6 * z11;
-    const double z13 = z1 * z2 + z6 * (z8 + z12);
-    const double z14 = x * z;
-    const double z15 = z14 * z12;
-    const double z16 = 1.0 / z13;
-    const double z17 = z15 * z16;
-    const double z18 = 2.0 + s_z;
-    const double z19 = z18 * z2 + 0.25 * (z11 * (z14 * z14));
-    const double z20 = 0.25 * (z15 * z17) - z19;
-    const double z21 = y_dot * z14;
-    const double z22 = 0.3 * z14 + (x_dot * z6 + 0.5 * z21) + 0.4 * (c_t * s_t);
-    const double z23 = 0.06 * (c_z * c_t);
-    const double z24 = s_z * z22;
-    const double z25 = 0.3 * z24;
-    const double z26 = z * x_dot;
-    const double z27 = x * z22;
-    const double z28 = z2 * x_dot * x_dot;
-    const double z29 = z26 + z27;
-    const double z30 = 0.3 * z29;
-    const double z31 = x_dot * (0.1 * (c_t * z3) + z5 * (y_dot * c_z - y_2 * z24));
-    const double z32 = y_dot * z29;
-    const double z33 = 0.4 - 0.8 * (s_t * s_t);
-    const double z34 = z30 + (z31 + 0.5 * z32) + z33;
-    const double z35 = 0.4 * z14 - (0.4 * (y_dot * c_t) + (x - 0.4 * (y_2 * s_t))) - 0.3 * (z7 * z34);
-    const double z36 = z22 * (0.1 * t - z23 + z2 * (z25 - (2.0 * z26 - z27))) - (x_dot * (0.1 + 0.2 * (z1 *
-        c_t)) + (z * z6 * (3.0 - z28) - z35));
-    const double z37 = c_z * y_dot * y_dot;
-    const double z38 = x_dot * z24;
-    const double z39 = x + t * x_dot;
-    const double z40 = z4 - 0.05 * z22;
-    const double z41 = x_dot * (z23 + z2 * (2.0 * z27 - z25)) + (0.2 * (z10 * c_t * z22) + z11 * z34);
-    const double z42 = z2 * (0.5 * z37 - 0.3 * z38) - (0.1 * z39 - (z40 - (0.3 * y_dot - 0.2 * z9) - z41));
-    const double z43 = z36 + z6 * z42;
-    const double z44 = z2 * (0.25 * z37 - 0.15 * z38) - (0.05 * z39 - (0.1 * z9 + 0.5 * z40 - 0.5 * z41));
-    const double z45 = 0.15 * z21 - (0.6 * z22 - (2.0 * y_2 - 0.4 * (x_dot * c_t) + 0.5 * (z17 * z43)));
-    const double z46 = y_dot * (0.2 * (z18 * c_t) + (0.2 + z7 * z22)) + (z * z14 * (1.5 - 0.5 * z28) + z45);
-    const double z47 = (z14 * z44 - z46) / z20;
-    const double z48 = z16 * z43 + 0.5 * (z17 * z47);
+    const double z8 = x * x;
+    const double z9 = 1.0 + z8;
+    const double z10 = z9 * z2;
+    const double z11 = 0.3 * z7 + z6 * z10;
+    const double z12 = z1 * z2 + 0.3 * (z6 * z7) + z6 * z11;
+    const double z13 = x * z;
+    const double z14 = z13 * z11;
+    const double z15 = 1.0 / z12;
+    const double z16 = z14 * z15;
+    const double z17 = 2.0 + s_z;
+    const double z18 = z17 * z2 + 0.25 * (z10 * (z13 * z13));
+    const double z19 = 0.25 * (z14 * z16) - z18;
+    const double z20 = x + t * x_dot;
+    const double z21 = y_dot * z13;
+    const double z22 = 0.3 * z13 + (x_dot * z6 + 0.5 * z21) + 0.4 * (c_t * s_t);
+    const double z23 = 0.4 * (y_dot * c_t - y_2 * s_t) + 0.1 * (z6 * z20) + (0.3 * (y_dot * z6) - 0.1 * (t *
+        z22));
+    const double z24 = 0.4 * (c_t * c_t - s_t * s_t);
+    const double z25 = z * x_dot + x * z22;
+    const double z26 = 0.3 * z25;
+    const double z27 = s_z * z22;
+    const double z28 = x_dot * (0.1 * (c_t * z3) + z5 * (y_dot * c_z - y_2 * z27));
+    const double z29 = y_dot * z25;
+    const double z30 = z24 + (z26 + (z28 + 0.5 * z29));
+    const double z31 = z2 * z22;
+    const double z32 = c_z * c_t;
+    const double z33 = 0.3 * (z31 * z27 - 0.2 * (z22 * z32)) - x_dot * (0.2 * (z1 * c_t) + 2.0 * (z * z31));
+    const double z34 = x_dot * z27;
+    const double z35 = 0.3 * (z2 * z34 - 0.2 * (x_dot * z32)) - z22 * (0.2 * (z9 * c_t) + 2.0 * (x * (x_dot *
+        z2)));
+    const double z36 = z10 * z30 - z35;
+    const double z37 = z4 - 0.05 * z22;
+    const double z38 = z * z6;
+    const double z39 = x_dot * x_dot;
+    const double z40 = c_z * y_dot * y_dot;
+    const double z41 = 0.5 * (2.0 * (x * (z22 * z22)) + (2.0 * (z39 * z38) + z6 * z40)) - 0.3 * (z6 * z34);
+    const double z42 = 0.5 * (2.0 * x + 6.0 * z38) - (0.2 * (2.0 * z13 + z8 * z6) + z2 * z41);
+    const double z43 = z23 + (0.3 * (z7 * z30) - z33 + z6 * z36) + (0.1 * x_dot - z6 * z37 + z42);
+    const double z44 = 0.3 * z22;
+    const double z45 = 0.15 * z21 - 0.4 * (x_dot * c_t) + (0.05 * (z13 * z20) - z44) + 0.5 * (z13 * z36);
+    const double z46 = z * z13;
+    const double z47 = 0.1 * (z8 * z13) + z2 * (0.5 * (z39 * z46 + 0.5 * (z13 * z40)) - 0.15 * (z13 * z34));
+    const double z48 = 0.2 * y_dot - z44 - 0.5 * (z13 * z37) + (0.5 * (4.0 * y_2 + 3.0 * z46) - z47);
+    const double z49 = (y_dot * (0.2 * (z17 * c_t) + c_z * z31) + z45 + z48 - 0.5 * (z16 * z43)) / z19;
+    const double z50 = z15 * z43 + 0.5 * (z16 * z49);
     /* (I.4.9) */
-    qddot[0] = z48; /* x'' */
-    qddot[1] = -z47; /* y'' */
-    qddot[2] = z33 + (z30 + (z31 + z6 * z48 + 0.5 * (z32 - z14 * z47))); /* z'' */
+    qddot[0] = -z50; /* x'' */
+    qddot[1] = z49; /* y'' */
+    qddot[2] = z24 + (z26 + (z28 - z6 * z50 + 0.5 * (z29 + z13 * z49))); /* z'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(qddot[2]) <= DBL_MAX && fabs(-z20) > 1e-14 * z19)) {
+    if (!(fabs(qddot[2]) <= DBL_MAX && fabs(-z19) > 1e-14 * z18)) {
         /* the mass matrix is singular */
-        if (!(fabs(z13) > 0.0)) {
+        if (!(fabs(z12) > 0.0)) {
             return AFFINE_VORONEC_SINGULAR_2;
         }
         /* the mass matrix is singular */
-        if (!(fabs(-z20) > 1e-14 * z19)) {
+        if (!(fabs(-z19) > 1e-14 * z18)) {
             return AFFINE_VORONEC_SINGULAR_2;
         }
         return affine_voronec_finish(3, qddot);
@@ -411,9 +415,9 @@ int affine_voronec_residuals(double t, const double *q, const double *qdot, cons
     const double z = q[2];
 
     /* sines and cosines */
+    const double c_z = cos(z);
     const double s_t = sin(t);
     const double c_t = cos(t);
-    const double c_z = cos(z);
     const double x = q[0];
     const double y = q[1];
     const double x_dot = qdot[0];
@@ -421,10 +425,11 @@ int affine_voronec_residuals(double t, const double *q, const double *qdot, cons
     const double z_dot = qdot[2];
 
     /* state */
-    const double z1 = (1.0 + 0.1 * s_t) * (c_z * (y * x_dot)) + (x * z * (0.3 + 0.5 * y_dot) - (z_dot - 0.4 *
-        (c_t * s_t)));
+    const double z1 = x * z;
+    const double z2 = 0.3 * z1 + (x_dot * (y * c_z * (1.0 + 0.1 * s_t)) + 0.5 * (y_dot * z1)) + 0.4 * (c_t *
+        s_t);
     /* (I.1.1) 18:5 */
-    r[0] = -z1; /* contact = 0 */
+    r[0] = z_dot - z2; /* contact = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(r[0]) <= DBL_MAX)) {
         return affine_voronec_finish(1, r);
@@ -456,60 +461,61 @@ int affine_voronec_reactions(double t, const double *y, const double *p, double 
     const double z5 = 1.0 + z4;
     const double z6 = z3 * z5;
     const double z7 = c_z * z2;
-    const double z8 = 0.3 * z7;
-    const double z9 = x * x;
-    const double z10 = 1.0 + z9;
-    const double z11 = z10 * z2;
-    const double z12 = z8 + z6 * z11;
-    const double z13 = z1 * z2 + z6 * (z8 + z12);
-    const double z14 = 2.0 + s_z;
-    const double z15 = x * z;
-    const double z16 = z15 * z11;
-    const double z17 = z14 * z2 + 0.25 * (z15 * z16);
-    const double z18 = z15 * z12;
-    const double z19 = 1.0 / z13;
-    const double z20 = z18 * z19;
-    const double z21 = z17 - 0.25 * (z18 * z20);
-    const double z22 = c_z * y_dot * y_dot;
-    const double z23 = 0.5 * z22;
-    const double z24 = x_dot * x_dot;
-    const double z25 = y_dot * z15;
-    const double z26 = 0.3 * z15 + (x_dot * z6 + 0.5 * z25) + 0.4 * (c_t * s_t);
-    const double z27 = s_z * z26;
-    const double z28 = x_dot * z27;
-    const double z29 = 0.3 * z28;
-    const double z30 = x + t * x_dot;
-    const double z31 = z4 - 0.05 * z26;
-    const double z32 = 0.06 * (c_z * c_t);
-    const double z33 = x * z26;
-    const double z34 = 0.3 * z27;
-    const double z35 = z * x_dot;
-    const double z36 = x_dot * (0.1 * (c_t * z3) + z5 * (y_dot * c_z - y_2 * z27)) + (0.4 - 0.8 * (s_t * s_t)
-        + (z35 + z33) * (0.3 + 0.5 * y_dot));
-    const double z37 = x_dot * (z32 + z2 * (2.0 * z33 - z34)) + (z11 * z36 + 0.2 * (z10 * c_t * z26));
-    const double z38 = z2 * (0.25 * z22 - 0.15 * z28) - (0.05 * z30 - (0.1 * z9 + 0.5 * z31 - 0.5 * z37));
-    const double z39 = z24 * z2;
-    const double z40 = 0.3 * (z7 * z36) - (0.4 * z15 - (0.4 * (y_dot * c_t) + (x - 0.4 * (y_2 * s_t))));
-    const double z41 = z26 * (0.1 * t - z32 + z2 * (z34 - (2.0 * z35 - z33))) - (x_dot * (0.1 + 0.2 * (z1 *
-        c_t)) + (z * z6 * (3.0 - z39) + z40));
-    const double z42 = 0.1 * z30;
-    const double z43 = 0.3 * y_dot;
-    const double z44 = 0.2 * z9;
-    const double z45 = z41 + z6 * (z2 * (z23 - z29) - (z42 - (z31 - (z43 - z44) - z37)));
-    const double z46 = 0.15 * z25 - (0.6 * z26 - (2.0 * y_2 - 0.4 * (x_dot * c_t) + 0.5 * (z20 * z45)));
-    const double z47 = y_dot * (0.2 * (z14 * c_t) + (0.2 + z7 * z26)) + (z * z15 * (1.5 - 0.5 * z39) + z46);
-    const double z48 = 0.5 * ((z16 - z12 * z20) * ((z15 * z38 - z47) / z21)) + (z37 + (z42 - (z31 + (z44 -
-        (3.0 * z + z43 + z45 * (z12 * z19))))));
+    const double z8 = x * x;
+    const double z9 = 1.0 + z8;
+    const double z10 = z9 * z2;
+    const double z11 = 0.3 * z7 + z6 * z10;
+    const double z12 = z1 * z2 + 0.3 * (z6 * z7) + z6 * z11;
+    const double z13 = 2.0 + s_z;
+    const double z14 = x * z;
+    const double z15 = z14 * z10;
+    const double z16 = z13 * z2 + 0.25 * (z14 * z15);
+    const double z17 = z14 * z11;
+    const double z18 = 1.0 / z12;
+    const double z19 = z17 * z18;
+    const double z20 = z16 - 0.25 * (z17 * z19);
+    const double z21 = y_dot * z14;
+    const double z22 = 0.3 * z14 + (x_dot * z6 + 0.5 * z21) + 0.4 * (c_t * s_t);
+    const double z23 = z * x_dot + x * z22;
+    const double z24 = s_z * z22;
+    const double z25 = x_dot * (0.1 * (c_t * z3) + z5 * (y_dot * c_z - y_2 * z24)) + 0.5 * (y_dot * z23);
+    const double z26 = 0.4 * (c_t * c_t - s_t * s_t) + (0.3 * z23 + z25);
+    const double z27 = x_dot * z24;
+    const double z28 = c_z * c_t;
+    const double z29 = 0.3 * (z2 * z27 - 0.2 * (x_dot * z28)) - z22 * (0.2 * (z9 * c_t) + 2.0 * (x * (x_dot *
+        z2)));
+    const double z30 = z10 * z26 - z29;
+    const double z31 = x + t * x_dot;
+    const double z32 = z4 - 0.05 * z22;
+    const double z33 = x_dot * x_dot;
+    const double z34 = c_z * y_dot * y_dot;
+    const double z35 = 3.0 * z - (0.2 * z8 + z2 * (0.5 * (2.0 * (z * z33) + z34) - 0.3 * z27));
+    const double z36 = 0.4 * (y_dot * c_t - y_2 * s_t) + 0.1 * (z6 * z31) + (0.3 * (y_dot * z6) - 0.1 * (t *
+        z22));
+    const double z37 = z2 * z22;
+    const double z38 = 0.3 * (z37 * z24 - 0.2 * (z22 * z28)) - x_dot * (0.2 * (z1 * c_t) + 2.0 * (z * z37));
+    const double z39 = z * z6;
+    const double z40 = 0.5 * (2.0 * (x * (z22 * z22)) + (2.0 * (z33 * z39) + z6 * z34)) - 0.3 * (z6 * z27);
+    const double z41 = 0.5 * (2.0 * x + 6.0 * z39) - (0.2 * (2.0 * z14 + z8 * z6) + z2 * z40);
+    const double z42 = z36 + (0.3 * (z7 * z26) - z38 + z6 * z30) + (0.1 * x_dot - z6 * z32 + z41);
+    const double z43 = 0.3 * z22;
+    const double z44 = 0.15 * z21 - 0.4 * (x_dot * c_t) + (0.05 * (z14 * z31) - z43) + 0.5 * (z14 * z30);
+    const double z45 = z * z14;
+    const double z46 = 0.1 * (z8 * z14) + z2 * (0.5 * (z33 * z45 + 0.5 * (z14 * z34)) - 0.15 * (z14 * z27));
+    const double z47 = 0.2 * y_dot - z43 - 0.5 * (z14 * z32) + (0.5 * (4.0 * y_2 + 3.0 * z45) - z46);
+    const double z48 = (y_dot * (0.2 * (z13 * c_t) + c_z * z37) + z44 + z47 - 0.5 * (z19 * z42)) / z20;
+    const double z49 = z30 + (0.3 * y_dot + 0.1 * z31) - (z32 - z35) - (z11 * (z18 * z42 - 0.5 * (z19 * z48))
+        + 0.5 * (z15 * z48));
     /* (I.4.1) 18:5 */
-    lambda[0] = z48 - z2 * (z23 + (z * z24 - z29)); /* reaction of contact: Q_i gains lambda_1 a_1i */
+    lambda[0] = z49; /* reaction of contact: Q_i gains lambda_1 a_1i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(lambda[0]) <= DBL_MAX && fabs(z21) > 1e-14 * z17)) {
+    if (!(fabs(lambda[0]) <= DBL_MAX && fabs(z20) > 1e-14 * z16)) {
         /* the mass matrix is singular */
-        if (!(fabs(z13) > 0.0)) {
+        if (!(fabs(z12) > 0.0)) {
             return AFFINE_VORONEC_SINGULAR_2;
         }
         /* the mass matrix is singular */
-        if (!(fabs(z21) > 1e-14 * z17)) {
+        if (!(fabs(z20) > 1e-14 * z16)) {
             return AFFINE_VORONEC_SINGULAR_2;
         }
         return affine_voronec_finish(1, lambda);
@@ -523,10 +529,10 @@ double affine_voronec_energy(double t, const double *y, const double *p)
     const double z = y[2];
 
     /* sines and cosines */
-    const double s_t = sin(t);
     const double c_t = cos(t);
-    const double s_z = sin(z);
+    const double s_t = sin(t);
     const double c_z = cos(z);
+    const double s_z = sin(z);
     const double x = y[0];
     const double y_2 = y[1];
     const double x_dot = y[3];
@@ -536,11 +542,12 @@ double affine_voronec_energy(double t, const double *y, const double *p)
     const double z1 = z * z;
     const double z2 = x * x;
     const double z3 = y_2 * x_dot;
-    const double z4 = (1.0 + 0.1 * s_t) * (c_z * z3) + (0.4 * (c_t * s_t) + x * z * (0.3 + 0.5 * y_dot));
-    const double z5 = (1.0 + z1) * (x_dot * x_dot) + (2.0 + s_z) * (y_dot * y_dot) + (1.0 + z2) * (z4 * z4);
-    const double z6 = (1.0 + 0.2 * s_t) * (0.5 * z5 + 0.3 * (x_dot * c_z * z4)) + (0.4 * (z3 * c_t) - 0.3 *
-        (z * y_dot) + 0.1 * (t * x * z4));
-    return 0.5 * (3.0 * z1 + (z2 + 2.0 * (y_2 * y_2))) + (0.2 * (z * z2) + z6);
+    const double z4 = x * z;
+    const double z5 = 0.4 * (c_t * s_t) + (0.3 * z4 + (0.5 * (y_dot * z4) + (1.0 + 0.1 * s_t) * (c_z * z3)));
+    const double z6 = (1.0 + z1) * (x_dot * x_dot) + (2.0 + s_z) * (y_dot * y_dot) + (1.0 + z2) * (z5 * z5);
+    const double z7 = 0.4 * (z3 * c_t) - 0.3 * (z * y_dot) + 0.1 * (t * x * z5) + (1.0 + 0.2 * s_t) * (0.5 *
+        z6 + 0.3 * (x_dot * c_z * z5));
+    return 0.5 * (3.0 * z1 + (z2 + 2.0 * (y_2 * y_2))) + (0.2 * (z * z2) + z7);
 }
 
 AFFINE_VORONEC_SLOW
@@ -575,167 +582,162 @@ int affine_voronec_jacobian(double t, const double *y, const double *p, double *
     const double z5 = 1.0 + z4;
     const double z6 = z3 * z5;
     const double z7 = c_z * z2;
-    const double z8 = 0.3 * z7;
-    const double z9 = x * x;
-    const double z10 = 1.0 + z9;
-    const double z11 = z10 * z2;
-    const double z12 = z8 + z6 * z11;
-    const double z13 = z1 * z2 + z6 * (z8 + z12);
-    const double z14 = 2.0 + s_z;
-    const double z15 = x * z;
-    const double z16 = z15 * z11;
-    const double z17 = z14 * z2 + 0.25 * (z15 * z16);
-    const double z18 = z15 * z12;
-    const double z19 = 1.0 / z13;
-    const double z20 = z18 * z19;
-    const double z21 = z17 - 0.25 * (z18 * z20);
-    const double z22 = 0.3 + 0.5 * y_dot;
-    const double z23 = x_dot * z5;
-    const double z24 = y_dot * z15;
-    const double z25 = 0.3 * z15 + (x_dot * z6 + 0.5 * z24) + 0.4 * (c_t * s_t);
-    const double z26 = z6 * z25;
-    const double z27 = x * z25;
-    const double z28 = z * x_dot + z27;
-    const double z29 = s_z * z25;
-    const double z30 = 0.1 * (c_t * z3) + z5 * (y_dot * c_z - y_2 * z29);
-    const double z31 = z28 * z22 - (0.8 * (s_t * s_t) - (0.4 + x_dot * z30));
-    const double z32 = x + t * x_dot;
-    const double z33 = 0.1 * z32;
-    const double z34 = z4 - 0.05 * z25;
-    const double z35 = 0.3 * y_dot;
-    const double z36 = 0.2 * z9;
-    const double z37 = 0.06 * (c_z * c_t);
-    const double z38 = x_dot * z2;
-    const double z39 = 0.2 * (z10 * c_t) + 2.0 * (x * z38);
-    const double z40 = x_dot * (z37 - 0.3 * (z2 * z29)) + (z11 * z31 + z25 * z39);
-    const double z41 = x_dot * x_dot;
-    const double z42 = z * z6;
-    const double z43 = y_dot * y_dot;
-    const double z44 = c_z * z6;
-    const double z45 = z25 * z25;
-    const double z46 = s_z * z6;
-    const double z47 = x_dot * z46;
-    const double z48 = y_dot * c_t;
-    const double z49 = z2 * z25;
-    const double z50 = c_t * z25;
-    const double z51 = 3.0 * z42 + (0.06 * (c_z * z50) - (0.4 * (y_2 * s_t) - (x - 0.1 * (t * z25))));
-    const double z52 = 0.2 * (z1 * c_t) + 2.0 * (z * z49);
-    const double z53 = 0.4 * z48 - (0.3 * (z49 * z29) - (0.3 * (z7 * z31) - (0.4 * z15 - z51))) + x_dot *
-        (0.1 + z52);
-    const double z54 = z2 * (z41 * z42 + (0.5 * (z43 * z44) + (x * z45 - 0.3 * (z47 * z25)))) - z53;
-    const double z55 = z6 * (z33 - (z34 - (z35 - z36) - z40)) - z54;
-    const double z56 = 1.0 / z21;
-    const double z57 = 0.05 * z32;
-    const double z58 = 0.1 * z9;
-    const double z59 = 0.5 * z34;
-    const double z60 = 0.5 * z40;
-    const double z61 = z * z15;
-    const double z62 = c_z * z15;
-    const double z63 = s_z * z15;
-    const double z64 = x_dot * z63;
-    const double z65 = 0.2 * (z14 * c_t) + c_z * z49;
-    const double z66 = x_dot * c_t;
-    const double z67 = 0.15 * z24 - (0.4 * z66 + (0.6 * z25 - (1.5 * z61 + (2.0 * y_2 - 0.5 * (z20 * z55)))));
-    const double z68 = z2 * (0.5 * (z41 * z61) + (0.25 * (z43 * z62) - 0.15 * (z64 * z25))) - (y_dot * (0.2 +
-        z65) + z67);
-    const double z69 = z56 * (z15 * (z57 - (z58 + z59 - z60)) - z68);
-    const double z70 = z19 * z55 - 0.5 * (z20 * z69);
-    const double z71 = z6 * z70;
-    const double z72 = z15 * z69;
-    const double z73 = 0.5 * z72;
-    const double z74 = z71 + z73;
-    const double z75 = z12 * z22;
-    const double z76 = z2 * z26;
-    const double z77 = x_dot * z12;
-    const double z78 = z5 * z77;
-    const double z79 = z2 * z6;
-    const double z80 = y_2 * z78 + 0.3 * (z49 + x_dot * z79);
-    const double z81 = 0.1 * t;
-    const double z82 = z37 - (s_z * z80 - (2.0 * (z * z38) - (z81 - x * z75))) + z6 * (0.05 + z39);
-    const double z83 = z2 * (0.3 * z47 - (2.0 * z27 + 0.3 * z29)) + z82;
-    const double z84 = 0.4 + 0.5 * (z12 * z69) - z22 * z83;
-    const double z85 = z25 * z75 - (z2 * z45 - (0.1 * z6 + (2.0 * (x_dot * z76) + (1.0 - z * z84))));
-    const double z86 = x * (0.4 * (c_t * z26) - z6 * (0.4 - 2.0 * (z2 * (z31 - z74)))) + z85;
-    const double z87 = z15 * z25;
-    const double z88 = z15 * z70;
-    const double z89 = z16 * (0.15 + 0.25 * y_dot);
-    const double z90 = z2 * z87;
-    const double z91 = y_dot * z2;
-    const double z92 = z2 * z15;
-    const double z93 = x_dot * z16;
-    const double z94 = z5 * z93;
-    const double z95 = 0.15 * (x_dot * z92) + 0.5 * (y_2 * z94);
-    const double z96 = 0.15 * (z2 * z64) + (c_z * z91 - (s_z * z95 + (0.6 - x * z89))) + z15 * (0.025 + 0.5 *
-        z39);
-    const double z97 = 0.15 + 0.5 * z96;
-    const double z98 = z12 * z70;
-    const double z99 = z41 * z2;
-    const double z100 = 1.5 - 0.5 * z99;
-    const double z101 = z43 * z2;
-    const double z102 = c_z * z101;
-    const double z103 = x_dot * z49;
-    const double z104 = s_z * z103;
-    const double z105 = z57 - (z59 - (z * z100 - (0.25 * z102 + (z58 - 0.15 * z104))) - z60) - 0.25 * (z16 *
-        z69);
-    const double z106 = y_dot * z97 + (0.3 * z96 - (0.5 * z98 - (z105 - 0.25 * (z11 * z72))));
-    const double z107 = x * (z15 * (0.2 - z2 * (z31 - z73)) - (0.2 * (c_t * z87) - z79 * z88)) - (z25 * z89 +
-        (0.05 * z15 - (0.5 * (z20 * z86) - (x_dot * z90 + z * z106))));
-    const double z108 = z56 * z107;
-    const double z109 = 3.0 - z99;
-    const double z110 = z98 - (z33 + (z35 - (z34 - (z * z109 - (0.5 * z102 + (z36 - 0.3 * z104))) - z40)));
-    const double z111 = 0.1 * (c_t * z77) + z5 * (x_dot * z83 - (z110 + z11 * z74 + 0.3 * (z7 * z70)));
-    const double z112 = 0.4 * s_t + z29 * z78 - c_z * z111;
-    const double z113 = 0.05 * (c_t * z93) + z5 * (x_dot * z96 - 0.5 * (z11 * z88));
-    const double z114 = z56 * (2.0 - 0.5 * (z29 * z94) + c_z * z113 + 0.5 * (z20 * z112));
-    const double z115 = c_t * z6;
-    const double z116 = y_dot * z78 + (0.06 * z50 - 0.5 * (z6 * z101)) - 0.3 * (z2 * (z74 - (z31 - z71)));
-    const double z117 = z6 * z109 + 2.0 * (z25 * z38) + x_dot * z75 - x * z84 - s_z * (0.06 * (x_dot * z115)
-        + (z116 + y_2 * z111));
-    const double z118 = c_z * (0.3 * (z6 * z103) - z25 * z80) + z117 + 2.0 * (z * (0.2 * z66 - z2 * z70));
-    const double z119 = c_t * z15;
-    const double z120 = 0.5 * (y_dot * z94) - (0.25 * (z15 * z101) - z25 * z91) - 0.15 * (z2 * z88) + y_2 *
-        z113;
-    const double z121 = z15 * z100 + x_dot * z89 + x * z106 - s_z * (0.03 * (x_dot * z119) + z120) + c_z *
-        (0.15 * (z15 * z103) - z25 * z95 + (0.2 * z48 - z2 * z69));
-    const double z122 = z56 * (z121 - 0.5 * (z20 * z118));
-    const double z123 = 0.06 * (c_z * z115) + (z * z75 + (0.1 + 2.0 * (x * z76)) - 2.0 * (z42 * z38));
-    const double z124 = z6 * (z81 + z83) + (z52 + (0.3 * (z46 * z49) - (0.3 * (z29 * z79) - (z12 * z30 +
-        z123))));
-    const double z125 = 0.4 * c_t;
-    const double z126 = 0.05 * (t * z15) - (z125 - 0.15 * (z63 * z49)) - 0.15 * (z29 * z92) + x * z90;
-    const double z127 = z61 * z38 - (0.03 * (c_z * z119) + (0.5 * (z16 * z30) + (z126 + z * z89) + z6 * z96));
-    const double z128 = z56 * (z127 + 0.5 * (z20 * z124));
-    const double z129 = z44 * z91 - (c_z * z78 + (z125 + 0.3 * z6 + 0.5 * (z12 * z28)) + 0.5 * (z15 * z83));
-    const double z130 = 0.5 * (z62 * z91) - (0.2 + (0.5 * (c_z * z94) + (0.25 * (z16 * z28) + z65)) + z15 *
-        z97);
-    const double z131 = z56 * (z130 - 0.5 * (z20 * z129));
+    const double z8 = x * x;
+    const double z9 = 1.0 + z8;
+    const double z10 = z9 * z2;
+    const double z11 = 0.3 * z7 + z6 * z10;
+    const double z12 = z1 * z2 + 0.3 * (z6 * z7) + z6 * z11;
+    const double z13 = 2.0 + s_z;
+    const double z14 = x * z;
+    const double z15 = z14 * z10;
+    const double z16 = z13 * z2 + 0.25 * (z14 * z15);
+    const double z17 = z14 * z11;
+    const double z18 = 1.0 / z12;
+    const double z19 = z17 * z18;
+    const double z20 = z16 - 0.25 * (z17 * z19);
+    const double z21 = 0.3 + 0.5 * y_dot;
+    const double z22 = x_dot * z5;
+    const double z23 = y_dot * z14;
+    const double z24 = 0.3 * z14 + (x_dot * z6 + 0.5 * z23) + 0.4 * (c_t * s_t);
+    const double z25 = z24 * z24;
+    const double z26 = z6 * z24;
+    const double z27 = z2 * z26;
+    const double z28 = 0.3 * z11 + 0.5 * (y_dot * z11);
+    const double z29 = s_z * z24;
+    const double z30 = x_dot * z11;
+    const double z31 = z5 * z30;
+    const double z32 = z2 * z24;
+    const double z33 = z2 * z6;
+    const double z34 = y_2 * z31 + 0.3 * (z32 + x_dot * z33);
+    const double z35 = x_dot * z2;
+    const double z36 = 0.2 * (z9 * c_t) + 2.0 * (x * z35);
+    const double z37 = s_z * z6;
+    const double z38 = x_dot * z37;
+    const double z39 = z6 * z36 - (0.1 * t - (0.05 * z6 + (0.3 * (z2 * z38) - 2.0 * (x * z32))));
+    const double z40 = 0.3 * (z2 * z29) + (s_z * z34 - (2.0 * (z * z35) + (0.06 * (c_z * c_t) + z39)));
+    const double z41 = x * z28 - z40;
+    const double z42 = 1.0 / z20;
+    const double z43 = 0.3 * z24;
+    const double z44 = z4 - 0.05 * z24;
+    const double z45 = z * z14;
+    const double z46 = x_dot * x_dot;
+    const double z47 = y_dot * y_dot;
+    const double z48 = c_z * z14;
+    const double z49 = s_z * z14;
+    const double z50 = x_dot * z49;
+    const double z51 = 0.1 * (z8 * z14) + z2 * (0.5 * (z46 * z45 + 0.5 * (z47 * z48)) - 0.15 * (z50 * z24));
+    const double z52 = 0.2 * y_dot - z43 - 0.5 * (z14 * z44) + (0.5 * (4.0 * y_2 + 3.0 * z45) - z51);
+    const double z53 = 0.2 * (z13 * c_t) + c_z * z32;
+    const double z54 = x_dot * c_t;
+    const double z55 = x + t * x_dot;
+    const double z56 = z * x_dot + x * z24;
+    const double z57 = 0.1 * (c_t * z3) + z5 * (y_dot * c_z - y_2 * z29);
+    const double z58 = 0.4 * (c_t * c_t - s_t * s_t) + (0.3 * z56 + (x_dot * z57 + 0.5 * (y_dot * z56)));
+    const double z59 = z10 * z58 + (z24 * z36 + 0.3 * (0.2 * (c_z * z54) - z29 * z35));
+    const double z60 = y_dot * z53 + (0.15 * z23 - 0.4 * z54 + (0.05 * (z14 * z55) - z43) + 0.5 * (z14 *
+        z59));
+    const double z61 = z * z6;
+    const double z62 = c_z * z6;
+    const double z63 = 0.5 * (2.0 * (z46 * z61) + z47 * z62 + 2.0 * (x * z25)) - 0.3 * (z38 * z24);
+    const double z64 = 0.5 * (2.0 * x + 6.0 * z61) - (0.2 * (2.0 * z14 + z8 * z6) + z2 * z63);
+    const double z65 = y_dot * c_t;
+    const double z66 = 0.4 * (z65 - y_2 * s_t) + 0.1 * (z6 * z55) + (0.3 * (y_dot * z6) - 0.1 * (t * z24));
+    const double z67 = c_t * z24;
+    const double z68 = 0.2 * (z1 * c_t) + 2.0 * (z * z32);
+    const double z69 = 0.3 * (z7 * z58) - (0.3 * (z32 * z29 - 0.2 * (c_z * z67)) - x_dot * z68) + z6 * z59;
+    const double z70 = 0.1 * x_dot - z6 * z44 + z64 + (z66 + z69);
+    const double z71 = z42 * (z52 + z60 - 0.5 * (z19 * z70));
+    const double z72 = 0.5 * (y_dot * z41) + (0.3 * z41 - (0.4 + 0.5 * (z11 * z71)));
+    const double z73 = 1.0 + (0.1 * z6 - z2 * z25 + 2.0 * (x_dot * z27)) + z24 * z28 + z * z72;
+    const double z74 = z18 * z70 - 0.5 * (z19 * z71);
+    const double z75 = z6 * z74;
+    const double z76 = z14 * z71;
+    const double z77 = z75 + 0.5 * z76;
+    const double z78 = z73 - 2.0 * (x * (0.2 * z6 - (0.2 * (c_t * z26) + z33 * (z58 - z77))));
+    const double z79 = z14 * z24;
+    const double z80 = z2 * z79;
+    const double z81 = 0.15 * z15 + 0.25 * (y_dot * z15);
+    const double z82 = z2 * z14;
+    const double z83 = x_dot * z15;
+    const double z84 = z5 * z83;
+    const double z85 = 0.15 * (x_dot * z82) + 0.5 * (y_2 * z84);
+    const double z86 = y_dot * z2;
+    const double z87 = s_z * z85 - (c_z * z86 - (0.6 - (0.025 * z14 + 0.15 * (z2 * z50)) - 0.5 * (z14 *
+        z36)));
+    const double z88 = x * z81 - z87;
+    const double z89 = 0.15 + 0.5 * z88;
+    const double z90 = z11 * z74;
+    const double z91 = z46 * z2;
+    const double z92 = 1.5 - 0.5 * z91;
+    const double z93 = z47 * z2;
+    const double z94 = c_z * z93;
+    const double z95 = x_dot * z32;
+    const double z96 = s_z * z95;
+    const double z97 = 0.5 * z44 - (z * z92 - (0.25 * z94 + (0.1 * z8 - 0.15 * z96))) - 0.5 * z59;
+    const double z98 = 0.3 * z88 - (0.5 * z90 - (0.05 * z55 - z97 - 0.25 * (z15 * z71) - 0.25 * (z10 * z76)));
+    const double z99 = y_dot * z89 + z98;
+    const double z100 = z14 * z74;
+    const double z101 = 0.1 * (c_t * z79) + z2 * (0.5 * (z14 * z58) - (0.25 * (z14 * z76) + 0.5 * (z6 *
+        z100)));
+    const double z102 = 0.05 * z14 + x_dot * z80 + z24 * z81 + z * z99 - 2.0 * (x * (0.1 * z14 - z101));
+    const double z103 = z42 * (z102 - 0.5 * (z19 * z78));
+    const double z104 = 3.0 - z91;
+    const double z105 = 0.3 * y_dot - (z44 - (z * z104 - (0.5 * z94 + (0.2 * z8 - 0.3 * z96))) - z59);
+    const double z106 = z5 * (x_dot * z41 - (z90 - (0.1 * z55 + z105) + z10 * z77 + 0.3 * (z7 * z74)));
+    const double z107 = 0.1 * (c_t * z30) + z106;
+    const double z108 = 0.4 * s_t + z29 * z31 - c_z * z107;
+    const double z109 = 0.05 * (c_t * z83) + z5 * (x_dot * z88 - 0.5 * (z10 * z100));
+    const double z110 = z42 * (2.0 - 0.5 * (z29 * z84) + c_z * z109 + 0.5 * (z19 * z108));
+    const double z111 = c_t * z6;
+    const double z112 = y_dot * z31 + (0.06 * z67 - 0.5 * (z6 * z93)) - 0.3 * (z2 * (z77 - (z58 - z75)));
+    const double z113 = x_dot * z28 + (z6 * z104 + 2.0 * (z24 * z35)) + x * z72 - s_z * (0.06 * (x_dot *
+        z111) + (z112 + y_2 * z107));
+    const double z114 = c_z * (0.3 * (z6 * z95) - z24 * z34) + z113 + 2.0 * (z * (0.2 * z54 - z2 * z74));
+    const double z115 = c_t * z14;
+    const double z116 = 0.5 * (y_dot * z84) - (0.25 * (z14 * z93) - z24 * z86) - 0.15 * (z2 * z100) + y_2 *
+        z109;
+    const double z117 = z14 * z92 + x_dot * z81 + x * z99 - s_z * (0.03 * (x_dot * z115) + z116) + c_z *
+        (0.15 * (z14 * z95) - z24 * z85 + (0.2 * z65 - z2 * z71));
+    const double z118 = z42 * (z117 - 0.5 * (z19 * z114));
+    const double z119 = 2.0 * (x * z27) - (0.3 * (z29 * z33) - (z68 + (0.1 * (t * z6) + 0.3 * (z37 * z32))));
+    const double z120 = 2.0 * (z61 * z35) - (0.06 * (c_z * z111) + (0.1 + (z11 * z57 + (z * z28 + z119)) + z6
+        * z41));
+    const double z121 = 0.4 * c_t;
+    const double z122 = 0.05 * (t * z14) - (z121 - 0.15 * (z49 * z32)) - 0.15 * (z29 * z82) + x * z80;
+    const double z123 = z45 * z35 - (0.03 * (c_z * z115) + (z * z81 + z122 + 0.5 * (z15 * z57) + z6 * z88));
+    const double z124 = z42 * (z123 - 0.5 * (z19 * z120));
+    const double z125 = z62 * z86 - (c_z * z31 + (z121 + 0.3 * z6 + 0.5 * (z11 * z56)) + 0.5 * (z14 * z41));
+    const double z126 = 0.5 * (y_dot * (z2 * z48)) - (z14 * z89 + (0.2 + (0.5 * (c_z * z84) + (z53 + 0.25 *
+        (z15 * z56)))));
+    const double z127 = z42 * (z126 - 0.5 * (z19 * z125));
     /* (I.4.9) */
     J[3] = 1.0;
     J[9] = 1.0;
-    J[10] = z * z22;
-    J[11] = c_z * z23;
-    J[12] = x * z22 - y_2 * s_z * z23;
+    J[10] = z * z21;
+    J[11] = c_z * z22;
+    J[12] = x * z21 - y_2 * s_z * z22;
     J[13] = z6;
-    J[14] = 0.5 * z15;
-    J[15] = -(z19 * z86 + 0.5 * (z20 * z108));
-    J[16] = z19 * z112 + 0.5 * (z20 * z114);
-    J[17] = 0.5 * (z20 * z122) - z19 * z118;
-    J[18] = -(z19 * z124 + 0.5 * (z20 * z128));
-    J[19] = z19 * z129 - 0.5 * (z20 * z131);
-    J[20] = z108;
-    J[21] = -z114;
-    J[22] = -z122;
-    J[23] = z128;
-    J[24] = z131;
+    J[14] = 0.5 * z14;
+    J[15] = 0.5 * (z19 * z103) - z18 * z78;
+    J[16] = z18 * z108 + 0.5 * (z19 * z110);
+    J[17] = 0.5 * (z19 * z118) - z18 * z114;
+    J[18] = z18 * z120 - 0.5 * (z19 * z124);
+    J[19] = z18 * z125 - 0.5 * (z19 * z127);
+    J[20] = -z103;
+    J[21] = -z110;
+    J[22] = -z118;
+    J[23] = z124;
+    J[24] = z127;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(J[10] + J[12] + J[14] + J[15] + J[16] + J[17] + J[18] + J[19] + J[21] + J[22]) <= DBL_MAX
-        && fabs(z21) > 1e-14 * z17)) {
+    if (!(fabs(J[10] + J[12] + J[14] + J[15] + J[16] + J[17] + J[18] + J[19] + J[20] + J[21] + J[22]) <=
+        DBL_MAX
+        && fabs(z20) > 1e-14 * z16)) {
         /* the mass matrix is singular */
-        if (!(fabs(z13) > 0.0)) {
+        if (!(fabs(z12) > 0.0)) {
             return AFFINE_VORONEC_SINGULAR_2;
         }
         /* the mass matrix is singular */
-        if (!(fabs(z21) > 1e-14 * z17)) {
+        if (!(fabs(z20) > 1e-14 * z16)) {
             return AFFINE_VORONEC_SINGULAR_2;
         }
         return affine_voronec_finish(25, J);

@@ -1,5 +1,5 @@
 /*
- * affine_voronec.h: affine_voronec, emitted by nhc 0.1.0 (nhc:7bac2d9bc6484aa6)
+ * affine_voronec.h: affine_voronec, emitted by nhc 0.1.0 (nhc:e584f08f6bb101ab)
  * A particle with everything at once; affine constraint, time, T of degrees 2, 1 and 0, drag, a driving
  *     force.
  * Source: affine_voronec.yaml
@@ -20,13 +20,13 @@
  *
  * Operations:
  * rhs: 62 +-, 105 *, 2 /, 4 calls
- * velocities: 4 +-, 9 *, 0 /, 3 calls
- * accelerations: 67 +-, 109 *, 2 /, 4 calls
+ * velocities: 4 +-, 10 *, 0 /, 3 calls
+ * accelerations: 68 +-, 139 *, 2 /, 4 calls
  * state: 0 +-, 0 *, 0 /, 0 calls
- * residuals: 5 +-, 9 *, 0 /, 3 calls
- * reactions: 72 +-, 110 *, 2 /, 4 calls
- * energy: 18 +-, 36 *, 0 /, 4 calls
- * jacobian: 200 +-, 356 *, 2 /, 4 calls
+ * residuals: 5 +-, 10 *, 0 /, 3 calls
+ * reactions: 73 +-, 148 *, 2 /, 4 calls
+ * energy: 18 +-, 37 *, 0 /, 4 calls
+ * jacobian: 204 +-, 400 *, 2 /, 4 calls
  * outputs: 0 +-, 0 *, 0 /, 0 calls
  *
  * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.

@@ -1,5 +1,5 @@
 /*
- * ball_on_table.c: ball_on_table, emitted by nhc 0.1.0 (nhc:0215eea443b66a06)
+ * ball_on_table.c: ball_on_table, emitted by nhc 0.1.0 (nhc:177883858d49c595)
  * A homogeneous ball that rolls on a turning table; its centre runs on a circle, though nothing holds it
  *     there.
  * Source: ball_on_table.yaml
@@ -377,30 +377,36 @@ int ball_on_table_accelerations(double t, const double *y, const double *p, doub
     const double Omega = Omega0 + z6;
     const double z7 = s_theta * s_phi;
     const double z8 = phi_dot * c_phi;
-    const double z9 = x * s_phi - y_2 * c_phi;
-    const double z10 = phi_dot * k4;
-    const double z11 = a * (psi_dot * s_theta);
-    const double z12 = x * c_phi + y_2 * s_phi;
+    const double z9 = x * c_phi;
+    const double z10 = y_2 * s_phi;
+    const double z11 = z9 + z10;
+    const double z12 = x * s_phi;
     const double z13 = k6 + z6;
-    const double z14 = k7 * z9 - (Omega0 + z10) * z11 + Omega1 * (z4 * z12 - s1 * (z11 - z13 * z9));
-    const double z15 = k8 * z14;
-    const double z16 = theta_dot * c_theta;
-    const double z17 = c_phi * s_theta;
-    const double z18 = theta_dot * a;
-    const double z19 = z12 * k7 - z18 * (z10 + (Omega0 - psi_dot * c_theta * k4)) - Omega1 * (z4 * z9 + s1 *
-        (z18 - z13 * z12));
-    const double z20 = k1 / z2 * z19;
-    const double z21 = s_theta * z20;
-    const double z22 = a * (theta_dot * z8 + s_phi * z15 - (psi_dot * (c_phi * z16 - phi_dot * z7) - z17 *
-        z21));
-    const double z23 = psi_dot * (s_phi * z16 + s_theta * z8 + Omega * z17) - (theta_dot * s_phi * (phi_dot +
-        Omega) - (c_phi * z15 - z7 * z21));
+    const double z14 = y_2 * c_phi;
+    const double z15 = a * (psi_dot * s_theta);
+    const double z16 = z12 - z14;
+    const double z17 = phi_dot * k4;
+    const double z18 = Omega1 * (z4 * z11 + s1 * (z12 * z13 - (z13 * z14 + z15))) + (k7 * z16 - (Omega0 +
+        z17) * z15);
+    const double z19 = k8 * z18;
+    const double z20 = phi_dot * s_phi;
+    const double z21 = theta_dot * c_theta;
+    const double z22 = c_phi * s_theta;
+    const double z23 = theta_dot * a;
+    const double z24 = Omega1 * (s1 * (z13 * z9 - (z23 - z13 * z10)) - z4 * z16) + (z11 * k7 - z23 * (z17 +
+        (Omega0 - psi_dot * c_theta * k4)));
+    const double z25 = z24 * (k1 / z2);
+    const double z26 = s_theta * z25;
+    const double z27 = a * (theta_dot * z8 + s_phi * z19 + (psi_dot * (s_theta * z20 - c_phi * z21) + z22 *
+        z26));
+    const double z28 = a * (theta_dot * z20 - c_phi * z19 - (psi_dot * (s_phi * z21 + s_theta * z8) - z7 *
+        z26));
     /* (III.3) */
-    qddot[0] = z22 - (y_2 * z5 - Omega * (a * (theta_dot * c_phi + psi_dot * z7) - x * Omega)); /* x'' */
-    qddot[1] = x * z5 - y_2 * (Omega * Omega) - a * z23; /* y'' */
-    qddot[2] = s_theta * (theta_dot * psi_dot + c_theta * z20); /* phi'' */
-    qddot[3] = z15; /* theta'' */
-    qddot[4] = -z21; /* psi'' */
+    qddot[0] = z27 - (y_2 * z5 - Omega * (a * (theta_dot * c_phi + psi_dot * z7) - x * Omega)); /* x'' */
+    qddot[1] = x * z5 + Omega * (a * (theta_dot * s_phi - psi_dot * z22) - y_2 * Omega) + z28; /* y'' */
+    qddot[2] = s_theta * (theta_dot * psi_dot + c_theta * z25); /* phi'' */
+    qddot[3] = z19; /* theta'' */
+    qddot[4] = -z26; /* psi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qddot[0] + qddot[1] + qddot[2] + qddot[4]) <= DBL_MAX
         && fabs(k3) > 0.0
@@ -534,27 +540,32 @@ int ball_on_table_reactions(double t, const double *y, const double *p, double *
     const double z9 = nu * c1;
     const double z10 = Omega1 * z9;
     const double z11 = Omega0 * (Omega0 + 2.0 * z4) + k9 * (s1 * s1);
-    const double z12 = x * s_phi - y_2 * c_phi;
-    const double z13 = phi_dot * k4;
-    const double z14 = a * z7;
-    const double z15 = x * c_phi + y_2 * s_phi;
+    const double z12 = x * c_phi;
+    const double z13 = y_2 * s_phi;
+    const double z14 = z12 + z13;
+    const double z15 = x * s_phi;
     const double z16 = k6 + z4;
-    const double z17 = k7 * z12 - (Omega0 + z13) * z14 + Omega1 * (z9 * z15 - s1 * (z14 - z16 * z12));
-    const double z18 = k8 * z17;
-    const double z19 = c_phi * k1;
-    const double z20 = theta_dot * a;
-    const double z21 = z15 * k7 - z20 * (z13 + (Omega0 - z5 * k4)) - Omega1 * (z9 * z12 + s1 * (z20 - z16 *
-        z15));
-    const double z22 = s_theta * k1;
-    const double z23 = z21 * (z22 / z2);
-    const double z24 = m * (a * (c_phi * z6 + s_phi * z8) - (y_2 * z10 + x * z11)) + (k1 * (s_phi * z18) +
-        z19 * (s_theta * z23));
-    const double z25 = m * (a * (s_phi * z6 - c_phi * z8) + (x * z10 - y_2 * z11)) - (z18 * z19 - s_phi * z22
-        * z23);
+    const double z17 = y_2 * c_phi;
+    const double z18 = a * z7;
+    const double z19 = z15 - z17;
+    const double z20 = phi_dot * k4;
+    const double z21 = Omega1 * (z9 * z14 + s1 * (z15 * z16 - (z16 * z17 + z18))) + (k7 * z19 - (Omega0 +
+        z20) * z18);
+    const double z22 = k8 * z21;
+    const double z23 = c_phi * k1;
+    const double z24 = theta_dot * a;
+    const double z25 = Omega1 * (s1 * (z16 * z12 - (z24 - z16 * z13)) - z9 * z19) + (z14 * k7 - z24 * (z20 +
+        (Omega0 - z5 * k4)));
+    const double z26 = s_theta * k1;
+    const double z27 = z25 * (z26 / z2);
+    const double z28 = m * (a * (c_phi * z6 + s_phi * z8) - (y_2 * z10 + x * z11)) + (k1 * (s_phi * z22) +
+        z23 * (s_theta * z27));
+    const double z29 = m * (a * (s_phi * z6 - c_phi * z8) + (x * z10 - y_2 * z11)) - (z22 * z23 - s_phi * z26
+        * z27);
     /* (I.4.1) 27:5 */
-    lambda[0] = z24; /* reaction of roll_x: Q_i gains lambda_1 a_1i */
+    lambda[0] = z28; /* reaction of roll_x: Q_i gains lambda_1 a_1i */
     /* (I.4.1) 28:5 */
-    lambda[1] = z25; /* reaction of roll_y: Q_i gains lambda_2 a_2i */
+    lambda[1] = z29; /* reaction of roll_y: Q_i gains lambda_2 a_2i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(lambda[0] + lambda[1]) <= DBL_MAX && fabs(k3) > 0.0 && fabs(z2) > 1e-14 * z1)) {
         /* the mass matrix is singular */
@@ -675,32 +686,33 @@ int ball_on_table_jacobian(double t, const double *y, const double *p, double *J
     const double z18 = c_phi * k7 + Omega1 * (c_phi * z16 - s_phi * z17);
     const double z19 = s_phi * k7 + Omega1 * (s_phi * z16 + c_phi * z17);
     const double z20 = x * s_phi - y_2 * c_phi;
-    const double z21 = x * c_phi + y_2 * s_phi;
-    const double z22 = k7 * z20 + Omega1 * (z17 * z21 + z20 * z16);
-    const double z23 = theta_dot * psi_dot;
-    const double z24 = z21 * k7;
-    const double z25 = theta_dot * a;
-    const double z26 = phi_dot * k4;
-    const double z27 = z7 * k4;
-    const double z28 = z17 * z20;
-    const double z29 = z15 * z21;
-    const double z30 = Omega1 * (z28 + s1 * (z25 - z29));
-    const double z31 = z24 - z25 * (z26 + (Omega0 - z27)) - z30;
-    const double z32 = z11 * z12;
-    const double z33 = z31 * z32;
-    const double z34 = s_theta * k3;
-    const double z35 = k3 * (c_theta * z23) - z33 * z34;
-    const double z36 = s_theta * k2;
-    const double z37 = s_theta * (z11 * (psi_dot * z25) + (z23 + k1 * (z31 * z13)) * z34) + c_theta * (k1 *
-        (z25 * (z26 + (Omega0 - z7)) - z24 + z30) + 2.0 * (z33 * z36));
-    const double z38 = z12 * (z37 - c_theta * z35);
-    const double z39 = theta_dot * s_theta;
-    const double z40 = z39 * k2;
-    const double z41 = k4 * (z13 * z40);
-    const double z42 = z26 + (Omega - z27);
-    const double z43 = k4 * z12;
-    const double z44 = Omega + z26;
-    const double z45 = k9 * (psi_dot * k2);
+    const double z21 = x * c_phi;
+    const double z22 = y_2 * s_phi;
+    const double z23 = z21 + z22;
+    const double z24 = k7 * z20 + Omega1 * (z17 * z23 + z20 * z16);
+    const double z25 = theta_dot * psi_dot;
+    const double z26 = theta_dot * a;
+    const double z27 = z17 * z20;
+    const double z28 = Omega1 * (s1 * (z15 * z21 - (z26 - z15 * z22)) - z27);
+    const double z29 = z23 * k7;
+    const double z30 = phi_dot * k4;
+    const double z31 = z7 * k4;
+    const double z32 = z28 + (z29 - z26 * (z30 + (Omega0 - z31)));
+    const double z33 = z11 * z12;
+    const double z34 = z32 * z33;
+    const double z35 = s_theta * k3;
+    const double z36 = k3 * (c_theta * z25) - z34 * z35;
+    const double z37 = s_theta * k2;
+    const double z38 = s_theta * (z11 * (psi_dot * z26) + (z25 + k1 * (z32 * z13)) * z35) - c_theta * (k1 *
+        (z28 - (z26 * (z30 + (Omega0 - z7)) - z29)) - 2.0 * (z34 * z37));
+    const double z39 = z12 * (z38 - c_theta * z36);
+    const double z40 = theta_dot * s_theta;
+    const double z41 = z40 * k2;
+    const double z42 = k4 * (z13 * z41);
+    const double z43 = z30 + (Omega - z31);
+    const double z44 = k4 * z12;
+    const double z45 = Omega + z30;
+    const double z46 = k9 * (psi_dot * k2);
     /* (III.3) */
     J[1] = -Omega;
     J[2] = a * (theta_dot * c_phi + psi_dot * z6);
@@ -717,24 +729,24 @@ int ball_on_table_jacobian(double t, const double *y, const double *p, double *J
     J[39] = 1.0;
     J[40] = z14 * z18;
     J[41] = z14 * z19;
-    J[42] = -z14 * z22;
-    J[43] = k8 * z35 - c_theta * z38;
-    J[45] = -z41;
-    J[46] = s_theta * (psi_dot - k2 * (z42 * z13));
-    J[47] = z39 * (1.0 + k2 * (z2 * z43));
+    J[42] = -z14 * z24;
+    J[43] = k8 * z36 - c_theta * z39;
+    J[45] = -z42;
+    J[46] = s_theta * (psi_dot - k2 * (z43 * z13));
+    J[47] = z40 * (1.0 + k2 * (z2 * z44));
     J[48] = k10 * z19;
     J[49] = -k10 * z18;
-    J[50] = k10 * (z24 - Omega1 * (z28 - s1 * z29));
-    J[51] = -z44 * (c_theta * z45);
-    J[53] = -k4 * (s_theta * z45);
-    J[55] = -k9 * (z44 * z36);
-    J[56] = -z32 * z18;
-    J[57] = -z32 * z19;
-    J[58] = z32 * z22;
-    J[59] = z38;
-    J[61] = z40 * z43;
-    J[62] = z36 * (z12 * z42);
-    J[63] = -z41;
+    J[50] = k10 * (z29 - Omega1 * (z27 - z23 * z16));
+    J[51] = -z45 * (c_theta * z46);
+    J[53] = -k4 * (s_theta * z46);
+    J[55] = -k9 * (z45 * z37);
+    J[56] = -z33 * z18;
+    J[57] = -z33 * z19;
+    J[58] = z33 * z24;
+    J[59] = z39;
+    J[61] = z41 * z44;
+    J[62] = z37 * (z12 * z43);
+    J[63] = -z42;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(J[2] + J[3] + J[7] + J[10] + J[11] + J[15] + J[40] + J[41] + J[42] + J[43] + J[46] + J[47] +
         J[48] + J[49] + J[50] + J[51] + J[53] + J[55] + J[56] + J[57] + J[58] + J[61] + J[62] + J[63]) <=

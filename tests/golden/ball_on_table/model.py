@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""ball_on_table, emitted by nhc 0.1.0 (nhc:3bab0549fe486571).
+"""ball_on_table, emitted by nhc 0.1.0 (nhc:31524a0f482fa216).
 
 A homogeneous ball that rolls on a turning table; its centre runs on a circle,
     though nothing holds it there.
@@ -44,12 +44,12 @@ out[1] = moving_energy
 Operations:
 rhs: 25 +-, 52 *, 2 /, 6 calls
 velocities: 5 +-, 11 *, 0 /, 4 calls
-accelerations: 35 +-, 72 *, 2 /, 6 calls
+accelerations: 37 +-, 76 *, 2 /, 6 calls
 state: 0 +-, 0 *, 0 /, 0 calls
 residuals: 7 +-, 11 *, 0 /, 4 calls
-reactions: 34 +-, 67 *, 2 /, 6 calls
+reactions: 36 +-, 69 *, 2 /, 6 calls
 energy: 10 +-, 23 *, 0 /, 5 calls
-jacobian: 39 +-, 115 *, 3 /, 6 calls
+jacobian: 40 +-, 116 *, 3 /, 6 calls
 outputs: 14 +-, 28 *, 0 /, 3 calls
 
 A singular point raises SingularModelError.
@@ -293,38 +293,44 @@ def accelerations(
         s_phi = math.sin(phi)
         z7 = s_theta * s_phi
         z8 = phi_dot * c_phi
-        z9 = x * s_phi - y_2 * c_phi
-        z10 = phi_dot * k4
-        z11 = a * (psi_dot * s_theta)
-        z12 = x * c_phi + y_2 * s_phi
+        z9 = x * c_phi
+        z10 = y_2 * s_phi
+        z11 = z9 + z10
+        z12 = x * s_phi
         z13 = k6 + z6
-        s2 = Omega1 * (z4 * z12 - s1 * (z11 - z13 * z9))
-        z14 = k7 * z9 - (Omega0 + z10) * z11 + s2
-        z15 = k8 * z14
-        z16 = theta_dot * c_theta
-        z17 = c_phi * s_theta
-        z18 = theta_dot * a
-        s3 = z12 * k7 - z18 * (z10 + (Omega0 - psi_dot * c_theta * k4))
-        z19 = s3 - Omega1 * (z4 * z9 + s1 * (z18 - z13 * z12))
-        z20 = k1 / z2 * z19
-        z21 = s_theta * z20
-        s4 = psi_dot * (c_phi * z16 - phi_dot * z7) - z17 * z21
-        z22 = a * (theta_dot * z8 + s_phi * z15 - s4)
-        s5 = theta_dot * s_phi * (phi_dot + Omega)
-        s6 = psi_dot * (s_phi * z16 + s_theta * z8 + Omega * z17)
-        z23 = s6 - (s5 - (c_phi * z15 - z7 * z21))
+        z14 = y_2 * c_phi
+        z15 = a * (psi_dot * s_theta)
+        z16 = z12 - z14
+        z17 = phi_dot * k4
+        s2 = Omega1 * (z4 * z11 + s1 * (z12 * z13 - (z13 * z14 + z15)))
+        z18 = s2 + (k7 * z16 - (Omega0 + z17) * z15)
+        z19 = k8 * z18
+        z20 = phi_dot * s_phi
+        z21 = theta_dot * c_theta
+        z22 = c_phi * s_theta
+        z23 = theta_dot * a
+        s3 = z11 * k7 - z23 * (z17 + (Omega0 - psi_dot * c_theta * k4))
+        s4 = Omega1 * (s1 * (z13 * z9 - (z23 - z13 * z10)) - z4 * z16)
+        z24 = s4 + s3
+        z25 = z24 * (k1 / z2)
+        z26 = s_theta * z25
+        s5 = psi_dot * (s_theta * z20 - c_phi * z21) + z22 * z26
+        z27 = a * (theta_dot * z8 + s_phi * z19 + s5)
+        s6 = psi_dot * (s_phi * z21 + s_theta * z8) - z7 * z26
+        z28 = a * (theta_dot * z20 - c_phi * z19 - s6)
         s7 = Omega * (a * (theta_dot * c_phi + psi_dot * z7) - x * Omega)
+        s8 = a * (theta_dot * s_phi - psi_dot * z22) - y_2 * Omega
         qddot: list[float] = [
             # x'' (III.3)
-            z22 - (y_2 * z5 - s7),
+            z27 - (y_2 * z5 - s7),
             # y'' (III.3)
-            x * z5 - y_2 * (Omega * Omega) - a * z23,
+            x * z5 + Omega * s8 + z28,
             # phi'' (III.3)
-            s_theta * (theta_dot * psi_dot + c_theta * z20),
+            s_theta * (theta_dot * psi_dot + c_theta * z25),
             # theta'' (III.3)
-            z15,
+            z19,
             # psi'' (III.3)
-            -z21,
+            -z26,
         ]
         return _finish("accelerations", qddot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -464,29 +470,33 @@ def reactions(
         z9 = nu * c1
         z10 = Omega1 * z9
         z11 = Omega0 * (Omega0 + 2.0 * z4) + k9 * (s1 * s1)
-        z12 = x * s_phi - y_2 * c_phi
-        z13 = phi_dot * k4
-        z14 = a * z7
-        z15 = x * c_phi + y_2 * s_phi
+        z12 = x * c_phi
+        z13 = y_2 * s_phi
+        z14 = z12 + z13
+        z15 = x * s_phi
         z16 = k6 + z4
-        s2 = Omega1 * (z9 * z15 - s1 * (z14 - z16 * z12))
-        z17 = k7 * z12 - (Omega0 + z13) * z14 + s2
-        z18 = k8 * z17
-        z19 = c_phi * k1
-        z20 = theta_dot * a
-        s3 = Omega1 * (z9 * z12 + s1 * (z20 - z16 * z15))
-        z21 = z15 * k7 - z20 * (z13 + (Omega0 - z5 * k4)) - s3
-        z22 = s_theta * k1
-        z23 = z21 * (z22 / z2)
+        z17 = y_2 * c_phi
+        z18 = a * z7
+        z19 = z15 - z17
+        z20 = phi_dot * k4
+        s2 = Omega1 * (z9 * z14 + s1 * (z15 * z16 - (z16 * z17 + z18)))
+        z21 = s2 + (k7 * z19 - (Omega0 + z20) * z18)
+        z22 = k8 * z21
+        z23 = c_phi * k1
+        z24 = theta_dot * a
+        s3 = Omega1 * (s1 * (z16 * z12 - (z24 - z16 * z13)) - z9 * z19)
+        z25 = s3 + (z14 * k7 - z24 * (z20 + (Omega0 - z5 * k4)))
+        z26 = s_theta * k1
+        z27 = z25 * (z26 / z2)
         s4 = m * (a * (c_phi * z6 + s_phi * z8) - (y_2 * z10 + x * z11))
-        z24 = s4 + (k1 * (s_phi * z18) + z19 * (s_theta * z23))
+        z28 = s4 + (k1 * (s_phi * z22) + z23 * (s_theta * z27))
         s5 = m * (a * (s_phi * z6 - c_phi * z8) + (x * z10 - y_2 * z11))
-        z25 = s5 - (z18 * z19 - s_phi * z22 * z23)
+        z29 = s5 - (z22 * z23 - s_phi * z26 * z27)
         lambda_: list[float] = [
             # reaction of roll_x: Q_i gains lambda_1 a_1i (I.4.1) 27:5
-            z24,
+            z28,
             # reaction of roll_y: Q_i gains lambda_2 a_2i (I.4.1) 28:5
-            z25,
+            z29,
         ]
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -610,33 +620,34 @@ def jacobian(
         z18 = c_phi * k7 + Omega1 * (c_phi * z16 - s_phi * z17)
         z19 = s_phi * k7 + Omega1 * (s_phi * z16 + c_phi * z17)
         z20 = x * s_phi - y_2 * c_phi
-        z21 = x * c_phi + y_2 * s_phi
-        z22 = k7 * z20 + Omega1 * (z17 * z21 + z20 * z16)
-        z23 = theta_dot * psi_dot
-        z24 = z21 * k7
-        z25 = theta_dot * a
-        z26 = phi_dot * k4
-        z27 = z7 * k4
-        z28 = z17 * z20
-        z29 = z15 * z21
-        z30 = Omega1 * (z28 + s1 * (z25 - z29))
-        z31 = z24 - z25 * (z26 + (Omega0 - z27)) - z30
-        z32 = z11 * z12
-        z33 = z31 * z32
-        z34 = s_theta * k3
-        z35 = k3 * (c_theta * z23) - z33 * z34
-        z36 = s_theta * k2
-        s2 = z11 * (psi_dot * z25) + (z23 + k1 * (z31 * z13)) * z34
-        s3 = k1 * (z25 * (z26 + (Omega0 - z7)) - z24 + z30)
-        z37 = s_theta * s2 + c_theta * (s3 + 2.0 * (z33 * z36))
-        z38 = z12 * (z37 - c_theta * z35)
-        z39 = theta_dot * s_theta
-        z40 = z39 * k2
-        z41 = k4 * (z13 * z40)
-        z42 = z26 + (Omega - z27)
-        z43 = k4 * z12
-        z44 = Omega + z26
-        z45 = k9 * (psi_dot * k2)
+        z21 = x * c_phi
+        z22 = y_2 * s_phi
+        z23 = z21 + z22
+        z24 = k7 * z20 + Omega1 * (z17 * z23 + z20 * z16)
+        z25 = theta_dot * psi_dot
+        z26 = theta_dot * a
+        z27 = z17 * z20
+        z28 = Omega1 * (s1 * (z15 * z21 - (z26 - z15 * z22)) - z27)
+        z29 = z23 * k7
+        z30 = phi_dot * k4
+        z31 = z7 * k4
+        z32 = z28 + (z29 - z26 * (z30 + (Omega0 - z31)))
+        z33 = z11 * z12
+        z34 = z32 * z33
+        z35 = s_theta * k3
+        z36 = k3 * (c_theta * z25) - z34 * z35
+        z37 = s_theta * k2
+        s2 = z11 * (psi_dot * z26) + (z25 + k1 * (z32 * z13)) * z35
+        s3 = k1 * (z28 - (z26 * (z30 + (Omega0 - z7)) - z29))
+        z38 = s_theta * s2 - c_theta * (s3 - 2.0 * (z34 * z37))
+        z39 = z12 * (z38 - c_theta * z36)
+        z40 = theta_dot * s_theta
+        z41 = z40 * k2
+        z42 = k4 * (z13 * z41)
+        z43 = z30 + (Omega - z31)
+        z44 = k4 * z12
+        z45 = Omega + z30
+        z46 = k9 * (psi_dot * k2)
         J: list[float] = [
             0.0,
             # (III.3)
@@ -696,45 +707,45 @@ def jacobian(
             # (III.3)
             z14 * z19,
             # (III.3)
-            -z14 * z22,
+            -z14 * z24,
             # (III.3)
-            k8 * z35 - c_theta * z38,
+            k8 * z36 - c_theta * z39,
             0.0,
             # (III.3)
-            -z41,
+            -z42,
             # (III.3)
-            s_theta * (psi_dot - k2 * (z42 * z13)),
+            s_theta * (psi_dot - k2 * (z43 * z13)),
             # (III.3)
-            z39 * (1.0 + k2 * (z2 * z43)),
+            z40 * (1.0 + k2 * (z2 * z44)),
             # (III.3)
             k10 * z19,
             # (III.3)
             -k10 * z18,
             # (III.3)
-            k10 * (z24 - Omega1 * (z28 - s1 * z29)),
+            k10 * (z29 - Omega1 * (z27 - z23 * z16)),
             # (III.3)
-            -z44 * (c_theta * z45),
+            -z45 * (c_theta * z46),
             0.0,
             # (III.3)
-            -k4 * (s_theta * z45),
+            -k4 * (s_theta * z46),
             0.0,
             # (III.3)
-            -k9 * (z44 * z36),
+            -k9 * (z45 * z37),
             # (III.3)
-            -z32 * z18,
+            -z33 * z18,
             # (III.3)
-            -z32 * z19,
+            -z33 * z19,
             # (III.3)
-            z32 * z22,
+            z33 * z24,
             # (III.3)
-            z38,
+            z39,
             0.0,
             # (III.3)
-            z40 * z43,
+            z41 * z44,
             # (III.3)
-            z36 * (z12 * z42),
+            z37 * (z12 * z43),
             # (III.3)
-            -z41,
+            -z42,
         ]
         _finish("jacobian", J)
         return [J[k11 : k11 + 8] for k11 in range(0, 64, 8)]

@@ -1,5 +1,5 @@
 /*
- * bicycle.h: bicycle, emitted by nhc 0.1.0 (nhc:5e2a0abef4edc925)
+ * bicycle.h: bicycle, emitted by nhc 0.1.0 (nhc:4598e09da587a54e)
  * Whipple's bicycle, nonlinear; two wheels, rear frame with rider, front frame; x ahead, y right, z down.
  * Source: bicycle.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -63,14 +63,14 @@
  *
  * Operations:
  * rhs: 501 +-, 760 *, 7 /, 17 calls
- * velocities: 59 +-, 103 *, 3 /, 17 calls
- * accelerations: 167 +-, 280 *, 5 /, 12 calls
+ * velocities: 62 +-, 108 *, 3 /, 17 calls
+ * accelerations: 172 +-, 286 *, 5 /, 12 calls
  * state: 0 +-, 0 *, 0 /, 0 calls
  * residuals: 108 +-, 185 *, 2 /, 12 calls
- * reactions: 398 +-, 600 *, 4 /, 12 calls
- * energy: 174 +-, 287 *, 3 /, 12 calls
+ * reactions: 432 +-, 660 *, 4 /, 12 calls
+ * energy: 177 +-, 292 *, 3 /, 12 calls
  * jacobian: 3688 +-, 5105 *, 10 /, 17 calls
- * outputs: 61 +-, 105 *, 5 /, 17 calls
+ * outputs: 64 +-, 112 *, 5 /, 17 calls
  *
  * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
  */

@@ -1,4 +1,4 @@
-"""chaplygin_ball, emitted by nhc 0.1.0 (nhc:b8f7d0bd779765af).
+"""chaplygin_ball, emitted by nhc 0.1.0 (nhc:c3efb85ae3d30ced).
 
 A ball with three different moments of inertia and its centre of mass at its centre
     rolls on a horizontal plane.
@@ -614,123 +614,121 @@ def jacobian(
         z26 = a * (z22 * z25)
         s_phi = math.sin(phi)
         z27 = c_psi * w2 + s_psi * w1
-        z28 = c_theta * z22
-        z29 = a * (w3 - z27 * z28)
-        z30 = s_theta * z29
-        z31 = c_theta / (s_theta * s_theta)
-        z32 = s_psi * w2 - c_psi * w1
-        z33 = z25 * z31 + z32 * z28
-        z34 = a * z33
-        z35 = a * s_theta
-        z36 = z27 * z31
-        z37 = z27 + c_theta * z36
-        z38 = c_theta * z29 + z35 * z37
-        z39 = z22 * (z24 * w1 + z23 * w2)
-        z40 = a * z39
-        z41 = z22 * z32
-        z42 = c_theta * z41
-        z43 = z35 * z42
-        z44 = a * c_psi
-        z45 = s_psi * z22
-        z46 = c_theta * z45
-        z47 = z46 * z35
-        z48 = a * s_psi
-        z49 = c_psi * z22
-        z50 = c_theta * z49
-        z51 = z50 * z35
-        z52 = 1.0 / z21
-        z53 = w1 * k4
-        z54 = w2 * k2
-        z55 = w3 * z54
-        z56 = w1 * k3
-        z57 = w3 * z56 - z10 * z55
-        z58 = z52 * (w2 * z53 + z16 * z55 - z20 * z57)
-        z59 = s_theta * z58
-        z60 = c_theta * z58
-        z61 = s_psi * k1
-        z62 = z19 * z57 - z20 * z58
-        z63 = c_psi * z62
-        z64 = z9 * z55 - z10 * z62 + z16 * z58
-        z65 = k1 * z64
-        s1 = z60 * z61 - 2.0 * (s_theta * (z63 * z61 - z1 * z65))
-        z66 = z14 * z59 - c_theta * s1
-        z67 = k1 * z62
-        z68 = c_psi * z64
-        s2 = 2.0 * (s_theta * (z4 * z67 - z61 * z68))
-        z69 = z17 * z59 - c_theta * (k1 * (c_psi * z60) - s2)
-        z70 = z69 + z10 * z66
-        z71 = c_theta * z62
-        z72 = c_theta * z64
-        s3 = k1 * (c_psi * z71 - s_psi * z72) + 2.0 * (k1 * z59)
-        z73 = s_theta * (z17 * z62 - z14 * z64) - c_theta * s3
-        z74 = z52 * (z73 - z16 * z66 - z20 * z70)
-        z75 = z19 * z70 - z20 * z74
-        z76 = z13 * z60
-        s4 = c_psi * (z76 - z6 * z63 + 2.0 * (z65 * (s_psi * z2)))
-        z77 = z62 * (s_psi * z7) + s4
-        s5 = s_psi * (z76 + z7 * z64 - 2.0 * (z67 * (c_psi * z2)))
-        z78 = s5 - z68 * (c_psi * z6) - z10 * z77
-        s6 = z13 * (s_psi * z71 + c_psi * z72) + (z16 * z77 - z20 * z78)
-        z79 = z52 * s6
-        z80 = z19 * z78 - z20 * z79
-        z81 = w3 * k3
-        z82 = z52 * (w2 * k4 - z20 * z81)
-        z83 = z19 * z81 - z20 * z82
-        z84 = w3 * k2
-        z85 = z10 * z84
-        z86 = z52 * (z53 + z16 * z84 + z20 * z85)
-        z87 = z19 * z85 + z20 * z86
-        z88 = z56 - z10 * z54
-        z89 = z52 * (z16 * z54 - z20 * z88)
-        z90 = z19 * z88 - z20 * z89
+        z28 = a * (w3 - z27 * (c_theta * z22))
+        z29 = s_theta * z28
+        z30 = c_theta / (s_theta * s_theta)
+        z31 = s_psi * w2 - c_psi * w1
+        z32 = z25 * z30 + z22 * (c_theta * z31)
+        z33 = a * z32
+        z34 = a * s_theta
+        z35 = z27 * z30
+        z36 = z27 + c_theta * z35
+        z37 = c_theta * z28 + z34 * z36
+        z38 = z22 * (z24 * w1 + z23 * w2)
+        z39 = a * z38
+        z40 = z22 * z31
+        z41 = c_theta * z40
+        z42 = z34 * z41
+        z43 = a * c_psi
+        z44 = s_psi * z22
+        z45 = c_theta * z44
+        z46 = z45 * z34
+        z47 = a * s_psi
+        z48 = c_psi * z22
+        z49 = c_theta * z48
+        z50 = z49 * z34
+        z51 = 1.0 / z21
+        z52 = w1 * k4
+        z53 = w2 * k2
+        z54 = w3 * z53
+        z55 = w1 * k3
+        z56 = w3 * z55 - z10 * z54
+        z57 = z51 * (w2 * z52 + z16 * z54 - z20 * z56)
+        z58 = s_theta * z57
+        z59 = c_theta * z57
+        z60 = s_psi * k1
+        z61 = z19 * z56 - z20 * z57
+        z62 = c_psi * z61
+        z63 = z9 * z54 - z10 * z61 + z16 * z57
+        z64 = k1 * z63
+        s1 = z59 * z60 - 2.0 * (s_theta * (z62 * z60 - z1 * z64))
+        z65 = z14 * z58 - c_theta * s1
+        z66 = k1 * z61
+        z67 = c_psi * z63
+        s2 = 2.0 * (s_theta * (z4 * z66 - z60 * z67))
+        z68 = z17 * z58 - c_theta * (k1 * (c_psi * z59) - s2)
+        z69 = z68 + z10 * z65
+        z70 = c_theta * z61
+        z71 = c_theta * z63
+        s3 = k1 * (c_psi * z70 - s_psi * z71) + 2.0 * (k1 * z58)
+        z72 = s_theta * (z17 * z61 - z14 * z63) - c_theta * s3
+        z73 = z51 * (z72 - z16 * z65 - z20 * z69)
+        z74 = z19 * z69 - z20 * z73
+        z75 = z13 * z59
+        s4 = c_psi * (z75 - z6 * z62 + 2.0 * (z64 * (s_psi * z2)))
+        z76 = z61 * (s_psi * z7) + s4
+        s5 = s_psi * (z75 + z7 * z63 - 2.0 * (z66 * (c_psi * z2)))
+        z77 = s5 - z67 * (c_psi * z6) - z10 * z76
+        z78 = z51 * (z14 * z70 + z17 * z71 + z16 * z76 - z20 * z77)
+        z79 = z19 * z77 - z20 * z78
+        z80 = w3 * k3
+        z81 = z51 * (w2 * k4 - z20 * z80)
+        z82 = z19 * z80 - z20 * z81
+        z83 = w3 * k2
+        z84 = z10 * z83
+        z85 = z51 * (z52 + z16 * z83 + z20 * z84)
+        z86 = z19 * z84 + z20 * z85
+        z87 = z55 - z10 * z53
+        z88 = z51 * (z16 * z53 - z20 * z87)
+        z89 = z19 * z87 - z20 * z88
         J: list[float] = [
             0.0,
             0.0,
             # (I.2.15)
-            c_phi * z26 + s_phi * z30,
+            c_phi * z26 + s_phi * z29,
             # (I.2.15)
-            -(s_phi * z34 + c_phi * z38),
+            -(s_phi * z33 + c_phi * z37),
             # (I.2.15)
-            -(s_phi * z40 + c_phi * z43),
+            -(s_phi * z39 + c_phi * z42),
             # (I.2.15)
-            s_phi * z44 + c_phi * z47,
+            s_phi * z43 + c_phi * z46,
             # (I.2.15)
-            c_phi * z51 - s_phi * z48,
+            c_phi * z50 - s_phi * z47,
             # (I.2.15)
-            -c_phi * z35,
+            -c_phi * z34,
             0.0,
             0.0,
             # (I.2.15)
-            s_phi * z26 - c_phi * z30,
+            s_phi * z26 - c_phi * z29,
             # (I.2.15)
-            c_phi * z34 - s_phi * z38,
+            c_phi * z33 - s_phi * z37,
             # (I.2.15)
-            c_phi * z40 - s_phi * z43,
+            c_phi * z39 - s_phi * z42,
             # (I.2.15)
-            s_phi * z47 - c_phi * z44,
+            s_phi * z46 - c_phi * z43,
             # (I.2.15)
-            c_phi * z48 + s_phi * z51,
+            c_phi * z47 + s_phi * z50,
             # (I.2.15)
-            -s_phi * z35,
-            0.0,
-            0.0,
-            0.0,
-            # (I.2.15)
-            -z36,
-            # (I.2.15)
-            -z41,
-            # (I.2.15)
-            z45,
-            # (I.2.15)
-            z49,
-            0.0,
+            -s_phi * z34,
             0.0,
             0.0,
             0.0,
             # (I.2.15)
-            -z33,
+            -z35,
             # (I.2.15)
-            -z39,
+            -z40,
+            # (I.2.15)
+            z44,
+            # (I.2.15)
+            z48,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            # (I.2.15)
+            -z32,
+            # (I.2.15)
+            -z38,
             # (I.2.15)
             c_psi,
             # (I.2.15)
@@ -740,54 +738,54 @@ def jacobian(
             0.0,
             0.0,
             # (I.2.15)
-            z37,
+            z36,
             # (I.2.15)
-            z42,
+            z41,
             # (I.2.15)
-            -z46,
+            -z45,
             # (I.2.15)
-            -z50,
+            -z49,
             # (I.2.15)
             1.0,
             0.0,
             0.0,
             0.0,
             # (I.2.15)
-            z16 * z74 - (z9 * z66 + z10 * z75),
+            z16 * z73 - (z9 * z65 + z10 * z74),
             # (I.2.15)
-            z9 * z77 - z10 * z80 + z16 * z79,
+            z9 * z76 - z10 * z79 + z16 * z78,
             # (I.2.15)
-            z16 * z82 - z10 * z83,
+            z16 * z81 - z10 * z82,
             # (I.2.15)
-            z9 * z84 + z10 * z87 + z16 * z86,
+            z9 * z83 + z10 * z86 + z16 * z85,
             # (I.2.15)
-            z9 * z54 - z10 * z90 + z16 * z89,
+            z9 * z53 - z10 * z89 + z16 * z88,
             0.0,
             0.0,
             0.0,
             # (I.2.15)
-            -z75,
+            -z74,
             # (I.2.15)
-            -z80,
+            -z79,
             # (I.2.15)
-            -z83,
-            # (I.2.15)
-            z87,
-            # (I.2.15)
-            -z90,
-            0.0,
-            0.0,
-            0.0,
-            # (I.2.15)
-            z74,
-            # (I.2.15)
-            z79,
-            # (I.2.15)
-            z82,
+            -z82,
             # (I.2.15)
             z86,
             # (I.2.15)
-            z89,
+            -z89,
+            0.0,
+            0.0,
+            0.0,
+            # (I.2.15)
+            z73,
+            # (I.2.15)
+            z78,
+            # (I.2.15)
+            z81,
+            # (I.2.15)
+            z85,
+            # (I.2.15)
+            z88,
         ]
         _finish("jacobian", J)
         return [J[k5 : k5 + 8] for k5 in range(0, 64, 8)]

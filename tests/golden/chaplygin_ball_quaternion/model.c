@@ -1,5 +1,5 @@
 /*
- * chaplygin_ball_quaternion.c: chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:2f3845f8a3aa83ea)
+ * chaplygin_ball_quaternion.c: chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:7332f05cc14ccd14)
  * A ball with three different moments of inertia rolls on a horizontal plane; its orientation is a
  *     quaternion.
  * Source: chaplygin_ball_quaternion.yaml
@@ -357,10 +357,10 @@ int chaplygin_ball_quaternion_accelerations(double t, const double *y, const dou
     const double z11 = R_3 * z4;
     const double z12 = R_3 * z11;
     const double R_x1 = 1.0 - 2.0 * (R_2 * z10 + z12);
-    const double z13 = I1 + k2 * (4.0 * (z9 * z9) + R_x1 * R_x1);
+    const double z13 = I1 + (4.0 * (k2 * (z9 * z9)) + k2 * (R_x1 * R_x1));
     const double R_y2 = 1.0 - 2.0 * (R_1 * z5 + z12);
     const double z14 = z6 - z8;
-    const double z15 = I2 + k2 * (R_y2 * R_y2 + 4.0 * (z14 * z14));
+    const double z15 = I2 + (k2 * (R_y2 * R_y2) + 4.0 * (k2 * (z14 * z14)));
     const double z16 = z4 * k1;
     const double z17 = z3 + z2;
     const double z18 = 4.0 * (R_1 * z8);
@@ -385,28 +385,31 @@ int chaplygin_ball_quaternion_accelerations(double t, const double *y, const dou
     const double z37 = (w1 * w2 * k5 - z35 * z30 - z33 * z36) / z34;
     const double z38 = z32 * z36 - z33 * z37;
     const double z39 = z35 * z21 + z22 * z38 - z30 * z37;
-    const double z40 = 2.0 * (0.5 * (w2 * (2.0 * (z25 * w1) - R_x1 * w3)) - z14 * z38) + (2.0 * (w1 * (z14 *
+    const double z40 = 2.0 * (w2 * (z24 * w1 - z9 * w3)) - R_y2 * z38 + 2.0 * (0.5 * (w1 * (R_y2 * w3 - 2.0 *
+        (z24 * w2))) + z9 * z39);
+    const double z41 = a * (2.0 * (0.5 * (w3 * (2.0 * (z9 * w2) - R_y2 * w1)) + z24 * z37) + z40);
+    const double z42 = 2.0 * (0.5 * (w2 * (2.0 * (z25 * w1) - R_x1 * w3)) - z14 * z38) + (2.0 * (w1 * (z14 *
         w3 - z25 * w2)) + R_x1 * z39);
-    const double z41 = a * (2.0 * (0.5 * (w3 * (R_x1 * w2 - 2.0 * (z14 * w1))) + z25 * z37) + z40);
-    const double z42 = R_0 * w3 - (R_2 * w1 - R_1 * w2);
-    const double z43 = R_2 * w3 + (R_0 * w1 - R_3 * w2);
-    const double z44 = R_1 * w3 - (R_3 * w1 + R_0 * w2);
-    const double z45 = 0.5 * (w3 * z42) + R_3 * z37 + (0.5 * (w1 * z43) + R_1 * z39 - (0.5 * (w2 * z44) + R_2
+    const double z43 = a * (2.0 * (0.5 * (w3 * (R_x1 * w2 - 2.0 * (z14 * w1))) + z25 * z37) + z42);
+    const double z44 = R_0 * w3 - (R_2 * w1 - R_1 * w2);
+    const double z45 = R_2 * w3 + (R_0 * w1 - R_3 * w2);
+    const double z46 = R_1 * w3 - (R_3 * w1 + R_0 * w2);
+    const double z47 = 0.5 * (w3 * z44) + R_3 * z37 + (0.5 * (w1 * z45) + R_1 * z39 - (0.5 * (w2 * z46) + R_2
         * z38));
-    const double z46 = R_3 * w3 + (R_1 * w1 + R_2 * w2);
-    const double z47 = 0.5 * (w3 * z44) - R_2 * z37 + (0.5 * (w1 * z46) - R_0 * z39 + (0.5 * (w2 * z42) - R_3
+    const double z48 = R_3 * w3 + (R_1 * w1 + R_2 * w2);
+    const double z49 = 0.5 * (w3 * z46) - R_2 * z37 + (0.5 * (w1 * z48) - R_0 * z39 + (0.5 * (w2 * z44) - R_3
         * z38));
-    const double z48 = 0.5 * (w3 * z43) + R_1 * z37 - (0.5 * (w1 * z42) + R_3 * z39 - (0.5 * (w2 * z46) + R_0
+    const double z50 = 0.5 * (w3 * z45) + R_1 * z37 - (0.5 * (w1 * z44) + R_3 * z39 - (0.5 * (w2 * z48) + R_0
         * z38));
-    const double z49 = 0.5 * (w3 * z46) - R_0 * z37 - (0.5 * (w1 * z44) - R_2 * z39 + (0.5 * (w2 * z43) - R_1
+    const double z51 = 0.5 * (w3 * z48) - R_0 * z37 - (0.5 * (w1 * z46) - R_2 * z39 + (0.5 * (w2 * z45) - R_1
         * z38));
     /* (I.2.15) */
-    qddot[0] = -a * (R_y2 * z38 - 2.0 * (z24 * z37 + z9 * z39)); /* x'' */
-    qddot[1] = -z41; /* y'' */
-    qddot[2] = -0.5 * z45; /* R_0'' */
-    qddot[3] = -0.5 * z47; /* R_1'' */
-    qddot[4] = -0.5 * z48; /* R_2'' */
-    qddot[5] = -0.5 * z49; /* R_3'' */
+    qddot[0] = z41; /* x'' */
+    qddot[1] = -z43; /* y'' */
+    qddot[2] = -0.5 * z47; /* R_0'' */
+    qddot[3] = -0.5 * z49; /* R_1'' */
+    qddot[4] = -0.5 * z50; /* R_2'' */
+    qddot[5] = -0.5 * z51; /* R_3'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qddot[0] + qddot[1] + qddot[2] + qddot[3] + qddot[4] + qddot[5]) <= DBL_MAX
         && fabs(z23) > 1e-14 * z15
@@ -484,23 +487,23 @@ int chaplygin_ball_quaternion_residuals(double t, const double *q, const double 
     /* state */
     const double z1 = 1.0 / (R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)));
     const double z2 = R_0 * z1;
-    const double z3 = R_2 * z1;
-    const double z4 = R_1 * z1;
-    const double z5 = R_3 * z1;
-    const double z6 = R_2_dot * z2 - R_0_dot * z3 + (R_3_dot * z4 - R_1_dot * z5);
-    const double z7 = 4.0 * (R_3 * z5);
-    const double z8 = R_1_dot * z2 - R_0_dot * z4 + (R_2_dot * z5 - R_3_dot * z3);
-    const double z9 = R_2 * z4;
-    const double z10 = R_3 * z2;
-    const double z11 = R_3_dot * z2 - R_0_dot * z5 + (R_1_dot * z3 - R_2_dot * z4);
-    const double z12 = z6 * (z7 - (2.0 - 4.0 * (R_1 * z4))) - 4.0 * (z8 * (z9 + z10) + (R_3 * z3 - R_1 * z2)
-        * z11);
-    const double z13 = z8 * (z7 - (2.0 - 4.0 * (R_2 * z3))) - 4.0 * (z6 * (z9 - z10) + (R_1 * z5 + R_2 * z2)
-        * z11);
+    const double z3 = R_1 * z1;
+    const double z4 = R_3 * z1;
+    const double z5 = R_2 * z1;
+    const double z6 = R_1_dot * z2 - R_0_dot * z3 + (R_2_dot * z4 - R_3_dot * z5);
+    const double z7 = R_2 * z3;
+    const double z8 = R_3 * z2;
+    const double z9 = R_2_dot * z2 - R_0_dot * z5 + (R_3_dot * z3 - R_1_dot * z4);
+    const double z10 = R_3 * z4;
+    const double z11 = R_3_dot * z2 - R_0_dot * z4 + (R_1_dot * z5 - R_2_dot * z3);
+    const double omega_y = 4.0 * (z6 * (z7 + z8)) + 2.0 * (z9 * (1.0 - 2.0 * (R_1 * z3 + z10))) + 4.0 * ((R_3
+        * z5 - R_1 * z2) * z11);
+    const double omega_x = 2.0 * (z6 * (1.0 - 2.0 * (R_2 * z5 + z10))) + 4.0 * (z9 * (z7 - z8)) + 4.0 * ((R_1
+        * z4 + R_2 * z2) * z11);
     /* (I.1.1) 23:5 */
-    r[0] = x_dot + a * z12; /* roll_x = 0 */
+    r[0] = x_dot - a * omega_y; /* roll_x = 0 */
     /* (I.1.1) 24:5 */
-    r[1] = y_dot - a * z13; /* roll_y = 0 */
+    r[1] = y_dot + a * omega_x; /* roll_y = 0 */
     /* (I.1.1) 10:3 */
     r[2] = 2.0 * (R_3 * R_3_dot + (R_2 * R_2_dot + (R_0 * R_0_dot + R_1 * R_1_dot))); /* R_norm = 0 */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
@@ -568,10 +571,10 @@ int chaplygin_ball_quaternion_reactions(double t, const double *y, const double 
     const double z11 = R_3 * z4;
     const double z12 = R_3 * z11;
     const double R_x1 = 1.0 - 2.0 * (R_2 * z10 + z12);
-    const double z13 = I1 + k3 * (4.0 * (z9 * z9) + R_x1 * R_x1);
+    const double z13 = I1 + (4.0 * (k3 * (z9 * z9)) + k3 * (R_x1 * R_x1));
     const double R_y2 = 1.0 - 2.0 * (R_1 * z5 + z12);
     const double z14 = z6 - z8;
-    const double z15 = I2 + k3 * (R_y2 * R_y2 + 4.0 * (z14 * z14));
+    const double z15 = I2 + (k3 * (R_y2 * R_y2) + 4.0 * (k3 * (z14 * z14)));
     const double z16 = z4 * k1;
     const double z17 = z3 + z2;
     const double z18 = R_0 * R_1;
@@ -716,13 +719,13 @@ CHAPLYGIN_BALL_QUATERNION_SLOW static int chaplygin_ball_quaternion_jacobian_par
     const double z13 = R_3 * z12;
     const double R_x1 = 1.0 - 2.0 * (R_2 * z11 + z13);
     kept[12] = R_x1;
-    const double z14 = I1 + k2 * (4.0 * (z10 * z10) + R_x1 * R_x1);
+    const double z14 = I1 + (4.0 * (k2 * (z10 * z10)) + k2 * (R_x1 * R_x1));
     kept[13] = z14;
     const double R_y2 = 1.0 - 2.0 * (R_1 * z6 + z13);
     kept[14] = R_y2;
     const double z15 = z7 - z9;
     kept[15] = z15;
-    const double z16 = I2 + k2 * (R_y2 * R_y2 + 4.0 * (z15 * z15));
+    const double z16 = I2 + (k2 * (R_y2 * R_y2) + 4.0 * (k2 * (z15 * z15)));
     kept[16] = z16;
     const double z17 = z5 * k1;
     const double z18 = z3 + z2;
@@ -1029,15 +1032,14 @@ CHAPLYGIN_BALL_QUATERNION_SLOW static int chaplygin_ball_quaternion_jacobian_par
     const double z156 = z143 + 4.0 * (z5 * z139);
     const double z157 = z74 * (z155 - 2.0 * (R_1 * z156) + z41 * z149 - z49 * z153);
     const double z158 = z48 * z153 - z49 * z157;
-    const double z159 = 2.0 * z103;
     const double z20 = kept[19];
-    const double z85 = kept[76];
     const double z87 = kept[78];
     const double z93 = kept[83];
     const double z98 = kept[86];
     const double z100 = kept[88];
-    const double z160 = R_2 * (z159 - 8.0 * (z148 + R_0 * z85)) + (z150 - (z20 * z87 - (8.0 * (z6 * z93) -
-        4.0 * (z11 * z98 + z5 * z100))));
+    const double z159 = z150 - z20 * z87 + 8.0 * (z6 * z93) - 4.0 * (z11 * z98) - 4.0 * (z5 * z100);
+    const double z85 = kept[76];
+    const double z160 = z159 + 2.0 * (R_2 * (z103 - 4.0 * (z148 + R_0 * z85)));
     const double z106 = kept[93];
     const double z109 = kept[96];
     const double z161 = z147 - 4.0 * (R_0 * z106) + z20 * z110 - 8.0 * (z6 * z114) + 2.0 * (R_2 * (z125 + 4.0
@@ -1048,46 +1050,48 @@ CHAPLYGIN_BALL_QUATERNION_SLOW static int chaplygin_ball_quaternion_jacobian_par
     const double z165 = z74 * (z164 + 2.0 * (R_2 * z156) - z41 * z160 - z49 * z162);
     const double z166 = z48 * z162 - z49 * z165;
     const double z21 = kept[20];
-    const double z89 = kept[80];
-    const double z99 = kept[87];
-    const double z167 = 4.0 * (z21 * z89) - (8.0 * (z8 * z93) - (4.0 * (z12 * z98) - (R_1 * z146 - 4.0 * (z5
-        * z99))));
     const double z25 = kept[23];
     const double z84 = kept[75];
+    const double z89 = kept[80];
+    const double z167 = R_1 * z146 - 4.0 * (z25 * z84) - 4.0 * (z21 * z89) + 8.0 * (z8 * z93) - 4.0 * (z12 *
+        z98);
     const double z95 = kept[84];
     const double z96 = kept[85];
-    const double z168 = R_3 * (z159 - z5 * (8.0 * z95 - 16.0 * z96)) - (4.0 * (z25 * z84) + z167);
-    const double z169 = 8.0 * (z8 * z114) + (4.0 * (z12 * z121) + (4.0 * (z5 * z122) + (R_2 * z146 - z30 *
-        z168)));
+    const double z99 = kept[87];
+    const double z168 = z167 - 4.0 * (z5 * z99) + 2.0 * (R_3 * (z103 - (4.0 * (z5 * z95) - 8.0 * (z5 *
+        z96))));
     const double z42 = kept[38];
     const double z105 = kept[92];
     const double z108 = kept[95];
     const double z111 = kept[98];
-    const double z170 = R_3 * (2.0 * z125 - z5 * (8.0 * z117 + 16.0 * z119)) - (4.0 * (z42 * z105) - (4.0 *
-        (z25 * z108) - (4.0 * (z21 * z111) - z169)));
-    const double z171 = R_2 * z163 - 4.0 * (z42 * z128) - R_1 * z154 + 4.0 * (z21 * z131) - 8.0 * (z11 *
+    const double z169 = R_2 * z146 - 4.0 * (z42 * z105) + 4.0 * (z25 * z108) - 4.0 * (z21 * z111) + 8.0 * (z8
+        * z114);
+    const double z170 = z169 + 4.0 * (z12 * z121) + 4.0 * (z5 * z122) + 2.0 * (R_3 * (z125 - (4.0 * (z5 *
+        z117) + 8.0 * (z5 * z119))));
+    const double z171 = z170 - z30 * z168;
+    const double z172 = R_2 * z163 - 4.0 * (z42 * z128) - R_1 * z154 + 4.0 * (z21 * z131) - 8.0 * (z11 *
         z135);
-    const double z172 = z171 - 8.0 * (z5 * z141) + 2.0 * (R_3 * (z143 - 4.0 * (z5 * z138))) - z41 * z168;
-    const double z173 = z74 * (z172 - z49 * z170);
-    const double z174 = z48 * z170 - z49 * z173;
+    const double z173 = z172 - 8.0 * (z5 * z141) + 2.0 * (R_3 * (z143 - 4.0 * (z5 * z138))) - z41 * z168;
+    const double z174 = z74 * (z173 - z49 * z171);
+    const double z175 = z48 * z171 - z49 * z174;
     const double w3 = y[8];
     const double k4 = kept[3];
-    const double z175 = w3 * k4;
+    const double z176 = w3 * k4;
     const double w2 = y[7];
     const double k5 = kept[4];
-    const double z176 = z74 * (w2 * k5 - z49 * z175);
-    const double z177 = z48 * z175 - z49 * z176;
+    const double z177 = z74 * (w2 * k5 - z49 * z176);
+    const double z178 = z48 * z176 - z49 * z177;
     const double k3 = kept[2];
-    const double z178 = w3 * k3;
-    const double z179 = z30 * z178;
+    const double z179 = w3 * k3;
+    const double z180 = z30 * z179;
     const double z75 = kept[68];
-    const double z180 = z74 * (z75 + z41 * z178 - z49 * z179);
-    const double z181 = z48 * z179 - z49 * z180;
+    const double z181 = z74 * (z75 + z41 * z179 - z49 * z180);
+    const double z182 = z48 * z180 - z49 * z181;
     const double z76 = kept[69];
     const double z78 = kept[70];
-    const double z182 = z78 + z30 * z76;
-    const double z183 = z74 * (z41 * z76 - z49 * z182);
-    const double z184 = z48 * z182 - z49 * z183;
+    const double z183 = z78 + z30 * z76;
+    const double z184 = z74 * (z41 * z76 - z49 * z183);
+    const double z185 = z48 * z183 - z49 * z184;
     const double z54 = kept[48];
     const double z61 = kept[54];
     /* (I.2.15) */
@@ -1155,24 +1159,24 @@ CHAPLYGIN_BALL_QUATERNION_SLOW static int chaplygin_ball_quaternion_jacobian_par
     J[56] = z29 * z104 - z30 * z145 - z41 * z144;
     J[57] = -(z29 * z149 + z30 * z158 + z41 * z157);
     J[58] = z41 * z165 - (z29 * z160 - z30 * z166);
-    J[59] = z41 * z173 - (z29 * z168 - z30 * z174);
-    J[60] = z30 * z177 + z41 * z176;
-    J[61] = z29 * z178 + z30 * z181 + z41 * z180;
-    J[62] = z29 * z76 + z30 * z184 + z41 * z183;
+    J[59] = z41 * z174 - (z29 * z168 - z30 * z175);
+    J[60] = z30 * z178 + z41 * z177;
+    J[61] = z29 * z179 + z30 * z182 + z41 * z181;
+    J[62] = z29 * z76 + z30 * z185 + z41 * z184;
     J[65] = z145;
     J[66] = z158;
     J[67] = -z166;
-    J[68] = -z174;
-    J[69] = -z177;
-    J[70] = -z181;
-    J[71] = -z184;
+    J[68] = -z175;
+    J[69] = -z178;
+    J[70] = -z182;
+    J[71] = -z185;
     J[74] = -z144;
     J[75] = -z157;
     J[76] = z165;
-    J[77] = z173;
-    J[78] = z176;
-    J[79] = z180;
-    J[80] = z183;
+    J[77] = z174;
+    J[78] = z177;
+    J[79] = z181;
+    J[80] = z184;
     const double z14 = kept[13];
     /* the mass matrix is singular */
     if (!(fabs(z14) > 0.0)) {

@@ -1,4 +1,4 @@
-"""chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:751ff83fa5e27616).
+"""chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:13b41878aee5d919).
 
 A ball with three different moments of inertia rolls on a horizontal plane; its
     orientation is a quaternion.
@@ -37,13 +37,13 @@ out[2] = K_z
 Operations:
 rhs: 53 +-, 110 *, 4 /, 0 calls
 velocities: 23 +-, 47 *, 1 /, 0 calls
-accelerations: 79 +-, 159 *, 4 /, 0 calls
+accelerations: 85 +-, 176 *, 4 /, 0 calls
 state: 12 +-, 23 *, 1 /, 0 calls
-residuals: 29 +-, 47 *, 1 /, 0 calls
+residuals: 29 +-, 50 *, 1 /, 0 calls
 positions: 4 +-, 4 *, 0 /, 0 calls
-reactions: 53 +-, 108 *, 4 /, 0 calls
+reactions: 53 +-, 110 *, 4 /, 0 calls
 energy: 19 +-, 41 *, 1 /, 0 calls
-jacobian: 213 +-, 479 *, 5 /, 0 calls
+jacobian: 213 +-, 485 *, 5 /, 0 calls
 outputs: 26 +-, 44 *, 1 /, 0 calls
 
 A singular point raises SingularModelError.
@@ -286,13 +286,13 @@ def accelerations(
         z11 = R_3 * z4
         z12 = R_3 * z11
         R_x1 = 1.0 - 2.0 * (R_2 * z10 + z12)
-        z13 = I1 + k2 * (4.0 * (z9 * z9) + R_x1 * R_x1)
+        z13 = I1 + (4.0 * (k2 * (z9 * z9)) + k2 * (R_x1 * R_x1))
         # the mass matrix is singular
         if not abs(z13) > 0.0:
             raise SingularModelError(2, "accelerations")
         R_y2 = 1.0 - 2.0 * (R_1 * z5 + z12)
         z14 = z6 - z8
-        z15 = I2 + k2 * (R_y2 * R_y2 + 4.0 * (z14 * z14))
+        z15 = I2 + (k2 * (R_y2 * R_y2) + 4.0 * (k2 * (z14 * z14)))
         z16 = z4 * k1
         z17 = z3 + z2
         z18 = 4.0 * (R_1 * z8)
@@ -325,35 +325,39 @@ def accelerations(
         z37 = (w1 * w2 * k5 - z35 * z30 - z33 * z36) / z34
         z38 = z32 * z36 - z33 * z37
         z39 = z35 * z21 + z22 * z38 - z30 * z37
-        s3 = 0.5 * (w2 * (2.0 * (z25 * w1) - R_x1 * w3)) - z14 * z38
-        z40 = 2.0 * s3 + (2.0 * (w1 * (z14 * w3 - z25 * w2)) + R_x1 * z39)
-        s4 = 0.5 * (w3 * (R_x1 * w2 - 2.0 * (z14 * w1))) + z25 * z37
-        z41 = a * (2.0 * s4 + z40)
-        z42 = R_0 * w3 - (R_2 * w1 - R_1 * w2)
-        z43 = R_2 * w3 + (R_0 * w1 - R_3 * w2)
-        z44 = R_1 * w3 - (R_3 * w1 + R_0 * w2)
-        s5 = 0.5 * (w1 * z43) + R_1 * z39 - (0.5 * (w2 * z44) + R_2 * z38)
-        z45 = 0.5 * (w3 * z42) + R_3 * z37 + s5
-        z46 = R_3 * w3 + (R_1 * w1 + R_2 * w2)
-        s6 = 0.5 * (w1 * z46) - R_0 * z39 + (0.5 * (w2 * z42) - R_3 * z38)
-        z47 = 0.5 * (w3 * z44) - R_2 * z37 + s6
-        s7 = 0.5 * (w1 * z42) + R_3 * z39 - (0.5 * (w2 * z46) + R_0 * z38)
-        z48 = 0.5 * (w3 * z43) + R_1 * z37 - s7
-        s8 = 0.5 * (w1 * z44) - R_2 * z39 + (0.5 * (w2 * z43) - R_1 * z38)
-        z49 = 0.5 * (w3 * z46) - R_0 * z37 - s8
+        s3 = 2.0 * (0.5 * (w1 * (R_y2 * w3 - 2.0 * (z24 * w2))) + z9 * z39)
+        z40 = 2.0 * (w2 * (z24 * w1 - z9 * w3)) - R_y2 * z38 + s3
+        s4 = 2.0 * (0.5 * (w3 * (2.0 * (z9 * w2) - R_y2 * w1)) + z24 * z37)
+        z41 = a * (s4 + z40)
+        s5 = 0.5 * (w2 * (2.0 * (z25 * w1) - R_x1 * w3)) - z14 * z38
+        z42 = 2.0 * s5 + (2.0 * (w1 * (z14 * w3 - z25 * w2)) + R_x1 * z39)
+        s6 = 0.5 * (w3 * (R_x1 * w2 - 2.0 * (z14 * w1))) + z25 * z37
+        z43 = a * (2.0 * s6 + z42)
+        z44 = R_0 * w3 - (R_2 * w1 - R_1 * w2)
+        z45 = R_2 * w3 + (R_0 * w1 - R_3 * w2)
+        z46 = R_1 * w3 - (R_3 * w1 + R_0 * w2)
+        s7 = 0.5 * (w1 * z45) + R_1 * z39 - (0.5 * (w2 * z46) + R_2 * z38)
+        z47 = 0.5 * (w3 * z44) + R_3 * z37 + s7
+        z48 = R_3 * w3 + (R_1 * w1 + R_2 * w2)
+        s8 = 0.5 * (w1 * z48) - R_0 * z39 + (0.5 * (w2 * z44) - R_3 * z38)
+        z49 = 0.5 * (w3 * z46) - R_2 * z37 + s8
+        s9 = 0.5 * (w1 * z44) + R_3 * z39 - (0.5 * (w2 * z48) + R_0 * z38)
+        z50 = 0.5 * (w3 * z45) + R_1 * z37 - s9
+        s10 = 0.5 * (w1 * z46) - R_2 * z39 + (0.5 * (w2 * z45) - R_1 * z38)
+        z51 = 0.5 * (w3 * z48) - R_0 * z37 - s10
         qddot: list[float] = [
             # x'' (I.2.15)
-            -a * (R_y2 * z38 - 2.0 * (z24 * z37 + z9 * z39)),
+            z41,
             # y'' (I.2.15)
-            -z41,
+            -z43,
             # R_0'' (I.2.15)
-            -0.5 * z45,
-            # R_1'' (I.2.15)
             -0.5 * z47,
-            # R_2'' (I.2.15)
-            -0.5 * z48,
-            # R_3'' (I.2.15)
+            # R_1'' (I.2.15)
             -0.5 * z49,
+            # R_2'' (I.2.15)
+            -0.5 * z50,
+            # R_3'' (I.2.15)
+            -0.5 * z51,
         ]
         return _finish("accelerations", qddot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -423,27 +427,29 @@ def residuals(
         # state
         z1 = 1.0 / (R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)))
         z2 = R_0 * z1
-        z3 = R_2 * z1
-        z4 = R_1 * z1
-        z5 = R_3 * z1
-        z6 = R_2_dot * z2 - R_0_dot * z3 + (R_3_dot * z4 - R_1_dot * z5)
-        z7 = 4.0 * (R_3 * z5)
-        z8 = R_1_dot * z2 - R_0_dot * z4 + (R_2_dot * z5 - R_3_dot * z3)
-        z9 = R_2 * z4
-        z10 = R_3 * z2
-        z11 = R_3_dot * z2 - R_0_dot * z5 + (R_1_dot * z3 - R_2_dot * z4)
-        s1 = 4.0 * (z8 * (z9 + z10) + (R_3 * z3 - R_1 * z2) * z11)
-        z12 = z6 * (z7 - (2.0 - 4.0 * (R_1 * z4))) - s1
-        s2 = 4.0 * (z6 * (z9 - z10) + (R_1 * z5 + R_2 * z2) * z11)
-        z13 = z8 * (z7 - (2.0 - 4.0 * (R_2 * z3))) - s2
-        s3 = R_2 * R_2_dot + (R_0 * R_0_dot + R_1 * R_1_dot)
+        z3 = R_1 * z1
+        z4 = R_3 * z1
+        z5 = R_2 * z1
+        z6 = R_1_dot * z2 - R_0_dot * z3 + (R_2_dot * z4 - R_3_dot * z5)
+        z7 = R_2 * z3
+        z8 = R_3 * z2
+        z9 = R_2_dot * z2 - R_0_dot * z5 + (R_3_dot * z3 - R_1_dot * z4)
+        z10 = R_3 * z4
+        z11 = R_3_dot * z2 - R_0_dot * z4 + (R_1_dot * z5 - R_2_dot * z3)
+        s1 = 2.0 * (z9 * (1.0 - 2.0 * (R_1 * z3 + z10)))
+        s2 = 4.0 * ((R_3 * z5 - R_1 * z2) * z11)
+        omega_y = 4.0 * (z6 * (z7 + z8)) + s1 + s2
+        s3 = 2.0 * (z6 * (1.0 - 2.0 * (R_2 * z5 + z10)))
+        s4 = 4.0 * ((R_1 * z4 + R_2 * z2) * z11)
+        omega_x = s3 + 4.0 * (z9 * (z7 - z8)) + s4
+        s5 = R_2 * R_2_dot + (R_0 * R_0_dot + R_1 * R_1_dot)
         r: list[float] = [
             # roll_x = 0 (I.1.1) 23:5
-            x_dot + a * z12,
+            x_dot - a * omega_y,
             # roll_y = 0 (I.1.1) 24:5
-            y_dot - a * z13,
+            y_dot + a * omega_x,
             # R_norm = 0 (I.1.1) 10:3
-            2.0 * (R_3 * R_3_dot + s3),
+            2.0 * (R_3 * R_3_dot + s5),
         ]
         return _finish("residuals", r)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -520,13 +526,13 @@ def reactions(
         z11 = R_3 * z4
         z12 = R_3 * z11
         R_x1 = 1.0 - 2.0 * (R_2 * z10 + z12)
-        z13 = I1 + k3 * (4.0 * (z9 * z9) + R_x1 * R_x1)
+        z13 = I1 + (4.0 * (k3 * (z9 * z9)) + k3 * (R_x1 * R_x1))
         # the mass matrix is singular
         if not abs(z13) > 0.0:
             raise SingularModelError(2, "reactions")
         R_y2 = 1.0 - 2.0 * (R_1 * z5 + z12)
         z14 = z6 - z8
-        z15 = I2 + k3 * (R_y2 * R_y2 + 4.0 * (z14 * z14))
+        z15 = I2 + (k3 * (R_y2 * R_y2) + 4.0 * (k3 * (z14 * z14)))
         z16 = z4 * k1
         z17 = z3 + z2
         z18 = R_0 * R_1
@@ -670,13 +676,13 @@ def jacobian(
         z12 = R_3 * z5
         z13 = R_3 * z12
         R_x1 = 1.0 - 2.0 * (R_2 * z11 + z13)
-        z14 = I1 + k2 * (4.0 * (z10 * z10) + R_x1 * R_x1)
+        z14 = I1 + (4.0 * (k2 * (z10 * z10)) + k2 * (R_x1 * R_x1))
         # the mass matrix is singular
         if not abs(z14) > 0.0:
             raise SingularModelError(2, "jacobian")
         R_y2 = 1.0 - 2.0 * (R_1 * z6 + z13)
         z15 = z7 - z9
-        z16 = I2 + k2 * (R_y2 * R_y2 + 4.0 * (z15 * z15))
+        z16 = I2 + (k2 * (R_y2 * R_y2) + 4.0 * (k2 * (z15 * z15)))
         z17 = z5 * k1
         z18 = z3 + z2
         z19 = 8.0 * z1 + 4.0 * z18
@@ -838,9 +844,9 @@ def jacobian(
         z156 = z143 + 4.0 * (z5 * z139)
         z157 = z74 * (z155 - 2.0 * (R_1 * z156) + z41 * z149 - z49 * z153)
         z158 = z48 * z153 - z49 * z157
-        z159 = 2.0 * z103
-        s14 = z20 * z87 - (8.0 * (z6 * z93) - 4.0 * (z11 * z98 + z5 * z100))
-        z160 = R_2 * (z159 - 8.0 * (z148 + R_0 * z85)) + (z150 - s14)
+        s14 = z150 - z20 * z87 + 8.0 * (z6 * z93) - 4.0 * (z11 * z98)
+        z159 = s14 - 4.0 * (z5 * z100)
+        z160 = z159 + 2.0 * (R_2 * (z103 - 4.0 * (z148 + R_0 * z85)))
         s15 = z147 - 4.0 * (R_0 * z106) + z20 * z110 - 8.0 * (z6 * z114)
         z161 = s15 + 2.0 * (R_2 * (z125 + 4.0 * (z151 + R_0 * z109)))
         z162 = z161 - z30 * z160
@@ -849,31 +855,31 @@ def jacobian(
         z164 = s16 - 8.0 * (z8 * z134) - 8.0 * (z5 * z142)
         z165 = z74 * (z164 + 2.0 * (R_2 * z156) - z41 * z160 - z49 * z162)
         z166 = z48 * z162 - z49 * z165
-        s17 = 4.0 * (z12 * z98) - (R_1 * z146 - 4.0 * (z5 * z99))
-        z167 = 4.0 * (z21 * z89) - (8.0 * (z8 * z93) - s17)
-        s18 = R_3 * (z159 - z5 * (8.0 * z95 - 16.0 * z96))
-        z168 = s18 - (4.0 * (z25 * z84) + z167)
-        s19 = 4.0 * (z5 * z122) + (R_2 * z146 - z30 * z168)
-        z169 = 8.0 * (z8 * z114) + (4.0 * (z12 * z121) + s19)
-        s20 = 4.0 * (z25 * z108) - (4.0 * (z21 * z111) - z169)
-        s21 = R_3 * (2.0 * z125 - z5 * (8.0 * z117 + 16.0 * z119))
-        z170 = s21 - (4.0 * (z42 * z105) - s20)
-        s22 = R_2 * z163 - 4.0 * (z42 * z128) - R_1 * z154
-        z171 = s22 + 4.0 * (z21 * z131) - 8.0 * (z11 * z135)
-        s23 = 2.0 * (R_3 * (z143 - 4.0 * (z5 * z138)))
-        z172 = z171 - 8.0 * (z5 * z141) + s23 - z41 * z168
-        z173 = z74 * (z172 - z49 * z170)
-        z174 = z48 * z170 - z49 * z173
-        z175 = w3 * k4
-        z176 = z74 * (w2 * k5 - z49 * z175)
-        z177 = z48 * z175 - z49 * z176
-        z178 = w3 * k3
-        z179 = z30 * z178
-        z180 = z74 * (z75 + z41 * z178 - z49 * z179)
-        z181 = z48 * z179 - z49 * z180
-        z182 = z78 + z30 * z76
-        z183 = z74 * (z41 * z76 - z49 * z182)
-        z184 = z48 * z182 - z49 * z183
+        s17 = R_1 * z146 - 4.0 * (z25 * z84) - 4.0 * (z21 * z89)
+        z167 = s17 + 8.0 * (z8 * z93) - 4.0 * (z12 * z98)
+        s18 = 2.0 * (R_3 * (z103 - (4.0 * (z5 * z95) - 8.0 * (z5 * z96))))
+        z168 = z167 - 4.0 * (z5 * z99) + s18
+        s19 = R_2 * z146 - 4.0 * (z42 * z105) + 4.0 * (z25 * z108)
+        z169 = s19 - 4.0 * (z21 * z111) + 8.0 * (z8 * z114)
+        s20 = 2.0 * (R_3 * (z125 - (4.0 * (z5 * z117) + 8.0 * (z5 * z119))))
+        z170 = z169 + 4.0 * (z12 * z121) + 4.0 * (z5 * z122) + s20
+        z171 = z170 - z30 * z168
+        s21 = R_2 * z163 - 4.0 * (z42 * z128) - R_1 * z154
+        z172 = s21 + 4.0 * (z21 * z131) - 8.0 * (z11 * z135)
+        s22 = 2.0 * (R_3 * (z143 - 4.0 * (z5 * z138)))
+        z173 = z172 - 8.0 * (z5 * z141) + s22 - z41 * z168
+        z174 = z74 * (z173 - z49 * z171)
+        z175 = z48 * z171 - z49 * z174
+        z176 = w3 * k4
+        z177 = z74 * (w2 * k5 - z49 * z176)
+        z178 = z48 * z176 - z49 * z177
+        z179 = w3 * k3
+        z180 = z30 * z179
+        z181 = z74 * (z75 + z41 * z179 - z49 * z180)
+        z182 = z48 * z180 - z49 * z181
+        z183 = z78 + z30 * z76
+        z184 = z74 * (z41 * z76 - z49 * z183)
+        z185 = z48 * z183 - z49 * z184
         J: list[float] = [
             0.0,
             0.0,
@@ -976,13 +982,13 @@ def jacobian(
             # (I.2.15)
             z41 * z165 - (z29 * z160 - z30 * z166),
             # (I.2.15)
-            z41 * z173 - (z29 * z168 - z30 * z174),
+            z41 * z174 - (z29 * z168 - z30 * z175),
             # (I.2.15)
-            z30 * z177 + z41 * z176,
+            z30 * z178 + z41 * z177,
             # (I.2.15)
-            z29 * z178 + z30 * z181 + z41 * z180,
+            z29 * z179 + z30 * z182 + z41 * z181,
             # (I.2.15)
-            z29 * z76 + z30 * z184 + z41 * z183,
+            z29 * z76 + z30 * z185 + z41 * z184,
             0.0,
             0.0,
             # (I.2.15)
@@ -992,13 +998,13 @@ def jacobian(
             # (I.2.15)
             -z166,
             # (I.2.15)
-            -z174,
+            -z175,
             # (I.2.15)
-            -z177,
+            -z178,
             # (I.2.15)
-            -z181,
+            -z182,
             # (I.2.15)
-            -z184,
+            -z185,
             0.0,
             0.0,
             # (I.2.15)
@@ -1008,13 +1014,13 @@ def jacobian(
             # (I.2.15)
             z165,
             # (I.2.15)
-            z173,
+            z174,
             # (I.2.15)
-            z176,
+            z177,
             # (I.2.15)
-            z180,
+            z181,
             # (I.2.15)
-            z183,
+            z184,
         ]
         _finish("jacobian", J)
         return [J[k6 : k6 + 9] for k6 in range(0, 81, 9)]

@@ -1,5 +1,5 @@
 /*
- * cvt_eps.c: cvt_eps, emitted by nhc 0.1.0 (nhc:e958a53316b3a384)
+ * cvt_eps.c: cvt_eps, emitted by nhc 0.1.0 (nhc:64963be1ee88d1df)
  * The transmission with a driver that breaks the symmetry; most integrators for nonholonomic systems drift on
  *     it.
  * Source: cvt_eps.yaml
@@ -346,9 +346,8 @@ double cvt_eps_energy(double t, const double *y, const double *p)
     const double eps = p[0]; /* what breaks the symmetry of the driver */
 
     /* state */
-    const double z1 = 0.5 * (x_dot * x_dot * (1.0 + s_xi * s_xi)) + (0.5 * (xi_dot * xi_dot + (x * x + y_2 *
-        y_2)) + c_xi * (1.0 - eps * s_xi));
-    return z1;
+    const double z1 = c_xi + 0.5 * (xi_dot * xi_dot + (x * x + y_2 * y_2) - 2.0 * (eps * (c_xi * s_xi)));
+    return 0.5 * (x_dot * x_dot * (1.0 + s_xi * s_xi)) + z1;
 }
 
 int cvt_eps_jacobian(double t, const double *y, const double *p, double *J)
@@ -415,7 +414,7 @@ int cvt_eps_outputs(double t, const double *y, const double *p, double *out)
 
     /* state */
     /* 15:9 */
-    out[0] = 0.5 * (xi_dot * xi_dot) + c_xi * (1.0 - eps * s_xi); /* E_xi */
+    out[0] = c_xi + 0.5 * (xi_dot * xi_dot - 2.0 * (eps * (c_xi * s_xi))); /* E_xi */
     /* 16:9 */
     out[1] = 0.5 * (x * x + y_2 * y_2 + x_dot * x_dot * (1.0 + s_xi * s_xi)); /* E_xy */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */

@@ -1,5 +1,5 @@
 /*
- * cvt_eps.h: cvt_eps, emitted by nhc 0.1.0 (nhc:321c2d76646b659e)
+ * cvt_eps.h: cvt_eps, emitted by nhc 0.1.0 (nhc:99eab14b6c5a35e5)
  * The transmission with a driver that breaks the symmetry; most integrators for nonholonomic systems drift on
  *     it.
  * Source: cvt_eps.yaml
@@ -32,9 +32,9 @@
  * state: 0 +-, 0 *, 0 /, 0 calls
  * residuals: 1 +-, 1 *, 0 /, 1 calls
  * reactions: 4 +-, 5 *, 1 /, 2 calls
- * energy: 6 +-, 10 *, 0 /, 2 calls
+ * energy: 6 +-, 11 *, 0 /, 2 calls
  * jacobian: 6 +-, 17 *, 1 /, 2 calls
- * outputs: 5 +-, 10 *, 0 /, 2 calls
+ * outputs: 5 +-, 11 *, 0 /, 2 calls
  *
  * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
  */

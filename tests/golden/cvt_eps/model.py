@@ -1,4 +1,4 @@
-"""cvt_eps, emitted by nhc 0.1.0 (nhc:b3a2e334af04be81).
+"""cvt_eps, emitted by nhc 0.1.0 (nhc:e44a6dc6d5900bbe).
 
 The transmission with a driver that breaks the symmetry; most integrators for
     nonholonomic systems drift on it.
@@ -32,9 +32,9 @@ accelerations: 6 +-, 7 *, 1 /, 2 calls
 state: 0 +-, 0 *, 0 /, 0 calls
 residuals: 1 +-, 1 *, 0 /, 1 calls
 reactions: 4 +-, 5 *, 1 /, 2 calls
-energy: 6 +-, 10 *, 0 /, 2 calls
+energy: 6 +-, 11 *, 0 /, 2 calls
 jacobian: 6 +-, 17 *, 1 /, 2 calls
-outputs: 5 +-, 10 *, 0 /, 2 calls
+outputs: 5 +-, 11 *, 0 /, 2 calls
 
 A singular point raises SingularModelError.
 """
@@ -287,10 +287,9 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
         # state
         s_xi = math.sin(xi)
         c_xi = math.cos(xi)
-        s1 = 0.5 * (xi_dot * xi_dot + (x * x + y_2 * y_2))
-        s2 = 0.5 * (x_dot * x_dot * (1.0 + s_xi * s_xi))
-        z1 = s2 + (s1 + c_xi * (1.0 - eps * s_xi))
-        value1 = z1
+        s1 = xi_dot * xi_dot + (x * x + y_2 * y_2)
+        z1 = c_xi + 0.5 * (s1 - 2.0 * (eps * (c_xi * s_xi)))
+        value1 = 0.5 * (x_dot * x_dot * (1.0 + s_xi * s_xi)) + z1
         return _single("energy", value1)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
         raise SingularModelError(NOT_FINITE, "energy") from error
@@ -389,7 +388,7 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
         s1 = x * x + y_2 * y_2 + x_dot * x_dot * (1.0 + s_xi * s_xi)
         out: list[float] = [
             # E_xi 15:9
-            0.5 * (xi_dot * xi_dot) + c_xi * (1.0 - eps * s_xi),
+            c_xi + 0.5 * (xi_dot * xi_dot - 2.0 * (eps * (c_xi * s_xi))),
             # E_xy 16:9
             0.5 * s1,
         ]

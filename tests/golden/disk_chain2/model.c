@@ -1,5 +1,5 @@
 /*
- * disk_chain2.c: disk_chain2, emitted by nhc 0.1.0 (nhc:b093e3a550a67366)
+ * disk_chain2.c: disk_chain2, emitted by nhc 0.1.0 (nhc:d5513bd313288a2d)
  * Two upright rolling disks joined by a spring; the first link of a chain that may be made as long as one
  *     likes.
  * Source: disk_chain2.yaml
@@ -553,9 +553,9 @@ double disk_chain2_energy(double t, const double *y, const double *p)
 
     /* state */
     const double z1 = x1 * (0.5 * x1 - x2) + (y1_ * (0.5 * y1_ - y2) + 0.5 * (x2 * x2 + y2 * y2));
-    const double z2 = k * z1 + 0.5 * (J * (phi1_dot * phi1_dot + phi2_dot * phi2_dot) + k1 * (theta1_dot *
-        theta1_dot + theta2_dot * theta2_dot));
-    return z2;
+    const double z2 = 0.5 * (theta1_dot * theta1_dot * k1 + (theta2_dot * theta2_dot * k1 + J * (phi1_dot *
+        phi1_dot + phi2_dot * phi2_dot)));
+    return k * z1 + z2;
 }
 
 DISK_CHAIN2_SLOW

@@ -1,5 +1,5 @@
 /*
- * n_snake3.c: n_snake3, emitted by nhc 0.1.0 (nhc:69cf5f7c909994af)
+ * n_snake3.c: n_snake3, emitted by nhc 0.1.0 (nhc:38d6782d65449955)
  * Three links with a wheeled axle under the middle of each, hinged in a row with springs in the hinges.
  * Source: n_snake3.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -364,8 +364,6 @@ int n_snake3_accelerations(double t, const double *y, const double *p, double *q
     const double k3 = k1 * k2;
     const double k4 = m * a;
     const double k5 = a * k4;
-    const double k6 = k2 - k4;
-    const double k7 = k * k1;
 
     /* state */
     const double z3 = c1 * c2 + s1 * s2;
@@ -379,48 +377,49 @@ int n_snake3_accelerations(double t, const double *y, const double *p, double *q
     const double z11 = c2 * z8 - s2 * z9;
     const double z12 = J * z4 + k3 * (z10 * z10) + z5 * k5 + m * (z11 * z11);
     const double z13 = m * z11;
-    const double z14 = z10 * k3;
-    const double z15 = c1 * s1 * k6 - (z3 * z13 + z6 * z14);
-    const double z16 = 1.0 / z7;
-    const double z17 = z16 * z15;
-    const double z18 = z12 - z15 * z17;
-    const double z19 = v * w;
-    const double z20 = a * w;
-    const double z21 = v * s1 - c1 * z20;
-    const double z22 = w - k1 * z21;
-    const double z23 = c1 * z22;
-    const double z24 = v * z23;
-    const double z25 = s1 * z22;
-    const double z26 = z20 * z25;
-    const double z27 = z24 + z26;
-    const double v1_x2 = v * c1 + s1 * z20;
-    const double z28 = k1 * (z21 - (s2 * v1_x2 - c2 * z21));
-    const double z29 = c2 * z28;
-    const double z30 = v1_x2 * z29;
-    const double z31 = v * z25;
-    const double z32 = z20 * z23;
-    const double z33 = z31 - z32;
-    const double z34 = s2 * z28;
-    const double z35 = z21 * z34;
-    const double z36 = z30 - s2 * z33 + (z35 - c2 * z27);
-    const double z37 = v1_x2 * z34 + c2 * z33 - (z21 * z29 + s2 * z27);
-    const double z38 = k3 * (s1 * z27 + z6 * z36) - m * (c1 * z33 + z3 * z37) - k7 * (s1 * (z1 - z2) + z2 *
-        z6);
-    const double z39 = k * (z1 * (1.0 + c1) - z2 * (c1 + k1 * z10)) - (k4 * (s1 * z33) + (k2 * (c1 * z27) -
-        z36 * z14) + z37 * z13);
-    const double z40 = (z39 + z38 * z17) / z18;
-    const double z41 = z16 * z38 + z17 * z40;
-    const double z42 = a * z40;
-    const double z43 = z24 - s1 * z41 + (z26 + c1 * z42);
-    const double z44 = k1 * (z30 - s2 * (z31 + c1 * z41 - (z32 - s1 * z42)) + (z35 - c2 * z43));
+    const double z14 = c1 * s1;
+    const double z15 = z10 * k3;
+    const double z16 = z3 * z13 + (z14 * k4 - (k2 * z14 - z6 * z15));
+    const double z17 = 1.0 / z7;
+    const double z18 = z17 * z16;
+    const double z19 = z12 - z16 * z18;
+    const double z20 = v * w;
+    const double z21 = a * w;
+    const double z22 = v * s1 - c1 * z21;
+    const double z23 = w - k1 * z22;
+    const double z24 = c1 * z23;
+    const double z25 = v * z24;
+    const double z26 = s1 * z23;
+    const double z27 = z21 * z26;
+    const double z28 = z25 + z27;
+    const double v1_x2 = v * c1 + s1 * z21;
+    const double z29 = k1 * (z22 - (s2 * v1_x2 - c2 * z22));
+    const double z30 = c2 * z29;
+    const double z31 = v1_x2 * z30;
+    const double z32 = v * z26;
+    const double z33 = z21 * z24;
+    const double z34 = z32 - z33;
+    const double z35 = s2 * z29;
+    const double z36 = z22 * z35;
+    const double z37 = z31 - s2 * z34 + (z36 - c2 * z28);
+    const double z38 = v1_x2 * z35 + c2 * z34 - (z22 * z30 + s2 * z28);
+    const double z39 = k3 * (s1 * z28 + z6 * z37) - m * (c1 * z34 + z3 * z38) - k * (k1 * (z1 * s1 - z2 * (s1
+        - z6)));
+    const double z40 = k * (z1 * (1.0 + c1) - z2 * (c1 + k1 * z10)) - (k4 * (s1 * z34) + (k2 * (c1 * z28) -
+        z37 * z15) + z38 * z13);
+    const double z41 = (z40 - z39 * z18) / z19;
+    const double z42 = z17 * z39 - z18 * z41;
+    const double z43 = a * z41;
+    const double z44 = z25 - s1 * z42 + (z27 + c1 * z43);
+    const double z45 = k1 * (z31 - s2 * (z32 + c1 * z42 - (z33 - s1 * z43)) + (z36 - c2 * z44));
     /* (I.2.15) */
-    qddot[0] = -(s_theta1 * z19 + c_theta1 * z41); /* x'' */
-    qddot[1] = c_theta1 * z19 - s_theta1 * z41; /* y'' */
-    qddot[2] = -z40; /* theta1'' */
-    qddot[3] = k1 * z43; /* theta2'' */
-    qddot[4] = z44; /* theta3'' */
+    qddot[0] = -(s_theta1 * z20 + c_theta1 * z42); /* x'' */
+    qddot[1] = c_theta1 * z20 - s_theta1 * z42; /* y'' */
+    qddot[2] = -z41; /* theta1'' */
+    qddot[3] = k1 * z44; /* theta2'' */
+    qddot[4] = z45; /* theta3'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(qddot[0] + qddot[1] + qddot[2] + qddot[3] + qddot[4]) <= DBL_MAX && fabs(z18) > 1e-14 * z12)) {
+    if (!(fabs(qddot[0] + qddot[1] + qddot[2] + qddot[3] + qddot[4]) <= DBL_MAX && fabs(z19) > 1e-14 * z12)) {
         /* the coframe is singular */
         if (!(fabs(a) > 0.0)) {
             return N_SNAKE3_SINGULAR_1;
@@ -430,7 +429,7 @@ int n_snake3_accelerations(double t, const double *y, const double *p, double *q
             return N_SNAKE3_SINGULAR_2;
         }
         /* the mass matrix is singular */
-        if (!(fabs(z18) > 1e-14 * z12)) {
+        if (!(fabs(z19) > 1e-14 * z12)) {
             return N_SNAKE3_SINGULAR_2;
         }
         return n_snake3_finish(5, qddot);
@@ -541,8 +540,7 @@ int n_snake3_reactions(double t, const double *y, const double *p, double *lambd
     const double k3 = k1 * k2;
     const double k4 = m * a;
     const double k5 = a * k4;
-    const double k6 = k2 - k4;
-    const double k7 = m * k1;
+    const double k6 = m * k1;
 
     /* state */
     const double z3 = c1 * c2 + s1 * s2;
@@ -556,47 +554,48 @@ int n_snake3_reactions(double t, const double *y, const double *p, double *lambd
     const double z11 = c2 * z8 - s2 * z9;
     const double z12 = J * z4 + k3 * (z10 * z10) + z5 * k5 + m * (z11 * z11);
     const double z13 = m * z11;
-    const double z14 = z10 * k3;
-    const double z15 = c1 * s1 * k6 - (z3 * z13 + z6 * z14);
-    const double z16 = 1.0 / z7;
-    const double z17 = z16 * z15;
-    const double z18 = z12 - z15 * z17;
-    const double z19 = a * w;
-    const double v1_x2 = v * c1 + s1 * z19;
-    const double z20 = v * s1 - c1 * z19;
-    const double z21 = s2 * v1_x2 - c2 * z20;
-    const double z22 = k1 * (z20 - z21);
-    const double z23 = s2 * z22;
-    const double z24 = k1 * z20;
-    const double z25 = w - z24;
-    const double z26 = s1 * z25;
-    const double z27 = c1 * z25;
-    const double z28 = v * z26 - z19 * z27;
-    const double z29 = c2 * z22;
-    const double z30 = v * z27 + z19 * z26;
-    const double z31 = v1_x2 * z23 + c2 * z28 - (z20 * z29 + s2 * z30);
-    const double z32 = v1_x2 * z29 - s2 * z28 + (z20 * z23 - c2 * z30);
-    const double z33 = s1 * k1;
-    const double z34 = k3 * (s1 * z30 + z6 * z32) - m * (c1 * z28 + z3 * z31) - k * (z1 * z33 - k1 * (z2 *
+    const double z14 = c1 * s1;
+    const double z15 = z10 * k3;
+    const double z16 = z3 * z13 + (z14 * k4 - (k2 * z14 - z6 * z15));
+    const double z17 = 1.0 / z7;
+    const double z18 = z17 * z16;
+    const double z19 = z12 - z16 * z18;
+    const double z20 = a * w;
+    const double v1_x2 = v * c1 + s1 * z20;
+    const double z21 = v * s1 - c1 * z20;
+    const double z22 = s2 * v1_x2 - c2 * z21;
+    const double z23 = k1 * (z21 - z22);
+    const double z24 = s2 * z23;
+    const double z25 = k1 * z21;
+    const double z26 = w - z25;
+    const double z27 = s1 * z26;
+    const double z28 = c1 * z26;
+    const double z29 = v * z27 - z20 * z28;
+    const double z30 = c2 * z23;
+    const double z31 = v * z28 + z20 * z27;
+    const double z32 = v1_x2 * z24 + c2 * z29 - (z21 * z30 + s2 * z31);
+    const double z33 = v1_x2 * z30 - s2 * z29 + (z21 * z24 - c2 * z31);
+    const double z34 = s1 * k1;
+    const double z35 = k3 * (s1 * z31 + z6 * z33) - m * (c1 * z29 + z3 * z32) - k * (z1 * z34 - k1 * (z2 *
         (s1 - z6)));
-    const double z35 = k1 * z10;
-    const double z36 = k * (z1 * (1.0 + c1) - z2 * (c1 + z35)) - (k4 * (s1 * z28) + (k2 * (c1 * z30) - z32 *
-        z14) + z31 * z13);
-    const double z37 = (z36 + z17 * z34) / z18;
-    const double z38 = z16 * z34 + z17 * z37;
-    const double z39 = m * (z31 + (z3 * z38 + z11 * z37));
-    const double z40 = k1 * (k * z2 + J * (z35 * z37 - k1 * (z32 - z6 * z38)));
-    const double z41 = s2 * z39 - c2 * z40;
-    const double z42 = z41 + k1 * (k * (z1 - z2) - J * (k1 * z30 - (z33 * z38 - c1 * z37)));
-    const double z43 = c1 * z42 - s1 * (m * (z28 + (c1 * z38 + z8 * z37)) + s2 * z40 + c2 * z39);
+    const double z36 = k1 * z10;
+    const double z37 = k * (z1 * (1.0 + c1) - z2 * (c1 + z36)) - (k4 * (s1 * z29) + (k2 * (c1 * z31) - z33 *
+        z15) + z32 * z13);
+    const double z38 = (z37 - z18 * z35) / z19;
+    const double z39 = z17 * z35 - z18 * z38;
+    const double z40 = m * (z32 + (z3 * z39 + z11 * z38));
+    const double z41 = k1 * (k * z2 - J * (k1 * z33 - (k1 * (z6 * z39) + z36 * z38)));
+    const double z42 = s2 * z40 - c2 * z41;
+    const double z43 = z42 + k1 * (k * (z1 - z2) - J * (k1 * z31 - (z34 * z39 - c1 * z38)));
+    const double z44 = c1 * z43 - s1 * (m * (z29 + (c1 * z39 + z8 * z38)) + s2 * z41 + c2 * z40);
     /* (I.4.1) 25:5 */
-    lambda[0] = m * (v * w) - z43; /* reaction of wheel1: Q_i gains lambda_1 a_1i */
+    lambda[0] = m * (v * w) - z44; /* reaction of wheel1: Q_i gains lambda_1 a_1i */
     /* (I.4.1) 26:5 */
-    lambda[1] = m * (z24 * v1_x2) + z41 + z42; /* reaction of wheel2: Q_i gains lambda_2 a_2i */
+    lambda[1] = m * (z25 * v1_x2) + z42 + z43; /* reaction of wheel2: Q_i gains lambda_2 a_2i */
     /* (I.4.1) 27:5 */
-    lambda[2] = k7 * (z21 * (c2 * v1_x2 + s2 * z20)) + z40; /* reaction of wheel3: Q_i gains lambda_3 a_3i */
+    lambda[2] = k6 * (z22 * (c2 * v1_x2 + s2 * z21)) + z41; /* reaction of wheel3: Q_i gains lambda_3 a_3i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(lambda[0] + lambda[1] + lambda[2]) <= DBL_MAX && fabs(z18) > 1e-14 * z12)) {
+    if (!(fabs(lambda[0] + lambda[1] + lambda[2]) <= DBL_MAX && fabs(z19) > 1e-14 * z12)) {
         /* the coframe is singular */
         if (!(fabs(a) > 0.0)) {
             return N_SNAKE3_SINGULAR_1;
@@ -606,7 +605,7 @@ int n_snake3_reactions(double t, const double *y, const double *p, double *lambd
             return N_SNAKE3_SINGULAR_2;
         }
         /* the mass matrix is singular */
-        if (!(fabs(z18) > 1e-14 * z12)) {
+        if (!(fabs(z19) > 1e-14 * z12)) {
             return N_SNAKE3_SINGULAR_2;
         }
         return n_snake3_finish(3, lambda);
@@ -711,135 +710,136 @@ int n_snake3_jacobian(double t, const double *y, const double *p, double *J)
     const double z11 = c2 * z8 - s2 * z9;
     const double z12 = J_2 * z4 + k3 * (z10 * z10) + z5 * k5 + m * (z11 * z11);
     const double z13 = m * z11;
-    const double z14 = z10 * k3;
-    const double z15 = c1 * s1 * k6 - (z3 * z13 + z6 * z14);
-    const double z16 = 1.0 / z7;
-    const double z17 = z16 * z15;
-    const double z18 = z12 - z15 * z17;
-    const double z19 = a * w;
-    const double v1_x2 = v * c1 + s1 * z19;
-    const double z20 = k1 * v1_x2;
-    const double z21 = s1 * k1;
-    const double z22 = v * s1 - c1 * z19;
-    const double z23 = k1 * (c2 * v1_x2 + s2 * z22);
-    const double z24 = k1 * z10;
-    const double z25 = k1 * (z22 - (s2 * v1_x2 - c2 * z22));
-    const double z26 = c2 * z25;
-    const double z27 = m * z3;
-    const double z28 = s2 * z25;
-    const double z29 = z6 * k3;
-    const double z30 = z22 * z27 + v1_x2 * z29;
-    const double z31 = v1_x2 * z27 - z22 * z29;
-    const double z32 = k1 * (c2 * z30 - s2 * z31);
-    const double z33 = m * c1 + c2 * z27 + s2 * z29;
-    const double z34 = s1 * k3 + s2 * z27 - c2 * z29;
-    const double z35 = z19 * z33 + v * z34;
-    const double z36 = z19 * z34 - v * z33;
-    const double z37 = c1 * z35 + s1 * z36;
-    const double z38 = z26 * z27 + z28 * z29 + z32 + c2 * z32 - k1 * z37;
-    const double z39 = z28 * z27 - z26 * z29 + s2 * z32;
-    const double z40 = w - k1 * z22;
-    const double z41 = c1 * z40;
-    const double z42 = s1 * z40;
-    const double z43 = v * z41 + z19 * z42;
-    const double z44 = z2 * k7;
-    const double z45 = 1.0 / z18;
-    const double z46 = 1.0 + c1;
-    const double z47 = c1 + z24;
-    const double z48 = v * z42 - z19 * z41;
-    const double z49 = v1_x2 * z28 + c2 * z48 - (z22 * z26 + s2 * z43);
-    const double z50 = v1_x2 * z26 - s2 * z48 + (z22 * z28 - c2 * z43);
-    const double z51 = c1 * k2;
-    const double z52 = s1 * k4;
-    const double z53 = k * (z1 * z46 - z2 * z47) - (z49 * z13 - (z50 * z14 - z43 * z51 - z48 * z52));
-    const double z54 = k1 * (s1 - z6);
-    const double z55 = k3 * (s1 * z43 + z6 * z50) - m * (c1 * z48 + z3 * z49) - k * (z1 * z21 - z2 * z54);
-    const double z56 = z45 * (z53 + z55 * z17);
-    const double z57 = k6 * z56;
-    const double z58 = z55 * z16 + z17 * z56;
-    const double z59 = k3 * z58;
-    const double z60 = m * z49;
-    const double z61 = m * z56;
-    const double z62 = z11 * z61;
-    const double z63 = m * z58;
-    const double z64 = z3 * z63;
-    const double z65 = z60 + z62 + 2.0 * z64;
-    const double z66 = z40 * z36 + (z43 * k3 + z44 + c1 * z57 - 2.0 * (s1 * z59)) - s2 * z65;
-    const double z67 = z3 * z61;
-    const double z68 = k3 * z56;
-    const double z69 = z6 * z68;
-    const double z70 = z50 * k3;
-    const double z71 = z10 * z68;
-    const double z72 = z6 * z59;
-    const double z73 = z70 - z44 - z71 - 2.0 * z72;
-    const double z74 = v * z38 - (z19 * z39 - z66) - a * (c2 * z67 + s2 * z69) - c2 * z73;
-    const double z75 = z19 * z38 - (z40 * z35 - (m * z48 - s1 * z57 + 2.0 * (c1 * z63)) - c2 * z65);
-    const double z76 = k * z21 + c1 * (z1 * k7 - z74) - s1 * (v * z39 + z75 - a * (s2 * z67 - c2 * z69) - s2
-        * z73);
-    const double z77 = z22 * z13 + v1_x2 * z14;
-    const double z78 = v1_x2 * z13 - z22 * z14;
-    const double z79 = k1 * (c2 * z77 - s2 * z78);
-    const double z80 = z52 + c2 * z13 + s2 * z14;
-    const double z81 = z51 - s2 * z13 + c2 * z14;
-    const double z82 = z19 * z80 - v * z81;
-    const double z83 = z19 * z81 + v * z80;
-    const double z84 = c1 * z82 - s1 * z83;
-    const double z85 = z26 * z13 + z28 * z14 + z79 + c2 * z79 - k1 * z84;
-    const double z86 = z28 * z13 - z26 * z14 + s2 * z79;
-    const double z87 = k6 * z58;
-    const double z88 = z11 * z63;
-    const double z89 = z40 * z83 + (z48 * k4 - c1 * z87 + 2.0 * (k5 * (s1 * z56))) + s2 * z88;
-    const double z90 = z64 + (z60 + 2.0 * z62);
-    const double z91 = z44 + (z72 - (z70 - 2.0 * z71));
-    const double z92 = z10 * z59;
-    const double z93 = v * z85 - (z19 * z86 + z89) - a * (c2 * z90 + s2 * z91) + c2 * z92;
-    const double z94 = z40 * z82 + (k * (z1 - z2) - z43 * k2 + s1 * z87 - 2.0 * (J_2 * (c1 * z56)));
-    const double z95 = v * z86 + (z19 * z85 - (z94 - c2 * z88)) - a * (s2 * z90 - c2 * z91);
-    const double z96 = k * z46 + c1 * z93 + s1 * (z95 + s2 * z92);
-    const double z97 = z45 * (z96 - z17 * z76);
-    const double z98 = v1_x2 * z32 - (z43 * z27 - z48 * z29 - z25 * z31 + z9 * z67 - s1 * z65);
-    const double z99 = z22 * z32 - (z48 * z27 + z43 * z29 - z25 * z30 + z8 * z67 + c1 * z65);
-    const double z100 = k * z54 - c2 * (z98 + z8 * z69 - c1 * z73) - s2 * (z99 - z9 * z69 - s1 * z73);
-    const double z101 = z76 + z100;
-    const double z102 = v1_x2 * z79 - (z43 * z13 - z48 * z14 - z25 * z78 + z9 * z90 - s1 * z88);
-    const double z103 = z22 * z79 - (z48 * z13 + z43 * z14 - z25 * z77 + z8 * z90 + c1 * z88);
-    const double z104 = k * z47 + c2 * (z102 + z8 * z91 + c1 * z92) + s2 * (z103 - z9 * z91 + s1 * z92);
-    const double z105 = z45 * (z96 + z104 - z17 * z101);
-    const double z106 = z45 * (z104 - z17 * z100);
-    const double z107 = z41 * z34 - z42 * z33 + s1 * z38 - c1 * z39;
-    const double z108 = z45 * (z41 * z81 + z42 * z80 - s1 * z85 + c1 * z86 - z17 * z107);
-    const double z109 = z37 + a * (z41 * z33 + z42 * z34 - s1 * z39 - c1 * z38);
-    const double z110 = z84 + a * (z41 * z80 - z42 * z81 - s1 * z86 - c1 * z85) + z17 * z109;
-    const double z111 = z45 * z110;
+    const double z14 = c1 * s1;
+    const double z15 = z10 * k3;
+    const double z16 = z3 * z13 + (z14 * k4 - (k2 * z14 - z6 * z15));
+    const double z17 = 1.0 / z7;
+    const double z18 = z17 * z16;
+    const double z19 = z12 - z16 * z18;
+    const double z20 = a * w;
+    const double v1_x2 = v * c1 + s1 * z20;
+    const double z21 = k1 * v1_x2;
+    const double z22 = s1 * k1;
+    const double z23 = v * s1 - c1 * z20;
+    const double z24 = k1 * (c2 * v1_x2 + s2 * z23);
+    const double z25 = k1 * z10;
+    const double z26 = k1 * (z23 - (s2 * v1_x2 - c2 * z23));
+    const double z27 = c2 * z26;
+    const double z28 = m * z3;
+    const double z29 = s2 * z26;
+    const double z30 = z6 * k3;
+    const double z31 = z23 * z28 + v1_x2 * z30;
+    const double z32 = v1_x2 * z28 - z23 * z30;
+    const double z33 = k1 * (c2 * z31 - s2 * z32);
+    const double z34 = m * c1 + c2 * z28 + s2 * z30;
+    const double z35 = s1 * k3 + s2 * z28 - c2 * z30;
+    const double z36 = z20 * z34 + v * z35;
+    const double z37 = z20 * z35 - v * z34;
+    const double z38 = c1 * z36 + s1 * z37;
+    const double z39 = z27 * z28 + z29 * z30 + z33 + c2 * z33 - k1 * z38;
+    const double z40 = z29 * z28 - z27 * z30 + s2 * z33;
+    const double z41 = w - k1 * z23;
+    const double z42 = c1 * z41;
+    const double z43 = s1 * z41;
+    const double z44 = v * z42 + z20 * z43;
+    const double z45 = z2 * k7;
+    const double z46 = 1.0 / z19;
+    const double z47 = 1.0 + c1;
+    const double z48 = c1 + z25;
+    const double z49 = v * z43 - z20 * z42;
+    const double z50 = v1_x2 * z29 + c2 * z49 - (z23 * z27 + s2 * z44);
+    const double z51 = v1_x2 * z27 - s2 * z49 + (z23 * z29 - c2 * z44);
+    const double z52 = c1 * k2;
+    const double z53 = s1 * k4;
+    const double z54 = k * (z1 * z47 - z2 * z48) - (z50 * z13 - (z51 * z15 - z44 * z52 - z49 * z53));
+    const double z55 = k1 * (s1 - z6);
+    const double z56 = k3 * (s1 * z44 + z6 * z51) - m * (c1 * z49 + z3 * z50) - k * (z1 * z22 - z2 * z55);
+    const double z57 = z46 * (z54 - z56 * z18);
+    const double z58 = k6 * z57;
+    const double z59 = z56 * z17 - z18 * z57;
+    const double z60 = k3 * z59;
+    const double z61 = m * z50;
+    const double z62 = m * z57;
+    const double z63 = z11 * z62;
+    const double z64 = m * z59;
+    const double z65 = z3 * z64;
+    const double z66 = z61 + z63 + 2.0 * z65;
+    const double z67 = z41 * z37 + (z44 * k3 + z45 + c1 * z58 - 2.0 * (s1 * z60)) - s2 * z66;
+    const double z68 = z3 * z62;
+    const double z69 = k3 * z57;
+    const double z70 = z6 * z69;
+    const double z71 = z51 * k3;
+    const double z72 = z10 * z69;
+    const double z73 = z6 * z60;
+    const double z74 = z71 - z45 - z72 - 2.0 * z73;
+    const double z75 = v * z39 - (z20 * z40 - z67) - a * (c2 * z68 + s2 * z70) - c2 * z74;
+    const double z76 = z20 * z39 - (z41 * z36 - (m * z49 - s1 * z58 + 2.0 * (c1 * z64)) - c2 * z66);
+    const double z77 = k * z22 + c1 * (z1 * k7 - z75) - s1 * (v * z40 + z76 - a * (s2 * z68 - c2 * z70) - s2
+        * z74);
+    const double z78 = z23 * z13 + v1_x2 * z15;
+    const double z79 = v1_x2 * z13 - z23 * z15;
+    const double z80 = k1 * (c2 * z78 - s2 * z79);
+    const double z81 = z53 + c2 * z13 + s2 * z15;
+    const double z82 = z52 - s2 * z13 + c2 * z15;
+    const double z83 = z20 * z81 - v * z82;
+    const double z84 = z20 * z82 + v * z81;
+    const double z85 = c1 * z83 - s1 * z84;
+    const double z86 = z27 * z13 + z29 * z15 + z80 + c2 * z80 - k1 * z85;
+    const double z87 = z29 * z13 - z27 * z15 + s2 * z80;
+    const double z88 = k6 * z59;
+    const double z89 = z11 * z64;
+    const double z90 = z41 * z84 + (z49 * k4 - c1 * z88 + 2.0 * (k5 * (s1 * z57))) + s2 * z89;
+    const double z91 = z65 + (z61 + 2.0 * z63);
+    const double z92 = z45 + (z73 - (z71 - 2.0 * z72));
+    const double z93 = z10 * z60;
+    const double z94 = v * z86 - (z20 * z87 + z90) - a * (c2 * z91 + s2 * z92) + c2 * z93;
+    const double z95 = z41 * z83 + (k * (z1 - z2) - z44 * k2 + s1 * z88 - 2.0 * (J_2 * (c1 * z57)));
+    const double z96 = v * z87 + (z20 * z86 - (z95 - c2 * z89)) - a * (s2 * z91 - c2 * z92);
+    const double z97 = k * z47 + c1 * z94 + s1 * (z96 + s2 * z93);
+    const double z98 = z46 * (z97 + z18 * z77);
+    const double z99 = v1_x2 * z33 - (z44 * z28 - z49 * z30 - z26 * z32 + z9 * z68 - s1 * z66);
+    const double z100 = z23 * z33 - (z49 * z28 + z44 * z30 - z26 * z31 + z8 * z68 + c1 * z66);
+    const double z101 = k * z55 - c2 * (z99 + z8 * z70 - c1 * z74) - s2 * (z100 - z9 * z70 - s1 * z74);
+    const double z102 = z77 + z101;
+    const double z103 = v1_x2 * z80 - (z44 * z13 - z49 * z15 - z26 * z79 + z9 * z91 - s1 * z89);
+    const double z104 = z23 * z80 - (z49 * z13 + z44 * z15 - z26 * z78 + z8 * z91 + c1 * z89);
+    const double z105 = k * z48 + c2 * (z103 + z8 * z92 + c1 * z93) + s2 * (z104 - z9 * z92 + s1 * z93);
+    const double z106 = z46 * (z97 + z105 + z18 * z102);
+    const double z107 = z46 * (z105 + z18 * z101);
+    const double z108 = z42 * z35 - z43 * z34 + s1 * z39 - c1 * z40;
+    const double z109 = z46 * (z42 * z82 + z43 * z81 - s1 * z86 + c1 * z87 + z18 * z108);
+    const double z110 = z38 + a * (z42 * z34 + z43 * z35 - s1 * z40 - c1 * z39);
+    const double z111 = z85 + a * (z42 * z81 - z43 * z82 - s1 * z87 - c1 * z86) - z18 * z110;
+    const double z112 = z46 * z111;
     /* (I.2.15) */
     J[2] = -s_theta1 * v;
     J[5] = c_theta1;
     J[9] = c_theta1 * v;
     J[12] = s_theta1;
     J[20] = 1.0;
-    J[23] = z20;
-    J[24] = -z20;
-    J[26] = z21;
+    J[23] = z21;
+    J[24] = -z21;
+    J[26] = z22;
     J[27] = -c1;
-    J[30] = -z23;
-    J[31] = 2.0 * z23;
-    J[32] = -z23;
+    J[30] = -z24;
+    J[31] = 2.0 * z24;
+    J[32] = -z24;
     J[33] = k1 * z6;
-    J[34] = z24;
-    J[37] = z16 * z76 - z17 * z97;
-    J[38] = z17 * z105 - z16 * z101;
-    J[39] = z16 * z100 - z17 * z106;
-    J[40] = z17 * z108 - z16 * z107;
-    J[41] = -(z16 * z109 + z17 * z111);
-    J[44] = -z97;
-    J[45] = z105;
-    J[46] = -z106;
-    J[47] = z108;
-    J[48] = -z111;
+    J[34] = z25;
+    J[37] = z17 * z77 + z18 * z98;
+    J[38] = -(z17 * z102 + z18 * z106);
+    J[39] = z17 * z101 + z18 * z107;
+    J[40] = -(z17 * z108 + z18 * z109);
+    J[41] = z18 * z112 - z17 * z110;
+    J[44] = -z98;
+    J[45] = z106;
+    J[46] = -z107;
+    J[47] = z109;
+    J[48] = -z112;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(J[24] + J[31] + J[32] + J[33] + J[37] + J[38] + J[39] + J[40] + J[41] + J[44] + J[46] + J[48])
         <= DBL_MAX
-        && fabs(z18) > 1e-14 * z12)) {
+        && fabs(z19) > 1e-14 * z12)) {
         /* the coframe is singular */
         if (!(fabs(a) > 0.0)) {
             return N_SNAKE3_SINGULAR_1;
@@ -849,7 +849,7 @@ int n_snake3_jacobian(double t, const double *y, const double *p, double *J)
             return N_SNAKE3_SINGULAR_2;
         }
         /* the mass matrix is singular */
-        if (!(fabs(z18) > 1e-14 * z12)) {
+        if (!(fabs(z19) > 1e-14 * z12)) {
             return N_SNAKE3_SINGULAR_2;
         }
         return n_snake3_finish(49, J);

@@ -1,5 +1,5 @@
 /*
- * n_snake3.h: n_snake3, emitted by nhc 0.1.0 (nhc:201d3e237cc1bf73)
+ * n_snake3.h: n_snake3, emitted by nhc 0.1.0 (nhc:b964e871d9d99f2a)
  * Three links with a wheeled axle under the middle of each, hinged in a row with springs in the hinges.
  * Source: n_snake3.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -28,12 +28,12 @@
  * Operations:
  * rhs: 45 +-, 85 *, 3 /, 6 calls
  * velocities: 5 +-, 11 *, 1 /, 6 calls
- * accelerations: 56 +-, 96 *, 3 /, 6 calls
+ * accelerations: 56 +-, 97 *, 3 /, 6 calls
  * state: 1 +-, 2 *, 0 /, 2 calls
  * residuals: 11 +-, 15 *, 0 /, 6 calls
- * reactions: 66 +-, 116 *, 3 /, 4 calls
+ * reactions: 66 +-, 118 *, 3 /, 4 calls
  * energy: 27 +-, 40 *, 1 /, 6 calls
- * jacobian: 190 +-, 300 *, 3 /, 6 calls
+ * jacobian: 191 +-, 301 *, 3 /, 6 calls
  * outputs: 0 +-, 0 *, 0 /, 0 calls
  *
  * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.

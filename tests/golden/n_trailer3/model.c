@@ -1,5 +1,5 @@
 /*
- * n_trailer3.c: n_trailer3, emitted by nhc 0.1.0 (nhc:aa82dbd2d13640eb)
+ * n_trailer3.c: n_trailer3, emitted by nhc 0.1.0 (nhc:3f976d1e1fe71025)
  * A tractor with three trailers, each hitched to the axle before it; none of the four axles slips sideways.
  * Source: n_trailer3.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -505,42 +505,41 @@ int n_trailer3_reactions(double t, const double *y, const double *p, double *lam
     /* state */
     const double z4 = c1 * c2;
     const double z5 = s1 * z4;
-    const double z6 = s2 * s2;
-    const double z7 = c1 * s3;
-    const double z8 = c3 * z4;
-    const double z9 = m0 + k3 * (z5 * z5 + (z6 + z7 * z7)) + m * (z8 * z8 + (z4 * z4 + (1.0 - z6)));
-    const double z10 = s2 * k1;
-    const double z11 = v * z10;
-    const double z12 = w - z11;
-    const double z13 = c1 * z12;
-    const double z14 = v * k1;
-    const double z15 = (z7 - z5) * z14;
-    const double z16 = s2 * z12;
-    const double z17 = (s2 - z7) * z14;
-    const double z18 = c2 * z16 + z7 * z17;
-    const double z19 = z8 * z15 - s1 * z18;
-    const double z20 = s3 * z16 - z4 * z17;
-    const double z21 = z5 * z15 + c3 * z18;
-    const double z22 = k3 * (z5 * z19 + (s2 * z13 - z7 * z20)) - m * (z8 * z21 + (c1 * z16 + z4 * z18));
-    const double z23 = v * z22 / z9;
-    const double z24 = k2 * (z13 * z14 - z10 * z23);
-    const double z25 = k1 * z7;
-    const double z26 = k2 * (z14 * z20 + z25 * z23);
-    const double z27 = k1 * z5;
-    const double z28 = k2 * (z14 * z19 - z27 * z23);
-    const double z29 = m * (v * z21 + z8 * z23);
-    const double z30 = m * (v * z18 + z4 * z23) - s1 * z28 + c3 * z29;
-    const double z31 = m0 * (v * w) + c1 * z24 + s2 * (m * (v * z16 + c1 * z23) + s3 * z26 + c2 * z30);
-    const double z32 = m * v;
-    const double z33 = v * z32;
+    const double z6 = c1 * s3;
+    const double z7 = c3 * z4;
+    const double z8 = m0 + k3 * (z5 * z5 + (s2 * s2 + z6 * z6)) + m * (z7 * z7 + (c1 * c1 + z4 * z4));
+    const double z9 = s2 * k1;
+    const double z10 = v * z9;
+    const double z11 = w - z10;
+    const double z12 = c1 * z11;
+    const double z13 = v * k1;
+    const double z14 = (z6 - z5) * z13;
+    const double z15 = s2 * z11;
+    const double z16 = (s2 - z6) * z13;
+    const double z17 = c2 * z15 + z6 * z16;
+    const double z18 = z7 * z14 - s1 * z17;
+    const double z19 = s3 * z15 - z4 * z16;
+    const double z20 = z5 * z14 + c3 * z17;
+    const double z21 = k3 * (z5 * z18 + (s2 * z12 - z6 * z19)) - m * (z7 * z20 + (c1 * z15 + z4 * z17));
+    const double z22 = v * z21 / z8;
+    const double z23 = k2 * (z12 * z13 - z9 * z22);
+    const double z24 = k1 * z6;
+    const double z25 = k2 * (z13 * z19 + z24 * z22);
+    const double z26 = k1 * z5;
+    const double z27 = k2 * (z13 * z18 - z26 * z22);
+    const double z28 = m * (v * z20 + z7 * z22);
+    const double z29 = m * (v * z17 + z4 * z22) - s1 * z27 + c3 * z28;
+    const double z30 = m0 * (v * w) + c1 * z23 + s2 * (m * (v * z15 + c1 * z22) + s3 * z25 + c2 * z29);
+    const double z31 = m * v;
+    const double z32 = v * z31;
     /* (I.4.1) 32:5 */
-    lambda[0] = z31; /* reaction of axle0: Q_i gains lambda_1 a_1i */
+    lambda[0] = z30; /* reaction of axle0: Q_i gains lambda_1 a_1i */
     /* (I.4.1) 33:5 */
-    lambda[1] = z11 * (c1 * z32) - z24 - c2 * z26 + s3 * z30; /* reaction of axle1: Q_i gains lambda_2 a_2i */
+    lambda[1] = z10 * (c1 * z31) - z23 - c2 * z25 + s3 * z29; /* reaction of axle1: Q_i gains lambda_2 a_2i */
     /* (I.4.1) 34:5 */
-    lambda[2] = z4 * (z25 * z33) + z26 + c3 * z28 + s1 * z29; /* reaction of axle2: Q_i gains lambda_3 a_3i */
+    lambda[2] = z4 * (z24 * z32) + z25 + c3 * z27 + s1 * z28; /* reaction of axle2: Q_i gains lambda_3 a_3i */
     /* (I.4.1) 35:5 */
-    lambda[3] = z8 * (z27 * z33) - z28; /* reaction of axle3: Q_i gains lambda_4 a_4i */
+    lambda[3] = z7 * (z26 * z32) - z27; /* reaction of axle3: Q_i gains lambda_4 a_4i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(lambda[0] + lambda[1] + lambda[2] + lambda[3]) <= DBL_MAX && fabs(J0) > 0.0)) {
         /* the coframe is singular */
@@ -548,7 +547,7 @@ int n_trailer3_reactions(double t, const double *y, const double *p, double *lam
             return N_TRAILER3_SINGULAR_1;
         }
         /* the mass matrix is singular */
-        if (!(fabs(z9) > 0.0)) {
+        if (!(fabs(z8) > 0.0)) {
             return N_TRAILER3_SINGULAR_2;
         }
         /* the mass matrix is singular */
@@ -642,93 +641,91 @@ int n_trailer3_jacobian(double t, const double *y, const double *p, double *J)
     /* parameters only */
     const double k1 = 1.0 / L;
     const double k2 = k1 * (J_2 * k1);
-    const double k3 = m - k2;
 
     /* state */
     const double z4 = c1 * c2;
     const double z5 = s1 * z4;
-    const double z6 = s2 * s2;
-    const double z7 = c1 * s3;
-    const double z8 = c3 * z4;
-    const double z9 = m0 + k2 * (z5 * z5 + (z6 + z7 * z7)) + m * (z8 * z8 + (z4 * z4 + (1.0 - z6)));
-    const double z10 = v * k1;
-    const double z11 = c1 * z10;
-    const double z12 = s2 * k1;
-    const double z13 = z10 * (s2 * s3);
-    const double z14 = c2 * z11;
-    const double z15 = s2 * c2;
-    const double z16 = s1 * z10;
-    const double z17 = z8 * z10;
-    const double z18 = 1.0 / z9;
-    const double z19 = k1 * (z7 - z5);
-    const double z20 = v * z19;
-    const double z21 = c3 * z20;
-    const double z22 = w - v * z12;
-    const double z23 = s2 * z22;
-    const double z24 = k1 * (s2 - z7);
-    const double z25 = v * z24;
-    const double z26 = s3 * z25;
-    const double z27 = c2 * z23 + c1 * z26;
-    const double z28 = z4 * z21 - s1 * z27;
-    const double z29 = c1 * z22;
-    const double z30 = c2 * z25;
-    const double z31 = s3 * z23 - c1 * z30;
-    const double z32 = s1 * z20;
-    const double z33 = z4 * z32 + c3 * z27;
-    const double z34 = k2 * (z5 * z28 + (s2 * z29 - z7 * z31)) - m * (z8 * z33 + (c1 * z23 + z4 * z27));
-    const double z35 = v * z34 * z18;
-    const double z36 = v * k2;
-    const double z37 = s2 * z36;
-    const double z38 = z7 * z36;
-    const double z39 = m * v;
-    const double z40 = z8 * z39;
-    const double z41 = z5 * z36;
-    const double z42 = z4 * z39 + c3 * z40 + s1 * z41;
-    const double z43 = m * z35;
-    const double z44 = z33 * z39 + 2.0 * (z8 * z43);
-    const double z45 = k2 * z35;
-    const double z46 = z4 * z41;
-    const double z47 = z4 * z40;
-    const double z48 = c3 * z46 - s1 * z47;
-    const double z49 = z10 * z48;
-    const double z50 = z28 * z36 - 2.0 * (z5 * z45) - z49;
-    const double z51 = z21 * z41 - (z32 * z40 + (z27 * z39 + 2.0 * (z4 * z43))) - c3 * z44 + s1 * z50;
-    const double z52 = c1 * z38;
-    const double z53 = c1 * z42;
-    const double z54 = c2 * z52 - s3 * z53;
-    const double z55 = z10 * z54;
-    const double z56 = z55 + (z31 * z36 + 2.0 * (z7 * z45) - z49);
-    const double z57 = z22 * z37 + (z30 * z38 - (z26 * z42 + (z23 * z39 - (c2 * z51 - s3 * z56))));
-    const double z58 = c1 * z39 + c2 * z42 + s3 * z38;
-    const double z59 = c1 * z37 - s2 * z58;
-    const double z60 = s2 * (2.0 * (c1 * z35 * k3) - z57) + c1 * (z55 + (z29 * z36 - (z22 * z58 + z10 *
-        z59)));
-    const double z61 = c2 * (z23 * z38 + z25 * z53 + c1 * z56) - s3 * (z23 * z42 - z25 * z52 - c1 * z51);
-    const double z62 = s1 * (z27 * z40 - z20 * z46 + z4 * z44) - c3 * (z27 * z41 + z20 * z47 - z4 * z50);
+    const double z6 = c1 * s3;
+    const double z7 = c3 * z4;
+    const double z8 = m0 + k2 * (z5 * z5 + (s2 * s2 + z6 * z6)) + m * (z7 * z7 + (c1 * c1 + z4 * z4));
+    const double z9 = v * k1;
+    const double z10 = c1 * z9;
+    const double z11 = s2 * k1;
+    const double z12 = z9 * (s2 * s3);
+    const double z13 = c2 * z10;
+    const double z14 = s2 * c2;
+    const double z15 = s1 * z9;
+    const double z16 = z7 * z9;
+    const double z17 = 1.0 / z8;
+    const double z18 = v * k2;
+    const double z19 = s2 * z18;
+    const double z20 = m * v;
+    const double z21 = z7 * z20;
+    const double z22 = z5 * z18;
+    const double z23 = z4 * z20 + c3 * z21 + s1 * z22;
+    const double z24 = z6 * z18;
+    const double z25 = c1 * z20 + c2 * z23 + s3 * z24;
+    const double z26 = c1 * z19 - s2 * z25;
+    const double z27 = w - v * z11;
+    const double z28 = c1 * z27;
+    const double z29 = k1 * (z6 - z5);
+    const double z30 = v * z29;
+    const double z31 = c3 * z30;
+    const double z32 = s2 * z27;
+    const double z33 = k1 * (s2 - z6);
+    const double z34 = v * z33;
+    const double z35 = s3 * z34;
+    const double z36 = c2 * z32 + c1 * z35;
+    const double z37 = z4 * z31 - s1 * z36;
+    const double z38 = c2 * z34;
+    const double z39 = s3 * z32 - c1 * z38;
+    const double z40 = s1 * z30;
+    const double z41 = z4 * z40 + c3 * z36;
+    const double z42 = k2 * (z5 * z37 + (s2 * z28 - z6 * z39)) - m * (z7 * z41 + (c1 * z32 + z4 * z36));
+    const double z43 = v * z42 * z17;
+    const double z44 = k2 * z43;
+    const double z45 = c1 * z24;
+    const double z46 = c1 * z23;
+    const double z47 = c2 * z45 - s3 * z46;
+    const double z48 = z9 * z47;
+    const double z49 = m * z43;
+    const double z50 = z41 * z20 + 2.0 * (z7 * z49);
+    const double z51 = z4 * z22;
+    const double z52 = z4 * z21;
+    const double z53 = c3 * z51 - s1 * z52;
+    const double z54 = z9 * z53;
+    const double z55 = z37 * z18 - 2.0 * (z5 * z44) - z54;
+    const double z56 = z31 * z22 - (z40 * z21 + (z36 * z20 + 2.0 * (z4 * z49))) - c3 * z50 + s1 * z55;
+    const double z57 = z27 * z19 + (z38 * z24 - (z35 * z23 + (z32 * z20 + 2.0 * (c1 * z49)))) + c2 * z56;
+    const double z58 = z48 + (z39 * z18 + 2.0 * (z6 * z44) - z54);
+    const double z59 = c1 * (z9 * z26 + (z27 * z25 - (z28 * z18 - 2.0 * (s2 * z44) + z48))) + s2 * (z57 - s3
+        * z58);
+    const double z60 = c2 * (z32 * z24 + z34 * z46 + c1 * z58) - s3 * (z32 * z23 - z34 * z45 - c1 * z56);
+    const double z61 = s1 * (z36 * z21 - z30 * z51 + z4 * z50) - c3 * (z36 * z22 + z30 * z52 - z4 * z55);
     /* (I.2.15) */
     J[2] = -s_theta0 * v;
     J[6] = c_theta0;
     J[10] = c_theta0 * v;
     J[14] = s_theta0;
     J[23] = 1.0;
-    J[26] = z11;
-    J[27] = -z11;
-    J[30] = z12;
-    J[34] = -z13;
-    J[35] = z14 + z13;
-    J[36] = -z14;
-    J[38] = k1 * z7;
-    J[42] = -z15 * z16;
-    J[43] = -(z7 - z15) * z16;
-    J[44] = z17 + z7 * z16;
-    J[45] = -z17;
+    J[26] = z10;
+    J[27] = -z10;
+    J[30] = z11;
+    J[34] = -z12;
+    J[35] = z13 + z12;
+    J[36] = -z13;
+    J[38] = k1 * z6;
+    J[42] = -z14 * z15;
+    J[43] = -(z6 - z14) * z15;
+    J[44] = z16 + z6 * z15;
+    J[45] = -z16;
     J[46] = k1 * z5;
-    J[50] = -z18 * z60;
-    J[51] = z18 * (z60 + z61);
-    J[52] = -z18 * (z61 + z62);
-    J[53] = z18 * z62;
-    J[54] = -z18 * (z34 + z19 * z48 + z24 * z54 - z12 * z59);
-    J[55] = -z18 * z59;
+    J[50] = z17 * z59;
+    J[51] = -z17 * (z59 - z60);
+    J[52] = -z17 * (z60 + z61);
+    J[53] = z17 * z61;
+    J[54] = -z17 * (z42 + z29 * z53 + z33 * z47 - z11 * z26);
+    J[55] = -z17 * z26;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(J[34] + J[35] + J[38] + J[42] + J[43] + J[44] + J[45] + J[46] + J[50] + J[51] + J[52] + J[53]
         + J[54] + J[55]) <= DBL_MAX
@@ -738,7 +735,7 @@ int n_trailer3_jacobian(double t, const double *y, const double *p, double *J)
             return N_TRAILER3_SINGULAR_1;
         }
         /* the mass matrix is singular */
-        if (!(fabs(z9) > 0.0)) {
+        if (!(fabs(z8) > 0.0)) {
             return N_TRAILER3_SINGULAR_2;
         }
         /* the mass matrix is singular */

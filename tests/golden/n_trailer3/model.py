@@ -1,4 +1,4 @@
-"""n_trailer3, emitted by nhc 0.1.0 (nhc:e0a630f97534ceeb).
+"""n_trailer3, emitted by nhc 0.1.0 (nhc:683bc5a277498875).
 
 A tractor with three trailers, each hitched to the axle before it; none of the four
     axles slips sideways.
@@ -39,9 +39,9 @@ velocities: 3 +-, 8 *, 1 /, 7 calls
 accelerations: 26 +-, 50 *, 2 /, 8 calls
 state: 1 +-, 2 *, 0 /, 2 calls
 residuals: 10 +-, 17 *, 0 /, 8 calls
-reactions: 41 +-, 77 *, 2 /, 6 calls
+reactions: 40 +-, 78 *, 2 /, 6 calls
 energy: 24 +-, 46 *, 1 /, 8 calls
-jacobian: 69 +-, 139 *, 2 /, 8 calls
+jacobian: 68 +-, 141 *, 2 /, 8 calls
 outputs: 6 +-, 2 *, 0 /, 6 calls
 
 A singular point raises SingularModelError.
@@ -446,51 +446,50 @@ def reactions(
         z4 = c1 * c2
         z5 = s1 * z4
         s2 = math.sin(z2)
-        z6 = s2 * s2
         s3 = math.sin(z3)
-        z7 = c1 * s3
+        z6 = c1 * s3
         c3 = math.cos(z1)
-        z8 = c3 * z4
-        s4 = m * (z8 * z8 + (z4 * z4 + (1.0 - z6)))
-        z9 = m0 + k3 * (z5 * z5 + (z6 + z7 * z7)) + s4
+        z7 = c3 * z4
+        s4 = m0 + k3 * (z5 * z5 + (s2 * s2 + z6 * z6))
+        z8 = s4 + m * (z7 * z7 + (c1 * c1 + z4 * z4))
         # the mass matrix is singular
-        if not abs(z9) > 0.0:
+        if not abs(z8) > 0.0:
             raise SingularModelError(2, "reactions")
-        z10 = s2 * k1
-        z11 = v * z10
-        z12 = w - z11
-        z13 = c1 * z12
-        z14 = v * k1
-        z15 = (z7 - z5) * z14
-        z16 = s2 * z12
-        z17 = (s2 - z7) * z14
-        z18 = c2 * z16 + z7 * z17
-        z19 = z8 * z15 - s1 * z18
-        z20 = s3 * z16 - z4 * z17
-        z21 = z5 * z15 + c3 * z18
-        s5 = k3 * (z5 * z19 + (s2 * z13 - z7 * z20))
-        z22 = s5 - m * (z8 * z21 + (c1 * z16 + z4 * z18))
-        z23 = v * z22 / z9
-        z24 = k2 * (z13 * z14 - z10 * z23)
-        z25 = k1 * z7
-        z26 = k2 * (z14 * z20 + z25 * z23)
-        z27 = k1 * z5
-        z28 = k2 * (z14 * z19 - z27 * z23)
-        z29 = m * (v * z21 + z8 * z23)
-        z30 = m * (v * z18 + z4 * z23) - s1 * z28 + c3 * z29
-        s6 = s2 * (m * (v * z16 + c1 * z23) + s3 * z26 + c2 * z30)
-        z31 = m0 * (v * w) + c1 * z24 + s6
-        z32 = m * v
-        z33 = v * z32
+        z9 = s2 * k1
+        z10 = v * z9
+        z11 = w - z10
+        z12 = c1 * z11
+        z13 = v * k1
+        z14 = (z6 - z5) * z13
+        z15 = s2 * z11
+        z16 = (s2 - z6) * z13
+        z17 = c2 * z15 + z6 * z16
+        z18 = z7 * z14 - s1 * z17
+        z19 = s3 * z15 - z4 * z16
+        z20 = z5 * z14 + c3 * z17
+        s5 = k3 * (z5 * z18 + (s2 * z12 - z6 * z19))
+        z21 = s5 - m * (z7 * z20 + (c1 * z15 + z4 * z17))
+        z22 = v * z21 / z8
+        z23 = k2 * (z12 * z13 - z9 * z22)
+        z24 = k1 * z6
+        z25 = k2 * (z13 * z19 + z24 * z22)
+        z26 = k1 * z5
+        z27 = k2 * (z13 * z18 - z26 * z22)
+        z28 = m * (v * z20 + z7 * z22)
+        z29 = m * (v * z17 + z4 * z22) - s1 * z27 + c3 * z28
+        s6 = s2 * (m * (v * z15 + c1 * z22) + s3 * z25 + c2 * z29)
+        z30 = m0 * (v * w) + c1 * z23 + s6
+        z31 = m * v
+        z32 = v * z31
         lambda_: list[float] = [
             # reaction of axle0: Q_i gains lambda_1 a_1i (I.4.1) 32:5
-            z31,
+            z30,
             # reaction of axle1: Q_i gains lambda_2 a_2i (I.4.1) 33:5
-            z11 * (c1 * z32) - z24 - c2 * z26 + s3 * z30,
+            z10 * (c1 * z31) - z23 - c2 * z25 + s3 * z29,
             # reaction of axle2: Q_i gains lambda_3 a_3i (I.4.1) 34:5
-            z4 * (z25 * z33) + z26 + c3 * z28 + s1 * z29,
+            z4 * (z24 * z32) + z25 + c3 * z27 + s1 * z28,
             # reaction of axle3: Q_i gains lambda_4 a_4i (I.4.1) 35:5
-            z8 * (z27 * z33) - z28,
+            z7 * (z26 * z32) - z27,
         ]
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -580,7 +579,6 @@ def jacobian(
         # parameters only
         k1 = 1.0 / L
         k2 = k1 * (J_2 * k1)
-        k3 = m - k2
         # state
         z1 = theta2 - theta3
         s1 = math.sin(z1)
@@ -591,77 +589,76 @@ def jacobian(
         z4 = c1 * c2
         z5 = s1 * z4
         s2 = math.sin(z2)
-        z6 = s2 * s2
         s3 = math.sin(z3)
-        z7 = c1 * s3
+        z6 = c1 * s3
         c3 = math.cos(z1)
-        z8 = c3 * z4
-        s4 = m * (z8 * z8 + (z4 * z4 + (1.0 - z6)))
-        z9 = m0 + k2 * (z5 * z5 + (z6 + z7 * z7)) + s4
+        z7 = c3 * z4
+        s4 = m0 + k2 * (z5 * z5 + (s2 * s2 + z6 * z6))
+        z8 = s4 + m * (z7 * z7 + (c1 * c1 + z4 * z4))
         # the mass matrix is singular
-        if not abs(z9) > 0.0:
+        if not abs(z8) > 0.0:
             raise SingularModelError(2, "jacobian")
         s_theta0 = math.sin(theta0)
         c_theta0 = math.cos(theta0)
-        z10 = v * k1
-        z11 = c1 * z10
-        z12 = s2 * k1
-        z13 = z10 * (s2 * s3)
-        z14 = c2 * z11
-        z15 = s2 * c2
-        z16 = s1 * z10
-        z17 = z8 * z10
-        z18 = 1.0 / z9
-        z19 = k1 * (z7 - z5)
-        z20 = v * z19
-        z21 = c3 * z20
-        z22 = w - v * z12
-        z23 = s2 * z22
-        z24 = k1 * (s2 - z7)
-        z25 = v * z24
-        z26 = s3 * z25
-        z27 = c2 * z23 + c1 * z26
-        z28 = z4 * z21 - s1 * z27
-        z29 = c1 * z22
-        z30 = c2 * z25
-        z31 = s3 * z23 - c1 * z30
-        z32 = s1 * z20
-        z33 = z4 * z32 + c3 * z27
-        s5 = k2 * (z5 * z28 + (s2 * z29 - z7 * z31))
-        z34 = s5 - m * (z8 * z33 + (c1 * z23 + z4 * z27))
-        z35 = v * z34 * z18
-        z36 = v * k2
-        z37 = s2 * z36
-        z38 = z7 * z36
-        z39 = m * v
-        z40 = z8 * z39
-        z41 = z5 * z36
-        z42 = z4 * z39 + c3 * z40 + s1 * z41
-        z43 = m * z35
-        z44 = z33 * z39 + 2.0 * (z8 * z43)
-        z45 = k2 * z35
-        z46 = z4 * z41
-        z47 = z4 * z40
-        z48 = c3 * z46 - s1 * z47
-        z49 = z10 * z48
-        z50 = z28 * z36 - 2.0 * (z5 * z45) - z49
-        s6 = z21 * z41 - (z32 * z40 + (z27 * z39 + 2.0 * (z4 * z43)))
-        z51 = s6 - c3 * z44 + s1 * z50
-        z52 = c1 * z38
-        z53 = c1 * z42
-        z54 = c2 * z52 - s3 * z53
-        z55 = z10 * z54
-        z56 = z55 + (z31 * z36 + 2.0 * (z7 * z45) - z49)
-        s7 = z30 * z38 - (z26 * z42 + (z23 * z39 - (c2 * z51 - s3 * z56)))
-        z57 = z22 * z37 + s7
-        z58 = c1 * z39 + c2 * z42 + s3 * z38
-        z59 = c1 * z37 - s2 * z58
-        s8 = c1 * (z55 + (z29 * z36 - (z22 * z58 + z10 * z59)))
-        z60 = s2 * (2.0 * (c1 * z35 * k3) - z57) + s8
-        s9 = c2 * (z23 * z38 + z25 * z53 + c1 * z56)
-        z61 = s9 - s3 * (z23 * z42 - z25 * z52 - c1 * z51)
-        s10 = s1 * (z27 * z40 - z20 * z46 + z4 * z44)
-        z62 = s10 - c3 * (z27 * z41 + z20 * z47 - z4 * z50)
+        z9 = v * k1
+        z10 = c1 * z9
+        z11 = s2 * k1
+        z12 = z9 * (s2 * s3)
+        z13 = c2 * z10
+        z14 = s2 * c2
+        z15 = s1 * z9
+        z16 = z7 * z9
+        z17 = 1.0 / z8
+        z18 = v * k2
+        z19 = s2 * z18
+        z20 = m * v
+        z21 = z7 * z20
+        z22 = z5 * z18
+        z23 = z4 * z20 + c3 * z21 + s1 * z22
+        z24 = z6 * z18
+        z25 = c1 * z20 + c2 * z23 + s3 * z24
+        z26 = c1 * z19 - s2 * z25
+        z27 = w - v * z11
+        z28 = c1 * z27
+        z29 = k1 * (z6 - z5)
+        z30 = v * z29
+        z31 = c3 * z30
+        z32 = s2 * z27
+        z33 = k1 * (s2 - z6)
+        z34 = v * z33
+        z35 = s3 * z34
+        z36 = c2 * z32 + c1 * z35
+        z37 = z4 * z31 - s1 * z36
+        z38 = c2 * z34
+        z39 = s3 * z32 - c1 * z38
+        z40 = s1 * z30
+        z41 = z4 * z40 + c3 * z36
+        s5 = k2 * (z5 * z37 + (s2 * z28 - z6 * z39))
+        z42 = s5 - m * (z7 * z41 + (c1 * z32 + z4 * z36))
+        z43 = v * z42 * z17
+        z44 = k2 * z43
+        z45 = c1 * z24
+        z46 = c1 * z23
+        z47 = c2 * z45 - s3 * z46
+        z48 = z9 * z47
+        z49 = m * z43
+        z50 = z41 * z20 + 2.0 * (z7 * z49)
+        z51 = z4 * z22
+        z52 = z4 * z21
+        z53 = c3 * z51 - s1 * z52
+        z54 = z9 * z53
+        z55 = z37 * z18 - 2.0 * (z5 * z44) - z54
+        s6 = z31 * z22 - (z40 * z21 + (z36 * z20 + 2.0 * (z4 * z49)))
+        z56 = s6 - c3 * z50 + s1 * z55
+        s7 = z38 * z24 - (z35 * z23 + (z32 * z20 + 2.0 * (c1 * z49)))
+        z57 = z27 * z19 + s7 + c2 * z56
+        z58 = z48 + (z39 * z18 + 2.0 * (z6 * z44) - z54)
+        s8 = z9 * z26 + (z27 * z25 - (z28 * z18 - 2.0 * (s2 * z44) + z48))
+        z59 = c1 * s8 + s2 * (z57 - s3 * z58)
+        s9 = c2 * (z32 * z24 + z34 * z46 + c1 * z58)
+        z60 = s9 - s3 * (z32 * z23 - z34 * z45 - c1 * z56)
+        s10 = s1 * (z36 * z21 - z30 * z51 + z4 * z50)
+        z61 = s10 - c3 * (z36 * z22 + z30 * z52 - z4 * z55)
         J: list[float] = [
             0.0,
             0.0,
@@ -695,53 +692,53 @@ def jacobian(
             0.0,
             0.0,
             # (I.2.15)
+            z10,
+            # (I.2.15)
+            -z10,
+            0.0,
+            0.0,
+            # (I.2.15)
             z11,
+            0.0,
+            0.0,
+            0.0,
             # (I.2.15)
-            -z11,
-            0.0,
-            0.0,
+            -z12,
             # (I.2.15)
-            z12,
-            0.0,
-            0.0,
-            0.0,
+            z13 + z12,
             # (I.2.15)
             -z13,
-            # (I.2.15)
-            z14 + z13,
-            # (I.2.15)
-            -z14,
             0.0,
             # (I.2.15)
-            k1 * z7,
+            k1 * z6,
             0.0,
             0.0,
             0.0,
             # (I.2.15)
-            -z15 * z16,
+            -z14 * z15,
             # (I.2.15)
-            -(z7 - z15) * z16,
+            -(z6 - z14) * z15,
             # (I.2.15)
-            z17 + z7 * z16,
+            z16 + z6 * z15,
             # (I.2.15)
-            -z17,
+            -z16,
             # (I.2.15)
             k1 * z5,
             0.0,
             0.0,
             0.0,
             # (I.2.15)
-            -z18 * z60,
+            z17 * z59,
             # (I.2.15)
-            z18 * (z60 + z61),
+            -z17 * (z59 - z60),
             # (I.2.15)
-            -z18 * (z61 + z62),
+            -z17 * (z60 + z61),
             # (I.2.15)
-            z18 * z62,
+            z17 * z61,
             # (I.2.15)
-            -z18 * (z34 + z19 * z48 + z24 * z54 - z12 * z59),
+            -z17 * (z42 + z29 * z53 + z33 * z47 - z11 * z26),
             # (I.2.15)
-            -z18 * z59,
+            -z17 * z26,
             0.0,
             0.0,
             0.0,
@@ -752,7 +749,7 @@ def jacobian(
             0.0,
         ]
         _finish("jacobian", J)
-        return [J[k4 : k4 + 8] for k4 in range(0, 64, 8)]
+        return [J[k3 : k3 + 8] for k3 in range(0, 64, 8)]
     except (ValueError, ZeroDivisionError, OverflowError) as error:
         raise SingularModelError(NOT_FINITE, "jacobian") from error
 

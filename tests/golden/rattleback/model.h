@@ -1,5 +1,5 @@
 /*
- * rattleback.h: rattleback, emitted by nhc 0.1.0 (nhc:c9dc41f07802af1c)
+ * rattleback.h: rattleback, emitted by nhc 0.1.0 (nhc:ec7038a798f19d3d)
  * A loaded ellipsoid that rolls on a plane and prefers one sense of spin (celt, wobblestone).
  * Source: rattleback.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -41,9 +41,9 @@
  * accelerations: 124 +-, 193 *, 6 /, 7 calls
  * state: 3 +-, 6 *, 0 /, 4 calls
  * residuals: 18 +-, 40 *, 1 /, 7 calls
- * reactions: 103 +-, 178 *, 5 /, 7 calls
+ * reactions: 106 +-, 184 *, 5 /, 7 calls
  * energy: 25 +-, 60 *, 2 /, 7 calls
- * jacobian: 521 +-, 740 *, 7 /, 7 calls
+ * jacobian: 530 +-, 754 *, 7 /, 7 calls
  * outputs: 0 +-, 0 *, 0 /, 1 calls
  *
  * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.

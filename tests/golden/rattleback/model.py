@@ -1,4 +1,4 @@
-"""rattleback, emitted by nhc 0.1.0 (nhc:a6a63e6e2900aa36).
+"""rattleback, emitted by nhc 0.1.0 (nhc:6c969373e42ed4b2).
 
 A loaded ellipsoid that rolls on a plane and prefers one sense of spin (celt,
     wobblestone).
@@ -42,9 +42,9 @@ velocities: 17 +-, 46 *, 2 /, 7 calls
 accelerations: 124 +-, 193 *, 6 /, 7 calls
 state: 3 +-, 6 *, 0 /, 4 calls
 residuals: 18 +-, 40 *, 1 /, 7 calls
-reactions: 103 +-, 178 *, 5 /, 7 calls
+reactions: 106 +-, 184 *, 5 /, 7 calls
 energy: 25 +-, 60 *, 2 /, 7 calls
-jacobian: 521 +-, 740 *, 7 /, 7 calls
+jacobian: 530 +-, 754 *, 7 /, 7 calls
 outputs: 0 +-, 0 *, 0 /, 1 calls
 
 A singular point raises SingularModelError.
@@ -659,67 +659,74 @@ def reactions(
         z25 = 1.0 / c_alpha
         z26 = z1 * w3 + mu3 * w1
         z27 = z25 * z26
-        z28 = c_beta * z24 - s_beta * z27
-        z29 = mu2 * z27
-        z30 = z25 * z24
-        z31 = w2 + mu2 * z30
-        z32 = c_beta * z31
-        z33 = s_beta * z29 - c_alpha * z32
-        z34 = s_beta * z31
-        z35 = c_alpha * z34 + c_beta * z29
-        z36 = (z10 * z33 - z6 * z26 + z4 * z35) * (z3 * (z3 * z3))
-        z37 = r3 * w2 - z7 * z28 - (k1 * (z3 * z33) - z10 * z36)
-        z38 = z27 * z34
-        z39 = z38 + z30 * z33
-        z40 = z27 * z32
-        z41 = z40 + z30 * z35
-        z42 = s_beta * z39 + c_beta * z41 - z30 * z29
-        z43 = z25 * (z1 * z41 - mu3 * z39)
-        z44 = z24 * z32 + s_beta * z42 - (z38 + c_beta * z43)
-        z45 = s_beta * z24 + c_beta * z27
-        z46 = r3 * z45 + r1 * z28 + (z6 * z36 + k2 * (z3 * z26))
-        z47 = w2 * z37 + (g * mu3 + z7 * z44 + z45 * z46)
+        z28 = s_beta * z24 + c_beta * z27
+        z29 = c_beta * z24 - s_beta * z27
+        z30 = r3 * z28 + r1 * z29
+        u1 = r3 * w2 - z7 * z29
+        z31 = z25 * z24
+        z32 = w2 + mu2 * z31
+        z33 = c_beta * z32
+        z34 = s_beta * z32
+        z35 = z27 * z34
+        z36 = mu2 * z27
+        z37 = s_beta * z36 - c_alpha * z33
+        z38 = z35 + z31 * z37
+        z39 = z27 * z33
+        z40 = c_alpha * z34 + c_beta * z36
+        z41 = z39 + z31 * z40
+        z42 = s_beta * z38 + c_beta * z41 - z31 * z36
+        z43 = z25 * (z1 * z41 - mu3 * z38)
+        z44 = z24 * z33 + s_beta * z42 - (z35 + c_beta * z43)
+        z45 = (z10 * z37 - z6 * z26 + z4 * z40) * (z3 * (z3 * z3))
+        z46 = z6 * z45 + k2 * (z3 * z26)
+        z47 = k1 * (z3 * z37) - z10 * z45
+        s1 = z28 * z30 + w2 * u1 + (z7 * z44 + z28 * z46 - w2 * z47)
+        z48 = g * mu3 + s1
         s_gamma = math.sin(gamma)
-        z48 = mu2 * s_gamma
+        z49 = mu2 * s_gamma
         c_gamma = math.cos(gamma)
-        z49 = c_beta * z48 + s_beta * c_gamma
-        z50 = r1 * w2 + z7 * z45 + (z4 * z36 - k3 * (z3 * z35))
-        z51 = z24 * z34 - c_beta * z42 + (z40 - s_beta * z43)
-        z52 = w2 * z50 - (g * z1 + z7 * z51 - z28 * z46)
-        z53 = c_beta * c_gamma - s_beta * z48
-        z54 = z45 * z50 - (r3 * z44 + (g * mu2 - r1 * z51) + z28 * z37)
-        z55 = c_alpha * s_gamma
-        z56 = I_d * w2 + I_a * z45
-        z57 = I_d * z45 + I_b * w2
-        z58 = z27 * z57
-        z59 = z24 * z57
-        s1 = c_beta * z58 + (s_beta * z59 - (z7 * z52 - r1 * z54))
-        z60 = w2 * z56 - (I_c * z51 + s1)
-        z61 = I_c * z28
-        s2 = s_beta * z58 - (c_beta * z59 - (r3 * z54 - z7 * z47))
-        z62 = w2 * z61 - (I_a * z44 - s2)
-        s3 = I_d * z44 - (z28 * z56 - z45 * z61 + (r3 * z52 - r1 * z47))
-        z63 = s3 + z15 * z62
-        z64 = (z60 + z19 * z62 + z22 * z63) / z23
-        z65 = z21 * z63 + z22 * z64
-        z66 = z14 * z62 + z15 * z65 + z19 * z64
-        s4 = z66 * (r3 * z55 - z7 * z49) - z65 * (r3 * z53 - r1 * z49)
-        z67 = z64 * (z7 * z53 - r1 * z55) + s4
-        z68 = mu2 * c_gamma
-        z69 = c_beta * z68 - s_beta * s_gamma
-        z70 = c_beta * s_gamma + s_beta * z68
-        z71 = c_alpha * c_gamma
-        s5 = z66 * (r3 * z71 - z7 * z69) + z65 * (r3 * z70 + r1 * z69)
-        z72 = z64 * (z7 * z70 + r1 * z71) - s5
-        s6 = z66 * (mu2 * r3 + mu3 * z7) - z65 * (z1 * r3 + mu3 * r1)
-        z73 = z64 * (mu2 * r1 - z1 * z7) - s6
+        z50 = c_beta * z49 + s_beta * c_gamma
+        z51 = r1 * w2 + z7 * z28
+        z52 = z24 * z34 - c_beta * z42 + (z39 - s_beta * z43)
+        z53 = z4 * z45 - k3 * (z3 * z40)
+        s2 = w2 * z51 + z29 * z30 - (z7 * z52 - z29 * z46 - w2 * z53)
+        z54 = g * z1 - s2
+        z55 = c_beta * c_gamma - s_beta * z49
+        s3 = r3 * z44 - z28 * z53 - (r1 * z52 + z29 * z47)
+        z56 = z29 * u1 - z28 * z51 + s3
+        z57 = g * mu2 + z56
+        z58 = c_alpha * s_gamma
+        z59 = I_d * w2 + I_a * z28
+        z60 = I_d * z28 + I_b * w2
+        z61 = z27 * z60
+        z62 = z24 * z60
+        s4 = c_beta * z61 + (s_beta * z62 + (z7 * z54 - r1 * z57))
+        z63 = w2 * z59 - (I_c * z52 + s4)
+        z64 = I_c * z29
+        s5 = s_beta * z61 - (c_beta * z62 + (r3 * z57 + z7 * z48))
+        z65 = w2 * z64 - (I_a * z44 - s5)
+        s6 = I_d * z44 - (z29 * z59 - z28 * z64 - (r3 * z54 + r1 * z48))
+        z66 = s6 + z15 * z65
+        z67 = (z63 + z19 * z65 + z22 * z66) / z23
+        z68 = z21 * z66 + z22 * z67
+        z69 = z14 * z65 + z15 * z68 + z19 * z67
+        s7 = z69 * (r3 * z58 - z7 * z50) - z68 * (r3 * z55 - r1 * z50)
+        z70 = z67 * (z7 * z55 - r1 * z58) + s7
+        z71 = mu2 * c_gamma
+        z72 = c_beta * z71 - s_beta * s_gamma
+        z73 = c_beta * s_gamma + s_beta * z71
+        z74 = c_alpha * c_gamma
+        s8 = z69 * (r3 * z74 - z7 * z72) + z68 * (r3 * z73 + r1 * z72)
+        z75 = z67 * (z7 * z73 + r1 * z74) - s8
+        s9 = z69 * (mu2 * r3 + mu3 * z7) - z68 * (z1 * r3 + mu3 * r1)
+        z76 = z67 * (mu2 * r1 - z1 * z7) - s9
         lambda_: list[float] = [
             # reaction of roll_x: Q_i gains lambda_1 a_1i (I.4.1) 44:5
-            z67 - (z47 * z49 + (z52 * z53 + z54 * z55)),
+            z70 - (z48 * z50 - (z54 * z55 + z57 * z58)),
             # reaction of roll_y: Q_i gains lambda_2 a_2i (I.4.1) 45:5
-            z47 * z69 - (z52 * z70 - z54 * z71) + z72,
+            z48 * z72 + (z54 * z73 - z57 * z74) + z75,
             # reaction of roll_z: Q_i gains lambda_3 a_3i (I.4.1) 46:5
-            z73 - (mu3 * z47 - (z1 * z52 + mu2 * z54)),
+            z76 - (mu3 * z48 + (z1 * z54 + mu2 * z57)),
         ]
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -872,71 +879,71 @@ def jacobian(
         # the mass matrix is singular
         if not abs(z24) > 1e-14 * z17:
             raise SingularModelError(2, "jacobian")
-        c_gamma = math.cos(gamma)
-        z25 = s_beta * mu2
-        z26 = k1 * z3
-        z27 = z3 * z3
-        z28 = z3 * z27
-        z29 = c_beta * mu2
-        z30 = z28 * (z10 * z25 - c_alpha * z6 + z4 * z29)
-        z31 = z25 * z26 - z10 * z30
-        z32 = z1 * w3 + mu3 * w1
-        z33 = 1.0 / (c_alpha * c_alpha)
-        z34 = mu2 * z33
-        z35 = 1.0 / c_alpha
-        z36 = z32 * z34 - z35 * (w3 * z25 + w1 * z29)
-        z37 = c_beta * z36
-        z38 = s_beta * w1 - c_beta * w3
-        z39 = s_beta * z38
-        z40 = z35 * z32
-        z41 = c_beta * z40
-        z42 = z39 + z41
-        z43 = k2 * z3
-        z44 = z6 * z30 + c_alpha * z43
-        z45 = w2 * z31 - (z7 * z37 + z42 * z44)
-        z46 = k3 * z3
-        z47 = z4 * z30 - z29 * z46
-        z48 = s_beta * z36
-        z49 = c_beta * z38
-        z50 = s_beta * z40
-        z51 = z49 - z50
-        z52 = w2 * z47 - (z7 * z48 - z51 * z44)
-        z53 = s_beta * z45 - c_beta * z52
         s_gamma = math.sin(gamma)
-        z54 = r3 * w2
-        z55 = z7 * z51
-        u1 = z54 - z55
-        z56 = s_beta * u1
-        z57 = r1 * w2
-        z58 = z7 * z42
-        z59 = z57 + z58
-        z60 = c_beta * z59
-        z61 = z56 + z60
-        z62 = r3 * z37 - z42 * z47 - (r1 * z48 + z51 * z31)
-        z63 = r3 * z42
-        z64 = r1 * z51
-        z65 = z63 + z64
-        z66 = s_beta * z52 + c_beta * z45
-        z67 = c_alpha * (z61 - z62) + mu2 * (z65 - z66)
+        z25 = s_beta * w1 - c_beta * w3
+        z26 = s_beta * z25
+        z27 = 1.0 / c_alpha
+        z28 = z1 * w3 + mu3 * w1
+        z29 = z27 * z28
+        z30 = c_beta * z29
+        z31 = z26 + z30
+        z32 = r3 * z31
+        z33 = c_beta * z25
+        z34 = s_beta * z29
+        z35 = z33 - z34
+        z36 = r1 * z35
+        z37 = z32 + z36
+        z38 = 1.0 / (c_alpha * c_alpha)
+        z39 = mu2 * z38
+        z40 = s_beta * mu2
+        z41 = c_beta * mu2
+        z42 = z28 * z39 - z27 * (w3 * z40 + w1 * z41)
+        z43 = c_beta * z42
+        z44 = z3 * z3
+        z45 = z3 * z44
+        z46 = z45 * (z10 * z40 - c_alpha * z6 + z4 * z41)
+        z47 = k3 * z3
+        z48 = z4 * z46 - z41 * z47
+        z49 = s_beta * z42
+        z50 = k1 * z3
+        z51 = z40 * z50 - z10 * z46
+        z52 = r3 * z43 - z31 * z48 - (r1 * z49 + z35 * z51)
+        z53 = r3 * w2
+        z54 = z7 * z35
+        u1 = z53 - z54
+        z55 = s_beta * u1
+        z56 = r1 * w2
+        z57 = z7 * z31
+        z58 = z56 + z57
+        z59 = c_beta * z58
+        z60 = z55 + z59
+        z61 = k2 * z3
+        z62 = z6 * z46 + c_alpha * z61
+        z63 = w2 * z48 - (z7 * z49 - z35 * z62)
+        z64 = w2 * z51 - (z7 * z43 + z31 * z62)
+        z65 = s_beta * z63 + c_beta * z64
+        z66 = mu2 * z37 - c_alpha * z52 + (c_alpha * z60 - mu2 * z65)
+        c_gamma = math.cos(gamma)
+        z67 = s_beta * z64 - c_beta * z63
         z68 = c_beta * w1 + s_beta * w3
-        z69 = z35 * (mu3 * w3 - z1 * w1)
-        z70 = z49 + s_beta * z68 - (z50 - c_beta * z69)
-        z71 = k4 * (mu3 * (z1 * z28))
-        z72 = z4 * z71 + z1 * z46
-        z73 = z39 - c_beta * z68 + (z41 + s_beta * z69)
-        z74 = mu3 * z26 - z10 * z71
-        z75 = r3 * z70 + z42 * z72 - (r1 * z73 - z51 * z74)
+        z69 = z27 * (mu3 * w3 - z1 * w1)
+        z70 = z33 + s_beta * z68 - (z34 - c_beta * z69)
+        z71 = k4 * (mu3 * (z1 * z45))
+        z72 = z4 * z71 + z1 * z47
+        z73 = z26 - c_beta * z68 + (z30 + s_beta * z69)
+        z74 = mu3 * z50 - z10 * z71
+        z75 = r3 * z70 + z31 * z72 - (r1 * z73 - z35 * z74)
         z76 = c_beta * u1
         z77 = z6 * z71
-        z78 = w2 * z72 + (z7 * z73 + z51 * z77)
-        z79 = s_beta * z59
-        z80 = w2 * z74 + (z7 * z70 - z42 * z77)
+        z78 = w2 * z72 + (z7 * z73 + z35 * z77)
+        z79 = s_beta * z58
+        z80 = w2 * z74 + (z7 * z70 - z31 * z77)
         z81 = z76 + s_beta * z78 - (z79 - c_beta * z80)
         z82 = c_alpha * z75 - mu2 * z81
-        z83 = z60 + s_beta * z80 + (z56 - c_beta * z78)
+        z83 = z59 + s_beta * z80 + (z55 - c_beta * z78)
         z84 = z79 - z76
-        z85 = c_alpha * z65
-        z86 = mu2 * z61
+        z85 = c_alpha * z37
+        z86 = mu2 * z60
         z87 = z85 - z86
         z88 = c_beta * z7
         z89 = mu2 * z88 - c_alpha * r3
@@ -945,276 +952,283 @@ def jacobian(
         z92 = mu2 * z91
         z93 = s_beta * r1 - c_beta * r3
         z94 = mu2 * z90 + c_alpha * r1
-        z95 = z38 * z34
-        z96 = z35 * z68
-        z97 = s_beta * z35
-        z98 = c_beta * z35
+        z95 = z25 * z39
+        z96 = z27 * z68
+        z97 = s_beta * z27
+        z98 = c_beta * z27
         z99 = g * r3
         z100 = z7 * w2
-        z101 = r3 * z51
+        z101 = r3 * z35
         z102 = z100 + z101
-        z103 = z4 * z63 - z6 * z58 - z10 * z102
-        z104 = z27 * z103
+        z103 = z4 * z32 - z6 * z57 - z10 * z102
+        z104 = z44 * z103
         z105 = z3 * z104
         z106 = k2 * z105
-        z107 = z35 * z38
+        z107 = z27 * z25
         z108 = z8 + (I_a + z5)
         z109 = c_beta * z18
         z110 = s_beta * z108 + z109
         z111 = s_beta * z18
         z112 = c_beta * z108 - z111
-        z113 = z35 * z112
+        z113 = z27 * z112
         z114 = c_beta * z110 - z1 * z113
         z115 = k3 * z105
-        z116 = z107 * z114 - (mu3 * z115 - z63 * z46)
+        z116 = z107 * z114 - (mu3 * z115 - z32 * z47)
         z117 = s_beta * z110 + mu3 * z113
         z118 = k1 * z105
-        z119 = z107 * z117 - (z1 * z118 + z102 * z26)
+        z119 = z107 * z117 - (z1 * z118 + z102 * z50)
         z120 = z107 * z110 - c_beta * z116 - s_beta * z119
         z121 = z18 - z114
-        z122 = z38 * z108 - z40 * z121 - c_alpha * z119
-        z123 = z38 * z18
+        z122 = z25 * z108 - z29 * z121 - c_alpha * z119
+        z123 = z25 * z18
         z124 = z108 - z117
-        z125 = z123 + z40 * z124 - c_alpha * z116
+        z125 = z123 + z29 * z124 - c_alpha * z116
         z126 = c_beta * z122 - s_beta * z125
-        z127 = mu2 * z40
+        z127 = mu2 * z29
         z128 = w2 + mu2 * z107
         z129 = c_beta * z128
         z130 = s_beta * z127 - c_alpha * z129
         z131 = s_beta * z128
         z132 = c_alpha * z131 + c_beta * z127
-        z133 = z10 * z130 - z6 * z32 + z4 * z132
+        z133 = z10 * z130 - z6 * z28 + z4 * z132
         z134 = z3 * z133
-        z135 = z27 * z134
-        z136 = z40 * z131
+        z135 = z44 * z134
+        z136 = z29 * z131
         z137 = z136 + z107 * z130
-        z138 = z40 * z129
+        z138 = z29 * z129
         z139 = z138 + z107 * z132
         z140 = s_beta * z137 + c_beta * z139 - z107 * z127
         z141 = z1 * z139 - mu3 * z137
-        z142 = z35 * z141
-        z143 = z38 * z129 + s_beta * z140 - (z136 + c_beta * z142)
+        z142 = z27 * z141
+        z143 = z25 * z129 + s_beta * z140 - (z136 + c_beta * z142)
         z144 = z7 * z143
-        z145 = k1 * z130
-        z146 = z3 * z145 - z10 * z135
-        z147 = u1 - z146
-        z148 = k2 * z32
-        z149 = z3 * z148 + z6 * z135
-        z150 = z65 + z149
-        z151 = w2 * z147 + (g * mu3 + z144 + z42 * z150)
-        z152 = I_d * w2
-        z153 = z152 + I_a * z42
-        z154 = I_c * z51
+        z145 = k2 * z28
+        z146 = z3 * z145 + z6 * z135
+        z147 = k1 * z130
+        z148 = z3 * z147 - z10 * z135
+        s1 = z31 * z37 + w2 * u1 + (z144 + z31 * z146 - w2 * z148)
+        z149 = g * mu3 + s1
+        z150 = I_d * w2
+        z151 = z150 + I_a * z31
+        z152 = I_c * z35
+        z153 = z25 * z131 - c_beta * z140 + (z138 - s_beta * z142)
+        z154 = z7 * z153
         z155 = k3 * z132
         z156 = z3 * z155 - z4 * z135
-        z157 = z59 - z156
-        z158 = z38 * z131 - c_beta * z140 + (z138 - s_beta * z142)
-        z159 = z7 * z158
-        z160 = w2 * z157 - (g * z1 + z159 - z51 * z150)
-        z161 = I_d * z42
-        z162 = z161 + I_b * w2
-        z163 = z40 * z162
-        z164 = z38 * z162
-        z165 = r3 * z143
-        z166 = r1 * z158
-        z167 = z42 * z157 - (z165 + (g * mu2 - z166) + z51 * z147)
-        s1 = s_beta * z163 - (c_beta * z164 - (r3 * z167 - z7 * z151))
-        z168 = w2 * z154 - (I_a * z143 - s1)
-        s2 = z51 * z153 - z42 * z154 + (r3 * z160 - r1 * z151)
-        z169 = I_d * z143 - s2 + z15 * z168
-        z170 = 1.0 / z24
-        s3 = c_beta * z163 + (s_beta * z164 - (z7 * z160 - r1 * z167))
-        z171 = w2 * z153 - (I_c * z158 + s3)
-        z172 = z170 * (z171 + z19 * z168 + z23 * z169)
-        z173 = z22 * z169 + z23 * z172
-        z174 = r1 * z173
-        z175 = z14 * z168 + z15 * z173 + z19 * z172
-        z176 = z7 * z175
-        z177 = z51 * z102 + (z42 * z63 - (z144 + (z151 - z174 + 2.0 * z176)))
-        s4 = z99 + (z32 * z106 - z40 * z120 + z107 * z126)
-        z178 = s4 + k2 * (z58 * z135 - z3 * z177)
-        z179 = z134 / (z2 * z2)
-        z180 = r1 * z172
-        z181 = r3 * z175
-        z182 = w2 * z102 + (z42 * z58 + (z165 - (z167 + z180 - 2.0 * z181)))
-        s5 = z63 * z155 + z58 * z148 - z145 * z102 - z133 * z104
-        z183 = s5 - z4 * z182 - z6 * z177
-        z184 = r3 * z158
-        z185 = r3 * z172
-        z186 = z7 * z173
-        z187 = w2 * z63 - (z51 * z58 - (z184 + (z185 + z186)))
-        z188 = z103 * z179 - 0.5 * (z28 * (z183 - z10 * z187))
-        z189 = z127 * z110 - z130 * z117 - z132 * z114 - mu2 * z126
-        z190 = s_beta * z162
-        z191 = I_d * z51
-        z192 = z7 * z65
-        z193 = r3 * z59
-        z194 = r3 * z156
-        z195 = z7 * z149
-        z196 = z7 * z63 - (r3 * z58 + (z191 + z192 - z193 + z194 + z195))
-        z197 = r1 * z58 - (I_c * w2 + z7 * z102) + r3 * z147
-        s6 = z190 + z131 * z124 + z129 * z121 + mu2 * z120
-        z198 = s6 + c_beta * z196 + s_beta * z197
-        z199 = g * z7
-        z200 = mu2 * z106 + z58 * z43 - z35 * z198
-        s7 = k3 * (z63 * z135 + (z3 * z182 - 2.0 * (mu3 * z188)))
-        z201 = s7 + (z132 * z115 - (z137 * z113 + (z199 + w1 * z200)))
-        s8 = z33 * (z141 * z112 + z38 * z189 + z32 * z198)
-        z202 = z131 * z116 - z129 * z119 + s8 - c_beta * z201
-        s9 = k1 * (z102 * z135 - (z3 * z187 - 2.0 * (z1 * z188)))
-        z203 = s9 - (z130 * z118 + (z139 * z113 - w3 * z200))
-        s10 = c_alpha * (z178 + 2.0 * (z6 * z188))
-        z204 = s10 - mu2 * (z202 + s_beta * z203)
-        z205 = r1 * z42
-        z206 = z101 - z205
-        z207 = z4 * z54 + z6 * z206 - z10 * z57
-        z208 = z27 * z207
-        z209 = z3 * z208
-        z210 = k2 * z209
-        z211 = s_beta * z13 - c_beta * z20
-        z212 = c_beta * z13 + s_beta * z20
-        z213 = z35 * z212
-        z214 = c_beta * z211 - z1 * z213
-        z215 = k3 * z209
-        z216 = z107 * z214 - (mu3 * z215 - z54 * z46)
-        z217 = s_beta * z211 + mu3 * z213
-        z218 = k1 * z209
-        z219 = z107 * z217 - (z1 * z218 + z57 * z26)
-        z220 = z107 * z211 - c_beta * z216 - s_beta * z219
-        z221 = z20 + z214
-        z222 = z38 * z13 + z40 * z221 - c_alpha * z219
-        z223 = z13 - z217
-        z224 = z38 * z20 - z40 * z223 + c_alpha * z216
-        z225 = c_beta * z222 + s_beta * z224
-        z226 = r1 * z143
-        z227 = r1 * z175
-        z228 = z57 * z51 + (z54 * z42 - (z184 + (z226 + (z185 + z227))))
-        z229 = r3 * z173
-        z230 = z7 * z172
-        z231 = w2 * z57 - (z42 * z206 + (2.0 * z229 + (z160 - z230)))
-        s11 = z54 * z155 - z148 * z206 - z57 * z145 - z133 * z208
-        z232 = s11 - z4 * z231 - z6 * z228
-        z233 = w2 * z54 + (z51 * z206 - (z176 + (z151 - 2.0 * z174)))
-        z234 = z207 * z179 - 0.5 * (z28 * (z232 - z10 * z233))
-        s12 = z32 * z210 - z40 * z220 + z107 * z225
-        z235 = s12 - k2 * (z206 * z135 + z3 * z228) + 2.0 * (z6 * z234)
-        z236 = z127 * z211 - z130 * z217 - z132 * z214 - mu2 * z225
-        z237 = z51 * k6 + (r3 * z206 + z7 * z54) - r1 * z150
-        z238 = z153 + (r1 * z206 - (I_c * z42 - z7 * z57)) + r3 * z150
-        s13 = z131 * z223 - z129 * z221 + mu2 * z220 + c_beta * z237
-        z239 = s13 - s_beta * z238
-        z240 = g * r1
-        z241 = mu2 * z210 - z206 * z43 - z35 * z239
-        s14 = k3 * (z54 * z135 + (z3 * z231 - 2.0 * (mu3 * z234)))
-        z242 = s14 + (z132 * z215 - (z137 * z213 + (z240 + w1 * z241)))
-        s15 = z33 * (z141 * z212 + z38 * z236 + z32 * z239)
-        z243 = z131 * z216 - z129 * z219 + s15 - c_beta * z242
-        s16 = k1 * (z57 * z135 - (z3 * z233 - 2.0 * (z1 * z234)))
-        z244 = s16 + (z99 - (z130 * z218 + (z139 * z213 - w3 * z241)))
-        z245 = c_alpha * z235 - mu2 * (z243 + s_beta * z244) - z15 * z204
-        z246 = z100 - z205
-        z247 = z4 * z246 + z6 * z55 + z10 * z64
-        z248 = z27 * z247
+        s2 = w2 * z58 + z35 * z37 - (z154 - z35 * z146 + w2 * z156)
+        z157 = g * z1 - s2
+        z158 = I_d * z31
+        z159 = z158 + I_b * w2
+        z160 = z29 * z159
+        z161 = z25 * z159
+        z162 = r3 * z143
+        z163 = r1 * z153
+        s3 = z162 + z31 * z156 - (z163 + z35 * z148)
+        z164 = g * mu2 + (z35 * u1 - z31 * z58 + s3)
+        s4 = s_beta * z160 - (c_beta * z161 + (r3 * z164 + z7 * z149))
+        z165 = w2 * z152 - (I_a * z143 - s4)
+        s5 = z35 * z151 - z31 * z152 - (r3 * z157 + r1 * z149)
+        z166 = I_d * z143 - s5 + z15 * z165
+        z167 = 1.0 / z24
+        s6 = c_beta * z160 + (s_beta * z161 + (z7 * z157 - r1 * z164))
+        z168 = w2 * z151 - (I_c * z153 + s6)
+        z169 = z167 * (z168 + z19 * z165 + z23 * z166)
+        z170 = z22 * z166 + z23 * z169
+        z171 = r1 * z170
+        z172 = z14 * z165 + z15 * z170 + z19 * z169
+        z173 = z7 * z172
+        z174 = z35 * z102 + (z31 * z32 - (z144 + (z149 - z171 + 2.0 * z173)))
+        s7 = z99 + (z28 * z106 - z29 * z120 + z107 * z126)
+        z175 = s7 + k2 * (z57 * z135 - z3 * z174)
+        z176 = z134 / (z2 * z2)
+        z177 = r1 * z169
+        z178 = r3 * z172
+        z179 = w2 * z102 + (z31 * z57 + (z162 + (z164 - z177 + 2.0 * z178)))
+        s8 = z32 * z155 + z57 * z145 - z147 * z102 - z133 * z104
+        z180 = s8 - z4 * z179 - z6 * z174
+        z181 = r3 * z153
+        z182 = r3 * z169
+        z183 = z7 * z170
+        z184 = w2 * z32 - (z35 * z57 - (z181 + (z182 + z183)))
+        z185 = z103 * z176 - 0.5 * (z45 * (z180 - z10 * z184))
+        z186 = z127 * z110 - z130 * z117 - z132 * z114 - mu2 * z126
+        z187 = s_beta * z159
+        z188 = I_d * z35
+        z189 = z7 * z37
+        z190 = r3 * z58
+        z191 = r3 * z156
+        z192 = z7 * z146
+        z193 = z7 * z32 - (r3 * z57 + (z188 + z189 - z190 + z191 + z192))
+        z194 = z7 * z102 - (r1 * z57 - (I_c * w2 - r3 * u1 + r3 * z148))
+        s9 = z187 + z131 * z124 + z129 * z121 + mu2 * z120
+        z195 = s9 + c_beta * z193 - s_beta * z194
+        z196 = g * z7
+        z197 = mu2 * z106 + z57 * z61 - z27 * z195
+        s10 = z132 * z115 - z137 * z113 - z196 - w1 * z197
+        z198 = s10 + k3 * (z32 * z135 + z3 * z179)
+        z199 = z198 - 2.0 * (z4 * z185)
+        s11 = z38 * (z141 * z112 + z25 * z186 + z28 * z195)
+        z200 = z131 * z116 - z129 * z119 + s11 - c_beta * z199
+        s12 = z130 * z118 + z139 * z113 - w3 * z197
+        z201 = s12 - k1 * (z102 * z135 - z3 * z184) - 2.0 * (z10 * z185)
+        s13 = c_alpha * (z175 + 2.0 * (z6 * z185))
+        z202 = s13 - mu2 * (z200 - s_beta * z201)
+        z203 = r1 * z31
+        z204 = z101 - z203
+        z205 = z4 * z53 + z6 * z204 - z10 * z56
+        z206 = z44 * z205
+        z207 = z3 * z206
+        z208 = k2 * z207
+        z209 = s_beta * z13 - c_beta * z20
+        z210 = c_beta * z13 + s_beta * z20
+        z211 = z27 * z210
+        z212 = c_beta * z209 - z1 * z211
+        z213 = k3 * z207
+        z214 = z107 * z212 - (mu3 * z213 - z53 * z47)
+        z215 = s_beta * z209 + mu3 * z211
+        z216 = k1 * z207
+        z217 = z107 * z215 - (z1 * z216 + z56 * z50)
+        z218 = z107 * z209 - c_beta * z214 - s_beta * z217
+        z219 = z20 + z212
+        z220 = z25 * z13 + z29 * z219 - c_alpha * z217
+        z221 = z13 - z215
+        z222 = z25 * z20 - z29 * z221 + c_alpha * z214
+        z223 = c_beta * z220 + s_beta * z222
+        z224 = r1 * z143
+        z225 = r1 * z172
+        z226 = z56 * z35 + (z53 * z31 - (z181 + (z224 + (z182 + z225))))
+        z227 = r3 * z170
+        z228 = z7 * z169
+        z229 = w2 * z56 - (z31 * z204 + (2.0 * z227 - (z157 + z228)))
+        s14 = z53 * z155 - z145 * z204 - z56 * z147 - z133 * z206
+        z230 = s14 - z4 * z229 - z6 * z226
+        z231 = w2 * z53 + (z35 * z204 - (z173 + (z149 - 2.0 * z171)))
+        z232 = z205 * z176 - 0.5 * (z45 * (z230 - z10 * z231))
+        s15 = z28 * z208 - z29 * z218 + z107 * z223
+        z233 = s15 - k2 * (z204 * z135 + z3 * z226) + 2.0 * (z6 * z232)
+        z234 = z127 * z209 - z130 * z215 - z132 * z212 - mu2 * z223
+        z235 = z7 * z53 + (r3 * z204 + (z35 * k6 - r1 * z37 - r1 * z146))
+        s16 = r1 * z204 + (z151 - I_c * z31 + r3 * z37 + r3 * z146)
+        z236 = z7 * z56 + s16
+        s17 = z131 * z221 - z129 * z219 + mu2 * z218 + c_beta * z235
+        z237 = s17 - s_beta * z236
+        z238 = g * r1
+        z239 = mu2 * z208 - z204 * z61 - z27 * z237
+        s18 = z132 * z213 - z137 * z211 - z238 - w1 * z239
+        z240 = s18 + k3 * (z53 * z135 + z3 * z229)
+        z241 = z240 - 2.0 * (z4 * z232)
+        s19 = z38 * (z141 * z210 + z25 * z234 + z28 * z237)
+        z242 = z131 * z214 - z129 * z217 + s19 - c_beta * z241
+        s20 = z99 - (z130 * z216 + z139 * z211) + w3 * z239
+        z243 = s20 + k1 * (z56 * z135 - z3 * z231)
+        z244 = z243 + 2.0 * (z10 * z232)
+        z245 = c_alpha * z233 - mu2 * (z242 + s_beta * z244) - z15 * z202
+        z246 = z100 - z203
+        z247 = z4 * z246 + z6 * z54 + z10 * z36
+        z248 = z44 * z247
         z249 = z3 * z248
         z250 = k2 * z249
         z251 = z8 + (I_c + z11)
         z252 = z111 + c_beta * z251
         z253 = z109 - s_beta * z251
-        z254 = z35 * z253
+        z254 = z27 * z253
         z255 = c_beta * z252 - z1 * z254
         z256 = k3 * z249
-        z257 = z107 * z255 + (mu3 * z256 - z246 * z46)
+        z257 = z107 * z255 + (mu3 * z256 - z246 * z47)
         z258 = s_beta * z252 + mu3 * z254
         z259 = k1 * z249
-        z260 = z107 * z258 + (z1 * z259 - z64 * z26)
+        z260 = z107 * z258 + (z1 * z259 - z36 * z50)
         z261 = z107 * z252 - c_beta * z257 - s_beta * z260
         z262 = z251 - z255
-        z263 = z123 - z40 * z262 - c_alpha * z260
+        z263 = z123 - z29 * z262 - c_alpha * z260
         z264 = z18 - z258
-        z265 = z38 * z251 + z40 * z264 - c_alpha * z257
+        z265 = z25 * z251 + z29 * z264 - c_alpha * z257
         z266 = c_beta * z263 - s_beta * z265
-        s17 = z42 * z246 - (z159 + (2.0 * z230 - (z160 + z229)))
-        z267 = z51 * z64 - s17
-        s18 = z240 - (z32 * z250 + z40 * z261 - z107 * z266)
-        z268 = s18 + k2 * (z55 * z135 - z3 * z267)
-        z269 = w2 * z64 + (z55 * z42 + (z226 + (z186 + z227)))
-        s19 = z155 * z246 - z55 * z148 + z64 * z145 - z133 * z248
-        z270 = s19 + z4 * z269 + z6 * z267
-        s20 = z51 * z55 - (z166 - (z181 - (z167 + 2.0 * z180)))
-        z271 = w2 * z246 + s20
-        z272 = z247 * z179 - 0.5 * (z28 * (z270 - z10 * z271))
+        s21 = z31 * z246 - (z154 + (2.0 * z228 + (z157 - z227)))
+        z267 = z35 * z36 - s21
+        s22 = z238 - (z28 * z250 + z29 * z261 - z107 * z266)
+        z268 = s22 + k2 * (z54 * z135 - z3 * z267)
+        z269 = w2 * z36 + (z54 * z31 + (z224 + (z183 + z225)))
+        s23 = z155 * z246 - z54 * z145 + z36 * z147 - z133 * z248
+        z270 = s23 + z4 * z269 + z6 * z267
+        s24 = z35 * z54 - (z163 - (z178 + (z164 - 2.0 * z177)))
+        z271 = w2 * z246 + s24
+        z272 = z247 * z176 - 0.5 * (z45 * (z270 - z10 * z271))
         z273 = z127 * z252 - z130 * z258 - z132 * z255 - mu2 * z266
-        z274 = r1 * u1
-        z275 = r1 * z146
-        z276 = z7 * z64 - (r1 * z55 + (z195 + (z192 + z274 - z275)))
-        z277 = c_beta * z162
-        z278 = z161 - (r3 * z55 + (I_a * w2 + z7 * z246)) + r1 * z157
-        s21 = z277 + z131 * z264 + z129 * z262 + mu2 * z261
-        z279 = s_beta * z276 - (s21 + c_beta * z278)
-        z280 = mu2 * z250 - z55 * z43 - z35 * z279
-        s22 = k3 * (z246 * z135 - (z3 * z269 + 2.0 * (mu3 * z272)))
-        z281 = s22 + (z132 * z256 + (z137 * z254 - w1 * z280))
-        s23 = z33 * (z141 * z253 + z38 * z273 - z32 * z279)
-        z282 = z131 * z257 - z129 * z260 + s23 + c_beta * z281
-        s24 = k1 * (z64 * z135 + (z3 * z271 - 2.0 * (z1 * z272)))
-        z283 = s24 - (z199 - (z130 * z259 - (z139 * z254 + w3 * z280)))
-        s25 = c_alpha * (z268 - 2.0 * (z6 * z272))
-        z284 = s25 - mu2 * (z282 + s_beta * z283) - z19 * z204 + z23 * z245
-        z285 = z170 * z284
-        z286 = z22 * z245 + z23 * z285
-        z287 = z142 * z18
-        s26 = z163 - z140 * z108 - z287 - z137 * z110 - z127 * z119
-        z288 = s26 + z128 * z125 + z38 * z196
-        s27 = z277 + z129 * z108 - z131 * z18 - s_beta * z196
-        z289 = z35 * z189 - (s27 + c_beta * z197)
-        z290 = z140 * z18
-        s28 = z164 - z142 * z108 + z290 + z139 * z110 + z127 * z116
-        z291 = s28 + z128 * z122 - z40 * z196
-        s29 = c_beta * (z288 + z40 * z197 + w1 * z289 - c_alpha * z203)
-        s30 = s_beta * (z291 + z38 * z197 + w3 * z289 - c_alpha * z201)
-        z292 = s29 + s30
-        s31 = z140 * z13 - z142 * z20 + z137 * z211 + z127 * z219
-        z293 = s31 + z128 * z224 - z38 * z237
-        s32 = z129 * z13 + z131 * z20 - s_beta * z237 - c_beta * z238
-        z294 = z35 * z236 - s32
-        s33 = z142 * z13 + z140 * z20 - z139 * z211 - z127 * z216
-        z295 = s33 - z128 * z222 + z40 * z237
-        s34 = c_beta * (z293 + z40 * z238 - w1 * z294 + c_alpha * z244)
-        s35 = s_beta * (z295 + z38 * z238 - w3 * z294 + c_alpha * z242)
-        z296 = s34 + s35
-        z297 = z296 + z15 * z292
-        s36 = z164 - z290 - z142 * z251 - z137 * z252 - z127 * z260
-        z298 = s36 + z128 * z265 + z38 * z278
-        s37 = z190 - z129 * z18 + z131 * z251 + s_beta * z278
-        z299 = z35 * z273 + (c_beta * z276 + s37)
-        s38 = z163 + z287 - z140 * z251 - z139 * z252 - z127 * z257
-        z300 = s38 - z128 * z263 + z40 * z278
-        s39 = c_beta * (z40 * z276 - z298 - w1 * z299 + c_alpha * z283)
-        s40 = s_beta * (z38 * z276 + z300 - w3 * z299 - c_alpha * z281)
-        z301 = s39 + s40
-        z302 = z170 * (z301 + z19 * z292 + z23 * z297)
-        z303 = z22 * z297 + z23 * z302
-        z304 = s_beta * z289 - mu3 * z200
-        z305 = s_beta * z294 - mu3 * z241 - z15 * z304
-        z306 = z170 * (s_beta * z299 + mu3 * z280 - z19 * z304 + z23 * z305)
-        z307 = z22 * z305 + z23 * z306
-        z308 = z7 * z147 + (z51 * k5 - (r1 * z63 - r3 * z102 - z126))
-        s41 = r1 * z54 - (z194 - (z193 + (z191 - z274) + z275) + z225)
-        z309 = r3 * z57 - s41 - z15 * z308
-        s42 = r3 * z64 - (z19 * z308 + (I_b * z42 - z23 * z309))
-        z310 = z153 + (z266 + (r1 * z246 + s42))
-        z311 = z170 * (z7 * z157 + (z152 + z310))
-        z312 = z22 * z309 + z23 * z311
-        z313 = c_beta * z289 + z1 * z200
-        z314 = c_beta * z294 + z1 * z241 - z15 * z313
-        z315 = z170 * (c_beta * z299 - z1 * z280 - z19 * z313 + z23 * z314)
-        z316 = z22 * z314 + z23 * z315
+        z274 = c_beta * z159
+        s25 = r3 * z54 - (z158 - I_a * w2 + r1 * z58 - r1 * z156)
+        z275 = z7 * z246 + s25
+        z276 = r1 * u1
+        z277 = r1 * z148
+        z278 = z7 * z36 - (r1 * z54 + (z192 + (z189 + z276 - z277)))
+        s26 = z274 + z131 * z264 + z129 * z262 + mu2 * z261
+        z279 = s26 - c_beta * z275 - s_beta * z278
+        z280 = mu2 * z250 - z54 * z61 + z27 * z279
+        s27 = z132 * z256 + z137 * z254 - w1 * z280
+        z281 = s27 + k3 * (z246 * z135 - z3 * z269) - 2.0 * (z4 * z272)
+        s28 = z38 * (z141 * z253 + z25 * z273 + z28 * z279)
+        z282 = z131 * z257 - z129 * z260 + s28 + c_beta * z281
+        s29 = z196 - (z130 * z259 - z139 * z254) + w3 * z280
+        z283 = s29 - k1 * (z36 * z135 + z3 * z271)
+        z284 = z283 + 2.0 * (z10 * z272)
+        s30 = c_alpha * (z268 - 2.0 * (z6 * z272))
+        z285 = s30 - mu2 * (z282 - s_beta * z284) - z19 * z202 + z23 * z245
+        z286 = z167 * z285
+        z287 = z22 * z245 + z23 * z286
+        z288 = z142 * z18
+        s31 = z160 - z140 * z108 - z288 - z137 * z110 - z127 * z119
+        z289 = s31 + z128 * z125 + z25 * z193
+        s32 = z274 + z129 * z108 - z131 * z18 - s_beta * z193
+        z290 = s32 - c_beta * z194 - z27 * z186
+        z291 = z140 * z18
+        s33 = z161 - z142 * z108 + z291 + z139 * z110 + z127 * z116
+        z292 = s33 + z128 * z122 - z29 * z193
+        s34 = c_beta * (z289 - z29 * z194 - w1 * z290 + c_alpha * z201)
+        s35 = s_beta * (z292 - z25 * z194 - w3 * z290 - c_alpha * z199)
+        z293 = s34 + s35
+        s36 = z140 * z13 - z142 * z20 + z137 * z209 + z127 * z217
+        z294 = s36 + z128 * z222 - z25 * z235
+        s37 = z129 * z13 + z131 * z20 - s_beta * z235 - c_beta * z236
+        z295 = s37 - z27 * z234
+        s38 = z142 * z13 + z140 * z20 - z139 * z209 - z127 * z214
+        z296 = s38 - z128 * z220 + z29 * z235
+        s39 = c_beta * (z294 + z29 * z236 + w1 * z295 + c_alpha * z244)
+        s40 = s_beta * (z296 + z25 * z236 + w3 * z295 + c_alpha * z241)
+        z297 = s39 + s40
+        z298 = z297 + z15 * z293
+        s41 = z161 - z291 - z142 * z251 - z137 * z252 - z127 * z260
+        z299 = s41 + z128 * z265 - z25 * z275
+        s42 = z187 - z129 * z18 + z131 * z251 - s_beta * z275
+        z300 = s42 + c_beta * z278 + z27 * z273
+        s43 = z160 + z288 - z140 * z251 - z139 * z252 - z127 * z257
+        z301 = s43 - z128 * z263 - z29 * z275
+        s44 = c_beta * (z299 - z29 * z278 + w1 * z300 + c_alpha * z284)
+        s45 = s_beta * (z301 + z25 * z278 - w3 * z300 - c_alpha * z281)
+        z302 = s44 - s45
+        z303 = z167 * (z302 - z19 * z293 - z23 * z298)
+        z304 = z22 * z298 - z23 * z303
+        z305 = s_beta * z290 + mu3 * z197
+        z306 = s_beta * z295 + mu3 * z239 - z15 * z305
+        z307 = z167 * (s_beta * z300 + mu3 * z280 + z19 * z305 - z23 * z306)
+        z308 = z22 * z306 - z23 * z307
+        s46 = r1 * z32 - (z35 * k5 + z7 * u1 - z7 * z148 + z126)
+        z309 = r3 * z102 - s46
+        s47 = r1 * z53 - (z191 - (z190 + (z188 - z276) + z277) + z223)
+        z310 = r3 * z56 - s47 - z15 * z309
+        s48 = z150 + (z151 - I_b * z31) + z7 * z58 - z7 * z156 + z266
+        z311 = r3 * z36 + (r1 * z246 + s48)
+        z312 = z167 * (z311 - z19 * z309 + z23 * z310)
+        z313 = z22 * z310 + z23 * z312
+        z314 = c_beta * z290 - z1 * z197
+        z315 = c_beta * z295 - z1 * z239 - z15 * z314
+        z316 = z167 * (c_beta * z300 - z1 * z280 + z19 * z314 - z23 * z315)
+        z317 = z22 * z315 - z23 * z316
         J: list[float] = [
             0.0,
             0.0,
             0.0,
             # (I.2.15)
-            c_gamma * z53 - s_gamma * z67,
+            c_gamma * z67 - s_gamma * z66,
             # (I.2.15)
             s_gamma * z82 - c_gamma * z83,
             # (I.2.15)
@@ -1229,7 +1243,7 @@ def jacobian(
             0.0,
             0.0,
             # (I.2.15)
-            s_gamma * z53 + c_gamma * z67,
+            s_gamma * z67 + c_gamma * z66,
             # (I.2.15)
             -(s_gamma * z83 + c_gamma * z82),
             # (I.2.15)
@@ -1244,7 +1258,7 @@ def jacobian(
             0.0,
             0.0,
             # (I.2.15)
-            z86 + c_alpha * z66 - (z85 + mu2 * z62),
+            z86 + c_alpha * z65 - (z85 + mu2 * z52),
             # (I.2.15)
             -(mu2 * z75 + c_alpha * z81),
             0.0,
@@ -1258,7 +1272,7 @@ def jacobian(
             0.0,
             0.0,
             # (I.2.15)
-            z36,
+            z42,
             # (I.2.15)
             z69,
             0.0,
@@ -1271,7 +1285,7 @@ def jacobian(
             0.0,
             0.0,
             # (I.2.15)
-            z38 + mu2 * z95,
+            z25 + mu2 * z95,
             # (I.2.15)
             mu2 * z96,
             0.0,
@@ -1298,44 +1312,44 @@ def jacobian(
             0.0,
             0.0,
             # (I.2.15)
-            z19 * z285 - (z14 * z204 - z15 * z286),
+            z19 * z286 - (z14 * z202 - z15 * z287),
             # (I.2.15)
-            z14 * z292 + z15 * z303 + z19 * z302,
+            z14 * z293 + z15 * z304 - z19 * z303,
             0.0,
             # (I.2.15)
-            z14 * z304 - z15 * z307 - z19 * z306,
+            -(z14 * z305 - z15 * z308 + z19 * z307),
             # (I.2.15)
-            z19 * z311 - (z14 * z308 - z15 * z312),
+            z19 * z312 - (z14 * z309 - z15 * z313),
             # (I.2.15)
-            z19 * z315 - (z14 * z313 - z15 * z316),
+            z14 * z314 - z15 * z317 + z19 * z316,
             0.0,
             0.0,
             0.0,
             # (I.2.15)
-            -z286,
+            -z287,
+            # (I.2.15)
+            -z304,
+            0.0,
+            # (I.2.15)
+            -z308,
+            # (I.2.15)
+            -z313,
+            # (I.2.15)
+            z317,
+            0.0,
+            0.0,
+            0.0,
+            # (I.2.15)
+            z286,
             # (I.2.15)
             -z303,
             0.0,
             # (I.2.15)
-            z307,
+            -z307,
             # (I.2.15)
-            -z312,
+            z312,
             # (I.2.15)
-            -z316,
-            0.0,
-            0.0,
-            0.0,
-            # (I.2.15)
-            z285,
-            # (I.2.15)
-            z302,
-            0.0,
-            # (I.2.15)
-            -z306,
-            # (I.2.15)
-            z311,
-            # (I.2.15)
-            z315,
+            z316,
         ]
         _finish("jacobian", J)
         return [J[k7 : k7 + 9] for k7 in range(0, 81, 9)]

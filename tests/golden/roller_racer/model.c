@@ -1,5 +1,5 @@
 /*
- * roller_racer.c: roller_racer, emitted by nhc 0.1.0 (nhc:48ed5b338a264b4f)
+ * roller_racer.c: roller_racer, emitted by nhc 0.1.0 (nhc:120521ec76107a2d)
  * Two wheeled bodies with a hinge; it is driven by moving the hinge to and fro.
  * Source: roller_racer.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -554,32 +554,32 @@ int roller_racer_jacobian(double t, const double *y, const double *p, double *J)
     const double z10 = z5 - z7 * z9;
     const double z11 = theta_dot * d1;
     const double z12 = s_phi * k1;
-    const double z13 = k1 * (theta_dot * z2 - v * s_phi);
-    const double z14 = s_phi * k3;
-    const double z15 = v * z14;
-    const double z16 = z11 * z14;
-    const double z17 = k1 * (c_phi * z15 + s_phi * z16);
-    const double z18 = 1.0 / z10;
-    const double z19 = d1 * (s_phi * z13);
-    const double z20 = c_phi * z13;
-    const double z21 = theta_dot * z19 + v * z20;
-    const double z22 = z21 * z14;
-    const double z23 = z18 * (z21 * z6 - z9 * z22);
+    const double z13 = s_phi * k3;
+    const double z14 = v * z13;
+    const double z15 = z11 * z13;
+    const double z16 = k1 * (c_phi * z14 + s_phi * z15);
+    const double z17 = k1 * (theta_dot * z2 - v * s_phi);
+    const double z18 = d1 * (s_phi * z17);
+    const double z19 = c_phi * z17;
+    const double z20 = theta_dot * z18 + v * z19;
+    const double z21 = 1.0 / z10;
+    const double z22 = z20 * z13;
+    const double z23 = z21 * (z20 * z6 - z9 * z22);
     const double z24 = k2 * z23;
     const double z25 = z8 * z22 - z9 * z23;
-    const double z26 = c_phi * (k3 * (z21 - 2.0 * (s_phi * z25)) + (z13 * z16 - (v * z17 + z4 * z24)));
-    const double z27 = s_phi * (z13 * z15 + d1 * (theta_dot * z17 + z12 * z24)) - z26;
+    const double z26 = c_phi * (v * z16 - (z17 * z15 + (z20 * k3 - z4 * z24 - 2.0 * (z13 * z25))));
+    const double z27 = z26 + s_phi * (z17 * z14 + d1 * (theta_dot * z16 + z12 * z24));
     const double z28 = v * z6;
     const double z29 = z11 * z6;
     const double z30 = k1 * (c_phi * z28 + s_phi * z29);
     const double z31 = k2 * z25;
-    const double z32 = d1 * (theta_dot * z30 - k1 * (z21 * k2 - 2.0 * (I2 * (z4 * z23)) - s_phi * z31));
-    const double z33 = c_phi * (v * z30 - (z13 * z29 - z4 * z31)) + s_phi * (z13 * z28 + z32) - z9 * z27;
-    const double z34 = z18 * z33;
-    const double z35 = z20 * z14 - s_phi * z17;
-    const double z36 = z18 * (z20 * z6 - s_phi * z30 - z9 * z35);
-    const double z37 = z19 * z14 + z2 * z17;
-    const double z38 = z18 * (z19 * z6 + z2 * z30 - z9 * z37);
+    const double z32 = d1 * (theta_dot * z30 - k1 * (z20 * k2 - 2.0 * (I2 * (z4 * z23)) - s_phi * z31));
+    const double z33 = c_phi * (v * z30 - (z17 * z29 - z4 * z31)) + s_phi * (z17 * z28 + z32) - z9 * z27;
+    const double z34 = z21 * z33;
+    const double z35 = z19 * z13 - s_phi * z16;
+    const double z36 = z21 * (z19 * z6 - s_phi * z30 - z9 * z35);
+    const double z37 = z18 * z13 + z2 * z16;
+    const double z38 = z21 * (z18 * z6 + z2 * z30 - z9 * z37);
     /* (I.2.15) */
     J[2] = -s_theta * v;
     J[4] = c_theta;

@@ -1,4 +1,4 @@
-"""roller_racer, emitted by nhc 0.1.0 (nhc:8994f010195de260).
+"""roller_racer, emitted by nhc 0.1.0 (nhc:3cfe1650d5435739).
 
 Two wheeled bodies with a hinge; it is driven by moving the hinge to and fro.
 Source: roller_racer.yaml
@@ -481,36 +481,36 @@ def jacobian(
         c_theta = math.cos(theta)
         z11 = theta_dot * d1
         z12 = s_phi * k1
-        z13 = k1 * (theta_dot * z2 - v * s_phi)
-        z14 = s_phi * k3
-        z15 = v * z14
-        z16 = z11 * z14
-        z17 = k1 * (c_phi * z15 + s_phi * z16)
-        z18 = 1.0 / z10
-        z19 = d1 * (s_phi * z13)
-        z20 = c_phi * z13
-        z21 = theta_dot * z19 + v * z20
-        z22 = z21 * z14
-        z23 = z18 * (z21 * z6 - z9 * z22)
+        z13 = s_phi * k3
+        z14 = v * z13
+        z15 = z11 * z13
+        z16 = k1 * (c_phi * z14 + s_phi * z15)
+        z17 = k1 * (theta_dot * z2 - v * s_phi)
+        z18 = d1 * (s_phi * z17)
+        z19 = c_phi * z17
+        z20 = theta_dot * z18 + v * z19
+        z21 = 1.0 / z10
+        z22 = z20 * z13
+        z23 = z21 * (z20 * z6 - z9 * z22)
         z24 = k2 * z23
         z25 = z8 * z22 - z9 * z23
-        s1 = k3 * (z21 - 2.0 * (s_phi * z25))
-        z26 = c_phi * (s1 + (z13 * z16 - (v * z17 + z4 * z24)))
-        s2 = s_phi * (z13 * z15 + d1 * (theta_dot * z17 + z12 * z24))
-        z27 = s2 - z26
+        s1 = z17 * z15 + (z20 * k3 - z4 * z24 - 2.0 * (z13 * z25))
+        z26 = c_phi * (v * z16 - s1)
+        s2 = s_phi * (z17 * z14 + d1 * (theta_dot * z16 + z12 * z24))
+        z27 = z26 + s2
         z28 = v * z6
         z29 = z11 * z6
         z30 = k1 * (c_phi * z28 + s_phi * z29)
         z31 = k2 * z25
-        s3 = k1 * (z21 * k2 - 2.0 * (I2 * (z4 * z23)) - s_phi * z31)
+        s3 = k1 * (z20 * k2 - 2.0 * (I2 * (z4 * z23)) - s_phi * z31)
         z32 = d1 * (theta_dot * z30 - s3)
-        s4 = c_phi * (v * z30 - (z13 * z29 - z4 * z31))
-        z33 = s4 + s_phi * (z13 * z28 + z32) - z9 * z27
-        z34 = z18 * z33
-        z35 = z20 * z14 - s_phi * z17
-        z36 = z18 * (z20 * z6 - s_phi * z30 - z9 * z35)
-        z37 = z19 * z14 + z2 * z17
-        z38 = z18 * (z19 * z6 + z2 * z30 - z9 * z37)
+        s4 = c_phi * (v * z30 - (z17 * z29 - z4 * z31))
+        z33 = s4 + s_phi * (z17 * z28 + z32) - z9 * z27
+        z34 = z21 * z33
+        z35 = z19 * z13 - s_phi * z16
+        z36 = z21 * (z19 * z6 - s_phi * z30 - z9 * z35)
+        z37 = z18 * z13 + z2 * z16
+        z38 = z21 * (z18 * z6 + z2 * z30 - z9 * z37)
         J: list[float] = [
             0.0,
             0.0,

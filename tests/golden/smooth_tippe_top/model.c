@@ -1,5 +1,5 @@
 /*
- * smooth_tippe_top.c: smooth_tippe_top, emitted by nhc 0.1.0 (nhc:76aa35c745409b8b)
+ * smooth_tippe_top.c: smooth_tippe_top, emitted by nhc 0.1.0 (nhc:905957a24184be05)
  * The ball of routh_sphere on a plane without any friction.
  * Source: smooth_tippe_top.yaml
  * Equations of motion: lagrange (II.3)
@@ -654,88 +654,87 @@ int smooth_tippe_top_jacobian(double t, const double *y, const double *p, double
     const double z46 = z21 * z42 + z22 * z45;
     const double z47 = z15 * z39 - z16 * z46 - z19 * z45;
     const double z48 = 2.0 * (theta_dot * z25) + z2 * z47;
-    const double z49 = z30 * z24 + k1 * (z34 + c_theta * z46);
+    const double z49 = k1 * z34 + z30 * z24 + k1 * (c_theta * z46);
     const double z50 = s_phi * z48 + c_phi * z49;
-    const double z51 = z35 * k5 - z4 * z47 + z10 * z46;
-    const double z52 = z38 * k5 + z6 * z47 + z13 * z46;
-    const double z53 = c_phi * z48 - s_phi * z49;
-    const double z54 = z2 * (s_phi * z51 + c_phi * z52) - (z4 * z50 - z6 * z53);
-    const double z55 = k1 * (s_phi * z52 - c_phi * z51);
-    const double z56 = z10 * z50 + (z13 * z53 - z16 * z54) - c_theta * z55;
-    const double z57 = z43 * (z19 * z54 - z22 * z56);
-    const double z58 = z21 * z56 - z22 * z57;
-    const double z59 = z15 * z54 - z16 * z58 + z19 * z57;
-    const double z60 = s_phi * z24;
-    const double z61 = s_theta * (2.0 * (z31 * z24) - z8 * z46) + c_theta * (phi_dot * z60 + (z33 * z8 - z11
+    const double z51 = s_phi * z49 - c_phi * z48;
+    const double z52 = z35 * k5 - z4 * z47 + z10 * z46;
+    const double z53 = z38 * k5 + z6 * z47 + z13 * z46;
+    const double z54 = z6 * z51 + (z4 * z50 - (z5 * z52 + z3 * z53));
+    const double z55 = z13 * z51 - (z10 * z50 - (z9 * z53 - z12 * z52)) - z16 * z54;
+    const double z56 = z43 * (z19 * z54 - z22 * z55);
+    const double z57 = z21 * z55 - z22 * z56;
+    const double z58 = z15 * z54 - z16 * z57 + z19 * z56;
+    const double z59 = s_phi * z24;
+    const double z60 = s_theta * (2.0 * (z31 * z24) - z8 * z46) + c_theta * (phi_dot * z59 + (z33 * z8 - z11
         * z47));
-    const double z62 = z26 * k3;
-    const double z63 = s_theta * (2.0 * (phi_dot * z62) - I3 * z45) - c_theta * (theta_dot * z29 + (z55 + 2.0
-        * (k3 * (s_theta * z47))));
-    const double z64 = c_phi * z24;
-    const double z65 = s_theta * (2.0 * (z36 * z24) + z11 * z46) - c_theta * (phi_dot * z64 + (z33 * z11 + z8
+    const double z61 = z26 * k3;
+    const double z62 = c_theta * (theta_dot * z29 + (k1 * (s_phi * z53 - c_phi * z52) + 2.0 * (k3 * (s_theta
+        * z47))));
+    const double z63 = c_phi * z24;
+    const double z64 = s_theta * (2.0 * (z36 * z24) + z11 * z46) - c_theta * (phi_dot * z63 + (z33 * z11 + z8
         * z47));
-    const double z66 = z63 + z4 * z61 + z6 * z65;
-    const double z67 = z30 * k3;
-    const double z68 = c_theta * z41 - s_theta * (phi_dot * z67 + (z11 * z52 + z8 * z51)) + z10 * z61 - z13 *
-        z65;
-    const double z69 = z68 + z16 * z66;
-    const double z70 = I3 * s_theta;
-    const double z71 = z43 * (c_theta * z44 + z70 * z47 + z19 * z66 + z22 * z69);
-    const double z72 = z21 * z69 + z22 * z71;
-    const double z73 = z15 * z66 + z16 * z72 + z19 * z71;
-    const double z74 = k1 * z32 + s_theta * z60;
-    const double z75 = k1 * z37 + s_theta * z64;
-    const double z76 = 2.0 * (c_theta * z62) - z4 * z74 + z6 * z75;
-    const double z77 = s_theta * z40 + c_theta * z67 + z10 * z74 + z13 * z75 - z16 * z76;
-    const double z78 = z43 * (theta_dot * z70 - z19 * z76 + z22 * z77);
-    const double z79 = z21 * z77 + z22 * z78;
-    const double z80 = z15 * z76 - z16 * z79 - z19 * z78;
-    const double z81 = c_phi * z25 - z26 * z8;
-    const double z82 = s_phi * z25 + z26 * z11;
-    const double z83 = s_theta * z29 + 2.0 * (z4 * z81) + 2.0 * (z6 * z82);
-    const double z84 = 2.0 * (z10 * z81 - z13 * z82) + z16 * z83;
-    const double z85 = z43 * (phi_dot * z70 - z19 * z83 - z22 * z84);
-    const double z86 = z21 * z84 - z22 * z85;
-    const double z87 = z15 * z83 + z16 * z86 - z19 * z85;
-    const double z88 = I3 * z26;
-    const double z89 = I3 * z30 - z16 * z88;
-    const double z90 = z43 * (z19 * z88 - z22 * z89);
-    const double z91 = z21 * z89 - z22 * z90;
-    const double z92 = z15 * z88 - z16 * z91 + z19 * z90;
+    const double z65 = s_theta * (2.0 * (phi_dot * z61) - I3 * z45) - z62 + z4 * z60 + z6 * z64;
+    const double z66 = z30 * k3;
+    const double z67 = c_theta * z41 - s_theta * (phi_dot * z66 + (z11 * z53 + z8 * z52)) + z10 * z60 - z13 *
+        z64;
+    const double z68 = z67 + z16 * z65;
+    const double z69 = I3 * s_theta;
+    const double z70 = z43 * (c_theta * z44 + z69 * z47 + z19 * z65 + z22 * z68);
+    const double z71 = z21 * z68 + z22 * z70;
+    const double z72 = z15 * z65 + z16 * z71 + z19 * z70;
+    const double z73 = k1 * z32 + s_theta * z59;
+    const double z74 = k1 * z37 + s_theta * z63;
+    const double z75 = 2.0 * (c_theta * z61) - z4 * z73 + z6 * z74;
+    const double z76 = s_theta * z40 + c_theta * z66 + z10 * z73 + z13 * z74 - z16 * z75;
+    const double z77 = z43 * (theta_dot * z69 - z19 * z75 + z22 * z76);
+    const double z78 = z21 * z76 + z22 * z77;
+    const double z79 = z15 * z75 - z16 * z78 - z19 * z77;
+    const double z80 = c_phi * z25 - z26 * z8;
+    const double z81 = s_phi * z25 + z26 * z11;
+    const double z82 = s_theta * z29 + 2.0 * (z4 * z80) + 2.0 * (z6 * z81);
+    const double z83 = 2.0 * (z10 * z80 - z13 * z81) + z16 * z82;
+    const double z84 = z43 * (phi_dot * z69 - z19 * z82 - z22 * z83);
+    const double z85 = z21 * z83 - z22 * z84;
+    const double z86 = z15 * z82 + z16 * z85 - z19 * z84;
+    const double z87 = I3 * z26;
+    const double z88 = I3 * z30 - z16 * z87;
+    const double z89 = z43 * (z19 * z87 - z22 * z88);
+    const double z90 = z21 * z88 - z22 * z89;
+    const double z91 = z15 * z87 - z16 * z90 + z19 * z89;
     /* (II.3) */
     J[5] = 1.0;
     J[16] = 1.0;
     J[27] = 1.0;
     J[38] = 1.0;
     J[49] = 1.0;
-    J[52] = k5 * z50 - z4 * z59 + z10 * z58;
-    J[53] = k5 * z61 + z4 * z73 + z10 * z72;
-    J[57] = k5 * z74 - z4 * z80 + z10 * z79;
-    J[58] = -(2.0 * (k5 * z81) + z4 * z87 + z10 * z86);
-    J[59] = z10 * z91 - z4 * z92;
-    J[62] = -(k5 * z53 + z6 * z59 + z13 * z58);
-    J[63] = k5 * z65 + z6 * z73 - z13 * z72;
-    J[67] = -(k5 * z75 + z6 * z80 + z13 * z79);
-    J[68] = z13 * z86 - (2.0 * (k5 * z82) + z6 * z87);
-    J[69] = -(z6 * z92 + z13 * z91);
-    J[72] = z59;
-    J[73] = -z73;
-    J[77] = z80;
-    J[78] = z87;
-    J[79] = z92;
-    J[82] = -z58;
-    J[83] = -z72;
-    J[87] = -z79;
-    J[88] = z86;
-    J[89] = -z91;
-    J[92] = -z57;
-    J[93] = z71;
-    J[97] = z78;
-    J[98] = z85;
-    J[99] = -z90;
+    J[52] = k5 * z50 + z4 * z58 - z10 * z57;
+    J[53] = k5 * z60 + z4 * z72 + z10 * z71;
+    J[57] = k5 * z73 - z4 * z79 + z10 * z78;
+    J[58] = -(2.0 * (k5 * z80) + z4 * z86 + z10 * z85);
+    J[59] = z10 * z90 - z4 * z91;
+    J[62] = k5 * z51 + z6 * z58 + z13 * z57;
+    J[63] = k5 * z64 + z6 * z72 - z13 * z71;
+    J[67] = -(k5 * z74 + z6 * z79 + z13 * z78);
+    J[68] = z13 * z85 - (2.0 * (k5 * z81) + z6 * z86);
+    J[69] = -(z6 * z91 + z13 * z90);
+    J[72] = -z58;
+    J[73] = -z72;
+    J[77] = z79;
+    J[78] = z86;
+    J[79] = z91;
+    J[82] = z57;
+    J[83] = -z71;
+    J[87] = -z78;
+    J[88] = z85;
+    J[89] = -z90;
+    J[92] = z56;
+    J[93] = z70;
+    J[97] = z77;
+    J[98] = z84;
+    J[99] = -z89;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(J[52] + J[53] + J[57] + J[58] + J[59] + J[62] + J[63] + J[67] + J[68] + J[69] + J[73] + J[82]
-        + J[83] + J[87] + J[89] + J[92] + J[99]) <= DBL_MAX
+    if (!(fabs(J[52] + J[53] + J[57] + J[58] + J[59] + J[62] + J[63] + J[67] + J[68] + J[69] + J[72] + J[73]
+        + J[83] + J[87] + J[89] + J[99]) <= DBL_MAX
         && fabs(z7) > 1e-14 * z1
         && fabs(z17) > 1e-14 * k2
         && fabs(z23) > 1e-14 * I3)) {

@@ -1,5 +1,5 @@
 /*
- * smooth_tippe_top.h: smooth_tippe_top, emitted by nhc 0.1.0 (nhc:1a01c973abf93cae)
+ * smooth_tippe_top.h: smooth_tippe_top, emitted by nhc 0.1.0 (nhc:8e8030a53153fa4f)
  * The ball of routh_sphere on a plane without any friction.
  * Source: smooth_tippe_top.yaml
  * Equations of motion: lagrange (II.3)
@@ -39,7 +39,7 @@
  * residuals: 0 +-, 0 *, 0 /, 0 calls
  * reactions: 11 +-, 28 *, 3 /, 4 calls
  * energy: 11 +-, 25 *, 0 /, 4 calls
- * jacobian: 121 +-, 245 *, 4 /, 4 calls
+ * jacobian: 122 +-, 246 *, 4 /, 4 calls
  * outputs: 7 +-, 18 *, 0 /, 4 calls
  *
  * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.

@@ -1,4 +1,4 @@
-"""smooth_tippe_top, emitted by nhc 0.1.0 (nhc:476d24a4c50093b6).
+"""smooth_tippe_top, emitted by nhc 0.1.0 (nhc:c52f2207a349bfd8).
 
 The ball of routh_sphere on a plane without any friction.
 Source: smooth_tippe_top.yaml
@@ -39,7 +39,7 @@ state: 0 +-, 0 *, 0 /, 0 calls
 residuals: 0 +-, 0 *, 0 /, 0 calls
 reactions: 11 +-, 28 *, 3 /, 4 calls
 energy: 11 +-, 25 *, 0 /, 4 calls
-jacobian: 121 +-, 245 *, 4 /, 4 calls
+jacobian: 122 +-, 246 *, 4 /, 4 calls
 outputs: 7 +-, 18 *, 0 /, 4 calls
 
 A singular point raises SingularModelError.
@@ -593,55 +593,56 @@ def jacobian(
         z46 = z21 * z42 + z22 * z45
         z47 = z15 * z39 - z16 * z46 - z19 * z45
         z48 = 2.0 * (theta_dot * z25) + z2 * z47
-        z49 = z30 * z24 + k1 * (z34 + c_theta * z46)
+        z49 = k1 * z34 + z30 * z24 + k1 * (c_theta * z46)
         z50 = s_phi * z48 + c_phi * z49
-        z51 = z35 * k5 - z4 * z47 + z10 * z46
-        z52 = z38 * k5 + z6 * z47 + z13 * z46
-        z53 = c_phi * z48 - s_phi * z49
-        z54 = z2 * (s_phi * z51 + c_phi * z52) - (z4 * z50 - z6 * z53)
-        z55 = k1 * (s_phi * z52 - c_phi * z51)
-        z56 = z10 * z50 + (z13 * z53 - z16 * z54) - c_theta * z55
-        z57 = z43 * (z19 * z54 - z22 * z56)
-        z58 = z21 * z56 - z22 * z57
-        z59 = z15 * z54 - z16 * z58 + z19 * z57
-        z60 = s_phi * z24
-        s1 = c_theta * (phi_dot * z60 + (z33 * z8 - z11 * z47))
-        z61 = s_theta * (2.0 * (z31 * z24) - z8 * z46) + s1
-        z62 = z26 * k3
-        s2 = theta_dot * z29 + (z55 + 2.0 * (k3 * (s_theta * z47)))
-        z63 = s_theta * (2.0 * (phi_dot * z62) - I3 * z45) - c_theta * s2
-        z64 = c_phi * z24
-        s3 = c_theta * (phi_dot * z64 + (z33 * z11 + z8 * z47))
-        z65 = s_theta * (2.0 * (z36 * z24) + z11 * z46) - s3
-        z66 = z63 + z4 * z61 + z6 * z65
-        z67 = z30 * k3
-        s4 = s_theta * (phi_dot * z67 + (z11 * z52 + z8 * z51))
-        z68 = c_theta * z41 - s4 + z10 * z61 - z13 * z65
-        z69 = z68 + z16 * z66
-        z70 = I3 * s_theta
-        z71 = z43 * (c_theta * z44 + z70 * z47 + z19 * z66 + z22 * z69)
-        z72 = z21 * z69 + z22 * z71
-        z73 = z15 * z66 + z16 * z72 + z19 * z71
-        z74 = k1 * z32 + s_theta * z60
-        z75 = k1 * z37 + s_theta * z64
-        z76 = 2.0 * (c_theta * z62) - z4 * z74 + z6 * z75
-        s5 = s_theta * z40 + c_theta * z67 + z10 * z74 + z13 * z75
-        z77 = s5 - z16 * z76
-        z78 = z43 * (theta_dot * z70 - z19 * z76 + z22 * z77)
-        z79 = z21 * z77 + z22 * z78
-        z80 = z15 * z76 - z16 * z79 - z19 * z78
-        z81 = c_phi * z25 - z26 * z8
-        z82 = s_phi * z25 + z26 * z11
-        z83 = s_theta * z29 + 2.0 * (z4 * z81) + 2.0 * (z6 * z82)
-        z84 = 2.0 * (z10 * z81 - z13 * z82) + z16 * z83
-        z85 = z43 * (phi_dot * z70 - z19 * z83 - z22 * z84)
-        z86 = z21 * z84 - z22 * z85
-        z87 = z15 * z83 + z16 * z86 - z19 * z85
-        z88 = I3 * z26
-        z89 = I3 * z30 - z16 * z88
-        z90 = z43 * (z19 * z88 - z22 * z89)
-        z91 = z21 * z89 - z22 * z90
-        z92 = z15 * z88 - z16 * z91 + z19 * z90
+        z51 = s_phi * z49 - c_phi * z48
+        z52 = z35 * k5 - z4 * z47 + z10 * z46
+        z53 = z38 * k5 + z6 * z47 + z13 * z46
+        z54 = z6 * z51 + (z4 * z50 - (z5 * z52 + z3 * z53))
+        z55 = z13 * z51 - (z10 * z50 - (z9 * z53 - z12 * z52)) - z16 * z54
+        z56 = z43 * (z19 * z54 - z22 * z55)
+        z57 = z21 * z55 - z22 * z56
+        z58 = z15 * z54 - z16 * z57 + z19 * z56
+        z59 = s_phi * z24
+        s1 = c_theta * (phi_dot * z59 + (z33 * z8 - z11 * z47))
+        z60 = s_theta * (2.0 * (z31 * z24) - z8 * z46) + s1
+        z61 = z26 * k3
+        s2 = k1 * (s_phi * z53 - c_phi * z52)
+        s3 = theta_dot * z29 + (s2 + 2.0 * (k3 * (s_theta * z47)))
+        z62 = c_theta * s3
+        z63 = c_phi * z24
+        s4 = c_theta * (phi_dot * z63 + (z33 * z11 + z8 * z47))
+        z64 = s_theta * (2.0 * (z36 * z24) + z11 * z46) - s4
+        s5 = s_theta * (2.0 * (phi_dot * z61) - I3 * z45) - z62
+        z65 = s5 + z4 * z60 + z6 * z64
+        z66 = z30 * k3
+        s6 = s_theta * (phi_dot * z66 + (z11 * z53 + z8 * z52))
+        z67 = c_theta * z41 - s6 + z10 * z60 - z13 * z64
+        z68 = z67 + z16 * z65
+        z69 = I3 * s_theta
+        z70 = z43 * (c_theta * z44 + z69 * z47 + z19 * z65 + z22 * z68)
+        z71 = z21 * z68 + z22 * z70
+        z72 = z15 * z65 + z16 * z71 + z19 * z70
+        z73 = k1 * z32 + s_theta * z59
+        z74 = k1 * z37 + s_theta * z63
+        z75 = 2.0 * (c_theta * z61) - z4 * z73 + z6 * z74
+        s7 = s_theta * z40 + c_theta * z66 + z10 * z73 + z13 * z74
+        z76 = s7 - z16 * z75
+        z77 = z43 * (theta_dot * z69 - z19 * z75 + z22 * z76)
+        z78 = z21 * z76 + z22 * z77
+        z79 = z15 * z75 - z16 * z78 - z19 * z77
+        z80 = c_phi * z25 - z26 * z8
+        z81 = s_phi * z25 + z26 * z11
+        z82 = s_theta * z29 + 2.0 * (z4 * z80) + 2.0 * (z6 * z81)
+        z83 = 2.0 * (z10 * z80 - z13 * z81) + z16 * z82
+        z84 = z43 * (phi_dot * z69 - z19 * z82 - z22 * z83)
+        z85 = z21 * z83 - z22 * z84
+        z86 = z15 * z82 + z16 * z85 - z19 * z84
+        z87 = I3 * z26
+        z88 = I3 * z30 - z16 * z87
+        z89 = z43 * (z19 * z87 - z22 * z88)
+        z90 = z21 * z88 - z22 * z89
+        z91 = z15 * z87 - z16 * z90 + z19 * z89
         J: list[float] = [
             0.0,
             0.0,
@@ -701,48 +702,33 @@ def jacobian(
             0.0,
             0.0,
             # (II.3)
-            k5 * z50 - z4 * z59 + z10 * z58,
+            k5 * z50 + z4 * z58 - z10 * z57,
             # (II.3)
-            k5 * z61 + z4 * z73 + z10 * z72,
+            k5 * z60 + z4 * z72 + z10 * z71,
             0.0,
             0.0,
             0.0,
             # (II.3)
-            k5 * z74 - z4 * z80 + z10 * z79,
+            k5 * z73 - z4 * z79 + z10 * z78,
             # (II.3)
-            -(2.0 * (k5 * z81) + z4 * z87 + z10 * z86),
+            -(2.0 * (k5 * z80) + z4 * z86 + z10 * z85),
             # (II.3)
-            z10 * z91 - z4 * z92,
+            z10 * z90 - z4 * z91,
             0.0,
             0.0,
             # (II.3)
-            -(k5 * z53 + z6 * z59 + z13 * z58),
+            k5 * z51 + z6 * z58 + z13 * z57,
             # (II.3)
-            k5 * z65 + z6 * z73 - z13 * z72,
-            0.0,
-            0.0,
-            0.0,
-            # (II.3)
-            -(k5 * z75 + z6 * z80 + z13 * z79),
-            # (II.3)
-            z13 * z86 - (2.0 * (k5 * z82) + z6 * z87),
-            # (II.3)
-            -(z6 * z92 + z13 * z91),
-            0.0,
-            0.0,
-            # (II.3)
-            z59,
-            # (II.3)
-            -z73,
+            k5 * z64 + z6 * z72 - z13 * z71,
             0.0,
             0.0,
             0.0,
             # (II.3)
-            z80,
+            -(k5 * z74 + z6 * z79 + z13 * z78),
             # (II.3)
-            z87,
+            z13 * z85 - (2.0 * (k5 * z81) + z6 * z86),
             # (II.3)
-            z92,
+            -(z6 * z91 + z13 * z90),
             0.0,
             0.0,
             # (II.3)
@@ -753,26 +739,41 @@ def jacobian(
             0.0,
             0.0,
             # (II.3)
-            -z79,
+            z79,
             # (II.3)
             z86,
             # (II.3)
-            -z91,
+            z91,
             0.0,
             0.0,
             # (II.3)
-            -z57,
+            z57,
             # (II.3)
-            z71,
+            -z71,
             0.0,
             0.0,
             0.0,
             # (II.3)
-            z78,
+            -z78,
             # (II.3)
             z85,
             # (II.3)
             -z90,
+            0.0,
+            0.0,
+            # (II.3)
+            z56,
+            # (II.3)
+            z70,
+            0.0,
+            0.0,
+            0.0,
+            # (II.3)
+            z77,
+            # (II.3)
+            z84,
+            # (II.3)
+            -z89,
         ]
         _finish("jacobian", J)
         return [J[k6 : k6 + 10] for k6 in range(0, 100, 10)]

@@ -1,5 +1,5 @@
 /*
- * snakeboard.c: snakeboard, emitted by nhc 0.1.0 (nhc:30b58c58a6a7c19b)
+ * snakeboard.c: snakeboard, emitted by nhc 0.1.0 (nhc:cc5770ea9f671181)
  * A board on two steerable axles and a rotor; it moves by turning the rotor and the axles to and fro.
  * Source: snakeboard.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -406,15 +406,15 @@ int snakeboard_accelerations(double t, const double *y, const double *p, double 
 
     /* sines and cosines */
     const double z8 = theta + p_b;
-    const double z45 = t * nu;
+    const double z41 = t * nu;
     const double s_p_b = sin(p_b);
     const double c_p_b = cos(p_b);
     const double s_p_f = sin(p_f);
     const double c_p_f = cos(p_f);
     const double s1 = sin(z8);
     const double c1 = cos(z8);
-    const double s2 = sin(z45);
-    const double c2 = cos(z45);
+    const double s2 = sin(z41);
+    const double c2 = cos(z41);
     const double v = y[6];
     const double p_b_dot = y[8];
     const double p_f_dot = y[9];
@@ -434,7 +434,6 @@ int snakeboard_accelerations(double t, const double *y, const double *p, double 
     const double k5 = 1.0 / J_r;
     const double k6 = 1.0 / J_w;
     const double k7 = J + J_w;
-    const double k8 = J_r - J_w;
 
     /* state */
     const double z1 = s_p_f * s_p_f;
@@ -444,20 +443,20 @@ int snakeboard_accelerations(double t, const double *y, const double *p, double 
     const double z5 = s_p_b * z3 - 2.0 * (s_p_f * z4 * k2);
     const double z6 = s_p_b * z5 + (z1 + k1 * (4.0 - 3.0 * z1));
     const double z7 = 1.0 / z6;
-    const double z9 = l * c_p_f;
-    const double z10 = l * c_p_b;
-    const double z11 = s1 * c_p_f + c1 * s_p_f;
-    const double z12 = c1 * c_p_f - s1 * s_p_f;
-    const double z13 = c_p_b * z11 - s_p_b * z12;
-    const double z14 = s1 * z9 + z10 * z13;
-    const double z15 = z7 * z14;
-    const double z16 = c_p_b * z12 + s_p_b * z11;
-    const double z17 = c1 * z9 + z10 * z16;
-    const double z18 = z7 * z17;
-    const double z19 = z14 * z15 + z17 * z18;
-    const double z20 = s1 * z16 - c1 * z13;
+    const double z9 = c1 * c_p_f - s1 * s_p_f;
+    const double z10 = s1 * c_p_f + c1 * s_p_f;
+    const double z11 = c_p_b * z9 + s_p_b * z10;
+    const double z12 = c_p_b * z10 - s_p_b * z9;
+    const double z13 = s1 * z11 - c1 * z12;
+    const double z14 = z7 * z13;
+    const double z15 = J * z14 * z14;
+    const double z16 = l * c_p_f;
+    const double z17 = l * c_p_b;
+    const double z18 = s1 * z16 + z17 * z12;
+    const double z19 = z7 * z18;
+    const double z20 = c1 * z16 + z17 * z11;
     const double z21 = z7 * z20;
-    const double z22 = z7 * (m * z19 + J * (z20 * z21));
+    const double z22 = z15 + m * (z7 * (z18 * z19 + z20 * z21));
     const double z23 = p_b_dot * c_p_b;
     const double z24 = p_f_dot * c_p_f;
     const double z25 = s_p_f * z24;
@@ -469,37 +468,41 @@ int snakeboard_accelerations(double t, const double *y, const double *p, double 
     const double z30 = (z5 * z23 + s_p_b * z29 + (2.0 * z25 - 6.0 * z26)) / (z6 * z6);
     const double z31 = v * z30;
     const double z32 = l * z28;
-    const double z33 = v * z20;
+    const double z33 = v * z13;
     const double z34 = z7 * z33;
     const double z35 = p_b_dot - z34;
     const double z36 = s1 * z35;
     const double z37 = l * z27;
     const double z38 = p_f_dot - z34;
-    const double z39 = z13 * z38;
-    const double z40 = c1 * z32 + z9 * z36 + (z37 * z16 + z10 * z39);
-    const double z41 = c1 * z35;
-    const double z42 = z16 * z38;
-    const double z43 = z16 * z41 - s1 * z39 + (z13 * z36 - c1 * z42);
-    const double z44 = v * (z7 * z43 - z30 * z20);
-    const double z46 = tau * s2 + J_r * z44;
-    const double z47 = s1 * z32 - z9 * z41 + (z37 * z13 - z10 * z42);
-    const double z48 = z21 * (k7 * z44 - (z46 - z44 * k8)) - m * (v * (z30 * z19 + z7 * (z15 * z47 + z18 *
-        z40)));
-    const double z49 = z48 / z22;
-    const double z50 = z21 * z49;
-    const double z51 = sigma * c2;
-    const double z52 = J_w * z44;
+    const double z39 = z12 * z38;
+    const double z40 = c1 * z32 + z16 * z36 + (z37 * z11 + z17 * z39);
+    const double z42 = c1 * z35;
+    const double z43 = z11 * z38;
+    const double z44 = z11 * z42 - s1 * z39 + (z12 * z36 - c1 * z43);
+    const double z45 = v * (z7 * z44 - z30 * z13);
+    const double z46 = J_r * z45;
+    const double z47 = tau * s2 + z46;
+    const double z48 = sigma * c2;
+    const double z49 = J_w * z45;
+    const double z50 = z48 + z49;
+    const double z51 = z48 - z49;
+    const double z52 = s1 * z32 - z16 * z42 + (z37 * z12 - z17 * z43);
+    const double z53 = m * v;
+    const double z54 = z14 * (z47 - (z46 - (z50 - (z49 + (z51 + k7 * z45))))) + (z7 * z52 + z30 * z18) * (z19
+        * z53);
+    const double z55 = (z54 + (z7 * z40 + z30 * z20) * (z21 * z53)) / z22;
+    const double z56 = z14 * z55;
     /* (I.2.15) */
-    qddot[0] = -(z17 * z31 + z7 * (v * z40 + z17 * z49)); /* x'' */
-    qddot[1] = -(z14 * z31 + z7 * (v * z47 + z14 * z49)); /* y'' */
-    qddot[2] = z30 * z33 - z7 * (v * z43 - z20 * z49); /* theta'' */
-    qddot[3] = k5 * z46 - z50; /* psi'' */
-    qddot[4] = k6 * (z51 + z52) - z50; /* p_b'' */
-    qddot[5] = -(k6 * (z51 - z52) + z50); /* p_f'' */
+    qddot[0] = -(z20 * z31 + z7 * (v * z40 - z20 * z55)); /* x'' */
+    qddot[1] = -(z18 * z31 + z7 * (v * z52 - z18 * z55)); /* y'' */
+    qddot[2] = z30 * z33 - z7 * (v * z44 + z13 * z55); /* theta'' */
+    qddot[3] = k5 * z47 + z56; /* psi'' */
+    qddot[4] = k6 * z50 + z56; /* p_b'' */
+    qddot[5] = z56 - k6 * z51; /* p_f'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qddot[0] + qddot[1] + qddot[2] + qddot[3] + qddot[4] + qddot[5]) <= DBL_MAX
         && fabs(z6) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4))
-        && fabs(z22) > 1e-14 * (J * (z21 * z21) + m * (z18 * z18 + z15 * z15)))) {
+        && fabs(z22) > 1e-14 * (z15 + m * (z19 * z19) + m * (z21 * z21)))) {
         /* the coframe is singular */
         if (!(fabs(z6) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)))) {
             return SNAKEBOARD_SINGULAR_1;
@@ -517,7 +520,7 @@ int snakeboard_accelerations(double t, const double *y, const double *p, double 
             return SNAKEBOARD_SINGULAR_2;
         }
         /* the mass matrix is singular */
-        if (!(fabs(z22) > 1e-14 * (J * (z21 * z21) + m * (z18 * z18 + z15 * z15)))) {
+        if (!(fabs(z22) > 1e-14 * (z15 + m * (z19 * z19) + m * (z21 * z21)))) {
             return SNAKEBOARD_SINGULAR_2;
         }
         return snakeboard_finish(6, qddot);
@@ -619,15 +622,15 @@ int snakeboard_reactions(double t, const double *y, const double *p, double *lam
 
     /* sines and cosines */
     const double z8 = theta + p_b;
-    const double z57 = t * nu;
+    const double z59 = t * nu;
     const double s_p_b = sin(p_b);
     const double c_p_b = cos(p_b);
     const double s_p_f = sin(p_f);
     const double c_p_f = cos(p_f);
     const double s1 = sin(z8);
     const double c1 = cos(z8);
-    const double c2 = cos(z57);
-    const double s2 = sin(z57);
+    const double c2 = cos(z59);
+    const double s2 = sin(z59);
     const double v = y[6];
     const double p_b_dot = y[8];
     const double p_f_dot = y[9];
@@ -647,7 +650,6 @@ int snakeboard_reactions(double t, const double *y, const double *p, double *lam
     const double k5 = 1.0 / J_r;
     const double k6 = 1.0 / J_w;
     const double k7 = J + J_w;
-    const double k8 = J_r - J_w;
 
     /* state */
     const double z1 = s_p_f * s_p_f;
@@ -657,25 +659,25 @@ int snakeboard_reactions(double t, const double *y, const double *p, double *lam
     const double z5 = s_p_b * z3 - 2.0 * (s_p_f * z4 * k2);
     const double z6 = s_p_b * z5 + (z1 + k1 * (4.0 - 3.0 * z1));
     const double z7 = 1.0 / z6;
-    const double z9 = l * c_p_f;
-    const double z10 = l * c_p_b;
+    const double z9 = c1 * c_p_f;
+    const double z10 = z9 - s1 * s_p_f;
     const double z11 = s1 * c_p_f;
     const double z12 = z11 + c1 * s_p_f;
-    const double z13 = c1 * c_p_f;
-    const double z14 = z13 - s1 * s_p_f;
-    const double z15 = c_p_b * z12 - s_p_b * z14;
-    const double z16 = s1 * z9 + z10 * z15;
-    const double z17 = z7 * z16;
-    const double z18 = c_p_b * z14 + s_p_b * z12;
-    const double z19 = c1 * z9 + z10 * z18;
-    const double z20 = z7 * z19;
-    const double z21 = z16 * z17 + z19 * z20;
-    const double z22 = s1 * z18 - c1 * z15;
+    const double z13 = c_p_b * z10 + s_p_b * z12;
+    const double z14 = c_p_b * z12 - s_p_b * z10;
+    const double z15 = s1 * z13 - c1 * z14;
+    const double z16 = z7 * z15;
+    const double z17 = J * z16 * z16;
+    const double z18 = l * c_p_f;
+    const double z19 = l * c_p_b;
+    const double z20 = s1 * z18 + z19 * z14;
+    const double z21 = z7 * z20;
+    const double z22 = c1 * z18 + z19 * z13;
     const double z23 = z7 * z22;
-    const double z24 = z7 * (m * z21 + J * (z22 * z23));
-    const double z25 = l * (z13 + c_p_b * z18);
-    const double z26 = l * (z11 + c_p_b * z15);
-    const double z27 = z7 * (z18 * z25 + z15 * z26);
+    const double z24 = z17 + m * (z7 * (z20 * z21 + z22 * z23));
+    const double z25 = l * (z11 + c_p_b * z14);
+    const double z26 = c_p_b * s_p_f - c_p_f * s_p_b;
+    const double z27 = z7 * (z18 * z25 - z26 * z13);
     const double z28 = p_b_dot * c_p_b;
     const double z29 = p_f_dot * c_p_f;
     const double z30 = s_p_f * z29;
@@ -685,59 +687,65 @@ int snakeboard_reactions(double t, const double *y, const double *p, double *lam
     const double z34 = z3 * z28 - 4.0 * (s_p_b * (z30 - z31)) - 2.0 * (k2 * (z4 * z29 - s_p_f * (c_p_f * z32
         + c_p_b * z33)));
     const double z35 = (z5 * z28 + s_p_b * z34 + (2.0 * z30 - 6.0 * z31)) / (z6 * z6);
-    const double z36 = v * z22;
-    const double z37 = z7 * z36;
-    const double z38 = p_b_dot - z37;
-    const double z39 = c1 * z38;
-    const double z40 = p_f_dot - z37;
-    const double z41 = z15 * z40;
-    const double z42 = s1 * z38;
-    const double z43 = z18 * z40;
-    const double z44 = z7 * (z18 * z39 - s1 * z41 + (z15 * z42 - c1 * z43));
-    const double z45 = z35 * z36 - v * z44;
-    const double z46 = z27 * z45;
-    const double z47 = l * z33;
-    const double z48 = l * z32;
-    const double z49 = c1 * z47 + z9 * z42 + (z48 * z18 + z10 * z41);
-    const double z50 = v * (z7 * z49 + z35 * z19);
-    const double z51 = c_p_b * s_p_f - c_p_f * s_p_b;
-    const double z52 = z7 * (z9 * z26 - z51 * z18);
-    const double z53 = s1 * z47 - z9 * z39 + (z48 * z15 - z10 * z43);
-    const double z54 = v * (z7 * z53 + z35 * z16);
-    const double z55 = z7 * (z9 * z25 + z51 * z15);
-    const double z56 = 2.0 * (J_w * z46) + (J_r * z46 - (m * (z50 * z52 - z54 * z55) - J * z46));
-    const double z58 = sigma * c2;
-    const double z59 = v * (z44 - z35 * z22);
-    const double z60 = J_w * z59;
-    const double z61 = tau * s2 + J_r * z59;
-    const double z62 = z23 * (k7 * z59 - (z61 - z59 * k8)) - m * (v * (z35 * z21 + z7 * (z17 * z53 + z20 *
-        z49)));
-    const double z63 = z62 / z24;
-    const double z64 = z23 * z63;
-    const double z65 = k6 * (z58 - z60) + z64;
-    const double z66 = J_w * z27;
-    const double z67 = k6 * (z58 + z60) - z64;
-    const double z68 = z23 * z27;
-    const double z69 = m * (z20 * z52 - z17 * z55) - J * z68 - J_r * z68 - 2.0 * (J_w * z68);
-    const double z70 = J_r * (k5 * z61 - z64);
-    const double z71 = z7 * (c1 * z25 + s1 * z26);
-    const double z72 = z71 * z45;
-    const double z73 = z7 * (c1 * z51 + z10 * z26);
-    const double z74 = z7 * (s1 * z51 - z10 * z25);
-    const double z75 = 2.0 * (J_w * z72) + (J_r * z72 + (m * (z50 * z73 + z54 * z74) + J * z72));
-    const double z76 = J_w * z71;
-    const double z77 = z23 * z71;
-    const double z78 = m * (z20 * z73 + z17 * z74) + J * z77 + J_r * z77 + 2.0 * (J_w * z77);
+    const double z36 = v * z35;
+    const double z37 = l * z33;
+    const double z38 = v * z15;
+    const double z39 = z7 * z38;
+    const double z40 = p_b_dot - z39;
+    const double z41 = s1 * z40;
+    const double z42 = l * z32;
+    const double z43 = p_f_dot - z39;
+    const double z44 = z14 * z43;
+    const double z45 = c1 * z37 + z18 * z41 + (z42 * z13 + z19 * z44);
+    const double z46 = v * z7;
+    const double z47 = z22 * z36 + z45 * z46;
+    const double z48 = l * (z9 + c_p_b * z13);
+    const double z49 = z7 * (z18 * z48 + z26 * z14);
+    const double z50 = c1 * z40;
+    const double z51 = z13 * z43;
+    const double z52 = s1 * z37 - z18 * z50 + (z42 * z14 - z19 * z51);
+    const double z53 = z20 * z36 + z52 * z46;
+    const double z54 = z7 * (z13 * z48 + z14 * z25);
+    const double z55 = z13 * z50 - s1 * z44 + (z14 * z41 - c1 * z51);
+    const double z56 = z35 * z38 - z55 * z46;
+    const double z57 = z54 * z56;
+    const double z58 = m * (z27 * z47 - z49 * z53) - J * z57 - J_r * z57 - 2.0 * (J_w * z57);
+    const double z60 = sigma * c2;
+    const double z61 = v * (z7 * z55 - z35 * z15);
+    const double z62 = J_w * z61;
+    const double z63 = z60 - z62;
+    const double z64 = J_r * z61;
+    const double z65 = tau * s2 + z64;
+    const double z66 = z60 + z62;
+    const double z67 = m * v;
+    const double z68 = z16 * (z65 - (z64 - (z66 - (z62 + (z63 + k7 * z61))))) + (z7 * z52 + z35 * z20) * (z21
+        * z67);
+    const double z69 = (z68 + (z7 * z45 + z35 * z22) * (z23 * z67)) / z24;
+    const double z70 = z16 * z69;
+    const double z71 = k6 * z63 - z70;
+    const double z72 = J_w * z54;
+    const double z73 = k6 * z66 + z70;
+    const double z74 = z16 * z54;
+    const double z75 = m * (z23 * z27 - z21 * z49) - J * z74 - J_r * z74 - 2.0 * (J_w * z74);
+    const double z76 = J_r * (k5 * z65 + z70);
+    const double z77 = z7 * (c1 * z26 + z19 * z25);
+    const double z78 = z7 * (s1 * z26 - z19 * z48);
+    const double z79 = z7 * (c1 * z48 + s1 * z25);
+    const double z80 = z79 * z56;
+    const double z81 = m * (z77 * z47 + z78 * z53) + J * z80 + J_r * z80 + 2.0 * (J_w * z80);
+    const double z82 = J_w * z79;
+    const double z83 = z16 * z79;
+    const double z84 = m * (z23 * z77 + z21 * z78) + J * z83 + J_r * z83 + 2.0 * (J_w * z83);
     /* (I.4.1) 28:5 */
     /* reaction of back: Q_i gains lambda_1 a_1i */
-    lambda[0] = z65 * z66 - (z67 * z66 - (z63 * z69 - z27 * z70)) - z56;
+    lambda[0] = z58 + (z71 * z72 - (z73 * z72 + (z69 * z75 + z54 * z76)));
     /* (I.4.1) 29:5 */
     /* reaction of front: Q_i gains lambda_2 a_2i */
-    lambda[1] = z75 - (z65 * z76 - (z67 * z76 + (z63 * z78 + z71 * z70)));
+    lambda[1] = z81 - (z71 * z82 - (z73 * z82 - (z69 * z84 - z79 * z76)));
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(lambda[0] + lambda[1]) <= DBL_MAX
         && fabs(z6) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4))
-        && fabs(z24) > 1e-14 * (J * (z23 * z23) + m * (z20 * z20 + z17 * z17)))) {
+        && fabs(z24) > 1e-14 * (z17 + m * (z21 * z21) + m * (z23 * z23)))) {
         /* the coframe is singular */
         if (!(fabs(z6) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)))) {
             return SNAKEBOARD_SINGULAR_1;
@@ -755,7 +763,7 @@ int snakeboard_reactions(double t, const double *y, const double *p, double *lam
             return SNAKEBOARD_SINGULAR_2;
         }
         /* the mass matrix is singular */
-        if (!(fabs(z24) > 1e-14 * (J * (z23 * z23) + m * (z20 * z20 + z17 * z17)))) {
+        if (!(fabs(z24) > 1e-14 * (z17 + m * (z21 * z21) + m * (z23 * z23)))) {
             return SNAKEBOARD_SINGULAR_2;
         }
         return snakeboard_finish(2, lambda);
@@ -827,13 +835,15 @@ int snakeboard_jacobian(double t, const double *y, const double *p, double *J)
 
     /* sines and cosines */
     const double z9 = theta + p_b;
+    const double z61 = t * nu;
     const double s_p_f = sin(p_f);
     const double c_p_f = cos(p_f);
     const double s_p_b = sin(p_b);
     const double c_p_b = cos(p_b);
     const double s1 = sin(z9);
     const double c1 = cos(z9);
-    const double s2 = sin(t * nu);
+    const double s2 = sin(z61);
+    const double c2 = cos(z61);
     const double v = y[6];
     const double p_b_dot = y[8];
     const double p_f_dot = y[9];
@@ -843,6 +853,7 @@ int snakeboard_jacobian(double t, const double *y, const double *p, double *J)
     const double J_r = p[3]; /* rotor [kg*m^2] */
     const double J_w = p[4]; /* each axle [kg*m^2] */
     const double tau = p[5]; /* amplitude of the torque on the rotor [N*m] */
+    const double sigma = p[6]; /* amplitude of the torques on the axles [N*m] */
 
     /* parameters only */
     const double k1 = l * l;
@@ -860,34 +871,34 @@ int snakeboard_jacobian(double t, const double *y, const double *p, double *J)
     const double z6 = s_p_b * z3 - 2.0 * (z4 * z5);
     const double z7 = z1 + k1 * (4.0 - 3.0 * z1) + s_p_b * z6;
     const double z8 = 1.0 / z7;
-    const double z10 = l * c_p_f;
-    const double z11 = s1 * z10;
-    const double z12 = l * c_p_b;
-    const double z13 = s1 * c_p_f + c1 * s_p_f;
-    const double z14 = c1 * c_p_f - s1 * s_p_f;
-    const double z15 = c_p_b * z13 - s_p_b * z14;
-    const double z16 = z12 * z15;
-    const double z17 = z11 + z16;
-    const double z18 = z17 * z8;
-    const double z19 = c1 * z10;
-    const double z20 = c_p_b * z14 + s_p_b * z13;
-    const double z21 = z12 * z20;
-    const double z22 = z19 + z21;
-    const double z23 = z22 * z8;
-    const double z24 = z17 * z18 + z22 * z23;
-    const double z25 = s1 * z20 - c1 * z15;
+    const double z10 = c1 * c_p_f - s1 * s_p_f;
+    const double z11 = s1 * c_p_f + c1 * s_p_f;
+    const double z12 = c_p_b * z10 + s_p_b * z11;
+    const double z13 = c_p_b * z11 - s_p_b * z10;
+    const double z14 = s1 * z12 - c1 * z13;
+    const double z15 = z14 * z8;
+    const double z16 = z14 * z15;
+    const double z17 = l * c_p_f;
+    const double z18 = s1 * z17;
+    const double z19 = l * c_p_b;
+    const double z20 = z19 * z13;
+    const double z21 = z18 + z20;
+    const double z22 = z21 * z8;
+    const double z23 = c1 * z17;
+    const double z24 = z19 * z12;
+    const double z25 = z23 + z24;
     const double z26 = z25 * z8;
-    const double z27 = z25 * z26;
-    const double z28 = z8 * (m * z24 + J_2 * z27);
-    const double z29 = v * z17;
-    const double z30 = v * z22;
+    const double z27 = z21 * z22 + z25 * z26;
+    const double z28 = J_2 * (z8 * z16) + m * (z8 * z27);
+    const double z29 = v * z21;
+    const double z30 = v * z25;
     const double z31 = 1.0 / (z7 * z7);
     const double z32 = c_p_f * s_p_b;
     const double z33 = c_p_b * z3 + 2.0 * (z32 * z5);
     const double z34 = c_p_b * z6 + s_p_b * z33;
     const double z35 = z31 * z34;
     const double z36 = l * s_p_b;
-    const double z37 = z11 + z20 * z36;
+    const double z37 = z18 + z12 * z36;
     const double z38 = v * z8;
     const double z39 = c_p_f * s_p_f;
     const double z40 = k1 * z39;
@@ -897,162 +908,163 @@ int snakeboard_jacobian(double t, const double *y, const double *p, double *J)
     const double z44 = s_p_b * z43 - (2.0 * z39 - 6.0 * z40);
     const double z45 = z44 * z31;
     const double z46 = l * s_p_f;
-    const double z47 = z16 + c1 * z46;
-    const double z48 = z19 - z15 * z36;
-    const double z49 = z21 - s1 * z46;
-    const double z50 = v * z25;
-    const double z51 = s1 * z15 + c1 * z20;
+    const double z47 = z20 + c1 * z46;
+    const double z48 = z23 - z13 * z36;
+    const double z49 = z24 - s1 * z46;
+    const double z50 = v * z14;
+    const double z51 = s1 * z13 + c1 * z12;
     const double z52 = z51 * z38;
     const double z53 = z50 * z35 - z52;
     const double z54 = z52 - z50 * z45;
-    const double z55 = z51 * z26;
+    const double z55 = z51 * z15;
     const double z56 = z51 * z8;
-    const double z57 = z56 - z25 * z35;
-    const double z58 = z48 * z8 - z17 * z35;
-    const double z59 = z37 * z8 + z22 * z35;
-    const double z60 = m * (z24 * z35 - z8 * (z48 * z18 + z17 * z58 - (z37 * z23 + z22 * z59)));
-    const double z61 = m * v;
-    const double z62 = p_f_dot * s_p_f;
-    const double z63 = l * z62;
+    const double z57 = z56 - z14 * z35;
+    const double z58 = z48 * z8 - z21 * z35;
+    const double z59 = z37 * z8 + z25 * z35;
+    const double z60 = m * (z27 * z35 - z8 * (z48 * z22 + z21 * z58 - (z37 * z26 + z25 * z59)));
+    const double z62 = z50 * z8;
+    const double z63 = p_b_dot - z62;
     const double z64 = c1 * z63;
-    const double z65 = z50 * z8;
-    const double z66 = p_b_dot - z65;
-    const double z67 = s1 * z66;
-    const double z68 = p_b_dot * s_p_b;
-    const double z69 = l * z68;
-    const double z70 = z69 * z20;
-    const double z71 = p_f_dot - z65;
-    const double z72 = z15 * z71;
-    const double z73 = z64 + z10 * z67 + (z70 + z12 * z72);
-    const double z74 = p_f_dot * c_p_f;
-    const double z75 = s_p_f * z74;
-    const double z76 = k1 * z75;
-    const double z77 = p_b_dot * c_p_b;
-    const double z78 = z75 - z76;
-    const double z79 = c_p_f * z68 + c_p_b * z62;
-    const double z80 = z3 * z77 - 4.0 * (s_p_b * z78) - 2.0 * (k2 * (z4 * z74 - s_p_f * z79));
-    const double z81 = 2.0 * z75 - 6.0 * z76 + (s_p_b * z80 + z77 * z6);
-    const double z82 = z31 * z81;
-    const double z83 = z8 * z73 + z22 * z82;
-    const double z84 = z61 * z83;
-    const double z85 = s1 * z63;
-    const double z86 = c1 * z66;
-    const double z87 = z69 * z15;
-    const double z88 = z20 * z71;
-    const double z89 = z85 - z10 * z86 + (z87 - z12 * z88);
-    const double z90 = z8 * z89 + z17 * z82;
-    const double z91 = z61 * z90;
-    const double z92 = z20 * z86 - s1 * z72 + (z15 * z67 - c1 * z88);
-    const double z93 = z8 * z92 - z25 * z82;
-    const double z94 = v * z93;
-    const double z95 = k5 * z94 - (tau * s2 + J_w * z94);
-    const double z96 = z23 * z84 + (z18 * z91 - z26 * z95);
-    const double z97 = z96 / (z28 * z28);
-    const double z98 = 1.0 / z28;
-    const double z99 = z86 + s1 * z53;
-    const double z100 = l * z77;
-    const double z101 = z15 * z53;
-    const double z102 = z73 * z35 + z8 * (z85 - z10 * z99 - (z20 * z100 - (z36 * z72 - z12 * z101)));
-    const double z103 = z81 / (z7 * z7 * z7);
-    const double z104 = z3 * z68 + 4.0 * (c_p_b * z78) - 2.0 * (k2 * (z32 * z74 - s_p_f * (s_p_b * z62 -
-        c_p_f * z77)));
-    const double z105 = 2.0 * (z34 * z103) - z31 * (c_p_b * z80 - s_p_b * z104 + (z77 * z33 - z68 * z6));
-    const double z106 = z61 * z23;
-    const double z107 = z67 - c1 * z53;
-    const double z108 = z20 * z53;
-    const double z109 = z89 * z35 - z8 * (z64 + z10 * z107 + (z15 * z100 + (z36 * z88 - z12 * z108)));
-    const double z110 = z61 * z18;
-    const double z111 = J_2 * z26;
-    const double z112 = z51 * z82;
-    const double z113 = z8 * (s1 * (z88 - z101) - (c1 * (z72 + z108) + (z20 * z107 - z15 * z99))) - (z92 *
-        z35 + (z112 - z25 * z105));
-    const double z114 = v * z113;
-    const double z115 = z91 * z58 - (z109 - (z48 * z82 - z17 * z105)) * z110 - (z57 * z95 + z111 * z114);
-    const double z116 = (J_2 * (z27 * z35 - z8 * (z55 + z25 * z57)) + z60) * z97 - z98 * (z84 * z59 + (z102 +
-        (z37 * z82 + z22 * z105)) * z106 - z115);
-    const double z117 = z56 - z25 * z45;
-    const double z118 = z49 * z8 + z17 * z45;
-    const double z119 = z47 * z8 - z22 * z45;
-    const double z120 = m * (z24 * z45 + z8 * (z49 * z18 + z17 * z118 - (z47 * z23 + z22 * z119)));
-    const double z121 = l * z74;
-    const double z122 = s1 * z54;
-    const double z123 = z88 + z15 * z54;
-    const double z124 = z73 * z45 + z8 * (c1 * z121 - (z46 * z67 - z10 * z122) - (z87 - z12 * z123));
-    const double z125 = c_p_f * z74 - s_p_f * z62;
-    const double z126 = k1 * z125;
-    const double z127 = k2 * (z42 * z74 + z4 * z62 + (c_p_f * z79 - s_p_f * (s_p_f * z68 - c_p_b * z74)));
-    const double z128 = z77 * z43 + s_p_b * (4.0 * (z77 * z41 + s_p_b * (z125 - z126)) - 2.0 * z127) - (2.0 *
-        z125 - 6.0 * z126);
-    const double z129 = 2.0 * (z44 * z103) - z128 * z31;
-    const double z130 = c1 * z54;
-    const double z131 = z72 - z20 * z54;
-    const double z132 = z89 * z45 + z8 * (s1 * z121 + (z46 * z86 - z10 * z130) + (z70 + z12 * z131));
-    const double z133 = z92 * z45 + (z112 - z25 * z129) - z8 * (z15 * (z86 - z122) - (z20 * (z67 + z130) -
-        (s1 * z123 - c1 * z131)));
-    const double z134 = v * z133;
-    const double z135 = z91 * z118 + z110 * (z132 + (z49 * z82 + z17 * z129)) + (z117 * z95 - z111 * z134);
-    const double z136 = (J_2 * (z27 * z45 - z8 * (z55 + z25 * z117)) + z120) * z97 + z98 * (z84 * z119 - z106
-        * (z124 - (z47 * z82 - z22 * z129)) - z135);
-    const double z137 = c1 * z26;
-    const double z138 = z15 * z26;
-    const double z139 = s1 * z26;
-    const double z140 = z20 * z26;
-    const double z141 = z93 - z38 * (z20 * z137 - s1 * z138 + (z15 * z139 - c1 * z140));
-    const double z142 = z38 * (z12 * (z23 * z138 - z18 * z140) + z10 * (z23 * z139 - z18 * z137)) - (z23 *
-        z83 + z18 * z90);
-    const double z143 = z98 * (z141 * z111 + m * z142);
-    const double z144 = v * z57;
-    const double z145 = z98 * (z111 * z144 + z61 * (z18 * z58 - z23 * z59));
-    const double z146 = v * z117;
-    const double z147 = z98 * (z111 * z146 - z61 * (z18 * z118 - z23 * z119));
-    const double z148 = z98 * z96;
-    const double z149 = z114 + (z57 * z148 + z26 * z116);
-    const double z150 = z134 - (z117 * z148 + z26 * z136);
-    const double z151 = z141 - z26 * z143;
-    const double z152 = z144 - z26 * z145;
-    const double z153 = z146 - z26 * z147;
+    const double z65 = p_f_dot - z62;
+    const double z66 = z13 * z65;
+    const double z67 = s1 * z63;
+    const double z68 = z12 * z65;
+    const double z69 = z12 * z64 - s1 * z66 + (z13 * z67 - c1 * z68);
+    const double z70 = p_f_dot * c_p_f;
+    const double z71 = s_p_f * z70;
+    const double z72 = k1 * z71;
+    const double z73 = p_b_dot * c_p_b;
+    const double z74 = z71 - z72;
+    const double z75 = p_b_dot * s_p_b;
+    const double z76 = p_f_dot * s_p_f;
+    const double z77 = c_p_f * z75 + c_p_b * z76;
+    const double z78 = z3 * z73 - 4.0 * (s_p_b * z74) - 2.0 * (k2 * (z4 * z70 - s_p_f * z77));
+    const double z79 = 2.0 * z71 - 6.0 * z72 + (s_p_b * z78 + z73 * z6);
+    const double z80 = z31 * z79;
+    const double z81 = z8 * z69 - z14 * z80;
+    const double z82 = v * z81;
+    const double z83 = J_r * z82;
+    const double z84 = sigma * c2;
+    const double z85 = J_w * z82;
+    const double z86 = tau * s2 + z83 - (z83 - (z84 + z85 - (z85 + (z84 - z85 + k5 * z82))));
+    const double z87 = m * v;
+    const double z88 = l * z76;
+    const double z89 = s1 * z88;
+    const double z90 = l * z75;
+    const double z91 = z90 * z13;
+    const double z92 = z89 - z17 * z64 + (z91 - z19 * z68);
+    const double z93 = z8 * z92 + z21 * z80;
+    const double z94 = z87 * z93;
+    const double z95 = c1 * z88;
+    const double z96 = z90 * z12;
+    const double z97 = z95 + z17 * z67 + (z96 + z19 * z66);
+    const double z98 = z8 * z97 + z25 * z80;
+    const double z99 = z87 * z98;
+    const double z100 = z15 * z86 + z22 * z94 + z26 * z99;
+    const double z101 = z100 / (z28 * z28);
+    const double z102 = 1.0 / z28;
+    const double z103 = z67 - c1 * z53;
+    const double z104 = z13 * z53;
+    const double z105 = z64 + s1 * z53;
+    const double z106 = z12 * z53;
+    const double z107 = z12 * z103 + (c1 * z66 + s1 * z104) - (z13 * z105 + (s1 * z68 - c1 * z106));
+    const double z108 = z51 * z80;
+    const double z109 = z79 / (z7 * z7 * z7);
+    const double z110 = z3 * z75 + 4.0 * (c_p_b * z74) - 2.0 * (k2 * (z32 * z70 - s_p_f * (s_p_b * z76 -
+        c_p_f * z73)));
+    const double z111 = 2.0 * (z34 * z109) - z31 * (c_p_b * z78 - s_p_b * z110 + (z73 * z33 - z75 * z6));
+    const double z112 = v * (z69 * z35 + z8 * z107 + (z108 - z14 * z111));
+    const double z113 = J_2 * z15;
+    const double z114 = l * z73;
+    const double z115 = z92 * z35 - z8 * (z95 + z17 * z103 + (z13 * z114 + (z36 * z68 - z19 * z106)));
+    const double z116 = z87 * z22;
+    const double z117 = z86 * z57 + z112 * z113 + (z94 * z58 - (z115 - (z48 * z80 - z21 * z111)) * z116);
+    const double z118 = z97 * z35 + z8 * (z89 - z17 * z105 - (z12 * z114 - (z36 * z66 - z19 * z104)));
+    const double z119 = z87 * z26;
+    const double z120 = (J_2 * (z16 * z35 - z8 * (z55 + z14 * z57)) + z60) * z101 + z102 * (z117 - (z99 * z59
+        + (z118 + (z37 * z80 + z25 * z111)) * z119));
+    const double z121 = z56 - z14 * z45;
+    const double z122 = z49 * z8 + z21 * z45;
+    const double z123 = z47 * z8 - z25 * z45;
+    const double z124 = m * (z27 * z45 + z8 * (z49 * z22 + z21 * z122 - (z47 * z26 + z25 * z123)));
+    const double z125 = c1 * z54;
+    const double z126 = z68 + z13 * z54;
+    const double z127 = s1 * z54;
+    const double z128 = z66 - z12 * z54;
+    const double z129 = z13 * z64 - z12 * z125 + s1 * z126 - (z12 * z67 + z13 * z127 + c1 * z128);
+    const double z130 = c_p_f * z70 - s_p_f * z76;
+    const double z131 = k1 * z130;
+    const double z132 = k2 * (z42 * z70 + z4 * z76 + (c_p_f * z77 - s_p_f * (s_p_f * z75 - c_p_b * z70)));
+    const double z133 = z73 * z43 + s_p_b * (4.0 * (z73 * z41 + s_p_b * (z130 - z131)) - 2.0 * z132) - (2.0 *
+        z130 - 6.0 * z131);
+    const double z134 = 2.0 * (z44 * z109) - z133 * z31;
+    const double z135 = v * (z69 * z45 - z8 * z129 + (z108 - z14 * z134));
+    const double z136 = l * z70;
+    const double z137 = z92 * z45 + z8 * (s1 * z136 + (z46 * z64 - z17 * z125) + (z96 + z19 * z128));
+    const double z138 = z86 * z121 + z113 * z135 - (z94 * z122 + z116 * (z137 + (z49 * z80 + z21 * z134)));
+    const double z139 = z97 * z45 + z8 * (c1 * z136 - (z46 * z67 - z17 * z127) - (z91 - z19 * z126));
+    const double z140 = z101 * (J_2 * (z16 * z45 - z8 * (z55 + z14 * z121)) + z124) + z102 * (z138 + (z99 *
+        z123 - z119 * (z139 - (z47 * z80 - z25 * z134))));
+    const double z141 = c1 * z15;
+    const double z142 = z13 * z15;
+    const double z143 = s1 * z15;
+    const double z144 = z12 * z15;
+    const double z145 = z81 - z38 * (z12 * z141 - s1 * z142 + (z13 * z143 - c1 * z144));
+    const double z146 = z113 * z145 - m * (z22 * (z93 + z38 * (z17 * z141 + z19 * z144))) - m * (z26 * (z98 -
+        z38 * (z17 * z143 + z19 * z142)));
+    const double z147 = z102 * z146;
+    const double z148 = v * z57;
+    const double z149 = z102 * (z113 * z148 + z58 * z116 - z59 * z119);
+    const double z150 = v * z121;
+    const double z151 = z102 * (z113 * z150 - z116 * z122 + z119 * z123);
+    const double z152 = z102 * z100;
+    const double z153 = z112 - (z152 * z57 + z15 * z120);
+    const double z154 = z135 - (z152 * z121 + z15 * z140);
+    const double z155 = z145 - z15 * z147;
+    const double z156 = z148 - z15 * z149;
+    const double z157 = z150 - z15 * z151;
     /* (I.2.15) */
     J[2] = -z29 * z8;
     J[4] = -(z30 * z35 + z37 * z38);
     J[5] = z30 * z45 - z47 * z38;
-    J[6] = z23;
+    J[6] = z26;
     J[12] = z30 * z8;
     J[14] = z48 * z38 - z29 * z35;
     J[15] = z29 * z45 + z49 * z38;
-    J[16] = z18;
+    J[16] = z22;
     J[24] = z53;
     J[25] = z54;
-    J[26] = -z26;
+    J[26] = -z15;
     J[37] = 1.0;
     J[48] = 1.0;
     J[59] = 1.0;
-    J[64] = z116;
-    J[65] = -z136;
-    J[66] = -z143;
-    J[68] = -z145;
-    J[69] = z147;
-    J[74] = z149;
-    J[75] = z150;
-    J[76] = z151;
-    J[78] = z152;
-    J[79] = -z153;
-    J[84] = z149;
-    J[85] = z150;
-    J[86] = z151;
-    J[88] = z152;
-    J[89] = -z153;
-    J[94] = z149;
-    J[95] = z150;
-    J[96] = z151;
-    J[98] = z152;
-    J[99] = -z153;
+    J[64] = z120;
+    J[65] = -z140;
+    J[66] = -z147;
+    J[68] = -z149;
+    J[69] = z151;
+    J[74] = -z153;
+    J[75] = z154;
+    J[76] = z155;
+    J[78] = z156;
+    J[79] = -z157;
+    J[84] = -z153;
+    J[85] = z154;
+    J[86] = z155;
+    J[88] = z156;
+    J[89] = -z157;
+    J[94] = -z153;
+    J[95] = z154;
+    J[96] = z155;
+    J[98] = z156;
+    J[99] = -z157;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(J[2] + J[4] + J[5] + J[12] + J[14] + J[15] + J[24] + J[64] + J[65] + J[66] + J[68] + J[74] +
-        J[75] + J[76] + J[78] + J[99]) <= DBL_MAX
+    if (!(fabs(J[2] + J[4] + J[5] + J[12] + J[14] + J[15] + J[65] + J[66] + J[68] + J[75] + J[76] + J[78] +
+        J[94] + J[99]) <= DBL_MAX
         && fabs(z7) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4))
         && fabs(J_w) > 0.0
         && fabs(J_r) > 0.0
-        && fabs(z28) > 1e-14 * (J_2 * (z26 * z26) + m * (z23 * z23 + z18 * z18)))) {
+        && fabs(z28) > 1e-14 * (J_2 * (z15 * z15) + m * (z22 * z22) + m * (z26 * z26)))) {
         /* the coframe is singular */
         if (!(fabs(z7) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)))) {
             return SNAKEBOARD_SINGULAR_1;
@@ -1070,7 +1082,7 @@ int snakeboard_jacobian(double t, const double *y, const double *p, double *J)
             return SNAKEBOARD_SINGULAR_2;
         }
         /* the mass matrix is singular */
-        if (!(fabs(z28) > 1e-14 * (J_2 * (z26 * z26) + m * (z23 * z23 + z18 * z18)))) {
+        if (!(fabs(z28) > 1e-14 * (J_2 * (z15 * z15) + m * (z22 * z22) + m * (z26 * z26)))) {
             return SNAKEBOARD_SINGULAR_2;
         }
         return snakeboard_finish(100, J);
@@ -1081,6 +1093,7 @@ int snakeboard_jacobian(double t, const double *y, const double *p, double *J)
 int snakeboard_outputs(double t, const double *y, const double *p, double *out)
 {
     (void)t;
+    const double theta = y[2]; /* heading of the board [rad] */
     const double p_b = y[4]; /* back axle, relative to the board [rad] */
     const double p_f = y[5]; /* front axle, relative to the board [rad] */
 
@@ -1089,6 +1102,8 @@ int snakeboard_outputs(double t, const double *y, const double *p, double *out)
     const double c_p_b = cos(p_b);
     const double s_p_f = sin(p_f);
     const double c_p_f = cos(p_f);
+    const double c_theta = cos(theta);
+    const double s_theta = sin(theta);
     const double v = y[6];
     const double l = p[1]; /* from the centre to an axle [m] */
 
@@ -1101,11 +1116,13 @@ int snakeboard_outputs(double t, const double *y, const double *p, double *out)
     /* state */
     const double z1 = s_p_f * s_p_f;
     const double z2 = 2.0 * z1;
-    const double z3 = c_p_b * c_p_f;
-    const double z4 = s_p_b * (s_p_b * (1.0 - z2 - k1 * (3.0 - z2)) - 2.0 * (s_p_f * z3 * k2)) + (z1 + k1 *
-        (4.0 - 3.0 * z1));
+    const double z3 = s_p_b * (s_p_b * (1.0 - z2 - k1 * (3.0 - z2)) - 2.0 * (s_p_f * (c_p_b * c_p_f) * k2));
+    const double z4 = z3 + (z1 + k1 * (4.0 - 3.0 * z1));
+    const double z5 = c_p_f * (c_theta * (c_p_b * c_theta - s_theta * s_p_b) + s_theta * (c_p_b * s_theta +
+        c_theta * s_p_b)) + c_p_b * (s_theta * (c_p_f * s_theta + c_theta * s_p_f) + c_theta * (c_p_f *
+        c_theta - s_theta * s_p_f));
     /* 32:10 */
-    out[0] = 2.0 * (l * (z3 * v / z4)); /* speed */
+    out[0] = l * (v / z4 * z5); /* speed */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(out[0]) <= DBL_MAX && fabs(z4) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)))) {
         /* the coframe is singular */

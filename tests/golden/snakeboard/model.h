@@ -1,5 +1,5 @@
 /*
- * snakeboard.h: snakeboard, emitted by nhc 0.1.0 (nhc:4cf89dc253721ad6)
+ * snakeboard.h: snakeboard, emitted by nhc 0.1.0 (nhc:98327259c58cb503)
  * A board on two steerable axles and a rotor; it moves by turning the rotor and the axles to and fro.
  * Source: snakeboard.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -38,13 +38,13 @@
  * Operations:
  * rhs: 55 +-, 108 *, 5 /, 9 calls
  * velocities: 18 +-, 34 *, 1 /, 7 calls
- * accelerations: 61 +-, 119 *, 5 /, 9 calls
+ * accelerations: 64 +-, 120 *, 5 /, 9 calls
  * state: 10 +-, 17 *, 0 /, 6 calls
  * residuals: 6 +-, 7 *, 0 /, 6 calls
- * reactions: 91 +-, 181 *, 5 /, 9 calls
+ * reactions: 94 +-, 182 *, 5 /, 9 calls
  * energy: 24 +-, 42 *, 1 /, 6 calls
- * jacobian: 188 +-, 340 *, 5 /, 8 calls
- * outputs: 10 +-, 18 *, 1 /, 5 calls
+ * jacobian: 194 +-, 346 *, 5 /, 9 calls
+ * outputs: 17 +-, 31 *, 1 /, 7 calls
  *
  * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
  */

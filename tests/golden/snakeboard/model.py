@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""snakeboard, emitted by nhc 0.1.0 (nhc:327fc616f2363325).
+"""snakeboard, emitted by nhc 0.1.0 (nhc:875394b8a9ac2e5d).
 
 A board on two steerable axles and a rotor; it moves by turning the rotor and the
     axles to and fro.
@@ -40,13 +40,13 @@ out[0] = speed
 Operations:
 rhs: 55 +-, 108 *, 5 /, 9 calls
 velocities: 18 +-, 34 *, 1 /, 7 calls
-accelerations: 61 +-, 119 *, 5 /, 9 calls
+accelerations: 64 +-, 120 *, 5 /, 9 calls
 state: 10 +-, 17 *, 0 /, 6 calls
 residuals: 6 +-, 7 *, 0 /, 6 calls
-reactions: 91 +-, 181 *, 5 /, 9 calls
+reactions: 94 +-, 182 *, 5 /, 9 calls
 energy: 24 +-, 42 *, 1 /, 6 calls
-jacobian: 188 +-, 340 *, 5 /, 8 calls
-outputs: 10 +-, 18 *, 1 /, 5 calls
+jacobian: 194 +-, 346 *, 5 /, 9 calls
+outputs: 17 +-, 31 *, 1 /, 7 calls
 
 A singular point raises SingularModelError.
 """
@@ -346,7 +346,6 @@ def accelerations(
         k5 = 1.0 / J_r
         k6 = 1.0 / J_w
         k7 = J + J_w
-        k8 = J_r - J_w
         # state
         s_p_b = math.sin(p_b)
         s_p_f = math.sin(p_f)
@@ -365,25 +364,25 @@ def accelerations(
         z7 = 1.0 / z6
         z8 = theta + p_b
         s1 = math.sin(z8)
-        z9 = l * c_p_f
-        z10 = l * c_p_b
         c1 = math.cos(z8)
-        z11 = s1 * c_p_f + c1 * s_p_f
-        z12 = c1 * c_p_f - s1 * s_p_f
-        z13 = c_p_b * z11 - s_p_b * z12
-        z14 = s1 * z9 + z10 * z13
-        z15 = z7 * z14
-        z16 = c_p_b * z12 + s_p_b * z11
-        z17 = c1 * z9 + z10 * z16
-        z18 = z7 * z17
-        z19 = z14 * z15 + z17 * z18
-        z20 = s1 * z16 - c1 * z13
+        z9 = c1 * c_p_f - s1 * s_p_f
+        z10 = s1 * c_p_f + c1 * s_p_f
+        z11 = c_p_b * z9 + s_p_b * z10
+        z12 = c_p_b * z10 - s_p_b * z9
+        z13 = s1 * z11 - c1 * z12
+        z14 = z7 * z13
+        z15 = J * z14 * z14
+        z16 = l * c_p_f
+        z17 = l * c_p_b
+        z18 = s1 * z16 + z17 * z12
+        z19 = z7 * z18
+        z20 = c1 * z16 + z17 * z11
         z21 = z7 * z20
-        z22 = z7 * (m * z19 + J * (z20 * z21))
-        s4 = z18 * z18 + z15 * z15
-        s5 = J * (z21 * z21)
+        z22 = z15 + m * (z7 * (z18 * z19 + z20 * z21))
+        s4 = z15 + m * (z19 * z19)
+        s5 = s4 + m * (z21 * z21)
         # the mass matrix is singular
-        if not abs(z22) > 1e-14 * (s5 + m * s4):
+        if not abs(z22) > 1e-14 * s5:
             raise SingularModelError(2, "accelerations")
         z23 = p_b_dot * c_p_b
         z24 = p_f_dot * c_p_f
@@ -396,42 +395,46 @@ def accelerations(
         z30 = (z5 * z23 + s_p_b * z29 + (2.0 * z25 - 6.0 * z26)) / (z6 * z6)
         z31 = v * z30
         z32 = l * z28
-        z33 = v * z20
+        z33 = v * z13
         z34 = z7 * z33
         z35 = p_b_dot - z34
         z36 = s1 * z35
         z37 = l * z27
         z38 = p_f_dot - z34
-        z39 = z13 * z38
-        z40 = c1 * z32 + z9 * z36 + (z37 * z16 + z10 * z39)
-        z41 = c1 * z35
-        z42 = z16 * z38
-        z43 = z16 * z41 - s1 * z39 + (z13 * z36 - c1 * z42)
-        z44 = v * (z7 * z43 - z30 * z20)
-        z45 = t_ * nu
-        s2 = math.sin(z45)
-        z46 = tau * s2 + J_r * z44
-        z47 = s1 * z32 - z9 * z41 + (z37 * z13 - z10 * z42)
-        s7 = m * (v * (z30 * z19 + z7 * (z15 * z47 + z18 * z40)))
-        z48 = z21 * (k7 * z44 - (z46 - z44 * k8)) - s7
-        z49 = z48 / z22
-        z50 = z21 * z49
-        c2 = math.cos(z45)
-        z51 = sigma * c2
-        z52 = J_w * z44
+        z39 = z12 * z38
+        z40 = c1 * z32 + z16 * z36 + (z37 * z11 + z17 * z39)
+        z41 = t_ * nu
+        s2 = math.sin(z41)
+        z42 = c1 * z35
+        z43 = z11 * z38
+        z44 = z11 * z42 - s1 * z39 + (z12 * z36 - c1 * z43)
+        z45 = v * (z7 * z44 - z30 * z13)
+        z46 = J_r * z45
+        z47 = tau * s2 + z46
+        c2 = math.cos(z41)
+        z48 = sigma * c2
+        z49 = J_w * z45
+        z50 = z48 + z49
+        z51 = z48 - z49
+        z52 = s1 * z32 - z16 * z42 + (z37 * z12 - z17 * z43)
+        z53 = m * v
+        s7 = z14 * (z47 - (z46 - (z50 - (z49 + (z51 + k7 * z45)))))
+        z54 = s7 + (z7 * z52 + z30 * z18) * (z19 * z53)
+        z55 = (z54 + (z7 * z40 + z30 * z20) * (z21 * z53)) / z22
+        z56 = z14 * z55
         qddot: list[float] = [
             # x'' (I.2.15)
-            -(z17 * z31 + z7 * (v * z40 + z17 * z49)),
+            -(z20 * z31 + z7 * (v * z40 - z20 * z55)),
             # y'' (I.2.15)
-            -(z14 * z31 + z7 * (v * z47 + z14 * z49)),
+            -(z18 * z31 + z7 * (v * z52 - z18 * z55)),
             # theta'' (I.2.15)
-            z30 * z33 - z7 * (v * z43 - z20 * z49),
+            z30 * z33 - z7 * (v * z44 + z13 * z55),
             # psi'' (I.2.15)
-            k5 * z46 - z50,
+            k5 * z47 + z56,
             # p_b'' (I.2.15)
-            k6 * (z51 + z52) - z50,
+            k6 * z50 + z56,
             # p_f'' (I.2.15)
-            -(k6 * (z51 - z52) + z50),
+            z56 - k6 * z51,
         ]
         return _finish("accelerations", qddot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -575,7 +578,6 @@ def reactions(
         k5 = 1.0 / J_r
         k6 = 1.0 / J_w
         k7 = J + J_w
-        k8 = J_r - J_w
         # state
         s_p_b = math.sin(p_b)
         s_p_f = math.sin(p_f)
@@ -594,31 +596,31 @@ def reactions(
         z7 = 1.0 / z6
         z8 = theta + p_b
         s1 = math.sin(z8)
-        z9 = l * c_p_f
-        z10 = l * c_p_b
-        z11 = s1 * c_p_f
         c1 = math.cos(z8)
+        z9 = c1 * c_p_f
+        z10 = z9 - s1 * s_p_f
+        z11 = s1 * c_p_f
         z12 = z11 + c1 * s_p_f
-        z13 = c1 * c_p_f
-        z14 = z13 - s1 * s_p_f
-        z15 = c_p_b * z12 - s_p_b * z14
-        z16 = s1 * z9 + z10 * z15
-        z17 = z7 * z16
-        z18 = c_p_b * z14 + s_p_b * z12
-        z19 = c1 * z9 + z10 * z18
-        z20 = z7 * z19
-        z21 = z16 * z17 + z19 * z20
-        z22 = s1 * z18 - c1 * z15
+        z13 = c_p_b * z10 + s_p_b * z12
+        z14 = c_p_b * z12 - s_p_b * z10
+        z15 = s1 * z13 - c1 * z14
+        z16 = z7 * z15
+        z17 = J * z16 * z16
+        z18 = l * c_p_f
+        z19 = l * c_p_b
+        z20 = s1 * z18 + z19 * z14
+        z21 = z7 * z20
+        z22 = c1 * z18 + z19 * z13
         z23 = z7 * z22
-        z24 = z7 * (m * z21 + J * (z22 * z23))
-        s4 = z20 * z20 + z17 * z17
-        s5 = J * (z23 * z23)
+        z24 = z17 + m * (z7 * (z20 * z21 + z22 * z23))
+        s4 = z17 + m * (z21 * z21)
+        s5 = s4 + m * (z23 * z23)
         # the mass matrix is singular
-        if not abs(z24) > 1e-14 * (s5 + m * s4):
+        if not abs(z24) > 1e-14 * s5:
             raise SingularModelError(2, "reactions")
-        z25 = l * (z13 + c_p_b * z18)
-        z26 = l * (z11 + c_p_b * z15)
-        z27 = z7 * (z18 * z25 + z15 * z26)
+        z25 = l * (z11 + c_p_b * z14)
+        z26 = c_p_b * s_p_f - c_p_f * s_p_b
+        z27 = z7 * (z18 * z25 - z26 * z13)
         z28 = p_b_dot * c_p_b
         z29 = p_f_dot * c_p_f
         z30 = s_p_f * z29
@@ -628,61 +630,67 @@ def reactions(
         s6 = 2.0 * (k2 * (z4 * z29 - s_p_f * (c_p_f * z32 + c_p_b * z33)))
         z34 = z3 * z28 - 4.0 * (s_p_b * (z30 - z31)) - s6
         z35 = (z5 * z28 + s_p_b * z34 + (2.0 * z30 - 6.0 * z31)) / (z6 * z6)
-        z36 = v * z22
-        z37 = z7 * z36
-        z38 = p_b_dot - z37
-        z39 = c1 * z38
-        z40 = p_f_dot - z37
-        z41 = z15 * z40
-        z42 = s1 * z38
-        z43 = z18 * z40
-        z44 = z7 * (z18 * z39 - s1 * z41 + (z15 * z42 - c1 * z43))
-        z45 = z35 * z36 - v * z44
-        z46 = z27 * z45
-        z47 = l * z33
-        z48 = l * z32
-        z49 = c1 * z47 + z9 * z42 + (z48 * z18 + z10 * z41)
-        z50 = v * (z7 * z49 + z35 * z19)
-        z51 = c_p_b * s_p_f - c_p_f * s_p_b
-        z52 = z7 * (z9 * z26 - z51 * z18)
-        z53 = s1 * z47 - z9 * z39 + (z48 * z15 - z10 * z43)
-        z54 = v * (z7 * z53 + z35 * z16)
-        z55 = z7 * (z9 * z25 + z51 * z15)
-        s7 = J_r * z46 - (m * (z50 * z52 - z54 * z55) - J * z46)
-        z56 = 2.0 * (J_w * z46) + s7
-        z57 = t_ * nu
-        c2 = math.cos(z57)
-        z58 = sigma * c2
-        z59 = v * (z44 - z35 * z22)
-        z60 = J_w * z59
-        s2 = math.sin(z57)
-        z61 = tau * s2 + J_r * z59
-        s8 = m * (v * (z35 * z21 + z7 * (z17 * z53 + z20 * z49)))
-        z62 = z23 * (k7 * z59 - (z61 - z59 * k8)) - s8
-        z63 = z62 / z24
-        z64 = z23 * z63
-        z65 = k6 * (z58 - z60) + z64
-        z66 = J_w * z27
-        z67 = k6 * (z58 + z60) - z64
-        z68 = z23 * z27
-        s9 = m * (z20 * z52 - z17 * z55) - J * z68 - J_r * z68
-        z69 = s9 - 2.0 * (J_w * z68)
-        z70 = J_r * (k5 * z61 - z64)
-        z71 = z7 * (c1 * z25 + s1 * z26)
-        z72 = z71 * z45
-        z73 = z7 * (c1 * z51 + z10 * z26)
-        z74 = z7 * (s1 * z51 - z10 * z25)
-        s10 = J_r * z72 + (m * (z50 * z73 + z54 * z74) + J * z72)
-        z75 = 2.0 * (J_w * z72) + s10
-        z76 = J_w * z71
-        z77 = z23 * z71
-        s11 = m * (z20 * z73 + z17 * z74) + J * z77 + J_r * z77
-        z78 = s11 + 2.0 * (J_w * z77)
+        z36 = v * z35
+        z37 = l * z33
+        z38 = v * z15
+        z39 = z7 * z38
+        z40 = p_b_dot - z39
+        z41 = s1 * z40
+        z42 = l * z32
+        z43 = p_f_dot - z39
+        z44 = z14 * z43
+        z45 = c1 * z37 + z18 * z41 + (z42 * z13 + z19 * z44)
+        z46 = v * z7
+        z47 = z22 * z36 + z45 * z46
+        z48 = l * (z9 + c_p_b * z13)
+        z49 = z7 * (z18 * z48 + z26 * z14)
+        z50 = c1 * z40
+        z51 = z13 * z43
+        z52 = s1 * z37 - z18 * z50 + (z42 * z14 - z19 * z51)
+        z53 = z20 * z36 + z52 * z46
+        z54 = z7 * (z13 * z48 + z14 * z25)
+        z55 = z13 * z50 - s1 * z44 + (z14 * z41 - c1 * z51)
+        z56 = z35 * z38 - z55 * z46
+        z57 = z54 * z56
+        s7 = m * (z27 * z47 - z49 * z53) - J * z57 - J_r * z57
+        z58 = s7 - 2.0 * (J_w * z57)
+        z59 = t_ * nu
+        c2 = math.cos(z59)
+        z60 = sigma * c2
+        z61 = v * (z7 * z55 - z35 * z15)
+        z62 = J_w * z61
+        z63 = z60 - z62
+        s2 = math.sin(z59)
+        z64 = J_r * z61
+        z65 = tau * s2 + z64
+        z66 = z60 + z62
+        z67 = m * v
+        s8 = z16 * (z65 - (z64 - (z66 - (z62 + (z63 + k7 * z61)))))
+        z68 = s8 + (z7 * z52 + z35 * z20) * (z21 * z67)
+        z69 = (z68 + (z7 * z45 + z35 * z22) * (z23 * z67)) / z24
+        z70 = z16 * z69
+        z71 = k6 * z63 - z70
+        z72 = J_w * z54
+        z73 = k6 * z66 + z70
+        z74 = z16 * z54
+        s9 = m * (z23 * z27 - z21 * z49) - J * z74 - J_r * z74
+        z75 = s9 - 2.0 * (J_w * z74)
+        z76 = J_r * (k5 * z65 + z70)
+        z77 = z7 * (c1 * z26 + z19 * z25)
+        z78 = z7 * (s1 * z26 - z19 * z48)
+        z79 = z7 * (c1 * z48 + s1 * z25)
+        z80 = z79 * z56
+        s10 = m * (z77 * z47 + z78 * z53) + J * z80 + J_r * z80
+        z81 = s10 + 2.0 * (J_w * z80)
+        z82 = J_w * z79
+        z83 = z16 * z79
+        s11 = m * (z23 * z77 + z21 * z78) + J * z83 + J_r * z83
+        z84 = s11 + 2.0 * (J_w * z83)
         lambda_: list[float] = [
             # reaction of back: Q_i gains lambda_1 a_1i (I.4.1) 28:5
-            z65 * z66 - (z67 * z66 - (z63 * z69 - z27 * z70)) - z56,
+            z58 + (z71 * z72 - (z73 * z72 + (z69 * z75 + z54 * z76))),
             # reaction of front: Q_i gains lambda_2 a_2i (I.4.1) 29:5
-            z75 - (z65 * z76 - (z67 * z76 + (z63 * z78 + z71 * z70))),
+            z81 - (z71 * z82 - (z73 * z82 - (z69 * z84 - z79 * z76))),
         ]
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -767,6 +775,7 @@ def jacobian(
     J_r = float(p[3])  # rotor [kg*m^2]
     J_w = float(p[4])  # each axle [kg*m^2]
     tau = float(p[5])  # amplitude of the torque on the rotor [N*m]
+    sigma = float(p[6])  # amplitude of the torques on the axles [N*m]
     nu = float(p[7])  # frequency of the torques [rad/s]
     try:
         # the mass matrix is singular
@@ -800,182 +809,187 @@ def jacobian(
         z8 = 1.0 / z7
         z9 = theta + p_b
         s1 = math.sin(z9)
-        z10 = l * c_p_f
-        z11 = s1 * z10
-        z12 = l * c_p_b
         c1 = math.cos(z9)
-        z13 = s1 * c_p_f + c1 * s_p_f
-        z14 = c1 * c_p_f - s1 * s_p_f
-        z15 = c_p_b * z13 - s_p_b * z14
-        z16 = z12 * z15
-        z17 = z11 + z16
-        z18 = z17 * z8
-        z19 = c1 * z10
-        z20 = c_p_b * z14 + s_p_b * z13
-        z21 = z12 * z20
-        z22 = z19 + z21
-        z23 = z22 * z8
-        z24 = z17 * z18 + z22 * z23
-        z25 = s1 * z20 - c1 * z15
+        z10 = c1 * c_p_f - s1 * s_p_f
+        z11 = s1 * c_p_f + c1 * s_p_f
+        z12 = c_p_b * z10 + s_p_b * z11
+        z13 = c_p_b * z11 - s_p_b * z10
+        z14 = s1 * z12 - c1 * z13
+        z15 = z14 * z8
+        z16 = z14 * z15
+        z17 = l * c_p_f
+        z18 = s1 * z17
+        z19 = l * c_p_b
+        z20 = z19 * z13
+        z21 = z18 + z20
+        z22 = z21 * z8
+        z23 = c1 * z17
+        z24 = z19 * z12
+        z25 = z23 + z24
         z26 = z25 * z8
-        z27 = z25 * z26
-        z28 = z8 * (m * z24 + J_2 * z27)
-        s4 = z23 * z23 + z18 * z18
-        s5 = J_2 * (z26 * z26)
+        z27 = z21 * z22 + z25 * z26
+        z28 = J_2 * (z8 * z16) + m * (z8 * z27)
+        s4 = J_2 * (z15 * z15)
+        s5 = s4 + m * (z22 * z22)
+        s6 = s5 + m * (z26 * z26)
         # the mass matrix is singular
-        if not abs(z28) > 1e-14 * (s5 + m * s4):
+        if not abs(z28) > 1e-14 * s6:
             raise SingularModelError(2, "jacobian")
-        z29 = v * z17
-        z30 = v * z22
+        z29 = v * z21
+        z30 = v * z25
         z31 = 1.0 / (z7 * z7)
         z32 = c_p_f * s_p_b
         z33 = c_p_b * z3 + 2.0 * (z32 * z5)
         z34 = c_p_b * z6 + s_p_b * z33
         z35 = z31 * z34
         z36 = l * s_p_b
-        z37 = z11 + z20 * z36
+        z37 = z18 + z12 * z36
         z38 = v * z8
         z39 = c_p_f * s_p_f
         z40 = k1 * z39
         z41 = z39 - z40
         z42 = c_p_b * s_p_f
-        s6 = 2.0 * (k2 * (c_p_f * z4 - s_p_f * z42))
-        z43 = 4.0 * (s_p_b * z41) + s6
+        s7 = 2.0 * (k2 * (c_p_f * z4 - s_p_f * z42))
+        z43 = 4.0 * (s_p_b * z41) + s7
         z44 = s_p_b * z43 - (2.0 * z39 - 6.0 * z40)
         z45 = z44 * z31
         z46 = l * s_p_f
-        z47 = z16 + c1 * z46
-        z48 = z19 - z15 * z36
-        z49 = z21 - s1 * z46
-        z50 = v * z25
-        z51 = s1 * z15 + c1 * z20
+        z47 = z20 + c1 * z46
+        z48 = z23 - z13 * z36
+        z49 = z24 - s1 * z46
+        z50 = v * z14
+        z51 = s1 * z13 + c1 * z12
         z52 = z51 * z38
         z53 = z50 * z35 - z52
         z54 = z52 - z50 * z45
-        z55 = z51 * z26
+        z55 = z51 * z15
         z56 = z51 * z8
-        z57 = z56 - z25 * z35
-        z58 = z48 * z8 - z17 * z35
-        z59 = z37 * z8 + z22 * z35
-        s7 = z8 * (z48 * z18 + z17 * z58 - (z37 * z23 + z22 * z59))
-        z60 = m * (z24 * z35 - s7)
-        z61 = m * v
-        z62 = p_f_dot * s_p_f
-        z63 = l * z62
+        z57 = z56 - z14 * z35
+        z58 = z48 * z8 - z21 * z35
+        z59 = z37 * z8 + z25 * z35
+        s8 = z8 * (z48 * z22 + z21 * z58 - (z37 * z26 + z25 * z59))
+        z60 = m * (z27 * z35 - s8)
+        z61 = t_ * nu
+        s2 = math.sin(z61)
+        z62 = z50 * z8
+        z63 = p_b_dot - z62
         z64 = c1 * z63
-        z65 = z50 * z8
-        z66 = p_b_dot - z65
-        z67 = s1 * z66
-        z68 = p_b_dot * s_p_b
-        z69 = l * z68
-        z70 = z69 * z20
-        z71 = p_f_dot - z65
-        z72 = z15 * z71
-        z73 = z64 + z10 * z67 + (z70 + z12 * z72)
-        z74 = p_f_dot * c_p_f
-        z75 = s_p_f * z74
-        z76 = k1 * z75
-        z77 = p_b_dot * c_p_b
-        z78 = z75 - z76
-        z79 = c_p_f * z68 + c_p_b * z62
-        s8 = 2.0 * (k2 * (z4 * z74 - s_p_f * z79))
-        z80 = z3 * z77 - 4.0 * (s_p_b * z78) - s8
-        z81 = 2.0 * z75 - 6.0 * z76 + (s_p_b * z80 + z77 * z6)
-        z82 = z31 * z81
-        z83 = z8 * z73 + z22 * z82
-        z84 = z61 * z83
-        z85 = s1 * z63
-        z86 = c1 * z66
-        z87 = z69 * z15
-        z88 = z20 * z71
-        z89 = z85 - z10 * z86 + (z87 - z12 * z88)
-        z90 = z8 * z89 + z17 * z82
-        z91 = z61 * z90
-        z92 = z20 * z86 - s1 * z72 + (z15 * z67 - c1 * z88)
-        z93 = z8 * z92 - z25 * z82
-        z94 = v * z93
-        s2 = math.sin(t_ * nu)
-        z95 = k5 * z94 - (tau * s2 + J_w * z94)
-        z96 = z23 * z84 + (z18 * z91 - z26 * z95)
-        z97 = z96 / (z28 * z28)
-        z98 = 1.0 / z28
-        z99 = z86 + s1 * z53
-        z100 = l * z77
-        z101 = z15 * z53
-        s9 = z85 - z10 * z99 - (z20 * z100 - (z36 * z72 - z12 * z101))
-        z102 = z73 * z35 + z8 * s9
-        z103 = z81 / (z7 * z7 * z7)
-        s10 = 2.0 * (k2 * (z32 * z74 - s_p_f * (s_p_b * z62 - c_p_f * z77)))
-        z104 = z3 * z68 + 4.0 * (c_p_b * z78) - s10
-        s11 = z31 * (c_p_b * z80 - s_p_b * z104 + (z77 * z33 - z68 * z6))
-        z105 = 2.0 * (z34 * z103) - s11
-        z106 = z61 * z23
-        z107 = z67 - c1 * z53
-        z108 = z20 * z53
-        s12 = z64 + z10 * z107 + (z15 * z100 + (z36 * z88 - z12 * z108))
-        z109 = z89 * z35 - z8 * s12
-        z110 = z61 * z18
-        z111 = J_2 * z26
-        z112 = z51 * z82
-        s13 = c1 * (z72 + z108) + (z20 * z107 - z15 * z99)
-        s14 = z92 * z35 + (z112 - z25 * z105)
-        z113 = z8 * (s1 * (z88 - z101) - s13) - s14
-        z114 = v * z113
-        s15 = z91 * z58 - (z109 - (z48 * z82 - z17 * z105)) * z110
-        z115 = s15 - (z57 * z95 + z111 * z114)
-        s16 = z84 * z59 + (z102 + (z37 * z82 + z22 * z105)) * z106 - z115
-        s17 = (J_2 * (z27 * z35 - z8 * (z55 + z25 * z57)) + z60) * z97
-        z116 = s17 - z98 * s16
-        z117 = z56 - z25 * z45
-        z118 = z49 * z8 + z17 * z45
-        z119 = z47 * z8 - z22 * z45
-        s18 = z8 * (z49 * z18 + z17 * z118 - (z47 * z23 + z22 * z119))
-        z120 = m * (z24 * z45 + s18)
-        z121 = l * z74
-        z122 = s1 * z54
-        z123 = z88 + z15 * z54
-        s19 = c1 * z121 - (z46 * z67 - z10 * z122) - (z87 - z12 * z123)
-        z124 = z73 * z45 + z8 * s19
-        z125 = c_p_f * z74 - s_p_f * z62
-        z126 = k1 * z125
-        s20 = c_p_f * z79 - s_p_f * (s_p_f * z68 - c_p_b * z74)
-        z127 = k2 * (z42 * z74 + z4 * z62 + s20)
-        s21 = 4.0 * (z77 * z41 + s_p_b * (z125 - z126)) - 2.0 * z127
-        z128 = z77 * z43 + s_p_b * s21 - (2.0 * z125 - 6.0 * z126)
-        z129 = 2.0 * (z44 * z103) - z128 * z31
-        z130 = c1 * z54
-        z131 = z72 - z20 * z54
-        s22 = s1 * z121 + (z46 * z86 - z10 * z130) + (z70 + z12 * z131)
-        z132 = z89 * z45 + z8 * s22
-        s23 = z20 * (z67 + z130) - (s1 * z123 - c1 * z131)
-        s24 = z92 * z45 + (z112 - z25 * z129)
-        z133 = s24 - z8 * (z15 * (z86 - z122) - s23)
-        z134 = v * z133
-        s25 = z91 * z118 + z110 * (z132 + (z49 * z82 + z17 * z129))
-        z135 = s25 + (z117 * z95 - z111 * z134)
-        s26 = z84 * z119 - z106 * (z124 - (z47 * z82 - z22 * z129)) - z135
-        s27 = (J_2 * (z27 * z45 - z8 * (z55 + z25 * z117)) + z120) * z97
-        z136 = s27 + z98 * s26
-        z137 = c1 * z26
-        z138 = z15 * z26
-        z139 = s1 * z26
-        z140 = z20 * z26
-        s28 = z38 * (z20 * z137 - s1 * z138 + (z15 * z139 - c1 * z140))
-        z141 = z93 - s28
-        s29 = z12 * (z23 * z138 - z18 * z140)
-        s30 = z38 * (s29 + z10 * (z23 * z139 - z18 * z137))
-        z142 = s30 - (z23 * z83 + z18 * z90)
-        z143 = z98 * (z141 * z111 + m * z142)
-        z144 = v * z57
-        z145 = z98 * (z111 * z144 + z61 * (z18 * z58 - z23 * z59))
-        z146 = v * z117
-        z147 = z98 * (z111 * z146 - z61 * (z18 * z118 - z23 * z119))
-        z148 = z98 * z96
-        z149 = z114 + (z57 * z148 + z26 * z116)
-        z150 = z134 - (z117 * z148 + z26 * z136)
-        z151 = z141 - z26 * z143
-        z152 = z144 - z26 * z145
-        z153 = z146 - z26 * z147
+        z65 = p_f_dot - z62
+        z66 = z13 * z65
+        z67 = s1 * z63
+        z68 = z12 * z65
+        z69 = z12 * z64 - s1 * z66 + (z13 * z67 - c1 * z68)
+        z70 = p_f_dot * c_p_f
+        z71 = s_p_f * z70
+        z72 = k1 * z71
+        z73 = p_b_dot * c_p_b
+        z74 = z71 - z72
+        z75 = p_b_dot * s_p_b
+        z76 = p_f_dot * s_p_f
+        z77 = c_p_f * z75 + c_p_b * z76
+        s9 = 2.0 * (k2 * (z4 * z70 - s_p_f * z77))
+        z78 = z3 * z73 - 4.0 * (s_p_b * z74) - s9
+        z79 = 2.0 * z71 - 6.0 * z72 + (s_p_b * z78 + z73 * z6)
+        z80 = z31 * z79
+        z81 = z8 * z69 - z14 * z80
+        z82 = v * z81
+        z83 = J_r * z82
+        c2 = math.cos(z61)
+        z84 = sigma * c2
+        z85 = J_w * z82
+        s10 = z83 - (z84 + z85 - (z85 + (z84 - z85 + k5 * z82)))
+        z86 = tau * s2 + z83 - s10
+        z87 = m * v
+        z88 = l * z76
+        z89 = s1 * z88
+        z90 = l * z75
+        z91 = z90 * z13
+        z92 = z89 - z17 * z64 + (z91 - z19 * z68)
+        z93 = z8 * z92 + z21 * z80
+        z94 = z87 * z93
+        z95 = c1 * z88
+        z96 = z90 * z12
+        z97 = z95 + z17 * z67 + (z96 + z19 * z66)
+        z98 = z8 * z97 + z25 * z80
+        z99 = z87 * z98
+        z100 = z15 * z86 + z22 * z94 + z26 * z99
+        z101 = z100 / (z28 * z28)
+        z102 = 1.0 / z28
+        z103 = z67 - c1 * z53
+        z104 = z13 * z53
+        z105 = z64 + s1 * z53
+        z106 = z12 * z53
+        s11 = z12 * z103 + (c1 * z66 + s1 * z104)
+        z107 = s11 - (z13 * z105 + (s1 * z68 - c1 * z106))
+        z108 = z51 * z80
+        z109 = z79 / (z7 * z7 * z7)
+        s12 = 2.0 * (k2 * (z32 * z70 - s_p_f * (s_p_b * z76 - c_p_f * z73)))
+        z110 = z3 * z75 + 4.0 * (c_p_b * z74) - s12
+        s13 = z31 * (c_p_b * z78 - s_p_b * z110 + (z73 * z33 - z75 * z6))
+        z111 = 2.0 * (z34 * z109) - s13
+        z112 = v * (z69 * z35 + z8 * z107 + (z108 - z14 * z111))
+        z113 = J_2 * z15
+        z114 = l * z73
+        s14 = z95 + z17 * z103 + (z13 * z114 + (z36 * z68 - z19 * z106))
+        z115 = z92 * z35 - z8 * s14
+        z116 = z87 * z22
+        s15 = z94 * z58 - (z115 - (z48 * z80 - z21 * z111)) * z116
+        z117 = z86 * z57 + z112 * z113 + s15
+        s16 = z89 - z17 * z105 - (z12 * z114 - (z36 * z66 - z19 * z104))
+        z118 = z97 * z35 + z8 * s16
+        z119 = z87 * z26
+        s17 = z117 - (z99 * z59 + (z118 + (z37 * z80 + z25 * z111)) * z119)
+        s18 = (J_2 * (z16 * z35 - z8 * (z55 + z14 * z57)) + z60) * z101
+        z120 = s18 + z102 * s17
+        z121 = z56 - z14 * z45
+        z122 = z49 * z8 + z21 * z45
+        z123 = z47 * z8 - z25 * z45
+        s19 = z8 * (z49 * z22 + z21 * z122 - (z47 * z26 + z25 * z123))
+        z124 = m * (z27 * z45 + s19)
+        z125 = c1 * z54
+        z126 = z68 + z13 * z54
+        z127 = s1 * z54
+        z128 = z66 - z12 * z54
+        s20 = z13 * z64 - z12 * z125 + s1 * z126
+        z129 = s20 - (z12 * z67 + z13 * z127 + c1 * z128)
+        z130 = c_p_f * z70 - s_p_f * z76
+        z131 = k1 * z130
+        s21 = c_p_f * z77 - s_p_f * (s_p_f * z75 - c_p_b * z70)
+        z132 = k2 * (z42 * z70 + z4 * z76 + s21)
+        s22 = 4.0 * (z73 * z41 + s_p_b * (z130 - z131)) - 2.0 * z132
+        z133 = z73 * z43 + s_p_b * s22 - (2.0 * z130 - 6.0 * z131)
+        z134 = 2.0 * (z44 * z109) - z133 * z31
+        z135 = v * (z69 * z45 - z8 * z129 + (z108 - z14 * z134))
+        z136 = l * z70
+        s23 = s1 * z136 + (z46 * z64 - z17 * z125) + (z96 + z19 * z128)
+        z137 = z92 * z45 + z8 * s23
+        s24 = z94 * z122 + z116 * (z137 + (z49 * z80 + z21 * z134))
+        z138 = z86 * z121 + z113 * z135 - s24
+        s25 = c1 * z136 - (z46 * z67 - z17 * z127) - (z91 - z19 * z126)
+        z139 = z97 * z45 + z8 * s25
+        s26 = z138 + (z99 * z123 - z119 * (z139 - (z47 * z80 - z25 * z134)))
+        s27 = z101 * (J_2 * (z16 * z45 - z8 * (z55 + z14 * z121)) + z124)
+        z140 = s27 + z102 * s26
+        z141 = c1 * z15
+        z142 = z13 * z15
+        z143 = s1 * z15
+        z144 = z12 * z15
+        s28 = z38 * (z12 * z141 - s1 * z142 + (z13 * z143 - c1 * z144))
+        z145 = z81 - s28
+        s29 = m * (z22 * (z93 + z38 * (z17 * z141 + z19 * z144)))
+        s30 = m * (z26 * (z98 - z38 * (z17 * z143 + z19 * z142)))
+        z146 = z113 * z145 - s29 - s30
+        z147 = z102 * z146
+        z148 = v * z57
+        z149 = z102 * (z113 * z148 + z58 * z116 - z59 * z119)
+        z150 = v * z121
+        z151 = z102 * (z113 * z150 - z116 * z122 + z119 * z123)
+        z152 = z102 * z100
+        z153 = z112 - (z152 * z57 + z15 * z120)
+        z154 = z135 - (z152 * z121 + z15 * z140)
+        z155 = z145 - z15 * z147
+        z156 = z148 - z15 * z149
+        z157 = z150 - z15 * z151
         J: list[float] = [
             0.0,
             0.0,
@@ -987,7 +1001,7 @@ def jacobian(
             # (I.2.15)
             z30 * z45 - z47 * z38,
             # (I.2.15)
-            z23,
+            z26,
             0.0,
             0.0,
             0.0,
@@ -1001,7 +1015,7 @@ def jacobian(
             # (I.2.15)
             z29 * z45 + z49 * z38,
             # (I.2.15)
-            z18,
+            z22,
             0.0,
             0.0,
             0.0,
@@ -1014,7 +1028,7 @@ def jacobian(
             # (I.2.15)
             z54,
             # (I.2.15)
-            -z26,
+            -z15,
             0.0,
             0.0,
             0.0,
@@ -1056,61 +1070,61 @@ def jacobian(
             0.0,
             0.0,
             # (I.2.15)
-            z116,
+            z120,
             # (I.2.15)
-            -z136,
+            -z140,
             # (I.2.15)
-            -z143,
+            -z147,
             0.0,
             # (I.2.15)
-            -z145,
-            # (I.2.15)
-            z147,
-            0.0,
-            0.0,
-            0.0,
-            0.0,
-            # (I.2.15)
-            z149,
-            # (I.2.15)
-            z150,
+            -z149,
             # (I.2.15)
             z151,
             0.0,
-            # (I.2.15)
-            z152,
+            0.0,
+            0.0,
+            0.0,
             # (I.2.15)
             -z153,
-            0.0,
-            0.0,
-            0.0,
+            # (I.2.15)
+            z154,
+            # (I.2.15)
+            z155,
             0.0,
             # (I.2.15)
-            z149,
+            z156,
             # (I.2.15)
-            z150,
-            # (I.2.15)
-            z151,
+            -z157,
             0.0,
-            # (I.2.15)
-            z152,
+            0.0,
+            0.0,
+            0.0,
             # (I.2.15)
             -z153,
-            0.0,
-            0.0,
-            0.0,
+            # (I.2.15)
+            z154,
+            # (I.2.15)
+            z155,
             0.0,
             # (I.2.15)
-            z149,
+            z156,
             # (I.2.15)
-            z150,
-            # (I.2.15)
-            z151,
+            -z157,
             0.0,
-            # (I.2.15)
-            z152,
+            0.0,
+            0.0,
+            0.0,
             # (I.2.15)
             -z153,
+            # (I.2.15)
+            z154,
+            # (I.2.15)
+            z155,
+            0.0,
+            # (I.2.15)
+            z156,
+            # (I.2.15)
+            -z157,
         ]
         _finish("jacobian", J)
         return [J[k6 : k6 + 10] for k6 in range(0, 100, 10)]
@@ -1124,6 +1138,7 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
     Arguments: t (scalar), y (10,), p (8,).
     Returns out (1,).
     """
+    theta = float(y[2])  # heading of the board [rad]
     p_b = float(y[4])  # back axle, relative to the board [rad]
     p_f = float(y[5])  # front axle, relative to the board [rad]
     v = float(y[6])
@@ -1141,17 +1156,23 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
         z2 = 2.0 * z1
         c_p_b = math.cos(p_b)
         c_p_f = math.cos(p_f)
-        z3 = c_p_b * c_p_f
         s1 = s_p_b * (1.0 - z2 - k1 * (3.0 - z2))
-        s2 = s_p_b * (s1 - 2.0 * (s_p_f * z3 * k2))
-        z4 = s2 + (z1 + k1 * (4.0 - 3.0 * z1))
-        s3 = (2.0 + 4.0 * k3) * k4
+        z3 = s_p_b * (s1 - 2.0 * (s_p_f * (c_p_b * c_p_f) * k2))
+        z4 = z3 + (z1 + k1 * (4.0 - 3.0 * z1))
+        s2 = (2.0 + 4.0 * k3) * k4
         # the coframe is singular
-        if not abs(z4) > 1e-12 * (k4 * s3):
+        if not abs(z4) > 1e-12 * (k4 * s2):
             raise SingularModelError(1, "outputs")
+        c_theta = math.cos(theta)
+        s_theta = math.sin(theta)
+        s3 = c_theta * (c_p_b * c_theta - s_theta * s_p_b)
+        s4 = s_theta * (c_p_f * s_theta + c_theta * s_p_f)
+        s5 = c_p_f * (s3 + s_theta * (c_p_b * s_theta + c_theta * s_p_b))
+        s6 = c_p_b * (s4 + c_theta * (c_p_f * c_theta - s_theta * s_p_f))
+        z5 = s5 + s6
         out: list[float] = [
             # speed 32:10
-            2.0 * (l * (z3 * v / z4)),
+            l * (v / z4 * z5),
         ]
         return _finish("outputs", out)
     except (ValueError, ZeroDivisionError, OverflowError) as error:

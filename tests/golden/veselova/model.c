@@ -1,5 +1,5 @@
 /*
- * veselova.c: veselova, emitted by nhc 0.1.0 (nhc:9bdafce7c0d8079c)
+ * veselova.c: veselova, emitted by nhc 0.1.0 (nhc:8d782da5a516313a)
  * A rigid body with a fixed point that must not turn about the vertical.
  * Source: veselova.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -322,7 +322,6 @@ int veselova_accelerations(double t, const double *y, const double *p, double *q
     /* parameters only */
     const double k1 = I1 - I2;
     const double k2 = I2 - I3;
-    const double k3 = I1 - I3;
 
     /* state */
     const double z1 = s_psi * s_psi;
@@ -334,39 +333,40 @@ int veselova_accelerations(double t, const double *y, const double *p, double *q
     const double z7 = k1 * (c_psi * z6);
     const double z8 = z3 - s_phi * (s_phi * z5 + 2.0 * (c_phi * z7));
     const double z9 = 2.0 * (s_phi * z7);
-    const double z10 = z7 + s_phi * (c_phi * z5 - z9);
-    const double z11 = 1.0 / z8;
-    const double z12 = z10 * z11;
-    const double z13 = z1 * k1;
-    const double z14 = z3 + c_phi * (z9 + c_phi * (c_theta * c_theta * (k2 + z13) - (k3 - z13)));
-    const double z15 = z10 * z12 - z14;
-    const double z16 = s_theta * s_phi;
-    const double z17 = s_theta * c_phi;
-    const double z18 = z16 * w_y + z17 * w_x;
-    const double z19 = 1.0 / s_theta;
-    const double z20 = s_phi * w_x - c_phi * w_y;
-    const double z21 = z19 * z20;
-    const double z22 = z19 * (c_theta * z18);
-    const double z23 = z22 / (s_theta * s_theta);
-    const double z24 = c_theta * z21;
-    const double z25 = c_phi * z24;
-    const double z26 = k1 * (s_psi * (z20 * z6 - c_psi * (c_phi * w_x + s_phi * w_y))) + k2 * (c_theta * z20);
-    const double z27 = s_theta * z26;
-    const double z28 = w_y * z27;
-    const double z29 = (w_x * z27 + z12 * z28) / z15;
-    const double z30 = z11 * z28 - z12 * z29;
-    const double z31 = s_phi * z24;
-    const double z32 = z20 * z23 + z19 * (w_x * z25 - s_phi * z30 + (w_y * z31 + c_phi * z29));
-    const double z33 = w_y * (s_theta * z25 - s_phi * z22) - z16 * z29 - (w_x * (s_theta * z31 + c_phi * z22)
-        + z17 * z30);
+    const double z10 = c_theta * c_theta;
+    const double z11 = z9 + c_phi * (I3 * (1.0 - z10) - (I1 - I2 * z10) + k1 * (z1 * (1.0 + z10)));
+    const double z12 = z3 + c_phi * z11;
+    const double z13 = z7 + s_phi * (c_phi * z5 - z9);
+    const double z14 = 1.0 / z8;
+    const double z15 = z13 * z14;
+    const double z16 = z12 - z13 * z15;
+    const double z17 = s_theta * s_phi;
+    const double z18 = s_theta * c_phi;
+    const double z19 = z17 * w_y + z18 * w_x;
+    const double z20 = 1.0 / s_theta;
+    const double z21 = s_phi * w_x - c_phi * w_y;
+    const double z22 = z20 * z21;
+    const double z23 = z20 * (c_theta * z19);
+    const double z24 = z23 / (s_theta * s_theta);
+    const double z25 = c_theta * z22;
+    const double z26 = c_phi * z25;
+    const double z27 = k1 * (s_psi * (z21 * z6 - c_psi * (c_phi * w_x + s_phi * w_y))) + k2 * (c_theta * z21);
+    const double z28 = s_theta * z27;
+    const double z29 = w_y * z28;
+    const double z30 = (w_x * z28 + z15 * z29) / z16;
+    const double z31 = z14 * z29 + z15 * z30;
+    const double z32 = s_phi * z25;
+    const double z33 = z21 * z24 + z20 * (w_x * z26 - s_phi * z31 + (w_y * z32 - c_phi * z30));
+    const double z34 = w_y * (s_theta * z26 - s_phi * z23) + z17 * z30 - (w_x * (s_theta * z32 + c_phi * z23)
+        + z18 * z31);
     /* (I.2.15) */
-    qddot[0] = z18 * z21 + c_theta * z32; /* phi'' */
-    qddot[1] = -(z18 * z23 + z19 * z33); /* theta'' */
-    qddot[2] = -z32; /* psi'' */
+    qddot[0] = z19 * z22 + c_theta * z33; /* phi'' */
+    qddot[1] = -(z19 * z24 + z20 * z34); /* theta'' */
+    qddot[2] = -z33; /* psi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qddot[0] + qddot[1] + qddot[2]) <= DBL_MAX
         && fabs(s_theta) > 1e-12 * 4.0
-        && fabs(-z15) > 1e-14 * z14)) {
+        && fabs(z16) > 1e-14 * z12)) {
         /* the coframe is singular */
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
             return VESELOVA_SINGULAR_1;
@@ -376,7 +376,7 @@ int veselova_accelerations(double t, const double *y, const double *p, double *q
             return VESELOVA_SINGULAR_2;
         }
         /* the mass matrix is singular */
-        if (!(fabs(-z15) > 1e-14 * z14)) {
+        if (!(fabs(z16) > 1e-14 * z12)) {
             return VESELOVA_SINGULAR_2;
         }
         return veselova_finish(3, qddot);
@@ -456,7 +456,6 @@ int veselova_reactions(double t, const double *y, const double *p, double *lambd
     /* parameters only */
     const double k1 = I1 - I2;
     const double k2 = I2 - I3;
-    const double k3 = I1 - I3;
 
     /* state */
     const double z1 = s_psi * s_psi;
@@ -468,50 +467,53 @@ int veselova_reactions(double t, const double *y, const double *p, double *lambd
     const double z7 = k1 * (c_psi * z6);
     const double z8 = z3 - s_phi * (s_phi * z5 + 2.0 * (c_phi * z7));
     const double z9 = 2.0 * (s_phi * z7);
-    const double z10 = z7 + s_phi * (c_phi * z5 - z9);
-    const double z11 = 1.0 / z8;
-    const double z12 = z10 * z11;
-    const double z13 = z1 * k1;
-    const double z14 = z3 + c_phi * (z9 + c_phi * (c_theta * c_theta * (k2 + z13) - (k3 - z13)));
-    const double z15 = z10 * z12 - z14;
-    const double z16 = s_theta * s_psi;
-    const double z17 = 1.0 / s_theta;
-    const double z18 = s_phi * w_x - c_phi * w_y;
-    const double z19 = z17 * z18;
-    const double z20 = c_theta * z19;
-    const double z21 = c_psi * z19;
-    const double z22 = c_phi * w_x + s_phi * w_y;
-    const double z23 = c_theta * z22;
-    const double z24 = s_theta * z21 + s_psi * z23;
-    const double z25 = s_theta * z22;
-    const double z26 = c_phi * z20;
-    const double z27 = s_phi * z20;
-    const double z28 = z23 / (s_theta * s_theta);
-    const double z29 = z17 * (w_x * z26 + w_y * z27) + z18 * z28;
-    const double z30 = z19 * z25 + c_theta * z29;
-    const double z31 = s_psi * z19;
-    const double z32 = z17 * (w_y * (s_theta * z26 - s_phi * z23) - w_x * (s_theta * z27 + c_phi * z23)) +
-        z25 * z28;
-    const double z33 = c_psi * z22;
-    const double z34 = z16 * (z20 * z24 - z16 * z30 + (z31 * z22 + c_psi * z32)) + (z16 * z20 - z33) * z24;
-    const double z35 = s_theta * c_psi;
-    const double z36 = s_theta * z31 - c_psi * z23;
-    const double z37 = z35 * (z20 * z36 + z35 * z30 - (z21 * z22 - s_psi * z32)) + (z35 * z20 + s_psi * z22)
-        * z36;
-    const double z38 = I1 * z34 - I2 * z37 + I3 * (c_theta * (z29 - (z20 * z25 + c_theta * z30)) + (z19 -
-        c_theta * z20) * z25);
-    const double z39 = s_psi * k1;
-    const double z40 = c_theta * k2;
-    const double z41 = s_theta * ((z18 * z6 - z33) * z39 + z18 * z40);
-    const double z42 = w_y * z41;
-    const double z43 = (w_x * z41 + z12 * z42) / z15;
-    const double z44 = ((c_psi * c_phi - s_phi * z6) * z39 - s_phi * z40) * (s_theta * (z11 * z42 - z12 *
-        z43));
+    const double z10 = c_theta * c_theta;
+    const double z11 = z9 + c_phi * (I3 * (1.0 - z10) - (I1 - I2 * z10) + k1 * (z1 * (1.0 + z10)));
+    const double z12 = z3 + c_phi * z11;
+    const double z13 = z7 + s_phi * (c_phi * z5 - z9);
+    const double z14 = 1.0 / z8;
+    const double z15 = z13 * z14;
+    const double z16 = z12 - z13 * z15;
+    const double z17 = s_theta * s_psi;
+    const double z18 = 1.0 / s_theta;
+    const double z19 = s_phi * w_x - c_phi * w_y;
+    const double z20 = z18 * z19;
+    const double z21 = c_theta * z20;
+    const double z22 = c_psi * z20;
+    const double z23 = s_theta * w_y;
+    const double z24 = s_theta * w_x;
+    const double z25 = s_phi * z23 + c_phi * z24;
+    const double z26 = z18 * z25;
+    const double z27 = c_theta * z26;
+    const double z28 = s_theta * z22 + s_psi * z27;
+    const double z29 = c_phi * z21;
+    const double z30 = s_phi * z21;
+    const double z31 = z27 / (s_theta * s_theta);
+    const double z32 = z18 * (w_x * z29 + w_y * z30) + z19 * z31;
+    const double z33 = z20 * z25 + c_theta * z32;
+    const double z34 = s_psi * z20;
+    const double z35 = z18 * (w_y * (s_theta * z29 - s_phi * z27) - w_x * (s_theta * z30 + c_phi * z27)) +
+        z25 * z31;
+    const double z36 = z17 * (z21 * z28 - z17 * z33 + (z34 * z26 + c_psi * z35)) + (z17 * z21 - c_psi * z26)
+        * z28;
+    const double z37 = s_theta * c_psi;
+    const double z38 = s_theta * z34 - c_psi * z27;
+    const double z39 = z37 * (z21 * z38 + z37 * z33 - (z22 * z26 - s_psi * z35)) + (z37 * z21 + s_psi * z26)
+        * z38;
+    const double z40 = I1 * z36 - I2 * z39 + I3 * (c_theta * (z32 - (z21 * z25 + c_theta * z33)) + (z20 -
+        c_theta * z21) * z25);
+    const double z41 = s_psi * k1;
+    const double z42 = c_theta * k2;
+    const double z43 = (z19 * z6 - c_psi * (c_phi * w_x + s_phi * w_y)) * z41 + z19 * z42;
+    const double z44 = z23 * z43;
+    const double z45 = (z24 * z43 + z15 * z44) / z16;
+    const double z46 = ((c_psi * c_phi - s_phi * z6) * z41 - s_phi * z42) * (s_theta * (z14 * z44 + z15 *
+        z45));
     /* (I.4.1) 26:5 */
     /* reaction of no_turn: Q_i gains lambda_1 a_1i */
-    lambda[0] = z44 + ((c_psi * s_phi + c_phi * z6) * z39 + c_phi * z40) * (s_theta * z43) - z38;
+    lambda[0] = z46 - ((c_psi * s_phi + c_phi * z6) * z41 + c_phi * z42) * (s_theta * z45) - z40;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(lambda[0]) <= DBL_MAX && fabs(s_theta) > 1e-12 * 4.0 && fabs(-z15) > 1e-14 * z14)) {
+    if (!(fabs(lambda[0]) <= DBL_MAX && fabs(s_theta) > 1e-12 * 4.0 && fabs(z16) > 1e-14 * z12)) {
         /* the coframe is singular */
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
             return VESELOVA_SINGULAR_1;
@@ -521,7 +523,7 @@ int veselova_reactions(double t, const double *y, const double *p, double *lambd
             return VESELOVA_SINGULAR_2;
         }
         /* the mass matrix is singular */
-        if (!(fabs(-z15) > 1e-14 * z14)) {
+        if (!(fabs(z16) > 1e-14 * z12)) {
             return VESELOVA_SINGULAR_2;
         }
         return veselova_finish(1, lambda);
@@ -615,101 +617,99 @@ int veselova_jacobian(double t, const double *y, const double *p, double *J)
     const double z23 = 1.0 / s_theta;
     const double z24 = c_phi * w_x + s_phi * w_y;
     const double z25 = z23 * z24;
-    const double z26 = c_theta * z25;
-    const double z27 = s_phi * w_x - c_phi * w_y;
-    const double z28 = c_theta / (s_theta * s_theta);
-    const double z29 = z27 * z28;
-    const double z30 = s_phi * z23;
-    const double z31 = c_phi * z23;
-    const double z32 = s_theta * c_phi;
-    const double z33 = s_theta * s_phi;
-    const double z34 = s_theta * w_y;
-    const double z35 = c_theta * k2;
-    const double z36 = s_psi * c_theta;
-    const double z37 = s_psi * k1;
-    const double z38 = z34 * z37;
-    const double z39 = z34 * z35 + z36 * z38;
-    const double z40 = c_psi * z38;
-    const double z41 = 1.0 / z22;
-    const double z42 = k1 * (z27 * z36 - c_psi * z24);
-    const double z43 = z27 * k2;
-    const double z44 = s_psi * z42 + c_theta * z43;
-    const double z45 = s_theta * w_x;
-    const double z46 = z34 * z44;
-    const double z47 = z41 * (z44 * z45 + z46 * z21);
-    const double z48 = s_phi * z47;
-    const double z49 = k1 * z48;
-    const double z50 = z46 * z20 + z21 * z47;
-    const double z51 = s_phi * z50;
-    const double z52 = z6 * z51;
-    const double z53 = w_x * z39 - (w_y * z40 - z18 * z47 + 2.0 * (z8 * z49) - z10 * z50 - z52);
-    const double z54 = k1 * z51;
-    const double z55 = c_phi * z53 + s_phi * (w_y * z39 + (w_x * z40 - z6 * z48 - 2.0 * (z8 * z54)));
-    const double z56 = z45 * z37;
-    const double z57 = z45 * z35 + z36 * z56;
-    const double z58 = c_psi * z56;
-    const double z59 = c_phi * z47;
-    const double z60 = k1 * (z51 + z59);
-    const double z61 = c_phi * (w_x * z57 - (w_y * z58 - z18 * z50 + 2.0 * (z8 * z60))) + s_phi * (w_y * z57
-        - (z52 - (w_x * z58 + (z16 * z47 + z14 * z59))));
-    const double z62 = z41 * (z61 + z21 * z55);
-    const double z63 = c_phi * z48 + s_phi * z51;
-    const double z64 = I1 * z63;
-    const double z65 = I2 * z63;
-    const double z66 = z27 * z38;
-    const double z67 = k1 * z47;
-    const double z68 = z67 - 2.0 * (s_phi * z49 - c_phi * z54);
-    const double z69 = c_theta * (w_y * z44 - 2.0 * (s_theta * (I3 * z63 - z1 * z64 - z2 * z65))) - s_theta *
-        (z34 * z43 + s_psi * z66 + z7 * z68);
-    const double z70 = c_phi * z51;
-    const double z71 = I1 * z70;
-    const double z72 = c_phi * z59;
-    const double z73 = I2 * z70;
-    const double z74 = 2.0 * (c_theta * (z1 * (z71 + k1 * z72) + (k2 * z72 - (I3 * z70 - z2 * z73))));
-    const double z75 = z27 * z56;
-    const double z76 = k1 * z50;
-    const double z77 = z76 - 2.0 * (s_phi * z60);
-    const double z78 = s_theta * (z74 - (z43 * z45 + (s_psi * z75 + z7 * z77))) + (z44 * (c_theta * w_x) +
-        z21 * z69);
-    const double z79 = z41 * z78;
-    const double z80 = 4.0 - 2.0 * z4;
-    const double z81 = c_theta * z68;
-    const double z82 = c_psi * (z80 * z65 + 2.0 * (z76 - z5 * z64)) + (z24 * z38 - 2.0 * (s_psi * z81));
-    const double z83 = s_psi * z82 + (z81 + c_psi * (z34 * z42 + c_theta * z66));
-    const double z84 = c_theta * z77;
-    const double z85 = c_psi * (z80 * z73 + 2.0 * (z67 - (z13 * z72 + z5 * z71))) + (z24 * z56 - 2.0 * (s_psi
-        * z84));
-    const double z86 = z41 * (s_psi * z85 + (c_psi * (z42 * z45 + c_theta * z75) + (z84 + z21 * z83)));
-    const double z87 = c_phi * z40 - s_phi * z39;
-    const double z88 = s_theta * z44;
-    const double z89 = z41 * (z88 - c_phi * z58 + s_phi * z57 - z21 * z87);
-    const double z90 = z88 - s_phi * z40 - c_phi * z39;
-    const double z91 = z41 * (s_phi * z58 + c_phi * z57 - z21 * z90);
+    const double z26 = s_phi * w_x - c_phi * w_y;
+    const double z27 = c_theta / (s_theta * s_theta);
+    const double z28 = z26 * z27;
+    const double z29 = s_phi * z23;
+    const double z30 = c_phi * z23;
+    const double z31 = s_theta * c_phi;
+    const double z32 = s_theta * s_phi;
+    const double z33 = s_theta * w_y;
+    const double z34 = c_theta * k2;
+    const double z35 = s_psi * c_theta;
+    const double z36 = s_psi * k1;
+    const double z37 = z33 * z36;
+    const double z38 = z33 * z34 + z35 * z37;
+    const double z39 = c_psi * z37;
+    const double z40 = 1.0 / z22;
+    const double z41 = k1 * (z26 * z35 - c_psi * z24);
+    const double z42 = z26 * k2;
+    const double z43 = s_psi * z41 + c_theta * z42;
+    const double z44 = s_theta * w_x;
+    const double z45 = z33 * z43;
+    const double z46 = z40 * (z43 * z44 + z45 * z21);
+    const double z47 = s_phi * z46;
+    const double z48 = k1 * z47;
+    const double z49 = z45 * z20 + z21 * z46;
+    const double z50 = s_phi * z49;
+    const double z51 = z6 * z50;
+    const double z52 = w_x * z38 - (w_y * z39 - z18 * z46 + 2.0 * (z8 * z48) - z10 * z49 - z51);
+    const double z53 = k1 * z50;
+    const double z54 = c_phi * z52 + s_phi * (w_y * z38 + (w_x * z39 - z6 * z47 - 2.0 * (z8 * z53)));
+    const double z55 = z44 * z36;
+    const double z56 = z44 * z34 + z35 * z55;
+    const double z57 = c_psi * z55;
+    const double z58 = c_phi * z46;
+    const double z59 = k1 * (z50 + z58);
+    const double z60 = c_phi * (w_x * z56 - (w_y * z57 - z18 * z49 + 2.0 * (z8 * z59))) + s_phi * (w_y * z56
+        - (z51 - (w_x * z57 + (z16 * z46 + z14 * z58))));
+    const double z61 = z40 * (z60 + z21 * z54);
+    const double z62 = z26 * z37;
+    const double z63 = k1 * z46 - 2.0 * (s_phi * z48) + 2.0 * (c_phi * z53);
+    const double z64 = c_phi * z47 + s_phi * z50;
+    const double z65 = I1 * z64;
+    const double z66 = I2 * z64;
+    const double z67 = s_theta * (z33 * z42 + s_psi * z62 + z7 * z63) - c_theta * (w_y * z43 - 2.0 * (s_theta
+        * (I3 * z64 - z1 * z65 - z2 * z66)));
+    const double z68 = z26 * z55;
+    const double z69 = c_phi * z58;
+    const double z70 = k1 * z49 - 2.0 * (s_phi * z59);
+    const double z71 = s_psi * z68 + (z42 * z44 - 2.0 * (c_theta * (k1 * (z1 * z69) + k2 * z69))) + z7 * z70;
+    const double z72 = c_phi * z50;
+    const double z73 = I1 * z72;
+    const double z74 = I2 * z72;
+    const double z75 = s_theta * z71 - c_theta * (w_x * z43 - 2.0 * (s_theta * (I3 * z72 - z1 * z73 - z2 *
+        z74)));
+    const double z76 = z40 * (z75 + z21 * z67);
+    const double z77 = c_theta * z63;
+    const double z78 = 2.0 * (s_psi * (2.0 * z66 - (I2 * z49 + z5 * z65) + (I1 * z49 - z4 * z66)));
+    const double z79 = s_psi * (z24 * z37 - s_psi * z77) + c_psi * (z33 * z41 + c_theta * z62 + c_psi * z77 +
+        z78);
+    const double z80 = c_theta * z70;
+    const double z81 = 2.0 * z74 - (z13 * z69 + I2 * z46 + z5 * z73) + (I1 * z46 - z4 * z74);
+    const double z82 = s_psi * (z24 * z55 - s_psi * z80) + c_psi * (z41 * z44 + c_theta * z68 + c_psi * z80 +
+        2.0 * (s_psi * z81));
+    const double z83 = z40 * (z82 + z21 * z79);
+    const double z84 = c_phi * z39 - s_phi * z38;
+    const double z85 = s_theta * z43;
+    const double z86 = z40 * (z85 - c_phi * z57 + s_phi * z56 - z21 * z84);
+    const double z87 = z85 - s_phi * z39 - c_phi * z38;
+    const double z88 = z40 * (s_phi * z57 + c_phi * z56 - z21 * z87);
     /* (I.2.15) */
-    J[0] = -z26;
-    J[1] = z27 + c_theta * z29;
-    J[3] = -c_theta * z30;
-    J[4] = c_theta * z31;
-    J[5] = z23 * (z32 * w_y - z33 * w_x);
-    J[6] = z26 - (z33 * w_y + z32 * w_x) * z28;
+    J[0] = -c_theta * z25;
+    J[1] = z26 + c_theta * z28;
+    J[3] = -c_theta * z29;
+    J[4] = c_theta * z30;
+    J[5] = z23 * (z31 * w_y - z32 * w_x);
+    J[6] = z23 * (c_theta * z24) - (z32 * w_y + z31 * w_x) * z27;
     J[8] = c_phi;
     J[9] = s_phi;
     J[10] = z25;
-    J[11] = -z29;
-    J[13] = z30;
-    J[14] = -z31;
-    J[15] = z20 * z55 + z21 * z62;
-    J[16] = z20 * z69 + z21 * z79;
-    J[17] = z20 * z83 + z21 * z86;
-    J[18] = z21 * z89 - z20 * z87;
-    J[19] = z20 * z90 - z21 * z91;
-    J[20] = -z62;
-    J[21] = -z79;
-    J[22] = -z86;
-    J[23] = -z89;
-    J[24] = z91;
+    J[11] = -z28;
+    J[13] = z29;
+    J[14] = -z30;
+    J[15] = z20 * z54 + z21 * z61;
+    J[16] = -(z20 * z67 + z21 * z76);
+    J[17] = z20 * z79 + z21 * z83;
+    J[18] = z21 * z86 - z20 * z84;
+    J[19] = z20 * z87 - z21 * z88;
+    J[20] = -z61;
+    J[21] = z76;
+    J[22] = -z83;
+    J[23] = -z86;
+    J[24] = z88;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(J[1] + J[5] + J[6] + J[11] + J[14] + J[15] + J[16] + J[17] + J[18] + J[19] + J[20] + J[21] +
+    if (!(fabs(J[0] + J[1] + J[5] + J[6] + J[11] + J[14] + J[15] + J[16] + J[17] + J[18] + J[19] + J[20] +
         J[22] + J[23]) <= DBL_MAX
         && fabs(s_theta) > 1e-12 * 4.0
         && fabs(z22) > 1e-14 * z17)) {

@@ -1,4 +1,4 @@
-"""veselova, emitted by nhc 0.1.0 (nhc:b2dd953a2fdd7774).
+"""veselova, emitted by nhc 0.1.0 (nhc:436881b930f5acb6).
 
 A rigid body with a fixed point that must not turn about the vertical.
 Source: veselova.yaml
@@ -27,12 +27,12 @@ out[1] = L_y
 Operations:
 rhs: 29 +-, 52 *, 3 /, 6 calls
 velocities: 2 +-, 9 *, 1 /, 4 calls
-accelerations: 39 +-, 73 *, 4 /, 6 calls
+accelerations: 40 +-, 75 *, 4 /, 6 calls
 state: 2 +-, 5 *, 0 /, 3 calls
 residuals: 1 +-, 1 *, 0 /, 1 calls
-reactions: 58 +-, 108 *, 4 /, 6 calls
+reactions: 60 +-, 114 *, 4 /, 6 calls
 energy: 7 +-, 22 *, 1 /, 6 calls
-jacobian: 102 +-, 203 *, 4 /, 6 calls
+jacobian: 105 +-, 214 *, 4 /, 6 calls
 outputs: 10 +-, 28 *, 1 /, 6 calls
 
 A singular point raises SingularModelError.
@@ -217,7 +217,6 @@ def accelerations(
         # parameters only
         k1 = I1 - I2
         k2 = I2 - I3
-        k3 = I1 - I3
         # state
         s_theta = math.sin(theta)
         # the coframe is singular
@@ -241,44 +240,45 @@ def accelerations(
         if not abs(z8) > 0.0:
             raise SingularModelError(2, "accelerations")
         z9 = 2.0 * (s_phi * z7)
-        z10 = z7 + s_phi * (c_phi * z5 - z9)
-        z11 = 1.0 / z8
-        z12 = z10 * z11
-        z13 = z1 * k1
-        s2 = z9 + c_phi * (c_theta * c_theta * (k2 + z13) - (k3 - z13))
-        z14 = z3 + c_phi * s2
-        z15 = z10 * z12 - z14
+        z10 = c_theta * c_theta
+        s2 = I3 * (1.0 - z10) - (I1 - I2 * z10) + k1 * (z1 * (1.0 + z10))
+        z11 = z9 + c_phi * s2
+        z12 = z3 + c_phi * z11
+        z13 = z7 + s_phi * (c_phi * z5 - z9)
+        z14 = 1.0 / z8
+        z15 = z13 * z14
+        z16 = z12 - z13 * z15
         # the mass matrix is singular
-        if not abs(-z15) > 1e-14 * z14:
+        if not abs(z16) > 1e-14 * z12:
             raise SingularModelError(2, "accelerations")
-        z16 = s_theta * s_phi
-        z17 = s_theta * c_phi
-        z18 = z16 * w_y + z17 * w_x
-        z19 = 1.0 / s_theta
-        z20 = s_phi * w_x - c_phi * w_y
-        z21 = z19 * z20
-        z22 = z19 * (c_theta * z18)
-        z23 = z22 / (s_theta * s_theta)
-        z24 = c_theta * z21
-        z25 = c_phi * z24
-        s3 = s_psi * (z20 * z6 - c_psi * (c_phi * w_x + s_phi * w_y))
-        z26 = k1 * s3 + k2 * (c_theta * z20)
-        z27 = s_theta * z26
-        z28 = w_y * z27
-        z29 = (w_x * z27 + z12 * z28) / z15
-        z30 = z11 * z28 - z12 * z29
-        z31 = s_phi * z24
-        s4 = z19 * (w_x * z25 - s_phi * z30 + (w_y * z31 + c_phi * z29))
-        z32 = z20 * z23 + s4
-        s5 = w_y * (s_theta * z25 - s_phi * z22) - z16 * z29
-        z33 = s5 - (w_x * (s_theta * z31 + c_phi * z22) + z17 * z30)
+        z17 = s_theta * s_phi
+        z18 = s_theta * c_phi
+        z19 = z17 * w_y + z18 * w_x
+        z20 = 1.0 / s_theta
+        z21 = s_phi * w_x - c_phi * w_y
+        z22 = z20 * z21
+        z23 = z20 * (c_theta * z19)
+        z24 = z23 / (s_theta * s_theta)
+        z25 = c_theta * z22
+        z26 = c_phi * z25
+        s3 = s_psi * (z21 * z6 - c_psi * (c_phi * w_x + s_phi * w_y))
+        z27 = k1 * s3 + k2 * (c_theta * z21)
+        z28 = s_theta * z27
+        z29 = w_y * z28
+        z30 = (w_x * z28 + z15 * z29) / z16
+        z31 = z14 * z29 + z15 * z30
+        z32 = s_phi * z25
+        s4 = z20 * (w_x * z26 - s_phi * z31 + (w_y * z32 - c_phi * z30))
+        z33 = z21 * z24 + s4
+        s5 = w_y * (s_theta * z26 - s_phi * z23) + z17 * z30
+        z34 = s5 - (w_x * (s_theta * z32 + c_phi * z23) + z18 * z31)
         qddot: list[float] = [
             # phi'' (I.2.15)
-            z18 * z21 + c_theta * z32,
+            z19 * z22 + c_theta * z33,
             # theta'' (I.2.15)
-            -(z18 * z23 + z19 * z33),
+            -(z19 * z24 + z20 * z34),
             # psi'' (I.2.15)
-            -z32,
+            -z33,
         ]
         return _finish("accelerations", qddot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -368,7 +368,6 @@ def reactions(
         # parameters only
         k1 = I1 - I2
         k2 = I2 - I3
-        k3 = I1 - I3
         # state
         s_theta = math.sin(theta)
         # the coframe is singular
@@ -392,55 +391,58 @@ def reactions(
         if not abs(z8) > 0.0:
             raise SingularModelError(2, "reactions")
         z9 = 2.0 * (s_phi * z7)
-        z10 = z7 + s_phi * (c_phi * z5 - z9)
-        z11 = 1.0 / z8
-        z12 = z10 * z11
-        z13 = z1 * k1
-        s2 = z9 + c_phi * (c_theta * c_theta * (k2 + z13) - (k3 - z13))
-        z14 = z3 + c_phi * s2
-        z15 = z10 * z12 - z14
+        z10 = c_theta * c_theta
+        s2 = I3 * (1.0 - z10) - (I1 - I2 * z10) + k1 * (z1 * (1.0 + z10))
+        z11 = z9 + c_phi * s2
+        z12 = z3 + c_phi * z11
+        z13 = z7 + s_phi * (c_phi * z5 - z9)
+        z14 = 1.0 / z8
+        z15 = z13 * z14
+        z16 = z12 - z13 * z15
         # the mass matrix is singular
-        if not abs(-z15) > 1e-14 * z14:
+        if not abs(z16) > 1e-14 * z12:
             raise SingularModelError(2, "reactions")
-        z16 = s_theta * s_psi
-        z17 = 1.0 / s_theta
-        z18 = s_phi * w_x - c_phi * w_y
-        z19 = z17 * z18
-        z20 = c_theta * z19
-        z21 = c_psi * z19
-        z22 = c_phi * w_x + s_phi * w_y
-        z23 = c_theta * z22
-        z24 = s_theta * z21 + s_psi * z23
-        z25 = s_theta * z22
-        z26 = c_phi * z20
-        z27 = s_phi * z20
-        z28 = z23 / (s_theta * s_theta)
-        z29 = z17 * (w_x * z26 + w_y * z27) + z18 * z28
-        z30 = z19 * z25 + c_theta * z29
-        z31 = s_psi * z19
-        s3 = w_y * (s_theta * z26 - s_phi * z23)
-        z32 = z17 * (s3 - w_x * (s_theta * z27 + c_phi * z23)) + z25 * z28
-        z33 = c_psi * z22
-        s4 = z16 * (z20 * z24 - z16 * z30 + (z31 * z22 + c_psi * z32))
-        z34 = s4 + (z16 * z20 - z33) * z24
-        z35 = s_theta * c_psi
-        z36 = s_theta * z31 - c_psi * z23
-        s5 = z35 * (z20 * z36 + z35 * z30 - (z21 * z22 - s_psi * z32))
-        z37 = s5 + (z35 * z20 + s_psi * z22) * z36
-        s6 = c_theta * (z29 - (z20 * z25 + c_theta * z30))
-        s7 = I3 * (s6 + (z19 - c_theta * z20) * z25)
-        z38 = I1 * z34 - I2 * z37 + s7
-        z39 = s_psi * k1
-        z40 = c_theta * k2
-        z41 = s_theta * ((z18 * z6 - z33) * z39 + z18 * z40)
-        z42 = w_y * z41
-        z43 = (w_x * z41 + z12 * z42) / z15
-        s8 = (c_psi * c_phi - s_phi * z6) * z39 - s_phi * z40
-        z44 = s8 * (s_theta * (z11 * z42 - z12 * z43))
-        s9 = (c_psi * s_phi + c_phi * z6) * z39 + c_phi * z40
+        z17 = s_theta * s_psi
+        z18 = 1.0 / s_theta
+        z19 = s_phi * w_x - c_phi * w_y
+        z20 = z18 * z19
+        z21 = c_theta * z20
+        z22 = c_psi * z20
+        z23 = s_theta * w_y
+        z24 = s_theta * w_x
+        z25 = s_phi * z23 + c_phi * z24
+        z26 = z18 * z25
+        z27 = c_theta * z26
+        z28 = s_theta * z22 + s_psi * z27
+        z29 = c_phi * z21
+        z30 = s_phi * z21
+        z31 = z27 / (s_theta * s_theta)
+        z32 = z18 * (w_x * z29 + w_y * z30) + z19 * z31
+        z33 = z20 * z25 + c_theta * z32
+        z34 = s_psi * z20
+        s3 = w_y * (s_theta * z29 - s_phi * z27)
+        z35 = z18 * (s3 - w_x * (s_theta * z30 + c_phi * z27)) + z25 * z31
+        s4 = z17 * (z21 * z28 - z17 * z33 + (z34 * z26 + c_psi * z35))
+        z36 = s4 + (z17 * z21 - c_psi * z26) * z28
+        z37 = s_theta * c_psi
+        z38 = s_theta * z34 - c_psi * z27
+        s5 = z37 * (z21 * z38 + z37 * z33 - (z22 * z26 - s_psi * z35))
+        z39 = s5 + (z37 * z21 + s_psi * z26) * z38
+        s6 = c_theta * (z32 - (z21 * z25 + c_theta * z33))
+        s7 = I3 * (s6 + (z20 - c_theta * z21) * z25)
+        z40 = I1 * z36 - I2 * z39 + s7
+        z41 = s_psi * k1
+        z42 = c_theta * k2
+        s8 = (z19 * z6 - c_psi * (c_phi * w_x + s_phi * w_y)) * z41
+        z43 = s8 + z19 * z42
+        z44 = z23 * z43
+        z45 = (z24 * z43 + z15 * z44) / z16
+        s9 = (c_psi * c_phi - s_phi * z6) * z41 - s_phi * z42
+        z46 = s9 * (s_theta * (z14 * z44 + z15 * z45))
+        s10 = (c_psi * s_phi + c_phi * z6) * z41 + c_phi * z42
         lambda_: list[float] = [
             # reaction of no_turn: Q_i gains lambda_1 a_1i (I.4.1) 26:5
-            z44 + s9 * (s_theta * z43) - z38,
+            z46 - s10 * (s_theta * z45) - z40,
         ]
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -548,97 +550,96 @@ def jacobian(
         z23 = 1.0 / s_theta
         z24 = c_phi * w_x + s_phi * w_y
         z25 = z23 * z24
-        z26 = c_theta * z25
-        z27 = s_phi * w_x - c_phi * w_y
-        z28 = c_theta / (s_theta * s_theta)
-        z29 = z27 * z28
-        z30 = s_phi * z23
-        z31 = c_phi * z23
-        z32 = s_theta * c_phi
-        z33 = s_theta * s_phi
-        z34 = s_theta * w_y
-        z35 = c_theta * k2
-        z36 = s_psi * c_theta
-        z37 = s_psi * k1
-        z38 = z34 * z37
-        z39 = z34 * z35 + z36 * z38
-        z40 = c_psi * z38
-        z41 = 1.0 / z22
-        z42 = k1 * (z27 * z36 - c_psi * z24)
-        z43 = z27 * k2
-        z44 = s_psi * z42 + c_theta * z43
-        z45 = s_theta * w_x
-        z46 = z34 * z44
-        z47 = z41 * (z44 * z45 + z46 * z21)
-        z48 = s_phi * z47
-        z49 = k1 * z48
-        z50 = z46 * z20 + z21 * z47
-        z51 = s_phi * z50
-        z52 = z6 * z51
-        s2 = w_y * z40 - z18 * z47 + 2.0 * (z8 * z49) - z10 * z50 - z52
-        z53 = w_x * z39 - s2
-        z54 = k1 * z51
-        s3 = w_y * z39 + (w_x * z40 - z6 * z48 - 2.0 * (z8 * z54))
-        z55 = c_phi * z53 + s_phi * s3
-        z56 = z45 * z37
-        z57 = z45 * z35 + z36 * z56
-        z58 = c_psi * z56
-        z59 = c_phi * z47
-        z60 = k1 * (z51 + z59)
-        s4 = w_x * z57 - (w_y * z58 - z18 * z50 + 2.0 * (z8 * z60))
-        s5 = w_y * z57 - (z52 - (w_x * z58 + (z16 * z47 + z14 * z59)))
-        z61 = c_phi * s4 + s_phi * s5
-        z62 = z41 * (z61 + z21 * z55)
-        z63 = c_phi * z48 + s_phi * z51
-        z64 = I1 * z63
-        z65 = I2 * z63
-        z66 = z27 * z38
-        z67 = k1 * z47
-        z68 = z67 - 2.0 * (s_phi * z49 - c_phi * z54)
-        s6 = 2.0 * (s_theta * (I3 * z63 - z1 * z64 - z2 * z65))
-        s7 = s_theta * (z34 * z43 + s_psi * z66 + z7 * z68)
-        z69 = c_theta * (w_y * z44 - s6) - s7
-        z70 = c_phi * z51
-        z71 = I1 * z70
-        z72 = c_phi * z59
-        z73 = I2 * z70
-        s8 = z1 * (z71 + k1 * z72) + (k2 * z72 - (I3 * z70 - z2 * z73))
-        z74 = 2.0 * (c_theta * s8)
-        z75 = z27 * z56
-        z76 = k1 * z50
-        z77 = z76 - 2.0 * (s_phi * z60)
-        s9 = s_theta * (z74 - (z43 * z45 + (s_psi * z75 + z7 * z77)))
-        z78 = s9 + (z44 * (c_theta * w_x) + z21 * z69)
-        z79 = z41 * z78
-        z80 = 4.0 - 2.0 * z4
-        z81 = c_theta * z68
-        s10 = c_psi * (z80 * z65 + 2.0 * (z76 - z5 * z64))
-        z82 = s10 + (z24 * z38 - 2.0 * (s_psi * z81))
-        z83 = s_psi * z82 + (z81 + c_psi * (z34 * z42 + c_theta * z66))
-        z84 = c_theta * z77
-        s11 = c_psi * (z80 * z73 + 2.0 * (z67 - (z13 * z72 + z5 * z71)))
-        z85 = s11 + (z24 * z56 - 2.0 * (s_psi * z84))
-        s12 = c_psi * (z42 * z45 + c_theta * z75) + (z84 + z21 * z83)
-        z86 = z41 * (s_psi * z85 + s12)
-        z87 = c_phi * z40 - s_phi * z39
-        z88 = s_theta * z44
-        z89 = z41 * (z88 - c_phi * z58 + s_phi * z57 - z21 * z87)
-        z90 = z88 - s_phi * z40 - c_phi * z39
-        z91 = z41 * (s_phi * z58 + c_phi * z57 - z21 * z90)
+        z26 = s_phi * w_x - c_phi * w_y
+        z27 = c_theta / (s_theta * s_theta)
+        z28 = z26 * z27
+        z29 = s_phi * z23
+        z30 = c_phi * z23
+        z31 = s_theta * c_phi
+        z32 = s_theta * s_phi
+        z33 = s_theta * w_y
+        z34 = c_theta * k2
+        z35 = s_psi * c_theta
+        z36 = s_psi * k1
+        z37 = z33 * z36
+        z38 = z33 * z34 + z35 * z37
+        z39 = c_psi * z37
+        z40 = 1.0 / z22
+        z41 = k1 * (z26 * z35 - c_psi * z24)
+        z42 = z26 * k2
+        z43 = s_psi * z41 + c_theta * z42
+        z44 = s_theta * w_x
+        z45 = z33 * z43
+        z46 = z40 * (z43 * z44 + z45 * z21)
+        z47 = s_phi * z46
+        z48 = k1 * z47
+        z49 = z45 * z20 + z21 * z46
+        z50 = s_phi * z49
+        z51 = z6 * z50
+        s2 = w_y * z39 - z18 * z46 + 2.0 * (z8 * z48) - z10 * z49 - z51
+        z52 = w_x * z38 - s2
+        z53 = k1 * z50
+        s3 = w_y * z38 + (w_x * z39 - z6 * z47 - 2.0 * (z8 * z53))
+        z54 = c_phi * z52 + s_phi * s3
+        z55 = z44 * z36
+        z56 = z44 * z34 + z35 * z55
+        z57 = c_psi * z55
+        z58 = c_phi * z46
+        z59 = k1 * (z50 + z58)
+        s4 = w_x * z56 - (w_y * z57 - z18 * z49 + 2.0 * (z8 * z59))
+        s5 = w_y * z56 - (z51 - (w_x * z57 + (z16 * z46 + z14 * z58)))
+        z60 = c_phi * s4 + s_phi * s5
+        z61 = z40 * (z60 + z21 * z54)
+        z62 = z26 * z37
+        z63 = k1 * z46 - 2.0 * (s_phi * z48) + 2.0 * (c_phi * z53)
+        z64 = c_phi * z47 + s_phi * z50
+        z65 = I1 * z64
+        z66 = I2 * z64
+        s6 = 2.0 * (s_theta * (I3 * z64 - z1 * z65 - z2 * z66))
+        s7 = s_theta * (z33 * z42 + s_psi * z62 + z7 * z63)
+        z67 = s7 - c_theta * (w_y * z43 - s6)
+        z68 = z26 * z55
+        z69 = c_phi * z58
+        z70 = k1 * z49 - 2.0 * (s_phi * z59)
+        s8 = z42 * z44 - 2.0 * (c_theta * (k1 * (z1 * z69) + k2 * z69))
+        z71 = s_psi * z68 + s8 + z7 * z70
+        z72 = c_phi * z50
+        z73 = I1 * z72
+        z74 = I2 * z72
+        s9 = 2.0 * (s_theta * (I3 * z72 - z1 * z73 - z2 * z74))
+        z75 = s_theta * z71 - c_theta * (w_x * z43 - s9)
+        z76 = z40 * (z75 + z21 * z67)
+        z77 = c_theta * z63
+        s10 = 2.0 * z66 - (I2 * z49 + z5 * z65) + (I1 * z49 - z4 * z66)
+        z78 = 2.0 * (s_psi * s10)
+        s11 = c_psi * (z33 * z41 + c_theta * z62 + c_psi * z77 + z78)
+        z79 = s_psi * (z24 * z37 - s_psi * z77) + s11
+        z80 = c_theta * z70
+        s12 = 2.0 * z74 - (z13 * z69 + I2 * z46 + z5 * z73)
+        z81 = s12 + (I1 * z46 - z4 * z74)
+        s13 = z41 * z44 + c_theta * z68 + c_psi * z80
+        s14 = c_psi * (s13 + 2.0 * (s_psi * z81))
+        z82 = s_psi * (z24 * z55 - s_psi * z80) + s14
+        z83 = z40 * (z82 + z21 * z79)
+        z84 = c_phi * z39 - s_phi * z38
+        z85 = s_theta * z43
+        z86 = z40 * (z85 - c_phi * z57 + s_phi * z56 - z21 * z84)
+        z87 = z85 - s_phi * z39 - c_phi * z38
+        z88 = z40 * (s_phi * z57 + c_phi * z56 - z21 * z87)
         J: list[float] = [
             # (I.2.15)
-            -z26,
+            -c_theta * z25,
             # (I.2.15)
-            z27 + c_theta * z29,
+            z26 + c_theta * z28,
             0.0,
             # (I.2.15)
-            -c_theta * z30,
+            -c_theta * z29,
             # (I.2.15)
-            c_theta * z31,
+            c_theta * z30,
             # (I.2.15)
-            z23 * (z32 * w_y - z33 * w_x),
+            z23 * (z31 * w_y - z32 * w_x),
             # (I.2.15)
-            z26 - (z33 * w_y + z32 * w_x) * z28,
+            z23 * (c_theta * z24) - (z32 * w_y + z31 * w_x) * z27,
             0.0,
             # (I.2.15)
             c_phi,
@@ -647,32 +648,32 @@ def jacobian(
             # (I.2.15)
             z25,
             # (I.2.15)
-            -z29,
+            -z28,
             0.0,
             # (I.2.15)
-            z30,
+            z29,
             # (I.2.15)
-            -z31,
+            -z30,
             # (I.2.15)
-            z20 * z55 + z21 * z62,
+            z20 * z54 + z21 * z61,
             # (I.2.15)
-            z20 * z69 + z21 * z79,
+            -(z20 * z67 + z21 * z76),
             # (I.2.15)
-            z20 * z83 + z21 * z86,
+            z20 * z79 + z21 * z83,
             # (I.2.15)
-            z21 * z89 - z20 * z87,
+            z21 * z86 - z20 * z84,
             # (I.2.15)
-            z20 * z90 - z21 * z91,
+            z20 * z87 - z21 * z88,
             # (I.2.15)
-            -z62,
+            -z61,
             # (I.2.15)
-            -z79,
+            z76,
+            # (I.2.15)
+            -z83,
             # (I.2.15)
             -z86,
             # (I.2.15)
-            -z89,
-            # (I.2.15)
-            z91,
+            z88,
         ]
         _finish("jacobian", J)
         return [J[k3 : k3 + 5] for k3 in range(0, 25, 5)]

@@ -1,5 +1,5 @@
 /*
- * voronec_particle.c: voronec_particle, emitted by nhc 0.1.0 (nhc:bc5fe582c8bd82b9)
+ * voronec_particle.c: voronec_particle, emitted by nhc 0.1.0 (nhc:e71fb188a3861e64)
  * A particle whose T, U and constraint depend on the dependent coordinate, so that Caplygin's hypotheses
  *     fail.
  * Source: voronec_particle.yaml
@@ -297,26 +297,30 @@ int voronec_particle_accelerations(double t, const double *y, const double *p, d
     const double z9 = 1.0 / z5;
     const double z10 = z8 * z9;
     const double z11 = z7 - 0.25 * (z8 * z10);
-    const double z12 = x_dot * z1 + 0.5 * (y_dot * z6);
-    const double z13 = s_z * z12;
-    const double z14 = 0.3 * z13;
-    const double z15 = x * z12;
-    const double z16 = x_dot * x_dot;
-    const double z17 = y_dot * y_dot;
-    const double z18 = y_dot * c_z;
-    const double z19 = x_dot * (z18 - y_2 * z13);
-    const double z20 = y_dot * (z * x_dot + z15);
-    const double z21 = z19 + 0.5 * z20;
-    const double z22 = z3 * z21 - x_dot * (z14 - 2.0 * z15);
-    const double z23 = z * z1 * (3.0 - z16) - (0.5 * (z17 * z2) - (z1 * z22 + (x + 0.3 * (c_z * z21))));
-    const double z24 = z12 * (x_dot * (2.0 * z + 0.3 * (s_z * z1)) - (z14 + z15)) + z23;
-    const double z25 = z * z6 * (1.5 - 0.5 * z16) - (0.5 * (z10 * z24) - (2.0 * y_2 + z12 * z18));
-    const double z26 = (z25 + z6 * (0.5 * z22 - (0.25 * (z17 * c_z) - 0.15 * (x_dot * z13)))) / z11;
-    const double z27 = z9 * z24 - 0.5 * (z10 * z26);
+    const double z12 = y_dot * c_z;
+    const double z13 = x_dot * z1 + 0.5 * (y_dot * z6);
+    const double z14 = s_z * z13;
+    const double z15 = x_dot * (z12 - y_2 * z14);
+    const double z16 = y_dot * (z * x_dot + x * z13);
+    const double z17 = z15 + 0.5 * z16;
+    const double z18 = x_dot * z13;
+    const double z19 = z3 * z17 - (0.3 * (x_dot * z14) - 2.0 * (x * z18));
+    const double z20 = z * z1;
+    const double z21 = x_dot * x_dot;
+    const double z22 = y_dot * y_dot;
+    const double z23 = s_z * z18;
+    const double z24 = 0.5 * (2.0 * (z21 * z20) + z22 * z2 + 2.0 * (x * (z13 * z13))) - 0.3 * (z1 * z23);
+    const double z25 = 0.3 * (c_z * z17) - (0.3 * (z13 * z14) - 2.0 * (z * z18)) + z1 * z19 + (0.5 * (2.0 * x
+        + 6.0 * z20) - z24);
+    const double z26 = z * z6;
+    const double z27 = 0.5 * (4.0 * y_2 + 3.0 * z26) - (0.5 * (z21 * z26 + 0.5 * (c_z * (z22 * z6))) - 0.15 *
+        (z6 * z23));
+    const double z28 = (z13 * z12 + 0.5 * (z6 * z19) + z27 - 0.5 * (z10 * z25)) / z11;
+    const double z29 = z9 * z25 - 0.5 * (z10 * z28);
     /* (I.4.9) */
-    qddot[0] = -z27; /* x'' */
-    qddot[1] = -z26; /* y'' */
-    qddot[2] = z19 - z1 * z27 + 0.5 * (z20 - z6 * z26); /* z'' */
+    qddot[0] = -z29; /* x'' */
+    qddot[1] = -z28; /* y'' */
+    qddot[2] = z15 - z1 * z29 + 0.5 * (z16 - z6 * z28); /* z'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qddot[2]) <= DBL_MAX && fabs(z11) > 1e-14 * z7)) {
         /* the mass matrix is singular */
@@ -407,22 +411,25 @@ int voronec_particle_reactions(double t, const double *y, const double *p, doubl
     const double z13 = y_dot * c_z;
     const double z14 = x_dot * z1 + 0.5 * (y_dot * z6);
     const double z15 = s_z * z14;
-    const double z16 = x * z14;
-    const double z17 = x_dot * (z13 - y_2 * z15) + 0.5 * (y_dot * (z * x_dot + z16));
-    const double z18 = 0.3 * z15;
-    const double z19 = z3 * z17 - x_dot * (z18 - 2.0 * z16);
-    const double z20 = x_dot * x_dot;
-    const double z21 = y_dot * y_dot;
-    const double z22 = z21 * c_z;
-    const double z23 = x_dot * z15;
-    const double z24 = z * z1 * (3.0 - z20) - (0.5 * (z21 * z2) - (z1 * z19 + (x + 0.3 * (c_z * z17))));
-    const double z25 = z14 * (x_dot * (2.0 * z + 0.3 * (s_z * z1)) - (z18 + z16)) + z24;
-    const double z26 = z * z6 * (1.5 - 0.5 * z20) - (0.5 * (z11 * z25) - (2.0 * y_2 + z14 * z13));
-    const double z27 = (z26 + z6 * (0.5 * z19 - (0.25 * z22 - 0.15 * z23))) / z12;
-    const double z28 = z19 + (3.0 * z - (0.5 * (2.0 * (z * z20) + z22) - 0.3 * z23)) - (z4 * (z10 * z25 - 0.5
-        * (z11 * z27)) + 0.5 * (z7 * z27));
+    const double z16 = x_dot * (z13 - y_2 * z15) + 0.5 * (y_dot * (z * x_dot + x * z14));
+    const double z17 = x_dot * z14;
+    const double z18 = z3 * z16 - (0.3 * (x_dot * z15) - 2.0 * (x * z17));
+    const double z19 = x_dot * x_dot;
+    const double z20 = y_dot * y_dot;
+    const double z21 = z20 * c_z;
+    const double z22 = s_z * z17;
+    const double z23 = z * z1;
+    const double z24 = 0.5 * (2.0 * (z19 * z23) + z20 * z2 + 2.0 * (x * (z14 * z14))) - 0.3 * (z1 * z22);
+    const double z25 = 0.3 * (c_z * z16) - (0.3 * (z14 * z15) - 2.0 * (z * z17)) + z1 * z18 + (0.5 * (2.0 * x
+        + 6.0 * z23) - z24);
+    const double z26 = z * z6;
+    const double z27 = 0.5 * (4.0 * y_2 + 3.0 * z26) + (0.15 * (z6 * z22) - 0.5 * (z19 * z26 + 0.5 * (z6 *
+        z21)));
+    const double z28 = (0.5 * (z11 * z25) - (z14 * z13 + 0.5 * (z6 * z18) + z27)) / z12;
+    const double z29 = z18 + (3.0 * z - (0.5 * (2.0 * (z * z19) + z21) - 0.3 * z22)) - (z4 * (z10 * z25 + 0.5
+        * (z11 * z28)) - 0.5 * (z7 * z28));
     /* (I.4.1) 10:5 */
-    lambda[0] = z28; /* reaction of contact: Q_i gains lambda_1 a_1i */
+    lambda[0] = z29; /* reaction of contact: Q_i gains lambda_1 a_1i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(lambda[0]) <= DBL_MAX && fabs(z12) > 1e-14 * z8)) {
         /* the mass matrix is singular */
@@ -505,79 +512,76 @@ int voronec_particle_jacobian(double t, const double *y, const double *p, double
     const double z17 = y_dot * z4;
     const double z18 = z * x_dot;
     const double z19 = s_z * z14;
-    const double z20 = 0.3 * z19;
-    const double z21 = x * z14;
-    const double z22 = s_z * z1;
-    const double z23 = x_dot * z22;
-    const double z24 = x * x_dot;
-    const double z25 = 2.0 * z18 - (z20 + (2.0 * z21 - 0.3 * z23 - 2.0 * (z1 * z24))) + 0.5 * (x * z17);
-    const double z26 = x_dot * z4;
-    const double z27 = 0.3 * (z13 + z14) + y_2 * z26;
-    const double z28 = z25 - s_z * z27;
-    const double z29 = 1.0 / z12;
-    const double z30 = z * z6;
-    const double z31 = x_dot * x_dot;
-    const double z32 = 1.5 - 0.5 * z31;
-    const double z33 = y_dot * c_z;
-    const double z34 = z33 - y_2 * z19;
-    const double z35 = z18 + z21;
-    const double z36 = x_dot * z34 + 0.5 * (y_dot * z35);
-    const double z37 = 0.3 * (x_dot * z19) - 2.0 * (z14 * z24) - z3 * z36;
-    const double z38 = y_dot * y_dot;
-    const double z39 = c_z * z6;
-    const double z40 = s_z * z6;
-    const double z41 = x_dot * z40;
-    const double z42 = z * z1;
-    const double z43 = 3.0 - z31;
-    const double z44 = z * z14;
-    const double z45 = 0.3 * (z14 * (z19 - z23)) + (z1 * z37 + (0.5 * (z38 * z2) - (2.0 * (x_dot * z44) + 0.3
-        * (c_z * z36))));
-    const double z46 = x * (1.0 - z15) + (z42 * z43 - z45);
-    const double z47 = c_z * z14;
-    const double z48 = 0.25 * (z38 * z39) - (0.15 * (z14 * z41) - (0.5 * (z11 * z46) - (2.0 * y_2 + y_dot *
-        z47)));
-    const double z49 = z29 * (z30 * z32 - (0.5 * (z6 * z37) + z48));
-    const double z50 = y_dot * z28 - z4 * z49;
-    const double z51 = z10 * z46 - 0.5 * (z11 * z49);
-    const double z52 = z6 * z49;
-    const double z53 = 0.5 * z52;
-    const double z54 = z1 * z51 + z53;
-    const double z55 = 1.0 - (z15 - 2.0 * (x_dot * z16)) + 0.5 * (z14 * z17) + 0.5 * (z * z50) + 2.0 * ((z36
-        - z54) * (x * z1));
-    const double z56 = z6 * z51;
-    const double z57 = y_dot * z7;
-    const double z58 = z6 * z14;
-    const double z59 = x_dot * z7;
-    const double z60 = 0.15 * (x_dot * z6) + 0.5 * (y_2 * z59);
-    const double z61 = z33 + (0.15 * z41 + z6 * z24 + 0.25 * (x * z57) - s_z * z60);
-    const double z62 = z4 * z51;
-    const double z63 = x_dot * z14;
-    const double z64 = s_z * z63;
-    const double z65 = 0.5 * z37 - (0.15 * z64 + z * z32) + 0.25 * (z7 * z49) + 0.25 * (z3 * z52);
-    const double z66 = 0.5 * (y_dot * z61) - (0.5 * z62 + (0.25 * (z38 * c_z) + z65));
-    const double z67 = x * (z1 * z56 - z6 * (z36 - z53)) - (0.25 * (z14 * z57) + (x_dot * z58 + z * z66 - 0.5
-        * (z11 * z55)));
-    const double z68 = z29 * z67;
-    const double z69 = 0.5 * z38 + 0.3 * z51;
-    const double z70 = x_dot * z28 - (z37 - (0.3 * z64 + z * z43) + z62 + z3 * z54 + c_z * z69);
-    const double z71 = z19 * z26 - c_z * z70;
-    const double z72 = x_dot * z61 - 0.5 * (z3 * z56);
-    const double z73 = z29 * (2.0 - 0.5 * (z19 * z59) + c_z * z72 + 0.5 * (z11 * z71));
-    const double z74 = 2.0 * z63 + z1 * z43 + 0.5 * (x_dot * z17) + 0.5 * (x * z50) + s_z * (0.3 * z54 -
-        (y_dot * z26 + (0.3 * z36 - z1 * z69) + y_2 * z70));
-    const double z75 = c_z * (0.3 * (z1 * z63) - z14 * z27) + z74 - 2.0 * (z * z51);
-    const double z76 = s_z * (y_dot * (z14 + 0.5 * z59) - (0.15 * z56 + (0.25 * (z38 * z6) - y_2 * z72)));
-    const double z77 = c_z * (0.15 * (z6 * z63) - z14 * z60 - z49) + (z6 * z32 - (0.5 * (z11 * z75) - (0.25 *
-        (x_dot * z57) + x * z66)));
-    const double z78 = z29 * (z76 - z77);
-    const double z79 = 0.3 * (z14 * z22) + (z34 * z4 - (2.0 * (x_dot * z42) - (2.0 * (x * z16) + 0.5 * (z *
-        z17))));
-    const double z80 = z1 * (z20 - z28) - (2.0 * z44 + z79);
-    const double z81 = 0.15 * (z14 * z40 - z6 * z19) + x * z58 + 0.25 * (z * z57) + 0.5 * (z34 * z7);
-    const double z82 = z29 * (z81 + z1 * z61 - x_dot * z30 + 0.5 * (z11 * z80));
-    const double z83 = 0.5 * (z35 * z4) + c_z * z26 + 0.5 * (z6 * z28) - y_dot * z2;
-    const double z84 = 0.25 * (z35 * z7) + 0.5 * (z6 * z61 - (z11 * z83 - (c_z * z59 - y_dot * z39)));
-    const double z85 = z29 * (z47 + z84);
+    const double z20 = x * z14;
+    const double z21 = s_z * z1;
+    const double z22 = x_dot * z21;
+    const double z23 = x * x_dot;
+    const double z24 = 2.0 * z18 - (0.3 * z19 + (2.0 * z20 - 0.3 * z22 - 2.0 * (z1 * z23))) + 0.5 * (x * z17);
+    const double z25 = x_dot * z4;
+    const double z26 = 0.3 * (z13 + z14) + y_2 * z25;
+    const double z27 = z24 - s_z * z26;
+    const double z28 = 1.0 / z12;
+    const double z29 = c_z * z14;
+    const double z30 = y_dot * c_z;
+    const double z31 = z30 - y_2 * z19;
+    const double z32 = z18 + z20;
+    const double z33 = x_dot * z31 + 0.5 * (y_dot * z32);
+    const double z34 = 0.3 * (x_dot * z19) - 2.0 * (z14 * z23) - z3 * z33;
+    const double z35 = x_dot * x_dot;
+    const double z36 = z * z6;
+    const double z37 = y_dot * y_dot;
+    const double z38 = c_z * z6;
+    const double z39 = s_z * z6;
+    const double z40 = x_dot * z39;
+    const double z41 = 0.5 * (z35 * z36 + 0.5 * (z37 * z38)) - 0.15 * (z14 * z40) - 0.5 * (4.0 * y_2 + 3.0 *
+        z36);
+    const double z42 = z * z14;
+    const double z43 = z * z1;
+    const double z44 = 0.5 * (2.0 * (z35 * z43) + z37 * z2 + 2.0 * (x * z15)) - 0.3 * (z14 * z22);
+    const double z45 = 0.3 * (z14 * z19) - 2.0 * (x_dot * z42) - 0.3 * (c_z * z33) + z1 * z34 + (z44 - 0.5 *
+        (2.0 * x + 6.0 * z43));
+    const double z46 = z28 * (y_dot * z29 - 0.5 * (z6 * z34) - z41 + 0.5 * (z45 * z11));
+    const double z47 = y_dot * z27 - z4 * z46;
+    const double z48 = z45 * z10 + 0.5 * (z11 * z46);
+    const double z49 = z6 * z46;
+    const double z50 = z1 * z48 - 0.5 * z49;
+    const double z51 = 1.0 - (z15 - 2.0 * (x_dot * z16)) + 0.5 * (z14 * z17) + 0.5 * (z * z47) + 2.0 * ((z33
+        + z50) * (x * z1));
+    const double z52 = z6 * z14;
+    const double z53 = y_dot * z7;
+    const double z54 = x_dot * z7;
+    const double z55 = 0.15 * (x_dot * z6) + 0.5 * (y_2 * z54);
+    const double z56 = z30 + (0.15 * z40 + z6 * z23 + 0.25 * (x * z53) - s_z * z55);
+    const double z57 = z4 * z48;
+    const double z58 = x_dot * z14;
+    const double z59 = s_z * z58;
+    const double z60 = 1.5 - 0.5 * z35;
+    const double z61 = 0.25 * (z7 * z46) + (0.5 * z34 - (0.15 * z59 + z * z60)) + 0.25 * (z3 * z49);
+    const double z62 = 0.5 * (y_dot * z56) + (0.5 * z57 - (0.25 * (z37 * c_z) + z61));
+    const double z63 = z6 * z48;
+    const double z64 = x_dot * z52 + 0.25 * (z14 * z53) + z * z62 + 2.0 * (x * (0.5 * (z6 * z33) - (0.25 *
+        (z6 * z49) - 0.5 * (z1 * z63))));
+    const double z65 = z28 * (z64 - 0.5 * (z11 * z51));
+    const double z66 = 3.0 - z35;
+    const double z67 = 0.5 * z37 - 0.3 * z48;
+    const double z68 = x_dot * z27 + (z57 - (z34 - (0.3 * z59 + z * z66)) + z3 * z50 - c_z * z67);
+    const double z69 = z19 * z25 - c_z * z68;
+    const double z70 = x_dot * z56 + 0.5 * (z3 * z63);
+    const double z71 = z28 * (2.0 - 0.5 * (z19 * z54) + c_z * z70 + 0.5 * (z11 * z69));
+    const double z72 = 2.0 * z58 + z1 * z66 + 0.5 * (x_dot * z17) + 0.5 * (x * z47) - s_z * (0.3 * z50 +
+        (y_dot * z25 + (0.3 * z33 - z1 * z67) + y_2 * z68));
+    const double z73 = c_z * (0.3 * (z1 * z58) - z14 * z26) + z72 + 2.0 * (z * z48);
+    const double z74 = 0.15 * z63 - (0.25 * (z37 * z6) - 0.5 * (y_dot * z54) - y_dot * z14 - y_2 * z70);
+    const double z75 = z6 * z60 + 0.25 * (x_dot * z53) + x * z62 - s_z * z74 - c_z * (z46 - (0.15 * (z6 *
+        z58) - z14 * z55));
+    const double z76 = z28 * (z75 - 0.5 * (z11 * z73));
+    const double z77 = 2.0 * z42 + 0.3 * (z14 * z21) - 0.3 * (z1 * z19) + 2.0 * (x * z16) + 0.5 * (z * z17);
+    const double z78 = z77 + z31 * z4 + z1 * z27 - 2.0 * (x_dot * z43);
+    const double z79 = 0.15 * (z14 * z39 - z6 * z19) + x * z52 + 0.25 * (z * z53) + 0.5 * (z31 * z7);
+    const double z80 = z28 * (z79 + z1 * z56 - x_dot * z36 - 0.5 * (z11 * z78));
+    const double z81 = 0.5 * (z32 * z4) + c_z * z25 + 0.5 * (z6 * z27) - y_dot * z2;
+    const double z82 = z29 + 0.25 * (z32 * z7) + 0.5 * (c_z * z54) + 0.5 * (z6 * z56) - 0.5 * (y_dot * z38);
+    const double z83 = z28 * (z82 - 0.5 * (z11 * z81));
     /* (I.4.9) */
     J[3] = 1.0;
     J[9] = 1.0;
@@ -586,19 +590,19 @@ int voronec_particle_jacobian(double t, const double *y, const double *p, double
     J[12] = 0.5 * (x * y_dot) - s_z * (y_2 * x_dot);
     J[13] = z1;
     J[14] = 0.5 * z6;
-    J[15] = -(z10 * z55 + 0.5 * (z11 * z68));
-    J[16] = z10 * z71 + 0.5 * (z11 * z73);
-    J[17] = -(z10 * z75 + 0.5 * (z11 * z78));
-    J[18] = z10 * z80 + 0.5 * (z11 * z82);
-    J[19] = 0.5 * (z11 * z85) - z10 * z83;
-    J[20] = z68;
-    J[21] = -z73;
-    J[22] = z78;
-    J[23] = -z82;
-    J[24] = -z85;
+    J[15] = 0.5 * (z11 * z65) - z10 * z51;
+    J[16] = z10 * z69 + 0.5 * (z11 * z71);
+    J[17] = 0.5 * (z11 * z76) - z10 * z73;
+    J[18] = 0.5 * (z11 * z80) - z10 * z78;
+    J[19] = 0.5 * (z11 * z83) - z10 * z81;
+    J[20] = -z65;
+    J[21] = -z71;
+    J[22] = -z76;
+    J[23] = -z80;
+    J[24] = -z83;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(J[10] + J[12] + J[14] + J[15] + J[16] + J[17] + J[18] + J[19] + J[21] + J[23] + J[24]) <=
-        DBL_MAX
+    if (!(fabs(J[10] + J[12] + J[14] + J[15] + J[16] + J[17] + J[18] + J[19] + J[20] + J[21] + J[22] + J[23]
+        + J[24]) <= DBL_MAX
         && fabs(z12) > 1e-14 * z8)) {
         /* the mass matrix is singular */
         if (!(fabs(z5) > 0.0)) {

@@ -1,5 +1,5 @@
 /*
- * voronec_particle.h: voronec_particle, emitted by nhc 0.1.0 (nhc:8b34b492ce4e1f5e)
+ * voronec_particle.h: voronec_particle, emitted by nhc 0.1.0 (nhc:fee83aade8c3af30)
  * A particle whose T, U and constraint depend on the dependent coordinate, so that Caplygin's hypotheses
  *     fail.
  * Source: voronec_particle.yaml
@@ -21,12 +21,12 @@
  * Operations:
  * rhs: 31 +-, 61 *, 2 /, 2 calls
  * velocities: 1 +-, 5 *, 0 /, 1 calls
- * accelerations: 34 +-, 64 *, 2 /, 2 calls
+ * accelerations: 34 +-, 78 *, 2 /, 2 calls
  * state: 0 +-, 0 *, 0 /, 0 calls
  * residuals: 2 +-, 5 *, 0 /, 1 calls
- * reactions: 37 +-, 69 *, 2 /, 2 calls
+ * reactions: 37 +-, 83 *, 2 /, 2 calls
  * energy: 10 +-, 20 *, 0 /, 2 calls
- * jacobian: 127 +-, 253 *, 2 /, 2 calls
+ * jacobian: 129 +-, 274 *, 2 /, 2 calls
  * outputs: 0 +-, 0 *, 0 /, 0 calls
  *
  * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.

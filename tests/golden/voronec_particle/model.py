@@ -1,4 +1,4 @@
-"""voronec_particle, emitted by nhc 0.1.0 (nhc:91638d0170f6b897).
+"""voronec_particle, emitted by nhc 0.1.0 (nhc:8c04413fbeb0bf08).
 
 A particle whose T, U and constraint depend on the dependent coordinate, so that
     Caplygin's hypotheses fail.
@@ -21,12 +21,12 @@ Constraints:
 Operations:
 rhs: 31 +-, 61 *, 2 /, 2 calls
 velocities: 1 +-, 5 *, 0 /, 1 calls
-accelerations: 34 +-, 64 *, 2 /, 2 calls
+accelerations: 34 +-, 78 *, 2 /, 2 calls
 state: 0 +-, 0 *, 0 /, 0 calls
 residuals: 2 +-, 5 *, 0 /, 1 calls
-reactions: 37 +-, 69 *, 2 /, 2 calls
+reactions: 37 +-, 83 *, 2 /, 2 calls
 energy: 10 +-, 20 *, 0 /, 2 calls
-jacobian: 127 +-, 253 *, 2 /, 2 calls
+jacobian: 129 +-, 274 *, 2 /, 2 calls
 outputs: 0 +-, 0 *, 0 /, 0 calls
 
 A singular point raises SingularModelError.
@@ -207,33 +207,34 @@ def accelerations(
         # the mass matrix is singular
         if not abs(z11) > 1e-14 * z7:
             raise SingularModelError(2, "accelerations")
-        z12 = x_dot * z1 + 0.5 * (y_dot * z6)
-        z13 = s_z * z12
-        z14 = 0.3 * z13
-        z15 = x * z12
-        z16 = x_dot * x_dot
-        z17 = y_dot * y_dot
-        z18 = y_dot * c_z
-        z19 = x_dot * (z18 - y_2 * z13)
-        z20 = y_dot * (z * x_dot + z15)
-        z21 = z19 + 0.5 * z20
-        z22 = z3 * z21 - x_dot * (z14 - 2.0 * z15)
-        s1 = 0.5 * (z17 * z2) - (z1 * z22 + (x + 0.3 * (c_z * z21)))
-        z23 = z * z1 * (3.0 - z16) - s1
-        s2 = z12 * (x_dot * (2.0 * z + 0.3 * (s_z * z1)) - (z14 + z15))
-        z24 = s2 + z23
-        s3 = 0.5 * (z10 * z24) - (2.0 * y_2 + z12 * z18)
-        z25 = z * z6 * (1.5 - 0.5 * z16) - s3
-        s4 = z6 * (0.5 * z22 - (0.25 * (z17 * c_z) - 0.15 * (x_dot * z13)))
-        z26 = (z25 + s4) / z11
-        z27 = z9 * z24 - 0.5 * (z10 * z26)
+        z12 = y_dot * c_z
+        z13 = x_dot * z1 + 0.5 * (y_dot * z6)
+        z14 = s_z * z13
+        z15 = x_dot * (z12 - y_2 * z14)
+        z16 = y_dot * (z * x_dot + x * z13)
+        z17 = z15 + 0.5 * z16
+        z18 = x_dot * z13
+        z19 = z3 * z17 - (0.3 * (x_dot * z14) - 2.0 * (x * z18))
+        z20 = z * z1
+        z21 = x_dot * x_dot
+        z22 = y_dot * y_dot
+        z23 = s_z * z18
+        s1 = 0.5 * (2.0 * (z21 * z20) + z22 * z2 + 2.0 * (x * (z13 * z13)))
+        z24 = s1 - 0.3 * (z1 * z23)
+        s2 = 0.3 * (c_z * z17) - (0.3 * (z13 * z14) - 2.0 * (z * z18))
+        z25 = s2 + z1 * z19 + (0.5 * (2.0 * x + 6.0 * z20) - z24)
+        z26 = z * z6
+        s3 = 0.5 * (z21 * z26 + 0.5 * (c_z * (z22 * z6)))
+        z27 = 0.5 * (4.0 * y_2 + 3.0 * z26) - (s3 - 0.15 * (z6 * z23))
+        z28 = (z13 * z12 + 0.5 * (z6 * z19) + z27 - 0.5 * (z10 * z25)) / z11
+        z29 = z9 * z25 - 0.5 * (z10 * z28)
         qddot: list[float] = [
             # x'' (I.4.9)
-            -z27,
+            -z29,
             # y'' (I.4.9)
-            -z26,
+            -z28,
             # z'' (I.4.9)
-            z19 - z1 * z27 + 0.5 * (z20 - z6 * z26),
+            z15 - z1 * z29 + 0.5 * (z16 - z6 * z28),
         ]
         return _finish("accelerations", qddot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -334,27 +335,29 @@ def reactions(
         z13 = y_dot * c_z
         z14 = x_dot * z1 + 0.5 * (y_dot * z6)
         z15 = s_z * z14
-        z16 = x * z14
-        s1 = 0.5 * (y_dot * (z * x_dot + z16))
-        z17 = x_dot * (z13 - y_2 * z15) + s1
-        z18 = 0.3 * z15
-        z19 = z3 * z17 - x_dot * (z18 - 2.0 * z16)
-        z20 = x_dot * x_dot
-        z21 = y_dot * y_dot
-        z22 = z21 * c_z
-        z23 = x_dot * z15
-        s2 = 0.5 * (z21 * z2) - (z1 * z19 + (x + 0.3 * (c_z * z17)))
-        z24 = z * z1 * (3.0 - z20) - s2
-        s3 = z14 * (x_dot * (2.0 * z + 0.3 * (s_z * z1)) - (z18 + z16))
-        z25 = s3 + z24
-        s4 = 0.5 * (z11 * z25) - (2.0 * y_2 + z14 * z13)
-        z26 = z * z6 * (1.5 - 0.5 * z20) - s4
-        z27 = (z26 + z6 * (0.5 * z19 - (0.25 * z22 - 0.15 * z23))) / z12
-        s5 = z19 + (3.0 * z - (0.5 * (2.0 * (z * z20) + z22) - 0.3 * z23))
-        z28 = s5 - (z4 * (z10 * z25 - 0.5 * (z11 * z27)) + 0.5 * (z7 * z27))
+        s1 = 0.5 * (y_dot * (z * x_dot + x * z14))
+        z16 = x_dot * (z13 - y_2 * z15) + s1
+        z17 = x_dot * z14
+        z18 = z3 * z16 - (0.3 * (x_dot * z15) - 2.0 * (x * z17))
+        z19 = x_dot * x_dot
+        z20 = y_dot * y_dot
+        z21 = z20 * c_z
+        z22 = s_z * z17
+        z23 = z * z1
+        s2 = 0.5 * (2.0 * (z19 * z23) + z20 * z2 + 2.0 * (x * (z14 * z14)))
+        z24 = s2 - 0.3 * (z1 * z22)
+        s3 = 0.3 * (c_z * z16) - (0.3 * (z14 * z15) - 2.0 * (z * z17))
+        z25 = s3 + z1 * z18 + (0.5 * (2.0 * x + 6.0 * z23) - z24)
+        z26 = z * z6
+        s4 = 0.15 * (z6 * z22) - 0.5 * (z19 * z26 + 0.5 * (z6 * z21))
+        z27 = 0.5 * (4.0 * y_2 + 3.0 * z26) + s4
+        s5 = 0.5 * (z11 * z25) - (z14 * z13 + 0.5 * (z6 * z18) + z27)
+        z28 = s5 / z12
+        s6 = z18 + (3.0 * z - (0.5 * (2.0 * (z * z19) + z21) - 0.3 * z22))
+        z29 = s6 - (z4 * (z10 * z25 + 0.5 * (z11 * z28)) - 0.5 * (z7 * z28))
         lambda_: list[float] = [
             # reaction of contact: Q_i gains lambda_1 a_1i (I.4.1) 10:5
-            z28,
+            z29,
         ]
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -434,87 +437,87 @@ def jacobian(
         z17 = y_dot * z4
         z18 = z * x_dot
         z19 = s_z * z14
-        z20 = 0.3 * z19
-        z21 = x * z14
-        z22 = s_z * z1
-        z23 = x_dot * z22
-        z24 = x * x_dot
-        s1 = 2.0 * z18 - (z20 + (2.0 * z21 - 0.3 * z23 - 2.0 * (z1 * z24)))
-        z25 = s1 + 0.5 * (x * z17)
-        z26 = x_dot * z4
-        z27 = 0.3 * (z13 + z14) + y_2 * z26
-        z28 = z25 - s_z * z27
-        z29 = 1.0 / z12
-        z30 = z * z6
-        z31 = x_dot * x_dot
-        z32 = 1.5 - 0.5 * z31
-        z33 = y_dot * c_z
-        z34 = z33 - y_2 * z19
-        z35 = z18 + z21
-        z36 = x_dot * z34 + 0.5 * (y_dot * z35)
-        z37 = 0.3 * (x_dot * z19) - 2.0 * (z14 * z24) - z3 * z36
-        z38 = y_dot * y_dot
-        z39 = c_z * z6
-        z40 = s_z * z6
-        z41 = x_dot * z40
-        z42 = z * z1
-        z43 = 3.0 - z31
-        z44 = z * z14
-        s2 = 0.5 * (z38 * z2) - (2.0 * (x_dot * z44) + 0.3 * (c_z * z36))
-        z45 = 0.3 * (z14 * (z19 - z23)) + (z1 * z37 + s2)
-        z46 = x * (1.0 - z15) + (z42 * z43 - z45)
-        z47 = c_z * z14
-        s3 = 0.5 * (z11 * z46) - (2.0 * y_2 + y_dot * z47)
-        z48 = 0.25 * (z38 * z39) - (0.15 * (z14 * z41) - s3)
-        z49 = z29 * (z30 * z32 - (0.5 * (z6 * z37) + z48))
-        z50 = y_dot * z28 - z4 * z49
-        z51 = z10 * z46 - 0.5 * (z11 * z49)
-        z52 = z6 * z49
-        z53 = 0.5 * z52
-        z54 = z1 * z51 + z53
-        s4 = 1.0 - (z15 - 2.0 * (x_dot * z16)) + 0.5 * (z14 * z17)
-        z55 = s4 + 0.5 * (z * z50) + 2.0 * ((z36 - z54) * (x * z1))
-        z56 = z6 * z51
-        z57 = y_dot * z7
-        z58 = z6 * z14
-        z59 = x_dot * z7
-        z60 = 0.15 * (x_dot * z6) + 0.5 * (y_2 * z59)
-        z61 = z33 + (0.15 * z41 + z6 * z24 + 0.25 * (x * z57) - s_z * z60)
-        z62 = z4 * z51
-        z63 = x_dot * z14
-        z64 = s_z * z63
-        s5 = 0.5 * z37 - (0.15 * z64 + z * z32) + 0.25 * (z7 * z49)
-        z65 = s5 + 0.25 * (z3 * z52)
-        z66 = 0.5 * (y_dot * z61) - (0.5 * z62 + (0.25 * (z38 * c_z) + z65))
-        s6 = x_dot * z58 + z * z66 - 0.5 * (z11 * z55)
-        z67 = x * (z1 * z56 - z6 * (z36 - z53)) - (0.25 * (z14 * z57) + s6)
-        z68 = z29 * z67
-        z69 = 0.5 * z38 + 0.3 * z51
-        s7 = z37 - (0.3 * z64 + z * z43) + z62 + z3 * z54 + c_z * z69
-        z70 = x_dot * z28 - s7
-        z71 = z19 * z26 - c_z * z70
-        z72 = x_dot * z61 - 0.5 * (z3 * z56)
-        s8 = 2.0 - 0.5 * (z19 * z59) + c_z * z72 + 0.5 * (z11 * z71)
-        z73 = z29 * s8
-        s9 = 0.3 * z54 - (y_dot * z26 + (0.3 * z36 - z1 * z69) + y_2 * z70)
-        s10 = 2.0 * z63 + z1 * z43 + 0.5 * (x_dot * z17) + 0.5 * (x * z50)
-        z74 = s10 + s_z * s9
-        z75 = c_z * (0.3 * (z1 * z63) - z14 * z27) + z74 - 2.0 * (z * z51)
-        s11 = 0.15 * z56 + (0.25 * (z38 * z6) - y_2 * z72)
-        z76 = s_z * (y_dot * (z14 + 0.5 * z59) - s11)
-        s12 = 0.5 * (z11 * z75) - (0.25 * (x_dot * z57) + x * z66)
-        z77 = c_z * (0.15 * (z6 * z63) - z14 * z60 - z49) + (z6 * z32 - s12)
-        z78 = z29 * (z76 - z77)
-        s13 = 2.0 * (x_dot * z42) - (2.0 * (x * z16) + 0.5 * (z * z17))
-        z79 = 0.3 * (z14 * z22) + (z34 * z4 - s13)
-        z80 = z1 * (z20 - z28) - (2.0 * z44 + z79)
-        s14 = 0.15 * (z14 * z40 - z6 * z19) + x * z58 + 0.25 * (z * z57)
-        z81 = s14 + 0.5 * (z34 * z7)
-        z82 = z29 * (z81 + z1 * z61 - x_dot * z30 + 0.5 * (z11 * z80))
-        z83 = 0.5 * (z35 * z4) + c_z * z26 + 0.5 * (z6 * z28) - y_dot * z2
-        s15 = 0.5 * (z6 * z61 - (z11 * z83 - (c_z * z59 - y_dot * z39)))
-        z84 = 0.25 * (z35 * z7) + s15
-        z85 = z29 * (z47 + z84)
+        z20 = x * z14
+        z21 = s_z * z1
+        z22 = x_dot * z21
+        z23 = x * x_dot
+        s1 = 0.3 * z19 + (2.0 * z20 - 0.3 * z22 - 2.0 * (z1 * z23))
+        z24 = 2.0 * z18 - s1 + 0.5 * (x * z17)
+        z25 = x_dot * z4
+        z26 = 0.3 * (z13 + z14) + y_2 * z25
+        z27 = z24 - s_z * z26
+        z28 = 1.0 / z12
+        z29 = c_z * z14
+        z30 = y_dot * c_z
+        z31 = z30 - y_2 * z19
+        z32 = z18 + z20
+        z33 = x_dot * z31 + 0.5 * (y_dot * z32)
+        z34 = 0.3 * (x_dot * z19) - 2.0 * (z14 * z23) - z3 * z33
+        z35 = x_dot * x_dot
+        z36 = z * z6
+        z37 = y_dot * y_dot
+        z38 = c_z * z6
+        z39 = s_z * z6
+        z40 = x_dot * z39
+        s2 = 0.5 * (z35 * z36 + 0.5 * (z37 * z38)) - 0.15 * (z14 * z40)
+        z41 = s2 - 0.5 * (4.0 * y_2 + 3.0 * z36)
+        z42 = z * z14
+        z43 = z * z1
+        s3 = 0.5 * (2.0 * (z35 * z43) + z37 * z2 + 2.0 * (x * z15))
+        z44 = s3 - 0.3 * (z14 * z22)
+        s4 = 0.3 * (z14 * z19) - 2.0 * (x_dot * z42) - 0.3 * (c_z * z33)
+        z45 = s4 + z1 * z34 + (z44 - 0.5 * (2.0 * x + 6.0 * z43))
+        s5 = y_dot * z29 - 0.5 * (z6 * z34) - z41 + 0.5 * (z45 * z11)
+        z46 = z28 * s5
+        z47 = y_dot * z27 - z4 * z46
+        z48 = z45 * z10 + 0.5 * (z11 * z46)
+        z49 = z6 * z46
+        z50 = z1 * z48 - 0.5 * z49
+        s6 = 1.0 - (z15 - 2.0 * (x_dot * z16)) + 0.5 * (z14 * z17)
+        z51 = s6 + 0.5 * (z * z47) + 2.0 * ((z33 + z50) * (x * z1))
+        z52 = z6 * z14
+        z53 = y_dot * z7
+        z54 = x_dot * z7
+        z55 = 0.15 * (x_dot * z6) + 0.5 * (y_2 * z54)
+        z56 = z30 + (0.15 * z40 + z6 * z23 + 0.25 * (x * z53) - s_z * z55)
+        z57 = z4 * z48
+        z58 = x_dot * z14
+        z59 = s_z * z58
+        z60 = 1.5 - 0.5 * z35
+        s7 = 0.25 * (z7 * z46) + (0.5 * z34 - (0.15 * z59 + z * z60))
+        z61 = s7 + 0.25 * (z3 * z49)
+        z62 = 0.5 * (y_dot * z56) + (0.5 * z57 - (0.25 * (z37 * c_z) + z61))
+        z63 = z6 * z48
+        s8 = 0.5 * (z6 * z33) - (0.25 * (z6 * z49) - 0.5 * (z1 * z63))
+        z64 = x_dot * z52 + 0.25 * (z14 * z53) + z * z62 + 2.0 * (x * s8)
+        z65 = z28 * (z64 - 0.5 * (z11 * z51))
+        z66 = 3.0 - z35
+        z67 = 0.5 * z37 - 0.3 * z48
+        s9 = z57 - (z34 - (0.3 * z59 + z * z66)) + z3 * z50 - c_z * z67
+        z68 = x_dot * z27 + s9
+        z69 = z19 * z25 - c_z * z68
+        z70 = x_dot * z56 + 0.5 * (z3 * z63)
+        s10 = 2.0 - 0.5 * (z19 * z54) + c_z * z70 + 0.5 * (z11 * z69)
+        z71 = z28 * s10
+        s11 = 0.3 * z50 + (y_dot * z25 + (0.3 * z33 - z1 * z67) + y_2 * z68)
+        s12 = 2.0 * z58 + z1 * z66 + 0.5 * (x_dot * z17) + 0.5 * (x * z47)
+        z72 = s12 - s_z * s11
+        z73 = c_z * (0.3 * (z1 * z58) - z14 * z26) + z72 + 2.0 * (z * z48)
+        s13 = 0.25 * (z37 * z6) - 0.5 * (y_dot * z54) - y_dot * z14
+        z74 = 0.15 * z63 - (s13 - y_2 * z70)
+        s14 = z6 * z60 + 0.25 * (x_dot * z53) + x * z62 - s_z * z74
+        z75 = s14 - c_z * (z46 - (0.15 * (z6 * z58) - z14 * z55))
+        z76 = z28 * (z75 - 0.5 * (z11 * z73))
+        s15 = 2.0 * z42 + 0.3 * (z14 * z21) - 0.3 * (z1 * z19)
+        z77 = s15 + 2.0 * (x * z16) + 0.5 * (z * z17)
+        z78 = z77 + z31 * z4 + z1 * z27 - 2.0 * (x_dot * z43)
+        s16 = 0.15 * (z14 * z39 - z6 * z19) + x * z52 + 0.25 * (z * z53)
+        z79 = s16 + 0.5 * (z31 * z7)
+        z80 = z28 * (z79 + z1 * z56 - x_dot * z36 - 0.5 * (z11 * z78))
+        z81 = 0.5 * (z32 * z4) + c_z * z25 + 0.5 * (z6 * z27) - y_dot * z2
+        s17 = z29 + 0.25 * (z32 * z7) + 0.5 * (c_z * z54)
+        z82 = s17 + 0.5 * (z6 * z56) - 0.5 * (y_dot * z38)
+        z83 = z28 * (z82 - 0.5 * (z11 * z81))
         J: list[float] = [
             0.0,
             0.0,
@@ -539,25 +542,25 @@ def jacobian(
             # (I.4.9)
             0.5 * z6,
             # (I.4.9)
-            -(z10 * z55 + 0.5 * (z11 * z68)),
+            0.5 * (z11 * z65) - z10 * z51,
             # (I.4.9)
-            z10 * z71 + 0.5 * (z11 * z73),
+            z10 * z69 + 0.5 * (z11 * z71),
             # (I.4.9)
-            -(z10 * z75 + 0.5 * (z11 * z78)),
+            0.5 * (z11 * z76) - z10 * z73,
             # (I.4.9)
-            z10 * z80 + 0.5 * (z11 * z82),
+            0.5 * (z11 * z80) - z10 * z78,
             # (I.4.9)
-            0.5 * (z11 * z85) - z10 * z83,
+            0.5 * (z11 * z83) - z10 * z81,
             # (I.4.9)
-            z68,
+            -z65,
             # (I.4.9)
-            -z73,
+            -z71,
             # (I.4.9)
-            z78,
+            -z76,
             # (I.4.9)
-            -z82,
+            -z80,
             # (I.4.9)
-            -z85,
+            -z83,
         ]
         _finish("jacobian", J)
         return [J[k1 : k1 + 5] for k1 in range(0, 25, 5)]
