@@ -1,5 +1,5 @@
 /*
- * affine_voronec.c: affine_voronec, emitted by nhc 0.1.0 (nhc:500ced4efe37c81a)
+ * affine_voronec.c: affine_voronec, emitted by nhc 0.1.0 (nhc:d2955f269cd1409a)
  * A particle with everything at once; affine constraint, time, T of degrees 2, 1 and 0, drag, a driving
  *     force.
  * Source: affine_voronec.yaml
@@ -41,6 +41,9 @@ const double affine_voronec_parameter_defaults[] = {
 #define AFFINE_VORONEC_SLOW
 #endif
 
+#if defined(__GNUC__)
+__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+#endif
 static int affine_voronec_finish(int count, const double *values)
 {
     double sum = 0.0; /* an infinity or a NaN among the values stays in it */

@@ -1,5 +1,5 @@
 /*
- * ball_on_table.c: ball_on_table, emitted by nhc 0.1.0 (nhc:177883858d49c595)
+ * ball_on_table.c: ball_on_table, emitted by nhc 0.1.0 (nhc:6b96d878a90660ed)
  * A homogeneous ball that rolls on a turning table; its centre runs on a circle, though nothing holds it
  *     there.
  * Source: ball_on_table.yaml
@@ -62,6 +62,9 @@ const double ball_on_table_parameter_defaults[] = {
 #define BALL_ON_TABLE_SLOW
 #endif
 
+#if defined(__GNUC__)
+__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+#endif
 static int ball_on_table_finish(int count, const double *values)
 {
     double sum = 0.0; /* an infinity or a NaN among the values stays in it */

@@ -1,5 +1,5 @@
 /*
- * bead_on_rod.c: bead_on_rod, emitted by nhc 0.1.0 (nhc:d7fdc744b195a899)
+ * bead_on_rod.c: bead_on_rod, emitted by nhc 0.1.0 (nhc:11e2fca8708a809a)
  * A bead on a straight horizontal rod that turns at a constant rate; T has a part without velocities.
  * Source: bead_on_rod.yaml
  * Equations of motion: lagrange (II.3)
@@ -28,6 +28,9 @@ const double bead_on_rod_parameter_defaults[] = {
     2.0
 };
 
+#if defined(__GNUC__)
+__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+#endif
 static int bead_on_rod_finish(int count, const double *values)
 {
     double sum = 0.0; /* an infinity or a NaN among the values stays in it */

@@ -1,5 +1,5 @@
 /*
- * bicycle.c: bicycle, emitted by nhc 0.1.0 (nhc:92e2a97b2ebaa619)
+ * bicycle.c: bicycle, emitted by nhc 0.1.0 (nhc:b27bf043548e5f5a)
  * Whipple's bicycle, nonlinear; two wheels, rear frame with rider, front frame; x ahead, y right, z down.
  * Source: bicycle.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -102,6 +102,9 @@ const double bicycle_parameter_defaults[] = {
 #define BICYCLE_SLOW
 #endif
 
+#if defined(__GNUC__)
+__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+#endif
 static int bicycle_finish(int count, const double *values)
 {
     double sum = 0.0; /* an infinity or a NaN among the values stays in it */

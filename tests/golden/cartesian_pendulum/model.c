@@ -1,5 +1,5 @@
 /*
- * cartesian_pendulum.c: cartesian_pendulum, emitted by nhc 0.1.0 (nhc:ae9f610da24c782a)
+ * cartesian_pendulum.c: cartesian_pendulum, emitted by nhc 0.1.0 (nhc:cd1e92a7351b5779)
  * The plane pendulum in Cartesian coordinates; its constraint is written with velocities, but it is
  *     holonomic.
  * Source: cartesian_pendulum.yaml
@@ -32,6 +32,9 @@ const double cartesian_pendulum_parameter_defaults[] = {
     9.81
 };
 
+#if defined(__GNUC__)
+__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+#endif
 static int cartesian_pendulum_finish(int count, const double *values)
 {
     double sum = 0.0; /* an infinity or a NaN among the values stays in it */

@@ -1,5 +1,5 @@
 /*
- * chaotic.c: chaotic, emitted by nhc 0.1.0 (nhc:e176c35d0b5cab7d)
+ * chaotic.c: chaotic, emitted by nhc 0.1.0 (nhc:e28b6f51de8335b2)
  * Seven coupled oscillators with one contact constraint; reversible and chaotic.
  * Source: chaotic.yaml
  * Equations of motion: chaplygin (III.3)
@@ -54,6 +54,9 @@ const double chaotic_parameter_defaults[] = {
 #define CHAOTIC_SLOW
 #endif
 
+#if defined(__GNUC__)
+__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+#endif
 static int chaotic_finish(int count, const double *values)
 {
     double sum = 0.0; /* an infinity or a NaN among the values stays in it */

@@ -1,5 +1,5 @@
 /*
- * chaplygin_ball.c: chaplygin_ball, emitted by nhc 0.1.0 (nhc:7867cd9f25b1e940)
+ * chaplygin_ball.c: chaplygin_ball, emitted by nhc 0.1.0 (nhc:f27f273bd67efaec)
  * A ball with three different moments of inertia and its centre of mass at its centre rolls on a horizontal
  *     plane.
  * Source: chaplygin_ball.yaml
@@ -52,6 +52,9 @@ const double chaplygin_ball_parameter_defaults[] = {
 #define CHAPLYGIN_BALL_SLOW
 #endif
 
+#if defined(__GNUC__)
+__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+#endif
 static int chaplygin_ball_finish(int count, const double *values)
 {
     double sum = 0.0; /* an infinity or a NaN among the values stays in it */

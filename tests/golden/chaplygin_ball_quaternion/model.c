@@ -1,5 +1,5 @@
 /*
- * chaplygin_ball_quaternion.c: chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:7332f05cc14ccd14)
+ * chaplygin_ball_quaternion.c: chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:b19d96409c2488fb)
  * A ball with three different moments of inertia rolls on a horizontal plane; its orientation is a
  *     quaternion.
  * Source: chaplygin_ball_quaternion.yaml
@@ -54,6 +54,9 @@ const double chaplygin_ball_quaternion_parameter_defaults[] = {
 #define CHAPLYGIN_BALL_QUATERNION_SLOW
 #endif
 
+#if defined(__GNUC__)
+__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+#endif
 static int chaplygin_ball_quaternion_finish(int count, const double *values)
 {
     double sum = 0.0; /* an infinity or a NaN among the values stays in it */

@@ -1,5 +1,5 @@
 /*
- * chaplygin_sleigh.c: chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:ec24d3c2ac21b85a)
+ * chaplygin_sleigh.c: chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:477b05a985e75b12)
  * A rigid body on a knife edge; the centre of mass is a distance a ahead of the edge.
  * Source: chaplygin_sleigh.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -35,6 +35,9 @@ const double chaplygin_sleigh_parameter_defaults[] = {
     0.7
 };
 
+#if defined(__GNUC__)
+__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+#endif
 static int chaplygin_sleigh_finish(int count, const double *values)
 {
     double sum = 0.0; /* an infinity or a NaN among the values stays in it */

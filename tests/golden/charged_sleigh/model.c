@@ -1,5 +1,5 @@
 /*
- * charged_sleigh.c: charged_sleigh, emitted by nhc 0.1.0 (nhc:379140221753be7a)
+ * charged_sleigh.c: charged_sleigh, emitted by nhc 0.1.0 (nhc:8137b75c9bdb7b98)
  * Chaplygin's sleigh with a charge at its centre of mass in a magnetic field; T depends on x and y.
  * Source: charged_sleigh.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -37,6 +37,9 @@ const double charged_sleigh_parameter_defaults[] = {
     0.9
 };
 
+#if defined(__GNUC__)
+__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+#endif
 static int charged_sleigh_finish(int count, const double *values)
 {
     double sum = 0.0; /* an infinity or a NaN among the values stays in it */

@@ -1,5 +1,5 @@
 /*
- * contact_oscillator.c: contact_oscillator, emitted by nhc 0.1.0 (nhc:193b101e7e20cab0)
+ * contact_oscillator.c: contact_oscillator, emitted by nhc 0.1.0 (nhc:9b2586c69223793c)
  * Three equal oscillators with one contact constraint; reversible and integrable.
  * Source: contact_oscillator.yaml
  * Equations of motion: chaplygin (III.3)
@@ -35,6 +35,9 @@ const double contact_oscillator_parameter_defaults[] = {
     0.0
 };
 
+#if defined(__GNUC__)
+__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+#endif
 static int contact_oscillator_finish(int count, const double *values)
 {
     double sum = 0.0; /* an infinity or a NaN among the values stays in it */

@@ -1,5 +1,5 @@
 /*
- * contact_oscillator_eps.c: contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:8e9aae8d8368bb82)
+ * contact_oscillator_eps.c: contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:67eed784e3dc8cbf)
  * The contact oscillator with a quartic coupling; still reversible and still with a second integral.
  * Source: contact_oscillator_eps.yaml
  * Equations of motion: chaplygin (III.3)
@@ -35,6 +35,9 @@ const double contact_oscillator_eps_parameter_defaults[] = {
     0.3
 };
 
+#if defined(__GNUC__)
+__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+#endif
 static int contact_oscillator_eps_finish(int count, const double *values)
 {
     double sum = 0.0; /* an infinity or a NaN among the values stays in it */

@@ -1,5 +1,5 @@
 /*
- * cvt.c: cvt, emitted by nhc 0.1.0 (nhc:70f885f055f6d2ca)
+ * cvt.c: cvt, emitted by nhc 0.1.0 (nhc:f02ef39d86ac2afa)
  * A continuously variable transmission; a plane oscillator whose free direction is set by a symmetric driver.
  * Source: cvt.yaml
  * Equations of motion: chaplygin (III.3)
@@ -35,6 +35,9 @@ const double cvt_parameter_defaults[] = {
     0.0
 };
 
+#if defined(__GNUC__)
+__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+#endif
 static int cvt_finish(int count, const double *values)
 {
     double sum = 0.0; /* an infinity or a NaN among the values stays in it */

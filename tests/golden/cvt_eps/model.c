@@ -1,5 +1,5 @@
 /*
- * cvt_eps.c: cvt_eps, emitted by nhc 0.1.0 (nhc:64963be1ee88d1df)
+ * cvt_eps.c: cvt_eps, emitted by nhc 0.1.0 (nhc:8b3ea90a390a2d0f)
  * The transmission with a driver that breaks the symmetry; most integrators for nonholonomic systems drift on
  *     it.
  * Source: cvt_eps.yaml
@@ -34,6 +34,9 @@ const double cvt_eps_parameter_defaults[] = {
     0.3
 };
 
+#if defined(__GNUC__)
+__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+#endif
 static int cvt_eps_finish(int count, const double *values)
 {
     double sum = 0.0; /* an infinity or a NaN among the values stays in it */

@@ -1,5 +1,5 @@
 /*
- * diff_drive.c: diff_drive, emitted by nhc 0.1.0 (nhc:4d46e9f0fdb0ac82)
+ * diff_drive.c: diff_drive, emitted by nhc 0.1.0 (nhc:9274e8084f211d30)
  * A cart with two driven wheels and a caster; three velocity constraints, one of which is holonomic in
  *     disguise.
  * Source: diff_drive.yaml
@@ -50,6 +50,9 @@ const double diff_drive_parameter_defaults[] = {
     0.2
 };
 
+#if defined(__GNUC__)
+__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+#endif
 static int diff_drive_finish(int count, const double *values)
 {
     double sum = 0.0; /* an infinity or a NaN among the values stays in it */

@@ -1,5 +1,5 @@
 /*
- * disk_chain2.c: disk_chain2, emitted by nhc 0.1.0 (nhc:d5513bd313288a2d)
+ * disk_chain2.c: disk_chain2, emitted by nhc 0.1.0 (nhc:56f1684307801eb1)
  * Two upright rolling disks joined by a spring; the first link of a chain that may be made as long as one
  *     likes.
  * Source: disk_chain2.yaml
@@ -75,6 +75,9 @@ const double disk_chain2_parameter_defaults[] = {
 #define DISK_CHAIN2_SLOW
 #endif
 
+#if defined(__GNUC__)
+__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+#endif
 static int disk_chain2_finish(int count, const double *values)
 {
     double sum = 0.0; /* an infinity or a NaN among the values stays in it */

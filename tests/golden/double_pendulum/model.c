@@ -1,5 +1,5 @@
 /*
- * double_pendulum.c: double_pendulum, emitted by nhc 0.1.0 (nhc:d161cda683b9326f)
+ * double_pendulum.c: double_pendulum, emitted by nhc 0.1.0 (nhc:227743b6862dce0b)
  * Two pendulums in a row, absolute angles; the model gives positions and nhc differentiates them.
  * Source: double_pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -44,6 +44,9 @@ const double double_pendulum_parameter_defaults[] = {
 #define DOUBLE_PENDULUM_SLOW
 #endif
 
+#if defined(__GNUC__)
+__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+#endif
 static int double_pendulum_finish(int count, const double *values)
 {
     double sum = 0.0; /* an infinity or a NaN among the values stays in it */

@@ -1,5 +1,5 @@
 /*
- * free_rigid_body.c: free_rigid_body, emitted by nhc 0.1.0 (nhc:103d38d38e6b9ff4)
+ * free_rigid_body.c: free_rigid_body, emitted by nhc 0.1.0 (nhc:0a82d881696a9257)
  * A free rigid body; the components of its angular velocity on body axes are the quasi-velocities.
  * Source: free_rigid_body.yaml
  * Equations of motion: euler-lagrange (I.2.14)
@@ -43,6 +43,9 @@ const double free_rigid_body_parameter_defaults[] = {
 #define FREE_RIGID_BODY_SLOW
 #endif
 
+#if defined(__GNUC__)
+__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+#endif
 static int free_rigid_body_finish(int count, const double *values)
 {
     double sum = 0.0; /* an infinity or a NaN among the values stays in it */

@@ -1,5 +1,5 @@
 /*
- * free_rigid_body_quaternion.c: free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:68c1944e698f18c4)
+ * free_rigid_body_quaternion.c: free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:1edc276f2147d865)
  * A free rigid body, its orientation a quaternion; Euler's equations, and no orientation that is special.
  * Source: free_rigid_body_quaternion.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -45,6 +45,9 @@ const double free_rigid_body_quaternion_parameter_defaults[] = {
 #define FREE_RIGID_BODY_QUATERNION_SLOW
 #endif
 
+#if defined(__GNUC__)
+__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+#endif
 static int free_rigid_body_quaternion_finish(int count, const double *values)
 {
     double sum = 0.0; /* an infinity or a NaN among the values stays in it */

@@ -1,5 +1,5 @@
 /*
- * heavy_top.c: heavy_top, emitted by nhc 0.1.0 (nhc:02f3e9a3f44cfa6e)
+ * heavy_top.c: heavy_top, emitted by nhc 0.1.0 (nhc:fe4b21ba3d55a6cd)
  * The symmetric top with a fixed point (Lagrange's top).
  * Source: heavy_top.yaml
  * Equations of motion: lagrange (II.3)
@@ -43,6 +43,9 @@ const double heavy_top_parameter_defaults[] = {
 #define HEAVY_TOP_SLOW
 #endif
 
+#if defined(__GNUC__)
+__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+#endif
 static int heavy_top_finish(int count, const double *values)
 {
     double sum = 0.0; /* an infinity or a NaN among the values stays in it */

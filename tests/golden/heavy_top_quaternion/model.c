@@ -1,5 +1,5 @@
 /*
- * heavy_top_quaternion.c: heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:a1eee716fb6172c9)
+ * heavy_top_quaternion.c: heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:0d35f73fdc1f76d1)
  * The symmetric top with a fixed point (Lagrange's top), its orientation a quaternion, so that it may stand
  *     upright.
  * Source: heavy_top_quaternion.yaml
@@ -46,6 +46,9 @@ const double heavy_top_quaternion_parameter_defaults[] = {
 #define HEAVY_TOP_QUATERNION_SLOW
 #endif
 
+#if defined(__GNUC__)
+__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+#endif
 static int heavy_top_quaternion_finish(int count, const double *values)
 {
     double sum = 0.0; /* an infinity or a NaN among the values stays in it */

@@ -1,5 +1,5 @@
 /*
- * holonomic_pendulum.c: holonomic_pendulum, emitted by nhc 0.1.0 (nhc:c70d9f32ac0b7689)
+ * holonomic_pendulum.c: holonomic_pendulum, emitted by nhc 0.1.0 (nhc:9d0869d516728bc6)
  * The plane pendulum in Cartesian coordinates with the rod as a constraint on the positions.
  * Source: holonomic_pendulum.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -33,6 +33,9 @@ const double holonomic_pendulum_parameter_defaults[] = {
     1.0
 };
 
+#if defined(__GNUC__)
+__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+#endif
 static int holonomic_pendulum_finish(int count, const double *values)
 {
     double sum = 0.0; /* an infinity or a NaN among the values stays in it */

@@ -1,5 +1,5 @@
 /*
- * n_snake3.c: n_snake3, emitted by nhc 0.1.0 (nhc:38d6782d65449955)
+ * n_snake3.c: n_snake3, emitted by nhc 0.1.0 (nhc:f97ac14e44a3e244)
  * Three links with a wheeled axle under the middle of each, hinged in a row with springs in the hinges.
  * Source: n_snake3.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -48,6 +48,9 @@ const double n_snake3_parameter_defaults[] = {
 #define N_SNAKE3_SLOW
 #endif
 
+#if defined(__GNUC__)
+__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+#endif
 static int n_snake3_finish(int count, const double *values)
 {
     double sum = 0.0; /* an infinity or a NaN among the values stays in it */

@@ -1,5 +1,5 @@
 /*
- * n_trailer3.c: n_trailer3, emitted by nhc 0.1.0 (nhc:3f976d1e1fe71025)
+ * n_trailer3.c: n_trailer3, emitted by nhc 0.1.0 (nhc:79c25954bb4fc769)
  * A tractor with three trailers, each hitched to the axle before it; none of the four axles slips sideways.
  * Source: n_trailer3.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -52,6 +52,9 @@ const double n_trailer3_parameter_defaults[] = {
 #define N_TRAILER3_SLOW
 #endif
 
+#if defined(__GNUC__)
+__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+#endif
 static int n_trailer3_finish(int count, const double *values)
 {
     double sum = 0.0; /* an infinity or a NaN among the values stays in it */

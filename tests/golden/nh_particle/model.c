@@ -1,5 +1,5 @@
 /*
- * nh_particle.c: nh_particle, emitted by nhc 0.1.0 (nhc:59685d94d9bb2a2c)
+ * nh_particle.c: nh_particle, emitted by nhc 0.1.0 (nhc:043e3bea78ff8a4d)
  * A free particle with one velocity constraint that cannot be integrated.
  * Source: nh_particle.yaml
  * Equations of motion: chaplygin (III.3)
@@ -31,6 +31,9 @@ const double nh_particle_parameter_defaults[] = {
     1.0
 };
 
+#if defined(__GNUC__)
+__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+#endif
 static int nh_particle_finish(int count, const double *values)
 {
     double sum = 0.0; /* an infinity or a NaN among the values stays in it */

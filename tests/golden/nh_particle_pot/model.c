@@ -1,5 +1,5 @@
 /*
- * nh_particle_pot.c: nh_particle_pot, emitted by nhc 0.1.0 (nhc:20a912165afacb2f)
+ * nh_particle_pot.c: nh_particle_pot, emitted by nhc 0.1.0 (nhc:4f1b18690d389c20)
  * The nonholonomic particle with springs in x and y.
  * Source: nh_particle_pot.yaml
  * Equations of motion: chaplygin (III.3)
@@ -33,6 +33,9 @@ const double nh_particle_pot_parameter_defaults[] = {
     1.0
 };
 
+#if defined(__GNUC__)
+__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+#endif
 static int nh_particle_pot_finish(int count, const double *values)
 {
     double sum = 0.0; /* an infinity or a NaN among the values stays in it */

@@ -1,5 +1,5 @@
 /*
- * pendulum.c: pendulum, emitted by nhc 0.1.0 (nhc:819993fb3e553d3a)
+ * pendulum.c: pendulum, emitted by nhc 0.1.0 (nhc:eb94dc27f2e95b60)
  * The plane pendulum, large swings.
  * Source: pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -30,6 +30,9 @@ const double pendulum_parameter_defaults[] = {
     9.81
 };
 
+#if defined(__GNUC__)
+__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+#endif
 static int pendulum_finish(int count, const double *values)
 {
     double sum = 0.0; /* an infinity or a NaN among the values stays in it */

@@ -1,5 +1,5 @@
 /*
- * point_mass.c: point_mass, emitted by nhc 0.1.0 (nhc:042e286a6999f334)
+ * point_mass.c: point_mass, emitted by nhc 0.1.0 (nhc:9c5d901d594291e5)
  * A point mass thrown in a uniform field of gravity, with linear drag.
  * Source: point_mass.yaml
  * Equations of motion: lagrange (II.3)
@@ -36,6 +36,9 @@ const double point_mass_parameter_defaults[] = {
     0.5
 };
 
+#if defined(__GNUC__)
+__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+#endif
 static int point_mass_finish(int count, const double *values)
 {
     double sum = 0.0; /* an infinity or a NaN among the values stays in it */

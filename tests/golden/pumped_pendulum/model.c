@@ -1,5 +1,5 @@
 /*
- * pumped_pendulum.c: pumped_pendulum, emitted by nhc 0.1.0 (nhc:fef32f34553e44b8)
+ * pumped_pendulum.c: pumped_pendulum, emitted by nhc 0.1.0 (nhc:5113f7a37fc8e561)
  * A pendulum whose pivot is moved to and fro; T depends on time and is not homogeneous in the velocities.
  * Source: pumped_pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -34,6 +34,9 @@ const double pumped_pendulum_parameter_defaults[] = {
     3.0
 };
 
+#if defined(__GNUC__)
+__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+#endif
 static int pumped_pendulum_finish(int count, const double *values)
 {
     double sum = 0.0; /* an infinity or a NaN among the values stays in it */

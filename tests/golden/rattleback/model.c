@@ -1,5 +1,5 @@
 /*
- * rattleback.c: rattleback, emitted by nhc 0.1.0 (nhc:f4a5a5e5dca39a9e)
+ * rattleback.c: rattleback, emitted by nhc 0.1.0 (nhc:27efdc0468cc75f9)
  * A loaded ellipsoid that rolls on a plane and prefers one sense of spin (celt, wobblestone).
  * Source: rattleback.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -61,6 +61,9 @@ const double rattleback_parameter_defaults[] = {
 #define RATTLEBACK_SLOW
 #endif
 
+#if defined(__GNUC__)
+__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+#endif
 static int rattleback_finish(int count, const double *values)
 {
     double sum = 0.0; /* an infinity or a NaN among the values stays in it */

@@ -1,5 +1,5 @@
 /*
- * roller_racer.c: roller_racer, emitted by nhc 0.1.0 (nhc:120521ec76107a2d)
+ * roller_racer.c: roller_racer, emitted by nhc 0.1.0 (nhc:f0dfb5788a9dcf21)
  * Two wheeled bodies with a hinge; it is driven by moving the hinge to and fro.
  * Source: roller_racer.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -49,6 +49,9 @@ const double roller_racer_parameter_defaults[] = {
 #define ROLLER_RACER_SLOW
 #endif
 
+#if defined(__GNUC__)
+__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+#endif
 static int roller_racer_finish(int count, const double *values)
 {
     double sum = 0.0; /* an infinity or a NaN among the values stays in it */

@@ -1,5 +1,5 @@
 /*
- * rolling_disk.c: rolling_disk, emitted by nhc 0.1.0 (nhc:e0aa8b86bae18773)
+ * rolling_disk.c: rolling_disk, emitted by nhc 0.1.0 (nhc:e94ce13da4897ebc)
  * A thin disk that rolls on a horizontal plane and may lean and fall (Euler's disk).
  * Source: rolling_disk.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -51,6 +51,9 @@ const double rolling_disk_parameter_defaults[] = {
 #define ROLLING_DISK_SLOW
 #endif
 
+#if defined(__GNUC__)
+__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+#endif
 static int rolling_disk_finish(int count, const double *values)
 {
     double sum = 0.0; /* an infinity or a NaN among the values stays in it */

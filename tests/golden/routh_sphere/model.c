@@ -1,5 +1,5 @@
 /*
- * routh_sphere.c: routh_sphere, emitted by nhc 0.1.0 (nhc:ac1d1d618aa7aac2)
+ * routh_sphere.c: routh_sphere, emitted by nhc 0.1.0 (nhc:3db6420a6ec8225c)
  * A ball with its centre of mass off its centre, dynamically symmetric, rolls on a horizontal plane.
  * Source: routh_sphere.yaml
  * Equations of motion: chaplygin (III.3)
@@ -53,6 +53,9 @@ const double routh_sphere_parameter_defaults[] = {
 #define ROUTH_SPHERE_SLOW
 #endif
 
+#if defined(__GNUC__)
+__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+#endif
 static int routh_sphere_finish(int count, const double *values)
 {
     double sum = 0.0; /* an infinity or a NaN among the values stays in it */

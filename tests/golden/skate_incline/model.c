@@ -1,5 +1,5 @@
 /*
- * skate_incline.c: skate_incline, emitted by nhc 0.1.0 (nhc:22d75428e4394324)
+ * skate_incline.c: skate_incline, emitted by nhc 0.1.0 (nhc:155e8e25e709c925)
  * A skate on an inclined plane with its centre of mass above the edge; it never gets far downhill.
  * Source: skate_incline.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -38,6 +38,9 @@ const double skate_incline_parameter_defaults[] = {
     0.5235987755982988
 };
 
+#if defined(__GNUC__)
+__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+#endif
 static int skate_incline_finish(int count, const double *values)
 {
     double sum = 0.0; /* an infinity or a NaN among the values stays in it */

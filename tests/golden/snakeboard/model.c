@@ -1,5 +1,5 @@
 /*
- * snakeboard.c: snakeboard, emitted by nhc 0.1.0 (nhc:cc5770ea9f671181)
+ * snakeboard.c: snakeboard, emitted by nhc 0.1.0 (nhc:fce9bb2c0e225402)
  * A board on two steerable axles and a rotor; it moves by turning the rotor and the axles to and fro.
  * Source: snakeboard.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -61,6 +61,9 @@ const double snakeboard_parameter_defaults[] = {
 #define SNAKEBOARD_SLOW
 #endif
 
+#if defined(__GNUC__)
+__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+#endif
 static int snakeboard_finish(int count, const double *values)
 {
     double sum = 0.0; /* an infinity or a NaN among the values stays in it */

@@ -1,5 +1,5 @@
 /*
- * spherical_pendulum.c: spherical_pendulum, emitted by nhc 0.1.0 (nhc:f93b9be48a7d3935)
+ * spherical_pendulum.c: spherical_pendulum, emitted by nhc 0.1.0 (nhc:7a9618d03f32b191)
  * A pendulum that swings in space.
  * Source: spherical_pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -33,6 +33,9 @@ const double spherical_pendulum_parameter_defaults[] = {
     9.81
 };
 
+#if defined(__GNUC__)
+__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+#endif
 static int spherical_pendulum_finish(int count, const double *values)
 {
     double sum = 0.0; /* an infinity or a NaN among the values stays in it */

@@ -1,5 +1,5 @@
 /*
- * suslov.c: suslov, emitted by nhc 0.1.0 (nhc:d863b2211e8f6a45)
+ * suslov.c: suslov, emitted by nhc 0.1.0 (nhc:1a8377351a24be3e)
  * A rigid body with a fixed point that must not turn about one of its own axes.
  * Source: suslov.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -46,6 +46,9 @@ const double suslov_parameter_defaults[] = {
 #define SUSLOV_SLOW
 #endif
 
+#if defined(__GNUC__)
+__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+#endif
 static int suslov_finish(int count, const double *values)
 {
     double sum = 0.0; /* an infinity or a NaN among the values stays in it */

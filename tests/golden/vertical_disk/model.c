@@ -1,5 +1,5 @@
 /*
- * vertical_disk.c: vertical_disk, emitted by nhc 0.1.0 (nhc:f22d965dd1160ef7)
+ * vertical_disk.c: vertical_disk, emitted by nhc 0.1.0 (nhc:5f31d37193237656)
  * A disk that stays upright and rolls without slipping.
  * Source: vertical_disk.yaml
  * Equations of motion: chaplygin (III.3)
@@ -39,6 +39,9 @@ const double vertical_disk_parameter_defaults[] = {
     0.0625
 };
 
+#if defined(__GNUC__)
+__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+#endif
 static int vertical_disk_finish(int count, const double *values)
 {
     double sum = 0.0; /* an infinity or a NaN among the values stays in it */

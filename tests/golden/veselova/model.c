@@ -1,5 +1,5 @@
 /*
- * veselova.c: veselova, emitted by nhc 0.1.0 (nhc:8d782da5a516313a)
+ * veselova.c: veselova, emitted by nhc 0.1.0 (nhc:52d0b5090a71cd3b)
  * A rigid body with a fixed point that must not turn about the vertical.
  * Source: veselova.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -42,6 +42,9 @@ const double veselova_parameter_defaults[] = {
 #define VESELOVA_SLOW
 #endif
 
+#if defined(__GNUC__)
+__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+#endif
 static int veselova_finish(int count, const double *values)
 {
     double sum = 0.0; /* an infinity or a NaN among the values stays in it */

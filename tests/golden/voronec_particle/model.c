@@ -1,5 +1,5 @@
 /*
- * voronec_particle.c: voronec_particle, emitted by nhc 0.1.0 (nhc:e71fb188a3861e64)
+ * voronec_particle.c: voronec_particle, emitted by nhc 0.1.0 (nhc:94603ae2430e8577)
  * A particle whose T, U and constraint depend on the dependent coordinate, so that Caplygin's hypotheses
  *     fail.
  * Source: voronec_particle.yaml
@@ -41,6 +41,9 @@ const double voronec_particle_parameter_defaults[] = {
 #define VORONEC_PARTICLE_SLOW
 #endif
 
+#if defined(__GNUC__)
+__attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
+#endif
 static int voronec_particle_finish(int count, const double *values)
 {
     double sum = 0.0; /* an infinity or a NaN among the values stays in it */
