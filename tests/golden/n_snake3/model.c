@@ -1,5 +1,5 @@
 /*
- * n_snake3.c: n_snake3, emitted by nhc 0.1.0 (nhc:f97ac14e44a3e244)
+ * n_snake3.c: n_snake3, emitted by nhc 0.1.0 (nhc:7ba5214abdf6eb3d)
  * Three links with a wheeled axle under the middle of each, hinged in a row with springs in the hinges.
  * Source: n_snake3.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -226,8 +226,6 @@ int n_snake3_rhs(double t, const double *y, const double *p, double *dydt)
     const double k3 = k1 * k2;
     const double k4 = m * a;
     const double k5 = a * k4;
-    const double k6 = k2 - k4;
-    const double k7 = k * k1;
 
     /* state */
     const double z3 = c1 * c2 + s1 * s2;
@@ -240,43 +238,44 @@ int n_snake3_rhs(double t, const double *y, const double *p, double *dydt)
     const double z10 = s2 * z8 + c2 * z9;
     const double z11 = c2 * z8 - s2 * z9;
     const double z12 = J * z4 + k3 * (z10 * z10) + z5 * k5 + m * (z11 * z11);
-    const double z13 = m * z11;
+    const double z13 = c1 * s1;
     const double z14 = z10 * k3;
-    const double z15 = c1 * s1 * k6 - (z3 * z13 + z6 * z14);
-    const double z16 = 1.0 / z7;
-    const double z17 = z16 * z15;
-    const double z18 = z12 - z15 * z17;
-    const double z19 = a * w;
-    const double z20 = v * s1 - c1 * z19;
-    const double z21 = k1 * z20;
-    const double v1_x2 = v * c1 + s1 * z19;
-    const double z22 = s2 * v1_x2 - c2 * z20;
-    const double z23 = w - z21;
-    const double z24 = c1 * z23;
-    const double z25 = s1 * z23;
-    const double z26 = v * z24 + z19 * z25;
-    const double z27 = k1 * (z20 - z22);
-    const double z28 = c2 * z27;
-    const double z29 = v * z25 - z19 * z24;
-    const double z30 = s2 * z27;
-    const double z31 = v1_x2 * z28 - s2 * z29 + (z20 * z30 - c2 * z26);
-    const double z32 = v1_x2 * z30 + c2 * z29 - (z20 * z28 + s2 * z26);
-    const double z33 = k3 * (s1 * z26 + z6 * z31) - m * (c1 * z29 + z3 * z32) - k7 * (s1 * (z1 - z2) + z2 *
-        z6);
-    const double z34 = k * (z1 * (1.0 + c1) - z2 * (c1 + k1 * z10)) - (k4 * (s1 * z29) + (k2 * (c1 * z26) -
-        z31 * z14) + z32 * z13);
-    const double z35 = (z34 + z33 * z17) / z18;
+    const double z15 = m * z11;
+    const double z16 = z13 * k4 - (k2 * z13 - z6 * z14) + z3 * z15;
+    const double z17 = 1.0 / z7;
+    const double z18 = z17 * z16;
+    const double z19 = z12 - z16 * z18;
+    const double z20 = a * w;
+    const double z21 = v * s1 - c1 * z20;
+    const double z22 = k1 * z21;
+    const double v1_x2 = v * c1 + s1 * z20;
+    const double z23 = s2 * v1_x2 - c2 * z21;
+    const double z24 = w - z22;
+    const double z25 = c1 * z24;
+    const double z26 = s1 * z24;
+    const double z27 = v * z25 + z20 * z26;
+    const double z28 = k1 * (z21 - z23);
+    const double z29 = c2 * z28;
+    const double z30 = v * z26 - z20 * z25;
+    const double z31 = s2 * z28;
+    const double z32 = v1_x2 * z29 - s2 * z30 + (z21 * z31 - c2 * z27);
+    const double z33 = v1_x2 * z31 + c2 * z30 - (z21 * z29 + s2 * z27);
+    const double z34 = k3 * (s1 * z27 + z6 * z32) - m * (c1 * z30 + z3 * z33) - k * (k1 * (z1 * s1 - z2 * (s1
+        - z6)));
+    const double z35 = k * (z1 * (1.0 + c1) - z2 * (c1 + k1 * z10)) - (k4 * (s1 * z30) + (k2 * (c1 * z27) -
+        z32 * z14) + z33 * z15);
+    const double z36 = (z35 - z34 * z18) / z19;
     /* (I.2.15) */
     dydt[0] = c_theta1 * v; /* x' */
     dydt[1] = s_theta1 * v; /* y' */
     dydt[2] = w; /* theta1' */
-    dydt[3] = z21; /* theta2' */
-    dydt[4] = k1 * z22; /* theta3' */
+    dydt[3] = z22; /* theta2' */
+    dydt[4] = k1 * z23; /* theta3' */
     /* (I.2.15) 22:4 */
-    dydt[5] = -(z16 * z33 + z17 * z35); /* v' */
-    dydt[6] = -z35; /* w' */
+    dydt[5] = z18 * z36 - z17 * z34; /* v' */
+    dydt[6] = -z36; /* w' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(dydt[4] + dydt[5] + dydt[6]) <= DBL_MAX && fabs(z18) > 1e-14 * z12)) {
+    if (!(fabs(dydt[4] + dydt[5] + dydt[6]) <= DBL_MAX && fabs(z19) > 1e-14 * z12)) {
         /* the coframe is singular */
         if (!(fabs(a) > 0.0)) {
             return N_SNAKE3_SINGULAR_1;
@@ -286,7 +285,7 @@ int n_snake3_rhs(double t, const double *y, const double *p, double *dydt)
             return N_SNAKE3_SINGULAR_2;
         }
         /* the mass matrix is singular */
-        if (!(fabs(z18) > 1e-14 * z12)) {
+        if (!(fabs(z19) > 1e-14 * z12)) {
             return N_SNAKE3_SINGULAR_2;
         }
         return n_snake3_finish(7, dydt);
@@ -379,10 +378,10 @@ int n_snake3_accelerations(double t, const double *y, const double *p, double *q
     const double z10 = s2 * z8 + c2 * z9;
     const double z11 = c2 * z8 - s2 * z9;
     const double z12 = J * z4 + k3 * (z10 * z10) + z5 * k5 + m * (z11 * z11);
-    const double z13 = m * z11;
-    const double z14 = c1 * s1;
-    const double z15 = z10 * k3;
-    const double z16 = z3 * z13 + (z14 * k4 - (k2 * z14 - z6 * z15));
+    const double z13 = c1 * s1;
+    const double z14 = z10 * k3;
+    const double z15 = m * z11;
+    const double z16 = z13 * k4 - (k2 * z13 - z6 * z14) + z3 * z15;
     const double z17 = 1.0 / z7;
     const double z18 = z17 * z16;
     const double z19 = z12 - z16 * z18;
@@ -409,7 +408,7 @@ int n_snake3_accelerations(double t, const double *y, const double *p, double *q
     const double z39 = k3 * (s1 * z28 + z6 * z37) - m * (c1 * z34 + z3 * z38) - k * (k1 * (z1 * s1 - z2 * (s1
         - z6)));
     const double z40 = k * (z1 * (1.0 + c1) - z2 * (c1 + k1 * z10)) - (k4 * (s1 * z34) + (k2 * (c1 * z28) -
-        z37 * z15) + z38 * z13);
+        z37 * z14) + z38 * z15);
     const double z41 = (z40 - z39 * z18) / z19;
     const double z42 = z17 * z39 - z18 * z41;
     const double z43 = a * z41;
@@ -556,10 +555,10 @@ int n_snake3_reactions(double t, const double *y, const double *p, double *lambd
     const double z10 = s2 * z8 + c2 * z9;
     const double z11 = c2 * z8 - s2 * z9;
     const double z12 = J * z4 + k3 * (z10 * z10) + z5 * k5 + m * (z11 * z11);
-    const double z13 = m * z11;
-    const double z14 = c1 * s1;
-    const double z15 = z10 * k3;
-    const double z16 = z3 * z13 + (z14 * k4 - (k2 * z14 - z6 * z15));
+    const double z13 = c1 * s1;
+    const double z14 = z10 * k3;
+    const double z15 = m * z11;
+    const double z16 = z13 * k4 - (k2 * z13 - z6 * z14) + z3 * z15;
     const double z17 = 1.0 / z7;
     const double z18 = z17 * z16;
     const double z19 = z12 - z16 * z18;
@@ -583,7 +582,7 @@ int n_snake3_reactions(double t, const double *y, const double *p, double *lambd
         (s1 - z6)));
     const double z36 = k1 * z10;
     const double z37 = k * (z1 * (1.0 + c1) - z2 * (c1 + z36)) - (k4 * (s1 * z29) + (k2 * (c1 * z31) - z33 *
-        z15) + z32 * z13);
+        z14) + z32 * z15);
     const double z38 = (z37 - z18 * z35) / z19;
     const double z39 = z17 * z35 - z18 * z38;
     const double z40 = m * (z32 + (z3 * z39 + z11 * z38));
@@ -712,10 +711,10 @@ int n_snake3_jacobian(double t, const double *y, const double *p, double *J)
     const double z10 = s2 * z8 + c2 * z9;
     const double z11 = c2 * z8 - s2 * z9;
     const double z12 = J_2 * z4 + k3 * (z10 * z10) + z5 * k5 + m * (z11 * z11);
-    const double z13 = m * z11;
-    const double z14 = c1 * s1;
-    const double z15 = z10 * k3;
-    const double z16 = z3 * z13 + (z14 * k4 - (k2 * z14 - z6 * z15));
+    const double z13 = c1 * s1;
+    const double z14 = z10 * k3;
+    const double z15 = m * z11;
+    const double z16 = z13 * k4 - (k2 * z13 - z6 * z14) + z3 * z15;
     const double z17 = 1.0 / z7;
     const double z18 = z17 * z16;
     const double z19 = z12 - z16 * z18;
@@ -754,7 +753,7 @@ int n_snake3_jacobian(double t, const double *y, const double *p, double *J)
     const double z51 = v1_x2 * z27 - s2 * z49 + (z23 * z29 - c2 * z44);
     const double z52 = c1 * k2;
     const double z53 = s1 * k4;
-    const double z54 = k * (z1 * z47 - z2 * z48) - (z50 * z13 - (z51 * z15 - z44 * z52 - z49 * z53));
+    const double z54 = k * (z1 * z47 - z2 * z48) - (z50 * z15 - (z51 * z14 - z44 * z52 - z49 * z53));
     const double z55 = k1 * (s1 - z6);
     const double z56 = k3 * (s1 * z44 + z6 * z51) - m * (c1 * z49 + z3 * z50) - k * (z1 * z22 - z2 * z55);
     const double z57 = z46 * (z54 - z56 * z18);
@@ -779,16 +778,16 @@ int n_snake3_jacobian(double t, const double *y, const double *p, double *J)
     const double z76 = z20 * z39 - (z41 * z36 - (m * z49 - s1 * z58 + 2.0 * (c1 * z64)) - c2 * z66);
     const double z77 = k * z22 + c1 * (z1 * k7 - z75) - s1 * (v * z40 + z76 - a * (s2 * z68 - c2 * z70) - s2
         * z74);
-    const double z78 = z23 * z13 + v1_x2 * z15;
-    const double z79 = v1_x2 * z13 - z23 * z15;
+    const double z78 = z23 * z15 + v1_x2 * z14;
+    const double z79 = v1_x2 * z15 - z23 * z14;
     const double z80 = k1 * (c2 * z78 - s2 * z79);
-    const double z81 = z53 + c2 * z13 + s2 * z15;
-    const double z82 = z52 - s2 * z13 + c2 * z15;
+    const double z81 = z53 + c2 * z15 + s2 * z14;
+    const double z82 = z52 - s2 * z15 + c2 * z14;
     const double z83 = z20 * z81 - v * z82;
     const double z84 = z20 * z82 + v * z81;
     const double z85 = c1 * z83 - s1 * z84;
-    const double z86 = z27 * z13 + z29 * z15 + z80 + c2 * z80 - k1 * z85;
-    const double z87 = z29 * z13 - z27 * z15 + s2 * z80;
+    const double z86 = z27 * z15 + z29 * z14 + z80 + c2 * z80 - k1 * z85;
+    const double z87 = z29 * z15 - z27 * z14 + s2 * z80;
     const double z88 = k6 * z59;
     const double z89 = z11 * z64;
     const double z90 = z41 * z84 + (z49 * k4 - c1 * z88 + 2.0 * (k5 * (s1 * z57))) + s2 * z89;
@@ -804,8 +803,8 @@ int n_snake3_jacobian(double t, const double *y, const double *p, double *J)
     const double z100 = z23 * z33 - (z49 * z28 + z44 * z30 - z26 * z31 + z8 * z68 + c1 * z66);
     const double z101 = k * z55 - c2 * (z99 + z8 * z70 - c1 * z74) - s2 * (z100 - z9 * z70 - s1 * z74);
     const double z102 = z77 + z101;
-    const double z103 = v1_x2 * z80 - (z44 * z13 - z49 * z15 - z26 * z79 + z9 * z91 - s1 * z89);
-    const double z104 = z23 * z80 - (z49 * z13 + z44 * z15 - z26 * z78 + z8 * z91 + c1 * z89);
+    const double z103 = v1_x2 * z80 - (z44 * z15 - z49 * z14 - z26 * z79 + z9 * z91 - s1 * z89);
+    const double z104 = z23 * z80 - (z49 * z15 + z44 * z14 - z26 * z78 + z8 * z91 + c1 * z89);
     const double z105 = k * z48 + c2 * (z103 + z8 * z92 + c1 * z93) + s2 * (z104 - z9 * z92 + s1 * z93);
     const double z106 = z46 * (z97 + z105 + z18 * z102);
     const double z107 = z46 * (z105 + z18 * z101);
@@ -892,8 +891,6 @@ static __attribute__((noinline)) void n_snake3_rhs_lanes(const double *fixed, si
     const double k3 = fixed[6];
     const double k4 = fixed[7];
     const double k5 = fixed[8];
-    const double k6 = fixed[9];
-    const double k7 = fixed[10];
     const n_snake3_lanes theta1 = n_snake3_get(y + 2 * stride);
     const n_snake3_lanes theta2 = n_snake3_get(y + 3 * stride);
     const n_snake3_lanes theta3 = n_snake3_get(y + 4 * stride);
@@ -919,38 +916,39 @@ static __attribute__((noinline)) void n_snake3_rhs_lanes(const double *fixed, si
     const n_snake3_lanes z10 = s2 * z8 + c2 * z9;
     const n_snake3_lanes z11 = c2 * z8 - s2 * z9;
     const n_snake3_lanes z12 = J * z4 + k3 * (z10 * z10) + z5 * k5 + m * (z11 * z11);
-    const n_snake3_lanes z13 = m * z11;
+    const n_snake3_lanes z13 = c1 * s1;
     const n_snake3_lanes z14 = z10 * k3;
-    const n_snake3_lanes z15 = c1 * s1 * k6 - (z3 * z13 + z6 * z14);
-    const n_snake3_lanes z16 = 1.0 / z7;
-    const n_snake3_lanes z17 = z16 * z15;
-    const n_snake3_lanes z18 = z12 - z15 * z17;
+    const n_snake3_lanes z15 = m * z11;
+    const n_snake3_lanes z16 = z13 * k4 - (k2 * z13 - z6 * z14) + z3 * z15;
+    const n_snake3_lanes z17 = 1.0 / z7;
+    const n_snake3_lanes z18 = z17 * z16;
+    const n_snake3_lanes z19 = z12 - z16 * z18;
     /* the mass matrix is singular */
-    bad |= n_snake3_misses(n_snake3_size(N_SNAKE3_SPREAD(z18)), 1e-14 * z12);
+    bad |= n_snake3_misses(n_snake3_size(N_SNAKE3_SPREAD(z19)), 1e-14 * z12);
     n_snake3_lanes sine3, cosine3;
     n_snake3_turn_lanes(N_SNAKE3_SPREAD(theta1), &far, &sine3, &cosine3);
     const n_snake3_lanes c_theta1 = cosine3;
     const n_snake3_lanes s_theta1 = sine3;
-    const n_snake3_lanes z19 = a * w;
-    const n_snake3_lanes z20 = v * s1 - c1 * z19;
-    const n_snake3_lanes z21 = k1 * z20;
-    const n_snake3_lanes v1_x2 = v * c1 + s1 * z19;
-    const n_snake3_lanes z22 = s2 * v1_x2 - c2 * z20;
-    const n_snake3_lanes z23 = w - z21;
-    const n_snake3_lanes z24 = c1 * z23;
-    const n_snake3_lanes z25 = s1 * z23;
-    const n_snake3_lanes z26 = v * z24 + z19 * z25;
-    const n_snake3_lanes z27 = k1 * (z20 - z22);
-    const n_snake3_lanes z28 = c2 * z27;
-    const n_snake3_lanes z29 = v * z25 - z19 * z24;
-    const n_snake3_lanes z30 = s2 * z27;
-    const n_snake3_lanes z31 = v1_x2 * z28 - s2 * z29 + (z20 * z30 - c2 * z26);
-    const n_snake3_lanes z32 = v1_x2 * z30 + c2 * z29 - (z20 * z28 + s2 * z26);
-    const n_snake3_lanes z33 = k3 * (s1 * z26 + z6 * z31) - m * (c1 * z29 + z3 * z32) - k7 * (s1 * (z1 - z2)
-        + z2 * z6);
-    const n_snake3_lanes z34 = k * (z1 * (1.0 + c1) - z2 * (c1 + k1 * z10)) - (k4 * (s1 * z29) + (k2 * (c1 *
-        z26) - z31 * z14) + z32 * z13);
-    const n_snake3_lanes z35 = (z34 + z33 * z17) / z18;
+    const n_snake3_lanes z20 = a * w;
+    const n_snake3_lanes z21 = v * s1 - c1 * z20;
+    const n_snake3_lanes z22 = k1 * z21;
+    const n_snake3_lanes v1_x2 = v * c1 + s1 * z20;
+    const n_snake3_lanes z23 = s2 * v1_x2 - c2 * z21;
+    const n_snake3_lanes z24 = w - z22;
+    const n_snake3_lanes z25 = c1 * z24;
+    const n_snake3_lanes z26 = s1 * z24;
+    const n_snake3_lanes z27 = v * z25 + z20 * z26;
+    const n_snake3_lanes z28 = k1 * (z21 - z23);
+    const n_snake3_lanes z29 = c2 * z28;
+    const n_snake3_lanes z30 = v * z26 - z20 * z25;
+    const n_snake3_lanes z31 = s2 * z28;
+    const n_snake3_lanes z32 = v1_x2 * z29 - s2 * z30 + (z21 * z31 - c2 * z27);
+    const n_snake3_lanes z33 = v1_x2 * z31 + c2 * z30 - (z21 * z29 + s2 * z27);
+    const n_snake3_lanes z34 = k3 * (s1 * z27 + z6 * z32) - m * (c1 * z30 + z3 * z33) - k * (k1 * (z1 * s1 -
+        z2 * (s1 - z6)));
+    const n_snake3_lanes z35 = k * (z1 * (1.0 + c1) - z2 * (c1 + k1 * z10)) - (k4 * (s1 * z30) + (k2 * (c1 *
+        z27) - z32 * z14) + z33 * z15);
+    const n_snake3_lanes z36 = (z35 - z34 * z18) / z19;
     /* (I.2.15) */
     const n_snake3_lanes slope1 = c_theta1 * v;
     n_snake3_put(dydt, slope1);
@@ -958,16 +956,16 @@ static __attribute__((noinline)) void n_snake3_rhs_lanes(const double *fixed, si
     n_snake3_put(dydt + 1 * stride, slope2);
     const n_snake3_lanes slope3 = w;
     n_snake3_put(dydt + 2 * stride, slope3);
-    const n_snake3_lanes slope4 = z21;
+    const n_snake3_lanes slope4 = z22;
     n_snake3_put(dydt + 3 * stride, slope4);
-    const n_snake3_lanes slope5 = k1 * z22;
+    const n_snake3_lanes slope5 = k1 * z23;
     sum += slope5;
     n_snake3_put(dydt + 4 * stride, slope5);
     /* (I.2.15) 22:4 */
-    const n_snake3_lanes slope6 = -(z16 * z33 + z17 * z35);
+    const n_snake3_lanes slope6 = z18 * z36 - z17 * z34;
     sum += slope6;
     n_snake3_put(dydt + 5 * stride, slope6);
-    const n_snake3_lanes slope7 = -z35;
+    const n_snake3_lanes slope7 = -z36;
     sum += slope7;
     n_snake3_put(dydt + 6 * stride, slope7);
     n_snake3_put(check, n_snake3_mark(far + (sum - sum), bad));
@@ -997,9 +995,7 @@ int n_snake3_rhs_batch(size_t count, const double *t, const double *y, const dou
     const double k3 = k1 * k2;
     const double k4 = m * a;
     const double k5 = a * k4;
-    const double k6 = k2 - k4;
-    const double k7 = k * k1;
-    const double fixed[] = {m, J, a, k, k1, k2, k3, k4, k5, k6, k7};
+    const double fixed[] = {m, J, a, k, k1, k2, k3, k4, k5};
     double check[1 * N_SNAKE3_LANES];
     int status = N_SNAKE3_OK;
     for (size_t i = 0; i < count; i += N_SNAKE3_LANES) {

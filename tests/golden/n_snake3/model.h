@@ -1,5 +1,5 @@
 /*
- * n_snake3.h: n_snake3, emitted by nhc 0.1.0 (nhc:b964e871d9d99f2a)
+ * n_snake3.h: n_snake3, emitted by nhc 0.1.0 (nhc:2bf21dd89bf51e86)
  * Three links with a wheeled axle under the middle of each, hinged in a row with springs in the hinges.
  * Source: n_snake3.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -26,7 +26,7 @@
  * 2: wheel3
  *
  * Operations:
- * rhs: 45 +-, 85 *, 3 /, 6 calls
+ * rhs: 45 +-, 86 *, 3 /, 6 calls
  * velocities: 5 +-, 11 *, 1 /, 6 calls
  * accelerations: 56 +-, 97 *, 3 /, 6 calls
  * state: 1 +-, 2 *, 0 /, 2 calls

@@ -1,4 +1,4 @@
-"""n_snake3, emitted by nhc 0.1.0 (nhc:8a51e9e5d53777df).
+"""n_snake3, emitted by nhc 0.1.0 (nhc:2b9ed2cf45bbdeba).
 
 Three links with a wheeled axle under the middle of each, hinged in a row with
     springs in the hinges.
@@ -27,7 +27,7 @@ Constraints:
 2: wheel3
 
 Operations:
-rhs: 45 +-, 85 *, 3 /, 6 calls
+rhs: 45 +-, 86 *, 3 /, 6 calls
 velocities: 5 +-, 11 *, 1 /, 6 calls
 accelerations: 56 +-, 97 *, 3 /, 6 calls
 state: 1 +-, 2 *, 0 /, 2 calls
@@ -106,8 +106,6 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         k3 = k1 * k2
         k4 = m * a
         k5 = a * k4
-        k6 = k2 - k4
-        k7 = k * k1
         # state
         z1 = theta1 - theta2
         c1 = math.cos(z1)
@@ -128,37 +126,38 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z10 = s2 * z8 + c2 * z9
         z11 = c2 * z8 - s2 * z9
         z12 = J * z4 + k3 * (z10 * z10) + z5 * k5 + m * (z11 * z11)
-        z13 = m * z11
+        z13 = c1 * s1
         z14 = z10 * k3
-        z15 = c1 * s1 * k6 - (z3 * z13 + z6 * z14)
-        z16 = 1.0 / z7
-        z17 = z16 * z15
-        z18 = z12 - z15 * z17
+        z15 = m * z11
+        z16 = z13 * k4 - (k2 * z13 - z6 * z14) + z3 * z15
+        z17 = 1.0 / z7
+        z18 = z17 * z16
+        z19 = z12 - z16 * z18
         # the mass matrix is singular
-        if not abs(z18) > 1e-14 * z12:
+        if not abs(z19) > 1e-14 * z12:
             raise SingularModelError(2, "rhs")
         c_theta1 = math.cos(theta1)
         s_theta1 = math.sin(theta1)
-        z19 = a * w
-        z20 = v * s1 - c1 * z19
-        z21 = k1 * z20
-        v1_x2 = v * c1 + s1 * z19
-        z22 = s2 * v1_x2 - c2 * z20
-        z23 = w - z21
-        z24 = c1 * z23
-        z25 = s1 * z23
-        z26 = v * z24 + z19 * z25
-        z27 = k1 * (z20 - z22)
-        z28 = c2 * z27
-        z29 = v * z25 - z19 * z24
-        z30 = s2 * z27
-        z31 = v1_x2 * z28 - s2 * z29 + (z20 * z30 - c2 * z26)
-        z32 = v1_x2 * z30 + c2 * z29 - (z20 * z28 + s2 * z26)
-        s3 = k3 * (s1 * z26 + z6 * z31) - m * (c1 * z29 + z3 * z32)
-        z33 = s3 - k7 * (s1 * (z1 - z2) + z2 * z6)
-        s4 = k4 * (s1 * z29) + (k2 * (c1 * z26) - z31 * z14) + z32 * z13
-        z34 = k * (z1 * (1.0 + c1) - z2 * (c1 + k1 * z10)) - s4
-        z35 = (z34 + z33 * z17) / z18
+        z20 = a * w
+        z21 = v * s1 - c1 * z20
+        z22 = k1 * z21
+        v1_x2 = v * c1 + s1 * z20
+        z23 = s2 * v1_x2 - c2 * z21
+        z24 = w - z22
+        z25 = c1 * z24
+        z26 = s1 * z24
+        z27 = v * z25 + z20 * z26
+        z28 = k1 * (z21 - z23)
+        z29 = c2 * z28
+        z30 = v * z26 - z20 * z25
+        z31 = s2 * z28
+        z32 = v1_x2 * z29 - s2 * z30 + (z21 * z31 - c2 * z27)
+        z33 = v1_x2 * z31 + c2 * z30 - (z21 * z29 + s2 * z27)
+        s3 = k3 * (s1 * z27 + z6 * z32) - m * (c1 * z30 + z3 * z33)
+        z34 = s3 - k * (k1 * (z1 * s1 - z2 * (s1 - z6)))
+        s4 = k4 * (s1 * z30) + (k2 * (c1 * z27) - z32 * z14) + z33 * z15
+        z35 = k * (z1 * (1.0 + c1) - z2 * (c1 + k1 * z10)) - s4
+        z36 = (z35 - z34 * z18) / z19
         dydt: list[float] = [
             # x' (I.2.15)
             c_theta1 * v,
@@ -167,13 +166,13 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
             # theta1' (I.2.15)
             w,
             # theta2' (I.2.15)
-            z21,
+            z22,
             # theta3' (I.2.15)
-            k1 * z22,
+            k1 * z23,
             # v' (I.2.15) 22:4
-            -(z16 * z33 + z17 * z35),
+            z18 * z36 - z17 * z34,
             # w' (I.2.15) 22:4
-            -z35,
+            -z36,
         ]
         return _finish("rhs", dydt)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -279,10 +278,10 @@ def accelerations(
         z10 = s2 * z8 + c2 * z9
         z11 = c2 * z8 - s2 * z9
         z12 = J * z4 + k3 * (z10 * z10) + z5 * k5 + m * (z11 * z11)
-        z13 = m * z11
-        z14 = c1 * s1
-        z15 = z10 * k3
-        z16 = z3 * z13 + (z14 * k4 - (k2 * z14 - z6 * z15))
+        z13 = c1 * s1
+        z14 = z10 * k3
+        z15 = m * z11
+        z16 = z13 * k4 - (k2 * z13 - z6 * z14) + z3 * z15
         z17 = 1.0 / z7
         z18 = z17 * z16
         z19 = z12 - z16 * z18
@@ -313,7 +312,7 @@ def accelerations(
         z38 = v1_x2 * z35 + c2 * z34 - (z22 * z30 + s2 * z28)
         s3 = k3 * (s1 * z28 + z6 * z37) - m * (c1 * z34 + z3 * z38)
         z39 = s3 - k * (k1 * (z1 * s1 - z2 * (s1 - z6)))
-        s4 = k4 * (s1 * z34) + (k2 * (c1 * z28) - z37 * z15) + z38 * z13
+        s4 = k4 * (s1 * z34) + (k2 * (c1 * z28) - z37 * z14) + z38 * z15
         z40 = k * (z1 * (1.0 + c1) - z2 * (c1 + k1 * z10)) - s4
         z41 = (z40 - z39 * z18) / z19
         z42 = z17 * z39 - z18 * z41
@@ -475,10 +474,10 @@ def reactions(
         z10 = s2 * z8 + c2 * z9
         z11 = c2 * z8 - s2 * z9
         z12 = J * z4 + k3 * (z10 * z10) + z5 * k5 + m * (z11 * z11)
-        z13 = m * z11
-        z14 = c1 * s1
-        z15 = z10 * k3
-        z16 = z3 * z13 + (z14 * k4 - (k2 * z14 - z6 * z15))
+        z13 = c1 * s1
+        z14 = z10 * k3
+        z15 = m * z11
+        z16 = z13 * k4 - (k2 * z13 - z6 * z14) + z3 * z15
         z17 = 1.0 / z7
         z18 = z17 * z16
         z19 = z12 - z16 * z18
@@ -504,7 +503,7 @@ def reactions(
         s3 = k3 * (s1 * z31 + z6 * z33) - m * (c1 * z29 + z3 * z32)
         z35 = s3 - k * (z1 * z34 - k1 * (z2 * (s1 - z6)))
         z36 = k1 * z10
-        s4 = k4 * (s1 * z29) + (k2 * (c1 * z31) - z33 * z15) + z32 * z13
+        s4 = k4 * (s1 * z29) + (k2 * (c1 * z31) - z33 * z14) + z32 * z15
         z37 = k * (z1 * (1.0 + c1) - z2 * (c1 + z36)) - s4
         z38 = (z37 - z18 * z35) / z19
         z39 = z17 * z35 - z18 * z38
@@ -632,10 +631,10 @@ def jacobian(
         z10 = s2 * z8 + c2 * z9
         z11 = c2 * z8 - s2 * z9
         z12 = J_2 * z4 + k3 * (z10 * z10) + z5 * k5 + m * (z11 * z11)
-        z13 = m * z11
-        z14 = c1 * s1
-        z15 = z10 * k3
-        z16 = z3 * z13 + (z14 * k4 - (k2 * z14 - z6 * z15))
+        z13 = c1 * s1
+        z14 = z10 * k3
+        z15 = m * z11
+        z16 = z13 * k4 - (k2 * z13 - z6 * z14) + z3 * z15
         z17 = 1.0 / z7
         z18 = z17 * z16
         z19 = z12 - z16 * z18
@@ -679,7 +678,7 @@ def jacobian(
         z51 = v1_x2 * z27 - s2 * z49 + (z23 * z29 - c2 * z44)
         z52 = c1 * k2
         z53 = s1 * k4
-        s3 = z50 * z13 - (z51 * z15 - z44 * z52 - z49 * z53)
+        s3 = z50 * z15 - (z51 * z14 - z44 * z52 - z49 * z53)
         z54 = k * (z1 * z47 - z2 * z48) - s3
         z55 = k1 * (s1 - z6)
         s4 = k3 * (s1 * z44 + z6 * z51) - m * (c1 * z49 + z3 * z50)
@@ -709,16 +708,16 @@ def jacobian(
         z76 = z20 * z39 - (s7 - c2 * z66)
         s8 = s1 * (v * z40 + z76 - a * (s2 * z68 - c2 * z70) - s2 * z74)
         z77 = k * z22 + c1 * (z1 * k7 - z75) - s8
-        z78 = z23 * z13 + v1_x2 * z15
-        z79 = v1_x2 * z13 - z23 * z15
+        z78 = z23 * z15 + v1_x2 * z14
+        z79 = v1_x2 * z15 - z23 * z14
         z80 = k1 * (c2 * z78 - s2 * z79)
-        z81 = z53 + c2 * z13 + s2 * z15
-        z82 = z52 - s2 * z13 + c2 * z15
+        z81 = z53 + c2 * z15 + s2 * z14
+        z82 = z52 - s2 * z15 + c2 * z14
         z83 = z20 * z81 - v * z82
         z84 = z20 * z82 + v * z81
         z85 = c1 * z83 - s1 * z84
-        z86 = z27 * z13 + z29 * z15 + z80 + c2 * z80 - k1 * z85
-        z87 = z29 * z13 - z27 * z15 + s2 * z80
+        z86 = z27 * z15 + z29 * z14 + z80 + c2 * z80 - k1 * z85
+        z87 = z29 * z15 - z27 * z14 + s2 * z80
         z88 = k6 * z59
         z89 = z11 * z64
         s9 = z41 * z84 + (z49 * k4 - c1 * z88 + 2.0 * (k5 * (s1 * z57)))
@@ -741,9 +740,9 @@ def jacobian(
         s15 = k * z55 - c2 * (z99 + z8 * z70 - c1 * z74)
         z101 = s15 - s2 * (z100 - z9 * z70 - s1 * z74)
         z102 = z77 + z101
-        s16 = z44 * z13 - z49 * z15 - z26 * z79 + z9 * z91 - s1 * z89
+        s16 = z44 * z15 - z49 * z14 - z26 * z79 + z9 * z91 - s1 * z89
         z103 = v1_x2 * z80 - s16
-        s17 = z49 * z13 + z44 * z15 - z26 * z78 + z8 * z91 + c1 * z89
+        s17 = z49 * z15 + z44 * z14 - z26 * z78 + z8 * z91 + c1 * z89
         z104 = z23 * z80 - s17
         s18 = k * z48 + c2 * (z103 + z8 * z92 + c1 * z93)
         z105 = s18 + s2 * (z104 - z9 * z92 + s1 * z93)

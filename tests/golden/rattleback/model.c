@@ -1,5 +1,5 @@
 /*
- * rattleback.c: rattleback, emitted by nhc 0.1.0 (nhc:27efdc0468cc75f9)
+ * rattleback.c: rattleback, emitted by nhc 0.1.0 (nhc:d0098a2fadf3206b)
  * A loaded ellipsoid that rolls on a plane and prefers one sense of spin (celt, wobblestone).
  * Source: rattleback.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -311,19 +311,20 @@ int rattleback_rhs(double t, const double *y, const double *p, double *dydt)
     const double z51 = z27 * z50;
     const double z52 = z24 * z50;
     const double z53 = (z10 * z42 - z6 * z26 + z4 * z45) * (z3 * (z3 * z3));
-    const double z54 = z31 + (z4 * z53 - k3 * (z3 * z45));
+    const double z54 = z4 * z53 - k3 * (z3 * z45);
     const double z55 = z24 * z39 - c_beta * z47 + (z44 - s_beta * z48);
-    const double z56 = u1 - (k1 * (z3 * z42) - z10 * z53);
-    const double z57 = z28 * z54 - (r3 * z49 + (g * mu2 - r1 * z55) + z29 * z56);
-    const double z58 = z30 + (z6 * z53 + k2 * (z3 * z26));
-    const double z59 = w2 * z56 + (g * mu3 + z7 * z49 + z28 * z58);
-    const double z60 = w2 * z37 - (I_a * z49 - (s_beta * z51 - (c_beta * z52 - (r3 * z57 - z7 * z59))));
-    const double z61 = I_d * w2 + I_a * z28;
-    const double z62 = w2 * z54 - (g * z1 + z7 * z55 - z29 * z58);
-    const double z63 = I_d * z49 - (z29 * z61 - z28 * z37 + (r3 * z62 - r1 * z59)) + z15 * z60;
-    const double z64 = w2 * z61 - (I_c * z55 + (c_beta * z51 + (s_beta * z52 - (z7 * z62 - r1 * z57))));
-    const double z65 = (z64 + z19 * z60 + z22 * z63) / z23;
-    const double z66 = z21 * z63 + z22 * z65;
+    const double z56 = k1 * (z3 * z42) - z10 * z53;
+    const double z57 = z29 * u1 - z28 * z31 + (r3 * z49 - z28 * z54 - (r1 * z55 + z29 * z56));
+    const double z58 = g * mu2 + z57;
+    const double z59 = z6 * z53 + k2 * (z3 * z26);
+    const double z60 = g * mu3 + (z28 * z30 + w2 * u1 + (z7 * z49 + z28 * z59 - w2 * z56));
+    const double z61 = w2 * z37 - (I_a * z49 - (s_beta * z51 - (c_beta * z52 + (r3 * z58 + z7 * z60))));
+    const double z62 = I_d * w2 + I_a * z28;
+    const double z63 = g * z1 - (w2 * z31 + z29 * z30 - (z7 * z55 - z29 * z59 - w2 * z54));
+    const double z64 = I_d * z49 - (z29 * z62 - z28 * z37 - (r3 * z63 + r1 * z60)) + z15 * z61;
+    const double z65 = w2 * z62 - (I_c * z55 + (c_beta * z51 + (s_beta * z52 + (z7 * z63 - r1 * z58))));
+    const double z66 = (z65 + z19 * z61 + z22 * z64) / z23;
+    const double z67 = z21 * z64 + z22 * z66;
     /* (I.2.15) */
     dydt[0] = s_gamma * z33 - c_gamma * z34; /* x' */
     dydt[1] = -(s_gamma * z34 + c_gamma * z33); /* y' */
@@ -332,9 +333,9 @@ int rattleback_rhs(double t, const double *y, const double *p, double *dydt)
     dydt[4] = z36; /* beta' */
     dydt[5] = -z35; /* gamma' */
     /* (I.2.15) 41:4 */
-    dydt[6] = z14 * z60 + z15 * z66 + z19 * z65; /* w1' */
-    dydt[7] = -z66; /* w2' */
-    dydt[8] = z65; /* w3' */
+    dydt[6] = z14 * z61 + z15 * z67 + z19 * z66; /* w1' */
+    dydt[7] = -z67; /* w2' */
+    dydt[8] = z66; /* w3' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(dydt[0] + dydt[1] + dydt[2] + dydt[6] + dydt[7]) <= DBL_MAX
         && fabs(c_alpha) > 1e-12 * 4.0
@@ -1681,21 +1682,22 @@ static __attribute__((noinline)) void rattleback_rhs_lanes(const double *fixed, 
     const rattleback_lanes z51 = z27 * z50;
     const rattleback_lanes z52 = z24 * z50;
     const rattleback_lanes z53 = (z10 * z42 - z6 * z26 + z4 * z45) * (z3 * (z3 * z3));
-    const rattleback_lanes z54 = z31 + (z4 * z53 - k3 * (z3 * z45));
+    const rattleback_lanes z54 = z4 * z53 - k3 * (z3 * z45);
     const rattleback_lanes z55 = z24 * z39 - c_beta * z47 + (z44 - s_beta * z48);
-    const rattleback_lanes z56 = u1 - (k1 * (z3 * z42) - z10 * z53);
-    const rattleback_lanes z57 = z28 * z54 - (r3 * z49 + (g * mu2 - r1 * z55) + z29 * z56);
-    const rattleback_lanes z58 = z30 + (z6 * z53 + k2 * (z3 * z26));
-    const rattleback_lanes z59 = w2 * z56 + (g * mu3 + z7 * z49 + z28 * z58);
-    const rattleback_lanes z60 = w2 * z37 - (I_a * z49 - (s_beta * z51 - (c_beta * z52 - (r3 * z57 - z7 *
-        z59))));
-    const rattleback_lanes z61 = I_d * w2 + I_a * z28;
-    const rattleback_lanes z62 = w2 * z54 - (g * z1 + z7 * z55 - z29 * z58);
-    const rattleback_lanes z63 = I_d * z49 - (z29 * z61 - z28 * z37 + (r3 * z62 - r1 * z59)) + z15 * z60;
-    const rattleback_lanes z64 = w2 * z61 - (I_c * z55 + (c_beta * z51 + (s_beta * z52 - (z7 * z62 - r1 *
-        z57))));
-    const rattleback_lanes z65 = (z64 + z19 * z60 + z22 * z63) / z23;
-    const rattleback_lanes z66 = z21 * z63 + z22 * z65;
+    const rattleback_lanes z56 = k1 * (z3 * z42) - z10 * z53;
+    const rattleback_lanes z57 = z29 * u1 - z28 * z31 + (r3 * z49 - z28 * z54 - (r1 * z55 + z29 * z56));
+    const rattleback_lanes z58 = g * mu2 + z57;
+    const rattleback_lanes z59 = z6 * z53 + k2 * (z3 * z26);
+    const rattleback_lanes z60 = g * mu3 + (z28 * z30 + w2 * u1 + (z7 * z49 + z28 * z59 - w2 * z56));
+    const rattleback_lanes z61 = w2 * z37 - (I_a * z49 - (s_beta * z51 - (c_beta * z52 + (r3 * z58 + z7 *
+        z60))));
+    const rattleback_lanes z62 = I_d * w2 + I_a * z28;
+    const rattleback_lanes z63 = g * z1 - (w2 * z31 + z29 * z30 - (z7 * z55 - z29 * z59 - w2 * z54));
+    const rattleback_lanes z64 = I_d * z49 - (z29 * z62 - z28 * z37 - (r3 * z63 + r1 * z60)) + z15 * z61;
+    const rattleback_lanes z65 = w2 * z62 - (I_c * z55 + (c_beta * z51 + (s_beta * z52 + (z7 * z63 - r1 *
+        z58))));
+    const rattleback_lanes z66 = (z65 + z19 * z61 + z22 * z64) / z23;
+    const rattleback_lanes z67 = z21 * z64 + z22 * z66;
     /* (I.2.15) */
     const rattleback_lanes slope1 = s_gamma * z33 - c_gamma * z34;
     sum += slope1;
@@ -1713,13 +1715,13 @@ static __attribute__((noinline)) void rattleback_rhs_lanes(const double *fixed, 
     const rattleback_lanes slope6 = -z35;
     rattleback_put(dydt + 5 * stride, slope6);
     /* (I.2.15) 41:4 */
-    const rattleback_lanes slope7 = z14 * z60 + z15 * z66 + z19 * z65;
+    const rattleback_lanes slope7 = z14 * z61 + z15 * z67 + z19 * z66;
     sum += slope7;
     rattleback_put(dydt + 6 * stride, slope7);
-    const rattleback_lanes slope8 = -z66;
+    const rattleback_lanes slope8 = -z67;
     sum += slope8;
     rattleback_put(dydt + 7 * stride, slope8);
-    const rattleback_lanes slope9 = z65;
+    const rattleback_lanes slope9 = z66;
     rattleback_put(dydt + 8 * stride, slope9);
     rattleback_put(check, rattleback_mark(far + (sum - sum), bad));
 }

@@ -1,5 +1,5 @@
 /*
- * rattleback.h: rattleback, emitted by nhc 0.1.0 (nhc:ec7038a798f19d3d)
+ * rattleback.h: rattleback, emitted by nhc 0.1.0 (nhc:5d40752522e1b57b)
  * A loaded ellipsoid that rolls on a plane and prefers one sense of spin (celt, wobblestone).
  * Source: rattleback.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -36,7 +36,7 @@
  * out[0] = spin
  *
  * Operations:
- * rhs: 81 +-, 142 *, 5 /, 7 calls
+ * rhs: 84 +-, 148 *, 5 /, 7 calls
  * velocities: 17 +-, 46 *, 2 /, 7 calls
  * accelerations: 124 +-, 193 *, 6 /, 7 calls
  * state: 3 +-, 6 *, 0 /, 4 calls

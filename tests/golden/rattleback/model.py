@@ -1,4 +1,4 @@
-"""rattleback, emitted by nhc 0.1.0 (nhc:6c969373e42ed4b2).
+"""rattleback, emitted by nhc 0.1.0 (nhc:309f44b885643821).
 
 A loaded ellipsoid that rolls on a plane and prefers one sense of spin (celt,
     wobblestone).
@@ -37,7 +37,7 @@ Outputs:
 out[0] = spin
 
 Operations:
-rhs: 81 +-, 142 *, 5 /, 7 calls
+rhs: 84 +-, 148 *, 5 /, 7 calls
 velocities: 17 +-, 46 *, 2 /, 7 calls
 accelerations: 124 +-, 193 *, 6 /, 7 calls
 state: 3 +-, 6 *, 0 /, 4 calls
@@ -193,22 +193,26 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z51 = z27 * z50
         z52 = z24 * z50
         z53 = (z10 * z42 - z6 * z26 + z4 * z45) * (z3 * (z3 * z3))
-        z54 = z31 + (z4 * z53 - k3 * (z3 * z45))
+        z54 = z4 * z53 - k3 * (z3 * z45)
         z55 = z24 * z39 - c_beta * z47 + (z44 - s_beta * z48)
-        z56 = u1 - (k1 * (z3 * z42) - z10 * z53)
-        z57 = z28 * z54 - (r3 * z49 + (g * mu2 - r1 * z55) + z29 * z56)
-        z58 = z30 + (z6 * z53 + k2 * (z3 * z26))
-        z59 = w2 * z56 + (g * mu3 + z7 * z49 + z28 * z58)
-        s1 = s_beta * z51 - (c_beta * z52 - (r3 * z57 - z7 * z59))
-        z60 = w2 * z37 - (I_a * z49 - s1)
-        z61 = I_d * w2 + I_a * z28
-        z62 = w2 * z54 - (g * z1 + z7 * z55 - z29 * z58)
-        s2 = I_d * z49 - (z29 * z61 - z28 * z37 + (r3 * z62 - r1 * z59))
-        z63 = s2 + z15 * z60
-        s3 = c_beta * z51 + (s_beta * z52 - (z7 * z62 - r1 * z57))
-        z64 = w2 * z61 - (I_c * z55 + s3)
-        z65 = (z64 + z19 * z60 + z22 * z63) / z23
-        z66 = z21 * z63 + z22 * z65
+        z56 = k1 * (z3 * z42) - z10 * z53
+        s1 = r3 * z49 - z28 * z54 - (r1 * z55 + z29 * z56)
+        z57 = z29 * u1 - z28 * z31 + s1
+        z58 = g * mu2 + z57
+        z59 = z6 * z53 + k2 * (z3 * z26)
+        s2 = z28 * z30 + w2 * u1 + (z7 * z49 + z28 * z59 - w2 * z56)
+        z60 = g * mu3 + s2
+        s3 = s_beta * z51 - (c_beta * z52 + (r3 * z58 + z7 * z60))
+        z61 = w2 * z37 - (I_a * z49 - s3)
+        z62 = I_d * w2 + I_a * z28
+        s4 = w2 * z31 + z29 * z30 - (z7 * z55 - z29 * z59 - w2 * z54)
+        z63 = g * z1 - s4
+        s5 = I_d * z49 - (z29 * z62 - z28 * z37 - (r3 * z63 + r1 * z60))
+        z64 = s5 + z15 * z61
+        s6 = c_beta * z51 + (s_beta * z52 + (z7 * z63 - r1 * z58))
+        z65 = w2 * z62 - (I_c * z55 + s6)
+        z66 = (z65 + z19 * z61 + z22 * z64) / z23
+        z67 = z21 * z64 + z22 * z66
         dydt: list[float] = [
             # x' (I.2.15)
             s_gamma * z33 - c_gamma * z34,
@@ -223,11 +227,11 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
             # gamma' (I.2.15)
             -z35,
             # w1' (I.2.15) 41:4
-            z14 * z60 + z15 * z66 + z19 * z65,
+            z14 * z61 + z15 * z67 + z19 * z66,
             # w2' (I.2.15) 41:4
-            -z66,
+            -z67,
             # w3' (I.2.15) 41:4
-            z65,
+            z66,
         ]
         return _finish("rhs", dydt)
     except (ValueError, ZeroDivisionError, OverflowError) as error:

@@ -1,5 +1,5 @@
 /*
- * snakeboard.c: snakeboard, emitted by nhc 0.1.0 (nhc:fce9bb2c0e225402)
+ * snakeboard.c: snakeboard, emitted by nhc 0.1.0 (nhc:e98d7f1d0b6056d6)
  * A board on two steerable axles and a rotor; it moves by turning the rotor and the axles to and fro.
  * Source: snakeboard.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -219,15 +219,15 @@ int snakeboard_rhs(double t, const double *y, const double *p, double *dydt)
 
     /* sines and cosines */
     const double z8 = theta + p_b;
-    const double z43 = t * nu;
+    const double z25 = t * nu;
     const double s_p_b = sin(p_b);
     const double c_p_b = cos(p_b);
     const double s_p_f = sin(p_f);
     const double c_p_f = cos(p_f);
     const double s1 = sin(z8);
     const double c1 = cos(z8);
-    const double s2 = sin(z43);
-    const double c2 = cos(z43);
+    const double s2 = sin(z25);
+    const double c2 = cos(z25);
     const double v = y[6];
     const double psi_dot = y[7];
     const double p_b_dot = y[8];
@@ -248,7 +248,6 @@ int snakeboard_rhs(double t, const double *y, const double *p, double *dydt)
     const double k5 = 1.0 / J_r;
     const double k6 = 1.0 / J_w;
     const double k7 = J + J_w;
-    const double k8 = J_r - J_w;
 
     /* state */
     const double z1 = s_p_f * s_p_f;
@@ -258,64 +257,67 @@ int snakeboard_rhs(double t, const double *y, const double *p, double *dydt)
     const double z5 = s_p_b * z3 - 2.0 * (s_p_f * z4 * k2);
     const double z6 = s_p_b * z5 + (z1 + k1 * (4.0 - 3.0 * z1));
     const double z7 = 1.0 / z6;
-    const double z9 = l * c_p_f;
-    const double z10 = l * c_p_b;
-    const double z11 = s1 * c_p_f + c1 * s_p_f;
-    const double z12 = c1 * c_p_f - s1 * s_p_f;
-    const double z13 = c_p_b * z11 - s_p_b * z12;
-    const double z14 = s1 * z9 + z10 * z13;
-    const double z15 = z7 * z14;
-    const double z16 = c_p_b * z12 + s_p_b * z11;
-    const double z17 = c1 * z9 + z10 * z16;
-    const double z18 = z7 * z17;
-    const double z19 = z14 * z15 + z17 * z18;
-    const double z20 = s1 * z16 - c1 * z13;
+    const double z9 = c1 * c_p_f - s1 * s_p_f;
+    const double z10 = s1 * c_p_f + c1 * s_p_f;
+    const double z11 = c_p_b * z9 + s_p_b * z10;
+    const double z12 = c_p_b * z10 - s_p_b * z9;
+    const double z13 = s1 * z11 - c1 * z12;
+    const double z14 = z7 * z13;
+    const double z15 = J * z14 * z14;
+    const double z16 = l * c_p_f;
+    const double z17 = l * c_p_b;
+    const double z18 = s1 * z16 + z17 * z12;
+    const double z19 = z7 * z18;
+    const double z20 = c1 * z16 + z17 * z11;
     const double z21 = z7 * z20;
-    const double z22 = z7 * (m * z19 + J * (z20 * z21));
+    const double z22 = z15 + m * (z7 * (z18 * z19 + z20 * z21));
     const double z23 = v * z7;
-    const double z24 = z20 * z23;
-    const double z25 = p_b_dot * c_p_b;
-    const double z26 = p_f_dot * c_p_f;
-    const double z27 = s_p_f * z26;
-    const double z28 = k1 * z27;
-    const double z29 = p_b_dot * s_p_b;
-    const double z30 = p_f_dot * s_p_f;
-    const double z31 = z3 * z25 - 4.0 * (s_p_b * (z27 - z28)) - 2.0 * (k2 * (z4 * z26 - s_p_f * (c_p_f * z29
-        + c_p_b * z30)));
-    const double z32 = (z5 * z25 + s_p_b * z31 + (2.0 * z27 - 6.0 * z28)) / (z6 * z6);
-    const double z33 = p_b_dot - z24;
-    const double z34 = s1 * z33;
-    const double z35 = l * z29;
-    const double z36 = l * z30;
-    const double z37 = p_f_dot - z24;
-    const double z38 = z13 * z37;
-    const double z39 = c1 * z33;
-    const double z40 = z16 * z37;
-    const double z41 = z18 * (z9 * z34 + (z35 * z16 + (c1 * z36 + z10 * z38))) - z15 * (z9 * z39 - (z35 * z13
-        + (s1 * z36 - z10 * z40)));
-    const double z42 = v * (z32 * z20 - z7 * (z16 * z39 - s1 * z38 + (z13 * z34 - c1 * z40)));
-    const double z44 = tau * s2 - J_r * z42;
-    const double z45 = m * (v * (z32 * z19 + z7 * z41)) + z21 * (k7 * z42 + (z44 + k8 * z42));
-    const double z46 = z45 / z22;
-    const double z47 = z21 * z46;
-    const double z48 = sigma * c2;
-    const double z49 = J_w * z42;
+    const double z24 = z13 * z23;
+    const double z26 = p_b_dot * c_p_b;
+    const double z27 = p_f_dot * c_p_f;
+    const double z28 = s_p_f * z27;
+    const double z29 = k1 * z28;
+    const double z30 = p_b_dot * s_p_b;
+    const double z31 = p_f_dot * s_p_f;
+    const double z32 = z3 * z26 - 4.0 * (s_p_b * (z28 - z29)) - 2.0 * (k2 * (z4 * z27 - s_p_f * (c_p_f * z30
+        + c_p_b * z31)));
+    const double z33 = (z5 * z26 + s_p_b * z32 + (2.0 * z28 - 6.0 * z29)) / (z6 * z6);
+    const double z34 = p_b_dot - z24;
+    const double z35 = c1 * z34;
+    const double z36 = p_f_dot - z24;
+    const double z37 = z12 * z36;
+    const double z38 = s1 * z34;
+    const double z39 = z11 * z36;
+    const double z40 = v * (z33 * z13 - z7 * (z11 * z35 - s1 * z37 + (z12 * z38 - c1 * z39)));
+    const double z41 = J_r * z40;
+    const double z42 = tau * s2 - z41;
+    const double z43 = sigma * c2;
+    const double z44 = J_w * z40;
+    const double z45 = z43 - z44;
+    const double z46 = z43 + z44;
+    const double z47 = l * z31;
+    const double z48 = l * z30;
+    const double z49 = m * v;
+    const double z50 = (z33 * z18 + z7 * (s1 * z47 - z16 * z35 + (z48 * z12 - z17 * z39))) * (z19 * z49);
+    const double z51 = (z33 * z20 + z7 * (c1 * z47 + z16 * z38 + (z48 * z11 + z17 * z37))) * (z21 * z49);
+    const double z52 = (z14 * (z42 + (z41 + (z45 + (z44 - (z46 - k7 * z40))))) + z50 + z51) / z22;
+    const double z53 = z14 * z52;
     /* (I.2.15) */
-    dydt[0] = z17 * z23; /* x' */
-    dydt[1] = z14 * z23; /* y' */
+    dydt[0] = z20 * z23; /* x' */
+    dydt[1] = z18 * z23; /* y' */
     dydt[2] = -z24; /* theta' */
     dydt[3] = psi_dot; /* psi' */
     dydt[4] = p_b_dot; /* p_b' */
     dydt[5] = p_f_dot; /* p_f' */
     /* (I.2.15) 22:4 */
-    dydt[6] = z46; /* v' */
-    dydt[7] = k5 * z44 + z47; /* psi'' */
-    dydt[8] = k6 * (z48 - z49) + z47; /* p_b'' */
-    dydt[9] = z47 - k6 * (z48 + z49); /* p_f'' */
+    dydt[6] = z52; /* v' */
+    dydt[7] = z53 + k5 * z42; /* psi'' */
+    dydt[8] = z53 + k6 * z45; /* p_b'' */
+    dydt[9] = z53 - k6 * z46; /* p_f'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(dydt[0] + dydt[1] + dydt[3] + dydt[7] + dydt[8] + dydt[9]) <= DBL_MAX
         && fabs(z6) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4))
-        && fabs(z22) > 1e-14 * (J * (z21 * z21) + m * (z18 * z18 + z15 * z15)))) {
+        && fabs(z22) > 1e-14 * (z15 + m * (z19 * z19) + m * (z21 * z21)))) {
         /* the coframe is singular */
         if (!(fabs(z6) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)))) {
             return SNAKEBOARD_SINGULAR_1;
@@ -333,7 +335,7 @@ int snakeboard_rhs(double t, const double *y, const double *p, double *dydt)
             return SNAKEBOARD_SINGULAR_2;
         }
         /* the mass matrix is singular */
-        if (!(fabs(z22) > 1e-14 * (J * (z21 * z21) + m * (z18 * z18 + z15 * z15)))) {
+        if (!(fabs(z22) > 1e-14 * (z15 + m * (z19 * z19) + m * (z21 * z21)))) {
             return SNAKEBOARD_SINGULAR_2;
         }
         return snakeboard_finish(10, dydt);
@@ -1159,7 +1161,6 @@ static __attribute__((noinline)) void snakeboard_rhs_lanes(const double *fixed, 
     const double k5 = fixed[12];
     const double k6 = fixed[13];
     const double k7 = fixed[14];
-    const double k8 = fixed[15];
     const snakeboard_lanes t_ = snakeboard_get(t);
     const snakeboard_lanes theta = snakeboard_get(y + 2 * stride);
     const snakeboard_lanes p_b = snakeboard_get(y + 4 * stride);
@@ -1190,62 +1191,67 @@ static __attribute__((noinline)) void snakeboard_rhs_lanes(const double *fixed, 
     snakeboard_lanes sine3, cosine3;
     snakeboard_turn_lanes(SNAKEBOARD_SPREAD(z8), &far, &sine3, &cosine3);
     const snakeboard_lanes s1 = sine3;
-    const snakeboard_lanes z9 = l * c_p_f;
-    const snakeboard_lanes z10 = l * c_p_b;
     const snakeboard_lanes c1 = cosine3;
-    const snakeboard_lanes z11 = s1 * c_p_f + c1 * s_p_f;
-    const snakeboard_lanes z12 = c1 * c_p_f - s1 * s_p_f;
-    const snakeboard_lanes z13 = c_p_b * z11 - s_p_b * z12;
-    const snakeboard_lanes z14 = s1 * z9 + z10 * z13;
-    const snakeboard_lanes z15 = z7 * z14;
-    const snakeboard_lanes z16 = c_p_b * z12 + s_p_b * z11;
-    const snakeboard_lanes z17 = c1 * z9 + z10 * z16;
-    const snakeboard_lanes z18 = z7 * z17;
-    const snakeboard_lanes z19 = z14 * z15 + z17 * z18;
-    const snakeboard_lanes z20 = s1 * z16 - c1 * z13;
+    const snakeboard_lanes z9 = c1 * c_p_f - s1 * s_p_f;
+    const snakeboard_lanes z10 = s1 * c_p_f + c1 * s_p_f;
+    const snakeboard_lanes z11 = c_p_b * z9 + s_p_b * z10;
+    const snakeboard_lanes z12 = c_p_b * z10 - s_p_b * z9;
+    const snakeboard_lanes z13 = s1 * z11 - c1 * z12;
+    const snakeboard_lanes z14 = z7 * z13;
+    const snakeboard_lanes z15 = J * z14 * z14;
+    const snakeboard_lanes z16 = l * c_p_f;
+    const snakeboard_lanes z17 = l * c_p_b;
+    const snakeboard_lanes z18 = s1 * z16 + z17 * z12;
+    const snakeboard_lanes z19 = z7 * z18;
+    const snakeboard_lanes z20 = c1 * z16 + z17 * z11;
     const snakeboard_lanes z21 = z7 * z20;
-    const snakeboard_lanes z22 = z7 * (m * z19 + J * (z20 * z21));
+    const snakeboard_lanes z22 = z15 + m * (z7 * (z18 * z19 + z20 * z21));
     /* the mass matrix is singular */
-    bad |= snakeboard_misses(snakeboard_size(SNAKEBOARD_SPREAD(z22)), 1e-14 * (J * (z21 * z21) + m * (z18 *
-        z18 + z15 * z15)));
+    bad |= snakeboard_misses(snakeboard_size(SNAKEBOARD_SPREAD(z22)), 1e-14 * (z15 + m * (z19 * z19) + m *
+        (z21 * z21)));
     const snakeboard_lanes z23 = v * z7;
-    const snakeboard_lanes z24 = z20 * z23;
-    const snakeboard_lanes z25 = p_b_dot * c_p_b;
-    const snakeboard_lanes z26 = p_f_dot * c_p_f;
-    const snakeboard_lanes z27 = s_p_f * z26;
-    const snakeboard_lanes z28 = k1 * z27;
-    const snakeboard_lanes z29 = p_b_dot * s_p_b;
-    const snakeboard_lanes z30 = p_f_dot * s_p_f;
-    const snakeboard_lanes z31 = z3 * z25 - 4.0 * (s_p_b * (z27 - z28)) - 2.0 * (k2 * (z4 * z26 - s_p_f *
-        (c_p_f * z29 + c_p_b * z30)));
-    const snakeboard_lanes z32 = (z5 * z25 + s_p_b * z31 + (2.0 * z27 - 6.0 * z28)) / (z6 * z6);
-    const snakeboard_lanes z33 = p_b_dot - z24;
-    const snakeboard_lanes z34 = s1 * z33;
-    const snakeboard_lanes z35 = l * z29;
-    const snakeboard_lanes z36 = l * z30;
-    const snakeboard_lanes z37 = p_f_dot - z24;
-    const snakeboard_lanes z38 = z13 * z37;
-    const snakeboard_lanes z39 = c1 * z33;
-    const snakeboard_lanes z40 = z16 * z37;
-    const snakeboard_lanes z41 = z18 * (z9 * z34 + (z35 * z16 + (c1 * z36 + z10 * z38))) - z15 * (z9 * z39 -
-        (z35 * z13 + (s1 * z36 - z10 * z40)));
-    const snakeboard_lanes z42 = v * (z32 * z20 - z7 * (z16 * z39 - s1 * z38 + (z13 * z34 - c1 * z40)));
-    const snakeboard_lanes z43 = t_ * nu;
+    const snakeboard_lanes z24 = z13 * z23;
+    const snakeboard_lanes z25 = t_ * nu;
     snakeboard_lanes sine4, cosine4;
-    snakeboard_turn_lanes(SNAKEBOARD_SPREAD(z43), &far, &sine4, &cosine4);
+    snakeboard_turn_lanes(SNAKEBOARD_SPREAD(z25), &far, &sine4, &cosine4);
     const snakeboard_lanes s2 = sine4;
-    const snakeboard_lanes z44 = tau * s2 - J_r * z42;
-    const snakeboard_lanes z45 = m * (v * (z32 * z19 + z7 * z41)) + z21 * (k7 * z42 + (z44 + k8 * z42));
-    const snakeboard_lanes z46 = z45 / z22;
-    const snakeboard_lanes z47 = z21 * z46;
+    const snakeboard_lanes z26 = p_b_dot * c_p_b;
+    const snakeboard_lanes z27 = p_f_dot * c_p_f;
+    const snakeboard_lanes z28 = s_p_f * z27;
+    const snakeboard_lanes z29 = k1 * z28;
+    const snakeboard_lanes z30 = p_b_dot * s_p_b;
+    const snakeboard_lanes z31 = p_f_dot * s_p_f;
+    const snakeboard_lanes z32 = z3 * z26 - 4.0 * (s_p_b * (z28 - z29)) - 2.0 * (k2 * (z4 * z27 - s_p_f *
+        (c_p_f * z30 + c_p_b * z31)));
+    const snakeboard_lanes z33 = (z5 * z26 + s_p_b * z32 + (2.0 * z28 - 6.0 * z29)) / (z6 * z6);
+    const snakeboard_lanes z34 = p_b_dot - z24;
+    const snakeboard_lanes z35 = c1 * z34;
+    const snakeboard_lanes z36 = p_f_dot - z24;
+    const snakeboard_lanes z37 = z12 * z36;
+    const snakeboard_lanes z38 = s1 * z34;
+    const snakeboard_lanes z39 = z11 * z36;
+    const snakeboard_lanes z40 = v * (z33 * z13 - z7 * (z11 * z35 - s1 * z37 + (z12 * z38 - c1 * z39)));
+    const snakeboard_lanes z41 = J_r * z40;
+    const snakeboard_lanes z42 = tau * s2 - z41;
     const snakeboard_lanes c2 = cosine4;
-    const snakeboard_lanes z48 = sigma * c2;
-    const snakeboard_lanes z49 = J_w * z42;
+    const snakeboard_lanes z43 = sigma * c2;
+    const snakeboard_lanes z44 = J_w * z40;
+    const snakeboard_lanes z45 = z43 - z44;
+    const snakeboard_lanes z46 = z43 + z44;
+    const snakeboard_lanes z47 = l * z31;
+    const snakeboard_lanes z48 = l * z30;
+    const snakeboard_lanes z49 = m * v;
+    const snakeboard_lanes z50 = (z33 * z18 + z7 * (s1 * z47 - z16 * z35 + (z48 * z12 - z17 * z39))) * (z19 *
+        z49);
+    const snakeboard_lanes z51 = (z33 * z20 + z7 * (c1 * z47 + z16 * z38 + (z48 * z11 + z17 * z37))) * (z21 *
+        z49);
+    const snakeboard_lanes z52 = (z14 * (z42 + (z41 + (z45 + (z44 - (z46 - k7 * z40))))) + z50 + z51) / z22;
+    const snakeboard_lanes z53 = z14 * z52;
     /* (I.2.15) */
-    const snakeboard_lanes slope1 = z17 * z23;
+    const snakeboard_lanes slope1 = z20 * z23;
     sum += slope1;
     snakeboard_put(dydt, slope1);
-    const snakeboard_lanes slope2 = z14 * z23;
+    const snakeboard_lanes slope2 = z18 * z23;
     sum += slope2;
     snakeboard_put(dydt + 1 * stride, slope2);
     const snakeboard_lanes slope3 = -z24;
@@ -1258,15 +1264,15 @@ static __attribute__((noinline)) void snakeboard_rhs_lanes(const double *fixed, 
     const snakeboard_lanes slope6 = p_f_dot;
     snakeboard_put(dydt + 5 * stride, slope6);
     /* (I.2.15) 22:4 */
-    const snakeboard_lanes slope7 = z46;
+    const snakeboard_lanes slope7 = z52;
     snakeboard_put(dydt + 6 * stride, slope7);
-    const snakeboard_lanes slope8 = k5 * z44 + z47;
+    const snakeboard_lanes slope8 = z53 + k5 * z42;
     sum += slope8;
     snakeboard_put(dydt + 7 * stride, slope8);
-    const snakeboard_lanes slope9 = k6 * (z48 - z49) + z47;
+    const snakeboard_lanes slope9 = z53 + k6 * z45;
     sum += slope9;
     snakeboard_put(dydt + 8 * stride, slope9);
-    const snakeboard_lanes slope10 = z47 - k6 * (z48 + z49);
+    const snakeboard_lanes slope10 = z53 - k6 * z46;
     sum += slope10;
     snakeboard_put(dydt + 9 * stride, slope10);
     snakeboard_put(check, snakeboard_mark(far + (sum - sum), bad));
@@ -1303,8 +1309,7 @@ int snakeboard_rhs_batch(size_t count, const double *t, const double *y, const d
     const double k5 = 1.0 / J_r;
     const double k6 = 1.0 / J_w;
     const double k7 = J + J_w;
-    const double k8 = J_r - J_w;
-    const double fixed[] = {m, l, J, J_r, J_w, tau, sigma, nu, k1, k2, k3, k4, k5, k6, k7, k8};
+    const double fixed[] = {m, l, J, J_r, J_w, tau, sigma, nu, k1, k2, k3, k4, k5, k6, k7};
     double check[1 * SNAKEBOARD_LANES];
     int status = SNAKEBOARD_OK;
     for (size_t i = 0; i < count; i += SNAKEBOARD_LANES) {

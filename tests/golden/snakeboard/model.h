@@ -1,5 +1,5 @@
 /*
- * snakeboard.h: snakeboard, emitted by nhc 0.1.0 (nhc:98327259c58cb503)
+ * snakeboard.h: snakeboard, emitted by nhc 0.1.0 (nhc:2b51f0244859ad03)
  * A board on two steerable axles and a rotor; it moves by turning the rotor and the axles to and fro.
  * Source: snakeboard.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -36,7 +36,7 @@
  * out[0] = speed
  *
  * Operations:
- * rhs: 55 +-, 108 *, 5 /, 9 calls
+ * rhs: 58 +-, 109 *, 5 /, 9 calls
  * velocities: 18 +-, 34 *, 1 /, 7 calls
  * accelerations: 64 +-, 120 *, 5 /, 9 calls
  * state: 10 +-, 17 *, 0 /, 6 calls

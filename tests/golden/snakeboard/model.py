@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""snakeboard, emitted by nhc 0.1.0 (nhc:875394b8a9ac2e5d).
+"""snakeboard, emitted by nhc 0.1.0 (nhc:f57e4603c159dbe1).
 
 A board on two steerable axles and a rotor; it moves by turning the rotor and the
     axles to and fro.
@@ -38,7 +38,7 @@ Outputs:
 out[0] = speed
 
 Operations:
-rhs: 55 +-, 108 *, 5 /, 9 calls
+rhs: 58 +-, 109 *, 5 /, 9 calls
 velocities: 18 +-, 34 *, 1 /, 7 calls
 accelerations: 64 +-, 120 *, 5 /, 9 calls
 state: 10 +-, 17 *, 0 /, 6 calls
@@ -140,7 +140,6 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         k5 = 1.0 / J_r
         k6 = 1.0 / J_w
         k7 = J + J_w
-        k8 = J_r - J_w
         # state
         s_p_b = math.sin(p_b)
         s_p_f = math.sin(p_f)
@@ -159,64 +158,69 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z7 = 1.0 / z6
         z8 = theta + p_b
         s1 = math.sin(z8)
-        z9 = l * c_p_f
-        z10 = l * c_p_b
         c1 = math.cos(z8)
-        z11 = s1 * c_p_f + c1 * s_p_f
-        z12 = c1 * c_p_f - s1 * s_p_f
-        z13 = c_p_b * z11 - s_p_b * z12
-        z14 = s1 * z9 + z10 * z13
-        z15 = z7 * z14
-        z16 = c_p_b * z12 + s_p_b * z11
-        z17 = c1 * z9 + z10 * z16
-        z18 = z7 * z17
-        z19 = z14 * z15 + z17 * z18
-        z20 = s1 * z16 - c1 * z13
+        z9 = c1 * c_p_f - s1 * s_p_f
+        z10 = s1 * c_p_f + c1 * s_p_f
+        z11 = c_p_b * z9 + s_p_b * z10
+        z12 = c_p_b * z10 - s_p_b * z9
+        z13 = s1 * z11 - c1 * z12
+        z14 = z7 * z13
+        z15 = J * z14 * z14
+        z16 = l * c_p_f
+        z17 = l * c_p_b
+        z18 = s1 * z16 + z17 * z12
+        z19 = z7 * z18
+        z20 = c1 * z16 + z17 * z11
         z21 = z7 * z20
-        z22 = z7 * (m * z19 + J * (z20 * z21))
-        s4 = z18 * z18 + z15 * z15
-        s5 = J * (z21 * z21)
+        z22 = z15 + m * (z7 * (z18 * z19 + z20 * z21))
+        s4 = z15 + m * (z19 * z19)
+        s5 = s4 + m * (z21 * z21)
         # the mass matrix is singular
-        if not abs(z22) > 1e-14 * (s5 + m * s4):
+        if not abs(z22) > 1e-14 * s5:
             raise SingularModelError(2, "rhs")
         z23 = v * z7
-        z24 = z20 * z23
-        z25 = p_b_dot * c_p_b
-        z26 = p_f_dot * c_p_f
-        z27 = s_p_f * z26
-        z28 = k1 * z27
-        z29 = p_b_dot * s_p_b
-        z30 = p_f_dot * s_p_f
-        s6 = 2.0 * (k2 * (z4 * z26 - s_p_f * (c_p_f * z29 + c_p_b * z30)))
-        z31 = z3 * z25 - 4.0 * (s_p_b * (z27 - z28)) - s6
-        z32 = (z5 * z25 + s_p_b * z31 + (2.0 * z27 - 6.0 * z28)) / (z6 * z6)
-        z33 = p_b_dot - z24
-        z34 = s1 * z33
-        z35 = l * z29
-        z36 = l * z30
-        z37 = p_f_dot - z24
-        z38 = z13 * z37
-        z39 = c1 * z33
-        z40 = z16 * z37
-        s7 = z18 * (z9 * z34 + (z35 * z16 + (c1 * z36 + z10 * z38)))
-        z41 = s7 - z15 * (z9 * z39 - (z35 * z13 + (s1 * z36 - z10 * z40)))
-        s8 = z7 * (z16 * z39 - s1 * z38 + (z13 * z34 - c1 * z40))
-        z42 = v * (z32 * z20 - s8)
-        z43 = t_ * nu
-        s2 = math.sin(z43)
-        z44 = tau * s2 - J_r * z42
-        s9 = z21 * (k7 * z42 + (z44 + k8 * z42))
-        z45 = m * (v * (z32 * z19 + z7 * z41)) + s9
-        z46 = z45 / z22
-        z47 = z21 * z46
-        c2 = math.cos(z43)
-        z48 = sigma * c2
-        z49 = J_w * z42
+        z24 = z13 * z23
+        z25 = t_ * nu
+        s2 = math.sin(z25)
+        z26 = p_b_dot * c_p_b
+        z27 = p_f_dot * c_p_f
+        z28 = s_p_f * z27
+        z29 = k1 * z28
+        z30 = p_b_dot * s_p_b
+        z31 = p_f_dot * s_p_f
+        s6 = 2.0 * (k2 * (z4 * z27 - s_p_f * (c_p_f * z30 + c_p_b * z31)))
+        z32 = z3 * z26 - 4.0 * (s_p_b * (z28 - z29)) - s6
+        z33 = (z5 * z26 + s_p_b * z32 + (2.0 * z28 - 6.0 * z29)) / (z6 * z6)
+        z34 = p_b_dot - z24
+        z35 = c1 * z34
+        z36 = p_f_dot - z24
+        z37 = z12 * z36
+        z38 = s1 * z34
+        z39 = z11 * z36
+        s7 = z7 * (z11 * z35 - s1 * z37 + (z12 * z38 - c1 * z39))
+        z40 = v * (z33 * z13 - s7)
+        z41 = J_r * z40
+        z42 = tau * s2 - z41
+        c2 = math.cos(z25)
+        z43 = sigma * c2
+        z44 = J_w * z40
+        z45 = z43 - z44
+        z46 = z43 + z44
+        z47 = l * z31
+        z48 = l * z30
+        z49 = m * v
+        s8 = z7 * (s1 * z47 - z16 * z35 + (z48 * z12 - z17 * z39))
+        z50 = (z33 * z18 + s8) * (z19 * z49)
+        s9 = z7 * (c1 * z47 + z16 * z38 + (z48 * z11 + z17 * z37))
+        z51 = (z33 * z20 + s9) * (z21 * z49)
+        s10 = z14 * (z42 + (z41 + (z45 + (z44 - (z46 - k7 * z40))))) + z50
+        z52 = (s10 + z51) / z22
+        z53 = z14 * z52
         dydt: list[float] = [
             # x' (I.2.15)
-            z17 * z23,
+            z20 * z23,
             # y' (I.2.15)
-            z14 * z23,
+            z18 * z23,
             # theta' (I.2.15)
             -z24,
             # psi' (I.2.15)
@@ -226,13 +230,13 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
             # p_f' (I.2.15)
             p_f_dot,
             # v' (I.2.15) 22:4
-            z46,
+            z52,
             # psi'' (I.2.15) 22:4
-            k5 * z44 + z47,
+            z53 + k5 * z42,
             # p_b'' (I.2.15) 22:4
-            k6 * (z48 - z49) + z47,
+            z53 + k6 * z45,
             # p_f'' (I.2.15) 22:4
-            z47 - k6 * (z48 + z49),
+            z53 - k6 * z46,
         ]
         return _finish("rhs", dydt)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
