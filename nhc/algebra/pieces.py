@@ -21,8 +21,8 @@ _LEAVES = 100
 _FEW = 25
 """Nodes for each multiplication by a number, up to which every tree is tried."""
 _LARGE, _DENSE, _SPARE = 1000, 40, 8
-"""Nodes, altogether and for each sine and cosine, from which smaller trees are tried in an expression without numbers: bodies in space
-have that many, and become up to four percent shorter, where plane chains have nothing to win."""
+"""Nodes, altogether and for each sine and cosine, from which smaller trees are tried in an expression without numbers: bodies in
+space have that many, and become up to four percent shorter, where plane chains have nothing to win."""
 _OPEN = frozenset({ADD, MUL, NEG, POW})
 """What a canonical form looks into."""
 

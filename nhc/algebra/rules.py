@@ -57,7 +57,7 @@ RULES = (
     ),
     Rule(
         "pieces",
-        "where a spec has numbers, the trees between shared nodes become canonical forms over these, if that is shorter",
+        "where a spec has numbers, or is large, the trees between shared nodes become canonical forms over these, if shorter",
         "algebra/pieces.py",
     ),
     Rule(
