@@ -18,7 +18,7 @@ def warn_undetermined(planner: Planner, start: Start, bag: Bag) -> None:
     what, zero = find_undetermined(planner, start)
     if not what:
         return
-    names = " and ".join(f"`{name}`" for name in zero)
+    names = ", ".join(f"`{name}`" for name in zero)
     bag.warning(
         "W0421",
         f"the scene `{start.scene.name}` cannot run: {what} at its start",
