@@ -21,6 +21,8 @@ from nhc.version import __version__
 
 MOST = 256
 """Answers kept; one more, and the quarter that was asked for least recently goes."""
+LARGEST = 1 << 20
+"""Characters of an answer that is kept."""
 
 Answer = dict[str, str]
 
@@ -92,6 +94,8 @@ def _recall(path: Path) -> Answer | None:
 
 def _keep(path: Path, made: Answer) -> None:
     text = json.dumps(made, ensure_ascii=False)
+    if len(text) > LARGEST:
+        return
     temporary = path.with_name(f".{path.name}.{os.getpid()}.tmp")
     try:
         path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)

@@ -159,6 +159,13 @@ def test_old_answers_make_room(folder: Path, monkeypatch: pytest.MonkeyPatch) ->
     assert set(kept) < set(_list(folder))
 
 
+def test_a_huge_answer_is_not_kept(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(answers, "LARGEST", 40)
+    assert answers.answer(("short",), lambda: {"": "x" * 9}) == {"": "x" * 9}
+    assert answers.answer(("long",), lambda: {"": "x" * 99}) == {"": "x" * 99}
+    assert len(_list(folder)) == 1
+
+
 def test_names_are_no_part_of_their_neighbours(folder: Path) -> None:
     assert answers.answer(("ab", "c"), lambda: {"": "1"}) == {"": "1"}
     assert answers.answer(("a", "bc"), lambda: {"": "2"}) == {"": "2"}
