@@ -64,7 +64,8 @@ def choose_finish(body: Sequence[Statement]) -> Finish | None:
     for guard in reversed([s for s in body if isinstance(s, Guard)]):  # the last depend on most
         if not (guard.scale == _ZERO and proof.excludes_zero(guard.value)):
             guards.insert(0, guard)
-            proof.assume_nonzero(guard.value)
+            if guard.scale == _ZERO:  # others may be negative, with a negative mass
+                proof.assume_nonzero(guard.value)
     return Finish(tuple(sorted(entries)), tuple(guards))
 
 
