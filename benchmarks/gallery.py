@@ -18,6 +18,7 @@ from benchmarks.systems import GALLERY
 from nhc.language import read
 from nhc.mechanics.regularity import parameter_value
 from nhc.pipeline import Model, Options, emit, model
+from nhc.program.build import Planner
 
 _STATES = 8
 _NEAR = 1e-9  # what nhc and the peer may differ by
@@ -59,8 +60,6 @@ def measure(paths: Sequence[Path] = ()) -> Iterator[Count]:
 
 def _points(made: Model) -> list[list[float]]:
     """Random states, away from zero."""
-    from nhc.program.build import Planner
-
     draw = random.Random(f"nhc {made.system.name}")
     size = made.system.n + len(Planner(made.equations, made.formulation).kept_forms())
     return [[draw.uniform(0.2, 1.2) for _ in range(size)] for _ in range(_STATES)]

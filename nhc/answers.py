@@ -12,6 +12,7 @@ import json
 import os
 import sys
 from collections.abc import Callable, Iterator, Sequence
+from contextlib import suppress
 from hashlib import sha256
 from importlib.util import find_spec
 from pathlib import Path
@@ -103,7 +104,8 @@ def _keep(path: Path, made: Answer) -> None:
         os.replace(temporary, path)
         _make_room(path.parent)
     except (OSError, ValueError):  # a full disk, a folder of someone else, half of a surrogate pair
-        _remove(temporary)
+        with suppress(OSError):
+            temporary.unlink(missing_ok=True)
 
 
 def _make_room(folder: Path) -> None:
@@ -112,14 +114,7 @@ def _make_room(folder: Path) -> None:
         return
     names.sort(key=lambda path: path.stat().st_mtime)
     for path in names[: MOST // 4]:
-        _remove(path)
-
-
-def _remove(path: Path) -> None:
-    try:
         path.unlink(missing_ok=True)
-    except OSError:
-        return
 
 
 def _hash(text: str) -> str:

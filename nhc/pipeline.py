@@ -15,6 +15,7 @@ Stages are pure; the names below are those of ``--dump``.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from nhc.diagnostics import Bag, Diagnostic, Source, SpecError
@@ -66,7 +67,7 @@ STAGES = (
 )
 
 
-@record
+@dataclass(frozen=True, slots=True)
 class Options:
     """``formulation``, ``scene``: names or empty; ``to``: text, latex or json; ``only``: functions; ``array``: numpy or jax.
 
@@ -259,10 +260,9 @@ def emit(source: Source, language: str, options: Options = Options()) -> dict[st
 
     wanted = EmitOptions(options.only, options.driver, options.array, options.scene, options.trig)
     needed = () if options.driver else _functions(options.only)
-    reduced = bool(options.scene)
-    if not (options.driver or reduced or needed):
+    if not (options.driver or options.scene or needed):
         needed = FUNCTIONS  # all of them, but no starts of scenes
-    asked = Options(options.formulation, options.scene, only=needed, reduce=reduced, fold=options.fold)
+    asked = Options(options.formulation, options.scene, only=needed, reduce=bool(options.scene), fold=options.fold)
     made_program = program(source, asked)
     return {name: stamp(text) for name, text in render(made_program, language, wanted).items()}
 

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 from nhc.algebra.calculus import count, list_terms, reachable, substitute
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.polynomial import normalise
 
 _MOST_TERMS = 4
+
+Pair = tuple[Node, Node]
+"""Sine and cosine of an angle."""
 
 
 def split_angles(graph: Graph, nodes: Sequence[Node]) -> list[Node]:
@@ -18,7 +21,7 @@ def split_angles(graph: Graph, nodes: Sequence[Node]) -> list[Node]:
         if g.op[node] in ("sin", "cos"):
             terms = list_terms(g, g.a[node])
             if 1 < len(terms) <= _MOST_TERMS:
-                s, c = _circle(g, terms)
+                s, c = add_angles(g, ((g.function("sin", term), g.function("cos", term)) for term in terms))
                 new[node] = s if g.op[node] == "sin" else c
     return substitute(g, nodes, new) if new else list(nodes)
 
@@ -33,11 +36,10 @@ def normalise_angles(graph: Graph, node: Node, limit: int) -> Node:
     return apart if count(graph, [apart]) < count(graph, [whole]) else whole
 
 
-def _circle(graph: Graph, terms: Sequence[Node]) -> tuple[Node, Node]:
-    """(sin, cos) of the sum of the terms."""
+def add_angles(graph: Graph, pairs: Iterable[Pair]) -> Pair:
+    """Sine and cosine of the sum of angles from theirs."""
     g = graph
     s, c = g.zero, g.one
-    for term in terms:
-        x, y = g.function("sin", term), g.function("cos", term)
-        s, c = g.add(g.mul(s, y), g.mul(c, x)), g.sub(g.mul(c, y), g.mul(s, x))
+    for y, x in pairs:
+        s, c = g.add(g.mul(s, x), g.mul(c, y)), g.sub(g.mul(c, x), g.mul(s, y))
     return s, c

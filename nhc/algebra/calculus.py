@@ -76,8 +76,8 @@ def substitute(graph: Graph, roots: Sequence[Node], mapping: Mapping[Node, Node]
         else:
             made = rebuild(graph, node, [new.get(c, c) for c in graph.kids[node]])
         new[node] = made
-        if node in labels and made != node:
-            labels.setdefault(made, labels[node])
+        if node in labels:
+            graph.pass_label(node, made)
     return [new.get(root, root) for root in roots]
 
 
@@ -94,8 +94,8 @@ class Replacement:
         kids, labels = graph.kids, graph.labels
         for node in reachable(graph, nodes, self._mask, known):
             made = known[node] = self.make(node, [known.get(c, c) for c in kids[node]])
-            if node in labels and made != node:
-                labels.setdefault(made, labels[node])
+            if node in labels:
+                graph.pass_label(node, made)
         return [known.get(node, node) for node in nodes]
 
     def make(self, node: Node, children: Sequence[Node]) -> Node:

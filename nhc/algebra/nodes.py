@@ -123,6 +123,11 @@ class NodeStore:
 
     # --- questions ----------------------------------------------------------------------------------------
 
+    def pass_label(self, node: Node, made: Node) -> None:
+        """Give the user's name of a node to what has come in its place, unless that has one."""
+        if node in self.labels and made != node:
+            self.labels.setdefault(made, self.labels[node])
+
     def find(self, op: str, a: int, b: int = 0) -> Node | None:
         """The node of an operation that is no sum, product or sign, where there is one already."""
         return self._cache.get((op, a, b))

@@ -43,19 +43,12 @@ def shorten_pieces(graph: Graph, roots: Sequence[Node]) -> list[Node]:
     whole = _list_shared(graph, nodes, roots)
     new: dict[Node, Node] = {}
     for node in nodes:
-        shorter = _shorten(graph, node, whole, new, spare) if node in whole else None
-        if shorter is not None:
-            new[node] = shorter
-            if node in graph.labels:
-                graph.labels.setdefault(shorter, graph.labels[node])
-            continue
-        kids = graph.kids[node]
-        if new and any(child in new for child in kids):
-            made = rebuild(graph, node, [new.get(child, child) for child in kids])
-            if made != node:
-                new[node] = made
-                if node in graph.labels:
-                    graph.labels.setdefault(made, graph.labels[node])
+        made = _shorten(graph, node, whole, new, spare) if node in whole else None
+        if made is None and any(child in new for child in graph.kids[node]):
+            made = rebuild(graph, node, [new.get(child, child) for child in graph.kids[node]])
+        if made is not None:
+            new[node] = made
+            graph.pass_label(node, made)
     return [new.get(root, root) for root in roots]
 
 

@@ -45,8 +45,7 @@ def share_products(graph: Graph, roots: Sequence[Node], constants: int) -> list[
             children = graph.kids[factor]
             changed = any(new.get(c, c) != c for c in children)
             new[factor] = rebuild(graph, factor, [new.get(c, c) for c in children]) if changed else factor
-        if factor in graph.labels:
-            graph.labels.setdefault(new[factor], graph.labels[factor])
+        graph.pass_label(factor, new[factor])
         return new[factor]
 
     for node in nodes:

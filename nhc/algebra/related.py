@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from fractions import Fraction
 
+from nhc.algebra.angles import Pair, add_angles
 from nhc.algebra.calculus import list_terms, reachable, substitute
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.nodes import Rational
@@ -18,9 +19,6 @@ Angle = tuple[tuple[Node, Rational], ...]
 
 Terms = tuple[tuple[Angle, int], ...]
 """Angles with signs, to be added."""
-
-Pair = tuple[Node, Node]
-"""Sine and cosine."""
 
 _BOTH = ("sin", "cos")
 _FIRST, _SECOND = 50, 45  # operations of a call, and of the other function of the same angle
@@ -50,7 +48,7 @@ def relate_angles(graph: Graph, roots: Sequence[Node]) -> list[Node]:
         terms = _find_terms(known, vectors[node])
         operands = [known[vector] for vector, _ in terms or ()]
         if terms is not None and _saves(needed, node, operands, new, pairs):
-            pairs[node] = _add_angles(graph, [(pairs[known[vector]], sign) for vector, sign in terms])
+            pairs[node] = add_angles(graph, [_turn_back(graph, pairs[known[vector]], sign) for vector, sign in terms])
             new |= zip(called, pairs[node], strict=True)
             needed |= {operand: set(_BOTH) for operand in operands}
             depth[node] = 1 + max(depth[operand] for operand in operands)
@@ -94,7 +92,7 @@ def _split(graph: Graph, node: Node) -> Angle:
     found: dict[Node, Rational] = {}
     for k, core in map(graph.split_coefficient, list_terms(graph, node)):
         found[core] = found.get(core, 0) + k  # a sum may hold a term twice, or with both signs
-    return tuple(sorted((core, k) for core, k in found.items() if k))
+    return _as_angle(found)
 
 
 def _size(vector: Angle) -> tuple[int, Fraction]:
@@ -104,24 +102,15 @@ def _size(vector: Angle) -> tuple[int, Fraction]:
 
 def _are_independent(vectors: Iterable[Angle]) -> bool:
     """Whether no angle is a combination of others."""
-    echelon: dict[Node, dict[Node, Rational]] = {}
+    echelon: dict[Node, Angle] = {}
     for vector in vectors:
-        rest: dict[Node, Rational] = dict(vector)
-        while rest:
-            lead = min(rest)
-            row = echelon.get(lead)
-            if row is None:
-                echelon[lead] = rest
-                break
-            factor = Fraction(rest[lead]) / row[lead]
-            for term, k in row.items():
-                left = rest.get(term, 0) - factor * k
-                if left:
-                    rest[term] = left
-                else:
-                    rest.pop(term, None)
-        else:
+        rest = vector
+        while rest and rest[0][0] in echelon:
+            row = echelon[rest[0][0]]
+            rest = _subtract(rest, row, Fraction(rest[0][1]) / row[0][1])
+        if not rest:
             return False
+        echelon[rest[0][0]] = rest
     return True
 
 
@@ -150,24 +139,16 @@ def _negative(vector: Angle) -> Angle:
     return tuple((term, -k) for term, k in vector)
 
 
-def _subtract(vector: Angle, other: Angle) -> Angle:
+def _subtract(vector: Angle, other: Angle, factor: Rational = 1) -> Angle:
     found: dict[Node, Rational] = dict(vector)
     for term, k in other:
-        left = found.get(term, 0) - k
-        if left:
-            found[term] = left
-        else:
-            found.pop(term, None)
-    return tuple(sorted(found.items()))
+        found[term] = found.get(term, 0) - factor * k
+    return _as_angle(found)
 
 
-def _add_angles(graph: Graph, parts: Sequence[tuple[Pair, int]]) -> Pair:
-    """Sine and cosine of a sum of angles with signs."""
-    g = graph
-    ((sine, cosine), sign), *others = parts
-    if sign < 0:
-        sine = g.neg(sine)
-    for (s, c), sign in others:
-        s = s if sign > 0 else g.neg(s)
-        sine, cosine = g.add(g.mul(sine, c), g.mul(cosine, s)), g.sub(g.mul(cosine, c), g.mul(sine, s))
-    return sine, cosine
+def _as_angle(factors: Mapping[Node, Rational]) -> Angle:
+    return tuple(sorted((term, k) for term, k in factors.items() if k))
+
+
+def _turn_back(graph: Graph, pair: Pair, sign: int) -> Pair:
+    return pair if sign > 0 else (graph.neg(pair[0]), pair[1])
