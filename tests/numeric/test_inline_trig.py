@@ -20,6 +20,13 @@ def model(name: str, folder: Path) -> CModel:
     return CModel(name, ctypes.CDLL(str(compile_c(files, folder, name, ("-O2",)))), {})
 
 
+def sizes(header: Path) -> tuple[int, int]:
+    """The numbers of states and parameters."""
+    lines = header.read_text().splitlines()
+    size, count = (next(int(s.split("=")[1].split(",")[0]) for s in lines if f"_{n} =" in s) for n in ("NY", "NP"))
+    return size, count
+
+
 def test_accuracy(tmp_path: Path) -> None:
     """x' = v cos(theta), y' = v sin(theta) with v = 1: the sleigh's rhs is the pair itself."""
     sleigh = model("chaplygin_sleigh", tmp_path)
@@ -48,6 +55,28 @@ def test_large_angles_fall_back(tmp_path: Path) -> None:
     for x in (1.00001e5, 1e9, -1e15):
         found = sleigh("rhs", 5, 0.0, [0, 0, x, 1, 0], [1, 0.5, 0.7])
         assert found[:2] == [math.cos(x), math.sin(x)]
+    for x in (math.inf, -math.inf, math.nan):
+        with pytest.raises(ArithmeticError):
+            sleigh("rhs", 5, 0.0, [0, 0, x, 1, 0], [1, 0.5, 0.7])
+
+
+@pytest.mark.parametrize("name", ["n_trailer3", "double_pendulum", "snakeboard"])
+def test_one_large_angle_gives_the_doubles_of_libm(name: str, tmp_path: Path) -> None:
+    """Where one angle is too large, all of the right-hand side is libm's, to the last bit."""
+    (tmp_path / "a").mkdir()
+    (tmp_path / "b").mkdir()
+    inline, libm = model(name, tmp_path / "a"), c_model(name, "", tmp_path / "b")
+    size, count = sizes(tmp_path / "a" / f"{name}.h")
+    p, rng = libm.defaults(count), random.Random(name)
+
+    def differs(*large: int) -> bool:
+        y = [rng.uniform(0.2, 0.8) + 1e5 * (k in large) for k in range(size)]
+        return inline("rhs", size, 0.3, y, p) != libm("rhs", size, 0.3, y, p)
+
+    assert any(differs() for _ in range(20)), "small angles do not take the inlined sine and cosine"
+    turned = [k for k in range(size // 2) if not any(differs(k) for _ in range(20))]
+    assert turned, "no angle takes libm's sine and cosine where it is large"
+    assert not any(differs(*turned) for _ in range(20))
 
 
 @pytest.mark.parametrize("name", ["rolling_disk", "n_trailer3", "rattleback", "pendulum"])
@@ -56,9 +85,7 @@ def test_the_same_as_libm(name: str, tmp_path: Path) -> None:
     (tmp_path / "b").mkdir()
     inline, libm = model(name, tmp_path / "a"), c_model(name, "", tmp_path / "b")
     rng = random.Random(name)
-    text = (tmp_path / "a" / f"{name}.h").read_text()
-    size = next(int(line.split("=")[1].split(",")[0]) for line in text.splitlines() if "_NY =" in line)
-    count = next(int(line.split("=")[1].split(",")[0]) for line in text.splitlines() if "_NP =" in line)
+    size, count = sizes(tmp_path / "a" / f"{name}.h")
     p = libm.defaults(count)
     states = [[rng.uniform(0.2, 0.8) for _ in range(size)] for _ in range(7)]
     rates = [libm("rhs", size, 0.3, y, p) for y in states]

@@ -30,7 +30,7 @@ from nhc.records import record
 WIDTH = 110
 ZERO, FEW = Number(Fraction(0)), 8  # entries of zero that are stored one by one
 FUNCTIONS = {"abs": "fabs"}
-ANY = "_any"  # this file's own sine and cosine, for any angle
+ANY = "_any({})"  # this file's own sine and cosine, for any angle
 HELPERS = {"sign": "sign", "min": "minimum", "max": "maximum"}  # functions that this file must bring itself
 
 
@@ -40,7 +40,7 @@ class CDialect:
 
     prefix: str
     helpers: set[str]
-    trig: str = ""  # what ends the names of this file's own sine and cosine; empty: libm's
+    trig: str = ""  # what follows the name of this file's own sine or cosine, {} for the angle; empty: libm's
 
     def print_number(self, value: Fraction) -> str:
         return print_double(value)
@@ -53,8 +53,8 @@ class CDialect:
 
     def print_call(self, function: str, arguments: tuple[str, ...]) -> str:
         if self.trig and function in ("sin", "cos"):
-            self.helpers.add("trig")
-            return f"{self.prefix}_{function}{self.trig}({arguments[0]})"
+            self.helpers.update(("trig", self.trig.partition("(")[0]))
+            return f"{self.prefix}_{function}{self.trig.format(arguments[0])}"
         if function not in HELPERS:
             return f"{FUNCTIONS.get(function, function)}({', '.join(arguments)})"
         helper = HELPERS[function]
@@ -224,9 +224,12 @@ class BodyPrinter:
     def print_guard(self, guard: Guard) -> None:
         """Leave where the block is singular."""
         self.add_comment(print_comment(guard.what))
-        self.add(f"if (!({self.print_good(guard)})) {{")
-        self.lines.append(f"{self.indent}    return {self.leave(guard.status)};")
-        self.lines.append(f"{self.indent}}}")
+        self.print_exit(self.print_good(guard), self.leave(guard.status))
+
+    def print_exit(self, good: str, result: str) -> None:
+        """Leave with the result where what should hold does not."""
+        self.add(f"if (!({good})) {{")
+        self.lines += [f"{self.indent}    return {result};", f"{self.indent}}}"]
 
     def print_solve(self, solve: Solve) -> None:
         """Fill the matrix with its right sides, eliminate, name the solutions."""

@@ -75,9 +75,19 @@ def _is_simple(value: Expr) -> bool:
     )
 
 
-def print_finish(printer: BodyPrinter, finish: Finish, body: Sequence[Statement], output: str, size: int) -> None:
-    """The test and, behind it, which block is singular or which entry infinite where it fails, if any."""
-    tests = [printer.print_good(guard) for guard in finish.guards]
+def print_finish(
+    printer: BodyPrinter,
+    finish: Finish,
+    body: Sequence[Statement],
+    output: str,
+    size: int,
+    near: tuple[str, str] = ("", ""),
+) -> None:
+    """The test and, behind it, which block is singular or which entry infinite where it fails, if any.
+
+    ``near``: what holds besides where the inlined sine and cosine may be taken, and how to leave where it does not.
+    """
+    tests = [printer.print_good(guard) for guard in finish.guards] + [near[0]] * bool(near[0])
     if finish.entries:
         total = " + ".join(f"{output}[{index}]" for index in finish.entries)
         tests.insert(0, f"fabs({total}) <= DBL_MAX")
@@ -94,6 +104,8 @@ def print_finish(printer: BodyPrinter, finish: Finish, body: Sequence[Statement]
                 printer.add(f"    && {test}")
             printer.lines[-1] += ")) {"
         printer.indent += "    "
+        if near[0]:
+            printer.print_exit(near[0], near[1])
         for statement in body:
             if isinstance(statement, Guard):
                 printer.print_guard(statement)

@@ -8,6 +8,7 @@ from nhc.emit.c.body import ANY, FEW, BodyPrinter, print_singular, wrap_code
 from nhc.emit.c.driver import list_driver_functions, make_driver
 from nhc.emit.c.finish import choose_finish, print_finish
 from nhc.emit.c.header import frame, print_file_comment, print_function_comment, print_source_comment
+from nhc.emit.c.large import AT, LARGE, TURNED, list_angles, print_near, print_twice
 from nhc.emit.c.literals import print_comment, print_float, print_string
 from nhc.emit.c.names import make_scope
 from nhc.emit.c.parts import OWN, Layout, is_long, lay_out, print_calls, print_part, print_slow
@@ -171,7 +172,11 @@ def print_function(program: Program, function: Function, helpers: set[str], *, i
     body = arrange(drop_unused(function.body))
     layout = lay_out(function, body)
     arguments = function.inputs if output is None else (*function.inputs, output)
-    scope = make_scope(program, arguments, body, OWN if layout.divided else ())
+    whole = output is not None and output.size and not layout.divided
+    finish = choose_finish(body) if whole else None
+    angles = list_angles(body) if inline and finish is not None and function.name == "rhs" else ()
+    own = OWN if layout.divided else (LARGE, TURNED) if angles else ()
+    scope = make_scope(program, arguments, body, own)
     for statement in body:
         if isinstance(statement, Load) and statement.index < 0:
             scope.alias(statement.name, statement.array)  # the argument itself: it needs no copy
@@ -182,21 +187,22 @@ def print_function(program: Program, function: Function, helpers: set[str], *, i
         lambda array, index: array if index < 0 else f"{array}[{index}]",
         (lambda code: "NAN") if output is None else (lambda code: print_singular(prefix, code)),
         frozenset(list_used_names(body)),
-        ANY if inline else "",
+        AT if angles else ANY if inline else "",
     )
     printer.arguments, printer.kept = tuple(argument.name for argument in function.inputs), layout.kept
     printer.blocks = layout.blocks
-    whole = output is not None and output.size and not layout.divided
-    finish = choose_finish(body) if whole else None
     parts = print_statements(printer, function, body, layout, guarded=finish is None)
     if finish is not None and output is not None:
-        print_finish(printer, finish, body, output.name, output.size)
+        near = print_near(printer, function, angles) if angles else ("", "")
+        print_finish(printer, finish, body, output.name, output.size, near)
     elif output is not None and output.size:
         helpers.add("finish")
         printer.lines.append(f"    return {prefix}_finish({output.size}, {output.name});")
     elif output is not None:
         printer.lines += [f"    (void){output.name};", f"    return {capitals}_OK;"]
     texts = ", ".join(print_argument(argument, argument is output) for argument in arguments)
+    if angles:
+        parts, printer.lines = print_twice(prefix, function, texts, printer.lines)
     prototype = wrap_prototype(f"{'double' if output is None else 'int'} {prefix}_{function.name}({texts})")
     slow = print_slow(printer, function).rstrip() if is_long(function, body) else ""
     definition = f"{slow}\n{prototype}" if slow else prototype
