@@ -16,7 +16,7 @@ from nhc.mechanics.system import System
 from nhc.program.sheets.model import Formula, Mark, Prose, Table
 from nhc.records import record
 
-_CANONICAL = 60  # terms of a canonical polynomial that may be shorter than what it came from
+CANONICAL = 60  # terms of a canonical polynomial that may be shorter than what it came from
 _WORTH = 250  # operations beyond which no canonical form is tried
 _WRITTEN = 3000  # the same for the expression written out
 
@@ -73,7 +73,7 @@ class Desk:
         if known is None:
             known = node
             if self.graph.children(node) and self.size(node) <= _WRITTEN and count(self.graph, [node]) <= _WORTH:
-                candidate = normalise(self.graph, node, _CANONICAL)
+                candidate = normalise(self.graph, node, CANONICAL)
                 known = candidate if self.size(candidate) < self.size(node) else node
                 known = self._simplify(known)
             self._short[node] = known

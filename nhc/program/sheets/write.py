@@ -8,21 +8,17 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Sequence
-from dataclasses import replace
 
-from nhc.algebra.calculus import reachable, substitute
-from nhc.algebra.graph import ADD, NEG, SYM, Node
-from nhc.algebra.modular import are_zero
+from nhc.algebra.calculus import reachable
+from nhc.algebra.graph import NEG, SYM, Node
 from nhc.program.ir import Expr, Negate, Power, Ref
 from nhc.program.lower import Lowering
 from nhc.program.naming import identifier
 from nhc.program.plan import FunctionPlan, Target
-from nhc.program.sheets.draft import Desk, Draft, DraftItem, DraftSheet, Part
+from nhc.program.sheets.draft import Desk, Draft, DraftSheet, Part
 from nhc.program.sheets.model import RANK_STEP, Item, Mark, Sheet, Statement, Symbol, Term
+from nhc.program.sheets.tidy import choose_names, find_owners, list_roots, tidy
 
-_REPEATED = 8  # operations from which a repeated expression gets a name
-_LONG = 40  # operations beyond which any expression does
-_NAMED = 2  # operations from which a name of the user's is kept
 _LETTERS = ("z", "k", "h", "s", "u", "zeta", "chi", "xi", "Z")
 _RANKS = {"parameter": 1, "time": 2, "coordinate": 3, "velocity": 5, "quasi": 5, "rate": 6, "acceleration": 6}
 _CONSTANT_RANK, _LET_RANK, _OTHER_RANK = 2, 4, 7
@@ -37,21 +33,14 @@ class PaperLowering(Lowering):
         super().__init__(desk.graph, plan, desk.system.p)
         self.desk = desk
         self.symbols: dict[str, Symbol] = {}
-        self.owners = self._owners()
-        self.chosen = frozenset(self.choose_names())
+        self.owners = find_owners(desk.graph)
+        self.chosen = choose_names(desk.graph, self.needed, self.owners)
         self.letter = self._free_letter()
         system = desk.system
         quasi = desk.formulation.frame.omega if desk.formulation.frame is not None else ()
         groups = (system.p, system.q, quasi, system.v)
         self.positions = {node: k for group in groups for k, node in enumerate(group)}
         self._name_symbols()
-
-    def _owners(self) -> set[Node]:
-        """The first node that bears each of the user's names: what follows from it by substitution is no longer it."""
-        first: dict[str, Node] = {}
-        for node, label in sorted(self.graph.labels.items()):
-            first.setdefault(label, node)
-        return set(first.values())
 
     def _free_letter(self) -> str:
         spec = self.desk.system.spec
@@ -72,32 +61,6 @@ class PaperLowering(Lowering):
                 name = self.names[node] = self.namer.symbol(node)
                 rank = _RANKS.get(symbol.kind, _OTHER_RANK) * RANK_STEP + self.positions.get(node, 0)
                 self.symbols[name] = Symbol(self.desk.mark(node), rank)
-
-    # --- which nodes get a name -------------------------------------------------------------------------------
-
-    def choose_names(self) -> list[Node]:
-        g, uses, size = self.graph, self._uses(), dict[Node, int]()
-        chosen: list[Node] = []
-        for node in self.needed:
-            size[node] = sum(size[c] for c in g.children(node))
-            if not g.children(node) or g.op[node] == NEG:
-                continue
-            size[node] += 1
-            labelled = node in self.owners and size[node] >= _NAMED
-            if labelled or (uses[node] > 1 and size[node] >= _REPEATED) or size[node] > _LONG:
-                chosen.append(node)
-                size[node] = 1
-        return chosen
-
-    def _uses(self) -> dict[Node, int]:
-        """How often each node is an operand; standing alone in a statement does not count."""
-        g = self.graph
-        uses: dict[Node, int] = dict.fromkeys(self.needed, 0)
-        for node in reversed(self.needed):
-            weight = max(1, uses[node]) if g.op[node] == NEG else 1
-            for child in g.children(node):
-                uses[child] += weight
-        return uses
 
     # --- abbreviations ----------------------------------------------------------------------------------------
 
@@ -147,30 +110,6 @@ class PaperLowering(Lowering):
         return super()._power(base, n) if n <= 1 else Power(self.expression(base), n)
 
 
-def _roots(drafts: Iterable[Draft]) -> list[Node]:
-    return [node for draft in drafts for node, _ in (*draft.left, *draft.right)]
-
-
-def without_zeros(desk: Desk, drafts: Sequence[DraftSheet]) -> tuple[DraftSheet, ...]:
-    """The drafts without sums that vanish identically although their nodes do not show it: in print their terms would cancel."""
-    g = desk.graph
-    roots = _roots(item for sheet in drafts for item in sheet.items if isinstance(item, Draft))
-    sums = [node for node in reachable(g, roots) if g.op[node] == ADD]
-    vanishing = {node: g.zero for node, zero in zip(sums, are_zero(g, sums), strict=True) if zero}
-    if not vanishing:
-        return tuple(drafts)
-    new = dict(zip(roots, substitute(g, roots, vanishing), strict=True))
-
-    def side(parts: Sequence[Part]) -> tuple[Part, ...]:
-        found = tuple((new[node], factors) for node, factors in parts)
-        return tuple(part for part in found if part[0] != g.zero) or found[:1]
-
-    def item(old: DraftItem) -> DraftItem:
-        return replace(old, left=side(old.left), right=side(old.right)) if isinstance(old, Draft) else old
-
-    return tuple(replace(sheet, items=[item(old) for old in sheet.items]) for sheet in drafts)
-
-
 def _side(lowering: PaperLowering, parts: Sequence[Part]) -> tuple[Term, ...]:
     return tuple(Term(lowering.written_out(node), factors) for node, factors in parts)
 
@@ -179,13 +118,12 @@ def write_sheets(
     desk: Desk, drafts: Sequence[DraftSheet]
 ) -> tuple[tuple[Sheet, ...], dict[str, Symbol], dict[str, Statement]]:
     """The sheets, the symbols of their expressions, and all abbreviations by name."""
-    drafts = without_zeros(desk, drafts)
-    every = [item for sheet in drafts for item in sheet.items if isinstance(item, Draft)]
-    lowering = PaperLowering(desk, _roots(every))
+    drafts = tidy(desk, drafts)
+    lowering = PaperLowering(desk, list_roots(drafts))
     sheets: list[Sheet] = []
     known: dict[str, Statement] = {}
     for sheet in drafts:
-        own = lowering.lets_below(_roots(item for item in sheet.items if isinstance(item, Draft)))
+        own = lowering.lets_below(list_roots([sheet]))
         known.update(own)
         items: list[Item] = []
         for item in sheet.items:

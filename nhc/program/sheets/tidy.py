@@ -1,0 +1,201 @@
+"""Drafts before they are printed: which nodes get a name on paper, and shorter forms of what stands between them.
+
+What a derivation hands over is in canonical form where a coefficient as a whole is short.  A long one has parts that would look
+odd in print, such as ``(R c^2 + R s^2)/b``: between the nodes that get a name every part is brought to canonical form by itself.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Iterable, Sequence
+from dataclasses import replace
+
+from nhc.algebra.calculus import count, reachable, rebuild, substitute
+from nhc.algebra.graph import ADD, MUL, NEG, POW, Graph, Node
+from nhc.algebra.modular import are_zero
+from nhc.algebra.polynomial import normalise
+from nhc.program.sheets.draft import CANONICAL, Desk, Draft, DraftItem, DraftSheet, Part
+
+_REPEATED = 8  # operations from which a repeated expression gets a name
+_LONG = 40  # operations beyond which any expression does
+_NAMED = 2  # operations from which a name of the user's is kept
+_PART = 4  # operations from which a part is not looked into
+_ROUNDS = 4  # at most
+_GIVEN = ("data",)  # the sheet of what the spec says
+
+
+def tidy(desk: Desk, drafts: Sequence[DraftSheet]) -> tuple[DraftSheet, ...]:
+    """The drafts without sums that vanish, and with shorter parts; no value changes."""
+    owners, best = find_owners(desk.graph), _drop_zeros(desk, drafts)
+    printed = _count_printed(desk.graph, best, owners)
+    for _ in range(_ROUNDS):  # what became shorter makes other parts
+        changed = _shorten_parts(desk, best, owners)
+        now = _count_printed(desk.graph, changed, owners)
+        if now >= printed:  # what was shared may be so no longer
+            break
+        best, printed = changed, now
+    return best
+
+
+def list_roots(drafts: Iterable[DraftSheet]) -> list[Node]:
+    """The nodes of all statements."""
+    items = (item for sheet in drafts for item in sheet.items if isinstance(item, Draft))
+    return [node for draft in items for node, _ in (*draft.left, *draft.right)]
+
+
+# --- which nodes get a name -------------------------------------------------------------------------------------
+
+
+def find_owners(graph: Graph) -> set[Node]:
+    """The first node that bears each of the user's names: what follows from it by substitution is no longer it."""
+    first: dict[str, Node] = {}
+    for node, label in sorted(graph.labels.items()):
+        first.setdefault(label, node)
+    return set(first.values())
+
+
+def choose_names(graph: Graph, needed: Sequence[Node], owners: Collection[Node]) -> dict[Node, int]:
+    """What the user named, what is long and used more than once, and what would be too long to read; each with its operations."""
+    uses, size = _count_uses(graph, needed), dict[Node, int]()
+    chosen: dict[Node, int] = {}
+    for node in needed:
+        size[node] = sum(size[c] for c in graph.children(node))
+        if not graph.children(node) or graph.op[node] == NEG:
+            continue
+        size[node] += 1
+        labelled = node in owners and size[node] >= _NAMED
+        if labelled or (uses[node] > 1 and size[node] >= _REPEATED) or size[node] > _LONG:
+            chosen[node] = size[node]
+            size[node] = 1
+    return chosen
+
+
+def _count_uses(graph: Graph, needed: Sequence[Node]) -> dict[Node, int]:
+    """How often each node is an operand; standing alone in a statement does not count."""
+    uses: dict[Node, int] = dict.fromkeys(needed, 0)
+    for node in reversed(needed):
+        weight = max(1, uses[node]) if graph.op[node] == NEG else 1
+        for child in graph.children(node):
+            uses[child] += weight
+    return uses
+
+
+# --- shorter statements -----------------------------------------------------------------------------------------
+
+
+def _drop_zeros(desk: Desk, drafts: Sequence[DraftSheet]) -> tuple[DraftSheet, ...]:
+    """Without sums that vanish identically although their nodes do not show it: in print their terms would cancel."""
+    g = desk.graph
+    roots = list_roots(drafts)
+    sums = [node for node in reachable(g, roots) if g.op[node] == ADD]
+    vanishing = {node: g.zero for node, zero in zip(sums, are_zero(g, sums), strict=True) if zero}
+    if not vanishing:
+        return tuple(drafts)
+    new = dict(zip(roots, substitute(g, roots, vanishing), strict=True))
+
+    def side(parts: Sequence[Part]) -> tuple[Part, ...]:
+        found = tuple((new[node], factors) for node, factors in parts)
+        return tuple(part for part in found if part[0] != g.zero) or found[:1]
+
+    return _change_sides(drafts, side)
+
+
+def _shorten_parts(desk: Desk, drafts: Sequence[DraftSheet], owners: Collection[Node]) -> tuple[DraftSheet, ...]:
+    """With canonical forms, where they are shorter, between the nodes that get a name; the user's own stay as they are."""
+    g, roots = desk.graph, list_roots(sheet for sheet in drafts if sheet.key not in _GIVEN)
+    needed = reachable(g, roots)
+    chosen, ends = choose_names(g, needed, owners), set(roots)
+    new: dict[Node, Node] = {}
+    kept: set[Node] = set()  # what is still so long that it stays a part by itself
+    for node in needed:
+        made = new[node] = node if node in owners else _rebuild(g, node, [new[kid] for kid in g.children(node)])
+        if node in owners:
+            kept.add(made)
+        elif node in chosen or node in ends:
+            made = new[node] = _shorten(desk, made, kept)
+            kept.update(part for part in _list_kept(g, made) if desk.size(part) >= _PART)
+    return _change_sides(drafts, lambda parts: tuple((new.get(node, node), factors) for node, factors in parts))
+
+
+def _count_printed(graph: Graph, drafts: Iterable[DraftSheet], owners: Collection[Node]) -> int:
+    """Operations that stand on paper, in statements and abbreviations."""
+    roots = list_roots(drafts)
+    needed = reachable(graph, roots)
+    chosen = choose_names(graph, needed, owners)
+    own: dict[Node, int] = {}
+    for node in needed:
+        kids = graph.children(node)
+        own[node] = sum(1 if kid in chosen else own[kid] for kid in kids) + (bool(kids) and graph.op[node] != NEG)
+    return sum(chosen.values()) + sum(own[root] for root in roots)
+
+
+def _rebuild(graph: Graph, node: Node, children: Sequence[Node]) -> Node:
+    """The node on other children; factors that stand above and below a fraction line are gone."""
+    made = node if children == list(graph.children(node)) else rebuild(graph, node, children)
+    if graph.op[made] != MUL:
+        return made
+    powers: dict[Node, int] = {}
+    above, below, stack = set[Node](), set[Node](), [made]
+    while stack:
+        part = stack.pop()
+        if graph.op[part] in (MUL, NEG):
+            stack += graph.children(part)
+            powers[graph.number(-1)] = powers.get(graph.number(-1), 0) + (graph.op[part] == NEG)
+            continue
+        base, exponent = (graph.a[part], graph.b[part]) if graph.op[part] == POW else (part, 1)
+        (above if exponent > 0 else below).add(base)
+        powers[base] = powers.get(base, 0) + exponent
+    if not above & below:
+        return made
+    return graph.product(graph.power(base, exponent) for base, exponent in powers.items())
+
+
+def _list_kept(graph: Graph, node: Node) -> list[Node]:
+    """What of a node stays a part by itself: all but its sign and number, or the sums in a quotient, whose factors may cancel."""
+    sums, stack = list[Node](), [node]
+    divided = False
+    while stack:
+        part = stack.pop()
+        if graph.op[part] == ADD:
+            sums.append(part)
+        elif graph.op[part] in (MUL, NEG, POW):
+            divided = divided or (graph.op[part] == POW and graph.b[part] < 0)
+            stack += graph.children(part)
+    return sums if divided else [graph.core[node]]
+
+
+def _shorten(desk: Desk, node: Node, kept: Collection[Node]) -> Node:
+    """The node over the parts below it that are kept, in canonical form if that is shorter."""
+    g, places = desk.graph, dict[Node, Node]()
+    tree = _copy(g, node, kept, places)
+    candidate = normalise(g, tree, CANONICAL)
+    if desk.size(candidate) >= desk.size(tree) or count(g, [candidate]) > count(g, [tree]):
+        return node
+    return substitute(g, [candidate], {symbol: part for part, symbol in places.items()})[0]
+
+
+def _copy(graph: Graph, node: Node, kept: Collection[Node], places: dict[Node, Node]) -> Node:
+    """The node with symbols in the places of the kept parts below it."""
+    copies: dict[Node, Node] = {}
+
+    def visit(part: Node) -> Node:
+        if part not in copies:
+            copies[part] = rebuild(graph, part, [place(child) for child in graph.children(part)])
+        return copies[part]
+
+    def place(part: Node) -> Node:
+        if part not in kept:
+            return visit(part)
+        if part not in places:
+            places[part] = graph.symbol(f"part {len(places)}")
+        return places[part]
+
+    return visit(node)
+
+
+def _change_sides(
+    drafts: Sequence[DraftSheet], side: Callable[[Sequence[Part]], tuple[Part, ...]]
+) -> tuple[DraftSheet, ...]:
+    def item(old: DraftItem) -> DraftItem:
+        return replace(old, left=side(old.left), right=side(old.right)) if isinstance(old, Draft) else old
+
+    return tuple(replace(sheet, items=[item(old) for old in sheet.items]) for sheet in drafts)
