@@ -22,6 +22,12 @@ def nest(pieces: Iterable[Piece]) -> list[Piece]:
     return [piece._replace(breaks=piece.breaks + 1) if piece.breaks else piece for piece in pieces]
 
 
+def hold(pieces: Sequence[Piece], narrow: float) -> list[Piece]:
+    """What stands in parentheses: in one piece if it is narrow, else one pair of parentheses deeper."""
+    width = total(pieces)
+    return [Piece("".join(piece.text for piece in pieces), width)] if width <= narrow else nest(pieces)
+
+
 def fill(pieces: Sequence[Piece], first: float, rest: float) -> list[str]:
     """The pieces on lines no wider than ``first`` and ``rest``, unless a single unbreakable run is.
 

@@ -8,13 +8,14 @@ from fractions import Fraction
 from functools import lru_cache
 
 from nhc.emit.latex.spelling import spell_base, spell_index
-from nhc.emit.layout import Piece, nest, total
+from nhc.emit.layout import Piece, hold, nest, total
 from nhc.emit.terms import Product, flatten_product, flatten_sum, is_sum, is_unit, list_terms
 from nhc.program.ir import Binary, Call, Expr, Negate, Number, Pi, Power, Ref
 from nhc.program.sheets.model import RANK_STEP, Mark, Side, Symbol
 from nhc.records import record
 
 _FRACTION = 190.0  # widest numerator or denominator that is set as a fraction, in points
+_NARROW = 100.0  # of an argument that stays on one line
 _FUNCTIONS = {
     "asin": r"\arcsin", "acos": r"\arccos", "atan": r"\arctan", "atan2": r"\operatorname{atan2}", "log": r"\ln",
     "sign": r"\operatorname{sgn}",
@@ -215,7 +216,7 @@ class LatexMath:
         if len(call.arguments) == 1 and isinstance(call.arguments[0], Ref):
             return [head, _piece(" "), *inner[0]]
         arguments = [piece for k, part in enumerate(inner) for piece in ([_piece(r",\,")] if k else []) + part]
-        return [head, *_enclose(arguments)]
+        return [head, *_enclose(hold(arguments, _NARROW))]
 
 
 def _numbered(number: Fraction, over: list[Piece]) -> list[Piece]:

@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Mapping
 from fractions import Fraction
 
-from nhc.emit.layout import Piece, nest
+from nhc.emit.layout import Piece, hold, nest
 from nhc.emit.terms import flatten_product, flatten_sum, is_sum, is_unit, list_terms
 from nhc.program.ir import Binary, Call, Expr, Negate, Number, Pi, Power, Ref
 from nhc.program.sheets.model import Mark, Side, Symbol
 from nhc.records import record
 
 _SUM, _PRODUCT, _POWER, _ATOM = range(4)
+_NARROW = 24  # columns of an argument that stays on one line
 _SPECIAL = {"Omega_form": "Omega", "Theta_form": "Theta", "epsilon": "eps"}
 
 
@@ -114,7 +115,7 @@ class TextMath:
         inner = [
             piece for k, a in enumerate(call.arguments) for piece in ([_piece(", ")] if k else []) + self.pieces(a)
         ]
-        return [_piece(f"{call.function}("), *inner, _piece(")")]
+        return [_piece(f"{call.function}("), *hold(inner, _NARROW), _piece(")")]
 
 
 def _piece(text: str) -> Piece:
