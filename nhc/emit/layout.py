@@ -8,6 +8,9 @@ from typing import NamedTuple
 _ENOUGH = 0.45
 """Share of a line that must be full before a break at a better place is preferred to a later one."""
 
+_DEEP = 100
+"""As many parentheses as no expression has."""
+
 
 class Piece(NamedTuple):
     """A text with its width; ``breaks`` is 0, or the depth of parentheses (1: none) of a place where a line may end before it."""
@@ -23,9 +26,9 @@ def nest(pieces: Iterable[Piece]) -> list[Piece]:
 
 
 def hold(pieces: Sequence[Piece], narrow: float) -> list[Piece]:
-    """What stands in parentheses: in one piece if it is narrow, else one pair of parentheses deeper."""
-    width = total(pieces)
-    return [Piece("".join(piece.text for piece in pieces), width)] if width <= narrow else nest(pieces)
+    """What stands in the parentheses of a function: a narrow argument is broken only where nothing else is."""
+    deep = _DEEP if total(pieces) <= narrow else 1
+    return [piece._replace(breaks=piece.breaks + deep) if piece.breaks else piece for piece in pieces]
 
 
 def fill(pieces: Sequence[Piece], first: float, rest: float) -> list[str]:
