@@ -277,9 +277,11 @@ def test_shorter_parts_keep_every_value(name: str, monkeypatch: pytest.MonkeyPat
     """Exact: before and after differ by what vanishes modulo primes; and there is less to read."""
     seen: list[tuple[Desk, list[Node], list[Node]]] = []
 
-    def record(desk: Desk, drafts: Sequence[DraftSheet], owners: Collection[Node]) -> tuple[DraftSheet, ...]:
-        made = shorten(desk, drafts, owners)
-        seen.append((desk, list_roots(drafts), list_roots(made)))
+    def record(
+        shortener: tidying._Shortener, drafts: Sequence[DraftSheet], owners: Collection[Node], share: Fraction
+    ) -> tuple[DraftSheet, ...]:
+        made = shorten(shortener, drafts, owners, share)
+        seen.append((shortener.desk, list_roots(drafts), list_roots(made)))
         return made
 
     shorten = tidying._shorten_parts

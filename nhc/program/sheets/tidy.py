@@ -6,11 +6,12 @@ odd in print, such as ``(R c^2 + R s^2)/b``: between the nodes that get a name e
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import replace
+from fractions import Fraction
 
 from nhc.algebra.calculus import count, reachable, rebuild, substitute
-from nhc.algebra.graph import ADD, MUL, NEG, POW, Graph, Node
+from nhc.algebra.graph import ADD, MUL, NEG, NUM, POW, Graph, Node
 from nhc.algebra.modular import are_zero
 from nhc.algebra.polynomial import normalise
 from nhc.program.sheets.draft import CANONICAL, Desk, Draft, DraftItem, DraftSheet, Part
@@ -19,20 +20,27 @@ _REPEATED = 8  # operations from which a repeated expression gets a name
 _LONG = 40  # operations beyond which any expression does
 _NAMED = 2  # operations from which a name of the user's is kept
 _PART = 4  # operations from which a part is not looked into
-_ROUNDS = 4  # at most
+_ROUNDS, _LITTLE = 4, 200  # at most so many, and none after one that gained less than this part
+_SHARES = (Fraction(1), Fraction(1, 2))  # of a part's operations, below which its canonical form is taken
 _GIVEN = ("data",)  # the sheet of what the spec says
 
 
 def tidy(desk: Desk, drafts: Sequence[DraftSheet]) -> tuple[DraftSheet, ...]:
     """The drafts without sums that vanish, and with shorter parts; no value changes."""
     owners, best = find_owners(desk.graph), _drop_zeros(desk, drafts)
-    printed = _count_printed(desk.graph, best, owners)
-    for _ in range(_ROUNDS):  # what became shorter makes other parts
-        changed = _shorten_parts(desk, best, owners)
-        now = _count_printed(desk.graph, changed, owners)
-        if now >= printed:  # what was shared may be so no longer
+    printed = start = _count_printed(desk.graph, best, owners)
+    shortener = _Shortener(desk)
+    for share in _SHARES:
+        for _ in range(_ROUNDS):  # what became shorter makes other parts
+            changed = _shorten_parts(shortener, best, owners, share)
+            now = _count_printed(desk.graph, changed, owners)
+            if now >= printed:  # what was shared may be so no longer
+                break
+            gained, best, printed = printed - now, changed, now
+            if gained * _LITTLE < now:
+                break
+        if printed < start:
             break
-        best, printed = changed, now
     return best
 
 
@@ -99,9 +107,12 @@ def _drop_zeros(desk: Desk, drafts: Sequence[DraftSheet]) -> tuple[DraftSheet, .
     return _change_sides(drafts, side)
 
 
-def _shorten_parts(desk: Desk, drafts: Sequence[DraftSheet], owners: Collection[Node]) -> tuple[DraftSheet, ...]:
+def _shorten_parts(
+    shortener: _Shortener, drafts: Sequence[DraftSheet], owners: Collection[Node], share: Fraction
+) -> tuple[DraftSheet, ...]:
     """With canonical forms, where they are shorter, between the nodes that get a name; the user's own stay as they are."""
-    g, roots = desk.graph, list_roots(sheet for sheet in drafts if sheet.key not in _GIVEN)
+    g, size = shortener.graph, shortener.desk.size
+    roots = list_roots(sheet for sheet in drafts if sheet.key not in _GIVEN)
     needed = reachable(g, roots)
     chosen, ends = choose_names(g, needed, owners), set(roots)
     new: dict[Node, Node] = {}
@@ -111,8 +122,8 @@ def _shorten_parts(desk: Desk, drafts: Sequence[DraftSheet], owners: Collection[
         if node in owners:
             kept.add(made)
         elif node in chosen or node in ends:
-            made = new[node] = _shorten(desk, made, kept)
-            kept.update(part for part in _list_kept(g, made) if desk.size(part) >= _PART)
+            made = new[node] = shortener.shorten(made, kept, share)
+            kept.update(part for part in _list_kept(g, made) if size(part) >= _PART)
     return _change_sides(drafts, lambda parts: tuple((new.get(node, node), factors) for node, factors in parts))
 
 
@@ -133,20 +144,22 @@ def _rebuild(graph: Graph, node: Node, children: Sequence[Node]) -> Node:
     made = node if children == list(graph.children(node)) else rebuild(graph, node, children)
     if graph.op[made] != MUL:
         return made
+    negative, stack = False, [made]
     powers: dict[Node, int] = {}
-    above, below, stack = set[Node](), set[Node](), [made]
+    above, below = set[Node](), set[Node]()
     while stack:
         part = stack.pop()
         if graph.op[part] in (MUL, NEG):
             stack += graph.children(part)
-            powers[graph.number(-1)] = powers.get(graph.number(-1), 0) + (graph.op[part] == NEG)
+            negative ^= graph.op[part] == NEG
             continue
         base, exponent = (graph.a[part], graph.b[part]) if graph.op[part] == POW else (part, 1)
         (above if exponent > 0 else below).add(base)
         powers[base] = powers.get(base, 0) + exponent
     if not above & below:
         return made
-    return graph.product(graph.power(base, exponent) for base, exponent in powers.items())
+    made = graph.product(graph.power(base, exponent) for base, exponent in powers.items())
+    return graph.neg(made) if negative else made
 
 
 def _list_kept(graph: Graph, node: Node) -> list[Node]:
@@ -163,33 +176,73 @@ def _list_kept(graph: Graph, node: Node) -> list[Node]:
     return sums if divided else [graph.core[node]]
 
 
-def _shorten(desk: Desk, node: Node, kept: Collection[Node]) -> Node:
-    """The node over the parts below it that are kept, in canonical form if that is shorter."""
-    g, places = desk.graph, dict[Node, Node]()
-    tree = _copy(g, node, kept, places)
-    candidate = normalise(g, tree, CANONICAL)
-    if desk.size(candidate) >= desk.size(tree) or count(g, [candidate]) > count(g, [tree]):
-        return node
-    return substitute(g, [candidate], {symbol: part for part, symbol in places.items()})[0]
+class _Shortener:
+    """Canonical forms over parts; the same question is answered once."""
 
+    def __init__(self, desk: Desk) -> None:
+        self.desk, self.graph = desk, desk.graph
+        self._known: dict[tuple[Node, frozenset[Node]], tuple[Node, Fraction]] = {}
 
-def _copy(graph: Graph, node: Node, kept: Collection[Node], places: dict[Node, Node]) -> Node:
-    """The node with symbols in the places of the kept parts below it."""
-    copies: dict[Node, Node] = {}
+    def shorten(self, node: Node, kept: Collection[Node], share: Fraction) -> Node:
+        """The node over the parts below it that are kept, in canonical form if that has less than this share of its operations."""
+        parts, repeats = self._look(node, kept)
+        if not repeats:
+            return node
+        key = node, frozenset(parts)
+        found = self._known.get(key)
+        if found is None:
+            found = self._known[key] = self._try(node, parts)
+        return found[0] if found[1] < share else node
 
-    def visit(part: Node) -> Node:
-        if part not in copies:
-            copies[part] = rebuild(graph, part, [place(child) for child in graph.children(part)])
-        return copies[part]
+    def _look(self, node: Node, kept: Collection[Node]) -> tuple[set[Node], bool]:
+        """The kept parts below a node; whether something stands there twice, or two numbers do, or the square of a sine.
 
-    def place(part: Node) -> Node:
-        if part not in kept:
-            return visit(part)
-        if part not in places:
-            places[part] = graph.symbol(f"part {len(places)}")
-        return places[part]
+        Nothing else has a shorter form.
+        """
+        op, parts, seen, numbers, repeats = self.graph.op, set[Node](), set[Node](), 0, False
+        stack = list(self.graph.children(node))
+        while stack:
+            part = stack.pop()
+            kind = op[part]
+            if part in kept:
+                parts.add(part)
+            elif kind == NUM:
+                numbers += 1
+                continue
+            elif kind in (ADD, MUL, NEG):
+                stack += self.graph.children(part)
+                continue
+            elif kind == POW:
+                repeats = repeats or (self.graph.b[part] > 1 and op[self.graph.a[part]] in ("sin", "cos"))
+                stack.append(self.graph.a[part])
+                continue
+            else:
+                stack += self.graph.children(part)  # for the parts in arguments
+            repeats = repeats or part in seen
+            seen.add(part)
+        return parts, repeats or numbers > 1
 
-    return visit(node)
+    def _try(self, node: Node, parts: Collection[Node]) -> tuple[Node, Fraction]:
+        """The canonical form, and the share of the operations that it has; 1 where it is not taken."""
+        g, size = self.graph, self.desk.size
+        places = {part: g.symbol(f"part {k}") for k, part in enumerate(sorted(parts))}
+        tree = self._copy(node, places)
+        candidate = normalise(g, tree, CANONICAL)
+        if size(candidate) >= size(tree) or count(g, [candidate]) > count(g, [tree]):
+            return node, Fraction(1)
+        made = substitute(g, [candidate], {symbol: part for part, symbol in places.items()})[0]
+        return made, Fraction(size(candidate), size(tree))
+
+    def _copy(self, node: Node, places: Mapping[Node, Node]) -> Node:
+        """The node, which may itself be a kept part, with symbols in the places of the parts below it."""
+        g, copies = self.graph, dict(places)
+
+        def copy(part: Node) -> Node:
+            if part not in copies:
+                copies[part] = rebuild(g, part, [copy(child) for child in g.children(part)])
+            return copies[part]
+
+        return rebuild(g, node, [copy(child) for child in g.children(node)])
 
 
 def _change_sides(
