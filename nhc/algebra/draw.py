@@ -4,12 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
-from nhc.algebra.calculus import reachable
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.modular import FieldPoint, Unlucky
+from nhc.algebra.modular import FieldPoint, Unlucky, list_radicals
 
 MOST_DRAWS = 20_000
-_ROOTS = ("sqrt", "powf")
 
 
 def draw_points(
@@ -25,20 +23,16 @@ def draw_points(
     ``fixed`` gives symbols a value; roots of what contains a symbol of the mask ``later`` are not looked at.  Each point is
     prepared for the nodes, so that they may be evaluated in several calls.
     """
-    radicals = [n for n in reachable(graph, roots) if graph.op[n] in _ROOTS and not graph.deps[n] & later]
-    known = dict(fixed or {})
+    radicals = [n for n in list_radicals(graph, roots) if not graph.deps[n] & later]
+    known, announced = dict(fixed or {}), FieldPoint(graph, 0, prime)
+    announced.prepare(roots)
     for seed in seeds:
-        trial = FieldPoint(graph, seed, prime)
-        trial.evaluate([], known)
-        try:
-            for node in radicals:
-                trial.evaluate([node])
-        except Unlucky:
-            continue
         point = FieldPoint(graph, seed, prime)
+        point.prepare_like(announced)
         point.evaluate([], known)
         try:
-            point.prepare(roots)
+            for node in radicals:
+                point.evaluate([node])
         except Unlucky:
             continue
         yield seed, point

@@ -50,7 +50,7 @@ class FieldPoint:
         self.values: dict[Node, int] = {}
         self._generators: dict[tuple[object, ...], int] = {}
         self._denominators: dict[tuple[str, Monomial], int] = {}
-        self._arguments: dict[Node, Polynomial] = {}
+        self._arguments: dict[Node, Polynomial] = graph.memory.setdefault("arguments", {})
         self._used: set[tuple[str, Monomial]] = set()
         self._circles: dict[Node, tuple[int, int]] = {}  # cosine and sine by the angle
 
@@ -103,6 +103,10 @@ class FieldPoint:
             Unlucky: something evaluated before needs them finer.
         """
         self._prepare(reachable(self.graph, roots))
+
+    def prepare_like(self, other: FieldPoint) -> None:
+        """Announce, before anything is evaluated, what was announced to another point."""
+        self._denominators = dict(other._denominators)
 
     def _prepare(self, nodes: Sequence[Node]) -> None:
         """Least common denominators of the coefficients of each monomial in angles and exponents."""

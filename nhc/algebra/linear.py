@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 from functools import partial
 
 from nhc.algebra.blocks import Singular, Weakness, block_order, determinant_of, form_size, row_scale, solve_block
-from nhc.algebra.calculus import gradient, rebuild, substitute, tangent
+from nhc.algebra.calculus import gradient, reachable, rebuild, substitute, tangent
 from nhc.algebra.graph import ADD, MUL, NEG, POW, SYM, Graph, Node
 from nhc.algebra.modular import are_zero
 from nhc.algebra.peel import coefficients, peel
@@ -25,6 +25,7 @@ __all__ = [
     "Singular",
     "Substitution",
     "block_order",
+    "depends",
     "determinant_of",
     "linear_form",
     "solve",
@@ -33,6 +34,7 @@ __all__ = [
 
 
 _NO_POLYNOMIAL = 99
+_STEPPED = ("sign", "abs", "min", "max", "sqrt", "powf")
 
 
 class NotLinear(Exception):
@@ -73,21 +75,52 @@ def degrees(graph: Graph, symbols: Sequence[Node]) -> list[int]:
     return found
 
 
+def depends(graph: Graph, nodes: Sequence[Node], symbols: Sequence[Node]) -> list[bool]:
+    """For each node whether its value depends on one of the symbols (exactly, not only by sight).
+
+    A derivative that vanishes says so, but for steps: a sign may change where its derivative is zero on both sides.  There
+    the values with these and with other symbols are compared.
+    """
+    mask = graph.mask(tuple(symbols))
+    found = [False] * len(nodes)
+    for k, node in enumerate(nodes):
+        if not graph.deps[node] & mask:
+            continue
+        if _has_steps(graph, node, mask):
+            others = {s: graph.symbol(f"other {s}") for s in symbols}
+            changes = [graph.sub(node, substitute(graph, [node], others)[0])]
+        else:
+            changes = gradient(graph, node, symbols)
+        found[k] = not all(are_zero(graph, changes))
+    return found
+
+
+def _has_steps(graph: Graph, node: Node, mask: int) -> bool:
+    """Whether something with a step or a kink in it takes one of the symbols; a root may be one of a square."""
+    return any(graph.op[n] in _STEPPED and graph.deps[n] & mask for n in reachable(graph, [node], mask))
+
+
 def linear_form(graph: Graph, node: Node, symbols: Sequence[Node]) -> tuple[tuple[Node, ...], Node]:
     """(coefficients, constant) with node = sum coefficient_k * symbol_k + constant, exactly.
 
     Raises:
-        NotLinear: a coefficient depends on one of the symbols.
+        NotLinear: a coefficient or the constant depends on one of the symbols.
     """
-    mask = graph.mask(tuple(symbols))
+    for n in reachable(graph, [node], graph.mask(tuple(symbols))):
+        if graph.op[n] == "powf":  # without a real value on one side of zero
+            raise NotLinear(next(s for s in symbols if graph.deps[n] & graph.deps[s]))
     coefficients = gradient(graph, node, symbols)
-    for k, coefficient in enumerate(coefficients):
-        if graph.depends(coefficient, mask):
-            second = gradient(graph, coefficient, symbols)
-            if not all(are_zero(graph, second)):
-                raise NotLinear(symbols[k])
-    zeros = {symbol: graph.zero for symbol in symbols}
-    cleaned = substitute(graph, [*coefficients, node], zeros)
+    for symbol, moving in zip(symbols, depends(graph, coefficients, symbols), strict=True):
+        if moving:
+            raise NotLinear(symbol)
+    rest = graph.sub(node, graph.sum([graph.mul(c, s) for c, s in zip(coefficients, symbols, strict=True)]))
+    if _has_steps(graph, node, graph.mask(tuple(symbols))) and depends(graph, [rest], symbols)[0]:
+        raise NotLinear(next(s for s in symbols if depends(graph, [rest], [s])[0]))
+    try:
+        cleaned = substitute(graph, [*coefficients, node], dict.fromkeys(symbols, graph.zero))
+    except ZeroDivisionError:  # the same at any other place
+        other = {symbol: graph.number(17 + 13 * k * k) for k, symbol in enumerate(symbols)}
+        cleaned = substitute(graph, [*coefficients, rest], other)
     return tuple(cleaned[:-1]), cleaned[-1]
 
 

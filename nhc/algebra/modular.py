@@ -23,7 +23,10 @@ _SIGNED = ("sign", "abs", "min", "max")
 _ROOTS = ("sqrt", "powf")
 _SQUARES: WeakKeyDictionary[Graph, dict[Node, bool]] = WeakKeyDictionary()
 _RANK_POINTS = 8
-_DRAWS = 600  # a root has a value at every second point: nine of them in one expression still find points
+_DRAWS = 60  # a root has a value at every second point; beyond so many draws in a row roots are looked at one by one
+_SCREENED = 20_000  # draws where they are: a dozen of roots in one expression find points
+_REAL_DRAWS = 200  # of real points, where there is no point of the field
+_SCALES = (1, 2, 40, 1000)  # of their numbers
 _SIGNED_POINTS = 48  # a sign is right by chance at every second point
 
 
@@ -40,13 +43,23 @@ def sample(
     if kind is QuickPoint:  # these stay, and know what was evaluated before
         known = graph.memory.setdefault("points", known)
     attempt = unlucky = 0
+    screen: tuple[FieldPoint, list[Node]] | None = None
     while len(results) < count:
         attempt += 1
-        if unlucky > _DRAWS:
+        if unlucky == _DRAWS and screen is None:
+            screen = kind(graph, seed), list_radicals(graph, roots)
+            screen[0].prepare(roots)
+        if unlucky > (_SCREENED if screen and screen[1] else _DRAWS):
             raise Unlucky
         key = seed * 1_000_003 + attempt, PRIMES[len(results) % len(PRIMES)]
-        point = known.get(key) or kind(graph, *key)
+        point = known.get(key)
         try:
+            if point is None:
+                point = kind(graph, *key)
+                if screen is not None:
+                    point.prepare_like(screen[0])
+                    for node in screen[1]:
+                        point.evaluate([node])
             results.append(point.evaluate(roots))
         except Unlucky:
             known.pop(key, None)
@@ -54,6 +67,11 @@ def sample(
             continue
         known[key], unlucky = point, 0
     return results
+
+
+def list_radicals(graph: Graph, roots: Sequence[Node]) -> list[Node]:
+    """The roots under the nodes, operands first."""
+    return [node for node in reachable(graph, roots) if graph.op[node] in _ROOTS]
 
 
 def are_zero(graph: Graph, nodes: Sequence[Node], count: int = 2, seed: int = 1) -> list[bool]:
@@ -80,24 +98,30 @@ def _vanishing(graph: Graph, nodes: Sequence[Node], count: int, seed: int) -> li
 
 
 def _vanishes_numerically(graph: Graph, node: Node, seed: int) -> bool:
-    """For what has no field points (dozens of nested roots): zero to 40 of 60 digits at real points, where it is defined."""
+    """For what has no field points (dozens of nested roots): zero to 40 of 60 digits at three real points.
+
+    Where it is not real nothing is known, and what has no real point that was found is not taken for zero.
+    """
     import mpmath
 
     seen = 0
-    for attempt in range(40):
+    for attempt in range(_REAL_DRAWS):
         draw = random.Random(seed * 7919 + attempt)
+        scale, low = _SCALES[attempt % len(_SCALES)], -(10**6) if attempt % 3 == 2 else 1
         with mpmath.workdps(60):
-            place = {s: mpmath.mpf(draw.randrange(1, 10**6)) / 400_000 for s in graph.symbols_in(node)}
+            place = {s: scale * mpmath.mpf(draw.randrange(low, 10**6)) / 400_000 for s in graph.symbols_in(node)}
             try:
                 value = evaluate(graph, [node], place, Mpmath())[0]
             except (ArithmeticError, ValueError, TypeError):
                 continue
-            if mpmath.im(value) == 0 and abs(value) > mpmath.mpf(10) ** -40:
+            if mpmath.im(value) != 0 or not mpmath.isfinite(value):
+                continue
+            if abs(value) > mpmath.mpf(10) ** -40:
                 return False
         seen += 1
         if seen == 3:
-            break
-    return True
+            return True
+    return False
 
 
 def enough_points(graph: Graph, nodes: Sequence[Node], count: int) -> int:

@@ -9,6 +9,7 @@ stands linearly with a constant factor, that coordinate is a function of the oth
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 from nhc.algebra.calculus import substitute
 from nhc.algebra.graph import Node
@@ -31,12 +32,16 @@ MOST_COORDINATES = 6  # beyond, looking for integrals takes longer than it saves
 
 @record
 class Integral:
-    """q_index = ``symbol`` + ``rest``, the symbol being a constant of the motion."""
+    """q_index = ``symbol`` + ``rest``, the symbol being a constant of the motion.
+
+    ``written``: the same as it was found and as the text says it; it may hold other coordinates that have integrals.
+    """
 
     index: int
     symbol: Node
     rest: Node
     text: str
+    written: Node
 
 
 @record
@@ -175,4 +180,16 @@ def _name_integral(system: System, i: int, rest: Node) -> Integral:
         whole = f"a function of {', '.join(n for n, q in zip(system.q_names, system.q, strict=True) if g.depends(rest, g.deps[q]))}"
     minus = whole.startswith("-(") and whole.endswith(")") and whole.count("(") == 1 + whole[2:-1].count("(")
     text = name if rest == g.zero else f"{name} - {whole[1:]}" if minus else f"{name} + {whole}"
-    return Integral(i, g.symbol(name, "constant"), rest, f"{system.q_names[i]} = {text}")
+    return Integral(i, g.symbol(name, "constant"), rest, f"{system.q_names[i]} = {text}", rest)
+
+
+def close_integrals(system: System, found: Sequence[Integral]) -> list[Integral]:
+    """The integrals over coordinates that have none: a later one may give what an earlier one contains."""
+    g = system.graph
+    known: dict[Node, Node] = {}
+    closed: list[Integral] = []
+    for integral in reversed(found):
+        rest = substitute(g, [integral.written], known)[0]
+        known[system.q[integral.index]] = g.add(integral.symbol, rest)
+        closed.insert(0, replace(integral, rest=rest))
+    return closed

@@ -19,7 +19,7 @@ from nhc.mechanics.choose import Formulation
 from nhc.mechanics.dependence import Dependence, find_dependence
 from nhc.mechanics.linearize import Flow, flow_of, solve_modulo
 from nhc.mechanics.needs import Wanted, list_needs
-from nhc.mechanics.quadrature import Integral, find_integrals, solve_closed
+from nhc.mechanics.quadrature import Integral, close_integrals, find_integrals, solve_closed
 from nhc.records import record
 
 _DRAWS = 60
@@ -131,7 +131,10 @@ def _integrate(
     still = [flow.y[i] for i in constants]
     found = find_integrals(flow.system, rates, w, still, driving, known)
     found += solve_closed(flow.system, closed, held, found, still, driving, known)
-    return found if len(found) < len(kept) else found[1:]
+    if len(found) == len(kept):
+        g, first = flow.graph, flow.graph.mask([found[0].symbol])
+        found = found[:-1] if any(g.depends(integral.rest, first) for integral in found) else found[1:]
+    return close_integrals(flow.system, found)
 
 
 def _fold(flow: Flow, nodes: Sequence[Node], folded: Mapping[Node, Node]) -> tuple[Flow, list[Node]]:

@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 
-from nhc.algebra.calculus import Derivation, tangent
-from nhc.algebra.graph import Graph, Node
-from nhc.algebra.linear import NotLinear, is_clearly_linear, linear_form
-from nhc.algebra.modular import are_zero
+from nhc.algebra.calculus import Derivation
+from nhc.algebra.evaluate import evaluate
+from nhc.algebra.graph import NUM, Graph, Node
+from nhc.algebra.linear import NotLinear, depends, is_clearly_linear, linear_form
 from nhc.algebra.nodes import NumberTooLong
 from nhc.diagnostics import Bag, Span
 from nhc.language import Spec
+from nhc.language.numbers import DOUBLES
 from nhc.language.spec import Rotation
 from nhc.language.syntax import Binary, Call, Differential, Name, Negate, Number, Prime, Syntax
 from nhc.mechanics import rotation as mechanics
@@ -68,6 +70,8 @@ class Resolver:
                 result = self._binary(part, result, right)
             except NumberTooLong:
                 result = self._refuse_number(part)
+            if not self.graph.deps[result]:
+                result = self._check_constant(part, result)
         return result
 
     def _operand(self, part: Syntax, names: Mapping[str, Node]) -> Node:
@@ -86,16 +90,35 @@ class Resolver:
                 case Differential():
                     return g.one if part.name == "t" else self.v[self._coordinate(part.name)]
                 case Call():
-                    return g.function(part.function, *(self._build(x, names) for x in part.arguments))
+                    made = g.function(part.function, *(self._build(x, names) for x in part.arguments))
+                    return made if g.deps[made] else self._check_constant(part, made)
                 case Binary():
                     return self._build(part, names)
         except NumberTooLong:
             return self._refuse_number(part)
 
-    def _refuse_number(self, part: Syntax) -> Node:
-        message = "this constant is too long to be written exactly"
-        self.bag.error("E0210", message, part.span, help=("keep numbers below 1e308, which doubles can hold",))
+    def _refuse_number(self, part: Syntax, what: str = "too long to be written exactly") -> Node:
+        self.bag.error("E0210", f"this constant is {what}", part.span, help=(DOUBLES,))
         return self.graph.one
+
+    def _check_constant(self, part: Syntax, node: Node) -> Node:
+        """A constant must be a number that doubles hold; another is reported and stands as one."""
+        g = self.graph
+        try:
+            value = evaluate(g, [node], {})[0]
+        except (ArithmeticError, ValueError):
+            value = math.nan
+        if isinstance(value, complex) or not math.isfinite(value):
+            self.bag.error(
+                "E0313",
+                "this constant has no real, finite value",
+                part.span,
+                help=("keep arguments where the function is real, and results below 1e308",),
+            )
+            return g.one
+        if not value and g.value(node) != 0 and g.op[node] == NUM:
+            return self._refuse_number(part, "too small for a double")
+        return node
 
     def _rate(self, node: Node) -> Node:
         g = self.graph
@@ -152,9 +175,11 @@ class Resolver:
                     f"write {what} as a sum of terms `a(q, t)*x'`; a nonlinear velocity relation has no place in this theory",
                 ),
             )
-            node = constant = self.graph.zero
+            constant = self.graph.zero
             coefficients = (self.graph.zero,) * len(self.q)
-        return Form(name, coefficients, constant, self.place(span), value=node)
+        g = self.graph
+        value = g.add(g.sum([g.mul(a, v) for a, v in zip(coefficients, self.v, strict=True)]), constant)
+        return Form(name, coefficients, constant, self.place(span), value=value)
 
 
 def resolve(spec: Spec, graph: Graph | None = None) -> System:
@@ -248,9 +273,7 @@ def _potential(build: Resolver) -> Node:
 def tangent_slopes(graph: Graph, node: Node, symbols: Sequence[Node]) -> list[bool]:
     """For each symbol whether the node depends on it (exactly, not only by sight)."""
     seen = [s for s in symbols if graph.depends(node, graph.deps[s])]
-    slopes = [tangent(graph, [node], {s: graph.one})[0] for s in seen]
-    moving = dict(zip(seen, (not z for z in are_zero(graph, slopes)), strict=True))
-    return [moving.get(s, False) for s in symbols]
+    return [s in seen and depends(graph, [node], [s])[0] for s in symbols]
 
 
 def _constraints(build: Resolver) -> tuple[Form, ...]:

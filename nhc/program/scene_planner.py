@@ -109,7 +109,8 @@ class ScenePlanner(Planner):
         for integral in made.integrals:
             symbol = g.symbol_of(integral.symbol)
             assert symbol is not None
-            default = values[integral.index] - float(evaluate(g, [integral.rest], place)[0])
+            default = values[integral.index] - float(evaluate(g, [integral.written], place)[0])
+            place[integral.symbol] = default  # what was found later may contain it
             unit = whole[integral.index].unit
             found.append(Quantity(symbol.name, identifier(symbol.name), unit, f"in {integral.text}", default))
         return tuple(found)
