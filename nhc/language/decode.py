@@ -241,12 +241,13 @@ class _Decoder:
         table = self.shapes.table(node, "a mapping of coordinates to expressions") if node is not None else None
         found: dict[str, Definition] = {}
         turning = [name for rotation in self.draft.rotations for name in rotation.velocities]
+        quaternions = [name for rotation in self.draft.rotations for name in rotation.coordinates]
         for text, value in table.entries if table else ():
             name = fold(text.value)
             tree = self._parse(value)
-            if not self.scope.check_coordinate(text, turning) or pushes_quaternion(
-                text, self.draft.rotations, self.bag
-            ):
+            if not self.scope.check_coordinate(text, turning, quaternions):
+                continue
+            if pushes_quaternion(text, self.draft.rotations, self.bag):
                 continue
             if name in found:
                 self.bag.error("E0305", f"the force on `{name}` is given twice", text.span, help=("add them up",))

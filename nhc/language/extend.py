@@ -12,6 +12,7 @@ from pathlib import Path, PurePosixPath
 
 from nhc.diagnostics import Bag, Source, Span, SpecError
 
+from .names import fold
 from .nodes import Items, Node, Table, Text
 from .yaml_reader import read_nodes
 
@@ -85,21 +86,53 @@ def _merge_roots(base: Table, own: Table) -> Table:
     if any(own.get(key) is not None for key in _POTENTIALS):
         base = replace(base, entries=tuple(entry for entry in base.entries if entry[0].value not in _POTENTIALS))
     base = replace(base, entries=tuple(entry for entry in base.entries if entry[0].value != KEY))
-    return _merge(base, own)
+    return _merge(base, own, _coordinates(base, own))
 
 
-def _merge(base: Table, own: Table) -> Table:
-    """Merge by name; the base's order first, then what is new."""
-    new = {text.value: (text, node) for text, node in own.entries}
+def _merge(base: Table, own: Table, rates: frozenset[str] = frozenset()) -> Table:
+    """Merge by name, however it is spelled; the base's order first, then what is new.
+
+    ``rates`` are the coordinates whose velocities may be written ``xdot`` and ``x'`` here.
+    """
+    new: dict[str, tuple[Text, Node]] = {}
+    twice = []  # in one mapping: the decoder says so
+    for text, node in own.entries:
+        name = _spell(text.value, rates)
+        if name in new:
+            twice.append((text, node))
+        else:
+            new[name] = text, node
     entries = []
     for text, node in base.entries:
-        if text.value not in new:
+        name = _spell(text.value, rates)
+        if name not in new:
             entries.append((text, node))
             continue
-        key, value = new.pop(text.value)
-        both = isinstance(node, Table) and isinstance(value, Table)
-        entries.append((key, _merge(node, value) if both else value))  # type: ignore[arg-type]
-    return Table((*entries, *new.values()), own.span)
+        key, value = new.pop(name)
+        if isinstance(node, Table) and isinstance(value, Table):
+            merged: Node = _merge(node, value, rates)
+        else:
+            merged = value
+        entries.append((key, merged))
+    return Table((*entries, *new.values(), *twice), own.span)
+
+
+def _spell(name: str, rates: frozenset[str]) -> str:
+    """The one spelling of a key."""
+    name = fold(name)
+    return f"{name[:-3]}'" if name.endswith("dot") and name not in rates and name[:-3] in rates else name
+
+
+def _coordinates(*tables: Table) -> frozenset[str]:
+    """The coordinates that specs declare, as a list or as a mapping."""
+    names: set[str] = set()
+    for table in tables:
+        node = table.get("coordinates")
+        if isinstance(node, Table):
+            names.update(fold(text.value) for text, _ in node.entries)
+        elif isinstance(node, Items):
+            names.update(fold(item.value) for item in node.items if isinstance(item, Text))
+    return frozenset(names)
 
 
 def _shift(node: Node, by: int) -> Node:

@@ -40,7 +40,15 @@ SPELLINGS: dict[str, str] = {
     "tg": "tan",
     "sgn": "sign",
     "fabs": "abs",
-    "pow": "^",
+    "pow": "x^y",
+    "cot": "1/tan(x)",
+    "sec": "1/cos(x)",
+    "csc": "1/sin(x)",
+    "cbrt": "sign(x)*abs(x)^(1/3)",
+    "hypot": "sqrt(x^2 + y^2)",
+    "log10": "log(x)/log(10)",
+    "log2": "log(x)/log(2)",
+    "heaviside": "(1 + sign(x))/2",
 }
 
 _LOWER = (

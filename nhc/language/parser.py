@@ -149,18 +149,34 @@ class _Parser:
             "E0203",
             f"expected an operator before `{token.text}`; multiplication is never implicit",
             self.locate(start, token.end) if previous and previous.end == token.start else self._span(token),
-            f"write `{left}*{right}`",
+            self._advise(token, node, right) or f"write `{left}*{right}`",
         )
+
+    def _advise(self, token: Token, node: Syntax, right: str) -> str:
+        """What was meant where a function stands without its parentheses, or a number as programming languages write it."""
+        argument = "x" if token.kind == "(" else right
+        inner = node.operand if isinstance(node, Prime) else node
+        if isinstance(inner, Name) and inner.name in _ARITY:
+            call = f"{inner.name}({argument})"
+            return f"write `{call if inner is node else f'{DOT}({call})'}`"
+        if not isinstance(node, Number):
+            return ""
+        base = self.operands[-2][0] if len(self.operands) > 1 and self.frames[-1].kind == "^" else None
+        if isinstance(base, Name) and base.name in _ARITY:
+            return f"write `{base.name}({argument})^{self.text[self.operands[-1][1] : self.operands[-1][2]]}`"
+        if token.text in ("e", "E"):
+            return "write the exponent behind the `e`, as in `1e3`"
+        if not node.value and token.text[:1] in ("x", "b", "o") and len(token.text) > 1:
+            return "write numbers in decimals"
+        return ""
 
     def _check_function(self, name: Token) -> None:
         if name.text in _ARITY:
             return
         meant = nearest(name.text, _ARITY)
         help = f"write `{name.text}*(...)` for a product"
-        if name.text == "pow":
-            help = "write `x^y`"
-        elif name.text in SPELLINGS:
-            help = f"write `{SPELLINGS[name.text]}`"
+        if name.text.lower() in SPELLINGS:
+            help = f"write `{SPELLINGS[name.text.lower()]}`"
         elif meant and len(name.text) != 1:
             help = f"did you mean `{meant}`? {help}"
         raise ExpressionError("E0206", f"`{name.text}` is not a function", self._span(name), help)

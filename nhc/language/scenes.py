@@ -163,7 +163,7 @@ class _SceneReader:
         tree = parse_expression(text.value[plus:], lambda start, end: text.locate(start + plus, end + plus), self.bag)
         if tree is None:
             return None
-        tree = self.scope.resolve(tree, "")
+        tree = self.scope.resolve(tree, "start")
         self.scope.holds_velocities(tree, {})
         for name in names_in(tree):
             if self.scope.kind(name) not in ("parameter", "rotation", "") or name == "t":

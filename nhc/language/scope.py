@@ -80,15 +80,16 @@ class Scope:
         """Return the names of some kinds, in the order of their declarations."""
         return tuple(name for name, declared in self.names.items() if declared.kind in kinds)
 
-    def check_coordinate(self, text: Text, also: Sequence[str] = ()) -> bool:
-        """Say whether a text names a coordinate or one of ``also``; report it where it does not."""
+    def check_coordinate(self, text: Text, also: Sequence[str] = (), hidden: Sequence[str] = ()) -> bool:
+        """Say whether a text names a coordinate or one of ``also``; report it where it does not, and propose no ``hidden`` one."""
         name = fold(text.value)
         kind = self.kind(name)
         if kind == "coordinate" or name in also:
             return True
         if not self.open:
-            near = nearest(name, (*self.of_kind("coordinate"), *also))
-            known = ", ".join(f"`{other}`" for other in (*self.of_kind("coordinate"), *also))
+            proposed = [*(n for n in self.of_kind("coordinate") if n not in hidden), *also]
+            near = nearest(name, proposed)
+            known = ", ".join(f"`{other}`" for other in proposed)
             help = f"did you mean `{near}`?" if near else f"the coordinates are {known}"
             self.bag.error("E0302", f"unknown coordinate `{text.value}`", text.span, help=(help,))
         return False
@@ -108,7 +109,8 @@ class Scope:
     def resolve(self, tree: Syntax, place: str) -> Syntax:
         """Give every name of an expression its meaning; what has none is reported.
 
-        ``place`` is "equation" (differentials are known), "output" (energies are known) or empty.
+        ``place`` is "equation" (differentials are known), "output" (energies are known), "start" (parameters are proposed)
+        or empty.
         """
 
         def visit(node: Syntax, parts: tuple[Syntax, ...]) -> Syntax:
@@ -141,10 +143,10 @@ class Scope:
         if is_form and place == "equation":
             return Differential(name[1:], node.span)
         if not self.open:
-            self._report_unknown(node, kind, is_form)
+            self._report_unknown(node, kind, is_form, place)
         return node
 
-    def _report_unknown(self, node: Name, kind: str, is_form: bool) -> None:
+    def _report_unknown(self, node: Name, kind: str, is_form: bool, place: str) -> None:
         name = node.name
         if is_form:
             help = f"differentials stand in `constraints` only; the velocity is `{name[1:]}'`"
@@ -159,9 +161,11 @@ class Scope:
             help = f"`{name}` is known under `outputs` only"
         else:
             self._searches += 1
-            known = (*self.of_kind("coordinate", "parameter", "define", "quasi", "entry"), TIME, PI)
+            kinds = ("parameter",) if place == "start" else ("coordinate", "parameter", "define", "quasi", "entry")
+            known = (*self.of_kind(*kinds), PI) if place == "start" else (*self.of_kind(*kinds), TIME, PI)
             near = nearest(name, known) if self._searches <= _SEARCHES else None
-            help = f"did you mean `{near}`?" if near else "declare it under `parameters`, `coordinates` or `define`"
+            where = "`parameters`" if place == "start" else "`parameters`, `coordinates` or `define`"
+            help = f"did you mean `{near}`?" if near else f"declare it under {where}"
         self.bag.error("E0302", f"unknown name `{name}`", node.span, help=(help,))
 
     def _check_prime(self, node: Prime) -> None:

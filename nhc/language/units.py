@@ -141,6 +141,14 @@ def _split(text: str) -> list[_Word]:
     return words
 
 
+def _may_stand(before: list[_Word], power: str = "^") -> bool:
+    """Whether a power may stand behind these words: a number behind `^`; `^` or a raised one behind a unit or a parenthesis."""
+    last = before[-1] if before else None
+    if last is None or power in "^\u00b2\u00b3":
+        return last is not None and (last.kind == "unit" or last.text == ")")
+    return last.text in ("^", "**")
+
+
 def parse_unit(text: str) -> Dimension:
     """Return the dimension of a unit's text; raises ``UnitError``.
 
@@ -163,10 +171,10 @@ def parse_unit(text: str) -> Dimension:
             before, sign = stack.pop()
             last = raise_to(total, sign)
             total, sign = multiply(before, last), 1
-        elif word.kind == "power" and not wants:
+        elif word.kind == "power" and _may_stand(words[:index], word.text):
             power = {"\u00b2": 2, "\u00b3": 3}.get(word.text) or int(word.text)
             total = multiply(total, raise_to(last, power - 1))
-        elif word.text in ("^", "**") and not wants and follower.lstrip("+-").isdigit():
+        elif word.text in ("^", "**") and _may_stand(words[:index]) and follower.lstrip("+-").isdigit():
             continue
         elif word.text in ("*", "/", "\u00b7", "\u22c5") and not wants:
             sign, wants = (-1 if word.text == "/" else 1), True

@@ -21,7 +21,9 @@ def check_rank(bag: Bag, spec: Spec, system: System) -> None:
         return
     kept: list[Form] = []
     spans = [c.span for c in spec.constraints] + [h.span for h in spec.holonomic]
-    for form, span in zip(system.constraints, spans, strict=True):
+    norms = {f"{rotation.name}_norm" for rotation in spec.rotations}
+    rows = sorted(zip(system.constraints, spans, strict=True), key=lambda row: row[0].name not in norms)
+    for form, span in rows:  # what a rotation brings comes first: what repeats it is the user's
         linear = [list(f.coefficients) for f in (*kept, form)]
         if rank(g, linear) == len(linear):
             kept.append(form)
@@ -33,7 +35,8 @@ def check_rank(bag: Bag, spec: Spec, system: System) -> None:
                 "E0403",
                 f"the constraint `{form.name}` " + ("cannot hold" if empty else "contradicts those before it"),
                 span,
-                help=(f"remove it, or correct its terms: {'it asks' if empty else 'together they ask'} for `0 = 1`",),
+                notes=("no velocity is left in it",) if empty else (),
+                help=(_advise(system, form, empty),),
             )
         else:
             bag.error(
@@ -47,6 +50,18 @@ def check_rank(bag: Bag, spec: Spec, system: System) -> None:
                 ),
                 help=("remove it",),
             )
+
+
+def _advise(system: System, form: Form, empty: bool) -> str:
+    """What to do with a row whose terms in the velocities vanish, or follow from others, and whose free term does not."""
+    g = system.graph
+    if form.equation is None and any(g.depends(form.constant, g.deps[x]) for x in system.q):
+        return (
+            "a relation of positions stands under `holonomic:`"
+            if empty
+            else "remove it, or correct its terms: together they leave no velocity, and a relation of positions"
+        )
+    return f"remove it, or correct its terms: {'it asks' if empty else 'together they ask'} for `0 = 1`"
 
 
 def _is_apart(g: Graph, system: System, form: Form, before: Sequence[Form]) -> bool:

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import math
+import sys
 from collections.abc import Mapping, Sequence
+from fractions import Fraction
 
 from nhc.algebra.calculus import Derivation
 from nhc.algebra.evaluate import evaluate
-from nhc.algebra.graph import NUM, Graph, Node
+from nhc.algebra.graph import Graph, Node
 from nhc.algebra.linear import NotLinear, depends, is_clearly_linear, linear_form
 from nhc.algebra.nodes import NumberTooLong
 from nhc.diagnostics import Bag, Span
@@ -18,6 +20,8 @@ from nhc.language.syntax import Binary, Call, Differential, Name, Negate, Number
 from nhc.mechanics import rotation as mechanics
 from nhc.mechanics.dependent_rows import check_rank
 from nhc.mechanics.system import Form, System
+
+_LARGEST = Fraction(sys.float_info.max)
 
 
 class Resolver:
@@ -103,22 +107,19 @@ class Resolver:
 
     def _check_constant(self, part: Syntax, node: Node) -> Node:
         """A constant must be a number that doubles hold; another is reported and stands as one."""
-        g = self.graph
+        g, exact = self.graph, self.graph.value(node)
+        if exact is not None:
+            if abs(exact) > _LARGEST:
+                return self._refuse_number(part, "too large for a double")
+            return self._refuse_number(part, "too small for a double") if exact and not float(exact) else node
         try:
-            value = evaluate(g, [node], {})[0]
-        except (ArithmeticError, ValueError):
-            value = math.nan
-        if isinstance(value, complex) or not math.isfinite(value):
-            self.bag.error(
-                "E0313",
-                "this constant has no real, finite value",
-                part.span,
-                help=("keep arguments where the function is real, and results below 1e308",),
-            )
-            return g.one
-        if not value and g.value(node) != 0 and g.op[node] == NUM:
-            return self._refuse_number(part, "too small for a double")
-        return node
+            if math.isfinite(evaluate(g, [node], {})[0]):
+                return node
+        except (ArithmeticError, ValueError, TypeError):  # a power of a negative number is complex
+            pass
+        help = "keep arguments where the function is real, and results below 1e308"
+        self.bag.error("E0313", "this constant has no real, finite value", part.span, help=(help,))
+        return g.one
 
     def _rate(self, node: Node) -> Node:
         g = self.graph

@@ -19,6 +19,7 @@ from nhc.records import record
 
 TOLERANCE = 1e-9
 """How far, relative to the size of its terms, a given start may be from satisfying the constraints."""
+_FOUND_AS = {"velocity": "`{}'`", "quasi": "`{}`"}
 
 
 @record
@@ -135,9 +136,9 @@ def _velocities(
         fixed = len(rows)
         for (kind, name), value in given.items():
             if kind == "velocity":
-                add(_unit(system, name), value, f"`{name}'`")
+                add(_unit(system, name), value, _FOUND_AS[kind].format(name))
             elif kind == "quasi":
-                add(next(f for f in system.quasi if f.name == name), value, f"`{name}`")
+                add(next(f for f in system.quasi if f.name == name), value, _FOUND_AS[kind].format(name))
     except (ArithmeticError, ValueError):
         bag.error(
             "E0409",
@@ -155,7 +156,7 @@ def _velocities(
         bag.error(
             "E0409",
             f"the initial velocities of the scene `{scene.name}` violate the constraints by {abs(off):.3g}",
-            next((e.span for e in scene.initial if names[k] in (f"`{e.name}`", f"`{e.name}'`")), scene.span),
+            next((e.span for e in scene.initial if names[k] == _FOUND_AS.get(e.kind, "").format(e.name)), scene.span),
             notes=(f"{names[k]} does not fit the {fixed} constraint(s) and the values before it",),
             help=("leave the dependent velocities out: they follow from the constraints",),
         )

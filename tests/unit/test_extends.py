@@ -141,3 +141,14 @@ def test_a_base_that_is_no_yaml_and_a_spec_without_a_folder(tmp_path: Path) -> N
         decode(Source("<stdin>", "nhc: 1\nextends: base.yaml\n"))
     with pytest.raises(SpecError, match="names one file"):
         decode(Source("<stdin>", "nhc: 1\nextends: [a, b]\n"))
+
+
+def test_names_merge_however_they_are_spelled(tmp_path: Path) -> None:
+    base = BASE.replace("k: 3", "θ0: 3").replace("k/2", "theta0/2").replace("{x: 1}", "{x: 1, xdot: 1}")
+    own = "nhc: 1\nextends: base.yaml\nparameters: {theta0: 5}\nscenes: {go: {initial: {x': 7}}}\n"
+    put(tmp_path, base=base, own=own)
+    made = decode(read(tmp_path / "own.yaml"))
+    assert {p.name: p.value for p in made.parameters} == {"m": 2, "theta0": 5}
+    assert {(e.kind, e.name) for e in made.scenes[0].initial} == {("coordinate", "x"), ("velocity", "x")}
+    put(tmp_path, own=own.replace("{theta0: 5}", "{theta0: 5, θ0: 6}"))
+    assert "`theta0` is declared twice" in messages(tmp_path / "own.yaml")[0][1]

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 
 from nhc.diagnostics import Source, SpecError
 from nhc.pipeline import Options, check, emit
+from tests.support import python_model
 
 
 def spec(force: str) -> Source:
@@ -27,3 +30,35 @@ def test_nested_roots_are_compiled() -> None:
     assert any("not decided" in fact for fact in check(spec(text)).facts)
     for language in ("c", "python", "latex"):
         assert emit(spec(text), language, Options())
+
+
+@pytest.mark.parametrize("text", ["10^400", "2^2000", "10^(-400)"])
+def test_constants_that_no_double_holds_are_refused(text: str) -> None:
+    with pytest.raises(SpecError) as caught:
+        check(spec(f"{text}*x"))
+    assert {d.code for d in caught.value.diagnostics} == {"E0210"}
+
+
+@pytest.mark.parametrize("text", ["sqrt(-3)", "(-1)^0.5", "log(0)", "asin(2)", "exp(1000)", "sqrt(2 - 5) + 1"])
+def test_constants_without_a_value_are_refused(text: str) -> None:
+    """The good terms beside them were once dropped with them."""
+    with pytest.raises(SpecError) as caught:
+        check(spec(f"({text})*x + x"))
+    assert {d.code for d in caught.value.diagnostics} == {"E0313"}
+
+
+@pytest.mark.parametrize("count", [9, 12, 14])
+def test_many_roots_are_not_taken_for_zero(count: int) -> None:
+    """A point of the field has all of them at one of 2^count draws, and most real points have none."""
+    force = " + ".join(f"sqrt(x - {k + 5})" for k in range(count))
+    module = python_model(emit(spec(force), "python", Options())["deep.py"], "deep")
+    found = module.rhs(0.0, [30.0, 0.0])[1]
+    assert found == pytest.approx(sum(math.sqrt(25 - k) for k in range(count)), rel=1e-14)
+
+
+@pytest.mark.parametrize("help", ["`sin(x)`", "`sin(x)^2`", "`1/tan(x)`", "`dot(x)`"])
+def test_what_was_meant_by_a_function(help: str) -> None:
+    text = {"`sin(x)`": "sin x", "`sin(x)^2`": "sin^2(x)", "`1/tan(x)`": "cot(x)", "`dot(x)`": "dot x"}[help]
+    with pytest.raises(SpecError) as caught:
+        check(spec(text))
+    assert [d.help for d in caught.value.diagnostics] == [(f"write {help}",)]
