@@ -139,6 +139,7 @@ def _report(error: Exception) -> Exit:
 
     if isinstance(error, Unlucky):
         say("error: the exact test found no point for this system: too many nested roots, or singular everywhere")
+        say("  = help: give a square root a coordinate of its own with a `holonomic:` equation, or write its square")
         return Exit.NUMERICAL
     if os.environ.get("NHC_DEBUG") == "1":
         traceback.print_exception(error)

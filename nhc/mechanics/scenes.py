@@ -148,7 +148,7 @@ def _velocities(
         )
         return (0.0,) * system.n
     order = _free_order(system, given)
-    solver = _RowSpace(system.n)
+    solver = RowSpace(system.n)
     for k, (row, value) in enumerate(zip(rows, right, strict=True)):
         off = solver.add(row, value)
         if off is None or abs(off) <= TOLERANCE:
@@ -186,7 +186,7 @@ def _free_order(system: System, given: dict[tuple[str, str], float]) -> list[For
     return coordinates
 
 
-class _RowSpace:
+class RowSpace:
     """Linear equations taken one by one; each is reduced by those before it."""
 
     def __init__(self, size: int) -> None:

@@ -2,20 +2,24 @@
 
 from __future__ import annotations
 
+import math
+
 from nhc.algebra.elimination import solve_double
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Node
 from nhc.algebra.linear import Singular
 from nhc.diagnostics import Bag
-from nhc.mechanics.scenes import Start, kept_velocities
+from nhc.mechanics.scenes import RowSpace, Start, kept_velocities
 from nhc.program.build import Planner
 
 _NOTHING: tuple[str, tuple[str, ...]] = ("", ())
 
 
 def warn_undetermined(planner: Planner, start: Start, bag: Bag) -> None:
-    """Add a warning (W0421) where a scene starts at a singular mass matrix."""
-    what, zero = find_undetermined(planner, start)
+    """Add a warning (W0421) where a scene starts at a singular mass matrix, or where the constraints lose their rank."""
+    what, zero = _find_dependent(planner, start)
+    if not what:
+        what, zero = find_undetermined(planner, start)
     if not what:
         return
     names = ", ".join(f"`{name}`" for name in zero)
@@ -53,6 +57,23 @@ def find_undetermined(planner: Planner, start: Start) -> tuple[str, tuple[str, .
             return solve.what, _blame(planner, start, *flat)
         except (ArithmeticError, ValueError, KeyError):
             return _NOTHING
+    return _NOTHING
+
+
+def _find_dependent(planner: Planner, start: Start) -> tuple[str, tuple[str, ...]]:
+    """A constraint whose row vanishes, or depends on the others, at a start; empty where there is none."""
+    system = planner.system
+    space, values = RowSpace(system.n), start.values(system)
+    for form in system.constraints:
+        try:
+            row = [float(x) for x in evaluate(planner.graph, form.coefficients, values)]
+        except (ArithmeticError, ValueError, KeyError):
+            return _NOTHING
+        if not all(map(math.isfinite, row)):
+            return _NOTHING
+        if space.add(row, 0.0) is not None:
+            how = "depends on the others" if any(row) else "restricts no velocity"
+            return f"the constraint `{form.name}` {how}", _blame(planner, start, *form.coefficients)
     return _NOTHING
 
 
