@@ -97,6 +97,12 @@ def drop_unused(body: tuple[Statement, ...]) -> tuple[Statement, ...]:
     )
 
 
+def drop_unread(body: tuple[Statement, ...]) -> tuple[Statement, ...]:
+    """The body without loads that none of its own statements uses; a sweep has loads of its own."""
+    used = {name for statement in body for name in collect_refs(statement)}
+    return tuple(s for s in body if not isinstance(s, Load) or s.name in used)
+
+
 def place_guards(body: tuple[Statement, ...]) -> tuple[Statement, ...]:
     """Each guard once, as soon as its value is known: where a quotient by zero raises, what was singular has been said before."""
     waiting = [(guard, collect_refs(guard)) for guard in dict.fromkeys(s for s in body if isinstance(s, Guard))]

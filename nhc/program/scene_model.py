@@ -195,7 +195,7 @@ class _Search:
         """Reduce; ``trusted`` formulations need no proof that they are regular, ``weak`` ones cannot be taken."""
         try:
             made = reduce_equations(equations, formulation, self.scene, self.known, self.folded, self.closed)
-        except Unlucky:
+        except (Unlucky, ZeroDivisionError):  # singular, or so at the values that stand for what is left out
             if not trusted or self.found:
                 return False
             made = keep_everything(equations, formulation, self.scene)
@@ -205,7 +205,12 @@ class _Search:
             regular, why = False, "its coframe is weak where the scene starts"
         operations, cost = -1, -1
         if regular:
-            operations, cost, planner = self._cheapest(made)
+            try:
+                operations, cost, planner = self._cheapest(made)
+            except ZeroDivisionError:
+                if self.found:
+                    return False
+                operations, cost, planner = self._cheapest(keep_everything(equations, formulation, self.scene))
             made = planner.reduction
             self.found.append(_Found(len(self.tried), cost, planner))
         integrated = [made.names[integral.index] for integral in made.integrals]

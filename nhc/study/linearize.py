@@ -83,10 +83,17 @@ def _admissible(model: SteadyModel, steady: Steady, full: Matrix) -> tuple[Matri
     if across is None:
         notes = ("the leaf of the hidden constraints is not regular here: its directions are not left out",)
         across = np.zeros((0, model.flow.system.n))
-    rows = [np.hstack([across, np.zeros((len(across), size - across.shape[1]))]), model.conditions(steady.y)[1]]
-    inside = _kernel(np.vstack(rows))
-    _, sizes, right = np.linalg.svd(inside[:, rest], full_matrices=False)
-    basis = right[sizes > 1e-9]
+    held = model.conditions(steady.y)[1]
+    basis = _seen(np.vstack([np.hstack([across, np.zeros((len(across), size - across.shape[1]))]), held]), rest)
+    if len(across):
+        allowed = _seen(held, rest)
+        beside = allowed - allowed @ basis.T @ basis
+        _, sizes, right = np.linalg.svd(beside, full_matrices=False)
+        left = right[sizes > 1e-9]
+        # an integral that is regular stands still: what moves across the leaf is no perturbation of its value
+        if np.linalg.norm(left @ full @ left.T) > 1e-7 * (1.0 + np.linalg.norm(full)):
+            notes = ("the integrals of the hidden constraints are not regular here: their directions are not left out",)
+            basis = allowed
     if len(basis) == len(rest):
         return np.eye(len(rest)), notes
     moved = full @ basis.T
@@ -96,6 +103,12 @@ def _admissible(model: SteadyModel, steady: Steady, full: Matrix) -> tuple[Matri
             "the admissible perturbations depend on the cyclic coordinates: all are kept",
         )
     return basis, notes
+
+
+def _seen(rows: Matrix, rest: Sequence[int]) -> Matrix:
+    """Orthonormal rows over ``rest`` that span what is seen there of the null space."""
+    _, sizes, right = np.linalg.svd(_kernel(rows)[:, rest], full_matrices=False)
+    return np.asarray(right[sizes > 1e-9])
 
 
 def _kernel(matrix: Matrix) -> Matrix:

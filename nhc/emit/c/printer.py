@@ -15,7 +15,7 @@ from nhc.emit.c.parts import OWN, Layout, is_long, lay_out, print_calls, print_p
 from nhc.emit.c.sweep import SweepPrinter
 from nhc.emit.environment import File
 from nhc.emit.options import BATCH, EmitError, EmitOptions, check_options, select_functions
-from nhc.emit.statements import drop_unused, find_not_finite, list_missing, list_statuses, list_used_names
+from nhc.emit.statements import drop_unread, drop_unused, find_not_finite, list_missing, list_statuses, list_used_names
 from nhc.program.ir import Argument, Evaluate, Function, Guard, Load, Program, Quantity, Solve, Statement, Sweep
 from nhc.records import record
 
@@ -234,7 +234,8 @@ def print_statements(
     else:
         printer.lines += mark_unused(function, body)
         later = Sweep if guarded else Sweep | Guard
-        printer.print_all(tuple(statement for statement in body if not isinstance(statement, later)))
+        straight = tuple(statement for statement in body if not isinstance(statement, later))
+        printer.print_all(drop_unread(straight) if len(straight) < len(body) and guarded else straight)
     for number, sweep in enumerate(s for s in body if isinstance(s, Sweep)):
         printer.helpers |= {"lanes", "get", "sweep"}
         inner = SweepPrinter(printer, function, sweep, number + 1)
