@@ -14,7 +14,8 @@ from fractions import Fraction
 from math import lcm
 
 from nhc.algebra.calculus import reachable
-from nhc.algebra.expand import Polynomial, TooLarge
+from nhc.algebra.expand import Monomial, Polynomial, TooLarge
+from nhc.algebra.field import INVERSE, moving_mask
 from nhc.algebra.graph import ADD, MUL, NEG, NUM, POW, SYM, Graph, Node
 from nhc.algebra.polynomial import polynomial
 
@@ -40,6 +41,7 @@ class Degrees:
         self.known: dict[Node, Degree] = {}
         self._size: dict[Key, int] = {}
         self._arguments: dict[Node, Polynomial] = {}
+        self._moving = moving_mask(graph)
         self.roots = 0  # square roots and signs
         self.opaque = 0  # what the arguments of other functions add
         meant = dict(standing or {})
@@ -111,16 +113,32 @@ class Degrees:
 
     def _wave(self, argument: Node) -> Degree:
         top, bottom = 0, dict[Key, int]()
+        self._meet(argument)
         for monomial, k in self._arguments[argument].items():
             key: Key = ("circle", monomial)
-            self._size[key] = 2
+            self._size[key] = size = 2 * self._inverse(monomial)
             turns = int(abs(Fraction(k)) * self._denominators[("angle", monomial)])
-            top += 2 * turns
+            top += size * turns
             bottom[key] = bottom.get(key, 0) + turns
         return Degree(top, bottom)
 
+    def _meet(self, argument: Node) -> None:
+        """An argument that holds velocities has a generator by its value; two different ones may meet at a point."""
+        if self.graph.deps[argument] & self._moving:
+            d = self.known[argument]
+            self.opaque += 2 * (d.top + self.weight(d.bottom))
+
+    def _inverse(self, monomial: Monomial) -> int:
+        """Degree of the point of the circle that a monomial owns; that of an inverse function holds a square root."""
+        g, (atom, _) = self.graph, monomial[0] if monomial else (0, 0)
+        if len(monomial) != 1 or g.op[atom] not in INVERSE:
+            return 1
+        self.roots += 1
+        return 1 + sum(self.known[c].top + self.weight(self.known[c].bottom) for c in g.children(atom))
+
     def _exponential(self, op: str, node: Node) -> Degree:
         turns, bottom = 0, dict[Key, int]()
+        self._meet(self.graph.a[node])
         for monomial, k in self._arguments[self.graph.a[node]].items():
             key: Key = ("exponential", monomial)
             self._size[key] = 1

@@ -6,6 +6,9 @@ The functions of the language are sent to the field so that the identities betwe
   the circle by the rational parametrisation, and sin and cos of the angle come from the powers of those points (so sin 2x,
   sin(x + y) and shifts by quarter turns agree with sin x, cos x);
 - exp, sinh, cosh, tanh likewise, with one invertible generator per monomial;
+- an argument that holds velocities owns one point or generator by its value: on the motion a velocity equals expressions that no
+  polynomial shows, and tanh(x') must be tanh(v cos(theta)); such arguments know their signs, and no addition theorem;
+- sin and cos of asin, acos, atan and atan2 are the algebraic functions that they are, and so is exp of log;
 - sqrt is the square root that is itself a square (points where the argument has none are drawn again), odd roots exist and are
   unique because (p - 1)/2 is prime;
 - every other function is an independent generator, fixed by its name and the value of its argument.
@@ -25,6 +28,7 @@ from nhc.algebra.calculus import reachable
 from nhc.algebra.expand import Monomial, Polynomial, TooLarge
 from nhc.algebra.graph import ADD, MUL, NEG, NUM, PI, POW, SYM, Graph, Node
 from nhc.algebra.polynomial import ONE, polynomial
+from nhc.algebra.residues import circle_point, square_root, turn
 
 PRIMES = (2305843009213057079, 2305843009178326439, 2305843009101690119, 2305843009045133879)
 """Safe primes below 2**61, all 7 modulo 8, modulo each of which 2, 3, 5, ..., 47 are squares: the roots of the numbers that
@@ -33,7 +37,20 @@ occur in specs exist, and sqrt(4*x) is 2*sqrt(x) and not its negative."""
 _EXPONENT = 65537
 _PERIODIC = ("sin", "cos")
 _EXPONENTIAL = ("exp", "sinh", "cosh", "tanh")
+_MOVING = ("velocity", "quasi", "rate", "acceleration", "multiplier")
 _FAMILIES = {**dict.fromkeys(_PERIODIC, "angle"), **dict.fromkeys(_EXPONENTIAL, "exponent")}
+
+
+INVERSE = ("asin", "acos", "atan", "atan2")
+
+
+def moving_mask(graph: Graph) -> int:
+    """The symbols that are no parameters, coordinates or the time."""
+    return sum((symbol.kind in _MOVING) << k for k, symbol in enumerate(graph.symbols))
+
+
+def _is_atom(monomial: Monomial) -> bool:
+    return len(monomial) == 1 and monomial[0][1] == 1
 
 
 class Unlucky(Exception):
@@ -53,6 +70,7 @@ class FieldPoint:
         self._arguments: dict[Node, Polynomial] = graph.memory.setdefault("arguments", {})
         self._used: set[tuple[str, Monomial]] = set()
         self._circles: dict[Node, tuple[int, int]] = {}  # cosine and sine by the angle
+        self._moving, self._known_symbols = 0, 0  # the velocities' mask, and how many symbols were looked at for it
 
     # --- generators ---------------------------------------------------------------------------------------
 
@@ -116,6 +134,8 @@ class FieldPoint:
             if op not in _FAMILIES:
                 continue
             family = _FAMILIES[op]
+            if self._moves(self.graph.a[node]):
+                continue
             argument = self._argument(self.graph.a[node])
             for monomial, c in argument.items():
                 key = (family, monomial)
@@ -123,6 +143,13 @@ class FieldPoint:
                 if known is not None and known % c.denominator and key in self._used:
                     raise Unlucky  # a finer point is needed than one already used: the caller draws another
                 self._denominators[key] = lcm(known or 1, c.denominator)
+
+    def _moves(self, argument: Node) -> bool:
+        """Whether an argument holds velocities, rates or multipliers."""
+        symbols = self.graph.symbols
+        if self._known_symbols < len(symbols):
+            self._moving, self._known_symbols = moving_mask(self.graph), len(symbols)
+        return bool(self.graph.deps[argument] & self._moving)
 
     def _argument(self, node: Node) -> Polynomial:
         known = self._arguments.get(node)
@@ -151,11 +178,48 @@ class FieldPoint:
             angle = g.a[node]
             known = self._circles.get(angle)
             if known is None:
-                known = self._circles[angle] = self._circle(self._argument(angle))
+                known = self._circle_of(angle)
+                self._circles[angle] = known
             return known[op == "sin"]
         if op in _EXPONENTIAL:
-            return self._exponential(op, self._argument(g.a[node]))
+            return self._exponential(op, g.a[node])
         return self._other(op, node)
+
+    def _circle_of(self, angle: Node) -> tuple[int, int]:
+        """(cosine, sine)."""
+        point = self._known_point(angle)
+        if point is not None:
+            return point
+        if not self._moves(angle):
+            return self._circle(self._argument(angle))
+        if not self.values[angle]:
+            return 1, 0
+        generator, sign = self._signed("angle", self.values[angle])
+        return turn(*circle_point(generator, self.prime), sign, self.prime)
+
+    def _known_point(self, atom: Node) -> tuple[int, int] | None:
+        """(cosine, sine) of an inverse function's value; None for anything else."""
+        g, p, op = self.graph, self.prime, self.graph.op[atom]
+        if op not in INVERSE:
+            return None
+        x = self.evaluate([g.a[atom]])[0]
+        if op in ("asin", "acos"):
+            other = self._root((1 - x * x) % p)
+            return (other, x) if op == "asin" else (x, other)
+        along = self.evaluate([g.b[atom]])[0] if op == "atan2" else 1
+        scale = self._power(self._root((along * along + x * x) % p), -1)
+        return along * scale % p, x * scale % p
+
+    def _root(self, x: int) -> int:
+        root = square_root(x, self.prime)
+        if root is None:
+            raise Unlucky
+        return root
+
+    def _signed(self, family: str, value: int) -> tuple[int, int]:
+        """A generator that belongs to a value up to its sign, and the sign."""
+        low = min(value, self.prime - value)
+        return self._generator(family, low, 1), 1 if low == value else -1
 
     def _power(self, base: int, n: int) -> int:
         if n < 0 and base == 0:
@@ -174,14 +238,24 @@ class FieldPoint:
                 ck, sk = ((1, 0), (0, 1), (-1, 0), (0, -1))[int(2 * k) % 4]
             else:
                 denominator = self._denominator("angle", monomial)
-                u = self._generator("angle", *self._key(monomial))
-                ck, sk = self._rotation(u, int(k * denominator))
+                point = self._known_point(monomial[0][0]) if denominator == 1 and _is_atom(monomial) else None
+                if point is None:
+                    u, sign = self._monomial("angle", monomial)
+                    ck, sk = turn(*circle_point(u, self.prime), sign * int(k * denominator), self.prime)
+                else:
+                    ck, sk = turn(*point, int(k), self.prime)
             c, s = (c * ck - s * sk) % self.prime, (s * ck + c * sk) % self.prime
         return c, s
 
     def _denominator(self, family: str, monomial: Monomial) -> int:
         self._used.add((family, monomial))
         return self._denominators[(family, monomial)]
+
+    def _monomial(self, family: str, monomial: Monomial) -> tuple[int, int]:
+        """The generator of a monomial, and the sign that its coefficient takes."""
+        if _is_atom(monomial):
+            return self._signed(family, self.evaluate([monomial[0][0]])[0])
+        return self._generator(family, *self._key(monomial)), 1
 
     def _key(self, monomial: Monomial) -> tuple[object, ...]:
         """A monomial by the values of its atoms, so that two spellings of one atom share a generator."""
@@ -193,26 +267,20 @@ class FieldPoint:
             return ((self.evaluate([factor])[0] if known is None else known, e),)
         return tuple(sorted(zip(self.evaluate([f for f, _ in monomial]), [e for _, e in monomial], strict=True)))
 
-    def _rotation(self, u: int, k: int) -> tuple[int, int]:
-        """k-th power of the point ((1 - u^2)/(1 + u^2), 2u/(1 + u^2)) of the circle; p = 3 mod 4, so 1 + u^2 is never zero."""
-        p = self.prime
-        scale = pow(1 + u * u, -1, p)
-        c, s = (1 - u * u) * scale % p, 2 * u * scale % p
-        if k < 0:
-            s, k = -s % p, -k
-        rc, rs = 1, 0
-        while k:
-            if k & 1:
-                rc, rs = (rc * c - rs * s) % p, (rs * c + rc * s) % p
-            c, s = (c * c - s * s) % p, 2 * c * s % p
-            k >>= 1
-        return rc, rs
-
-    def _exponential(self, op: str, argument: Polynomial) -> int:
+    def _exponential(self, op: str, argument: Node) -> int:
         p, e = self.prime, 1
-        for monomial, k in argument.items():
-            denominator = self._denominator("exponent", monomial)
-            e = e * pow(self._generator("exponent", *self._key(monomial)), int(k * denominator), p) % p
+        if self._moves(argument):
+            if self.values[argument]:
+                generator, sign = self._signed("exponent", self.values[argument])
+                e = pow(generator, sign, p)
+        else:
+            for monomial, k in self._argument(argument).items():
+                denominator = self._denominator("exponent", monomial)
+                if denominator == 1 and _is_atom(monomial) and self.graph.op[monomial[0][0]] == "log":
+                    e = e * self._power(self.evaluate([self.graph.a[monomial[0][0]]])[0], int(k)) % p
+                    continue
+                generator, sign = self._monomial("exponent", monomial)
+                e = e * pow(generator, sign * int(k * denominator), p) % p
         if op == "exp":
             return e
         inverse, half = pow(e, -1, p), (p + 1) // 2
@@ -225,9 +293,7 @@ class FieldPoint:
         g, p = self.graph, self.prime
         x = self.values[g.a[node]]
         if op == "sqrt":
-            if x and pow(x, (p - 1) // 2, p) != 1:
-                raise Unlucky
-            return pow(x, (p + 1) // 4, p)
+            return self._root(x)
         if op == "sign":
             return self._sign(x)
         if op == "abs":

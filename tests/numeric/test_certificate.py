@@ -58,6 +58,22 @@ def certificate_of(name: str) -> Certificate:
     return certify(system_of(name))
 
 
+@pytest.mark.parametrize("force", ["-tanh(x')", "sin(x' - 2*y')*exp(-y')", "-cosh(theta' + x)", "x'*tanh(-x'/3)"])
+def test_functions_of_velocities(force: str) -> None:
+    """On the motion x' is v cos(theta), and tanh of the one must be tanh of the other."""
+    text = f"""nhc: 1
+system: rubbed
+coordinates: [x, y, theta]
+T: (x'^2 + y'^2 + theta'^2)/2
+forces: {{x: "{force}", y: "sin(x)*{force}"}}
+constraints: ["-sin(theta)*x' + cos(theta)*y' = 0"]
+quasi_velocities: {{v: "x'*cos(theta) + y'*sin(theta)", w: theta'}}
+"""
+    made = certify(resolve(decode(Source("rubbed.yaml", text))))
+    assert len(made.agreements) >= 4
+    assert all(found.accelerations and found.reactions for found in made.agreements)
+
+
 @pytest.mark.parametrize("name", GALLERY)
 def test_all_formulations_agree(name: str) -> None:
     found = certificate_of(name)
