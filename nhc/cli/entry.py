@@ -11,7 +11,7 @@ from importlib import import_module
 
 import click
 
-from nhc.cli.terminal import Exit, Failure, say, set_up_streams, silence_streams, wants_colour
+from nhc.cli.terminal import Exit, Failure, describe_os_error, say, set_up_streams, silence_streams, wants_colour
 from nhc.version import __version__
 
 # Each verb is the command `command` in the module of the same name; the line here is the first of its help text (tests
@@ -94,7 +94,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     gc.set_threshold(*_RARE_COLLECTION)
     try:
         code = nhc.main(list(sys.argv[1:] if arguments is None else arguments), prog_name="nhc", standalone_mode=False)
-        sys.stdout.flush()
+        if sys.stdout is not None:
+            sys.stdout.flush()
         return int(code or Exit.DONE)
     except SystemExit as leave:
         # click leaves by itself after a shell completion, and with 1 when a pipe breaks inside a verb
@@ -105,6 +106,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except BrokenPipeError:
         silence_streams()
         return Exit.BROKEN_PIPE
+    except OSError as error:
+        if error.filename is not None:
+            return _report(error)
+        silence_streams()  # stdout cannot take what is left in its buffer
+        say(f"error: cannot write: {describe_os_error(error)}\n  = help: make room, or write elsewhere with `-o`")
+        return Exit.USAGE
     except click.Abort:
         return Exit.INTERRUPTED
     except click.exceptions.NoArgsIsHelpError as error:

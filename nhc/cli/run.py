@@ -113,6 +113,7 @@ def command(
         raise Failure(str(error), error.help) from error
     if not scene:
         say(f"taking the scene `{job.scene.name}`")
+    _check_steps(step, *job.time)
     found = _integrate(job, settings)
     for note in found.notes:
         say(f"note: {note}")
@@ -128,6 +129,14 @@ def _check_accuracy(method: str, tolerance: float, step: float) -> None:
         raise click.UsageError("`--tol` is a relative accuracy, such as 1e-8")
     if step and method.startswith(("scipy", "cvode")):
         raise click.UsageError(f"`{method}` chooses its own steps; leave `--step` out")
+
+
+def _check_steps(step: float, start: float, end: float) -> None:
+    """Refuse fixed steps that are more than any run takes."""
+    from nhc.simulate.task import MOST_STEPS
+
+    if step and abs(end - start) / step > MOST_STEPS:
+        raise click.UsageError(f"`--step {step!r}` makes more than {MOST_STEPS:.0e} steps of this scene's time")
 
 
 def _integrate(job: Job, settings: Settings) -> Trajectory:

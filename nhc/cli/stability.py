@@ -19,6 +19,13 @@ SweepRange = tuple[str, float, float, int]
 _COUNT = 21
 
 
+def _check_number(context: click.Context, parameter: click.Parameter, value: float) -> float:
+    """A range lets a NaN pass."""
+    if math.isnan(value):
+        raise click.BadParameter("it must be a number")
+    return value
+
+
 def _read_sweep(context: click.Context, parameter: click.Parameter, value: str | None) -> SweepRange | None:
     """``speed=0:10`` or ``speed=0:10:41``."""
     if value is None:
@@ -47,6 +54,7 @@ def _read_sweep(context: click.Context, parameter: click.Parameter, value: str |
     "--long",
     "lengths",
     type=click.FloatRange(1, 1e6),
+    callback=_check_number,
     default=10,
     help="Length of the long run in scenes; default: 10.",
 )

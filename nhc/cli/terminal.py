@@ -46,6 +46,8 @@ class Failure(Exception):
 
 def put(text: str) -> None:
     """Write a result to stdout, with a final line break."""
+    if sys.stdout is None:
+        raise Failure("stdout is closed", ["give `-o FILE`, or leave stdout open"])
     sys.stdout.write(text if text.endswith("\n") else text + "\n")
 
 
@@ -55,8 +57,9 @@ def put_json(schema: str, data: dict[str, Any]) -> None:
 
 
 def say(text: str) -> None:
-    """Write a message to stderr."""
-    sys.stderr.write(text if text.endswith("\n") else text + "\n")
+    """Write a message to stderr, if there is one."""
+    if sys.stderr is not None:
+        sys.stderr.write(text if text.endswith("\n") else text + "\n")
 
 
 def wants_colour(stream: TextIO) -> bool:

@@ -33,8 +33,13 @@ def place_files(files: Mapping[str, str], output: str | None) -> dict[Path, str]
     target = Path(output or ".")
     if len(files) == 1 and not target.is_dir():
         ((name, text),) = files.items()
-        if target.suffix == Path(name).suffix:
+        suffix = Path(name).suffix
+        if target.suffix == suffix:
             return {target: text}
+        if target.exists():
+            raise Failure(
+                f"`{output}` is a file, but no `{suffix}` file", [f"name a folder after `-o`, or a `{suffix}` file"]
+            )
     if target.exists() and not target.is_dir():
         raise Failure(f"`{output}` is a file, but {len(files)} files are to be written", ["name a folder after `-o`"])
     return {target / name: text for name, text in files.items()}
@@ -72,9 +77,8 @@ def write_files(files: Mapping[Path, str]) -> None:
         with _written_beside(changed) as temporaries:
             _replace_all(temporaries)
     except OSError as error:
-        raise Failure(
-            f"cannot write `{error.filename}`: {describe_os_error(error)}", ["nothing was written"]
-        ) from error
+        where = error.filename or ", ".join(map(str, changed))  # a full disk names no file
+        raise Failure(f"cannot write `{where}`: {describe_os_error(error)}", ["nothing was written"]) from error
     for path in files:
         say(f"{'wrote' if path in changed else 'unchanged'} {path}")
 
@@ -120,7 +124,7 @@ def _replace_all(temporaries: Mapping[Path, Path]) -> None:
         for temporary, final in temporaries.items():
             before[final] = final.read_bytes() if final.exists() else None
             os.replace(temporary, final)
-    except OSError:
+    except (OSError, KeyboardInterrupt):
         for final, content in before.items():
             if content is None:
                 final.unlink(missing_ok=True)

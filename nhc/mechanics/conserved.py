@@ -14,7 +14,7 @@ from dataclasses import replace
 from fractions import Fraction
 from itertools import combinations
 
-from nhc.algebra.calculus import count, gradient, substitute, tangent
+from nhc.algebra.calculus import count, gradient, reachable, substitute, tangent
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.modular import PRIMES, Unlucky, are_zero, enough_points, rank
 from nhc.algebra.relations import find_relations, without
@@ -99,9 +99,18 @@ def find_conserved(
         power=() if constant[0] else tuple(power_terms(system)),
         jacobi=constant[1] if differs else None,
         integrals=tuple(found),
-        outputs=tuple(c.text for c, holds in zip(outputs, constant[2:], strict=True) if holds),
+        outputs=tuple(
+            c.text for c, holds in zip(outputs, constant[2:], strict=True) if holds and not _jumps(system, c.node)
+        ),
         tried=tried,
     )
+
+
+def _jumps(system: System, node: Node) -> bool:
+    """Whether a sign in the node changes with the motion: its rate is zero, and it is not constant."""
+    g = system.graph
+    moving = g.mask((*system.q, *system.v, system.t))
+    return any(g.op[n] == "sign" for n in reachable(g, [node], moving))
 
 
 def generalized_energy(system: System) -> Node:

@@ -13,7 +13,7 @@ from collections.abc import Sequence
 from nhc.algebra.calculus import gradient, tangent
 from nhc.algebra.draw import MOST_DRAWS, draw_points
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.linear import solve
+from nhc.algebra.linear import depends, solve
 from nhc.algebra.modular import PRIMES, FieldPoint, Unlucky, are_zero, enough_points
 from nhc.mechanics.frame import Frame, coordinate_frame
 from nhc.mechanics.regularity import choose_dependent
@@ -184,8 +184,7 @@ def cyclic_coordinates(system: System) -> list[int]:
     nodes = [system.T, system.U, *system.Q, *(x for f in system.constraints for x in (*f.coefficients, f.constant))]
     result = []
     for i, q in enumerate(system.q):
-        seen = [n for n in nodes if g.depends(n, g.deps[q])]
-        if all(are_zero(g, tangent(g, seen, {q: g.one}))):
+        if not any(depends(g, nodes, [q])):
             result.append(i)
     return result
 

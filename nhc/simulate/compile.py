@@ -7,6 +7,7 @@ not there.
 
 from __future__ import annotations
 
+import ctypes
 import hashlib
 import os
 import platform
@@ -81,9 +82,20 @@ def build(sources: Mapping[str, str], unit: str, flags: Sequence[str] = ()) -> P
     options = (*FLAGS, *_accepted(compiler, machine_flags()), *flags)
     entry = cache_folder() / _key(sources, unit, options, compiler)
     library = entry / f"{Path(unit).stem}.so"
+    if library.exists() and not _loads(library):
+        shutil.rmtree(entry, ignore_errors=True)
     if not library.exists():
         _compile(sources, unit, (compiler, *options), library)
     return library
+
+
+def _loads(library: Path) -> bool:
+    """Whether a cached library is whole: a crash of the machine may leave a part of it."""
+    try:
+        ctypes.CDLL(str(library))
+    except OSError:
+        return False
+    return True
 
 
 def loop_flags(states: int) -> tuple[str, ...]:
@@ -145,8 +157,11 @@ def _compile(sources: Mapping[str, str], unit: str, command: Sequence[str], libr
     except OSError as error:
         raise CompileError(f"cannot write into the cache `{entry.parent}`: {error.strerror}") from error
     try:
-        for name, text in sources.items():
-            (work / name).write_text(text, encoding="utf-8")
+        try:
+            for name, text in sources.items():
+                (work / name).write_text(text, encoding="utf-8")
+        except OSError as error:
+            raise CompileError(f"cannot write into the cache `{entry.parent}`: {error.strerror}") from error
         done = subprocess.run(
             [*command, unit, "-lm", "-o", library.name],
             cwd=work,

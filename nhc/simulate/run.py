@@ -148,16 +148,18 @@ def _find_step(follower: Follower, task: Task, tolerance: float) -> tuple[Task, 
     """Halve the step until the end no longer moves by more than the tolerance; the last step is the one taken."""
     duration = abs(task.times[-1] - task.times[0])
     step, former = duration / 64, list[float]()
+    found = "do not reach the tolerance: no more halvings were tried"
     for _ in range(MOST_HALVINGS):
         last = follower.run(replace(task, times=(task.times[0], task.times[-1]), step=step))[-1]
         if last.outcome.kind == STOPPED:
             break
         here = last.outcome.y if last.outcome.kind == DONE else []
         if here and len(former) == len(here) and _is_close(former, here, tolerance):
+            found = "reach the tolerance (found by halving)"
             break
         former = here
         step /= 2
-    return replace(task, step=step), (f"steps of {step:.6g} reach the tolerance (found by halving)",)
+    return replace(task, step=step), (f"steps of {step:.6g} {found}",)
 
 
 def _is_close(a: list[float], b: list[float], tolerance: float) -> bool:
@@ -213,10 +215,11 @@ def collect(
     try:
         rows = model.quantities(times, states, job.p)
     except ModelError as error:
+        bad = states[error.row]
         times, states = times[: error.row], states[: error.row]
         rows = model.quantities(times, states, job.p)
         where = task.times[error.row] if error.row < len(task.times) else outcome.t
-        outcome = replace(outcome, t=where)
+        outcome = replace(outcome, t=where, y=list(bad))
         ended, reason = (
             "failed",
             f"a needed quantity has no value: {job.meanings.get(error.status, 'it is not finite')}",

@@ -53,7 +53,7 @@ class CDialect:
 
     def print_call(self, function: str, arguments: tuple[str, ...]) -> str:
         if self.trig and function in ("sin", "cos"):
-            self.helpers.update(("trig", self.trig.partition("(")[0]))
+            self.helpers.update(("trig", function + self.trig.partition("(")[0]))
             return f"{self.prefix}_{function}{self.trig.format(arguments[0])}"
         if function not in HELPERS:
             return f"{FUNCTIONS.get(function, function)}({', '.join(arguments)})"
