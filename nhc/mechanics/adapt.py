@@ -4,7 +4,7 @@ rank.
 Constraint rows with a pivot that cannot vanish are set aside, each with its column.  What remains, k rows, is
 completed on k + 1 columns by the row of its signed maximal minors: its determinant with the rows is the sum of the
 squares of all the minors (Cauchy-Binet), which vanishes only where the rows lose rank.  For a knife edge this is the
-velocity along the edge.
+velocity along the edge.  Rows that share no column are completed each by themselves.
 """
 
 from __future__ import annotations
@@ -37,16 +37,33 @@ def adapted_forms(system: System) -> tuple[Form, ...] | None:
     """n - l free forms, or None where no small completion is found."""
     rows, columns = set_pivots_aside(system)
     free_columns = [j for j in range(system.n) if j not in columns]
-    if not rows:
-        return tuple(coordinate_form(system, j) for j in free_columns)
-    if len(rows) > _MOST_ROWS:
-        return None
-    best = _minor_form(system, rows, free_columns)
-    if best is None:
-        return None
-    form, used, replaced = best
-    kept = [j for j in free_columns if j not in used]
-    return (form, *(coordinate_form(system, j) for j in kept)) if not replaced else None
+    made: list[Form] = []
+    used: set[int] = set()
+    for group in _apart(system, rows, free_columns):
+        if len(group) > _MOST_ROWS:
+            return None
+        seen = [
+            j for j in free_columns if any(system.constraints[r].coefficients[j] != system.graph.zero for r in group)
+        ]
+        best = _minor_form(system, group, seen, unused_name(system, "v", [form.name for form in made]))
+        if best is None or best[2]:
+            return None
+        made.append(best[0])
+        used.update(best[1])
+    return (*made, *(coordinate_form(system, j) for j in free_columns if j not in used))
+
+
+def _apart(system: System, rows: Sequence[int], columns: Sequence[int]) -> list[list[int]]:
+    """The rows in groups that share no column, each in its order: skates that roll by themselves."""
+    g = system.graph
+    groups: list[tuple[set[int], list[int]]] = []
+    for row in rows:
+        seen = {j for j in columns if system.constraints[row].coefficients[j] != g.zero}
+        joined = [group for group in groups if group[0] & seen]
+        groups = [group for group in groups if not group[0] & seen]
+        merged = seen.union(*(group[0] for group in joined))
+        groups.append((merged, sorted([*(r for group in joined for r in group[1]), row])))
+    return sorted((members for _, members in groups), key=lambda members: members[0])
 
 
 def set_pivots_aside(system: System) -> tuple[list[int], set[int]]:
@@ -75,9 +92,9 @@ def set_pivots_aside(system: System) -> tuple[list[int], set[int]]:
 
 
 def _minor_form(
-    system: System, rows: Sequence[int], columns: Sequence[int]
+    system: System, rows: Sequence[int], columns: Sequence[int], name: str
 ) -> tuple[Form, tuple[int, ...], bool] | None:
-    """The row of signed minors on the best k + 1 columns; the rows must not reach outside them."""
+    """The row of signed minors on the best k + 1 columns, under that name; the rows must not reach outside them."""
     g, size = system.graph, len(rows)
     known = intervals(system)
     found: list[tuple[bool, int, tuple[int, ...], list[Node], Node]] = []
@@ -98,7 +115,6 @@ def _minor_form(
     sign = _leading_sign(system, minors)
     for j, minor in zip(subset, minors, strict=True):
         coefficients[j] = g.neg(minor) if sign < 0 else minor
-    name = unused_name(system, "v")
     outside = [j for j in columns if j not in subset]
     reaches = any(system.constraints[r].coefficients[j] != g.zero for r in rows for j in outside)
     return Form(name, tuple(coefficients), g.zero), subset, singular and reaches
@@ -112,10 +128,11 @@ def _leading_sign(system: System, minors: Sequence[Node]) -> int:
     return -1 if coefficient < 0 else 1
 
 
-def unused_name(system: System, wish: str) -> str:
-    """The wish, or the wish with a number, so that it is no name of the spec."""
+def unused_name(system: System, wish: str, others: Sequence[str] = ()) -> str:
+    """The wish, or the wish with a number, so that it is no name of the spec and none of the others."""
     spec = system.spec
     taken = {
+        *others,
         *(c.name for c in spec.coordinates),
         *(p.name for p in spec.parameters),
         *(d.name for d in spec.definitions),

@@ -49,7 +49,7 @@ def describe(system: System, formulation: Formulation, bag: Bag, *, explain: boo
     integrals: tuple[PositionIntegral, ...] = ()
     if lower:
         integrals = _constraints(system, facts, bag)
-        _dependent(system, facts, bag)
+        _dependent(system, formulation, facts, bag)
     _quasi(system, formulation, bag)
     cyclic = [system.q_names[i] for i in cyclic_coordinates(system)]
     facts.say("cyclic", cyclic, f"cyclic coordinates: {', '.join(cyclic) or 'none'}")
@@ -186,7 +186,7 @@ def _spell(integral: Integral) -> str:
     return f"{kind}{integral.text}{where}"
 
 
-def _dependent(system: System, facts: Facts, bag: Bag) -> None:
+def _dependent(system: System, formulation: Formulation, facts: Facts, bag: Bag) -> None:
     choice = dependent_of(system)
     names = ", ".join(f"{system.q_names[i]}'" for i in choice.dependent)
     who = "given" if system.dependent else "chosen"
@@ -200,12 +200,16 @@ def _dependent(system: System, facts: Facts, bag: Bag) -> None:
         [system.q_names[i] for i in choice.dependent],
         f"dependent velocities ({who}): {names}; {limit}, {regular}",
     )
-    if system.dependent and not choice.regular and choice.determinant is not None:
+    used = system.dependent or formulation.dependent is not None
+    if used and not choice.regular and choice.determinant is not None:
+        own = bool(system.dependent)
+        advice = "leave `dependent:` out" if own else "name others under `dependent:`, leave `formulation:` out"
         bag.warning(
             "W0408",
             f"the dependent velocities {names} are singular where `{_zero_text(system, choice.determinant)} = 0`",
-            system.spec.key_span("dependent"),
-            help=("leave `dependent:` out, or use quasi-velocities that stay regular",),
+            system.spec.key_span("dependent" if own else "formulation"),
+            notes=() if own else ("nhc chose them; no choice is known to be regular everywhere",),
+            help=(f"{advice}, or use quasi-velocities that stay regular",),
         )
     try:
         found = chaplygin.hypotheses(coordinate_frame(system, choice.dependent), choice.dependent)

@@ -270,14 +270,17 @@ def _choose(system: System) -> Choice:
     if lower == 0:
         return Choice((), system.graph.one, True)
     samples = sampled_rows(system, system.constraints)
+    begun = sampled_rows(system, system.constraints, _starts(system))
     if math.comb(n, lower) <= _MANY:
         candidates = [list(c) for c in combinations(range(n), lower)]
     else:
-        candidates = [_greedy(system, samples)]
+        chosen = [
+            _greedy(system, points) for points in (begun, [*begun, *samples[-3:]], samples[-3:] or samples) if points
+        ]
+        candidates = [list(columns) for columns in dict.fromkeys(map(tuple, chosen))]
+    own = _own_columns(system, samples)
     minors = [relative_minors(matrix, candidates) for matrix in samples]
-    begin = [
-        relative_minors(matrix, candidates) for matrix in sampled_rows(system, system.constraints, _starts(system))
-    ]
+    begin = [relative_minors(matrix, candidates) for matrix in begun]
     lost = [sum(row[k] < _WEAK for row in begin) for k in range(len(candidates))]
     scored = [(lost[k], *weakness([row[k] for row in minors]), columns) for k, columns in enumerate(candidates)]
     scored.sort()
@@ -289,12 +292,35 @@ def _choose(system: System) -> Choice:
         if best.regular or (first, weak) > scored[0][:2]:
             break
     assert best is not None
+    if own and not all(set(columns) & set(best.dependent) for columns in own):
+        return judge(system, tuple(sorted(columns[0] for columns in own)))
     return best
 
 
-def _greedy(system: System, samples: list[list[list[float]]]) -> list[int]:
+def _own_columns(system: System, samples: Sequence[Sequence[Sequence[float]]]) -> list[list[int]]:
+    """For each constraint the velocities that no other one contains and that it can always be solved for, the heaviest first.
+
+    Empty where a constraint has none: with one from each the block is diagonal, and there is nothing to solve.
+    """
+    g, known = system.graph, intervals(system)
+    rows, found = [form.coefficients for form in system.constraints], list[list[int]]()
+    for k, row in enumerate(rows):
+        columns = [
+            j
+            for j, entry in enumerate(row)
+            if entry != g.zero
+            and all(other[j] == g.zero for i, other in enumerate(rows) if i != k)
+            and cannot_vanish(g, normalise(g, entry, 60), known)
+        ]
+        if not columns:
+            return []
+        found.append(sorted(columns, key=lambda j: -min((abs(matrix[k][j]) for matrix in samples), default=0.0)))
+    return found
+
+
+def _greedy(system: System, samples: Sequence[Sequence[Sequence[float]]]) -> list[int]:
     """Column by column: the one whose smallest pivot over the samples is largest (for systems with many constraints)."""
-    work = [[list(row) for row in matrix] for matrix in samples[-3:] or samples]
+    work = [[list(row) for row in matrix] for matrix in samples]
     chosen: list[int] = []
     for row in range(system.l):
         best = max(

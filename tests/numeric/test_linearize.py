@@ -412,3 +412,27 @@ scenes: {turn: {initial: {s: 3.5, c': 4}, time: [0, 3]}}
     assert sorted(eigenvalues(found.linearisation), key=lambda x: x.imag) == pytest.approx(wanted, rel=1e-6)
     with pytest.raises(NotSteady, match="coframe is singular at the steady motion"):
         linearize(source, Request("turn"), Options(formulation="voronec"))
+
+
+@pytest.mark.parametrize("cone", [0.05, -0.05])
+def test_a_wheelset_on_its_cones(cone: float) -> None:
+    """Klingel 1883: it weaves with v sqrt(cone/(a r)), and leaves the track where the cones are reversed.
+
+    Its hidden constraint has an integral that is not regular on the straight track: to leave out the directions across it
+    would be to leave out the motion itself.
+    """
+    text = f"""nhc: 1
+system: wheelset
+coordinates: [x, y, psi, phi]
+parameters: {{m: 1000, Iz: 600, Iy: 100, r: 0.45, a: 0.75, cone: {cone}}}
+T: m/2*(x'^2 + y'^2) + Iz/2*psi'^2 + Iy/2*phi'^2
+constraints:
+  - left: cos(psi)*x' + sin(psi)*y' - a*psi' - (r + cone*y)*phi' = 0
+  - right: cos(psi)*x' + sin(psi)*y' + a*psi' - (r - cone*y)*phi' = 0
+  - lateral: -sin(psi)*x' + cos(psi)*y' = 0
+scenes: {{straight: {{time: [0, 1], initial: {{phi': 40}}}}}}
+"""
+    found = linearize(Source("wheelset.yaml", text), Request("straight"))
+    pair = 40 * 0.45 * cmath.sqrt(-cone / (0.75 * 0.45))
+    assert matches(eigenvalues(found.linearisation), [pair, -pair], 1e-9)
+    assert verdict(found.linearisation) == ("marginal" if cone > 0 else "unstable")

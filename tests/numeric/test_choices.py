@@ -1,0 +1,88 @@
+"""What nhc chooses by itself for systems that outside users brought: skates in a row, wheels at the corners, legs of a platform."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import pytest
+
+from nhc.diagnostics import Source
+from nhc.mechanics.certificate import certify
+from nhc.mechanics.regularity import choose_dependent, ordinary_points, relative_determinant, sampled_rows
+from nhc.pipeline import Options, emit, model, program
+from tests.support import compile_c
+
+
+def skates(count: int) -> Source:
+    """Skates that springs join, each with a knife edge of its own."""
+    names = [f"{c}{k}" for k in range(count) for c in ("x", "y", "t")]
+    kinetic = " + ".join(f"(x{k}'^2 + y{k}'^2 + t{k}'^2)/2" for k in range(count))
+    springs = " + ".join(f"((x{k} - x{k + 1} + 1)^2 + (y{k} - y{k + 1})^2)/2" for k in range(count - 1))
+    edges = "\n".join(f"  - \"-sin(t{k})*x{k}' + cos(t{k})*y{k}' = 0\"" for k in range(count))
+    text = f"nhc: 1\nsystem: skates\ncoordinates: [{', '.join(names)}]\nT: {kinetic}\nV: {springs}\nconstraints:\n{edges}\n"
+    return Source("skates.yaml", text)
+
+
+@pytest.mark.parametrize("count", [4, 12])
+def test_skates_have_each_a_velocity_along_its_edge(count: int) -> None:
+    """They share no coordinate: each is completed by itself, and never singular."""
+    made = model(skates(count))
+    assert made.formulation.name == "euler-lagrange"
+    (rhs,) = program(skates(count), Options(only=("rhs",))).functions
+    assert rhs.adds + rhs.multiplications <= 40 * count
+    if count == 4:
+        assert all(a.accelerations and a.reactions for a in certify(made.system, points=1).agreements)
+
+
+def test_wheels_that_stand_in_one_row_each_are_dependent() -> None:
+    """A mecanum platform: the wheels' turns follow from the platform's motion, with nothing to solve."""
+    rows = "\n".join(
+        f"  - \"r*f{k}' = {a}*(x'*cos(th) + y'*sin(th)) + {b}*(-x'*sin(th) + y'*cos(th)) + {c}*l*th'\""
+        for k, (a, b, c) in enumerate([(1, -1, -1), (1, 1, 1), (1, 1, -1), (1, -1, 1)], 1)
+    )
+    text = f"""nhc: 1
+system: mecanum
+coordinates: [x, y, th, f1, f2, f3, f4]
+parameters: {{m: 10, J: 1, I: 0.01, r: 0.08, l: 0.5}}
+T: m/2*(x'^2 + y'^2) + J/2*th'^2 + I/2*(f1'^2 + f2'^2 + f3'^2 + f4'^2)
+constraints:
+{rows}
+"""
+    made = model(Source("mecanum.yaml", text))
+    assert [made.system.q_names[i] for i in choose_dependent(made.system).dependent] == ["f1", "f2", "f3", "f4"]
+    assert choose_dependent(made.system).regular
+
+
+def test_many_subsets_are_judged_at_the_starts_first() -> None:
+    """A platform on six legs that stands level has thousands of subsets: the chosen velocities follow at its start."""
+    corners = [(math.cos(a), math.sin(a)) for a in (0.0, 0.6, 2.1, 2.7, 4.2, 4.8)]
+    feet = [(1.6 * math.cos(a), 1.6 * math.sin(a)) for a in (-0.2, 0.8, 1.9, 2.9, 4.0, 5.0)]
+    lines, start = [], []
+    for k, ((a, b), (c, d)) in enumerate(zip(corners, feet, strict=True)):
+        across = f"(x + R_x1*{a:.3f} + R_x2*{b:.3f} - {c:.3f})^2 + (y + R_y1*{a:.3f} + R_y2*{b:.3f} - {d:.3f})^2"
+        lines.append(f"  - leg{k}: {across} + (z + R_z1*{a:.3f} + R_z2*{b:.3f})^2 = l{k}^2")
+        start.append(f"l{k}: sqrt(({a:.3f} - {c:.3f})^2 + ({b:.3f} - {d:.3f})^2 + 1)")
+    legs = [f"l{k}" for k in range(6)]
+    text = f"""nhc: 1
+system: platform
+coordinates: [x, y, z, {", ".join(legs)}]
+rotation: {{R: {{velocities: [p, q, r]}}}}
+T: (x'^2 + y'^2 + z'^2 + p^2 + q^2 + 2*r^2 + {" + ".join(f"{leg}'^2/9" for leg in legs)})/2
+holonomic:
+{chr(10).join(lines)}
+scenes: {{level: {{time: [0, 1], initial: {{z: 1, {", ".join(start)}}}}}}}
+"""
+    system = model(Source("platform.yaml", text)).system
+    assert math.comb(system.n, system.l) > 250
+    dependent = choose_dependent(system).dependent
+    (at_start,) = sampled_rows(system, system.constraints, ordinary_points(system)[:1])
+    assert relative_determinant(at_start, dependent) > 0.2
+
+
+def test_loads_that_only_a_sweep_reads_are_not_repeated(tmp_path: Path) -> None:
+    """A Jacobian with one straight part and sweeps: -Wall -Werror finds nothing unused."""
+    text = skates(8).text.replace("constraints:", "quasi_velocities: {QUASI}\nconstraints:")
+    quasi = ", ".join(f"v{k}: x{k}'*cos(t{k}) + y{k}'*sin(t{k}), w{k}: t{k}'" for k in range(8))
+    files = emit(Source("skates.yaml", text.replace("{QUASI}", f"{{{quasi}}}")), "c")
+    compile_c(files, tmp_path, "skates", ("-O1", "-Wall", "-Wextra", "-Wpedantic", "-Werror"))
