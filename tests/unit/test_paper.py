@@ -17,6 +17,7 @@ import pytest
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Node
 from nhc.algebra.modular import are_zero
+from nhc.emit.latex.document import render as render_latex
 from nhc.emit.layout import Piece, fill
 from nhc.emit.terms import flatten_product, flatten_sum
 from nhc.emit.text import derivation_json, print_derivation, print_equations, print_form, print_program
@@ -300,3 +301,25 @@ def test_no_abbreviation_hides_a_circle_or_a_cancelled_factor() -> None:
     text = print_derivation(derive("chaplygin_ball")[0])
     assert not re.search(r"((?:\w+\*)?)cos\((\w+)\)\^2 \+ \1sin\(\2\)\^2", text)
     assert not re.search(r"(\w+\(\w+\))\*?[^ ]*/\1(?!\^)", text)
+
+
+def test_symbols_of_the_theory_give_way_to_names_of_the_spec() -> None:
+    text = """nhc: 1
+system: shared
+coordinates: [x, y, theta]
+parameters: {E: 2, U: 1, Q_x: 3, lambda_slip: 1, omega_slip: 1, m: 1}
+T: m/2*(x'^2 + y'^2) + omega_slip*theta'^2/2
+V: E*x + U*y
+forces: {x: -Q_x*x' + lambda_slip}
+constraints: [slip: -sin(theta)*x' + cos(theta)*y' = 0]
+"""
+    system = resolve(decode(Source("shared.yaml", text)))
+    formulation = formulate(system)
+    made = derivation(system, formulation, equations_of(system, formulation))
+    plain, latex = print_derivation(made), render_latex(made)
+    assert "  <U> = -E*x - U*y" in plain and "  <Q>_x = lambda_slip - Q_x*x'" in plain
+    assert "<lambda>_slip = " in plain and "<omega>_slip" in plain
+    assert (
+        r"\mathcal{E} &= " in latex and r"\Lambda_{\mathit{slip}} &= " in latex and r"\varpi_{\mathit{slip}}" in latex
+    )
+    assert "<E>" not in print_derivation(derive("chaplygin_sleigh")[0])

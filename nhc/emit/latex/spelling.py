@@ -6,6 +6,7 @@ import re
 import unicodedata
 
 from nhc.emit.prose import PUNCTUATION, clean
+from nhc.program.sheets.model import OTHER
 
 _GREEK_NAMES = (
     "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma tau upsilon phi chi psi omega"
@@ -16,6 +17,8 @@ _LATIN_CAPITALS = {"Alpha": "A", "Beta": "B", "Epsilon": "E", "Zeta": "Z", "Eta"
 _LATIN_CAPITALS |= {"Mu": "M", "Nu": "N", "Omicron": "O", "Rho": "P", "Tau": "T", "Chi": "X", "omicron": "o"}
 _SPELLED = {"epsilon": r"\varepsilon", "phi": r"\varphi"}
 _SPECIAL = {"Omega_form": r"\boldsymbol{\Omega}", "Theta_form": r"\boldsymbol{\theta}"}
+_SPECIAL |= {f"{base}{OTHER}": rf"\mathcal{{{base}}}" for base in "TUEHQ"}
+_SPECIAL |= {f"p{OTHER}": r"\mathcal{P}", f"lambda{OTHER}": r"\Lambda", f"omega{OTHER}": r"\varpi"}
 _LONG_WORD = 25
 _SYMBOLS = {
     "\\": r"\textbackslash{}", "{": r"\{", "}": r"\}", "$": r"\$", "&": r"\&", "#": r"\#", "%": r"\%", "_": r"\_",

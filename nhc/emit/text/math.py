@@ -8,12 +8,13 @@ from fractions import Fraction
 from nhc.emit.layout import Piece, hold, nest
 from nhc.emit.terms import flatten_product, flatten_sum, is_sum, is_unit, list_terms
 from nhc.program.ir import Binary, Call, Expr, Negate, Number, Pi, Power, Ref
-from nhc.program.sheets.model import Mark, Side, Symbol
+from nhc.program.sheets.model import OTHER, Mark, Side, Symbol
 from nhc.records import record
 
 _SUM, _PRODUCT, _POWER, _ATOM = range(4)
 _NARROW = 24  # columns of an argument that stays on one line
 _SPECIAL = {"Omega_form": "Omega", "Theta_form": "Theta", "epsilon": "eps"}
+_SPECIAL |= {f"{base}{OTHER}": f"<{base}>" for base in ("T", "U", "E", "H", "Q", "p", "lambda", "omega")}
 
 
 def print_mark(mark: Mark) -> str:

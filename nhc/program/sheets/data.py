@@ -19,16 +19,16 @@ def data_sheet(desk: Desk, scene: Scene | None) -> DraftSheet:
     sheet.add(_table(("coordinate", "meaning", "unit"), rows))
     _parameters(desk, sheet, scene)
     sheet.say("The kinetic energy is")
-    sheet.add(Draft(desk.name(Mark("T")), desk.plain(system.T), place=system.places["T"]))
+    sheet.add(Draft(desk.name(desk.own("T")), desk.plain(system.T), place=system.places["T"]))
     if desk.graph.zero != system.U:
         sheet.say("and the force function, whose derivatives are the forces of the potential,")
-        sheet.add(Draft(desk.name(Mark("U")), desk.plain(system.U), place=system.places.get("U", "")))
+        sheet.add(Draft(desk.name(desk.own("U")), desk.plain(system.U), place=system.places.get("U", "")))
     acting = [i for i in range(system.n) if system.Q[i] != desk.graph.zero]
     if acting:
         sheet.say("The forces without potential are")
         for i in acting:
             name = system.q_names[i]
-            sheet.add(Draft(desk.name(Mark("Q", (name,))), desk.plain(system.Q[i]), place=system.places.get(name, "")))
+            sheet.add(Draft(desk.name(desk.own("Q", name)), desk.plain(system.Q[i]), place=system.places.get(name, "")))
     _constraints(desk, sheet)
     return sheet
 

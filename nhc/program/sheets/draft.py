@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from nhc.algebra.calculus import count
 from nhc.algebra.graph import NEG, Node
@@ -13,7 +14,7 @@ from nhc.exterior import Form
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choose import Formulation
 from nhc.mechanics.system import System
-from nhc.program.sheets.model import Formula, Mark, Prose, Table
+from nhc.program.sheets.model import OTHER, Formula, Mark, Prose, Table
 from nhc.records import record
 
 CANONICAL = 60  # terms of a canonical polynomial that may be shorter than what it came from
@@ -22,6 +23,11 @@ _WRITTEN = 3000  # the same for the expression written out
 
 Part = tuple[Node, tuple[Mark, ...]]
 _KINDS = {"velocity": 1, "rate": 1, "acceleration": 2}
+
+
+def _split_name(name: str) -> tuple[str, ...]:
+    """A name as it is set: a symbol and its indices; ``z1`` and ``z_1`` are one."""
+    return tuple(re.findall(r"[^\W\d_]+|\d+", name))
 
 
 @record
@@ -64,6 +70,9 @@ class Desk:
         self._short: dict[Node, Node] = {}
         self._sizes: dict[Node, int] = {}
         self._simplify = self._simplifier(simplify)
+        spec = system.spec
+        groups = (spec.coordinates, spec.parameters, spec.definitions, spec.quasi_velocities, spec.outputs)
+        self._taken = {_split_name(entry.name) for group in groups for entry in group}
 
     # --- nodes ------------------------------------------------------------------------------------------------
 
@@ -113,11 +122,16 @@ class Desk:
         assert known is not None
         for k, form in enumerate(self.system.constraints):
             if known.kind == "multiplier" and known.name == f"lambda_{form.name}":
-                return Mark("lambda", (form.name,))
+                return self.own("lambda", form.name)
             frame = self.formulation.frame
             if frame is not None and frame.omega[k] == symbol:
-                return Mark("omega", (form.name,), dots=further)
+                return replace(self.own("omega", form.name), dots=further)
         return Mark(known.name, dots=_KINDS.get(known.kind, 0) + further)
+
+    def own(self, base: str, *lower: str) -> Mark:
+        """A symbol of the theory; in another shape where a name of the spec would look the same (E, U, Q_x, lambda_slip)."""
+        shown = tuple(part for name in (base, *lower) for part in _split_name(name))
+        return Mark(f"{base}{OTHER}" if shown in self._taken else base, lower)
 
     def coordinate(self, i: int, dots: int = 0) -> Mark:
         return Mark(self.system.q_names[i], dots=dots)

@@ -86,7 +86,7 @@ def energy_sheet(desk: Desk) -> DraftSheet | None:
     sheet.add(Draft(desk.name(Mark("T", star=True)), desk.value(reduced.T_star), equation=number))
     sheet.say("The momenta of the dependent velocities are those of the full T, on the constraints:")
     for alpha, p in zip(reduced.alpha, reduced.p_alpha, strict=True):
-        sheet.add(Draft(desk.name(Mark("p", (system.q_names[alpha],))), desk.value(p)))
+        sheet.add(Draft(desk.name(desk.own("p", system.q_names[alpha])), desk.value(p)))
     return sheet
 
 

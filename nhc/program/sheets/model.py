@@ -13,6 +13,9 @@ from nhc.mechanics.system import System
 from nhc.program.ir import Expr
 from nhc.records import record
 
+OTHER = "!"
+"""Ends the base of a symbol of the theory that takes another shape, for a name of the spec has its own."""
+
 
 @record
 class Mark:

@@ -176,17 +176,17 @@ def energy_theorem_sheet(desk: Desk) -> DraftSheet:
     reactions = [form.constant for form in system.constraints]
     reactions_matter = any(desk.nonzero(reactions))
     changes, differs = desk.nonzero([change, g.sub(energy, whole)])
-    sheet.add(Draft(desk.name(Mark("E")), desk.value(energy), equation="II.1.4"))
+    sheet.add(Draft(desk.name(desk.own("E")), desk.value(energy), equation="II.1.4"))
     if not changes and not reactions_matter and not differs:
         sheet.say(
             "T is homogeneous quadratic in the velocities and nothing depends on the time: the energy E is constant."
         )
         return sheet
     sheet.add(ENERGY_THEOREM)
-    mark = Mark("E")
+    mark = desk.own("E")
     if differs:
         sheet.say("Here T is not homogeneous quadratic in the velocities; what the theorem speaks of is")
-        mark = Mark("H")
+        mark = desk.own("H")
         sheet.add(Draft(desk.name(mark), desk.value(whole)))
     right: tuple[Part, ...] = desk.value(change)
     marks = [desk.mark(symbol) for symbol in multiplier_symbols(system)]
