@@ -44,8 +44,8 @@ class PeerModel(InterpretedModel):
             if news.stop:
                 raise _Stopped
             values = self.rhs(t, y, task.p)
-            news.t = t
-            reached[:] = [t, [float(x) for x in y]]
+            news.t = float(t)
+            reached[:] = [news.t, [float(x) for x in y]]
             return values
 
         size = max((abs(x) for x in task.y), default=0.0) or 1.0

@@ -142,7 +142,7 @@ class LatexMath:
         if product.number.denominator != 1:
             under = [_piece(str(product.number.denominator)), *_thin(under)]
         if product.number.numerator != 1 or not over:
-            over = [_piece(str(product.number.numerator)), *_thin(over)]
+            over = [_piece(str(product.number.numerator)), *(_thin(over) if over else [])]
         return [*sign, *self._quotient(product, over, under)]
 
     def _quotient(self, product: Product, over: list[Piece], under: list[Piece]) -> list[Piece]:
