@@ -39,8 +39,6 @@ _PERIODIC = ("sin", "cos")
 _EXPONENTIAL = ("exp", "sinh", "cosh", "tanh")
 _MOVING = ("velocity", "quasi", "rate", "acceleration", "multiplier")
 _FAMILIES = {**dict.fromkeys(_PERIODIC, "angle"), **dict.fromkeys(_EXPONENTIAL, "exponent")}
-
-
 INVERSE = ("asin", "acos", "atan", "atan2")
 
 
@@ -178,8 +176,7 @@ class FieldPoint:
             angle = g.a[node]
             known = self._circles.get(angle)
             if known is None:
-                known = self._circle_of(angle)
-                self._circles[angle] = known
+                known = self._circles[angle] = self._circle_of(angle)
             return known[op == "sin"]
         if op in _EXPONENTIAL:
             return self._exponential(op, g.a[node])
@@ -187,11 +184,11 @@ class FieldPoint:
 
     def _circle_of(self, angle: Node) -> tuple[int, int]:
         """(cosine, sine)."""
+        if not self._moves(angle):
+            return self._circle(self._argument(angle))
         point = self._known_point(angle)
         if point is not None:
             return point
-        if not self._moves(angle):
-            return self._circle(self._argument(angle))
         if not self.values[angle]:
             return 1, 0
         generator, sign = self._signed("angle", self.values[angle])

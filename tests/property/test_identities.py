@@ -44,6 +44,7 @@ IDENTITIES = [
     ("sin(asin(x)) + cos(acos(x))", "2*x"),
     ("sin(acos(x))", "sqrt(1 - x^2)"),
     ("cos(z + atan2(y, x))*sqrt(x^2 + y^2)", "x*cos(z) - y*sin(z)"),
+    ("2*cos(atan(x)/2)^2", "1 + cos(atan(x))"),
     ("exp(2*log(x) + y)", "x^2*exp(y)"),
     ("abs(-x*y)", "abs(x*y)"),
     ("abs(x)^2", "x^2"),

@@ -20,7 +20,7 @@ _REPEATED = 8  # operations from which a repeated expression gets a name
 _LONG = 40  # operations beyond which any expression does
 _NAMED = 2  # operations from which a name of the user's is kept
 _PART = 4  # operations from which a part is not looked into
-_ROUNDS, _LITTLE = 4, 200  # at most so many, and none after one that gained less than this part
+_ROUNDS, _LITTLE = 4, 30  # at most so many, and none after one that gained less than this part
 _SHARES = (Fraction(1), Fraction(1, 2))  # of a part's operations, below which its canonical form is taken
 _GIVEN = ("data",)  # the sheet of what the spec says
 
