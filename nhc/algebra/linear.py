@@ -13,7 +13,7 @@ from functools import partial
 from nhc.algebra.blocks import Singular, Weakness, block_order, determinant_of, form_size, row_scale, solve_block
 from nhc.algebra.calculus import gradient, reachable, rebuild, substitute, tangent
 from nhc.algebra.graph import ADD, MUL, NEG, POW, SYM, Graph, Node
-from nhc.algebra.modular import are_zero
+from nhc.algebra.modular import are_zero, is_zero
 from nhc.algebra.peel import coefficients, peel
 from nhc.algebra.probe import probe_of
 from nhc.algebra.shorten import shorten
@@ -78,20 +78,18 @@ def degrees(graph: Graph, symbols: Sequence[Node]) -> list[int]:
 def depends(graph: Graph, nodes: Sequence[Node], symbols: Sequence[Node]) -> list[bool]:
     """For each node whether its value depends on one of the symbols (exactly, not only by sight).
 
-    A derivative that vanishes says so, but for steps: a sign may change where its derivative is zero on both sides.  There
-    the values with these and with other symbols are compared.
+    A derivative that vanishes says no, but for steps: a sign may change where its derivative is zero on both sides.  There the
+    values with these and with other symbols are compared.
     """
     mask = graph.mask(tuple(symbols))
     found = [False] * len(nodes)
     for k, node in enumerate(nodes):
         if not graph.deps[node] & mask:
             continue
-        if _has_steps(graph, node, mask):
+        found[k] = not all(are_zero(graph, gradient(graph, node, symbols)))
+        if not found[k] and _has_steps(graph, node, mask):
             others = {s: graph.symbol(f"other {s}") for s in symbols}
-            changes = [graph.sub(node, substitute(graph, [node], others)[0])]
-        else:
-            changes = gradient(graph, node, symbols)
-        found[k] = not all(are_zero(graph, changes))
+            found[k] = not is_zero(graph, graph.sub(node, substitute(graph, [node], others)[0]))
     return found
 
 

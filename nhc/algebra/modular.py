@@ -44,14 +44,25 @@ def sample(
         known = graph.memory.setdefault("points", known)
     attempt = unlucky = 0
     screen: tuple[FieldPoint, list[Node]] | None = None
+    used: set[tuple[int, int]] = set()
+    opened = False  # whether the roots had values at some point, be it a pole of something else
+    hopeless: list[frozenset[Node]] = graph.memory.setdefault("roots without points", [])
     while len(results) < count:
         attempt += 1
         if unlucky == _DRAWS and screen is None:
             screen = kind(graph, seed), list_radicals(graph, roots)
             screen[0].prepare(roots)
+            if any(together <= set(screen[1]) for together in hopeless):
+                raise Unlucky
         if unlucky > (_SCREENED if screen and screen[1] else _DRAWS):
+            if screen and screen[1] and not opened:
+                hopeless.append(frozenset(screen[1]))
             raise Unlucky
-        key = seed * 1_000_003 + attempt, PRIMES[len(results) % len(PRIMES)]
+        prime = PRIMES[len(results) % len(PRIMES)]
+        key = seed * 1_000_003 + attempt, prime
+        if screen is not None:  # points that were found before are worth more than new ones
+            key = next((old for old in known if old[1] == prime and old not in used), key)
+            used.add(key)
         point = known.get(key)
         try:
             if point is None:
@@ -60,6 +71,7 @@ def sample(
                     point.prepare_like(screen[0])
                     for node in screen[1]:
                         point.evaluate([node])
+                    opened = True
             results.append(point.evaluate(roots))
         except Unlucky:
             known.pop(key, None)
