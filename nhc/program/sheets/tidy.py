@@ -22,6 +22,7 @@ _NAMED = 2  # operations from which a name of the user's is kept
 _PART = 4  # operations from which a part is not looked into
 _ROUNDS, _LITTLE = 4, 30  # at most so many, and none after one that gained less than this part
 _SHARES = (Fraction(1), Fraction(1, 2))  # of a part's operations, below which its canonical form is taken
+_LARGE = 15_000  # printed operations
 _GIVEN = ("data",)  # the sheet of what the spec says
 
 
@@ -30,7 +31,7 @@ def tidy(desk: Desk, drafts: Sequence[DraftSheet]) -> tuple[DraftSheet, ...]:
     owners, best = find_owners(desk.graph), _drop_zeros(desk, drafts)
     printed = start = _count_printed(desk.graph, best, owners)
     shortener = _Shortener(desk)
-    for share in _SHARES:
+    for share in _SHARES if printed <= _LARGE else _SHARES[1:]:  # sharing that is lost costs large ones most, and time
         for _ in range(_ROUNDS):  # what became shorter makes other parts
             changed = _shorten_parts(shortener, best, owners, share)
             now = _count_printed(desk.graph, changed, owners)
