@@ -47,14 +47,13 @@ def list_expressions(statement: Statement) -> tuple[Expr, ...]:
     return ()
 
 
-def iterate_refs(expression: Expr) -> Iterator[str]:
-    """The names that an expression uses, with repetitions; a sum may be thousands of terms deep, hence the stack."""
+def walk(expression: Expr) -> Iterator[Expr]:
+    """The expression and all that it is made of; a sum may be thousands of terms deep, hence the stack."""
     stack: list[Expr] = [expression]
     while stack:
         node = stack.pop()
-        if isinstance(node, Ref):
-            yield node.name
-        elif isinstance(node, Binary):
+        yield node
+        if isinstance(node, Binary):
             stack += (node.left, node.right)
         elif isinstance(node, Negate):
             stack.append(node.operand)
@@ -62,6 +61,11 @@ def iterate_refs(expression: Expr) -> Iterator[str]:
             stack.append(node.base)
         elif isinstance(node, Call):
             stack += node.arguments
+
+
+def iterate_refs(expression: Expr) -> Iterator[str]:
+    """The names that an expression uses, with repetitions."""
+    return (node.name for node in walk(expression) if isinstance(node, Ref))
 
 
 def collect_refs(statement: Statement) -> frozenset[str]:

@@ -7,11 +7,11 @@ it: a test at each angle costs a long body 3 to 5 percent of its instructions, a
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 
 from nhc.emit.c.body import BodyPrinter, wrap_code
-from nhc.emit.statements import list_expressions
-from nhc.program.ir import Argument, Binary, Call, Expr, Function, Negate, Power, Statement
+from nhc.emit.statements import list_expressions, walk
+from nhc.program.ir import Argument, Binary, Call, Expr, Function, Statement
 
 LARGE, TURNED = "large", "turned"
 """The body's parameter that says which sine and cosine it takes, and the sum that it tests."""
@@ -24,24 +24,9 @@ def list_angles(body: Sequence[Statement]) -> tuple[Expr, ...]:
     """What a short body takes sines and cosines of, each once."""
     if len(body) > LONGEST:
         return ()
-    expressions = (expression for statement in body for expression in list_expressions(statement))
-    return tuple(dict.fromkeys(angle for expression in expressions for angle in _iterate_angles(expression)))
-
-
-def _iterate_angles(expression: Expr) -> Iterator[Expr]:
-    stack = [expression]
-    while stack:
-        node = stack.pop()
-        if isinstance(node, Binary):
-            stack += (node.left, node.right)
-        elif isinstance(node, Negate):
-            stack.append(node.operand)
-        elif isinstance(node, Power):
-            stack.append(node.base)
-        elif isinstance(node, Call):
-            stack += node.arguments
-            if node.function in ("sin", "cos"):
-                yield node.arguments[0]
+    parts = (part for statement in body for expression in list_expressions(statement) for part in walk(expression))
+    turned = (part for part in parts if isinstance(part, Call) and part.function in ("sin", "cos"))
+    return tuple(dict.fromkeys(part.arguments[0] for part in turned))
 
 
 def square_all(angles: Sequence[Expr]) -> Expr:
