@@ -51,7 +51,7 @@ def reachable(
 
 
 def substitute(graph: Graph, roots: Sequence[Node], mapping: Mapping[Node, Node]) -> list[Node]:
-    """The roots with symbols (or whole nodes) replaced; what does not contain them is kept as it is."""
+    """The roots with symbols (or whole nodes, below which nothing is looked at) replaced; what does not contain them is kept."""
     mask, deps = 0, graph.deps
     for key in mapping:
         mask |= deps[key]
@@ -59,7 +59,8 @@ def substitute(graph: Graph, roots: Sequence[Node], mapping: Mapping[Node, Node]
         return [mapping.get(root, root) for root in roots]
     new: dict[Node, Node] = dict(mapping)
     op, a, b, labels = graph.op, graph.a, graph.b, graph.labels
-    for node in reachable(graph, roots, mask):
+    whole = mapping if any(graph.kids[key] for key in mapping) else None
+    for node in reachable(graph, roots, mask, whole):
         if node in new:
             continue
         kind, x = op[node], a[node]

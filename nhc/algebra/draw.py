@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
+from nhc.algebra.calculus import reachable
+from nhc.algebra.field import FieldPoint, Unlucky
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.modular import FieldPoint, Unlucky, list_radicals
 
 MOST_DRAWS = 20_000
+ROOTS = ("sqrt", "powf")
 
 
 def draw_points(
@@ -17,17 +19,24 @@ def draw_points(
     seeds: Iterable[int],
     fixed: Mapping[Node, int] | None = None,
     later: int = 0,
+    kind: type[FieldPoint] = FieldPoint,
 ) -> Iterator[tuple[int, FieldPoint]]:
     """(seed, point) for the seeds at which the square roots under the nodes exist; poles may still be met.
 
     ``fixed`` gives symbols a value; roots of what contains a symbol of the mask ``later`` are not looked at.  Each point is
-    prepared for the nodes, so that they may be evaluated in several calls.
+    prepared for the nodes, so that they may be evaluated in several calls.  Roots for which thousands of seeds had no point are
+    not drawn for again.
     """
-    radicals = [n for n in list_radicals(graph, roots) if not graph.deps[n] & later]
-    known, announced = dict(fixed or {}), FieldPoint(graph, 0, prime)
+    radicals = [n for n in reachable(graph, roots) if graph.op[n] in ROOTS and not graph.deps[n] & later]
+    hopeless: list[frozenset[Node]] = graph.memory.setdefault("roots without points", [])
+    if not fixed and any(together <= set(radicals) for together in hopeless):
+        return
+    known, announced = dict(fixed or {}), kind(graph, 0, prime)
     announced.prepare(roots)
+    tried, found = 0, False
     for seed in seeds:
-        point = FieldPoint(graph, seed, prime)
+        tried += 1
+        point = kind(graph, seed, prime)
         point.prepare_like(announced)
         point.evaluate([], known)
         try:
@@ -35,4 +44,7 @@ def draw_points(
                 point.evaluate([node])
         except Unlucky:
             continue
+        found = True
         yield seed, point
+    if radicals and not fixed and not found and tried >= MOST_DRAWS:
+        hopeless.append(frozenset(radicals))

@@ -112,8 +112,10 @@ def linear_form(graph: Graph, node: Node, symbols: Sequence[Node]) -> tuple[tupl
         if moving:
             raise NotLinear(symbol)
     rest = graph.sub(node, graph.sum([graph.mul(c, s) for c, s in zip(coefficients, symbols, strict=True)]))
-    if _has_steps(graph, node, graph.mask(tuple(symbols))) and depends(graph, [rest], symbols)[0]:
-        raise NotLinear(next(s for s in symbols if depends(graph, [rest], [s])[0]))
+    if _has_steps(graph, node, graph.mask(tuple(symbols))):
+        stepped = next((s for s in symbols if depends(graph, [rest], [s])[0]), None)
+        if stepped is not None:
+            raise NotLinear(stepped)
     try:
         cleaned = substitute(graph, [*coefficients, node], dict.fromkeys(symbols, graph.zero))
     except ZeroDivisionError:  # the same at any other place

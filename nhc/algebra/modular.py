@@ -8,10 +8,12 @@ d/p and more points are drawn.
 from __future__ import annotations
 
 import random
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
+from itertools import chain, islice
 from weakref import WeakKeyDictionary
 
 from nhc.algebra.calculus import reachable
+from nhc.algebra.draw import MOST_DRAWS, ROOTS, draw_points
 from nhc.algebra.evaluate import Mpmath, evaluate
 from nhc.algebra.field import PRIMES, FieldPoint, QuickPoint, Unlucky
 from nhc.algebra.graph import Graph, Node
@@ -20,11 +22,10 @@ from nhc.algebra.probe import probe_of
 __all__ = ["PRIMES", "FieldPoint", "Unlucky", "are_equal", "are_zero", "is_zero", "rank", "sample"]
 
 _SIGNED = ("sign", "abs", "min", "max")
-_ROOTS = ("sqrt", "powf")
 _SQUARES: WeakKeyDictionary[Graph, dict[Node, bool]] = WeakKeyDictionary()
 _RANK_POINTS = 8
 _DRAWS = 60  # a root has a value at every second point; beyond so many draws in a row roots are looked at one by one
-_SCREENED = 20_000  # draws where they are: a dozen of roots in one expression find points
+_SEEDS = 1_000_003  # of a question's points, so that no two questions draw the same ones
 _REAL_DRAWS = 200  # of real points, where there is no point of the field
 _SCALES = (1, 2, 40, 1000)  # of their numbers
 _SIGNED_POINTS = 48  # a sign is right by chance at every second point
@@ -43,35 +44,13 @@ def sample(
     if kind is QuickPoint:  # these stay, and know what was evaluated before
         known = graph.memory.setdefault("points", known)
     attempt = unlucky = 0
-    screen: tuple[FieldPoint, list[Node]] | None = None
-    used: set[tuple[int, int]] = set()
-    opened = False  # whether the roots had values at some point, be it a pole of something else
-    hopeless: list[frozenset[Node]] = graph.memory.setdefault("roots without points", [])
     while len(results) < count:
         attempt += 1
-        if unlucky == _DRAWS and screen is None:
-            screen = kind(graph, seed), list_radicals(graph, roots)
-            screen[0].prepare(roots)
-            if any(together <= set(screen[1]) for together in hopeless):
-                raise Unlucky
-        if unlucky > (_SCREENED if screen and screen[1] else _DRAWS):
-            if screen and screen[1] and not opened:
-                hopeless.append(frozenset(screen[1]))
-            raise Unlucky
-        prime = PRIMES[len(results) % len(PRIMES)]
-        key = seed * 1_000_003 + attempt, prime
-        if screen is not None:  # points that were found before are worth more than new ones
-            key = next((old for old in known if old[1] == prime and old not in used), key)
-            used.add(key)
-        point = known.get(key)
+        if unlucky > _DRAWS:
+            return results + _sample_open(graph, roots, range(len(results), count), seed, kind, known)
+        key = seed * _SEEDS + attempt, PRIMES[len(results) % len(PRIMES)]
+        point = known.get(key) or kind(graph, *key)
         try:
-            if point is None:
-                point = kind(graph, *key)
-                if screen is not None:
-                    point.prepare_like(screen[0])
-                    for node in screen[1]:
-                        point.evaluate([node])
-                    opened = True
             results.append(point.evaluate(roots))
         except Unlucky:
             known.pop(key, None)
@@ -81,9 +60,39 @@ def sample(
     return results
 
 
-def list_radicals(graph: Graph, roots: Sequence[Node]) -> list[Node]:
-    """The roots under the nodes, operands first."""
-    return [node for node in reachable(graph, roots) if graph.op[node] in _ROOTS]
+def _sample_open(
+    graph: Graph,
+    roots: Sequence[Node],
+    places: Iterable[int],
+    seed: int,
+    kind: type[FieldPoint],
+    known: dict[tuple[int, int], FieldPoint],
+) -> list[list[int]]:
+    """Residues at points where the square roots exist: those of this seed that are known, then such as are looked for.
+
+    Raises:
+        Unlucky: none was found.
+    """
+    results, used = [], set[tuple[int, int]]()
+    seeds = iter(range(seed * _SEEDS + _DRAWS + 2, (seed + 1) * _SEEDS))
+    for place in places:
+        prime = PRIMES[place % len(PRIMES)]
+        old = [key for key in known if key[1] == prime and key[0] // _SEEDS == seed]
+        drawn = draw_points(graph, roots, prime, islice(seeds, MOST_DRAWS), kind=kind)
+        found = chain(((key, known[key]) for key in old), (((at, prime), point) for at, point in drawn))
+        for key, point in islice(found, len(old) + _DRAWS):  # more are poles of something else
+            if key in used:
+                continue
+            used.add(key)
+            try:
+                results.append(point.evaluate(roots))
+            except Unlucky:
+                continue
+            known[key] = point
+            break
+        else:
+            raise Unlucky
+    return results
 
 
 def are_zero(graph: Graph, nodes: Sequence[Node], count: int = 2, seed: int = 1) -> list[bool]:
@@ -143,7 +152,7 @@ def enough_points(graph: Graph, nodes: Sequence[Node], count: int) -> int:
     """
     for node in reachable(graph, nodes):
         op = graph.op[node]
-        if op in _SIGNED or (op in _ROOTS and graph.deps[node] and _is_square(graph, graph.a[node])):
+        if op in _SIGNED or (op in ROOTS and graph.deps[node] and _is_square(graph, graph.a[node])):
             return max(count, _SIGNED_POINTS)
     return count
 

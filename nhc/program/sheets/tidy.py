@@ -6,7 +6,7 @@ odd in print, such as ``(R c^2 + R s^2)/b``: between the nodes that get a name e
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Sequence
 from dataclasses import replace
 from fractions import Fraction
 
@@ -227,23 +227,12 @@ class _Shortener:
         """The canonical form, and the share of the operations that it has; 1 where it is not taken."""
         g, size = self.graph, self.desk.size
         places = {part: g.symbol(f"part {k}") for k, part in enumerate(sorted(parts))}
-        tree = self._copy(node, places)
+        tree = rebuild(g, node, substitute(g, g.children(node), places))  # the node may itself be a kept part
         candidate = normalise(g, tree, CANONICAL)
         if size(candidate) >= size(tree) or count(g, [candidate]) > count(g, [tree]):
             return node, Fraction(1)
         made = substitute(g, [candidate], {symbol: part for part, symbol in places.items()})[0]
         return made, Fraction(size(candidate), size(tree))
-
-    def _copy(self, node: Node, places: Mapping[Node, Node]) -> Node:
-        """The node, which may itself be a kept part, with symbols in the places of the parts below it."""
-        g, copies = self.graph, dict(places)
-
-        def copy(part: Node) -> Node:
-            if part not in copies:
-                copies[part] = rebuild(g, part, [copy(child) for child in g.children(part)])
-            return copies[part]
-
-        return rebuild(g, node, [copy(child) for child in g.children(node)])
 
 
 def _change_sides(
