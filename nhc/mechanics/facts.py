@@ -48,7 +48,7 @@ def describe(system: System, formulation: Formulation, bag: Bag, *, explain: boo
     _kinetic(system, facts)
     integrals: tuple[PositionIntegral, ...] = ()
     if lower:
-        integrals = _constraints(system, facts, bag)
+        integrals = _constraints(system, formulation, facts, bag)
         _dependent(system, formulation, facts, bag)
     _quasi(system, formulation, bag)
     cyclic = [system.q_names[i] for i in cyclic_coordinates(system)]
@@ -77,8 +77,8 @@ def _kinetic(system: System, facts: Facts) -> None:
     facts.say("rheonomic", timed, f"T: {text}{', contains the time' if timed else ''}")
 
 
-def _constraints(system: System, facts: Facts, bag: Bag) -> tuple[PositionIntegral, ...]:
-    found = classify(system)
+def _constraints(system: System, formulation: Formulation, facts: Facts, bag: Bag) -> tuple[PositionIntegral, ...]:
+    found = classify(system, formulation.frame)
     kinds = [word for word, holds in (("affine", found.affine), ("time-dependent", found.rheonomic)) if holds]
     kind = ", ".join(kinds) or "homogeneous, scleronomic"
     growth = ", ".join(str(r) for r in found.growth)

@@ -11,22 +11,15 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from nhc.algebra.calculus import gradient, tangent
-from nhc.algebra.draw import MOST_DRAWS, draw_points
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.linear import depends, solve
-from nhc.algebra.modular import PRIMES, FieldPoint, Unlucky, are_zero, enough_points
+from nhc.algebra.modular import are_zero
+from nhc.mechanics.flag import Field, growth_vector
 from nhc.mechanics.frame import Frame, coordinate_frame
 from nhc.mechanics.regularity import choose_dependent
 from nhc.mechanics.system import Form, System
 from nhc.records import record
 from nhc.thesis import equation
-
-Field = tuple[Node, ...]
-
-Rows = list[tuple[int, list[int]]]
-"""Pivot column, and a row with a 1 there."""
-
-_MOST_POINTS = 12
 
 
 @record
@@ -44,7 +37,7 @@ class Integrability:
 
 
 def classify(system: System, frame: Frame | None = None) -> Integrability:
-    """The constraints' integrability (``growth`` is (n,) without constraints)."""
+    """The constraints' integrability (``growth`` is (n,) without constraints); ``frame``: whose free vectors are short."""
     g, n = system.graph, system.n
     if not system.constraints:
         return Integrability((n,), 0, (), False, False)
@@ -61,86 +54,6 @@ def classify(system: System, frame: Frame | None = None) -> Integrability:
     return Integrability(growth, hidden, closed, affine, rheonomic)
 
 
-def growth_vector(graph: Graph, variables: Sequence[Node], fields: Sequence[Field]) -> tuple[int, ...]:
-    """Ranks of D_1 = span(fields), D_{k+1} = D_k + [D_1, D_k] until they stop growing or fill the space.
-
-    All ranks are taken at the same random points, one of them where no signs occur.
-    """
-    base = [tuple(f) for f in fields]
-    newest = list(base)
-    span = _Span(graph, [node for field in base for node in field])
-    for field in base:
-        span.add(field)
-    ranks = [span.rank]
-    while ranks[-1] < len(variables):
-        grown: list[Field] = []
-        for x in base:
-            for y in newest:
-                field = lie_bracket(graph, variables, x, y) if x != y else ()
-                if any(node != graph.zero for node in field) and span.add(field):
-                    grown.append(field)
-        if span.rank == ranks[-1]:
-            break
-        ranks.append(span.rank)
-        newest = grown
-    return tuple(ranks)
-
-
-class _Span:
-    """The span of fields at random points of the prime field; its rank is the largest found.
-
-    One point is enough but where signs occur (the root of a square), which may be the wrong ones at every second point.
-    """
-
-    def __init__(self, graph: Graph, nodes: Sequence[Node]) -> None:
-        self.graph = graph
-        self._seeds = iter(range(9_000_011, 9_000_011 + MOST_DRAWS))
-        self._nodes = list(nodes)
-        self._fields: list[Field] = []
-        count = min(_MOST_POINTS, enough_points(graph, nodes, 1))
-        self._points = [self._draw() for _ in range(count)]
-
-    @property
-    def rank(self) -> int:
-        return max(len(rows) for _, rows in self._points)
-
-    def add(self, field: Field) -> bool:
-        """Whether the field was independent of those before it."""
-        before = self.rank
-        self._fields.append(field)
-        for k, (point, rows) in enumerate(self._points):
-            try:
-                _reduce(rows, point.evaluate(field), point.prime)
-            except Unlucky:
-                self._points[k] = self._draw()
-        return self.rank > before
-
-    def _draw(self) -> tuple[FieldPoint, Rows]:
-        """A point where all fields so far have values, with their span there."""
-        for _, point in draw_points(self.graph, self._nodes, PRIMES[0], self._seeds):
-            rows: Rows = []
-            try:
-                for field in self._fields:
-                    _reduce(rows, point.evaluate(field), point.prime)
-            except Unlucky:
-                continue
-            return point, rows
-        raise Unlucky
-
-
-def _reduce(rows: Rows, row: Sequence[int], p: int) -> None:
-    """Add what is new of a row."""
-    work = list(row)
-    for column, known in rows:
-        factor = work[column]
-        if factor:
-            work = [(x - factor * y) % p for x, y in zip(work, known, strict=True)]
-    pivot = next((j for j, x in enumerate(work) if x), -1)
-    if pivot >= 0:
-        inverse = pow(work[pivot], -1, p)
-        rows.append((pivot, [x * inverse % p for x in work]))
-
-
 def lie_bracket(graph: Graph, variables: Sequence[Node], x: Field, y: Field) -> Field:
     """[x, y] = x(y) - y(x), componentwise."""
     along_x = tangent(graph, y, dict(zip(variables, x, strict=True)))
@@ -149,20 +62,22 @@ def lie_bracket(graph: Graph, variables: Sequence[Node], x: Field, y: Field) -> 
 
 
 def is_integrable(system: System, form: Form) -> bool:
-    """omega ^ d omega = 0 for one constraint form alone (Frobenius), time counted as a coordinate."""
+    """omega ^ d omega = 0 for one constraint form alone (Frobenius), time counted as a coordinate.
+
+    Where a_r is not zero, the components (r, j, k) imply the others: contract with e_r/a_r.
+    """
     g = system.graph
-    variables = (*system.q, system.t)
-    a = (*form.coefficients, form.constant)
-    slopes = [gradient(g, x, variables) for x in a]
-    size = len(variables)
+    a = dict(zip((*system.q, system.t), (*form.coefficients, form.constant), strict=True))
+    r = next((v for v, x in a.items() if x != g.zero and not are_zero(g, [x])[0]), None)
+    if r is None:
+        return True
+    active = [v for v in a if v != r and (a[v] != g.zero or any(g.depends(x, g.deps[v]) for x in a.values()))]
+    slopes = {v: dict(zip(a, gradient(g, a[v], tuple(a)), strict=True)) for v in (r, *active)}
     terms = []
-    for i in range(size):
-        for j in range(i + 1, size):
-            for k in range(j + 1, size):
-                term = g.zero
-                for r, s, t in ((i, j, k), (j, k, i), (k, i, j)):
-                    term = g.add(term, g.mul(a[r], g.sub(slopes[t][s], slopes[s][t])))
-                terms.append(term)
+    for number, j in enumerate(active):
+        for k in active[number + 1 :]:
+            cycle = ((r, j, k), (j, k, r), (k, r, j))
+            terms.append(g.sum([g.mul(a[x], g.sub(slopes[z][y], slopes[y][z])) for x, y, z in cycle]))
     return all(are_zero(g, terms))
 
 

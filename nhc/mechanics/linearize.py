@@ -20,9 +20,9 @@ from nhc.algebra.modular import PRIMES, FieldPoint, Unlucky, are_zero, rank
 from nhc.algebra.polynomial import normalise
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choose import Formulation, NotApplicable, build
+from nhc.mechanics.flag import Field as VectorField
 from nhc.mechanics.formulate import bordered_system
 from nhc.mechanics.frame import Frame, coordinate_form, form_value
-from nhc.mechanics.integrability import Field as VectorField
 from nhc.mechanics.integrability import is_integrable, lie_bracket
 from nhc.mechanics.rotation import moving
 from nhc.mechanics.system import Form, System

@@ -169,7 +169,7 @@ def open_bench(equations: Equations, formulation: Formulation, start: Start, com
     planner = Planner(equations, formulation)
     system = equations.system
     frame = coordinate_frame(system, choose_dependent(system).dependent) if system.l else None
-    found = classify(system) if system.l else None
+    found = classify(system, formulation.frame) if system.l else None
     hidden = find_position_integrals(system, frame, found.hidden, found.closed) if found and frame else ()
     kept = find_conserved(system, frame, formulation.frame, [i.node for i in hidden])
     nonzero = {q.name for q, value in zip(system.spec.parameters, start.p, strict=True) if value != 0.0}
