@@ -17,9 +17,7 @@ from nhc.algebra.graph import ADD, MUL, NEG, NUM, PI, POW, SYM, Graph, Node
 
 _UNIT = 2.0**-52
 _CLEAR = 1e4
-_SMALL_PIVOT = (
-    1e-6  # of the row's largest entry; what is not clearly nonzero counts as zero, which changes pivots by less
-)
+_CLEAR_PIVOT = 100.0  # times its bound
 
 
 class Probe:
@@ -45,15 +43,19 @@ class Probe:
         return self.values[node]
 
     def has_full_rank(self, rows: Sequence[Sequence[Node]]) -> bool:
-        """Whether elimination with full pivoting finds clear pivots in all rows, or in all columns (False: not known)."""
+        """Whether elimination with full pivoting finds clear pivots in all rows, or in all columns (False: not known).
+
+        The bounds go along: entries that are as good as a pivot may rest on nothing but the errors of others.
+        """
         work = []
         for row in rows:
-            values = [self.value(x) if self.is_clear(x) else 0.0 for x in row]
+            values = [self.value(x) for x in row]
+            errors = [self.errors[x] for x in row]
             scale = max(map(abs, values))
-            if not 0.0 < scale < math.inf:
+            if not (0.0 < scale < math.inf and sum(errors) < math.inf):
                 return False
-            work.append([x / scale for x in values])
-        return all(_take_pivot(work, step) for step in range(min(len(work), len(work[0]))))
+            work.append(([x / scale for x in values], [x / scale for x in errors]))
+        return all(_take_pivot(work, step) for step in range(min(len(work), len(work[0][0]))))
 
     def _extend(self) -> None:
         op, first, second = self._graph_lists
@@ -68,7 +70,7 @@ class Probe:
                 b = second[node]
                 p, q = v[a], v[b]
                 x = p * q
-                bound = abs(p) * e[b] + abs(q) * e[a]
+                bound = (abs(p) + e[a]) * e[b] + abs(q) * e[a]
             elif kind == NEG:
                 v.append(-v[a])
                 e.append(e[a])
@@ -102,21 +104,30 @@ class Probe:
         return _unary(kind, x, bound)
 
 
-def _take_pivot(work: list[list[float]], step: int) -> bool:
-    """Eliminate below the largest entry from row ``step`` on, whose column becomes zero; False where it is small."""
-    sizes = [max(map(abs, work[i])) for i in range(step, len(work))]
+def _take_pivot(work: list[tuple[list[float], list[float]]], step: int) -> bool:
+    """Eliminate below the largest entry from row ``step`` on, whose column becomes zero; False where it is not clear."""
+    sizes = [max(map(abs, work[i][0])) for i in range(step, len(work))]
     best = max(sizes)
-    if not best > _SMALL_PIVOT:
-        return False
     i = step + sizes.index(best)
-    j = next(j for j, x in enumerate(work[i]) if abs(x) == best)
+    j = next((j for j, x in enumerate(work[i][0]) if abs(x) == best), 0)
+    pivot, bounds = work[i]
+    if not best > _CLEAR_PIVOT * bounds[j]:
+        return False
     work[step], work[i] = work[i], work[step]
-    pivot = work[step]
     for k in range(step + 1, len(work)):
-        factor = work[k][j] / pivot[j]
-        if factor:
-            work[k] = [x - factor * y for x, y in zip(work[k], pivot, strict=True)]
-            work[k][j] = 0.0
+        values, errors = work[k]
+        if not values[j] and not errors[j]:
+            continue
+        factor = values[j] / pivot[j]
+        doubt = (errors[j] + abs(factor) * bounds[j]) / (best - bounds[j]) + abs(factor) * _UNIT
+        size = abs(factor)
+        errors = [
+            e + size * bound + doubt * (abs(y) + bound) + (abs(x) + size * abs(y)) * _UNIT
+            for x, e, y, bound in zip(values, errors, pivot, bounds, strict=True)
+        ]
+        values = [x - factor * y for x, y in zip(values, pivot, strict=True)]
+        values[j] = errors[j] = 0.0
+        work[k] = values, errors
     return True
 
 

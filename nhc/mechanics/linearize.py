@@ -21,6 +21,7 @@ from nhc.algebra.polynomial import normalise
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choose import Formulation, NotApplicable, build
 from nhc.mechanics.flag import Field as VectorField
+from nhc.mechanics.flag import growth_vector
 from nhc.mechanics.formulate import bordered_system
 from nhc.mechanics.frame import Frame, coordinate_form, form_value
 from nhc.mechanics.integrability import is_integrable, lie_bracket
@@ -221,9 +222,12 @@ def leaf_of(system: System, frame: Frame) -> Leaf:
         g.depends(x, g.deps[system.t]) for e in frame.free_vectors for x in e
     )
     base = [*free, (*frame.drift, g.one)] if moving else free
+    whole = growth_vector(g, variables if moving else system.q, base if moving else frame.free_vectors)[-1]
+    if whole == n + moving:
+        return Leaf(n)
     spanned, everything, newest = list(free), list(free), list(free)
     dimension = rank(g, spanned)
-    while dimension < n and newest:
+    while newest:
         brackets = [lie_bracket(g, variables, x, y) for x in base for y in newest if x != y]
         newest = []
         for field in brackets:
@@ -235,8 +239,6 @@ def leaf_of(system: System, frame: Frame) -> Leaf:
                 dimension = found
                 spanned.append(field)
                 newest.append(field)
-    if dimension == n:
-        return Leaf(n)
     closed = [form.coefficients for form in system.constraints if is_integrable(system, form)]
     if len(closed) == n - dimension:
         return Leaf(dimension, normals=tuple(closed))
