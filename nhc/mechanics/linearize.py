@@ -20,7 +20,6 @@ from nhc.algebra.modular import PRIMES, FieldPoint, Unlucky, are_zero, rank
 from nhc.algebra.polynomial import normalise
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choose import Formulation, NotApplicable, build
-from nhc.mechanics.flag import Field as VectorField
 from nhc.mechanics.flag import growth_vector
 from nhc.mechanics.formulate import bordered_system
 from nhc.mechanics.frame import Frame, coordinate_form, form_value
@@ -217,16 +216,18 @@ def leaf_of(system: System, frame: Frame) -> Leaf:
     """
     g, n = system.graph, system.n
     variables = (*system.q, system.t)
-    free: list[VectorField] = [(*e, g.zero) for e in frame.free_vectors]
+    free = [(*e, g.zero) for e in frame.free_vectors]
     moving = not all(are_zero(g, frame.drift)) or any(
         g.depends(x, g.deps[system.t]) for e in frame.free_vectors for x in e
     )
     base = [*free, (*frame.drift, g.one)] if moving else free
-    whole = growth_vector(g, variables if moving else system.q, base if moving else frame.free_vectors)[-1]
-    if whole == n + moving:
+    dimension = growth_vector(g, variables if moving else system.q, base if moving else frame.free_vectors)[-1] - moving
+    if dimension == n:
         return Leaf(n)
+    closed = [form.coefficients for form in system.constraints if is_integrable(system, form)]
+    if len(closed) == n - dimension:
+        return Leaf(dimension, normals=tuple(closed))
     spanned, everything, newest = list(free), list(free), list(free)
-    dimension = rank(g, spanned)
     while newest:
         brackets = [lie_bracket(g, variables, x, y) for x in base for y in newest if x != y]
         newest = []
@@ -234,14 +235,9 @@ def leaf_of(system: System, frame: Frame) -> Leaf:
             if all(node == g.zero for node in field):
                 continue
             everything.append(field)  # even where it adds nothing in general: it may at a special point
-            found = rank(g, [*spanned, field])
-            if found > dimension:
-                dimension = found
+            if rank(g, [*spanned, field]) > len(spanned):
                 spanned.append(field)
                 newest.append(field)
-    closed = [form.coefficients for form in system.constraints if is_integrable(system, form)]
-    if len(closed) == n - dimension:
-        return Leaf(dimension, normals=tuple(closed))
     return Leaf(dimension, fields=tuple(field[:n] for field in everything))
 
 
