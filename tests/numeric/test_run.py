@@ -241,6 +241,7 @@ def test_an_event_ends_the_run(capsys: pytest.CaptureFixture[str]) -> None:
     [
         (["--until", "thata"], 1, "did you mean `theta`?"),
         (["--until", "theta +"], 1, "error[E0"),
+        (["--until", "0.5"], 2, "`0.5` never crosses zero"),
         (["--need", "speeed"], 2, "did you mean `speed`?"),
         (["--scene", "glyde"], 2, "did you mean `glide`?"),
         (["--tol", "-1"], 2, "must be positive"),
