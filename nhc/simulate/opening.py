@@ -68,7 +68,7 @@ def open_scene(
     if until:
         event = system.outputs[-1][1]
         if not system.graph.deps[event] & ~system.graph.mask(system.p):
-            advice = ("name something that moves: `--until \"t - 0.5\"` stops at the time 0.5",)
+            advice = ('name something that moves: `--until "t - 0.5"` stops at the time 0.5',)
             raise RunError(f"`{until}` never crosses zero: it stays what it is during the run", advice)
         system = replace(system, outputs=system.outputs[:-1])
     natural = method in STRUCTURE

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 
+from nhc.emit.c.elimination import Elimination, choose_order
 from nhc.emit.c.literals import PI, print_comment, print_double
 from nhc.emit.expressions import ATOM, ExpressionPrinter, Text
 from nhc.emit.names import Scope
@@ -144,12 +145,13 @@ class BodyPrinter:
         self.kept: dict[str, int] = {}  # names that parts of the function find in the array `kept`, and where
         self.blocks: dict[tuple[tuple[str, ...], ...], Block] = {}  # dense solves that parts have filled
         self.arguments: tuple[str, ...] = ()  # what other functions are called with
+        self.quick = False  # whether dense solves are written out where they are short
         self._origin = ""
 
     def fork(self) -> BodyPrinter:
         """A printer for another part of the same function."""
         made = BodyPrinter(self.prefix, self.scope, self.helpers, self.element, self.leave, self.used, self.trig)
-        made.kept, made.blocks, made.arguments = self.kept, self.blocks, self.arguments
+        made.kept, made.blocks, made.arguments, made.quick = self.kept, self.blocks, self.arguments, self.quick
         return made
 
     def add(self, text: str) -> None:
@@ -236,17 +238,16 @@ class BodyPrinter:
         self.helpers.add("solve")
         size, sides = len(solve.matrix), len(solve.columns)
         width, block = size + sides, self.blocks.get(solve.names)
+        order = choose_order(solve) if self.quick and block is None else None
+        if order is not None:
+            self.print_quickly(solve, order)
+            return
         if block is None:
-            array, first, masses = self.scope.fresh("block"), 0, solve.masses
+            array = self.scope.fresh("block")
             self.print_block(solve, array)
+            self.print_exchanges(solve, array, solve.masses)
         else:
-            array, first, masses = "kept", block.place, block.masses
-        where = f"{array} + {first}" if first else array
-        tolerance = print_double(Fraction(solve.tolerance))
-        self.add(f"if ({self.prefix}_solve({size}, {masses}, {width}, {where}, {tolerance}) != 0) {{")
-        self.lines.append(f"{self.indent}    return {self.leave(solve.status)};")
-        self.lines.append(f"{self.indent}}}")
-        if block is not None:
+            self.print_exchanges(solve, f"kept + {block.place}" if block.place else "kept", block.masses)
             return  # the unknowns are read where they are needed
         for c, names in enumerate(solve.names):
             for i, name in enumerate(names):
@@ -257,8 +258,33 @@ class BodyPrinter:
                     self.lines.append(f"{self.indent}const double {self.scope[name]} = {place};")
                     self.keep(name)
 
-    def print_block(self, solve: Solve, array: str) -> None:
-        """The matrix of a dense solve beside its right sides."""
+    def print_exchanges(self, solve: Solve, where: str, masses: int) -> None:
+        """The elimination by a function, of what stands in an array."""
+        size, tolerance = len(solve.matrix), print_double(Fraction(solve.tolerance))
+        width = size + len(solve.columns)
+        self.add(f"if ({self.prefix}_solve({size}, {masses}, {width}, {where}, {tolerance}) != 0) {{")
+        self.lines.append(f"{self.indent}    return {self.leave(solve.status)};")
+        self.lines.append(f"{self.indent}}}")
+
+    def print_quickly(self, solve: Solve, order: list[int]) -> None:
+        """The elimination written out, and with exchanges where that is not good."""
+        size = len(solve.matrix)
+        unknowns = [(i, name) for i, name in enumerate(solve.names[0]) if name in self.used]
+        self.add_comment("the masses, then the multipliers are eliminated, without exchanges while all pivots are good")
+        made = Elimination(self, solve, order)
+        self.add(f"if (!({made.write()})) {{")
+        self.indent += "    "
+        array = self.scope.fresh("block")
+        self.print_block(solve, array, made.list_entries())
+        self.print_exchanges(solve, array, solve.masses)
+        self.lines += [f"{self.indent}{self.scope[name]} = {array}[{i * (size + 1) + size}];" for i, name in unknowns]
+        self.indent = self.indent[:-4]
+        self.lines.append(f"{self.indent}}}")
+        for _, name in unknowns:
+            self.keep(name)
+
+    def print_block(self, solve: Solve, array: str, texts: Sequence[str] = ()) -> None:
+        """The matrix of a dense solve beside its right sides, from the texts of its entries where these are known."""
         self.add_comment(
             print_comment(f"the matrix beside its right sides, row by row; {solve.what} where it has no pivot")
         )
@@ -267,7 +293,7 @@ class BodyPrinter:
         skipped = self.print_zeros(array, entries)
         for k, entry in enumerate(entries):
             if not (skipped and entry == ZERO):
-                self.add(f"{array}[{k}] = {self.printer.print(entry)};")
+                self.add(f"{array}[{k}] = {texts[k] if texts else self.printer.print(entry)};")
 
     def print_zeros(self, array: str, entries: list[Expr]) -> bool:
         """All entries zero in a loop, where many are; whether it was done."""

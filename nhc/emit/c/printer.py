@@ -190,7 +190,7 @@ def print_function(program: Program, function: Function, helpers: set[str], *, i
         AT if angles else ANY if inline else "",
     )
     printer.arguments, printer.kept = tuple(argument.name for argument in function.inputs), layout.kept
-    printer.blocks = layout.blocks
+    printer.blocks, printer.quick = layout.blocks, function.name == "rhs"
     parts = print_statements(printer, function, body, layout, guarded=finish is None)
     if finish is not None and output is not None:
         near = print_near(printer, function, angles) if angles else ("", "")

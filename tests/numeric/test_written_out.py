@@ -1,0 +1,95 @@
+"""Dense solves that are written out in C: the same accelerations as by elimination with exchanges, whatever the pivots are."""
+
+from __future__ import annotations
+
+import ctypes
+import random
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from nhc.diagnostics import Source
+from nhc.pipeline import Options, emit
+from tests.support import CModel, c_model, compile_c, emitted_python, error, formulations, python_model
+
+FORM = """\
+nhc: 1
+system: quadratic
+coordinates: [x, y, z, w]
+parameters: {a: 1, b: 0.2, c: 2, d: 1.5, e: 0.3, f: 1, k: 1, l: 0.5, h: 2, g: 9.81}
+T: (a*x'^2 + 2*b*x'*y' + c*y'^2 + d*z'^2 + 2*e*x'*z' + f*w'^2)/2
+U: -g*(x + 2*y - z + w)
+constraints:
+  - first: k*x' + l*y' + z' = 0
+  - second: h*y' - k*w' = 0
+formulation: multipliers
+"""
+
+
+def both(text: str, name: str, folder: Path) -> tuple[CModel, object]:
+    source = Source(f"{name}.yaml", text)
+    files = emit(source, "c", Options())
+    assert "inverse1" in files[f"{name}.c"] and f"{name}_solve(" in files[f"{name}.c"]
+    library = ctypes.CDLL(str(compile_c(files, folder, name)))
+    (module,) = emit(source, "python", Options()).values()
+    return CModel(name, library, {}), python_model(module, name)
+
+
+def test_against_numpy(tmp_path: Path) -> None:
+    """Positive definite, indefinite and singular mass matrices."""
+    compiled, module = both(FORM, "quadratic", tmp_path)
+    rng, kinds = random.Random(5), set()
+    y = [0.3, 0.1, -0.2, 0.4, 0.7, 0.2, -0.5, 0.9]
+    for k in range(400):
+        a, b, c, d, e, f, k1, l1, h = (rng.uniform(-2, 2) for _ in range(9))
+        if k % 2:
+            a, c, d, f = abs(a) + 0.5, abs(c) + 0.5, abs(d) + 0.5, abs(f)
+        if k % 7 == 0:
+            a, b, e = 0.0, 0.0, 0.0
+        if k % 11 == 0:
+            c = b * b / a if a else 0.0
+        if k % 13 == 0:
+            f = rng.choice((1e-12, -1e-12, 0.0, 1e12))
+        p = [a, b, c, d, e, f, k1, l1, h, 9.81]
+        mass = np.array([[a, b, e, 0], [b, c, 0, 0], [e, 0, d, 0], [0, 0, 0, f]])
+        rows = np.array([[k1, l1, 1, 0], [0, h, 0, -k1]])
+        matrix = np.block([[mass, -rows.T], [-rows, np.zeros((2, 2))]])
+        if np.linalg.cond(matrix) > 1e9:
+            continue
+        wanted = np.linalg.solve(matrix, [-9.81, -19.62, 9.81, -9.81, 0, 0])[:4]
+        found = compiled("rhs", 8, 0.0, y, p)[4:]
+        assert error(found, wanted) < 1e-7
+        assert error(found, module.rhs(0.0, y, p)[4:]) < 1e-7  # type: ignore[attr-defined]
+        kinds.add(bool(np.linalg.eigvalsh(mass)[0] > 1e-9))
+    assert kinds == {True, False}
+
+
+def test_where_only_the_constraints_hold_a_coordinate(tmp_path: Path) -> None:
+    """The mass matrix is singular at r = 0, the motion is not; beyond both nothing is determined."""
+    text = FORM.split("coordinates")[0].replace("quadratic", "spool")
+    text += "coordinates: [r, th]\nparameters: {m: 1, k: 1}\nT: m/2*(r'^2 + r^2*th'^2)\nU: m*r\n"
+    text += "constraints:\n  - wound: r' - k*th' = 0\nformulation: multipliers\n"
+    compiled, module = both(text, "spool", tmp_path)
+    for r in (0.0, 1e-200, 1e-9, 1e-5, 1e-3, 1.0, 1e5):
+        for m in (1.0, -1.0):
+            found = compiled("rhs", 4, 0.0, [r, 0.3, 0.5, 0.5], [m, 1.0])
+            assert error(found, module.rhs(0.0, [r, 0.3, 0.5, 0.5], [m, 1.0])) < 1e-9  # type: ignore[attr-defined]
+    assert compiled("rhs", 4, 0.0, [0.0, 0.3, 0.5, 0.5], [1.0, 1.0])[2:] == pytest.approx([1.0, 1.0])
+    for r, p in ((0.0, [1.0, 0.0]), (0.0, [0.0, 1.0]), (float("nan"), [1.0, 1.0]), (1.0, [float("inf"), 1.0])):
+        with pytest.raises(ArithmeticError):
+            compiled("rhs", 4, 0.0, [r, 0.3, 0.5, 0.5], p)
+
+
+@pytest.mark.parametrize("name", ["rolling_disk", "bicycle", "snakeboard", "chaplygin_ball", "roller_racer"])
+def test_gallery(name: str, tmp_path: Path) -> None:
+    """``accelerations`` and Python exchange rows, ``rhs`` in C does not."""
+    assert "multipliers" in formulations(name)
+    compiled, module = c_model(name, "multipliers", tmp_path), emitted_python(name, "multipliers")
+    n, rng = len(module.COORDINATES), random.Random(name)
+    p = list(module.DEFAULTS)
+    for _ in range(20):
+        y = [rng.uniform(0.2, 1.2) for _ in range(2 * n)]
+        found = compiled("rhs", 2 * n, 0.0, y, p)
+        assert error(found[n:], compiled("accelerations", n, 0.0, y, p)) < 1e-9
+        assert error(found, module.rhs(0.0, y, p)) < 1e-9
