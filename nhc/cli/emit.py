@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import sys
+from collections.abc import Mapping, Sequence
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -12,7 +13,7 @@ import click
 from nhc.answers import Answer, answer
 from nhc.cli.options import anew_option, formulation_option, spec_argument
 from nhc.cli.specs import list_texts, open_spec
-from nhc.cli.terminal import Failure, put
+from nhc.cli.terminal import Failure, put, say
 from nhc.cli.write import compare_files, place_files, refuse_to_overwrite, write_files
 
 if TYPE_CHECKING:
@@ -87,7 +88,18 @@ def command(
     if not force:
         refuse_to_overwrite(placed)
     write_files(placed)
+    if language == "python":
+        _tell_of_modules([path.stem for path in placed])
     return 0
+
+
+def _tell_of_modules(names: Sequence[str]) -> None:
+    """A file that carries the name of one of Python's own modules is not found, or hides that one."""
+    for name in names:
+        if name in sys.builtin_module_names:
+            say(f"note: `import {name}` finds Python's own module and not this file; give `system:` another name")
+        elif name in sys.stdlib_module_names:
+            say(f"note: in its folder this file hides Python's own module `{name}`; give `system:` another name")
 
 
 def _emit(

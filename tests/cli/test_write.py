@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from nhc.cli import write
+from nhc.cli import main, write
 from nhc.cli.terminal import Exit, Failure
 from nhc.stamp import PLACEHOLDER, stamp
 
@@ -99,3 +99,20 @@ def test_compare_names_what_is_missing_or_differs(tmp_path: Path, capsys: pytest
     assert write.compare_files({tmp_path / name: "a" for name in "abc"}) == Exit.FAILED
     assert capsys.readouterr().err == f"differs: {tmp_path / 'b'}\nmissing: {tmp_path / 'c'}\n"
     assert sorted(path.name for path in tmp_path.iterdir()) == ["a", "b"]
+
+
+@pytest.mark.parametrize(
+    ("system", "says"),
+    [("errno", "finds Python's own module"), ("random", "hides Python's own module"), ("sleigh", "")],
+)
+def test_names_of_pythons_own_modules(
+    system: str, says: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    spec = tmp_path / "spec.yaml"
+    spec.write_text(f"nhc: 1\nsystem: {system}\ncoordinates: [x]\nparameters: {{m: 1}}\nT: m/2*x'^2\n")
+    for language in ("python", "c"):
+        assert main(["emit", str(spec), "--lang", language, "-o", str(tmp_path)]) == 0
+        told = capsys.readouterr().err
+        assert ("note:" in told and says in told) if says and language == "python" else "note:" not in told
+    assert main(["emit", str(spec), "--lang", "python", "-o", str(tmp_path / "model.py")]) == 0
+    assert "note:" not in capsys.readouterr().err
