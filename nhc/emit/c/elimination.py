@@ -92,10 +92,10 @@ class Elimination:
             pivot = now.get((k, k), "0.0")
             sign = ">" if number < self.solve.masses else "<"
             conditions.append(f"{pivot} {sign} {'0.0' if pivot == first[k] else f'{DIGITS} * {first[k]}'}")
-            if pivot not in named:
-                named[pivot] = self._let("inverse", f"1.0 / {_factor(pivot)}")
-            inverses[k] = named[pivot]
             later = [i for i in self.order[number + 1 :] if _pair(i, k) in now]
+            if pivot not in named and (later or right[k] != "0.0"):
+                named[pivot] = self._let("inverse", f"1.0 / {_factor(pivot)}")
+            inverses[k] = named.get(pivot, "0.0")  # which nothing is multiplied by then
             factors[k] = [(i, self._times("factor", now[_pair(i, k)], inverses[k])) for i in later]
             for i, factor in factors[k]:
                 for j in later[later.index(i) :]:
