@@ -90,7 +90,7 @@ class JetPlan:
 
 
 def plan_jets(graph: Graph, roots: Sequence[Node], variables: Sequence[Node]) -> JetPlan:
-    """Made once for all points and directions."""
+    """Made once for all points and boxes."""
     mask, given = graph.mask(tuple(variables)), set(variables)
     nodes = close(graph, roots, mask)
     deps, moving = graph.deps, []

@@ -3,8 +3,8 @@
 No bracket is written down.  The one of X with V is the derivative of V, carried back, along the flow of X (R. Abraham, J. E.
 Marsden and T. Ratiu, Manifolds, Tensor Analysis, and Applications, 2nd ed. (1988), thm. 4.2.19), so [X_1, [X_2, ... [X_r, V]]] at a
 point is read off the Taylor coefficients of the fields where the flows lead from it.  One field is replaced by a random combination
-G of all: nearly all brackets that are needed are then ad_G^k, and one curve gives them for every k.  What is left costs a
-direction each (:mod:`nhc.algebra.jets`).
+G of all: nearly all brackets that are needed are then ad_G^k, and one curve gives them for every k.  Each run of
+another field costs a variable (:mod:`nhc.algebra.jets`).
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ _Matrix = list[list[tuple[int, list[int]]]]
 
 _MOST_POINTS = 12
 _FIRST_SEED = 9_000_011
-_BYTES = 20  # of a coefficient of a product: two residues of 61 bits, summed over powers, components and directions
+_BYTES = 20  # of a coefficient of a product: two residues of 61 bits, summed over powers, components and monomials
 
 
 @record
