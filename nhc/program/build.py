@@ -90,8 +90,13 @@ class Planner(PlannerBase):
 
     # --- what follows from the rates ------------------------------------------------------------------------
 
-    def calls_rhs(self) -> bool:
-        """Whether functions that need the rates call ``rhs`` for them: where they are long enough to be worth it."""
+    def calls_rhs(self, name: str = "") -> bool:
+        """Whether functions that need the rates call ``rhs`` for them: where they are long enough to be worth it.
+
+        Of a dense solve only the accelerations do, for the reactions are other unknowns of it.
+        """
+        if self.solves:
+            return name == "accelerations" and len(self.kept_w) == len(self.equations.motion.rates)
         return bool(self.solved) and count(self.graph, list(self.solved.values())) > CALLED
 
     def after_rates(self, nodes: Sequence[Node]) -> list[Node]:
@@ -104,11 +109,13 @@ class Planner(PlannerBase):
         """The plan of a function of nodes from :meth:`after_rates`."""
         guards = self.frame_guards() + self.mass_guards
         plan = self.plan(name, about, equation, size, nodes, guards, self.solves)
-        if not self.calls_rhs():
+        if not self.calls_rhs(name):
             return plan
         first, names = len(self.kept_q), self.kept_names()
         rates = {self.equations.motion.rates[k]: ("dydt", first + i, f"{names[k]}'") for i, k in enumerate(self.kept_w)}
-        return replace(plan, loads=self.state_loads | rates, guards=(), calls=(("rhs", "dydt", self.y.size),))
+        return replace(
+            plan, loads=self.state_loads | rates, guards=(), solves=(), calls=(("rhs", "dydt", self.y.size),)
+        )
 
     def outputs(self) -> FunctionPlan:
         values = self.on_motion([node for _, node in self.system.outputs])
@@ -197,7 +204,7 @@ def build_functions(planner: Planner, only: Sequence[str] = ()) -> tuple[Functio
     functions = []
     g, constants = planner.graph, planner.graph.mask(planner.parameters)
     wanted = set(only)
-    if wanted & {"accelerations", "reactions"} and planner.calls_rhs():
+    if any(name in wanted and planner.calls_rhs(name) for name in ("accelerations", "reactions")):
         wanted.add("rhs")
     for name in FUNCTIONS:
         if wanted and name not in wanted:

@@ -120,14 +120,37 @@ def make_residual(planner: Planner, matrix: Sequence[Sequence[Node]], right: Seq
 
 
 def _solve_densely(planner: Planner) -> Slopes:
-    """The columns as unknowns of a second dense solve."""
+    """The columns as unknowns of a second dense solve; where they are long, the rows of the inverse as weights of a sweep."""
     g, y = planner.graph, planner.y_nodes
     matrix, right = planner._dense()
     residual = make_residual(planner, matrix, right)
     columns = [list(column) for column in zip(*(gradient(g, node, y) for node in residual), strict=True)]
+    symmetric = all(matrix[i][j] == matrix[j][i] for i in range(len(matrix)) for j in range(i))
+    if symmetric and count(g, [node for column in columns for node in column]) > LONGEST:
+        return _sweep_densely(planner, matrix, right, residual)
     symbols = [[g.symbol(f"d{i}_{j}", "unknown") for i in range(len(matrix))] for j in range(len(columns))]
     solves = (*planner.solves, planner._dense_solve(matrix, columns, symbols))
     return Slopes(tuple(tuple(column[k] for column in symbols) for k in planner.kept_w), (), solves)
+
+
+def _sweep_densely(
+    planner: Planner, matrix: Sequence[Sequence[Node]], right: Sequence[Node], residual: Sequence[Node]
+) -> Slopes:
+    """A pass for each rate: the pull-back of the residual by its row of the symmetric matrix' inverse."""
+    g, y, size = planner.graph, planner.y_nodes, len(matrix)
+    unknowns = (*planner.equations.motion.rates, *planner.equations.multipliers)
+    inverse = {k: [g.symbol(f"d{k}_{i}", "unknown") for i in range(size)] for k in planner.kept_w}
+    units = [[g.one if i == k else g.zero for i in range(size)] for k in inverse]
+    solve = planner._dense_solve(matrix, [right, *units], [unknowns, *inverse.values()])
+    seeds = [g.symbol(f"row_{k}", "direction") for k in inverse]
+    weights = [
+        g.sum([g.mul(seed, row[i]) for seed, row in zip(seeds, inverse.values(), strict=True)]) for i in range(size)
+    ]
+    slopes = pullback_gradient(g, list(zip(residual, weights, strict=True)), y)
+    first = len(planner.kept_q)
+    offsets = tuple((first + i) * len(y) for i in range(len(seeds)))
+    about = "one rate in each pass: its row of the matrix"
+    return Slopes((), (SweepPlan(about, tuple(seeds), offsets, _targets(g, slopes, range(len(y)))),), (solve,))
 
 
 def sweep_rows(planner: Planner, nodes: Sequence[Node], direct: bool) -> SweepPlan:

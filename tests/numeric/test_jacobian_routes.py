@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import ctypes
 import random
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
 
@@ -16,7 +18,7 @@ from nhc.language import read
 from nhc.pipeline import Options, program
 from nhc.program.ir import Evaluate, Program, Store, Sweep
 from nhc.program.plan import SweepPlan
-from tests.support import error, python_model, spec_path
+from tests.support import CModel, compile_c, error, python_model, spec_path
 
 SYSTEMS = ("rolling_disk", "n_trailer3", "n_snake3", "roller_racer", "double_pendulum", "snakeboard", "pumped_pendulum")
 STRAIGHT = (
@@ -72,6 +74,30 @@ def test_all_routes_agree(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
             assert error([x for row in modules[other].jacobian(t, y) for x in row], expected) < 1e-11
         assert error(expected, _differences(module.rhs, t, y)) < 1e-6
     assert compared >= 3
+
+
+@pytest.mark.parametrize("name", ["rolling_disk", "n_trailer3", "snakeboard", "bicycle", "chaplygin_ball_quaternion"])
+def test_dense_routes_agree(name: str, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    """Multiplier equations: each entry an unknown of a dense solve, or sweeps with rows of the inverse; in Python and in C."""
+    found = {}
+    for longest in (10**9, 0):
+        monkeypatch.setattr(routes, "LONGEST", longest)
+        options = Options(formulation="multipliers", only=("rhs", "jacobian"))
+        found[longest] = program(read(str(spec_path(name))), options)
+    assert not any(isinstance(s, Sweep) for s in found[10**9].functions[-1].body)
+    assert any(isinstance(s, Sweep) for s in found[0].functions[-1].body)
+    written, swept = (
+        python_model(render(made, "python", EmitOptions())[f"{name}.py"], name) for made in found.values()
+    )
+    files = render(found[0], "c", EmitOptions())
+    compiled = CModel(name, ctypes.CDLL(str(compile_c(files, tmp_path, name))), {})
+    rng, size = random.Random(name), len(written.STATE)
+    for _ in range(6):
+        t, y = rng.uniform(0, 2), [rng.uniform(0.1, 0.9) for _ in range(size)]
+        expected = [x for row in written.jacobian(t, y) for x in row]
+        assert error([x for row in swept.jacobian(t, y) for x in row], expected) < 1e-10
+        assert error(compiled("jacobian", size * size, t, y, written.DEFAULTS), expected) < 1e-10
+        assert error(expected, _differences(written.rhs, t, y)) < 1e-5
 
 
 def test_the_bicycle_has_a_sweep_for_its_velocities() -> None:

@@ -83,7 +83,7 @@ def test_where_only_the_constraints_hold_a_coordinate(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("name", ["rolling_disk", "bicycle", "snakeboard", "chaplygin_ball", "roller_racer"])
 def test_gallery(name: str, tmp_path: Path) -> None:
-    """``accelerations`` and Python exchange rows, ``rhs`` in C does not."""
+    """Python exchanges rows, ``rhs`` in C does not, and ``accelerations`` calls it."""
     assert "multipliers" in formulations(name)
     compiled, module = c_model(name, "multipliers", tmp_path), emitted_python(name, "multipliers")
     n, rng = len(module.COORDINATES), random.Random(name)
