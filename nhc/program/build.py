@@ -67,7 +67,7 @@ class Planner(PlannerBase):
 
     def accelerations(self) -> FunctionPlan:
         system = self.system
-        values = self.after_rates(accelerations(self.equations))
+        values = self.after_rates("accelerations", accelerations(self.equations))
         nodes = [(a, f"{name}''", "") for a, name in zip(values, system.q_names, strict=True)]
         return self.take_rates(
             "accelerations",
@@ -81,7 +81,7 @@ class Planner(PlannerBase):
         system = self.system
         values: Sequence[Node] = self.equations.multipliers
         if not values:
-            values = self.after_rates(reaction_values(self.equations))
+            values = self.after_rates("reactions", reaction_values(self.equations))
         nodes = [
             (value, f"reaction of {form.name}: Q_i gains lambda_{k + 1} a_{k + 1}i", form.place)
             for k, (value, form) in enumerate(zip(values, system.constraints, strict=True))
@@ -90,8 +90,8 @@ class Planner(PlannerBase):
 
     # --- what follows from the rates ------------------------------------------------------------------------
 
-    def calls_rhs(self, name: str = "") -> bool:
-        """Whether functions that need the rates call ``rhs`` for them: where they are long enough to be worth it.
+    def calls_rhs(self, name: str) -> bool:
+        """Whether a function that needs the rates calls ``rhs`` for them: where they are long enough to be worth it.
 
         Of a dense solve only the accelerations do, for the reactions are other unknowns of it.
         """
@@ -99,9 +99,9 @@ class Planner(PlannerBase):
             return name == "accelerations" and len(self.kept_w) == len(self.equations.motion.rates)
         return bool(self.solved) and count(self.graph, list(self.solved.values())) > CALLED
 
-    def after_rates(self, nodes: Sequence[Node]) -> list[Node]:
-        """The nodes shortened, with the rates put in unless they come from ``rhs``."""
-        return shorten(self.graph, list(nodes) if self.calls_rhs() else self.known(nodes))
+    def after_rates(self, name: str, nodes: Sequence[Node]) -> list[Node]:
+        """The nodes of a function shortened, with the rates put in unless they come from ``rhs``."""
+        return shorten(self.graph, list(nodes) if self.calls_rhs(name) else self.known(nodes))
 
     def take_rates(
         self, name: str, about: str, equation: str, size: int, nodes: Sequence[tuple[Node, str, str]]

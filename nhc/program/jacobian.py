@@ -124,10 +124,11 @@ def _solve_densely(planner: Planner) -> Slopes:
     g, y = planner.graph, planner.y_nodes
     matrix, right = planner._dense()
     residual = make_residual(planner, matrix, right)
+    if all(matrix[i][j] == matrix[j][i] for i in range(len(matrix)) for j in range(i)):
+        swept = _sweep_densely(planner, matrix, right, residual)
+        if len(planner.kept_w) * sum(_cost(g, sweep) for sweep in swept.sweeps) > LONGEST:
+            return swept
     columns = [list(column) for column in zip(*(gradient(g, node, y) for node in residual), strict=True)]
-    symmetric = all(matrix[i][j] == matrix[j][i] for i in range(len(matrix)) for j in range(i))
-    if symmetric and count(g, [node for column in columns for node in column]) > LONGEST:
-        return _sweep_densely(planner, matrix, right, residual)
     symbols = [[g.symbol(f"d{i}_{j}", "unknown") for i in range(len(matrix))] for j in range(len(columns))]
     solves = (*planner.solves, planner._dense_solve(matrix, columns, symbols))
     return Slopes(tuple(tuple(column[k] for column in symbols) for k in planner.kept_w), (), solves)

@@ -85,7 +85,6 @@ class Elimination:
         factors: dict[int, list[tuple[int, str]]] = {}
         inverses: dict[int, str] = {}
         named: dict[str, str] = {}  # the same by the pivot: masses are often equal
-        place = {k: number for number, k in enumerate(self.order)}
         for number, k in enumerate(self.order):
             if number in (0, self.solve.masses):
                 first = {i: now.get((i, i), "0.0") for i in self.order[number:]}
@@ -102,7 +101,7 @@ class Elimination:
                     now[_pair(i, j)] = self._less(now.get(_pair(i, j), "0.0"), factor, now[_pair(j, k)])
                 right[i] = self._less(right[i], factor, right[k])
         free, values = list[str](), dict[int, str]()
-        for k in sorted(self.order, key=lambda i: -place[i]):
+        for k in reversed(self.order):
             own = self._times("free", right[k], inverses[k])
             text = own
             for i, factor in factors[k]:
