@@ -46,6 +46,37 @@ def test_accuracy(tmp_path: Path) -> None:
     assert worst < 2.5e-16
 
 
+TWO = """\
+nhc: 1
+system: two_turns
+coordinates: [x, y, z, w, a, b]
+T: 1/2*(x'^2 + y'^2 + z'^2 + w'^2 + a'^2 + b'^2)
+forces: {x: cos(a), y: sin(a), z: cos(b), w: sin(b)}
+"""
+
+
+def test_two_angles_at_once_are_as_accurate(tmp_path: Path) -> None:
+    """The accelerations are the cosines and sines themselves; one large angle gives libm's of both."""
+    path = tmp_path / "two_turns.yaml"
+    path.write_text(TWO)
+    files = emit(read(str(path)), "c", Options(trig="inline"))
+    assert "two_turns_two_at(a, b, large)" in files["two_turns.c"]
+    turns = CModel("two_turns", ctypes.CDLL(str(compile_c(files, tmp_path, "two_turns", ("-O2",)))), {})
+    rng = random.Random(5)
+
+    def turn(a: float, b: float) -> list[float]:
+        return turns("rhs", 12, 0.0, [0.0] * 4 + [a, b] + [0.0] * 6, [])[6:10]
+
+    with mpmath.workdps(40):
+        for _ in range(5_000):
+            angles = [rng.choice((-1, 1)) * 10 ** rng.uniform(-8, 5) for _ in range(2)]
+            exact = [f(x) for x in angles for f in (mpmath.cos, mpmath.sin)]
+            for value, wanted in zip(turn(*angles), exact, strict=True):
+                assert abs(value - wanted) < 2.5 * math.ulp(float(wanted)) + 1e-19
+    for a, b in ((0.3, 2e5), (-1e7, 1.0)):
+        assert turn(a, b) == [math.cos(a), math.sin(a), math.cos(b), math.sin(b)]
+
+
 def test_the_table_holds_the_sines_to_the_last_digit(root: Path) -> None:
     text = (root / "templates" / "c" / "parts" / "trig.c.jinja").read_text()
     table = [float(word) for word in text.split("_sines[48] = {")[1].split("}")[0].split(",")]

@@ -12,6 +12,7 @@ from benchmarks.models import source as spec_source
 from nhc.emit import EmitOptions, render
 from nhc.emit.c import batch, parts, sweep
 from nhc.emit.c.arrange import arrange
+from nhc.emit.c.pairs import Pair, pair_angles
 from nhc.emit.c.parts import cut, find_crossing
 from nhc.emit.text.program import print_program
 from nhc.pipeline import Options
@@ -170,6 +171,20 @@ def test_sines_come_first_in_pairs_and_guards_last() -> None:
     assert [s.name for s in found if isinstance(s, Let)] == ["d", "s", "c", "cd", "a", "late", "scaled"]
     assert found[-2:] == (end, guard)
     assert [s.name for s in found[:2]] == ["x", "z"] and found.index(read[2]) > found.index(lets["cd"])
+
+
+def test_angles_are_paired_with_the_next_that_is_known_in_time() -> None:
+    body = (
+        Load("x", "y", 0),
+        Load("z", "y", 1),
+        let("s", call("sin", ref("x"))),  # with z, which is known; d is not
+        let("d", ref("z") - ref("s")),
+        let("c", call("cos", ref("x"))),
+        let("e", call("sin", ref("d")) * call("cos", ref("z"))),
+        let("f", call("sin", ref("z") * 2)),  # known when d is needed
+    )
+    assert pair_angles(body) == [Pair(2, (ref("x").node, ref("z").node)), Pair(5, (ref("d").node, (ref("z") * 2).node))]
+    assert pair_angles(body[:3]) == []
 
 
 @pytest.mark.parametrize("compiler", COMPILERS)

@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from fractions import Fraction
 
+from nhc.emit.c.arrange import TURNED
 from nhc.emit.c.elimination import Elimination, choose_order
 from nhc.emit.c.literals import PI, print_comment, print_double
+from nhc.emit.c.pairs import Pair, pair_angles
 from nhc.emit.expressions import ATOM, ExpressionPrinter, Text
 from nhc.emit.names import Scope
 from nhc.emit.prose import wrap
@@ -37,11 +39,15 @@ HELPERS = {"sign": "sign", "min": "minimum", "max": "maximum"}  # functions that
 
 @record
 class CDialect:
-    """C's leaves; ``helpers`` collects the static functions that the file needs, ``prefix`` is the system's name."""
+    """C's leaves; ``helpers`` collects the static functions that the file needs, ``prefix`` is the system's name.
+
+    ``turned``: (function, angle) -> where that sine or cosine is already.
+    """
 
     prefix: str
     helpers: set[str]
-    trig: str = ""  # what follows the name of this file's own sine or cosine, {} for the angle; empty: libm's
+    trig: str  # what follows the name of this file's own sine or cosine, {} for the angle; empty: libm's
+    turned: dict[tuple[str, str], str]
 
     def print_number(self, value: Fraction) -> str:
         return print_double(value)
@@ -53,7 +59,10 @@ class CDialect:
         return Text(f"pow({base.text}, {exponent}.0)", ATOM)
 
     def print_call(self, function: str, arguments: tuple[str, ...]) -> str:
-        if self.trig and function in ("sin", "cos"):
+        if self.trig and function in TURNED:
+            known = self.turned.get((function, arguments[0]))
+            if known is not None:
+                return known
             self.helpers.update(("trig", function + self.trig.partition("(")[0]))
             return f"{self.prefix}_{function}{self.trig.format(arguments[0])}"
         if function not in HELPERS:
@@ -141,10 +150,12 @@ class BodyPrinter:
         self.indent = "    "
         self.lines: list[str] = []
         self.trig = trig
-        self.printer = ExpressionPrinter(CDialect(prefix, helpers, trig), scope)
+        self.turned: dict[tuple[str, str], str] = {}
+        self.printer = ExpressionPrinter(CDialect(prefix, helpers, trig, self.turned), scope)
         self.kept: dict[str, int] = {}  # names that parts of the function find in the array `kept`, and where
         self.blocks: dict[tuple[tuple[str, ...], ...], Block] = {}  # dense solves that parts have filled
         self.arguments: tuple[str, ...] = ()  # what other functions are called with
+        self.paired = False  # whether angles are turned two at a time
         self.quick = False  # whether dense solves are written out where they are short
         self._origin = ""
 
@@ -181,8 +192,19 @@ class BodyPrinter:
 
     def print_all(self, body: tuple[Statement, ...]) -> None:
         """All statements of a body, in order."""
-        for statement in body:
+        pairs = pair_angles(body) if self.paired else []
+        for place, statement in enumerate(body):
+            while pairs and pairs[0].place == place:
+                self.print_pair(pairs.pop(0))
             self.print_statement(statement)
+
+    def print_pair(self, pair: Pair) -> None:
+        """The sines and cosines of two angles, for the statements that follow."""
+        name, angles = self.scope.fresh("turned"), [self.printer.print(angle) for angle in pair.angles]
+        self.helpers.update(("trig", "two", "two" + self.trig.partition("(")[0]))
+        self.add(f"const {self.prefix}_turned {name} = {self.prefix}_two{self.trig.format(', '.join(angles))};")
+        for k, angle in enumerate(angles):
+            self.turned |= {("sin", angle): f"{name}.sine[{k}]", ("cos", angle): f"{name}.cosine[{k}]"}
 
     def print_statement(self, statement: Statement) -> None:
         """One statement."""

@@ -191,6 +191,7 @@ def print_function(program: Program, function: Function, helpers: set[str], *, i
     )
     printer.arguments, printer.kept = tuple(argument.name for argument in function.inputs), layout.kept
     printer.blocks, printer.quick = layout.blocks, function.name == "rhs"
+    printer.paired = inline and function.name == "rhs"
     parts = print_statements(printer, function, body, layout, guarded=finish is None)
     if finish is not None and output is not None:
         near = print_near(printer, function, angles) if angles else ("", "")
