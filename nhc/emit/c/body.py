@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from fractions import Fraction
 
 from nhc.emit.c.arrange import TURNED
-from nhc.emit.c.elimination import Elimination, choose_order
+from nhc.emit.c.dense import Blocks, print_solve
 from nhc.emit.c.literals import PI, print_comment, print_double
 from nhc.emit.c.pairs import Pair, pair_angles
 from nhc.emit.expressions import ATOM, ExpressionPrinter, Text
@@ -31,7 +31,6 @@ from nhc.program.ir import (
 from nhc.records import record
 
 WIDTH = 110
-ZERO, FEW = Number(Fraction(0)), 8  # entries of zero that are stored one by one
 FUNCTIONS = {"abs": "fabs"}
 ANY = "_any({})"  # this file's own sine and cosine, for any angle
 HELPERS = {"sign": "sign", "min": "minimum", "max": "maximum"}  # functions that this file must bring itself
@@ -63,7 +62,7 @@ class CDialect:
             known = self.turned.get((function, arguments[0]))
             if known is not None:
                 return known
-            self.helpers.update(("trig", function + self.trig.partition("(")[0]))
+            self.helpers.update(("trig", "one", function + self.trig.partition("(")[0]))
             return f"{self.prefix}_{function}{self.trig.format(arguments[0])}"
         if function not in HELPERS:
             return f"{FUNCTIONS.get(function, function)}({', '.join(arguments)})"
@@ -75,19 +74,6 @@ class CDialect:
         for argument in arguments[1:]:
             text = f"{self.prefix}_{helper}({text}, {argument})"
         return text
-
-
-@record
-class Block:
-    """Where in ``kept`` the matrix of a dense solve stands with its right sides; ``masses`` as in the solve."""
-
-    place: int
-    masses: int
-
-
-def list_entries(solve: Solve) -> list[Expr]:
-    """The matrix beside its right sides, row by row."""
-    return [e for i, row in enumerate(solve.matrix) for e in (*row, *(column[i] for column in solve.columns))]
 
 
 def bound_test(guard: Guard) -> Expr:
@@ -153,7 +139,7 @@ class BodyPrinter:
         self.turned: dict[tuple[str, str], str] = {}
         self.printer = ExpressionPrinter(CDialect(prefix, helpers, trig, self.turned), scope)
         self.kept: dict[str, int] = {}  # names that parts of the function find in the array `kept`, and where
-        self.blocks: dict[tuple[tuple[str, ...], ...], Block] = {}  # dense solves that parts have filled
+        self.blocks: Blocks = {}  # dense solves that parts have filled
         self.arguments: tuple[str, ...] = ()  # what other functions are called with
         self.paired = False  # whether angles are turned two at a time
         self.quick = False  # whether dense solves are written out where they are short
@@ -224,7 +210,7 @@ class BodyPrinter:
         elif isinstance(statement, Guard):
             self.print_guard(statement)
         elif isinstance(statement, Solve):
-            self.print_solve(statement)
+            print_solve(self, statement)
         elif isinstance(statement, Store):
             self.mark_origin(statement.origin)
             target = self.element(statement.array, statement.index)
@@ -250,84 +236,27 @@ class BodyPrinter:
         self.add_comment(print_comment(guard.what))
         self.print_exit(self.print_good(guard), self.leave(guard.status))
 
+    def open_unless(self, tests: Sequence[str]) -> None:
+        """Begin a block for where one of the tests fails; each has its line where they are long."""
+        condition = f"if (!({' && '.join(tests)})) {{"
+        if len(self.indent) + len(condition) <= WIDTH:
+            self.add(condition)
+        else:
+            self.add(f"if (!({tests[0]}")
+            for test in tests[1:]:
+                self.add(f"    && {test}")
+            self.lines[-1] += ")) {"
+        self.indent += "    "
+
+    def close(self) -> None:
+        """End a block."""
+        self.indent = self.indent[:-4]
+        self.lines.append(f"{self.indent}}}")
+
     def print_exit(self, good: str, result: str) -> None:
         """Leave with the result where what should hold does not."""
         self.add(f"if (!({good})) {{")
         self.lines += [f"{self.indent}    return {result};", f"{self.indent}}}"]
-
-    def print_solve(self, solve: Solve) -> None:
-        """Fill the matrix with its right sides, eliminate, name the solutions."""
-        self.helpers.add("solve")
-        size, sides = len(solve.matrix), len(solve.columns)
-        width, block = size + sides, self.blocks.get(solve.names)
-        order = choose_order(solve) if self.quick and block is None else None
-        if order is not None:
-            self.print_quickly(solve, order)
-            return
-        if block is None:
-            array = self.scope.fresh("block")
-            self.print_block(solve, array)
-            self.print_exchanges(solve, array, solve.masses)
-        else:
-            self.print_exchanges(solve, f"kept + {block.place}" if block.place else "kept", block.masses)
-            return  # the unknowns are read where they are needed
-        for c, names in enumerate(solve.names):
-            for i, name in enumerate(names):
-                place = f"{array}[{i * width + size + c}]"
-                if sides > 1 and name not in self.kept:
-                    self.scope.alias(name, place)  # many names that are read once
-                elif name in self.used:
-                    self.lines.append(f"{self.indent}const double {self.scope[name]} = {place};")
-                    self.keep(name)
-
-    def print_exchanges(self, solve: Solve, where: str, masses: int) -> None:
-        """The elimination by a function, of what stands in an array."""
-        size, tolerance = len(solve.matrix), print_double(Fraction(solve.tolerance))
-        width = size + len(solve.columns)
-        self.add(f"if ({self.prefix}_solve({size}, {masses}, {width}, {where}, {tolerance}) != 0) {{")
-        self.lines.append(f"{self.indent}    return {self.leave(solve.status)};")
-        self.lines.append(f"{self.indent}}}")
-
-    def print_quickly(self, solve: Solve, order: list[int]) -> None:
-        """The elimination written out, and with exchanges where that is not good."""
-        size = len(solve.matrix)
-        unknowns = [(i, name) for i, name in enumerate(solve.names[0]) if name in self.used]
-        self.add_comment("the masses, then the multipliers are eliminated, without exchanges while all pivots are good")
-        made = Elimination(self, solve, order)
-        self.add(f"if (!({made.write()})) {{")
-        self.indent += "    "
-        array = self.scope.fresh("block")
-        self.print_block(solve, array, made.list_entries())
-        self.print_exchanges(solve, array, solve.masses)
-        self.lines += [f"{self.indent}{self.scope[name]} = {array}[{i * (size + 1) + size}];" for i, name in unknowns]
-        self.indent = self.indent[:-4]
-        self.lines.append(f"{self.indent}}}")
-        for _, name in unknowns:
-            self.keep(name)
-
-    def print_block(self, solve: Solve, array: str, texts: Sequence[str] = ()) -> None:
-        """The matrix of a dense solve beside its right sides, from the texts of its entries where these are known."""
-        self.add_comment(
-            print_comment(f"the matrix beside its right sides, row by row; {solve.what} where it has no pivot")
-        )
-        entries = list_entries(solve)
-        self.lines.append(f"{self.indent}double {array}[{len(entries)}];")
-        skipped = self.print_zeros(array, entries)
-        for k, entry in enumerate(entries):
-            if not (skipped and entry == ZERO):
-                self.add(f"{array}[{k}] = {texts[k] if texts else self.printer.print(entry)};")
-
-    def print_zeros(self, array: str, entries: list[Expr]) -> bool:
-        """All entries zero in a loop, where many are; whether it was done."""
-        if entries.count(ZERO) <= FEW:
-            return False
-        k = self.scope.fresh("entry")
-        self.lines += [
-            f"{self.indent}for (int {k} = 0; {k} < {len(entries)}; ++{k}) {{",
-            f"{self.indent}    {array}[{k}] = 0.0;",
-            f"{self.indent}}}",
-        ]
-        return True
 
     def print_evaluate(self, evaluate: Evaluate) -> None:
         """Another function's output; leave where that is singular."""

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
 
-from nhc.emit.c.body import WIDTH, BodyPrinter
+from nhc.emit.c.body import BodyPrinter
 from nhc.program.ir import (
     Binary,
     Call,
@@ -95,15 +95,7 @@ def print_finish(
         printer.add_comment(
             "an infinity, a NaN or a division by zero anywhere above stays in this sum" if finish.entries else ""
         )
-        condition = f"if (!({' && '.join(tests)})) {{"
-        if len(printer.indent) + len(condition) <= WIDTH:
-            printer.add(condition)
-        else:
-            printer.add(f"if (!({tests[0]}")
-            for test in tests[1:]:
-                printer.add(f"    && {test}")
-            printer.lines[-1] += ")) {"
-        printer.indent += "    "
+        printer.open_unless(tests)
         if near[0]:
             printer.print_exit(near[0], near[1])
         for statement in body:
@@ -111,8 +103,7 @@ def print_finish(
                 printer.print_guard(statement)
         printer.helpers.add("finish")
         printer.add(f"return {printer.prefix}_finish({size}, {output});")  # finite numbers may have an infinite sum
-        printer.indent = printer.indent[4:]
-        printer.add("}")
+        printer.close()
     printer.add(f"return {printer.prefix.upper()}_OK;")
 
 

@@ -9,8 +9,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 
-from nhc.emit.c.body import ZERO, Block, BodyPrinter, list_entries, wrap_code
-from nhc.emit.statements import collect_refs
+from nhc.emit.c.body import BodyPrinter, wrap_code
+from nhc.emit.c.dense import Block, Blocks, list_entries
+from nhc.emit.statements import ZERO, collect_refs
 from nhc.program.ir import Argument, Evaluate, Function, Let, Load, Section, Solve, Statement, Store, Sweep
 from nhc.records import record
 
@@ -21,9 +22,6 @@ SLOW = frozenset(
 LONG = 40  # statements from which on this holds
 LENGTHS = (250, 200)  # statements that one function may have, those of a part where there are more
 RHS_LENGTHS = (1200, 750)  # it must be fast above all: what parts leave for others costs stores and loads
-
-
-Blocks = dict[tuple[tuple[str, ...], ...], Block]
 
 
 @record

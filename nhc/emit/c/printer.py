@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from nhc.emit.c.arrange import arrange
 from nhc.emit.c.batch import Batch, mark_unused, print_batch
-from nhc.emit.c.body import ANY, FEW, BodyPrinter, print_singular, wrap_code
+from nhc.emit.c.body import ANY, BodyPrinter, print_singular, wrap_code
+from nhc.emit.c.dense import FEW
 from nhc.emit.c.driver import list_driver_functions, make_driver
 from nhc.emit.c.finish import choose_finish, print_finish
 from nhc.emit.c.header import frame, print_file_comment, print_function_comment, print_source_comment

@@ -1,0 +1,187 @@
+"""A symmetric dense solve written out as L D L^T, for languages that can fall back to exchanges of rows.
+
+The masses come first, then the multipliers: where the mass matrix is positive definite, the pivots of the former are positive and
+those of the latter negative whatever the order (Vanderbei, SIAM J. Optim. 5 (1995) 100-113), and no exchange is needed.  Of
+either kind the next is the one with the fewest entries beside it.  The same entries are solved with exchanges where a pivot has
+another sign or has lost its digits, and where the masses would be so much faster without reactions that their accelerations,
+which are differences then, have lost theirs: a light wheel on a heavy cart.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Container
+from dataclasses import replace
+from fractions import Fraction
+
+from nhc.program.ir import Binary, Expr, Let, Negate, Number, Ref, Solve
+from nhc.records import record
+
+MOST = 2000
+"""Operations that are written out at most: compilers take long over more."""
+DIGITS = Number(Fraction(1, 10**6))
+"""The part of a pivot's first value that must be left; of the squares of the accelerations without reactions too: three digits."""
+
+_ZERO, _ONE = Number(Fraction(0)), Number(Fraction(1))
+
+Pair = tuple[int, int]
+
+
+@record
+class Test:
+    """``left relation right``; the relation is one of ``< > <=``."""
+
+    left: Expr
+    relation: str
+    right: Expr
+
+
+@record
+class WrittenOut:
+    """``lets`` bind the unknowns, and temporaries called ``prefix:number``, which no spec can; good where all ``tests`` hold.
+
+    ``solve`` is the system, its entries as names, for an elimination with exchanges where they do not.
+    """
+
+    solve: Solve
+    lets: tuple[Let, ...]
+    tests: tuple[Test, ...]
+
+
+def write_out(solve: Solve, used: Container[str]) -> WrittenOut | None:
+    """The solve without exchanges; None where it is long or not symmetric.  Of the unknowns only those ``used`` get their names."""
+    order = choose_order(solve)
+    return None if order is None else _Elimination(solve, order, used).write()
+
+
+def choose_order(solve: Solve) -> list[int] | None:
+    """The unknowns in the order of their elimination; None where the solve is not one for this."""
+    size, matrix = len(solve.matrix), solve.matrix
+    if len(solve.columns) != 1 or any(matrix[i][i] == _ZERO for i in range(solve.masses)):
+        return None
+    if any(matrix[i][j] != matrix[j][i] for i in range(size) for j in range(i)):
+        return None
+    beside = [{j for j in range(size) if j != i and matrix[i][j] != _ZERO} for i in range(size)]
+    order: list[int] = []
+    work = 0
+    for kind in (range(solve.masses), range(solve.masses, size)):
+        left = set(kind)
+        while left:
+            k = min(left, key=lambda i: (len(beside[i]), i))
+            left.remove(k)
+            order.append(k)
+            near = beside[k]
+            work += 1 + len(near) * (len(near) + 7)
+            for i in near:
+                beside[i] = (beside[i] | near) - {i, k}
+    return order if work <= MOST else None
+
+
+class _Elimination:
+    """One solve's lets, as they come."""
+
+    def __init__(self, solve: Solve, order: list[int], used: Container[str]) -> None:
+        self.solve, self.order, self.used = solve, order, used
+        self.lets: list[Let] = []
+        self.numbers: Counter[str] = Counter()
+        self.entries: dict[Pair, Expr] = {}
+        for i, row in enumerate(solve.matrix):
+            self.entries |= {(i, j): self._name("entry", row[j]) for j in range(i, len(row)) if row[j] != _ZERO}
+        self.right = [self._name("entry", x) for x in solve.columns[0]]
+
+    def _name(self, prefix: str, value: Expr) -> Expr:
+        """The value itself where it is short, else a new name for it."""
+        if isinstance(value, Number | Ref) or (isinstance(value, Negate) and isinstance(value.operand, Ref)):
+            return value
+        self.numbers[prefix] += 1
+        self.lets.append(Let(f"{prefix}:{self.numbers[prefix]}", value))
+        return Ref(self.lets[-1].name)
+
+    def _list_named(self) -> Solve:
+        """The system with the names of its entries."""
+        size = range(len(self.right))
+        matrix = tuple(tuple(self.entries.get(_pair(i, j), _ZERO) for j in size) for i in size)
+        return replace(self.solve, matrix=matrix, columns=(tuple(self.right),))
+
+    def write(self) -> WrittenOut:
+        """Eliminate and find the unknowns."""
+        named, now, right = self._list_named(), dict(self.entries), list(self.right)
+        first: dict[int, Expr] = {}
+        tests: list[Test] = []
+        factors: dict[int, list[tuple[int, Expr]]] = {}
+        inverses: dict[int, Expr] = {}
+        known: dict[Expr, Expr] = {}  # the same by the pivot: masses are often equal
+        for number, k in enumerate(self.order):
+            if number in (0, self.solve.masses):
+                first = {i: now.get((i, i), _ZERO) for i in self.order[number:]}
+            pivot = now.get((k, k), _ZERO)
+            bound = _ZERO if pivot == first[k] else Binary("*", DIGITS, first[k])
+            tests.append(Test(pivot, ">" if number < self.solve.masses else "<", bound))
+            later = [i for i in self.order[number + 1 :] if _pair(i, k) in now]
+            if pivot not in known and (later or right[k] != _ZERO):
+                known[pivot] = self._name("inverse", Binary("/", _ONE, pivot))
+            inverses[k] = known.get(pivot, _ZERO)  # which nothing is multiplied by then
+            factors[k] = [(i, self._name("factor", multiply(now[_pair(i, k)], inverses[k]))) for i in later]
+            for i, factor in factors[k]:
+                for j in later[later.index(i) :]:
+                    less = subtract(now.get(_pair(i, j), _ZERO), multiply(factor, now[_pair(j, k)]))
+                    now[_pair(i, j)] = self._name("rest", less)
+                right[i] = self._name("rest", subtract(right[i], multiply(factor, right[k])))
+        free, values = list[Expr](), dict[int, Expr]()
+        for k in reversed(self.order):
+            own = value = self._name("free", multiply(right[k], inverses[k]))
+            for i, factor in factors[k]:
+                value = subtract(value, multiply(factor, values[i]))
+            name = self.solve.names[0][k]
+            if name in self.used:
+                self.lets.append(Let(name, value))
+                values[k] = Ref(name)
+            else:
+                values[k] = self._name("unknown", value)
+            if k < self.solve.masses:
+                free.append(own)
+        moved = [values[k] for k in range(self.solve.masses)]
+        tests.append(Test(Binary("*", DIGITS, _sum_squares(free)), "<=", _sum_squares(moved)))
+        return WrittenOut(named, tuple(self.lets), tuple(dict.fromkeys(tests)))
+
+
+def _sum_squares(values: list[Expr]) -> Expr:
+    squares = [multiply(value, value) for value in values if value != _ZERO]
+    total: Expr = squares[0] if squares else _ZERO
+    for square in squares[1:]:
+        total = Binary("+", total, square)
+    return total
+
+
+def _pair(i: int, j: int) -> Pair:
+    return (i, j) if i < j else (j, i)
+
+
+def negate(value: Expr) -> Expr:
+    """-value; signs do not pile up."""
+    if isinstance(value, Number):
+        return Number(-value.value)
+    return value.operand if isinstance(value, Negate) else Negate(value)
+
+
+def multiply(a: Expr, b: Expr) -> Expr:
+    """a*b with its sign in front; a factor of 0 or 1 is not written."""
+    if _ZERO in (a, b):
+        return _ZERO
+    negative = _is_negative(a) != _is_negative(b)
+    a, b = (negate(x) if _is_negative(x) else x for x in (a, b))
+    product = b if a == _ONE else a if b == _ONE else Binary("*", a, b)
+    return negate(product) if negative else product
+
+
+def subtract(a: Expr, b: Expr) -> Expr:
+    """a - b; zero is not written, and minus a negative one is plus."""
+    if b == _ZERO:
+        return a
+    if a == _ZERO:
+        return negate(b)
+    return Binary("+", a, negate(b)) if _is_negative(b) else Binary("-", a, b)
+
+
+def _is_negative(value: Expr) -> bool:
+    return isinstance(value, Negate) or (isinstance(value, Number) and value.value < 0)
