@@ -15,14 +15,18 @@ from nhc.records import record
 
 
 def square_groups(system: System, kinetic: Kinetic) -> list[tuple[int, ...]]:
-    """Pairs and triples of velocity forms that stand in T as h/2 (u_i^2 + u_j^2 + u_k^2) and nowhere else."""
+    """Pairs and triples of exact velocity forms that stand in T as h/2 (u_i^2 + u_j^2 + u_k^2) and nowhere else.
+
+    Forms that are not exact, such as components on a body's own axes, are no components on axes that stand still.
+    """
     g = system.graph
     forms = g.mask(kinetic.u)
     by_factor: dict[Node, list[int]] = {}
     for k, (u, pi, row) in enumerate(zip(kinetic.u, kinetic.slope, kinetic.hessian, strict=True)):
         factor = row[k]
         alone = all(x == g.zero for j, x in enumerate(row) if j != k)
-        if alone and factor != g.zero and not g.depends(factor, forms) and pi == g.mul(factor, u):
+        square = alone and factor != g.zero and not g.depends(factor, forms) and pi == g.mul(factor, u)
+        if square and kinetic.is_exact(k):
             by_factor.setdefault(factor, []).append(k)
     coordinates = g.mask(system.q)
     groups: list[tuple[int, ...]] = []
