@@ -50,8 +50,12 @@ def reachable(
     return sorted(seen)
 
 
-def substitute(graph: Graph, roots: Sequence[Node], mapping: Mapping[Node, Node]) -> list[Node]:
-    """The roots with symbols (or whole nodes, below which nothing is looked at) replaced; what does not contain them is kept."""
+def substitute(graph: Graph, roots: Sequence[Node], mapping: Mapping[Node, Node], *, named: bool = True) -> list[Node]:
+    """The roots with symbols (or whole nodes, below which nothing is looked at) replaced; what does not contain them is kept.
+
+    ``named``: the new values are the old ones where they are used (on the motion, in a scene), so that the user's names stay
+    true of them.  They do not where a symbol is put to zero to find its coefficient.
+    """
     mask, deps = 0, graph.deps
     for key in mapping:
         mask |= deps[key]
@@ -77,16 +81,16 @@ def substitute(graph: Graph, roots: Sequence[Node], mapping: Mapping[Node, Node]
         else:
             made = rebuild(graph, node, [new.get(c, c) for c in graph.kids[node]])
         new[node] = made
-        if node in labels:
+        if named and node in labels:
             graph.pass_label(node, made)
     return [new.get(root, root) for root in roots]
 
 
 class Replacement:
-    """A substitution that is used again and again: each node is rebuilt once."""
+    """A substitution that is used again and again: each node is rebuilt once.  ``named`` as in :func:`substitute`."""
 
-    def __init__(self, graph: Graph, mapping: Mapping[Node, Node]) -> None:
-        self.graph, self._mask = graph, graph.mask(tuple(mapping))
+    def __init__(self, graph: Graph, mapping: Mapping[Node, Node], *, named: bool = True) -> None:
+        self.graph, self._mask, self._named = graph, graph.mask(tuple(mapping)), named
         self._known: dict[Node, Node] = dict(mapping)
 
     def of(self, nodes: Sequence[Node]) -> list[Node]:
@@ -95,7 +99,7 @@ class Replacement:
         kids, labels = graph.kids, graph.labels
         for node in reachable(graph, nodes, self._mask, known):
             made = known[node] = self.make(node, [known.get(c, c) for c in kids[node]])
-            if node in labels:
+            if self._named and node in labels:
                 graph.pass_label(node, made)
         return [known.get(node, node) for node in nodes]
 

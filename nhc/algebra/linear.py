@@ -89,7 +89,7 @@ def depends(graph: Graph, nodes: Sequence[Node], symbols: Sequence[Node]) -> lis
         found[k] = not all(are_zero(graph, gradient(graph, node, symbols)))
         if not found[k] and _has_steps(graph, node, mask):
             others = {s: graph.symbol(f"other {s}") for s in symbols}
-            found[k] = not is_zero(graph, graph.sub(node, substitute(graph, [node], others)[0]))
+            found[k] = not is_zero(graph, graph.sub(node, substitute(graph, [node], others, named=False)[0]))
     return found
 
 
@@ -117,10 +117,10 @@ def linear_form(graph: Graph, node: Node, symbols: Sequence[Node]) -> tuple[tupl
         if stepped is not None:
             raise NotLinear(stepped)
     try:
-        cleaned = substitute(graph, [*coefficients, node], dict.fromkeys(symbols, graph.zero))
+        cleaned = substitute(graph, [*coefficients, node], dict.fromkeys(symbols, graph.zero), named=False)
     except ZeroDivisionError:  # the same at any other place
         other = {symbol: graph.number(17 + 13 * k * k) for k, symbol in enumerate(symbols)}
-        cleaned = substitute(graph, [*coefficients, rest], other)
+        cleaned = substitute(graph, [*coefficients, rest], other, named=False)
     return tuple(cleaned[:-1]), cleaned[-1]
 
 

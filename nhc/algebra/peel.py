@@ -32,7 +32,7 @@ def coefficients(graph: Graph, row: Node, unknowns: Sequence[Node]) -> list[Node
     found = gradient(graph, row, unknowns)
     mask = graph.mask(unknowns)
     if any(graph.deps[c] & mask for c in found):  # by sight only
-        found = substitute(graph, found, dict.fromkeys(unknowns, graph.zero))
+        found = substitute(graph, found, dict.fromkeys(unknowns, graph.zero), named=False)
     return found
 
 
@@ -49,7 +49,7 @@ class _Peeler:
         g, unknown = self.graph, self.unknowns[self.number[bit]]
         slope = tangent(g, [self.rows[i]], {unknown: g.one})[0]
         if g.deps[slope] & self.everything:
-            slope = substitute(g, [slope], dict.fromkeys(self.unknowns, g.zero))[0]
+            slope = substitute(g, [slope], dict.fromkeys(self.unknowns, g.zero), named=False)[0]
         if is_zero(g, slope):
             self.masks[i] &= ~bit
             return None

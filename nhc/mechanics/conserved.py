@@ -290,7 +290,7 @@ def _is_independent(sampler: Sampler, frame: Frame | None, known: Sequence[Node]
     nodes = [*known, node]
     if frame is not None:
         nodes = substitute(g, nodes, moving(system, frame.kinematics))
-    nodes = substitute(g, nodes, dict.fromkeys(sampler.zeroed, g.zero))
+    nodes = substitute(g, nodes, dict.fromkeys(sampler.zeroed, g.zero), named=False)
     return rank(g, [gradient(g, x, (*system.q, *free, system.t)) for x in nodes]) == len(nodes)
 
 

@@ -83,7 +83,7 @@ class Frame:
     def drift(self) -> tuple[Node, ...]:
         """b_{i,n+1}."""
         still = dict.fromkeys(self.symbols, self.graph.zero)
-        return from_base(self.system, substitute(self.graph, self._on_constraints[0], still), self.turned)
+        return from_base(self.system, substitute(self.graph, self._on_constraints[0], still, named=False), self.turned)
 
     @cached_property
     def all_kinematics(self) -> tuple[Node, ...]:

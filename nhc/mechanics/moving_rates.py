@@ -72,7 +72,7 @@ class OnMotion:
         self.solution, self.held = solution, held
         self._free = scene.held[scene.system.l :]
         self.there = Replacement(g, held)
-        self._rest = Replacement(g, {held[symbol]: g.zero for symbol in self._free})
+        self._rest = Replacement(g, {held[symbol]: g.zero for symbol in self._free}, named=False)
 
     def of(self, values: Sequence[Node]) -> list[Node]:
         """The values on the motion."""

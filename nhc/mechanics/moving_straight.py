@@ -56,7 +56,7 @@ def _by_velocities(graph: Graph, node: Node, velocities: Sequence[Node]) -> Node
     equal in several components are then one.
     """
     g = graph
-    rest = substitute(g, [node], dict.fromkeys(velocities, g.zero))[0]
+    rest = substitute(g, [node], dict.fromkeys(velocities, g.zero), named=False)[0]
     behind: dict[Node, Node] = {}
     for slope, velocity in zip(gradient(g, node, velocities), velocities, strict=True):
         k, factor = g.split_coefficient(normalise(g, slope, _TERMS))

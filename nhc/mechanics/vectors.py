@@ -273,7 +273,7 @@ class Reader:
         c, s = g.function("cos", angle), g.function("sin", angle)
         C, S = g.symbol("cosine", "test"), g.symbol("sine", "test")
         mask = g.mask((C, S))
-        marked = substitute(g, components, {c: C, s: S})
+        marked = substitute(g, components, {c: C, s: S}, named=False)
         for i, j in _PLANES:
             k = 3 - i - j
             if g.depends(marked[k], mask) or not (g.depends(marked[i], mask) or g.depends(marked[j], mask)):
@@ -286,7 +286,7 @@ class Reader:
             if sign == 0:
                 continue
             still = {C: g.zero, S: g.zero}
-            x0, y0 = substitute(g, (marked[i], marked[j]), still)
+            x0, y0 = substitute(g, (marked[i], marked[j]), still, named=False)
             inner, outer = list(components), [g.zero] * 3
             inner[i], inner[j] = xc, yc
             outer[i], outer[j] = x0, y0

@@ -56,7 +56,7 @@ def find_lacking(system: System, momenta: Sequence[Node], mass: Sequence[Node]) 
     g = system.graph
     velocities, time = g.mask(system.v), g.mask([system.t])
     still = {v: g.zero for v in system.v}
-    rest = substitute(g, [system.T, *momenta], still)
+    rest = substitute(g, [system.T, *momenta], still, named=False)
     if any(g.depends(entry, velocities) for entry in mass) or not all(are_zero(g, rest)):
         return "T is not a quadratic form of the velocities"
     if any(q != g.zero for q in system.Q):
