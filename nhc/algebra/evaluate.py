@@ -9,6 +9,9 @@ from typing import Any
 from nhc.algebra.calculus import reachable
 from nhc.algebra.graph import ADD, MUL, NEG, NUM, PI, POW, SYM, Graph, Node
 
+CLEAR = 1e-9
+"""Of the sizes of two constants: a difference above it is no rounding."""
+
 
 class Floats:
     """Double precision by the standard library; IEEE results where ``math`` would raise."""
@@ -96,3 +99,13 @@ def _apply(arithmetic: Any, op: str, x: Any, y: Any = None) -> Any:
     if y is not None:
         return getattr(arithmetic, op)(x, y)
     return getattr(arithmetic, op)(x)
+
+
+def sign_of_constant(graph: Graph, first: Node, second: Node | None = None) -> int:
+    """The sign of a constant, or of the difference of two, as floats tell it; 0 where they do not."""
+    try:
+        values = [float(value) for value in evaluate(graph, [first] if second is None else [first, second], {})]
+    except (ArithmeticError, ValueError, TypeError):
+        return 0
+    difference, size = values[0] - sum(values[1:]), max(map(abs, values))
+    return 0 if abs(difference) <= CLEAR * size else 1 if difference > 0 else -1

@@ -3,14 +3,16 @@
 The functions of the language are sent to the field so that the identities between them stay true:
 
 - an angle is written as a polynomial; each of its monomials (with the least common denominator of its coefficients) owns a point of
-  the circle by the rational parametrisation, and sin and cos of the angle come from the powers of those points (so sin 2x,
-  sin(x + y) and shifts by quarter turns agree with sin x, cos x);
+  the circle by the rational parametrisation, and sin and cos of the angle come from the powers of those points (so sin 2x and
+  sin(x + y) agree with sin x, cos x); multiples of pi/2520 are the points that divide the circle so, and their sines
+  the radicals that they are (sin(pi/3) = sqrt(3)/2);
 - exp, sinh, cosh, tanh likewise, with one invertible generator per monomial;
-- an argument that holds velocities owns one point or generator by its value: on the motion a velocity equals expressions that no
-  polynomial shows, and tanh(x') must be tanh(v cos(theta)); such arguments know their signs, and no addition theorem;
+- an argument that holds velocities owns one point or generator by its value, for on the motion a velocity equals expressions that
+  no polynomial shows: tanh(x') is tanh(v cos(theta)); such arguments know their signs, and no addition theorem;
 - sin and cos of asin, acos, atan and atan2 are the algebraic functions that they are, and so is exp of log;
 - sqrt is the square root that is itself a square (points where the argument has none are drawn again), odd roots exist and are
-  unique because (p - 1)/2 is prime;
+  unique because (p - 1)/2 is prime; the sign of a square is 1 and of other numbers -1, which is odd and multiplicative as signs
+  are, so that sqrt(x^2) is abs(x); constants have their own signs; acos is a quarter turn less asin;
 - every other function is an independent generator, fixed by its name and the value of its argument.
 
 Hence equal expressions always have equal values; unequal ones of degree d agree at a random point with probability at most d/p
@@ -25,16 +27,19 @@ from fractions import Fraction
 from math import lcm
 
 from nhc.algebra.calculus import reachable
+from nhc.algebra.evaluate import sign_of_constant
 from nhc.algebra.expand import Monomial, Polynomial, TooLarge
 from nhc.algebra.graph import ADD, MUL, NEG, NUM, PI, POW, SYM, Graph, Node
 from nhc.algebra.polynomial import ONE, polynomial
-from nhc.algebra.residues import circle_point, square_root, turn
+from nhc.algebra.residues import FULL_TURN, circle_point, part_of_turn, square_root, turn
 
-PRIMES = (2305843009213057079, 2305843009178326439, 2305843009101690119, 2305843009045133879)
-"""Safe primes below 2**61, all 7 modulo 8, modulo each of which 2, 3, 5, ..., 47 are squares: the roots of the numbers that
-occur in specs exist, and sqrt(4*x) is 2*sqrt(x) and not its negative."""
+PRIMES = (2305843006248270719, 2305843005290151599, 2305842996234052799, 2305842995637941759)
+"""Safe primes p below 2**61 with p + 1 divisible by 5040, modulo each of which 2, 3, 5, ..., 47 are squares: their roots exist,
+sqrt(4*x) is 2*sqrt(x) and not its negative, and the circle has points at all 5040ths of a turn.  2 + sqrt(2), 1 + sqrt(2),
+1 + sqrt(3), 1 + sqrt(5) and 10 + 2 sqrt(5) are squares, too, as positive numbers should be."""
 
 _EXPONENT = 65537
+_HALF_TURN = FULL_TURN // 2
 _PERIODIC = ("sin", "cos")
 _EXPONENTIAL = ("exp", "sinh", "cosh", "tanh")
 _MOVING = ("velocity", "quasi", "rate", "acceleration", "multiplier")
@@ -226,13 +231,8 @@ class FieldPoint:
     def _circle(self, argument: Polynomial) -> tuple[int, int]:
         c, s = 1, 0
         for monomial, k in argument.items():
-            if (
-                len(monomial) == 1
-                and self.graph.op[monomial[0][0]] == PI
-                and monomial[0][1] == 1
-                and 2 % k.denominator == 0
-            ):
-                ck, sk = ((1, 0), (0, 1), (-1, 0), (0, -1))[int(2 * k) % 4]
+            if _is_atom(monomial) and self.graph.op[monomial[0][0]] == PI and _HALF_TURN % k.denominator == 0:
+                ck, sk = part_of_turn(int(_HALF_TURN * k) % FULL_TURN, self.prime)
             else:
                 denominator = self._denominator("angle", monomial)
                 point = self._known_point(monomial[0][0]) if denominator == 1 and _is_atom(monomial) else None
@@ -292,27 +292,31 @@ class FieldPoint:
         if op == "sqrt":
             return self._root(x)
         if op == "sign":
-            return self._sign(x)
+            return self._sign(x, g.a[node])
         if op == "abs":
-            return x * self._sign(x) % p
+            return x * self._sign(x, g.a[node]) % p
         if op in ("min", "max"):
             y = self.values[g.b[node]]
-            distance = (x - y) * self._sign((x - y) % p) % p
+            distance = (x - y) * self._sign((x - y) % p, g.a[node], g.b[node]) % p
             return (x + y + (distance if op == "max" else -distance)) * ((p + 1) // 2) % p
+        if op in ("asin", "acos"):
+            generator, sign = self._signed("asin", x)
+            value = generator * sign if x else 0
+            return value % p if op == "asin" else (self.evaluate([g.pi()])[0] * ((p + 1) // 2) - value) % p
         if op == "powf":
             return self._root_power(x, g.b[node])
         if op == "atan2":
             return self._generator(op, x, self.values[g.b[node]])
         return self._generator(op, x)
 
-    def _sign(self, x: int) -> int:
-        """+1 or -1, odd in x."""
-        p = self.prime
+    def _sign(self, x: int, *constants: Node) -> int:
+        """+1 or -1, odd in x; of a constant (the difference of one or two) its own."""
         if x == 0:
             return 0
-        low = min(x, p - x)
-        sign = 1 if self._generator("sign", low) & 1 else p - 1
-        return sign if x == low else p - sign
+        known = 0 if any(self.graph.deps[node] for node in constants) else sign_of_constant(self.graph, *constants)
+        if known:
+            return known % self.prime
+        return 1 if pow(x, (self.prime - 1) // 2, self.prime) == 1 else self.prime - 1
 
     def _root_power(self, x: int, exponent: Node) -> int:
         """x ** exponent, with x**(u + v) = x**u x**v kept for rational multiples of one monomial."""

@@ -1,6 +1,11 @@
-"""Square roots and points of the circle modulo a prime p = 3 mod 4."""
+"""Square roots and points of the circle modulo a prime p = 3 mod 4; with p + 1 divisible by FULL_TURN, its parts are points too."""
 
 from __future__ import annotations
+
+from functools import cache
+
+FULL_TURN = 5040
+"""The circle modulo p has p + 1 points and is cyclic: it has points of each order that divides p + 1."""
 
 
 def square_root(x: int, p: int) -> int | None:
@@ -27,3 +32,44 @@ def turn(c: int, s: int, k: int, p: int) -> tuple[int, int]:
         c, s = (c * c - s * s) % p, 2 * c * s % p
         k >>= 1
     return rc, rs
+
+
+@cache
+def _parts(p: int) -> tuple[tuple[int, tuple[int, int]], ...]:
+    """(order, point) of a 16th, 9th, 5th and 7th of a turn, such that their sines and cosines are the radicals that they are:
+    cos(pi/4) = sqrt(2)/2, sin(2 pi/3) = sqrt(3)/2, cos(2 pi/5) = (sqrt(5) - 1)/4.
+    """
+
+    def root(x: int) -> int:
+        found = square_root(x % p, p)
+        assert found is not None
+        return found
+
+    half, quarter = pow(2, -1, p), pow(4, -1, p)
+    r2, r3, r5 = root(2), root(3), root(5)
+    ninth = next(h for h in _of_order(9, p) if turn(*h, 3, p) == (-half % p, r3 * half % p))
+    return (
+        (16, (root(2 + r2) * half % p, root(2 - r2) * half % p)),
+        (9, ninth),
+        (5, ((r5 - 1) * quarter % p, root(10 + 2 * r5) * quarter % p)),
+        (7, next(h for h in _of_order(7, p) if square_root(h[1], p) is not None)),
+    )
+
+
+def _of_order(n: int, p: int) -> list[tuple[int, int]]:
+    """The points of that order, a power of a prime."""
+    prime = next(q for q in (2, 3, 5, 7) if n % q == 0)
+    powers = (turn(*circle_point(u, p), (p + 1) // n, p) for u in range(2, p))
+    one = next(h for h in powers if turn(*h, n // prime, p) != (1, 0))
+    return [turn(*one, k, p) for k in range(1, n) if k % prime]
+
+
+@cache
+def part_of_turn(count: int, p: int) -> tuple[int, int]:
+    """(cosine, sine) of ``count`` 5040ths of a turn.  p + 1 must be divisible by 5040, and the radicals above exist."""
+    c, s = 1, 0
+    for order, point in _parts(p):
+        weight = count * pow(FULL_TURN // order, -1, order) % order
+        ck, sk = turn(*point, weight, p)
+        c, s = (c * ck - s * sk) % p, (s * ck + c * sk) % p
+    return c, s

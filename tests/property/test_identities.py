@@ -6,11 +6,32 @@ import pytest
 
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.modular import PRIMES, are_zero, is_zero, rank
+from nhc.algebra.residues import FULL_TURN, part_of_turn, square_root, turn
 from nhc.diagnostics import Bag, Source, Span
 from nhc.language.parser import parse_expression
 from nhc.language.syntax import Binary, Call, Name, Negate, Number, Syntax, fold_tree
 
 IDENTITIES = [
+    ("sin(x) + sin(x + 2*pi/3) + sin(x + 4*pi/3)", "0"),
+    ("sin(x + pi/3)", "sin(x)/2 + sqrt(3)/2*cos(x)"),
+    ("cos(pi/6)", "sqrt(3)/2"),
+    ("sin(pi/4)*sqrt(2)", "1"),
+    ("4*cos(pi/5)", "1 + sqrt(5)"),
+    ("4*sin(2*pi/5)", "sqrt(10 + 2*sqrt(5))"),
+    ("2*sin(pi/8)", "sqrt(2 - sqrt(2))"),
+    ("4*sin(pi/12)", "sqrt(6) - sqrt(2)"),
+    ("cos(2*pi/7) + cos(4*pi/7) + cos(6*pi/7)", "-1/2"),
+    ("8*cos(pi/9)*cos(2*pi/9)*cos(4*pi/9)", "1"),
+    ("sin(pi/10)*sin(3*pi/10)", "1/4"),
+    ("tan(x + pi/4)", "(1 + tan(x))/(1 - tan(x))"),
+    ("sqrt(x^2)", "abs(x)"),
+    ("sqrt(cos(x)^2)", "abs(cos(x))"),
+    ("abs(x)*abs(y)", "abs(x*y)"),
+    ("sign(2*x)", "sign(x)"),
+    ("acos(x)", "pi/2 - asin(x)"),
+    ("acos(-x) + acos(x)", "pi"),
+    ("abs(1 - sqrt(2))", "sqrt(2) - 1"),
+    ("max(sqrt(2), sqrt(3))*x", "sqrt(3)*x"),
     ("sin(2*x)", "2*sin(x)*cos(x)"),
     ("cos(3*x)", "4*cos(x)^3 - 3*cos(x)"),
     ("sin(x + y)", "sin(x)*cos(y) + cos(x)*sin(y)"),
@@ -57,6 +78,13 @@ NEAR_MISSES = [
     ("sin(x)^2 + cos(y)^2", "1"),
     ("cos(x + pi/2)", "sin(x)"),
     ("sin(x + pi)", "sin(x)"),
+    ("sin(x) + sin(x + pi/3)", "0"),
+    ("cos(pi/3)", "sqrt(3)/2"),
+    ("cos(pi/5)", "sqrt(5)/2"),
+    ("sin(pi/7)", "sin(2*pi/7)"),
+    ("abs(x^2 - 1)", "x^2 - 1"),
+    ("acos(x)", "pi/2 + asin(x)"),
+    ("abs(1 - sqrt(2))", "1 - sqrt(2)"),
     ("exp(x + y)", "exp(x) + exp(y)"),
     ("exp(2*x)", "exp(x)"),
     ("cosh(x)^2 + sinh(x)^2", "1"),
@@ -129,10 +157,21 @@ def test_primes_are_what_the_field_needs() -> None:
     assert len(set(PRIMES)) == len(PRIMES) >= 4
     for p in PRIMES:
         assert 2**60 < p < 2**61
-        assert p % 8 == 7
+        assert p % FULL_TURN == FULL_TURN - 1
         for q in (p, (p - 1) // 2):
             assert all(pow(base, q - 1, q) == 1 for base in (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37))
         assert all(pow(k, (p - 1) // 2, p) == 1 for k in range(1, 53))
+
+
+@pytest.mark.parametrize("p", PRIMES)
+def test_parts_of_a_turn(p: int) -> None:
+    """They add up, a quarter is (0, 1), and sines that are positive radicals of 2, 3 and 5 are squares as these are."""
+    assert part_of_turn(FULL_TURN // 4, p) == (0, 1)
+    one = part_of_turn(1, p)
+    assert all(part_of_turn(k, p) == turn(*one, k, p) for k in (*range(-40, 40), 719, 1260, 5039))
+    assert len({part_of_turn(k, p) for k in range(FULL_TURN)}) == FULL_TURN
+    for parts in (8, 10, 12):
+        assert all(square_root(part_of_turn(FULL_TURN // 2 // parts * k, p)[1], p) for k in range(1, parts))
 
 
 @pytest.mark.parametrize("seed", range(8))
