@@ -3,14 +3,14 @@
 The masses come first, then the multipliers: where the mass matrix is positive definite, the pivots of the former are positive and
 those of the latter negative whatever the order (Vanderbei, SIAM J. Optim. 5 (1995) 100-113), and no exchange is needed.  Of
 either kind the next is the one with the fewest entries beside it.  The same entries are solved with exchanges where a pivot has
-another sign or has lost its digits, and where the masses would be so much faster without reactions that their accelerations,
-which are differences then, have lost theirs: a light wheel on a heavy cart.
+another sign or has lost its digits, and where one of the masses would be so much faster without reactions that its acceleration,
+which is a difference then, has lost its own: a light wheel on a heavy cart.
 """
 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Container
+from collections.abc import Container, Sequence
 from dataclasses import replace
 from fractions import Fraction
 
@@ -20,7 +20,7 @@ from nhc.records import record
 MOST = 2000
 """Operations that are written out at most: compilers take long over more."""
 DIGITS = Number(Fraction(1, 10**6))
-"""The part of a pivot's first value that must be left; of the squares of the accelerations without reactions too: three digits."""
+"""The part of a pivot's first value that must be left; of the square of an acceleration without reactions too: three digits."""
 
 _ZERO, _ONE = Number(Fraction(0)), Number(Fraction(1))
 
@@ -127,7 +127,8 @@ class _Elimination:
                     less = subtract(now.get(_pair(i, j), _ZERO), multiply(factor, now[_pair(j, k)]))
                     now[_pair(i, j)] = self._name("rest", less)
                 right[i] = self._name("rest", subtract(right[i], multiply(factor, right[k])))
-        free, values = list[Expr](), dict[int, Expr]()
+        values = dict[int, Expr]()
+        held = {row.index(entry) for row in named.matrix[self.solve.masses :] for entry in _single(row)}
         for k in reversed(self.order):
             own = value = self._name("free", multiply(right[k], inverses[k]))
             for i, factor in factors[k]:
@@ -138,19 +139,17 @@ class _Elimination:
                 values[k] = Ref(name)
             else:
                 values[k] = self._name("unknown", value)
-            if k < self.solve.masses:
-                free.append(own)
-        moved = [values[k] for k in range(self.solve.masses)]
-        tests.append(Test(Binary("*", DIGITS, _sum_squares(free)), "<=", _sum_squares(moved)))
+            if (
+                k < self.solve.masses and factors[k] and own != _ZERO and k not in held
+            ):  # what a row holds alone may well be at rest
+                tests.append(Test(multiply(DIGITS, multiply(own, own)), "<=", multiply(values[k], values[k])))
         return WrittenOut(named, tuple(self.lets), tuple(dict.fromkeys(tests)))
 
 
-def _sum_squares(values: list[Expr]) -> Expr:
-    squares = [multiply(value, value) for value in values if value != _ZERO]
-    total: Expr = squares[0] if squares else _ZERO
-    for square in squares[1:]:
-        total = Binary("+", total, square)
-    return total
+def _single(row: Sequence[Expr]) -> list[Expr]:
+    """The entry that is not zero, where there is but one."""
+    found = [entry for entry in row if entry != _ZERO]
+    return found if len(found) == 1 else []
 
 
 def _pair(i: int, j: int) -> Pair:

@@ -81,6 +81,20 @@ def test_where_only_the_constraints_hold_a_coordinate(tmp_path: Path) -> None:
             compiled("rhs", 4, 0.0, [r, 0.3, 0.5, 0.5], p)
 
 
+@pytest.mark.parametrize("other", [0.0, 1.0, 1e6])
+def test_a_fast_mass_hides_no_lost_digits_of_another(other: float, tmp_path: Path) -> None:
+    """x is light and held by heavy y; z, which has nothing to do with them, may be as fast as x would be by itself."""
+    text = FORM.split("coordinates")[0].replace("quadratic", "light")
+    text += "coordinates: [x, y, z]\nparameters: {e: 1, M: 1, a: 1, f: 1}\nT: e/2*x'^2 + M/2*y'^2 + e/2*z'^2\n"
+    text += "forces: {x: 0.7, z: f}\nconstraints:\n  - x' - a*y' = 0\nformulation: multipliers\n"
+    compiled, module = both(text, "light", tmp_path)
+    for e in (1e-3, 1e-9, 1e-12, 1e-15):
+        p = [e, 1.0, 1.0, other]
+        x, y, _ = compiled("rhs", 6, 0.0, [0.0] * 6, p)[3:]
+        assert x == pytest.approx(0.7 / (1 + e), rel=1e-9) and x == pytest.approx(y, rel=1e-9)
+        assert module.rhs(0.0, [0.0] * 6, p)[3] == pytest.approx(x, rel=1e-9)  # type: ignore[attr-defined]
+
+
 @pytest.mark.parametrize("name", ["rolling_disk", "bicycle", "snakeboard", "chaplygin_ball", "roller_racer"])
 def test_gallery(name: str, tmp_path: Path) -> None:
     """Python exchanges rows, ``rhs`` in C does not, and ``accelerations`` calls it."""
