@@ -15,7 +15,7 @@ Stages are pure; the names below are those of ``--dump``.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 from nhc.diagnostics import Bag, Diagnostic, Source, SpecError
@@ -144,10 +144,10 @@ def program(source: Source, options: Options = Options()) -> Program:
     if options.reduce and options.scene:
         from nhc.program.reduced import build_scene_program
 
-        return build_scene_program(reduce_scene(source, options), options.only)
-    made = model(source, options)
-    scenes = options.driver or not options.only
-    return build_program(made.system, made.formulation, made.equations, options.only, options.scene, scenes)
+        return build_scene_program(reduce_scene(source, options), options.only, options.driver)
+    made, driver = model(source, options), options.driver
+    scenes = driver or not options.only
+    return build_program(made.system, made.formulation, made.equations, options.only, options.scene, scenes, driver)
 
 
 def reduce_scene(source: Source, options: Options) -> SceneModel:
@@ -262,8 +262,7 @@ def emit(source: Source, language: str, options: Options = Options()) -> dict[st
     needed = () if options.driver else _functions(options.only)
     if not (options.driver or options.scene or needed):
         needed = FUNCTIONS  # all of them, but no starts of scenes
-    asked = Options(options.formulation, options.scene, only=needed, reduce=bool(options.scene), fold=options.fold)
-    made_program = program(source, asked)
+    made_program = program(source, replace(options, only=needed, reduce=bool(options.scene)))
     return {name: stamp(text) for name, text in render(made_program, language, wanted).items()}
 
 

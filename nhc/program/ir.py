@@ -241,6 +241,18 @@ class SceneData:
 
 
 @record
+class Lookout:
+    """What a driver keeps an eye on: values of ``function`` whose change of sign ends its run, with what each would mean.
+
+    Those from ``dips`` on are sought where they only touch zero.
+    """
+
+    function: Function
+    losses: tuple[str, ...]
+    dips: int
+
+
+@record
 class Program:
     system: str
     about: str
@@ -256,3 +268,4 @@ class Program:
     functions: tuple[Function, ...]
     scenes: tuple[SceneData, ...] = ()
     notes: tuple[str, ...] = ()
+    lookout: Lookout | None = None

@@ -15,6 +15,7 @@ from nhc.mechanics.system import System
 from nhc.program.build import Planner, build_functions
 from nhc.program.ir import Program, Quantity, SceneData
 from nhc.program.naming import identifier
+from nhc.program.watch import look_out
 
 
 def build_program(
@@ -24,10 +25,12 @@ def build_program(
     only: Sequence[str] = (),
     scene: str = "",
     scenes: bool = True,
+    driver: bool = False,
 ) -> Program:
     """The emitters' input; ``only`` names functions, ``scene`` keeps one scene (and its parameter values as defaults).
 
-    Without ``scenes`` the starts of the spec's scenes are not computed: drivers need them.
+    Without ``scenes`` the starts of the spec's scenes are not computed: drivers need them.  With ``driver`` there is what a
+    driver watches on its way.
     """
     planner = Planner(equations, formulation)
     spec = system.spec
@@ -52,6 +55,7 @@ def build_program(
         functions=build_functions(planner, only),
         scenes=starts,
         notes=_notes(formulation),
+        lookout=look_out(planner, [start.p for start in starts]) if driver and starts else None,
     )
 
 

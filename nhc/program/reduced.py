@@ -13,11 +13,12 @@ from nhc.program.naming import identifier
 from nhc.program.plan import FunctionPlan
 from nhc.program.scene_model import SceneModel
 from nhc.program.scene_planner import ScenePlanner
+from nhc.program.watch import look_out
 
 SCENE_FUNCTIONS = ("rhs", "state", "jacobian", "outputs")
 
 
-def build_scene_program(model: SceneModel, only: Sequence[str] = ()) -> Program:
+def build_scene_program(model: SceneModel, only: Sequence[str] = (), driver: bool = False) -> Program:
     """The program of a scene: its state, its constants after the spec's parameters, and its needs as the outputs."""
     system, made, planner = model.system, model.reduction, model.planner
     everything = (*model.start.q, *kept_velocities(system, planner.kept_forms(), model.start))
@@ -42,6 +43,7 @@ def build_scene_program(model: SceneModel, only: Sequence[str] = ()) -> Program:
         functions=lower_functions(planner, only),
         scenes=(data,),
         notes=(*full.notes, *_notes(model)),
+        lookout=look_out(planner, [model.start.p]) if driver else None,
     )
 
 

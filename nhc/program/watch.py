@@ -11,14 +11,14 @@ from collections.abc import Sequence
 from fractions import Fraction
 
 from nhc.algebra.blocks import determinant_of, row_scale, size_of
-from nhc.algebra.calculus import count
+from nhc.algebra.calculus import count, substitute
 from nhc.algebra.graph import Node
 from nhc.algebra.interval import cannot_vanish
 from nhc.algebra.polynomial import normalise
 from nhc.mechanics.regularity import intervals
 from nhc.mechanics.singular import find_rank_loss
 from nhc.program.build import Planner
-from nhc.program.ir import Argument, Function, Origin
+from nhc.program.ir import Argument, Function, Lookout, Origin
 from nhc.program.lower import lower_function
 from nhc.program.plan import FunctionPlan, Target
 from nhc.records import record
@@ -59,6 +59,18 @@ class Watch:
     def weak(self) -> int:
         """The first value that tells weakness only."""
         return self.dips + self.close
+
+    def describe(self, index: int) -> str:
+        """What it means that value ``index``, which is not the user's, changed its sign."""
+        what, kind = self.about[index], self.kinds[index]
+        beyond = "results beyond it would be wrong"
+        if index < self.dips:
+            return f"{what}: the determinant changes its sign here, and {beyond}"
+        if kind == "mass":
+            return f"{what}: a pivot of it vanishes here, where the coordinates do not tell the motion, and {beyond}"
+        if kind == "rank":
+            return f"{what} here: their minors vanish together, and {beyond}"
+        return f"{what}: the determinant vanishes here, and {beyond}"
 
 
 @record
@@ -102,6 +114,16 @@ def watch_function(
         return None, Watch()
     watch = Watch(tuple(about), tuple(kinds), len(events), len(signs), close)
     return _function(planner, nodes, about), watch
+
+
+def look_out(planner: Planner, parameters: Sequence[Sequence[float]]) -> Lookout | None:
+    """What a driver watches in scenes with these values of the spec's parameters; None where nothing can be lost."""
+    columns = zip(*parameters, strict=True)
+    known = {symbol: (min(values), max(values)) for symbol, values in zip(planner.system.p, columns, strict=True)}
+    function, watch = watch_function(planner, None, known=known)
+    if function is None:
+        return None
+    return Lookout(function, tuple(watch.describe(k) for k in range(len(watch.about))), watch.dips)
 
 
 def _levels(measure: _Measure) -> tuple[Fraction, ...]:
@@ -161,7 +183,9 @@ def _rank(planner: Planner) -> list[_Measure]:
     lost = find_rank_loss(system)
     if lost.regular is not False:
         return []
-    value = g.sum([g.power(minor, 2) for minor in lost.minors])
+    value = g.sum([g.power(minor, 2) for minor in substitute(g, lost.minors, planner.put_in)])
+    if planner._is_constant(value):
+        return []
     what = "the constraints lose rank"
     return [_Measure(value, size_of(g, value), True, "rank", what)]
 

@@ -25,7 +25,7 @@ def describe_outcome(job: Job, outcome: Outcome) -> tuple[str, str]:
     if outcome.kind == STOPPED:
         return "stopped", "interrupted"
     if outcome.kind == CROSSED:
-        return "failed", _describe_crossing(job, outcome.status)
+        return "failed", job.watch.describe(outcome.status)
     reasons = {
         SINGULAR: job.meanings.get(outcome.status, "a result is not finite"),
         UNDERFLOW: "the step size underflows: the motion approaches a singularity, or is not smooth there",
@@ -42,20 +42,6 @@ def name_outcome(job: Job, outcome: Outcome) -> str:
     if outcome.kind == NO_SOLUTION:
         return "Newton's iteration does not converge"
     return describe_outcome(job, outcome)[1].partition(":")[0]
-
-
-def _describe_crossing(job: Job, index: int) -> str:
-    """What it means that a watched value changed its sign."""
-    watch = job.watch
-    what, kind = watch.about[index], watch.kinds[index]
-    beyond = "results beyond it would be wrong"
-    if index < watch.dips:
-        return f"{what}: the determinant changes its sign here, and {beyond}"
-    if kind == "mass":
-        return f"{what}: a pivot of it vanishes here, where the coordinates do not tell the motion, and {beyond}"
-    if kind == "rank":
-        return f"{what} here: their minors vanish together, and {beyond}"
-    return f"{what}: the determinant vanishes here, and {beyond}"
 
 
 def describe_state(job: Job, outcome: Outcome, longest: int = 12) -> str:

@@ -21,6 +21,13 @@ FUNCTIONS = {  # the function that a kind of column comes from
 
 
 @record
+class Method:
+    """What the templates that runs and drivers share call the driver's method."""
+
+    name: str = "dop853"
+
+
+@record
 class Column:
     """One column of the CSV: its heading, its kind and its place in the array of that kind."""
 

@@ -6,7 +6,7 @@ from nhc.emit.c.arrange import arrange
 from nhc.emit.c.batch import Batch, mark_unused, print_batch
 from nhc.emit.c.body import ANY, BodyPrinter, print_singular, wrap_code
 from nhc.emit.c.dense import FEW
-from nhc.emit.c.driver import list_driver_functions, make_driver
+from nhc.emit.c.driver import Method, list_driver_functions, make_driver
 from nhc.emit.c.finish import choose_finish, print_finish
 from nhc.emit.c.header import frame, print_file_comment, print_function_comment, print_source_comment
 from nhc.emit.c.large import AT, LARGE, TURNED, list_angles, print_near, print_twice
@@ -76,7 +76,7 @@ def list_files(program: Program, options: EmitOptions) -> tuple[File, ...]:
     source = File(f"{name}.c", "c/model.c.jinja", shared | make_source_context(program, helpers, functions, made))
     if driver is None:
         return header, source
-    return header, source, File(f"{name}_main.c", "c/model_main.c.jinja", driver)
+    return header, source, File(f"{name}_main.c", "c/model_main.c.jinja", driver | make_watch_context(program))
 
 
 def make_header_context(program: Program, functions: tuple[Function, ...], batch: bool) -> dict[str, object]:
@@ -103,6 +103,21 @@ def make_source_context(
         "each": batch.each,
         "least": batch.least,
         "largest_block": max(sizes, default=0),
+    }
+
+
+def make_watch_context(program: Program) -> dict[str, object]:
+    """What a driver's template uses of the values that it watches; their function is one of its own file."""
+    watch, helpers = program.lookout, set[str]()
+    return {
+        "watch": print_function(program, watch.function, helpers) if watch else None,
+        "losses": tuple(print_string(print_comment(text)) for text in watch.losses) if watch else (),
+        "first_dip": watch.dips if watch else 0,
+        "helpers": tuple(sorted(helpers)),
+        "watched": watch is not None,
+        "dips": watch is not None,
+        "hermite": watch is not None,
+        "method": Method(),
     }
 
 
