@@ -7,8 +7,10 @@ from collections.abc import Sequence
 from itertools import groupby
 
 from nhc.emit.environment import create_environment
-from nhc.emit.latex.math import LatexMath, estimate, print_mark
+from nhc.emit.latex.math import LatexMath
+from nhc.emit.latex.names import name_document
 from nhc.emit.latex.spelling import escape, escape_breakable, spell_unit
+from nhc.emit.latex.width import estimate
 from nhc.emit.layout import Piece, fill, total
 from nhc.emit.prose import clean, fold_ascii
 from nhc.program.sheets.model import Derivation, Formula, Item, Mark, Prose, Sheet, Statement, Table
@@ -90,7 +92,8 @@ class _Printer:
     """Prints the sheets of one derivation."""
 
     def __init__(self, derivation: Derivation) -> None:
-        self.math = LatexMath(derivation.symbols)
+        self.spelling = name_document(derivation)
+        self.math = LatexMath(derivation.symbols, self.spelling)
         system = derivation.system
         self.names = {*system.q_names, *(p.name for p in system.spec.parameters)}
         self.names |= {f"{name}{dots}" for name in system.q_names for dots in ("'", "''")}
@@ -135,7 +138,7 @@ class _Printer:
         if name not in self.names:
             return rf"\emph{{{escape(name)}}}"
         bare = name.rstrip("'")
-        return f"${print_mark(Mark(bare, dots=len(name) - len(bare)))}$"
+        return f"${self.spelling.print_mark(Mark(bare, dots=len(name) - len(bare)))}$"
 
     def _tables(self, table: Table) -> list[str]:
         """The table in parts that fit a page."""
@@ -158,7 +161,7 @@ class _Printer:
 
     def _cell(self, cell: str | Mark, title: str) -> str:
         if isinstance(cell, Mark):
-            return f"${print_mark(cell)}$"
+            return f"${self.spelling.print_mark(cell)}$"
         return spell_unit(cell) if title == "unit" else escape(cell)
 
     # --- displays ---------------------------------------------------------------------------------------------
@@ -180,11 +183,11 @@ class _Printer:
         return "\\begin{align*}\n  " + " \\\\\n  ".join(rows) + "\n\\end{align*}"
 
     def _label_width(self, statement: Statement) -> float:
-        return 0.0 if statement.label is None else estimate(print_mark(statement.label)) + 20.0
+        return 0.0 if statement.label is None else estimate(self.spelling.print_mark(statement.label)) + 20.0
 
     def _rows(self, statement: Statement, left: list[Piece], column: float, tag: str) -> list[str]:
         right = self.math.side(statement.right)
-        label = "" if statement.label is None else rf"{print_mark(statement.label)}\colon\quad "
+        label = "" if statement.label is None else rf"{self.spelling.print_mark(statement.label)}\colon\quad "
         relation = {"=": "=", "!=": r"\neq"}[statement.relation]
         note = rf"\qquad \text{{({escape(statement.note)})}}" if statement.note else ""
         tail = note + (rf" \tag{{{tag}}}" if tag else "")

@@ -119,17 +119,17 @@ def form_sheet(desk: Desk, forms: Forms) -> DraftSheet:
         )
     assert forms.exact is not None and forms.dynamic is not None
     numbers = _NUMBERS[name]
-    sheet.add(Draft(desk.name(Mark("Omega_form", ("c",))), desk.form(forms.exact), equation=numbers[0]))
-    sheet.add(Draft(desk.name(Mark("Omega_form", ("d",))), desk.form(forms.dynamic), equation=numbers[1]))
+    sheet.add(Draft(desk.name(Mark("Omega form", ("c",))), desk.form(forms.exact), equation=numbers[0]))
+    sheet.add(Draft(desk.name(Mark("Omega form", ("d",))), desk.form(forms.dynamic), equation=numbers[1]))
     sheet.add(OMEGA[name])
     if name == "multipliers":
         reactions = _reaction_work(desk)
         sheet.say("The reactions work like forces:")
-        sheet.add(Draft(desk.name(Mark("Omega_form", ("r",))), desk.form(reactions)))
+        sheet.add(Draft(desk.name(Mark("Omega form", ("r",))), desk.form(reactions)))
     total = [("Omega_c", forms.exact), ("Omega_d", forms.dynamic)]
     if all(form.terms for _, form in total) or name == "multipliers":
         sheet.say("Together:")
-        sheet.add(Draft(desk.name(Mark("Omega_form")), desk.form(forms.whole), equation=numbers[2]))
+        sheet.add(Draft(desk.name(Mark("Omega form")), desk.form(forms.whole), equation=numbers[2]))
     return sheet
 
 
@@ -151,7 +151,7 @@ def _theta(desk: Desk, sheet: DraftSheet) -> None:
         theta, number = euler_lagrange.kinetic_one_form(frame), "III.2.2"
     else:
         theta, number = lagrange.kinetic_one_form(system), "II.2.2"
-    sheet.add(Draft(desk.name(Mark("Theta_form")), desk.form(theta), equation=number))
+    sheet.add(Draft(desk.name(Mark("Theta form")), desk.form(theta), equation=number))
 
 
 def _reaction_work(desk: Desk) -> Form:
