@@ -10,7 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Mapping
 
-from nhc.emit.latex.spelling import escape, spell_base, spell_index
+from nhc.emit.latex.spelling import escape_exactly, spell_base, spell_index
 from nhc.emit.latex.width import estimate
 from nhc.program.sheets.model import Derivation, Item, Mark, Statement, Table
 
@@ -69,7 +69,7 @@ def name_document(derivation: Derivation) -> Names:
     changed: dict[str, _Spelled] = {}
     listed: dict[str, None] = {}
     for group in alike:
-        first, *others = sorted(group, key=lambda name: (name in given, len(name)))
+        first, *others = sorted(group, key=lambda name: (name in given, not name.isascii(), len(name)))
         listed |= dict.fromkeys([first, *others])
         changed |= {name: _typewriter(name) for name in others}
     made = {_look(mark, Names(changed)) for mark in marks if mark.prefix or not _is_name(mark)}
@@ -114,11 +114,11 @@ def _group(looks: Iterable[tuple[str, str]]) -> list[list[str]]:
 
 def _look(mark: Mark, names: Names = PLAIN) -> str:
     """What a reader sees, who does not tell upright from italic."""
-    return re.sub(r"\\(?:mathrm|mathit|text)\{([^{}]*)\}", r"\1", names.print_mark(mark))
+    return re.sub(r"\\(?:mathrm|mathit|text)\{([^{}]*)\}", r"\1", names.print_mark(mark)).replace("$", "")
 
 
 def _typewriter(name: str) -> _Spelled:
-    text = escape(name)
+    text = escape_exactly(name)
     return (rf"\mathtt{{{text}}}" if name.isascii() else rf"\text{{\ttfamily {text}}}"), ()
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from nhc.algebra.calculus import count, gradient, substitute
 from nhc.algebra.graph import Node
 from nhc.exterior import Form, basis_form, one_form, wedge
@@ -71,7 +73,7 @@ def energy_sheet(desk: Desk) -> DraftSheet | None:
         energy = euler_lagrange.quasi_energy(frame)
         on = {w: g.zero for w in frame.omega[: system.l]}
         nodes = substitute(g, [energy, *gradient(g, energy, frame.omega)], on)
-        sheet.add(Draft(desk.name(Mark("T", star=bool(system.l))), desk.value(nodes[0])))
+        sheet.add(Draft(desk.name(replace(desk.own("T"), star=bool(system.l))), desk.value(nodes[0])))
         if system.l:
             sheet.say(
                 "The momenta belong to the full T, in all quasi-velocities; the constraints are used after differentiation:"
@@ -83,7 +85,7 @@ def energy_sheet(desk: Desk) -> DraftSheet | None:
         return sheet
     reduced = _reduced(desk)
     number = "I.3.3" if name == "chaplygin" else "I.4.3"
-    sheet.add(Draft(desk.name(Mark("T", star=True)), desk.value(reduced.T_star), equation=number))
+    sheet.add(Draft(desk.name(replace(desk.own("T"), star=True)), desk.value(reduced.T_star), equation=number))
     sheet.say("The momenta of the dependent velocities are those of the full T, on the constraints:")
     for alpha, p in zip(reduced.alpha, reduced.p_alpha, strict=True):
         sheet.add(Draft(desk.name(desk.own("p", system.q_names[alpha])), desk.value(p)))
