@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from dataclasses import replace
 from itertools import groupby
 
 from nhc.emit.environment import create_environment
 from nhc.emit.latex.math import LatexMath
 from nhc.emit.latex.names import name_document
-from nhc.emit.latex.spelling import escape, escape_breakable, spell_unit
+from nhc.emit.latex.spelling import count_shown, escape, escape_breakable, spell_unit, split_shown
 from nhc.emit.latex.width import estimate
 from nhc.emit.layout import Piece, fill, total
 from nhc.emit.prose import clean, fold_ascii
@@ -23,11 +24,12 @@ _LINE = 440.0  # points between the margins, less a little
 _TAG = 52.0  # a tag and the space before it
 _HANGING = 24.0
 _MOST_ROWS = 40  # of a table on one page
+_LONG_NOTE, _LONG_PHRASE = 100.0, 320.0  # points of a name or a sentence beside a formula
 _PARAGRAPH = 40  # characters that may make another line of a cell
 _LONG_NAME = 15  # letters, that leave no good place for the end of a line
 _LONG_CELL = 55  # characters from which a column is set as a paragraph
-_LINE_CELLS = 80  # characters of all columns
-_SHORT_MARK, _CHARACTER = 40.0, 5.0  # points
+_LINE_CELLS = 75  # characters of all columns
+_SHORT_MARK, _CHARACTER, _WIDE_CHARACTER = 40.0, 5.0, 6.0  # points
 _ALIGNED = 120.0  # widest left side that is aligned at its relation
 
 
@@ -90,7 +92,7 @@ def list_context(derivation: Derivation) -> dict[str, object]:
         "about": escape_breakable(clean(spec.about)),
         "sources": sources,
         "names": printer.names_apart(),
-        "loose": any(len(name) > _LONG_NAME for name in printer.names),
+        "loose": any(count_shown(name) > _LONG_NAME for name in printer.spelling.names),
         "sections": tuple(printer.section(sheet) for sheet in derivation.sheets),
     }
 
@@ -182,8 +184,9 @@ class _Printer:
     def _length(self, cell: str | Mark) -> int:
         """Of a cell, in characters; symbols and short words are one."""
         if isinstance(cell, str):
-            return len(cell)
-        return max(1, round((estimate(self.spelling.print_mark(cell)) - _SHORT_MARK) / _CHARACTER))
+            return max(count_shown(cell), round(estimate(escape(cell)) / _WIDE_CHARACTER))
+        width = estimate(self.spelling.print_mark(cell))
+        return 1 if width <= _SHORT_MARK else round(width / _CHARACTER)
 
     # --- displays ---------------------------------------------------------------------------------------------
 
@@ -210,9 +213,13 @@ class _Printer:
         right = self.math.side(statement.right)
         label = "" if statement.label is None else rf"{self.spelling.print_mark(statement.label)}\colon\quad "
         relation = {"=": "=", "!=": r"\neq"}[statement.relation]
+        wide = max(7.0 * len(statement.note), estimate(escape(statement.note)))
+        if wide > (_LONG_PHRASE if " " in statement.note else _LONG_NOTE):
+            rows = self._rows(replace(statement, note=""), left, column, tag)
+            return rows + [rf"&\quad \text{{{part}}}" for part in split_shown(f"({statement.note})", _PARAGRAPH)]
         note = rf"\qquad \text{{({escape(statement.note)})}}" if statement.note else ""
         tail = note + (rf" \tag{{{tag}}}" if tag else "")
-        space = _LINE - _TAG - (7.0 * len(statement.note) if statement.note else 0.0)
+        space = _LINE - _TAG - wide
         if column:
             lines = fill(right, space - column - 14.0, _LINE - _TAG - column - 14.0 - _HANGING)
             head = label + "".join(piece.text for piece in left)

@@ -1,8 +1,8 @@
 r"""One spelling for each name of a document.
 
-``x1`` and ``x_1`` would both be set as x with index 1, ``A`` and ``Alpha`` both as a capital A.  The shortest such name is set as it
-would be alone, the others in typewriter with their underscores.  A name that would fill a line gets a number in place of its end.
-What is set in another way is listed, so that a reader finds the name of the spec back.
+``x1`` and ``x_1`` would both be set as x with index 1, ``A`` and ``Alpha`` both as a capital A.  The shortest such name is set
+as it would be alone, the others in typewriter with their underscores.  A name that would fill a line gets a number in place of
+its end.  What is set in another way is listed, so that a reader finds the name of the spec back.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Mapping
 
-from nhc.emit.latex.spelling import escape_exactly, spell_base, spell_index
+from nhc.emit.latex.spelling import escape_exactly, spell_base, spell_index, spell_word
 from nhc.emit.latex.width import estimate
 from nhc.program.sheets.model import Derivation, Item, Mark, Statement, Table
 
@@ -23,10 +23,12 @@ _Spelled = tuple[str, tuple[str, ...]]
 
 
 class Names:
-    """How the names of one document are set: all as :mod:`spelling` has them but for ``changed``; ``listed`` are to be explained."""
+    """How the names of one document are set: as :mod:`spelling` has them but for ``changed``; ``listed`` are to be explained."""
 
-    def __init__(self, changed: Mapping[str, _Spelled], listed: tuple[str, ...] = ()) -> None:
-        self.changed, self.listed = changed, listed
+    def __init__(
+        self, changed: Mapping[str, _Spelled], names: tuple[str, ...] = (), listed: tuple[str, ...] = ()
+    ) -> None:
+        self.changed, self.names, self.listed = changed, names, listed
         self._printed: dict[Mark, str] = {}
 
     def print_mark(self, mark: Mark) -> str:
@@ -37,13 +39,19 @@ class Names:
         return text
 
     def _print(self, mark: Mark) -> str:
-        base, own = self.changed.get(mark.base) or spell_base(mark.base)
+        base, own = self._base(mark.base)
         if mark.dots:
             base = f"{_DOTS[mark.dots]}{{{base}}}"
-        lower = ",".join([*(spell_index(x) for x in own), *(self._index(x) for x in mark.lower)])
+        lower = ",".join([*own, *(self._index(x) for x in mark.lower)])
         upper = ",".join([*("*" for _ in range(mark.star)), *(self._index(x) for x in mark.upper)])
         text = base + (f"^{{{upper}}}" if upper else "") + (f"_{{{lower}}}" if lower else "")
         return (r"d" if mark.prefix else "") + text + mark.at
+
+    def _base(self, name: str) -> _Spelled:
+        if name in self.changed:
+            return self.changed[name]
+        base, own = spell_base(name)
+        return base, tuple(spell_index(x) for x in own)
 
     def _index(self, name: str) -> str:
         if name not in self.changed:
@@ -79,7 +87,7 @@ def name_document(derivation: Derivation) -> Names:
     wide = [name for name in {**bases, **indices} if estimate(Names(changed).print_mark(Mark(name))) > WIDEST]
     for number, name in enumerate(wide, 1):
         changed[name], listed[name] = _numbered(name, number), None
-    return Names(changed, tuple(listed))
+    return Names(changed, (*bases, *indices), tuple(listed))
 
 
 def _list_marks(derivation: Derivation) -> Iterator[Mark]:
@@ -125,4 +133,4 @@ def _typewriter(name: str) -> _Spelled:
 def _numbered(name: str, number: int) -> _Spelled:
     """The first letters, and a number in brackets that no name has."""
     letters = "".join(re.findall("[A-Za-z]", name.split("_")[0] or name))[:_KEPT] or "name"
-    return rf"\mathit{{{letters}}}", (rf"\langle {number}\rangle",)
+    return spell_word(letters), (rf"\langle {number}\rangle",)

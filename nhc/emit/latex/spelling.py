@@ -94,17 +94,28 @@ def _escape_word(word: str) -> str:
 
 
 def _chunks(part: str) -> list[str]:
-    """The part itself unless it is too long for the end of a line; a character that is named by its code counts as such."""
-    shown = [escape_part(character) for character in part]
-    lengths = [8 if text.startswith(r"\textless{}U") else 1 for text in shown]
-    if sum(lengths) <= _LONGEST_PART:
-        return ["".join(shown)]
+    """The part itself unless it is too long for the end of a line."""
+    return split_shown(part, _CHUNK) if count_shown(part) > _LONGEST_PART else [escape_part(part)]
+
+
+def count_shown(text: str) -> int:
+    """The characters that the text is set in: many for one that is named by its code."""
+    return sum(_length(_escape_character(character)) for character in text)
+
+
+def _length(shown: str) -> int:
+    return 8 if shown.startswith(r"\textless{}U") else 1
+
+
+def split_shown(text: str, most: int) -> list[str]:
+    """The text, escaped, in parts of so many characters."""
     chunks, length = [""], 0
-    for text, own in zip(shown, lengths, strict=True):
-        if length + own > _CHUNK and chunks[-1]:
+    for shown in map(_escape_character, text):
+        own = _length(shown)
+        if length + own > most and chunks[-1]:
             chunks.append("")
             length = 0
-        chunks[-1] += text
+        chunks[-1] += shown
         length += own
     return chunks
 
