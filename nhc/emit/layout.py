@@ -12,12 +12,20 @@ _DEEP = 100
 """As many parentheses as no expression has."""
 
 
+LAST = 10_000
+"""Of places where a line ends only if it has no other, such as between the factors of a product; deeper than any expression."""
+
+
 class Piece(NamedTuple):
-    """A text with its width; ``breaks`` is 0, or the depth of parentheses (1: none) of a place where a line may end before it."""
+    """A text with its width; ``breaks`` is 0, or the depth of parentheses (1: none) of a place where a line may end before it.
+
+    ``opens`` stands in place of the text where it opens a line: a factor that goes on there needs a sign.
+    """
 
     text: str
     width: float
     breaks: int = 0
+    opens: str = ""
 
 
 def nest(pieces: Iterable[Piece]) -> list[Piece]:
@@ -40,7 +48,8 @@ def fill(pieces: Sequence[Piece], first: float, rest: float) -> list[str]:
     start, limit = 0, first
     while start < len(pieces):
         end = _line_end(pieces, start, limit)
-        lines.append("".join(piece.text for piece in pieces[start:end]))
+        head = (pieces[start].opens if start else "") or pieces[start].text
+        lines.append(head + "".join(piece.text for piece in pieces[start + 1 : end]))
         start, limit = end, rest
     return lines or [""]
 
@@ -48,14 +57,19 @@ def fill(pieces: Sequence[Piece], first: float, rest: float) -> list[str]:
 def _line_end(pieces: Sequence[Piece], start: int, limit: float) -> int:
     used = 0.0
     places: list[tuple[int, float]] = []
+    spare = 0  # the last place that is taken only where there is no other
     for k in range(start, len(pieces)):
-        if pieces[k].breaks and k > start:
+        if pieces[k].breaks >= LAST and k > start:
+            spare = k
+        elif pieces[k].breaks and k > start:
             places.append((k, used))
         used += pieces[k].width
-        if used > limit and places:
+        if used > limit and (places or spare):
             break
     else:
         return len(pieces)
+    if not places:
+        return spare
     full = [place for place in places if place[1] >= _ENOUGH * limit] or places[-1:]
     return min(full, key=lambda place: (pieces[place[0]].breaks, -place[0]))[0]
 

@@ -14,8 +14,10 @@ import pytest
 from nhc.emit.environment import create_environment
 from nhc.emit.latex import list_context, render
 from nhc.emit.latex.document import TEMPLATE
-from nhc.emit.latex.math import LatexMath, estimate, print_mark
+from nhc.emit.latex.math import LatexMath
+from nhc.emit.latex.names import PLAIN
 from nhc.emit.latex.spelling import escape, escape_breakable, spell_unit
+from nhc.emit.latex.width import estimate
 from nhc.emit.text.math import TextMath
 from nhc.language import Source, decode, read
 from nhc.mechanics.choose import formulate
@@ -62,12 +64,12 @@ def load(name: str, formulation: str = "") -> Derivation:
         (Mark("p", ("w",), star=True), "p^{*}_{w}"),
         (Mark("r_R"), "r_{R}"),
         (Mark("lam"), r"\mathit{lam}"),
-        (Mark("Omega_form", ("c",)), r"\boldsymbol{\Omega}_{c}"),
+        (Mark("Omega form", ("c",)), r"\boldsymbol{\Omega}_{c}"),
         (Mark("Beta"), r"\mathrm{B}"),
     ],
 )
 def test_marks(mark: Mark, wanted: str) -> None:
-    assert print_mark(mark) == wanted
+    assert PLAIN.print_mark(mark) == wanted
 
 
 def test_text_of_the_user_is_escaped() -> None:

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from dataclasses import replace
 from itertools import groupby
 
 from nhc.emit.environment import create_environment
-from nhc.emit.latex.math import LatexMath, estimate, print_mark
-from nhc.emit.latex.spelling import escape, escape_breakable, spell_unit
+from nhc.emit.latex.math import LatexMath
+from nhc.emit.latex.names import name_document
+from nhc.emit.latex.spelling import count_shown, escape, escape_breakable, spell_unit, split_shown
+from nhc.emit.latex.width import estimate
 from nhc.emit.layout import Piece, fill, total
 from nhc.emit.prose import clean, fold_ascii
 from nhc.program.sheets.model import Derivation, Formula, Item, Mark, Prose, Sheet, Statement, Table
@@ -21,7 +24,12 @@ _LINE = 440.0  # points between the margins, less a little
 _TAG = 52.0  # a tag and the space before it
 _HANGING = 24.0
 _MOST_ROWS = 40  # of a table on one page
+_LONG_NOTE, _LONG_PHRASE = 100.0, 320.0  # points of a name or a sentence beside a formula
+_PARAGRAPH = 40  # characters that may make another line of a cell
+_LONG_NAME = 15  # letters, that leave no good place for the end of a line
 _LONG_CELL = 55  # characters from which a column is set as a paragraph
+_LINE_CELLS = 75  # characters of all columns
+_SHORT_MARK, _CHARACTER, _WIDE_CHARACTER = 40.0, 5.0, 6.0  # points
 _ALIGNED = 120.0  # widest left side that is aligned at its relation
 
 
@@ -72,17 +80,20 @@ def render(derivation: Derivation) -> str:
 def list_context(derivation: Derivation) -> dict[str, object]:
     """Exactly what the template may use."""
     spec = derivation.system.spec
-    sources = "; ".join(escape(source) for source in spec.sources)
+    sources = escape_breakable("; ".join(clean(source) for source in spec.sources))
+    printer = _Printer(derivation)
     return {
         "comment": (
             f"{spec.system}: equations of motion, written by nhc {__version__}",
             f"{PLACEHOLDER} edit the spec, not this file",
             f"formulation: {derivation.formulation} ({fold_ascii(derivation.equation)})",
         ),
-        "title": escape(spec.system.replace("_", " ").capitalize()),
-        "about": escape(spec.about),
+        "title": escape_breakable(clean(spec.system.replace("_", " ").capitalize())),
+        "about": escape_breakable(clean(spec.about)),
         "sources": sources,
-        "sections": tuple(_Printer(derivation).section(sheet) for sheet in derivation.sheets),
+        "names": printer.names_apart(),
+        "loose": any(count_shown(name) > _LONG_NAME for name in printer.spelling.names),
+        "sections": tuple(printer.section(sheet) for sheet in derivation.sheets),
     }
 
 
@@ -90,7 +101,8 @@ class _Printer:
     """Prints the sheets of one derivation."""
 
     def __init__(self, derivation: Derivation) -> None:
-        self.math = LatexMath(derivation.symbols)
+        self.spelling = name_document(derivation)
+        self.math = LatexMath(derivation.symbols, self.spelling)
         system = derivation.system
         self.names = {*system.q_names, *(p.name for p in system.spec.parameters)}
         self.names |= {f"{name}{dots}" for name in system.q_names for dots in ("'", "''")}
@@ -101,6 +113,11 @@ class _Printer:
             blocks += [_Block("With the abbreviations", True), _Block(self._aligned(sheet.lets))]
         blocks += self._blocks(sheet.items[sheet.lets_at :])
         return Section(escape(sheet.title), _paragraphs(blocks))
+
+    def names_apart(self) -> tuple[str, ...]:
+        """How the names are set that would look like others, or would fill a line."""
+        rows = tuple((Mark(name), name) for name in self.spelling.listed)
+        return tuple(self._tables(Table(("written", "name in the spec"), rows))) if rows else ()
 
     def _blocks(self, items: Sequence[Item]) -> list[_Block]:
         """Statements of one number are one display, points of a list one list."""
@@ -135,20 +152,23 @@ class _Printer:
         if name not in self.names:
             return rf"\emph{{{escape(name)}}}"
         bare = name.rstrip("'")
-        return f"${print_mark(Mark(bare, dots=len(name) - len(bare)))}$"
+        return f"${self.spelling.print_mark(Mark(bare, dots=len(name) - len(bare)))}$"
 
     def _tables(self, table: Table) -> list[str]:
         """The table in parts that fit a page."""
-        parts = [table.rows[k : k + _MOST_ROWS] for k in range(0, len(table.rows), _MOST_ROWS)]
+        parts: list[list[tuple[str | Mark, ...]]] = [[]]
+        height = 0
+        for row in table.rows:
+            own = max(1 + self._length(cell) // _PARAGRAPH for cell in row)
+            if height + own > _MOST_ROWS and parts[-1]:
+                parts.append([])
+                height = 0
+            parts[-1].append(row)
+            height += own
         return [self._table(table.head, part) for part in parts]
 
     def _table(self, head: tuple[str, ...], rows: Sequence[tuple[str | Mark, ...]]) -> str:
-        lengths = [max(_length(row[k]) for row in rows) for k in range(len(head))]
-        widest = lengths.index(max(lengths))
-        columns = ["l"] * len(head)
-        if lengths[widest] > _LONG_CELL:
-            others = sum(lengths) - lengths[widest]
-            columns[widest] = rf"p{{{max(0.3, min(0.55, 0.85 - 0.012 * others)):.2f}\linewidth}}"
+        columns = _columns([max(self._length(row[k]) for row in rows) for k in range(len(head))])
         lines = [rf"\begin{{tabular}}{{@{{\qquad}}{''.join(columns)}@{{}}}}"]
         lines.append(" & ".join(rf"\emph{{{escape(title)}}}" for title in head) + r" \\")
         for row in rows:
@@ -158,8 +178,15 @@ class _Printer:
 
     def _cell(self, cell: str | Mark, title: str) -> str:
         if isinstance(cell, Mark):
-            return f"${print_mark(cell)}$"
-        return spell_unit(cell) if title == "unit" else escape(cell)
+            return f"${self.spelling.print_mark(cell)}$"
+        return spell_unit(cell) if title == "unit" else escape_breakable(clean(cell))
+
+    def _length(self, cell: str | Mark) -> int:
+        """Of a cell, in characters; symbols and short words are one."""
+        if isinstance(cell, str):
+            return max(count_shown(cell), round(estimate(escape(cell)) / _WIDE_CHARACTER))
+        width = estimate(self.spelling.print_mark(cell))
+        return 1 if width <= _SHORT_MARK else round(width / _CHARACTER)
 
     # --- displays ---------------------------------------------------------------------------------------------
 
@@ -180,15 +207,19 @@ class _Printer:
         return "\\begin{align*}\n  " + " \\\\\n  ".join(rows) + "\n\\end{align*}"
 
     def _label_width(self, statement: Statement) -> float:
-        return 0.0 if statement.label is None else estimate(print_mark(statement.label)) + 20.0
+        return 0.0 if statement.label is None else estimate(self.spelling.print_mark(statement.label)) + 20.0
 
     def _rows(self, statement: Statement, left: list[Piece], column: float, tag: str) -> list[str]:
         right = self.math.side(statement.right)
-        label = "" if statement.label is None else rf"{print_mark(statement.label)}\colon\quad "
+        label = "" if statement.label is None else rf"{self.spelling.print_mark(statement.label)}\colon\quad "
         relation = {"=": "=", "!=": r"\neq"}[statement.relation]
+        wide = max(7.0 * len(statement.note), estimate(escape(statement.note)))
+        if wide > (_LONG_PHRASE if " " in statement.note else _LONG_NOTE):
+            rows = self._rows(replace(statement, note=""), left, column, tag)
+            return rows + [rf"&\quad \text{{{part}}}" for part in split_shown(f"({statement.note})", _PARAGRAPH)]
         note = rf"\qquad \text{{({escape(statement.note)})}}" if statement.note else ""
         tail = note + (rf" \tag{{{tag}}}" if tag else "")
-        space = _LINE - _TAG - (7.0 * len(statement.note) if statement.note else 0.0)
+        space = _LINE - _TAG - wide
         if column:
             lines = fill(right, space - column - 14.0, _LINE - _TAG - column - 14.0 - _HANGING)
             head = label + "".join(piece.text for piece in left)
@@ -203,5 +234,14 @@ class _Printer:
         return [*rows, rf"&\quad {relation} {after[0].strip()}", *(rf"&\qquad {line.strip()}" for line in after[1:])]
 
 
-def _length(cell: str | Mark) -> int:
-    return len(cell) if isinstance(cell, str) else 1
+def _columns(lengths: Sequence[int]) -> list[str]:
+    """As wide as their cells, but for those that are set as paragraphs: the long ones, and the longest until the line holds all."""
+    long = {k for k, length in enumerate(lengths) if length > _LONG_CELL}
+    by_length = sorted(range(len(lengths)), key=lambda k: -lengths[k])
+    for k in by_length:
+        if sum(length for j, length in enumerate(lengths) if j not in long) > _LINE_CELLS - _LONG_CELL // 2 * len(long):
+            long.add(k)
+    others = sum(length for k, length in enumerate(lengths) if k not in long)
+    share = 0.85 - 0.012 * others
+    width = max(0.3, min(0.55, share)) if len(long) == 1 else share / max(1, len(long))
+    return [rf"p{{{width:.2f}\linewidth}}" if k in long else "l" for k in range(len(lengths))]

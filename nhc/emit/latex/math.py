@@ -1,14 +1,13 @@
-"""Marks and expressions in LaTeX, in pieces of estimated width."""
+"""Expressions in LaTeX, in pieces of estimated width."""
 
 from __future__ import annotations
 
-import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
-from functools import lru_cache
 
-from nhc.emit.latex.spelling import spell_base, spell_index
-from nhc.emit.layout import Piece, hold, nest, total
+from nhc.emit.latex.names import PLAIN, Names
+from nhc.emit.latex.width import estimate
+from nhc.emit.layout import LAST, Piece, hold, nest, total
 from nhc.emit.terms import Product, flatten_product, flatten_sum, is_sum, is_unit, list_terms
 from nhc.program.ir import Binary, Call, Expr, Negate, Number, Pi, Power, Ref
 from nhc.program.sheets.model import RANK_STEP, Mark, Side, Symbol
@@ -21,73 +20,9 @@ _FUNCTIONS = {
     "sign": r"\operatorname{sgn}",
 }  # fmt: skip
 _MARK = "@"  # no identifier of the IR
-_DOTS = ("", r"\dot", r"\ddot", r"\dddot")
 
 
-@lru_cache(maxsize=4096)
-def print_mark(mark: Mark) -> str:
-    r"""``\ddot{\theta}``, ``dx``, ``\gamma^{slip}_{v,w}``."""
-    base, own = spell_base(mark.base)
-    if mark.dots:
-        base = f"{_DOTS[mark.dots]}{{{base}}}"
-    lower = ",".join([*(spell_index(x) for x in own), *(spell_index(x) for x in mark.lower)])
-    upper = ",".join([*("*" for _ in range(mark.star)), *(spell_index(x) for x in mark.upper)])
-    text = base + (f"^{{{upper}}}" if upper else "") + (f"_{{{lower}}}" if lower else "")
-    return (r"d" if mark.prefix else "") + text + mark.at
-
-
-@lru_cache(maxsize=16384)
-def estimate(text: str) -> float:
-    """The width of a formula without fractions, in points at ten points' size; rather too wide than too narrow."""
-    width, depth, small = 0.0, 0, [1.0]
-    for token in re.findall(r"\\[A-Za-z]+|\\.|[_^]\{|[{}]|[_^].|.", text):
-        if token in ("_{", "^{"):
-            small.append(small[-1] * 0.72)
-            depth += 1
-        elif token == "{":
-            small.append(small[-1])
-        elif token == "}":
-            if len(small) > 1:
-                small.pop()
-        else:
-            width += _token_width(token) * small[-1]
-    return width
-
-
-def _token_width(token: str) -> float:
-    if token in (
-        r"\dot",
-        r"\ddot",
-        r"\mathit",
-        r"\mathrm",
-        r"\operatorname",
-        r"\boldsymbol",
-        r"\left",
-        r"\right",
-        r"\text",
-    ):
-        return 0.0
-    if token in (r"\sin", r"\cos", r"\ln", r"\exp", r"\sqrt"):
-        return 13.5
-    if token in (r"\sinh", r"\cosh", r"\tanh", r"\min", r"\max"):
-        return 21.0
-    if token in (r"\arcsin", r"\arccos", r"\arctan"):
-        return 29.0
-    if token == r"\,":
-        return 1.7
-    if token in ("+", "-", "="):
-        return 12.5
-    if token in (r"\wedge", r"\neq"):
-        return 11.5
-    if token in (r"\Bigl", r"\Bigr", r"\bigl", r"\bigr"):
-        return 2.0
-    if token in "().,|;[]'":
-        return 4.0
-    if token.isdigit() or (len(token) == 1 and token.islower() and token not in "mw"):
-        return 5.1
-    if token in "mwMW" or token in (r"\Omega", r"\Theta", r"\omega", r"\varphi", r"\psi"):
-        return 8.6
-    return 0.0 if token.isspace() else 7.0 if token.isupper() else 5.9
+_TIMES = Piece(r"\,", estimate(r"\,"), LAST, r"\cdot ")
 
 
 def _piece(text: str, breaks: int = 0) -> Piece:
@@ -96,9 +31,10 @@ def _piece(text: str, breaks: int = 0) -> Piece:
 
 @record
 class LatexMath:
-    """Prints over one derivation's symbols."""
+    """Prints over one derivation's symbols, with its spelling of their names."""
 
     symbols: Mapping[str, Symbol]
+    names: Names = PLAIN
 
     def pieces(self, expression: Expr) -> list[Piece]:
         """The terms of a sum with their signs, breakable before each sign."""
@@ -113,24 +49,28 @@ class LatexMath:
             return [_piece("0")]
         found: list[Piece] = []
         for k, (negative, term) in enumerate(list_terms(side)):
-            basis = r" \wedge ".join(print_mark(mark) for mark in term.factors)
+            basis = self._basis(term.factors)
             if len(term.factors) == 1 and not term.factors[0].prefix and not is_sum(term.coefficient):
                 body = self._with_mark(term.coefficient, term.factors[0])
             elif not term.factors:
                 body = self._term(term.coefficient)
             elif is_unit(term.coefficient):
-                body = [_piece(basis)]
+                body = basis
             elif is_sum(term.coefficient):
-                body = [*_enclose(self.pieces(term.coefficient)), _piece(rf"\,{basis}")]
+                body = [*_enclose(self.pieces(term.coefficient)), *_thin(basis)]
             else:
-                body = [*self._term(term.coefficient), _piece(rf"\,{basis}")]
+                body = [*self._term(term.coefficient), *_thin(basis)]
             found += _signed(k == 0, negative, body)
         return found
+
+    def _basis(self, marks: Sequence[Mark]) -> list[Piece]:
+        texts = [self.names.print_mark(mark) for mark in marks]
+        return [_piece(text) if k == 0 else _piece(rf" \wedge {text}", LAST) for k, text in enumerate(texts)]
 
     def _with_mark(self, coefficient: Expr, mark: Mark) -> list[Piece]:
         """A product with a rate or velocity at its place among the factors: before sines and cosines."""
         whole = Binary("*", coefficient, Ref(_MARK))
-        return LatexMath({**self.symbols, _MARK: Symbol(mark, 7 * RANK_STEP)})._term(whole)
+        return LatexMath({**self.symbols, _MARK: Symbol(mark, 7 * RANK_STEP)}, self.names)._term(whole)
 
     def _term(self, term: Expr) -> list[Piece]:
         product = flatten_product(term, self.symbols)
@@ -155,7 +95,7 @@ class LatexMath:
         inverse = self._inverse(product, below)
         if [piece.text for piece in over] == ["1"]:
             return inverse
-        return [*over, _piece(r"\,"), *inverse]
+        return [*over, *_thin(inverse)]
 
     def _inverse(self, product: Product, below: list[Piece]) -> list[Piece]:
         lone = product.under[0] if len(product.under) == 1 and product.number.denominator == 1 else None
@@ -181,7 +121,7 @@ class LatexMath:
             case Pi():
                 return [_piece(r"\pi")]
             case Ref():
-                return [_piece(print_mark(self.symbols[factor.name].mark))]
+                return [_piece(self.names.print_mark(self.symbols[factor.name].mark))]
             case Power():
                 return self._power(factor)
             case Call():
@@ -195,7 +135,7 @@ class LatexMath:
             return self._call(base, f"^{{{exponent}}}")
         if isinstance(base, Ref):
             mark = self.symbols[base.name].mark
-            text = print_mark(mark)
+            text = self.names.print_mark(mark)
             safe = f"({text})" if mark.star or mark.upper else f"{{{text}}}" if mark.dots else text
             return [_piece(f"{safe}^{{{exponent}}}")]
         bars = isinstance(base, Call) and base.function == "abs"  # enclose as parentheses do
@@ -236,7 +176,7 @@ def _number(value: Fraction) -> Piece:
 
 
 def _thin(pieces: list[Piece]) -> list[Piece]:
-    return [_piece(r"\,"), *pieces]
+    return [_TIMES, *pieces]
 
 
 def _join(pieces: list[Piece]) -> str:

@@ -6,25 +6,27 @@ import re
 import unicodedata
 
 from nhc.emit.prose import PUNCTUATION, clean
-from nhc.program.sheets.model import OTHER
+from nhc.program.sheets.model import LATIN, OTHER
 
 _GREEK_NAMES = (
     "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma tau upsilon phi chi psi omega"
     " Gamma Delta Theta Lambda Xi Pi Sigma Upsilon Phi Psi Omega"
 )
 _GREEK = frozenset(_GREEK_NAMES.split())
-_LATIN_CAPITALS = {"Alpha": "A", "Beta": "B", "Epsilon": "E", "Zeta": "Z", "Eta": "H", "Iota": "I", "Kappa": "K"}
-_LATIN_CAPITALS |= {"Mu": "M", "Nu": "N", "Omicron": "O", "Rho": "P", "Tau": "T", "Chi": "X", "omicron": "o"}
 _SPELLED = {"epsilon": r"\varepsilon", "phi": r"\varphi"}
-_SPECIAL = {"Omega_form": r"\boldsymbol{\Omega}", "Theta_form": r"\boldsymbol{\theta}"}
+_SPECIAL = {"Omega form": r"\boldsymbol{\Omega}", "Theta form": r"\boldsymbol{\theta}"}
 _SPECIAL |= {f"{base}{OTHER}": rf"\mathcal{{{base}}}" for base in "TUEHQ"}
+_SPECIAL |= {f"Delta{OTHER}": r"\mathcal{D}"}
 _SPECIAL |= {f"p{OTHER}": r"\mathcal{P}", f"lambda{OTHER}": r"\Lambda", f"omega{OTHER}": r"\varpi"}
 _LONG_WORD = 25
+_LONGEST_PART, _CHUNK = 25, 10  # characters
 _SYMBOLS = {
     "\\": r"\textbackslash{}", "{": r"\{", "}": r"\}", "$": r"\$", "&": r"\&", "#": r"\#", "%": r"\%", "_": r"\_",
     "^": r"\textasciicircum{}", "~": r"\textasciitilde{}", "<": r"\textless{}", ">": r"\textgreater{}", "|": r"\textbar{}",
     '"': r"\textquotedbl{}", "`": r"\textasciigrave{}",
 }  # fmt: skip
+_LETTERS = {"\u00df": r"\ss{}", "\u00f8": r"\o{}", "\u00d8": r"\O{}", "\u0142": r"\l{}", "\u0141": r"\L{}",
+            "\u00e6": r"\ae{}", "\u00c6": r"\AE{}"}  # fmt: skip
 _ACCENTS = {"\u0300": r"\`", "\u0301": r"\'", "\u0302": r"\^", "\u0303": r"\~", "\u0304": r"\=", "\u0306": r"\u",
             "\u0307": r"\.", "\u0308": r'\"', "\u030a": r"\r", "\u030b": r"\H", "\u030c": r"\v", "\u0327": r"\c",
             "\u0328": r"\k"}  # fmt: skip
@@ -48,8 +50,8 @@ def spell_word(word: str) -> str:
     """One word in math: a letter, a Greek letter, or an italic (upright with digits) word."""
     if word in _GREEK:
         return _SPELLED.get(word, f"\\{word}")
-    if word in _LATIN_CAPITALS:
-        return rf"\mathrm{{{_LATIN_CAPITALS[word]}}}"
+    if word in LATIN:
+        return rf"\mathrm{{{LATIN[word]}}}"
     if len(word) == 1 and word.isascii():
         return word
     if word.isdigit():
@@ -82,13 +84,40 @@ def escape_part(text: str) -> str:
 
 
 def escape_breakable(text: str) -> str:
-    """The same; an expression that is one long word may be broken after an operator or a parenthesis."""
+    """The same; an expression that is one long word may be broken after an operator or a parenthesis, a long name anywhere."""
     return " ".join(_escape_word(word) for word in text.split(" "))
 
 
 def _escape_word(word: str) -> str:
-    parts = re.split(r"(?<=[*/(,])", word) if len(word) > _LONG_WORD else [word]
-    return r"\allowbreak{}".join(escape_part(part) for part in parts)
+    parts = re.split(r"(?<=[*/(,_])", word) if len(word) > _LONG_WORD else [word]
+    return r"\allowbreak{}".join(chunk for part in parts for chunk in _chunks(part))
+
+
+def _chunks(part: str) -> list[str]:
+    """The part itself unless it is too long for the end of a line."""
+    return split_shown(part, _CHUNK) if count_shown(part) > _LONGEST_PART else [escape_part(part)]
+
+
+def count_shown(text: str) -> int:
+    """The characters that the text is set in: many for one that is named by its code."""
+    return sum(_length(_escape_character(character)) for character in text)
+
+
+def _length(shown: str) -> int:
+    return 8 if shown.startswith(r"\textless{}U") else 1
+
+
+def split_shown(text: str, most: int) -> list[str]:
+    """The text, escaped, in parts of so many characters."""
+    chunks, length = [""], 0
+    for shown in map(_escape_character, text):
+        own = _length(shown)
+        if length + own > most and chunks[-1]:
+            chunks.append("")
+            length = 0
+        chunks[-1] += shown
+        length += own
+    return chunks
 
 
 def spell_unit(unit: str) -> str:
@@ -103,6 +132,8 @@ def _escape_character(character: str) -> str:
         return _SYMBOLS[character]
     if character.isascii():
         return character
+    if character in _LETTERS:
+        return _LETTERS[character]
     if character in PUNCTUATION:
         return "".join(_SYMBOLS.get(c, c) for c in PUNCTUATION[character])
     greek = re.fullmatch(r"GREEK (SMALL|CAPITAL) LETTER (\w+)( WITH .*)?", unicodedata.name(character, ""))
@@ -112,4 +143,13 @@ def _escape_character(character: str) -> str:
     base, *marks = tuple(unicodedata.normalize("NFD", character))
     if base.isascii() and len(marks) == 1 and marks[0] in _ACCENTS:
         return f"{_ACCENTS[marks[0]]}{{{base}}}"
+    return _code(character)
+
+
+def escape_exactly(name: str) -> str:
+    """A name whose letters all remain themselves: Greek letters with accents, which lose them elsewhere, by their codes."""
+    return "".join(_code(c) if unicodedata.name(c, "").startswith("GREEK") else _escape_character(c) for c in name)
+
+
+def _code(character: str) -> str:
     return rf"\textless{{}}U+{ord(character):04X}\textgreater{{}}"

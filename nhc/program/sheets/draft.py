@@ -14,7 +14,7 @@ from nhc.exterior import Form
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choose import Formulation
 from nhc.mechanics.system import System
-from nhc.program.sheets.model import OTHER, Formula, Mark, Prose, Table
+from nhc.program.sheets.model import LATIN, OTHER, Formula, Mark, Prose, Table
 from nhc.records import record
 
 CANONICAL = 60  # terms of a canonical polynomial that may be shorter than what it came from
@@ -26,8 +26,8 @@ _KINDS = {"velocity": 1, "rate": 1, "acceleration": 2}
 
 
 def _split_name(name: str) -> tuple[str, ...]:
-    """A name as it is set: a symbol and its indices; ``z1`` and ``z_1`` are one."""
-    return tuple(re.findall(r"[^\W\d_]+|\d+", name))
+    """A name as it is set: a symbol and its indices; ``z1`` and ``z_1`` are one, ``Epsilon`` is a capital E."""
+    return tuple(LATIN.get(part, part) for part in re.findall(r"[^\W\d_]+|\d+", name))
 
 
 @record
@@ -71,6 +71,7 @@ class Desk:
         self._sizes: dict[Node, int] = {}
         self._simplify = self._simplifier(simplify)
         spec = system.spec
+        self.defined = frozenset(entry.name for entry in spec.definitions)
         groups = (spec.coordinates, spec.parameters, spec.definitions, spec.quasi_velocities, spec.outputs)
         self._taken = {_split_name(entry.name) for group in groups for entry in group}
 
@@ -132,6 +133,11 @@ class Desk:
         """A symbol of the theory; in another shape where a name of the spec would look the same (E, U, Q_x, lambda_slip)."""
         shown = tuple(part for name in (base, *lower) for part in _split_name(name))
         return Mark(f"{base}{OTHER}" if shown in self._taken else base, lower)
+
+    def is_free(self, letter: str) -> bool:
+        """Whether no name of the spec looks like the letter or the letter with a number."""
+        shown = LATIN.get(letter, letter)
+        return not any(name[:1] == (shown,) and all(part.isdigit() for part in name[1:]) for name in self._taken)
 
     def coordinate(self, i: int, dots: int = 0) -> Mark:
         return Mark(self.system.q_names[i], dots=dots)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from nhc.algebra.calculus import count, gradient, substitute
 from nhc.algebra.graph import Node
 from nhc.exterior import Form, basis_form, one_form, wedge
@@ -71,7 +73,7 @@ def energy_sheet(desk: Desk) -> DraftSheet | None:
         energy = euler_lagrange.quasi_energy(frame)
         on = {w: g.zero for w in frame.omega[: system.l]}
         nodes = substitute(g, [energy, *gradient(g, energy, frame.omega)], on)
-        sheet.add(Draft(desk.name(Mark("T", star=bool(system.l))), desk.value(nodes[0])))
+        sheet.add(Draft(desk.name(replace(desk.own("T"), star=bool(system.l))), desk.value(nodes[0])))
         if system.l:
             sheet.say(
                 "The momenta belong to the full T, in all quasi-velocities; the constraints are used after differentiation:"
@@ -83,7 +85,7 @@ def energy_sheet(desk: Desk) -> DraftSheet | None:
         return sheet
     reduced = _reduced(desk)
     number = "I.3.3" if name == "chaplygin" else "I.4.3"
-    sheet.add(Draft(desk.name(Mark("T", star=True)), desk.value(reduced.T_star), equation=number))
+    sheet.add(Draft(desk.name(replace(desk.own("T"), star=True)), desk.value(reduced.T_star), equation=number))
     sheet.say("The momenta of the dependent velocities are those of the full T, on the constraints:")
     for alpha, p in zip(reduced.alpha, reduced.p_alpha, strict=True):
         sheet.add(Draft(desk.name(desk.own("p", system.q_names[alpha])), desk.value(p)))
@@ -119,17 +121,17 @@ def form_sheet(desk: Desk, forms: Forms) -> DraftSheet:
         )
     assert forms.exact is not None and forms.dynamic is not None
     numbers = _NUMBERS[name]
-    sheet.add(Draft(desk.name(Mark("Omega_form", ("c",))), desk.form(forms.exact), equation=numbers[0]))
-    sheet.add(Draft(desk.name(Mark("Omega_form", ("d",))), desk.form(forms.dynamic), equation=numbers[1]))
+    sheet.add(Draft(desk.name(Mark("Omega form", ("c",))), desk.form(forms.exact), equation=numbers[0]))
+    sheet.add(Draft(desk.name(Mark("Omega form", ("d",))), desk.form(forms.dynamic), equation=numbers[1]))
     sheet.add(OMEGA[name])
     if name == "multipliers":
         reactions = _reaction_work(desk)
         sheet.say("The reactions work like forces:")
-        sheet.add(Draft(desk.name(Mark("Omega_form", ("r",))), desk.form(reactions)))
+        sheet.add(Draft(desk.name(Mark("Omega form", ("r",))), desk.form(reactions)))
     total = [("Omega_c", forms.exact), ("Omega_d", forms.dynamic)]
     if all(form.terms for _, form in total) or name == "multipliers":
         sheet.say("Together:")
-        sheet.add(Draft(desk.name(Mark("Omega_form")), desk.form(forms.whole), equation=numbers[2]))
+        sheet.add(Draft(desk.name(Mark("Omega form")), desk.form(forms.whole), equation=numbers[2]))
     return sheet
 
 
@@ -151,7 +153,7 @@ def _theta(desk: Desk, sheet: DraftSheet) -> None:
         theta, number = euler_lagrange.kinetic_one_form(frame), "III.2.2"
     else:
         theta, number = lagrange.kinetic_one_form(system), "II.2.2"
-    sheet.add(Draft(desk.name(Mark("Theta_form")), desk.form(theta), equation=number))
+    sheet.add(Draft(desk.name(Mark("Theta form")), desk.form(theta), equation=number))
 
 
 def _reaction_work(desk: Desk) -> Form:

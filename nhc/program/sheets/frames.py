@@ -43,7 +43,7 @@ def _solved_constraints(desk: Desk, frame: Frame) -> DraftSheet:
     else:
         note = "never zero for these parameters and ranges" if choice.regular else "where it vanishes, choose others"
         sheet.say("The choice is regular where the determinant of their coefficients does not vanish:")
-        sheet.add(Draft(desk.name(Mark("Delta")), desk.value(choice.determinant), note=note))
+        sheet.add(Draft(desk.name(desk.own("Delta")), desk.value(choice.determinant), note=note))
     return sheet
 
 
@@ -85,7 +85,7 @@ def _inverse(desk: Desk, frame: Frame, sheet: DraftSheet) -> None:
     if guards:
         sheet.say("which needs that these do not vanish:")
         for k, guard in enumerate(guards):
-            sheet.add(Draft(desk.name(Mark("Delta", (str(k + 1),))), desk.value(guard)))
+            sheet.add(Draft(desk.name(desk.own("Delta", str(k + 1))), desk.value(guard)))
 
 
 def _structure(desk: Desk, frame: Frame, sheet: DraftSheet) -> None:

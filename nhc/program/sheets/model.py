@@ -13,6 +13,20 @@ from nhc.mechanics.system import System
 from nhc.program.ir import Expr
 from nhc.records import record
 
+LATIN = {
+    "Alpha": "A",
+    "Beta": "B",
+    "Epsilon": "E",
+    "Zeta": "Z",
+    "Eta": "H",
+    "Iota": "I",
+    "Kappa": "K",
+    "Mu": "M",
+    "Nu": "N",
+}
+LATIN |= {"Omicron": "O", "Rho": "P", "Tau": "T", "Chi": "X", "omicron": "o"}
+"""Greek letters that look like Latin ones."""
+
 OTHER = "!"
 """Ends the base of a symbol of the theory that takes another shape, for a name of the spec has its own."""
 

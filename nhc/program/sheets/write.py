@@ -6,7 +6,6 @@ user named under ``define:``, for what is long and used more than once, and for 
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Sequence
 
 from nhc.algebra.calculus import reachable
@@ -43,15 +42,7 @@ class PaperLowering(Lowering):
         self._name_symbols()
 
     def _free_letter(self) -> str:
-        spec = self.desk.system.spec
-        used = [
-            e.name
-            for group in (spec.coordinates, spec.parameters, spec.definitions, spec.quasi_velocities)
-            for e in group
-        ]
-        return next(
-            letter for letter in (*_LETTERS, "zz") if not any(re.fullmatch(rf"{letter}(_?\d+|)", name) for name in used)
-        )
+        return next((letter for letter in _LETTERS if self.desk.is_free(letter)), "zz")
 
     def _name_symbols(self) -> None:
         for node in self.needed:
@@ -84,7 +75,7 @@ class PaperLowering(Lowering):
         if label is None or node not in self.owners:
             name = self.namer.numbered(self.letter)
             return name, Mark(self.letter, (name[len(self.letter) :],))
-        if label.endswith("_dot"):
+        if label.endswith("_dot") and label not in self.desk.defined:
             return self.namer.unique(identifier(label)), Mark(label.removesuffix("_dot"), dots=1)
         return self.namer.unique(identifier(label)), Mark(label)
 
