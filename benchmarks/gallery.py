@@ -16,7 +16,7 @@ from benchmarks.counting import count_instructions
 from benchmarks.models import Compiled, Sources, difference
 from benchmarks.systems import GALLERY
 from nhc.language import read
-from nhc.mechanics.regularity import parameter_value
+from nhc.mechanics.values import parameter_value
 from nhc.pipeline import Model, Options, emit, model
 from nhc.program.build import Planner
 

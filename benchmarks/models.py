@@ -12,7 +12,7 @@ from pathlib import Path
 
 from benchmarks.systems import spec, split_name
 from nhc.diagnostics import Source
-from nhc.mechanics.regularity import parameter_value
+from nhc.mechanics.values import parameter_value
 from nhc.pipeline import Options, emit, model, program
 
 HAND = Path(__file__).resolve().parent / "hand"

@@ -19,10 +19,10 @@ from nhc.algebra.graph import Graph, Node
 from nhc.algebra.modular import PRIMES, Unlucky, are_zero, enough_points, rank
 from nhc.algebra.relations import find_relations, without
 from nhc.mechanics.frame import Frame, form_value, total_derivative
-from nhc.mechanics.regularity import default_values
 from nhc.mechanics.rotation import moving
 from nhc.mechanics.sampling import Sampler
 from nhc.mechanics.system import System
+from nhc.mechanics.values import default_values
 from nhc.records import record
 from nhc.thesis import equation
 

@@ -23,6 +23,7 @@ from nhc.mechanics.regularity import trial_points
 from nhc.mechanics.system import System
 from nhc.mechanics.tree import Elimination
 from nhc.mechanics.tree_choice import FEW, worthwhile_tree
+from nhc.mechanics.values import scene_values
 from nhc.mechanics.whole_forms import whole_kinetic
 from nhc.records import record
 
@@ -194,7 +195,7 @@ def _is_definite(system: System, rows: Sequence[Row]) -> bool:
     """Whether the mass matrix is positive at every trial point (points where it is singular tell nothing)."""
     flat = [rows[min(i, j)].mass[max(i, j)] for i in range(len(rows)) for j in range(len(rows))]
     size, seen = len(rows), 0
-    for point in trial_points(system):
+    for point in (p | values for values in scene_values(system) for p in trial_points(system)):
         for symbol in _symbols(system.graph, flat):
             point.setdefault(symbol, 0.37)
         try:

@@ -22,8 +22,8 @@ from nhc.algebra.graph import ADD, MUL, NEG, POW, Graph, Node
 from nhc.algebra.linear import degrees, linear_form
 from nhc.algebra.modular import is_zero
 from nhc.mechanics import rotation
-from nhc.mechanics.regularity import default_values
 from nhc.mechanics.system import Form, System
+from nhc.mechanics.values import default_values, scene_values
 
 
 @dataclass(frozen=True)
@@ -68,16 +68,22 @@ class Kinetic:
         return {_without_constants(g, rate, p) for rate in g.rate_of} | set(g.rate_of)
 
     def is_positive(self) -> bool:
-        """Whether T is positive as a quadratic form of its velocity forms: its mass matrix is then positive wherever the motion
-        is regular.  Sums of squares with constant positive factors are, and what has a constant positive matrix.
+        """Whether T is positive as a quadratic form of its velocity forms, with the parameters' values in the spec and its scenes:
+        its mass matrix is then positive wherever the motion is regular.  Sums of squares with constant positive factors are, and
+        what has a constant positive matrix.
         """
-        g, values = self.system.graph, default_values(self.system)
+        g = self.system.graph
         constants = g.mask(self.system.p)
-        if _is_sum_of_squares(g, self.tau, values, constants):
+        if _is_sum_of_squares(g, self.tau, default_values(self.system), constants):
             return True
         flat = [h for row in self.hessian for h in row]
         if any(g.depends(h, ~constants) for h in flat):
             return False
+        return all(self._is_positive_at(flat, values) for values in scene_values(self.system))
+
+    def _is_positive_at(self, flat: Sequence[Node], values: dict[Node, float]) -> bool:
+        """Whether the constant matrix is."""
+        g = self.system.graph
         try:
             found = dict(zip(flat, map(float, evaluate(g, flat, values)), strict=True))
         except (ArithmeticError, ValueError):
@@ -150,14 +156,17 @@ def _is_positive(graph: Graph, node: Node, values: dict[Node, float]) -> bool:
 
 
 def pivot_signs(matrix: list[list[float]]) -> list[int]:
-    """Signs of the pivots of a symmetric matrix without exchanges; ends at the first one that is zero to rounding."""
+    """Signs of the pivots of a symmetric matrix without exchanges; ends at the first one that is zero to rounding.
+
+    Beside a larger entry such a pivot means a negative minor: -1.
+    """
     size = len(matrix)
     scale = max((abs(x) for row in matrix for x in row), default=0.0)
     signs: list[int] = []
     for k in range(size):
         pivot = matrix[k][k]
         if abs(pivot) <= 1e-11 * scale:
-            return [*signs, 0]
+            return [*signs, -1 if any(abs(x) > 1e-5 * scale for x in matrix[k][k + 1 :]) else 0]
         signs.append(1 if pivot > 0 else -1)
         for i in range(k + 1, size):
             factor = matrix[i][k] / pivot

@@ -14,9 +14,9 @@ from nhc.algebra.graph import Graph, Node
 from nhc.algebra.interval import Interval, cannot_vanish
 from nhc.algebra.linear import determinant_of
 from nhc.algebra.polynomial import normalise
-from nhc.language.syntax import Syntax
 from nhc.mechanics.minors import relative_minors
 from nhc.mechanics.system import Form, System
+from nhc.mechanics.values import constant_value, default_values, parameter_ranges
 from nhc.records import record
 
 _TRIALS = 12
@@ -34,61 +34,9 @@ class Choice:
     regular: bool
 
 
-def default_values(system: System) -> dict[Node, float]:
-    """Parameters at their defaults; 1 where there is none."""
-    values: dict[Node, float] = {}
-    for symbol, parameter in zip(system.p, system.spec.parameters, strict=True):
-        values[symbol] = parameter_value(parameter.value)
-    return values
-
-
-def parameter_value(value: object) -> float:
-    """A parameter's double; 1 stands for one that each scene has to give."""
-    from fractions import Fraction
-
-    if value is None:
-        return 1.0
-    if isinstance(value, Fraction):
-        return float(value)
-    return constant_value(value)  # type: ignore[arg-type]
-
-
-def constant_value(tree: Syntax, names: dict[str, float] | None = None) -> float:
-    """The double of a constant expression (numbers, pi, and the given names)."""
-    from nhc.language.syntax import fold_tree
-
-    graph = Graph()
-    known = dict(names or {})
-    node = fold_tree(tree, lambda part, operands: _constant(graph, part, operands, known))
-    return float(evaluate(graph, [node], {graph.symbol(name): value for name, value in known.items()})[0])
-
-
-def _constant(graph: Graph, part: Syntax, operands: tuple[Node, ...], names: dict[str, float]) -> Node:
-    from nhc.language.syntax import Binary, Call, Name, Negate, Number
-
-    match part:
-        case Number():
-            return graph.number(part.value)
-        case Name():
-            return graph.pi() if part.name == "pi" and "pi" not in names else graph.symbol(part.name)
-        case Negate():
-            return graph.neg(operands[0])
-        case Call():
-            return graph.function(part.function, *operands)
-        case Binary():
-            x, y = operands
-            exponent = graph.value(y)
-            if part.op == "^" and exponent is not None and exponent.denominator == 1:
-                return graph.power(x, int(exponent))
-            build = {"+": graph.add, "-": graph.sub, "*": graph.mul, "/": graph.div}.get(part.op)
-            return build(x, y) if build else graph.function("powf", x, y)
-        case _:
-            raise ValueError("a constant expression holds no velocities")
-
-
 def intervals(system: System) -> dict[Node, Interval]:
-    """Parameters as points, coordinates over their declared ranges."""
-    known: dict[Node, Interval] = {node: (value, value) for node, value in default_values(system).items()}
+    """Parameters over their values in the spec and its scenes, coordinates over their declared ranges."""
+    known: dict[Node, Interval] = dict(parameter_ranges(system))
     for symbol, coordinate in zip(system.q, system.spec.coordinates, strict=True):
         if coordinate.range is not None:
             known[symbol] = (float(coordinate.range[0]), float(coordinate.range[1]))

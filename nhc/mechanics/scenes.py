@@ -13,8 +13,9 @@ from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Node
 from nhc.diagnostics import Bag
 from nhc.language.spec import Scene
-from nhc.mechanics.regularity import choose_dependent, constant_value
+from nhc.mechanics.regularity import choose_dependent
 from nhc.mechanics.system import Form, System
+from nhc.mechanics.values import constant_value
 from nhc.records import record
 
 TOLERANCE = 1e-9

@@ -9,9 +9,9 @@ from nhc.diagnostics import SpecError
 from nhc.language.spec import Parameter, Scene
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choose import Formulation
-from nhc.mechanics.regularity import parameter_value
 from nhc.mechanics.scenes import kept_velocities, start_of
 from nhc.mechanics.system import System
+from nhc.mechanics.values import parameter_value
 from nhc.program.build import Planner, build_functions
 from nhc.program.ir import Program, Quantity, SceneData
 from nhc.program.naming import identifier

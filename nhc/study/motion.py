@@ -28,9 +28,10 @@ from nhc.mechanics.linearize import (
     reduced,
     symbolic_matrix,
 )
-from nhc.mechanics.regularity import choose_dependent, constant_value
+from nhc.mechanics.regularity import choose_dependent
 from nhc.mechanics.scenes import start_of
 from nhc.mechanics.symmetry import Generator, turning_symmetries
+from nhc.mechanics.values import constant_value
 from nhc.records import record
 from nhc.study.linearize import Branch, Linearisation, Sweep, linearise_at, sweep
 from nhc.study.steady import Hold, Matrix, NotSteady, SingularFrame, Steady, SteadyModel, find_steady

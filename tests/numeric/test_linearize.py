@@ -192,7 +192,7 @@ def _number(text: str, values: dict[str, float]) -> float:
     """A printed entry, read back by the language's own parser."""
     from nhc.diagnostics import Bag, Span
     from nhc.language.parser import parse_expression
-    from nhc.mechanics.regularity import constant_value
+    from nhc.mechanics.values import constant_value
 
     bag = Bag(Source("entry", text))
     tree = parse_expression(text, lambda start, end: Span(start, end), bag)

@@ -19,9 +19,10 @@ from nhc.exterior import interior
 from nhc.language import decode, read
 from nhc.mechanics import multipliers, voronec, wrong
 from nhc.mechanics.frame import Frame, coordinate_frame, make_frame, total_derivative
-from nhc.mechanics.regularity import choose_dependent, default_values
+from nhc.mechanics.regularity import choose_dependent
 from nhc.mechanics.resolve import resolve
 from nhc.mechanics.system import Form, System
+from nhc.mechanics.values import default_values
 
 ROOT = Path(__file__).resolve().parents[2]
 Values = dict[Node, float]

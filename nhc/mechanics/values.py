@@ -1,0 +1,87 @@
+"""The values that a spec gives its parameters, by themselves and in its scenes."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from nhc.algebra.evaluate import evaluate
+from nhc.algebra.graph import Graph, Node
+from nhc.language.syntax import Syntax
+from nhc.mechanics.system import System
+
+
+def default_values(system: System) -> dict[Node, float]:
+    """Parameters at their defaults; 1 where there is none."""
+    values: dict[Node, float] = {}
+    for symbol, parameter in zip(system.p, system.spec.parameters, strict=True):
+        values[symbol] = parameter_value(parameter.value)
+    return values
+
+
+def parameter_value(value: object) -> float:
+    """A parameter's double; 1 stands for one that each scene has to give."""
+    if value is None:
+        return 1.0
+    if isinstance(value, Fraction):
+        return float(value)
+    return constant_value(value)  # type: ignore[arg-type]
+
+
+def scene_values(system: System) -> list[dict[Node, float]]:
+    """The parameters at their defaults, then at those of each scene that has others."""
+    defaults = default_values(system)
+    named = dict(zip((parameter.name for parameter in system.spec.parameters), system.p, strict=True))
+    found = [defaults]
+    for scene in system.spec.scenes:
+        try:
+            own = {named[given.name]: parameter_value(given.value) for given in scene.parameters}
+        except (ArithmeticError, ValueError):
+            continue  # said of the scene itself
+        if own and {**defaults, **own} not in found:
+            found.append({**defaults, **own})
+    return found
+
+
+def parameter_ranges(system: System) -> dict[Node, tuple[float, float]]:
+    """From the least to the largest value of each parameter in the spec and its scenes; 1 where none gives one."""
+    given = [p for p, parameter in zip(system.p, system.spec.parameters, strict=True) if parameter.value is not None]
+    defaults, *scenes = scene_values(system)
+    ranges = {}
+    for symbol, value in defaults.items():
+        values = [own[symbol] for own in scenes if symbol in given or own[symbol] != value] or [value]
+        values += [value] if symbol in given else []
+        ranges[symbol] = min(values), max(values)
+    return ranges
+
+
+def constant_value(tree: Syntax, names: dict[str, float] | None = None) -> float:
+    """The double of a constant expression (numbers, pi, and the given names)."""
+    from nhc.language.syntax import fold_tree
+
+    graph = Graph()
+    known = dict(names or {})
+    node = fold_tree(tree, lambda part, operands: _constant(graph, part, operands, known))
+    return float(evaluate(graph, [node], {graph.symbol(name): value for name, value in known.items()})[0])
+
+
+def _constant(graph: Graph, part: Syntax, operands: tuple[Node, ...], names: dict[str, float]) -> Node:
+    from nhc.language.syntax import Binary, Call, Name, Negate, Number
+
+    match part:
+        case Number():
+            return graph.number(part.value)
+        case Name():
+            return graph.pi() if part.name == "pi" and "pi" not in names else graph.symbol(part.name)
+        case Negate():
+            return graph.neg(operands[0])
+        case Call():
+            return graph.function(part.function, *operands)
+        case Binary():
+            x, y = operands
+            exponent = graph.value(y)
+            if part.op == "^" and exponent is not None and exponent.denominator == 1:
+                return graph.power(x, int(exponent))
+            build = {"+": graph.add, "-": graph.sub, "*": graph.mul, "/": graph.div}.get(part.op)
+            return build(x, y) if build else graph.function("powf", x, y)
+        case _:
+            raise ValueError("a constant expression holds no velocities")
