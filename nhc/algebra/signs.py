@@ -1,0 +1,247 @@
+"""Signs in expressions: what takes the wrong one of two values at every second point of a prime field.
+
+A sign stands in sign, abs, min and max.  It hides in square roots, and in sines and cosines of inverse functions, which are
+roots too: sqrt(x^2 y) is x sqrt(y) at every second point.  Roots of arguments that are independent modulo squares hide none:
+they generate a field over the rational functions in which what is not zero has a norm that is not zero either.
+Products of arguments that are squares are found by their quadratic characters at random points, by elimination modulo 2.
+
+A function of k signs is a polynomial in them, linear in each; one of degree m that is not zero is so for at least 2**-m of
+their values (W. W. Peterson and E. J. Weldon, Error-Correcting Codes, 2nd ed. (1972), sec. 5.5, on the codes of Reed and Muller).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from fractions import Fraction
+from itertools import islice
+
+from nhc.algebra.calculus import reachable
+from nhc.algebra.draw import draw_points
+from nhc.algebra.expand import TooLarge
+from nhc.algebra.field import INVERSE, PRIMES, FieldPoint, QuickPoint, Unlucky
+from nhc.algebra.graph import ADD, MUL, NEG, POW, Graph, Node
+from nhc.algebra.polynomial import ONE, polynomial
+
+STEPS = ("sign", "abs", "min", "max")
+_HOLDERS = frozenset((*STEPS, "sqrt", "powf", *INVERSE))
+_WAVES = ("sin", "cos")
+_POINTS = 24  # for a sign and for none; a wrong answer is passed with probability e**-24
+MOST = 6  # signs multiplied with each other: 1536 points
+_SPARE = 24  # characters beyond the roots'
+_DRAWS = 4000
+
+Settle = Callable[[FieldPoint], object]
+"""Gives the symbols that stand for something else their values at a point.
+
+Raises:
+    ArithmeticError, Unlucky: they have none there.
+"""
+
+
+def points_for(degree: int, count: int) -> int:
+    """How many points decide what holds signs of a degree, for which ``count`` are enough without."""
+    return max(count, _POINTS << degree) if degree else count
+
+
+def may_hold(graph: Graph, nodes: Iterable[Node]) -> bool:
+    """Whether signs or roots occur at all."""
+    op = graph.op
+    return any(op[node] in _HOLDERS for node in reachable(graph, nodes))
+
+
+class Signs:
+    """The signs in some expressions, and the degree of each node in them.
+
+    ``settle`` puts points on the motion, where symbols of the mask ``later`` stand for something else: squares may show there only.
+    """
+
+    def __init__(self, graph: Graph, roots: Sequence[Node], settle: Settle | None = None, later: int = 0) -> None:
+        self.graph = graph
+        self.arguments: list[tuple[Node, ...]] = []
+        """What each sign is the sign of, as nodes; it cannot change where none of these does."""
+        self._keys: dict[tuple[object, ...], int] = {}
+        self._known: dict[Node, tuple[int, int]] = {}
+        found = [n for n in reachable(graph, roots) if graph.op[n] in _HOLDERS]
+        radicals = self._radicals(found, roots)
+        self._hidden = _dependent(graph, radicals, settle, later)
+        self._arguments_of_roots = tuple(dict.fromkeys(c for n in radicals for c in graph.children(n)))
+        self._any = bool(self._hidden) or any(graph.op[n] in (*STEPS, "powf") for n in found)
+
+    def degree(self, nodes: Sequence[Node]) -> int:
+        """The largest degree of the nodes in the signs."""
+        return self.mask_and_degree(nodes)[1]
+
+    def mask_and_degree(self, nodes: Sequence[Node]) -> tuple[int, int]:
+        """All signs in the nodes, and the largest degree."""
+        if not self._any:
+            return 0, 0
+        for node in reachable(self.graph, nodes, known=self._known):
+            self._known[node] = self._look(node)
+        found = [self._known[node] for node in nodes]
+        mask = 0
+        for part, _ in found:
+            mask |= part
+        return mask, max((d for _, d in found), default=0)
+
+    def stand(self, values: Mapping[Node, Node]) -> None:
+        """Let symbols stand for nodes."""
+        for symbol, node in values.items():
+            self._known[symbol] = self.mask_and_degree([node])
+
+    def solve(self, matrix: Sequence[Node], right: Sequence[Node], unknowns: Sequence[Node] = ()) -> tuple[int, int]:
+        """All signs in the solution of linear equations, and its degree in them; the unknowns stand for it."""
+        inner, outer = self.mask_and_degree(matrix), self.mask_and_degree(right)
+        mask = inner[0] | outer[0]
+        found = mask, (mask.bit_count() if inner[0] else outer[1])
+        self._known.update(dict.fromkeys(unknowns, found))
+        return found
+
+    def _look(self, node: Node) -> tuple[int, int]:
+        g, op = self.graph, self.graph.op[node]
+        below = [self._known[c] for c in g.children(node)]
+        own, mask = self._own(op, node), 0
+        for part, _ in below:
+            mask |= part
+        if not own and not mask:
+            return 0, 0
+        if op == NEG:
+            return below[0]
+        if op == ADD:
+            return mask, max(d for _, d in below)
+        if op == MUL:
+            return mask, min(mask.bit_count(), sum(d for _, d in below))
+        if op == POW and g.b[node] > 0:
+            return mask, min(mask.bit_count(), below[0][1] * g.b[node])
+        mask |= own  # any function of k signs has a degree of at most k
+        return mask, mask.bit_count()
+
+    def _own(self, op: str, node: Node) -> int:
+        """The signs that this node brings."""
+        g = self.graph
+        if op in ("sign", "abs"):
+            argument = g.a[g.a[node]] if g.op[g.a[node]] == NEG else g.a[node]
+            return self._bit(("sign", argument), (argument,))
+        if op in ("min", "max"):
+            pair = g.children(node)
+            return self._bit(("difference", *sorted(pair)), tuple(pair))
+        found = 0
+        if node in self._hidden:  # the relation that makes it dependent may hold all roots
+            found |= self._bit(("root", node), (*g.children(node), *self._arguments_of_roots))
+        for level in range(1, _halvings(g, node)):  # the characters tell of square roots only
+            found |= self._bit(("root", node, level), tuple(g.children(node)))
+        return found
+
+    def _bit(self, key: tuple[object, ...], arguments: tuple[Node, ...]) -> int:
+        number = self._keys.get(key)
+        if number is None:
+            number = self._keys[key] = len(self._keys)
+            self.arguments.append(arguments)
+        return 1 << number
+
+    def _radicals(self, found: Sequence[Node], roots: Sequence[Node]) -> list[Node]:
+        """What takes square roots of something that is no constant: those of constants are the same at all points."""
+        g = self.graph
+        inverse = [n for n in found if g.op[n] in INVERSE]
+        turned = _inverse_in_angles(g, roots) if inverse else set[Node]()
+        return [
+            n
+            for n in found
+            if g.deps[n] and (g.op[n] == "sqrt" or n in turned or (g.op[n] == "powf" and _halvings(g, n)))
+        ]
+
+
+def degree_in_signs(graph: Graph, nodes: Sequence[Node]) -> int:
+    """The largest degree of the nodes in the signs that they hold."""
+    return Signs(graph, nodes).degree(nodes) if may_hold(graph, nodes) else 0
+
+
+def _halvings(graph: Graph, node: Node) -> int:
+    """How many square roots a power with a broken exponent takes, one of the other."""
+    if graph.op[node] != "powf":
+        return 0
+    try:
+        constant = polynomial(graph, graph.b[node], limit=60, circle=False).get(ONE, 0)
+    except TooLarge:
+        return 0
+    denominator = Fraction(constant).denominator
+    return (denominator & -denominator).bit_length() - 1
+
+
+def _inverse_in_angles(graph: Graph, roots: Sequence[Node]) -> set[Node]:
+    """Inverse functions that are angles of sines and cosines, or terms of such."""
+    waves = [n for n in reachable(graph, roots) if graph.op[n] in _WAVES]
+    stack, seen = [graph.a[n] for n in waves], set[Node]()
+    while stack:
+        node = stack.pop()
+        if node not in seen:
+            seen.add(node)
+            if graph.op[node] in (ADD, MUL, NEG, POW):
+                stack += graph.children(node)
+    return {node for node in seen if graph.op[node] in INVERSE}
+
+
+# --- squares among products of radicands ------------------------------------------------------------------------
+
+
+def _dependent(graph: Graph, radicals: Sequence[Node], settle: Settle | None, later: int) -> frozenset[Node]:
+    """Roots whose radicand is a square times radicands of others; all of them where too few points are found."""
+    if not radicals:
+        return frozenset()
+    if settle is not None:
+        return _find_dependent(graph, radicals, settle, later)
+    known: dict[tuple[Node, ...], frozenset[Node]] = graph.memory.setdefault("hidden signs", {})
+    key = tuple(radicals)
+    if key not in known:
+        known[key] = _find_dependent(graph, radicals, None, 0)
+    return known[key]
+
+
+def _find_dependent(graph: Graph, radicals: Sequence[Node], settle: Settle | None, later: int) -> frozenset[Node]:
+    operands = [c for n in radicals for c in graph.children(n)]
+    drawn = draw_points(graph, operands, PRIMES[0], range(5_000_011, 5_000_011 + _DRAWS), later=later, kind=QuickPoint)
+    characters, seen = [0] * len(radicals), 0
+    look, most = len(radicals) + 3, len(radicals) + _SPARE
+    for _, point in islice(drawn, 4 * most):
+        try:
+            if settle is not None:
+                settle(point)
+            values = [_radicand(graph, point, node) for node in radicals]
+        except (ArithmeticError, Unlucky):
+            continue
+        if not all(values):
+            continue
+        for k, value in enumerate(values):
+            characters[k] |= (pow(value, (point.prime - 1) // 2, point.prime) != 1) << seen
+        seen += 1
+        if seen in (look, most):
+            found = _reduce(characters, seen)
+            if not found or seen == most:
+                return frozenset(radicals[k] for k in found)
+    return frozenset(radicals)
+
+
+def _radicand(graph: Graph, point: FieldPoint, node: Node) -> int:
+    op, p = graph.op[node], point.prime
+    x = point.evaluate([graph.a[node]])[0]
+    if op in ("sqrt", "powf"):
+        return x
+    if op in ("asin", "acos"):
+        return (1 - x * x) % p
+    y = point.evaluate([graph.b[node]])[0] if op == "atan2" else 1
+    return (x * x + y * y) % p
+
+
+def _reduce(characters: Sequence[int], count: int) -> list[int]:
+    """Which of the rows of bits depend on earlier ones; one of equal bits does, which is a constant's."""
+    pivots: dict[int, int] = {}
+    found = []
+    for k, row in enumerate([(1 << count) - 1, *characters], start=-1):
+        while row:
+            top = row.bit_length()
+            if top not in pivots:
+                pivots[top] = row
+                break
+            row ^= pivots[top]
+        else:
+            found.append(k)
+    return found
