@@ -15,7 +15,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from fractions import Fraction
 from itertools import islice
 
-from nhc.algebra.calculus import reachable
+from nhc.algebra.calculus import reachable, substitute
 from nhc.algebra.draw import draw_points
 from nhc.algebra.expand import TooLarge
 from nhc.algebra.field import INVERSE, PRIMES, FieldPoint, QuickPoint, Unlucky
@@ -53,9 +53,17 @@ class Signs:
     """The signs in some expressions, and the degree of each node in them.
 
     ``settle`` puts points on the motion, where symbols of the mask ``later`` stand for something else: squares may show there only.
+    ``changed`` are symbols one of which at a time is given another value, to be compared with the first.
     """
 
-    def __init__(self, graph: Graph, roots: Sequence[Node], settle: Settle | None = None, later: int = 0) -> None:
+    def __init__(
+        self,
+        graph: Graph,
+        roots: Sequence[Node],
+        settle: Settle | None = None,
+        later: int = 0,
+        changed: Sequence[Node] = (),
+    ) -> None:
         self.graph = graph
         self.arguments: list[tuple[Node, ...]] = []
         """What each sign is the sign of, as nodes; it cannot change where none of these does."""
@@ -63,7 +71,7 @@ class Signs:
         self._known: dict[Node, tuple[int, int]] = {}
         found = [n for n in reachable(graph, roots) if graph.op[n] in _HOLDERS]
         radicals = self._radicals(found, roots)
-        self._hidden = _dependent(graph, radicals, settle, later)
+        self._hidden = _dependent(graph, radicals, settle, later, changed)
         self._arguments_of_roots = tuple(dict.fromkeys(c for n in radicals for c in graph.children(n)))
         self._any = bool(self._hidden) or any(graph.op[n] in (*STEPS, "powf") for n in found)
 
@@ -183,20 +191,37 @@ def _inverse_in_angles(graph: Graph, roots: Sequence[Node]) -> set[Node]:
 # --- squares among products of radicands ------------------------------------------------------------------------
 
 
-def _dependent(graph: Graph, radicals: Sequence[Node], settle: Settle | None, later: int) -> frozenset[Node]:
-    """Roots whose radicand is a square times radicands of others; all of them where too few points are found."""
-    if not radicals:
-        return frozenset()
+def _dependent(
+    graph: Graph, radicals: Sequence[Node], settle: Settle | None, later: int, changed: Sequence[Node]
+) -> frozenset[Node]:
+    """Roots whose radicand is a square times radicands of others; all of them where too few points are found.
+
+    Without ``settle`` nothing is known of those that hold symbols of the mask.
+    """
     if settle is not None:
         return _find_dependent(graph, radicals, settle, later)
-    known: dict[tuple[Node, ...], frozenset[Node]] = graph.memory.setdefault("hidden signs", {})
-    key = tuple(radicals)
+    open_ = frozenset(n for n in radicals if graph.deps[n] & later)
+    radicals = [n for n in radicals if n not in open_]
+    if not radicals:
+        return open_
+    known: dict[tuple[object, ...], frozenset[Node]] = graph.memory.setdefault("hidden signs", {})
+    key = tuple(radicals), tuple(changed)
     if key not in known:
-        known[key] = _find_dependent(graph, radicals, None, 0)
-    return known[key]
+        original = {
+            n: n for n in radicals
+        }  # sqrt(x^2 y) holds no sign, but where it is divided by its value at another x
+        for symbol in changed:
+            moved = [n for n in radicals if graph.depends(n, graph.deps[symbol])]
+            other = graph.symbol(f"other {symbol}", "other")
+            for n, copy in zip(moved, substitute(graph, moved, {symbol: other}), strict=True):
+                original.setdefault(copy, n)
+        known[key] = frozenset(original[n] for n in _find_dependent(graph, list(original), None, 0))
+    return open_ | known[key]
 
 
 def _find_dependent(graph: Graph, radicals: Sequence[Node], settle: Settle | None, later: int) -> frozenset[Node]:
+    if not radicals:
+        return frozenset()
     operands = [c for n in radicals for c in graph.children(n)]
     drawn = draw_points(graph, operands, PRIMES[0], range(5_000_011, 5_000_011 + _DRAWS), later=later, kind=QuickPoint)
     characters, seen = [0] * len(radicals), 0
