@@ -134,7 +134,7 @@ class Signs:
             return self._bit(("difference", *sorted(pair)), tuple(pair))
         found = 0
         if node in self._hidden:  # the relation that makes it dependent may hold all roots
-            found |= self._bit(("root", node), (*g.children(node), *self._arguments_of_roots))
+            found |= self._bit(("root", self._hidden[node]), (*g.children(node), *self._arguments_of_roots))
         for level in range(1, _halvings(g, node)):  # the characters tell of square roots only
             found |= self._bit(("root", node, level), tuple(g.children(node)))
         return found
@@ -193,18 +193,16 @@ def _inverse_in_angles(graph: Graph, roots: Sequence[Node]) -> set[Node]:
 
 def _dependent(
     graph: Graph, radicals: Sequence[Node], settle: Settle | None, later: int, changed: Sequence[Node]
-) -> frozenset[Node]:
-    """Roots whose radicand is a square times radicands of others; all of them where too few points are found.
+) -> Mapping[Node, Node]:
+    """Roots whose radicand is a square times radicands of others, each with the first one of the same value.
 
-    Without ``settle`` nothing is known of those that hold symbols of the mask.
+    All roots, where too few points are found; without ``settle``, those that hold symbols of the mask.
     """
     if settle is not None:
         return _find_dependent(graph, radicals, settle, later)
-    open_ = frozenset(n for n in radicals if graph.deps[n] & later)
+    open_ = {n: n for n in radicals if graph.deps[n] & later}
     radicals = [n for n in radicals if n not in open_]
-    if not radicals:
-        return open_
-    known: dict[tuple[object, ...], frozenset[Node]] = graph.memory.setdefault("hidden signs", {})
+    known: dict[tuple[object, ...], Mapping[Node, Node]] = graph.memory.setdefault("hidden signs", {})
     key = tuple(radicals), tuple(changed)
     if key not in known:
         original = {
@@ -215,34 +213,64 @@ def _dependent(
             other = graph.symbol(f"other {symbol}", "other")
             for n, copy in zip(moved, substitute(graph, moved, {symbol: other}), strict=True):
                 original.setdefault(copy, n)
-        known[key] = frozenset(original[n] for n in _find_dependent(graph, list(original), None, 0))
-    return open_ | known[key]
+        found = _find_dependent(graph, list(original), None, 0)
+        known[key] = {original[n]: original[first] for n, first in reversed(list(found.items()))}
+    return {**open_, **known[key]}
 
 
-def _find_dependent(graph: Graph, radicals: Sequence[Node], settle: Settle | None, later: int) -> frozenset[Node]:
-    if not radicals:
-        return frozenset()
+def _find_dependent(graph: Graph, radicals: Sequence[Node], settle: Settle | None, later: int) -> dict[Node, Node]:
+    """Stage by stage: what stands inside other roots, or in the motion, has to exist for these, so that its character is known."""
+    found: dict[Node, Node] = {}
+    depth: dict[Node, tuple[bool, int]] = {}
+    for node in sorted(radicals):
+        inner = [depth[n] for n in reachable(graph, graph.children(node)) if n in depth]
+        moves = bool(graph.deps[node] & later)
+        depth[node] = moves, 1 + max([level for moved, level in inner if moved == moves], default=0)
+    for stage in sorted(set(depth.values())):
+        known = [n for n in radicals if depth[n] < stage]
+        new = [n for n in radicals if depth[n] == stage]
+        found.update(_find_new(graph, known, new, found, settle if stage[0] else None, later))
+    return found
+
+
+def _find_new(
+    graph: Graph,
+    known: Sequence[Node],
+    new: Sequence[Node],
+    hidden: Mapping[Node, Node],
+    settle: Settle | None,
+    later: int,
+) -> dict[Node, Node]:
+    """Those of the new roots that depend on known ones or on each other; also what equals one that is hidden."""
+    radicals = [*known, *new]
     operands = [c for n in radicals for c in graph.children(n)]
     drawn = draw_points(graph, operands, PRIMES[0], range(5_000_011, 5_000_011 + _DRAWS), later=later, kind=QuickPoint)
-    characters, seen = [0] * len(radicals), 0
-    look, most = len(radicals) + 3, len(radicals) + _SPARE
+    first: dict[Node, Node] = {}  # by root the one of the first radicand of the same value
+    distinct: list[Node] = []
+    characters, seen, most = list[int](), 0, len(radicals) + _SPARE
     for _, point in islice(drawn, 4 * most):
         try:
             if settle is not None:
                 settle(point)
-            values = [_radicand(graph, point, node) for node in radicals]
+            values = {node: _radicand(graph, point, node) for node in radicals}
         except (ArithmeticError, Unlucky):
             continue
-        if not all(values):
+        if not all(values.values()):
             continue
-        for k, value in enumerate(values):
-            characters[k] |= (pow(value, (point.prime - 1) // 2, point.prime) != 1) << seen
+        if not first:
+            owner = {values[node]: node for node in reversed(radicals)}
+            first = {node: owner[value] for node, value in values.items()}
+            distinct = list(dict.fromkeys(first.values()))
+            characters, most = [0] * len(distinct), len(distinct) + _SPARE
+        for k, node in enumerate(distinct):
+            characters[k] |= (pow(values[node], (point.prime - 1) // 2, point.prime) != 1) << seen
         seen += 1
-        if seen in (look, most):
-            found = _reduce(characters, seen)
+        if seen in (len(distinct) + 3, most):
+            found = {distinct[k] for k in _reduce(characters, seen)} - set(known)
             if not found or seen == most:
-                return frozenset(radicals[k] for k in found)
-    return frozenset(radicals)
+                owners = {**dict.fromkeys(found), **hidden}
+                return {node: owners[first[node]] or first[node] for node in new if first[node] in owners}
+    return {node: node for node in new}
 
 
 def _radicand(graph: Graph, point: FieldPoint, node: Node) -> int:
