@@ -100,9 +100,13 @@ class Signs:
         """All signs in the solution of linear equations, and its degree in them; the unknowns stand for it."""
         inner, outer = self.mask_and_degree(matrix), self.mask_and_degree(right)
         mask = inner[0] | outer[0]
-        found = mask, (mask.bit_count() if inner[0] else outer[1])
-        self._known.update(dict.fromkeys(unknowns, found))
-        return found
+        degree = mask.bit_count() if inner[0] else outer[1]
+        self.put(unknowns, mask, degree)
+        return mask, degree
+
+    def put(self, symbols: Sequence[Node], mask: int, degree: int) -> None:
+        """Let symbols hold these signs."""
+        self._known.update(dict.fromkeys(symbols, (mask, degree)))
 
     def _look(self, node: Node) -> tuple[int, int]:
         g, op = self.graph, self.graph.op[node]
