@@ -60,17 +60,23 @@ def rates_of(sampler: Sampler, nodes: Sequence[Node]) -> list[Node]:
 def jumps(sampler: Sampler, node: Node) -> bool:
     """Whether the node, whose rate is zero, may change in steps.
 
-    Where it is continuous it cannot; nor can a sign, or the branch of an angle, while its argument is a constant of the motion.
+    Where it is continuous it cannot; nor can a sign, the branch of an angle or the denominator's sign, while what they are taken
+    of is a constant of the motion.
     """
     system = sampler.system
     g = system.graph
     moving = g.mask((*system.q, *system.v, system.t))
     inner = reachable(g, [node], moving)
-    if not any(g.op[n] in _BREAKS or (g.op[n] == POW and g.b[n] < 0) for n in inner):
+    breaks = [n for n in inner if g.op[n] in _BREAKS or (g.op[n] == POW and g.b[n] < 0)]
+    if _all_constant(sampler, [x for n in breaks for x in g.children(n)], moving):
         return False
     signs = Signs(g, [node])
     signs.degree([node])
     arguments = [x for group in signs.arguments for x in group]
     arguments += [x for n in inner if g.op[n] in INVERSE for x in g.children(n)]
-    open_ = [x for x in dict.fromkeys(arguments) if g.depends(x, moving)]
-    return not all(are_constant(sampler, open_))
+    return not _all_constant(sampler, arguments, moving)
+
+
+def _all_constant(sampler: Sampler, nodes: Sequence[Node], moving: int) -> bool:
+    open_ = [x for x in dict.fromkeys(nodes) if sampler.system.graph.depends(x, moving)]
+    return not open_ or all(are_constant(sampler, open_))
