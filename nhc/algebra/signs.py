@@ -6,7 +6,7 @@ they generate a field over the rational functions in which what is not zero has 
 Products of arguments that are squares are found by their quadratic characters at random points, by elimination modulo 2.
 
 A function of k signs is a polynomial in them, linear in each; one of degree m that is not zero is so for at least 2**-m of
-their values (W. W. Peterson and E. J. Weldon, Error-Correcting Codes, 2nd ed. (1972), sec. 5.5, on the codes of Reed and Muller).
+their values: the least distance of the codes of Reed and Muller (1954).
 """
 
 from __future__ import annotations
