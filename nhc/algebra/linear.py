@@ -12,11 +12,13 @@ from functools import partial
 
 from nhc.algebra.blocks import Singular, Weakness, block_order, determinant_of, form_size, row_scale, solve_block
 from nhc.algebra.calculus import gradient, reachable, rebuild, substitute, tangent
+from nhc.algebra.field import INVERSE
 from nhc.algebra.graph import ADD, MUL, NEG, POW, SYM, Graph, Node
 from nhc.algebra.modular import are_zero, is_zero
 from nhc.algebra.peel import coefficients, peel
 from nhc.algebra.probe import probe_of
 from nhc.algebra.shorten import shorten
+from nhc.algebra.signs import STEPS
 from nhc.records import record
 
 __all__ = [
@@ -34,7 +36,7 @@ __all__ = [
 
 
 _NO_POLYNOMIAL = 99
-_STEPPED = ("sign", "abs", "min", "max", "sqrt", "powf")
+_STEPPED = (*STEPS, "sqrt", "powf", *INVERSE)  # angles jump by pi where their arguments pass a pole
 
 
 class NotLinear(Exception):
@@ -94,7 +96,10 @@ def depends(graph: Graph, nodes: Sequence[Node], symbols: Sequence[Node]) -> lis
 
 
 def _has_steps(graph: Graph, node: Node, mask: int) -> bool:
-    """Whether something with a step or a kink in it takes one of the symbols; a root may be one of a square."""
+    """Whether something takes one of the symbols that may differ by a constant on two sides of a point.
+
+    Signs and what has kinks, roots (of squares), and inverse functions: sums of logarithms are the same on both sides of a pole.
+    """
     return any(graph.op[n] in _STEPPED and graph.deps[n] & mask for n in reachable(graph, [node], mask))
 
 

@@ -1,8 +1,8 @@
 """The exact identity test, and generic ranks: evaluation at random points of a prime field (:mod:`nhc.algebra.field`).
 
 Equal expressions that the field's rules cover have equal values; unequal ones of degree d agree at a random point with probability
-at most d/p (Schwartz 1980, Zippel 1979), where no sign and no root of a square occurs; where one does, one half takes the place of
-d/p and more points are drawn.
+at most d/p (Schwartz 1980, Zippel 1979), where no sign and no root of a square occurs; where some do, one half or more takes
+the place of d/p and more points are drawn (:mod:`nhc.algebra.signs`).
 """
 
 from __future__ import annotations
@@ -10,25 +10,22 @@ from __future__ import annotations
 import random
 from collections.abc import Iterable, Sequence
 from itertools import chain, islice
-from weakref import WeakKeyDictionary
 
-from nhc.algebra.calculus import reachable
-from nhc.algebra.draw import MOST_DRAWS, ROOTS, draw_points
+from nhc.algebra.draw import MOST_DRAWS, draw_points
 from nhc.algebra.evaluate import Mpmath, evaluate
 from nhc.algebra.field import PRIMES, FieldPoint, QuickPoint, Unlucky
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.probe import probe_of
+from nhc.algebra.probe import probe_of, signed_probes
+from nhc.algebra.signs import MOST, Signs, degree_in_signs, may_hold, points_for
 
 __all__ = ["PRIMES", "FieldPoint", "Unlucky", "are_equal", "are_zero", "is_zero", "rank", "sample"]
 
-_SIGNED = ("sign", "abs", "min", "max")
-_SQUARES: WeakKeyDictionary[Graph, dict[Node, bool]] = WeakKeyDictionary()
-_RANK_POINTS = 8
+_RANK_POINTS = 8  # before it is asked whether more are needed
 _DRAWS = 60  # a root has a value at every second point; beyond so many draws in a row roots are looked at one by one
 _SEEDS = 1_000_003  # of a question's points, so that no two questions draw the same ones
 _REAL_DRAWS = 200  # of real points, where there is no point of the field
 _SCALES = (1, 2, 40, 1000)  # of their numbers
-_SIGNED_POINTS = 48  # a sign is right by chance at every second point
+_KEPT_POINTS = 48
 
 
 def sample(
@@ -41,7 +38,7 @@ def sample(
     """
     results: list[list[int]] = []
     known: dict[tuple[int, int], FieldPoint] = {}
-    if kind is QuickPoint:  # these stay, and know what was evaluated before
+    if kind is QuickPoint and count <= _KEPT_POINTS:  # these stay, and know what was evaluated before
         known = graph.memory.setdefault("points", known)
     attempt = unlucky = 0
     while len(results) < count:
@@ -102,11 +99,28 @@ def are_zero(graph: Graph, nodes: Sequence[Node], count: int = 2, seed: int = 1)
     if not pending:
         return [n == graph.zero for n in nodes]
     alive = _vanishing(graph, pending, count, seed)
-    more = enough_points(graph, alive, count)
-    if more > count:  # only what has vanished so far, and holds signs, needs the further points
-        alive = _vanishing(graph, alive, more - count, seed + 1)
+    if may_hold(graph, alive):  # only what has vanished so far, and holds signs, needs the further points
+        alive = _vanishing_with_signs(graph, alive, count, seed)
     vanishing = {graph.zero, *alive}
     return [n in vanishing for n in nodes]
+
+
+def _vanishing_with_signs(graph: Graph, nodes: Sequence[Node], done: int, seed: int) -> list[Node]:
+    """Those of the nodes that are zero at as many more points as their signs need.
+
+    What holds too many signs is not taken for zero: it is better kept than lost.
+    """
+    held = [n for n in nodes if not may_hold(graph, [n])]
+    open_ = [n for n in nodes if n not in set(held) and not any(probe.is_clear(n) for probe in signed_probes(graph))]
+    signs = Signs(graph, open_)
+    degrees = {n: signs.degree([n]) for n in open_}
+    alive = [n for n in open_ if degrees[n] <= MOST]
+    for round_, degree in enumerate(sorted({degrees[n] for n in alive} - {0}), start=1):
+        held += [n for n in alive if degrees[n] < degree]
+        alive = [n for n in alive if degrees[n] >= degree]
+        needed = points_for(degree, done)
+        alive, done = _vanishing(graph, alive, needed - done, seed + round_), needed
+    return held + alive
 
 
 def _vanishing(graph: Graph, nodes: Sequence[Node], count: int, seed: int) -> list[Node]:
@@ -146,39 +160,8 @@ def _vanishes_numerically(graph: Graph, node: Node, seed: int) -> bool:
 
 
 def enough_points(graph: Graph, nodes: Sequence[Node], count: int) -> int:
-    """More points where signs occur: with n of them the answer is wrong with probability 2**-n and not (degree/p)**n.
-
-    The root of a square is a sign in disguise: sqrt(x^2) is x at every second point.
-    """
-    for node in reachable(graph, nodes):
-        op = graph.op[node]
-        if op in _SIGNED or (op in ROOTS and graph.deps[node] and _is_square(graph, graph.a[node])):
-            return max(count, _SIGNED_POINTS)
-    return count
-
-
-def _is_square(graph: Graph, node: Node) -> bool:
-    """Whether the node's values are squares at every one of some random points (known from then on)."""
-    known = _SQUARES.setdefault(graph, {})
-    if node not in known:
-        known[node] = _squares_only(graph, node)
-    return known[node]
-
-
-def _squares_only(graph: Graph, node: Node) -> bool:
-    seen = 0
-    for attempt in range(400):
-        prime = PRIMES[attempt % len(PRIMES)]
-        try:
-            value = FieldPoint(graph, 5_000_011 + attempt, prime).evaluate([node])[0]
-        except Unlucky:
-            continue
-        if value and pow(value, (prime - 1) // 2, prime) != 1:
-            return False
-        seen += 1
-        if seen == 24:
-            break
-    return True
+    """More points where signs occur; a sign is right by chance at every second point."""
+    return points_for(min(MOST, degree_in_signs(graph, nodes)), count)
 
 
 def is_zero(graph: Graph, node: Node) -> bool:
@@ -199,10 +182,16 @@ def rank(graph: Graph, rows: Sequence[Sequence[Node]], seed: int = 1) -> int:
     if probe_of(graph).has_full_rank(rows):
         return min(len(rows), width)
     flat = [entry for row in rows for entry in row]
+    full = min(len(rows), width)
     # a rank is too small only at special points; signs make half of the points special for an entry
-    points = sample(graph, flat, min(enough_points(graph, flat, 1), _RANK_POINTS), seed)
-    matrices = [[values[i * width : (i + 1) * width] for i in range(len(rows))] for values in points]
-    return max(_rank_modulo(matrix, PRIMES[k % len(PRIMES)]) for k, matrix in enumerate(matrices))
+    enough, found = enough_points(graph, flat, 1), 0
+    for at, count in ((seed, min(enough, _RANK_POINTS)), (seed + 1, enough - _RANK_POINTS)):
+        if count <= 0 or found == full:
+            break
+        for k, values in enumerate(sample(graph, flat, count, at)):
+            matrix = [values[i * width : (i + 1) * width] for i in range(len(rows))]
+            found = max(found, _rank_modulo(matrix, PRIMES[k % len(PRIMES)]))
+    return found
 
 
 def _rank_modulo(matrix: list[list[int]], p: int) -> int:

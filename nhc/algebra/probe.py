@@ -11,19 +11,22 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from hashlib import blake2b
 from zlib import crc32
 
-from nhc.algebra.graph import ADD, MUL, NEG, NUM, PI, POW, SYM, Graph, Node
+from nhc.algebra.graph import ADD, MUL, NEG, NUM, PI, POW, SYM, Graph, Node, Symbol
 
 _UNIT = 2.0**-52
 _CLEAR = 1e4
 _CLEAR_PIVOT = 100.0  # times its bound
+_SIGNED_PROBES = 8
 
 
 class Probe:
     """Values and error bounds of a graph's nodes; nan where there is no value."""
 
-    def __init__(self, graph: Graph) -> None:
+    def __init__(self, graph: Graph, number: int = 0) -> None:
+        self._number = number
         self.values: list[float] = []
         self.errors: list[float] = []
         self._graph_lists = (graph.op, graph.a, graph.b)
@@ -87,8 +90,7 @@ class Probe:
         if kind == NUM:
             return float(self._coefficients[node]), 0.0
         if kind == SYM:
-            symbol = self._symbols[a]
-            return 0.4 + 1.2 * crc32(f"{symbol.kind} {symbol.name}".encode()) / 2**32, 0.0
+            return self._place(self._symbols[a]), 0.0
         if kind == PI:
             return math.pi, 0.0
         x, bound = self.values[a], self.errors[a]
@@ -102,6 +104,16 @@ class Probe:
         if kind in ("atan2", "min", "max", "powf"):
             return _binary(kind, x, bound, self.values[b], self.errors[b])
         return _unary(kind, x, bound)
+
+    def _place(self, symbol: Symbol) -> float:
+        """Where a symbol is: in (0.4, 1.6), but for the first point also in (-1.6, -0.4)."""
+        if not self._number:
+            return 0.4 + 1.2 * crc32(f"{symbol.kind} {symbol.name}".encode()) / 2**32
+        # no checksum: those are linear, and names of one length would all change their signs together
+        text = f"{self._number} {symbol.kind} {symbol.name}".encode()
+        drawn = int.from_bytes(blake2b(text, digest_size=4).digest(), "big")
+        size = 0.4 + 1.2 * (drawn >> 1) / 2**31
+        return -size if drawn & 1 else size
 
 
 def _take_pivot(work: list[tuple[list[float], list[float]]], step: int) -> bool:
@@ -147,6 +159,8 @@ def _unary(kind: str, x: float, bound: float) -> tuple[float, float]:
 
 def _binary(kind: str, x: float, bound: float, y: float, other: float) -> tuple[float, float]:
     if kind == "atan2":
+        if y < 0 and abs(x) <= _CLEAR * bound:
+            raise ArithmeticError  # on which side of the cut is not known
         return math.atan2(x, y), (bound + other) / math.hypot(x, y)
     if kind == "powf":
         value = math.pow(x, y)
@@ -159,4 +173,12 @@ def probe_of(graph: Graph) -> Probe:
     known = graph.memory.get("probe")
     if not isinstance(known, Probe):
         known = graph.memory["probe"] = Probe(graph)
+    return known
+
+
+def signed_probes(graph: Graph) -> list[Probe]:
+    """Probes at points of both signs, for expressions that hold signs."""
+    known: list[Probe] = graph.memory.setdefault("signed probes", [])
+    if not known:
+        known += [Probe(graph, number) for number in range(1, _SIGNED_PROBES + 1)]
     return known

@@ -94,7 +94,9 @@ def _print(made: Certificate) -> None:
 
 
 def _why(made: Certificate) -> str:
-    return "signs occur: 1/2 at each point" if made.signed else f"degree {made.degree:.3g} or less"
+    if not made.signed:
+        return f"degree {made.degree:.3g} or less"
+    return f"signs occur: {2**made.signs - 1}/{2**made.signs} at each point"
 
 
 def _fate(r: Rejection) -> str:

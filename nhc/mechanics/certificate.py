@@ -3,9 +3,9 @@
 At random points of a prime field, with velocities that satisfy the constraints, the linear system of every formulation is
 solved modulo the prime and its q'' and lambda are compared with those of the reference, d'Alembert's equations with
 multipliers taken straight from T (I.4.1).  Where a formulation differs from the reference as rational functions of degree d,
-one point shows it except with probability d/p (Schwartz 1980, Zippel 1979), or 1/2 where signs occur (then more points are
-taken); points multiply.  ``simplify`` plays no part.  The same systems are solved in double precision, and so are the
-derivations of :mod:`nhc.mechanics.wrong`, whose distance from the truth is measured.
+one point shows it except with probability d/p (Schwartz 1980, Zippel 1979), or 1 - 2**-k where k signs are multiplied with
+each other (then more points are taken); points multiply.  ``simplify`` plays no part.  The same systems are solved in double
+precision, and so are the derivations of :mod:`nhc.mechanics.wrong`, whose distance from the truth is measured.
 """
 
 from __future__ import annotations
@@ -17,7 +17,8 @@ from collections.abc import Sequence
 from nhc.algebra.degree import Degrees
 from nhc.algebra.draw import MOST_DRAWS, draw_points
 from nhc.algebra.linear import Singular
-from nhc.algebra.modular import PRIMES, FieldPoint, Unlucky, enough_points
+from nhc.algebra.modular import PRIMES, FieldPoint, Unlucky
+from nhc.algebra.signs import MOST, Signs, may_hold, points_for
 from nhc.mechanics.choose import applicable
 from nhc.mechanics.claims import (
     Claim,
@@ -38,6 +39,7 @@ from nhc.mechanics.system import System
 from nhc.records import record
 
 POINTS = 3
+_MOST_POINTS = 64
 
 
 @record
@@ -75,14 +77,15 @@ class Point:
 class Certificate:
     """What was compared, where, and what came out; ``degree`` is d of the bound, ``states`` how many double-precision states.
 
-    ``signed``: signs occur (abs, sign, min, max, or the root of a square); each is right by chance at every second point.
+    ``signs``: so many are multiplied with each other (abs, sign, min, max, and roots of what may be squares); each is right by
+    chance at every second point.
     """
 
     system: str
     seed: int
     points: tuple[Point, ...]
     degree: int
-    signed: bool
+    signs: int
     states: int
     agreements: tuple[Agreement, ...]
     rejections: tuple[Rejection, ...]
@@ -93,9 +96,14 @@ class Certificate:
         return all(a.accelerations and a.reactions for a in self.agreements)
 
     @property
+    def signed(self) -> bool:
+        """Whether signs occur."""
+        return self.signs > 0
+
+    @property
     def log10_bound(self) -> float:
         """log10 of the probability that two different derivations pass: the product of d/p over the points."""
-        least = math.log10(0.5) if self.signed else -math.inf
+        least = math.log1p(-(2.0**-self.signs)) / math.log(10) if self.signs else -math.inf
         logs = [math.log10(self.degree) - math.log10(point.prime) for point in self.points]
         return sum(min(0.0, max(least, x)) for x in logs)
 
@@ -113,7 +121,8 @@ def certify(system: System, points: int = POINTS, seed: int = 1) -> Certificate:
     wrongs = wrong_claims(system, formulations)
     base = _base_frame(system, [f.frame for f in formulations if f.name == "voronec"])
     velocities = admissible_velocities(system, base, formulations)
-    needed = enough_points(system.graph, [n for claim in (reference, *claims) for n in claim.nodes()], points)
+    signs = _count_signs(system, [reference, *claims], velocities)
+    needed = max(points, min(_MOST_POINTS, points_for(min(signs, MOST), points)))
     seen = [_Look(reference, claims, wrongs if k < points else [], velocities, system, k, seed) for k in range(needed)]
     states = states_of(system, velocities, reference)
     return Certificate(
@@ -121,7 +130,7 @@ def certify(system: System, points: int = POINTS, seed: int = 1) -> Certificate:
         seed=seed,
         points=tuple(look.point for look in seen),
         degree=_degree(system, reference, claims, velocities),
-        signed=needed > points,
+        signs=signs,
         states=len(states),
         agreements=tuple(
             Agreement(
@@ -144,6 +153,31 @@ def certify(system: System, points: int = POINTS, seed: int = 1) -> Certificate:
             for k, one in enumerate(wrongs)
         ),
     )
+
+
+def _count_signs(system: System, claims: Sequence[Claim], velocities: Velocities) -> int:
+    """The degree in signs of the accelerations and reactions, on the motion."""
+    g = system.graph
+    nodes = [*(n for claim in claims for n in claim.nodes()), *velocities.nodes]
+    if not may_hold(g, nodes):
+        return 0
+
+    def settle(point: FieldPoint) -> None:
+        values = point.evaluate(velocities.nodes)
+        point.evaluate([], dict(zip(velocities.symbols, values, strict=True)))
+
+    signs = Signs(g, nodes, settle, g.mask(velocities.symbols))
+    signs.stand(velocities.standing())
+    every, degree = 0, 0
+    for claim in claims:
+        mask, solved = signs.solve([x for row in claim.matrix for x in row], claim.right)
+        for coefficients, constant in (*claim.accelerations, *claim.reactions):
+            outer, factor = signs.mask_and_degree(coefficients)
+            own, alone = signs.mask_and_degree([constant])
+            degree = max(degree, alone, solved + factor)
+            mask |= outer | own
+        every |= mask
+    return min(degree, every.bit_count())
 
 
 def _base_frame(system: System, known: Sequence[Frame | None]) -> Frame | None:

@@ -14,11 +14,12 @@ from dataclasses import replace
 from fractions import Fraction
 from itertools import combinations
 
-from nhc.algebra.calculus import count, gradient, reachable, substitute, tangent
+from nhc.algebra.calculus import count, gradient, substitute, tangent
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.modular import PRIMES, Unlucky, are_zero, enough_points, rank
+from nhc.algebra.modular import PRIMES, Unlucky, are_zero, rank
 from nhc.algebra.relations import find_relations, without
-from nhc.mechanics.frame import Frame, form_value, total_derivative
+from nhc.mechanics.constancy import are_constant, jumps, rates_of
+from nhc.mechanics.frame import Frame, form_value
 from nhc.mechanics.rotation import moving
 from nhc.mechanics.sampling import Sampler
 from nhc.mechanics.system import System
@@ -29,7 +30,6 @@ from nhc.thesis import equation
 _SPARE = 6  # points more than candidates
 _BUDGET = 260_000  # candidates times operations of the reference at one point
 _MOST = 60  # candidates
-_MOST_POINTS = 8  # modulo each of two primes, where signs occur
 ENERGY, MOMENTUM = "energy", "momentum"
 
 
@@ -86,7 +86,7 @@ def find_conserved(
     differs = not are_zero(g, [g.sub(generalized, system.energy)])[0]
     outputs = [Candidate(name, node) for name, node in system.outputs]
     tested = [Candidate("E", system.energy), Candidate("p q' - T + V", generalized), *outputs]
-    constant = _are_constant(sampler, tested)
+    constant = are_constant(sampler, [c.node for c in tested])
     candidates, tried = list_candidates(system, sampler, adapted)
     found = _search(sampler, candidates, frame, known)
     zero = [symbol for symbol, value in default_values(system).items() if value == 0.0]
@@ -100,17 +100,10 @@ def find_conserved(
         jacobi=constant[1] if differs else None,
         integrals=tuple(found),
         outputs=tuple(
-            c.text for c, holds in zip(outputs, constant[2:], strict=True) if holds and not _jumps(system, c.node)
+            c.text for c, holds in zip(outputs, constant[2:], strict=True) if holds and not jumps(sampler, c.node)
         ),
         tried=tried,
     )
-
-
-def _jumps(system: System, node: Node) -> bool:
-    """Whether a sign in the node changes with the motion: its rate is zero, and it is not constant."""
-    g = system.graph
-    moving = g.mask((*system.q, *system.v, system.t))
-    return any(g.op[n] == "sign" for n in reachable(g, [node], moving))
 
 
 def generalized_energy(system: System) -> Node:
@@ -245,26 +238,12 @@ def _constraint_parameters(system: System) -> list[Node]:
 # --- the search -------------------------------------------------------------------------------------------
 
 
-def _are_constant(sampler: Sampler, candidates: Sequence[Candidate]) -> list[bool]:
-    rates = _rates(sampler, candidates)
-    each = min(_MOST_POINTS, enough_points(sampler.system.graph, [*rates, *sampler.reference.nodes()], 2) // 2)
-    rows = [row for prime in PRIMES[:2] for row in sampler.residues(rates, each, prime)]
-    return [all(row[k] == 0 for row in rows) for k in range(len(rates))]
-
-
-def _rates(sampler: Sampler, candidates: Sequence[Candidate]) -> list[Node]:
-    """d/dt of each, with the accelerations' symbols."""
-    system = sampler.system
-    moving = dict(zip(system.v, sampler.rates, strict=True))
-    return [total_derivative(system, c.node, system.v, moving) for c in candidates]
-
-
 def _search(
     sampler: Sampler, candidates: Sequence[Candidate], frame: Frame | None, known: Sequence[Node]
 ) -> list[Integral]:
     """Independent constants beyond ``known`` among the constant combinations of the candidates."""
     g, width = sampler.system.graph, len(candidates)
-    rates = _rates(sampler, candidates)
+    rates = rates_of(sampler, [c.node for c in candidates])
     try:
         rows = sampler.residues([*rates, *(c.node for c in candidates)], width + _SPARE, PRIMES[0])
     except Unlucky:
@@ -277,7 +256,7 @@ def _search(
         nodes = [*known, *(i.node for i in integrals)]
         if not _is_independent(sampler, frame, nodes, node):
             continue
-        if _are_constant(sampler, [Candidate("", node)])[0]:
+        if are_constant(sampler, [node])[0]:
             kinds = {c.kind for k, c in zip(vector, candidates, strict=True) if k}
             integrals.append(Integral(spell(vector, candidates), node, moving={ENERGY, MOMENTUM} <= kinds))
     return integrals

@@ -1,7 +1,8 @@
 """What the rates of a state depend on, exactly: by values in a prime field, so that a dependence that cancels does not count.
 
 One entry of the state is given another value at a random point; what changes depends on it.  Values and not slopes are compared,
-because a sign depends on its argument although its slope is zero.
+because a sign depends on its argument although its slope is zero.  Where signs occur, also in the guise of roots, it is done at
+more points: a sign stays the same at every second change, and others may hide it at every second point.
 """
 
 from __future__ import annotations
@@ -9,15 +10,14 @@ from __future__ import annotations
 import random
 from collections.abc import Sequence
 
-from nhc.algebra.calculus import reachable
 from nhc.algebra.graph import Node
 from nhc.algebra.modular import PRIMES, FieldPoint, Unlucky
+from nhc.algebra.signs import Signs, may_hold, points_for
 from nhc.mechanics.linearize import Flow, solve_modulo
 from nhc.records import record
 
 _POINTS, _DRAWS, _CHANGES = 2, 400, 60
-_SIGNED = ("sign", "abs", "min", "max")
-_SIGNED_CHANGES = 24  # a sign stays the same at every second change
+_MOST_SIGNS = 4  # multiplied with each other: 384 points
 
 
 @record
@@ -60,25 +60,47 @@ def values_at(flow: Flow, needs: Sequence[Node], point: FieldPoint) -> list[int]
 
 
 def find_dependence(flow: Flow, needs: Sequence[Node]) -> Dependence:
-    """Which entries of the state each rate and each need depends on (missed with a probability of degree/p**2).
+    """Which entries of the state each rate and each need depends on.
+
+    Missed with a probability of degree/p**2, and of e**-24 where signs occur.
 
     Raises:
-        Unlucky: the motion is singular everywhere.
+        Unlucky: the motion is singular everywhere, or holds too many signs.
     """
-    size = len(flow.y)
+    g, size, roots = flow.graph, len(flow.y), _roots(flow, needs)
+    occurring = [any(g.depends(node, g.deps[y]) for node in roots) for y in flow.y]
     depends = [[False] * size for _ in range(size + len(needs))]
     zero = [True] * (size + len(needs))
+    compared = [not found for found in occurring]
     seed = 0
-    for index in range(_POINTS):
-        prime = PRIMES[index]
-        base, values, seed = _base(flow, needs, seed, prime)
+    for index in range(_count_points(flow, needs)):
+        base, values, seed = _base(flow, needs, seed, PRIMES[index % len(PRIMES)])
         zero = [z and not value for z, value in zip(zero, values, strict=True)]
         for j in range(size):
+            if not occurring[j]:
+                continue
             changed = _changed(flow, needs, base, seed, j, values)
-            for row, differs in zip(depends, changed, strict=True):
+            compared[j] = compared[j] or bool(changed)
+            for row, differs in zip(depends, changed, strict=bool(changed)):
                 row[j] = row[j] or differs
+    for j in range(size):
+        if not compared[j]:  # no other regular value was found: nothing is known
+            for row in depends:
+                row[j] = True
     sets = [frozenset(j for j, found in enumerate(row) if found) for row in depends]
     return Dependence(tuple(sets[:size]), tuple(sets[size:]), tuple(zero[:size]), tuple(zero[size:]))
+
+
+def _count_points(flow: Flow, needs: Sequence[Node]) -> int:
+    g, roots = flow.graph, _roots(flow, needs)
+    if not may_hold(g, roots):
+        return _POINTS
+    signs = Signs(g, roots, later=g.mask(flow.unknowns), changed=flow.y)
+    signs.solve([x for row in flow.matrix for x in row], flow.right, flow.unknowns)
+    degree = signs.degree([*flow.velocities, *flow.unknowns, *needs])
+    if degree > _MOST_SIGNS:
+        raise Unlucky
+    return points_for(degree, _POINTS)
 
 
 def _roots(flow: Flow, needs: Sequence[Node]) -> list[Node]:
@@ -99,14 +121,12 @@ def _base(flow: Flow, needs: Sequence[Node], seed: int, prime: int) -> tuple[Fie
 def _changed(
     flow: Flow, needs: Sequence[Node], base: FieldPoint, seed: int, j: int, values: Sequence[int]
 ) -> list[bool]:
-    """What has another value when y_j has; everything where no other regular value is found."""
+    """What has another value when y_j has; nothing where no other regular value is found."""
     g, prime = flow.graph, base.prime
     roots = _roots(flow, needs)
     mask = g.mask((flow.y[j], *flow.unknowns))
     carried = {node: value for node, value in base.values.items() if not g.depends(node, mask)}
-    signed = any(g.op[node] in _SIGNED for node in reachable(g, roots))
     rng = random.Random(1_000_003 * seed + j)
-    differs, seen = [False] * len(values), 0
     for _ in range(_CHANGES):
         point = FieldPoint(g, 3_000_017 + seed, prime)
         try:
@@ -116,8 +136,5 @@ def _changed(
             found = values_at(flow, needs, point)
         except Unlucky:
             continue
-        differs = [d or x != y for d, x, y in zip(differs, found, values, strict=True)]
-        seen += 1
-        if seen == (_SIGNED_CHANGES if signed else 1):
-            return differs
-    return differs if seen else [True] * len(values)
+        return [x != y for x, y in zip(found, values, strict=True)]
+    return []

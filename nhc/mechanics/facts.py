@@ -20,7 +20,7 @@ from nhc.mechanics.integrability import Integrability, classify, cyclic_coordina
 from nhc.mechanics.integrals import PositionIntegral, find_position_integrals
 from nhc.mechanics.named import named_text
 from nhc.mechanics.regularity import choose_dependent, intervals
-from nhc.mechanics.singular import find_rank_loss
+from nhc.mechanics.singular import find_rank_loss, never_changes
 from nhc.mechanics.system import System
 
 
@@ -225,7 +225,9 @@ def _quasi(system: System, formulation: Formulation, bag: Bag) -> None:
         return
     known = intervals(system)
     for guard, _ in formulation.frame.guards:
-        if cannot_vanish(system.graph, guard, known):
+        if cannot_vanish(system.graph, guard, known) or never_changes(
+            system, guard
+        ):  # with a number's value that is not zero
             continue
         where = _entry_text(system, guard) or _zero_text(system, guard)
         own = len(system.quasi) > 3 * len(system.rotations)

@@ -10,9 +10,10 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from nhc.algebra.calculus import count, substitute
-from nhc.algebra.graph import Node
+from nhc.algebra.graph import Graph, Node
 from nhc.algebra.interval import Interval, cannot_vanish
 from nhc.algebra.modular import PRIMES, FieldPoint, Unlucky
+from nhc.algebra.signs import MOST, Signs, may_hold, points_for
 from nhc.language.spec import Scene
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choose import Formulation
@@ -272,17 +273,38 @@ def _put_best(flow: Flow, model: _Model, i: int, known: Mapping[Node, Interval])
 
 
 def _agree(flow: Flow, before: _Model, after: _Model) -> bool:
-    """Whether the second model is regular and has the rates and needs of the first."""
+    """Whether the second model is regular and has the rates and needs of the first, at as many points as their signs need."""
     nodes = [*before.nodes, *after.nodes]
-    for draw in range(_DRAWS):
+    needed, agreed, unlucky = _count_points(flow.graph, before, after), 0, 0
+    for draw in range(_DRAWS * needed):
         found = []
         for model in (before, after):
-            point = FieldPoint(flow.graph, 9_000_011 + draw, PRIMES[1])
+            point = FieldPoint(flow.graph, 9_000_011 + draw, PRIMES[(1 + agreed) % len(PRIMES)])
             try:
                 point.prepare(nodes)
                 found.append(model.observe(point))
             except Unlucky:
                 break
-        if len(found) == 2:
-            return found[0] == found[1]
+        if len(found) < 2:
+            unlucky += 1
+            if unlucky == _DRAWS:
+                return False
+            continue
+        if found[0] != found[1]:
+            return False
+        agreed, unlucky = agreed + 1, 0
+        if agreed == needed:
+            return True
     return False
+
+
+def _count_points(graph: Graph, before: _Model, after: _Model) -> int:
+    """How many points tell whether two models agree."""
+    nodes = [*before.nodes, *after.nodes]
+    if not may_hold(graph, nodes):
+        return 1
+    signs = Signs(graph, nodes, later=graph.mask(before.unknowns))
+    signs.solve([*before.matrix, *after.matrix], [*before.right, *after.right], before.unknowns)
+    observed = [node for model in (before, after) for node in (*model.unknowns, *model.velocities, *model.needs)]
+    degree = signs.degree(observed)
+    return points_for(min(degree, MOST), 1)

@@ -24,6 +24,7 @@ class Sampler:
         self.velocities = admissible_velocities(system, frame, [])
         self.rates = rate_symbols(system, system.v)
         self.multipliers = multiplier_symbols(system)
+        self.moving = system.graph.mask((*system.v, *self.rates, *self.multipliers))
 
     def residues(self, roots: Sequence[Node], count: int, prime: int, seed: int = 1) -> list[list[int]]:
         """The roots, which may contain q, q', q'', lambda and t, at ``count`` points.
@@ -34,20 +35,31 @@ class Sampler:
         found: list[list[int]] = []
         everything = [*self.velocities.nodes, *self.reference.nodes(), *roots]
         zeros = dict.fromkeys(self.zeroed, 0)
-        moving = self.system.graph.mask((*self.system.v, *self.rates, *self.multipliers))
         seeds = range(seed * 1_000_033, seed * 1_000_033 + MOST_DRAWS)
-        for _, point in draw_points(self.system.graph, everything, prime, seeds, zeros, moving):
+        for _, point in draw_points(self.system.graph, everything, prime, seeds, zeros, self.moving):
             try:
                 found.append(self._at(point, roots))
-            except (Unlucky, Singular):
+            except Unlucky:
                 continue
             if len(found) == count:
                 return found
         raise Unlucky
 
     def _at(self, point: FieldPoint, roots: Sequence[Node]) -> list[int]:
+        self.settle(point)
+        return point.evaluate(roots)
+
+    def settle(self, point: FieldPoint) -> None:
+        """Give the velocities, the accelerations and the multipliers their values at a point.
+
+        Raises:
+            Unlucky: they have none there.
+        """
+        point.evaluate([], dict.fromkeys(self.zeroed, 0))
         velocities = point.evaluate(self.velocities.nodes)
         point.evaluate([], dict(zip(self.velocities.symbols, velocities, strict=True)))
-        accelerations, reactions = solve_exactly(self.reference, point)
-        fixed = dict(zip((*self.rates, *self.multipliers), (*accelerations, *reactions), strict=True))
-        return point.evaluate(roots, fixed)
+        try:
+            accelerations, reactions = solve_exactly(self.reference, point)
+        except Singular:
+            raise Unlucky from None
+        point.evaluate([], dict(zip((*self.rates, *self.multipliers), (*accelerations, *reactions), strict=True)))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from itertools import combinations
 
-from nhc.algebra.calculus import gradient
+from nhc.algebra.calculus import tangent
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Node
 from nhc.algebra.interval import cannot_vanish
@@ -14,7 +14,7 @@ from nhc.algebra.modular import are_zero
 from nhc.algebra.polynomial import normalise
 from nhc.mechanics.adapt import set_pivots_aside
 from nhc.mechanics.regularity import intervals
-from nhc.mechanics.rotation import rows_in_base
+from nhc.mechanics.rotation import along, from_base, rows_in_base
 from nhc.mechanics.system import System
 from nhc.records import record
 
@@ -41,21 +41,36 @@ def find_rank_loss(system: System) -> RankLoss:
     free = [j for j in free if any(matrix[r][j] != g.zero for r in rows)]
     if len(rows) > _MOST_ROWS or math.comb(len(free), len(rows)) > _MOST_MINORS:
         return RankLoss(None, ())
-    minors = set[Node]()
+    minors, squares = set[Node](), list[Node]()
     for subset in combinations(free, len(rows)):
         block = [[matrix[r][j] for j in subset] for r in rows]
         minor = normalise(g, determinant_of(g, block), 120)
         if minor != g.zero:
             minors.add(g.split_coefficient(minor)[1])
+            squares.append(g.power(minor, 2))
     kept = sorted(minors)
     if any(cannot_vanish(g, minor, known) for minor in kept):
         return RankLoss(True, ())
-    gram = normalise(g, g.sum([g.power(minor, 2) for minor in kept]), 200)
+    gram = normalise(g, g.sum(squares), 200)
     if cannot_vanish(g, gram, known):
         return RankLoss(True, ())
-    if system.rotations and all(are_zero(g, gradient(g, gram, (*system.q, system.t)))):
-        return RankLoss(True, ())  # rows of R have one length everywhere
+    if system.rotations and never_changes(system, gram):
+        return RankLoss(True, ())  # rows and columns of R have one length everywhere
     return RankLoss(False, tuple(kept))
+
+
+def never_changes(system: System, node: Node) -> bool:
+    """Whether the node has one value wherever the quaternions keep their length."""
+    g = system.graph
+    if g.depends(node, g.deps[system.t]):
+        return False
+    lengths = {rotation.places[0] for rotation in system.rotations}
+    slopes = []
+    for k in range(system.n):
+        if k not in lengths:
+            unit = [g.one if j == k else g.zero for j in range(system.n)]
+            slopes += tangent(g, [node], along(system, from_base(system, unit, system.rotations)))
+    return all(are_zero(g, slopes))
 
 
 def smallest_singular_value(system: System, place: dict[Node, float]) -> float:

@@ -176,6 +176,18 @@ def test_signs_are_right_by_chance_at_every_second_point() -> None:
     assert -15 < found.log10_bound < -14
 
 
+def test_signs_that_are_multiplied_weaken_the_bound() -> None:
+    """The inside of a box of six faces is met at one point of 64; a root that hides a sign counts as one."""
+    head = "nhc: 1\nsystem: region\ncoordinates: [x, y, z]\nparameters: {a: 1, b: 2, k: 3}\nT: (x'^2 + y'^2 + z'^2)/2\n"
+    faces = "*".join(f"(1 + sign({s} - a))*(1 + sign(b - {s}))" for s in "xyz")
+    found = certify(resolve(decode(Source("region.yaml", f"{head}forces: {{x: k*{faces}}}\n"))))
+    assert (found.holds, found.signs, len(found.points)) == (True, 6, 64)
+    assert -0.5 < found.log10_bound < -0.4
+    for force, signs in (("k*(sqrt((a*x)^2 + (b*x)^2) - x*sqrt(a^2 + b^2))", 1), ("k*sqrt(x^2 + y^2)", 0)):
+        found = certify(resolve(decode(Source("region.yaml", f"{head}forces: {{x: {force}}}\n"))))
+        assert (found.holds, found.signs) == (True, signs)
+
+
 def test_power_of_ten_rounds_up() -> None:
     assert [power_of_ten(x) for x in (0.0, 2e-16, 1e-12, 1.1e-12, 5.0)] == ["1e-15", "1e-15", "1e-12", "1e-11", "1e1"]
 

@@ -9,7 +9,7 @@ import pytest
 from nhc.algebra.calculus import gradient
 from nhc.algebra.modular import PRIMES, rank
 from nhc.algebra.relations import find_relations, rational, without
-from nhc.diagnostics import Bag, Source
+from nhc.diagnostics import Bag, Source, SpecError
 from nhc.language import decode, read
 from nhc.mechanics.choose import dependent_of, formulate
 from nhc.mechanics.conserved import find_conserved, generalized_energy, power
@@ -204,6 +204,71 @@ def test_the_generalized_energy_of_a_bead_on_a_rod() -> None:
     data = facts_of("bead_on_rod").data["energy"]
     assert (data["conserved"], data["generalized"]) == (False, True)
     assert "(p q' - T + V)" in conserved("bead_on_rod")
+
+
+BRAKE = """nhc: 1
+system: brake
+coordinates: [{s}]
+parameters: {{{a}: 3, {b}: 4, c: 2, m: 1}}
+define: {{X: "{a}*{s}", Y: "{b}*{s}", speed: "sqrt(X'^2 + Y'^2)"}}
+T: m/2*(X'^2 + Y'^2)
+forces: {{{s}: "c*(speed - {s}'*sqrt({a}^2 + {b}^2))"}}
+"""
+
+
+@pytest.mark.parametrize("s", ["x", "q", "theta", "xi"])
+@pytest.mark.parametrize(("a", "b"), [("b", "d"), ("h", "l"), ("dx", "dy"), ("n1", "n2"), ("lx", "ly")])
+def test_a_force_with_a_hidden_sign_takes_energy(s: str, a: str, b: str) -> None:
+    system = resolve(decode(Source("brake.yaml", BRAKE.format(s=s, a=a, b=b))))
+    found = find_conserved(system, None)
+    assert (found.energy, found.power) == (False, (f"the force on `{s}`",))
+
+
+def test_outputs_that_jump_are_not_constant() -> None:
+    """All have rate zero where they have one; what holds constants of the motion only, or is continuous, does not jump."""
+    jumping = (
+        "abs(x)/x",
+        "x/sqrt(x^2)",
+        "atan2(a*x, b*x)",
+        "cos(atan2(0, x))",
+        "min(x, 0)/x",
+        "sqrt(x^2*y^2)/(x*y)",
+        "atan(tan(x)) - x",
+        "sign(x)*z'",
+        "atan(x') + atan(1/x')",
+    )
+    constant = (
+        "atan2(z', a)",
+        "abs(z')",
+        "sign(z')",
+        "1/z'",
+        "E",
+        "sqrt(1 + E^2)/(1 + abs(z'))",
+        "x'^2/2 + k*sqrt(x^2)",
+    )
+    lines = [f"  o{k}: {text}" for k, text in enumerate((*jumping, *constant))]
+    text = (
+        "nhc: 1\nsystem: outputs\ncoordinates: [x, y, z]\nparameters: {k: 1, a: 1, b: 2}\n"
+        "define: {E: x'^2/2 + k*sqrt(x^2)}\nT: (x'^2 + y'^2 + z'^2)/2\nV: k*sqrt(x^2) + y^2\noutputs:\n"
+    )
+    found = find_conserved(resolve(decode(Source("outputs.yaml", text + "\n".join(lines) + "\n"))), None)
+    assert found.energy
+    assert found.outputs == tuple(f"o{len(jumping) + k}" for k in range(len(constant)))
+
+
+@pytest.mark.parametrize(
+    ("line", "code"),
+    [
+        ("constraints: [\"y' + atan2(a*x', b*x') = 0\"]", "E0401"),
+        ("constraints: [\"y' + atan(x') + atan(1/x') = 0\"]", "E0401"),
+        ("V: atan(x') + atan(1/x')", "E0405"),
+    ],
+)
+def test_steps_of_angles_are_no_constants(line: str, code: str) -> None:
+    head = "nhc: 1\nsystem: steps\ncoordinates: [x, y]\nparameters: {a: 1, b: 2}\nT: (x'^2 + y'^2)/2\n"
+    with pytest.raises(SpecError) as refused:
+        resolve(decode(Source("steps.yaml", head + line + "\n")))
+    assert [d.code for d in refused.value.diagnostics] == [code]
 
 
 @pytest.mark.parametrize("name", [n for n in GALLERY if n != "bicycle"])

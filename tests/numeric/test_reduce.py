@@ -18,6 +18,11 @@ from nhc.algebra.modular import Unlucky
 from nhc.diagnostics import Source
 from nhc.emit import EmitOptions, render
 from nhc.language import decode, read
+from nhc.mechanics.choose import formulate
+from nhc.mechanics.formulate import equations_of
+from nhc.mechanics.linearize import flow_of
+from nhc.mechanics.reduce import _agree, _Model
+from nhc.mechanics.resolve import resolve
 from nhc.pipeline import Options, emit, program, reduce_scene
 from nhc.program.reduced import build_scene_program
 from nhc.program.scene_model import SceneModel
@@ -218,6 +223,59 @@ def test_a_sign_is_a_dependence_though_its_slope_is_zero() -> None:
     assert made.reduction.state == ("x", "y", "x'", "y'")
     made = reduce_scene(Source("dry.yaml", text.replace(", h: 0", "")), Options(scene="other"))
     assert made.reduction.state == ("y", "y'")
+
+
+SWITCH = """nhc: 1
+system: switch
+coordinates: [{a}, {b}]
+parameters: {{k: 1, h: 2}}
+T: ({a}'^2 + {b}'^2)/2
+V: {a}^2/2
+forces:
+  {b}: {force}
+scenes:
+  s: {{initial: {{{a}: -1}}, time: [0, 1], need: [{b}]}}
+"""
+
+
+@pytest.mark.parametrize(
+    "force",
+    [
+        "k*{a}/sqrt({a}^2)",
+        "-k*{a}'/sqrt({a}'^2)",
+        "k*{a}/sqrt({a}^2*h)",
+        "k*cos(atan2(0, {a}))",
+        "k*sin(acos(cos({a})))/sin({a})",
+        "(1 + sign({b}' - h))*sign({a})",
+    ],
+)
+def test_a_root_may_be_a_dependence_though_its_slope_is_zero(force: str) -> None:
+    for a, b in (
+        ("d", "y"),
+        ("theta", "y"),
+        ("x", "z"),
+        ("z", "x"),
+        ("q1", "q2"),
+        ("r", "u"),
+        ("psi", "s"),
+        ("v", "w"),
+    ):
+        text = SWITCH.format(a=a, b=b, force=force.format(a=a, b=b))
+        made = reduce_scene(Source("switch.yaml", text), Options(scene="s"))
+        assert {a, f"{a}'"} <= set(made.reduction.state), (a, b)
+
+
+def test_the_values_that_stand_for_what_is_left_out_are_compared_at_all_signs() -> None:
+    """x - sqrt(x^2) and 0 agree at every second point."""
+    system = resolve(decode(Source("switch.yaml", SWITCH.format(a="x", b="y", force="k*(x - sqrt(x^2))"))))
+    g = system.graph
+    flow = flow_of(equations_of(system, formulate(system)))
+    parts = (flow.velocities, tuple(x for row in flow.matrix for x in row), (), ())
+    before = _Model(flow.unknowns, (0, 1), parts[0], parts[1], flow.right, (), ())
+    after = before.put(flow, system.p[0], g.zero)
+    assert before.right != after.right
+    assert not _agree(flow, before, after)
+    assert _agree(flow, before, before)
 
 
 def test_a_dependence_that_cancels_does_not_count() -> None:

@@ -4,9 +4,12 @@ from __future__ import annotations
 
 import pytest
 
+from nhc.algebra import modular
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.modular import PRIMES, are_zero, is_zero, rank
+from nhc.algebra.probe import signed_probes
 from nhc.algebra.residues import FULL_TURN, part_of_turn, square_root, turn
+from nhc.algebra.signs import degree_in_signs
 from nhc.diagnostics import Bag, Source, Span
 from nhc.language.parser import parse_expression
 from nhc.language.syntax import Binary, Call, Name, Negate, Number, Syntax, fold_tree
@@ -187,3 +190,67 @@ def test_rank_with_signs(seed: int) -> None:
     rows = [[node_of(g, "abs(x)"), node_of(g, "x")], [g.one, g.one]]
     assert rank(g, rows, seed) == 2
     assert rank(g, [[node_of(g, "abs(x)"), node_of(g, "x")], [node_of(g, "x"), node_of(g, "abs(x)")]], seed) == 1
+
+
+NAMES = ("x y z", "q a b", "s h l", "xi lx ly", "theta n1 n2", "u d c", "r e1 e2", "phi cx cy")
+HIDDEN = [
+    "sqrt(x^2*y) - x*sqrt(y)",
+    "sqrt((y*x)^2 + (z*x)^2) - x*sqrt(y^2 + z^2)",
+    "cos(atan2(x*y, x*z)) - cos(atan2(y, z))",
+    "sin(acos(cos(y))) - sin(y)",
+    "cos(asin(sin(y))) - cos(y)",
+    "(x^4*y)^(1/4) - x*y^(1/4)",
+    "sqrt(x*y)*sqrt(x*z)*sqrt(y*z) - x*y*z",
+]
+
+
+@pytest.mark.parametrize("text", HIDDEN)
+def test_roots_hide_signs(text: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Under all names and at all seeds, whether or not floats at points of both signs are looked at first."""
+    for probes in (modular.signed_probes, lambda graph: []):
+        monkeypatch.setattr(modular, "signed_probes", probes)
+        for names in NAMES:
+            g = Graph()
+            node = node_of(g, text.translate(str.maketrans(dict(zip("xyz", names.split(), strict=True)))))
+            assert not any(are_zero(g, [node], seed=seed)[0] for seed in range(3)), names
+
+
+def test_independent_roots_hide_none() -> None:
+    """Springs in space and roots in roots cost no further points."""
+    for text in (
+        "sqrt(x^2 + y^2) + sqrt(x^2 + z^2) - sqrt(y^2 + z^2)",
+        "sqrt(sqrt(x^2 + y^2) + z)",
+        "cos(2*atan2(x, y) + z)",
+    ):
+        g = Graph()
+        assert degree_in_signs(g, [node_of(g, text)]) == 0
+    g = Graph()
+    assert degree_in_signs(g, [node_of(g, "abs(x)*sign(x) + max(x, y)*sqrt(z^2)")]) == 2
+    assert degree_in_signs(g, [node_of(g, "sign(x) + sign(y) + sign(z)")]) == 1
+    assert degree_in_signs(g, [node_of(g, "1/(4 + sign(x) + sign(y) + sign(z))")]) == 3
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_products_of_signs(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    """One place of 64 is inside a box; what has too many faces is kept, zero or not."""
+    monkeypatch.setattr(modular, "signed_probes", lambda graph: [])
+    g = Graph()
+    box = node_of(g, "*".join(f"(1 + sign({name}))" for name in "abcdef"))
+    outside = g.sub(box, g.mul(box, node_of(g, "sign(a)")))
+    assert are_zero(g, [box, outside], seed=seed) == [False, True]
+    larger = g.mul(box, node_of(g, "(1 + sign(k))*(1 - sign(a))"))
+    assert are_zero(g, [larger], seed=seed) == [False]
+
+
+def test_rank_with_products_of_signs() -> None:
+    g = Graph()
+    box = node_of(g, "*".join(f"(1 + sign({name}))" for name in "abcde"))
+    assert rank(g, [[box, g.zero], [g.one, g.one]]) == 2
+
+
+def test_points_of_both_signs() -> None:
+    """Names of one length do not change their signs together."""
+    g = Graph()
+    products = [g.mul(g.symbol(x), g.symbol(y)) for x, y in ("xy", "ab", "qr")]
+    for product in products:
+        assert len({probe.value(product) > 0 for probe in signed_probes(g)}) == 2
