@@ -57,6 +57,7 @@ def formulate(system: System, name: str = "") -> Formulation:
     """
     wanted = name or system.spec.formulation or "auto"
     try:
+        dependent_columns(system)  # what the spec says must make sense, also where the formulation does not ask for it
         return choose(system) if wanted == "auto" else build(system, wanted)
     except NotApplicable as error:
         bag = Bag(system.spec.origin)
@@ -68,7 +69,7 @@ def formulate(system: System, name: str = "") -> Formulation:
             message,
             span if error.code == "E0411" else _key_span(system, error.key),
             notes=notes,
-            help=(_help(error),),
+            help=(_help(system, error),),
         )
         bag.raise_if_errors()
         raise
@@ -78,13 +79,15 @@ def _key_span(system: System, key: str) -> Span:
     return system.spec.key_span(key)
 
 
-def _help(error: NotApplicable) -> str:
+def _help(system: System, error: NotApplicable) -> str:
     if error.code == "E0406":
         return "give forms that are independent of each other and of the constraints, or fewer: nhc completes them"
     if error.code == "E0407":
         return "choose other dependent velocities, or leave `dependent:` out: nhc chooses them"
     if error.formulation in ("newton", "lagrange"):
         return "use `formulation: multipliers`, or leave it out"
+    if not system.constraints:
+        return "use `formulation: lagrange` or `euler-lagrange`, or leave it out"
     return "use `formulation: voronec` or `euler-lagrange`, or leave it out"
 
 
@@ -165,8 +168,17 @@ def dependent_of(system: System) -> DependentChoice:
     Raises:
         NotApplicable: the spec's are too few, too many, or singular everywhere.
     """
+    return judge(system, dependent_columns(system)) if system.dependent else choose_dependent(system)
+
+
+def dependent_columns(system: System) -> tuple[int, ...]:
+    """Where the spec's dependent velocities stand among the coordinates; nothing where it names none.
+
+    Raises:
+        NotApplicable: they are too few, too many, or singular everywhere.
+    """
     if not system.dependent:
-        return choose_dependent(system)
+        return ()
     if len(system.dependent) != system.l:
         reasons = [f"`dependent` names {len(system.dependent)} velocities, the constraints determine {system.l}"]
         raise NotApplicable("voronec", reasons, "E0407", "dependent")
@@ -176,7 +188,7 @@ def dependent_of(system: System) -> DependentChoice:
         names = ", ".join(f"`{system.q_names[i]}'`" for i in dependent)
         reasons = [f"the constraints cannot be solved for {names}: the block is singular everywhere"]
         raise NotApplicable("voronec", reasons, "E0407", "dependent")
-    return judge(system, dependent)
+    return dependent
 
 
 def _reduced(system: System, name: str) -> Formulation:

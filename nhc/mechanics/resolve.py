@@ -94,12 +94,20 @@ class Resolver:
                 case Differential():
                     return g.one if part.name == "t" else self.v[self._coordinate(part.name)]
                 case Call():
-                    made = g.function(part.function, *(self._build(x, names) for x in part.arguments))
-                    return made if g.deps[made] else self._check_constant(part, made)
+                    return self._call(part, [self._build(x, names) for x in part.arguments])
                 case Binary():
                     return self._build(part, names)
         except NumberTooLong:
             return self._refuse_number(part)
+
+    def _call(self, part: Call, operands: Sequence[Node]) -> Node:
+        try:
+            made = self.graph.function(part.function, *operands)
+        except ZeroDivisionError:  # tan is a quotient, and the only one
+            help = "take an angle that is no odd quarter turn: the cosine is zero there"
+            self.bag.error("E0417", f"`{part.function}` divides by zero here", part.span, help=(help,))
+            return self.graph.zero
+        return made if self.graph.deps[made] else self._check_constant(part, made)
 
     def _refuse_number(self, part: Syntax, what: str = "too long to be written exactly") -> Node:
         self.bag.error("E0210", f"this constant is {what}", part.span, help=(DOUBLES,))
@@ -115,7 +123,7 @@ class Resolver:
         try:
             if math.isfinite(evaluate(g, [node], {})[0]):
                 return node
-        except (ArithmeticError, ValueError, TypeError):  # a power of a negative number is complex
+        except (ArithmeticError, ValueError):
             pass
         help = "keep arguments where the function is real, and results below 1e308"
         self.bag.error("E0313", "this constant has no real, finite value", part.span, help=(help,))
@@ -190,6 +198,7 @@ def resolve(spec: Spec, graph: Graph | None = None) -> System:
         nhc.diagnostics.SpecError: everything that is wrong with it as mechanics, all at once.
     """
     build = Resolver(spec, graph)
+    _check_parameters(build)
     define_names(build)
     T = build.node(spec.kinetic)
     U = _potential(build)
@@ -228,6 +237,17 @@ def resolve(spec: Spec, graph: Graph | None = None) -> System:
         _check_drawing(build)
     build.bag.raise_if_errors()
     return system
+
+
+def _check_parameters(build: Resolver) -> None:
+    """Values that are expressions, exactly; on a graph of its own, for the model holds the parameters' symbols."""
+    values = [p.value for p in build.spec.parameters if p.value is not None and not isinstance(p.value, Fraction)]
+    if values:
+        probe = Resolver(build.spec)
+        probe.bag = build.bag
+        for value in values:
+            probe.node(value, {"pi": probe.graph.pi()})
+        build.bag.raise_if_errors()  # nothing is sampled without them
 
 
 def define_names(build: Resolver) -> None:
