@@ -4,16 +4,19 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from nhc.diagnostics import Bag, Source, Span, nearest
+from nhc.algebra.graph import Node
+from nhc.diagnostics import Bag, Source, Span, SpecError, nearest
 from nhc.language import Spec, decode
+from nhc.language.names import ENERGIES
 from nhc.language.parser import parse_expression
 from nhc.language.scope import Declared, Scope
 from nhc.language.spec import Definition, Scene
-from nhc.language.syntax import Syntax
+from nhc.language.syntax import Name, Syntax, fold_tree, rebuild
 from nhc.mechanics.choose import formulate
 from nhc.mechanics.formulate import equations_of
-from nhc.mechanics.resolve import resolve
+from nhc.mechanics.resolve import Resolver, define_names, resolve
 from nhc.mechanics.scenes import start_of
+from nhc.mechanics.system import System
 from nhc.simulate.methods import RUNGE_KUTTA, STRUCTURE
 from nhc.simulate.methods.tableau import Collocation
 from nhc.simulate.pacing import AUTO
@@ -22,7 +25,7 @@ from nhc.simulate.prepare import Job, Recipe, prepare
 from nhc.simulate.project import projected_start
 from nhc.simulate.reduced import prepare_reduced
 
-_EVENT = "until"
+_EVENT, _OPTION = "until", "--until"
 
 
 class RunError(Exception):
@@ -60,17 +63,7 @@ def open_scene(
     wanted = tuple(dict.fromkeys(find_need(spec, need) for need in needs))
     if until and (method in STRUCTURE or method in SUNDIALS):
         raise RunError(f"the method `{method}` does not look for events", ("take dop853 with `--until`",))
-    if until:
-        tree = parse_event(spec, until)
-        spec = replace(spec, outputs=(*spec.outputs, Definition(_EVENT, tree, Span(0, 0))))
-    system = resolve(spec)
-    event = None
-    if until:
-        event = system.outputs[-1][1]
-        if not system.graph.deps[event] & ~system.graph.mask(system.p):
-            advice = ('name something that moves: `--until "t - 0.5"` stops at the time 0.5',)
-            raise RunError(f"`{until}` never crosses zero: it stays what it is during the run", advice)
-        system = replace(system, outputs=system.outputs[:-1])
+    system, event = resolve_event(spec, until) if until else (resolve(spec), None)
     natural = method in STRUCTURE
     if natural and system.constraints and not formulation:
         formulation = "multipliers"  # its state has all velocities: these methods need not keep them on the constraints
@@ -136,15 +129,49 @@ def find_need(spec: Spec, text: str) -> str:
     raise RunError(f"no quantity `{text}` in this spec", (hint,))
 
 
+def resolve_event(spec: Spec, text: str) -> tuple[System, Node]:
+    """The system, and the value whose zero ends the run.
+
+    Raises:
+        nhc.diagnostics.SpecError: the spec or the expression has errors.
+        RunError: the expression never changes.
+    """
+    tree = parse_event(spec, text)
+    try:
+        system = resolve(replace(spec, outputs=(*spec.outputs, Definition(_EVENT, tree, Span(0, 0)))))
+    except SpecError:
+        system = resolve(
+            spec
+        )  # raises, too, unless the expression is to blame: then it is said with places in its own text
+        probe = Resolver(spec)
+        define_names(probe)
+        probe.bag = Bag(Source(_OPTION, text))
+        energies = {name: probe.graph.symbol(name, "energy") for name in ENERGIES}  # they have values, whichever
+        probe.node(tree, {**energies, **probe.names})
+        probe.bag.raise_if_errors()
+        raise
+    event = system.outputs[-1][1]
+    if not system.graph.deps[event] & ~system.graph.mask(system.p):
+        advice = ('name something that moves: `--until "t - 0.5"` stops at the time 0.5',)
+        raise RunError(f"`{text}` never crosses zero: it stays what it is during the run", advice)
+    return replace(system, outputs=system.outputs[:-1]), event
+
+
 def parse_event(spec: Spec, text: str) -> Syntax:
-    """The tree of an expression in the spec's names, as an output would be read.
+    """The tree of an expression in the spec's names, outputs among them, as an output would be read.
 
     Raises:
         nhc.diagnostics.SpecError: with the places in the text.
     """
-    bag = Bag(Source("--until", text))
+    bag = Bag(Source(_OPTION, text))
     tree = parse_expression(text, Span, bag)
     if tree is not None:
+        outputs = {output.name: output.value for output in spec.outputs}
+
+        def visit(node: Syntax, parts: tuple[Syntax, ...]) -> Syntax:
+            return outputs.get(node.name, node) if isinstance(node, Name) else rebuild(node, parts)
+
+        tree = fold_tree(tree, visit)
         scope = Scope(bag)
         for kind, entries in (
             ("coordinate", spec.coordinates),
