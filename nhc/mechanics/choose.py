@@ -57,26 +57,37 @@ def formulate(system: System, name: str = "") -> Formulation:
     """
     wanted = name or system.spec.formulation or "auto"
     try:
-        dependent_columns(system)  # what the spec says must make sense, also where the formulation does not ask for it
         return choose(system) if wanted == "auto" else build(system, wanted)
     except NotApplicable as error:
-        bag = Bag(system.spec.origin)
-        span = system.spec.key_span("formulation") if not name else system.spec.key_span(error.key)
-        message = error.reasons[0] if error.code != "E0411" else f"`{error.formulation}` does not apply to this system"
-        notes = error.reasons if error.code == "E0411" else error.reasons[1:]
-        bag.error(
-            error.code,
-            message,
-            span if error.code == "E0411" else _key_span(system, error.key),
-            notes=notes,
-            help=(_help(system, error),),
-        )
-        bag.raise_if_errors()
+        _refuse(system, error, system.spec.key_span(error.key if name else "formulation"))
         raise
 
 
-def _key_span(system: System, key: str) -> Span:
-    return system.spec.key_span(key)
+def checked_dependent(system: System) -> DependentChoice:
+    """:func:`dependent_of`, also where the formulation does not ask for it.
+
+    Raises:
+        nhc.diagnostics.SpecError: the spec's are too few, too many, or singular everywhere.
+    """
+    try:
+        return dependent_of(system)
+    except NotApplicable as error:
+        _refuse(system, error, system.spec.key_span(error.key))
+        raise
+
+
+def _refuse(system: System, error: NotApplicable, place: Span) -> None:
+    """Raise the diagnostic; ``place`` is where a formulation that does not apply (E0411) is said."""
+    bag = Bag(system.spec.origin)
+    general = error.code == "E0411"
+    bag.error(
+        error.code,
+        f"`{error.formulation}` does not apply to this system" if general else error.reasons[0],
+        place if general else system.spec.key_span(error.key),
+        notes=error.reasons if general else error.reasons[1:],
+        help=(_help(system, error),),
+    )
+    bag.raise_if_errors()
 
 
 def _help(system: System, error: NotApplicable) -> str:
@@ -168,17 +179,8 @@ def dependent_of(system: System) -> DependentChoice:
     Raises:
         NotApplicable: the spec's are too few, too many, or singular everywhere.
     """
-    return judge(system, dependent_columns(system)) if system.dependent else choose_dependent(system)
-
-
-def dependent_columns(system: System) -> tuple[int, ...]:
-    """Where the spec's dependent velocities stand among the coordinates; nothing where it names none.
-
-    Raises:
-        NotApplicable: they are too few, too many, or singular everywhere.
-    """
     if not system.dependent:
-        return ()
+        return choose_dependent(system)
     if len(system.dependent) != system.l:
         reasons = [f"`dependent` names {len(system.dependent)} velocities, the constraints determine {system.l}"]
         raise NotApplicable("voronec", reasons, "E0407", "dependent")
@@ -188,7 +190,7 @@ def dependent_columns(system: System) -> tuple[int, ...]:
         names = ", ".join(f"`{system.q_names[i]}'`" for i in dependent)
         reasons = [f"the constraints cannot be solved for {names}: the block is singular everywhere"]
         raise NotApplicable("voronec", reasons, "E0407", "dependent")
-    return dependent
+    return judge(system, dependent)
 
 
 def _reduced(system: System, name: str) -> Formulation:

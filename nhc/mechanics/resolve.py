@@ -22,6 +22,7 @@ from nhc.mechanics.dependent_rows import check_rank
 from nhc.mechanics.system import Form, System
 
 _LARGEST = Fraction(sys.float_info.max)
+_LARGEST_EXPONENT = 2**53
 
 
 class Resolver:
@@ -153,6 +154,10 @@ class Resolver:
             return g.zero
         if op == "/":
             return g.div(x, y)
+        if exponent is not None and abs(exponent) > _LARGEST_EXPONENT:
+            help = "write an exponent below 2^53: doubles beyond are all even"
+            self.bag.error("E0210", "this exponent is too large", part.right.span, help=(help,))
+            return g.one
         if exponent is not None and exponent.denominator == 1 and abs(exponent) <= 1000:
             return g.power(x, int(exponent))
         return g.function("powf", x, y)
@@ -233,21 +238,16 @@ def resolve(spec: Spec, graph: Graph | None = None) -> System:
     check_rank(build.bag, build.spec, system)
     if not build.bag.has_errors:
         _check_freedom(build, system)
-    if spec.draw and not build.bag.has_errors:
-        _check_drawing(build)
+    if not build.bag.has_errors:
+        _check_apart(build, [tree for figure in spec.draw for tree in figure.expressions])
     build.bag.raise_if_errors()
     return system
 
 
 def _check_parameters(build: Resolver) -> None:
     """Values that are expressions, exactly; on a graph of its own, for the model holds the parameters' symbols."""
-    values = [p.value for p in build.spec.parameters if p.value is not None and not isinstance(p.value, Fraction)]
-    if values:
-        probe = Resolver(build.spec)
-        probe.bag = build.bag
-        for value in values:
-            probe.node(value, {"pi": probe.graph.pi()})
-        build.bag.raise_if_errors()  # nothing is sampled without them
+    _check_apart(build, [p.value for p in build.spec.parameters if p.value and not isinstance(p.value, Fraction)])
+    build.bag.raise_if_errors()  # nothing is sampled without them
 
 
 def define_names(build: Resolver) -> None:
@@ -329,13 +329,13 @@ def _places(build: Resolver) -> dict[str, str]:
     return places
 
 
-def _check_drawing(build: Resolver) -> None:
-    """On a graph of its own: what is drawn must leave no mark on what is derived."""
-    probe = Resolver(build.spec)
-    probe.bag = build.bag
-    define_names(probe)
-    for figure in build.spec.draw:
-        for tree in figure.expressions:
+def _check_apart(build: Resolver, trees: Sequence[Syntax]) -> None:
+    """On a graph of its own: these must leave no mark on what is derived."""
+    if trees:
+        probe = Resolver(build.spec)
+        define_names(probe)
+        probe.bag = build.bag
+        for tree in trees:
             probe.node(tree)
 
 

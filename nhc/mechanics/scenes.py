@@ -11,8 +11,8 @@ from collections.abc import Sequence
 
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Node
-from nhc.diagnostics import Bag
-from nhc.language.spec import Scene
+from nhc.diagnostics import Bag, nearest
+from nhc.language.spec import Scene, Spec
 from nhc.language.syntax import Syntax
 from nhc.mechanics.regularity import choose_dependent, constant_value
 from nhc.mechanics.system import Form, System
@@ -41,6 +41,25 @@ class Start:
             **dict(zip(system.q, self.q, strict=True)),
             **dict(zip(system.v, self.v, strict=True)),
         }
+
+
+def check_scene_name(spec: Spec, scene: str) -> None:
+    """Refuse a name that no scene of the spec has; an empty one asks for none.
+
+    Raises:
+        nhc.diagnostics.SpecError: with the scenes that there are.
+    """
+    names = [s.name for s in spec.scenes]
+    if not scene or scene in names:
+        return
+    bag = Bag(spec.origin)
+    near = nearest(scene, names)
+    help = f"did you mean `{near}`?" if near else "name one of them after `--scene`, or add it under `scenes:`"
+    known = ", ".join(f"`{name}`" for name in names) or "none"
+    bag.error(
+        "E0503", f"no scene `{scene}`", spec.key_span("scenes"), notes=(f"the spec's scenes: {known}",), help=(help,)
+    )
+    bag.raise_if_errors()
 
 
 def start_of(system: System, scene: Scene) -> Start:

@@ -15,7 +15,7 @@ from nhc.language.syntax import Name, Syntax, fold_tree, rebuild
 from nhc.mechanics.choose import formulate
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.resolve import Resolver, define_names, resolve
-from nhc.mechanics.scenes import start_of
+from nhc.mechanics.scenes import check_scene_name, start_of
 from nhc.mechanics.system import System
 from nhc.simulate.methods import RUNGE_KUTTA, STRUCTURE
 from nhc.simulate.methods.tableau import Collocation
@@ -88,24 +88,24 @@ def open_scene(
 
 
 def find_scene(spec: Spec, name: str) -> Scene:
-    """The scene of that name, or the first one."""
+    """The scene of that name, or the first one.
+
+    Raises:
+        nhc.diagnostics.SpecError: the spec has scenes, and none of that name.
+        RunError: it has none at all.
+    """
     if not spec.scenes:
         advice = ("add one under `scenes:`, with `initial:` and `time: [start, end]`",)
         raise RunError("this spec has no scene to run", advice)
     if not name:
         return spec.scenes[0]
-    for scene in spec.scenes:
-        if scene.name == name:
-            return scene
-    names = [scene.name for scene in spec.scenes]
-    near = nearest(name, names)
-    hint = f"did you mean `{near}`?" if near else f"the spec's scenes: {', '.join(names)}"
-    raise RunError(f"no scene `{name}`", (hint,))
+    check_scene_name(spec, name)
+    return next(scene for scene in spec.scenes if scene.name == name)
 
 
 def list_needs(spec: Spec) -> tuple[str, ...]:
-    """Everything that a run can be asked for."""
-    return (
+    """Everything that a run can be asked for, each name once: an output may be called `energy`."""
+    names = (
         *(c.name for c in spec.coordinates),
         *(f"{c.name}'" for c in spec.coordinates),
         *(q.name for q in spec.quasi_velocities),
@@ -113,6 +113,7 @@ def list_needs(spec: Spec) -> tuple[str, ...]:
         "energy",
         "reactions",
     )
+    return tuple(dict.fromkeys(names))
 
 
 def find_need(spec: Spec, text: str) -> str:
