@@ -24,7 +24,7 @@ from nhc.mechanics.associate import Equations
 from nhc.mechanics.choose import Formulation, formulate
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.resolve import resolve
-from nhc.mechanics.scenes import start_of
+from nhc.mechanics.scenes import check_scene_name, start_of
 from nhc.mechanics.system import System
 from nhc.program.build import FUNCTIONS, Planner
 from nhc.program.ir import Program
@@ -112,25 +112,10 @@ def model(source: Source, options: Options = Options()) -> Model:
         SpecError: everything that is wrong with the spec.
     """
     spec = decode(source)
-    _check_scene_name(spec, options.scene)
+    check_scene_name(spec, options.scene)
     system = resolve(spec)
     formulation = formulate(system, options.formulation)
     return Model(spec, system, formulation, equations_of(system, formulation))
-
-
-def _check_scene_name(spec: Spec, scene: str) -> None:
-    if not scene or any(s.name == scene for s in spec.scenes):
-        return
-    bag = Bag(spec.origin)
-    known = ", ".join(f"`{s.name}`" for s in spec.scenes) or "none"
-    bag.error(
-        "E0503",
-        f"no scene `{scene}`",
-        spec.key_span("scenes"),
-        notes=(f"the spec's scenes: {known}",),
-        help=("name one of them after `--scene`, or add it under `scenes:`",),
-    )
-    bag.raise_if_errors()
 
 
 def program(source: Source, options: Options = Options()) -> Program:
@@ -159,7 +144,7 @@ def reduce_scene(source: Source, options: Options) -> SceneModel:
     from nhc.program.scene_model import scene_model
 
     spec = decode(source)
-    _check_scene_name(spec, options.scene)
+    check_scene_name(spec, options.scene)
     scene = next(s for s in spec.scenes if s.name == options.scene)
     system = resolve(spec)
     fixed = (options.formulation or spec.formulation or "auto") != "auto"
@@ -337,7 +322,7 @@ def simplify(source: Source, tolerance: float, options: Options, show: ShowTrial
     """
     from nhc.study.simplify.search import simplify as search
 
-    _check_scene_name(decode(source), options.scene)
+    check_scene_name(decode(source), options.scene)
     return search(source, options.scene, tolerance, options.formulation, show=show)
 
 

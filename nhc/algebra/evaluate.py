@@ -39,6 +39,12 @@ class Mpmath:
     def number(self, numerator: int, denominator: int) -> Any:
         return self._mp.mpf(numerator) / denominator
 
+    def atan2(self, y: Any, x: Any) -> Any:
+        """The angle of a real pair: what mpmath's roots of negative numbers give has none."""
+        if self._mp.im(y) or self._mp.im(x):
+            raise ValueError("the angle of numbers that are not real")
+        return self._mp.atan2(self._mp.re(y), self._mp.re(x))
+
 
 def evaluate(
     graph: Graph,
@@ -51,7 +57,7 @@ def evaluate(
 
     Raises:
         KeyError: a symbol without a value.
-        ArithmeticError, ValueError: a pole, or a function outside its domain.
+        ArithmeticError, ValueError: a pole, or a function outside its domain (mpmath's roots are complex there).
     """
     known: dict[Node, Any] = dict(values)
     evaluate_into(known, graph, reachable(graph, roots) if order is None else order, arithmetic)
@@ -95,7 +101,10 @@ def _apply(arithmetic: Any, op: str, x: Any, y: Any = None) -> Any:
     if op == "max":
         return max(x, y)
     if op == "powf":
-        return x**y
+        power = x**y
+        if isinstance(power, complex):  # Python's own answer; math.sqrt raises there, too
+            raise ValueError("a power of a negative number is not real")
+        return power
     if y is not None:
         return getattr(arithmetic, op)(x, y)
     return getattr(arithmetic, op)(x)

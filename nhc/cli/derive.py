@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import sys
 from typing import TYPE_CHECKING
 
@@ -17,11 +18,17 @@ if TYPE_CHECKING:
     from nhc.diagnostics import Source
 
 
+def _seconds(context: click.Context, parameter: click.Parameter, value: float) -> float:
+    if not 0 <= value < math.inf:
+        raise click.BadParameter("it is a number of seconds")
+    return value
+
+
 @click.command("derive")
 @spec_argument
 @formulation_option
-@click.option("--to", type=click.Choice(["text", "latex", "json"]), default="text", show_default=True)
-@click.option("--json", "to", flag_value="json", help="The same as `--to json`.")
+@click.option("--to", type=click.Choice(["text", "latex", "json"]), help="The form; default: text.")
+@click.option("--json", "as_json", is_flag=True, help="The same as `--to json`.")
 @explain_option
 @click.option("--scene", metavar="NAME", default="", help="Take the parameters of this scene.")
 @click.option("--dump", metavar="STAGE", help="Print what a stage of the compiler hands on, in place of the equations.")
@@ -29,6 +36,7 @@ if TYPE_CHECKING:
     "--simplify",
     metavar="SECONDS",
     type=float,
+    callback=_seconds,
     default=0.0,
     help="Let SymPy simplify what is printed, so long at most.",
 )
@@ -38,7 +46,8 @@ if TYPE_CHECKING:
 def command(
     spec: str,
     formulation: str | None,
-    to: str,
+    to: str | None,
+    as_json: bool,
     explain: bool,
     scene: str,
     dump: str | None,
@@ -51,6 +60,9 @@ def command(
 
     Prints the derivation of SPEC: the data, the 2-form, the equations of motion, each with its number in the thesis.
     """
+    if as_json and to not in (None, "json"):
+        raise click.UsageError(f"`--json` and `--to {to}` exclude one another")
+    to = to or ("json" if as_json else "text")
     source = open_spec(spec)
 
     def make() -> Answer:

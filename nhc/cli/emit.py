@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import click
 
 from nhc.answers import Answer, answer
-from nhc.cli.options import anew_option, formulation_option, spec_argument
+from nhc.cli.options import anew_option, formulation_option, spec_argument, split_names
 from nhc.cli.specs import list_texts, open_spec
 from nhc.cli.terminal import Failure, put, say
 from nhc.cli.write import compare_files, place_files, refuse_to_overwrite, write_files
@@ -19,9 +19,13 @@ from nhc.cli.write import compare_files, place_files, refuse_to_overwrite, write
 if TYPE_CHECKING:
     from nhc.diagnostics import Source
 
-
-def _split(context: click.Context, parameter: click.Parameter, value: str | None) -> tuple[str, ...]:
-    return tuple(name.strip() for name in (value or "").split(",") if name.strip())
+_C_HEADERS = frozenset(
+    (
+        *("assert", "complex", "ctype", "errno", "fenv", "float", "inttypes", "iso646", "limits", "locale", "math"),
+        *("setjmp", "signal", "stdalign", "stdarg", "stdatomic", "stdbool", "stddef", "stdint", "stdio", "stdlib"),
+        *("stdnoreturn", "string", "tgmath", "threads", "time", "uchar", "wchar", "wctype"),
+    )
+)
 
 
 @click.command("emit")
@@ -34,7 +38,7 @@ def _split(context: click.Context, parameter: click.Parameter, value: str | None
 @formulation_option
 @click.option("--scene", metavar="NAME", default="", help="Emit for this scene: its parameters, and what it needs.")
 @click.option("--fold", is_flag=True, help="With --scene: put its parameter values in as numbers.")
-@click.option("--only", metavar="A,B", callback=_split, help="Emit only these functions, such as rhs,energy.")
+@click.option("--only", metavar="A,B", callback=split_names, help="Emit only these functions, such as rhs,energy.")
 @click.option("--driver", is_flag=True, help="With C: add a main() that integrates a scene and prints CSV.")
 @click.option("--array", type=click.Choice(["numpy", "jax"]), help="With Python: functions that broadcast over arrays.")
 @click.option("--trig", type=click.Choice(["libm", "inline"]), help="With C: whose sine and cosine; default: libm's.")
@@ -88,18 +92,21 @@ def command(
     if not force:
         refuse_to_overwrite(placed)
     write_files(placed)
-    if language == "python":
-        _tell_of_modules([path.stem for path in placed])
+    named = output is not None and bool(Path(output).suffix)
+    _tell_of_modules(language, list(placed), "name another file after `-o`" if named else "give `system:` another name")
     return 0
 
 
-def _tell_of_modules(names: Sequence[str]) -> None:
-    """A file that carries the name of one of Python's own modules is not found, or hides that one."""
-    for name in names:
-        if name in sys.builtin_module_names:
-            say(f"note: `import {name}` finds Python's own module and not this file; give `system:` another name")
-        elif name in sys.stdlib_module_names:
-            say(f"note: in its folder this file hides Python's own module `{name}`; give `system:` another name")
+def _tell_of_modules(language: str, paths: Sequence[Path], advice: str) -> None:
+    """A file that carries the name of one of the language's own is not found, or hides that one."""
+    for path in paths:
+        name = path.stem
+        if language == "python" and name in sys.builtin_module_names:
+            say(f"note: `import {name}` finds Python's own module and not this file; {advice}")
+        elif language == "python" and name in sys.stdlib_module_names:
+            say(f"note: in its folder this file hides Python's own module `{name}`; {advice}")
+        elif path.suffix == ".h" and name in _C_HEADERS:
+            say(f"note: with `-I` and its folder this file hides C's own `<{path.name}>`; {advice}")
 
 
 def _emit(

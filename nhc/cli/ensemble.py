@@ -70,6 +70,8 @@ def run_starts(
 
 
 def _read_table(path: str) -> str:
+    if path == "-" and sys.stdin is None:
+        raise Failure("cannot read standard input: it is closed", [_TABLE])
     try:
         return sys.stdin.read() if path == "-" else Path(path).read_text(encoding="utf-8-sig")
     except OSError as error:

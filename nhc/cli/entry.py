@@ -118,7 +118,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         error.show()
         return Exit.USAGE
     except click.ClickException as error:
-        say(_describe_usage_error(error))
+        say(_describe_usage_error(error, sys.argv[1:] if arguments is None else arguments))
         return Exit.USAGE
     except Failure as failure:
         say(str(failure))
@@ -127,11 +127,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return _report(error)
 
 
-def _describe_usage_error(error: click.ClickException) -> str:
+def _describe_usage_error(error: click.ClickException, arguments: Sequence[str]) -> str:
     """Put click's message into the house's form: lower case, one line, no final stop, and what to do."""
     words = " ".join(error.format_message().split()).removesuffix(".")
     context = getattr(error, "ctx", None)
-    path = context.command_path if context else "nhc"
+    verb = next((word for word in arguments if not word.startswith("-")), "")
+    path = f"nhc {verb}" if verb in VERBS else "nhc"  # click names no context where an option lacks its value
+    path = context.command_path if context else path
     return f"error: {words[:1].lower()}{words[1:]}\n  = help: `{path} -h` shows what it takes"
 
 

@@ -9,6 +9,15 @@ from nhc.cli.specs import complete_spec
 # nhc.language.FORMULATIONS again, which takes too long to import for a help text; a test holds them equal
 FORMULATIONS = ("auto", "newton", "lagrange", "euler-lagrange", "chaplygin", "voronec", "multipliers")
 
+
+def split_names(context: click.Context, parameter: click.Parameter, value: str | None) -> tuple[str, ...]:
+    """The names of ``a,b``; an option that is given names something."""
+    names = tuple(name.strip() for name in (value or "").split(",") if name.strip())
+    if value is not None and not names:
+        raise click.BadParameter("it names nothing; leave it out, or write `a,b`", context, parameter)
+    return names
+
+
 spec_argument = click.argument("spec", shell_complete=complete_spec)
 specs_argument = click.argument("specs", metavar="SPEC...", nargs=-1, required=True, shell_complete=complete_spec)
 formulation_option = click.option(

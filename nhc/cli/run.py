@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from nhc.cli.options import formulation_option, spec_argument
+from nhc.cli.options import formulation_option, spec_argument, split_names
 from nhc.cli.specs import open_spec
 from nhc.cli.terminal import Exit, Failure, put, say
 
@@ -30,14 +30,16 @@ LOST = 1e-5
 KINDS = (".csv", ".npz", ".svg", ".html")
 
 
-def _split(context: click.Context, parameter: click.Parameter, value: str | None) -> tuple[str, ...]:
-    return tuple(name.strip() for name in (value or "").split(",") if name.strip())
-
-
 def _positive(context: click.Context, parameter: click.Parameter, value: float | None) -> float:
     if value is not None and not (value > 0 and math.isfinite(value)):
         raise click.BadParameter("it must be positive")
     return value or 0.0
+
+
+def _expression(context: click.Context, parameter: click.Parameter, value: str | None) -> str:
+    if value is not None and not value.strip():
+        raise click.BadParameter("it holds no expression; leave it out, or write one such as `theta - 1`")
+    return value or ""
 
 
 @click.command("run")
@@ -45,7 +47,7 @@ def _positive(context: click.Context, parameter: click.Parameter, value: float |
 @click.option("--scene", metavar="NAME", default="", help="The scene to run; default: the first.")
 @click.option("-o", "output", metavar="FILE", help="A .csv, .npz, .svg or .html file; default: CSV on stdout (`-`).")
 @click.option(
-    "--need", "needs", metavar="A,B", callback=_split, help="What is wanted, in place of the scene's own need."
+    "--need", "needs", metavar="A,B", callback=split_names, help="What is wanted, in place of the scene's own need."
 )
 @click.option("--points", type=click.IntRange(2, 10_000_000), help="Number of rows; default: 201, for each start 2.")
 @click.option(
@@ -57,7 +59,9 @@ def _positive(context: click.Context, parameter: click.Parameter, value: float |
 )
 @click.option("--tol", "tolerance", type=float, callback=_positive, help="Relative accuracy; default: the scene's.")
 @click.option("--step", type=float, callback=_positive, help="Fixed steps of this length in place of adaptive ones.")
-@click.option("--until", metavar="EXPR", default="", help="Stop when this expression in the spec's names crosses zero.")
+@click.option(
+    "--until", metavar="EXPR", callback=_expression, help="Stop when this expression in the spec's names crosses zero."
+)
 @click.option("--ensemble", metavar="FILE", default="", help="Run from each start of this CSV table of initial values.")
 @formulation_option
 @click.option(

@@ -10,6 +10,9 @@ from pathlib import Path
 from nhc.cli.terminal import Exit, Failure, describe_os_error, put, say
 from nhc.stamp import is_untouched
 
+_FILES = (".c", ".h", ".py", ".tex", ".pdf", ".json", ".txt", ".yaml", ".csv", ".html", ".md")
+"""Endings of files: a name with one of them is not meant for a new folder."""
+
 
 def deliver(text: str, output: str | None, *, force: bool = False) -> None:
     """Give one text with a final line break to stdout (``output`` None or ``-``), or write it to that file."""
@@ -36,11 +39,11 @@ def place_files(files: Mapping[str, str], output: str | None) -> dict[Path, str]
         suffix = Path(name).suffix
         if target.suffix == suffix:
             return {target: text}
-        if target.exists():
+        if target.exists() or target.suffix in _FILES:
             raise Failure(
                 f"`{output}` is a file, but no `{suffix}` file", [f"name a folder after `-o`, or a `{suffix}` file"]
             )
-    if target.exists() and not target.is_dir():
+    if not target.is_dir() and (target.exists() or target.suffix in _FILES):
         raise Failure(f"`{output}` is a file, but {len(files)} files are to be written", ["name a folder after `-o`"])
     return {target / name: text for name, text in files.items()}
 

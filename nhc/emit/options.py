@@ -36,12 +36,19 @@ def check_options(program: Program, options: EmitOptions, extra: tuple[str, ...]
     known = tuple(function.name for function in program.functions) + extra
     for name in options.only:
         if name not in known:
-            raise EmitError(f"no function `{name}` in this program", f"name one of {', '.join(known)}")
+            raise EmitError(f"no function `{name}` in this program", _advise(name, known, options.only))
     if options.array not in ARRAYS:
         raise EmitError(f"no array library `{options.array}`", "take numpy or jax")
     scenes = tuple(scene.name for scene in program.scenes)
     if options.scene and options.scene not in scenes:
         raise EmitError(f"no scene `{options.scene}` in this program", f"its scenes: {', '.join(scenes) or 'none'}")
+
+
+def _advise(name: str, known: tuple[str, ...], only: tuple[str, ...]) -> str:
+    if name == "rhs_batch":  # asked for by itself, the program holds what it calls and nothing else
+        return "C alone has it; with `--array numpy` or `jax` the Python `rhs` takes many states at once"
+    others = [other for other in known if other not in only] or list(known)
+    return f"name one of {', '.join(others)}"
 
 
 def select_functions(program: Program, wanted: tuple[str, ...]) -> tuple[Function, ...]:

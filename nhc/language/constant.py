@@ -10,10 +10,28 @@ from nhc.diagnostics import Span
 
 from .syntax import Binary, Call, Name, Negate, Number, Prime, Syntax, fold_tree
 
+_ROUNDING = 2.0**-50  # of an angle that was a multiple of pi
+_MOST = 1e3  # turns beyond it are no longer told from others
+
+
+def _cosine(angle: float, exact: bool = False) -> float:
+    """Zero where the angle is an odd quarter turn to rounding: ``pi/2`` means the quarter turn, not the double next to it."""
+    value = math.cos(angle)
+    return 0.0 if not exact and abs(value) <= _ROUNDING * abs(angle) < _ROUNDING * _MOST else value
+
+
+def _sine(angle: float, exact: bool = False) -> float:
+    """Zero where the angle is a half turn to rounding."""
+    value = math.sin(angle)
+    return 0.0 if not exact and abs(value) <= _ROUNDING * abs(angle) < _ROUNDING * _MOST else value
+
+
+_TURNS: dict[str, Callable[[float, bool], float]] = {
+    "sin": _sine,
+    "cos": _cosine,
+    "tan": lambda angle, exact: _sine(angle, exact) / _cosine(angle, exact),
+}
 _FUNCTIONS: dict[str, Callable[..., float]] = {
-    "sin": math.sin,
-    "cos": math.cos,
-    "tan": math.tan,
     "asin": math.asin,
     "acos": math.acos,
     "atan": math.atan,
@@ -69,6 +87,8 @@ def _visit(node: Syntax, parts: tuple[Fraction | float, ...]) -> Fraction | floa
                 return -parts[0]
             case Binary():
                 value = _apply(node.op, parts[0], parts[1])
+            case Call() if node.function in _TURNS:
+                value = _TURNS[node.function](float(parts[0]), isinstance(parts[0], Fraction))
             case Call():
                 value = _FUNCTIONS[node.function](*(float(part) for part in parts))
             case Name():

@@ -13,11 +13,12 @@ from .extend import merge_bases
 from .keys import SPEC_KEYS, SYSTEM_PATTERN, VERSION
 from .names import fold, is_name
 from .nodes import Node, Table, Text
+from .one_forms import check_form
 from .order import order_definitions
 from .parser import parse_equation, parse_expression
 from .rotation import coordinates_of, decode_rotations, entries_of, norm_of, pushes_quaternion, velocities_of
 from .scenes import decode_scenes
-from .scope import Scope, check_form, check_name
+from .scope import Scope, check_name, check_reactions
 from .sections import decode_coordinates, decode_parameters
 from .shape import Shapes
 from .spec import FORMULATIONS, Constraint, Coordinate, Definition, Holonomic, Parameter, Rotation, Spec
@@ -68,6 +69,7 @@ class _Decoder:
         outputs = self._entries(self.draft.outputs, "output")
         constraints = self._constraints()
         holonomic = self._holonomic(constraints)
+        check_reactions(self.taken, self.scope)
         rotations = self.draft.rotations
         count = len(self._equations_of("constraints")) + len(self._equations_of("holonomic")) + len(rotations)
         dependent = self._dependent(count)

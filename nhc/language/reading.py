@@ -22,6 +22,8 @@ def _refuse(path: str, text: str, code: str, message: str, span: Span, help: str
 
 def _read_bytes(path: str) -> bytes:
     if path == "-":
+        if sys.stdin is None:  # it was closed before Python began
+            raise ValueError("it is closed")
         return sys.stdin.buffer.read(LARGEST + 1)
     with Path(path).open("rb") as stream:
         return stream.read(LARGEST + 1)

@@ -160,6 +160,8 @@ class _SceneReader:
         plus = len(text.value) - len(text.value.removeprefix("+")) if text is not None and text.plain else 0
         if text is None:
             return None
+        if self.shapes.refuse_unit(text, self.scope.of_kind("parameter")):
+            return None
         tree = parse_expression(text.value[plus:], lambda start, end: text.locate(start + plus, end + plus), self.bag)
         if tree is None:
             return None
@@ -175,6 +177,9 @@ class _SceneReader:
         if isinstance(node, Text):
             node = Items((node,), node.span)
         items = self.shapes.items(node, "a list of names", "write `[x, y]`") if node is not None else None
+        if items is not None and not items.items:
+            help = "name what is wanted, or leave `need` out: then it is all coordinates"
+            self.bag.error("E0301", "`need` names nothing", items.span, help=(help,))
         found: dict[tuple[str, str], Need] = {}
         for item in items.items if items else ():
             text = self.shapes.text(item, "a name")

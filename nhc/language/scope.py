@@ -153,7 +153,9 @@ class Scope:
             self.bag.error("E0209", f"the differential `{name}` outside of a constraint", node.span, help=(help,))
             return
         help = ""
-        if kind == "output":
+        if kind == "output" and name in ENERGIES:
+            help = f"this output hides nhc's own `{name}`; give the output another name, such as `{name}_shown: {name}`"
+        elif kind == "output":
             help = f"`{name}` is an output; move it to `define` to use it elsewhere"
         elif kind == "rotation":
             help = f"`{name}` is a rotation; the entries of its matrix are `{name}_x1` to `{name}_z3`"
@@ -213,7 +215,10 @@ def check_name(text: Text, bag: Bag) -> bool:
     """Report a text that is no name."""
     if is_name(text.value):
         return True
-    help = "a name is made of letters, digits and `_`, and starts with a letter"
+    shown = text.value[:40]
+    help = "a name is made of letters, digits and `_`, and starts with no digit"
+    if shown[:1].isdigit() and is_name(f"a{shown}"):
+        help = f"a name starts with no digit: write `{shown.lstrip('0123456789_') or 'a'}{shown[:1]}`, for example"
     bag.error("E0307", f"`{text.value[:40]}` is not a name", text.span, help=(help,))
     return False
 
@@ -223,19 +228,14 @@ def names_in(tree: Syntax) -> tuple[str, ...]:
     return tuple(dict.fromkeys(node.name for node in walk(tree) if isinstance(node, Name)))
 
 
-def check_form(left: Syntax, right: Syntax, known: Mapping[str, bool], bag: Bag) -> str:
-    """Return the form of a constraint, "velocity" or "differential"; report one that mixes them."""
-    form: Differential | None = None
-    velocity: Syntax | None = None
-    for side in (left, right):
-        for node in walk(side):
-            if isinstance(node, Differential):
-                form = form or node
-            elif isinstance(node, Prime) or (isinstance(node, Name) and known.get(node.name, False)):
-                velocity = velocity or node
-    if form is not None and velocity is not None:
-        label = Label(velocity.span, "a velocity")
-        help = "write the whole constraint with velocities, or with differentials (`dt` for the free term)"
-        message = "a constraint mixes differentials with velocities"
-        bag.error("E0209", message, form.span, "a differential", labels=(label,), help=(help,))
-    return "differential" if form is not None else "velocity"
+def check_reactions(constraints: Mapping[str, Span], scope: Scope) -> None:
+    """Refuse names that a table's columns of reactions have: one of two columns of one name would be lost."""
+    for name in constraints:
+        taken = f"lambda_{name}"
+        span = scope.shown.get(taken)
+        if span is None and scope.kind(taken) in ("coordinate", "quasi", "output"):
+            span = scope.names[taken].span
+        if span is not None:
+            message = f"`{taken}` is the name of a reaction in tables: that of the constraint `{name}`"
+            help = "rename this, or the constraint; `need: [reactions]` shows the reaction itself"
+            scope.bag.error("E0305", message, span, help=(help,))

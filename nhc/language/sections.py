@@ -83,7 +83,7 @@ def decode_parameters(node: Node | None, shapes: Shapes, scope: Scope) -> list[P
 
 def _value(node: Node, what: str, shapes: Shapes) -> Fraction | Syntax:
     """Return the value; 0 stands for one that has been refused, so that nothing else is said of it."""
-    value = shapes.constant(node, what)
+    value = shapes.constant(node, what, declares=True)
     return Fraction(0) if value is None else value
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from fractions import Fraction
 
@@ -14,7 +15,10 @@ from .nodes import Items, Node, Table, Text, describe
 from .numbers import DOUBLES, exact
 from .parser import parse_expression
 from .syntax import Name, Negate, Number, Syntax, walk
+from .units import UnitError, parse_unit
 from .yaml_reader import is_empty
+
+_MEASURED = re.compile(r"([-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?)\s*([^\W\d_][^()]*)")
 
 
 def _first(node: Node) -> Span:
@@ -77,8 +81,30 @@ class Shapes:
                 self.bag.error("E0304", f"missing key `{key.name}` in {what}", place, help=(about,))
         return tuple(meant)
 
-    def constant(self, node: Node, what: str) -> Fraction | Syntax | None:
-        """Return a number, or an expression of numbers and ``pi`` that has a value."""
+    def refuse_unit(self, text: Text, known: Sequence[str] = (), *, declares: bool = False) -> bool:
+        """Report a number with its unit behind it (``1 kg``), unless that is a ``known`` name, to be multiplied with.
+
+        ``declares``: a unit has its place beside this value.
+        """
+        found = _MEASURED.fullmatch(text.value)
+        if found is None or found.group(2).strip() in known:
+            return False
+        number, unit = found.groups()
+        try:
+            parse_unit(unit)
+        except UnitError:
+            return False
+        help = f"write `{number}`; units are said where parameters and coordinates are declared"
+        if unit == "deg":
+            help = f"write `{number}*pi/180`: angles are in radians"
+        elif declares:
+            help = f"write `{{value: {number}, unit: {unit}}}`"
+        place = text.locate(*found.span(2))
+        self.bag.error("E0203", f"`{unit}` behind a number: a value has no unit in its text", place, help=(help,))
+        return True
+
+    def constant(self, node: Node, what: str, *, declares: bool = False) -> Fraction | Syntax | None:
+        """Return a number, or an expression of numbers and ``pi`` that has a value; ``declares`` as :meth:`refuse_unit` has it."""
         text = self.text(node, f"a number for {what}")
         if text is None:
             return None
@@ -89,6 +115,8 @@ class Shapes:
             return None
         if value is not None:
             return value
+        if self.refuse_unit(text, declares=declares):
+            return None
         tree = parse_expression(text.value, text.locate, self.bag)
         if tree is None or not self._is_constant(tree, what):
             return None

@@ -88,6 +88,13 @@ def scene_about(spec: Spec, about: str, settings: Sequence[str] = ()) -> Scene:
         for pair in pairs:
             base = _with_pair(spec, base, pair, bag)
         bag.raise_if_errors()
+        probe = Resolver(
+            spec
+        )  # poles and constants that are no numbers are said with their places in the option's text
+        probe.bag = bag
+        for pair in pairs:
+            probe.node(pair.value)
+        bag.raise_if_errors()
     return base
 
 

@@ -59,32 +59,46 @@ def formulate(system: System, name: str = "") -> Formulation:
     try:
         return choose(system) if wanted == "auto" else build(system, wanted)
     except NotApplicable as error:
-        bag = Bag(system.spec.origin)
-        span = system.spec.key_span("formulation") if not name else system.spec.key_span(error.key)
-        message = error.reasons[0] if error.code != "E0411" else f"`{error.formulation}` does not apply to this system"
-        notes = error.reasons if error.code == "E0411" else error.reasons[1:]
-        bag.error(
-            error.code,
-            message,
-            span if error.code == "E0411" else _key_span(system, error.key),
-            notes=notes,
-            help=(_help(error),),
-        )
-        bag.raise_if_errors()
+        _refuse(system, error, system.spec.key_span(error.key if name else "formulation"))
         raise
 
 
-def _key_span(system: System, key: str) -> Span:
-    return system.spec.key_span(key)
+def checked_dependent(system: System) -> DependentChoice:
+    """:func:`dependent_of`, also where the formulation does not ask for it.
+
+    Raises:
+        nhc.diagnostics.SpecError: the spec's are too few, too many, or singular everywhere.
+    """
+    try:
+        return dependent_of(system)
+    except NotApplicable as error:
+        _refuse(system, error, system.spec.key_span(error.key))
+        raise
 
 
-def _help(error: NotApplicable) -> str:
+def _refuse(system: System, error: NotApplicable, place: Span) -> None:
+    """Raise the diagnostic; ``place`` is where a formulation that does not apply (E0411) is said."""
+    bag = Bag(system.spec.origin)
+    general = error.code == "E0411"
+    bag.error(
+        error.code,
+        f"`{error.formulation}` does not apply to this system" if general else error.reasons[0],
+        place if general else system.spec.key_span(error.key),
+        notes=error.reasons if general else error.reasons[1:],
+        help=(_help(system, error),),
+    )
+    bag.raise_if_errors()
+
+
+def _help(system: System, error: NotApplicable) -> str:
     if error.code == "E0406":
         return "give forms that are independent of each other and of the constraints, or fewer: nhc completes them"
     if error.code == "E0407":
         return "choose other dependent velocities, or leave `dependent:` out: nhc chooses them"
     if error.formulation in ("newton", "lagrange"):
         return "use `formulation: multipliers`, or leave it out"
+    if not system.constraints:
+        return "use `formulation: lagrange` or `euler-lagrange`, or leave it out"
     return "use `formulation: voronec` or `euler-lagrange`, or leave it out"
 
 

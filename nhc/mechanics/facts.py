@@ -13,7 +13,7 @@ from nhc.algebra.linear import degrees
 from nhc.algebra.modular import Unlucky, are_zero
 from nhc.diagnostics import Bag
 from nhc.mechanics import chaplygin
-from nhc.mechanics.choose import Formulation, applicable, dependent_of
+from nhc.mechanics.choose import Formulation, applicable, checked_dependent
 from nhc.mechanics.conserved import Integral, find_conserved
 from nhc.mechanics.frame import coordinate_frame
 from nhc.mechanics.integrability import Integrability, classify, cyclic_coordinates
@@ -187,7 +187,7 @@ def _spell(integral: Integral) -> str:
 
 
 def _dependent(system: System, formulation: Formulation, facts: Facts, bag: Bag) -> None:
-    choice = dependent_of(system)
+    choice = checked_dependent(system)
     names = ", ".join(f"{system.q_names[i]}'" for i in choice.dependent)
     who = "given" if system.dependent else "chosen"
     if choice.determinant is None:

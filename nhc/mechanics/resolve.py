@@ -22,6 +22,7 @@ from nhc.mechanics.dependent_rows import check_rank
 from nhc.mechanics.system import Form, System
 
 _LARGEST = Fraction(sys.float_info.max)
+_LARGEST_EXPONENT = 2**53
 
 
 class Resolver:
@@ -94,12 +95,20 @@ class Resolver:
                 case Differential():
                     return g.one if part.name == "t" else self.v[self._coordinate(part.name)]
                 case Call():
-                    made = g.function(part.function, *(self._build(x, names) for x in part.arguments))
-                    return made if g.deps[made] else self._check_constant(part, made)
+                    return self._call(part, [self._build(x, names) for x in part.arguments])
                 case Binary():
                     return self._build(part, names)
         except NumberTooLong:
             return self._refuse_number(part)
+
+    def _call(self, part: Call, operands: Sequence[Node]) -> Node:
+        try:
+            made = self.graph.function(part.function, *operands)
+        except ZeroDivisionError:  # tan is a quotient, and the only one
+            help = "take an angle that is no odd quarter turn: the cosine is zero there"
+            self.bag.error("E0417", f"`{part.function}` divides by zero here", part.span, help=(help,))
+            return self.graph.zero
+        return made if self.graph.deps[made] else self._check_constant(part, made)
 
     def _refuse_number(self, part: Syntax, what: str = "too long to be written exactly") -> Node:
         self.bag.error("E0210", f"this constant is {what}", part.span, help=(DOUBLES,))
@@ -115,7 +124,7 @@ class Resolver:
         try:
             if math.isfinite(evaluate(g, [node], {})[0]):
                 return node
-        except (ArithmeticError, ValueError, TypeError):  # a power of a negative number is complex
+        except (ArithmeticError, ValueError):
             pass
         help = "keep arguments where the function is real, and results below 1e308"
         self.bag.error("E0313", "this constant has no real, finite value", part.span, help=(help,))
@@ -145,6 +154,10 @@ class Resolver:
             return g.zero
         if op == "/":
             return g.div(x, y)
+        if exponent is not None and abs(exponent) > _LARGEST_EXPONENT:
+            help = "write an exponent below 2^53: doubles beyond are all even"
+            self.bag.error("E0210", "this exponent is too large", part.right.span, help=(help,))
+            return g.one
         if exponent is not None and exponent.denominator == 1 and abs(exponent) <= 1000:
             return g.power(x, int(exponent))
         return g.function("powf", x, y)
@@ -190,6 +203,7 @@ def resolve(spec: Spec, graph: Graph | None = None) -> System:
         nhc.diagnostics.SpecError: everything that is wrong with it as mechanics, all at once.
     """
     build = Resolver(spec, graph)
+    _check_parameters(build)
     define_names(build)
     T = build.node(spec.kinetic)
     U = _potential(build)
@@ -224,10 +238,16 @@ def resolve(spec: Spec, graph: Graph | None = None) -> System:
     check_rank(build.bag, build.spec, system)
     if not build.bag.has_errors:
         _check_freedom(build, system)
-    if spec.draw and not build.bag.has_errors:
-        _check_drawing(build)
+    if not build.bag.has_errors:
+        _check_apart(build, [tree for figure in spec.draw for tree in figure.expressions])
     build.bag.raise_if_errors()
     return system
+
+
+def _check_parameters(build: Resolver) -> None:
+    """Values that are expressions, exactly; on a graph of its own, for the model holds the parameters' symbols."""
+    _check_apart(build, [p.value for p in build.spec.parameters if p.value and not isinstance(p.value, Fraction)])
+    build.bag.raise_if_errors()  # nothing is sampled without them
 
 
 def define_names(build: Resolver) -> None:
@@ -309,13 +329,13 @@ def _places(build: Resolver) -> dict[str, str]:
     return places
 
 
-def _check_drawing(build: Resolver) -> None:
-    """On a graph of its own: what is drawn must leave no mark on what is derived."""
-    probe = Resolver(build.spec)
-    probe.bag = build.bag
-    define_names(probe)
-    for figure in build.spec.draw:
-        for tree in figure.expressions:
+def _check_apart(build: Resolver, trees: Sequence[Syntax]) -> None:
+    """On a graph of its own: these must leave no mark on what is derived."""
+    if trees:
+        probe = Resolver(build.spec)
+        define_names(probe)
+        probe.bag = build.bag
+        for tree in trees:
             probe.node(tree)
 
 

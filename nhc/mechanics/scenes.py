@@ -11,8 +11,9 @@ from collections.abc import Sequence
 
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Node
-from nhc.diagnostics import Bag
-from nhc.language.spec import Scene
+from nhc.diagnostics import Bag, nearest
+from nhc.language.spec import Scene, Spec
+from nhc.language.syntax import Syntax
 from nhc.mechanics.regularity import choose_dependent
 from nhc.mechanics.system import Form, System
 from nhc.mechanics.values import constant_value
@@ -43,6 +44,25 @@ class Start:
         }
 
 
+def check_scene_name(spec: Spec, scene: str) -> None:
+    """Refuse a name that no scene of the spec has; an empty one asks for none.
+
+    Raises:
+        nhc.diagnostics.SpecError: with the scenes that there are.
+    """
+    names = [s.name for s in spec.scenes]
+    if not scene or scene in names:
+        return
+    bag = Bag(spec.origin)
+    near = nearest(scene, names)
+    help = f"did you mean `{near}`?" if near else "name one of them after `--scene`, or add it under `scenes:`"
+    known = ", ".join(f"`{name}`" for name in names) or "none"
+    bag.error(
+        "E0503", f"no scene `{scene}`", spec.key_span("scenes"), notes=(f"the spec's scenes: {known}",), help=(help,)
+    )
+    bag.raise_if_errors()
+
+
 def start_of(system: System, scene: Scene) -> Start:
     """The consistent start of a scene.
 
@@ -68,16 +88,21 @@ def _initial_values(scene: Scene, names: dict[str, float], bag: Bag) -> dict[tup
     """The numbers that the scene gives, for its values of the parameters."""
     given: dict[tuple[str, str], float] = {}
     for entry in scene.initial:
-        try:
-            value = constant_value(entry.value, names)
-        except (ArithmeticError, ValueError):
-            value = math.nan
+        value = _constant(entry.value, names)
         if not math.isfinite(value) and not any(d.labels[0].span == entry.span for d in bag.diagnostics):
             what = f"the start of `{entry.name}` in the scene `{scene.name}` has no real, finite value"
             advice = "mend the expression, or the parameters' values in this scene; a rotation starts from no zero quaternion"
             bag.error("E0313", what, entry.span, help=(advice,))
         given[entry.kind, entry.name] = value
     return given
+
+
+def _constant(tree: Syntax, names: dict[str, float]) -> float:
+    """The value, not a number where there is none."""
+    try:
+        return constant_value(tree, names)
+    except (ArithmeticError, ValueError):
+        return math.nan
 
 
 def _parameters(system: System, scene: Scene, bag: Bag) -> tuple[float, ...]:
@@ -95,7 +120,11 @@ def _parameters(system: System, scene: Scene, bag: Bag) -> tuple[float, ...]:
                 help=(f"add `parameters: {{{parameter.name}: ...}}` to the scene, or a value under `parameters:`",),
             )
             value = Fraction(1)
-        number = float(value) if isinstance(value, Fraction) else constant_value(value, names)
+        number = float(value) if isinstance(value, Fraction) else _constant(value, names)
+        if not math.isfinite(number):
+            what = f"`{parameter.name}` has no real, finite value in the scene `{scene.name}`"
+            place = next((entry.span for entry in scene.parameters if entry.name == parameter.name), scene.span)
+            bag.error("E0313", what, place, help=("mend the expression: it may divide by what is exactly zero",))
         names[parameter.name] = number
         values.append(number)
     return tuple(values)

@@ -4,16 +4,19 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from nhc.diagnostics import Bag, Source, Span, nearest
+from nhc.algebra.graph import Node
+from nhc.diagnostics import Bag, Source, Span, SpecError, nearest
 from nhc.language import Spec, decode
+from nhc.language.names import ENERGIES
 from nhc.language.parser import parse_expression
 from nhc.language.scope import Declared, Scope
 from nhc.language.spec import Definition, Scene
-from nhc.language.syntax import Syntax
+from nhc.language.syntax import Name, Syntax, fold_tree, rebuild
 from nhc.mechanics.choose import formulate
 from nhc.mechanics.formulate import equations_of
-from nhc.mechanics.resolve import resolve
-from nhc.mechanics.scenes import start_of
+from nhc.mechanics.resolve import Resolver, define_names, resolve
+from nhc.mechanics.scenes import check_scene_name, start_of
+from nhc.mechanics.system import System
 from nhc.simulate.methods import RUNGE_KUTTA, STRUCTURE
 from nhc.simulate.methods.tableau import Collocation
 from nhc.simulate.pacing import AUTO
@@ -22,7 +25,7 @@ from nhc.simulate.prepare import Job, Recipe, prepare
 from nhc.simulate.project import projected_start
 from nhc.simulate.reduced import prepare_reduced
 
-_EVENT = "until"
+_EVENT, _OPTION = "until", "--until"
 
 
 class RunError(Exception):
@@ -60,17 +63,7 @@ def open_scene(
     wanted = tuple(dict.fromkeys(find_need(spec, need) for need in needs))
     if until and (method in STRUCTURE or method in SUNDIALS):
         raise RunError(f"the method `{method}` does not look for events", ("take dop853 with `--until`",))
-    if until:
-        tree = parse_event(spec, until)
-        spec = replace(spec, outputs=(*spec.outputs, Definition(_EVENT, tree, Span(0, 0))))
-    system = resolve(spec)
-    event = None
-    if until:
-        event = system.outputs[-1][1]
-        if not system.graph.deps[event] & ~system.graph.mask(system.p):
-            advice = ('name something that moves: `--until "t - 0.5"` stops at the time 0.5',)
-            raise RunError(f"`{until}` never crosses zero: it stays what it is during the run", advice)
-        system = replace(system, outputs=system.outputs[:-1])
+    system, event = resolve_event(spec, until) if until else (resolve(spec), None)
     natural = method in STRUCTURE
     if natural and system.constraints and not formulation:
         formulation = "multipliers"  # its state has all velocities: these methods need not keep them on the constraints
@@ -95,24 +88,24 @@ def open_scene(
 
 
 def find_scene(spec: Spec, name: str) -> Scene:
-    """The scene of that name, or the first one."""
+    """The scene of that name, or the first one.
+
+    Raises:
+        nhc.diagnostics.SpecError: the spec has scenes, and none of that name.
+        RunError: it has none at all.
+    """
     if not spec.scenes:
         advice = ("add one under `scenes:`, with `initial:` and `time: [start, end]`",)
         raise RunError("this spec has no scene to run", advice)
     if not name:
         return spec.scenes[0]
-    for scene in spec.scenes:
-        if scene.name == name:
-            return scene
-    names = [scene.name for scene in spec.scenes]
-    near = nearest(name, names)
-    hint = f"did you mean `{near}`?" if near else f"the spec's scenes: {', '.join(names)}"
-    raise RunError(f"no scene `{name}`", (hint,))
+    check_scene_name(spec, name)
+    return next(scene for scene in spec.scenes if scene.name == name)
 
 
 def list_needs(spec: Spec) -> tuple[str, ...]:
-    """Everything that a run can be asked for."""
-    return (
+    """Everything that a run can be asked for, each name once: an output may be called `energy`."""
+    names = (
         *(c.name for c in spec.coordinates),
         *(f"{c.name}'" for c in spec.coordinates),
         *(q.name for q in spec.quasi_velocities),
@@ -120,6 +113,7 @@ def list_needs(spec: Spec) -> tuple[str, ...]:
         "energy",
         "reactions",
     )
+    return tuple(dict.fromkeys(names))
 
 
 def find_need(spec: Spec, text: str) -> str:
@@ -136,15 +130,49 @@ def find_need(spec: Spec, text: str) -> str:
     raise RunError(f"no quantity `{text}` in this spec", (hint,))
 
 
+def resolve_event(spec: Spec, text: str) -> tuple[System, Node]:
+    """The system, and the value whose zero ends the run.
+
+    Raises:
+        nhc.diagnostics.SpecError: the spec or the expression has errors.
+        RunError: the expression never changes.
+    """
+    tree = parse_event(spec, text)
+    try:
+        system = resolve(replace(spec, outputs=(*spec.outputs, Definition(_EVENT, tree, Span(0, 0)))))
+    except SpecError:
+        system = resolve(
+            spec
+        )  # raises, too, unless the expression is to blame: then it is said with places in its own text
+        probe = Resolver(spec)
+        define_names(probe)
+        probe.bag = Bag(Source(_OPTION, text))
+        energies = {name: probe.graph.symbol(name, "energy") for name in ENERGIES}  # they have values, whichever
+        probe.node(tree, {**energies, **probe.names})
+        probe.bag.raise_if_errors()
+        raise
+    event = system.outputs[-1][1]
+    if not system.graph.deps[event] & ~system.graph.mask(system.p):
+        advice = ('name something that moves: `--until "t - 0.5"` stops at the time 0.5',)
+        raise RunError(f"`{text}` never crosses zero: it stays what it is during the run", advice)
+    return replace(system, outputs=system.outputs[:-1]), event
+
+
 def parse_event(spec: Spec, text: str) -> Syntax:
-    """The tree of an expression in the spec's names, as an output would be read.
+    """The tree of an expression in the spec's names, outputs among them, as an output would be read.
 
     Raises:
         nhc.diagnostics.SpecError: with the places in the text.
     """
-    bag = Bag(Source("--until", text))
+    bag = Bag(Source(_OPTION, text))
     tree = parse_expression(text, Span, bag)
     if tree is not None:
+        outputs = {output.name: output.value for output in spec.outputs}
+
+        def visit(node: Syntax, parts: tuple[Syntax, ...]) -> Syntax:
+            return outputs.get(node.name, node) if isinstance(node, Name) else rebuild(node, parts)
+
+        tree = fold_tree(tree, visit)
         scope = Scope(bag)
         for kind, entries in (
             ("coordinate", spec.coordinates),

@@ -63,6 +63,8 @@ def _list_keys(spec: Spec) -> dict[str, Key]:
 
 def _find_key(cell: str, known: dict[str, Key]) -> Key:
     name = fold(cell.strip().replace("\u2032", "'"))
+    if name.endswith("dot") and name not in known:
+        name = f"{name.removesuffix('dot')}'"
     if name in known:
         return known[name]
     near = nearest(name, tuple(known))

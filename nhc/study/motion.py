@@ -12,7 +12,8 @@ from nhc.algebra.graph import Node
 from nhc.algebra.linear import Singular
 from nhc.algebra.show import to_text
 from nhc.diagnostics import Bag, Source, Span, nearest
-from nhc.mechanics.about import point_of, read_pairs, scene_about, state_of
+from nhc.language.scope import names_in
+from nhc.mechanics.about import Pair, point_of, read_pairs, scene_about, state_of
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choose import Formulation, build
 from nhc.mechanics.formulate import equations_of
@@ -156,11 +157,31 @@ def read_holds(model: SteadyModel, text: str, guess: Sequence[float]) -> list[Ho
     """``speed=5`` holds a value, ``roll`` that of the guess."""
     parameters = dict(zip((p.name for p in model.flow.system.spec.parameters), model.p, strict=True))
     if "=" in text:
-        pairs = [(pair.name, constant_value(pair.value, parameters)) for pair in read_pairs(text, "--hold")[1]]
+        source, given = read_pairs(text, "--hold")
+        pairs = [(pair.name, _held_value(source, pair, parameters)) for pair in given]
     else:
         names = [name.strip() for name in text.split(",") if name.strip()]
         pairs = [(name, model.value(guess, named_quantity(model.flow, name, "--hold"))) for name in names]
     return [Hold(name, named_quantity(model.flow, name, "--hold"), value) for name, value in pairs]
+
+
+def _held_value(source: Source, pair: Pair, parameters: dict[str, float]) -> float:
+    """The value of a pair.
+
+    Raises:
+        nhc.diagnostics.SpecError: it has none.
+    """
+    unknown = [name for name in names_in(pair.value) if name not in (*parameters, "pi")]
+    bag = Bag(source)
+    try:
+        value = math.nan if unknown else constant_value(pair.value, parameters)
+    except (ArithmeticError, ValueError):
+        value = math.nan
+    if not math.isfinite(value):
+        what = f"the value of `{pair.name}` is no real, finite number"
+        bag.error("E0313", what, pair.span, help=("a value holds numbers, `pi` and parameters only",))
+    bag.raise_if_errors()
+    return value
 
 
 def named_quantity(flow: Flow, name: str, option: str) -> Node:

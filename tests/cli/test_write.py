@@ -102,17 +102,22 @@ def test_compare_names_what_is_missing_or_differs(tmp_path: Path, capsys: pytest
 
 
 @pytest.mark.parametrize(
-    ("system", "says"),
-    [("errno", "finds Python's own module"), ("random", "hides Python's own module"), ("sleigh", "")],
+    ("system", "says", "of_c"),
+    [
+        ("errno", "finds Python's own module", "hides C's own `<errno.h>`"),
+        ("random", "hides Python's own module", ""),
+        ("float", "", "hides C's own `<float.h>`"),
+        ("sleigh", "", ""),
+    ],
 )
-def test_names_of_pythons_own_modules(
-    system: str, says: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+def test_names_of_the_languages_own_modules(
+    system: str, says: str, of_c: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     spec = tmp_path / "spec.yaml"
     spec.write_text(f"nhc: 1\nsystem: {system}\ncoordinates: [x]\nparameters: {{m: 1}}\nT: m/2*x'^2\n")
-    for language in ("python", "c"):
+    for language, words in (("python", says), ("c", of_c)):
         assert main(["emit", str(spec), "--lang", language, "-o", str(tmp_path)]) == 0
         told = capsys.readouterr().err
-        assert ("note:" in told and says in told) if says and language == "python" else "note:" not in told
+        assert ("note:" in told and words in told) if words else "note:" not in told
     assert main(["emit", str(spec), "--lang", "python", "-o", str(tmp_path / "model.py")]) == 0
     assert "note:" not in capsys.readouterr().err

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import copy
 import importlib.util
 import math
+import pickle
 import subprocess
 import sys
 import types
@@ -145,13 +147,16 @@ def test_solve_ivp_takes_rhs_and_jacobian() -> None:
 )
 @pytest.mark.parametrize("array", ["", "numpy"])
 def test_singular_points_raise_with_the_status_of_c(
-    array: str, y: list[float], p: list[float], status: int, words: str
+    array: str, y: list[float], p: list[float], status: int, words: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     module = load(make_sleigh(), array)
     assert len(module.rhs(0.0, GOOD, P)) == 5
     with pytest.raises(module.SingularModelError, match=words) as caught:
         module.rhs(0.0, y, p)
     assert caught.value.status == status
+    monkeypatch.setitem(sys.modules, "emitted", module)  # a pickle names the module of its class
+    for again in (copy.copy(caught.value), pickle.loads(pickle.dumps(caught.value))):
+        assert (again.status, str(again)) == (status, str(caught.value))
     with pytest.raises(ArithmeticError, match="energy: the mass vanishes"):
         module.energy(0.0, GOOD, [0.0, 1.0, 1.0])
 

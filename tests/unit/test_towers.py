@@ -3,9 +3,13 @@
 from __future__ import annotations
 
 import math
+from fractions import Fraction
 
+import mpmath
 import pytest
 
+from nhc.algebra.evaluate import Mpmath, evaluate
+from nhc.algebra.graph import Graph
 from nhc.diagnostics import Source, SpecError
 from nhc.pipeline import Options, check, emit
 from tests.support import python_model
@@ -62,3 +66,22 @@ def test_what_was_meant_by_a_function(help: str) -> None:
     with pytest.raises(SpecError) as caught:
         check(spec(text))
     assert [d.help for d in caught.value.diagnostics] == [(f"write {help}",)]
+
+
+@pytest.mark.parametrize("exponent", ["n", "(3/7)", "x"])
+def test_powers_that_are_not_real_everywhere_are_compiled(exponent: str) -> None:
+    """Sample points lie on both sides of zero, and Python's own power of a negative number is complex."""
+    text = "nhc: 1\nsystem: deep\ncoordinates: [x, y]\nparameters: {m: 1, n: 1.5}\n"
+    source = Source("deep.yaml", f"{text}T: m/2*(x'^2 + y'^2*(2 + y^{exponent}))\n")
+    assert not check(source).diagnostics
+    assert emit(source, "c", Options())
+
+
+def test_angles_of_what_is_not_real_are_refused() -> None:
+    """mpmath's roots of negative numbers are complex, and its angle of them was an AttributeError."""
+    graph = Graph()
+    x = graph.symbol("x")
+    angle = graph.function("atan2", graph.one, graph.function("powf", x, graph.number(Fraction(1, 4))))
+    with pytest.raises(ValueError, match="not real"):
+        evaluate(graph, [angle], {x: mpmath.mpf(-2)}, Mpmath())
+    assert evaluate(graph, [angle], {x: mpmath.mpf(1)}, Mpmath())[0] == pytest.approx(math.pi / 4)

@@ -96,7 +96,7 @@ def _kind(x: complex) -> str:
 def _sweep(found: Sweep) -> list[Row]:
     rows = [
         Row(
-            f"crossing at {c.value:.9g}",
+            f"crossing at {c.value + 0.0:.9g}",
             c.kind,
             f"more grow {'above' if c.unstable_above else 'below'}"
             + (f"; frequency {c.frequency:.6g}" if c.frequency else ""),
@@ -112,9 +112,10 @@ def _spectrum(lab: Laboratory) -> list[Row]:
     if found is None or stiff is None:
         return []
     remark = "stiff: take radau5" if stiff > STIFF else "not stiff"
+    # adding zero takes the sign off a zero
     return [
         Row("fastest |lambda|", f"{found.fastest:.4g}", f"{found.fastest * lab.bench.duration:.4g} per scene"),
-        Row("fastest decay", f"{found.decay:.4g}"),
+        Row("fastest decay", f"{found.decay + 0.0:.4g}"),
         Row("stiffness ratio", f"{stiff:.4g}", remark),
     ]
 

@@ -1,4 +1,4 @@
-"""affine_voronec, emitted by nhc 0.1.0 (nhc:e7f61abfd54d5ff7).
+"""affine_voronec, emitted by nhc 0.1.0 (nhc:9da0a9c4dd1d1c90).
 
 A particle with everything at once; affine constraint, time, T of degrees 2, 1 and
     0, drag, a driving force.
@@ -57,8 +57,11 @@ class SingularModelError(ArithmeticError):
     """The model is singular here; ``status`` is the code that C returns."""
 
     def __init__(self, status: int, function: str) -> None:
-        super().__init__(f"{function}: {REASONS[status]}")
+        super().__init__(status, function)  # what copies and pickles make it of again
         self.status = status
+
+    def __str__(self) -> str:
+        return f"{self.args[1]}: {REASONS[self.status]}"
 
 
 def _finish(function: str, values: list[float]) -> list[float]:

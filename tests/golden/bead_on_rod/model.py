@@ -1,4 +1,4 @@
-"""bead_on_rod, emitted by nhc 0.1.0 (nhc:d097e80b34935055).
+"""bead_on_rod, emitted by nhc 0.1.0 (nhc:d1c2658403c9cb73).
 
 A bead on a straight horizontal rod that turns at a constant rate; T has a part
     without velocities.
@@ -57,8 +57,11 @@ class SingularModelError(ArithmeticError):
     """The model is singular here; ``status`` is the code that C returns."""
 
     def __init__(self, status: int, function: str) -> None:
-        super().__init__(f"{function}: {REASONS[status]}")
+        super().__init__(status, function)  # what copies and pickles make it of again
         self.status = status
+
+    def __str__(self) -> str:
+        return f"{self.args[1]}: {REASONS[self.status]}"
 
 
 def _finish(function: str, values: list[float]) -> list[float]:

@@ -1,4 +1,4 @@
-"""chaotic, emitted by nhc 0.1.0 (nhc:e8410f5b8cab2925).
+"""chaotic, emitted by nhc 0.1.0 (nhc:4c9db27b700db0f2).
 
 Seven coupled oscillators with one contact constraint; reversible and chaotic.
 Source: chaotic.yaml
@@ -80,8 +80,11 @@ class SingularModelError(ArithmeticError):
     """The model is singular here; ``status`` is the code that C returns."""
 
     def __init__(self, status: int, function: str) -> None:
-        super().__init__(f"{function}: {REASONS[status]}")
+        super().__init__(status, function)  # what copies and pickles make it of again
         self.status = status
+
+    def __str__(self) -> str:
+        return f"{self.args[1]}: {REASONS[self.status]}"
 
 
 def _finish(function: str, values: list[float]) -> list[float]:

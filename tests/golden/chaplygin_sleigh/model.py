@@ -1,4 +1,4 @@
-"""chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:3f3b3af4cce88813).
+"""chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:9fb92086d12ba5b1).
 
 A rigid body on a knife edge; the centre of mass is a distance a ahead of the edge.
 Source: chaplygin_sleigh.yaml
@@ -64,8 +64,11 @@ class SingularModelError(ArithmeticError):
     """The model is singular here; ``status`` is the code that C returns."""
 
     def __init__(self, status: int, function: str) -> None:
-        super().__init__(f"{function}: {REASONS[status]}")
+        super().__init__(status, function)  # what copies and pickles make it of again
         self.status = status
+
+    def __str__(self) -> str:
+        return f"{self.args[1]}: {REASONS[self.status]}"
 
 
 def _finish(function: str, values: list[float]) -> list[float]:

@@ -1,4 +1,4 @@
-"""charged_sleigh, emitted by nhc 0.1.0 (nhc:9f752fb84dd61f03).
+"""charged_sleigh, emitted by nhc 0.1.0 (nhc:8ef503cfa5b1210a).
 
 Chaplygin's sleigh with a charge at its centre of mass in a magnetic field; T
     depends on x and y.
@@ -64,8 +64,11 @@ class SingularModelError(ArithmeticError):
     """The model is singular here; ``status`` is the code that C returns."""
 
     def __init__(self, status: int, function: str) -> None:
-        super().__init__(f"{function}: {REASONS[status]}")
+        super().__init__(status, function)  # what copies and pickles make it of again
         self.status = status
+
+    def __str__(self) -> str:
+        return f"{self.args[1]}: {REASONS[self.status]}"
 
 
 def _finish(function: str, values: list[float]) -> list[float]:

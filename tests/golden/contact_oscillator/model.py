@@ -1,4 +1,4 @@
-"""contact_oscillator, emitted by nhc 0.1.0 (nhc:722fe0a8f961beba).
+"""contact_oscillator, emitted by nhc 0.1.0 (nhc:4d4d085b45f5ea0c).
 
 Three equal oscillators with one contact constraint; reversible and integrable.
 Source: contact_oscillator.yaml
@@ -62,8 +62,11 @@ class SingularModelError(ArithmeticError):
     """The model is singular here; ``status`` is the code that C returns."""
 
     def __init__(self, status: int, function: str) -> None:
-        super().__init__(f"{function}: {REASONS[status]}")
+        super().__init__(status, function)  # what copies and pickles make it of again
         self.status = status
+
+    def __str__(self) -> str:
+        return f"{self.args[1]}: {REASONS[self.status]}"
 
 
 def _finish(function: str, values: list[float]) -> list[float]:

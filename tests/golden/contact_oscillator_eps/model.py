@@ -1,4 +1,4 @@
-"""contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:6f2a52c168735aa8).
+"""contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:d2874157bb8f1f45).
 
 The contact oscillator with a quartic coupling; still reversible and still with a
     second integral.
@@ -66,8 +66,11 @@ class SingularModelError(ArithmeticError):
     """The model is singular here; ``status`` is the code that C returns."""
 
     def __init__(self, status: int, function: str) -> None:
-        super().__init__(f"{function}: {REASONS[status]}")
+        super().__init__(status, function)  # what copies and pickles make it of again
         self.status = status
+
+    def __str__(self) -> str:
+        return f"{self.args[1]}: {REASONS[self.status]}"
 
 
 def _finish(function: str, values: list[float]) -> list[float]:

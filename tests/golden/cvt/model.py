@@ -1,4 +1,4 @@
-"""cvt, emitted by nhc 0.1.0 (nhc:95fed410a1fa6dc9).
+"""cvt, emitted by nhc 0.1.0 (nhc:9ac52d2322f8602e).
 
 A continuously variable transmission; a plane oscillator whose free direction is set
     by a symmetric driver.
@@ -63,8 +63,11 @@ class SingularModelError(ArithmeticError):
     """The model is singular here; ``status`` is the code that C returns."""
 
     def __init__(self, status: int, function: str) -> None:
-        super().__init__(f"{function}: {REASONS[status]}")
+        super().__init__(status, function)  # what copies and pickles make it of again
         self.status = status
+
+    def __str__(self) -> str:
+        return f"{self.args[1]}: {REASONS[self.status]}"
 
 
 def _finish(function: str, values: list[float]) -> list[float]:

@@ -1,4 +1,4 @@
-"""cvt_eps, emitted by nhc 0.1.0 (nhc:e44a6dc6d5900bbe).
+"""cvt_eps, emitted by nhc 0.1.0 (nhc:3b949e59b2b8d0ea).
 
 The transmission with a driver that breaks the symmetry; most integrators for
     nonholonomic systems drift on it.
@@ -64,8 +64,11 @@ class SingularModelError(ArithmeticError):
     """The model is singular here; ``status`` is the code that C returns."""
 
     def __init__(self, status: int, function: str) -> None:
-        super().__init__(f"{function}: {REASONS[status]}")
+        super().__init__(status, function)  # what copies and pickles make it of again
         self.status = status
+
+    def __str__(self) -> str:
+        return f"{self.args[1]}: {REASONS[self.status]}"
 
 
 def _finish(function: str, values: list[float]) -> list[float]:

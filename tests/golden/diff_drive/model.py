@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""diff_drive, emitted by nhc 0.1.0 (nhc:d6c9efc97d60fbe7).
+"""diff_drive, emitted by nhc 0.1.0 (nhc:5350ea50f0afaf9c).
 
 A cart with two driven wheels and a caster; three velocity constraints, one of which
     is holonomic in disguise.
@@ -70,8 +70,11 @@ class SingularModelError(ArithmeticError):
     """The model is singular here; ``status`` is the code that C returns."""
 
     def __init__(self, status: int, function: str) -> None:
-        super().__init__(f"{function}: {REASONS[status]}")
+        super().__init__(status, function)  # what copies and pickles make it of again
         self.status = status
+
+    def __str__(self) -> str:
+        return f"{self.args[1]}: {REASONS[self.status]}"
 
 
 def _finish(function: str, values: list[float]) -> list[float]:

@@ -1,4 +1,4 @@
-"""free_rigid_body, emitted by nhc 0.1.0 (nhc:ed4fd7cc19830077).
+"""free_rigid_body, emitted by nhc 0.1.0 (nhc:9cfa519ee356b633).
 
 A free rigid body; the components of its angular velocity on body axes are the
     quasi-velocities.
@@ -61,8 +61,11 @@ class SingularModelError(ArithmeticError):
     """The model is singular here; ``status`` is the code that C returns."""
 
     def __init__(self, status: int, function: str) -> None:
-        super().__init__(f"{function}: {REASONS[status]}")
+        super().__init__(status, function)  # what copies and pickles make it of again
         self.status = status
+
+    def __str__(self) -> str:
+        return f"{self.args[1]}: {REASONS[self.status]}"
 
 
 def _finish(function: str, values: list[float]) -> list[float]:

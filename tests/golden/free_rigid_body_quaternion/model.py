@@ -1,4 +1,4 @@
-"""free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:dc4afed00752d197).
+"""free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:8a6ce51b47ae0cc4).
 
 A free rigid body, its orientation a quaternion; Euler's equations, and no
     orientation that is special.
@@ -68,8 +68,11 @@ class SingularModelError(ArithmeticError):
     """The model is singular here; ``status`` is the code that C returns."""
 
     def __init__(self, status: int, function: str) -> None:
-        super().__init__(f"{function}: {REASONS[status]}")
+        super().__init__(status, function)  # what copies and pickles make it of again
         self.status = status
+
+    def __str__(self) -> str:
+        return f"{self.args[1]}: {REASONS[self.status]}"
 
 
 def _finish(function: str, values: list[float]) -> list[float]:

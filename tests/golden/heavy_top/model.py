@@ -1,4 +1,4 @@
-"""heavy_top, emitted by nhc 0.1.0 (nhc:707f03ea74a062ae).
+"""heavy_top, emitted by nhc 0.1.0 (nhc:5f11522b66a79344).
 
 The symmetric top with a fixed point (Lagrange's top).
 Source: heavy_top.yaml
@@ -61,8 +61,11 @@ class SingularModelError(ArithmeticError):
     """The model is singular here; ``status`` is the code that C returns."""
 
     def __init__(self, status: int, function: str) -> None:
-        super().__init__(f"{function}: {REASONS[status]}")
+        super().__init__(status, function)  # what copies and pickles make it of again
         self.status = status
+
+    def __str__(self) -> str:
+        return f"{self.args[1]}: {REASONS[self.status]}"
 
 
 def _finish(function: str, values: list[float]) -> list[float]:

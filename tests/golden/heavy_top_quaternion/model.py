@@ -1,4 +1,4 @@
-"""heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:2cf159cf7ee9f1eb).
+"""heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:b1941d7b8b4efd1d).
 
 The symmetric top with a fixed point (Lagrange's top), its orientation a quaternion,
     so that it may stand upright.
@@ -67,8 +67,11 @@ class SingularModelError(ArithmeticError):
     """The model is singular here; ``status`` is the code that C returns."""
 
     def __init__(self, status: int, function: str) -> None:
-        super().__init__(f"{function}: {REASONS[status]}")
+        super().__init__(status, function)  # what copies and pickles make it of again
         self.status = status
+
+    def __str__(self) -> str:
+        return f"{self.args[1]}: {REASONS[self.status]}"
 
 
 def _finish(function: str, values: list[float]) -> list[float]:

@@ -1,4 +1,4 @@
-"""nh_particle, emitted by nhc 0.1.0 (nhc:e9cb5d4a6d926fe5).
+"""nh_particle, emitted by nhc 0.1.0 (nhc:9c2679599f62b021).
 
 A free particle with one velocity constraint that cannot be integrated.
 Source: nh_particle.yaml
@@ -60,8 +60,11 @@ class SingularModelError(ArithmeticError):
     """The model is singular here; ``status`` is the code that C returns."""
 
     def __init__(self, status: int, function: str) -> None:
-        super().__init__(f"{function}: {REASONS[status]}")
+        super().__init__(status, function)  # what copies and pickles make it of again
         self.status = status
+
+    def __str__(self) -> str:
+        return f"{self.args[1]}: {REASONS[self.status]}"
 
 
 def _finish(function: str, values: list[float]) -> list[float]:

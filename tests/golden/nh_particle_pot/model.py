@@ -1,4 +1,4 @@
-"""nh_particle_pot, emitted by nhc 0.1.0 (nhc:67bc292ce675bf39).
+"""nh_particle_pot, emitted by nhc 0.1.0 (nhc:712b07be1964114c).
 
 The nonholonomic particle with springs in x and y.
 Source: nh_particle_pot.yaml
@@ -58,8 +58,11 @@ class SingularModelError(ArithmeticError):
     """The model is singular here; ``status`` is the code that C returns."""
 
     def __init__(self, status: int, function: str) -> None:
-        super().__init__(f"{function}: {REASONS[status]}")
+        super().__init__(status, function)  # what copies and pickles make it of again
         self.status = status
+
+    def __str__(self) -> str:
+        return f"{self.args[1]}: {REASONS[self.status]}"
 
 
 def _finish(function: str, values: list[float]) -> list[float]:

@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""pendulum, emitted by nhc 0.1.0 (nhc:a7e99b95438934b7).
+"""pendulum, emitted by nhc 0.1.0 (nhc:dfaa4b13bb7077b9).
 
 The plane pendulum, large swings.
 Source: pendulum.yaml
@@ -57,8 +57,11 @@ class SingularModelError(ArithmeticError):
     """The model is singular here; ``status`` is the code that C returns."""
 
     def __init__(self, status: int, function: str) -> None:
-        super().__init__(f"{function}: {REASONS[status]}")
+        super().__init__(status, function)  # what copies and pickles make it of again
         self.status = status
+
+    def __str__(self) -> str:
+        return f"{self.args[1]}: {REASONS[self.status]}"
 
 
 def _finish(function: str, values: list[float]) -> list[float]:

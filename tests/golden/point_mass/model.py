@@ -1,4 +1,4 @@
-"""point_mass, emitted by nhc 0.1.0 (nhc:08fbbc00b5e71453).
+"""point_mass, emitted by nhc 0.1.0 (nhc:178c421455f0440c).
 
 A point mass thrown in a uniform field of gravity, with linear drag.
 Source: point_mass.yaml
@@ -60,8 +60,11 @@ class SingularModelError(ArithmeticError):
     """The model is singular here; ``status`` is the code that C returns."""
 
     def __init__(self, status: int, function: str) -> None:
-        super().__init__(f"{function}: {REASONS[status]}")
+        super().__init__(status, function)  # what copies and pickles make it of again
         self.status = status
+
+    def __str__(self) -> str:
+        return f"{self.args[1]}: {REASONS[self.status]}"
 
 
 def _finish(function: str, values: list[float]) -> list[float]:

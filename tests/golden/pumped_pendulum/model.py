@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""pumped_pendulum, emitted by nhc 0.1.0 (nhc:6c198256f2860f5b).
+"""pumped_pendulum, emitted by nhc 0.1.0 (nhc:8e997188e491e65b).
 
 A pendulum whose pivot is moved to and fro; T depends on time and is not homogeneous
     in the velocities.
@@ -57,8 +57,11 @@ class SingularModelError(ArithmeticError):
     """The model is singular here; ``status`` is the code that C returns."""
 
     def __init__(self, status: int, function: str) -> None:
-        super().__init__(f"{function}: {REASONS[status]}")
+        super().__init__(status, function)  # what copies and pickles make it of again
         self.status = status
+
+    def __str__(self) -> str:
+        return f"{self.args[1]}: {REASONS[self.status]}"
 
 
 def _finish(function: str, values: list[float]) -> list[float]:

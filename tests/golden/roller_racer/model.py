@@ -1,4 +1,4 @@
-"""roller_racer, emitted by nhc 0.1.0 (nhc:3cfe1650d5435739).
+"""roller_racer, emitted by nhc 0.1.0 (nhc:9b25ea3769e1bb72).
 
 Two wheeled bodies with a hinge; it is driven by moving the hinge to and fro.
 Source: roller_racer.yaml
@@ -67,8 +67,11 @@ class SingularModelError(ArithmeticError):
     """The model is singular here; ``status`` is the code that C returns."""
 
     def __init__(self, status: int, function: str) -> None:
-        super().__init__(f"{function}: {REASONS[status]}")
+        super().__init__(status, function)  # what copies and pickles make it of again
         self.status = status
+
+    def __str__(self) -> str:
+        return f"{self.args[1]}: {REASONS[self.status]}"
 
 
 def _finish(function: str, values: list[float]) -> list[float]:

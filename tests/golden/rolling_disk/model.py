@@ -1,4 +1,4 @@
-"""rolling_disk, emitted by nhc 0.1.0 (nhc:1928a9359a78f0da).
+"""rolling_disk, emitted by nhc 0.1.0 (nhc:c0275fb3948bd97a).
 
 A thin disk that rolls on a horizontal plane and may lean and fall (Euler's disk).
 Source: rolling_disk.yaml
@@ -70,8 +70,11 @@ class SingularModelError(ArithmeticError):
     """The model is singular here; ``status`` is the code that C returns."""
 
     def __init__(self, status: int, function: str) -> None:
-        super().__init__(f"{function}: {REASONS[status]}")
+        super().__init__(status, function)  # what copies and pickles make it of again
         self.status = status
+
+    def __str__(self) -> str:
+        return f"{self.args[1]}: {REASONS[self.status]}"
 
 
 def _finish(function: str, values: list[float]) -> list[float]:

@@ -1,4 +1,4 @@
-"""routh_sphere, emitted by nhc 0.1.0 (nhc:151d486a96bcc5ee).
+"""routh_sphere, emitted by nhc 0.1.0 (nhc:d3fb6c602ca468dd).
 
 A ball with its centre of mass off its centre, dynamically symmetric, rolls on a
     horizontal plane.
@@ -71,8 +71,11 @@ class SingularModelError(ArithmeticError):
     """The model is singular here; ``status`` is the code that C returns."""
 
     def __init__(self, status: int, function: str) -> None:
-        super().__init__(f"{function}: {REASONS[status]}")
+        super().__init__(status, function)  # what copies and pickles make it of again
         self.status = status
+
+    def __str__(self) -> str:
+        return f"{self.args[1]}: {REASONS[self.status]}"
 
 
 def _finish(function: str, values: list[float]) -> list[float]:

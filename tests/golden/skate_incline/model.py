@@ -1,4 +1,4 @@
-"""skate_incline, emitted by nhc 0.1.0 (nhc:fb8c98e8f3b69017).
+"""skate_incline, emitted by nhc 0.1.0 (nhc:ed8d90ab30e0ec61).
 
 A skate on an inclined plane with its centre of mass above the edge; it never gets
     far downhill.
@@ -65,8 +65,11 @@ class SingularModelError(ArithmeticError):
     """The model is singular here; ``status`` is the code that C returns."""
 
     def __init__(self, status: int, function: str) -> None:
-        super().__init__(f"{function}: {REASONS[status]}")
+        super().__init__(status, function)  # what copies and pickles make it of again
         self.status = status
+
+    def __str__(self) -> str:
+        return f"{self.args[1]}: {REASONS[self.status]}"
 
 
 def _finish(function: str, values: list[float]) -> list[float]:

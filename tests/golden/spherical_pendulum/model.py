@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""spherical_pendulum, emitted by nhc 0.1.0 (nhc:a4e464e9ee727561).
+"""spherical_pendulum, emitted by nhc 0.1.0 (nhc:92ef267c15f4804c).
 
 A pendulum that swings in space.
 Source: spherical_pendulum.yaml
@@ -59,8 +59,11 @@ class SingularModelError(ArithmeticError):
     """The model is singular here; ``status`` is the code that C returns."""
 
     def __init__(self, status: int, function: str) -> None:
-        super().__init__(f"{function}: {REASONS[status]}")
+        super().__init__(status, function)  # what copies and pickles make it of again
         self.status = status
+
+    def __str__(self) -> str:
+        return f"{self.args[1]}: {REASONS[self.status]}"
 
 
 def _finish(function: str, values: list[float]) -> list[float]:

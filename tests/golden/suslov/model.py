@@ -1,4 +1,4 @@
-"""suslov, emitted by nhc 0.1.0 (nhc:6803bbc3f65da236).
+"""suslov, emitted by nhc 0.1.0 (nhc:dff6239e18b62f90).
 
 A rigid body with a fixed point that must not turn about one of its own axes.
 Source: suslov.yaml
@@ -64,8 +64,11 @@ class SingularModelError(ArithmeticError):
     """The model is singular here; ``status`` is the code that C returns."""
 
     def __init__(self, status: int, function: str) -> None:
-        super().__init__(f"{function}: {REASONS[status]}")
+        super().__init__(status, function)  # what copies and pickles make it of again
         self.status = status
+
+    def __str__(self) -> str:
+        return f"{self.args[1]}: {REASONS[self.status]}"
 
 
 def _finish(function: str, values: list[float]) -> list[float]:

@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""vertical_disk, emitted by nhc 0.1.0 (nhc:f39094028fa6a2e9).
+"""vertical_disk, emitted by nhc 0.1.0 (nhc:ae13ebdd0cdd3784).
 
 A disk that stays upright and rolls without slipping.
 Source: vertical_disk.yaml
@@ -66,8 +66,11 @@ class SingularModelError(ArithmeticError):
     """The model is singular here; ``status`` is the code that C returns."""
 
     def __init__(self, status: int, function: str) -> None:
-        super().__init__(f"{function}: {REASONS[status]}")
+        super().__init__(status, function)  # what copies and pickles make it of again
         self.status = status
+
+    def __str__(self) -> str:
+        return f"{self.args[1]}: {REASONS[self.status]}"
 
 
 def _finish(function: str, values: list[float]) -> list[float]:

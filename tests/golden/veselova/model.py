@@ -1,4 +1,4 @@
-"""veselova, emitted by nhc 0.1.0 (nhc:436881b930f5acb6).
+"""veselova, emitted by nhc 0.1.0 (nhc:e77ba6e02a23e5f9).
 
 A rigid body with a fixed point that must not turn about the vertical.
 Source: veselova.yaml
@@ -63,8 +63,11 @@ class SingularModelError(ArithmeticError):
     """The model is singular here; ``status`` is the code that C returns."""
 
     def __init__(self, status: int, function: str) -> None:
-        super().__init__(f"{function}: {REASONS[status]}")
+        super().__init__(status, function)  # what copies and pickles make it of again
         self.status = status
+
+    def __str__(self) -> str:
+        return f"{self.args[1]}: {REASONS[self.status]}"
 
 
 def _finish(function: str, values: list[float]) -> list[float]:

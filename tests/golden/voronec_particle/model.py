@@ -1,4 +1,4 @@
-"""voronec_particle, emitted by nhc 0.1.0 (nhc:8c04413fbeb0bf08).
+"""voronec_particle, emitted by nhc 0.1.0 (nhc:c292f663eabe978c).
 
 A particle whose T, U and constraint depend on the dependent coordinate, so that
     Caplygin's hypotheses fail.
@@ -57,8 +57,11 @@ class SingularModelError(ArithmeticError):
     """The model is singular here; ``status`` is the code that C returns."""
 
     def __init__(self, status: int, function: str) -> None:
-        super().__init__(f"{function}: {REASONS[status]}")
+        super().__init__(status, function)  # what copies and pickles make it of again
         self.status = status
+
+    def __str__(self) -> str:
+        return f"{self.args[1]}: {REASONS[self.status]}"
 
 
 def _finish(function: str, values: list[float]) -> list[float]:
