@@ -30,7 +30,7 @@ from nhc.algebra.calculus import reachable
 from nhc.algebra.evaluate import sign_of_constant
 from nhc.algebra.expand import Monomial, Polynomial, TooLarge
 from nhc.algebra.graph import ADD, MUL, NEG, NUM, PI, POW, SYM, Graph, Node
-from nhc.algebra.polynomial import ONE, polynomial
+from nhc.algebra.polynomial import ONE, leading_size, polynomial
 from nhc.algebra.residues import FULL_TURN, circle_point, part_of_turn, square_root, turn
 
 PRIMES = (2305843006248270719, 2305843005290151599, 2305842996234052799, 2305842995637941759)
@@ -38,7 +38,6 @@ PRIMES = (2305843006248270719, 2305843005290151599, 2305842996234052799, 2305842
 sqrt(4*x) is 2*sqrt(x) and not its negative, and the circle has points at all 5040ths of a turn.  2 + sqrt(2), 1 + sqrt(2),
 1 + sqrt(3), 1 + sqrt(5) and 10 + 2 sqrt(5) are squares, too, as positive numbers should be."""
 
-_EXPONENT = 65537
 _HALF_TURN = FULL_TURN // 2
 _PERIODIC = ("sin", "cos")
 _EXPONENTIAL = ("exp", "sinh", "cosh", "tanh")
@@ -309,14 +308,20 @@ class FieldPoint:
             return self._generator(op, x, self.values[g.b[node]])
         return self._generator(op, x)
 
-    def _sign(self, x: int, *constants: Node) -> int:
-        """+1 or -1, odd in x; of a constant (the difference of one or two) its own."""
+    def _sign(self, x: int, first: Node, second: Node | None = None) -> int:
+        """+1 or -1, odd in x, the value of a node or of the difference of two; of a constant its own.
+
+        Positive factors say nothing: some large ones are no squares, and would turn the signs of all values at once.
+        """
+        g, p = self.graph, self.prime
         if x == 0:
             return 0
-        known = 0 if any(self.graph.deps[node] for node in constants) else sign_of_constant(self.graph, *constants)
-        if known:
-            return known % self.prime
-        return 1 if pow(x, (self.prime - 1) // 2, self.prime) == 1 else self.prime - 1
+        if not g.deps[first] and (second is None or not g.deps[second]):
+            known = sign_of_constant(g, first, second)
+            if known:
+                return known % p
+        size = leading_size(self._argument(first), {} if second is None else self._argument(second))
+        return 1 if pow(x * size.numerator * size.denominator, (p - 1) // 2, p) == 1 else p - 1
 
     def _root_power(self, x: int, exponent: Node) -> int:
         """x ** exponent, with x**(u + v) = x**u x**v kept for rational multiples of one monomial."""
@@ -336,15 +341,3 @@ class FieldPoint:
                 base, root = pow(base, (p + 1) // 4, p), root // 2
             result = result * pow(base, k.numerator * pow(root, -1, p - 1) if root > 1 else k.numerator, p) % p
         return result
-
-
-class QuickPoint(FieldPoint):
-    """A point for zero tests: its residues are never written down, so that its elements may be drawn faster."""
-
-    def _generator(self, *key: object) -> int:
-        """A power of a number that the key and the salt spell: of two keys neither is known from the other."""
-        value = self._generators.get(key)
-        if value is None:
-            spelled = int.from_bytes(repr((self._salt, key)).encode(), "big")
-            value = self._generators[key] = pow(spelled, _EXPONENT, self.prime) or 2
-        return value

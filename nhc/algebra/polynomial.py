@@ -8,6 +8,7 @@ terms: what would grow past it raises :class:`TooLarge` and the caller keeps the
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
+from fractions import Fraction
 
 from nhc.algebra.calculus import reachable
 from nhc.algebra.expand import Coefficient, Expander, Monomial, Polynomial, TooLarge
@@ -211,3 +212,9 @@ def shortest(graph: Graph, node: Node, cost: Callable[[Node], int], limit: int =
     """The cheaper of the node and its canonical form."""
     candidate = normalise(graph, node, limit)
     return candidate if cost(candidate) < cost(node) else node
+
+
+def leading_size(p: Polynomial, q: Polynomial) -> Fraction:
+    """The magnitude of the first coefficient of p - q in the order of the monomials; 1 where p is q."""
+    rest = {m: k for m in {**p, **q} if (k := p.get(m, 0) - q.get(m, 0))}
+    return abs(Fraction(rest[min(rest)])) if rest else Fraction(1)

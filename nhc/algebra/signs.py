@@ -16,9 +16,9 @@ from fractions import Fraction
 from itertools import islice
 
 from nhc.algebra.calculus import reachable, substitute
-from nhc.algebra.draw import draw_points
+from nhc.algebra.draw import QuickPoint, draw_points
 from nhc.algebra.expand import TooLarge
-from nhc.algebra.field import INVERSE, PRIMES, FieldPoint, QuickPoint, Unlucky
+from nhc.algebra.field import INVERSE, PRIMES, FieldPoint, Unlucky
 from nhc.algebra.graph import ADD, MUL, NEG, POW, Graph, Node
 from nhc.algebra.polynomial import ONE, polynomial
 

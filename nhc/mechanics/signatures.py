@@ -7,7 +7,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from nhc.algebra.field import PRIMES, FieldPoint, QuickPoint, Unlucky
+from nhc.algebra.draw import QuickPoint
+from nhc.algebra.field import PRIMES, FieldPoint, Unlucky
 from nhc.algebra.graph import Graph, Node
 
 Signature = tuple[int, ...]

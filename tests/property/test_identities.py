@@ -177,6 +177,21 @@ def test_parts_of_a_turn(p: int) -> None:
         assert all(square_root(part_of_turn(FULL_TURN // 2 // parts * k, p)[1], p) for k in range(1, parts))
 
 
+@pytest.mark.parametrize("size", [2, 53, 127, 251, 127 * 251])
+def test_positive_factors_leave_signs_alone(size: int) -> None:
+    """127 is a square modulo none of the primes."""
+    pairs = (
+        ("abs({q}*x)", "{q}*abs(x)"),
+        ("sign({q}*x + {q}*2*y)", "sign(x + 2*y)"),
+        ("max({q}*x, {q}*y)", "{q}*max(x, y)"),
+    )
+    g = Graph()
+    for left, right in pairs:
+        one, other = (node_of(g, text.format(q=size)) for text in (left, right))
+        assert is_zero(g, g.sub(one, other)) and not is_zero(g, g.add(one, other))
+    assert not is_zero(g, g.add(node_of(g, f"max({size}*x, {size}*y)"), node_of(g, f"-{size}*min(x, y)")))
+
+
 @pytest.mark.parametrize("seed", range(8))
 def test_the_root_of_a_square_is_not_its_base(seed: int) -> None:
     """At every second point of the field it is: a few points do not tell."""
