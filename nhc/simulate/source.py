@@ -153,9 +153,8 @@ def write_source(
 
     ``program`` has rhs and needed, jacobian for an implicit method, and watch where something is watched, the first ``events`` of
     its values being the user's and those from ``dips`` on being sought where they only touch zero; ``holds`` are called in this
-    order after each step, each with what is called where it is singular.  ``trig``: the inlined sine and cosine were faster in
-    every run measured, but they are made for doubles and nothing longer.  ``lanes``: many starts run side by side where an
-    explicit method, no ``holds`` and no linear system in the model allow it.
+    order after each step, each with what stands in for it.  ``trig``: the inlined sine and cosine were faster in every run, but are
+    for doubles only.  ``lanes``: many starts side by side where an explicit method without ``holds`` and linear systems allows it.
     """
     functions = {function.name: function for function in program.functions}
     model = render(program, "c", EmitOptions(only=tuple(functions), trig=trig))
