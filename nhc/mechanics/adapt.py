@@ -9,6 +9,8 @@ velocity along the edge.  Rows that share no column are completed each by themse
 
 from __future__ import annotations
 
+import math
+import operator
 from collections.abc import Sequence
 from itertools import combinations
 
@@ -30,6 +32,8 @@ from nhc.mechanics.rotation import rows_in_base
 from nhc.mechanics.system import Form, System
 
 _MOST_ROWS = 3
+_WEAK = 0.03  # of the largest determinant that rows of these lengths can have (per constraint)
+_ROUNDING = 1e-12
 _TURNS = 8  # orders of velocities to complete a coframe with that are tried
 
 
@@ -165,8 +169,7 @@ def complete(system: System) -> tuple[tuple[Form, ...], tuple[str, ...]]:
     if rank(g, rows) < len(rows):
         raise Singular
     if system.rotations:
-        candidates = turning_choices(system, forms)
-        best = min(candidates, key=lambda made: _weak_at_starts(system, made)) if candidates[1:] else candidates[0]
+        best = _least_weak_turning(system, forms)
     else:
         best = _least_weak(system, forms, wanted)
     return best, tuple(_spelled(system, form) for form in best[len(forms) :] if form.name not in turning)
@@ -211,6 +214,61 @@ def turning_choices(system: System, forms: Sequence[Form] = ()) -> list[tuple[Fo
     return _in_one_order([_extend(system, forms, system.n - system.l, pool) for pool in pools], pools[0])
 
 
+def _least_weak_turning(system: System, forms: Sequence[Form]) -> tuple[Form, ...]:
+    """The completion by angular and other velocities that is least weak at the scenes' starts, the first of equals.
+
+    Where each that :func:`turning_choices` offers is singular there, the starts themselves say which velocities are free.
+    """
+    candidates = turning_choices(system, forms)
+    best = max(candidates, key=lambda made: round(_least_at_starts(system, made), 2))
+    if _least_at_starts(system, best) >= _WEAK**system.l:
+        return best
+    pool = _turning_pools(system, [coordinate_form(system, j) for j in range(system.n)])[0]
+    angular = [form for form in pool if any(form is quasi for quasi in system.quasi)]
+    # the rates of quaternions may be regular at more places, but nobody speaks in them
+    strong = _strongest(system, forms, [angular, pool[len(angular) : -system.n]])
+    made = _in_one_order([_extend(system, forms, system.n - system.l, [*strong, *pool])], pool)
+    return max([best, *made], key=lambda made: round(_least_at_starts(system, made), 2))
+
+
+def _strongest(system: System, forms: Sequence[Form], groups: Sequence[Sequence[Form]]) -> list[Form]:
+    """Of each group in turn as many as are clearly independent of all before them at every start, the farthest from these first."""
+    points = _start_points(system)
+    before = [*system.constraints, *forms]
+    offered = [form for group in groups for form in group]
+    left = [[_unit(row) for row in matrix] for matrix in sampled_rows(system, [*before, *offered], points)]
+    chosen: list[Form] = []
+
+    def leave(k: int) -> None:
+        """Only what of the rows is across the k-th one stays."""
+        for rows in left:
+            own = _unit(rows[k])
+            for i, row in enumerate(rows):
+                along = sum(map(operator.mul, row, own))
+                rows[i] = [x - along * y for x, y in zip(row, own, strict=True)]
+
+    for k in range(len(before)):
+        leave(k)
+    place = len(before)
+    for group in groups:
+        places = range(place, place + len(group))
+        place += len(group)
+        while left and places:
+            far = {k: round(min(math.hypot(*rows[k]) for rows in left), 2) for k in places}
+            best = max(places, key=lambda k: far[k])
+            if far[best] < _WEAK:
+                break
+            chosen.append(offered[best - len(before)])
+            leave(best)
+    return chosen
+
+
+def _unit(row: Sequence[float]) -> list[float]:
+    """Of length 1; nothing where only rounding is left."""
+    length = math.hypot(*row)
+    return [x / length for x in row] if length > _ROUNDING else [0.0] * len(row)
+
+
 def _turning_pools(system: System, every: Sequence[Form]) -> list[list[Form]]:
     """Angular velocities first, then the velocities of coordinates that are no quaternion's.
 
@@ -250,11 +308,15 @@ def _in_one_order(candidates: Sequence[tuple[Form, ...]], pool: Sequence[Form]) 
     return list(sets.values())
 
 
-def _weak_at_starts(system: System, made: Sequence[Form]) -> float:
-    """How near to singular the coframe comes at the scenes' starts and beside them, coarsely: the first of equals is taken."""
+def _least_at_starts(system: System, made: Sequence[Form]) -> float:
+    """How near to singular the coframe comes at the scenes' starts and beside them."""
+    matrices = sampled_rows(system, (*system.constraints, *made), _start_points(system))
+    return min((relative_determinant(m, range(system.n)) ** system.n for m in matrices), default=0.0)
+
+
+def _start_points(system: System) -> list[dict[Node, float]]:
     points = ordinary_points(system)  # the last two are those of no scene
-    matrices = sampled_rows(system, (*system.constraints, *made), points[:-2] or points)
-    return -round(min((relative_determinant(m, range(system.n)) ** system.n for m in matrices), default=0.0), 2)
+    return points[:-2] or points
 
 
 def _spelled(system: System, form: Form) -> str:

@@ -3,6 +3,10 @@
 ``hold_v`` takes the velocities of the multiplier form to A v + a = 0, which it keeps only by its accelerations;
 ``hold_q`` takes the positions a Newton step towards f(q, t) = 0, which no form keeps by itself (E. Hairer and G.
 Wanner, Solving Ordinary Differential Equations II, 2nd ed. (1996), sec. VII.2: projection methods).
+
+The way is shortest among all displacements where the masses tell every displacement's length.  A coordinate without mass
+that only the velocity rows hold has none, and the nearest state is not determined by it.  There ``hold_q`` goes where these rows
+allow it, a d = 0: on what all the constraints leave free the masses of a well-posed system are regular.
 """
 
 from __future__ import annotations
@@ -11,9 +15,10 @@ from collections.abc import Sequence
 
 from nhc.algebra.calculus import gradient, substitute
 from nhc.algebra.graph import Node
+from nhc.algebra.modular import rank
 from nhc.mechanics.frame import form_value
 from nhc.mechanics.rotation import moving
-from nhc.mechanics.system import Form
+from nhc.mechanics.system import Form, System
 from nhc.program.build import Planner
 from nhc.program.ir import Argument, Function
 from nhc.program.lower import lower_function
@@ -24,25 +29,52 @@ _TOLERANCE = 1e-13
 TURNS = 2  # Newton steps for positions: a step's drift is small, and each one squares it
 
 
-def hold_functions(planner: Planner) -> tuple[tuple[Function, ...], tuple[str, ...]]:
-    """The functions, and the order in which a step calls them; nothing where the formulation holds everything."""
+def hold_functions(planner: Planner) -> tuple[tuple[Function, ...], tuple[tuple[str, ...], ...]]:
+    """The functions, and the calls of a step in their order, each with what is called instead where it is singular; nothing
+    where the formulation holds everything.
+    """
     system, g = planner.system, planner.graph
     held = [form for form in system.constraints if form.equation is not None]
     functions: list[Function] = []
-    calls: list[str] = []
+    calls: list[tuple[str, ...]] = []
     if held and {form.value for form in held} <= {rotation.growth for rotation in system.rotations}:
         functions.append(_normalise(planner))
-        calls.append("hold_q")
+        calls.append(("hold_q",))
     elif held:
-        right = [form.equation for form in held if form.equation is not None]
-        functions.append(_function(planner, "hold_q", "positions closer to the constraints", held, right, 0))
-        calls += ["hold_q"] * TURNS
+        functions += _positions(planner, held)
+        calls += [tuple(function.name for function in functions)] * TURNS
     if planner.equations.multipliers:
         right = [form_value(g, form, system.v) for form in system.constraints]
         about = "velocities on the constraints"
         functions.append(_function(planner, "hold_v", about, system.constraints, right, system.n))
-        calls.append("hold_v")
+        calls.append(("hold_v",))
     return tuple(functions), tuple(calls)
+
+
+def _positions(planner: Planner, held: Sequence[Form]) -> list[Function]:
+    """``hold_q``, and ``hold_q_within`` for the places where the masses alone are singular."""
+    system, zero = planner.system, planner.graph.zero
+    about = "positions closer to the constraints"
+    every = [zero if form.equation is None else form.equation for form in system.constraints]
+    right = [form.equation for form in held if form.equation is not None]
+    if len(held) == system.l:
+        return [_function(planner, "hold_q", about, held, right, 0)]
+    within = f"{about}, where the velocity rows allow it"
+    if _has_massless(system):
+        return [_function(planner, "hold_q", within, system.constraints, every, 0)]
+    return [
+        _function(planner, "hold_q", about, held, right, 0),
+        _function(planner, "hold_q_within", within, system.constraints, every, 0),
+    ]
+
+
+def _has_massless(system: System) -> bool:
+    """Whether some displacement, the growth of quaternions aside, has no mass anywhere."""
+    g = system.graph
+    momenta = gradient(g, system.T, system.v)
+    rows = [gradient(g, p, system.v) for p in momenta]
+    rows += [gradient(g, rotation.growth, system.v) for rotation in system.rotations]
+    return rank(g, rows) < system.n
 
 
 def _normalise(planner: Planner) -> Function:
@@ -77,7 +109,7 @@ def _function(
     rows = tuple(tuple(flat[k * size : (k + 1) * size]) for k in range(size))
     column = (*([g.zero] * n), *flat[size * size :])
     unknowns = tuple(g.symbol(f"{name}_{k}", "unknown") for k in range(size))
-    what = "the constraints are dependent here, so that a state cannot be brought back to them"
+    what = "the constraints, or the masses on them, are singular here, so that a state cannot be brought back"
     solve = SolvePlan(rows, (column,), (unknowns,), _TOLERANCE, SINGULAR_HOLD, what)
     state = [*system.q, *motion.w]
     for k in range(n):

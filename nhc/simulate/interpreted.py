@@ -11,6 +11,7 @@ from types import ModuleType
 from typing import Any
 
 from nhc.emit import EmitOptions, render
+from nhc.program.hold import SINGULAR_HOLD
 from nhc.program.ir import Program
 from nhc.simulate.methods import RUNGE_KUTTA
 from nhc.simulate.methods.loop import integrate
@@ -45,7 +46,9 @@ class InterpretedModel:
 
     compiled = False
 
-    def __init__(self, program: Program, events: int, holds: Sequence[str] = (), dips: int | None = None) -> None:
+    def __init__(
+        self, program: Program, events: int, holds: Sequence[Sequence[str]] = (), dips: int | None = None
+    ) -> None:
         names = tuple(function.name for function in program.functions)
         (text,) = render(program, "python", EmitOptions(only=names)).values()
         self.module: Any = load_text(text, program.system)
@@ -73,8 +76,20 @@ class InterpretedModel:
     def hold(self, t: float, y: Sequence[float], p: Sequence[float]) -> list[float]:
         """A state, brought back to the constraints."""
         state = list(y)
-        for name in self.holds:
-            state = getattr(self.module, name)(t, state, p)
+        for names in self.holds:
+            state = self._held(names, t, state, p)
+        return state
+
+    def _held(self, names: Sequence[str], t: float, state: list[float], p: Sequence[float]) -> list[float]:
+        """By the first of the functions that is not singular there."""
+        for name in names:
+            try:
+                found: list[float] = getattr(self.module, name)(t, state, p)
+            except ArithmeticError as error:
+                if name == names[-1] or getattr(error, "status", 0) != SINGULAR_HOLD:
+                    raise
+            else:
+                return found
         return state
 
     def integrate(self, task: Task, method: str, news: News) -> Outcome:

@@ -45,6 +45,7 @@ class Job:
     them, ``sketch`` what is drawn; ``needed`` of the program computes all, in this order.
     ``meanings``: of the model's status codes;
     ``watch``: what each watched value means; ``recipe``: what another formulation of the same job is made by;
+    ``holds``: see :func:`nhc.program.hold.hold_functions`;
     ``kept``: the velocities of the state, or None where the state was reduced for this start alone.
     """
 
@@ -62,7 +63,7 @@ class Job:
     meanings: dict[int, str]
     watch: Watch
     structure: Structure
-    holds: tuple[str, ...]
+    holds: tuple[tuple[str, ...], ...]
     notes: tuple[str, ...] = ()
     kept: tuple[Form, ...] | None = None
     sketch: Sketch = _NOTHING

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from nhc.emit import EmitOptions, render
 from nhc.emit.environment import File, render_file
+from nhc.program.hold import SINGULAR_HOLD
 from nhc.program.ir import Function, Load, Program
 from nhc.records import record
 from nhc.simulate.groups import FOUR, Waiting, count_slots, plan_waiting
@@ -143,7 +144,7 @@ def write_source(
     program: Program,
     methods: Sequence[Tableau],
     events: int,
-    holds: Sequence[str] = (),
+    holds: Sequence[Sequence[str]] = (),
     trig: str = "inline",
     dips: int | None = None,
     lanes: bool = False,
@@ -152,9 +153,8 @@ def write_source(
 
     ``program`` has rhs and needed, jacobian for an implicit method, and watch where something is watched, the first ``events`` of
     its values being the user's and those from ``dips`` on being sought where they only touch zero; ``holds`` are called in this
-    order after each step.  ``trig``: the inlined sine and cosine were
-    faster in every run measured, but they are made for doubles and nothing longer.  ``lanes``: many starts run side by side where
-    an explicit method, no ``holds`` and no linear system in the model allow it.
+    order after each step, each with what stands in for it.  ``trig``: the inlined sine and cosine were faster in every run, but are
+    for doubles only.  ``lanes``: many starts side by side where an explicit method without ``holds`` and linear systems allows it.
     """
     functions = {function.name: function for function in program.functions}
     model = render(program, "c", EmitOptions(only=tuple(functions), trig=trig))
@@ -191,6 +191,7 @@ def write_source(
         "dips": dips is not None and dips < size(functions.get("watch")),
         "first_dip": dips,
         "holds": tuple(holds),
+        "singular_hold": SINGULAR_HOLD,
         "needed": size(functions["needed"]),
         "collocations": bool(implicit),
         "hermite": bool(explicit) or any(not method.adaptive for method in implicit),

@@ -35,7 +35,7 @@ from nhc.mechanics.symmetry import Generator, turning_symmetries
 from nhc.mechanics.values import constant_value
 from nhc.records import record
 from nhc.study.linearize import Branch, Linearisation, Sweep, linearise_at, sweep
-from nhc.study.steady import Hold, Matrix, NotSteady, SingularFrame, Steady, SteadyModel, find_steady
+from nhc.study.steady import Hold, Matrix, NotSteady, SingularFrame, Steady, SteadyModel, check_frame, find_steady
 from nhc.study.tape import Tapes
 
 _SNAP = 1e-11
@@ -154,14 +154,19 @@ def _exact_place(
 
 
 def read_holds(model: SteadyModel, text: str, guess: Sequence[float]) -> list[Hold]:
-    """``speed=5`` holds a value, ``roll`` that of the guess."""
+    """``speed=5`` holds a value, ``roll`` that of the guess.
+
+    Raises:
+        nhc.diagnostics.SpecError: unknown names.
+        NotSteady: the guess has no such value.
+    """
     parameters = dict(zip((p.name for p in model.flow.system.spec.parameters), model.p, strict=True))
     if "=" in text:
         source, given = read_pairs(text, "--hold")
         pairs = [(pair.name, _held_value(source, pair, parameters)) for pair in given]
     else:
         names = [name.strip() for name in text.split(",") if name.strip()]
-        pairs = [(name, model.value(guess, named_quantity(model.flow, name, "--hold"))) for name in names]
+        pairs = [(name, _value_at(model, guess, name)) for name in names]
     return [Hold(name, named_quantity(model.flow, name, "--hold"), value) for name, value in pairs]
 
 
@@ -182,6 +187,15 @@ def _held_value(source: Source, pair: Pair, parameters: dict[str, float]) -> flo
         bag.error("E0313", what, pair.span, help=("a value holds numbers, `pi` and parameters only",))
     bag.raise_if_errors()
     return value
+
+
+def _value_at(model: SteadyModel, guess: Sequence[float], name: str) -> float:
+    node = named_quantity(model.flow, name, "--hold")
+    try:
+        return model.value(guess, node)
+    except ArithmeticError as error:
+        check_frame(model, guess, "where the search for a steady motion begins")
+        raise NotSteady(f"`{name}` has no value where the search begins: {error}", math.inf, guess) from None
 
 
 def named_quantity(flow: Flow, name: str, option: str) -> Node:

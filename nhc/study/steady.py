@@ -27,15 +27,15 @@ _LEAST_FRAME = 0.01  # of the coframe's relative determinant, per constraint
 
 
 class NotSteady(ArithmeticError):
-    """No steady motion was found; ``residual`` is the best that was reached."""
+    """No steady motion was found; ``residual`` is the best that was reached, ``place`` the state where it was."""
 
-    def __init__(self, message: str, residual: float) -> None:
+    def __init__(self, message: str, residual: float, place: Sequence[float] | Vector = ()) -> None:
         super().__init__(message)
-        self.residual = residual
+        self.residual, self.place = residual, tuple(float(x) for x in place)
 
 
 class SingularFrame(NotSteady):
-    """The coframe is singular at the steady motion, which its equations can neither find nor judge."""
+    """The coframe is singular at the steady motion, which its equations can neither find nor judge, or on the way to it."""
 
 
 @record
@@ -187,22 +187,32 @@ def find_steady(model: SteadyModel, guess: Sequence[float], holds: Sequence[Hold
         try:
             made = _iterate(model, turns, np.concatenate([y, _first_turn(model, turns, y)]), holds)
         except ArithmeticError as error:
-            told = isinstance(error, NotSteady)
-            failed.append(error if told else NotSteady(f"the model is singular on the way: {error}", float("inf")))  # type: ignore[arg-type]
+            # only the guess itself can have no equations: steps keep to where there are some
+            told = NotSteady(f"the model is singular on the way: {error}", float("inf"), y)
+            failed.append(error if isinstance(error, NotSteady) else told)
             continue
         found.append((round(float(np.linalg.norm(np.array(made.y) - y)), 6), made))
     if not found:
+        check_frame(model, failed[0].place, "where the search for a steady motion ends")
         raise failed[0] from None
     best = min(found, key=lambda one: one[0])[1]  # of equally near ones that with fewer turns
-    if model.frame is not None:
-        rows = sampled_rows(model.flow.system, model.frame.forms, [model.values(best.y)])
-        power = len(model.frame.forms) / max(model.flow.system.l, 1)
-        sound = min((relative_determinant(row, range(len(row))) ** power for row in rows), default=0.0)
-        if sound < _LEAST_FRAME:
-            raise SingularFrame(
-                f"the coframe is singular at the steady motion (conditioning {sound:.2g})", float("inf")
-            )
+    check_frame(model, best.y, "at the steady motion")
     return best
+
+
+def check_frame(model: SteadyModel, y: Sequence[float], where: str) -> None:
+    """Nothing where the coframe is sound at the state y.
+
+    Raises:
+        SingularFrame: it is singular there, or so nearly that its equations are worth nothing.
+    """
+    if model.frame is None or not y:
+        return
+    rows = sampled_rows(model.flow.system, model.frame.forms, [model.values(y)])
+    power = len(model.frame.forms) / max(model.flow.system.l, 1)
+    sound = min((relative_determinant(row, range(len(row))) ** power for row in rows), default=0.0)
+    if sound < _LEAST_FRAME:
+        raise SingularFrame(f"the coframe is singular {where} (conditioning {sound:.2g})", float("inf"))
 
 
 def _first_turn(model: SteadyModel, turns: Sequence[Matrix], y: Vector) -> Vector:
@@ -243,7 +253,7 @@ def _iterate(model: SteadyModel, turns: Sequence[Matrix], y: Vector, holds: Sequ
         if damping:
             damping = max(damping / 3, _LEAST) if factor >= 1.0 else min(damping * 3, 1.0)
         y, value, slopes, scale = trial, next_value, next_slopes, next_scale
-    raise NotSteady(f"no steady motion after {_STEPS} steps from there", size)
+    raise NotSteady(f"no steady motion after {_STEPS} steps from there", size, y[: len(model.flow.y)])
 
 
 def _step(value: Vector, slopes: Matrix, across: Matrix, damping: float) -> Vector:
@@ -268,7 +278,7 @@ def _halves(before: Vector, move: Vector) -> bool:
 def _accept(model: SteadyModel, turns: Sequence[Matrix], y: Vector, size: float, scale: float, steps: int) -> Steady:
     """The iteration can do no better: either rounding is all that is left, or there is nothing to find."""
     if size > 1e-9 * scale:
-        raise NotSteady("the iteration stops where the motion is not steady", size)
+        raise NotSteady("the iteration stops where the motion is not steady", size, y[: len(model.flow.y)])
     n = model.flow.system.n
     state, turning = _parted(model, turns, y)
     still = bool(np.max(np.abs(model.field(state)[0][:n]), initial=0.0) <= 1e-9 * scale)

@@ -414,6 +414,47 @@ scenes: {turn: {initial: {s: 3.5, c': 4}, time: [0, 3]}}
         linearize(source, Request("turn"), Options(formulation="voronec"))
 
 
+EDGE = """nhc: 1
+system: edge
+coordinates: [x, y, th]
+T: (x'^2 + y'^2 + 2*th'^2)/2
+V: (x^2 + y^2 + th^2)/2
+constraints: ["-sin(th)*x' + cos(th)*y' = 0"]
+quasi_velocities: {u: y', w: th'}
+"""
+TURNED = """nhc: 1
+system: turned
+rotation: {R: {velocities: [p, q, r]}}
+coordinates: [x, y, z]
+T: (x'^2 + y'^2 + z'^2 + p^2 + 2*q^2 + 3*r^2)/2
+V: (x^2 + y^2 + 2*z^2)/2 - R_x1 - R_y2
+constraints: ["x'*R_x2 + y'*R_y2 + z'*R_z2 = 0"]
+scenes: {turned: {initial: {R: {axis: [1, 0, 0], angle: pi/2}}, time: [0, 1]}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("text", "about", "holds", "squares"),
+    [
+        (EDGE, "x=0.1", (), (1, 1 / 2)),
+        (EDGE, "x=0.1", ("x'",), (1, 1 / 2)),
+        (TURNED, "x=0.1", (), (2, 1, 1, 2 / 3, 1 / 2)),
+    ],
+    ids=["edge", "held", "turned"],
+)
+def test_a_coframe_that_is_singular_where_the_search_begins_gives_way_too(
+    text: str, about: str, holds: tuple[str, ...], squares: tuple[float, ...]
+) -> None:
+    """It has no equations there; the steady motion with its eigenvalues has nothing to do with it."""
+    source, request = Source("weak.yaml", text), Request(about, holds=holds)
+    found = linearize(source, request)
+    assert found.formulation.name == "multipliers"
+    expected = [complex(0, sign * math.sqrt(square)) for square in squares for sign in (1, -1)]
+    assert matches(eigenvalues(found.linearisation), expected, 1e-6)
+    with pytest.raises(NotSteady, match="coframe is singular where the search"):
+        linearize(source, request, Options(formulation="euler-lagrange"))
+
+
 @pytest.mark.parametrize("cone", [0.05, -0.05])
 def test_a_wheelset_on_its_cones(cone: float) -> None:
     """Klingel 1883: it weaves with v sqrt(cone/(a r)), and leaves the track where the cones are reversed.

@@ -105,6 +105,37 @@ def test_constraints_take_the_angular_velocity_that_they_determine_at_the_start(
     assert certify(resolve(decode(Source("s.yaml", JOINT)))).holds
 
 
+BLADE = """
+nhc: 1
+system: blade
+rotation: {{R: {{velocities: [p, q, r]}}}}
+coordinates: [x, y, z]
+T: (x'^2 + y'^2 + z'^2 + p^2 + 2*q^2 + 3*r^2)/2
+constraints: [{rows}]
+scenes: {{s: {{time: [0, 1], initial: {{R: {{axis: {axis}, angle: pi/2}}, q: 1}}}}}}
+"""
+ACROSS, ALONG = (f"x'*R_x{k} + y'*R_y{k} + z'*R_z{k} = 0" for k in (2, 1))
+
+
+@pytest.mark.parametrize(
+    ("rows", "axis", "free"),
+    [
+        (ACROSS, "[0, 1, 0]", ["x'", "z'"]),  # y' is determined
+        (ACROSS, "[0, 0, 1]", ["y'", "z'"]),
+        (ACROSS, "[1, 0, 0]", ["x'", "y'"]),
+        (f"{ACROSS}, {ALONG}", "[0, 0, 1]", ["z'"]),
+        (f"{ACROSS}, {ALONG}", "[1, 0, 0]", ["y'"]),
+        (f"{ACROSS}, p = y'", "[0, 0, 1]", ["z'"]),
+    ],
+)
+def test_constraints_take_the_other_velocities_that_they_determine_at_the_start(
+    rows: str, axis: str, free: list[str]
+) -> None:
+    """The rate R_z2 of the third coordinate alone would be singular at all starts but one."""
+    found = kept(BLADE.format(rows=rows, axis=axis))
+    assert [name for name in found if name not in "pqr"] == free
+
+
 def test_a_start_where_the_coframe_is_singular_keeps_its_digits(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

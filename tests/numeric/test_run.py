@@ -236,6 +236,32 @@ def test_an_event_ends_the_run(capsys: pytest.CaptureFixture[str]) -> None:
         assert [row[0] for row in rows] == sorted({row[0] for row in rows})
 
 
+@pytest.mark.parametrize("how", [(), ("--python",), ("--method", "radau5"), ("--method", "rk4", "--step", "0.07")])
+@pytest.mark.parametrize(
+    ("until", "time"),
+    [
+        ("tan(3*t)", math.pi / 3),  # the first poles are those at pi/6 and, beside the zero, pi/2
+        ("(t - 1.5)/(t - 1)", 1.5),  # a pole which halving hits
+        ("(t - 1.5)/(t - 1)^3", 1.5),
+        ("(theta - 1)/(theta - 0.3)", None),  # of the state
+        ("1/(t - 1)", 10.0),  # no zero at all
+        ("sign(t - 1)", 1.0),  # a jump ends it as a zero does
+        ("1e-9*(t - 1)^3", 1.0),
+    ],
+)
+def test_a_change_of_sign_through_a_pole_is_no_zero(
+    until: str, time: float | None, how: tuple[str, ...], capsys: pytest.CaptureFixture[str]
+) -> None:
+    code, out, err = call(capsys, "chaplygin_sleigh", "--until", until, "--points", "2", *how)
+    assert code == 0, err
+    columns, rows = table(out)
+    if time is None:
+        assert rows[-1][columns.index("theta")] == pytest.approx(1.0, abs=1e-9)
+    else:
+        assert rows[-1][0] == pytest.approx(time, abs=1e-6 if "^3" in until else 1e-9)
+    assert ("stopped at" in err) == (time != 10.0)
+
+
 @pytest.mark.parametrize(
     ("arguments", "code", "says"),
     [
@@ -243,7 +269,7 @@ def test_an_event_ends_the_run(capsys: pytest.CaptureFixture[str]) -> None:
         (["--until", "theta +"], 1, "error[E0"),
         (["--until", "0.5"], 2, "`0.5` never crosses zero"),
         (["--need", "speeed"], 2, "did you mean `speed`?"),
-        (["--scene", "glyde"], 2, "did you mean `glide`?"),
+        (["--scene", "glyde"], 1, "did you mean `glide`?"),
         (["--tol", "-1"], 2, "must be positive"),
         (["--tol", "2"], 2, "relative accuracy"),
         (["--points", "1"], 2, "--points"),

@@ -115,6 +115,7 @@ def make_watch_context(program: Program) -> dict[str, object]:
         "first_dip": watch.dips if watch else 0,
         "helpers": tuple(sorted(helpers)),
         "watched": watch is not None,
+        "events": 0,
         "dips": watch is not None,
         "hermite": watch is not None,
         "method": Method(),

@@ -43,7 +43,7 @@ class Watched(Model, Protocol):
     def dips(self) -> int: ...
 
     @property
-    def holds(self) -> Sequence[str]: ...
+    def holds(self) -> Sequence[Sequence[str]]: ...
 
     def hold(self, t: float, y: Sequence[float], p: Sequence[float]) -> list[float]: ...
 
@@ -272,5 +272,5 @@ def _find_event(run: _Run) -> tuple[float, int]:
         return run.model.watch(s.t + part * s.h, y, task.p)
 
     _point(run, 0.5)  # makes the interpolant
-    cut, which, run.before = find_event(look, run.before, run.model.dips)
+    cut, which, run.before = find_event(look, run.before, run.model.events, run.model.dips)
     return cut, which

@@ -12,6 +12,8 @@ Look = Callable[[float], list[float]]
 PIECES = 8
 _GOLDEN = 0.61803398874989485
 _TURNS = 40
+_GROWN = 1e3
+_ASIDE = 0.375
 _EPSILON = sys.float_info.epsilon
 
 
@@ -45,46 +47,71 @@ def find_deep(heights: Sequence[float]) -> int:
     return place if b < 0.01 * a or (c - a) ** 2 > 4.0 * b * (a - 2.0 * b + c) else -1
 
 
-def find_event(look: Look, before: list[float], first: int) -> tuple[float, int, list[float]]:
+def find_event(look: Look, before: list[float], events: int, first: int) -> tuple[float, int, list[float]]:
     """(part of the step, index of the value, values just before) of the first change of sign; part 2 where there is none.
 
-    Values from ``first`` on are followed down to their least between the pieces as well.
+    Values from ``first`` on are followed down to their least between the pieces as well.  One of the first ``events`` values
+    that changes its sign through a pole goes on: it has no zero there.
     """
-    heights = [[abs(value)] for value in before]
+    heights, passed = [[abs(value)] for value in before], 0.0
     for piece in range(1, PIECES + 1):
         after = look(piece / PIECES)
-        which = find_change(before, after)
-        left, last = (piece - 1) / PIECES, piece / PIECES if which >= 0 else 2.0
         for i in range(first, len(after)):
             heights[i].append(abs(after[i]))
-        # what only touches zero may do so on the way to that change, or to the end
-        for i in range(first, len(after) if which >= 0 or piece == PIECES else first):
-            sign = copysign(1.0, before[i])
-            place = -1 if sign * after[i] <= 0.0 else find_deep(heights[i]) if piece > 1 else 0
-            if place < 0:
-                continue
-            low, high = max(place - 1, 0) / PIECES, min(place + 1, piece) / PIECES
-            dip = _find_dip(look, i, sign, low, high)
-            if 0.0 <= dip < last:
-                which, left, last = i, low, dip
-        if which >= 0:
-            return _halve(look, before, left, last, which)
+        for _ in range(PIECES):
+            which = find_change(before, after)
+            left, last = max((piece - 1) / PIECES, passed), piece / PIECES if which >= 0 else 2.0
+            # what only touches zero may do so on the way to that change, or to the end
+            for i in range(first, len(after) if which >= 0 or piece == PIECES else first):
+                sign = copysign(1.0, before[i])
+                place = -1 if sign * after[i] <= 0.0 else find_deep(heights[i]) if piece > 1 else 0
+                if place < 0:
+                    continue
+                low, high = max(place - 1, 0) / PIECES, min(place + 1, piece) / PIECES
+                dip = _find_dip(look, i, sign, low, high)
+                if 0.0 <= dip < last:
+                    which, left, last = i, max(low, passed), dip
+            if which < 0:
+                break
+            passed, which, before, height = _halve(look, before, after, (left, last), which, events)
+            if not height:
+                return passed, which, before
+            before[which] = height
         before = keep_signs(before, after)
     return 2.0, -1, before
 
 
-def _halve(look: Look, before: list[float], left: float, right: float, which: int) -> tuple[float, int, list[float]]:
+def _halve(
+    look: Look, before: list[float], after: list[float], ends: tuple[float, float], which: int, events: int
+) -> tuple[float, int, list[float], float]:
+    """(part, the value that changes its sign up to there, values before it, its height beyond if that is a pole or else 0)."""
+    left, right = ends
+    beyond, wide = after, [max(abs(a), abs(b)) for a, b in zip(before, after, strict=True)]
+
+    def is_pole() -> bool:
+        """The value has grown on both sides: towards a zero it becomes small, at a jump it stays."""
+        return which < events and min(abs(before[which]), abs(beyond[which])) > _GROWN * wide[which]
+
     for _ in range(60):
         if right - left <= _EPSILON:
             break
         middle = 0.5 * (left + right)
-        after = look(middle)
+        try:
+            after = look(middle)
+        except ArithmeticError:  # at the pole itself, which is left at one side
+            middle = left + _ASIDE * (right - left)
+            try:
+                after = look(middle)
+            except ArithmeticError:
+                if is_pole():
+                    break
+                raise
         found = find_change(before, after)
         if found < 0:
             before, left = keep_signs(before, after), middle
         else:
-            which, right = found, middle
-    return right, which, before
+            which, right, beyond = found, middle, after
+    return right, which, list(before), beyond[which] if is_pole() else 0.0
 
 
 def _find_dip(look: Look, i: int, sign: float, left: float, right: float) -> float:
