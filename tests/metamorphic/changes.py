@@ -7,6 +7,7 @@ import random
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import partial
 
 from nhc.diagnostics import Source, SpecError
 from nhc.language import Differential, Name, Number, Prime, Syntax, decode, walk
@@ -263,15 +264,18 @@ def write_as_forms(draft: Draft, w: Writer) -> Change:
             continue
         whole = _join("-", row.left, row.right)
         free = replace_leaves(whole, {}, prime=lambda node: Number(Fraction(0), node.span))
-        linear = replace_leaves(whole, {}, prime=_differential)
-        term = _join("*", free, Differential("t", whole.span))
-        rows.append(Row(row.name, _join("-", linear, free), _join("-", tree_of("0"), term), "differential"))
+        total = _join("*", free, Differential("t", whole.span))
+        for name in dict.fromkeys(node.operand.name for node in primes if isinstance(node.operand, Name)):
+            slope = _join("-", replace_leaves(whole, {}, prime=partial(_alone, name)), free)
+            total = _join("+", total, _join("*", slope, Differential(name, whole.span)))
+        rows.append(Row(row.name, total, tree_of("0"), "differential"))
     return Change(write(replace(made, rows=tuple(rows))))
 
 
-def _differential(node: Prime) -> Syntax:
+def _alone(name: str, node: Prime) -> Syntax:
+    """One for the velocity of that name, zero for the others."""
     assert isinstance(node.operand, Name)
-    return Differential(node.operand.name, node.span)
+    return Number(Fraction(node.operand.name == name), node.span)
 
 
 EVERYWHERE = (add_gauge, permute, choose_basis, rescale)
