@@ -209,9 +209,8 @@ def _dependent(
     known: dict[tuple[object, ...], Mapping[Node, Node]] = graph.memory.setdefault("hidden signs", {})
     key = tuple(radicals), tuple(changed)
     if key not in known:
-        original = {
-            n: n for n in radicals
-        }  # sqrt(x^2 y) holds no sign, but where it is divided by its value at another x
+        # sqrt(x^2 y) holds no sign, but where it is divided by its value at another x
+        original = {n: n for n in radicals}
         for symbol in changed:
             moved = [n for n in radicals if graph.depends(n, graph.deps[symbol])]
             other = graph.symbol(f"other {symbol}", "other")

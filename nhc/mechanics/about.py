@@ -88,9 +88,8 @@ def scene_about(spec: Spec, about: str, settings: Sequence[str] = ()) -> Scene:
         for pair in pairs:
             base = _with_pair(spec, base, pair, bag)
         bag.raise_if_errors()
-        probe = Resolver(
-            spec
-        )  # poles and constants that are no numbers are said with their places in the option's text
+        # poles and constants that are no numbers are said with their places in the option's text
+        probe = Resolver(spec)
         probe.bag = bag
         for pair in pairs:
             probe.node(pair.value)

@@ -21,11 +21,10 @@ def are_constant(sampler: Sampler, nodes: Sequence[Node]) -> list[bool]:
     rows = [row for prime in PRIMES[:2] for row in sampler.residues(rates, 1, prime)]
     alive = [k for k in range(len(rates)) if all(row[k] == 0 for row in rows)]
     degrees = _degrees_in_signs(sampler, [rates[k] for k in alive])
-    alive = [k for k, degree in zip(alive, degrees, strict=True) if points_for(degree, 0) <= 2 * _MOST_POINTS]
-    each = max(
-        (points_for(degree, 0) // 2 for degree in degrees if points_for(degree, 0) <= 2 * _MOST_POINTS), default=0
-    )
-    if alive and each:
+    needed = {k: points_for(degree, 0) // 2 for k, degree in zip(alive, degrees, strict=True)}
+    alive = [k for k in alive if needed[k] <= _MOST_POINTS]
+    each = max((needed[k] for k in alive), default=0)
+    if each:
         chosen = [rates[k] for k in alive]
         rows = [row for prime in PRIMES[:2] for row in sampler.residues(chosen, each, prime, seed=2)]
         alive = [k for i, k in enumerate(alive) if all(row[i] == 0 for row in rows)]

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import random
 from collections.abc import Sequence
-from typing import Any
 
 from nhc.algebra.calculus import gradient
 from nhc.algebra.evaluate import Mpmath, evaluate
@@ -78,28 +77,14 @@ def loses_rank(g: Graph, matrix: Sequence[Sequence[Node]]) -> bool:
             rows = [[next(values) for _ in row] for row in matrix]
             if not all(mpmath.im(x) == 0 and mpmath.isfinite(x) for row in rows for x in row):
                 continue
-            if _has_full_rank(rows):
+            sizes = [max(map(abs, row)) or 1 for row in rows]
+            scaled = mpmath.matrix([[mpmath.re(x) / size for x in row] for row, size in zip(rows, sizes, strict=True)])
+            if min(mpmath.svd_r(scaled, compute_uv=False)) > _DIGITS:
                 return False
             seen += 1
             if seen == _POINTS:
                 return True
     return False
-
-
-def _has_full_rank(rows: list[list[Any]]) -> bool:
-    """By elimination with the largest pivots; an entry counts where it keeps 20 of its digits."""
-    left = [list(row) for row in rows]
-    sizes = [max(map(abs, row)) for row in left]
-    while left:
-        i, j = max(
-            ((i, j) for i in range(len(left)) for j in range(len(left[0]))),
-            key=lambda at: abs(left[at[0]][at[1]]) / (sizes[at[0]] or 1),
-        )
-        pivot, size = left.pop(i), sizes.pop(i)
-        if abs(pivot[j]) <= _DIGITS * size:
-            return False
-        left = [[x - row[j] / pivot[j] * y for x, y in zip(row, pivot, strict=True)] for row in left]
-    return True
 
 
 def _advise(system: System, form: Form, empty: bool) -> str:

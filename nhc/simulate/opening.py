@@ -141,9 +141,8 @@ def resolve_event(spec: Spec, text: str) -> tuple[System, Node]:
     try:
         system = resolve(replace(spec, outputs=(*spec.outputs, Definition(_EVENT, tree, Span(0, 0)))))
     except SpecError:
-        system = resolve(
-            spec
-        )  # raises, too, unless the expression is to blame: then it is said with places in its own text
+        # raises, too, unless the expression is to blame: then it is said with places in its own text
+        resolve(spec)
         probe = Resolver(spec)
         define_names(probe)
         probe.bag = Bag(Source(_OPTION, text))
