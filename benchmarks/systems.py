@@ -18,7 +18,7 @@ Section = tuple[str, list[str] | str]
 
 
 def spec(name: str, style: str = "positions", *, velocities: bool = True) -> str:
-    """The YAML text of ``sleigh``, ``disk``, ``bicycle``, ``trailers<N>``, ``snake<N>`` or ``pendulum<N>``.
+    """The YAML text of ``sleigh``, ``disk``, ``bicycle``, ``trailers<N>``, ``snake<N>``, ``pendulum<N>`` or ``atoms<N>``.
 
     ``bicycle`` is the gallery's own file with three rates named as quasi-velocities, and has one style.  Other systems of the
     gallery have one style too.
@@ -218,6 +218,32 @@ def _pendulum(count: int, expanded: bool) -> str:
     )
 
 
+def _atoms(count: int, expanded: bool) -> str:
+    """Point masses in a plane, any two with the potential of Lennard-Jones."""
+    pairs = [(i, j) for j in range(1, count + 1) for i in range(1, j)]
+    define, terms = [], []
+    for i, j in pairs:
+        square = f"(x{j} - x{i})^2 + (y{j} - y{i})^2"
+        if expanded:
+            terms.append(f"s^12/({square})^6 - s^6/({square})^3")
+        else:
+            define.append(f"r{i}{j}: sqrt({square})")
+            terms.append(f"(s/r{i}{j})^12 - (s/r{i}{j})^6")
+    atoms = range(1, count + 1)
+    squares = " + ".join(f"x{i}'^2 + y{i}'^2" for i in atoms)
+    return _assemble(
+        f"atoms{count}",
+        [
+            ("coordinates", "[" + ", ".join(f"x{i}, y{i}" for i in atoms) + "]"),
+            ("parameters", "{m: 1, e: 1, s: 1}"),
+            ("define", define),
+            ("T", f"m/2*({squares})"),
+            ("V", f"4*e*({' + '.join(terms)})"),
+            _scene(", ".join(f"x{i}: {1.1 * (i % 3):.1f}, y{i}: {0.9 * (i // 3) + 0.2 * (i % 2):.1f}" for i in atoms)),
+        ],
+    )
+
+
 def _bicycle(_: int, __: bool) -> str:
     given = "quasi_velocities:\n  u_roll: roll'\n  u_steer: steer'\n  u_rear: thR'\n"
     text = (ROOT / "specs" / "bicycle.yaml").read_text(encoding="utf-8")
@@ -230,5 +256,6 @@ _FAMILIES = {
     "trailers": _trailers,
     "snake": _snake,
     "pendulum": _pendulum,
+    "atoms": _atoms,
     "bicycle": _bicycle,
 }

@@ -296,12 +296,21 @@ def derivative(graph: Graph, root: Node, symbol: Node) -> Node:
 
 
 def count(graph: Graph, roots: Sequence[Node]) -> int:
-    """Operations that the shared roots cost; leaves and signs are free."""
-    op, kids, total = graph.op, graph.kids, 0
+    """Operations that the shared roots cost; leaves and signs are free, and powers are products."""
+    op, kids, exponents, total = graph.op, graph.kids, graph.b, 0
     for node in reachable(graph, roots):
-        if kids[node] and op[node] != NEG:
+        kind = op[node]
+        if kind == POW:
+            total += _cost_of_power(exponents[node])
+        elif kids[node] and kind != NEG:
             total += 1
     return total
+
+
+def _cost_of_power(n: int) -> int:
+    """Multiplications by squaring, and the division of a negative one."""
+    size = abs(n)
+    return size.bit_length() + size.bit_count() - 2 + (n < 0)
 
 
 def list_terms(graph: Graph, node: Node, whole: Collection[Node] = ()) -> list[Node]:

@@ -34,6 +34,7 @@ def shorten_pieces(graph: Graph, roots: Sequence[Node]) -> list[Node]:
     nodes = reachable(graph, roots)
     op, first = graph.op, graph.a
     numbers = sum(op[node] == MUL and op[first[node]] == NUM for node in nodes)
+    numbers += sum(op[node] == POW and graph.b[node] > 2 for node in nodes)
     if numbers * _FEW >= len(nodes):
         spare = _LEAVES
     elif len(nodes) >= max(_LARGE, _DENSE * sum(op[node] in ("sin", "cos") for node in nodes)):

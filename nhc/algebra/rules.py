@@ -65,6 +65,11 @@ RULES = (
         "sines and cosines of sums, differences and multiples of angles at hand come from theirs",
         "algebra/related.py",
     ),
+    Rule(
+        "shared powers",
+        "x^12 is (x^6)^2, x^6 is (x^3)^2, together with whatever else needs them; 1/x^2 and 1/x^3 are powers of 1/x",
+        "program/powers.py",
+    ),
     Rule("shared reciprocals", "x / d is x times 1/d, computed once; 1/d of parameters first", "program/lower.py"),
 )
 NAMES = frozenset(rule.name for rule in RULES)

@@ -212,7 +212,7 @@ def build_functions(planner: Planner, only: Sequence[str] = ()) -> tuple[Functio
         plan = getattr(planner, name)()
         if plan is not None:
             # only what is called all the time is worth the trouble, and a recursion along a tree has no such pieces
-            in_pieces = name == "rhs" and planner.equations.tree is None
+            in_pieces = name == "rhs"
             plan = map_nodes(plan, partial(_rewrite, g, constants, in_pieces))
             functions.append(lower_function(g, plan, planner.parameters))
     return tuple(functions)

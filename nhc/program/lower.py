@@ -7,7 +7,7 @@ guards and solves need is visited.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable
+from collections.abc import Collection, Iterable, Sequence
 from fractions import Fraction
 
 from nhc.algebra.calculus import reachable
@@ -33,10 +33,11 @@ from nhc.program.ir import (
     Store,
     Sweep,
 )
-from nhc.program.named_nodes import UNROLLED, choose_names, find_constants, find_shared, find_turned
+from nhc.program.named_nodes import choose_names, find_constants, find_shared, find_turned
 from nhc.program.naming import Namer
 from nhc.program.passes import count_operations
 from nhc.program.plan import FunctionPlan, GuardPlan, SolvePlan, SweepPlan
+from nhc.program.powers import part_powers
 
 _MANY = 150  # lets beyond which results are stored as soon as they are known
 _ONE = Fraction(1)
@@ -53,13 +54,17 @@ class Lowering:
         self.namer = Namer(graph, reserved)
         self.names: dict[Node, str] = {}
         self.body: list[Statement] = []
-        self.needed = reachable(graph, self._roots())
+        self.needed, self.kids = self._arrange(reachable(graph, self._roots()))
         self.waiting: set[Node] = set()
         self.turned: dict[Node, Node] = {}
         self._done: set[Node] = set()
         self.swept = graph.mask([seed for sweep in plan.sweeps for seed in sweep.seeds])
         self._unknowns = [graph.mask([s for column in solve.symbols for s in column]) for solve in plan.solves]
         self._refs: dict[str, Ref] = {}
+
+    def _arrange(self, needed: list[Node]) -> tuple[Sequence[Node], Sequence[tuple[Node, ...]]]:
+        """What is needed in an order in which it can be computed, and the operands of all nodes."""
+        return part_powers(self.graph, needed)
 
     def _roots(self) -> list[Node]:
         plan = self.plan
@@ -88,10 +93,10 @@ class Lowering:
         """The nodes that become lets, in increasing order."""
         boundary = set[Node]()
         if "shared reciprocals" not in self.graph.off:
-            boundary = find_constants(self.graph, self.needed, self.parameter_mask)
+            boundary = find_constants(self.graph, self.kids, self.needed, self.parameter_mask)
         if self.swept:
             boundary |= find_shared(self.graph, self.needed, self.swept)
-        return choose_names(self.graph, self.needed, self._roots(), boundary)
+        return choose_names(self.graph, self.kids, self.needed, self._roots(), boundary)
 
     # --- statements ---------------------------------------------------------------------------------------
 
@@ -107,7 +112,7 @@ class Lowering:
                 solve = self.plan.solves[stage - 1]
                 self._prepare([n for row in (*solve.matrix, *solve.columns) for n in row])
                 self._solve(solve)
-            for guard in self.plan.guards:
+            for guard in dict.fromkeys(self.plan.guards):  # several rates may be divided by one mass
                 if self._stage(guard) == stage:
                     self._prepare([guard.value, guard.scale])
                     self._guard(guard)
@@ -118,11 +123,11 @@ class Lowering:
 
     def _turn(self, named: Collection[Node]) -> None:
         targets = [target.node for target in self.plan.targets]
-        self.turned = find_turned(self.graph, targets, self._roots(), self.needed, named, self._constant)
+        self.turned = find_turned(self.graph, self.kids, targets, self._roots(), self.needed, named, self._constant)
 
     def _prepare(self, roots: Iterable[Node]) -> None:
         """Write the lets that the roots need and that are not written yet, each after those that it needs itself."""
-        kids, names, done = self.graph.kids, self.names, self._done
+        kids, names, done = self.kids, self.names, self._done
         for root in roots:
             stack = [root]
             while stack:
@@ -163,9 +168,8 @@ class Lowering:
         self.body.append(Let(self.names[node], value))
 
     def _guard(self, guard: GuardPlan) -> None:
-        self.body.append(
-            Guard(self.expression(guard.value), self.expression(guard.scale), guard.tolerance, guard.status, guard.what)
-        )
+        value, scale = self.expression(guard.value), self.expression(guard.scale)
+        self.body.append(Guard(value, scale, guard.tolerance, guard.status, guard.what))
 
     def _solve(self, solve: SolvePlan) -> None:
         names = []
@@ -248,8 +252,7 @@ class Lowering:
         if op == SYM:
             raise KeyError(f"`{g.symbols[g.a[node]].name}` is not an argument of `{self.plan.name}`")
         if op == POW:
-            root = self._inverse_root(node)
-            return self._power(g.a[node], g.b[node]) if root is None else Binary("*", root, root)
+            return self._power_of(node)
         assert op in UNARY or op in BINARY
         inner = g.a[node]
         if op == "sqrt" and g.op[inner] == POW and g.b[inner] == 2 and inner not in self.names:
@@ -281,9 +284,25 @@ class Lowering:
         g = self.graph
         if inner in self.turned and inner not in self.names:
             return self.expression(inner)  # the constant among its factors has the sign
-        if g.op[inner] == ADD and inner not in self.names and g.op[g.b[inner]] == NEG:
-            return Binary("-", self.expression(g.a[g.b[inner]]), self.expression(g.a[inner]))  # -(x - y) = y - x
+        if self._is_difference(inner):
+            return self._swapped(inner)
+        if g.op[inner] == MUL and inner not in self.names:
+            for x, y in (g.kids[inner], g.kids[inner][::-1]):
+                if self._is_difference(x):
+                    by = self._denominator(y)
+                    return (
+                        Binary("/", self._swapped(x), by) if by else Binary("*", self._swapped(x), self.expression(y))
+                    )
         return Negate(self.expression(inner))
+
+    def _is_difference(self, node: Node) -> bool:
+        g = self.graph
+        return g.op[node] == ADD and node not in self.names and g.op[g.b[node]] == NEG
+
+    def _swapped(self, difference: Node) -> Expr:
+        """-(x - y) = y - x."""
+        g = self.graph
+        return Binary("-", self.expression(g.a[g.b[difference]]), self.expression(g.a[difference]))
 
     def _sum(self, x: Node, y: Node) -> Expr:
         g = self.graph
@@ -301,29 +320,24 @@ class Lowering:
 
     def _denominator(self, node: Node) -> Expr | None:
         """d where the node is 1/d and has no name of its own."""
-        g = self.graph
-        if g.op[node] == POW and g.b[node] < 0 and node not in self.names and self._inverse_root(node) is None:
-            return self._power(g.a[node], -g.b[node])
-        return None
+        g, parts = self.graph, self.kids[node]
+        if g.op[node] != POW or g.b[node] > 0 or node in self.names or len(parts) > 1:
+            return None
+        return self._power(g.a[node], -g.b[node]) if parts[0] == g.a[node] else self.expression(parts[0])
 
-    def _inverse_root(self, node: Node) -> Ref | None:
-        """1/sqrt(x) where the node is 1/x and that is at hand: its square costs no division."""
-        g = self.graph
-        root = g.find("sqrt", g.a[node]) if g.b[node] == -1 else None
-        inverse = None if root is None else g.find(POW, root, -1)
-        name = None if inverse is None else self.names.get(inverse)
-        return None if name is None else Ref(name)
+    def _power_of(self, node: Node) -> Expr:
+        g, parts = self.graph, self.kids[node]
+        if len(parts) > 1:
+            return Binary("*", self.expression(parts[0]), self.expression(parts[1]))
+        if parts[0] == g.a[node]:
+            return self._power(g.a[node], g.b[node])
+        return Binary("/", Number(_ONE), self.expression(parts[0]))
 
     def _power(self, base: Node, n: int) -> Expr:
         if n < 0:
             return Binary("/", Number(_ONE), self._power(base, -n))
         inner = self.expression(base)
-        if n > UNROLLED:
-            return Power(inner, n)
-        result = inner
-        for _ in range(n - 1):
-            result = Binary("*", result, inner)
-        return result
+        return inner if n == 1 else Binary("*", inner, inner) if n == 2 else Power(inner, n)
 
 
 def lower_function(graph: Graph, plan: FunctionPlan, parameters: Iterable[Node]) -> Function:

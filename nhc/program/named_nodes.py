@@ -7,12 +7,15 @@ from collections.abc import Callable, Collection, Iterable, Sequence
 from nhc.algebra.graph import MUL, NEG, POW, Graph, Node
 
 LONG = 10  # operations in one expression
-UNROLLED = 4  # integer powers up to this are products
 
 
-def count_uses(graph: Graph, needed: Sequence[Node], roots: Iterable[Node]) -> dict[Node, int]:
-    """How often each node is needed by others; a minus sign passes its uses on."""
-    op, kids, exponent = graph.op, graph.kids, graph.b
+Operands = Sequence[tuple[Node, ...]]
+"""The operands of every node of a graph; of powers that are made of other powers, these."""
+
+
+def count_uses(graph: Graph, kids: Operands, needed: Sequence[Node], roots: Iterable[Node]) -> dict[Node, int]:
+    """How often each node is needed by others; a minus sign passes its uses on, and a square needs its base twice."""
+    op, exponent = graph.op, graph.b
     uses: dict[Node, int] = dict.fromkeys(needed, 0)
     for root in roots:
         uses[root] += 1
@@ -21,15 +24,17 @@ def count_uses(graph: Graph, needed: Sequence[Node], roots: Iterable[Node]) -> d
         weight = uses[node] if kind == NEG else 1
         for child in kids[node]:
             uses[child] += weight
-        if kind == POW and 2 <= abs(exponent[node]) <= UNROLLED:
+        if kind == POW and exponent[node] in (2, -2) and len(kids[node]) == 1:
             uses[kids[node][0]] += 1
     return uses
 
 
-def choose_names(graph: Graph, needed: Sequence[Node], roots: Iterable[Node], boundary: set[Node]) -> list[Node]:
-    """The nodes that become lets, in increasing order; those of ``boundary`` do in any case."""
-    uses, size = count_uses(graph, needed, roots), dict[Node, int]()
-    op, kids = graph.op, graph.kids
+def choose_names(
+    graph: Graph, kids: Operands, needed: Sequence[Node], roots: Iterable[Node], boundary: set[Node]
+) -> list[Node]:
+    """The nodes that become lets, in the order of ``needed``; those of ``boundary`` do in any case."""
+    uses, size = count_uses(graph, kids, needed, roots), dict[Node, int]()
+    op = graph.op
     each_divides = "shared reciprocals" in graph.off
     chosen: list[Node] = []
     for node in needed:
@@ -52,9 +57,9 @@ def choose_names(graph: Graph, needed: Sequence[Node], roots: Iterable[Node], bo
     return chosen
 
 
-def find_constants(graph: Graph, needed: Sequence[Node], parameters: int) -> set[Node]:
+def find_constants(graph: Graph, kids: Operands, needed: Sequence[Node], parameters: int) -> set[Node]:
     """Parameter-only nodes that other work uses: the largest ones."""
-    op, kids, deps, moving = graph.op, graph.kids, graph.deps, ~parameters
+    op, deps, moving = graph.op, graph.deps, ~parameters
     boundary = set[Node]()
     for node in needed:
         if not deps[node] & moving and deps[node]:
@@ -79,24 +84,30 @@ def find_shared(graph: Graph, needed: Sequence[Node], seeds: int) -> set[Node]:
 
 def find_turned(
     graph: Graph,
+    kids: Operands,
     targets: Iterable[Node],
     roots: Iterable[Node],
     needed: Sequence[Node],
     named: Collection[Node],
     is_constant: Callable[[Node], bool],
 ) -> dict[Node, Node]:
-    """Products without a name of which minus is a target, each with a named constant factor that nothing else uses: it takes the
-    sign, once and not at every state.
+    """Products without a name of which minus is a target, each with a named constant factor that nothing but such products uses: it
+    takes the sign, once and not at every state.
     """
-    g, found = graph, dict[Node, Node]()
+    g = graph
     inner = [g.a[node] for node in targets if g.op[node] == NEG]
-    products = [node for node in inner if g.op[node] == MUL]
+    products = [node for node in inner if g.op[node] == MUL and node not in named]
     if not products:
-        return found
-    uses = count_uses(graph, needed, roots)
-    for product in products:
-        if uses[product] == 1 and product not in found and product not in named:
-            factor = next((f for f in g.kids[product] if f in named and is_constant(f) and uses[f] == 1), None)
-            if factor is not None:
-                found[product] = factor
+        return {}
+    uses = count_uses(graph, kids, needed, roots)
+    users: dict[Node, list[Node]] = {}
+    for product in dict.fromkeys(products):
+        if uses[product] == 1:
+            for factor in g.kids[product]:
+                if factor in named and is_constant(factor):
+                    users.setdefault(factor, []).append(product)
+    found = dict[Node, Node]()
+    for factor, own in users.items():
+        if uses[factor] == len(own) and found.keys().isdisjoint(own):
+            found |= dict.fromkeys(own, factor)
     return found

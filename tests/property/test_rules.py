@@ -43,6 +43,7 @@ WHOLE = {
     "trees": "pendulum5",
     "pieces": "voronec_particle",
     "related angles": "snakeboard",
+    "shared powers": "atoms3",
     "shared reciprocals": "snake3",
 }
 
@@ -123,7 +124,8 @@ def test_the_emitted_code_has_the_same_values(rule: str) -> None:
         for off in ((), (rule,))
     ]
     for k in range(4):
-        y = [0.3 + 0.1 * ((3 * i + k) % 5) for i in range(len(modules[0].STATE))]
+        apart = system == "atoms3"  # atoms that nearly touch have forces of 1e13, of which little is left in their sum
+        y = [0.3 + 0.1 * ((3 * i + k) % 5) + apart * (i // 2) for i in range(len(modules[0].STATE))]
         first, second = (module.rhs(0.0, y) for module in modules)
         assert second == pytest.approx(first, rel=1e-9, abs=1e-9)
 

@@ -29,7 +29,7 @@ from nhc.program.ir import (
 )
 from nhc.records import record
 
-MOST = 32  # terms of a sum that is written out
+MOST = 64  # terms of a sum that is written out
 _THROUGH = frozenset(
     {"sin", "cos", "tan", "asin", "acos", "sinh", "cosh", "sqrt", "abs", "log"}
 )  # no finite value at an infinity

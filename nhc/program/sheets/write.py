@@ -94,8 +94,8 @@ class PaperLowering(Lowering):
     def _body(self, node: Node) -> Node:
         return self.graph.a[node] if self.graph.op[node] == NEG else node
 
-    def _inverse_root(self, node: Node) -> Ref | None:
-        return None  # on paper a quotient is a quotient
+    def _arrange(self, needed: list[Node]) -> tuple[Sequence[Node], Sequence[tuple[Node, ...]]]:
+        return needed, self.graph.kids  # on paper a power is a power
 
     def _power(self, base: Node, n: int) -> Expr:
         return super()._power(base, n) if n <= 1 else Power(self.expression(base), n)

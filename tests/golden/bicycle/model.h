@@ -1,5 +1,5 @@
 /*
- * bicycle.h: bicycle, emitted by nhc 0.1.0 (nhc:4598e09da587a54e)
+ * bicycle.h: bicycle, emitted by nhc 0.1.0 (nhc:bdfe2b129373128f)
  * Whipple's bicycle, nonlinear; two wheels, rear frame with rider, front frame; x ahead, y right, z down.
  * Source: bicycle.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -64,12 +64,12 @@
  * Operations:
  * rhs: 501 +-, 760 *, 7 /, 17 calls
  * velocities: 62 +-, 108 *, 3 /, 17 calls
- * accelerations: 172 +-, 286 *, 5 /, 12 calls
+ * accelerations: 172 +-, 288 *, 3 /, 12 calls
  * state: 0 +-, 0 *, 0 /, 0 calls
  * residuals: 108 +-, 185 *, 2 /, 12 calls
  * reactions: 432 +-, 660 *, 4 /, 12 calls
  * energy: 177 +-, 292 *, 3 /, 12 calls
- * jacobian: 3688 +-, 5105 *, 10 /, 17 calls
+ * jacobian: 3688 +-, 5104 *, 7 /, 17 calls
  * outputs: 64 +-, 112 *, 5 /, 17 calls
  *
  * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.

@@ -1,5 +1,5 @@
 /*
- * cartesian_pendulum.c: cartesian_pendulum, emitted by nhc 0.1.0 (nhc:cd1e92a7351b5779)
+ * cartesian_pendulum.c: cartesian_pendulum, emitted by nhc 0.1.0 (nhc:0c8d02cfaa44ce61)
  * The plane pendulum in Cartesian coordinates; its constraint is written with velocities, but it is
  *     holonomic.
  * Source: cartesian_pendulum.yaml
@@ -312,18 +312,19 @@ int cartesian_pendulum_reactions(double t, const double *y, const double *p, dou
     const double z1 = x * x;
     const double z2 = z1 + y_2 * y_2;
     const double z3 = fabs(y_2) + fabs(x);
-    const double z4 = m / z2;
-    const double z5 = 1.0 / (z2 * z2) * v * v;
+    const double z4 = 1.0 / z2;
+    const double z5 = m * z4;
+    const double z6 = z4 * z4 * v * v;
     /* (I.4.1) 15:5 */
-    lambda[0] = z4 * (y_2 * (g - y_2 * z5) - z1 * z5); /* reaction of rod: Q_i gains lambda_1 a_1i */
+    lambda[0] = z5 * (y_2 * (g - y_2 * z6) - z1 * z6); /* reaction of rod: Q_i gains lambda_1 a_1i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(lambda[0]) <= DBL_MAX && fabs(z2) > 1e-12 * (z3 * z3) && fabs(z4) > 0.0)) {
+    if (!(fabs(lambda[0]) <= DBL_MAX && fabs(z2) > 1e-12 * (z3 * z3) && fabs(z5) > 0.0)) {
         /* the coframe is singular */
         if (!(fabs(z2) > 1e-12 * (z3 * z3))) {
             return CARTESIAN_PENDULUM_SINGULAR_1;
         }
         /* the mass matrix is singular */
-        if (!(fabs(z4) > 0.0)) {
+        if (!(fabs(z5) > 0.0)) {
             return CARTESIAN_PENDULUM_SINGULAR_2;
         }
         return cartesian_pendulum_finish(1, lambda);
@@ -340,11 +341,14 @@ double cartesian_pendulum_energy(double t, const double *y, const double *p)
     const double m = p[0]; /* mass of the bob [kg] */
     const double g = p[1]; /* acceleration of gravity [m/s^2] */
 
+    /* parameters only */
+    const double k1 = m * g;
+
     /* state */
-    const double z1 = x * x;
-    const double z2 = z1 + y_2 * y_2;
-    const double z3 = 1.0 / (z2 * z2) * v * v;
-    return m * (0.5 * (z1 * z3) + y_2 * (g + 0.5 * (y_2 * z3)));
+    const double z1 = v / (x * x + y_2 * y_2);
+    const double z2 = y_2 * z1;
+    const double z3 = x * z1;
+    return y_2 * k1 + 0.5 * (m * (z2 * z2 + z3 * z3));
 }
 
 int cartesian_pendulum_jacobian(double t, const double *y, const double *p, double *J)
@@ -363,7 +367,7 @@ int cartesian_pendulum_jacobian(double t, const double *y, const double *p, doub
     const double z2 = fabs(y_2) + fabs(x);
     const double z3 = 1.0 / z1;
     const double z4 = y_2 * v;
-    const double z5 = 1.0 / (z1 * z1);
+    const double z5 = z3 * z3;
     const double z6 = x * z5;
     const double z7 = v * z3;
     const double z8 = y_2 * z5;

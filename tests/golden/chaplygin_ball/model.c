@@ -1,5 +1,5 @@
 /*
- * chaplygin_ball.c: chaplygin_ball, emitted by nhc 0.1.0 (nhc:f27f273bd67efaec)
+ * chaplygin_ball.c: chaplygin_ball, emitted by nhc 0.1.0 (nhc:b04019e9a48b7f38)
  * A ball with three different moments of inertia and its centre of mass at its centre rolls on a horizontal
  *     plane.
  * Source: chaplygin_ball.yaml
@@ -393,7 +393,7 @@ int chaplygin_ball_accelerations(double t, const double *y, const double *p, dou
     const double z24 = z17 * z23;
     const double z25 = c_phi * z24;
     const double z26 = c_theta * z21;
-    const double z27 = z26 / (s_theta * s_theta);
+    const double z27 = z26 * (z17 * z17);
     const double z28 = w3 - c_theta * z24;
     const double z29 = s_psi * z28;
     const double z30 = w2 * w3 * k2;
@@ -697,7 +697,7 @@ int chaplygin_ball_jacobian(double t, const double *y, const double *p, double *
     const double z27 = c_psi * w2 + s_psi * w1;
     const double z28 = a * (w3 - z27 * (c_theta * z22));
     const double z29 = s_theta * z28;
-    const double z30 = c_theta / (s_theta * s_theta);
+    const double z30 = c_theta * (z22 * z22);
     const double z31 = s_psi * w2 - c_psi * w1;
     const double z32 = z25 * z30 + z22 * (c_theta * z31);
     const double z33 = a * z32;

@@ -1,5 +1,5 @@
 /*
- * chaplygin_ball.h: chaplygin_ball, emitted by nhc 0.1.0 (nhc:b86e47bba9a4390f)
+ * chaplygin_ball.h: chaplygin_ball, emitted by nhc 0.1.0 (nhc:c7bc1f999008df95)
  * A ball with three different moments of inertia and its centre of mass at its centre rolls on a horizontal
  *     plane.
  * Source: chaplygin_ball.yaml
@@ -35,12 +35,12 @@
  * Operations:
  * rhs: 23 +-, 53 *, 4 /, 6 calls
  * velocities: 5 +-, 16 *, 1 /, 6 calls
- * accelerations: 40 +-, 85 *, 5 /, 6 calls
+ * accelerations: 40 +-, 86 *, 4 /, 6 calls
  * state: 3 +-, 6 *, 0 /, 4 calls
  * residuals: 4 +-, 7 *, 0 /, 3 calls
  * reactions: 26 +-, 57 *, 3 /, 6 calls
  * energy: 11 +-, 22 *, 0 /, 4 calls
- * jacobian: 78 +-, 195 *, 5 /, 6 calls
+ * jacobian: 78 +-, 196 *, 4 /, 6 calls
  * outputs: 8 +-, 18 *, 0 /, 4 calls
  *
  * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.

@@ -1,4 +1,4 @@
-"""chaplygin_ball, emitted by nhc 0.1.0 (nhc:cda4759501d74543).
+"""chaplygin_ball, emitted by nhc 0.1.0 (nhc:0d6154e29315f51e).
 
 A ball with three different moments of inertia and its centre of mass at its centre
     rolls on a horizontal plane.
@@ -35,12 +35,12 @@ out[2] = K3
 Operations:
 rhs: 23 +-, 53 *, 4 /, 6 calls
 velocities: 5 +-, 16 *, 1 /, 6 calls
-accelerations: 40 +-, 85 *, 5 /, 6 calls
+accelerations: 40 +-, 86 *, 4 /, 6 calls
 state: 3 +-, 6 *, 0 /, 4 calls
 residuals: 4 +-, 7 *, 0 /, 3 calls
 reactions: 26 +-, 57 *, 3 /, 6 calls
 energy: 11 +-, 22 *, 0 /, 4 calls
-jacobian: 78 +-, 195 *, 5 /, 6 calls
+jacobian: 78 +-, 196 *, 4 /, 6 calls
 outputs: 8 +-, 18 *, 0 /, 4 calls
 
 A singular point raises SingularModelError.
@@ -304,7 +304,7 @@ def accelerations(
         z25 = c_phi * z24
         s_phi = math.sin(phi)
         z26 = c_theta * z21
-        z27 = z26 / (s_theta * s_theta)
+        z27 = z26 * (z17 * z17)
         z28 = w3 - c_theta * z24
         z29 = s_psi * z28
         z30 = w2 * w3 * k2
@@ -619,7 +619,7 @@ def jacobian(
         z27 = c_psi * w2 + s_psi * w1
         z28 = a * (w3 - z27 * (c_theta * z22))
         z29 = s_theta * z28
-        z30 = c_theta / (s_theta * s_theta)
+        z30 = c_theta * (z22 * z22)
         z31 = s_psi * w2 - c_psi * w1
         z32 = z25 * z30 + z22 * (c_theta * z31)
         z33 = a * z32

@@ -1,5 +1,5 @@
 /*
- * chaplygin_ball_quaternion.h: chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:cd421a158c9b256a)
+ * chaplygin_ball_quaternion.h: chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:62b11c118505a9b1)
  * A ball with three different moments of inertia rolls on a horizontal plane; its orientation is a
  *     quaternion.
  * Source: chaplygin_ball_quaternion.yaml
@@ -43,7 +43,7 @@
  * positions: 4 +-, 4 *, 0 /, 0 calls
  * reactions: 53 +-, 110 *, 4 /, 0 calls
  * energy: 19 +-, 41 *, 1 /, 0 calls
- * jacobian: 213 +-, 485 *, 5 /, 0 calls
+ * jacobian: 213 +-, 485 *, 4 /, 0 calls
  * outputs: 26 +-, 44 *, 1 /, 0 calls
  *
  * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.

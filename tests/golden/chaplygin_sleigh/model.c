@@ -1,5 +1,5 @@
 /*
- * chaplygin_sleigh.c: chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:477b05a985e75b12)
+ * chaplygin_sleigh.c: chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:8064f083e579dc86)
  * A rigid body on a knife edge; the centre of mass is a distance a ahead of the edge.
  * Source: chaplygin_sleigh.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -400,7 +400,7 @@ int chaplygin_sleigh_jacobian(double t, const double *y, const double *p, double
     /* parameters only */
     const double k1 = m * a;
     const double k2 = J_2 + a * k1;
-    const double k3 = k1 / k2;
+    const double k3 = -k1 / k2;
 
     /* state */
     /* (I.2.15) */
@@ -410,8 +410,8 @@ int chaplygin_sleigh_jacobian(double t, const double *y, const double *p, double
     J[8] = s_theta;
     J[14] = 1.0;
     J[19] = 2.0 * (a * w);
-    J[23] = -w * k3;
-    J[24] = -v * k3;
+    J[23] = w * k3;
+    J[24] = v * k3;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(J[2] + J[19] + J[23] + J[24]) <= DBL_MAX && fabs(m) > 0.0)) {
         /* the mass matrix is singular */

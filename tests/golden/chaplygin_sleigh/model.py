@@ -1,4 +1,4 @@
-"""chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:9fb92086d12ba5b1).
+"""chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:f9f578950596f267).
 
 A rigid body on a knife edge; the centre of mass is a distance a ahead of the edge.
 Source: chaplygin_sleigh.yaml
@@ -341,7 +341,7 @@ def jacobian(
         # the mass matrix is singular
         if not abs(k2) > 0.0:
             raise SingularModelError(2, "jacobian")
-        k3 = k1 / k2
+        k3 = -k1 / k2
         # state
         s_theta = math.sin(theta)
         c_theta = math.cos(theta)
@@ -376,9 +376,9 @@ def jacobian(
             0.0,
             0.0,
             # (I.2.15)
-            -w * k3,
+            w * k3,
             # (I.2.15)
-            -v * k3,
+            v * k3,
         ]
         _finish("jacobian", J)
         return [J[k4 : k4 + 5] for k4 in range(0, 25, 5)]

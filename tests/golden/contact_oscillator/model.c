@@ -1,5 +1,5 @@
 /*
- * contact_oscillator.c: contact_oscillator, emitted by nhc 0.1.0 (nhc:9b2586c69223793c)
+ * contact_oscillator.c: contact_oscillator, emitted by nhc 0.1.0 (nhc:e2174db9c21250b9)
  * Three equal oscillators with one contact constraint; reversible and integrable.
  * Source: contact_oscillator.yaml
  * Equations of motion: chaplygin (III.3)
@@ -175,7 +175,7 @@ int contact_oscillator_rhs(double t, const double *y, const double *p, double *d
     dydt[2] = z_dot; /* z' */
     /* (III.3) 7:4 */
     dydt[3] = -y_2; /* y'' */
-    dydt[4] = -(z - y_2 * (x - y_dot * z_dot)) / z1; /* z'' */
+    dydt[4] = (y_2 * (x - y_dot * z_dot) - z) / z1; /* z'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(dydt[0] + dydt[4]) <= DBL_MAX)) {
         /* the mass matrix is singular */
@@ -408,7 +408,7 @@ static __attribute__((noinline)) void contact_oscillator_rhs_lanes(const double 
     /* (III.3) 7:4 */
     const contact_oscillator_lanes slope4 = -y_2;
     contact_oscillator_put(dydt + 3 * stride, slope4);
-    const contact_oscillator_lanes slope5 = -(z - y_2 * (x - y_dot * z_dot)) / z1;
+    const contact_oscillator_lanes slope5 = (y_2 * (x - y_dot * z_dot) - z) / z1;
     sum += slope5;
     contact_oscillator_put(dydt + 4 * stride, slope5);
     contact_oscillator_put(check, contact_oscillator_mark(far + (sum - sum), bad));

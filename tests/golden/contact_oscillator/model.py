@@ -1,4 +1,4 @@
-"""contact_oscillator, emitted by nhc 0.1.0 (nhc:4d4d085b45f5ea0c).
+"""contact_oscillator, emitted by nhc 0.1.0 (nhc:76222a46147e1452).
 
 Three equal oscillators with one contact constraint; reversible and integrable.
 Source: contact_oscillator.yaml
@@ -108,7 +108,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
             # y'' (III.3) 7:4
             -y_2,
             # z'' (III.3) 7:4
-            -(z - y_2 * (x - y_dot * z_dot)) / z1,
+            (y_2 * (x - y_dot * z_dot) - z) / z1,
         ]
         return _finish("rhs", dydt)
     except (ValueError, ZeroDivisionError, OverflowError) as error:

@@ -1,5 +1,5 @@
 /*
- * contact_oscillator_eps.c: contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:67eed784e3dc8cbf)
+ * contact_oscillator_eps.c: contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:b9a5357e2d2d8d04)
  * The contact oscillator with a quartic coupling; still reversible and still with a second integral.
  * Source: contact_oscillator_eps.yaml
  * Equations of motion: chaplygin (III.3)
@@ -355,7 +355,7 @@ int contact_oscillator_eps_jacobian(double t, const double *y, const double *p, 
     J[8] = 1.0;
     J[14] = 1.0;
     J[16] = -1.0;
-    J[20] = -z2 * (2.0 * z4 - z6);
+    J[20] = (z6 - 2.0 * z4) * z2;
     J[21] = -z2 * z8;
     J[22] = -z2 * (1.0 + z3 * (x - 2.0 * (y_2 * z)));
     J[23] = -y_2 * z_dot * z2;

@@ -1,4 +1,4 @@
-"""contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:d2874157bb8f1f45).
+"""contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:6fb8df6b14c28d73).
 
 The contact oscillator with a quartic coupling; still reversible and still with a
     second integral.
@@ -357,7 +357,7 @@ def jacobian(
             0.0,
             0.0,
             # (III.3)
-            -z2 * (2.0 * z4 - z6),
+            (z6 - 2.0 * z4) * z2,
             # (III.3)
             -z2 * z8,
             # (III.3)

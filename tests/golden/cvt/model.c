@@ -1,5 +1,5 @@
 /*
- * cvt.c: cvt, emitted by nhc 0.1.0 (nhc:f02ef39d86ac2afa)
+ * cvt.c: cvt, emitted by nhc 0.1.0 (nhc:d8e2fee8d9cbbe5c)
  * A continuously variable transmission; a plane oscillator whose free direction is set by a symmetric driver.
  * Source: cvt.yaml
  * Equations of motion: chaplygin (III.3)
@@ -194,7 +194,7 @@ int cvt_rhs(double t, const double *y, const double *p, double *dydt)
     dydt[1] = -x_dot * s_xi; /* y' */
     dydt[2] = xi_dot; /* xi' */
     /* (III.3) 7:4 */
-    dydt[3] = -(x - s_xi * (y_2 - c_xi * (x_dot * xi_dot))) / z1; /* x'' */
+    dydt[3] = (s_xi * (y_2 - c_xi * (x_dot * xi_dot)) - x) / z1; /* x'' */
     dydt[4] = s_xi; /* xi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(dydt[3]) <= DBL_MAX)) {
@@ -454,7 +454,7 @@ static __attribute__((noinline)) void cvt_rhs_lanes(const double *fixed, size_t 
     const cvt_lanes slope3 = xi_dot;
     cvt_put(dydt + 2 * stride, slope3);
     /* (III.3) 7:4 */
-    const cvt_lanes slope4 = -(x - s_xi * (y_2 - c_xi * (x_dot * xi_dot))) / z1;
+    const cvt_lanes slope4 = (s_xi * (y_2 - c_xi * (x_dot * xi_dot)) - x) / z1;
     sum += slope4;
     cvt_put(dydt + 3 * stride, slope4);
     const cvt_lanes slope5 = s_xi;

@@ -1,4 +1,4 @@
-"""cvt, emitted by nhc 0.1.0 (nhc:9ac52d2322f8602e).
+"""cvt, emitted by nhc 0.1.0 (nhc:6943d56cc0fc6b3a).
 
 A continuously variable transmission; a plane oscillator whose free direction is set
     by a symmetric driver.
@@ -109,7 +109,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
             # xi' (III.3)
             xi_dot,
             # x'' (III.3) 7:4
-            -(x - s_xi * (y_2 - c_xi * (x_dot * xi_dot))) / z1,
+            (s_xi * (y_2 - c_xi * (x_dot * xi_dot)) - x) / z1,
             # xi'' (III.3) 7:4
             s_xi,
         ]

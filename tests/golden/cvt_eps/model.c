@@ -1,5 +1,5 @@
 /*
- * cvt_eps.c: cvt_eps, emitted by nhc 0.1.0 (nhc:8b3ea90a390a2d0f)
+ * cvt_eps.c: cvt_eps, emitted by nhc 0.1.0 (nhc:57a70f7ef7dcd5af)
  * The transmission with a driver that breaks the symmetry; most integrators for nonholonomic systems drift on
  *     it.
  * Source: cvt_eps.yaml
@@ -194,7 +194,7 @@ int cvt_eps_rhs(double t, const double *y, const double *p, double *dydt)
     dydt[1] = -x_dot * s_xi; /* y' */
     dydt[2] = xi_dot; /* xi' */
     /* (III.3) 9:4 */
-    dydt[3] = -(x - s_xi * (y_2 - c_xi * (x_dot * xi_dot))) / z2; /* x'' */
+    dydt[3] = (s_xi * (y_2 - c_xi * (x_dot * xi_dot)) - x) / z2; /* x'' */
     dydt[4] = s_xi - eps * (z1 - c_xi * c_xi); /* xi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(dydt[3] + dydt[4]) <= DBL_MAX)) {
@@ -455,7 +455,7 @@ static __attribute__((noinline)) void cvt_eps_rhs_lanes(const double *fixed, siz
     const cvt_eps_lanes slope3 = xi_dot;
     cvt_eps_put(dydt + 2 * stride, slope3);
     /* (III.3) 9:4 */
-    const cvt_eps_lanes slope4 = -(x - s_xi * (y_2 - c_xi * (x_dot * xi_dot))) / z2;
+    const cvt_eps_lanes slope4 = (s_xi * (y_2 - c_xi * (x_dot * xi_dot)) - x) / z2;
     sum += slope4;
     cvt_eps_put(dydt + 3 * stride, slope4);
     const cvt_eps_lanes slope5 = s_xi - eps * (z1 - c_xi * c_xi);

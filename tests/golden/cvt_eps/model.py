@@ -1,4 +1,4 @@
-"""cvt_eps, emitted by nhc 0.1.0 (nhc:3b949e59b2b8d0ea).
+"""cvt_eps, emitted by nhc 0.1.0 (nhc:0ae1473f2e578fe9).
 
 The transmission with a driver that breaks the symmetry; most integrators for
     nonholonomic systems drift on it.
@@ -112,7 +112,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
             # xi' (III.3)
             xi_dot,
             # x'' (III.3) 9:4
-            -(x - s_xi * (y_2 - c_xi * (x_dot * xi_dot))) / z2,
+            (s_xi * (y_2 - c_xi * (x_dot * xi_dot)) - x) / z2,
             # xi'' (III.3) 9:4
             s_xi - eps * (z1 - c_xi * c_xi),
         ]

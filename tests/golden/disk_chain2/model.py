@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""disk_chain2, emitted by nhc 0.1.0 (nhc:637caee8dfcd3cd0).
+"""disk_chain2, emitted by nhc 0.1.0 (nhc:ec2a7d5381f63fcb).
 
 Two upright rolling disks joined by a spring; the first link of a chain that may be
     made as long as one likes.
@@ -680,7 +680,7 @@ def jacobian(
             # (III.3)
             -z6,
             # (III.3)
-            -k2 * (z7 * c_phi1 - z8 * s_phi1),
+            (z8 * s_phi1 - z7 * c_phi1) * k2,
             0.0,
             # (III.3)
             z5,

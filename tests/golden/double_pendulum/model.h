@@ -1,5 +1,5 @@
 /*
- * double_pendulum.h: double_pendulum, emitted by nhc 0.1.0 (nhc:3d1dee5b7b9e4312)
+ * double_pendulum.h: double_pendulum, emitted by nhc 0.1.0 (nhc:3edbf926e461bd01)
  * Two pendulums in a row, absolute angles; the model gives positions and nhc differentiates them.
  * Source: double_pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -30,7 +30,7 @@
  * residuals: 0 +-, 0 *, 0 /, 0 calls
  * reactions: 2 +-, 2 *, 0 /, 1 calls
  * energy: 7 +-, 20 *, 0 /, 4 calls
- * jacobian: 16 +-, 48 *, 4 /, 4 calls
+ * jacobian: 16 +-, 49 *, 3 /, 4 calls
  * outputs: 2 +-, 4 *, 0 /, 4 calls
  *
  * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.

@@ -1,4 +1,4 @@
-"""double_pendulum, emitted by nhc 0.1.0 (nhc:4dedd2b442d80889).
+"""double_pendulum, emitted by nhc 0.1.0 (nhc:3ff7aeeb7b377f5a).
 
 Two pendulums in a row, absolute angles; the model gives positions and nhc
     differentiates them.
@@ -31,7 +31,7 @@ state: 0 +-, 0 *, 0 /, 0 calls
 residuals: 0 +-, 0 *, 0 /, 0 calls
 reactions: 2 +-, 2 *, 0 /, 1 calls
 energy: 7 +-, 20 *, 0 /, 4 calls
-jacobian: 16 +-, 48 *, 4 /, 4 calls
+jacobian: 16 +-, 49 *, 3 /, 4 calls
 outputs: 2 +-, 4 *, 0 /, 4 calls
 
 A singular point raises SingularModelError.
@@ -355,18 +355,18 @@ def jacobian(
         z7 = c1 * z6
         z8 = m2 * (l2 * (theta2_dot * theta2_dot) + z7)
         z9 = s1 * z8
-        z10 = 2.0 * (z5 * (z9 / (z3 * z3)))
-        z11 = 1.0 / z3
+        z10 = 1.0 / z3
+        z11 = 2.0 * (z5 * (z9 * (z10 * z10)))
         z12 = c1 * z8
         z13 = s1 * z6
         s_theta1 = math.sin(theta1)
         z14 = g * s_theta1
-        z15 = z10 - z11 * (z12 - z2 * (z13 + z14 * c1))
-        z16 = z10 - z11 * (z12 - z2 * z13)
+        z15 = z11 - z10 * (z12 - z2 * (z13 + z14 * c1))
+        z16 = z11 - z10 * (z12 - z2 * z13)
         z17 = theta1_dot * l1
-        z18 = z5 * (z17 * z11)
-        z19 = l2 * (z11 * (theta2_dot * z2))
-        z20 = z9 * (s1 * z11)
+        z18 = z5 * (z17 * z10)
+        z19 = l2 * (z10 * (theta2_dot * z2))
+        z20 = z9 * (s1 * z10)
         J: list[float] = [
             0.0,
             0.0,
@@ -379,7 +379,7 @@ def jacobian(
             # (II.3)
             1.0,
             # (II.3)
-            -k1 * (z4 - z15),
+            (z15 - z4) * k1,
             # (II.3)
             -k1 * z16,
             # (II.3)
@@ -389,7 +389,7 @@ def jacobian(
             # (II.3)
             k2 * (z7 - z14 * s1 - (z20 + c1 * z15)),
             # (II.3)
-            -k2 * (z7 - (z20 + c1 * z16)),
+            (z20 + c1 * z16 - z7) * k2,
             # (II.3)
             2.0 * (k2 * (z17 * s1 + c1 * z18)),
             # (II.3)

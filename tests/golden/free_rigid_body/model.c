@@ -1,5 +1,5 @@
 /*
- * free_rigid_body.c: free_rigid_body, emitted by nhc 0.1.0 (nhc:0a82d881696a9257)
+ * free_rigid_body.c: free_rigid_body, emitted by nhc 0.1.0 (nhc:8d6177b7c7570e3d)
  * A free rigid body; the components of its angular velocity on body axes are the quasi-velocities.
  * Source: free_rigid_body.yaml
  * Equations of motion: euler-lagrange (I.2.14)
@@ -308,25 +308,25 @@ int free_rigid_body_accelerations(double t, const double *y, const double *p, do
 
     /* state */
     const double z1 = c_psi * w2 + s_psi * w1;
-    const double z2 = s_theta * c_psi;
-    const double z3 = s_theta * s_psi;
-    const double z4 = w1 * z2 - w2 * z3;
-    const double z5 = 1.0 / s_theta;
-    const double z6 = z4 * (c_theta * z5);
-    const double z7 = z6 / (s_theta * s_theta);
-    const double z8 = z1 * z5;
+    const double z2 = 1.0 / s_theta;
+    const double z3 = s_theta * c_psi;
+    const double z4 = s_theta * s_psi;
+    const double z5 = w1 * z3 - w2 * z4;
+    const double z6 = z5 * (c_theta * z2);
+    const double z7 = z2 * z2 * z6;
+    const double z8 = z1 * z2;
     const double z9 = w3 - c_theta * z8;
     const double z10 = s_psi * z9;
     const double z11 = w1 * w3 * k2;
     const double z12 = c_psi * z9;
     const double z13 = w2 * w3 * k1;
-    const double z14 = z1 * z7 + z5 * (w2 * z10 + c_psi * z11 - (w1 * z12 + s_psi * z13));
-    const double z15 = w1 * (s_theta * z10 - c_psi * z6) - z2 * z13 + (w2 * (s_theta * z12 + s_psi * z6) - z3
+    const double z14 = z1 * z7 + z2 * (w2 * z10 + c_psi * z11 - (w1 * z12 + s_psi * z13));
+    const double z15 = w1 * (s_theta * z10 - c_psi * z6) - z3 * z13 + (w2 * (s_theta * z12 + s_psi * z6) - z4
         * z11);
     /* (I.2.14) */
     qddot[0] = -z14; /* phi'' */
-    qddot[1] = -(z4 * z7 + z5 * z15); /* theta'' */
-    qddot[2] = w1 * w2 * k3 + (z8 * z4 + c_theta * z14); /* psi'' */
+    qddot[1] = -(z5 * z7 + z2 * z15); /* theta'' */
+    qddot[2] = w1 * w2 * k3 + (z8 * z5 + c_theta * z14); /* psi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qddot[1] + qddot[2]) <= DBL_MAX && fabs(s_theta) > 1e-12 * 4.0)) {
         /* the coframe is singular */
@@ -460,38 +460,38 @@ int free_rigid_body_jacobian(double t, const double *y, const double *p, double 
 
     /* parameters only */
     const double k1 = (I2 - I3) / I1;
-    const double k2 = (I1 - I3) / I2;
+    const double k2 = -(I1 - I3) / I2;
     const double k3 = (I1 - I2) / I3;
 
     /* state */
     const double z1 = c_psi * w2 + s_psi * w1;
-    const double z2 = c_theta / (s_theta * s_theta);
-    const double z3 = z1 * z2;
-    const double z4 = 1.0 / s_theta;
+    const double z2 = 1.0 / s_theta;
+    const double z3 = c_theta * (z2 * z2);
+    const double z4 = z1 * z3;
     const double z5 = s_psi * w2 - c_psi * w1;
-    const double z6 = z4 * z5;
-    const double z7 = s_psi * z4;
-    const double z8 = c_psi * z4;
+    const double z6 = z2 * z5;
+    const double z7 = s_psi * z2;
+    const double z8 = c_psi * z2;
     const double z9 = s_theta * c_psi;
     const double z10 = s_theta * s_psi;
     /* (I.2.14) */
-    J[1] = -z3;
+    J[1] = -z4;
     J[2] = -z6;
     J[3] = z7;
     J[4] = z8;
-    J[7] = -((w1 * z9 - w2 * z10) * z2 + z4 * (c_theta * z5));
-    J[8] = -z4 * (w1 * z10 + w2 * z9);
+    J[7] = -((w1 * z9 - w2 * z10) * z3 + z2 * (c_theta * z5));
+    J[8] = -z2 * (w1 * z10 + w2 * z9);
     J[9] = c_psi;
     J[10] = -s_psi;
-    J[13] = z1 + c_theta * z3;
+    J[13] = z1 + c_theta * z4;
     J[14] = c_theta * z6;
     J[15] = -c_theta * z7;
     J[16] = -c_theta * z8;
     J[17] = 1.0;
     J[22] = w3 * k1;
     J[23] = w2 * k1;
-    J[27] = -w3 * k2;
-    J[29] = -w1 * k2;
+    J[27] = w3 * k2;
+    J[29] = w1 * k2;
     J[33] = w2 * k3;
     J[34] = w1 * k3;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */

@@ -1,5 +1,5 @@
 /*
- * free_rigid_body.h: free_rigid_body, emitted by nhc 0.1.0 (nhc:b12f0059fb3e66e4)
+ * free_rigid_body.h: free_rigid_body, emitted by nhc 0.1.0 (nhc:a54a4f992ac90a9b)
  * A free rigid body; the components of its angular velocity on body axes are the quasi-velocities.
  * Source: free_rigid_body.yaml
  * Equations of motion: euler-lagrange (I.2.14)
@@ -24,12 +24,12 @@
  * Operations:
  * rhs: 6 +-, 15 *, 4 /, 4 calls
  * velocities: 3 +-, 9 *, 1 /, 4 calls
- * accelerations: 18 +-, 37 *, 5 /, 4 calls
+ * accelerations: 18 +-, 38 *, 4 /, 4 calls
  * state: 3 +-, 6 *, 0 /, 4 calls
  * residuals: 0 +-, 0 *, 0 /, 0 calls
  * reactions: 0 +-, 0 *, 0 /, 1 calls
  * energy: 2 +-, 7 *, 0 /, 0 calls
- * jacobian: 9 +-, 29 *, 5 /, 4 calls
+ * jacobian: 9 +-, 30 *, 4 /, 4 calls
  * outputs: 2 +-, 9 *, 0 /, 1 calls
  *
  * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.

@@ -1,4 +1,4 @@
-"""free_rigid_body, emitted by nhc 0.1.0 (nhc:9cfa519ee356b633).
+"""free_rigid_body, emitted by nhc 0.1.0 (nhc:d5df38d8ba55cc08).
 
 A free rigid body; the components of its angular velocity on body axes are the
     quasi-velocities.
@@ -25,12 +25,12 @@ out[0] = L_squared
 Operations:
 rhs: 6 +-, 15 *, 4 /, 4 calls
 velocities: 3 +-, 9 *, 1 /, 4 calls
-accelerations: 18 +-, 37 *, 5 /, 4 calls
+accelerations: 18 +-, 38 *, 4 /, 4 calls
 state: 3 +-, 6 *, 0 /, 4 calls
 residuals: 0 +-, 0 *, 0 /, 0 calls
 reactions: 0 +-, 0 *, 0 /, 1 calls
 energy: 2 +-, 7 *, 0 /, 0 calls
-jacobian: 9 +-, 29 *, 5 /, 4 calls
+jacobian: 9 +-, 30 *, 4 /, 4 calls
 outputs: 2 +-, 9 *, 0 /, 1 calls
 
 A singular point raises SingularModelError.
@@ -216,30 +216,30 @@ def accelerations(
         c_psi = math.cos(psi)
         s_psi = math.sin(psi)
         z1 = c_psi * w2 + s_psi * w1
-        z2 = s_theta * c_psi
-        z3 = s_theta * s_psi
-        z4 = w1 * z2 - w2 * z3
+        z2 = 1.0 / s_theta
+        z3 = s_theta * c_psi
+        z4 = s_theta * s_psi
+        z5 = w1 * z3 - w2 * z4
         c_theta = math.cos(theta)
-        z5 = 1.0 / s_theta
-        z6 = z4 * (c_theta * z5)
-        z7 = z6 / (s_theta * s_theta)
-        z8 = z1 * z5
+        z6 = z5 * (c_theta * z2)
+        z7 = z2 * z2 * z6
+        z8 = z1 * z2
         z9 = w3 - c_theta * z8
         z10 = s_psi * z9
         z11 = w1 * w3 * k2
         z12 = c_psi * z9
         z13 = w2 * w3 * k1
-        s1 = z5 * (w2 * z10 + c_psi * z11 - (w1 * z12 + s_psi * z13))
+        s1 = z2 * (w2 * z10 + c_psi * z11 - (w1 * z12 + s_psi * z13))
         z14 = z1 * z7 + s1
-        s2 = w1 * (s_theta * z10 - c_psi * z6) - z2 * z13
-        z15 = s2 + (w2 * (s_theta * z12 + s_psi * z6) - z3 * z11)
+        s2 = w1 * (s_theta * z10 - c_psi * z6) - z3 * z13
+        z15 = s2 + (w2 * (s_theta * z12 + s_psi * z6) - z4 * z11)
         qddot: list[float] = [
             # phi'' (I.2.14)
             -z14,
             # theta'' (I.2.14)
-            -(z4 * z7 + z5 * z15),
+            -(z5 * z7 + z2 * z15),
             # psi'' (I.2.14)
-            w1 * w2 * k3 + (z8 * z4 + c_theta * z14),
+            w1 * w2 * k3 + (z8 * z5 + c_theta * z14),
         ]
         return _finish("accelerations", qddot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -387,7 +387,7 @@ def jacobian(
             raise SingularModelError(2, "jacobian")
         # parameters only
         k1 = (I2 - I3) / I1
-        k2 = (I1 - I3) / I2
+        k2 = -(I1 - I3) / I2
         k3 = (I1 - I2) / I3
         # state
         s_theta = math.sin(theta)
@@ -398,19 +398,19 @@ def jacobian(
         s_psi = math.sin(psi)
         z1 = c_psi * w2 + s_psi * w1
         c_theta = math.cos(theta)
-        z2 = c_theta / (s_theta * s_theta)
-        z3 = z1 * z2
-        z4 = 1.0 / s_theta
+        z2 = 1.0 / s_theta
+        z3 = c_theta * (z2 * z2)
+        z4 = z1 * z3
         z5 = s_psi * w2 - c_psi * w1
-        z6 = z4 * z5
-        z7 = s_psi * z4
-        z8 = c_psi * z4
+        z6 = z2 * z5
+        z7 = s_psi * z2
+        z8 = c_psi * z2
         z9 = s_theta * c_psi
         z10 = s_theta * s_psi
         J: list[float] = [
             0.0,
             # (I.2.14)
-            -z3,
+            -z4,
             # (I.2.14)
             -z6,
             # (I.2.14)
@@ -420,9 +420,9 @@ def jacobian(
             0.0,
             0.0,
             # (I.2.14)
-            -((w1 * z9 - w2 * z10) * z2 + z4 * (c_theta * z5)),
+            -((w1 * z9 - w2 * z10) * z3 + z2 * (c_theta * z5)),
             # (I.2.14)
-            -z4 * (w1 * z10 + w2 * z9),
+            -z2 * (w1 * z10 + w2 * z9),
             # (I.2.14)
             c_psi,
             # (I.2.14)
@@ -430,7 +430,7 @@ def jacobian(
             0.0,
             0.0,
             # (I.2.14)
-            z1 + c_theta * z3,
+            z1 + c_theta * z4,
             # (I.2.14)
             c_theta * z6,
             # (I.2.14)
@@ -451,10 +451,10 @@ def jacobian(
             0.0,
             0.0,
             # (I.2.14)
-            -w3 * k2,
+            w3 * k2,
             0.0,
             # (I.2.14)
-            -w1 * k2,
+            w1 * k2,
             0.0,
             0.0,
             0.0,

@@ -1,5 +1,5 @@
 /*
- * free_rigid_body_quaternion.c: free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:1edc276f2147d865)
+ * free_rigid_body_quaternion.c: free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:9ee8cacfa52b95b5)
  * A free rigid body, its orientation a quaternion; Euler's equations, and no orientation that is special.
  * Source: free_rigid_body_quaternion.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -190,7 +190,7 @@ int free_rigid_body_quaternion_rhs(double t, const double *y, const double *p, d
     /* (I.2.15) */
     dydt[0] = -0.5 * (R_3 * w3 + (R_1 * w1 + R_2 * w2)); /* R_0' */
     dydt[1] = 0.5 * (R_2 * w3 + (R_0 * w1 - R_3 * w2)); /* R_1' */
-    dydt[2] = -0.5 * (R_1 * w3 - (R_3 * w1 + R_0 * w2)); /* R_2' */
+    dydt[2] = (R_3 * w1 + R_0 * w2 - R_1 * w3) * 0.5; /* R_2' */
     dydt[3] = 0.5 * (R_0 * w3 - (R_2 * w1 - R_1 * w2)); /* R_3' */
     /* (I.2.15) 12:4 */
     dydt[4] = w2 * w3 * k1; /* w1' */
@@ -231,7 +231,7 @@ int free_rigid_body_quaternion_velocities(double t, const double *y, const doubl
     /* (I.2.4) */
     qdot[0] = -0.5 * (R_3 * w3 + (R_1 * w1 + R_2 * w2)); /* R_0' */
     qdot[1] = 0.5 * (R_2 * w3 + (R_0 * w1 - R_3 * w2)); /* R_1' */
-    qdot[2] = -0.5 * (R_1 * w3 - (R_3 * w1 + R_0 * w2)); /* R_2' */
+    qdot[2] = (R_3 * w1 + R_0 * w2 - R_1 * w3) * 0.5; /* R_2' */
     qdot[3] = 0.5 * (R_0 * w3 - (R_2 * w1 - R_1 * w2)); /* R_3' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qdot[0] + qdot[1] + qdot[2] + qdot[3]) <= DBL_MAX)) {
@@ -439,7 +439,7 @@ int free_rigid_body_quaternion_jacobian(double t, const double *y, const double 
 
     /* parameters only */
     const double k1 = (I2 - I3) / I1;
-    const double k2 = (I1 - I3) / I2;
+    const double k2 = -(I1 - I3) / I2;
     const double k3 = (I1 - I2) / I3;
 
     /* state */
@@ -477,8 +477,8 @@ int free_rigid_body_quaternion_jacobian(double t, const double *y, const double 
     J[27] = z7;
     J[33] = w3 * k1;
     J[34] = w2 * k1;
-    J[39] = -w3 * k2;
-    J[41] = -w1 * k2;
+    J[39] = w3 * k2;
+    J[41] = w1 * k2;
     J[46] = w2 * k3;
     J[47] = w1 * k3;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
@@ -561,7 +561,7 @@ static __attribute__((noinline)) void free_rigid_body_quaternion_rhs_lanes(const
     const free_rigid_body_quaternion_lanes slope2 = 0.5 * (R_2 * w3 + (R_0 * w1 - R_3 * w2));
     sum += slope2;
     free_rigid_body_quaternion_put(dydt + 1 * stride, slope2);
-    const free_rigid_body_quaternion_lanes slope3 = -0.5 * (R_1 * w3 - (R_3 * w1 + R_0 * w2));
+    const free_rigid_body_quaternion_lanes slope3 = (R_3 * w1 + R_0 * w2 - R_1 * w3) * 0.5;
     sum += slope3;
     free_rigid_body_quaternion_put(dydt + 2 * stride, slope3);
     const free_rigid_body_quaternion_lanes slope4 = 0.5 * (R_0 * w3 - (R_2 * w1 - R_1 * w2));

@@ -1,4 +1,4 @@
-"""free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:8a6ce51b47ae0cc4).
+"""free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:3049981f2ec8d89f).
 
 A free rigid body, its orientation a quaternion; Euler's equations, and no
     orientation that is special.
@@ -124,7 +124,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
             # R_1' (I.2.15)
             0.5 * (R_2 * w3 + (R_0 * w1 - R_3 * w2)),
             # R_2' (I.2.15)
-            -0.5 * (R_1 * w3 - (R_3 * w1 + R_0 * w2)),
+            (R_3 * w1 + R_0 * w2 - R_1 * w3) * 0.5,
             # R_3' (I.2.15)
             0.5 * (R_0 * w3 - (R_2 * w1 - R_1 * w2)),
             # w1' (I.2.15) 12:4
@@ -164,7 +164,7 @@ def velocities(
             # R_1' (I.2.4)
             0.5 * (R_2 * w3 + (R_0 * w1 - R_3 * w2)),
             # R_2' (I.2.4)
-            -0.5 * (R_1 * w3 - (R_3 * w1 + R_0 * w2)),
+            (R_3 * w1 + R_0 * w2 - R_1 * w3) * 0.5,
             # R_3' (I.2.4)
             0.5 * (R_0 * w3 - (R_2 * w1 - R_1 * w2)),
         ]
@@ -415,7 +415,7 @@ def jacobian(
             raise SingularModelError(2, "jacobian")
         # parameters only
         k1 = (I2 - I3) / I1
-        k2 = (I1 - I3) / I2
+        k2 = -(I1 - I3) / I2
         k3 = (I1 - I2) / I3
         # state
         z1 = 0.5 * w1
@@ -492,10 +492,10 @@ def jacobian(
             0.0,
             0.0,
             # (I.2.15)
-            -w3 * k2,
+            w3 * k2,
             0.0,
             # (I.2.15)
-            -w1 * k2,
+            w1 * k2,
             0.0,
             0.0,
             0.0,

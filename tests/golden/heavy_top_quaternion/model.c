@@ -1,5 +1,5 @@
 /*
- * heavy_top_quaternion.c: heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:0d35f73fdc1f76d1)
+ * heavy_top_quaternion.c: heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:abeddd5945dabd6c)
  * The symmetric top with a fixed point (Lagrange's top), its orientation a quaternion, so that it may stand
  *     upright.
  * Source: heavy_top_quaternion.yaml
@@ -192,7 +192,7 @@ int heavy_top_quaternion_rhs(double t, const double *y, const double *p, double 
     /* (I.2.15) */
     dydt[0] = -0.5 * (R_3 * w3 + (R_1 * w1 + R_2 * w2)); /* R_0' */
     dydt[1] = 0.5 * (R_2 * w3 + (R_0 * w1 - R_3 * w2)); /* R_1' */
-    dydt[2] = -0.5 * (R_1 * w3 - (R_3 * w1 + R_0 * w2)); /* R_2' */
+    dydt[2] = (R_3 * w1 + R_0 * w2 - R_1 * w3) * 0.5; /* R_2' */
     dydt[3] = 0.5 * (R_0 * w3 - (R_2 * w1 - R_1 * w2)); /* R_3' */
     /* (I.2.15) 12:4 */
     dydt[4] = k2 * (2.0 * (z1 * (R_0 * R_1 + R_2 * R_3)) + w2 * z2); /* w1' */
@@ -200,10 +200,6 @@ int heavy_top_quaternion_rhs(double t, const double *y, const double *p, double 
     dydt[6] = 0.0; /* w3' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(dydt[0] + dydt[1] + dydt[2] + dydt[3] + dydt[4] + dydt[5]) <= DBL_MAX && fabs(I3) > 0.0)) {
-        /* the mass matrix is singular */
-        if (!(fabs(I1) > 0.0)) {
-            return HEAVY_TOP_QUATERNION_SINGULAR_2;
-        }
         /* the mass matrix is singular */
         if (!(fabs(I1) > 0.0)) {
             return HEAVY_TOP_QUATERNION_SINGULAR_2;
@@ -233,7 +229,7 @@ int heavy_top_quaternion_velocities(double t, const double *y, const double *p, 
     /* (I.2.4) */
     qdot[0] = -0.5 * (R_3 * w3 + (R_1 * w1 + R_2 * w2)); /* R_0' */
     qdot[1] = 0.5 * (R_2 * w3 + (R_0 * w1 - R_3 * w2)); /* R_1' */
-    qdot[2] = -0.5 * (R_1 * w3 - (R_3 * w1 + R_0 * w2)); /* R_2' */
+    qdot[2] = (R_3 * w1 + R_0 * w2 - R_1 * w3) * 0.5; /* R_2' */
     qdot[3] = 0.5 * (R_0 * w3 - (R_2 * w1 - R_1 * w2)); /* R_3' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qdot[0] + qdot[1] + qdot[2] + qdot[3]) <= DBL_MAX)) {
@@ -278,10 +274,6 @@ int heavy_top_quaternion_accelerations(double t, const double *y, const double *
     qddot[3] = -(R_3 * z7 + 0.5 * ((R_1 * w1 + R_2 * w2) * z9)); /* R_3'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qddot[0] + qddot[1] + qddot[2] + qddot[3]) <= DBL_MAX && fabs(I3) > 0.0)) {
-        /* the mass matrix is singular */
-        if (!(fabs(I1) > 0.0)) {
-            return HEAVY_TOP_QUATERNION_SINGULAR_2;
-        }
         /* the mass matrix is singular */
         if (!(fabs(I1) > 0.0)) {
             return HEAVY_TOP_QUATERNION_SINGULAR_2;
@@ -386,10 +378,6 @@ int heavy_top_quaternion_reactions(double t, const double *y, const double *p, d
             return HEAVY_TOP_QUATERNION_SINGULAR_2;
         }
         /* the mass matrix is singular */
-        if (!(fabs(I1) > 0.0)) {
-            return HEAVY_TOP_QUATERNION_SINGULAR_2;
-        }
-        /* the mass matrix is singular */
         if (!(fabs(I3) > 0.0)) {
             return HEAVY_TOP_QUATERNION_SINGULAR_2;
         }
@@ -449,10 +437,10 @@ int heavy_top_quaternion_jacobian(double t, const double *y, const double *p, do
     const double z5 = 0.5 * R_2;
     const double z6 = 0.5 * R_3;
     const double z7 = 0.5 * R_0;
-    const double z8 = R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1));
-    const double z9 = mgl / z8;
+    const double z8 = 1.0 / (R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)));
+    const double z9 = mgl * z8;
     const double z10 = 2.0 * (R_1 * z9);
-    const double z11 = mgl / (z8 * z8);
+    const double z11 = mgl * (z8 * z8);
     const double z12 = (R_0 * R_1 + R_2 * R_3) * z11;
     const double z13 = 2.0 * (R_0 * z9);
     const double z14 = 2.0 * (R_3 * z9);
@@ -500,10 +488,6 @@ int heavy_top_quaternion_jacobian(double t, const double *y, const double *p, do
     if (!(fabs(J[10] + J[11] + J[12] + J[15] + J[20] + J[23] + J[25] + J[28] + J[29] + J[30] + J[31] + J[34]
         + J[35] + J[36] + J[37] + J[38] + J[39] + J[41]) <= DBL_MAX
         && fabs(I3) > 0.0)) {
-        /* the mass matrix is singular */
-        if (!(fabs(I1) > 0.0)) {
-            return HEAVY_TOP_QUATERNION_SINGULAR_2;
-        }
         /* the mass matrix is singular */
         if (!(fabs(I1) > 0.0)) {
             return HEAVY_TOP_QUATERNION_SINGULAR_2;
@@ -575,7 +559,7 @@ static __attribute__((noinline)) void heavy_top_quaternion_rhs_lanes(const doubl
     const heavy_top_quaternion_lanes slope2 = 0.5 * (R_2 * w3 + (R_0 * w1 - R_3 * w2));
     sum += slope2;
     heavy_top_quaternion_put(dydt + 1 * stride, slope2);
-    const heavy_top_quaternion_lanes slope3 = -0.5 * (R_1 * w3 - (R_3 * w1 + R_0 * w2));
+    const heavy_top_quaternion_lanes slope3 = (R_3 * w1 + R_0 * w2 - R_1 * w3) * 0.5;
     sum += slope3;
     heavy_top_quaternion_put(dydt + 2 * stride, slope3);
     const heavy_top_quaternion_lanes slope4 = 0.5 * (R_0 * w3 - (R_2 * w1 - R_1 * w2));

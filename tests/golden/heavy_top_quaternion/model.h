@@ -1,5 +1,5 @@
 /*
- * heavy_top_quaternion.h: heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:fde86743dd136cc0)
+ * heavy_top_quaternion.h: heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:cf03e0446ad1e5df)
  * The symmetric top with a fixed point (Lagrange's top), its orientation a quaternion, so that it may stand
  *     upright.
  * Source: heavy_top_quaternion.yaml
@@ -36,7 +36,7 @@
  * positions: 4 +-, 4 *, 0 /, 0 calls
  * reactions: 0 +-, 0 *, 0 /, 0 calls
  * energy: 8 +-, 12 *, 1 /, 0 calls
- * jacobian: 14 +-, 54 *, 3 /, 0 calls
+ * jacobian: 14 +-, 56 *, 2 /, 0 calls
  * outputs: 10 +-, 17 *, 1 /, 0 calls
  *
  * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.

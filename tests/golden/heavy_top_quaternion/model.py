@@ -1,4 +1,4 @@
-"""heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:b1941d7b8b4efd1d).
+"""heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:8534013981e824f8).
 
 The symmetric top with a fixed point (Lagrange's top), its orientation a quaternion,
     so that it may stand upright.
@@ -36,7 +36,7 @@ residuals: 3 +-, 5 *, 0 /, 0 calls
 positions: 4 +-, 4 *, 0 /, 0 calls
 reactions: 0 +-, 0 *, 0 /, 0 calls
 energy: 8 +-, 12 *, 1 /, 0 calls
-jacobian: 14 +-, 54 *, 3 /, 0 calls
+jacobian: 14 +-, 56 *, 2 /, 0 calls
 outputs: 10 +-, 17 *, 1 /, 0 calls
 
 A singular point raises SingularModelError.
@@ -121,7 +121,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
             # R_1' (I.2.15)
             0.5 * (R_2 * w3 + (R_0 * w1 - R_3 * w2)),
             # R_2' (I.2.15)
-            -0.5 * (R_1 * w3 - (R_3 * w1 + R_0 * w2)),
+            (R_3 * w1 + R_0 * w2 - R_1 * w3) * 0.5,
             # R_3' (I.2.15)
             0.5 * (R_0 * w3 - (R_2 * w1 - R_1 * w2)),
             # w1' (I.2.15) 12:4
@@ -161,7 +161,7 @@ def velocities(
             # R_1' (I.2.4)
             0.5 * (R_2 * w3 + (R_0 * w1 - R_3 * w2)),
             # R_2' (I.2.4)
-            -0.5 * (R_1 * w3 - (R_3 * w1 + R_0 * w2)),
+            (R_3 * w1 + R_0 * w2 - R_1 * w3) * 0.5,
             # R_3' (I.2.4)
             0.5 * (R_0 * w3 - (R_2 * w1 - R_1 * w2)),
         ]
@@ -413,10 +413,10 @@ def jacobian(
         z5 = 0.5 * R_2
         z6 = 0.5 * R_3
         z7 = 0.5 * R_0
-        z8 = R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1))
-        z9 = mgl / z8
+        z8 = 1.0 / (R_3 * R_3 + (R_2 * R_2 + (R_0 * R_0 + R_1 * R_1)))
+        z9 = mgl * z8
         z10 = 2.0 * (R_1 * z9)
-        z11 = mgl / (z8 * z8)
+        z11 = mgl * (z8 * z8)
         z12 = (R_0 * R_1 + R_2 * R_3) * z11
         z13 = 2.0 * (R_0 * z9)
         z14 = 2.0 * (R_3 * z9)

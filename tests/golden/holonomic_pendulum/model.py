@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""holonomic_pendulum, emitted by nhc 0.1.0 (nhc:bef3c148729f675f).
+"""holonomic_pendulum, emitted by nhc 0.1.0 (nhc:556e09e52e307c7a).
 
 The plane pendulum in Cartesian coordinates with the rod as a constraint on the
     positions.
@@ -28,9 +28,9 @@ accelerations: 4 +-, 12 *, 1 /, 2 calls
 state: 1 +-, 2 *, 0 /, 0 calls
 residuals: 1 +-, 2 *, 0 /, 0 calls
 positions: 2 +-, 4 *, 0 /, 0 calls
-reactions: 4 +-, 10 *, 2 /, 2 calls
-energy: 3 +-, 11 *, 1 /, 0 calls
-jacobian: 4 +-, 20 *, 2 /, 2 calls
+reactions: 4 +-, 11 *, 1 /, 2 calls
+energy: 3 +-, 10 *, 1 /, 0 calls
+jacobian: 4 +-, 20 *, 1 /, 2 calls
 outputs: 2 +-, 3 *, 0 /, 2 calls
 
 A singular point raises SingularModelError.
@@ -286,14 +286,15 @@ def reactions(
         # the coframe is singular
         if not abs(z2) > 1e-12 * (z3 * z3):
             raise SingularModelError(1, "reactions")
-        z4 = m / z2
+        z4 = 1.0 / z2
+        z5 = m * z4
         # the mass matrix is singular
-        if not abs(z4) > 0.0:
+        if not abs(z5) > 0.0:
             raise SingularModelError(2, "reactions")
-        z5 = 1.0 / (z2 * z2) * v * v
+        z6 = z4 * z4 * v * v
         lambda_: list[float] = [
             # reaction of rod: Q_i gains lambda_1 a_1i (I.4.1) 16:5
-            z4 * (y_2 * (g - y_2 * z5) - z1 * z5),
+            z5 * (y_2 * (g - y_2 * z6) - z1 * z6),
         ]
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -312,11 +313,13 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     m = float(p[0])  # mass of the bob [kg]
     g = float(p[1])  # acceleration of gravity [m/s^2]
     try:
+        # parameters only
+        k1 = m * g
         # state
-        z1 = x * x
-        z2 = z1 + y_2 * y_2
-        z3 = 1.0 / (z2 * z2) * v * v
-        value1 = m * (0.5 * (z1 * z3) + y_2 * (g + 0.5 * (y_2 * z3)))
+        z1 = v / (x * x + y_2 * y_2)
+        z2 = y_2 * z1
+        z3 = x * z1
+        value1 = y_2 * k1 + 0.5 * (m * (z2 * z2 + z3 * z3))
         return _single("energy", value1)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
         raise SingularModelError(NOT_FINITE, "energy") from error
@@ -349,7 +352,7 @@ def jacobian(
         if not abs(m * z3) > 0.0:
             raise SingularModelError(2, "jacobian")
         z4 = y_2 * v
-        z5 = 1.0 / (z1 * z1)
+        z5 = z3 * z3
         z6 = x * z5
         z7 = v * z3
         z8 = y_2 * z5

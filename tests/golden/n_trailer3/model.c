@@ -1,5 +1,5 @@
 /*
- * n_trailer3.c: n_trailer3, emitted by nhc 0.1.0 (nhc:79c25954bb4fc769)
+ * n_trailer3.c: n_trailer3, emitted by nhc 0.1.0 (nhc:175c8a8bce25d3e7)
  * A tractor with three trailers, each hitched to the axle before it; none of the four axles slips sideways.
  * Source: n_trailer3.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -719,15 +719,15 @@ int n_trailer3_jacobian(double t, const double *y, const double *p, double *J)
     J[36] = -z13;
     J[38] = k1 * z6;
     J[42] = -z14 * z15;
-    J[43] = -(z6 - z14) * z15;
+    J[43] = (z14 - z6) * z15;
     J[44] = z16 + z6 * z15;
     J[45] = -z16;
     J[46] = k1 * z5;
     J[50] = z17 * z59;
-    J[51] = -z17 * (z59 - z60);
+    J[51] = (z60 - z59) * z17;
     J[52] = -z17 * (z60 + z61);
     J[53] = z17 * z61;
-    J[54] = -z17 * (z42 + z29 * z53 + z33 * z47 - z11 * z26);
+    J[54] = (z11 * z26 - (z42 + z29 * z53 + z33 * z47)) * z17;
     J[55] = -z17 * z26;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(J[34] + J[35] + J[38] + J[42] + J[43] + J[44] + J[45] + J[46] + J[50] + J[51] + J[52] + J[53]

@@ -1,4 +1,4 @@
-"""n_trailer3, emitted by nhc 0.1.0 (nhc:45415ce19498924d).
+"""n_trailer3, emitted by nhc 0.1.0 (nhc:4443d4caae9a4e59).
 
 A tractor with three trailers, each hitched to the axle before it; none of the four
     axles slips sideways.
@@ -720,7 +720,7 @@ def jacobian(
             # (I.2.15)
             -z14 * z15,
             # (I.2.15)
-            -(z6 - z14) * z15,
+            (z14 - z6) * z15,
             # (I.2.15)
             z16 + z6 * z15,
             # (I.2.15)
@@ -733,13 +733,13 @@ def jacobian(
             # (I.2.15)
             z17 * z59,
             # (I.2.15)
-            -z17 * (z59 - z60),
+            (z60 - z59) * z17,
             # (I.2.15)
             -z17 * (z60 + z61),
             # (I.2.15)
             z17 * z61,
             # (I.2.15)
-            -z17 * (z42 + z29 * z53 + z33 * z47 - z11 * z26),
+            (z11 * z26 - (z42 + z29 * z53 + z33 * z47)) * z17,
             # (I.2.15)
             -z17 * z26,
             0.0,

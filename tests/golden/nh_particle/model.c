@@ -1,5 +1,5 @@
 /*
- * nh_particle.c: nh_particle, emitted by nhc 0.1.0 (nhc:043e3bea78ff8a4d)
+ * nh_particle.c: nh_particle, emitted by nhc 0.1.0 (nhc:429cf5cb32a54f3e)
  * A free particle with one velocity constraint that cannot be integrated.
  * Source: nh_particle.yaml
  * Equations of motion: chaplygin (III.3)
@@ -340,7 +340,7 @@ int nh_particle_jacobian(double t, const double *y, const double *p, double *J)
     J[9] = 1.0;
     J[11] = x_dot;
     J[13] = y_2;
-    J[16] = -(1.0 - 2.0 * (z1 * z3)) * (y_dot * (x_dot * z3));
+    J[16] = (2.0 * (z1 * z3) - 1.0) * (y_dot * (x_dot * z3));
     J[18] = -y_dot * z4;
     J[19] = -x_dot * z4;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */

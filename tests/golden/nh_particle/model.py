@@ -1,4 +1,4 @@
-"""nh_particle, emitted by nhc 0.1.0 (nhc:9c2679599f62b021).
+"""nh_particle, emitted by nhc 0.1.0 (nhc:e2154d4144a69417).
 
 A free particle with one velocity constraint that cannot be integrated.
 Source: nh_particle.yaml
@@ -332,7 +332,7 @@ def jacobian(
             0.0,
             0.0,
             # (III.3)
-            -(1.0 - 2.0 * (z1 * z3)) * (y_dot * (x_dot * z3)),
+            (2.0 * (z1 * z3) - 1.0) * (y_dot * (x_dot * z3)),
             0.0,
             # (III.3)
             -y_dot * z4,

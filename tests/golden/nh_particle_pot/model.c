@@ -1,5 +1,5 @@
 /*
- * nh_particle_pot.c: nh_particle_pot, emitted by nhc 0.1.0 (nhc:4f1b18690d389c20)
+ * nh_particle_pot.c: nh_particle_pot, emitted by nhc 0.1.0 (nhc:155ad7f562674c54)
  * The nonholonomic particle with springs in x and y.
  * Source: nh_particle_pot.yaml
  * Equations of motion: chaplygin (III.3)
@@ -362,7 +362,7 @@ int nh_particle_pot_jacobian(double t, const double *y, const double *p, double 
     J[11] = x_dot;
     J[13] = y_2;
     J[15] = -k * z2;
-    J[16] = -z2 * (x_dot * z3 - 2.0 * (m * (z4 * (x * k + z5 * z3))));
+    J[16] = (2.0 * (m * (z4 * (x * k + z5 * z3))) - x_dot * z3) * z2;
     J[18] = -z3 * z4;
     J[19] = -m * (z5 * z2);
     J[21] = -k / m;

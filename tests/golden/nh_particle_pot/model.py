@@ -1,4 +1,4 @@
-"""nh_particle_pot, emitted by nhc 0.1.0 (nhc:712b07be1964114c).
+"""nh_particle_pot, emitted by nhc 0.1.0 (nhc:f7af8161edb981fb).
 
 The nonholonomic particle with springs in x and y.
 Source: nh_particle_pot.yaml
@@ -348,7 +348,7 @@ def jacobian(
             # (III.3)
             -k * z2,
             # (III.3)
-            -z2 * (x_dot * z3 - 2.0 * (m * (z4 * (x * k + z5 * z3)))),
+            (2.0 * (m * (z4 * (x * k + z5 * z3))) - x_dot * z3) * z2,
             0.0,
             # (III.3)
             -z3 * z4,

@@ -1,5 +1,5 @@
 /*
- * point_mass.c: point_mass, emitted by nhc 0.1.0 (nhc:9c5d901d594291e5)
+ * point_mass.c: point_mass, emitted by nhc 0.1.0 (nhc:d1e7a9d21b63f751)
  * A point mass thrown in a uniform field of gravity, with linear drag.
  * Source: point_mass.yaml
  * Equations of motion: lagrange (II.3)
@@ -186,14 +186,6 @@ int point_mass_rhs(double t, const double *y, const double *p, double *dydt)
         if (!(fabs(m) > 0.0)) {
             return POINT_MASS_SINGULAR_2;
         }
-        /* the mass matrix is singular */
-        if (!(fabs(m) > 0.0)) {
-            return POINT_MASS_SINGULAR_2;
-        }
-        /* the mass matrix is singular */
-        if (!(fabs(m) > 0.0)) {
-            return POINT_MASS_SINGULAR_2;
-        }
         return point_mass_finish(6, dydt);
     }
     return POINT_MASS_OK;
@@ -239,14 +231,6 @@ int point_mass_accelerations(double t, const double *y, const double *p, double 
     qddot[2] = -(g + z_dot * k1); /* z'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qddot[0] + qddot[1] + qddot[2]) <= DBL_MAX)) {
-        /* the mass matrix is singular */
-        if (!(fabs(m) > 0.0)) {
-            return POINT_MASS_SINGULAR_2;
-        }
-        /* the mass matrix is singular */
-        if (!(fabs(m) > 0.0)) {
-            return POINT_MASS_SINGULAR_2;
-        }
         /* the mass matrix is singular */
         if (!(fabs(m) > 0.0)) {
             return POINT_MASS_SINGULAR_2;
@@ -302,14 +286,6 @@ int point_mass_reactions(double t, const double *y, const double *p, double *lam
     if (!(fabs(m) > 0.0)) {
         return POINT_MASS_SINGULAR_2;
     }
-    /* the mass matrix is singular */
-    if (!(fabs(m) > 0.0)) {
-        return POINT_MASS_SINGULAR_2;
-    }
-    /* the mass matrix is singular */
-    if (!(fabs(m) > 0.0)) {
-        return POINT_MASS_SINGULAR_2;
-    }
     (void)lambda;
     return POINT_MASS_OK;
 }
@@ -354,14 +330,6 @@ int point_mass_jacobian(double t, const double *y, const double *p, double *J)
     J[35] = -k1;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(J[35]) <= DBL_MAX)) {
-        /* the mass matrix is singular */
-        if (!(fabs(m) > 0.0)) {
-            return POINT_MASS_SINGULAR_2;
-        }
-        /* the mass matrix is singular */
-        if (!(fabs(m) > 0.0)) {
-            return POINT_MASS_SINGULAR_2;
-        }
         /* the mass matrix is singular */
         if (!(fabs(m) > 0.0)) {
             return POINT_MASS_SINGULAR_2;

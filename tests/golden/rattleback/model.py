@@ -1,4 +1,4 @@
-"""rattleback, emitted by nhc 0.1.0 (nhc:e71df528ea135fe1).
+"""rattleback, emitted by nhc 0.1.0 (nhc:7a225d507124e0a2).
 
 A loaded ellipsoid that rolls on a plane and prefers one sense of spin (celt,
     wobblestone).
@@ -39,12 +39,12 @@ out[0] = spin
 Operations:
 rhs: 84 +-, 148 *, 5 /, 7 calls
 velocities: 17 +-, 46 *, 2 /, 7 calls
-accelerations: 124 +-, 193 *, 6 /, 7 calls
+accelerations: 124 +-, 194 *, 5 /, 7 calls
 state: 3 +-, 6 *, 0 /, 4 calls
 residuals: 18 +-, 40 *, 1 /, 7 calls
 reactions: 106 +-, 184 *, 5 /, 7 calls
 energy: 25 +-, 60 *, 2 /, 7 calls
-jacobian: 530 +-, 754 *, 7 /, 7 calls
+jacobian: 530 +-, 755 *, 5 /, 7 calls
 outputs: 0 +-, 0 *, 0 /, 1 calls
 
 A singular point raises SingularModelError.
@@ -130,111 +130,111 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         mu2 = math.sin(alpha)
         c_beta = math.cos(beta)
         mu3 = c_beta * c_alpha
-        z2 = k1 * (z1 * z1) + k2 * (mu2 * mu2) + k3 * (mu3 * mu3)
-        z3 = 1.0 / math.sqrt(z2)
-        z4 = mu3 * k3
-        r3 = h - z3 * z4
-        z5 = r3 * r3
-        z6 = mu2 * k2
-        z7 = z3 * z6
-        z8 = z7 * z7
-        z9 = I_a + (z5 + z8)
+        s1 = k1 * (z1 * z1) + k2 * (mu2 * mu2) + k3 * (mu3 * mu3)
+        z2 = 1.0 / math.sqrt(s1)
+        z3 = mu3 * k3
+        r3 = h - z2 * z3
+        z4 = r3 * r3
+        z5 = mu2 * k2
+        z6 = z2 * z5
+        z7 = z6 * z6
+        z8 = I_a + (z4 + z7)
         # the mass matrix is singular
-        if not abs(z9) > 0.0:
+        if not abs(z8) > 0.0:
             raise SingularModelError(2, "rhs")
-        z10 = z1 * k1
-        r1 = z10 * z3
-        z11 = r1 * r1
-        z12 = I_b + (z5 + z11)
-        z13 = I_d + r1 * z7
-        z14 = 1.0 / z9
-        z15 = z13 * z14
-        z16 = z12 - z13 * z15
+        z9 = z1 * k1
+        r1 = z9 * z2
+        z10 = r1 * r1
+        z11 = I_b + (z4 + z10)
+        z12 = I_d + r1 * z6
+        z13 = 1.0 / z8
+        z14 = z12 * z13
+        z15 = z11 - z12 * z14
         # the mass matrix is singular
-        if not abs(z16) > 1e-14 * z12:
+        if not abs(z15) > 1e-14 * z11:
             raise SingularModelError(2, "rhs")
-        z17 = I_c + (z8 + z11)
-        z18 = r1 * r3
-        z19 = z18 * z14
-        z20 = z7 * r3 + z13 * z19
-        z21 = 1.0 / z16
-        z22 = z20 * z21
-        z23 = z17 - z18 * z19 - z20 * z22
+        z16 = I_c + (z7 + z10)
+        z17 = r1 * r3
+        z18 = z17 * z13
+        z19 = z6 * r3 + z12 * z18
+        z20 = 1.0 / z15
+        z21 = z19 * z20
+        z22 = z16 - z17 * z18 - z19 * z21
         # the mass matrix is singular
-        if not abs(z23) > 1e-14 * z17:
+        if not abs(z22) > 1e-14 * z16:
             raise SingularModelError(2, "rhs")
         s_gamma = math.sin(gamma)
-        z24 = s_beta * w1 - c_beta * w3
-        z25 = 1.0 / c_alpha
-        z26 = z1 * w3 + mu3 * w1
-        z27 = z25 * z26
-        z28 = s_beta * z24 + c_beta * z27
-        z29 = c_beta * z24 - s_beta * z27
-        z30 = r3 * z28 + r1 * z29
-        u1 = r3 * w2 - z7 * z29
-        z31 = r1 * w2 + z7 * z28
-        z32 = s_beta * u1 + c_beta * z31
-        z33 = c_alpha * z30 - mu2 * z32
+        z23 = s_beta * w1 - c_beta * w3
+        z24 = 1.0 / c_alpha
+        z25 = z1 * w3 + mu3 * w1
+        z26 = z24 * z25
+        z27 = s_beta * z23 + c_beta * z26
+        z28 = c_beta * z23 - s_beta * z26
+        z29 = r3 * z27 + r1 * z28
+        u1 = r3 * w2 - z6 * z28
+        z30 = r1 * w2 + z6 * z27
+        z31 = s_beta * u1 + c_beta * z30
+        z32 = c_alpha * z29 - mu2 * z31
         c_gamma = math.cos(gamma)
-        z34 = s_beta * z31 - c_beta * u1
-        z35 = z25 * z24
-        z36 = w2 + mu2 * z35
-        z37 = I_c * z29
-        z38 = c_beta * z36
-        z39 = s_beta * z36
-        z40 = z27 * z39
-        z41 = mu2 * z27
-        z42 = s_beta * z41 - c_alpha * z38
-        z43 = z40 + z35 * z42
-        z44 = z27 * z38
-        z45 = c_alpha * z39 + c_beta * z41
-        z46 = z44 + z35 * z45
-        z47 = s_beta * z43 + c_beta * z46 - z35 * z41
-        z48 = z25 * (z1 * z46 - mu3 * z43)
-        z49 = z24 * z38 + s_beta * z47 - (z40 + c_beta * z48)
-        z50 = I_d * z28 + I_b * w2
-        z51 = z27 * z50
-        z52 = z24 * z50
-        z53 = (z10 * z42 - z6 * z26 + z4 * z45) * (z3 * (z3 * z3))
-        z54 = z4 * z53 - k3 * (z3 * z45)
-        z55 = z24 * z39 - c_beta * z47 + (z44 - s_beta * z48)
-        z56 = k1 * (z3 * z42) - z10 * z53
-        s1 = r3 * z49 - z28 * z54 - (r1 * z55 + z29 * z56)
-        z57 = z29 * u1 - z28 * z31 + s1
-        z58 = g * mu2 + z57
-        z59 = z6 * z53 + k2 * (z3 * z26)
-        s2 = z28 * z30 + w2 * u1 + (z7 * z49 + z28 * z59 - w2 * z56)
-        z60 = g * mu3 + s2
-        s3 = s_beta * z51 - (c_beta * z52 + (r3 * z58 + z7 * z60))
-        z61 = w2 * z37 - (I_a * z49 - s3)
-        z62 = I_d * w2 + I_a * z28
-        s4 = w2 * z31 + z29 * z30 - (z7 * z55 - z29 * z59 - w2 * z54)
-        z63 = g * z1 - s4
-        s5 = I_d * z49 - (z29 * z62 - z28 * z37 - (r3 * z63 + r1 * z60))
-        z64 = s5 + z15 * z61
-        s6 = c_beta * z51 + (s_beta * z52 + (z7 * z63 - r1 * z58))
-        z65 = w2 * z62 - (I_c * z55 + s6)
-        z66 = (z65 + z19 * z61 + z22 * z64) / z23
-        z67 = z21 * z64 + z22 * z66
+        z33 = s_beta * z30 - c_beta * u1
+        z34 = z24 * z23
+        z35 = w2 + mu2 * z34
+        z36 = I_c * z28
+        z37 = c_beta * z35
+        z38 = s_beta * z35
+        z39 = z26 * z38
+        z40 = mu2 * z26
+        z41 = s_beta * z40 - c_alpha * z37
+        z42 = z39 + z34 * z41
+        z43 = z26 * z37
+        z44 = c_alpha * z38 + c_beta * z40
+        z45 = z43 + z34 * z44
+        z46 = s_beta * z42 + c_beta * z45 - z34 * z40
+        z47 = z24 * (z1 * z45 - mu3 * z42)
+        z48 = z23 * z37 + s_beta * z46 - (z39 + c_beta * z47)
+        z49 = I_d * z27 + I_b * w2
+        z50 = z26 * z49
+        z51 = z23 * z49
+        z52 = (z9 * z41 - z5 * z25 + z3 * z44) * (z2 * (z2 * z2))
+        z53 = z3 * z52 - k3 * (z2 * z44)
+        z54 = z23 * z38 - c_beta * z46 + (z43 - s_beta * z47)
+        z55 = k1 * (z2 * z41) - z9 * z52
+        s2 = r3 * z48 - z27 * z53 - (r1 * z54 + z28 * z55)
+        z56 = z28 * u1 - z27 * z30 + s2
+        z57 = g * mu2 + z56
+        z58 = z5 * z52 + k2 * (z2 * z25)
+        s3 = z27 * z29 + w2 * u1 + (z6 * z48 + z27 * z58 - w2 * z55)
+        z59 = g * mu3 + s3
+        s4 = s_beta * z50 - (c_beta * z51 + (r3 * z57 + z6 * z59))
+        z60 = w2 * z36 - (I_a * z48 - s4)
+        z61 = I_d * w2 + I_a * z27
+        s5 = w2 * z30 + z28 * z29 - (z6 * z54 - z28 * z58 - w2 * z53)
+        z62 = g * z1 - s5
+        s6 = I_d * z48 - (z28 * z61 - z27 * z36 - (r3 * z62 + r1 * z59))
+        z63 = s6 + z14 * z60
+        s7 = c_beta * z50 + (s_beta * z51 + (z6 * z62 - r1 * z57))
+        z64 = w2 * z61 - (I_c * z54 + s7)
+        z65 = (z64 + z18 * z60 + z21 * z63) / z22
+        z66 = z20 * z63 + z21 * z65
         dydt: list[float] = [
             # x' (I.2.15)
-            s_gamma * z33 - c_gamma * z34,
+            s_gamma * z32 - c_gamma * z33,
             # y' (I.2.15)
-            -(s_gamma * z34 + c_gamma * z33),
+            -(s_gamma * z33 + c_gamma * z32),
             # z' (I.2.15)
-            -(mu2 * z30 + c_alpha * z32),
+            -(mu2 * z29 + c_alpha * z31),
             # alpha' (I.2.15)
-            z27,
+            z26,
             # beta' (I.2.15)
-            z36,
+            z35,
             # gamma' (I.2.15)
-            -z35,
+            -z34,
             # w1' (I.2.15) 41:4
-            z14 * z61 + z15 * z67 + z19 * z66,
+            z13 * z60 + z14 * z66 + z18 * z65,
             # w2' (I.2.15) 41:4
-            -z67,
+            -z66,
             # w3' (I.2.15) 41:4
-            z66,
+            z65,
         ]
         return _finish("rhs", dydt)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -354,126 +354,126 @@ def accelerations(
         mu2 = math.sin(alpha)
         c_beta = math.cos(beta)
         mu3 = c_beta * c_alpha
-        z2 = k1 * (z1 * z1) + k2 * (mu2 * mu2) + k3 * (mu3 * mu3)
-        z3 = 1.0 / math.sqrt(z2)
-        z4 = mu3 * k3
-        r3 = h - z3 * z4
-        z5 = r3 * r3
-        z6 = mu2 * k2
-        z7 = z3 * z6
-        z8 = z7 * z7
-        z9 = I_a + (z5 + z8)
+        s1 = k1 * (z1 * z1) + k2 * (mu2 * mu2) + k3 * (mu3 * mu3)
+        z2 = 1.0 / math.sqrt(s1)
+        z3 = mu3 * k3
+        r3 = h - z2 * z3
+        z4 = r3 * r3
+        z5 = mu2 * k2
+        z6 = z2 * z5
+        z7 = z6 * z6
+        z8 = I_a + (z4 + z7)
         # the mass matrix is singular
-        if not abs(z9) > 0.0:
+        if not abs(z8) > 0.0:
             raise SingularModelError(2, "accelerations")
-        z10 = z1 * k1
-        r1 = z10 * z3
-        z11 = r1 * r1
-        z12 = I_b + (z5 + z11)
-        z13 = I_d + r1 * z7
-        z14 = 1.0 / z9
-        z15 = z13 * z14
-        z16 = z12 - z13 * z15
+        z9 = z1 * k1
+        r1 = z9 * z2
+        z10 = r1 * r1
+        z11 = I_b + (z4 + z10)
+        z12 = I_d + r1 * z6
+        z13 = 1.0 / z8
+        z14 = z12 * z13
+        z15 = z11 - z12 * z14
         # the mass matrix is singular
-        if not abs(z16) > 1e-14 * z12:
+        if not abs(z15) > 1e-14 * z11:
             raise SingularModelError(2, "accelerations")
-        z17 = I_c + (z8 + z11)
-        z18 = r1 * r3
-        z19 = z18 * z14
-        z20 = z7 * r3 + z13 * z19
-        z21 = 1.0 / z16
-        z22 = z20 * z21
-        z23 = z17 - z18 * z19 - z20 * z22
+        z16 = I_c + (z7 + z10)
+        z17 = r1 * r3
+        z18 = z17 * z13
+        z19 = z6 * r3 + z12 * z18
+        z20 = 1.0 / z15
+        z21 = z19 * z20
+        z22 = z16 - z17 * z18 - z19 * z21
         # the mass matrix is singular
-        if not abs(z23) > 1e-14 * z17:
+        if not abs(z22) > 1e-14 * z16:
             raise SingularModelError(2, "accelerations")
-        z24 = s_beta * w1 - c_beta * w3
-        z25 = 1.0 / c_alpha
-        z26 = z1 * w3 + mu3 * w1
-        z27 = z25 * z26
-        z28 = s_beta * z24 + c_beta * z27
-        z29 = c_beta * z24 - s_beta * z27
-        z30 = r3 * z28 + r1 * z29
-        u1 = r3 * w2 - z7 * z29
-        z31 = r1 * w2 + z7 * z28
-        z32 = s_beta * u1 + c_beta * z31
-        z33 = c_alpha * z30 - mu2 * z32
+        z23 = s_beta * w1 - c_beta * w3
+        z24 = 1.0 / c_alpha
+        z25 = z1 * w3 + mu3 * w1
+        z26 = z24 * z25
+        z27 = s_beta * z23 + c_beta * z26
+        z28 = c_beta * z23 - s_beta * z26
+        z29 = r3 * z27 + r1 * z28
+        u1 = r3 * w2 - z6 * z28
+        z30 = r1 * w2 + z6 * z27
+        z31 = s_beta * u1 + c_beta * z30
+        z32 = c_alpha * z29 - mu2 * z31
         c_gamma = math.cos(gamma)
-        z34 = z25 * z24
-        z35 = c_gamma * z34
+        z33 = z24 * z23
+        z34 = c_gamma * z33
         s_gamma = math.sin(gamma)
-        z36 = mu2 * z27
-        z37 = w2 + mu2 * z34
-        z38 = c_beta * z37
-        z39 = s_beta * z36 - c_alpha * z38
-        z40 = s_beta * z37
-        z41 = c_alpha * z40 + c_beta * z36
-        z42 = (z10 * z39 - z6 * z26 + z4 * z41) * (z3 * (z3 * z3))
-        z43 = z4 * z42 - k3 * (z3 * z41)
-        z44 = z28 * z43
-        z45 = z24 * z38
-        z46 = I_c * z29
-        z47 = z27 * z40
-        z48 = z47 + z34 * z39
-        z49 = z27 * z38
-        z50 = z49 + z34 * z41
-        z51 = s_beta * z48 + c_beta * z50 - z34 * z36
-        z52 = z25 * (z1 * z50 - mu3 * z48)
-        z53 = z45 + s_beta * z51 - (z47 + c_beta * z52)
-        z54 = I_d * z28 + I_b * w2
-        z55 = z27 * z54
-        z56 = z24 * z54
-        z57 = z24 * z40
-        z58 = z57 - c_beta * z51 + (z49 - s_beta * z52)
-        z59 = k1 * (z3 * z39) - z10 * z42
-        z60 = z29 * z59
-        s1 = z29 * u1 - z28 * z31 + (r3 * z53 - z44 - (r1 * z58 + z60))
-        z61 = g * mu2 + s1
-        z62 = z6 * z42 + k2 * (z3 * z26)
-        z63 = z28 * z62
-        z64 = w2 * z59
-        z65 = g * mu3 + (z28 * z30 + w2 * u1 + (z7 * z53 + z63 - z64))
-        s2 = s_beta * z55 - (c_beta * z56 + (r3 * z61 + z7 * z65))
-        z66 = w2 * z46 - (I_a * z53 - s2)
-        z67 = I_d * w2 + I_a * z28
-        z68 = z29 * z62
-        z69 = w2 * z43
-        z70 = g * z1 - (w2 * z31 + z29 * z30 - (z7 * z58 - z68 - z69))
-        s3 = I_d * z53 - (z29 * z67 - z28 * z46 - (r3 * z70 + r1 * z65))
-        z71 = s3 + z15 * z66
-        s4 = c_beta * z55 + (s_beta * z56 + (z7 * z70 - r1 * z61))
-        z72 = w2 * z67 - (I_c * z58 + s4)
-        z73 = (z72 + z19 * z66 + z22 * z71) / z23
-        z74 = z21 * z71 + z22 * z73
-        z75 = z14 * z66 + z15 * z74 + z19 * z73
-        z76 = w1 * z38 + s_beta * z75 + (w3 * z40 - c_beta * z73)
-        z77 = z36 / (c_alpha * c_alpha)
-        s5 = z25 * (w3 * z39 - z1 * z73 + (w1 * z41 - mu3 * z75))
-        z78 = z26 * z77 - s5
-        z79 = z45 + s_beta * z76 - (z47 - c_beta * z78)
-        z80 = z57 - c_beta * z76 + (z49 + s_beta * z78)
-        z81 = z44 - r3 * z79 + (z60 + r1 * z80)
-        z82 = z69 + r3 * z74 + (z68 - z7 * z80)
-        z83 = z64 + r1 * z74 - (z63 + z7 * z79)
-        z84 = u1 * z38 - s_beta * z82 - (z31 * z40 + c_beta * z83)
-        z85 = z30 * z36 + c_alpha * z81 + (z26 * z32 + mu2 * z84)
-        z86 = s_beta * z31 - c_beta * u1
-        z87 = s_gamma * z34
-        z88 = z31 * z38 - s_beta * z83 + (u1 * z40 + c_beta * z82)
-        z89 = z24 * z77 + z25 * z76
+        z35 = mu2 * z26
+        z36 = w2 + mu2 * z33
+        z37 = c_beta * z36
+        z38 = s_beta * z35 - c_alpha * z37
+        z39 = s_beta * z36
+        z40 = c_alpha * z39 + c_beta * z35
+        z41 = (z9 * z38 - z5 * z25 + z3 * z40) * (z2 * (z2 * z2))
+        z42 = z3 * z41 - k3 * (z2 * z40)
+        z43 = z27 * z42
+        z44 = z23 * z37
+        z45 = I_c * z28
+        z46 = z26 * z39
+        z47 = z46 + z33 * z38
+        z48 = z26 * z37
+        z49 = z48 + z33 * z40
+        z50 = s_beta * z47 + c_beta * z49 - z33 * z35
+        z51 = z24 * (z1 * z49 - mu3 * z47)
+        z52 = z44 + s_beta * z50 - (z46 + c_beta * z51)
+        z53 = I_d * z27 + I_b * w2
+        z54 = z26 * z53
+        z55 = z23 * z53
+        z56 = z23 * z39
+        z57 = z56 - c_beta * z50 + (z48 - s_beta * z51)
+        z58 = k1 * (z2 * z38) - z9 * z41
+        z59 = z28 * z58
+        s2 = z28 * u1 - z27 * z30 + (r3 * z52 - z43 - (r1 * z57 + z59))
+        z60 = g * mu2 + s2
+        z61 = z5 * z41 + k2 * (z2 * z25)
+        z62 = z27 * z61
+        z63 = w2 * z58
+        z64 = g * mu3 + (z27 * z29 + w2 * u1 + (z6 * z52 + z62 - z63))
+        s3 = s_beta * z54 - (c_beta * z55 + (r3 * z60 + z6 * z64))
+        z65 = w2 * z45 - (I_a * z52 - s3)
+        z66 = I_d * w2 + I_a * z27
+        z67 = z28 * z61
+        z68 = w2 * z42
+        z69 = g * z1 - (w2 * z30 + z28 * z29 - (z6 * z57 - z67 - z68))
+        s4 = I_d * z52 - (z28 * z66 - z27 * z45 - (r3 * z69 + r1 * z64))
+        z70 = s4 + z14 * z65
+        s5 = c_beta * z54 + (s_beta * z55 + (z6 * z69 - r1 * z60))
+        z71 = w2 * z66 - (I_c * z57 + s5)
+        z72 = (z71 + z18 * z65 + z21 * z70) / z22
+        z73 = z20 * z70 + z21 * z72
+        z74 = z13 * z65 + z14 * z73 + z18 * z72
+        z75 = w1 * z37 + s_beta * z74 + (w3 * z39 - c_beta * z72)
+        z76 = z35 * (z24 * z24)
+        s6 = z24 * (w3 * z38 - z1 * z72 + (w1 * z40 - mu3 * z74))
+        z77 = z25 * z76 - s6
+        z78 = z44 + s_beta * z75 - (z46 - c_beta * z77)
+        z79 = z56 - c_beta * z75 + (z48 + s_beta * z77)
+        z80 = z43 - r3 * z78 + (z59 + r1 * z79)
+        z81 = z68 + r3 * z73 + (z67 - z6 * z79)
+        z82 = z63 + r1 * z73 - (z62 + z6 * z78)
+        z83 = u1 * z37 - s_beta * z81 - (z30 * z39 + c_beta * z82)
+        z84 = z29 * z35 + c_alpha * z80 + (z25 * z31 + mu2 * z83)
+        z85 = s_beta * z30 - c_beta * u1
+        z86 = s_gamma * z33
+        z87 = z30 * z37 - s_beta * z82 + (u1 * z39 + c_beta * z81)
+        z88 = z23 * z76 + z24 * z75
         qddot: list[float] = [
             # x'' (I.2.15)
-            -(z33 * z35 + s_gamma * z85 + (z86 * z87 + c_gamma * z88)),
+            -(z32 * z34 + s_gamma * z84 + (z85 * z86 + c_gamma * z87)),
             # y'' (I.2.15)
-            z86 * z35 - s_gamma * z88 - (z33 * z87 - c_gamma * z85),
+            z85 * z34 - s_gamma * z87 - (z32 * z86 - c_gamma * z84),
             # z'' (I.2.15)
-            z32 * z36 - c_alpha * z84 - (z26 * z30 - mu2 * z81),
+            z31 * z35 - c_alpha * z83 - (z25 * z29 - mu2 * z80),
             # alpha'' (I.2.15)
-            z78,
+            z77,
             # beta'' (I.2.15)
-            z26 * z34 + mu2 * z89 - z74,
+            z25 * z33 + mu2 * z88 - z73,
             # gamma'' (I.2.15)
-            -z89,
+            -z88,
         ]
         return _finish("accelerations", qddot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -629,111 +629,111 @@ def reactions(
         mu2 = math.sin(alpha)
         c_beta = math.cos(beta)
         mu3 = c_beta * c_alpha
-        z2 = k1 * (z1 * z1) + k2 * (mu2 * mu2) + k3 * (mu3 * mu3)
-        z3 = 1.0 / math.sqrt(z2)
-        z4 = mu3 * k3
-        r3 = h - z3 * z4
-        z5 = r3 * r3
-        z6 = mu2 * k2
-        z7 = z3 * z6
-        z8 = z7 * z7
-        z9 = I_a + (z5 + z8)
+        s1 = k1 * (z1 * z1) + k2 * (mu2 * mu2) + k3 * (mu3 * mu3)
+        z2 = 1.0 / math.sqrt(s1)
+        z3 = mu3 * k3
+        r3 = h - z2 * z3
+        z4 = r3 * r3
+        z5 = mu2 * k2
+        z6 = z2 * z5
+        z7 = z6 * z6
+        z8 = I_a + (z4 + z7)
         # the mass matrix is singular
-        if not abs(z9) > 0.0:
+        if not abs(z8) > 0.0:
             raise SingularModelError(2, "reactions")
-        z10 = z1 * k1
-        r1 = z10 * z3
-        z11 = r1 * r1
-        z12 = I_b + (z5 + z11)
-        z13 = I_d + r1 * z7
-        z14 = 1.0 / z9
-        z15 = z13 * z14
-        z16 = z12 - z13 * z15
+        z9 = z1 * k1
+        r1 = z9 * z2
+        z10 = r1 * r1
+        z11 = I_b + (z4 + z10)
+        z12 = I_d + r1 * z6
+        z13 = 1.0 / z8
+        z14 = z12 * z13
+        z15 = z11 - z12 * z14
         # the mass matrix is singular
-        if not abs(z16) > 1e-14 * z12:
+        if not abs(z15) > 1e-14 * z11:
             raise SingularModelError(2, "reactions")
-        z17 = I_c + (z8 + z11)
-        z18 = r1 * r3
-        z19 = z18 * z14
-        z20 = z7 * r3 + z13 * z19
-        z21 = 1.0 / z16
-        z22 = z20 * z21
-        z23 = z17 - z18 * z19 - z20 * z22
+        z16 = I_c + (z7 + z10)
+        z17 = r1 * r3
+        z18 = z17 * z13
+        z19 = z6 * r3 + z12 * z18
+        z20 = 1.0 / z15
+        z21 = z19 * z20
+        z22 = z16 - z17 * z18 - z19 * z21
         # the mass matrix is singular
-        if not abs(z23) > 1e-14 * z17:
+        if not abs(z22) > 1e-14 * z16:
             raise SingularModelError(2, "reactions")
-        z24 = s_beta * w1 - c_beta * w3
-        z25 = 1.0 / c_alpha
-        z26 = z1 * w3 + mu3 * w1
-        z27 = z25 * z26
-        z28 = s_beta * z24 + c_beta * z27
-        z29 = c_beta * z24 - s_beta * z27
-        z30 = r3 * z28 + r1 * z29
-        u1 = r3 * w2 - z7 * z29
-        z31 = z25 * z24
-        z32 = w2 + mu2 * z31
-        z33 = c_beta * z32
-        z34 = s_beta * z32
-        z35 = z27 * z34
-        z36 = mu2 * z27
-        z37 = s_beta * z36 - c_alpha * z33
-        z38 = z35 + z31 * z37
-        z39 = z27 * z33
-        z40 = c_alpha * z34 + c_beta * z36
-        z41 = z39 + z31 * z40
-        z42 = s_beta * z38 + c_beta * z41 - z31 * z36
-        z43 = z25 * (z1 * z41 - mu3 * z38)
-        z44 = z24 * z33 + s_beta * z42 - (z35 + c_beta * z43)
-        z45 = (z10 * z37 - z6 * z26 + z4 * z40) * (z3 * (z3 * z3))
-        z46 = z6 * z45 + k2 * (z3 * z26)
-        z47 = k1 * (z3 * z37) - z10 * z45
-        s1 = z28 * z30 + w2 * u1 + (z7 * z44 + z28 * z46 - w2 * z47)
-        z48 = g * mu3 + s1
+        z23 = s_beta * w1 - c_beta * w3
+        z24 = 1.0 / c_alpha
+        z25 = z1 * w3 + mu3 * w1
+        z26 = z24 * z25
+        z27 = s_beta * z23 + c_beta * z26
+        z28 = c_beta * z23 - s_beta * z26
+        z29 = r3 * z27 + r1 * z28
+        u1 = r3 * w2 - z6 * z28
+        z30 = z24 * z23
+        z31 = w2 + mu2 * z30
+        z32 = c_beta * z31
+        z33 = s_beta * z31
+        z34 = z26 * z33
+        z35 = mu2 * z26
+        z36 = s_beta * z35 - c_alpha * z32
+        z37 = z34 + z30 * z36
+        z38 = z26 * z32
+        z39 = c_alpha * z33 + c_beta * z35
+        z40 = z38 + z30 * z39
+        z41 = s_beta * z37 + c_beta * z40 - z30 * z35
+        z42 = z24 * (z1 * z40 - mu3 * z37)
+        z43 = z23 * z32 + s_beta * z41 - (z34 + c_beta * z42)
+        z44 = (z9 * z36 - z5 * z25 + z3 * z39) * (z2 * (z2 * z2))
+        z45 = z5 * z44 + k2 * (z2 * z25)
+        z46 = k1 * (z2 * z36) - z9 * z44
+        s2 = z27 * z29 + w2 * u1 + (z6 * z43 + z27 * z45 - w2 * z46)
+        z47 = g * mu3 + s2
         s_gamma = math.sin(gamma)
-        z49 = mu2 * s_gamma
+        z48 = mu2 * s_gamma
         c_gamma = math.cos(gamma)
-        z50 = c_beta * z49 + s_beta * c_gamma
-        z51 = r1 * w2 + z7 * z28
-        z52 = z24 * z34 - c_beta * z42 + (z39 - s_beta * z43)
-        z53 = z4 * z45 - k3 * (z3 * z40)
-        s2 = w2 * z51 + z29 * z30 - (z7 * z52 - z29 * z46 - w2 * z53)
-        z54 = g * z1 - s2
-        z55 = c_beta * c_gamma - s_beta * z49
-        s3 = r3 * z44 - z28 * z53 - (r1 * z52 + z29 * z47)
-        z56 = z29 * u1 - z28 * z51 + s3
-        z57 = g * mu2 + z56
-        z58 = c_alpha * s_gamma
-        z59 = I_d * w2 + I_a * z28
-        z60 = I_d * z28 + I_b * w2
-        z61 = z27 * z60
-        z62 = z24 * z60
-        s4 = c_beta * z61 + (s_beta * z62 + (z7 * z54 - r1 * z57))
-        z63 = w2 * z59 - (I_c * z52 + s4)
-        z64 = I_c * z29
-        s5 = s_beta * z61 - (c_beta * z62 + (r3 * z57 + z7 * z48))
-        z65 = w2 * z64 - (I_a * z44 - s5)
-        s6 = I_d * z44 - (z29 * z59 - z28 * z64 - (r3 * z54 + r1 * z48))
-        z66 = s6 + z15 * z65
-        z67 = (z63 + z19 * z65 + z22 * z66) / z23
-        z68 = z21 * z66 + z22 * z67
-        z69 = z14 * z65 + z15 * z68 + z19 * z67
-        s7 = z69 * (r3 * z58 - z7 * z50) - z68 * (r3 * z55 - r1 * z50)
-        z70 = z67 * (z7 * z55 - r1 * z58) + s7
-        z71 = mu2 * c_gamma
-        z72 = c_beta * z71 - s_beta * s_gamma
-        z73 = c_beta * s_gamma + s_beta * z71
-        z74 = c_alpha * c_gamma
-        s8 = z69 * (r3 * z74 - z7 * z72) + z68 * (r3 * z73 + r1 * z72)
-        z75 = z67 * (z7 * z73 + r1 * z74) - s8
-        s9 = z69 * (mu2 * r3 + mu3 * z7) - z68 * (z1 * r3 + mu3 * r1)
-        z76 = z67 * (mu2 * r1 - z1 * z7) - s9
+        z49 = c_beta * z48 + s_beta * c_gamma
+        z50 = r1 * w2 + z6 * z27
+        z51 = z23 * z33 - c_beta * z41 + (z38 - s_beta * z42)
+        z52 = z3 * z44 - k3 * (z2 * z39)
+        s3 = w2 * z50 + z28 * z29 - (z6 * z51 - z28 * z45 - w2 * z52)
+        z53 = g * z1 - s3
+        z54 = c_beta * c_gamma - s_beta * z48
+        s4 = r3 * z43 - z27 * z52 - (r1 * z51 + z28 * z46)
+        z55 = z28 * u1 - z27 * z50 + s4
+        z56 = g * mu2 + z55
+        z57 = c_alpha * s_gamma
+        z58 = I_d * w2 + I_a * z27
+        z59 = I_d * z27 + I_b * w2
+        z60 = z26 * z59
+        z61 = z23 * z59
+        s5 = c_beta * z60 + (s_beta * z61 + (z6 * z53 - r1 * z56))
+        z62 = w2 * z58 - (I_c * z51 + s5)
+        z63 = I_c * z28
+        s6 = s_beta * z60 - (c_beta * z61 + (r3 * z56 + z6 * z47))
+        z64 = w2 * z63 - (I_a * z43 - s6)
+        s7 = I_d * z43 - (z28 * z58 - z27 * z63 - (r3 * z53 + r1 * z47))
+        z65 = s7 + z14 * z64
+        z66 = (z62 + z18 * z64 + z21 * z65) / z22
+        z67 = z20 * z65 + z21 * z66
+        z68 = z13 * z64 + z14 * z67 + z18 * z66
+        s8 = z68 * (r3 * z57 - z6 * z49) - z67 * (r3 * z54 - r1 * z49)
+        z69 = z66 * (z6 * z54 - r1 * z57) + s8
+        z70 = mu2 * c_gamma
+        z71 = c_beta * z70 - s_beta * s_gamma
+        z72 = c_beta * s_gamma + s_beta * z70
+        z73 = c_alpha * c_gamma
+        s9 = z68 * (r3 * z73 - z6 * z71) + z67 * (r3 * z72 + r1 * z71)
+        z74 = z66 * (z6 * z72 + r1 * z73) - s9
+        s10 = z68 * (mu2 * r3 + mu3 * z6) - z67 * (z1 * r3 + mu3 * r1)
+        z75 = z66 * (mu2 * r1 - z1 * z6) - s10
         lambda_: list[float] = [
             # reaction of roll_x: Q_i gains lambda_1 a_1i (I.4.1) 44:5
-            z70 - (z48 * z50 - (z54 * z55 + z57 * z58)),
+            z69 - (z47 * z49 - (z53 * z54 + z56 * z57)),
             # reaction of roll_y: Q_i gains lambda_2 a_2i (I.4.1) 45:5
-            z48 * z72 + (z54 * z73 - z57 * z74) + z75,
+            z47 * z71 + (z53 * z72 - z56 * z73) + z74,
             # reaction of roll_z: Q_i gains lambda_3 a_3i (I.4.1) 46:5
-            z76 - (mu3 * z48 + (z1 * z54 + mu2 * z57)),
+            z75 - (mu3 * z47 + (z1 * z53 + mu2 * z56)),
         ]
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -852,436 +852,436 @@ def jacobian(
         mu2 = math.sin(alpha)
         c_beta = math.cos(beta)
         mu3 = c_beta * c_alpha
-        z2 = k1 * (z1 * z1) + k2 * (mu2 * mu2) + k3 * (mu3 * mu3)
-        z3 = 1.0 / math.sqrt(z2)
-        z4 = mu3 * k3
-        r3 = h - z3 * z4
-        z5 = r3 * r3
-        z6 = mu2 * k2
-        z7 = z3 * z6
-        z8 = z7 * z7
-        z9 = I_a + (z5 + z8)
+        s1 = k1 * (z1 * z1) + k2 * (mu2 * mu2) + k3 * (mu3 * mu3)
+        z2 = 1.0 / math.sqrt(s1)
+        z3 = mu3 * k3
+        r3 = h - z2 * z3
+        z4 = r3 * r3
+        z5 = mu2 * k2
+        z6 = z2 * z5
+        z7 = z6 * z6
+        z8 = I_a + (z4 + z7)
         # the mass matrix is singular
-        if not abs(z9) > 0.0:
+        if not abs(z8) > 0.0:
             raise SingularModelError(2, "jacobian")
-        z10 = z1 * k1
-        r1 = z10 * z3
-        z11 = r1 * r1
-        z12 = I_b + (z5 + z11)
-        z13 = I_d + r1 * z7
-        z14 = 1.0 / z9
-        z15 = z13 * z14
-        z16 = z12 - z13 * z15
+        z9 = z1 * k1
+        r1 = z9 * z2
+        z10 = r1 * r1
+        z11 = I_b + (z4 + z10)
+        z12 = I_d + r1 * z6
+        z13 = 1.0 / z8
+        z14 = z12 * z13
+        z15 = z11 - z12 * z14
         # the mass matrix is singular
-        if not abs(z16) > 1e-14 * z12:
+        if not abs(z15) > 1e-14 * z11:
             raise SingularModelError(2, "jacobian")
-        z17 = I_c + (z8 + z11)
-        z18 = r1 * r3
-        z19 = z18 * z14
-        z20 = z7 * r3
-        z21 = z20 + z13 * z19
-        z22 = 1.0 / z16
-        z23 = z21 * z22
-        z24 = z17 - z18 * z19 - z21 * z23
+        z16 = I_c + (z7 + z10)
+        z17 = r1 * r3
+        z18 = z17 * z13
+        z19 = z6 * r3
+        z20 = z19 + z12 * z18
+        z21 = 1.0 / z15
+        z22 = z20 * z21
+        z23 = z16 - z17 * z18 - z20 * z22
         # the mass matrix is singular
-        if not abs(z24) > 1e-14 * z17:
+        if not abs(z23) > 1e-14 * z16:
             raise SingularModelError(2, "jacobian")
         s_gamma = math.sin(gamma)
-        z25 = s_beta * w1 - c_beta * w3
-        z26 = s_beta * z25
-        z27 = 1.0 / c_alpha
-        z28 = z1 * w3 + mu3 * w1
-        z29 = z27 * z28
-        z30 = c_beta * z29
-        z31 = z26 + z30
-        z32 = r3 * z31
-        z33 = c_beta * z25
-        z34 = s_beta * z29
-        z35 = z33 - z34
-        z36 = r1 * z35
-        z37 = z32 + z36
-        z38 = 1.0 / (c_alpha * c_alpha)
-        z39 = mu2 * z38
-        z40 = s_beta * mu2
-        z41 = c_beta * mu2
-        z42 = z28 * z39 - z27 * (w3 * z40 + w1 * z41)
-        z43 = c_beta * z42
-        z44 = z3 * z3
-        z45 = z3 * z44
-        z46 = z45 * (z10 * z40 - c_alpha * z6 + z4 * z41)
-        z47 = k3 * z3
-        z48 = z4 * z46 - z41 * z47
-        z49 = s_beta * z42
-        z50 = k1 * z3
-        z51 = z40 * z50 - z10 * z46
-        z52 = r3 * z43 - z31 * z48 - (r1 * z49 + z35 * z51)
-        z53 = r3 * w2
-        z54 = z7 * z35
-        u1 = z53 - z54
-        z55 = s_beta * u1
-        z56 = r1 * w2
-        z57 = z7 * z31
-        z58 = z56 + z57
-        z59 = c_beta * z58
-        z60 = z55 + z59
-        z61 = k2 * z3
-        z62 = z6 * z46 + c_alpha * z61
-        z63 = w2 * z48 - (z7 * z49 - z35 * z62)
-        z64 = w2 * z51 - (z7 * z43 + z31 * z62)
-        z65 = s_beta * z63 + c_beta * z64
-        z66 = mu2 * z37 - c_alpha * z52 + (c_alpha * z60 - mu2 * z65)
+        z24 = s_beta * w1 - c_beta * w3
+        z25 = s_beta * z24
+        z26 = 1.0 / c_alpha
+        z27 = z1 * w3 + mu3 * w1
+        z28 = z26 * z27
+        z29 = c_beta * z28
+        z30 = z25 + z29
+        z31 = r3 * z30
+        z32 = c_beta * z24
+        z33 = s_beta * z28
+        z34 = z32 - z33
+        z35 = r1 * z34
+        z36 = z31 + z35
+        z37 = z26 * z26
+        z38 = mu2 * z37
+        z39 = s_beta * mu2
+        z40 = c_beta * mu2
+        z41 = z27 * z38 - z26 * (w3 * z39 + w1 * z40)
+        z42 = c_beta * z41
+        z43 = z2 * z2
+        z44 = z2 * z43
+        z45 = z44 * (z9 * z39 - c_alpha * z5 + z3 * z40)
+        z46 = k3 * z2
+        z47 = z3 * z45 - z40 * z46
+        z48 = s_beta * z41
+        z49 = k1 * z2
+        z50 = z39 * z49 - z9 * z45
+        z51 = r3 * z42 - z30 * z47 - (r1 * z48 + z34 * z50)
+        z52 = r3 * w2
+        z53 = z6 * z34
+        u1 = z52 - z53
+        z54 = s_beta * u1
+        z55 = r1 * w2
+        z56 = z6 * z30
+        z57 = z55 + z56
+        z58 = c_beta * z57
+        z59 = z54 + z58
+        z60 = k2 * z2
+        z61 = z5 * z45 + c_alpha * z60
+        z62 = w2 * z47 - (z6 * z48 - z34 * z61)
+        z63 = w2 * z50 - (z6 * z42 + z30 * z61)
+        z64 = s_beta * z62 + c_beta * z63
+        z65 = mu2 * z36 - c_alpha * z51 + (c_alpha * z59 - mu2 * z64)
         c_gamma = math.cos(gamma)
-        z67 = s_beta * z64 - c_beta * z63
-        z68 = c_beta * w1 + s_beta * w3
-        z69 = z27 * (mu3 * w3 - z1 * w1)
-        z70 = z33 + s_beta * z68 - (z34 - c_beta * z69)
-        z71 = k4 * (mu3 * (z1 * z45))
-        z72 = z4 * z71 + z1 * z47
-        z73 = z26 - c_beta * z68 + (z30 + s_beta * z69)
-        z74 = mu3 * z50 - z10 * z71
-        z75 = r3 * z70 + z31 * z72 - (r1 * z73 - z35 * z74)
-        z76 = c_beta * u1
-        z77 = z6 * z71
-        z78 = w2 * z72 + (z7 * z73 + z35 * z77)
-        z79 = s_beta * z58
-        z80 = w2 * z74 + (z7 * z70 - z31 * z77)
-        z81 = z76 + s_beta * z78 - (z79 - c_beta * z80)
-        z82 = c_alpha * z75 - mu2 * z81
-        z83 = z59 + s_beta * z80 + (z55 - c_beta * z78)
-        z84 = z79 - z76
-        z85 = c_alpha * z37
-        z86 = mu2 * z60
-        z87 = z85 - z86
-        z88 = c_beta * z7
-        z89 = mu2 * z88 - c_alpha * r3
-        z90 = s_beta * z7
-        z91 = s_beta * r3 + c_beta * r1
-        z92 = mu2 * z91
-        z93 = s_beta * r1 - c_beta * r3
-        z94 = mu2 * z90 + c_alpha * r1
-        z95 = z25 * z39
-        z96 = z27 * z68
-        z97 = s_beta * z27
-        z98 = c_beta * z27
-        z99 = g * r3
-        z100 = z7 * w2
-        z101 = r3 * z35
-        z102 = z100 + z101
-        z103 = z4 * z32 - z6 * z57 - z10 * z102
-        z104 = z44 * z103
-        z105 = z3 * z104
-        z106 = k2 * z105
-        z107 = z27 * z25
-        z108 = z8 + (I_a + z5)
-        z109 = c_beta * z18
-        z110 = s_beta * z108 + z109
-        z111 = s_beta * z18
-        z112 = c_beta * z108 - z111
-        z113 = z27 * z112
-        z114 = c_beta * z110 - z1 * z113
-        z115 = k3 * z105
-        z116 = z107 * z114 - (mu3 * z115 - z32 * z47)
-        z117 = s_beta * z110 + mu3 * z113
-        z118 = k1 * z105
-        z119 = z107 * z117 - (z1 * z118 + z102 * z50)
-        z120 = z107 * z110 - c_beta * z116 - s_beta * z119
-        z121 = z18 - z114
-        z122 = z25 * z108 - z29 * z121 - c_alpha * z119
-        z123 = z25 * z18
-        z124 = z108 - z117
-        z125 = z123 + z29 * z124 - c_alpha * z116
-        z126 = c_beta * z122 - s_beta * z125
-        z127 = mu2 * z29
-        z128 = w2 + mu2 * z107
-        z129 = c_beta * z128
-        z130 = s_beta * z127 - c_alpha * z129
-        z131 = s_beta * z128
-        z132 = c_alpha * z131 + c_beta * z127
-        z133 = z10 * z130 - z6 * z28 + z4 * z132
-        z134 = z3 * z133
-        z135 = z44 * z134
-        z136 = z29 * z131
-        z137 = z136 + z107 * z130
-        z138 = z29 * z129
-        z139 = z138 + z107 * z132
-        z140 = s_beta * z137 + c_beta * z139 - z107 * z127
-        z141 = z1 * z139 - mu3 * z137
-        z142 = z27 * z141
-        z143 = z25 * z129 + s_beta * z140 - (z136 + c_beta * z142)
-        z144 = z7 * z143
-        z145 = k2 * z28
-        z146 = z3 * z145 + z6 * z135
-        z147 = k1 * z130
-        z148 = z3 * z147 - z10 * z135
-        s1 = z31 * z37 + w2 * u1 + (z144 + z31 * z146 - w2 * z148)
-        z149 = g * mu3 + s1
-        z150 = I_d * w2
-        z151 = z150 + I_a * z31
-        z152 = I_c * z35
-        z153 = z25 * z131 - c_beta * z140 + (z138 - s_beta * z142)
-        z154 = z7 * z153
-        z155 = k3 * z132
-        z156 = z3 * z155 - z4 * z135
-        s2 = w2 * z58 + z35 * z37 - (z154 - z35 * z146 + w2 * z156)
-        z157 = g * z1 - s2
-        z158 = I_d * z31
-        z159 = z158 + I_b * w2
-        z160 = z29 * z159
-        z161 = z25 * z159
-        z162 = r3 * z143
-        z163 = r1 * z153
-        s3 = z162 + z31 * z156 - (z163 + z35 * z148)
-        z164 = g * mu2 + (z35 * u1 - z31 * z58 + s3)
-        s4 = s_beta * z160 - (c_beta * z161 + (r3 * z164 + z7 * z149))
-        z165 = w2 * z152 - (I_a * z143 - s4)
-        s5 = z35 * z151 - z31 * z152 - (r3 * z157 + r1 * z149)
-        z166 = I_d * z143 - s5 + z15 * z165
-        z167 = 1.0 / z24
-        s6 = c_beta * z160 + (s_beta * z161 + (z7 * z157 - r1 * z164))
-        z168 = w2 * z151 - (I_c * z153 + s6)
-        z169 = z167 * (z168 + z19 * z165 + z23 * z166)
-        z170 = z22 * z166 + z23 * z169
-        z171 = r1 * z170
-        z172 = z14 * z165 + z15 * z170 + z19 * z169
-        z173 = z7 * z172
-        z174 = z35 * z102 + (z31 * z32 - (z144 + (z149 - z171 + 2.0 * z173)))
-        s7 = z99 + (z28 * z106 - z29 * z120 + z107 * z126)
-        z175 = s7 + k2 * (z57 * z135 - z3 * z174)
-        z176 = z134 / (z2 * z2)
-        z177 = r1 * z169
-        z178 = r3 * z172
-        z179 = w2 * z102 + (z31 * z57 + (z162 + (z164 - z177 + 2.0 * z178)))
-        s8 = z32 * z155 + z57 * z145 - z147 * z102 - z133 * z104
-        z180 = s8 - z4 * z179 - z6 * z174
-        z181 = r3 * z153
-        z182 = r3 * z169
-        z183 = z7 * z170
-        z184 = w2 * z32 - (z35 * z57 - (z181 + (z182 + z183)))
-        z185 = z103 * z176 - 0.5 * (z45 * (z180 - z10 * z184))
-        z186 = z127 * z110 - z130 * z117 - z132 * z114 - mu2 * z126
-        z187 = s_beta * z159
-        z188 = I_d * z35
-        z189 = z7 * z37
-        z190 = r3 * z58
-        z191 = r3 * z156
-        z192 = z7 * z146
-        z193 = z7 * z32 - (r3 * z57 + (z188 + z189 - z190 + z191 + z192))
-        z194 = z7 * z102 - (r1 * z57 - (I_c * w2 - r3 * u1 + r3 * z148))
-        s9 = z187 + z131 * z124 + z129 * z121 + mu2 * z120
-        z195 = s9 + c_beta * z193 - s_beta * z194
-        z196 = g * z7
-        z197 = mu2 * z106 + z57 * z61 - z27 * z195
-        s10 = z132 * z115 - z137 * z113 - z196 - w1 * z197
-        z198 = s10 + k3 * (z32 * z135 + z3 * z179)
-        z199 = z198 - 2.0 * (z4 * z185)
-        s11 = z38 * (z141 * z112 + z25 * z186 + z28 * z195)
-        z200 = z131 * z116 - z129 * z119 + s11 - c_beta * z199
-        s12 = z130 * z118 + z139 * z113 - w3 * z197
-        z201 = s12 - k1 * (z102 * z135 - z3 * z184) - 2.0 * (z10 * z185)
-        s13 = c_alpha * (z175 + 2.0 * (z6 * z185))
-        z202 = s13 - mu2 * (z200 - s_beta * z201)
-        z203 = r1 * z31
-        z204 = z101 - z203
-        z205 = z4 * z53 + z6 * z204 - z10 * z56
-        z206 = z44 * z205
-        z207 = z3 * z206
-        z208 = k2 * z207
-        z209 = s_beta * z13 - c_beta * z20
-        z210 = c_beta * z13 + s_beta * z20
-        z211 = z27 * z210
-        z212 = c_beta * z209 - z1 * z211
-        z213 = k3 * z207
-        z214 = z107 * z212 - (mu3 * z213 - z53 * z47)
-        z215 = s_beta * z209 + mu3 * z211
-        z216 = k1 * z207
-        z217 = z107 * z215 - (z1 * z216 + z56 * z50)
-        z218 = z107 * z209 - c_beta * z214 - s_beta * z217
-        z219 = z20 + z212
-        z220 = z25 * z13 + z29 * z219 - c_alpha * z217
-        z221 = z13 - z215
-        z222 = z25 * z20 - z29 * z221 + c_alpha * z214
-        z223 = c_beta * z220 + s_beta * z222
-        z224 = r1 * z143
-        z225 = r1 * z172
-        z226 = z56 * z35 + (z53 * z31 - (z181 + (z224 + (z182 + z225))))
-        z227 = r3 * z170
-        z228 = z7 * z169
-        z229 = w2 * z56 - (z31 * z204 + (2.0 * z227 - (z157 + z228)))
-        s14 = z53 * z155 - z145 * z204 - z56 * z147 - z133 * z206
-        z230 = s14 - z4 * z229 - z6 * z226
-        z231 = w2 * z53 + (z35 * z204 - (z173 + (z149 - 2.0 * z171)))
-        z232 = z205 * z176 - 0.5 * (z45 * (z230 - z10 * z231))
-        s15 = z28 * z208 - z29 * z218 + z107 * z223
-        z233 = s15 - k2 * (z204 * z135 + z3 * z226) + 2.0 * (z6 * z232)
-        z234 = z127 * z209 - z130 * z215 - z132 * z212 - mu2 * z223
-        z235 = z7 * z53 + (r3 * z204 + (z35 * k6 - r1 * z37 - r1 * z146))
-        s16 = r1 * z204 + (z151 - I_c * z31 + r3 * z37 + r3 * z146)
-        z236 = z7 * z56 + s16
-        s17 = z131 * z221 - z129 * z219 + mu2 * z218 + c_beta * z235
-        z237 = s17 - s_beta * z236
-        z238 = g * r1
-        z239 = mu2 * z208 - z204 * z61 - z27 * z237
-        s18 = z132 * z213 - z137 * z211 - z238 - w1 * z239
-        z240 = s18 + k3 * (z53 * z135 + z3 * z229)
-        z241 = z240 - 2.0 * (z4 * z232)
-        s19 = z38 * (z141 * z210 + z25 * z234 + z28 * z237)
-        z242 = z131 * z214 - z129 * z217 + s19 - c_beta * z241
-        s20 = z99 - (z130 * z216 + z139 * z211) + w3 * z239
-        z243 = s20 + k1 * (z56 * z135 - z3 * z231)
-        z244 = z243 + 2.0 * (z10 * z232)
-        z245 = c_alpha * z233 - mu2 * (z242 + s_beta * z244) - z15 * z202
-        z246 = z100 - z203
-        z247 = z4 * z246 + z6 * z54 + z10 * z36
-        z248 = z44 * z247
-        z249 = z3 * z248
-        z250 = k2 * z249
-        z251 = z8 + (I_c + z11)
-        z252 = z111 + c_beta * z251
-        z253 = z109 - s_beta * z251
-        z254 = z27 * z253
-        z255 = c_beta * z252 - z1 * z254
-        z256 = k3 * z249
-        z257 = z107 * z255 + (mu3 * z256 - z246 * z47)
-        z258 = s_beta * z252 + mu3 * z254
-        z259 = k1 * z249
-        z260 = z107 * z258 + (z1 * z259 - z36 * z50)
-        z261 = z107 * z252 - c_beta * z257 - s_beta * z260
-        z262 = z251 - z255
-        z263 = z123 - z29 * z262 - c_alpha * z260
-        z264 = z18 - z258
-        z265 = z25 * z251 + z29 * z264 - c_alpha * z257
-        z266 = c_beta * z263 - s_beta * z265
-        s21 = z31 * z246 - (z154 + (2.0 * z228 + (z157 - z227)))
-        z267 = z35 * z36 - s21
-        s22 = z238 - (z28 * z250 + z29 * z261 - z107 * z266)
-        z268 = s22 + k2 * (z54 * z135 - z3 * z267)
-        z269 = w2 * z36 + (z54 * z31 + (z224 + (z183 + z225)))
-        s23 = z155 * z246 - z54 * z145 + z36 * z147 - z133 * z248
-        z270 = s23 + z4 * z269 + z6 * z267
-        s24 = z35 * z54 - (z163 - (z178 + (z164 - 2.0 * z177)))
-        z271 = w2 * z246 + s24
-        z272 = z247 * z176 - 0.5 * (z45 * (z270 - z10 * z271))
-        z273 = z127 * z252 - z130 * z258 - z132 * z255 - mu2 * z266
-        z274 = c_beta * z159
-        s25 = r3 * z54 - (z158 - I_a * w2 + r1 * z58 - r1 * z156)
-        z275 = z7 * z246 + s25
-        z276 = r1 * u1
-        z277 = r1 * z148
-        z278 = z7 * z36 - (r1 * z54 + (z192 + (z189 + z276 - z277)))
-        s26 = z274 + z131 * z264 + z129 * z262 + mu2 * z261
-        z279 = s26 - c_beta * z275 - s_beta * z278
-        z280 = mu2 * z250 - z54 * z61 + z27 * z279
-        s27 = z132 * z256 + z137 * z254 - w1 * z280
-        z281 = s27 + k3 * (z246 * z135 - z3 * z269) - 2.0 * (z4 * z272)
-        s28 = z38 * (z141 * z253 + z25 * z273 + z28 * z279)
-        z282 = z131 * z257 - z129 * z260 + s28 + c_beta * z281
-        s29 = z196 - (z130 * z259 - z139 * z254) + w3 * z280
-        z283 = s29 - k1 * (z36 * z135 + z3 * z271)
-        z284 = z283 + 2.0 * (z10 * z272)
-        s30 = c_alpha * (z268 - 2.0 * (z6 * z272))
-        z285 = s30 - mu2 * (z282 - s_beta * z284) - z19 * z202 + z23 * z245
-        z286 = z167 * z285
-        z287 = z22 * z245 + z23 * z286
-        z288 = z142 * z18
-        s31 = z160 - z140 * z108 - z288 - z137 * z110 - z127 * z119
-        z289 = s31 + z128 * z125 + z25 * z193
-        s32 = z274 + z129 * z108 - z131 * z18 - s_beta * z193
-        z290 = s32 - c_beta * z194 - z27 * z186
-        z291 = z140 * z18
-        s33 = z161 - z142 * z108 + z291 + z139 * z110 + z127 * z116
-        z292 = s33 + z128 * z122 - z29 * z193
-        s34 = c_beta * (z289 - z29 * z194 - w1 * z290 + c_alpha * z201)
-        s35 = s_beta * (z292 - z25 * z194 - w3 * z290 - c_alpha * z199)
-        z293 = s34 + s35
-        s36 = z140 * z13 - z142 * z20 + z137 * z209 + z127 * z217
-        z294 = s36 + z128 * z222 - z25 * z235
-        s37 = z129 * z13 + z131 * z20 - s_beta * z235 - c_beta * z236
-        z295 = s37 - z27 * z234
-        s38 = z142 * z13 + z140 * z20 - z139 * z209 - z127 * z214
-        z296 = s38 - z128 * z220 + z29 * z235
-        s39 = c_beta * (z294 + z29 * z236 + w1 * z295 + c_alpha * z244)
-        s40 = s_beta * (z296 + z25 * z236 + w3 * z295 + c_alpha * z241)
-        z297 = s39 + s40
-        z298 = z297 + z15 * z293
-        s41 = z161 - z291 - z142 * z251 - z137 * z252 - z127 * z260
-        z299 = s41 + z128 * z265 - z25 * z275
-        s42 = z187 - z129 * z18 + z131 * z251 - s_beta * z275
-        z300 = s42 + c_beta * z278 + z27 * z273
-        s43 = z160 + z288 - z140 * z251 - z139 * z252 - z127 * z257
-        z301 = s43 - z128 * z263 - z29 * z275
-        s44 = c_beta * (z299 - z29 * z278 + w1 * z300 + c_alpha * z284)
-        s45 = s_beta * (z301 + z25 * z278 - w3 * z300 - c_alpha * z281)
-        z302 = s44 - s45
-        z303 = z167 * (z302 - z19 * z293 - z23 * z298)
-        z304 = z22 * z298 - z23 * z303
-        z305 = s_beta * z290 + mu3 * z197
-        z306 = s_beta * z295 + mu3 * z239 - z15 * z305
-        z307 = z167 * (s_beta * z300 + mu3 * z280 + z19 * z305 - z23 * z306)
-        z308 = z22 * z306 - z23 * z307
-        s46 = r1 * z32 - (z35 * k5 + z7 * u1 - z7 * z148 + z126)
-        z309 = r3 * z102 - s46
-        s47 = r1 * z53 - (z191 - (z190 + (z188 - z276) + z277) + z223)
-        z310 = r3 * z56 - s47 - z15 * z309
-        s48 = z150 + (z151 - I_b * z31) + z7 * z58 - z7 * z156 + z266
-        z311 = r3 * z36 + (r1 * z246 + s48)
-        z312 = z167 * (z311 - z19 * z309 + z23 * z310)
-        z313 = z22 * z310 + z23 * z312
-        z314 = c_beta * z290 - z1 * z197
-        z315 = c_beta * z295 - z1 * z239 - z15 * z314
-        z316 = z167 * (c_beta * z300 - z1 * z280 + z19 * z314 - z23 * z315)
-        z317 = z22 * z315 - z23 * z316
+        z66 = s_beta * z63 - c_beta * z62
+        z67 = c_beta * w1 + s_beta * w3
+        z68 = z26 * (mu3 * w3 - z1 * w1)
+        z69 = z32 + s_beta * z67 - (z33 - c_beta * z68)
+        z70 = k4 * (mu3 * (z1 * z44))
+        z71 = z3 * z70 + z1 * z46
+        z72 = z25 - c_beta * z67 + (z29 + s_beta * z68)
+        z73 = mu3 * z49 - z9 * z70
+        z74 = r3 * z69 + z30 * z71 - (r1 * z72 - z34 * z73)
+        z75 = c_beta * u1
+        z76 = z5 * z70
+        z77 = w2 * z71 + (z6 * z72 + z34 * z76)
+        z78 = s_beta * z57
+        z79 = w2 * z73 + (z6 * z69 - z30 * z76)
+        z80 = z75 + s_beta * z77 - (z78 - c_beta * z79)
+        z81 = c_alpha * z74 - mu2 * z80
+        z82 = z58 + s_beta * z79 + (z54 - c_beta * z77)
+        z83 = z78 - z75
+        z84 = c_alpha * z36
+        z85 = mu2 * z59
+        z86 = z84 - z85
+        z87 = c_beta * z6
+        z88 = mu2 * z87 - c_alpha * r3
+        z89 = s_beta * z6
+        z90 = s_beta * r3 + c_beta * r1
+        z91 = mu2 * z90
+        z92 = s_beta * r1 - c_beta * r3
+        z93 = mu2 * z89 + c_alpha * r1
+        z94 = z24 * z38
+        z95 = z26 * z67
+        z96 = s_beta * z26
+        z97 = c_beta * z26
+        z98 = g * r3
+        z99 = z6 * w2
+        z100 = r3 * z34
+        z101 = z99 + z100
+        z102 = z3 * z31 - z5 * z56 - z9 * z101
+        z103 = z43 * z102
+        z104 = z2 * z103
+        z105 = k2 * z104
+        z106 = z26 * z24
+        z107 = z7 + (I_a + z4)
+        z108 = c_beta * z17
+        z109 = s_beta * z107 + z108
+        z110 = s_beta * z17
+        z111 = c_beta * z107 - z110
+        z112 = z26 * z111
+        z113 = c_beta * z109 - z1 * z112
+        z114 = k3 * z104
+        z115 = z106 * z113 - (mu3 * z114 - z31 * z46)
+        z116 = s_beta * z109 + mu3 * z112
+        z117 = k1 * z104
+        z118 = z106 * z116 - (z1 * z117 + z101 * z49)
+        z119 = z106 * z109 - c_beta * z115 - s_beta * z118
+        z120 = z17 - z113
+        z121 = z24 * z107 - z28 * z120 - c_alpha * z118
+        z122 = z24 * z17
+        z123 = z107 - z116
+        z124 = z122 + z28 * z123 - c_alpha * z115
+        z125 = c_beta * z121 - s_beta * z124
+        z126 = mu2 * z28
+        z127 = w2 + mu2 * z106
+        z128 = c_beta * z127
+        z129 = s_beta * z126 - c_alpha * z128
+        z130 = s_beta * z127
+        z131 = c_alpha * z130 + c_beta * z126
+        z132 = z9 * z129 - z5 * z27 + z3 * z131
+        z133 = z2 * z132
+        z134 = z43 * z133
+        z135 = z28 * z130
+        z136 = z135 + z106 * z129
+        z137 = z28 * z128
+        z138 = z137 + z106 * z131
+        z139 = s_beta * z136 + c_beta * z138 - z106 * z126
+        z140 = z1 * z138 - mu3 * z136
+        z141 = z26 * z140
+        z142 = z24 * z128 + s_beta * z139 - (z135 + c_beta * z141)
+        z143 = z6 * z142
+        z144 = k2 * z27
+        z145 = z2 * z144 + z5 * z134
+        z146 = k1 * z129
+        z147 = z2 * z146 - z9 * z134
+        s2 = z30 * z36 + w2 * u1 + (z143 + z30 * z145 - w2 * z147)
+        z148 = g * mu3 + s2
+        z149 = I_d * w2
+        z150 = z149 + I_a * z30
+        z151 = I_c * z34
+        z152 = z24 * z130 - c_beta * z139 + (z137 - s_beta * z141)
+        z153 = z6 * z152
+        z154 = k3 * z131
+        z155 = z2 * z154 - z3 * z134
+        s3 = w2 * z57 + z34 * z36 - (z153 - z34 * z145 + w2 * z155)
+        z156 = g * z1 - s3
+        z157 = I_d * z30
+        z158 = z157 + I_b * w2
+        z159 = z28 * z158
+        z160 = z24 * z158
+        z161 = r3 * z142
+        z162 = r1 * z152
+        s4 = z161 + z30 * z155 - (z162 + z34 * z147)
+        z163 = g * mu2 + (z34 * u1 - z30 * z57 + s4)
+        s5 = s_beta * z159 - (c_beta * z160 + (r3 * z163 + z6 * z148))
+        z164 = w2 * z151 - (I_a * z142 - s5)
+        s6 = z34 * z150 - z30 * z151 - (r3 * z156 + r1 * z148)
+        z165 = I_d * z142 - s6 + z14 * z164
+        z166 = 1.0 / z23
+        s7 = c_beta * z159 + (s_beta * z160 + (z6 * z156 - r1 * z163))
+        z167 = w2 * z150 - (I_c * z152 + s7)
+        z168 = z166 * (z167 + z18 * z164 + z22 * z165)
+        z169 = z21 * z165 + z22 * z168
+        z170 = r1 * z169
+        z171 = z13 * z164 + z14 * z169 + z18 * z168
+        z172 = z6 * z171
+        z173 = z34 * z101 + (z30 * z31 - (z143 + (z148 - z170 + 2.0 * z172)))
+        s8 = z98 + (z27 * z105 - z28 * z119 + z106 * z125)
+        z174 = s8 + k2 * (z56 * z134 - z2 * z173)
+        z175 = z43 * z43 * z133
+        z176 = r1 * z168
+        z177 = r3 * z171
+        z178 = w2 * z101 + (z30 * z56 + (z161 + (z163 - z176 + 2.0 * z177)))
+        s9 = z31 * z154 + z56 * z144 - z146 * z101 - z132 * z103
+        z179 = s9 - z3 * z178 - z5 * z173
+        z180 = r3 * z152
+        z181 = r3 * z168
+        z182 = z6 * z169
+        z183 = w2 * z31 - (z34 * z56 - (z180 + (z181 + z182)))
+        z184 = z102 * z175 - 0.5 * (z44 * (z179 - z9 * z183))
+        z185 = z126 * z109 - z129 * z116 - z131 * z113 - mu2 * z125
+        z186 = s_beta * z158
+        z187 = I_d * z34
+        z188 = z6 * z36
+        z189 = r3 * z57
+        z190 = r3 * z155
+        z191 = z6 * z145
+        z192 = z6 * z31 - (r3 * z56 + (z187 + z188 - z189 + z190 + z191))
+        z193 = z6 * z101 - (r1 * z56 - (I_c * w2 - r3 * u1 + r3 * z147))
+        s10 = z186 + z130 * z123 + z128 * z120 + mu2 * z119
+        z194 = s10 + c_beta * z192 - s_beta * z193
+        z195 = g * z6
+        z196 = mu2 * z105 + z56 * z60 - z26 * z194
+        s11 = z131 * z114 - z136 * z112 - z195 - w1 * z196
+        z197 = s11 + k3 * (z31 * z134 + z2 * z178)
+        z198 = z197 - 2.0 * (z3 * z184)
+        s12 = z37 * (z140 * z111 + z24 * z185 + z27 * z194)
+        z199 = z130 * z115 - z128 * z118 + s12 - c_beta * z198
+        s13 = z129 * z117 + z138 * z112 - w3 * z196
+        z200 = s13 - k1 * (z101 * z134 - z2 * z183) - 2.0 * (z9 * z184)
+        s14 = c_alpha * (z174 + 2.0 * (z5 * z184))
+        z201 = s14 - mu2 * (z199 - s_beta * z200)
+        z202 = r1 * z30
+        z203 = z100 - z202
+        z204 = z3 * z52 + z5 * z203 - z9 * z55
+        z205 = z43 * z204
+        z206 = z2 * z205
+        z207 = k2 * z206
+        z208 = s_beta * z12 - c_beta * z19
+        z209 = c_beta * z12 + s_beta * z19
+        z210 = z26 * z209
+        z211 = c_beta * z208 - z1 * z210
+        z212 = k3 * z206
+        z213 = z106 * z211 - (mu3 * z212 - z52 * z46)
+        z214 = s_beta * z208 + mu3 * z210
+        z215 = k1 * z206
+        z216 = z106 * z214 - (z1 * z215 + z55 * z49)
+        z217 = z106 * z208 - c_beta * z213 - s_beta * z216
+        z218 = z19 + z211
+        z219 = z24 * z12 + z28 * z218 - c_alpha * z216
+        z220 = z12 - z214
+        z221 = z24 * z19 - z28 * z220 + c_alpha * z213
+        z222 = c_beta * z219 + s_beta * z221
+        z223 = r1 * z142
+        z224 = r1 * z171
+        z225 = z55 * z34 + (z52 * z30 - (z180 + (z223 + (z181 + z224))))
+        z226 = r3 * z169
+        z227 = z6 * z168
+        z228 = w2 * z55 - (z30 * z203 + (2.0 * z226 - (z156 + z227)))
+        s15 = z52 * z154 - z144 * z203 - z55 * z146 - z132 * z205
+        z229 = s15 - z3 * z228 - z5 * z225
+        z230 = w2 * z52 + (z34 * z203 - (z172 + (z148 - 2.0 * z170)))
+        z231 = z204 * z175 - 0.5 * (z44 * (z229 - z9 * z230))
+        s16 = z27 * z207 - z28 * z217 + z106 * z222
+        z232 = s16 - k2 * (z203 * z134 + z2 * z225) + 2.0 * (z5 * z231)
+        z233 = z126 * z208 - z129 * z214 - z131 * z211 - mu2 * z222
+        z234 = z6 * z52 + (r3 * z203 + (z34 * k6 - r1 * z36 - r1 * z145))
+        s17 = r1 * z203 + (z150 - I_c * z30 + r3 * z36 + r3 * z145)
+        z235 = z6 * z55 + s17
+        s18 = z130 * z220 - z128 * z218 + mu2 * z217 + c_beta * z234
+        z236 = s18 - s_beta * z235
+        z237 = g * r1
+        z238 = mu2 * z207 - z203 * z60 - z26 * z236
+        s19 = z131 * z212 - z136 * z210 - z237 - w1 * z238
+        z239 = s19 + k3 * (z52 * z134 + z2 * z228)
+        z240 = z239 - 2.0 * (z3 * z231)
+        s20 = z37 * (z140 * z209 + z24 * z233 + z27 * z236)
+        z241 = z130 * z213 - z128 * z216 + s20 - c_beta * z240
+        s21 = z98 - (z129 * z215 + z138 * z210) + w3 * z238
+        z242 = s21 + k1 * (z55 * z134 - z2 * z230)
+        z243 = z242 + 2.0 * (z9 * z231)
+        z244 = c_alpha * z232 - mu2 * (z241 + s_beta * z243) - z14 * z201
+        z245 = z99 - z202
+        z246 = z3 * z245 + z5 * z53 + z9 * z35
+        z247 = z43 * z246
+        z248 = z2 * z247
+        z249 = k2 * z248
+        z250 = z7 + (I_c + z10)
+        z251 = z110 + c_beta * z250
+        z252 = z108 - s_beta * z250
+        z253 = z26 * z252
+        z254 = c_beta * z251 - z1 * z253
+        z255 = k3 * z248
+        z256 = z106 * z254 + (mu3 * z255 - z245 * z46)
+        z257 = s_beta * z251 + mu3 * z253
+        z258 = k1 * z248
+        z259 = z106 * z257 + (z1 * z258 - z35 * z49)
+        z260 = z106 * z251 - c_beta * z256 - s_beta * z259
+        z261 = z250 - z254
+        z262 = z122 - z28 * z261 - c_alpha * z259
+        z263 = z17 - z257
+        z264 = z24 * z250 + z28 * z263 - c_alpha * z256
+        z265 = c_beta * z262 - s_beta * z264
+        s22 = z30 * z245 - (z153 + (2.0 * z227 + (z156 - z226)))
+        z266 = z34 * z35 - s22
+        s23 = z237 - (z27 * z249 + z28 * z260 - z106 * z265)
+        z267 = s23 + k2 * (z53 * z134 - z2 * z266)
+        z268 = w2 * z35 + (z53 * z30 + (z223 + (z182 + z224)))
+        s24 = z154 * z245 - z53 * z144 + z35 * z146 - z132 * z247
+        z269 = s24 + z3 * z268 + z5 * z266
+        s25 = z34 * z53 - (z162 - (z177 + (z163 - 2.0 * z176)))
+        z270 = w2 * z245 + s25
+        z271 = z246 * z175 - 0.5 * (z44 * (z269 - z9 * z270))
+        z272 = z126 * z251 - z129 * z257 - z131 * z254 - mu2 * z265
+        z273 = c_beta * z158
+        s26 = r3 * z53 - (z157 - I_a * w2 + r1 * z57 - r1 * z155)
+        z274 = z6 * z245 + s26
+        z275 = r1 * u1
+        z276 = r1 * z147
+        z277 = z6 * z35 - (r1 * z53 + (z191 + (z188 + z275 - z276)))
+        s27 = z273 + z130 * z263 + z128 * z261 + mu2 * z260
+        z278 = s27 - c_beta * z274 - s_beta * z277
+        z279 = mu2 * z249 - z53 * z60 + z26 * z278
+        s28 = z131 * z255 + z136 * z253 - w1 * z279
+        z280 = s28 + k3 * (z245 * z134 - z2 * z268) - 2.0 * (z3 * z271)
+        s29 = z37 * (z140 * z252 + z24 * z272 + z27 * z278)
+        z281 = z130 * z256 - z128 * z259 + s29 + c_beta * z280
+        s30 = z195 - (z129 * z258 - z138 * z253) + w3 * z279
+        z282 = s30 - k1 * (z35 * z134 + z2 * z270)
+        z283 = z282 + 2.0 * (z9 * z271)
+        s31 = c_alpha * (z267 - 2.0 * (z5 * z271))
+        z284 = s31 - mu2 * (z281 - s_beta * z283) - z18 * z201 + z22 * z244
+        z285 = z166 * z284
+        z286 = z21 * z244 + z22 * z285
+        z287 = z141 * z17
+        s32 = z159 - z139 * z107 - z287 - z136 * z109 - z126 * z118
+        z288 = s32 + z127 * z124 + z24 * z192
+        s33 = z273 + z128 * z107 - z130 * z17 - s_beta * z192
+        z289 = s33 - c_beta * z193 - z26 * z185
+        z290 = z139 * z17
+        s34 = z160 - z141 * z107 + z290 + z138 * z109 + z126 * z115
+        z291 = s34 + z127 * z121 - z28 * z192
+        s35 = c_beta * (z288 - z28 * z193 - w1 * z289 + c_alpha * z200)
+        s36 = s_beta * (z291 - z24 * z193 - w3 * z289 - c_alpha * z198)
+        z292 = s35 + s36
+        s37 = z139 * z12 - z141 * z19 + z136 * z208 + z126 * z216
+        z293 = s37 + z127 * z221 - z24 * z234
+        s38 = z128 * z12 + z130 * z19 - s_beta * z234 - c_beta * z235
+        z294 = s38 - z26 * z233
+        s39 = z141 * z12 + z139 * z19 - z138 * z208 - z126 * z213
+        z295 = s39 - z127 * z219 + z28 * z234
+        s40 = c_beta * (z293 + z28 * z235 + w1 * z294 + c_alpha * z243)
+        s41 = s_beta * (z295 + z24 * z235 + w3 * z294 + c_alpha * z240)
+        z296 = s40 + s41
+        z297 = z296 + z14 * z292
+        s42 = z160 - z290 - z141 * z250 - z136 * z251 - z126 * z259
+        z298 = s42 + z127 * z264 - z24 * z274
+        s43 = z186 - z128 * z17 + z130 * z250 - s_beta * z274
+        z299 = s43 + c_beta * z277 + z26 * z272
+        s44 = z159 + z287 - z139 * z250 - z138 * z251 - z126 * z256
+        z300 = s44 - z127 * z262 - z28 * z274
+        s45 = c_beta * (z298 - z28 * z277 + w1 * z299 + c_alpha * z283)
+        s46 = s_beta * (z300 + z24 * z277 - w3 * z299 - c_alpha * z280)
+        z301 = s45 - s46
+        z302 = z166 * (z301 - z18 * z292 - z22 * z297)
+        z303 = z21 * z297 - z22 * z302
+        z304 = s_beta * z289 + mu3 * z196
+        z305 = s_beta * z294 + mu3 * z238 - z14 * z304
+        z306 = z166 * (s_beta * z299 + mu3 * z279 + z18 * z304 - z22 * z305)
+        z307 = z21 * z305 - z22 * z306
+        s47 = r1 * z31 - (z34 * k5 + z6 * u1 - z6 * z147 + z125)
+        z308 = r3 * z101 - s47
+        s48 = r1 * z52 - (z190 - (z189 + (z187 - z275) + z276) + z222)
+        z309 = r3 * z55 - s48 - z14 * z308
+        s49 = z149 + (z150 - I_b * z30) + z6 * z57 - z6 * z155 + z265
+        z310 = r3 * z35 + (r1 * z245 + s49)
+        z311 = z166 * (z310 - z18 * z308 + z22 * z309)
+        z312 = z21 * z309 + z22 * z311
+        z313 = c_beta * z289 - z1 * z196
+        z314 = c_beta * z294 - z1 * z238 - z14 * z313
+        z315 = z166 * (c_beta * z299 - z1 * z279 + z18 * z313 - z22 * z314)
+        z316 = z21 * z314 - z22 * z315
         J: list[float] = [
             0.0,
             0.0,
             0.0,
             # (I.2.15)
-            c_gamma * z67 - s_gamma * z66,
+            c_gamma * z66 - s_gamma * z65,
             # (I.2.15)
-            s_gamma * z82 - c_gamma * z83,
+            s_gamma * z81 - c_gamma * z82,
             # (I.2.15)
-            s_gamma * z84 + c_gamma * z87,
+            s_gamma * z83 + c_gamma * z86,
             # (I.2.15)
-            -(s_gamma * z89 + c_gamma * z90),
+            -(s_gamma * z88 + c_gamma * z89),
             # (I.2.15)
-            -(s_gamma * z92 + c_gamma * z93),
+            -(s_gamma * z91 + c_gamma * z92),
             # (I.2.15)
-            c_gamma * z88 - s_gamma * z94,
+            c_gamma * z87 - s_gamma * z93,
             0.0,
             0.0,
             0.0,
             # (I.2.15)
-            s_gamma * z67 + c_gamma * z66,
+            s_gamma * z66 + c_gamma * z65,
             # (I.2.15)
-            -(s_gamma * z83 + c_gamma * z82),
+            -(s_gamma * z82 + c_gamma * z81),
             # (I.2.15)
-            s_gamma * z87 - c_gamma * z84,
+            s_gamma * z86 - c_gamma * z83,
             # (I.2.15)
-            c_gamma * z89 - s_gamma * z90,
+            c_gamma * z88 - s_gamma * z89,
             # (I.2.15)
-            c_gamma * z92 - s_gamma * z93,
+            c_gamma * z91 - s_gamma * z92,
             # (I.2.15)
-            s_gamma * z88 + c_gamma * z94,
+            s_gamma * z87 + c_gamma * z93,
             0.0,
             0.0,
             0.0,
             # (I.2.15)
-            z86 + c_alpha * z65 - (z85 + mu2 * z52),
+            z85 + c_alpha * z64 - (z84 + mu2 * z51),
             # (I.2.15)
-            -(mu2 * z75 + c_alpha * z81),
+            -(mu2 * z74 + c_alpha * z80),
             0.0,
             # (I.2.15)
-            -(mu2 * r3 + c_alpha * z88),
+            -(mu2 * r3 + c_alpha * z87),
             # (I.2.15)
-            -c_alpha * z91,
+            -c_alpha * z90,
             # (I.2.15)
-            mu2 * r1 - c_alpha * z90,
+            mu2 * r1 - c_alpha * z89,
             0.0,
             0.0,
             0.0,
             # (I.2.15)
-            z42,
+            z41,
             # (I.2.15)
-            z69,
+            z68,
             0.0,
             # (I.2.15)
             c_beta,
@@ -1292,71 +1292,71 @@ def jacobian(
             0.0,
             0.0,
             # (I.2.15)
-            z25 + mu2 * z95,
+            z24 + mu2 * z94,
             # (I.2.15)
-            mu2 * z96,
+            mu2 * z95,
             0.0,
             # (I.2.15)
-            mu2 * z97,
+            mu2 * z96,
             # (I.2.15)
             1.0,
             # (I.2.15)
-            -mu2 * z98,
+            -mu2 * z97,
             0.0,
             0.0,
             0.0,
             # (I.2.15)
+            -z94,
+            # (I.2.15)
             -z95,
+            0.0,
             # (I.2.15)
             -z96,
             0.0,
             # (I.2.15)
-            -z97,
-            0.0,
-            # (I.2.15)
-            z98,
+            z97,
             0.0,
             0.0,
             0.0,
             # (I.2.15)
-            z19 * z286 - (z14 * z202 - z15 * z287),
+            z18 * z285 - (z13 * z201 - z14 * z286),
             # (I.2.15)
-            z14 * z293 + z15 * z304 - z19 * z303,
+            z13 * z292 + z14 * z303 - z18 * z302,
             0.0,
             # (I.2.15)
-            -(z14 * z305 - z15 * z308 + z19 * z307),
+            -(z13 * z304 - z14 * z307 + z18 * z306),
             # (I.2.15)
-            z19 * z312 - (z14 * z309 - z15 * z313),
+            z18 * z311 - (z13 * z308 - z14 * z312),
             # (I.2.15)
-            z14 * z314 - z15 * z317 + z19 * z316,
-            0.0,
-            0.0,
-            0.0,
-            # (I.2.15)
-            -z287,
-            # (I.2.15)
-            -z304,
-            0.0,
-            # (I.2.15)
-            -z308,
-            # (I.2.15)
-            -z313,
-            # (I.2.15)
-            z317,
+            z13 * z313 - z14 * z316 + z18 * z315,
             0.0,
             0.0,
             0.0,
             # (I.2.15)
-            z286,
+            -z286,
             # (I.2.15)
             -z303,
             0.0,
             # (I.2.15)
             -z307,
             # (I.2.15)
-            z312,
+            -z312,
             # (I.2.15)
             z316,
+            0.0,
+            0.0,
+            0.0,
+            # (I.2.15)
+            z285,
+            # (I.2.15)
+            -z302,
+            0.0,
+            # (I.2.15)
+            -z306,
+            # (I.2.15)
+            z311,
+            # (I.2.15)
+            z315,
         ]
         _finish("jacobian", J)
         return [J[k7 : k7 + 9] for k7 in range(0, 81, 9)]

@@ -1,5 +1,5 @@
 /*
- * rolling_disk.c: rolling_disk, emitted by nhc 0.1.0 (nhc:e94ce13da4897ebc)
+ * rolling_disk.c: rolling_disk, emitted by nhc 0.1.0 (nhc:a84929024320e23e)
  * A thin disk that rolls on a horizontal plane and may lean and fall (Euler's disk).
  * Source: rolling_disk.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -349,7 +349,7 @@ int rolling_disk_accelerations(double t, const double *y, const double *p, doubl
     const double z10 = s_phi * z3;
     const double z11 = k7 * (w_t * w_u);
     const double z12 = R * z11;
-    const double z13 = w_u * z5 / (s_theta * s_theta) - k6 * ((C * w_n - z6) * (w_t * z2));
+    const double z13 = z2 * z2 * (w_u * z5) - k6 * ((C * w_n - z6) * (w_t * z2));
     /* (I.2.15) */
     qddot[0] = z1 * z4 + s_phi * z8 + (z9 * z10 - c_phi * z12); /* x'' */
     qddot[1] = z1 * z10 - c_phi * z8 - (z9 * z4 + s_phi * z12); /* y'' */
@@ -482,7 +482,7 @@ int rolling_disk_reactions(double t, const double *y, const double *p, double *l
     /* (I.4.1) 25:5 */
     lambda[0] = k1 * (s_phi * z2 + c_phi * z3); /* reaction of roll_x: Q_i gains lambda_1 a_1i */
     /* (I.4.1) 26:5 */
-    lambda[1] = -k1 * (c_phi * z2 - s_phi * z3); /* reaction of roll_y: Q_i gains lambda_2 a_2i */
+    lambda[1] = (s_phi * z3 - c_phi * z2) * k1; /* reaction of roll_y: Q_i gains lambda_2 a_2i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(lambda[0] + lambda[1]) <= DBL_MAX && fabs(s_theta) > 1e-12 && fabs(A) > 0.0)) {
         /* the coframe is singular */
@@ -570,11 +570,11 @@ int rolling_disk_jacobian(double t, const double *y, const double *p, double *J)
     const double z1 = z * w_t;
     const double z2 = R * w_n;
     const double z_dot = R * (c_theta * w_t);
-    const double z3 = 1.0 / (s_theta * s_theta);
-    const double z4 = w_u * z3;
-    const double z5 = c_theta * z4;
-    const double z6 = 1.0 / s_theta;
-    const double z7 = c_theta * z6;
+    const double z3 = 1.0 / s_theta;
+    const double z4 = z3 * z3;
+    const double z5 = w_u * z4;
+    const double z6 = c_theta * z5;
+    const double z7 = c_theta * z3;
     const double z8 = A * (w_u * z7);
     /* (I.2.15) */
     J[2] = c_phi * z1 + s_phi * z2;
@@ -585,16 +585,16 @@ int rolling_disk_jacobian(double t, const double *y, const double *p, double *J)
     J[11] = -c_phi * z_dot;
     J[13] = -z * c_phi;
     J[15] = -R * s_phi;
-    J[19] = -z5;
-    J[22] = z6;
+    J[19] = -z6;
+    J[22] = z3;
     J[29] = 1.0;
-    J[35] = w_u + c_theta * z5;
+    J[35] = w_u + c_theta * z6;
     J[38] = -z7;
     J[39] = 1.0;
-    J[43] = k5 * (s_theta * k4 - A * (z3 * (w_u * w_u)));
-    J[46] = -k5 * (w_n * k3 - 2.0 * z8);
+    J[43] = k5 * (s_theta * k4 - A * (z4 * (w_u * w_u)));
+    J[46] = (2.0 * z8 - w_n * k3) * k5;
     J[47] = w_u * k9;
-    J[51] = w_t * z4;
+    J[51] = w_t * z5;
     J[53] = k6 * (C * w_n - z8);
     J[54] = -w_t * z7;
     J[55] = w_t * k8;

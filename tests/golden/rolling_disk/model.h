@@ -1,5 +1,5 @@
 /*
- * rolling_disk.h: rolling_disk, emitted by nhc 0.1.0 (nhc:14b9ef8ec87979a9)
+ * rolling_disk.h: rolling_disk, emitted by nhc 0.1.0 (nhc:9fc71d02648c7a90)
  * A thin disk that rolls on a horizontal plane and may lean and fall (Euler's disk).
  * Source: rolling_disk.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -34,12 +34,12 @@
  * Operations:
  * rhs: 8 +-, 22 *, 4 /, 4 calls
  * velocities: 3 +-, 8 *, 1 /, 4 calls
- * accelerations: 15 +-, 40 *, 5 /, 4 calls
+ * accelerations: 15 +-, 41 *, 4 /, 4 calls
  * state: 1 +-, 2 *, 0 /, 2 calls
  * residuals: 5 +-, 8 *, 0 /, 4 calls
  * reactions: 9 +-, 22 *, 3 /, 4 calls
  * energy: 5 +-, 11 *, 0 /, 1 calls
- * jacobian: 8 +-, 44 *, 5 /, 4 calls
+ * jacobian: 8 +-, 44 *, 4 /, 4 calls
  * outputs: 2 +-, 4 *, 0 /, 4 calls
  *
  * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.

@@ -1,4 +1,4 @@
-"""rolling_disk, emitted by nhc 0.1.0 (nhc:c0275fb3948bd97a).
+"""rolling_disk, emitted by nhc 0.1.0 (nhc:86b6395be5eea140).
 
 A thin disk that rolls on a horizontal plane and may lean and fall (Euler's disk).
 Source: rolling_disk.yaml
@@ -34,12 +34,12 @@ out[2] = contact_y
 Operations:
 rhs: 8 +-, 22 *, 4 /, 4 calls
 velocities: 3 +-, 8 *, 1 /, 4 calls
-accelerations: 15 +-, 40 *, 5 /, 4 calls
+accelerations: 15 +-, 41 *, 4 /, 4 calls
 state: 1 +-, 2 *, 0 /, 2 calls
 residuals: 5 +-, 8 *, 0 /, 4 calls
 reactions: 9 +-, 22 *, 3 /, 4 calls
 energy: 5 +-, 11 *, 0 /, 1 calls
-jacobian: 8 +-, 44 *, 5 /, 4 calls
+jacobian: 8 +-, 44 *, 4 /, 4 calls
 outputs: 2 +-, 4 *, 0 /, 4 calls
 
 A singular point raises SingularModelError.
@@ -263,8 +263,7 @@ def accelerations(
         z10 = s_phi * z3
         z11 = k7 * (w_t * w_u)
         z12 = R * z11
-        s1 = k6 * ((C * w_n - z6) * (w_t * z2))
-        z13 = w_u * z5 / (s_theta * s_theta) - s1
+        z13 = z2 * z2 * (w_u * z5) - k6 * ((C * w_n - z6) * (w_t * z2))
         qddot: list[float] = [
             # x'' (I.2.15)
             z1 * z4 + s_phi * z8 + (z9 * z10 - c_phi * z12),
@@ -414,7 +413,7 @@ def reactions(
             # reaction of roll_x: Q_i gains lambda_1 a_1i (I.4.1) 25:5
             k1 * (s_phi * z2 + c_phi * z3),
             # reaction of roll_y: Q_i gains lambda_2 a_2i (I.4.1) 26:5
-            -k1 * (c_phi * z2 - s_phi * z3),
+            (s_phi * z3 - c_phi * z2) * k1,
         ]
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -503,11 +502,11 @@ def jacobian(
         z2 = R * w_n
         c_theta = math.cos(theta)
         z_dot = R * (c_theta * w_t)
-        z3 = 1.0 / (s_theta * s_theta)
-        z4 = w_u * z3
-        z5 = c_theta * z4
-        z6 = 1.0 / s_theta
-        z7 = c_theta * z6
+        z3 = 1.0 / s_theta
+        z4 = z3 * z3
+        z5 = w_u * z4
+        z6 = c_theta * z5
+        z7 = c_theta * z3
         z8 = A * (w_u * z7)
         J: list[float] = [
             0.0,
@@ -538,11 +537,11 @@ def jacobian(
             0.0,
             0.0,
             # (I.2.15)
-            -z5,
+            -z6,
             0.0,
             0.0,
             # (I.2.15)
-            z6,
+            z3,
             0.0,
             0.0,
             0.0,
@@ -557,7 +556,7 @@ def jacobian(
             0.0,
             0.0,
             # (I.2.15)
-            w_u + c_theta * z5,
+            w_u + c_theta * z6,
             0.0,
             0.0,
             # (I.2.15)
@@ -568,18 +567,18 @@ def jacobian(
             0.0,
             0.0,
             # (I.2.15)
-            k5 * (s_theta * k4 - A * (z3 * (w_u * w_u))),
+            k5 * (s_theta * k4 - A * (z4 * (w_u * w_u))),
             0.0,
             0.0,
             # (I.2.15)
-            -k5 * (w_n * k3 - 2.0 * z8),
+            (2.0 * z8 - w_n * k3) * k5,
             # (I.2.15)
             w_u * k9,
             0.0,
             0.0,
             0.0,
             # (I.2.15)
-            w_t * z4,
+            w_t * z5,
             0.0,
             # (I.2.15)
             k6 * (C * w_n - z8),

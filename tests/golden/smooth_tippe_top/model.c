@@ -1,5 +1,5 @@
 /*
- * smooth_tippe_top.c: smooth_tippe_top, emitted by nhc 0.1.0 (nhc:00be05ddfd0d5b33)
+ * smooth_tippe_top.c: smooth_tippe_top, emitted by nhc 0.1.0 (nhc:d84f0735b30b9c43)
  * The ball of routh_sphere on a plane without any friction.
  * Source: smooth_tippe_top.yaml
  * Equations of motion: lagrange (II.3)
@@ -290,10 +290,6 @@ int smooth_tippe_top_rhs(double t, const double *y, const double *p, double *dyd
             return SMOOTH_TIPPE_TOP_SINGULAR_2;
         }
         /* the mass matrix is singular */
-        if (!(fabs(m) > 0.0)) {
-            return SMOOTH_TIPPE_TOP_SINGULAR_2;
-        }
-        /* the mass matrix is singular */
         if (!(fabs(z7) > 1e-14 * z1)) {
             return SMOOTH_TIPPE_TOP_SINGULAR_2;
         }
@@ -413,10 +409,6 @@ int smooth_tippe_top_accelerations(double t, const double *y, const double *p, d
             return SMOOTH_TIPPE_TOP_SINGULAR_2;
         }
         /* the mass matrix is singular */
-        if (!(fabs(m) > 0.0)) {
-            return SMOOTH_TIPPE_TOP_SINGULAR_2;
-        }
-        /* the mass matrix is singular */
         if (!(fabs(z7) > 1e-14 * z1)) {
             return SMOOTH_TIPPE_TOP_SINGULAR_2;
         }
@@ -515,10 +507,6 @@ int smooth_tippe_top_reactions(double t, const double *y, const double *p, doubl
     const double z14 = I3 * c_theta;
     const double z15 = z14 * z11;
     const double z16 = z12 * z15;
-    /* the mass matrix is singular */
-    if (!(fabs(m) > 0.0)) {
-        return SMOOTH_TIPPE_TOP_SINGULAR_2;
-    }
     /* the mass matrix is singular */
     if (!(fabs(m) > 0.0)) {
         return SMOOTH_TIPPE_TOP_SINGULAR_2;
@@ -741,10 +729,6 @@ int smooth_tippe_top_jacobian(double t, const double *y, const double *p, double
         && fabs(z7) > 1e-14 * z1
         && fabs(z17) > 1e-14 * k2
         && fabs(z23) > 1e-14 * I3)) {
-        /* the mass matrix is singular */
-        if (!(fabs(m) > 0.0)) {
-            return SMOOTH_TIPPE_TOP_SINGULAR_2;
-        }
         /* the mass matrix is singular */
         if (!(fabs(m) > 0.0)) {
             return SMOOTH_TIPPE_TOP_SINGULAR_2;

@@ -1,5 +1,5 @@
 /*
- * snakeboard.c: snakeboard, emitted by nhc 0.1.0 (nhc:e98d7f1d0b6056d6)
+ * snakeboard.c: snakeboard, emitted by nhc 0.1.0 (nhc:dfcf44f9e1fd8e27)
  * A board on two steerable axles and a rotor; it moves by turning the rotor and the axles to and fro.
  * Source: snakeboard.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -281,7 +281,7 @@ int snakeboard_rhs(double t, const double *y, const double *p, double *dydt)
     const double z31 = p_f_dot * s_p_f;
     const double z32 = z3 * z26 - 4.0 * (s_p_b * (z28 - z29)) - 2.0 * (k2 * (z4 * z27 - s_p_f * (c_p_f * z30
         + c_p_b * z31)));
-    const double z33 = (z5 * z26 + s_p_b * z32 + (2.0 * z28 - 6.0 * z29)) / (z6 * z6);
+    const double z33 = z7 * z7 * (z5 * z26 + s_p_b * z32 + (2.0 * z28 - 6.0 * z29));
     const double z34 = p_b_dot - z24;
     const double z35 = c1 * z34;
     const double z36 = p_f_dot - z24;
@@ -321,10 +321,6 @@ int snakeboard_rhs(double t, const double *y, const double *p, double *dydt)
         /* the coframe is singular */
         if (!(fabs(z6) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)))) {
             return SNAKEBOARD_SINGULAR_1;
-        }
-        /* the mass matrix is singular */
-        if (!(fabs(J_w) > 0.0)) {
-            return SNAKEBOARD_SINGULAR_2;
         }
         /* the mass matrix is singular */
         if (!(fabs(J_w) > 0.0)) {
@@ -385,7 +381,7 @@ int snakeboard_velocities(double t, const double *y, const double *p, double *qd
     /* (I.2.4) */
     qdot[0] = (c1 * z6 + z7 * z10) * z11; /* x' */
     qdot[1] = (s1 * z6 + z7 * z12) * z11; /* y' */
-    qdot[2] = -(s1 * z10 - c1 * z12) * z11; /* theta' */
+    qdot[2] = (c1 * z12 - s1 * z10) * z11; /* theta' */
     qdot[3] = psi_dot; /* psi' */
     qdot[4] = p_b_dot; /* p_b' */
     qdot[5] = p_f_dot; /* p_f' */
@@ -470,7 +466,7 @@ int snakeboard_accelerations(double t, const double *y, const double *p, double 
     const double z28 = p_f_dot * s_p_f;
     const double z29 = z3 * z23 - 4.0 * (s_p_b * (z25 - z26)) - 2.0 * (k2 * (z4 * z24 - s_p_f * (c_p_f * z27
         + c_p_b * z28)));
-    const double z30 = (z5 * z23 + s_p_b * z29 + (2.0 * z25 - 6.0 * z26)) / (z6 * z6);
+    const double z30 = z7 * z7 * (z5 * z23 + s_p_b * z29 + (2.0 * z25 - 6.0 * z26));
     const double z31 = v * z30;
     const double z32 = l * z28;
     const double z33 = v * z13;
@@ -511,10 +507,6 @@ int snakeboard_accelerations(double t, const double *y, const double *p, double 
         /* the coframe is singular */
         if (!(fabs(z6) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)))) {
             return SNAKEBOARD_SINGULAR_1;
-        }
-        /* the mass matrix is singular */
-        if (!(fabs(J_w) > 0.0)) {
-            return SNAKEBOARD_SINGULAR_2;
         }
         /* the mass matrix is singular */
         if (!(fabs(J_w) > 0.0)) {
@@ -691,7 +683,7 @@ int snakeboard_reactions(double t, const double *y, const double *p, double *lam
     const double z33 = p_f_dot * s_p_f;
     const double z34 = z3 * z28 - 4.0 * (s_p_b * (z30 - z31)) - 2.0 * (k2 * (z4 * z29 - s_p_f * (c_p_f * z32
         + c_p_b * z33)));
-    const double z35 = (z5 * z28 + s_p_b * z34 + (2.0 * z30 - 6.0 * z31)) / (z6 * z6);
+    const double z35 = z7 * z7 * (z5 * z28 + s_p_b * z34 + (2.0 * z30 - 6.0 * z31));
     const double z36 = v * z35;
     const double z37 = l * z33;
     const double z38 = v * z15;
@@ -754,10 +746,6 @@ int snakeboard_reactions(double t, const double *y, const double *p, double *lam
         /* the coframe is singular */
         if (!(fabs(z6) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)))) {
             return SNAKEBOARD_SINGULAR_1;
-        }
-        /* the mass matrix is singular */
-        if (!(fabs(J_w) > 0.0)) {
-            return SNAKEBOARD_SINGULAR_2;
         }
         /* the mass matrix is singular */
         if (!(fabs(J_w) > 0.0)) {
@@ -897,7 +885,7 @@ int snakeboard_jacobian(double t, const double *y, const double *p, double *J)
     const double z28 = J_2 * (z8 * z16) + m * (z8 * z27);
     const double z29 = v * z21;
     const double z30 = v * z25;
-    const double z31 = 1.0 / (z7 * z7);
+    const double z31 = z8 * z8;
     const double z32 = c_p_f * s_p_b;
     const double z33 = c_p_b * z3 + 2.0 * (z32 * z5);
     const double z34 = c_p_b * z6 + s_p_b * z33;
@@ -966,15 +954,15 @@ int snakeboard_jacobian(double t, const double *y, const double *p, double *J)
     const double z98 = z8 * z97 + z25 * z80;
     const double z99 = z87 * z98;
     const double z100 = z15 * z86 + z22 * z94 + z26 * z99;
-    const double z101 = z100 / (z28 * z28);
-    const double z102 = 1.0 / z28;
+    const double z101 = 1.0 / z28;
+    const double z102 = z100 * (z101 * z101);
     const double z103 = z67 - c1 * z53;
     const double z104 = z13 * z53;
     const double z105 = z64 + s1 * z53;
     const double z106 = z12 * z53;
     const double z107 = z12 * z103 + (c1 * z66 + s1 * z104) - (z13 * z105 + (s1 * z68 - c1 * z106));
     const double z108 = z51 * z80;
-    const double z109 = z79 / (z7 * z7 * z7);
+    const double z109 = z79 * (z31 * z8);
     const double z110 = z3 * z75 + 4.0 * (c_p_b * z74) - 2.0 * (k2 * (z32 * z70 - s_p_f * (s_p_b * z76 -
         c_p_f * z73)));
     const double z111 = 2.0 * (z34 * z109) - z31 * (c_p_b * z78 - s_p_b * z110 + (z73 * z33 - z75 * z6));
@@ -986,7 +974,7 @@ int snakeboard_jacobian(double t, const double *y, const double *p, double *J)
     const double z117 = z86 * z57 + z112 * z113 + (z94 * z58 - (z115 - (z48 * z80 - z21 * z111)) * z116);
     const double z118 = z97 * z35 + z8 * (z89 - z17 * z105 - (z12 * z114 - (z36 * z66 - z19 * z104)));
     const double z119 = z87 * z26;
-    const double z120 = (J_2 * (z16 * z35 - z8 * (z55 + z14 * z57)) + z60) * z101 + z102 * (z117 - (z99 * z59
+    const double z120 = (J_2 * (z16 * z35 - z8 * (z55 + z14 * z57)) + z60) * z102 + z101 * (z117 - (z99 * z59
         + (z118 + (z37 * z80 + z25 * z111)) * z119));
     const double z121 = z56 - z14 * z45;
     const double z122 = z49 * z8 + z21 * z45;
@@ -1008,7 +996,7 @@ int snakeboard_jacobian(double t, const double *y, const double *p, double *J)
     const double z137 = z92 * z45 + z8 * (s1 * z136 + (z46 * z64 - z17 * z125) + (z96 + z19 * z128));
     const double z138 = z86 * z121 + z113 * z135 - (z94 * z122 + z116 * (z137 + (z49 * z80 + z21 * z134)));
     const double z139 = z97 * z45 + z8 * (c1 * z136 - (z46 * z67 - z17 * z127) - (z91 - z19 * z126));
-    const double z140 = z101 * (J_2 * (z16 * z45 - z8 * (z55 + z14 * z121)) + z124) + z102 * (z138 + (z99 *
+    const double z140 = z102 * (J_2 * (z16 * z45 - z8 * (z55 + z14 * z121)) + z124) + z101 * (z138 + (z99 *
         z123 - z119 * (z139 - (z47 * z80 - z25 * z134))));
     const double z141 = c1 * z15;
     const double z142 = z13 * z15;
@@ -1017,12 +1005,12 @@ int snakeboard_jacobian(double t, const double *y, const double *p, double *J)
     const double z145 = z81 - z38 * (z12 * z141 - s1 * z142 + (z13 * z143 - c1 * z144));
     const double z146 = z113 * z145 - m * (z22 * (z93 + z38 * (z17 * z141 + z19 * z144))) - m * (z26 * (z98 -
         z38 * (z17 * z143 + z19 * z142)));
-    const double z147 = z102 * z146;
+    const double z147 = z101 * z146;
     const double z148 = v * z57;
-    const double z149 = z102 * (z113 * z148 + z58 * z116 - z59 * z119);
+    const double z149 = z101 * (z113 * z148 + z58 * z116 - z59 * z119);
     const double z150 = v * z121;
-    const double z151 = z102 * (z113 * z150 - z116 * z122 + z119 * z123);
-    const double z152 = z102 * z100;
+    const double z151 = z101 * (z113 * z150 - z116 * z122 + z119 * z123);
+    const double z152 = z101 * z100;
     const double z153 = z112 - (z152 * z57 + z15 * z120);
     const double z154 = z135 - (z152 * z121 + z15 * z140);
     const double z155 = z145 - z15 * z147;
@@ -1073,10 +1061,6 @@ int snakeboard_jacobian(double t, const double *y, const double *p, double *J)
         /* the coframe is singular */
         if (!(fabs(z7) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)))) {
             return SNAKEBOARD_SINGULAR_1;
-        }
-        /* the mass matrix is singular */
-        if (!(fabs(J_w) > 0.0)) {
-            return SNAKEBOARD_SINGULAR_2;
         }
         /* the mass matrix is singular */
         if (!(fabs(J_w) > 0.0)) {
@@ -1223,7 +1207,7 @@ static __attribute__((noinline)) void snakeboard_rhs_lanes(const double *fixed, 
     const snakeboard_lanes z31 = p_f_dot * s_p_f;
     const snakeboard_lanes z32 = z3 * z26 - 4.0 * (s_p_b * (z28 - z29)) - 2.0 * (k2 * (z4 * z27 - s_p_f *
         (c_p_f * z30 + c_p_b * z31)));
-    const snakeboard_lanes z33 = (z5 * z26 + s_p_b * z32 + (2.0 * z28 - 6.0 * z29)) / (z6 * z6);
+    const snakeboard_lanes z33 = z7 * z7 * (z5 * z26 + s_p_b * z32 + (2.0 * z28 - 6.0 * z29));
     const snakeboard_lanes z34 = p_b_dot - z24;
     const snakeboard_lanes z35 = c1 * z34;
     const snakeboard_lanes z36 = p_f_dot - z24;

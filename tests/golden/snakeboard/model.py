@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""snakeboard, emitted by nhc 0.1.0 (nhc:4489f9123640803b).
+"""snakeboard, emitted by nhc 0.1.0 (nhc:38e91975b780bcf0).
 
 A board on two steerable axles and a rotor; it moves by turning the rotor and the
     axles to and fro.
@@ -38,14 +38,14 @@ Outputs:
 out[0] = speed
 
 Operations:
-rhs: 58 +-, 109 *, 5 /, 9 calls
+rhs: 58 +-, 110 *, 4 /, 9 calls
 velocities: 18 +-, 34 *, 1 /, 7 calls
-accelerations: 64 +-, 120 *, 5 /, 9 calls
+accelerations: 64 +-, 121 *, 4 /, 9 calls
 state: 10 +-, 17 *, 0 /, 6 calls
 residuals: 6 +-, 7 *, 0 /, 6 calls
-reactions: 94 +-, 182 *, 5 /, 9 calls
+reactions: 94 +-, 183 *, 4 /, 9 calls
 energy: 24 +-, 42 *, 1 /, 6 calls
-jacobian: 194 +-, 346 *, 5 /, 9 calls
+jacobian: 194 +-, 347 *, 2 /, 9 calls
 outputs: 17 +-, 31 *, 1 /, 7 calls
 
 A singular point raises SingularModelError.
@@ -193,7 +193,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z31 = p_f_dot * s_p_f
         s6 = 2.0 * (k2 * (z4 * z27 - s_p_f * (c_p_f * z30 + c_p_b * z31)))
         z32 = z3 * z26 - 4.0 * (s_p_b * (z28 - z29)) - s6
-        z33 = (z5 * z26 + s_p_b * z32 + (2.0 * z28 - 6.0 * z29)) / (z6 * z6)
+        z33 = z7 * z7 * (z5 * z26 + s_p_b * z32 + (2.0 * z28 - 6.0 * z29))
         z34 = p_b_dot - z24
         z35 = c1 * z34
         z36 = p_f_dot - z24
@@ -300,7 +300,7 @@ def velocities(
             # y' (I.2.4)
             (s1 * z6 + z7 * z12) * z11,
             # theta' (I.2.4)
-            -(s1 * z10 - c1 * z12) * z11,
+            (c1 * z12 - s1 * z10) * z11,
             # psi' (I.2.4)
             psi_dot,
             # p_b' (I.2.4)
@@ -399,7 +399,7 @@ def accelerations(
         z28 = p_f_dot * s_p_f
         s6 = 2.0 * (k2 * (z4 * z24 - s_p_f * (c_p_f * z27 + c_p_b * z28)))
         z29 = z3 * z23 - 4.0 * (s_p_b * (z25 - z26)) - s6
-        z30 = (z5 * z23 + s_p_b * z29 + (2.0 * z25 - 6.0 * z26)) / (z6 * z6)
+        z30 = z7 * z7 * (z5 * z23 + s_p_b * z29 + (2.0 * z25 - 6.0 * z26))
         z31 = v * z30
         z32 = l * z28
         z33 = v * z13
@@ -636,7 +636,7 @@ def reactions(
         z33 = p_f_dot * s_p_f
         s6 = 2.0 * (k2 * (z4 * z29 - s_p_f * (c_p_f * z32 + c_p_b * z33)))
         z34 = z3 * z28 - 4.0 * (s_p_b * (z30 - z31)) - s6
-        z35 = (z5 * z28 + s_p_b * z34 + (2.0 * z30 - 6.0 * z31)) / (z6 * z6)
+        z35 = z7 * z7 * (z5 * z28 + s_p_b * z34 + (2.0 * z30 - 6.0 * z31))
         z36 = v * z35
         z37 = l * z33
         z38 = v * z15
@@ -844,7 +844,7 @@ def jacobian(
             raise SingularModelError(2, "jacobian")
         z29 = v * z21
         z30 = v * z25
-        z31 = 1.0 / (z7 * z7)
+        z31 = z8 * z8
         z32 = c_p_f * s_p_b
         z33 = c_p_b * z3 + 2.0 * (z32 * z5)
         z34 = c_p_b * z6 + s_p_b * z33
@@ -920,8 +920,8 @@ def jacobian(
         z98 = z8 * z97 + z25 * z80
         z99 = z87 * z98
         z100 = z15 * z86 + z22 * z94 + z26 * z99
-        z101 = z100 / (z28 * z28)
-        z102 = 1.0 / z28
+        z101 = 1.0 / z28
+        z102 = z100 * (z101 * z101)
         z103 = z67 - c1 * z53
         z104 = z13 * z53
         z105 = z64 + s1 * z53
@@ -929,7 +929,7 @@ def jacobian(
         s11 = z12 * z103 + (c1 * z66 + s1 * z104)
         z107 = s11 - (z13 * z105 + (s1 * z68 - c1 * z106))
         z108 = z51 * z80
-        z109 = z79 / (z7 * z7 * z7)
+        z109 = z79 * (z31 * z8)
         s12 = 2.0 * (k2 * (z32 * z70 - s_p_f * (s_p_b * z76 - c_p_f * z73)))
         z110 = z3 * z75 + 4.0 * (c_p_b * z74) - s12
         s13 = z31 * (c_p_b * z78 - s_p_b * z110 + (z73 * z33 - z75 * z6))
@@ -946,8 +946,8 @@ def jacobian(
         z118 = z97 * z35 + z8 * s16
         z119 = z87 * z26
         s17 = z117 - (z99 * z59 + (z118 + (z37 * z80 + z25 * z111)) * z119)
-        s18 = (J_2 * (z16 * z35 - z8 * (z55 + z14 * z57)) + z60) * z101
-        z120 = s18 + z102 * s17
+        s18 = (J_2 * (z16 * z35 - z8 * (z55 + z14 * z57)) + z60) * z102
+        z120 = s18 + z101 * s17
         z121 = z56 - z14 * z45
         z122 = z49 * z8 + z21 * z45
         z123 = z47 * z8 - z25 * z45
@@ -975,8 +975,8 @@ def jacobian(
         s25 = c1 * z136 - (z46 * z67 - z17 * z127) - (z91 - z19 * z126)
         z139 = z97 * z45 + z8 * s25
         s26 = z138 + (z99 * z123 - z119 * (z139 - (z47 * z80 - z25 * z134)))
-        s27 = z101 * (J_2 * (z16 * z45 - z8 * (z55 + z14 * z121)) + z124)
-        z140 = s27 + z102 * s26
+        s27 = z102 * (J_2 * (z16 * z45 - z8 * (z55 + z14 * z121)) + z124)
+        z140 = s27 + z101 * s26
         z141 = c1 * z15
         z142 = z13 * z15
         z143 = s1 * z15
@@ -986,12 +986,12 @@ def jacobian(
         s29 = m * (z22 * (z93 + z38 * (z17 * z141 + z19 * z144)))
         s30 = m * (z26 * (z98 - z38 * (z17 * z143 + z19 * z142)))
         z146 = z113 * z145 - s29 - s30
-        z147 = z102 * z146
+        z147 = z101 * z146
         z148 = v * z57
-        z149 = z102 * (z113 * z148 + z58 * z116 - z59 * z119)
+        z149 = z101 * (z113 * z148 + z58 * z116 - z59 * z119)
         z150 = v * z121
-        z151 = z102 * (z113 * z150 - z116 * z122 + z119 * z123)
-        z152 = z102 * z100
+        z151 = z101 * (z113 * z150 - z116 * z122 + z119 * z123)
+        z152 = z101 * z100
         z153 = z112 - (z152 * z57 + z15 * z120)
         z154 = z135 - (z152 * z121 + z15 * z140)
         z155 = z145 - z15 * z147

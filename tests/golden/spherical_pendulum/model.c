@@ -1,5 +1,5 @@
 /*
- * spherical_pendulum.c: spherical_pendulum, emitted by nhc 0.1.0 (nhc:7a9618d03f32b191)
+ * spherical_pendulum.c: spherical_pendulum, emitted by nhc 0.1.0 (nhc:8e25fa763f31666d)
  * A pendulum that swings in space.
  * Source: spherical_pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -383,7 +383,7 @@ int spherical_pendulum_jacobian(double t, const double *y, const double *p, doub
     J[7] = 1.0;
     J[8] = phi_dot * phi_dot * (1.0 - 2.0 * z1) - c_theta * k2;
     J[11] = 2.0 * (s_theta * z2);
-    J[12] = 2.0 * (theta_dot * phi_dot / (s_theta * s_theta));
+    J[12] = 2.0 * (theta_dot * phi_dot * (z3 * z3));
     J[14] = -2.0 * (z3 * z2);
     J[15] = -2.0 * (theta_dot * c_theta * z3);
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */

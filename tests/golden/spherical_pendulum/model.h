@@ -1,5 +1,5 @@
 /*
- * spherical_pendulum.h: spherical_pendulum, emitted by nhc 0.1.0 (nhc:d55980f3389b9fa4)
+ * spherical_pendulum.h: spherical_pendulum, emitted by nhc 0.1.0 (nhc:0a3cdb0f58840641)
  * A pendulum that swings in space.
  * Source: spherical_pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -27,7 +27,7 @@
  * residuals: 0 +-, 0 *, 0 /, 0 calls
  * reactions: 0 +-, 4 *, 0 /, 1 calls
  * energy: 2 +-, 9 *, 0 /, 2 calls
- * jacobian: 2 +-, 19 *, 3 /, 2 calls
+ * jacobian: 2 +-, 20 *, 2 /, 2 calls
  * outputs: 0 +-, 5 *, 0 /, 1 calls
  *
  * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.

@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""spherical_pendulum, emitted by nhc 0.1.0 (nhc:92ef267c15f4804c).
+"""spherical_pendulum, emitted by nhc 0.1.0 (nhc:70500d62262bc4d1).
 
 A pendulum that swings in space.
 Source: spherical_pendulum.yaml
@@ -28,7 +28,7 @@ state: 0 +-, 0 *, 0 /, 0 calls
 residuals: 0 +-, 0 *, 0 /, 0 calls
 reactions: 0 +-, 4 *, 0 /, 1 calls
 energy: 2 +-, 9 *, 0 /, 2 calls
-jacobian: 2 +-, 19 *, 3 /, 2 calls
+jacobian: 2 +-, 20 *, 2 /, 2 calls
 outputs: 0 +-, 5 *, 0 /, 1 calls
 
 A singular point raises SingularModelError.
@@ -333,7 +333,7 @@ def jacobian(
             # (II.3)
             2.0 * (s_theta * z2),
             # (II.3)
-            2.0 * (theta_dot * phi_dot / (s_theta * s_theta)),
+            2.0 * (theta_dot * phi_dot * (z3 * z3)),
             0.0,
             # (II.3)
             -2.0 * (z3 * z2),

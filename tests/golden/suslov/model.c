@@ -1,5 +1,5 @@
 /*
- * suslov.c: suslov, emitted by nhc 0.1.0 (nhc:1a8377351a24be3e)
+ * suslov.c: suslov, emitted by nhc 0.1.0 (nhc:205cf0cdab7c51e4)
  * A rigid body with a fixed point that must not turn about one of its own axes.
  * Source: suslov.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -309,7 +309,7 @@ int suslov_accelerations(double t, const double *y, const double *p, double *qdd
     const double z4 = s_theta * s_psi;
     const double z5 = z3 * w1 - z4 * w2;
     const double z6 = c_theta * (z2 * z5);
-    const double z7 = z6 / (s_theta * s_theta);
+    const double z7 = z6 * (z2 * z2);
     const double z8 = z1 * z2;
     const double z9 = c_theta * z8;
     const double z10 = s_psi * z9;
@@ -474,28 +474,28 @@ int suslov_jacobian(double t, const double *y, const double *p, double *J)
 
     /* state */
     const double z1 = c_psi * w2 + s_psi * w1;
-    const double z2 = c_theta / (s_theta * s_theta);
-    const double z3 = z1 * z2;
-    const double z4 = 1.0 / s_theta;
+    const double z2 = 1.0 / s_theta;
+    const double z3 = c_theta * (z2 * z2);
+    const double z4 = z1 * z3;
     const double z5 = c_psi * w1 - s_psi * w2;
-    const double z6 = z4 * z5;
-    const double z7 = s_psi * z4;
-    const double z8 = c_psi * z4;
+    const double z6 = z2 * z5;
+    const double z7 = s_psi * z2;
+    const double z8 = c_psi * z2;
     const double z9 = s_theta * c_psi;
     const double z10 = s_theta * s_psi;
     const double z11 = I23 * w2;
     const double z12 = I13 * w1;
     const double z13 = z12 + z11;
     /* (I.2.15) */
-    J[1] = -z3;
+    J[1] = -z4;
     J[2] = z6;
     J[3] = z7;
     J[4] = z8;
-    J[6] = z4 * (c_theta * z5) - (z9 * w1 - z10 * w2) * z2;
-    J[7] = -z4 * (z10 * w1 + z9 * w2);
+    J[6] = z2 * (c_theta * z5) - (z9 * w1 - z10 * w2) * z3;
+    J[7] = -z2 * (z10 * w1 + z9 * w2);
     J[8] = c_psi;
     J[9] = -s_psi;
-    J[11] = z1 + c_theta * z3;
+    J[11] = z1 + c_theta * z4;
     J[12] = -c_theta * z6;
     J[13] = -c_theta * z7;
     J[14] = -c_theta * z8;

@@ -1,5 +1,5 @@
 /*
- * suslov.h: suslov, emitted by nhc 0.1.0 (nhc:90ea150ad73e42bf)
+ * suslov.h: suslov, emitted by nhc 0.1.0 (nhc:dd95081f5d53b9c8)
  * A rigid body with a fixed point that must not turn about one of its own axes.
  * Source: suslov.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -28,12 +28,12 @@
  * Operations:
  * rhs: 3 +-, 15 *, 3 /, 4 calls
  * velocities: 2 +-, 9 *, 1 /, 4 calls
- * accelerations: 14 +-, 37 *, 4 /, 4 calls
+ * accelerations: 14 +-, 38 *, 3 /, 4 calls
  * state: 2 +-, 5 *, 0 /, 3 calls
  * residuals: 1 +-, 1 *, 0 /, 1 calls
  * reactions: 4 +-, 8 *, 2 /, 1 calls
  * energy: 1 +-, 5 *, 0 /, 0 calls
- * jacobian: 9 +-, 31 *, 4 /, 4 calls
+ * jacobian: 9 +-, 32 *, 3 /, 4 calls
  * outputs: 1 +-, 2 *, 0 /, 1 calls
  *
  * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.

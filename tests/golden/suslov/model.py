@@ -1,4 +1,4 @@
-"""suslov, emitted by nhc 0.1.0 (nhc:dff6239e18b62f90).
+"""suslov, emitted by nhc 0.1.0 (nhc:8b540e67e743b687).
 
 A rigid body with a fixed point that must not turn about one of its own axes.
 Source: suslov.yaml
@@ -28,12 +28,12 @@ out[0] = M3
 Operations:
 rhs: 3 +-, 15 *, 3 /, 4 calls
 velocities: 2 +-, 9 *, 1 /, 4 calls
-accelerations: 14 +-, 37 *, 4 /, 4 calls
+accelerations: 14 +-, 38 *, 3 /, 4 calls
 state: 2 +-, 5 *, 0 /, 3 calls
 residuals: 1 +-, 1 *, 0 /, 1 calls
 reactions: 4 +-, 8 *, 2 /, 1 calls
 energy: 1 +-, 5 *, 0 /, 0 calls
-jacobian: 9 +-, 31 *, 4 /, 4 calls
+jacobian: 9 +-, 32 *, 3 /, 4 calls
 outputs: 1 +-, 2 *, 0 /, 1 calls
 
 A singular point raises SingularModelError.
@@ -215,7 +215,7 @@ def accelerations(
         z4 = s_theta * s_psi
         z5 = z3 * w1 - z4 * w2
         z6 = c_theta * (z2 * z5)
-        z7 = z6 / (s_theta * s_theta)
+        z7 = z6 * (z2 * z2)
         z8 = z1 * z2
         z9 = c_theta * z8
         z10 = s_psi * z9
@@ -401,13 +401,13 @@ def jacobian(
         s_psi = math.sin(psi)
         z1 = c_psi * w2 + s_psi * w1
         c_theta = math.cos(theta)
-        z2 = c_theta / (s_theta * s_theta)
-        z3 = z1 * z2
-        z4 = 1.0 / s_theta
+        z2 = 1.0 / s_theta
+        z3 = c_theta * (z2 * z2)
+        z4 = z1 * z3
         z5 = c_psi * w1 - s_psi * w2
-        z6 = z4 * z5
-        z7 = s_psi * z4
-        z8 = c_psi * z4
+        z6 = z2 * z5
+        z7 = s_psi * z2
+        z8 = c_psi * z2
         z9 = s_theta * c_psi
         z10 = s_theta * s_psi
         z11 = I23 * w2
@@ -416,7 +416,7 @@ def jacobian(
         J: list[float] = [
             0.0,
             # (I.2.15)
-            -z3,
+            -z4,
             # (I.2.15)
             z6,
             # (I.2.15)
@@ -425,16 +425,16 @@ def jacobian(
             z8,
             0.0,
             # (I.2.15)
-            z4 * (c_theta * z5) - (z9 * w1 - z10 * w2) * z2,
+            z2 * (c_theta * z5) - (z9 * w1 - z10 * w2) * z3,
             # (I.2.15)
-            -z4 * (z10 * w1 + z9 * w2),
+            -z2 * (z10 * w1 + z9 * w2),
             # (I.2.15)
             c_psi,
             # (I.2.15)
             -s_psi,
             0.0,
             # (I.2.15)
-            z1 + c_theta * z3,
+            z1 + c_theta * z4,
             # (I.2.15)
             -c_theta * z6,
             # (I.2.15)

@@ -1,5 +1,5 @@
 /*
- * veselova.c: veselova, emitted by nhc 0.1.0 (nhc:52d0b5090a71cd3b)
+ * veselova.c: veselova, emitted by nhc 0.1.0 (nhc:8aae1dd6d248ba4c)
  * A rigid body with a fixed point that must not turn about the vertical.
  * Source: veselova.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -350,7 +350,7 @@ int veselova_accelerations(double t, const double *y, const double *p, double *q
     const double z21 = s_phi * w_x - c_phi * w_y;
     const double z22 = z20 * z21;
     const double z23 = z20 * (c_theta * z19);
-    const double z24 = z23 / (s_theta * s_theta);
+    const double z24 = z20 * z20 * z23;
     const double z25 = c_theta * z22;
     const double z26 = c_phi * z25;
     const double z27 = k1 * (s_psi * (z21 * z6 - c_psi * (c_phi * w_x + s_phi * w_y))) + k2 * (c_theta * z21);
@@ -491,7 +491,7 @@ int veselova_reactions(double t, const double *y, const double *p, double *lambd
     const double z28 = s_theta * z22 + s_psi * z27;
     const double z29 = c_phi * z21;
     const double z30 = s_phi * z21;
-    const double z31 = z27 / (s_theta * s_theta);
+    const double z31 = z18 * z18 * z27;
     const double z32 = z18 * (w_x * z29 + w_y * z30) + z19 * z31;
     const double z33 = z20 * z25 + c_theta * z32;
     const double z34 = s_psi * z20;
@@ -621,7 +621,7 @@ int veselova_jacobian(double t, const double *y, const double *p, double *J)
     const double z24 = c_phi * w_x + s_phi * w_y;
     const double z25 = z23 * z24;
     const double z26 = s_phi * w_x - c_phi * w_y;
-    const double z27 = c_theta / (s_theta * s_theta);
+    const double z27 = c_theta * (z23 * z23);
     const double z28 = z26 * z27;
     const double z29 = s_phi * z23;
     const double z30 = c_phi * z23;

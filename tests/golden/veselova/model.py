@@ -1,4 +1,4 @@
-"""veselova, emitted by nhc 0.1.0 (nhc:e77ba6e02a23e5f9).
+"""veselova, emitted by nhc 0.1.0 (nhc:dc887a5f3219046f).
 
 A rigid body with a fixed point that must not turn about the vertical.
 Source: veselova.yaml
@@ -27,12 +27,12 @@ out[1] = L_y
 Operations:
 rhs: 29 +-, 52 *, 3 /, 6 calls
 velocities: 2 +-, 9 *, 1 /, 4 calls
-accelerations: 40 +-, 75 *, 4 /, 6 calls
+accelerations: 40 +-, 76 *, 3 /, 6 calls
 state: 2 +-, 5 *, 0 /, 3 calls
 residuals: 1 +-, 1 *, 0 /, 1 calls
-reactions: 60 +-, 114 *, 4 /, 6 calls
+reactions: 60 +-, 115 *, 3 /, 6 calls
 energy: 7 +-, 22 *, 1 /, 6 calls
-jacobian: 105 +-, 214 *, 4 /, 6 calls
+jacobian: 105 +-, 215 *, 3 /, 6 calls
 outputs: 10 +-, 28 *, 1 /, 6 calls
 
 A singular point raises SingularModelError.
@@ -261,7 +261,7 @@ def accelerations(
         z21 = s_phi * w_x - c_phi * w_y
         z22 = z20 * z21
         z23 = z20 * (c_theta * z19)
-        z24 = z23 / (s_theta * s_theta)
+        z24 = z20 * z20 * z23
         z25 = c_theta * z22
         z26 = c_phi * z25
         s3 = s_psi * (z21 * z6 - c_psi * (c_phi * w_x + s_phi * w_y))
@@ -419,7 +419,7 @@ def reactions(
         z28 = s_theta * z22 + s_psi * z27
         z29 = c_phi * z21
         z30 = s_phi * z21
-        z31 = z27 / (s_theta * s_theta)
+        z31 = z18 * z18 * z27
         z32 = z18 * (w_x * z29 + w_y * z30) + z19 * z31
         z33 = z20 * z25 + c_theta * z32
         z34 = s_psi * z20
@@ -554,7 +554,7 @@ def jacobian(
         z24 = c_phi * w_x + s_phi * w_y
         z25 = z23 * z24
         z26 = s_phi * w_x - c_phi * w_y
-        z27 = c_theta / (s_theta * s_theta)
+        z27 = c_theta * (z23 * z23)
         z28 = z26 * z27
         z29 = s_phi * z23
         z30 = c_phi * z23
