@@ -12,7 +12,7 @@ from collections.abc import Sequence
 
 from nhc.algebra.calculus import gradient, tangent
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.linear import depends, solve
+from nhc.algebra.linear import depends
 from nhc.algebra.modular import are_zero
 from nhc.mechanics.flag import Field, growth_vector
 from nhc.mechanics.frame import Frame, coordinate_frame
@@ -102,9 +102,3 @@ def cyclic_coordinates(system: System) -> list[int]:
         if not any(depends(g, nodes, [q])):
             result.append(i)
     return result
-
-
-def span_coefficients(graph: Graph, rows: Sequence[Sequence[Node]], target: Sequence[Node]) -> list[Node]:
-    """c with c_k rows_k = target for a square regular set of rows."""
-    columns = [[row[i] for row in rows] for i in range(len(target))]
-    return solve(graph, columns, [list(target)]).unknowns[0]

@@ -196,16 +196,6 @@ def make_rotation(
 # --- vectors of a system with rotations -------------------------------------------------------------------
 
 
-def to_base(system: System, x: Sequence[Node], rotations: Sequence[Rotation]) -> list[Node]:
-    """Components along the base coframe: (|e|^2)' and omega in the places of e' of these rotations, the others as they are."""
-    made = list(x)
-    for rotation in rotations:
-        found = rotation.turning(system.graph, [x[k] for k in rotation.places])
-        for k, node in zip(rotation.places, found, strict=True):
-            made[k] = node
-    return made
-
-
 def from_base(system: System, b: Sequence[Node], rotations: Sequence[Rotation]) -> tuple[Node, ...]:
     """The vector with these components along the base coframe."""
     made = list(b)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import sys
 from collections.abc import Sequence
 from importlib.abc import InspectLoader
@@ -111,8 +110,3 @@ class InterpretedModel:
             except ArithmeticError as error:
                 raise ModelError(row, getattr(error, "status", 0)) from error
         return rows
-
-
-def is_finite(values: Sequence[float]) -> bool:
-    """Whether all values are numbers."""
-    return all(map(math.isfinite, values))

@@ -39,11 +39,6 @@ def is_infinite(tree: Syntax) -> bool:
     return any(node is INFINITE for node in walk(tree))
 
 
-def vanish(tree: Syntax, gone: Callable[[Syntax], bool]) -> Syntax:
-    """The tree with 0 for the parts that are ``gone``; what was written with a 0 and stays is left as it is."""
-    return replace_parts(tree, lambda node: ZERO if gone(node) else None)
-
-
 def replace_parts(tree: Syntax, swap: Swap, still: Set[str] = frozenset()) -> Syntax:
     """The tree with ``swap(node)`` in the place of the nodes for which it is not None; zeros that come in are worked off.
 
