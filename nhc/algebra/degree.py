@@ -15,7 +15,7 @@ from math import lcm
 
 from nhc.algebra.calculus import reachable
 from nhc.algebra.expand import Monomial, Polynomial, TooLarge
-from nhc.algebra.field import INVERSE, moving_mask
+from nhc.algebra.field import INVERSE
 from nhc.algebra.graph import ADD, MUL, NEG, NUM, POW, SYM, Graph, Node
 from nhc.algebra.polynomial import polynomial
 
@@ -41,7 +41,7 @@ class Degrees:
         self.known: dict[Node, Degree] = {}
         self._size: dict[Key, int] = {}
         self._arguments: dict[Node, Polynomial] = {}
-        self._moving = moving_mask(graph)
+        self._moving = graph.mask_moving()
         self.roots = 0  # square roots and signs
         self.opaque = 0  # what the arguments of other functions add
         meant = dict(standing or {})

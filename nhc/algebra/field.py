@@ -23,6 +23,7 @@ from __future__ import annotations
 
 import random
 from collections.abc import Iterable, Mapping, Sequence
+from copy import copy
 from fractions import Fraction
 from math import lcm
 
@@ -31,24 +32,13 @@ from nhc.algebra.evaluate import sign_of_constant
 from nhc.algebra.expand import Monomial, Polynomial, TooLarge
 from nhc.algebra.graph import ADD, MUL, NEG, NUM, PI, POW, SYM, Graph, Node
 from nhc.algebra.polynomial import ONE, leading_size, polynomial
-from nhc.algebra.residues import FULL_TURN, circle_point, part_of_turn, square_root, turn
-
-PRIMES = (2305843006248270719, 2305843005290151599, 2305842996234052799, 2305842995637941759)
-"""Safe primes p below 2**61 with p + 1 divisible by 5040, modulo each of which 2, 3, 5, ..., 47 are squares: their roots exist,
-sqrt(4*x) is 2*sqrt(x) and not its negative, and the circle has points at all 5040ths of a turn.  2 + sqrt(2), 1 + sqrt(2),
-1 + sqrt(3), 1 + sqrt(5) and 10 + 2 sqrt(5) are squares, too, as positive numbers should be."""
+from nhc.algebra.residues import FULL_TURN, PRIMES, circle_point, part_of_turn, square_root, turn
 
 _HALF_TURN = FULL_TURN // 2
 _PERIODIC = ("sin", "cos")
 _EXPONENTIAL = ("exp", "sinh", "cosh", "tanh")
-_MOVING = ("velocity", "quasi", "rate", "acceleration", "multiplier")
 _FAMILIES = {**dict.fromkeys(_PERIODIC, "angle"), **dict.fromkeys(_EXPONENTIAL, "exponent")}
 INVERSE = ("asin", "acos", "atan", "atan2")
-
-
-def moving_mask(graph: Graph) -> int:
-    """The symbols that are no parameters, coordinates or the time."""
-    return sum((symbol.kind in _MOVING) << k for k, symbol in enumerate(graph.symbols))
 
 
 def _is_atom(monomial: Monomial) -> bool:
@@ -100,11 +90,16 @@ class FieldPoint:
         roots, values = list(roots), self.values
         if fixed:
             values.update(fixed)
-        todo = reachable(self.graph, roots, known=values)  # operands first
+        todo = reachable(self.graph, roots, known=values)
         self._prepare(todo)
-        g, p = self.graph, self.prime
+        self.fill(todo)
+        return [values[root] for root in roots]
+
+    def fill(self, nodes: Iterable[Node]) -> None:
+        """Residues of these nodes, which have been announced; operands come first, and what they have already is overwritten."""
+        g, p, values = self.graph, self.prime, self.values
         op, first, second = g.op, g.a, g.b
-        for node in todo:
+        for node in nodes:
             kind = op[node]
             if kind == ADD:
                 values[node] = (values[first[node]] + values[second[node]]) % p
@@ -114,7 +109,6 @@ class FieldPoint:
                 values[node] = -values[first[node]] % p
             else:
                 values[node] = self._value(node)
-        return [values[root] for root in roots]
 
     def prepare(self, roots: Iterable[Node]) -> None:
         """Announce what will be evaluated later, in several calls: the points of the circle are then fine enough for all of it.
@@ -127,6 +121,14 @@ class FieldPoint:
     def prepare_like(self, other: FieldPoint) -> None:
         """Announce, before anything is evaluated, what was announced to another point."""
         self._denominators = dict(other._denominators)
+
+    def beside(self, stale: Iterable[Node]) -> FieldPoint:
+        """The same point with its own copy of the values but the stale ones: some are changed, what depends on them filled in."""
+        other = copy(self)
+        other.values, other._circles = dict(self.values), {}
+        for node in stale:
+            del other.values[node]
+        return other
 
     def _prepare(self, nodes: Sequence[Node]) -> None:
         """Least common denominators of the coefficients of each monomial in angles and exponents."""
@@ -150,7 +152,7 @@ class FieldPoint:
         """Whether an argument holds velocities, rates or multipliers."""
         symbols = self.graph.symbols
         if self._known_symbols < len(symbols):
-            self._moving, self._known_symbols = moving_mask(self.graph), len(symbols)
+            self._moving, self._known_symbols = self.graph.mask_moving(), len(symbols)
         return bool(self.graph.deps[argument] & self._moving)
 
     def _argument(self, node: Node) -> Polynomial:

@@ -13,9 +13,10 @@ from itertools import chain, islice
 
 from nhc.algebra.draw import MOST_DRAWS, QuickPoint, draw_points
 from nhc.algebra.evaluate import Mpmath, evaluate
-from nhc.algebra.field import PRIMES, FieldPoint, Unlucky
+from nhc.algebra.field import FieldPoint, Unlucky
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.probe import probe_of, signed_probes
+from nhc.algebra.residues import PRIMES
 from nhc.algebra.signs import MOST, Signs, degree_in_signs, may_hold, points_for
 
 __all__ = ["PRIMES", "FieldPoint", "Unlucky", "are_equal", "are_zero", "is_zero", "rank", "sample"]

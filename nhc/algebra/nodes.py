@@ -13,6 +13,7 @@ UNARY = frozenset({"sin", "cos", "asin", "acos", "atan", "sinh", "cosh", "tanh",
 BINARY = frozenset({"atan2", "min", "max", "powf"})
 
 _LEAVES, _DYADIC = frozenset({NUM, SYM, PI}), BINARY | {ADD, MUL}
+_MOVING = ("velocity", "quasi", "rate", "acceleration", "multiplier")
 
 Node = int
 Rational = int | Fraction
@@ -151,6 +152,10 @@ class NodeStore:
         for node in symbols:
             result |= self.deps[node]
         return result
+
+    def mask_moving(self) -> int:
+        """The symbols that are no parameters, coordinates or the time."""
+        return sum((symbol.kind in _MOVING) << k for k, symbol in enumerate(self.symbols))
 
     def symbols_in(self, node: Node) -> tuple[Node, ...]:
         deps, found, index = self.deps[node], [], 0

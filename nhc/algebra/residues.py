@@ -4,6 +4,11 @@ from __future__ import annotations
 
 from functools import cache
 
+PRIMES = (2305843006248270719, 2305843005290151599, 2305842996234052799, 2305842995637941759)
+"""Safe primes p below 2**61 with p + 1 divisible by 5040, modulo each of which 2, 3, 5, ..., 47 are squares: their roots exist,
+sqrt(4*x) is 2*sqrt(x) and not its negative, and the circle has points at all 5040ths of a turn.  2 + sqrt(2), 1 + sqrt(2),
+1 + sqrt(3), 1 + sqrt(5) and 10 + 2 sqrt(5) are squares, too, as positive numbers should be."""
+
 FULL_TURN = 5040
 """The circle modulo p has p + 1 points and is cyclic: it has points of each order that divides p + 1."""
 

@@ -18,9 +18,10 @@ from itertools import islice
 from nhc.algebra.calculus import reachable, substitute
 from nhc.algebra.draw import QuickPoint, draw_points
 from nhc.algebra.expand import TooLarge
-from nhc.algebra.field import INVERSE, PRIMES, FieldPoint, Unlucky
+from nhc.algebra.field import INVERSE, FieldPoint, Unlucky
 from nhc.algebra.graph import ADD, MUL, NEG, POW, Graph, Node
 from nhc.algebra.polynomial import ONE, polynomial
+from nhc.algebra.residues import PRIMES
 
 STEPS = ("sign", "abs", "min", "max")
 _HOLDERS = frozenset((*STEPS, "sqrt", "powf", *INVERSE))

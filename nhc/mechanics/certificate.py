@@ -17,7 +17,8 @@ from collections.abc import Sequence
 from nhc.algebra.degree import Degrees
 from nhc.algebra.draw import MOST_DRAWS, draw_points
 from nhc.algebra.linear import Singular
-from nhc.algebra.modular import PRIMES, FieldPoint, Unlucky
+from nhc.algebra.modular import FieldPoint, Unlucky
+from nhc.algebra.residues import PRIMES
 from nhc.algebra.signs import MOST, Signs, may_hold, points_for
 from nhc.mechanics.choose import applicable
 from nhc.mechanics.claims import (

@@ -16,8 +16,9 @@ from itertools import combinations
 
 from nhc.algebra.calculus import count, gradient, substitute, tangent
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.modular import PRIMES, Unlucky, are_zero, rank
+from nhc.algebra.modular import Unlucky, are_zero, rank
 from nhc.algebra.relations import find_relations, without
+from nhc.algebra.residues import PRIMES
 from nhc.mechanics.constancy import are_constant, jumps, rates_of
 from nhc.mechanics.frame import Frame, form_value
 from nhc.mechanics.rotation import moving

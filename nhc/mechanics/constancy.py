@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from nhc.algebra.calculus import reachable
-from nhc.algebra.field import INVERSE, PRIMES
+from nhc.algebra.field import INVERSE
 from nhc.algebra.graph import POW, Node
+from nhc.algebra.residues import PRIMES
 from nhc.algebra.signs import Signs, may_hold, points_for
 from nhc.mechanics.frame import total_derivative
 from nhc.mechanics.sampling import Sampler

@@ -8,10 +8,12 @@ more points: a sign stays the same at every second change, and others may hide i
 from __future__ import annotations
 
 import random
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
+from nhc.algebra.calculus import reachable
 from nhc.algebra.graph import Node
-from nhc.algebra.modular import PRIMES, FieldPoint, Unlucky
+from nhc.algebra.modular import FieldPoint, Unlucky
+from nhc.algebra.residues import PRIMES
 from nhc.algebra.signs import Signs, may_hold, points_for
 from nhc.mechanics.linearize import Flow, solve_modulo
 from nhc.records import record
@@ -49,14 +51,22 @@ def values_at(flow: Flow, needs: Sequence[Node], point: FieldPoint) -> list[int]
     Raises:
         Unlucky: the motion is singular at this point.
     """
-    size = len(flow.unknowns)
-    flat = point.evaluate([*(x for row in flow.matrix for x in row), *flow.right])
-    matrix = [flat[k * size : (k + 1) * size] for k in range(size)]
-    right = [[x] for x in flat[size * size :]]
-    solved = [row[0] for row in solve_modulo(matrix, right, point.prime)] if size else []
+    solved = _solve(flow, point.evaluate(_rows(flow)), point.prime)
     found = point.evaluate([*flow.velocities, *needs], dict(zip(flow.unknowns, solved, strict=True)))
     n = len(flow.velocities)
     return [*found[:n], *solved[: flow.kept], *found[n:]]
+
+
+def _rows(flow: Flow) -> list[Node]:
+    return [*(x for row in flow.matrix for x in row), *flow.right]
+
+
+def _solve(flow: Flow, flat: Sequence[int], prime: int) -> list[int]:
+    """The unknowns from the values of :func:`_rows`."""
+    size = len(flow.unknowns)
+    matrix = [list(flat[k * size : (k + 1) * size]) for k in range(size)]
+    right = [[x] for x in flat[size * size :]]
+    return [row[0] for row in solve_modulo(matrix, right, prime)] if size else []
 
 
 def find_dependence(flow: Flow, needs: Sequence[Node]) -> Dependence:
@@ -72,14 +82,17 @@ def find_dependence(flow: Flow, needs: Sequence[Node]) -> Dependence:
     depends = [[False] * size for _ in range(size + len(needs))]
     zero = [True] * (size + len(needs))
     compared = [not found for found in occurring]
+    changes = [_Change(flow, needs, j) if found else None for j, found in enumerate(occurring)]
+    planned = frozenset(reachable(g, roots))
     seed = 0
     for index in range(_count_points(flow, needs)):
         base, values, seed = _base(flow, needs, seed, PRIMES[index % len(PRIMES)])
         zero = [z and not value for z, value in zip(zero, values, strict=True)]
-        for j in range(size):
-            if not occurring[j]:
+        others = base.values.keys() - planned  # what the point needed besides: factors of arguments in canonical form
+        for j, change in enumerate(changes):
+            if change is None:
                 continue
-            changed = _changed(flow, needs, base, seed, j, values)
+            changed = change.compare(base, others, random.Random(1_000_003 * seed + j), values)
             compared[j] = compared[j] or bool(changed)
             for row, differs in zip(depends, changed, strict=bool(changed)):
                 row[j] = row[j] or differs
@@ -104,7 +117,7 @@ def _count_points(flow: Flow, needs: Sequence[Node]) -> int:
 
 
 def _roots(flow: Flow, needs: Sequence[Node]) -> list[Node]:
-    return [*flow.velocities, *needs, *(x for row in flow.matrix for x in row), *flow.right]
+    return [*flow.velocities, *needs, *_rows(flow)]
 
 
 def _base(flow: Flow, needs: Sequence[Node], seed: int, prime: int) -> tuple[FieldPoint, list[int], int]:
@@ -118,23 +131,38 @@ def _base(flow: Flow, needs: Sequence[Node], seed: int, prime: int) -> tuple[Fie
     raise Unlucky
 
 
-def _changed(
-    flow: Flow, needs: Sequence[Node], base: FieldPoint, seed: int, j: int, values: Sequence[int]
-) -> list[bool]:
-    """What has another value when y_j has; nothing where no other regular value is found."""
-    g, prime = flow.graph, base.prime
-    roots = _roots(flow, needs)
-    mask = g.mask((flow.y[j], *flow.unknowns))
-    carried = {node: value for node, value in base.values.items() if not g.depends(node, mask)}
-    rng = random.Random(1_000_003 * seed + j)
-    for _ in range(_CHANGES):
-        point = FieldPoint(g, 3_000_017 + seed, prime)
-        try:
-            point.prepare(roots)
-            point.values.update(carried)
-            point.values[flow.y[j]] = rng.randrange(2, prime - 1)
-            found = values_at(flow, needs, point)
-        except Unlucky:
-            continue
-        return [x != y for x, y in zip(found, values, strict=True)]
-    return []
+class _Change:
+    """Another value for one entry of the state, and the nodes that have another one with it, before and after the solution."""
+
+    def __init__(self, flow: Flow, needs: Sequence[Node], j: int) -> None:
+        g = flow.graph
+        self._flow, self._entry, self._rows = flow, flow.y[j], _rows(flow)
+        self._results = [*flow.velocities, *needs]
+        self._mask = g.mask((self._entry, *flow.unknowns))
+        given = {self._entry, *flow.unknowns}
+        self._before = [node for node in reachable(g, self._rows, g.deps[self._entry]) if node not in given]
+        given.update(self._before)
+        self._after = [node for node in reachable(g, self._results, self._mask) if node not in given]
+
+    def compare(
+        self, base: FieldPoint, others: Iterable[Node], rng: random.Random, values: Sequence[int]
+    ) -> list[bool]:
+        """What has another value than the given ones at the base; nothing where no other regular value is found.
+
+        ``others``: nodes with a value at the base that are no part of the rates and needs.
+        """
+        flow, n = self._flow, len(self._flow.velocities)
+        stale = [node for node in others if flow.graph.deps[node] & self._mask]
+        for _ in range(_CHANGES):
+            point = base.beside(stale)
+            point.values[self._entry] = rng.randrange(2, base.prime - 1)
+            try:
+                point.fill(self._before)
+                solved = _solve(flow, [point.values[node] for node in self._rows], point.prime)
+                point.values.update(zip(flow.unknowns, solved, strict=True))
+                point.fill(self._after)
+            except Unlucky:
+                continue
+            found = [point.values[node] for node in self._results]
+            return [x != y for x, y in zip([*found[:n], *solved[: flow.kept], *found[n:]], values, strict=True)]
+        return []

@@ -14,10 +14,11 @@ from operator import mul
 
 from nhc.algebra.calculus import tangent
 from nhc.algebra.draw import MOST_DRAWS, draw_points
-from nhc.algebra.field import PRIMES, FieldPoint, Unlucky
+from nhc.algebra.field import FieldPoint, Unlucky
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.jets import JetPlan, Jets, Series, make_box, plan_jets
 from nhc.algebra.modular import enough_points
+from nhc.algebra.residues import PRIMES
 from nhc.records import record
 
 Field = tuple[Node, ...]

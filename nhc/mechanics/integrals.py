@@ -15,8 +15,9 @@ from itertools import combinations_with_replacement
 from nhc.algebra.calculus import gradient, reachable, tangent
 from nhc.algebra.draw import MOST_DRAWS, draw_points
 from nhc.algebra.graph import ADD, MUL, NEG, POW, SYM, Graph, Node
-from nhc.algebra.modular import PRIMES, Unlucky, are_zero, rank
+from nhc.algebra.modular import Unlucky, are_zero, rank
 from nhc.algebra.relations import find_relations, without
+from nhc.algebra.residues import PRIMES
 from nhc.mechanics.conserved import Candidate, combine
 from nhc.mechanics.frame import Frame
 from nhc.mechanics.named import named_text

@@ -16,8 +16,9 @@ from functools import cached_property
 from nhc.algebra.calculus import count, gradient, substitute
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.linear import Singular, solve
-from nhc.algebra.modular import PRIMES, FieldPoint, Unlucky, are_zero, rank
+from nhc.algebra.modular import FieldPoint, Unlucky, are_zero, rank
 from nhc.algebra.polynomial import normalise
+from nhc.algebra.residues import PRIMES
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choose import Formulation, NotApplicable, build
 from nhc.mechanics.flag import growth_vector

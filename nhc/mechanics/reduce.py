@@ -12,7 +12,8 @@ from collections.abc import Mapping, Sequence
 from nhc.algebra.calculus import count, substitute
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.interval import Interval, cannot_vanish
-from nhc.algebra.modular import PRIMES, FieldPoint, Unlucky
+from nhc.algebra.modular import FieldPoint, Unlucky
+from nhc.algebra.residues import PRIMES
 from nhc.algebra.signs import MOST, Signs, may_hold, points_for
 from nhc.language.spec import Scene
 from nhc.mechanics.associate import Equations

@@ -7,7 +7,8 @@ from collections.abc import Sequence
 from nhc.algebra.calculus import gradient, substitute
 from nhc.algebra.graph import Node
 from nhc.algebra.linear import NotLinear, Singular, linear_form
-from nhc.algebra.modular import PRIMES, FieldPoint, Unlucky, rank
+from nhc.algebra.modular import FieldPoint, Unlucky, rank
+from nhc.algebra.residues import PRIMES
 from nhc.language.spec import Scene
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choose import Formulation, NotApplicable, build

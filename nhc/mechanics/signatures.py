@@ -8,8 +8,9 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from nhc.algebra.draw import QuickPoint
-from nhc.algebra.field import PRIMES, FieldPoint, Unlucky
+from nhc.algebra.field import FieldPoint, Unlucky
 from nhc.algebra.graph import Graph, Node
+from nhc.algebra.residues import PRIMES
 
 Signature = tuple[int, ...]
 _TRIES = 20

@@ -10,8 +10,9 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 
-from nhc.algebra.modular import PRIMES, FieldPoint, Unlucky
+from nhc.algebra.modular import FieldPoint, Unlucky
 from nhc.algebra.relations import find_relations
+from nhc.algebra.residues import PRIMES
 from nhc.mechanics.frame import Frame
 from nhc.mechanics.linearize import Flow, jacobian_residues, solve_modulo
 

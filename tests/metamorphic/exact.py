@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from nhc.algebra.graph import Node
-from nhc.algebra.modular import PRIMES, FieldPoint, Unlucky
+from nhc.algebra.modular import FieldPoint, Unlucky
+from nhc.algebra.residues import PRIMES
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choose import build
 from nhc.mechanics.formulate import accelerations, bordered_system, equations_of

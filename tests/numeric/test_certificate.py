@@ -12,7 +12,7 @@ from nhc.algebra.degree import Degrees
 from nhc.algebra.elimination import null_space, solve_double, solve_modulo
 from nhc.algebra.graph import Graph
 from nhc.algebra.linear import Singular
-from nhc.algebra.modular import PRIMES
+from nhc.algebra.residues import PRIMES
 from nhc.diagnostics import Source
 from nhc.language import decode, read
 from nhc.mechanics import certificate as module

@@ -7,8 +7,9 @@ from functools import cache
 import pytest
 
 from nhc.algebra.calculus import gradient
-from nhc.algebra.modular import PRIMES, rank
+from nhc.algebra.modular import rank
 from nhc.algebra.relations import find_relations, rational, without
+from nhc.algebra.residues import PRIMES
 from nhc.diagnostics import Bag, Source, SpecError
 from nhc.language import decode, read
 from nhc.mechanics.choose import dependent_of, formulate
