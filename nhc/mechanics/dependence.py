@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import random
 from collections.abc import Iterable, Sequence
+from functools import cached_property
 
 from nhc.algebra.calculus import reachable
 from nhc.algebra.graph import Node
@@ -83,10 +84,10 @@ def find_dependence(flow: Flow, needs: Sequence[Node]) -> Dependence:
     zero = [True] * (size + len(needs))
     compared = [not found for found in occurring]
     changes = [_Change(flow, needs, j) if found else None for j, found in enumerate(occurring)]
-    planned = frozenset(reachable(g, roots))
+    whole, planned = _Evaluation(flow, needs), frozenset(reachable(g, roots))
     seed = 0
     for index in range(_count_points(flow, needs)):
-        base, values, seed = _base(flow, needs, seed, PRIMES[index % len(PRIMES)])
+        base, values, seed = _base(whole, seed, PRIMES[index % len(PRIMES)])
         zero = [z and not value for z, value in zip(zero, values, strict=True)]
         others = base.values.keys() - planned  # what the point needed besides: factors of arguments in canonical form
         for j, change in enumerate(changes):
@@ -120,29 +121,54 @@ def _roots(flow: Flow, needs: Sequence[Node]) -> list[Node]:
     return [*flow.velocities, *needs, *_rows(flow)]
 
 
-def _base(flow: Flow, needs: Sequence[Node], seed: int, prime: int) -> tuple[FieldPoint, list[int], int]:
+class _Evaluation:
+    """The order in which all rates and needs are evaluated at a point, or what of them depends on a symbol with a given value."""
+
+    def __init__(self, flow: Flow, needs: Sequence[Node], changed: Node | None = None) -> None:
+        g, within = flow.graph, -1 if changed is None else flow.graph.deps[changed]
+        self.flow, self.rows, self.results = flow, _rows(flow), [*flow.velocities, *needs]
+        given = {*flow.unknowns, changed}
+        self._before = [node for node in reachable(g, self.rows, within) if node not in given]
+        given.update(self._before)
+        moved = within if within == -1 else within | g.mask(flow.unknowns)
+        self._after = [node for node in reachable(g, self.results, moved) if node not in given]
+
+    @cached_property
+    def announced(self) -> FieldPoint:
+        """A point to which everything has been announced."""
+        point = FieldPoint(self.flow.graph, 0)
+        point.prepare([*self.rows, *self.results])
+        return point
+
+    def values_at(self, point: FieldPoint) -> list[int]:
+        """As :func:`values_at`, where everything else has its value."""
+        flow, n = self.flow, len(self.flow.velocities)
+        point.fill(self._before)
+        solved = _solve(flow, [point.values[node] for node in self.rows], point.prime)
+        point.values.update(zip(flow.unknowns, solved, strict=True))
+        point.fill(self._after)
+        found = [point.values[node] for node in self.results]
+        return [*found[:n], *solved[: flow.kept], *found[n:]]
+
+
+def _base(whole: _Evaluation, seed: int, prime: int) -> tuple[FieldPoint, list[int], int]:
     for draw in range(seed + 1, seed + 1 + _DRAWS):
-        point = FieldPoint(flow.graph, 3_000_017 + draw, prime)
+        point = FieldPoint(whole.flow.graph, 3_000_017 + draw, prime)
+        point.prepare_like(whole.announced)
         try:
-            point.prepare(_roots(flow, needs))
-            return point, values_at(flow, needs, point), draw
+            return point, whole.values_at(point), draw
         except Unlucky:
             continue
     raise Unlucky
 
 
 class _Change:
-    """Another value for one entry of the state, and the nodes that have another one with it, before and after the solution."""
+    """Another value for one entry of the state."""
 
     def __init__(self, flow: Flow, needs: Sequence[Node], j: int) -> None:
-        g = flow.graph
-        self._flow, self._entry, self._rows = flow, flow.y[j], _rows(flow)
-        self._results = [*flow.velocities, *needs]
+        g, self._entry = flow.graph, flow.y[j]
         self._mask = g.mask((self._entry, *flow.unknowns))
-        given = {self._entry, *flow.unknowns}
-        self._before = [node for node in reachable(g, self._rows, g.deps[self._entry]) if node not in given]
-        given.update(self._before)
-        self._after = [node for node in reachable(g, self._results, self._mask) if node not in given]
+        self._dependent = _Evaluation(flow, needs, self._entry)
 
     def compare(
         self, base: FieldPoint, others: Iterable[Node], rng: random.Random, values: Sequence[int]
@@ -151,18 +177,14 @@ class _Change:
 
         ``others``: nodes with a value at the base that are no part of the rates and needs.
         """
-        flow, n = self._flow, len(self._flow.velocities)
-        stale = [node for node in others if flow.graph.deps[node] & self._mask]
+        deps = base.graph.deps
+        stale = [node for node in others if deps[node] & self._mask]
         for _ in range(_CHANGES):
             point = base.beside(stale)
             point.values[self._entry] = rng.randrange(2, base.prime - 1)
             try:
-                point.fill(self._before)
-                solved = _solve(flow, [point.values[node] for node in self._rows], point.prime)
-                point.values.update(zip(flow.unknowns, solved, strict=True))
-                point.fill(self._after)
+                found = self._dependent.values_at(point)
             except Unlucky:
                 continue
-            found = [point.values[node] for node in self._results]
-            return [x != y for x, y in zip([*found[:n], *solved[: flow.kept], *found[n:]], values, strict=True)]
+            return [x != y for x, y in zip(found, values, strict=True)]
         return []
