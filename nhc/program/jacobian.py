@@ -26,6 +26,10 @@ SPARED, SLOWER = 150, 1.5
 """Operations that a sweep over the velocities must save, and how many times as many its passes may take, two at once."""
 
 
+_SLOPES = 3
+"""Operations of a gradient for each of those that it is the gradient of: about as many at most (Baur and Strassen 1983)."""
+
+
 @record
 class Slopes:
     """Entries row by row (written out), or sweeps in their place; the dense solves that the entries need."""
@@ -94,14 +98,18 @@ def differentiate_rates(planner: Planner) -> Slopes:
     direct = planner.route.tree is not None
     rates = planner.known(planner.equations.motion.rates) if direct else make_residual(planner, *planner._dense())
     backward = sweep_rows(planner, rates, direct)
-    if len(planner.kept_w) * _cost(g, backward) > LONGEST:
+    kept = [rates[k] for k in planner.kept_w]
+    if len(kept) * _cost(g, backward) > LONGEST:
+        sparse = _write_sparse(g, kept, y, backward) if direct else None
+        if sparse is not None:
+            return Slopes(tuple(map(tuple, sparse)))
         active = sum(1 for symbol in y if any(g.deps[node] & g.deps[symbol] for node in rates))
         if 2 * len(backward.offsets) <= active:  # a pass by columns takes about as long as one by rows
             return Slopes((), (backward,))
         forward = sweep_columns(planner, rates, direct)
         return Slopes((), min(((backward,), forward), key=lambda sweeps: _passes(g, sweeps)))
     if direct:
-        return Slopes(tuple(map(tuple, differentiate(g, [rates[k] for k in planner.kept_w], y))))
+        return Slopes(tuple(map(tuple, differentiate(g, kept, y))))
     slopes = zip(*(gradient(g, node, y) for node in rates), strict=True)
     solved = [planner.route.solve(planner.known(column)) for column in slopes]
     flat = shorten(g, [node for column in solved for node in column])
@@ -195,6 +203,19 @@ def _sweep_group(planner: Planner, nodes: Sequence[Node], group: Sequence[int], 
 def _targets(graph: Graph, nodes: Sequence[Node], places: Sequence[int]) -> tuple[Target, ...]:
     pairs = zip(places, nodes, strict=True)
     return tuple(Target(place, node) for place, node in pairs if node != graph.zero)
+
+
+def _write_sparse(
+    graph: Graph, rates: Sequence[Node], y: Sequence[Node], sweep: SweepPlan
+) -> list[list[Node]] | None:
+    """The rates' rows where each is made of so little that written out they are short, or hardly longer than one pass for all."""
+    mask, once = graph.mask(y), _cost(graph, sweep)
+    most = _SLOPES * sum(len(reachable(graph, [rate], mask)) for rate in rates)
+    if most > 4 * LONGEST and 2 * most > once * len(rates):
+        return None  # it would take long to see
+    rows = differentiate(graph, rates, y)
+    written = count(graph, [*rates, *(entry for row in rows for entry in row)]) - count(graph, rates)
+    return rows if written <= max(2 * once, LONGEST) else None
 
 
 def _cost(graph: Graph, sweep: SweepPlan) -> int:

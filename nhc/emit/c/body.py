@@ -226,6 +226,11 @@ class BodyPrinter:
         if name in self.kept:
             self.lines.append(f"{self.indent}kept[{self.kept[name]}] = {self.scope[name]};")
 
+    def clear(self, array: str, size: int) -> None:
+        """Zero for all entries of an array of doubles; all bits of 0.0 are zero (IEC 60559, C99 annex F)."""
+        self.helpers.add("memset")
+        self.add(f"memset({array}, 0, {size} * sizeof *{array});")
+
     def print_good(self, guard: Guard) -> str:
         """The condition under which the guard's block is regular; a NaN makes it false."""
         value = self.printer.print(Call("abs", (guard.value,)))

@@ -101,13 +101,8 @@ def print_block(printer: BodyPrinter, solve: Solve, array: str) -> None:
 
 
 def print_zeros(printer: BodyPrinter, array: str, entries: list[Expr]) -> bool:
-    """All entries zero in a loop, where many are; whether it was done."""
+    """All entries zero at once, where many are; whether it was done."""
     if entries.count(ZERO) <= FEW:
         return False
-    k = printer.scope.fresh("entry")
-    printer.lines += [
-        f"{printer.indent}for (int {k} = 0; {k} < {len(entries)}; ++{k}) {{",
-        f"{printer.indent}    {array}[{k}] = 0.0;",
-        f"{printer.indent}}}",
-    ]
+    printer.clear(array, len(entries))
     return True

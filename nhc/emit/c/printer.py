@@ -237,12 +237,8 @@ def print_statements(
         size = max(1, layout.size + len(layout.kept))
         printer.lines.append(f"    double kept[{size}]; /* what parts of this function leave for others */")
     if layout.size:
-        printer.lines += [
-            f"    for (int entry = 0; entry < {layout.size}; ++entry) {{",
-            "        kept[entry] = 0.0;",
-            "    }",
-        ]
-    printer.lines += print_zeros(function)
+        printer.clear("kept", layout.size)
+    print_zeros(printer, function)
     if len(layout.parts) > 1:
         printer.print_all(tuple(statement for statement in body if isinstance(statement, Evaluate)))
         names = [f"{printer.prefix}_{function.name}_part{number + 1}" for number in range(len(layout.parts))]
@@ -262,16 +258,13 @@ def print_statements(
     return functions
 
 
-def print_zeros(function: Function) -> tuple[str, ...]:
-    """Zero for the entries of the output that the body leaves out, before all others; many of them in a loop."""
+def print_zeros(printer: BodyPrinter, function: Function) -> None:
+    """Zero for the entries of the output that the body leaves out, before all others; many of them at once."""
     missing, output = list_missing(function), function.output
     if output is None or len(missing) <= FEW:
-        return tuple(f"    {store.array}[{store.index}] = 0.0;" for store in missing)
-    return (
-        f"    for (int entry = 0; entry < {output.size}; ++entry) {{",
-        f"        {output.name}[entry] = 0.0;",
-        "    }",
-    )
+        printer.lines += [f"    {store.array}[{store.index}] = 0.0;" for store in missing]
+    else:
+        printer.clear(output.name, output.size)
 
 
 def print_batch_function(program: Program, batch: Batch) -> PrintedFunction:
