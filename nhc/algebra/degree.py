@@ -41,7 +41,6 @@ class Degrees:
         self.known: dict[Node, Degree] = {}
         self._size: dict[Key, int] = {}
         self._arguments: dict[Node, Polynomial] = {}
-        self._moving = graph.mask_moving()
         self.roots = 0  # square roots and signs
         self.opaque = 0  # what the arguments of other functions add
         meant = dict(standing or {})
@@ -124,7 +123,7 @@ class Degrees:
 
     def _meet(self, argument: Node) -> None:
         """An argument that holds velocities has a generator by its value; two different ones may meet at a point."""
-        if self.graph.deps[argument] & self._moving:
+        if self.graph.deps[argument] & self.graph.moving:
             d = self.known[argument]
             self.opaque += 2 * (d.top + self.weight(d.bottom))
 

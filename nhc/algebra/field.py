@@ -62,7 +62,6 @@ class FieldPoint:
         self._arguments: dict[Node, Polynomial] = graph.memory.setdefault("arguments", {})
         self._used: set[tuple[str, Monomial]] = set()
         self._circles: dict[Node, tuple[int, int]] = {}  # cosine and sine by the angle
-        self._moving, self._known_symbols = 0, 0  # the velocities' mask, and how many symbols were looked at for it
 
     # --- generators ---------------------------------------------------------------------------------------
 
@@ -94,6 +93,10 @@ class FieldPoint:
         self._prepare(todo)
         self.fill(todo)
         return [values[root] for root in roots]
+
+    def _at(self, node: Node) -> int:
+        known = self.values.get(node)
+        return self.evaluate([node])[0] if known is None else known
 
     def fill(self, nodes: Iterable[Node]) -> None:
         """Residues of these nodes, which have been announced; operands come first, and what they have already is overwritten."""
@@ -150,10 +153,7 @@ class FieldPoint:
 
     def _moves(self, argument: Node) -> bool:
         """Whether an argument holds velocities, rates or multipliers."""
-        symbols = self.graph.symbols
-        if self._known_symbols < len(symbols):
-            self._moving, self._known_symbols = self.graph.mask_moving(), len(symbols)
-        return bool(self.graph.deps[argument] & self._moving)
+        return bool(self.graph.deps[argument] & self.graph.moving)
 
     def _argument(self, node: Node) -> Polynomial:
         known = self._arguments.get(node)
@@ -198,18 +198,22 @@ class FieldPoint:
         if not self.values[angle]:
             return 1, 0
         generator, sign = self._signed("angle", self.values[angle])
-        return turn(*circle_point(generator, self.prime), sign, self.prime)
+        return turn(*self._point(generator), sign, self.prime)
+
+    def _point(self, generator: int) -> tuple[int, int]:
+        """The point of the circle that belongs to a generator."""
+        return circle_point(generator, self.prime)
 
     def _known_point(self, atom: Node) -> tuple[int, int] | None:
         """(cosine, sine) of an inverse function's value; None for anything else."""
         g, p, op = self.graph, self.prime, self.graph.op[atom]
         if op not in INVERSE:
             return None
-        x = self.evaluate([g.a[atom]])[0]
+        x = self._at(g.a[atom])
         if op in ("asin", "acos"):
             other = self._root((1 - x * x) % p)
             return (other, x) if op == "asin" else (x, other)
-        along = self.evaluate([g.b[atom]])[0] if op == "atan2" else 1
+        along = self._at(g.b[atom]) if op == "atan2" else 1
         scale = self._power(self._root((along * along + x * x) % p), -1)
         return along * scale % p, x * scale % p
 
@@ -239,7 +243,7 @@ class FieldPoint:
                 point = self._known_point(monomial[0][0]) if denominator == 1 and _is_atom(monomial) else None
                 if point is None:
                     u, sign = self._monomial("angle", monomial)
-                    ck, sk = turn(*circle_point(u, self.prime), sign * int(k * denominator), self.prime)
+                    ck, sk = turn(*self._point(u), sign * int(k * denominator), self.prime)
                 else:
                     ck, sk = turn(*point, int(k), self.prime)
             c, s = (c * ck - s * sk) % self.prime, (s * ck + c * sk) % self.prime
@@ -252,7 +256,7 @@ class FieldPoint:
     def _monomial(self, family: str, monomial: Monomial) -> tuple[int, int]:
         """The generator of a monomial, and the sign that its coefficient takes."""
         if _is_atom(monomial):
-            return self._signed(family, self.evaluate([monomial[0][0]])[0])
+            return self._signed(family, self._at(monomial[0][0]))
         return self._generator(family, *self._key(monomial)), 1
 
     def _key(self, monomial: Monomial) -> tuple[object, ...]:
@@ -261,8 +265,7 @@ class FieldPoint:
             return ("one",)
         if len(monomial) == 1:
             ((factor, e),) = monomial
-            known = self.values.get(factor)
-            return ((self.evaluate([factor])[0] if known is None else known, e),)
+            return ((self._at(factor), e),)
         return tuple(sorted(zip(self.evaluate([f for f, _ in monomial]), [e for _, e in monomial], strict=True)))
 
     def _exponential(self, op: str, argument: Node) -> int:
@@ -275,7 +278,7 @@ class FieldPoint:
             for monomial, k in self._argument(argument).items():
                 denominator = self._denominator("exponent", monomial)
                 if denominator == 1 and _is_atom(monomial) and self.graph.op[monomial[0][0]] == "log":
-                    e = e * self._power(self.evaluate([self.graph.a[monomial[0][0]]])[0], int(k)) % p
+                    e = e * self._power(self._at(self.graph.a[monomial[0][0]]), int(k)) % p
                     continue
                 generator, sign = self._monomial("exponent", monomial)
                 e = e * pow(generator, sign * int(k * denominator), p) % p
@@ -303,7 +306,7 @@ class FieldPoint:
         if op in ("asin", "acos"):
             generator, sign = self._signed("asin", x)
             value = generator * sign if x else 0
-            return value % p if op == "asin" else (self.evaluate([g.pi()])[0] * ((p + 1) // 2) - value) % p
+            return value % p if op == "asin" else (self._at(g.pi()) * ((p + 1) // 2) - value) % p
         if op == "powf":
             return self._root_power(x, g.b[node])
         if op == "atan2":

@@ -57,6 +57,7 @@ class NodeStore:
         self.coefficient: list[Rational] = []  # an int wherever it is whole
         self.core: list[Node] = []
         self.symbols: list[Symbol] = []
+        self.moving = 0  # the mask of the symbols that are no parameters, coordinates or the time
         self.labels: dict[Node, str] = {}  # names that the user gave, printed as such
         self.rate_of: dict[Node, Node] = {}  # what a node is the rate of, where the user differentiated it
         self.memory: dict[str, Any] = {}  # what passes know of these nodes, under the passes' names
@@ -94,6 +95,8 @@ class NodeStore:
         if node is None:
             bit = 1 << len(self.symbols)
             self.symbols.append(Symbol(name, kind))
+            if kind in _MOVING:
+                self.moving |= bit
             node = self._append(SYM, len(self.symbols) - 1, 0, bit, ())
             self._symbol_nodes.append(node)
             self._symbol_index[name, kind] = node
@@ -152,10 +155,6 @@ class NodeStore:
         for node in symbols:
             result |= self.deps[node]
         return result
-
-    def mask_moving(self) -> int:
-        """The symbols that are no parameters, coordinates or the time."""
-        return sum((symbol.kind in _MOVING) << k for k, symbol in enumerate(self.symbols))
 
     def symbols_in(self, node: Node) -> tuple[Node, ...]:
         deps, found, index = self.deps[node], [], 0

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import cache
+from itertools import accumulate
 
 PRIMES = (2305843006248270719, 2305843005290151599, 2305842996234052799, 2305842995637941759)
 """Safe primes p below 2**61 with p + 1 divisible by 5040, modulo each of which 2, 3, 5, ..., 47 are squares: their roots exist,
@@ -24,6 +26,19 @@ def circle_point(u: int, p: int) -> tuple[int, int]:
     """(cosine, sine) = ((1 - u^2)/(1 + u^2), 2u/(1 + u^2)); 1 + u^2 is never zero, for -1 is no square."""
     scale = pow(1 + u * u, -1, p)
     return (1 - u * u) * scale % p, 2 * u * scale % p
+
+
+def circle_points(us: Sequence[int], p: int) -> list[tuple[int, int]]:
+    """:func:`circle_point` of all, with one inversion for them together (Montgomery 1987)."""
+    scales = [1 + u * u for u in us]
+    products = list(accumulate(scales, lambda a, b: a * b % p, initial=1))
+    inverse = pow(products.pop(), -1, p)
+    points = []
+    for u, scale, before in zip(reversed(us), reversed(scales), reversed(products), strict=True):
+        own = inverse * before % p
+        inverse = inverse * scale % p
+        points.append(((1 - u * u) * own % p, 2 * u * own % p))
+    return points[::-1]
 
 
 def turn(c: int, s: int, k: int, p: int) -> tuple[int, int]:

@@ -66,6 +66,11 @@ RULES = (
         "algebra/related.py",
     ),
     Rule(
+        "equal values",
+        "nodes of one value, or of opposite ones, become one, however they were made (compared modulo primes)",
+        "algebra/values.py",
+    ),
+    Rule(
         "shared powers",
         "x^12 is (x^6)^2, x^6 is (x^3)^2, together with whatever else needs them; 1/x^2 and 1/x^3 are powers of 1/x",
         "program/powers.py",

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from functools import partial
 
 from nhc.algebra.calculus import count
-from nhc.algebra.graph import Graph, Node
+from nhc.algebra.graph import Node
 from nhc.algebra.pieces import shorten_pieces
 from nhc.algebra.products import share_products
 from nhc.algebra.related import relate_angles
 from nhc.algebra.shorten import shorten
+from nhc.algebra.values import share_values
 from nhc.mechanics.formulate import accelerations, reaction_values
 from nhc.mechanics.frame import coordinate_form, form_value
 from nhc.mechanics.system import Form
@@ -202,7 +202,6 @@ class Planner(PlannerBase):
 def build_functions(planner: Planner, only: Sequence[str] = ()) -> tuple[Function, ...]:
     """The functions asked for (all by default), in their fixed order."""
     functions = []
-    g, constants = planner.graph, planner.graph.mask(planner.parameters)
     wanted = set(only)
     if any(name in wanted and planner.calls_rhs(name) for name in ("accelerations", "reactions")):
         wanted.add("rhs")
@@ -211,14 +210,18 @@ def build_functions(planner: Planner, only: Sequence[str] = ()) -> tuple[Functio
             continue
         plan = getattr(planner, name)()
         if plan is not None:
-            # only what is called all the time is worth the trouble, and a recursion along a tree has no such pieces
-            in_pieces = name == "rhs"
-            plan = map_nodes(plan, partial(_rewrite, g, constants, in_pieces))
-            functions.append(lower_function(g, plan, planner.parameters))
+            functions.append(lower_function(planner.graph, rewrite(planner, plan), planner.parameters))
     return tuple(functions)
 
 
-def _rewrite(graph: Graph, constants: int, in_pieces: bool, nodes: Sequence[Node]) -> list[Node]:
-    """The rules that look at a whole function."""
-    related = relate_angles(graph, nodes)
-    return share_products(graph, shorten_pieces(graph, related) if in_pieces else related, constants)
+def rewrite(planner: PlannerBase, plan: FunctionPlan) -> FunctionPlan:
+    """The plan after the rules that look at a whole function."""
+    g, constants = planner.graph, planner.graph.mask(planner.parameters)
+
+    def change(nodes: Sequence[Node]) -> list[Node]:
+        made = relate_angles(g, nodes)
+        if plan.name == "rhs":  # only what is called all the time is worth the trouble
+            made = shorten_pieces(g, made)
+        return share_products(g, share_values(g, made), constants)
+
+    return map_nodes(plan, change)

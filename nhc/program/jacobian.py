@@ -205,9 +205,7 @@ def _targets(graph: Graph, nodes: Sequence[Node], places: Sequence[int]) -> tupl
     return tuple(Target(place, node) for place, node in pairs if node != graph.zero)
 
 
-def _write_sparse(
-    graph: Graph, rates: Sequence[Node], y: Sequence[Node], sweep: SweepPlan
-) -> list[list[Node]] | None:
+def _write_sparse(graph: Graph, rates: Sequence[Node], y: Sequence[Node], sweep: SweepPlan) -> list[list[Node]] | None:
     """The rates' rows where each is made of so little that written out they are short, or hardly longer than one pass for all."""
     mask, once = graph.mask(y), _cost(graph, sweep)
     most = _SLOPES * sum(len(reachable(graph, [rate], mask)) for rate in rates)

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from nhc.mechanics.scenes import kept_velocities
+from nhc.program.build import rewrite
 from nhc.program.ir import Function, Program, Quantity, SceneData
 from nhc.program.lower import lower_function
 from nhc.program.model import build_program, state_quantities
@@ -54,7 +55,7 @@ def lower_functions(planner: ScenePlanner, only: Sequence[str]) -> tuple[Functio
     for name in SCENE_FUNCTIONS:
         if only and known and name not in only:
             continue
-        plan: FunctionPlan = getattr(planner, name)()
+        plan: FunctionPlan = rewrite(planner, getattr(planner, name)())
         found.append(lower_function(planner.graph, plan, planner.parameters))
     return tuple(found)
 

@@ -20,7 +20,7 @@ from nhc.mechanics.regularity import intervals
 from nhc.mechanics.scene_frames import free_forms, list_formulations, momentum_formulation
 from nhc.mechanics.scenes import Start, start_of
 from nhc.mechanics.system import Form, System
-from nhc.program.build import Planner
+from nhc.program.build import Planner, rewrite
 from nhc.program.ir import Function
 from nhc.program.lower import lower_function
 from nhc.program.scene_planner import ScenePlanner
@@ -75,7 +75,7 @@ def count_operations_of(function: Function) -> int:
 
 
 def _lower_rhs(planner: Planner) -> Function:
-    return lower_function(planner.graph, planner.rhs(), planner.parameters)
+    return lower_function(planner.graph, rewrite(planner, planner.rhs()), planner.parameters)
 
 
 def scene_model(system: System, base: Formulation, scene: Scene, *, only_base: bool, fold: bool = False) -> SceneModel:

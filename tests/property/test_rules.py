@@ -43,6 +43,7 @@ WHOLE = {
     "trees": "pendulum5",
     "pieces": "voronec_particle",
     "related angles": "snakeboard",
+    "equal values": "trailers3",
     "shared powers": "atoms3",
     "shared reciprocals": "snake3",
 }

@@ -1,5 +1,5 @@
 /*
- * affine_voronec.c: affine_voronec, emitted by nhc 0.1.0 (nhc:d2955f269cd1409a)
+ * affine_voronec.c: affine_voronec, emitted by nhc 0.1.0 (nhc:cd2634fc8b49e60f)
  * A particle with everything at once; affine constraint, time, T of degrees 2, 1 and 0, drag, a driving
  *     force.
  * Source: affine_voronec.yaml
@@ -477,40 +477,40 @@ int affine_voronec_reactions(double t, const double *y, const double *p, double 
     const double z18 = 1.0 / z12;
     const double z19 = z17 * z18;
     const double z20 = z16 - 0.25 * (z17 * z19);
-    const double z21 = y_dot * z14;
-    const double z22 = 0.3 * z14 + (x_dot * z6 + 0.5 * z21) + 0.4 * (c_t * s_t);
-    const double z23 = z * x_dot + x * z22;
-    const double z24 = s_z * z22;
-    const double z25 = x_dot * (0.1 * (c_t * z3) + z5 * (y_dot * c_z - y_2 * z24)) + 0.5 * (y_dot * z23);
-    const double z26 = 0.4 * (c_t * c_t - s_t * s_t) + (0.3 * z23 + z25);
-    const double z27 = x_dot * z24;
-    const double z28 = c_z * c_t;
-    const double z29 = 0.3 * (z2 * z27 - 0.2 * (x_dot * z28)) - z22 * (0.2 * (z9 * c_t) + 2.0 * (x * (x_dot *
+    const double z21 = x + t * x_dot;
+    const double z22 = y_dot * z14;
+    const double z23 = 0.3 * z14 + (x_dot * z6 + 0.5 * z22) + 0.4 * (c_t * s_t);
+    const double z24 = 0.4 * (y_dot * c_t - y_2 * s_t) + 0.1 * (z6 * z21) + (0.3 * (y_dot * z6) - 0.1 * (t *
+        z23));
+    const double z25 = z * x_dot + x * z23;
+    const double z26 = s_z * z23;
+    const double z27 = x_dot * (0.1 * (c_t * z3) + z5 * (y_dot * c_z - y_2 * z26)) + 0.5 * (y_dot * z25);
+    const double z28 = 0.4 * (c_t * c_t - s_t * s_t) + (0.3 * z25 + z27);
+    const double z29 = z2 * z23;
+    const double z30 = c_z * c_t;
+    const double z31 = 0.3 * (z29 * z26 - 0.2 * (z23 * z30)) - x_dot * (0.2 * (z1 * c_t) + 2.0 * (z * z29));
+    const double z32 = x_dot * z26;
+    const double z33 = 0.3 * (z2 * z32 - 0.2 * (x_dot * z30)) - z23 * (0.2 * (z9 * c_t) + 2.0 * (x * (x_dot *
         z2)));
-    const double z30 = z10 * z26 - z29;
-    const double z31 = x + t * x_dot;
-    const double z32 = z4 - 0.05 * z22;
-    const double z33 = x_dot * x_dot;
-    const double z34 = c_z * y_dot * y_dot;
-    const double z35 = 3.0 * z - (0.2 * z8 + z2 * (0.5 * (2.0 * (z * z33) + z34) - 0.3 * z27));
-    const double z36 = 0.4 * (y_dot * c_t - y_2 * s_t) + 0.1 * (z6 * z31) + (0.3 * (y_dot * z6) - 0.1 * (t *
-        z22));
-    const double z37 = z2 * z22;
-    const double z38 = 0.3 * (z37 * z24 - 0.2 * (z22 * z28)) - x_dot * (0.2 * (z1 * c_t) + 2.0 * (z * z37));
-    const double z39 = z * z6;
-    const double z40 = 0.5 * (2.0 * (x * (z22 * z22)) + (2.0 * (z33 * z39) + z6 * z34)) - 0.3 * (z6 * z27);
-    const double z41 = 0.5 * (2.0 * x + 6.0 * z39) - (0.2 * (2.0 * z14 + z8 * z6) + z2 * z40);
-    const double z42 = z36 + (0.3 * (z7 * z26) - z38 + z6 * z30) + (0.1 * x_dot - z6 * z32 + z41);
-    const double z43 = 0.3 * z22;
-    const double z44 = 0.15 * z21 - 0.4 * (x_dot * c_t) + (0.05 * (z14 * z31) - z43) + 0.5 * (z14 * z30);
-    const double z45 = z * z14;
-    const double z46 = 0.1 * (z8 * z14) + z2 * (0.5 * (z33 * z45 + 0.5 * (z14 * z34)) - 0.15 * (z14 * z27));
-    const double z47 = 0.2 * y_dot - z43 - 0.5 * (z14 * z32) + (0.5 * (4.0 * y_2 + 3.0 * z45) - z46);
-    const double z48 = (y_dot * (0.2 * (z13 * c_t) + c_z * z37) + z44 + z47 - 0.5 * (z19 * z42)) / z20;
-    const double z49 = z30 + (0.3 * y_dot + 0.1 * z31) - (z32 - z35) - (z11 * (z18 * z42 - 0.5 * (z19 * z48))
-        + 0.5 * (z15 * z48));
+    const double z34 = z10 * z28 - z33;
+    const double z35 = z4 - 0.05 * z23;
+    const double z36 = z * z6;
+    const double z37 = x_dot * x_dot;
+    const double z38 = c_z * y_dot * y_dot;
+    const double z39 = 0.5 * (2.0 * (x * (z23 * z23)) + (2.0 * (z37 * z36) + z6 * z38)) - 0.3 * (z6 * z32);
+    const double z40 = 0.5 * (2.0 * x + 6.0 * z36) - (0.2 * (2.0 * z14 + z8 * z6) + z2 * z39);
+    const double z41 = z24 + (0.3 * (z7 * z28) - z31 + z6 * z34) + (0.1 * x_dot - z6 * z35 + z40);
+    const double z42 = 0.3 * z23;
+    const double z43 = 0.15 * z22 - 0.4 * (x_dot * c_t) + (0.05 * (z14 * z21) - z42) + 0.5 * (z14 * z34);
+    const double z44 = z * z14;
+    const double z45 = 0.1 * (z8 * z14) + z2 * (0.5 * (z37 * z44 + 0.5 * (z14 * z38)) - 0.15 * (z14 * z32));
+    const double z46 = 0.2 * y_dot - z42 - 0.5 * (z14 * z35) + (0.5 * (4.0 * y_2 + 3.0 * z44) - z45);
+    const double z47 = (y_dot * (0.2 * (z13 * c_t) + c_z * z29) + z43 + z46 - 0.5 * (z19 * z41)) / z20;
+    const double z48 = 3.0 * z - (0.2 * z8 + z2 * (0.5 * (2.0 * (z * z37) + z38) - 0.3 * z32));
+    const double z49 = z11 * (z18 * z41 - 0.5 * (z19 * z47)) + 0.5 * (z15 * z47) + (z35 - z48 - (z34 + (0.3 *
+        y_dot + 0.1 * z21)));
     /* (I.4.1) 18:5 */
-    lambda[0] = z49; /* reaction of contact: Q_i gains lambda_1 a_1i */
+    lambda[0] = -z49; /* reaction of contact: Q_i gains lambda_1 a_1i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(lambda[0]) <= DBL_MAX && fabs(z20) > 1e-14 * z16)) {
         /* the mass matrix is singular */
@@ -585,162 +585,159 @@ int affine_voronec_jacobian(double t, const double *y, const double *p, double *
     const double z5 = 1.0 + z4;
     const double z6 = z3 * z5;
     const double z7 = c_z * z2;
-    const double z8 = x * x;
-    const double z9 = 1.0 + z8;
-    const double z10 = z9 * z2;
-    const double z11 = 0.3 * z7 + z6 * z10;
-    const double z12 = z1 * z2 + 0.3 * (z6 * z7) + z6 * z11;
-    const double z13 = 2.0 + s_z;
-    const double z14 = x * z;
-    const double z15 = z14 * z10;
-    const double z16 = z13 * z2 + 0.25 * (z14 * z15);
-    const double z17 = z14 * z11;
-    const double z18 = 1.0 / z12;
-    const double z19 = z17 * z18;
-    const double z20 = z16 - 0.25 * (z17 * z19);
-    const double z21 = 0.3 + 0.5 * y_dot;
-    const double z22 = x_dot * z5;
-    const double z23 = y_dot * z14;
-    const double z24 = 0.3 * z14 + (x_dot * z6 + 0.5 * z23) + 0.4 * (c_t * s_t);
-    const double z25 = z24 * z24;
-    const double z26 = z6 * z24;
-    const double z27 = z2 * z26;
-    const double z28 = 0.3 * z11 + 0.5 * (y_dot * z11);
-    const double z29 = s_z * z24;
-    const double z30 = x_dot * z11;
-    const double z31 = z5 * z30;
-    const double z32 = z2 * z24;
-    const double z33 = z2 * z6;
-    const double z34 = y_2 * z31 + 0.3 * (z32 + x_dot * z33);
-    const double z35 = x_dot * z2;
-    const double z36 = 0.2 * (z9 * c_t) + 2.0 * (x * z35);
-    const double z37 = s_z * z6;
-    const double z38 = x_dot * z37;
-    const double z39 = z6 * z36 - (0.1 * t - (0.05 * z6 + (0.3 * (z2 * z38) - 2.0 * (x * z32))));
-    const double z40 = 0.3 * (z2 * z29) + (s_z * z34 - (2.0 * (z * z35) + (0.06 * (c_z * c_t) + z39)));
-    const double z41 = x * z28 - z40;
-    const double z42 = 1.0 / z20;
-    const double z43 = 0.3 * z24;
-    const double z44 = z4 - 0.05 * z24;
-    const double z45 = z * z14;
-    const double z46 = x_dot * x_dot;
-    const double z47 = y_dot * y_dot;
-    const double z48 = c_z * z14;
-    const double z49 = s_z * z14;
-    const double z50 = x_dot * z49;
-    const double z51 = 0.1 * (z8 * z14) + z2 * (0.5 * (z46 * z45 + 0.5 * (z47 * z48)) - 0.15 * (z50 * z24));
-    const double z52 = 0.2 * y_dot - z43 - 0.5 * (z14 * z44) + (0.5 * (4.0 * y_2 + 3.0 * z45) - z51);
-    const double z53 = 0.2 * (z13 * c_t) + c_z * z32;
-    const double z54 = x_dot * c_t;
-    const double z55 = x + t * x_dot;
-    const double z56 = z * x_dot + x * z24;
-    const double z57 = 0.1 * (c_t * z3) + z5 * (y_dot * c_z - y_2 * z29);
-    const double z58 = 0.4 * (c_t * c_t - s_t * s_t) + (0.3 * z56 + (x_dot * z57 + 0.5 * (y_dot * z56)));
-    const double z59 = z10 * z58 + (z24 * z36 + 0.3 * (0.2 * (c_z * z54) - z29 * z35));
-    const double z60 = y_dot * z53 + (0.15 * z23 - 0.4 * z54 + (0.05 * (z14 * z55) - z43) + 0.5 * (z14 *
-        z59));
-    const double z61 = z * z6;
-    const double z62 = c_z * z6;
-    const double z63 = 0.5 * (2.0 * (z46 * z61) + z47 * z62 + 2.0 * (x * z25)) - 0.3 * (z38 * z24);
-    const double z64 = 0.5 * (2.0 * x + 6.0 * z61) - (0.2 * (2.0 * z14 + z8 * z6) + z2 * z63);
-    const double z65 = y_dot * c_t;
-    const double z66 = 0.4 * (z65 - y_2 * s_t) + 0.1 * (z6 * z55) + (0.3 * (y_dot * z6) - 0.1 * (t * z24));
-    const double z67 = c_t * z24;
-    const double z68 = 0.2 * (z1 * c_t) + 2.0 * (z * z32);
-    const double z69 = 0.3 * (z7 * z58) - (0.3 * (z32 * z29 - 0.2 * (c_z * z67)) - x_dot * z68) + z6 * z59;
-    const double z70 = 0.1 * x_dot - z6 * z44 + z64 + (z66 + z69);
-    const double z71 = z42 * (z52 + z60 - 0.5 * (z19 * z70));
-    const double z72 = 0.5 * (y_dot * z41) + (0.3 * z41 - (0.4 + 0.5 * (z11 * z71)));
-    const double z73 = 1.0 + (0.1 * z6 - z2 * z25 + 2.0 * (x_dot * z27)) + z24 * z28 + z * z72;
-    const double z74 = z18 * z70 - 0.5 * (z19 * z71);
-    const double z75 = z6 * z74;
-    const double z76 = z14 * z71;
-    const double z77 = z75 + 0.5 * z76;
-    const double z78 = z73 - 2.0 * (x * (0.2 * z6 - (0.2 * (c_t * z26) + z33 * (z58 - z77))));
-    const double z79 = z14 * z24;
-    const double z80 = z2 * z79;
-    const double z81 = 0.15 * z15 + 0.25 * (y_dot * z15);
-    const double z82 = z2 * z14;
-    const double z83 = x_dot * z15;
-    const double z84 = z5 * z83;
-    const double z85 = 0.15 * (x_dot * z82) + 0.5 * (y_2 * z84);
-    const double z86 = y_dot * z2;
-    const double z87 = s_z * z85 - (c_z * z86 - (0.6 - (0.025 * z14 + 0.15 * (z2 * z50)) - 0.5 * (z14 *
-        z36)));
-    const double z88 = x * z81 - z87;
+    const double z8 = z6 * z7;
+    const double z9 = x * x;
+    const double z10 = 1.0 + z9;
+    const double z11 = z10 * z2;
+    const double z12 = 0.3 * z7 + z6 * z11;
+    const double z13 = z1 * z2 + 0.3 * z8 + z6 * z12;
+    const double z14 = 2.0 + s_z;
+    const double z15 = x * z;
+    const double z16 = z15 * z11;
+    const double z17 = z14 * z2 + 0.25 * (z15 * z16);
+    const double z18 = z15 * z12;
+    const double z19 = 1.0 / z13;
+    const double z20 = z18 * z19;
+    const double z21 = z17 - 0.25 * (z18 * z20);
+    const double z22 = 0.3 + 0.5 * y_dot;
+    const double z23 = x_dot * z5;
+    const double z24 = y_dot * z15;
+    const double z25 = 0.3 * z15 + (x_dot * z6 + 0.5 * z24) + 0.4 * (c_t * s_t);
+    const double z26 = z6 * z25;
+    const double z27 = z * x_dot + x * z25;
+    const double z28 = s_z * z25;
+    const double z29 = 0.1 * (c_t * z3) + z5 * (y_dot * c_z - y_2 * z28);
+    const double z30 = 0.4 * (c_t * c_t - s_t * s_t) + (0.3 * z27 + (x_dot * z29 + 0.5 * (y_dot * z27)));
+    const double z31 = y_dot * c_t;
+    const double z32 = x + t * x_dot;
+    const double z33 = 0.4 * (z31 - y_2 * s_t) + 0.1 * (z6 * z32) + (0.3 * (y_dot * z6) - 0.1 * (t * z25));
+    const double z34 = z2 * z25;
+    const double z35 = c_t * z25;
+    const double z36 = 0.2 * (z1 * c_t) + 2.0 * (z * z34);
+    const double z37 = x_dot * z2;
+    const double z38 = 0.2 * (z10 * c_t) + 2.0 * (x * z37);
+    const double z39 = x_dot * c_t;
+    const double z40 = z28 * z37;
+    const double z41 = z11 * z30 + (z25 * z38 + 0.3 * (0.2 * (c_z * z39) - z40));
+    const double z42 = 0.3 * (z7 * z30) - (0.3 * (z34 * z28 - 0.2 * (c_z * z35)) - x_dot * z36) + z6 * z41;
+    const double z43 = z4 - 0.05 * z25;
+    const double z44 = z * z6;
+    const double z45 = s_z * z6;
+    const double z46 = x_dot * z45;
+    const double z47 = z25 * z25;
+    const double z48 = x_dot * x_dot;
+    const double z49 = y_dot * y_dot;
+    const double z50 = 0.3 * (z46 * z25) - 0.5 * (2.0 * (x * z47) + (2.0 * (z48 * z44) + z6 * (z49 * c_z)));
+    const double z51 = 0.5 * (2.0 * x + 6.0 * z44) - (0.2 * (2.0 * z15 + z9 * z6) - z2 * z50);
+    const double z52 = z33 + z42 + (0.1 * x_dot - z6 * z43 + z51);
+    const double z53 = 1.0 / z21;
+    const double z54 = 0.3 * z25;
+    const double z55 = z * z15;
+    const double z56 = c_z * z15;
+    const double z57 = s_z * z15;
+    const double z58 = x_dot * z57;
+    const double z59 = 0.1 * (z9 * z15) + z2 * (0.5 * (z48 * z55 + 0.5 * (z49 * z56)) - 0.15 * (z58 * z25));
+    const double z60 = 0.2 * y_dot - z54 - 0.5 * (z15 * z43) + (0.5 * (4.0 * y_2 + 3.0 * z55) - z59);
+    const double z61 = 0.2 * (z14 * c_t) + c_z * z34;
+    const double z62 = y_dot * z61 + (0.15 * z24 - 0.4 * z39 + (0.05 * (z15 * z32) - z54) + 0.5 * (z15 *
+        z41));
+    const double z63 = z53 * (z60 + z62 - 0.5 * (z20 * z52));
+    const double z64 = z19 * z52 - 0.5 * (z20 * z63);
+    const double z65 = z6 * z64;
+    const double z66 = z15 * z63;
+    const double z67 = z65 + 0.5 * z66;
+    const double z68 = 0.3 * z12 + 0.5 * (y_dot * z12);
+    const double z69 = x_dot * z34;
+    const double z70 = z6 * z69;
+    const double z71 = z6 * z38 - (0.1 * t - (0.05 * z6 + (0.3 * (z2 * z46) - 2.0 * (x * z34))));
+    const double z72 = x_dot * z12;
+    const double z73 = z5 * z72;
+    const double z74 = y_2 * z73 + 0.3 * (z34 + z6 * z37);
+    const double z75 = 0.3 * (z2 * z28) - (2.0 * (z * z37) + (0.06 * (c_z * c_t) + z71) - s_z * z74);
+    const double z76 = x * z68 - z75;
+    const double z77 = 0.5 * (y_dot * z76) + (0.3 * z76 - (0.4 + 0.5 * (z12 * z63)));
+    const double z78 = 2.0 * (x * (0.2 * z6 - (0.2 * (c_t * z26) + z2 * z6 * (z30 - z67)))) - (z25 * z68 +
+        (1.0 + (2.0 * z70 + (0.1 * z6 - z2 * z47))) + z * z77);
+    const double z79 = z15 * z25;
+    const double z80 = z15 * z64;
+    const double z81 = 0.1 * (c_t * z79) + z2 * (0.5 * (z15 * z30) - (0.25 * (z15 * z66) + 0.5 * (z6 * z80)));
+    const double z82 = 0.15 * z16 + 0.25 * (y_dot * z16);
+    const double z83 = y_dot * z2;
+    const double z84 = x_dot * z16;
+    const double z85 = z5 * z84;
+    const double z86 = 0.5 * (y_2 * z85) + 0.15 * (z15 * z37);
+    const double z87 = c_z * z83 - (0.6 - (0.025 * z15 + 0.15 * (z2 * z58)) - 0.5 * (z15 * z38)) - s_z * z86;
+    const double z88 = x * z82 + z87;
     const double z89 = 0.15 + 0.5 * z88;
-    const double z90 = z11 * z74;
-    const double z91 = z46 * z2;
-    const double z92 = 1.5 - 0.5 * z91;
-    const double z93 = z47 * z2;
-    const double z94 = c_z * z93;
-    const double z95 = x_dot * z32;
-    const double z96 = s_z * z95;
-    const double z97 = 0.5 * z44 - (z * z92 - (0.25 * z94 + (0.1 * z8 - 0.15 * z96))) - 0.5 * z59;
-    const double z98 = 0.3 * z88 - (0.5 * z90 - (0.05 * z55 - z97 - 0.25 * (z15 * z71) - 0.25 * (z10 * z76)));
-    const double z99 = y_dot * z89 + z98;
-    const double z100 = z14 * z74;
-    const double z101 = 0.1 * (c_t * z79) + z2 * (0.5 * (z14 * z58) - (0.25 * (z14 * z76) + 0.5 * (z6 *
-        z100)));
-    const double z102 = 0.05 * z14 + x_dot * z80 + z24 * z81 + z * z99 - 2.0 * (x * (0.1 * z14 - z101));
-    const double z103 = z42 * (z102 - 0.5 * (z19 * z78));
-    const double z104 = 3.0 - z91;
-    const double z105 = 0.3 * y_dot - (z44 - (z * z104 - (0.5 * z94 + (0.2 * z8 - 0.3 * z96))) - z59);
-    const double z106 = z5 * (x_dot * z41 - (z90 - (0.1 * z55 + z105) + z10 * z77 + 0.3 * (z7 * z74)));
-    const double z107 = 0.1 * (c_t * z30) + z106;
-    const double z108 = 0.4 * s_t + z29 * z31 - c_z * z107;
-    const double z109 = 0.05 * (c_t * z83) + z5 * (x_dot * z88 - 0.5 * (z10 * z100));
-    const double z110 = z42 * (2.0 - 0.5 * (z29 * z84) + c_z * z109 + 0.5 * (z19 * z108));
-    const double z111 = c_t * z6;
-    const double z112 = y_dot * z31 + (0.06 * z67 - 0.5 * (z6 * z93)) - 0.3 * (z2 * (z77 - (z58 - z75)));
-    const double z113 = x_dot * z28 + (z6 * z104 + 2.0 * (z24 * z35)) + x * z72 - s_z * (0.06 * (x_dot *
-        z111) + (z112 + y_2 * z107));
-    const double z114 = c_z * (0.3 * (z6 * z95) - z24 * z34) + z113 + 2.0 * (z * (0.2 * z54 - z2 * z74));
-    const double z115 = c_t * z14;
-    const double z116 = 0.5 * (y_dot * z84) - (0.25 * (z14 * z93) - z24 * z86) - 0.15 * (z2 * z100) + y_2 *
-        z109;
-    const double z117 = z14 * z92 + x_dot * z81 + x * z99 - s_z * (0.03 * (x_dot * z115) + z116) + c_z *
-        (0.15 * (z14 * z95) - z24 * z85 + (0.2 * z65 - z2 * z71));
-    const double z118 = z42 * (z117 - 0.5 * (z19 * z114));
-    const double z119 = 2.0 * (x * z27) - (0.3 * (z29 * z33) - (z68 + (0.1 * (t * z6) + 0.3 * (z37 * z32))));
-    const double z120 = 2.0 * (z61 * z35) - (0.06 * (c_z * z111) + (0.1 + (z11 * z57 + (z * z28 + z119)) + z6
-        * z41));
-    const double z121 = 0.4 * c_t;
-    const double z122 = 0.05 * (t * z14) - (z121 - 0.15 * (z49 * z32)) - 0.15 * (z29 * z82) + x * z80;
-    const double z123 = z45 * z35 - (0.03 * (c_z * z115) + (z * z81 + z122 + 0.5 * (z15 * z57) + z6 * z88));
-    const double z124 = z42 * (z123 - 0.5 * (z19 * z120));
-    const double z125 = z62 * z86 - (c_z * z31 + (z121 + 0.3 * z6 + 0.5 * (z11 * z56)) + 0.5 * (z14 * z41));
-    const double z126 = 0.5 * (y_dot * (z2 * z48)) - (z14 * z89 + (0.2 + (0.5 * (c_z * z84) + (z53 + 0.25 *
-        (z15 * z56)))));
-    const double z127 = z42 * (z126 - 0.5 * (z19 * z125));
+    const double z90 = z12 * z64;
+    const double z91 = 0.25 * (z16 * z63);
+    const double z92 = z48 * z2;
+    const double z93 = 1.5 - 0.5 * z92;
+    const double z94 = z49 * z2;
+    const double z95 = c_z * z94;
+    const double z96 = 0.5 * z41 - (0.5 * z43 - (z * z93 - (0.25 * z95 + (0.1 * z9 - 0.15 * z40))));
+    const double z97 = y_dot * z89 + (0.3 * z88 - (0.5 * z90 + (z91 + (z91 - (0.05 * z32 + z96)))));
+    const double z98 = 2.0 * (x * (0.1 * z15 - z81)) - (z25 * z82 + z15 * (0.05 + z69) + z * z97);
+    const double z99 = z53 * (z98 - 0.5 * (z20 * z78));
+    const double z100 = 3.0 - z92;
+    const double z101 = 0.3 * y_dot + (z41 - (z43 - (z * z100 - (0.5 * z95 + (0.2 * z9 - 0.3 * z40)))));
+    const double z102 = z5 * (x_dot * z76 - (0.3 * (z7 * z64) + (z11 * z67 + (z90 - (0.1 * z32 + z101)))));
+    const double z103 = 0.1 * (c_t * z72) + z102;
+    const double z104 = 0.4 * s_t + z28 * z73 - c_z * z103;
+    const double z105 = 0.05 * (c_t * z84) + z5 * (x_dot * z88 - 0.5 * (z11 * z80));
+    const double z106 = z53 * (2.0 - 0.5 * (z28 * z85) + c_z * z105 + 0.5 * (z20 * z104));
+    const double z107 = c_t * z6;
+    const double z108 = y_dot * z73 + (0.06 * z35 - 0.5 * (z6 * z94)) - 0.3 * (z2 * (z67 - (z30 - z65)));
+    const double z109 = x_dot * z68 + (z6 * z100 + 2.0 * z69) + x * z77 - s_z * (0.06 * (x_dot * z107) +
+        (z108 + y_2 * z103));
+    const double z110 = 2.0 * (z * (0.2 * z39 - z2 * z64)) + (c_z * (0.3 * z70 - z25 * z74) + z109);
+    const double z111 = c_t * z15;
+    const double z112 = 0.5 * (y_dot * z85) - (0.25 * (z15 * z94) - z25 * z83) - 0.15 * (z2 * z80) + y_2 *
+        z105;
+    const double z113 = c_z * (0.15 * (z15 * z69) - z25 * z86 + (0.2 * z31 - z2 * z63)) - (s_z * (0.03 *
+        (x_dot * z111) + z112) - (z15 * z93 + x_dot * z82 + x * z97));
+    const double z114 = z53 * (z113 - 0.5 * (z20 * z110));
+    const double z115 = x * z2;
+    const double z116 = 0.3 * (z45 * z34);
+    const double z117 = z12 * z29 + (z * z68 + (2.0 * (z115 * z26) - (z116 - (z36 + (0.1 * (t * z6) +
+        z116)))));
+    const double z118 = 2.0 * (z44 * z37) - (0.06 * (c_z * z107) + (z6 * z76 + (0.1 + z117)));
+    const double z119 = 0.15 * (z57 * z34);
+    const double z120 = 0.4 * c_t;
+    const double z121 = 0.5 * (z16 * z29) + (z * z82 - (z119 - (0.05 * (t * z15) - (z120 - z119)) - z115 *
+        z79));
+    const double z122 = z53 * (z55 * z37 - (0.03 * (c_z * z111) + (z6 * z88 + z121)) - 0.5 * (z20 * z118));
+    const double z123 = y_dot * z8 - (c_z * z73 + (z120 + 0.3 * z6 + 0.5 * (z12 * z27)) + 0.5 * (z15 * z76));
+    const double z124 = 0.5 * (y_dot * (z2 * z56)) - (z15 * z89 + (0.2 + (0.5 * (c_z * z85) + (z61 + 0.25 *
+        (z16 * z27)))));
+    const double z125 = z53 * (z124 - 0.5 * (z20 * z123));
     /* (I.4.9) */
     J[3] = 1.0;
     J[9] = 1.0;
-    J[10] = z * z21;
-    J[11] = c_z * z22;
-    J[12] = x * z21 - y_2 * s_z * z22;
+    J[10] = z * z22;
+    J[11] = c_z * z23;
+    J[12] = x * z22 - y_2 * s_z * z23;
     J[13] = z6;
-    J[14] = 0.5 * z14;
-    J[15] = 0.5 * (z19 * z103) - z18 * z78;
-    J[16] = z18 * z108 + 0.5 * (z19 * z110);
-    J[17] = 0.5 * (z19 * z118) - z18 * z114;
-    J[18] = z18 * z120 - 0.5 * (z19 * z124);
-    J[19] = z18 * z125 - 0.5 * (z19 * z127);
-    J[20] = -z103;
-    J[21] = -z110;
-    J[22] = -z118;
-    J[23] = z124;
-    J[24] = z127;
+    J[14] = 0.5 * z15;
+    J[15] = z19 * z78 - 0.5 * (z20 * z99);
+    J[16] = z19 * z104 + 0.5 * (z20 * z106);
+    J[17] = 0.5 * (z20 * z114) - z19 * z110;
+    J[18] = z19 * z118 - 0.5 * (z20 * z122);
+    J[19] = z19 * z123 - 0.5 * (z20 * z125);
+    J[20] = z99;
+    J[21] = -z106;
+    J[22] = -z114;
+    J[23] = z122;
+    J[24] = z125;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(J[10] + J[12] + J[14] + J[15] + J[16] + J[17] + J[18] + J[19] + J[20] + J[21] + J[22]) <=
-        DBL_MAX
-        && fabs(z20) > 1e-14 * z16)) {
+    if (!(fabs(J[10] + J[12] + J[14] + J[15] + J[16] + J[17] + J[18] + J[19] + J[21] + J[22]) <= DBL_MAX
+        && fabs(z21) > 1e-14 * z17)) {
         /* the mass matrix is singular */
-        if (!(fabs(z12) > 0.0)) {
+        if (!(fabs(z13) > 0.0)) {
             return AFFINE_VORONEC_SINGULAR_2;
         }
         /* the mass matrix is singular */
-        if (!(fabs(z20) > 1e-14 * z16)) {
+        if (!(fabs(z21) > 1e-14 * z17)) {
             return AFFINE_VORONEC_SINGULAR_2;
         }
         return affine_voronec_finish(25, J);

@@ -1,5 +1,5 @@
 /*
- * chaotic.c: chaotic, emitted by nhc 0.1.0 (nhc:eb453f2de3aa485a)
+ * chaotic.c: chaotic, emitted by nhc 0.1.0 (nhc:b84122e79165e1e1)
  * Seven coupled oscillators with one contact constraint; reversible and chaotic.
  * Source: chaotic.yaml
  * Equations of motion: chaplygin (III.3)
@@ -402,14 +402,11 @@ int chaotic_reactions(double t, const double *y, const double *p, double *lambda
     const double z5 = y2 * y2;
     const double z6 = y1_ * y1_;
     const double z7 = z4 + (z5 + (1.0 + z6));
-    const double z8 = y3_dot * z3_dot + (y1_dot * z1_dot + y2_dot * z2_dot);
-    const double z9 = z3 * (1.0 + z4);
-    const double z10 = z2 * (1.0 + (z5 + z1 * z1));
-    const double z11 = z1 * (1.0 + (z6 + z2 * z2));
-    const double z12 = (z8 - (y3 * z9 + (y2 * z10 + (x + y1_ * z11)))) / z7;
-    const double z13 = y3 * (z9 + y3 * z12) + (y1_ * (z11 + y1_ * z12) + y2 * (z10 + y2 * z12));
+    const double z8 = y2 * (z2 * (1.0 + (z5 + z1 * z1))) + (x + y1_ * (z1 * (1.0 + (z6 + z2 * z2))));
+    const double z9 = (y3_dot * z3_dot + (y1_dot * z1_dot + y2_dot * z2_dot) - (y3 * (z3 * (1.0 + z4)) + z8))
+        / z7;
     /* (I.4.1) 13:5 */
-    lambda[0] = x - z8 + z13; /* reaction of contact: Q_i gains lambda_1 a_1i */
+    lambda[0] = -z9; /* reaction of contact: Q_i gains lambda_1 a_1i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(lambda[0]) <= DBL_MAX)) {
         /* the mass matrix is singular */
@@ -456,9 +453,7 @@ double chaotic_energy(double t, const double *y, const double *p)
 CHAOTIC_SLOW
 int chaotic_jacobian(double t, const double *y, const double *p, double *J)
 {
-    for (int entry = 0; entry < 169; ++entry) {
-        J[entry] = 0.0;
-    }
+    memset(J, 0, 169 * sizeof *J);
     (void)t;
     (void)p;
     const double x = y[0];

@@ -1,5 +1,5 @@
 /*
- * chaplygin_ball.c: chaplygin_ball, emitted by nhc 0.1.0 (nhc:b04019e9a48b7f38)
+ * chaplygin_ball.c: chaplygin_ball, emitted by nhc 0.1.0 (nhc:0eb1b29c834fea19)
  * A ball with three different moments of inertia and its centre of mass at its centre rolls on a horizontal
  *     plane.
  * Source: chaplygin_ball.yaml
@@ -637,9 +637,7 @@ double chaplygin_ball_energy(double t, const double *y, const double *p)
 CHAPLYGIN_BALL_SLOW
 int chaplygin_ball_jacobian(double t, const double *y, const double *p, double *J)
 {
-    for (int entry = 0; entry < 64; ++entry) {
-        J[entry] = 0.0;
-    }
+    memset(J, 0, 64 * sizeof *J);
     (void)t;
     const double phi = y[2]; /* precession [rad] */
     const double theta = y[3]; /* nutation [rad] */
@@ -689,120 +687,114 @@ int chaplygin_ball_jacobian(double t, const double *y, const double *p, double *
     const double z19 = 1.0 / z11;
     const double z20 = z18 * z19;
     const double z21 = z12 - z15 * z16 - z18 * z20;
-    const double z22 = 1.0 / s_theta;
-    const double z23 = s_theta * c_psi;
-    const double z24 = s_theta * s_psi;
-    const double z25 = z23 * w1 - z24 * w2;
-    const double z26 = a * (z22 * z25);
-    const double z27 = c_psi * w2 + s_psi * w1;
-    const double z28 = a * (w3 - z27 * (c_theta * z22));
-    const double z29 = s_theta * z28;
-    const double z30 = c_theta * (z22 * z22);
-    const double z31 = s_psi * w2 - c_psi * w1;
-    const double z32 = z25 * z30 + z22 * (c_theta * z31);
-    const double z33 = a * z32;
-    const double z34 = a * s_theta;
-    const double z35 = z27 * z30;
-    const double z36 = z27 + c_theta * z35;
-    const double z37 = c_theta * z28 + z34 * z36;
-    const double z38 = z22 * (z24 * w1 + z23 * w2);
-    const double z39 = a * z38;
-    const double z40 = z22 * z31;
-    const double z41 = c_theta * z40;
-    const double z42 = z34 * z41;
-    const double z43 = a * c_psi;
-    const double z44 = s_psi * z22;
-    const double z45 = c_theta * z44;
-    const double z46 = z45 * z34;
-    const double z47 = a * s_psi;
-    const double z48 = c_psi * z22;
-    const double z49 = c_theta * z48;
-    const double z50 = z49 * z34;
-    const double z51 = 1.0 / z21;
-    const double z52 = w1 * k4;
-    const double z53 = w2 * k2;
-    const double z54 = w3 * z53;
-    const double z55 = w1 * k3;
-    const double z56 = w3 * z55 - z10 * z54;
-    const double z57 = z51 * (w2 * z52 + z16 * z54 - z20 * z56);
-    const double z58 = s_theta * z57;
-    const double z59 = c_theta * z57;
-    const double z60 = s_psi * k1;
-    const double z61 = z19 * z56 - z20 * z57;
-    const double z62 = c_psi * z61;
-    const double z63 = z9 * z54 - z10 * z61 + z16 * z57;
-    const double z64 = k1 * z63;
-    const double z65 = z14 * z58 - c_theta * (z59 * z60 - 2.0 * (s_theta * (z62 * z60 - z1 * z64)));
-    const double z66 = k1 * z61;
-    const double z67 = c_psi * z63;
-    const double z68 = z17 * z58 - c_theta * (k1 * (c_psi * z59) - 2.0 * (s_theta * (z4 * z66 - z60 * z67)));
-    const double z69 = z68 + z10 * z65;
-    const double z70 = c_theta * z61;
-    const double z71 = c_theta * z63;
-    const double z72 = s_theta * (z17 * z61 - z14 * z63) - c_theta * (k1 * (c_psi * z70 - s_psi * z71) + 2.0
-        * (k1 * z58));
-    const double z73 = z51 * (z72 - z16 * z65 - z20 * z69);
-    const double z74 = z19 * z69 - z20 * z73;
-    const double z75 = z13 * z59;
-    const double z76 = z61 * (s_psi * z7) + c_psi * (z75 - z6 * z62 + 2.0 * (z64 * (s_psi * z2)));
-    const double z77 = s_psi * (z75 + z7 * z63 - 2.0 * (z66 * (c_psi * z2))) - z67 * (c_psi * z6) - z10 * z76;
-    const double z78 = z51 * (z14 * z70 + z17 * z71 + z16 * z76 - z20 * z77);
-    const double z79 = z19 * z77 - z20 * z78;
-    const double z80 = w3 * k3;
-    const double z81 = z51 * (w2 * k4 - z20 * z80);
-    const double z82 = z19 * z80 - z20 * z81;
-    const double z83 = w3 * k2;
-    const double z84 = z10 * z83;
-    const double z85 = z51 * (z52 + z16 * z83 + z20 * z84);
-    const double z86 = z19 * z84 + z20 * z85;
-    const double z87 = z55 - z10 * z53;
-    const double z88 = z51 * (z16 * z53 - z20 * z87);
-    const double z89 = z19 * z87 - z20 * z88;
+    const double z22 = s_psi * w2 - c_psi * w1;
+    const double z23 = a * z22;
+    const double z24 = c_psi * w2 + s_psi * w1;
+    const double z25 = 1.0 / s_theta;
+    const double z26 = a * (w3 - z24 * (c_theta * z25));
+    const double z27 = s_theta * z26;
+    const double z28 = a * s_theta;
+    const double z29 = c_theta * (z25 * z25);
+    const double z30 = z24 * z29;
+    const double z31 = z24 + c_theta * z30;
+    const double z32 = c_theta * z26 + z28 * z31;
+    const double z33 = a * z24;
+    const double z34 = z29 * (s_theta * z22);
+    const double z35 = z28 * z34;
+    const double z36 = a * c_psi;
+    const double z37 = s_psi * z25;
+    const double z38 = c_theta * z37;
+    const double z39 = z38 * z28;
+    const double z40 = a * s_psi;
+    const double z41 = c_psi * z25;
+    const double z42 = c_theta * z41;
+    const double z43 = z42 * z28;
+    const double z44 = 1.0 / z21;
+    const double z45 = w1 * k4;
+    const double z46 = w2 * k2;
+    const double z47 = w3 * z46;
+    const double z48 = w1 * k3;
+    const double z49 = w3 * z48 - z10 * z47;
+    const double z50 = z44 * (w2 * z45 + z16 * z47 - z20 * z49);
+    const double z51 = s_theta * z50;
+    const double z52 = c_theta * z50;
+    const double z53 = s_psi * k1;
+    const double z54 = z19 * z49 - z20 * z50;
+    const double z55 = c_psi * z54;
+    const double z56 = z9 * z47 - z10 * z54 + z16 * z50;
+    const double z57 = k1 * z56;
+    const double z58 = z14 * z51 - c_theta * (z52 * z53 - 2.0 * (s_theta * (z55 * z53 - z1 * z57)));
+    const double z59 = c_psi * z56;
+    const double z60 = z17 * z51 - c_theta * (k1 * (c_psi * z52) - 2.0 * (s_theta * (k1 * (z4 * z54) - z53 *
+        z59)));
+    const double z61 = z60 + z10 * z58;
+    const double z62 = c_theta * z54;
+    const double z63 = c_theta * z56;
+    const double z64 = s_theta * (z17 * z54 - z14 * z56) - c_theta * (k1 * (c_psi * z62 - s_psi * z63) + 2.0
+        * (k1 * z51));
+    const double z65 = z44 * (z64 - z16 * z58 - z20 * z61);
+    const double z66 = z19 * z61 - z20 * z65;
+    const double z67 = z13 * z52;
+    const double z68 = z6 * z55;
+    const double z69 = z57 * (s_psi * z2);
+    const double z70 = z54 * (s_psi * z7) + c_psi * (z67 - z68 + 2.0 * z69);
+    const double z71 = z10 * z70 + (z59 * (c_psi * z6) + s_psi * (2.0 * z68 - (z67 + z69)));
+    const double z72 = z44 * (z14 * z62 + z17 * z63 + z16 * z70 + z20 * z71);
+    const double z73 = z19 * z71 + z20 * z72;
+    const double z74 = w3 * k3;
+    const double z75 = z44 * (w2 * k4 - z20 * z74);
+    const double z76 = z19 * z74 - z20 * z75;
+    const double z77 = w3 * k2;
+    const double z78 = z10 * z77;
+    const double z79 = z44 * (z45 + z16 * z77 + z20 * z78);
+    const double z80 = z19 * z78 + z20 * z79;
+    const double z81 = z48 - z10 * z46;
+    const double z82 = z44 * (z16 * z46 - z20 * z81);
+    const double z83 = z19 * z81 - z20 * z82;
     /* (I.2.15) */
-    J[2] = c_phi * z26 + s_phi * z29;
-    J[3] = -(s_phi * z33 + c_phi * z37);
-    J[4] = -(s_phi * z39 + c_phi * z42);
-    J[5] = s_phi * z43 + c_phi * z46;
-    J[6] = c_phi * z50 - s_phi * z47;
-    J[7] = -c_phi * z34;
-    J[10] = s_phi * z26 - c_phi * z29;
-    J[11] = c_phi * z33 - s_phi * z37;
-    J[12] = c_phi * z39 - s_phi * z42;
-    J[13] = s_phi * z46 - c_phi * z43;
-    J[14] = c_phi * z47 + s_phi * z50;
-    J[15] = -s_phi * z34;
-    J[19] = -z35;
-    J[20] = -z40;
-    J[21] = z44;
-    J[22] = z48;
-    J[27] = -z32;
-    J[28] = -z38;
+    J[2] = s_phi * z27 - c_phi * z23;
+    J[3] = -c_phi * z32;
+    J[4] = -(s_phi * z33 + c_phi * z35);
+    J[5] = s_phi * z36 + c_phi * z39;
+    J[6] = c_phi * z43 - s_phi * z40;
+    J[7] = -c_phi * z28;
+    J[10] = -(s_phi * z23 + c_phi * z27);
+    J[11] = -s_phi * z32;
+    J[12] = c_phi * z33 - s_phi * z35;
+    J[13] = s_phi * z39 - c_phi * z36;
+    J[14] = c_phi * z40 + s_phi * z43;
+    J[15] = -s_phi * z28;
+    J[19] = -z30;
+    J[20] = -z25 * z22;
+    J[21] = z37;
+    J[22] = z41;
+    J[27] = 0.0;
+    J[28] = -z24;
     J[29] = c_psi;
     J[30] = -s_psi;
-    J[35] = z36;
-    J[36] = z41;
-    J[37] = -z45;
-    J[38] = -z49;
+    J[35] = z31;
+    J[36] = z34;
+    J[37] = -z38;
+    J[38] = -z42;
     J[39] = 1.0;
-    J[43] = z16 * z73 - (z9 * z65 + z10 * z74);
-    J[44] = z9 * z76 - z10 * z79 + z16 * z78;
-    J[45] = z16 * z81 - z10 * z82;
-    J[46] = z9 * z83 + z10 * z86 + z16 * z85;
-    J[47] = z9 * z53 - z10 * z89 + z16 * z88;
-    J[51] = -z74;
-    J[52] = -z79;
-    J[53] = -z82;
-    J[54] = z86;
-    J[55] = -z89;
-    J[59] = z73;
-    J[60] = z78;
-    J[61] = z81;
-    J[62] = z85;
-    J[63] = z88;
+    J[43] = z16 * z65 - (z9 * z58 + z10 * z66);
+    J[44] = z9 * z70 + z10 * z73 + z16 * z72;
+    J[45] = z16 * z75 - z10 * z76;
+    J[46] = z9 * z77 + z10 * z80 + z16 * z79;
+    J[47] = z9 * z46 - z10 * z83 + z16 * z82;
+    J[51] = -z66;
+    J[52] = z73;
+    J[53] = -z76;
+    J[54] = z80;
+    J[55] = -z83;
+    J[59] = z65;
+    J[60] = z72;
+    J[61] = z75;
+    J[62] = z79;
+    J[63] = z82;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(J[2] + J[3] + J[4] + J[5] + J[6] + J[10] + J[11] + J[12] + J[13] + J[14] + J[15] + J[19] +
-        J[20] + J[27] + J[28] + J[38] + J[43] + J[44] + J[45] + J[46] + J[47] + J[51] + J[52] + J[53] +
-        J[55]) <= DBL_MAX
+    if (!(fabs(J[2] + J[4] + J[5] + J[6] + J[10] + J[11] + J[12] + J[13] + J[14] + J[15] + J[19] + J[20] +
+        J[28] + J[38] + J[43] + J[44] + J[45] + J[46] + J[47] + J[51] + J[53] + J[55]) <= DBL_MAX
         && fabs(s_theta) > 1e-12 * 4.0
         && fabs(z11) > 1e-14 * z5
         && fabs(z21) > 1e-14 * z12)) {

@@ -1,5 +1,5 @@
 /*
- * chaplygin_sleigh.c: chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:8064f083e579dc86)
+ * chaplygin_sleigh.c: chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:e931885593b99739)
  * A rigid body on a knife edge; the centre of mass is a distance a ahead of the edge.
  * Source: chaplygin_sleigh.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -382,9 +382,7 @@ double chaplygin_sleigh_energy(double t, const double *y, const double *p)
 
 int chaplygin_sleigh_jacobian(double t, const double *y, const double *p, double *J)
 {
-    for (int entry = 0; entry < 25; ++entry) {
-        J[entry] = 0.0;
-    }
+    memset(J, 0, 25 * sizeof *J);
     (void)t;
     const double theta = y[2]; /* heading [rad] */
 

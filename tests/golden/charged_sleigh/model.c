@@ -1,5 +1,5 @@
 /*
- * charged_sleigh.c: charged_sleigh, emitted by nhc 0.1.0 (nhc:8137b75c9bdb7b98)
+ * charged_sleigh.c: charged_sleigh, emitted by nhc 0.1.0 (nhc:7f6f358e0669bf6e)
  * Chaplygin's sleigh with a charge at its centre of mass in a magnetic field; T depends on x and y.
  * Source: charged_sleigh.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -397,9 +397,7 @@ double charged_sleigh_energy(double t, const double *y, const double *p)
 
 int charged_sleigh_jacobian(double t, const double *y, const double *p, double *J)
 {
-    for (int entry = 0; entry < 25; ++entry) {
-        J[entry] = 0.0;
-    }
+    memset(J, 0, 25 * sizeof *J);
     (void)t;
     const double theta = y[2]; /* heading [rad] */
 

@@ -1,5 +1,5 @@
 /*
- * contact_oscillator.c: contact_oscillator, emitted by nhc 0.1.0 (nhc:e2174db9c21250b9)
+ * contact_oscillator.c: contact_oscillator, emitted by nhc 0.1.0 (nhc:885ca4baabbdc283)
  * Three equal oscillators with one contact constraint; reversible and integrable.
  * Source: contact_oscillator.yaml
  * Equations of motion: chaplygin (III.3)
@@ -321,9 +321,7 @@ double contact_oscillator_energy(double t, const double *y, const double *p)
 
 int contact_oscillator_jacobian(double t, const double *y, const double *p, double *J)
 {
-    for (int entry = 0; entry < 25; ++entry) {
-        J[entry] = 0.0;
-    }
+    memset(J, 0, 25 * sizeof *J);
     (void)t;
     (void)p;
     const double x = y[0];

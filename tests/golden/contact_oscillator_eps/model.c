@@ -1,5 +1,5 @@
 /*
- * contact_oscillator_eps.c: contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:b9a5357e2d2d8d04)
+ * contact_oscillator_eps.c: contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:0bf6ec7772d8302c)
  * The contact oscillator with a quartic coupling; still reversible and still with a second integral.
  * Source: contact_oscillator_eps.yaml
  * Equations of motion: chaplygin (III.3)
@@ -329,9 +329,7 @@ double contact_oscillator_eps_energy(double t, const double *y, const double *p)
 
 int contact_oscillator_eps_jacobian(double t, const double *y, const double *p, double *J)
 {
-    for (int entry = 0; entry < 25; ++entry) {
-        J[entry] = 0.0;
-    }
+    memset(J, 0, 25 * sizeof *J);
     (void)t;
     const double x = y[0];
     const double y_2 = y[1];

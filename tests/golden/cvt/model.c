@@ -1,5 +1,5 @@
 /*
- * cvt.c: cvt, emitted by nhc 0.1.0 (nhc:d8e2fee8d9cbbe5c)
+ * cvt.c: cvt, emitted by nhc 0.1.0 (nhc:499fb0d1f666f2c0)
  * A continuously variable transmission; a plane oscillator whose free direction is set by a symmetric driver.
  * Source: cvt.yaml
  * Equations of motion: chaplygin (III.3)
@@ -355,9 +355,7 @@ double cvt_energy(double t, const double *y, const double *p)
 
 int cvt_jacobian(double t, const double *y, const double *p, double *J)
 {
-    for (int entry = 0; entry < 25; ++entry) {
-        J[entry] = 0.0;
-    }
+    memset(J, 0, 25 * sizeof *J);
     (void)t;
     (void)p;
     const double xi = y[2];

@@ -1,5 +1,5 @@
 /*
- * cvt_eps.c: cvt_eps, emitted by nhc 0.1.0 (nhc:57a70f7ef7dcd5af)
+ * cvt_eps.c: cvt_eps, emitted by nhc 0.1.0 (nhc:ba61f367ea766b53)
  * The transmission with a driver that breaks the symmetry; most integrators for nonholonomic systems drift on
  *     it.
  * Source: cvt_eps.yaml
@@ -355,9 +355,7 @@ double cvt_eps_energy(double t, const double *y, const double *p)
 
 int cvt_eps_jacobian(double t, const double *y, const double *p, double *J)
 {
-    for (int entry = 0; entry < 25; ++entry) {
-        J[entry] = 0.0;
-    }
+    memset(J, 0, 25 * sizeof *J);
     (void)t;
     const double xi = y[2];
 

@@ -1,5 +1,5 @@
 /*
- * diff_drive.c: diff_drive, emitted by nhc 0.1.0 (nhc:9274e8084f211d30)
+ * diff_drive.c: diff_drive, emitted by nhc 0.1.0 (nhc:dbeb27667b874610)
  * A cart with two driven wheels and a caster; three velocity constraints, one of which is holonomic in
  *     disguise.
  * Source: diff_drive.yaml
@@ -485,9 +485,7 @@ double diff_drive_energy(double t, const double *y, const double *p)
 
 int diff_drive_jacobian(double t, const double *y, const double *p, double *J)
 {
-    for (int entry = 0; entry < 49; ++entry) {
-        J[entry] = 0.0;
-    }
+    memset(J, 0, 49 * sizeof *J);
     (void)t;
     const double theta = y[2]; /* heading [rad] */
 

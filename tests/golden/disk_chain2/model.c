@@ -1,5 +1,5 @@
 /*
- * disk_chain2.c: disk_chain2, emitted by nhc 0.1.0 (nhc:84cd770e859e52bd)
+ * disk_chain2.c: disk_chain2, emitted by nhc 0.1.0 (nhc:1ca00b2c890d0842)
  * Two upright rolling disks joined by a spring; the first link of a chain that may be made as long as one
  *     likes.
  * Source: disk_chain2.yaml
@@ -540,9 +540,7 @@ double disk_chain2_energy(double t, const double *y, const double *p)
 DISK_CHAIN2_SLOW
 int disk_chain2_jacobian(double t, const double *y, const double *p, double *J)
 {
-    for (int entry = 0; entry < 144; ++entry) {
-        J[entry] = 0.0;
-    }
+    memset(J, 0, 144 * sizeof *J);
     (void)t;
     const double phi1 = y[2]; /* heading [rad] */
     const double phi2 = y[6]; /* heading [rad] */

@@ -1,5 +1,5 @@
 /*
- * double_pendulum.c: double_pendulum, emitted by nhc 0.1.0 (nhc:ad38cdda52d269ba)
+ * double_pendulum.c: double_pendulum, emitted by nhc 0.1.0 (nhc:e83ea3287615fc0e)
  * Two pendulums in a row, absolute angles; the model gives positions and nhc differentiates them.
  * Source: double_pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -427,31 +427,31 @@ int double_pendulum_jacobian(double t, const double *y, const double *p, double 
     const double z2 = m2 * s1;
     const double z3 = m1 + s1 * z2;
     const double z4 = g * c_theta1;
-    const double z5 = c1 * z2;
+    const double z5 = 1.0 / z3;
     const double z6 = l1 * (theta1_dot * theta1_dot) + z4;
     const double z7 = c1 * z6;
     const double z8 = m2 * (l2 * (theta2_dot * theta2_dot) + z7);
-    const double z9 = s1 * z8;
-    const double z10 = 1.0 / z3;
-    const double z11 = 2.0 * (z5 * (z9 * (z10 * z10)));
-    const double z12 = c1 * z8;
-    const double z13 = s1 * z6;
-    const double z14 = g * s_theta1;
-    const double z15 = z11 - z10 * (z12 - z2 * (z13 + z14 * c1));
-    const double z16 = z11 - z10 * (z12 - z2 * z13);
+    const double z9 = c1 * z8;
+    const double z10 = s1 * z6;
+    const double z11 = g * s_theta1;
+    const double z12 = c1 * z2;
+    const double z13 = s1 * z8;
+    const double z14 = 2.0 * (z5 * z5 * (z12 * z13));
+    const double z15 = z5 * (z9 - z2 * (z10 + z11 * c1)) - z14;
+    const double z16 = z5 * (z9 - z2 * z10) - z14;
     const double z17 = theta1_dot * l1;
-    const double z18 = z5 * (z17 * z10);
-    const double z19 = l2 * (z10 * (theta2_dot * z2));
-    const double z20 = z9 * (s1 * z10);
+    const double z18 = z5 * (z17 * z12);
+    const double z19 = l2 * (z5 * (theta2_dot * z2));
+    const double z20 = z13 * (s1 * z5);
     /* (II.3) */
     J[2] = 1.0;
     J[7] = 1.0;
-    J[8] = (z15 - z4) * k1;
-    J[9] = -k1 * z16;
+    J[8] = -k1 * (z4 + z15);
+    J[9] = k1 * z16;
     J[10] = -2.0 * (k1 * z18);
     J[11] = -2.0 * (k1 * z19);
-    J[12] = k2 * (z7 - z14 * s1 - (z20 + c1 * z15));
-    J[13] = (z20 + c1 * z16 - z7) * k2;
+    J[12] = k2 * (z7 - z11 * s1 - (z20 - c1 * z15));
+    J[13] = (z20 - c1 * z16 - z7) * k2;
     J[14] = 2.0 * (k2 * (z17 * s1 + c1 * z18));
     J[15] = 2.0 * (k2 * (c1 * z19));
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */

@@ -1,5 +1,5 @@
 /*
- * free_rigid_body.c: free_rigid_body, emitted by nhc 0.1.0 (nhc:8d6177b7c7570e3d)
+ * free_rigid_body.c: free_rigid_body, emitted by nhc 0.1.0 (nhc:177d7eb6201639d7)
  * A free rigid body; the components of its angular velocity on body axes are the quasi-velocities.
  * Source: free_rigid_body.yaml
  * Equations of motion: euler-lagrange (I.2.14)
@@ -35,13 +35,6 @@ const double free_rigid_body_parameter_defaults[] = {
     2.0,
     3.0
 };
-
-/* long functions that are called seldom: gcc is to take less time over them (other compilers do so by themselves) */
-#if defined(__GNUC__) && !defined(__clang__) && defined(__OPTIMIZE__)
-#define FREE_RIGID_BODY_SLOW __attribute__((cold, optimize("O1")))
-#else
-#define FREE_RIGID_BODY_SLOW
-#endif
 
 #if defined(__GNUC__)
 __attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
@@ -436,12 +429,9 @@ double free_rigid_body_energy(double t, const double *y, const double *p)
     return 0.5 * (I3 * (w3 * w3) + (I1 * (w1 * w1) + I2 * (w2 * w2)));
 }
 
-FREE_RIGID_BODY_SLOW
 int free_rigid_body_jacobian(double t, const double *y, const double *p, double *J)
 {
-    for (int entry = 0; entry < 36; ++entry) {
-        J[entry] = 0.0;
-    }
+    memset(J, 0, 36 * sizeof *J);
     (void)t;
     const double theta = y[1]; /* nutation [rad] */
     const double psi = y[2]; /* spin [rad] */
@@ -469,24 +459,21 @@ int free_rigid_body_jacobian(double t, const double *y, const double *p, double 
     const double z3 = c_theta * (z2 * z2);
     const double z4 = z1 * z3;
     const double z5 = s_psi * w2 - c_psi * w1;
-    const double z6 = z2 * z5;
-    const double z7 = s_psi * z2;
-    const double z8 = c_psi * z2;
-    const double z9 = s_theta * c_psi;
-    const double z10 = s_theta * s_psi;
+    const double z6 = s_psi * z2;
+    const double z7 = c_psi * z2;
     /* (I.2.14) */
     J[1] = -z4;
-    J[2] = -z6;
-    J[3] = z7;
-    J[4] = z8;
-    J[7] = -((w1 * z9 - w2 * z10) * z3 + z2 * (c_theta * z5));
-    J[8] = -z2 * (w1 * z10 + w2 * z9);
+    J[2] = -z2 * z5;
+    J[3] = z6;
+    J[4] = z7;
+    J[7] = 0.0;
+    J[8] = -z1;
     J[9] = c_psi;
     J[10] = -s_psi;
     J[13] = z1 + c_theta * z4;
-    J[14] = c_theta * z6;
-    J[15] = -c_theta * z7;
-    J[16] = -c_theta * z8;
+    J[14] = z3 * (s_theta * z5);
+    J[15] = -c_theta * z6;
+    J[16] = -c_theta * z7;
     J[17] = 1.0;
     J[22] = w3 * k1;
     J[23] = w2 * k1;
@@ -495,7 +482,7 @@ int free_rigid_body_jacobian(double t, const double *y, const double *p, double 
     J[33] = w2 * k3;
     J[34] = w1 * k3;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(J[2] + J[7] + J[8] + J[13] + J[16] + J[22] + J[23] + J[27] + J[29] + J[33] + J[34]) <= DBL_MAX
+    if (!(fabs(J[2] + J[13] + J[14] + J[16] + J[22] + J[23] + J[27] + J[29] + J[33] + J[34]) <= DBL_MAX
         && fabs(s_theta) > 1e-12 * 4.0)) {
         /* the coframe is singular */
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {

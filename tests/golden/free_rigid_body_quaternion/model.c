@@ -1,5 +1,5 @@
 /*
- * free_rigid_body_quaternion.c: free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:9ee8cacfa52b95b5)
+ * free_rigid_body_quaternion.c: free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:83f379e98a21345a)
  * A free rigid body, its orientation a quaternion; Euler's equations, and no orientation that is special.
  * Source: free_rigid_body_quaternion.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -422,9 +422,7 @@ double free_rigid_body_quaternion_energy(double t, const double *y, const double
 FREE_RIGID_BODY_QUATERNION_SLOW
 int free_rigid_body_quaternion_jacobian(double t, const double *y, const double *p, double *J)
 {
-    for (int entry = 0; entry < 49; ++entry) {
-        J[entry] = 0.0;
-    }
+    memset(J, 0, 49 * sizeof *J);
     (void)t;
     const double R_0 = y[0]; /* quaternion of R, scalar part [1] */
     const double R_1 = y[1]; /* quaternion of R, along x [1] */

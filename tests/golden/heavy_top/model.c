@@ -1,5 +1,5 @@
 /*
- * heavy_top.c: heavy_top, emitted by nhc 0.1.0 (nhc:fe4b21ba3d55a6cd)
+ * heavy_top.c: heavy_top, emitted by nhc 0.1.0 (nhc:c3d5d6b5590899c4)
  * The symmetric top with a fixed point (Lagrange's top).
  * Source: heavy_top.yaml
  * Equations of motion: lagrange (II.3)
@@ -415,9 +415,7 @@ double heavy_top_energy(double t, const double *y, const double *p)
 HEAVY_TOP_SLOW
 int heavy_top_jacobian(double t, const double *y, const double *p, double *J)
 {
-    for (int entry = 0; entry < 36; ++entry) {
-        J[entry] = 0.0;
-    }
+    memset(J, 0, 36 * sizeof *J);
     (void)t;
     const double theta = y[1]; /* nutation [rad] */
 
@@ -434,7 +432,6 @@ int heavy_top_jacobian(double t, const double *y, const double *p, double *J)
     /* parameters only */
     const double k1 = I1 - I3;
     const double k2 = 1.0 / I1;
-    const double k3 = -I3 * k2;
 
     /* state */
     const double z1 = s_theta * s_theta;
@@ -452,35 +449,33 @@ int heavy_top_jacobian(double t, const double *y, const double *p, double *J)
     const double z13 = 2.0 * z11 - z12;
     const double z14 = z7 * z13;
     const double z15 = z9 * (s_theta * z10 + z14 * z5);
-    const double z16 = z14 * z4 + z5 * z15;
+    const double z16 = s_theta * (z14 * z4 + z5 * z15);
     const double z17 = s_theta * (2.0 * (phi_dot * z8) + I3 * z15) - c_theta * (theta_dot * z13 - 2.0 * (k1 *
-        (s_theta * z16)));
-    const double z18 = I3 * s_theta;
-    const double z19 = z9 * (c_theta * z10 - z18 * z16 - z5 * z17);
-    const double z20 = c_theta * z8;
-    const double z21 = z9 * (theta_dot * z18 + 2.0 * (z5 * z20));
+        z16));
+    const double z18 = z9 * (c_theta * z10 - I3 * z16 - z5 * z17);
+    const double z19 = c_theta * z8;
+    const double z20 = I3 * z7;
+    const double z21 = z9 * (z20 + 2.0 * (z5 * z19));
     const double z22 = s_theta * z13;
-    const double z23 = z9 * (phi_dot * z18 + z5 * z22);
-    const double z24 = I3 * z7;
-    const double z25 = z24 * (z5 * z9);
-    const double z26 = z11 - z12;
-    const double z27 = phi_dot * s_theta;
-    const double z28 = z27 * k1;
+    const double z23 = phi_dot * s_theta;
+    const double z24 = I3 * z23;
+    const double z25 = z9 * (z24 + z5 * z22);
+    const double z26 = z20 * (z5 * z9);
     /* (II.3) */
     J[3] = 1.0;
     J[10] = 1.0;
     J[17] = 1.0;
-    J[19] = z4 * z17 - z5 * z19;
-    J[21] = -(2.0 * (z4 * z20) + z5 * z21);
-    J[22] = -(z4 * z22 + z5 * z23);
-    J[23] = z4 * z24 + z5 * z25;
-    J[25] = k2 * (c_theta * (mgl + phi_dot * z26) - z27 * z28);
-    J[27] = k2 * (s_theta * z26 + c_theta * z28);
-    J[29] = z27 * k3;
-    J[31] = z19;
+    J[19] = z4 * z17 - z5 * z18;
+    J[21] = -(2.0 * (z4 * z19) + z5 * z21);
+    J[22] = -(z4 * z22 + z5 * z25);
+    J[23] = z4 * z20 + z5 * z26;
+    J[25] = k2 * (c_theta * (mgl + phi_dot * (z11 - z12)) - k1 * (z23 * z23));
+    J[27] = k2 * z22;
+    J[29] = -k2 * z24;
+    J[31] = z18;
     J[33] = z21;
-    J[34] = z23;
-    J[35] = -z25;
+    J[34] = z25;
+    J[35] = -z26;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(J[19] + J[21] + J[22] + J[23] + J[25] + J[27] + J[29] + J[35]) <= DBL_MAX
         && fabs(z6) > 1e-14 * I3)) {

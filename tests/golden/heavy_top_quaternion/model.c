@@ -1,5 +1,5 @@
 /*
- * heavy_top_quaternion.c: heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:abeddd5945dabd6c)
+ * heavy_top_quaternion.c: heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:6a6ecf1e3c5bf6be)
  * The symmetric top with a fixed point (Lagrange's top), its orientation a quaternion, so that it may stand
  *     upright.
  * Source: heavy_top_quaternion.yaml
@@ -410,9 +410,7 @@ double heavy_top_quaternion_energy(double t, const double *y, const double *p)
 HEAVY_TOP_QUATERNION_SLOW
 int heavy_top_quaternion_jacobian(double t, const double *y, const double *p, double *J)
 {
-    for (int entry = 0; entry < 49; ++entry) {
-        J[entry] = 0.0;
-    }
+    memset(J, 0, 49 * sizeof *J);
     (void)t;
     const double R_0 = y[0]; /* quaternion of R, scalar part [1] */
     const double R_1 = y[1]; /* quaternion of R, along x [1] */

@@ -1,5 +1,5 @@
 /*
- * holonomic_pendulum.c: holonomic_pendulum, emitted by nhc 0.1.0 (nhc:3b4dcb16873c45ba)
+ * holonomic_pendulum.c: holonomic_pendulum, emitted by nhc 0.1.0 (nhc:dc7b24a0dff20ba2)
  * The plane pendulum in Cartesian coordinates with the rod as a constraint on the positions.
  * Source: holonomic_pendulum.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -387,22 +387,19 @@ int holonomic_pendulum_jacobian(double t, const double *y, const double *p, doub
     const double z1 = x * x + y_2 * y_2;
     const double z2 = fabs(y_2) + fabs(x);
     const double z3 = 1.0 / z1;
-    const double z4 = y_2 * v;
-    const double z5 = z3 * z3;
-    const double z6 = x * z5;
-    const double z7 = v * z3;
-    const double z8 = y_2 * z5;
-    const double z9 = x * v;
+    const double z4 = v * (x * (z3 * z3));
+    const double z5 = 2.0 * (y_2 * z4);
+    const double z6 = v * z3 - 2.0 * (x * z4);
     /* (I.2.15) */
-    J[0] = -2.0 * (z4 * z6);
-    J[1] = z7 - 2.0 * (z4 * z8);
+    J[0] = -z5;
+    J[1] = -z6;
     J[2] = y_2 * z3;
-    J[3] = 2.0 * (z9 * z6) - z7;
-    J[4] = 2.0 * (z9 * z8);
+    J[3] = -z6;
+    J[4] = z5;
     J[5] = -x * z3;
     J[6] = g;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(J[0] + J[1] + J[2] + J[3] + J[4] + J[5] + J[6]) <= DBL_MAX
+    if (!(fabs(J[0] + J[2] + J[3] + J[5] + J[6]) <= DBL_MAX
         && fabs(z1) > 1e-12 * (z2 * z2)
         && fabs(m * z3) > 0.0)) {
         /* the coframe is singular */

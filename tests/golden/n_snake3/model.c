@@ -1,5 +1,5 @@
 /*
- * n_snake3.c: n_snake3, emitted by nhc 0.1.0 (nhc:7ba5214abdf6eb3d)
+ * n_snake3.c: n_snake3, emitted by nhc 0.1.0 (nhc:366e1f2a39373a64)
  * Three links with a wheeled axle under the middle of each, hinged in a row with springs in the hinges.
  * Source: n_snake3.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -239,43 +239,41 @@ int n_snake3_rhs(double t, const double *y, const double *p, double *dydt)
     const double z11 = c2 * z8 - s2 * z9;
     const double z12 = J * z4 + k3 * (z10 * z10) + z5 * k5 + m * (z11 * z11);
     const double z13 = c1 * s1;
-    const double z14 = z10 * k3;
-    const double z15 = m * z11;
-    const double z16 = z13 * k4 - (k2 * z13 - z6 * z14) + z3 * z15;
-    const double z17 = 1.0 / z7;
-    const double z18 = z17 * z16;
-    const double z19 = z12 - z16 * z18;
-    const double z20 = a * w;
-    const double z21 = v * s1 - c1 * z20;
-    const double z22 = k1 * z21;
-    const double v1_x2 = v * c1 + s1 * z20;
-    const double z23 = s2 * v1_x2 - c2 * z21;
-    const double z24 = w - z22;
-    const double z25 = c1 * z24;
-    const double z26 = s1 * z24;
-    const double z27 = v * z25 + z20 * z26;
-    const double z28 = k1 * (z21 - z23);
-    const double z29 = c2 * z28;
-    const double z30 = v * z26 - z20 * z25;
-    const double z31 = s2 * z28;
-    const double z32 = v1_x2 * z29 - s2 * z30 + (z21 * z31 - c2 * z27);
-    const double z33 = v1_x2 * z31 + c2 * z30 - (z21 * z29 + s2 * z27);
-    const double z34 = k3 * (s1 * z27 + z6 * z32) - m * (c1 * z30 + z3 * z33) - k * (k1 * (z1 * s1 - z2 * (s1
-        - z6)));
-    const double z35 = k * (z1 * (1.0 + c1) - z2 * (c1 + k1 * z10)) - (k4 * (s1 * z30) + (k2 * (c1 * z27) -
-        z32 * z14) + z33 * z15);
-    const double z36 = (z35 - z34 * z18) / z19;
+    const double z14 = z6 * z10;
+    const double z15 = k2 * z13 - k3 * z14 - z13 * k4 + m * z14;
+    const double z16 = 1.0 / z7;
+    const double z17 = z16 * z15;
+    const double z18 = z12 - z15 * z17;
+    const double z19 = a * w;
+    const double z20 = v * s1 - c1 * z19;
+    const double z21 = k1 * z20;
+    const double v1_x2 = v * c1 + s1 * z19;
+    const double z22 = s2 * v1_x2 - c2 * z20;
+    const double z23 = w - z21;
+    const double z24 = c1 * z23;
+    const double z25 = s1 * z23;
+    const double z26 = v * z24 + z19 * z25;
+    const double z27 = k1 * (z20 - z22);
+    const double z28 = c2 * z27;
+    const double z29 = v * z25 - z19 * z24;
+    const double z30 = s2 * z27;
+    const double z31 = v1_x2 * z28 - s2 * z29 + (z20 * z30 - c2 * z26);
+    const double z32 = v1_x2 * z30 + c2 * z29 - (z20 * z28 + s2 * z26);
+    const double z33 = k3 * (s1 * z26 + z6 * z31) - m * (c1 * z29 + z3 * z32) - k * (z1 * (s1 * k1) - z2 *
+        (k1 * (s1 - z6)));
+    const double z34 = k2 * (c1 * z26) - k3 * (z10 * z31) + k4 * (s1 * z29) + m * (z11 * z32);
+    const double z35 = (z34 - k * (z1 * (1.0 + c1) - z2 * (c1 + k1 * z10)) - z33 * z17) / z18;
     /* (I.2.15) */
     dydt[0] = c_theta1 * v; /* x' */
     dydt[1] = s_theta1 * v; /* y' */
     dydt[2] = w; /* theta1' */
-    dydt[3] = z22; /* theta2' */
-    dydt[4] = k1 * z23; /* theta3' */
+    dydt[3] = z21; /* theta2' */
+    dydt[4] = k1 * z22; /* theta3' */
     /* (I.2.15) 22:4 */
-    dydt[5] = z18 * z36 - z17 * z34; /* v' */
-    dydt[6] = -z36; /* w' */
+    dydt[5] = z17 * z35 - z33 * z16; /* v' */
+    dydt[6] = z35; /* w' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(dydt[4] + dydt[5] + dydt[6]) <= DBL_MAX && fabs(z19) > 1e-14 * z12)) {
+    if (!(fabs(dydt[4] + dydt[5]) <= DBL_MAX && fabs(z18) > 1e-14 * z12)) {
         /* the coframe is singular */
         if (!(fabs(a) > 0.0)) {
             return N_SNAKE3_SINGULAR_1;
@@ -285,7 +283,7 @@ int n_snake3_rhs(double t, const double *y, const double *p, double *dydt)
             return N_SNAKE3_SINGULAR_2;
         }
         /* the mass matrix is singular */
-        if (!(fabs(z19) > 1e-14 * z12)) {
+        if (!(fabs(z18) > 1e-14 * z12)) {
             return N_SNAKE3_SINGULAR_2;
         }
         return n_snake3_finish(7, dydt);
@@ -379,49 +377,47 @@ int n_snake3_accelerations(double t, const double *y, const double *p, double *q
     const double z11 = c2 * z8 - s2 * z9;
     const double z12 = J * z4 + k3 * (z10 * z10) + z5 * k5 + m * (z11 * z11);
     const double z13 = c1 * s1;
-    const double z14 = z10 * k3;
-    const double z15 = m * z11;
-    const double z16 = z13 * k4 - (k2 * z13 - z6 * z14) + z3 * z15;
-    const double z17 = 1.0 / z7;
-    const double z18 = z17 * z16;
-    const double z19 = z12 - z16 * z18;
-    const double z20 = v * w;
-    const double z21 = a * w;
-    const double z22 = v * s1 - c1 * z21;
-    const double z23 = w - k1 * z22;
-    const double z24 = c1 * z23;
-    const double z25 = v * z24;
-    const double z26 = s1 * z23;
-    const double z27 = z21 * z26;
-    const double z28 = z25 + z27;
-    const double v1_x2 = v * c1 + s1 * z21;
-    const double z29 = k1 * (z22 - (s2 * v1_x2 - c2 * z22));
-    const double z30 = c2 * z29;
-    const double z31 = v1_x2 * z30;
-    const double z32 = v * z26;
-    const double z33 = z21 * z24;
-    const double z34 = z32 - z33;
-    const double z35 = s2 * z29;
-    const double z36 = z22 * z35;
-    const double z37 = z31 - s2 * z34 + (z36 - c2 * z28);
-    const double z38 = v1_x2 * z35 + c2 * z34 - (z22 * z30 + s2 * z28);
-    const double z39 = k3 * (s1 * z28 + z6 * z37) - m * (c1 * z34 + z3 * z38) - k * (k1 * (z1 * s1 - z2 * (s1
+    const double z14 = z6 * z10;
+    const double z15 = k2 * z13 - k3 * z14 - z13 * k4 + m * z14;
+    const double z16 = 1.0 / z7;
+    const double z17 = z16 * z15;
+    const double z18 = z12 - z15 * z17;
+    const double z19 = v * w;
+    const double z20 = a * w;
+    const double z21 = v * s1 - c1 * z20;
+    const double z22 = w - k1 * z21;
+    const double z23 = c1 * z22;
+    const double z24 = v * z23;
+    const double z25 = s1 * z22;
+    const double z26 = z20 * z25;
+    const double z27 = z24 + z26;
+    const double v1_x2 = v * c1 + s1 * z20;
+    const double z28 = k1 * (z21 - (s2 * v1_x2 - c2 * z21));
+    const double z29 = c2 * z28;
+    const double z30 = v1_x2 * z29;
+    const double z31 = v * z25;
+    const double z32 = z20 * z23;
+    const double z33 = z31 - z32;
+    const double z34 = s2 * z28;
+    const double z35 = z21 * z34;
+    const double z36 = z30 - s2 * z33 + (z35 - c2 * z27);
+    const double z37 = v1_x2 * z34 + c2 * z33 - (z21 * z29 + s2 * z27);
+    const double z38 = k3 * (s1 * z27 + z6 * z36) - m * (c1 * z33 + z3 * z37) - k * (k1 * (z1 * s1 - z2 * (s1
         - z6)));
-    const double z40 = k * (z1 * (1.0 + c1) - z2 * (c1 + k1 * z10)) - (k4 * (s1 * z34) + (k2 * (c1 * z28) -
-        z37 * z14) + z38 * z15);
-    const double z41 = (z40 - z39 * z18) / z19;
-    const double z42 = z17 * z39 - z18 * z41;
-    const double z43 = a * z41;
-    const double z44 = z25 - s1 * z42 + (z27 + c1 * z43);
-    const double z45 = k1 * (z31 - s2 * (z32 + c1 * z42 - (z33 - s1 * z43)) + (z36 - c2 * z44));
+    const double z39 = k2 * (c1 * z27) - k3 * (z10 * z36) + k4 * (s1 * z33) + m * (z11 * z37);
+    const double z40 = (z39 - k * (z1 * (1.0 + c1) - z2 * (c1 + k1 * z10)) - z17 * z38) / z18;
+    const double z41 = z16 * z38 - z17 * z40;
+    const double z42 = a * z40;
+    const double z43 = z24 - s1 * z41 + (z26 - c1 * z42);
+    const double z44 = k1 * (z30 - s2 * (z31 + c1 * z41 - (z32 + s1 * z42)) + (z35 - c2 * z43));
     /* (I.2.15) */
-    qddot[0] = -(s_theta1 * z20 + c_theta1 * z42); /* x'' */
-    qddot[1] = c_theta1 * z20 - s_theta1 * z42; /* y'' */
-    qddot[2] = -z41; /* theta1'' */
-    qddot[3] = k1 * z44; /* theta2'' */
-    qddot[4] = z45; /* theta3'' */
+    qddot[0] = -(s_theta1 * z19 + c_theta1 * z41); /* x'' */
+    qddot[1] = c_theta1 * z19 - s_theta1 * z41; /* y'' */
+    qddot[2] = z40; /* theta1'' */
+    qddot[3] = k1 * z43; /* theta2'' */
+    qddot[4] = z44; /* theta3'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(qddot[0] + qddot[1] + qddot[2] + qddot[3] + qddot[4]) <= DBL_MAX && fabs(z19) > 1e-14 * z12)) {
+    if (!(fabs(qddot[0] + qddot[1] + qddot[3] + qddot[4]) <= DBL_MAX && fabs(z18) > 1e-14 * z12)) {
         /* the coframe is singular */
         if (!(fabs(a) > 0.0)) {
             return N_SNAKE3_SINGULAR_1;
@@ -431,7 +427,7 @@ int n_snake3_accelerations(double t, const double *y, const double *p, double *q
             return N_SNAKE3_SINGULAR_2;
         }
         /* the mass matrix is singular */
-        if (!(fabs(z19) > 1e-14 * z12)) {
+        if (!(fabs(z18) > 1e-14 * z12)) {
             return N_SNAKE3_SINGULAR_2;
         }
         return n_snake3_finish(5, qddot);
@@ -556,48 +552,46 @@ int n_snake3_reactions(double t, const double *y, const double *p, double *lambd
     const double z11 = c2 * z8 - s2 * z9;
     const double z12 = J * z4 + k3 * (z10 * z10) + z5 * k5 + m * (z11 * z11);
     const double z13 = c1 * s1;
-    const double z14 = z10 * k3;
-    const double z15 = m * z11;
-    const double z16 = z13 * k4 - (k2 * z13 - z6 * z14) + z3 * z15;
-    const double z17 = 1.0 / z7;
-    const double z18 = z17 * z16;
-    const double z19 = z12 - z16 * z18;
-    const double z20 = a * w;
-    const double v1_x2 = v * c1 + s1 * z20;
-    const double z21 = v * s1 - c1 * z20;
-    const double z22 = s2 * v1_x2 - c2 * z21;
-    const double z23 = k1 * (z21 - z22);
-    const double z24 = s2 * z23;
-    const double z25 = k1 * z21;
-    const double z26 = w - z25;
-    const double z27 = s1 * z26;
-    const double z28 = c1 * z26;
-    const double z29 = v * z27 - z20 * z28;
-    const double z30 = c2 * z23;
-    const double z31 = v * z28 + z20 * z27;
-    const double z32 = v1_x2 * z24 + c2 * z29 - (z21 * z30 + s2 * z31);
-    const double z33 = v1_x2 * z30 - s2 * z29 + (z21 * z24 - c2 * z31);
-    const double z34 = s1 * k1;
-    const double z35 = k3 * (s1 * z31 + z6 * z33) - m * (c1 * z29 + z3 * z32) - k * (z1 * z34 - k1 * (z2 *
+    const double z14 = z6 * z10;
+    const double z15 = k2 * z13 - k3 * z14 - z13 * k4 + m * z14;
+    const double z16 = 1.0 / z7;
+    const double z17 = z16 * z15;
+    const double z18 = z12 - z15 * z17;
+    const double z19 = a * w;
+    const double v1_x2 = v * c1 + s1 * z19;
+    const double z20 = v * s1 - c1 * z19;
+    const double z21 = s2 * v1_x2 - c2 * z20;
+    const double z22 = k1 * (z20 - z21);
+    const double z23 = s2 * z22;
+    const double z24 = k1 * z20;
+    const double z25 = w - z24;
+    const double z26 = s1 * z25;
+    const double z27 = c1 * z25;
+    const double z28 = v * z26 - z19 * z27;
+    const double z29 = c2 * z22;
+    const double z30 = v * z27 + z19 * z26;
+    const double z31 = v1_x2 * z23 + c2 * z28 - (z20 * z29 + s2 * z30);
+    const double z32 = v1_x2 * z29 - s2 * z28 + (z20 * z23 - c2 * z30);
+    const double z33 = s1 * k1;
+    const double z34 = k3 * (s1 * z30 + z6 * z32) - m * (c1 * z28 + z3 * z31) - k * (z1 * z33 - k1 * (z2 *
         (s1 - z6)));
+    const double z35 = k2 * (c1 * z30) - k3 * (z10 * z32) + k4 * (s1 * z28) + m * (z11 * z31);
     const double z36 = k1 * z10;
-    const double z37 = k * (z1 * (1.0 + c1) - z2 * (c1 + z36)) - (k4 * (s1 * z29) + (k2 * (c1 * z31) - z33 *
-        z14) + z32 * z15);
-    const double z38 = (z37 - z18 * z35) / z19;
-    const double z39 = z17 * z35 - z18 * z38;
-    const double z40 = m * (z32 + (z3 * z39 + z11 * z38));
-    const double z41 = k1 * (k * z2 - J * (k1 * z33 - (k1 * (z6 * z39) + z36 * z38)));
-    const double z42 = s2 * z40 - c2 * z41;
-    const double z43 = z42 + k1 * (k * (z1 - z2) - J * (k1 * z31 - (z34 * z39 - c1 * z38)));
-    const double z44 = c1 * z43 - s1 * (m * (z29 + (c1 * z39 + z8 * z38)) + s2 * z41 + c2 * z40);
+    const double z37 = (z35 - k * (z1 * (1.0 + c1) - z2 * (c1 + z36)) - z17 * z34) / z18;
+    const double z38 = z16 * z34 - z17 * z37;
+    const double z39 = m * (z31 + (z3 * z38 - z11 * z37));
+    const double z40 = k1 * (k * z2 - J * (k1 * z32 - (k1 * (z6 * z38) - z36 * z37)));
+    const double z41 = s2 * z39 - c2 * z40;
+    const double z42 = z41 + k1 * (k * (z1 - z2) - J * (k1 * z30 - (z33 * z38 + c1 * z37)));
+    const double z43 = c1 * z42 - s1 * (m * (z28 + (c1 * z38 - z8 * z37)) + s2 * z40 + c2 * z39);
     /* (I.4.1) 25:5 */
-    lambda[0] = m * (v * w) - z44; /* reaction of wheel1: Q_i gains lambda_1 a_1i */
+    lambda[0] = m * (v * w) - z43; /* reaction of wheel1: Q_i gains lambda_1 a_1i */
     /* (I.4.1) 26:5 */
-    lambda[1] = m * (z25 * v1_x2) + z42 + z43; /* reaction of wheel2: Q_i gains lambda_2 a_2i */
+    lambda[1] = m * (z24 * v1_x2) + z41 + z42; /* reaction of wheel2: Q_i gains lambda_2 a_2i */
     /* (I.4.1) 27:5 */
-    lambda[2] = k6 * (z22 * (c2 * v1_x2 + s2 * z21)) + z41; /* reaction of wheel3: Q_i gains lambda_3 a_3i */
+    lambda[2] = k6 * (z21 * (c2 * v1_x2 + s2 * z20)) + z40; /* reaction of wheel3: Q_i gains lambda_3 a_3i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(lambda[0] + lambda[1] + lambda[2]) <= DBL_MAX && fabs(z19) > 1e-14 * z12)) {
+    if (!(fabs(lambda[0] + lambda[1] + lambda[2]) <= DBL_MAX && fabs(z18) > 1e-14 * z12)) {
         /* the coframe is singular */
         if (!(fabs(a) > 0.0)) {
             return N_SNAKE3_SINGULAR_1;
@@ -607,7 +601,7 @@ int n_snake3_reactions(double t, const double *y, const double *p, double *lambd
             return N_SNAKE3_SINGULAR_2;
         }
         /* the mass matrix is singular */
-        if (!(fabs(z19) > 1e-14 * z12)) {
+        if (!(fabs(z18) > 1e-14 * z12)) {
             return N_SNAKE3_SINGULAR_2;
         }
         return n_snake3_finish(3, lambda);
@@ -667,9 +661,7 @@ double n_snake3_energy(double t, const double *y, const double *p)
 N_SNAKE3_SLOW
 int n_snake3_jacobian(double t, const double *y, const double *p, double *J)
 {
-    for (int entry = 0; entry < 49; ++entry) {
-        J[entry] = 0.0;
-    }
+    memset(J, 0, 49 * sizeof *J);
     (void)t;
     const double theta1 = y[2]; /* first link [rad] */
     const double theta2 = y[3]; /* second link [rad] */
@@ -712,136 +704,137 @@ int n_snake3_jacobian(double t, const double *y, const double *p, double *J)
     const double z11 = c2 * z8 - s2 * z9;
     const double z12 = J_2 * z4 + k3 * (z10 * z10) + z5 * k5 + m * (z11 * z11);
     const double z13 = c1 * s1;
-    const double z14 = z10 * k3;
-    const double z15 = m * z11;
-    const double z16 = z13 * k4 - (k2 * z13 - z6 * z14) + z3 * z15;
-    const double z17 = 1.0 / z7;
-    const double z18 = z17 * z16;
-    const double z19 = z12 - z16 * z18;
-    const double z20 = a * w;
-    const double v1_x2 = v * c1 + s1 * z20;
-    const double z21 = k1 * v1_x2;
-    const double z22 = s1 * k1;
-    const double z23 = v * s1 - c1 * z20;
-    const double z24 = k1 * (c2 * v1_x2 + s2 * z23);
-    const double z25 = k1 * z10;
-    const double z26 = k1 * (z23 - (s2 * v1_x2 - c2 * z23));
-    const double z27 = c2 * z26;
-    const double z28 = m * z3;
-    const double z29 = s2 * z26;
-    const double z30 = z6 * k3;
-    const double z31 = z23 * z28 + v1_x2 * z30;
-    const double z32 = v1_x2 * z28 - z23 * z30;
-    const double z33 = k1 * (c2 * z31 - s2 * z32);
-    const double z34 = m * c1 + c2 * z28 + s2 * z30;
-    const double z35 = s1 * k3 + s2 * z28 - c2 * z30;
-    const double z36 = z20 * z34 + v * z35;
-    const double z37 = z20 * z35 - v * z34;
-    const double z38 = c1 * z36 + s1 * z37;
-    const double z39 = z27 * z28 + z29 * z30 + z33 + c2 * z33 - k1 * z38;
-    const double z40 = z29 * z28 - z27 * z30 + s2 * z33;
-    const double z41 = w - k1 * z23;
-    const double z42 = c1 * z41;
-    const double z43 = s1 * z41;
-    const double z44 = v * z42 + z20 * z43;
-    const double z45 = z2 * k7;
-    const double z46 = 1.0 / z19;
-    const double z47 = 1.0 + c1;
-    const double z48 = c1 + z25;
-    const double z49 = v * z43 - z20 * z42;
-    const double z50 = v1_x2 * z29 + c2 * z49 - (z23 * z27 + s2 * z44);
-    const double z51 = v1_x2 * z27 - s2 * z49 + (z23 * z29 - c2 * z44);
-    const double z52 = c1 * k2;
-    const double z53 = s1 * k4;
-    const double z54 = k * (z1 * z47 - z2 * z48) - (z50 * z15 - (z51 * z14 - z44 * z52 - z49 * z53));
-    const double z55 = k1 * (s1 - z6);
-    const double z56 = k3 * (s1 * z44 + z6 * z51) - m * (c1 * z49 + z3 * z50) - k * (z1 * z22 - z2 * z55);
-    const double z57 = z46 * (z54 - z56 * z18);
-    const double z58 = k6 * z57;
-    const double z59 = z56 * z17 - z18 * z57;
-    const double z60 = k3 * z59;
-    const double z61 = m * z50;
-    const double z62 = m * z57;
-    const double z63 = z11 * z62;
-    const double z64 = m * z59;
-    const double z65 = z3 * z64;
-    const double z66 = z61 + z63 + 2.0 * z65;
-    const double z67 = z41 * z37 + (z44 * k3 + z45 + c1 * z58 - 2.0 * (s1 * z60)) - s2 * z66;
-    const double z68 = z3 * z62;
-    const double z69 = k3 * z57;
-    const double z70 = z6 * z69;
-    const double z71 = z51 * k3;
-    const double z72 = z10 * z69;
-    const double z73 = z6 * z60;
-    const double z74 = z71 - z45 - z72 - 2.0 * z73;
-    const double z75 = v * z39 - (z20 * z40 - z67) - a * (c2 * z68 + s2 * z70) - c2 * z74;
-    const double z76 = z20 * z39 - (z41 * z36 - (m * z49 - s1 * z58 + 2.0 * (c1 * z64)) - c2 * z66);
-    const double z77 = k * z22 + c1 * (z1 * k7 - z75) - s1 * (v * z40 + z76 - a * (s2 * z68 - c2 * z70) - s2
-        * z74);
-    const double z78 = z23 * z15 + v1_x2 * z14;
-    const double z79 = v1_x2 * z15 - z23 * z14;
-    const double z80 = k1 * (c2 * z78 - s2 * z79);
-    const double z81 = z53 + c2 * z15 + s2 * z14;
-    const double z82 = z52 - s2 * z15 + c2 * z14;
-    const double z83 = z20 * z81 - v * z82;
-    const double z84 = z20 * z82 + v * z81;
-    const double z85 = c1 * z83 - s1 * z84;
-    const double z86 = z27 * z15 + z29 * z14 + z80 + c2 * z80 - k1 * z85;
-    const double z87 = z29 * z15 - z27 * z14 + s2 * z80;
-    const double z88 = k6 * z59;
-    const double z89 = z11 * z64;
-    const double z90 = z41 * z84 + (z49 * k4 - c1 * z88 + 2.0 * (k5 * (s1 * z57))) + s2 * z89;
-    const double z91 = z65 + (z61 + 2.0 * z63);
-    const double z92 = z45 + (z73 - (z71 - 2.0 * z72));
-    const double z93 = z10 * z60;
-    const double z94 = v * z86 - (z20 * z87 + z90) - a * (c2 * z91 + s2 * z92) + c2 * z93;
-    const double z95 = z41 * z83 + (k * (z1 - z2) - z44 * k2 + s1 * z88 - 2.0 * (J_2 * (c1 * z57)));
-    const double z96 = v * z87 + (z20 * z86 - (z95 - c2 * z89)) - a * (s2 * z91 - c2 * z92);
-    const double z97 = k * z47 + c1 * z94 + s1 * (z96 + s2 * z93);
-    const double z98 = z46 * (z97 + z18 * z77);
-    const double z99 = v1_x2 * z33 - (z44 * z28 - z49 * z30 - z26 * z32 + z9 * z68 - s1 * z66);
-    const double z100 = z23 * z33 - (z49 * z28 + z44 * z30 - z26 * z31 + z8 * z68 + c1 * z66);
-    const double z101 = k * z55 - c2 * (z99 + z8 * z70 - c1 * z74) - s2 * (z100 - z9 * z70 - s1 * z74);
-    const double z102 = z77 + z101;
-    const double z103 = v1_x2 * z80 - (z44 * z15 - z49 * z14 - z26 * z79 + z9 * z91 - s1 * z89);
-    const double z104 = z23 * z80 - (z49 * z15 + z44 * z14 - z26 * z78 + z8 * z91 + c1 * z89);
-    const double z105 = k * z48 + c2 * (z103 + z8 * z92 + c1 * z93) + s2 * (z104 - z9 * z92 + s1 * z93);
-    const double z106 = z46 * (z97 + z105 + z18 * z102);
-    const double z107 = z46 * (z105 + z18 * z101);
-    const double z108 = z42 * z35 - z43 * z34 + s1 * z39 - c1 * z40;
-    const double z109 = z46 * (z42 * z82 + z43 * z81 - s1 * z86 + c1 * z87 + z18 * z108);
-    const double z110 = z38 + a * (z42 * z34 + z43 * z35 - s1 * z40 - c1 * z39);
-    const double z111 = z85 + a * (z42 * z81 - z43 * z82 - s1 * z87 - c1 * z86) - z18 * z110;
-    const double z112 = z46 * z111;
+    const double z14 = z6 * z10;
+    const double z15 = k2 * z13 - k3 * z14 - z13 * k4 + m * z14;
+    const double z16 = 1.0 / z7;
+    const double z17 = z16 * z15;
+    const double z18 = z12 - z15 * z17;
+    const double z19 = a * w;
+    const double v1_x2 = v * c1 + s1 * z19;
+    const double z20 = k1 * v1_x2;
+    const double z21 = s1 * k1;
+    const double z22 = v * s1 - c1 * z19;
+    const double z23 = k1 * (c2 * v1_x2 + s2 * z22);
+    const double z24 = k1 * z10;
+    const double z25 = k1 * (z22 - (s2 * v1_x2 - c2 * z22));
+    const double z26 = c2 * z25;
+    const double z27 = m * z3;
+    const double z28 = s2 * z25;
+    const double z29 = z6 * k3;
+    const double z30 = z22 * z27 + v1_x2 * z29;
+    const double z31 = v1_x2 * z27 - z22 * z29;
+    const double z32 = k1 * (c2 * z30 - s2 * z31);
+    const double z33 = m * c1 + c2 * z27 + s2 * z29;
+    const double z34 = s1 * k3 + s2 * z27 - c2 * z29;
+    const double z35 = z19 * z33 + v * z34;
+    const double z36 = z19 * z34 - v * z33;
+    const double z37 = c1 * z35 + s1 * z36;
+    const double z38 = z26 * z27 + z28 * z29 + z32 + c2 * z32 - k1 * z37;
+    const double z39 = z28 * z27 - z26 * z29 + s2 * z32;
+    const double z40 = w - k1 * z22;
+    const double z41 = c1 * z40;
+    const double z42 = s1 * z40;
+    const double z43 = v * z41 + z19 * z42;
+    const double z44 = z2 * k7;
+    const double z45 = 1.0 / z18;
+    const double z46 = v * z42 - z19 * z41;
+    const double z47 = v1_x2 * z26 - s2 * z46 + (z22 * z28 - c2 * z43);
+    const double z48 = v1_x2 * z28 + c2 * z46 - (z22 * z26 + s2 * z43);
+    const double z49 = k1 * (s1 - z6);
+    const double z50 = k3 * (s1 * z43 + z6 * z47) - m * (c1 * z46 + z3 * z48) - k * (z1 * z21 - z2 * z49);
+    const double z51 = 1.0 + c1;
+    const double z52 = c1 + z24;
+    const double z53 = c1 * k2;
+    const double z54 = z10 * k3;
+    const double z55 = s1 * k4;
+    const double z56 = m * z11;
+    const double z57 = k * (z1 * z51 - z2 * z52) - (z43 * z53 - z47 * z54 + z46 * z55 + z48 * z56);
+    const double z58 = z45 * (z50 * z17 + z57);
+    const double z59 = k6 * z58;
+    const double z60 = z50 * z16 + z17 * z58;
+    const double z61 = k3 * z60;
+    const double z62 = m * z48;
+    const double z63 = m * z58;
+    const double z64 = z11 * z63;
+    const double z65 = m * z60;
+    const double z66 = z3 * z65;
+    const double z67 = z62 + z64 + 2.0 * z66;
+    const double z68 = z40 * z36 + (z43 * k3 + z44 + c1 * z59 - 2.0 * (s1 * z61)) - s2 * z67;
+    const double z69 = z3 * z63;
+    const double z70 = k3 * z58;
+    const double z71 = z6 * z70;
+    const double z72 = z47 * k3;
+    const double z73 = z10 * z70;
+    const double z74 = z6 * z61;
+    const double z75 = z72 - z44 - z73 - 2.0 * z74;
+    const double z76 = v * z38 - (z19 * z39 - z68) - a * (c2 * z69 + s2 * z71) - c2 * z75;
+    const double z77 = z19 * z38 - (z40 * z35 - (m * z46 - s1 * z59 + 2.0 * (c1 * z65)) - c2 * z67);
+    const double z78 = k * z21 + c1 * (z1 * k7 - z76) - s1 * (v * z39 + z77 - a * (s2 * z69 - c2 * z71) - s2
+        * z75);
+    const double z79 = z22 * z56 + v1_x2 * z54;
+    const double z80 = v1_x2 * z56 - z22 * z54;
+    const double z81 = k1 * (c2 * z79 - s2 * z80);
+    const double z82 = z55 + c2 * z56 + s2 * z54;
+    const double z83 = z53 - s2 * z56 + c2 * z54;
+    const double z84 = z19 * z82 - v * z83;
+    const double z85 = z19 * z83 + v * z82;
+    const double z86 = c1 * z84 - s1 * z85;
+    const double z87 = z26 * z56 + z28 * z54 + z81 + c2 * z81 - k1 * z86;
+    const double z88 = z28 * z56 - z26 * z54 + s2 * z81;
+    const double z89 = k6 * z60;
+    const double z90 = z11 * z65;
+    const double z91 = z40 * z85 + (z46 * k4 - c1 * z89 + 2.0 * (k5 * (s1 * z58))) + s2 * z90;
+    const double z92 = z66 + (z62 + 2.0 * z64);
+    const double z93 = z44 + (z74 - (z72 - 2.0 * z73));
+    const double z94 = z10 * z61;
+    const double z95 = v * z87 - (z19 * z88 + z91) - a * (c2 * z92 + s2 * z93) + c2 * z94;
+    const double z96 = z40 * z84 + (k * (z1 - z2) - z43 * k2 + s1 * z89 - 2.0 * (J_2 * (c1 * z58)));
+    const double z97 = v * z88 + (z19 * z87 - (z96 - c2 * z90)) - a * (s2 * z92 - c2 * z93);
+    const double z98 = k * z51 + c1 * z95 + s1 * (z97 + s2 * z94);
+    const double z99 = z45 * (z98 - z17 * z78);
+    const double z100 = v1_x2 * z32 - (z43 * z27 - z46 * z29 - z25 * z31 + z9 * z69 - s1 * z67);
+    const double z101 = z22 * z32 - (z46 * z27 + z43 * z29 - z25 * z30 + z8 * z69 + c1 * z67);
+    const double z102 = k * z49 - c2 * (z100 + z8 * z71 - c1 * z75) - s2 * (z101 - z9 * z71 - s1 * z75);
+    const double z103 = z78 + z102;
+    const double z104 = v1_x2 * z81 - (z43 * z56 - z46 * z54 - z25 * z80 + z9 * z92 - s1 * z90);
+    const double z105 = z22 * z81 - (z46 * z56 + z43 * z54 - z25 * z79 + z8 * z92 + c1 * z90);
+    const double z106 = k * z52 + c2 * (z104 + z8 * z93 + c1 * z94) + s2 * (z105 - z9 * z93 + s1 * z94);
+    const double z107 = z45 * (z98 + z106 - z17 * z103);
+    const double z108 = z45 * (z106 - z17 * z102);
+    const double z109 = z41 * z34 - z42 * z33 + s1 * z38 - c1 * z39;
+    const double z110 = z45 * (z41 * z83 + z42 * z82 - s1 * z87 + c1 * z88 - z17 * z109);
+    const double z111 = z37 + a * (z41 * z33 + z42 * z34 - s1 * z39 - c1 * z38);
+    const double z112 = z86 + a * (z41 * z82 - z42 * z83 - s1 * z88 - c1 * z87) + z17 * z111;
+    const double z113 = z45 * z112;
     /* (I.2.15) */
     J[2] = -s_theta1 * v;
     J[5] = c_theta1;
     J[9] = c_theta1 * v;
     J[12] = s_theta1;
     J[20] = 1.0;
-    J[23] = z21;
-    J[24] = -z21;
-    J[26] = z22;
+    J[23] = z20;
+    J[24] = -z20;
+    J[26] = z21;
     J[27] = -c1;
-    J[30] = -z24;
-    J[31] = 2.0 * z24;
-    J[32] = -z24;
+    J[30] = -z23;
+    J[31] = 2.0 * z23;
+    J[32] = -z23;
     J[33] = k1 * z6;
-    J[34] = z25;
-    J[37] = z17 * z77 + z18 * z98;
-    J[38] = -(z17 * z102 + z18 * z106);
-    J[39] = z17 * z101 + z18 * z107;
-    J[40] = -(z17 * z108 + z18 * z109);
-    J[41] = z18 * z112 - z17 * z110;
-    J[44] = -z98;
-    J[45] = z106;
-    J[46] = -z107;
-    J[47] = z109;
-    J[48] = -z112;
+    J[34] = z24;
+    J[37] = z16 * z78 - z17 * z99;
+    J[38] = z17 * z107 - z16 * z103;
+    J[39] = z16 * z102 - z17 * z108;
+    J[40] = z17 * z110 - z16 * z109;
+    J[41] = -(z16 * z111 + z17 * z113);
+    J[44] = -z99;
+    J[45] = z107;
+    J[46] = -z108;
+    J[47] = z110;
+    J[48] = -z113;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(J[24] + J[31] + J[32] + J[33] + J[37] + J[38] + J[39] + J[40] + J[41] + J[44] + J[46] + J[48])
         <= DBL_MAX
-        && fabs(z19) > 1e-14 * z12)) {
+        && fabs(z18) > 1e-14 * z12)) {
         /* the coframe is singular */
         if (!(fabs(a) > 0.0)) {
             return N_SNAKE3_SINGULAR_1;
@@ -851,7 +844,7 @@ int n_snake3_jacobian(double t, const double *y, const double *p, double *J)
             return N_SNAKE3_SINGULAR_2;
         }
         /* the mass matrix is singular */
-        if (!(fabs(z19) > 1e-14 * z12)) {
+        if (!(fabs(z18) > 1e-14 * z12)) {
             return N_SNAKE3_SINGULAR_2;
         }
         return n_snake3_finish(49, J);
@@ -917,38 +910,36 @@ static __attribute__((noinline)) void n_snake3_rhs_lanes(const double *fixed, si
     const n_snake3_lanes z11 = c2 * z8 - s2 * z9;
     const n_snake3_lanes z12 = J * z4 + k3 * (z10 * z10) + z5 * k5 + m * (z11 * z11);
     const n_snake3_lanes z13 = c1 * s1;
-    const n_snake3_lanes z14 = z10 * k3;
-    const n_snake3_lanes z15 = m * z11;
-    const n_snake3_lanes z16 = z13 * k4 - (k2 * z13 - z6 * z14) + z3 * z15;
-    const n_snake3_lanes z17 = 1.0 / z7;
-    const n_snake3_lanes z18 = z17 * z16;
-    const n_snake3_lanes z19 = z12 - z16 * z18;
+    const n_snake3_lanes z14 = z6 * z10;
+    const n_snake3_lanes z15 = k2 * z13 - k3 * z14 - z13 * k4 + m * z14;
+    const n_snake3_lanes z16 = 1.0 / z7;
+    const n_snake3_lanes z17 = z16 * z15;
+    const n_snake3_lanes z18 = z12 - z15 * z17;
     /* the mass matrix is singular */
-    bad |= n_snake3_misses(n_snake3_size(N_SNAKE3_SPREAD(z19)), 1e-14 * z12);
+    bad |= n_snake3_misses(n_snake3_size(N_SNAKE3_SPREAD(z18)), 1e-14 * z12);
     n_snake3_lanes sine3, cosine3;
     n_snake3_turn_lanes(N_SNAKE3_SPREAD(theta1), &far, &sine3, &cosine3);
     const n_snake3_lanes c_theta1 = cosine3;
     const n_snake3_lanes s_theta1 = sine3;
-    const n_snake3_lanes z20 = a * w;
-    const n_snake3_lanes z21 = v * s1 - c1 * z20;
-    const n_snake3_lanes z22 = k1 * z21;
-    const n_snake3_lanes v1_x2 = v * c1 + s1 * z20;
-    const n_snake3_lanes z23 = s2 * v1_x2 - c2 * z21;
-    const n_snake3_lanes z24 = w - z22;
-    const n_snake3_lanes z25 = c1 * z24;
-    const n_snake3_lanes z26 = s1 * z24;
-    const n_snake3_lanes z27 = v * z25 + z20 * z26;
-    const n_snake3_lanes z28 = k1 * (z21 - z23);
-    const n_snake3_lanes z29 = c2 * z28;
-    const n_snake3_lanes z30 = v * z26 - z20 * z25;
-    const n_snake3_lanes z31 = s2 * z28;
-    const n_snake3_lanes z32 = v1_x2 * z29 - s2 * z30 + (z21 * z31 - c2 * z27);
-    const n_snake3_lanes z33 = v1_x2 * z31 + c2 * z30 - (z21 * z29 + s2 * z27);
-    const n_snake3_lanes z34 = k3 * (s1 * z27 + z6 * z32) - m * (c1 * z30 + z3 * z33) - k * (k1 * (z1 * s1 -
-        z2 * (s1 - z6)));
-    const n_snake3_lanes z35 = k * (z1 * (1.0 + c1) - z2 * (c1 + k1 * z10)) - (k4 * (s1 * z30) + (k2 * (c1 *
-        z27) - z32 * z14) + z33 * z15);
-    const n_snake3_lanes z36 = (z35 - z34 * z18) / z19;
+    const n_snake3_lanes z19 = a * w;
+    const n_snake3_lanes z20 = v * s1 - c1 * z19;
+    const n_snake3_lanes z21 = k1 * z20;
+    const n_snake3_lanes v1_x2 = v * c1 + s1 * z19;
+    const n_snake3_lanes z22 = s2 * v1_x2 - c2 * z20;
+    const n_snake3_lanes z23 = w - z21;
+    const n_snake3_lanes z24 = c1 * z23;
+    const n_snake3_lanes z25 = s1 * z23;
+    const n_snake3_lanes z26 = v * z24 + z19 * z25;
+    const n_snake3_lanes z27 = k1 * (z20 - z22);
+    const n_snake3_lanes z28 = c2 * z27;
+    const n_snake3_lanes z29 = v * z25 - z19 * z24;
+    const n_snake3_lanes z30 = s2 * z27;
+    const n_snake3_lanes z31 = v1_x2 * z28 - s2 * z29 + (z20 * z30 - c2 * z26);
+    const n_snake3_lanes z32 = v1_x2 * z30 + c2 * z29 - (z20 * z28 + s2 * z26);
+    const n_snake3_lanes z33 = k3 * (s1 * z26 + z6 * z31) - m * (c1 * z29 + z3 * z32) - k * (z1 * (s1 * k1) -
+        z2 * (k1 * (s1 - z6)));
+    const n_snake3_lanes z34 = k2 * (c1 * z26) - k3 * (z10 * z31) + k4 * (s1 * z29) + m * (z11 * z32);
+    const n_snake3_lanes z35 = (z34 - k * (z1 * (1.0 + c1) - z2 * (c1 + k1 * z10)) - z33 * z17) / z18;
     /* (I.2.15) */
     const n_snake3_lanes slope1 = c_theta1 * v;
     n_snake3_put(dydt, slope1);
@@ -956,17 +947,16 @@ static __attribute__((noinline)) void n_snake3_rhs_lanes(const double *fixed, si
     n_snake3_put(dydt + 1 * stride, slope2);
     const n_snake3_lanes slope3 = w;
     n_snake3_put(dydt + 2 * stride, slope3);
-    const n_snake3_lanes slope4 = z22;
+    const n_snake3_lanes slope4 = z21;
     n_snake3_put(dydt + 3 * stride, slope4);
-    const n_snake3_lanes slope5 = k1 * z23;
+    const n_snake3_lanes slope5 = k1 * z22;
     sum += slope5;
     n_snake3_put(dydt + 4 * stride, slope5);
     /* (I.2.15) 22:4 */
-    const n_snake3_lanes slope6 = z18 * z36 - z17 * z34;
+    const n_snake3_lanes slope6 = z17 * z35 - z33 * z16;
     sum += slope6;
     n_snake3_put(dydt + 5 * stride, slope6);
-    const n_snake3_lanes slope7 = -z36;
-    sum += slope7;
+    const n_snake3_lanes slope7 = z35;
     n_snake3_put(dydt + 6 * stride, slope7);
     n_snake3_put(check, n_snake3_mark(far + (sum - sum), bad));
 }

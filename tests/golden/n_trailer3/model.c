@@ -1,5 +1,5 @@
 /*
- * n_trailer3.c: n_trailer3, emitted by nhc 0.1.0 (nhc:175c8a8bce25d3e7)
+ * n_trailer3.c: n_trailer3, emitted by nhc 0.1.0 (nhc:7c5097bdbfc2f70b)
  * A tractor with three trailers, each hitched to the axle before it; none of the four axles slips sideways.
  * Source: n_trailer3.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -230,25 +230,23 @@ int n_trailer3_rhs(double t, const double *y, const double *p, double *dydt)
     const double z8 = m0 + k2 * (z5 * z5 + (s2 * s2 + z6 * z6)) + m * (z7 * z7 + (c1 * c1 + z4 * z4));
     const double z9 = v * k1;
     const double z10 = s2 * z9;
-    const double z11 = (z6 - z5) * z9;
-    const double z12 = s2 * (w - z10);
-    const double z13 = (s2 - z6) * z9;
-    const double z14 = c2 * z12 + z6 * z13;
-    const double z15 = c1 * z12;
-    const double z16 = k2 * (z5 * (z7 * z11 - s1 * z14) + (z15 - z6 * (s3 * z12 - z4 * z13)));
-    const double z17 = v * (z16 - m * (z7 * (z5 * z11 + c3 * z14) + (z15 + z4 * z14))) / z8;
+    const double z11 = z6 * z9;
+    const double z12 = z5 * z9;
+    const double z13 = s2 * (w - z10);
+    const double z14 = c2 * z13 + (s2 - z6) * z11;
+    const double z15 = z7 * ((z6 - z5) * z12 + c3 * z14);
     /* (I.2.15) */
     dydt[0] = c_theta0 * v; /* x' */
     dydt[1] = s_theta0 * v; /* y' */
     dydt[2] = w; /* theta0' */
     dydt[3] = z10; /* theta1' */
-    dydt[4] = z6 * z9; /* theta2' */
-    dydt[5] = z5 * z9; /* theta3' */
+    dydt[4] = z11; /* theta2' */
+    dydt[5] = z12; /* theta3' */
     /* (I.2.15) 30:4 */
-    dydt[6] = -z17; /* v' */
+    dydt[6] = (m * (z15 + (c1 * z13 + z4 * z14)) - k2 * z15) * (v / z8); /* v' */
     dydt[7] = 0.0; /* w' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(dydt[4] + dydt[5] + dydt[6]) <= DBL_MAX && fabs(J0) > 0.0)) {
+    if (!(fabs(dydt[6]) <= DBL_MAX && fabs(J0) > 0.0)) {
         /* the coframe is singular */
         if (!(fabs(L) > 0.0)) {
             return N_TRAILER3_SINGULAR_1;
@@ -359,20 +357,17 @@ int n_trailer3_accelerations(double t, const double *y, const double *p, double 
     const double z14 = s2 * z13;
     const double z15 = (s2 - z6) * z10;
     const double z16 = c2 * z14 + z6 * z15;
-    const double z17 = z7 * z11 - s1 * z16;
+    const double z17 = z7 * (z5 * z11 + c3 * z16);
     const double z18 = c1 * z13;
-    const double z19 = s3 * z14 - z4 * z15;
-    const double z20 = k2 * (z5 * z17 + (s2 * z18 - z6 * z19)) - m * (z7 * (z5 * z11 + c3 * z16) + (c1 * z14
-        + z4 * z16));
-    const double z21 = v * z20 / z8;
-    const double z22 = k1 * z21;
+    const double z19 = v / z8 * (k2 * z17 - m * (z17 + (s2 * z18 + z4 * z16)));
+    const double z20 = k1 * z19;
     /* (I.2.15) */
-    qddot[0] = -(s_theta0 * z9 + c_theta0 * z21); /* x'' */
-    qddot[1] = c_theta0 * z9 - s_theta0 * z21; /* y'' */
+    qddot[0] = -(s_theta0 * z9 + c_theta0 * z19); /* x'' */
+    qddot[1] = c_theta0 * z9 - s_theta0 * z19; /* y'' */
     qddot[2] = 0.0; /* theta0'' */
-    qddot[3] = z18 * z10 - z12 * z21; /* theta1'' */
-    qddot[4] = -(z10 * z19 + z6 * z22); /* theta2'' */
-    qddot[5] = z10 * z17 - z5 * z22; /* theta3'' */
+    qddot[3] = z18 * z10 - z12 * z19; /* theta1'' */
+    qddot[4] = -(z10 * (s3 * z14 - z4 * z15) + z6 * z20); /* theta2'' */
+    qddot[5] = z10 * (z7 * z11 - s1 * z16) - z5 * z20; /* theta3'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qddot[0] + qddot[1] + qddot[3] + qddot[4] + qddot[5]) <= DBL_MAX && fabs(J0) > 0.0)) {
         /* the coframe is singular */
@@ -520,29 +515,27 @@ int n_trailer3_reactions(double t, const double *y, const double *p, double *lam
     const double z15 = s2 * z11;
     const double z16 = (s2 - z6) * z13;
     const double z17 = c2 * z15 + z6 * z16;
-    const double z18 = z7 * z14 - s1 * z17;
-    const double z19 = s3 * z15 - z4 * z16;
-    const double z20 = z5 * z14 + c3 * z17;
-    const double z21 = k3 * (z5 * z18 + (s2 * z12 - z6 * z19)) - m * (z7 * z20 + (c1 * z15 + z4 * z17));
-    const double z22 = v * z21 / z8;
-    const double z23 = k2 * (z12 * z13 - z9 * z22);
-    const double z24 = k1 * z6;
-    const double z25 = k2 * (z13 * z19 + z24 * z22);
-    const double z26 = k1 * z5;
-    const double z27 = k2 * (z13 * z18 - z26 * z22);
-    const double z28 = m * (v * z20 + z7 * z22);
-    const double z29 = m * (v * z17 + z4 * z22) - s1 * z27 + c3 * z28;
-    const double z30 = m0 * (v * w) + c1 * z23 + s2 * (m * (v * z15 + c1 * z22) + s3 * z25 + c2 * z29);
-    const double z31 = m * v;
-    const double z32 = v * z31;
+    const double z18 = z5 * z14 + c3 * z17;
+    const double z19 = z7 * z18;
+    const double z20 = v / z8 * (k3 * z19 - m * (z19 + (s2 * z12 + z4 * z17)));
+    const double z21 = k2 * (z12 * z13 - z9 * z20);
+    const double z22 = k1 * z6;
+    const double z23 = k2 * (z13 * (s3 * z15 - z4 * z16) + z22 * z20);
+    const double z24 = k1 * z5;
+    const double z25 = k2 * (z13 * (z7 * z14 - s1 * z17) - z24 * z20);
+    const double z26 = m * (v * z18 + z7 * z20);
+    const double z27 = m * (v * z17 + z4 * z20) - s1 * z25 + c3 * z26;
+    const double z28 = m0 * (v * w) + c1 * z21 + s2 * (m * (v * z15 + c1 * z20) + s3 * z23 + c2 * z27);
+    const double z29 = m * v;
+    const double z30 = v * z29;
     /* (I.4.1) 32:5 */
-    lambda[0] = z30; /* reaction of axle0: Q_i gains lambda_1 a_1i */
+    lambda[0] = z28; /* reaction of axle0: Q_i gains lambda_1 a_1i */
     /* (I.4.1) 33:5 */
-    lambda[1] = z10 * (c1 * z31) - z23 - c2 * z25 + s3 * z29; /* reaction of axle1: Q_i gains lambda_2 a_2i */
+    lambda[1] = z10 * (c1 * z29) - z21 - c2 * z23 + s3 * z27; /* reaction of axle1: Q_i gains lambda_2 a_2i */
     /* (I.4.1) 34:5 */
-    lambda[2] = z4 * (z24 * z32) + z25 + c3 * z27 + s1 * z28; /* reaction of axle2: Q_i gains lambda_3 a_3i */
+    lambda[2] = z4 * (z22 * z30) + z23 + c3 * z25 + s1 * z26; /* reaction of axle2: Q_i gains lambda_3 a_3i */
     /* (I.4.1) 35:5 */
-    lambda[3] = z7 * (z26 * z32) - z27; /* reaction of axle3: Q_i gains lambda_4 a_4i */
+    lambda[3] = z7 * (z24 * z30) - z25; /* reaction of axle3: Q_i gains lambda_4 a_4i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(lambda[0] + lambda[1] + lambda[2] + lambda[3]) <= DBL_MAX && fabs(J0) > 0.0)) {
         /* the coframe is singular */
@@ -594,27 +587,25 @@ double n_trailer3_energy(double t, const double *y, const double *p)
     const double z1 = c_theta2 * c_theta3 + s_theta2 * s_theta3;
     const double z2 = z1 * z1;
     const double z3 = c_theta1 * c_theta0 + s_theta1 * s_theta0;
-    const double z4 = c_theta1 * c_theta2 + s_theta1 * s_theta2;
-    const double z5 = c_theta1 * s_theta0 - s_theta1 * c_theta0;
+    const double z4 = z3 * z3;
+    const double z5 = c_theta1 * c_theta2 + s_theta1 * s_theta2;
     const double z6 = s_theta1 * c_theta2 - c_theta1 * s_theta2;
-    const double z7 = c_theta1 * z5;
-    const double z8 = s_theta1 * z5;
-    const double z9 = z3 * z6;
-    const double z10 = (s_theta2 * c_theta3 - c_theta2 * s_theta3) * (c_theta3 * (s_theta0 - (z7 + c_theta2 *
-        z9)) - s_theta3 * (c_theta0 + (z8 + s_theta2 * z9)));
-    const double z11 = 0.5 * z3 + 2.0 * (z6 * (c_theta2 * (s_theta0 - z7) - s_theta2 * (c_theta0 + z8))) + z4
-        * (z10 + 0.5 * (z3 * (z4 * (1.0 + z2))));
-    const double z12 = 0.5 * (m0 + k1 * (1.0 - z2 * (z3 * z3 * (z4 * z4)))) + m * (3.0 * (1.0 - z5 * z5) - z3
-        * z11);
-    return 0.5 * (J0 * (w * w)) + v * v * z12;
+    const double z7 = c_theta1 * s_theta0 - s_theta1 * c_theta0;
+    const double z8 = c_theta1 * z7;
+    const double z9 = s_theta1 * z7;
+    const double z10 = z3 * z6;
+    const double z11 = (s_theta2 * c_theta3 - c_theta2 * s_theta3) * (c_theta3 * (s_theta0 - (z8 + c_theta2 *
+        z10)) - s_theta3 * (c_theta0 + (z9 + s_theta2 * z10)));
+    const double z12 = 0.5 * z3 + 2.0 * (z6 * (c_theta2 * (s_theta0 - z8) - s_theta2 * (c_theta0 + z9))) + z5
+        * (z11 + 0.5 * (z3 * (z5 * (1.0 + z2))));
+    const double z13 = 0.5 * (m0 + k1 * (1.0 - z2 * (z4 * (z5 * z5)))) + m * (3.0 * z4 - z3 * z12);
+    return 0.5 * (J0 * (w * w)) + v * v * z13;
 }
 
 N_TRAILER3_SLOW
 int n_trailer3_jacobian(double t, const double *y, const double *p, double *J)
 {
-    for (int entry = 0; entry < 64; ++entry) {
-        J[entry] = 0.0;
-    }
+    memset(J, 0, 64 * sizeof *J);
     (void)t;
     const double theta0 = y[2]; /* heading of the tractor [rad] */
     const double theta1 = y[3]; /* first trailer [rad] */
@@ -658,7 +649,7 @@ int n_trailer3_jacobian(double t, const double *y, const double *p, double *J)
     const double z13 = c2 * z10;
     const double z14 = s2 * c2;
     const double z15 = s1 * z9;
-    const double z16 = z7 * z9;
+    const double z16 = c3 * z13;
     const double z17 = 1.0 / z8;
     const double z18 = v * k2;
     const double z19 = s2 * z18;
@@ -670,41 +661,40 @@ int n_trailer3_jacobian(double t, const double *y, const double *p, double *J)
     const double z25 = c1 * z20 + c2 * z23 + s3 * z24;
     const double z26 = c1 * z19 - s2 * z25;
     const double z27 = w - v * z11;
-    const double z28 = c1 * z27;
-    const double z29 = k1 * (z6 - z5);
-    const double z30 = v * z29;
-    const double z31 = c3 * z30;
-    const double z32 = s2 * z27;
-    const double z33 = k1 * (s2 - z6);
+    const double z28 = c1 * z24;
+    const double z29 = c1 * z23;
+    const double z30 = c2 * z28 - s3 * z29;
+    const double z31 = z9 * z30;
+    const double z32 = c1 * z27;
+    const double z33 = k1 * (z6 - z5);
     const double z34 = v * z33;
-    const double z35 = s3 * z34;
-    const double z36 = c2 * z32 + c1 * z35;
-    const double z37 = z4 * z31 - s1 * z36;
-    const double z38 = c2 * z34;
-    const double z39 = s3 * z32 - c1 * z38;
-    const double z40 = s1 * z30;
-    const double z41 = z4 * z40 + c3 * z36;
-    const double z42 = k2 * (z5 * z37 + (s2 * z28 - z6 * z39)) - m * (z7 * z41 + (c1 * z32 + z4 * z36));
-    const double z43 = v * z42 * z17;
-    const double z44 = k2 * z43;
-    const double z45 = c1 * z24;
-    const double z46 = c1 * z23;
-    const double z47 = c2 * z45 - s3 * z46;
-    const double z48 = z9 * z47;
-    const double z49 = m * z43;
-    const double z50 = z41 * z20 + 2.0 * (z7 * z49);
-    const double z51 = z4 * z22;
-    const double z52 = z4 * z21;
-    const double z53 = c3 * z51 - s1 * z52;
-    const double z54 = z9 * z53;
-    const double z55 = z37 * z18 - 2.0 * (z5 * z44) - z54;
-    const double z56 = z31 * z22 - (z40 * z21 + (z36 * z20 + 2.0 * (z4 * z49))) - c3 * z50 + s1 * z55;
-    const double z57 = z27 * z19 + (z38 * z24 - (z35 * z23 + (z32 * z20 + 2.0 * (c1 * z49)))) + c2 * z56;
-    const double z58 = z48 + (z39 * z18 + 2.0 * (z6 * z44) - z54);
-    const double z59 = c1 * (z9 * z26 + (z27 * z25 - (z28 * z18 - 2.0 * (s2 * z44) + z48))) + s2 * (z57 - s3
-        * z58);
-    const double z60 = c2 * (z32 * z24 + z34 * z46 + c1 * z58) - s3 * (z32 * z23 - z34 * z45 - c1 * z56);
-    const double z61 = s1 * (z36 * z21 - z30 * z51 + z4 * z50) - c3 * (z36 * z22 + z30 * z52 - z4 * z55);
+    const double z35 = s1 * z34;
+    const double z36 = s2 * z27;
+    const double z37 = k1 * (s2 - z6);
+    const double z38 = v * z37;
+    const double z39 = s3 * z38;
+    const double z40 = c2 * z36 + c1 * z39;
+    const double z41 = z4 * z35 + c3 * z40;
+    const double z42 = z7 * z41;
+    const double z43 = k2 * z42 - m * (z42 + (s2 * z32 + z4 * z40));
+    const double z44 = z43 * (v * z17);
+    const double z45 = k2 * z44;
+    const double z46 = c2 * z38;
+    const double z47 = m * z44;
+    const double z48 = c3 * z34;
+    const double z49 = z41 * z20 + 2.0 * (z7 * z47);
+    const double z50 = z4 * z22;
+    const double z51 = z4 * z21;
+    const double z52 = c3 * z50 - s1 * z51;
+    const double z53 = z9 * z52;
+    const double z54 = z53 - ((z4 * z48 - s1 * z40) * z18 - 2.0 * (z5 * z45));
+    const double z55 = z48 * z22 - (z35 * z21 + (z40 * z20 + 2.0 * (z4 * z47))) - c3 * z49 - s1 * z54;
+    const double z56 = z27 * z19 + (z46 * z24 - (z39 * z23 + (z36 * z20 + 2.0 * (c1 * z47)))) + c2 * z55;
+    const double z57 = z31 - (z53 - ((s3 * z36 - c1 * z46) * z18 + 2.0 * (z6 * z45)));
+    const double z58 = c1 * (z9 * z26 + (z27 * z25 - (z31 + (z32 * z18 - 2.0 * (s2 * z45))))) + s2 * (z56 -
+        s3 * z57);
+    const double z59 = c2 * (z36 * z24 + z38 * z29 + c1 * z57) - s3 * (z36 * z23 - z38 * z28 - c1 * z55);
+    const double z60 = c3 * (z40 * z22 + z34 * z51 + z4 * z54) - s1 * (z40 * z21 - z34 * z50 + z4 * z49);
     /* (I.2.15) */
     J[2] = -s_theta0 * v;
     J[6] = c_theta0;
@@ -723,15 +713,15 @@ int n_trailer3_jacobian(double t, const double *y, const double *p, double *J)
     J[44] = z16 + z6 * z15;
     J[45] = -z16;
     J[46] = k1 * z5;
-    J[50] = z17 * z59;
-    J[51] = (z60 - z59) * z17;
-    J[52] = -z17 * (z60 + z61);
-    J[53] = z17 * z61;
-    J[54] = (z11 * z26 - (z42 + z29 * z53 + z33 * z47)) * z17;
+    J[50] = z17 * z58;
+    J[51] = (z59 - z58) * z17;
+    J[52] = (z60 - z59) * z17;
+    J[53] = -z17 * z60;
+    J[54] = z17 * (z11 * z26 - (z37 * z30 + (z43 + z33 * z52)));
     J[55] = -z17 * z26;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(J[34] + J[35] + J[38] + J[42] + J[43] + J[44] + J[45] + J[46] + J[50] + J[51] + J[52] + J[53]
-        + J[54] + J[55]) <= DBL_MAX
+    if (!(fabs(J[34] + J[35] + J[38] + J[42] + J[43] + J[44] + J[46] + J[50] + J[51] + J[52] + J[53] + J[54]
+        + J[55]) <= DBL_MAX
         && fabs(J0) > 0.0)) {
         /* the coframe is singular */
         if (!(fabs(L) > 0.0)) {
@@ -829,13 +819,11 @@ static __attribute__((noinline)) void n_trailer3_rhs_lanes(const double *fixed, 
     const n_trailer3_lanes s_theta0 = sine4;
     const n_trailer3_lanes z9 = v * k1;
     const n_trailer3_lanes z10 = s2 * z9;
-    const n_trailer3_lanes z11 = (z6 - z5) * z9;
-    const n_trailer3_lanes z12 = s2 * (w - z10);
-    const n_trailer3_lanes z13 = (s2 - z6) * z9;
-    const n_trailer3_lanes z14 = c2 * z12 + z6 * z13;
-    const n_trailer3_lanes z15 = c1 * z12;
-    const n_trailer3_lanes z16 = k2 * (z5 * (z7 * z11 - s1 * z14) + (z15 - z6 * (s3 * z12 - z4 * z13)));
-    const n_trailer3_lanes z17 = v * (z16 - m * (z7 * (z5 * z11 + c3 * z14) + (z15 + z4 * z14))) / z8;
+    const n_trailer3_lanes z11 = z6 * z9;
+    const n_trailer3_lanes z12 = z5 * z9;
+    const n_trailer3_lanes z13 = s2 * (w - z10);
+    const n_trailer3_lanes z14 = c2 * z13 + (s2 - z6) * z11;
+    const n_trailer3_lanes z15 = z7 * ((z6 - z5) * z12 + c3 * z14);
     /* (I.2.15) */
     const n_trailer3_lanes slope1 = c_theta0 * v;
     n_trailer3_put(dydt, slope1);
@@ -845,14 +833,12 @@ static __attribute__((noinline)) void n_trailer3_rhs_lanes(const double *fixed, 
     n_trailer3_put(dydt + 2 * stride, slope3);
     const n_trailer3_lanes slope4 = z10;
     n_trailer3_put(dydt + 3 * stride, slope4);
-    const n_trailer3_lanes slope5 = z6 * z9;
-    sum += slope5;
+    const n_trailer3_lanes slope5 = z11;
     n_trailer3_put(dydt + 4 * stride, slope5);
-    const n_trailer3_lanes slope6 = z5 * z9;
-    sum += slope6;
+    const n_trailer3_lanes slope6 = z12;
     n_trailer3_put(dydt + 5 * stride, slope6);
     /* (I.2.15) 30:4 */
-    const n_trailer3_lanes slope7 = -z17;
+    const n_trailer3_lanes slope7 = (m * (z15 + (c1 * z13 + z4 * z14)) - k2 * z15) * (v / z8);
     sum += slope7;
     n_trailer3_put(dydt + 6 * stride, slope7);
     const n_trailer3_lanes slope8 = N_TRAILER3_SPREAD(0.0);

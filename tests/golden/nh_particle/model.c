@@ -1,5 +1,5 @@
 /*
- * nh_particle.c: nh_particle, emitted by nhc 0.1.0 (nhc:429cf5cb32a54f3e)
+ * nh_particle.c: nh_particle, emitted by nhc 0.1.0 (nhc:e5463d692ec8bf80)
  * A free particle with one velocity constraint that cannot be integrated.
  * Source: nh_particle.yaml
  * Equations of motion: chaplygin (III.3)
@@ -321,9 +321,7 @@ double nh_particle_energy(double t, const double *y, const double *p)
 
 int nh_particle_jacobian(double t, const double *y, const double *p, double *J)
 {
-    for (int entry = 0; entry < 25; ++entry) {
-        J[entry] = 0.0;
-    }
+    memset(J, 0, 25 * sizeof *J);
     (void)t;
     const double y_2 = y[1];
     const double x_dot = y[3];

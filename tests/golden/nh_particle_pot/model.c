@@ -1,5 +1,5 @@
 /*
- * nh_particle_pot.c: nh_particle_pot, emitted by nhc 0.1.0 (nhc:155ad7f562674c54)
+ * nh_particle_pot.c: nh_particle_pot, emitted by nhc 0.1.0 (nhc:097d789761f18b83)
  * The nonholonomic particle with springs in x and y.
  * Source: nh_particle_pot.yaml
  * Equations of motion: chaplygin (III.3)
@@ -339,9 +339,7 @@ double nh_particle_pot_energy(double t, const double *y, const double *p)
 
 int nh_particle_pot_jacobian(double t, const double *y, const double *p, double *J)
 {
-    for (int entry = 0; entry < 25; ++entry) {
-        J[entry] = 0.0;
-    }
+    memset(J, 0, 25 * sizeof *J);
     (void)t;
     const double x = y[0];
     const double y_2 = y[1];

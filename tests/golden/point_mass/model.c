@@ -1,5 +1,5 @@
 /*
- * point_mass.c: point_mass, emitted by nhc 0.1.0 (nhc:d1e7a9d21b63f751)
+ * point_mass.c: point_mass, emitted by nhc 0.1.0 (nhc:49aa25bc7049da52)
  * A point mass thrown in a uniform field of gravity, with linear drag.
  * Source: point_mass.yaml
  * Equations of motion: lagrange (II.3)
@@ -309,9 +309,7 @@ double point_mass_energy(double t, const double *y, const double *p)
 
 int point_mass_jacobian(double t, const double *y, const double *p, double *J)
 {
-    for (int entry = 0; entry < 36; ++entry) {
-        J[entry] = 0.0;
-    }
+    memset(J, 0, 36 * sizeof *J);
     (void)t;
     (void)y;
     const double m = p[0]; /* mass [kg] */

@@ -1,5 +1,5 @@
 /*
- * roller_racer.c: roller_racer, emitted by nhc 0.1.0 (nhc:f0dfb5788a9dcf21)
+ * roller_racer.c: roller_racer, emitted by nhc 0.1.0 (nhc:28a9ceda9a71fd9e)
  * Two wheeled bodies with a hinge; it is driven by moving the hinge to and fro.
  * Source: roller_racer.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -519,9 +519,7 @@ double roller_racer_energy(double t, const double *y, const double *p)
 ROLLER_RACER_SLOW
 int roller_racer_jacobian(double t, const double *y, const double *p, double *J)
 {
-    for (int entry = 0; entry < 36; ++entry) {
-        J[entry] = 0.0;
-    }
+    memset(J, 0, 36 * sizeof *J);
     (void)t;
     const double theta = y[2]; /* heading of the main body [rad] */
     const double phi = y[3]; /* second body, relative to the first [rad] */

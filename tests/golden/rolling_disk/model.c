@@ -1,5 +1,5 @@
 /*
- * rolling_disk.c: rolling_disk, emitted by nhc 0.1.0 (nhc:a84929024320e23e)
+ * rolling_disk.c: rolling_disk, emitted by nhc 0.1.0 (nhc:55046327d14e47e5)
  * A thin disk that rolls on a horizontal plane and may lean and fall (Euler's disk).
  * Source: rolling_disk.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -533,9 +533,7 @@ double rolling_disk_energy(double t, const double *y, const double *p)
 ROLLING_DISK_SLOW
 int rolling_disk_jacobian(double t, const double *y, const double *p, double *J)
 {
-    for (int entry = 0; entry < 64; ++entry) {
-        J[entry] = 0.0;
-    }
+    memset(J, 0, 64 * sizeof *J);
     (void)t;
     const double phi = y[2]; /* yaw, direction of the horizontal diameter [rad] */
     const double theta = y[3]; /* tilt of the plane of the disk, pi/2 upright [rad] */

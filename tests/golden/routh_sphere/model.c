@@ -1,5 +1,5 @@
 /*
- * routh_sphere.c: routh_sphere, emitted by nhc 0.1.0 (nhc:3db6420a6ec8225c)
+ * routh_sphere.c: routh_sphere, emitted by nhc 0.1.0 (nhc:4813a8e2d6efd200)
  * A ball with its centre of mass off its centre, dynamically symmetric, rolls on a horizontal plane.
  * Source: routh_sphere.yaml
  * Equations of motion: chaplygin (III.3)
@@ -489,28 +489,29 @@ int routh_sphere_reactions(double t, const double *y, const double *p, double *l
     const double z7 = 1.0 / z2;
     const double z8 = z6 * z7;
     const double z9 = z5 - z6 * z8;
-    const double z10 = theta_dot * c_theta;
-    const double z11 = phi_dot * R;
-    const double z12 = phi_dot * (e * z10 + theta_dot * Z) - (R * (psi_dot * z10) - theta_dot * z11);
-    const double z13 = theta_dot * s_theta;
-    const double z14 = s_theta * (psi_dot * z11) - e * (theta_dot * z13 + s_theta * (phi_dot * phi_dot));
-    const double z15 = s_theta * c_phi;
-    const double z16 = c_theta * k5;
-    const double z17 = z13 * (phi_dot * (k6 - 2.0 * z16) - psi_dot * (I3 + c_theta * k6));
-    const double z18 = (z17 * z8 + z13 * (phi_dot * (I3 + k3 * z3) - k1 * (psi_dot * c_theta))) / z9;
-    const double z19 = k3 * z18;
-    const double z20 = k2 * (z17 * z7 + z8 * z18);
-    const double z21 = R + Z;
-    const double z22 = phi_dot * (phi_dot * (k6 - z16) - psi_dot * (I3 + z21 * k3)) + k2 * (g + R *
+    const double z10 = s_theta * c_phi;
+    const double z11 = theta_dot * s_theta;
+    const double z12 = c_theta * k5;
+    const double z13 = z11 * (phi_dot * (k6 - 2.0 * z12) - psi_dot * (I3 + c_theta * k6));
+    const double z14 = (z13 * z8 + z11 * (phi_dot * (I3 + k3 * z3) - k1 * (psi_dot * c_theta))) / z9;
+    const double z15 = k3 * z14;
+    const double z16 = k2 * (z13 * z7 + z8 * z14);
+    const double z17 = R + Z;
+    const double z18 = phi_dot * (phi_dot * (k6 - z12) - psi_dot * (I3 + z17 * k3)) + k2 * (g + R *
         (theta_dot * theta_dot));
-    const double z23 = m * z21 * (s_theta * z22 / z4);
-    const double z24 = s_theta * s_phi;
+    const double z19 = m * z17 * (s_theta * z18 / z4);
+    const double z20 = phi_dot * R;
+    const double z21 = phi_dot * e;
+    const double z22 = s_theta * (psi_dot * z20) - (e * (theta_dot * z11) + s_theta * (phi_dot * z21));
+    const double z23 = theta_dot * c_theta;
+    const double z24 = R * (psi_dot * z23) - theta_dot * z20 - 2.0 * (z23 * z21);
+    const double z25 = s_theta * s_phi;
     /* (I.4.1) 29:5 */
     /* reaction of roll_x: Q_i gains lambda_1 a_1i */
-    lambda[0] = m * (c_phi * z12 + s_phi * z14) - (z15 * z19 + (z15 * z20 - s_phi * z23));
+    lambda[0] = m * (s_phi * z22 - c_phi * z24) - (z10 * z15 + (z10 * z16 - s_phi * z19));
     /* (I.4.1) 30:5 */
     /* reaction of roll_y: Q_i gains lambda_2 a_2i */
-    lambda[1] = m * (s_phi * z12 - c_phi * z14) - (z24 * z19 + (z24 * z20 + c_phi * z23));
+    lambda[1] = -(z25 * z15 + (z25 * z16 + c_phi * z19) + m * (c_phi * z22 + s_phi * z24));
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(lambda[0] + lambda[1]) <= DBL_MAX && fabs(z9) > 1e-14 * z5)) {
         /* the mass matrix is singular */
@@ -566,9 +567,7 @@ double routh_sphere_energy(double t, const double *y, const double *p)
 ROUTH_SPHERE_SLOW
 int routh_sphere_jacobian(double t, const double *y, const double *p, double *J)
 {
-    for (int entry = 0; entry < 64; ++entry) {
-        J[entry] = 0.0;
-    }
+    memset(J, 0, 64 * sizeof *J);
     (void)t;
     const double phi = y[2]; /* precession [rad] */
     const double theta = y[3]; /* nutation [rad] */

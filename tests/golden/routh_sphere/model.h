@@ -1,5 +1,5 @@
 /*
- * routh_sphere.h: routh_sphere, emitted by nhc 0.1.0 (nhc:7db7b14a759bb9dd)
+ * routh_sphere.h: routh_sphere, emitted by nhc 0.1.0 (nhc:dc9070a9914c199c)
  * A ball with its centre of mass off its centre, dynamically symmetric, rolls on a horizontal plane.
  * Source: routh_sphere.yaml
  * Equations of motion: chaplygin (III.3)
@@ -37,7 +37,7 @@
  * accelerations: 29 +-, 59 *, 3 /, 4 calls
  * state: 0 +-, 0 *, 0 /, 0 calls
  * residuals: 4 +-, 7 *, 0 /, 3 calls
- * reactions: 35 +-, 73 *, 3 /, 4 calls
+ * reactions: 34 +-, 73 *, 3 /, 4 calls
  * energy: 12 +-, 28 *, 0 /, 2 calls
  * jacobian: 46 +-, 124 *, 3 /, 4 calls
  * outputs: 5 +-, 17 *, 0 /, 3 calls

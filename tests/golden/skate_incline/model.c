@@ -1,5 +1,5 @@
 /*
- * skate_incline.c: skate_incline, emitted by nhc 0.1.0 (nhc:155e8e25e709c925)
+ * skate_incline.c: skate_incline, emitted by nhc 0.1.0 (nhc:3e70ec6559ecfd56)
  * A skate on an inclined plane with its centre of mass above the edge; it never gets far downhill.
  * Source: skate_incline.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -388,9 +388,7 @@ double skate_incline_energy(double t, const double *y, const double *p)
 
 int skate_incline_jacobian(double t, const double *y, const double *p, double *J)
 {
-    for (int entry = 0; entry < 25; ++entry) {
-        J[entry] = 0.0;
-    }
+    memset(J, 0, 25 * sizeof *J);
     (void)t;
     const double phi = y[2]; /* heading, from the fall line [rad] */
 

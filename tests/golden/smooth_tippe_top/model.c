@@ -1,5 +1,5 @@
 /*
- * smooth_tippe_top.c: smooth_tippe_top, emitted by nhc 0.1.0 (nhc:d84f0735b30b9c43)
+ * smooth_tippe_top.c: smooth_tippe_top, emitted by nhc 0.1.0 (nhc:ab2cc6563d46eb8b)
  * The ball of routh_sphere on a plane without any friction.
  * Source: smooth_tippe_top.yaml
  * Equations of motion: lagrange (II.3)
@@ -246,28 +246,22 @@ int smooth_tippe_top_rhs(double t, const double *y, const double *p, double *dyd
     const double z10 = k5 * z9;
     const double z11 = c_phi * z8;
     const double z12 = k5 * z11;
-    const double z13 = z3 * z10 - z5 * z12;
-    const double z14 = 1.0 / z7;
-    const double z15 = z14 * z13;
-    const double z16 = k2 - z9 * z10 - z11 * z12 - z13 * z15;
-    const double z17 = I3 * c_theta;
-    const double z18 = z17 * z14;
-    const double z19 = z18 * z13;
-    const double z20 = 1.0 / z16;
-    const double z21 = z19 * z20;
-    const double z22 = I3 - z17 * z18 - z19 * z21;
-    const double z23 = s_theta * theta_dot * theta_dot;
-    const double z24 = phi_dot * s_theta;
-    const double z25 = theta_dot * c_theta;
-    const double z26 = k1 * (s_phi * z23 + phi_dot * (s_phi * z24 - 2.0 * (c_phi * z25)));
-    const double z27 = phi_dot * c_theta * k3;
-    const double z28 = psi_dot * I3;
-    const double z29 = k1 * (c_phi * z23 + phi_dot * (c_phi * z24 + 2.0 * (s_phi * z25)));
-    const double z30 = theta_dot * s_theta * (2.0 * z27 + z28) - z4 * z26 + z6 * z29;
-    const double z31 = s_theta * (phi_dot * (z27 + z28) - k4) + z26 * z10 + z29 * z12 - z15 * z30;
-    const double z32 = (I3 * (theta_dot * z24) - z18 * z30 + z21 * z31) / z22;
-    const double z33 = z20 * z31 + z21 * z32;
-    const double z34 = z14 * z30 - z15 * z33 - z18 * z32;
+    const double z13 = k2 - z9 * z10 - z11 * z12;
+    const double z14 = I3 * c_theta;
+    const double z15 = 1.0 / z7;
+    const double z16 = z14 * z15;
+    const double z17 = I3 - z14 * z16;
+    const double z18 = s_theta * theta_dot * theta_dot;
+    const double z19 = phi_dot * s_theta;
+    const double z20 = theta_dot * c_theta;
+    const double z21 = k1 * (s_phi * z18 + phi_dot * (s_phi * z19 - 2.0 * (c_phi * z20)));
+    const double z22 = phi_dot * c_theta * k3;
+    const double z23 = psi_dot * I3;
+    const double z24 = k1 * (c_phi * z18 + phi_dot * (c_phi * z19 + 2.0 * (s_phi * z20)));
+    const double z25 = theta_dot * s_theta * (2.0 * z22 + z23) - z4 * z21 + z6 * z24;
+    const double z26 = (I3 * (theta_dot * z19) - z16 * z25) / z17;
+    const double z27 = z15 * z25 - z16 * z26;
+    const double z28 = (s_theta * (phi_dot * (z22 + z23) - k4) + z21 * z10 + z24 * z12) / z13;
     /* (II.3) */
     dydt[0] = x_dot; /* x' */
     dydt[1] = y_dot; /* y' */
@@ -275,16 +269,16 @@ int smooth_tippe_top_rhs(double t, const double *y, const double *p, double *dyd
     dydt[3] = theta_dot; /* theta' */
     dydt[4] = psi_dot; /* psi' */
     /* (II.3) 24:4 */
-    dydt[5] = k5 * z26 - z4 * z34 + z10 * z33; /* x'' */
-    dydt[6] = -(k5 * z29 + z6 * z34 + z12 * z33); /* y'' */
-    dydt[7] = z34; /* phi'' */
-    dydt[8] = -z33; /* theta'' */
-    dydt[9] = z32; /* psi'' */
+    dydt[5] = k5 * z21 - z4 * z27 + z10 * z28; /* x'' */
+    dydt[6] = -(k5 * z24 + z6 * z27 + z12 * z28); /* y'' */
+    dydt[7] = z27; /* phi'' */
+    dydt[8] = -z28; /* theta'' */
+    dydt[9] = z26; /* psi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(dydt[0] + dydt[1] + dydt[5] + dydt[6] + dydt[8]) <= DBL_MAX
         && fabs(z7) > 1e-14 * z1
-        && fabs(z16) > 1e-14 * k2
-        && fabs(z22) > 1e-14 * I3)) {
+        && fabs(z13) > 1e-14 * k2
+        && fabs(z17) > 1e-14 * I3)) {
         /* the mass matrix is singular */
         if (!(fabs(m) > 0.0)) {
             return SMOOTH_TIPPE_TOP_SINGULAR_2;
@@ -294,11 +288,11 @@ int smooth_tippe_top_rhs(double t, const double *y, const double *p, double *dyd
             return SMOOTH_TIPPE_TOP_SINGULAR_2;
         }
         /* the mass matrix is singular */
-        if (!(fabs(z16) > 1e-14 * k2)) {
+        if (!(fabs(z13) > 1e-14 * k2)) {
             return SMOOTH_TIPPE_TOP_SINGULAR_2;
         }
         /* the mass matrix is singular */
-        if (!(fabs(z22) > 1e-14 * I3)) {
+        if (!(fabs(z17) > 1e-14 * I3)) {
             return SMOOTH_TIPPE_TOP_SINGULAR_2;
         }
         return smooth_tippe_top_finish(10, dydt);
@@ -371,39 +365,33 @@ int smooth_tippe_top_accelerations(double t, const double *y, const double *p, d
     const double z10 = k5 * z9;
     const double z11 = c_phi * z8;
     const double z12 = k5 * z11;
-    const double z13 = z3 * z10 - z5 * z12;
-    const double z14 = 1.0 / z7;
-    const double z15 = z14 * z13;
-    const double z16 = k2 - z9 * z10 - z11 * z12 - z13 * z15;
-    const double z17 = I3 * c_theta;
-    const double z18 = z17 * z14;
-    const double z19 = z18 * z13;
-    const double z20 = 1.0 / z16;
-    const double z21 = z19 * z20;
-    const double z22 = I3 - z17 * z18 - z19 * z21;
-    const double z23 = s_theta * theta_dot * theta_dot;
-    const double z24 = phi_dot * s_theta;
-    const double z25 = theta_dot * c_theta;
-    const double z26 = k1 * (s_phi * z23 + phi_dot * (s_phi * z24 - 2.0 * (c_phi * z25)));
-    const double z27 = phi_dot * c_theta * k3;
-    const double z28 = psi_dot * I3;
-    const double z29 = k1 * (c_phi * z23 + phi_dot * (c_phi * z24 + 2.0 * (s_phi * z25)));
-    const double z30 = theta_dot * s_theta * (2.0 * z27 + z28) - z4 * z26 + z6 * z29;
-    const double z31 = s_theta * (phi_dot * (z27 + z28) - k4) + z26 * z10 + z29 * z12 - z15 * z30;
-    const double z32 = (I3 * (theta_dot * z24) - z18 * z30 + z21 * z31) / z22;
-    const double z33 = z20 * z31 + z21 * z32;
-    const double z34 = z14 * z30 - z15 * z33 - z18 * z32;
+    const double z13 = k2 - z9 * z10 - z11 * z12;
+    const double z14 = I3 * c_theta;
+    const double z15 = 1.0 / z7;
+    const double z16 = z14 * z15;
+    const double z17 = I3 - z14 * z16;
+    const double z18 = s_theta * theta_dot * theta_dot;
+    const double z19 = phi_dot * s_theta;
+    const double z20 = theta_dot * c_theta;
+    const double z21 = k1 * (s_phi * z18 + phi_dot * (s_phi * z19 - 2.0 * (c_phi * z20)));
+    const double z22 = phi_dot * c_theta * k3;
+    const double z23 = psi_dot * I3;
+    const double z24 = k1 * (c_phi * z18 + phi_dot * (c_phi * z19 + 2.0 * (s_phi * z20)));
+    const double z25 = theta_dot * s_theta * (2.0 * z22 + z23) - z4 * z21 + z6 * z24;
+    const double z26 = (I3 * (theta_dot * z19) - z16 * z25) / z17;
+    const double z27 = z15 * z25 - z16 * z26;
+    const double z28 = (s_theta * (phi_dot * (z22 + z23) - k4) + z21 * z10 + z24 * z12) / z13;
     /* (II.3) */
-    qddot[0] = k5 * z26 - z4 * z34 + z10 * z33; /* x'' */
-    qddot[1] = -(k5 * z29 + z6 * z34 + z12 * z33); /* y'' */
-    qddot[2] = z34; /* phi'' */
-    qddot[3] = -z33; /* theta'' */
-    qddot[4] = z32; /* psi'' */
+    qddot[0] = k5 * z21 - z4 * z27 + z10 * z28; /* x'' */
+    qddot[1] = -(k5 * z24 + z6 * z27 + z12 * z28); /* y'' */
+    qddot[2] = z27; /* phi'' */
+    qddot[3] = -z28; /* theta'' */
+    qddot[4] = z26; /* psi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qddot[0] + qddot[1] + qddot[3]) <= DBL_MAX
         && fabs(z7) > 1e-14 * z1
-        && fabs(z16) > 1e-14 * k2
-        && fabs(z22) > 1e-14 * I3)) {
+        && fabs(z13) > 1e-14 * k2
+        && fabs(z17) > 1e-14 * I3)) {
         /* the mass matrix is singular */
         if (!(fabs(m) > 0.0)) {
             return SMOOTH_TIPPE_TOP_SINGULAR_2;
@@ -413,11 +401,11 @@ int smooth_tippe_top_accelerations(double t, const double *y, const double *p, d
             return SMOOTH_TIPPE_TOP_SINGULAR_2;
         }
         /* the mass matrix is singular */
-        if (!(fabs(z16) > 1e-14 * k2)) {
+        if (!(fabs(z13) > 1e-14 * k2)) {
             return SMOOTH_TIPPE_TOP_SINGULAR_2;
         }
         /* the mass matrix is singular */
-        if (!(fabs(z22) > 1e-14 * I3)) {
+        if (!(fabs(z17) > 1e-14 * I3)) {
             return SMOOTH_TIPPE_TOP_SINGULAR_2;
         }
         return smooth_tippe_top_finish(5, qddot);
@@ -498,15 +486,8 @@ int smooth_tippe_top_reactions(double t, const double *y, const double *p, doubl
     const double z5 = z1 - k4 * (z3 * z3) - k4 * (z4 * z4);
     const double z6 = c_theta * k1;
     const double z7 = s_phi * z6;
-    const double z8 = k4 * z7;
-    const double z9 = c_phi * z6;
-    const double z10 = k4 * z9;
-    const double z11 = 1.0 / z5;
-    const double z12 = z3 * z8 - z4 * z10;
-    const double z13 = k2 - z7 * z8 - z9 * z10 - z11 * (z12 * z12);
-    const double z14 = I3 * c_theta;
-    const double z15 = z14 * z11;
-    const double z16 = z12 * z15;
+    const double z8 = c_phi * z6;
+    const double z9 = I3 * c_theta;
     /* the mass matrix is singular */
     if (!(fabs(m) > 0.0)) {
         return SMOOTH_TIPPE_TOP_SINGULAR_2;
@@ -516,11 +497,11 @@ int smooth_tippe_top_reactions(double t, const double *y, const double *p, doubl
         return SMOOTH_TIPPE_TOP_SINGULAR_2;
     }
     /* the mass matrix is singular */
-    if (!(fabs(z13) > 1e-14 * k2)) {
+    if (!(fabs(k2 - k4 * (z7 * z7) - k4 * (z8 * z8)) > 1e-14 * k2)) {
         return SMOOTH_TIPPE_TOP_SINGULAR_2;
     }
     /* the mass matrix is singular */
-    if (!(fabs(I3 - z14 * z15 - z16 * z16 / z13) > 1e-14 * I3)) {
+    if (!(fabs(I3 - z9 * z9 / z5) > 1e-14 * I3)) {
         return SMOOTH_TIPPE_TOP_SINGULAR_2;
     }
     (void)lambda;
@@ -568,9 +549,7 @@ double smooth_tippe_top_energy(double t, const double *y, const double *p)
 SMOOTH_TIPPE_TOP_SLOW
 int smooth_tippe_top_jacobian(double t, const double *y, const double *p, double *J)
 {
-    for (int entry = 0; entry < 100; ++entry) {
-        J[entry] = 0.0;
-    }
+    memset(J, 0, 100 * sizeof *J);
     (void)t;
     const double phi = y[2]; /* precession [rad] */
     const double theta = y[3]; /* nutation [rad] */
@@ -610,125 +589,108 @@ int smooth_tippe_top_jacobian(double t, const double *y, const double *p, double
     const double z11 = c_phi * k1;
     const double z12 = c_theta * z11;
     const double z13 = z12 * k5;
-    const double z14 = z3 * z10 - z5 * z13;
-    const double z15 = 1.0 / z7;
-    const double z16 = z14 * z15;
-    const double z17 = k2 - z9 * z10 - z12 * z13 - z14 * z16;
-    const double z18 = I3 * c_theta;
-    const double z19 = z18 * z15;
-    const double z20 = z14 * z19;
-    const double z21 = 1.0 / z17;
-    const double z22 = z20 * z21;
-    const double z23 = I3 - z18 * z19 - z20 * z22;
-    const double z24 = phi_dot * k1;
-    const double z25 = c_theta * z24;
-    const double z26 = theta_dot * s_theta;
-    const double z27 = phi_dot * c_theta * k3;
-    const double z28 = psi_dot * I3;
-    const double z29 = 2.0 * z27 + z28;
-    const double z30 = phi_dot * s_theta;
-    const double z31 = theta_dot * c_phi;
-    const double z32 = s_phi * z30 - 2.0 * (c_theta * z31);
-    const double z33 = theta_dot * theta_dot;
-    const double z34 = s_theta * z33;
-    const double z35 = k1 * (phi_dot * z32 + s_phi * z34);
-    const double z36 = theta_dot * s_phi;
-    const double z37 = c_phi * z30 + 2.0 * (c_theta * z36);
-    const double z38 = k1 * (phi_dot * z37 + c_phi * z34);
-    const double z39 = z26 * z29 - z35 * z4 + z38 * z6;
-    const double z40 = z27 + z28;
-    const double z41 = phi_dot * z40 - k4;
-    const double z42 = s_theta * z41 + z35 * z10 + z38 * z13 - z16 * z39;
-    const double z43 = 1.0 / z23;
-    const double z44 = I3 * (phi_dot * theta_dot);
-    const double z45 = z43 * (s_theta * z44 - z19 * z39 + z22 * z42);
-    const double z46 = z21 * z42 + z22 * z45;
-    const double z47 = z15 * z39 - z16 * z46 - z19 * z45;
-    const double z48 = 2.0 * (theta_dot * z25) + z2 * z47;
-    const double z49 = k1 * z34 + z30 * z24 + k1 * (c_theta * z46);
-    const double z50 = s_phi * z48 + c_phi * z49;
-    const double z51 = s_phi * z49 - c_phi * z48;
-    const double z52 = z35 * k5 - z4 * z47 + z10 * z46;
-    const double z53 = z38 * k5 + z6 * z47 + z13 * z46;
-    const double z54 = z6 * z51 + (z4 * z50 - (z5 * z52 + z3 * z53));
-    const double z55 = z13 * z51 - (z10 * z50 - (z9 * z53 - z12 * z52)) - z16 * z54;
-    const double z56 = z43 * (z19 * z54 - z22 * z55);
-    const double z57 = z21 * z55 - z22 * z56;
-    const double z58 = z15 * z54 - z16 * z57 + z19 * z56;
-    const double z59 = s_phi * z24;
-    const double z60 = s_theta * (2.0 * (z31 * z24) - z8 * z46) + c_theta * (phi_dot * z59 + (z33 * z8 - z11
-        * z47));
-    const double z61 = z26 * k3;
-    const double z62 = c_theta * (theta_dot * z29 + (k1 * (s_phi * z53 - c_phi * z52) + 2.0 * (k3 * (s_theta
-        * z47))));
-    const double z63 = c_phi * z24;
-    const double z64 = s_theta * (2.0 * (z36 * z24) + z11 * z46) - c_theta * (phi_dot * z63 + (z33 * z11 + z8
-        * z47));
-    const double z65 = s_theta * (2.0 * (phi_dot * z61) - I3 * z45) - z62 + z4 * z60 + z6 * z64;
-    const double z66 = z30 * k3;
-    const double z67 = c_theta * z41 - s_theta * (phi_dot * z66 + (z11 * z53 + z8 * z52)) + z10 * z60 - z13 *
-        z64;
-    const double z68 = z67 + z16 * z65;
-    const double z69 = I3 * s_theta;
-    const double z70 = z43 * (c_theta * z44 + z69 * z47 + z19 * z65 + z22 * z68);
-    const double z71 = z21 * z68 + z22 * z70;
-    const double z72 = z15 * z65 + z16 * z71 + z19 * z70;
-    const double z73 = k1 * z32 + s_theta * z59;
-    const double z74 = k1 * z37 + s_theta * z63;
-    const double z75 = 2.0 * (c_theta * z61) - z4 * z73 + z6 * z74;
-    const double z76 = s_theta * z40 + c_theta * z66 + z10 * z73 + z13 * z74 - z16 * z75;
-    const double z77 = z43 * (theta_dot * z69 - z19 * z75 + z22 * z76);
-    const double z78 = z21 * z76 + z22 * z77;
-    const double z79 = z15 * z75 - z16 * z78 - z19 * z77;
-    const double z80 = c_phi * z25 - z26 * z8;
-    const double z81 = s_phi * z25 + z26 * z11;
-    const double z82 = s_theta * z29 + 2.0 * (z4 * z80) + 2.0 * (z6 * z81);
-    const double z83 = 2.0 * (z10 * z80 - z13 * z81) + z16 * z82;
-    const double z84 = z43 * (phi_dot * z69 - z19 * z82 - z22 * z83);
-    const double z85 = z21 * z83 - z22 * z84;
-    const double z86 = z15 * z82 + z16 * z85 - z19 * z84;
-    const double z87 = I3 * z26;
-    const double z88 = I3 * z30 - z16 * z87;
-    const double z89 = z43 * (z19 * z87 - z22 * z88);
-    const double z90 = z21 * z88 - z22 * z89;
-    const double z91 = z15 * z87 - z16 * z90 + z19 * z89;
+    const double z14 = k2 - z9 * z10 - z12 * z13;
+    const double z15 = I3 * c_theta;
+    const double z16 = 1.0 / z7;
+    const double z17 = z15 * z16;
+    const double z18 = I3 - z15 * z17;
+    const double z19 = phi_dot * k1;
+    const double z20 = c_theta * z19;
+    const double z21 = phi_dot * s_theta;
+    const double z22 = theta_dot * s_phi;
+    const double z23 = c_phi * z21 + 2.0 * (c_theta * z22);
+    const double z24 = theta_dot * theta_dot;
+    const double z25 = s_theta * z24;
+    const double z26 = k1 * (phi_dot * z23 + c_phi * z25);
+    const double z27 = theta_dot * c_phi;
+    const double z28 = s_phi * z21 - 2.0 * (c_theta * z27);
+    const double z29 = k1 * (phi_dot * z28 + s_phi * z25);
+    const double z30 = theta_dot * s_theta;
+    const double z31 = psi_dot * I3;
+    const double z32 = phi_dot * k3;
+    const double z33 = c_theta * z32;
+    const double z34 = z31 + 2.0 * z33;
+    const double z35 = z26 * z6 - (z29 * z4 - z30 * z34);
+    const double z36 = 1.0 / z18;
+    const double z37 = I3 * (phi_dot * theta_dot);
+    const double z38 = z36 * (s_theta * z37 - z17 * z35);
+    const double z39 = z16 * z35 - z17 * z38;
+    const double z40 = 2.0 * (theta_dot * z20) + z2 * z39;
+    const double z41 = 1.0 / z14;
+    const double z42 = k4 - phi_dot * (z31 + z33);
+    const double z43 = z41 * (z26 * z13 + (z29 * z10 - s_theta * z42));
+    const double z44 = k1 * z25 + z21 * z19 + k1 * (c_theta * z43);
+    const double z45 = k5 * (s_phi * z40 + c_phi * z44);
+    const double z46 = s_phi * z19;
+    const double z47 = s_theta * (2.0 * (z27 * z19) - z8 * z43) + c_theta * (phi_dot * z46 + (z24 * z8 - z11
+        * z39));
+    const double z48 = z30 * k3;
+    const double z49 = k5 * (s_phi * z44 - c_phi * z40);
+    const double z50 = s_theta * z39;
+    const double z51 = s_theta * (2.0 * (phi_dot * z48) - I3 * z38) - c_theta * (theta_dot * z34 + (k1 *
+        (s_phi * z45 - c_phi * z49) + 2.0 * (k3 * z50)));
+    const double z52 = c_phi * z19;
+    const double z53 = s_theta * (2.0 * (z22 * z19) + z11 * z43) - c_theta * (phi_dot * z52 + (z24 * z11 + z8
+        * z39));
+    const double z54 = z51 + z4 * z47 + z6 * z53;
+    const double z55 = z36 * (c_theta * z37 + I3 * z50 + z17 * z54);
+    const double z56 = z16 * z54 + z17 * z55;
+    const double z57 = c_theta * z42 + s_theta * (z21 * z32 + (z11 * z45 + z8 * z49)) - z10 * z47 + z13 * z53;
+    const double z58 = z41 * z57;
+    const double z59 = k1 * z28 + s_theta * z46;
+    const double z60 = k1 * z23 + s_theta * z52;
+    const double z61 = 2.0 * (c_theta * z48) - z4 * z59 + z6 * z60;
+    const double z62 = I3 * z30;
+    const double z63 = z36 * (z62 - z17 * z61);
+    const double z64 = z16 * z61 - z17 * z63;
+    const double z65 = z13 * z60 + (z10 * z59 + s_theta * z34);
+    const double z66 = z41 * z65;
+    const double z67 = c_phi * z20 - theta_dot * z5;
+    const double z68 = s_phi * z20 + theta_dot * z3;
+    const double z69 = z41 * (z10 * z67 - z13 * z68);
+    const double z70 = I3 * z21;
+    const double z71 = z36 * (z70 - z17 * z65);
+    const double z72 = z16 * z65 - z17 * z71;
+    const double z73 = z41 * z70;
+    const double z74 = z62 * (z17 * z36);
+    const double z75 = z16 * z62 + z17 * z74;
     /* (II.3) */
     J[5] = 1.0;
     J[16] = 1.0;
     J[27] = 1.0;
     J[38] = 1.0;
     J[49] = 1.0;
-    J[52] = k5 * z50 + z4 * z58 - z10 * z57;
-    J[53] = k5 * z60 + z4 * z72 + z10 * z71;
-    J[57] = k5 * z73 - z4 * z79 + z10 * z78;
-    J[58] = -(2.0 * (k5 * z80) + z4 * z86 + z10 * z85);
-    J[59] = z10 * z90 - z4 * z91;
-    J[62] = k5 * z51 + z6 * z58 + z13 * z57;
-    J[63] = k5 * z64 + z6 * z72 - z13 * z71;
-    J[67] = -(k5 * z74 + z6 * z79 + z13 * z78);
-    J[68] = z13 * z85 - (2.0 * (k5 * z81) + z6 * z86);
-    J[69] = -(z6 * z91 + z13 * z90);
-    J[72] = -z58;
-    J[73] = -z72;
-    J[77] = z79;
-    J[78] = z86;
-    J[79] = z91;
-    J[82] = z57;
-    J[83] = -z71;
-    J[87] = -z78;
-    J[88] = z85;
-    J[89] = -z90;
-    J[92] = z56;
-    J[93] = z70;
-    J[97] = z77;
-    J[98] = z84;
-    J[99] = -z89;
+    J[52] = z45;
+    J[53] = k5 * z47 + z4 * z56 - z10 * z58;
+    J[57] = k5 * z59 - z4 * z64 + z10 * z66;
+    J[58] = -(2.0 * (z10 * z69) + (2.0 * (k5 * z67) + z4 * z72));
+    J[59] = z10 * z73 - z4 * z75;
+    J[62] = z49;
+    J[63] = k5 * z53 + z6 * z56 + z13 * z58;
+    J[67] = -(k5 * z60 + z6 * z64 + z13 * z66);
+    J[68] = 2.0 * (z13 * z69) - (2.0 * (k5 * z68) + z6 * z72);
+    J[69] = -(z13 * z73 + z6 * z75);
+    J[72] = 0.0;
+    J[73] = -z56;
+    J[77] = z64;
+    J[78] = z72;
+    J[79] = z75;
+    J[82] = 0.0;
+    J[83] = z58;
+    J[87] = -z66;
+    J[88] = 2.0 * z69;
+    J[89] = -z73;
+    J[92] = 0.0;
+    J[93] = z55;
+    J[97] = z63;
+    J[98] = z71;
+    J[99] = -z74;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(J[52] + J[53] + J[57] + J[58] + J[59] + J[62] + J[63] + J[67] + J[68] + J[69] + J[72] + J[73]
-        + J[83] + J[87] + J[89] + J[99]) <= DBL_MAX
+    if (!(fabs(J[53] + J[57] + J[58] + J[59] + J[63] + J[67] + J[68] + J[69] + J[73] + J[87] + J[88] + J[89]
+        + J[99]) <= DBL_MAX
         && fabs(z7) > 1e-14 * z1
-        && fabs(z17) > 1e-14 * k2
-        && fabs(z23) > 1e-14 * I3)) {
+        && fabs(z14) > 1e-14 * k2
+        && fabs(z18) > 1e-14 * I3)) {
         /* the mass matrix is singular */
         if (!(fabs(m) > 0.0)) {
             return SMOOTH_TIPPE_TOP_SINGULAR_2;
@@ -738,11 +700,11 @@ int smooth_tippe_top_jacobian(double t, const double *y, const double *p, double
             return SMOOTH_TIPPE_TOP_SINGULAR_2;
         }
         /* the mass matrix is singular */
-        if (!(fabs(z17) > 1e-14 * k2)) {
+        if (!(fabs(z14) > 1e-14 * k2)) {
             return SMOOTH_TIPPE_TOP_SINGULAR_2;
         }
         /* the mass matrix is singular */
-        if (!(fabs(z23) > 1e-14 * I3)) {
+        if (!(fabs(z18) > 1e-14 * I3)) {
             return SMOOTH_TIPPE_TOP_SINGULAR_2;
         }
         return smooth_tippe_top_finish(100, J);
@@ -837,35 +799,28 @@ static __attribute__((noinline)) void smooth_tippe_top_rhs_lanes(const double *f
     const smooth_tippe_top_lanes z10 = k5 * z9;
     const smooth_tippe_top_lanes z11 = c_phi * z8;
     const smooth_tippe_top_lanes z12 = k5 * z11;
-    const smooth_tippe_top_lanes z13 = z3 * z10 - z5 * z12;
-    const smooth_tippe_top_lanes z14 = 1.0 / z7;
-    const smooth_tippe_top_lanes z15 = z14 * z13;
-    const smooth_tippe_top_lanes z16 = k2 - z9 * z10 - z11 * z12 - z13 * z15;
+    const smooth_tippe_top_lanes z13 = k2 - z9 * z10 - z11 * z12;
     /* the mass matrix is singular */
-    bad |= smooth_tippe_top_misses(smooth_tippe_top_size(SMOOTH_TIPPE_TOP_SPREAD(z16)),
+    bad |= smooth_tippe_top_misses(smooth_tippe_top_size(SMOOTH_TIPPE_TOP_SPREAD(z13)),
         SMOOTH_TIPPE_TOP_SPREAD(1e-14 * k2));
-    const smooth_tippe_top_lanes z17 = I3 * c_theta;
-    const smooth_tippe_top_lanes z18 = z17 * z14;
-    const smooth_tippe_top_lanes z19 = z18 * z13;
-    const smooth_tippe_top_lanes z20 = 1.0 / z16;
-    const smooth_tippe_top_lanes z21 = z19 * z20;
-    const smooth_tippe_top_lanes z22 = I3 - z17 * z18 - z19 * z21;
+    const smooth_tippe_top_lanes z14 = I3 * c_theta;
+    const smooth_tippe_top_lanes z15 = 1.0 / z7;
+    const smooth_tippe_top_lanes z16 = z14 * z15;
+    const smooth_tippe_top_lanes z17 = I3 - z14 * z16;
     /* the mass matrix is singular */
-    bad |= smooth_tippe_top_misses(smooth_tippe_top_size(SMOOTH_TIPPE_TOP_SPREAD(z22)),
+    bad |= smooth_tippe_top_misses(smooth_tippe_top_size(SMOOTH_TIPPE_TOP_SPREAD(z17)),
         SMOOTH_TIPPE_TOP_SPREAD(1e-14 * I3));
-    const smooth_tippe_top_lanes z23 = s_theta * theta_dot * theta_dot;
-    const smooth_tippe_top_lanes z24 = phi_dot * s_theta;
-    const smooth_tippe_top_lanes z25 = theta_dot * c_theta;
-    const smooth_tippe_top_lanes z26 = k1 * (s_phi * z23 + phi_dot * (s_phi * z24 - 2.0 * (c_phi * z25)));
-    const smooth_tippe_top_lanes z27 = phi_dot * c_theta * k3;
-    const smooth_tippe_top_lanes z28 = psi_dot * I3;
-    const smooth_tippe_top_lanes z29 = k1 * (c_phi * z23 + phi_dot * (c_phi * z24 + 2.0 * (s_phi * z25)));
-    const smooth_tippe_top_lanes z30 = theta_dot * s_theta * (2.0 * z27 + z28) - z4 * z26 + z6 * z29;
-    const smooth_tippe_top_lanes z31 = s_theta * (phi_dot * (z27 + z28) - k4) + z26 * z10 + z29 * z12 - z15 *
-        z30;
-    const smooth_tippe_top_lanes z32 = (I3 * (theta_dot * z24) - z18 * z30 + z21 * z31) / z22;
-    const smooth_tippe_top_lanes z33 = z20 * z31 + z21 * z32;
-    const smooth_tippe_top_lanes z34 = z14 * z30 - z15 * z33 - z18 * z32;
+    const smooth_tippe_top_lanes z18 = s_theta * theta_dot * theta_dot;
+    const smooth_tippe_top_lanes z19 = phi_dot * s_theta;
+    const smooth_tippe_top_lanes z20 = theta_dot * c_theta;
+    const smooth_tippe_top_lanes z21 = k1 * (s_phi * z18 + phi_dot * (s_phi * z19 - 2.0 * (c_phi * z20)));
+    const smooth_tippe_top_lanes z22 = phi_dot * c_theta * k3;
+    const smooth_tippe_top_lanes z23 = psi_dot * I3;
+    const smooth_tippe_top_lanes z24 = k1 * (c_phi * z18 + phi_dot * (c_phi * z19 + 2.0 * (s_phi * z20)));
+    const smooth_tippe_top_lanes z25 = theta_dot * s_theta * (2.0 * z22 + z23) - z4 * z21 + z6 * z24;
+    const smooth_tippe_top_lanes z26 = (I3 * (theta_dot * z19) - z16 * z25) / z17;
+    const smooth_tippe_top_lanes z27 = z15 * z25 - z16 * z26;
+    const smooth_tippe_top_lanes z28 = (s_theta * (phi_dot * (z22 + z23) - k4) + z21 * z10 + z24 * z12) / z13;
     /* (II.3) */
     const smooth_tippe_top_lanes slope1 = x_dot;
     sum += slope1;
@@ -880,18 +835,18 @@ static __attribute__((noinline)) void smooth_tippe_top_rhs_lanes(const double *f
     const smooth_tippe_top_lanes slope5 = psi_dot;
     smooth_tippe_top_put(dydt + 4 * stride, slope5);
     /* (II.3) 24:4 */
-    const smooth_tippe_top_lanes slope6 = k5 * z26 - z4 * z34 + z10 * z33;
+    const smooth_tippe_top_lanes slope6 = k5 * z21 - z4 * z27 + z10 * z28;
     sum += slope6;
     smooth_tippe_top_put(dydt + 5 * stride, slope6);
-    const smooth_tippe_top_lanes slope7 = -(k5 * z29 + z6 * z34 + z12 * z33);
+    const smooth_tippe_top_lanes slope7 = -(k5 * z24 + z6 * z27 + z12 * z28);
     sum += slope7;
     smooth_tippe_top_put(dydt + 6 * stride, slope7);
-    const smooth_tippe_top_lanes slope8 = z34;
+    const smooth_tippe_top_lanes slope8 = z27;
     smooth_tippe_top_put(dydt + 7 * stride, slope8);
-    const smooth_tippe_top_lanes slope9 = -z33;
+    const smooth_tippe_top_lanes slope9 = -z28;
     sum += slope9;
     smooth_tippe_top_put(dydt + 8 * stride, slope9);
-    const smooth_tippe_top_lanes slope10 = z32;
+    const smooth_tippe_top_lanes slope10 = z26;
     smooth_tippe_top_put(dydt + 9 * stride, slope10);
     smooth_tippe_top_put(check, smooth_tippe_top_mark(far + (sum - sum), bad));
 }

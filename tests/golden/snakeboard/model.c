@@ -1,5 +1,5 @@
 /*
- * snakeboard.c: snakeboard, emitted by nhc 0.1.0 (nhc:dfcf44f9e1fd8e27)
+ * snakeboard.c: snakeboard, emitted by nhc 0.1.0 (nhc:497c3afbc4917c5b)
  * A board on two steerable axles and a rotor; it moves by turning the rotor and the axles to and fro.
  * Source: snakeboard.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -219,15 +219,15 @@ int snakeboard_rhs(double t, const double *y, const double *p, double *dydt)
 
     /* sines and cosines */
     const double z8 = theta + p_b;
-    const double z25 = t * nu;
+    const double z24 = t * nu;
     const double s_p_b = sin(p_b);
     const double c_p_b = cos(p_b);
     const double s_p_f = sin(p_f);
     const double c_p_f = cos(p_f);
     const double s1 = sin(z8);
     const double c1 = cos(z8);
-    const double s2 = sin(z25);
-    const double c2 = cos(z25);
+    const double s2 = sin(z24);
+    const double c2 = cos(z24);
     const double v = y[6];
     const double psi_dot = y[7];
     const double p_b_dot = y[8];
@@ -263,61 +263,60 @@ int snakeboard_rhs(double t, const double *y, const double *p, double *dydt)
     const double z12 = c_p_b * z10 - s_p_b * z9;
     const double z13 = s1 * z11 - c1 * z12;
     const double z14 = z7 * z13;
-    const double z15 = J * z14 * z14;
-    const double z16 = l * c_p_f;
-    const double z17 = l * c_p_b;
-    const double z18 = s1 * z16 + z17 * z12;
-    const double z19 = z7 * z18;
-    const double z20 = c1 * z16 + z17 * z11;
-    const double z21 = z7 * z20;
-    const double z22 = z15 + m * (z7 * (z18 * z19 + z20 * z21));
-    const double z23 = v * z7;
-    const double z24 = z13 * z23;
-    const double z26 = p_b_dot * c_p_b;
-    const double z27 = p_f_dot * c_p_f;
-    const double z28 = s_p_f * z27;
-    const double z29 = k1 * z28;
-    const double z30 = p_b_dot * s_p_b;
-    const double z31 = p_f_dot * s_p_f;
-    const double z32 = z3 * z26 - 4.0 * (s_p_b * (z28 - z29)) - 2.0 * (k2 * (z4 * z27 - s_p_f * (c_p_f * z30
-        + c_p_b * z31)));
-    const double z33 = z7 * z7 * (z5 * z26 + s_p_b * z32 + (2.0 * z28 - 6.0 * z29));
-    const double z34 = p_b_dot - z24;
-    const double z35 = c1 * z34;
-    const double z36 = p_f_dot - z24;
-    const double z37 = z12 * z36;
-    const double z38 = s1 * z34;
-    const double z39 = z11 * z36;
-    const double z40 = v * (z33 * z13 - z7 * (z11 * z35 - s1 * z37 + (z12 * z38 - c1 * z39)));
-    const double z41 = J_r * z40;
-    const double z42 = tau * s2 - z41;
-    const double z43 = sigma * c2;
-    const double z44 = J_w * z40;
-    const double z45 = z43 - z44;
-    const double z46 = z43 + z44;
-    const double z47 = l * z31;
-    const double z48 = l * z30;
-    const double z49 = m * v;
-    const double z50 = (z33 * z18 + z7 * (s1 * z47 - z16 * z35 + (z48 * z12 - z17 * z39))) * (z19 * z49);
-    const double z51 = (z33 * z20 + z7 * (c1 * z47 + z16 * z38 + (z48 * z11 + z17 * z37))) * (z21 * z49);
-    const double z52 = (z14 * (z42 + (z41 + (z45 + (z44 - (z46 - k7 * z40))))) + z50 + z51) / z22;
-    const double z53 = z14 * z52;
+    const double z15 = l * c_p_f;
+    const double z16 = l * c_p_b;
+    const double z17 = s1 * z15 + z16 * z12;
+    const double z18 = z7 * z17;
+    const double z19 = c1 * z15 + z16 * z11;
+    const double z20 = z7 * z19;
+    const double z21 = J * (z14 * z14) + m * (z7 * (z17 * z18 + z19 * z20));
+    const double z22 = v * z7;
+    const double z23 = z13 * z22;
+    const double z25 = p_b_dot * c_p_b;
+    const double z26 = p_f_dot * c_p_f;
+    const double z27 = s_p_f * z26;
+    const double z28 = k1 * z27;
+    const double z29 = p_b_dot * s_p_b;
+    const double z30 = p_f_dot * s_p_f;
+    const double z31 = z3 * z25 - 4.0 * (s_p_b * (z27 - z28)) - 2.0 * (k2 * (z4 * z26 - s_p_f * (c_p_f * z29
+        + c_p_b * z30)));
+    const double z32 = z7 * z7 * (z5 * z25 + s_p_b * z31 + (2.0 * z27 - 6.0 * z28));
+    const double z33 = p_b_dot - z23;
+    const double z34 = c1 * z33;
+    const double z35 = p_f_dot - z23;
+    const double z36 = z12 * z35;
+    const double z37 = s1 * z33;
+    const double z38 = z11 * z35;
+    const double z39 = v * (z32 * z13 - z7 * (z11 * z34 - s1 * z36 + (z12 * z37 - c1 * z38)));
+    const double z40 = J_r * z39;
+    const double z41 = tau * s2 - z40;
+    const double z42 = sigma * c2;
+    const double z43 = J_w * z39;
+    const double z44 = z42 - z43;
+    const double z45 = z42 + z43;
+    const double z46 = l * z30;
+    const double z47 = l * z29;
+    const double z48 = m * v;
+    const double z49 = (z32 * z17 + z7 * (s1 * z46 - z15 * z34 + (z47 * z12 - z16 * z38))) * (z18 * z48);
+    const double z50 = (z32 * z19 + z7 * (c1 * z46 + z15 * z37 + (z47 * z11 + z16 * z36))) * (z20 * z48);
+    const double z51 = (z14 * (z41 + (z40 + (z44 + (z43 - (z45 - k7 * z39))))) + z49 + z50) / z21;
+    const double z52 = z14 * z51;
     /* (I.2.15) */
-    dydt[0] = z20 * z23; /* x' */
-    dydt[1] = z18 * z23; /* y' */
-    dydt[2] = -z24; /* theta' */
+    dydt[0] = z19 * z22; /* x' */
+    dydt[1] = z17 * z22; /* y' */
+    dydt[2] = -z23; /* theta' */
     dydt[3] = psi_dot; /* psi' */
     dydt[4] = p_b_dot; /* p_b' */
     dydt[5] = p_f_dot; /* p_f' */
     /* (I.2.15) 22:4 */
-    dydt[6] = z52; /* v' */
-    dydt[7] = z53 + k5 * z42; /* psi'' */
-    dydt[8] = z53 + k6 * z45; /* p_b'' */
-    dydt[9] = z53 - k6 * z46; /* p_f'' */
+    dydt[6] = z51; /* v' */
+    dydt[7] = k5 * z41 + z52; /* psi'' */
+    dydt[8] = k6 * z44 + z52; /* p_b'' */
+    dydt[9] = z52 - k6 * z45; /* p_f'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(dydt[0] + dydt[1] + dydt[3] + dydt[7] + dydt[8] + dydt[9]) <= DBL_MAX
         && fabs(z6) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4))
-        && fabs(z22) > 1e-14 * (z15 + m * (z19 * z19) + m * (z21 * z21)))) {
+        && fabs(z21) > 1e-14 * z21)) {
         /* the coframe is singular */
         if (!(fabs(z6) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)))) {
             return SNAKEBOARD_SINGULAR_1;
@@ -331,7 +330,7 @@ int snakeboard_rhs(double t, const double *y, const double *p, double *dydt)
             return SNAKEBOARD_SINGULAR_2;
         }
         /* the mass matrix is singular */
-        if (!(fabs(z22) > 1e-14 * (z15 + m * (z19 * z19) + m * (z21 * z21)))) {
+        if (!(fabs(z21) > 1e-14 * z21)) {
             return SNAKEBOARD_SINGULAR_2;
         }
         return snakeboard_finish(10, dydt);
@@ -407,15 +406,15 @@ int snakeboard_accelerations(double t, const double *y, const double *p, double 
 
     /* sines and cosines */
     const double z8 = theta + p_b;
-    const double z41 = t * nu;
+    const double z40 = t * nu;
     const double s_p_b = sin(p_b);
     const double c_p_b = cos(p_b);
     const double s_p_f = sin(p_f);
     const double c_p_f = cos(p_f);
     const double s1 = sin(z8);
     const double c1 = cos(z8);
-    const double s2 = sin(z41);
-    const double c2 = cos(z41);
+    const double s2 = sin(z40);
+    const double c2 = cos(z40);
     const double v = y[6];
     const double p_b_dot = y[8];
     const double p_f_dot = y[9];
@@ -450,60 +449,59 @@ int snakeboard_accelerations(double t, const double *y, const double *p, double 
     const double z12 = c_p_b * z10 - s_p_b * z9;
     const double z13 = s1 * z11 - c1 * z12;
     const double z14 = z7 * z13;
-    const double z15 = J * z14 * z14;
-    const double z16 = l * c_p_f;
-    const double z17 = l * c_p_b;
-    const double z18 = s1 * z16 + z17 * z12;
-    const double z19 = z7 * z18;
-    const double z20 = c1 * z16 + z17 * z11;
-    const double z21 = z7 * z20;
-    const double z22 = z15 + m * (z7 * (z18 * z19 + z20 * z21));
-    const double z23 = p_b_dot * c_p_b;
-    const double z24 = p_f_dot * c_p_f;
-    const double z25 = s_p_f * z24;
-    const double z26 = k1 * z25;
-    const double z27 = p_b_dot * s_p_b;
-    const double z28 = p_f_dot * s_p_f;
-    const double z29 = z3 * z23 - 4.0 * (s_p_b * (z25 - z26)) - 2.0 * (k2 * (z4 * z24 - s_p_f * (c_p_f * z27
-        + c_p_b * z28)));
-    const double z30 = z7 * z7 * (z5 * z23 + s_p_b * z29 + (2.0 * z25 - 6.0 * z26));
-    const double z31 = v * z30;
-    const double z32 = l * z28;
-    const double z33 = v * z13;
-    const double z34 = z7 * z33;
-    const double z35 = p_b_dot - z34;
-    const double z36 = s1 * z35;
-    const double z37 = l * z27;
-    const double z38 = p_f_dot - z34;
-    const double z39 = z12 * z38;
-    const double z40 = c1 * z32 + z16 * z36 + (z37 * z11 + z17 * z39);
-    const double z42 = c1 * z35;
-    const double z43 = z11 * z38;
-    const double z44 = z11 * z42 - s1 * z39 + (z12 * z36 - c1 * z43);
-    const double z45 = v * (z7 * z44 - z30 * z13);
-    const double z46 = J_r * z45;
-    const double z47 = tau * s2 + z46;
-    const double z48 = sigma * c2;
-    const double z49 = J_w * z45;
-    const double z50 = z48 + z49;
-    const double z51 = z48 - z49;
-    const double z52 = s1 * z32 - z16 * z42 + (z37 * z12 - z17 * z43);
-    const double z53 = m * v;
-    const double z54 = z14 * (z47 - (z46 - (z50 - (z49 + (z51 + k7 * z45))))) + (z7 * z52 + z30 * z18) * (z19
-        * z53);
-    const double z55 = (z54 + (z7 * z40 + z30 * z20) * (z21 * z53)) / z22;
-    const double z56 = z14 * z55;
+    const double z15 = l * c_p_f;
+    const double z16 = l * c_p_b;
+    const double z17 = s1 * z15 + z16 * z12;
+    const double z18 = z7 * z17;
+    const double z19 = c1 * z15 + z16 * z11;
+    const double z20 = z7 * z19;
+    const double z21 = J * (z14 * z14) + m * (z7 * (z17 * z18 + z19 * z20));
+    const double z22 = p_b_dot * c_p_b;
+    const double z23 = p_f_dot * c_p_f;
+    const double z24 = s_p_f * z23;
+    const double z25 = k1 * z24;
+    const double z26 = p_b_dot * s_p_b;
+    const double z27 = p_f_dot * s_p_f;
+    const double z28 = z3 * z22 - 4.0 * (s_p_b * (z24 - z25)) - 2.0 * (k2 * (z4 * z23 - s_p_f * (c_p_f * z26
+        + c_p_b * z27)));
+    const double z29 = z7 * z7 * (z5 * z22 + s_p_b * z28 + (2.0 * z24 - 6.0 * z25));
+    const double z30 = v * z29;
+    const double z31 = l * z27;
+    const double z32 = v * z13;
+    const double z33 = z7 * z32;
+    const double z34 = p_b_dot - z33;
+    const double z35 = s1 * z34;
+    const double z36 = l * z26;
+    const double z37 = p_f_dot - z33;
+    const double z38 = z12 * z37;
+    const double z39 = c1 * z31 + z15 * z35 + (z36 * z11 + z16 * z38);
+    const double z41 = c1 * z34;
+    const double z42 = z11 * z37;
+    const double z43 = z11 * z41 - s1 * z38 + (z12 * z35 - c1 * z42);
+    const double z44 = v * (z7 * z43 - z29 * z13);
+    const double z45 = J_r * z44;
+    const double z46 = tau * s2 + z45;
+    const double z47 = sigma * c2;
+    const double z48 = J_w * z44;
+    const double z49 = z47 + z48;
+    const double z50 = z47 - z48;
+    const double z51 = s1 * z31 - z15 * z41 + (z36 * z12 - z16 * z42);
+    const double z52 = m * v;
+    const double z53 = z14 * (z46 - (z45 - (z49 - (z48 + (z50 + k7 * z44))))) + (z7 * z51 + z29 * z17) * (z18
+        * z52);
+    const double z54 = (z53 + (z7 * z39 + z29 * z19) * (z20 * z52)) / z21;
+    const double z55 = z14 * z54;
     /* (I.2.15) */
-    qddot[0] = -(z20 * z31 + z7 * (v * z40 - z20 * z55)); /* x'' */
-    qddot[1] = -(z18 * z31 + z7 * (v * z52 - z18 * z55)); /* y'' */
-    qddot[2] = z30 * z33 - z7 * (v * z44 + z13 * z55); /* theta'' */
-    qddot[3] = k5 * z47 + z56; /* psi'' */
-    qddot[4] = k6 * z50 + z56; /* p_b'' */
-    qddot[5] = z56 - k6 * z51; /* p_f'' */
+    qddot[0] = -(z19 * z30 + z7 * (v * z39 - z19 * z54)); /* x'' */
+    qddot[1] = -(z17 * z30 + z7 * (v * z51 - z17 * z54)); /* y'' */
+    qddot[2] = z29 * z32 - z7 * (v * z43 + z13 * z54); /* theta'' */
+    qddot[3] = k5 * z46 + z55; /* psi'' */
+    qddot[4] = k6 * z49 + z55; /* p_b'' */
+    qddot[5] = z55 - k6 * z50; /* p_f'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qddot[0] + qddot[1] + qddot[2] + qddot[3] + qddot[4] + qddot[5]) <= DBL_MAX
         && fabs(z6) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4))
-        && fabs(z22) > 1e-14 * (z15 + m * (z19 * z19) + m * (z21 * z21)))) {
+        && fabs(z21) > 1e-14 * z21)) {
         /* the coframe is singular */
         if (!(fabs(z6) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)))) {
             return SNAKEBOARD_SINGULAR_1;
@@ -517,7 +515,7 @@ int snakeboard_accelerations(double t, const double *y, const double *p, double 
             return SNAKEBOARD_SINGULAR_2;
         }
         /* the mass matrix is singular */
-        if (!(fabs(z22) > 1e-14 * (z15 + m * (z19 * z19) + m * (z21 * z21)))) {
+        if (!(fabs(z21) > 1e-14 * z21)) {
             return SNAKEBOARD_SINGULAR_2;
         }
         return snakeboard_finish(6, qddot);
@@ -618,16 +616,16 @@ int snakeboard_reactions(double t, const double *y, const double *p, double *lam
     const double nu = p[7]; /* frequency of the torques [rad/s] */
 
     /* sines and cosines */
-    const double z8 = theta + p_b;
-    const double z59 = t * nu;
+    const double z10 = theta + p_b;
+    const double z50 = t * nu;
     const double s_p_b = sin(p_b);
     const double c_p_b = cos(p_b);
     const double s_p_f = sin(p_f);
     const double c_p_f = cos(p_f);
-    const double s1 = sin(z8);
-    const double c1 = cos(z8);
-    const double c2 = cos(z59);
-    const double s2 = sin(z59);
+    const double s1 = sin(z10);
+    const double c1 = cos(z10);
+    const double s2 = sin(z50);
+    const double c2 = cos(z50);
     const double v = y[6];
     const double p_b_dot = y[8];
     const double p_f_dot = y[9];
@@ -647,6 +645,7 @@ int snakeboard_reactions(double t, const double *y, const double *p, double *lam
     const double k5 = 1.0 / J_r;
     const double k6 = 1.0 / J_w;
     const double k7 = J + J_w;
+    const double k8 = J_r - (m - J);
 
     /* state */
     const double z1 = s_p_f * s_p_f;
@@ -655,94 +654,78 @@ int snakeboard_reactions(double t, const double *y, const double *p, double *lam
     const double z4 = c_p_b * c_p_f;
     const double z5 = s_p_b * z3 - 2.0 * (s_p_f * z4 * k2);
     const double z6 = s_p_b * z5 + (z1 + k1 * (4.0 - 3.0 * z1));
-    const double z7 = 1.0 / z6;
-    const double z9 = c1 * c_p_f;
-    const double z10 = z9 - s1 * s_p_f;
+    const double z7 = c_p_b * s_p_f - c_p_f * s_p_b;
+    const double z8 = 1.0 / z6;
+    const double z9 = z7 * z8;
     const double z11 = s1 * c_p_f;
     const double z12 = z11 + c1 * s_p_f;
-    const double z13 = c_p_b * z10 + s_p_b * z12;
-    const double z14 = c_p_b * z12 - s_p_b * z10;
-    const double z15 = s1 * z13 - c1 * z14;
-    const double z16 = z7 * z15;
-    const double z17 = J * z16 * z16;
-    const double z18 = l * c_p_f;
-    const double z19 = l * c_p_b;
-    const double z20 = s1 * z18 + z19 * z14;
-    const double z21 = z7 * z20;
-    const double z22 = c1 * z18 + z19 * z13;
-    const double z23 = z7 * z22;
-    const double z24 = z17 + m * (z7 * (z20 * z21 + z22 * z23));
-    const double z25 = l * (z11 + c_p_b * z14);
-    const double z26 = c_p_b * s_p_f - c_p_f * s_p_b;
-    const double z27 = z7 * (z18 * z25 - z26 * z13);
-    const double z28 = p_b_dot * c_p_b;
-    const double z29 = p_f_dot * c_p_f;
-    const double z30 = s_p_f * z29;
-    const double z31 = k1 * z30;
-    const double z32 = p_b_dot * s_p_b;
-    const double z33 = p_f_dot * s_p_f;
-    const double z34 = z3 * z28 - 4.0 * (s_p_b * (z30 - z31)) - 2.0 * (k2 * (z4 * z29 - s_p_f * (c_p_f * z32
-        + c_p_b * z33)));
-    const double z35 = z7 * z7 * (z5 * z28 + s_p_b * z34 + (2.0 * z30 - 6.0 * z31));
-    const double z36 = v * z35;
-    const double z37 = l * z33;
-    const double z38 = v * z15;
-    const double z39 = z7 * z38;
-    const double z40 = p_b_dot - z39;
-    const double z41 = s1 * z40;
-    const double z42 = l * z32;
-    const double z43 = p_f_dot - z39;
-    const double z44 = z14 * z43;
-    const double z45 = c1 * z37 + z18 * z41 + (z42 * z13 + z19 * z44);
-    const double z46 = v * z7;
-    const double z47 = z22 * z36 + z45 * z46;
-    const double z48 = l * (z9 + c_p_b * z13);
-    const double z49 = z7 * (z18 * z48 + z26 * z14);
-    const double z50 = c1 * z40;
-    const double z51 = z13 * z43;
-    const double z52 = s1 * z37 - z18 * z50 + (z42 * z14 - z19 * z51);
-    const double z53 = z20 * z36 + z52 * z46;
-    const double z54 = z7 * (z13 * z48 + z14 * z25);
-    const double z55 = z13 * z50 - s1 * z44 + (z14 * z41 - c1 * z51);
-    const double z56 = z35 * z38 - z55 * z46;
-    const double z57 = z54 * z56;
-    const double z58 = m * (z27 * z47 - z49 * z53) - J * z57 - J_r * z57 - 2.0 * (J_w * z57);
-    const double z60 = sigma * c2;
-    const double z61 = v * (z7 * z55 - z35 * z15);
-    const double z62 = J_w * z61;
-    const double z63 = z60 - z62;
-    const double z64 = J_r * z61;
-    const double z65 = tau * s2 + z64;
-    const double z66 = z60 + z62;
-    const double z67 = m * v;
-    const double z68 = z16 * (z65 - (z64 - (z66 - (z62 + (z63 + k7 * z61))))) + (z7 * z52 + z35 * z20) * (z21
-        * z67);
-    const double z69 = (z68 + (z7 * z45 + z35 * z22) * (z23 * z67)) / z24;
-    const double z70 = z16 * z69;
-    const double z71 = k6 * z63 - z70;
-    const double z72 = J_w * z54;
-    const double z73 = k6 * z66 + z70;
-    const double z74 = z16 * z54;
-    const double z75 = m * (z23 * z27 - z21 * z49) - J * z74 - J_r * z74 - 2.0 * (J_w * z74);
-    const double z76 = J_r * (k5 * z65 + z70);
-    const double z77 = z7 * (c1 * z26 + z19 * z25);
-    const double z78 = z7 * (s1 * z26 - z19 * z48);
-    const double z79 = z7 * (c1 * z48 + s1 * z25);
-    const double z80 = z79 * z56;
-    const double z81 = m * (z77 * z47 + z78 * z53) + J * z80 + J_r * z80 + 2.0 * (J_w * z80);
-    const double z82 = J_w * z79;
-    const double z83 = z16 * z79;
-    const double z84 = m * (z23 * z77 + z21 * z78) + J * z83 + J_r * z83 + 2.0 * (J_w * z83);
+    const double z13 = c1 * c_p_f;
+    const double z14 = z13 - s1 * s_p_f;
+    const double z15 = c_p_b * z12 - s_p_b * z14;
+    const double z16 = l * (z11 + c_p_b * z15);
+    const double z17 = z8 * z16;
+    const double z18 = c_p_b * z14 + s_p_b * z12;
+    const double z19 = l * (z13 + c_p_b * z18);
+    const double z20 = z8 * z19;
+    const double z21 = J * (z9 * z9) + m * (z8 * (z16 * z17 + z19 * z20));
+    const double z22 = l * c_p_f;
+    const double z23 = p_b_dot * c_p_b;
+    const double z24 = p_f_dot * c_p_f;
+    const double z25 = s_p_f * z24;
+    const double z26 = k1 * z25;
+    const double z27 = p_b_dot * s_p_b;
+    const double z28 = p_f_dot * s_p_f;
+    const double z29 = z3 * z23 - 4.0 * (s_p_b * (z25 - z26)) - 2.0 * (k2 * (z4 * z24 - s_p_f * (c_p_f * z27
+        + c_p_b * z28)));
+    const double z30 = z8 * z8 * (z5 * z23 + s_p_b * z29 + (2.0 * z25 - 6.0 * z26));
+    const double z31 = l * z28;
+    const double z32 = v * z9;
+    const double z33 = p_b_dot + z32;
+    const double z34 = s1 * z33;
+    const double z35 = l * z27;
+    const double z36 = l * c_p_b;
+    const double z37 = p_f_dot + z32;
+    const double z38 = z15 * z37;
+    const double z39 = v * (z30 * z19 + z8 * (c1 * z31 + z22 * z34 + (z35 * z18 + z36 * z38)));
+    const double z40 = z8 * z39;
+    const double z41 = c1 * z33;
+    const double z42 = z18 * z37;
+    const double z43 = v * (z30 * z16 + z8 * (s1 * z31 - z22 * z41 + (z35 * z15 - z36 * z42)));
+    const double z44 = z8 * z43;
+    const double z45 = z8 * (z18 * z19 + z15 * z16);
+    const double z46 = v * (z7 * z30 + z8 * (z18 * z41 - s1 * z38 + (z15 * z34 - c1 * z42)));
+    const double z47 = z45 * z46;
+    const double z48 = m * ((z22 * z16 - z7 * z18) * z40 - (z22 * z19 + z7 * z15) * z44) + J * z47;
+    const double z49 = J_w * z45;
+    const double z51 = J_r * z46;
+    const double z52 = tau * s2 + z51;
+    const double z53 = sigma * c2;
+    const double z54 = J_w * z46;
+    const double z55 = z53 + z54;
+    const double z56 = z53 - z54;
+    const double z57 = z9 * (z52 - (z51 - (z55 - (z54 + (z56 + k7 * z46))))) - m * (z17 * z43) - m * (z20 *
+        z39);
+    const double z58 = z57 / z21;
+    const double z59 = z9 * z58;
+    const double z60 = z59 - k6 * z56;
+    const double z61 = z59 + k6 * z55;
+    const double z62 = z45 * z9;
+    const double z63 = J_r * (z59 + k5 * z52);
+    const double z64 = z49 * z60 + (z49 * z61 - ((z62 * k8 + 2.0 * (J_w * z62)) * z58 - z45 * z63));
+    const double z65 = z8 * (c1 * z19 + s1 * z16);
+    const double z66 = z65 * z46;
+    const double z67 = m * ((c1 * z7 + z36 * z16) * z40 + (s1 * z7 - z36 * z19) * z44) - J * z66;
+    const double z68 = J_w * z65;
+    const double z69 = z65 * z9;
+    const double z70 = z68 * z60 + (z68 * z61 - ((k8 * z69 + 2.0 * (J_w * z69)) * z58 - z65 * z63));
     /* (I.4.1) 28:5 */
-    /* reaction of back: Q_i gains lambda_1 a_1i */
-    lambda[0] = z58 + (z71 * z72 - (z73 * z72 + (z69 * z75 + z54 * z76)));
+    lambda[0] = z48 + J_r * z47 + 2.0 * (J_w * z47) - z64; /* reaction of back: Q_i gains lambda_1 a_1i */
     /* (I.4.1) 29:5 */
-    /* reaction of front: Q_i gains lambda_2 a_2i */
-    lambda[1] = z81 - (z71 * z82 - (z73 * z82 - (z69 * z84 - z79 * z76)));
+    lambda[1] = z67 - J_r * z66 - 2.0 * (J_w * z66) + z70; /* reaction of front: Q_i gains lambda_2 a_2i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(lambda[0] + lambda[1]) <= DBL_MAX
         && fabs(z6) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4))
-        && fabs(z24) > 1e-14 * (z17 + m * (z21 * z21) + m * (z23 * z23)))) {
+        && fabs(z21) > 1e-14 * z21)) {
         /* the coframe is singular */
         if (!(fabs(z6) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)))) {
             return SNAKEBOARD_SINGULAR_1;
@@ -756,7 +739,7 @@ int snakeboard_reactions(double t, const double *y, const double *p, double *lam
             return SNAKEBOARD_SINGULAR_2;
         }
         /* the mass matrix is singular */
-        if (!(fabs(z24) > 1e-14 * (z17 + m * (z21 * z21) + m * (z23 * z23)))) {
+        if (!(fabs(z21) > 1e-14 * z21)) {
             return SNAKEBOARD_SINGULAR_2;
         }
         return snakeboard_finish(2, lambda);
@@ -818,25 +801,23 @@ double snakeboard_energy(double t, const double *y, const double *p)
 SNAKEBOARD_SLOW
 int snakeboard_jacobian(double t, const double *y, const double *p, double *J)
 {
-    for (int entry = 0; entry < 100; ++entry) {
-        J[entry] = 0.0;
-    }
+    memset(J, 0, 100 * sizeof *J);
     const double theta = y[2]; /* heading of the board [rad] */
     const double p_b = y[4]; /* back axle, relative to the board [rad] */
     const double p_f = y[5]; /* front axle, relative to the board [rad] */
     const double nu = p[7]; /* frequency of the torques [rad/s] */
 
     /* sines and cosines */
-    const double z9 = theta + p_b;
-    const double z61 = t * nu;
-    const double s_p_f = sin(p_f);
-    const double c_p_f = cos(p_f);
+    const double z8 = theta + p_b;
+    const double z63 = t * nu;
     const double s_p_b = sin(p_b);
     const double c_p_b = cos(p_b);
-    const double s1 = sin(z9);
-    const double c1 = cos(z9);
-    const double s2 = sin(z61);
-    const double c2 = cos(z61);
+    const double s_p_f = sin(p_f);
+    const double c_p_f = cos(p_f);
+    const double s1 = sin(z8);
+    const double c1 = cos(z8);
+    const double s2 = sin(z63);
+    const double c2 = cos(z63);
     const double v = y[6];
     const double p_b_dot = y[8];
     const double p_f_dot = y[9];
@@ -860,206 +841,194 @@ int snakeboard_jacobian(double t, const double *y, const double *p, double *J)
     const double z2 = 2.0 * z1;
     const double z3 = 1.0 - z2 - k1 * (3.0 - z2);
     const double z4 = c_p_b * c_p_f;
-    const double z5 = s_p_f * k2;
-    const double z6 = s_p_b * z3 - 2.0 * (z4 * z5);
-    const double z7 = z1 + k1 * (4.0 - 3.0 * z1) + s_p_b * z6;
-    const double z8 = 1.0 / z7;
-    const double z10 = c1 * c_p_f - s1 * s_p_f;
-    const double z11 = s1 * c_p_f + c1 * s_p_f;
-    const double z12 = c_p_b * z10 + s_p_b * z11;
-    const double z13 = c_p_b * z11 - s_p_b * z10;
-    const double z14 = s1 * z12 - c1 * z13;
-    const double z15 = z14 * z8;
-    const double z16 = z14 * z15;
-    const double z17 = l * c_p_f;
-    const double z18 = s1 * z17;
-    const double z19 = l * c_p_b;
-    const double z20 = z19 * z13;
-    const double z21 = z18 + z20;
-    const double z22 = z21 * z8;
-    const double z23 = c1 * z17;
-    const double z24 = z19 * z12;
-    const double z25 = z23 + z24;
-    const double z26 = z25 * z8;
-    const double z27 = z21 * z22 + z25 * z26;
-    const double z28 = J_2 * (z8 * z16) + m * (z8 * z27);
-    const double z29 = v * z21;
-    const double z30 = v * z25;
-    const double z31 = z8 * z8;
-    const double z32 = c_p_f * s_p_b;
-    const double z33 = c_p_b * z3 + 2.0 * (z32 * z5);
-    const double z34 = c_p_b * z6 + s_p_b * z33;
-    const double z35 = z31 * z34;
-    const double z36 = l * s_p_b;
-    const double z37 = z18 + z12 * z36;
-    const double z38 = v * z8;
-    const double z39 = c_p_f * s_p_f;
-    const double z40 = k1 * z39;
-    const double z41 = z39 - z40;
-    const double z42 = c_p_b * s_p_f;
-    const double z43 = 4.0 * (s_p_b * z41) + 2.0 * (k2 * (c_p_f * z4 - s_p_f * z42));
-    const double z44 = s_p_b * z43 - (2.0 * z39 - 6.0 * z40);
-    const double z45 = z44 * z31;
-    const double z46 = l * s_p_f;
-    const double z47 = z20 + c1 * z46;
-    const double z48 = z23 - z13 * z36;
-    const double z49 = z24 - s1 * z46;
-    const double z50 = v * z14;
-    const double z51 = s1 * z13 + c1 * z12;
-    const double z52 = z51 * z38;
-    const double z53 = z50 * z35 - z52;
-    const double z54 = z52 - z50 * z45;
-    const double z55 = z51 * z15;
-    const double z56 = z51 * z8;
-    const double z57 = z56 - z14 * z35;
-    const double z58 = z48 * z8 - z21 * z35;
-    const double z59 = z37 * z8 + z25 * z35;
-    const double z60 = m * (z27 * z35 - z8 * (z48 * z22 + z21 * z58 - (z37 * z26 + z25 * z59)));
-    const double z62 = z50 * z8;
-    const double z63 = p_b_dot - z62;
-    const double z64 = c1 * z63;
-    const double z65 = p_f_dot - z62;
-    const double z66 = z13 * z65;
-    const double z67 = s1 * z63;
-    const double z68 = z12 * z65;
-    const double z69 = z12 * z64 - s1 * z66 + (z13 * z67 - c1 * z68);
-    const double z70 = p_f_dot * c_p_f;
-    const double z71 = s_p_f * z70;
-    const double z72 = k1 * z71;
-    const double z73 = p_b_dot * c_p_b;
-    const double z74 = z71 - z72;
-    const double z75 = p_b_dot * s_p_b;
-    const double z76 = p_f_dot * s_p_f;
-    const double z77 = c_p_f * z75 + c_p_b * z76;
-    const double z78 = z3 * z73 - 4.0 * (s_p_b * z74) - 2.0 * (k2 * (z4 * z70 - s_p_f * z77));
-    const double z79 = 2.0 * z71 - 6.0 * z72 + (s_p_b * z78 + z73 * z6);
-    const double z80 = z31 * z79;
-    const double z81 = z8 * z69 - z14 * z80;
-    const double z82 = v * z81;
-    const double z83 = J_r * z82;
-    const double z84 = sigma * c2;
-    const double z85 = J_w * z82;
-    const double z86 = tau * s2 + z83 - (z83 - (z84 + z85 - (z85 + (z84 - z85 + k5 * z82))));
-    const double z87 = m * v;
-    const double z88 = l * z76;
-    const double z89 = s1 * z88;
-    const double z90 = l * z75;
-    const double z91 = z90 * z13;
-    const double z92 = z89 - z17 * z64 + (z91 - z19 * z68);
-    const double z93 = z8 * z92 + z21 * z80;
-    const double z94 = z87 * z93;
-    const double z95 = c1 * z88;
-    const double z96 = z90 * z12;
-    const double z97 = z95 + z17 * z67 + (z96 + z19 * z66);
-    const double z98 = z8 * z97 + z25 * z80;
-    const double z99 = z87 * z98;
-    const double z100 = z15 * z86 + z22 * z94 + z26 * z99;
-    const double z101 = 1.0 / z28;
-    const double z102 = z100 * (z101 * z101);
-    const double z103 = z67 - c1 * z53;
-    const double z104 = z13 * z53;
-    const double z105 = z64 + s1 * z53;
-    const double z106 = z12 * z53;
-    const double z107 = z12 * z103 + (c1 * z66 + s1 * z104) - (z13 * z105 + (s1 * z68 - c1 * z106));
-    const double z108 = z51 * z80;
-    const double z109 = z79 * (z31 * z8);
-    const double z110 = z3 * z75 + 4.0 * (c_p_b * z74) - 2.0 * (k2 * (z32 * z70 - s_p_f * (s_p_b * z76 -
-        c_p_f * z73)));
-    const double z111 = 2.0 * (z34 * z109) - z31 * (c_p_b * z78 - s_p_b * z110 + (z73 * z33 - z75 * z6));
-    const double z112 = v * (z69 * z35 + z8 * z107 + (z108 - z14 * z111));
-    const double z113 = J_2 * z15;
-    const double z114 = l * z73;
-    const double z115 = z92 * z35 - z8 * (z95 + z17 * z103 + (z13 * z114 + (z36 * z68 - z19 * z106)));
-    const double z116 = z87 * z22;
-    const double z117 = z86 * z57 + z112 * z113 + (z94 * z58 - (z115 - (z48 * z80 - z21 * z111)) * z116);
-    const double z118 = z97 * z35 + z8 * (z89 - z17 * z105 - (z12 * z114 - (z36 * z66 - z19 * z104)));
-    const double z119 = z87 * z26;
-    const double z120 = (J_2 * (z16 * z35 - z8 * (z55 + z14 * z57)) + z60) * z102 + z101 * (z117 - (z99 * z59
-        + (z118 + (z37 * z80 + z25 * z111)) * z119));
-    const double z121 = z56 - z14 * z45;
-    const double z122 = z49 * z8 + z21 * z45;
-    const double z123 = z47 * z8 - z25 * z45;
-    const double z124 = m * (z27 * z45 + z8 * (z49 * z22 + z21 * z122 - (z47 * z26 + z25 * z123)));
-    const double z125 = c1 * z54;
-    const double z126 = z68 + z13 * z54;
-    const double z127 = s1 * z54;
-    const double z128 = z66 - z12 * z54;
-    const double z129 = z13 * z64 - z12 * z125 + s1 * z126 - (z12 * z67 + z13 * z127 + c1 * z128);
-    const double z130 = c_p_f * z70 - s_p_f * z76;
-    const double z131 = k1 * z130;
-    const double z132 = k2 * (z42 * z70 + z4 * z76 + (c_p_f * z77 - s_p_f * (s_p_f * z75 - c_p_b * z70)));
-    const double z133 = z73 * z43 + s_p_b * (4.0 * (z73 * z41 + s_p_b * (z130 - z131)) - 2.0 * z132) - (2.0 *
-        z130 - 6.0 * z131);
-    const double z134 = 2.0 * (z44 * z109) - z133 * z31;
-    const double z135 = v * (z69 * z45 - z8 * z129 + (z108 - z14 * z134));
-    const double z136 = l * z70;
-    const double z137 = z92 * z45 + z8 * (s1 * z136 + (z46 * z64 - z17 * z125) + (z96 + z19 * z128));
-    const double z138 = z86 * z121 + z113 * z135 - (z94 * z122 + z116 * (z137 + (z49 * z80 + z21 * z134)));
-    const double z139 = z97 * z45 + z8 * (c1 * z136 - (z46 * z67 - z17 * z127) - (z91 - z19 * z126));
-    const double z140 = z102 * (J_2 * (z16 * z45 - z8 * (z55 + z14 * z121)) + z124) + z101 * (z138 + (z99 *
-        z123 - z119 * (z139 - (z47 * z80 - z25 * z134))));
-    const double z141 = c1 * z15;
-    const double z142 = z13 * z15;
-    const double z143 = s1 * z15;
-    const double z144 = z12 * z15;
-    const double z145 = z81 - z38 * (z12 * z141 - s1 * z142 + (z13 * z143 - c1 * z144));
-    const double z146 = z113 * z145 - m * (z22 * (z93 + z38 * (z17 * z141 + z19 * z144))) - m * (z26 * (z98 -
-        z38 * (z17 * z143 + z19 * z142)));
-    const double z147 = z101 * z146;
-    const double z148 = v * z57;
-    const double z149 = z101 * (z113 * z148 + z58 * z116 - z59 * z119);
-    const double z150 = v * z121;
-    const double z151 = z101 * (z113 * z150 - z116 * z122 + z119 * z123);
-    const double z152 = z101 * z100;
-    const double z153 = z112 - (z152 * z57 + z15 * z120);
-    const double z154 = z135 - (z152 * z121 + z15 * z140);
-    const double z155 = z145 - z15 * z147;
-    const double z156 = z148 - z15 * z149;
-    const double z157 = z150 - z15 * z151;
+    const double z5 = s_p_b * z3 - 2.0 * (s_p_f * z4 * k2);
+    const double z6 = s_p_b * z5 + (z1 + k1 * (4.0 - 3.0 * z1));
+    const double z7 = 1.0 / z6;
+    const double z9 = c1 * c_p_f - s1 * s_p_f;
+    const double z10 = s1 * c_p_f + c1 * s_p_f;
+    const double z11 = c_p_b * z9 + s_p_b * z10;
+    const double z12 = c_p_b * z10 - s_p_b * z9;
+    const double z13 = s1 * z11 - c1 * z12;
+    const double z14 = z7 * z13;
+    const double z15 = l * c_p_f;
+    const double z16 = s1 * z15;
+    const double z17 = l * c_p_b;
+    const double z18 = z17 * z12;
+    const double z19 = z16 + z18;
+    const double z20 = z7 * z19;
+    const double z21 = c1 * z15;
+    const double z22 = z17 * z11;
+    const double z23 = z21 + z22;
+    const double z24 = z7 * z23;
+    const double z25 = z19 * z20 + z23 * z24;
+    const double z26 = J_2 * (z14 * z14) + m * (z7 * z25);
+    const double z27 = v * z7;
+    const double z28 = l * s_p_b;
+    const double z29 = z16 + z11 * z28;
+    const double z30 = z7 * z7;
+    const double z31 = c_p_f * s_p_b;
+    const double z32 = k2 * (s_p_f * z31);
+    const double z33 = c_p_b * z3 + 2.0 * z32;
+    const double z34 = c_p_b * z5 + s_p_b * z33;
+    const double z35 = z30 * z34;
+    const double z36 = z7 * z29 + z23 * z35;
+    const double z37 = v * z36;
+    const double z38 = l * s_p_f;
+    const double z39 = z18 + c1 * z38;
+    const double z40 = c_p_f * s_p_f;
+    const double z41 = c_p_b * s_p_f;
+    const double z42 = 4.0 * z32 + 2.0 * (k2 * (c_p_f * z4 - s_p_f * z41));
+    const double z43 = 2.0 * z40 - 6.0 * (k1 * z40) - s_p_b * z42;
+    const double z44 = z30 * z43;
+    const double z45 = z7 * z39 + z23 * z44;
+    const double z46 = v * z45;
+    const double z47 = z21 - z12 * z28;
+    const double z48 = z7 * z47 - z19 * z35;
+    const double z49 = v * z48;
+    const double z50 = z22 - s1 * z38;
+    const double z51 = z7 * z50 - z19 * z44;
+    const double z52 = v * z51;
+    const double z53 = s1 * z12 + c1 * z11;
+    const double z54 = z7 * z53;
+    const double z55 = z54 - z13 * z35;
+    const double z56 = v * z55;
+    const double z57 = z54 + z13 * z44;
+    const double z58 = v * z57;
+    const double z59 = z13 * z14;
+    const double z60 = z14 * z53;
+    const double z61 = z7 * (z60 + z13 * z55);
+    const double z62 = 1.0 / z26;
+    const double z64 = p_b_dot * c_p_b;
+    const double z65 = p_f_dot * c_p_f;
+    const double z66 = s_p_f * z65;
+    const double z67 = k1 * z66;
+    const double z68 = z66 - z67;
+    const double z69 = p_b_dot * s_p_b;
+    const double z70 = p_f_dot * s_p_f;
+    const double z71 = c_p_f * z69 + c_p_b * z70;
+    const double z72 = z3 * z64 - 4.0 * (s_p_b * z68) - 2.0 * (k2 * (z4 * z65 - s_p_f * z71));
+    const double z73 = z5 * z64 + s_p_b * z72 + (2.0 * z66 - 6.0 * z67);
+    const double z74 = z30 * z73;
+    const double z75 = z13 * z27;
+    const double z76 = p_b_dot - z75;
+    const double z77 = c1 * z76;
+    const double z78 = p_f_dot - z75;
+    const double z79 = z12 * z78;
+    const double z80 = s1 * z76;
+    const double z81 = z11 * z78;
+    const double z82 = z11 * z77 - s1 * z79 + (z12 * z80 - c1 * z81);
+    const double z83 = z74 * z13 - z7 * z82;
+    const double z84 = v * z83;
+    const double z85 = J_r * z84;
+    const double z86 = sigma * c2;
+    const double z87 = J_w * z84;
+    const double z88 = tau * s2 - z85 + (z85 + (z86 - z87 + (z87 - (z86 + z87 - k5 * z84))));
+    const double z89 = l * z70;
+    const double z90 = s1 * z89;
+    const double z91 = l * z69;
+    const double z92 = z91 * z12;
+    const double z93 = z90 - z15 * z77 + (z92 - z17 * z81);
+    const double z94 = z74 * z19 + z7 * z93;
+    const double z95 = m * v;
+    const double z96 = z94 * z95;
+    const double z97 = c1 * z89;
+    const double z98 = z91 * z11;
+    const double z99 = z97 + z15 * z80 + (z98 + z17 * z79);
+    const double z100 = z74 * z23 + z7 * z99;
+    const double z101 = z100 * z95;
+    const double z102 = z14 * z88 + z20 * z96 + z24 * z101;
+    const double z103 = z62 * z62 * z102;
+    const double z104 = J_2 * z14;
+    const double z105 = z74 * z53;
+    const double z106 = k2 * (z31 * z65 - s_p_f * (s_p_b * z70 - c_p_f * z64));
+    const double z107 = z64 * z33 - z5 * z69 + (c_p_b * z72 - s_p_b * (z3 * z69 + 4.0 * (c_p_b * z68) - 2.0 *
+        z106));
+    const double z108 = z73 * (z30 * z7);
+    const double z109 = z30 * z107 - 2.0 * (z34 * z108);
+    const double z110 = z80 + c1 * z56;
+    const double z111 = z12 * z56;
+    const double z112 = z77 - s1 * z56;
+    const double z113 = z11 * z56;
+    const double z114 = z11 * z110 - (s1 * z111 - c1 * z79) - (z12 * z112 + (c1 * z113 + s1 * z81));
+    const double z115 = z7 * z114;
+    const double z116 = v * (z105 + z13 * z109 + (z82 * z35 + z115));
+    const double z117 = z20 * z95;
+    const double z118 = l * z64;
+    const double z119 = z93 * z35 - z7 * (z97 + z15 * z110 + (z12 * z118 + (z17 * z113 + z81 * z28)));
+    const double z120 = z88 * z55 + z104 * z116 + (z48 * z96 + z117 * (z74 * z47 + z19 * z109 - z119));
+    const double z121 = z24 * z95;
+    const double z122 = z99 * z35 + z7 * (z90 - z15 * z112 - (z11 * z118 - (z17 * z111 + z79 * z28)));
+    const double z123 = (J_2 * (z59 * z35 - z61) + m * (z61 + z25 * z35)) * z103 + z62 * (z120 - (z36 * z101
+        + z121 * (z74 * z29 - z23 * z109 + z122)));
+    const double z124 = z7 * (z60 + z13 * z57);
+    const double z125 = c_p_f * z65 - s_p_f * z70;
+    const double z126 = 2.0 * (k2 * (2.0 * (z41 * z65) + (c_p_f * z71 - s_p_f * (s_p_f * z69 - c_p_b *
+        z65))));
+    const double z127 = z30 * (2.0 * z125 - 6.0 * (k1 * z125) - (z64 * z42 + s_p_b * (4.0 * z106 - z126)));
+    const double z128 = z127 - 2.0 * (z43 * z108);
+    const double z129 = v * (z115 - z82 * z44 + (z105 - z13 * z128));
+    const double z130 = l * z65;
+    const double z131 = z7 * (s1 * z130 + (z77 * z38 - z21 * z58) + (z98 + z17 * (z79 - z11 * z58)));
+    const double z132 = z88 * z57 + z104 * z129 - (z51 * z96 - z117 * (z93 * z44 - z131 - (z74 * z50 + z19 *
+        z128)));
+    const double z133 = z7 * (c1 * z130 - (z80 * z38 - z16 * z58) - (z92 - z17 * (z81 + z12 * z58)));
+    const double z134 = z62 * (z132 + (z45 * z101 + z121 * (z99 * z44 - z133 + (z74 * z39 - z23 * z128))));
+    const double z135 = (J_2 * (z59 * z44 + z124) - m * (z124 - z25 * z44)) * z103 - z134;
+    const double z136 = m * z24;
+    const double z137 = m * z20;
+    const double z138 = (z100 - z27 * (z19 * z14)) * z136 + ((z94 + z27 * (z23 * z14)) * z137 + z83 * z104);
+    const double z139 = z62 * z138;
+    const double z140 = z62 * (z56 * z104 + z49 * z137 - z37 * z136);
+    const double z141 = z62 * (z58 * z104 - z52 * z137 + z46 * z136);
+    const double z142 = z62 * z102;
+    const double z143 = z116 - (z55 * z142 + z14 * z123);
+    const double z144 = z129 - (z57 * z142 - z14 * z135);
+    const double z145 = z83 - z14 * z139;
+    const double z146 = z56 - z14 * z140;
+    const double z147 = z58 - z14 * z141;
     /* (I.2.15) */
-    J[2] = -z29 * z8;
-    J[4] = -(z30 * z35 + z37 * z38);
-    J[5] = z30 * z45 - z47 * z38;
-    J[6] = z26;
-    J[12] = z30 * z8;
-    J[14] = z48 * z38 - z29 * z35;
-    J[15] = z29 * z45 + z49 * z38;
-    J[16] = z22;
-    J[24] = z53;
-    J[25] = z54;
-    J[26] = -z15;
+    J[2] = -z19 * z27;
+    J[4] = -z37;
+    J[5] = -z46;
+    J[6] = z24;
+    J[12] = z23 * z27;
+    J[14] = z49;
+    J[15] = z52;
+    J[16] = z20;
+    J[24] = -z56;
+    J[25] = z58;
+    J[26] = -z14;
     J[37] = 1.0;
     J[48] = 1.0;
     J[59] = 1.0;
-    J[64] = z120;
-    J[65] = -z140;
-    J[66] = -z147;
-    J[68] = -z149;
-    J[69] = z151;
-    J[74] = -z153;
-    J[75] = z154;
-    J[76] = z155;
-    J[78] = z156;
-    J[79] = -z157;
-    J[84] = -z153;
-    J[85] = z154;
-    J[86] = z155;
-    J[88] = z156;
-    J[89] = -z157;
-    J[94] = -z153;
-    J[95] = z154;
-    J[96] = z155;
-    J[98] = z156;
-    J[99] = -z157;
+    J[64] = z123;
+    J[65] = z135;
+    J[66] = z139;
+    J[68] = -z140;
+    J[69] = z141;
+    J[74] = -z143;
+    J[75] = z144;
+    J[76] = -z145;
+    J[78] = z146;
+    J[79] = -z147;
+    J[84] = -z143;
+    J[85] = z144;
+    J[86] = -z145;
+    J[88] = z146;
+    J[89] = -z147;
+    J[94] = -z143;
+    J[95] = z144;
+    J[96] = -z145;
+    J[98] = z146;
+    J[99] = -z147;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(J[2] + J[4] + J[5] + J[12] + J[14] + J[15] + J[65] + J[66] + J[68] + J[75] + J[76] + J[78] +
-        J[94] + J[99]) <= DBL_MAX
-        && fabs(z7) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4))
+    if (!(fabs(J[2] + J[12] + J[65] + J[68] + J[75] + J[78] + J[94] + J[96] + J[99]) <= DBL_MAX
+        && fabs(z6) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4))
         && fabs(J_w) > 0.0
         && fabs(J_r) > 0.0
-        && fabs(z28) > 1e-14 * (J_2 * (z15 * z15) + m * (z22 * z22) + m * (z26 * z26)))) {
+        && fabs(z26) > 1e-14 * z26)) {
         /* the coframe is singular */
-        if (!(fabs(z7) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)))) {
+        if (!(fabs(z6) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)))) {
             return SNAKEBOARD_SINGULAR_1;
         }
         /* the mass matrix is singular */
@@ -1071,7 +1040,7 @@ int snakeboard_jacobian(double t, const double *y, const double *p, double *J)
             return SNAKEBOARD_SINGULAR_2;
         }
         /* the mass matrix is singular */
-        if (!(fabs(z28) > 1e-14 * (J_2 * (z15 * z15) + m * (z22 * z22) + m * (z26 * z26)))) {
+        if (!(fabs(z26) > 1e-14 * z26)) {
             return SNAKEBOARD_SINGULAR_2;
         }
         return snakeboard_finish(100, J);
@@ -1082,7 +1051,6 @@ int snakeboard_jacobian(double t, const double *y, const double *p, double *J)
 int snakeboard_outputs(double t, const double *y, const double *p, double *out)
 {
     (void)t;
-    const double theta = y[2]; /* heading of the board [rad] */
     const double p_b = y[4]; /* back axle, relative to the board [rad] */
     const double p_f = y[5]; /* front axle, relative to the board [rad] */
 
@@ -1091,8 +1059,6 @@ int snakeboard_outputs(double t, const double *y, const double *p, double *out)
     const double c_p_b = cos(p_b);
     const double s_p_f = sin(p_f);
     const double c_p_f = cos(p_f);
-    const double c_theta = cos(theta);
-    const double s_theta = sin(theta);
     const double v = y[6];
     const double l = p[1]; /* from the centre to an axle [m] */
 
@@ -1105,13 +1071,11 @@ int snakeboard_outputs(double t, const double *y, const double *p, double *out)
     /* state */
     const double z1 = s_p_f * s_p_f;
     const double z2 = 2.0 * z1;
-    const double z3 = s_p_b * (s_p_b * (1.0 - z2 - k1 * (3.0 - z2)) - 2.0 * (s_p_f * (c_p_b * c_p_f) * k2));
-    const double z4 = z3 + (z1 + k1 * (4.0 - 3.0 * z1));
-    const double z5 = c_p_f * (c_theta * (c_p_b * c_theta - s_theta * s_p_b) + s_theta * (c_p_b * s_theta +
-        c_theta * s_p_b)) + c_p_b * (s_theta * (c_p_f * s_theta + c_theta * s_p_f) + c_theta * (c_p_f *
-        c_theta - s_theta * s_p_f));
+    const double z3 = c_p_b * c_p_f;
+    const double z4 = s_p_b * (s_p_b * (1.0 - z2 - k1 * (3.0 - z2)) - 2.0 * (s_p_f * z3 * k2)) + (z1 + k1 *
+        (4.0 - 3.0 * z1));
     /* 32:10 */
-    out[0] = l * (v / z4 * z5); /* speed */
+    out[0] = 2.0 * (l * (z3 * v / z4)); /* speed */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(out[0]) <= DBL_MAX && fabs(z4) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)))) {
         /* the coframe is singular */
@@ -1182,63 +1146,61 @@ static __attribute__((noinline)) void snakeboard_rhs_lanes(const double *fixed, 
     const snakeboard_lanes z12 = c_p_b * z10 - s_p_b * z9;
     const snakeboard_lanes z13 = s1 * z11 - c1 * z12;
     const snakeboard_lanes z14 = z7 * z13;
-    const snakeboard_lanes z15 = J * z14 * z14;
-    const snakeboard_lanes z16 = l * c_p_f;
-    const snakeboard_lanes z17 = l * c_p_b;
-    const snakeboard_lanes z18 = s1 * z16 + z17 * z12;
-    const snakeboard_lanes z19 = z7 * z18;
-    const snakeboard_lanes z20 = c1 * z16 + z17 * z11;
-    const snakeboard_lanes z21 = z7 * z20;
-    const snakeboard_lanes z22 = z15 + m * (z7 * (z18 * z19 + z20 * z21));
+    const snakeboard_lanes z15 = l * c_p_f;
+    const snakeboard_lanes z16 = l * c_p_b;
+    const snakeboard_lanes z17 = s1 * z15 + z16 * z12;
+    const snakeboard_lanes z18 = z7 * z17;
+    const snakeboard_lanes z19 = c1 * z15 + z16 * z11;
+    const snakeboard_lanes z20 = z7 * z19;
+    const snakeboard_lanes z21 = J * (z14 * z14) + m * (z7 * (z17 * z18 + z19 * z20));
     /* the mass matrix is singular */
-    bad |= snakeboard_misses(snakeboard_size(SNAKEBOARD_SPREAD(z22)), 1e-14 * (z15 + m * (z19 * z19) + m *
-        (z21 * z21)));
-    const snakeboard_lanes z23 = v * z7;
-    const snakeboard_lanes z24 = z13 * z23;
-    const snakeboard_lanes z25 = t_ * nu;
+    bad |= snakeboard_misses(snakeboard_size(SNAKEBOARD_SPREAD(z21)), 1e-14 * z21);
+    const snakeboard_lanes z22 = v * z7;
+    const snakeboard_lanes z23 = z13 * z22;
+    const snakeboard_lanes z24 = t_ * nu;
     snakeboard_lanes sine4, cosine4;
-    snakeboard_turn_lanes(SNAKEBOARD_SPREAD(z25), &far, &sine4, &cosine4);
+    snakeboard_turn_lanes(SNAKEBOARD_SPREAD(z24), &far, &sine4, &cosine4);
     const snakeboard_lanes s2 = sine4;
-    const snakeboard_lanes z26 = p_b_dot * c_p_b;
-    const snakeboard_lanes z27 = p_f_dot * c_p_f;
-    const snakeboard_lanes z28 = s_p_f * z27;
-    const snakeboard_lanes z29 = k1 * z28;
-    const snakeboard_lanes z30 = p_b_dot * s_p_b;
-    const snakeboard_lanes z31 = p_f_dot * s_p_f;
-    const snakeboard_lanes z32 = z3 * z26 - 4.0 * (s_p_b * (z28 - z29)) - 2.0 * (k2 * (z4 * z27 - s_p_f *
-        (c_p_f * z30 + c_p_b * z31)));
-    const snakeboard_lanes z33 = z7 * z7 * (z5 * z26 + s_p_b * z32 + (2.0 * z28 - 6.0 * z29));
-    const snakeboard_lanes z34 = p_b_dot - z24;
-    const snakeboard_lanes z35 = c1 * z34;
-    const snakeboard_lanes z36 = p_f_dot - z24;
-    const snakeboard_lanes z37 = z12 * z36;
-    const snakeboard_lanes z38 = s1 * z34;
-    const snakeboard_lanes z39 = z11 * z36;
-    const snakeboard_lanes z40 = v * (z33 * z13 - z7 * (z11 * z35 - s1 * z37 + (z12 * z38 - c1 * z39)));
-    const snakeboard_lanes z41 = J_r * z40;
-    const snakeboard_lanes z42 = tau * s2 - z41;
+    const snakeboard_lanes z25 = p_b_dot * c_p_b;
+    const snakeboard_lanes z26 = p_f_dot * c_p_f;
+    const snakeboard_lanes z27 = s_p_f * z26;
+    const snakeboard_lanes z28 = k1 * z27;
+    const snakeboard_lanes z29 = p_b_dot * s_p_b;
+    const snakeboard_lanes z30 = p_f_dot * s_p_f;
+    const snakeboard_lanes z31 = z3 * z25 - 4.0 * (s_p_b * (z27 - z28)) - 2.0 * (k2 * (z4 * z26 - s_p_f *
+        (c_p_f * z29 + c_p_b * z30)));
+    const snakeboard_lanes z32 = z7 * z7 * (z5 * z25 + s_p_b * z31 + (2.0 * z27 - 6.0 * z28));
+    const snakeboard_lanes z33 = p_b_dot - z23;
+    const snakeboard_lanes z34 = c1 * z33;
+    const snakeboard_lanes z35 = p_f_dot - z23;
+    const snakeboard_lanes z36 = z12 * z35;
+    const snakeboard_lanes z37 = s1 * z33;
+    const snakeboard_lanes z38 = z11 * z35;
+    const snakeboard_lanes z39 = v * (z32 * z13 - z7 * (z11 * z34 - s1 * z36 + (z12 * z37 - c1 * z38)));
+    const snakeboard_lanes z40 = J_r * z39;
+    const snakeboard_lanes z41 = tau * s2 - z40;
     const snakeboard_lanes c2 = cosine4;
-    const snakeboard_lanes z43 = sigma * c2;
-    const snakeboard_lanes z44 = J_w * z40;
-    const snakeboard_lanes z45 = z43 - z44;
-    const snakeboard_lanes z46 = z43 + z44;
-    const snakeboard_lanes z47 = l * z31;
-    const snakeboard_lanes z48 = l * z30;
-    const snakeboard_lanes z49 = m * v;
-    const snakeboard_lanes z50 = (z33 * z18 + z7 * (s1 * z47 - z16 * z35 + (z48 * z12 - z17 * z39))) * (z19 *
-        z49);
-    const snakeboard_lanes z51 = (z33 * z20 + z7 * (c1 * z47 + z16 * z38 + (z48 * z11 + z17 * z37))) * (z21 *
-        z49);
-    const snakeboard_lanes z52 = (z14 * (z42 + (z41 + (z45 + (z44 - (z46 - k7 * z40))))) + z50 + z51) / z22;
-    const snakeboard_lanes z53 = z14 * z52;
+    const snakeboard_lanes z42 = sigma * c2;
+    const snakeboard_lanes z43 = J_w * z39;
+    const snakeboard_lanes z44 = z42 - z43;
+    const snakeboard_lanes z45 = z42 + z43;
+    const snakeboard_lanes z46 = l * z30;
+    const snakeboard_lanes z47 = l * z29;
+    const snakeboard_lanes z48 = m * v;
+    const snakeboard_lanes z49 = (z32 * z17 + z7 * (s1 * z46 - z15 * z34 + (z47 * z12 - z16 * z38))) * (z18 *
+        z48);
+    const snakeboard_lanes z50 = (z32 * z19 + z7 * (c1 * z46 + z15 * z37 + (z47 * z11 + z16 * z36))) * (z20 *
+        z48);
+    const snakeboard_lanes z51 = (z14 * (z41 + (z40 + (z44 + (z43 - (z45 - k7 * z39))))) + z49 + z50) / z21;
+    const snakeboard_lanes z52 = z14 * z51;
     /* (I.2.15) */
-    const snakeboard_lanes slope1 = z20 * z23;
+    const snakeboard_lanes slope1 = z19 * z22;
     sum += slope1;
     snakeboard_put(dydt, slope1);
-    const snakeboard_lanes slope2 = z18 * z23;
+    const snakeboard_lanes slope2 = z17 * z22;
     sum += slope2;
     snakeboard_put(dydt + 1 * stride, slope2);
-    const snakeboard_lanes slope3 = -z24;
+    const snakeboard_lanes slope3 = -z23;
     snakeboard_put(dydt + 2 * stride, slope3);
     const snakeboard_lanes slope4 = psi_dot;
     sum += slope4;
@@ -1248,15 +1210,15 @@ static __attribute__((noinline)) void snakeboard_rhs_lanes(const double *fixed, 
     const snakeboard_lanes slope6 = p_f_dot;
     snakeboard_put(dydt + 5 * stride, slope6);
     /* (I.2.15) 22:4 */
-    const snakeboard_lanes slope7 = z52;
+    const snakeboard_lanes slope7 = z51;
     snakeboard_put(dydt + 6 * stride, slope7);
-    const snakeboard_lanes slope8 = z53 + k5 * z42;
+    const snakeboard_lanes slope8 = k5 * z41 + z52;
     sum += slope8;
     snakeboard_put(dydt + 7 * stride, slope8);
-    const snakeboard_lanes slope9 = z53 + k6 * z45;
+    const snakeboard_lanes slope9 = k6 * z44 + z52;
     sum += slope9;
     snakeboard_put(dydt + 8 * stride, slope9);
-    const snakeboard_lanes slope10 = z53 - k6 * z46;
+    const snakeboard_lanes slope10 = z52 - k6 * z45;
     sum += slope10;
     snakeboard_put(dydt + 9 * stride, slope10);
     snakeboard_put(check, snakeboard_mark(far + (sum - sum), bad));

@@ -1,5 +1,5 @@
 /*
- * spherical_pendulum.c: spherical_pendulum, emitted by nhc 0.1.0 (nhc:8e25fa763f31666d)
+ * spherical_pendulum.c: spherical_pendulum, emitted by nhc 0.1.0 (nhc:afa226b3bc67285a)
  * A pendulum that swings in space.
  * Source: spherical_pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -355,9 +355,7 @@ double spherical_pendulum_energy(double t, const double *y, const double *p)
 
 int spherical_pendulum_jacobian(double t, const double *y, const double *p, double *J)
 {
-    for (int entry = 0; entry < 16; ++entry) {
-        J[entry] = 0.0;
-    }
+    memset(J, 0, 16 * sizeof *J);
     (void)t;
     const double theta = y[0]; /* angle from the downward vertical [rad] */
 

@@ -1,5 +1,5 @@
 /*
- * suslov.c: suslov, emitted by nhc 0.1.0 (nhc:205cf0cdab7c51e4)
+ * suslov.c: suslov, emitted by nhc 0.1.0 (nhc:e7aa979ec626e600)
  * A rigid body with a fixed point that must not turn about one of its own axes.
  * Source: suslov.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -38,13 +38,6 @@ const double suslov_parameter_defaults[] = {
     0.3,
     -0.2
 };
-
-/* long functions that are called seldom: gcc is to take less time over them (other compilers do so by themselves) */
-#if defined(__GNUC__) && !defined(__clang__) && defined(__OPTIMIZE__)
-#define SUSLOV_SLOW __attribute__((cold, optimize("O1")))
-#else
-#define SUSLOV_SLOW
-#endif
 
 #if defined(__GNUC__)
 __attribute__((noinline)) /* it is seldom called, and would cost its callers registers */
@@ -444,12 +437,9 @@ double suslov_energy(double t, const double *y, const double *p)
     return 0.5 * (I11 * (w1 * w1) + I22 * (w2 * w2));
 }
 
-SUSLOV_SLOW
 int suslov_jacobian(double t, const double *y, const double *p, double *J)
 {
-    for (int entry = 0; entry < 25; ++entry) {
-        J[entry] = 0.0;
-    }
+    memset(J, 0, 25 * sizeof *J);
     (void)t;
     const double theta = y[1]; /* nutation [rad] */
     const double psi = y[2]; /* spin [rad] */
@@ -478,33 +468,30 @@ int suslov_jacobian(double t, const double *y, const double *p, double *J)
     const double z3 = c_theta * (z2 * z2);
     const double z4 = z1 * z3;
     const double z5 = c_psi * w1 - s_psi * w2;
-    const double z6 = z2 * z5;
-    const double z7 = s_psi * z2;
-    const double z8 = c_psi * z2;
-    const double z9 = s_theta * c_psi;
-    const double z10 = s_theta * s_psi;
-    const double z11 = I23 * w2;
-    const double z12 = I13 * w1;
-    const double z13 = z12 + z11;
+    const double z6 = s_psi * z2;
+    const double z7 = c_psi * z2;
+    const double z8 = I23 * w2;
+    const double z9 = I13 * w1;
+    const double z10 = z9 + z8;
     /* (I.2.15) */
     J[1] = -z4;
-    J[2] = z6;
-    J[3] = z7;
-    J[4] = z8;
-    J[6] = z2 * (c_theta * z5) - (z9 * w1 - z10 * w2) * z3;
-    J[7] = -z2 * (z10 * w1 + z9 * w2);
+    J[2] = z2 * z5;
+    J[3] = z6;
+    J[4] = z7;
+    J[6] = 0.0;
+    J[7] = -z1;
     J[8] = c_psi;
     J[9] = -s_psi;
     J[11] = z1 + c_theta * z4;
-    J[12] = -c_theta * z6;
-    J[13] = -c_theta * z7;
-    J[14] = -c_theta * z8;
+    J[12] = -z3 * (s_theta * z5);
+    J[13] = -c_theta * z6;
+    J[14] = -c_theta * z7;
     J[18] = w2 * k3;
-    J[19] = -k1 * (z11 + z13);
-    J[23] = k2 * (z12 + z13);
+    J[19] = -k1 * (z8 + z10);
+    J[23] = k2 * (z9 + z10);
     J[24] = w1 * k4;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(J[6] + J[7] + J[11] + J[12] + J[14] + J[18] + J[19] + J[23] + J[24]) <= DBL_MAX
+    if (!(fabs(J[2] + J[11] + J[12] + J[14] + J[18] + J[19] + J[23] + J[24]) <= DBL_MAX
         && fabs(s_theta) > 1e-12 * 4.0)) {
         /* the coframe is singular */
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {

@@ -1,5 +1,5 @@
 /*
- * vertical_disk.c: vertical_disk, emitted by nhc 0.1.0 (nhc:5f31d37193237656)
+ * vertical_disk.c: vertical_disk, emitted by nhc 0.1.0 (nhc:1caeb7aba02b0119)
  * A disk that stays upright and rolls without slipping.
  * Source: vertical_disk.yaml
  * Equations of motion: chaplygin (III.3)
@@ -389,9 +389,7 @@ double vertical_disk_energy(double t, const double *y, const double *p)
 
 int vertical_disk_jacobian(double t, const double *y, const double *p, double *J)
 {
-    for (int entry = 0; entry < 36; ++entry) {
-        J[entry] = 0.0;
-    }
+    memset(J, 0, 36 * sizeof *J);
     (void)t;
     const double phi = y[2]; /* heading [rad] */
 

@@ -1,5 +1,5 @@
 /*
- * veselova.c: veselova, emitted by nhc 0.1.0 (nhc:8aae1dd6d248ba4c)
+ * veselova.c: veselova, emitted by nhc 0.1.0 (nhc:b0af93f230055479)
  * A rigid body with a fixed point that must not turn about the vertical.
  * Source: veselova.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -224,33 +224,31 @@ int veselova_rhs(double t, const double *y, const double *p, double *dydt)
     const double z6 = s_psi * c_theta;
     const double z7 = k1 * (c_psi * z6);
     const double z8 = z3 - s_phi * (s_phi * z5 + 2.0 * (c_phi * z7));
-    const double z9 = 2.0 * (s_phi * z7);
-    const double z10 = c_theta * c_theta;
-    const double z11 = z9 + c_phi * (I3 * (1.0 - z10) - (I1 - I2 * z10) + k1 * (z1 * (1.0 + z10)));
-    const double z12 = z3 + c_phi * z11;
-    const double z13 = z7 + s_phi * (c_phi * z5 - z9);
-    const double z14 = 1.0 / z8;
-    const double z15 = z13 * z14;
-    const double z16 = z12 - z13 * z15;
-    const double z17 = 1.0 / s_theta;
-    const double z18 = s_phi * w_x - c_phi * w_y;
-    const double z19 = z17 * z18;
-    const double z20 = s_theta * w_y;
-    const double z21 = s_theta * w_x;
-    const double z22 = k1 * (s_psi * (z18 * z6 - c_psi * (c_phi * w_x + s_phi * w_y))) + k2 * (c_theta * z18);
-    const double z23 = z20 * z22;
-    const double z24 = (z21 * z22 + z23 * z15) / z16;
+    const double z9 = c_phi * z5 - 2.0 * (s_phi * z7);
+    const double z10 = z7 + s_phi * z9;
+    const double z11 = 1.0 / z8;
+    const double z12 = z10 * z11;
+    const double z13 = z3 - c_phi * z9;
+    const double z14 = z10 * z12 - z13;
+    const double z15 = 1.0 / s_theta;
+    const double z16 = s_phi * w_x - c_phi * w_y;
+    const double z17 = z15 * z16;
+    const double z18 = s_theta * w_y;
+    const double z19 = s_theta * w_x;
+    const double z20 = k1 * (s_psi * (z16 * z6 - c_psi * (c_phi * w_x + s_phi * w_y))) + k2 * (c_theta * z16);
+    const double z21 = z18 * z20;
+    const double z22 = (z19 * z20 + z21 * z12) / z14;
     /* (I.2.15) */
-    dydt[0] = -c_theta * z19; /* phi' */
-    dydt[1] = z17 * (s_phi * z20 + c_phi * z21); /* theta' */
-    dydt[2] = z19; /* psi' */
+    dydt[0] = -c_theta * z17; /* phi' */
+    dydt[1] = z15 * (s_phi * z18 + c_phi * z19); /* theta' */
+    dydt[2] = z17; /* psi' */
     /* (I.2.15) 24:4 */
-    dydt[3] = z23 * z14 + z15 * z24; /* w_x' */
-    dydt[4] = -z24; /* w_y' */
+    dydt[3] = z21 * z11 - z12 * z22; /* w_x' */
+    dydt[4] = z22; /* w_y' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(dydt[0] + dydt[1] + dydt[3] + dydt[4]) <= DBL_MAX
+    if (!(fabs(dydt[0] + dydt[1] + dydt[3]) <= DBL_MAX
         && fabs(s_theta) > 1e-12 * 4.0
-        && fabs(z16) > 1e-14 * z12)) {
+        && fabs(-z14) > 1e-14 * z13)) {
         /* the coframe is singular */
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
             return VESELOVA_SINGULAR_1;
@@ -260,7 +258,7 @@ int veselova_rhs(double t, const double *y, const double *p, double *dydt)
             return VESELOVA_SINGULAR_2;
         }
         /* the mass matrix is singular */
-        if (!(fabs(z16) > 1e-14 * z12)) {
+        if (!(fabs(-z14) > 1e-14 * z13)) {
             return VESELOVA_SINGULAR_2;
         }
         return veselova_finish(5, dydt);
@@ -335,41 +333,39 @@ int veselova_accelerations(double t, const double *y, const double *p, double *q
     const double z6 = s_psi * c_theta;
     const double z7 = k1 * (c_psi * z6);
     const double z8 = z3 - s_phi * (s_phi * z5 + 2.0 * (c_phi * z7));
-    const double z9 = 2.0 * (s_phi * z7);
-    const double z10 = c_theta * c_theta;
-    const double z11 = z9 + c_phi * (I3 * (1.0 - z10) - (I1 - I2 * z10) + k1 * (z1 * (1.0 + z10)));
-    const double z12 = z3 + c_phi * z11;
-    const double z13 = z7 + s_phi * (c_phi * z5 - z9);
-    const double z14 = 1.0 / z8;
-    const double z15 = z13 * z14;
-    const double z16 = z12 - z13 * z15;
-    const double z17 = s_theta * s_phi;
-    const double z18 = s_theta * c_phi;
-    const double z19 = z17 * w_y + z18 * w_x;
-    const double z20 = 1.0 / s_theta;
-    const double z21 = s_phi * w_x - c_phi * w_y;
-    const double z22 = z20 * z21;
-    const double z23 = z20 * (c_theta * z19);
-    const double z24 = z20 * z20 * z23;
-    const double z25 = c_theta * z22;
-    const double z26 = c_phi * z25;
-    const double z27 = k1 * (s_psi * (z21 * z6 - c_psi * (c_phi * w_x + s_phi * w_y))) + k2 * (c_theta * z21);
-    const double z28 = s_theta * z27;
-    const double z29 = w_y * z28;
-    const double z30 = (w_x * z28 + z15 * z29) / z16;
-    const double z31 = z14 * z29 + z15 * z30;
-    const double z32 = s_phi * z25;
-    const double z33 = z21 * z24 + z20 * (w_x * z26 - s_phi * z31 + (w_y * z32 - c_phi * z30));
-    const double z34 = w_y * (s_theta * z26 - s_phi * z23) + z17 * z30 - (w_x * (s_theta * z32 + c_phi * z23)
-        + z18 * z31);
+    const double z9 = c_phi * z5 - 2.0 * (s_phi * z7);
+    const double z10 = z7 + s_phi * z9;
+    const double z11 = 1.0 / z8;
+    const double z12 = z10 * z11;
+    const double z13 = z3 - c_phi * z9;
+    const double z14 = z10 * z12 - z13;
+    const double z15 = s_theta * s_phi;
+    const double z16 = s_theta * c_phi;
+    const double z17 = z15 * w_y + z16 * w_x;
+    const double z18 = 1.0 / s_theta;
+    const double z19 = s_phi * w_x - c_phi * w_y;
+    const double z20 = z18 * z19;
+    const double z21 = z18 * (c_theta * z17);
+    const double z22 = z18 * z18 * z21;
+    const double z23 = c_theta * z20;
+    const double z24 = c_phi * z23;
+    const double z25 = k1 * (s_psi * (z19 * z6 - c_psi * (c_phi * w_x + s_phi * w_y))) + k2 * (c_theta * z19);
+    const double z26 = s_theta * z25;
+    const double z27 = w_y * z26;
+    const double z28 = (w_x * z26 + z12 * z27) / z14;
+    const double z29 = z11 * z27 - z12 * z28;
+    const double z30 = s_phi * z23;
+    const double z31 = z19 * z22 + z18 * (w_x * z24 - s_phi * z29 + (w_y * z30 + c_phi * z28));
+    const double z32 = w_y * (s_theta * z24 - s_phi * z21) - z15 * z28 - (w_x * (s_theta * z30 + c_phi * z21)
+        + z16 * z29);
     /* (I.2.15) */
-    qddot[0] = z19 * z22 + c_theta * z33; /* phi'' */
-    qddot[1] = -(z19 * z24 + z20 * z34); /* theta'' */
-    qddot[2] = -z33; /* psi'' */
+    qddot[0] = z17 * z20 + c_theta * z31; /* phi'' */
+    qddot[1] = -(z17 * z22 + z18 * z32); /* theta'' */
+    qddot[2] = -z31; /* psi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qddot[0] + qddot[1] + qddot[2]) <= DBL_MAX
         && fabs(s_theta) > 1e-12 * 4.0
-        && fabs(z16) > 1e-14 * z12)) {
+        && fabs(-z14) > 1e-14 * z13)) {
         /* the coframe is singular */
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
             return VESELOVA_SINGULAR_1;
@@ -379,7 +375,7 @@ int veselova_accelerations(double t, const double *y, const double *p, double *q
             return VESELOVA_SINGULAR_2;
         }
         /* the mass matrix is singular */
-        if (!(fabs(z16) > 1e-14 * z12)) {
+        if (!(fabs(-z14) > 1e-14 * z13)) {
             return VESELOVA_SINGULAR_2;
         }
         return veselova_finish(3, qddot);
@@ -469,54 +465,38 @@ int veselova_reactions(double t, const double *y, const double *p, double *lambd
     const double z6 = s_psi * c_theta;
     const double z7 = k1 * (c_psi * z6);
     const double z8 = z3 - s_phi * (s_phi * z5 + 2.0 * (c_phi * z7));
-    const double z9 = 2.0 * (s_phi * z7);
-    const double z10 = c_theta * c_theta;
-    const double z11 = z9 + c_phi * (I3 * (1.0 - z10) - (I1 - I2 * z10) + k1 * (z1 * (1.0 + z10)));
-    const double z12 = z3 + c_phi * z11;
-    const double z13 = z7 + s_phi * (c_phi * z5 - z9);
-    const double z14 = 1.0 / z8;
-    const double z15 = z13 * z14;
-    const double z16 = z12 - z13 * z15;
-    const double z17 = s_theta * s_psi;
-    const double z18 = 1.0 / s_theta;
-    const double z19 = s_phi * w_x - c_phi * w_y;
-    const double z20 = z18 * z19;
-    const double z21 = c_theta * z20;
-    const double z22 = c_psi * z20;
-    const double z23 = s_theta * w_y;
-    const double z24 = s_theta * w_x;
-    const double z25 = s_phi * z23 + c_phi * z24;
-    const double z26 = z18 * z25;
-    const double z27 = c_theta * z26;
-    const double z28 = s_theta * z22 + s_psi * z27;
-    const double z29 = c_phi * z21;
-    const double z30 = s_phi * z21;
-    const double z31 = z18 * z18 * z27;
-    const double z32 = z18 * (w_x * z29 + w_y * z30) + z19 * z31;
-    const double z33 = z20 * z25 + c_theta * z32;
-    const double z34 = s_psi * z20;
-    const double z35 = z18 * (w_y * (s_theta * z29 - s_phi * z27) - w_x * (s_theta * z30 + c_phi * z27)) +
-        z25 * z31;
-    const double z36 = z17 * (z21 * z28 - z17 * z33 + (z34 * z26 + c_psi * z35)) + (z17 * z21 - c_psi * z26)
-        * z28;
-    const double z37 = s_theta * c_psi;
-    const double z38 = s_theta * z34 - c_psi * z27;
-    const double z39 = z37 * (z21 * z38 + z37 * z33 - (z22 * z26 - s_psi * z35)) + (z37 * z21 + s_psi * z26)
-        * z38;
-    const double z40 = I1 * z36 - I2 * z39 + I3 * (c_theta * (z32 - (z21 * z25 + c_theta * z33)) + (z20 -
-        c_theta * z21) * z25);
-    const double z41 = s_psi * k1;
-    const double z42 = c_theta * k2;
-    const double z43 = (z19 * z6 - c_psi * (c_phi * w_x + s_phi * w_y)) * z41 + z19 * z42;
-    const double z44 = z23 * z43;
-    const double z45 = (z24 * z43 + z15 * z44) / z16;
-    const double z46 = ((c_psi * c_phi - s_phi * z6) * z41 - s_phi * z42) * (s_theta * (z14 * z44 + z15 *
-        z45));
+    const double z9 = c_phi * z5 - 2.0 * (s_phi * z7);
+    const double z10 = z7 + s_phi * z9;
+    const double z11 = 1.0 / z8;
+    const double z12 = z10 * z11;
+    const double z13 = z3 - c_phi * z9;
+    const double z14 = z10 * z12 - z13;
+    const double z15 = s_theta * s_psi;
+    const double z16 = 1.0 / s_theta;
+    const double z17 = s_phi * w_x - c_phi * w_y;
+    const double z18 = z16 * z17;
+    const double z19 = c_theta * z18;
+    const double z20 = s_theta * w_y;
+    const double z21 = s_theta * w_x;
+    const double z22 = s_phi * z20 + c_phi * z21;
+    const double z23 = z16 * z22;
+    const double z24 = c_theta * z23;
+    const double z25 = s_theta * c_psi;
+    const double z26 = I1 * ((z15 * z19 - c_psi * z23) * (s_psi * z24 + z25 * z18)) + I2 * ((z25 * z19 +
+        s_psi * z23) * (c_psi * z24 - z15 * z18));
+    const double z27 = s_psi * k1;
+    const double z28 = c_theta * k2;
+    const double z29 = (z17 * z6 - c_psi * (c_phi * w_x + s_phi * w_y)) * z27 + z17 * z28;
+    const double z30 = z20 * z29;
+    const double z31 = (z21 * z29 + z12 * z30) / z14;
+    const double z32 = ((c_psi * c_phi - s_phi * z6) * z27 - s_phi * z28) * (s_theta * (z11 * z30 - z12 *
+        z31));
+    const double z33 = z26 + I3 * ((z18 - c_theta * z19) * z22) - (z32 + ((c_psi * s_phi + c_phi * z6) * z27
+        + c_phi * z28) * (s_theta * z31));
     /* (I.4.1) 26:5 */
-    /* reaction of no_turn: Q_i gains lambda_1 a_1i */
-    lambda[0] = z46 - ((c_psi * s_phi + c_phi * z6) * z41 + c_phi * z42) * (s_theta * z45) - z40;
+    lambda[0] = -z33; /* reaction of no_turn: Q_i gains lambda_1 a_1i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(lambda[0]) <= DBL_MAX && fabs(s_theta) > 1e-12 * 4.0 && fabs(z16) > 1e-14 * z12)) {
+    if (!(fabs(lambda[0]) <= DBL_MAX && fabs(s_theta) > 1e-12 * 4.0 && fabs(-z14) > 1e-14 * z13)) {
         /* the coframe is singular */
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
             return VESELOVA_SINGULAR_1;
@@ -526,7 +506,7 @@ int veselova_reactions(double t, const double *y, const double *p, double *lambd
             return VESELOVA_SINGULAR_2;
         }
         /* the mass matrix is singular */
-        if (!(fabs(z16) > 1e-14 * z12)) {
+        if (!(fabs(-z14) > 1e-14 * z13)) {
             return VESELOVA_SINGULAR_2;
         }
         return veselova_finish(1, lambda);
@@ -606,116 +586,111 @@ int veselova_jacobian(double t, const double *y, const double *p, double *J)
     const double z9 = z8 * k1;
     const double z10 = s_phi * z6 + 2.0 * (c_phi * z9);
     const double z11 = z3 - s_phi * z10;
-    const double z12 = c_theta * c_theta;
-    const double z13 = k1 * (1.0 + z12);
-    const double z14 = z1 * z13 + (I3 * (1.0 - z12) - (I1 - I2 * z12));
-    const double z15 = 2.0 * (s_phi * z9);
-    const double z16 = c_phi * z14 + z15;
-    const double z17 = z3 + c_phi * z16;
-    const double z18 = c_phi * z6 - z15;
-    const double z19 = z9 + s_phi * z18;
-    const double z20 = 1.0 / z11;
-    const double z21 = z19 * z20;
-    const double z22 = z17 - z19 * z21;
-    const double z23 = 1.0 / s_theta;
-    const double z24 = c_phi * w_x + s_phi * w_y;
-    const double z25 = z23 * z24;
-    const double z26 = s_phi * w_x - c_phi * w_y;
-    const double z27 = c_theta * (z23 * z23);
-    const double z28 = z26 * z27;
-    const double z29 = s_phi * z23;
-    const double z30 = c_phi * z23;
-    const double z31 = s_theta * c_phi;
-    const double z32 = s_theta * s_phi;
-    const double z33 = s_theta * w_y;
-    const double z34 = c_theta * k2;
-    const double z35 = s_psi * c_theta;
-    const double z36 = s_psi * k1;
-    const double z37 = z33 * z36;
-    const double z38 = z33 * z34 + z35 * z37;
-    const double z39 = c_psi * z37;
-    const double z40 = 1.0 / z22;
-    const double z41 = k1 * (z26 * z35 - c_psi * z24);
-    const double z42 = z26 * k2;
-    const double z43 = s_psi * z41 + c_theta * z42;
-    const double z44 = s_theta * w_x;
-    const double z45 = z33 * z43;
-    const double z46 = z40 * (z43 * z44 + z45 * z21);
-    const double z47 = s_phi * z46;
-    const double z48 = k1 * z47;
-    const double z49 = z45 * z20 + z21 * z46;
-    const double z50 = s_phi * z49;
-    const double z51 = z6 * z50;
-    const double z52 = w_x * z38 - (w_y * z39 - z18 * z46 + 2.0 * (z8 * z48) - z10 * z49 - z51);
-    const double z53 = k1 * z50;
-    const double z54 = c_phi * z52 + s_phi * (w_y * z38 + (w_x * z39 - z6 * z47 - 2.0 * (z8 * z53)));
-    const double z55 = z44 * z36;
-    const double z56 = z44 * z34 + z35 * z55;
-    const double z57 = c_psi * z55;
-    const double z58 = c_phi * z46;
-    const double z59 = k1 * (z50 + z58);
-    const double z60 = c_phi * (w_x * z56 - (w_y * z57 - z18 * z49 + 2.0 * (z8 * z59))) + s_phi * (w_y * z56
-        - (z51 - (w_x * z57 + (z16 * z46 + z14 * z58))));
-    const double z61 = z40 * (z60 + z21 * z54);
-    const double z62 = z26 * z37;
-    const double z63 = k1 * z46 - 2.0 * (s_phi * z48) + 2.0 * (c_phi * z53);
-    const double z64 = c_phi * z47 + s_phi * z50;
-    const double z65 = I1 * z64;
-    const double z66 = I2 * z64;
-    const double z67 = s_theta * (z33 * z42 + s_psi * z62 + z7 * z63) - c_theta * (w_y * z43 - 2.0 * (s_theta
-        * (I3 * z64 - z1 * z65 - z2 * z66)));
-    const double z68 = z26 * z55;
-    const double z69 = c_phi * z58;
-    const double z70 = k1 * z49 - 2.0 * (s_phi * z59);
-    const double z71 = s_psi * z68 + (z42 * z44 - 2.0 * (c_theta * (k1 * (z1 * z69) + k2 * z69))) + z7 * z70;
-    const double z72 = c_phi * z50;
-    const double z73 = I1 * z72;
-    const double z74 = I2 * z72;
-    const double z75 = s_theta * z71 - c_theta * (w_x * z43 - 2.0 * (s_theta * (I3 * z72 - z1 * z73 - z2 *
-        z74)));
-    const double z76 = z40 * (z75 + z21 * z67);
-    const double z77 = c_theta * z63;
-    const double z78 = 2.0 * (s_psi * (2.0 * z66 - (I2 * z49 + z5 * z65) + (I1 * z49 - z4 * z66)));
-    const double z79 = s_psi * (z24 * z37 - s_psi * z77) + c_psi * (z33 * z41 + c_theta * z62 + c_psi * z77 +
-        z78);
-    const double z80 = c_theta * z70;
-    const double z81 = 2.0 * z74 - (z13 * z69 + I2 * z46 + z5 * z73) + (I1 * z46 - z4 * z74);
-    const double z82 = s_psi * (z24 * z55 - s_psi * z80) + c_psi * (z41 * z44 + c_theta * z68 + c_psi * z80 +
-        2.0 * (s_psi * z81));
-    const double z83 = z40 * (z82 + z21 * z79);
-    const double z84 = c_phi * z39 - s_phi * z38;
-    const double z85 = s_theta * z43;
-    const double z86 = z40 * (z85 - c_phi * z57 + s_phi * z56 - z21 * z84);
-    const double z87 = z85 - s_phi * z39 - c_phi * z38;
-    const double z88 = z40 * (s_phi * z57 + c_phi * z56 - z21 * z87);
+    const double z12 = c_phi * z6 - 2.0 * (s_phi * z9);
+    const double z13 = z9 + s_phi * z12;
+    const double z14 = 1.0 / z11;
+    const double z15 = z13 * z14;
+    const double z16 = z3 - c_phi * z12;
+    const double z17 = z13 * z15 - z16;
+    const double z18 = 1.0 / s_theta;
+    const double z19 = c_phi * w_x + s_phi * w_y;
+    const double z20 = z18 * z19;
+    const double z21 = s_phi * w_x - c_phi * w_y;
+    const double z22 = z18 * z18 * (c_theta * z21);
+    const double z23 = s_phi * z18;
+    const double z24 = c_phi * z18;
+    const double z25 = s_theta * w_y;
+    const double z26 = c_theta * k2;
+    const double z27 = s_psi * c_theta;
+    const double z28 = s_psi * k1;
+    const double z29 = z25 * z28;
+    const double z30 = z25 * z26 + z27 * z29;
+    const double z31 = w_x * z30;
+    const double z32 = c_psi * z29;
+    const double z33 = k1 * (z21 * z27 - c_psi * z19);
+    const double z34 = z21 * k2;
+    const double z35 = s_psi * z33 + c_theta * z34;
+    const double z36 = s_theta * w_x;
+    const double z37 = z25 * z35;
+    const double z38 = 1.0 / z17;
+    const double z39 = (z35 * z36 + z37 * z15) * z38;
+    const double z40 = z12 * z39;
+    const double z41 = s_phi * z39;
+    const double z42 = k1 * z41;
+    const double z43 = z37 * z14 - z15 * z39;
+    const double z44 = s_phi * z43;
+    const double z45 = z6 * z44;
+    const double z46 = w_x * z32;
+    const double z47 = k1 * z44;
+    const double z48 = c_phi * (z31 - (w_y * z32 + z40 - 2.0 * (z8 * z42) - z10 * z43 - z45)) + s_phi * (w_y
+        * z30 + (z46 + z6 * z41 - 2.0 * (z8 * z47)));
+    const double z49 = z36 * z28;
+    const double z50 = z36 * z26 + z27 * z49;
+    const double z51 = c_phi * z39;
+    const double z52 = k1 * (z44 - z51);
+    const double z53 = c_psi * z49;
+    const double z54 = c_phi * (w_x * z50 - (z46 - z12 * z43 + 2.0 * (z8 * z52))) + s_phi * (z31 - (z45 -
+        (w_x * z53 + (z40 + z6 * z51))));
+    const double z55 = z38 * (z54 + z15 * z48);
+    const double z56 = z21 * z29;
+    const double z57 = k1 * z39 - 2.0 * (s_phi * z42) - 2.0 * (c_phi * z47);
+    const double z58 = c_phi * z41 - s_phi * z44;
+    const double z59 = I1 * z58;
+    const double z60 = I2 * z58;
+    const double z61 = s_theta * (z25 * z34 + s_psi * z56 - z7 * z57) - c_theta * (w_y * z35 + 2.0 * (s_theta
+        * (I3 * z58 - z1 * z59 - z2 * z60)));
+    const double z62 = z21 * z49;
+    const double z63 = c_phi * z51;
+    const double z64 = k1 * z63;
+    const double z65 = k1 * z43 - 2.0 * (s_phi * z52);
+    const double z66 = s_psi * z62 + (z34 * z36 + 2.0 * (c_theta * (z1 * z64 + k2 * z63))) + z7 * z65;
+    const double z67 = c_phi * z44;
+    const double z68 = I1 * z67;
+    const double z69 = I2 * z67;
+    const double z70 = s_theta * z66 - c_theta * (w_x * z35 - 2.0 * (s_theta * (I3 * z67 - z1 * z68 - z2 *
+        z69)));
+    const double z71 = z38 * (z70 + z15 * z61);
+    const double z72 = c_theta * z57;
+    const double z73 = 2.0 * (s_psi * (2.0 * z60 + (I2 * z43 - z5 * z59) - (I1 * z43 + z4 * z60)));
+    const double z74 = s_psi * (z19 * z29 + s_psi * z72) + c_psi * (z25 * z33 + c_theta * z56 - c_psi * z72 -
+        z73);
+    const double z75 = c_theta * z65;
+    const double z76 = 2.0 * z69 + (z5 * z64 + I2 * z39 - z5 * z68) - (I1 * z39 + z4 * z69);
+    const double z77 = s_psi * (z19 * z49 - s_psi * z75) + c_psi * (z33 * z36 + c_theta * z62 + c_psi * z75 +
+        2.0 * (s_psi * z76));
+    const double z78 = z38 * (z77 + z15 * z74);
+    const double z79 = c_phi * z32 - s_phi * z30;
+    const double z80 = s_theta * z35;
+    const double z81 = z38 * (z80 - c_phi * z53 + s_phi * z50 - z15 * z79);
+    const double z82 = z80 - s_phi * z32 - c_phi * z30;
+    const double z83 = z38 * (s_phi * z53 + c_phi * z50 - z15 * z82);
     /* (I.2.15) */
-    J[0] = -c_theta * z25;
-    J[1] = z26 + c_theta * z28;
-    J[3] = -c_theta * z29;
-    J[4] = c_theta * z30;
-    J[5] = z23 * (z31 * w_y - z32 * w_x);
-    J[6] = z23 * (c_theta * z24) - (z32 * w_y + z31 * w_x) * z27;
+    J[0] = -c_theta * z20;
+    J[1] = z21 + c_theta * z22;
+    J[3] = -c_theta * z23;
+    J[4] = c_theta * z24;
+    J[5] = -z21;
+    J[6] = 0.0;
     J[8] = c_phi;
     J[9] = s_phi;
-    J[10] = z25;
-    J[11] = -z28;
-    J[13] = z29;
-    J[14] = -z30;
-    J[15] = z20 * z54 + z21 * z61;
-    J[16] = -(z20 * z67 + z21 * z76);
-    J[17] = z20 * z79 + z21 * z83;
-    J[18] = z21 * z86 - z20 * z84;
-    J[19] = z20 * z87 - z21 * z88;
-    J[20] = -z61;
-    J[21] = z76;
-    J[22] = -z83;
-    J[23] = -z86;
-    J[24] = z88;
+    J[10] = z20;
+    J[11] = -z22;
+    J[13] = z23;
+    J[14] = -z24;
+    J[15] = z14 * z48 - z15 * z55;
+    J[16] = z15 * z71 - z14 * z61;
+    J[17] = z14 * z74 - z15 * z78;
+    J[18] = -(z14 * z79 + z15 * z81);
+    J[19] = z14 * z82 + z15 * z83;
+    J[20] = z55;
+    J[21] = -z71;
+    J[22] = z78;
+    J[23] = z81;
+    J[24] = -z83;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(J[0] + J[1] + J[5] + J[6] + J[11] + J[14] + J[15] + J[16] + J[17] + J[18] + J[19] + J[20] +
-        J[22] + J[23]) <= DBL_MAX
+    if (!(fabs(J[0] + J[1] + J[11] + J[14] + J[15] + J[16] + J[17] + J[18] + J[19] + J[21] + J[24]) <= DBL_MAX
         && fabs(s_theta) > 1e-12 * 4.0
-        && fabs(z22) > 1e-14 * z17)) {
+        && fabs(-z17) > 1e-14 * z16)) {
         /* the coframe is singular */
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
             return VESELOVA_SINGULAR_1;
@@ -725,7 +700,7 @@ int veselova_jacobian(double t, const double *y, const double *p, double *J)
             return VESELOVA_SINGULAR_2;
         }
         /* the mass matrix is singular */
-        if (!(fabs(z22) > 1e-14 * z17)) {
+        if (!(fabs(-z17) > 1e-14 * z16)) {
             return VESELOVA_SINGULAR_2;
         }
         return veselova_finish(25, J);
@@ -818,40 +793,37 @@ static __attribute__((noinline)) void veselova_rhs_lanes(const double *fixed, si
     const veselova_lanes z6 = s_psi * c_theta;
     const veselova_lanes z7 = k1 * (c_psi * z6);
     const veselova_lanes z8 = z3 - s_phi * (s_phi * z5 + 2.0 * (c_phi * z7));
-    const veselova_lanes z9 = 2.0 * (s_phi * z7);
-    const veselova_lanes z10 = c_theta * c_theta;
-    const veselova_lanes z11 = z9 + c_phi * (I3 * (1.0 - z10) - (I1 - I2 * z10) + k1 * (z1 * (1.0 + z10)));
-    const veselova_lanes z12 = z3 + c_phi * z11;
-    const veselova_lanes z13 = z7 + s_phi * (c_phi * z5 - z9);
-    const veselova_lanes z14 = 1.0 / z8;
-    const veselova_lanes z15 = z13 * z14;
-    const veselova_lanes z16 = z12 - z13 * z15;
+    const veselova_lanes z9 = c_phi * z5 - 2.0 * (s_phi * z7);
+    const veselova_lanes z10 = z7 + s_phi * z9;
+    const veselova_lanes z11 = 1.0 / z8;
+    const veselova_lanes z12 = z10 * z11;
+    const veselova_lanes z13 = z3 - c_phi * z9;
+    const veselova_lanes z14 = z10 * z12 - z13;
     /* the mass matrix is singular */
-    bad |= veselova_misses(veselova_size(VESELOVA_SPREAD(z16)), 1e-14 * z12);
-    const veselova_lanes z17 = 1.0 / s_theta;
-    const veselova_lanes z18 = s_phi * w_x - c_phi * w_y;
-    const veselova_lanes z19 = z17 * z18;
-    const veselova_lanes z20 = s_theta * w_y;
-    const veselova_lanes z21 = s_theta * w_x;
-    const veselova_lanes z22 = k1 * (s_psi * (z18 * z6 - c_psi * (c_phi * w_x + s_phi * w_y))) + k2 *
-        (c_theta * z18);
-    const veselova_lanes z23 = z20 * z22;
-    const veselova_lanes z24 = (z21 * z22 + z23 * z15) / z16;
+    bad |= veselova_misses(veselova_size(VESELOVA_SPREAD(-z14)), 1e-14 * z13);
+    const veselova_lanes z15 = 1.0 / s_theta;
+    const veselova_lanes z16 = s_phi * w_x - c_phi * w_y;
+    const veselova_lanes z17 = z15 * z16;
+    const veselova_lanes z18 = s_theta * w_y;
+    const veselova_lanes z19 = s_theta * w_x;
+    const veselova_lanes z20 = k1 * (s_psi * (z16 * z6 - c_psi * (c_phi * w_x + s_phi * w_y))) + k2 *
+        (c_theta * z16);
+    const veselova_lanes z21 = z18 * z20;
+    const veselova_lanes z22 = (z19 * z20 + z21 * z12) / z14;
     /* (I.2.15) */
-    const veselova_lanes slope1 = -c_theta * z19;
+    const veselova_lanes slope1 = -c_theta * z17;
     sum += slope1;
     veselova_put(dydt, slope1);
-    const veselova_lanes slope2 = z17 * (s_phi * z20 + c_phi * z21);
+    const veselova_lanes slope2 = z15 * (s_phi * z18 + c_phi * z19);
     sum += slope2;
     veselova_put(dydt + 1 * stride, slope2);
-    const veselova_lanes slope3 = z19;
+    const veselova_lanes slope3 = z17;
     veselova_put(dydt + 2 * stride, slope3);
     /* (I.2.15) 24:4 */
-    const veselova_lanes slope4 = z23 * z14 + z15 * z24;
+    const veselova_lanes slope4 = z21 * z11 - z12 * z22;
     sum += slope4;
     veselova_put(dydt + 3 * stride, slope4);
-    const veselova_lanes slope5 = -z24;
-    sum += slope5;
+    const veselova_lanes slope5 = z22;
     veselova_put(dydt + 4 * stride, slope5);
     veselova_put(check, veselova_mark(far + (sum - sum), bad));
 }

@@ -1,5 +1,5 @@
 /*
- * voronec_particle.c: voronec_particle, emitted by nhc 0.1.0 (nhc:94603ae2430e8577)
+ * voronec_particle.c: voronec_particle, emitted by nhc 0.1.0 (nhc:427ca7ccfcf75171)
  * A particle whose T, U and constraint depend on the dependent coordinate, so that Caplygin's hypotheses
  *     fail.
  * Source: voronec_particle.yaml
@@ -416,23 +416,24 @@ int voronec_particle_reactions(double t, const double *y, const double *p, doubl
     const double z15 = s_z * z14;
     const double z16 = x_dot * (z13 - y_2 * z15) + 0.5 * (y_dot * (z * x_dot + x * z14));
     const double z17 = x_dot * z14;
-    const double z18 = z3 * z16 - (0.3 * (x_dot * z15) - 2.0 * (x * z17));
-    const double z19 = x_dot * x_dot;
-    const double z20 = y_dot * y_dot;
-    const double z21 = z20 * c_z;
-    const double z22 = s_z * z17;
-    const double z23 = z * z1;
-    const double z24 = 0.5 * (2.0 * (z19 * z23) + z20 * z2 + 2.0 * (x * (z14 * z14))) - 0.3 * (z1 * z22);
-    const double z25 = 0.3 * (c_z * z16) - (0.3 * (z14 * z15) - 2.0 * (z * z17)) + z1 * z18 + (0.5 * (2.0 * x
-        + 6.0 * z23) - z24);
+    const double z18 = 0.3 * (x_dot * z15);
+    const double z19 = z3 * z16 - (z18 - 2.0 * (x * z17));
+    const double z20 = z * z1;
+    const double z21 = x_dot * x_dot;
+    const double z22 = y_dot * y_dot;
+    const double z23 = s_z * z17;
+    const double z24 = 0.5 * (2.0 * (z21 * z20) + z22 * z2 + 2.0 * (x * (z14 * z14))) - 0.3 * (z1 * z23);
+    const double z25 = 0.3 * (c_z * z16) - (0.3 * (z14 * z15) - 2.0 * (z * z17)) + z1 * z19 + (0.5 * (2.0 * x
+        + 6.0 * z20) - z24);
     const double z26 = z * z6;
-    const double z27 = 0.5 * (4.0 * y_2 + 3.0 * z26) + (0.15 * (z6 * z22) - 0.5 * (z19 * z26 + 0.5 * (z6 *
-        z21)));
-    const double z28 = (0.5 * (z11 * z25) - (z14 * z13 + 0.5 * (z6 * z18) + z27)) / z12;
-    const double z29 = z18 + (3.0 * z - (0.5 * (2.0 * (z * z19) + z21) - 0.3 * z22)) - (z4 * (z10 * z25 + 0.5
-        * (z11 * z28)) - 0.5 * (z7 * z28));
+    const double z27 = z22 * c_z;
+    const double z28 = 0.5 * (4.0 * y_2 + 3.0 * z26) + (0.15 * (z6 * z23) - 0.5 * (z21 * z26 + 0.5 * (z6 *
+        z27)));
+    const double z29 = (0.5 * (z11 * z25) - (z14 * z13 + 0.5 * (z6 * z19) + z28)) / z12;
+    const double z30 = z4 * (z10 * z25 + 0.5 * (z11 * z29)) - 0.5 * (z7 * z29) - (z19 + (3.0 * z - (0.5 *
+        (2.0 * (z * z21) + z27) - z18)));
     /* (I.4.1) 10:5 */
-    lambda[0] = z29; /* reaction of contact: Q_i gains lambda_1 a_1i */
+    lambda[0] = -z30; /* reaction of contact: Q_i gains lambda_1 a_1i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(lambda[0]) <= DBL_MAX && fabs(z12) > 1e-14 * z8)) {
         /* the mass matrix is singular */
@@ -508,104 +509,107 @@ int voronec_particle_jacobian(double t, const double *y, const double *p, double
     const double z10 = 1.0 / z5;
     const double z11 = z9 * z10;
     const double z12 = z8 - 0.25 * (z9 * z11);
-    const double z13 = x_dot * z1;
-    const double z14 = z13 + 0.5 * (y_dot * z6);
-    const double z15 = z14 * z14;
-    const double z16 = z1 * z14;
-    const double z17 = y_dot * z4;
-    const double z18 = z * x_dot;
-    const double z19 = s_z * z14;
-    const double z20 = x * z14;
-    const double z21 = s_z * z1;
-    const double z22 = x_dot * z21;
-    const double z23 = x * x_dot;
-    const double z24 = 2.0 * z18 - (0.3 * z19 + (2.0 * z20 - 0.3 * z22 - 2.0 * (z1 * z23))) + 0.5 * (x * z17);
-    const double z25 = x_dot * z4;
-    const double z26 = 0.3 * (z13 + z14) + y_2 * z25;
-    const double z27 = z24 - s_z * z26;
-    const double z28 = 1.0 / z12;
-    const double z29 = c_z * z14;
-    const double z30 = y_dot * c_z;
-    const double z31 = z30 - y_2 * z19;
-    const double z32 = z18 + z20;
-    const double z33 = x_dot * z31 + 0.5 * (y_dot * z32);
-    const double z34 = 0.3 * (x_dot * z19) - 2.0 * (z14 * z23) - z3 * z33;
-    const double z35 = x_dot * x_dot;
-    const double z36 = z * z6;
-    const double z37 = y_dot * y_dot;
+    const double z13 = x_dot * s_z;
+    const double z14 = y_dot * c_z;
+    const double z15 = x_dot * z1;
+    const double z16 = z15 + 0.5 * (y_dot * z6);
+    const double z17 = s_z * z16;
+    const double z18 = z14 - y_2 * z17;
+    const double z19 = z * x_dot;
+    const double z20 = x * z16;
+    const double z21 = z19 + z20;
+    const double z22 = x_dot * z18 + 0.5 * (y_dot * z21);
+    const double z23 = z * z16;
+    const double z24 = x_dot * z17;
+    const double z25 = 0.3 * z24;
+    const double z26 = x * x_dot;
+    const double z27 = z25 - 2.0 * (z16 * z26) - z3 * z22;
+    const double z28 = z * z1;
+    const double z29 = x_dot * x_dot;
+    const double z30 = y_dot * y_dot;
+    const double z31 = z16 * z16;
+    const double z32 = z1 * z13;
+    const double z33 = 0.5 * (2.0 * (z29 * z28) + z30 * z2 + 2.0 * (x * z31)) - 0.3 * (z16 * z32);
+    const double z34 = 0.3 * (z16 * z17) - 2.0 * (x_dot * z23) - 0.3 * (c_z * z22) + z1 * z27 - (0.5 * (2.0 *
+        x + 6.0 * z28) - z33);
+    const double z35 = 1.0 / z12;
+    const double z36 = c_z * z16;
+    const double z37 = z * z6;
     const double z38 = c_z * z6;
-    const double z39 = s_z * z6;
-    const double z40 = x_dot * z39;
-    const double z41 = 0.5 * (z35 * z36 + 0.5 * (z37 * z38)) - 0.15 * (z14 * z40) - 0.5 * (4.0 * y_2 + 3.0 *
-        z36);
-    const double z42 = z * z14;
-    const double z43 = z * z1;
-    const double z44 = 0.5 * (2.0 * (z35 * z43) + z37 * z2 + 2.0 * (x * z15)) - 0.3 * (z14 * z22);
-    const double z45 = 0.3 * (z14 * z19) - 2.0 * (x_dot * z42) - 0.3 * (c_z * z33) + z1 * z34 + (z44 - 0.5 *
-        (2.0 * x + 6.0 * z43));
-    const double z46 = z28 * (y_dot * z29 - 0.5 * (z6 * z34) - z41 + 0.5 * (z45 * z11));
-    const double z47 = y_dot * z27 - z4 * z46;
-    const double z48 = z45 * z10 + 0.5 * (z11 * z46);
-    const double z49 = z6 * z46;
-    const double z50 = z1 * z48 - 0.5 * z49;
-    const double z51 = 1.0 - (z15 - 2.0 * (x_dot * z16)) + 0.5 * (z14 * z17) + 0.5 * (z * z47) + 2.0 * ((z33
-        + z50) * (x * z1));
-    const double z52 = z6 * z14;
-    const double z53 = y_dot * z7;
-    const double z54 = x_dot * z7;
-    const double z55 = 0.15 * (x_dot * z6) + 0.5 * (y_2 * z54);
-    const double z56 = z30 + (0.15 * z40 + z6 * z23 + 0.25 * (x * z53) - s_z * z55);
-    const double z57 = z4 * z48;
-    const double z58 = x_dot * z14;
-    const double z59 = s_z * z58;
-    const double z60 = 1.5 - 0.5 * z35;
-    const double z61 = 0.25 * (z7 * z46) + (0.5 * z34 - (0.15 * z59 + z * z60)) + 0.25 * (z3 * z49);
-    const double z62 = 0.5 * (y_dot * z56) + (0.5 * z57 - (0.25 * (z37 * c_z) + z61));
-    const double z63 = z6 * z48;
-    const double z64 = x_dot * z52 + 0.25 * (z14 * z53) + z * z62 + 2.0 * (x * (0.5 * (z6 * z33) - (0.25 *
-        (z6 * z49) - 0.5 * (z1 * z63))));
-    const double z65 = z28 * (z64 - 0.5 * (z11 * z51));
-    const double z66 = 3.0 - z35;
-    const double z67 = 0.5 * z37 - 0.3 * z48;
-    const double z68 = x_dot * z27 + (z57 - (z34 - (0.3 * z59 + z * z66)) + z3 * z50 - c_z * z67);
-    const double z69 = z19 * z25 - c_z * z68;
-    const double z70 = x_dot * z56 + 0.5 * (z3 * z63);
-    const double z71 = z28 * (2.0 - 0.5 * (z19 * z54) + c_z * z70 + 0.5 * (z11 * z69));
-    const double z72 = 2.0 * z58 + z1 * z66 + 0.5 * (x_dot * z17) + 0.5 * (x * z47) - s_z * (0.3 * z50 +
-        (y_dot * z25 + (0.3 * z33 - z1 * z67) + y_2 * z68));
-    const double z73 = c_z * (0.3 * (z1 * z58) - z14 * z26) + z72 + 2.0 * (z * z48);
-    const double z74 = 0.15 * z63 - (0.25 * (z37 * z6) - 0.5 * (y_dot * z54) - y_dot * z14 - y_2 * z70);
-    const double z75 = z6 * z60 + 0.25 * (x_dot * z53) + x * z62 - s_z * z74 - c_z * (z46 - (0.15 * (z6 *
-        z58) - z14 * z55));
-    const double z76 = z28 * (z75 - 0.5 * (z11 * z73));
-    const double z77 = 2.0 * z42 + 0.3 * (z14 * z21) - 0.3 * (z1 * z19) + 2.0 * (x * z16) + 0.5 * (z * z17);
-    const double z78 = z77 + z31 * z4 + z1 * z27 - 2.0 * (x_dot * z43);
-    const double z79 = 0.15 * (z14 * z39 - z6 * z19) + x * z52 + 0.25 * (z * z53) + 0.5 * (z31 * z7);
-    const double z80 = z28 * (z79 + z1 * z56 - x_dot * z36 - 0.5 * (z11 * z78));
-    const double z81 = 0.5 * (z32 * z4) + c_z * z25 + 0.5 * (z6 * z27) - y_dot * z2;
-    const double z82 = z29 + 0.25 * (z32 * z7) + 0.5 * (c_z * z54) + 0.5 * (z6 * z56) - 0.5 * (y_dot * z38);
-    const double z83 = z28 * (z82 - 0.5 * (z11 * z81));
+    const double z39 = z6 * z13;
+    const double z40 = 0.5 * (4.0 * y_2 + 3.0 * z37) - (0.5 * (z29 * z37 + 0.5 * (z30 * z38)) - 0.15 * (z16 *
+        z39));
+    const double z41 = z35 * (y_dot * z36 - 0.5 * (z6 * z27) + z40 + 0.5 * (z11 * z34));
+    const double z42 = z10 * z34 + 0.5 * (z11 * z41);
+    const double z43 = z6 * z41;
+    const double z44 = z1 * z42 - 0.5 * z43;
+    const double z45 = y_dot * z4;
+    const double z46 = x_dot * z16;
+    const double z47 = z1 * z46;
+    const double z48 = x_dot * z4;
+    const double z49 = 0.3 * (z15 + z16) + y_2 * z48;
+    const double z50 = 0.5 * (x * z45) + (2.0 * z19 - (0.3 * z17 - (2.0 * (z1 * z26) - (2.0 * z20 - 0.3 *
+        z32))));
+    const double z51 = s_z * z49 - z50;
+    const double z52 = y_dot * z51 + z4 * z41;
+    const double z53 = 2.0 * ((z22 + z44) * (x * z1)) + (0.5 * (z16 * z45) + (1.0 - (z31 - 2.0 * z47)) - 0.5
+        * (z * z52));
+    const double z54 = z6 * z42;
+    const double z55 = z6 * z46;
+    const double z56 = y_dot * z7;
+    const double z57 = x_dot * z7;
+    const double z58 = 0.15 * (x_dot * z6) + 0.5 * (y_2 * z57);
+    const double z59 = z14 - (s_z * z58 - (0.25 * (x * z56) + (z6 * z26 + 0.15 * z39)));
+    const double z60 = z4 * z42;
+    const double z61 = 0.25 * (z7 * z41);
+    const double z62 = 1.5 - 0.5 * z29;
+    const double z63 = 0.5 * z60 - (0.25 * (z30 * c_z) + (z61 + (0.5 * z27 - (0.15 * z24 + z * z62) + z61)));
+    const double z64 = 0.5 * (y_dot * z59) + z63;
+    const double z65 = 2.0 * (x * (0.5 * (z6 * z22) - (0.25 * (z6 * z43) - 0.5 * (z1 * z54)))) + (z55 + 0.25
+        * (z16 * z56) + z * z64);
+    const double z66 = z35 * (z65 - 0.5 * (z11 * z53));
+    const double z67 = 0.5 * z30 - 0.3 * z42;
+    const double z68 = 3.0 - z29;
+    const double z69 = x_dot * z51 + (c_z * z67 - (z3 * z44 - (z27 - (z25 + z * z68) - z60)));
+    const double z70 = z17 * z48 + c_z * z69;
+    const double z71 = x_dot * z59 + 0.5 * (z3 * z54);
+    const double z72 = z35 * (2.0 - 0.5 * (z17 * z57) + c_z * z71 + 0.5 * (z11 * z70));
+    const double z73 = x_dot * z45;
+    const double z74 = 2.0 * z46 + z1 * z68 + 0.5 * z73 - 0.5 * (x * z52) - s_z * (0.3 * z44 + (z73 + (0.3 *
+        z22 - z1 * z67) - y_2 * z69));
+    const double z75 = 2.0 * (z * z42) + (c_z * (0.3 * z47 - z16 * z49) + z74);
+    const double z76 = x_dot * z56;
+    const double z77 = s_z * (0.15 * z54 + (y_dot * z16 - (0.25 * (z30 * z6) - 0.5 * z76) + y_2 * z71));
+    const double z78 = c_z * (0.15 * z55 - z16 * z58 - z41) + (z6 * z62 + 0.25 * z76 + x * z64 - z77);
+    const double z79 = z35 * (z78 - 0.5 * (z11 * z75));
+    const double z80 = 2.0 * (x_dot * z28) + (z1 * z51 - (z18 * z4 + (0.5 * (z * z45) + 2.0 * (z23 + z1 *
+        z20))));
+    const double z81 = x_dot * z37 - (z1 * z59 + (0.5 * (z18 * z7) + (0.25 * (z * z56) + z6 * z20)));
+    const double z82 = z35 * (z81 - 0.5 * (z11 * z80));
+    const double z83 = y_dot * z2 - (0.5 * (z21 * z4) + c_z * z48 - 0.5 * (z6 * z51));
+    const double z84 = 0.5 * (y_dot * z38) - (z36 + 0.25 * (z21 * z7) + 0.5 * (c_z * z57) + 0.5 * (z6 * z59));
+    const double z85 = z35 * (z84 - 0.5 * (z11 * z83));
     /* (I.4.9) */
     J[3] = 1.0;
     J[9] = 1.0;
     J[10] = 0.5 * (z * y_dot);
     J[11] = x_dot * c_z;
-    J[12] = 0.5 * (x * y_dot) - s_z * (y_2 * x_dot);
+    J[12] = 0.5 * (x * y_dot) - y_2 * z13;
     J[13] = z1;
     J[14] = 0.5 * z6;
-    J[15] = 0.5 * (z11 * z65) - z10 * z51;
-    J[16] = z10 * z69 + 0.5 * (z11 * z71);
-    J[17] = 0.5 * (z11 * z76) - z10 * z73;
-    J[18] = 0.5 * (z11 * z80) - z10 * z78;
-    J[19] = 0.5 * (z11 * z83) - z10 * z81;
-    J[20] = -z65;
-    J[21] = -z71;
-    J[22] = -z76;
-    J[23] = -z80;
-    J[24] = -z83;
+    J[15] = 0.5 * (z11 * z66) - z10 * z53;
+    J[16] = z10 * z70 + 0.5 * (z11 * z72);
+    J[17] = 0.5 * (z11 * z79) - z10 * z75;
+    J[18] = z10 * z80 - 0.5 * (z11 * z82);
+    J[19] = z10 * z83 - 0.5 * (z11 * z85);
+    J[20] = -z66;
+    J[21] = -z72;
+    J[22] = -z79;
+    J[23] = z82;
+    J[24] = z85;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(J[10] + J[12] + J[14] + J[15] + J[16] + J[17] + J[18] + J[19] + J[20] + J[21] + J[22] + J[23]
-        + J[24]) <= DBL_MAX
+    if (!(fabs(J[10] + J[12] + J[14] + J[15] + J[16] + J[17] + J[18] + J[19] + J[20] + J[21] + J[22]) <=
+        DBL_MAX
         && fabs(z12) > 1e-14 * z8)) {
         /* the mass matrix is singular */
         if (!(fabs(z5) > 0.0)) {
