@@ -29,16 +29,20 @@ def circle_point(u: int, p: int) -> tuple[int, int]:
 
 
 def circle_points(us: Sequence[int], p: int) -> list[tuple[int, int]]:
-    """:func:`circle_point` of all, with one inversion for them together (Montgomery 1987)."""
-    scales = [1 + u * u for u in us]
-    products = list(accumulate(scales, lambda a, b: a * b % p, initial=1))
+    """:func:`circle_point` of all, with one inversion for them together."""
+    scales = invert([1 + u * u for u in us], p)
+    return [((1 - u * u) * scale % p, 2 * u * scale % p) for u, scale in zip(us, scales, strict=True)]
+
+
+def invert(xs: Sequence[int], p: int) -> list[int]:
+    """1/x of all, none of which is zero, with one inversion for them together (Montgomery 1987)."""
+    products = list(accumulate(xs, lambda a, b: a * b % p, initial=1))
     inverse = pow(products.pop(), -1, p)
-    points = []
-    for u, scale, before in zip(reversed(us), reversed(scales), reversed(products), strict=True):
-        own = inverse * before % p
-        inverse = inverse * scale % p
-        points.append(((1 - u * u) * own % p, 2 * u * own % p))
-    return points[::-1]
+    found = []
+    for x, before in zip(reversed(xs), reversed(products), strict=True):
+        found.append(inverse * before % p)
+        inverse = inverse * x % p
+    return found[::-1]
 
 
 def turn(c: int, s: int, k: int, p: int) -> tuple[int, int]:

@@ -12,7 +12,7 @@ product is rather kept than a sum, in which digits may cancel.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 from nhc.algebra.calculus import reachable, rebuild
 from nhc.algebra.field import FieldPoint, Unlucky
@@ -107,7 +107,7 @@ class _Merging:
         self.graph, self._needed = graph, needed
         self._same = {node: members for members in classes for node in members}
         self._values = graph.memory["arbitrary points"][0].values
-        self._poles = self._find_poles()
+        self._poles = find_poles(graph, needed, self._values)
         self._new: dict[Node, Node] = {}
 
     def replace(self, roots: Iterable[Node]) -> list[Node]:
@@ -164,17 +164,25 @@ class _Merging:
                     stack.append(kid)
         return sorted(found)
 
-    def _find_poles(self) -> dict[Node, int]:
-        """For each node the places where it has no value or no slope: a bit for each operation and value of its operand."""
-        op, first, exponent, kids = self.graph.op, self.graph.a, self.graph.b, self.graph.kids
-        bits: dict[tuple[str, int], int] = {}
-        found: dict[Node, int] = {}
-        for node in self._needed:
-            mask = 0
-            for kid in kids[node]:
-                mask |= found[kid]
-            kind = op[node]
-            if kind in _PARTIAL or (kind == POW and exponent[node] < 0):
-                mask |= bits.setdefault((kind, self._values[first[node]]), 1 << len(bits))
-            found[node] = mask
-        return found
+
+def draw_points(graph: Graph, nodes: Sequence[Node]) -> list[FieldPoint] | None:
+    """A point modulo each of two primes with values for the nodes; None where none was found."""
+    points = [_draw(graph, index, nodes) for index in range(_POINTS)]
+    found = [point for point in points if point is not None]
+    return found if len(found) == _POINTS else None
+
+
+def find_poles(graph: Graph, nodes: Sequence[Node], values: Mapping[Node, int]) -> dict[Node, int]:
+    """For each node the places where it has no value or no slope: a bit for each operation and value of its operand."""
+    op, first, exponent, kids = graph.op, graph.a, graph.b, graph.kids
+    bits: dict[tuple[str, int], int] = {}
+    found: dict[Node, int] = {}
+    for node in nodes:
+        mask = 0
+        for kid in kids[node]:
+            mask |= found[kid]
+        kind = op[node]
+        if kind in _PARTIAL or (kind == POW and exponent[node] < 0):
+            mask |= bits.setdefault((kind, values[first[node]]), 1 << len(bits))
+        found[node] = mask
+    return found

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from nhc.algebra.calculus import count
+from nhc.algebra.factors import find_factors
 from nhc.algebra.graph import Node
 from nhc.algebra.pieces import shorten_pieces
 from nhc.algebra.products import share_products
@@ -222,6 +223,9 @@ def rewrite(planner: PlannerBase, plan: FunctionPlan) -> FunctionPlan:
         made = relate_angles(g, nodes)
         if plan.name == "rhs":  # only what is called all the time is worth the trouble
             made = shorten_pieces(g, made)
-        return share_products(g, share_values(g, made), constants)
+        made = share_values(g, made)
+        if plan.name == "rhs" and planner.equations.tree is None:  # a recursion along a tree has none
+            made = find_factors(g, made)
+        return share_products(g, made, constants)
 
     return map_nodes(plan, change)

@@ -5,9 +5,10 @@ from __future__ import annotations
 from hypothesis import given
 
 from nhc.algebra.calculus import count, reachable
+from nhc.algebra.factors import find_factors
 from nhc.algebra.graph import ADD, POW, Graph, Node
 from nhc.algebra.modular import are_equal
-from nhc.algebra.residues import PRIMES, circle_point, circle_points
+from nhc.algebra.residues import PRIMES, circle_point, circle_points, invert
 from nhc.algebra.rules import WithoutRules
 from nhc.algebra.values import share_values
 from tests.property.expressions import QUIET, Tree, build, rational_trees
@@ -122,6 +123,59 @@ def test_the_roots_keep_their_values_and_cost_no_more(first: Tree, second: Tree)
     poles = {g.a[n] for n in reachable(g, made) if g.op[n] == POW and g.b[n] < 0}
     before = {g.a[n] for n in reachable(g, roots) if g.op[n] == POW and g.b[n] < 0}
     assert len(poles) <= len(before)
+
+
+def test_squares_of_sums_at_hand() -> None:
+    g = Graph()
+    a, b, k = symbols(g, "abk")
+    total = g.add(a, b)
+    long = g.add(g.power(a, 2), g.mul(b, g.add(b, g.mul(g.number(2), a))))
+    assert find_factors(g, [g.mul(k, total), long]) == [g.mul(k, total), g.power(total, 2)]
+    assert find_factors(g, [long]) == [long]
+
+
+def test_multiples_of_what_is_at_hand() -> None:
+    g = Graph()
+    x, y, z, angle = symbols(g, "xyza")
+    cosine, total = g.function("cos", angle), g.add(g.mul(x, y), z)
+    long = g.sub(g.neg(g.mul(g.mul(cosine, x), y)), g.mul(cosine, z))
+    roots = [total, cosine, long]
+    made = find_factors(g, roots)
+    assert made == [total, cosine, g.neg(g.mul(cosine, total))]
+    assert count(g, made) < count(g, roots)
+
+
+def test_factors_bring_no_poles_and_no_branches() -> None:
+    g = Graph()
+    x, y, z = symbols(g, "xyz")
+    quotient = g.div(g.add(g.mul(x, y), z), x)
+    sum_of_both = g.add(g.add(g.mul(x, y), z), g.zero)
+    inverse = g.inverse(x)
+    roots = [quotient, inverse, g.add(g.mul(g.mul(x, y), y), g.mul(z, y)), sum_of_both]
+    assert are_equal(g, find_factors(g, roots), roots)
+    root = g.function("sqrt", g.power(x, 2))
+    long = g.add(g.mul(x, y), g.mul(x, g.mul(z, z)))
+    assert find_factors(g, [root, g.add(y, g.mul(z, z)), long])[2] != g.mul(root, g.add(y, g.mul(z, z)))
+
+
+@QUIET
+@given(rational_trees, rational_trees)
+def test_with_factors_the_roots_keep_their_values_and_cost_no_more(first: Tree, second: Tree) -> None:
+    g = Graph()
+    try:
+        one, other = build(g, first), build(g, second)
+        roots = [one, other, build(g, ("*", ("+", first, second), ("sym", 0))), g.add(one, other)]
+    except ZeroDivisionError:
+        return
+    made = find_factors(g, share_values(g, roots))
+    assert are_equal(g, made, roots)
+    assert count(g, made) <= count(g, roots)
+
+
+def test_inverses_with_one_inversion() -> None:
+    p = PRIMES[1]
+    assert [x * y % p for x, y in zip([2, 7, p - 1], invert([2, 7, p - 1], p), strict=True)] == [1, 1, 1]
+    assert invert([], p) == []
 
 
 def test_points_of_the_circle_with_one_inversion() -> None:
