@@ -67,7 +67,7 @@ RULES = (
     ),
     Rule(
         "equal values",
-        "nodes of one value, or of opposite ones, become one, however they were made, and products of values at hand are such products",
+        "nodes of one value, or of opposite ones, become one, however they were made; so do products of values at hand",
         "algebra/values.py",
     ),
     Rule(
