@@ -242,7 +242,7 @@ class Derivation:
     def of(self, root: Node) -> Node:
         """The derivative of the root."""
         graph, known, mask = self.graph, self._known, self._mask
-        kids, deps, op, a, b = graph.kids, graph.deps, graph.op, graph.a, graph.b
+        deps, op, a, b = graph.deps, graph.op, graph.a, graph.b
         if root in known or not deps[root] & mask:
             return known.get(root, 0)
         for node in reachable(graph, (root,), mask, known):
