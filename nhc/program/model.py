@@ -13,6 +13,7 @@ from nhc.mechanics.scenes import kept_velocities, start_of
 from nhc.mechanics.system import System
 from nhc.mechanics.values import parameter_value
 from nhc.program.build import Planner, build_functions
+from nhc.program.hold import make_hold
 from nhc.program.ir import Program, Quantity, SceneData
 from nhc.program.naming import identifier
 from nhc.program.watch import look_out
@@ -30,7 +31,7 @@ def build_program(
     """The emitters' input; ``only`` names functions, ``scene`` keeps one scene (and its parameter values as defaults).
 
     Without ``scenes`` the starts of the spec's scenes are not computed: drivers need them.  With ``driver`` there is what a
-    driver watches on its way.
+    driver watches on its way, and what brings it back to the constraints.
     """
     planner = Planner(equations, formulation)
     spec = system.spec
@@ -56,6 +57,7 @@ def build_program(
         scenes=starts,
         notes=_notes(formulation),
         lookout=look_out(planner, [start.p for start in starts]) if driver and starts else None,
+        hold=make_hold(planner) if driver and starts else None,
     )
 
 

@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
+from nhc.mechanics.reduce import keep_everything
 from nhc.mechanics.scenes import kept_velocities
+from nhc.program.hold import make_hold, must_hold
 from nhc.program.ir import Function, Program, Quantity, SceneData
 from nhc.program.lower import lower_function
 from nhc.program.model import build_program, state_quantities
@@ -19,7 +21,13 @@ SCENE_FUNCTIONS = ("rhs", "state", "jacobian", "outputs")
 
 
 def build_scene_program(model: SceneModel, only: Sequence[str] = (), driver: bool = False) -> Program:
-    """The program of a scene: its state, its constants after the spec's parameters, and its needs as the outputs."""
+    """The program of a scene: its state, its constants after the spec's parameters, and its needs as the outputs.
+
+    A ``driver`` that must bring its state back to the constraints needs all of it: then nothing is left out.
+    """
+    held = driver and must_hold(model.reduction.equations)
+    if held:
+        model = keep_all(model)
     system, made, planner = model.system, model.reduction, model.planner
     everything = (*model.start.q, *kept_velocities(system, planner.kept_forms(), model.start))
     constants = planner.list_constants(model.start)
@@ -44,7 +52,16 @@ def build_scene_program(model: SceneModel, only: Sequence[str] = (), driver: boo
         scenes=(data,),
         notes=(*full.notes, *_notes(model)),
         lookout=look_out(planner, [model.start.p]) if driver else None,
+        hold=make_hold(planner) if held else None,
     )
+
+
+def keep_all(model: SceneModel) -> SceneModel:
+    """The same formulation with its whole state; parameters whose values were put in stay so."""
+    made, parameters = model.reduction, set(model.system.p)
+    folded = tuple((symbol, value) for symbol, value in made.fixed if symbol in parameters)
+    whole = replace(keep_everything(made.equations, made.formulation, model.scene), fixed=folded)
+    return replace(model, reduction=whole, planner=ScenePlanner(made.equations, made.formulation, reduction=whole))
 
 
 def lower_functions(planner: ScenePlanner, only: Sequence[str]) -> tuple[Function, ...]:
