@@ -120,3 +120,13 @@ def test_what_needs_no_holding_has_none(tmp_path: Path) -> None:
     files = emit(read(str(spec_path("chaplygin_sleigh"))), "c", Options(driver=True))
     assert "hold" not in files["chaplygin_sleigh_main.c"].replace("it holds", "")
     compile_c(files, tmp_path, "chaplygin_sleigh", library=False)
+
+
+@pytest.mark.parametrize("name", ["snakeboard", "cartesian_pendulum", "holonomic_pendulum", "double_pendulum"])
+def test_the_tolerance_of_the_scene_is_met(name: str, tmp_path: Path) -> None:
+    """Relative to each quantity's own size in the scene: against the driver itself at a far smaller tolerance."""
+    source = read(str(spec_path(name)))
+    rows, finer = (rows_of(source, tmp_path, "reference", "21", tolerance) for tolerance in ("1e-8", "1e-13"))
+    for key in rows[0]:
+        size = max(abs(row[key]) for row in finer)
+        assert max(abs(a[key] - b[key]) for a, b in zip(rows, finer, strict=True)) <= 1e-8 * size
