@@ -280,5 +280,6 @@ class Program:
     functions: tuple[Function, ...]
     scenes: tuple[SceneData, ...] = ()
     notes: tuple[str, ...] = ()
+    warnings: tuple[str, ...] = ()  # what the emitted functions cannot do
     lookout: Lookout | None = None
     hold: Hold | None = None

@@ -16,6 +16,7 @@ from nhc.program.build import Planner, build_functions
 from nhc.program.hold import make_hold
 from nhc.program.ir import Program, Quantity, SceneData
 from nhc.program.naming import identifier
+from nhc.program.starting import warn_of_coframe
 from nhc.program.watch import look_out
 
 
@@ -56,6 +57,7 @@ def build_program(
         functions=build_functions(planner, only),
         scenes=starts,
         notes=_notes(formulation),
+        warnings=warn_of_coframe(planner, wanted if scene else spec.scenes) if not only or "rhs" in only else (),
         lookout=look_out(planner, [start.p for start in starts]) if driver and starts else None,
         hold=make_hold(planner) if driver and starts else None,
     )

@@ -15,6 +15,7 @@ from nhc.program.naming import identifier
 from nhc.program.plan import FunctionPlan
 from nhc.program.scene_model import SceneModel
 from nhc.program.scene_planner import ScenePlanner
+from nhc.program.starting import warn_of_coframe
 from nhc.program.watch import look_out
 
 SCENE_FUNCTIONS = ("rhs", "state", "jacobian", "outputs")
@@ -51,6 +52,7 @@ def build_scene_program(model: SceneModel, only: Sequence[str] = (), driver: boo
         functions=lower_functions(planner, only),
         scenes=(data,),
         notes=(*full.notes, *_notes(model)),
+        warnings=warn_of_coframe(planner, (model.scene,)),
         lookout=look_out(planner, [model.start.p]) if driver else None,
         hold=make_hold(planner) if held else None,
     )
