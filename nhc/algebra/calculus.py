@@ -9,6 +9,7 @@ from collections.abc import Collection, Container, Iterable, Mapping, Sequence
 from fractions import Fraction
 
 from nhc.algebra.graph import ADD, BINARY, MUL, NEG, POW, SYM, Graph, Node
+from nhc.algebra.roots import size_of_part
 
 
 def reachable(
@@ -176,7 +177,8 @@ def _unary_derivative(g: Graph, op: str, node: Node, x: Node) -> Node:
     if op == "log":
         return g.inverse(x)
     if op == "sqrt":
-        return g.inverse(g.mul(g.number(2), node))
+        size = size_of_part(g, x)
+        return g.inverse(g.mul(g.number(2), node if size is None else g.function("sqrt", size)))
     if op == "abs":
         return g.function("sign", x)
     if op == "sign":  # zero almost everywhere
@@ -189,7 +191,8 @@ def _binary_partials(g: Graph, op: str, node: Node, x: Node, y: Node) -> tuple[N
         inverse = g.inverse(g.add(g.power(x, 2), g.power(y, 2)))
         return g.mul(y, inverse), g.neg(g.mul(x, inverse))
     if op == "powf":
-        slope = g.mul(y, g.function("powf", x, g.sub(y, g.one)))
+        size = size_of_part(g, x)
+        slope = g.mul(y, g.function("powf", x if size is None else size, g.sub(y, g.one)))
         growth = g.zero if g.value(y) is not None else g.mul(node, g.function("log", x))
         return slope, growth
     # min and max: one half of 1 + sign, almost everywhere

@@ -34,6 +34,7 @@ from nhc.algebra.nodes import (
     Symbol,
     exact_power,
 )
+from nhc.algebra.roots import join_root
 
 __all__ = ["ADD", "BINARY", "MUL", "NEG", "NUM", "PI", "POW", "SYM", "UNARY", "Graph", "Node", "Symbol"]
 
@@ -200,7 +201,7 @@ class Graph(NodeStore):
             if bx == by:
                 return self.mul_number(k, self.power(bx, ex + ey))
             if (ex > 0) != (ey > 0):
-                joined = self._join_root(bx, ex, by, ey)
+                joined = join_root(self, bx, ex, by, ey)
                 if joined is not None:
                     return self.mul_number(k, joined)
             if kind == MUL or other == MUL:
@@ -225,19 +226,10 @@ class Graph(NodeStore):
             else:
                 b, e = factor, 1
             if (e > 0) != (exponent > 0):
-                joined = self.power(base, e + exponent) if b == base else self._join_root(b, e, base, exponent)
+                joined = self.power(base, e + exponent) if b == base else join_root(self, b, e, base, exponent)
                 if joined is not None:
                     return self.mul(other, joined)
         return None
-
-    def _join_root(self, x: Node, m: int, y: Node, n: int) -> Node | None:
-        """x^m * sqrt(k x)^n, in either order, as one power of the root: x^2/sqrt(x) would be 0/0 at x = 0, sqrt(x)^3 is 0 there."""
-        if self.op[x] == "sqrt":
-            x, m, y, n = y, n, x, m
-        if self.op[y] != "sqrt" or self.core[self.a[y]] != x:
-            return None
-        k = self.coefficient[self.a[y]]
-        return self.mul_number(exact_power(Fraction(k), -m), self.power(y, 2 * m + n))
 
     def product(self, factors: Iterable[Node]) -> Node:
         result = self.one

@@ -72,6 +72,29 @@ def test_in_c_too(tmp_path: Path) -> None:
         assert error(found[8:], [-1, 0, drag_slope(y), 0, 0, slope(y[1]), 0, 0]) < 1e-13
 
 
+def test_roots_of_what_is_cut_off_at_zero_have_no_slope_there() -> None:
+    """sqrt(max(0, u)) and powers below 1 of it are constant where u < 0."""
+    source = Source(
+        "cut.yaml",
+        """
+nhc: 1
+system: cut
+coordinates: [x, z]
+parameters: {n: 0.7}
+T: (x'^2 + z'^2)/2
+forces: {x: "-sqrt(max(0, x))*x'", z: "-max(-z, 0)^n - max(0, z)^(3/4)"}
+""",
+    )
+    (text,) = emit(source, "python", Options()).values()
+    model = python_model(text, "cut")
+    for x, z in ((0.4, 0.3), (-0.4, -0.3), (-2.0, 0.1)):
+        rows = model.jacobian(0.0, [x, z, 0.5, 0.1])
+        root = math.sqrt(max(0.0, x))
+        by_x = -0.5 / (2 * root) if x > 0 else 0.0
+        by_z = -0.75 * z**-0.25 if z > 0 else 0.7 * (-z) ** -0.3
+        assert error([*rows[2], *rows[3]], [by_x, 0, -root, 0, 0, by_z, 0, 0]) < 1e-14
+
+
 @pytest.mark.parametrize("scale", [1, 3, Fraction(1, 2)])
 @pytest.mark.parametrize(("m", "n"), [(1, -1), (2, -1), (3, -5), (-1, 3), (-2, 1)])
 def test_powers_of_a_number_and_of_its_root_become_one(m: int, n: int, scale: Fraction) -> None:
