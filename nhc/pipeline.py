@@ -14,7 +14,7 @@ Stages are pure; the names below are those of ``--dump``.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
@@ -229,8 +229,10 @@ def derive(source: Source, options: Options = Options()) -> str:
     return text.print_derivation(made)
 
 
-def emit(source: Source, language: str, options: Options = Options()) -> dict[str, str]:
-    """File name -> text, stamped.
+def emit(
+    source: Source, language: str, options: Options = Options(), warn: Callable[[str], None] | None = None
+) -> dict[str, str]:
+    """File name -> text, stamped; ``warn`` is told what the functions cannot do.
 
     Raises:
         SpecError: the spec has errors.
@@ -248,7 +250,11 @@ def emit(source: Source, language: str, options: Options = Options()) -> dict[st
     if not (options.driver or options.scene or needed):
         needed = FUNCTIONS  # all of them, but no starts of scenes
     made_program = program(source, replace(options, only=needed, reduce=bool(options.scene)))
-    return {name: stamp(text) for name, text in render(made_program, language, wanted).items()}
+    files = {name: stamp(text) for name, text in render(made_program, language, wanted).items()}
+    if warn is not None:
+        for line in made_program.warnings:
+            warn(line)
+    return files
 
 
 def _functions(only: tuple[str, ...]) -> tuple[str, ...]:

@@ -6,8 +6,10 @@ All passes loop over node numbers (children come before parents), so deep expres
 from __future__ import annotations
 
 from collections.abc import Collection, Container, Iterable, Mapping, Sequence
+from fractions import Fraction
 
 from nhc.algebra.graph import ADD, BINARY, MUL, NEG, POW, SYM, Graph, Node
+from nhc.algebra.roots import size_of_part
 
 
 def reachable(
@@ -142,6 +144,17 @@ def partials(graph: Graph, node: Node) -> tuple[Node, ...]:
     return (_unary_derivative(g, op, node, x),)
 
 
+def list_slopes(graph: Graph, node: Node) -> Iterable[tuple[Node, Node]]:
+    """What the operation depends on, with its derivative by that.
+
+    x^(n/2) is a power of x, not of sqrt(x): n/2 x^(n/2 - 1) is 0 at x = 0, where the chain rule through the root has 0/0.
+    """
+    base, n = graph.a[node], graph.b[node]
+    if graph.op[node] == POW and n > 2 and graph.op[base] == "sqrt":
+        return ((graph.a[base], graph.mul(graph.number(Fraction(n, 2)), graph.power(base, n - 2))),)
+    return zip(graph.kids[node], partials(graph, node), strict=True)
+
+
 def _unary_derivative(g: Graph, op: str, node: Node, x: Node) -> Node:
     if op == "sin":
         return g.function("cos", x)
@@ -164,7 +177,8 @@ def _unary_derivative(g: Graph, op: str, node: Node, x: Node) -> Node:
     if op == "log":
         return g.inverse(x)
     if op == "sqrt":
-        return g.inverse(g.mul(g.number(2), node))
+        size = size_of_part(g, x)
+        return g.inverse(g.mul(g.number(2), node if size is None else g.function("sqrt", size)))
     if op == "abs":
         return g.function("sign", x)
     if op == "sign":  # zero almost everywhere
@@ -177,7 +191,8 @@ def _binary_partials(g: Graph, op: str, node: Node, x: Node, y: Node) -> tuple[N
         inverse = g.inverse(g.add(g.power(x, 2), g.power(y, 2)))
         return g.mul(y, inverse), g.neg(g.mul(x, inverse))
     if op == "powf":
-        slope = g.mul(y, g.function("powf", x, g.sub(y, g.one)))
+        size = size_of_part(g, x)
+        slope = g.mul(y, g.function("powf", x if size is None else size, g.sub(y, g.one)))
         growth = g.zero if g.value(y) is not None else g.mul(node, g.function("log", x))
         return slope, growth
     # min and max: one half of 1 + sign, almost everywhere
@@ -210,9 +225,8 @@ def tangent(graph: Graph, roots: Sequence[Node], seeds: Mapping[Node, Node]) -> 
             terms = graph.neg(dot.get(x, 0))
         else:
             terms = 0
-            children = graph.kids[node]
-            if any(c in dot for c in children):
-                for child, partial in zip(children, partials(graph, node), strict=True):
+            if any(c in dot for c in graph.kids[node]):
+                for child, partial in list_slopes(graph, node):
                     if child in dot:
                         terms = add(terms, mul(partial, dot[child]))
         if terms:
@@ -231,7 +245,7 @@ class Derivation:
     def of(self, root: Node) -> Node:
         """The derivative of the root."""
         graph, known, mask = self.graph, self._known, self._mask
-        kids, deps, op, a, b = graph.kids, graph.deps, graph.op, graph.a, graph.b
+        deps, op, a, b = graph.deps, graph.op, graph.a, graph.b
         if root in known or not deps[root] & mask:
             return known.get(root, 0)
         for node in reachable(graph, (root,), mask, known):
@@ -245,7 +259,7 @@ class Derivation:
                 made = graph.neg(known.get(x, 0))
             else:
                 made = 0
-                for child, partial in zip(kids[node], partials(graph, node), strict=True):
+                for child, partial in list_slopes(graph, node):
                     made = graph.add(made, graph.mul(partial, known.get(child, 0)))
             known[node] = made
         return known[root]
@@ -284,7 +298,7 @@ def pullback_gradient(graph: Graph, weighted: Sequence[tuple[Node, Node]], wrt: 
             x = a[node]
             bar[x] = add(get(x, 0), graph.neg(seed))
         elif kind != SYM:
-            for child, partial in zip(graph.kids[node], partials(graph, node), strict=True):
+            for child, partial in list_slopes(graph, node):
                 if deps[child] & mask:
                     bar[child] = add(get(child, 0), mul(seed, partial))
     return [get(symbol, 0) for symbol in wrt]

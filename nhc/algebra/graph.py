@@ -34,6 +34,7 @@ from nhc.algebra.nodes import (
     Symbol,
     exact_power,
 )
+from nhc.algebra.roots import join_root
 
 __all__ = ["ADD", "BINARY", "MUL", "NEG", "NUM", "PI", "POW", "SYM", "UNARY", "Graph", "Node", "Symbol"]
 
@@ -199,6 +200,10 @@ class Graph(NodeStore):
             by, ey = (self.a[py], self.b[py]) if other == POW else (py, 1)
             if bx == by:
                 return self.mul_number(k, self.power(bx, ex + ey))
+            if (ex > 0) != (ey > 0):
+                joined = join_root(self, bx, ex, by, ey)
+                if joined is not None:
+                    return self.mul_number(k, joined)
             if kind == MUL or other == MUL:
                 cancelled = self._cancel(px, by, ey) or self._cancel(py, bx, ex)
                 if cancelled is not None:
@@ -220,8 +225,10 @@ class Graph(NodeStore):
                 b, e = self.a[factor], self.b[factor]
             else:
                 b, e = factor, 1
-            if b == base and (e > 0) != (exponent > 0):
-                return self.mul(other, self.power(base, e + exponent))
+            if (e > 0) != (exponent > 0):
+                joined = self.power(base, e + exponent) if b == base else join_root(self, b, e, base, exponent)
+                if joined is not None:
+                    return self.mul(other, joined)
         return None
 
     def product(self, factors: Iterable[Node]) -> Node:

@@ -28,6 +28,9 @@ _C_HEADERS = frozenset(
 )
 
 
+_WARNINGS = "<warnings>"  # among the texts of an answer; no file is called so
+
+
 @click.command("emit")
 @spec_argument
 @click.option("--lang", "-l", "language", type=click.Choice(["c", "python", "latex"]), required=True)
@@ -83,6 +86,8 @@ def command(
     asked = (formulation or "", scene, only, driver, array or "", trig or "", fold)
     make = partial(_emit, source, language, *asked)
     files = make() if anew else answer(("emit", language, repr(asked), *list_texts(source)), make)
+    for line in files.pop(_WARNINGS, "").splitlines():
+        say(f"warning: {line}")
     if to_stdout or output == "-":
         _print(files, titled=to_stdout)
         return 0
@@ -124,10 +129,12 @@ def _emit(
     from nhc.pipeline import Options, emit
 
     options = Options(formulation, scene, only=only, driver=driver, array=array, trig=trig, fold=fold)
+    warnings: list[str] = []
     try:
-        return emit(source, language, options)
+        files = emit(source, language, options, warnings.append)
     except EmitError as error:
         raise Failure(str(error), [error.help], "E0504") from error
+    return files | ({_WARNINGS: "\n".join(warnings)} if warnings else {})
 
 
 def _print(files: Mapping[str, str], *, titled: bool) -> None:

@@ -16,15 +16,17 @@ from collections.abc import Sequence
 from nhc.algebra.calculus import gradient, substitute
 from nhc.algebra.graph import Node
 from nhc.algebra.modular import rank
+from nhc.mechanics.associate import Equations
 from nhc.mechanics.frame import form_value
 from nhc.mechanics.rotation import moving
 from nhc.mechanics.system import Form, System
 from nhc.program.build import Planner
-from nhc.program.ir import Argument, Function
+from nhc.program.ir import Argument, Function, Hold
 from nhc.program.lower import lower_function
 from nhc.program.plan import FunctionPlan, SolvePlan, Target
 
 SINGULAR_HOLD = 3
+SINGULAR = "the constraints, or the masses on them, are singular here, so that a state cannot be brought back"
 _TOLERANCE = 1e-13
 TURNS = 2  # Newton steps for positions: a step's drift is small, and each one squares it
 
@@ -49,6 +51,19 @@ def hold_functions(planner: Planner) -> tuple[tuple[Function, ...], tuple[tuple[
         functions.append(_function(planner, "hold_v", about, system.constraints, right, system.n))
         calls.append(("hold_v",))
     return tuple(functions), tuple(calls)
+
+
+def make_hold(planner: Planner) -> Hold | None:
+    """The same for a driver; None where its formulation holds everything."""
+    functions, calls = hold_functions(planner)
+    return Hold(functions, calls, SINGULAR_HOLD, SINGULAR) if calls else None
+
+
+def must_hold(equations: Equations) -> bool:
+    """Whether a motion leaves its constraints by the errors of its steps; for the length of a quaternion that has no meaning."""
+    growth = {rotation.growth for rotation in equations.system.rotations}
+    held = {form.value for form in equations.system.constraints if form.equation is not None}
+    return bool(equations.multipliers or held - growth)
 
 
 def _positions(planner: Planner, held: Sequence[Form]) -> list[Function]:
@@ -109,8 +124,7 @@ def _function(
     rows = tuple(tuple(flat[k * size : (k + 1) * size]) for k in range(size))
     column = (*([g.zero] * n), *flat[size * size :])
     unknowns = tuple(g.symbol(f"{name}_{k}", "unknown") for k in range(size))
-    what = "the constraints, or the masses on them, are singular here, so that a state cannot be brought back"
-    solve = SolvePlan(rows, (column,), (unknowns,), _TOLERANCE, SINGULAR_HOLD, what)
+    solve = SolvePlan(rows, (column,), (unknowns,), _TOLERANCE, SINGULAR_HOLD, SINGULAR)
     state = [*system.q, *motion.w]
     for k in range(n):
         state[first + k] = g.add(state[first + k], unknowns[k])

@@ -253,6 +253,18 @@ class Lookout:
 
 
 @record
+class Hold:
+    """What brings a driver's state back to its constraints: after each step ``calls`` in their order, in each the first name, and
+    the next one where that returns ``status``.
+    """
+
+    functions: tuple[Function, ...]
+    calls: tuple[tuple[str, ...], ...]
+    status: int
+    what: str
+
+
+@record
 class Program:
     system: str
     about: str
@@ -268,4 +280,6 @@ class Program:
     functions: tuple[Function, ...]
     scenes: tuple[SceneData, ...] = ()
     notes: tuple[str, ...] = ()
+    warnings: tuple[str, ...] = ()  # what the emitted functions cannot do
     lookout: Lookout | None = None
+    hold: Hold | None = None

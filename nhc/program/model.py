@@ -13,8 +13,10 @@ from nhc.mechanics.scenes import kept_velocities, start_of
 from nhc.mechanics.system import System
 from nhc.mechanics.values import parameter_value
 from nhc.program.build import Planner, build_functions
+from nhc.program.hold import make_hold
 from nhc.program.ir import Program, Quantity, SceneData
 from nhc.program.naming import identifier
+from nhc.program.starting import warn_of_coframe
 from nhc.program.watch import look_out
 
 
@@ -30,7 +32,7 @@ def build_program(
     """The emitters' input; ``only`` names functions, ``scene`` keeps one scene (and its parameter values as defaults).
 
     Without ``scenes`` the starts of the spec's scenes are not computed: drivers need them.  With ``driver`` there is what a
-    driver watches on its way.
+    driver watches on its way, and what brings it back to the constraints.
     """
     planner = Planner(equations, formulation)
     spec = system.spec
@@ -55,7 +57,9 @@ def build_program(
         functions=build_functions(planner, only),
         scenes=starts,
         notes=_notes(formulation),
+        warnings=warn_of_coframe(planner, wanted if scene else spec.scenes) if not only or "rhs" in only else (),
         lookout=look_out(planner, [start.p for start in starts]) if driver and starts else None,
+        hold=make_hold(planner) if driver and starts else None,
     )
 
 

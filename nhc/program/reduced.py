@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
+from nhc.mechanics.reduce import keep_everything
 from nhc.mechanics.scenes import kept_velocities
 from nhc.program.build import rewrite
+from nhc.program.hold import make_hold, must_hold
 from nhc.program.ir import Function, Program, Quantity, SceneData
 from nhc.program.lower import lower_function
 from nhc.program.model import build_program, state_quantities
@@ -14,13 +16,20 @@ from nhc.program.naming import identifier
 from nhc.program.plan import FunctionPlan
 from nhc.program.scene_model import SceneModel
 from nhc.program.scene_planner import ScenePlanner
+from nhc.program.starting import warn_of_coframe
 from nhc.program.watch import look_out
 
 SCENE_FUNCTIONS = ("rhs", "state", "jacobian", "outputs")
 
 
 def build_scene_program(model: SceneModel, only: Sequence[str] = (), driver: bool = False) -> Program:
-    """The program of a scene: its state, its constants after the spec's parameters, and its needs as the outputs."""
+    """The program of a scene: its state, its constants after the spec's parameters, and its needs as the outputs.
+
+    A ``driver`` that must bring its state back to the constraints needs all of it: then nothing is left out.
+    """
+    held = driver and must_hold(model.reduction.equations)
+    if held:
+        model = keep_all(model)
     system, made, planner = model.system, model.reduction, model.planner
     everything = (*model.start.q, *kept_velocities(system, planner.kept_forms(), model.start))
     constants = planner.list_constants(model.start)
@@ -44,8 +53,18 @@ def build_scene_program(model: SceneModel, only: Sequence[str] = (), driver: boo
         functions=lower_functions(planner, only),
         scenes=(data,),
         notes=(*full.notes, *_notes(model)),
+        warnings=warn_of_coframe(planner, (model.scene,)),
         lookout=look_out(planner, [model.start.p]) if driver else None,
+        hold=make_hold(planner) if held else None,
     )
+
+
+def keep_all(model: SceneModel) -> SceneModel:
+    """The same formulation with its whole state; parameters whose values were put in stay so."""
+    made, parameters = model.reduction, set(model.system.p)
+    folded = tuple((symbol, value) for symbol, value in made.fixed if symbol in parameters)
+    whole = replace(keep_everything(made.equations, made.formulation, model.scene), fixed=folded)
+    return replace(model, reduction=whole, planner=ScenePlanner(made.equations, made.formulation, reduction=whole))
 
 
 def lower_functions(planner: ScenePlanner, only: Sequence[str]) -> tuple[Function, ...]:

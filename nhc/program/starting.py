@@ -3,16 +3,36 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 from nhc.algebra.elimination import solve_double
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Node
 from nhc.algebra.linear import Singular
-from nhc.diagnostics import Bag
-from nhc.mechanics.scenes import RowSpace, Start, kept_velocities
+from nhc.diagnostics import Bag, SpecError
+from nhc.language.spec import Scene
+from nhc.mechanics.scenes import RowSpace, Start, kept_velocities, start_of
 from nhc.program.build import Planner
 
 _NOTHING: tuple[str, tuple[str, ...]] = ("", ())
+_LOST = "the functions refuse that start; the formulation `multipliers` has no coframe"
+
+
+def warn_of_coframe(planner: Planner, scenes: Sequence[Scene]) -> tuple[str, ...]:
+    """A line for each scene that starts where the planner's own formulation is singular, though another may not be."""
+    g, system = planner.graph, planner.system
+    moving = g.mask((system.t, *system.q))
+    nodes = [x for pair in planner.full_equations.guards if g.deps[pair[0]] & moving for x in pair]
+    guards = planner.frame_guards() if nodes else ()
+    lines = []
+    for scene in scenes if guards else ():
+        try:
+            values = [float(x) for x in evaluate(g, nodes, start_of(system, scene).values(system))]
+        except (SpecError, ArithmeticError, ValueError):
+            continue  # a scene without a start
+        if not all(abs(x) > guards[0].tolerance * scale for x, scale in zip(values[::2], values[1::2], strict=True)):
+            lines.append(f"the scene `{scene.name}` starts where {guards[0].what}: {_LOST}")
+    return tuple(lines)
 
 
 def warn_undetermined(planner: Planner, start: Start, bag: Bag) -> None:

@@ -10,11 +10,12 @@ from pathlib import Path
 
 import pytest
 
+from nhc.diagnostics import Source
 from nhc.emit.c.finish import Finish, choose_finish
 from nhc.language import read
 from nhc.pipeline import Options, emit
 from nhc.program.ir import Binary, Call, Expr, Guard, Let, Load, Number, Power, Ref, Section, Statement, Store
-from tests.support import GALLERY, CModel, compile_c, emitted_python, spec_path
+from tests.support import GALLERY, CModel, compile_c, emitted_python, error, python_model, spec_path
 
 ZERO, ONE = Number(Fraction(0)), Number(Fraction(1))
 X, V, K, D = Ref("x"), Ref("v"), Ref("k"), Ref("d")
@@ -100,3 +101,38 @@ def _python_refuses(module: object, function: str, y: list[float], p: list[float
     except module.SingularModelError:  # type: ignore[attr-defined]
         return True
     return False
+
+
+FUNCTIONS = Source(
+    "functions.yaml",
+    """
+nhc: 1
+system: functions
+coordinates: [x, y]
+parameters: [k]
+T: (x'^2 + y'^2)/2
+forces: {x: "max(0, -k*x)", y: "min(1, k*y)"}
+outputs:
+  soft: 1/(1 + exp(-1000*x))
+  hyperbolic: 1/cosh(1000*x) + 1/(2 + sinh(1000*x)^2)
+  most: "max(2, max(x, y))"
+  least: "min(-2, min(x, y))"
+""",
+)
+
+
+def test_functions_of_python_are_those_of_c(tmp_path: Path) -> None:
+    """A NaN does not get lost in ``min`` and ``max``, a forgotten parameter neither; an infinity on the way is no failure."""
+    model = CModel("functions", ctypes.CDLL(str(compile_c(emit(FUNCTIONS, "c", Options()), tmp_path, "functions"))), {})
+    (text,) = emit(FUNCTIONS, "python", Options()).values()
+    module = python_model(text, "functions")
+    for y in ([-1.0, 0.3], [1.0, -3.0], [math.nan, 0.5], [0.5, math.nan], [0.4, 0.4]):
+        state = [*y, 0.0, 0.0]
+        assert _run(model, "outputs", 4, state, [1.0])[0] == math.isnan(sum(y))
+        assert _python_refuses(module, "outputs", state, [1.0]) == math.isnan(sum(y))
+        if not math.isnan(sum(y)):
+            expected = [y[0] > 0, 0, max(2, *y), min(-2, *y)]
+            assert error(module.outputs(0.0, state, [1.0]), expected) < 1e-15
+            assert error(model("outputs", 4, 0.0, state, [1.0]), expected) < 1e-15
+        assert _python_refuses(module, "rhs", state, module.DEFAULTS)
+        assert _run(model, "rhs", 4, state, module.DEFAULTS)[0]

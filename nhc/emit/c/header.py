@@ -50,6 +50,7 @@ def describe_program(program: Program) -> tuple[str, ...]:
             f"Equations of motion: {program.formulation}{number}",
             f"Why: {program.reason}" if program.reason else "",
             *(f"Note: {note}" for note in program.notes),
+            *(f"Warning: {warning}" for warning in program.warnings),
         )
         if text
     )

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from nhc.emit.c.arrange import arrange
 from nhc.emit.c.batch import Batch, mark_unused, print_batch
 from nhc.emit.c.body import ANY, BodyPrinter, print_singular, wrap_code
@@ -16,7 +18,15 @@ from nhc.emit.c.parts import OWN, Layout, is_long, lay_out, print_calls, print_p
 from nhc.emit.c.sweep import SweepPrinter
 from nhc.emit.environment import File
 from nhc.emit.options import BATCH, EmitError, EmitOptions, check_options, select_functions
-from nhc.emit.statements import drop_unread, drop_unused, find_not_finite, list_missing, list_statuses, list_used_names
+from nhc.emit.statements import (
+    Status,
+    drop_unread,
+    drop_unused,
+    find_not_finite,
+    list_missing,
+    list_statuses,
+    list_used_names,
+)
 from nhc.program.ir import Argument, Evaluate, Function, Guard, Load, Program, Quantity, Solve, Statement, Sweep
 from nhc.records import record
 
@@ -76,7 +86,10 @@ def list_files(program: Program, options: EmitOptions) -> tuple[File, ...]:
     source = File(f"{name}.c", "c/model.c.jinja", shared | make_source_context(program, helpers, functions, made))
     if driver is None:
         return header, source
-    return header, source, File(f"{name}_main.c", "c/model_main.c.jinja", driver | make_watch_context(program))
+    own: set[str] = set()
+    context = driver | make_watch_context(program, own) | make_hold_context(program, own)
+    context["helpers"] = tuple(sorted(own))
+    return header, source, File(f"{name}_main.c", "c/model_main.c.jinja", context)
 
 
 def make_header_context(program: Program, functions: tuple[Function, ...], batch: bool) -> dict[str, object]:
@@ -106,19 +119,34 @@ def make_source_context(
     }
 
 
-def make_watch_context(program: Program) -> dict[str, object]:
+def make_watch_context(program: Program, helpers: set[str]) -> dict[str, object]:
     """What a driver's template uses of the values that it watches; their function is one of its own file."""
-    watch, helpers = program.lookout, set[str]()
+    watch = program.lookout
     return {
         "watch": print_function(program, watch.function, helpers) if watch else None,
         "losses": tuple(print_string(print_comment(text)) for text in watch.losses) if watch else (),
         "first_dip": watch.dips if watch else 0,
-        "helpers": tuple(sorted(helpers)),
         "watched": watch is not None,
         "events": 0,
         "dips": watch is not None,
         "hermite": watch is not None,
         "method": Method(),
+    }
+
+
+def make_hold_context(program: Program, helpers: set[str]) -> dict[str, object]:
+    """What it uses of the functions that bring a state back; their status comes after all of the model's own."""
+    hold, code = program.hold, find_not_finite(program) + 1
+    functions: list[Function] = []
+    for function in hold.functions if hold else ():
+        body = tuple(replace(s, status=code) if isinstance(s, Solve | Guard) else s for s in function.body)
+        functions.append(replace(function, body=body))
+    return {
+        "holds": hold.calls if hold else (),
+        "held": tuple(print_function(program, function, helpers) for function in functions),
+        "singular_hold": print_singular(program.system, code),
+        "hold_status": Status(code, print_string(print_comment(hold.what))) if hold else None,
+        "largest_block": max((len(s.matrix) for f in functions for s in f.body if isinstance(s, Solve)), default=0),
     }
 
 

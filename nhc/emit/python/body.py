@@ -34,7 +34,8 @@ from nhc.records import record
 WIDTH = 88  # ruff's own default: what fits there is left alone at every wider setting too
 LONGEST_VALUE = 68
 
-MATH = {"abs": "abs", "sign": "_sign", "min": "min", "max": "max"}
+# functions that the module brings: Python's own min and max lose a NaN, and its exp raises where IEEE's is infinite
+OWN = {"sign": "sign", "min": "minimum", "max": "maximum", "exp": "exp", "sinh": "sinh", "cosh": "cosh"}
 ARRAY = {
     "asin": "arcsin",
     "acos": "arccos",
@@ -67,10 +68,11 @@ class PythonDialect:
     def print_call(self, function: str, arguments: tuple[str, ...]) -> str:
         if self.array:
             name = f"{MODULES[self.array]}.{ARRAY.get(function, function)}"
+        elif function in OWN:
+            name = f"_{OWN[function]}"
+            self.helpers.add(OWN[function])
         else:
-            name = MATH.get(function, f"math.{function}")
-        if function == "sign" and not self.array:
-            self.helpers.add("sign")
+            name = "abs" if function == "abs" else f"math.{function}"
         if function not in ("min", "max"):
             return f"{name}({', '.join(arguments)})"
         text = arguments[0]

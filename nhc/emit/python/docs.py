@@ -52,6 +52,7 @@ def print_module_docstring(program: Program, functions: tuple[Function, ...], ar
     texts.append(f"Equations of motion: {program.formulation}{number}")
     texts += [f"Why: {program.reason}"] if program.reason else []
     texts += [f"Note: {note}" for note in program.notes]
+    texts += [f"Warning: {warning}" for warning in program.warnings]
     texts += ["", "State y:", *(f"y[{i}] = {describe(q)}" for i, q in enumerate(program.state))]
     texts += ["", "Parameters p:" if program.parameters else "No parameters."]
     texts += [f"p[{i}]: {describe_parameter(q)}" for i, q in enumerate(program.parameters)]

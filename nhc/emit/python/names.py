@@ -27,8 +27,8 @@ ZeroDivisionError
 
 MODULE = """
 annotations math np jnp numpy jax Sequence Array NDArray ArrayLike SingularModelError COORDINATES STATE
-PARAMETERS DEFAULTS CONSTRAINTS OUTPUTS REASONS NOT_FINITE _finish _sign _solve _shape _join _load _single
-error shape
+PARAMETERS DEFAULTS CONSTRAINTS OUTPUTS REASONS NOT_FINITE _finish _sign _minimum _maximum _exp _sinh _cosh
+_solve _shape _join _load _single error shape
 """
 
 RESERVED = frozenset((KEYWORDS + BUILTINS + MODULE).split())

@@ -49,6 +49,7 @@ def print_program(program: Program) -> str:
         if quantities:
             lines.append(f"{title}: {', '.join(_quantity(q) for q in quantities)}")
     lines += [f"note: {note}" for note in program.notes]
+    lines += [f"warning: {warning}" for warning in program.warnings]
     for function in program.functions:
         lines += ["", *_function(function)]
     return "\n".join(lines) + "\n"
