@@ -8,6 +8,7 @@ from fractions import Fraction
 
 from nhc.diagnostics import Bag, Source, Span, SpecError, nearest
 
+from .advice import meant_key
 from .drawing import decode_drawing
 from .extend import merge_bases
 from .keys import SPEC_KEYS, SYSTEM_PATTERN, VERSION
@@ -58,7 +59,7 @@ class _Decoder:
         place = self.root.entries[0][0].span if self.root.entries else self.root.span
         rotates = self.root.get("rotation") is not None  # then other coordinates need not be
         keys = [key.optional() if rotates and key.name == "coordinates" else key for key in SPEC_KEYS]
-        meant = self.shapes.check_keys(self.root, keys, "the spec", place)
+        meant = self.shapes.check_keys(self.root, keys, "the spec", place, meant_key)
         self.scope.open = any(key in _DECLARING for key in meant)
         version, system = self._version(), self._system()
         self._declare()

@@ -7,6 +7,7 @@ from fractions import Fraction
 
 from nhc.diagnostics import nearest
 
+from .advice import meant_rate
 from .keys import SCENE_KEYS
 from .names import fold
 from .nodes import Items, Node, Text
@@ -82,8 +83,16 @@ class _SceneReader:
             return
         name = fold(text.value)
         near = nearest(name, known)
-        if self.scope.kind(name) in ("define", "entry") and known[-1:] == _OWN_NEEDS[-1:]:
+        rate = meant_rate(name, [other for other in self.scope.of_kind("coordinate") if f"{other}'" in known])
+        defined = self.scope.kind(name) in ("define", "entry")
+        if defined and known[-1:] == _OWN_NEEDS[-1:]:
             help = f"show it under `outputs`: `{name}: {name}`"
+        elif defined:
+            help = f"`{name}` follows from others: give the values of these"
+            if self.scope.kind(name) == "define" and what != "parameter":
+                help += ", or move it to `quasi_velocities` where it is a velocity"
+        elif rate:
+            help = rate
         elif near:
             help = f"did you mean `{near}`?"
         elif known:
@@ -160,7 +169,8 @@ class _SceneReader:
         plus = len(text.value) - len(text.value.removeprefix("+")) if text is not None and text.plain else 0
         if text is None:
             return None
-        if self.shapes.refuse_unit(text, self.scope.of_kind("parameter")):
+        known = self.scope.of_kind("parameter")
+        if self.shapes.refuse_unit(text, known) or self.shapes.refuse_infinite(text, known):
             return None
         tree = parse_expression(text.value[plus:], lambda start, end: text.locate(start + plus, end + plus), self.bag)
         if tree is None:

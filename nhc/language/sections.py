@@ -5,6 +5,7 @@ from __future__ import annotations
 from fractions import Fraction
 
 from .keys import COORDINATE_KEYS, PARAMETER_KEYS
+from .names import is_name
 from .nodes import Items, Node, Table, Text
 from .scope import Scope
 from .shape import Shapes
@@ -25,6 +26,14 @@ def _read_unit(table: Table, shapes: Shapes) -> str:
     return " ".join(text.value.split())
 
 
+def _is_unit(text: str) -> bool:
+    try:
+        parse_unit(text)
+    except UnitError:
+        return False
+    return True
+
+
 def _entries(node: Node | None, key: str, shapes: Shapes, scope: Scope) -> list[tuple[Text, Node | None]]:
     """Return the names of a section with their values; the names of a list have none."""
     if node is None:
@@ -33,7 +42,10 @@ def _entries(node: Node | None, key: str, shapes: Shapes, scope: Scope) -> list[
         texts = [shapes.text(item, "a name") for item in node.items]
         scope.open = scope.open or None in texts
         return [(text, None) for text in texts if text is not None]
-    help = "write `[x, y]`, or one name per line with what is known of it"
+    single = node.value if isinstance(node, Text) and is_name(node.value) else "x, y"
+    help = f"write `[{single}]`, or one name per line with what is known of it"
+    if key == "parameters" and isinstance(node, Text):
+        help = "write one name per line with its value: `m: 1`"
     table = shapes.table(node, f"a list or mapping of {key}", help)
     if table is None:
         scope.open = True
@@ -61,6 +73,8 @@ def decode_coordinates(node: Node | None, shapes: Shapes, scope: Scope) -> list[
 def _decode_coordinate(name: str, text: Text, value: Node | None, shapes: Shapes) -> Coordinate:
     what = f"coordinate `{text.value}`"
     help = f"write `{text.value}: {{unit: m, about: ...}}`, or list the names: `coordinates: [{text.value}, ...]`"
+    if isinstance(value, Text) and _is_unit(value.value):
+        help = f"write `{text.value}: {{unit: {value.value}}}`"
     table = shapes.table(value, f"a mapping for {what}", help) if value is not None else None
     if table is None:
         return Coordinate(name, text.span)

@@ -1,0 +1,108 @@
+"""What a student writes in the first hour: the help that nhc gives, when it is followed, leads to a spec that holds."""
+
+from __future__ import annotations
+
+import pytest
+
+from nhc.diagnostics import Diagnostic, Source, SpecError
+from nhc.pipeline import check
+
+SPEC = """nhc: 1
+system: first
+coordinates: [x, θ]
+parameters: {m: 2, l: 0.5, g: 9.81}
+define: {X: x + l*sin(θ)}
+T: m/2*X'^2 + m/2*(l*cos(θ))'^2 + x'^2
+V: -m*g*l*cos(θ)
+scenes:
+  go: {initial: {θ: 0.1, x': 1}, time: [0, 10], need: [x, θ']}
+"""
+# (what stands in SPEC, what the student writes, the code, part of the help; what the help says to write in its place)
+SLIPS = [
+    ("+ x'^2", "+ ẋ^2", "E0302", "the velocity is written `x'`", "+ x'^2"),
+    ("+ x'^2", "+ θ̇^2", "E0302", "the velocity is written `theta'`", "+ θ'^2"),
+    ("+ x'^2", "+ ẍ^2", "E0302", "accelerations are what nhc derives", "+ x'^2"),
+    ("+ x'^2", "+ x_dot^2", "E0302", "the velocity is written `x'`", "+ x'^2"),
+    ("+ x'^2", "+ (dx/dt)^2", "E0209", "write `x'`", "+ x'^2"),
+    ("+ x'^2", "+ m*dtheta/dt*l*x'", "E0209", "write `theta'`", "+ m*theta'*l*x'"),
+    ("+ x'^2", "+ m/dt", "E0209", "a velocity is written with a prime", "+ m*x'"),
+    ("+ x'^2", "+ ½*x'^2", "E0201", "write `1/2`", "+ 1/2*x'^2"),
+    ("+ x'^2", "+ x'⁴", "E0201", "write `^4`", "+ x'^4"),
+    ("+ x'^2", "+ x`^2", "E0201", "the plain prime", "+ x'^2"),
+    ("+ x'^2", "+ √(m)*x'^2", "E0201", "write `sqrt(...)`", "+ sqrt(m)*x'^2"),
+    ("+ x'^2", "+ 1 000*x'^2", "E0203", "`1000`", "+ 1000*x'^2"),
+    ("coordinates: [x, θ]", "coordinates: [x, θ, X]", "E0305", "leave `X` out of `coordinates`", "coordinates: [x, θ]"),
+    ("l: 0.5", "l: m/4", "E0314", "move the whole to `define`", "l: 0.5"),
+    ("l: 0.5", "l: .inf", "E0313", "write a finite number", "l: 0.5"),
+    ("l: 0.5", "l: 1 000", "E0203", "`1000`", "l: 1000"),
+    ("l: 0.5", "l: '1,5'", "E0202", "decimal numbers are written with `.`", "l: 1.5"),
+    ("θ: 0.1", "θ: nan", "E0313", "write a finite number", "θ: 0"),
+    ("x': 1", "dx: 1", "E0419", "the velocity is written `x'`", "x': 1"),
+    ("x': 1", "dtheta_dt: 1", "E0419", "the velocity is written `theta'`", "theta': 1"),
+    ("x': 1", "X: 1", "E0419", "`X` follows from others", "x: 1"),
+    ("need: [x, θ']", "need: [x, theta_dot]", "E0419", "the velocity is written `theta'`", "need: [x, theta']"),
+    ("time: [0, 10]", "time: 10", "E0301", "write `[0, 10]`", "time: [0, 10]"),
+    ("coordinates: [x, θ]", "coordinates: {x: m, θ: {}}", "E0301", "`x: {unit: m}`", "coordinates: {x: {unit: m}, θ: {}}"),
+    ("V: -m*g*l*cos(θ)", "potential: -m*g*l*cos(θ)", "E0303", "write `V: ...`", "V: -m*g*l*cos(θ)"),
+    ("define:", "where:", "E0303", "write `define`", "define:"),
+    ("scenes:", "time: [0, 1]\nscenes:", "E0303", "it belongs into a scene", "scenes:"),
+]  # fmt: skip
+
+
+def find(text: str) -> tuple[Diagnostic, ...]:
+    try:
+        return check(Source("first.yaml", text)).diagnostics
+    except SpecError as error:
+        return error.diagnostics
+
+
+def test_the_spec_holds() -> None:
+    assert find(SPEC) == ()
+
+
+@pytest.mark.parametrize(("right", "wrong", "code", "help", "followed"), SLIPS, ids=[slip[1] for slip in SLIPS])
+def test_one_slip_one_diagnostic_and_a_help_that_helps(
+    right: str, wrong: str, code: str, help: str, followed: str
+) -> None:
+    assert SPEC.count(right) == 1
+    (found,) = find(SPEC.replace(right, wrong))
+    assert found.code == code
+    assert help in found.help[0]
+    assert not [d for d in find(SPEC.replace(right, followed)) if d.code.startswith("E")]
+
+
+@pytest.mark.parametrize(
+    ("right", "wrong", "help"),
+    [
+        ("T: m/2*X'^2 + m/2*(l*cos(θ))'^2 + x'^2\nV:", "L:", "a Lagrangian is given by its energies"),
+        ("coordinates: [x, θ]", "coordinates: x", "write `[x]`"),
+        ("parameters: {m: 2, l: 0.5, g: 9.81}", "parameters:\n  m = 2", "write one name per line with its value: `m: 1`"),
+    ],
+)  # fmt: skip
+def test_the_first_of_several(right: str, wrong: str, help: str) -> None:
+    assert any(help in d.help[0] for d in find(SPEC.replace(right, wrong)))
+
+
+def test_two_equations_in_one_entry() -> None:
+    (found,) = find(SPEC + "constraints:\n  - x' = l*θ', θ' = 0\n")
+    assert found.code == "E0202"
+    assert found.help == ("write one equation per entry of the list",)
+
+
+def test_a_name_that_is_unknown_at_many_places_is_one_mistake() -> None:
+    text = SPEC.replace("parameters: {m: 2, ", "parameters: {")
+    (found,) = find(text)
+    places = [text[label.span.start : label.span.end] for label in found.labels]
+    assert (found.code, found.message, places) == ("E0302", "unknown name `m`", ["m", "m", "m"])
+    starts = [label.span.start for label in found.labels]
+    assert starts == sorted(starts)
+    many = SPEC + "outputs: {" + ", ".join(f"o{k}: zz + zz" for k in range(9)) + "}\n"
+    (found,) = find(many)
+    assert (len(found.labels), found.notes) == (4, ("and at 14 more places",))
+
+
+def test_quotients_that_are_no_derivatives() -> None:
+    names = SPEC.replace("m: 2", "m: 2, dx: 3, dt: 4")  # declared names are themselves
+    assert find(names.replace("+ x'^2", "+ dx/dt*x'^2")) == ()
+    (found,) = find(SPEC.replace("+ x'^2", "+ dq/dt"))[:1]
+    assert found.message == "unknown name `dq`"
