@@ -173,8 +173,17 @@ def _multiply(p: Sequence[Syntax | None], q: Sequence[Syntax | None], span: Span
 
 
 def _half(angle: Syntax, span: Span) -> tuple[Syntax, Syntax]:
-    half = _binary("/", angle, _number(2, span), span)
+    half = _binary("/", angle, _number(2, span), angle.span)
     return Call("cos", (half,), span), Call("sin", (half,), span)
+
+
+def angles_in(part: Syntax) -> list[Syntax]:
+    """The half angles in a part of a quaternion that :func:`read_orientation` has made, by place and by order of turns.
+
+    The calls that it makes stand at the place of the whole start, unlike any that a user writes.
+    """
+    calls = [node for node in walk(part) if isinstance(node, Call) and node.span == part.span]
+    return [node.arguments[0] for node in calls if node.function in ("cos", "sin")]
 
 
 def _binary(op: str, left: Syntax, right: Syntax, span: Span) -> Syntax:
