@@ -12,16 +12,22 @@ from nhc.algebra.linear import Singular
 from nhc.diagnostics import Bag
 from nhc.mechanics.kinetic import pivot_signs
 from nhc.mechanics.scenes import RowSpace, Start, kept_velocities
+from nhc.mechanics.undefined import find_undefined
 from nhc.program.build import Planner
 
 _NOTHING: tuple[str, tuple[str, ...]] = ("", ())
 
 
 def warn_undetermined(planner: Planner, start: Start, bag: Bag) -> None:
-    """Add a warning (W0421) where a scene starts at a singular mass matrix, or where the constraints lose their rank."""
+    """Add a warning (W0421) where a scene starts at a singular mass matrix, where the constraints lose their rank, or where an
+    expression has no value.
+    """
     what, zero = _find_dependent(planner, start)
     if not what:
         what, zero = find_undetermined(planner, start)
+    if not what:
+        undefined = find_undefined(planner.system, start.values(planner.system))
+        what = f"`{undefined}` has no real, finite value" if undefined else ""
     if not what:
         return
     names = ", ".join(f"`{name}`" for name in zero)
