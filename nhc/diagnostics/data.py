@@ -133,6 +133,10 @@ class Bag:
         places.append(span)
         return len(places) > 1
 
+    def is_noted(self, code: str, message: str) -> bool:
+        """Whether :meth:`again` has noted a place of this mistake."""
+        return (code, message) in self._places
+
     def _gather(self, found: Diagnostic) -> Diagnostic:
         """The finding with the places that :meth:`again` has noted of it, the first one in front."""
         places = self._places.get((found.code, found.message), [])

@@ -32,7 +32,9 @@ def read_orientation(what: str, node: Node, shapes: Shapes, read: Read) -> Quate
     if not isinstance(node, Table):
         shapes.items(node, f"an orientation for {what}", _WAYS)
         return None
-    shapes.check_keys(node, START_KEYS, f"the start of {what}", node.span)
+    meant = shapes.check_keys(node, START_KEYS, f"the start of {what}", node.span)
+    if meant:
+        return None
     given = {text.value for text, _ in node.entries}
     group = next((group for group in _GROUPS if given & set(group)), None)
     if group is None:

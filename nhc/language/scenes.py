@@ -17,6 +17,7 @@ from .scope import Scope, check_name, names_in
 from .shape import Shapes
 from .spec import DEFAULT_TOLERANCE, Initial, Need, Override, Parameter, Rotation, Scene
 from .syntax import Number, Syntax
+from .yaml_reader import is_empty
 
 _OWN_NEEDS = ("energy", "reactions")
 
@@ -81,7 +82,9 @@ class _SceneReader:
     def _unknown(self, text: Text, what: str, known: Sequence[str]) -> None:
         if self.scope.open:
             return
-        name = fold(text.value)
+        name, message = fold(text.value), f"`{text.value}` is no {what}"
+        if self.scope.is_unknown(name.rstrip("'"), text.span) or self.bag.again("E0419", message, text.span):
+            return
         near = nearest(name, known)
         rate = meant_rate(name, [other for other in self.scope.of_kind("coordinate") if f"{other}'" in known])
         defined = self.scope.kind(name) in ("define", "entry")
@@ -99,7 +102,7 @@ class _SceneReader:
             help = "known: " + ", ".join(f"`{other}`" for other in known[:12])
         else:
             help = "the spec declares none"
-        self.bag.error("E0419", f"`{text.value}` is no {what}", text.span, help=(help,))
+        self.bag.error("E0419", message, text.span, help=(help,))
 
     def _overrides(self, node: Node | None) -> tuple[Override, ...]:
         table = self.shapes.table(node, "a mapping of parameters to numbers") if node is not None else None
@@ -137,6 +140,8 @@ class _SceneReader:
                 continue  # reported where it is declared
             tree = self._start_value(value)
             target = self._target(text)
+            if target is None and is_empty(value):
+                continue  # the end of a text with a comma in it, reported as an empty value
             if target is None:
                 known = self.scope.of_kind("coordinate", "quasi")
                 velocities = tuple(f"{name}'" for name in self.scope.of_kind("coordinate"))
@@ -164,6 +169,8 @@ class _SceneReader:
         return ("velocity", velocity) if velocity is not None else None
 
     def _start_value(self, node: Node) -> Syntax | None:
+        if self.scope.open and not isinstance(node, Text):
+            return None  # it may be the orientation of what could not be read
         text = self.shapes.text(node, "a number")
         # YAML lets a number carry a plus; an expression does not
         plus = len(text.value) - len(text.value.removeprefix("+")) if text is not None and text.plain else 0

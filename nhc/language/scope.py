@@ -50,6 +50,7 @@ class Scope:
         """Declare a name; return it folded, or None where it is refused."""
         name = fold(text.value)
         if not check_name(text, self.bag):
+            self.open = True
             return None
         if name in RESERVED:
             what = "a function" if name in FUNCTIONS or name == DOT else "a constant" if name == PI else "the time"
@@ -90,13 +91,22 @@ class Scope:
         kind = self.kind(name)
         if kind == "coordinate" or name in also:
             return True
-        if not self.open:
+        if not self.open and not self.is_unknown(name, text.span):
             proposed = [*(n for n in self.of_kind("coordinate") if n not in hidden), *also]
             near = nearest(name, proposed)
             known = ", ".join(f"`{other}`" for other in proposed)
             help = f"did you mean `{near}`?" if near else f"the coordinates are {known}"
             self.bag.error("E0302", f"unknown coordinate `{text.value}`", text.span, help=(help,))
         return False
+
+    def is_strange(self, name: str) -> bool:
+        """Whether a name means nothing here."""
+        return not self.kind(name) and name not in (TIME, PI)
+
+    def is_unknown(self, name: str, span: Span) -> bool:
+        """Whether a name has been reported as unknown; this is then one more place of that mistake."""
+        message = f"unknown name `{name}`"
+        return not self.kind(name) and self.bag.is_noted("E0302", message) and self.bag.again("E0302", message, span)
 
     def velocity_of(self, text: str) -> str | None:
         """Return the coordinate whose velocity a text such as ``x'`` or ``xdot`` names."""
@@ -169,14 +179,15 @@ class Scope:
         is_form = name.startswith("d") and (name == "dt" or self.kind(name[1:]) == "coordinate")
         if is_form and place == "equation":
             return Differential(name[1:], node.span)
-        if not self.open:
+        if kind or not self.open:
             self._report_unknown(node, kind, is_form, place)
         return node
 
     def _report_unknown(self, node: Name, kind: str, is_form: bool, place: str) -> None:
         name = node.name
         message = f"the differential `{name}` outside of a constraint" if is_form else f"unknown name `{name}`"
-        if self.bag.again("E0209" if is_form else "E0302", message, node.span):
+        is_form_of_unknown = place == "equation" and name[0] == "d" and self.is_unknown(name[1:], node.span)
+        if is_form_of_unknown or self.bag.again("E0209" if is_form else "E0302", message, node.span):
             return
         if is_form:
             instead = (

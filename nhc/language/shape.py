@@ -50,6 +50,16 @@ class Shapes:
         text = self.text(node, wanted) if node is not None else None
         return " ".join(text.value.split()) if text else ""
 
+    def lines(self, node: Node | None) -> tuple[str, ...]:
+        """Return the texts of a list, each on one line, or a single one."""
+        if node is None:
+            return ()
+        if isinstance(node, Text):
+            return tuple(line for line in (self.line(node),) if line)
+        items = self.items(node, "a list of texts")
+        lines = [self.line(item) for item in items.items] if items else []
+        return tuple(line for line in lines if line)
+
     def table(self, node: Node, wanted: str = "a mapping", help: str = "") -> Table | None:
         """Return a mapping."""
         if isinstance(node, Table):

@@ -184,18 +184,23 @@ def _close(source: Source, opened: _Open, end: int, bag: Bag) -> Node:
         return Items(tuple(opened.items), span)
     entries: list[tuple[Text, Node]] = []
     seen: dict[str, Text] = {}
-    for key, value in zip(opened.items[::2], opened.items[1::2], strict=True):
+    pairs = list(zip(opened.items[::2], opened.items[1::2], strict=True))
+    filled = {key.value: value for key, value in reversed(pairs) if isinstance(key, Text) and not is_empty(value)}
+    for key, value in pairs:
         if not isinstance(key, Text):
             place = Span(key.span.start, key.span.start + 1)
             bag.error("E0301", "a key must be a text", place, help=("write `name: value`",))
+            continue
+        if key.value == _ALIAS:
             continue
         if key.value in seen:
             first = Label(seen[key.value].span, "first here")
             bag.error("E0105", f"duplicate key `{key.value}`", key.span, labels=(first,), help=("keep one of them",))
             continue
         seen[key.value] = key
-        _check_filled(source, value, key.span, f"value of `{key.value}`", bag)
-        entries.append((key, value))
+        kept = filled.get(key.value, value)  # of a key that is given twice, once without a value, the one with it
+        _check_filled(source, kept, key.span, f"value of `{key.value}`", bag)
+        entries.append((key, kept))
     return Table(tuple(entries), span)
 
 

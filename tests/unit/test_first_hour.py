@@ -106,3 +106,57 @@ def test_quotients_that_are_no_derivatives() -> None:
     assert find(names.replace("+ x'^2", "+ dx/dt*x'^2")) == ()
     (found,) = find(SPEC.replace("+ x'^2", "+ dq/dt"))[:1]
     assert found.message == "unknown name `dq`"
+
+
+SKATE = """nhc: 1
+system: skate
+coordinates: [x, y, θ]
+rotation: {R: {velocities: [w1, w2, w3]}}
+parameters:
+  m: {value: 2}
+  k: {value: 1}
+define:
+  s: sin(θ)
+T: m/2*(x'^2 + y'^2) + θ'^2/2 + (w1^2 + 2*w2^2 + 3*w3^2)/2
+V: k*x^2
+constraints:
+  - blade: s*dx - cos(θ)*dy = 0
+dependent: [y, R_0]
+scenes:
+  a: {initial: {x: 1, R: {order: zxz, angles: [0, 1, 0]}}, time: [0, 1], need: [x, y, x']}
+  b: {initial: {x: 2}, time: [0, 1], need: [x]}
+"""
+
+
+@pytest.mark.parametrize(
+    ("right", "wrong", "code"),
+    [
+        ("coordinates: [x, y, θ]", "coordinats: [x, y, θ]", "E0303"),
+        ("coordinates: [x, y, θ]", "coordinates: [x, y, 1θ]", "E0307"),
+        ("coordinates: [x, y, θ]", "coordinates: [z, y, θ]", "E0302"),  # one mistake at nine places
+        ("rotation:", "rotaion:", "E0303"),
+        ("rotation: {R:", "rotation: {R-1:", "E0307"),
+        ("parameters:", "konstanten:", "E0303"),
+        ("parameters:", "define:\nparameters:", "E0105"),
+        ("  m: {value: 2}", "  m: {vlue: 2}", "E0303"),
+        ("  m: {value: 2}", "  m: {value:2}", "E0109"),
+        ("  - blade:", "  - blade: dθ = 0\n  - blade:", "E0305"),
+        ("constraints:", "constraint:", "E0303"),
+        ("constraints:", "zwang:", "E0303"),
+        ("s*dx - cos(θ)*dy = 0", "sdx - cos(θ)*dy = 0", "E0302"),
+        ("order: zxz", "ordr: zxz", "E0303"),
+        ("{x: 2}", "{x2}", "E0109"),
+    ],
+)
+def test_one_mistake_is_said_once(right: str, wrong: str, code: str) -> None:
+    """What follows from a mistake is none of its own."""
+    assert SKATE.count(right) == 1
+    assert not [d for d in find(SKATE) if d.code.startswith("E")]
+    assert [d.code for d in find(SKATE.replace(right, wrong)) if d.code.startswith("E")] == [code]
+
+
+def test_parameters_among_the_coordinates() -> None:
+    found = find(SKATE.replace("[x, y, θ]", "\n  x: {unit: m}\n  y: {value: 2}\n  θ: {unit: rad}"))
+    assert [(d.code, d.help) for d in found if d.code.startswith("E")] == [
+        ("E0303", ("a coordinate has none: parameters stand under `parameters:`, starts in scenes",))
+    ]
