@@ -13,9 +13,11 @@ _RATES = tuple(
 )
 # key of a spec as others call it -> (this language's key, what to do)
 _ENERGIES = "a Lagrangian is given by its energies: `T: ...`, and `V: ...` with L = T - V"
+_FRICTION = "friction is given as forces: `forces: {x: -c*x'}`"
 _SCENE = "it belongs into a scene: `scenes: {go: {initial: {...}, time: [0, 10]}}`"
 KEYS: dict[str, tuple[str, str]] = {
-    **dict.fromkeys(("l", "lagrangian", "lagrange"), ("T", _ENERGIES)),
+    **dict.fromkeys(("L", "lagrangian", "lagrange"), ("T", _ENERGIES)),
+    **dict.fromkeys(("D", "dissipation", "rayleigh", "friction", "damping"), ("forces", _FRICTION)),
     **dict.fromkeys(("hamiltonian",), ("T", "give the energies in velocities: `T: ...` and `V: ...`")),
     **dict.fromkeys(("kinetic", "kinetic_energy"), ("T", "write `T: ...`")),
     **dict.fromkeys(("potential", "potential_energy"), ("V", "write `V: ...`")),
@@ -36,7 +38,8 @@ def meant_key(name: str, present: Collection[str]) -> tuple[str, str]:
 
     Empty where nothing is known, or that key is ``present``.
     """
-    key, advice = KEYS.get(name.casefold().replace("-", "_").replace(" ", "_"), ("", ""))
+    spelled = name if name in KEYS else name.casefold().replace("-", "_").replace(" ", "_")
+    key, advice = KEYS.get(spelled, ("", "")) if len(spelled) > 1 or spelled == name else ("", "")
     if key in present:
         return "", ""
     return key, advice or (f"write `{key}`" if key else "")

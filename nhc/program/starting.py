@@ -22,6 +22,7 @@ def warn_undetermined(planner: Planner, start: Start, bag: Bag) -> None:
     """Add a warning (W0421) where a scene starts at a singular mass matrix, where the constraints lose their rank, or where an
     expression has no value.
     """
+    undefined = ""
     what, zero = _find_dependent(planner, start)
     if not what:
         what, zero = find_undetermined(planner, start)
@@ -31,12 +32,19 @@ def warn_undetermined(planner: Planner, start: Start, bag: Bag) -> None:
     if not what:
         return
     names = ", ".join(f"`{name}`" for name in zero)
+    notes = (f"{names} {'is' if len(zero) == 1 else 'are'} zero there",) if zero else ()
+    help = f"give {names} a value, under `parameters:` or in the scene" if zero else "let it start elsewhere"
+    left = () if zero else _left_out(planner, start, bool(undefined))
+    if left:
+        names = ", ".join(f"`{name}`" for name in left)
+        notes = (f"{names} {'starts' if len(left) == 1 else 'start'} at 0, for `initial` does not say where",)
+        help = f"say in `initial` where {names} {'starts' if len(left) == 1 else 'start'}"
     bag.warning(
         "W0421",
         f"the scene `{start.scene.name}` cannot run: {what} at its start",
         start.scene.span,
-        notes=(f"{names} {'is' if len(zero) == 1 else 'are'} zero there",) if zero else (),
-        help=(f"give {names} a value, under `parameters:` or in the scene" if zero else "let it start elsewhere",),
+        notes=notes,
+        help=(help,),
     )
 
 
@@ -140,6 +148,19 @@ def _find_dependent(planner: Planner, start: Start) -> tuple[str, tuple[str, ...
             how = "depends on the others" if any(row) else "restricts no velocity"
             return f"the constraint `{form.name}` {how}", _blame(planner, start, *form.coefficients)
     return _NOTHING
+
+
+def _left_out(planner: Planner, start: Start, beyond_inertia: bool) -> tuple[str, ...]:
+    """The coordinates on which T or a constraint depends (or a force, if asked for) and that the scene leaves at 0."""
+    g, system = planner.graph, planner.system
+    given = {entry.name for entry in start.scene.initial if entry.kind == "coordinate"}
+    nodes = [system.T, *(a for form in system.constraints for a in form.coefficients)]
+    nodes += [system.U, *system.Q] if beyond_inertia else []
+    return tuple(
+        name
+        for symbol, name, value in zip(system.q, system.q_names, start.q, strict=True)
+        if value == 0.0 and name not in given and any(g.depends(node, g.deps[symbol]) for node in nodes)
+    )
 
 
 def _blame(planner: Planner, start: Start, *nodes: Node, negative: bool = False) -> tuple[str, ...]:

@@ -160,3 +160,19 @@ def test_parameters_among_the_coordinates() -> None:
     assert [(d.code, d.help) for d in found if d.code.startswith("E")] == [
         ("E0303", ("a coordinate has none: parameters stand under `parameters:`, starts in scenes",))
     ]
+
+
+@pytest.mark.parametrize(("potential", "inertia"), [("-1/r", "r^2"), ("0", "r^2"), ("-1/r", "1")])
+def test_a_start_that_was_forgotten(potential: str, inertia: str) -> None:
+    text = f"nhc: 1\nsystem: kepler\ncoordinates: [r, phi]\nT: (r'^2 + {inertia}*phi'^2)/2\nV: {potential}\n"
+    (found,) = find(text + "scenes: {go: {initial: {phi': 1}, time: [0, 1]}}\n")
+    assert (found.code, found.help) == ("W0421", ("say in `initial` where `r` starts",))
+    assert not find(text + "scenes: {go: {initial: {phi': 1, r: 1}, time: [0, 1]}}\n")
+    (found,) = find(text + "scenes: {go: {initial: {phi': 1, r: 0}, time: [0, 1]}}\n")
+    assert found.help == ("let it start elsewhere",)
+
+
+def test_dissipation_is_a_force() -> None:
+    (found,) = find(SPEC + "D: m*x'^2\n")
+    assert found.help == ("friction is given as forces: `forces: {x: -c*x'}`",)
+    assert "known keys" in find(SPEC + "d: 0.3\n")[0].help[0]  # a parameter that was not indented
