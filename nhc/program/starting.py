@@ -11,7 +11,7 @@ from nhc.algebra.graph import Node
 from nhc.algebra.linear import Singular
 from nhc.diagnostics import Bag
 from nhc.mechanics.kinetic import pivot_signs
-from nhc.mechanics.scenes import RowSpace, Start, kept_velocities
+from nhc.mechanics.scenes import RowSpace, Start, kept_velocities, left_at_zero
 from nhc.mechanics.undefined import find_undefined
 from nhc.program.build import Planner
 
@@ -34,11 +34,13 @@ def warn_undetermined(planner: Planner, start: Start, bag: Bag) -> None:
     names = ", ".join(f"`{name}`" for name in zero)
     notes = (f"{names} {'is' if len(zero) == 1 else 'are'} zero there",) if zero else ()
     help = f"give {names} a value, under `parameters:` or in the scene" if zero else "let it start elsewhere"
-    left = () if zero else _left_out(planner, start, bool(undefined))
+    system = planner.system
+    nodes = [system.T, *(a for form in system.constraints for a in form.coefficients)]
+    nodes += [system.U, *system.Q] if undefined else []
+    left = "" if zero else left_at_zero(system, start.scene, start.values(system), nodes)
     if left:
-        names = ", ".join(f"`{name}`" for name in left)
-        notes = (f"{names} {'starts' if len(left) == 1 else 'start'} at 0, for `initial` does not say where",)
-        help = f"say in `initial` where {names} {'starts' if len(left) == 1 else 'start'}"
+        notes = (f"{left} at 0, for `initial` does not say where",)
+        help = f"say in `initial` where {left}"
     bag.warning(
         "W0421",
         f"the scene `{start.scene.name}` cannot run: {what} at its start",
@@ -148,19 +150,6 @@ def _find_dependent(planner: Planner, start: Start) -> tuple[str, tuple[str, ...
             how = "depends on the others" if any(row) else "restricts no velocity"
             return f"the constraint `{form.name}` {how}", _blame(planner, start, *form.coefficients)
     return _NOTHING
-
-
-def _left_out(planner: Planner, start: Start, beyond_inertia: bool) -> tuple[str, ...]:
-    """The coordinates on which T or a constraint depends (or a force, if asked for) and that the scene leaves at 0."""
-    g, system = planner.graph, planner.system
-    given = {entry.name for entry in start.scene.initial if entry.kind == "coordinate"}
-    nodes = [system.T, *(a for form in system.constraints for a in form.coefficients)]
-    nodes += [system.U, *system.Q] if beyond_inertia else []
-    return tuple(
-        name
-        for symbol, name, value in zip(system.q, system.q_names, start.q, strict=True)
-        if value == 0.0 and name not in given and any(g.depends(node, g.deps[symbol]) for node in nodes)
-    )
 
 
 def _blame(planner: Planner, start: Start, *nodes: Node, negative: bool = False) -> tuple[str, ...]:

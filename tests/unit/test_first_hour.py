@@ -176,3 +176,11 @@ def test_dissipation_is_a_force() -> None:
     (found,) = find(SPEC + "D: m*x'^2\n")
     assert found.help == ("friction is given as forces: `forces: {x: -c*x'}`",)
     assert "known keys" in find(SPEC + "d: 0.3\n")[0].help[0]  # a parameter that was not indented
+
+
+def test_positions_that_were_forgotten() -> None:
+    text = "nhc: 1\nsystem: rod\ncoordinates: [x, y, z]\nT: (x'^2 + y'^2 + z'^2)/2\nholonomic: [x^2 + y^2 = 1]\n"
+    (found,) = find(text + "scenes: {go: {initial: {x': 1}, time: [0, 1]}}\n")
+    assert (found.code, found.notes) == ("E0409", ("`x`, `y` start at 0, for `initial` does not say where",))
+    (found,) = find(text + "scenes: {go: {initial: {x: 0, y: 2}, time: [0, 1]}}\n")
+    assert (found.code, found.notes) == ("E0409", ())
