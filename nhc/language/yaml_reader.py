@@ -20,6 +20,27 @@ _UNPRINTABLE = re.compile("[^\t\n\x20-\x7e\x85\xa0-\ud7ff\ue000-\ufffd\U00010000
 _BREAK = re.compile("[\x85\u2028\u2029]")
 _ALIAS = "\0alias"  # stands for an alias, which is refused where it is read
 _NULL = ("", "~", "null", "Null", "NULL")
+_QUOTES = "put a text that holds `: `, ` #` or commas between quotes"
+# what PyYAML says (a part of it), how it is said here (empty: the same), and what to do
+_SYNTAX = (
+    ("cannot start any token", "", "put the text between quotes, and indent with spaces"),
+    (
+        "mapping values are not allowed here",
+        "",
+        "put a text that holds `: ` between quotes; a key stands in the column of its neighbours",
+    ),
+    (
+        "expected <block end>",
+        "this does not continue what stands above",
+        "indent the entries of one mapping or list alike, each `key: value` on a line of its own",
+    ),
+    ("could not find expected ':'", "a key without its `:`", "write `key: value`; what goes on is indented below its key"),
+    ("expected ',' or '}'", "", "part the entries by commas, as in `{a: 1, b: 2}`, and put texts with commas between quotes"),
+    ("expected ',' or ']'", "", "close the list, part its entries by commas, and put texts with commas between quotes"),
+    ("sequence entries are not allowed", "", "begin each `- ` on its own line below its key; quote a text that begins so"),
+    ("expected '<document start>'", "this does not continue what stands above", "let all keys of a spec begin in one column"),
+    ("incompatible YAML document", "", "leave the line out"),
+)  # fmt: skip
 _FAST: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 
 
@@ -86,9 +107,9 @@ def _report_syntax(error: yaml.MarkedYAMLError, bag: Bag) -> None:
     if error.context_mark and error.context and error.context_mark.index != at:
         start = error.context_mark.index
         labels = (Label(Span(start, start + 1), str(error.context)),)
-    help = "put a text that holds `: `, ` #` or commas between quotes"
-    if "cannot start any token" in problem:
-        help = "put the text between quotes, and indent with spaces"
+    problem, help = next(
+        ((said or problem, advice) for part, said, advice in _SYNTAX if part in problem), (problem, _QUOTES)
+    )
     bag.error("E0104", f"YAML: {problem}", Span(at, at + 1), labels=labels, help=(help,))
 
 

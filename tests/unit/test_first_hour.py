@@ -184,3 +184,20 @@ def test_positions_that_were_forgotten() -> None:
     assert (found.code, found.notes) == ("E0409", ("`x`, `y` start at 0, for `initial` does not say where",))
     (found,) = find(text + "scenes: {go: {initial: {x: 0, y: 2}, time: [0, 1]}}\n")
     assert (found.code, found.notes) == ("E0409", ())
+
+
+@pytest.mark.parametrize(
+    ("right", "wrong", "message", "help"),
+    [
+        ("  k: {value: 1}", "    k: {value: 1}", "this does not continue what stands above", "indent the entries"),
+        ("dependent: [y, R_0]", "dependent [y, R_0]", "a key without its `:`", "write `key: value`"),
+        ("m: {value: 2}", "m: {value: 2", "expected ',' or '}'", "part the entries by commas"),
+        ("[y, R_0]", "[y, R_0", "expected ',' or ']'", "close the list"),
+        ("V: k*x^2", "V: k*x^2: 1", "mapping values are not allowed here", "between quotes"),
+        ("nhc: 1", "%YAML 9.0\n---\nnhc: 1", "incompatible YAML document", "leave the line out"),
+    ],
+)
+def test_yaml_that_is_none(right: str, wrong: str, message: str, help: str) -> None:
+    (found,) = find(SKATE.replace(right, wrong))
+    assert found.code == "E0104"
+    assert message in found.message and help in found.help[0]
