@@ -81,9 +81,10 @@ def _print(made: Certificate) -> None:
             for what, same in (("accelerations", a.accelerations), ("reactions", a.reactions))
         ]
         far = power_of_ten(max(a.distance.accelerations, a.distance.reactions))
-        put(
-            f"  {a.name:{width}}  {a.number:6}  {', '.join(exact)}; in doubles within {far} at {a.distance.states} states"
-        )
+        doubles = f"in doubles within {far} at {a.distance.states} states"
+        if not a.distance.states:
+            doubles = "not tried in doubles: singular at every state that was looked at"
+        put(f"  {a.name:{width}}  {a.number:6}  {', '.join(exact)}; {doubles}")
     put(f"exact: {len(made.points)} points modulo primes of 61 bits against I.4.1 straight from T;")
     put(f"  a difference passes unseen with a probability below 10^{ceil(made.log10_bound)} ({_why(made)})")
     if made.rejections:

@@ -62,6 +62,8 @@ def command(
     """
     if as_json and to not in (None, "json"):
         raise click.UsageError(f"`--json` and `--to {to}` exclude one another")
+    if dump is not None and (to or as_json):
+        raise click.UsageError("`--dump` prints text: it goes with neither `--to` nor `--json`")
     to = to or ("json" if as_json else "text")
     source = open_spec(spec)
 

@@ -75,8 +75,7 @@ def command(
         found = linearize(source, request, Options(formulation=formulation or ""))
     except NotSteady as error:
         reached = f"; the rates that should vanish reach {error.residual:.3g}" if math.isfinite(error.residual) else ""
-        advice = ["start nearer to a steady motion, or fix more of it with `--hold`"] if reached else []
-        raise Failure(f"{error}{reached}", advice, exit=Exit.NUMERICAL) from error
+        raise Failure(f"{error}{reached}", [error.advice], exit=Exit.NUMERICAL) from error
     if as_json:
         put_json("nhc.linearize/1", describe(found))
     else:

@@ -27,6 +27,8 @@ def check_options(tolerance: float | None, output: str | None, chart: str | None
         raise click.UsageError("`--fold` does not go with `--tol`")
     if as_json and output == "-":
         raise click.UsageError("`--json` prints to stdout; name a file after `-o`")
+    if output not in (None, "-") and not output.endswith((".yaml", ".yml")):
+        raise click.UsageError("name a .yaml file after `-o`: the model is written as a spec")
     if chart is not None and output == chart:
         raise click.UsageError("`-o` and `--chart` name the same file")
     if chart is not None and not chart.endswith((".svg", ".html")):

@@ -90,6 +90,8 @@ def command(
         return _run_atlas(slow, as_json)
     if spec is None:
         raise click.UsageError("missing argument `SPEC`")
+    if slow:
+        raise click.UsageError("`--slow` belongs to `--atlas`")
     target = _check_target(output, force)
     source = open_spec(spec)
     try:

@@ -11,6 +11,8 @@ from nhc.records import record
 from .codes import TITLES
 from .source import Source, Span
 
+_SHOWN_PLACES = 3  # of a mistake that stands at several, besides the first
+
 
 class Severity(Enum):
     """How bad it is; only an error stops the compiler."""
@@ -89,6 +91,7 @@ class Bag:
     def __init__(self, source: Source) -> None:
         self.source = source
         self._found: list[Diagnostic] = []
+        self._places: dict[tuple[str, str], list[Span]] = {}
 
     def add(self, diagnostic: Diagnostic) -> None:
         """Add a finding; raises ``KeyError`` for a code that is not registered (an error of nhc, not of the user)."""
@@ -124,10 +127,31 @@ class Bag:
         """Add a warning at ``span``; ``labels`` are further places."""
         self.add(Diagnostic(code, Severity.WARNING, message, (Label(span, label), *labels), notes, help))
 
+    def again(self, code: str, message: str, span: Span) -> bool:
+        """Note a place of a mistake that stands at several, which is told once; say whether it was noted before."""
+        places = self._places.setdefault((code, message), [])
+        places.append(span)
+        return len(places) > 1
+
+    def is_noted(self, code: str, message: str) -> bool:
+        """Whether :meth:`again` has noted a place of this mistake."""
+        return (code, message) in self._places
+
+    def _gather(self, found: Diagnostic) -> Diagnostic:
+        """The finding with the places that :meth:`again` has noted of it, the first one in front."""
+        places = self._places.get((found.code, found.message), [])
+        if len(places) < 2:
+            return found
+        first, *others = sorted(dict.fromkeys(places), key=lambda span: (span.start, span.end))
+        more = len(others) - _SHOWN_PLACES
+        notes = (f"and at {more} more place{'s' if more > 1 else ''}",) if more > 0 else ()
+        labels = [Label(place, "here too") for place in others[:_SHOWN_PLACES]]
+        return replace(found, labels=(Label(first, found.labels[0].text), *labels), notes=(*found.notes, *notes))
+
     @property
     def diagnostics(self) -> tuple[Diagnostic, ...]:
         """What was found so far, in the order of the places, without repetitions."""
-        return tuple(dict.fromkeys(sorted(self._found, key=_order)))
+        return tuple(dict.fromkeys(sorted(map(self._gather, self._found), key=_order)))
 
     @property
     def has_errors(self) -> bool:

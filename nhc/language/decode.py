@@ -8,6 +8,7 @@ from fractions import Fraction
 
 from nhc.diagnostics import Bag, Source, Span, SpecError, nearest
 
+from .advice import meant_key
 from .drawing import decode_drawing
 from .extend import merge_bases
 from .keys import SPEC_KEYS, SYSTEM_PATTERN, VERSION
@@ -18,7 +19,7 @@ from .order import order_definitions
 from .parser import parse_equation, parse_expression
 from .rotation import coordinates_of, decode_rotations, entries_of, norm_of, pushes_quaternion, velocities_of
 from .scenes import decode_scenes
-from .scope import Scope, check_name, check_reactions
+from .scope import Scope, check_name, check_reactions, names_in
 from .sections import decode_coordinates, decode_parameters
 from .shape import Shapes
 from .spec import FORMULATIONS, Constraint, Coordinate, Definition, Holonomic, Parameter, Rotation, Spec
@@ -26,6 +27,7 @@ from .syntax import Name, Number, Syntax
 from .unit_check import check_units
 from .yaml_reader import is_empty, read_nodes
 
+_KEYS = frozenset(key.name for key in SPEC_KEYS)
 _DECLARING = ("coordinates", "rotation", "parameters", "define", "quasi_velocities", "outputs")
 _Equation = tuple[str, Span, Syntax, Syntax]
 
@@ -53,13 +55,16 @@ class _Decoder:
         self.shapes = Shapes(bag)
         self.scope = Scope(bag)
         self.draft = _Draft()
+        self.uncounted = False  # constraints may stand under a key that is misspelled
 
     def run(self) -> Spec:
         place = self.root.entries[0][0].span if self.root.entries else self.root.span
         rotates = self.root.get("rotation") is not None  # then other coordinates need not be
         keys = [key.optional() if rotates and key.name == "coordinates" else key for key in SPEC_KEYS]
-        meant = self.shapes.check_keys(self.root, keys, "the spec", place)
-        self.scope.open = any(key in _DECLARING for key in meant)
+        meant = self.shapes.check_keys(self.root, keys, "the spec", place, meant_key)
+        strange = any(text.value not in _KEYS and not isinstance(node, Text) for text, node in self.root.entries)
+        self.scope.open = strange or any(key in _DECLARING for key in meant)  # what it declares is not known
+        self.uncounted = strange or "constraints" in meant or "holonomic" in meant
         version, system = self._version(), self._system()
         self._declare()
         self._resolve_named()
@@ -81,7 +86,7 @@ class _Decoder:
             version=version,
             system=system,
             about=self._text("about"),
-            sources=self._sources(),
+            sources=self.shapes.lines(self.root.get("source")),
             coordinates=(*self.draft.coordinates, *(c for r in rotations for c in coordinates_of(r))),
             parameters=tuple(self.draft.parameters),
             definitions=definitions,
@@ -130,16 +135,6 @@ class _Decoder:
 
     def _text(self, key: str) -> str:
         return self.shapes.line(self.root.get(key))
-
-    def _sources(self) -> tuple[str, ...]:
-        node = self.root.get("source")
-        if node is None:
-            return ()
-        if isinstance(node, Text):
-            return tuple(line for line in (self.shapes.line(node),) if line)
-        items = self.shapes.items(node, "a list of texts")
-        lines = [self.shapes.line(item) for item in items.items] if items else []
-        return tuple(line for line in lines if line)
 
     def _formulation(self) -> str:
         node = self.root.get("formulation")
@@ -262,6 +257,7 @@ class _Decoder:
     def _equations_of(self, key: str) -> tuple[Node, ...]:
         node = self.root.get(key)
         items = self.shapes.items(node, "a list of equations", "write `- name: left = right`") if node else None
+        self.uncounted = self.uncounted or (node is not None and items is None)
         return items.items if items else ()
 
     def _equations(self, key: str, prefix: str, taken: dict[str, Span]) -> list[_Equation]:
@@ -279,6 +275,7 @@ class _Decoder:
                 if not check_name(text, self.bag):
                     continue
             if name in taken:
+                self.uncounted = True
                 self.bag.error("E0305", f"two constraints are named `{name}`", span, help=("rename one of them",))
             taken.setdefault(name, span)
             text_node = self.shapes.text(value, "an equation")
@@ -292,7 +289,8 @@ class _Decoder:
         found = []
         for name, span, left, right in self._equations("constraints", "c", self.taken):
             left, right = self._check(left, "equation"), self._check(right, "equation")
-            form = check_form(left, right, self.draft.velocities, self.bag)
+            strange = self.scope.open or any(map(self.scope.is_strange, (*names_in(left), *names_in(right))))
+            form = check_form(left, right, self.draft.velocities, Bag(self.source) if strange else self.bag)
             found.append(Constraint(name, left, right, form, span))
         return tuple(found)
 
@@ -318,15 +316,11 @@ class _Decoder:
             if name in found:
                 self.bag.error("E0305", f"`{name}` stands twice in `dependent`", text.span, help=("keep one of them",))
             found[name] = None
-        if len(items.items) != count:
-            message = f"`dependent` names {len(items.items)} velocities, but there {_count(count)}"
+        if len(items.items) != count and not (self.uncounted or self.scope.open):
+            message = f"`dependent` names {len(items.items)} velocities, the constraints are {count}"
             help = "name one velocity for each constraint, or leave `dependent` out and let nhc choose"
             self.bag.error("E0315", message, items.span, help=(help,))
         return tuple(found)
-
-
-def _count(constraints: int) -> str:
-    return "is 1 constraint" if constraints == 1 else f"are {constraints} constraints"
 
 
 def decode(source: Source) -> Spec:

@@ -6,7 +6,6 @@ the base's; lists and texts replace.  ``U`` or ``V`` in the spec replaces either
 
 from __future__ import annotations
 
-import re
 from dataclasses import replace
 from pathlib import Path, PurePosixPath
 
@@ -18,13 +17,12 @@ from .yaml_reader import read_nodes
 
 KEY = "extends"
 DEEPEST = 8
-_KEY_LINE = re.compile(r"^[\"']?extends[\"']?[ \t]*:", re.MULTILINE)
 _POTENTIALS = ("U", "V")
 
 
 def base_name(source: Source) -> Text | None:
     """Return the value of ``extends`` in a source, None without one (or where the text is no YAML: decode says so)."""
-    if not _KEY_LINE.search(source.text):
+    if KEY not in source.text:  # in flow style it may stand anywhere
         return None
     root = read_nodes(source, Bag(source))
     value = root.get(KEY) if isinstance(root, Table) else None

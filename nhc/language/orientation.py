@@ -32,7 +32,9 @@ def read_orientation(what: str, node: Node, shapes: Shapes, read: Read) -> Quate
     if not isinstance(node, Table):
         shapes.items(node, f"an orientation for {what}", _WAYS)
         return None
-    shapes.check_keys(node, START_KEYS, f"the start of {what}", node.span)
+    meant = shapes.check_keys(node, START_KEYS, f"the start of {what}", node.span)
+    if meant:
+        return None
     given = {text.value for text, _ in node.entries}
     group = next((group for group in _GROUPS if given & set(group)), None)
     if group is None:
@@ -173,8 +175,17 @@ def _multiply(p: Sequence[Syntax | None], q: Sequence[Syntax | None], span: Span
 
 
 def _half(angle: Syntax, span: Span) -> tuple[Syntax, Syntax]:
-    half = _binary("/", angle, _number(2, span), span)
+    half = _binary("/", angle, _number(2, span), angle.span)
     return Call("cos", (half,), span), Call("sin", (half,), span)
+
+
+def angles_in(part: Syntax) -> list[Syntax]:
+    """The half angles in a part of a quaternion that :func:`read_orientation` has made, by place and by order of turns.
+
+    The calls that it makes stand at the place of the whole start, unlike any that a user writes.
+    """
+    calls = [node for node in walk(part) if isinstance(node, Call) and node.span == part.span]
+    return [node.arguments[0] for node in calls if node.function in ("cos", "sin")]
 
 
 def _binary(op: str, left: Syntax, right: Syntax, span: Span) -> Syntax:

@@ -161,6 +161,9 @@ class _Parser:
             return f"write `{call if inner is node else f'{DOT}({call})'}`"
         if not isinstance(node, Number):
             return ""
+        if token.kind == "number":
+            start, end = self.operands[-1][1:]
+            return f"write the digits of a number without blanks: `{self.text[start:end]}{token.text}`"
         base = self.operands[-2][0] if len(self.operands) > 1 and self.frames[-1].kind == "^" else None
         if isinstance(base, Name) and base.name in _ARITY:
             return f"write `{base.name}({argument})^{self.text[self.operands[-1][1] : self.operands[-1][2]]}`"
@@ -222,9 +225,15 @@ class _Parser:
                 "E0202",
                 "`,` outside of a function's arguments",
                 self._span(token),
-                "decimal numbers are written with `.`",
+                self._advise_comma(token),
             )
         self.frames[-1].arguments.append(self.operands.pop())
+
+    def _advise_comma(self, token: Token) -> str:
+        around = self.text[max(0, token.start - 1) : token.start], self.text[token.end : token.end + 1]
+        if all(x.isdigit() for x in around):
+            return "decimal numbers are written with `.`"
+        return "write one equation per entry of the list" if self.equation else "write one expression here"
 
     def _equal(self, token: Token) -> None:
         self._reduce(0)

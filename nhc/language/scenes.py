@@ -7,6 +7,7 @@ from fractions import Fraction
 
 from nhc.diagnostics import nearest
 
+from .advice import meant_rate
 from .keys import SCENE_KEYS
 from .names import fold
 from .nodes import Items, Node, Text
@@ -16,6 +17,7 @@ from .scope import Scope, check_name, names_in
 from .shape import Shapes
 from .spec import DEFAULT_TOLERANCE, Initial, Need, Override, Parameter, Rotation, Scene
 from .syntax import Number, Syntax
+from .yaml_reader import is_empty
 
 _OWN_NEEDS = ("energy", "reactions")
 
@@ -80,17 +82,27 @@ class _SceneReader:
     def _unknown(self, text: Text, what: str, known: Sequence[str]) -> None:
         if self.scope.open:
             return
-        name = fold(text.value)
+        name, message = fold(text.value), f"`{text.value}` is no {what}"
+        if self.scope.is_unknown(name.rstrip("'"), text.span) or self.bag.again("E0419", message, text.span):
+            return
         near = nearest(name, known)
-        if self.scope.kind(name) in ("define", "entry") and known[-1:] == _OWN_NEEDS[-1:]:
+        rate = meant_rate(name, [other for other in self.scope.of_kind("coordinate") if f"{other}'" in known])
+        defined = self.scope.kind(name) in ("define", "entry")
+        if defined and known[-1:] == _OWN_NEEDS[-1:]:
             help = f"show it under `outputs`: `{name}: {name}`"
+        elif defined:
+            help = f"`{name}` follows from others: give the values of these"
+            if self.scope.kind(name) == "define" and what != "parameter":
+                help += ", or move it to `quasi_velocities` where it is a velocity"
+        elif rate:
+            help = rate
         elif near:
             help = f"did you mean `{near}`?"
         elif known:
             help = "known: " + ", ".join(f"`{other}`" for other in known[:12])
         else:
             help = "the spec declares none"
-        self.bag.error("E0419", f"`{text.value}` is no {what}", text.span, help=(help,))
+        self.bag.error("E0419", message, text.span, help=(help,))
 
     def _overrides(self, node: Node | None) -> tuple[Override, ...]:
         table = self.shapes.table(node, "a mapping of parameters to numbers") if node is not None else None
@@ -128,6 +140,8 @@ class _SceneReader:
                 continue  # reported where it is declared
             tree = self._start_value(value)
             target = self._target(text)
+            if target is None and is_empty(value):
+                continue  # the end of a text with a comma in it, reported as an empty value
             if target is None:
                 known = self.scope.of_kind("coordinate", "quasi")
                 velocities = tuple(f"{name}'" for name in self.scope.of_kind("coordinate"))
@@ -155,12 +169,15 @@ class _SceneReader:
         return ("velocity", velocity) if velocity is not None else None
 
     def _start_value(self, node: Node) -> Syntax | None:
+        if self.scope.open and not isinstance(node, Text):
+            return None  # it may be the orientation of what could not be read
         text = self.shapes.text(node, "a number")
         # YAML lets a number carry a plus; an expression does not
         plus = len(text.value) - len(text.value.removeprefix("+")) if text is not None and text.plain else 0
         if text is None:
             return None
-        if self.shapes.refuse_unit(text, self.scope.of_kind("parameter")):
+        known = self.scope.of_kind("parameter")
+        if self.shapes.refuse_unit(text, known) or self.shapes.refuse_infinite(text, known):
             return None
         tree = parse_expression(text.value[plus:], lambda start, end: text.locate(start + plus, end + plus), self.bag)
         if tree is None:

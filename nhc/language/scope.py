@@ -7,9 +7,10 @@ from collections.abc import Mapping, Sequence
 from nhc.diagnostics import Bag, Label, Span, nearest
 from nhc.records import record
 
+from .advice import meant_rate
 from .names import DOT, ENERGIES, FUNCTIONS, PI, RESERVED, TIME, fold, is_name
 from .nodes import Text
-from .syntax import Differential, Name, Number, Prime, Syntax, fold_tree, rebuild, walk
+from .syntax import Binary, Differential, Name, Number, Prime, Syntax, fold_tree, rebuild, walk
 
 _SEARCHES = 50  # unknown names for which a near one is looked for; the search is slow
 _ENERGY = "energy"
@@ -49,6 +50,7 @@ class Scope:
         """Declare a name; return it folded, or None where it is refused."""
         name = fold(text.value)
         if not check_name(text, self.bag):
+            self.open = True
             return None
         if name in RESERVED:
             what = "a function" if name in FUNCTIONS or name == DOT else "a constant" if name == PI else "the time"
@@ -59,7 +61,10 @@ class Scope:
             first = self.names[name]
             label = Label(first.span, f"first declared here, as {_KINDS[first.kind]}")
             message = f"`{name}` is declared twice"
-            self.bag.error("E0305", message, text.span, labels=(label,), help=("rename one of them",))
+            help = "rename one of them"
+            if (first.kind, kind) == ("coordinate", "define"):
+                help = f"leave `{name}` out of `coordinates` if this is what it is; else rename one of them"
+            self.bag.error("E0305", message, text.span, labels=(label,), help=(help,))
             return None
         self.names[name] = Declared(kind, text.span)
         return name
@@ -86,13 +91,22 @@ class Scope:
         kind = self.kind(name)
         if kind == "coordinate" or name in also:
             return True
-        if not self.open:
+        if not self.open and not self.is_unknown(name, text.span):
             proposed = [*(n for n in self.of_kind("coordinate") if n not in hidden), *also]
             near = nearest(name, proposed)
             known = ", ".join(f"`{other}`" for other in proposed)
             help = f"did you mean `{near}`?" if near else f"the coordinates are {known}"
             self.bag.error("E0302", f"unknown coordinate `{text.value}`", text.span, help=(help,))
         return False
+
+    def is_strange(self, name: str) -> bool:
+        """Whether a name means nothing here."""
+        return not self.kind(name) and name not in (TIME, PI)
+
+    def is_unknown(self, name: str, span: Span) -> bool:
+        """Whether a name has been reported as unknown; this is then one more place of that mistake."""
+        message = f"unknown name `{name}`"
+        return not self.kind(name) and self.bag.is_noted("E0302", message) and self.bag.again("E0302", message, span)
 
     def velocity_of(self, text: str) -> str | None:
         """Return the coordinate whose velocity a text such as ``x'`` or ``xdot`` names."""
@@ -113,15 +127,38 @@ class Scope:
         or empty.
         """
 
+        quotients = self._report_quotients(tree) if place != "equation" else set[int]()
+
         def visit(node: Syntax, parts: tuple[Syntax, ...]) -> Syntax:
             if isinstance(node, Name):
-                return self._look_up(node, place)
+                return node if id(node) in quotients else self._look_up(node, place)
             node = rebuild(node, parts)
             if isinstance(node, Prime):
                 self._check_prime(node)
             return node
 
         return fold_tree(tree, visit)
+
+    def _report_quotients(self, tree: Syntax) -> set[int]:
+        """Report rates that are written ``dx/dt``; return the identities of the names in them."""
+        found: set[int] = set()
+        for node in walk(tree):
+            if not (isinstance(node, Binary) and node.op == "/" and self._is_form(node.right, f"d{TIME}")):
+                continue
+            above = node.left
+            while isinstance(above, Binary) and above.op == "*":
+                above = above.right
+            if isinstance(above, Name) and self._is_form(above) and self.kind(above.name[1:]) == "coordinate":
+                found |= {id(above), id(node.right)}
+                span = Span(above.span.start, node.right.span.end)
+                help = f"write `{above.name[1:]}'`"
+                self.bag.error("E0209", "a velocity as a quotient of differentials", span, help=(help,))
+        return found
+
+    def _is_form(self, node: Syntax, name: str = "") -> bool:
+        """Whether a node is spelled as a differential (that of ``name``) and is nothing that the spec declares."""
+        spelled = isinstance(node, Name) and not self.kind(node.name) and node.name[:1] == "d"
+        return spelled and (not name or (isinstance(node, Name) and node.name == name))
 
     def _look_up(self, node: Name, place: str) -> Syntax:
         name = node.name
@@ -142,15 +179,22 @@ class Scope:
         is_form = name.startswith("d") and (name == "dt" or self.kind(name[1:]) == "coordinate")
         if is_form and place == "equation":
             return Differential(name[1:], node.span)
-        if not self.open:
+        if kind or not self.open:
             self._report_unknown(node, kind, is_form, place)
         return node
 
     def _report_unknown(self, node: Name, kind: str, is_form: bool, place: str) -> None:
         name = node.name
+        message = f"the differential `{name}` outside of a constraint" if is_form else f"unknown name `{name}`"
+        is_form_of_unknown = place == "equation" and name[0] == "d" and self.is_unknown(name[1:], node.span)
+        if is_form_of_unknown or self.bag.again("E0209" if is_form else "E0302", message, node.span):
+            return
         if is_form:
-            help = f"differentials stand in `constraints` only; the velocity is `{name[1:]}'`"
-            self.bag.error("E0209", f"the differential `{name}` outside of a constraint", node.span, help=(help,))
+            instead = (
+                f"the velocity is `{name[1:]}'`" if name != "dt" else "a velocity is written with a prime, as `x'`"
+            )
+            help = f"differentials stand in `constraints` only; {instead}"
+            self.bag.error("E0209", message, node.span, help=(help,))
             return
         help = ""
         if kind == "output" and name in ENERGIES:
@@ -166,9 +210,10 @@ class Scope:
             kinds = ("parameter",) if place == "start" else ("coordinate", "parameter", "define", "quasi", "entry")
             known = (*self.of_kind(*kinds), PI) if place == "start" else (*self.of_kind(*kinds), TIME, PI)
             near = nearest(name, known) if self._searches <= _SEARCHES else None
+            rate = meant_rate(name, self.of_kind("coordinate", "define", "entry")) if place != "start" else ""
             where = "`parameters`" if place == "start" else "`parameters`, `coordinates` or `define`"
-            help = f"did you mean `{near}`?" if near else f"declare it under {where}"
-        self.bag.error("E0302", f"unknown name `{name}`", node.span, help=(help,))
+            help = rate or (f"did you mean `{near}`?" if near else f"declare it under {where}")
+        self.bag.error("E0302", message, node.span, help=(help,))
 
     def _check_prime(self, node: Prime) -> None:
         inner = node.operand

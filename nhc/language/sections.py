@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from fractions import Fraction
 
 from .keys import COORDINATE_KEYS, PARAMETER_KEYS
+from .names import is_name
 from .nodes import Items, Node, Table, Text
 from .scope import Scope
 from .shape import Shapes
 from .spec import Coordinate, Parameter
 from .syntax import Syntax
 from .units import UnitError, parse_unit
+from .yaml_reader import is_empty
 
 
 def _read_unit(table: Table, shapes: Shapes) -> str:
@@ -25,6 +28,23 @@ def _read_unit(table: Table, shapes: Shapes) -> str:
     return " ".join(text.value.split())
 
 
+def _of_parameter(key: str, present: Collection[str]) -> tuple[str, str]:
+    """What a key of a parameter does at a coordinate."""
+    return (
+        ("", "a coordinate has none: parameters stand under `parameters:`, starts in scenes")
+        if key == "value"
+        else ("", "")
+    )
+
+
+def _is_unit(text: str) -> bool:
+    try:
+        parse_unit(text)
+    except UnitError:
+        return False
+    return True
+
+
 def _entries(node: Node | None, key: str, shapes: Shapes, scope: Scope) -> list[tuple[Text, Node | None]]:
     """Return the names of a section with their values; the names of a list have none."""
     if node is None:
@@ -33,12 +53,18 @@ def _entries(node: Node | None, key: str, shapes: Shapes, scope: Scope) -> list[
         texts = [shapes.text(item, "a name") for item in node.items]
         scope.open = scope.open or None in texts
         return [(text, None) for text in texts if text is not None]
-    help = "write `[x, y]`, or one name per line with what is known of it"
+    single = node.value if isinstance(node, Text) and is_name(node.value) else "x, y"
+    help = f"write `[{single}]`, or one name per line with what is known of it"
+    if key == "parameters" and isinstance(node, Text):
+        help = "write one name per line with its value: `m: 1`"
     table = shapes.table(node, f"a list or mapping of {key}", help)
     if table is None:
         scope.open = True
         return []
-    return list(table.entries)
+    # the end of a text with a comma in it has been reported as an empty value
+    whole = [(text, value) for text, value in table.entries if is_name(text.value) or not is_empty(value)]
+    scope.open = scope.open or len(whole) < len(table.entries)
+    return list(whole)
 
 
 def decode_coordinates(node: Node | None, shapes: Shapes, scope: Scope) -> list[Coordinate]:
@@ -61,10 +87,12 @@ def decode_coordinates(node: Node | None, shapes: Shapes, scope: Scope) -> list[
 def _decode_coordinate(name: str, text: Text, value: Node | None, shapes: Shapes) -> Coordinate:
     what = f"coordinate `{text.value}`"
     help = f"write `{text.value}: {{unit: m, about: ...}}`, or list the names: `coordinates: [{text.value}, ...]`"
+    if isinstance(value, Text) and _is_unit(value.value):
+        help = f"write `{text.value}: {{unit: {value.value}}}`"
     table = shapes.table(value, f"a mapping for {what}", help) if value is not None else None
     if table is None:
         return Coordinate(name, text.span)
-    shapes.check_keys(table, COORDINATE_KEYS, what, text.span)
+    shapes.check_keys(table, COORDINATE_KEYS, what, text.span, _of_parameter)
     node = table.get("range")
     range_ = shapes.interval(node, f"the range of `{text.value}`") if node is not None else None
     return Coordinate(name, text.span, _read_unit(table, shapes), shapes.line(table.get("about")), range_)
@@ -93,7 +121,8 @@ def _decode_parameter(name: str, text: Text, value: Node | None, shapes: Shapes)
         return Parameter(name, text.span)
     if not isinstance(value, Table):
         return Parameter(name, text.span, _value(value, what, shapes))
-    shapes.check_keys(value, PARAMETER_KEYS, what, text.span)
+    meant = shapes.check_keys(value, PARAMETER_KEYS, what, text.span)
+    refused = "value" in meant or any(is_empty(part) for _, part in value.entries)
     node = value.get("value")
-    number = _value(node, what, shapes) if node is not None else None
+    number = _value(node, what, shapes) if node is not None else Fraction(0) if refused else None
     return Parameter(name, text.span, number, _read_unit(value, shapes), shapes.line(value.get("about")))

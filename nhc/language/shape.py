@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Collection, Sequence
 from fractions import Fraction
 
 from nhc.diagnostics import Bag, Label, Span, nearest
@@ -18,6 +18,7 @@ from .syntax import Name, Negate, Number, Syntax, walk
 from .units import UnitError, parse_unit
 from .yaml_reader import is_empty
 
+Elsewhere = Callable[[str, Collection[str]], tuple[str, str]]
 _MEASURED = re.compile(r"([-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?)\s*([^\W\d_][^()]*)")
 
 
@@ -49,6 +50,16 @@ class Shapes:
         text = self.text(node, wanted) if node is not None else None
         return " ".join(text.value.split()) if text else ""
 
+    def lines(self, node: Node | None) -> tuple[str, ...]:
+        """Return the texts of a list, each on one line, or a single one."""
+        if node is None:
+            return ()
+        if isinstance(node, Text):
+            return tuple(line for line in (self.line(node),) if line)
+        items = self.items(node, "a list of texts")
+        lines = [self.line(item) for item in items.items] if items else []
+        return tuple(line for line in lines if line)
+
     def table(self, node: Node, wanted: str = "a mapping", help: str = "") -> Table | None:
         """Return a mapping."""
         if isinstance(node, Table):
@@ -63,17 +74,24 @@ class Shapes:
         self._wrong(node, wanted, help)
         return None
 
-    def check_keys(self, table: Table, keys: Sequence[Key], what: str, place: Span) -> tuple[str, ...]:
-        """Report unknown and missing keys of a mapping; return the known keys that unknown ones may have meant."""
+    def check_keys(
+        self, table: Table, keys: Sequence[Key], what: str, place: Span, elsewhere: Elsewhere = lambda *_: ("", "")
+    ) -> tuple[str, ...]:
+        """Report unknown and missing keys of a mapping; return the known keys that unknown ones may have meant.
+
+        ``elsewhere`` knows what others call such keys (see :func:`nhc.language.advice.meant_key`).
+        """
         known = [key.name for key in keys]
         present = {text.value for text, _ in table.entries}
         meant: list[str] = []
         for text, value in table.entries:
             if text.value in known or is_empty(value):  # an empty value has been reported
                 continue
-            near = nearest(text.value, known)
+            near, help = elsewhere(text.value, present)
+            if not help:
+                near = nearest(text.value, known) or ""
+                help = f"did you mean `{near}`?" if near else "known keys: " + ", ".join(f"`{name}`" for name in known)
             meant.extend([near] if near else [])
-            help = f"did you mean `{near}`?" if near else "known keys: " + ", ".join(f"`{name}`" for name in known)
             self.bag.error("E0303", f"unknown key `{text.value}` in {what}", text.span, help=(help,))
         for key in keys:
             if key.required and key.name not in present and key.name not in meant:
@@ -115,14 +133,23 @@ class Shapes:
             return None
         if value is not None:
             return value
-        if self.refuse_unit(text, declares=declares):
+        if self.refuse_unit(text, declares=declares) or self.refuse_infinite(text):
             return None
         tree = parse_expression(text.value, text.locate, self.bag)
-        if tree is None or not self._is_constant(tree, what):
+        if tree is None or not self._is_constant(tree, what, declares):
             return None
         return literal(tree) if literal(tree) is not None else tree
 
-    def _is_constant(self, tree: Syntax, what: str) -> bool:
+    def refuse_infinite(self, text: Text, known: Sequence[str] = ()) -> bool:
+        """Report what YAML and others write for an infinite value or for none, unless that is a ``known`` name."""
+        word = text.value.lstrip("+-").lower()
+        if word not in (".inf", ".nan", "inf", "nan", "infinity") or text.value in known:
+            return False
+        help = "write a finite number; what has no value yet is left out"
+        self.bag.error("E0313", f"`{text.value}` is no finite number", text.span, help=(help,))
+        return True
+
+    def _is_constant(self, tree: Syntax, what: str, declares: bool) -> bool:
         for node in walk(tree):
             if isinstance(node, Name) and node.name != PI:
                 if node.name in FUNCTIONS:
@@ -130,7 +157,10 @@ class Shapes:
                     self.bag.error("E0206", message, node.span, help=(f"write `{node.name}(1)`",))
                     return False
                 message = f"`{node.name}` is not constant: {what} holds numbers and `pi` only"
-                self.bag.error("E0314", message, node.span, help=(f"put the number in the place of `{node.name}`",))
+                help = f"put the number in the place of `{node.name}`"
+                if declares:
+                    help += ", or move the whole to `define`: there it may hold other names"
+                self.bag.error("E0314", message, node.span, help=(help,))
                 return False
         try:
             evaluate(tree)
@@ -148,7 +178,9 @@ class Shapes:
 
     def interval(self, node: Node, what: str) -> tuple[Fraction, Fraction] | None:
         """Return two numbers of which the second is larger."""
-        items = self.items(node, f"a list of two numbers for {what}", "write `[low, high]`")
+        single = node.value if isinstance(node, Text) and re.fullmatch("[0-9]{1,9}", node.value) else ""
+        help = f"write `[0, {single}]`" if single else "write `[low, high]`"
+        items = self.items(node, f"a list of two numbers for {what}", help)
         if items is None:
             return None
         if len(items.items) != 2:
@@ -161,8 +193,8 @@ class Shapes:
         if low >= high:
             first = Label(items.items[0].span, "not before this")
             message = f"{what} ends where it starts, or before"
-            help = ("write `[low, high]`, the smaller number first",)
-            self.bag.error("E0313", message, items.items[1].span, labels=(first,), help=help)
+            help = "write `[low, high]`, the smaller number first"
+            self.bag.error("E0313", message, items.items[1].span, labels=(first,), help=(help,))
             return None
         return low, high
 

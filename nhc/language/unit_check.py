@@ -8,7 +8,9 @@ from nhc.diagnostics import Bag, Label
 from nhc.records import record
 
 from .names import ENERGIES, PI, TIME
-from .spec import Constraint, Definition, Holonomic, Spec
+from .orientation import angles_in
+from .scope import names_in
+from .spec import Constraint, Definition, Holonomic, Initial, Spec
 from .syntax import Binary, Call, Differential, Name, Negate, Number, Prime, Syntax, fold_tree
 from .units import ENERGY, ONE, SECOND, Dimension, multiply, parse_unit, raise_to, show
 
@@ -38,6 +40,8 @@ _UNKNOWN = _Quantity(None)
 class _Checker:
     def __init__(self, spec: Spec, bag: Bag) -> None:
         self.bag = bag
+        self.loose = False  # in starts, where a number beside a quantity has that one's unit
+        self.seen: set[int] = set()  # angles of rotations, each of which stands in several parts of a quaternion
         self.rotations = spec.rotations
         self.names: dict[str, _Quantity] = {TIME: _Quantity(SECOND), PI: _Quantity(ONE)}
         for name, unit in _units(spec):
@@ -87,6 +91,8 @@ class _Checker:
     def _common(self, node: Binary, left: _Quantity, right: _Quantity) -> _Quantity:
         if left.any or right.any:
             return left if right.any else right
+        if self.loose and (left.number is None) != (right.number is None):
+            return right if right.number is None else left
         if left.dimension is None or right.dimension is None:
             return left if right.dimension is None else right
         if left.dimension != right.dimension:
@@ -211,6 +217,26 @@ def check_units(spec: Spec, bag: Bag) -> None:
         checker.names.setdefault(name, _Quantity(energy))
     for output in spec.outputs:
         checker.measure(output.value)
+    checker.loose = True
+    for scene in spec.scenes:
+        for start in scene.initial:
+            _check_start(checker, start)
+
+
+def _check_start(checker: _Checker, start: Initial) -> None:
+    """A start that speaks of parameters has the unit of what starts; one of numbers is in that unit already."""
+    if any(start.name in rotation.coordinates for rotation in checker.rotations):
+        for angle in angles_in(start.value):
+            if id(angle) not in checker.seen:
+                checker.seen.add(id(angle))
+                checker.demand(angle, (ONE,), "the angle of a rotation")
+        return
+    dimension = checker.names.get(start.name, _UNKNOWN).dimension
+    if dimension is None or all(name == PI for name in names_in(start.value)):
+        return
+    velocity = start.kind == "velocity"
+    wanted = multiply(dimension, _PER_SECOND) if velocity else dimension
+    checker.demand(start.value, (wanted,), f"the start of `{start.name}{chr(39) if velocity else ''}`")
 
 
 def _check_force(checker: _Checker, force: Definition, energy: Dimension | None) -> None:

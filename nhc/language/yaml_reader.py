@@ -20,6 +20,27 @@ _UNPRINTABLE = re.compile("[^\t\n\x20-\x7e\x85\xa0-\ud7ff\ue000-\ufffd\U00010000
 _BREAK = re.compile("[\x85\u2028\u2029]")
 _ALIAS = "\0alias"  # stands for an alias, which is refused where it is read
 _NULL = ("", "~", "null", "Null", "NULL")
+_QUOTES = "put a text that holds `: `, ` #` or commas between quotes"
+# what PyYAML says (a part of it), how it is said here (empty: the same), and what to do
+_SYNTAX = (
+    ("cannot start any token", "", "put the text between quotes, and indent with spaces"),
+    (
+        "mapping values are not allowed here",
+        "",
+        "put a text that holds `: ` between quotes; a key stands in the column of its neighbours",
+    ),
+    (
+        "expected <block end>",
+        "this does not continue what stands above",
+        "indent the entries of one mapping or list alike, each `key: value` on a line of its own",
+    ),
+    ("could not find expected ':'", "a key without its `:`", "write `key: value`; what goes on is indented below its key"),
+    ("expected ',' or '}'", "", "part the entries by commas, as in `{a: 1, b: 2}`, and put texts with commas between quotes"),
+    ("expected ',' or ']'", "", "close the list, part its entries by commas, and put texts with commas between quotes"),
+    ("sequence entries are not allowed", "", "begin each `- ` on its own line below its key; quote a text that begins so"),
+    ("expected '<document start>'", "this does not continue what stands above", "let all keys of a spec begin in one column"),
+    ("incompatible YAML document", "", "leave the line out"),
+)  # fmt: skip
 _FAST: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 
 
@@ -86,9 +107,9 @@ def _report_syntax(error: yaml.MarkedYAMLError, bag: Bag) -> None:
     if error.context_mark and error.context and error.context_mark.index != at:
         start = error.context_mark.index
         labels = (Label(Span(start, start + 1), str(error.context)),)
-    help = "put a text that holds `: `, ` #` or commas between quotes"
-    if "cannot start any token" in problem:
-        help = "put the text between quotes, and indent with spaces"
+    problem, help = next(
+        ((said or problem, advice) for part, said, advice in _SYNTAX if part in problem), (problem, _QUOTES)
+    )
     bag.error("E0104", f"YAML: {problem}", Span(at, at + 1), labels=labels, help=(help,))
 
 
@@ -184,18 +205,23 @@ def _close(source: Source, opened: _Open, end: int, bag: Bag) -> Node:
         return Items(tuple(opened.items), span)
     entries: list[tuple[Text, Node]] = []
     seen: dict[str, Text] = {}
-    for key, value in zip(opened.items[::2], opened.items[1::2], strict=True):
+    pairs = list(zip(opened.items[::2], opened.items[1::2], strict=True))
+    filled = {key.value: value for key, value in reversed(pairs) if isinstance(key, Text) and not is_empty(value)}
+    for key, value in pairs:
         if not isinstance(key, Text):
             place = Span(key.span.start, key.span.start + 1)
             bag.error("E0301", "a key must be a text", place, help=("write `name: value`",))
+            continue
+        if key.value == _ALIAS:
             continue
         if key.value in seen:
             first = Label(seen[key.value].span, "first here")
             bag.error("E0105", f"duplicate key `{key.value}`", key.span, labels=(first,), help=("keep one of them",))
             continue
         seen[key.value] = key
-        _check_filled(source, value, key.span, f"value of `{key.value}`", bag)
-        entries.append((key, value))
+        kept = filled.get(key.value, value)  # of a key that is given twice, once without a value, the one with it
+        _check_filled(source, kept, key.span, f"value of `{key.value}`", bag)
+        entries.append((key, kept))
     return Table(tuple(entries), span)
 
 

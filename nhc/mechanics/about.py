@@ -34,7 +34,7 @@ def read_pairs(text: str, option: str) -> tuple[Source, tuple[Pair, ...]]:
         nhc.diagnostics.SpecError: with places in the option's text.
     """
     source = Source(option, text)
-    bag, pairs = Bag(source), []
+    bag, pairs = Bag(source), list[Pair]()
     for start, part in _split(text):
         name, equals, value = part.partition("=")
         span = Span(start, start + len(part))
@@ -45,8 +45,11 @@ def read_pairs(text: str, option: str) -> tuple[Source, tuple[Pair, ...]]:
             continue
         offset = start + len(name) + 1
         tree = parse_expression(value, lambda a, b, offset=offset: Span(offset + a, offset + b), bag)  # type: ignore[misc]
-        if tree is not None:
-            pairs.append(Pair(fold(name.replace("\u2032", "'").replace(" ", "")), tree, span))
+        wanted = fold(name.replace("\u2032", "'").replace(" ", ""))
+        if any(pair.name == wanted for pair in pairs):
+            bag.error("E0305", f"`{wanted}` is given twice", span, help=("keep one of them",))
+        elif tree is not None:
+            pairs.append(Pair(wanted, tree, span))
     bag.raise_if_errors()
     return source, tuple(pairs)
 

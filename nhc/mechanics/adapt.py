@@ -288,6 +288,10 @@ def _extend(system: System, forms: Sequence[Form], wanted: int, pool: Sequence[F
     """The forms with the first of the pool that are independent of them and of the constraints."""
     made = list(forms)
     rows = [list(f.coefficients) for f in (*system.constraints, *made)]
+    first = [*made, *pool[: wanted - len(made)]]
+    trial = [list(f.coefficients) for f in (*system.constraints, *first)]
+    if rank(system.graph, trial) == len(trial):  # as nearly always; one by one takes n times as long
+        return tuple(first)
     for form in pool:
         if len(made) == wanted:
             break

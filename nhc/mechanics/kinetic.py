@@ -23,7 +23,7 @@ from nhc.algebra.linear import degrees, linear_form
 from nhc.algebra.modular import is_zero
 from nhc.mechanics import rotation
 from nhc.mechanics.system import Form, System
-from nhc.mechanics.values import default_values, scene_values
+from nhc.mechanics.values import scene_values
 
 
 @dataclass(frozen=True)
@@ -74,12 +74,13 @@ class Kinetic:
         """
         g = self.system.graph
         constants = g.mask(self.system.p)
-        if _is_sum_of_squares(g, self.tau, default_values(self.system), constants):
+        given = scene_values(self.system)
+        if all(_is_sum_of_squares(g, self.tau, values, constants) for values in given):
             return True
         flat = [h for row in self.hessian for h in row]
         if any(g.depends(h, ~constants) for h in flat):
             return False
-        return all(self._is_positive_at(flat, values) for values in scene_values(self.system))
+        return all(self._is_positive_at(flat, values) for values in given)
 
     def _is_positive_at(self, flat: Sequence[Node], values: dict[Node, float]) -> bool:
         """Whether the constant matrix is."""
@@ -148,7 +149,7 @@ def _is_sum_of_squares(graph: Graph, root: Node, values: dict[Node, float], cons
 
 
 def _is_positive(graph: Graph, node: Node, values: dict[Node, float]) -> bool:
-    """Whether a constant is positive where the parameters have their default values."""
+    """Whether a constant is positive for these values of the parameters."""
     try:
         return float(evaluate(graph, [node], values)[0]) > 0
     except (ArithmeticError, ValueError, KeyError):

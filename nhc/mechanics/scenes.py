@@ -139,12 +139,26 @@ def _check_positions(system: System, scene: Scene, place: dict[Node, float], bag
         except (ArithmeticError, ValueError):
             off = math.nan
         if not abs(off) <= 1e-6:
+            left = left_at_zero(system, scene, place, [form.equation])
             bag.error(
                 "E0409",
                 f"the scene `{scene.name}` starts off the constraint `{form.name}` by {off:.3g}",
                 scene.span,
+                notes=(f"{left} at 0, for `initial` does not say where",) if left else (),
                 help=("give initial coordinates that satisfy it",),
             )
+
+
+def left_at_zero(system: System, scene: Scene, place: dict[Node, float], nodes: Sequence[Node]) -> str:
+    """`` `x`, `y` start`` of the coordinates that some of the nodes depend on and that the scene leaves at 0; empty for none."""
+    g = system.graph
+    given = {entry.name for entry in scene.initial if entry.kind == "coordinate"}
+    names = [
+        f"`{name}`"
+        for symbol, name in zip(system.q, system.q_names, strict=True)
+        if place[symbol] == 0.0 and name not in given and any(g.depends(node, g.deps[symbol]) for node in nodes)
+    ]
+    return f"{', '.join(names)} {'starts' if len(names) == 1 else 'start'}" if names else ""
 
 
 def _velocities(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import operator
 from collections.abc import Sequence
 
 from nhc.algebra.elimination import solve_double
@@ -11,7 +12,9 @@ from nhc.algebra.graph import Node
 from nhc.algebra.linear import Singular
 from nhc.diagnostics import Bag, SpecError
 from nhc.language.spec import Scene
-from nhc.mechanics.scenes import RowSpace, Start, kept_velocities, start_of
+from nhc.mechanics.kinetic import pivot_signs
+from nhc.mechanics.scenes import RowSpace, Start, kept_velocities, left_at_zero, start_of
+from nhc.mechanics.undefined import find_undefined
 from nhc.program.build import Planner
 
 _NOTHING: tuple[str, tuple[str, ...]] = ("", ())
@@ -36,19 +39,34 @@ def warn_of_coframe(planner: Planner, scenes: Sequence[Scene]) -> tuple[str, ...
 
 
 def warn_undetermined(planner: Planner, start: Start, bag: Bag) -> None:
-    """Add a warning (W0421) where a scene starts at a singular mass matrix, or where the constraints lose their rank."""
+    """Add a warning (W0421) where a scene starts at a singular mass matrix, where the constraints lose their rank, or where an
+    expression has no value.
+    """
+    undefined = ""
     what, zero = _find_dependent(planner, start)
     if not what:
         what, zero = find_undetermined(planner, start)
     if not what:
+        undefined = find_undefined(planner.system, start.values(planner.system))
+        what = f"`{undefined}` has no real, finite value" if undefined else ""
+    if not what:
         return
     names = ", ".join(f"`{name}`" for name in zero)
+    notes = (f"{names} {'is' if len(zero) == 1 else 'are'} zero there",) if zero else ()
+    help = f"give {names} a value, under `parameters:` or in the scene" if zero else "let it start elsewhere"
+    system = planner.system
+    nodes = [system.T, *(a for form in system.constraints for a in form.coefficients)]
+    nodes += [system.U, *system.Q] if undefined else []
+    left = "" if zero else left_at_zero(system, start.scene, start.values(system), nodes)
+    if left:
+        notes = (f"{left} at 0, for `initial` does not say where",)
+        help = f"say in `initial` where {left}"
     bag.warning(
         "W0421",
         f"the scene `{start.scene.name}` cannot run: {what} at its start",
         start.scene.span,
-        notes=(f"{names} {'is' if len(zero) == 1 else 'are'} zero there",) if zero else (),
-        help=(f"give {names} a value, under `parameters:` or in the scene" if zero else "let it start elsewhere",),
+        notes=notes,
+        help=(help,),
     )
 
 
@@ -80,6 +98,63 @@ def find_undetermined(planner: Planner, start: Start) -> tuple[str, tuple[str, .
     return _NOTHING
 
 
+def warn_negative(planner: Planner, start: Start, bag: Bag) -> None:
+    """Add a warning (W0422) where T, at a scene's start, is negative for some motion that the constraints allow.
+
+    Said of the part of T that is of second order in the velocities, without which there is no motion.
+    """
+    equations = planner.equations
+    if equations.definite:  # for the values of every scene
+        return
+    g, system = planner.graph, planner.system
+    rates = kept_velocities(system, planner.kept_forms(), start)
+    values = {**dict(zip(equations.motion.w, rates, strict=True)), **start.values(system)}
+    flat = [entry for row in equations.mass for entry in row]
+    size = len(equations.mass)
+    try:
+        numbers = [float(x) for x in evaluate(g, flat, values)]
+        basis = _admissible(planner, values) if size == system.n and system.l else None
+    except (ArithmeticError, ValueError, KeyError):
+        return
+    matrix = [numbers[i * size : (i + 1) * size] for i in range(size)]
+    if basis is not None:
+        moved = [[sum(map(operator.mul, row, vector)) for row in matrix] for vector in basis]
+        matrix = [[sum(map(operator.mul, one, other)) for other in moved] for one in basis]
+    if not all(map(math.isfinite, (x for row in matrix for x in row))) or not _is_negative_somewhere(matrix):
+        return
+    names = _blame(planner, start, *flat, negative=True)
+    shown = ", ".join(f"`{name}`" for name in names)
+    notes = (f"{shown} {'is' if len(names) == 1 else 'are'} negative there",) if names else ()
+    message = "the kinetic energy is negative for some motions where this scene starts"
+    help = ("look for a wrong sign in `T`, or in the values of the parameters",)
+    if not bag.again("W0422", message, start.scene.span):
+        bag.warning("W0422", message, start.scene.span, notes=notes, help=help)
+
+
+def _admissible(planner: Planner, values: dict[Node, float]) -> list[list[float]]:
+    """Vectors that span the motions which the constraints allow."""
+    system = planner.system
+    space = RowSpace(system.n)
+    for form in system.constraints:
+        space.add([float(x) for x in evaluate(planner.graph, form.coefficients, values)], 0.0)
+    dependent = [column for column, _, _ in space.rows]
+    basis = []
+    for j in range(system.n):
+        if j not in dependent:
+            vector = [float(k == j) for k in range(system.n)]
+            for column, row, _ in space.rows:
+                vector[column] = -row[j]
+            basis.append(vector)
+    return basis
+
+
+def _is_negative_somewhere(matrix: list[list[float]]) -> bool:
+    """Whether a symmetric matrix has a negative direction, clearly; units of the entries do not matter."""
+    sizes = [math.sqrt(abs(row[i])) or 1.0 for i, row in enumerate(matrix)]
+    scaled = [[x / (a * b) for x, b in zip(row, sizes, strict=True)] for row, a in zip(matrix, sizes, strict=True)]
+    return any(row[i] < 0.0 for i, row in enumerate(scaled)) or -1 in pivot_signs(scaled)
+
+
 def _find_dependent(planner: Planner, start: Start) -> tuple[str, tuple[str, ...]]:
     """A constraint whose row vanishes, or depends on the others, at a start; empty where there is none."""
     system = planner.system
@@ -97,10 +172,11 @@ def _find_dependent(planner: Planner, start: Start) -> tuple[str, tuple[str, ...
     return _NOTHING
 
 
-def _blame(planner: Planner, start: Start, *nodes: Node) -> tuple[str, ...]:
+def _blame(planner: Planner, start: Start, *nodes: Node, negative: bool = False) -> tuple[str, ...]:
+    """The parameters in these nodes that are zero at a start, or negative."""
     g, system = planner.graph, planner.system
     return tuple(
         parameter.name
         for symbol, parameter, value in zip(system.p, system.spec.parameters, start.p, strict=True)
-        if value == 0.0 and any(g.depends(node, g.deps[symbol]) for node in nodes)
+        if (value < 0.0 if negative else value == 0.0) and any(g.depends(node, g.deps[symbol]) for node in nodes)
     )

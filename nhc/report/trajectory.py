@@ -20,9 +20,15 @@ def csv_text(found: Trajectory) -> str:
 
 
 def ensemble_text(found: Ensemble) -> str:
-    """``start,t,<names>``: the rows of each start that came to its end, starts counted from 1."""
+    """``start,t,<names>``: the rows of each start that came to its end, starts counted from 1.
+
+    Where a name of the spec is ``start``, the first column is ``start_``: each has a name of its own.
+    """
     headings = tuple(column.heading for column in found.job.columns)
-    lines = [",".join(("start", "t", *headings))]
+    count = "start"
+    while count in headings:
+        count += "_"
+    lines = [",".join((count, "t", *headings))]
     for number, member in enumerate(found.members, 1):
         if member.ended == "done":
             rows = zip(member.times, member.rows, strict=True)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from nhc.algebra.graph import Node
+from nhc.mechanics.undefined import find_undefined
 from nhc.simulate.prepare import Job
 from nhc.simulate.task import (
     CROSSED,
@@ -27,12 +29,28 @@ def describe_outcome(job: Job, outcome: Outcome) -> tuple[str, str]:
     if outcome.kind == CROSSED:
         return "failed", job.watch.describe(outcome.status)
     reasons = {
-        SINGULAR: job.meanings.get(outcome.status, "a result is not finite"),
+        SINGULAR: _why_singular(job, outcome),
         UNDERFLOW: "the step size underflows: the motion approaches a singularity, or is not smooth there",
         TOO_MANY: "it takes too many steps",
         NO_SOLUTION: f"the equations of the implicit step are not solved (step {abs(outcome.h):.3g}); take a smaller one",
     }
     return "failed", reasons.get(outcome.kind, "it fails")
+
+
+def _why_singular(job: Job, outcome: Outcome) -> str:
+    """What the model's status means, unless an expression of the spec has no value there: then no block has one either."""
+    undefined = find_undefined(job.system, _place_of(job, outcome)) if outcome.kind == SINGULAR else ""
+    if undefined:
+        return f"`{undefined}` has no real, finite value"
+    return job.meanings.get(outcome.status, "a result is not finite")
+
+
+def _place_of(job: Job, outcome: Outcome) -> dict[Node, float]:
+    """Where a run ended; what the model does not carry, and the velocities, stand as they were at its start."""
+    place = job.start.values(job.system) | {job.system.t: outcome.t}
+    carried = dict(zip(job.state_names, outcome.y, strict=True))
+    place |= {q: carried[name] for q, name in zip(job.system.q, job.system.q_names, strict=True) if name in carried}
+    return place
 
 
 def name_outcome(job: Job, outcome: Outcome) -> str:
@@ -60,10 +78,7 @@ def rank_left(job: Job, outcome: Outcome) -> float | None:
 
     if not job.system.constraints:
         return None
-    place = job.start.values(job.system) | {job.system.t: outcome.t}
-    carried = dict(zip(job.state_names, outcome.y, strict=True))
-    place |= {q: carried[name] for q, name in zip(job.system.q, job.system.q_names, strict=True) if name in carried}
     try:
-        return smallest_singular_value(job.system, place)
+        return smallest_singular_value(job.system, _place_of(job, outcome))
     except (ArithmeticError, ValueError):
         return None

@@ -81,6 +81,8 @@ def _read_row(number: int, header: Sequence[str], line: Sequence[str]) -> tuple[
             value = float(cell) if cell.strip() else None
         except ValueError:
             value = math.nan
+        if "_" in cell:  # Python's numbers may hold it, nobody else's
+            value = math.nan
         if value is not None and not math.isfinite(value):
             raise RunError(f"row {number}: `{cell.strip()}` for `{name.strip()}` is not a finite number", (_CELLS,))
         values.append(value)

@@ -73,7 +73,8 @@ def steady_model(equations: Equations, formulation: Formulation, p: Sequence[flo
     """
     flow, system = flow_of(equations), equations.system
     if not is_autonomous(flow, p):
-        raise NotSteady("the equations of motion depend on the time: nothing is steady", math.inf)
+        advice = "`nhc stability` measures such a motion; or take a coordinate that turns with the time"
+        raise NotSteady("the equations of motion depend on the time: nothing is steady", math.inf, advice=advice)
     frame, leaf = formulation.frame, Leaf(system.n)
     if system.constraints:
         try:

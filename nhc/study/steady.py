@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -27,11 +28,17 @@ _LEAST_FRAME = 0.01  # of the coframe's relative determinant, per constraint
 
 
 class NotSteady(ArithmeticError):
-    """No steady motion was found; ``residual`` is the best that was reached, ``place`` the state where it was."""
+    """No steady motion was found; ``residual`` is the best that was reached, ``place`` the state where it was.
 
-    def __init__(self, message: str, residual: float, place: Sequence[float] | Vector = ()) -> None:
+    ``advice`` says what to do about it.
+    """
+
+    def __init__(self, message: str, residual: float, place: Sequence[float] | Vector = (), advice: str = "") -> None:
         super().__init__(message)
         self.residual, self.place = residual, tuple(float(x) for x in place)
+        self.advice = advice or "let `--about` name another state, or give the parameters other values with `--set`"
+        if math.isfinite(residual):
+            self.advice = "start nearer to a steady motion, or fix more of it with `--hold`"
 
 
 class SingularFrame(NotSteady):

@@ -171,3 +171,15 @@ def test_an_interrupt_keeps_the_starts_that_are_done(how: tuple[str, ...], tmp_p
     _, rows = rows_of((tmp_path / "out.partial.csv").read_text())
     done = int(err.split("interrupted after ")[1].split()[0])
     assert 0 < done < count and [row[0] for row in rows] == [k for k in range(1, done + 1) for _ in range(2)]
+
+
+def test_columns_have_names_of_their_own(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    spec, table = tmp_path / "runaway.yaml", tmp_path / "starts.csv"
+    spec.write_text(BLOW_UP.replace("away:", "soon:").replace("1.8", "0.1").replace("x", "start"))
+    table.write_text("start\n0.5\n0.25\n")
+    assert main(["run", str(spec), "--ensemble", str(table)]) == 0
+    rows = list(csv.DictReader(io.StringIO(capsys.readouterr().out)))
+    assert [(row["start_"], row["start"]) for row in rows if row["t"] == "0.0"] == [("1", "0.5"), ("2", "0.25")]
+    table.write_text("start\n1_0\n")
+    assert main(["run", str(spec), "--ensemble", str(table)]) == 1
+    assert "`1_0` for `start` is not a finite number" in capsys.readouterr().err

@@ -53,6 +53,26 @@ def test_a_mass_matrix_is_definite_only_where_all_scenes_say_so() -> None:
         assert model.rhs(0.0, [0.0] * 4, [m, c, M])[2:] == pytest.approx(wanted, rel=1e-12)
 
 
+def test_a_sum_of_squares_is_definite_only_where_all_scenes_make_it_positive() -> None:
+    """M = [[A + B, B], [B, B]] has the inverse [[1, -1], [-1, (A + B)/B]]/A, for A = -B as well."""
+    text = """\
+nhc: 1
+system: squares
+coordinates: [x, y]
+parameters: {A: 1, B: 1}
+T: A/2*x'^2 + B/2*(x' + y')^2
+forces: {x: 0.3, y: 0.7}
+scenes:
+  opposed: {parameters: {B: -1}, time: [0, 1]}
+"""
+    assert equations_of(system_of(text), formulate(system_of(text))).definite is False
+    (module,) = emit(Source("squares.yaml", text), "python", Options()).values()
+    model = python_model(module, "squares")
+    for A, B in ((1.0, -1.0), (2.0, 0.5), (-3.0, 3.0)):
+        wanted = [(0.3 - 0.7) / A, (-0.3 + 0.7 * (A + B) / B) / A]
+        assert model.rhs(0.0, [0.0] * 4, [A, B])[2:] == pytest.approx(wanted, rel=1e-12)
+
+
 def test_values_come_from_the_spec_and_its_scenes() -> None:
     text = (
         COUPLED.replace("M: 2}", "M: 2, L: {about: no value}}") + "  long: {parameters: {L: 3, m: 1}, time: [0, 1]}\n"

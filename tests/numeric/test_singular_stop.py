@@ -156,3 +156,16 @@ def test_the_command_tells_place_reason_and_help(
     code = main(["run", str(spec), "-f", "lagrange", "-o", str(target), *how])
     out, err = capsys.readouterr()
     assert (code, out) == (3, "") and not target.exists() and "such as a `rotation:`" in err
+
+
+@pytest.mark.parametrize("how", [(), ("--python",)])
+def test_a_root_of_a_negative_number_is_no_singular_mass_matrix(
+    how: tuple[str, ...], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """C hands a NaN on to the pivots, Python raises before them: the reason is the same, and the true one."""
+    text = "nhc: 1\nsystem: root\ncoordinates: [x, y]\nT: x'^2*sqrt(y)/2 + y'^2/2 + x'*y'*y/4\n"
+    path = tmp_path / "root.yaml"
+    path.write_text(text + "scenes: {go: {initial: {x': 0.3, y: -0.2}, time: [0, 1]}}\n")
+    assert main(["run", str(path), *how]) == 3
+    said = capsys.readouterr().err
+    assert "`sqrt(y)` has no real, finite value" in said and "mass matrix" not in said

@@ -152,3 +152,11 @@ def test_names_merge_however_they_are_spelled(tmp_path: Path) -> None:
     assert {(e.kind, e.name) for e in made.scenes[0].initial} == {("coordinate", "x"), ("velocity", "x")}
     put(tmp_path, own=own.replace("{theta0: 5}", "{theta0: 5, θ0: 6}"))
     assert "`theta0` is declared twice" in messages(tmp_path / "own.yaml")[0][1]
+
+
+@pytest.mark.parametrize(
+    "own", ["{extends: base.yaml, nhc: 1}", "? extends\n: base.yaml", "  nhc: 1\n  extends: base.yaml"]
+)
+def test_the_key_stands_wherever_yaml_lets_it(tmp_path: Path, own: str) -> None:
+    put(tmp_path, base=BASE, own=own)
+    assert decode(read(tmp_path / "own.yaml")).system == decode(read(tmp_path / "base.yaml")).system

@@ -136,3 +136,13 @@ if LATEX is not None:
     @pytest.mark.parametrize("text", [ALIKE, LONG])
     def test_pdflatex_runs_clean_on_all_names(text: str, formulation: str, tmp_path: Path) -> None:
         check_clean(compile_document(render(load(text, formulation)), tmp_path))
+
+
+def test_digits_of_other_scripts(tmp_path: Path) -> None:
+    """A name may hold them; the fonts do not."""
+    text = "nhc: 1\nsystem: digits\ncoordinates: [x, x\u0661, y_\u0967]\nT: (x'^2 + x\u0661'^2 + y_\u0967'^2*(2 + sin(x)))/2\n"
+    document = render(derive(Source("digits.yaml", text)))
+    body = document.partition("begin{document}")[2]
+    assert all(c.isascii() or not c.isdigit() for line in body.splitlines() if "%" not in line for c in line)
+    if LATEX:
+        check_clean(compile_document(document, tmp_path))

@@ -12,7 +12,13 @@ from nhc.pipeline import check
 from tests.unit.test_language_bad import expectations
 
 BAD = sorted((Path(__file__).resolve().parents[1] / "bad" / "mechanics").glob("*.yaml"))
-CODES = {f"E04{k:02}" for k in (1, 2, 3, 4, 5, 6, 7, 9, 11, 12, 15, 17, 20)} | {"W0408", "W0410", "W0416", "W0421"}
+CODES = {f"E04{k:02}" for k in (1, 2, 3, 4, 5, 6, 7, 9, 11, 12, 15, 17, 20)} | {
+    "W0408",
+    "W0410",
+    "W0416",
+    "W0421",
+    "W0422",
+}
 
 
 def diagnose(source: Source) -> tuple[Diagnostic, ...]:
@@ -35,3 +41,23 @@ def test_bad_mechanics(path: Path) -> None:
 def test_every_code_of_the_mechanics_is_met() -> None:
     met = {code for path in BAD for code, *_ in expectations(path)}
     assert met >= CODES
+
+
+@pytest.mark.parametrize("formulation", ["auto", "lagrange", "multipliers", "voronec"])
+@pytest.mark.parametrize(
+    ("K", "a", "warned"), [(1.0, 0.9, False), (1.0, 1.1, True), (1e9, 3e4, False), (1e9, 3.2e4, True), (-1e-9, 0, True)]
+)
+def test_negative_energies_are_seen_in_any_units(formulation: str, K: float, a: float, warned: bool) -> None:
+    """T = x'^2/2 + a x' y' + K y'^2/2 is positive for a^2 < K; a constraint on z leaves that as it is."""
+    held = formulation in ("multipliers", "voronec")
+    text = f"""nhc: 1
+system: units
+coordinates: [x, y{", z" if held else ""}]
+parameters: {{K: {K}, a: {a}}}
+T: x'^2/2 + a*x'*y' + K/2*y'^2*(1 + x^2*0){" + z'^2*x^2/2" if held else ""}
+{"constraints: [z' = 0]" if held else ""}
+formulation: {formulation}
+scenes: {{go: {{time: [0, 1], initial: {{x: 0.5}}}}}}
+"""
+    found = [d.code for d in diagnose(Source("units.yaml", text)) if d.code != "W0410"]
+    assert found == (["W0422"] if warned else [])

@@ -38,7 +38,7 @@ def spell_base(name: str) -> tuple[str, tuple[str, ...]]:
         return _SPECIAL[name], ()
     head, *rest = name.split("_")
     indices = tuple(part for part in rest if part)
-    match = re.fullmatch(r"([A-Za-z]+?)(\d+\w*)", head)
+    match = re.fullmatch(r"([A-Za-z]+?)([0-9]+\w*)", head)
     if match and (len(match[1]) == 1 or match[1] in _GREEK):
         head, indices = match[1], (match[2], *indices)
     if not head:
@@ -54,7 +54,7 @@ def spell_word(word: str) -> str:
         return rf"\mathrm{{{LATIN[word]}}}"
     if len(word) == 1 and word.isascii():
         return word
-    if word.isdigit():
+    if word.isascii() and word.isdigit():
         return word
     if not word.isascii():
         return rf"\text{{{escape(word)}}}"

@@ -1,0 +1,60 @@
+"""What people write for something of this language, and how it is written here."""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from collections.abc import Collection
+
+_DOT, _DOTS = "\u0307", "\u0308"  # combining marks of first and second derivatives
+# how a rate is spelled elsewhere; the most telling first
+_RATES = tuple(
+    map(re.compile, (r"(.+)_dot", r"dot_(.+)", r"d_?(.+?)_?dt", r"d_?(.+)", r"(.+)_dt?", r"(.+)_prime", r"(.+)dt"))
+)
+# key of a spec as others call it -> (this language's key, what to do)
+_ENERGIES = "a Lagrangian is given by its energies: `T: ...`, and `V: ...` with L = T - V"
+_FRICTION = "friction is given as forces: `forces: {x: -c*x'}`"
+_SCENE = "it belongs into a scene: `scenes: {go: {initial: {...}, time: [0, 10]}}`"
+KEYS: dict[str, tuple[str, str]] = {
+    **dict.fromkeys(("L", "lagrangian", "lagrange"), ("T", _ENERGIES)),
+    **dict.fromkeys(("D", "dissipation", "rayleigh", "friction", "damping"), ("forces", _FRICTION)),
+    **dict.fromkeys(("hamiltonian",), ("T", "give the energies in velocities: `T: ...` and `V: ...`")),
+    **dict.fromkeys(("kinetic", "kinetic_energy"), ("T", "write `T: ...`")),
+    **dict.fromkeys(("potential", "potential_energy"), ("V", "write `V: ...`")),
+    **dict.fromkeys(("variables", "vars", "generalized_coordinates", "states", "state"), ("coordinates", "")),
+    **dict.fromkeys(("constants", "const"), ("parameters", "")),
+    **dict.fromkeys(("let", "where", "definitions", "expressions", "auxiliary"), ("define", "")),
+    **dict.fromkeys(("force", "torques", "inputs", "generalized_forces"), ("forces", "")),
+    **dict.fromkeys(("velocities", "speeds", "pseudo_velocities", "quasivelocities"), ("quasi_velocities", "")),
+    **dict.fromkeys(("nonholonomic", "constraint"), ("constraints", "")),
+    **dict.fromkeys(("title", "description", "comment"), ("about", "")),
+    **dict.fromkeys(("name",), ("system", "")),
+    **dict.fromkeys(("initial", "initial_conditions", "ic", "time", "tspan", "need", "tolerance"), ("", _SCENE)),
+}
+
+
+def meant_key(name: str, present: Collection[str]) -> tuple[str, str]:
+    """The key of a spec that a word stands for elsewhere, and what to do about it.
+
+    Empty where nothing is known, or that key is ``present``.
+    """
+    spelled = name if name in KEYS else name.casefold().replace("-", "_").replace(" ", "_")
+    key, advice = KEYS.get(spelled, ("", "")) if len(spelled) > 1 or spelled == name else ("", "")
+    if key in present:
+        return "", ""
+    return key, advice or (f"write `{key}`" if key else "")
+
+
+def meant_rate(name: str, known: Collection[str]) -> str:
+    """What to write where a name spells a rate as others do: ``theta_dot``, ``dtheta``, a dot above the letter."""
+    parts = unicodedata.normalize("NFD", name)
+    bare = unicodedata.normalize("NFC", parts.replace(_DOT, "").replace(_DOTS, ""))
+    if bare in known and bare != name:
+        if _DOTS in parts:
+            return "a spec speaks of positions and velocities only; accelerations are what nhc derives"
+        return f"the velocity is written `{bare}'`"
+    for spelling in _RATES:
+        found = spelling.fullmatch(name)
+        if found and found[1] in known:
+            return f"the velocity is written `{found[1]}'`"
+    return ""

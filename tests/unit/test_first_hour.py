@@ -1,0 +1,203 @@
+"""What a student writes in the first hour: the help that nhc gives, when it is followed, leads to a spec that holds."""
+
+from __future__ import annotations
+
+import pytest
+
+from nhc.diagnostics import Diagnostic, Source, SpecError
+from nhc.pipeline import check
+
+SPEC = """nhc: 1
+system: first
+coordinates: [x, θ]
+parameters: {m: 2, l: 0.5, g: 9.81}
+define: {X: x + l*sin(θ)}
+T: m/2*X'^2 + m/2*(l*cos(θ))'^2 + x'^2
+V: -m*g*l*cos(θ)
+scenes:
+  go: {initial: {θ: 0.1, x': 1}, time: [0, 10], need: [x, θ']}
+"""
+# (what stands in SPEC, what the student writes, the code, part of the help; what the help says to write in its place)
+SLIPS = [
+    ("+ x'^2", "+ ẋ^2", "E0302", "the velocity is written `x'`", "+ x'^2"),
+    ("+ x'^2", "+ θ̇^2", "E0302", "the velocity is written `theta'`", "+ θ'^2"),
+    ("+ x'^2", "+ ẍ^2", "E0302", "accelerations are what nhc derives", "+ x'^2"),
+    ("+ x'^2", "+ x_dot^2", "E0302", "the velocity is written `x'`", "+ x'^2"),
+    ("+ x'^2", "+ (dx/dt)^2", "E0209", "write `x'`", "+ x'^2"),
+    ("+ x'^2", "+ m*dtheta/dt*l*x'", "E0209", "write `theta'`", "+ m*theta'*l*x'"),
+    ("+ x'^2", "+ m/dt", "E0209", "a velocity is written with a prime", "+ m*x'"),
+    ("+ x'^2", "+ ½*x'^2", "E0201", "write `1/2`", "+ 1/2*x'^2"),
+    ("+ x'^2", "+ x'⁴", "E0201", "write `^4`", "+ x'^4"),
+    ("+ x'^2", "+ x`^2", "E0201", "the plain prime", "+ x'^2"),
+    ("+ x'^2", "+ √(m)*x'^2", "E0201", "write `sqrt(...)`", "+ sqrt(m)*x'^2"),
+    ("+ x'^2", "+ 1 000*x'^2", "E0203", "`1000`", "+ 1000*x'^2"),
+    ("coordinates: [x, θ]", "coordinates: [x, θ, X]", "E0305", "leave `X` out of `coordinates`", "coordinates: [x, θ]"),
+    ("l: 0.5", "l: m/4", "E0314", "move the whole to `define`", "l: 0.5"),
+    ("l: 0.5", "l: .inf", "E0313", "write a finite number", "l: 0.5"),
+    ("l: 0.5", "l: 1 000", "E0203", "`1000`", "l: 1000"),
+    ("l: 0.5", "l: '1,5'", "E0202", "decimal numbers are written with `.`", "l: 1.5"),
+    ("θ: 0.1", "θ: nan", "E0313", "write a finite number", "θ: 0"),
+    ("x': 1", "dx: 1", "E0419", "the velocity is written `x'`", "x': 1"),
+    ("x': 1", "dtheta_dt: 1", "E0419", "the velocity is written `theta'`", "theta': 1"),
+    ("x': 1", "X: 1", "E0419", "`X` follows from others", "x: 1"),
+    ("need: [x, θ']", "need: [x, theta_dot]", "E0419", "the velocity is written `theta'`", "need: [x, theta']"),
+    ("time: [0, 10]", "time: 10", "E0301", "write `[0, 10]`", "time: [0, 10]"),
+    ("coordinates: [x, θ]", "coordinates: {x: m, θ: {}}", "E0301", "`x: {unit: m}`", "coordinates: {x: {unit: m}, θ: {}}"),
+    ("V: -m*g*l*cos(θ)", "potential: -m*g*l*cos(θ)", "E0303", "write `V: ...`", "V: -m*g*l*cos(θ)"),
+    ("define:", "where:", "E0303", "write `define`", "define:"),
+    ("scenes:", "time: [0, 1]\nscenes:", "E0303", "it belongs into a scene", "scenes:"),
+]  # fmt: skip
+
+
+def find(text: str) -> tuple[Diagnostic, ...]:
+    try:
+        return check(Source("first.yaml", text)).diagnostics
+    except SpecError as error:
+        return error.diagnostics
+
+
+def test_the_spec_holds() -> None:
+    assert find(SPEC) == ()
+
+
+@pytest.mark.parametrize(("right", "wrong", "code", "help", "followed"), SLIPS, ids=[slip[1] for slip in SLIPS])
+def test_one_slip_one_diagnostic_and_a_help_that_helps(
+    right: str, wrong: str, code: str, help: str, followed: str
+) -> None:
+    assert SPEC.count(right) == 1
+    (found,) = find(SPEC.replace(right, wrong))
+    assert found.code == code
+    assert help in found.help[0]
+    assert not [d for d in find(SPEC.replace(right, followed)) if d.code.startswith("E")]
+
+
+@pytest.mark.parametrize(
+    ("right", "wrong", "help"),
+    [
+        ("T: m/2*X'^2 + m/2*(l*cos(θ))'^2 + x'^2\nV:", "L:", "a Lagrangian is given by its energies"),
+        ("coordinates: [x, θ]", "coordinates: x", "write `[x]`"),
+        ("parameters: {m: 2, l: 0.5, g: 9.81}", "parameters:\n  m = 2", "write one name per line with its value: `m: 1`"),
+    ],
+)  # fmt: skip
+def test_the_first_of_several(right: str, wrong: str, help: str) -> None:
+    assert any(help in d.help[0] for d in find(SPEC.replace(right, wrong)))
+
+
+def test_two_equations_in_one_entry() -> None:
+    (found,) = find(SPEC + "constraints:\n  - x' = l*θ', θ' = 0\n")
+    assert found.code == "E0202"
+    assert found.help == ("write one equation per entry of the list",)
+
+
+def test_a_name_that_is_unknown_at_many_places_is_one_mistake() -> None:
+    text = SPEC.replace("parameters: {m: 2, ", "parameters: {")
+    (found,) = find(text)
+    places = [text[label.span.start : label.span.end] for label in found.labels]
+    assert (found.code, found.message, places) == ("E0302", "unknown name `m`", ["m", "m", "m"])
+    starts = [label.span.start for label in found.labels]
+    assert starts == sorted(starts)
+    many = SPEC + "outputs: {" + ", ".join(f"o{k}: zz + zz" for k in range(9)) + "}\n"
+    (found,) = find(many)
+    assert (len(found.labels), found.notes) == (4, ("and at 14 more places",))
+
+
+def test_quotients_that_are_no_derivatives() -> None:
+    names = SPEC.replace("m: 2", "m: 2, dx: 3, dt: 4")  # declared names are themselves
+    assert find(names.replace("+ x'^2", "+ dx/dt*x'^2")) == ()
+    (found,) = find(SPEC.replace("+ x'^2", "+ dq/dt"))[:1]
+    assert found.message == "unknown name `dq`"
+
+
+SKATE = """nhc: 1
+system: skate
+coordinates: [x, y, θ]
+rotation: {R: {velocities: [w1, w2, w3]}}
+parameters:
+  m: {value: 2}
+  k: {value: 1}
+define:
+  s: sin(θ)
+T: m/2*(x'^2 + y'^2) + θ'^2/2 + (w1^2 + 2*w2^2 + 3*w3^2)/2
+V: k*x^2
+constraints:
+  - blade: s*dx - cos(θ)*dy = 0
+dependent: [y, R_0]
+scenes:
+  a: {initial: {x: 1, R: {order: zxz, angles: [0, 1, 0]}}, time: [0, 1], need: [x, y, x']}
+  b: {initial: {x: 2}, time: [0, 1], need: [x]}
+"""
+
+
+@pytest.mark.parametrize(
+    ("right", "wrong", "code"),
+    [
+        ("coordinates: [x, y, θ]", "coordinats: [x, y, θ]", "E0303"),
+        ("coordinates: [x, y, θ]", "coordinates: [x, y, 1θ]", "E0307"),
+        ("coordinates: [x, y, θ]", "coordinates: [z, y, θ]", "E0302"),  # one mistake at nine places
+        ("rotation:", "rotaion:", "E0303"),
+        ("rotation: {R:", "rotation: {R-1:", "E0307"),
+        ("parameters:", "konstanten:", "E0303"),
+        ("parameters:", "define:\nparameters:", "E0105"),
+        ("  m: {value: 2}", "  m: {vlue: 2}", "E0303"),
+        ("  m: {value: 2}", "  m: {value:2}", "E0109"),
+        ("  - blade:", "  - blade: dθ = 0\n  - blade:", "E0305"),
+        ("constraints:", "constraint:", "E0303"),
+        ("constraints:", "zwang:", "E0303"),
+        ("s*dx - cos(θ)*dy = 0", "sdx - cos(θ)*dy = 0", "E0302"),
+        ("order: zxz", "ordr: zxz", "E0303"),
+        ("{x: 2}", "{x2}", "E0109"),
+    ],
+)
+def test_one_mistake_is_said_once(right: str, wrong: str, code: str) -> None:
+    """What follows from a mistake is none of its own."""
+    assert SKATE.count(right) == 1
+    assert not [d for d in find(SKATE) if d.code.startswith("E")]
+    assert [d.code for d in find(SKATE.replace(right, wrong)) if d.code.startswith("E")] == [code]
+
+
+def test_parameters_among_the_coordinates() -> None:
+    found = find(SKATE.replace("[x, y, θ]", "\n  x: {unit: m}\n  y: {value: 2}\n  θ: {unit: rad}"))
+    assert [(d.code, d.help) for d in found if d.code.startswith("E")] == [
+        ("E0303", ("a coordinate has none: parameters stand under `parameters:`, starts in scenes",))
+    ]
+
+
+@pytest.mark.parametrize(("potential", "inertia"), [("-1/r", "r^2"), ("0", "r^2"), ("-1/r", "1")])
+def test_a_start_that_was_forgotten(potential: str, inertia: str) -> None:
+    text = f"nhc: 1\nsystem: kepler\ncoordinates: [r, phi]\nT: (r'^2 + {inertia}*phi'^2)/2\nV: {potential}\n"
+    (found,) = find(text + "scenes: {go: {initial: {phi': 1}, time: [0, 1]}}\n")
+    assert (found.code, found.help) == ("W0421", ("say in `initial` where `r` starts",))
+    assert not find(text + "scenes: {go: {initial: {phi': 1, r: 1}, time: [0, 1]}}\n")
+    (found,) = find(text + "scenes: {go: {initial: {phi': 1, r: 0}, time: [0, 1]}}\n")
+    assert found.help == ("let it start elsewhere",)
+
+
+def test_dissipation_is_a_force() -> None:
+    (found,) = find(SPEC + "D: m*x'^2\n")
+    assert found.help == ("friction is given as forces: `forces: {x: -c*x'}`",)
+    assert "known keys" in find(SPEC + "d: 0.3\n")[0].help[0]  # a parameter that was not indented
+
+
+def test_positions_that_were_forgotten() -> None:
+    text = "nhc: 1\nsystem: rod\ncoordinates: [x, y, z]\nT: (x'^2 + y'^2 + z'^2)/2\nholonomic: [x^2 + y^2 = 1]\n"
+    (found,) = find(text + "scenes: {go: {initial: {x': 1}, time: [0, 1]}}\n")
+    assert (found.code, found.notes) == ("E0409", ("`x`, `y` start at 0, for `initial` does not say where",))
+    (found,) = find(text + "scenes: {go: {initial: {x: 0, y: 2}, time: [0, 1]}}\n")
+    assert (found.code, found.notes) == ("E0409", ())
+
+
+@pytest.mark.parametrize(
+    ("right", "wrong", "message", "help"),
+    [
+        ("  k: {value: 1}", "    k: {value: 1}", "this does not continue what stands above", "indent the entries"),
+        ("dependent: [y, R_0]", "dependent [y, R_0]", "a key without its `:`", "write `key: value`"),
+        ("m: {value: 2}", "m: {value: 2", "expected ',' or '}'", "part the entries by commas"),
+        ("[y, R_0]", "[y, R_0", "expected ',' or ']'", "close the list"),
+        ("V: k*x^2", "V: k*x^2: 1", "mapping values are not allowed here", "between quotes"),
+        ("nhc: 1", "%YAML 9.0\n---\nnhc: 1", "incompatible YAML document", "leave the line out"),
+    ],
+)
+def test_yaml_that_is_none(right: str, wrong: str, message: str, help: str) -> None:
+    (found,) = find(SKATE.replace(right, wrong))
+    assert found.code == "E0104"
+    assert message in found.message and help in found.help[0]
