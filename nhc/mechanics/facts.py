@@ -7,10 +7,11 @@ from typing import Any
 
 from nhc.algebra.angles import normalise_angles
 from nhc.algebra.calculus import reachable
+from nhc.algebra.common_zero import find_common_zero
 from nhc.algebra.graph import Node
-from nhc.algebra.interval import cannot_vanish
 from nhc.algebra.linear import degrees
 from nhc.algebra.modular import Unlucky, are_zero
+from nhc.algebra.subdivision import cannot_vanish_together
 from nhc.diagnostics import Bag
 from nhc.mechanics import chaplygin
 from nhc.mechanics.choose import Formulation, applicable, checked_dependent
@@ -19,7 +20,7 @@ from nhc.mechanics.frame import coordinate_frame
 from nhc.mechanics.integrability import Integrability, classify, cyclic_coordinates
 from nhc.mechanics.integrals import PositionIntegral, find_position_integrals
 from nhc.mechanics.named import named_text
-from nhc.mechanics.regularity import choose_dependent, intervals
+from nhc.mechanics.regularity import choose_dependent, intervals, trial_points
 from nhc.mechanics.singular import find_rank_loss, never_changes
 from nhc.mechanics.system import System
 
@@ -151,15 +152,17 @@ def _warn_integrable(system: System, found: Integrability, integrals: tuple[Posi
 
 
 def _rank_loss(system: System, facts: Facts) -> None:
-    found = find_rank_loss(system)
+    found, full = find_rank_loss(system), None
     minors = [named_text(system, minor, 100) for minor in found.minors]
     if found.regular is None:
         text = "too large to decide where it is lost"
     elif found.regular:
-        text = "full everywhere"
+        text, full = "full everywhere", True
+    elif find_common_zero(system.graph, found.minors, (*system.q, system.t), trial_points(system)) is not None:
+        text, full = f"lost where {' = '.join(minors)} = 0: the motion is undefined there", False
     else:
-        text = f"lost where {' = '.join(minors)} = 0: the motion is undefined there"
-    facts.say("rank", {"full": found.regular, "lost_where_all_vanish": minors}, f"rank of the constraints: {text}")
+        text = f"full wherever it was tried; it would be lost where {' = '.join(minors)} = 0"
+    facts.say("rank", {"full": full, "lost_where_all_vanish": minors}, f"rank of the constraints: {text}")
 
 
 def _conserved(system: System, formulation: Formulation, integrals: tuple[PositionIntegral, ...], facts: Facts) -> None:
@@ -194,14 +197,15 @@ def _dependent(system: System, formulation: Formulation, facts: Facts, bag: Bag)
         limit = "the determinant is too large to print"
     else:
         limit = f"determinant {named_text(system, choice.determinant)}"
-    regular = "never singular" if choice.regular else "singular where it vanishes"
+    never = choice.regular or _cannot_vanish(system, choice.determinant)
+    regular = "never singular" if never else "singular where it vanishes"
     facts.say(
         "dependent",
         [system.q_names[i] for i in choice.dependent],
         f"dependent velocities ({who}): {names}; {limit}, {regular}",
     )
     used = system.dependent or formulation.dependent is not None
-    if used and not choice.regular and choice.determinant is not None:
+    if used and not never and choice.determinant is not None:
         own = bool(system.dependent)
         advice = "leave `dependent:` out" if own else "name others under `dependent:`, leave `formulation:` out"
         bag.warning(
@@ -219,16 +223,17 @@ def _dependent(system: System, formulation: Formulation, facts: Facts, bag: Bag)
     facts.say("chaplygin", list(found.broken), f"Čaplygin's hypotheses (I.3): {text}")
 
 
+def _cannot_vanish(system: System, node: Node | None) -> bool:
+    return node is not None and cannot_vanish_together(system.graph, [node], intervals(system))
+
+
 def _quasi(system: System, formulation: Formulation, bag: Bag) -> None:
     """A set of quasi-velocities that loses rank somewhere."""
     if formulation.frame is None or not system.quasi:
         return
-    known = intervals(system)
     for guard, _ in formulation.frame.guards:
-        if cannot_vanish(system.graph, guard, known) or never_changes(
-            system, guard
-        ):  # with a number's value that is not zero
-            continue
+        if _cannot_vanish(system, guard) or never_changes(system, guard):
+            continue  # with a number's value that is not zero
         where = _entry_text(system, guard) or _zero_text(system, guard)
         own = len(system.quasi) > 3 * len(system.rotations)
         other = ", take the other `frame` of the rotation" if system.rotations else ""
