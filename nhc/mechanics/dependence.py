@@ -11,7 +11,8 @@ import random
 from collections.abc import Sequence
 
 from nhc.algebra.graph import Node
-from nhc.algebra.modular import PRIMES, FieldPoint, Unlucky
+from nhc.algebra.modular import FieldPoint, Unlucky
+from nhc.algebra.primes import primes_of
 from nhc.algebra.signs import Signs, may_hold, points_for
 from nhc.mechanics.linearize import Flow, solve_modulo
 from nhc.records import record
@@ -72,9 +73,9 @@ def find_dependence(flow: Flow, needs: Sequence[Node]) -> Dependence:
     depends = [[False] * size for _ in range(size + len(needs))]
     zero = [True] * (size + len(needs))
     compared = [not found for found in occurring]
-    seed = 0
+    seed, primes = 0, primes_of(g)
     for index in range(_count_points(flow, needs)):
-        base, values, seed = _base(flow, needs, seed, PRIMES[index % len(PRIMES)])
+        base, values, seed = _base(flow, needs, seed, primes[index % len(primes)])
         zero = [z and not value for z, value in zip(zero, values, strict=True)]
         for j in range(size):
             if not occurring[j]:

@@ -15,7 +15,8 @@ from itertools import combinations_with_replacement
 from nhc.algebra.calculus import gradient, reachable, tangent
 from nhc.algebra.draw import MOST_DRAWS, draw_points
 from nhc.algebra.graph import ADD, MUL, NEG, POW, SYM, Graph, Node
-from nhc.algebra.modular import PRIMES, Unlucky, are_zero, rank
+from nhc.algebra.modular import Unlucky, are_zero, rank
+from nhc.algebra.primes import primes_of
 from nhc.algebra.relations import find_relations, without
 from nhc.mechanics.conserved import Candidate, combine
 from nhc.mechanics.frame import Frame
@@ -159,11 +160,12 @@ def _search(system: System, frame: Frame, candidates: Sequence[Candidate]) -> li
     along = [tangent(g, nodes, dict(zip(system.q, e, strict=True))) for e in frame.free_vectors]
     along.append(tangent(g, nodes, {**dict(zip(system.q, frame.drift, strict=True)), system.t: g.one}))
     slopes = [tangent(g, nodes, {x: g.one}) for x in (*system.q, system.t)]
+    prime = primes_of(g)[0]
     rows = _rows(g, along, width)
-    constant = find_relations(rows, width, PRIMES[0])
+    constant = find_relations(rows, width, prime)
     if not constant:
         return []
-    trivial = find_relations(_rows(g, slopes, width), width, PRIMES[0])
+    trivial = find_relations(_rows(g, slopes, width), width, prime)
     found = []
     for vector in without(constant, trivial):
         node = combine(g, vector, candidates)
@@ -178,7 +180,7 @@ def _rows(graph: Graph, directions: Sequence[Sequence[Node]], width: int) -> lis
     """Values of every candidate's derivatives at enough points: one row for each direction and point."""
     rows: list[list[int]] = []
     flat = [node for row in directions for node in row]
-    for _, point in draw_points(graph, flat, PRIMES[0], range(7_000_003, 7_000_003 + MOST_DRAWS)):
+    for _, point in draw_points(graph, flat, primes_of(graph)[0], range(7_000_003, 7_000_003 + MOST_DRAWS)):
         try:
             values = point.evaluate(flat)
         except Unlucky:
