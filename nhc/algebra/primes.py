@@ -1,21 +1,24 @@
 """The primes modulo which a graph is tested: those in which its constants have their square roots.
 
 2, 3, 5, ..., 47 are squares modulo each of PRIMES, but sqrt(53) or sqrt(3 + sqrt(2)) exist modulo every second prime only, and no
-other random point changes that.  For a graph that holds such constants others of the same kind are searched: modulo p with
-p + 1 divisible by 4 l a prime l is a square (by quadratic reciprocity, l odd), and so is what is made of such.
+other random point changes that; so does the cosine of atan(1/10), which is 10/sqrt(101).  For a graph that holds such constants
+others of the same kind are searched: modulo p with p + 1 divisible by 4 l a prime l is a square (by quadratic reciprocity, l odd),
+and so is what is made of such.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from fractions import Fraction
 from functools import cache
 
 from nhc.algebra.draw import ROOTS
-from nhc.algebra.field import PRIMES, FieldPoint, Unlucky
+from nhc.algebra.field import INVERSE, PRIMES, FieldPoint, Unlucky
 from nhc.algebra.graph import NUM, Graph, Node
 from nhc.algebra.residues import FULL_TURN, square_root
 
+_ROOTED = (*ROOTS, *INVERSE)
 _LARGEST = 2**61
 _MOST_PERIOD = 2**46  # so that there are safe primes enough
 _TRIED = 60_000  # multiples of the period, about one in 400 of which belongs to a safe prime
@@ -28,7 +31,7 @@ def primes_of(graph: Graph) -> tuple[int, ...]:
     """As many primes as PRIMES has, in which the roots of the graph's constants exist; PRIMES where none were found."""
     seen, roots, primes = graph.memory.get("primes", (0, (), PRIMES))
     if seen < len(graph.op):
-        found = [node for node, op in enumerate(graph.op[seen:], seen) if op in ROOTS and not graph.deps[node]]
+        found = [node for node, op in enumerate(graph.op[seen:], seen) if op in _ROOTED and not graph.deps[node]]
         if found:
             roots = (*roots, *found)
             primes = _choose(graph, roots, primes)
@@ -53,8 +56,10 @@ def _fits(graph: Graph, roots: Sequence[Node], prime: int) -> bool:
 
 
 def _exists(graph: Graph, root: Node, prime: int, seed: int) -> bool:
+    point = FieldPoint(graph, seed, prime)
     try:
-        FieldPoint(graph, seed, prime).evaluate([root])
+        point.evaluate([root])
+        point.known_point(root)
     except Unlucky:
         return False
     return True
@@ -63,7 +68,7 @@ def _exists(graph: Graph, root: Node, prime: int, seed: int) -> bool:
 def _period(graph: Graph, roots: Sequence[Node]) -> int:
     """What shall divide p + 1: the parts of a turn, and four times each prime that the numbers under the roots are made of."""
     period = FULL_TURN
-    for number in sorted({n for root in roots for n in _numbers_below(graph, root)}):
+    for number in sorted({n for root in roots for n in (*_numbers_below(graph, root), *_sides(graph, root))}):
         for factor in _factors(number):
             if period * factor < _MOST_PERIOD:
                 period = math.lcm(period, factor)
@@ -85,9 +90,21 @@ def _numbers_below(graph: Graph, root: Node) -> set[int]:
     return found
 
 
+def _sides(graph: Graph, node: Node) -> tuple[int, ...]:
+    """What stands under the root in the sine or cosine of an inverse function of numbers."""
+    if graph.op[node] not in INVERSE:
+        return ()
+    values = [graph.value(x) for x in graph.children(node)]
+    if None in values:
+        return ()
+    x, y = (Fraction(value or 0) for value in (*values, 1)[:2])
+    square = 1 - x * x if graph.op[node] in ("asin", "acos") else x * x + y * y
+    return abs(square.numerator), square.denominator
+
+
 def _factors(number: int) -> list[int]:
     """The small prime factors, then what is left of the number."""
-    found, factor = [], 2
+    found, factor = list[int](), 2
     while factor < _SMALL_FACTORS and number > 1:
         if number % factor == 0:
             found.append(factor)

@@ -49,6 +49,15 @@ def test_nested_roots_exist_and_multiply() -> None:
     assert are_zero(g, [g.sub(product, root(g, 28)), g.add(product, root(g, 28))]) == [True, False]
 
 
+def test_sines_of_inverse_functions_are_the_roots_that_they_are() -> None:
+    """cos(atan(1/10)) = 10/sqrt(101), sin(2 asin(31/100)) = 62 sqrt(9039)/10000."""
+    g = Graph()
+    flat = g.function("cos", g.function("atan", g.div(g.one, g.number(10))))
+    steep = g.function("sin", g.mul(g.number(2), g.function("asin", g.div(g.number(31), g.number(100)))))
+    others = [g.div(g.number(10), root(g, 101)), g.div(g.mul(g.number(62), root(g, 9039)), g.number(10_000))]
+    assert are_zero(g, [g.sub(flat, others[0]), g.sub(steep, others[1])]) == [True, True]
+
+
 def test_a_graph_without_such_constants_keeps_the_primes() -> None:
     g = Graph()
     root(g, 47, g.symbol("x"))
@@ -58,9 +67,17 @@ def test_a_graph_without_such_constants_keeps_the_primes() -> None:
     assert primes_of(g) != PRIMES
 
 
-@pytest.mark.parametrize(
-    "number", ["sqrt(53)", "sqrt(1.37)", "sqrt(3 + sqrt(2))", "sqrt(sqrt(103) - sqrt(101))", "5.9^1.5"]
+ROOTS = ("sqrt(53)", "sqrt(1.37)", "sqrt(3 + sqrt(2))", "sqrt(sqrt(103) - sqrt(101))", "5.9^1.5")
+ANGLES = (
+    "cos(atan(0.1))",
+    "sin(1 + x/9 + asin(0.31))^2",
+    "sin(2*atan2(1, 7.3))",
+    "(1 + cos(acos(0.3)))",
+    "sin(atan(sqrt(5.9)))",
 )
+
+
+@pytest.mark.parametrize("number", [*ROOTS, *ANGLES])
 def test_specs_with_roots_of_numbers_are_tested_exactly(number: str) -> None:
     """Every second of these was refused: the exact test found no point where the root exists."""
     text = f"""\
