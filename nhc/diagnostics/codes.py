@@ -70,6 +70,7 @@ TITLES: dict[str, str] = {
     "E0419": "scene names an unknown thing",
     "E0420": "no motion is left",
     "W0421": "scene that cannot run",
+    "W0422": "no motion for the values given",
     "E0501": "file was edited by hand",
     "E0502": "unknown stage",
     "E0503": "no such scene",

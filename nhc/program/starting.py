@@ -1,15 +1,17 @@
-"""Whether the accelerations are determined where a scene starts, for its values of the parameters."""
+"""Whether the accelerations are determined where a scene starts, for its values of the parameters, and for those of the spec."""
 
 from __future__ import annotations
 
-import math
+from fractions import Fraction
 
 from nhc.algebra.elimination import solve_double
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Node
 from nhc.algebra.linear import Singular
 from nhc.diagnostics import Bag
-from nhc.mechanics.scenes import RowSpace, Start, kept_velocities
+from nhc.language.spec import Scene
+from nhc.mechanics.given_rank import find_dependent_as_given, find_dependent_row, given_states
+from nhc.mechanics.scenes import Start, kept_velocities
 from nhc.program.build import Planner
 
 _NOTHING: tuple[str, tuple[str, ...]] = ("", ())
@@ -30,6 +32,50 @@ def warn_undetermined(planner: Planner, start: Start, bag: Bag) -> None:
         notes=(f"{names} {'is' if len(zero) == 1 else 'are'} zero there",) if zero else (),
         help=(f"give {names} a value, under `parameters:` or in the scene" if zero else "let it start elsewhere",),
     )
+
+
+def warn_as_given(planner: Planner, bag: Bag) -> None:
+    """Add a warning (W0422) where no state has determined accelerations and reactions with the parameters' values in the spec.
+
+    Scenes may give other values: each has a warning of its own, and where one can run nothing is said of the spec's values.
+    """
+    system = planner.system
+    if sum(d.code == "W0421" for d in bag.diagnostics) < len(system.spec.scenes):
+        return
+    if any(parameter.value is None for parameter in system.spec.parameters):
+        return
+    form = find_dependent_as_given(system)
+    if form is not None:
+        spans = system.spec.constraint_spans
+        held = any(other.equation is not None and other.name in spans for other in system.constraints)
+        where = "where the equations under `holonomic:` hold" if held else "with the values under `parameters:`"
+        bag.warning(
+            "W0422",
+            f"the constraint `{form.name}` follows from the others {where}",
+            spans.get(form.name, system.spec.kinetic.span),
+            notes=(
+                "the reactions are not determined, and the equations of motion have no solution, or more than one",
+                "what is said of the constraints besides holds elsewhere only",
+            ),
+            help=("remove it" if held else "remove it, or give the parameters other values",),
+        )
+    if form is not None or system.spec.scenes:
+        return
+    scene = Scene("", system.spec.kinetic.span, "", (), (), (Fraction(0), Fraction(1)), (), Fraction(1))
+    found = []
+    for place in given_states(system):
+        p, q, v = (tuple(place[symbol] for symbol in symbols) for symbols in (system.p, system.q, system.v))
+        found.append(find_undetermined(planner, Start(scene, (place[system.t], place[system.t] + 1), p, q, v)))
+    if found and all(what for what, _ in found):
+        what, zero = found[0]
+        names = ", ".join(f"`{name}`" for name in zero)
+        bag.warning(
+            "W0422",
+            f"{what} with the values under `parameters:`",
+            system.spec.kinetic.span,
+            notes=(f"{names} {'is' if len(zero) == 1 else 'are'} zero",) if zero else (),
+            help=(f"give {names} a value" if zero else "give the parameters other values",),
+        )
 
 
 def find_undetermined(planner: Planner, start: Start) -> tuple[str, tuple[str, ...]]:
@@ -62,19 +108,13 @@ def find_undetermined(planner: Planner, start: Start) -> tuple[str, tuple[str, .
 
 def _find_dependent(planner: Planner, start: Start) -> tuple[str, tuple[str, ...]]:
     """A constraint whose row vanishes, or depends on the others, at a start; empty where there is none."""
-    system = planner.system
-    space, values = RowSpace(system.n), start.values(system)
-    for form in system.constraints:
-        try:
-            row = [float(x) for x in evaluate(planner.graph, form.coefficients, values)]
-        except (ArithmeticError, ValueError, KeyError):
-            return _NOTHING
-        if not all(map(math.isfinite, row)):
-            return _NOTHING
-        if space.add(row, 0.0) is not None:
-            how = "depends on the others" if any(row) else "restricts no velocity"
-            return f"the constraint `{form.name}` {how}", _blame(planner, start, *form.coefficients)
-    return _NOTHING
+    values = start.values(planner.system)
+    form = find_dependent_row(planner.system, values)
+    if form is None:
+        return _NOTHING
+    moves = any(float(x) for x in evaluate(planner.graph, form.coefficients, values))
+    how = "depends on the others" if moves else "restricts no velocity"
+    return f"the constraint `{form.name}` {how}", _blame(planner, start, *form.coefficients)
 
 
 def _blame(planner: Planner, start: Start, *nodes: Node) -> tuple[str, ...]:
