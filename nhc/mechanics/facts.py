@@ -17,7 +17,7 @@ from nhc.mechanics import chaplygin
 from nhc.mechanics.choose import Formulation, applicable, checked_dependent
 from nhc.mechanics.conserved import Integral, find_conserved
 from nhc.mechanics.frame import coordinate_frame
-from nhc.mechanics.integrability import Integrability, classify, cyclic_coordinates
+from nhc.mechanics.integrability import Integrability, classify, classify_as_given, cyclic_coordinates
 from nhc.mechanics.integrals import PositionIntegral, find_position_integrals
 from nhc.mechanics.named import named_text
 from nhc.mechanics.regularity import choose_dependent, intervals, trial_points
@@ -85,17 +85,28 @@ def _constraints(system: System, formulation: Formulation, facts: Facts, bag: Ba
     growth = ", ".join(str(r) for r in found.growth)
     facts.say("growth", list(found.growth), f"constraints: {kind}; growth vector of ker A: ({growth})")
     facts.data.update({"affine": found.affine, "time_dependent": found.rheonomic, "kinds": _kinds(system, found)})
-    if found.hidden == system.l:
-        text = "all constraints are integrable: the system is holonomic"
-    elif found.hidden:
-        text = f"{found.hidden} of {system.l} constraints integrable (holonomic in disguise), the others truly nonholonomic"
-    else:
-        text = "no integrable combination: truly nonholonomic"
+    special = classify_as_given(system, found)
+    text = _count_hidden(system, found)
+    if special:
+        text += f" (for arbitrary parameters; with their values in the spec: {_count_hidden(*special)})"
     facts.say("hidden", found.hidden, f"integrability: {text}")
     integrals = _integrals(system, found, facts)
-    _warn_integrable(system, found, integrals, bag)
+    if special:
+        own = _integrals(*special, facts, "_as_given")
+        facts.data["hidden_as_given"] = special[1].hidden
+        _warn_integrable(special[0], special[1], own, bag, " with the values under `parameters:`")
+    else:
+        _warn_integrable(system, found, integrals, bag)
     _rank_loss(system, facts)
     return integrals
+
+
+def _count_hidden(system: System, found: Integrability) -> str:
+    if found.hidden == system.l:
+        return "all constraints are integrable: the system is holonomic"
+    if found.hidden:
+        return f"{found.hidden} of {system.l} constraints integrable (holonomic in disguise), the others truly nonholonomic"
+    return "no integrable combination: truly nonholonomic"
 
 
 def _kinds(system: System, found: Integrability) -> list[dict[str, object]]:
@@ -110,7 +121,8 @@ def _kinds(system: System, found: Integrability) -> list[dict[str, object]]:
     return kinds
 
 
-def _integrals(system: System, found: Integrability, facts: Facts) -> tuple[PositionIntegral, ...]:
+def _integrals(system: System, found: Integrability, facts: Facts, given: str = "") -> tuple[PositionIntegral, ...]:
+    """``given`` marks what holds for the parameters' values in the spec only."""
     if not found.hidden:
         return ()
     frame = coordinate_frame(system, choose_dependent(system).dependent)
@@ -120,12 +132,15 @@ def _integrals(system: System, found: Integrability, facts: Facts) -> tuple[Posi
     lines = [f"{i.text} = const (from {' and '.join(i.names)})" for i in integrals]
     if lost:
         lines.append(f"{lost} not found in elementary functions")
-    facts.say("integrals", data, f"integrals: {'; '.join(lines)}")
+    where = " with the parameters' values in the spec" if given else ""
+    facts.say(f"integrals{given}", data, f"integrals{where}: {'; '.join(lines)}")
     return integrals
 
 
-def _warn_integrable(system: System, found: Integrability, integrals: tuple[PositionIntegral, ...], bag: Bag) -> None:
-    """Integrable constraints that the spec does not give under ``holonomic:``."""
+def _warn_integrable(
+    system: System, found: Integrability, integrals: tuple[PositionIntegral, ...], bag: Bag, given: str = ""
+) -> None:
+    """Integrable constraints that the spec does not give under ``holonomic:``; ``given``: with which values they are."""
     spans = {c.name: c.span for c in system.spec.constraints}
     written = {form.name for form in system.constraints if form.equation is not None}
     named = [name for name in found.closed if name not in written]
@@ -133,7 +148,7 @@ def _warn_integrable(system: System, found: Integrability, integrals: tuple[Posi
         own = [i.text for i in integrals if i.names == (name,)]
         bag.warning(
             "W0410",
-            f"the constraint `{name}` is integrable: it is a holonomic constraint in disguise",
+            f"the constraint `{name}` is integrable{given}: it is a holonomic constraint in disguise",
             spans[name],
             notes=(f"its integral is `{own[0]} = const`",) if own else (),
             help=("give its integral under `holonomic:`, so that positions are held to it too",),
@@ -144,7 +159,7 @@ def _warn_integrable(system: System, found: Integrability, integrals: tuple[Posi
         texts = [f"an integral is `{i.text} = const`" for i in integrals if len(i.names) > 1]
         bag.warning(
             "W0410",
-            f"{combined} combination(s) of the constraints are integrable (holonomic in disguise)",
+            f"{combined} combination(s) of the constraints are integrable{given} (holonomic in disguise)",
             system.spec.key_span("constraints"),
             notes=(f"the growth vector of the allowed directions is ({growth}) in {system.n} coordinates", *texts),
             help=("positions are not held to the integral by the velocities alone: watch the drift",),

@@ -159,6 +159,28 @@ def test_affine_constraints_count_time() -> None:
     assert (moving.affine, moving.rheonomic, moving.hidden, moving.closed) == (True, True, 1, ("c",))
 
 
+@pytest.mark.parametrize(
+    ("values", "row", "integral"),
+    [
+        ("{a: 0.5, b: 0.5}", "z' = a*y*x' + b*x*y'", "2*z - x*y"),
+        ("{a: 0, b: 2}", "z' = a*y*x' + b*y'", "2*y - z"),
+        ("{a: 0.5, b: 0.25}", "z' = a*y*x' + b*x*y'", ""),
+        ("{a: pi/4, b: pi/4}", "z' = a*y*x' + b*x*y'", ""),  # no rational numbers: stays as it is
+    ],
+)
+def test_rows_that_are_integrable_for_the_values_given_only(values: str, row: str, integral: str) -> None:
+    """d(z - x y/2) = dz - (y dx + x dy)/2; without the first term only y and z are left."""
+    system = constrained("x, y, z", row, parameters=values)
+    bag = Bag(system.spec.origin)
+    facts = describe(system, formulate(system), bag)
+    assert facts.data["hidden"] == 0
+    assert facts.data.get("hidden_as_given", 0) == bool(integral)
+    found = facts.data.get("integrals_as_given", [])
+    assert [entry["integral"] for entry in found] == ([integral] if integral else [])
+    said = "the constraint `c1` is integrable with the values under `parameters:`: it is a holonomic constraint in disguise"
+    assert [d.message for d in bag.diagnostics if d.code == "W0410"] == ([said] if integral else [])
+
+
 # --- singular sets ----------------------------------------------------------------------------------------
 
 
