@@ -95,6 +95,7 @@ def _stages(system: System, closed: Sequence[str]) -> list[list[Candidate]]:
         [*coordinates, *outputs],
         [*coordinates, *scaled],
         [*coordinates, *atoms],
+        [*coordinates, *scaled, *(g.mul(s, x) for s in parameters for x in (*atoms, *_partners(g, atoms)))],
         [*coordinates, *scaled, *pairs],
         [*coordinates, *(g.mul(s, x) for s in parameters for x in products)],
         [*coordinates, *_elementary(g, coordinates)],
@@ -104,11 +105,15 @@ def _stages(system: System, closed: Sequence[str]) -> list[list[Candidate]]:
             continue
         own = [x for x, a in zip(coordinates, (*form.coefficients, form.constant), strict=False) if a != g.zero]
         inside = [x for x in _functions(system, [form]) if not g.deps[x] & g.mask(coordinates) & ~g.mask(own)]
-        inside += [g.function(_PARTNERS[g.op[x]], g.a[x]) for x in inside if g.op[x] in _PARTNERS]
+        inside += _partners(g, inside)
         held = [s for s in parameters if any(g.depends(x, g.deps[s]) for x in _entries([form]))]
         stages.append([*own, *inside, *(g.mul(s, x) for s in held for x in inside)])
         stages.append([*own, *inside, *(g.mul(x, y) for x in own for y in inside), *products])
     return [[Candidate("", node) for node in _unique(g, stage)[:_MOST]] for stage in stages]
+
+
+def _partners(g: Graph, functions: Sequence[Node]) -> list[Node]:
+    return [g.function(_PARTNERS[g.op[x]], g.a[x]) for x in functions if g.op[x] in _PARTNERS]
 
 
 def _elementary(g: Graph, coordinates: Sequence[Node]) -> list[Node]:

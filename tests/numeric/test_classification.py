@@ -7,6 +7,7 @@ from itertools import product
 
 import numpy as np
 import pytest
+import sympy
 
 from nhc.algebra.calculus import gradient
 from nhc.algebra.modular import PRIMES, rank
@@ -140,6 +141,28 @@ def test_elementary_integrals(coordinates: str, row: str, expected: str) -> None
     (form,) = system.constraints
     assert rank(g, [slope, [*form.coefficients, form.constant]]) == 1
     assert rank(g, [slope]) == 1
+
+
+@pytest.mark.parametrize(
+    ("rows", "integral"),
+    [
+        (("cos(b)*u' + sin(b)*z' + R*b' = 0", "cos(b)*z' = sin(b)*u'"), "z - R*cos(b)"),  # height of a leaning disk
+        (("u' = R*z'", "b' = R*(1 - exp(-t))"), "b - R*t - R*exp(-t)"),  # a motor that comes up to speed
+    ],
+)
+def test_integrals_with_a_parameter_beside_a_function(rows: tuple[str, ...], integral: str) -> None:
+    system = constrained("b, u, z, w", *rows, parameters="{R: 0.4}")
+    facts = describe(system, formulate(system), Bag(system.spec.origin))
+    assert "not found" not in facts.lines_by_key["integrals"]
+    b, z, R, t = sympy.symbols("b z R t")
+    wanted = sympy.sympify(integral, {"b": b, "z": z, "R": R, "t": t})
+    found = [sympy.sympify(e["integral"].replace("^", "**")) for e in facts.data["integrals"]]
+    ratios = [
+        [sympy.simplify(sympy.diff(f, x) - k * sympy.diff(wanted, x)) for x in (b, z, t)]
+        for f in found
+        for k in (1, -1)
+    ]
+    assert [0, 0, 0] in ratios, found
 
 
 def test_an_integral_that_is_not_elementary_is_said_to_be_missing() -> None:
