@@ -8,6 +8,7 @@ from typing import Any
 from nhc.algebra.angles import normalise_angles
 from nhc.algebra.calculus import reachable
 from nhc.algebra.common_zero import find_common_zero
+from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Node
 from nhc.algebra.linear import degrees
 from nhc.algebra.modular import Unlucky, are_zero
@@ -23,6 +24,8 @@ from nhc.mechanics.named import named_text
 from nhc.mechanics.regularity import choose_dependent, intervals, trial_points
 from nhc.mechanics.singular import find_rank_loss, never_changes
 from nhc.mechanics.system import System
+
+_ROUNDING = 1e-12
 
 
 @dataclass
@@ -242,13 +245,22 @@ def _cannot_vanish(system: System, node: Node | None) -> bool:
     return node is not None and cannot_vanish_together(system.graph, [node], intervals(system))
 
 
+def _is_zero_as_given(system: System, node: Node) -> bool:
+    """Whether a node that is the same at every state vanishes for the parameters' values in the spec."""
+    try:
+        value = float(evaluate(system.graph, [node], trial_points(system)[-1])[0])
+    except (ArithmeticError, ValueError):
+        return False
+    return abs(value) < _ROUNDING
+
+
 def _quasi(system: System, formulation: Formulation, bag: Bag) -> None:
     """A set of quasi-velocities that loses rank somewhere."""
     if formulation.frame is None or not system.quasi:
         return
     for guard, _ in formulation.frame.guards:
-        if _cannot_vanish(system, guard) or never_changes(system, guard):
-            continue  # with a number's value that is not zero
+        if _cannot_vanish(system, guard) or (never_changes(system, guard) and not _is_zero_as_given(system, guard)):
+            continue
         where = _entry_text(system, guard) or _zero_text(system, guard)
         own = len(system.quasi) > 3 * len(system.rotations)
         other = ", take the other `frame` of the rotation" if system.rotations else ""

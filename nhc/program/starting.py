@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Mapping
 from fractions import Fraction
 
+from nhc.algebra.calculus import gradient
 from nhc.algebra.elimination import solve_double
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Node
@@ -12,14 +15,17 @@ from nhc.diagnostics import Bag
 from nhc.language.spec import Scene
 from nhc.mechanics.given_rank import find_dependent_as_given, find_dependent_row, given_states
 from nhc.mechanics.scenes import Start, kept_velocities
+from nhc.mechanics.system import System
 from nhc.program.build import Planner
 
 _NOTHING: tuple[str, tuple[str, ...]] = ("", ())
 
 
 def warn_undetermined(planner: Planner, start: Start, bag: Bag) -> None:
-    """Add a warning (W0421) where a scene starts at a singular mass matrix, or where the constraints lose their rank."""
-    what, zero = _find_dependent(planner, start)
+    """Add a warning (W0421) where a scene starts at a pole, at a singular mass matrix, or where the constraints lose their rank."""
+    what, zero = find_pole(planner.system, start.values(planner.system)), tuple[str, ...]()
+    if not what:
+        what, zero = _find_dependent(planner, start)
     if not what:
         what, zero = find_undetermined(planner, start)
     if not what:
@@ -61,6 +67,15 @@ def warn_as_given(planner: Planner, bag: Bag) -> None:
         )
     if form is not None or system.spec.scenes:
         return
+    poles = [find_pole(system, place) for place in given_states(system)]
+    if poles and all(poles):
+        bag.warning(
+            "W0422",
+            f"{poles[0]} with the values under `parameters:`",
+            system.spec.kinetic.span,
+            help=("give the parameters other values",),
+        )
+        return
     scene = Scene("", system.spec.kinetic.span, "", (), (), (Fraction(0), Fraction(1)), (), Fraction(1))
     found = []
     for place in given_states(system):
@@ -76,6 +91,21 @@ def warn_as_given(planner: Planner, bag: Bag) -> None:
             notes=(f"{names} {'is' if len(zero) == 1 else 'are'} zero",) if zero else (),
             help=(f"give {names} a value" if zero else "give the parameters other values",),
         )
+
+
+def find_pole(system: System, values: Mapping[Node, float]) -> str:
+    """What of T, the potential and the forces has no finite value or slope at a state, in words; empty where all have."""
+    g, moving = system.graph, (*system.q, *system.v)
+    parts = [("`T`", system.T, moving), (f"`{system.spec.potential_kind or 'V'}`", system.U, system.q)]
+    parts += [(f"the force on `{name}`", node, ()) for name, node in zip(system.q_names, system.Q, strict=True)]
+    for name, node, symbols in parts:
+        try:
+            found = [float(x) for x in evaluate(g, [node, *gradient(g, node, symbols)], dict(values))]
+        except (ArithmeticError, ValueError):
+            found = [math.nan]
+        if not all(map(math.isfinite, found)):
+            return f"{name} has no finite value, or slope,"
+    return ""
 
 
 def find_undetermined(planner: Planner, start: Start) -> tuple[str, tuple[str, ...]]:
