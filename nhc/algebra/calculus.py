@@ -142,6 +142,18 @@ def partials(graph: Graph, node: Node) -> tuple[Node, ...]:
     return (_unary_derivative(g, op, node, x),)
 
 
+def links(graph: Graph, node: Node) -> Iterable[tuple[Node, Node]]:
+    """(node below, derivative with respect to it) for an operation: its operands; under a power of a root what the root is of.
+
+    (x^(5/2))' = 5/2 x^(3/2) has a value where x = 0, and 5 sqrt(x)^4/(2 sqrt(x)) has none.
+    """
+    x, n = graph.a[node], graph.b[node]
+    if graph.op[node] == POW and n > 2 and graph.op[x] == "sqrt":
+        half = graph.div(graph.number(n), graph.number(2))
+        return ((graph.a[x], graph.mul(half, graph.power(x, n - 2))),)
+    return zip(graph.kids[node], partials(graph, node), strict=True)
+
+
 def _unary_derivative(g: Graph, op: str, node: Node, x: Node) -> Node:
     if op == "sin":
         return g.function("cos", x)
@@ -210,9 +222,8 @@ def tangent(graph: Graph, roots: Sequence[Node], seeds: Mapping[Node, Node]) -> 
             terms = graph.neg(dot.get(x, 0))
         else:
             terms = 0
-            children = graph.kids[node]
-            if any(c in dot for c in children):
-                for child, partial in zip(children, partials(graph, node), strict=True):
+            if any(c in dot for c in graph.kids[node]):
+                for child, partial in links(graph, node):
                     if child in dot:
                         terms = add(terms, mul(partial, dot[child]))
         if terms:
@@ -231,7 +242,7 @@ class Derivation:
     def of(self, root: Node) -> Node:
         """The derivative of the root."""
         graph, known, mask = self.graph, self._known, self._mask
-        kids, deps, op, a, b = graph.kids, graph.deps, graph.op, graph.a, graph.b
+        deps, op, a, b = graph.deps, graph.op, graph.a, graph.b
         if root in known or not deps[root] & mask:
             return known.get(root, 0)
         for node in reachable(graph, (root,), mask, known):
@@ -245,7 +256,7 @@ class Derivation:
                 made = graph.neg(known.get(x, 0))
             else:
                 made = 0
-                for child, partial in zip(kids[node], partials(graph, node), strict=True):
+                for child, partial in links(graph, node):
                     made = graph.add(made, graph.mul(partial, known.get(child, 0)))
             known[node] = made
         return known[root]
@@ -284,7 +295,7 @@ def pullback_gradient(graph: Graph, weighted: Sequence[tuple[Node, Node]], wrt: 
             x = a[node]
             bar[x] = add(get(x, 0), graph.neg(seed))
         elif kind != SYM:
-            for child, partial in zip(graph.kids[node], partials(graph, node), strict=True):
+            for child, partial in links(graph, node):
                 if deps[child] & mask:
                     bar[child] = add(get(child, 0), mul(seed, partial))
     return [get(symbol, 0) for symbol in wrt]

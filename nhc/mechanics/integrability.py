@@ -80,9 +80,10 @@ def classify_as_given(system: System, generic: Integrability) -> tuple[System, I
     entries = [x for form in system.constraints for x in (*form.coefficients, form.constant)]
     if generic.hidden == system.l or count(system.graph, entries) > _LARGE:
         return None
+    dependent = choose_dependent(system).dependent  # for arbitrary parameters: what is chosen is kept for the graph
     try:
         given = as_given(system)
-        found = classify(given) if given else generic
+        found = classify(given, coordinate_frame(given, dependent)) if given else generic
     except (ArithmeticError, Singular, Unlucky):
         return None  # a division by zero, or dependent rows, which are told apart from this
     return (given, found) if given and found.hidden > generic.hidden else None
