@@ -12,7 +12,13 @@ from nhc.pipeline import check
 from tests.unit.test_language_bad import expectations
 
 BAD = sorted((Path(__file__).resolve().parents[1] / "bad" / "mechanics").glob("*.yaml"))
-CODES = {f"E04{k:02}" for k in (1, 2, 3, 4, 5, 6, 7, 9, 11, 12, 15, 17, 20)} | {"W0408", "W0410", "W0416", "W0421", "W0422"}
+CODES = {f"E04{k:02}" for k in (1, 2, 3, 4, 5, 6, 7, 9, 11, 12, 15, 17, 20)} | {
+    "W0408",
+    "W0410",
+    "W0416",
+    "W0421",
+    "W0422",
+}
 
 
 def diagnose(source: Source) -> tuple[Diagnostic, ...]:
