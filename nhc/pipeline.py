@@ -29,7 +29,7 @@ from nhc.mechanics.system import System
 from nhc.program.build import FUNCTIONS, Planner
 from nhc.program.ir import Program
 from nhc.program.model import build_program
-from nhc.program.starting import warn_negative, warn_undetermined
+from nhc.program.starting import warn_as_given, warn_negative, warn_undetermined
 from nhc.records import record
 from nhc.stamp import stamp
 
@@ -174,6 +174,7 @@ def check(source: Source, *, explain: bool = True) -> Report:
             warn_undetermined(planner, start, bag)
             warn_negative(planner, start, bag)
     bag.raise_if_errors()
+    warn_as_given(planner, bag)
     facts = describe(system, formulation, bag, explain=explain)
     return Report(bag.diagnostics, facts.lines, facts.data)
 

@@ -192,7 +192,7 @@ class FieldPoint:
         """(cosine, sine)."""
         if not self._moves(angle):
             return self._circle(self._argument(angle))
-        point = self._known_point(angle)
+        point = self.known_point(angle)
         if point is not None:
             return point
         if not self.values[angle]:
@@ -204,7 +204,7 @@ class FieldPoint:
         """The point of the circle that belongs to a generator."""
         return circle_point(generator, self.prime)
 
-    def _known_point(self, atom: Node) -> tuple[int, int] | None:
+    def known_point(self, atom: Node) -> tuple[int, int] | None:
         """(cosine, sine) of an inverse function's value; None for anything else."""
         g, p, op = self.graph, self.prime, self.graph.op[atom]
         if op not in INVERSE:
@@ -240,7 +240,7 @@ class FieldPoint:
                 ck, sk = part_of_turn(int(_HALF_TURN * k) % FULL_TURN, self.prime)
             else:
                 denominator = self._denominator("angle", monomial)
-                point = self._known_point(monomial[0][0]) if denominator == 1 and _is_atom(monomial) else None
+                point = self.known_point(monomial[0][0]) if denominator == 1 and _is_atom(monomial) else None
                 if point is None:
                     u, sign = self._monomial("angle", monomial)
                     ck, sk = turn(*self._point(u), sign * int(k * denominator), self.prime)

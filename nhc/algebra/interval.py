@@ -7,7 +7,7 @@ margin, since the question is whether a bound is clearly away from zero.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from nhc.algebra.calculus import reachable
 from nhc.algebra.graph import ADD, MUL, NEG, NUM, PI, POW, SYM, Graph, Node
@@ -19,15 +19,25 @@ _MARGIN = 1e-9
 
 def bounds(graph: Graph, root: Node, known: Mapping[Node, Interval]) -> Interval:
     """An interval that contains every value of the root for symbols in their intervals."""
+    return list_bounds(graph, reachable(graph, [root]), known)[root]
+
+
+def list_bounds(graph: Graph, order: Sequence[Node], known: Mapping[Node, Interval]) -> dict[Node, Interval]:
+    """The intervals of nodes that stand after their children."""
     value: dict[Node, Interval] = {}
-    for node in reachable(graph, [root]):
+    for node in order:
         value[node] = _bound(graph, node, value, known)
-    return value[root]
+    return value
 
 
 def cannot_vanish(graph: Graph, root: Node, known: Mapping[Node, Interval]) -> bool:
     """Whether the root is bounded away from zero for symbols in their intervals."""
-    low, high = bounds(graph, root, known)
+    return excludes_zero(bounds(graph, root, known))
+
+
+def excludes_zero(interval: Interval) -> bool:
+    """Whether an interval is away from zero, by more than the rounding of its bounds."""
+    low, high = interval
     size = max(abs(low), abs(high)) if math.isfinite(low) and math.isfinite(high) else 1.0
     return low > _MARGIN * size or high < -_MARGIN * size
 

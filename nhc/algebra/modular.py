@@ -15,6 +15,7 @@ from nhc.algebra.draw import MOST_DRAWS, QuickPoint, draw_points
 from nhc.algebra.evaluate import Mpmath, evaluate
 from nhc.algebra.field import FieldPoint, Unlucky
 from nhc.algebra.graph import Graph, Node
+from nhc.algebra.primes import primes_of
 from nhc.algebra.probe import probe_of, signed_probes
 from nhc.algebra.residues import PRIMES
 from nhc.algebra.signs import MOST, Signs, degree_in_signs, may_hold, points_for
@@ -41,12 +42,12 @@ def sample(
     known: dict[tuple[int, int], FieldPoint] = {}
     if kind is QuickPoint and count <= _KEPT_POINTS:  # these stay, and know what was evaluated before
         known = graph.memory.setdefault("points", known)
-    attempt = unlucky = 0
+    attempt, unlucky, primes = 0, 0, primes_of(graph)
     while len(results) < count:
         attempt += 1
         if unlucky > _DRAWS:
             return results + _sample_open(graph, roots, range(len(results), count), seed, kind, known)
-        key = seed * _SEEDS + attempt, PRIMES[len(results) % len(PRIMES)]
+        key = seed * _SEEDS + attempt, primes[len(results) % len(primes)]
         point = known.get(key) or kind(graph, *key)
         try:
             results.append(point.evaluate(roots))
@@ -73,8 +74,9 @@ def _sample_open(
     """
     results, used = [], set[tuple[int, int]]()
     seeds = iter(range(seed * _SEEDS + _DRAWS + 2, (seed + 1) * _SEEDS))
+    primes = primes_of(graph)
     for place in places:
-        prime = PRIMES[place % len(PRIMES)]
+        prime = primes[place % len(primes)]
         old = [key for key in known if key[1] == prime and key[0] // _SEEDS == seed]
         drawn = draw_points(graph, roots, prime, islice(seeds, MOST_DRAWS), kind=kind)
         found = chain(((key, known[key]) for key in old), (((at, prime), point) for at, point in drawn))
@@ -185,13 +187,13 @@ def rank(graph: Graph, rows: Sequence[Sequence[Node]], seed: int = 1) -> int:
     flat = [entry for row in rows for entry in row]
     full = min(len(rows), width)
     # a rank is too small only at special points; signs make half of the points special for an entry
-    enough, found = enough_points(graph, flat, 1), 0
+    enough, found, primes = enough_points(graph, flat, 1), 0, primes_of(graph)
     for at, count in ((seed, min(enough, _RANK_POINTS)), (seed + 1, enough - _RANK_POINTS)):
         if count <= 0 or found == full:
             break
         for k, values in enumerate(sample(graph, flat, count, at)):
             matrix = [values[i * width : (i + 1) * width] for i in range(len(rows))]
-            found = max(found, _rank_modulo(matrix, PRIMES[k % len(PRIMES)]))
+            found = max(found, _rank_modulo(matrix, primes[k % len(primes)]))
     return found
 
 

@@ -21,7 +21,7 @@ from nhc.algebra.expand import TooLarge
 from nhc.algebra.field import INVERSE, FieldPoint, Unlucky
 from nhc.algebra.graph import ADD, MUL, NEG, POW, Graph, Node
 from nhc.algebra.polynomial import ONE, polynomial
-from nhc.algebra.residues import PRIMES
+from nhc.algebra.primes import primes_of
 
 STEPS = ("sign", "abs", "min", "max")
 _HOLDERS = frozenset((*STEPS, "sqrt", "powf", *INVERSE))
@@ -248,7 +248,9 @@ def _find_new(
     """Those of the new roots that depend on known ones or on each other; also what equals one that is hidden."""
     radicals = [*known, *new]
     operands = [c for n in radicals for c in graph.children(n)]
-    drawn = draw_points(graph, operands, PRIMES[0], range(5_000_011, 5_000_011 + _DRAWS), later=later, kind=QuickPoint)
+    drawn = draw_points(
+        graph, operands, primes_of(graph)[0], range(5_000_011, 5_000_011 + _DRAWS), later=later, kind=QuickPoint
+    )
     first: dict[Node, Node] = {}  # by root the one of the first radicand of the same value
     distinct: list[Node] = []
     characters, seen, most = list[int](), 0, len(radicals) + _SPARE

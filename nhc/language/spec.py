@@ -202,3 +202,9 @@ class Spec:
     def key_span(self, key: str) -> Span:
         """Return the place of a top-level key (``constraints``); the spec's start where it is not written."""
         return dict(self.key_spans).get(key, Span(0, 0))
+
+    @property
+    def constraint_spans(self) -> dict[str, Span]:
+        """The place of each constraint, holonomic ones as well, by its name."""
+        rows: tuple[Constraint | Holonomic, ...] = (*self.constraints, *self.holonomic)
+        return {row.name: row.span for row in rows}

@@ -18,7 +18,7 @@ from nhc.algebra.degree import Degrees
 from nhc.algebra.draw import MOST_DRAWS, draw_points
 from nhc.algebra.linear import Singular
 from nhc.algebra.modular import FieldPoint, Unlucky
-from nhc.algebra.residues import PRIMES
+from nhc.algebra.primes import primes_of
 from nhc.algebra.signs import MOST, Signs, may_hold, points_for
 from nhc.mechanics.choose import applicable
 from nhc.mechanics.claims import (
@@ -208,7 +208,8 @@ class _Look:
         index: int,
         seed: int,
     ) -> None:
-        prime = PRIMES[index % len(PRIMES)]
+        primes = primes_of(system.graph)
+        prime = primes[index % len(primes)]
         everything = [n for c in (reference, *claims, *(w.claim for w in wrongs)) for n in c.nodes()]
         start = (seed * 1009 + index) * 100_003
         moving = system.graph.mask(velocities.symbols)

@@ -17,8 +17,8 @@ from itertools import combinations
 from nhc.algebra.calculus import count, gradient, substitute, tangent
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.modular import Unlucky, are_zero, rank
+from nhc.algebra.primes import primes_of
 from nhc.algebra.relations import find_relations, without
-from nhc.algebra.residues import PRIMES
 from nhc.mechanics.constancy import are_constant, jumps, rates_of
 from nhc.mechanics.frame import Frame, form_value
 from nhc.mechanics.rotation import moving
@@ -245,12 +245,13 @@ def _search(
     """Independent constants beyond ``known`` among the constant combinations of the candidates."""
     g, width = sampler.system.graph, len(candidates)
     rates = rates_of(sampler, [c.node for c in candidates])
+    prime = primes_of(g)[0]
     try:
-        rows = sampler.residues([*rates, *(c.node for c in candidates)], width + _SPARE, PRIMES[0])
+        rows = sampler.residues([*rates, *(c.node for c in candidates)], width + _SPARE, prime)
     except Unlucky:
         return []
-    constant = find_relations([row[:width] for row in rows], width, PRIMES[0])
-    trivial = find_relations([row[width:] for row in rows], width, PRIMES[0])
+    constant = find_relations([row[:width] for row in rows], width, prime)
+    trivial = find_relations([row[width:] for row in rows], width, prime)
     integrals: list[Integral] = []
     for vector in without(constant, trivial):
         node = combine(g, vector, candidates)

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from nhc.algebra.calculus import reachable
 from nhc.algebra.field import INVERSE
 from nhc.algebra.graph import POW, Node
-from nhc.algebra.residues import PRIMES
+from nhc.algebra.primes import primes_of
 from nhc.algebra.signs import Signs, may_hold, points_for
 from nhc.mechanics.frame import total_derivative
 from nhc.mechanics.sampling import Sampler
@@ -19,7 +19,8 @@ _BREAKS = ("sign", "atan2", "powf", "log")  # not continuous, or not everywhere;
 def are_constant(sampler: Sampler, nodes: Sequence[Node]) -> list[bool]:
     """Zero rates at a point modulo each of two primes, and at more where signs occur; what holds too many is not constant."""
     rates = rates_of(sampler, nodes)
-    rows = [row for prime in PRIMES[:2] for row in sampler.residues(rates, 1, prime)]
+    primes = primes_of(sampler.system.graph)[:2]
+    rows = [row for prime in primes for row in sampler.residues(rates, 1, prime)]
     alive = [k for k in range(len(rates)) if all(row[k] == 0 for row in rows)]
     degrees = _degrees_in_signs(sampler, [rates[k] for k in alive])
     needed = {k: points_for(degree, 0) // 2 for k, degree in zip(alive, degrees, strict=True)}
@@ -27,7 +28,7 @@ def are_constant(sampler: Sampler, nodes: Sequence[Node]) -> list[bool]:
     each = max((needed[k] for k in alive), default=0)
     if each:
         chosen = [rates[k] for k in alive]
-        rows = [row for prime in PRIMES[:2] for row in sampler.residues(chosen, each, prime, seed=2)]
+        rows = [row for prime in primes for row in sampler.residues(chosen, each, prime, seed=2)]
         alive = [k for i, k in enumerate(alive) if all(row[i] == 0 for row in rows)]
     return [k in alive for k in range(len(rates))]
 

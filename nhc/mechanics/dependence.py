@@ -14,7 +14,7 @@ from functools import cached_property
 from nhc.algebra.calculus import reachable
 from nhc.algebra.graph import Node
 from nhc.algebra.modular import FieldPoint, Unlucky
-from nhc.algebra.residues import PRIMES
+from nhc.algebra.primes import primes_of
 from nhc.algebra.signs import Signs, may_hold, points_for
 from nhc.mechanics.linearize import Flow, solve_modulo
 from nhc.records import record
@@ -85,9 +85,9 @@ def find_dependence(flow: Flow, needs: Sequence[Node]) -> Dependence:
     compared = [not found for found in occurring]
     changes = [_Change(flow, needs, j) if found else None for j, found in enumerate(occurring)]
     whole, planned = _Evaluation(flow, needs), frozenset(reachable(g, roots))
-    seed = 0
+    seed, primes = 0, primes_of(g)
     for index in range(_count_points(flow, needs)):
-        base, values, seed = _base(whole, seed, PRIMES[index % len(PRIMES)])
+        base, values, seed = _base(whole, seed, primes[index % len(primes)])
         zero = [z and not value for z, value in zip(zero, values, strict=True)]
         others = base.values.keys() - planned  # what the point needed besides: factors of arguments in canonical form
         for j, change in enumerate(changes):

@@ -12,6 +12,7 @@ from nhc.algebra.linear import is_clearly_regular
 from nhc.algebra.modular import are_zero, rank
 from nhc.diagnostics import Bag
 from nhc.language import Spec
+from nhc.mechanics.given_rank import find_dependent_as_given
 from nhc.mechanics.system import Form, System
 
 _DRAWS, _POINTS, _DIGITS = 60, 3, 1e-30
@@ -54,6 +55,29 @@ def check_rank(bag: Bag, spec: Spec, system: System) -> None:
                 ),
                 help=("remove it",),
             )
+
+
+def check_freedom(bag: Bag, spec: Spec, system: System) -> None:
+    """As many constraints as coordinates leave nothing to derive; where positions fit, some of them may say the same."""
+    if system.l < system.n:
+        return
+    form = find_dependent_as_given(system) if spec.holonomic else None
+    span = spec.constraint_spans.get(form.name) if form else None
+    if form is not None and span is not None:
+        bag.error(
+            "E0402",
+            f"the constraint `{form.name}` follows from the others where the equations under `holonomic:` hold",
+            span,
+            notes=("elsewhere the constraints leave no free velocity, so that nothing can be derived with it",),
+            help=("remove it",),
+        )
+        return
+    bag.error(
+        "E0420",
+        f"{system.l} constraints leave no free velocity in {system.n} coordinate(s)",
+        spec.key_span("constraints" if spec.constraints else "holonomic"),
+        help=("remove a constraint, or declare the coordinate that is missing",),
+    )
 
 
 def loses_rank(g: Graph, matrix: Sequence[Sequence[Node]]) -> bool:

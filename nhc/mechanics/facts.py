@@ -7,21 +7,25 @@ from typing import Any
 
 from nhc.algebra.angles import normalise_angles
 from nhc.algebra.calculus import reachable
+from nhc.algebra.common_zero import find_common_zero
+from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Node
-from nhc.algebra.interval import cannot_vanish
 from nhc.algebra.linear import degrees
 from nhc.algebra.modular import Unlucky, are_zero
+from nhc.algebra.subdivision import cannot_vanish_together
 from nhc.diagnostics import Bag
 from nhc.mechanics import chaplygin
 from nhc.mechanics.choose import Formulation, applicable, checked_dependent
 from nhc.mechanics.conserved import Integral, find_conserved
 from nhc.mechanics.frame import coordinate_frame
-from nhc.mechanics.integrability import Integrability, classify, cyclic_coordinates
+from nhc.mechanics.integrability import Integrability, classify, classify_as_given, cyclic_coordinates
 from nhc.mechanics.integrals import PositionIntegral, find_position_integrals
 from nhc.mechanics.named import named_text
-from nhc.mechanics.regularity import choose_dependent, intervals
+from nhc.mechanics.regularity import choose_dependent, intervals, trial_points
 from nhc.mechanics.singular import find_rank_loss, never_changes
 from nhc.mechanics.system import System
+
+_ROUNDING = 1e-12
 
 
 @dataclass
@@ -84,17 +88,28 @@ def _constraints(system: System, formulation: Formulation, facts: Facts, bag: Ba
     growth = ", ".join(str(r) for r in found.growth)
     facts.say("growth", list(found.growth), f"constraints: {kind}; growth vector of ker A: ({growth})")
     facts.data.update({"affine": found.affine, "time_dependent": found.rheonomic, "kinds": _kinds(system, found)})
-    if found.hidden == system.l:
-        text = "all constraints are integrable: the system is holonomic"
-    elif found.hidden:
-        text = f"{found.hidden} of {system.l} constraints integrable (holonomic in disguise), the others truly nonholonomic"
-    else:
-        text = "no integrable combination: truly nonholonomic"
+    special = classify_as_given(system, found)
+    text = _count_hidden(system, found)
+    if special:
+        text += f" (for arbitrary parameters; with their values in the spec: {_count_hidden(*special)})"
     facts.say("hidden", found.hidden, f"integrability: {text}")
     integrals = _integrals(system, found, facts)
-    _warn_integrable(system, found, integrals, bag)
+    if special:
+        own = _integrals(*special, facts, "_as_given")
+        facts.data["hidden_as_given"] = special[1].hidden
+        _warn_integrable(special[0], special[1], own, bag, " with the values under `parameters:`")
+    else:
+        _warn_integrable(system, found, integrals, bag)
     _rank_loss(system, facts)
     return integrals
+
+
+def _count_hidden(system: System, found: Integrability) -> str:
+    if found.hidden == system.l:
+        return "all constraints are integrable: the system is holonomic"
+    if found.hidden:
+        return f"{found.hidden} of {system.l} constraints integrable (holonomic in disguise), the others truly nonholonomic"
+    return "no integrable combination: truly nonholonomic"
 
 
 def _kinds(system: System, found: Integrability) -> list[dict[str, object]]:
@@ -109,7 +124,8 @@ def _kinds(system: System, found: Integrability) -> list[dict[str, object]]:
     return kinds
 
 
-def _integrals(system: System, found: Integrability, facts: Facts) -> tuple[PositionIntegral, ...]:
+def _integrals(system: System, found: Integrability, facts: Facts, given: str = "") -> tuple[PositionIntegral, ...]:
+    """``given`` marks what holds for the parameters' values in the spec only."""
     if not found.hidden:
         return ()
     frame = coordinate_frame(system, choose_dependent(system).dependent)
@@ -119,12 +135,15 @@ def _integrals(system: System, found: Integrability, facts: Facts) -> tuple[Posi
     lines = [f"{i.text} = const (from {' and '.join(i.names)})" for i in integrals]
     if lost:
         lines.append(f"{lost} not found in elementary functions")
-    facts.say("integrals", data, f"integrals: {'; '.join(lines)}")
+    where = " with the parameters' values in the spec" if given else ""
+    facts.say(f"integrals{given}", data, f"integrals{where}: {'; '.join(lines)}")
     return integrals
 
 
-def _warn_integrable(system: System, found: Integrability, integrals: tuple[PositionIntegral, ...], bag: Bag) -> None:
-    """Integrable constraints that the spec does not give under ``holonomic:``."""
+def _warn_integrable(
+    system: System, found: Integrability, integrals: tuple[PositionIntegral, ...], bag: Bag, given: str = ""
+) -> None:
+    """Integrable constraints that the spec does not give under ``holonomic:``; ``given``: with which values they are."""
     spans = {c.name: c.span for c in system.spec.constraints}
     written = {form.name for form in system.constraints if form.equation is not None}
     named = [name for name in found.closed if name not in written]
@@ -132,7 +151,7 @@ def _warn_integrable(system: System, found: Integrability, integrals: tuple[Posi
         own = [i.text for i in integrals if i.names == (name,)]
         bag.warning(
             "W0410",
-            f"the constraint `{name}` is integrable: it is a holonomic constraint in disguise",
+            f"the constraint `{name}` is integrable{given}: it is a holonomic constraint in disguise",
             spans[name],
             notes=(f"its integral is `{own[0]} = const`",) if own else (),
             help=("give its integral under `holonomic:`, so that positions are held to it too",),
@@ -143,7 +162,7 @@ def _warn_integrable(system: System, found: Integrability, integrals: tuple[Posi
         texts = [f"an integral is `{i.text} = const`" for i in integrals if len(i.names) > 1]
         bag.warning(
             "W0410",
-            f"{combined} combination(s) of the constraints are integrable (holonomic in disguise)",
+            f"{combined} combination(s) of the constraints are integrable{given} (holonomic in disguise)",
             system.spec.key_span("constraints"),
             notes=(f"the growth vector of the allowed directions is ({growth}) in {system.n} coordinates", *texts),
             help=("positions are not held to the integral by the velocities alone: watch the drift",),
@@ -151,15 +170,17 @@ def _warn_integrable(system: System, found: Integrability, integrals: tuple[Posi
 
 
 def _rank_loss(system: System, facts: Facts) -> None:
-    found = find_rank_loss(system)
+    found, full = find_rank_loss(system), None
     minors = [named_text(system, minor, 100) for minor in found.minors]
     if found.regular is None:
         text = "too large to decide where it is lost"
     elif found.regular:
-        text = "full everywhere"
+        text, full = "full everywhere", True
+    elif find_common_zero(system.graph, found.minors, (*system.q, system.t), trial_points(system)) is not None:
+        text, full = f"lost where {' = '.join(minors)} = 0: the motion is undefined there", False
     else:
-        text = f"lost where {' = '.join(minors)} = 0: the motion is undefined there"
-    facts.say("rank", {"full": found.regular, "lost_where_all_vanish": minors}, f"rank of the constraints: {text}")
+        text = f"full wherever it was tried; it would be lost where {' = '.join(minors)} = 0"
+    facts.say("rank", {"full": full, "lost_where_all_vanish": minors}, f"rank of the constraints: {text}")
 
 
 def _conserved(system: System, formulation: Formulation, integrals: tuple[PositionIntegral, ...], facts: Facts) -> None:
@@ -194,14 +215,15 @@ def _dependent(system: System, formulation: Formulation, facts: Facts, bag: Bag)
         limit = "the determinant is too large to print"
     else:
         limit = f"determinant {named_text(system, choice.determinant)}"
-    regular = "never singular" if choice.regular else "singular where it vanishes"
+    never = choice.regular or _cannot_vanish(system, choice.determinant)
+    regular = "never singular" if never else "singular where it vanishes"
     facts.say(
         "dependent",
         [system.q_names[i] for i in choice.dependent],
         f"dependent velocities ({who}): {names}; {limit}, {regular}",
     )
     used = system.dependent or formulation.dependent is not None
-    if used and not choice.regular and choice.determinant is not None:
+    if used and not never and choice.determinant is not None:
         own = bool(system.dependent)
         advice = "leave `dependent:` out" if own else "name others under `dependent:`, leave `formulation:` out"
         bag.warning(
@@ -219,15 +241,25 @@ def _dependent(system: System, formulation: Formulation, facts: Facts, bag: Bag)
     facts.say("chaplygin", list(found.broken), f"Čaplygin's hypotheses (I.3): {text}")
 
 
+def _cannot_vanish(system: System, node: Node | None) -> bool:
+    return node is not None and cannot_vanish_together(system.graph, [node], intervals(system))
+
+
+def _is_zero_as_given(system: System, node: Node) -> bool:
+    """Whether a node that is the same at every state vanishes for the parameters' values in the spec."""
+    try:
+        value = float(evaluate(system.graph, [node], trial_points(system)[-1])[0])
+    except (ArithmeticError, ValueError):
+        return False
+    return abs(value) < _ROUNDING
+
+
 def _quasi(system: System, formulation: Formulation, bag: Bag) -> None:
     """A set of quasi-velocities that loses rank somewhere."""
     if formulation.frame is None or not system.quasi:
         return
-    known = intervals(system)
     for guard, _ in formulation.frame.guards:
-        if cannot_vanish(system.graph, guard, known) or never_changes(
-            system, guard
-        ):  # with a number's value that is not zero
+        if _cannot_vanish(system, guard) or (never_changes(system, guard) and not _is_zero_as_given(system, guard)):
             continue
         where = _entry_text(system, guard) or _zero_text(system, guard)
         own = len(system.quasi) > 3 * len(system.rotations)

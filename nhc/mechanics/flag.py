@@ -18,7 +18,7 @@ from nhc.algebra.field import FieldPoint, Unlucky
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.jets import JetPlan, Jets, Series, make_box, plan_jets
 from nhc.algebra.modular import enough_points
-from nhc.algebra.residues import PRIMES
+from nhc.algebra.primes import primes_of
 from nhc.records import record
 
 Field = tuple[Node, ...]
@@ -58,7 +58,7 @@ def growth_vector(graph: Graph, variables: Sequence[Node], fields: Sequence[Fiel
     found: list[tuple[int, ...]] = []
     count = min(_MOST_POINTS, enough_points(graph, flag.nodes, 1))
     seeds = range(_FIRST_SEED, _FIRST_SEED + MOST_DRAWS)
-    for _, point in draw_points(graph, flag.closed, PRIMES[0], seeds):
+    for _, point in draw_points(graph, flag.closed, primes_of(graph)[0], seeds):
         try:
             found.append(flag.ranks(point))
         except Unlucky:

@@ -9,17 +9,21 @@ Ranks are computed modulo a prime at a random point, so they are exact up to the
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
+from fractions import Fraction
 
-from nhc.algebra.calculus import gradient, tangent
+from nhc.algebra.calculus import count, gradient, substitute, tangent
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.linear import depends
-from nhc.algebra.modular import are_zero
+from nhc.algebra.linear import Singular, depends
+from nhc.algebra.modular import Unlucky, are_zero
 from nhc.mechanics.flag import Field, growth_vector
 from nhc.mechanics.frame import Frame, coordinate_frame
 from nhc.mechanics.regularity import choose_dependent
 from nhc.mechanics.system import Form, System
 from nhc.records import record
 from nhc.thesis import equation
+
+_LARGE = 250  # operations of the constraints beyond which no second growth vector is asked for
 
 
 @record
@@ -52,6 +56,37 @@ def classify(system: System, frame: Frame | None = None) -> Integrability:
         hidden = n + 1 - growth_vector(g, (*system.q, system.t), fields)[-1]
     closed = tuple(form.name for form in system.constraints if is_integrable(system, form))
     return Integrability(growth, hidden, closed, affine, rheonomic)
+
+
+def as_given(system: System) -> System | None:
+    """The system with the parameters' values of the spec in its constraints; None where there are none to put in."""
+    g = system.graph
+    pairs = zip(system.p, system.spec.parameters, strict=True)
+    values = {p: g.number(parameter.value) for p, parameter in pairs if isinstance(parameter.value, Fraction)}
+    forms, changed = [], False
+    for form in system.constraints:
+        old = [*form.coefficients, form.constant]
+        new = substitute(g, old, values, named=False)
+        changed = changed or new != old
+        forms.append(Form(form.name, tuple(new[:-1]), new[-1], form.place, form.equation))
+    return replace(system, constraints=tuple(forms)) if changed else None
+
+
+def classify_as_given(system: System, generic: Integrability) -> tuple[System, Integrability] | None:
+    """What :func:`classify` finds for the parameters' values in the spec, where more is integrable then.
+
+    Parameters whose values are no rational numbers stay as they are; long constraints are not looked at a second time.
+    """
+    entries = [x for form in system.constraints for x in (*form.coefficients, form.constant)]
+    if generic.hidden == system.l or count(system.graph, entries) > _LARGE:
+        return None
+    dependent = choose_dependent(system).dependent  # for arbitrary parameters: what is chosen is kept for the graph
+    try:
+        given = as_given(system)
+        found = classify(given, coordinate_frame(given, dependent)) if given else generic
+    except (ArithmeticError, Singular, Unlucky):
+        return None  # a division by zero, or dependent rows, which are told apart from this
+    return (given, found) if given and found.hidden > generic.hidden else None
 
 
 def lie_bracket(graph: Graph, variables: Sequence[Node], x: Field, y: Field) -> Field:

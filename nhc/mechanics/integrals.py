@@ -16,8 +16,8 @@ from nhc.algebra.calculus import gradient, reachable, tangent
 from nhc.algebra.draw import MOST_DRAWS, draw_points
 from nhc.algebra.graph import ADD, MUL, NEG, POW, SYM, Graph, Node
 from nhc.algebra.modular import Unlucky, are_zero, rank
+from nhc.algebra.primes import primes_of
 from nhc.algebra.relations import find_relations, without
-from nhc.algebra.residues import PRIMES
 from nhc.mechanics.conserved import Candidate, combine
 from nhc.mechanics.frame import Frame
 from nhc.mechanics.named import named_text
@@ -95,6 +95,7 @@ def _stages(system: System, closed: Sequence[str]) -> list[list[Candidate]]:
         [*coordinates, *outputs],
         [*coordinates, *scaled],
         [*coordinates, *atoms],
+        [*coordinates, *scaled, *(g.mul(s, x) for s in parameters for x in (*atoms, *_partners(g, atoms)))],
         [*coordinates, *scaled, *pairs],
         [*coordinates, *(g.mul(s, x) for s in parameters for x in products)],
         [*coordinates, *_elementary(g, coordinates)],
@@ -104,11 +105,15 @@ def _stages(system: System, closed: Sequence[str]) -> list[list[Candidate]]:
             continue
         own = [x for x, a in zip(coordinates, (*form.coefficients, form.constant), strict=False) if a != g.zero]
         inside = [x for x in _functions(system, [form]) if not g.deps[x] & g.mask(coordinates) & ~g.mask(own)]
-        inside += [g.function(_PARTNERS[g.op[x]], g.a[x]) for x in inside if g.op[x] in _PARTNERS]
+        inside += _partners(g, inside)
         held = [s for s in parameters if any(g.depends(x, g.deps[s]) for x in _entries([form]))]
         stages.append([*own, *inside, *(g.mul(s, x) for s in held for x in inside)])
         stages.append([*own, *inside, *(g.mul(x, y) for x in own for y in inside), *products])
     return [[Candidate("", node) for node in _unique(g, stage)[:_MOST]] for stage in stages]
+
+
+def _partners(g: Graph, functions: Sequence[Node]) -> list[Node]:
+    return [g.function(_PARTNERS[g.op[x]], g.a[x]) for x in functions if g.op[x] in _PARTNERS]
 
 
 def _elementary(g: Graph, coordinates: Sequence[Node]) -> list[Node]:
@@ -160,11 +165,12 @@ def _search(system: System, frame: Frame, candidates: Sequence[Candidate]) -> li
     along = [tangent(g, nodes, dict(zip(system.q, e, strict=True))) for e in frame.free_vectors]
     along.append(tangent(g, nodes, {**dict(zip(system.q, frame.drift, strict=True)), system.t: g.one}))
     slopes = [tangent(g, nodes, {x: g.one}) for x in (*system.q, system.t)]
+    prime = primes_of(g)[0]
     rows = _rows(g, along, width)
-    constant = find_relations(rows, width, PRIMES[0])
+    constant = find_relations(rows, width, prime)
     if not constant:
         return []
-    trivial = find_relations(_rows(g, slopes, width), width, PRIMES[0])
+    trivial = find_relations(_rows(g, slopes, width), width, prime)
     found = []
     for vector in without(constant, trivial):
         node = combine(g, vector, candidates)
@@ -179,7 +185,7 @@ def _rows(graph: Graph, directions: Sequence[Sequence[Node]], width: int) -> lis
     """Values of every candidate's derivatives at enough points: one row for each direction and point."""
     rows: list[list[int]] = []
     flat = [node for row in directions for node in row]
-    for _, point in draw_points(graph, flat, PRIMES[0], range(7_000_003, 7_000_003 + MOST_DRAWS)):
+    for _, point in draw_points(graph, flat, primes_of(graph)[0], range(7_000_003, 7_000_003 + MOST_DRAWS)):
         try:
             values = point.evaluate(flat)
         except Unlucky:

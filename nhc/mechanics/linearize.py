@@ -18,7 +18,7 @@ from nhc.algebra.graph import Graph, Node
 from nhc.algebra.linear import Singular, solve
 from nhc.algebra.modular import FieldPoint, Unlucky, are_zero, rank
 from nhc.algebra.polynomial import normalise
-from nhc.algebra.residues import PRIMES
+from nhc.algebra.primes import primes_of
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choose import Formulation, NotApplicable, build
 from nhc.mechanics.flag import growth_vector
@@ -133,12 +133,12 @@ def _dependence(flow: Flow) -> list[list[bool]]:
     """[row][column]: whether y'_row depends on y_column, from residues at random points."""
     size = len(flow.y)
     found = [[False] * size for _ in range(size)]
-    points = draws = 0
+    points, draws, primes = 0, 0, primes_of(flow.graph)
     while points < _POINTS:
         draws += 1
         if draws > _DRAWS:
             raise Unlucky
-        prime = PRIMES[points % len(PRIMES)]
+        prime = primes[points % len(primes)]
         try:
             rows = jacobian_residues(flow, FieldPoint(flow.graph, 7_000_003 + draws, prime))
         except Unlucky:

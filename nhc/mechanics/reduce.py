@@ -13,7 +13,7 @@ from nhc.algebra.calculus import count, substitute
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.interval import Interval, cannot_vanish
 from nhc.algebra.modular import FieldPoint, Unlucky
-from nhc.algebra.residues import PRIMES
+from nhc.algebra.primes import primes_of
 from nhc.algebra.signs import MOST, Signs, may_hold, points_for
 from nhc.language.spec import Scene
 from nhc.mechanics.associate import Equations
@@ -277,10 +277,11 @@ def _agree(flow: Flow, before: _Model, after: _Model) -> bool:
     """Whether the second model is regular and has the rates and needs of the first, at as many points as their signs need."""
     nodes = [*before.nodes, *after.nodes]
     needed, agreed, unlucky = _count_points(flow.graph, before, after), 0, 0
+    primes = primes_of(flow.graph)
     for draw in range(_DRAWS * needed):
         found = []
         for model in (before, after):
-            point = FieldPoint(flow.graph, 9_000_011 + draw, PRIMES[(1 + agreed) % len(PRIMES)])
+            point = FieldPoint(flow.graph, 9_000_011 + draw, primes[(1 + agreed) % len(primes)])
             try:
                 point.prepare(nodes)
                 found.append(model.observe(point))

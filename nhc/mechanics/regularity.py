@@ -22,6 +22,7 @@ from nhc.records import record
 _TRIALS = 12
 _LATEST = 2.0  # time of states that are in no scene
 _WEAK = 0.03  # of the largest determinant that rows of these lengths can have (per row)
+_NOTHING = 1e-9  # what rounding leaves of a pivot
 _MANY = 250  # subsets of columns that are tried one by one
 
 
@@ -134,6 +135,12 @@ def _kept_points(system: System, *, ordinary: bool) -> list[dict[Node, float]]:
     return found
 
 
+def _scattered(system: System) -> list[dict[Node, float]]:
+    """The trial points with other values of the parameters: those of the spec may make rows equal that are independent."""
+    rng = random.Random(5)
+    return [point | {symbol: rng.uniform(0.4, 1.6) for symbol in system.p} for point in trial_points(system)]
+
+
 def relative_determinant(matrix: Sequence[Sequence[float]], columns: Sequence[int]) -> float:
     """|det| of the columns over the product of the norms of the whole rows (Hadamard), its l-th root: in [0, 1]."""
     return relative_minors(matrix, [columns])[0]
@@ -176,14 +183,14 @@ def weak_where_constraints_are_not(system: System, forms: Sequence[Form]) -> int
     return count
 
 
-def _full_rank(rows: Sequence[Sequence[float]]) -> bool:
+def _full_rank(rows: Sequence[Sequence[float]], least: float = _WEAK) -> bool:
     """Clearly independent rows: elimination with full pivoting leaves no small pivot."""
     work = [list(row) for row in rows]
     norms = [math.sqrt(sum(x * x for x in row)) for row in work]
     for step in range(len(work)):
         sizes = [max(map(abs, work[i])) / max(norms[i], 1e-300) for i in range(step, len(work))]
         best = max(sizes)
-        if best < _WEAK:
+        if best < least:
             return False
         i = step + sizes.index(best)
         j = max(range(len(work[i])), key=lambda j: abs(work[i][j]))
@@ -219,6 +226,8 @@ def _choose(system: System) -> Choice:
         return Choice((), system.graph.one, True)
     samples = sampled_rows(system, system.constraints)
     begun = sampled_rows(system, system.constraints, _starts(system))
+    if not any(_full_rank(matrix, _NOTHING) for matrix in samples):
+        samples, begun = sampled_rows(system, system.constraints, _scattered(system)), []
     if math.comb(n, lower) <= _MANY:
         candidates = [list(c) for c in combinations(range(n), lower)]
     else:

@@ -18,7 +18,7 @@ from nhc.language.numbers import DOUBLES
 from nhc.language.spec import Rotation
 from nhc.language.syntax import Binary, Call, Differential, Name, Negate, Number, Prime, Syntax
 from nhc.mechanics import rotation as mechanics
-from nhc.mechanics.dependent_rows import check_rank
+from nhc.mechanics.dependent_rows import check_freedom, check_rank
 from nhc.mechanics.system import Form, System
 
 _LARGEST = Fraction(sys.float_info.max)
@@ -237,7 +237,7 @@ def resolve(spec: Spec, graph: Graph | None = None) -> System:
     )
     check_rank(build.bag, build.spec, system)
     if not build.bag.has_errors:
-        _check_freedom(build, system)
+        check_freedom(build.bag, spec, system)
     if not build.bag.has_errors:
         _check_apart(build, [tree for figure in spec.draw for tree in figure.expressions])
     build.bag.raise_if_errors()
@@ -337,14 +337,3 @@ def _check_apart(build: Resolver, trees: Sequence[Syntax]) -> None:
         probe.bag = build.bag
         for tree in trees:
             probe.node(tree)
-
-
-def _check_freedom(build: Resolver, system: System) -> None:
-    """As many constraints as coordinates leave nothing to derive."""
-    if system.l >= system.n:
-        build.bag.error(
-            "E0420",
-            f"{system.l} constraints leave no free velocity in {system.n} coordinate(s)",
-            build.spec.key_span("constraints" if build.spec.constraints else "holonomic"),
-            help=("remove a constraint, or declare the coordinate that is missing",),
-        )

@@ -8,7 +8,7 @@ from nhc.algebra.calculus import gradient, substitute
 from nhc.algebra.graph import Node
 from nhc.algebra.linear import NotLinear, Singular, linear_form
 from nhc.algebra.modular import FieldPoint, Unlucky, rank
-from nhc.algebra.residues import PRIMES
+from nhc.algebra.primes import primes_of
 from nhc.language.spec import Scene
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choose import Formulation, NotApplicable, build
@@ -138,9 +138,9 @@ def _conserved(equations: Equations, momenta: Sequence[Node]) -> list[bool]:
     on = moving(system, motion.velocities)
     rates = dict(zip(motion.w, motion.rates, strict=True))
     nodes = [total_derivative(system, node, motion.velocities, rates) for node in substitute(g, momenta, on)]
-    zero, seen = [True] * len(nodes), 0
+    zero, seen, primes = [True] * len(nodes), 0, primes_of(g)
     for draw in range(400):
-        point = FieldPoint(g, 11_000_003 + draw, PRIMES[seen])
+        point = FieldPoint(g, 11_000_003 + draw, primes[seen])
         try:
             found = values_at(flow, nodes, point)
         except Unlucky:

@@ -10,7 +10,7 @@ from collections.abc import Mapping, Sequence
 from nhc.algebra.draw import QuickPoint
 from nhc.algebra.field import FieldPoint, Unlucky
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.residues import PRIMES
+from nhc.algebra.primes import primes_of
 
 Signature = tuple[int, ...]
 _TRIES = 20
@@ -25,7 +25,7 @@ class Signatures:
 
     def __init__(self, graph: Graph, announced: Sequence[Node]) -> None:
         self._points: list[FieldPoint] = []
-        for k, prime in enumerate(PRIMES[:2]):
+        for k, prime in enumerate(primes_of(graph)[:2]):
             for attempt in range(_TRIES):
                 point = QuickPoint(graph, 31 + 977 * k + attempt, prime)
                 try:

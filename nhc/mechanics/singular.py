@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from itertools import combinations
 
-from nhc.algebra.calculus import tangent
+from nhc.algebra.angles import normalise_angles
+from nhc.algebra.calculus import substitute, tangent
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Node
 from nhc.algebra.interval import cannot_vanish
 from nhc.algebra.linear import determinant_of
 from nhc.algebra.modular import are_zero
 from nhc.algebra.polynomial import normalise
+from nhc.algebra.subdivision import cannot_vanish_together
 from nhc.mechanics.adapt import set_pivots_aside
 from nhc.mechanics.regularity import intervals
 from nhc.mechanics.rotation import along, from_base, rows_in_base
@@ -41,22 +44,33 @@ def find_rank_loss(system: System) -> RankLoss:
     free = [j for j in free if any(matrix[r][j] != g.zero for r in rows)]
     if len(rows) > _MOST_ROWS or math.comb(len(free), len(rows)) > _MOST_MINORS:
         return RankLoss(None, ())
-    minors, squares = set[Node](), list[Node]()
+    minors, whole = set[Node](), list[Node]()
     for subset in combinations(free, len(rows)):
         block = [[matrix[r][j] for j in subset] for r in rows]
-        minor = normalise(g, determinant_of(g, block), 120)
+        minor = normalise_angles(g, determinant_of(g, block), 120)
         if minor != g.zero:
             minors.add(g.split_coefficient(minor)[1])
-            squares.append(g.power(minor, 2))
+            whole.append(minor)
     kept = sorted(minors)
     if any(cannot_vanish(g, minor, known) for minor in kept):
         return RankLoss(True, ())
-    gram = normalise(g, g.sum(squares), 200)
-    if cannot_vanish(g, gram, known):
+    gram = normalise(g, g.sum([g.power(minor, 2) for minor in whole]), 200)
+    if cannot_vanish(g, gram, known) or cannot_vanish_together(g, kept, known):
         return RankLoss(True, ())
-    if system.rotations and never_changes(system, gram):
-        return RankLoss(True, ())  # rows and columns of R have one length everywhere
+    if system.rotations and cannot_vanish_together(g, _unturned(system, gram, whole), known):
+        return RankLoss(True, ())
     return RankLoss(False, tuple(kept))
+
+
+def _unturned(system: System, gram: Node, minors: Sequence[Node]) -> list[Node]:
+    """The minors where the bodies have not turned, as far as their turns do not change the sum of the squares (rows and columns
+    of R have one length everywhere).
+    """
+    g, start = system.graph, dict[Node, Node]()
+    for rotation in system.rotations:
+        if not any(_slopes(system, gram, rotation.places[1:])):
+            start |= dict(zip((system.q[k] for k in rotation.places), (g.one, g.zero, g.zero, g.zero), strict=True))
+    return substitute(g, minors, start, named=False)
 
 
 def never_changes(system: System, node: Node) -> bool:
@@ -65,12 +79,16 @@ def never_changes(system: System, node: Node) -> bool:
     if g.depends(node, g.deps[system.t]):
         return False
     lengths = {rotation.places[0] for rotation in system.rotations}
-    slopes = []
-    for k in range(system.n):
-        if k not in lengths:
-            unit = [g.one if j == k else g.zero for j in range(system.n)]
-            slopes += tangent(g, [node], along(system, from_base(system, unit, system.rotations)))
-    return all(are_zero(g, slopes))
+    return not any(_slopes(system, node, [k for k in range(system.n) if k not in lengths]))
+
+
+def _slopes(system: System, node: Node, places: Sequence[int]) -> list[bool]:
+    """Whether the node changes along each of these vectors of the base."""
+    g, slopes = system.graph, list[Node]()
+    for k in places:
+        unit = [g.one if j == k else g.zero for j in range(system.n)]
+        slopes += tangent(g, [node], along(system, from_base(system, unit, system.rotations)))
+    return [not zero for zero in are_zero(g, slopes)]
 
 
 def smallest_singular_value(system: System, place: dict[Node, float]) -> float:

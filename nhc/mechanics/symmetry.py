@@ -11,8 +11,8 @@ from collections.abc import Mapping, Sequence
 from fractions import Fraction
 
 from nhc.algebra.modular import FieldPoint, Unlucky
+from nhc.algebra.primes import primes_of
 from nhc.algebra.relations import find_relations
-from nhc.algebra.residues import PRIMES
 from nhc.mechanics.frame import Frame
 from nhc.mechanics.linearize import Flow, jacobian_residues, solve_modulo
 
@@ -63,19 +63,19 @@ def _generator(flow: Flow, frame: Frame, k: int, side: int, axis: int, rest: Seq
 
 def _symmetries(flow: Flow, rest: Sequence[int], generators: Sequence[Generator]) -> tuple[Generator, ...]:
     rows: list[list[int]] = []
-    points = 0
+    points, prime = 0, primes_of(flow.graph)[0]
     for draw in range(_DRAWS):
         if points == _POINTS:
             break
         try:
-            rows += _defects(flow, rest, generators, FieldPoint(flow.graph, 13_000_003 + draw, PRIMES[0]))
+            rows += _defects(flow, rest, generators, FieldPoint(flow.graph, 13_000_003 + draw, prime))
         except Unlucky:
             continue
         points += 1
     if points < _POINTS:
         raise Unlucky
     found = []
-    for vector in find_relations(rows, len(generators), PRIMES[0]):
+    for vector in find_relations(rows, len(generators), prime):
         total: dict[tuple[int, int], Fraction] = {}
         for weight, generator in zip(vector, generators, strict=True):
             for place, x in generator.items():

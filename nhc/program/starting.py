@@ -1,19 +1,23 @@
-"""Whether the accelerations are determined where a scene starts, for its values of the parameters."""
+"""Whether the accelerations are determined where a scene starts, for its values of the parameters, and for those of the spec."""
 
 from __future__ import annotations
 
 import math
 import operator
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from fractions import Fraction
 
+from nhc.algebra.calculus import gradient
 from nhc.algebra.elimination import solve_double
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Node
 from nhc.algebra.linear import Singular
 from nhc.diagnostics import Bag, SpecError
 from nhc.language.spec import Scene
+from nhc.mechanics.given_rank import find_dependent_as_given, find_dependent_row, given_states
 from nhc.mechanics.kinetic import pivot_signs
 from nhc.mechanics.scenes import RowSpace, Start, kept_velocities, left_at_zero, start_of
+from nhc.mechanics.system import System
 from nhc.mechanics.undefined import find_undefined
 from nhc.program.build import Planner
 
@@ -40,7 +44,7 @@ def warn_of_coframe(planner: Planner, scenes: Sequence[Scene]) -> tuple[str, ...
 
 def warn_undetermined(planner: Planner, start: Start, bag: Bag) -> None:
     """Add a warning (W0421) where a scene starts at a singular mass matrix, where the constraints lose their rank, or where an
-    expression has no value.
+    expression has no value or no slope.
     """
     undefined = ""
     what, zero = _find_dependent(planner, start)
@@ -49,6 +53,8 @@ def warn_undetermined(planner: Planner, start: Start, bag: Bag) -> None:
     if not what:
         undefined = find_undefined(planner.system, start.values(planner.system))
         what = f"`{undefined}` has no real, finite value" if undefined else ""
+    if not what:
+        what = find_pole(planner.system, start.values(planner.system))
     if not what:
         return
     names = ", ".join(f"`{name}`" for name in zero)
@@ -70,6 +76,74 @@ def warn_undetermined(planner: Planner, start: Start, bag: Bag) -> None:
     )
 
 
+def warn_as_given(planner: Planner, bag: Bag) -> None:
+    """Add a warning (W0422) where no state has determined accelerations and reactions with the parameters' values in the spec.
+
+    Scenes may give other values: each has a warning of its own, and where one can run nothing is said of the spec's values.
+    """
+    system = planner.system
+    if sum(d.code == "W0421" for d in bag.diagnostics) < len(system.spec.scenes):
+        return
+    if any(parameter.value is None for parameter in system.spec.parameters):
+        return
+    form = find_dependent_as_given(system)
+    if form is not None:
+        spans = system.spec.constraint_spans
+        held = any(other.equation is not None and other.name in spans for other in system.constraints)
+        where = "where the equations under `holonomic:` hold" if held else "with the values under `parameters:`"
+        bag.warning(
+            "W0422",
+            f"the constraint `{form.name}` follows from the others {where}",
+            spans.get(form.name, system.spec.kinetic.span),
+            notes=(
+                "the reactions are not determined, and the equations of motion have no solution, or more than one",
+                "what is said of the constraints besides holds elsewhere only",
+            ),
+            help=("remove it" if held else "remove it, or give the parameters other values",),
+        )
+    if form is not None or system.spec.scenes:
+        return
+    poles = [find_pole(system, place) for place in given_states(system)]
+    if poles and all(poles):
+        bag.warning(
+            "W0422",
+            f"{poles[0]} with the values under `parameters:`",
+            system.spec.kinetic.span,
+            help=("give the parameters other values",),
+        )
+        return
+    scene = Scene("", system.spec.kinetic.span, "", (), (), (Fraction(0), Fraction(1)), (), Fraction(1))
+    found = []
+    for place in given_states(system):
+        p, q, v = (tuple(place[symbol] for symbol in symbols) for symbols in (system.p, system.q, system.v))
+        found.append(find_undetermined(planner, Start(scene, (place[system.t], place[system.t] + 1), p, q, v)))
+    if found and all(what for what, _ in found):
+        what, zero = found[0]
+        names = ", ".join(f"`{name}`" for name in zero)
+        bag.warning(
+            "W0422",
+            f"{what} with the values under `parameters:`",
+            system.spec.kinetic.span,
+            notes=(f"{names} {'is' if len(zero) == 1 else 'are'} zero",) if zero else (),
+            help=(f"give {names} a value" if zero else "give the parameters other values",),
+        )
+
+
+def find_pole(system: System, values: Mapping[Node, float]) -> str:
+    """What of T, the potential and the forces has no finite value or slope at a state, in words; empty where all have."""
+    g, moving = system.graph, (*system.q, *system.v)
+    parts = [("`T`", system.T, moving), (f"`{system.spec.potential_kind or 'V'}`", system.U, system.q)]
+    parts += [(f"the force on `{name}`", node, ()) for name, node in zip(system.q_names, system.Q, strict=True)]
+    for name, node, symbols in parts:
+        try:
+            found = [float(x) for x in evaluate(g, [node, *gradient(g, node, symbols)], dict(values))]
+        except (ArithmeticError, ValueError):
+            found = [math.nan]
+        if not all(map(math.isfinite, found)):
+            return f"{name} has no finite value, or slope,"
+    return ""
+
+
 def find_undetermined(planner: Planner, start: Start) -> tuple[str, tuple[str, ...]]:
     """What is singular at a start, and the parameters in it that are zero; empty where the accelerations are determined.
 
@@ -83,6 +157,8 @@ def find_undetermined(planner: Planner, start: Start) -> tuple[str, tuple[str, .
             value, scale = (float(x) for x in evaluate(g, [guard.value, guard.scale], values))
         except (ArithmeticError, ValueError, KeyError):
             return _NOTHING  # the coframe, or a function outside its domain
+        if math.isnan(value):
+            return _NOTHING  # a pole
         if not abs(value) > guard.tolerance * scale:
             return guard.what, _blame(planner, start, guard.value)
     for solve in planner.solves:
@@ -99,7 +175,7 @@ def find_undetermined(planner: Planner, start: Start) -> tuple[str, tuple[str, .
 
 
 def warn_negative(planner: Planner, start: Start, bag: Bag) -> None:
-    """Add a warning (W0422) where T, at a scene's start, is negative for some motion that the constraints allow.
+    """Add a warning (W0423) where T, at a scene's start, is negative for some motion that the constraints allow.
 
     Said of the part of T that is of second order in the velocities, without which there is no motion.
     """
@@ -127,8 +203,8 @@ def warn_negative(planner: Planner, start: Start, bag: Bag) -> None:
     notes = (f"{shown} {'is' if len(names) == 1 else 'are'} negative there",) if names else ()
     message = "the kinetic energy is negative for some motions where this scene starts"
     help = ("look for a wrong sign in `T`, or in the values of the parameters",)
-    if not bag.again("W0422", message, start.scene.span):
-        bag.warning("W0422", message, start.scene.span, notes=notes, help=help)
+    if not bag.again("W0423", message, start.scene.span):
+        bag.warning("W0423", message, start.scene.span, notes=notes, help=help)
 
 
 def _admissible(planner: Planner, values: dict[Node, float]) -> list[list[float]]:
@@ -157,19 +233,13 @@ def _is_negative_somewhere(matrix: list[list[float]]) -> bool:
 
 def _find_dependent(planner: Planner, start: Start) -> tuple[str, tuple[str, ...]]:
     """A constraint whose row vanishes, or depends on the others, at a start; empty where there is none."""
-    system = planner.system
-    space, values = RowSpace(system.n), start.values(system)
-    for form in system.constraints:
-        try:
-            row = [float(x) for x in evaluate(planner.graph, form.coefficients, values)]
-        except (ArithmeticError, ValueError, KeyError):
-            return _NOTHING
-        if not all(map(math.isfinite, row)):
-            return _NOTHING
-        if space.add(row, 0.0) is not None:
-            how = "depends on the others" if any(row) else "restricts no velocity"
-            return f"the constraint `{form.name}` {how}", _blame(planner, start, *form.coefficients)
-    return _NOTHING
+    values = start.values(planner.system)
+    form = find_dependent_row(planner.system, values)
+    if form is None:
+        return _NOTHING
+    moves = any(float(x) for x in evaluate(planner.graph, form.coefficients, values))
+    how = "depends on the others" if moves else "restricts no velocity"
+    return f"the constraint `{form.name}` {how}", _blame(planner, start, *form.coefficients)
 
 
 def _blame(planner: Planner, start: Start, *nodes: Node, negative: bool = False) -> tuple[str, ...]:

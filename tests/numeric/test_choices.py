@@ -101,3 +101,21 @@ def test_many_coordinates_are_completed_at_one_stroke(monkeypatch: pytest.Monkey
     made = check(Source("many.yaml", text))
     assert any("euler-lagrange" in fact for fact in made.facts)
     assert asked and len(asked) < 8
+
+
+def equal_rows(pairs: int) -> Source:
+    """Pairs of rows that are the same for the values of a and b, and independent for others."""
+    names = [f"{letter}{k}" for k in range(pairs) for letter in "xyz"]
+    rows = [f"  - z{k}' = {p}*y{k}*x{k}'" for k in range(pairs) for p in "ab"]
+    energy = " + ".join(f"{name}'^2" for name in names)
+    head = f"nhc: 1\nsystem: test\ncoordinates: [{', '.join(names)}]\nparameters: {{a: 0.5, b: 0.5}}\n"
+    return Source("test.yaml", f"{head}T: ({energy})/2\nconstraints:\n" + "\n".join(rows) + "\n")
+
+
+@pytest.mark.parametrize("pairs", [1, 2, 5])
+def test_rows_that_the_given_values_make_equal_are_solved_for_others(pairs: int) -> None:
+    """No sample with a = b has a regular block: the choice fell on velocities whose determinant is zero everywhere."""
+    made = model(equal_rows(pairs), Options("voronec"))
+    chosen = {made.system.q_names[i] for i in choose_dependent(made.system).dependent}
+    assert chosen == {f"{letter}{k}" for k in range(pairs) for letter in "xz"}
+    assert certify(made.system).holds

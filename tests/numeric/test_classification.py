@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 from functools import cache
+from itertools import product
 
+import numpy as np
 import pytest
+import sympy
 
 from nhc.algebra.calculus import gradient
 from nhc.algebra.modular import rank
@@ -141,6 +144,28 @@ def test_elementary_integrals(coordinates: str, row: str, expected: str) -> None
     assert rank(g, [slope]) == 1
 
 
+@pytest.mark.parametrize(
+    ("rows", "integral"),
+    [
+        (("cos(b)*u' + sin(b)*z' + R*b' = 0", "cos(b)*z' = sin(b)*u'"), "z - R*cos(b)"),  # height of a leaning disk
+        (("u' = R*z'", "b' = R*(1 - exp(-t))"), "b - R*t - R*exp(-t)"),  # a motor that comes up to speed
+    ],
+)
+def test_integrals_with_a_parameter_beside_a_function(rows: tuple[str, ...], integral: str) -> None:
+    system = constrained("b, u, z, w", *rows, parameters="{R: 0.4}")
+    facts = describe(system, formulate(system), Bag(system.spec.origin))
+    assert "not found" not in facts.lines_by_key["integrals"]
+    b, z, R, t = sympy.symbols("b z R t")
+    wanted = sympy.sympify(integral, {"b": b, "z": z, "R": R, "t": t})
+    found = [sympy.sympify(e["integral"].replace("^", "**")) for e in facts.data["integrals"]]
+    ratios = [
+        [sympy.simplify(sympy.diff(f, x) - k * sympy.diff(wanted, x)) for x in (b, z, t)]
+        for f in found
+        for k in (1, -1)
+    ]
+    assert [0, 0, 0] in ratios, found
+
+
 def test_an_integral_that_is_not_elementary_is_said_to_be_missing() -> None:
     system = constrained("x, y", "c: exp(-x^2)*x' + exp(-y^4)*y' = 0")
     bag = Bag(system.spec.origin)
@@ -158,6 +183,28 @@ def test_affine_constraints_count_time() -> None:
     assert (moving.affine, moving.rheonomic, moving.hidden, moving.closed) == (True, True, 1, ("c",))
 
 
+@pytest.mark.parametrize(
+    ("values", "row", "integral"),
+    [
+        ("{a: 0.5, b: 0.5}", "z' = a*y*x' + b*x*y'", "2*z - x*y"),
+        ("{a: 0, b: 2}", "z' = a*y*x' + b*y'", "2*y - z"),
+        ("{a: 0.5, b: 0.25}", "z' = a*y*x' + b*x*y'", ""),
+        ("{a: pi/4, b: pi/4}", "z' = a*y*x' + b*x*y'", ""),  # no rational numbers: stays as it is
+    ],
+)
+def test_rows_that_are_integrable_for_the_values_given_only(values: str, row: str, integral: str) -> None:
+    """d(z - x y/2) = dz - (y dx + x dy)/2; without the first term only y and z are left."""
+    system = constrained("x, y, z", row, parameters=values)
+    bag = Bag(system.spec.origin)
+    facts = describe(system, formulate(system), bag)
+    assert facts.data["hidden"] == 0
+    assert facts.data.get("hidden_as_given", 0) == bool(integral)
+    found = facts.data.get("integrals_as_given", [])
+    assert [entry["integral"] for entry in found] == ([integral] if integral else [])
+    said = "the constraint `c1` is integrable with the values under `parameters:`: it is a holonomic constraint in disguise"
+    assert [d.message for d in bag.diagnostics if d.code == "W0410"] == ([said] if integral else [])
+
+
 # --- singular sets ----------------------------------------------------------------------------------------
 
 
@@ -167,6 +214,64 @@ def test_rank_loss() -> None:
     assert facts_of("cartesian_pendulum").data["rank"] == {"full": False, "lost_where_all_vanish": ["x", "y"]}
     for name in ("chaplygin_sleigh", "roller_racer", "rolling_disk", "diff_drive", "rattleback"):
         assert find_rank_loss(system_of(name)).regular is True, name
+
+
+CAR = ("x, y, th, de", "rear: sin(th)*x' = cos(th)*y'", "front: sin(th+de)*x' - cos(th+de)*y' = cos(de)*th'")
+TRIKKE = (
+    "x, y, th, al, ph",
+    "sin(th+al)*x' = cos(th+al)*y'",
+    "sin(th+ph)*x' - cos(th+ph)*y' = (cos(ph) - sin(ph)/2)*th'",
+)
+
+
+def rank_of(*spec: str) -> tuple[object, str]:
+    system = constrained(*spec)
+    facts = describe(system, formulate(system), Bag(system.spec.origin))
+    return facts.data["rank"]["full"], facts.lines_by_key["rank"]
+
+
+def test_minors_that_never_vanish_at_once_lose_no_rank() -> None:
+    """The rear wheel of a car forbids what the front one allows: A A^T has the eigenvalue 1 at least where sin(de) = 0."""
+    for th, de in product(np.linspace(0, 7, 40), np.linspace(0, 7, 40)):
+        front = [np.sin(th + de), -np.cos(th + de), -np.cos(de)]
+        assert np.linalg.svd([[np.sin(th), -np.cos(th), 0], front], compute_uv=False)[-1] > 0.4
+    assert rank_of(*CAR) == (True, "rank of the constraints: full everywhere")
+
+
+def test_rank_is_said_to_be_lost_where_it_is() -> None:
+    """Front and rear wheels of a Trikke are parallel, and the rear axle's line passes the pivot: al = ph = atan(2)."""
+    full, line = rank_of(*TRIKKE)
+    assert full is False
+    assert line.endswith("= 0: the motion is undefined there")
+
+
+def test_a_loss_of_rank_that_is_found_nowhere_is_not_claimed() -> None:
+    full, line = rank_of("x, y, z", "(x^2 - x + 1)*y' + (x^2 - 2*x + 2)*z' = 0")
+    assert full is None
+    assert line.startswith("rank of the constraints: full wherever it was tried; it would be lost where")
+
+
+def test_rows_of_a_turning_body_that_lose_no_rank() -> None:
+    """A ball in a cone: the rows have the lengths^2 1 + a^2 and r^2 + a^2, whatever the ball's orientation, and are orthogonal."""
+    assert find_rank_loss(resolve(decode(Source("cone.yaml", CONE)))).regular is True
+
+
+CONE = """\
+nhc: 1
+system: cone
+rotation: {R: {velocities: [p, q, w]}}
+coordinates: [s, ph]
+parameters: {a: 0.1, al: 0.6}
+define:
+  ox: R_x1*p + R_x2*q + R_x3*w
+  oy: R_y1*p + R_y2*q + R_y3*w
+  oz: R_z1*p + R_z2*q + R_z3*w
+  r: s*sin(al) - a*cos(al)
+T: (s'^2 + r^2*ph'^2 + p^2 + q^2 + w^2)/2
+constraints:
+  - s' - a*(cos(ph)*oy - sin(ph)*ox) = 0
+  - r*ph' + a*(sin(al)*(cos(ph)*ox + sin(ph)*oy) + cos(al)*oz) = s
+"""
 
 
 # --- what is conserved ------------------------------------------------------------------------------------

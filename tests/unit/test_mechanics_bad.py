@@ -18,6 +18,7 @@ CODES = {f"E04{k:02}" for k in (1, 2, 3, 4, 5, 6, 7, 9, 11, 12, 15, 17, 20)} | {
     "W0416",
     "W0421",
     "W0422",
+    "W0423",
 }
 
 
@@ -60,4 +61,4 @@ formulation: {formulation}
 scenes: {{go: {{time: [0, 1], initial: {{x: 0.5}}}}}}
 """
     found = [d.code for d in diagnose(Source("units.yaml", text)) if d.code != "W0410"]
-    assert found == (["W0422"] if warned else [])
+    assert found == (["W0423"] if warned else [])
