@@ -25,6 +25,11 @@ from nhc.program.lower import lower_function
 from nhc.program.plan import FunctionPlan, SolvePlan, Target
 
 SINGULAR_HOLD = 3
+TORN_HOLD = 90
+TORN = (
+    "a constraint jumps here, as a sign or the branch of an angle does, and no motion goes on beyond; "
+    "write it without the jump"
+)
 _TOLERANCE = 1e-13
 TURNS = 2  # Newton steps for positions: a step's drift is small, and each one squares it
 

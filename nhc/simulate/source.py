@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from nhc.emit import EmitOptions, render
 from nhc.emit.environment import File, render_file
-from nhc.program.hold import SINGULAR_HOLD
+from nhc.program.hold import SINGULAR_HOLD, TORN_HOLD
 from nhc.program.ir import Function, Load, Program
 from nhc.records import record
 from nhc.simulate.groups import FOUR, Waiting, count_slots, plan_waiting
@@ -191,7 +191,7 @@ def write_source(
         "dips": dips is not None and dips < size(functions.get("watch")),
         "first_dip": dips,
         "holds": tuple(holds),
-        "singular_hold": SINGULAR_HOLD,
+        "hold_statuses": (SINGULAR_HOLD, TORN_HOLD),
         "needed": size(functions["needed"]),
         "collocations": bool(implicit),
         "hermite": bool(explicit) or any(not method.adaptive for method in implicit),

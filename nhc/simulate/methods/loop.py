@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Protocol
 
+from nhc.program.hold import TORN_HOLD
 from nhc.simulate.methods import collocation, explicit
 from nhc.simulate.methods.step import Model, NoSolution, Step
 from nhc.simulate.methods.tableau import Explicit, Tableau
@@ -154,7 +155,7 @@ def _plan(run: _Run) -> tuple[float, float] | None:
     return None if reach == s.t or (not last and h < 4 * _EPSILON * abs(s.t)) else (reach, h)
 
 
-def _attempt(run: _Run) -> tuple[float, int]:
+def _attempt(run: _Run, reach: float) -> tuple[float, int]:
     """(error relative to what is allowed, outcome to leave with where it is no number)."""
     s = run.step
     module = explicit if isinstance(run.method, Explicit) else collocation
@@ -165,8 +166,32 @@ def _attempt(run: _Run) -> tuple[float, int]:
     except ArithmeticError as singular:
         s.status = getattr(singular, "status", 0)
         return math.nan, SINGULAR if s.status else UNDERFLOW
-    good = all(map(math.isfinite, s.reached))
-    return (error if good else math.nan), UNDERFLOW
+    if not all(map(math.isfinite, s.reached)):
+        return math.nan, UNDERFLOW
+    if 0.0 <= error <= 1.0 and run.model.holds and not _hold_end(run, reach):
+        return math.nan, SINGULAR
+    return error, UNDERFLOW
+
+
+def _hold_end(run: _Run, reach: float) -> bool:
+    """The step's end on the constraints; False where it has none.
+
+    A step's drift is small beside its way: where it is not, also in shorter steps, a constraint jumps, as a sign or the branch of
+    an angle does.  The first step also takes up what the start is off.
+    """
+    s, reached = run.step, run.step.reached
+    try:
+        s.reached = run.model.hold(reach, reached, run.task.p)
+    except ArithmeticError as singular:
+        s.status = getattr(singular, "status", 0)
+        return False
+    least = max(sys.float_info.min, 1e-6 * max(s.size, default=0.0))
+    sizes = [max(size, abs(end), least) for size, end in zip(s.size, reached, strict=True)]
+    moved = max(abs(b - a) / size for a, b, size in zip(reached, s.reached, sizes, strict=True))
+    way = max(abs(b - a) / size for a, b, size in zip(s.y, reached, sizes, strict=True))
+    most = 1e-3 if s.tolerance > 0 and way > 2e-3 else 0.5 * way
+    s.status = TORN_HOLD if run.steps > 0 and moved > 1e-5 + most else 0
+    return s.status == 0
 
 
 def _advance(run: _Run) -> Outcome | None:
@@ -182,7 +207,7 @@ def _advance(run: _Run) -> Outcome | None:
         return run.leave(UNDERFLOW)
     reach, h = plan
     s.h, s.status = reach - s.t, 0
-    error, reason = _attempt(run)
+    error, reason = _attempt(run, reach)
     if not 0.0 <= error <= 1.0:
         run.rejected += 1
         run.growth, s.first = 1.0, True
@@ -200,7 +225,6 @@ def _advance(run: _Run) -> Outcome | None:
 def _accept(run: _Run, reach: float) -> Outcome | None:
     task, s, model = run.task, run.step, run.model
     if model.holds:
-        s.reached = model.hold(reach, s.reached, task.p)
         s.arrived = s.rhs(reach, s.reached)
     cut, which = 2.0, -1
     if model.watched:
