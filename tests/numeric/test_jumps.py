@@ -137,3 +137,20 @@ def test_the_warning_names_what_jumps() -> None:
     (warning,) = check(Source("jump.yaml", text)).diagnostics
     assert warning.code == "W0416"
     assert warning.message.startswith("`V` jumps")
+
+
+@pytest.mark.parametrize(
+    ("method", "compiled"), [("auto", False), ("auto", True), ("dopri5", False), ("dopri5", True), ("radau5", True)]
+)
+def test_a_run_ends_soon_where_dry_friction_sticks(method: str, compiled: bool) -> None:
+    """x' = 1 - 0.3 t until it is at rest; beyond, the rates jump to and fro, and steps are as short as rounding lets them be."""
+    text = (
+        "nhc: 1\nsystem: sliding\ncoordinates: [x, y]\nT: (x'^2 + y'^2)/2\nforces: {x: -0.3*sign(x'), y: 1}\n"
+        "scenes: {a: {initial: {x': 1}, time: [0, 5]}}\n"
+    )
+    found = motion(text, method=method, compiled=compiled)
+    assert found.ended == "failed"
+    assert "sticks" in found.reason
+    assert found.outcome.steps + found.outcome.rejected < 100_000
+    assert found.outcome.t == pytest.approx(10 / 3, abs=1e-4)
+    assert found.rows[-1][0] == pytest.approx(found.times[-1] - 0.15 * found.times[-1] ** 2, rel=1e-7)

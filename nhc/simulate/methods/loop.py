@@ -17,9 +17,12 @@ from nhc.simulate.task import (
     CROSSED,
     DONE,
     EVENT,
+    MOST_STEPS,
     NO_SOLUTION,
     SINGULAR,
+    STALLED,
     STOPPED,
+    STRIDE,
     TOO_MANY,
     UNDERFLOW,
     News,
@@ -64,6 +67,8 @@ class _Run:
     next: float = 0.0
     growth: float = 0.0
     former: float = _LEAST_ERROR
+    marked: int = 0
+    since: float = 0.0
     before: list[float] = field(default_factory=list)
     trend: list[float] = field(default_factory=list)
 
@@ -75,7 +80,7 @@ class _Run:
 def integrate(model: Watched, method: Tableau, task: Task, news: News) -> Outcome:
     """Fill the rows of a task; the outcome says how far it came."""
     step = Step(model, task.p, task.times[0], list(task.y), 0.0 if task.step > 0 else task.tolerance)
-    run = _Run(model, method, task, news, step, [list(task.y)])
+    run = _Run(model, method, task, news, step, [list(task.y)], since=task.times[0])
     try:
         step.slope = step.rhs(step.t, step.y)
         run.before = model.watch(step.t, step.y, task.p)
@@ -155,6 +160,15 @@ def _plan(run: _Run) -> tuple[float, float] | None:
     return None if reach == s.t or (not last and h < 4 * _EPSILON * abs(s.t)) else (reach, h)
 
 
+def _is_stalled(run: _Run) -> bool:
+    """Whether the rest would take more steps than any run does, if they stay as short as the last: a motion slides along a jump."""
+    tried, s = run.steps + run.rejected, run.step
+    if run.task.step > 0 or tried - run.marked < STRIDE:
+        return False
+    passed, run.marked, run.since = abs(s.t - run.since), tried, s.t
+    return passed * (MOST_STEPS / STRIDE) < abs(run.task.times[-1] - s.t)
+
+
 def _attempt(run: _Run, reach: float) -> tuple[float, int]:
     """(error relative to what is allowed, outcome to leave with where it is no number)."""
     s = run.step
@@ -202,6 +216,8 @@ def _advance(run: _Run) -> Outcome | None:
         return run.leave(STOPPED)
     if run.steps + run.rejected >= task.most:
         return run.leave(TOO_MANY)
+    if _is_stalled(run):
+        return run.leave(STALLED)
     plan = _plan(run)
     if plan is None:
         return run.leave(UNDERFLOW)
