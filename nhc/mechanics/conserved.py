@@ -19,7 +19,7 @@ from nhc.algebra.graph import Graph, Node
 from nhc.algebra.modular import Unlucky, are_zero, rank
 from nhc.algebra.primes import primes_of
 from nhc.algebra.relations import find_relations, without
-from nhc.mechanics.constancy import are_constant, jumps, rates_of
+from nhc.mechanics.constancy import are_constant, has_jumps, jumps, rates_of
 from nhc.mechanics.frame import Frame, form_value
 from nhc.mechanics.rotation import moving
 from nhc.mechanics.sampling import Sampler
@@ -95,14 +95,14 @@ def find_conserved(
         names = tuple(system.symbol_name(symbol) for symbol in zero)
         special = _search(Sampler(system, frame, zero), candidates, frame, [*known, *(i.node for i in found)])
         found += [replace(i, where=names) for i in special]
+    stepping = _stepping(system) if constant[0] and jumps(sampler, system.energy) else []
+    constant = [holds and not jumps(sampler, c.node) for c, holds in zip(tested, constant, strict=True)]
     return Conserved(
         energy=constant[0],
-        power=() if constant[0] else tuple(power_terms(system)),
+        power=() if constant[0] else (*power_terms(system), *stepping),
         jacobi=constant[1] if differs else None,
         integrals=tuple(found),
-        outputs=tuple(
-            c.text for c, holds in zip(outputs, constant[2:], strict=True) if holds and not jumps(sampler, c.node)
-        ),
+        outputs=tuple(c.text for c, holds in zip(outputs, constant[2:], strict=True) if holds),
         tried=tried,
     )
 
@@ -143,6 +143,12 @@ def power_terms(system: System) -> list[str]:
     if not are_zero(g, [g.sub(generalized_energy(system), system.energy)])[0]:
         terms.append("T is not homogeneous quadratic in the velocities")
     return terms
+
+
+def _stepping(system: System) -> list[str]:
+    """The energies that jump, in words: no force stands for what pushes there."""
+    parts = (("T", system.T), (system.spec.potential_kind or "U", system.U))
+    return [f"{name} jumps" for name, node in parts if has_jumps(system, [node])] or ["T + V jumps"]
 
 
 # --- candidates -------------------------------------------------------------------------------------------
@@ -258,7 +264,7 @@ def _search(
         nodes = [*known, *(i.node for i in integrals)]
         if not _is_independent(sampler, frame, nodes, node):
             continue
-        if are_constant(sampler, [node])[0]:
+        if are_constant(sampler, [node])[0] and not jumps(sampler, node):
             kinds = {c.kind for k, c in zip(vector, candidates, strict=True) if k}
             integrals.append(Integral(spell(vector, candidates), node, moving={ENERGY, MOMENTUM} <= kinds))
     return integrals

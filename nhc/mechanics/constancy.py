@@ -2,18 +2,22 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 
 from nhc.algebra.calculus import reachable
-from nhc.algebra.field import INVERSE
-from nhc.algebra.graph import POW, Node
+from nhc.algebra.graph import Node
+from nhc.algebra.jumps import find_breaks
+from nhc.algebra.jumps import jumps as find_jumps
 from nhc.algebra.primes import primes_of
 from nhc.algebra.signs import Signs, may_hold, points_for
 from nhc.mechanics.frame import total_derivative
 from nhc.mechanics.sampling import Sampler
+from nhc.mechanics.system import System
+from nhc.mechanics.values import default_values
 
+_OPEN = frozenset(("sign", "abs", "min", "max", "atan2", "atan", "asin", "acos", "tanh", "exp", "sinh", "cosh"))
 _MOST_POINTS = 96  # modulo each of two primes, where signs occur
-_BREAKS = ("sign", "atan2", "powf", "log")  # not continuous, or not everywhere; reciprocals too
 
 
 def are_constant(sampler: Sampler, nodes: Sequence[Node]) -> list[bool]:
@@ -59,25 +63,30 @@ def rates_of(sampler: Sampler, nodes: Sequence[Node]) -> list[Node]:
 
 
 def jumps(sampler: Sampler, node: Node) -> bool:
-    """Whether the node, whose rate is zero, may change in steps.
+    """Whether the node, whose rate is zero, may change in steps along the motion.
 
-    Where it is continuous it cannot; nor can a sign, the branch of an angle or the denominator's sign, while what they are taken
-    of is a constant of the motion.
+    Where it is continuous it cannot; nor can a sign, the branch of an angle or a quotient while what they are taken of is a
+    constant of the motion.
     """
     system = sampler.system
+    values = default_values(system)
+    known = {symbol: value if value and math.isfinite(value) else 0.7 for symbol, value in values.items()}
+    known.update(dict.fromkeys(sampler.zeroed, 0.0))
+    moving = (*system.q, *system.v, system.t)
+    return find_jumps(system.graph, node, moving, known, lambda inner: are_constant(sampler, [inner])[0])
+
+
+def has_jumps(system: System, nodes: Sequence[Node]) -> bool:
+    """Whether one of the functions of (q, q', t) jumps somewhere, on a motion or not."""
+    g, moving = system.graph, (*system.q, *system.v, system.t)
+    if not find_breaks(g, nodes, g.mask(moving)):
+        return False
+    values = default_values(system)
+    return any(find_jumps(g, node, moving, values, lambda inner: False) for node in dict.fromkeys(nodes))
+
+
+def shows_jumps(system: System, nodes: Sequence[Node]) -> bool:
+    """The same for jumps in the open: square roots alone change their branch where coordinates are singular (a wheel lies flat)."""
     g = system.graph
     moving = g.mask((*system.q, *system.v, system.t))
-    inner = reachable(g, [node], moving)
-    breaks = [n for n in inner if g.op[n] in _BREAKS or (g.op[n] == POW and g.b[n] < 0)]
-    if _all_constant(sampler, [x for n in breaks for x in g.children(n)], moving):
-        return False
-    signs = Signs(g, [node])
-    signs.degree([node])
-    arguments = [x for group in signs.arguments for x in group]
-    arguments += [x for n in inner if g.op[n] in INVERSE for x in g.children(n)]
-    return not _all_constant(sampler, arguments, moving)
-
-
-def _all_constant(sampler: Sampler, nodes: Sequence[Node], moving: int) -> bool:
-    open_ = [x for x in dict.fromkeys(nodes) if sampler.system.graph.depends(x, moving)]
-    return not open_ or all(are_constant(sampler, open_))
+    return any(g.op[node] in _OPEN for node in reachable(g, nodes, moving)) and has_jumps(system, nodes)

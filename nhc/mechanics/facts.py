@@ -17,6 +17,7 @@ from nhc.diagnostics import Bag
 from nhc.mechanics import chaplygin
 from nhc.mechanics.choose import Formulation, applicable, checked_dependent
 from nhc.mechanics.conserved import Integral, find_conserved
+from nhc.mechanics.constancy import shows_jumps
 from nhc.mechanics.frame import coordinate_frame
 from nhc.mechanics.integrability import Integrability, classify, classify_as_given, cyclic_coordinates
 from nhc.mechanics.integrals import PositionIntegral, find_position_integrals
@@ -294,14 +295,36 @@ def _entry_text(system: System, node: Node) -> str:
 
 
 def _nonsmooth(system: System, bag: Bag) -> None:
+    """Kinks and jumps: what a derivative leaves out, and what motions cannot cross."""
     rough = {"abs", "sign", "min", "max"}
-    g = system.graph
-    for key, node in (("T", system.T), (system.spec.potential_kind or "U", system.U)):
+    g, spec = system.graph, system.spec
+    for key, node in (("T", system.T), (spec.potential_kind or "U", system.U)):
+        if shows_jumps(system, [node]):
+            bag.warning(
+                "W0416",
+                f"`{key}` jumps: no force stands for what pushes across the jump, and the energy changes there",
+                spec.key_span(key),
+                help=("use a continuous function, or keep the motion at one side",),
+            )
+            continue
         found = sorted({g.op[n] for n in reachable(g, [node])} & rough)
         if found:
             bag.warning(
                 "W0416",
                 f"`{key}` contains {', '.join(found)}: differentiated almost everywhere",
-                system.spec.key_span(key),
+                spec.key_span(key),
                 help=("use a smooth function if the motion crosses the kink",),
+            )
+    spans = {entry.name: entry.span for entry in spec.constraints}
+    spans |= {entry.name: entry.span for entry in spec.holonomic}
+    spans |= {entry.name: entry.span for entry in spec.quasi_velocities}
+    forms = [("constraint", form) for form in system.constraints] + [("quasi-velocity", form) for form in system.quasi]
+    for kind, form in forms:
+        held = (*form.coefficients, form.constant, *(() if form.equation is None else (form.equation,)))
+        if form.name in spans and shows_jumps(system, held):
+            bag.warning(
+                "W0416",
+                f"the {kind} `{form.name}` jumps: no motion follows it across the jump",
+                spans[form.name],
+                help=("write it with continuous functions, or keep the motion at one side",),
             )

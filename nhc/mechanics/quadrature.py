@@ -18,6 +18,7 @@ from nhc.algebra.linear import NotLinear, linear_form
 from nhc.algebra.modular import Unlucky, are_zero
 from nhc.algebra.polynomial import normalise
 from nhc.algebra.show import to_text
+from nhc.mechanics.constancy import has_jumps
 from nhc.mechanics.frame import coordinate_frame
 from nhc.mechanics.integrability import classify
 from nhc.mechanics.integrals import find_position_integrals
@@ -118,7 +119,7 @@ def solve_closed(
         others = g.mask([q for i, q in enumerate(system.q) if i not in free])
         known_ones = {system.q[integral.index]: g.add(integral.symbol, integral.rest) for integral in made}
         f = normalise(g, substitute(g, [node], known_ones)[0], _TERMS)
-        if g.depends(f, others):
+        if g.depends(f, others) or has_jumps(system, [node]):  # a coordinate goes on where the branch of an angle ends
             continue
         for i in sorted(free, key=lambda i: (i in first, -i)):
             try:

@@ -12,6 +12,7 @@ from nhc.algebra.primes import primes_of
 from nhc.language.spec import Scene
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choose import Formulation, NotApplicable, build
+from nhc.mechanics.constancy import has_jumps, shows_jumps
 from nhc.mechanics.dependence import values_at
 from nhc.mechanics.frame import Frame, coordinate_form, make_frame, total_derivative
 from nhc.mechanics.kinetic import Kinetic
@@ -68,6 +69,10 @@ def _in_frame(system: System, forms: Sequence[Form], reason: str) -> Formulation
     try:
         frame = make_frame(system, named, [_symbol(system, form) for form in named])
     except Singular:
+        return None
+    if shows_jumps(
+        system, [x for form in named for x in (*form.coefficients, form.constant)]
+    ):  # it would be continuous in place of the velocities
         return None
     return Formulation("euler-lagrange", "I.2.15" if system.l else "I.2.14", frame, None, (), reason)
 
@@ -127,6 +132,8 @@ def momentum_formulation(equations: Equations, formulation: Formulation) -> Form
             return None
         forms.append(Form(f"p_{form.name}", coefficients, rest, form.place, None, momentum))
         names.append(f"p_{form.name}")
+    if has_jumps(system, [form.value for form in forms if form.value is not None and form.name in names]):
+        return None
     what = "conserved momentum" if len(names) == 1 else "conserved momenta"
     return _in_frame(system, forms, f"{what} {', '.join(names)} in place of the velocity (Routh)")
 

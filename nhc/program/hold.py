@@ -27,6 +27,11 @@ from nhc.program.plan import FunctionPlan, SolvePlan, Target
 
 SINGULAR_HOLD = 3
 SINGULAR = "the constraints, or the masses on them, are singular here, so that a state cannot be brought back"
+TORN_HOLD = 90
+TORN = (
+    "a constraint jumps here, as a sign or the branch of an angle does, and no motion goes on beyond; "
+    "write it without the jump"
+)
 _TOLERANCE = 1e-13
 TURNS = 2  # Newton steps for positions: a step's drift is small, and each one squares it
 

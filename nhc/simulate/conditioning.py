@@ -81,7 +81,7 @@ def find_better(system: System, now: Formulation, place: Place, known: Sequence[
     then the coordinates or the constraints themselves are singular.
     """
     needed = GAIN ** (1.0 / max(system.l, 1)) * conditioning(system, now, place)
-    kinds = [_dependent(system, place), _adapted(system, place)]
+    kinds = [_dependent(system, place), adapted_choices(system, place)]
     if now.dependent is None:
         kinds.reverse()
     options = [*_rated(known, place), *(choice for kind in kinds for choice in kind)]
@@ -126,7 +126,8 @@ def _best_columns(rows: Rows, n: int) -> tuple[int, ...]:
     return tuple(sorted(found))
 
 
-def _adapted(system: System, place: Place) -> Iterator[Choice]:
+def adapted_choices(system: System, place: Place) -> Iterator[Choice]:
+    """Coframes in the constraints' own velocities, in which a motion that turns may be steady; none without constraints."""
     if not system.l:
         return
     for turning in turning_formulations(system):

@@ -10,7 +10,7 @@ from nhc.simulate.auto import COARSE
 from nhc.simulate.carrying import implicit_job
 from nhc.simulate.prepare import Job
 from nhc.simulate.stiffness import FIRST, FREE, HELD, IMPLICIT, MORE, PAYS, TRIAL, fastest_mode
-from nhc.simulate.task import NO_SOLUTION, SINGULAR, TOO_MANY, UNDERFLOW, Outcome, Task
+from nhc.simulate.task import NO_SOLUTION, SINGULAR, STALLED, TOO_MANY, UNDERFLOW, Outcome, Task
 
 AUTO = "auto"
 
@@ -54,7 +54,11 @@ class Pace:
 
     def look(self, job: Job, begin: float, outcome: Outcome) -> Job | None:
         """The job that a leg from ``begin`` is followed by; ``method`` is changed where that pays.  None: nothing to look at."""
-        if self.method == IMPLICIT and self.explicit is not None and outcome.kind in (NO_SOLUTION, SINGULAR, UNDERFLOW):
+        if (
+            self.method == IMPLICIT
+            and self.explicit is not None
+            and outcome.kind in (NO_SOLUTION, SINGULAR, UNDERFLOW, STALLED)
+        ):
             self.looks = 0
             return self._go_back(job, outcome.t, "finds no solution")
         if outcome.kind != TOO_MANY or not self._may_look:

@@ -14,7 +14,7 @@ from nhc.mechanics.drawing import Sketch
 from nhc.mechanics.scenes import Start, kept_velocities
 from nhc.mechanics.system import Form, System
 from nhc.program.build import Planner, build_functions
-from nhc.program.hold import hold_functions
+from nhc.program.hold import TORN, TORN_HOLD, hold_functions
 from nhc.program.ir import Program
 from nhc.program.model import build_program
 from nhc.program.needed import Column, list_checks, list_columns, needed_function, planned_sketch
@@ -135,7 +135,7 @@ def prepare(
         tolerance=float(scene.tolerance),
         columns=tuple(columns),
         checks=tuple(checked),
-        meanings=meanings,
+        meanings=meanings | ({TORN_HOLD: TORN} if calls else {}),
         watch=watched,
         structure=structure,
         holds=calls,

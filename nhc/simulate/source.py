@@ -7,13 +7,14 @@ from dataclasses import dataclass
 
 from nhc.emit import EmitOptions, render
 from nhc.emit.environment import File, render_file
-from nhc.program.hold import SINGULAR_HOLD
+from nhc.program.hold import SINGULAR_HOLD, TORN_HOLD
 from nhc.program.ir import Function, Load, Program
 from nhc.records import record
 from nhc.simulate.groups import FOUR, Waiting, count_slots, plan_waiting
 from nhc.simulate.kernel import Kernel, print_kernel
 from nhc.simulate.methods.natural import Scheme
 from nhc.simulate.methods.tableau import Collocation, Explicit, Tableau
+from nhc.simulate.task import MOST_STEPS, STRIDE
 from nhc.stamp import PLACEHOLDER
 from nhc.version import __version__
 
@@ -159,8 +160,7 @@ def write_source(
     functions = {function.name: function for function in program.functions}
     model = render(program, "c", EmitOptions(only=tuple(functions), trig=trig))
     implicit = [method for method in methods if isinstance(method, Collocation)]
-    explicit = [method for method in methods if isinstance(method, Explicit)]
-    watch = functions.get("watch")
+    explicit, watch = [method for method in methods if isinstance(method, Explicit)], functions.get("watch")
     kernel = print_kernel(program, functions["rhs"]) if explicit and trig == "inline" else None
     watching = print_kernel(program, watch) if watch is not None and lanes else None
     lanes = lanes and kernel is not None and not holds and (watch is None or watching is not None)
@@ -192,12 +192,14 @@ def write_source(
         "first_dip": dips,
         "holds": tuple(holds),
         "singular_hold": SINGULAR_HOLD,
+        "torn_hold": TORN_HOLD,
         "needed": size(functions["needed"]),
         "collocations": bool(implicit),
         "hermite": bool(explicit) or any(not method.adaptive for method in implicit),
         "allowed": any(method.adaptive for method in methods) or bool(implicit),
         "timed": any(isinstance(s, Load) and s.index < 0 for s in functions["rhs"].body),
         "methods": tuple(describe(method, kernel) for method in methods),
+        "stride": (STRIDE, MOST_STEPS / STRIDE),
     }
     return model | {f"{program.system}_run.c": render_file(File("run.c", "c/run.c.jinja", context))}
 

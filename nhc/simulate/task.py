@@ -7,8 +7,10 @@ from dataclasses import dataclass, field
 
 from nhc.records import record
 
-DONE, SINGULAR, UNDERFLOW, STOPPED, EVENT, TOO_MANY, NO_SOLUTION, CROSSED = range(8)
+DONE, SINGULAR, UNDERFLOW, STOPPED, EVENT, TOO_MANY, NO_SOLUTION, CROSSED, STALLED = range(9)
 MOST_STEPS = 1_000_000_000
+STRIDE = 20_000
+"""Attempts after which adaptive steps are looked at: whether the rest would take more than MOST_STEPS of the same length."""
 
 
 @record

@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from contextlib import suppress
 from dataclasses import replace
+from typing import TypeVar
 
 import numpy as np
 
 from nhc.algebra.graph import Node
 from nhc.algebra.linear import Singular
 from nhc.algebra.show import to_text
-from nhc.diagnostics import Bag, Source, Span, nearest
+from nhc.diagnostics import Bag, Source, Span, SpecError, nearest
 from nhc.language.scope import names_in
 from nhc.mechanics.about import Pair, point_of, read_pairs, scene_about, state_of
 from nhc.mechanics.associate import Equations
@@ -30,15 +32,19 @@ from nhc.mechanics.linearize import (
     symbolic_matrix,
 )
 from nhc.mechanics.regularity import choose_dependent
-from nhc.mechanics.scenes import start_of
+from nhc.mechanics.scenes import Start, start_of
 from nhc.mechanics.symmetry import Generator, turning_symmetries
+from nhc.mechanics.system import System
 from nhc.mechanics.values import constant_value
 from nhc.records import record
+from nhc.simulate.conditioning import adapted_choices
+from nhc.simulate.switching import SOUND
 from nhc.study.linearize import Branch, Linearisation, Sweep, linearise_at, sweep
 from nhc.study.steady import Hold, Matrix, NotSteady, SingularFrame, Steady, SteadyModel, check_frame, find_steady
 from nhc.study.tape import Tapes
 
 _SNAP = 1e-11
+Found = TypeVar("Found")
 
 
 @record
@@ -121,7 +127,7 @@ def linearise(equations: Equations, formulation: Formulation, request: Request) 
 
 
 def linearise_whole(equations: Equations, formulation: Formulation, request: Request) -> Findings:
-    """The same where nobody asked for the formulation: one that is singular at the steady motion gives way to multipliers.
+    """The same where nobody asked for the formulation: one that is singular at the steady motion gives way to others.
 
     Raises:
         nhc.diagnostics.SpecError: unknown names, or a guess that violates the constraints.
@@ -132,8 +138,53 @@ def linearise_whole(equations: Equations, formulation: Formulation, request: Req
     try:
         return linearise(equations if better is formulation else equations_of(system, better), better, request)
     except SingularFrame:
-        whole = build(system, "multipliers")
-        return linearise(equations_of(system, whole), whole, request)
+        start = start_of(system, scene_about(system.spec, request.about, request.settings))
+        return nearest_of(
+            system, start, lambda own, other: linearise(equations_of(own, other), other, request), found_at
+        )
+
+
+def found_at(findings: Findings) -> tuple[SteadyModel, Steady]:
+    """The model with the steady motion that was found."""
+    return findings.model, findings.linearisation.steady
+
+
+def nearest_of(
+    system: System,
+    start: Start,
+    study: Callable[[System, Formulation], Found],
+    where: Callable[[Found], tuple[SteadyModel, Steady]],
+) -> Found:
+    """A study by multipliers, and in coframes in which a motion that turns is steady: that of the motion nearest to the start.
+
+    Raises:
+        NotSteady: with multipliers, where none of them finds a steady motion.
+    """
+    place, failed = start.values(system), None
+    found: list[tuple[float, Found]] = []
+    try:
+        whole = study(system, build(system, "multipliers"))
+        found.append((_distance(place, *where(whole)), whole))
+    except NotSteady as error:
+        failed = error
+    for choice in adapted_choices(system, place):
+        if choice.value >= SOUND:
+            with suppress(NotSteady, SpecError):  # the names of other quasi-velocities are not known there
+                other = study(choice.system, choice.formulation)
+                found.append((_distance(place, *where(other)), other))
+    if not found:
+        assert failed is not None
+        raise failed
+    least = min(distance for distance, _ in found)
+    return next(one for distance, one in found if distance <= least + _SNAP)
+
+
+def _distance(place: dict[Node, float], model: SteadyModel, steady: Steady) -> float:
+    """How far a steady motion is from a place, in q and q'."""
+    system = model.flow.system
+    values = [model.value(steady.y, node) for node in model.flow.velocities]
+    pairs = [*zip(system.q, steady.y, strict=False), *zip(system.v, values, strict=True)]
+    return math.sqrt(sum((place[symbol] - value) ** 2 for symbol, value in pairs))
 
 
 def _exact_place(

@@ -24,6 +24,7 @@ from nhc.mechanics.linearize import solve_modulo
 from nhc.pipeline import Options, linearize, model
 from nhc.study.linearize import eigenvalues, verdict
 from nhc.study.motion import Findings, Request, named_quantity, steady_model
+from nhc.study.stability.motions import Search, steady_motion
 from nhc.study.steady import Hold, NotSteady, SteadyModel, find_steady
 from nhc.study.tape import Tape
 from tests.support import spec_path
@@ -453,6 +454,39 @@ def test_a_coframe_that_is_singular_where_the_search_begins_gives_way_too(
     assert matches(eigenvalues(found.linearisation), expected, 1e-6)
     with pytest.raises(NotSteady, match="coframe is singular where the search"):
         linearize(source, request, Options(formulation="euler-lagrange"))
+
+
+TOWED = """nhc: 1
+system: towed
+coordinates: [x, y, theta]
+parameters: {m: 1, J: 0.5, a: 0.3, F: 2, c: 0.7, M: 0.6, k: 0.2}
+define: {X: x + a*cos(theta), Y: y + a*sin(theta), v: cos(theta)*x' + sin(theta)*y'}
+T: m/2*(X'^2 + Y'^2) + J/2*theta'^2
+forces: {x: (F - c*v)*cos(theta), y: (F - c*v)*sin(theta), theta: M - k*theta'}
+constraints: ["-sin(theta)*x' + cos(theta)*y' = 0"]
+quasi_velocities: {u: y', w: theta'}
+scenes: {turn: {initial: {x': 2.9, theta': 0.6}, time: [0, 5]}}
+"""
+
+
+def test_steady_turning_is_found_where_the_quasi_velocities_are_singular() -> None:
+    """m v' = m a w^2 + F - c v, (J + m a^2) w' = -m a v w + M - k w: with multipliers no motion that turns is steady."""
+    m, J, a, F, c, M, k = 1, 0.5, 0.3, 2, 0.7, 0.6, 0.2
+    found = linearize(Source("towed.yaml", TOWED), Request("turn"))
+    v, w = (found.model.value(found.linearisation.steady.y, found.flow.velocities[i]) for i in (0, 2))
+    assert (m * a * w**2 + F - c * v, M - k * w - m * a * v * w) == pytest.approx((0, 0), abs=1e-12)
+    assert abs(v - 2.9) + abs(w - 0.6) < 0.2
+    trace, det = (
+        -c / m - (k + m * a * v) / (J + m * a**2),
+        (c * (k + m * a * v) + 2 * (m * a * w) ** 2) / (m * (J + m * a**2)),
+    )
+    roots = [(trace + sign * cmath.sqrt(trace**2 - 4 * det)) / 2 for sign in (1, -1)]
+    assert matches(eigenvalues(found.linearisation), roots, 1e-9)
+    with pytest.raises(NotSteady):
+        linearize(Source("towed.yaml", TOWED), Request("turn"), Options(formulation="multipliers"))
+    made = model(Source("towed.yaml", TOWED))
+    motion = steady_motion(made.equations, made.formulation, Search("turn"))
+    assert matches(eigenvalues(motion.linearisation), roots, 1e-9)
 
 
 @pytest.mark.parametrize("cone", [0.05, -0.05])

@@ -139,6 +139,33 @@ def test_the_balance_of_power_closes_where_energy_is_not_conserved(name: str) ->
     assert energy.kind in ("balance", "energy") and max(energy.series) < 1e-6
 
 
+DAMPED = """nhc: 1
+system: damped
+coordinates: [x, y]
+T: (x'^2 + y'^2)/2
+V: 50*x^2 + 2*y^2
+forces: {x: -3*x', y: -0.1*y'}
+scenes: {a: {initial: {x: 1, y: 1}, time: [0, 20]}}
+"""
+
+
+def test_a_balance_that_2001_rows_do_not_resolve(tmp_path: Path) -> None:
+    """Its power oscillates at 20 rad/s over 200 s: the rule's own error, 0.03, was told as that of dop853."""
+    path = tmp_path / "damped.yaml"
+    path.write_text(DAMPED)
+    found = stability(read(str(path)), PLAIN, Options())
+    exact, coarse = found.runs[0], found.runs[1]
+    assert exact.method == "dop853"
+    assert max(exact.drifts[0].first, exact.drifts[0].last) < 1e-8
+    assert 1e-5 < coarse.drifts[0].last < 1e-2
+    assert len(exact.times) == len(exact.drifts[0].series) <= 2001
+    # every step of a method that is stable for all decaying modes is stable here, whatever lies between the steps
+    limits = {limit.method: limit for limit in found.limits}
+    assert all(math.isinf(limits[name].measured) for name in ("radau5", "gauss4", "gauss6", "midpoint"))
+    for name in ("dop853", "dopri5", "rk4"):
+        assert limits[name].measured == pytest.approx(limits[name].predicted, rel=0.03)
+
+
 def test_sensitivities_are_those_of_the_catalogue() -> None:
     """To the factor that the choice of a norm makes."""
     for name, catalogued in (

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Protocol
 
+from nhc.program.hold import TORN_HOLD
 from nhc.simulate.methods import collocation, explicit
 from nhc.simulate.methods.step import Model, NoSolution, Step
 from nhc.simulate.methods.tableau import Explicit, Tableau
@@ -16,9 +17,12 @@ from nhc.simulate.task import (
     CROSSED,
     DONE,
     EVENT,
+    MOST_STEPS,
     NO_SOLUTION,
     SINGULAR,
+    STALLED,
     STOPPED,
+    STRIDE,
     TOO_MANY,
     UNDERFLOW,
     News,
@@ -63,6 +67,8 @@ class _Run:
     next: float = 0.0
     growth: float = 0.0
     former: float = _LEAST_ERROR
+    marked: int = 0
+    since: float = 0.0
     before: list[float] = field(default_factory=list)
     trend: list[float] = field(default_factory=list)
 
@@ -74,7 +80,7 @@ class _Run:
 def integrate(model: Watched, method: Tableau, task: Task, news: News) -> Outcome:
     """Fill the rows of a task; the outcome says how far it came."""
     step = Step(model, task.p, task.times[0], list(task.y), 0.0 if task.step > 0 else task.tolerance)
-    run = _Run(model, method, task, news, step, [list(task.y)])
+    run = _Run(model, method, task, news, step, [list(task.y)], since=task.times[0])
     try:
         step.slope = step.rhs(step.t, step.y)
         run.before = model.watch(step.t, step.y, task.p)
@@ -154,7 +160,16 @@ def _plan(run: _Run) -> tuple[float, float] | None:
     return None if reach == s.t or (not last and h < 4 * _EPSILON * abs(s.t)) else (reach, h)
 
 
-def _attempt(run: _Run) -> tuple[float, int]:
+def _is_stalled(run: _Run) -> bool:
+    """Whether the rest would take more steps than any run does, if they stay as short as the last: a motion slides along a jump."""
+    tried, s = run.steps + run.rejected, run.step
+    if run.task.step > 0 or tried - run.marked < STRIDE:
+        return False
+    passed, run.marked, run.since = abs(s.t - run.since), tried, s.t
+    return passed * (MOST_STEPS / STRIDE) < abs(run.task.times[-1] - s.t)
+
+
+def _attempt(run: _Run, reach: float) -> tuple[float, int]:
     """(error relative to what is allowed, outcome to leave with where it is no number)."""
     s = run.step
     module = explicit if isinstance(run.method, Explicit) else collocation
@@ -165,8 +180,32 @@ def _attempt(run: _Run) -> tuple[float, int]:
     except ArithmeticError as singular:
         s.status = getattr(singular, "status", 0)
         return math.nan, SINGULAR if s.status else UNDERFLOW
-    good = all(map(math.isfinite, s.reached))
-    return (error if good else math.nan), UNDERFLOW
+    if not all(map(math.isfinite, s.reached)):
+        return math.nan, UNDERFLOW
+    if 0.0 <= error <= 1.0 and run.model.holds and not _hold_end(run, reach):
+        return math.nan, SINGULAR
+    return error, UNDERFLOW
+
+
+def _hold_end(run: _Run, reach: float) -> bool:
+    """The step's end on the constraints; False where it has none.
+
+    A step's drift is small beside its way: where it is not, also in shorter steps, a constraint jumps, as a sign or the branch of
+    an angle does.  The first step also takes up what the start is off.
+    """
+    s, reached = run.step, run.step.reached
+    try:
+        s.reached = run.model.hold(reach, reached, run.task.p)
+    except ArithmeticError as singular:
+        s.status = getattr(singular, "status", 0)
+        return False
+    least = max(sys.float_info.min, 1e-6 * max(s.size, default=0.0))
+    sizes = [max(size, abs(end), least) for size, end in zip(s.size, reached, strict=True)]
+    moved = max(abs(b - a) / size for a, b, size in zip(reached, s.reached, sizes, strict=True))
+    way = max(abs(b - a) / size for a, b, size in zip(s.y, reached, sizes, strict=True))
+    most = 1e-3 if s.tolerance > 0 and way > 2e-3 else 0.5 * way
+    s.status = TORN_HOLD if run.steps > 0 and moved > 1e-5 + most else 0
+    return s.status == 0
 
 
 def _advance(run: _Run) -> Outcome | None:
@@ -177,12 +216,14 @@ def _advance(run: _Run) -> Outcome | None:
         return run.leave(STOPPED)
     if run.steps + run.rejected >= task.most:
         return run.leave(TOO_MANY)
+    if _is_stalled(run):
+        return run.leave(STALLED)
     plan = _plan(run)
     if plan is None:
         return run.leave(UNDERFLOW)
     reach, h = plan
     s.h, s.status = reach - s.t, 0
-    error, reason = _attempt(run)
+    error, reason = _attempt(run, reach)
     if not 0.0 <= error <= 1.0:
         run.rejected += 1
         run.growth, s.first = 1.0, True
@@ -200,7 +241,6 @@ def _advance(run: _Run) -> Outcome | None:
 def _accept(run: _Run, reach: float) -> Outcome | None:
     task, s, model = run.task, run.step, run.model
     if model.holds:
-        s.reached = model.hold(reach, s.reached, task.p)
         s.arrived = s.rhs(reach, s.reached)
     cut, which = 2.0, -1
     if model.watched:

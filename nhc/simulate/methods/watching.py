@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable, Sequence
-from math import copysign
+from math import copysign, inf
 
 Look = Callable[[float], list[float]]
 """The watched values at a part of the step."""
@@ -50,27 +50,29 @@ def find_deep(heights: Sequence[float]) -> int:
 def find_event(look: Look, before: list[float], events: int, first: int) -> tuple[float, int, list[float]]:
     """(part of the step, index of the value, values just before) of the first change of sign; part 2 where there is none.
 
-    Values from ``first`` on are followed down to their least between the pieces as well.  One of the first ``events`` values
-    that changes its sign through a pole goes on: it has no zero there.
+    The first ``events`` values, and those from ``first`` on, are followed down to their least between the pieces, too.  One of the
+    first ``events`` values that changes its sign through a pole goes on: it has no zero there.
     """
     heights, passed = [[abs(value)] for value in before], 0.0
     for piece in range(1, PIECES + 1):
         after = look(piece / PIECES)
-        for i in range(first, len(after)):
-            heights[i].append(abs(after[i]))
+        for column, value in zip(heights, after, strict=True):
+            column.append(abs(value))
         for _ in range(PIECES):
             which = find_change(before, after)
             left, last = max((piece - 1) / PIECES, passed), piece / PIECES if which >= 0 else 2.0
-            # what only touches zero may do so on the way to that change, or to the end
-            for i in range(first, len(after) if which >= 0 or piece == PIECES else first):
+            # what touches zero, or goes beyond it and back, may do so on the way to that change, or to the end
+            for i in range(len(after) if which >= 0 or piece == PIECES else 0):
+                if events <= i < first or (i < events and before[i] == 0.0):
+                    continue
                 sign = copysign(1.0, before[i])
                 place = -1 if sign * after[i] <= 0.0 else find_deep(heights[i]) if piece > 1 else 0
                 if place < 0:
                     continue
-                low, high = max(place - 1, 0) / PIECES, min(place + 1, piece) / PIECES
-                dip = _find_dip(look, i, sign, low, high)
+                low, high = max((place - 1) / PIECES, passed), min(place + 1, piece) / PIECES
+                dip = _find_dip(look, i, sign, (low, high), i >= events) if low < high else -1.0
                 if 0.0 <= dip < last:
-                    which, left, last = i, max(low, passed), dip
+                    which, left, last = i, low, dip
             if which < 0:
                 break
             passed, which, before, height = _halve(look, before, after, (left, last), which, events)
@@ -86,11 +88,11 @@ def _halve(
 ) -> tuple[float, int, list[float], float]:
     """(part, the value that changes its sign up to there, values before it, its height beyond if that is a pole or else 0)."""
     left, right = ends
-    beyond, wide = after, [max(abs(a), abs(b)) for a, b in zip(before, after, strict=True)]
+    beyond, least = after, [inf] * len(before)
 
     def is_pole() -> bool:
-        """The value has grown on both sides: towards a zero it becomes small, at a jump it stays."""
-        return which < events and min(abs(before[which]), abs(beyond[which])) > _GROWN * wide[which]
+        """It is far larger at both sides than on the way there: towards a zero it becomes small, at a jump it stays."""
+        return which < events and min(abs(before[which]), abs(beyond[which])) > _GROWN * least[which]
 
     for _ in range(60):
         if right - left <= _EPSILON:
@@ -106,6 +108,7 @@ def _halve(
                 if is_pole():
                     break
                 raise
+        least = [min(a, abs(b)) if b else a for a, b in zip(least, after, strict=True)]
         found = find_change(before, after)
         if found < 0:
             before, left = keep_signs(before, after), middle
@@ -114,13 +117,14 @@ def _halve(
     return right, which, list(before), beyond[which] if is_pole() else 0.0
 
 
-def _find_dip(look: Look, i: int, sign: float, left: float, right: float) -> float:
-    """A place where value i has lost its sign, or -1: golden sections towards its least height."""
+def _find_dip(look: Look, i: int, sign: float, ends: tuple[float, float], at_zero: bool) -> float:
+    """A place where value i has lost its sign (``at_zero``: zero is none), or -1: golden sections towards its least height."""
+    left, right = ends
     low, high = right - _GOLDEN * (right - left), left + _GOLDEN * (right - left)
     at_low, at_high = sign * look(low)[i], sign * look(high)[i]
     for _ in range(_TURNS):
-        if at_low <= 0.0 or at_high <= 0.0:
-            return low if at_low <= 0.0 else high
+        if at_low < 0.0 or at_high < 0.0 or (at_zero and 0.0 in (at_low, at_high)):
+            return low if at_low < 0.0 or (at_zero and at_low == 0.0) else high
         if at_low < at_high:
             right, high, at_high = high, low, at_low
             low = right - _GOLDEN * (right - left)

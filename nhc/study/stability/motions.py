@@ -11,13 +11,14 @@ from collections.abc import Sequence
 from nhc.algebra.graph import Node
 from nhc.mechanics.about import scene_about, state_of
 from nhc.mechanics.associate import Equations
-from nhc.mechanics.choose import Formulation, build
+from nhc.mechanics.choose import Formulation
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.linearize import Flow, kept_forms, reduced
 from nhc.mechanics.scenes import Start, kept_velocities, start_of
+from nhc.mechanics.system import System
 from nhc.records import record
 from nhc.study.linearize import Linearisation, Sweep, linearise_at, sweep
-from nhc.study.motion import branch_of, read_holds, steady_model
+from nhc.study.motion import branch_of, nearest_of, read_holds, steady_model
 from nhc.study.stability.distance import scaled_least
 from nhc.study.steady import Hold, NotSteady, SingularFrame, Steady, SteadyModel, find_steady
 
@@ -70,8 +71,12 @@ def steady_motion(
     try:
         return _motion(equations if better is formulation else equations_of(system, better), better, search, beside)
     except SingularFrame:
-        whole = build(system, "multipliers")
-        return _motion(equations_of(system, whole), whole, search, beside)
+        start = start_of(system, scene_about(system.spec, search.about, search.settings))
+
+        def study(own: System, other: Formulation) -> Motion:
+            return _motion(equations_of(own, other), other, search, beside)
+
+        return nearest_of(system, start, study, lambda made: (made.model, made.linearisation.steady))
 
 
 def _motion(equations: Equations, better: Formulation, search: Search, beside: Sequence[tuple[float, Start]]) -> Motion:

@@ -18,7 +18,6 @@ from nhc.records import record
 from nhc.simulate.methods import RUNGE_KUTTA, STRUCTURE
 from nhc.simulate.methods.tableau import Explicit, Tableau
 from nhc.simulate.outcomes import name_outcome
-from nhc.simulate.run import list_times
 from nhc.simulate.task import DONE
 from nhc.study.stability.bench import Bench
 from nhc.study.steady import Matrix
@@ -140,10 +139,9 @@ def measure(bench: Bench, method: str, guess: float) -> tuple[float, str]:
     longest = bench.duration / _FEWEST
     shortest = bench.duration / min(_MOST, bench.most(method))
     limits = GROWTH * np.maximum(bench.sizes, 1e-300)
-    times = list_times(*bench.job.time, _ROWS)
 
     def fails(step: float) -> str:
-        outcome = bench.integrate(method, times, step=step)
+        outcome = bench.integrate(method, _ends_of_steps(*bench.job.time, step), step=step)
         if outcome.kind != DONE:
             return name_outcome(bench.job, outcome)
         states = np.array(outcome.states)
@@ -175,6 +173,13 @@ def measure(bench: Bench, method: str, guess: float) -> tuple[float, str]:
         ends = fails(middle)
         low, high, why = (low, middle, ends) if ends else (middle, high, why)
     return low, why
+
+
+def _ends_of_steps(start: float, end: float, step: float) -> list[float]:
+    """At most ``_ROWS`` places where fixed steps end: rows between them are interpolated, which may go astray by itself."""
+    count = math.ceil(abs(end - start) / step - 1e-9)
+    places = sorted({round(k * count / (_ROWS - 1)) for k in range(_ROWS)})
+    return [start, *(start + (end - start) * (k / count) for k in places[1:-1]), end]
 
 
 def step_limits(bench: Bench, found: Spectrum) -> tuple[StepLimit, ...]:

@@ -8,7 +8,7 @@ from typing import Any
 from nhc.records import record
 from nhc.study.linearize import Sweep, eigenvalues, verdict
 from nhc.study.stability.distance import NEAR, Distance
-from nhc.study.stability.drift import LongRun
+from nhc.study.stability.drift import Drift, LongRun
 from nhc.study.stability.laboratory import STIFF, Laboratory
 from nhc.study.stability.motions import SINGULAR, Motion
 from nhc.study.stability.sensitivity import Sensitivity
@@ -141,7 +141,7 @@ def _drifts(lab: Laboratory) -> list[tuple[str, list[Row]]]:
             Row(
                 d.what,
                 f"{d.first:.1e}, {d.last:.1e}",
-                ("grows" if d.grows else "bounded") + ("" if d.relative else ", not relative"),
+                _judge(d),
             )
             for d in run.drifts
         ]
@@ -149,6 +149,12 @@ def _drifts(lab: Laboratory) -> list[tuple[str, list[Row]]]:
             rows.append(Row("ends", f"at t = {run.reached:.6g}", run.why))
         found.append((f"drift until t = {run.wanted:.6g} by {how}: first tenth, last tenth", rows))
     return found
+
+
+def _judge(drift: Drift) -> str:
+    if not drift.resolved:
+        return f"not resolved: the integral of the power errs by {drift.floor:.1e} itself"
+    return ("grows" if drift.grows else "bounded") + ("" if drift.relative else ", not relative")
 
 
 def _sensitivity(lab: Laboratory) -> list[Row]:

@@ -1,0 +1,52 @@
+"""Events of `--until` that are easily missed: two changes of sign in one step, poles where steps meet.  x = cos t throughout."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from nhc.language import Source
+from nhc.simulate.opening import open_scene
+from nhc.simulate.run import Settings, Trajectory, run
+
+pytestmark = pytest.mark.usefixtures("own_cache")
+TEXT = """nhc: 1
+system: circle
+coordinates: [x, y]
+T: (x'^2 + y'^2)/2
+V: (x^2 + y^2)/2
+scenes: {a: {initial: {x: 1, y': 1}, time: [0, 10]}}
+"""
+METHODS = [("dop853", 0.0), ("dopri5", 0.0), ("radau5", 0.0), ("rk4", 0.01)]
+
+
+def until(expression: str, method: str, step: float, compiled: bool) -> Trajectory:
+    job = open_scene(Source("circle.yaml", TEXT), until=expression, method=method)
+    return run(job, Settings(method, 1e-9, step, 11, compiled))
+
+
+@pytest.mark.parametrize("compiled", [False, True])
+@pytest.mark.parametrize(("method", "step"), METHODS)
+@pytest.mark.parametrize("depth", [1e-3, 1e-5, 1e-7])
+def test_a_dip_within_a_step_is_seen(depth: float, method: str, step: float, compiled: bool) -> None:
+    """x falls to -1 + depth, is beyond it for 2 sqrt(2 depth), and comes back: dop853 steps over all of it."""
+    found = until(f"x + {1 - depth!r}", method, step, compiled)
+    assert found.ended == "event"
+    assert found.times[-1] == pytest.approx(math.acos(depth - 1), abs=1e-8 / math.sqrt(depth))
+
+
+@pytest.mark.parametrize("compiled", [False, True])
+@pytest.mark.parametrize(("method", "step"), METHODS)
+def test_what_only_comes_near_is_no_event(method: str, step: float, compiled: bool) -> None:
+    assert until("(x - 0.5)^2 + 1e-9", method, step, compiled).ended == "done"
+    assert until("x + 1.0000001", method, step, compiled).ended == "done"
+
+
+@pytest.mark.parametrize("compiled", [False, True])
+@pytest.mark.parametrize(("method", "step"), METHODS)
+def test_a_pole_where_two_steps_meet_is_none(method: str, step: float, compiled: bool) -> None:
+    """tan(t - 1 + pi/2) has its pole at t = 1, a step's end of rk4, and its zero at 1 + pi/2."""
+    found = until("tan(t - 1 + pi/2)", method, step, compiled)
+    assert found.times[-1] == pytest.approx(1 + math.pi / 2, abs=1e-12)
+    assert until("sign(x)", method, step, compiled).times[-1] == pytest.approx(math.pi / 2, abs=1e-8)

@@ -1,0 +1,154 @@
+"""What jumps: energies that are other ones beyond, constraints that no motion follows, momenta that are no states."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from nhc.algebra.jumps import jumps
+from nhc.language import Source, decode
+from nhc.mechanics.conserved import find_conserved
+from nhc.mechanics.resolve import resolve
+from nhc.mechanics.system import System
+from nhc.pipeline import Options, check, reduce_scene
+from nhc.simulate.opening import open_scene
+from nhc.simulate.run import Settings, Trajectory, run
+
+pytestmark = pytest.mark.usefixtures("own_cache")
+HEAD = "nhc: 1\nsystem: jump\ncoordinates: [x, y]\nparameters: {k: 0.5, e: 1e-3}\n"
+ENDS = "scenes: {a: {initial: {x: -1, y: 0.3, x': 3, y': 0.2}, time: [0, 2], need: [energy]}}\n"
+JUMPING = (
+    "sign(x)",
+    "atan(1/x)",
+    "tanh(1/x)",
+    "atan(tan(2*x))",
+    "max(x, 0)/x",
+    "1/(1 + exp(1/x))",
+    "sign(x^2 + y^2 - 0.3)",
+    "sqrt(x^2*(1 + y^2))/x",
+)
+CONTINUOUS = (
+    "k/sqrt(x^2 + y^2)",
+    "k/sqrt(x^2 + y^2) - 1/sqrt((x - 1)^2 + (y - 2)^2)",
+    "x/(x^2 + y^2)^(3/2)",
+    "x*sign(x)",
+    "x/sqrt(x^2 + e^2)",
+    "tanh(x/e)",
+    "abs(x)",
+    "sin(x)/x",
+    "1/x^2 + k*abs(x)",
+    "acos(cos(x))",
+    "sqrt(2 - 2*cos(x - y))",
+)
+
+
+def system_of(text: str) -> System:
+    return resolve(decode(Source("jump.yaml", text)))
+
+
+def is_conserved(V: str) -> bool:
+    return find_conserved(system_of(f"{HEAD}T: (x'^2 + y'^2)/2\nV: {V}\n"), None).energy
+
+
+@pytest.mark.parametrize("V", JUMPING)
+def test_an_energy_that_jumps_is_not_conserved(V: str) -> None:
+    """The motion passes the jump: T + V at the ends of a run tell it."""
+    assert not is_conserved(V)
+    found = motion(f"{HEAD}T: (x'^2 + y'^2)/2\nV: {V}\n{ENDS}")
+    energies = [row[0] for row in found.rows]
+    assert max(energies) - min(energies) > 0.5
+
+
+@pytest.mark.parametrize("V", CONTINUOUS)
+def test_an_energy_with_poles_and_kinks_is_conserved(V: str) -> None:
+    assert is_conserved(V)
+
+
+def test_what_is_a_constant_of_the_motion_breaks_nothing() -> None:
+    system = system_of(f"{HEAD}T: (x'^2 + y'^2)/2\nV: k*x^2\noutputs: {{o: sign(y'), p: sign(x')*y'}}\n")
+    assert find_conserved(system, None).outputs == ("o",)
+    values = dict(zip(system.p, (0.5, 1e-3), strict=True))
+    assert jumps(system.graph, system.outputs[0][1], system.v, values, lambda node: False)
+    assert not jumps(system.graph, system.outputs[0][1], system.v, values, lambda node: True)
+
+
+def test_momenta_that_jump_are_no_constants_and_no_states() -> None:
+    """The velocities are continuous in every model, so these momenta are not."""
+    text = (
+        f"{HEAD}T: ((x' + sign(y)*y')^2 + 2*y'^2)/2\nV: x^2/2\n"
+        "scenes: {a: {initial: {x: -1, y: -0.5, x': 1, y': 1}, time: [0, 2], need: [x, y]}}\n"
+    )
+    found = find_conserved(system_of(text), None)
+    assert "p_y" not in " ".join(integral.text for integral in found.integrals)
+    assert found.power == ("T jumps",)
+    assert reduce_scene(Source("jump.yaml", text), Options(scene="a")).planner.reduction.state == ("x", "y", "x'", "y'")
+
+
+BEARING = """nhc: 1
+system: bearing
+coordinates: [x, y, theta]
+T: (x'^2 + y'^2 + theta'^2)/2
+V: (x^2 + y^2)/2
+holonomic: ["theta - {angle} = 0"]
+scenes: {{a: {{initial: {{x: 1, y': 1}}, time: [0, {end}]}}}}
+"""
+
+
+def motion(text: str, **settings: object) -> Trajectory:
+    formulation, method = str(settings.pop("formulation", "")), str(settings.get("method", "auto"))
+    job = open_scene(Source("jump.yaml", text), formulation=formulation, method=method)
+    return run(job, Settings(points=21, **settings))  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("formulation", ["chaplygin", "multipliers"])
+@pytest.mark.parametrize("compiled", [False, True])
+@pytest.mark.parametrize(("method", "step"), [("dop853", 0.0), ("radau5", 0.0), ("rk4", 0.01)])
+def test_a_run_ends_where_a_holonomic_constraint_jumps(
+    formulation: str, compiled: bool, method: str, step: float
+) -> None:
+    """theta = t, so atan2 jumps at t = pi: up to there the circle, beyond it nothing, where it was another motion."""
+    text = BEARING.format(angle="atan2(y, x)", end=4)
+    found = motion(text, formulation=formulation, method=method, step=step, compiled=compiled)
+    assert found.ended == "failed"
+    assert "a constraint jumps here" in found.reason
+    assert found.outcome.t == pytest.approx(math.pi, abs=max(step, 1e-8))
+    for t, row in zip(found.times, found.rows, strict=True):
+        assert row == pytest.approx((math.cos(t), math.sin(t), t), abs=1e-6)
+    assert len(found.times) == 16  # up to t = 3
+
+
+@pytest.mark.parametrize("formulation", ["chaplygin", "multipliers"])
+@pytest.mark.parametrize(("method", "step"), [("dop853", 0.0), ("rk4", 0.2)])
+def test_a_run_goes_on_where_the_angle_has_no_cut(formulation: str, method: str, step: float) -> None:
+    text = BEARING.format(angle="2*atan(y/(x + sqrt(x^2 + y^2)))", end=3)
+    found = motion(text, formulation=formulation, method=method, step=step)
+    assert found.ended == "done"
+    assert found.rows[-1] == pytest.approx((math.cos(3), math.sin(3), 3), abs=1e-7 if not step else 1e-3)
+
+
+def test_no_model_takes_an_angle_from_its_branch() -> None:
+    text = BEARING.format(angle="atan2(y, x)", end=3)
+    assert "theta" in reduce_scene(Source("jump.yaml", text), Options(scene="a")).planner.reduction.state
+
+
+def test_the_warning_names_what_jumps() -> None:
+    text = f"{HEAD}T: (x'^2 + y'^2)/2\nV: atan(1/x)\n"
+    (warning,) = check(Source("jump.yaml", text)).diagnostics
+    assert warning.code == "W0416"
+    assert warning.message.startswith("`V` jumps")
+
+
+@pytest.mark.parametrize(("method", "compiled"), [("auto", False), ("auto", True), ("radau5", True)])
+def test_a_run_ends_soon_where_dry_friction_sticks(method: str, compiled: bool) -> None:
+    """x' = 1 - 0.3 t until it is at rest; beyond, the rates jump to and fro, and steps are as short as rounding lets them be."""
+    text = (
+        "nhc: 1\nsystem: sliding\ncoordinates: [x, y]\nT: (x'^2 + y'^2)/2\nforces: {x: -0.3*sign(x'), y: 1}\n"
+        "scenes: {a: {initial: {x': 1}, time: [0, 5]}}\n"
+    )
+    found = motion(text, method=method, compiled=compiled)
+    assert found.ended == "failed"
+    assert "sticks" in found.reason
+    assert found.outcome.steps + found.outcome.rejected < 100_000
+    assert found.outcome.t == pytest.approx(10 / 3, abs=1e-4)
+    assert found.rows[-1][0] == pytest.approx(found.times[-1] - 0.15 * found.times[-1] ** 2, rel=1e-7)
