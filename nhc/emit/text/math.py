@@ -14,6 +14,7 @@ from nhc.records import record
 _SUM, _PRODUCT, _POWER, _ATOM = range(4)
 _NARROW = 24  # columns of an argument that stays on one line
 _SPECIAL = {"Omega form": "Omega", "Theta form": "Theta", "epsilon": "eps"}
+_SPECIAL |= {f"{base} form{OTHER}": f"<{base}>" for base in ("Omega", "Theta")}
 _SPECIAL |= {f"{base}{OTHER}": f"<{base}>" for base in ("T", "U", "E", "H", "Q", "p", "lambda", "omega", "Delta")}
 
 

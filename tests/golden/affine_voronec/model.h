@@ -1,5 +1,5 @@
 /*
- * affine_voronec.h: affine_voronec, emitted by nhc 0.1.0 (nhc:e584f08f6bb101ab)
+ * affine_voronec.h: affine_voronec, emitted by nhc 0.1.0 (nhc:9876054c6bb5b49d)
  * A particle with everything at once; affine constraint, time, T of degrees 2, 1 and 0, drag, a driving
  *     force.
  * Source: affine_voronec.yaml
@@ -99,7 +99,7 @@ int affine_voronec_residuals(double t, const double *q, const double *qdot, cons
 int affine_voronec_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * T + V (II.1.4)
+ * T + V
  * not finite where the model is singular
  */
 double affine_voronec_energy(double t, const double *y, const double *p);

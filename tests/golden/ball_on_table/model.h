@@ -1,5 +1,5 @@
 /*
- * ball_on_table.h: ball_on_table, emitted by nhc 0.1.0 (nhc:1b6fcdb7a5bb259a)
+ * ball_on_table.h: ball_on_table, emitted by nhc 0.1.0 (nhc:f265b0f45ef1cbf7)
  * A homogeneous ball that rolls on a turning table; its centre runs on a circle, though nothing holds it
  *     there.
  * Source: ball_on_table.yaml
@@ -121,7 +121,7 @@ int ball_on_table_residuals(double t, const double *q, const double *qdot, const
 int ball_on_table_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * T + V (II.1.4)
+ * T + V
  * not finite where the model is singular
  */
 double ball_on_table_energy(double t, const double *y, const double *p);

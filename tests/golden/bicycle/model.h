@@ -1,5 +1,5 @@
 /*
- * bicycle.h: bicycle, emitted by nhc 0.1.0 (nhc:bdfe2b129373128f)
+ * bicycle.h: bicycle, emitted by nhc 0.1.0 (nhc:500efcfd136bc6ef)
  * Whipple's bicycle, nonlinear; two wheels, rear frame with rider, front frame; x ahead, y right, z down.
  * Source: bicycle.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -143,7 +143,7 @@ int bicycle_residuals(double t, const double *q, const double *qdot, const doubl
 int bicycle_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * T + V (II.1.4)
+ * T + V
  * not finite where the model is singular
  */
 double bicycle_energy(double t, const double *y, const double *p);

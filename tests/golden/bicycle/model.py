@@ -1,4 +1,4 @@
-"""bicycle, emitted by nhc 0.1.0 (nhc:3f047a84d6ef8795).
+"""bicycle, emitted by nhc 0.1.0 (nhc:5ab4979f47c645fa).
 
 Whipple's bicycle, nonlinear; two wheels, rear frame with rider, front frame; x
     ahead, y right, z down.
@@ -1639,7 +1639,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """T + V (II.1.4)
+    """T + V
 
     Arguments: t (scalar), y (12,), p (26,).
     Returns a scalar.

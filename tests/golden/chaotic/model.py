@@ -1,4 +1,4 @@
-"""chaotic, emitted by nhc 0.1.0 (nhc:4c9db27b700db0f2).
+"""chaotic, emitted by nhc 0.1.0 (nhc:dde40aab7a527157).
 
 Seven coupled oscillators with one contact constraint; reversible and chaotic.
 Source: chaotic.yaml
@@ -401,7 +401,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """T + V (II.1.4)
+    """T + V
 
     Arguments: t (scalar), y (13,), p (0,).
     Returns a scalar.

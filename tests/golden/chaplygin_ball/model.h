@@ -1,5 +1,5 @@
 /*
- * chaplygin_ball.h: chaplygin_ball, emitted by nhc 0.1.0 (nhc:c7bc1f999008df95)
+ * chaplygin_ball.h: chaplygin_ball, emitted by nhc 0.1.0 (nhc:b80610d58058889d)
  * A ball with three different moments of inertia and its centre of mass at its centre rolls on a horizontal
  *     plane.
  * Source: chaplygin_ball.yaml
@@ -114,7 +114,7 @@ int chaplygin_ball_residuals(double t, const double *q, const double *qdot, cons
 int chaplygin_ball_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * T + V (II.1.4)
+ * T + V
  * not finite where the model is singular
  */
 double chaplygin_ball_energy(double t, const double *y, const double *p);

@@ -1,4 +1,4 @@
-"""double_pendulum, emitted by nhc 0.1.0 (nhc:3ff7aeeb7b377f5a).
+"""double_pendulum, emitted by nhc 0.1.0 (nhc:b5773923b9aa533b).
 
 Two pendulums in a row, absolute angles; the model gives positions and nhc
     differentiates them.
@@ -279,7 +279,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """T + V (II.1.4)
+    """T + V
 
     Arguments: t (scalar), y (4,), p (5,).
     Returns a scalar.

@@ -1,5 +1,5 @@
 /*
- * free_rigid_body.h: free_rigid_body, emitted by nhc 0.1.0 (nhc:a54a4f992ac90a9b)
+ * free_rigid_body.h: free_rigid_body, emitted by nhc 0.1.0 (nhc:00f2981889949833)
  * A free rigid body; the components of its angular velocity on body axes are the quasi-velocities.
  * Source: free_rigid_body.yaml
  * Equations of motion: euler-lagrange (I.2.14)
@@ -103,7 +103,7 @@ int free_rigid_body_residuals(double t, const double *q, const double *qdot, con
 int free_rigid_body_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * T + V (II.1.4)
+ * T + V
  * not finite where the model is singular
  */
 double free_rigid_body_energy(double t, const double *y, const double *p);

@@ -1,4 +1,4 @@
-"""free_rigid_body, emitted by nhc 0.1.0 (nhc:d5df38d8ba55cc08).
+"""free_rigid_body, emitted by nhc 0.1.0 (nhc:cf25341995614561).
 
 A free rigid body; the components of its angular velocity on body axes are the
     quasi-velocities.
@@ -338,7 +338,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """T + V (II.1.4)
+    """T + V
 
     Arguments: t (scalar), y (6,), p (3,).
     Returns a scalar.

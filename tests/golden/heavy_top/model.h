@@ -1,5 +1,5 @@
 /*
- * heavy_top.h: heavy_top, emitted by nhc 0.1.0 (nhc:7d9742875e4e84cd)
+ * heavy_top.h: heavy_top, emitted by nhc 0.1.0 (nhc:97c270516150d58d)
  * The symmetric top with a fixed point (Lagrange's top).
  * Source: heavy_top.yaml
  * Equations of motion: lagrange (II.3)
@@ -103,7 +103,7 @@ int heavy_top_residuals(double t, const double *q, const double *qdot, const dou
 int heavy_top_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * T + V (II.1.4)
+ * T + V
  * not finite where the model is singular
  */
 double heavy_top_energy(double t, const double *y, const double *p);

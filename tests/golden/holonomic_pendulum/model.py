@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""holonomic_pendulum, emitted by nhc 0.1.0 (nhc:556e09e52e307c7a).
+"""holonomic_pendulum, emitted by nhc 0.1.0 (nhc:ca1890cb44cca36b).
 
 The plane pendulum in Cartesian coordinates with the rod as a constraint on the
     positions.
@@ -302,7 +302,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """T + V (II.1.4)
+    """T + V
 
     Arguments: t (scalar), y (3,), p (3,).
     Returns a scalar.

@@ -1,5 +1,5 @@
 /*
- * n_snake3.h: n_snake3, emitted by nhc 0.1.0 (nhc:2bf21dd89bf51e86)
+ * n_snake3.h: n_snake3, emitted by nhc 0.1.0 (nhc:dc94020ab21092db)
  * Three links with a wheeled axle under the middle of each, hinged in a row with springs in the hinges.
  * Source: n_snake3.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -107,7 +107,7 @@ int n_snake3_residuals(double t, const double *q, const double *qdot, const doub
 int n_snake3_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * T + V (II.1.4)
+ * T + V
  * not finite where the model is singular
  */
 double n_snake3_energy(double t, const double *y, const double *p);

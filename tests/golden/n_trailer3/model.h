@@ -1,5 +1,5 @@
 /*
- * n_trailer3.h: n_trailer3, emitted by nhc 0.1.0 (nhc:d6c5ee250954a0b1)
+ * n_trailer3.h: n_trailer3, emitted by nhc 0.1.0 (nhc:b2332676f8954abb)
  * A tractor with three trailers, each hitched to the axle before it; none of the four axles slips sideways.
  * Source: n_trailer3.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -114,7 +114,7 @@ int n_trailer3_residuals(double t, const double *q, const double *qdot, const do
 int n_trailer3_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * T + V (II.1.4)
+ * T + V
  * not finite where the model is singular
  */
 double n_trailer3_energy(double t, const double *y, const double *p);

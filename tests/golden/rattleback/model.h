@@ -1,5 +1,5 @@
 /*
- * rattleback.h: rattleback, emitted by nhc 0.1.0 (nhc:3ff50b1f4b514521)
+ * rattleback.h: rattleback, emitted by nhc 0.1.0 (nhc:ced046f01f51151b)
  * A loaded ellipsoid that rolls on a plane and prefers one sense of spin (celt, wobblestone).
  * Source: rattleback.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -117,7 +117,7 @@ int rattleback_residuals(double t, const double *q, const double *qdot, const do
 int rattleback_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * T + V (II.1.4)
+ * T + V
  * not finite where the model is singular
  */
 double rattleback_energy(double t, const double *y, const double *p);

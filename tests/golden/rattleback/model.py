@@ -1,4 +1,4 @@
-"""rattleback, emitted by nhc 0.1.0 (nhc:7a225d507124e0a2).
+"""rattleback, emitted by nhc 0.1.0 (nhc:ef0e680078cb24e4).
 
 A loaded ellipsoid that rolls on a plane and prefers one sense of spin (celt,
     wobblestone).
@@ -741,7 +741,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """T + V (II.1.4)
+    """T + V
 
     Arguments: t (scalar), y (9,), p (9,).
     Returns a scalar.

@@ -1,5 +1,5 @@
 /*
- * routh_sphere.h: routh_sphere, emitted by nhc 0.1.0 (nhc:7db7b14a759bb9dd)
+ * routh_sphere.h: routh_sphere, emitted by nhc 0.1.0 (nhc:8efcd296fad209d5)
  * A ball with its centre of mass off its centre, dynamically symmetric, rolls on a horizontal plane.
  * Source: routh_sphere.yaml
  * Equations of motion: chaplygin (III.3)
@@ -112,7 +112,7 @@ int routh_sphere_residuals(double t, const double *q, const double *qdot, const 
 int routh_sphere_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * T + V (II.1.4)
+ * T + V
  * not finite where the model is singular
  */
 double routh_sphere_energy(double t, const double *y, const double *p);

@@ -1,4 +1,4 @@
-"""smooth_tippe_top, emitted by nhc 0.1.0 (nhc:27b6e84be30ce882).
+"""smooth_tippe_top, emitted by nhc 0.1.0 (nhc:8b943e3f8a6ef1d1).
 
 The ball of routh_sphere on a plane without any friction.
 Source: smooth_tippe_top.yaml
@@ -463,7 +463,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """T + V (II.1.4)
+    """T + V
 
     Arguments: t (scalar), y (10,), p (6,).
     Returns a scalar.

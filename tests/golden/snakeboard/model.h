@@ -1,5 +1,5 @@
 /*
- * snakeboard.h: snakeboard, emitted by nhc 0.1.0 (nhc:1a1051dbd620648e)
+ * snakeboard.h: snakeboard, emitted by nhc 0.1.0 (nhc:a277d0262d1414d4)
  * A board on two steerable axles and a rotor; it moves by turning the rotor and the axles to and fro.
  * Source: snakeboard.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -117,7 +117,7 @@ int snakeboard_residuals(double t, const double *q, const double *qdot, const do
 int snakeboard_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * T + V (II.1.4)
+ * T + V
  * not finite where the model is singular
  */
 double snakeboard_energy(double t, const double *y, const double *p);

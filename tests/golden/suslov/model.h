@@ -1,5 +1,5 @@
 /*
- * suslov.h: suslov, emitted by nhc 0.1.0 (nhc:dd95081f5d53b9c8)
+ * suslov.h: suslov, emitted by nhc 0.1.0 (nhc:5b43fcd9e91c88d1)
  * A rigid body with a fixed point that must not turn about one of its own axes.
  * Source: suslov.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -107,7 +107,7 @@ int suslov_residuals(double t, const double *q, const double *qdot, const double
 int suslov_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * T + V (II.1.4)
+ * T + V
  * not finite where the model is singular
  */
 double suslov_energy(double t, const double *y, const double *p);

@@ -1,4 +1,4 @@
-"""suslov, emitted by nhc 0.1.0 (nhc:8b540e67e743b687).
+"""suslov, emitted by nhc 0.1.0 (nhc:6bbe562e148c18b7).
 
 A rigid body with a fixed point that must not turn about one of its own axes.
 Source: suslov.yaml
@@ -345,7 +345,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """T + V (II.1.4)
+    """T + V
 
     Arguments: t (scalar), y (5,), p (5,).
     Returns a scalar.

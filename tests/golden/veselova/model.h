@@ -1,5 +1,5 @@
 /*
- * veselova.h: veselova, emitted by nhc 0.1.0 (nhc:39fdf4374e98554d)
+ * veselova.h: veselova, emitted by nhc 0.1.0 (nhc:480006ba5fd30bcf)
  * A rigid body with a fixed point that must not turn about the vertical.
  * Source: veselova.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -106,7 +106,7 @@ int veselova_residuals(double t, const double *q, const double *qdot, const doub
 int veselova_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * T + V (II.1.4)
+ * T + V
  * not finite where the model is singular
  */
 double veselova_energy(double t, const double *y, const double *p);

@@ -1,4 +1,4 @@
-"""veselova, emitted by nhc 0.1.0 (nhc:dc887a5f3219046f).
+"""veselova, emitted by nhc 0.1.0 (nhc:a4142730e1bd8188).
 
 A rigid body with a fixed point that must not turn about the vertical.
 Source: veselova.yaml
@@ -453,7 +453,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """T + V (II.1.4)
+    """T + V
 
     Arguments: t (scalar), y (5,), p (3,).
     Returns a scalar.

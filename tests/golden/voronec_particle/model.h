@@ -1,5 +1,5 @@
 /*
- * voronec_particle.h: voronec_particle, emitted by nhc 0.1.0 (nhc:fee83aade8c3af30)
+ * voronec_particle.h: voronec_particle, emitted by nhc 0.1.0 (nhc:0bafc33b1e91d52a)
  * A particle whose T, U and constraint depend on the dependent coordinate, so that Caplygin's hypotheses
  *     fail.
  * Source: voronec_particle.yaml
@@ -99,7 +99,7 @@ int voronec_particle_residuals(double t, const double *q, const double *qdot, co
 int voronec_particle_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * T + V (II.1.4)
+ * T + V
  * not finite where the model is singular
  */
 double voronec_particle_energy(double t, const double *y, const double *p);
