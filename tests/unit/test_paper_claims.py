@@ -2,10 +2,17 @@
 
 from __future__ import annotations
 
+from collections import Counter
+from fractions import Fraction
+from pathlib import Path
+
 import pytest
 
+from nhc.algebra.graph import Graph
+from nhc.algebra.modular import are_zero
 from nhc.diagnostics import Bag
 from nhc.emit.latex.document import render
+from nhc.emit.terms import split_number
 from nhc.emit.text import print_derivation
 from nhc.language import Source, decode
 from nhc.mechanics.choose import applicable, formulate
@@ -13,9 +20,13 @@ from nhc.mechanics.facts import describe
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.resolve import resolve
 from nhc.mechanics.system import System
+from nhc.program.ir import Ref
 from nhc.program.paper import Derivation, Statement, derivation
+from nhc.program.passes import walk
 from nhc.program.sheets.model import Mark
+from nhc.program.sheets.tidy import _with_squares
 
+SPECS = Path(__file__).resolve().parents[2] / "specs"
 HEAD = "nhc: 1\nsystem: case\nparameters: {m: 1, c: 0.4}\n"
 PLANE = HEAD + "coordinates: [x, y]\nT: m/2*(x'^2 + y'^2)\n"
 SPACE = HEAD + "coordinates: [x, y, z]\nT: m/2*(x'^2 + y'^2 + z'^2)\n"
@@ -150,3 +161,72 @@ def test_a_form_gives_way_to_a_quantity_of_its_name() -> None:
         for term in item.left
         for factor in term.factors
     }
+
+
+# --- what is pleasant to read ---------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("value", "shown"),
+    [
+        ("981/100", ("9.81", "")),
+        ("3/250", ("0.012", "")),
+        ("1/20", ("0.05", "")),
+        ("100.05", ("100.05", "")),
+        ("1/4", ("", "4")),
+        ("3/10", ("3", "10")),
+        ("1/64", ("", "64")),
+        ("7/30", ("7", "30")),
+        ("1/5000", ("", "5000")),
+        ("1", ("", "")),
+        ("12", ("12", "")),
+    ],
+)
+def test_awkward_fractions_are_decimals(value: str, shown: tuple[str, str]) -> None:
+    assert split_number(Fraction(value)) == shown
+
+
+def test_decimals_stand_above_the_line() -> None:
+    made = derive(PLANE + "V: 9.81*m*y/(1 + x^2)\n")
+    assert "U = -9.81*m*y/(1 + x^2)" in print_derivation(made)
+    assert r"\frac{9.81\,m\,y}{1 + x^{2}}" in render(made)
+
+
+def test_a_coefficient_that_stands_alone_needs_no_name_for_its_sign() -> None:
+    """Omega has -(I1 sin^2 + I3 cos^2) as a coefficient, and a row has the sum once: no abbreviation for it."""
+    made = derive((SPECS / "heavy_top.yaml").read_text())
+    used = Counter(
+        part.name
+        for sheet in made.sheets
+        for item in (*sheet.lets, *sheet.items)
+        if isinstance(item, Statement)
+        for term in (*item.right, *(item.left if item in sheet.items else ()))
+        for part in walk(term.coefficient)
+        if isinstance(part, Ref)
+    )
+    own = {entry.name for entry in made.system.spec.definitions}
+    assert {name for name in made.lets if name not in own and used[name] < 2} == set()
+
+
+def test_squares_of_cosines_are_written_as_such() -> None:
+    made = derive((SPECS / "heavy_top.yaml").read_text())
+    text = print_derivation(made)
+    assert "1 - sin(theta)^2" not in text
+    assert "(I1*sin(theta)^2 + I3*cos(theta)^2) phi''" in text
+
+
+def test_a_sum_with_a_square_of_a_sine() -> None:
+    """n - n sin^2 = n cos^2 wherever it stands in a sum, and nothing else changes."""
+    g = Graph()
+    x, y = g.symbol("x"), g.symbol("y")
+    square = g.power(g.function("sin", x), 2)
+    cases = [
+        (g.sum([y, g.number(3), g.neg(g.mul(g.number(3), square))]), True),
+        (g.sub(square, g.one), True),
+        (g.sub(g.number(2), square), False),
+        (g.sub(y, square), False),
+    ]
+    for node, changes in cases:
+        made = _with_squares(g, node)
+        assert (made != node) == changes
+        assert are_zero(g, [g.sub(made, node)]) == [True]
