@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping
 
 FUNCTIONS: dict[str, Callable[..., float]] = {
@@ -24,7 +25,7 @@ FUNCTIONS: dict[str, Callable[..., float]] = {
 _DIGITS = re.compile(r"\d+(\.\d+)?")
 
 
-class Reader:
+class Reader(ABC):
     """The value of a side; ``marks`` gives one to each symbol as it is printed. A wedge counts as a product."""
 
     def __init__(self, text: str, marks: Mapping[str, float]) -> None:
@@ -61,8 +62,9 @@ class Reader:
             total += sign * self.term()
         return total
 
+    @abstractmethod
     def term(self) -> float:
-        raise NotImplementedError
+        """A product, as the notation writes it."""
 
     def number(self) -> float | None:
         self.skip()
