@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
+
 from nhc.algebra.graph import ADD, MUL, NEG, NUM, PI, POW, SYM, Graph, Node
 
 _PRIMES = {"velocity": "'", "acceleration": "''", "rate": "'"}
@@ -36,13 +38,15 @@ def _write(g: Graph, node: Node, budget: list[int]) -> tuple[str, int]:
             return f"{left} - {_wrap(_write(g, g.a[b], budget), _PRODUCT)}", _SUM
         return f"{left} + {_wrap(_write(g, b, budget), _SUM)}", _SUM
     if op == MUL:
-        return _write_product(g, a, b, budget)
+        return _write_product(g, node, budget)
     if op == POW:
         if b < 0:
             return "1/" + _wrap(_write_power(g, a, -b, budget), _POWER), _PRODUCT
         return _write_power(g, a, b, budget)
-    inner = ", ".join(_write(g, c, budget)[0] for c in g.children(node))
-    return f"{'pow' if op == 'powf' else op}({inner})", _ATOM
+    if op == "powf":
+        base, exponent = (_wrap(_write(g, c, budget), _ATOM) for c in g.children(node))
+        return f"{base}^{exponent}", _POWER
+    return f"{op}({', '.join(_write(g, c, budget)[0] for c in g.children(node))})", _ATOM
 
 
 def _write_power(g: Graph, base: Node, n: int, budget: list[int]) -> tuple[str, int]:
@@ -50,12 +54,29 @@ def _write_power(g: Graph, base: Node, n: int, budget: list[int]) -> tuple[str, 
     return written if n == 1 else (f"{_wrap(written, _ATOM)}^{n}", _POWER)
 
 
-def _write_product(g: Graph, a: Node, b: Node, budget: list[int]) -> tuple[str, int]:
-    for x, y in ((a, b), (b, a)):
-        if g.op[y] == POW and g.b[y] < 0:
-            top = _wrap(_write(g, x, budget), _PRODUCT)
-            return f"{top}/{_wrap(_write_power(g, g.a[y], -g.b[y], budget), _POWER)}", _PRODUCT
-    return f"{_wrap(_write(g, a, budget), _PRODUCT)}*{_wrap(_write(g, b, budget), _PRODUCT)}", _PRODUCT
+def _write_product(g: Graph, node: Node, budget: list[int]) -> tuple[str, int]:
+    """One fraction line: ``3*a*(x + y)/(2*b)``."""
+    number, over, under, stack = Fraction(1), list[str](), list[str](), [node]
+    while stack:
+        part = stack.pop()
+        if g.op[part] in (MUL, NEG):
+            number = -number if g.op[part] == NEG else number
+            stack += reversed(g.children(part))
+        elif g.op[part] == NUM:
+            value = g.value(part)
+            assert value is not None
+            number *= value
+        elif g.op[part] == POW and g.b[part] < 0:
+            under.append(_wrap(_write_power(g, g.a[part], -g.b[part], budget), _POWER))
+        else:
+            over.append(_wrap(_write(g, part, budget), _PRODUCT))
+    above, below = abs(number).numerator, number.denominator
+    over = [str(above), *over] if above != 1 or not over else over
+    under = [str(below), *under] if below != 1 else under
+    text = "*".join(over)
+    if under:
+        text += f"/{under[0]}" if len(under) == 1 else f"/({'*'.join(under)})"
+    return (f"-{text}", _SUM) if number < 0 else (text, _PRODUCT)
 
 
 def _wrap(written: tuple[str, int], least: int) -> str:

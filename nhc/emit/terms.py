@@ -11,6 +11,8 @@ from nhc.program.sheets.model import RANK_STEP, Side, Symbol, Term
 from nhc.records import record
 
 _NUMBER, _PI, _SUM, _CALL = 0, 1, 8 * RANK_STEP, 9 * RANK_STEP
+_AWKWARD = 20  # smallest denominator of a fraction that is set as a decimal
+_PLACES, _SMALL = 9, Fraction(1, 1000)  # of a decimal: the most places, and the smallest value
 
 
 @record
@@ -21,6 +23,24 @@ class Product:
     number: Fraction
     over: tuple[Expr, ...]
     under: tuple[Expr, ...]
+
+    @property
+    def parts(self) -> tuple[str, str]:
+        """What of the number stands above and below the line; empty for 1."""
+        return split_number(self.number)
+
+
+def split_number(value: Fraction) -> tuple[str, str]:
+    """Numerator and denominator of a positive number, empty for 1; a decimal above where a fraction would be awkward.
+
+    2.25 is 9/4 and 0.3 is 3/10, but 9.81 remains 9.81: a finite decimal, and no simple fraction.
+    """
+    places = next((k for k in range(_PLACES + 1) if 10**k % value.denominator == 0), 0)
+    if places == 0 or value.denominator % 5 or value.denominator < _AWKWARD or value < _SMALL:
+        above, below = ("" if part == 1 else str(part) for part in (value.numerator, value.denominator))
+        return above, below
+    digits = f"{value.numerator * (10**places // value.denominator):0{places + 1}d}"
+    return f"{digits[:-places]}.{digits[-places:]}", ""
 
 
 def flatten_sum(expression: Expr) -> list[tuple[bool, Expr]]:

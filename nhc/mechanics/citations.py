@@ -19,7 +19,7 @@ _SOURCES = {
         "G. Hamel, Die Lagrange-Eulerschen Gleichungen der Mechanik, Z. Math. Phys. 50 (1904) 1-57",
     ),
     "chaplygin": (
-        "S. A. Chaplygin, On the motion of a heavy body of revolution on a horizontal plane (1897), "
+        "S. A. Chaplygin, On a motion of a heavy body of revolution on a horizontal plane (1897), "
         "reprinted in Regular and Chaotic Dynamics 7 (2002) 119-130",
     ),
     "voronec": (

@@ -125,15 +125,17 @@ def power(system: System, multipliers: Sequence[Node]) -> Node:
 
 
 def power_terms(system: System) -> list[str]:
-    """The terms of the balance that do not vanish, in words."""
+    """The terms of the balance that do not vanish, in words; a force whose work others cancel (a gyroscopic one) is none."""
     g = system.graph
     terms = []
     turned = {k for rotation in system.rotations for k in rotation.places}
+    work = g.sum([g.mul(q, v) for q, v in zip(system.Q, system.v, strict=True)])
+    idle = are_zero(g, gradient(g, work, system.v))
     for i, q in enumerate(system.Q):
-        if i not in turned and not are_zero(g, [q])[0]:
+        if i not in turned and not idle[i] and not are_zero(g, [q])[0]:
             terms.append(f"the force on `{system.q_names[i]}`")
     for rotation, torque in zip(system.rotations, system.torques, strict=True):
-        if not all(are_zero(g, torque)):
+        if not all(idle[k] for k in rotation.places) and not all(are_zero(g, torque)):
             terms.append(f"the torque on `{rotation.name}`")
     explicit = tangent(g, [system.T, system.U], {system.t: g.one})
     terms += [f"{name} contains the time" for name, z in zip(("T", "U"), are_zero(g, explicit), strict=True) if not z]

@@ -49,7 +49,9 @@ def describe(system: System, formulation: Formulation, bag: Bag, *, explain: boo
     """Facts of the system; warnings go to the bag.  Without ``explain`` what is conserved is not searched for."""
     facts = Facts()
     n, lower = system.n, system.l
-    facts.say("degrees", {"n": n, "l": lower}, f"{n} coordinates, {lower} constraints, {n - lower} free velocities")
+    parts = ((n, "coordinate", "coordinates"), (lower, "constraint", "constraints"))
+    text = ", ".join(_numbered(*part) for part in (*parts, (n - lower, "free velocity", "free velocities")))
+    facts.say("degrees", {"n": n, "l": lower}, text)
     _kinetic(system, facts)
     integrals: tuple[PositionIntegral, ...] = ()
     if lower:
@@ -73,6 +75,10 @@ def describe(system: System, formulation: Formulation, bag: Bag, *, explain: boo
     )
     _nonsmooth(system, bag)
     return facts
+
+
+def _numbered(number: int, one: str, several: str) -> str:
+    return f"{number} {one if number == 1 else several}"
 
 
 def _kinetic(system: System, facts: Facts) -> None:
@@ -197,7 +203,7 @@ def _conserved(system: System, formulation: Formulation, integrals: tuple[Positi
     facts.say("energy", {"conserved": found.energy, "power": list(found.power), "generalized": found.jacobi}, line)
     data = [{"integral": i.text, "where_zero": list(i.where), "moving_energy": i.moving} for i in found.integrals]
     texts = [_spell(i) for i in found.integrals]
-    facts.say("conserved", data, f"constants of the motion: {', '.join(texts) or 'none'} among {found.tried}")
+    facts.say("conserved", data, f"constants of the motion: {', '.join(texts) or 'none'} (sought among {found.tried})")
     if found.outputs:
         facts.say("constant_outputs", list(found.outputs), f"outputs that are constant: {', '.join(found.outputs)}")
 

@@ -179,8 +179,7 @@ def _name_integral(system: System, i: int, rest: Node) -> Integral:
     whole = to_text(g, rest)
     if len(whole) > _LONGEST:
         whole = f"a function of {', '.join(n for n, q in zip(system.q_names, system.q, strict=True) if g.depends(rest, g.deps[q]))}"
-    minus = whole.startswith("-(") and whole.endswith(")") and whole.count("(") == 1 + whole[2:-1].count("(")
-    text = name if rest == g.zero else f"{name} - {whole[1:]}" if minus else f"{name} + {whole}"
+    text = name if rest == g.zero else f"{name} - {whole[1:]}" if whole.startswith("-") else f"{name} + {whole}"
     return Integral(i, g.symbol(name, "constant"), rest, f"{system.q_names[i]} = {text}", rest)
 
 

@@ -128,9 +128,7 @@ class Planner(PlannerBase):
 
     def energy(self) -> FunctionPlan:
         value = self.on_motion([self.system.energy])[0]
-        return FunctionPlan(
-            "energy", "T + V", "II.1.4", (T_ARGUMENT, self.y, self.p), None, self.state_loads, (), value
-        )
+        return FunctionPlan("energy", "T + V", "", (T_ARGUMENT, self.y, self.p), None, self.state_loads, (), value)
 
     def state(self) -> FunctionPlan:
         """y from (q, q'): the kept velocities are the values of their forms, without projection."""

@@ -139,7 +139,7 @@ def test_sympy_disc_linearised() -> None:
     expected = np.array([[0, 1, 0, 0], [0.8, 0, 0, 1.2 * speed], [0, 0, 0, 0], [0, -2 * speed, 0, 0]])
     assert np.abs(found.linearisation.full - expected).max() < 1e-12
     assert found.paper == (
-        ("0", "1", "0", "0"), ("4/5*g/r", "0", "0", "6/5*u2"), ("0", "0", "0", "0"), ("0", "-2*u2", "0", "0"),
+        ("0", "1", "0", "0"), ("4*g/(5*r)", "0", "0", "6*u2/5"), ("0", "0", "0", "0"), ("0", "-2*u2", "0", "0"),
     )  # fmt: skip
 
 

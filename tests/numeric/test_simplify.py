@@ -30,7 +30,7 @@ from nhc.study.simplify.ladder import Ladder, Size
 from nhc.study.simplify.measure import Meter, NotMeasured, meter_of
 from nhc.study.simplify.search import Trial, _Search, simplify
 from nhc.study.simplify.text import write_draft
-from nhc.study.simplify.zero import INFINITE, is_infinite, list_terms, replace_parts, vanish
+from nhc.study.simplify.zero import INFINITE, ZERO, is_infinite, list_terms, replace_parts
 from tests.support import GALLERY, spec_path
 
 TOLERANCE = 1e-4
@@ -420,7 +420,7 @@ def test_terms(text: str, terms: list[str]) -> None:
     ],
 )
 def test_what_vanishes(text: str, left: str) -> None:
-    made = vanish(tree_of(text), lambda node: getattr(node, "name", "") == "e")
+    made = replace_parts(tree_of(text), lambda node: ZERO if getattr(node, "name", "") == "e" else None)
     assert unparse(made) == left
 
 

@@ -8,7 +8,7 @@ from fractions import Fraction
 from nhc.emit.latex.names import PLAIN, Names
 from nhc.emit.latex.width import estimate
 from nhc.emit.layout import LAST, Piece, hold, nest, total
-from nhc.emit.terms import Product, flatten_product, flatten_sum, is_sum, is_unit, list_terms
+from nhc.emit.terms import Product, flatten_product, flatten_sum, is_sum, is_unit, list_terms, split_number
 from nhc.program.ir import Binary, Call, Expr, Negate, Number, Pi, Power, Ref
 from nhc.program.sheets.model import RANK_STEP, Mark, Side, Symbol
 from nhc.records import record
@@ -79,16 +79,18 @@ class LatexMath:
         under = self._factors(product.under)
         if not product.under:
             return [*sign, *_numbered(product.number, over)]
-        if product.number.denominator != 1:
-            under = [_piece(str(product.number.denominator)), *_thin(under)]
-        if product.number.numerator != 1 or not over:
-            over = [_piece(str(product.number.numerator)), *(_thin(over) if over else [])]
+        top, bottom = product.parts
+        if bottom:
+            under = [_piece(bottom), *_thin(under)]
+        if top or not over:
+            over = [_piece(top or "1"), *(_thin(over) if over else [])]
         return [*sign, *self._quotient(product, over, under)]
 
     def _quotient(self, product: Product, over: list[Piece], under: list[Piece]) -> list[Piece]:
         """A fraction where both parts are narrow and flat, else its denominator with a negative exponent."""
-        below = self.pieces(product.under[0]) if len(product.under) == 1 and product.number.denominator == 1 else under
-        above = self.pieces(product.over[0]) if len(product.over) == 1 and product.number.numerator == 1 else over
+        top, bottom = product.parts
+        below = self.pieces(product.under[0]) if len(product.under) == 1 and not bottom else under
+        above = self.pieces(product.over[0]) if len(product.over) == 1 and not top else over
         width = max(total(above), total(below))
         if width <= _FRACTION and not any(r"\frac" in piece.text for piece in (*above, *below)):
             return [Piece(rf"\frac{{{_join(above)}}}{{{_join(below)}}}", width + 4.0)]
@@ -98,7 +100,7 @@ class LatexMath:
         return [*over, *_thin(inverse)]
 
     def _inverse(self, product: Product, below: list[Piece]) -> list[Piece]:
-        lone = product.under[0] if len(product.under) == 1 and product.number.denominator == 1 else None
+        lone = product.under[0] if len(product.under) == 1 and not product.parts[1] else None
         match lone:
             case Ref():
                 return self._power(Power(lone, -1))
@@ -169,10 +171,10 @@ def _number(value: Fraction) -> Piece:
     if value < 0:
         inner = _number(-value)
         return Piece(f"(-{inner.text})", inner.width + 14.0)
-    if value.denominator == 1:
-        return _piece(str(value.numerator))
-    digits = max(len(str(value.numerator)), len(str(value.denominator)))
-    return Piece(rf"\tfrac{{{value.numerator}}}{{{value.denominator}}}", 4.0 * digits + 3.0)
+    above, below = split_number(value)
+    if not below:
+        return _piece(above or "1")
+    return Piece(rf"\tfrac{{{above or '1'}}}{{{below}}}", 4.0 * max(len(above), len(below)) + 3.0)
 
 
 def _thin(pieces: list[Piece]) -> list[Piece]:

@@ -15,6 +15,7 @@ _GREEK_NAMES = (
 _GREEK = frozenset(_GREEK_NAMES.split())
 _SPELLED = {"epsilon": r"\varepsilon", "phi": r"\varphi"}
 _SPECIAL = {"Omega form": r"\boldsymbol{\Omega}", "Theta form": r"\boldsymbol{\theta}"}
+_SPECIAL |= {f"{name}{OTHER}": bold for name, bold in _SPECIAL.items()}  # bold is another shape already
 _SPECIAL |= {f"{base}{OTHER}": rf"\mathcal{{{base}}}" for base in "TUEHQ"}
 _SPECIAL |= {f"Delta{OTHER}": r"\mathcal{D}"}
 _SPECIAL |= {f"p{OTHER}": r"\mathcal{P}", f"lambda{OTHER}": r"\Lambda", f"omega{OTHER}": r"\varpi"}

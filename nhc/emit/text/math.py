@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from fractions import Fraction
 
 from nhc.emit.layout import Piece, hold, nest
-from nhc.emit.terms import flatten_product, flatten_sum, is_sum, is_unit, list_terms
+from nhc.emit.terms import flatten_product, flatten_sum, is_sum, is_unit, list_terms, split_number
 from nhc.program.ir import Binary, Call, Expr, Negate, Number, Pi, Power, Ref
 from nhc.program.sheets.model import OTHER, Mark, Side, Symbol
 from nhc.records import record
@@ -14,6 +14,7 @@ from nhc.records import record
 _SUM, _PRODUCT, _POWER, _ATOM = range(4)
 _NARROW = 24  # columns of an argument that stays on one line
 _SPECIAL = {"Omega form": "Omega", "Theta form": "Theta", "epsilon": "eps"}
+_SPECIAL |= {f"{base} form{OTHER}": f"<{base}>" for base in ("Omega", "Theta")}
 _SPECIAL |= {f"{base}{OTHER}": f"<{base}>" for base in ("T", "U", "E", "H", "Q", "p", "lambda", "omega", "Delta")}
 
 
@@ -68,17 +69,17 @@ class TextMath:
     def _term(self, term: Expr) -> list[Piece]:
         """A product; its sign has been taken out."""
         product = flatten_product(term, self.symbols)
-        number = product.number
+        above, below = product.parts
         top: list[Piece] = []
-        if number.numerator != 1 or not product.over:
-            top.append(_piece(str(number.numerator)))
+        if above or not product.over:
+            top.append(_piece(above or "1"))
         for factor in product.over:
             if top:
                 top.append(_piece("*"))
             top += self._factor(factor)
         under = [self._factor(factor) for factor in product.under]
-        if number.denominator != 1:
-            under.insert(0, [_piece(str(number.denominator))])
+        if below:
+            under.insert(0, [_piece(below)])
         if product.negative:
             top.insert(0, _piece("-"))
         if not under:
@@ -124,7 +125,9 @@ def _piece(text: str) -> Piece:
 
 
 def _fraction(value: Fraction) -> str:
-    return str(value) if value.denominator == 1 and value >= 0 else f"({value})"
+    above, below = split_number(abs(value))
+    text = f"{'-' if value < 0 else ''}{above or '1'}{f'/{below}' if below else ''}"
+    return text if value >= 0 and not below else f"({text})"
 
 
 def _signed(first: bool, negative: bool, body: list[Piece]) -> list[Piece]:

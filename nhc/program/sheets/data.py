@@ -59,7 +59,8 @@ def _table(
 def _constraints(desk: Desk, sheet: DraftSheet) -> None:
     system = desk.system
     if not system.constraints:
-        sheet.say(f"There are no constraints: the system has {system.n} degree(s) of freedom.")
+        freedom = "one degree" if system.n == 1 else f"{system.n} degrees"
+        sheet.say(f"There are no constraints: the system has {freedom} of freedom.")
         return
     count, n = system.l, system.n
     sheet.say(
@@ -73,7 +74,11 @@ def _constraints(desk: Desk, sheet: DraftSheet) -> None:
     held = [form for form in system.constraints if form.equation is not None]
     if held:
         names = ", ".join(f"`{form.name}`" for form in held)
-        sheet.say(f"Of these, {names} {'is the derivative' if len(held) == 1 else 'are derivatives'} of the holonomic")
+        one = len(held) == 1
+        sheet.say(
+            f"Of these, {names} {'is the derivative' if one else 'are the derivatives'} of the holonomic"
+            f" {'constraint' if one else 'constraints'}"
+        )
         for form in held:
             assert form.equation is not None
             sheet.add(Draft(desk.plain(form.equation), (), place=form.place, note=form.name))
@@ -92,8 +97,9 @@ def reason_sheet(desk: Desk) -> DraftSheet:
                 sheet.say(f"- {line}.")
         else:
             sheet.say(
-                "The hypotheses of I.3 hold: T, the constraints and the forces contain neither the dependent coordinates"
-                " nor the time, and the constraints are homogeneous."
+                "The hypotheses of I.3 hold: T and the constraints contain neither the dependent coordinates nor the time,"
+                " the constraints are homogeneous, no force acts on a dependent coordinate or contains one, and the potential"
+                " does not contain the time."
             )
     return sheet
 

@@ -134,6 +134,10 @@ class Desk:
         shown = tuple(part for name in (base, *lower) for part in _split_name(name))
         return Mark(f"{base}{OTHER}" if shown in self._taken else base, lower)
 
+    def form_mark(self, letter: str, *lower: str) -> Mark:
+        """A form of the theory, Theta or Omega; in another shape beside a quantity of the spec with that name."""
+        return Mark(f"{letter} form{OTHER if (letter, *lower) in self._taken else ''}", lower)
+
     def is_free(self, letter: str) -> bool:
         """Whether no name of the spec looks like the letter or the letter with a number."""
         shown = LATIN.get(letter, letter)

@@ -84,8 +84,7 @@ def energy_sheet(desk: Desk) -> DraftSheet | None:
             sheet.add(Draft(desk.name(Mark("p", (form.name,), star=True)), desk.value(node)))
         return sheet
     reduced = _reduced(desk)
-    number = "I.3.3" if name == "chaplygin" else "I.4.3"
-    sheet.add(Draft(desk.name(replace(desk.own("T"), star=True)), desk.value(reduced.T_star), equation=number))
+    sheet.add(Draft(desk.name(replace(desk.own("T"), star=True)), desk.value(reduced.T_star)))
     sheet.say("The momenta of the dependent velocities are those of the full T, on the constraints:")
     for alpha, p in zip(reduced.alpha, reduced.p_alpha, strict=True):
         sheet.add(Draft(desk.name(desk.own("p", system.q_names[alpha])), desk.value(p)))
@@ -108,41 +107,32 @@ def form_sheet(desk: Desk, forms: Forms) -> DraftSheet:
         )
         return sheet
     _theta(desk, sheet)
-    if name == "euler-lagrange" and system.l:
-        sheet.say(
-            "On the constraints, which are used after differentiation, never before,"
-            " its exterior derivative and the forces' part are"
-        )
-    else:
-        sheet.say(
-            "Its exterior derivative, with the constraint terms, and the forces' part are"
-            if system.l and name in ("chaplygin", "voronec")
-            else "Its exterior derivative and the forces' part are"
-        )
     assert forms.exact is not None and forms.dynamic is not None
-    numbers = _NUMBERS[name]
-    sheet.add(Draft(desk.name(Mark("Omega form", ("c",))), desk.form(forms.exact), equation=numbers[0]))
-    sheet.add(Draft(desk.name(Mark("Omega form", ("d",))), desk.form(forms.dynamic), equation=numbers[1]))
-    sheet.add(OMEGA[name])
+    used = "On the constraints, which are used after differentiation, never before, its" if system.l else "Its"
+    kinetic, dynamic, whole, parts = _NUMBERS[name]
+    sheet.say(f"{used if parts else 'Its'} exterior derivative{parts} and the forces' part are")
+    sheet.add(Draft(desk.name(desk.form_mark("Omega", "c")), desk.form(forms.exact), equation=kinetic))
+    sheet.add(Draft(desk.name(desk.form_mark("Omega", "d")), desk.form(forms.dynamic), equation=dynamic))
     if name == "multipliers":
-        reactions = _reaction_work(desk)
         sheet.say("The reactions work like forces:")
-        sheet.add(Draft(desk.name(Mark("Omega form", ("r",))), desk.form(reactions)))
-    total = [("Omega_c", forms.exact), ("Omega_d", forms.dynamic)]
-    if all(form.terms for _, form in total) or name == "multipliers":
-        sheet.say("Together:")
-        sheet.add(Draft(desk.name(Mark("Omega form")), desk.form(forms.whole), equation=numbers[2]))
+        sheet.add(Draft(desk.name(desk.form_mark("Omega", "r")), desk.form(_reaction_work(desk))))
+    sheet.say("Together they make up the 2-form")
+    sheet.add(OMEGA[name])
+    if (forms.exact.terms and forms.dynamic.terms) or name == "multipliers":
+        sheet.say("which here is")
+        sheet.add(Draft(desk.name(desk.form_mark("Omega")), desk.form(forms.whole), equation=whole))
     return sheet
 
 
 _NUMBERS = {
-    "newton": ("II.1.4", "II.1.5", "II.1.3"),
-    "lagrange": ("II.3.1", "II.2.3", "II.3"),
-    "multipliers": ("II.3.1", "II.2.3", "I.4.1"),
-    "euler-lagrange": ("III.2.4", "III.2.1", "III.2.5"),
-    "chaplygin": ("III.3", "III.3.1", "III.3"),
-    "voronec": ("III.4.1", "II.2.3", "III.4"),
+    "newton": ("II.1.4", "II.1.5", "II.1.3", ""),
+    "lagrange": ("II.3.1", "II.2.3", "II.3", ""),
+    "multipliers": ("II.3.1", "II.2.3", "II.3", ""),
+    "euler-lagrange": ("", "III.2.1", "III.2.5", " (III.2.2 to III.2.4)"),
+    "chaplygin": ("", "III.3.1", "III.3", " (III.3.2 to III.3.7)"),
+    "voronec": ("", "III.4.1", "III.4", " (III.4.2 to III.4.5)"),
 }
+"""Of the kinetic part, the dynamic part and the whole; where the thesis numbers the kinetic part's terms only, these in words."""
 
 
 def _theta(desk: Desk, sheet: DraftSheet) -> None:
@@ -150,10 +140,10 @@ def _theta(desk: Desk, sheet: DraftSheet) -> None:
     sheet.say("For this system")
     if name == "euler-lagrange":
         assert frame is not None
-        theta, number = euler_lagrange.kinetic_one_form(frame), "III.2.2"
+        theta = euler_lagrange.kinetic_one_form(frame)
     else:
-        theta, number = lagrange.kinetic_one_form(system), "II.2.2"
-    sheet.add(Draft(desk.name(Mark("Theta form")), desk.form(theta), equation=number))
+        theta = lagrange.kinetic_one_form(system)
+    sheet.add(Draft(desk.name(desk.form_mark("Theta")), desk.form(theta), equation="II.2.2"))
 
 
 def _reaction_work(desk: Desk) -> Form:

@@ -21,7 +21,7 @@ THETA = Formula(
 THETA_QUASI = Formula(
     "Theta = p*_j dpi_j - (p*_j omega_j - T) dt,  p*_j = dT/domega_j",
     r"\boldsymbol{\theta} = p^*_j\, d\pi_j - (p^*_j \omega_j - T)\, dt, \qquad p^*_j = \frac{\partial T}{\partial \omega_j}",
-    "III.2.2",
+    "II.2.2",
 )
 
 OMEGA = {
@@ -40,7 +40,7 @@ OMEGA = {
         "Omega = (dp_i - (dT/dq_i + Q_i + lambda_a a_ai) dt) ^ (dq_i - q_i' dt)",
         r"\boldsymbol{\Omega} = \Bigl(dp_i - \Bigl(\frac{\partial T}{\partial q_i} + Q_i + \lambda_\alpha a_{\alpha i}\Bigr)"
         r" dt\Bigr) \wedge (dq_i - \dot q_i\, dt)",
-        "I.4.1",
+        "II.3",
     ),
     "euler-lagrange": Formula(
         "Omega = [dp*_j + ((gamma^i_mj omega_m + eps^i_j) p*_i - dT/dpi_j - P_j) dt] ^ eta_j"
@@ -107,9 +107,13 @@ POINCARE = Formula(
 )
 
 CONTRACTION = Formula(
-    "i_X Omega = A_m(X) (omega_m - w_m dt)  for  Omega = A_m ^ (omega_m - w_m dt)",
-    r"\boldsymbol{\Omega} = A_\mu \wedge (\omega_\mu - w_\mu\, dt) \quad\Longrightarrow\quad"
-    r" i_X \boldsymbol{\Omega} = A_\mu(X)\, (\omega_\mu - w_\mu\, dt)",
+    "i_X Omega = A_m(X) eta_m  for  Omega = A_m ^ eta_m and eta_m(X) = 0,  eta_m = dq_m - q_m' dt",
+    r"\boldsymbol{\Omega} = A_\mu \wedge \eta_\mu, \quad \eta_\mu(X) = 0 \quad\Longrightarrow\quad"
+    r" i_X \boldsymbol{\Omega} = A_\mu(X)\, \eta_\mu, \qquad \eta_\mu = dq_\mu - \dot q_\mu\, dt",
+)
+CONTRACTION_QUASI = Formula(
+    CONTRACTION.text.replace("dq_m - q_m'", "dpi_m - omega_m"),
+    CONTRACTION.latex.replace(r"dq_\mu - \dot q_\mu", r"d\pi_\mu - \omega_\mu"),
 )
 ENERGY_THEOREM = Formula(
     "d/dt (p_i q_i' - T - U) = Q_i q_i' - dT/dt - dU/dt - lambda_a a_a   (Q without the potential's part, d/dt at fixed q, q')",

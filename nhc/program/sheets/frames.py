@@ -51,13 +51,14 @@ def _coframe_sheet(desk: Desk, frame: Frame) -> DraftSheet:
     sheet = DraftSheet("kinematics", "The coframe")
     system = desk.system
     lower = system.l
-    if lower:
-        sheet.say("The forms of the constraints, zero on every motion, and those of the free quasi-velocities:")
-    else:
-        sheet.say("The forms of the quasi-velocities:")
     if desk.formulation.added:
         names = ", ".join(f"`{name}`" for name in desk.formulation.added)
-        sheet.say(f"(The spec gives too few; nhc has completed the coframe with {names}.)")
+        fewer = "fewer quasi-velocities than there are free velocities" if system.quasi else "no quasi-velocities"
+        sheet.say(f"The spec gives {fewer}; nhc has completed the coframe with {names}.")
+    if lower:
+        sheet.say("The forms of the constraints, zero on every motion, and those of the free quasi-velocities are")
+    else:
+        sheet.say("The forms of the quasi-velocities are")
     basis = [Mark(name, prefix="d") for name in system.q_names] + [Mark("t", prefix="d")]
     for j, form in enumerate(frame.forms):
         right = desk.linear([*form.coefficients, form.constant], basis)
@@ -103,6 +104,7 @@ def _structure(desk: Desk, frame: Frame, sheet: DraftSheet) -> None:
     if not kept:
         sheet.say("All their gamma and epsilon vanish: the forms are closed.")
         return
+    sheet.say("Their exterior derivatives define gamma and epsilon:")
     sheet.add(GAMMA)
     which = "" if first == 0 or not system.l else " between free quasi-velocities"
     sheet.say(f"Those{which} that do not vanish (gamma is antisymmetric in its lower indices):")

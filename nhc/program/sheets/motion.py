@@ -13,7 +13,7 @@ from nhc.mechanics.rotation import moving
 from nhc.mechanics.rows import ENERGY, MOTION, associated_rows, energy_identity, motion_components
 from nhc.program.sheets.draft import Desk, Draft, DraftSheet, Part
 from nhc.program.sheets.forms import Forms
-from nhc.program.sheets.formulas import CONTRACTION, ENERGY_THEOREM, EQUATIONS, POINCARE, REACTION
+from nhc.program.sheets.formulas import CONTRACTION, CONTRACTION_QUASI, ENERGY_THEOREM, EQUATIONS, POINCARE, REACTION
 from nhc.program.sheets.model import Mark
 
 _SOLVED = 3  # rates up to which the system is solved on paper
@@ -25,7 +25,7 @@ def associated_sheet(desk: Desk, forms: Forms) -> DraftSheet:
     """i_X Omega row by row, each claim tested exactly."""
     sheet = DraftSheet("associated", "The associated system")
     motion, system = desk.equations.motion, desk.system
-    sheet.add(CONTRACTION)
+    sheet.add(CONTRACTION_QUASI if desk.formulation.name == "euler-lagrange" else CONTRACTION)
     if forms.whole is None:
         sheet.say(
             "So the rows of the velocities' differentials hold automatically, those of the velocity forms are the equations of"
@@ -38,12 +38,12 @@ def associated_sheet(desk: Desk, forms: Forms) -> DraftSheet:
     sheet.say("The motion is the field X for which this vanishes; its components along the coframe are")
     for mark, node in zip(basis, components, strict=True):
         sheet.add(Draft(desk.name(replace(mark, at="(X)")), desk.plain(node)))
-    automatic = sum(row.kind == "automatic" for row in rows)
+    automatic, one = sum(row.kind == "automatic" for row in rows), len(motion.w) == 1
     if automatic == len(motion.w):
-        sheet.say(
-            f"Of its {len(rows)} rows {automatic} hold automatically (exactly tested), those of the velocities' differentials."
-        )
-    sheet.say("The others:")
+        which = "one holds" if one else f"{automatic} hold"
+        whose = "that of the velocity's differential" if one else "those of the velocities' differentials"
+        sheet.say(f"Of its {len(rows)} rows {which} automatically (exactly tested), {whose}.")
+    sheet.say("The equation of motion is the row" if one else "The equations of motion are the rows")
     for row, mark in zip(rows, basis, strict=True):
         if row.kind == MOTION:
             sheet.add(Draft(desk.value(row.node), (), equation="III.1.1", label=mark))
@@ -54,8 +54,8 @@ def associated_sheet(desk: Desk, forms: Forms) -> DraftSheet:
     )
     if not any(desk.nonzero([identity, desk.graph.add(last.node, weighted)])):
         sheet.say(
-            "The row of dt is the sum of these, each times minus its velocity (exactly tested): the theorem of energy,"
-            " a consequence of the equations of motion."
+            f"The row of dt is {'this one times minus its' if one else 'the sum of these, each times minus its'} velocity"
+            f" (exactly tested): the theorem of energy, a consequence of the {'equation' if one else 'equations'} of motion."
         )
     return sheet
 
@@ -175,14 +175,21 @@ def energy_theorem_sheet(desk: Desk) -> DraftSheet:
     energy, whole, change = substitute(g, [system.energy, generalized, change], on)
     reactions = [form.constant for form in system.constraints]
     reactions_matter = any(desk.nonzero(reactions))
-    changes, differs = desk.nonzero([change, g.sub(energy, whole)])
-    sheet.add(Draft(desk.name(desk.own("E")), desk.value(energy), equation="II.1.4"))
-    if not changes and not reactions_matter and not differs:
+    changes, differs, mixed = desk.nonzero([change, g.sub(energy, whole), g.sub(g.sub(slope, system.T), system.T)])
+    sheet.add(Draft(desk.name(desk.own("E")), desk.value(energy)))
+    constant = not changes and not reactions_matter and not differs
+    if constant and not mixed and not _contains_time(desk) and not any(desk.nonzero(system.Q)):
         sheet.say(
             "T is homogeneous quadratic in the velocities and nothing depends on the time: the energy E is constant."
         )
         return sheet
     sheet.add(ENERGY_THEOREM)
+    if constant:
+        sheet.say(
+            f"{'On the constraints the' if mixed else 'The'} left side is the rate of E, and on the right side no term is left"
+            " on the motion: the energy E is constant."
+        )
+        return sheet
     mark = desk.own("E")
     if differs:
         sheet.say("Here T is not homogeneous quadratic in the velocities; what the theorem speaks of is")
@@ -194,6 +201,12 @@ def energy_theorem_sheet(desk: Desk) -> DraftSheet:
     sheet.say("so that on the motion" if right else "which is constant:")
     sheet.add(Draft(desk.name(Mark(mark.base, dots=1)), right))
     return sheet
+
+
+def _contains_time(desk: Desk) -> bool:
+    system, g = desk.system, desk.graph
+    entries = [x for form in system.constraints for x in (*form.coefficients, form.constant)]
+    return any(g.depends(node, g.deps[system.t]) for node in (system.T, system.U, *system.Q, *entries))
 
 
 def _momenta(desk: Desk) -> list[Node]:

@@ -42,7 +42,7 @@ def tidy(desk: Desk, drafts: Sequence[DraftSheet]) -> tuple[DraftSheet, ...]:
                 break
         if printed < start:
             break
-    return best
+    return _square_cosines(desk.graph, best, owners)
 
 
 def list_roots(drafts: Iterable[DraftSheet]) -> list[Node]:
@@ -82,7 +82,7 @@ def _count_uses(graph: Graph, needed: Sequence[Node]) -> dict[Node, int]:
     """How often each node is an operand; standing alone in a statement does not count."""
     uses: dict[Node, int] = dict.fromkeys(needed, 0)
     for node in reversed(needed):
-        weight = max(1, uses[node]) if graph.op[node] == NEG else 1
+        weight = uses[node] if graph.op[node] == NEG else 1
         for child in graph.children(node):
             uses[child] += weight
     return uses
@@ -106,6 +106,46 @@ def _drop_zeros(desk: Desk, drafts: Sequence[DraftSheet]) -> tuple[DraftSheet, .
         return tuple(part for part in found if part[0] != g.zero) or found[:1]
 
     return _change_sides(drafts, side)
+
+
+def _square_cosines(graph: Graph, drafts: Sequence[DraftSheet], owners: Collection[Node]) -> tuple[DraftSheet, ...]:
+    """With cos(x)^2 for 1 - sin(x)^2 and the other way round; canonical forms know one of the two only."""
+    roots = list_roots(sheet for sheet in drafts if sheet.key not in _GIVEN)
+    needed = reachable(graph, roots)
+    whole = set(roots)  # what is no term of a longer sum
+    for node in reversed(needed):
+        if graph.op[node] != ADD and (graph.op[node] != NEG or node in whole):
+            whole.update(graph.children(node))
+    changed = {node: node for node in needed if node in owners and graph.children(node)}
+    for node in needed:
+        if graph.op[node] == ADD and node in whole and node not in changed:
+            made = _with_squares(graph, node)
+            if made != node:
+                changed[node] = made
+    if all(node == made for node, made in changed.items()):
+        return tuple(drafts)
+    new = dict(zip(roots, substitute(graph, roots, changed), strict=True))
+    return _change_sides(drafts, lambda parts: tuple((new.get(node, node), factors) for node, factors in parts))
+
+
+def _with_squares(graph: Graph, total: Node) -> Node:
+    """The sum with n - n sin(x)^2 as n cos(x)^2."""
+    terms, stack = list[tuple[Fraction, Node]](), [(Fraction(1), total)]
+    while stack:
+        sign, part = stack.pop()
+        if graph.op[part] in (ADD, NEG):
+            stack += [(-sign if graph.op[part] == NEG else sign, kid) for kid in graph.children(part)]
+            continue
+        coefficient, core = graph.split_coefficient(part)
+        terms.append((sign * coefficient, core))
+    constant = sum((size for size, core in terms if core == graph.one), Fraction(0))
+    for k, (size, core) in enumerate(terms):
+        base = graph.a[core] if graph.op[core] == POW and graph.b[core] == 2 else graph.one
+        if constant and size == -constant and graph.op[base] in ("sin", "cos"):
+            other = graph.function("cos" if graph.op[base] == "sin" else "sin", graph.children(base)[0])
+            rest = [graph.mul(graph.number(s), c) for j, (s, c) in enumerate(terms) if j != k and c != graph.one]
+            return graph.sum([*rest, graph.mul(graph.number(constant), graph.power(other, 2))])
+    return total
 
 
 def _shorten_parts(

@@ -1,5 +1,5 @@
 /*
- * ball_on_table.h: ball_on_table, emitted by nhc 0.1.0 (nhc:b2bcf52c4897cd07)
+ * ball_on_table.h: ball_on_table, emitted by nhc 0.1.0 (nhc:f265b0f45ef1cbf7)
  * A homogeneous ball that rolls on a turning table; its centre runs on a circle, though nothing holds it
  *     there.
  * Source: ball_on_table.yaml
@@ -48,7 +48,7 @@
  * residuals: 7 +-, 11 *, 0 /, 4 calls
  * reactions: 36 +-, 69 *, 2 /, 6 calls
  * energy: 10 +-, 23 *, 0 /, 5 calls
- * jacobian: 39 +-, 110 *, 3 /, 6 calls
+ * jacobian: 40 +-, 116 *, 3 /, 6 calls
  * outputs: 14 +-, 28 *, 0 /, 3 calls
  *
  * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
@@ -121,7 +121,7 @@ int ball_on_table_residuals(double t, const double *q, const double *qdot, const
 int ball_on_table_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * T + V (II.1.4)
+ * T + V
  * not finite where the model is singular
  */
 double ball_on_table_energy(double t, const double *y, const double *p);

@@ -1,5 +1,5 @@
 /*
- * bead_on_rod.h: bead_on_rod, emitted by nhc 0.1.0 (nhc:d61b4d2d333c236f)
+ * bead_on_rod.h: bead_on_rod, emitted by nhc 0.1.0 (nhc:d29a2485a68872dd)
  * A bead on a straight horizontal rod that turns at a constant rate; T has a part without velocities.
  * Source: bead_on_rod.yaml
  * Equations of motion: lagrange (II.3)
@@ -98,7 +98,7 @@ int bead_on_rod_residuals(double t, const double *q, const double *qdot, const d
 int bead_on_rod_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * T + V (II.1.4)
+ * T + V
  * not finite where the model is singular
  */
 double bead_on_rod_energy(double t, const double *y, const double *p);

@@ -1,4 +1,4 @@
-"""bead_on_rod, emitted by nhc 0.1.0 (nhc:d1c2658403c9cb73).
+"""bead_on_rod, emitted by nhc 0.1.0 (nhc:cac67b12a38554ac).
 
 A bead on a straight horizontal rod that turns at a constant rate; T has a part
     without velocities.
@@ -218,7 +218,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """T + V (II.1.4)
+    """T + V
 
     Arguments: t (scalar), y (2,), p (2,).
     Returns a scalar.

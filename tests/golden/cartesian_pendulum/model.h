@@ -1,5 +1,5 @@
 /*
- * cartesian_pendulum.h: cartesian_pendulum, emitted by nhc 0.1.0 (nhc:df5819d891cfd2b4)
+ * cartesian_pendulum.h: cartesian_pendulum, emitted by nhc 0.1.0 (nhc:2d81f9f34b7d15cc)
  * The plane pendulum in Cartesian coordinates; its constraint is written with velocities, but it is
  *     holonomic.
  * Source: cartesian_pendulum.yaml
@@ -30,7 +30,7 @@
  * residuals: 1 +-, 2 *, 0 /, 0 calls
  * reactions: 4 +-, 11 *, 1 /, 2 calls
  * energy: 3 +-, 10 *, 1 /, 0 calls
- * jacobian: 3 +-, 14 *, 1 /, 2 calls
+ * jacobian: 4 +-, 20 *, 1 /, 2 calls
  * outputs: 2 +-, 3 *, 0 /, 3 calls
  *
  * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
@@ -104,7 +104,7 @@ int cartesian_pendulum_residuals(double t, const double *q, const double *qdot, 
 int cartesian_pendulum_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * T + V (II.1.4)
+ * T + V
  * not finite where the model is singular
  */
 double cartesian_pendulum_energy(double t, const double *y, const double *p);

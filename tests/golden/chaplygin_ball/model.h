@@ -1,5 +1,5 @@
 /*
- * chaplygin_ball.h: chaplygin_ball, emitted by nhc 0.1.0 (nhc:4f44803f7401cc89)
+ * chaplygin_ball.h: chaplygin_ball, emitted by nhc 0.1.0 (nhc:b80610d58058889d)
  * A ball with three different moments of inertia and its centre of mass at its centre rolls on a horizontal
  *     plane.
  * Source: chaplygin_ball.yaml
@@ -40,7 +40,7 @@
  * residuals: 4 +-, 7 *, 0 /, 3 calls
  * reactions: 26 +-, 57 *, 3 /, 6 calls
  * energy: 11 +-, 22 *, 0 /, 4 calls
- * jacobian: 73 +-, 180 *, 4 /, 6 calls
+ * jacobian: 78 +-, 196 *, 4 /, 6 calls
  * outputs: 8 +-, 18 *, 0 /, 4 calls
  *
  * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
@@ -114,7 +114,7 @@ int chaplygin_ball_residuals(double t, const double *q, const double *qdot, cons
 int chaplygin_ball_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * T + V (II.1.4)
+ * T + V
  * not finite where the model is singular
  */
 double chaplygin_ball_energy(double t, const double *y, const double *p);

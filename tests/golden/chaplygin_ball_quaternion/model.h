@@ -1,5 +1,5 @@
 /*
- * chaplygin_ball_quaternion.h: chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:b4683c7e92afcedb)
+ * chaplygin_ball_quaternion.h: chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:2686dd52ca19ffc0)
  * A ball with three different moments of inertia rolls on a horizontal plane; its orientation is a
  *     quaternion.
  * Source: chaplygin_ball_quaternion.yaml
@@ -35,15 +35,15 @@
  * out[2] = K_z
  *
  * Operations:
- * rhs: 53 +-, 107 *, 4 /, 0 calls
+ * rhs: 53 +-, 110 *, 4 /, 0 calls
  * velocities: 23 +-, 47 *, 1 /, 0 calls
- * accelerations: 85 +-, 173 *, 4 /, 0 calls
+ * accelerations: 85 +-, 176 *, 4 /, 0 calls
  * state: 12 +-, 23 *, 1 /, 0 calls
  * residuals: 29 +-, 50 *, 1 /, 0 calls
  * positions: 4 +-, 4 *, 0 /, 0 calls
- * reactions: 49 +-, 102 *, 4 /, 0 calls
+ * reactions: 53 +-, 110 *, 4 /, 0 calls
  * energy: 19 +-, 41 *, 1 /, 0 calls
- * jacobian: 213 +-, 464 *, 4 /, 0 calls
+ * jacobian: 213 +-, 485 *, 4 /, 0 calls
  * outputs: 26 +-, 44 *, 1 /, 0 calls
  *
  * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
@@ -123,7 +123,7 @@ int chaplygin_ball_quaternion_positions(double t, const double *q, const double 
 int chaplygin_ball_quaternion_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * T + V (II.1.4)
+ * T + V
  * not finite where the model is singular
  */
 double chaplygin_ball_quaternion_energy(double t, const double *y, const double *p);

@@ -1,5 +1,5 @@
 /*
- * chaplygin_sleigh.h: chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:caf85273e1bdaaac)
+ * chaplygin_sleigh.h: chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:ef0379f6f8ed3142)
  * A rigid body on a knife edge; the centre of mass is a distance a ahead of the edge.
  * Source: chaplygin_sleigh.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -106,7 +106,7 @@ int chaplygin_sleigh_residuals(double t, const double *q, const double *qdot, co
 int chaplygin_sleigh_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * T + V (II.1.4)
+ * T + V
  * not finite where the model is singular
  */
 double chaplygin_sleigh_energy(double t, const double *y, const double *p);

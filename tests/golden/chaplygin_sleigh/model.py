@@ -1,4 +1,4 @@
-"""chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:f9f578950596f267).
+"""chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:26e290f3e07fa834).
 
 A rigid body on a knife edge; the centre of mass is a distance a ahead of the edge.
 Source: chaplygin_sleigh.yaml
@@ -294,7 +294,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """T + V (II.1.4)
+    """T + V
 
     Arguments: t (scalar), y (5,), p (3,).
     Returns a scalar.

@@ -1,5 +1,5 @@
 /*
- * charged_sleigh.h: charged_sleigh, emitted by nhc 0.1.0 (nhc:bf7c2ee51e5ae12e)
+ * charged_sleigh.h: charged_sleigh, emitted by nhc 0.1.0 (nhc:b39c940bf95100e1)
  * Chaplygin's sleigh with a charge at its centre of mass in a magnetic field; T depends on x and y.
  * Source: charged_sleigh.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -105,7 +105,7 @@ int charged_sleigh_residuals(double t, const double *q, const double *qdot, cons
 int charged_sleigh_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * T + V (II.1.4)
+ * T + V
  * not finite where the model is singular
  */
 double charged_sleigh_energy(double t, const double *y, const double *p);

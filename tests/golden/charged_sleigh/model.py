@@ -1,4 +1,4 @@
-"""charged_sleigh, emitted by nhc 0.1.0 (nhc:8ef503cfa5b1210a).
+"""charged_sleigh, emitted by nhc 0.1.0 (nhc:b2ac2a21b3ed54d5).
 
 Chaplygin's sleigh with a charge at its centre of mass in a magnetic field; T
     depends on x and y.
@@ -298,7 +298,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """T + V (II.1.4)
+    """T + V
 
     Arguments: t (scalar), y (5,), p (4,).
     Returns a scalar.

@@ -1,5 +1,5 @@
 /*
- * contact_oscillator.h: contact_oscillator, emitted by nhc 0.1.0 (nhc:101ba19fda8ddd65)
+ * contact_oscillator.h: contact_oscillator, emitted by nhc 0.1.0 (nhc:9a914c70434d8862)
  * Three equal oscillators with one contact constraint; reversible and integrable.
  * Source: contact_oscillator.yaml
  * Equations of motion: chaplygin (III.3)
@@ -104,7 +104,7 @@ int contact_oscillator_residuals(double t, const double *q, const double *qdot, 
 int contact_oscillator_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * T + V (II.1.4)
+ * T + V
  * not finite where the model is singular
  */
 double contact_oscillator_energy(double t, const double *y, const double *p);

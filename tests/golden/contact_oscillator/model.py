@@ -1,4 +1,4 @@
-"""contact_oscillator, emitted by nhc 0.1.0 (nhc:76222a46147e1452).
+"""contact_oscillator, emitted by nhc 0.1.0 (nhc:3be4e062461bd148).
 
 Three equal oscillators with one contact constraint; reversible and integrable.
 Source: contact_oscillator.yaml
@@ -261,7 +261,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """T + V (II.1.4)
+    """T + V
 
     Arguments: t (scalar), y (5,), p (0,).
     Returns a scalar.

@@ -1,5 +1,5 @@
 /*
- * contact_oscillator_eps.h: contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:344c1a008af57709)
+ * contact_oscillator_eps.h: contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:dd4c9020c77cc399)
  * The contact oscillator with a quartic coupling; still reversible and still with a second integral.
  * Source: contact_oscillator_eps.yaml
  * Equations of motion: chaplygin (III.3)
@@ -108,7 +108,7 @@ int contact_oscillator_eps_residuals(double t, const double *q, const double *qd
 int contact_oscillator_eps_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * T + V (II.1.4)
+ * T + V
  * not finite where the model is singular
  */
 double contact_oscillator_eps_energy(double t, const double *y, const double *p);

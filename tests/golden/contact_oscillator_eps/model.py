@@ -1,4 +1,4 @@
-"""contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:6fb8df6b14c28d73).
+"""contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:3906905026c00544).
 
 The contact oscillator with a quartic coupling; still reversible and still with a
     second integral.
@@ -277,7 +277,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """T + V (II.1.4)
+    """T + V
 
     Arguments: t (scalar), y (5,), p (1,).
     Returns a scalar.

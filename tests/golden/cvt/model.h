@@ -1,5 +1,5 @@
 /*
- * cvt.h: cvt, emitted by nhc 0.1.0 (nhc:28d69e14b8312dec)
+ * cvt.h: cvt, emitted by nhc 0.1.0 (nhc:3727b126637907b7)
  * A continuously variable transmission; a plane oscillator whose free direction is set by a symmetric driver.
  * Source: cvt.yaml
  * Equations of motion: chaplygin (III.3)
@@ -104,7 +104,7 @@ int cvt_residuals(double t, const double *q, const double *qdot, const double *p
 int cvt_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * T + V (II.1.4)
+ * T + V
  * not finite where the model is singular
  */
 double cvt_energy(double t, const double *y, const double *p);

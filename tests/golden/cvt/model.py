@@ -1,4 +1,4 @@
-"""cvt, emitted by nhc 0.1.0 (nhc:6943d56cc0fc6b3a).
+"""cvt, emitted by nhc 0.1.0 (nhc:9e69c844d05eabce).
 
 A continuously variable transmission; a plane oscillator whose free direction is set
     by a symmetric driver.
@@ -270,7 +270,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """T + V (II.1.4)
+    """T + V
 
     Arguments: t (scalar), y (5,), p (0,).
     Returns a scalar.

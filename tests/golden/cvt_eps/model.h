@@ -1,5 +1,5 @@
 /*
- * cvt_eps.h: cvt_eps, emitted by nhc 0.1.0 (nhc:99eab14b6c5a35e5)
+ * cvt_eps.h: cvt_eps, emitted by nhc 0.1.0 (nhc:fdec072328ddca1b)
  * The transmission with a driver that breaks the symmetry; most integrators for nonholonomic systems drift on
  *     it.
  * Source: cvt_eps.yaml
@@ -106,7 +106,7 @@ int cvt_eps_residuals(double t, const double *q, const double *qdot, const doubl
 int cvt_eps_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * T + V (II.1.4)
+ * T + V
  * not finite where the model is singular
  */
 double cvt_eps_energy(double t, const double *y, const double *p);

@@ -1,4 +1,4 @@
-"""cvt_eps, emitted by nhc 0.1.0 (nhc:0ae1473f2e578fe9).
+"""cvt_eps, emitted by nhc 0.1.0 (nhc:1ef352c152451996).
 
 The transmission with a driver that breaks the symmetry; most integrators for
     nonholonomic systems drift on it.
@@ -275,7 +275,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """T + V (II.1.4)
+    """T + V
 
     Arguments: t (scalar), y (5,), p (1,).
     Returns a scalar.

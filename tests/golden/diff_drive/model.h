@@ -1,5 +1,5 @@
 /*
- * diff_drive.h: diff_drive, emitted by nhc 0.1.0 (nhc:40dced3315553f32)
+ * diff_drive.h: diff_drive, emitted by nhc 0.1.0 (nhc:6b6cc298593bbf76)
  * A cart with two driven wheels and a caster; three velocity constraints, one of which is holonomic in
  *     disguise.
  * Source: diff_drive.yaml
@@ -112,7 +112,7 @@ int diff_drive_residuals(double t, const double *q, const double *qdot, const do
 int diff_drive_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * T + V (II.1.4)
+ * T + V
  * not finite where the model is singular
  */
 double diff_drive_energy(double t, const double *y, const double *p);

@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""diff_drive, emitted by nhc 0.1.0 (nhc:5350ea50f0afaf9c).
+"""diff_drive, emitted by nhc 0.1.0 (nhc:5de5a5e8724c2510).
 
 A cart with two driven wheels and a caster; three velocity constraints, one of which
     is holonomic in disguise.
@@ -396,7 +396,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """T + V (II.1.4)
+    """T + V
 
     Arguments: t (scalar), y (7,), p (8,).
     Returns a scalar.

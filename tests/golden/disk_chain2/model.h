@@ -1,5 +1,5 @@
 /*
- * disk_chain2.h: disk_chain2, emitted by nhc 0.1.0 (nhc:2170771963745e79)
+ * disk_chain2.h: disk_chain2, emitted by nhc 0.1.0 (nhc:fa55697a12d484f5)
  * Two upright rolling disks joined by a spring; the first link of a chain that may be made as long as one
  *     likes.
  * Source: disk_chain2.yaml
@@ -130,7 +130,7 @@ int disk_chain2_residuals(double t, const double *q, const double *qdot, const d
 int disk_chain2_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * T + V (II.1.4)
+ * T + V
  * not finite where the model is singular
  */
 double disk_chain2_energy(double t, const double *y, const double *p);

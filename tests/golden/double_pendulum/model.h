@@ -1,5 +1,5 @@
 /*
- * double_pendulum.h: double_pendulum, emitted by nhc 0.1.0 (nhc:3edbf926e461bd01)
+ * double_pendulum.h: double_pendulum, emitted by nhc 0.1.0 (nhc:b25b89694aaa8c87)
  * Two pendulums in a row, absolute angles; the model gives positions and nhc differentiates them.
  * Source: double_pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -103,7 +103,7 @@ int double_pendulum_residuals(double t, const double *q, const double *qdot, con
 int double_pendulum_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * T + V (II.1.4)
+ * T + V
  * not finite where the model is singular
  */
 double double_pendulum_energy(double t, const double *y, const double *p);

@@ -1,5 +1,5 @@
 /*
- * free_rigid_body.h: free_rigid_body, emitted by nhc 0.1.0 (nhc:1b605a4201162da0)
+ * free_rigid_body.h: free_rigid_body, emitted by nhc 0.1.0 (nhc:00f2981889949833)
  * A free rigid body; the components of its angular velocity on body axes are the quasi-velocities.
  * Source: free_rigid_body.yaml
  * Equations of motion: euler-lagrange (I.2.14)
@@ -29,7 +29,7 @@
  * residuals: 0 +-, 0 *, 0 /, 0 calls
  * reactions: 0 +-, 0 *, 0 /, 1 calls
  * energy: 2 +-, 7 *, 0 /, 0 calls
- * jacobian: 6 +-, 21 *, 4 /, 4 calls
+ * jacobian: 9 +-, 30 *, 4 /, 4 calls
  * outputs: 2 +-, 9 *, 0 /, 1 calls
  *
  * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
@@ -103,7 +103,7 @@ int free_rigid_body_residuals(double t, const double *q, const double *qdot, con
 int free_rigid_body_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * T + V (II.1.4)
+ * T + V
  * not finite where the model is singular
  */
 double free_rigid_body_energy(double t, const double *y, const double *p);

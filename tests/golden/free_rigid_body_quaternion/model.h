@@ -1,5 +1,5 @@
 /*
- * free_rigid_body_quaternion.h: free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:bb786eedcb339c6b)
+ * free_rigid_body_quaternion.h: free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:0615a6b97b39b52c)
  * A free rigid body, its orientation a quaternion; Euler's equations, and no orientation that is special.
  * Source: free_rigid_body_quaternion.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -117,7 +117,7 @@ int free_rigid_body_quaternion_positions(double t, const double *q, const double
 int free_rigid_body_quaternion_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * T + V (II.1.4)
+ * T + V
  * not finite where the model is singular
  */
 double free_rigid_body_quaternion_energy(double t, const double *y, const double *p);

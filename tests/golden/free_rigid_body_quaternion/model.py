@@ -1,4 +1,4 @@
-"""free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:3049981f2ec8d89f).
+"""free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:a8236f26aaabe0b3).
 
 A free rigid body, its orientation a quaternion; Euler's equations, and no
     orientation that is special.
@@ -364,7 +364,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """T + V (II.1.4)
+    """T + V
 
     Arguments: t (scalar), y (7,), p (3,).
     Returns a scalar.

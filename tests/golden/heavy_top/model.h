@@ -1,5 +1,5 @@
 /*
- * heavy_top.h: heavy_top, emitted by nhc 0.1.0 (nhc:6c311fd12c86c208)
+ * heavy_top.h: heavy_top, emitted by nhc 0.1.0 (nhc:97c270516150d58d)
  * The symmetric top with a fixed point (Lagrange's top).
  * Source: heavy_top.yaml
  * Equations of motion: lagrange (II.3)
@@ -30,7 +30,7 @@
  * residuals: 0 +-, 0 *, 0 /, 0 calls
  * reactions: 3 +-, 5 *, 1 /, 2 calls
  * energy: 4 +-, 10 *, 0 /, 2 calls
- * jacobian: 21 +-, 61 *, 3 /, 2 calls
+ * jacobian: 22 +-, 66 *, 3 /, 2 calls
  * outputs: 2 +-, 6 *, 0 /, 2 calls
  *
  * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
@@ -103,7 +103,7 @@ int heavy_top_residuals(double t, const double *q, const double *qdot, const dou
 int heavy_top_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * T + V (II.1.4)
+ * T + V
  * not finite where the model is singular
  */
 double heavy_top_energy(double t, const double *y, const double *p);

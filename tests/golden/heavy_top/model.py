@@ -1,4 +1,4 @@
-"""heavy_top, emitted by nhc 0.1.0 (nhc:04717164751fa89f).
+"""heavy_top, emitted by nhc 0.1.0 (nhc:f197d316964b6c77).
 
 The symmetric top with a fixed point (Lagrange's top).
 Source: heavy_top.yaml
@@ -30,7 +30,7 @@ state: 0 +-, 0 *, 0 /, 0 calls
 residuals: 0 +-, 0 *, 0 /, 0 calls
 reactions: 3 +-, 5 *, 1 /, 2 calls
 energy: 4 +-, 10 *, 0 /, 2 calls
-jacobian: 21 +-, 61 *, 3 /, 2 calls
+jacobian: 22 +-, 66 *, 3 /, 2 calls
 outputs: 2 +-, 6 *, 0 /, 2 calls
 
 A singular point raises SingularModelError.
@@ -305,7 +305,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """T + V (II.1.4)
+    """T + V
 
     Arguments: t (scalar), y (6,), p (3,).
     Returns a scalar.
@@ -355,6 +355,7 @@ def jacobian(
         # parameters only
         k1 = I1 - I3
         k2 = 1.0 / I1
+        k3 = -I3 * k2
         # state
         s_theta = math.sin(theta)
         z1 = s_theta * s_theta
@@ -379,19 +380,20 @@ def jacobian(
         z13 = 2.0 * z11 - z12
         z14 = z7 * z13
         z15 = z9 * (s_theta * z10 + z14 * z5)
-        z16 = s_theta * (z14 * z4 + z5 * z15)
-        s1 = c_theta * (theta_dot * z13 - 2.0 * (k1 * z16))
+        z16 = z14 * z4 + z5 * z15
+        s1 = c_theta * (theta_dot * z13 - 2.0 * (k1 * (s_theta * z16)))
         z17 = s_theta * (2.0 * (phi_dot * z8) + I3 * z15) - s1
-        z18 = z9 * (c_theta * z10 - I3 * z16 - z5 * z17)
-        z19 = c_theta * z8
-        z20 = I3 * z7
-        z21 = z9 * (z20 + 2.0 * (z5 * z19))
+        z18 = I3 * s_theta
+        z19 = z9 * (c_theta * z10 - z18 * z16 - z5 * z17)
+        z20 = c_theta * z8
+        z21 = z9 * (theta_dot * z18 + 2.0 * (z5 * z20))
         z22 = s_theta * z13
-        z23 = phi_dot * s_theta
-        z24 = I3 * z23
-        z25 = z9 * (z24 + z5 * z22)
-        z26 = z20 * (z5 * z9)
-        s2 = c_theta * (mgl + phi_dot * (z11 - z12)) - k1 * (z23 * z23)
+        z23 = z9 * (phi_dot * z18 + z5 * z22)
+        z24 = I3 * z7
+        z25 = z24 * (z5 * z9)
+        z26 = z11 - z12
+        z27 = phi_dot * s_theta
+        z28 = z27 * k1
         J: list[float] = [
             0.0,
             0.0,
@@ -416,36 +418,36 @@ def jacobian(
             1.0,
             0.0,
             # (II.3)
-            z4 * z17 - z5 * z18,
+            z4 * z17 - z5 * z19,
             0.0,
             # (II.3)
-            -(2.0 * (z4 * z19) + z5 * z21),
+            -(2.0 * (z4 * z20) + z5 * z21),
             # (II.3)
-            -(z4 * z22 + z5 * z25),
+            -(z4 * z22 + z5 * z23),
             # (II.3)
-            z4 * z20 + z5 * z26,
+            z4 * z24 + z5 * z25,
             0.0,
             # (II.3)
-            k2 * s2,
+            k2 * (c_theta * (mgl + phi_dot * z26) - z27 * z28),
             0.0,
             # (II.3)
-            k2 * z22,
+            k2 * (s_theta * z26 + c_theta * z28),
             0.0,
             # (II.3)
-            -k2 * z24,
+            z27 * k3,
             0.0,
             # (II.3)
-            z18,
+            z19,
             0.0,
             # (II.3)
             z21,
             # (II.3)
-            z25,
+            z23,
             # (II.3)
-            -z26,
+            -z25,
         ]
         _finish("jacobian", J)
-        return [J[k3 : k3 + 6] for k3 in range(0, 36, 6)]
+        return [J[k4 : k4 + 6] for k4 in range(0, 36, 6)]
     except (ValueError, ZeroDivisionError, OverflowError) as error:
         raise SingularModelError(NOT_FINITE, "jacobian") from error
 

@@ -1,5 +1,5 @@
 /*
- * heavy_top_quaternion.h: heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:cf03e0446ad1e5df)
+ * heavy_top_quaternion.h: heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:e58dedbefc89626e)
  * The symmetric top with a fixed point (Lagrange's top), its orientation a quaternion, so that it may stand
  *     upright.
  * Source: heavy_top_quaternion.yaml
@@ -115,7 +115,7 @@ int heavy_top_quaternion_positions(double t, const double *q, const double *p, d
 int heavy_top_quaternion_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * T + V (II.1.4)
+ * T + V
  * not finite where the model is singular
  */
 double heavy_top_quaternion_energy(double t, const double *y, const double *p);

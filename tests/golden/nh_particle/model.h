@@ -1,5 +1,5 @@
 /*
- * nh_particle.h: nh_particle, emitted by nhc 0.1.0 (nhc:dafe11075963768e)
+ * nh_particle.h: nh_particle, emitted by nhc 0.1.0 (nhc:bee541c6a4443725)
  * A free particle with one velocity constraint that cannot be integrated.
  * Source: nh_particle.yaml
  * Equations of motion: chaplygin (III.3)
@@ -102,7 +102,7 @@ int nh_particle_residuals(double t, const double *q, const double *qdot, const d
 int nh_particle_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * T + V (II.1.4)
+ * T + V
  * not finite where the model is singular
  */
 double nh_particle_energy(double t, const double *y, const double *p);

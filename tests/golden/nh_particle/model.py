@@ -1,4 +1,4 @@
-"""nh_particle, emitted by nhc 0.1.0 (nhc:e2154d4144a69417).
+"""nh_particle, emitted by nhc 0.1.0 (nhc:b953f694216905dd).
 
 A free particle with one velocity constraint that cannot be integrated.
 Source: nh_particle.yaml
@@ -266,7 +266,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """T + V (II.1.4)
+    """T + V
 
     Arguments: t (scalar), y (5,), p (1,).
     Returns a scalar.

@@ -1,5 +1,5 @@
 /*
- * nh_particle_pot.h: nh_particle_pot, emitted by nhc 0.1.0 (nhc:1838d844b85e874f)
+ * nh_particle_pot.h: nh_particle_pot, emitted by nhc 0.1.0 (nhc:18c24f38912df00a)
  * The nonholonomic particle with springs in x and y.
  * Source: nh_particle_pot.yaml
  * Equations of motion: chaplygin (III.3)
@@ -100,7 +100,7 @@ int nh_particle_pot_residuals(double t, const double *q, const double *qdot, con
 int nh_particle_pot_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * T + V (II.1.4)
+ * T + V
  * not finite where the model is singular
  */
 double nh_particle_pot_energy(double t, const double *y, const double *p);

@@ -1,4 +1,4 @@
-"""nh_particle_pot, emitted by nhc 0.1.0 (nhc:f7af8161edb981fb).
+"""nh_particle_pot, emitted by nhc 0.1.0 (nhc:9d5abdd8a8caa8d9).
 
 The nonholonomic particle with springs in x and y.
 Source: nh_particle_pot.yaml
@@ -274,7 +274,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """T + V (II.1.4)
+    """T + V
 
     Arguments: t (scalar), y (5,), p (2,).
     Returns a scalar.

@@ -1,5 +1,5 @@
 /*
- * pendulum.h: pendulum, emitted by nhc 0.1.0 (nhc:10b6d187b60d7be9)
+ * pendulum.h: pendulum, emitted by nhc 0.1.0 (nhc:556f72d43dd3a5f0)
  * The plane pendulum, large swings.
  * Source: pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -98,7 +98,7 @@ int pendulum_residuals(double t, const double *q, const double *qdot, const doub
 int pendulum_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * T + V (II.1.4)
+ * T + V
  * not finite where the model is singular
  */
 double pendulum_energy(double t, const double *y, const double *p);

@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""pendulum, emitted by nhc 0.1.0 (nhc:dfaa4b13bb7077b9).
+"""pendulum, emitted by nhc 0.1.0 (nhc:076667acba0b59ac).
 
 The plane pendulum, large swings.
 Source: pendulum.yaml
@@ -226,7 +226,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """T + V (II.1.4)
+    """T + V
 
     Arguments: t (scalar), y (2,), p (3,).
     Returns a scalar.

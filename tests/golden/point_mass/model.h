@@ -1,5 +1,5 @@
 /*
- * point_mass.h: point_mass, emitted by nhc 0.1.0 (nhc:122c4d05fb1f3586)
+ * point_mass.h: point_mass, emitted by nhc 0.1.0 (nhc:c1908fa25ef73bc1)
  * A point mass thrown in a uniform field of gravity, with linear drag.
  * Source: point_mass.yaml
  * Equations of motion: lagrange (II.3)
@@ -102,7 +102,7 @@ int point_mass_residuals(double t, const double *q, const double *qdot, const do
 int point_mass_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * T + V (II.1.4)
+ * T + V
  * not finite where the model is singular
  */
 double point_mass_energy(double t, const double *y, const double *p);

@@ -1,4 +1,4 @@
-"""point_mass, emitted by nhc 0.1.0 (nhc:178c421455f0440c).
+"""point_mass, emitted by nhc 0.1.0 (nhc:6b0fdccb962a821b).
 
 A point mass thrown in a uniform field of gravity, with linear drag.
 Source: point_mass.yaml
@@ -248,7 +248,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """T + V (II.1.4)
+    """T + V
 
     Arguments: t (scalar), y (6,), p (3,).
     Returns a scalar.

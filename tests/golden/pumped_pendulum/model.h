@@ -1,5 +1,5 @@
 /*
- * pumped_pendulum.h: pumped_pendulum, emitted by nhc 0.1.0 (nhc:73451cd495290a15)
+ * pumped_pendulum.h: pumped_pendulum, emitted by nhc 0.1.0 (nhc:43231703546acd60)
  * A pendulum whose pivot is moved to and fro; T depends on time and is not homogeneous in the velocities.
  * Source: pumped_pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -97,7 +97,7 @@ int pumped_pendulum_residuals(double t, const double *q, const double *qdot, con
 int pumped_pendulum_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * T + V (II.1.4)
+ * T + V
  * not finite where the model is singular
  */
 double pumped_pendulum_energy(double t, const double *y, const double *p);

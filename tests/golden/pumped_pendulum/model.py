@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""pumped_pendulum, emitted by nhc 0.1.0 (nhc:8e997188e491e65b).
+"""pumped_pendulum, emitted by nhc 0.1.0 (nhc:fdc2c34b42e5d59a).
 
 A pendulum whose pivot is moved to and fro; T depends on time and is not homogeneous
     in the velocities.
@@ -238,7 +238,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """T + V (II.1.4)
+    """T + V
 
     Arguments: t (scalar), y (2,), p (5,).
     Returns a scalar.

@@ -1,5 +1,5 @@
 /*
- * rattleback.h: rattleback, emitted by nhc 0.1.0 (nhc:0140425113b03571)
+ * rattleback.h: rattleback, emitted by nhc 0.1.0 (nhc:ced046f01f51151b)
  * A loaded ellipsoid that rolls on a plane and prefers one sense of spin (celt, wobblestone).
  * Source: rattleback.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -36,14 +36,14 @@
  * out[0] = spin
  *
  * Operations:
- * rhs: 64 +-, 119 *, 5 /, 7 calls
- * velocities: 15 +-, 42 *, 2 /, 7 calls
- * accelerations: 98 +-, 163 *, 5 /, 7 calls
+ * rhs: 84 +-, 148 *, 5 /, 7 calls
+ * velocities: 17 +-, 46 *, 2 /, 7 calls
+ * accelerations: 124 +-, 194 *, 5 /, 7 calls
  * state: 3 +-, 6 *, 0 /, 4 calls
  * residuals: 18 +-, 40 *, 1 /, 7 calls
- * reactions: 86 +-, 155 *, 5 /, 7 calls
- * energy: 19 +-, 48 *, 1 /, 7 calls
- * jacobian: 453 +-, 680 *, 5 /, 7 calls
+ * reactions: 106 +-, 184 *, 5 /, 7 calls
+ * energy: 25 +-, 60 *, 2 /, 7 calls
+ * jacobian: 530 +-, 755 *, 5 /, 7 calls
  * outputs: 0 +-, 0 *, 0 /, 1 calls
  *
  * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
@@ -117,7 +117,7 @@ int rattleback_residuals(double t, const double *q, const double *qdot, const do
 int rattleback_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * T + V (II.1.4)
+ * T + V
  * not finite where the model is singular
  */
 double rattleback_energy(double t, const double *y, const double *p);

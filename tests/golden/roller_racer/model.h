@@ -1,5 +1,5 @@
 /*
- * roller_racer.h: roller_racer, emitted by nhc 0.1.0 (nhc:32a857655e3541f8)
+ * roller_racer.h: roller_racer, emitted by nhc 0.1.0 (nhc:458e9a35bcb8b517)
  * Two wheeled bodies with a hinge; it is driven by moving the hinge to and fro.
  * Source: roller_racer.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -110,7 +110,7 @@ int roller_racer_residuals(double t, const double *q, const double *qdot, const 
 int roller_racer_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * T + V (II.1.4)
+ * T + V
  * not finite where the model is singular
  */
 double roller_racer_energy(double t, const double *y, const double *p);

@@ -1,5 +1,5 @@
 /*
- * rolling_disk.h: rolling_disk, emitted by nhc 0.1.0 (nhc:9fc71d02648c7a90)
+ * rolling_disk.h: rolling_disk, emitted by nhc 0.1.0 (nhc:a3b107ec5f1118d7)
  * A thin disk that rolls on a horizontal plane and may lean and fall (Euler's disk).
  * Source: rolling_disk.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -113,7 +113,7 @@ int rolling_disk_residuals(double t, const double *q, const double *qdot, const 
 int rolling_disk_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * T + V (II.1.4)
+ * T + V
  * not finite where the model is singular
  */
 double rolling_disk_energy(double t, const double *y, const double *p);

@@ -1,5 +1,5 @@
 /*
- * routh_sphere.h: routh_sphere, emitted by nhc 0.1.0 (nhc:dc9070a9914c199c)
+ * routh_sphere.h: routh_sphere, emitted by nhc 0.1.0 (nhc:8efcd296fad209d5)
  * A ball with its centre of mass off its centre, dynamically symmetric, rolls on a horizontal plane.
  * Source: routh_sphere.yaml
  * Equations of motion: chaplygin (III.3)
@@ -37,7 +37,7 @@
  * accelerations: 29 +-, 59 *, 3 /, 4 calls
  * state: 0 +-, 0 *, 0 /, 0 calls
  * residuals: 4 +-, 7 *, 0 /, 3 calls
- * reactions: 34 +-, 73 *, 3 /, 4 calls
+ * reactions: 35 +-, 73 *, 3 /, 4 calls
  * energy: 12 +-, 28 *, 0 /, 2 calls
  * jacobian: 46 +-, 124 *, 3 /, 4 calls
  * outputs: 5 +-, 17 *, 0 /, 3 calls
@@ -112,7 +112,7 @@ int routh_sphere_residuals(double t, const double *q, const double *qdot, const 
 int routh_sphere_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * T + V (II.1.4)
+ * T + V
  * not finite where the model is singular
  */
 double routh_sphere_energy(double t, const double *y, const double *p);

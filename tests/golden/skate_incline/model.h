@@ -1,5 +1,5 @@
 /*
- * skate_incline.h: skate_incline, emitted by nhc 0.1.0 (nhc:e62fe337340ab42c)
+ * skate_incline.h: skate_incline, emitted by nhc 0.1.0 (nhc:a62a5f970afd897a)
  * A skate on an inclined plane with its centre of mass above the edge; it never gets far downhill.
  * Source: skate_incline.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -106,7 +106,7 @@ int skate_incline_residuals(double t, const double *q, const double *qdot, const
 int skate_incline_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * T + V (II.1.4)
+ * T + V
  * not finite where the model is singular
  */
 double skate_incline_energy(double t, const double *y, const double *p);

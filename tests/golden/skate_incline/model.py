@@ -1,4 +1,4 @@
-"""skate_incline, emitted by nhc 0.1.0 (nhc:ed8d90ab30e0ec61).
+"""skate_incline, emitted by nhc 0.1.0 (nhc:1481276145057455).
 
 A skate on an inclined plane with its centre of mass above the edge; it never gets
     far downhill.
@@ -296,7 +296,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """T + V (II.1.4)
+    """T + V
 
     Arguments: t (scalar), y (5,), p (4,).
     Returns a scalar.

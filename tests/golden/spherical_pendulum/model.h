@@ -1,5 +1,5 @@
 /*
- * spherical_pendulum.h: spherical_pendulum, emitted by nhc 0.1.0 (nhc:0a3cdb0f58840641)
+ * spherical_pendulum.h: spherical_pendulum, emitted by nhc 0.1.0 (nhc:b4cbe905a766b267)
  * A pendulum that swings in space.
  * Source: spherical_pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -100,7 +100,7 @@ int spherical_pendulum_residuals(double t, const double *q, const double *qdot, 
 int spherical_pendulum_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * T + V (II.1.4)
+ * T + V
  * not finite where the model is singular
  */
 double spherical_pendulum_energy(double t, const double *y, const double *p);

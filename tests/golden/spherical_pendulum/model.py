@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""spherical_pendulum, emitted by nhc 0.1.0 (nhc:70500d62262bc4d1).
+"""spherical_pendulum, emitted by nhc 0.1.0 (nhc:df3ef383d90ae811).
 
 A pendulum that swings in space.
 Source: spherical_pendulum.yaml
@@ -259,7 +259,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """T + V (II.1.4)
+    """T + V
 
     Arguments: t (scalar), y (4,), p (3,).
     Returns a scalar.

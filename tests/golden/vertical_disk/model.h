@@ -1,5 +1,5 @@
 /*
- * vertical_disk.h: vertical_disk, emitted by nhc 0.1.0 (nhc:91e8e03faa066da4)
+ * vertical_disk.h: vertical_disk, emitted by nhc 0.1.0 (nhc:2cd498ca160bd09d)
  * A disk that stays upright and rolls without slipping.
  * Source: vertical_disk.yaml
  * Equations of motion: chaplygin (III.3)
@@ -107,7 +107,7 @@ int vertical_disk_residuals(double t, const double *q, const double *qdot, const
 int vertical_disk_reactions(double t, const double *y, const double *p, double *lambda);
 
 /*
- * T + V (II.1.4)
+ * T + V
  * not finite where the model is singular
  */
 double vertical_disk_energy(double t, const double *y, const double *p);

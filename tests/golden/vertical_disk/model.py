@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""vertical_disk, emitted by nhc 0.1.0 (nhc:ae13ebdd0cdd3784).
+"""vertical_disk, emitted by nhc 0.1.0 (nhc:638983a272619322).
 
 A disk that stays upright and rolls without slipping.
 Source: vertical_disk.yaml
@@ -307,7 +307,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """T + V (II.1.4)
+    """T + V
 
     Arguments: t (scalar), y (6,), p (4,).
     Returns a scalar.

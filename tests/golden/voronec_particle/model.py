@@ -1,4 +1,4 @@
-"""voronec_particle, emitted by nhc 0.1.0 (nhc:acaa604714310a90).
+"""voronec_particle, emitted by nhc 0.1.0 (nhc:9a7e4a6db35a0680).
 
 A particle whose T, U and constraint depend on the dependent coordinate, so that
     Caplygin's hypotheses fail.
@@ -24,9 +24,9 @@ velocities: 1 +-, 5 *, 0 /, 1 calls
 accelerations: 34 +-, 78 *, 2 /, 2 calls
 state: 0 +-, 0 *, 0 /, 0 calls
 residuals: 2 +-, 5 *, 0 /, 1 calls
-reactions: 37 +-, 82 *, 2 /, 2 calls
+reactions: 37 +-, 83 *, 2 /, 2 calls
 energy: 10 +-, 20 *, 0 /, 2 calls
-jacobian: 125 +-, 254 *, 2 /, 2 calls
+jacobian: 129 +-, 274 *, 2 /, 2 calls
 outputs: 0 +-, 0 *, 0 /, 0 calls
 
 A singular point raises SingularModelError.
@@ -341,27 +341,26 @@ def reactions(
         s1 = 0.5 * (y_dot * (z * x_dot + x * z14))
         z16 = x_dot * (z13 - y_2 * z15) + s1
         z17 = x_dot * z14
-        z18 = 0.3 * (x_dot * z15)
-        z19 = z3 * z16 - (z18 - 2.0 * (x * z17))
-        z20 = z * z1
-        z21 = x_dot * x_dot
-        z22 = y_dot * y_dot
-        z23 = s_z * z17
-        s2 = 0.5 * (2.0 * (z21 * z20) + z22 * z2 + 2.0 * (x * (z14 * z14)))
-        z24 = s2 - 0.3 * (z1 * z23)
+        z18 = z3 * z16 - (0.3 * (x_dot * z15) - 2.0 * (x * z17))
+        z19 = x_dot * x_dot
+        z20 = y_dot * y_dot
+        z21 = z20 * c_z
+        z22 = s_z * z17
+        z23 = z * z1
+        s2 = 0.5 * (2.0 * (z19 * z23) + z20 * z2 + 2.0 * (x * (z14 * z14)))
+        z24 = s2 - 0.3 * (z1 * z22)
         s3 = 0.3 * (c_z * z16) - (0.3 * (z14 * z15) - 2.0 * (z * z17))
-        z25 = s3 + z1 * z19 + (0.5 * (2.0 * x + 6.0 * z20) - z24)
+        z25 = s3 + z1 * z18 + (0.5 * (2.0 * x + 6.0 * z23) - z24)
         z26 = z * z6
-        z27 = z22 * c_z
-        s4 = 0.15 * (z6 * z23) - 0.5 * (z21 * z26 + 0.5 * (z6 * z27))
-        z28 = 0.5 * (4.0 * y_2 + 3.0 * z26) + s4
-        s5 = 0.5 * (z11 * z25) - (z14 * z13 + 0.5 * (z6 * z19) + z28)
-        z29 = s5 / z12
-        s6 = z4 * (z10 * z25 + 0.5 * (z11 * z29)) - 0.5 * (z7 * z29)
-        z30 = s6 - (z19 + (3.0 * z - (0.5 * (2.0 * (z * z21) + z27) - z18)))
+        s4 = 0.15 * (z6 * z22) - 0.5 * (z19 * z26 + 0.5 * (z6 * z21))
+        z27 = 0.5 * (4.0 * y_2 + 3.0 * z26) + s4
+        s5 = 0.5 * (z11 * z25) - (z14 * z13 + 0.5 * (z6 * z18) + z27)
+        z28 = s5 / z12
+        s6 = z18 + (3.0 * z - (0.5 * (2.0 * (z * z19) + z21) - 0.3 * z22))
+        z29 = s6 - (z4 * (z10 * z25 + 0.5 * (z11 * z28)) - 0.5 * (z7 * z28))
         lambda_: list[float] = [
             # reaction of contact: Q_i gains lambda_1 a_1i (I.4.1) 10:5
-            -z30,
+            z29,
         ]
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -369,7 +368,7 @@ def reactions(
 
 
 def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float:
-    """T + V (II.1.4)
+    """T + V
 
     Arguments: t (scalar), y (5,), p (0,).
     Returns a scalar.
@@ -434,96 +433,94 @@ def jacobian(
         # the mass matrix is singular
         if not abs(z12) > 1e-14 * z8:
             raise SingularModelError(2, "jacobian")
-        z13 = x_dot * s_z
-        z14 = y_dot * c_z
-        z15 = x_dot * z1
-        z16 = z15 + 0.5 * (y_dot * z6)
-        z17 = s_z * z16
-        z18 = z14 - y_2 * z17
-        z19 = z * x_dot
-        z20 = x * z16
-        z21 = z19 + z20
-        z22 = x_dot * z18 + 0.5 * (y_dot * z21)
-        z23 = z * z16
-        z24 = x_dot * z17
-        z25 = 0.3 * z24
-        z26 = x * x_dot
-        z27 = z25 - 2.0 * (z16 * z26) - z3 * z22
-        z28 = z * z1
-        z29 = x_dot * x_dot
-        z30 = y_dot * y_dot
-        z31 = z16 * z16
-        z32 = z1 * z13
-        s1 = 0.5 * (2.0 * (z29 * z28) + z30 * z2 + 2.0 * (x * z31))
-        z33 = s1 - 0.3 * (z16 * z32)
-        s2 = 0.3 * (z16 * z17) - 2.0 * (x_dot * z23) - 0.3 * (c_z * z22)
-        z34 = s2 + z1 * z27 - (0.5 * (2.0 * x + 6.0 * z28) - z33)
-        z35 = 1.0 / z12
-        z36 = c_z * z16
-        z37 = z * z6
+        z13 = x_dot * z1
+        z14 = z13 + 0.5 * (y_dot * z6)
+        z15 = z14 * z14
+        z16 = z1 * z14
+        z17 = y_dot * z4
+        z18 = z * x_dot
+        z19 = s_z * z14
+        z20 = x * z14
+        z21 = s_z * z1
+        z22 = x_dot * z21
+        z23 = x * x_dot
+        s1 = 0.3 * z19 + (2.0 * z20 - 0.3 * z22 - 2.0 * (z1 * z23))
+        z24 = 2.0 * z18 - s1 + 0.5 * (x * z17)
+        z25 = x_dot * z4
+        z26 = 0.3 * (z13 + z14) + y_2 * z25
+        z27 = z24 - s_z * z26
+        z28 = 1.0 / z12
+        z29 = c_z * z14
+        z30 = y_dot * c_z
+        z31 = z30 - y_2 * z19
+        z32 = z18 + z20
+        z33 = x_dot * z31 + 0.5 * (y_dot * z32)
+        z34 = 0.3 * (x_dot * z19) - 2.0 * (z14 * z23) - z3 * z33
+        z35 = x_dot * x_dot
+        z36 = z * z6
+        z37 = y_dot * y_dot
         z38 = c_z * z6
-        z39 = z6 * z13
-        s3 = 0.5 * (z29 * z37 + 0.5 * (z30 * z38)) - 0.15 * (z16 * z39)
-        z40 = 0.5 * (4.0 * y_2 + 3.0 * z37) - s3
-        s4 = y_dot * z36 - 0.5 * (z6 * z27) + z40 + 0.5 * (z11 * z34)
-        z41 = z35 * s4
-        z42 = z10 * z34 + 0.5 * (z11 * z41)
-        z43 = z6 * z41
-        z44 = z1 * z42 - 0.5 * z43
-        z45 = y_dot * z4
-        z46 = x_dot * z16
-        z47 = z1 * z46
-        z48 = x_dot * z4
-        z49 = 0.3 * (z15 + z16) + y_2 * z48
-        s5 = 0.3 * z17 - (2.0 * (z1 * z26) - (2.0 * z20 - 0.3 * z32))
-        z50 = 0.5 * (x * z45) + (2.0 * z19 - s5)
-        z51 = s_z * z49 - z50
-        z52 = y_dot * z51 + z4 * z41
-        s6 = 0.5 * (z16 * z45) + (1.0 - (z31 - 2.0 * z47))
-        z53 = 2.0 * ((z22 + z44) * (x * z1)) + (s6 - 0.5 * (z * z52))
-        z54 = z6 * z42
-        z55 = z6 * z46
-        z56 = y_dot * z7
-        z57 = x_dot * z7
-        z58 = 0.15 * (x_dot * z6) + 0.5 * (y_2 * z57)
-        s7 = s_z * z58 - (0.25 * (x * z56) + (z6 * z26 + 0.15 * z39))
-        z59 = z14 - s7
-        z60 = z4 * z42
-        z61 = 0.25 * (z7 * z41)
-        z62 = 1.5 - 0.5 * z29
-        s8 = z61 + (0.5 * z27 - (0.15 * z24 + z * z62) + z61)
-        z63 = 0.5 * z60 - (0.25 * (z30 * c_z) + s8)
-        z64 = 0.5 * (y_dot * z59) + z63
-        s9 = 0.5 * (z6 * z22) - (0.25 * (z6 * z43) - 0.5 * (z1 * z54))
-        z65 = 2.0 * (x * s9) + (z55 + 0.25 * (z16 * z56) + z * z64)
-        z66 = z35 * (z65 - 0.5 * (z11 * z53))
-        z67 = 0.5 * z30 - 0.3 * z42
-        z68 = 3.0 - z29
-        s10 = c_z * z67 - (z3 * z44 - (z27 - (z25 + z * z68) - z60))
-        z69 = x_dot * z51 + s10
-        z70 = z17 * z48 + c_z * z69
-        z71 = x_dot * z59 + 0.5 * (z3 * z54)
-        s11 = 2.0 - 0.5 * (z17 * z57) + c_z * z71 + 0.5 * (z11 * z70)
-        z72 = z35 * s11
-        z73 = x_dot * z45
-        s12 = s_z * (0.3 * z44 + (z73 + (0.3 * z22 - z1 * z67) - y_2 * z69))
-        z74 = 2.0 * z46 + z1 * z68 + 0.5 * z73 - 0.5 * (x * z52) - s12
-        z75 = 2.0 * (z * z42) + (c_z * (0.3 * z47 - z16 * z49) + z74)
-        z76 = x_dot * z56
-        s13 = y_dot * z16 - (0.25 * (z30 * z6) - 0.5 * z76) + y_2 * z71
-        z77 = s_z * (0.15 * z54 + s13)
-        s14 = z6 * z62 + 0.25 * z76 + x * z64 - z77
-        z78 = c_z * (0.15 * z55 - z16 * z58 - z41) + s14
-        z79 = z35 * (z78 - 0.5 * (z11 * z75))
-        s15 = z18 * z4 + (0.5 * (z * z45) + 2.0 * (z23 + z1 * z20))
-        z80 = 2.0 * (x_dot * z28) + (z1 * z51 - s15)
-        s16 = z1 * z59 + (0.5 * (z18 * z7) + (0.25 * (z * z56) + z6 * z20))
-        z81 = x_dot * z37 - s16
-        z82 = z35 * (z81 - 0.5 * (z11 * z80))
-        z83 = y_dot * z2 - (0.5 * (z21 * z4) + c_z * z48 - 0.5 * (z6 * z51))
-        s17 = z36 + 0.25 * (z21 * z7) + 0.5 * (c_z * z57)
-        z84 = 0.5 * (y_dot * z38) - (s17 + 0.5 * (z6 * z59))
-        z85 = z35 * (z84 - 0.5 * (z11 * z83))
+        z39 = s_z * z6
+        z40 = x_dot * z39
+        s2 = 0.5 * (z35 * z36 + 0.5 * (z37 * z38)) - 0.15 * (z14 * z40)
+        z41 = s2 - 0.5 * (4.0 * y_2 + 3.0 * z36)
+        z42 = z * z14
+        z43 = z * z1
+        s3 = 0.5 * (2.0 * (z35 * z43) + z37 * z2 + 2.0 * (x * z15))
+        z44 = s3 - 0.3 * (z14 * z22)
+        s4 = 0.3 * (z14 * z19) - 2.0 * (x_dot * z42) - 0.3 * (c_z * z33)
+        z45 = s4 + z1 * z34 + (z44 - 0.5 * (2.0 * x + 6.0 * z43))
+        s5 = y_dot * z29 - 0.5 * (z6 * z34) - z41 + 0.5 * (z45 * z11)
+        z46 = z28 * s5
+        z47 = y_dot * z27 - z4 * z46
+        z48 = z45 * z10 + 0.5 * (z11 * z46)
+        z49 = z6 * z46
+        z50 = z1 * z48 - 0.5 * z49
+        s6 = 1.0 - (z15 - 2.0 * (x_dot * z16)) + 0.5 * (z14 * z17)
+        z51 = s6 + 0.5 * (z * z47) + 2.0 * ((z33 + z50) * (x * z1))
+        z52 = z6 * z14
+        z53 = y_dot * z7
+        z54 = x_dot * z7
+        z55 = 0.15 * (x_dot * z6) + 0.5 * (y_2 * z54)
+        z56 = z30 + (0.15 * z40 + z6 * z23 + 0.25 * (x * z53) - s_z * z55)
+        z57 = z4 * z48
+        z58 = x_dot * z14
+        z59 = s_z * z58
+        z60 = 1.5 - 0.5 * z35
+        s7 = 0.25 * (z7 * z46) + (0.5 * z34 - (0.15 * z59 + z * z60))
+        z61 = s7 + 0.25 * (z3 * z49)
+        z62 = 0.5 * (y_dot * z56) + (0.5 * z57 - (0.25 * (z37 * c_z) + z61))
+        z63 = z6 * z48
+        s8 = 0.5 * (z6 * z33) - (0.25 * (z6 * z49) - 0.5 * (z1 * z63))
+        z64 = x_dot * z52 + 0.25 * (z14 * z53) + z * z62 + 2.0 * (x * s8)
+        z65 = z28 * (z64 - 0.5 * (z11 * z51))
+        z66 = 3.0 - z35
+        z67 = 0.5 * z37 - 0.3 * z48
+        s9 = z57 - (z34 - (0.3 * z59 + z * z66)) + z3 * z50 - c_z * z67
+        z68 = x_dot * z27 + s9
+        z69 = z19 * z25 - c_z * z68
+        z70 = x_dot * z56 + 0.5 * (z3 * z63)
+        s10 = 2.0 - 0.5 * (z19 * z54) + c_z * z70 + 0.5 * (z11 * z69)
+        z71 = z28 * s10
+        s11 = 0.3 * z50 + (y_dot * z25 + (0.3 * z33 - z1 * z67) + y_2 * z68)
+        s12 = 2.0 * z58 + z1 * z66 + 0.5 * (x_dot * z17) + 0.5 * (x * z47)
+        z72 = s12 - s_z * s11
+        z73 = c_z * (0.3 * (z1 * z58) - z14 * z26) + z72 + 2.0 * (z * z48)
+        s13 = 0.25 * (z37 * z6) - 0.5 * (y_dot * z54) - y_dot * z14
+        z74 = 0.15 * z63 - (s13 - y_2 * z70)
+        s14 = z6 * z60 + 0.25 * (x_dot * z53) + x * z62 - s_z * z74
+        z75 = s14 - c_z * (z46 - (0.15 * (z6 * z58) - z14 * z55))
+        z76 = z28 * (z75 - 0.5 * (z11 * z73))
+        s15 = 2.0 * z42 + 0.3 * (z14 * z21) - 0.3 * (z1 * z19)
+        z77 = s15 + 2.0 * (x * z16) + 0.5 * (z * z17)
+        z78 = z77 + z31 * z4 + z1 * z27 - 2.0 * (x_dot * z43)
+        s16 = 0.15 * (z14 * z39 - z6 * z19) + x * z52 + 0.25 * (z * z53)
+        z79 = s16 + 0.5 * (z31 * z7)
+        z80 = z28 * (z79 + z1 * z56 - x_dot * z36 - 0.5 * (z11 * z78))
+        z81 = 0.5 * (z32 * z4) + c_z * z25 + 0.5 * (z6 * z27) - y_dot * z2
+        s17 = z29 + 0.25 * (z32 * z7) + 0.5 * (c_z * z54)
+        z82 = s17 + 0.5 * (z6 * z56) - 0.5 * (y_dot * z38)
+        z83 = z28 * (z82 - 0.5 * (z11 * z81))
         J: list[float] = [
             0.0,
             0.0,
@@ -542,31 +539,31 @@ def jacobian(
             # (I.4.9)
             x_dot * c_z,
             # (I.4.9)
-            0.5 * (x * y_dot) - y_2 * z13,
+            0.5 * (x * y_dot) - s_z * (y_2 * x_dot),
             # (I.4.9)
             z1,
             # (I.4.9)
             0.5 * z6,
             # (I.4.9)
-            0.5 * (z11 * z66) - z10 * z53,
+            0.5 * (z11 * z65) - z10 * z51,
             # (I.4.9)
-            z10 * z70 + 0.5 * (z11 * z72),
+            z10 * z69 + 0.5 * (z11 * z71),
             # (I.4.9)
-            0.5 * (z11 * z79) - z10 * z75,
+            0.5 * (z11 * z76) - z10 * z73,
             # (I.4.9)
-            z10 * z80 - 0.5 * (z11 * z82),
+            0.5 * (z11 * z80) - z10 * z78,
             # (I.4.9)
-            z10 * z83 - 0.5 * (z11 * z85),
+            0.5 * (z11 * z83) - z10 * z81,
             # (I.4.9)
-            -z66,
+            -z65,
             # (I.4.9)
-            -z72,
+            -z71,
             # (I.4.9)
-            -z79,
+            -z76,
             # (I.4.9)
-            z82,
+            -z80,
             # (I.4.9)
-            z85,
+            -z83,
         ]
         _finish("jacobian", J)
         return [J[k1 : k1 + 5] for k1 in range(0, 25, 5)]

@@ -1,0 +1,232 @@
+"""What a derivation says in words, and the numbers beside its formulas."""
+
+from __future__ import annotations
+
+from collections import Counter
+from fractions import Fraction
+from pathlib import Path
+
+import pytest
+
+from nhc.algebra.graph import Graph
+from nhc.algebra.modular import are_zero
+from nhc.diagnostics import Bag
+from nhc.emit.latex.document import render
+from nhc.emit.terms import split_number
+from nhc.emit.text import print_derivation
+from nhc.language import Source, decode
+from nhc.mechanics.choose import applicable, formulate
+from nhc.mechanics.facts import describe
+from nhc.mechanics.formulate import equations_of
+from nhc.mechanics.resolve import resolve
+from nhc.mechanics.system import System
+from nhc.program.ir import Ref
+from nhc.program.paper import Derivation, Statement, derivation
+from nhc.program.passes import walk
+from nhc.program.sheets.model import Mark
+from nhc.program.sheets.tidy import _with_squares
+
+SPECS = Path(__file__).resolve().parents[2] / "specs"
+HEAD = "nhc: 1\nsystem: case\nparameters: {m: 1, c: 0.4}\n"
+PLANE = HEAD + "coordinates: [x, y]\nT: m/2*(x'^2 + y'^2)\n"
+SPACE = HEAD + "coordinates: [x, y, z]\nT: m/2*(x'^2 + y'^2 + z'^2)\n"
+PARTICLE = SPACE + "constraints: [slip: z' - y*x' = 0]\n"
+QUADRATIC = "T is homogeneous quadratic in the velocities and nothing depends on the time: the energy E is constant."
+
+
+def load(text: str) -> System:
+    return resolve(decode(Source("case.yaml", text)))
+
+
+def derive(text: str, formulation: str = "") -> Derivation:
+    system = load(text)
+    chosen = formulate(system, formulation)
+    return derivation(system, chosen, equations_of(system, chosen))
+
+
+def said(made: Derivation) -> str:
+    """The words of a derivation on one line."""
+    return " ".join(print_derivation(made).split())
+
+
+def says(text: str, key: str) -> str:
+    system = load(text)
+    return describe(system, formulate(system), Bag(system.spec.origin)).lines_by_key[key]
+
+
+# --- the energy -----------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("formulation", ["", "multipliers"])
+def test_plain_reasons_for_a_constant_energy(formulation: str) -> None:
+    assert QUADRATIC in said(derive(PARTICLE, formulation))
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        PLANE + "constraints: [slip: -sin(c*t)*x' + cos(c*t)*y' = 0]\n",  # homogeneous, but it turns
+        PLANE + "forces: {x: cos(t)*y', y: -cos(t)*x'}\n",  # a gyroscopic force that changes
+        PLANE + "forces: {x: c*y', y: -c*x'}\n",
+    ],
+)
+def test_a_constant_energy_is_not_explained_by_what_is_not_so(text: str) -> None:
+    found = said(derive(text))
+    assert QUADRATIC not in found
+    assert "The left side is the rate of E, and on the right side no term is left on the motion" in found
+    assert "the energy E is constant." in found
+
+
+def test_terms_of_first_degree_that_vanish_on_the_constraints_are_seen() -> None:
+    text = PARTICLE.replace("z'^2)", "z'^2) + c*x*(z' - y*x')")
+    found = said(derive(text))
+    assert QUADRATIC not in found
+    assert "On the constraints the left side is the rate of E" in found
+    assert "what the theorem speaks of is H" not in found
+
+
+def test_a_force_whose_work_another_cancels_is_no_reason() -> None:
+    text = SPACE + "forces: {x: c*z*y', y: -c*z*x', z: -c*z'}\n"
+    assert says(text, "energy") == "energy: T + V is not conserved: the force on `z`"
+
+
+def test_forces_may_contain_the_time_under_caplygins_hypotheses() -> None:
+    """I.3 speaks of L and the constraints only."""
+    found = said(derive(PARTICLE + "forces: {x: c*cos(t)}\n", "chaplygin"))
+    assert "The hypotheses of I.3 hold" in found
+    assert "forces contain neither" not in found
+
+
+# --- numbers --------------------------------------------------------------------------------------------------
+
+KINETIC = {  # the thesis numbers the terms of the kinetic part, not their sum, where there are constraints to use
+    "euler-lagrange": "III.2.2 to III.2.4",
+    "chaplygin": "III.3.2 to III.3.7",
+    "voronec": "III.4.2 to III.4.5",
+}
+NUMBERS = {  # of Omega_c, Omega_d, Omega
+    "newton": ("II.1.4", "II.1.5", "II.1.3"),
+    "lagrange": ("II.3.1", "II.2.3", "II.3"),
+    "multipliers": ("II.3.1", "II.2.3", "II.3"),
+    "euler-lagrange": ("", "III.2.1", "III.2.5"),
+    "chaplygin": ("", "III.3.1", "III.3"),
+    "voronec": ("", "III.4.1", "III.4"),
+}
+
+
+@pytest.mark.parametrize("text", [PARTICLE + "V: c*x^2\n", PLANE + "V: c*x^2\n"])
+def test_numbers_of_the_forms(text: str) -> None:
+    seen = set()
+    for formulation in applicable(load(text)):
+        made = derive(text, formulation.name)
+        tags = {
+            (item.left[0].factors[0].base, *item.left[0].factors[0].lower): item.equation
+            for sheet in made.sheets
+            for item in sheet.items
+            if isinstance(item, Statement) and item.left and item.left[0].factors
+        }
+        forms = (("Omega form", "c"), ("Omega form", "d"), ("Omega form",))
+        assert tuple(tags[form] for form in forms) == NUMBERS[formulation.name]
+        assert tags["Theta form",] == "II.2.2"
+        assert tags["E",] == "" and tags.get(("T",), "") == ""
+        assert formulation.name not in KINETIC or f"derivative ({KINETIC[formulation.name]})" in said(made)
+        seen.add(formulation.name)
+    assert len(seen) >= 4
+
+
+# --- words ----------------------------------------------------------------------------------------------------
+
+
+def test_one_is_not_several() -> None:
+    made = said(derive(HEAD + "coordinates: [x]\nT: m/2*x'^2\n"))
+    assert "the system has one degree of freedom." in made
+    assert "Of its 3 rows one holds automatically (exactly tested), that of the velocity's differential." in made
+    assert says(HEAD + "coordinates: [x]\nT: m/2*x'^2\n", "degrees") == "1 coordinate, 0 constraints, 1 free velocity"
+    assert says(PARTICLE, "degrees") == "3 coordinates, 1 constraint, 2 free velocities"
+
+
+def test_a_form_gives_way_to_a_quantity_of_its_name() -> None:
+    text = PLANE.replace("c: 0.4", "Theta: 1, Omega: 2") + "V: Theta*x^2 + Omega*y^2\n"
+    made = derive(text)
+    lines = print_derivation(made).splitlines()
+    assert any(line.startswith("  <Theta> = ") for line in lines)
+    assert any(line.startswith("  <Omega> = ") for line in lines)
+    assert not any(line.startswith("  Theta = m") for line in lines)
+    assert r"\boldsymbol{\Omega} &= " in render(made)
+    assert Mark("Theta form") in {
+        factor
+        for sheet in derive(PLANE).sheets
+        for item in sheet.items
+        if isinstance(item, Statement)
+        for term in item.left
+        for factor in term.factors
+    }
+
+
+# --- what is pleasant to read ---------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("value", "shown"),
+    [
+        ("981/100", ("9.81", "")),
+        ("3/250", ("0.012", "")),
+        ("1/20", ("0.05", "")),
+        ("100.05", ("100.05", "")),
+        ("1/4", ("", "4")),
+        ("3/10", ("3", "10")),
+        ("1/64", ("", "64")),
+        ("7/30", ("7", "30")),
+        ("1/5000", ("", "5000")),
+        ("1", ("", "")),
+        ("12", ("12", "")),
+    ],
+)
+def test_awkward_fractions_are_decimals(value: str, shown: tuple[str, str]) -> None:
+    assert split_number(Fraction(value)) == shown
+
+
+def test_decimals_stand_above_the_line() -> None:
+    made = derive(PLANE + "V: 9.81*m*y/(1 + x^2)\n")
+    assert "U = -9.81*m*y/(1 + x^2)" in print_derivation(made)
+    assert r"\frac{9.81\,m\,y}{1 + x^{2}}" in render(made)
+
+
+def test_a_coefficient_that_stands_alone_needs_no_name_for_its_sign() -> None:
+    """Omega has -(I1 sin^2 + I3 cos^2) as a coefficient, and a row has the sum once: no abbreviation for it."""
+    made = derive((SPECS / "heavy_top.yaml").read_text())
+    used = Counter(
+        part.name
+        for sheet in made.sheets
+        for item in (*sheet.lets, *sheet.items)
+        if isinstance(item, Statement)
+        for term in (*item.right, *(item.left if item in sheet.items else ()))
+        for part in walk(term.coefficient)
+        if isinstance(part, Ref)
+    )
+    own = {entry.name for entry in made.system.spec.definitions}
+    assert {name for name in made.lets if name not in own and used[name] < 2} == set()
+
+
+def test_squares_of_cosines_are_written_as_such() -> None:
+    made = derive((SPECS / "heavy_top.yaml").read_text())
+    text = print_derivation(made)
+    assert "1 - sin(theta)^2" not in text
+    assert "(I1*sin(theta)^2 + I3*cos(theta)^2) phi''" in text
+
+
+def test_a_sum_with_a_square_of_a_sine() -> None:
+    """n - n sin^2 = n cos^2 wherever it stands in a sum, and nothing else changes."""
+    g = Graph()
+    x, y = g.symbol("x"), g.symbol("y")
+    square = g.power(g.function("sin", x), 2)
+    cases = [
+        (g.sum([y, g.number(3), g.neg(g.mul(g.number(3), square))]), True),
+        (g.sub(square, g.one), True),
+        (g.sub(g.number(2), square), False),
+        (g.sub(y, square), False),
+    ]
+    for node, changes in cases:
+        made = _with_squares(g, node)
+        assert (made != node) == changes
+        assert are_zero(g, [g.sub(made, node)]) == [True]
