@@ -1,5 +1,5 @@
 /*
- * ball_on_table.c: ball_on_table, emitted by nhc 0.1.0 (nhc:f0017def6a1ebe6a)
+ * ball_on_table.c: ball_on_table, emitted by nhc 0.1.0 (nhc:5f16812e1e4b9594)
  * A homogeneous ball that rolls on a turning table; its centre runs on a circle, though nothing holds it
  *     there.
  * Source: ball_on_table.yaml
@@ -238,21 +238,20 @@ int ball_on_table_rhs(double t, const double *y, const double *p, double *dydt)
 
     /* parameters only */
     const double k1 = m * a;
-    const double k2 = m * a * a;
-    const double k3 = k * k2;
-    const double k4 = 1.0 + k;
-    const double k5 = k2 * k4;
-    const double k6 = 2.0 * Omega0;
-    const double k7 = Omega0 * Omega0;
-    const double k8 = k1 / k5;
+    const double k2 = a * k1;
+    const double k3 = 1.0 + k;
+    const double k4 = 2.0 * Omega0;
+    const double k5 = Omega0 * Omega0;
+    const double k6 = k2 * k3;
+    const double k7 = k1 / k6;
 
     /* state */
-    const double z1 = k2 * (k + s_theta * s_theta);
-    const double z2 = z1 - c_theta * c_theta * k3;
+    const double z1 = s_theta * s_theta;
+    const double z2 = z1 * k6;
     const double z4 = Omega1 * s1;
     const double Omega = Omega0 + z4;
     const double z5 = psi_dot * s_theta;
-    const double z6 = k6 + z4;
+    const double z6 = k4 + z4;
     const double z7 = x * c_phi;
     const double z8 = theta_dot * a;
     const double z9 = y_2 * s_phi;
@@ -261,12 +260,12 @@ int ball_on_table_rhs(double t, const double *y, const double *p, double *dydt)
     const double z12 = y_2 * c_phi;
     const double z13 = z11 - z12;
     const double z14 = z7 + z9;
-    const double z15 = phi_dot * k4;
-    const double z16 = Omega1 * (s1 * (z6 * z7 - (z8 - z6 * z9)) - z10 * z13) + (z14 * k7 - z8 * (z15 +
-        (Omega0 - psi_dot * c_theta * k4)));
-    const double z17 = z16 * (k1 / z2);
+    const double z15 = phi_dot * k3;
+    const double z16 = Omega1 * (s1 * (z6 * z7 - (z8 - z6 * z9)) - z10 * z13) + (z14 * k5 - z8 * (z15 +
+        (Omega0 - psi_dot * c_theta * k3)));
+    const double z17 = k1 * z16 / z2;
     const double z18 = a * z5;
-    const double z19 = Omega1 * (z10 * z14 + s1 * (z11 * z6 - (z6 * z12 + z18))) + (k7 * z13 - (Omega0 + z15)
+    const double z19 = Omega1 * (z10 * z14 + s1 * (z11 * z6 - (z6 * z12 + z18))) + (k5 * z13 - (Omega0 + z15)
         * z18);
     /* (III.3) */
     dydt[0] = a * (theta_dot * s_phi - c_phi * z5) - y_2 * Omega; /* x' */
@@ -276,22 +275,22 @@ int ball_on_table_rhs(double t, const double *y, const double *p, double *dydt)
     dydt[4] = psi_dot; /* psi' */
     /* (III.3) 25:4 */
     dydt[5] = s_theta * (theta_dot * psi_dot + c_theta * z17); /* phi'' */
-    dydt[6] = k8 * z19; /* theta'' */
+    dydt[6] = k7 * z19; /* theta'' */
     dydt[7] = -s_theta * z17; /* psi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(dydt[0] + dydt[1] + dydt[5] + dydt[6] + dydt[7]) <= DBL_MAX
-        && fabs(k3) > 0.0
-        && fabs(z2) > 1e-14 * z1)) {
+        && fabs(k * k2) > 0.0
+        && fabs(z2) > 1e-14 * (k2 * (k + z1)))) {
         /* the mass matrix is singular */
-        if (!(fabs(k3) > 0.0)) {
+        if (!(fabs(k * k2) > 0.0)) {
             return BALL_ON_TABLE_SINGULAR_2;
         }
         /* the mass matrix is singular */
-        if (!(fabs(k5) > 0.0)) {
+        if (!(fabs(k6) > 0.0)) {
             return BALL_ON_TABLE_SINGULAR_2;
         }
         /* the mass matrix is singular */
-        if (!(fabs(z2) > 1e-14 * z1)) {
+        if (!(fabs(z2) > 1e-14 * (k2 * (k + z1)))) {
             return BALL_ON_TABLE_SINGULAR_2;
         }
         return ball_on_table_finish(8, dydt);
@@ -829,9 +828,9 @@ static __attribute__((noinline)) void ball_on_table_rhs_lanes(const double *fixe
     const double k2 = fixed[6];
     const double k3 = fixed[7];
     const double k4 = fixed[8];
-    const double k6 = fixed[9];
-    const double k7 = fixed[10];
-    const double k8 = fixed[11];
+    const double k5 = fixed[9];
+    const double k6 = fixed[10];
+    const double k7 = fixed[11];
     const ball_on_table_lanes t_ = ball_on_table_get(t);
     const ball_on_table_lanes x = ball_on_table_get(y);
     const ball_on_table_lanes y_2 = ball_on_table_get(y + 1 * stride);
@@ -843,11 +842,10 @@ static __attribute__((noinline)) void ball_on_table_rhs_lanes(const double *fixe
     ball_on_table_lanes sine1, cosine1;
     ball_on_table_turn_lanes(BALL_ON_TABLE_SPREAD(theta), &far, &sine1, &cosine1);
     const ball_on_table_lanes s_theta = sine1;
-    const ball_on_table_lanes z1 = k2 * (k + s_theta * s_theta);
-    const ball_on_table_lanes c_theta = cosine1;
-    const ball_on_table_lanes z2 = z1 - c_theta * c_theta * k3;
+    const ball_on_table_lanes z1 = s_theta * s_theta;
+    const ball_on_table_lanes z2 = z1 * k6;
     /* the mass matrix is singular */
-    bad |= ball_on_table_misses(ball_on_table_size(BALL_ON_TABLE_SPREAD(z2)), 1e-14 * z1);
+    bad |= ball_on_table_misses(ball_on_table_size(BALL_ON_TABLE_SPREAD(z2)), 1e-14 * (k2 * (k + z1)));
     const ball_on_table_lanes z3 = t_ * nu;
     ball_on_table_lanes sine2, cosine2;
     ball_on_table_turn_lanes(BALL_ON_TABLE_SPREAD(z3), &far, &sine2, &cosine2);
@@ -859,7 +857,8 @@ static __attribute__((noinline)) void ball_on_table_rhs_lanes(const double *fixe
     const ball_on_table_lanes s_phi = sine3;
     const ball_on_table_lanes c_phi = cosine3;
     const ball_on_table_lanes z5 = psi_dot * s_theta;
-    const ball_on_table_lanes z6 = k6 + z4;
+    const ball_on_table_lanes c_theta = cosine1;
+    const ball_on_table_lanes z6 = k4 + z4;
     const ball_on_table_lanes z7 = x * c_phi;
     const ball_on_table_lanes z8 = theta_dot * a;
     const ball_on_table_lanes z9 = y_2 * s_phi;
@@ -869,12 +868,12 @@ static __attribute__((noinline)) void ball_on_table_rhs_lanes(const double *fixe
     const ball_on_table_lanes z12 = y_2 * c_phi;
     const ball_on_table_lanes z13 = z11 - z12;
     const ball_on_table_lanes z14 = z7 + z9;
-    const ball_on_table_lanes z15 = phi_dot * k4;
-    const ball_on_table_lanes z16 = Omega1 * (s1 * (z6 * z7 - (z8 - z6 * z9)) - z10 * z13) + (z14 * k7 - z8 *
-        (z15 + (Omega0 - psi_dot * c_theta * k4)));
-    const ball_on_table_lanes z17 = z16 * (k1 / z2);
+    const ball_on_table_lanes z15 = phi_dot * k3;
+    const ball_on_table_lanes z16 = Omega1 * (s1 * (z6 * z7 - (z8 - z6 * z9)) - z10 * z13) + (z14 * k5 - z8 *
+        (z15 + (Omega0 - psi_dot * c_theta * k3)));
+    const ball_on_table_lanes z17 = k1 * z16 / z2;
     const ball_on_table_lanes z18 = a * z5;
-    const ball_on_table_lanes z19 = Omega1 * (z10 * z14 + s1 * (z11 * z6 - (z6 * z12 + z18))) + (k7 * z13 -
+    const ball_on_table_lanes z19 = Omega1 * (z10 * z14 + s1 * (z11 * z6 - (z6 * z12 + z18))) + (k5 * z13 -
         (Omega0 + z15) * z18);
     /* (III.3) */
     const ball_on_table_lanes slope1 = a * (theta_dot * s_phi - c_phi * z5) - y_2 * Omega;
@@ -893,7 +892,7 @@ static __attribute__((noinline)) void ball_on_table_rhs_lanes(const double *fixe
     const ball_on_table_lanes slope6 = s_theta * (theta_dot * psi_dot + c_theta * z17);
     sum += slope6;
     ball_on_table_put(dydt + 5 * stride, slope6);
-    const ball_on_table_lanes slope7 = k8 * z19;
+    const ball_on_table_lanes slope7 = k7 * z19;
     sum += slope7;
     ball_on_table_put(dydt + 6 * stride, slope7);
     const ball_on_table_lanes slope8 = -s_theta * z17;
@@ -925,18 +924,17 @@ int ball_on_table_rhs_batch(size_t count, const double *t, const double *y, cons
     const double Omega1 = p[4]; /* amplitude of its modulation [rad/s] */
     const double nu = p[5]; /* frequency of its modulation [rad/s] */
     const double k1 = m * a;
-    const double k2 = m * a * a;
-    const double k3 = k * k2;
-    const double k4 = 1.0 + k;
-    const double k5 = k2 * k4;
-    const double k6 = 2.0 * Omega0;
-    const double k7 = Omega0 * Omega0;
-    const double k8 = k1 / k5;
+    const double k2 = a * k1;
+    const double k3 = 1.0 + k;
+    const double k4 = 2.0 * Omega0;
+    const double k5 = Omega0 * Omega0;
+    const double k6 = k2 * k3;
+    const double k7 = k1 / k6;
     /* the mass matrix is singular */
-    if (!(fabs(k3) > 0.0)) {
+    if (!(fabs(k * k2) > 0.0)) {
         return BALL_ON_TABLE_SINGULAR_2;
     }
-    const double fixed[] = {a, k, Omega0, Omega1, nu, k1, k2, k3, k4, k6, k7, k8};
+    const double fixed[] = {a, k, Omega0, Omega1, nu, k1, k2, k3, k4, k5, k6, k7};
     double check[1 * BALL_ON_TABLE_LANES];
     int status = BALL_ON_TABLE_OK;
     for (size_t i = 0; i < count; i += BALL_ON_TABLE_LANES) {

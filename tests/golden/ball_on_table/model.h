@@ -1,5 +1,5 @@
 /*
- * ball_on_table.h: ball_on_table, emitted by nhc 0.1.0 (nhc:f265b0f45ef1cbf7)
+ * ball_on_table.h: ball_on_table, emitted by nhc 0.1.0 (nhc:b02643725c68d1a7)
  * A homogeneous ball that rolls on a turning table; its centre runs on a circle, though nothing holds it
  *     there.
  * Source: ball_on_table.yaml
@@ -41,14 +41,14 @@
  * out[1] = moving_energy
  *
  * Operations:
- * rhs: 25 +-, 52 *, 2 /, 6 calls
+ * rhs: 24 +-, 50 *, 2 /, 6 calls
  * velocities: 5 +-, 11 *, 0 /, 4 calls
  * accelerations: 37 +-, 76 *, 2 /, 6 calls
  * state: 0 +-, 0 *, 0 /, 0 calls
  * residuals: 7 +-, 11 *, 0 /, 4 calls
  * reactions: 36 +-, 69 *, 2 /, 6 calls
  * energy: 10 +-, 23 *, 0 /, 5 calls
- * jacobian: 40 +-, 116 *, 3 /, 6 calls
+ * jacobian: 39 +-, 110 *, 3 /, 6 calls
  * outputs: 14 +-, 28 *, 0 /, 3 calls
  *
  * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.

@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""ball_on_table, emitted by nhc 0.1.0 (nhc:d0dbef30d206c3c4).
+"""ball_on_table, emitted by nhc 0.1.0 (nhc:d5e0ee7d0beeb270).
 
 A homogeneous ball that rolls on a turning table; its centre runs on a circle,
     though nothing holds it there.
@@ -42,14 +42,14 @@ out[0] = spin
 out[1] = moving_energy
 
 Operations:
-rhs: 25 +-, 52 *, 2 /, 6 calls
+rhs: 24 +-, 50 *, 2 /, 6 calls
 velocities: 5 +-, 11 *, 0 /, 4 calls
 accelerations: 37 +-, 76 *, 2 /, 6 calls
 state: 0 +-, 0 *, 0 /, 0 calls
 residuals: 7 +-, 11 *, 0 /, 4 calls
 reactions: 36 +-, 69 *, 2 /, 6 calls
 energy: 10 +-, 23 *, 0 /, 5 calls
-jacobian: 40 +-, 116 *, 3 /, 6 calls
+jacobian: 39 +-, 110 *, 3 /, 6 calls
 outputs: 14 +-, 28 *, 0 /, 3 calls
 
 A singular point raises SingularModelError.
@@ -122,26 +122,24 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     try:
         # parameters only
         k1 = m * a
-        k2 = m * a * a
-        k3 = k * k2
+        k2 = a * k1
         # the mass matrix is singular
-        if not abs(k3) > 0.0:
+        if not abs(k * k2) > 0.0:
             raise SingularModelError(2, "rhs")
-        k4 = 1.0 + k
-        k5 = k2 * k4
+        k3 = 1.0 + k
+        k4 = 2.0 * Omega0
+        k5 = Omega0 * Omega0
+        k6 = k2 * k3
         # the mass matrix is singular
-        if not abs(k5) > 0.0:
+        if not abs(k6) > 0.0:
             raise SingularModelError(2, "rhs")
-        k6 = 2.0 * Omega0
-        k7 = Omega0 * Omega0
-        k8 = k1 / k5
+        k7 = k1 / k6
         # state
         s_theta = math.sin(theta)
-        z1 = k2 * (k + s_theta * s_theta)
-        c_theta = math.cos(theta)
-        z2 = z1 - c_theta * c_theta * k3
+        z1 = s_theta * s_theta
+        z2 = z1 * k6
         # the mass matrix is singular
-        if not abs(z2) > 1e-14 * z1:
+        if not abs(z2) > 1e-14 * (k2 * (k + z1)):
             raise SingularModelError(2, "rhs")
         z3 = t_ * nu
         s1 = math.sin(z3)
@@ -150,7 +148,8 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         s_phi = math.sin(phi)
         c_phi = math.cos(phi)
         z5 = psi_dot * s_theta
-        z6 = k6 + z4
+        c_theta = math.cos(theta)
+        z6 = k4 + z4
         z7 = x * c_phi
         z8 = theta_dot * a
         z9 = y_2 * s_phi
@@ -160,13 +159,13 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z12 = y_2 * c_phi
         z13 = z11 - z12
         z14 = z7 + z9
-        z15 = phi_dot * k4
-        s2 = z14 * k7 - z8 * (z15 + (Omega0 - psi_dot * c_theta * k4))
+        z15 = phi_dot * k3
+        s2 = z14 * k5 - z8 * (z15 + (Omega0 - psi_dot * c_theta * k3))
         z16 = Omega1 * (s1 * (z6 * z7 - (z8 - z6 * z9)) - z10 * z13) + s2
-        z17 = z16 * (k1 / z2)
+        z17 = k1 * z16 / z2
         z18 = a * z5
         s3 = Omega1 * (z10 * z14 + s1 * (z11 * z6 - (z6 * z12 + z18)))
-        z19 = s3 + (k7 * z13 - (Omega0 + z15) * z18)
+        z19 = s3 + (k5 * z13 - (Omega0 + z15) * z18)
         dydt: list[float] = [
             # x' (III.3)
             a * (theta_dot * s_phi - c_phi * z5) - y_2 * Omega,
@@ -181,7 +180,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
             # phi'' (III.3) 25:4
             s_theta * (theta_dot * psi_dot + c_theta * z17),
             # theta'' (III.3) 25:4
-            k8 * z19,
+            k7 * z19,
             # psi'' (III.3) 25:4
             -s_theta * z17,
         ]
@@ -596,98 +595,87 @@ def jacobian(
         s_theta = math.sin(theta)
         z1 = k2 * (k + s_theta * s_theta)
         c_theta = math.cos(theta)
-        z2 = c_theta * c_theta
-        z3 = z1 - z2 * k3
+        z2 = z1 - c_theta * c_theta * k3
         # the mass matrix is singular
-        if not abs(z3) > 1e-14 * z1:
+        if not abs(z2) > 1e-14 * z1:
             raise SingularModelError(2, "jacobian")
-        z4 = t_ * nu
-        s1 = math.sin(z4)
-        z5 = Omega1 * s1
-        Omega = Omega0 + z5
+        z3 = t_ * nu
+        s1 = math.sin(z3)
+        z4 = Omega1 * s1
+        Omega = Omega0 + z4
         c_phi = math.cos(phi)
         s_phi = math.sin(phi)
-        z6 = s_theta * s_phi
-        z7 = psi_dot * c_theta
-        z8 = a * c_phi
-        z9 = a * s_phi
-        z10 = c_phi * s_theta
-        z11 = s_theta * k1
-        z12 = 1.0 / z3
-        z13 = c_theta * z12
-        z14 = z11 * z13
-        z15 = k6 + z5
-        z16 = s1 * z15
-        c1 = math.cos(z4)
-        z17 = nu * c1
-        z18 = c_phi * k7 + Omega1 * (c_phi * z16 - s_phi * z17)
-        z19 = s_phi * k7 + Omega1 * (s_phi * z16 + c_phi * z17)
-        z20 = x * s_phi - y_2 * c_phi
-        z21 = x * c_phi
-        z22 = y_2 * s_phi
-        z23 = z21 + z22
-        z24 = k7 * z20 + Omega1 * (z17 * z23 + z20 * z16)
-        z25 = theta_dot * psi_dot
-        z26 = theta_dot * a
-        z27 = z17 * z20
-        z28 = Omega1 * (s1 * (z15 * z21 - (z26 - z15 * z22)) - z27)
-        z29 = z23 * k7
-        z30 = phi_dot * k4
-        z31 = z7 * k4
-        z32 = z28 + (z29 - z26 * (z30 + (Omega0 - z31)))
-        z33 = z11 * z12
-        z34 = z32 * z33
-        z35 = s_theta * k3
-        z36 = k3 * (c_theta * z25) - z34 * z35
+        z5 = s_theta * s_phi
+        z6 = psi_dot * c_theta
+        z7 = a * c_phi
+        z8 = a * s_phi
+        z9 = c_phi * s_theta
+        z10 = s_theta * k1
+        z11 = 1.0 / z2
+        z12 = c_theta * z11
+        z13 = z10 * z12
+        z14 = k6 + z4
+        z15 = s1 * z14
+        c1 = math.cos(z3)
+        z16 = nu * c1
+        z17 = c_phi * k7 + Omega1 * (c_phi * z15 - s_phi * z16)
+        z18 = s_phi * k7 + Omega1 * (s_phi * z15 + c_phi * z16)
+        z19 = x * s_phi - y_2 * c_phi
+        z20 = x * c_phi
+        z21 = y_2 * s_phi
+        z22 = z20 + z21
+        z23 = k7 * z19 + Omega1 * (z16 * z22 + z19 * z15)
+        z24 = theta_dot * psi_dot
+        z25 = theta_dot * a
+        z26 = z16 * z19
+        z27 = Omega1 * (s1 * (z14 * z20 - (z25 - z14 * z21)) - z26)
+        z28 = z22 * k7
+        z29 = phi_dot * k4
+        z30 = z6 * k4
+        z31 = z27 + (z28 - z25 * (z29 + (Omega0 - z30)))
+        z32 = z10 * z11
+        z33 = z31 * z32
+        z34 = s_theta * k3
+        z35 = k3 * (c_theta * z24) - z33 * z34
+        z36 = z25 * z10
         z37 = s_theta * k2
-        s2 = z11 * (psi_dot * z26) + (z25 + k1 * (z32 * z13)) * z35
-        s3 = k1 * (z28 - (z26 * (z30 + (Omega0 - z7)) - z29))
-        z38 = s_theta * s2 - c_theta * (s3 - 2.0 * (z34 * z37))
-        z39 = z12 * (z38 - c_theta * z36)
-        z40 = theta_dot * s_theta
-        z41 = z40 * k2
-        z42 = k4 * (z13 * z41)
-        z43 = z30 + (Omega - z31)
-        z44 = k4 * z12
-        z45 = Omega + z30
-        z46 = k9 * (psi_dot * k2)
+        s2 = k1 * (z27 - (z25 * (z29 + (Omega0 - z6)) - z28))
+        s3 = s_theta * (psi_dot * z36 + (z24 + k1 * (z31 * z12)) * z34)
+        z38 = s3 - c_theta * (s2 - 2.0 * (z33 * z37))
+        z39 = z11 * (z38 - c_theta * z35)
+        z40 = k4 * z36
+        z41 = z40 * z12
+        z42 = z29 + (Omega - z30)
+        z43 = z11 * z40
+        z44 = Omega + z29
+        z45 = k9 * (psi_dot * k2)
         J: list[float] = [
             0.0,
             # (III.3)
             -Omega,
             # (III.3)
-            a * (theta_dot * c_phi + psi_dot * z6),
+            a * (theta_dot * c_phi + psi_dot * z5),
             # (III.3)
-            -z7 * z8,
+            -z6 * z7,
             0.0,
             0.0,
             # (III.3)
-            z9,
+            z8,
             # (III.3)
-            -a * z10,
+            -a * z9,
             # (III.3)
             Omega,
             0.0,
             # (III.3)
-            a * (theta_dot * s_phi - psi_dot * z10),
+            a * (theta_dot * s_phi - psi_dot * z9),
             # (III.3)
-            -z7 * z9,
-            0.0,
-            0.0,
-            # (III.3)
-            -z8,
-            # (III.3)
-            -a * z6,
-            0.0,
-            0.0,
-            0.0,
+            -z6 * z8,
             0.0,
             0.0,
             # (III.3)
-            1.0,
-            0.0,
-            0.0,
-            0.0,
+            -z7,
+            # (III.3)
+            -a * z5,
             0.0,
             0.0,
             0.0,
@@ -705,50 +693,60 @@ def jacobian(
             0.0,
             # (III.3)
             1.0,
-            # (III.3)
-            z14 * z18,
-            # (III.3)
-            z14 * z19,
-            # (III.3)
-            -z14 * z24,
-            # (III.3)
-            k8 * z36 - c_theta * z39,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
             0.0,
             # (III.3)
-            -z42,
+            1.0,
             # (III.3)
-            s_theta * (psi_dot - k2 * (z43 * z13)),
+            z13 * z17,
             # (III.3)
-            z40 * (1.0 + k2 * (z2 * z44)),
+            z13 * z18,
             # (III.3)
-            k10 * z19,
+            -z13 * z23,
             # (III.3)
-            -k10 * z18,
-            # (III.3)
-            k10 * (z29 - Omega1 * (z27 - z23 * z16)),
-            # (III.3)
-            -z45 * (c_theta * z46),
+            k8 * z35 - c_theta * z39,
             0.0,
             # (III.3)
-            -k4 * (s_theta * z46),
+            -z41,
+            # (III.3)
+            s_theta * (psi_dot - k2 * (z42 * z12)),
+            # (III.3)
+            z43,
+            # (III.3)
+            k10 * z18,
+            # (III.3)
+            -k10 * z17,
+            # (III.3)
+            k10 * (z28 - Omega1 * (z26 - z22 * z15)),
+            # (III.3)
+            -z44 * (c_theta * z45),
             0.0,
             # (III.3)
-            -k9 * (z45 * z37),
+            -k4 * (s_theta * z45),
+            0.0,
             # (III.3)
-            -z33 * z18,
+            -k9 * (z44 * z37),
             # (III.3)
-            -z33 * z19,
+            -z32 * z17,
             # (III.3)
-            z33 * z24,
+            -z32 * z18,
+            # (III.3)
+            z32 * z23,
             # (III.3)
             z39,
             0.0,
             # (III.3)
-            z41 * z44,
+            z43,
             # (III.3)
-            z37 * (z12 * z43),
+            z37 * (z11 * z42),
             # (III.3)
-            -z42,
+            -z41,
         ]
         _finish("jacobian", J)
         return [J[k11 : k11 + 8] for k11 in range(0, 64, 8)]

@@ -1,5 +1,5 @@
 /*
- * bicycle.h: bicycle, emitted by nhc 0.1.0 (nhc:500efcfd136bc6ef)
+ * bicycle.h: bicycle, emitted by nhc 0.1.0 (nhc:7653f1e32326b1a0)
  * Whipple's bicycle, nonlinear; two wheels, rear frame with rider, front frame; x ahead, y right, z down.
  * Source: bicycle.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -62,15 +62,15 @@
  * out[2] = front_height
  *
  * Operations:
- * rhs: 501 +-, 760 *, 7 /, 17 calls
- * velocities: 62 +-, 108 *, 3 /, 17 calls
- * accelerations: 172 +-, 288 *, 3 /, 12 calls
+ * rhs: 455 +-, 699 *, 6 /, 17 calls
+ * velocities: 56 +-, 99 *, 3 /, 17 calls
+ * accelerations: 153 +-, 264 *, 3 /, 12 calls
  * state: 0 +-, 0 *, 0 /, 0 calls
- * residuals: 108 +-, 185 *, 2 /, 12 calls
- * reactions: 432 +-, 660 *, 4 /, 12 calls
- * energy: 177 +-, 292 *, 3 /, 12 calls
+ * residuals: 108 +-, 183 *, 2 /, 12 calls
+ * reactions: 402 +-, 616 *, 3 /, 12 calls
+ * energy: 168 +-, 278 *, 3 /, 12 calls
  * jacobian: 3688 +-, 5104 *, 7 /, 17 calls
- * outputs: 64 +-, 112 *, 5 /, 17 calls
+ * outputs: 57 +-, 101 *, 3 /, 15 calls
  *
  * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
  */

@@ -1,5 +1,5 @@
 /*
- * cartesian_pendulum.h: cartesian_pendulum, emitted by nhc 0.1.0 (nhc:2d81f9f34b7d15cc)
+ * cartesian_pendulum.h: cartesian_pendulum, emitted by nhc 0.1.0 (nhc:88593882ca8c99b4)
  * The plane pendulum in Cartesian coordinates; its constraint is written with velocities, but it is
  *     holonomic.
  * Source: cartesian_pendulum.yaml
@@ -30,7 +30,7 @@
  * residuals: 1 +-, 2 *, 0 /, 0 calls
  * reactions: 4 +-, 11 *, 1 /, 2 calls
  * energy: 3 +-, 10 *, 1 /, 0 calls
- * jacobian: 4 +-, 20 *, 1 /, 2 calls
+ * jacobian: 3 +-, 14 *, 1 /, 2 calls
  * outputs: 2 +-, 3 *, 0 /, 3 calls
  *
  * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.

@@ -1,4 +1,4 @@
-"""cartesian_pendulum, emitted by nhc 0.1.0 (nhc:490f162f04a1123e).
+"""cartesian_pendulum, emitted by nhc 0.1.0 (nhc:0460bc975c68d8ae).
 
 The plane pendulum in Cartesian coordinates; its constraint is written with
     velocities, but it is holonomic.
@@ -30,7 +30,7 @@ state: 1 +-, 2 *, 0 /, 0 calls
 residuals: 1 +-, 2 *, 0 /, 0 calls
 reactions: 4 +-, 11 *, 1 /, 2 calls
 energy: 3 +-, 10 *, 1 /, 0 calls
-jacobian: 4 +-, 20 *, 1 /, 2 calls
+jacobian: 3 +-, 14 *, 1 /, 2 calls
 outputs: 2 +-, 3 *, 0 /, 3 calls
 
 A singular point raises SingularModelError.
@@ -325,23 +325,20 @@ def jacobian(
         # the mass matrix is singular
         if not abs(m * z3) > 0.0:
             raise SingularModelError(2, "jacobian")
-        z4 = y_2 * v
-        z5 = z3 * z3
-        z6 = x * z5
-        z7 = v * z3
-        z8 = y_2 * z5
-        z9 = x * v
+        z4 = v * (x * (z3 * z3))
+        z5 = 2.0 * (y_2 * z4)
+        z6 = v * z3 - 2.0 * (x * z4)
         J: list[float] = [
             # (I.2.15)
-            -2.0 * (z4 * z6),
+            -z5,
             # (I.2.15)
-            z7 - 2.0 * (z4 * z8),
+            -z6,
             # (I.2.15)
             y_2 * z3,
             # (I.2.15)
-            2.0 * (z9 * z6) - z7,
+            -z6,
             # (I.2.15)
-            2.0 * (z9 * z8),
+            z5,
             # (I.2.15)
             -x * z3,
             # (I.2.15)

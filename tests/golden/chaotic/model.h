@@ -1,5 +1,5 @@
 /*
- * chaotic.h: chaotic, emitted by nhc 0.1.0 (nhc:8bcb141637748dd6)
+ * chaotic.h: chaotic, emitted by nhc 0.1.0 (nhc:1d8bf90be485398b)
  * Seven coupled oscillators with one contact constraint; reversible and chaotic.
  * Source: chaotic.yaml
  * Equations of motion: chaplygin (III.3)
@@ -33,7 +33,7 @@
  * accelerations: 25 +-, 24 *, 1 /, 0 calls
  * state: 0 +-, 0 *, 0 /, 0 calls
  * residuals: 3 +-, 3 *, 0 /, 0 calls
- * reactions: 21 +-, 20 *, 1 /, 0 calls
+ * reactions: 14 +-, 14 *, 1 /, 0 calls
  * energy: 19 +-, 22 *, 0 /, 0 calls
  * jacobian: 108 +-, 184 *, 4 /, 0 calls
  * outputs: 0 +-, 0 *, 0 /, 0 calls

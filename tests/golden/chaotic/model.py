@@ -1,4 +1,4 @@
-"""chaotic, emitted by nhc 0.1.0 (nhc:dde40aab7a527157).
+"""chaotic, emitted by nhc 0.1.0 (nhc:8a04a77b89b2a1ff).
 
 Seven coupled oscillators with one contact constraint; reversible and chaotic.
 Source: chaotic.yaml
@@ -33,7 +33,7 @@ velocities: 2 +-, 3 *, 0 /, 0 calls
 accelerations: 25 +-, 24 *, 1 /, 0 calls
 state: 0 +-, 0 *, 0 /, 0 calls
 residuals: 3 +-, 3 *, 0 /, 0 calls
-reactions: 21 +-, 20 *, 1 /, 0 calls
+reactions: 14 +-, 14 *, 1 /, 0 calls
 energy: 19 +-, 22 *, 0 /, 0 calls
 jacobian: 108 +-, 184 *, 4 /, 0 calls
 outputs: 0 +-, 0 *, 0 /, 0 calls
@@ -384,16 +384,13 @@ def reactions(
         # the mass matrix is singular
         if not abs(z7) > 0.0:
             raise SingularModelError(2, "reactions")
-        z8 = y3_dot * z3_dot + (y1_dot * z1_dot + y2_dot * z2_dot)
-        z9 = z3 * (1.0 + z4)
-        z10 = z2 * (1.0 + (z5 + z1 * z1))
-        z11 = z1 * (1.0 + (z6 + z2 * z2))
-        z12 = (z8 - (y3 * z9 + (y2 * z10 + (x + y1 * z11)))) / z7
-        s1 = y1 * (z11 + y1 * z12) + y2 * (z10 + y2 * z12)
-        z13 = y3 * (z9 + y3 * z12) + s1
+        s1 = x + y1 * (z1 * (1.0 + (z6 + z2 * z2)))
+        z8 = y2 * (z2 * (1.0 + (z5 + z1 * z1))) + s1
+        s2 = y3_dot * z3_dot + (y1_dot * z1_dot + y2_dot * z2_dot)
+        z9 = (s2 - (y3 * (z3 * (1.0 + z4)) + z8)) / z7
         lambda_: list[float] = [
             # reaction of contact: Q_i gains lambda_1 a_1i (I.4.1) 13:5
-            x - z8 + z13,
+            -z9,
         ]
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:

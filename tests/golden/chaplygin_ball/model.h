@@ -1,5 +1,5 @@
 /*
- * chaplygin_ball.h: chaplygin_ball, emitted by nhc 0.1.0 (nhc:b80610d58058889d)
+ * chaplygin_ball.h: chaplygin_ball, emitted by nhc 0.1.0 (nhc:dfc3cb71c2cc2a5e)
  * A ball with three different moments of inertia and its centre of mass at its centre rolls on a horizontal
  *     plane.
  * Source: chaplygin_ball.yaml
@@ -40,7 +40,7 @@
  * residuals: 4 +-, 7 *, 0 /, 3 calls
  * reactions: 26 +-, 57 *, 3 /, 6 calls
  * energy: 11 +-, 22 *, 0 /, 4 calls
- * jacobian: 78 +-, 196 *, 4 /, 6 calls
+ * jacobian: 73 +-, 180 *, 4 /, 6 calls
  * outputs: 8 +-, 18 *, 0 /, 4 calls
  *
  * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.

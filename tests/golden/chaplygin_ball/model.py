@@ -1,4 +1,4 @@
-"""chaplygin_ball, emitted by nhc 0.1.0 (nhc:67a332af5e21b2af).
+"""chaplygin_ball, emitted by nhc 0.1.0 (nhc:7b8680cb0f1e6f5d).
 
 A ball with three different moments of inertia and its centre of mass at its centre
     rolls on a horizontal plane.
@@ -40,7 +40,7 @@ state: 3 +-, 6 *, 0 /, 4 calls
 residuals: 4 +-, 7 *, 0 /, 3 calls
 reactions: 26 +-, 57 *, 3 /, 6 calls
 energy: 11 +-, 22 *, 0 /, 4 calls
-jacobian: 78 +-, 196 *, 4 /, 6 calls
+jacobian: 73 +-, 180 *, 4 /, 6 calls
 outputs: 8 +-, 18 *, 0 /, 4 calls
 
 A singular point raises SingularModelError.
@@ -610,128 +610,121 @@ def jacobian(
         if not abs(z21) > 1e-14 * z12:
             raise SingularModelError(2, "jacobian")
         c_phi = math.cos(phi)
-        z22 = 1.0 / s_theta
-        z23 = s_theta * c_psi
-        z24 = s_theta * s_psi
-        z25 = z23 * w1 - z24 * w2
-        z26 = a * (z22 * z25)
+        z22 = s_psi * w2 - c_psi * w1
+        z23 = a * z22
         s_phi = math.sin(phi)
-        z27 = c_psi * w2 + s_psi * w1
-        z28 = a * (w3 - z27 * (c_theta * z22))
-        z29 = s_theta * z28
-        z30 = c_theta * (z22 * z22)
-        z31 = s_psi * w2 - c_psi * w1
-        z32 = z25 * z30 + z22 * (c_theta * z31)
-        z33 = a * z32
-        z34 = a * s_theta
-        z35 = z27 * z30
-        z36 = z27 + c_theta * z35
-        z37 = c_theta * z28 + z34 * z36
-        z38 = z22 * (z24 * w1 + z23 * w2)
-        z39 = a * z38
-        z40 = z22 * z31
-        z41 = c_theta * z40
-        z42 = z34 * z41
-        z43 = a * c_psi
-        z44 = s_psi * z22
-        z45 = c_theta * z44
-        z46 = z45 * z34
-        z47 = a * s_psi
-        z48 = c_psi * z22
-        z49 = c_theta * z48
-        z50 = z49 * z34
-        z51 = 1.0 / z21
-        z52 = w1 * k4
-        z53 = w2 * k2
-        z54 = w3 * z53
-        z55 = w1 * k3
-        z56 = w3 * z55 - z10 * z54
-        z57 = z51 * (w2 * z52 + z16 * z54 - z20 * z56)
-        z58 = s_theta * z57
-        z59 = c_theta * z57
-        z60 = s_psi * k1
-        z61 = z19 * z56 - z20 * z57
-        z62 = c_psi * z61
-        z63 = z9 * z54 - z10 * z61 + z16 * z57
-        z64 = k1 * z63
-        s1 = z59 * z60 - 2.0 * (s_theta * (z62 * z60 - z1 * z64))
-        z65 = z14 * z58 - c_theta * s1
-        z66 = k1 * z61
-        z67 = c_psi * z63
-        s2 = 2.0 * (s_theta * (z4 * z66 - z60 * z67))
-        z68 = z17 * z58 - c_theta * (k1 * (c_psi * z59) - s2)
-        z69 = z68 + z10 * z65
-        z70 = c_theta * z61
-        z71 = c_theta * z63
-        s3 = k1 * (c_psi * z70 - s_psi * z71) + 2.0 * (k1 * z58)
-        z72 = s_theta * (z17 * z61 - z14 * z63) - c_theta * s3
-        z73 = z51 * (z72 - z16 * z65 - z20 * z69)
-        z74 = z19 * z69 - z20 * z73
-        z75 = z13 * z59
-        s4 = c_psi * (z75 - z6 * z62 + 2.0 * (z64 * (s_psi * z2)))
-        z76 = z61 * (s_psi * z7) + s4
-        s5 = s_psi * (z75 + z7 * z63 - 2.0 * (z66 * (c_psi * z2)))
-        z77 = s5 - z67 * (c_psi * z6) - z10 * z76
-        z78 = z51 * (z14 * z70 + z17 * z71 + z16 * z76 - z20 * z77)
-        z79 = z19 * z77 - z20 * z78
-        z80 = w3 * k3
-        z81 = z51 * (w2 * k4 - z20 * z80)
-        z82 = z19 * z80 - z20 * z81
-        z83 = w3 * k2
-        z84 = z10 * z83
-        z85 = z51 * (z52 + z16 * z83 + z20 * z84)
-        z86 = z19 * z84 + z20 * z85
-        z87 = z55 - z10 * z53
-        z88 = z51 * (z16 * z53 - z20 * z87)
-        z89 = z19 * z87 - z20 * z88
+        z24 = c_psi * w2 + s_psi * w1
+        z25 = 1.0 / s_theta
+        z26 = a * (w3 - z24 * (c_theta * z25))
+        z27 = s_theta * z26
+        z28 = a * s_theta
+        z29 = c_theta * (z25 * z25)
+        z30 = z24 * z29
+        z31 = z24 + c_theta * z30
+        z32 = c_theta * z26 + z28 * z31
+        z33 = a * z24
+        z34 = z29 * (s_theta * z22)
+        z35 = z28 * z34
+        z36 = a * c_psi
+        z37 = s_psi * z25
+        z38 = c_theta * z37
+        z39 = z38 * z28
+        z40 = a * s_psi
+        z41 = c_psi * z25
+        z42 = c_theta * z41
+        z43 = z42 * z28
+        z44 = 1.0 / z21
+        z45 = w1 * k4
+        z46 = w2 * k2
+        z47 = w3 * z46
+        z48 = w1 * k3
+        z49 = w3 * z48 - z10 * z47
+        z50 = z44 * (w2 * z45 + z16 * z47 - z20 * z49)
+        z51 = s_theta * z50
+        z52 = c_theta * z50
+        z53 = s_psi * k1
+        z54 = z19 * z49 - z20 * z50
+        z55 = c_psi * z54
+        z56 = z9 * z47 - z10 * z54 + z16 * z50
+        z57 = k1 * z56
+        s1 = z52 * z53 - 2.0 * (s_theta * (z55 * z53 - z1 * z57))
+        z58 = z14 * z51 - c_theta * s1
+        z59 = c_psi * z56
+        s2 = 2.0 * (s_theta * (k1 * (z4 * z54) - z53 * z59))
+        z60 = z17 * z51 - c_theta * (k1 * (c_psi * z52) - s2)
+        z61 = z60 + z10 * z58
+        z62 = c_theta * z54
+        z63 = c_theta * z56
+        s3 = k1 * (c_psi * z62 - s_psi * z63) + 2.0 * (k1 * z51)
+        z64 = s_theta * (z17 * z54 - z14 * z56) - c_theta * s3
+        z65 = z44 * (z64 - z16 * z58 - z20 * z61)
+        z66 = z19 * z61 - z20 * z65
+        z67 = z13 * z52
+        z68 = z6 * z55
+        z69 = z57 * (s_psi * z2)
+        z70 = z54 * (s_psi * z7) + c_psi * (z67 - z68 + 2.0 * z69)
+        s4 = z59 * (c_psi * z6) + s_psi * (2.0 * z68 - (z67 + z69))
+        z71 = z10 * z70 + s4
+        z72 = z44 * (z14 * z62 + z17 * z63 + z16 * z70 + z20 * z71)
+        z73 = z19 * z71 + z20 * z72
+        z74 = w3 * k3
+        z75 = z44 * (w2 * k4 - z20 * z74)
+        z76 = z19 * z74 - z20 * z75
+        z77 = w3 * k2
+        z78 = z10 * z77
+        z79 = z44 * (z45 + z16 * z77 + z20 * z78)
+        z80 = z19 * z78 + z20 * z79
+        z81 = z48 - z10 * z46
+        z82 = z44 * (z16 * z46 - z20 * z81)
+        z83 = z19 * z81 - z20 * z82
         J: list[float] = [
             0.0,
             0.0,
             # (I.2.15)
-            c_phi * z26 + s_phi * z29,
+            s_phi * z27 - c_phi * z23,
             # (I.2.15)
-            -(s_phi * z33 + c_phi * z37),
+            -c_phi * z32,
             # (I.2.15)
-            -(s_phi * z39 + c_phi * z42),
+            -(s_phi * z33 + c_phi * z35),
             # (I.2.15)
-            s_phi * z43 + c_phi * z46,
+            s_phi * z36 + c_phi * z39,
             # (I.2.15)
-            c_phi * z50 - s_phi * z47,
+            c_phi * z43 - s_phi * z40,
             # (I.2.15)
-            -c_phi * z34,
+            -c_phi * z28,
             0.0,
             0.0,
             # (I.2.15)
-            s_phi * z26 - c_phi * z29,
+            -(s_phi * z23 + c_phi * z27),
             # (I.2.15)
-            c_phi * z33 - s_phi * z37,
+            -s_phi * z32,
             # (I.2.15)
-            c_phi * z39 - s_phi * z42,
+            c_phi * z33 - s_phi * z35,
             # (I.2.15)
-            s_phi * z46 - c_phi * z43,
+            s_phi * z39 - c_phi * z36,
             # (I.2.15)
-            c_phi * z47 + s_phi * z50,
+            c_phi * z40 + s_phi * z43,
             # (I.2.15)
-            -s_phi * z34,
-            0.0,
-            0.0,
-            0.0,
-            # (I.2.15)
-            -z35,
-            # (I.2.15)
-            -z40,
-            # (I.2.15)
-            z44,
-            # (I.2.15)
-            z48,
-            0.0,
+            -s_phi * z28,
             0.0,
             0.0,
             0.0,
             # (I.2.15)
-            -z32,
+            -z30,
             # (I.2.15)
-            -z38,
+            -z25 * z22,
+            # (I.2.15)
+            z37,
+            # (I.2.15)
+            z41,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            # (I.2.15)
+            0.0,
+            # (I.2.15)
+            -z24,
             # (I.2.15)
             c_psi,
             # (I.2.15)
@@ -741,54 +734,54 @@ def jacobian(
             0.0,
             0.0,
             # (I.2.15)
-            z36,
+            z31,
             # (I.2.15)
-            z41,
+            z34,
             # (I.2.15)
-            -z45,
+            -z38,
             # (I.2.15)
-            -z49,
+            -z42,
             # (I.2.15)
             1.0,
             0.0,
             0.0,
             0.0,
             # (I.2.15)
-            z16 * z73 - (z9 * z65 + z10 * z74),
+            z16 * z65 - (z9 * z58 + z10 * z66),
             # (I.2.15)
-            z9 * z76 - z10 * z79 + z16 * z78,
+            z9 * z70 + z10 * z73 + z16 * z72,
             # (I.2.15)
-            z16 * z81 - z10 * z82,
+            z16 * z75 - z10 * z76,
             # (I.2.15)
-            z9 * z83 + z10 * z86 + z16 * z85,
+            z9 * z77 + z10 * z80 + z16 * z79,
             # (I.2.15)
-            z9 * z53 - z10 * z89 + z16 * z88,
+            z9 * z46 - z10 * z83 + z16 * z82,
             0.0,
             0.0,
             0.0,
             # (I.2.15)
-            -z74,
-            # (I.2.15)
-            -z79,
-            # (I.2.15)
-            -z82,
-            # (I.2.15)
-            z86,
-            # (I.2.15)
-            -z89,
-            0.0,
-            0.0,
-            0.0,
+            -z66,
             # (I.2.15)
             z73,
             # (I.2.15)
-            z78,
+            -z76,
             # (I.2.15)
-            z81,
+            z80,
             # (I.2.15)
-            z85,
+            -z83,
+            0.0,
+            0.0,
+            0.0,
             # (I.2.15)
-            z88,
+            z65,
+            # (I.2.15)
+            z72,
+            # (I.2.15)
+            z75,
+            # (I.2.15)
+            z79,
+            # (I.2.15)
+            z82,
         ]
         _finish("jacobian", J)
         return [J[k5 : k5 + 8] for k5 in range(0, 64, 8)]

@@ -1,5 +1,5 @@
 /*
- * chaplygin_ball_quaternion.c: chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:80ccba07d2e5ff94)
+ * chaplygin_ball_quaternion.c: chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:c4d2035d34fbd4f3)
  * A ball with three different moments of inertia rolls on a horizontal plane; its orientation is a
  *     quaternion.
  * Source: chaplygin_ball_quaternion.yaml
@@ -229,42 +229,43 @@ int chaplygin_ball_quaternion_rhs(double t, const double *y, const double *p, do
     const double z15 = I2 + k1 * (R_y2 * R_y2 + 4.0 * (z14 * z14));
     const double z16 = z4 * k1;
     const double z17 = z3 + z2;
-    const double z18 = 4.0 * (R_1 * z8);
-    const double z19 = R_1 * (R_2 * (4.0 - z4 * (8.0 * z1 + 4.0 * z17)) - z18) + 4.0 * (z2 * z8);
-    const double z20 = z16 * z19;
+    const double z18 = R_1 * z11;
+    const double z19 = R_0 * z18;
+    const double z20 = z16 * (R_1 * (R_2 * (1.0 - z4 * (2.0 * z1 + z17)) - z19) + z2 * z8);
     const double z21 = 1.0 / z13;
     const double z22 = z21 * z20;
-    const double z23 = z15 - z20 * z22;
-    const double z24 = R_3 * z10 - R_1 * z7;
-    const double z25 = R_1 * z11 + R_2 * z7;
-    const double z26 = I3 + 4.0 * (k1 * (z24 * z24 + z25 * z25));
-    const double z27 = 2.0 - 4.0 * (z4 * z17);
-    const double z28 = R_3 * (2.0 - 4.0 * z12);
-    const double z29 = z16 * (R_0 * (R_2 * z27 - z18) + R_1 * z28);
-    const double z30 = z21 * z29;
-    const double z31 = z16 * (R_0 * (R_1 * z27 + 4.0 * (R_2 * z8)) - R_2 * z28) + z20 * z30;
-    const double z32 = 1.0 / z23;
-    const double z33 = z31 * z32;
-    const double z34 = z26 - z29 * z30 - z31 * z33;
-    const double z35 = w2 * w3 * k2;
-    const double z36 = w1 * w3 * k3 + z35 * z22;
-    const double z37 = (w1 * w2 * k4 - z35 * z30 - z33 * z36) / z34;
-    const double z38 = z32 * z36 - z33 * z37;
+    const double z23 = z15 - 16.0 * (z20 * z22);
+    const double z24 = R_3 * z10;
+    const double z25 = z24 - R_1 * z7;
+    const double z26 = z18 + R_2 * z7;
+    const double z27 = I3 + 4.0 * (k1 * (z25 * z25 + z26 * z26));
+    const double z28 = 1.0 - 2.0 * (z4 * z17);
+    const double z29 = R_3 * (1.0 - 2.0 * z12);
+    const double z30 = z16 * (R_0 * (R_2 * z28 - 2.0 * z19) + R_1 * z29);
+    const double z31 = z21 * z30;
+    const double z32 = 2.0 * (z16 * (R_0 * (R_1 * z28 + 2.0 * (R_0 * z24)) - R_2 * z29)) + 8.0 * (z20 * z31);
+    const double z33 = 1.0 / z23;
+    const double z34 = z33 * z32;
+    const double z35 = z27 - 4.0 * (z30 * z31) - z32 * z34;
+    const double z36 = w2 * w3 * k2;
+    const double z37 = w1 * w3 * k3 + 4.0 * (z36 * z22);
+    const double z38 = (w1 * w2 * k4 - 2.0 * (z36 * z31) - z37 * z34) / z35;
+    const double z39 = z33 * z37 - z34 * z38;
     /* (I.2.15) */
-    dydt[0] = a * (2.0 * (z24 * w3) + (R_y2 * w2 + 2.0 * (z9 * w1))); /* x' */
-    dydt[1] = -a * (2.0 * (z25 * w3) + (2.0 * (z14 * w2) + R_x1 * w1)); /* y' */
+    dydt[0] = a * (2.0 * (z25 * w3) + (R_y2 * w2 + 2.0 * (z9 * w1))); /* x' */
+    dydt[1] = -a * (2.0 * (z26 * w3) + (2.0 * (z14 * w2) + R_x1 * w1)); /* y' */
     dydt[2] = -0.5 * (R_3 * w3 + (R_1 * w1 + R_2 * w2)); /* R_0' */
     dydt[3] = 0.5 * (R_2 * w3 + (R_0 * w1 - R_3 * w2)); /* R_1' */
     dydt[4] = (R_3 * w1 + R_0 * w2 - R_1 * w3) * 0.5; /* R_2' */
     dydt[5] = 0.5 * (R_0 * w3 - (R_2 * w1 - R_1 * w2)); /* R_3' */
     /* (I.2.15) 21:4 */
-    dydt[6] = z35 * z21 + z22 * z38 - z30 * z37; /* w1' */
-    dydt[7] = -z38; /* w2' */
-    dydt[8] = z37; /* w3' */
+    dydt[6] = z36 * z21 + 4.0 * (z22 * z39) - 2.0 * (z31 * z38); /* w1' */
+    dydt[7] = -z39; /* w2' */
+    dydt[8] = z38; /* w3' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(dydt[0] + dydt[1] + dydt[2] + dydt[3] + dydt[4] + dydt[5] + dydt[6] + dydt[7]) <= DBL_MAX
         && fabs(z23) > 1e-14 * z15
-        && fabs(z34) > 1e-14 * z26)) {
+        && fabs(z35) > 1e-14 * z27)) {
         /* the mass matrix is singular */
         if (!(fabs(z13) > 0.0)) {
             return CHAPLYGIN_BALL_QUATERNION_SINGULAR_2;
@@ -274,7 +275,7 @@ int chaplygin_ball_quaternion_rhs(double t, const double *y, const double *p, do
             return CHAPLYGIN_BALL_QUATERNION_SINGULAR_2;
         }
         /* the mass matrix is singular */
-        if (!(fabs(z34) > 1e-14 * z26)) {
+        if (!(fabs(z35) > 1e-14 * z27)) {
             return CHAPLYGIN_BALL_QUATERNION_SINGULAR_2;
         }
         return chaplygin_ball_quaternion_finish(9, dydt);
@@ -364,67 +365,66 @@ int chaplygin_ball_quaternion_accelerations(double t, const double *y, const dou
     const double z15 = I2 + (k1 * (R_y2 * R_y2) + 4.0 * (k1 * (z14 * z14)));
     const double z16 = z4 * k1;
     const double z17 = z3 + z2;
-    const double z18 = 4.0 * (R_1 * z8);
-    const double z19 = R_1 * (R_2 * (4.0 - z4 * (8.0 * z1 + 4.0 * z17)) - z18) + 4.0 * (z2 * z8);
-    const double z20 = z16 * z19;
-    const double z21 = 1.0 / z13;
-    const double z22 = z20 * z21;
-    const double z23 = z15 - z20 * z22;
-    const double z24 = R_3 * z10 - R_1 * z7;
-    const double z25 = R_1 * z11 + R_2 * z7;
-    const double z26 = I3 + 4.0 * (k1 * (z24 * z24 + z25 * z25));
-    const double z27 = 2.0 - 4.0 * (z4 * z17);
-    const double z28 = R_3 * (2.0 - 4.0 * z12);
-    const double z29 = z16 * (R_0 * (R_2 * z27 - z18) + R_1 * z28);
-    const double z30 = z29 * z21;
-    const double z31 = z16 * (R_0 * (R_1 * z27 + 4.0 * (R_2 * z8)) - R_2 * z28) + z20 * z30;
-    const double z32 = 1.0 / z23;
-    const double z33 = z31 * z32;
-    const double z34 = z26 - z29 * z30 - z31 * z33;
-    const double z35 = w2 * w3 * k2;
-    const double z36 = w1 * w3 * k3 + z35 * z22;
-    const double z37 = (w1 * w2 * k4 - z35 * z30 - z33 * z36) / z34;
-    const double z38 = z32 * z36 - z33 * z37;
-    const double z39 = z35 * z21 + z22 * z38 - z30 * z37;
-    const double z40 = 2.0 * (w2 * (z24 * w1 - z9 * w3)) - R_y2 * z38 + 2.0 * (0.5 * (w1 * (R_y2 * w3 - 2.0 *
-        (z24 * w2))) + z9 * z39);
-    const double z41 = a * (2.0 * (0.5 * (w3 * (2.0 * (z9 * w2) - R_y2 * w1)) + z24 * z37) + z40);
-    const double z42 = 2.0 * (0.5 * (w2 * (2.0 * (z25 * w1) - R_x1 * w3)) - z14 * z38) + (2.0 * (w1 * (z14 *
-        w3 - z25 * w2)) + R_x1 * z39);
-    const double z43 = a * (2.0 * (0.5 * (w3 * (R_x1 * w2 - 2.0 * (z14 * w1))) + z25 * z37) + z42);
-    const double z44 = R_0 * w3 - (R_2 * w1 - R_1 * w2);
-    const double z45 = R_2 * w3 + (R_0 * w1 - R_3 * w2);
-    const double z46 = R_1 * w3 - (R_3 * w1 + R_0 * w2);
-    const double z47 = 0.5 * (w3 * z44) + R_3 * z37 + (0.5 * (w1 * z45) + R_1 * z39 - (0.5 * (w2 * z46) + R_2
-        * z38));
-    const double z48 = R_3 * w3 + (R_1 * w1 + R_2 * w2);
-    const double z49 = 0.5 * (w3 * z46) - R_2 * z37 + (0.5 * (w1 * z48) - R_0 * z39 + (0.5 * (w2 * z44) - R_3
-        * z38));
-    const double z50 = 0.5 * (w3 * z45) + R_1 * z37 - (0.5 * (w1 * z44) + R_3 * z39 - (0.5 * (w2 * z48) + R_0
-        * z38));
-    const double z51 = 0.5 * (w3 * z48) - R_0 * z37 - (0.5 * (w1 * z46) - R_2 * z39 + (0.5 * (w2 * z45) - R_1
-        * z38));
+    const double z18 = R_1 * z8;
+    const double z19 = z16 * (z2 * z8 + R_1 * (R_2 * (1.0 - z4 * (2.0 * z1 + z17)) - z18));
+    const double z20 = 1.0 / z13;
+    const double z21 = z20 * z19;
+    const double z22 = z15 - 16.0 * (z19 * z21);
+    const double z23 = R_3 * z10 - R_1 * z7;
+    const double z24 = R_1 * z11 + R_2 * z7;
+    const double z25 = I3 + 4.0 * (k1 * (z23 * z23 + z24 * z24));
+    const double z26 = R_3 * (1.0 - 2.0 * z12);
+    const double z27 = 1.0 - 2.0 * (z4 * z17);
+    const double z28 = z16 * (R_1 * z26 + R_0 * (R_2 * z27 - 2.0 * z18));
+    const double z29 = z20 * z28;
+    const double z30 = 2.0 * (z16 * (R_2 * z26 - R_0 * (R_1 * z27 + 2.0 * (R_2 * z8)))) - 8.0 * (z19 * z29);
+    const double z31 = 1.0 / z22;
+    const double z32 = z30 * z31;
+    const double z33 = z25 - 4.0 * (z28 * z29) - z30 * z32;
+    const double z34 = w2 * w3 * k2;
+    const double z35 = w1 * w3 * k3 + 4.0 * (z34 * z21);
+    const double z36 = (w1 * w2 * k4 - 2.0 * (z34 * z29) + z32 * z35) / z33;
+    const double z37 = z31 * z35 + z32 * z36;
+    const double z38 = z34 * z20 + 4.0 * (z21 * z37) - 2.0 * (z29 * z36);
+    const double z39 = 2.0 * (w2 * (z23 * w1 - z9 * w3)) - R_y2 * z37 + 2.0 * (0.5 * (w1 * (R_y2 * w3 - 2.0 *
+        (z23 * w2))) + z9 * z38);
+    const double z40 = a * (2.0 * (0.5 * (w3 * (2.0 * (z9 * w2) - R_y2 * w1)) + z23 * z36) + z39);
+    const double z41 = 2.0 * (0.5 * (w2 * (2.0 * (z24 * w1) - R_x1 * w3)) - z14 * z37) + (2.0 * (w1 * (z14 *
+        w3 - z24 * w2)) + R_x1 * z38);
+    const double z42 = a * (2.0 * (0.5 * (w3 * (R_x1 * w2 - 2.0 * (z14 * w1))) + z24 * z36) + z41);
+    const double z43 = R_0 * w3 - (R_2 * w1 - R_1 * w2);
+    const double z44 = R_2 * w3 + (R_0 * w1 - R_3 * w2);
+    const double z45 = R_1 * w3 - (R_3 * w1 + R_0 * w2);
+    const double z46 = 0.5 * (w3 * z43) + R_3 * z36 + (0.5 * (w1 * z44) + R_1 * z38 - (0.5 * (w2 * z45) + R_2
+        * z37));
+    const double z47 = R_3 * w3 + (R_1 * w1 + R_2 * w2);
+    const double z48 = 0.5 * (w3 * z45) - R_2 * z36 + (0.5 * (w1 * z47) - R_0 * z38 + (0.5 * (w2 * z43) - R_3
+        * z37));
+    const double z49 = 0.5 * (w3 * z44) + R_1 * z36 - (0.5 * (w1 * z43) + R_3 * z38 - (0.5 * (w2 * z47) + R_0
+        * z37));
+    const double z50 = 0.5 * (w3 * z47) - R_0 * z36 - (0.5 * (w1 * z45) - R_2 * z38 + (0.5 * (w2 * z44) - R_1
+        * z37));
     /* (I.2.15) */
-    qddot[0] = z41; /* x'' */
-    qddot[1] = -z43; /* y'' */
-    qddot[2] = -0.5 * z47; /* R_0'' */
-    qddot[3] = -0.5 * z49; /* R_1'' */
-    qddot[4] = -0.5 * z50; /* R_2'' */
-    qddot[5] = -0.5 * z51; /* R_3'' */
+    qddot[0] = z40; /* x'' */
+    qddot[1] = -z42; /* y'' */
+    qddot[2] = -0.5 * z46; /* R_0'' */
+    qddot[3] = -0.5 * z48; /* R_1'' */
+    qddot[4] = -0.5 * z49; /* R_2'' */
+    qddot[5] = -0.5 * z50; /* R_3'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qddot[0] + qddot[1] + qddot[2] + qddot[3] + qddot[4] + qddot[5]) <= DBL_MAX
-        && fabs(z23) > 1e-14 * z15
-        && fabs(z34) > 1e-14 * z26)) {
+        && fabs(z22) > 1e-14 * z15
+        && fabs(z33) > 1e-14 * z25)) {
         /* the mass matrix is singular */
         if (!(fabs(z13) > 0.0)) {
             return CHAPLYGIN_BALL_QUATERNION_SINGULAR_2;
         }
         /* the mass matrix is singular */
-        if (!(fabs(z23) > 1e-14 * z15)) {
+        if (!(fabs(z22) > 1e-14 * z15)) {
             return CHAPLYGIN_BALL_QUATERNION_SINGULAR_2;
         }
         /* the mass matrix is singular */
-        if (!(fabs(z34) > 1e-14 * z26)) {
+        if (!(fabs(z33) > 1e-14 * z25)) {
             return CHAPLYGIN_BALL_QUATERNION_SINGULAR_2;
         }
         return chaplygin_ball_quaternion_finish(6, qddot);
@@ -576,54 +576,53 @@ int chaplygin_ball_quaternion_reactions(double t, const double *y, const double 
     const double z14 = z3 + z2;
     const double z15 = R_3 * z4;
     const double z16 = R_0 * R_1;
-    const double z17 = 4.0 * (z15 * z16);
-    const double z18 = R_1 * (R_2 * (4.0 - z4 * (8.0 * z1 + 4.0 * z14)) - z17) + 4.0 * (z2 * (R_0 * z15));
-    const double z19 = z13 * z18;
-    const double z20 = 1.0 / z10;
-    const double z21 = z19 * z20;
-    const double z22 = z12 - z19 * z21;
-    const double z23 = R_1 * z15 + R_2 * z5;
-    const double z24 = R_1 * z5 - R_2 * z15;
-    const double z25 = I3 + 4.0 * (k1 * (z23 * z23 + z24 * z24));
-    const double z26 = R_1 * R_3;
-    const double z27 = 2.0 - 4.0 * (R_3 * z15);
-    const double z28 = 2.0 - 4.0 * (z4 * z14);
-    const double z29 = z13 * (z26 * z27 + R_0 * (R_2 * z28 - z17));
-    const double z30 = z29 * z20;
-    const double z31 = R_2 * R_3;
-    const double z32 = R_0 * R_2;
-    const double z33 = z13 * (z31 * z27 - R_0 * (R_1 * z28 + 4.0 * (z15 * z32))) - z19 * z30;
-    const double z34 = 1.0 / z22;
-    const double z35 = z33 * z34;
-    const double z36 = z25 - z29 * z30 - z33 * z35;
-    const double z37 = z4 * k2;
-    const double z38 = w2 * w3 * k3;
-    const double z39 = w1 * w3 * k4 + z38 * z21;
-    const double z40 = (w1 * w2 * k5 - z38 * z30 + z35 * z39) / z36;
-    const double z41 = z37 * z40;
-    const double z42 = R_0 * R_3;
-    const double z43 = z34 * z39 + z35 * z40;
-    const double z44 = z38 * z20 + z21 * z43 - z30 * z40;
-    const double z45 = 2.0 * ((z16 - z31) * z41) - (2.0 * (z37 * (z42 + z7) * z44) - k2 * (R_y2 * z43));
-    const double z46 = 2.0 * ((z26 + z32) * z41) + (k2 * (R_x1 * z44) + 2.0 * (z37 * (z42 - z7) * z43));
+    const double z17 = z15 * z16;
+    const double z18 = z13 * (R_1 * (R_2 * (1.0 - z4 * (2.0 * z1 + z14)) - z17) + z15 * (R_0 * z2));
+    const double z19 = 1.0 / z10;
+    const double z20 = z18 * z19;
+    const double z21 = z12 - 16.0 * (z18 * z20);
+    const double z22 = R_1 * z15 + R_2 * z5;
+    const double z23 = R_1 * z5 - R_2 * z15;
+    const double z24 = I3 + 4.0 * (k1 * (z22 * z22 + z23 * z23));
+    const double z25 = R_1 * R_3;
+    const double z26 = 1.0 - 2.0 * (R_3 * z15);
+    const double z27 = 1.0 - 2.0 * (z4 * z14);
+    const double z28 = z13 * (z25 * z26 + R_0 * (R_2 * z27 - 2.0 * z17));
+    const double z29 = z28 * z19;
+    const double z30 = R_2 * R_3;
+    const double z31 = R_0 * R_2;
+    const double z32 = 2.0 * (z13 * (z30 * z26 - R_0 * (R_1 * z27 + 2.0 * (z15 * z31)))) - 8.0 * (z18 * z29);
+    const double z33 = 1.0 / z21;
+    const double z34 = z32 * z33;
+    const double z35 = z24 - 4.0 * (z28 * z29) - z32 * z34;
+    const double z36 = z4 * k2;
+    const double z37 = w2 * w3 * k3;
+    const double z38 = w1 * w3 * k4 + 4.0 * (z37 * z20);
+    const double z39 = (w1 * w2 * k5 - 2.0 * (z37 * z29) + z34 * z38) / z35;
+    const double z40 = z36 * z39;
+    const double z41 = R_0 * R_3;
+    const double z42 = z33 * z38 + z34 * z39;
+    const double z43 = z37 * z19 + 4.0 * (z20 * z42) - 2.0 * (z29 * z39);
+    const double z44 = 2.0 * ((z16 - z30) * z40) - (2.0 * (z36 * (z41 + z7) * z43) - k2 * (R_y2 * z42));
+    const double z45 = 2.0 * ((z25 + z31) * z40) + (k2 * (R_x1 * z43) + 2.0 * (z36 * (z41 - z7) * z42));
     /* (I.4.1) 23:5 */
-    lambda[0] = -z45; /* reaction of roll_x: Q_i gains lambda_1 a_1i */
+    lambda[0] = -z44; /* reaction of roll_x: Q_i gains lambda_1 a_1i */
     /* (I.4.1) 24:5 */
-    lambda[1] = -z46; /* reaction of roll_y: Q_i gains lambda_2 a_2i */
+    lambda[1] = -z45; /* reaction of roll_y: Q_i gains lambda_2 a_2i */
     /* (I.4.1) 10:3 */
     lambda[2] = 0.0; /* reaction of R_norm: Q_i gains lambda_3 a_3i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(lambda[0] + lambda[1]) <= DBL_MAX && fabs(z22) > 1e-14 * z12 && fabs(z36) > 1e-14 * z25)) {
+    if (!(fabs(lambda[0] + lambda[1]) <= DBL_MAX && fabs(z21) > 1e-14 * z12 && fabs(z35) > 1e-14 * z24)) {
         /* the mass matrix is singular */
         if (!(fabs(z10) > 0.0)) {
             return CHAPLYGIN_BALL_QUATERNION_SINGULAR_2;
         }
         /* the mass matrix is singular */
-        if (!(fabs(z22) > 1e-14 * z12)) {
+        if (!(fabs(z21) > 1e-14 * z12)) {
             return CHAPLYGIN_BALL_QUATERNION_SINGULAR_2;
         }
         /* the mass matrix is singular */
-        if (!(fabs(z36) > 1e-14 * z25)) {
+        if (!(fabs(z35) > 1e-14 * z24)) {
             return CHAPLYGIN_BALL_QUATERNION_SINGULAR_2;
         }
         return chaplygin_ball_quaternion_finish(3, lambda);
@@ -724,26 +723,26 @@ CHAPLYGIN_BALL_QUATERNION_SLOW static int chaplygin_ball_quaternion_jacobian_par
     const double z16 = z4 * k1;
     const double z17 = z3 + z2;
     kept[16] = z17;
-    const double z18 = 8.0 * z1 + 4.0 * z17;
-    const double z19 = 4.0 - z4 * z18;
+    const double z18 = 2.0 * z1 + z17;
+    const double z19 = 1.0 - z4 * z18;
     kept[17] = z19;
     const double z20 = R_0 * R_1;
     kept[18] = z20;
     const double z21 = R_3 * z20;
     kept[19] = z21;
-    const double z22 = 4.0 * (z4 * z21);
+    const double z22 = z4 * z21;
     const double z23 = R_2 * z19 - z22;
     kept[20] = z23;
     const double z24 = R_0 * z2;
     kept[21] = z24;
     const double z25 = R_3 * z24;
-    const double z26 = R_1 * z23 + 4.0 * (z4 * z25);
+    const double z26 = R_1 * z23 + z4 * z25;
     const double z27 = z16 * z26;
     const double z28 = 1.0 / z13;
     kept[22] = z28;
     const double z29 = z27 * z28;
     kept[23] = z29;
-    const double z30 = z15 - z27 * z29;
+    const double z30 = z15 - 16.0 * (z27 * z29);
     kept[24] = z30;
     const double z31 = R_3 * z10 - R_1 * z7;
     kept[25] = z31;
@@ -751,13 +750,13 @@ CHAPLYGIN_BALL_QUATERNION_SLOW static int chaplygin_ball_quaternion_jacobian_par
     kept[26] = z32;
     const double z33 = I3 + 4.0 * (k1 * (z31 * z31 + z32 * z32));
     kept[27] = z33;
-    const double z34 = 2.0 - 4.0 * (z4 * z17);
+    const double z34 = 1.0 - 2.0 * (z4 * z17);
     kept[28] = z34;
-    const double z35 = z22 - R_2 * z34;
+    const double z35 = 2.0 * z22 - R_2 * z34;
     kept[29] = z35;
     const double z36 = R_1 * R_3;
     kept[30] = z36;
-    const double z37 = 2.0 - 4.0 * z12;
+    const double z37 = 1.0 - 2.0 * z12;
     kept[31] = z37;
     const double z38 = R_0 * z35 - z36 * z37;
     kept[32] = z38;
@@ -768,18 +767,18 @@ CHAPLYGIN_BALL_QUATERNION_SLOW static int chaplygin_ball_quaternion_jacobian_par
     kept[34] = z41;
     const double z42 = R_3 * z41;
     kept[35] = z42;
-    const double z43 = R_1 * z34 + 4.0 * (z4 * z42);
+    const double z43 = R_1 * z34 + 2.0 * (z4 * z42);
     kept[36] = z43;
     const double z44 = R_2 * R_3;
     kept[37] = z44;
     const double z45 = R_0 * z43 - z44 * z37;
     kept[38] = z45;
-    const double z46 = z16 * z45 - z27 * z40;
+    const double z46 = 2.0 * (z16 * z45) - 8.0 * (z27 * z40);
     const double z47 = 1.0 / z30;
     kept[39] = z47;
     const double z48 = z46 * z47;
     kept[40] = z48;
-    const double z49 = z33 - z39 * z40 - z46 * z48;
+    const double z49 = z33 - 4.0 * (z39 * z40) - z46 * z48;
     kept[41] = z49;
     const double w1 = y[6];
     const double z50 = a * w1;
@@ -838,8 +837,8 @@ CHAPLYGIN_BALL_QUATERNION_SLOW static int chaplygin_ball_quaternion_jacobian_par
     const double z77 = w3 * z76;
     const double z78 = w1 * k3;
     kept[66] = z78;
-    const double z79 = w3 * z78 + z29 * z77;
-    const double z80 = z74 * (w2 * z75 + z40 * z77 - z48 * z79);
+    const double z79 = w3 * z78 + 4.0 * (z29 * z77);
+    const double z80 = z74 * (w2 * z75 + 2.0 * (z40 * z77) - z48 * z79);
     kept[67] = z80;
     const double z81 = z16 * z80;
     kept[68] = z81;
@@ -860,60 +859,60 @@ CHAPLYGIN_BALL_QUATERNION_SLOW static int chaplygin_ball_quaternion_jacobian_par
     kept[75] = z89;
     const double z90 = R_3 * z89;
     kept[76] = z90;
-    const double z91 = z28 * z77 + z29 * z82 + z40 * z80;
+    const double z91 = z28 * z77 + 4.0 * (z29 * z82) + 2.0 * (z40 * z80);
     kept[77] = z91;
     const double z92 = k1 * z91;
     const double z93 = z9 * z92;
     kept[78] = z93;
     const double z94 = R_3 * z93;
-    const double z95 = z36 * z81;
-    kept[79] = z95;
-    const double z96 = R_2 * z87;
-    kept[80] = z96;
-    const double z97 = 4.0 * (z1 * z95 + z86 * (R_2 * z17) + z25 * z83 + z21 * z88) - z18 * z96;
-    const double z98 = R_x1 * z92;
-    kept[81] = z98;
-    const double z99 = z97 + k1 * (z38 * z80 + z26 * z82) + 4.0 * (z1 * z98) + 4.0 * (z2 * z98);
-    const double z100 = R_2 * z93;
-    kept[82] = z100;
-    const double z101 = z54 * (z99 - 8.0 * (R_1 * z100) - 8.0 * (R_0 * z94));
-    kept[83] = z101;
-    const double z102 = z35 * z81 + 4.0 * (z84 * z85) + 4.0 * (R_1 * z90) - 8.0 * (z4 * z94) - 2.0 * (R_0 *
-        z101);
-    kept[84] = z102;
-    const double z103 = z4 * z86;
-    kept[85] = z103;
-    const double z104 = R_3 * z103;
-    kept[86] = z104;
-    const double z105 = z16 * z91;
-    kept[87] = z105;
-    const double z106 = z4 * z105;
-    kept[88] = z106;
-    const double z107 = R_1 * z105;
-    kept[89] = z107;
-    const double z108 = z4 * z107;
-    kept[90] = z108;
-    const double z109 = k1 * z82;
-    const double z110 = z14 * z109;
+    const double z95 = 2.0 * (z35 * z81) + 4.0 * (z84 * z85) + 4.0 * (R_1 * z90) - 8.0 * (z4 * z94);
+    const double z96 = z36 * z81;
+    kept[79] = z96;
+    const double z97 = R_2 * z87;
+    kept[80] = z97;
+    const double z98 = 4.0 * (z1 * z96 + z86 * (R_2 * z17) + z25 * z83 + z21 * z88 - z18 * z97);
+    const double z99 = R_x1 * z92;
+    kept[81] = z99;
+    const double z100 = z98 + k1 * (2.0 * (z38 * z80) + 4.0 * (z26 * z82)) + 4.0 * (z1 * z99) + 4.0 * (z2 *
+        z99);
+    const double z101 = R_2 * z93;
+    kept[82] = z101;
+    const double z102 = z54 * (z100 - 8.0 * (R_1 * z101) - 8.0 * (R_0 * z94));
+    kept[83] = z102;
+    const double z103 = z95 - 2.0 * (R_0 * z102);
+    kept[84] = z103;
+    const double z104 = z4 * z86;
+    kept[85] = z104;
+    const double z105 = R_3 * z104;
+    kept[86] = z105;
+    const double z106 = z16 * z91;
+    kept[87] = z106;
+    const double z107 = z4 * z106;
+    kept[88] = z107;
+    const double z108 = R_1 * z106;
+    kept[89] = z108;
+    const double z109 = z4 * z108;
+    kept[90] = z109;
+    const double z110 = 2.0 * (z43 * z81) + 4.0 * (R_2 * z105) - 4.0 * (z85 * z107) + 4.0 * (z36 * z109);
     kept[91] = z110;
-    const double z111 = R_3 * z110;
-    const double z112 = z43 * z81 + 4.0 * (R_2 * z104) - 4.0 * (z85 * z106) + 4.0 * (z36 * z108) - 8.0 * (z4
-        * z111);
+    const double z111 = k1 * z82;
+    const double z112 = z14 * z111;
     kept[92] = z112;
-    const double z113 = z44 * z81;
+    const double z113 = R_3 * z112;
     kept[93] = z113;
-    const double z114 = R_1 * z86;
+    const double z114 = z44 * z81;
     kept[94] = z114;
-    const double z115 = R_2 * z107;
+    const double z115 = R_1 * z86;
     kept[95] = z115;
-    const double z116 = 4.0 * (z42 * z86 + z1 * z113 - z17 * z114 - z25 * z105 + z21 * z107) + z18 * z115;
-    const double z117 = R_y2 * z109;
-    kept[96] = z117;
-    const double z118 = 8.0 * (R_2 * z110) - 4.0 * (R_1 * z117);
+    const double z116 = R_2 * z108;
+    kept[96] = z116;
+    const double z117 = z42 * z86 + z1 * z114 - z17 * z115 - z25 * z106 + z21 * z108 + z18 * z116;
+    const double z118 = R_y2 * z111;
     kept[97] = z118;
-    const double z119 = z116 + k1 * (z45 * z80 - z26 * z91) - 4.0 * (z1 * z117) + R_1 * z118 - 8.0 * (R_0 *
-        z111);
+    const double z119 = 4.0 * z117 + k1 * (2.0 * (z45 * z80) - 4.0 * (z26 * z91)) - 4.0 * (z1 * z118);
     kept[98] = z119;
+    const double z120 = 8.0 * (R_2 * z112) - 4.0 * (R_1 * z118);
+    kept[99] = z120;
     return CHAPLYGIN_BALL_QUATERNION_OK;
 }
 
@@ -921,39 +920,45 @@ CHAPLYGIN_BALL_QUATERNION_SLOW static int chaplygin_ball_quaternion_jacobian_par
     const double *p, double *kept, double *J)
 {
     (void)t;
-    const double z54 = kept[45];
-    const double z119 = kept[98];
-    const double z120 = z54 * z119;
     const double R_0 = y[2]; /* quaternion of R, scalar part [1] */
-    const double z29 = kept[23];
-    const double z102 = kept[84];
-    const double z112 = kept[92];
-    const double z121 = z112 - 2.0 * (R_0 * z120) - z29 * z102;
-    const double z83 = kept[70];
-    const double z122 = R_0 * z83;
-    const double z4 = kept[5];
-    const double z123 = z4 * z122;
-    const double R_3 = y[5]; /* quaternion of R, along z [1] */
-    const double z124 = R_3 * z123;
-    const double z105 = kept[87];
-    const double z125 = R_0 * z105;
-    const double z126 = z4 * z125;
-    const double z127 = R_3 * z126;
     const double R_1 = y[3]; /* quaternion of R, along x [1] */
-    const double z128 = 4.0 * (R_1 * z127);
+    const double z54 = kept[45];
+    const double z113 = kept[93];
+    const double z119 = kept[98];
+    const double z120 = kept[99];
+    const double z121 = z54 * (z119 + R_1 * z120 - 8.0 * (R_0 * z113));
+    const double z4 = kept[5];
+    const double z29 = kept[23];
+    const double z103 = kept[84];
+    const double z110 = kept[91];
+    const double z122 = z110 - 8.0 * (z4 * z113) - 2.0 * (R_0 * z121) - 4.0 * (z29 * z103);
+    const double z83 = kept[70];
+    const double z123 = R_0 * z83;
+    const double z124 = z4 * z123;
+    const double R_3 = y[5]; /* quaternion of R, along z [1] */
+    const double z125 = R_3 * z124;
+    const double z106 = kept[87];
+    const double z126 = R_0 * z106;
+    const double z127 = z4 * z126;
+    const double z128 = R_3 * z127;
+    const double z129 = 4.0 * (R_1 * z128);
     const double k1 = kept[0];
     const double z80 = kept[67];
-    const double z129 = k1 * z80;
+    const double z130 = k1 * z80;
     const double z32 = kept[26];
-    const double z130 = z32 * z129;
+    const double z131 = z32 * z130;
     const double z31 = kept[25];
-    const double z131 = z31 * z129;
+    const double z132 = z31 * z130;
     const double R_2 = y[4]; /* quaternion of R, along y [1] */
-    const double z132 = R_2 * z130 - R_1 * z131;
+    const double z133 = R_2 * z131 - R_1 * z132;
+    const double z35 = kept[29];
+    const double z43 = kept[36];
+    const double z134 = 2.0 * (z43 * z83) + 4.0 * (R_2 * z125) - 2.0 * (z35 * z106) - z129 + 8.0 * (z4 *
+        z133);
     const double z36 = kept[30];
     const double z44 = kept[37];
-    const double z133 = z44 * z83 - z36 * z105;
-    const double z134 = R_1 * z122 + R_2 * z125;
+    const double z135 = z44 * z83 - z36 * z106;
+    const double z136 = R_1 * z123 + R_2 * z126;
     const double z1 = kept[4];
     const double z17 = kept[16];
     const double z21 = kept[19];
@@ -962,112 +967,109 @@ CHAPLYGIN_BALL_QUATERNION_SLOW static int chaplygin_ball_quaternion_jacobian_par
     const double z45 = kept[38];
     const double z82 = kept[69];
     const double z91 = kept[77];
-    const double z135 = 4.0 * (z42 * z122 + z1 * z133 - z17 * z134 - z21 * z125) + k1 * (z45 * z82 - z38 *
-        z91);
-    const double z136 = R_1 * z130;
-    const double z137 = R_3 * z131;
-    const double z138 = z54 * (z135 + 8.0 * (R_3 * z136) + 8.0 * (R_2 * z137) + 8.0 * (R_0 * z132));
-    const double z35 = kept[29];
-    const double z43 = kept[36];
-    const double z139 = z43 * z83 + 4.0 * (R_2 * z124) - z35 * z105 - z128 + 8.0 * (z4 * z132) - 2.0 * (R_0 *
-        z138);
+    const double z137 = 4.0 * (z42 * z123 + z1 * z135 - z17 * z136 - z21 * z126) + 2.0 * (k1 * (z45 * z82 -
+        z38 * z91));
+    const double z138 = R_1 * z131;
+    const double z139 = R_3 * z132;
+    const double z140 = z54 * (z137 + 8.0 * (R_3 * z138) + 8.0 * (R_2 * z139) + 8.0 * (R_0 * z133));
     const double z40 = kept[33];
     const double z48 = kept[40];
     const double z74 = kept[63];
-    const double z140 = z74 * (z139 - z40 * z102 - z48 * z121);
+    const double z141 = z74 * (z134 - 2.0 * (R_0 * z140) - 2.0 * (z40 * z103) - z48 * z122);
     const double z47 = kept[39];
-    const double z141 = z47 * z121 - z48 * z140;
+    const double z142 = z47 * z122 - z48 * z141;
     const double z37 = kept[31];
     const double z81 = kept[68];
-    const double z142 = z37 * z81;
-    const double z143 = R_3 * z142;
+    const double z143 = z37 * z81;
+    const double z144 = 2.0 * (R_3 * z143);
     const double z10 = kept[9];
     const double z88 = kept[74];
-    const double z144 = z10 * z88;
+    const double z145 = z10 * z88;
     const double z23 = kept[20];
     const double z90 = kept[76];
-    const double z100 = kept[82];
-    const double z101 = kept[83];
-    const double z145 = z143 - z23 * z83 - 4.0 * (R_0 * z90) + 8.0 * (z4 * z100) + 2.0 * (R_1 * (z101 - 4.0 *
-        z144));
+    const double z101 = kept[82];
+    const double z102 = kept[83];
+    const double z146 = z144 - 4.0 * (z23 * z83) - 4.0 * (R_0 * z90) + 8.0 * (z4 * z101) + 2.0 * (R_1 * (z102
+        - 4.0 * z145));
     const double z34 = kept[28];
     const double z86 = kept[72];
-    const double z146 = z34 * z86;
-    const double z114 = kept[94];
+    const double z147 = 2.0 * (z34 * z86);
     const double z115 = kept[95];
-    const double z147 = z4 * (z114 - z115);
+    const double z116 = kept[96];
+    const double z148 = z4 * (z115 - z116);
     const double z5 = kept[6];
-    const double z117 = kept[96];
     const double z118 = kept[97];
-    const double z148 = z128 + (z146 - z23 * z105) - 4.0 * (z5 * z117) + z4 * z118 - 2.0 * (R_1 * (z120 + 4.0
-        * z147));
-    const double z149 = z148 + z29 * z145;
-    const double z150 = z37 * z105;
+    const double z149 = z129 + (z147 - 4.0 * (z23 * z106)) - 4.0 * (z5 * z118) + z4 * z120 - 2.0 * (R_1 *
+        (z121 + 4.0 * z148));
+    const double z150 = z149 + 4.0 * (z29 * z146);
+    const double z151 = z37 * z106;
     const double z7 = kept[7];
     const double z11 = kept[10];
-    const double z151 = z34 * z122 + R_3 * z150 - 4.0 * (R_0 * z127) + 8.0 * (z11 * z130) - 8.0 * (z7 * z131);
-    const double z152 = z138 + 4.0 * (z4 * z134);
-    const double z153 = z74 * (z151 - 2.0 * (R_1 * z152) + z40 * z145 - z48 * z149);
-    const double z154 = z47 * z149 - z48 * z153;
-    const double z98 = kept[81];
-    const double z155 = 4.0 * (z10 * z98);
+    const double z152 = 2.0 * (z34 * z123 + R_3 * z151) - 4.0 * (R_0 * z128) + 8.0 * (z11 * z131) - 8.0 * (z7
+        * z132);
+    const double z153 = z140 + 4.0 * (z4 * z136);
+    const double z154 = z74 * (z152 - 2.0 * (R_1 * z153) + 2.0 * (z40 * z146) - z48 * z150);
+    const double z155 = z47 * z150 - z48 * z154;
+    const double z99 = kept[81];
+    const double z156 = 4.0 * (z10 * z99);
     const double z19 = kept[17];
     const double z87 = kept[73];
     const double z93 = kept[78];
-    const double z156 = z155 - (z146 - z19 * z87 + 8.0 * (z5 * z93) - z155) - 2.0 * (R_2 * (z101 - 4.0 *
-        (z124 + z144)));
-    const double z104 = kept[86];
-    const double z107 = kept[89];
-    const double z110 = kept[91];
-    const double z157 = z143 - 4.0 * (R_0 * z104) + z19 * z107 - 8.0 * (z5 * z110) + 2.0 * (R_2 * (z120 + 4.0
-        * (z127 + z147)));
-    const double z158 = z157 + z29 * z156;
-    const double z159 = z37 * z83;
-    const double z160 = R_3 * z159 - 4.0 * (R_0 * z124) - z34 * z125 - 8.0 * (z7 * z130) - 8.0 * (z4 * z137);
-    const double z161 = z74 * (z160 + 2.0 * (R_2 * z152) + z40 * z156 - z48 * z158);
-    const double z162 = z47 * z158 - z48 * z161;
-    const double z163 = 4.0 * (z11 * z98);
+    const double z157 = z156 - (z147 - 4.0 * (z19 * z87) + 8.0 * (z5 * z93) - z156) - 2.0 * (R_2 * (z102 -
+        4.0 * (z125 + z145)));
+    const double z105 = kept[86];
+    const double z108 = kept[89];
+    const double z112 = kept[92];
+    const double z158 = z144 - 4.0 * (R_0 * z105) + 4.0 * (z19 * z108) - 8.0 * (z5 * z112) + 2.0 * (R_2 *
+        (z121 + 4.0 * (z128 + z148)));
+    const double z159 = z158 + 4.0 * (z29 * z157);
+    const double z160 = z37 * z83;
+    const double z161 = 2.0 * (R_3 * z160) - 4.0 * (R_0 * z125) - 2.0 * (z34 * z126) - 8.0 * (z7 * z131);
+    const double z162 = z161 - 8.0 * (z4 * z139) + 2.0 * (R_2 * z153) + 2.0 * (z40 * z157) - z48 * z159;
+    const double z163 = z74 * z162;
+    const double z164 = z47 * z159 - z48 * z163;
+    const double z165 = 4.0 * (z11 * z99);
     const double z20 = kept[18];
     const double z24 = kept[21];
     const double z84 = kept[71];
     const double z89 = kept[75];
-    const double z164 = R_1 * z142 - 4.0 * (z24 * z84) - 4.0 * (z20 * z89) + 8.0 * (z7 * z93) - z163;
-    const double z95 = kept[79];
-    const double z96 = kept[80];
-    const double z165 = z163 - z164 - 2.0 * (R_3 * (z101 - (4.0 * (z4 * z95) - 8.0 * (z4 * z96))));
-    const double z166 = 4.0 * (z11 * z117);
+    const double z166 = 2.0 * (R_1 * z143) - 4.0 * (z24 * z84) - 4.0 * (z20 * z89) + 8.0 * (z7 * z93);
+    const double z96 = kept[79];
+    const double z97 = kept[80];
+    const double z167 = z165 - (z166 - z165) - 2.0 * (R_3 * (z102 - (4.0 * (z4 * z96) - 8.0 * (z4 * z97))));
+    const double z168 = 4.0 * (z11 * z118);
     const double z41 = kept[34];
-    const double z103 = kept[85];
-    const double z106 = kept[88];
-    const double z108 = kept[90];
-    const double z167 = R_2 * z142 - 4.0 * (z41 * z103) + 4.0 * (z24 * z106) - 4.0 * (z20 * z108) + 8.0 * (z7
-        * z110);
-    const double z113 = kept[93];
-    const double z168 = z166 + (z167 + z166) + 2.0 * (R_3 * (z120 - (4.0 * (z4 * z113) + 8.0 * (z4 * z115))));
-    const double z169 = z168 + z29 * z165;
-    const double z170 = R_2 * z159 - 4.0 * (z41 * z123) - R_1 * z150 + 4.0 * (z20 * z126) - 8.0 * (z10 *
-        z131);
-    const double z171 = z170 - 8.0 * (z4 * z136) + 2.0 * (R_3 * (z138 - 4.0 * (z4 * z133))) + z40 * z165;
-    const double z172 = z74 * (z171 - z48 * z169);
-    const double z173 = z47 * z169 - z48 * z172;
+    const double z104 = kept[85];
+    const double z107 = kept[88];
+    const double z109 = kept[90];
+    const double z169 = 2.0 * (R_2 * z143) - 4.0 * (z41 * z104) + 4.0 * (z24 * z107) - 4.0 * (z20 * z109);
+    const double z114 = kept[94];
+    const double z170 = z168 + (z169 + 8.0 * (z7 * z112) + z168) + 2.0 * (R_3 * (z121 - (4.0 * (z4 * z114) +
+        8.0 * (z4 * z116))));
+    const double z171 = z170 + 4.0 * (z29 * z167);
+    const double z172 = 2.0 * (R_2 * z160) - 4.0 * (z41 * z124) - 2.0 * (R_1 * z151) + 4.0 * (z20 * z127);
+    const double z173 = z172 - 8.0 * (z10 * z132) - 8.0 * (z4 * z138) + 2.0 * (R_3 * (z140 - 4.0 * (z4 *
+        z135)));
+    const double z174 = z74 * (z173 + 2.0 * (z40 * z167) - z48 * z171);
+    const double z175 = z47 * z171 - z48 * z174;
     const double w3 = y[8];
     const double k3 = kept[2];
-    const double z174 = w3 * k3;
+    const double z176 = w3 * k3;
     const double w2 = y[7];
     const double k4 = kept[3];
-    const double z175 = z74 * (w2 * k4 - z48 * z174);
-    const double z176 = z47 * z174 - z48 * z175;
+    const double z177 = z74 * (w2 * k4 - z48 * z176);
+    const double z178 = z47 * z176 - z48 * z177;
     const double k2 = kept[1];
-    const double z177 = w3 * k2;
-    const double z178 = z29 * z177;
+    const double z179 = w3 * k2;
+    const double z180 = z29 * z179;
     const double z75 = kept[64];
-    const double z179 = z74 * (z75 + z40 * z177 - z48 * z178);
-    const double z180 = z47 * z178 - z48 * z179;
+    const double z181 = z74 * (z75 + 2.0 * (z40 * z179) - 4.0 * (z48 * z180));
+    const double z182 = 4.0 * (z47 * z180) - z48 * z181;
     const double z76 = kept[65];
     const double z78 = kept[66];
-    const double z181 = z78 + z29 * z76;
-    const double z182 = z74 * (z40 * z76 - z48 * z181);
-    const double z183 = z47 * z181 - z48 * z182;
+    const double z183 = z78 + 4.0 * (z29 * z76);
+    const double z184 = z74 * (2.0 * (z40 * z76) - z48 * z183);
+    const double z185 = z47 * z183 - z48 * z184;
     const double z53 = kept[44];
     const double z60 = kept[49];
     /* (I.2.15) */
@@ -1133,27 +1135,27 @@ CHAPLYGIN_BALL_QUATERNION_SLOW static int chaplygin_ball_quaternion_jacobian_par
     J[52] = z70;
     J[53] = z73;
     const double z28 = kept[22];
-    J[56] = z28 * z102 - z29 * z141 - z40 * z140;
-    J[57] = -(z28 * z145 + z29 * z154 + z40 * z153);
-    J[58] = z28 * z156 + z29 * z162 + z40 * z161;
-    J[59] = z28 * z165 + z29 * z173 + z40 * z172;
-    J[60] = z29 * z176 + z40 * z175;
-    J[61] = z28 * z177 + z29 * z180 + z40 * z179;
-    J[62] = z28 * z76 + z29 * z183 + z40 * z182;
-    J[65] = z141;
-    J[66] = z154;
-    J[67] = -z162;
-    J[68] = -z173;
-    J[69] = -z176;
-    J[70] = -z180;
-    J[71] = -z183;
-    J[74] = -z140;
-    J[75] = -z153;
-    J[76] = z161;
-    J[77] = z172;
-    J[78] = z175;
-    J[79] = z179;
-    J[80] = z182;
+    J[56] = z28 * z103 - 4.0 * (z29 * z142) - 2.0 * (z40 * z141);
+    J[57] = -(z28 * z146 + 4.0 * (z29 * z155) + 2.0 * (z40 * z154));
+    J[58] = z28 * z157 + 4.0 * (z29 * z164) + 2.0 * (z40 * z163);
+    J[59] = z28 * z167 + 4.0 * (z29 * z175) + 2.0 * (z40 * z174);
+    J[60] = 4.0 * (z29 * z178) + 2.0 * (z40 * z177);
+    J[61] = z28 * z179 + 4.0 * (z29 * z182) + 2.0 * (z40 * z181);
+    J[62] = z28 * z76 + 4.0 * (z29 * z185) + 2.0 * (z40 * z184);
+    J[65] = z142;
+    J[66] = z155;
+    J[67] = -z164;
+    J[68] = -z175;
+    J[69] = -z178;
+    J[70] = -z182;
+    J[71] = -z185;
+    J[74] = -z141;
+    J[75] = -z154;
+    J[76] = z163;
+    J[77] = z174;
+    J[78] = z177;
+    J[79] = z181;
+    J[80] = z184;
     const double z13 = kept[12];
     /* the mass matrix is singular */
     if (!(fabs(z13) > 0.0)) {
@@ -1177,7 +1179,7 @@ CHAPLYGIN_BALL_QUATERNION_SLOW static int chaplygin_ball_quaternion_jacobian_par
 CHAPLYGIN_BALL_QUATERNION_SLOW
 int chaplygin_ball_quaternion_jacobian(double t, const double *y, const double *p, double *J)
 {
-    double kept[99]; /* what parts of this function leave for others */
+    double kept[100]; /* what parts of this function leave for others */
     memset(J, 0, 81 * sizeof *J);
     int status = chaplygin_ball_quaternion_jacobian_part1(t, y, p, kept, J);
     if (status == CHAPLYGIN_BALL_QUATERNION_OK) {
@@ -1275,42 +1277,43 @@ static __attribute__((noinline)) void chaplygin_ball_quaternion_rhs_lanes(const 
     const chaplygin_ball_quaternion_lanes z15 = I2 + k1 * (R_y2 * R_y2 + 4.0 * (z14 * z14));
     const chaplygin_ball_quaternion_lanes z16 = z4 * k1;
     const chaplygin_ball_quaternion_lanes z17 = z3 + z2;
-    const chaplygin_ball_quaternion_lanes z18 = 4.0 * (R_1 * z8);
-    const chaplygin_ball_quaternion_lanes z19 = R_1 * (R_2 * (4.0 - z4 * (8.0 * z1 + 4.0 * z17)) - z18) + 4.0
-        * (z2 * z8);
-    const chaplygin_ball_quaternion_lanes z20 = z16 * z19;
+    const chaplygin_ball_quaternion_lanes z18 = R_1 * z11;
+    const chaplygin_ball_quaternion_lanes z19 = R_0 * z18;
+    const chaplygin_ball_quaternion_lanes z20 = z16 * (R_1 * (R_2 * (1.0 - z4 * (2.0 * z1 + z17)) - z19) + z2
+        * z8);
     const chaplygin_ball_quaternion_lanes z21 = 1.0 / z13;
     const chaplygin_ball_quaternion_lanes z22 = z21 * z20;
-    const chaplygin_ball_quaternion_lanes z23 = z15 - z20 * z22;
+    const chaplygin_ball_quaternion_lanes z23 = z15 - 16.0 * (z20 * z22);
     /* the mass matrix is singular */
     bad |=
         chaplygin_ball_quaternion_misses(chaplygin_ball_quaternion_size(CHAPLYGIN_BALL_QUATERNION_SPREAD(z23)),
         1e-14 * z15);
-    const chaplygin_ball_quaternion_lanes z24 = R_3 * z10 - R_1 * z7;
-    const chaplygin_ball_quaternion_lanes z25 = R_1 * z11 + R_2 * z7;
-    const chaplygin_ball_quaternion_lanes z26 = I3 + 4.0 * (k1 * (z24 * z24 + z25 * z25));
-    const chaplygin_ball_quaternion_lanes z27 = 2.0 - 4.0 * (z4 * z17);
-    const chaplygin_ball_quaternion_lanes z28 = R_3 * (2.0 - 4.0 * z12);
-    const chaplygin_ball_quaternion_lanes z29 = z16 * (R_0 * (R_2 * z27 - z18) + R_1 * z28);
-    const chaplygin_ball_quaternion_lanes z30 = z21 * z29;
-    const chaplygin_ball_quaternion_lanes z31 = z16 * (R_0 * (R_1 * z27 + 4.0 * (R_2 * z8)) - R_2 * z28) +
-        z20 * z30;
-    const chaplygin_ball_quaternion_lanes z32 = 1.0 / z23;
-    const chaplygin_ball_quaternion_lanes z33 = z31 * z32;
-    const chaplygin_ball_quaternion_lanes z34 = z26 - z29 * z30 - z31 * z33;
+    const chaplygin_ball_quaternion_lanes z24 = R_3 * z10;
+    const chaplygin_ball_quaternion_lanes z25 = z24 - R_1 * z7;
+    const chaplygin_ball_quaternion_lanes z26 = z18 + R_2 * z7;
+    const chaplygin_ball_quaternion_lanes z27 = I3 + 4.0 * (k1 * (z25 * z25 + z26 * z26));
+    const chaplygin_ball_quaternion_lanes z28 = 1.0 - 2.0 * (z4 * z17);
+    const chaplygin_ball_quaternion_lanes z29 = R_3 * (1.0 - 2.0 * z12);
+    const chaplygin_ball_quaternion_lanes z30 = z16 * (R_0 * (R_2 * z28 - 2.0 * z19) + R_1 * z29);
+    const chaplygin_ball_quaternion_lanes z31 = z21 * z30;
+    const chaplygin_ball_quaternion_lanes z32 = 2.0 * (z16 * (R_0 * (R_1 * z28 + 2.0 * (R_0 * z24)) - R_2 *
+        z29)) + 8.0 * (z20 * z31);
+    const chaplygin_ball_quaternion_lanes z33 = 1.0 / z23;
+    const chaplygin_ball_quaternion_lanes z34 = z33 * z32;
+    const chaplygin_ball_quaternion_lanes z35 = z27 - 4.0 * (z30 * z31) - z32 * z34;
     /* the mass matrix is singular */
     bad |=
-        chaplygin_ball_quaternion_misses(chaplygin_ball_quaternion_size(CHAPLYGIN_BALL_QUATERNION_SPREAD(z34)),
-        1e-14 * z26);
-    const chaplygin_ball_quaternion_lanes z35 = w2 * w3 * k2;
-    const chaplygin_ball_quaternion_lanes z36 = w1 * w3 * k3 + z35 * z22;
-    const chaplygin_ball_quaternion_lanes z37 = (w1 * w2 * k4 - z35 * z30 - z33 * z36) / z34;
-    const chaplygin_ball_quaternion_lanes z38 = z32 * z36 - z33 * z37;
+        chaplygin_ball_quaternion_misses(chaplygin_ball_quaternion_size(CHAPLYGIN_BALL_QUATERNION_SPREAD(z35)),
+        1e-14 * z27);
+    const chaplygin_ball_quaternion_lanes z36 = w2 * w3 * k2;
+    const chaplygin_ball_quaternion_lanes z37 = w1 * w3 * k3 + 4.0 * (z36 * z22);
+    const chaplygin_ball_quaternion_lanes z38 = (w1 * w2 * k4 - 2.0 * (z36 * z31) - z37 * z34) / z35;
+    const chaplygin_ball_quaternion_lanes z39 = z33 * z37 - z34 * z38;
     /* (I.2.15) */
-    const chaplygin_ball_quaternion_lanes slope1 = a * (2.0 * (z24 * w3) + (R_y2 * w2 + 2.0 * (z9 * w1)));
+    const chaplygin_ball_quaternion_lanes slope1 = a * (2.0 * (z25 * w3) + (R_y2 * w2 + 2.0 * (z9 * w1)));
     sum += slope1;
     chaplygin_ball_quaternion_put(dydt, slope1);
-    const chaplygin_ball_quaternion_lanes slope2 = -a * (2.0 * (z25 * w3) + (2.0 * (z14 * w2) + R_x1 * w1));
+    const chaplygin_ball_quaternion_lanes slope2 = -a * (2.0 * (z26 * w3) + (2.0 * (z14 * w2) + R_x1 * w1));
     sum += slope2;
     chaplygin_ball_quaternion_put(dydt + 1 * stride, slope2);
     const chaplygin_ball_quaternion_lanes slope3 = -0.5 * (R_3 * w3 + (R_1 * w1 + R_2 * w2));
@@ -1326,13 +1329,13 @@ static __attribute__((noinline)) void chaplygin_ball_quaternion_rhs_lanes(const 
     sum += slope6;
     chaplygin_ball_quaternion_put(dydt + 5 * stride, slope6);
     /* (I.2.15) 21:4 */
-    const chaplygin_ball_quaternion_lanes slope7 = z35 * z21 + z22 * z38 - z30 * z37;
+    const chaplygin_ball_quaternion_lanes slope7 = z36 * z21 + 4.0 * (z22 * z39) - 2.0 * (z31 * z38);
     sum += slope7;
     chaplygin_ball_quaternion_put(dydt + 6 * stride, slope7);
-    const chaplygin_ball_quaternion_lanes slope8 = -z38;
+    const chaplygin_ball_quaternion_lanes slope8 = -z39;
     sum += slope8;
     chaplygin_ball_quaternion_put(dydt + 7 * stride, slope8);
-    const chaplygin_ball_quaternion_lanes slope9 = z37;
+    const chaplygin_ball_quaternion_lanes slope9 = z38;
     chaplygin_ball_quaternion_put(dydt + 8 * stride, slope9);
     chaplygin_ball_quaternion_put(check, chaplygin_ball_quaternion_mark(far + (sum - sum), bad));
 }

@@ -1,5 +1,5 @@
 /*
- * chaplygin_ball_quaternion.h: chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:2686dd52ca19ffc0)
+ * chaplygin_ball_quaternion.h: chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:aa8f8fe625332e93)
  * A ball with three different moments of inertia rolls on a horizontal plane; its orientation is a
  *     quaternion.
  * Source: chaplygin_ball_quaternion.yaml
@@ -35,15 +35,15 @@
  * out[2] = K_z
  *
  * Operations:
- * rhs: 53 +-, 110 *, 4 /, 0 calls
+ * rhs: 53 +-, 113 *, 4 /, 0 calls
  * velocities: 23 +-, 47 *, 1 /, 0 calls
- * accelerations: 85 +-, 176 *, 4 /, 0 calls
+ * accelerations: 85 +-, 179 *, 4 /, 0 calls
  * state: 12 +-, 23 *, 1 /, 0 calls
  * residuals: 29 +-, 50 *, 1 /, 0 calls
  * positions: 4 +-, 4 *, 0 /, 0 calls
- * reactions: 53 +-, 110 *, 4 /, 0 calls
+ * reactions: 49 +-, 108 *, 4 /, 0 calls
  * energy: 19 +-, 41 *, 1 /, 0 calls
- * jacobian: 213 +-, 485 *, 4 /, 0 calls
+ * jacobian: 213 +-, 519 *, 4 /, 0 calls
  * outputs: 26 +-, 44 *, 1 /, 0 calls
  *
  * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.

@@ -1,4 +1,4 @@
-"""double_pendulum, emitted by nhc 0.1.0 (nhc:b5773923b9aa533b).
+"""double_pendulum, emitted by nhc 0.1.0 (nhc:5786511894d5e9bb).
 
 Two pendulums in a row, absolute angles; the model gives positions and nhc
     differentiates them.
@@ -349,24 +349,24 @@ def jacobian(
             raise SingularModelError(2, "jacobian")
         c_theta1 = math.cos(theta1)
         z4 = g * c_theta1
+        z5 = 1.0 / z3
         c1 = math.cos(z1)
-        z5 = c1 * z2
         z6 = l1 * (theta1_dot * theta1_dot) + z4
         z7 = c1 * z6
         z8 = m2 * (l2 * (theta2_dot * theta2_dot) + z7)
-        z9 = s1 * z8
-        z10 = 1.0 / z3
-        z11 = 2.0 * (z5 * (z9 * (z10 * z10)))
-        z12 = c1 * z8
-        z13 = s1 * z6
+        z9 = c1 * z8
+        z10 = s1 * z6
         s_theta1 = math.sin(theta1)
-        z14 = g * s_theta1
-        z15 = z11 - z10 * (z12 - z2 * (z13 + z14 * c1))
-        z16 = z11 - z10 * (z12 - z2 * z13)
+        z11 = g * s_theta1
+        z12 = c1 * z2
+        z13 = s1 * z8
+        z14 = 2.0 * (z5 * z5 * (z12 * z13))
+        z15 = z5 * (z9 - z2 * (z10 + z11 * c1)) - z14
+        z16 = z5 * (z9 - z2 * z10) - z14
         z17 = theta1_dot * l1
-        z18 = z5 * (z17 * z10)
-        z19 = l2 * (z10 * (theta2_dot * z2))
-        z20 = z9 * (s1 * z10)
+        z18 = z5 * (z17 * z12)
+        z19 = l2 * (z5 * (theta2_dot * z2))
+        z20 = z13 * (s1 * z5)
         J: list[float] = [
             0.0,
             0.0,
@@ -379,17 +379,17 @@ def jacobian(
             # (II.3)
             1.0,
             # (II.3)
-            (z15 - z4) * k1,
+            -k1 * (z4 + z15),
             # (II.3)
-            -k1 * z16,
+            k1 * z16,
             # (II.3)
             -2.0 * (k1 * z18),
             # (II.3)
             -2.0 * (k1 * z19),
             # (II.3)
-            k2 * (z7 - z14 * s1 - (z20 + c1 * z15)),
+            k2 * (z7 - z11 * s1 - (z20 - c1 * z15)),
             # (II.3)
-            (z20 + c1 * z16 - z7) * k2,
+            (z20 - c1 * z16 - z7) * k2,
             # (II.3)
             2.0 * (k2 * (z17 * s1 + c1 * z18)),
             # (II.3)

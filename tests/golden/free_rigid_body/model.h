@@ -1,5 +1,5 @@
 /*
- * free_rigid_body.h: free_rigid_body, emitted by nhc 0.1.0 (nhc:00f2981889949833)
+ * free_rigid_body.h: free_rigid_body, emitted by nhc 0.1.0 (nhc:bcb1df67e182f541)
  * A free rigid body; the components of its angular velocity on body axes are the quasi-velocities.
  * Source: free_rigid_body.yaml
  * Equations of motion: euler-lagrange (I.2.14)
@@ -29,7 +29,7 @@
  * residuals: 0 +-, 0 *, 0 /, 0 calls
  * reactions: 0 +-, 0 *, 0 /, 1 calls
  * energy: 2 +-, 7 *, 0 /, 0 calls
- * jacobian: 9 +-, 30 *, 4 /, 4 calls
+ * jacobian: 6 +-, 21 *, 4 /, 4 calls
  * outputs: 2 +-, 9 *, 0 /, 1 calls
  *
  * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.

@@ -1,4 +1,4 @@
-"""free_rigid_body, emitted by nhc 0.1.0 (nhc:cf25341995614561).
+"""free_rigid_body, emitted by nhc 0.1.0 (nhc:856a77c9606e447e).
 
 A free rigid body; the components of its angular velocity on body axes are the
     quasi-velocities.
@@ -30,7 +30,7 @@ state: 3 +-, 6 *, 0 /, 4 calls
 residuals: 0 +-, 0 *, 0 /, 0 calls
 reactions: 0 +-, 0 *, 0 /, 1 calls
 energy: 2 +-, 7 *, 0 /, 0 calls
-jacobian: 9 +-, 30 *, 4 /, 4 calls
+jacobian: 6 +-, 21 *, 4 /, 4 calls
 outputs: 2 +-, 9 *, 0 /, 1 calls
 
 A singular point raises SingularModelError.
@@ -402,27 +402,24 @@ def jacobian(
         z3 = c_theta * (z2 * z2)
         z4 = z1 * z3
         z5 = s_psi * w2 - c_psi * w1
-        z6 = z2 * z5
-        z7 = s_psi * z2
-        z8 = c_psi * z2
-        z9 = s_theta * c_psi
-        z10 = s_theta * s_psi
+        z6 = s_psi * z2
+        z7 = c_psi * z2
         J: list[float] = [
             0.0,
             # (I.2.14)
             -z4,
             # (I.2.14)
-            -z6,
+            -z2 * z5,
+            # (I.2.14)
+            z6,
             # (I.2.14)
             z7,
-            # (I.2.14)
-            z8,
             0.0,
             0.0,
             # (I.2.14)
-            -((w1 * z9 - w2 * z10) * z3 + z2 * (c_theta * z5)),
+            0.0,
             # (I.2.14)
-            -z2 * (w1 * z10 + w2 * z9),
+            -z1,
             # (I.2.14)
             c_psi,
             # (I.2.14)
@@ -432,11 +429,11 @@ def jacobian(
             # (I.2.14)
             z1 + c_theta * z4,
             # (I.2.14)
-            c_theta * z6,
+            z3 * (s_theta * z5),
+            # (I.2.14)
+            -c_theta * z6,
             # (I.2.14)
             -c_theta * z7,
-            # (I.2.14)
-            -c_theta * z8,
             # (I.2.14)
             1.0,
             0.0,

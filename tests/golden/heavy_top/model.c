@@ -1,5 +1,5 @@
 /*
- * heavy_top.c: heavy_top, emitted by nhc 0.1.0 (nhc:c3d5d6b5590899c4)
+ * heavy_top.c: heavy_top, emitted by nhc 0.1.0 (nhc:614dbace0ac75f2d)
  * The symmetric top with a fixed point (Lagrange's top).
  * Source: heavy_top.yaml
  * Equations of motion: lagrange (II.3)
@@ -212,27 +212,26 @@ int heavy_top_rhs(double t, const double *y, const double *p, double *dydt)
     const double k2 = 1.0 / I1;
 
     /* state */
-    const double z1 = s_theta * s_theta;
-    const double z2 = I1 * z1 + I3 * (1.0 - z1);
-    const double z3 = I3 * c_theta;
-    const double z4 = 1.0 / z2;
-    const double z5 = z3 * z4;
-    const double z6 = I3 - z3 * z5;
-    const double z7 = theta_dot * s_theta;
-    const double z8 = phi_dot * c_theta * k1;
-    const double z9 = psi_dot * I3;
-    const double z10 = z7 * (2.0 * z8 - z9);
-    const double z11 = (I3 * (phi_dot * z7) + z10 * z5) / z6;
+    const double z1 = I3 * c_theta;
+    const double z2 = I1 * (s_theta * s_theta) + c_theta * z1;
+    const double z3 = 1.0 / z2;
+    const double z4 = z1 * z3;
+    const double z5 = I3 - z1 * z4;
+    const double z6 = theta_dot * s_theta;
+    const double z7 = phi_dot * c_theta * k1;
+    const double z8 = psi_dot * I3;
+    const double z9 = z6 * (2.0 * z7 - z8);
+    const double z10 = (I3 * (phi_dot * z6) + z9 * z4) / z5;
     /* (II.3) */
     dydt[0] = phi_dot; /* phi' */
     dydt[1] = theta_dot; /* theta' */
     dydt[2] = psi_dot; /* psi' */
     /* (II.3) 16:4 */
-    dydt[3] = -(z10 * z4 + z5 * z11); /* phi'' */
-    dydt[4] = s_theta * (mgl + phi_dot * (z8 - z9)) * k2; /* theta'' */
-    dydt[5] = z11; /* psi'' */
+    dydt[3] = -(z9 * z3 + z4 * z10); /* phi'' */
+    dydt[4] = s_theta * (mgl + phi_dot * (z7 - z8)) * k2; /* theta'' */
+    dydt[5] = z10; /* psi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(dydt[3] + dydt[4]) <= DBL_MAX && fabs(z6) > 1e-14 * I3)) {
+    if (!(fabs(dydt[3] + dydt[4]) <= DBL_MAX && fabs(z5) > 1e-14 * I3)) {
         /* the mass matrix is singular */
         if (!(fabs(z2) > 0.0)) {
             return HEAVY_TOP_SINGULAR_2;
@@ -242,7 +241,7 @@ int heavy_top_rhs(double t, const double *y, const double *p, double *dydt)
             return HEAVY_TOP_SINGULAR_2;
         }
         /* the mass matrix is singular */
-        if (!(fabs(z6) > 1e-14 * I3)) {
+        if (!(fabs(z5) > 1e-14 * I3)) {
             return HEAVY_TOP_SINGULAR_2;
         }
         return heavy_top_finish(6, dydt);
@@ -542,20 +541,19 @@ static __attribute__((noinline)) void heavy_top_rhs_lanes(const double *fixed, s
     heavy_top_lanes sine1, cosine1;
     heavy_top_turn_lanes(HEAVY_TOP_SPREAD(theta), &far, &sine1, &cosine1);
     const heavy_top_lanes s_theta = sine1;
-    const heavy_top_lanes z1 = s_theta * s_theta;
-    const heavy_top_lanes z2 = I1 * z1 + I3 * (1.0 - z1);
     const heavy_top_lanes c_theta = cosine1;
-    const heavy_top_lanes z3 = I3 * c_theta;
-    const heavy_top_lanes z4 = 1.0 / z2;
-    const heavy_top_lanes z5 = z3 * z4;
-    const heavy_top_lanes z6 = I3 - z3 * z5;
+    const heavy_top_lanes z1 = I3 * c_theta;
+    const heavy_top_lanes z2 = I1 * (s_theta * s_theta) + c_theta * z1;
+    const heavy_top_lanes z3 = 1.0 / z2;
+    const heavy_top_lanes z4 = z1 * z3;
+    const heavy_top_lanes z5 = I3 - z1 * z4;
     /* the mass matrix is singular */
-    bad |= heavy_top_misses(heavy_top_size(HEAVY_TOP_SPREAD(z6)), HEAVY_TOP_SPREAD(1e-14 * I3));
-    const heavy_top_lanes z7 = theta_dot * s_theta;
-    const heavy_top_lanes z8 = phi_dot * c_theta * k1;
-    const heavy_top_lanes z9 = psi_dot * I3;
-    const heavy_top_lanes z10 = z7 * (2.0 * z8 - z9);
-    const heavy_top_lanes z11 = (I3 * (phi_dot * z7) + z10 * z5) / z6;
+    bad |= heavy_top_misses(heavy_top_size(HEAVY_TOP_SPREAD(z5)), HEAVY_TOP_SPREAD(1e-14 * I3));
+    const heavy_top_lanes z6 = theta_dot * s_theta;
+    const heavy_top_lanes z7 = phi_dot * c_theta * k1;
+    const heavy_top_lanes z8 = psi_dot * I3;
+    const heavy_top_lanes z9 = z6 * (2.0 * z7 - z8);
+    const heavy_top_lanes z10 = (I3 * (phi_dot * z6) + z9 * z4) / z5;
     /* (II.3) */
     const heavy_top_lanes slope1 = phi_dot;
     heavy_top_put(dydt, slope1);
@@ -564,13 +562,13 @@ static __attribute__((noinline)) void heavy_top_rhs_lanes(const double *fixed, s
     const heavy_top_lanes slope3 = psi_dot;
     heavy_top_put(dydt + 2 * stride, slope3);
     /* (II.3) 16:4 */
-    const heavy_top_lanes slope4 = -(z10 * z4 + z5 * z11);
+    const heavy_top_lanes slope4 = -(z9 * z3 + z4 * z10);
     sum += slope4;
     heavy_top_put(dydt + 3 * stride, slope4);
-    const heavy_top_lanes slope5 = s_theta * (mgl + phi_dot * (z8 - z9)) * k2;
+    const heavy_top_lanes slope5 = s_theta * (mgl + phi_dot * (z7 - z8)) * k2;
     sum += slope5;
     heavy_top_put(dydt + 4 * stride, slope5);
-    const heavy_top_lanes slope6 = z11;
+    const heavy_top_lanes slope6 = z10;
     heavy_top_put(dydt + 5 * stride, slope6);
     heavy_top_put(check, heavy_top_mark(far + (sum - sum), bad));
 }

@@ -1,5 +1,5 @@
 /*
- * heavy_top.h: heavy_top, emitted by nhc 0.1.0 (nhc:97c270516150d58d)
+ * heavy_top.h: heavy_top, emitted by nhc 0.1.0 (nhc:b62f00f5a6c840f2)
  * The symmetric top with a fixed point (Lagrange's top).
  * Source: heavy_top.yaml
  * Equations of motion: lagrange (II.3)
@@ -23,14 +23,14 @@
  * out[1] = p_psi
  *
  * Operations:
- * rhs: 9 +-, 20 *, 3 /, 2 calls
+ * rhs: 8 +-, 20 *, 3 /, 2 calls
  * velocities: 0 +-, 0 *, 0 /, 0 calls
  * accelerations: 9 +-, 20 *, 3 /, 2 calls
  * state: 0 +-, 0 *, 0 /, 0 calls
  * residuals: 0 +-, 0 *, 0 /, 0 calls
  * reactions: 3 +-, 5 *, 1 /, 2 calls
  * energy: 4 +-, 10 *, 0 /, 2 calls
- * jacobian: 22 +-, 66 *, 3 /, 2 calls
+ * jacobian: 21 +-, 61 *, 3 /, 2 calls
  * outputs: 2 +-, 6 *, 0 /, 2 calls
  *
  * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.

@@ -1,4 +1,4 @@
-"""heavy_top, emitted by nhc 0.1.0 (nhc:f197d316964b6c77).
+"""heavy_top, emitted by nhc 0.1.0 (nhc:e389e8b8ee930b1d).
 
 The symmetric top with a fixed point (Lagrange's top).
 Source: heavy_top.yaml
@@ -23,14 +23,14 @@ out[0] = p_phi
 out[1] = p_psi
 
 Operations:
-rhs: 9 +-, 20 *, 3 /, 2 calls
+rhs: 8 +-, 20 *, 3 /, 2 calls
 velocities: 0 +-, 0 *, 0 /, 0 calls
 accelerations: 9 +-, 20 *, 3 /, 2 calls
 state: 0 +-, 0 *, 0 /, 0 calls
 residuals: 0 +-, 0 *, 0 /, 0 calls
 reactions: 3 +-, 5 *, 1 /, 2 calls
 energy: 4 +-, 10 *, 0 /, 2 calls
-jacobian: 22 +-, 66 *, 3 /, 2 calls
+jacobian: 21 +-, 61 *, 3 /, 2 calls
 outputs: 2 +-, 6 *, 0 /, 2 calls
 
 A singular point raises SingularModelError.
@@ -102,24 +102,23 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         k2 = 1.0 / I1
         # state
         s_theta = math.sin(theta)
-        z1 = s_theta * s_theta
-        z2 = I1 * z1 + I3 * (1.0 - z1)
+        c_theta = math.cos(theta)
+        z1 = I3 * c_theta
+        z2 = I1 * (s_theta * s_theta) + c_theta * z1
         # the mass matrix is singular
         if not abs(z2) > 0.0:
             raise SingularModelError(2, "rhs")
-        c_theta = math.cos(theta)
-        z3 = I3 * c_theta
-        z4 = 1.0 / z2
-        z5 = z3 * z4
-        z6 = I3 - z3 * z5
+        z3 = 1.0 / z2
+        z4 = z1 * z3
+        z5 = I3 - z1 * z4
         # the mass matrix is singular
-        if not abs(z6) > 1e-14 * I3:
+        if not abs(z5) > 1e-14 * I3:
             raise SingularModelError(2, "rhs")
-        z7 = theta_dot * s_theta
-        z8 = phi_dot * c_theta * k1
-        z9 = psi_dot * I3
-        z10 = z7 * (2.0 * z8 - z9)
-        z11 = (I3 * (phi_dot * z7) + z10 * z5) / z6
+        z6 = theta_dot * s_theta
+        z7 = phi_dot * c_theta * k1
+        z8 = psi_dot * I3
+        z9 = z6 * (2.0 * z7 - z8)
+        z10 = (I3 * (phi_dot * z6) + z9 * z4) / z5
         dydt: list[float] = [
             # phi' (II.3)
             phi_dot,
@@ -128,11 +127,11 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
             # psi' (II.3)
             psi_dot,
             # phi'' (II.3) 16:4
-            -(z10 * z4 + z5 * z11),
+            -(z9 * z3 + z4 * z10),
             # theta'' (II.3) 16:4
-            s_theta * (mgl + phi_dot * (z8 - z9)) * k2,
+            s_theta * (mgl + phi_dot * (z7 - z8)) * k2,
             # psi'' (II.3) 16:4
-            z11,
+            z10,
         ]
         return _finish("rhs", dydt)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -355,7 +354,6 @@ def jacobian(
         # parameters only
         k1 = I1 - I3
         k2 = 1.0 / I1
-        k3 = -I3 * k2
         # state
         s_theta = math.sin(theta)
         z1 = s_theta * s_theta
@@ -380,20 +378,19 @@ def jacobian(
         z13 = 2.0 * z11 - z12
         z14 = z7 * z13
         z15 = z9 * (s_theta * z10 + z14 * z5)
-        z16 = z14 * z4 + z5 * z15
-        s1 = c_theta * (theta_dot * z13 - 2.0 * (k1 * (s_theta * z16)))
+        z16 = s_theta * (z14 * z4 + z5 * z15)
+        s1 = c_theta * (theta_dot * z13 - 2.0 * (k1 * z16))
         z17 = s_theta * (2.0 * (phi_dot * z8) + I3 * z15) - s1
-        z18 = I3 * s_theta
-        z19 = z9 * (c_theta * z10 - z18 * z16 - z5 * z17)
-        z20 = c_theta * z8
-        z21 = z9 * (theta_dot * z18 + 2.0 * (z5 * z20))
+        z18 = z9 * (c_theta * z10 - I3 * z16 - z5 * z17)
+        z19 = c_theta * z8
+        z20 = I3 * z7
+        z21 = z9 * (z20 + 2.0 * (z5 * z19))
         z22 = s_theta * z13
-        z23 = z9 * (phi_dot * z18 + z5 * z22)
-        z24 = I3 * z7
-        z25 = z24 * (z5 * z9)
-        z26 = z11 - z12
-        z27 = phi_dot * s_theta
-        z28 = z27 * k1
+        z23 = phi_dot * s_theta
+        z24 = I3 * z23
+        z25 = z9 * (z24 + z5 * z22)
+        z26 = z20 * (z5 * z9)
+        s2 = c_theta * (mgl + phi_dot * (z11 - z12)) - k1 * (z23 * z23)
         J: list[float] = [
             0.0,
             0.0,
@@ -418,36 +415,36 @@ def jacobian(
             1.0,
             0.0,
             # (II.3)
-            z4 * z17 - z5 * z19,
+            z4 * z17 - z5 * z18,
             0.0,
             # (II.3)
-            -(2.0 * (z4 * z20) + z5 * z21),
+            -(2.0 * (z4 * z19) + z5 * z21),
             # (II.3)
-            -(z4 * z22 + z5 * z23),
+            -(z4 * z22 + z5 * z25),
             # (II.3)
-            z4 * z24 + z5 * z25,
+            z4 * z20 + z5 * z26,
             0.0,
             # (II.3)
-            k2 * (c_theta * (mgl + phi_dot * z26) - z27 * z28),
+            k2 * s2,
             0.0,
             # (II.3)
-            k2 * (s_theta * z26 + c_theta * z28),
+            k2 * z22,
             0.0,
             # (II.3)
-            z27 * k3,
+            -k2 * z24,
             0.0,
             # (II.3)
-            z19,
+            z18,
             0.0,
             # (II.3)
             z21,
             # (II.3)
-            z23,
+            z25,
             # (II.3)
-            -z25,
+            -z26,
         ]
         _finish("jacobian", J)
-        return [J[k4 : k4 + 6] for k4 in range(0, 36, 6)]
+        return [J[k3 : k3 + 6] for k3 in range(0, 36, 6)]
     except (ValueError, ZeroDivisionError, OverflowError) as error:
         raise SingularModelError(NOT_FINITE, "jacobian") from error
 

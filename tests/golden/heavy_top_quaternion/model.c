@@ -1,5 +1,5 @@
 /*
- * heavy_top_quaternion.c: heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:6a6ecf1e3c5bf6be)
+ * heavy_top_quaternion.c: heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:7a387780fe1c9d26)
  * The symmetric top with a fixed point (Lagrange's top), its orientation a quaternion, so that it may stand
  *     upright.
  * Source: heavy_top_quaternion.yaml
@@ -265,13 +265,13 @@ int heavy_top_quaternion_accelerations(double t, const double *y, const double *
     const double z5 = R_0 * R_0;
     const double z6 = k3 / (z4 + (z3 + (z5 + z2)));
     const double z7 = z1 + (z2 + z3) * z6;
-    const double z8 = z1 - (z5 + z4) * z6;
-    const double z9 = w3 * k2;
+    const double z8 = w3 * k2;
+    const double z9 = z1 - (z5 + z4) * z6;
     /* (I.2.15) */
-    qddot[0] = 0.5 * (w3 * ((R_2 * w1 - R_1 * w2) * k2)) - R_0 * z7; /* R_0'' */
-    qddot[1] = 0.5 * ((R_3 * w1 + R_0 * w2) * z9) - R_1 * z8; /* R_1'' */
-    qddot[2] = -(R_2 * z8 + 0.5 * ((R_0 * w1 - R_3 * w2) * z9)); /* R_2'' */
-    qddot[3] = -(R_3 * z7 + 0.5 * ((R_1 * w1 + R_2 * w2) * z9)); /* R_3'' */
+    qddot[0] = 0.5 * ((R_2 * w1 - R_1 * w2) * z8) - R_0 * z7; /* R_0'' */
+    qddot[1] = 0.5 * ((R_3 * w1 + R_0 * w2) * z8) - R_1 * z9; /* R_1'' */
+    qddot[2] = -(R_2 * z9 + 0.5 * ((R_0 * w1 - R_3 * w2) * z8)); /* R_2'' */
+    qddot[3] = -(R_3 * z7 + 0.5 * ((R_1 * w1 + R_2 * w2) * z8)); /* R_3'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qddot[0] + qddot[1] + qddot[2] + qddot[3]) <= DBL_MAX && fabs(I3) > 0.0)) {
         /* the mass matrix is singular */

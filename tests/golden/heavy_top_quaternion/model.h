@@ -1,5 +1,5 @@
 /*
- * heavy_top_quaternion.h: heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:e58dedbefc89626e)
+ * heavy_top_quaternion.h: heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:6f60f23bc6da51e5)
  * The symmetric top with a fixed point (Lagrange's top), its orientation a quaternion, so that it may stand
  *     upright.
  * Source: heavy_top_quaternion.yaml
@@ -30,7 +30,7 @@
  * Operations:
  * rhs: 16 +-, 33 *, 2 /, 0 calls
  * velocities: 8 +-, 16 *, 0 /, 0 calls
- * accelerations: 18 +-, 34 *, 2 /, 0 calls
+ * accelerations: 18 +-, 33 *, 2 /, 0 calls
  * state: 12 +-, 23 *, 1 /, 0 calls
  * residuals: 3 +-, 5 *, 0 /, 0 calls
  * positions: 4 +-, 4 *, 0 /, 0 calls

@@ -1,4 +1,4 @@
-"""heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:96c85359b024f839).
+"""heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:ba30832095ca7679).
 
 The symmetric top with a fixed point (Lagrange's top), its orientation a quaternion,
     so that it may stand upright.
@@ -30,7 +30,7 @@ out[1] = L_z
 Operations:
 rhs: 16 +-, 33 *, 2 /, 0 calls
 velocities: 8 +-, 16 *, 0 /, 0 calls
-accelerations: 18 +-, 34 *, 2 /, 0 calls
+accelerations: 18 +-, 33 *, 2 /, 0 calls
 state: 12 +-, 23 *, 1 /, 0 calls
 residuals: 3 +-, 5 *, 0 /, 0 calls
 positions: 4 +-, 4 *, 0 /, 0 calls
@@ -209,17 +209,17 @@ def accelerations(
         z5 = R_0 * R_0
         z6 = k3 / (z4 + (z3 + (z5 + z2)))
         z7 = z1 + (z2 + z3) * z6
-        z8 = z1 - (z5 + z4) * z6
-        z9 = w3 * k2
+        z8 = w3 * k2
+        z9 = z1 - (z5 + z4) * z6
         qddot: list[float] = [
             # R_0'' (I.2.15)
-            0.5 * (w3 * ((R_2 * w1 - R_1 * w2) * k2)) - R_0 * z7,
+            0.5 * ((R_2 * w1 - R_1 * w2) * z8) - R_0 * z7,
             # R_1'' (I.2.15)
-            0.5 * ((R_3 * w1 + R_0 * w2) * z9) - R_1 * z8,
+            0.5 * ((R_3 * w1 + R_0 * w2) * z8) - R_1 * z9,
             # R_2'' (I.2.15)
-            -(R_2 * z8 + 0.5 * ((R_0 * w1 - R_3 * w2) * z9)),
+            -(R_2 * z9 + 0.5 * ((R_0 * w1 - R_3 * w2) * z8)),
             # R_3'' (I.2.15)
-            -(R_3 * z7 + 0.5 * ((R_1 * w1 + R_2 * w2) * z9)),
+            -(R_3 * z7 + 0.5 * ((R_1 * w1 + R_2 * w2) * z8)),
         ]
         return _finish("accelerations", qddot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:

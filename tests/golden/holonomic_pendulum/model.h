@@ -1,5 +1,5 @@
 /*
- * holonomic_pendulum.h: holonomic_pendulum, emitted by nhc 0.1.0 (nhc:92479e4a7ea53d60)
+ * holonomic_pendulum.h: holonomic_pendulum, emitted by nhc 0.1.0 (nhc:3596d63c8bdee117)
  * The plane pendulum in Cartesian coordinates with the rod as a constraint on the positions.
  * Source: holonomic_pendulum.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -28,7 +28,7 @@
  * positions: 2 +-, 4 *, 0 /, 0 calls
  * reactions: 4 +-, 11 *, 1 /, 2 calls
  * energy: 3 +-, 10 *, 1 /, 0 calls
- * jacobian: 4 +-, 20 *, 1 /, 2 calls
+ * jacobian: 3 +-, 14 *, 1 /, 2 calls
  * outputs: 2 +-, 3 *, 0 /, 2 calls
  *
  * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.

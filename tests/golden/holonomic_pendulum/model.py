@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""holonomic_pendulum, emitted by nhc 0.1.0 (nhc:ca1890cb44cca36b).
+"""holonomic_pendulum, emitted by nhc 0.1.0 (nhc:cbc0d3326d63f2e2).
 
 The plane pendulum in Cartesian coordinates with the rod as a constraint on the
     positions.
@@ -30,7 +30,7 @@ residuals: 1 +-, 2 *, 0 /, 0 calls
 positions: 2 +-, 4 *, 0 /, 0 calls
 reactions: 4 +-, 11 *, 1 /, 2 calls
 energy: 3 +-, 10 *, 1 /, 0 calls
-jacobian: 4 +-, 20 *, 1 /, 2 calls
+jacobian: 3 +-, 14 *, 1 /, 2 calls
 outputs: 2 +-, 3 *, 0 /, 2 calls
 
 A singular point raises SingularModelError.
@@ -351,23 +351,20 @@ def jacobian(
         # the mass matrix is singular
         if not abs(m * z3) > 0.0:
             raise SingularModelError(2, "jacobian")
-        z4 = y_2 * v
-        z5 = z3 * z3
-        z6 = x * z5
-        z7 = v * z3
-        z8 = y_2 * z5
-        z9 = x * v
+        z4 = v * (x * (z3 * z3))
+        z5 = 2.0 * (y_2 * z4)
+        z6 = v * z3 - 2.0 * (x * z4)
         J: list[float] = [
             # (I.2.15)
-            -2.0 * (z4 * z6),
+            -z5,
             # (I.2.15)
-            z7 - 2.0 * (z4 * z8),
+            -z6,
             # (I.2.15)
             y_2 * z3,
             # (I.2.15)
-            2.0 * (z9 * z6) - z7,
+            -z6,
             # (I.2.15)
-            2.0 * (z9 * z8),
+            z5,
             # (I.2.15)
             -x * z3,
             # (I.2.15)

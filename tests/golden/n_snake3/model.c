@@ -1,5 +1,5 @@
 /*
- * n_snake3.c: n_snake3, emitted by nhc 0.1.0 (nhc:366e1f2a39373a64)
+ * n_snake3.c: n_snake3, emitted by nhc 0.1.0 (nhc:1a9278dfac4dc2e8)
  * Three links with a wheeled axle under the middle of each, hinged in a row with springs in the hinges.
  * Source: n_snake3.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -229,21 +229,21 @@ int n_snake3_rhs(double t, const double *y, const double *p, double *dydt)
 
     /* state */
     const double z3 = c1 * c2 + s1 * s2;
-    const double z4 = 1.0 + c1 * c1;
+    const double z4 = z3 * z3 + (1.0 + c1 * c1);
     const double z5 = s1 * s1;
     const double z6 = c1 * s2 - s1 * c2;
-    const double z7 = m * (z3 * z3 + z4) + k3 * (z5 + z6 * z6);
-    const double z8 = a * s1;
-    const double z9 = a * c1;
-    const double z10 = s2 * z8 + c2 * z9;
-    const double z11 = c2 * z8 - s2 * z9;
-    const double z12 = J * z4 + k3 * (z10 * z10) + z5 * k5 + m * (z11 * z11);
-    const double z13 = c1 * s1;
-    const double z14 = z6 * z10;
-    const double z15 = k2 * z13 - k3 * z14 - z13 * k4 + m * z14;
-    const double z16 = 1.0 / z7;
-    const double z17 = z16 * z15;
-    const double z18 = z12 - z15 * z17;
+    const double z7 = z6 * z6;
+    const double z8 = m * z4 + k3 * (z5 + z7);
+    const double z9 = c1 * s1;
+    const double z10 = a * s1;
+    const double z11 = a * c1;
+    const double z12 = s2 * z10 + c2 * z11;
+    const double z13 = z6 * z12;
+    const double z14 = k2 * z9 - k3 * z13 - z9 * k4 + m * z13;
+    const double z15 = 1.0 / z8;
+    const double z16 = z15 * z14;
+    const double z17 = z5 * k5 + J * z4 + z7 * k5;
+    const double z18 = z14 * z16 - z17;
     const double z19 = a * w;
     const double z20 = v * s1 - c1 * z19;
     const double z21 = k1 * z20;
@@ -261,8 +261,9 @@ int n_snake3_rhs(double t, const double *y, const double *p, double *dydt)
     const double z32 = v1_x2 * z30 + c2 * z29 - (z20 * z28 + s2 * z26);
     const double z33 = k3 * (s1 * z26 + z6 * z31) - m * (c1 * z29 + z3 * z32) - k * (z1 * (s1 * k1) - z2 *
         (k1 * (s1 - z6)));
-    const double z34 = k2 * (c1 * z26) - k3 * (z10 * z31) + k4 * (s1 * z29) + m * (z11 * z32);
-    const double z35 = (z34 - k * (z1 * (1.0 + c1) - z2 * (c1 + k1 * z10)) - z33 * z17) / z18;
+    const double z34 = k2 * (c1 * z26) - k3 * (z12 * z31) + k4 * (s1 * z29) + m * ((c2 * z10 - s2 * z11) *
+        z32);
+    const double z35 = (z34 - k * (z1 * (1.0 + c1) - z2 * (c1 + k1 * z12)) - z33 * z16) / z18;
     /* (I.2.15) */
     dydt[0] = c_theta1 * v; /* x' */
     dydt[1] = s_theta1 * v; /* y' */
@@ -270,20 +271,20 @@ int n_snake3_rhs(double t, const double *y, const double *p, double *dydt)
     dydt[3] = z21; /* theta2' */
     dydt[4] = k1 * z22; /* theta3' */
     /* (I.2.15) 22:4 */
-    dydt[5] = z17 * z35 - z33 * z16; /* v' */
-    dydt[6] = z35; /* w' */
+    dydt[5] = -(z33 * z15 + z16 * z35); /* v' */
+    dydt[6] = -z35; /* w' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(dydt[4] + dydt[5]) <= DBL_MAX && fabs(z18) > 1e-14 * z12)) {
+    if (!(fabs(dydt[4] + dydt[5] + dydt[6]) <= DBL_MAX && fabs(-z18) > 1e-14 * z17)) {
         /* the coframe is singular */
         if (!(fabs(a) > 0.0)) {
             return N_SNAKE3_SINGULAR_1;
         }
         /* the mass matrix is singular */
-        if (!(fabs(z7) > 0.0)) {
+        if (!(fabs(z8) > 0.0)) {
             return N_SNAKE3_SINGULAR_2;
         }
         /* the mass matrix is singular */
-        if (!(fabs(z18) > 1e-14 * z12)) {
+        if (!(fabs(-z18) > 1e-14 * z17)) {
             return N_SNAKE3_SINGULAR_2;
         }
         return n_snake3_finish(7, dydt);
@@ -900,23 +901,23 @@ static __attribute__((noinline)) void n_snake3_rhs_lanes(const double *fixed, si
     const n_snake3_lanes s1 = sine1;
     const n_snake3_lanes s2 = sine2;
     const n_snake3_lanes z3 = c1 * c2 + s1 * s2;
-    const n_snake3_lanes z4 = 1.0 + c1 * c1;
+    const n_snake3_lanes z4 = z3 * z3 + (1.0 + c1 * c1);
     const n_snake3_lanes z5 = s1 * s1;
     const n_snake3_lanes z6 = c1 * s2 - s1 * c2;
-    const n_snake3_lanes z7 = m * (z3 * z3 + z4) + k3 * (z5 + z6 * z6);
-    const n_snake3_lanes z8 = a * s1;
-    const n_snake3_lanes z9 = a * c1;
-    const n_snake3_lanes z10 = s2 * z8 + c2 * z9;
-    const n_snake3_lanes z11 = c2 * z8 - s2 * z9;
-    const n_snake3_lanes z12 = J * z4 + k3 * (z10 * z10) + z5 * k5 + m * (z11 * z11);
-    const n_snake3_lanes z13 = c1 * s1;
-    const n_snake3_lanes z14 = z6 * z10;
-    const n_snake3_lanes z15 = k2 * z13 - k3 * z14 - z13 * k4 + m * z14;
-    const n_snake3_lanes z16 = 1.0 / z7;
-    const n_snake3_lanes z17 = z16 * z15;
-    const n_snake3_lanes z18 = z12 - z15 * z17;
+    const n_snake3_lanes z7 = z6 * z6;
+    const n_snake3_lanes z8 = m * z4 + k3 * (z5 + z7);
+    const n_snake3_lanes z9 = c1 * s1;
+    const n_snake3_lanes z10 = a * s1;
+    const n_snake3_lanes z11 = a * c1;
+    const n_snake3_lanes z12 = s2 * z10 + c2 * z11;
+    const n_snake3_lanes z13 = z6 * z12;
+    const n_snake3_lanes z14 = k2 * z9 - k3 * z13 - z9 * k4 + m * z13;
+    const n_snake3_lanes z15 = 1.0 / z8;
+    const n_snake3_lanes z16 = z15 * z14;
+    const n_snake3_lanes z17 = z5 * k5 + J * z4 + z7 * k5;
+    const n_snake3_lanes z18 = z14 * z16 - z17;
     /* the mass matrix is singular */
-    bad |= n_snake3_misses(n_snake3_size(N_SNAKE3_SPREAD(z18)), 1e-14 * z12);
+    bad |= n_snake3_misses(n_snake3_size(N_SNAKE3_SPREAD(-z18)), 1e-14 * z17);
     n_snake3_lanes sine3, cosine3;
     n_snake3_turn_lanes(N_SNAKE3_SPREAD(theta1), &far, &sine3, &cosine3);
     const n_snake3_lanes c_theta1 = cosine3;
@@ -938,8 +939,9 @@ static __attribute__((noinline)) void n_snake3_rhs_lanes(const double *fixed, si
     const n_snake3_lanes z32 = v1_x2 * z30 + c2 * z29 - (z20 * z28 + s2 * z26);
     const n_snake3_lanes z33 = k3 * (s1 * z26 + z6 * z31) - m * (c1 * z29 + z3 * z32) - k * (z1 * (s1 * k1) -
         z2 * (k1 * (s1 - z6)));
-    const n_snake3_lanes z34 = k2 * (c1 * z26) - k3 * (z10 * z31) + k4 * (s1 * z29) + m * (z11 * z32);
-    const n_snake3_lanes z35 = (z34 - k * (z1 * (1.0 + c1) - z2 * (c1 + k1 * z10)) - z33 * z17) / z18;
+    const n_snake3_lanes z34 = k2 * (c1 * z26) - k3 * (z12 * z31) + k4 * (s1 * z29) + m * ((c2 * z10 - s2 *
+        z11) * z32);
+    const n_snake3_lanes z35 = (z34 - k * (z1 * (1.0 + c1) - z2 * (c1 + k1 * z12)) - z33 * z16) / z18;
     /* (I.2.15) */
     const n_snake3_lanes slope1 = c_theta1 * v;
     n_snake3_put(dydt, slope1);
@@ -953,10 +955,11 @@ static __attribute__((noinline)) void n_snake3_rhs_lanes(const double *fixed, si
     sum += slope5;
     n_snake3_put(dydt + 4 * stride, slope5);
     /* (I.2.15) 22:4 */
-    const n_snake3_lanes slope6 = z17 * z35 - z33 * z16;
+    const n_snake3_lanes slope6 = -(z33 * z15 + z16 * z35);
     sum += slope6;
     n_snake3_put(dydt + 5 * stride, slope6);
-    const n_snake3_lanes slope7 = z35;
+    const n_snake3_lanes slope7 = -z35;
+    sum += slope7;
     n_snake3_put(dydt + 6 * stride, slope7);
     n_snake3_put(check, n_snake3_mark(far + (sum - sum), bad));
 }

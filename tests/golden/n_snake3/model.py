@@ -1,4 +1,4 @@
-"""n_snake3, emitted by nhc 0.1.0 (nhc:780eacfce3a96c42).
+"""n_snake3, emitted by nhc 0.1.0 (nhc:fc633a972ad2291a).
 
 Three links with a wheeled axle under the middle of each, hinged in a row with
     springs in the hinges.
@@ -27,14 +27,14 @@ Constraints:
 2: wheel3
 
 Operations:
-rhs: 45 +-, 86 *, 3 /, 6 calls
+rhs: 44 +-, 85 *, 3 /, 6 calls
 velocities: 5 +-, 11 *, 1 /, 6 calls
-accelerations: 56 +-, 97 *, 3 /, 6 calls
+accelerations: 56 +-, 98 *, 3 /, 6 calls
 state: 1 +-, 2 *, 0 /, 2 calls
 residuals: 11 +-, 15 *, 0 /, 6 calls
-reactions: 66 +-, 118 *, 3 /, 4 calls
+reactions: 66 +-, 119 *, 3 /, 4 calls
 energy: 27 +-, 40 *, 1 /, 6 calls
-jacobian: 191 +-, 301 *, 3 /, 6 calls
+jacobian: 191 +-, 302 *, 3 /, 6 calls
 outputs: 0 +-, 0 *, 0 /, 0 calls
 
 A singular point raises SingularModelError.
@@ -117,50 +117,50 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         s1 = math.sin(z1)
         s2 = math.sin(z2)
         z3 = c1 * c2 + s1 * s2
-        z4 = 1.0 + c1 * c1
+        z4 = z3 * z3 + (1.0 + c1 * c1)
         z5 = s1 * s1
         z6 = c1 * s2 - s1 * c2
-        z7 = m * (z3 * z3 + z4) + k3 * (z5 + z6 * z6)
+        z7 = z6 * z6
+        z8 = m * z4 + k3 * (z5 + z7)
         # the mass matrix is singular
-        if not abs(z7) > 0.0:
+        if not abs(z8) > 0.0:
             raise SingularModelError(2, "rhs")
-        z8 = a * s1
-        z9 = a * c1
-        z10 = s2 * z8 + c2 * z9
-        z11 = c2 * z8 - s2 * z9
-        z12 = J * z4 + k3 * (z10 * z10) + z5 * k5 + m * (z11 * z11)
-        z13 = c1 * s1
-        z14 = z10 * k3
-        z15 = m * z11
-        z16 = z13 * k4 - (k2 * z13 - z6 * z14) + z3 * z15
-        z17 = 1.0 / z7
-        z18 = z17 * z16
-        z19 = z12 - z16 * z18
+        z9 = c1 * s1
+        z10 = a * s1
+        z11 = a * c1
+        z12 = s2 * z10 + c2 * z11
+        z13 = z6 * z12
+        z14 = k2 * z9 - k3 * z13 - z9 * k4 + m * z13
+        z15 = 1.0 / z8
+        z16 = z15 * z14
+        z17 = z5 * k5 + J * z4 + z7 * k5
+        z18 = z14 * z16 - z17
         # the mass matrix is singular
-        if not abs(z19) > 1e-14 * z12:
+        if not abs(-z18) > 1e-14 * z17:
             raise SingularModelError(2, "rhs")
         c_theta1 = math.cos(theta1)
         s_theta1 = math.sin(theta1)
-        z20 = a * w
-        z21 = v * s1 - c1 * z20
-        z22 = k1 * z21
-        v1_x2 = v * c1 + s1 * z20
-        z23 = s2 * v1_x2 - c2 * z21
-        z24 = w - z22
-        z25 = c1 * z24
-        z26 = s1 * z24
-        z27 = v * z25 + z20 * z26
-        z28 = k1 * (z21 - z23)
-        z29 = c2 * z28
-        z30 = v * z26 - z20 * z25
-        z31 = s2 * z28
-        z32 = v1_x2 * z29 - s2 * z30 + (z21 * z31 - c2 * z27)
-        z33 = v1_x2 * z31 + c2 * z30 - (z21 * z29 + s2 * z27)
-        s3 = k3 * (s1 * z27 + z6 * z32) - m * (c1 * z30 + z3 * z33)
-        z34 = s3 - k * (k1 * (z1 * s1 - z2 * (s1 - z6)))
-        s4 = k4 * (s1 * z30) + (k2 * (c1 * z27) - z32 * z14) + z33 * z15
-        z35 = k * (z1 * (1.0 + c1) - z2 * (c1 + k1 * z10)) - s4
-        z36 = (z35 - z34 * z18) / z19
+        z19 = a * w
+        z20 = v * s1 - c1 * z19
+        z21 = k1 * z20
+        v1_x2 = v * c1 + s1 * z19
+        z22 = s2 * v1_x2 - c2 * z20
+        z23 = w - z21
+        z24 = c1 * z23
+        z25 = s1 * z23
+        z26 = v * z24 + z19 * z25
+        z27 = k1 * (z20 - z22)
+        z28 = c2 * z27
+        z29 = v * z25 - z19 * z24
+        z30 = s2 * z27
+        z31 = v1_x2 * z28 - s2 * z29 + (z20 * z30 - c2 * z26)
+        z32 = v1_x2 * z30 + c2 * z29 - (z20 * z28 + s2 * z26)
+        s3 = k3 * (s1 * z26 + z6 * z31) - m * (c1 * z29 + z3 * z32)
+        z33 = s3 - k * (z1 * (s1 * k1) - z2 * (k1 * (s1 - z6)))
+        s4 = k2 * (c1 * z26) - k3 * (z12 * z31) + k4 * (s1 * z29)
+        z34 = s4 + m * ((c2 * z10 - s2 * z11) * z32)
+        s5 = z34 - k * (z1 * (1.0 + c1) - z2 * (c1 + k1 * z12))
+        z35 = (s5 - z33 * z16) / z18
         dydt: list[float] = [
             # x' (I.2.15)
             c_theta1 * v,
@@ -169,13 +169,13 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
             # theta1' (I.2.15)
             w,
             # theta2' (I.2.15)
-            z22,
+            z21,
             # theta3' (I.2.15)
-            k1 * z23,
+            k1 * z22,
             # v' (I.2.15) 22:4
-            z18 * z36 - z17 * z34,
+            -(z33 * z15 + z16 * z35),
             # w' (I.2.15) 22:4
-            -z36,
+            -z35,
         ]
         return _finish("rhs", dydt)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -282,58 +282,58 @@ def accelerations(
         z11 = c2 * z8 - s2 * z9
         z12 = J * z4 + k3 * (z10 * z10) + z5 * k5 + m * (z11 * z11)
         z13 = c1 * s1
-        z14 = z10 * k3
-        z15 = m * z11
-        z16 = z13 * k4 - (k2 * z13 - z6 * z14) + z3 * z15
-        z17 = 1.0 / z7
-        z18 = z17 * z16
-        z19 = z12 - z16 * z18
+        z14 = z6 * z10
+        z15 = k2 * z13 - k3 * z14 - z13 * k4 + m * z14
+        z16 = 1.0 / z7
+        z17 = z16 * z15
+        z18 = z12 - z15 * z17
         # the mass matrix is singular
-        if not abs(z19) > 1e-14 * z12:
+        if not abs(z18) > 1e-14 * z12:
             raise SingularModelError(2, "accelerations")
         s_theta1 = math.sin(theta1)
-        z20 = v * w
+        z19 = v * w
         c_theta1 = math.cos(theta1)
-        z21 = a * w
-        z22 = v * s1 - c1 * z21
-        z23 = w - k1 * z22
-        z24 = c1 * z23
-        z25 = v * z24
-        z26 = s1 * z23
-        z27 = z21 * z26
-        z28 = z25 + z27
-        v1_x2 = v * c1 + s1 * z21
-        z29 = k1 * (z22 - (s2 * v1_x2 - c2 * z22))
-        z30 = c2 * z29
-        z31 = v1_x2 * z30
-        z32 = v * z26
-        z33 = z21 * z24
-        z34 = z32 - z33
-        z35 = s2 * z29
-        z36 = z22 * z35
-        z37 = z31 - s2 * z34 + (z36 - c2 * z28)
-        z38 = v1_x2 * z35 + c2 * z34 - (z22 * z30 + s2 * z28)
-        s3 = k3 * (s1 * z28 + z6 * z37) - m * (c1 * z34 + z3 * z38)
-        z39 = s3 - k * (k1 * (z1 * s1 - z2 * (s1 - z6)))
-        s4 = k4 * (s1 * z34) + (k2 * (c1 * z28) - z37 * z14) + z38 * z15
-        z40 = k * (z1 * (1.0 + c1) - z2 * (c1 + k1 * z10)) - s4
-        z41 = (z40 - z39 * z18) / z19
-        z42 = z17 * z39 - z18 * z41
-        z43 = a * z41
-        z44 = z25 - s1 * z42 + (z27 + c1 * z43)
-        s5 = z31 - s2 * (z32 + c1 * z42 - (z33 - s1 * z43))
-        z45 = k1 * (s5 + (z36 - c2 * z44))
+        z20 = a * w
+        z21 = v * s1 - c1 * z20
+        z22 = w - k1 * z21
+        z23 = c1 * z22
+        z24 = v * z23
+        z25 = s1 * z22
+        z26 = z20 * z25
+        z27 = z24 + z26
+        v1_x2 = v * c1 + s1 * z20
+        z28 = k1 * (z21 - (s2 * v1_x2 - c2 * z21))
+        z29 = c2 * z28
+        z30 = v1_x2 * z29
+        z31 = v * z25
+        z32 = z20 * z23
+        z33 = z31 - z32
+        z34 = s2 * z28
+        z35 = z21 * z34
+        z36 = z30 - s2 * z33 + (z35 - c2 * z27)
+        z37 = v1_x2 * z34 + c2 * z33 - (z21 * z29 + s2 * z27)
+        s3 = k3 * (s1 * z27 + z6 * z36) - m * (c1 * z33 + z3 * z37)
+        z38 = s3 - k * (k1 * (z1 * s1 - z2 * (s1 - z6)))
+        s4 = k2 * (c1 * z27) - k3 * (z10 * z36) + k4 * (s1 * z33)
+        z39 = s4 + m * (z11 * z37)
+        s5 = z39 - k * (z1 * (1.0 + c1) - z2 * (c1 + k1 * z10))
+        z40 = (s5 - z17 * z38) / z18
+        z41 = z16 * z38 - z17 * z40
+        z42 = a * z40
+        z43 = z24 - s1 * z41 + (z26 - c1 * z42)
+        s6 = z30 - s2 * (z31 + c1 * z41 - (z32 + s1 * z42))
+        z44 = k1 * (s6 + (z35 - c2 * z43))
         qddot: list[float] = [
             # x'' (I.2.15)
-            -(s_theta1 * z20 + c_theta1 * z42),
+            -(s_theta1 * z19 + c_theta1 * z41),
             # y'' (I.2.15)
-            c_theta1 * z20 - s_theta1 * z42,
+            c_theta1 * z19 - s_theta1 * z41,
             # theta1'' (I.2.15)
-            -z41,
+            z40,
             # theta2'' (I.2.15)
-            k1 * z44,
+            k1 * z43,
             # theta3'' (I.2.15)
-            z45,
+            z44,
         ]
         return _finish("accelerations", qddot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -478,52 +478,52 @@ def reactions(
         z11 = c2 * z8 - s2 * z9
         z12 = J * z4 + k3 * (z10 * z10) + z5 * k5 + m * (z11 * z11)
         z13 = c1 * s1
-        z14 = z10 * k3
-        z15 = m * z11
-        z16 = z13 * k4 - (k2 * z13 - z6 * z14) + z3 * z15
-        z17 = 1.0 / z7
-        z18 = z17 * z16
-        z19 = z12 - z16 * z18
+        z14 = z6 * z10
+        z15 = k2 * z13 - k3 * z14 - z13 * k4 + m * z14
+        z16 = 1.0 / z7
+        z17 = z16 * z15
+        z18 = z12 - z15 * z17
         # the mass matrix is singular
-        if not abs(z19) > 1e-14 * z12:
+        if not abs(z18) > 1e-14 * z12:
             raise SingularModelError(2, "reactions")
-        z20 = a * w
-        v1_x2 = v * c1 + s1 * z20
-        z21 = v * s1 - c1 * z20
-        z22 = s2 * v1_x2 - c2 * z21
-        z23 = k1 * (z21 - z22)
-        z24 = s2 * z23
-        z25 = k1 * z21
-        z26 = w - z25
-        z27 = s1 * z26
-        z28 = c1 * z26
-        z29 = v * z27 - z20 * z28
-        z30 = c2 * z23
-        z31 = v * z28 + z20 * z27
-        z32 = v1_x2 * z24 + c2 * z29 - (z21 * z30 + s2 * z31)
-        z33 = v1_x2 * z30 - s2 * z29 + (z21 * z24 - c2 * z31)
-        z34 = s1 * k1
-        s3 = k3 * (s1 * z31 + z6 * z33) - m * (c1 * z29 + z3 * z32)
-        z35 = s3 - k * (z1 * z34 - k1 * (z2 * (s1 - z6)))
+        z19 = a * w
+        v1_x2 = v * c1 + s1 * z19
+        z20 = v * s1 - c1 * z19
+        z21 = s2 * v1_x2 - c2 * z20
+        z22 = k1 * (z20 - z21)
+        z23 = s2 * z22
+        z24 = k1 * z20
+        z25 = w - z24
+        z26 = s1 * z25
+        z27 = c1 * z25
+        z28 = v * z26 - z19 * z27
+        z29 = c2 * z22
+        z30 = v * z27 + z19 * z26
+        z31 = v1_x2 * z23 + c2 * z28 - (z20 * z29 + s2 * z30)
+        z32 = v1_x2 * z29 - s2 * z28 + (z20 * z23 - c2 * z30)
+        z33 = s1 * k1
+        s3 = k3 * (s1 * z30 + z6 * z32) - m * (c1 * z28 + z3 * z31)
+        z34 = s3 - k * (z1 * z33 - k1 * (z2 * (s1 - z6)))
+        s4 = k2 * (c1 * z30) - k3 * (z10 * z32) + k4 * (s1 * z28)
+        z35 = s4 + m * (z11 * z31)
         z36 = k1 * z10
-        s4 = k4 * (s1 * z29) + (k2 * (c1 * z31) - z33 * z14) + z32 * z15
-        z37 = k * (z1 * (1.0 + c1) - z2 * (c1 + z36)) - s4
-        z38 = (z37 - z18 * z35) / z19
-        z39 = z17 * z35 - z18 * z38
-        z40 = m * (z32 + (z3 * z39 + z11 * z38))
-        z41 = k1 * (k * z2 - J * (k1 * z33 - (k1 * (z6 * z39) + z36 * z38)))
-        z42 = s2 * z40 - c2 * z41
-        s5 = k1 * (k * (z1 - z2) - J * (k1 * z31 - (z34 * z39 - c1 * z38)))
-        z43 = z42 + s5
-        s6 = s1 * (m * (z29 + (c1 * z39 + z8 * z38)) + s2 * z41 + c2 * z40)
-        z44 = c1 * z43 - s6
+        s5 = z35 - k * (z1 * (1.0 + c1) - z2 * (c1 + z36)) - z17 * z34
+        z37 = s5 / z18
+        z38 = z16 * z34 - z17 * z37
+        z39 = m * (z31 + (z3 * z38 - z11 * z37))
+        z40 = k1 * (k * z2 - J * (k1 * z32 - (k1 * (z6 * z38) - z36 * z37)))
+        z41 = s2 * z39 - c2 * z40
+        s6 = k1 * (k * (z1 - z2) - J * (k1 * z30 - (z33 * z38 + c1 * z37)))
+        z42 = z41 + s6
+        s7 = s1 * (m * (z28 + (c1 * z38 - z8 * z37)) + s2 * z40 + c2 * z39)
+        z43 = c1 * z42 - s7
         lambda_: list[float] = [
             # reaction of wheel1: Q_i gains lambda_1 a_1i (I.4.1) 25:5
-            m * (v * w) - z44,
+            m * (v * w) - z43,
             # reaction of wheel2: Q_i gains lambda_2 a_2i (I.4.1) 26:5
-            m * (z25 * v1_x2) + z42 + z43,
+            m * (z24 * v1_x2) + z41 + z42,
             # reaction of wheel3: Q_i gains lambda_3 a_3i (I.4.1) 27:5
-            k6 * (z22 * (c2 * v1_x2 + s2 * z21)) + z41,
+            k6 * (z21 * (c2 * v1_x2 + s2 * z20)) + z40,
         ]
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -635,129 +635,130 @@ def jacobian(
         z11 = c2 * z8 - s2 * z9
         z12 = J_2 * z4 + k3 * (z10 * z10) + z5 * k5 + m * (z11 * z11)
         z13 = c1 * s1
-        z14 = z10 * k3
-        z15 = m * z11
-        z16 = z13 * k4 - (k2 * z13 - z6 * z14) + z3 * z15
-        z17 = 1.0 / z7
-        z18 = z17 * z16
-        z19 = z12 - z16 * z18
+        z14 = z6 * z10
+        z15 = k2 * z13 - k3 * z14 - z13 * k4 + m * z14
+        z16 = 1.0 / z7
+        z17 = z16 * z15
+        z18 = z12 - z15 * z17
         # the mass matrix is singular
-        if not abs(z19) > 1e-14 * z12:
+        if not abs(z18) > 1e-14 * z12:
             raise SingularModelError(2, "jacobian")
         s_theta1 = math.sin(theta1)
         c_theta1 = math.cos(theta1)
-        z20 = a * w
-        v1_x2 = v * c1 + s1 * z20
-        z21 = k1 * v1_x2
-        z22 = s1 * k1
-        z23 = v * s1 - c1 * z20
-        z24 = k1 * (c2 * v1_x2 + s2 * z23)
-        z25 = k1 * z10
-        z26 = k1 * (z23 - (s2 * v1_x2 - c2 * z23))
-        z27 = c2 * z26
-        z28 = m * z3
-        z29 = s2 * z26
-        z30 = z6 * k3
-        z31 = z23 * z28 + v1_x2 * z30
-        z32 = v1_x2 * z28 - z23 * z30
-        z33 = k1 * (c2 * z31 - s2 * z32)
-        z34 = m * c1 + c2 * z28 + s2 * z30
-        z35 = s1 * k3 + s2 * z28 - c2 * z30
-        z36 = z20 * z34 + v * z35
-        z37 = z20 * z35 - v * z34
-        z38 = c1 * z36 + s1 * z37
-        z39 = z27 * z28 + z29 * z30 + z33 + c2 * z33 - k1 * z38
-        z40 = z29 * z28 - z27 * z30 + s2 * z33
-        z41 = w - k1 * z23
-        z42 = c1 * z41
-        z43 = s1 * z41
-        z44 = v * z42 + z20 * z43
-        z45 = z2 * k7
-        z46 = 1.0 / z19
-        z47 = 1.0 + c1
-        z48 = c1 + z25
-        z49 = v * z43 - z20 * z42
-        z50 = v1_x2 * z29 + c2 * z49 - (z23 * z27 + s2 * z44)
-        z51 = v1_x2 * z27 - s2 * z49 + (z23 * z29 - c2 * z44)
-        z52 = c1 * k2
-        z53 = s1 * k4
-        s3 = z50 * z15 - (z51 * z14 - z44 * z52 - z49 * z53)
-        z54 = k * (z1 * z47 - z2 * z48) - s3
-        z55 = k1 * (s1 - z6)
-        s4 = k3 * (s1 * z44 + z6 * z51) - m * (c1 * z49 + z3 * z50)
-        z56 = s4 - k * (z1 * z22 - z2 * z55)
-        z57 = z46 * (z54 - z56 * z18)
-        z58 = k6 * z57
-        z59 = z56 * z17 - z18 * z57
-        z60 = k3 * z59
-        z61 = m * z50
-        z62 = m * z57
-        z63 = z11 * z62
-        z64 = m * z59
-        z65 = z3 * z64
-        z66 = z61 + z63 + 2.0 * z65
-        s5 = z41 * z37 + (z44 * k3 + z45 + c1 * z58 - 2.0 * (s1 * z60))
-        z67 = s5 - s2 * z66
-        z68 = z3 * z62
-        z69 = k3 * z57
-        z70 = z6 * z69
-        z71 = z51 * k3
-        z72 = z10 * z69
-        z73 = z6 * z60
-        z74 = z71 - z45 - z72 - 2.0 * z73
-        s6 = v * z39 - (z20 * z40 - z67) - a * (c2 * z68 + s2 * z70)
-        z75 = s6 - c2 * z74
-        s7 = z41 * z36 - (m * z49 - s1 * z58 + 2.0 * (c1 * z64))
-        z76 = z20 * z39 - (s7 - c2 * z66)
-        s8 = s1 * (v * z40 + z76 - a * (s2 * z68 - c2 * z70) - s2 * z74)
-        z77 = k * z22 + c1 * (z1 * k7 - z75) - s8
-        z78 = z23 * z15 + v1_x2 * z14
-        z79 = v1_x2 * z15 - z23 * z14
-        z80 = k1 * (c2 * z78 - s2 * z79)
-        z81 = z53 + c2 * z15 + s2 * z14
-        z82 = z52 - s2 * z15 + c2 * z14
-        z83 = z20 * z81 - v * z82
-        z84 = z20 * z82 + v * z81
-        z85 = c1 * z83 - s1 * z84
-        z86 = z27 * z15 + z29 * z14 + z80 + c2 * z80 - k1 * z85
-        z87 = z29 * z15 - z27 * z14 + s2 * z80
-        z88 = k6 * z59
-        z89 = z11 * z64
-        s9 = z41 * z84 + (z49 * k4 - c1 * z88 + 2.0 * (k5 * (s1 * z57)))
-        z90 = s9 + s2 * z89
-        z91 = z65 + (z61 + 2.0 * z63)
-        z92 = z45 + (z73 - (z71 - 2.0 * z72))
-        z93 = z10 * z60
-        s10 = v * z86 - (z20 * z87 + z90) - a * (c2 * z91 + s2 * z92)
-        z94 = s10 + c2 * z93
-        s11 = k * (z1 - z2) - z44 * k2 + s1 * z88
-        z95 = z41 * z83 + (s11 - 2.0 * (J_2 * (c1 * z57)))
-        s12 = v * z87 + (z20 * z86 - (z95 - c2 * z89))
-        z96 = s12 - a * (s2 * z91 - c2 * z92)
-        z97 = k * z47 + c1 * z94 + s1 * (z96 + s2 * z93)
-        z98 = z46 * (z97 + z18 * z77)
-        s13 = z44 * z28 - z49 * z30 - z26 * z32 + z9 * z68 - s1 * z66
-        z99 = v1_x2 * z33 - s13
-        s14 = z49 * z28 + z44 * z30 - z26 * z31 + z8 * z68 + c1 * z66
-        z100 = z23 * z33 - s14
-        s15 = k * z55 - c2 * (z99 + z8 * z70 - c1 * z74)
-        z101 = s15 - s2 * (z100 - z9 * z70 - s1 * z74)
-        z102 = z77 + z101
-        s16 = z44 * z15 - z49 * z14 - z26 * z79 + z9 * z91 - s1 * z89
-        z103 = v1_x2 * z80 - s16
-        s17 = z49 * z15 + z44 * z14 - z26 * z78 + z8 * z91 + c1 * z89
-        z104 = z23 * z80 - s17
-        s18 = k * z48 + c2 * (z103 + z8 * z92 + c1 * z93)
-        z105 = s18 + s2 * (z104 - z9 * z92 + s1 * z93)
-        z106 = z46 * (z97 + z105 + z18 * z102)
-        z107 = z46 * (z105 + z18 * z101)
-        z108 = z42 * z35 - z43 * z34 + s1 * z39 - c1 * z40
-        s19 = z42 * z82 + z43 * z81 - s1 * z86 + c1 * z87 + z18 * z108
-        z109 = z46 * s19
-        z110 = z38 + a * (z42 * z34 + z43 * z35 - s1 * z40 - c1 * z39)
-        s20 = z85 + a * (z42 * z81 - z43 * z82 - s1 * z87 - c1 * z86)
-        z111 = s20 - z18 * z110
-        z112 = z46 * z111
+        z19 = a * w
+        v1_x2 = v * c1 + s1 * z19
+        z20 = k1 * v1_x2
+        z21 = s1 * k1
+        z22 = v * s1 - c1 * z19
+        z23 = k1 * (c2 * v1_x2 + s2 * z22)
+        z24 = k1 * z10
+        z25 = k1 * (z22 - (s2 * v1_x2 - c2 * z22))
+        z26 = c2 * z25
+        z27 = m * z3
+        z28 = s2 * z25
+        z29 = z6 * k3
+        z30 = z22 * z27 + v1_x2 * z29
+        z31 = v1_x2 * z27 - z22 * z29
+        z32 = k1 * (c2 * z30 - s2 * z31)
+        z33 = m * c1 + c2 * z27 + s2 * z29
+        z34 = s1 * k3 + s2 * z27 - c2 * z29
+        z35 = z19 * z33 + v * z34
+        z36 = z19 * z34 - v * z33
+        z37 = c1 * z35 + s1 * z36
+        z38 = z26 * z27 + z28 * z29 + z32 + c2 * z32 - k1 * z37
+        z39 = z28 * z27 - z26 * z29 + s2 * z32
+        z40 = w - k1 * z22
+        z41 = c1 * z40
+        z42 = s1 * z40
+        z43 = v * z41 + z19 * z42
+        z44 = z2 * k7
+        z45 = 1.0 / z18
+        z46 = v * z42 - z19 * z41
+        z47 = v1_x2 * z26 - s2 * z46 + (z22 * z28 - c2 * z43)
+        z48 = v1_x2 * z28 + c2 * z46 - (z22 * z26 + s2 * z43)
+        z49 = k1 * (s1 - z6)
+        s3 = k3 * (s1 * z43 + z6 * z47) - m * (c1 * z46 + z3 * z48)
+        z50 = s3 - k * (z1 * z21 - z2 * z49)
+        z51 = 1.0 + c1
+        z52 = c1 + z24
+        z53 = c1 * k2
+        z54 = z10 * k3
+        z55 = s1 * k4
+        z56 = m * z11
+        s4 = z43 * z53 - z47 * z54 + z46 * z55 + z48 * z56
+        z57 = k * (z1 * z51 - z2 * z52) - s4
+        z58 = z45 * (z50 * z17 + z57)
+        z59 = k6 * z58
+        z60 = z50 * z16 + z17 * z58
+        z61 = k3 * z60
+        z62 = m * z48
+        z63 = m * z58
+        z64 = z11 * z63
+        z65 = m * z60
+        z66 = z3 * z65
+        z67 = z62 + z64 + 2.0 * z66
+        s5 = z40 * z36 + (z43 * k3 + z44 + c1 * z59 - 2.0 * (s1 * z61))
+        z68 = s5 - s2 * z67
+        z69 = z3 * z63
+        z70 = k3 * z58
+        z71 = z6 * z70
+        z72 = z47 * k3
+        z73 = z10 * z70
+        z74 = z6 * z61
+        z75 = z72 - z44 - z73 - 2.0 * z74
+        s6 = v * z38 - (z19 * z39 - z68) - a * (c2 * z69 + s2 * z71)
+        z76 = s6 - c2 * z75
+        s7 = z40 * z35 - (m * z46 - s1 * z59 + 2.0 * (c1 * z65))
+        z77 = z19 * z38 - (s7 - c2 * z67)
+        s8 = s1 * (v * z39 + z77 - a * (s2 * z69 - c2 * z71) - s2 * z75)
+        z78 = k * z21 + c1 * (z1 * k7 - z76) - s8
+        z79 = z22 * z56 + v1_x2 * z54
+        z80 = v1_x2 * z56 - z22 * z54
+        z81 = k1 * (c2 * z79 - s2 * z80)
+        z82 = z55 + c2 * z56 + s2 * z54
+        z83 = z53 - s2 * z56 + c2 * z54
+        z84 = z19 * z82 - v * z83
+        z85 = z19 * z83 + v * z82
+        z86 = c1 * z84 - s1 * z85
+        z87 = z26 * z56 + z28 * z54 + z81 + c2 * z81 - k1 * z86
+        z88 = z28 * z56 - z26 * z54 + s2 * z81
+        z89 = k6 * z60
+        z90 = z11 * z65
+        s9 = z40 * z85 + (z46 * k4 - c1 * z89 + 2.0 * (k5 * (s1 * z58)))
+        z91 = s9 + s2 * z90
+        z92 = z66 + (z62 + 2.0 * z64)
+        z93 = z44 + (z74 - (z72 - 2.0 * z73))
+        z94 = z10 * z61
+        s10 = v * z87 - (z19 * z88 + z91) - a * (c2 * z92 + s2 * z93)
+        z95 = s10 + c2 * z94
+        s11 = k * (z1 - z2) - z43 * k2 + s1 * z89
+        z96 = z40 * z84 + (s11 - 2.0 * (J_2 * (c1 * z58)))
+        s12 = v * z88 + (z19 * z87 - (z96 - c2 * z90))
+        z97 = s12 - a * (s2 * z92 - c2 * z93)
+        z98 = k * z51 + c1 * z95 + s1 * (z97 + s2 * z94)
+        z99 = z45 * (z98 - z17 * z78)
+        s13 = z43 * z27 - z46 * z29 - z25 * z31 + z9 * z69 - s1 * z67
+        z100 = v1_x2 * z32 - s13
+        s14 = z46 * z27 + z43 * z29 - z25 * z30 + z8 * z69 + c1 * z67
+        z101 = z22 * z32 - s14
+        s15 = k * z49 - c2 * (z100 + z8 * z71 - c1 * z75)
+        z102 = s15 - s2 * (z101 - z9 * z71 - s1 * z75)
+        z103 = z78 + z102
+        s16 = z43 * z56 - z46 * z54 - z25 * z80 + z9 * z92 - s1 * z90
+        z104 = v1_x2 * z81 - s16
+        s17 = z46 * z56 + z43 * z54 - z25 * z79 + z8 * z92 + c1 * z90
+        z105 = z22 * z81 - s17
+        s18 = k * z52 + c2 * (z104 + z8 * z93 + c1 * z94)
+        z106 = s18 + s2 * (z105 - z9 * z93 + s1 * z94)
+        z107 = z45 * (z98 + z106 - z17 * z103)
+        z108 = z45 * (z106 - z17 * z102)
+        z109 = z41 * z34 - z42 * z33 + s1 * z38 - c1 * z39
+        s19 = z41 * z83 + z42 * z82 - s1 * z87 + c1 * z88 - z17 * z109
+        z110 = z45 * s19
+        z111 = z37 + a * (z41 * z33 + z42 * z34 - s1 * z39 - c1 * z38)
+        s20 = z86 + a * (z41 * z82 - z42 * z83 - s1 * z88 - c1 * z87)
+        z112 = s20 + z17 * z111
+        z113 = z45 * z112
         J: list[float] = [
             0.0,
             0.0,
@@ -788,50 +789,50 @@ def jacobian(
             0.0,
             0.0,
             # (I.2.15)
-            z21,
+            z20,
             # (I.2.15)
-            -z21,
+            -z20,
             0.0,
             # (I.2.15)
-            z22,
+            z21,
             # (I.2.15)
             -c1,
             0.0,
             0.0,
             # (I.2.15)
-            -z24,
+            -z23,
             # (I.2.15)
-            2.0 * z24,
+            2.0 * z23,
             # (I.2.15)
-            -z24,
+            -z23,
             # (I.2.15)
             k1 * z6,
             # (I.2.15)
-            z25,
+            z24,
             0.0,
             0.0,
             # (I.2.15)
-            z17 * z77 + z18 * z98,
+            z16 * z78 - z17 * z99,
             # (I.2.15)
-            -(z17 * z102 + z18 * z106),
+            z17 * z107 - z16 * z103,
             # (I.2.15)
-            z17 * z101 + z18 * z107,
+            z16 * z102 - z17 * z108,
             # (I.2.15)
-            -(z17 * z108 + z18 * z109),
+            z17 * z110 - z16 * z109,
             # (I.2.15)
-            z18 * z112 - z17 * z110,
+            -(z16 * z111 + z17 * z113),
             0.0,
             0.0,
             # (I.2.15)
-            -z98,
+            -z99,
             # (I.2.15)
-            z106,
+            z107,
             # (I.2.15)
-            -z107,
+            -z108,
             # (I.2.15)
-            z109,
+            z110,
             # (I.2.15)
-            -z112,
+            -z113,
         ]
         _finish("jacobian", J)
         return [J[k8 : k8 + 7] for k8 in range(0, 49, 7)]

@@ -1,5 +1,5 @@
 /*
- * n_trailer3.h: n_trailer3, emitted by nhc 0.1.0 (nhc:b2332676f8954abb)
+ * n_trailer3.h: n_trailer3, emitted by nhc 0.1.0 (nhc:f91889c166952a7e)
  * A tractor with three trailers, each hitched to the axle before it; none of the four axles slips sideways.
  * Source: n_trailer3.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -33,14 +33,14 @@
  * out[1] = tail_y
  *
  * Operations:
- * rhs: 21 +-, 39 *, 2 /, 8 calls
+ * rhs: 17 +-, 31 *, 2 /, 8 calls
  * velocities: 3 +-, 8 *, 1 /, 7 calls
- * accelerations: 26 +-, 50 *, 2 /, 8 calls
+ * accelerations: 24 +-, 47 *, 2 /, 8 calls
  * state: 1 +-, 2 *, 0 /, 2 calls
  * residuals: 10 +-, 17 *, 0 /, 8 calls
- * reactions: 40 +-, 78 *, 2 /, 6 calls
- * energy: 24 +-, 46 *, 1 /, 8 calls
- * jacobian: 68 +-, 141 *, 2 /, 8 calls
+ * reactions: 38 +-, 75 *, 2 /, 6 calls
+ * energy: 23 +-, 45 *, 1 /, 8 calls
+ * jacobian: 66 +-, 138 *, 2 /, 8 calls
  * outputs: 6 +-, 2 *, 0 /, 6 calls
  *
  * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.

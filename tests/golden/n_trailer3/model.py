@@ -1,4 +1,4 @@
-"""n_trailer3, emitted by nhc 0.1.0 (nhc:f71ea5cbfb80919d).
+"""n_trailer3, emitted by nhc 0.1.0 (nhc:5d3f1dce4351a589).
 
 A tractor with three trailers, each hitched to the axle before it; none of the four
     axles slips sideways.
@@ -34,14 +34,14 @@ out[0] = tail_x
 out[1] = tail_y
 
 Operations:
-rhs: 21 +-, 39 *, 2 /, 8 calls
+rhs: 17 +-, 31 *, 2 /, 8 calls
 velocities: 3 +-, 8 *, 1 /, 7 calls
-accelerations: 26 +-, 50 *, 2 /, 8 calls
+accelerations: 24 +-, 47 *, 2 /, 8 calls
 state: 1 +-, 2 *, 0 /, 2 calls
 residuals: 10 +-, 17 *, 0 /, 8 calls
-reactions: 40 +-, 78 *, 2 /, 6 calls
-energy: 24 +-, 46 *, 1 /, 8 calls
-jacobian: 68 +-, 141 *, 2 /, 8 calls
+reactions: 38 +-, 75 *, 2 /, 6 calls
+energy: 23 +-, 45 *, 1 /, 8 calls
+jacobian: 66 +-, 138 *, 2 /, 8 calls
 outputs: 6 +-, 2 *, 0 /, 6 calls
 
 A singular point raises SingularModelError.
@@ -141,15 +141,11 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         s_theta0 = math.sin(theta0)
         z9 = v * k1
         z10 = s2 * z9
-        z11 = (z6 - z5) * z9
-        z12 = s2 * (w - z10)
-        z13 = (s2 - z6) * z9
-        z14 = c2 * z12 + z6 * z13
-        z15 = c1 * z12
-        s5 = z15 - z6 * (s3 * z12 - z4 * z13)
-        z16 = k2 * (z5 * (z7 * z11 - s1 * z14) + s5)
-        s6 = z16 - m * (z7 * (z5 * z11 + c3 * z14) + (z15 + z4 * z14))
-        z17 = v * s6 / z8
+        z11 = z6 * z9
+        z12 = z5 * z9
+        z13 = s2 * (w - z10)
+        z14 = c2 * z13 + (s2 - z6) * z11
+        z15 = z7 * ((z6 - z5) * z12 + c3 * z14)
         dydt: list[float] = [
             # x' (I.2.15)
             c_theta0 * v,
@@ -160,11 +156,11 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
             # theta1' (I.2.15)
             z10,
             # theta2' (I.2.15)
-            z6 * z9,
+            z11,
             # theta3' (I.2.15)
-            z5 * z9,
+            z12,
             # v' (I.2.15) 30:4
-            -z17,
+            (m * (z15 + (c1 * z13 + z4 * z14)) - k2 * z15) * (v / z8),
             # w' (I.2.15) 30:4
             0.0,
         ]
@@ -287,26 +283,23 @@ def accelerations(
         z14 = s2 * z13
         z15 = (s2 - z6) * z10
         z16 = c2 * z14 + z6 * z15
-        z17 = z7 * z11 - s1 * z16
+        z17 = z7 * (z5 * z11 + c3 * z16)
         z18 = c1 * z13
-        z19 = s3 * z14 - z4 * z15
-        s5 = m * (z7 * (z5 * z11 + c3 * z16) + (c1 * z14 + z4 * z16))
-        z20 = k2 * (z5 * z17 + (s2 * z18 - z6 * z19)) - s5
-        z21 = v * z20 / z8
-        z22 = k1 * z21
+        z19 = v / z8 * (k2 * z17 - m * (z17 + (s2 * z18 + z4 * z16)))
+        z20 = k1 * z19
         qddot: list[float] = [
             # x'' (I.2.15)
-            -(s_theta0 * z9 + c_theta0 * z21),
+            -(s_theta0 * z9 + c_theta0 * z19),
             # y'' (I.2.15)
-            c_theta0 * z9 - s_theta0 * z21,
+            c_theta0 * z9 - s_theta0 * z19,
             # theta0'' (I.2.15)
             0.0,
             # theta1'' (I.2.15)
-            z18 * z10 - z12 * z21,
+            z18 * z10 - z12 * z19,
             # theta2'' (I.2.15)
-            -(z10 * z19 + z6 * z22),
+            -(z10 * (s3 * z14 - z4 * z15) + z6 * z20),
             # theta3'' (I.2.15)
-            z10 * z17 - z5 * z22,
+            z10 * (z7 * z11 - s1 * z16) - z5 * z20,
         ]
         return _finish("accelerations", qddot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -467,32 +460,29 @@ def reactions(
         z15 = s2 * z11
         z16 = (s2 - z6) * z13
         z17 = c2 * z15 + z6 * z16
-        z18 = z7 * z14 - s1 * z17
-        z19 = s3 * z15 - z4 * z16
-        z20 = z5 * z14 + c3 * z17
-        s5 = k3 * (z5 * z18 + (s2 * z12 - z6 * z19))
-        z21 = s5 - m * (z7 * z20 + (c1 * z15 + z4 * z17))
-        z22 = v * z21 / z8
-        z23 = k2 * (z12 * z13 - z9 * z22)
-        z24 = k1 * z6
-        z25 = k2 * (z13 * z19 + z24 * z22)
-        z26 = k1 * z5
-        z27 = k2 * (z13 * z18 - z26 * z22)
-        z28 = m * (v * z20 + z7 * z22)
-        z29 = m * (v * z17 + z4 * z22) - s1 * z27 + c3 * z28
-        s6 = s2 * (m * (v * z15 + c1 * z22) + s3 * z25 + c2 * z29)
-        z30 = m0 * (v * w) + c1 * z23 + s6
-        z31 = m * v
-        z32 = v * z31
+        z18 = z5 * z14 + c3 * z17
+        z19 = z7 * z18
+        z20 = v / z8 * (k3 * z19 - m * (z19 + (s2 * z12 + z4 * z17)))
+        z21 = k2 * (z12 * z13 - z9 * z20)
+        z22 = k1 * z6
+        z23 = k2 * (z13 * (s3 * z15 - z4 * z16) + z22 * z20)
+        z24 = k1 * z5
+        z25 = k2 * (z13 * (z7 * z14 - s1 * z17) - z24 * z20)
+        z26 = m * (v * z18 + z7 * z20)
+        z27 = m * (v * z17 + z4 * z20) - s1 * z25 + c3 * z26
+        s5 = s2 * (m * (v * z15 + c1 * z20) + s3 * z23 + c2 * z27)
+        z28 = m0 * (v * w) + c1 * z21 + s5
+        z29 = m * v
+        z30 = v * z29
         lambda_: list[float] = [
             # reaction of axle0: Q_i gains lambda_1 a_1i (I.4.1) 32:5
-            z30,
+            z28,
             # reaction of axle1: Q_i gains lambda_2 a_2i (I.4.1) 33:5
-            z10 * (c1 * z31) - z23 - c2 * z25 + s3 * z29,
+            z10 * (c1 * z29) - z21 - c2 * z23 + s3 * z27,
             # reaction of axle2: Q_i gains lambda_3 a_3i (I.4.1) 34:5
-            z4 * (z24 * z32) + z25 + c3 * z27 + s1 * z28,
+            z4 * (z22 * z30) + z23 + c3 * z25 + s1 * z26,
             # reaction of axle3: Q_i gains lambda_4 a_4i (I.4.1) 35:5
-            z7 * (z26 * z32) - z27,
+            z7 * (z24 * z30) - z25,
         ]
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -531,21 +521,22 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
         s_theta1 = math.sin(theta1)
         s_theta0 = math.sin(theta0)
         z3 = c_theta1 * c_theta0 + s_theta1 * s_theta0
-        z4 = c_theta1 * c_theta2 + s_theta1 * s_theta2
-        z5 = c_theta1 * s_theta0 - s_theta1 * c_theta0
+        z4 = z3 * z3
+        z5 = c_theta1 * c_theta2 + s_theta1 * s_theta2
         z6 = s_theta1 * c_theta2 - c_theta1 * s_theta2
-        z7 = c_theta1 * z5
-        z8 = s_theta1 * z5
-        z9 = z3 * z6
-        s1 = c_theta3 * (s_theta0 - (z7 + c_theta2 * z9))
-        s2 = s1 - s_theta3 * (c_theta0 + (z8 + s_theta2 * z9))
-        z10 = (s_theta2 * c_theta3 - c_theta2 * s_theta3) * s2
-        s3 = z6 * (c_theta2 * (s_theta0 - z7) - s_theta2 * (c_theta0 + z8))
-        s4 = z4 * (z10 + 0.5 * (z3 * (z4 * (1.0 + z2))))
-        z11 = 0.5 * z3 + 2.0 * s3 + s4
-        s5 = 0.5 * (m0 + k1 * (1.0 - z2 * (z3 * z3 * (z4 * z4))))
-        z12 = s5 + m * (3.0 * (1.0 - z5 * z5) - z3 * z11)
-        value1 = 0.5 * (J0 * (w * w)) + v * v * z12
+        z7 = c_theta1 * s_theta0 - s_theta1 * c_theta0
+        z8 = c_theta1 * z7
+        z9 = s_theta1 * z7
+        z10 = z3 * z6
+        s1 = c_theta3 * (s_theta0 - (z8 + c_theta2 * z10))
+        s2 = s1 - s_theta3 * (c_theta0 + (z9 + s_theta2 * z10))
+        z11 = (s_theta2 * c_theta3 - c_theta2 * s_theta3) * s2
+        s3 = z6 * (c_theta2 * (s_theta0 - z8) - s_theta2 * (c_theta0 + z9))
+        s4 = z5 * (z11 + 0.5 * (z3 * (z5 * (1.0 + z2))))
+        z12 = 0.5 * z3 + 2.0 * s3 + s4
+        s5 = 0.5 * (m0 + k1 * (1.0 - z2 * (z4 * (z5 * z5))))
+        z13 = s5 + m * (3.0 * z4 - z3 * z12)
+        value1 = 0.5 * (J0 * (w * w)) + v * v * z13
         return _single("energy", value1)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
         raise SingularModelError(NOT_FINITE, "energy") from error
@@ -610,7 +601,7 @@ def jacobian(
         z13 = c2 * z10
         z14 = s2 * c2
         z15 = s1 * z9
-        z16 = z7 * z9
+        z16 = c3 * z13
         z17 = 1.0 / z8
         z18 = v * k2
         z19 = s2 * z18
@@ -622,46 +613,44 @@ def jacobian(
         z25 = c1 * z20 + c2 * z23 + s3 * z24
         z26 = c1 * z19 - s2 * z25
         z27 = w - v * z11
-        z28 = c1 * z27
-        z29 = k1 * (z6 - z5)
-        z30 = v * z29
-        z31 = c3 * z30
-        z32 = s2 * z27
-        z33 = k1 * (s2 - z6)
+        z28 = c1 * z24
+        z29 = c1 * z23
+        z30 = c2 * z28 - s3 * z29
+        z31 = z9 * z30
+        z32 = c1 * z27
+        z33 = k1 * (z6 - z5)
         z34 = v * z33
-        z35 = s3 * z34
-        z36 = c2 * z32 + c1 * z35
-        z37 = z4 * z31 - s1 * z36
-        z38 = c2 * z34
-        z39 = s3 * z32 - c1 * z38
-        z40 = s1 * z30
-        z41 = z4 * z40 + c3 * z36
-        s5 = k2 * (z5 * z37 + (s2 * z28 - z6 * z39))
-        z42 = s5 - m * (z7 * z41 + (c1 * z32 + z4 * z36))
-        z43 = v * z42 * z17
-        z44 = k2 * z43
-        z45 = c1 * z24
-        z46 = c1 * z23
-        z47 = c2 * z45 - s3 * z46
-        z48 = z9 * z47
-        z49 = m * z43
-        z50 = z41 * z20 + 2.0 * (z7 * z49)
-        z51 = z4 * z22
-        z52 = z4 * z21
-        z53 = c3 * z51 - s1 * z52
-        z54 = z9 * z53
-        z55 = z37 * z18 - 2.0 * (z5 * z44) - z54
-        s6 = z31 * z22 - (z40 * z21 + (z36 * z20 + 2.0 * (z4 * z49)))
-        z56 = s6 - c3 * z50 + s1 * z55
-        s7 = z38 * z24 - (z35 * z23 + (z32 * z20 + 2.0 * (c1 * z49)))
-        z57 = z27 * z19 + s7 + c2 * z56
-        z58 = z48 + (z39 * z18 + 2.0 * (z6 * z44) - z54)
-        s8 = z9 * z26 + (z27 * z25 - (z28 * z18 - 2.0 * (s2 * z44) + z48))
-        z59 = c1 * s8 + s2 * (z57 - s3 * z58)
-        s9 = c2 * (z32 * z24 + z34 * z46 + c1 * z58)
-        z60 = s9 - s3 * (z32 * z23 - z34 * z45 - c1 * z56)
-        s10 = s1 * (z36 * z21 - z30 * z51 + z4 * z50)
-        z61 = s10 - c3 * (z36 * z22 + z30 * z52 - z4 * z55)
+        z35 = s1 * z34
+        z36 = s2 * z27
+        z37 = k1 * (s2 - z6)
+        z38 = v * z37
+        z39 = s3 * z38
+        z40 = c2 * z36 + c1 * z39
+        z41 = z4 * z35 + c3 * z40
+        z42 = z7 * z41
+        z43 = k2 * z42 - m * (z42 + (s2 * z32 + z4 * z40))
+        z44 = z43 * (v * z17)
+        z45 = k2 * z44
+        z46 = c2 * z38
+        z47 = m * z44
+        z48 = c3 * z34
+        z49 = z41 * z20 + 2.0 * (z7 * z47)
+        z50 = z4 * z22
+        z51 = z4 * z21
+        z52 = c3 * z50 - s1 * z51
+        z53 = z9 * z52
+        z54 = z53 - ((z4 * z48 - s1 * z40) * z18 - 2.0 * (z5 * z45))
+        s5 = z48 * z22 - (z35 * z21 + (z40 * z20 + 2.0 * (z4 * z47)))
+        z55 = s5 - c3 * z49 - s1 * z54
+        s6 = z46 * z24 - (z39 * z23 + (z36 * z20 + 2.0 * (c1 * z47)))
+        z56 = z27 * z19 + s6 + c2 * z55
+        z57 = z31 - (z53 - ((s3 * z36 - c1 * z46) * z18 + 2.0 * (z6 * z45)))
+        s7 = z27 * z25 - (z31 + (z32 * z18 - 2.0 * (s2 * z45)))
+        z58 = c1 * (z9 * z26 + s7) + s2 * (z56 - s3 * z57)
+        s8 = c2 * (z36 * z24 + z38 * z29 + c1 * z57)
+        z59 = s8 - s3 * (z36 * z23 - z38 * z28 - c1 * z55)
+        s9 = c3 * (z40 * z22 + z34 * z51 + z4 * z54)
+        z60 = s9 - s1 * (z40 * z21 - z34 * z50 + z4 * z49)
         J: list[float] = [
             0.0,
             0.0,
@@ -731,15 +720,15 @@ def jacobian(
             0.0,
             0.0,
             # (I.2.15)
-            z17 * z59,
+            z17 * z58,
+            # (I.2.15)
+            (z59 - z58) * z17,
             # (I.2.15)
             (z60 - z59) * z17,
             # (I.2.15)
-            -z17 * (z60 + z61),
+            -z17 * z60,
             # (I.2.15)
-            z17 * z61,
-            # (I.2.15)
-            (z11 * z26 - (z42 + z29 * z53 + z33 * z47)) * z17,
+            z17 * (z11 * z26 - (z37 * z30 + (z43 + z33 * z52))),
             # (I.2.15)
             -z17 * z26,
             0.0,

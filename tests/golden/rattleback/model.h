@@ -1,5 +1,5 @@
 /*
- * rattleback.h: rattleback, emitted by nhc 0.1.0 (nhc:ced046f01f51151b)
+ * rattleback.h: rattleback, emitted by nhc 0.1.0 (nhc:0ff33e0f30b90faf)
  * A loaded ellipsoid that rolls on a plane and prefers one sense of spin (celt, wobblestone).
  * Source: rattleback.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -36,14 +36,14 @@
  * out[0] = spin
  *
  * Operations:
- * rhs: 84 +-, 148 *, 5 /, 7 calls
- * velocities: 17 +-, 46 *, 2 /, 7 calls
- * accelerations: 124 +-, 194 *, 5 /, 7 calls
+ * rhs: 64 +-, 119 *, 5 /, 7 calls
+ * velocities: 15 +-, 42 *, 2 /, 7 calls
+ * accelerations: 98 +-, 163 *, 5 /, 7 calls
  * state: 3 +-, 6 *, 0 /, 4 calls
  * residuals: 18 +-, 40 *, 1 /, 7 calls
- * reactions: 106 +-, 184 *, 5 /, 7 calls
- * energy: 25 +-, 60 *, 2 /, 7 calls
- * jacobian: 530 +-, 755 *, 5 /, 7 calls
+ * reactions: 86 +-, 155 *, 5 /, 7 calls
+ * energy: 19 +-, 48 *, 1 /, 7 calls
+ * jacobian: 453 +-, 680 *, 5 /, 7 calls
  * outputs: 0 +-, 0 *, 0 /, 1 calls
  *
  * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.

@@ -1,5 +1,5 @@
 /*
- * roller_racer.c: roller_racer, emitted by nhc 0.1.0 (nhc:28a9ceda9a71fd9e)
+ * roller_racer.c: roller_racer, emitted by nhc 0.1.0 (nhc:9bdf484108f8ea5e)
  * Two wheeled bodies with a hinge; it is driven by moving the hinge to and fro.
  * Source: roller_racer.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -224,15 +224,15 @@ int roller_racer_rhs(double t, const double *y, const double *p, double *dydt)
 
     /* state */
     const double z1 = m + k3 * (s_phi * s_phi);
-    const double z2 = d2 + d1 * c_phi;
-    const double z3 = 1.0 - z2 * k1;
+    const double z2 = d1 * c_phi;
+    const double z3 = z2 * k1;
     const double z4 = I1 + I2 * (z3 * z3);
-    const double z5 = z3 * k2;
+    const double z5 = k2 * z3;
     const double z6 = s_phi * z5;
     const double z7 = 1.0 / z1;
     const double z8 = z7 * z6;
     const double z9 = z4 - z6 * z8;
-    const double z10 = k1 * (theta_dot * z2 - v * s_phi);
+    const double z10 = k1 * (theta_dot * (d2 + z2) - v * s_phi);
     const double z11 = d1 * (z10 * (theta_dot * s_phi)) + z10 * (c_phi * v);
     const double z12 = k3 * (s_phi * z11);
     const double z13 = (z11 * z5 - z12 * z8) / z9;
@@ -243,9 +243,9 @@ int roller_racer_rhs(double t, const double *y, const double *p, double *dydt)
     dydt[3] = -z10; /* phi' */
     /* (I.2.15) 17:4 */
     dydt[4] = z7 * z12 - z8 * z13; /* v' */
-    dydt[5] = z13; /* theta'' */
+    dydt[5] = -z13; /* theta'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(dydt[0] + dydt[4]) <= DBL_MAX && fabs(z9) > 1e-14 * z4)) {
+    if (!(fabs(dydt[0] + dydt[4] + dydt[5]) <= DBL_MAX && fabs(z9) > 1e-14 * z4)) {
         /* the coframe is singular */
         if (!(fabs(d2) > 0.0)) {
             return ROLLER_RACER_SINGULAR_1;
@@ -660,10 +660,10 @@ static __attribute__((noinline)) void roller_racer_rhs_lanes(const double *fixed
     const roller_racer_lanes s_phi = sine1;
     const roller_racer_lanes z1 = m + k3 * (s_phi * s_phi);
     const roller_racer_lanes c_phi = cosine1;
-    const roller_racer_lanes z2 = d2 + d1 * c_phi;
-    const roller_racer_lanes z3 = 1.0 - z2 * k1;
+    const roller_racer_lanes z2 = d1 * c_phi;
+    const roller_racer_lanes z3 = z2 * k1;
     const roller_racer_lanes z4 = I1 + I2 * (z3 * z3);
-    const roller_racer_lanes z5 = z3 * k2;
+    const roller_racer_lanes z5 = k2 * z3;
     const roller_racer_lanes z6 = s_phi * z5;
     const roller_racer_lanes z7 = 1.0 / z1;
     const roller_racer_lanes z8 = z7 * z6;
@@ -674,7 +674,7 @@ static __attribute__((noinline)) void roller_racer_rhs_lanes(const double *fixed
     roller_racer_turn_lanes(ROLLER_RACER_SPREAD(theta), &far, &sine2, &cosine2);
     const roller_racer_lanes c_theta = cosine2;
     const roller_racer_lanes s_theta = sine2;
-    const roller_racer_lanes z10 = k1 * (theta_dot * z2 - v * s_phi);
+    const roller_racer_lanes z10 = k1 * (theta_dot * (d2 + z2) - v * s_phi);
     const roller_racer_lanes z11 = d1 * (z10 * (theta_dot * s_phi)) + z10 * (c_phi * v);
     const roller_racer_lanes z12 = k3 * (s_phi * z11);
     const roller_racer_lanes z13 = (z11 * z5 - z12 * z8) / z9;
@@ -692,7 +692,8 @@ static __attribute__((noinline)) void roller_racer_rhs_lanes(const double *fixed
     const roller_racer_lanes slope5 = z7 * z12 - z8 * z13;
     sum += slope5;
     roller_racer_put(dydt + 4 * stride, slope5);
-    const roller_racer_lanes slope6 = z13;
+    const roller_racer_lanes slope6 = -z13;
+    sum += slope6;
     roller_racer_put(dydt + 5 * stride, slope6);
     roller_racer_put(check, roller_racer_mark(far + (sum - sum), bad));
 }

@@ -1,5 +1,5 @@
 /*
- * roller_racer.h: roller_racer, emitted by nhc 0.1.0 (nhc:458e9a35bcb8b517)
+ * roller_racer.h: roller_racer, emitted by nhc 0.1.0 (nhc:f2d28328b42124a8)
  * Two wheeled bodies with a hinge; it is driven by moving the hinge to and fro.
  * Source: roller_racer.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -29,7 +29,7 @@
  * out[0] = speed
  *
  * Operations:
- * rhs: 9 +-, 28 *, 3 /, 4 calls
+ * rhs: 8 +-, 28 *, 3 /, 4 calls
  * velocities: 2 +-, 6 *, 1 /, 4 calls
  * accelerations: 14 +-, 34 *, 3 /, 4 calls
  * state: 1 +-, 2 *, 0 /, 2 calls

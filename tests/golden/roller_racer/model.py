@@ -1,4 +1,4 @@
-"""roller_racer, emitted by nhc 0.1.0 (nhc:65cad4d44a035dd1).
+"""roller_racer, emitted by nhc 0.1.0 (nhc:02cb297b181c6648).
 
 Two wheeled bodies with a hinge; it is driven by moving the hinge to and fro.
 Source: roller_racer.yaml
@@ -29,7 +29,7 @@ Outputs:
 out[0] = speed
 
 Operations:
-rhs: 9 +-, 28 *, 3 /, 4 calls
+rhs: 8 +-, 28 *, 3 /, 4 calls
 velocities: 2 +-, 6 *, 1 /, 4 calls
 accelerations: 14 +-, 34 *, 3 /, 4 calls
 state: 1 +-, 2 *, 0 /, 2 calls
@@ -116,10 +116,10 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         if not abs(z1) > 0.0:
             raise SingularModelError(2, "rhs")
         c_phi = math.cos(phi)
-        z2 = d2 + d1 * c_phi
-        z3 = 1.0 - z2 * k1
+        z2 = d1 * c_phi
+        z3 = z2 * k1
         z4 = I1 + I2 * (z3 * z3)
-        z5 = z3 * k2
+        z5 = k2 * z3
         z6 = s_phi * z5
         z7 = 1.0 / z1
         z8 = z7 * z6
@@ -129,7 +129,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
             raise SingularModelError(2, "rhs")
         c_theta = math.cos(theta)
         s_theta = math.sin(theta)
-        z10 = k1 * (theta_dot * z2 - v * s_phi)
+        z10 = k1 * (theta_dot * (d2 + z2) - v * s_phi)
         z11 = d1 * (z10 * (theta_dot * s_phi)) + z10 * (c_phi * v)
         z12 = k3 * (s_phi * z11)
         z13 = (z11 * z5 - z12 * z8) / z9
@@ -145,7 +145,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
             # v' (I.2.15) 17:4
             z7 * z12 - z8 * z13,
             # theta'' (I.2.15) 17:4
-            z13,
+            -z13,
         ]
         return _finish("rhs", dydt)
     except (ValueError, ZeroDivisionError, OverflowError) as error:

@@ -1,5 +1,5 @@
 /*
- * rolling_disk.c: rolling_disk, emitted by nhc 0.1.0 (nhc:55046327d14e47e5)
+ * rolling_disk.c: rolling_disk, emitted by nhc 0.1.0 (nhc:8b37eb4a889a4a3b)
  * A thin disk that rolls on a horizontal plane and may lean and fall (Euler's disk).
  * Source: rolling_disk.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -221,13 +221,14 @@ int rolling_disk_rhs(double t, const double *y, const double *p, double *dydt)
     const double g = p[4]; /* acceleration of gravity [m/s^2] */
 
     /* parameters only */
-    const double k1 = m * R * R;
-    const double k2 = A + k1;
-    const double k3 = C + k1;
-    const double k4 = g * (m * R);
-    const double k5 = -1.0 / k2;
-    const double k6 = 1.0 / A;
-    const double k7 = k1 / k3;
+    const double k1 = m * R;
+    const double k2 = R * k1;
+    const double k3 = C + k2;
+    const double k4 = g * k1;
+    const double k5 = 1.0 / A;
+    const double k6 = A + k2;
+    const double k7 = -1.0 / k6;
+    const double k8 = k2 / k3;
 
     /* state */
     const double z1 = R * w_n;
@@ -242,9 +243,9 @@ int rolling_disk_rhs(double t, const double *y, const double *p, double *dydt)
     dydt[3] = w_t; /* theta' */
     dydt[4] = w_n - z4; /* psi' */
     /* (I.2.15) 22:4 */
-    dydt[5] = k5 * (c_theta * k4 + w_u * (w_n * k3 - z5)); /* w_t' */
-    dydt[6] = k6 * (w_t * (C * w_n - z5)); /* w_u' */
-    dydt[7] = k7 * (w_t * w_u); /* w_n' */
+    dydt[5] = (c_theta * k4 + w_u * (w_n * k3 - z5)) * k7; /* w_t' */
+    dydt[6] = k5 * (w_t * (C * w_n - z5)); /* w_u' */
+    dydt[7] = k8 * (w_t * w_u); /* w_n' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(dydt[0] + dydt[1] + dydt[4] + dydt[5] + dydt[6] + dydt[7]) <= DBL_MAX
         && fabs(s_theta) > 1e-12)) {
@@ -253,7 +254,7 @@ int rolling_disk_rhs(double t, const double *y, const double *p, double *dydt)
             return ROLLING_DISK_SINGULAR_1;
         }
         /* the mass matrix is singular */
-        if (!(fabs(k2) > 0.0)) {
+        if (!(fabs(k6) > 0.0)) {
             return ROLLING_DISK_SINGULAR_2;
         }
         /* the mass matrix is singular */
@@ -347,7 +348,7 @@ int rolling_disk_accelerations(double t, const double *y, const double *p, doubl
     const double z8 = R * (w_t * z5) - z * z7;
     const double z9 = R * w_n;
     const double z10 = s_phi * z3;
-    const double z11 = k7 * (w_t * w_u);
+    const double z11 = w_t * w_u * k7;
     const double z12 = R * z11;
     const double z13 = z2 * z2 * (w_u * z5) - k6 * ((C * w_n - z6) * (w_t * z2));
     /* (I.2.15) */
@@ -671,8 +672,8 @@ static __attribute__((noinline)) void rolling_disk_rhs_lanes(const double *fixed
     const double k3 = fixed[3];
     const double k4 = fixed[4];
     const double k5 = fixed[5];
-    const double k6 = fixed[6];
-    const double k7 = fixed[7];
+    const double k7 = fixed[6];
+    const double k8 = fixed[7];
     const rolling_disk_lanes phi = rolling_disk_get(y + 2 * stride);
     const rolling_disk_lanes theta = rolling_disk_get(y + 3 * stride);
     const rolling_disk_lanes w_t = rolling_disk_get(y + 5 * stride);
@@ -708,13 +709,13 @@ static __attribute__((noinline)) void rolling_disk_rhs_lanes(const double *fixed
     sum += slope5;
     rolling_disk_put(dydt + 4 * stride, slope5);
     /* (I.2.15) 22:4 */
-    const rolling_disk_lanes slope6 = k5 * (c_theta * k4 + w_u * (w_n * k3 - z5));
+    const rolling_disk_lanes slope6 = (c_theta * k4 + w_u * (w_n * k3 - z5)) * k7;
     sum += slope6;
     rolling_disk_put(dydt + 5 * stride, slope6);
-    const rolling_disk_lanes slope7 = k6 * (w_t * (C * w_n - z5));
+    const rolling_disk_lanes slope7 = k5 * (w_t * (C * w_n - z5));
     sum += slope7;
     rolling_disk_put(dydt + 6 * stride, slope7);
-    const rolling_disk_lanes slope8 = k7 * (w_t * w_u);
+    const rolling_disk_lanes slope8 = k8 * (w_t * w_u);
     sum += slope8;
     rolling_disk_put(dydt + 7 * stride, slope8);
     rolling_disk_put(check, rolling_disk_mark(far + (sum - sum), bad));
@@ -741,14 +742,15 @@ int rolling_disk_rhs_batch(size_t count, const double *t, const double *y, const
     const double A = p[2]; /* moment of inertia about a diameter [kg*m^2] */
     const double C = p[3]; /* moment of inertia about the axis [kg*m^2] */
     const double g = p[4]; /* acceleration of gravity [m/s^2] */
-    const double k1 = m * R * R;
-    const double k2 = A + k1;
-    const double k3 = C + k1;
-    const double k4 = g * (m * R);
-    const double k5 = -1.0 / k2;
-    const double k6 = 1.0 / A;
-    const double k7 = k1 / k3;
-    const double fixed[] = {R, A, C, k3, k4, k5, k6, k7};
+    const double k1 = m * R;
+    const double k2 = R * k1;
+    const double k3 = C + k2;
+    const double k4 = g * k1;
+    const double k5 = 1.0 / A;
+    const double k6 = A + k2;
+    const double k7 = -1.0 / k6;
+    const double k8 = k2 / k3;
+    const double fixed[] = {R, A, C, k3, k4, k5, k7, k8};
     double check[1 * ROLLING_DISK_LANES];
     int status = ROLLING_DISK_OK;
     for (size_t i = 0; i < count; i += ROLLING_DISK_LANES) {

@@ -1,5 +1,5 @@
 /*
- * rolling_disk.h: rolling_disk, emitted by nhc 0.1.0 (nhc:a3b107ec5f1118d7)
+ * rolling_disk.h: rolling_disk, emitted by nhc 0.1.0 (nhc:db7ed381da0fd039)
  * A thin disk that rolls on a horizontal plane and may lean and fall (Euler's disk).
  * Source: rolling_disk.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -32,7 +32,7 @@
  * out[2] = contact_y
  *
  * Operations:
- * rhs: 8 +-, 22 *, 4 /, 4 calls
+ * rhs: 8 +-, 21 *, 4 /, 4 calls
  * velocities: 3 +-, 8 *, 1 /, 4 calls
  * accelerations: 15 +-, 41 *, 4 /, 4 calls
  * state: 1 +-, 2 *, 0 /, 2 calls

@@ -1,4 +1,4 @@
-"""rolling_disk, emitted by nhc 0.1.0 (nhc:56ce2fd54aa8e2b3).
+"""rolling_disk, emitted by nhc 0.1.0 (nhc:0d663f8523791ea9).
 
 A thin disk that rolls on a horizontal plane and may lean and fall (Euler's disk).
 Source: rolling_disk.yaml
@@ -32,7 +32,7 @@ out[1] = contact_x
 out[2] = contact_y
 
 Operations:
-rhs: 8 +-, 22 *, 4 /, 4 calls
+rhs: 8 +-, 21 *, 4 /, 4 calls
 velocities: 3 +-, 8 *, 1 /, 4 calls
 accelerations: 15 +-, 41 *, 4 /, 4 calls
 state: 1 +-, 2 *, 0 /, 2 calls
@@ -110,19 +110,20 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         if not abs(A) > 0.0:
             raise SingularModelError(2, "rhs")
         # parameters only
-        k1 = m * R * R
-        k2 = A + k1
-        # the mass matrix is singular
-        if not abs(k2) > 0.0:
-            raise SingularModelError(2, "rhs")
-        k3 = C + k1
+        k1 = m * R
+        k2 = R * k1
+        k3 = C + k2
         # the mass matrix is singular
         if not abs(k3) > 0.0:
             raise SingularModelError(2, "rhs")
-        k4 = g * (m * R)
-        k5 = -1.0 / k2
-        k6 = 1.0 / A
-        k7 = k1 / k3
+        k4 = g * k1
+        k5 = 1.0 / A
+        k6 = A + k2
+        # the mass matrix is singular
+        if not abs(k6) > 0.0:
+            raise SingularModelError(2, "rhs")
+        k7 = -1.0 / k6
+        k8 = k2 / k3
         # state
         s_theta = math.sin(theta)
         # the coframe is singular
@@ -148,11 +149,11 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
             # psi' (I.2.15)
             w_n - z4,
             # w_t' (I.2.15) 22:4
-            k5 * (c_theta * k4 + w_u * (w_n * k3 - z5)),
+            (c_theta * k4 + w_u * (w_n * k3 - z5)) * k7,
             # w_u' (I.2.15) 22:4
-            k6 * (w_t * (C * w_n - z5)),
+            k5 * (w_t * (C * w_n - z5)),
             # w_n' (I.2.15) 22:4
-            k7 * (w_t * w_u),
+            k8 * (w_t * w_u),
         ]
         return _finish("rhs", dydt)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -261,7 +262,7 @@ def accelerations(
         z8 = R * (w_t * z5) - z * z7
         z9 = R * w_n
         z10 = s_phi * z3
-        z11 = k7 * (w_t * w_u)
+        z11 = w_t * w_u * k7
         z12 = R * z11
         z13 = z2 * z2 * (w_u * z5) - k6 * ((C * w_n - z6) * (w_t * z2))
         qddot: list[float] = [

@@ -1,5 +1,5 @@
 /*
- * routh_sphere.c: routh_sphere, emitted by nhc 0.1.0 (nhc:4813a8e2d6efd200)
+ * routh_sphere.c: routh_sphere, emitted by nhc 0.1.0 (nhc:61a7ca79ae5c3850)
  * A ball with its centre of mass off its centre, dynamically symmetric, rolls on a horizontal plane.
  * Source: routh_sphere.yaml
  * Equations of motion: chaplygin (III.3)
@@ -211,8 +211,8 @@ int routh_sphere_rhs(double t, const double *y, const double *p, double *dydt)
     /* sines and cosines */
     const double s_theta = sin(theta);
     const double c_theta = cos(theta);
-    const double s_phi = sin(phi);
     const double c_phi = cos(phi);
+    const double s_phi = sin(phi);
     const double phi_dot = y[5];
     const double theta_dot = y[6];
     const double psi_dot = y[7];
@@ -242,17 +242,17 @@ int routh_sphere_rhs(double t, const double *y, const double *p, double *dydt)
     const double z7 = 1.0 / z2;
     const double z8 = z6 * z7;
     const double z9 = z5 - z6 * z8;
-    const double z10 = theta_dot * R;
-    const double z11 = R * (psi_dot * s_theta);
+    const double z10 = s_theta * (psi_dot * R);
+    const double z11 = theta_dot * R;
     const double z12 = theta_dot * s_theta;
     const double z13 = c_theta * k5;
     const double z14 = z12 * (phi_dot * (k6 - 2.0 * z13) - psi_dot * (I3 + c_theta * k6));
-    const double z15 = (z14 * z8 + z12 * (phi_dot * (I3 + k3 * z3) - k1 * (psi_dot * c_theta))) / z9;
-    const double z16 = phi_dot * (phi_dot * (k6 - z13) - psi_dot * (I3 + (R + Z) * k3)) + k2 * (g + R *
-        (theta_dot * theta_dot));
+    const double z15 = (z14 * z8 + z12 * (phi_dot * (I3 + k3 * z3) - c_theta * (psi_dot * k1))) / z9;
+    const double z16 = phi_dot * (phi_dot * (k6 - z13) - psi_dot * (I3 + (R + Z) * k3)) + k2 * (g + theta_dot
+        * z11);
     /* (III.3) */
-    dydt[0] = s_phi * z10 - c_phi * z11; /* x' */
-    dydt[1] = -(c_phi * z10 + s_phi * z11); /* y' */
+    dydt[0] = s_phi * z11 - c_phi * z10; /* x' */
+    dydt[1] = -(c_phi * z11 + s_phi * z10); /* y' */
     dydt[2] = phi_dot; /* phi' */
     dydt[3] = theta_dot; /* theta' */
     dydt[4] = psi_dot; /* psi' */
@@ -769,22 +769,22 @@ static __attribute__((noinline)) void routh_sphere_rhs_lanes(const double *fixed
     bad |= routh_sphere_misses(routh_sphere_size(ROUTH_SPHERE_SPREAD(z9)), 1e-14 * z5);
     routh_sphere_lanes sine2, cosine2;
     routh_sphere_turn_lanes(ROUTH_SPHERE_SPREAD(phi), &far, &sine2, &cosine2);
-    const routh_sphere_lanes s_phi = sine2;
-    const routh_sphere_lanes z10 = theta_dot * R;
     const routh_sphere_lanes c_phi = cosine2;
-    const routh_sphere_lanes z11 = R * (psi_dot * s_theta);
+    const routh_sphere_lanes z10 = s_theta * (psi_dot * R);
+    const routh_sphere_lanes s_phi = sine2;
+    const routh_sphere_lanes z11 = theta_dot * R;
     const routh_sphere_lanes z12 = theta_dot * s_theta;
     const routh_sphere_lanes z13 = c_theta * k5;
     const routh_sphere_lanes z14 = z12 * (phi_dot * (k6 - 2.0 * z13) - psi_dot * (I3 + c_theta * k6));
-    const routh_sphere_lanes z15 = (z14 * z8 + z12 * (phi_dot * (I3 + k3 * z3) - k1 * (psi_dot * c_theta))) /
+    const routh_sphere_lanes z15 = (z14 * z8 + z12 * (phi_dot * (I3 + k3 * z3) - c_theta * (psi_dot * k1))) /
         z9;
     const routh_sphere_lanes z16 = phi_dot * (phi_dot * (k6 - z13) - psi_dot * (I3 + (R + Z) * k3)) + k2 * (g
-        + R * (theta_dot * theta_dot));
+        + theta_dot * z11);
     /* (III.3) */
-    const routh_sphere_lanes slope1 = s_phi * z10 - c_phi * z11;
+    const routh_sphere_lanes slope1 = s_phi * z11 - c_phi * z10;
     sum += slope1;
     routh_sphere_put(dydt, slope1);
-    const routh_sphere_lanes slope2 = -(c_phi * z10 + s_phi * z11);
+    const routh_sphere_lanes slope2 = -(c_phi * z11 + s_phi * z10);
     sum += slope2;
     routh_sphere_put(dydt + 1 * stride, slope2);
     const routh_sphere_lanes slope3 = phi_dot;

@@ -1,5 +1,5 @@
 /*
- * routh_sphere.h: routh_sphere, emitted by nhc 0.1.0 (nhc:8efcd296fad209d5)
+ * routh_sphere.h: routh_sphere, emitted by nhc 0.1.0 (nhc:c0d794cbd9286def)
  * A ball with its centre of mass off its centre, dynamically symmetric, rolls on a horizontal plane.
  * Source: routh_sphere.yaml
  * Equations of motion: chaplygin (III.3)
@@ -32,12 +32,12 @@
  * out[1] = routh
  *
  * Operations:
- * rhs: 24 +-, 48 *, 3 /, 4 calls
+ * rhs: 24 +-, 47 *, 3 /, 4 calls
  * velocities: 2 +-, 7 *, 0 /, 3 calls
  * accelerations: 29 +-, 59 *, 3 /, 4 calls
  * state: 0 +-, 0 *, 0 /, 0 calls
  * residuals: 4 +-, 7 *, 0 /, 3 calls
- * reactions: 35 +-, 73 *, 3 /, 4 calls
+ * reactions: 34 +-, 73 *, 3 /, 4 calls
  * energy: 12 +-, 28 *, 0 /, 2 calls
  * jacobian: 46 +-, 124 *, 3 /, 4 calls
  * outputs: 5 +-, 17 *, 0 /, 3 calls

@@ -1,4 +1,4 @@
-"""routh_sphere, emitted by nhc 0.1.0 (nhc:db9f21fc529b55eb).
+"""routh_sphere, emitted by nhc 0.1.0 (nhc:0bc3146c1cf48631).
 
 A ball with its centre of mass off its centre, dynamically symmetric, rolls on a
     horizontal plane.
@@ -33,12 +33,12 @@ out[0] = jellett
 out[1] = routh
 
 Operations:
-rhs: 24 +-, 48 *, 3 /, 4 calls
+rhs: 24 +-, 47 *, 3 /, 4 calls
 velocities: 2 +-, 7 *, 0 /, 3 calls
 accelerations: 29 +-, 59 *, 3 /, 4 calls
 state: 0 +-, 0 *, 0 /, 0 calls
 residuals: 4 +-, 7 *, 0 /, 3 calls
-reactions: 35 +-, 73 *, 3 /, 4 calls
+reactions: 34 +-, 73 *, 3 /, 4 calls
 energy: 12 +-, 28 *, 0 /, 2 calls
 jacobian: 46 +-, 124 *, 3 /, 4 calls
 outputs: 5 +-, 17 *, 0 /, 3 calls
@@ -137,23 +137,23 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         # the mass matrix is singular
         if not abs(z9) > 1e-14 * z5:
             raise SingularModelError(2, "rhs")
-        s_phi = math.sin(phi)
-        z10 = theta_dot * R
         c_phi = math.cos(phi)
-        z11 = R * (psi_dot * s_theta)
+        z10 = s_theta * (psi_dot * R)
+        s_phi = math.sin(phi)
+        z11 = theta_dot * R
         z12 = theta_dot * s_theta
         z13 = c_theta * k5
         s1 = phi_dot * (k6 - 2.0 * z13) - psi_dot * (I3 + c_theta * k6)
         z14 = z12 * s1
-        s2 = z12 * (phi_dot * (I3 + k3 * z3) - k1 * (psi_dot * c_theta))
+        s2 = z12 * (phi_dot * (I3 + k3 * z3) - c_theta * (psi_dot * k1))
         z15 = (z14 * z8 + s2) / z9
         s3 = phi_dot * (k6 - z13) - psi_dot * (I3 + (R + Z) * k3)
-        z16 = phi_dot * s3 + k2 * (g + R * (theta_dot * theta_dot))
+        z16 = phi_dot * s3 + k2 * (g + theta_dot * z11)
         dydt: list[float] = [
             # x' (III.3)
-            s_phi * z10 - c_phi * z11,
+            s_phi * z11 - c_phi * z10,
             # y' (III.3)
-            -(c_phi * z10 + s_phi * z11),
+            -(c_phi * z11 + s_phi * z10),
             # phi' (III.3)
             phi_dot,
             # theta' (III.3)
@@ -413,34 +413,34 @@ def reactions(
         if not abs(z9) > 1e-14 * z5:
             raise SingularModelError(2, "reactions")
         c_phi = math.cos(phi)
-        z10 = theta_dot * c_theta
-        z11 = phi_dot * R
-        s1 = R * (psi_dot * z10) - theta_dot * z11
-        z12 = phi_dot * (e * z10 + theta_dot * Z) - s1
+        z10 = s_theta * c_phi
+        z11 = theta_dot * s_theta
+        z12 = c_theta * k5
+        s1 = phi_dot * (k6 - 2.0 * z12) - psi_dot * (I3 + c_theta * k6)
+        z13 = z11 * s1
+        s2 = z11 * (phi_dot * (I3 + k3 * z3) - k1 * (psi_dot * c_theta))
+        z14 = (z13 * z8 + s2) / z9
+        z15 = k3 * z14
+        z16 = k2 * (z13 * z7 + z8 * z14)
         s_phi = math.sin(phi)
-        z13 = theta_dot * s_theta
-        s2 = e * (theta_dot * z13 + s_theta * (phi_dot * phi_dot))
-        z14 = s_theta * (psi_dot * z11) - s2
-        z15 = s_theta * c_phi
-        z16 = c_theta * k5
-        s3 = phi_dot * (k6 - 2.0 * z16) - psi_dot * (I3 + c_theta * k6)
-        z17 = z13 * s3
-        s4 = z13 * (phi_dot * (I3 + k3 * z3) - k1 * (psi_dot * c_theta))
-        z18 = (z17 * z8 + s4) / z9
-        z19 = k3 * z18
-        z20 = k2 * (z17 * z7 + z8 * z18)
-        z21 = R + Z
-        s5 = phi_dot * (phi_dot * (k6 - z16) - psi_dot * (I3 + z21 * k3))
-        z22 = s5 + k2 * (g + R * (theta_dot * theta_dot))
-        z23 = m * z21 * (s_theta * z22 / z4)
-        z24 = s_theta * s_phi
-        s6 = z15 * z19 + (z15 * z20 - s_phi * z23)
-        s7 = z24 * z19 + (z24 * z20 + c_phi * z23)
+        z17 = R + Z
+        s3 = phi_dot * (phi_dot * (k6 - z12) - psi_dot * (I3 + z17 * k3))
+        z18 = s3 + k2 * (g + R * (theta_dot * theta_dot))
+        z19 = m * z17 * (s_theta * z18 / z4)
+        z20 = phi_dot * R
+        z21 = phi_dot * e
+        s4 = e * (theta_dot * z11) + s_theta * (phi_dot * z21)
+        z22 = s_theta * (psi_dot * z20) - s4
+        z23 = theta_dot * c_theta
+        z24 = R * (psi_dot * z23) - theta_dot * z20 - 2.0 * (z23 * z21)
+        z25 = s_theta * s_phi
+        s5 = z10 * z15 + (z10 * z16 - s_phi * z19)
+        s6 = z25 * z15 + (z25 * z16 + c_phi * z19)
         lambda_: list[float] = [
             # reaction of roll_x: Q_i gains lambda_1 a_1i (I.4.1) 29:5
-            m * (c_phi * z12 + s_phi * z14) - s6,
+            m * (s_phi * z22 - c_phi * z24) - s5,
             # reaction of roll_y: Q_i gains lambda_2 a_2i (I.4.1) 30:5
-            m * (s_phi * z12 - c_phi * z14) - s7,
+            -(s6 + m * (c_phi * z22 + s_phi * z24)),
         ]
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:

@@ -1,5 +1,5 @@
 /*
- * smooth_tippe_top.c: smooth_tippe_top, emitted by nhc 0.1.0 (nhc:ab2cc6563d46eb8b)
+ * smooth_tippe_top.c: smooth_tippe_top, emitted by nhc 0.1.0 (nhc:d213f267b9ba3598)
  * The ball of routh_sphere on a plane without any friction.
  * Source: smooth_tippe_top.yaml
  * Equations of motion: lagrange (II.3)
@@ -211,10 +211,10 @@ int smooth_tippe_top_rhs(double t, const double *y, const double *p, double *dyd
     const double theta = y[3]; /* nutation [rad] */
 
     /* sines and cosines */
+    const double s_phi = sin(phi);
+    const double c_phi = cos(phi);
     const double s_theta = sin(theta);
     const double c_theta = cos(theta);
-    const double c_phi = cos(phi);
-    const double s_phi = sin(phi);
     const double x_dot = y[5];
     const double y_dot = y[6];
     const double phi_dot = y[7];
@@ -228,40 +228,41 @@ int smooth_tippe_top_rhs(double t, const double *y, const double *p, double *dyd
 
     /* parameters only */
     const double k1 = m * e;
-    const double k2 = I1 + m * (e * e);
-    const double k3 = I3 - k2;
-    const double k4 = g * k1;
-    const double k5 = 1.0 / m;
+    const double k2 = g * k1;
+    const double k3 = 1.0 / m;
+    const double k4 = I1 + e * k1;
+    const double k5 = I3 - k4;
 
     /* state */
-    const double z1 = I3 - s_theta * s_theta * k3;
-    const double z2 = s_theta * k1;
-    const double z3 = c_phi * z2;
-    const double z4 = z3 * k5;
-    const double z5 = s_phi * z2;
-    const double z6 = z5 * k5;
-    const double z7 = z1 - z3 * z4 - z5 * z6;
+    const double z1 = s_theta * k1;
+    const double z2 = s_phi * z1;
+    const double z3 = z2 * k3;
+    const double z4 = c_phi * z1;
+    const double z5 = z4 * k3;
+    const double z6 = I3 - s_theta * s_theta * k5;
+    const double z7 = z2 * z3 + (z4 * z5 - z6);
     const double z8 = c_theta * k1;
-    const double z9 = s_phi * z8;
-    const double z10 = k5 * z9;
-    const double z11 = c_phi * z8;
-    const double z12 = k5 * z11;
-    const double z13 = k2 - z9 * z10 - z11 * z12;
+    const double z9 = c_phi * z8;
+    const double z10 = k3 * z9;
+    const double z11 = s_phi * z8;
+    const double z12 = k3 * z11;
+    const double z13 = z9 * z10 - (k4 - z11 * z12);
     const double z14 = I3 * c_theta;
     const double z15 = 1.0 / z7;
     const double z16 = z14 * z15;
-    const double z17 = I3 - z14 * z16;
-    const double z18 = s_theta * theta_dot * theta_dot;
-    const double z19 = phi_dot * s_theta;
-    const double z20 = theta_dot * c_theta;
-    const double z21 = k1 * (s_phi * z18 + phi_dot * (s_phi * z19 - 2.0 * (c_phi * z20)));
-    const double z22 = phi_dot * c_theta * k3;
+    const double z17 = I3 + z14 * z16;
+    const double z18 = theta_dot * s_theta;
+    const double z19 = theta_dot * z18;
+    const double z20 = phi_dot * s_theta;
+    const double z21 = theta_dot * c_theta;
+    const double z22 = k1 * (s_phi * z19 + phi_dot * (s_phi * z20 - 2.0 * (c_phi * z21)));
     const double z23 = psi_dot * I3;
-    const double z24 = k1 * (c_phi * z18 + phi_dot * (c_phi * z19 + 2.0 * (s_phi * z20)));
-    const double z25 = theta_dot * s_theta * (2.0 * z22 + z23) - z4 * z21 + z6 * z24;
-    const double z26 = (I3 * (theta_dot * z19) - z16 * z25) / z17;
-    const double z27 = z15 * z25 - z16 * z26;
-    const double z28 = (s_theta * (phi_dot * (z22 + z23) - k4) + z21 * z10 + z24 * z12) / z13;
+    const double z24 = phi_dot * c_theta * k5;
+    const double z25 = k1 * (c_phi * z19 + phi_dot * (c_phi * z20 + 2.0 * (s_phi * z21)));
+    const double z26 = z18 * (z23 + 2.0 * z24) - z5 * z22 + z3 * z25;
+    const double z27 = (I3 * (theta_dot * z20) + z16 * z26) / z17;
+    const double z28 = z15 * z26 - z16 * z27;
+    const double z29 = (s_theta * (k2 - phi_dot * (z23 + z24)) - z12 * z22 - z10 * z25) / z13;
     /* (II.3) */
     dydt[0] = x_dot; /* x' */
     dydt[1] = y_dot; /* y' */
@@ -269,26 +270,26 @@ int smooth_tippe_top_rhs(double t, const double *y, const double *p, double *dyd
     dydt[3] = theta_dot; /* theta' */
     dydt[4] = psi_dot; /* psi' */
     /* (II.3) 24:4 */
-    dydt[5] = k5 * z21 - z4 * z27 + z10 * z28; /* x'' */
-    dydt[6] = -(k5 * z24 + z6 * z27 + z12 * z28); /* y'' */
-    dydt[7] = z27; /* phi'' */
-    dydt[8] = -z28; /* theta'' */
-    dydt[9] = z26; /* psi'' */
+    dydt[5] = k3 * z22 + z5 * z28 + z12 * z29; /* x'' */
+    dydt[6] = -(k3 * z25 - z3 * z28 + z10 * z29); /* y'' */
+    dydt[7] = -z28; /* phi'' */
+    dydt[8] = -z29; /* theta'' */
+    dydt[9] = z27; /* psi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(dydt[0] + dydt[1] + dydt[5] + dydt[6] + dydt[8]) <= DBL_MAX
-        && fabs(z7) > 1e-14 * z1
-        && fabs(z13) > 1e-14 * k2
+    if (!(fabs(dydt[0] + dydt[1] + dydt[5] + dydt[6] + dydt[7] + dydt[8]) <= DBL_MAX
+        && fabs(-z7) > 1e-14 * z6
+        && fabs(-z13) > 1e-14 * k4
         && fabs(z17) > 1e-14 * I3)) {
         /* the mass matrix is singular */
         if (!(fabs(m) > 0.0)) {
             return SMOOTH_TIPPE_TOP_SINGULAR_2;
         }
         /* the mass matrix is singular */
-        if (!(fabs(z7) > 1e-14 * z1)) {
+        if (!(fabs(-z7) > 1e-14 * z6)) {
             return SMOOTH_TIPPE_TOP_SINGULAR_2;
         }
         /* the mass matrix is singular */
-        if (!(fabs(z13) > 1e-14 * k2)) {
+        if (!(fabs(-z13) > 1e-14 * k4)) {
             return SMOOTH_TIPPE_TOP_SINGULAR_2;
         }
         /* the mass matrix is singular */
@@ -361,11 +362,11 @@ int smooth_tippe_top_accelerations(double t, const double *y, const double *p, d
     const double z6 = z5 * k5;
     const double z7 = z1 - z3 * z4 - z5 * z6;
     const double z8 = c_theta * k1;
-    const double z9 = s_phi * z8;
+    const double z9 = c_phi * z8;
     const double z10 = k5 * z9;
-    const double z11 = c_phi * z8;
+    const double z11 = s_phi * z8;
     const double z12 = k5 * z11;
-    const double z13 = k2 - z9 * z10 - z11 * z12;
+    const double z13 = z9 * z10 - (k2 - z11 * z12);
     const double z14 = I3 * c_theta;
     const double z15 = 1.0 / z7;
     const double z16 = z14 * z15;
@@ -380,17 +381,17 @@ int smooth_tippe_top_accelerations(double t, const double *y, const double *p, d
     const double z25 = theta_dot * s_theta * (2.0 * z22 + z23) - z4 * z21 + z6 * z24;
     const double z26 = (I3 * (theta_dot * z19) - z16 * z25) / z17;
     const double z27 = z15 * z25 - z16 * z26;
-    const double z28 = (s_theta * (phi_dot * (z22 + z23) - k4) + z21 * z10 + z24 * z12) / z13;
+    const double z28 = (s_theta * (phi_dot * (z22 + z23) - k4) + z12 * z21 + z10 * z24) / z13;
     /* (II.3) */
-    qddot[0] = k5 * z21 - z4 * z27 + z10 * z28; /* x'' */
-    qddot[1] = -(k5 * z24 + z6 * z27 + z12 * z28); /* y'' */
+    qddot[0] = k5 * z21 - z4 * z27 - z12 * z28; /* x'' */
+    qddot[1] = z10 * z28 - (k5 * z24 + z6 * z27); /* y'' */
     qddot[2] = z27; /* phi'' */
-    qddot[3] = -z28; /* theta'' */
+    qddot[3] = z28; /* theta'' */
     qddot[4] = z26; /* psi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(qddot[0] + qddot[1] + qddot[3]) <= DBL_MAX
+    if (!(fabs(qddot[0] + qddot[1]) <= DBL_MAX
         && fabs(z7) > 1e-14 * z1
-        && fabs(z13) > 1e-14 * k2
+        && fabs(-z13) > 1e-14 * k2
         && fabs(z17) > 1e-14 * I3)) {
         /* the mass matrix is singular */
         if (!(fabs(m) > 0.0)) {
@@ -401,7 +402,7 @@ int smooth_tippe_top_accelerations(double t, const double *y, const double *p, d
             return SMOOTH_TIPPE_TOP_SINGULAR_2;
         }
         /* the mass matrix is singular */
-        if (!(fabs(z13) > 1e-14 * k2)) {
+        if (!(fabs(-z13) > 1e-14 * k2)) {
             return SMOOTH_TIPPE_TOP_SINGULAR_2;
         }
         /* the mass matrix is singular */
@@ -778,49 +779,50 @@ static __attribute__((noinline)) void smooth_tippe_top_rhs_lanes(const double *f
     const smooth_tippe_top_lanes theta_dot = smooth_tippe_top_get(y + 8 * stride);
     const smooth_tippe_top_lanes psi_dot = smooth_tippe_top_get(y + 9 * stride);
     smooth_tippe_top_lanes sine1, cosine1;
-    smooth_tippe_top_turn_lanes(SMOOTH_TIPPE_TOP_SPREAD(theta), &far, &sine1, &cosine1);
-    const smooth_tippe_top_lanes s_theta = sine1;
-    const smooth_tippe_top_lanes z1 = I3 - s_theta * s_theta * k3;
+    smooth_tippe_top_turn_lanes(SMOOTH_TIPPE_TOP_SPREAD(phi), &far, &sine1, &cosine1);
+    const smooth_tippe_top_lanes s_phi = sine1;
     smooth_tippe_top_lanes sine2, cosine2;
-    smooth_tippe_top_turn_lanes(SMOOTH_TIPPE_TOP_SPREAD(phi), &far, &sine2, &cosine2);
-    const smooth_tippe_top_lanes c_phi = cosine2;
-    const smooth_tippe_top_lanes z2 = s_theta * k1;
-    const smooth_tippe_top_lanes z3 = c_phi * z2;
-    const smooth_tippe_top_lanes z4 = z3 * k5;
-    const smooth_tippe_top_lanes s_phi = sine2;
-    const smooth_tippe_top_lanes z5 = s_phi * z2;
-    const smooth_tippe_top_lanes z6 = z5 * k5;
-    const smooth_tippe_top_lanes z7 = z1 - z3 * z4 - z5 * z6;
+    smooth_tippe_top_turn_lanes(SMOOTH_TIPPE_TOP_SPREAD(theta), &far, &sine2, &cosine2);
+    const smooth_tippe_top_lanes s_theta = sine2;
+    const smooth_tippe_top_lanes z1 = s_theta * k1;
+    const smooth_tippe_top_lanes z2 = s_phi * z1;
+    const smooth_tippe_top_lanes z3 = z2 * k3;
+    const smooth_tippe_top_lanes c_phi = cosine1;
+    const smooth_tippe_top_lanes z4 = c_phi * z1;
+    const smooth_tippe_top_lanes z5 = z4 * k3;
+    const smooth_tippe_top_lanes z6 = I3 - s_theta * s_theta * k5;
+    const smooth_tippe_top_lanes z7 = z2 * z3 + (z4 * z5 - z6);
     /* the mass matrix is singular */
-    bad |= smooth_tippe_top_misses(smooth_tippe_top_size(SMOOTH_TIPPE_TOP_SPREAD(z7)), 1e-14 * z1);
-    const smooth_tippe_top_lanes c_theta = cosine1;
+    bad |= smooth_tippe_top_misses(smooth_tippe_top_size(SMOOTH_TIPPE_TOP_SPREAD(-z7)), 1e-14 * z6);
+    const smooth_tippe_top_lanes c_theta = cosine2;
     const smooth_tippe_top_lanes z8 = c_theta * k1;
-    const smooth_tippe_top_lanes z9 = s_phi * z8;
-    const smooth_tippe_top_lanes z10 = k5 * z9;
-    const smooth_tippe_top_lanes z11 = c_phi * z8;
-    const smooth_tippe_top_lanes z12 = k5 * z11;
-    const smooth_tippe_top_lanes z13 = k2 - z9 * z10 - z11 * z12;
+    const smooth_tippe_top_lanes z9 = c_phi * z8;
+    const smooth_tippe_top_lanes z10 = k3 * z9;
+    const smooth_tippe_top_lanes z11 = s_phi * z8;
+    const smooth_tippe_top_lanes z12 = k3 * z11;
+    const smooth_tippe_top_lanes z13 = z9 * z10 - (k4 - z11 * z12);
     /* the mass matrix is singular */
-    bad |= smooth_tippe_top_misses(smooth_tippe_top_size(SMOOTH_TIPPE_TOP_SPREAD(z13)),
-        SMOOTH_TIPPE_TOP_SPREAD(1e-14 * k2));
+    bad |= smooth_tippe_top_misses(smooth_tippe_top_size(SMOOTH_TIPPE_TOP_SPREAD(-z13)),
+        SMOOTH_TIPPE_TOP_SPREAD(1e-14 * k4));
     const smooth_tippe_top_lanes z14 = I3 * c_theta;
     const smooth_tippe_top_lanes z15 = 1.0 / z7;
     const smooth_tippe_top_lanes z16 = z14 * z15;
-    const smooth_tippe_top_lanes z17 = I3 - z14 * z16;
+    const smooth_tippe_top_lanes z17 = I3 + z14 * z16;
     /* the mass matrix is singular */
     bad |= smooth_tippe_top_misses(smooth_tippe_top_size(SMOOTH_TIPPE_TOP_SPREAD(z17)),
         SMOOTH_TIPPE_TOP_SPREAD(1e-14 * I3));
-    const smooth_tippe_top_lanes z18 = s_theta * theta_dot * theta_dot;
-    const smooth_tippe_top_lanes z19 = phi_dot * s_theta;
-    const smooth_tippe_top_lanes z20 = theta_dot * c_theta;
-    const smooth_tippe_top_lanes z21 = k1 * (s_phi * z18 + phi_dot * (s_phi * z19 - 2.0 * (c_phi * z20)));
-    const smooth_tippe_top_lanes z22 = phi_dot * c_theta * k3;
+    const smooth_tippe_top_lanes z18 = theta_dot * s_theta;
+    const smooth_tippe_top_lanes z19 = theta_dot * z18;
+    const smooth_tippe_top_lanes z20 = phi_dot * s_theta;
+    const smooth_tippe_top_lanes z21 = theta_dot * c_theta;
+    const smooth_tippe_top_lanes z22 = k1 * (s_phi * z19 + phi_dot * (s_phi * z20 - 2.0 * (c_phi * z21)));
     const smooth_tippe_top_lanes z23 = psi_dot * I3;
-    const smooth_tippe_top_lanes z24 = k1 * (c_phi * z18 + phi_dot * (c_phi * z19 + 2.0 * (s_phi * z20)));
-    const smooth_tippe_top_lanes z25 = theta_dot * s_theta * (2.0 * z22 + z23) - z4 * z21 + z6 * z24;
-    const smooth_tippe_top_lanes z26 = (I3 * (theta_dot * z19) - z16 * z25) / z17;
-    const smooth_tippe_top_lanes z27 = z15 * z25 - z16 * z26;
-    const smooth_tippe_top_lanes z28 = (s_theta * (phi_dot * (z22 + z23) - k4) + z21 * z10 + z24 * z12) / z13;
+    const smooth_tippe_top_lanes z24 = phi_dot * c_theta * k5;
+    const smooth_tippe_top_lanes z25 = k1 * (c_phi * z19 + phi_dot * (c_phi * z20 + 2.0 * (s_phi * z21)));
+    const smooth_tippe_top_lanes z26 = z18 * (z23 + 2.0 * z24) - z5 * z22 + z3 * z25;
+    const smooth_tippe_top_lanes z27 = (I3 * (theta_dot * z20) + z16 * z26) / z17;
+    const smooth_tippe_top_lanes z28 = z15 * z26 - z16 * z27;
+    const smooth_tippe_top_lanes z29 = (s_theta * (k2 - phi_dot * (z23 + z24)) - z12 * z22 - z10 * z25) / z13;
     /* (II.3) */
     const smooth_tippe_top_lanes slope1 = x_dot;
     sum += slope1;
@@ -835,18 +837,19 @@ static __attribute__((noinline)) void smooth_tippe_top_rhs_lanes(const double *f
     const smooth_tippe_top_lanes slope5 = psi_dot;
     smooth_tippe_top_put(dydt + 4 * stride, slope5);
     /* (II.3) 24:4 */
-    const smooth_tippe_top_lanes slope6 = k5 * z21 - z4 * z27 + z10 * z28;
+    const smooth_tippe_top_lanes slope6 = k3 * z22 + z5 * z28 + z12 * z29;
     sum += slope6;
     smooth_tippe_top_put(dydt + 5 * stride, slope6);
-    const smooth_tippe_top_lanes slope7 = -(k5 * z24 + z6 * z27 + z12 * z28);
+    const smooth_tippe_top_lanes slope7 = -(k3 * z25 - z3 * z28 + z10 * z29);
     sum += slope7;
     smooth_tippe_top_put(dydt + 6 * stride, slope7);
-    const smooth_tippe_top_lanes slope8 = z27;
+    const smooth_tippe_top_lanes slope8 = -z28;
+    sum += slope8;
     smooth_tippe_top_put(dydt + 7 * stride, slope8);
-    const smooth_tippe_top_lanes slope9 = -z28;
+    const smooth_tippe_top_lanes slope9 = -z29;
     sum += slope9;
     smooth_tippe_top_put(dydt + 8 * stride, slope9);
-    const smooth_tippe_top_lanes slope10 = z26;
+    const smooth_tippe_top_lanes slope10 = z27;
     smooth_tippe_top_put(dydt + 9 * stride, slope10);
     smooth_tippe_top_put(check, smooth_tippe_top_mark(far + (sum - sum), bad));
 }
@@ -873,10 +876,10 @@ int smooth_tippe_top_rhs_batch(size_t count, const double *t, const double *y, c
     const double I3 = p[4]; /* about the axis [kg*m^2] */
     const double g = p[5]; /* acceleration of gravity [m/s^2] */
     const double k1 = m * e;
-    const double k2 = I1 + m * (e * e);
-    const double k3 = I3 - k2;
-    const double k4 = g * k1;
-    const double k5 = 1.0 / m;
+    const double k2 = g * k1;
+    const double k3 = 1.0 / m;
+    const double k4 = I1 + e * k1;
+    const double k5 = I3 - k4;
     const double fixed[] = {I3, k1, k2, k3, k4, k5};
     double check[1 * SMOOTH_TIPPE_TOP_LANES];
     int status = SMOOTH_TIPPE_TOP_OK;

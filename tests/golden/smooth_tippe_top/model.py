@@ -1,4 +1,4 @@
-"""smooth_tippe_top, emitted by nhc 0.1.0 (nhc:8b943e3f8a6ef1d1).
+"""smooth_tippe_top, emitted by nhc 0.1.0 (nhc:351d3c775a62b825).
 
 The ball of routh_sphere on a plane without any friction.
 Source: smooth_tippe_top.yaml
@@ -32,14 +32,14 @@ out[2] = p_x
 out[3] = p_y
 
 Operations:
-rhs: 32 +-, 74 *, 4 /, 4 calls
+rhs: 25 +-, 60 *, 4 /, 4 calls
 velocities: 0 +-, 0 *, 0 /, 0 calls
-accelerations: 32 +-, 74 *, 4 /, 4 calls
+accelerations: 25 +-, 62 *, 4 /, 4 calls
 state: 0 +-, 0 *, 0 /, 0 calls
 residuals: 0 +-, 0 *, 0 /, 0 calls
-reactions: 11 +-, 28 *, 3 /, 4 calls
+reactions: 8 +-, 21 *, 2 /, 4 calls
 energy: 11 +-, 25 *, 0 /, 4 calls
-jacobian: 122 +-, 246 *, 4 /, 4 calls
+jacobian: 77 +-, 184 *, 4 /, 4 calls
 outputs: 7 +-, 18 *, 0 /, 4 calls
 
 A singular point raises SingularModelError.
@@ -124,62 +124,56 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
             raise SingularModelError(2, "rhs")
         # parameters only
         k1 = m * e
-        k2 = I1 + m * (e * e)
-        k3 = I3 - k2
-        k4 = g * k1
-        k5 = 1.0 / m
+        k2 = g * k1
+        k3 = 1.0 / m
+        k4 = I1 + e * k1
+        k5 = I3 - k4
         # state
-        s_theta = math.sin(theta)
-        z1 = I3 - s_theta * s_theta * k3
-        c_phi = math.cos(phi)
-        z2 = s_theta * k1
-        z3 = c_phi * z2
-        z4 = z3 * k5
         s_phi = math.sin(phi)
-        z5 = s_phi * z2
-        z6 = z5 * k5
-        z7 = z1 - z3 * z4 - z5 * z6
+        s_theta = math.sin(theta)
+        z1 = s_theta * k1
+        z2 = s_phi * z1
+        z3 = z2 * k3
+        c_phi = math.cos(phi)
+        z4 = c_phi * z1
+        z5 = z4 * k3
+        z6 = I3 - s_theta * s_theta * k5
+        z7 = z2 * z3 + (z4 * z5 - z6)
         # the mass matrix is singular
-        if not abs(z7) > 1e-14 * z1:
+        if not abs(-z7) > 1e-14 * z6:
             raise SingularModelError(2, "rhs")
         c_theta = math.cos(theta)
         z8 = c_theta * k1
-        z9 = s_phi * z8
-        z10 = k5 * z9
-        z11 = c_phi * z8
-        z12 = k5 * z11
-        z13 = z3 * z10 - z5 * z12
-        z14 = 1.0 / z7
-        z15 = z14 * z13
-        z16 = k2 - z9 * z10 - z11 * z12 - z13 * z15
+        z9 = c_phi * z8
+        z10 = k3 * z9
+        z11 = s_phi * z8
+        z12 = k3 * z11
+        z13 = z9 * z10 - (k4 - z11 * z12)
         # the mass matrix is singular
-        if not abs(z16) > 1e-14 * k2:
+        if not abs(-z13) > 1e-14 * k4:
             raise SingularModelError(2, "rhs")
-        z17 = I3 * c_theta
-        z18 = z17 * z14
-        z19 = z18 * z13
-        z20 = 1.0 / z16
-        z21 = z19 * z20
-        z22 = I3 - z17 * z18 - z19 * z21
+        z14 = I3 * c_theta
+        z15 = 1.0 / z7
+        z16 = z14 * z15
+        z17 = I3 + z14 * z16
         # the mass matrix is singular
-        if not abs(z22) > 1e-14 * I3:
+        if not abs(z17) > 1e-14 * I3:
             raise SingularModelError(2, "rhs")
-        z23 = s_theta * theta_dot * theta_dot
-        z24 = phi_dot * s_theta
-        z25 = theta_dot * c_theta
-        s1 = s_phi * z23 + phi_dot * (s_phi * z24 - 2.0 * (c_phi * z25))
-        z26 = k1 * s1
-        z27 = phi_dot * c_theta * k3
-        z28 = psi_dot * I3
-        s2 = c_phi * z23 + phi_dot * (c_phi * z24 + 2.0 * (s_phi * z25))
-        z29 = k1 * s2
-        s3 = theta_dot * s_theta * (2.0 * z27 + z28) - z4 * z26
-        z30 = s3 + z6 * z29
-        s4 = s_theta * (phi_dot * (z27 + z28) - k4) + z26 * z10
-        z31 = s4 + z29 * z12 - z15 * z30
-        z32 = (I3 * (theta_dot * z24) - z18 * z30 + z21 * z31) / z22
-        z33 = z20 * z31 + z21 * z32
-        z34 = z14 * z30 - z15 * z33 - z18 * z32
+        z18 = theta_dot * s_theta
+        z19 = theta_dot * z18
+        z20 = phi_dot * s_theta
+        z21 = theta_dot * c_theta
+        s1 = s_phi * z19 + phi_dot * (s_phi * z20 - 2.0 * (c_phi * z21))
+        z22 = k1 * s1
+        z23 = psi_dot * I3
+        z24 = phi_dot * c_theta * k5
+        s2 = c_phi * z19 + phi_dot * (c_phi * z20 + 2.0 * (s_phi * z21))
+        z25 = k1 * s2
+        z26 = z18 * (z23 + 2.0 * z24) - z5 * z22 + z3 * z25
+        z27 = (I3 * (theta_dot * z20) + z16 * z26) / z17
+        z28 = z15 * z26 - z16 * z27
+        s3 = s_theta * (k2 - phi_dot * (z23 + z24)) - z12 * z22
+        z29 = (s3 - z10 * z25) / z13
         dydt: list[float] = [
             # x' (II.3)
             x_dot,
@@ -192,15 +186,15 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
             # psi' (II.3)
             psi_dot,
             # x'' (II.3) 24:4
-            k5 * z26 - z4 * z34 + z10 * z33,
+            k3 * z22 + z5 * z28 + z12 * z29,
             # y'' (II.3) 24:4
-            -(k5 * z29 + z6 * z34 + z12 * z33),
+            -(k3 * z25 - z3 * z28 + z10 * z29),
             # phi'' (II.3) 24:4
-            z34,
+            -z28,
             # theta'' (II.3) 24:4
-            -z33,
+            -z29,
             # psi'' (II.3) 24:4
-            z32,
+            z27,
         ]
         return _finish("rhs", dydt)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -287,53 +281,47 @@ def accelerations(
             raise SingularModelError(2, "accelerations")
         c_theta = math.cos(theta)
         z8 = c_theta * k1
-        z9 = s_phi * z8
+        z9 = c_phi * z8
         z10 = k5 * z9
-        z11 = c_phi * z8
+        z11 = s_phi * z8
         z12 = k5 * z11
-        z13 = z3 * z10 - z5 * z12
-        z14 = 1.0 / z7
-        z15 = z14 * z13
-        z16 = k2 - z9 * z10 - z11 * z12 - z13 * z15
+        z13 = z9 * z10 - (k2 - z11 * z12)
         # the mass matrix is singular
-        if not abs(z16) > 1e-14 * k2:
+        if not abs(-z13) > 1e-14 * k2:
             raise SingularModelError(2, "accelerations")
-        z17 = I3 * c_theta
-        z18 = z17 * z14
-        z19 = z18 * z13
-        z20 = 1.0 / z16
-        z21 = z19 * z20
-        z22 = I3 - z17 * z18 - z19 * z21
+        z14 = I3 * c_theta
+        z15 = 1.0 / z7
+        z16 = z14 * z15
+        z17 = I3 - z14 * z16
         # the mass matrix is singular
-        if not abs(z22) > 1e-14 * I3:
+        if not abs(z17) > 1e-14 * I3:
             raise SingularModelError(2, "accelerations")
-        z23 = s_theta * theta_dot * theta_dot
-        z24 = phi_dot * s_theta
-        z25 = theta_dot * c_theta
-        s1 = s_phi * z23 + phi_dot * (s_phi * z24 - 2.0 * (c_phi * z25))
-        z26 = k1 * s1
-        z27 = phi_dot * c_theta * k3
-        z28 = psi_dot * I3
-        s2 = c_phi * z23 + phi_dot * (c_phi * z24 + 2.0 * (s_phi * z25))
-        z29 = k1 * s2
-        s3 = theta_dot * s_theta * (2.0 * z27 + z28) - z4 * z26
-        z30 = s3 + z6 * z29
-        s4 = s_theta * (phi_dot * (z27 + z28) - k4) + z26 * z10
-        z31 = s4 + z29 * z12 - z15 * z30
-        z32 = (I3 * (theta_dot * z24) - z18 * z30 + z21 * z31) / z22
-        z33 = z20 * z31 + z21 * z32
-        z34 = z14 * z30 - z15 * z33 - z18 * z32
+        z18 = s_theta * theta_dot * theta_dot
+        z19 = phi_dot * s_theta
+        z20 = theta_dot * c_theta
+        s1 = s_phi * z18 + phi_dot * (s_phi * z19 - 2.0 * (c_phi * z20))
+        z21 = k1 * s1
+        z22 = phi_dot * c_theta * k3
+        z23 = psi_dot * I3
+        s2 = c_phi * z18 + phi_dot * (c_phi * z19 + 2.0 * (s_phi * z20))
+        z24 = k1 * s2
+        s3 = theta_dot * s_theta * (2.0 * z22 + z23) - z4 * z21
+        z25 = s3 + z6 * z24
+        z26 = (I3 * (theta_dot * z19) - z16 * z25) / z17
+        z27 = z15 * z25 - z16 * z26
+        s4 = s_theta * (phi_dot * (z22 + z23) - k4) + z12 * z21
+        z28 = (s4 + z10 * z24) / z13
         qddot: list[float] = [
             # x'' (II.3)
-            k5 * z26 - z4 * z34 + z10 * z33,
+            k5 * z21 - z4 * z27 - z12 * z28,
             # y'' (II.3)
-            -(k5 * z29 + z6 * z34 + z12 * z33),
+            z10 * z28 - (k5 * z24 + z6 * z27),
             # phi'' (II.3)
-            z34,
+            z27,
             # theta'' (II.3)
-            -z33,
+            z28,
             # psi'' (II.3)
-            z32,
+            z26,
         ]
         return _finish("accelerations", qddot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -439,22 +427,16 @@ def reactions(
         c_theta = math.cos(theta)
         z6 = c_theta * k1
         z7 = s_phi * z6
-        z8 = k4 * z7
-        z9 = c_phi * z6
-        z10 = k4 * z9
-        z11 = 1.0 / z5
-        z12 = z3 * z8 - z4 * z10
-        z13 = k2 - z7 * z8 - z9 * z10 - z11 * (z12 * z12)
+        z8 = c_phi * z6
+        s1 = k2 - k4 * (z7 * z7)
+        s2 = s1 - k4 * (z8 * z8)
         # the mass matrix is singular
-        if not abs(z13) > 1e-14 * k2:
+        if not abs(s2) > 1e-14 * k2:
             raise SingularModelError(2, "reactions")
-        z14 = I3 * c_theta
-        z15 = z14 * z11
-        z16 = z12 * z15
-        s1 = z16 * z16 / z13
-        s2 = I3 - z14 * z15 - s1
+        z9 = I3 * c_theta
+        s3 = I3 - z9 * z9 / z5
         # the mass matrix is singular
-        if not abs(s2) > 1e-14 * I3:
+        if not abs(s3) > 1e-14 * I3:
             raise SingularModelError(2, "reactions")
         lambda_: list[float] = []
         return _finish("reactions", lambda_)
@@ -555,97 +537,79 @@ def jacobian(
         z11 = c_phi * k1
         z12 = c_theta * z11
         z13 = z12 * k5
-        z14 = z3 * z10 - z5 * z13
-        z15 = 1.0 / z7
-        z16 = z14 * z15
-        z17 = k2 - z9 * z10 - z12 * z13 - z14 * z16
+        z14 = k2 - z9 * z10 - z12 * z13
         # the mass matrix is singular
-        if not abs(z17) > 1e-14 * k2:
+        if not abs(z14) > 1e-14 * k2:
             raise SingularModelError(2, "jacobian")
-        z18 = I3 * c_theta
-        z19 = z18 * z15
-        z20 = z14 * z19
-        z21 = 1.0 / z17
-        z22 = z20 * z21
-        z23 = I3 - z18 * z19 - z20 * z22
+        z15 = I3 * c_theta
+        z16 = 1.0 / z7
+        z17 = z15 * z16
+        z18 = I3 - z15 * z17
         # the mass matrix is singular
-        if not abs(z23) > 1e-14 * I3:
+        if not abs(z18) > 1e-14 * I3:
             raise SingularModelError(2, "jacobian")
-        z24 = phi_dot * k1
-        z25 = c_theta * z24
-        z26 = theta_dot * s_theta
-        z27 = phi_dot * c_theta * k3
-        z28 = psi_dot * I3
-        z29 = 2.0 * z27 + z28
-        z30 = phi_dot * s_theta
-        z31 = theta_dot * c_phi
-        z32 = s_phi * z30 - 2.0 * (c_theta * z31)
-        z33 = theta_dot * theta_dot
-        z34 = s_theta * z33
-        z35 = k1 * (phi_dot * z32 + s_phi * z34)
-        z36 = theta_dot * s_phi
-        z37 = c_phi * z30 + 2.0 * (c_theta * z36)
-        z38 = k1 * (phi_dot * z37 + c_phi * z34)
-        z39 = z26 * z29 - z35 * z4 + z38 * z6
-        z40 = z27 + z28
-        z41 = phi_dot * z40 - k4
-        z42 = s_theta * z41 + z35 * z10 + z38 * z13 - z16 * z39
-        z43 = 1.0 / z23
-        z44 = I3 * (phi_dot * theta_dot)
-        z45 = z43 * (s_theta * z44 - z19 * z39 + z22 * z42)
-        z46 = z21 * z42 + z22 * z45
-        z47 = z15 * z39 - z16 * z46 - z19 * z45
-        z48 = 2.0 * (theta_dot * z25) + z2 * z47
-        z49 = k1 * z34 + z30 * z24 + k1 * (c_theta * z46)
-        z50 = s_phi * z48 + c_phi * z49
-        z51 = s_phi * z49 - c_phi * z48
-        z52 = z35 * k5 - z4 * z47 + z10 * z46
-        z53 = z38 * k5 + z6 * z47 + z13 * z46
-        z54 = z6 * z51 + (z4 * z50 - (z5 * z52 + z3 * z53))
-        z55 = z13 * z51 - (z10 * z50 - (z9 * z53 - z12 * z52)) - z16 * z54
-        z56 = z43 * (z19 * z54 - z22 * z55)
-        z57 = z21 * z55 - z22 * z56
-        z58 = z15 * z54 - z16 * z57 + z19 * z56
-        z59 = s_phi * z24
-        s1 = c_theta * (phi_dot * z59 + (z33 * z8 - z11 * z47))
-        z60 = s_theta * (2.0 * (z31 * z24) - z8 * z46) + s1
-        z61 = z26 * k3
-        s2 = k1 * (s_phi * z53 - c_phi * z52)
-        s3 = theta_dot * z29 + (s2 + 2.0 * (k3 * (s_theta * z47)))
-        z62 = c_theta * s3
-        z63 = c_phi * z24
-        s4 = c_theta * (phi_dot * z63 + (z33 * z11 + z8 * z47))
-        z64 = s_theta * (2.0 * (z36 * z24) + z11 * z46) - s4
-        s5 = s_theta * (2.0 * (phi_dot * z61) - I3 * z45) - z62
-        z65 = s5 + z4 * z60 + z6 * z64
-        z66 = z30 * k3
-        s6 = s_theta * (phi_dot * z66 + (z11 * z53 + z8 * z52))
-        z67 = c_theta * z41 - s6 + z10 * z60 - z13 * z64
-        z68 = z67 + z16 * z65
-        z69 = I3 * s_theta
-        z70 = z43 * (c_theta * z44 + z69 * z47 + z19 * z65 + z22 * z68)
-        z71 = z21 * z68 + z22 * z70
-        z72 = z15 * z65 + z16 * z71 + z19 * z70
-        z73 = k1 * z32 + s_theta * z59
-        z74 = k1 * z37 + s_theta * z63
-        z75 = 2.0 * (c_theta * z61) - z4 * z73 + z6 * z74
-        s7 = s_theta * z40 + c_theta * z66 + z10 * z73 + z13 * z74
-        z76 = s7 - z16 * z75
-        z77 = z43 * (theta_dot * z69 - z19 * z75 + z22 * z76)
-        z78 = z21 * z76 + z22 * z77
-        z79 = z15 * z75 - z16 * z78 - z19 * z77
-        z80 = c_phi * z25 - z26 * z8
-        z81 = s_phi * z25 + z26 * z11
-        z82 = s_theta * z29 + 2.0 * (z4 * z80) + 2.0 * (z6 * z81)
-        z83 = 2.0 * (z10 * z80 - z13 * z81) + z16 * z82
-        z84 = z43 * (phi_dot * z69 - z19 * z82 - z22 * z83)
-        z85 = z21 * z83 - z22 * z84
-        z86 = z15 * z82 + z16 * z85 - z19 * z84
-        z87 = I3 * z26
-        z88 = I3 * z30 - z16 * z87
-        z89 = z43 * (z19 * z87 - z22 * z88)
-        z90 = z21 * z88 - z22 * z89
-        z91 = z15 * z87 - z16 * z90 + z19 * z89
+        z19 = phi_dot * k1
+        z20 = c_theta * z19
+        z21 = phi_dot * s_theta
+        z22 = theta_dot * s_phi
+        z23 = c_phi * z21 + 2.0 * (c_theta * z22)
+        z24 = theta_dot * theta_dot
+        z25 = s_theta * z24
+        z26 = k1 * (phi_dot * z23 + c_phi * z25)
+        z27 = theta_dot * c_phi
+        z28 = s_phi * z21 - 2.0 * (c_theta * z27)
+        z29 = k1 * (phi_dot * z28 + s_phi * z25)
+        z30 = theta_dot * s_theta
+        z31 = psi_dot * I3
+        z32 = phi_dot * k3
+        z33 = c_theta * z32
+        z34 = z31 + 2.0 * z33
+        z35 = z26 * z6 - (z29 * z4 - z30 * z34)
+        z36 = 1.0 / z18
+        z37 = I3 * (phi_dot * theta_dot)
+        z38 = z36 * (s_theta * z37 - z17 * z35)
+        z39 = z16 * z35 - z17 * z38
+        z40 = 2.0 * (theta_dot * z20) + z2 * z39
+        z41 = 1.0 / z14
+        z42 = k4 - phi_dot * (z31 + z33)
+        z43 = z41 * (z26 * z13 + (z29 * z10 - s_theta * z42))
+        z44 = k1 * z25 + z21 * z19 + k1 * (c_theta * z43)
+        z45 = k5 * (s_phi * z40 + c_phi * z44)
+        z46 = s_phi * z19
+        s1 = c_theta * (phi_dot * z46 + (z24 * z8 - z11 * z39))
+        z47 = s_theta * (2.0 * (z27 * z19) - z8 * z43) + s1
+        z48 = z30 * k3
+        z49 = k5 * (s_phi * z44 - c_phi * z40)
+        z50 = s_theta * z39
+        s2 = k1 * (s_phi * z45 - c_phi * z49) + 2.0 * (k3 * z50)
+        s3 = s_theta * (2.0 * (phi_dot * z48) - I3 * z38)
+        z51 = s3 - c_theta * (theta_dot * z34 + s2)
+        z52 = c_phi * z19
+        s4 = c_theta * (phi_dot * z52 + (z24 * z11 + z8 * z39))
+        z53 = s_theta * (2.0 * (z22 * z19) + z11 * z43) - s4
+        z54 = z51 + z4 * z47 + z6 * z53
+        z55 = z36 * (c_theta * z37 + I3 * z50 + z17 * z54)
+        z56 = z16 * z54 + z17 * z55
+        s5 = s_theta * (z21 * z32 + (z11 * z45 + z8 * z49))
+        z57 = c_theta * z42 + s5 - z10 * z47 + z13 * z53
+        z58 = z41 * z57
+        z59 = k1 * z28 + s_theta * z46
+        z60 = k1 * z23 + s_theta * z52
+        z61 = 2.0 * (c_theta * z48) - z4 * z59 + z6 * z60
+        z62 = I3 * z30
+        z63 = z36 * (z62 - z17 * z61)
+        z64 = z16 * z61 - z17 * z63
+        z65 = z13 * z60 + (z10 * z59 + s_theta * z34)
+        z66 = z41 * z65
+        z67 = c_phi * z20 - theta_dot * z5
+        z68 = s_phi * z20 + theta_dot * z3
+        z69 = z41 * (z10 * z67 - z13 * z68)
+        z70 = I3 * z21
+        z71 = z36 * (z70 - z17 * z65)
+        z72 = z16 * z65 - z17 * z71
+        z73 = z41 * z70
+        z74 = z62 * (z17 * z36)
+        z75 = z16 * z62 + z17 * z74
         J: list[float] = [
             0.0,
             0.0,
@@ -705,78 +669,78 @@ def jacobian(
             0.0,
             0.0,
             # (II.3)
-            k5 * z50 + z4 * z58 - z10 * z57,
+            z45,
             # (II.3)
-            k5 * z60 + z4 * z72 + z10 * z71,
+            k5 * z47 + z4 * z56 - z10 * z58,
             0.0,
             0.0,
             0.0,
             # (II.3)
-            k5 * z73 - z4 * z79 + z10 * z78,
+            k5 * z59 - z4 * z64 + z10 * z66,
             # (II.3)
-            -(2.0 * (k5 * z80) + z4 * z86 + z10 * z85),
+            -(2.0 * (z10 * z69) + (2.0 * (k5 * z67) + z4 * z72)),
             # (II.3)
-            z10 * z90 - z4 * z91,
+            z10 * z73 - z4 * z75,
             0.0,
             0.0,
             # (II.3)
-            k5 * z51 + z6 * z58 + z13 * z57,
+            z49,
             # (II.3)
-            k5 * z64 + z6 * z72 - z13 * z71,
-            0.0,
-            0.0,
-            0.0,
-            # (II.3)
-            -(k5 * z74 + z6 * z79 + z13 * z78),
-            # (II.3)
-            z13 * z85 - (2.0 * (k5 * z81) + z6 * z86),
-            # (II.3)
-            -(z6 * z91 + z13 * z90),
-            0.0,
-            0.0,
-            # (II.3)
-            -z58,
-            # (II.3)
-            -z72,
+            k5 * z53 + z6 * z56 + z13 * z58,
             0.0,
             0.0,
             0.0,
             # (II.3)
-            z79,
+            -(k5 * z60 + z6 * z64 + z13 * z66),
             # (II.3)
-            z86,
+            2.0 * (z13 * z69) - (2.0 * (k5 * z68) + z6 * z72),
             # (II.3)
-            z91,
+            -(z13 * z73 + z6 * z75),
             0.0,
             0.0,
             # (II.3)
-            z57,
-            # (II.3)
-            -z71,
-            0.0,
-            0.0,
             0.0,
             # (II.3)
-            -z78,
-            # (II.3)
-            z85,
-            # (II.3)
-            -z90,
-            0.0,
-            0.0,
-            # (II.3)
-            z56,
-            # (II.3)
-            z70,
+            -z56,
             0.0,
             0.0,
             0.0,
             # (II.3)
-            z77,
+            z64,
             # (II.3)
-            z84,
+            z72,
             # (II.3)
-            -z89,
+            z75,
+            0.0,
+            0.0,
+            # (II.3)
+            0.0,
+            # (II.3)
+            z58,
+            0.0,
+            0.0,
+            0.0,
+            # (II.3)
+            -z66,
+            # (II.3)
+            2.0 * z69,
+            # (II.3)
+            -z73,
+            0.0,
+            0.0,
+            # (II.3)
+            0.0,
+            # (II.3)
+            z55,
+            0.0,
+            0.0,
+            0.0,
+            # (II.3)
+            z63,
+            # (II.3)
+            z71,
+            # (II.3)
+            -z74,
         ]
         _finish("jacobian", J)
         return [J[k6 : k6 + 10] for k6 in range(0, 100, 10)]

@@ -1,5 +1,5 @@
 /*
- * snakeboard.c: snakeboard, emitted by nhc 0.1.0 (nhc:497c3afbc4917c5b)
+ * snakeboard.c: snakeboard, emitted by nhc 0.1.0 (nhc:ac7d607b1fc480d5)
  * A board on two steerable axles and a rotor; it moves by turning the rotor and the axles to and fro.
  * Source: snakeboard.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -219,15 +219,15 @@ int snakeboard_rhs(double t, const double *y, const double *p, double *dydt)
 
     /* sines and cosines */
     const double z8 = theta + p_b;
-    const double z24 = t * nu;
+    const double z43 = t * nu;
     const double s_p_b = sin(p_b);
     const double c_p_b = cos(p_b);
     const double s_p_f = sin(p_f);
     const double c_p_f = cos(p_f);
     const double s1 = sin(z8);
     const double c1 = cos(z8);
-    const double s2 = sin(z24);
-    const double c2 = cos(z24);
+    const double s2 = sin(z43);
+    const double c2 = cos(z43);
     const double v = y[6];
     const double psi_dot = y[7];
     const double p_b_dot = y[8];
@@ -245,9 +245,9 @@ int snakeboard_rhs(double t, const double *y, const double *p, double *dydt)
     const double k2 = 1.0 - k1;
     const double k3 = fabs(l);
     const double k4 = 2.0 + k3;
-    const double k5 = 1.0 / J_r;
-    const double k6 = 1.0 / J_w;
-    const double k7 = J + J_w;
+    const double k5 = J + J_r;
+    const double k6 = 1.0 / J_r;
+    const double k7 = 1.0 / J_w;
 
     /* state */
     const double z1 = s_p_f * s_p_f;
@@ -272,35 +272,32 @@ int snakeboard_rhs(double t, const double *y, const double *p, double *dydt)
     const double z21 = J * (z14 * z14) + m * (z7 * (z17 * z18 + z19 * z20));
     const double z22 = v * z7;
     const double z23 = z13 * z22;
-    const double z25 = p_b_dot * c_p_b;
-    const double z26 = p_f_dot * c_p_f;
-    const double z27 = s_p_f * z26;
-    const double z28 = k1 * z27;
-    const double z29 = p_b_dot * s_p_b;
-    const double z30 = p_f_dot * s_p_f;
-    const double z31 = z3 * z25 - 4.0 * (s_p_b * (z27 - z28)) - 2.0 * (k2 * (z4 * z26 - s_p_f * (c_p_f * z29
-        + c_p_b * z30)));
-    const double z32 = z7 * z7 * (z5 * z25 + s_p_b * z31 + (2.0 * z27 - 6.0 * z28));
+    const double z24 = p_b_dot * c_p_b;
+    const double z25 = p_f_dot * c_p_f;
+    const double z26 = s_p_f * z25;
+    const double z27 = k1 * z26;
+    const double z28 = p_b_dot * s_p_b;
+    const double z29 = p_f_dot * s_p_f;
+    const double z30 = z3 * z24 - 4.0 * (s_p_b * (z26 - z27)) - 2.0 * (k2 * (z4 * z25 - s_p_f * (c_p_f * z28
+        + c_p_b * z29)));
+    const double z31 = z7 * z7 * (z5 * z24 + s_p_b * z30 + (2.0 * z26 - 6.0 * z27));
+    const double z32 = l * z29;
     const double z33 = p_b_dot - z23;
-    const double z34 = c1 * z33;
-    const double z35 = p_f_dot - z23;
-    const double z36 = z12 * z35;
-    const double z37 = s1 * z33;
-    const double z38 = z11 * z35;
-    const double z39 = v * (z32 * z13 - z7 * (z11 * z34 - s1 * z36 + (z12 * z37 - c1 * z38)));
-    const double z40 = J_r * z39;
-    const double z41 = tau * s2 - z40;
-    const double z42 = sigma * c2;
-    const double z43 = J_w * z39;
-    const double z44 = z42 - z43;
-    const double z45 = z42 + z43;
-    const double z46 = l * z30;
-    const double z47 = l * z29;
-    const double z48 = m * v;
-    const double z49 = (z32 * z17 + z7 * (s1 * z46 - z15 * z34 + (z47 * z12 - z16 * z38))) * (z18 * z48);
-    const double z50 = (z32 * z19 + z7 * (c1 * z46 + z15 * z37 + (z47 * z11 + z16 * z36))) * (z20 * z48);
-    const double z51 = (z14 * (z41 + (z40 + (z44 + (z43 - (z45 - k7 * z39))))) + z49 + z50) / z21;
-    const double z52 = z14 * z51;
+    const double z34 = s1 * z33;
+    const double z35 = l * z28;
+    const double z36 = p_f_dot - z23;
+    const double z37 = z12 * z36;
+    const double z38 = m * v;
+    const double z39 = (z31 * z19 + z7 * (c1 * z32 + z15 * z34 + (z35 * z11 + z16 * z37))) * (z20 * z38);
+    const double z40 = c1 * z33;
+    const double z41 = z11 * z36;
+    const double z42 = (z31 * z17 + z7 * (s1 * z32 - z15 * z40 + (z35 * z12 - z16 * z41))) * (z18 * z38);
+    const double z44 = v * (z31 * z13 - z7 * (z11 * z40 - s1 * z37 + (z12 * z34 - c1 * z41)));
+    const double z45 = tau * s2 - J_r * z44;
+    const double z46 = (z39 + (z42 + z14 * (z45 + k5 * z44))) / z21;
+    const double z47 = z14 * z46;
+    const double z48 = sigma * c2;
+    const double z49 = J_w * z44;
     /* (I.2.15) */
     dydt[0] = z19 * z22; /* x' */
     dydt[1] = z17 * z22; /* y' */
@@ -309,10 +306,10 @@ int snakeboard_rhs(double t, const double *y, const double *p, double *dydt)
     dydt[4] = p_b_dot; /* p_b' */
     dydt[5] = p_f_dot; /* p_f' */
     /* (I.2.15) 22:4 */
-    dydt[6] = z51; /* v' */
-    dydt[7] = k5 * z41 + z52; /* psi'' */
-    dydt[8] = k6 * z44 + z52; /* p_b'' */
-    dydt[9] = z52 - k6 * z45; /* p_f'' */
+    dydt[6] = z46; /* v' */
+    dydt[7] = k6 * z45 + z47; /* psi'' */
+    dydt[8] = k7 * (z48 - z49) + z47; /* p_b'' */
+    dydt[9] = z47 - k7 * (z48 + z49); /* p_f'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(dydt[0] + dydt[1] + dydt[3] + dydt[7] + dydt[8] + dydt[9]) <= DBL_MAX
         && fabs(z6) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4))
@@ -955,7 +952,7 @@ int snakeboard_jacobian(double t, const double *y, const double *p, double *J)
     const double z117 = z20 * z95;
     const double z118 = l * z64;
     const double z119 = z93 * z35 - z7 * (z97 + z15 * z110 + (z12 * z118 + (z17 * z113 + z81 * z28)));
-    const double z120 = z88 * z55 + z104 * z116 + (z48 * z96 + z117 * (z74 * z47 + z19 * z109 - z119));
+    const double z120 = z55 * z88 + z104 * z116 + (z48 * z96 + z117 * (z74 * z47 + z19 * z109 - z119));
     const double z121 = z24 * z95;
     const double z122 = z99 * z35 + z7 * (z90 - z15 * z112 - (z11 * z118 - (z17 * z111 + z79 * z28)));
     const double z123 = (J_2 * (z59 * z35 - z61) + m * (z61 + z25 * z35)) * z103 + z62 * (z120 - (z36 * z101
@@ -969,7 +966,7 @@ int snakeboard_jacobian(double t, const double *y, const double *p, double *J)
     const double z129 = v * (z115 - z82 * z44 + (z105 - z13 * z128));
     const double z130 = l * z65;
     const double z131 = z7 * (s1 * z130 + (z77 * z38 - z21 * z58) + (z98 + z17 * (z79 - z11 * z58)));
-    const double z132 = z88 * z57 + z104 * z129 - (z51 * z96 - z117 * (z93 * z44 - z131 - (z74 * z50 + z19 *
+    const double z132 = z57 * z88 + z104 * z129 - (z51 * z96 - z117 * (z93 * z44 - z131 - (z74 * z50 + z19 *
         z128)));
     const double z133 = z7 * (c1 * z130 - (z80 * z38 - z16 * z58) - (z92 - z17 * (z81 + z12 * z58)));
     const double z134 = z62 * (z132 + (z45 * z101 + z121 * (z99 * z44 - z133 + (z74 * z39 - z23 * z128))));
@@ -1157,42 +1154,39 @@ static __attribute__((noinline)) void snakeboard_rhs_lanes(const double *fixed, 
     bad |= snakeboard_misses(snakeboard_size(SNAKEBOARD_SPREAD(z21)), 1e-14 * z21);
     const snakeboard_lanes z22 = v * z7;
     const snakeboard_lanes z23 = z13 * z22;
-    const snakeboard_lanes z24 = t_ * nu;
-    snakeboard_lanes sine4, cosine4;
-    snakeboard_turn_lanes(SNAKEBOARD_SPREAD(z24), &far, &sine4, &cosine4);
-    const snakeboard_lanes s2 = sine4;
-    const snakeboard_lanes z25 = p_b_dot * c_p_b;
-    const snakeboard_lanes z26 = p_f_dot * c_p_f;
-    const snakeboard_lanes z27 = s_p_f * z26;
-    const snakeboard_lanes z28 = k1 * z27;
-    const snakeboard_lanes z29 = p_b_dot * s_p_b;
-    const snakeboard_lanes z30 = p_f_dot * s_p_f;
-    const snakeboard_lanes z31 = z3 * z25 - 4.0 * (s_p_b * (z27 - z28)) - 2.0 * (k2 * (z4 * z26 - s_p_f *
-        (c_p_f * z29 + c_p_b * z30)));
-    const snakeboard_lanes z32 = z7 * z7 * (z5 * z25 + s_p_b * z31 + (2.0 * z27 - 6.0 * z28));
+    const snakeboard_lanes z24 = p_b_dot * c_p_b;
+    const snakeboard_lanes z25 = p_f_dot * c_p_f;
+    const snakeboard_lanes z26 = s_p_f * z25;
+    const snakeboard_lanes z27 = k1 * z26;
+    const snakeboard_lanes z28 = p_b_dot * s_p_b;
+    const snakeboard_lanes z29 = p_f_dot * s_p_f;
+    const snakeboard_lanes z30 = z3 * z24 - 4.0 * (s_p_b * (z26 - z27)) - 2.0 * (k2 * (z4 * z25 - s_p_f *
+        (c_p_f * z28 + c_p_b * z29)));
+    const snakeboard_lanes z31 = z7 * z7 * (z5 * z24 + s_p_b * z30 + (2.0 * z26 - 6.0 * z27));
+    const snakeboard_lanes z32 = l * z29;
     const snakeboard_lanes z33 = p_b_dot - z23;
-    const snakeboard_lanes z34 = c1 * z33;
-    const snakeboard_lanes z35 = p_f_dot - z23;
-    const snakeboard_lanes z36 = z12 * z35;
-    const snakeboard_lanes z37 = s1 * z33;
-    const snakeboard_lanes z38 = z11 * z35;
-    const snakeboard_lanes z39 = v * (z32 * z13 - z7 * (z11 * z34 - s1 * z36 + (z12 * z37 - c1 * z38)));
-    const snakeboard_lanes z40 = J_r * z39;
-    const snakeboard_lanes z41 = tau * s2 - z40;
+    const snakeboard_lanes z34 = s1 * z33;
+    const snakeboard_lanes z35 = l * z28;
+    const snakeboard_lanes z36 = p_f_dot - z23;
+    const snakeboard_lanes z37 = z12 * z36;
+    const snakeboard_lanes z38 = m * v;
+    const snakeboard_lanes z39 = (z31 * z19 + z7 * (c1 * z32 + z15 * z34 + (z35 * z11 + z16 * z37))) * (z20 *
+        z38);
+    const snakeboard_lanes z40 = c1 * z33;
+    const snakeboard_lanes z41 = z11 * z36;
+    const snakeboard_lanes z42 = (z31 * z17 + z7 * (s1 * z32 - z15 * z40 + (z35 * z12 - z16 * z41))) * (z18 *
+        z38);
+    const snakeboard_lanes z43 = t_ * nu;
+    snakeboard_lanes sine4, cosine4;
+    snakeboard_turn_lanes(SNAKEBOARD_SPREAD(z43), &far, &sine4, &cosine4);
+    const snakeboard_lanes s2 = sine4;
+    const snakeboard_lanes z44 = v * (z31 * z13 - z7 * (z11 * z40 - s1 * z37 + (z12 * z34 - c1 * z41)));
+    const snakeboard_lanes z45 = tau * s2 - J_r * z44;
+    const snakeboard_lanes z46 = (z39 + (z42 + z14 * (z45 + k5 * z44))) / z21;
+    const snakeboard_lanes z47 = z14 * z46;
     const snakeboard_lanes c2 = cosine4;
-    const snakeboard_lanes z42 = sigma * c2;
-    const snakeboard_lanes z43 = J_w * z39;
-    const snakeboard_lanes z44 = z42 - z43;
-    const snakeboard_lanes z45 = z42 + z43;
-    const snakeboard_lanes z46 = l * z30;
-    const snakeboard_lanes z47 = l * z29;
-    const snakeboard_lanes z48 = m * v;
-    const snakeboard_lanes z49 = (z32 * z17 + z7 * (s1 * z46 - z15 * z34 + (z47 * z12 - z16 * z38))) * (z18 *
-        z48);
-    const snakeboard_lanes z50 = (z32 * z19 + z7 * (c1 * z46 + z15 * z37 + (z47 * z11 + z16 * z36))) * (z20 *
-        z48);
-    const snakeboard_lanes z51 = (z14 * (z41 + (z40 + (z44 + (z43 - (z45 - k7 * z39))))) + z49 + z50) / z21;
-    const snakeboard_lanes z52 = z14 * z51;
+    const snakeboard_lanes z48 = sigma * c2;
+    const snakeboard_lanes z49 = J_w * z44;
     /* (I.2.15) */
     const snakeboard_lanes slope1 = z19 * z22;
     sum += slope1;
@@ -1210,15 +1204,15 @@ static __attribute__((noinline)) void snakeboard_rhs_lanes(const double *fixed, 
     const snakeboard_lanes slope6 = p_f_dot;
     snakeboard_put(dydt + 5 * stride, slope6);
     /* (I.2.15) 22:4 */
-    const snakeboard_lanes slope7 = z51;
+    const snakeboard_lanes slope7 = z46;
     snakeboard_put(dydt + 6 * stride, slope7);
-    const snakeboard_lanes slope8 = k5 * z41 + z52;
+    const snakeboard_lanes slope8 = k6 * z45 + z47;
     sum += slope8;
     snakeboard_put(dydt + 7 * stride, slope8);
-    const snakeboard_lanes slope9 = k6 * z44 + z52;
+    const snakeboard_lanes slope9 = k7 * (z48 - z49) + z47;
     sum += slope9;
     snakeboard_put(dydt + 8 * stride, slope9);
-    const snakeboard_lanes slope10 = z52 - k6 * z45;
+    const snakeboard_lanes slope10 = z47 - k7 * (z48 + z49);
     sum += slope10;
     snakeboard_put(dydt + 9 * stride, slope10);
     snakeboard_put(check, snakeboard_mark(far + (sum - sum), bad));
@@ -1252,9 +1246,9 @@ int snakeboard_rhs_batch(size_t count, const double *t, const double *y, const d
     const double k2 = 1.0 - k1;
     const double k3 = fabs(l);
     const double k4 = 2.0 + k3;
-    const double k5 = 1.0 / J_r;
-    const double k6 = 1.0 / J_w;
-    const double k7 = J + J_w;
+    const double k5 = J + J_r;
+    const double k6 = 1.0 / J_r;
+    const double k7 = 1.0 / J_w;
     const double fixed[] = {m, l, J, J_r, J_w, tau, sigma, nu, k1, k2, k3, k4, k5, k6, k7};
     double check[1 * SNAKEBOARD_LANES];
     int status = SNAKEBOARD_OK;

@@ -1,5 +1,5 @@
 /*
- * snakeboard.h: snakeboard, emitted by nhc 0.1.0 (nhc:a277d0262d1414d4)
+ * snakeboard.h: snakeboard, emitted by nhc 0.1.0 (nhc:9c6deb84fa5a9d01)
  * A board on two steerable axles and a rotor; it moves by turning the rotor and the axles to and fro.
  * Source: snakeboard.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -36,15 +36,15 @@
  * out[0] = speed
  *
  * Operations:
- * rhs: 58 +-, 110 *, 4 /, 9 calls
+ * rhs: 52 +-, 106 *, 4 /, 9 calls
  * velocities: 18 +-, 34 *, 1 /, 7 calls
- * accelerations: 64 +-, 121 *, 4 /, 9 calls
+ * accelerations: 62 +-, 117 *, 4 /, 9 calls
  * state: 10 +-, 17 *, 0 /, 6 calls
  * residuals: 6 +-, 7 *, 0 /, 6 calls
- * reactions: 94 +-, 183 *, 4 /, 9 calls
+ * reactions: 82 +-, 155 *, 4 /, 9 calls
  * energy: 24 +-, 42 *, 1 /, 6 calls
- * jacobian: 194 +-, 347 *, 2 /, 9 calls
- * outputs: 17 +-, 31 *, 1 /, 7 calls
+ * jacobian: 165 +-, 299 *, 2 /, 9 calls
+ * outputs: 10 +-, 18 *, 1 /, 5 calls
  *
  * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
  */

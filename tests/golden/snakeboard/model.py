@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""snakeboard, emitted by nhc 0.1.0 (nhc:171a0d5565d08b90).
+"""snakeboard, emitted by nhc 0.1.0 (nhc:6ef25dc9c1b84e20).
 
 A board on two steerable axles and a rotor; it moves by turning the rotor and the
     axles to and fro.
@@ -38,15 +38,15 @@ Outputs:
 out[0] = speed
 
 Operations:
-rhs: 58 +-, 110 *, 4 /, 9 calls
+rhs: 52 +-, 106 *, 4 /, 9 calls
 velocities: 18 +-, 34 *, 1 /, 7 calls
-accelerations: 64 +-, 121 *, 4 /, 9 calls
+accelerations: 62 +-, 117 *, 4 /, 9 calls
 state: 10 +-, 17 *, 0 /, 6 calls
 residuals: 6 +-, 7 *, 0 /, 6 calls
-reactions: 94 +-, 183 *, 4 /, 9 calls
+reactions: 82 +-, 155 *, 4 /, 9 calls
 energy: 24 +-, 42 *, 1 /, 6 calls
-jacobian: 194 +-, 347 *, 2 /, 9 calls
-outputs: 17 +-, 31 *, 1 /, 7 calls
+jacobian: 165 +-, 299 *, 2 /, 9 calls
+outputs: 10 +-, 18 *, 1 /, 5 calls
 
 A singular point raises SingularModelError.
 """
@@ -140,9 +140,9 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         k2 = 1.0 - k1
         k3 = abs(l)
         k4 = 2.0 + k3
-        k5 = 1.0 / J_r
-        k6 = 1.0 / J_w
-        k7 = J + J_w
+        k5 = J + J_r
+        k6 = 1.0 / J_r
+        k7 = 1.0 / J_w
         # state
         s_p_b = math.sin(p_b)
         s_p_f = math.sin(p_f)
@@ -168,64 +168,57 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z12 = c_p_b * z10 - s_p_b * z9
         z13 = s1 * z11 - c1 * z12
         z14 = z7 * z13
-        z15 = J * z14 * z14
-        z16 = l * c_p_f
-        z17 = l * c_p_b
-        z18 = s1 * z16 + z17 * z12
-        z19 = z7 * z18
-        z20 = c1 * z16 + z17 * z11
-        z21 = z7 * z20
-        z22 = z15 + m * (z7 * (z18 * z19 + z20 * z21))
-        s4 = z15 + m * (z19 * z19)
-        s5 = s4 + m * (z21 * z21)
+        z15 = l * c_p_f
+        z16 = l * c_p_b
+        z17 = s1 * z15 + z16 * z12
+        z18 = z7 * z17
+        z19 = c1 * z15 + z16 * z11
+        z20 = z7 * z19
+        z21 = J * (z14 * z14) + m * (z7 * (z17 * z18 + z19 * z20))
         # the mass matrix is singular
-        if not abs(z22) > 1e-14 * s5:
+        if not abs(z21) > 1e-14 * z21:
             raise SingularModelError(2, "rhs")
-        z23 = v * z7
-        z24 = z13 * z23
-        z25 = t_ * nu
-        s2 = math.sin(z25)
-        z26 = p_b_dot * c_p_b
-        z27 = p_f_dot * c_p_f
-        z28 = s_p_f * z27
-        z29 = k1 * z28
-        z30 = p_b_dot * s_p_b
-        z31 = p_f_dot * s_p_f
-        s6 = 2.0 * (k2 * (z4 * z27 - s_p_f * (c_p_f * z30 + c_p_b * z31)))
-        z32 = z3 * z26 - 4.0 * (s_p_b * (z28 - z29)) - s6
-        z33 = z7 * z7 * (z5 * z26 + s_p_b * z32 + (2.0 * z28 - 6.0 * z29))
-        z34 = p_b_dot - z24
-        z35 = c1 * z34
-        z36 = p_f_dot - z24
+        z22 = v * z7
+        z23 = z13 * z22
+        z24 = p_b_dot * c_p_b
+        z25 = p_f_dot * c_p_f
+        z26 = s_p_f * z25
+        z27 = k1 * z26
+        z28 = p_b_dot * s_p_b
+        z29 = p_f_dot * s_p_f
+        s4 = 2.0 * (k2 * (z4 * z25 - s_p_f * (c_p_f * z28 + c_p_b * z29)))
+        z30 = z3 * z24 - 4.0 * (s_p_b * (z26 - z27)) - s4
+        z31 = z7 * z7 * (z5 * z24 + s_p_b * z30 + (2.0 * z26 - 6.0 * z27))
+        z32 = l * z29
+        z33 = p_b_dot - z23
+        z34 = s1 * z33
+        z35 = l * z28
+        z36 = p_f_dot - z23
         z37 = z12 * z36
-        z38 = s1 * z34
-        z39 = z11 * z36
-        s7 = z7 * (z11 * z35 - s1 * z37 + (z12 * z38 - c1 * z39))
-        z40 = v * (z33 * z13 - s7)
-        z41 = J_r * z40
-        z42 = tau * s2 - z41
-        c2 = math.cos(z25)
-        z43 = sigma * c2
-        z44 = J_w * z40
-        z45 = z43 - z44
-        z46 = z43 + z44
-        z47 = l * z31
-        z48 = l * z30
-        z49 = m * v
-        s8 = z7 * (s1 * z47 - z16 * z35 + (z48 * z12 - z17 * z39))
-        z50 = (z33 * z18 + s8) * (z19 * z49)
-        s9 = z7 * (c1 * z47 + z16 * z38 + (z48 * z11 + z17 * z37))
-        z51 = (z33 * z20 + s9) * (z21 * z49)
-        s10 = z14 * (z42 + (z41 + (z45 + (z44 - (z46 - k7 * z40))))) + z50
-        z52 = (s10 + z51) / z22
-        z53 = z14 * z52
+        z38 = m * v
+        s5 = z7 * (c1 * z32 + z15 * z34 + (z35 * z11 + z16 * z37))
+        z39 = (z31 * z19 + s5) * (z20 * z38)
+        z40 = c1 * z33
+        z41 = z11 * z36
+        s6 = z7 * (s1 * z32 - z15 * z40 + (z35 * z12 - z16 * z41))
+        z42 = (z31 * z17 + s6) * (z18 * z38)
+        z43 = t_ * nu
+        s2 = math.sin(z43)
+        s7 = z7 * (z11 * z40 - s1 * z37 + (z12 * z34 - c1 * z41))
+        z44 = v * (z31 * z13 - s7)
+        z45 = tau * s2 - J_r * z44
+        z46 = (z39 + (z42 + z14 * (z45 + k5 * z44))) / z21
+        z47 = z14 * z46
+        c2 = math.cos(z43)
+        z48 = sigma * c2
+        z49 = J_w * z44
         dydt: list[float] = [
             # x' (I.2.15)
-            z20 * z23,
+            z19 * z22,
             # y' (I.2.15)
-            z18 * z23,
+            z17 * z22,
             # theta' (I.2.15)
-            -z24,
+            -z23,
             # psi' (I.2.15)
             psi_dot,
             # p_b' (I.2.15)
@@ -233,13 +226,13 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
             # p_f' (I.2.15)
             p_f_dot,
             # v' (I.2.15) 22:4
-            z52,
+            z46,
             # psi'' (I.2.15) 22:4
-            z53 + k5 * z42,
+            k6 * z45 + z47,
             # p_b'' (I.2.15) 22:4
-            z53 + k6 * z45,
+            k7 * (z48 - z49) + z47,
             # p_f'' (I.2.15) 22:4
-            z53 - k6 * z46,
+            z47 - k7 * (z48 + z49),
         ]
         return _finish("rhs", dydt)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -378,70 +371,67 @@ def accelerations(
         z12 = c_p_b * z10 - s_p_b * z9
         z13 = s1 * z11 - c1 * z12
         z14 = z7 * z13
-        z15 = J * z14 * z14
-        z16 = l * c_p_f
-        z17 = l * c_p_b
-        z18 = s1 * z16 + z17 * z12
-        z19 = z7 * z18
-        z20 = c1 * z16 + z17 * z11
-        z21 = z7 * z20
-        z22 = z15 + m * (z7 * (z18 * z19 + z20 * z21))
-        s4 = z15 + m * (z19 * z19)
-        s5 = s4 + m * (z21 * z21)
+        z15 = l * c_p_f
+        z16 = l * c_p_b
+        z17 = s1 * z15 + z16 * z12
+        z18 = z7 * z17
+        z19 = c1 * z15 + z16 * z11
+        z20 = z7 * z19
+        z21 = J * (z14 * z14) + m * (z7 * (z17 * z18 + z19 * z20))
         # the mass matrix is singular
-        if not abs(z22) > 1e-14 * s5:
+        if not abs(z21) > 1e-14 * z21:
             raise SingularModelError(2, "accelerations")
-        z23 = p_b_dot * c_p_b
-        z24 = p_f_dot * c_p_f
-        z25 = s_p_f * z24
-        z26 = k1 * z25
-        z27 = p_b_dot * s_p_b
-        z28 = p_f_dot * s_p_f
-        s6 = 2.0 * (k2 * (z4 * z24 - s_p_f * (c_p_f * z27 + c_p_b * z28)))
-        z29 = z3 * z23 - 4.0 * (s_p_b * (z25 - z26)) - s6
-        z30 = z7 * z7 * (z5 * z23 + s_p_b * z29 + (2.0 * z25 - 6.0 * z26))
-        z31 = v * z30
-        z32 = l * z28
-        z33 = v * z13
-        z34 = z7 * z33
-        z35 = p_b_dot - z34
-        z36 = s1 * z35
-        z37 = l * z27
-        z38 = p_f_dot - z34
-        z39 = z12 * z38
-        z40 = c1 * z32 + z16 * z36 + (z37 * z11 + z17 * z39)
-        z41 = t_ * nu
-        s2 = math.sin(z41)
-        z42 = c1 * z35
-        z43 = z11 * z38
-        z44 = z11 * z42 - s1 * z39 + (z12 * z36 - c1 * z43)
-        z45 = v * (z7 * z44 - z30 * z13)
-        z46 = J_r * z45
-        z47 = tau * s2 + z46
-        c2 = math.cos(z41)
-        z48 = sigma * c2
-        z49 = J_w * z45
-        z50 = z48 + z49
-        z51 = z48 - z49
-        z52 = s1 * z32 - z16 * z42 + (z37 * z12 - z17 * z43)
-        z53 = m * v
-        s7 = z14 * (z47 - (z46 - (z50 - (z49 + (z51 + k7 * z45)))))
-        z54 = s7 + (z7 * z52 + z30 * z18) * (z19 * z53)
-        z55 = (z54 + (z7 * z40 + z30 * z20) * (z21 * z53)) / z22
-        z56 = z14 * z55
+        z22 = p_b_dot * c_p_b
+        z23 = p_f_dot * c_p_f
+        z24 = s_p_f * z23
+        z25 = k1 * z24
+        z26 = p_b_dot * s_p_b
+        z27 = p_f_dot * s_p_f
+        s4 = 2.0 * (k2 * (z4 * z23 - s_p_f * (c_p_f * z26 + c_p_b * z27)))
+        z28 = z3 * z22 - 4.0 * (s_p_b * (z24 - z25)) - s4
+        z29 = z7 * z7 * (z5 * z22 + s_p_b * z28 + (2.0 * z24 - 6.0 * z25))
+        z30 = v * z29
+        z31 = l * z27
+        z32 = v * z13
+        z33 = z7 * z32
+        z34 = p_b_dot - z33
+        z35 = s1 * z34
+        z36 = l * z26
+        z37 = p_f_dot - z33
+        z38 = z12 * z37
+        z39 = c1 * z31 + z15 * z35 + (z36 * z11 + z16 * z38)
+        z40 = t_ * nu
+        s2 = math.sin(z40)
+        z41 = c1 * z34
+        z42 = z11 * z37
+        z43 = z11 * z41 - s1 * z38 + (z12 * z35 - c1 * z42)
+        z44 = v * (z7 * z43 - z29 * z13)
+        z45 = J_r * z44
+        z46 = tau * s2 + z45
+        c2 = math.cos(z40)
+        z47 = sigma * c2
+        z48 = J_w * z44
+        z49 = z47 + z48
+        z50 = z47 - z48
+        z51 = s1 * z31 - z15 * z41 + (z36 * z12 - z16 * z42)
+        z52 = m * v
+        s5 = z14 * (z46 - (z45 - (z49 - (z48 + (z50 + k7 * z44)))))
+        z53 = s5 + (z7 * z51 + z29 * z17) * (z18 * z52)
+        z54 = (z53 + (z7 * z39 + z29 * z19) * (z20 * z52)) / z21
+        z55 = z14 * z54
         qddot: list[float] = [
             # x'' (I.2.15)
-            -(z20 * z31 + z7 * (v * z40 - z20 * z55)),
+            -(z19 * z30 + z7 * (v * z39 - z19 * z54)),
             # y'' (I.2.15)
-            -(z18 * z31 + z7 * (v * z52 - z18 * z55)),
+            -(z17 * z30 + z7 * (v * z51 - z17 * z54)),
             # theta'' (I.2.15)
-            z30 * z33 - z7 * (v * z44 + z13 * z55),
+            z29 * z32 - z7 * (v * z43 + z13 * z54),
             # psi'' (I.2.15)
-            k5 * z47 + z56,
+            k5 * z46 + z55,
             # p_b'' (I.2.15)
-            k6 * z50 + z56,
+            k6 * z49 + z55,
             # p_f'' (I.2.15)
-            z56 - k6 * z51,
+            z55 - k6 * z50,
         ]
         return _finish("accelerations", qddot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -585,6 +575,7 @@ def reactions(
         k5 = 1.0 / J_r
         k6 = 1.0 / J_w
         k7 = J + J_w
+        k8 = J_r - (m - J)
         # state
         s_p_b = math.sin(p_b)
         s_p_f = math.sin(p_f)
@@ -600,104 +591,91 @@ def reactions(
         # the coframe is singular
         if not abs(z6) > 1e-12 * (k4 * s3):
             raise SingularModelError(1, "reactions")
-        z7 = 1.0 / z6
-        z8 = theta + p_b
-        s1 = math.sin(z8)
-        c1 = math.cos(z8)
-        z9 = c1 * c_p_f
-        z10 = z9 - s1 * s_p_f
+        z7 = c_p_b * s_p_f - c_p_f * s_p_b
+        z8 = 1.0 / z6
+        z9 = z7 * z8
+        z10 = theta + p_b
+        s1 = math.sin(z10)
         z11 = s1 * c_p_f
+        c1 = math.cos(z10)
         z12 = z11 + c1 * s_p_f
-        z13 = c_p_b * z10 + s_p_b * z12
-        z14 = c_p_b * z12 - s_p_b * z10
-        z15 = s1 * z13 - c1 * z14
-        z16 = z7 * z15
-        z17 = J * z16 * z16
-        z18 = l * c_p_f
-        z19 = l * c_p_b
-        z20 = s1 * z18 + z19 * z14
-        z21 = z7 * z20
-        z22 = c1 * z18 + z19 * z13
-        z23 = z7 * z22
-        z24 = z17 + m * (z7 * (z20 * z21 + z22 * z23))
-        s4 = z17 + m * (z21 * z21)
-        s5 = s4 + m * (z23 * z23)
+        z13 = c1 * c_p_f
+        z14 = z13 - s1 * s_p_f
+        z15 = c_p_b * z12 - s_p_b * z14
+        z16 = l * (z11 + c_p_b * z15)
+        z17 = z8 * z16
+        z18 = c_p_b * z14 + s_p_b * z12
+        z19 = l * (z13 + c_p_b * z18)
+        z20 = z8 * z19
+        z21 = J * (z9 * z9) + m * (z8 * (z16 * z17 + z19 * z20))
         # the mass matrix is singular
-        if not abs(z24) > 1e-14 * s5:
+        if not abs(z21) > 1e-14 * z21:
             raise SingularModelError(2, "reactions")
-        z25 = l * (z11 + c_p_b * z14)
-        z26 = c_p_b * s_p_f - c_p_f * s_p_b
-        z27 = z7 * (z18 * z25 - z26 * z13)
-        z28 = p_b_dot * c_p_b
-        z29 = p_f_dot * c_p_f
-        z30 = s_p_f * z29
-        z31 = k1 * z30
-        z32 = p_b_dot * s_p_b
-        z33 = p_f_dot * s_p_f
-        s6 = 2.0 * (k2 * (z4 * z29 - s_p_f * (c_p_f * z32 + c_p_b * z33)))
-        z34 = z3 * z28 - 4.0 * (s_p_b * (z30 - z31)) - s6
-        z35 = z7 * z7 * (z5 * z28 + s_p_b * z34 + (2.0 * z30 - 6.0 * z31))
-        z36 = v * z35
-        z37 = l * z33
-        z38 = v * z15
-        z39 = z7 * z38
-        z40 = p_b_dot - z39
-        z41 = s1 * z40
-        z42 = l * z32
-        z43 = p_f_dot - z39
-        z44 = z14 * z43
-        z45 = c1 * z37 + z18 * z41 + (z42 * z13 + z19 * z44)
-        z46 = v * z7
-        z47 = z22 * z36 + z45 * z46
-        z48 = l * (z9 + c_p_b * z13)
-        z49 = z7 * (z18 * z48 + z26 * z14)
-        z50 = c1 * z40
-        z51 = z13 * z43
-        z52 = s1 * z37 - z18 * z50 + (z42 * z14 - z19 * z51)
-        z53 = z20 * z36 + z52 * z46
-        z54 = z7 * (z13 * z48 + z14 * z25)
-        z55 = z13 * z50 - s1 * z44 + (z14 * z41 - c1 * z51)
-        z56 = z35 * z38 - z55 * z46
-        z57 = z54 * z56
-        s7 = m * (z27 * z47 - z49 * z53) - J * z57 - J_r * z57
-        z58 = s7 - 2.0 * (J_w * z57)
-        z59 = t_ * nu
-        c2 = math.cos(z59)
-        z60 = sigma * c2
-        z61 = v * (z7 * z55 - z35 * z15)
-        z62 = J_w * z61
-        z63 = z60 - z62
-        s2 = math.sin(z59)
-        z64 = J_r * z61
-        z65 = tau * s2 + z64
-        z66 = z60 + z62
-        z67 = m * v
-        s8 = z16 * (z65 - (z64 - (z66 - (z62 + (z63 + k7 * z61)))))
-        z68 = s8 + (z7 * z52 + z35 * z20) * (z21 * z67)
-        z69 = (z68 + (z7 * z45 + z35 * z22) * (z23 * z67)) / z24
-        z70 = z16 * z69
-        z71 = k6 * z63 - z70
-        z72 = J_w * z54
-        z73 = k6 * z66 + z70
-        z74 = z16 * z54
-        s9 = m * (z23 * z27 - z21 * z49) - J * z74 - J_r * z74
-        z75 = s9 - 2.0 * (J_w * z74)
-        z76 = J_r * (k5 * z65 + z70)
-        z77 = z7 * (c1 * z26 + z19 * z25)
-        z78 = z7 * (s1 * z26 - z19 * z48)
-        z79 = z7 * (c1 * z48 + s1 * z25)
-        z80 = z79 * z56
-        s10 = m * (z77 * z47 + z78 * z53) + J * z80 + J_r * z80
-        z81 = s10 + 2.0 * (J_w * z80)
-        z82 = J_w * z79
-        z83 = z16 * z79
-        s11 = m * (z23 * z77 + z21 * z78) + J * z83 + J_r * z83
-        z84 = s11 + 2.0 * (J_w * z83)
+        z22 = l * c_p_f
+        z23 = p_b_dot * c_p_b
+        z24 = p_f_dot * c_p_f
+        z25 = s_p_f * z24
+        z26 = k1 * z25
+        z27 = p_b_dot * s_p_b
+        z28 = p_f_dot * s_p_f
+        s4 = 2.0 * (k2 * (z4 * z24 - s_p_f * (c_p_f * z27 + c_p_b * z28)))
+        z29 = z3 * z23 - 4.0 * (s_p_b * (z25 - z26)) - s4
+        z30 = z8 * z8 * (z5 * z23 + s_p_b * z29 + (2.0 * z25 - 6.0 * z26))
+        z31 = l * z28
+        z32 = v * z9
+        z33 = p_b_dot + z32
+        z34 = s1 * z33
+        z35 = l * z27
+        z36 = l * c_p_b
+        z37 = p_f_dot + z32
+        z38 = z15 * z37
+        s5 = z8 * (c1 * z31 + z22 * z34 + (z35 * z18 + z36 * z38))
+        z39 = v * (z30 * z19 + s5)
+        z40 = z8 * z39
+        z41 = c1 * z33
+        z42 = z18 * z37
+        s6 = z8 * (s1 * z31 - z22 * z41 + (z35 * z15 - z36 * z42))
+        z43 = v * (z30 * z16 + s6)
+        z44 = z8 * z43
+        z45 = z8 * (z18 * z19 + z15 * z16)
+        s7 = z8 * (z18 * z41 - s1 * z38 + (z15 * z34 - c1 * z42))
+        z46 = v * (z7 * z30 + s7)
+        z47 = z45 * z46
+        s8 = (z22 * z16 - z7 * z18) * z40 - (z22 * z19 + z7 * z15) * z44
+        z48 = m * s8 + J * z47
+        z49 = J_w * z45
+        z50 = t_ * nu
+        s2 = math.sin(z50)
+        z51 = J_r * z46
+        z52 = tau * s2 + z51
+        c2 = math.cos(z50)
+        z53 = sigma * c2
+        z54 = J_w * z46
+        z55 = z53 + z54
+        z56 = z53 - z54
+        s9 = z9 * (z52 - (z51 - (z55 - (z54 + (z56 + k7 * z46)))))
+        z57 = s9 - m * (z17 * z43) - m * (z20 * z39)
+        z58 = z57 / z21
+        z59 = z9 * z58
+        z60 = z59 - k6 * z56
+        z61 = z59 + k6 * z55
+        z62 = z45 * z9
+        z63 = J_r * (z59 + k5 * z52)
+        s10 = z49 * z61 - ((z62 * k8 + 2.0 * (J_w * z62)) * z58 - z45 * z63)
+        z64 = z49 * z60 + s10
+        z65 = z8 * (c1 * z19 + s1 * z16)
+        z66 = z65 * z46
+        s11 = (c1 * z7 + z36 * z16) * z40 + (s1 * z7 - z36 * z19) * z44
+        z67 = m * s11 - J * z66
+        z68 = J_w * z65
+        z69 = z65 * z9
+        s12 = z68 * z61 - ((k8 * z69 + 2.0 * (J_w * z69)) * z58 - z65 * z63)
+        z70 = z68 * z60 + s12
         lambda_: list[float] = [
             # reaction of back: Q_i gains lambda_1 a_1i (I.4.1) 28:5
-            z58 + (z71 * z72 - (z73 * z72 + (z69 * z75 + z54 * z76))),
+            z48 + J_r * z47 + 2.0 * (J_w * z47) - z64,
             # reaction of front: Q_i gains lambda_2 a_2i (I.4.1) 29:5
-            z81 - (z71 * z82 - (z73 * z82 - (z69 * z84 - z79 * z76))),
+            z67 - J_r * z66 - 2.0 * (J_w * z66) + z70,
         ]
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -798,247 +776,211 @@ def jacobian(
         k4 = 2.0 + k3
         k5 = J_2 + J_w
         # state
+        s_p_b = math.sin(p_b)
         s_p_f = math.sin(p_f)
         z1 = s_p_f * s_p_f
-        s_p_b = math.sin(p_b)
         z2 = 2.0 * z1
         z3 = 1.0 - z2 - k1 * (3.0 - z2)
         c_p_b = math.cos(p_b)
         c_p_f = math.cos(p_f)
         z4 = c_p_b * c_p_f
-        z5 = s_p_f * k2
-        z6 = s_p_b * z3 - 2.0 * (z4 * z5)
-        z7 = z1 + k1 * (4.0 - 3.0 * z1) + s_p_b * z6
+        z5 = s_p_b * z3 - 2.0 * (s_p_f * z4 * k2)
+        z6 = s_p_b * z5 + (z1 + k1 * (4.0 - 3.0 * z1))
         s3 = (2.0 + 4.0 * k3) * k4
         # the coframe is singular
-        if not abs(z7) > 1e-12 * (k4 * s3):
+        if not abs(z6) > 1e-12 * (k4 * s3):
             raise SingularModelError(1, "jacobian")
-        z8 = 1.0 / z7
-        z9 = theta + p_b
-        s1 = math.sin(z9)
-        c1 = math.cos(z9)
-        z10 = c1 * c_p_f - s1 * s_p_f
-        z11 = s1 * c_p_f + c1 * s_p_f
-        z12 = c_p_b * z10 + s_p_b * z11
-        z13 = c_p_b * z11 - s_p_b * z10
-        z14 = s1 * z12 - c1 * z13
-        z15 = z14 * z8
-        z16 = z14 * z15
-        z17 = l * c_p_f
-        z18 = s1 * z17
-        z19 = l * c_p_b
-        z20 = z19 * z13
-        z21 = z18 + z20
-        z22 = z21 * z8
-        z23 = c1 * z17
-        z24 = z19 * z12
-        z25 = z23 + z24
-        z26 = z25 * z8
-        z27 = z21 * z22 + z25 * z26
-        z28 = J_2 * (z8 * z16) + m * (z8 * z27)
-        s4 = J_2 * (z15 * z15)
-        s5 = s4 + m * (z22 * z22)
-        s6 = s5 + m * (z26 * z26)
+        z7 = 1.0 / z6
+        z8 = theta + p_b
+        s1 = math.sin(z8)
+        c1 = math.cos(z8)
+        z9 = c1 * c_p_f - s1 * s_p_f
+        z10 = s1 * c_p_f + c1 * s_p_f
+        z11 = c_p_b * z9 + s_p_b * z10
+        z12 = c_p_b * z10 - s_p_b * z9
+        z13 = s1 * z11 - c1 * z12
+        z14 = z7 * z13
+        z15 = l * c_p_f
+        z16 = s1 * z15
+        z17 = l * c_p_b
+        z18 = z17 * z12
+        z19 = z16 + z18
+        z20 = z7 * z19
+        z21 = c1 * z15
+        z22 = z17 * z11
+        z23 = z21 + z22
+        z24 = z7 * z23
+        z25 = z19 * z20 + z23 * z24
+        z26 = J_2 * (z14 * z14) + m * (z7 * z25)
         # the mass matrix is singular
-        if not abs(z28) > 1e-14 * s6:
+        if not abs(z26) > 1e-14 * z26:
             raise SingularModelError(2, "jacobian")
-        z29 = v * z21
-        z30 = v * z25
-        z31 = z8 * z8
-        z32 = c_p_f * s_p_b
-        z33 = c_p_b * z3 + 2.0 * (z32 * z5)
-        z34 = c_p_b * z6 + s_p_b * z33
-        z35 = z31 * z34
-        z36 = l * s_p_b
-        z37 = z18 + z12 * z36
-        z38 = v * z8
-        z39 = c_p_f * s_p_f
-        z40 = k1 * z39
-        z41 = z39 - z40
-        z42 = c_p_b * s_p_f
-        s7 = 2.0 * (k2 * (c_p_f * z4 - s_p_f * z42))
-        z43 = 4.0 * (s_p_b * z41) + s7
-        z44 = s_p_b * z43 - (2.0 * z39 - 6.0 * z40)
-        z45 = z44 * z31
-        z46 = l * s_p_f
-        z47 = z20 + c1 * z46
-        z48 = z23 - z13 * z36
-        z49 = z24 - s1 * z46
-        z50 = v * z14
-        z51 = s1 * z13 + c1 * z12
-        z52 = z51 * z38
-        z53 = z50 * z35 - z52
-        z54 = z52 - z50 * z45
-        z55 = z51 * z15
-        z56 = z51 * z8
-        z57 = z56 - z14 * z35
-        z58 = z48 * z8 - z21 * z35
-        z59 = z37 * z8 + z25 * z35
-        s8 = z8 * (z48 * z22 + z21 * z58 - (z37 * z26 + z25 * z59))
-        z60 = m * (z27 * z35 - s8)
-        z61 = t_ * nu
-        s2 = math.sin(z61)
-        z62 = z50 * z8
-        z63 = p_b_dot - z62
-        z64 = c1 * z63
-        z65 = p_f_dot - z62
-        z66 = z13 * z65
-        z67 = s1 * z63
-        z68 = z12 * z65
-        z69 = z12 * z64 - s1 * z66 + (z13 * z67 - c1 * z68)
-        z70 = p_f_dot * c_p_f
-        z71 = s_p_f * z70
-        z72 = k1 * z71
-        z73 = p_b_dot * c_p_b
-        z74 = z71 - z72
-        z75 = p_b_dot * s_p_b
-        z76 = p_f_dot * s_p_f
-        z77 = c_p_f * z75 + c_p_b * z76
-        s9 = 2.0 * (k2 * (z4 * z70 - s_p_f * z77))
-        z78 = z3 * z73 - 4.0 * (s_p_b * z74) - s9
-        z79 = 2.0 * z71 - 6.0 * z72 + (s_p_b * z78 + z73 * z6)
-        z80 = z31 * z79
-        z81 = z8 * z69 - z14 * z80
-        z82 = v * z81
-        z83 = J_r * z82
-        c2 = math.cos(z61)
-        z84 = sigma * c2
-        z85 = J_w * z82
-        s10 = z83 - (z84 + z85 - (z85 + (z84 - z85 + k5 * z82)))
-        z86 = tau * s2 + z83 - s10
-        z87 = m * v
-        z88 = l * z76
-        z89 = s1 * z88
-        z90 = l * z75
-        z91 = z90 * z13
-        z92 = z89 - z17 * z64 + (z91 - z19 * z68)
-        z93 = z8 * z92 + z21 * z80
-        z94 = z87 * z93
-        z95 = c1 * z88
-        z96 = z90 * z12
-        z97 = z95 + z17 * z67 + (z96 + z19 * z66)
-        z98 = z8 * z97 + z25 * z80
-        z99 = z87 * z98
-        z100 = z15 * z86 + z22 * z94 + z26 * z99
-        z101 = 1.0 / z28
-        z102 = z100 * (z101 * z101)
-        z103 = z67 - c1 * z53
-        z104 = z13 * z53
-        z105 = z64 + s1 * z53
-        z106 = z12 * z53
-        s11 = z12 * z103 + (c1 * z66 + s1 * z104)
-        z107 = s11 - (z13 * z105 + (s1 * z68 - c1 * z106))
-        z108 = z51 * z80
-        z109 = z79 * (z31 * z8)
-        s12 = 2.0 * (k2 * (z32 * z70 - s_p_f * (s_p_b * z76 - c_p_f * z73)))
-        z110 = z3 * z75 + 4.0 * (c_p_b * z74) - s12
-        s13 = z31 * (c_p_b * z78 - s_p_b * z110 + (z73 * z33 - z75 * z6))
-        z111 = 2.0 * (z34 * z109) - s13
-        z112 = v * (z69 * z35 + z8 * z107 + (z108 - z14 * z111))
-        z113 = J_2 * z15
-        z114 = l * z73
-        s14 = z95 + z17 * z103 + (z13 * z114 + (z36 * z68 - z19 * z106))
-        z115 = z92 * z35 - z8 * s14
-        z116 = z87 * z22
-        s15 = z94 * z58 - (z115 - (z48 * z80 - z21 * z111)) * z116
-        z117 = z86 * z57 + z112 * z113 + s15
-        s16 = z89 - z17 * z105 - (z12 * z114 - (z36 * z66 - z19 * z104))
-        z118 = z97 * z35 + z8 * s16
-        z119 = z87 * z26
-        s17 = z117 - (z99 * z59 + (z118 + (z37 * z80 + z25 * z111)) * z119)
-        s18 = (J_2 * (z16 * z35 - z8 * (z55 + z14 * z57)) + z60) * z102
-        z120 = s18 + z101 * s17
-        z121 = z56 - z14 * z45
-        z122 = z49 * z8 + z21 * z45
-        z123 = z47 * z8 - z25 * z45
-        s19 = z8 * (z49 * z22 + z21 * z122 - (z47 * z26 + z25 * z123))
-        z124 = m * (z27 * z45 + s19)
-        z125 = c1 * z54
-        z126 = z68 + z13 * z54
-        z127 = s1 * z54
-        z128 = z66 - z12 * z54
-        s20 = z13 * z64 - z12 * z125 + s1 * z126
-        z129 = s20 - (z12 * z67 + z13 * z127 + c1 * z128)
-        z130 = c_p_f * z70 - s_p_f * z76
-        z131 = k1 * z130
-        s21 = c_p_f * z77 - s_p_f * (s_p_f * z75 - c_p_b * z70)
-        z132 = k2 * (z42 * z70 + z4 * z76 + s21)
-        s22 = 4.0 * (z73 * z41 + s_p_b * (z130 - z131)) - 2.0 * z132
-        z133 = z73 * z43 + s_p_b * s22 - (2.0 * z130 - 6.0 * z131)
-        z134 = 2.0 * (z44 * z109) - z133 * z31
-        z135 = v * (z69 * z45 - z8 * z129 + (z108 - z14 * z134))
-        z136 = l * z70
-        s23 = s1 * z136 + (z46 * z64 - z17 * z125) + (z96 + z19 * z128)
-        z137 = z92 * z45 + z8 * s23
-        s24 = z94 * z122 + z116 * (z137 + (z49 * z80 + z21 * z134))
-        z138 = z86 * z121 + z113 * z135 - s24
-        s25 = c1 * z136 - (z46 * z67 - z17 * z127) - (z91 - z19 * z126)
-        z139 = z97 * z45 + z8 * s25
-        s26 = z138 + (z99 * z123 - z119 * (z139 - (z47 * z80 - z25 * z134)))
-        s27 = z102 * (J_2 * (z16 * z45 - z8 * (z55 + z14 * z121)) + z124)
-        z140 = s27 + z101 * s26
-        z141 = c1 * z15
-        z142 = z13 * z15
-        z143 = s1 * z15
-        z144 = z12 * z15
-        s28 = z38 * (z12 * z141 - s1 * z142 + (z13 * z143 - c1 * z144))
-        z145 = z81 - s28
-        s29 = m * (z22 * (z93 + z38 * (z17 * z141 + z19 * z144)))
-        s30 = m * (z26 * (z98 - z38 * (z17 * z143 + z19 * z142)))
-        z146 = z113 * z145 - s29 - s30
-        z147 = z101 * z146
-        z148 = v * z57
-        z149 = z101 * (z113 * z148 + z58 * z116 - z59 * z119)
-        z150 = v * z121
-        z151 = z101 * (z113 * z150 - z116 * z122 + z119 * z123)
-        z152 = z101 * z100
-        z153 = z112 - (z152 * z57 + z15 * z120)
-        z154 = z135 - (z152 * z121 + z15 * z140)
-        z155 = z145 - z15 * z147
-        z156 = z148 - z15 * z149
-        z157 = z150 - z15 * z151
+        z27 = v * z7
+        z28 = l * s_p_b
+        z29 = z16 + z11 * z28
+        z30 = z7 * z7
+        z31 = c_p_f * s_p_b
+        z32 = k2 * (s_p_f * z31)
+        z33 = c_p_b * z3 + 2.0 * z32
+        z34 = c_p_b * z5 + s_p_b * z33
+        z35 = z30 * z34
+        z36 = z7 * z29 + z23 * z35
+        z37 = v * z36
+        z38 = l * s_p_f
+        z39 = z18 + c1 * z38
+        z40 = c_p_f * s_p_f
+        z41 = c_p_b * s_p_f
+        z42 = 4.0 * z32 + 2.0 * (k2 * (c_p_f * z4 - s_p_f * z41))
+        z43 = 2.0 * z40 - 6.0 * (k1 * z40) - s_p_b * z42
+        z44 = z30 * z43
+        z45 = z7 * z39 + z23 * z44
+        z46 = v * z45
+        z47 = z21 - z12 * z28
+        z48 = z7 * z47 - z19 * z35
+        z49 = v * z48
+        z50 = z22 - s1 * z38
+        z51 = z7 * z50 - z19 * z44
+        z52 = v * z51
+        z53 = s1 * z12 + c1 * z11
+        z54 = z7 * z53
+        z55 = z54 - z13 * z35
+        z56 = v * z55
+        z57 = z54 + z13 * z44
+        z58 = v * z57
+        z59 = z13 * z14
+        z60 = z14 * z53
+        z61 = z7 * (z60 + z13 * z55)
+        z62 = 1.0 / z26
+        z63 = t_ * nu
+        s2 = math.sin(z63)
+        z64 = p_b_dot * c_p_b
+        z65 = p_f_dot * c_p_f
+        z66 = s_p_f * z65
+        z67 = k1 * z66
+        z68 = z66 - z67
+        z69 = p_b_dot * s_p_b
+        z70 = p_f_dot * s_p_f
+        z71 = c_p_f * z69 + c_p_b * z70
+        s4 = 2.0 * (k2 * (z4 * z65 - s_p_f * z71))
+        z72 = z3 * z64 - 4.0 * (s_p_b * z68) - s4
+        z73 = z5 * z64 + s_p_b * z72 + (2.0 * z66 - 6.0 * z67)
+        z74 = z30 * z73
+        z75 = z13 * z27
+        z76 = p_b_dot - z75
+        z77 = c1 * z76
+        z78 = p_f_dot - z75
+        z79 = z12 * z78
+        z80 = s1 * z76
+        z81 = z11 * z78
+        z82 = z11 * z77 - s1 * z79 + (z12 * z80 - c1 * z81)
+        z83 = z74 * z13 - z7 * z82
+        z84 = v * z83
+        z85 = J_r * z84
+        c2 = math.cos(z63)
+        z86 = sigma * c2
+        z87 = J_w * z84
+        s5 = z85 + (z86 - z87 + (z87 - (z86 + z87 - k5 * z84)))
+        z88 = tau * s2 - z85 + s5
+        z89 = l * z70
+        z90 = s1 * z89
+        z91 = l * z69
+        z92 = z91 * z12
+        z93 = z90 - z15 * z77 + (z92 - z17 * z81)
+        z94 = z74 * z19 + z7 * z93
+        z95 = m * v
+        z96 = z94 * z95
+        z97 = c1 * z89
+        z98 = z91 * z11
+        z99 = z97 + z15 * z80 + (z98 + z17 * z79)
+        z100 = z74 * z23 + z7 * z99
+        z101 = z100 * z95
+        z102 = z14 * z88 + z20 * z96 + z24 * z101
+        z103 = z62 * z62 * z102
+        z104 = J_2 * z14
+        z105 = z74 * z53
+        z106 = k2 * (z31 * z65 - s_p_f * (s_p_b * z70 - c_p_f * z64))
+        s6 = s_p_b * (z3 * z69 + 4.0 * (c_p_b * z68) - 2.0 * z106)
+        z107 = z64 * z33 - z5 * z69 + (c_p_b * z72 - s6)
+        z108 = z73 * (z30 * z7)
+        z109 = z30 * z107 - 2.0 * (z34 * z108)
+        z110 = z80 + c1 * z56
+        z111 = z12 * z56
+        z112 = z77 - s1 * z56
+        z113 = z11 * z56
+        s7 = z11 * z110 - (s1 * z111 - c1 * z79)
+        z114 = s7 - (z12 * z112 + (c1 * z113 + s1 * z81))
+        z115 = z7 * z114
+        z116 = v * (z105 + z13 * z109 + (z82 * z35 + z115))
+        z117 = z20 * z95
+        z118 = l * z64
+        s8 = z97 + z15 * z110 + (z12 * z118 + (z17 * z113 + z81 * z28))
+        z119 = z93 * z35 - z7 * s8
+        s9 = z48 * z96 + z117 * (z74 * z47 + z19 * z109 - z119)
+        z120 = z55 * z88 + z104 * z116 + s9
+        z121 = z24 * z95
+        s10 = z90 - z15 * z112 - (z11 * z118 - (z17 * z111 + z79 * z28))
+        z122 = z99 * z35 + z7 * s10
+        s11 = z120 - (z36 * z101 + z121 * (z74 * z29 - z23 * z109 + z122))
+        s12 = (J_2 * (z59 * z35 - z61) + m * (z61 + z25 * z35)) * z103
+        z123 = s12 + z62 * s11
+        z124 = z7 * (z60 + z13 * z57)
+        z125 = c_p_f * z65 - s_p_f * z70
+        s13 = c_p_f * z71 - s_p_f * (s_p_f * z69 - c_p_b * z65)
+        z126 = 2.0 * (k2 * (2.0 * (z41 * z65) + s13))
+        s14 = z64 * z42 + s_p_b * (4.0 * z106 - z126)
+        z127 = z30 * (2.0 * z125 - 6.0 * (k1 * z125) - s14)
+        z128 = z127 - 2.0 * (z43 * z108)
+        z129 = v * (z115 - z82 * z44 + (z105 - z13 * z128))
+        z130 = l * z65
+        s15 = s1 * z130 + (z77 * z38 - z21 * z58)
+        z131 = z7 * (s15 + (z98 + z17 * (z79 - z11 * z58)))
+        s16 = z117 * (z93 * z44 - z131 - (z74 * z50 + z19 * z128))
+        z132 = z57 * z88 + z104 * z129 - (z51 * z96 - s16)
+        s17 = c1 * z130 - (z80 * z38 - z16 * z58)
+        z133 = z7 * (s17 - (z92 - z17 * (z81 + z12 * z58)))
+        s18 = z121 * (z99 * z44 - z133 + (z74 * z39 - z23 * z128))
+        z134 = z62 * (z132 + (z45 * z101 + s18))
+        s19 = (J_2 * (z59 * z44 + z124) - m * (z124 - z25 * z44)) * z103
+        z135 = s19 - z134
+        z136 = m * z24
+        z137 = m * z20
+        s20 = (z94 + z27 * (z23 * z14)) * z137 + z83 * z104
+        z138 = (z100 - z27 * (z19 * z14)) * z136 + s20
+        z139 = z62 * z138
+        z140 = z62 * (z56 * z104 + z49 * z137 - z37 * z136)
+        z141 = z62 * (z58 * z104 - z52 * z137 + z46 * z136)
+        z142 = z62 * z102
+        z143 = z116 - (z55 * z142 + z14 * z123)
+        z144 = z129 - (z57 * z142 - z14 * z135)
+        z145 = z83 - z14 * z139
+        z146 = z56 - z14 * z140
+        z147 = z58 - z14 * z141
         J: list[float] = [
             0.0,
             0.0,
             # (I.2.15)
-            -z29 * z8,
+            -z19 * z27,
             0.0,
             # (I.2.15)
-            -(z30 * z35 + z37 * z38),
+            -z37,
             # (I.2.15)
-            z30 * z45 - z47 * z38,
+            -z46,
             # (I.2.15)
-            z26,
-            0.0,
-            0.0,
-            0.0,
-            0.0,
-            0.0,
-            # (I.2.15)
-            z30 * z8,
-            0.0,
-            # (I.2.15)
-            z48 * z38 - z29 * z35,
-            # (I.2.15)
-            z29 * z45 + z49 * z38,
-            # (I.2.15)
-            z22,
-            0.0,
-            0.0,
+            z24,
             0.0,
             0.0,
             0.0,
             0.0,
             0.0,
             # (I.2.15)
-            z53,
+            z23 * z27,
+            0.0,
             # (I.2.15)
-            z54,
+            z49,
             # (I.2.15)
-            -z15,
-            0.0,
-            0.0,
-            0.0,
+            z52,
+            # (I.2.15)
+            z20,
             0.0,
             0.0,
             0.0,
@@ -1047,7 +989,11 @@ def jacobian(
             0.0,
             0.0,
             # (I.2.15)
-            1.0,
+            -z56,
+            # (I.2.15)
+            z58,
+            # (I.2.15)
+            -z14,
             0.0,
             0.0,
             0.0,
@@ -1076,62 +1022,74 @@ def jacobian(
             0.0,
             0.0,
             0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
             # (I.2.15)
-            z120,
+            1.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            # (I.2.15)
+            z123,
+            # (I.2.15)
+            z135,
+            # (I.2.15)
+            z139,
+            0.0,
             # (I.2.15)
             -z140,
             # (I.2.15)
+            z141,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            # (I.2.15)
+            -z143,
+            # (I.2.15)
+            z144,
+            # (I.2.15)
+            -z145,
+            0.0,
+            # (I.2.15)
+            z146,
+            # (I.2.15)
             -z147,
             0.0,
+            0.0,
+            0.0,
+            0.0,
             # (I.2.15)
-            -z149,
+            -z143,
             # (I.2.15)
-            z151,
+            z144,
+            # (I.2.15)
+            -z145,
+            0.0,
+            # (I.2.15)
+            z146,
+            # (I.2.15)
+            -z147,
             0.0,
             0.0,
             0.0,
             0.0,
             # (I.2.15)
-            -z153,
+            -z143,
             # (I.2.15)
-            z154,
+            z144,
             # (I.2.15)
-            z155,
+            -z145,
             0.0,
             # (I.2.15)
-            z156,
+            z146,
             # (I.2.15)
-            -z157,
-            0.0,
-            0.0,
-            0.0,
-            0.0,
-            # (I.2.15)
-            -z153,
-            # (I.2.15)
-            z154,
-            # (I.2.15)
-            z155,
-            0.0,
-            # (I.2.15)
-            z156,
-            # (I.2.15)
-            -z157,
-            0.0,
-            0.0,
-            0.0,
-            0.0,
-            # (I.2.15)
-            -z153,
-            # (I.2.15)
-            z154,
-            # (I.2.15)
-            z155,
-            0.0,
-            # (I.2.15)
-            z156,
-            # (I.2.15)
-            -z157,
+            -z147,
         ]
         _finish("jacobian", J)
         return [J[k6 : k6 + 10] for k6 in range(0, 100, 10)]
@@ -1145,7 +1103,6 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
     Arguments: t (scalar), y (10,), p (8,).
     Returns out (1,).
     """
-    theta = float(y[2])  # heading of the board [rad]
     p_b = float(y[4])  # back axle, relative to the board [rad]
     p_f = float(y[5])  # front axle, relative to the board [rad]
     v = float(y[6])
@@ -1163,23 +1120,17 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
         z2 = 2.0 * z1
         c_p_b = math.cos(p_b)
         c_p_f = math.cos(p_f)
+        z3 = c_p_b * c_p_f
         s1 = s_p_b * (1.0 - z2 - k1 * (3.0 - z2))
-        z3 = s_p_b * (s1 - 2.0 * (s_p_f * (c_p_b * c_p_f) * k2))
-        z4 = z3 + (z1 + k1 * (4.0 - 3.0 * z1))
-        s2 = (2.0 + 4.0 * k3) * k4
+        s2 = s_p_b * (s1 - 2.0 * (s_p_f * z3 * k2))
+        z4 = s2 + (z1 + k1 * (4.0 - 3.0 * z1))
+        s3 = (2.0 + 4.0 * k3) * k4
         # the coframe is singular
-        if not abs(z4) > 1e-12 * (k4 * s2):
+        if not abs(z4) > 1e-12 * (k4 * s3):
             raise SingularModelError(1, "outputs")
-        c_theta = math.cos(theta)
-        s_theta = math.sin(theta)
-        s3 = c_theta * (c_p_b * c_theta - s_theta * s_p_b)
-        s4 = s_theta * (c_p_f * s_theta + c_theta * s_p_f)
-        s5 = c_p_f * (s3 + s_theta * (c_p_b * s_theta + c_theta * s_p_b))
-        s6 = c_p_b * (s4 + c_theta * (c_p_f * c_theta - s_theta * s_p_f))
-        z5 = s5 + s6
         out: list[float] = [
             # speed 32:10
-            l * (v / z4 * z5),
+            2.0 * (l * (z3 * v / z4)),
         ]
         return _finish("outputs", out)
     except (ValueError, ZeroDivisionError, OverflowError) as error:

@@ -1,5 +1,5 @@
 /*
- * suslov.h: suslov, emitted by nhc 0.1.0 (nhc:5b43fcd9e91c88d1)
+ * suslov.h: suslov, emitted by nhc 0.1.0 (nhc:4c4724ba661c8a14)
  * A rigid body with a fixed point that must not turn about one of its own axes.
  * Source: suslov.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -33,7 +33,7 @@
  * residuals: 1 +-, 1 *, 0 /, 1 calls
  * reactions: 4 +-, 8 *, 2 /, 1 calls
  * energy: 1 +-, 5 *, 0 /, 0 calls
- * jacobian: 9 +-, 32 *, 3 /, 4 calls
+ * jacobian: 6 +-, 23 *, 3 /, 4 calls
  * outputs: 1 +-, 2 *, 0 /, 1 calls
  *
  * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.

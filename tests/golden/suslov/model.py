@@ -1,4 +1,4 @@
-"""suslov, emitted by nhc 0.1.0 (nhc:6bbe562e148c18b7).
+"""suslov, emitted by nhc 0.1.0 (nhc:f2418389aa124762).
 
 A rigid body with a fixed point that must not turn about one of its own axes.
 Source: suslov.yaml
@@ -33,7 +33,7 @@ state: 2 +-, 5 *, 0 /, 3 calls
 residuals: 1 +-, 1 *, 0 /, 1 calls
 reactions: 4 +-, 8 *, 2 /, 1 calls
 energy: 1 +-, 5 *, 0 /, 0 calls
-jacobian: 9 +-, 32 *, 3 /, 4 calls
+jacobian: 6 +-, 23 *, 3 /, 4 calls
 outputs: 1 +-, 2 *, 0 /, 1 calls
 
 A singular point raises SingularModelError.
@@ -405,29 +405,26 @@ def jacobian(
         z3 = c_theta * (z2 * z2)
         z4 = z1 * z3
         z5 = c_psi * w1 - s_psi * w2
-        z6 = z2 * z5
-        z7 = s_psi * z2
-        z8 = c_psi * z2
-        z9 = s_theta * c_psi
-        z10 = s_theta * s_psi
-        z11 = I23 * w2
-        z12 = I13 * w1
-        z13 = z12 + z11
+        z6 = s_psi * z2
+        z7 = c_psi * z2
+        z8 = I23 * w2
+        z9 = I13 * w1
+        z10 = z9 + z8
         J: list[float] = [
             0.0,
             # (I.2.15)
             -z4,
             # (I.2.15)
+            z2 * z5,
+            # (I.2.15)
             z6,
             # (I.2.15)
             z7,
-            # (I.2.15)
-            z8,
             0.0,
             # (I.2.15)
-            z2 * (c_theta * z5) - (z9 * w1 - z10 * w2) * z3,
+            0.0,
             # (I.2.15)
-            -z2 * (z10 * w1 + z9 * w2),
+            -z1,
             # (I.2.15)
             c_psi,
             # (I.2.15)
@@ -436,23 +433,23 @@ def jacobian(
             # (I.2.15)
             z1 + c_theta * z4,
             # (I.2.15)
+            -z3 * (s_theta * z5),
+            # (I.2.15)
             -c_theta * z6,
             # (I.2.15)
             -c_theta * z7,
-            # (I.2.15)
-            -c_theta * z8,
             0.0,
             0.0,
             0.0,
             # (I.2.15)
             w2 * k3,
             # (I.2.15)
-            -k1 * (z11 + z13),
+            -k1 * (z8 + z10),
             0.0,
             0.0,
             0.0,
             # (I.2.15)
-            k2 * (z12 + z13),
+            k2 * (z9 + z10),
             # (I.2.15)
             w1 * k4,
         ]

@@ -1,5 +1,5 @@
 /*
- * veselova.h: veselova, emitted by nhc 0.1.0 (nhc:480006ba5fd30bcf)
+ * veselova.h: veselova, emitted by nhc 0.1.0 (nhc:20251678170e7d22)
  * A rigid body with a fixed point that must not turn about the vertical.
  * Source: veselova.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -25,14 +25,14 @@
  * out[1] = L_y
  *
  * Operations:
- * rhs: 29 +-, 52 *, 3 /, 6 calls
+ * rhs: 23 +-, 46 *, 3 /, 6 calls
  * velocities: 2 +-, 9 *, 1 /, 4 calls
- * accelerations: 40 +-, 76 *, 3 /, 6 calls
+ * accelerations: 34 +-, 70 *, 3 /, 6 calls
  * state: 2 +-, 5 *, 0 /, 3 calls
  * residuals: 1 +-, 1 *, 0 /, 1 calls
- * reactions: 60 +-, 115 *, 3 /, 6 calls
+ * reactions: 36 +-, 76 *, 3 /, 6 calls
  * energy: 7 +-, 22 *, 1 /, 6 calls
- * jacobian: 105 +-, 215 *, 3 /, 6 calls
+ * jacobian: 96 +-, 196 *, 3 /, 6 calls
  * outputs: 10 +-, 28 *, 1 /, 6 calls
  *
  * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.

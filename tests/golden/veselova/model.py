@@ -1,4 +1,4 @@
-"""veselova, emitted by nhc 0.1.0 (nhc:a4142730e1bd8188).
+"""veselova, emitted by nhc 0.1.0 (nhc:eab4def1cb657c41).
 
 A rigid body with a fixed point that must not turn about the vertical.
 Source: veselova.yaml
@@ -25,14 +25,14 @@ out[0] = L_x
 out[1] = L_y
 
 Operations:
-rhs: 29 +-, 52 *, 3 /, 6 calls
+rhs: 23 +-, 46 *, 3 /, 6 calls
 velocities: 2 +-, 9 *, 1 /, 4 calls
-accelerations: 40 +-, 76 *, 3 /, 6 calls
+accelerations: 34 +-, 70 *, 3 /, 6 calls
 state: 2 +-, 5 *, 0 /, 3 calls
 residuals: 1 +-, 1 *, 0 /, 1 calls
-reactions: 60 +-, 115 *, 3 /, 6 calls
+reactions: 36 +-, 76 *, 3 /, 6 calls
 energy: 7 +-, 22 *, 1 /, 6 calls
-jacobian: 105 +-, 215 *, 3 /, 6 calls
+jacobian: 96 +-, 196 *, 3 /, 6 calls
 outputs: 10 +-, 28 *, 1 /, 6 calls
 
 A singular point raises SingularModelError.
@@ -122,38 +122,35 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         # the mass matrix is singular
         if not abs(z8) > 0.0:
             raise SingularModelError(2, "rhs")
-        z9 = 2.0 * (s_phi * z7)
-        z10 = c_theta * c_theta
-        s2 = I3 * (1.0 - z10) - (I1 - I2 * z10) + k1 * (z1 * (1.0 + z10))
-        z11 = z9 + c_phi * s2
-        z12 = z3 + c_phi * z11
-        z13 = z7 + s_phi * (c_phi * z5 - z9)
-        z14 = 1.0 / z8
-        z15 = z13 * z14
-        z16 = z12 - z13 * z15
+        z9 = c_phi * z5 - 2.0 * (s_phi * z7)
+        z10 = z7 + s_phi * z9
+        z11 = 1.0 / z8
+        z12 = z10 * z11
+        z13 = z3 - c_phi * z9
+        z14 = z10 * z12 - z13
         # the mass matrix is singular
-        if not abs(z16) > 1e-14 * z12:
+        if not abs(-z14) > 1e-14 * z13:
             raise SingularModelError(2, "rhs")
-        z17 = 1.0 / s_theta
-        z18 = s_phi * w_x - c_phi * w_y
-        z19 = z17 * z18
-        z20 = s_theta * w_y
-        z21 = s_theta * w_x
-        s3 = s_psi * (z18 * z6 - c_psi * (c_phi * w_x + s_phi * w_y))
-        z22 = k1 * s3 + k2 * (c_theta * z18)
-        z23 = z20 * z22
-        z24 = (z21 * z22 + z23 * z15) / z16
+        z15 = 1.0 / s_theta
+        z16 = s_phi * w_x - c_phi * w_y
+        z17 = z15 * z16
+        z18 = s_theta * w_y
+        z19 = s_theta * w_x
+        s2 = s_psi * (z16 * z6 - c_psi * (c_phi * w_x + s_phi * w_y))
+        z20 = k1 * s2 + k2 * (c_theta * z16)
+        z21 = z18 * z20
+        z22 = (z19 * z20 + z21 * z12) / z14
         dydt: list[float] = [
             # phi' (I.2.15)
-            -c_theta * z19,
+            -c_theta * z17,
             # theta' (I.2.15)
-            z17 * (s_phi * z20 + c_phi * z21),
+            z15 * (s_phi * z18 + c_phi * z19),
             # psi' (I.2.15)
-            z19,
+            z17,
             # w_x' (I.2.15) 24:4
-            z23 * z14 + z15 * z24,
+            z21 * z11 - z12 * z22,
             # w_y' (I.2.15) 24:4
-            -z24,
+            z22,
         ]
         return _finish("rhs", dydt)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -242,46 +239,43 @@ def accelerations(
         # the mass matrix is singular
         if not abs(z8) > 0.0:
             raise SingularModelError(2, "accelerations")
-        z9 = 2.0 * (s_phi * z7)
-        z10 = c_theta * c_theta
-        s2 = I3 * (1.0 - z10) - (I1 - I2 * z10) + k1 * (z1 * (1.0 + z10))
-        z11 = z9 + c_phi * s2
-        z12 = z3 + c_phi * z11
-        z13 = z7 + s_phi * (c_phi * z5 - z9)
-        z14 = 1.0 / z8
-        z15 = z13 * z14
-        z16 = z12 - z13 * z15
+        z9 = c_phi * z5 - 2.0 * (s_phi * z7)
+        z10 = z7 + s_phi * z9
+        z11 = 1.0 / z8
+        z12 = z10 * z11
+        z13 = z3 - c_phi * z9
+        z14 = z10 * z12 - z13
         # the mass matrix is singular
-        if not abs(z16) > 1e-14 * z12:
+        if not abs(-z14) > 1e-14 * z13:
             raise SingularModelError(2, "accelerations")
-        z17 = s_theta * s_phi
-        z18 = s_theta * c_phi
-        z19 = z17 * w_y + z18 * w_x
-        z20 = 1.0 / s_theta
-        z21 = s_phi * w_x - c_phi * w_y
-        z22 = z20 * z21
-        z23 = z20 * (c_theta * z19)
-        z24 = z20 * z20 * z23
-        z25 = c_theta * z22
-        z26 = c_phi * z25
-        s3 = s_psi * (z21 * z6 - c_psi * (c_phi * w_x + s_phi * w_y))
-        z27 = k1 * s3 + k2 * (c_theta * z21)
-        z28 = s_theta * z27
-        z29 = w_y * z28
-        z30 = (w_x * z28 + z15 * z29) / z16
-        z31 = z14 * z29 + z15 * z30
-        z32 = s_phi * z25
-        s4 = z20 * (w_x * z26 - s_phi * z31 + (w_y * z32 - c_phi * z30))
-        z33 = z21 * z24 + s4
-        s5 = w_y * (s_theta * z26 - s_phi * z23) + z17 * z30
-        z34 = s5 - (w_x * (s_theta * z32 + c_phi * z23) + z18 * z31)
+        z15 = s_theta * s_phi
+        z16 = s_theta * c_phi
+        z17 = z15 * w_y + z16 * w_x
+        z18 = 1.0 / s_theta
+        z19 = s_phi * w_x - c_phi * w_y
+        z20 = z18 * z19
+        z21 = z18 * (c_theta * z17)
+        z22 = z18 * z18 * z21
+        z23 = c_theta * z20
+        z24 = c_phi * z23
+        s2 = s_psi * (z19 * z6 - c_psi * (c_phi * w_x + s_phi * w_y))
+        z25 = k1 * s2 + k2 * (c_theta * z19)
+        z26 = s_theta * z25
+        z27 = w_y * z26
+        z28 = (w_x * z26 + z12 * z27) / z14
+        z29 = z11 * z27 - z12 * z28
+        z30 = s_phi * z23
+        s3 = z18 * (w_x * z24 - s_phi * z29 + (w_y * z30 + c_phi * z28))
+        z31 = z19 * z22 + s3
+        s4 = w_y * (s_theta * z24 - s_phi * z21) - z15 * z28
+        z32 = s4 - (w_x * (s_theta * z30 + c_phi * z21) + z16 * z29)
         qddot: list[float] = [
             # phi'' (I.2.15)
-            z19 * z22 + c_theta * z33,
+            z17 * z20 + c_theta * z31,
             # theta'' (I.2.15)
-            -(z19 * z24 + z20 * z34),
+            -(z17 * z22 + z18 * z32),
             # psi'' (I.2.15)
-            -z33,
+            -z31,
         ]
         return _finish("accelerations", qddot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -393,59 +387,43 @@ def reactions(
         # the mass matrix is singular
         if not abs(z8) > 0.0:
             raise SingularModelError(2, "reactions")
-        z9 = 2.0 * (s_phi * z7)
-        z10 = c_theta * c_theta
-        s2 = I3 * (1.0 - z10) - (I1 - I2 * z10) + k1 * (z1 * (1.0 + z10))
-        z11 = z9 + c_phi * s2
-        z12 = z3 + c_phi * z11
-        z13 = z7 + s_phi * (c_phi * z5 - z9)
-        z14 = 1.0 / z8
-        z15 = z13 * z14
-        z16 = z12 - z13 * z15
+        z9 = c_phi * z5 - 2.0 * (s_phi * z7)
+        z10 = z7 + s_phi * z9
+        z11 = 1.0 / z8
+        z12 = z10 * z11
+        z13 = z3 - c_phi * z9
+        z14 = z10 * z12 - z13
         # the mass matrix is singular
-        if not abs(z16) > 1e-14 * z12:
+        if not abs(-z14) > 1e-14 * z13:
             raise SingularModelError(2, "reactions")
-        z17 = s_theta * s_psi
-        z18 = 1.0 / s_theta
-        z19 = s_phi * w_x - c_phi * w_y
-        z20 = z18 * z19
-        z21 = c_theta * z20
-        z22 = c_psi * z20
-        z23 = s_theta * w_y
-        z24 = s_theta * w_x
-        z25 = s_phi * z23 + c_phi * z24
-        z26 = z18 * z25
-        z27 = c_theta * z26
-        z28 = s_theta * z22 + s_psi * z27
-        z29 = c_phi * z21
-        z30 = s_phi * z21
-        z31 = z18 * z18 * z27
-        z32 = z18 * (w_x * z29 + w_y * z30) + z19 * z31
-        z33 = z20 * z25 + c_theta * z32
-        z34 = s_psi * z20
-        s3 = w_y * (s_theta * z29 - s_phi * z27)
-        z35 = z18 * (s3 - w_x * (s_theta * z30 + c_phi * z27)) + z25 * z31
-        s4 = z17 * (z21 * z28 - z17 * z33 + (z34 * z26 + c_psi * z35))
-        z36 = s4 + (z17 * z21 - c_psi * z26) * z28
-        z37 = s_theta * c_psi
-        z38 = s_theta * z34 - c_psi * z27
-        s5 = z37 * (z21 * z38 + z37 * z33 - (z22 * z26 - s_psi * z35))
-        z39 = s5 + (z37 * z21 + s_psi * z26) * z38
-        s6 = c_theta * (z32 - (z21 * z25 + c_theta * z33))
-        s7 = I3 * (s6 + (z20 - c_theta * z21) * z25)
-        z40 = I1 * z36 - I2 * z39 + s7
-        z41 = s_psi * k1
-        z42 = c_theta * k2
-        s8 = (z19 * z6 - c_psi * (c_phi * w_x + s_phi * w_y)) * z41
-        z43 = s8 + z19 * z42
-        z44 = z23 * z43
-        z45 = (z24 * z43 + z15 * z44) / z16
-        s9 = (c_psi * c_phi - s_phi * z6) * z41 - s_phi * z42
-        z46 = s9 * (s_theta * (z14 * z44 + z15 * z45))
-        s10 = (c_psi * s_phi + c_phi * z6) * z41 + c_phi * z42
+        z15 = s_theta * s_psi
+        z16 = 1.0 / s_theta
+        z17 = s_phi * w_x - c_phi * w_y
+        z18 = z16 * z17
+        z19 = c_theta * z18
+        z20 = s_theta * w_y
+        z21 = s_theta * w_x
+        z22 = s_phi * z20 + c_phi * z21
+        z23 = z16 * z22
+        z24 = c_theta * z23
+        z25 = s_theta * c_psi
+        s2 = I1 * ((z15 * z19 - c_psi * z23) * (s_psi * z24 + z25 * z18))
+        s3 = I2 * ((z25 * z19 + s_psi * z23) * (c_psi * z24 - z15 * z18))
+        z26 = s2 + s3
+        z27 = s_psi * k1
+        z28 = c_theta * k2
+        s4 = (z17 * z6 - c_psi * (c_phi * w_x + s_phi * w_y)) * z27
+        z29 = s4 + z17 * z28
+        z30 = z20 * z29
+        z31 = (z21 * z29 + z12 * z30) / z14
+        s5 = (c_psi * c_phi - s_phi * z6) * z27 - s_phi * z28
+        z32 = s5 * (s_theta * (z11 * z30 - z12 * z31))
+        s6 = (c_psi * s_phi + c_phi * z6) * z27 + c_phi * z28
+        s7 = z26 + I3 * ((z18 - c_theta * z19) * z22)
+        z33 = s7 - (z32 + s6 * (s_theta * z31))
         lambda_: list[float] = [
             # reaction of no_turn: Q_i gains lambda_1 a_1i (I.4.1) 26:5
-            z46 - s10 * (s_theta * z45) - z40,
+            -z33,
         ]
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -536,147 +514,141 @@ def jacobian(
         # the mass matrix is singular
         if not abs(z11) > 0.0:
             raise SingularModelError(2, "jacobian")
-        z12 = c_theta * c_theta
-        z13 = k1 * (1.0 + z12)
-        z14 = z1 * z13 + (I3 * (1.0 - z12) - (I1 - I2 * z12))
-        z15 = 2.0 * (s_phi * z9)
-        z16 = c_phi * z14 + z15
-        z17 = z3 + c_phi * z16
-        z18 = c_phi * z6 - z15
-        z19 = z9 + s_phi * z18
-        z20 = 1.0 / z11
-        z21 = z19 * z20
-        z22 = z17 - z19 * z21
+        z12 = c_phi * z6 - 2.0 * (s_phi * z9)
+        z13 = z9 + s_phi * z12
+        z14 = 1.0 / z11
+        z15 = z13 * z14
+        z16 = z3 - c_phi * z12
+        z17 = z13 * z15 - z16
         # the mass matrix is singular
-        if not abs(z22) > 1e-14 * z17:
+        if not abs(-z17) > 1e-14 * z16:
             raise SingularModelError(2, "jacobian")
-        z23 = 1.0 / s_theta
-        z24 = c_phi * w_x + s_phi * w_y
-        z25 = z23 * z24
-        z26 = s_phi * w_x - c_phi * w_y
-        z27 = c_theta * (z23 * z23)
-        z28 = z26 * z27
-        z29 = s_phi * z23
-        z30 = c_phi * z23
-        z31 = s_theta * c_phi
-        z32 = s_theta * s_phi
-        z33 = s_theta * w_y
-        z34 = c_theta * k2
-        z35 = s_psi * c_theta
-        z36 = s_psi * k1
-        z37 = z33 * z36
-        z38 = z33 * z34 + z35 * z37
-        z39 = c_psi * z37
-        z40 = 1.0 / z22
-        z41 = k1 * (z26 * z35 - c_psi * z24)
-        z42 = z26 * k2
-        z43 = s_psi * z41 + c_theta * z42
-        z44 = s_theta * w_x
-        z45 = z33 * z43
-        z46 = z40 * (z43 * z44 + z45 * z21)
-        z47 = s_phi * z46
-        z48 = k1 * z47
-        z49 = z45 * z20 + z21 * z46
-        z50 = s_phi * z49
-        z51 = z6 * z50
-        s2 = w_y * z39 - z18 * z46 + 2.0 * (z8 * z48) - z10 * z49 - z51
-        z52 = w_x * z38 - s2
-        z53 = k1 * z50
-        s3 = w_y * z38 + (w_x * z39 - z6 * z47 - 2.0 * (z8 * z53))
-        z54 = c_phi * z52 + s_phi * s3
-        z55 = z44 * z36
-        z56 = z44 * z34 + z35 * z55
-        z57 = c_psi * z55
-        z58 = c_phi * z46
-        z59 = k1 * (z50 + z58)
-        s4 = w_x * z56 - (w_y * z57 - z18 * z49 + 2.0 * (z8 * z59))
-        s5 = w_y * z56 - (z51 - (w_x * z57 + (z16 * z46 + z14 * z58)))
-        z60 = c_phi * s4 + s_phi * s5
-        z61 = z40 * (z60 + z21 * z54)
-        z62 = z26 * z37
-        z63 = k1 * z46 - 2.0 * (s_phi * z48) + 2.0 * (c_phi * z53)
-        z64 = c_phi * z47 + s_phi * z50
-        z65 = I1 * z64
-        z66 = I2 * z64
-        s6 = 2.0 * (s_theta * (I3 * z64 - z1 * z65 - z2 * z66))
-        s7 = s_theta * (z33 * z42 + s_psi * z62 + z7 * z63)
-        z67 = s7 - c_theta * (w_y * z43 - s6)
-        z68 = z26 * z55
-        z69 = c_phi * z58
-        z70 = k1 * z49 - 2.0 * (s_phi * z59)
-        s8 = z42 * z44 - 2.0 * (c_theta * (k1 * (z1 * z69) + k2 * z69))
-        z71 = s_psi * z68 + s8 + z7 * z70
-        z72 = c_phi * z50
-        z73 = I1 * z72
-        z74 = I2 * z72
-        s9 = 2.0 * (s_theta * (I3 * z72 - z1 * z73 - z2 * z74))
-        z75 = s_theta * z71 - c_theta * (w_x * z43 - s9)
-        z76 = z40 * (z75 + z21 * z67)
-        z77 = c_theta * z63
-        s10 = 2.0 * z66 - (I2 * z49 + z5 * z65) + (I1 * z49 - z4 * z66)
-        z78 = 2.0 * (s_psi * s10)
-        s11 = c_psi * (z33 * z41 + c_theta * z62 + c_psi * z77 + z78)
-        z79 = s_psi * (z24 * z37 - s_psi * z77) + s11
-        z80 = c_theta * z70
-        s12 = 2.0 * z74 - (z13 * z69 + I2 * z46 + z5 * z73)
-        z81 = s12 + (I1 * z46 - z4 * z74)
-        s13 = z41 * z44 + c_theta * z68 + c_psi * z80
-        s14 = c_psi * (s13 + 2.0 * (s_psi * z81))
-        z82 = s_psi * (z24 * z55 - s_psi * z80) + s14
-        z83 = z40 * (z82 + z21 * z79)
-        z84 = c_phi * z39 - s_phi * z38
-        z85 = s_theta * z43
-        z86 = z40 * (z85 - c_phi * z57 + s_phi * z56 - z21 * z84)
-        z87 = z85 - s_phi * z39 - c_phi * z38
-        z88 = z40 * (s_phi * z57 + c_phi * z56 - z21 * z87)
+        z18 = 1.0 / s_theta
+        z19 = c_phi * w_x + s_phi * w_y
+        z20 = z18 * z19
+        z21 = s_phi * w_x - c_phi * w_y
+        z22 = z18 * z18 * (c_theta * z21)
+        z23 = s_phi * z18
+        z24 = c_phi * z18
+        z25 = s_theta * w_y
+        z26 = c_theta * k2
+        z27 = s_psi * c_theta
+        z28 = s_psi * k1
+        z29 = z25 * z28
+        z30 = z25 * z26 + z27 * z29
+        z31 = w_x * z30
+        z32 = c_psi * z29
+        z33 = k1 * (z21 * z27 - c_psi * z19)
+        z34 = z21 * k2
+        z35 = s_psi * z33 + c_theta * z34
+        z36 = s_theta * w_x
+        z37 = z25 * z35
+        z38 = 1.0 / z17
+        z39 = (z35 * z36 + z37 * z15) * z38
+        z40 = z12 * z39
+        z41 = s_phi * z39
+        z42 = k1 * z41
+        z43 = z37 * z14 - z15 * z39
+        z44 = s_phi * z43
+        z45 = z6 * z44
+        z46 = w_x * z32
+        z47 = k1 * z44
+        s2 = z31 - (w_y * z32 + z40 - 2.0 * (z8 * z42) - z10 * z43 - z45)
+        s3 = s_phi * (w_y * z30 + (z46 + z6 * z41 - 2.0 * (z8 * z47)))
+        z48 = c_phi * s2 + s3
+        z49 = z36 * z28
+        z50 = z36 * z26 + z27 * z49
+        z51 = c_phi * z39
+        z52 = k1 * (z44 - z51)
+        z53 = c_psi * z49
+        s4 = c_phi * (w_x * z50 - (z46 - z12 * z43 + 2.0 * (z8 * z52)))
+        z54 = s4 + s_phi * (z31 - (z45 - (w_x * z53 + (z40 + z6 * z51))))
+        z55 = z38 * (z54 + z15 * z48)
+        z56 = z21 * z29
+        z57 = k1 * z39 - 2.0 * (s_phi * z42) - 2.0 * (c_phi * z47)
+        z58 = c_phi * z41 - s_phi * z44
+        z59 = I1 * z58
+        z60 = I2 * z58
+        s5 = 2.0 * (s_theta * (I3 * z58 - z1 * z59 - z2 * z60))
+        s6 = s_theta * (z25 * z34 + s_psi * z56 - z7 * z57)
+        z61 = s6 - c_theta * (w_y * z35 + s5)
+        z62 = z21 * z49
+        z63 = c_phi * z51
+        z64 = k1 * z63
+        z65 = k1 * z43 - 2.0 * (s_phi * z52)
+        s7 = z34 * z36 + 2.0 * (c_theta * (z1 * z64 + k2 * z63))
+        z66 = s_psi * z62 + s7 + z7 * z65
+        z67 = c_phi * z44
+        z68 = I1 * z67
+        z69 = I2 * z67
+        s8 = 2.0 * (s_theta * (I3 * z67 - z1 * z68 - z2 * z69))
+        z70 = s_theta * z66 - c_theta * (w_x * z35 - s8)
+        z71 = z38 * (z70 + z15 * z61)
+        z72 = c_theta * z57
+        s9 = 2.0 * z60 + (I2 * z43 - z5 * z59) - (I1 * z43 + z4 * z60)
+        z73 = 2.0 * (s_psi * s9)
+        s10 = c_psi * (z25 * z33 + c_theta * z56 - c_psi * z72 - z73)
+        z74 = s_psi * (z19 * z29 + s_psi * z72) + s10
+        z75 = c_theta * z65
+        s11 = 2.0 * z69 + (z5 * z64 + I2 * z39 - z5 * z68)
+        z76 = s11 - (I1 * z39 + z4 * z69)
+        s12 = z33 * z36 + c_theta * z62 + c_psi * z75
+        s13 = c_psi * (s12 + 2.0 * (s_psi * z76))
+        z77 = s_psi * (z19 * z49 - s_psi * z75) + s13
+        z78 = z38 * (z77 + z15 * z74)
+        z79 = c_phi * z32 - s_phi * z30
+        z80 = s_theta * z35
+        z81 = z38 * (z80 - c_phi * z53 + s_phi * z50 - z15 * z79)
+        z82 = z80 - s_phi * z32 - c_phi * z30
+        z83 = z38 * (s_phi * z53 + c_phi * z50 - z15 * z82)
         J: list[float] = [
             # (I.2.15)
-            -c_theta * z25,
+            -c_theta * z20,
             # (I.2.15)
-            z26 + c_theta * z28,
+            z21 + c_theta * z22,
             0.0,
             # (I.2.15)
-            -c_theta * z29,
+            -c_theta * z23,
             # (I.2.15)
-            c_theta * z30,
+            c_theta * z24,
             # (I.2.15)
-            z23 * (z31 * w_y - z32 * w_x),
+            -z21,
             # (I.2.15)
-            z23 * (c_theta * z24) - (z32 * w_y + z31 * w_x) * z27,
+            0.0,
             0.0,
             # (I.2.15)
             c_phi,
             # (I.2.15)
             s_phi,
             # (I.2.15)
-            z25,
+            z20,
             # (I.2.15)
-            -z28,
+            -z22,
             0.0,
             # (I.2.15)
-            z29,
+            z23,
             # (I.2.15)
-            -z30,
+            -z24,
             # (I.2.15)
-            z20 * z54 + z21 * z61,
+            z14 * z48 - z15 * z55,
             # (I.2.15)
-            -(z20 * z67 + z21 * z76),
+            z15 * z71 - z14 * z61,
             # (I.2.15)
-            z20 * z79 + z21 * z83,
+            z14 * z74 - z15 * z78,
             # (I.2.15)
-            z21 * z86 - z20 * z84,
+            -(z14 * z79 + z15 * z81),
             # (I.2.15)
-            z20 * z87 - z21 * z88,
+            z14 * z82 + z15 * z83,
             # (I.2.15)
-            -z61,
+            z55,
             # (I.2.15)
-            z76,
+            -z71,
+            # (I.2.15)
+            z78,
+            # (I.2.15)
+            z81,
             # (I.2.15)
             -z83,
-            # (I.2.15)
-            -z86,
-            # (I.2.15)
-            z88,
         ]
         _finish("jacobian", J)
         return [J[k3 : k3 + 5] for k3 in range(0, 25, 5)]

@@ -1,5 +1,5 @@
 /*
- * voronec_particle.h: voronec_particle, emitted by nhc 0.1.0 (nhc:0bafc33b1e91d52a)
+ * voronec_particle.h: voronec_particle, emitted by nhc 0.1.0 (nhc:77db72de1c560a42)
  * A particle whose T, U and constraint depend on the dependent coordinate, so that Caplygin's hypotheses
  *     fail.
  * Source: voronec_particle.yaml
@@ -24,9 +24,9 @@
  * accelerations: 34 +-, 78 *, 2 /, 2 calls
  * state: 0 +-, 0 *, 0 /, 0 calls
  * residuals: 2 +-, 5 *, 0 /, 1 calls
- * reactions: 37 +-, 83 *, 2 /, 2 calls
+ * reactions: 37 +-, 82 *, 2 /, 2 calls
  * energy: 10 +-, 20 *, 0 /, 2 calls
- * jacobian: 129 +-, 274 *, 2 /, 2 calls
+ * jacobian: 125 +-, 254 *, 2 /, 2 calls
  * outputs: 0 +-, 0 *, 0 /, 0 calls
  *
  * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
