@@ -61,7 +61,7 @@ def hold_functions(planner: Planner) -> tuple[tuple[Function, ...], tuple[tuple[
 def make_hold(planner: Planner) -> Hold | None:
     """The same for a driver; None where its formulation holds everything."""
     functions, calls = hold_functions(planner)
-    return Hold(functions, calls, SINGULAR_HOLD, SINGULAR) if calls else None
+    return Hold(functions, calls, SINGULAR_HOLD, SINGULAR, TORN) if calls else None
 
 
 def must_hold(equations: Equations) -> bool:

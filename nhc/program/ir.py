@@ -255,13 +255,14 @@ class Lookout:
 @record
 class Hold:
     """What brings a driver's state back to its constraints: after each step ``calls`` in their order, in each the first name, and
-    the next one where that returns ``status``.
+    the next one where that returns ``status``.  ``torn``: what it means that a short step is moved far.
     """
 
     functions: tuple[Function, ...]
     calls: tuple[tuple[str, ...], ...]
     status: int
     what: str
+    torn: str
 
 
 @record

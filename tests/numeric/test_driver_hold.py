@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import math
+import re
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -130,3 +131,25 @@ def test_the_tolerance_of_the_scene_is_met(name: str, tmp_path: Path) -> None:
     for key in rows[0]:
         size = max(abs(row[key]) for row in finer)
         assert max(abs(a[key] - b[key]) for a, b in zip(rows, finer, strict=True)) <= 1e-8 * size
+
+
+@pytest.mark.parametrize("formulation", ["chaplygin", "multipliers"])
+def test_a_driver_ends_where_a_holonomic_constraint_jumps(formulation: str, tmp_path: Path) -> None:
+    """theta = t on the unit circle: beyond the branch cut at t = pi the state would be brought to another motion."""
+    text = """nhc: 1
+system: bearing
+coordinates: [x, y, theta]
+T: (x'^2 + y'^2 + theta'^2)/2
+V: (x^2 + y^2)/2
+holonomic: ["theta - atan2(y, x) = 0"]
+scenes: {a: {initial: {x: 1, y': 1}, time: [0, 4]}}
+"""
+    done = drive(Source("bearing.yaml", text), tmp_path, "a", "21", formulation=formulation)
+    assert done.returncode == 3
+    assert "a constraint jumps here" in done.stderr
+    where = re.search(r"stops at t = ([0-9.]+)", done.stderr)
+    assert where is not None and float(where[1]) == pytest.approx(math.pi, abs=1e-6)
+    found = [[float(x) for x in row.values()] for row in csv.DictReader(io.StringIO(done.stdout))]
+    assert len(found) == 16  # up to t = 3
+    for t, *row in found:
+        assert row == pytest.approx([math.cos(t), math.sin(t), t], abs=1e-6)

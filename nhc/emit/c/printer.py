@@ -145,7 +145,12 @@ def make_hold_context(program: Program, helpers: set[str]) -> dict[str, object]:
         "holds": hold.calls if hold else (),
         "held": tuple(print_function(program, function, helpers) for function in functions),
         "singular_hold": print_singular(program.system, code),
-        "hold_status": Status(code, print_string(print_comment(hold.what))) if hold else None,
+        "torn_hold": f"{program.system.upper()}_TORN",
+        "hold_statuses": tuple(
+            Status(code + k, print_string(print_comment(text))) for k, text in enumerate((hold.what, hold.torn))
+        )
+        if hold
+        else (),
         "largest_block": max((len(s.matrix) for f in functions for s in f.body if isinstance(s, Solve)), default=0),
     }
 
