@@ -25,6 +25,7 @@ _HALVINGS = 80
 _GOLDEN = (math.sqrt(5.0) - 1.0) / 2.0
 _ASIDE = (1e-5, 1e-8)  # how far from the surface both sides are compared
 _SMALL = 1e-9
+_MOST_WORK = 5_000_000  # nodes that are evaluated
 
 Value = Callable[[float], float]
 
@@ -55,29 +56,35 @@ def find_breaks(graph: Graph, roots: Sequence[Node], moving: int) -> list[tuple[
     return [(node, hard) for node, hard in found.items() if graph.depends(node, moving)]
 
 
+class TooLong(Exception):
+    """Nothing was decided: the expression has more places where it may jump than can be looked at."""
+
+
 def jumps(
     graph: Graph, root: Node, moving: Sequence[Node], known: Mapping[Node, float], keeps: Callable[[Node], bool]
 ) -> bool:
     """Whether the root jumps where the symbols ``moving`` take it; all others have the values ``known``.
 
     ``keeps`` tells functions that do not change along a motion: what breaks at their zeros alone does not break.
+
+    Raises:
+        TooLong: it was not decided.
     """
     breaks = [
         (node, hard)
         for node, hard in find_breaks(graph, [root], graph.mask(moving))
         if not cannot_vanish(graph, node, {symbol: (value, value) for symbol, value in known.items()})
     ]
-    return any(_jumps_at(graph, root, node, hard, moving, known) and not keeps(node) for node, hard in breaks)
+    lines = _Lines(graph, moving, known)
+    return any(_jumps_at(lines, root, node, hard) and not keeps(node) for node, hard in breaks)
 
 
-def _jumps_at(
-    graph: Graph, root: Node, node: Node, hard: bool, moving: Sequence[Node], known: Mapping[Node, float]
-) -> bool:
-    rng, met = random.Random(17), False
+def _jumps_at(lines: _Lines, root: Node, node: Node, hard: bool) -> bool:
+    rng, met, moving = random.Random(17), False, lines.moving
     for line in range(_LINES):
         base = [rng.gauss(0.0, 1.0) * (1.0 if line < _LINES - 2 else 1e-9) for _ in moving]
         way = [rng.gauss(0.0, 1.0) for _ in moving]
-        inner, outer = (_along(graph, each, moving, base, way, known) for each in (node, root))
+        inner, outer = (lines.along(each, base, way) for each in (node, root))
         for place in _zeros(inner):
             met = True
             if _differs(outer, place):
@@ -85,25 +92,31 @@ def _jumps_at(
     return hard and not met  # nowhere near: nothing is known of its sign
 
 
-def _along(
-    graph: Graph,
-    root: Node,
-    moving: Sequence[Node],
-    base: Sequence[float],
-    way: Sequence[float],
-    known: Mapping[Node, float],
-) -> Value:
-    """The root on a line, NaN where it has no value."""
-    order = reachable(graph, [root])
+class _Lines:
+    """Values of nodes along lines through the state space, as many as there is time for."""
 
-    def value(s: float) -> float:
-        place = {symbol: b + s * w for symbol, b, w in zip(moving, base, way, strict=True)}
-        try:
-            return float(evaluate(graph, [root], {**known, **place}, _Saturated, order)[0])
-        except (ArithmeticError, ValueError):
-            return math.nan
+    def __init__(self, graph: Graph, moving: Sequence[Node], known: Mapping[Node, float]) -> None:
+        self.graph, self.moving, self._known = graph, moving, known
+        self._orders: dict[Node, list[Node]] = {}
+        self._left = _MOST_WORK
 
-    return value
+    def along(self, root: Node, base: Sequence[float], way: Sequence[float]) -> Value:
+        """The root on a line, NaN where it has no value."""
+        order = self._orders.get(root)
+        if order is None:
+            order = self._orders[root] = reachable(self.graph, [root])
+
+        def value(s: float) -> float:
+            self._left -= len(order)
+            if self._left < 0:
+                raise TooLong
+            place = {symbol: b + s * w for symbol, b, w in zip(self.moving, base, way, strict=True)}
+            try:
+                return float(evaluate(self.graph, [root], {**self._known, **place}, _Saturated, order)[0])
+            except (ArithmeticError, ValueError):
+                return math.nan
+
+        return value
 
 
 def _zeros(value: Value) -> Iterator[float]:

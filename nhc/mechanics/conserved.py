@@ -150,7 +150,7 @@ def power_terms(system: System) -> list[str]:
 def _stepping(system: System) -> list[str]:
     """The energies that jump, in words: no force stands for what pushes there."""
     parts = (("T", system.T), (system.spec.potential_kind or "U", system.U))
-    return [f"{name} jumps" for name, node in parts if has_jumps(system, [node])] or ["T + V jumps"]
+    return [f"{name} jumps" for name, node in parts if has_jumps(system, [node], undecided=False)] or ["T + V may jump"]
 
 
 # --- candidates -------------------------------------------------------------------------------------------

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 from nhc.algebra.calculus import reachable
 from nhc.algebra.graph import Node
-from nhc.algebra.jumps import find_breaks
+from nhc.algebra.jumps import TooLong, find_breaks
 from nhc.algebra.jumps import jumps as find_jumps
 from nhc.algebra.primes import primes_of
 from nhc.algebra.signs import Signs, may_hold, points_for
@@ -63,7 +63,7 @@ def rates_of(sampler: Sampler, nodes: Sequence[Node]) -> list[Node]:
 
 
 def jumps(sampler: Sampler, node: Node) -> bool:
-    """Whether the node, whose rate is zero, may change in steps along the motion.
+    """Whether the node, whose rate is zero, may change in steps along the motion; also where that is too long to decide.
 
     Where it is continuous it cannot; nor can a sign, the branch of an angle or a quotient while what they are taken of is a
     constant of the motion.
@@ -73,20 +73,27 @@ def jumps(sampler: Sampler, node: Node) -> bool:
     known = {symbol: value if value and math.isfinite(value) else 0.7 for symbol, value in values.items()}
     known.update(dict.fromkeys(sampler.zeroed, 0.0))
     moving = (*system.q, *system.v, system.t)
-    return find_jumps(system.graph, node, moving, known, lambda inner: are_constant(sampler, [inner])[0])
+    try:
+        return find_jumps(system.graph, node, moving, known, lambda inner: are_constant(sampler, [inner])[0])
+    except TooLong:
+        return True
 
 
-def has_jumps(system: System, nodes: Sequence[Node]) -> bool:
-    """Whether one of the functions of (q, q', t) jumps somewhere, on a motion or not."""
+def has_jumps(system: System, nodes: Sequence[Node], *, undecided: bool = True) -> bool:
+    """Whether one of the functions of (q, q', t) jumps somewhere, on a motion or not; ``undecided`` where that takes too long."""
     g, moving = system.graph, (*system.q, *system.v, system.t)
     if not find_breaks(g, nodes, g.mask(moving)):
         return False
     values = default_values(system)
-    return any(find_jumps(g, node, moving, values, lambda inner: False) for node in dict.fromkeys(nodes))
+    try:
+        return any(find_jumps(g, node, moving, values, lambda inner: False) for node in dict.fromkeys(nodes))
+    except TooLong:
+        return undecided
 
 
-def shows_jumps(system: System, nodes: Sequence[Node]) -> bool:
+def shows_jumps(system: System, nodes: Sequence[Node], *, undecided: bool = True) -> bool:
     """The same for jumps in the open: square roots alone change their branch where coordinates are singular (a wheel lies flat)."""
     g = system.graph
     moving = g.mask((*system.q, *system.v, system.t))
-    return any(g.op[node] in _OPEN for node in reachable(g, nodes, moving)) and has_jumps(system, nodes)
+    shown = any(g.op[node] in _OPEN for node in reachable(g, nodes, moving))
+    return shown and has_jumps(system, nodes, undecided=undecided)

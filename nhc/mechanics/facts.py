@@ -305,7 +305,7 @@ def _nonsmooth(system: System, bag: Bag) -> None:
     rough = {"abs", "sign", "min", "max"}
     g, spec = system.graph, system.spec
     for key, node in (("T", system.T), (spec.potential_kind or "U", system.U)):
-        if shows_jumps(system, [node]):
+        if shows_jumps(system, [node], undecided=False):
             bag.warning(
                 "W0416",
                 f"`{key}` jumps: no force stands for what pushes across the jump, and the energy changes there",
@@ -327,7 +327,7 @@ def _nonsmooth(system: System, bag: Bag) -> None:
     forms = [("constraint", form) for form in system.constraints] + [("quasi-velocity", form) for form in system.quasi]
     for kind, form in forms:
         held = (*form.coefficients, form.constant, *(() if form.equation is None else (form.equation,)))
-        if form.name in spans and shows_jumps(system, held):
+        if form.name in spans and shows_jumps(system, held, undecided=False):
             bag.warning(
                 "W0416",
                 f"the {kind} `{form.name}` jumps: no motion follows it across the jump",
