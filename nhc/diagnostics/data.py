@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import replace
 from enum import Enum
 
 from nhc.records import record
@@ -46,6 +45,10 @@ class Diagnostic:
         """The primary place."""
         return self.labels[0].span
 
+    def placed(self, labels: tuple[Label, ...], notes: tuple[str, ...]) -> Diagnostic:
+        """The same finding with other places and notes."""
+        return Diagnostic(self.code, self.severity, self.message, labels, notes, self.help)
+
 
 def localize(source: Source, diagnostic: Diagnostic) -> tuple[Source, Diagnostic]:
     """Return the text that holds the primary place, with the diagnostic's places in it; places elsewhere become notes."""
@@ -60,7 +63,7 @@ def localize(source: Source, diagnostic: Diagnostic) -> tuple[Source, Diagnostic
             continue
         line, column = source.position(label.span.start)
         notes.append(f"{label.text or 'see'}: {other.path}:{line}:{column}")
-    return part, replace(diagnostic, labels=tuple(labels), notes=tuple(notes))
+    return part, diagnostic.placed(tuple(labels), tuple(notes))
 
 
 def _order(diagnostic: Diagnostic) -> tuple[int, int, str, str]:
@@ -146,7 +149,7 @@ class Bag:
         more = len(others) - _SHOWN_PLACES
         notes = (f"and at {more} more place{'s' if more > 1 else ''}",) if more > 0 else ()
         labels = [Label(place, "here too") for place in others[:_SHOWN_PLACES]]
-        return replace(found, labels=(Label(first, found.labels[0].text), *labels), notes=(*found.notes, *notes))
+        return found.placed((Label(first, found.labels[0].text), *labels), (*found.notes, *notes))
 
     @property
     def diagnostics(self) -> tuple[Diagnostic, ...]:

@@ -141,6 +141,9 @@ def describe(method: Tableau, kernel: Kernel | None) -> ExplicitText | Collocati
     return describe_explicit(method, kernel) if isinstance(method, Explicit) else describe_collocation(method)
 
 
+_HOLD_STATUSES = {"singular_hold": SINGULAR_HOLD, "torn_hold": TORN_HOLD}
+
+
 def write_source(
     program: Program,
     methods: Sequence[Tableau],
@@ -191,8 +194,7 @@ def write_source(
         "dips": dips is not None and dips < size(functions.get("watch")),
         "first_dip": dips,
         "holds": tuple(holds),
-        "singular_hold": SINGULAR_HOLD,
-        "torn_hold": TORN_HOLD,
+        **_HOLD_STATUSES,
         "needed": size(functions["needed"]),
         "collocations": bool(implicit),
         "hermite": bool(explicit) or any(not method.adaptive for method in implicit),

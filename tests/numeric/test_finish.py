@@ -56,7 +56,7 @@ def test_what_is_proved_is_not_tested(body: tuple[Statement, ...], entries: tupl
 
 
 def test_long_outputs_are_summed_in_a_loop() -> None:
-    loads = [Load(f"v{k}", "y", k) for k in range(40)]
+    loads = [Load(f"v{k}", "y", k) for k in range(80)]
     assert choose_finish((*loads, *_stores(*(Ref(load.name) for load in loads)))) is None
 
 
