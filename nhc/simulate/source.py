@@ -14,7 +14,7 @@ from nhc.simulate.groups import FOUR, Waiting, count_slots, plan_waiting
 from nhc.simulate.kernel import Kernel, print_kernel
 from nhc.simulate.methods.natural import Scheme
 from nhc.simulate.methods.tableau import Collocation, Explicit, Tableau
-from nhc.simulate.task import MOST_STEPS, STRIDE
+from nhc.simulate.task import MOST_STEPS, PATIENCE, STRIDE
 from nhc.stamp import PLACEHOLDER
 from nhc.version import __version__
 
@@ -201,7 +201,7 @@ def write_source(
         "allowed": any(method.adaptive for method in methods) or bool(implicit),
         "timed": any(isinstance(s, Load) and s.index < 0 for s in functions["rhs"].body),
         "methods": tuple(describe(method, kernel) for method in methods),
-        "stride": (STRIDE, MOST_STEPS / STRIDE),
+        "stride": (STRIDE, MOST_STEPS / STRIDE, PATIENCE),
     }
     return model | {f"{program.system}_run.c": render_file(File("run.c", "c/run.c.jinja", context))}
 

@@ -19,6 +19,7 @@ from nhc.simulate.task import (
     EVENT,
     MOST_STEPS,
     NO_SOLUTION,
+    PATIENCE,
     SINGULAR,
     STALLED,
     STOPPED,
@@ -68,6 +69,7 @@ class _Run:
     growth: float = 0.0
     former: float = _LEAST_ERROR
     marked: int = 0
+    stalls: int = 0
     since: float = 0.0
     before: list[float] = field(default_factory=list)
     trend: list[float] = field(default_factory=list)
@@ -166,7 +168,8 @@ def _is_stalled(run: _Run) -> bool:
     if run.task.step > 0 or tried - run.marked < STRIDE:
         return False
     passed, run.marked, run.since = abs(s.t - run.since), tried, s.t
-    return passed * (MOST_STEPS / STRIDE) < abs(run.task.times[-1] - s.t)
+    run.stalls = run.stalls + 1 if passed * (MOST_STEPS / STRIDE) < abs(run.task.times[-1] - s.t) else 0
+    return run.stalls >= PATIENCE
 
 
 def _attempt(run: _Run, reach: float) -> tuple[float, int]:
