@@ -70,18 +70,42 @@ def start_of(system: System, scene: Scene) -> Start:
         nhc.diagnostics.SpecError: a parameter without value, or a start that violates the constraints.
     """
     bag = Bag(system.spec.origin)
+    p, q, given = _positions(system, scene, bag)
+    place = _place(system, scene, p, q)
+    _check_positions(system, scene, place, bag)
+    v = _velocities(system, scene, place, given, bag)
+    bag.raise_if_errors()
+    return Start(scene, (float(scene.time[0]), float(scene.time[1])), p, q, v)
+
+
+def place_of(system: System, scene: Scene) -> dict[Node, float]:
+    """The time, the parameters and the coordinates where a scene starts, whatever its velocities are.
+
+    Raises:
+        nhc.diagnostics.SpecError: a parameter or a coordinate has no value.
+    """
+    p, q, _ = _positions(system, scene, Bag(system.spec.origin))
+    return _place(system, scene, p, q)
+
+
+def _positions(
+    system: System, scene: Scene, bag: Bag
+) -> tuple[tuple[float, ...], tuple[float, ...], dict[tuple[str, str], float]]:
+    """Parameters, coordinates, and all that the scene gives."""
     p = _parameters(system, scene, bag)
     bag.raise_if_errors()
     names = {c.name: value for c, value in zip(system.spec.parameters, p, strict=True)}
     given = _initial_values(scene, names, bag)
     bag.raise_if_errors()
-    q = tuple(given.get(("coordinate", c.name), float(c.start)) for c in system.spec.coordinates)
-    time = (float(scene.time[0]), float(scene.time[1]))
-    place = {system.t: time[0], **dict(zip(system.p, p, strict=True)), **dict(zip(system.q, q, strict=True))}
-    _check_positions(system, scene, place, bag)
-    v = _velocities(system, scene, place, given, bag)
-    bag.raise_if_errors()
-    return Start(scene, time, p, q, v)
+    return p, tuple(given.get(("coordinate", c.name), float(c.start)) for c in system.spec.coordinates), given
+
+
+def _place(system: System, scene: Scene, p: Sequence[float], q: Sequence[float]) -> dict[Node, float]:
+    return {
+        system.t: float(scene.time[0]),
+        **dict(zip(system.p, p, strict=True)),
+        **dict(zip(system.q, q, strict=True)),
+    }
 
 
 def _initial_values(scene: Scene, names: dict[str, float], bag: Bag) -> dict[tuple[str, str], float]:

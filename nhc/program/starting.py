@@ -16,7 +16,7 @@ from nhc.diagnostics import Bag, SpecError
 from nhc.language.spec import Scene
 from nhc.mechanics.given_rank import find_dependent_as_given, find_dependent_row, given_states
 from nhc.mechanics.kinetic import pivot_signs
-from nhc.mechanics.scenes import RowSpace, Start, kept_velocities, left_at_zero, start_of
+from nhc.mechanics.scenes import RowSpace, Start, kept_velocities, left_at_zero, place_of
 from nhc.mechanics.system import System
 from nhc.mechanics.undefined import find_undefined
 from nhc.program.build import Planner
@@ -34,7 +34,7 @@ def warn_of_coframe(planner: Planner, scenes: Sequence[Scene]) -> tuple[str, ...
     lines = []
     for scene in scenes if guards else ():
         try:
-            values = [float(x) for x in evaluate(g, nodes, start_of(system, scene).values(system))]
+            values = [float(x) for x in evaluate(g, nodes, place_of(system, scene))]
         except (SpecError, ArithmeticError, ValueError):
             continue  # a scene without a start
         if not all(abs(x) > guards[0].tolerance * scale for x, scale in zip(values[::2], values[1::2], strict=True)):
