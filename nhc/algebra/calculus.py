@@ -126,6 +126,16 @@ def rebuild(graph: Graph, node: Node, children: Sequence[Node]) -> Node:
     return graph.function(op, *children)
 
 
+def rebuild_over(graph: Graph, node: Node, new: Mapping[Node, Node]) -> Node | None:
+    """The node's operation on what its operands have become, with its name; None where they are what they were."""
+    kids = graph.kids[node]
+    if all(new.get(kid, kid) == kid for kid in kids):
+        return None
+    made = rebuild(graph, node, [new.get(kid, kid) for kid in kids])
+    graph.pass_label(node, made)
+    return made
+
+
 def partials(graph: Graph, node: Node) -> tuple[Node, ...]:
     """The derivatives of an operation with respect to each of its operands."""
     op, x = graph.op[node], graph.a[node]
@@ -315,16 +325,11 @@ def count(graph: Graph, roots: Sequence[Node]) -> int:
     for node in reachable(graph, roots):
         kind = op[node]
         if kind == POW:
-            total += _cost_of_power(exponents[node])
+            size = abs(exponents[node])  # multiplications by squaring, and the division of a negative one
+            total += size.bit_length() + size.bit_count() - 2 + (exponents[node] < 0)
         elif kids[node] and kind != NEG:
             total += 1
     return total
-
-
-def _cost_of_power(n: int) -> int:
-    """Multiplications by squaring, and the division of a negative one."""
-    size = abs(n)
-    return size.bit_length() + size.bit_count() - 2 + (n < 0)
 
 
 def list_terms(graph: Graph, node: Node, whole: Collection[Node] = ()) -> list[Node]:

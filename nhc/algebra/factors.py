@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from nhc.algebra.calculus import count, reachable, rebuild
+from nhc.algebra.calculus import count, reachable, rebuild_over
 from nhc.algebra.field import FieldPoint
 from nhc.algebra.graph import ADD, MUL, NEG, POW, SYM, Graph, Node
 from nhc.algebra.residues import invert
@@ -37,12 +37,10 @@ def find_factors(graph: Graph, roots: Sequence[Node]) -> list[Node]:
             first, second, opposite = pairs[node]
             made = graph.mul(new.get(first, first), new.get(second, second))
             new[node] = graph.neg(made) if opposite else made
-        elif any(new.get(kid, kid) != kid for kid in graph.kids[node]):
-            new[node] = rebuild(graph, node, [new.get(kid, kid) for kid in graph.kids[node]])
-        else:
-            continue
-        if graph.op[new[node]] != NEG:
-            graph.pass_label(node, new[node])
+            if not opposite:
+                graph.pass_label(node, made)
+        elif (over := rebuild_over(graph, node, new)) is not None:
+            new[node] = over
     found = [new.get(root, root) for root in roots]
     return found if count(graph, found) < count(graph, roots) else list(roots)
 
@@ -76,16 +74,16 @@ def _find_pairs(
     inverses = [*zip(simple, invert([values[node] for node in simple], p), map(deps.__getitem__, simple), strict=True)]
     found: dict[Node, tuple[Node, Node, bool]] = {}
 
-    def fits(node: Node, first: Node, second: Node) -> bool:
+    def fits(node: Node, first: Node, second: Node, opposite: bool) -> bool:
         if not (first < node and second < node) or (poles[first] | poles[second]) & ~poles[node]:
             return False
         product = others[first] * others[second]
-        return (others[node] - product) % q == 0 or (others[node] + product) % q == 0
+        return (others[node] + product if opposite else others[node] - product) % q == 0
 
     for node in wanted:
         value, outside = values[node], ~deps[node]
         root = squares.get(value)
-        if root is not None and fits(node, root, root):
+        if root is not None and fits(node, root, root, False):
             found[node] = root, root, False
             continue
         for factor, inverse, own in inverses:
@@ -94,7 +92,7 @@ def _find_pairs(
             rest = at_hand.get(value * inverse % p)
             if rest is not None:
                 other = rest if rest >= 0 else ~rest
-                if other > 1 and {factor, other}.isdisjoint(graph.kids[node]) and fits(node, factor, other):
+                if other > 1 and {factor, other}.isdisjoint(graph.kids[node]) and fits(node, factor, other, rest < 0):
                     found[node] = factor, other, rest < 0
                     break
     return found

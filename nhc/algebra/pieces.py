@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Container, Mapping, Sequence
 
-from nhc.algebra.calculus import count, reachable, rebuild, substitute
+from nhc.algebra.calculus import count, reachable, rebuild, rebuild_over, substitute
 from nhc.algebra.graph import ADD, MUL, NEG, NUM, POW, Graph, Node
 from nhc.algebra.polynomial import normalise
 
@@ -45,11 +45,12 @@ def shorten_pieces(graph: Graph, roots: Sequence[Node]) -> list[Node]:
     new: dict[Node, Node] = {}
     for node in nodes:
         made = _shorten(graph, node, whole, new, spare) if node in whole else None
-        if made is None and any(child in new for child in graph.kids[node]):
-            made = rebuild(graph, node, [new.get(child, child) for child in graph.kids[node]])
+        if made is not None:
+            graph.pass_label(node, made)
+        else:
+            made = rebuild_over(graph, node, new)
         if made is not None:
             new[node] = made
-            graph.pass_label(node, made)
     return [new.get(root, root) for root in roots]
 
 

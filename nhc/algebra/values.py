@@ -14,7 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 
-from nhc.algebra.calculus import reachable, rebuild
+from nhc.algebra.calculus import reachable, rebuild_over
 from nhc.algebra.field import FieldPoint, Unlucky
 from nhc.algebra.graph import ADD, NEG, POW, Graph, Node
 from nhc.algebra.residues import PRIMES, circle_points
@@ -144,12 +144,9 @@ class _Merging:
 
     def _make(self, node: Node) -> None:
         """The node over what its operands have become, where that is another one."""
-        g, new = self.graph, self._new
-        for kid in g.kids[node]:
-            if new.get(kid, kid) != kid:
-                new[node] = rebuild(g, node, [new.get(kid, kid) for kid in g.kids[node]])
-                g.pass_label(node, new[node])
-                return
+        made = rebuild_over(self.graph, node, self._new)
+        if made is not None:
+            self._new[node] = made
 
     def _may_stand(self, other: Node, node: Node) -> bool:
         return not self._poles[other] & ~self._poles[node]
