@@ -73,7 +73,7 @@ def measure(pair: Pair) -> tuple[Cost, Cost]:
 
 def take(job: Job, model: ChartModel) -> Cost:
     """One measurement; an infinite time where the run does not reach its end."""
-    task = Task(job.p, job.y, job.time, TOLERANCE, 0.0, 0.0, MOST)
+    task = Task(job.p, job.y, job.time, TOLERANCE, 0.0, MOST)
     outcome = model.integrate(task, METHOD, model.news())
     rhs = time_repeats(lambda n: _use(model.repeat_rhs(job.time[:1], (job.y,), job.p, n)), BUDGET)[0]
     if outcome.kind != DONE:

@@ -229,7 +229,10 @@ class Quantity:
 
 @record
 class SceneData:
-    """What a driver needs: a consistent start. ``y`` and ``p`` are doubles in the program's order."""
+    """What a driver needs: a consistent start. ``y`` and ``p`` are doubles in the program's order.
+
+    ``stops``: (time before, time after) where its steps have to end.
+    """
 
     name: str
     about: str
@@ -238,6 +241,7 @@ class SceneData:
     time: tuple[float, float]
     need: tuple[str, ...]
     tolerance: float
+    stops: tuple[tuple[float, float], ...] = ()
 
 
 @record

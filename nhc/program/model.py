@@ -13,6 +13,7 @@ from nhc.mechanics.scenes import kept_velocities, start_of
 from nhc.mechanics.system import System
 from nhc.mechanics.values import parameter_value
 from nhc.program.build import Planner, build_functions
+from nhc.program.clock import find_stops
 from nhc.program.hold import make_hold
 from nhc.program.ir import Program, Quantity, SceneData
 from nhc.program.naming import identifier
@@ -37,7 +38,7 @@ def build_program(
     planner = Planner(equations, formulation)
     spec = system.spec
     wanted = [s for s in spec.scenes if s.name == scene or (scenes and not scene)]
-    starts = tuple(made for s in wanted if (made := _scene(system, planner, s, scene)))
+    starts = tuple(made for s in wanted if (made := _scene(system, planner, s, scene, driver)))
     chosen = next((s for s in starts if s.name == scene), None)
     return Program(
         system=spec.system,
@@ -78,7 +79,7 @@ def _default(parameter: Parameter, index: int, scene: SceneData | None) -> Fract
     return parameter_value(parameter.value)
 
 
-def _scene(system: System, planner: Planner, scene: Scene, asked: str) -> SceneData | None:
+def _scene(system: System, planner: Planner, scene: Scene, asked: str, driver: bool) -> SceneData | None:
     """The scene's start; a scene that cannot start is left out unless it was asked for by name."""
     try:
         start = start_of(system, scene)
@@ -88,7 +89,8 @@ def _scene(system: System, planner: Planner, scene: Scene, asked: str) -> SceneD
         return None
     y = (*start.q, *kept_velocities(system, planner.kept_forms(), start))
     need = tuple(entry.name for entry in scene.need)
-    return SceneData(scene.name, scene.about, y, start.p, start.time, need, float(scene.tolerance))
+    stops = find_stops(system, start.p, start.time) if driver else ()
+    return SceneData(scene.name, scene.about, y, start.p, start.time, need, float(scene.tolerance), stops)
 
 
 def _notes(formulation: Formulation) -> tuple[str, ...]:

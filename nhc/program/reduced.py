@@ -8,6 +8,7 @@ from dataclasses import replace
 from nhc.mechanics.reduce import keep_everything
 from nhc.mechanics.scenes import kept_velocities
 from nhc.program.build import rewrite
+from nhc.program.clock import find_stops
 from nhc.program.hold import make_hold, must_hold
 from nhc.program.ir import Function, Program, Quantity, SceneData
 from nhc.program.lower import lower_function
@@ -43,6 +44,7 @@ def build_scene_program(model: SceneModel, only: Sequence[str] = (), driver: boo
         model.start.time,
         tuple(column.name for column in columns),
         float(model.scene.tolerance),
+        find_stops(system, model.start.p, model.start.time) if driver else (),
     )
     quantities = state_quantities(system, planner)
     return replace(

@@ -34,7 +34,7 @@ def choose_method(job: Job, tolerance: float) -> tuple[str, str]:
 def _trial(job: Job) -> float:
     """Mean step of dopri5 times the rate of the fastest mode where the trial ends, if that mode decays; else 0."""
     model = InterpretedModel(job.program, job.events, job.holds, job.watch.dips)
-    task = Task(job.p, job.y, job.time, TRIAL_TOLERANCE, 0.0, 0.0, TRIAL_STEPS)
+    task = Task(job.p, job.y, job.time, TRIAL_TOLERANCE, 0.0, TRIAL_STEPS)
     outcome = model.integrate(task, "dopri5", model.news())
     if outcome.kind not in (DONE, TOO_MANY) or not outcome.steps:
         return 0.0

@@ -23,8 +23,9 @@ class _Task(ctypes.Structure):
         ("rows", ctypes.c_long),
         ("tolerance", ctypes.c_double),
         ("step", ctypes.c_double),
-        ("longest", ctypes.c_double),
         ("most", ctypes.c_long),
+        ("stops", _Doubles),
+        ("stop_count", ctypes.c_long),
     )
 
 
@@ -142,8 +143,9 @@ class CompiledModel:
             len(task.times),
             task.tolerance,
             task.step,
-            task.longest,
             task.most,
+            ctypes.cast(_doubles([x for stop in task.stops for x in stop]), _Doubles),
+            len(task.stops),
         )
 
     def _outcome(self, found: Any, flat: list[float]) -> Outcome:

@@ -71,12 +71,12 @@ def load_lanes(job: Job, method: str, compiled: bool = True) -> tuple[Model, tup
 
 
 def _integrate_each(model: Model, task: Task, method: str, jobs: Sequence[Job], news: News) -> list[Outcome]:
-    if isinstance(model, CompiledModel):
+    if isinstance(model, CompiledModel) and not any(job.stops for job in jobs):
         return model.integrate_each(task, method, [job.y for job in jobs], [job.p for job in jobs], news)
     found: list[Outcome] = []
     for job in jobs:
         outcome = model.integrate(
-            Task(job.p, job.y, task.times, task.tolerance, task.step, task.longest, task.most), method, news
+            Task(job.p, job.y, task.times, task.tolerance, task.step, task.most, job.stops), method, news
         )
         if outcome.kind == STOPPED:
             break

@@ -14,6 +14,7 @@ from nhc.mechanics.drawing import Sketch
 from nhc.mechanics.scenes import Start, kept_velocities
 from nhc.mechanics.system import Form, System
 from nhc.program.build import Planner, build_functions
+from nhc.program.clock import Stop, find_stops
 from nhc.program.hold import TORN, TORN_HOLD, hold_functions
 from nhc.program.ir import Program
 from nhc.program.model import build_program
@@ -46,6 +47,7 @@ class Job:
     ``meanings``: of the model's status codes;
     ``watch``: what each watched value means; ``recipe``: what another formulation of the same job is made by;
     ``holds``: see :func:`nhc.program.hold.hold_functions`;
+    ``stops``: see :mod:`nhc.program.clock`;
     ``kept``: the velocities of the state, or None where the state was reduced for this start alone.
     """
 
@@ -65,6 +67,7 @@ class Job:
     structure: Structure
     holds: tuple[tuple[str, ...], ...]
     notes: tuple[str, ...] = ()
+    stops: tuple[Stop, ...] = ()
     kept: tuple[Form, ...] | None = None
     sketch: Sketch = _NOTHING
     recipe: Recipe | None = None
@@ -139,6 +142,7 @@ def prepare(
         watch=watched,
         structure=structure,
         holds=calls,
+        stops=find_stops(system, start.p, start.time),
         kept=tuple(planner.kept_forms()),
         sketch=sketch,
         recipe=None if natural else Recipe(equations, tuple(needs), event, jacobian, hold, checks, draw, weak),
@@ -149,4 +153,5 @@ def move_start(job: Job, start: Start) -> Job:
     """The same job from another start of its system; the job's state must be whole (``kept`` is not None)."""
     assert job.kept is not None
     y = (*start.q, *kept_velocities(job.system, job.kept, start))
-    return replace(job, start=start, scene=start.scene, y=y, p=start.p, time=start.time)
+    stops = job.stops if start.p == job.p and start.time == job.time else find_stops(job.system, start.p, start.time)
+    return replace(job, start=start, scene=start.scene, y=y, p=start.p, time=start.time, stops=stops)

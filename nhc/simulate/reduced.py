@@ -9,6 +9,7 @@ from nhc.emit.statements import list_statuses
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choose import Formulation
 from nhc.mechanics.scenes import Start, kept_velocities
+from nhc.program.clock import find_stops
 from nhc.program.model import build_program, state_quantities
 from nhc.program.needed import Column, list_energy, needed_function
 from nhc.program.reduced import lower_functions
@@ -73,4 +74,5 @@ def job_of(planner: ScenePlanner, start: Start, jacobian: bool, energy: bool = F
         watch=watched,
         structure=Structure(),
         holds=(),
+        stops=find_stops(system, start.p, start.time),
     )

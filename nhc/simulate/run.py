@@ -103,7 +103,7 @@ def run(job: Job, settings: Settings, show: Show | None = None) -> Trajectory:
     method = first_method(tolerance) if settings.method == AUTO else settings.method
     workshop.model(job, method)  # so that compiling is not counted
     times = list_times(*job.time, settings.points)
-    task = Task(job.p, job.y, times, max(SAFETY * tolerance, LEAST_TOLERANCE), settings.step)
+    task = Task(job.p, job.y, times, max(SAFETY * tolerance, LEAST_TOLERANCE), settings.step, stops=job.stops)
     adaptive = is_adaptive(method) or method in PEERS
     follower = Follower(job, method, workshop.integrate, settings.method == AUTO)
     before, notes = time.perf_counter(), (*job.notes, *workshop.notes)

@@ -18,7 +18,8 @@ PATIENCE = 50
 @record
 class Task:
     """``times``: the rows wanted, from the start to the end.  ``tolerance``: relative to each component's size so far;
-    ``step``: fixed steps of at most that length, where positive; ``longest``: no adaptive step is longer, where positive.
+    ``step``: fixed steps of at most that length, where positive.  ``stops``: (time before, time after) where adaptive steps have
+    to end (:mod:`nhc.program.clock`), in the order of the run.
     """
 
     p: Sequence[float]
@@ -26,8 +27,8 @@ class Task:
     times: Sequence[float]
     tolerance: float
     step: float = 0.0
-    longest: float = 0.0
     most: int = MOST_STEPS
+    stops: Sequence[tuple[float, float]] = ()
 
 
 @dataclass(slots=True)

@@ -38,7 +38,7 @@ class Column:
 
 @record
 class Scene:
-    """A scene as C literals; ``first`` and ``count`` select its columns."""
+    """A scene as C literals; ``first`` and ``count`` select its columns, the last two its stops."""
 
     name: str
     y: str
@@ -48,6 +48,8 @@ class Scene:
     tolerance: str
     first: int
     count: int
+    first_stop: int
+    stop_count: int
 
 
 def find_columns(program: Program, need: str) -> tuple[Column, ...]:
@@ -87,13 +89,15 @@ def make_driver(program: Program, scene_name: str) -> dict[str, object]:
         raise EmitError("a driver integrates a scene, and this program has none", "write one under `scenes:`")
     columns: list[Column] = []
     scenes: list[Scene] = []
+    stops: list[str] = []
     for scene in chosen:
         own = list_columns(program, scene)
         start, end = (print_float(time) for time in scene.time)
         tolerance, name = print_float(scene.tolerance), print_string(scene.name)
         y, p = print_doubles(scene.y), print_doubles(scene.p)
-        scenes.append(Scene(name, y, p, start, end, tolerance, len(columns), len(own)))
+        scenes.append(Scene(name, y, p, start, end, tolerance, len(columns), len(own), len(stops), len(scene.stops)))
         columns += own
+        stops += map(print_doubles, scene.stops)
     kinds = {column.kind for column in columns}
     used = tuple(kind for kind in FUNCTIONS if kind in kinds)
     check_functions(program, used)
@@ -104,6 +108,7 @@ def make_driver(program: Program, scene_name: str) -> dict[str, object]:
         "scenes": tuple(scenes),
         "columns": tuple(Column(print_string(c.heading), c.kind, c.index) for c in columns)
         or (Column('""', "STATE", 0),),
+        "stops": tuple(stops),
         "kinds": tuple(FUNCTIONS),
         "used": used,
         "parameters": max(len(program.parameters), 1),

@@ -11,6 +11,7 @@ from typing import Protocol
 from nhc.program.hold import TORN_HOLD
 from nhc.simulate.methods import collocation, explicit
 from nhc.simulate.methods.step import Model, NoSolution, Step
+from nhc.simulate.methods.stops import cross, foresee, next_bound
 from nhc.simulate.methods.tableau import Explicit, Tableau
 from nhc.simulate.methods.watching import PIECES, find_change, find_deep, find_event, keep_signs, may_dip
 from nhc.simulate.task import (
@@ -70,6 +71,8 @@ class _Run:
     former: float = _LEAST_ERROR
     marked: int = 0
     stalls: int = 0
+    stop: int = 0
+    bound: float = 0.0
     since: float = 0.0
     before: list[float] = field(default_factory=list)
     trend: list[float] = field(default_factory=list)
@@ -83,9 +86,11 @@ def integrate(model: Watched, method: Tableau, task: Task, news: News) -> Outcom
     """Fill the rows of a task; the outcome says how far it came."""
     step = Step(model, task.p, task.times[0], list(task.y), 0.0 if task.step > 0 else task.tolerance)
     run = _Run(model, method, task, news, step, [list(task.y)], since=task.times[0])
+    run.stop, run.bound = next_bound(task, step.t, 0)
     try:
         step.slope = step.rhs(step.t, step.y)
         run.before = model.watch(step.t, step.y, task.p)
+        foresee(step, task)
         run.growth = _limit(method)
         run.former = 1.0  # no error came before
         run.next = _guess(step, method, task.times[-1] - task.times[0])
@@ -149,16 +154,16 @@ def _plan(run: _Run) -> tuple[float, float] | None:
     """(end of the next step, its length without sign); None where the step is too short to count."""
     task, s = run.task, run.step
     start, end = task.times[0], task.times[-1]
-    sign, rest = math.copysign(1.0, end - start), abs(end - s.t)
+    sign, rest = math.copysign(1.0, end - start), abs(run.bound - s.t)
     if task.step > 0:
         count = math.ceil(abs(end - start) / task.step - 1e-9)
         last = run.steps + 1 >= count
         reach = end if last else start + (end - start) * ((run.steps + 1) / count)
         return reach, abs(reach - s.t)
-    run.next = min(run.next, task.longest if task.longest > 0 else abs(end - start))
+    run.next = min(run.next, abs(end - start))
     last = run.next >= 0.999 * rest
     h = rest if last else run.next
-    reach = end if last else s.t + sign * h
+    reach = run.bound if last else s.t + sign * h
     return None if reach == s.t or (not last and h < 4 * _EPSILON * abs(s.t)) else (reach, h)
 
 
@@ -262,7 +267,22 @@ def _accept(run: _Run, reach: float) -> Outcome | None:
     s.t, s.y, s.slope, s.first = reach, s.reached, s.arrived, False
     s.size = [max(a, abs(b)) for a, b in zip(s.size, s.y, strict=True)]
     run.news.t = reach
-    return run.leave(DONE) if reach == task.times[-1] else None
+    if reach == task.times[-1]:
+        return run.leave(DONE)
+    return _pass_stop(run) if reach == run.bound else None
+
+
+def _pass_stop(run: _Run) -> Outcome | None:
+    """The run goes on behind a stop, where the slope may be another one; nothing moves at a jump."""
+    s, task = run.step, run.task
+    s.t, rows = cross(task, s.t, run.stop, len(run.states))
+    run.states += [list(s.y) for _ in range(rows)]
+    run.stop, run.bound = next_bound(task, s.t, run.stop)
+    if s.t == task.times[-1]:
+        return run.leave(DONE)
+    s.first = True
+    s.slope = s.rhs(s.t, s.y)
+    return None
 
 
 def _may_touch(run: _Run, after: list[float]) -> bool:

@@ -87,7 +87,7 @@ class Runner:
         self, times: Sequence[float], step: float = 0.0, tolerance: float = 1e-12, y: Sequence[float] | None = None
     ) -> Outcome:
         """Integrate over ``times``."""
-        task = Task(self.job.p, self.job.y if y is None else y, times, tolerance, step)
+        task = Task(self.job.p, self.job.y if y is None else y, times, tolerance, step, stops=self.job.stops)
         return self.model.integrate(task, self.method, self.model.news())
 
     def checks(self, times: Sequence[float], outcome: Outcome, group: str) -> Matrix:

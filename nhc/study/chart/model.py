@@ -96,7 +96,8 @@ class RepeatedModel(CompiledModel):
         """The same run ``count`` times, from the first time to the last."""
         function = getattr(self.library, f"{self.system}_repeat_{method}")
         ends = doubles((task.times[0], task.times[-1]))
-        numbers = (_Number(task.tolerance), _Number(task.step), _Whole(task.most))
+        stops = (doubles([t for stop in task.stops for t in stop]), _Whole(len(task.stops)))
+        numbers = (_Number(task.tolerance), _Number(task.step), _Whole(task.most), *stops)
         function(_Whole(count), doubles(task.p), doubles(task.y), ends, *numbers)
 
 
@@ -139,7 +140,8 @@ class LongModel:
         out = (_Number * max(len(times) * width, 1))()
         function = getattr(self.library, f"{job.program.system}_long_{method}")
         numbers = (_Number(tolerance), _Number(step), _Whole(most), _Whole(len(times)))
-        failed = function(*numbers, doubles(times), doubles(job.y), doubles(job.p), out, ctypes.byref(steps))
+        stops = (doubles([t for stop in job.stops for t in stop]), _Whole(len(job.stops)))
+        failed = function(*numbers, doubles(times), doubles(job.y), doubles(job.p), *stops, out, ctypes.byref(steps))
         values = list(out[: len(times) * width])
         rows = [] if failed else [values[k : k + width] for k in range(0, len(values), width)]
         return LongRun(rows, steps.value)

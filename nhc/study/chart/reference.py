@@ -67,7 +67,7 @@ def _in_python(job: Job, times: Sequence[float]) -> Solve:
     model = InterpretedModel(job.program, job.events, job.holds)
 
     def solve(method: str, tolerance: float, step: float, most: int) -> list[list[float]]:
-        outcome = model.integrate(Task(job.p, job.y, times, tolerance, step, 0.0, most), method, model.news())
+        outcome = model.integrate(Task(job.p, job.y, times, tolerance, step, most, job.stops), method, model.news())
         try:
             return model.quantities(times, outcome.states, job.p) if outcome.kind == DONE else []
         except ModelError:

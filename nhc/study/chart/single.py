@@ -41,7 +41,7 @@ def follow_case(bench: Bench, case: Case, budget: float) -> tuple[Result, Rows]:
     model = bench.compiled if case.language == "c" else bench.interpreted
     assert model is not None
     job = bench.job
-    task = Task(job.p, job.y, bench.times, case.tolerance, case.step, 0.0, MOST)
+    task = Task(job.p, job.y, bench.times, case.tolerance, case.step, MOST, job.stops)
     outcome = model.integrate(task, case.method, model.news())
     found = collect(job, case.method, model, task, outcome, 0.0, ())
     counts = Result(

@@ -145,7 +145,7 @@ def cost_of(bench: Bench, languages: Sequence[str], shrunk: Shrunk | None) -> Co
     """What one right-hand side costs, at states along the reference motion."""
     job, in_c, in_python = bench.job, math.nan, math.nan
     function = next(f for f in job.program.functions if f.name == "rhs")
-    task = Task(job.p, job.y, bench.times, 1e-6, 0.0, 0.0, MOST)
+    task = Task(job.p, job.y, bench.times, 1e-6, 0.0, MOST, job.stops)
     models = [model for model in (bench.compiled, bench.interpreted) if model is not None]
     outcome = models[0].integrate(task, SCOUT, models[0].news())
     times, states = bench.times[: len(outcome.states)], outcome.states
@@ -209,7 +209,7 @@ def count_steps(bench: Bench) -> int:
     job = bench.job
     model = bench.compiled or bench.interpreted
     ends = (bench.times[0], bench.times[-1])
-    outcome = model.integrate(Task(job.p, job.y, ends, 1e-3, 0.0, 0.0, MOST), SCOUT, model.news())
+    outcome = model.integrate(Task(job.p, job.y, ends, 1e-3, 0.0, MOST, job.stops), SCOUT, model.news())
     return max(8, 2 * outcome.steps)
 
 

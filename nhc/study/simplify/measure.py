@@ -103,7 +103,7 @@ class Meter:
     def price(self, text: str) -> Price:
         """What the model of a text costs in emitted C, or Python where there is no compiler."""
         job = self.open(text)
-        task = Task(job.p, job.y, job.time, self.settings.tolerance * TIGHTER, 0.0, 0.0, _MOST)
+        task = Task(job.p, job.y, job.time, self.settings.tolerance * TIGHTER, 0.0, _MOST, job.stops)
         if not self.compiled:
             slow = InterpretedModel(job.program, job.events, job.holds)
             rhs = time_repeats(lambda n: _call(slow, job, n), _BUDGET)[0]

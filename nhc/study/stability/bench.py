@@ -82,7 +82,8 @@ class Bench:
     ) -> Outcome:
         """One run; ``tolerance`` 0 is what ``nhc run`` takes for the scene."""
         wanted = tolerance or max(SAFETY * self.job.tolerance, LEAST_TOLERANCE)
-        task = Task(self.job.p, self.job.y if y is None else y, times, wanted, step, most=most or self.most(method))
+        start = self.job.y if y is None else y
+        task = Task(self.job.p, start, times, wanted, step, most or self.most(method), self.job.stops)
         model = self.schemes.get(method, self.model)
         return model.integrate(task, method, model.news())
 
