@@ -5,8 +5,8 @@ tenth of a second lies between the stages: the estimate of the error knows nothi
 has its special places where its argument is zero or turns: there ``sign`` jumps, ``max`` has a corner, ``exp(-((t - a)/w)^2)`` its
 peak.  The argument is a slow function of time also where the pulse is short, so that a grid finds them.
 
-Not found: pulses of functions that depend on the state, too, and what turns more often than the grid can tell (there, no step
-is long).
+Functions of the state have such places along a motion, once there is one (:mod:`nhc.simulate.passing`).  What turns more often
+than the grid can tell is left alone: there, no step is long.
 """
 
 from __future__ import annotations
@@ -26,13 +26,14 @@ Stop = tuple[float, float]
 """The last time before a jump and the first after it; the same time twice where there is none."""
 
 GRID = 1024
-_MOST = GRID // 4  # special places of one function: more are not told apart reliably
 _CORNERS = frozenset({"sign", "abs", "min", "max", "atan2"})
 _PEAKS = frozenset({"exp", "sqrt", "powf", "log", POW})
 _STEPS = frozenset({"tanh", "atan"})
+_SPECIAL = _CORNERS | _PEAKS | _STEPS
 _HALVINGS, _SECTIONS, _BISECTIONS = 50, 60, 100
 _CHANGES = 4  # of a sign between two places of the grid: by way of zero there are two, beyond them is rounding
 _AROUND = (0.5, 1.0, 2.0, 4.0, 8.0, 16.0)  # widths from a pulse's middle at which a step ends
+_FAR = 3.0  # what exp's argument changes by where exp has a pulse
 _ISOLATED = 8.0  # widths to the next pulse beyond which the time between them is quiet
 
 
@@ -41,21 +42,38 @@ def find_stops(system: System, p: Sequence[float], time: tuple[float, float]) ->
 
     ``p``: values of the parameters in the spec's order.
     """
+    t, values = system.t, dict(zip(system.p, p, strict=True))
+    outside = ~system.graph.mask((t, *system.p))
+    alone = [node for node in list_special(system, (t,)) if not system.graph.deps[node] & outside]
+    if not alone:
+        return ()
+    search = Search(system.graph, lambda now: {t: now, **values}, *time)
+    return join_stops(stop for node in alone for stop in search.list_stops(node))
+
+
+def list_special(system: System, symbols: Sequence[Node]) -> list[Node]:
+    """The functions in the spec's energies, forces and constraints that have special places and depend on one of the symbols."""
     graph = system.graph
     roots = [system.T, system.U, *system.Q]
     for form in (*system.constraints, *system.quasi):
         roots += [*form.coefficients, form.constant, *([form.equation] if form.equation is not None else [])]
-    clock = graph.deps[system.t]
-    if not any(graph.deps[root] & clock for root in roots):
-        return ()
-    known = clock | graph.mask(system.p)
-    alone = [node for node in reachable(graph, roots, clock) if not graph.deps[node] & ~known]
-    low, high = time
-    search = _Search(graph, system.t, dict(zip(system.p, p, strict=True)), low, high)
-    found: list[Stop] = []
-    for node in alone:
-        found += search.list_stops(node)
-    return tuple(_join(stop for stop in found if low < stop[0] and stop[1] < high))
+    op, exponent = graph.op, graph.b
+    return [
+        node
+        for node in reachable(graph, roots, graph.mask(symbols))
+        if op[node] in _SPECIAL and (op[node] != POW or exponent[node] < 0)
+    ]
+
+
+def join_stops(stops: Iterable[Stop]) -> tuple[Stop, ...]:
+    """In their order; those that touch are one."""
+    joined: list[Stop] = []
+    for before, after in sorted(stops):
+        if joined and before <= joined[-1][1]:
+            joined[-1] = (joined[-1][0], max(after, joined[-1][1]))
+        else:
+            joined.append((before, after))
+    return tuple(joined)
 
 
 @record
@@ -70,25 +88,39 @@ class _Place:
         return 0.5 * (self.before + self.after)
 
 
-class _Search:
-    """Functions of time between two times."""
+class Search:
+    """Functions of time between two times; ``place`` gives the values of their symbols, ``grid`` is a number of intervals."""
 
-    def __init__(self, graph: Graph, t: Node, values: Mapping[Node, float], low: float, high: float) -> None:
-        self.graph, self._t, self._values = graph, t, values
-        self.low, self.high = low, high
-        self._times = [low + (high - low) * k / GRID for k in range(GRID + 1)]
+    def __init__(
+        self,
+        graph: Graph,
+        place: Callable[[float], Mapping[Node, float]],
+        low: float,
+        high: float,
+        grid: int = GRID,
+    ) -> None:
+        self.graph, self._place = graph, place
+        self.low, self.high, self._grid = low, high, grid
+        self._times = [*(low + (high - low) * k / grid for k in range(grid)), high]
 
     def list_stops(self, node: Node) -> list[Stop]:
-        """Where a step has to end for the sake of one node, not of its operands."""
-        kind = self.graph.op[node]
+        """Where a step has to end for the sake of one special node, not of its operands."""
+        kind, argument = self.graph.op[node], self._argument(node)
+        values = [argument(t) for t in self._times]
+        if not _may_be_short(kind, values):
+            return []
+        zeros, turns = self._special(argument, values)
         if kind in _CORNERS:
-            zeros, _ = self._special(self._argument(node))
-            return [(place.before, place.after) for place in zeros]
-        if kind in _STEPS or (kind in _PEAKS and (kind != POW or self.graph.b[node] < 0)):
-            zeros, turns = self._special(self._argument(node))
+            found = [(place.before, place.after) for place in zeros]
+        else:
             places = (*zeros, *turns) if kind in _STEPS else turns
-            return self._around([place.middle for place in places], self._function(node))
-        return []
+            found = self._around([place.middle for place in places], self._function(node))
+        return [stop for stop in found if self.low < stop[0] and stop[1] < self.high]
+
+    @staticmethod
+    def is_corner(graph: Graph, node: Node) -> bool:
+        """Whether a function has corners or jumps, and not peaks."""
+        return graph.op[node] in _CORNERS
 
     # --- functions of time ----------------------------------------------------------------------------------
 
@@ -96,14 +128,14 @@ class _Search:
         order = reachable(self.graph, [node])
 
         def value(t: float) -> float:
-            known = {self._t: t, **self._values}
+            known = dict(self._place(t))
             try:
                 evaluate_into(known, self.graph, order)
             except (ArithmeticError, ValueError):
                 return nan
             return float(known[node])
 
-        return lru_cache(maxsize=2 * GRID)(value)
+        return lru_cache(maxsize=4 * GRID)(value)
 
     def _argument(self, node: Node) -> Callable[[float], float]:
         """What decides where a function is special: its operand, of two that are compared their difference."""
@@ -115,13 +147,13 @@ class _Search:
 
     # --- special places ---------------------------------------------------------------------------------------
 
-    def _special(self, f: Callable[[float], float]) -> tuple[list[_Place], list[_Place]]:
+    def _special(self, f: Callable[[float], float], values: Sequence[float]) -> tuple[list[_Place], list[_Place]]:
         """Where f changes its sign, and where it turns; nothing where there is too much of it."""
-        times, values = self._times, [f(t) for t in self._times]
+        times = self._times
         size = max((abs(v) for v in values if isfinite(v)), default=0.0)
         turns, marks = list[_Place](), [(times[0], values[0])]
-        for k in range(1, GRID + 1):
-            if k < GRID:
+        for k in range(1, len(times)):
+            if k + 1 < len(times):
                 rise, fall = values[k] - values[k - 1], values[k + 1] - values[k]
                 if rise * fall < 0.0 and min(abs(rise), abs(fall)) > 1e-13 * size:
                     t = self._turn(f, times[k - 1], times[k + 1], -1.0 if rise > 0.0 else 1.0)
@@ -132,7 +164,7 @@ class _Search:
         zeros = list[_Place]()
         for (a, u), (b, v) in pairwise(marks):
             zeros += self._change(f, a, b, _sign(u), _sign(v))
-        return (zeros, turns) if len(zeros) + len(turns) <= _MOST else ([], [])
+        return (zeros, turns) if len(zeros) + len(turns) <= self._grid // 4 else ([], [])
 
     def _turn(self, f: Callable[[float], float], a: float, b: float, sign: float) -> float:
         """Where sign*f is least between a and b, by golden sections."""
@@ -203,16 +235,15 @@ class _Search:
         return inf
 
 
+def _may_be_short(kind: str, values: Sequence[float]) -> bool:
+    """Whether a function of an argument with these values may have pulses that are short beside the time between them."""
+    finite = [v for v in values if isfinite(v)]
+    if kind in _CORNERS or not finite:
+        return bool(finite)
+    if kind == "exp" or kind in _STEPS:
+        return max(finite) - min(finite) > _FAR
+    return min(map(abs, finite)) < 0.1 * max(map(abs, finite))
+
+
 def _sign(x: float) -> int:
     return (x > 0.0) - (x < 0.0)
-
-
-def _join(stops: Iterable[Stop]) -> list[Stop]:
-    """In their order; those that touch are one."""
-    joined: list[Stop] = []
-    for before, after in sorted(stops):
-        if joined and before <= joined[-1][1]:
-            joined[-1] = (joined[-1][0], max(after, joined[-1][1]))
-        else:
-            joined.append((before, after))
-    return joined

@@ -47,7 +47,7 @@ class Job:
     ``meanings``: of the model's status codes;
     ``watch``: what each watched value means; ``recipe``: what another formulation of the same job is made by;
     ``holds``: see :func:`nhc.program.hold.hold_functions`;
-    ``stops``: see :mod:`nhc.program.clock`;
+    ``stops``: see :mod:`nhc.program.clock`; ``symbols``: the state's entries in the system's graph;
     ``kept``: the velocities of the state, or None where the state was reduced for this start alone.
     """
 
@@ -68,6 +68,7 @@ class Job:
     holds: tuple[tuple[str, ...], ...]
     notes: tuple[str, ...] = ()
     stops: tuple[Stop, ...] = ()
+    symbols: tuple[Node, ...] = ()
     kept: tuple[Form, ...] | None = None
     sketch: Sketch = _NOTHING
     recipe: Recipe | None = None
@@ -143,6 +144,7 @@ def prepare(
         structure=structure,
         holds=calls,
         stops=find_stops(system, start.p, start.time),
+        symbols=planner.y_nodes,
         kept=tuple(planner.kept_forms()),
         sketch=sketch,
         recipe=None if natural else Recipe(equations, tuple(needs), event, jacobian, hold, checks, draw, weak),

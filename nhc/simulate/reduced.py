@@ -75,4 +75,5 @@ def job_of(planner: ScenePlanner, start: Start, jacobian: bool, energy: bool = F
         structure=Structure(),
         holds=(),
         stops=find_stops(system, start.p, start.time),
+        symbols=planner.y_nodes,
     )

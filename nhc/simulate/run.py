@@ -15,6 +15,7 @@ from nhc.simulate.methods import RUNGE_KUTTA, STRUCTURE, is_adaptive
 from nhc.simulate.natural import NaturalModel
 from nhc.simulate.outcomes import describe_outcome
 from nhc.simulate.pacing import AUTO, first_method
+from nhc.simulate.passing import watch_passing
 from nhc.simulate.peers import PEERS, PeerModel
 from nhc.simulate.prepare import Job
 from nhc.simulate.source import write_natural, write_source
@@ -107,6 +108,9 @@ def run(job: Job, settings: Settings, show: Show | None = None) -> Trajectory:
     adaptive = is_adaptive(method) or method in PEERS
     follower = Follower(job, method, workshop.integrate, settings.method == AUTO)
     before, notes = time.perf_counter(), (*job.notes, *workshop.notes)
+    if settings.step <= 0 and method in RUNGE_KUTTA and is_adaptive(method):
+        stops, passed = watch_passing(job, task, lambda asked: workshop.integrate(job, method, asked))
+        task, notes = replace(task, stops=stops), (*notes, *([passed] if passed else []))
     if settings.step <= 0 and not adaptive:
         task, more = _find_step(follower, task, tolerance)
         notes += more
