@@ -25,7 +25,8 @@ ROWS = 256
 MOST = 4096  # steps: with more of them none is long beside the scene
 _TURNS = 6
 _CLOSE = 1.0 / 32  # of the time: corners that are further apart are seen without stops
-_SAME, _TOLD = 1e3, 1e5  # tolerances: beyond the first the stops stay; corners alone cost some hundred
+_SAME, _TOLD = 1e3, 1e5  # tolerances: beyond the first the stops stay
+_AT_ONCE = 4  # rows from the one to the other where something was passed over; the errors of corners add up slowly
 
 
 def watch_passing(job: Job, task: Task, integrate: Callable[[Task], Outcome]) -> tuple[tuple[Stop, ...], str]:
@@ -48,9 +49,11 @@ def watch_passing(job: Job, task: Task, integrate: Callable[[Task], Outcome]) ->
             break
         scout = replace(scout, stops=stops)
         other = integrate(scout)
-        if _find_parting(times, found.states, other.states, _SAME * task.tolerance) is None:
+        near, far = (_find_parting(found.states, other.states, part * task.tolerance) for part in (_SAME, _TOLD))
+        if near is None:
             break
-        first = min(first, _find_parting(times, found.states, other.states, _TOLD * task.tolerance) or inf)
+        if far is not None and far - near <= _AT_ONCE:
+            first = min(first, times[near])
         task, found = replace(task, stops=stops), other
     note = (
         ""
@@ -123,13 +126,11 @@ class _Path:
         ]
 
 
-def _find_parting(
-    times: Sequence[float], one: Sequence[Sequence[float]], other: Sequence[Sequence[float]], bound: float
-) -> float | None:
-    """The time at which two motions are no longer the same, by a part of each quantity's size; None where they are to the end."""
+def _find_parting(one: Sequence[Sequence[float]], other: Sequence[Sequence[float]], bound: float) -> int | None:
+    """The row at which two motions are no longer the same, by a part of each quantity's size; None where they are to the end."""
     sizes = [max(map(abs, column)) for column in zip(*one, strict=True)]
     least = 1e-3 * max(sizes, default=0.0)
-    for t, a, b in zip(times, one, other, strict=False):
+    for k, (a, b) in enumerate(zip(one, other, strict=False)):
         if any(abs(x - y) > bound * max(size, least) for x, y, size in zip(a, b, sizes, strict=True)):
-            return t
-    return None if len(one) == len(other) else times[min(len(one), len(other)) - 1]
+            return k
+    return None if len(one) == len(other) else min(len(one), len(other)) - 1

@@ -108,8 +108,7 @@ def prepare(
     """
     system, scene = equations.system, start.scene
     planner = Planner(equations, formulation)
-    wanted = tuple(needs) or tuple(need.name for need in scene.need)
-    columns = list_columns(planner, wanted)
+    columns = list_columns(planner, tuple(needs) or tuple(need.name for need in scene.need))
     checked = list_checks(planner) if checks else []
     sketch = planned_sketch(planner) if draw else _NOTHING
     drawn = [Column(f"drawn {k}", "drawn", node) for k, node in enumerate(sketch.nodes)]
