@@ -33,6 +33,7 @@ _SPECIAL = _CORNERS | _PEAKS | _STEPS
 _HALVINGS, _SECTIONS, _BISECTIONS = 50, 60, 100
 _CHANGES = 4  # of a sign between two places of the grid: by way of zero there are two, beyond them is rounding
 _AROUND = (0.5, 1.0, 2.0, 4.0, 8.0, 16.0)  # widths from a pulse's middle at which a step ends
+_POLE = 1e6  # of an argument's size on the grid: no function turns there
 _FAR = 3.0  # what exp's argument changes by where exp has a pulse
 _ISOLATED = 8.0  # widths to the next pulse beyond which the time between them is quiet
 
@@ -157,8 +158,9 @@ class Search:
                 rise, fall = values[k] - values[k - 1], values[k + 1] - values[k]
                 if rise * fall < 0.0 and min(abs(rise), abs(fall)) > 1e-13 * size:
                     t = self._turn(f, times[k - 1], times[k + 1], -1.0 if rise > 0.0 else 1.0)
-                    turns.append(_Place(t, t))
-                    marks.append((t, f(t)))
+                    if abs(f(t)) < _POLE * size:
+                        turns.append(_Place(t, t))
+                        marks.append((t, f(t)))
             marks.append((times[k], values[k]))
         marks.sort()
         zeros = list[_Place]()

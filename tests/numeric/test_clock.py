@@ -151,6 +151,7 @@ def test_a_pulse_is_met_from_both_sides_at_its_own_width() -> None:
         "sign(x - at)",
         "0",
         "sign(sin(1000*t))",
+        "1/(1 + exp(1/(t - at)))",
     ],
 )
 def test_what_is_never_quiet_or_no_function_of_time_needs_none(force: str) -> None:
