@@ -91,13 +91,17 @@ def _draw(graph: Graph, index: int, nodes: Sequence[Node]) -> FieldPoint | None:
 
 def _split(graph: Graph, nodes: Iterable[Node], point: FieldPoint) -> list[list[Node]]:
     """The nodes in groups of one value up to its sign, in increasing order; those that are alone are left out."""
+    first: dict[int, Node] = {}
     found: dict[int, list[Node]] = {}
     op, values, p = graph.op, point.values, point.prime
     for node in nodes:
         if op[node] != NEG:
             x = values[node]
-            found.setdefault(x if 2 * x < p else p - x, []).append(node)
-    return [members for members in found.values() if len(members) > 1]
+            key = min(x, p - x)
+            other = first.setdefault(key, node)
+            if other != node:
+                found.setdefault(key, [other]).append(node)
+    return list(found.values())
 
 
 class _Merging:
