@@ -7,6 +7,7 @@ import time
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
+from nhc.program.clock import Stop
 from nhc.records import record
 from nhc.simulate.compile import CompileError, build, loop_flags
 from nhc.simulate.compiled import CompiledModel
@@ -85,6 +86,13 @@ def load(job: Job, method: str, compiled: bool = True) -> tuple[Model, tuple[str
     if method in STRUCTURE:
         return NaturalModel(job.program), notes
     return InterpretedModel(job.program, job.events, job.holds, job.watch.dips), notes
+
+
+def look_ahead(job: Job, compiled: bool = True) -> tuple[Stop, ...]:
+    """The job's stops, and those of what its motion passes: for studies, which run it in many ways."""
+    task = Task(job.p, job.y, job.time, max(SAFETY * job.tolerance, LEAST_TOLERANCE), stops=job.stops)
+    workshop = Workshop(compiled, None)
+    return watch_passing(job, task, lambda asked: workshop.integrate(job, "dop853", asked))[0]
 
 
 def list_times(start: float, end: float, points: int) -> tuple[float, ...]:

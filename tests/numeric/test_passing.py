@@ -4,13 +4,17 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from dataclasses import replace
 
 import pytest
 from scipy.integrate import quad, solve_ivp
 
 from nhc.diagnostics import Source
 from nhc.simulate.opening import open_scene
-from nhc.simulate.run import Settings, Trajectory, run
+from nhc.simulate.run import Settings, Trajectory, look_ahead, run
+from nhc.study.chart.grid import Grid
+from nhc.study.chart.model import LongModel, compile_long
+from nhc.study.chart.study import chart
 
 pytestmark = pytest.mark.usefixtures("own_cache")
 
@@ -101,3 +105,24 @@ quasi_velocities: {{v: cos(theta)*x' + sin(theta)*y', turn: theta'}}
     x, y, theta, v, _ = (float(value) for value in oracle.y[:, -1])
     assert found.rows[-1] == pytest.approx([x, y, theta, v], rel=1e-6)
     assert abs(x - 80 * math.cos(0.3)) > 0.02  # the bump matters
+
+
+def test_a_chart_knows_what_is_passed() -> None:
+    text = f"{HEAD}{SCENE}coordinates: [x]\nT: x'^2/2\nV: h*exp(-((x - 50)/w)^2)\n"
+    grid = Grid(methods=("dop853",), languages=("c",), tolerances=(1e-6, 1e-9), peers=False, budget=0.01)
+    made = chart(Source("passer.yaml", text), grid)
+    assert made.reference.error < 1e-9
+    errors = {result.case.tolerance: result.error for result in made.results if not result.failed}
+    assert len(errors) == 2 and errors[1e-9] < 1e-6 and errors[1e-6] < 1e-3
+    motion = make_reference_end(text)
+    assert motion == pytest.approx(reference(bump(10.0, 50.0)), rel=1e-8)
+
+
+def make_reference_end(text: str) -> tuple[float, ...]:
+    """What the chart's reference solution says of the end."""
+    job = open_scene(Source("passer.yaml", text), needs=("x", "x'"), checks=True)
+    stops = look_ahead(job)
+    rows = LongModel(compile_long(job, ("dop853",)), replace(job, stops=stops)).integrate(
+        "dop853", job.time, 1e-14, 0.0, 100_000
+    )
+    return tuple(rows.rows[-1][:2])

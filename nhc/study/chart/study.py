@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 
 from nhc.diagnostics import Source
 from nhc.language import decode
@@ -16,7 +17,7 @@ from nhc.simulate.methods import RUNGE_KUTTA, is_adaptive
 from nhc.simulate.methods import STRUCTURE as SCHEMES
 from nhc.simulate.opening import find_need, find_scene
 from nhc.simulate.prepare import Job
-from nhc.simulate.run import list_times
+from nhc.simulate.run import list_times, look_ahead
 from nhc.simulate.task import Task
 from nhc.study.chart.case import Case, Cost, Result, Study
 from nhc.study.chart.grid import (
@@ -57,6 +58,12 @@ def chart(source: Source, grid: Grid, show: Show | None = None) -> Study:
     compiled = bool(find_compiler())
     languages = tuple(x for x in grid.languages or LANGUAGES if compiled or x != "c") or ("python",)
     notes = () if compiled else ("there is no C compiler here: only the emitted Python is charted",)
+    stops = look_ahead(made.full, compiled)
+    made = replace(
+        made,
+        full=replace(made.full, stops=stops),
+        jobs={name: replace(job, stops=stops) for name, job in made.jobs.items()},
+    )
     first = next(iter(made.jobs.values()))
     times = list_times(*first.time, POINTS)
     solution = make_reference(made.full, times, open_long(made.full) if compiled else None)
