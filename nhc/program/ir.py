@@ -270,6 +270,14 @@ class Hold:
 
 
 @record
+class Needed:
+    """What a driver computes by a function of its own, for none of the model's gives it: ``names``, in the order of its output."""
+
+    function: Function
+    names: tuple[str, ...]
+
+
+@record
 class Program:
     system: str
     about: str
@@ -288,3 +296,4 @@ class Program:
     warnings: tuple[str, ...] = ()  # what the emitted functions cannot do
     lookout: Lookout | None = None
     hold: Hold | None = None
+    needed: Needed | None = None

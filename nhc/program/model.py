@@ -15,8 +15,9 @@ from nhc.mechanics.values import parameter_value
 from nhc.program.build import Planner, build_functions
 from nhc.program.clock import find_stops
 from nhc.program.hold import make_hold
-from nhc.program.ir import Program, Quantity, SceneData
+from nhc.program.ir import Needed, Program, Quantity, SceneData
 from nhc.program.naming import identifier
+from nhc.program.needed import list_columns, needed_function
 from nhc.program.starting import warn_of_coframe
 from nhc.program.watch import look_out
 
@@ -61,6 +62,7 @@ def build_program(
         warnings=warn_of_coframe(planner, wanted if scene else spec.scenes) if not only or "rhs" in only else (),
         lookout=look_out(planner, [start.p for start in starts]) if driver and starts else None,
         hold=make_hold(planner) if driver and starts else None,
+        needed=_needed(planner, starts) if driver else None,
     )
 
 
@@ -91,6 +93,14 @@ def _scene(system: System, planner: Planner, scene: Scene, asked: str, driver: b
     need = tuple(entry.name for entry in scene.need)
     stops = find_stops(system, start.p, start.time) if driver else ()
     return SceneData(scene.name, scene.about, y, start.p, start.time, need, float(scene.tolerance), stops)
+
+
+def _needed(planner: Planner, scenes: Sequence[SceneData]) -> Needed | None:
+    """The quasi-velocities that scenes need and the state does not hold."""
+    kept = {*planner.kept_names(), *(name for name, _ in planner.system.outputs)}
+    wanted = dict.fromkeys(name for scene in scenes for name in scene.need)
+    names = tuple(form.name for form in planner.system.quasi if form.name in wanted and form.name not in kept)
+    return Needed(needed_function(planner, list_columns(planner, names)), names) if names else None
 
 
 def _notes(formulation: Formulation) -> tuple[str, ...]:

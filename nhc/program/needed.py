@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
 from nhc.algebra.calculus import substitute
 from nhc.algebra.graph import Node
@@ -23,8 +24,10 @@ from nhc.program.build import Planner
 from nhc.program.ir import Argument, Function, Origin
 from nhc.program.lower import lower_function
 from nhc.program.plan import FunctionPlan, GuardPlan, Target
-from nhc.program.scene_planner import ScenePlanner
 from nhc.records import record
+
+if TYPE_CHECKING:
+    from nhc.program.scene_planner import ScenePlanner  # which needs the model's names, as this module's users do
 
 _T = Argument("t", -1)
 

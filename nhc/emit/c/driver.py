@@ -17,6 +17,7 @@ FUNCTIONS = {  # the function that a kind of column comes from
     "OUTPUT": "outputs",
     "REACTION": "reactions",
     "ENERGY": "energy",
+    "NEEDED": "",  # of the driver itself
 }
 
 
@@ -63,6 +64,8 @@ def find_columns(program: Program, need: str) -> tuple[Column, ...]:
     for index, quantity in enumerate(program.coordinates):
         if need == f"{quantity.name}'":
             return (Column(need, "VELOCITY", index),)
+    if program.needed is not None and need in program.needed.names:
+        return (Column(need, "NEEDED", program.needed.names.index(need)),)
     if need == "energy":
         return (Column(need, "ENERGY", 0),)
     if need == "reactions":
@@ -109,7 +112,7 @@ def make_driver(program: Program, scene_name: str) -> dict[str, object]:
         "columns": tuple(Column(print_string(c.heading), c.kind, c.index) for c in columns)
         or (Column('""', "STATE", 0),),
         "stops": tuple(stops),
-        "kinds": tuple(FUNCTIONS),
+        "kinds": tuple(kind for kind in FUNCTIONS if kind != "NEEDED" or kind in kinds),
         "used": used,
         "parameters": max(len(program.parameters), 1),
         "statuses": tuple(Status(s.code, print_string(print_comment(s.what))) for s in list_statuses(program)),

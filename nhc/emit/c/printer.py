@@ -87,7 +87,15 @@ def list_files(program: Program, options: EmitOptions) -> tuple[File, ...]:
     if driver is None:
         return header, source
     own: set[str] = set()
-    context = driver | make_watch_context(program, own) | make_hold_context(program, own)
+    held, hold_context = make_hold_context(program, own)
+    context = driver | make_watch_context(program, own) | hold_context
+    needed = program.needed.function if program.needed else None
+    context["needed_size"] = needed.output.size if needed and needed.output else 0
+    context["own"] = (
+        *([context["watch"]] if program.lookout else []),
+        *held,
+        *([print_function(program, needed, own)] if needed else []),
+    )
     context["helpers"] = tuple(sorted(own))
     return header, source, File(f"{name}_main.c", "c/model_main.c.jinja", context)
 
@@ -134,16 +142,15 @@ def make_watch_context(program: Program, helpers: set[str]) -> dict[str, object]
     }
 
 
-def make_hold_context(program: Program, helpers: set[str]) -> dict[str, object]:
-    """What it uses of the functions that bring a state back; their status comes after all of the model's own."""
+def make_hold_context(program: Program, helpers: set[str]) -> tuple[list[PrintedFunction], dict[str, object]]:
+    """The functions that bring a state back, and what it uses of them; their status comes after all of the model's own."""
     hold, code = program.hold, find_not_finite(program) + 1
     functions: list[Function] = []
     for function in hold.functions if hold else ():
         body = tuple(replace(s, status=code) if isinstance(s, Solve | Guard) else s for s in function.body)
         functions.append(replace(function, body=body))
-    return {
+    return [print_function(program, function, helpers) for function in functions], {
         "holds": hold.calls if hold else (),
-        "held": tuple(print_function(program, function, helpers) for function in functions),
         "singular_hold": print_singular(program.system, code),
         "torn_hold": f"{program.system.upper()}_TORN",
         "hold_statuses": tuple(
