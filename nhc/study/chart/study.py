@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import replace
 
 from nhc.diagnostics import Source
 from nhc.language import decode
@@ -58,12 +57,7 @@ def chart(source: Source, grid: Grid, show: Show | None = None) -> Study:
     compiled = bool(find_compiler())
     languages = tuple(x for x in grid.languages or LANGUAGES if compiled or x != "c") or ("python",)
     notes = () if compiled else ("there is no C compiler here: only the emitted Python is charted",)
-    stops = look_ahead(made.full, compiled)
-    made = replace(
-        made,
-        full=replace(made.full, stops=stops),
-        jobs={name: replace(job, stops=stops) for name, job in made.jobs.items()},
-    )
+    made = made.with_stops(look_ahead(made.full, compiled))
     first = next(iter(made.jobs.values()))
     times = list_times(*first.time, POINTS)
     solution = make_reference(made.full, times, open_long(made.full) if compiled else None)
