@@ -204,6 +204,11 @@ class Spec:
         return dict(self.key_spans).get(key, Span(0, 0))
 
     @property
+    def time_unit(self) -> str:
+        """Seconds where something has a unit; else none."""
+        return "s" if any(quantity.unit for quantity in (*self.coordinates, *self.parameters)) else ""
+
+    @property
     def constraint_spans(self) -> dict[str, Span]:
         """The place of each constraint, holonomic ones as well, by its name."""
         rows: tuple[Constraint | Holonomic, ...] = (*self.constraints, *self.holonomic)

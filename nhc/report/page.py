@@ -8,7 +8,7 @@ from html import escape
 
 from nhc.emit.environment import create_environment
 from nhc.report.drawing import describe_drawing
-from nhc.report.svg import Axis, Chart, Series, draw, draw_inside, find_frame, legend_rows
+from nhc.report.svg import Axis, Chart, Series, draw, draw_inside, find_frame, legend_rows, time_axis
 from nhc.simulate.run import Trajectory, energy_change
 from nhc.version import __version__
 
@@ -29,7 +29,7 @@ def list_charts(found: Trajectory) -> list[Chart]:
         series = tuple(Series(found.headings[k], found.times, [row[k] for row in found.rows]) for k in indices)
         title = f"{found.job.program.system}: {found.job.scene.name}" if not charts else ""
         y = Axis(f"{label} [{unit}]" if unit else label)
-        charts.append(Chart(title, Axis("t", exact=True), y, series, WIDTH, PANEL))
+        charts.append(Chart(title, time_axis(found.job.system.spec.time_unit), y, series, WIDTH, PANEL))
     return charts
 
 
@@ -55,7 +55,16 @@ def list_check_charts(found: Trajectory) -> list[Chart]:
             )
         if all(math.isnan(y) for s in series for y in s.y):
             continue  # exactly zero: the table says so
-        charts.append(Chart(title, Axis("t", exact=True), Axis("magnitude", log=True), tuple(series), WIDTH, PANEL))
+        charts.append(
+            Chart(
+                title,
+                time_axis(found.job.system.spec.time_unit),
+                Axis("magnitude", log=True),
+                tuple(series),
+                WIDTH,
+                PANEL,
+            )
+        )
     return charts
 
 

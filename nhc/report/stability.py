@@ -7,7 +7,7 @@ from collections.abc import Iterable, Sequence
 from html import escape
 
 from nhc.emit.environment import create_environment
-from nhc.report.svg import Axis, Chart, Series, draw
+from nhc.report.svg import Axis, Chart, Series, draw, time_axis
 from nhc.study.linearize import eigenvalues
 from nhc.study.stability.laboratory import Laboratory
 from nhc.study.stability.table import sections
@@ -25,6 +25,7 @@ ROUNDING = 1e-13
 def list_charts(lab: Laboratory, parameter: str = "") -> list[Chart]:
     """The pictures, in the order of the table; ``parameter`` names what was swept."""
     charts = [*_sweep(lab, parameter), *_spectrum(lab)]
+    t = time_axis(lab.bench.job.system.spec.time_unit)
     for run in lab.runs:
         chosen = [d for d in run.drifts if max(d.series, default=0.0) > 0.0]
         chosen = [d for d in chosen if max(d.series) > ROUNDING] or chosen[:1]
@@ -32,17 +33,15 @@ def list_charts(lab: Laboratory, parameter: str = "") -> list[Chart]:
         if series:
             how = run.method if not run.step else f"{run.method}, steps of {run.step:.3g}"
             title = f"drift by {how}: largest of every {max(1, len(run.times) // _BINS)} rows"
-            charts.append(_chart(title, Axis("t", exact=True), Axis("deviation", log=True), series))
+            charts.append(_chart(title, t, Axis("deviation", log=True), series))
     if lab.sensitivity is not None:
         series = (Series("growth", lab.sensitivity.times, _positive(lab.sensitivity.norms)),)
-        charts.append(
-            _chart("growth of perturbations of the start", Axis("t", exact=True), Axis("growth", log=True), series)
-        )
+        charts.append(_chart("growth of perturbations of the start", t, Axis("growth", log=True), series))
     if lab.distances:
         times = lab.bench.times
         series = tuple(Series(d.what, times, _positive(d.series)) for d in lab.distances[:_MOST])
         title = "distance from singular points"
-        charts.append(_chart(title, Axis("t", exact=True), Axis("0: singular, 1: far", log=True), series))
+        charts.append(_chart(title, t, Axis("0: singular, 1: far", log=True), series))
     return charts
 
 

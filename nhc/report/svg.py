@@ -35,6 +35,11 @@ class Axis:
     exact: bool = False
 
 
+def time_axis(unit: str) -> Axis:
+    """The time from the first to the last."""
+    return Axis(f"t [{unit}]" if unit else "t", exact=True)
+
+
 @record
 class Chart:
     """``equal``: one unit is as long upwards as sideways."""
