@@ -206,7 +206,8 @@ class Spec:
     @property
     def time_unit(self) -> str:
         """Seconds where something has a unit; else none."""
-        return "s" if any(quantity.unit for quantity in (*self.coordinates, *self.parameters)) else ""
+        units = [*(c.unit for c in self.coordinates), *(p.unit for p in self.parameters)]
+        return "s" if any(units) else ""
 
     @property
     def constraint_spans(self) -> dict[str, Span]:

@@ -55,16 +55,8 @@ def list_check_charts(found: Trajectory) -> list[Chart]:
             )
         if all(math.isnan(y) for s in series for y in s.y):
             continue  # exactly zero: the table says so
-        charts.append(
-            Chart(
-                title,
-                time_axis(found.job.system.spec.time_unit),
-                Axis("magnitude", log=True),
-                tuple(series),
-                WIDTH,
-                PANEL,
-            )
-        )
+        t = time_axis(found.job.system.spec.time_unit)
+        charts.append(Chart(title, t, Axis("magnitude", log=True), tuple(series), WIDTH, PANEL))
     return charts
 
 
