@@ -1,4 +1,4 @@
-"""``nhc emit`` names the scenes whose start the emitted functions refuse, and only these; ``--scene`` takes what is regular there."""
+"""``nhc emit`` names the scenes whose start the functions refuse, and only these; ``--scene`` takes what is regular there."""
 
 from __future__ import annotations
 
