@@ -19,7 +19,7 @@ _SPECIAL |= {f"{name}{OTHER}": bold for name, bold in _SPECIAL.items()}  # bold 
 _SPECIAL |= {f"{base}{OTHER}": rf"\mathcal{{{base}}}" for base in "TUEHQ"}
 _SPECIAL |= {f"Delta{OTHER}": r"\mathcal{D}"}
 _SPECIAL |= {f"p{OTHER}": r"\mathcal{P}", f"lambda{OTHER}": r"\Lambda", f"omega{OTHER}": r"\varpi"}
-_LONG_WORD = 25
+_LONG_WORD = 16
 _LONGEST_PART, _CHUNK = 25, 10  # characters
 _SYMBOLS = {
     "\\": r"\textbackslash{}", "{": r"\{", "}": r"\}", "$": r"\$", "&": r"\&", "#": r"\#", "%": r"\%", "_": r"\_",
