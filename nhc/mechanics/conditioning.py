@@ -26,8 +26,7 @@ Place = dict[Node, float]
 Rows = list[list[float]]
 GAIN = 3.0
 """The determinant of a choice that is taken is this many times that of the one it replaces: between the two nothing changes."""
-NONE = 1e-12
-"""A conditioning of no more is none."""
+_NOTHING = 1e-12  # of a determinant, over the lengths of its rows: what the emitted functions refuse
 _REGULAR = 1e-2  # of the kinetic energy of the free velocities, scaled to a diagonal of ones
 _MANY = 250  # choices of dependent velocities that are looked at one by one
 _LENGTHS: WeakKeyDictionary[Graph, dict[tuple[Node, ...], float]] = WeakKeyDictionary()
@@ -104,9 +103,9 @@ def find_start(system: System, now: Formulation, start: Start) -> Formulation | 
     place = start.values(system)
     found = find_better(system, now, place, ())
     why = f"chosen for the start of the scene {start.scene.name}, where {name_of(system, now)} is singular or nearly so"
-    if found is not None:
+    if found is not None and not _is_lost(system, found.value):
         return replace(found.formulation, reason=why)
-    if not system.l or conditioning(system, now, place) > NONE or not _has_rank(system, place):
+    if not system.l or not _is_lost(system, conditioning(system, now, place)) or not _has_rank(system, place):
         return None
     return replace(build(system, "multipliers"), reason=f"{why}, and so are the other coframes that were tried")
 
@@ -114,7 +113,12 @@ def find_start(system: System, now: Formulation, start: Start) -> Formulation | 
 def _has_rank(system: System, place: Place) -> bool:
     """Whether some of the constraints' blocks of dependent velocities is regular there."""
     rows = evaluate_rows(system, system.constraints, place)
-    return relative_determinant(rows, _best_columns(rows, system.n)) > NONE
+    return not _is_lost(system, relative_determinant(rows, _best_columns(rows, system.n)))
+
+
+def _is_lost(system: System, value: float) -> bool:
+    """Whether a conditioning, an l-th root, is of a determinant that is nothing but rounding."""
+    return value ** max(system.l, 1) <= _NOTHING
 
 
 def name_of(system: System, formulation: Formulation) -> str:

@@ -14,6 +14,7 @@ from nhc.diagnostics import Source
 from nhc.pipeline import Options, emit
 from tests.support import compile_c, python_model
 
+SPECS = Path(__file__).resolve().parents[2] / "specs"
 SPEC = """nhc: 1
 system: two
 coordinates: [x, y, phi]
@@ -106,3 +107,15 @@ def test_what_the_user_names_is_kept_and_other_scenes_are_as_they_were() -> None
     assert len(told) == 1 and "the scene `bad` starts where the coframe is singular" in text
     (text,) = emit(Source("two.yaml", SPEC), "python", Options(scene="good"), told.append).values()
     assert len(told) == 1 and "Why: quasi-velocities of the spec" in text
+
+
+def test_where_the_constraints_lose_rank_no_choice_is_called_better() -> None:
+    """Wheels straight across the board: no velocities can be solved for, and rounding must not tell which are better."""
+    text = (SPECS / "snakeboard.yaml").read_text()
+    told: list[str] = []
+    lost = "  lost: {initial: {p_b: pi/2, p_f: pi/2, psi': 1}, time: [0, 1]}\n"
+    (made,) = emit(
+        Source("board.yaml", f"{text.rstrip()}\n{lost}"), "python", Options(scene="lost"), told.append
+    ).values()
+    assert len(told) == 1 and "the scene `lost` starts where the coframe is singular" in " ".join(made.split())
+    assert "chosen for the start" not in made
