@@ -12,6 +12,7 @@ from nhc.algebra.modular import Unlucky
 from nhc.language.spec import Scene
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choose import Formulation
+from nhc.mechanics.conditioning import find_start
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.kinetic import Kinetic, kinetic_structure
 from nhc.mechanics.quadrature import find_closed
@@ -31,6 +32,7 @@ ENTRY, DIVISION, CALL = 80, 8, 20
 _NEAR = 1.05
 """How much dearer the first formulation may be and still be taken, for the sake of the spec's own names."""
 _WEAK = 0.02
+WEAK_THERE = "its coframe is weak where the scene starts"
 _LARGE = 10_000
 """Operations of the equations beyond which only the formulation itself is reduced: trying others would take seconds each."""
 
@@ -81,7 +83,8 @@ def _lower_rhs(planner: Planner) -> Function:
 def scene_model(system: System, base: Formulation, scene: Scene, *, only_base: bool, fold: bool = False) -> SceneModel:
     """The cheapest model for a scene over all formulations and coframes that are tried; the first of equals.
 
-    ``only_base``: the user fixed the formulation; ``fold``: the scene's parameter values are put in.
+    ``only_base``: the user fixed the formulation; ``fold``: the scene's parameter values are put in.  Where the coframe of ``base``
+    is nearly singular at the start and another is not, that is what the others are compared with.
 
     Raises:
         nhc.diagnostics.SpecError: the scene has no consistent start.
@@ -90,14 +93,18 @@ def scene_model(system: System, base: Formulation, scene: Scene, *, only_base: b
     kinetic = kinetic_structure(system)
     equations = equations_of(system, base, kinetic)
     search = _Search(system, scene, start, kinetic, _fold(system, start) if fold else {})
+    full, other = Planner(equations, base), None
+    if not only_base:
+        other = search.find_start(equations, base)
+    if other is not None:
+        base, equations = other, equations_of(system, other, kinetic)
     search.take_base(equations, base)
     if not only_base:
         search.take_momenta(equations, base)
     if not only_base and count(system.graph, [*equations.force, *equations.motion.velocities]) <= _LARGE:
-        for other in list_formulations(system, base, kinetic, scene):
-            search.take_formulation(other)
+        for made in list_formulations(system, base, kinetic, scene):
+            search.take_formulation(made)
     best = search.best()
-    full = Planner(equations, base)
     return SceneModel(
         system=system,
         scene=scene,
@@ -105,7 +112,7 @@ def scene_model(system: System, base: Formulation, scene: Scene, *, only_base: b
         reduction=best.planner.reduction,
         planner=best.planner,
         tried=tuple(search.tried),
-        full_formulation=base.name,
+        full_formulation=full.formulation.name,
         full_state=(*system.q_names, *full.kept_names()),
         full_operations=count_operations_of(_lower_rhs(full)),
         operations=search.tried[best.place].operations,
@@ -152,6 +159,17 @@ class _Search:
         self.found: list[_Found] = []
         self.tried: list[Tried] = []
         self.seen: set[tuple[Form, ...]] = set()
+
+    def find_start(self, equations: Equations, base: Formulation) -> Formulation | None:
+        """What is better than ``base`` where its coframe is weak at the start, which is then noted among those tried; or None."""
+        if not self._is_weak_at_start(equations):
+            return None
+        found = find_start(self.system, base, self.start)
+        if found is not None:
+            self._is_known(base)
+            state = (*self.system.q_names, *Planner(equations, base).kept_names())
+            self.tried.append(Tried(base.name, base.reason, state, (), rejected=WEAK_THERE))
+        return found
 
     def take_base(self, equations: Equations, formulation: Formulation) -> None:
         """The formulation that the spec, the user or nhc has chosen, which needs no proof that it is regular."""
@@ -202,7 +220,7 @@ class _Search:
         regular = trusted or made.regular or (formulation.dependent is not None and formulation.dependent.regular)
         why = "" if regular else "its coframe may become singular"
         if weak:
-            regular, why = False, "its coframe is weak where the scene starts"
+            regular, why = False, WEAK_THERE
         operations, cost = -1, -1
         if regular:
             try:

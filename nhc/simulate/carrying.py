@@ -6,25 +6,13 @@ from dataclasses import replace
 
 from nhc.algebra.evaluate import evaluate
 from nhc.mechanics.choose import Formulation
+from nhc.mechanics.conditioning import Place
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.scenes import kept_velocities
 from nhc.mechanics.system import System
-from nhc.simulate.conditioning import Place
 from nhc.simulate.prepare import Job, Recipe, prepare
 from nhc.simulate.reduced import prepare_reduced
 from nhc.simulate.task import Outcome
-
-
-def name_of(system: System, formulation: Formulation) -> str:
-    """``voronec solved for x'``, ``the coframe with v, phi'``."""
-    if formulation.dependent is not None:
-        names = ", ".join(f"{system.q_names[i]}'" for i in formulation.dependent.dependent)
-        return f"{formulation.name} solved for {names}"
-    if formulation.frame is None:
-        return formulation.name
-    forms = formulation.frame.forms[system.l :]
-    names = ", ".join(f"{form.name}'" if form.name in system.q_names else form.name for form in forms)
-    return f"{formulation.name} with {names}"
 
 
 def is_same(one: Formulation, other: Formulation) -> bool:

@@ -280,9 +280,7 @@ def _print_prepare(program: Program, outside: tuple[Statement, ...], fixed: list
     for statement in reversed(outside):
         if isinstance(statement, Guard) or (isinstance(statement, Let) and statement.name in used):
             used |= collect_refs(statement)
-    printer = BodyPrinter(
-        program.system, scope, helpers, lambda array, index: f"{array}[{index}]", lambda code: str(code), used
-    )
+    printer = BodyPrinter(program.system, scope, helpers, lambda array, index: f"{array}[{index}]", used)
     printer.print_all(tuple(s for s in outside if not isinstance(s, Load | Let) or s.name in used))
     lines = printer.lines + [f"    fixed[{k}] = {scope[name]};" for k, name in enumerate(fixed)]
     loads = any(isinstance(s, Load) and s.name in used for s in outside)

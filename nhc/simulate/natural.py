@@ -6,11 +6,11 @@ import math
 from collections.abc import Sequence
 from typing import Any
 
+from nhc.algebra.dense import Matrix
 from nhc.emit import EmitOptions, render
 from nhc.program.ir import Program
 from nhc.simulate.interpreted import load_text
 from nhc.simulate.methods import STRUCTURE
-from nhc.simulate.methods.linear import Matrix
 from nhc.simulate.methods.step import NoSolution
 from nhc.simulate.task import DONE, NO_SOLUTION, SINGULAR, STOPPED, TOO_MANY, ModelError, News, Outcome, Task
 

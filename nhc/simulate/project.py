@@ -6,6 +6,7 @@ import operator
 from collections.abc import Sequence
 
 from nhc.algebra.calculus import gradient
+from nhc.algebra.dense import SingularMatrix, solve
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Node
 from nhc.diagnostics import SpecError
@@ -14,7 +15,6 @@ from nhc.mechanics.frame import coordinate_form
 from nhc.mechanics.scenes import Start, start_of
 from nhc.mechanics.system import Form, System
 from nhc.mechanics.values import constant_value
-from nhc.simulate.methods.linear import SingularMatrix, solve
 
 SHOWN = 8  # changed velocities in a report
 

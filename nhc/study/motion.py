@@ -18,6 +18,7 @@ from nhc.language.scope import names_in
 from nhc.mechanics.about import Pair, point_of, read_pairs, scene_about, state_of
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choose import Formulation, build
+from nhc.mechanics.conditioning import adapted_choices
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.frame import coordinate_frame
 from nhc.mechanics.linearize import (
@@ -37,7 +38,6 @@ from nhc.mechanics.symmetry import Generator, turning_symmetries
 from nhc.mechanics.system import System
 from nhc.mechanics.values import constant_value
 from nhc.records import record
-from nhc.simulate.conditioning import adapted_choices
 from nhc.simulate.switching import SOUND
 from nhc.study.linearize import Branch, Linearisation, Sweep, linearise_at, sweep
 from nhc.study.steady import Hold, Matrix, NotSteady, SingularFrame, Steady, SteadyModel, check_frame, find_steady

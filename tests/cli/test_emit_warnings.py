@@ -1,8 +1,10 @@
-"""``nhc emit`` names the scenes whose start the emitted functions refuse, and only these."""
+"""``nhc emit`` names the scenes whose start the functions refuse, and only these; ``--scene`` takes what is regular there."""
 
 from __future__ import annotations
 
+import math
 import re
+import subprocess
 from pathlib import Path
 
 import pytest
@@ -10,8 +12,9 @@ import pytest
 from nhc.cli.entry import main
 from nhc.diagnostics import Source
 from nhc.pipeline import Options, emit
-from tests.support import python_model
+from tests.support import compile_c, python_model
 
+SPECS = Path(__file__).resolve().parents[2] / "specs"
 SPEC = """nhc: 1
 system: two
 coordinates: [x, y, phi]
@@ -36,7 +39,8 @@ def warned(text: str) -> list[str]:
         (["--lang", "c"], ["bad"]),
         (["--lang", "python", "--array", "numpy"], ["bad"]),
         (["--lang", "c", "--driver"], ["bad"]),
-        (["--lang", "c", "--scene", "bad"], ["bad"]),
+        (["--lang", "c", "--scene", "bad"], []),
+        (["--lang", "c", "--scene", "bad", "-f", "euler-lagrange"], ["bad"]),
         (["--lang", "c", "--only", "rhs", "-f", "voronec"], ["bad"]),
         (["--lang", "c", "--scene", "good"], []),
         (["--lang", "c", "-f", "multipliers"], []),
@@ -67,3 +71,51 @@ def test_the_functions_do_refuse_that_start_and_no_other() -> None:
     assert model.rhs(0.0, [0.0, 0.0, 0.0, 1.0, 0.1])
     with pytest.raises(model.SingularModelError):
         model.rhs(0.0, [0.0, 0.0, 1.5707963267948966, 0.0, 0.1])
+
+
+TWICE = SPEC.replace("{v: x', w: phi'}", "{v: x', w: phi'}\noutputs: {along: cos(phi)*x' + sin(phi)*y'}").replace(
+    "y': 1, w: 0.1}, time: [0, 1]}", "y': 1, w: 0.1}, time: [0, 1], need: [x, y, v, w, along, energy]}"
+)
+
+
+def after(t: float) -> list[float]:
+    """x, y, x', phi', the velocity along the blade and the energy of the skate that starts along y: it runs in a circle."""
+    phi = math.pi / 2 + 0.1 * t
+    return [10 * (math.sin(phi) - 1), -10 * math.cos(phi), math.cos(phi), 0.1, 1.0, 0.505]
+
+
+@pytest.mark.parametrize("start", ["pi/2", "1.57", "pi/2 - 1e-9"])
+def test_a_scene_has_a_coframe_that_is_regular_where_it_starts(start: str, tmp_path: Path) -> None:
+    told: list[str] = []
+    source = Source("two.yaml", TWICE.replace("phi: pi/2", f"phi: {start}"))
+    files = emit(source, "c", Options(scene="bad", driver=True), told.append)
+    assert not told
+    why = "Why: chosen for the start of the scene bad, where euler-lagrange with v, w is singular or nearly so"
+    assert all(why in " ".join(files[name].replace("\n *", "").split()) for name in ("two.h", "two.c"))
+    program = compile_c(files, tmp_path, "two", library=False)
+    done = subprocess.run([program, "bad", "2", "1e-11"], capture_output=True, text=True, check=True)
+    begin, end = ([float(x) for x in line.split(",")[1:]] for line in done.stdout.splitlines()[1:])
+    near = 2 * abs(math.pi / 2 - eval(start, {"pi": math.pi}))
+    assert begin == pytest.approx(after(0.0), abs=1e-9 + near) and end == pytest.approx(after(1.0), abs=1e-9 + near)
+
+
+def test_what_the_user_names_is_kept_and_other_scenes_are_as_they_were() -> None:
+    told: list[str] = []
+    (text,) = emit(
+        Source("two.yaml", SPEC), "python", Options(formulation="euler-lagrange", scene="bad"), told.append
+    ).values()
+    assert len(told) == 1 and "the scene `bad` starts where the coframe is singular" in text
+    (text,) = emit(Source("two.yaml", SPEC), "python", Options(scene="good"), told.append).values()
+    assert len(told) == 1 and "Why: quasi-velocities of the spec" in text
+
+
+def test_where_the_constraints_lose_rank_no_choice_is_called_better() -> None:
+    """Wheels straight across the board: no velocities can be solved for, and rounding must not tell which are better."""
+    text = (SPECS / "snakeboard.yaml").read_text()
+    told: list[str] = []
+    lost = "  lost: {initial: {p_b: pi/2, p_f: pi/2, psi': 1}, time: [0, 1]}\n"
+    (made,) = emit(
+        Source("board.yaml", f"{text.rstrip()}\n{lost}"), "python", Options(scene="lost"), told.append
+    ).values()
+    assert len(told) == 1 and "the scene `lost` starts where the coframe is singular" in " ".join(made.split())
+    assert "chosen for the start" not in made

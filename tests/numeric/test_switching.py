@@ -12,7 +12,7 @@ import pytest
 
 from nhc.cli.entry import main
 from nhc.language import Source, read
-from nhc.simulate.conditioning import GAIN
+from nhc.mechanics.conditioning import GAIN
 from nhc.simulate.opening import open_scene
 from nhc.simulate.run import Settings, Trajectory, run
 from tests.support import spec_path
@@ -169,3 +169,17 @@ def test_a_start_by_a_quasi_velocity_that_the_other_choice_does_not_have() -> No
     found = follow(source, "euler-lagrange", 1e-8)
     assert any("euler-lagrange with v, phi'" in note and "in place of" in note for note in found.notes)
     assert apart(found, follow(source, "multipliers", 1e-11)) < 1e-6
+
+
+def test_a_needed_quasi_velocity_outlives_a_change_of_the_coframe() -> None:
+    """x' as a quasi-velocity is no free velocity where the blade points along y; it is still a velocity."""
+    text = SKATER.replace("scenes:", "quasi_velocities: {v: x', w: phi'}\nscenes:")
+    text = text.replace("phi: 0.3,", "phi: pi/2,").replace("[0, 12]", "[0, 3]").replace("y', phi']", "y', phi', v, w]")
+    job = open_scene(Source("quasi.yaml", text))
+    found = run(job, Settings("dop853", 1e-10, points=31))
+    assert found.ended == "done" and any("goes on with" in note for note in found.notes)
+    places = [found.headings.index(name) for name in ("x'", "phi'", "v", "w")]
+    for row in found.rows:
+        rates = [row[k] for k in places]
+        assert rates[2:] == pytest.approx(rates[:2], rel=1e-9, abs=1e-12)
+    assert abs(found.rows[-1][places[0]]) > 0.01

@@ -205,7 +205,7 @@ def test_parts_share_the_filling_of_a_long_dense_solve(
     subprocess.run([compiler, *FLAGS, "-Wshadow", "-c", source], check=True, cwd=tmp_path)
     library = load(program, tmp_path / "parts")
     assert whole[0] == 0 and evaluate(library.solver_rhs, [y, []], size) == whole
-    assert evaluate(library.solver_rhs, [[float("nan")] * size, []], size)[0] == 1
+    assert evaluate(library.solver_rhs, [[float("nan")] * size, []], size)[0] == 2
 
 
 def test_unknowns_of_a_filled_solve_are_found_by_later_parts(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -142,7 +142,7 @@ def test_solve_ivp_takes_rhs_and_jacobian() -> None:
         ([*GOOD[:4], 7.0], P, 3, "w is seven"),
         ([*GOOD[:3], math.inf, 0.5], P, 4, "not finite"),
         ([*GOOD[:2], math.inf, 1.0, 0.5], P, 4, "not finite or not defined"),
-        (GOOD, [1.0, 0.3, math.nan], 1, "inertia"),
+        (GOOD, [1.0, 0.3, math.nan], 4, "not finite"),
     ],
 )
 @pytest.mark.parametrize("array", ["", "numpy"])
@@ -180,10 +180,10 @@ def test_solve_pivots_and_refuses_singular_matrices() -> None:
     for array in ("", "numpy"):
         module = load(make_solver(2), array)
         assert module.rhs(0.0, [0.0, 0.0])[0] == pytest.approx(4.0, rel=1e-15)
-        for y in ([1.0, 0.25], [math.nan, 1.0]):
-            with pytest.raises(module.SingularModelError, match="mass matrix") as caught:
+        for y, status in (([1.0, 0.25], 1), ([math.nan, 1.0], module.NOT_FINITE)):
+            with pytest.raises(module.SingularModelError) as caught:
                 module.rhs(0.0, y)
-            assert caught.value.status == 1
+            assert caught.value.status == status
 
 
 @pytest.mark.parametrize("array", ["numpy", "jax"])

@@ -147,6 +147,9 @@ if LATEX is not None:
     def test_every_formulation_compiles(formulation: str, tmp_path: Path) -> None:
         check_clean(compile_document(render(load("rolling_disk", formulation)), tmp_path))
 
+    def test_a_determinant_among_the_facts_stays_on_the_page(tmp_path: Path) -> None:
+        check_clean(compile_document(render(load("n_snake3", "multipliers")), tmp_path))
+
     def test_hostile_texts_compile(tmp_path: Path) -> None:
         text = (
             "nhc: 1\nsystem: hostile\nabout: '50% \\\\end{document} $ & # _ ^ ~ {} ünder 雪 `x`'\n"

@@ -11,7 +11,7 @@ import pytest
 from nhc.emit.latex import render
 from nhc.emit.latex.math import LatexMath
 from nhc.emit.latex.names import WIDEST, name_document
-from nhc.emit.latex.spelling import count_shown, escape_breakable, escape_exactly
+from nhc.emit.latex.spelling import count_shown, escape, escape_breakable, escape_exactly, split_shown
 from nhc.emit.latex.width import estimate
 from nhc.emit.layout import LAST, Piece, fill
 from nhc.emit.text import print_derivation
@@ -146,3 +146,18 @@ def test_digits_of_other_scripts(tmp_path: Path) -> None:
     assert all(c.isascii() or not c.isdigit() for line in body.splitlines() if "%" not in line for c in line)
     if LATEX:
         check_clean(compile_document(document, tmp_path))
+
+
+def test_a_name_that_is_the_d_of_differentials_is_set_apart() -> None:
+    """d times the velocity x' is no differential."""
+    text = "nhc: 1\nsystem: case\ncoordinates: [x, y]\nparameters: {d: 2}\nT: (x'^2 + d*x'*y' + y'^2)/2\n"
+    text = render(load(text + "constraints: [s: y' - d*sin(x)*x' = 0]\n", "voronec"))
+    assert r"\mathtt{d}\,\dot{x}" in text and r"d\dot{x}" in text and r" d\,\dot{x}" not in text
+    assert r"$\mathtt{d}$ & d" in text[text.index("They are written so:") :]
+
+
+def test_options_and_quotes_are_no_ligatures() -> None:
+    assert escape("nhc check --explain, x'' and a,,b ---") == "nhc check -{}-explain, x'{}' and a,{},b -{}-{}-"
+    assert escape_breakable("it''s") == "it'{}'s"
+    assert "".join(split_shown("--" * 9, 4)).replace("{}", "") == "--" * 9
+    assert "--" not in r"\allowbreak{}".join(split_shown("--" * 9, 4))

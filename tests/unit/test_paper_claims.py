@@ -230,3 +230,44 @@ def test_a_sum_with_a_square_of_a_sine() -> None:
         made = _with_squares(g, node)
         assert (made != node) == changes
         assert are_zero(g, [g.sub(made, node)]) == [True]
+
+
+# --- the coframe and the matrix -------------------------------------------------------------------------------
+
+
+def test_forms_are_called_closed_only_where_all_of_gamma_was_looked_at(monkeypatch: pytest.MonkeyPatch) -> None:
+    """(1 + x^2)(dz - 2y dy) is integrable and not closed: gamma^s_{s,x} is not zero, between free forms nothing is left."""
+    text = SPACE + "constraints: [s: (1 + x^2)*(z' - 2*y*y') = 0]\n"
+    whole = said(derive(text, "euler-lagrange"))
+    assert "gamma^s_{s,x}" in whole and "closed" not in whole
+    monkeypatch.setattr("nhc.program.sheets.frames._HEAVY", 0)
+    part = said(derive(text, "euler-lagrange"))
+    assert (
+        "closed" not in part
+        and "gamma and epsilon between free quasi-velocities, all that the motion needs, vanish" in part
+    )
+    assert "the forms are closed" in said(
+        derive(SPACE + "quasi_velocities: {u: x' + y', v: y', w: z'}\n", "euler-lagrange")
+    )
+
+
+def test_what_determines_the_accelerations_is_said_in_full() -> None:
+    """A wheel that has no mass and no constraint leaves them open, although the constraints are independent."""
+    words = said(derive(PARTICLE, "multipliers"))
+    assert (
+        "where the constraints are independent and T, its part of second degree, is not degenerate on the velocities"
+        in words
+    )
+    assert "symmetric" not in words
+
+
+@pytest.mark.parametrize(("sign", "wanted"), [("+", True), ("-", False)])
+def test_a_matrix_is_called_positive_for_the_values_in_the_spec(sign: str, wanted: bool) -> None:
+    coordinates = ", ".join(f"q{k}" for k in range(1, 6))
+    chain = " + ".join(f"(q{k}' + cos(q{k + 1})*q{k + 1}')^2" for k in range(1, 5))
+    text = f"{HEAD}coordinates: [{coordinates}]\nT: m/2*({chain} {sign} q5'^2/2)\n"
+    words = said(derive(text, "lagrange"))
+    assert (
+        "for the values of the parameters in the spec and its scenes, positive wherever the motion is regular" in words
+    ) is wanted
+    assert ("not positive everywhere for the values of the parameters" in words) is not wanted

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from nhc.emit.c.body import ANY, BodyPrinter, print_singular, wrap_code
+from nhc.emit.c.body import ANY, BodyPrinter, wrap_code
 from nhc.emit.c.finish import choose_finish
 from nhc.emit.c.lanes import Each, LanesPrinter
 from nhc.emit.c.names import make_scope
@@ -104,7 +104,6 @@ class BatchPrinter:
             self.scope,
             self.helpers,
             lambda array, index: f"{array}[{index}]",
-            lambda code: print_singular(self.prefix, code),
             used,
             self.trig,
         )

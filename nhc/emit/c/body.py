@@ -8,6 +8,7 @@ from fractions import Fraction
 from nhc.emit.c.arrange import TURNED
 from nhc.emit.c.dense import Blocks, print_solve
 from nhc.emit.c.literals import PI, print_comment, print_double
+from nhc.emit.c.names import print_singular
 from nhc.emit.c.pairs import Pair, pair_angles
 from nhc.emit.expressions import ATOM, ExpressionPrinter, Text
 from nhc.emit.names import Scope
@@ -84,11 +85,6 @@ def bound_test(guard: Guard) -> Expr:
     return bound if guard.scale == Number(Fraction(1)) else Binary("*", bound, guard.scale)
 
 
-def print_singular(prefix: str, code: int) -> str:
-    """The enumerator of a singular block."""
-    return f"{prefix.upper()}_SINGULAR_{code}"
-
-
 def print_origin(origin: Origin) -> str:
     """``(I.2.15) chaplygin_sleigh.yaml:14:4``, or nothing."""
     equation = f"({origin.equation})" if origin.equation else ""
@@ -113,8 +109,9 @@ def wrap_code(text: str, indent: str) -> list[str]:
 class BodyPrinter:
     """Prints statements one after the other into ``lines``.
 
-    ``element(array, index)`` is how the function reaches an entry of an array, ``leave(code)`` what it returns from a
-    singular block, ``used`` the names that something reads, ``helpers`` collects the static functions that are needed.
+    ``element(array, index)`` is how the function reaches an entry of an array, ``scalar`` whether it returns a number, NaN from
+    a singular block, in place of a status, ``used`` the names that something reads, ``helpers`` collects the static functions
+    that are needed.
     """
 
     def __init__(
@@ -123,19 +120,19 @@ class BodyPrinter:
         scope: Scope,
         helpers: set[str],
         element: Callable[[str, int], str],
-        leave: Callable[[int], str],
         used: frozenset[str],
         trig: str = "",
+        scalar: bool = False,
     ) -> None:
         self.prefix = prefix
         self.scope = scope
         self.helpers = helpers
         self.element = element
-        self.leave = leave
         self.used = used
         self.indent = "    "
         self.lines: list[str] = []
         self.trig = trig
+        self.scalar = scalar
         self.turned: dict[tuple[str, str], str] = {}
         self.printer = ExpressionPrinter(CDialect(prefix, helpers, trig, self.turned), scope)
         self.kept: dict[str, int] = {}  # names that parts of the function find in the array `kept`, and where
@@ -147,7 +144,7 @@ class BodyPrinter:
 
     def fork(self) -> BodyPrinter:
         """A printer for another part of the same function."""
-        made = BodyPrinter(self.prefix, self.scope, self.helpers, self.element, self.leave, self.used, self.trig)
+        made = BodyPrinter(self.prefix, self.scope, self.helpers, self.element, self.used, self.trig, self.scalar)
         made.kept, made.blocks, made.arguments, made.quick = self.kept, self.blocks, self.arguments, self.quick
         return made
 
@@ -233,13 +230,22 @@ class BodyPrinter:
 
     def print_good(self, guard: Guard) -> str:
         """The condition under which the guard's block is regular; a NaN makes it false."""
-        value = self.printer.print(Call("abs", (guard.value,)))
-        return f"{value} > {self.printer.print(bound_test(guard))}"
+        value, bound = self.print_sides(guard)
+        return f"{value} > {bound}"
+
+    def print_sides(self, guard: Guard) -> tuple[str, str]:
+        """A magnitude, and what it must exceed."""
+        return self.printer.print(Call("abs", (guard.value,))), self.printer.print(bound_test(guard))
 
     def print_guard(self, guard: Guard) -> None:
         """Leave where the block is singular."""
         self.add_comment(print_comment(guard.what))
-        self.print_exit(self.print_good(guard), self.leave(guard.status))
+        value, bound = self.print_sides(guard)
+        left = "NAN"
+        if not self.scalar:
+            self.helpers.add("refuse")
+            left = f"{self.prefix}_refuse({value}, {bound}, {print_singular(self.prefix, guard.status)})"
+        self.print_exit(f"{value} > {bound}", left)
 
     def open_unless(self, tests: Sequence[str]) -> None:
         """Begin a block for where one of the tests fails; each has its line where they are long."""
@@ -261,7 +267,7 @@ class BodyPrinter:
     def print_exit(self, good: str, result: str) -> None:
         """Leave with the result where what should hold does not."""
         self.add(f"if (!({good})) {{")
-        self.lines += [f"{self.indent}    return {result};", f"{self.indent}}}"]
+        self.lines += [*wrap_code(f"return {result};", self.indent + "    "), f"{self.indent}}}"]
 
     def print_evaluate(self, evaluate: Evaluate) -> None:
         """Another function's output; leave where that is singular."""

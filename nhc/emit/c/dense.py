@@ -6,6 +6,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from nhc.emit.c.literals import print_comment, print_double
+from nhc.emit.c.names import print_singular
 from nhc.emit.statements import ZERO
 from nhc.program.ir import Expr, Solve
 from nhc.program.written_out import WrittenOut, write_out
@@ -61,9 +62,12 @@ def print_exchanges(printer: BodyPrinter, solve: Solve, where: str, masses: int)
     """The elimination by a function, of what stands in an array."""
     size, tolerance = len(solve.matrix), print_double(Fraction(solve.tolerance))
     width = size + len(solve.columns)
-    printer.add(f"if ({printer.prefix}_solve({size}, {masses}, {width}, {where}, {tolerance}) != 0) {{")
-    printer.lines.append(f"{printer.indent}    return {printer.leave(solve.status)};")
-    printer.lines.append(f"{printer.indent}}}")
+    status, singular = printer.scope.fresh("status"), print_singular(printer.prefix, solve.status)
+    call = f"{printer.prefix}_solve({size}, {masses}, {width}, {where}, {tolerance}, {singular})"
+    printer.add(f"const int {status} = {call};")
+    left = "NAN" if printer.scalar else status
+    printer.add(f"if ({status} != {printer.prefix.upper()}_OK) {{")
+    printer.lines += [f"{printer.indent}    return {left};", f"{printer.indent}}}"]
 
 
 def print_quickly(printer: BodyPrinter, written: WrittenOut) -> None:

@@ -39,6 +39,11 @@ def is_macro_like(name: str) -> bool:
     return name.startswith(PREFIXES)
 
 
+def print_singular(prefix: str, code: int) -> str:
+    """The enumerator of a singular block."""
+    return f"{prefix.upper()}_SINGULAR_{code}"
+
+
 def make_scope(
     program: Program, arguments: Iterable[Argument], body: Iterable[Statement], own: tuple[str, ...]
 ) -> Scope:

@@ -6,14 +6,14 @@ from dataclasses import replace
 
 from nhc.emit.c.arrange import arrange
 from nhc.emit.c.batch import Batch, mark_unused, print_batch
-from nhc.emit.c.body import ANY, BodyPrinter, print_singular, wrap_code
+from nhc.emit.c.body import ANY, BodyPrinter, wrap_code
 from nhc.emit.c.dense import FEW
 from nhc.emit.c.driver import Method, list_driver_functions, make_driver
 from nhc.emit.c.finish import choose_finish, print_finish
 from nhc.emit.c.header import frame, print_file_comment, print_function_comment, print_source_comment
 from nhc.emit.c.large import AT, LARGE, TURNED, list_angles, print_near, print_twice
 from nhc.emit.c.literals import print_comment, print_float, print_string
-from nhc.emit.c.names import make_scope
+from nhc.emit.c.names import make_scope, print_singular
 from nhc.emit.c.parts import OWN, Layout, is_long, lay_out, print_calls, print_part, print_slow
 from nhc.emit.c.sweep import SweepPrinter
 from nhc.emit.environment import File
@@ -26,6 +26,7 @@ from nhc.emit.statements import (
     list_missing,
     list_statuses,
     list_used_names,
+    place_guards,
 )
 from nhc.program.ir import Argument, Evaluate, Function, Guard, Load, Program, Quantity, Solve, Statement, Sweep
 from nhc.records import record
@@ -226,7 +227,7 @@ def print_argument(argument: Argument, written: bool) -> str:
 def print_function(program: Program, function: Function, helpers: set[str], *, inline: bool = False) -> PrintedFunction:
     """A function of the program; its ``int`` is 0 only if every entry of its output is finite."""
     prefix, capitals, output = program.system, program.system.upper(), function.output
-    body = arrange(drop_unused(function.body))
+    body = arrange(place_guards(drop_unused(function.body)))
     layout = lay_out(function, body)
     arguments = function.inputs if output is None else (*function.inputs, output)
     whole = output is not None and output.size and not layout.divided
@@ -242,9 +243,9 @@ def print_function(program: Program, function: Function, helpers: set[str], *, i
         scope,
         helpers,
         lambda array, index: array if index < 0 else f"{array}[{index}]",
-        (lambda code: "NAN") if output is None else (lambda code: print_singular(prefix, code)),
         frozenset(list_used_names(body)),
         AT if angles else ANY if inline else "",
+        scalar=output is None,
     )
     printer.arguments, printer.kept = tuple(argument.name for argument in function.inputs), layout.kept
     printer.blocks, printer.quick = layout.blocks, function.name == "rhs"

@@ -1,8 +1,9 @@
 r"""One spelling for each name of a document.
 
 ``x1`` and ``x_1`` would both be set as x with index 1, ``A`` and ``Alpha`` both as a capital A.  The shortest such name is set
-as it would be alone, the others in typewriter with their underscores.  A name that would fill a line gets a number in place of
-its end.  What is set in another way is listed, so that a reader finds the name of the spec back.
+as it would be alone, the others in typewriter with their underscores; so is what would look like a differential.  A name that
+would fill a line gets a number in place of its end.  What is set in another way is listed, so that a reader finds the name of the
+spec back.
 """
 
 from __future__ import annotations
@@ -80,8 +81,10 @@ def name_document(derivation: Derivation) -> Names:
         first, *others = sorted(group, key=lambda name: (name in given, not name.isascii(), len(name)))
         listed |= dict.fromkeys([first, *others])
         changed |= {name: _typewriter(name) for name in others}
-    made = {_look(mark, Names(changed)) for mark in marks if mark.prefix or not _is_name(mark)}
-    for name in bases:  # dx beside x, Delta_1 beside the first of nhc's determinants
+    made = {_look(mark, Names(changed)) for mark in marks if mark.prefix or not _is_name(mark)} | {"d"}
+    for (
+        name
+    ) in bases:  # d times x' beside the differential dx', dx beside x, Delta_1 beside the first of nhc's determinants
         if name in given and name not in changed and _look(Mark(name)) in made:
             changed[name], listed[name] = _typewriter(name), None
     wide = [name for name in {**bases, **indices} if estimate(Names(changed).print_mark(Mark(name))) > WIDEST]

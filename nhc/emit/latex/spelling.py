@@ -19,7 +19,7 @@ _SPECIAL |= {f"{name}{OTHER}": bold for name, bold in _SPECIAL.items()}  # bold 
 _SPECIAL |= {f"{base}{OTHER}": rf"\mathcal{{{base}}}" for base in "TUEHQ"}
 _SPECIAL |= {f"Delta{OTHER}": r"\mathcal{D}"}
 _SPECIAL |= {f"p{OTHER}": r"\mathcal{P}", f"lambda{OTHER}": r"\Lambda", f"omega{OTHER}": r"\varpi"}
-_LONG_WORD = 25
+_LONG_WORD = 16
 _LONGEST_PART, _CHUNK = 25, 10  # characters
 _SYMBOLS = {
     "\\": r"\textbackslash{}", "{": r"\{", "}": r"\}", "$": r"\$", "&": r"\&", "#": r"\#", "%": r"\%", "_": r"\_",
@@ -81,7 +81,12 @@ def escape(text: str) -> str:
 
 def escape_part(text: str) -> str:
     """A part of a text that is clean already; blanks at its ends stay."""
-    return "".join(_escape_character(character) for character in text)
+    return _part_ligatures("".join(_escape_character(character) for character in text))
+
+
+def _part_ligatures(shown: str) -> str:
+    """Two hyphens, commas or quotes would be set as a dash or as a quotation mark: ``--explain`` is what a reader has to type."""
+    return re.sub(r"([-,'])(?=\1)", r"\1{}", shown)
 
 
 def escape_breakable(text: str) -> str:
@@ -118,7 +123,7 @@ def split_shown(text: str, most: int) -> list[str]:
             length = 0
         chunks[-1] += shown
         length += own
-    return chunks
+    return [_part_ligatures(chunk) for chunk in chunks]
 
 
 def spell_unit(unit: str) -> str:

@@ -208,20 +208,23 @@ class BodyPrinter:
             self.result = self.print_value(statement.value, WIDTH - len(self.indent) - 10)
 
     def print_guard(self, guard: Guard) -> None:
-        """Raise, or mask where nothing can be raised, unless the block is regular; a NaN is not."""
+        """Raise, or mask where nothing can be raised, unless the block is regular; what is no number is not called singular."""
         bound: Expr = Number(Fraction(guard.tolerance))
         if guard.scale == Number(Fraction(0)):
             bound = guard.scale
         elif guard.scale != Number(Fraction(1)):
             bound = Binary("*", bound, guard.scale)
-        test = f"{self.print_value(Call('abs', (guard.value,)), 28)} > {self.print_value(bound, 30)}"
+        value, limit = self.print_value(Call("abs", (guard.value,)), 28), self.print_value(bound, 30)
+        test = f"{value} > {limit}"
         self.add_comment(guard.what, self.indent)
         if self.array == "jax":
             self.add_mask(test)
             return
         whole = f"np.all({test})" if self.array else test
         self.lines.append(f"{self.indent}if not {whole}:")
-        self.lines.append(f'{self.indent}    raise SingularModelError({guard.status}, "{self.function}")')
+        self.helpers.add("refuse")
+        items = [value, limit, str(guard.status), f'"{self.function}"']
+        self.lines += print_sequence("raise _refuse", items, "()", f"{self.indent}    ")
 
     def add_mask(self, test: str) -> None:
         """Narrow the mask of the regular lanes."""

@@ -28,7 +28,7 @@ ZeroDivisionError
 MODULE = """
 annotations math np jnp numpy jax Sequence Array NDArray ArrayLike SingularModelError COORDINATES STATE
 PARAMETERS DEFAULTS CONSTRAINTS OUTPUTS REASONS NOT_FINITE _finish _sign _minimum _maximum _exp _sinh _cosh
-_solve _shape _join _load _single error shape
+_solve _refuse _shape _join _load _single error shape
 """
 
 RESERVED = frozenset((KEYWORDS + BUILTINS + MODULE).split())

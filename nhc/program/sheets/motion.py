@@ -87,8 +87,9 @@ def _constraint_rates(desk: Desk, sheet: DraftSheet) -> None:
     """The differentiated constraints; with them the system is linear in the accelerations and the multipliers."""
     system, g = desk.system, desk.graph
     sheet.say(
-        "completed by the rates of the constraints. The whole is linear in the accelerations and the multipliers, with a symmetric"
-        " matrix that is regular wherever the constraints are independent; the emitted code solves it with row pivoting."
+        "completed by the rates of the constraints. The whole is linear in the accelerations and the multipliers, and determines"
+        " them where the constraints are independent and T, its part of second degree, is not degenerate on the velocities that"
+        " they leave free. The emitted code solves it by elimination, with row pivoting wherever that is needed."
     )
     _, right = bordered_system(desk.equations)
     rates = [desk.mark(rate) for rate in desk.equations.motion.rates]
@@ -133,12 +134,13 @@ def _solution(desk: Desk, sheet: DraftSheet) -> None:
             return
     if equations.definite:
         sheet.say(
-            "The matrix on the left is symmetric and positive wherever the motion is regular. The emitted code solves the system"
-            " by its factors L D L^T without pivoting, written out entry by entry."
+            "The matrix on the left is symmetric and, for the values of the parameters in the spec and its scenes, positive"
+            " wherever the motion is regular. The emitted code solves the system without pivoting."
         )
     else:
         sheet.say(
-            "The matrix on the left is symmetric but not definite; the emitted code solves the system with row pivoting."
+            "The matrix on the left is symmetric, but not positive everywhere for the values of the parameters in the spec and its"
+            " scenes, as far as nhc can tell; the emitted code solves the system with row pivoting."
         )
 
 

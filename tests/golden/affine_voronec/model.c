@@ -1,5 +1,5 @@
 /*
- * affine_voronec.c: affine_voronec, emitted by nhc 0.1.0 (nhc:cd2634fc8b49e60f)
+ * affine_voronec.c: affine_voronec, emitted by nhc 0.1.0 (nhc:5f780dc72cbda2ca)
  * A particle with everything at once; affine constraint, time, T of degrees 2, 1 and 0, drag, a driving
  *     force.
  * Source: affine_voronec.yaml
@@ -59,6 +59,12 @@ static int affine_voronec_finish(int count, const double *values)
         }
     }
     return AFFINE_VORONEC_OK;
+}
+
+/* the status of a block that does not exceed its bound: it is singular, or no number */
+static int affine_voronec_refuse(double value, double bound, int singular)
+{
+    return value <= bound && bound <= DBL_MAX ? singular : AFFINE_VORONEC_NOT_FINITE;
 }
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
@@ -261,11 +267,11 @@ int affine_voronec_rhs(double t, const double *y, const double *p, double *dydt)
     if (!(fabs(dydt[3] + dydt[4]) <= DBL_MAX && fabs(-z20) > 1e-14 * z19)) {
         /* the mass matrix is singular */
         if (!(fabs(z13) > 0.0)) {
-            return AFFINE_VORONEC_SINGULAR_2;
+            return affine_voronec_refuse(fabs(z13), 0.0, AFFINE_VORONEC_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(-z20) > 1e-14 * z19)) {
-            return AFFINE_VORONEC_SINGULAR_2;
+            return affine_voronec_refuse(fabs(-z20), 1e-14 * z19, AFFINE_VORONEC_SINGULAR_2);
         }
         return affine_voronec_finish(5, dydt);
     }
@@ -378,11 +384,11 @@ int affine_voronec_accelerations(double t, const double *y, const double *p, dou
     if (!(fabs(qddot[2]) <= DBL_MAX && fabs(-z19) > 1e-14 * z18)) {
         /* the mass matrix is singular */
         if (!(fabs(z12) > 0.0)) {
-            return AFFINE_VORONEC_SINGULAR_2;
+            return affine_voronec_refuse(fabs(z12), 0.0, AFFINE_VORONEC_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(-z19) > 1e-14 * z18)) {
-            return AFFINE_VORONEC_SINGULAR_2;
+            return affine_voronec_refuse(fabs(-z19), 1e-14 * z18, AFFINE_VORONEC_SINGULAR_2);
         }
         return affine_voronec_finish(3, qddot);
     }
@@ -515,11 +521,11 @@ int affine_voronec_reactions(double t, const double *y, const double *p, double 
     if (!(fabs(lambda[0]) <= DBL_MAX && fabs(z20) > 1e-14 * z16)) {
         /* the mass matrix is singular */
         if (!(fabs(z12) > 0.0)) {
-            return AFFINE_VORONEC_SINGULAR_2;
+            return affine_voronec_refuse(fabs(z12), 0.0, AFFINE_VORONEC_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(z20) > 1e-14 * z16)) {
-            return AFFINE_VORONEC_SINGULAR_2;
+            return affine_voronec_refuse(fabs(z20), 1e-14 * z16, AFFINE_VORONEC_SINGULAR_2);
         }
         return affine_voronec_finish(1, lambda);
     }
@@ -734,11 +740,11 @@ int affine_voronec_jacobian(double t, const double *y, const double *p, double *
         && fabs(z21) > 1e-14 * z17)) {
         /* the mass matrix is singular */
         if (!(fabs(z13) > 0.0)) {
-            return AFFINE_VORONEC_SINGULAR_2;
+            return affine_voronec_refuse(fabs(z13), 0.0, AFFINE_VORONEC_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(z21) > 1e-14 * z17)) {
-            return AFFINE_VORONEC_SINGULAR_2;
+            return affine_voronec_refuse(fabs(z21), 1e-14 * z17, AFFINE_VORONEC_SINGULAR_2);
         }
         return affine_voronec_finish(25, J);
     }

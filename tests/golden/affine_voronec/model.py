@@ -1,4 +1,4 @@
-"""affine_voronec, emitted by nhc 0.1.0 (nhc:02907394552859fb).
+"""affine_voronec, emitted by nhc 0.1.0 (nhc:0efe3427648f59f6).
 
 A particle with everything at once; affine constraint, time, T of degrees 2, 1 and
     0, drag, a driving force.
@@ -76,6 +76,17 @@ def _single(function: str, value: float) -> float:
     return value
 
 
+def _refuse(
+    value: float,
+    bound: float,
+    status: int,
+    function: str,
+) -> SingularModelError:
+    """What to raise of a block that does not exceed its bound: it is singular, or no number."""
+    singular = value <= bound < math.inf
+    return SingularModelError(status if singular else NOT_FINITE, function)
+
+
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
     """right-hand side dy/dt = f(t, y; p) (I.4.9)
 
@@ -107,7 +118,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z13 = z1 * z2 + z6 * (z8 + z12)
         # the mass matrix is singular
         if not abs(z13) > 0.0:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(z13), 0.0, 2, "rhs")
         z14 = x * z
         z15 = z14 * z12
         z16 = 1.0 / z13
@@ -118,7 +129,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z20 = 0.25 * (z15 * z17) - z19
         # the mass matrix is singular
         if not abs(-z20) > 1e-14 * z19:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(-z20), 1e-14 * z19, 2, "rhs")
         z21 = y_dot * z14
         c_t = math.cos(t_)
         z22 = 0.3 * z14 + (x_dot * z6 + 0.5 * z21) + 0.4 * (c_t * s_t)
@@ -240,7 +251,7 @@ def accelerations(
         z12 = z1 * z2 + 0.3 * (z6 * z7) + z6 * z11
         # the mass matrix is singular
         if not abs(z12) > 0.0:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(z12), 0.0, 2, "accelerations")
         z13 = x * z
         z14 = z13 * z11
         z15 = 1.0 / z12
@@ -251,7 +262,7 @@ def accelerations(
         z19 = 0.25 * (z14 * z16) - z18
         # the mass matrix is singular
         if not abs(-z19) > 1e-14 * z18:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(-z19), 1e-14 * z18, 2, "accelerations")
         c_t = math.cos(t_)
         z20 = x + t_ * x_dot
         z21 = y_dot * z13
@@ -401,7 +412,7 @@ def reactions(
         z12 = z1 * z2 + 0.3 * (z6 * z7) + z6 * z11
         # the mass matrix is singular
         if not abs(z12) > 0.0:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(z12), 0.0, 2, "reactions")
         s_z = math.sin(z)
         z13 = 2.0 + s_z
         z14 = x * z
@@ -413,7 +424,7 @@ def reactions(
         z20 = z16 - 0.25 * (z17 * z19)
         # the mass matrix is singular
         if not abs(z20) > 1e-14 * z16:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(z20), 1e-14 * z16, 2, "reactions")
         c_t = math.cos(t_)
         z21 = x + t_ * x_dot
         z22 = y_dot * z14
@@ -537,7 +548,7 @@ def jacobian(
         z13 = z1 * z2 + 0.3 * z8 + z6 * z12
         # the mass matrix is singular
         if not abs(z13) > 0.0:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(z13), 0.0, 2, "jacobian")
         s_z = math.sin(z)
         z14 = 2.0 + s_z
         z15 = x * z
@@ -549,7 +560,7 @@ def jacobian(
         z21 = z17 - 0.25 * (z18 * z20)
         # the mass matrix is singular
         if not abs(z21) > 1e-14 * z17:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(z21), 1e-14 * z17, 2, "jacobian")
         z22 = 0.3 + 0.5 * y_dot
         z23 = x_dot * z5
         c_t = math.cos(t_)

@@ -1,5 +1,5 @@
 /*
- * ball_on_table.c: ball_on_table, emitted by nhc 0.1.0 (nhc:5f16812e1e4b9594)
+ * ball_on_table.c: ball_on_table, emitted by nhc 0.1.0 (nhc:cbff797fa788d2eb)
  * A homogeneous ball that rolls on a turning table; its centre runs on a circle, though nothing holds it
  *     there.
  * Source: ball_on_table.yaml
@@ -80,6 +80,12 @@ static int ball_on_table_finish(int count, const double *values)
         }
     }
     return BALL_ON_TABLE_OK;
+}
+
+/* the status of a block that does not exceed its bound: it is singular, or no number */
+static int ball_on_table_refuse(double value, double bound, int singular)
+{
+    return value <= bound && bound <= DBL_MAX ? singular : BALL_ON_TABLE_NOT_FINITE;
 }
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
@@ -283,15 +289,15 @@ int ball_on_table_rhs(double t, const double *y, const double *p, double *dydt)
         && fabs(z2) > 1e-14 * (k2 * (k + z1)))) {
         /* the mass matrix is singular */
         if (!(fabs(k * k2) > 0.0)) {
-            return BALL_ON_TABLE_SINGULAR_2;
+            return ball_on_table_refuse(fabs(k * k2), 0.0, BALL_ON_TABLE_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(k6) > 0.0)) {
-            return BALL_ON_TABLE_SINGULAR_2;
+            return ball_on_table_refuse(fabs(k6), 0.0, BALL_ON_TABLE_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(z2) > 1e-14 * (k2 * (k + z1)))) {
-            return BALL_ON_TABLE_SINGULAR_2;
+            return ball_on_table_refuse(fabs(z2), 1e-14 * (k2 * (k + z1)), BALL_ON_TABLE_SINGULAR_2);
         }
         return ball_on_table_finish(8, dydt);
     }
@@ -415,15 +421,15 @@ int ball_on_table_accelerations(double t, const double *y, const double *p, doub
         && fabs(z2) > 1e-14 * z1)) {
         /* the mass matrix is singular */
         if (!(fabs(k3) > 0.0)) {
-            return BALL_ON_TABLE_SINGULAR_2;
+            return ball_on_table_refuse(fabs(k3), 0.0, BALL_ON_TABLE_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(k5) > 0.0)) {
-            return BALL_ON_TABLE_SINGULAR_2;
+            return ball_on_table_refuse(fabs(k5), 0.0, BALL_ON_TABLE_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(z2) > 1e-14 * z1)) {
-            return BALL_ON_TABLE_SINGULAR_2;
+            return ball_on_table_refuse(fabs(z2), 1e-14 * z1, BALL_ON_TABLE_SINGULAR_2);
         }
         return ball_on_table_finish(5, qddot);
     }
@@ -572,15 +578,15 @@ int ball_on_table_reactions(double t, const double *y, const double *p, double *
     if (!(fabs(lambda[0] + lambda[1]) <= DBL_MAX && fabs(k3) > 0.0 && fabs(z2) > 1e-14 * z1)) {
         /* the mass matrix is singular */
         if (!(fabs(k3) > 0.0)) {
-            return BALL_ON_TABLE_SINGULAR_2;
+            return ball_on_table_refuse(fabs(k3), 0.0, BALL_ON_TABLE_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(k5) > 0.0)) {
-            return BALL_ON_TABLE_SINGULAR_2;
+            return ball_on_table_refuse(fabs(k5), 0.0, BALL_ON_TABLE_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(z2) > 1e-14 * z1)) {
-            return BALL_ON_TABLE_SINGULAR_2;
+            return ball_on_table_refuse(fabs(z2), 1e-14 * z1, BALL_ON_TABLE_SINGULAR_2);
         }
         return ball_on_table_finish(2, lambda);
     }
@@ -752,15 +758,15 @@ int ball_on_table_jacobian(double t, const double *y, const double *p, double *J
         && fabs(z2) > 1e-14 * z1)) {
         /* the mass matrix is singular */
         if (!(fabs(k3) > 0.0)) {
-            return BALL_ON_TABLE_SINGULAR_2;
+            return ball_on_table_refuse(fabs(k3), 0.0, BALL_ON_TABLE_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(k5) > 0.0)) {
-            return BALL_ON_TABLE_SINGULAR_2;
+            return ball_on_table_refuse(fabs(k5), 0.0, BALL_ON_TABLE_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(z2) > 1e-14 * z1)) {
-            return BALL_ON_TABLE_SINGULAR_2;
+            return ball_on_table_refuse(fabs(z2), 1e-14 * z1, BALL_ON_TABLE_SINGULAR_2);
         }
         return ball_on_table_finish(64, J);
     }
@@ -932,7 +938,7 @@ int ball_on_table_rhs_batch(size_t count, const double *t, const double *y, cons
     const double k7 = k1 / k6;
     /* the mass matrix is singular */
     if (!(fabs(k * k2) > 0.0)) {
-        return BALL_ON_TABLE_SINGULAR_2;
+        return ball_on_table_refuse(fabs(k * k2), 0.0, BALL_ON_TABLE_SINGULAR_2);
     }
     const double fixed[] = {a, k, Omega0, Omega1, nu, k1, k2, k3, k4, k5, k6, k7};
     double check[1 * BALL_ON_TABLE_LANES];

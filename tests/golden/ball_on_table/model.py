@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""ball_on_table, emitted by nhc 0.1.0 (nhc:d5e0ee7d0beeb270).
+"""ball_on_table, emitted by nhc 0.1.0 (nhc:4ecb46ba2f95117c).
 
 A homogeneous ball that rolls on a turning table; its centre runs on a circle,
     though nothing holds it there.
@@ -99,6 +99,17 @@ def _single(function: str, value: float) -> float:
     return value
 
 
+def _refuse(
+    value: float,
+    bound: float,
+    status: int,
+    function: str,
+) -> SingularModelError:
+    """What to raise of a block that does not exceed its bound: it is singular, or no number."""
+    singular = value <= bound < math.inf
+    return SingularModelError(status if singular else NOT_FINITE, function)
+
+
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
     """right-hand side dy/dt = f(t, y; p) (III.3)
 
@@ -125,14 +136,14 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         k2 = a * k1
         # the mass matrix is singular
         if not abs(k * k2) > 0.0:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(k * k2), 0.0, 2, "rhs")
         k3 = 1.0 + k
         k4 = 2.0 * Omega0
         k5 = Omega0 * Omega0
         k6 = k2 * k3
         # the mass matrix is singular
         if not abs(k6) > 0.0:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(k6), 0.0, 2, "rhs")
         k7 = k1 / k6
         # state
         s_theta = math.sin(theta)
@@ -140,7 +151,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z2 = z1 * k6
         # the mass matrix is singular
         if not abs(z2) > 1e-14 * (k2 * (k + z1)):
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(z2), 1e-14 * (k2 * (k + z1)), 2, "rhs")
         z3 = t_ * nu
         s1 = math.sin(z3)
         z4 = Omega1 * s1
@@ -267,12 +278,12 @@ def accelerations(
         k3 = k * k2
         # the mass matrix is singular
         if not abs(k3) > 0.0:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(k3), 0.0, 2, "accelerations")
         k4 = 1.0 + k
         k5 = k2 * k4
         # the mass matrix is singular
         if not abs(k5) > 0.0:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(k5), 0.0, 2, "accelerations")
         k6 = 2.0 * Omega0
         k7 = Omega0 * Omega0
         k8 = k1 / k5
@@ -283,7 +294,7 @@ def accelerations(
         z2 = z1 - c_theta * c_theta * k3
         # the mass matrix is singular
         if not abs(z2) > 1e-14 * z1:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(z2), 1e-14 * z1, 2, "accelerations")
         z3 = t_ * nu
         c1 = math.cos(z3)
         z4 = nu * c1
@@ -441,12 +452,12 @@ def reactions(
         k3 = k * k2
         # the mass matrix is singular
         if not abs(k3) > 0.0:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(k3), 0.0, 2, "reactions")
         k4 = 1.0 + k
         k5 = k2 * k4
         # the mass matrix is singular
         if not abs(k5) > 0.0:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(k5), 0.0, 2, "reactions")
         k6 = 2.0 * Omega0
         k7 = Omega0 * Omega0
         k8 = k1 / k5
@@ -458,7 +469,7 @@ def reactions(
         z2 = z1 - c_theta * c_theta * k3
         # the mass matrix is singular
         if not abs(z2) > 1e-14 * z1:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(z2), 1e-14 * z1, 2, "reactions")
         c_phi = math.cos(phi)
         z3 = t_ * nu
         s1 = math.sin(z3)
@@ -580,12 +591,12 @@ def jacobian(
         k3 = k * k2
         # the mass matrix is singular
         if not abs(k3) > 0.0:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(k3), 0.0, 2, "jacobian")
         k4 = 1.0 + k
         k5 = k2 * k4
         # the mass matrix is singular
         if not abs(k5) > 0.0:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(k5), 0.0, 2, "jacobian")
         k6 = 2.0 * Omega0
         k7 = Omega0 * Omega0
         k8 = 1.0 / k3
@@ -598,7 +609,7 @@ def jacobian(
         z2 = z1 - c_theta * c_theta * k3
         # the mass matrix is singular
         if not abs(z2) > 1e-14 * z1:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(z2), 1e-14 * z1, 2, "jacobian")
         z3 = t_ * nu
         s1 = math.sin(z3)
         z4 = Omega1 * s1

@@ -1,5 +1,5 @@
 /*
- * bead_on_rod.c: bead_on_rod, emitted by nhc 0.1.0 (nhc:11e2fca8708a809a)
+ * bead_on_rod.c: bead_on_rod, emitted by nhc 0.1.0 (nhc:8796aed7796a6d79)
  * A bead on a straight horizontal rod that turns at a constant rate; T has a part without velocities.
  * Source: bead_on_rod.yaml
  * Equations of motion: lagrange (II.3)
@@ -46,6 +46,12 @@ static int bead_on_rod_finish(int count, const double *values)
         }
     }
     return BEAD_ON_ROD_OK;
+}
+
+/* the status of a block that does not exceed its bound: it is singular, or no number */
+static int bead_on_rod_refuse(double value, double bound, int singular)
+{
+    return value <= bound && bound <= DBL_MAX ? singular : BEAD_ON_ROD_NOT_FINITE;
 }
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
@@ -170,7 +176,7 @@ int bead_on_rod_rhs(double t, const double *y, const double *p, double *dydt)
     if (!(fabs(dydt[0] + dydt[1]) <= DBL_MAX && fabs(m) > 0.0)) {
         /* the mass matrix is singular */
         if (!(fabs(m) > 0.0)) {
-            return BEAD_ON_ROD_SINGULAR_2;
+            return bead_on_rod_refuse(fabs(m), 0.0, BEAD_ON_ROD_SINGULAR_2);
         }
         return bead_on_rod_finish(2, dydt);
     }
@@ -210,7 +216,7 @@ int bead_on_rod_accelerations(double t, const double *y, const double *p, double
     if (!(fabs(qddot[0]) <= DBL_MAX && fabs(m) > 0.0)) {
         /* the mass matrix is singular */
         if (!(fabs(m) > 0.0)) {
-            return BEAD_ON_ROD_SINGULAR_2;
+            return bead_on_rod_refuse(fabs(m), 0.0, BEAD_ON_ROD_SINGULAR_2);
         }
         return bead_on_rod_finish(1, qddot);
     }
@@ -253,7 +259,7 @@ int bead_on_rod_reactions(double t, const double *y, const double *p, double *la
     /* state */
     /* the mass matrix is singular */
     if (!(fabs(m) > 0.0)) {
-        return BEAD_ON_ROD_SINGULAR_2;
+        return bead_on_rod_refuse(fabs(m), 0.0, BEAD_ON_ROD_SINGULAR_2);
     }
     (void)lambda;
     return BEAD_ON_ROD_OK;
@@ -291,7 +297,7 @@ int bead_on_rod_jacobian(double t, const double *y, const double *p, double *J)
     if (!(fabs(J[2]) <= DBL_MAX && fabs(m) > 0.0)) {
         /* the mass matrix is singular */
         if (!(fabs(m) > 0.0)) {
-            return BEAD_ON_ROD_SINGULAR_2;
+            return bead_on_rod_refuse(fabs(m), 0.0, BEAD_ON_ROD_SINGULAR_2);
         }
         return bead_on_rod_finish(4, J);
     }
@@ -365,7 +371,7 @@ int bead_on_rod_rhs_batch(size_t count, const double *t, const double *y, const 
     const double k1 = Omega * Omega;
     /* the mass matrix is singular */
     if (!(fabs(m) > 0.0)) {
-        return BEAD_ON_ROD_SINGULAR_2;
+        return bead_on_rod_refuse(fabs(m), 0.0, BEAD_ON_ROD_SINGULAR_2);
     }
     const double fixed[] = {k1};
     double check[1 * BEAD_ON_ROD_LANES];

@@ -1,4 +1,4 @@
-"""bead_on_rod, emitted by nhc 0.1.0 (nhc:cac67b12a38554ac).
+"""bead_on_rod, emitted by nhc 0.1.0 (nhc:4bfa85f85a986c4c).
 
 A bead on a straight horizontal rod that turns at a constant rate; T has a part
     without velocities.
@@ -76,6 +76,17 @@ def _single(function: str, value: float) -> float:
     return value
 
 
+def _refuse(
+    value: float,
+    bound: float,
+    status: int,
+    function: str,
+) -> SingularModelError:
+    """What to raise of a block that does not exceed its bound: it is singular, or no number."""
+    singular = value <= bound < math.inf
+    return SingularModelError(status if singular else NOT_FINITE, function)
+
+
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
     """right-hand side dy/dt = f(t, y; p) (II.3)
 
@@ -89,7 +100,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     try:
         # the mass matrix is singular
         if not abs(m) > 0.0:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(m), 0.0, 2, "rhs")
         # parameters only
         k1 = Omega * Omega
         # state
@@ -142,7 +153,7 @@ def accelerations(
     try:
         # the mass matrix is singular
         if not abs(m) > 0.0:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(m), 0.0, 2, "accelerations")
         # parameters only
         k1 = Omega * Omega
         # state
@@ -209,7 +220,7 @@ def reactions(
     try:
         # the mass matrix is singular
         if not abs(m) > 0.0:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(m), 0.0, 2, "reactions")
         # state
         lambda_: list[float] = []
         return _finish("reactions", lambda_)
@@ -252,7 +263,7 @@ def jacobian(
     try:
         # the mass matrix is singular
         if not abs(m) > 0.0:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(m), 0.0, 2, "jacobian")
         # state
         J: list[float] = [
             0.0,

@@ -1,5 +1,5 @@
 /*
- * bicycle.c: bicycle, emitted by nhc 0.1.0 (nhc:ce63721cbc9b12a7)
+ * bicycle.c: bicycle, emitted by nhc 0.1.0 (nhc:c403facf5b7605a9)
  * Whipple's bicycle, nonlinear; two wheels, rear frame with rider, front frame; x ahead, y right, z down.
  * Source: bicycle.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -120,6 +120,12 @@ static int bicycle_finish(int count, const double *values)
         }
     }
     return BICYCLE_OK;
+}
+
+/* the status of a block that does not exceed its bound: it is singular, or no number */
+static int bicycle_refuse(double value, double bound, int singular)
+{
+    return value <= bound && bound <= DBL_MAX ? singular : BICYCLE_NOT_FINITE;
 }
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
@@ -695,19 +701,20 @@ int bicycle_rhs(double t, const double *y, const double *p, double *dydt)
         && fabs(z137) > 1e-14 * z128)) {
         /* the coframe is singular */
         if (!(fabs(-z35) > 1e-12 * (k22 * ((z36 + k24) * (z36 + k25))))) {
-            return BICYCLE_SINGULAR_1;
+            return bicycle_refuse(fabs(-z35), 1e-12 * (k22 * ((z36 + k24) * (z36 + k25))),
+                BICYCLE_SINGULAR_1);
         }
         /* the mass matrix is singular */
         if (!(fabs(z76) > 0.0)) {
-            return BICYCLE_SINGULAR_2;
+            return bicycle_refuse(fabs(z76), 0.0, BICYCLE_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(z105) > 1e-14 * z100)) {
-            return BICYCLE_SINGULAR_2;
+            return bicycle_refuse(fabs(z105), 1e-14 * z100, BICYCLE_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(z137) > 1e-14 * z128)) {
-            return BICYCLE_SINGULAR_2;
+            return bicycle_refuse(fabs(z137), 1e-14 * z128, BICYCLE_SINGULAR_2);
         }
         return bicycle_finish(12, dydt);
     }
@@ -821,7 +828,8 @@ int bicycle_velocities(double t, const double *y, const double *p, double *qdot)
         && fabs(-z25) > 1e-12 * (k10 * ((z26 + k12) * (z26 + k13))))) {
         /* the coframe is singular */
         if (!(fabs(-z25) > 1e-12 * (k10 * ((z26 + k12) * (z26 + k13))))) {
-            return BICYCLE_SINGULAR_1;
+            return bicycle_refuse(fabs(-z25), 1e-12 * (k10 * ((z26 + k12) * (z26 + k13))),
+                BICYCLE_SINGULAR_1);
         }
         return bicycle_finish(9, qdot);
     }
@@ -3009,23 +3017,23 @@ BICYCLE_SLOW static int bicycle_jacobian_part3(double t, const double *y, const 
     const double z38 = kept[76];
     /* the coframe is singular */
     if (!(fabs(z37) > 1e-12 * ((z38 + k25) * (k22 * (z38 + k24))))) {
-        return BICYCLE_SINGULAR_1;
+        return bicycle_refuse(fabs(z37), 1e-12 * ((z38 + k25) * (k22 * (z38 + k24))), BICYCLE_SINGULAR_1);
     }
     const double z84 = kept[120];
     /* the mass matrix is singular */
     if (!(fabs(z84) > 0.0)) {
-        return BICYCLE_SINGULAR_2;
+        return bicycle_refuse(fabs(z84), 0.0, BICYCLE_SINGULAR_2);
     }
     const double z121 = kept[153];
     const double z127 = kept[156];
     /* the mass matrix is singular */
     if (!(fabs(z127) > 1e-14 * z121)) {
-        return BICYCLE_SINGULAR_2;
+        return bicycle_refuse(fabs(z127), 1e-14 * z121, BICYCLE_SINGULAR_2);
     }
     const double z164 = kept[189];
     /* the mass matrix is singular */
     if (!(fabs(z174) > 1e-14 * z164)) {
-        return BICYCLE_SINGULAR_2;
+        return bicycle_refuse(fabs(z174), 1e-14 * z164, BICYCLE_SINGULAR_2);
     }
     return BICYCLE_OK;
 }
@@ -4482,7 +4490,8 @@ int bicycle_outputs(double t, const double *y, const double *p, double *out)
         && fabs(-z27) > 1e-12 * (k10 * ((z28 + k12) * (z28 + k13))))) {
         /* the coframe is singular */
         if (!(fabs(-z27) > 1e-12 * (k10 * ((z28 + k12) * (z28 + k13))))) {
-            return BICYCLE_SINGULAR_1;
+            return bicycle_refuse(fabs(-z27), 1e-12 * (k10 * ((z28 + k12) * (z28 + k13))),
+                BICYCLE_SINGULAR_1);
         }
         return bicycle_finish(3, out);
     }

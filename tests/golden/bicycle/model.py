@@ -1,4 +1,4 @@
-"""bicycle, emitted by nhc 0.1.0 (nhc:ff480a5c8e54f074).
+"""bicycle, emitted by nhc 0.1.0 (nhc:66ddb3a9bcd7fdf5).
 
 Whipple's bicycle, nonlinear; two wheels, rear frame with rider, front frame; x
     ahead, y right, z down.
@@ -204,6 +204,17 @@ def _single(function: str, value: float) -> float:
     return value
 
 
+def _refuse(
+    value: float,
+    bound: float,
+    status: int,
+    function: str,
+) -> SingularModelError:
+    """What to raise of a block that does not exceed its bound: it is singular, or no number."""
+    singular = value <= bound < math.inf
+    return SingularModelError(status if singular else NOT_FINITE, function)
+
+
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
     """right-hand side dy/dt = f(t, y; p) (I.2.15)
 
@@ -361,7 +372,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         s4 = (z36 + k24) * (z36 + k25)
         # the coframe is singular
         if not abs(-z35) > 1e-12 * (k22 * s4):
-            raise SingularModelError(1, "rhs")
+            raise _refuse(abs(-z35), 1e-12 * (k22 * s4), 1, "rhs")
         z37 = r_R * z1
         z38 = c_roll * z37
         z39 = 1.0 / z35
@@ -407,7 +418,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z76 = z38 * (k28 * z47 + (k26 * z38 - k27 * z48)) + z75
         # the mass matrix is singular
         if not abs(z76) > 0.0:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(z76), 0.0, 2, "rhs")
         z77 = z16 * z12
         z78 = z30 * z12
         z79 = (z13 * z77 - z5 * z78) * z39
@@ -441,7 +452,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z105 = z100 - z102 * z104
         # the mass matrix is singular
         if not abs(z105) > 1e-14 * z100:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(z105), 1e-14 * z100, 2, "rhs")
         z106 = z18 * z25
         z107 = z18 * z13
         z108 = z39 * (z5 * z106 - z32 * z107)
@@ -485,7 +496,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z137 = z128 - z131 * z132 - z134 * z136
         # the mass matrix is singular
         if not abs(z137) > 1e-14 * z128:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(z137), 1e-14 * z128, 2, "rhs")
         c_yaw = math.cos(yaw)
         z138 = roll_dot * c1
         z139 = s_steer * z138
@@ -742,7 +753,7 @@ def velocities(
         s3 = (z26 + k12) * (z26 + k13)
         # the coframe is singular
         if not abs(-z25) > 1e-12 * (k10 * s3):
-            raise SingularModelError(1, "velocities")
+            raise _refuse(abs(-z25), 1e-12 * (k10 * s3), 1, "velocities")
         s_yaw = math.sin(yaw)
         v2_x = c_roll * (roll_dot * z4)
         z27 = c_roll * v2_x
@@ -1952,7 +1963,7 @@ def jacobian(
         s3 = (z38 + k25) * s2
         # the coframe is singular
         if not abs(z37) > 1e-12 * s3:
-            raise SingularModelError(1, "jacobian")
+            raise _refuse(abs(z37), 1e-12 * s3, 1, "jacobian")
         z39 = 1.0 / z37
         z40 = s_steer * c1
         z41 = z8 * z40
@@ -2003,7 +2014,7 @@ def jacobian(
         z84 = z83 + R_yy * (z61 * z61) + F_yy * (z67 * z67)
         # the mass matrix is singular
         if not abs(z84) > 0.0:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(z84), 0.0, 2, "jacobian")
         z85 = z18 * z8
         z86 = z24 * z8
         z87 = z14 * z85 - z13 * z86
@@ -2053,7 +2064,7 @@ def jacobian(
         z127 = z121 - z124 * z126
         # the mass matrix is singular
         if not abs(z127) > 1e-14 * z121:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(z127), 1e-14 * z121, 2, "jacobian")
         z128 = z20 * z25
         z129 = z20 * z23
         z130 = z7 * z26 - z14 * z128 + z13 * z129
@@ -2109,7 +2120,7 @@ def jacobian(
         z174 = z164 - z167 * z168 - z171 * z173
         # the mass matrix is singular
         if not abs(z174) > 1e-14 * z164:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(z174), 1e-14 * z164, 2, "jacobian")
         s_yaw = math.sin(yaw)
         z175 = s1 * z62 - c1 * z69
         z176 = e2z * z175 - c_roll * z44
@@ -3121,7 +3132,7 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
         s2 = (z28 + k12) * (z28 + k13)
         # the coframe is singular
         if not abs(-z27) > 1e-12 * (k10 * s2):
-            raise SingularModelError(1, "outputs")
+            raise _refuse(abs(-z27), 1e-12 * (k10 * s2), 1, "outputs")
         z29 = roll_dot * z8
         z30 = c_steer * z29
         z31 = roll_dot * z1

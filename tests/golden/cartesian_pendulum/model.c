@@ -1,5 +1,5 @@
 /*
- * cartesian_pendulum.c: cartesian_pendulum, emitted by nhc 0.1.0 (nhc:ada79aa6a4653738)
+ * cartesian_pendulum.c: cartesian_pendulum, emitted by nhc 0.1.0 (nhc:b676dd83ccf8393d)
  * The plane pendulum in Cartesian coordinates; its constraint is written with velocities, but it is
  *     holonomic.
  * Source: cartesian_pendulum.yaml
@@ -50,6 +50,12 @@ static int cartesian_pendulum_finish(int count, const double *values)
         }
     }
     return CARTESIAN_PENDULUM_OK;
+}
+
+/* the status of a block that does not exceed its bound: it is singular, or no number */
+static int cartesian_pendulum_refuse(double value, double bound, int singular)
+{
+    return value <= bound && bound <= DBL_MAX ? singular : CARTESIAN_PENDULUM_NOT_FINITE;
 }
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
@@ -190,11 +196,11 @@ int cartesian_pendulum_rhs(double t, const double *y, const double *p, double *d
         && fabs(m * z3) > 0.0)) {
         /* the coframe is singular */
         if (!(fabs(z1) > 1e-12 * (z2 * z2))) {
-            return CARTESIAN_PENDULUM_SINGULAR_1;
+            return cartesian_pendulum_refuse(fabs(z1), 1e-12 * (z2 * z2), CARTESIAN_PENDULUM_SINGULAR_1);
         }
         /* the mass matrix is singular */
         if (!(fabs(m * z3) > 0.0)) {
-            return CARTESIAN_PENDULUM_SINGULAR_2;
+            return cartesian_pendulum_refuse(fabs(m * z3), 0.0, CARTESIAN_PENDULUM_SINGULAR_2);
         }
         return cartesian_pendulum_finish(3, dydt);
     }
@@ -220,7 +226,7 @@ int cartesian_pendulum_velocities(double t, const double *y, const double *p, do
     if (!(fabs(qdot[0] + qdot[1]) <= DBL_MAX && fabs(z1) > 1e-12 * (z2 * z2))) {
         /* the coframe is singular */
         if (!(fabs(z1) > 1e-12 * (z2 * z2))) {
-            return CARTESIAN_PENDULUM_SINGULAR_1;
+            return cartesian_pendulum_refuse(fabs(z1), 1e-12 * (z2 * z2), CARTESIAN_PENDULUM_SINGULAR_1);
         }
         return cartesian_pendulum_finish(2, qdot);
     }
@@ -249,11 +255,11 @@ int cartesian_pendulum_accelerations(double t, const double *y, const double *p,
     if (!(fabs(qddot[0] + qddot[1]) <= DBL_MAX && fabs(z2) > 1e-12 * (z3 * z3) && fabs(m * z4) > 0.0)) {
         /* the coframe is singular */
         if (!(fabs(z2) > 1e-12 * (z3 * z3))) {
-            return CARTESIAN_PENDULUM_SINGULAR_1;
+            return cartesian_pendulum_refuse(fabs(z2), 1e-12 * (z3 * z3), CARTESIAN_PENDULUM_SINGULAR_1);
         }
         /* the mass matrix is singular */
         if (!(fabs(m * z4) > 0.0)) {
-            return CARTESIAN_PENDULUM_SINGULAR_2;
+            return cartesian_pendulum_refuse(fabs(m * z4), 0.0, CARTESIAN_PENDULUM_SINGULAR_2);
         }
         return cartesian_pendulum_finish(2, qddot);
     }
@@ -321,11 +327,11 @@ int cartesian_pendulum_reactions(double t, const double *y, const double *p, dou
     if (!(fabs(lambda[0]) <= DBL_MAX && fabs(z2) > 1e-12 * (z3 * z3) && fabs(z5) > 0.0)) {
         /* the coframe is singular */
         if (!(fabs(z2) > 1e-12 * (z3 * z3))) {
-            return CARTESIAN_PENDULUM_SINGULAR_1;
+            return cartesian_pendulum_refuse(fabs(z2), 1e-12 * (z3 * z3), CARTESIAN_PENDULUM_SINGULAR_1);
         }
         /* the mass matrix is singular */
         if (!(fabs(z5) > 0.0)) {
-            return CARTESIAN_PENDULUM_SINGULAR_2;
+            return cartesian_pendulum_refuse(fabs(z5), 0.0, CARTESIAN_PENDULUM_SINGULAR_2);
         }
         return cartesian_pendulum_finish(1, lambda);
     }
@@ -383,11 +389,11 @@ int cartesian_pendulum_jacobian(double t, const double *y, const double *p, doub
         && fabs(m * z3) > 0.0)) {
         /* the coframe is singular */
         if (!(fabs(z1) > 1e-12 * (z2 * z2))) {
-            return CARTESIAN_PENDULUM_SINGULAR_1;
+            return cartesian_pendulum_refuse(fabs(z1), 1e-12 * (z2 * z2), CARTESIAN_PENDULUM_SINGULAR_1);
         }
         /* the mass matrix is singular */
         if (!(fabs(m * z3) > 0.0)) {
-            return CARTESIAN_PENDULUM_SINGULAR_2;
+            return cartesian_pendulum_refuse(fabs(m * z3), 0.0, CARTESIAN_PENDULUM_SINGULAR_2);
         }
         return cartesian_pendulum_finish(9, J);
     }
@@ -410,7 +416,7 @@ int cartesian_pendulum_outputs(double t, const double *y, const double *p, doubl
     if (!(fabs(out[0]) <= DBL_MAX && fabs(z1) > 1e-12 * (z2 * z2))) {
         /* the coframe is singular */
         if (!(fabs(z1) > 1e-12 * (z2 * z2))) {
-            return CARTESIAN_PENDULUM_SINGULAR_1;
+            return cartesian_pendulum_refuse(fabs(z1), 1e-12 * (z2 * z2), CARTESIAN_PENDULUM_SINGULAR_1);
         }
         return cartesian_pendulum_finish(1, out);
     }

@@ -1,5 +1,5 @@
 /*
- * chaotic.c: chaotic, emitted by nhc 0.1.0 (nhc:b84122e79165e1e1)
+ * chaotic.c: chaotic, emitted by nhc 0.1.0 (nhc:fb6539e57dac2842)
  * Seven coupled oscillators with one contact constraint; reversible and chaotic.
  * Source: chaotic.yaml
  * Equations of motion: chaplygin (III.3)
@@ -72,6 +72,12 @@ static int chaotic_finish(int count, const double *values)
         }
     }
     return CHAOTIC_OK;
+}
+
+/* the status of a block that does not exceed its bound: it is singular, or no number */
+static int chaotic_refuse(double value, double bound, int singular)
+{
+    return value <= bound && bound <= DBL_MAX ? singular : CHAOTIC_NOT_FINITE;
 }
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
@@ -226,7 +232,7 @@ int chaotic_rhs(double t, const double *y, const double *p, double *dydt)
     if (!(fabs(dydt[0] + dydt[7] + dydt[8] + dydt[9] + dydt[10] + dydt[11] + dydt[12]) <= DBL_MAX)) {
         /* the mass matrix is singular */
         if (!(fabs(z7) > 0.0)) {
-            return CHAOTIC_SINGULAR_2;
+            return chaotic_refuse(fabs(z7), 0.0, CHAOTIC_SINGULAR_2);
         }
         return chaotic_finish(13, dydt);
     }
@@ -310,7 +316,7 @@ int chaotic_accelerations(double t, const double *y, const double *p, double *qd
     if (!(fabs(qddot[0] + qddot[1] + qddot[2] + qddot[3] + qddot[4] + qddot[5] + qddot[6]) <= DBL_MAX)) {
         /* the mass matrix is singular */
         if (!(fabs(z7) > 0.0)) {
-            return CHAOTIC_SINGULAR_2;
+            return chaotic_refuse(fabs(z7), 0.0, CHAOTIC_SINGULAR_2);
         }
         return chaotic_finish(7, qddot);
     }
@@ -411,7 +417,7 @@ int chaotic_reactions(double t, const double *y, const double *p, double *lambda
     if (!(fabs(lambda[0]) <= DBL_MAX)) {
         /* the mass matrix is singular */
         if (!(fabs(z7) > 0.0)) {
-            return CHAOTIC_SINGULAR_2;
+            return chaotic_refuse(fabs(z7), 0.0, CHAOTIC_SINGULAR_2);
         }
         return chaotic_finish(1, lambda);
     }
@@ -615,7 +621,7 @@ int chaotic_jacobian(double t, const double *y, const double *p, double *J)
         J[168]) <= DBL_MAX)) {
         /* the mass matrix is singular */
         if (!(fabs(z8) > 0.0)) {
-            return CHAOTIC_SINGULAR_2;
+            return chaotic_refuse(fabs(z8), 0.0, CHAOTIC_SINGULAR_2);
         }
         return chaotic_finish(169, J);
     }

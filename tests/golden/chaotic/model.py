@@ -1,4 +1,4 @@
-"""chaotic, emitted by nhc 0.1.0 (nhc:8a04a77b89b2a1ff).
+"""chaotic, emitted by nhc 0.1.0 (nhc:58e367f56c037880).
 
 Seven coupled oscillators with one contact constraint; reversible and chaotic.
 Source: chaotic.yaml
@@ -99,6 +99,17 @@ def _single(function: str, value: float) -> float:
     return value
 
 
+def _refuse(
+    value: float,
+    bound: float,
+    status: int,
+    function: str,
+) -> SingularModelError:
+    """What to raise of a block that does not exceed its bound: it is singular, or no number."""
+    singular = value <= bound < math.inf
+    return SingularModelError(status if singular else NOT_FINITE, function)
+
+
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
     """right-hand side dy/dt = f(t, y; p) (III.3)
 
@@ -126,7 +137,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z7 = z4 + (z5 + (1.0 + z6))
         # the mass matrix is singular
         if not abs(z7) > 0.0:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(z7), 0.0, 2, "rhs")
         z8 = z1 * z1
         z9 = z2 * z2
         z10 = z1 * (1.0 + (z6 + z9))
@@ -241,7 +252,7 @@ def accelerations(
         z7 = z4 + (z5 + (1.0 + z6))
         # the mass matrix is singular
         if not abs(z7) > 0.0:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(z7), 0.0, 2, "accelerations")
         z8 = y3_dot * z3_dot
         z9 = z3 * (1.0 + z4)
         z10 = y1_dot * z1_dot
@@ -383,7 +394,7 @@ def reactions(
         z7 = z4 + (z5 + (1.0 + z6))
         # the mass matrix is singular
         if not abs(z7) > 0.0:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(z7), 0.0, 2, "reactions")
         s1 = x + y1 * (z1 * (1.0 + (z6 + z2 * z2)))
         z8 = y2 * (z2 * (1.0 + (z5 + z1 * z1))) + s1
         s2 = y3_dot * z3_dot + (y1_dot * z1_dot + y2_dot * z2_dot)
@@ -467,7 +478,7 @@ def jacobian(
         z8 = z4 + (z5 + z7)
         # the mass matrix is singular
         if not abs(z8) > 0.0:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(z8), 0.0, 2, "jacobian")
         z9 = z1 * z1
         z10 = z2 * z2
         z11 = 1.0 / z7

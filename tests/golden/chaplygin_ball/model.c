@@ -1,5 +1,5 @@
 /*
- * chaplygin_ball.c: chaplygin_ball, emitted by nhc 0.1.0 (nhc:0eb1b29c834fea19)
+ * chaplygin_ball.c: chaplygin_ball, emitted by nhc 0.1.0 (nhc:4ca88ee1d41cee94)
  * A ball with three different moments of inertia and its centre of mass at its centre rolls on a horizontal
  *     plane.
  * Source: chaplygin_ball.yaml
@@ -70,6 +70,12 @@ static int chaplygin_ball_finish(int count, const double *values)
         }
     }
     return CHAPLYGIN_BALL_OK;
+}
+
+/* the status of a block that does not exceed its bound: it is singular, or no number */
+static int chaplygin_ball_refuse(double value, double bound, int singular)
+{
+    return value <= bound && bound <= DBL_MAX ? singular : CHAPLYGIN_BALL_NOT_FINITE;
 }
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
@@ -274,19 +280,19 @@ int chaplygin_ball_rhs(double t, const double *y, const double *p, double *dydt)
         && fabs(z16) > 1e-14 * z9)) {
         /* the coframe is singular */
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
-            return CHAPLYGIN_BALL_SINGULAR_1;
+            return chaplygin_ball_refuse(fabs(s_theta), 1e-12 * 4.0, CHAPLYGIN_BALL_SINGULAR_1);
         }
         /* the mass matrix is singular */
         if (!(fabs(z2) > 0.0)) {
-            return CHAPLYGIN_BALL_SINGULAR_2;
+            return chaplygin_ball_refuse(fabs(z2), 0.0, CHAPLYGIN_BALL_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(z8) > 1e-14 * z3)) {
-            return CHAPLYGIN_BALL_SINGULAR_2;
+            return chaplygin_ball_refuse(fabs(z8), 1e-14 * z3, CHAPLYGIN_BALL_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(z16) > 1e-14 * z9)) {
-            return CHAPLYGIN_BALL_SINGULAR_2;
+            return chaplygin_ball_refuse(fabs(z16), 1e-14 * z9, CHAPLYGIN_BALL_SINGULAR_2);
         }
         return chaplygin_ball_finish(8, dydt);
     }
@@ -329,7 +335,7 @@ int chaplygin_ball_velocities(double t, const double *y, const double *p, double
     if (!(fabs(qdot[0] + qdot[1]) <= DBL_MAX && fabs(s_theta) > 1e-12 * 4.0)) {
         /* the coframe is singular */
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
-            return CHAPLYGIN_BALL_SINGULAR_1;
+            return chaplygin_ball_refuse(fabs(s_theta), 1e-12 * 4.0, CHAPLYGIN_BALL_SINGULAR_1);
         }
         return chaplygin_ball_finish(5, qdot);
     }
@@ -425,19 +431,19 @@ int chaplygin_ball_accelerations(double t, const double *y, const double *p, dou
         && fabs(z16) > 1e-14 * z9)) {
         /* the coframe is singular */
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
-            return CHAPLYGIN_BALL_SINGULAR_1;
+            return chaplygin_ball_refuse(fabs(s_theta), 1e-12 * 4.0, CHAPLYGIN_BALL_SINGULAR_1);
         }
         /* the mass matrix is singular */
         if (!(fabs(z2) > 0.0)) {
-            return CHAPLYGIN_BALL_SINGULAR_2;
+            return chaplygin_ball_refuse(fabs(z2), 0.0, CHAPLYGIN_BALL_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(z8) > 1e-14 * z3)) {
-            return CHAPLYGIN_BALL_SINGULAR_2;
+            return chaplygin_ball_refuse(fabs(z8), 1e-14 * z3, CHAPLYGIN_BALL_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(z16) > 1e-14 * z9)) {
-            return CHAPLYGIN_BALL_SINGULAR_2;
+            return chaplygin_ball_refuse(fabs(z16), 1e-14 * z9, CHAPLYGIN_BALL_SINGULAR_2);
         }
         return chaplygin_ball_finish(5, qddot);
     }
@@ -581,19 +587,19 @@ int chaplygin_ball_reactions(double t, const double *y, const double *p, double 
         && fabs(z18) > 1e-14 * z9)) {
         /* the coframe is singular */
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
-            return CHAPLYGIN_BALL_SINGULAR_1;
+            return chaplygin_ball_refuse(fabs(s_theta), 1e-12 * 4.0, CHAPLYGIN_BALL_SINGULAR_1);
         }
         /* the mass matrix is singular */
         if (!(fabs(z2) > 0.0)) {
-            return CHAPLYGIN_BALL_SINGULAR_2;
+            return chaplygin_ball_refuse(fabs(z2), 0.0, CHAPLYGIN_BALL_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(z8) > 1e-14 * z3)) {
-            return CHAPLYGIN_BALL_SINGULAR_2;
+            return chaplygin_ball_refuse(fabs(z8), 1e-14 * z3, CHAPLYGIN_BALL_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(z18) > 1e-14 * z9)) {
-            return CHAPLYGIN_BALL_SINGULAR_2;
+            return chaplygin_ball_refuse(fabs(z18), 1e-14 * z9, CHAPLYGIN_BALL_SINGULAR_2);
         }
         return chaplygin_ball_finish(2, lambda);
     }
@@ -800,19 +806,19 @@ int chaplygin_ball_jacobian(double t, const double *y, const double *p, double *
         && fabs(z21) > 1e-14 * z12)) {
         /* the coframe is singular */
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
-            return CHAPLYGIN_BALL_SINGULAR_1;
+            return chaplygin_ball_refuse(fabs(s_theta), 1e-12 * 4.0, CHAPLYGIN_BALL_SINGULAR_1);
         }
         /* the mass matrix is singular */
         if (!(fabs(z3) > 0.0)) {
-            return CHAPLYGIN_BALL_SINGULAR_2;
+            return chaplygin_ball_refuse(fabs(z3), 0.0, CHAPLYGIN_BALL_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(z11) > 1e-14 * z5)) {
-            return CHAPLYGIN_BALL_SINGULAR_2;
+            return chaplygin_ball_refuse(fabs(z11), 1e-14 * z5, CHAPLYGIN_BALL_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(z21) > 1e-14 * z12)) {
-            return CHAPLYGIN_BALL_SINGULAR_2;
+            return chaplygin_ball_refuse(fabs(z21), 1e-14 * z12, CHAPLYGIN_BALL_SINGULAR_2);
         }
         return chaplygin_ball_finish(64, J);
     }
@@ -855,7 +861,7 @@ int chaplygin_ball_outputs(double t, const double *y, const double *p, double *o
     if (!(fabs(out[0] + out[1] + out[2]) <= DBL_MAX && fabs(s_theta) > 1e-12 * 4.0)) {
         /* the coframe is singular */
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
-            return CHAPLYGIN_BALL_SINGULAR_1;
+            return chaplygin_ball_refuse(fabs(s_theta), 1e-12 * 4.0, CHAPLYGIN_BALL_SINGULAR_1);
         }
         return chaplygin_ball_finish(3, out);
     }

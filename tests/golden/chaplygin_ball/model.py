@@ -1,4 +1,4 @@
-"""chaplygin_ball, emitted by nhc 0.1.0 (nhc:7b8680cb0f1e6f5d).
+"""chaplygin_ball, emitted by nhc 0.1.0 (nhc:17896b2c466dca32).
 
 A ball with three different moments of inertia and its centre of mass at its centre
     rolls on a horizontal plane.
@@ -90,6 +90,17 @@ def _single(function: str, value: float) -> float:
     return value
 
 
+def _refuse(
+    value: float,
+    bound: float,
+    status: int,
+    function: str,
+) -> SingularModelError:
+    """What to raise of a block that does not exceed its bound: it is singular, or no number."""
+    singular = value <= bound < math.inf
+    return SingularModelError(status if singular else NOT_FINITE, function)
+
+
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
     """right-hand side dy/dt = f(t, y; p) (I.2.15)
 
@@ -117,13 +128,13 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         s_theta = math.sin(theta)
         # the coframe is singular
         if not abs(s_theta) > 1e-12 * 4.0:
-            raise SingularModelError(1, "rhs")
+            raise _refuse(abs(s_theta), 1e-12 * 4.0, 1, "rhs")
         s_psi = math.sin(psi)
         z1 = s_theta * s_theta
         z2 = I1 + k1 * (1.0 - s_psi * s_psi * z1)
         # the mass matrix is singular
         if not abs(z2) > 0.0:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(z2), 0.0, 2, "rhs")
         c_psi = math.cos(psi)
         z3 = I2 + k1 * (1.0 - c_psi * c_psi * z1)
         z4 = k1 * z1
@@ -133,7 +144,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z8 = z3 - z5 * z7
         # the mass matrix is singular
         if not abs(z8) > 1e-14 * z3:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(z8), 1e-14 * z3, 2, "rhs")
         z9 = I3 + z4
         c_theta = math.cos(theta)
         z10 = c_theta * (s_theta * k1)
@@ -145,7 +156,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z16 = z9 - z11 * z12 - z13 * z15
         # the mass matrix is singular
         if not abs(z16) > 1e-14 * z9:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(z16), 1e-14 * z9, 2, "rhs")
         s_phi = math.sin(phi)
         z17 = 1.0 / s_theta
         z18 = z17 * (s_theta * c_psi * w1 - s_theta * s_psi * w2)
@@ -203,7 +214,7 @@ def velocities(
         s_theta = math.sin(theta)
         # the coframe is singular
         if not abs(s_theta) > 1e-12 * 4.0:
-            raise SingularModelError(1, "velocities")
+            raise _refuse(abs(s_theta), 1e-12 * 4.0, 1, "velocities")
         s_phi = math.sin(phi)
         z1 = 1.0 / s_theta
         c_psi = math.cos(psi)
@@ -263,13 +274,13 @@ def accelerations(
         s_theta = math.sin(theta)
         # the coframe is singular
         if not abs(s_theta) > 1e-12 * 4.0:
-            raise SingularModelError(1, "accelerations")
+            raise _refuse(abs(s_theta), 1e-12 * 4.0, 1, "accelerations")
         s_psi = math.sin(psi)
         z1 = s_theta * s_theta
         z2 = I1 + k1 * (1.0 - s_psi * s_psi * z1)
         # the mass matrix is singular
         if not abs(z2) > 0.0:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(z2), 0.0, 2, "accelerations")
         c_psi = math.cos(psi)
         z3 = I2 + k1 * (1.0 - c_psi * c_psi * z1)
         z4 = k1 * z1
@@ -279,7 +290,7 @@ def accelerations(
         z8 = z3 - z5 * z7
         # the mass matrix is singular
         if not abs(z8) > 1e-14 * z3:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(z8), 1e-14 * z3, 2, "accelerations")
         z9 = I3 + z4
         c_theta = math.cos(theta)
         z10 = c_theta * (s_theta * k1)
@@ -291,7 +302,7 @@ def accelerations(
         z16 = z9 - z11 * z12 - z13 * z15
         # the mass matrix is singular
         if not abs(z16) > 1e-14 * z9:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(z16), 1e-14 * z9, 2, "accelerations")
         z17 = 1.0 / s_theta
         z18 = s_theta * c_psi
         z19 = s_theta * s_psi
@@ -450,13 +461,13 @@ def reactions(
         s_theta = math.sin(theta)
         # the coframe is singular
         if not abs(s_theta) > 1e-12 * 4.0:
-            raise SingularModelError(1, "reactions")
+            raise _refuse(abs(s_theta), 1e-12 * 4.0, 1, "reactions")
         s_psi = math.sin(psi)
         z1 = s_theta * s_theta
         z2 = I1 + k1 * (1.0 - s_psi * s_psi * z1)
         # the mass matrix is singular
         if not abs(z2) > 0.0:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(z2), 0.0, 2, "reactions")
         c_psi = math.cos(psi)
         z3 = I2 + k1 * (1.0 - c_psi * c_psi * z1)
         z4 = k1 * z1
@@ -466,7 +477,7 @@ def reactions(
         z8 = z3 - z5 * z7
         # the mass matrix is singular
         if not abs(z8) > 1e-14 * z3:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(z8), 1e-14 * z3, 2, "reactions")
         z9 = I3 + z4
         c_theta = math.cos(theta)
         z10 = s_psi * c_theta
@@ -480,7 +491,7 @@ def reactions(
         z18 = z9 - z12 * z13 - z15 * z17
         # the mass matrix is singular
         if not abs(z18) > 1e-14 * z9:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(z18), 1e-14 * z9, 2, "reactions")
         c_phi = math.cos(phi)
         z19 = w2 * w3 * k3
         z20 = w1 * w3 * k4 - z19 * z7
@@ -575,14 +586,14 @@ def jacobian(
         s_theta = math.sin(theta)
         # the coframe is singular
         if not abs(s_theta) > 1e-12 * 4.0:
-            raise SingularModelError(1, "jacobian")
+            raise _refuse(abs(s_theta), 1e-12 * 4.0, 1, "jacobian")
         s_psi = math.sin(psi)
         z1 = s_psi * s_psi
         z2 = s_theta * s_theta
         z3 = I1 + k1 * (1.0 - z1 * z2)
         # the mass matrix is singular
         if not abs(z3) > 0.0:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(z3), 0.0, 2, "jacobian")
         c_psi = math.cos(psi)
         z4 = c_psi * c_psi
         z5 = I2 + k1 * (1.0 - z4 * z2)
@@ -594,7 +605,7 @@ def jacobian(
         z11 = z5 - z8 * z10
         # the mass matrix is singular
         if not abs(z11) > 1e-14 * z5:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(z11), 1e-14 * z5, 2, "jacobian")
         z12 = I3 + z6
         c_theta = math.cos(theta)
         z13 = s_theta * k1
@@ -608,7 +619,7 @@ def jacobian(
         z21 = z12 - z15 * z16 - z18 * z20
         # the mass matrix is singular
         if not abs(z21) > 1e-14 * z12:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(z21), 1e-14 * z12, 2, "jacobian")
         c_phi = math.cos(phi)
         z22 = s_psi * w2 - c_psi * w1
         z23 = a * z22
@@ -812,7 +823,7 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
         s_theta = math.sin(theta)
         # the coframe is singular
         if not abs(s_theta) > 1e-12 * 4.0:
-            raise SingularModelError(1, "outputs")
+            raise _refuse(abs(s_theta), 1e-12 * 4.0, 1, "outputs")
         s_psi = math.sin(psi)
         c_theta = math.cos(theta)
         c_psi = math.cos(psi)

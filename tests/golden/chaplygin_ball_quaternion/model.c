@@ -1,5 +1,5 @@
 /*
- * chaplygin_ball_quaternion.c: chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:c4d2035d34fbd4f3)
+ * chaplygin_ball_quaternion.c: chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:ec339e6a67326dcf)
  * A ball with three different moments of inertia rolls on a horizontal plane; its orientation is a
  *     quaternion.
  * Source: chaplygin_ball_quaternion.yaml
@@ -72,6 +72,12 @@ static int chaplygin_ball_quaternion_finish(int count, const double *values)
         }
     }
     return CHAPLYGIN_BALL_QUATERNION_OK;
+}
+
+/* the status of a block that does not exceed its bound: it is singular, or no number */
+static int chaplygin_ball_quaternion_refuse(double value, double bound, int singular)
+{
+    return value <= bound && bound <= DBL_MAX ? singular : CHAPLYGIN_BALL_QUATERNION_NOT_FINITE;
 }
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
@@ -268,15 +274,17 @@ int chaplygin_ball_quaternion_rhs(double t, const double *y, const double *p, do
         && fabs(z35) > 1e-14 * z27)) {
         /* the mass matrix is singular */
         if (!(fabs(z13) > 0.0)) {
-            return CHAPLYGIN_BALL_QUATERNION_SINGULAR_2;
+            return chaplygin_ball_quaternion_refuse(fabs(z13), 0.0, CHAPLYGIN_BALL_QUATERNION_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(z23) > 1e-14 * z15)) {
-            return CHAPLYGIN_BALL_QUATERNION_SINGULAR_2;
+            return chaplygin_ball_quaternion_refuse(fabs(z23), 1e-14 * z15,
+                CHAPLYGIN_BALL_QUATERNION_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(z35) > 1e-14 * z27)) {
-            return CHAPLYGIN_BALL_QUATERNION_SINGULAR_2;
+            return chaplygin_ball_quaternion_refuse(fabs(z35), 1e-14 * z27,
+                CHAPLYGIN_BALL_QUATERNION_SINGULAR_2);
         }
         return chaplygin_ball_quaternion_finish(9, dydt);
     }
@@ -417,15 +425,17 @@ int chaplygin_ball_quaternion_accelerations(double t, const double *y, const dou
         && fabs(z33) > 1e-14 * z25)) {
         /* the mass matrix is singular */
         if (!(fabs(z13) > 0.0)) {
-            return CHAPLYGIN_BALL_QUATERNION_SINGULAR_2;
+            return chaplygin_ball_quaternion_refuse(fabs(z13), 0.0, CHAPLYGIN_BALL_QUATERNION_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(z22) > 1e-14 * z15)) {
-            return CHAPLYGIN_BALL_QUATERNION_SINGULAR_2;
+            return chaplygin_ball_quaternion_refuse(fabs(z22), 1e-14 * z15,
+                CHAPLYGIN_BALL_QUATERNION_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(z33) > 1e-14 * z25)) {
-            return CHAPLYGIN_BALL_QUATERNION_SINGULAR_2;
+            return chaplygin_ball_quaternion_refuse(fabs(z33), 1e-14 * z25,
+                CHAPLYGIN_BALL_QUATERNION_SINGULAR_2);
         }
         return chaplygin_ball_quaternion_finish(6, qddot);
     }
@@ -615,15 +625,17 @@ int chaplygin_ball_quaternion_reactions(double t, const double *y, const double 
     if (!(fabs(lambda[0] + lambda[1]) <= DBL_MAX && fabs(z21) > 1e-14 * z12 && fabs(z35) > 1e-14 * z24)) {
         /* the mass matrix is singular */
         if (!(fabs(z10) > 0.0)) {
-            return CHAPLYGIN_BALL_QUATERNION_SINGULAR_2;
+            return chaplygin_ball_quaternion_refuse(fabs(z10), 0.0, CHAPLYGIN_BALL_QUATERNION_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(z21) > 1e-14 * z12)) {
-            return CHAPLYGIN_BALL_QUATERNION_SINGULAR_2;
+            return chaplygin_ball_quaternion_refuse(fabs(z21), 1e-14 * z12,
+                CHAPLYGIN_BALL_QUATERNION_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(z35) > 1e-14 * z24)) {
-            return CHAPLYGIN_BALL_QUATERNION_SINGULAR_2;
+            return chaplygin_ball_quaternion_refuse(fabs(z35), 1e-14 * z24,
+                CHAPLYGIN_BALL_QUATERNION_SINGULAR_2);
         }
         return chaplygin_ball_quaternion_finish(3, lambda);
     }
@@ -1159,19 +1171,19 @@ CHAPLYGIN_BALL_QUATERNION_SLOW static int chaplygin_ball_quaternion_jacobian_par
     const double z13 = kept[12];
     /* the mass matrix is singular */
     if (!(fabs(z13) > 0.0)) {
-        return CHAPLYGIN_BALL_QUATERNION_SINGULAR_2;
+        return chaplygin_ball_quaternion_refuse(fabs(z13), 0.0, CHAPLYGIN_BALL_QUATERNION_SINGULAR_2);
     }
     const double z15 = kept[15];
     const double z30 = kept[24];
     /* the mass matrix is singular */
     if (!(fabs(z30) > 1e-14 * z15)) {
-        return CHAPLYGIN_BALL_QUATERNION_SINGULAR_2;
+        return chaplygin_ball_quaternion_refuse(fabs(z30), 1e-14 * z15, CHAPLYGIN_BALL_QUATERNION_SINGULAR_2);
     }
     const double z33 = kept[27];
     const double z49 = kept[41];
     /* the mass matrix is singular */
     if (!(fabs(z49) > 1e-14 * z33)) {
-        return CHAPLYGIN_BALL_QUATERNION_SINGULAR_2;
+        return chaplygin_ball_quaternion_refuse(fabs(z49), 1e-14 * z33, CHAPLYGIN_BALL_QUATERNION_SINGULAR_2);
     }
     return CHAPLYGIN_BALL_QUATERNION_OK;
 }

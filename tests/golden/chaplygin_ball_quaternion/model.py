@@ -1,4 +1,4 @@
-"""chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:ea0002bbe525558c).
+"""chaplygin_ball_quaternion, emitted by nhc 0.1.0 (nhc:29cc4d606eb276a8).
 
 A ball with three different moments of inertia rolls on a horizontal plane; its
     orientation is a quaternion.
@@ -93,6 +93,17 @@ def _single(function: str, value: float) -> float:
     return value
 
 
+def _refuse(
+    value: float,
+    bound: float,
+    status: int,
+    function: str,
+) -> SingularModelError:
+    """What to raise of a block that does not exceed its bound: it is singular, or no number."""
+    singular = value <= bound < math.inf
+    return SingularModelError(status if singular else NOT_FINITE, function)
+
+
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
     """right-hand side dy/dt = f(t, y; p) (I.2.15)
 
@@ -134,7 +145,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z13 = I1 + k1 * (4.0 * (z9 * z9) + R_x1 * R_x1)
         # the mass matrix is singular
         if not abs(z13) > 0.0:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(z13), 0.0, 2, "rhs")
         R_y2 = 1.0 - 2.0 * (R_1 * z5 + z12)
         z14 = z6 - z8
         z15 = I2 + k1 * (R_y2 * R_y2 + 4.0 * (z14 * z14))
@@ -149,7 +160,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z23 = z15 - 16.0 * (z20 * z22)
         # the mass matrix is singular
         if not abs(z23) > 1e-14 * z15:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(z23), 1e-14 * z15, 2, "rhs")
         z24 = R_3 * z10
         z25 = z24 - R_1 * z7
         z26 = z18 + R_2 * z7
@@ -165,7 +176,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z35 = z27 - 4.0 * (z30 * z31) - z32 * z34
         # the mass matrix is singular
         if not abs(z35) > 1e-14 * z27:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(z35), 1e-14 * z27, 2, "rhs")
         z36 = w2 * w3 * k2
         z37 = w1 * w3 * k3 + 4.0 * (z36 * z22)
         z38 = (w1 * w2 * k4 - 2.0 * (z36 * z31) - z37 * z34) / z35
@@ -291,7 +302,7 @@ def accelerations(
         z13 = I1 + (4.0 * (k1 * (z9 * z9)) + k1 * (R_x1 * R_x1))
         # the mass matrix is singular
         if not abs(z13) > 0.0:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(z13), 0.0, 2, "accelerations")
         R_y2 = 1.0 - 2.0 * (R_1 * z5 + z12)
         z14 = z6 - z8
         z15 = I2 + (k1 * (R_y2 * R_y2) + 4.0 * (k1 * (z14 * z14)))
@@ -305,7 +316,7 @@ def accelerations(
         z22 = z15 - 16.0 * (z19 * z21)
         # the mass matrix is singular
         if not abs(z22) > 1e-14 * z15:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(z22), 1e-14 * z15, 2, "accelerations")
         z23 = R_3 * z10 - R_1 * z7
         z24 = R_1 * z11 + R_2 * z7
         z25 = I3 + 4.0 * (k1 * (z23 * z23 + z24 * z24))
@@ -320,7 +331,7 @@ def accelerations(
         z33 = z25 - 4.0 * (z28 * z29) - z30 * z32
         # the mass matrix is singular
         if not abs(z33) > 1e-14 * z25:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(z33), 1e-14 * z25, 2, "accelerations")
         z34 = w2 * w3 * k2
         z35 = w1 * w3 * k3 + 4.0 * (z34 * z21)
         z36 = (w1 * w2 * k4 - 2.0 * (z34 * z29) + z32 * z35) / z33
@@ -526,7 +537,7 @@ def reactions(
         z10 = I1 + (k1 * (R_x1 * R_x1) + 4.0 * (k1 * (z9 * z9)))
         # the mass matrix is singular
         if not abs(z10) > 0.0:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(z10), 0.0, 2, "reactions")
         R_y2 = 1.0 - 2.0 * (z4 * (z3 + z1))
         z11 = z6 - z8
         z12 = I2 + (k1 * (R_y2 * R_y2) + 4.0 * (k1 * (z11 * z11)))
@@ -542,7 +553,7 @@ def reactions(
         z21 = z12 - 16.0 * (z18 * z20)
         # the mass matrix is singular
         if not abs(z21) > 1e-14 * z12:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(z21), 1e-14 * z12, 2, "reactions")
         z22 = R_1 * z15 + R_2 * z5
         z23 = R_1 * z5 - R_2 * z15
         z24 = I3 + 4.0 * (k1 * (z22 * z22 + z23 * z23))
@@ -560,7 +571,7 @@ def reactions(
         z35 = z24 - 4.0 * (z28 * z29) - z32 * z34
         # the mass matrix is singular
         if not abs(z35) > 1e-14 * z24:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(z35), 1e-14 * z24, 2, "reactions")
         z36 = z4 * k2
         z37 = w2 * w3 * k3
         z38 = w1 * w3 * k4 + 4.0 * (z37 * z20)
@@ -673,7 +684,7 @@ def jacobian(
         z13 = I1 + (4.0 * (k1 * (z9 * z9)) + k1 * (R_x1 * R_x1))
         # the mass matrix is singular
         if not abs(z13) > 0.0:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(z13), 0.0, 2, "jacobian")
         R_y2 = 1.0 - 2.0 * (R_1 * z5 + z12)
         z14 = z6 - z8
         z15 = I2 + (k1 * (R_y2 * R_y2) + 4.0 * (k1 * (z14 * z14)))
@@ -694,7 +705,7 @@ def jacobian(
         z30 = z15 - 16.0 * (z27 * z29)
         # the mass matrix is singular
         if not abs(z30) > 1e-14 * z15:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(z30), 1e-14 * z15, 2, "jacobian")
         z31 = R_3 * z10 - R_1 * z7
         z32 = R_1 * z11 + R_2 * z7
         z33 = I3 + 4.0 * (k1 * (z31 * z31 + z32 * z32))
@@ -716,7 +727,7 @@ def jacobian(
         z49 = z33 - 4.0 * (z39 * z40) - z46 * z48
         # the mass matrix is singular
         if not abs(z49) > 1e-14 * z33:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(z49), 1e-14 * z33, 2, "jacobian")
         z50 = a * w1
         z51 = a * w3
         z52 = R_3 * z50 - R_1 * z51

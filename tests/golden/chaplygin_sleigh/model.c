@@ -1,5 +1,5 @@
 /*
- * chaplygin_sleigh.c: chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:e931885593b99739)
+ * chaplygin_sleigh.c: chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:40f414d6459f5b5f)
  * A rigid body on a knife edge; the centre of mass is a distance a ahead of the edge.
  * Source: chaplygin_sleigh.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -53,6 +53,12 @@ static int chaplygin_sleigh_finish(int count, const double *values)
         }
     }
     return CHAPLYGIN_SLEIGH_OK;
+}
+
+/* the status of a block that does not exceed its bound: it is singular, or no number */
+static int chaplygin_sleigh_refuse(double value, double bound, int singular)
+{
+    return value <= bound && bound <= DBL_MAX ? singular : CHAPLYGIN_SLEIGH_NOT_FINITE;
 }
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
@@ -204,11 +210,11 @@ int chaplygin_sleigh_rhs(double t, const double *y, const double *p, double *dyd
     if (!(fabs(dydt[0] + dydt[3] + dydt[4]) <= DBL_MAX && fabs(m) > 0.0)) {
         /* the mass matrix is singular */
         if (!(fabs(m) > 0.0)) {
-            return CHAPLYGIN_SLEIGH_SINGULAR_2;
+            return chaplygin_sleigh_refuse(fabs(m), 0.0, CHAPLYGIN_SLEIGH_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(k2) > 0.0)) {
-            return CHAPLYGIN_SLEIGH_SINGULAR_2;
+            return chaplygin_sleigh_refuse(fabs(k2), 0.0, CHAPLYGIN_SLEIGH_SINGULAR_2);
         }
         return chaplygin_sleigh_finish(5, dydt);
     }
@@ -269,11 +275,11 @@ int chaplygin_sleigh_accelerations(double t, const double *y, const double *p, d
     if (!(fabs(qddot[0] + qddot[1] + qddot[2]) <= DBL_MAX && fabs(m) > 0.0)) {
         /* the mass matrix is singular */
         if (!(fabs(m) > 0.0)) {
-            return CHAPLYGIN_SLEIGH_SINGULAR_2;
+            return chaplygin_sleigh_refuse(fabs(m), 0.0, CHAPLYGIN_SLEIGH_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(k2) > 0.0)) {
-            return CHAPLYGIN_SLEIGH_SINGULAR_2;
+            return chaplygin_sleigh_refuse(fabs(k2), 0.0, CHAPLYGIN_SLEIGH_SINGULAR_2);
         }
         return chaplygin_sleigh_finish(3, qddot);
     }
@@ -352,11 +358,11 @@ int chaplygin_sleigh_reactions(double t, const double *y, const double *p, doubl
     if (!(fabs(lambda[0]) <= DBL_MAX && fabs(m) > 0.0)) {
         /* the mass matrix is singular */
         if (!(fabs(m) > 0.0)) {
-            return CHAPLYGIN_SLEIGH_SINGULAR_2;
+            return chaplygin_sleigh_refuse(fabs(m), 0.0, CHAPLYGIN_SLEIGH_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(k2) > 0.0)) {
-            return CHAPLYGIN_SLEIGH_SINGULAR_2;
+            return chaplygin_sleigh_refuse(fabs(k2), 0.0, CHAPLYGIN_SLEIGH_SINGULAR_2);
         }
         return chaplygin_sleigh_finish(1, lambda);
     }
@@ -414,11 +420,11 @@ int chaplygin_sleigh_jacobian(double t, const double *y, const double *p, double
     if (!(fabs(J[2] + J[19] + J[23] + J[24]) <= DBL_MAX && fabs(m) > 0.0)) {
         /* the mass matrix is singular */
         if (!(fabs(m) > 0.0)) {
-            return CHAPLYGIN_SLEIGH_SINGULAR_2;
+            return chaplygin_sleigh_refuse(fabs(m), 0.0, CHAPLYGIN_SLEIGH_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(k2) > 0.0)) {
-            return CHAPLYGIN_SLEIGH_SINGULAR_2;
+            return chaplygin_sleigh_refuse(fabs(k2), 0.0, CHAPLYGIN_SLEIGH_SINGULAR_2);
         }
         return chaplygin_sleigh_finish(25, J);
     }
@@ -511,7 +517,7 @@ int chaplygin_sleigh_rhs_batch(size_t count, const double *t, const double *y, c
     const double k3 = -k1 / k2;
     /* the mass matrix is singular */
     if (!(fabs(m) > 0.0)) {
-        return CHAPLYGIN_SLEIGH_SINGULAR_2;
+        return chaplygin_sleigh_refuse(fabs(m), 0.0, CHAPLYGIN_SLEIGH_SINGULAR_2);
     }
     const double fixed[] = {a, k3};
     double check[1 * CHAPLYGIN_SLEIGH_LANES];

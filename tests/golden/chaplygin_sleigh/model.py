@@ -1,4 +1,4 @@
-"""chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:26e290f3e07fa834).
+"""chaplygin_sleigh, emitted by nhc 0.1.0 (nhc:6b4d3872b85c5685).
 
 A rigid body on a knife edge; the centre of mass is a distance a ahead of the edge.
 Source: chaplygin_sleigh.yaml
@@ -83,6 +83,17 @@ def _single(function: str, value: float) -> float:
     return value
 
 
+def _refuse(
+    value: float,
+    bound: float,
+    status: int,
+    function: str,
+) -> SingularModelError:
+    """What to raise of a block that does not exceed its bound: it is singular, or no number."""
+    singular = value <= bound < math.inf
+    return SingularModelError(status if singular else NOT_FINITE, function)
+
+
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
     """right-hand side dy/dt = f(t, y; p) (I.2.15)
 
@@ -98,13 +109,13 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     try:
         # the mass matrix is singular
         if not abs(m) > 0.0:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(m), 0.0, 2, "rhs")
         # parameters only
         k1 = m * a
         k2 = J + a * k1
         # the mass matrix is singular
         if not abs(k2) > 0.0:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(k2), 0.0, 2, "rhs")
         k3 = -k1 / k2
         # state
         c_theta = math.cos(theta)
@@ -175,13 +186,13 @@ def accelerations(
     try:
         # the mass matrix is singular
         if not abs(m) > 0.0:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(m), 0.0, 2, "accelerations")
         # parameters only
         k1 = m * a
         k2 = J + a * k1
         # the mass matrix is singular
         if not abs(k2) > 0.0:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(k2), 0.0, 2, "accelerations")
         k3 = -k1 / k2
         # state
         c_theta = math.cos(theta)
@@ -274,13 +285,13 @@ def reactions(
     try:
         # the mass matrix is singular
         if not abs(m) > 0.0:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(m), 0.0, 2, "reactions")
         # parameters only
         k1 = a * (m * a)
         k2 = J + k1
         # the mass matrix is singular
         if not abs(k2) > 0.0:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(k2), 0.0, 2, "reactions")
         k3 = k1 / k2
         # state
         z1 = v * w
@@ -334,13 +345,13 @@ def jacobian(
     try:
         # the mass matrix is singular
         if not abs(m) > 0.0:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(m), 0.0, 2, "jacobian")
         # parameters only
         k1 = m * a
         k2 = J_2 + a * k1
         # the mass matrix is singular
         if not abs(k2) > 0.0:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(k2), 0.0, 2, "jacobian")
         k3 = -k1 / k2
         # state
         s_theta = math.sin(theta)

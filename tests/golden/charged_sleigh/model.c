@@ -1,5 +1,5 @@
 /*
- * charged_sleigh.c: charged_sleigh, emitted by nhc 0.1.0 (nhc:7f6f358e0669bf6e)
+ * charged_sleigh.c: charged_sleigh, emitted by nhc 0.1.0 (nhc:a744431aa671bbcf)
  * Chaplygin's sleigh with a charge at its centre of mass in a magnetic field; T depends on x and y.
  * Source: charged_sleigh.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -55,6 +55,12 @@ static int charged_sleigh_finish(int count, const double *values)
         }
     }
     return CHARGED_SLEIGH_OK;
+}
+
+/* the status of a block that does not exceed its bound: it is singular, or no number */
+static int charged_sleigh_refuse(double value, double bound, int singular)
+{
+    return value <= bound && bound <= DBL_MAX ? singular : CHARGED_SLEIGH_NOT_FINITE;
 }
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
@@ -208,11 +214,11 @@ int charged_sleigh_rhs(double t, const double *y, const double *p, double *dydt)
     if (!(fabs(dydt[0] + dydt[3] + dydt[4]) <= DBL_MAX)) {
         /* the mass matrix is singular */
         if (!(fabs(m) > 0.0)) {
-            return CHARGED_SLEIGH_SINGULAR_2;
+            return charged_sleigh_refuse(fabs(m), 0.0, CHARGED_SLEIGH_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(k1) > 0.0)) {
-            return CHARGED_SLEIGH_SINGULAR_2;
+            return charged_sleigh_refuse(fabs(k1), 0.0, CHARGED_SLEIGH_SINGULAR_2);
         }
         return charged_sleigh_finish(5, dydt);
     }
@@ -275,11 +281,11 @@ int charged_sleigh_accelerations(double t, const double *y, const double *p, dou
     if (!(fabs(qddot[0] + qddot[1] + qddot[2]) <= DBL_MAX)) {
         /* the mass matrix is singular */
         if (!(fabs(m) > 0.0)) {
-            return CHARGED_SLEIGH_SINGULAR_2;
+            return charged_sleigh_refuse(fabs(m), 0.0, CHARGED_SLEIGH_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(k1) > 0.0)) {
-            return CHARGED_SLEIGH_SINGULAR_2;
+            return charged_sleigh_refuse(fabs(k1), 0.0, CHARGED_SLEIGH_SINGULAR_2);
         }
         return charged_sleigh_finish(3, qddot);
     }
@@ -358,11 +364,11 @@ int charged_sleigh_reactions(double t, const double *y, const double *p, double 
     if (!(fabs(lambda[0]) <= DBL_MAX && fabs(m) > 0.0)) {
         /* the mass matrix is singular */
         if (!(fabs(m) > 0.0)) {
-            return CHARGED_SLEIGH_SINGULAR_2;
+            return charged_sleigh_refuse(fabs(m), 0.0, CHARGED_SLEIGH_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(k2) > 0.0)) {
-            return CHARGED_SLEIGH_SINGULAR_2;
+            return charged_sleigh_refuse(fabs(k2), 0.0, CHARGED_SLEIGH_SINGULAR_2);
         }
         return charged_sleigh_finish(1, lambda);
     }
@@ -433,11 +439,11 @@ int charged_sleigh_jacobian(double t, const double *y, const double *p, double *
     if (!(fabs(J[2] + J[19] + J[23] + J[24]) <= DBL_MAX)) {
         /* the mass matrix is singular */
         if (!(fabs(m) > 0.0)) {
-            return CHARGED_SLEIGH_SINGULAR_2;
+            return charged_sleigh_refuse(fabs(m), 0.0, CHARGED_SLEIGH_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(k2) > 0.0)) {
-            return CHARGED_SLEIGH_SINGULAR_2;
+            return charged_sleigh_refuse(fabs(k2), 0.0, CHARGED_SLEIGH_SINGULAR_2);
         }
         return charged_sleigh_finish(25, J);
     }

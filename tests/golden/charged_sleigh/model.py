@@ -1,4 +1,4 @@
-"""charged_sleigh, emitted by nhc 0.1.0 (nhc:b2ac2a21b3ed54d5).
+"""charged_sleigh, emitted by nhc 0.1.0 (nhc:b4024c40fdfc11bd).
 
 Chaplygin's sleigh with a charge at its centre of mass in a magnetic field; T
     depends on x and y.
@@ -83,6 +83,17 @@ def _single(function: str, value: float) -> float:
     return value
 
 
+def _refuse(
+    value: float,
+    bound: float,
+    status: int,
+    function: str,
+) -> SingularModelError:
+    """What to raise of a block that does not exceed its bound: it is singular, or no number."""
+    singular = value <= bound < math.inf
+    return SingularModelError(status if singular else NOT_FINITE, function)
+
+
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
     """right-hand side dy/dt = f(t, y; p) (I.2.15)
 
@@ -99,12 +110,12 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     try:
         # the mass matrix is singular
         if not abs(m) > 0.0:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(m), 0.0, 2, "rhs")
         # parameters only
         k1 = J + m * (a * a)
         # the mass matrix is singular
         if not abs(k1) > 0.0:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(k1), 0.0, 2, "rhs")
         k2 = 1.0 / m
         k3 = -1.0 / k1
         # state
@@ -178,12 +189,12 @@ def accelerations(
     try:
         # the mass matrix is singular
         if not abs(m) > 0.0:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(m), 0.0, 2, "accelerations")
         # parameters only
         k1 = J + m * (a * a)
         # the mass matrix is singular
         if not abs(k1) > 0.0:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(k1), 0.0, 2, "accelerations")
         k2 = 1.0 / m
         k3 = -1.0 / k1
         # state
@@ -279,13 +290,13 @@ def reactions(
     try:
         # the mass matrix is singular
         if not abs(m) > 0.0:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(m), 0.0, 2, "reactions")
         # parameters only
         k1 = a * a
         k2 = J + m * k1
         # the mass matrix is singular
         if not abs(k2) > 0.0:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(k2), 0.0, 2, "reactions")
         k3 = k1 / k2
         # state
         lambda_: list[float] = [
@@ -347,13 +358,13 @@ def jacobian(
     try:
         # the mass matrix is singular
         if not abs(m) > 0.0:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(m), 0.0, 2, "jacobian")
         # parameters only
         k1 = m * a
         k2 = J_2 + m * (a * a)
         # the mass matrix is singular
         if not abs(k2) > 0.0:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(k2), 0.0, 2, "jacobian")
         k3 = 1.0 / m
         k4 = 1.0 / k2
         k5 = -k1 * k4

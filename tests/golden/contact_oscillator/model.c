@@ -1,5 +1,5 @@
 /*
- * contact_oscillator.c: contact_oscillator, emitted by nhc 0.1.0 (nhc:885ca4baabbdc283)
+ * contact_oscillator.c: contact_oscillator, emitted by nhc 0.1.0 (nhc:87d460d9abde61a0)
  * Three equal oscillators with one contact constraint; reversible and integrable.
  * Source: contact_oscillator.yaml
  * Equations of motion: chaplygin (III.3)
@@ -53,6 +53,12 @@ static int contact_oscillator_finish(int count, const double *values)
         }
     }
     return CONTACT_OSCILLATOR_OK;
+}
+
+/* the status of a block that does not exceed its bound: it is singular, or no number */
+static int contact_oscillator_refuse(double value, double bound, int singular)
+{
+    return value <= bound && bound <= DBL_MAX ? singular : CONTACT_OSCILLATOR_NOT_FINITE;
 }
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
@@ -180,7 +186,7 @@ int contact_oscillator_rhs(double t, const double *y, const double *p, double *d
     if (!(fabs(dydt[0] + dydt[4]) <= DBL_MAX)) {
         /* the mass matrix is singular */
         if (!(fabs(z1) > 0.0)) {
-            return CONTACT_OSCILLATOR_SINGULAR_2;
+            return contact_oscillator_refuse(fabs(z1), 0.0, CONTACT_OSCILLATOR_SINGULAR_2);
         }
         return contact_oscillator_finish(5, dydt);
     }
@@ -229,7 +235,7 @@ int contact_oscillator_accelerations(double t, const double *y, const double *p,
     if (!(fabs(qddot[0] + qddot[2]) <= DBL_MAX)) {
         /* the mass matrix is singular */
         if (!(fabs(z1) > 0.0)) {
-            return CONTACT_OSCILLATOR_SINGULAR_2;
+            return contact_oscillator_refuse(fabs(z1), 0.0, CONTACT_OSCILLATOR_SINGULAR_2);
         }
         return contact_oscillator_finish(3, qddot);
     }
@@ -296,7 +302,7 @@ int contact_oscillator_reactions(double t, const double *y, const double *p, dou
     if (!(fabs(lambda[0]) <= DBL_MAX)) {
         /* the mass matrix is singular */
         if (!(fabs(z1) > 0.0)) {
-            return CONTACT_OSCILLATOR_SINGULAR_2;
+            return contact_oscillator_refuse(fabs(z1), 0.0, CONTACT_OSCILLATOR_SINGULAR_2);
         }
         return contact_oscillator_finish(1, lambda);
     }
@@ -350,7 +356,7 @@ int contact_oscillator_jacobian(double t, const double *y, const double *p, doub
     if (!(fabs(J[21] + J[23] + J[24]) <= DBL_MAX)) {
         /* the mass matrix is singular */
         if (!(fabs(z1) > 0.0)) {
-            return CONTACT_OSCILLATOR_SINGULAR_2;
+            return contact_oscillator_refuse(fabs(z1), 0.0, CONTACT_OSCILLATOR_SINGULAR_2);
         }
         return contact_oscillator_finish(25, J);
     }

@@ -1,4 +1,4 @@
-"""contact_oscillator, emitted by nhc 0.1.0 (nhc:3be4e062461bd148).
+"""contact_oscillator, emitted by nhc 0.1.0 (nhc:2620fe67922c0221).
 
 Three equal oscillators with one contact constraint; reversible and integrable.
 Source: contact_oscillator.yaml
@@ -81,6 +81,17 @@ def _single(function: str, value: float) -> float:
     return value
 
 
+def _refuse(
+    value: float,
+    bound: float,
+    status: int,
+    function: str,
+) -> SingularModelError:
+    """What to raise of a block that does not exceed its bound: it is singular, or no number."""
+    singular = value <= bound < math.inf
+    return SingularModelError(status if singular else NOT_FINITE, function)
+
+
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
     """right-hand side dy/dt = f(t, y; p) (III.3)
 
@@ -97,7 +108,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z1 = 1.0 + y_2 * y_2
         # the mass matrix is singular
         if not abs(z1) > 0.0:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(z1), 0.0, 2, "rhs")
         dydt: list[float] = [
             # x' (III.3)
             -y_2 * z_dot,
@@ -163,7 +174,7 @@ def accelerations(
         z1 = 1.0 + y_2 * y_2
         # the mass matrix is singular
         if not abs(z1) > 0.0:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(z1), 0.0, 2, "accelerations")
         z2 = y_dot * z_dot
         z3 = (z - y_2 * (x - z2)) / z1
         qddot: list[float] = [
@@ -249,7 +260,7 @@ def reactions(
         z1 = 1.0 + y_2 * y_2
         # the mass matrix is singular
         if not abs(z1) > 0.0:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(z1), 0.0, 2, "reactions")
         z2 = x - y_dot * z_dot
         lambda_: list[float] = [
             # reaction of contact: Q_i gains lambda_1 a_1i (I.4.1) 10:5
@@ -302,7 +313,7 @@ def jacobian(
         z1 = 1.0 + y_2 * y_2
         # the mass matrix is singular
         if not abs(z1) > 0.0:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(z1), 0.0, 2, "jacobian")
         z2 = 1.0 / z1
         z3 = y_2 * z2
         z4 = x - y_dot * z_dot

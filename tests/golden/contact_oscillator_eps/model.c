@@ -1,5 +1,5 @@
 /*
- * contact_oscillator_eps.c: contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:0bf6ec7772d8302c)
+ * contact_oscillator_eps.c: contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:a47468e7d0fa2b8a)
  * The contact oscillator with a quartic coupling; still reversible and still with a second integral.
  * Source: contact_oscillator_eps.yaml
  * Equations of motion: chaplygin (III.3)
@@ -53,6 +53,12 @@ static int contact_oscillator_eps_finish(int count, const double *values)
         }
     }
     return CONTACT_OSCILLATOR_EPS_OK;
+}
+
+/* the status of a block that does not exceed its bound: it is singular, or no number */
+static int contact_oscillator_eps_refuse(double value, double bound, int singular)
+{
+    return value <= bound && bound <= DBL_MAX ? singular : CONTACT_OSCILLATOR_EPS_NOT_FINITE;
 }
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
@@ -182,7 +188,7 @@ int contact_oscillator_eps_rhs(double t, const double *y, const double *p, doubl
     if (!(fabs(dydt[0] + dydt[1] + dydt[3] + dydt[4]) <= DBL_MAX)) {
         /* the mass matrix is singular */
         if (!(fabs(z1) > 0.0)) {
-            return CONTACT_OSCILLATOR_EPS_SINGULAR_2;
+            return contact_oscillator_eps_refuse(fabs(z1), 0.0, CONTACT_OSCILLATOR_EPS_SINGULAR_2);
         }
         return contact_oscillator_eps_finish(5, dydt);
     }
@@ -232,7 +238,7 @@ int contact_oscillator_eps_accelerations(double t, const double *y, const double
     if (!(fabs(qddot[0] + qddot[1]) <= DBL_MAX)) {
         /* the mass matrix is singular */
         if (!(fabs(z1) > 0.0)) {
-            return CONTACT_OSCILLATOR_EPS_SINGULAR_2;
+            return contact_oscillator_eps_refuse(fabs(z1), 0.0, CONTACT_OSCILLATOR_EPS_SINGULAR_2);
         }
         return contact_oscillator_eps_finish(3, qddot);
     }
@@ -303,7 +309,7 @@ int contact_oscillator_eps_reactions(double t, const double *y, const double *p,
     if (!(fabs(lambda[0]) <= DBL_MAX)) {
         /* the mass matrix is singular */
         if (!(fabs(z1) > 0.0)) {
-            return CONTACT_OSCILLATOR_EPS_SINGULAR_2;
+            return contact_oscillator_eps_refuse(fabs(z1), 0.0, CONTACT_OSCILLATOR_EPS_SINGULAR_2);
         }
         return contact_oscillator_eps_finish(1, lambda);
     }
@@ -362,7 +368,7 @@ int contact_oscillator_eps_jacobian(double t, const double *y, const double *p, 
     if (!(fabs(J[20] + J[21] + J[22] + J[23] + J[24]) <= DBL_MAX)) {
         /* the mass matrix is singular */
         if (!(fabs(z1) > 0.0)) {
-            return CONTACT_OSCILLATOR_EPS_SINGULAR_2;
+            return contact_oscillator_eps_refuse(fabs(z1), 0.0, CONTACT_OSCILLATOR_EPS_SINGULAR_2);
         }
         return contact_oscillator_eps_finish(25, J);
     }

@@ -1,4 +1,4 @@
-"""contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:3906905026c00544).
+"""contact_oscillator_eps, emitted by nhc 0.1.0 (nhc:b0071d58e5b74266).
 
 The contact oscillator with a quartic coupling; still reversible and still with a
     second integral.
@@ -85,6 +85,17 @@ def _single(function: str, value: float) -> float:
     return value
 
 
+def _refuse(
+    value: float,
+    bound: float,
+    status: int,
+    function: str,
+) -> SingularModelError:
+    """What to raise of a block that does not exceed its bound: it is singular, or no number."""
+    singular = value <= bound < math.inf
+    return SingularModelError(status if singular else NOT_FINITE, function)
+
+
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
     """right-hand side dy/dt = f(t, y; p) (III.3)
 
@@ -102,7 +113,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z1 = 1.0 + y_2 * y_2
         # the mass matrix is singular
         if not abs(z1) > 0.0:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(z1), 0.0, 2, "rhs")
         z2 = y_2 * z_dot
         s1 = x * (y_2 * (1.0 + eps * (z * z)) - eps * (x * z))
         z3 = s1 - (z + y_dot * z2)
@@ -172,7 +183,7 @@ def accelerations(
         z1 = 1.0 + y_2 * y_2
         # the mass matrix is singular
         if not abs(z1) > 0.0:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(z1), 0.0, 2, "accelerations")
         z2 = y_dot * z_dot
         s1 = x * (y_2 * (1.0 + eps * (z * z)) - eps * (x * z))
         z3 = s1 - (z + y_2 * z2)
@@ -261,7 +272,7 @@ def reactions(
         z1 = 1.0 + y_2 * y_2
         # the mass matrix is singular
         if not abs(z1) > 0.0:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(z1), 0.0, 2, "reactions")
         z2 = 1.0 + eps * (z * z)
         z3 = y_2 / z1
         z4 = y_dot * z_dot
@@ -321,7 +332,7 @@ def jacobian(
         z1 = 1.0 + y_2 * y_2
         # the mass matrix is singular
         if not abs(z1) > 0.0:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(z1), 0.0, 2, "jacobian")
         z2 = 1.0 / z1
         z3 = x * eps
         z4 = z * z3

@@ -1,5 +1,5 @@
 /*
- * cvt.c: cvt, emitted by nhc 0.1.0 (nhc:499fb0d1f666f2c0)
+ * cvt.c: cvt, emitted by nhc 0.1.0 (nhc:743324a99d779702)
  * A continuously variable transmission; a plane oscillator whose free direction is set by a symmetric driver.
  * Source: cvt.yaml
  * Equations of motion: chaplygin (III.3)
@@ -53,6 +53,12 @@ static int cvt_finish(int count, const double *values)
         }
     }
     return CVT_OK;
+}
+
+/* the status of a block that does not exceed its bound: it is singular, or no number */
+static int cvt_refuse(double value, double bound, int singular)
+{
+    return value <= bound && bound <= DBL_MAX ? singular : CVT_NOT_FINITE;
 }
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
@@ -200,7 +206,7 @@ int cvt_rhs(double t, const double *y, const double *p, double *dydt)
     if (!(fabs(dydt[3]) <= DBL_MAX)) {
         /* the mass matrix is singular */
         if (!(fabs(z1) > 0.0)) {
-            return CVT_SINGULAR_2;
+            return cvt_refuse(fabs(z1), 0.0, CVT_SINGULAR_2);
         }
         return cvt_finish(5, dydt);
     }
@@ -254,7 +260,7 @@ int cvt_accelerations(double t, const double *y, const double *p, double *qddot)
     if (!(fabs(qddot[1]) <= DBL_MAX)) {
         /* the mass matrix is singular */
         if (!(fabs(z1) > 0.0)) {
-            return CVT_SINGULAR_2;
+            return cvt_refuse(fabs(z1), 0.0, CVT_SINGULAR_2);
         }
         return cvt_finish(3, qddot);
     }
@@ -326,7 +332,7 @@ int cvt_reactions(double t, const double *y, const double *p, double *lambda)
     if (!(fabs(lambda[0]) <= DBL_MAX)) {
         /* the mass matrix is singular */
         if (!(fabs(z1) > 0.0)) {
-            return CVT_SINGULAR_2;
+            return cvt_refuse(fabs(z1), 0.0, CVT_SINGULAR_2);
         }
         return cvt_finish(1, lambda);
     }
@@ -391,7 +397,7 @@ int cvt_jacobian(double t, const double *y, const double *p, double *J)
     if (!(fabs(J[17] + J[18] + J[19]) <= DBL_MAX)) {
         /* the mass matrix is singular */
         if (!(fabs(z2) > 0.0)) {
-            return CVT_SINGULAR_2;
+            return cvt_refuse(fabs(z2), 0.0, CVT_SINGULAR_2);
         }
         return cvt_finish(25, J);
     }

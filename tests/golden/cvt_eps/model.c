@@ -1,5 +1,5 @@
 /*
- * cvt_eps.c: cvt_eps, emitted by nhc 0.1.0 (nhc:ba61f367ea766b53)
+ * cvt_eps.c: cvt_eps, emitted by nhc 0.1.0 (nhc:b197380298187707)
  * The transmission with a driver that breaks the symmetry; most integrators for nonholonomic systems drift on
  *     it.
  * Source: cvt_eps.yaml
@@ -52,6 +52,12 @@ static int cvt_eps_finish(int count, const double *values)
         }
     }
     return CVT_EPS_OK;
+}
+
+/* the status of a block that does not exceed its bound: it is singular, or no number */
+static int cvt_eps_refuse(double value, double bound, int singular)
+{
+    return value <= bound && bound <= DBL_MAX ? singular : CVT_EPS_NOT_FINITE;
 }
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
@@ -200,7 +206,7 @@ int cvt_eps_rhs(double t, const double *y, const double *p, double *dydt)
     if (!(fabs(dydt[3] + dydt[4]) <= DBL_MAX)) {
         /* the mass matrix is singular */
         if (!(fabs(z2) > 0.0)) {
-            return CVT_EPS_SINGULAR_2;
+            return cvt_eps_refuse(fabs(z2), 0.0, CVT_EPS_SINGULAR_2);
         }
         return cvt_eps_finish(5, dydt);
     }
@@ -255,7 +261,7 @@ int cvt_eps_accelerations(double t, const double *y, const double *p, double *qd
     if (!(fabs(qddot[1] + qddot[2]) <= DBL_MAX)) {
         /* the mass matrix is singular */
         if (!(fabs(z2) > 0.0)) {
-            return CVT_EPS_SINGULAR_2;
+            return cvt_eps_refuse(fabs(z2), 0.0, CVT_EPS_SINGULAR_2);
         }
         return cvt_eps_finish(3, qddot);
     }
@@ -327,7 +333,7 @@ int cvt_eps_reactions(double t, const double *y, const double *p, double *lambda
     if (!(fabs(lambda[0]) <= DBL_MAX)) {
         /* the mass matrix is singular */
         if (!(fabs(z1) > 0.0)) {
-            return CVT_EPS_SINGULAR_2;
+            return cvt_eps_refuse(fabs(z1), 0.0, CVT_EPS_SINGULAR_2);
         }
         return cvt_eps_finish(1, lambda);
     }
@@ -392,7 +398,7 @@ int cvt_eps_jacobian(double t, const double *y, const double *p, double *J)
     if (!(fabs(J[17] + J[18] + J[19] + J[22]) <= DBL_MAX)) {
         /* the mass matrix is singular */
         if (!(fabs(z2) > 0.0)) {
-            return CVT_EPS_SINGULAR_2;
+            return cvt_eps_refuse(fabs(z2), 0.0, CVT_EPS_SINGULAR_2);
         }
         return cvt_eps_finish(25, J);
     }

@@ -1,4 +1,4 @@
-"""cvt_eps, emitted by nhc 0.1.0 (nhc:1ef352c152451996).
+"""cvt_eps, emitted by nhc 0.1.0 (nhc:d9342708bd7a82b6).
 
 The transmission with a driver that breaks the symmetry; most integrators for
     nonholonomic systems drift on it.
@@ -83,6 +83,17 @@ def _single(function: str, value: float) -> float:
     return value
 
 
+def _refuse(
+    value: float,
+    bound: float,
+    status: int,
+    function: str,
+) -> SingularModelError:
+    """What to raise of a block that does not exceed its bound: it is singular, or no number."""
+    singular = value <= bound < math.inf
+    return SingularModelError(status if singular else NOT_FINITE, function)
+
+
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
     """right-hand side dy/dt = f(t, y; p) (III.3)
 
@@ -102,7 +113,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z2 = 1.0 + z1
         # the mass matrix is singular
         if not abs(z2) > 0.0:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(z2), 0.0, 2, "rhs")
         c_xi = math.cos(xi)
         dydt: list[float] = [
             # x' (III.3)
@@ -173,7 +184,7 @@ def accelerations(
         z2 = 1.0 + z1
         # the mass matrix is singular
         if not abs(z2) > 0.0:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(z2), 0.0, 2, "accelerations")
         c_xi = math.cos(xi)
         z3 = c_xi * (x_dot * xi_dot)
         z4 = (x - s_xi * (y_2 - z3)) / z2
@@ -262,7 +273,7 @@ def reactions(
         z1 = 1.0 + s_xi * s_xi
         # the mass matrix is singular
         if not abs(z1) > 0.0:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(z1), 0.0, 2, "reactions")
         c_xi = math.cos(xi)
         z2 = y_2 - c_xi * (x_dot * xi_dot)
         lambda_: list[float] = [
@@ -321,7 +332,7 @@ def jacobian(
         z2 = 1.0 + z1
         # the mass matrix is singular
         if not abs(z2) > 0.0:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(z2), 0.0, 2, "jacobian")
         c_xi = math.cos(xi)
         z3 = 1.0 / z2
         z4 = s_xi * z3

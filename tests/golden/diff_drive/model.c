@@ -1,5 +1,5 @@
 /*
- * diff_drive.c: diff_drive, emitted by nhc 0.1.0 (nhc:dbeb27667b874610)
+ * diff_drive.c: diff_drive, emitted by nhc 0.1.0 (nhc:50c7be72c059b2f9)
  * A cart with two driven wheels and a caster; three velocity constraints, one of which is holonomic in
  *     disguise.
  * Source: diff_drive.yaml
@@ -68,6 +68,12 @@ static int diff_drive_finish(int count, const double *values)
         }
     }
     return DIFF_DRIVE_OK;
+}
+
+/* the status of a block that does not exceed its bound: it is singular, or no number */
+static int diff_drive_refuse(double value, double bound, int singular)
+{
+    return value <= bound && bound <= DBL_MAX ? singular : DIFF_DRIVE_NOT_FINITE;
 }
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
@@ -233,15 +239,15 @@ int diff_drive_rhs(double t, const double *y, const double *p, double *dydt)
     if (!(fabs(dydt[0] + dydt[3] + dydt[4] + dydt[5] + dydt[6]) <= DBL_MAX)) {
         /* the coframe is singular */
         if (!(fabs(r) > 0.0)) {
-            return DIFF_DRIVE_SINGULAR_1;
+            return diff_drive_refuse(fabs(r), 0.0, DIFF_DRIVE_SINGULAR_1);
         }
         /* the mass matrix is singular */
         if (!(fabs(k3) > 0.0)) {
-            return DIFF_DRIVE_SINGULAR_2;
+            return diff_drive_refuse(fabs(k3), 0.0, DIFF_DRIVE_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(k6) > 0.0)) {
-            return DIFF_DRIVE_SINGULAR_2;
+            return diff_drive_refuse(fabs(k6), 0.0, DIFF_DRIVE_SINGULAR_2);
         }
         return diff_drive_finish(7, dydt);
     }
@@ -276,7 +282,7 @@ int diff_drive_velocities(double t, const double *y, const double *p, double *qd
     if (!(fabs(qdot[0] + qdot[3] + qdot[4]) <= DBL_MAX)) {
         /* the coframe is singular */
         if (!(fabs(r) > 0.0)) {
-            return DIFF_DRIVE_SINGULAR_1;
+            return diff_drive_refuse(fabs(r), 0.0, DIFF_DRIVE_SINGULAR_1);
         }
         return diff_drive_finish(5, qdot);
     }
@@ -328,15 +334,15 @@ int diff_drive_accelerations(double t, const double *y, const double *p, double 
     if (!(fabs(qddot[0] + qddot[1] + qddot[3] + qddot[4]) <= DBL_MAX)) {
         /* the coframe is singular */
         if (!(fabs(r) > 0.0)) {
-            return DIFF_DRIVE_SINGULAR_1;
+            return diff_drive_refuse(fabs(r), 0.0, DIFF_DRIVE_SINGULAR_1);
         }
         /* the mass matrix is singular */
         if (!(fabs(k3) > 0.0)) {
-            return DIFF_DRIVE_SINGULAR_2;
+            return diff_drive_refuse(fabs(k3), 0.0, DIFF_DRIVE_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(k6) > 0.0)) {
-            return DIFF_DRIVE_SINGULAR_2;
+            return diff_drive_refuse(fabs(k6), 0.0, DIFF_DRIVE_SINGULAR_2);
         }
         return diff_drive_finish(5, qddot);
     }
@@ -447,15 +453,15 @@ int diff_drive_reactions(double t, const double *y, const double *p, double *lam
     if (!(fabs(lambda[0] + lambda[1] + lambda[2]) <= DBL_MAX)) {
         /* the coframe is singular */
         if (!(fabs(r) > 0.0)) {
-            return DIFF_DRIVE_SINGULAR_1;
+            return diff_drive_refuse(fabs(r), 0.0, DIFF_DRIVE_SINGULAR_1);
         }
         /* the mass matrix is singular */
         if (!(fabs(k3) > 0.0)) {
-            return DIFF_DRIVE_SINGULAR_2;
+            return diff_drive_refuse(fabs(k3), 0.0, DIFF_DRIVE_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(k6) > 0.0)) {
-            return DIFF_DRIVE_SINGULAR_2;
+            return diff_drive_refuse(fabs(k6), 0.0, DIFF_DRIVE_SINGULAR_2);
         }
         return diff_drive_finish(3, lambda);
     }
@@ -530,15 +536,15 @@ int diff_drive_jacobian(double t, const double *y, const double *p, double *J)
     if (!(fabs(J[2] + J[34] + J[41] + J[47] + J[48]) <= DBL_MAX)) {
         /* the coframe is singular */
         if (!(fabs(r) > 0.0)) {
-            return DIFF_DRIVE_SINGULAR_1;
+            return diff_drive_refuse(fabs(r), 0.0, DIFF_DRIVE_SINGULAR_1);
         }
         /* the mass matrix is singular */
         if (!(fabs(k3) > 0.0)) {
-            return DIFF_DRIVE_SINGULAR_2;
+            return diff_drive_refuse(fabs(k3), 0.0, DIFF_DRIVE_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(k5) > 0.0)) {
-            return DIFF_DRIVE_SINGULAR_2;
+            return diff_drive_refuse(fabs(k5), 0.0, DIFF_DRIVE_SINGULAR_2);
         }
         return diff_drive_finish(49, J);
     }
@@ -554,7 +560,7 @@ int diff_drive_outputs(double t, const double *y, const double *p, double *out)
     /* state */
     /* the coframe is singular */
     if (!(fabs(r) > 0.0)) {
-        return DIFF_DRIVE_SINGULAR_1;
+        return diff_drive_refuse(fabs(r), 0.0, DIFF_DRIVE_SINGULAR_1);
     }
     (void)out;
     return DIFF_DRIVE_OK;

@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""diff_drive, emitted by nhc 0.1.0 (nhc:5de5a5e8724c2510).
+"""diff_drive, emitted by nhc 0.1.0 (nhc:fde540c5fb7c6cc3).
 
 A cart with two driven wheels and a caster; three velocity constraints, one of which
     is holonomic in disguise.
@@ -89,6 +89,17 @@ def _single(function: str, value: float) -> float:
     return value
 
 
+def _refuse(
+    value: float,
+    bound: float,
+    status: int,
+    function: str,
+) -> SingularModelError:
+    """What to raise of a block that does not exceed its bound: it is singular, or no number."""
+    singular = value <= bound < math.inf
+    return SingularModelError(status if singular else NOT_FINITE, function)
+
+
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
     """right-hand side dy/dt = f(t, y; p) (I.2.15)
 
@@ -110,20 +121,20 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     try:
         # the coframe is singular
         if not abs(r) > 0.0:
-            raise SingularModelError(1, "rhs")
+            raise _refuse(abs(r), 0.0, 1, "rhs")
         # parameters only
         k1 = 1.0 / r
         k2 = b * k1
         k3 = m + 2.0 * (k1 * (J_w * k1))
         # the mass matrix is singular
         if not abs(k3) > 0.0:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(k3), 0.0, 2, "rhs")
         k4 = m * d
         k5 = k1 * (tau_R + tau_L)
         k6 = d * k4 + (I + 2.0 * (k2 * (J_w * k2)))
         # the mass matrix is singular
         if not abs(k6) > 0.0:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(k6), 0.0, 2, "rhs")
         k7 = k2 * (tau_R - tau_L)
         k8 = 1.0 / k3
         k9 = -1.0 / k6
@@ -170,7 +181,7 @@ def velocities(
     try:
         # the coframe is singular
         if not abs(r) > 0.0:
-            raise SingularModelError(1, "velocities")
+            raise _refuse(abs(r), 0.0, 1, "velocities")
         # parameters only
         k1 = 1.0 / r
         # state
@@ -219,20 +230,20 @@ def accelerations(
     try:
         # the coframe is singular
         if not abs(r) > 0.0:
-            raise SingularModelError(1, "accelerations")
+            raise _refuse(abs(r), 0.0, 1, "accelerations")
         # parameters only
         k1 = 1.0 / r
         k2 = b * k1
         k3 = m + 2.0 * (k1 * (J_w * k1))
         # the mass matrix is singular
         if not abs(k3) > 0.0:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(k3), 0.0, 2, "accelerations")
         k4 = m * d
         k5 = k1 * (tau_R + tau_L)
         k6 = d * k4 + (I + 2.0 * (k2 * (J_w * k2)))
         # the mass matrix is singular
         if not abs(k6) > 0.0:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(k6), 0.0, 2, "accelerations")
         k7 = k2 * (tau_R - tau_L)
         k8 = 1.0 / k3
         k9 = 1.0 / k6
@@ -360,20 +371,20 @@ def reactions(
     try:
         # the coframe is singular
         if not abs(r) > 0.0:
-            raise SingularModelError(1, "reactions")
+            raise _refuse(abs(r), 0.0, 1, "reactions")
         # parameters only
         k1 = 1.0 / r
         k2 = b * k1
         k3 = m + 2.0 * (k1 * (J_w * k1))
         # the mass matrix is singular
         if not abs(k3) > 0.0:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(k3), 0.0, 2, "reactions")
         k4 = m * d
         k5 = k1 * (tau_R + tau_L)
         k6 = d * k4 + (I + 2.0 * (k2 * (J_w * k2)))
         # the mass matrix is singular
         if not abs(k6) > 0.0:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(k6), 0.0, 2, "reactions")
         k7 = k2 * (tau_R - tau_L)
         k8 = 1.0 / k6
         k9 = k1 / k3
@@ -445,19 +456,19 @@ def jacobian(
     try:
         # the coframe is singular
         if not abs(r) > 0.0:
-            raise SingularModelError(1, "jacobian")
+            raise _refuse(abs(r), 0.0, 1, "jacobian")
         # parameters only
         k1 = 1.0 / r
         k2 = b * k1
         k3 = m + 2.0 * (k1 * (J_w * k1))
         # the mass matrix is singular
         if not abs(k3) > 0.0:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(k3), 0.0, 2, "jacobian")
         k4 = m * d
         k5 = d * k4 + (I + 2.0 * (k2 * (J_w * k2)))
         # the mass matrix is singular
         if not abs(k5) > 0.0:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(k5), 0.0, 2, "jacobian")
         k6 = 1.0 / k3
         k7 = 1.0 / k5
         k8 = -k4 * k7
@@ -544,7 +555,7 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
     try:
         # the coframe is singular
         if not abs(r) > 0.0:
-            raise SingularModelError(1, "outputs")
+            raise _refuse(abs(r), 0.0, 1, "outputs")
         # state
         out: list[float] = []
         return _finish("outputs", out)

@@ -1,5 +1,5 @@
 /*
- * disk_chain2.c: disk_chain2, emitted by nhc 0.1.0 (nhc:1ca00b2c890d0842)
+ * disk_chain2.c: disk_chain2, emitted by nhc 0.1.0 (nhc:58d460dc9a558c28)
  * Two upright rolling disks joined by a spring; the first link of a chain that may be made as long as one
  *     likes.
  * Source: disk_chain2.yaml
@@ -93,6 +93,12 @@ static int disk_chain2_finish(int count, const double *values)
         }
     }
     return DISK_CHAIN2_OK;
+}
+
+/* the status of a block that does not exceed its bound: it is singular, or no number */
+static int disk_chain2_refuse(double value, double bound, int singular)
+{
+    return value <= bound && bound <= DBL_MAX ? singular : DISK_CHAIN2_NOT_FINITE;
 }
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
@@ -265,11 +271,11 @@ int disk_chain2_rhs(double t, const double *y, const double *p, double *dydt)
     if (!(fabs(dydt[0] + dydt[2] + dydt[4] + dydt[6] + dydt[9] + dydt[11]) <= DBL_MAX && fabs(J) > 0.0)) {
         /* the mass matrix is singular */
         if (!(fabs(J) > 0.0)) {
-            return DISK_CHAIN2_SINGULAR_2;
+            return disk_chain2_refuse(fabs(J), 0.0, DISK_CHAIN2_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(k1) > 0.0)) {
-            return DISK_CHAIN2_SINGULAR_2;
+            return disk_chain2_refuse(fabs(k1), 0.0, DISK_CHAIN2_SINGULAR_2);
         }
         return disk_chain2_finish(12, dydt);
     }
@@ -363,11 +369,11 @@ int disk_chain2_accelerations(double t, const double *y, const double *p, double
     if (!(fabs(qddot[0] + qddot[1] + qddot[3] + qddot[4] + qddot[5]) <= DBL_MAX && fabs(J) > 0.0)) {
         /* the mass matrix is singular */
         if (!(fabs(J) > 0.0)) {
-            return DISK_CHAIN2_SINGULAR_2;
+            return disk_chain2_refuse(fabs(J), 0.0, DISK_CHAIN2_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(k1) > 0.0)) {
-            return DISK_CHAIN2_SINGULAR_2;
+            return disk_chain2_refuse(fabs(k1), 0.0, DISK_CHAIN2_SINGULAR_2);
         }
         return disk_chain2_finish(8, qddot);
     }
@@ -499,11 +505,11 @@ int disk_chain2_reactions(double t, const double *y, const double *p, double *la
     if (!(fabs(lambda[0] + lambda[1] + lambda[2] + lambda[3]) <= DBL_MAX && fabs(J) > 0.0)) {
         /* the mass matrix is singular */
         if (!(fabs(J) > 0.0)) {
-            return DISK_CHAIN2_SINGULAR_2;
+            return disk_chain2_refuse(fabs(J), 0.0, DISK_CHAIN2_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(k2) > 0.0)) {
-            return DISK_CHAIN2_SINGULAR_2;
+            return disk_chain2_refuse(fabs(k2), 0.0, DISK_CHAIN2_SINGULAR_2);
         }
         return disk_chain2_finish(4, lambda);
     }
@@ -604,11 +610,11 @@ int disk_chain2_jacobian(double t, const double *y, const double *p, double *J)
     if (!(fabs(J[2] + J[14] + J[54] + J[66] + J[110] + J[138]) <= DBL_MAX && fabs(J_2) > 0.0)) {
         /* the mass matrix is singular */
         if (!(fabs(J_2) > 0.0)) {
-            return DISK_CHAIN2_SINGULAR_2;
+            return disk_chain2_refuse(fabs(J_2), 0.0, DISK_CHAIN2_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(k1) > 0.0)) {
-            return DISK_CHAIN2_SINGULAR_2;
+            return disk_chain2_refuse(fabs(k1), 0.0, DISK_CHAIN2_SINGULAR_2);
         }
         return disk_chain2_finish(144, J);
     }
@@ -716,7 +722,7 @@ int disk_chain2_rhs_batch(size_t count, const double *t, const double *y, const 
     const double k2 = R * k / k1;
     /* the mass matrix is singular */
     if (!(fabs(J) > 0.0)) {
-        return DISK_CHAIN2_SINGULAR_2;
+        return disk_chain2_refuse(fabs(J), 0.0, DISK_CHAIN2_SINGULAR_2);
     }
     const double fixed[] = {R, k2};
     double check[1 * DISK_CHAIN2_LANES];

@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""disk_chain2, emitted by nhc 0.1.0 (nhc:42a4063049c50baf).
+"""disk_chain2, emitted by nhc 0.1.0 (nhc:cad8064e9dd22ee7).
 
 Two upright rolling disks joined by a spring; the first link of a chain that may be
     made as long as one likes.
@@ -130,6 +130,17 @@ def _single(function: str, value: float) -> float:
     return value
 
 
+def _refuse(
+    value: float,
+    bound: float,
+    status: int,
+    function: str,
+) -> SingularModelError:
+    """What to raise of a block that does not exceed its bound: it is singular, or no number."""
+    singular = value <= bound < math.inf
+    return SingularModelError(status if singular else NOT_FINITE, function)
+
+
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
     """right-hand side dy/dt = f(t, y; p) (III.3)
 
@@ -154,12 +165,12 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     try:
         # the mass matrix is singular
         if not abs(J) > 0.0:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(J), 0.0, 2, "rhs")
         # parameters only
         k1 = I + m * (R * R)
         # the mass matrix is singular
         if not abs(k1) > 0.0:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(k1), 0.0, 2, "rhs")
         k2 = R * k / k1
         # state
         c_phi1 = math.cos(phi1)
@@ -277,12 +288,12 @@ def accelerations(
     try:
         # the mass matrix is singular
         if not abs(J) > 0.0:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(J), 0.0, 2, "accelerations")
         # parameters only
         k1 = I + m * (R * R)
         # the mass matrix is singular
         if not abs(k1) > 0.0:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(k1), 0.0, 2, "accelerations")
         k2 = R * k / k1
         # state
         s_phi1 = math.sin(phi1)
@@ -436,13 +447,13 @@ def reactions(
     try:
         # the mass matrix is singular
         if not abs(J) > 0.0:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(J), 0.0, 2, "reactions")
         # parameters only
         k1 = m * R
         k2 = I + m * (R * R)
         # the mass matrix is singular
         if not abs(k2) > 0.0:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(k2), 0.0, 2, "reactions")
         k3 = R * k / k2
         # state
         z1 = x1 - x2
@@ -532,12 +543,12 @@ def jacobian(
     try:
         # the mass matrix is singular
         if not abs(J_2) > 0.0:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(J_2), 0.0, 2, "jacobian")
         # parameters only
         k1 = I + m * (R * R)
         # the mass matrix is singular
         if not abs(k1) > 0.0:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(k1), 0.0, 2, "jacobian")
         k2 = R * k / k1
         # state
         s_phi1 = math.sin(phi1)

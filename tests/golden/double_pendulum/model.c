@@ -1,5 +1,5 @@
 /*
- * double_pendulum.c: double_pendulum, emitted by nhc 0.1.0 (nhc:e83ea3287615fc0e)
+ * double_pendulum.c: double_pendulum, emitted by nhc 0.1.0 (nhc:1c15c6e8e6670093)
  * Two pendulums in a row, absolute angles; the model gives positions and nhc differentiates them.
  * Source: double_pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -62,6 +62,12 @@ static int double_pendulum_finish(int count, const double *values)
         }
     }
     return DOUBLE_PENDULUM_OK;
+}
+
+/* the status of a block that does not exceed its bound: it is singular, or no number */
+static int double_pendulum_refuse(double value, double bound, int singular)
+{
+    return value <= bound && bound <= DBL_MAX ? singular : DOUBLE_PENDULUM_NOT_FINITE;
 }
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
@@ -229,14 +235,14 @@ int double_pendulum_rhs(double t, const double *y, const double *p, double *dydt
     dydt[2] = k1 * (g * s_theta1 + z5); /* theta1'' */
     dydt[3] = k2 * (s1 * z4 + c1 * z5); /* theta2'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(dydt[2] + dydt[3]) <= DBL_MAX && fabs(z3) > 1e-14 * m1 && fabs(m2) > 0.0)) {
-        /* the mass matrix is singular */
-        if (!(fabs(z3) > 1e-14 * m1)) {
-            return DOUBLE_PENDULUM_SINGULAR_2;
-        }
+    if (!(fabs(dydt[2] + dydt[3]) <= DBL_MAX && fabs(m2) > 0.0 && fabs(z3) > 1e-14 * m1)) {
         /* the mass matrix is singular */
         if (!(fabs(m2) > 0.0)) {
-            return DOUBLE_PENDULUM_SINGULAR_2;
+            return double_pendulum_refuse(fabs(m2), 0.0, DOUBLE_PENDULUM_SINGULAR_2);
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z3) > 1e-14 * m1)) {
+            return double_pendulum_refuse(fabs(z3), 1e-14 * m1, DOUBLE_PENDULUM_SINGULAR_2);
         }
         return double_pendulum_finish(4, dydt);
     }
@@ -294,14 +300,14 @@ int double_pendulum_accelerations(double t, const double *y, const double *p, do
     qddot[0] = k1 * (g * s_theta1 + z5); /* theta1'' */
     qddot[1] = k2 * (s1 * z4 + c1 * z5); /* theta2'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(qddot[0] + qddot[1]) <= DBL_MAX && fabs(z3) > 1e-14 * m1 && fabs(m2) > 0.0)) {
-        /* the mass matrix is singular */
-        if (!(fabs(z3) > 1e-14 * m1)) {
-            return DOUBLE_PENDULUM_SINGULAR_2;
-        }
+    if (!(fabs(qddot[0] + qddot[1]) <= DBL_MAX && fabs(m2) > 0.0 && fabs(z3) > 1e-14 * m1)) {
         /* the mass matrix is singular */
         if (!(fabs(m2) > 0.0)) {
-            return DOUBLE_PENDULUM_SINGULAR_2;
+            return double_pendulum_refuse(fabs(m2), 0.0, DOUBLE_PENDULUM_SINGULAR_2);
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z3) > 1e-14 * m1)) {
+            return double_pendulum_refuse(fabs(z3), 1e-14 * m1, DOUBLE_PENDULUM_SINGULAR_2);
         }
         return double_pendulum_finish(2, qddot);
     }
@@ -350,12 +356,12 @@ int double_pendulum_reactions(double t, const double *y, const double *p, double
     /* state */
     const double s1 = sin(theta1 - theta2);
     /* the mass matrix is singular */
-    if (!(fabs(m1 + s1 * (m2 * s1)) > 1e-14 * m1)) {
-        return DOUBLE_PENDULUM_SINGULAR_2;
+    if (!(fabs(m2) > 0.0)) {
+        return double_pendulum_refuse(fabs(m2), 0.0, DOUBLE_PENDULUM_SINGULAR_2);
     }
     /* the mass matrix is singular */
-    if (!(fabs(m2) > 0.0)) {
-        return DOUBLE_PENDULUM_SINGULAR_2;
+    if (!(fabs(m1 + s1 * (m2 * s1)) > 1e-14 * m1)) {
+        return double_pendulum_refuse(fabs(m1 + s1 * (m2 * s1)), 1e-14 * m1, DOUBLE_PENDULUM_SINGULAR_2);
     }
     (void)lambda;
     return DOUBLE_PENDULUM_OK;
@@ -456,15 +462,15 @@ int double_pendulum_jacobian(double t, const double *y, const double *p, double 
     J[15] = 2.0 * (k2 * (c1 * z19));
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(J[8] + J[9] + J[10] + J[11] + J[12] + J[13] + J[14] + J[15]) <= DBL_MAX
-        && fabs(z3) > 1e-14 * m1
-        && fabs(m2) > 0.0)) {
-        /* the mass matrix is singular */
-        if (!(fabs(z3) > 1e-14 * m1)) {
-            return DOUBLE_PENDULUM_SINGULAR_2;
-        }
+        && fabs(m2) > 0.0
+        && fabs(z3) > 1e-14 * m1)) {
         /* the mass matrix is singular */
         if (!(fabs(m2) > 0.0)) {
-            return DOUBLE_PENDULUM_SINGULAR_2;
+            return double_pendulum_refuse(fabs(m2), 0.0, DOUBLE_PENDULUM_SINGULAR_2);
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(z3) > 1e-14 * m1)) {
+            return double_pendulum_refuse(fabs(z3), 1e-14 * m1, DOUBLE_PENDULUM_SINGULAR_2);
         }
         return double_pendulum_finish(16, J);
     }
@@ -572,7 +578,7 @@ int double_pendulum_rhs_batch(size_t count, const double *t, const double *y, co
     const double k2 = 1.0 / l2;
     /* the mass matrix is singular */
     if (!(fabs(m2) > 0.0)) {
-        return DOUBLE_PENDULUM_SINGULAR_2;
+        return double_pendulum_refuse(fabs(m2), 0.0, DOUBLE_PENDULUM_SINGULAR_2);
     }
     const double fixed[] = {m1, m2, l1, l2, g, k1, k2};
     double check[1 * DOUBLE_PENDULUM_LANES];

@@ -1,4 +1,4 @@
-"""double_pendulum, emitted by nhc 0.1.0 (nhc:5786511894d5e9bb).
+"""double_pendulum, emitted by nhc 0.1.0 (nhc:e97fd318f27aef07).
 
 Two pendulums in a row, absolute angles; the model gives positions and nhc
     differentiates them.
@@ -81,6 +81,17 @@ def _single(function: str, value: float) -> float:
     return value
 
 
+def _refuse(
+    value: float,
+    bound: float,
+    status: int,
+    function: str,
+) -> SingularModelError:
+    """What to raise of a block that does not exceed its bound: it is singular, or no number."""
+    singular = value <= bound < math.inf
+    return SingularModelError(status if singular else NOT_FINITE, function)
+
+
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
     """right-hand side dy/dt = f(t, y; p) (II.3)
 
@@ -99,7 +110,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     try:
         # the mass matrix is singular
         if not abs(m2) > 0.0:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(m2), 0.0, 2, "rhs")
         # parameters only
         k1 = -1.0 / l1
         k2 = 1.0 / l2
@@ -110,7 +121,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z3 = m1 + s1 * z2
         # the mass matrix is singular
         if not abs(z3) > 1e-14 * m1:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(z3), 1e-14 * m1, 2, "rhs")
         s_theta1 = math.sin(theta1)
         c1 = math.cos(z1)
         c_theta1 = math.cos(theta1)
@@ -178,7 +189,7 @@ def accelerations(
     try:
         # the mass matrix is singular
         if not abs(m2) > 0.0:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(m2), 0.0, 2, "accelerations")
         # parameters only
         k1 = -1.0 / l1
         k2 = 1.0 / l2
@@ -189,7 +200,7 @@ def accelerations(
         z3 = m1 + s1 * z2
         # the mass matrix is singular
         if not abs(z3) > 1e-14 * m1:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(z3), 1e-14 * m1, 2, "accelerations")
         s_theta1 = math.sin(theta1)
         c1 = math.cos(z1)
         c_theta1 = math.cos(theta1)
@@ -265,13 +276,13 @@ def reactions(
     try:
         # the mass matrix is singular
         if not abs(m2) > 0.0:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(m2), 0.0, 2, "reactions")
         # state
         s1 = math.sin(theta1 - theta2)
         s2 = m1 + s1 * (m2 * s1)
         # the mass matrix is singular
         if not abs(s2) > 1e-14 * m1:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(s2), 1e-14 * m1, 2, "reactions")
         lambda_: list[float] = []
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -335,7 +346,7 @@ def jacobian(
     try:
         # the mass matrix is singular
         if not abs(m2) > 0.0:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(m2), 0.0, 2, "jacobian")
         # parameters only
         k1 = 1.0 / l1
         k2 = 1.0 / l2
@@ -346,7 +357,7 @@ def jacobian(
         z3 = m1 + s1 * z2
         # the mass matrix is singular
         if not abs(z3) > 1e-14 * m1:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(z3), 1e-14 * m1, 2, "jacobian")
         c_theta1 = math.cos(theta1)
         z4 = g * c_theta1
         z5 = 1.0 / z3

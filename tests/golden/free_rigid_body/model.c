@@ -1,5 +1,5 @@
 /*
- * free_rigid_body.c: free_rigid_body, emitted by nhc 0.1.0 (nhc:177d7eb6201639d7)
+ * free_rigid_body.c: free_rigid_body, emitted by nhc 0.1.0 (nhc:f222da4ed91f66cd)
  * A free rigid body; the components of its angular velocity on body axes are the quasi-velocities.
  * Source: free_rigid_body.yaml
  * Equations of motion: euler-lagrange (I.2.14)
@@ -54,6 +54,12 @@ static int free_rigid_body_finish(int count, const double *values)
         }
     }
     return FREE_RIGID_BODY_OK;
+}
+
+/* the status of a block that does not exceed its bound: it is singular, or no number */
+static int free_rigid_body_refuse(double value, double bound, int singular)
+{
+    return value <= bound && bound <= DBL_MAX ? singular : FREE_RIGID_BODY_NOT_FINITE;
 }
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
@@ -221,21 +227,21 @@ int free_rigid_body_rhs(double t, const double *y, const double *p, double *dydt
     dydt[5] = w1 * w2 * k3; /* w3' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(dydt[1] + dydt[2] + dydt[3] + dydt[4] + dydt[5]) <= DBL_MAX && fabs(s_theta) > 1e-12 * 4.0)) {
-        /* the coframe is singular */
-        if (!(fabs(s_theta) > 1e-12 * 4.0)) {
-            return FREE_RIGID_BODY_SINGULAR_1;
-        }
         /* the mass matrix is singular */
         if (!(fabs(I1) > 0.0)) {
-            return FREE_RIGID_BODY_SINGULAR_2;
+            return free_rigid_body_refuse(fabs(I1), 0.0, FREE_RIGID_BODY_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(I2) > 0.0)) {
-            return FREE_RIGID_BODY_SINGULAR_2;
+            return free_rigid_body_refuse(fabs(I2), 0.0, FREE_RIGID_BODY_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(I3) > 0.0)) {
-            return FREE_RIGID_BODY_SINGULAR_2;
+            return free_rigid_body_refuse(fabs(I3), 0.0, FREE_RIGID_BODY_SINGULAR_2);
+        }
+        /* the coframe is singular */
+        if (!(fabs(s_theta) > 1e-12 * 4.0)) {
+            return free_rigid_body_refuse(fabs(s_theta), 1e-12 * 4.0, FREE_RIGID_BODY_SINGULAR_1);
         }
         return free_rigid_body_finish(6, dydt);
     }
@@ -269,7 +275,7 @@ int free_rigid_body_velocities(double t, const double *y, const double *p, doubl
     if (!(fabs(qdot[1] + qdot[2]) <= DBL_MAX && fabs(s_theta) > 1e-12 * 4.0)) {
         /* the coframe is singular */
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
-            return FREE_RIGID_BODY_SINGULAR_1;
+            return free_rigid_body_refuse(fabs(s_theta), 1e-12 * 4.0, FREE_RIGID_BODY_SINGULAR_1);
         }
         return free_rigid_body_finish(3, qdot);
     }
@@ -322,21 +328,21 @@ int free_rigid_body_accelerations(double t, const double *y, const double *p, do
     qddot[2] = w1 * w2 * k3 + (z8 * z5 + c_theta * z14); /* psi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qddot[1] + qddot[2]) <= DBL_MAX && fabs(s_theta) > 1e-12 * 4.0)) {
-        /* the coframe is singular */
-        if (!(fabs(s_theta) > 1e-12 * 4.0)) {
-            return FREE_RIGID_BODY_SINGULAR_1;
-        }
         /* the mass matrix is singular */
         if (!(fabs(I1) > 0.0)) {
-            return FREE_RIGID_BODY_SINGULAR_2;
+            return free_rigid_body_refuse(fabs(I1), 0.0, FREE_RIGID_BODY_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(I2) > 0.0)) {
-            return FREE_RIGID_BODY_SINGULAR_2;
+            return free_rigid_body_refuse(fabs(I2), 0.0, FREE_RIGID_BODY_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(I3) > 0.0)) {
-            return FREE_RIGID_BODY_SINGULAR_2;
+            return free_rigid_body_refuse(fabs(I3), 0.0, FREE_RIGID_BODY_SINGULAR_2);
+        }
+        /* the coframe is singular */
+        if (!(fabs(s_theta) > 1e-12 * 4.0)) {
+            return free_rigid_body_refuse(fabs(s_theta), 1e-12 * 4.0, FREE_RIGID_BODY_SINGULAR_1);
         }
         return free_rigid_body_finish(3, qddot);
     }
@@ -395,21 +401,21 @@ int free_rigid_body_reactions(double t, const double *y, const double *p, double
 
     /* state */
     const double s_theta = sin(theta);
-    /* the coframe is singular */
-    if (!(fabs(s_theta) > 1e-12 * 4.0)) {
-        return FREE_RIGID_BODY_SINGULAR_1;
-    }
     /* the mass matrix is singular */
     if (!(fabs(I1) > 0.0)) {
-        return FREE_RIGID_BODY_SINGULAR_2;
+        return free_rigid_body_refuse(fabs(I1), 0.0, FREE_RIGID_BODY_SINGULAR_2);
     }
     /* the mass matrix is singular */
     if (!(fabs(I2) > 0.0)) {
-        return FREE_RIGID_BODY_SINGULAR_2;
+        return free_rigid_body_refuse(fabs(I2), 0.0, FREE_RIGID_BODY_SINGULAR_2);
     }
     /* the mass matrix is singular */
     if (!(fabs(I3) > 0.0)) {
-        return FREE_RIGID_BODY_SINGULAR_2;
+        return free_rigid_body_refuse(fabs(I3), 0.0, FREE_RIGID_BODY_SINGULAR_2);
+    }
+    /* the coframe is singular */
+    if (!(fabs(s_theta) > 1e-12 * 4.0)) {
+        return free_rigid_body_refuse(fabs(s_theta), 1e-12 * 4.0, FREE_RIGID_BODY_SINGULAR_1);
     }
     (void)lambda;
     return FREE_RIGID_BODY_OK;
@@ -484,21 +490,21 @@ int free_rigid_body_jacobian(double t, const double *y, const double *p, double 
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(J[2] + J[13] + J[14] + J[16] + J[22] + J[23] + J[27] + J[29] + J[33] + J[34]) <= DBL_MAX
         && fabs(s_theta) > 1e-12 * 4.0)) {
-        /* the coframe is singular */
-        if (!(fabs(s_theta) > 1e-12 * 4.0)) {
-            return FREE_RIGID_BODY_SINGULAR_1;
-        }
         /* the mass matrix is singular */
         if (!(fabs(I1) > 0.0)) {
-            return FREE_RIGID_BODY_SINGULAR_2;
+            return free_rigid_body_refuse(fabs(I1), 0.0, FREE_RIGID_BODY_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(I2) > 0.0)) {
-            return FREE_RIGID_BODY_SINGULAR_2;
+            return free_rigid_body_refuse(fabs(I2), 0.0, FREE_RIGID_BODY_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(I3) > 0.0)) {
-            return FREE_RIGID_BODY_SINGULAR_2;
+            return free_rigid_body_refuse(fabs(I3), 0.0, FREE_RIGID_BODY_SINGULAR_2);
+        }
+        /* the coframe is singular */
+        if (!(fabs(s_theta) > 1e-12 * 4.0)) {
+            return free_rigid_body_refuse(fabs(s_theta), 1e-12 * 4.0, FREE_RIGID_BODY_SINGULAR_1);
         }
         return free_rigid_body_finish(36, J);
     }
@@ -529,7 +535,7 @@ int free_rigid_body_outputs(double t, const double *y, const double *p, double *
     if (!(fabs(out[0]) <= DBL_MAX && fabs(s_theta) > 1e-12 * 4.0)) {
         /* the coframe is singular */
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
-            return FREE_RIGID_BODY_SINGULAR_1;
+            return free_rigid_body_refuse(fabs(s_theta), 1e-12 * 4.0, FREE_RIGID_BODY_SINGULAR_1);
         }
         return free_rigid_body_finish(1, out);
     }

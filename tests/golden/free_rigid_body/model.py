@@ -1,4 +1,4 @@
-"""free_rigid_body, emitted by nhc 0.1.0 (nhc:856a77c9606e447e).
+"""free_rigid_body, emitted by nhc 0.1.0 (nhc:21327c65e6c016f8).
 
 A free rigid body; the components of its angular velocity on body axes are the
     quasi-velocities.
@@ -80,6 +80,17 @@ def _single(function: str, value: float) -> float:
     return value
 
 
+def _refuse(
+    value: float,
+    bound: float,
+    status: int,
+    function: str,
+) -> SingularModelError:
+    """What to raise of a block that does not exceed its bound: it is singular, or no number."""
+    singular = value <= bound < math.inf
+    return SingularModelError(status if singular else NOT_FINITE, function)
+
+
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
     """right-hand side dy/dt = f(t, y; p) (I.2.14)
 
@@ -97,13 +108,13 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     try:
         # the mass matrix is singular
         if not abs(I1) > 0.0:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(I1), 0.0, 2, "rhs")
         # the mass matrix is singular
         if not abs(I2) > 0.0:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(I2), 0.0, 2, "rhs")
         # the mass matrix is singular
         if not abs(I3) > 0.0:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(I3), 0.0, 2, "rhs")
         # parameters only
         k1 = (I2 - I3) / I1
         k2 = -(I1 - I3) / I2
@@ -112,7 +123,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         s_theta = math.sin(theta)
         # the coframe is singular
         if not abs(s_theta) > 1e-12 * 4.0:
-            raise SingularModelError(1, "rhs")
+            raise _refuse(abs(s_theta), 1e-12 * 4.0, 1, "rhs")
         c_psi = math.cos(psi)
         s_psi = math.sin(psi)
         z1 = 1.0 / s_theta
@@ -157,7 +168,7 @@ def velocities(
         s_theta = math.sin(theta)
         # the coframe is singular
         if not abs(s_theta) > 1e-12 * 4.0:
-            raise SingularModelError(1, "velocities")
+            raise _refuse(abs(s_theta), 1e-12 * 4.0, 1, "velocities")
         c_psi = math.cos(psi)
         s_psi = math.sin(psi)
         z1 = 1.0 / s_theta
@@ -197,13 +208,13 @@ def accelerations(
     try:
         # the mass matrix is singular
         if not abs(I1) > 0.0:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(I1), 0.0, 2, "accelerations")
         # the mass matrix is singular
         if not abs(I2) > 0.0:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(I2), 0.0, 2, "accelerations")
         # the mass matrix is singular
         if not abs(I3) > 0.0:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(I3), 0.0, 2, "accelerations")
         # parameters only
         k1 = (I2 - I3) / I1
         k2 = (I1 - I3) / I2
@@ -212,7 +223,7 @@ def accelerations(
         s_theta = math.sin(theta)
         # the coframe is singular
         if not abs(s_theta) > 1e-12 * 4.0:
-            raise SingularModelError(1, "accelerations")
+            raise _refuse(abs(s_theta), 1e-12 * 4.0, 1, "accelerations")
         c_psi = math.cos(psi)
         s_psi = math.sin(psi)
         z1 = c_psi * w2 + s_psi * w1
@@ -319,18 +330,18 @@ def reactions(
     try:
         # the mass matrix is singular
         if not abs(I1) > 0.0:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(I1), 0.0, 2, "reactions")
         # the mass matrix is singular
         if not abs(I2) > 0.0:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(I2), 0.0, 2, "reactions")
         # the mass matrix is singular
         if not abs(I3) > 0.0:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(I3), 0.0, 2, "reactions")
         # state
         s_theta = math.sin(theta)
         # the coframe is singular
         if not abs(s_theta) > 1e-12 * 4.0:
-            raise SingularModelError(1, "reactions")
+            raise _refuse(abs(s_theta), 1e-12 * 4.0, 1, "reactions")
         lambda_: list[float] = []
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -378,13 +389,13 @@ def jacobian(
     try:
         # the mass matrix is singular
         if not abs(I1) > 0.0:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(I1), 0.0, 2, "jacobian")
         # the mass matrix is singular
         if not abs(I2) > 0.0:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(I2), 0.0, 2, "jacobian")
         # the mass matrix is singular
         if not abs(I3) > 0.0:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(I3), 0.0, 2, "jacobian")
         # parameters only
         k1 = (I2 - I3) / I1
         k2 = -(I1 - I3) / I2
@@ -393,7 +404,7 @@ def jacobian(
         s_theta = math.sin(theta)
         # the coframe is singular
         if not abs(s_theta) > 1e-12 * 4.0:
-            raise SingularModelError(1, "jacobian")
+            raise _refuse(abs(s_theta), 1e-12 * 4.0, 1, "jacobian")
         c_psi = math.cos(psi)
         s_psi = math.sin(psi)
         z1 = c_psi * w2 + s_psi * w1
@@ -489,7 +500,7 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
         s_theta = math.sin(theta)
         # the coframe is singular
         if not abs(s_theta) > 1e-12 * 4.0:
-            raise SingularModelError(1, "outputs")
+            raise _refuse(abs(s_theta), 1e-12 * 4.0, 1, "outputs")
         out: list[float] = [
             # L_squared 24:14
             w3 * w3 * k3 + (w1 * w1 * k1 + w2 * w2 * k2),

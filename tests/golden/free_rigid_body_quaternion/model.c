@@ -1,5 +1,5 @@
 /*
- * free_rigid_body_quaternion.c: free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:60c97995f909e256)
+ * free_rigid_body_quaternion.c: free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:b7431d4667ccfaf3)
  * A free rigid body, its orientation a quaternion; Euler's equations, and no orientation that is special.
  * Source: free_rigid_body_quaternion.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -63,6 +63,12 @@ static int free_rigid_body_quaternion_finish(int count, const double *values)
         }
     }
     return FREE_RIGID_BODY_QUATERNION_OK;
+}
+
+/* the status of a block that does not exceed its bound: it is singular, or no number */
+static int free_rigid_body_quaternion_refuse(double value, double bound, int singular)
+{
+    return value <= bound && bound <= DBL_MAX ? singular : FREE_RIGID_BODY_QUATERNION_NOT_FINITE;
 }
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
@@ -200,15 +206,15 @@ int free_rigid_body_quaternion_rhs(double t, const double *y, const double *p, d
     if (!(fabs(dydt[0] + dydt[1] + dydt[2] + dydt[3] + dydt[4] + dydt[5] + dydt[6]) <= DBL_MAX)) {
         /* the mass matrix is singular */
         if (!(fabs(I1) > 0.0)) {
-            return FREE_RIGID_BODY_QUATERNION_SINGULAR_2;
+            return free_rigid_body_quaternion_refuse(fabs(I1), 0.0, FREE_RIGID_BODY_QUATERNION_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(I2) > 0.0)) {
-            return FREE_RIGID_BODY_QUATERNION_SINGULAR_2;
+            return free_rigid_body_quaternion_refuse(fabs(I2), 0.0, FREE_RIGID_BODY_QUATERNION_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(I3) > 0.0)) {
-            return FREE_RIGID_BODY_QUATERNION_SINGULAR_2;
+            return free_rigid_body_quaternion_refuse(fabs(I3), 0.0, FREE_RIGID_BODY_QUATERNION_SINGULAR_2);
         }
         return free_rigid_body_quaternion_finish(7, dydt);
     }
@@ -286,15 +292,15 @@ int free_rigid_body_quaternion_accelerations(double t, const double *y, const do
     if (!(fabs(qddot[0] + qddot[1] + qddot[2] + qddot[3]) <= DBL_MAX)) {
         /* the mass matrix is singular */
         if (!(fabs(I1) > 0.0)) {
-            return FREE_RIGID_BODY_QUATERNION_SINGULAR_2;
+            return free_rigid_body_quaternion_refuse(fabs(I1), 0.0, FREE_RIGID_BODY_QUATERNION_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(I2) > 0.0)) {
-            return FREE_RIGID_BODY_QUATERNION_SINGULAR_2;
+            return free_rigid_body_quaternion_refuse(fabs(I2), 0.0, FREE_RIGID_BODY_QUATERNION_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(I3) > 0.0)) {
-            return FREE_RIGID_BODY_QUATERNION_SINGULAR_2;
+            return free_rigid_body_quaternion_refuse(fabs(I3), 0.0, FREE_RIGID_BODY_QUATERNION_SINGULAR_2);
         }
         return free_rigid_body_quaternion_finish(4, qddot);
     }
@@ -392,15 +398,15 @@ int free_rigid_body_quaternion_reactions(double t, const double *y, const double
     if (!(fabs(I1) > 0.0 && fabs(I2) > 0.0 && fabs(I3) > 0.0)) {
         /* the mass matrix is singular */
         if (!(fabs(I1) > 0.0)) {
-            return FREE_RIGID_BODY_QUATERNION_SINGULAR_2;
+            return free_rigid_body_quaternion_refuse(fabs(I1), 0.0, FREE_RIGID_BODY_QUATERNION_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(I2) > 0.0)) {
-            return FREE_RIGID_BODY_QUATERNION_SINGULAR_2;
+            return free_rigid_body_quaternion_refuse(fabs(I2), 0.0, FREE_RIGID_BODY_QUATERNION_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(I3) > 0.0)) {
-            return FREE_RIGID_BODY_QUATERNION_SINGULAR_2;
+            return free_rigid_body_quaternion_refuse(fabs(I3), 0.0, FREE_RIGID_BODY_QUATERNION_SINGULAR_2);
         }
         return free_rigid_body_quaternion_finish(1, lambda);
     }
@@ -486,15 +492,15 @@ int free_rigid_body_quaternion_jacobian(double t, const double *y, const double 
         + J[47]) <= DBL_MAX)) {
         /* the mass matrix is singular */
         if (!(fabs(I1) > 0.0)) {
-            return FREE_RIGID_BODY_QUATERNION_SINGULAR_2;
+            return free_rigid_body_quaternion_refuse(fabs(I1), 0.0, FREE_RIGID_BODY_QUATERNION_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(I2) > 0.0)) {
-            return FREE_RIGID_BODY_QUATERNION_SINGULAR_2;
+            return free_rigid_body_quaternion_refuse(fabs(I2), 0.0, FREE_RIGID_BODY_QUATERNION_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(I3) > 0.0)) {
-            return FREE_RIGID_BODY_QUATERNION_SINGULAR_2;
+            return free_rigid_body_quaternion_refuse(fabs(I3), 0.0, FREE_RIGID_BODY_QUATERNION_SINGULAR_2);
         }
         return free_rigid_body_quaternion_finish(49, J);
     }

@@ -1,4 +1,4 @@
-"""free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:0a78e56412934bff).
+"""free_rigid_body_quaternion, emitted by nhc 0.1.0 (nhc:3ad54114377e6aa7).
 
 A free rigid body, its orientation a quaternion; Euler's equations, and no
     orientation that is special.
@@ -87,6 +87,17 @@ def _single(function: str, value: float) -> float:
     return value
 
 
+def _refuse(
+    value: float,
+    bound: float,
+    status: int,
+    function: str,
+) -> SingularModelError:
+    """What to raise of a block that does not exceed its bound: it is singular, or no number."""
+    singular = value <= bound < math.inf
+    return SingularModelError(status if singular else NOT_FINITE, function)
+
+
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
     """right-hand side dy/dt = f(t, y; p) (I.2.15)
 
@@ -106,13 +117,13 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     try:
         # the mass matrix is singular
         if not abs(I1) > 0.0:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(I1), 0.0, 2, "rhs")
         # the mass matrix is singular
         if not abs(I2) > 0.0:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(I2), 0.0, 2, "rhs")
         # the mass matrix is singular
         if not abs(I3) > 0.0:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(I3), 0.0, 2, "rhs")
         # parameters only
         k1 = (I2 - I3) / I1
         k2 = -(I1 - I3) / I2
@@ -196,13 +207,13 @@ def accelerations(
     try:
         # the mass matrix is singular
         if not abs(I1) > 0.0:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(I1), 0.0, 2, "accelerations")
         # the mass matrix is singular
         if not abs(I2) > 0.0:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(I2), 0.0, 2, "accelerations")
         # the mass matrix is singular
         if not abs(I3) > 0.0:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(I3), 0.0, 2, "accelerations")
         # parameters only
         k1 = (I2 - I3) / I1
         k2 = (I1 - I3) / I2
@@ -348,13 +359,13 @@ def reactions(
     try:
         # the mass matrix is singular
         if not abs(I1) > 0.0:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(I1), 0.0, 2, "reactions")
         # the mass matrix is singular
         if not abs(I2) > 0.0:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(I2), 0.0, 2, "reactions")
         # the mass matrix is singular
         if not abs(I3) > 0.0:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(I3), 0.0, 2, "reactions")
         # state
         lambda_: list[float] = [
             # reaction of R_norm: Q_i gains lambda_1 a_1i (I.4.1) 7:3
@@ -408,13 +419,13 @@ def jacobian(
     try:
         # the mass matrix is singular
         if not abs(I1) > 0.0:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(I1), 0.0, 2, "jacobian")
         # the mass matrix is singular
         if not abs(I2) > 0.0:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(I2), 0.0, 2, "jacobian")
         # the mass matrix is singular
         if not abs(I3) > 0.0:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(I3), 0.0, 2, "jacobian")
         # parameters only
         k1 = (I2 - I3) / I1
         k2 = -(I1 - I3) / I2

@@ -1,5 +1,5 @@
 /*
- * heavy_top.c: heavy_top, emitted by nhc 0.1.0 (nhc:614dbace0ac75f2d)
+ * heavy_top.c: heavy_top, emitted by nhc 0.1.0 (nhc:9c9f0e270098928c)
  * The symmetric top with a fixed point (Lagrange's top).
  * Source: heavy_top.yaml
  * Equations of motion: lagrange (II.3)
@@ -61,6 +61,12 @@ static int heavy_top_finish(int count, const double *values)
         }
     }
     return HEAVY_TOP_OK;
+}
+
+/* the status of a block that does not exceed its bound: it is singular, or no number */
+static int heavy_top_refuse(double value, double bound, int singular)
+{
+    return value <= bound && bound <= DBL_MAX ? singular : HEAVY_TOP_NOT_FINITE;
 }
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
@@ -233,16 +239,16 @@ int heavy_top_rhs(double t, const double *y, const double *p, double *dydt)
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(dydt[3] + dydt[4]) <= DBL_MAX && fabs(z5) > 1e-14 * I3)) {
         /* the mass matrix is singular */
-        if (!(fabs(z2) > 0.0)) {
-            return HEAVY_TOP_SINGULAR_2;
+        if (!(fabs(I1) > 0.0)) {
+            return heavy_top_refuse(fabs(I1), 0.0, HEAVY_TOP_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(I1) > 0.0)) {
-            return HEAVY_TOP_SINGULAR_2;
+        if (!(fabs(z2) > 0.0)) {
+            return heavy_top_refuse(fabs(z2), 0.0, HEAVY_TOP_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(z5) > 1e-14 * I3)) {
-            return HEAVY_TOP_SINGULAR_2;
+            return heavy_top_refuse(fabs(z5), 1e-14 * I3, HEAVY_TOP_SINGULAR_2);
         }
         return heavy_top_finish(6, dydt);
     }
@@ -307,16 +313,16 @@ int heavy_top_accelerations(double t, const double *y, const double *p, double *
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qddot[0] + qddot[1]) <= DBL_MAX && fabs(z6) > 1e-14 * I3)) {
         /* the mass matrix is singular */
-        if (!(fabs(z2) > 0.0)) {
-            return HEAVY_TOP_SINGULAR_2;
+        if (!(fabs(I1) > 0.0)) {
+            return heavy_top_refuse(fabs(I1), 0.0, HEAVY_TOP_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(I1) > 0.0)) {
-            return HEAVY_TOP_SINGULAR_2;
+        if (!(fabs(z2) > 0.0)) {
+            return heavy_top_refuse(fabs(z2), 0.0, HEAVY_TOP_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(z6) > 1e-14 * I3)) {
-            return HEAVY_TOP_SINGULAR_2;
+            return heavy_top_refuse(fabs(z6), 1e-14 * I3, HEAVY_TOP_SINGULAR_2);
         }
         return heavy_top_finish(3, qddot);
     }
@@ -374,16 +380,16 @@ int heavy_top_reactions(double t, const double *y, const double *p, double *lamb
     const double z2 = I1 * z1 + I3 * (1.0 - z1);
     const double z3 = I3 * c_theta;
     /* the mass matrix is singular */
-    if (!(fabs(z2) > 0.0)) {
-        return HEAVY_TOP_SINGULAR_2;
+    if (!(fabs(I1) > 0.0)) {
+        return heavy_top_refuse(fabs(I1), 0.0, HEAVY_TOP_SINGULAR_2);
     }
     /* the mass matrix is singular */
-    if (!(fabs(I1) > 0.0)) {
-        return HEAVY_TOP_SINGULAR_2;
+    if (!(fabs(z2) > 0.0)) {
+        return heavy_top_refuse(fabs(z2), 0.0, HEAVY_TOP_SINGULAR_2);
     }
     /* the mass matrix is singular */
     if (!(fabs(I3 - z3 * (z3 / z2)) > 1e-14 * I3)) {
-        return HEAVY_TOP_SINGULAR_2;
+        return heavy_top_refuse(fabs(I3 - z3 * (z3 / z2)), 1e-14 * I3, HEAVY_TOP_SINGULAR_2);
     }
     (void)lambda;
     return HEAVY_TOP_OK;
@@ -479,16 +485,16 @@ int heavy_top_jacobian(double t, const double *y, const double *p, double *J)
     if (!(fabs(J[19] + J[21] + J[22] + J[23] + J[25] + J[27] + J[29] + J[35]) <= DBL_MAX
         && fabs(z6) > 1e-14 * I3)) {
         /* the mass matrix is singular */
-        if (!(fabs(z2) > 0.0)) {
-            return HEAVY_TOP_SINGULAR_2;
+        if (!(fabs(I1) > 0.0)) {
+            return heavy_top_refuse(fabs(I1), 0.0, HEAVY_TOP_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(I1) > 0.0)) {
-            return HEAVY_TOP_SINGULAR_2;
+        if (!(fabs(z2) > 0.0)) {
+            return heavy_top_refuse(fabs(z2), 0.0, HEAVY_TOP_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(z6) > 1e-14 * I3)) {
-            return HEAVY_TOP_SINGULAR_2;
+            return heavy_top_refuse(fabs(z6), 1e-14 * I3, HEAVY_TOP_SINGULAR_2);
         }
         return heavy_top_finish(36, J);
     }

@@ -1,4 +1,4 @@
-"""heavy_top, emitted by nhc 0.1.0 (nhc:e389e8b8ee930b1d).
+"""heavy_top, emitted by nhc 0.1.0 (nhc:1b79f69fe203715e).
 
 The symmetric top with a fixed point (Lagrange's top).
 Source: heavy_top.yaml
@@ -80,6 +80,17 @@ def _single(function: str, value: float) -> float:
     return value
 
 
+def _refuse(
+    value: float,
+    bound: float,
+    status: int,
+    function: str,
+) -> SingularModelError:
+    """What to raise of a block that does not exceed its bound: it is singular, or no number."""
+    singular = value <= bound < math.inf
+    return SingularModelError(status if singular else NOT_FINITE, function)
+
+
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
     """right-hand side dy/dt = f(t, y; p) (II.3)
 
@@ -96,7 +107,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     try:
         # the mass matrix is singular
         if not abs(I1) > 0.0:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(I1), 0.0, 2, "rhs")
         # parameters only
         k1 = I1 - I3
         k2 = 1.0 / I1
@@ -107,13 +118,13 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z2 = I1 * (s_theta * s_theta) + c_theta * z1
         # the mass matrix is singular
         if not abs(z2) > 0.0:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(z2), 0.0, 2, "rhs")
         z3 = 1.0 / z2
         z4 = z1 * z3
         z5 = I3 - z1 * z4
         # the mass matrix is singular
         if not abs(z5) > 1e-14 * I3:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(z5), 1e-14 * I3, 2, "rhs")
         z6 = theta_dot * s_theta
         z7 = phi_dot * c_theta * k1
         z8 = psi_dot * I3
@@ -186,7 +197,7 @@ def accelerations(
     try:
         # the mass matrix is singular
         if not abs(I1) > 0.0:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(I1), 0.0, 2, "accelerations")
         # parameters only
         k1 = I1 - I3
         k2 = 1.0 / I1
@@ -196,7 +207,7 @@ def accelerations(
         z2 = I1 * z1 + I3 * (1.0 - z1)
         # the mass matrix is singular
         if not abs(z2) > 0.0:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(z2), 0.0, 2, "accelerations")
         c_theta = math.cos(theta)
         z3 = I3 * c_theta
         z4 = 1.0 / z2
@@ -204,7 +215,7 @@ def accelerations(
         z6 = I3 - z3 * z5
         # the mass matrix is singular
         if not abs(z6) > 1e-14 * I3:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(z6), 1e-14 * I3, 2, "accelerations")
         z7 = theta_dot * s_theta
         z8 = phi_dot * c_theta * k1
         z9 = psi_dot * I3
@@ -283,20 +294,20 @@ def reactions(
     try:
         # the mass matrix is singular
         if not abs(I1) > 0.0:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(I1), 0.0, 2, "reactions")
         # state
         s_theta = math.sin(theta)
         z1 = s_theta * s_theta
         z2 = I1 * z1 + I3 * (1.0 - z1)
         # the mass matrix is singular
         if not abs(z2) > 0.0:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(z2), 0.0, 2, "reactions")
         c_theta = math.cos(theta)
         z3 = I3 * c_theta
         s1 = I3 - z3 * (z3 / z2)
         # the mass matrix is singular
         if not abs(s1) > 1e-14 * I3:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(s1), 1e-14 * I3, 2, "reactions")
         lambda_: list[float] = []
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -350,7 +361,7 @@ def jacobian(
     try:
         # the mass matrix is singular
         if not abs(I1) > 0.0:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(I1), 0.0, 2, "jacobian")
         # parameters only
         k1 = I1 - I3
         k2 = 1.0 / I1
@@ -360,7 +371,7 @@ def jacobian(
         z2 = I1 * z1 + I3 * (1.0 - z1)
         # the mass matrix is singular
         if not abs(z2) > 0.0:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(z2), 0.0, 2, "jacobian")
         c_theta = math.cos(theta)
         z3 = I3 * c_theta
         z4 = 1.0 / z2
@@ -368,7 +379,7 @@ def jacobian(
         z6 = I3 - z3 * z5
         # the mass matrix is singular
         if not abs(z6) > 1e-14 * I3:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(z6), 1e-14 * I3, 2, "jacobian")
         z7 = theta_dot * s_theta
         z8 = z7 * k1
         z9 = 1.0 / z6

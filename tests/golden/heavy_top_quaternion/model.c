@@ -1,5 +1,5 @@
 /*
- * heavy_top_quaternion.c: heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:7a387780fe1c9d26)
+ * heavy_top_quaternion.c: heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:ef7f9b3accbae93f)
  * The symmetric top with a fixed point (Lagrange's top), its orientation a quaternion, so that it may stand
  *     upright.
  * Source: heavy_top_quaternion.yaml
@@ -64,6 +64,12 @@ static int heavy_top_quaternion_finish(int count, const double *values)
         }
     }
     return HEAVY_TOP_QUATERNION_OK;
+}
+
+/* the status of a block that does not exceed its bound: it is singular, or no number */
+static int heavy_top_quaternion_refuse(double value, double bound, int singular)
+{
+    return value <= bound && bound <= DBL_MAX ? singular : HEAVY_TOP_QUATERNION_NOT_FINITE;
 }
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
@@ -202,11 +208,11 @@ int heavy_top_quaternion_rhs(double t, const double *y, const double *p, double 
     if (!(fabs(dydt[0] + dydt[1] + dydt[2] + dydt[3] + dydt[4] + dydt[5]) <= DBL_MAX && fabs(I3) > 0.0)) {
         /* the mass matrix is singular */
         if (!(fabs(I1) > 0.0)) {
-            return HEAVY_TOP_QUATERNION_SINGULAR_2;
+            return heavy_top_quaternion_refuse(fabs(I1), 0.0, HEAVY_TOP_QUATERNION_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(I3) > 0.0)) {
-            return HEAVY_TOP_QUATERNION_SINGULAR_2;
+            return heavy_top_quaternion_refuse(fabs(I3), 0.0, HEAVY_TOP_QUATERNION_SINGULAR_2);
         }
         return heavy_top_quaternion_finish(7, dydt);
     }
@@ -276,11 +282,11 @@ int heavy_top_quaternion_accelerations(double t, const double *y, const double *
     if (!(fabs(qddot[0] + qddot[1] + qddot[2] + qddot[3]) <= DBL_MAX && fabs(I3) > 0.0)) {
         /* the mass matrix is singular */
         if (!(fabs(I1) > 0.0)) {
-            return HEAVY_TOP_QUATERNION_SINGULAR_2;
+            return heavy_top_quaternion_refuse(fabs(I1), 0.0, HEAVY_TOP_QUATERNION_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(I3) > 0.0)) {
-            return HEAVY_TOP_QUATERNION_SINGULAR_2;
+            return heavy_top_quaternion_refuse(fabs(I3), 0.0, HEAVY_TOP_QUATERNION_SINGULAR_2);
         }
         return heavy_top_quaternion_finish(4, qddot);
     }
@@ -375,11 +381,11 @@ int heavy_top_quaternion_reactions(double t, const double *y, const double *p, d
     if (!(fabs(I1) > 0.0 && fabs(I3) > 0.0)) {
         /* the mass matrix is singular */
         if (!(fabs(I1) > 0.0)) {
-            return HEAVY_TOP_QUATERNION_SINGULAR_2;
+            return heavy_top_quaternion_refuse(fabs(I1), 0.0, HEAVY_TOP_QUATERNION_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(I3) > 0.0)) {
-            return HEAVY_TOP_QUATERNION_SINGULAR_2;
+            return heavy_top_quaternion_refuse(fabs(I3), 0.0, HEAVY_TOP_QUATERNION_SINGULAR_2);
         }
         return heavy_top_quaternion_finish(1, lambda);
     }
@@ -488,11 +494,11 @@ int heavy_top_quaternion_jacobian(double t, const double *y, const double *p, do
         && fabs(I3) > 0.0)) {
         /* the mass matrix is singular */
         if (!(fabs(I1) > 0.0)) {
-            return HEAVY_TOP_QUATERNION_SINGULAR_2;
+            return heavy_top_quaternion_refuse(fabs(I1), 0.0, HEAVY_TOP_QUATERNION_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(I3) > 0.0)) {
-            return HEAVY_TOP_QUATERNION_SINGULAR_2;
+            return heavy_top_quaternion_refuse(fabs(I3), 0.0, HEAVY_TOP_QUATERNION_SINGULAR_2);
         }
         return heavy_top_quaternion_finish(49, J);
     }
@@ -598,7 +604,7 @@ int heavy_top_quaternion_rhs_batch(size_t count, const double *t, const double *
     const double k2 = 1.0 / I1;
     /* the mass matrix is singular */
     if (!(fabs(I3) > 0.0)) {
-        return HEAVY_TOP_QUATERNION_SINGULAR_2;
+        return heavy_top_quaternion_refuse(fabs(I3), 0.0, HEAVY_TOP_QUATERNION_SINGULAR_2);
     }
     const double fixed[] = {mgl, k1, k2};
     double check[1 * HEAVY_TOP_QUATERNION_LANES];

@@ -1,4 +1,4 @@
-"""heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:ba30832095ca7679).
+"""heavy_top_quaternion, emitted by nhc 0.1.0 (nhc:516f69582f2fbd3f).
 
 The symmetric top with a fixed point (Lagrange's top), its orientation a quaternion,
     so that it may stand upright.
@@ -86,6 +86,17 @@ def _single(function: str, value: float) -> float:
     return value
 
 
+def _refuse(
+    value: float,
+    bound: float,
+    status: int,
+    function: str,
+) -> SingularModelError:
+    """What to raise of a block that does not exceed its bound: it is singular, or no number."""
+    singular = value <= bound < math.inf
+    return SingularModelError(status if singular else NOT_FINITE, function)
+
+
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
     """right-hand side dy/dt = f(t, y; p) (I.2.15)
 
@@ -105,10 +116,10 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     try:
         # the mass matrix is singular
         if not abs(I1) > 0.0:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(I1), 0.0, 2, "rhs")
         # the mass matrix is singular
         if not abs(I3) > 0.0:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(I3), 0.0, 2, "rhs")
         # parameters only
         k1 = I1 - I3
         k2 = 1.0 / I1
@@ -193,10 +204,10 @@ def accelerations(
     try:
         # the mass matrix is singular
         if not abs(I1) > 0.0:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(I1), 0.0, 2, "accelerations")
         # the mass matrix is singular
         if not abs(I3) > 0.0:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(I3), 0.0, 2, "accelerations")
         # parameters only
         k1 = 1.0 / I1
         k2 = 1.0 - I3 * k1
@@ -333,10 +344,10 @@ def reactions(
     try:
         # the mass matrix is singular
         if not abs(I1) > 0.0:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(I1), 0.0, 2, "reactions")
         # the mass matrix is singular
         if not abs(I3) > 0.0:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(I3), 0.0, 2, "reactions")
         # state
         lambda_: list[float] = [
             # reaction of R_norm: Q_i gains lambda_1 a_1i (I.4.1) 7:3
@@ -398,10 +409,10 @@ def jacobian(
     try:
         # the mass matrix is singular
         if not abs(I1) > 0.0:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(I1), 0.0, 2, "jacobian")
         # the mass matrix is singular
         if not abs(I3) > 0.0:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(I3), 0.0, 2, "jacobian")
         # parameters only
         k1 = 1.0 / I1
         k2 = (I1 - I3) * k1

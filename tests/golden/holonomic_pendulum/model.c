@@ -1,5 +1,5 @@
 /*
- * holonomic_pendulum.c: holonomic_pendulum, emitted by nhc 0.1.0 (nhc:dc7b24a0dff20ba2)
+ * holonomic_pendulum.c: holonomic_pendulum, emitted by nhc 0.1.0 (nhc:da7a78038f280713)
  * The plane pendulum in Cartesian coordinates with the rod as a constraint on the positions.
  * Source: holonomic_pendulum.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -51,6 +51,12 @@ static int holonomic_pendulum_finish(int count, const double *values)
         }
     }
     return HOLONOMIC_PENDULUM_OK;
+}
+
+/* the status of a block that does not exceed its bound: it is singular, or no number */
+static int holonomic_pendulum_refuse(double value, double bound, int singular)
+{
+    return value <= bound && bound <= DBL_MAX ? singular : HOLONOMIC_PENDULUM_NOT_FINITE;
 }
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
@@ -191,11 +197,11 @@ int holonomic_pendulum_rhs(double t, const double *y, const double *p, double *d
         && fabs(m * z3) > 0.0)) {
         /* the coframe is singular */
         if (!(fabs(z1) > 1e-12 * (z2 * z2))) {
-            return HOLONOMIC_PENDULUM_SINGULAR_1;
+            return holonomic_pendulum_refuse(fabs(z1), 1e-12 * (z2 * z2), HOLONOMIC_PENDULUM_SINGULAR_1);
         }
         /* the mass matrix is singular */
         if (!(fabs(m * z3) > 0.0)) {
-            return HOLONOMIC_PENDULUM_SINGULAR_2;
+            return holonomic_pendulum_refuse(fabs(m * z3), 0.0, HOLONOMIC_PENDULUM_SINGULAR_2);
         }
         return holonomic_pendulum_finish(3, dydt);
     }
@@ -221,7 +227,7 @@ int holonomic_pendulum_velocities(double t, const double *y, const double *p, do
     if (!(fabs(qdot[0] + qdot[1]) <= DBL_MAX && fabs(z1) > 1e-12 * (z2 * z2))) {
         /* the coframe is singular */
         if (!(fabs(z1) > 1e-12 * (z2 * z2))) {
-            return HOLONOMIC_PENDULUM_SINGULAR_1;
+            return holonomic_pendulum_refuse(fabs(z1), 1e-12 * (z2 * z2), HOLONOMIC_PENDULUM_SINGULAR_1);
         }
         return holonomic_pendulum_finish(2, qdot);
     }
@@ -250,11 +256,11 @@ int holonomic_pendulum_accelerations(double t, const double *y, const double *p,
     if (!(fabs(qddot[0] + qddot[1]) <= DBL_MAX && fabs(z2) > 1e-12 * (z3 * z3) && fabs(m * z4) > 0.0)) {
         /* the coframe is singular */
         if (!(fabs(z2) > 1e-12 * (z3 * z3))) {
-            return HOLONOMIC_PENDULUM_SINGULAR_1;
+            return holonomic_pendulum_refuse(fabs(z2), 1e-12 * (z3 * z3), HOLONOMIC_PENDULUM_SINGULAR_1);
         }
         /* the mass matrix is singular */
         if (!(fabs(m * z4) > 0.0)) {
-            return HOLONOMIC_PENDULUM_SINGULAR_2;
+            return holonomic_pendulum_refuse(fabs(m * z4), 0.0, HOLONOMIC_PENDULUM_SINGULAR_2);
         }
         return holonomic_pendulum_finish(2, qddot);
     }
@@ -342,11 +348,11 @@ int holonomic_pendulum_reactions(double t, const double *y, const double *p, dou
     if (!(fabs(lambda[0]) <= DBL_MAX && fabs(z2) > 1e-12 * (z3 * z3) && fabs(z5) > 0.0)) {
         /* the coframe is singular */
         if (!(fabs(z2) > 1e-12 * (z3 * z3))) {
-            return HOLONOMIC_PENDULUM_SINGULAR_1;
+            return holonomic_pendulum_refuse(fabs(z2), 1e-12 * (z3 * z3), HOLONOMIC_PENDULUM_SINGULAR_1);
         }
         /* the mass matrix is singular */
         if (!(fabs(z5) > 0.0)) {
-            return HOLONOMIC_PENDULUM_SINGULAR_2;
+            return holonomic_pendulum_refuse(fabs(z5), 0.0, HOLONOMIC_PENDULUM_SINGULAR_2);
         }
         return holonomic_pendulum_finish(1, lambda);
     }
@@ -404,11 +410,11 @@ int holonomic_pendulum_jacobian(double t, const double *y, const double *p, doub
         && fabs(m * z3) > 0.0)) {
         /* the coframe is singular */
         if (!(fabs(z1) > 1e-12 * (z2 * z2))) {
-            return HOLONOMIC_PENDULUM_SINGULAR_1;
+            return holonomic_pendulum_refuse(fabs(z1), 1e-12 * (z2 * z2), HOLONOMIC_PENDULUM_SINGULAR_1);
         }
         /* the mass matrix is singular */
         if (!(fabs(m * z3) > 0.0)) {
-            return HOLONOMIC_PENDULUM_SINGULAR_2;
+            return holonomic_pendulum_refuse(fabs(m * z3), 0.0, HOLONOMIC_PENDULUM_SINGULAR_2);
         }
         return holonomic_pendulum_finish(9, J);
     }
@@ -426,7 +432,8 @@ int holonomic_pendulum_outputs(double t, const double *y, const double *p, doubl
     const double z1 = fabs(y_2) + fabs(x);
     /* the coframe is singular */
     if (!(fabs(x * x + y_2 * y_2) > 1e-12 * (z1 * z1))) {
-        return HOLONOMIC_PENDULUM_SINGULAR_1;
+        return holonomic_pendulum_refuse(fabs(x * x + y_2 * y_2), 1e-12 * (z1 * z1),
+            HOLONOMIC_PENDULUM_SINGULAR_1);
     }
     (void)out;
     return HOLONOMIC_PENDULUM_OK;

@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""holonomic_pendulum, emitted by nhc 0.1.0 (nhc:cbc0d3326d63f2e2).
+"""holonomic_pendulum, emitted by nhc 0.1.0 (nhc:08c0ea457955a2d5).
 
 The plane pendulum in Cartesian coordinates with the rod as a constraint on the
     positions.
@@ -80,6 +80,17 @@ def _single(function: str, value: float) -> float:
     return value
 
 
+def _refuse(
+    value: float,
+    bound: float,
+    status: int,
+    function: str,
+) -> SingularModelError:
+    """What to raise of a block that does not exceed its bound: it is singular, or no number."""
+    singular = value <= bound < math.inf
+    return SingularModelError(status if singular else NOT_FINITE, function)
+
+
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
     """right-hand side dy/dt = f(t, y; p) (I.2.15)
 
@@ -97,11 +108,11 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z2 = abs(y_2) + abs(x)
         # the coframe is singular
         if not abs(z1) > 1e-12 * (z2 * z2):
-            raise SingularModelError(1, "rhs")
+            raise _refuse(abs(z1), 1e-12 * (z2 * z2), 1, "rhs")
         z3 = 1.0 / z1
         # the mass matrix is singular
         if not abs(m * z3) > 0.0:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(m * z3), 0.0, 2, "rhs")
         z4 = v * z3
         dydt: list[float] = [
             # x' (I.2.15)
@@ -135,7 +146,7 @@ def velocities(
         z2 = abs(y_2) + abs(x)
         # the coframe is singular
         if not abs(z1) > 1e-12 * (z2 * z2):
-            raise SingularModelError(1, "velocities")
+            raise _refuse(abs(z1), 1e-12 * (z2 * z2), 1, "velocities")
         z3 = v / z1
         qdot: list[float] = [
             # x' (I.2.4)
@@ -170,11 +181,11 @@ def accelerations(
         z3 = abs(y_2) + abs(x)
         # the coframe is singular
         if not abs(z2) > 1e-12 * (z3 * z3):
-            raise SingularModelError(1, "accelerations")
+            raise _refuse(abs(z2), 1e-12 * (z3 * z3), 1, "accelerations")
         z4 = 1.0 / z2
         # the mass matrix is singular
         if not abs(m * z4) > 0.0:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(m * z4), 0.0, 2, "accelerations")
         z5 = z4 * v * v
         qddot: list[float] = [
             # x'' (I.2.15)
@@ -285,12 +296,12 @@ def reactions(
         z3 = abs(y_2) + abs(x)
         # the coframe is singular
         if not abs(z2) > 1e-12 * (z3 * z3):
-            raise SingularModelError(1, "reactions")
+            raise _refuse(abs(z2), 1e-12 * (z3 * z3), 1, "reactions")
         z4 = 1.0 / z2
         z5 = m * z4
         # the mass matrix is singular
         if not abs(z5) > 0.0:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(z5), 0.0, 2, "reactions")
         z6 = z4 * z4 * v * v
         lambda_: list[float] = [
             # reaction of rod: Q_i gains lambda_1 a_1i (I.4.1) 16:5
@@ -346,11 +357,11 @@ def jacobian(
         z2 = abs(y_2) + abs(x)
         # the coframe is singular
         if not abs(z1) > 1e-12 * (z2 * z2):
-            raise SingularModelError(1, "jacobian")
+            raise _refuse(abs(z1), 1e-12 * (z2 * z2), 1, "jacobian")
         z3 = 1.0 / z1
         # the mass matrix is singular
         if not abs(m * z3) > 0.0:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(m * z3), 0.0, 2, "jacobian")
         z4 = v * (x * (z3 * z3))
         z5 = 2.0 * (y_2 * z4)
         z6 = v * z3 - 2.0 * (x * z4)
@@ -392,7 +403,7 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
         s1 = x * x + y_2 * y_2
         # the coframe is singular
         if not abs(s1) > 1e-12 * (z1 * z1):
-            raise SingularModelError(1, "outputs")
+            raise _refuse(abs(s1), 1e-12 * (z1 * z1), 1, "outputs")
         out: list[float] = []
         return _finish("outputs", out)
     except (ValueError, ZeroDivisionError, OverflowError) as error:

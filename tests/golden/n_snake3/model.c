@@ -1,5 +1,5 @@
 /*
- * n_snake3.c: n_snake3, emitted by nhc 0.1.0 (nhc:1a9278dfac4dc2e8)
+ * n_snake3.c: n_snake3, emitted by nhc 0.1.0 (nhc:1edada8d2cdfb4e5)
  * Three links with a wheeled axle under the middle of each, hinged in a row with springs in the hinges.
  * Source: n_snake3.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -66,6 +66,12 @@ static int n_snake3_finish(int count, const double *values)
         }
     }
     return N_SNAKE3_OK;
+}
+
+/* the status of a block that does not exceed its bound: it is singular, or no number */
+static int n_snake3_refuse(double value, double bound, int singular)
+{
+    return value <= bound && bound <= DBL_MAX ? singular : N_SNAKE3_NOT_FINITE;
 }
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
@@ -277,15 +283,15 @@ int n_snake3_rhs(double t, const double *y, const double *p, double *dydt)
     if (!(fabs(dydt[4] + dydt[5] + dydt[6]) <= DBL_MAX && fabs(-z18) > 1e-14 * z17)) {
         /* the coframe is singular */
         if (!(fabs(a) > 0.0)) {
-            return N_SNAKE3_SINGULAR_1;
+            return n_snake3_refuse(fabs(a), 0.0, N_SNAKE3_SINGULAR_1);
         }
         /* the mass matrix is singular */
         if (!(fabs(z8) > 0.0)) {
-            return N_SNAKE3_SINGULAR_2;
+            return n_snake3_refuse(fabs(z8), 0.0, N_SNAKE3_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(-z18) > 1e-14 * z17)) {
-            return N_SNAKE3_SINGULAR_2;
+            return n_snake3_refuse(fabs(-z18), 1e-14 * z17, N_SNAKE3_SINGULAR_2);
         }
         return n_snake3_finish(7, dydt);
     }
@@ -328,7 +334,7 @@ int n_snake3_velocities(double t, const double *y, const double *p, double *qdot
     if (!(fabs(qdot[3] + qdot[4]) <= DBL_MAX)) {
         /* the coframe is singular */
         if (!(fabs(a) > 0.0)) {
-            return N_SNAKE3_SINGULAR_1;
+            return n_snake3_refuse(fabs(a), 0.0, N_SNAKE3_SINGULAR_1);
         }
         return n_snake3_finish(5, qdot);
     }
@@ -421,15 +427,15 @@ int n_snake3_accelerations(double t, const double *y, const double *p, double *q
     if (!(fabs(qddot[0] + qddot[1] + qddot[3] + qddot[4]) <= DBL_MAX && fabs(z18) > 1e-14 * z12)) {
         /* the coframe is singular */
         if (!(fabs(a) > 0.0)) {
-            return N_SNAKE3_SINGULAR_1;
+            return n_snake3_refuse(fabs(a), 0.0, N_SNAKE3_SINGULAR_1);
         }
         /* the mass matrix is singular */
         if (!(fabs(z7) > 0.0)) {
-            return N_SNAKE3_SINGULAR_2;
+            return n_snake3_refuse(fabs(z7), 0.0, N_SNAKE3_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(z18) > 1e-14 * z12)) {
-            return N_SNAKE3_SINGULAR_2;
+            return n_snake3_refuse(fabs(z18), 1e-14 * z12, N_SNAKE3_SINGULAR_2);
         }
         return n_snake3_finish(5, qddot);
     }
@@ -595,15 +601,15 @@ int n_snake3_reactions(double t, const double *y, const double *p, double *lambd
     if (!(fabs(lambda[0] + lambda[1] + lambda[2]) <= DBL_MAX && fabs(z18) > 1e-14 * z12)) {
         /* the coframe is singular */
         if (!(fabs(a) > 0.0)) {
-            return N_SNAKE3_SINGULAR_1;
+            return n_snake3_refuse(fabs(a), 0.0, N_SNAKE3_SINGULAR_1);
         }
         /* the mass matrix is singular */
         if (!(fabs(z7) > 0.0)) {
-            return N_SNAKE3_SINGULAR_2;
+            return n_snake3_refuse(fabs(z7), 0.0, N_SNAKE3_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(z18) > 1e-14 * z12)) {
-            return N_SNAKE3_SINGULAR_2;
+            return n_snake3_refuse(fabs(z18), 1e-14 * z12, N_SNAKE3_SINGULAR_2);
         }
         return n_snake3_finish(3, lambda);
     }
@@ -838,15 +844,15 @@ int n_snake3_jacobian(double t, const double *y, const double *p, double *J)
         && fabs(z18) > 1e-14 * z12)) {
         /* the coframe is singular */
         if (!(fabs(a) > 0.0)) {
-            return N_SNAKE3_SINGULAR_1;
+            return n_snake3_refuse(fabs(a), 0.0, N_SNAKE3_SINGULAR_1);
         }
         /* the mass matrix is singular */
         if (!(fabs(z7) > 0.0)) {
-            return N_SNAKE3_SINGULAR_2;
+            return n_snake3_refuse(fabs(z7), 0.0, N_SNAKE3_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(z18) > 1e-14 * z12)) {
-            return N_SNAKE3_SINGULAR_2;
+            return n_snake3_refuse(fabs(z18), 1e-14 * z12, N_SNAKE3_SINGULAR_2);
         }
         return n_snake3_finish(49, J);
     }
@@ -862,7 +868,7 @@ int n_snake3_outputs(double t, const double *y, const double *p, double *out)
     /* state */
     /* the coframe is singular */
     if (!(fabs(a) > 0.0)) {
-        return N_SNAKE3_SINGULAR_1;
+        return n_snake3_refuse(fabs(a), 0.0, N_SNAKE3_SINGULAR_1);
     }
     (void)out;
     return N_SNAKE3_OK;

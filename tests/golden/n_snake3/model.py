@@ -1,4 +1,4 @@
-"""n_snake3, emitted by nhc 0.1.0 (nhc:fc633a972ad2291a).
+"""n_snake3, emitted by nhc 0.1.0 (nhc:32642672367fffde).
 
 Three links with a wheeled axle under the middle of each, hinged in a row with
     springs in the hinges.
@@ -84,6 +84,17 @@ def _single(function: str, value: float) -> float:
     return value
 
 
+def _refuse(
+    value: float,
+    bound: float,
+    status: int,
+    function: str,
+) -> SingularModelError:
+    """What to raise of a block that does not exceed its bound: it is singular, or no number."""
+    singular = value <= bound < math.inf
+    return SingularModelError(status if singular else NOT_FINITE, function)
+
+
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
     """right-hand side dy/dt = f(t, y; p) (I.2.15)
 
@@ -102,7 +113,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     try:
         # the coframe is singular
         if not abs(a) > 0.0:
-            raise SingularModelError(1, "rhs")
+            raise _refuse(abs(a), 0.0, 1, "rhs")
         # parameters only
         k1 = 1.0 / a
         k2 = J * k1
@@ -124,7 +135,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z8 = m * z4 + k3 * (z5 + z7)
         # the mass matrix is singular
         if not abs(z8) > 0.0:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(z8), 0.0, 2, "rhs")
         z9 = c1 * s1
         z10 = a * s1
         z11 = a * c1
@@ -137,7 +148,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z18 = z14 * z16 - z17
         # the mass matrix is singular
         if not abs(-z18) > 1e-14 * z17:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(-z18), 1e-14 * z17, 2, "rhs")
         c_theta1 = math.cos(theta1)
         s_theta1 = math.sin(theta1)
         z19 = a * w
@@ -201,7 +212,7 @@ def velocities(
     try:
         # the coframe is singular
         if not abs(a) > 0.0:
-            raise SingularModelError(1, "velocities")
+            raise _refuse(abs(a), 0.0, 1, "velocities")
         # parameters only
         k1 = 1.0 / a
         # state
@@ -254,7 +265,7 @@ def accelerations(
     try:
         # the coframe is singular
         if not abs(a) > 0.0:
-            raise SingularModelError(1, "accelerations")
+            raise _refuse(abs(a), 0.0, 1, "accelerations")
         # parameters only
         k1 = 1.0 / a
         k2 = J * k1
@@ -275,7 +286,7 @@ def accelerations(
         z7 = m * (z3 * z3 + z4) + k3 * (z5 + z6 * z6)
         # the mass matrix is singular
         if not abs(z7) > 0.0:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(z7), 0.0, 2, "accelerations")
         z8 = a * s1
         z9 = a * c1
         z10 = s2 * z8 + c2 * z9
@@ -289,7 +300,7 @@ def accelerations(
         z18 = z12 - z15 * z17
         # the mass matrix is singular
         if not abs(z18) > 1e-14 * z12:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(z18), 1e-14 * z12, 2, "accelerations")
         s_theta1 = math.sin(theta1)
         z19 = v * w
         c_theta1 = math.cos(theta1)
@@ -449,7 +460,7 @@ def reactions(
     try:
         # the coframe is singular
         if not abs(a) > 0.0:
-            raise SingularModelError(1, "reactions")
+            raise _refuse(abs(a), 0.0, 1, "reactions")
         # parameters only
         k1 = 1.0 / a
         k2 = J * k1
@@ -471,7 +482,7 @@ def reactions(
         z7 = m * (z3 * z3 + z4) + k3 * (z5 + z6 * z6)
         # the mass matrix is singular
         if not abs(z7) > 0.0:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(z7), 0.0, 2, "reactions")
         z8 = a * s1
         z9 = a * c1
         z10 = s2 * z8 + c2 * z9
@@ -485,7 +496,7 @@ def reactions(
         z18 = z12 - z15 * z17
         # the mass matrix is singular
         if not abs(z18) > 1e-14 * z12:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(z18), 1e-14 * z12, 2, "reactions")
         z19 = a * w
         v1_x2 = v * c1 + s1 * z19
         z20 = v * s1 - c1 * z19
@@ -605,7 +616,7 @@ def jacobian(
     try:
         # the coframe is singular
         if not abs(a) > 0.0:
-            raise SingularModelError(1, "jacobian")
+            raise _refuse(abs(a), 0.0, 1, "jacobian")
         # parameters only
         k1 = 1.0 / a
         k2 = J_2 * k1
@@ -628,7 +639,7 @@ def jacobian(
         z7 = m * (z3 * z3 + z4) + k3 * (z5 + z6 * z6)
         # the mass matrix is singular
         if not abs(z7) > 0.0:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(z7), 0.0, 2, "jacobian")
         z8 = a * s1
         z9 = a * c1
         z10 = s2 * z8 + c2 * z9
@@ -642,7 +653,7 @@ def jacobian(
         z18 = z12 - z15 * z17
         # the mass matrix is singular
         if not abs(z18) > 1e-14 * z12:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(z18), 1e-14 * z12, 2, "jacobian")
         s_theta1 = math.sin(theta1)
         c_theta1 = math.cos(theta1)
         z19 = a * w
@@ -850,7 +861,7 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
     try:
         # the coframe is singular
         if not abs(a) > 0.0:
-            raise SingularModelError(1, "outputs")
+            raise _refuse(abs(a), 0.0, 1, "outputs")
         # state
         out: list[float] = []
         return _finish("outputs", out)

@@ -1,5 +1,5 @@
 /*
- * n_trailer3.c: n_trailer3, emitted by nhc 0.1.0 (nhc:7c5097bdbfc2f70b)
+ * n_trailer3.c: n_trailer3, emitted by nhc 0.1.0 (nhc:e4f85b1cc1d4cf98)
  * A tractor with three trailers, each hitched to the axle before it; none of the four axles slips sideways.
  * Source: n_trailer3.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -70,6 +70,12 @@ static int n_trailer3_finish(int count, const double *values)
         }
     }
     return N_TRAILER3_OK;
+}
+
+/* the status of a block that does not exceed its bound: it is singular, or no number */
+static int n_trailer3_refuse(double value, double bound, int singular)
+{
+    return value <= bound && bound <= DBL_MAX ? singular : N_TRAILER3_NOT_FINITE;
 }
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
@@ -247,17 +253,17 @@ int n_trailer3_rhs(double t, const double *y, const double *p, double *dydt)
     dydt[7] = 0.0; /* w' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(dydt[6]) <= DBL_MAX && fabs(J0) > 0.0)) {
+        /* the mass matrix is singular */
+        if (!(fabs(J0) > 0.0)) {
+            return n_trailer3_refuse(fabs(J0), 0.0, N_TRAILER3_SINGULAR_2);
+        }
         /* the coframe is singular */
         if (!(fabs(L) > 0.0)) {
-            return N_TRAILER3_SINGULAR_1;
+            return n_trailer3_refuse(fabs(L), 0.0, N_TRAILER3_SINGULAR_1);
         }
         /* the mass matrix is singular */
         if (!(fabs(z8) > 0.0)) {
-            return N_TRAILER3_SINGULAR_2;
-        }
-        /* the mass matrix is singular */
-        if (!(fabs(J0) > 0.0)) {
-            return N_TRAILER3_SINGULAR_2;
+            return n_trailer3_refuse(fabs(z8), 0.0, N_TRAILER3_SINGULAR_2);
         }
         return n_trailer3_finish(8, dydt);
     }
@@ -303,7 +309,7 @@ int n_trailer3_velocities(double t, const double *y, const double *p, double *qd
     if (!(fabs(qdot[2] + qdot[5]) <= DBL_MAX)) {
         /* the coframe is singular */
         if (!(fabs(L) > 0.0)) {
-            return N_TRAILER3_SINGULAR_1;
+            return n_trailer3_refuse(fabs(L), 0.0, N_TRAILER3_SINGULAR_1);
         }
         return n_trailer3_finish(6, qdot);
     }
@@ -370,17 +376,17 @@ int n_trailer3_accelerations(double t, const double *y, const double *p, double 
     qddot[5] = z10 * (z7 * z11 - s1 * z16) - z5 * z20; /* theta3'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qddot[0] + qddot[1] + qddot[3] + qddot[4] + qddot[5]) <= DBL_MAX && fabs(J0) > 0.0)) {
+        /* the mass matrix is singular */
+        if (!(fabs(J0) > 0.0)) {
+            return n_trailer3_refuse(fabs(J0), 0.0, N_TRAILER3_SINGULAR_2);
+        }
         /* the coframe is singular */
         if (!(fabs(L) > 0.0)) {
-            return N_TRAILER3_SINGULAR_1;
+            return n_trailer3_refuse(fabs(L), 0.0, N_TRAILER3_SINGULAR_1);
         }
         /* the mass matrix is singular */
         if (!(fabs(z8) > 0.0)) {
-            return N_TRAILER3_SINGULAR_2;
-        }
-        /* the mass matrix is singular */
-        if (!(fabs(J0) > 0.0)) {
-            return N_TRAILER3_SINGULAR_2;
+            return n_trailer3_refuse(fabs(z8), 0.0, N_TRAILER3_SINGULAR_2);
         }
         return n_trailer3_finish(6, qddot);
     }
@@ -538,17 +544,17 @@ int n_trailer3_reactions(double t, const double *y, const double *p, double *lam
     lambda[3] = z7 * (z24 * z30) - z25; /* reaction of axle3: Q_i gains lambda_4 a_4i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(lambda[0] + lambda[1] + lambda[2] + lambda[3]) <= DBL_MAX && fabs(J0) > 0.0)) {
+        /* the mass matrix is singular */
+        if (!(fabs(J0) > 0.0)) {
+            return n_trailer3_refuse(fabs(J0), 0.0, N_TRAILER3_SINGULAR_2);
+        }
         /* the coframe is singular */
         if (!(fabs(L) > 0.0)) {
-            return N_TRAILER3_SINGULAR_1;
+            return n_trailer3_refuse(fabs(L), 0.0, N_TRAILER3_SINGULAR_1);
         }
         /* the mass matrix is singular */
         if (!(fabs(z8) > 0.0)) {
-            return N_TRAILER3_SINGULAR_2;
-        }
-        /* the mass matrix is singular */
-        if (!(fabs(J0) > 0.0)) {
-            return N_TRAILER3_SINGULAR_2;
+            return n_trailer3_refuse(fabs(z8), 0.0, N_TRAILER3_SINGULAR_2);
         }
         return n_trailer3_finish(4, lambda);
     }
@@ -723,17 +729,17 @@ int n_trailer3_jacobian(double t, const double *y, const double *p, double *J)
     if (!(fabs(J[34] + J[35] + J[38] + J[42] + J[43] + J[44] + J[46] + J[50] + J[51] + J[52] + J[53] + J[54]
         + J[55]) <= DBL_MAX
         && fabs(J0) > 0.0)) {
+        /* the mass matrix is singular */
+        if (!(fabs(J0) > 0.0)) {
+            return n_trailer3_refuse(fabs(J0), 0.0, N_TRAILER3_SINGULAR_2);
+        }
         /* the coframe is singular */
         if (!(fabs(L) > 0.0)) {
-            return N_TRAILER3_SINGULAR_1;
+            return n_trailer3_refuse(fabs(L), 0.0, N_TRAILER3_SINGULAR_1);
         }
         /* the mass matrix is singular */
         if (!(fabs(z8) > 0.0)) {
-            return N_TRAILER3_SINGULAR_2;
-        }
-        /* the mass matrix is singular */
-        if (!(fabs(J0) > 0.0)) {
-            return N_TRAILER3_SINGULAR_2;
+            return n_trailer3_refuse(fabs(z8), 0.0, N_TRAILER3_SINGULAR_2);
         }
         return n_trailer3_finish(64, J);
     }
@@ -767,7 +773,7 @@ int n_trailer3_outputs(double t, const double *y, const double *p, double *out)
     if (!(fabs(out[0] + out[1]) <= DBL_MAX && fabs(L) > 0.0)) {
         /* the coframe is singular */
         if (!(fabs(L) > 0.0)) {
-            return N_TRAILER3_SINGULAR_1;
+            return n_trailer3_refuse(fabs(L), 0.0, N_TRAILER3_SINGULAR_1);
         }
         return n_trailer3_finish(2, out);
     }
@@ -871,7 +877,7 @@ int n_trailer3_rhs_batch(size_t count, const double *t, const double *y, const d
     const double k2 = k1 * (J * k1);
     /* the mass matrix is singular */
     if (!(fabs(J0) > 0.0)) {
-        return N_TRAILER3_SINGULAR_2;
+        return n_trailer3_refuse(fabs(J0), 0.0, N_TRAILER3_SINGULAR_2);
     }
     const double fixed[] = {m0, m, k1, k2};
     double check[1 * N_TRAILER3_LANES];

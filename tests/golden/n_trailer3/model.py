@@ -1,4 +1,4 @@
-"""n_trailer3, emitted by nhc 0.1.0 (nhc:5d3f1dce4351a589).
+"""n_trailer3, emitted by nhc 0.1.0 (nhc:24a6a37050748fbd).
 
 A tractor with three trailers, each hitched to the axle before it; none of the four
     axles slips sideways.
@@ -91,6 +91,17 @@ def _single(function: str, value: float) -> float:
     return value
 
 
+def _refuse(
+    value: float,
+    bound: float,
+    status: int,
+    function: str,
+) -> SingularModelError:
+    """What to raise of a block that does not exceed its bound: it is singular, or no number."""
+    singular = value <= bound < math.inf
+    return SingularModelError(status if singular else NOT_FINITE, function)
+
+
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
     """right-hand side dy/dt = f(t, y; p) (I.2.15)
 
@@ -111,10 +122,10 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     try:
         # the mass matrix is singular
         if not abs(J0) > 0.0:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(J0), 0.0, 2, "rhs")
         # the coframe is singular
         if not abs(L) > 0.0:
-            raise SingularModelError(1, "rhs")
+            raise _refuse(abs(L), 0.0, 1, "rhs")
         # parameters only
         k1 = 1.0 / L
         k2 = k1 * (J * k1)
@@ -136,7 +147,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z8 = s4 + m * (z7 * z7 + (c1 * c1 + z4 * z4))
         # the mass matrix is singular
         if not abs(z8) > 0.0:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(z8), 0.0, 2, "rhs")
         c_theta0 = math.cos(theta0)
         s_theta0 = math.sin(theta0)
         z9 = v * k1
@@ -189,7 +200,7 @@ def velocities(
     try:
         # the coframe is singular
         if not abs(L) > 0.0:
-            raise SingularModelError(1, "velocities")
+            raise _refuse(abs(L), 0.0, 1, "velocities")
         # parameters only
         k1 = 1.0 / L
         # state
@@ -247,10 +258,10 @@ def accelerations(
     try:
         # the mass matrix is singular
         if not abs(J0) > 0.0:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(J0), 0.0, 2, "accelerations")
         # the coframe is singular
         if not abs(L) > 0.0:
-            raise SingularModelError(1, "accelerations")
+            raise _refuse(abs(L), 0.0, 1, "accelerations")
         # parameters only
         k1 = 1.0 / L
         k2 = k1 * (J * k1)
@@ -272,7 +283,7 @@ def accelerations(
         z8 = s4 + m * (z7 * z7 + (c1 * c1 + z4 * z4))
         # the mass matrix is singular
         if not abs(z8) > 0.0:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(z8), 0.0, 2, "accelerations")
         s_theta0 = math.sin(theta0)
         z9 = v * w
         c_theta0 = math.cos(theta0)
@@ -424,10 +435,10 @@ def reactions(
     try:
         # the mass matrix is singular
         if not abs(J0) > 0.0:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(J0), 0.0, 2, "reactions")
         # the coframe is singular
         if not abs(L) > 0.0:
-            raise SingularModelError(1, "reactions")
+            raise _refuse(abs(L), 0.0, 1, "reactions")
         # parameters only
         k1 = 1.0 / L
         k2 = J * k1
@@ -450,7 +461,7 @@ def reactions(
         z8 = s4 + m * (z7 * z7 + (c1 * c1 + z4 * z4))
         # the mass matrix is singular
         if not abs(z8) > 0.0:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(z8), 0.0, 2, "reactions")
         z9 = s2 * k1
         z10 = v * z9
         z11 = w - z10
@@ -566,10 +577,10 @@ def jacobian(
     try:
         # the mass matrix is singular
         if not abs(J0) > 0.0:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(J0), 0.0, 2, "jacobian")
         # the coframe is singular
         if not abs(L) > 0.0:
-            raise SingularModelError(1, "jacobian")
+            raise _refuse(abs(L), 0.0, 1, "jacobian")
         # parameters only
         k1 = 1.0 / L
         k2 = k1 * (J_2 * k1)
@@ -591,7 +602,7 @@ def jacobian(
         z8 = s4 + m * (z7 * z7 + (c1 * c1 + z4 * z4))
         # the mass matrix is singular
         if not abs(z8) > 0.0:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(z8), 0.0, 2, "jacobian")
         s_theta0 = math.sin(theta0)
         c_theta0 = math.cos(theta0)
         z9 = v * k1
@@ -761,7 +772,7 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
     try:
         # the coframe is singular
         if not abs(L) > 0.0:
-            raise SingularModelError(1, "outputs")
+            raise _refuse(abs(L), 0.0, 1, "outputs")
         # state
         c_theta3 = math.cos(theta3)
         c_theta1 = math.cos(theta1)

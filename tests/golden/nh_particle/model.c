@@ -1,5 +1,5 @@
 /*
- * nh_particle.c: nh_particle, emitted by nhc 0.1.0 (nhc:e5463d692ec8bf80)
+ * nh_particle.c: nh_particle, emitted by nhc 0.1.0 (nhc:10fe9886ba3ecf16)
  * A free particle with one velocity constraint that cannot be integrated.
  * Source: nh_particle.yaml
  * Equations of motion: chaplygin (III.3)
@@ -49,6 +49,12 @@ static int nh_particle_finish(int count, const double *values)
         }
     }
     return NH_PARTICLE_OK;
+}
+
+/* the status of a block that does not exceed its bound: it is singular, or no number */
+static int nh_particle_refuse(double value, double bound, int singular)
+{
+    return value <= bound && bound <= DBL_MAX ? singular : NH_PARTICLE_NOT_FINITE;
 }
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
@@ -174,12 +180,12 @@ int nh_particle_rhs(double t, const double *y, const double *p, double *dydt)
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(dydt[3]) <= DBL_MAX)) {
         /* the mass matrix is singular */
-        if (!(fabs(z1) > 0.0)) {
-            return NH_PARTICLE_SINGULAR_2;
+        if (!(fabs(m) > 0.0)) {
+            return nh_particle_refuse(fabs(m), 0.0, NH_PARTICLE_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(m) > 0.0)) {
-            return NH_PARTICLE_SINGULAR_2;
+        if (!(fabs(z1) > 0.0)) {
+            return nh_particle_refuse(fabs(z1), 0.0, NH_PARTICLE_SINGULAR_2);
         }
         return nh_particle_finish(5, dydt);
     }
@@ -225,12 +231,12 @@ int nh_particle_accelerations(double t, const double *y, const double *p, double
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qddot[2]) <= DBL_MAX)) {
         /* the mass matrix is singular */
-        if (!(fabs(z1) > 0.0)) {
-            return NH_PARTICLE_SINGULAR_2;
+        if (!(fabs(m) > 0.0)) {
+            return nh_particle_refuse(fabs(m), 0.0, NH_PARTICLE_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(m) > 0.0)) {
-            return NH_PARTICLE_SINGULAR_2;
+        if (!(fabs(z1) > 0.0)) {
+            return nh_particle_refuse(fabs(z1), 0.0, NH_PARTICLE_SINGULAR_2);
         }
         return nh_particle_finish(3, qddot);
     }
@@ -294,12 +300,12 @@ int nh_particle_reactions(double t, const double *y, const double *p, double *la
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(lambda[0]) <= DBL_MAX)) {
         /* the mass matrix is singular */
-        if (!(fabs(z2) > 0.0)) {
-            return NH_PARTICLE_SINGULAR_2;
+        if (!(fabs(m) > 0.0)) {
+            return nh_particle_refuse(fabs(m), 0.0, NH_PARTICLE_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(m) > 0.0)) {
-            return NH_PARTICLE_SINGULAR_2;
+        if (!(fabs(z2) > 0.0)) {
+            return nh_particle_refuse(fabs(z2), 0.0, NH_PARTICLE_SINGULAR_2);
         }
         return nh_particle_finish(1, lambda);
     }
@@ -344,12 +350,12 @@ int nh_particle_jacobian(double t, const double *y, const double *p, double *J)
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(J[16] + J[18] + J[19]) <= DBL_MAX)) {
         /* the mass matrix is singular */
-        if (!(fabs(z2) > 0.0)) {
-            return NH_PARTICLE_SINGULAR_2;
+        if (!(fabs(m) > 0.0)) {
+            return nh_particle_refuse(fabs(m), 0.0, NH_PARTICLE_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(m) > 0.0)) {
-            return NH_PARTICLE_SINGULAR_2;
+        if (!(fabs(z2) > 0.0)) {
+            return nh_particle_refuse(fabs(z2), 0.0, NH_PARTICLE_SINGULAR_2);
         }
         return nh_particle_finish(25, J);
     }

@@ -1,4 +1,4 @@
-"""nh_particle, emitted by nhc 0.1.0 (nhc:b953f694216905dd).
+"""nh_particle, emitted by nhc 0.1.0 (nhc:ab212718ba5a6c36).
 
 A free particle with one velocity constraint that cannot be integrated.
 Source: nh_particle.yaml
@@ -79,6 +79,17 @@ def _single(function: str, value: float) -> float:
     return value
 
 
+def _refuse(
+    value: float,
+    bound: float,
+    status: int,
+    function: str,
+) -> SingularModelError:
+    """What to raise of a block that does not exceed its bound: it is singular, or no number."""
+    singular = value <= bound < math.inf
+    return SingularModelError(status if singular else NOT_FINITE, function)
+
+
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
     """right-hand side dy/dt = f(t, y; p) (III.3)
 
@@ -92,12 +103,12 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     try:
         # the mass matrix is singular
         if not abs(m) > 0.0:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(m), 0.0, 2, "rhs")
         # state
         z1 = m * (1.0 + y_2 * y_2)
         # the mass matrix is singular
         if not abs(z1) > 0.0:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(z1), 0.0, 2, "rhs")
         z2 = y_2 * x_dot
         dydt: list[float] = [
             # x' (III.3)
@@ -161,12 +172,12 @@ def accelerations(
     try:
         # the mass matrix is singular
         if not abs(m) > 0.0:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(m), 0.0, 2, "accelerations")
         # state
         z1 = m * (1.0 + y_2 * y_2)
         # the mass matrix is singular
         if not abs(z1) > 0.0:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(z1), 0.0, 2, "accelerations")
         z2 = x_dot * y_dot
         z3 = m * (y_2 * z2 / z1)
         qddot: list[float] = [
@@ -249,13 +260,13 @@ def reactions(
     try:
         # the mass matrix is singular
         if not abs(m) > 0.0:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(m), 0.0, 2, "reactions")
         # state
         z1 = y_2 * y_2
         z2 = m * (1.0 + z1)
         # the mass matrix is singular
         if not abs(z2) > 0.0:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(z2), 0.0, 2, "reactions")
         lambda_: list[float] = [
             # reaction of contact: Q_i gains lambda_1 a_1i (I.4.1) 11:5
             m * (x_dot * y_dot) * (1.0 - m * z1 / z2),
@@ -301,13 +312,13 @@ def jacobian(
     try:
         # the mass matrix is singular
         if not abs(m) > 0.0:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(m), 0.0, 2, "jacobian")
         # state
         z1 = y_2 * y_2
         z2 = m * (1.0 + z1)
         # the mass matrix is singular
         if not abs(z2) > 0.0:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(z2), 0.0, 2, "jacobian")
         z3 = m / z2
         z4 = y_2 * z3
         J: list[float] = [

@@ -1,5 +1,5 @@
 /*
- * nh_particle_pot.c: nh_particle_pot, emitted by nhc 0.1.0 (nhc:097d789761f18b83)
+ * nh_particle_pot.c: nh_particle_pot, emitted by nhc 0.1.0 (nhc:3145906a56e89b31)
  * The nonholonomic particle with springs in x and y.
  * Source: nh_particle_pot.yaml
  * Equations of motion: chaplygin (III.3)
@@ -51,6 +51,12 @@ static int nh_particle_pot_finish(int count, const double *values)
         }
     }
     return NH_PARTICLE_POT_OK;
+}
+
+/* the status of a block that does not exceed its bound: it is singular, or no number */
+static int nh_particle_pot_refuse(double value, double bound, int singular)
+{
+    return value <= bound && bound <= DBL_MAX ? singular : NH_PARTICLE_POT_NOT_FINITE;
 }
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
@@ -181,12 +187,12 @@ int nh_particle_pot_rhs(double t, const double *y, const double *p, double *dydt
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(dydt[3] + dydt[4]) <= DBL_MAX)) {
         /* the mass matrix is singular */
-        if (!(fabs(z1) > 0.0)) {
-            return NH_PARTICLE_POT_SINGULAR_2;
+        if (!(fabs(m) > 0.0)) {
+            return nh_particle_pot_refuse(fabs(m), 0.0, NH_PARTICLE_POT_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(m) > 0.0)) {
-            return NH_PARTICLE_POT_SINGULAR_2;
+        if (!(fabs(z1) > 0.0)) {
+            return nh_particle_pot_refuse(fabs(z1), 0.0, NH_PARTICLE_POT_SINGULAR_2);
         }
         return nh_particle_pot_finish(5, dydt);
     }
@@ -237,12 +243,12 @@ int nh_particle_pot_accelerations(double t, const double *y, const double *p, do
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qddot[1] + qddot[2]) <= DBL_MAX)) {
         /* the mass matrix is singular */
-        if (!(fabs(z1) > 0.0)) {
-            return NH_PARTICLE_POT_SINGULAR_2;
+        if (!(fabs(m) > 0.0)) {
+            return nh_particle_pot_refuse(fabs(m), 0.0, NH_PARTICLE_POT_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(m) > 0.0)) {
-            return NH_PARTICLE_POT_SINGULAR_2;
+        if (!(fabs(z1) > 0.0)) {
+            return nh_particle_pot_refuse(fabs(z1), 0.0, NH_PARTICLE_POT_SINGULAR_2);
         }
         return nh_particle_pot_finish(3, qddot);
     }
@@ -309,12 +315,12 @@ int nh_particle_pot_reactions(double t, const double *y, const double *p, double
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(lambda[0]) <= DBL_MAX)) {
         /* the mass matrix is singular */
-        if (!(fabs(z1) > 0.0)) {
-            return NH_PARTICLE_POT_SINGULAR_2;
+        if (!(fabs(m) > 0.0)) {
+            return nh_particle_pot_refuse(fabs(m), 0.0, NH_PARTICLE_POT_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(m) > 0.0)) {
-            return NH_PARTICLE_POT_SINGULAR_2;
+        if (!(fabs(z1) > 0.0)) {
+            return nh_particle_pot_refuse(fabs(z1), 0.0, NH_PARTICLE_POT_SINGULAR_2);
         }
         return nh_particle_pot_finish(1, lambda);
     }
@@ -367,12 +373,12 @@ int nh_particle_pot_jacobian(double t, const double *y, const double *p, double 
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(J[15] + J[16] + J[18] + J[19] + J[21]) <= DBL_MAX)) {
         /* the mass matrix is singular */
-        if (!(fabs(z1) > 0.0)) {
-            return NH_PARTICLE_POT_SINGULAR_2;
+        if (!(fabs(m) > 0.0)) {
+            return nh_particle_pot_refuse(fabs(m), 0.0, NH_PARTICLE_POT_SINGULAR_2);
         }
         /* the mass matrix is singular */
-        if (!(fabs(m) > 0.0)) {
-            return NH_PARTICLE_POT_SINGULAR_2;
+        if (!(fabs(z1) > 0.0)) {
+            return nh_particle_pot_refuse(fabs(z1), 0.0, NH_PARTICLE_POT_SINGULAR_2);
         }
         return nh_particle_pot_finish(25, J);
     }

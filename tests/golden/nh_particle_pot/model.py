@@ -1,4 +1,4 @@
-"""nh_particle_pot, emitted by nhc 0.1.0 (nhc:9d5abdd8a8caa8d9).
+"""nh_particle_pot, emitted by nhc 0.1.0 (nhc:d0ff0fed25dd9443).
 
 The nonholonomic particle with springs in x and y.
 Source: nh_particle_pot.yaml
@@ -77,6 +77,17 @@ def _single(function: str, value: float) -> float:
     return value
 
 
+def _refuse(
+    value: float,
+    bound: float,
+    status: int,
+    function: str,
+) -> SingularModelError:
+    """What to raise of a block that does not exceed its bound: it is singular, or no number."""
+    singular = value <= bound < math.inf
+    return SingularModelError(status if singular else NOT_FINITE, function)
+
+
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
     """right-hand side dy/dt = f(t, y; p) (III.3)
 
@@ -92,14 +103,14 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     try:
         # the mass matrix is singular
         if not abs(m) > 0.0:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(m), 0.0, 2, "rhs")
         # parameters only
         k1 = -k / m
         # state
         z1 = m * (1.0 + y_2 * y_2)
         # the mass matrix is singular
         if not abs(z1) > 0.0:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(z1), 0.0, 2, "rhs")
         z2 = y_2 * x_dot
         dydt: list[float] = [
             # x' (III.3)
@@ -165,14 +176,14 @@ def accelerations(
     try:
         # the mass matrix is singular
         if not abs(m) > 0.0:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(m), 0.0, 2, "accelerations")
         # parameters only
         k1 = -k / m
         # state
         z1 = m * (1.0 + y_2 * y_2)
         # the mass matrix is singular
         if not abs(z1) > 0.0:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(z1), 0.0, 2, "accelerations")
         z2 = x_dot * y_dot
         z3 = (x * k + m * (y_2 * z2)) / z1
         qddot: list[float] = [
@@ -257,12 +268,12 @@ def reactions(
     try:
         # the mass matrix is singular
         if not abs(m) > 0.0:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(m), 0.0, 2, "reactions")
         # state
         z1 = m * (1.0 + y_2 * y_2)
         # the mass matrix is singular
         if not abs(z1) > 0.0:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(z1), 0.0, 2, "reactions")
         z2 = x_dot * y_dot
         lambda_: list[float] = [
             # reaction of contact: Q_i gains lambda_1 a_1i (I.4.1) 13:5
@@ -315,12 +326,12 @@ def jacobian(
     try:
         # the mass matrix is singular
         if not abs(m) > 0.0:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(m), 0.0, 2, "jacobian")
         # state
         z1 = m * (1.0 + y_2 * y_2)
         # the mass matrix is singular
         if not abs(z1) > 0.0:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(z1), 0.0, 2, "jacobian")
         z2 = 1.0 / z1
         z3 = y_dot * m
         z4 = y_2 * z2

@@ -1,5 +1,5 @@
 /*
- * pendulum.c: pendulum, emitted by nhc 0.1.0 (nhc:eb94dc27f2e95b60)
+ * pendulum.c: pendulum, emitted by nhc 0.1.0 (nhc:b656dda136f67d59)
  * The plane pendulum, large swings.
  * Source: pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -48,6 +48,12 @@ static int pendulum_finish(int count, const double *values)
         }
     }
     return PENDULUM_OK;
+}
+
+/* the status of a block that does not exceed its bound: it is singular, or no number */
+static int pendulum_refuse(double value, double bound, int singular)
+{
+    return value <= bound && bound <= DBL_MAX ? singular : PENDULUM_NOT_FINITE;
 }
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
@@ -190,7 +196,7 @@ int pendulum_rhs(double t, const double *y, const double *p, double *dydt)
     if (!(fabs(dydt[0] + dydt[1]) <= DBL_MAX && fabs(m * (l * l)) > 0.0)) {
         /* the mass matrix is singular */
         if (!(fabs(m * (l * l)) > 0.0)) {
-            return PENDULUM_SINGULAR_2;
+            return pendulum_refuse(fabs(m * (l * l)), 0.0, PENDULUM_SINGULAR_2);
         }
         return pendulum_finish(2, dydt);
     }
@@ -232,7 +238,7 @@ int pendulum_accelerations(double t, const double *y, const double *p, double *q
     if (!(fabs(qddot[0]) <= DBL_MAX && fabs(m * (l * l)) > 0.0)) {
         /* the mass matrix is singular */
         if (!(fabs(m * (l * l)) > 0.0)) {
-            return PENDULUM_SINGULAR_2;
+            return pendulum_refuse(fabs(m * (l * l)), 0.0, PENDULUM_SINGULAR_2);
         }
         return pendulum_finish(1, qddot);
     }
@@ -276,7 +282,7 @@ int pendulum_reactions(double t, const double *y, const double *p, double *lambd
     /* state */
     /* the mass matrix is singular */
     if (!(fabs(m * (l * l)) > 0.0)) {
-        return PENDULUM_SINGULAR_2;
+        return pendulum_refuse(fabs(m * (l * l)), 0.0, PENDULUM_SINGULAR_2);
     }
     (void)lambda;
     return PENDULUM_OK;
@@ -321,7 +327,7 @@ int pendulum_jacobian(double t, const double *y, const double *p, double *J)
     if (!(fabs(J[2]) <= DBL_MAX && fabs(m * (l * l)) > 0.0)) {
         /* the mass matrix is singular */
         if (!(fabs(m * (l * l)) > 0.0)) {
-            return PENDULUM_SINGULAR_2;
+            return pendulum_refuse(fabs(m * (l * l)), 0.0, PENDULUM_SINGULAR_2);
         }
         return pendulum_finish(4, J);
     }
@@ -390,7 +396,7 @@ int pendulum_rhs_batch(size_t count, const double *t, const double *y, const dou
     const double k1 = -g / l;
     /* the mass matrix is singular */
     if (!(fabs(m * (l * l)) > 0.0)) {
-        return PENDULUM_SINGULAR_2;
+        return pendulum_refuse(fabs(m * (l * l)), 0.0, PENDULUM_SINGULAR_2);
     }
     const double fixed[] = {k1};
     double check[1 * PENDULUM_LANES];

@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""pendulum, emitted by nhc 0.1.0 (nhc:076667acba0b59ac).
+"""pendulum, emitted by nhc 0.1.0 (nhc:bb0c4abe74fb24f3).
 
 The plane pendulum, large swings.
 Source: pendulum.yaml
@@ -76,6 +76,17 @@ def _single(function: str, value: float) -> float:
     return value
 
 
+def _refuse(
+    value: float,
+    bound: float,
+    status: int,
+    function: str,
+) -> SingularModelError:
+    """What to raise of a block that does not exceed its bound: it is singular, or no number."""
+    singular = value <= bound < math.inf
+    return SingularModelError(status if singular else NOT_FINITE, function)
+
+
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
     """right-hand side dy/dt = f(t, y; p) (II.3)
 
@@ -91,7 +102,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         s1 = m * (l * l)
         # the mass matrix is singular
         if not abs(s1) > 0.0:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(s1), 0.0, 2, "rhs")
         # parameters only
         k1 = -g / l
         # state
@@ -147,7 +158,7 @@ def accelerations(
         s1 = m * (l * l)
         # the mass matrix is singular
         if not abs(s1) > 0.0:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(s1), 0.0, 2, "accelerations")
         # parameters only
         k1 = -g / l
         # state
@@ -217,7 +228,7 @@ def reactions(
         s1 = m * (l * l)
         # the mass matrix is singular
         if not abs(s1) > 0.0:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(s1), 0.0, 2, "reactions")
         # state
         lambda_: list[float] = []
         return _finish("reactions", lambda_)
@@ -265,7 +276,7 @@ def jacobian(
         s1 = m * (l * l)
         # the mass matrix is singular
         if not abs(s1) > 0.0:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(s1), 0.0, 2, "jacobian")
         # parameters only
         k1 = -g / l
         # state

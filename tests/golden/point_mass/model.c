@@ -1,5 +1,5 @@
 /*
- * point_mass.c: point_mass, emitted by nhc 0.1.0 (nhc:49aa25bc7049da52)
+ * point_mass.c: point_mass, emitted by nhc 0.1.0 (nhc:65cb2ae43ec33bf7)
  * A point mass thrown in a uniform field of gravity, with linear drag.
  * Source: point_mass.yaml
  * Equations of motion: lagrange (II.3)
@@ -54,6 +54,12 @@ static int point_mass_finish(int count, const double *values)
         }
     }
     return POINT_MASS_OK;
+}
+
+/* the status of a block that does not exceed its bound: it is singular, or no number */
+static int point_mass_refuse(double value, double bound, int singular)
+{
+    return value <= bound && bound <= DBL_MAX ? singular : POINT_MASS_NOT_FINITE;
 }
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
@@ -184,7 +190,7 @@ int point_mass_rhs(double t, const double *y, const double *p, double *dydt)
     if (!(fabs(dydt[3] + dydt[4] + dydt[5]) <= DBL_MAX)) {
         /* the mass matrix is singular */
         if (!(fabs(m) > 0.0)) {
-            return POINT_MASS_SINGULAR_2;
+            return point_mass_refuse(fabs(m), 0.0, POINT_MASS_SINGULAR_2);
         }
         return point_mass_finish(6, dydt);
     }
@@ -233,7 +239,7 @@ int point_mass_accelerations(double t, const double *y, const double *p, double 
     if (!(fabs(qddot[0] + qddot[1] + qddot[2]) <= DBL_MAX)) {
         /* the mass matrix is singular */
         if (!(fabs(m) > 0.0)) {
-            return POINT_MASS_SINGULAR_2;
+            return point_mass_refuse(fabs(m), 0.0, POINT_MASS_SINGULAR_2);
         }
         return point_mass_finish(3, qddot);
     }
@@ -284,7 +290,7 @@ int point_mass_reactions(double t, const double *y, const double *p, double *lam
     /* state */
     /* the mass matrix is singular */
     if (!(fabs(m) > 0.0)) {
-        return POINT_MASS_SINGULAR_2;
+        return point_mass_refuse(fabs(m), 0.0, POINT_MASS_SINGULAR_2);
     }
     (void)lambda;
     return POINT_MASS_OK;
@@ -330,7 +336,7 @@ int point_mass_jacobian(double t, const double *y, const double *p, double *J)
     if (!(fabs(J[35]) <= DBL_MAX)) {
         /* the mass matrix is singular */
         if (!(fabs(m) > 0.0)) {
-            return POINT_MASS_SINGULAR_2;
+            return point_mass_refuse(fabs(m), 0.0, POINT_MASS_SINGULAR_2);
         }
         return point_mass_finish(36, J);
     }

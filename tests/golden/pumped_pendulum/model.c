@@ -1,5 +1,5 @@
 /*
- * pumped_pendulum.c: pumped_pendulum, emitted by nhc 0.1.0 (nhc:5113f7a37fc8e561)
+ * pumped_pendulum.c: pumped_pendulum, emitted by nhc 0.1.0 (nhc:e745df1f5a31aee9)
  * A pendulum whose pivot is moved to and fro; T depends on time and is not homogeneous in the velocities.
  * Source: pumped_pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -52,6 +52,12 @@ static int pumped_pendulum_finish(int count, const double *values)
         }
     }
     return PUMPED_PENDULUM_OK;
+}
+
+/* the status of a block that does not exceed its bound: it is singular, or no number */
+static int pumped_pendulum_refuse(double value, double bound, int singular)
+{
+    return value <= bound && bound <= DBL_MAX ? singular : PUMPED_PENDULUM_NOT_FINITE;
 }
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
@@ -200,7 +206,7 @@ int pumped_pendulum_rhs(double t, const double *y, const double *p, double *dydt
     if (!(fabs(dydt[0] + dydt[1]) <= DBL_MAX && fabs(m * (l * l)) > 0.0)) {
         /* the mass matrix is singular */
         if (!(fabs(m * (l * l)) > 0.0)) {
-            return PUMPED_PENDULUM_SINGULAR_2;
+            return pumped_pendulum_refuse(fabs(m * (l * l)), 0.0, PUMPED_PENDULUM_SINGULAR_2);
         }
         return pumped_pendulum_finish(2, dydt);
     }
@@ -248,7 +254,7 @@ int pumped_pendulum_accelerations(double t, const double *y, const double *p, do
     if (!(fabs(qddot[0]) <= DBL_MAX && fabs(m * (l * l)) > 0.0)) {
         /* the mass matrix is singular */
         if (!(fabs(m * (l * l)) > 0.0)) {
-            return PUMPED_PENDULUM_SINGULAR_2;
+            return pumped_pendulum_refuse(fabs(m * (l * l)), 0.0, PUMPED_PENDULUM_SINGULAR_2);
         }
         return pumped_pendulum_finish(1, qddot);
     }
@@ -292,7 +298,7 @@ int pumped_pendulum_reactions(double t, const double *y, const double *p, double
     /* state */
     /* the mass matrix is singular */
     if (!(fabs(m * (l * l)) > 0.0)) {
-        return PUMPED_PENDULUM_SINGULAR_2;
+        return pumped_pendulum_refuse(fabs(m * (l * l)), 0.0, PUMPED_PENDULUM_SINGULAR_2);
     }
     (void)lambda;
     return PUMPED_PENDULUM_OK;
@@ -352,7 +358,7 @@ int pumped_pendulum_jacobian(double t, const double *y, const double *p, double 
     if (!(fabs(J[2]) <= DBL_MAX && fabs(m * (l * l)) > 0.0)) {
         /* the mass matrix is singular */
         if (!(fabs(m * (l * l)) > 0.0)) {
-            return PUMPED_PENDULUM_SINGULAR_2;
+            return pumped_pendulum_refuse(fabs(m * (l * l)), 0.0, PUMPED_PENDULUM_SINGULAR_2);
         }
         return pumped_pendulum_finish(4, J);
     }
@@ -425,7 +431,7 @@ int pumped_pendulum_rhs_batch(size_t count, const double *t, const double *y, co
     const double k2 = -1.0 / l;
     /* the mass matrix is singular */
     if (!(fabs(m * (l * l)) > 0.0)) {
-        return PUMPED_PENDULUM_SINGULAR_2;
+        return pumped_pendulum_refuse(fabs(m * (l * l)), 0.0, PUMPED_PENDULUM_SINGULAR_2);
     }
     const double fixed[] = {g, nu, k1, k2};
     double check[1 * PUMPED_PENDULUM_LANES];

@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""pumped_pendulum, emitted by nhc 0.1.0 (nhc:fdc2c34b42e5d59a).
+"""pumped_pendulum, emitted by nhc 0.1.0 (nhc:0e48eb355aab3bd9).
 
 A pendulum whose pivot is moved to and fro; T depends on time and is not homogeneous
     in the velocities.
@@ -76,6 +76,17 @@ def _single(function: str, value: float) -> float:
     return value
 
 
+def _refuse(
+    value: float,
+    bound: float,
+    status: int,
+    function: str,
+) -> SingularModelError:
+    """What to raise of a block that does not exceed its bound: it is singular, or no number."""
+    singular = value <= bound < math.inf
+    return SingularModelError(status if singular else NOT_FINITE, function)
+
+
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
     """right-hand side dy/dt = f(t, y; p) (II.3)
 
@@ -94,7 +105,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         s2 = m * (l * l)
         # the mass matrix is singular
         if not abs(s2) > 0.0:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(s2), 0.0, 2, "rhs")
         # parameters only
         k1 = a * nu * nu
         k2 = -1.0 / l
@@ -156,7 +167,7 @@ def accelerations(
         s2 = m * (l * l)
         # the mass matrix is singular
         if not abs(s2) > 0.0:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(s2), 0.0, 2, "accelerations")
         # parameters only
         k1 = a * nu * nu
         k2 = -1.0 / l
@@ -229,7 +240,7 @@ def reactions(
         s1 = m * (l * l)
         # the mass matrix is singular
         if not abs(s1) > 0.0:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(s1), 0.0, 2, "reactions")
         # state
         lambda_: list[float] = []
         return _finish("reactions", lambda_)
@@ -289,7 +300,7 @@ def jacobian(
         s2 = m * (l * l)
         # the mass matrix is singular
         if not abs(s2) > 0.0:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(s2), 0.0, 2, "jacobian")
         # parameters only
         k1 = a * nu * nu
         k2 = -1.0 / l

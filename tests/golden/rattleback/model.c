@@ -1,5 +1,5 @@
 /*
- * rattleback.c: rattleback, emitted by nhc 0.1.0 (nhc:1dd2ea52a127fef5)
+ * rattleback.c: rattleback, emitted by nhc 0.1.0 (nhc:bef2cf21d1a61000)
  * A loaded ellipsoid that rolls on a plane and prefers one sense of spin (celt, wobblestone).
  * Source: rattleback.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -79,6 +79,12 @@ static int rattleback_finish(int count, const double *values)
         }
     }
     return RATTLEBACK_OK;
+}
+
+/* the status of a block that does not exceed its bound: it is singular, or no number */
+static int rattleback_refuse(double value, double bound, int singular)
+{
+    return value <= bound && bound <= DBL_MAX ? singular : RATTLEBACK_NOT_FINITE;
 }
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
@@ -329,19 +335,19 @@ int rattleback_rhs(double t, const double *y, const double *p, double *dydt)
         && fabs(z22) > 1e-14 * z16)) {
         /* the coframe is singular */
         if (!(fabs(c_alpha) > 1e-12 * 4.0)) {
-            return RATTLEBACK_SINGULAR_1;
+            return rattleback_refuse(fabs(c_alpha), 1e-12 * 4.0, RATTLEBACK_SINGULAR_1);
         }
         /* the mass matrix is singular */
         if (!(fabs(z8) > 0.0)) {
-            return RATTLEBACK_SINGULAR_2;
+            return rattleback_refuse(fabs(z8), 0.0, RATTLEBACK_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(z15) > 1e-14 * z11)) {
-            return RATTLEBACK_SINGULAR_2;
+            return rattleback_refuse(fabs(z15), 1e-14 * z11, RATTLEBACK_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(z22) > 1e-14 * z16)) {
-            return RATTLEBACK_SINGULAR_2;
+            return rattleback_refuse(fabs(z22), 1e-14 * z16, RATTLEBACK_SINGULAR_2);
         }
         return rattleback_finish(9, dydt);
     }
@@ -402,7 +408,7 @@ int rattleback_velocities(double t, const double *y, const double *p, double *qd
         && fabs(c_alpha) > 1e-12 * 4.0)) {
         /* the coframe is singular */
         if (!(fabs(c_alpha) > 1e-12 * 4.0)) {
-            return RATTLEBACK_SINGULAR_1;
+            return rattleback_refuse(fabs(c_alpha), 1e-12 * 4.0, RATTLEBACK_SINGULAR_1);
         }
         return rattleback_finish(6, qdot);
     }
@@ -533,19 +539,19 @@ int rattleback_accelerations(double t, const double *y, const double *p, double 
         && fabs(z22) > 1e-14 * z16)) {
         /* the coframe is singular */
         if (!(fabs(c_alpha) > 1e-12 * 4.0)) {
-            return RATTLEBACK_SINGULAR_1;
+            return rattleback_refuse(fabs(c_alpha), 1e-12 * 4.0, RATTLEBACK_SINGULAR_1);
         }
         /* the mass matrix is singular */
         if (!(fabs(z8) > 0.0)) {
-            return RATTLEBACK_SINGULAR_2;
+            return rattleback_refuse(fabs(z8), 0.0, RATTLEBACK_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(z15) > 1e-14 * z11)) {
-            return RATTLEBACK_SINGULAR_2;
+            return rattleback_refuse(fabs(z15), 1e-14 * z11, RATTLEBACK_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(z22) > 1e-14 * z16)) {
-            return RATTLEBACK_SINGULAR_2;
+            return rattleback_refuse(fabs(z22), 1e-14 * z16, RATTLEBACK_SINGULAR_2);
         }
         return rattleback_finish(6, qddot);
     }
@@ -764,19 +770,19 @@ int rattleback_reactions(double t, const double *y, const double *p, double *lam
         && fabs(z22) > 1e-14 * z16)) {
         /* the coframe is singular */
         if (!(fabs(c_alpha) > 1e-12 * 4.0)) {
-            return RATTLEBACK_SINGULAR_1;
+            return rattleback_refuse(fabs(c_alpha), 1e-12 * 4.0, RATTLEBACK_SINGULAR_1);
         }
         /* the mass matrix is singular */
         if (!(fabs(z8) > 0.0)) {
-            return RATTLEBACK_SINGULAR_2;
+            return rattleback_refuse(fabs(z8), 0.0, RATTLEBACK_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(z15) > 1e-14 * z11)) {
-            return RATTLEBACK_SINGULAR_2;
+            return rattleback_refuse(fabs(z15), 1e-14 * z11, RATTLEBACK_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(z22) > 1e-14 * z16)) {
-            return RATTLEBACK_SINGULAR_2;
+            return rattleback_refuse(fabs(z22), 1e-14 * z16, RATTLEBACK_SINGULAR_2);
         }
         return rattleback_finish(3, lambda);
     }
@@ -1412,21 +1418,21 @@ RATTLEBACK_SLOW static int rattleback_jacobian_part2(double t, const double *y, 
     J[80] = -z279;
     /* the coframe is singular */
     if (!(fabs(c_alpha) > 1e-12 * 4.0)) {
-        return RATTLEBACK_SINGULAR_1;
+        return rattleback_refuse(fabs(c_alpha), 1e-12 * 4.0, RATTLEBACK_SINGULAR_1);
     }
     /* the mass matrix is singular */
     if (!(fabs(z8) > 0.0)) {
-        return RATTLEBACK_SINGULAR_2;
+        return rattleback_refuse(fabs(z8), 0.0, RATTLEBACK_SINGULAR_2);
     }
     const double z11 = kept[19];
     const double z15 = kept[23];
     /* the mass matrix is singular */
     if (!(fabs(z15) > 1e-14 * z11)) {
-        return RATTLEBACK_SINGULAR_2;
+        return rattleback_refuse(fabs(z15), 1e-14 * z11, RATTLEBACK_SINGULAR_2);
     }
     /* the mass matrix is singular */
     if (!(fabs(z23) > 1e-14 * z16)) {
-        return RATTLEBACK_SINGULAR_2;
+        return rattleback_refuse(fabs(z23), 1e-14 * z16, RATTLEBACK_SINGULAR_2);
     }
     return RATTLEBACK_OK;
 }
@@ -1461,7 +1467,7 @@ int rattleback_outputs(double t, const double *y, const double *p, double *out)
     if (!(fabs(out[0]) <= DBL_MAX && fabs(c_alpha) > 1e-12 * 4.0)) {
         /* the coframe is singular */
         if (!(fabs(c_alpha) > 1e-12 * 4.0)) {
-            return RATTLEBACK_SINGULAR_1;
+            return rattleback_refuse(fabs(c_alpha), 1e-12 * 4.0, RATTLEBACK_SINGULAR_1);
         }
         return rattleback_finish(1, out);
     }

@@ -1,4 +1,4 @@
-"""rattleback, emitted by nhc 0.1.0 (nhc:7fb02b9ca19fa35e).
+"""rattleback, emitted by nhc 0.1.0 (nhc:4d533b6afaa4c8cf).
 
 A loaded ellipsoid that rolls on a plane and prefers one sense of spin (celt,
     wobblestone).
@@ -94,6 +94,17 @@ def _single(function: str, value: float) -> float:
     return value
 
 
+def _refuse(
+    value: float,
+    bound: float,
+    status: int,
+    function: str,
+) -> SingularModelError:
+    """What to raise of a block that does not exceed its bound: it is singular, or no number."""
+    singular = value <= bound < math.inf
+    return SingularModelError(status if singular else NOT_FINITE, function)
+
+
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
     """right-hand side dy/dt = f(t, y; p) (I.2.15)
 
@@ -124,7 +135,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         c_alpha = math.cos(alpha)
         # the coframe is singular
         if not abs(c_alpha) > 1e-12 * 4.0:
-            raise SingularModelError(1, "rhs")
+            raise _refuse(abs(c_alpha), 1e-12 * 4.0, 1, "rhs")
         s_beta = math.sin(beta)
         z1 = c_alpha * s_beta
         mu2 = math.sin(alpha)
@@ -141,7 +152,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z8 = I_a + (z4 + z7)
         # the mass matrix is singular
         if not abs(z8) > 0.0:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(z8), 0.0, 2, "rhs")
         z9 = z1 * k1
         r1 = z9 * z2
         z10 = r1 * r1
@@ -152,7 +163,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z15 = z11 - z12 * z14
         # the mass matrix is singular
         if not abs(z15) > 1e-14 * z11:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(z15), 1e-14 * z11, 2, "rhs")
         z16 = I_c + (z7 + z10)
         z17 = r1 * r3
         z18 = z17 * z13
@@ -162,7 +173,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z22 = z16 - z17 * z18 - z19 * z21
         # the mass matrix is singular
         if not abs(z22) > 1e-14 * z16:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(z22), 1e-14 * z16, 2, "rhs")
         s_gamma = math.sin(gamma)
         z23 = r3 * w1 - r1 * w3
         u1 = r3 * w2 + z6 * w3
@@ -253,7 +264,7 @@ def velocities(
         c_alpha = math.cos(alpha)
         # the coframe is singular
         if not abs(c_alpha) > 1e-12 * 4.0:
-            raise SingularModelError(1, "velocities")
+            raise _refuse(abs(c_alpha), 1e-12 * 4.0, 1, "velocities")
         s_gamma = math.sin(gamma)
         s_beta = math.sin(beta)
         z1 = c_alpha * s_beta
@@ -327,7 +338,7 @@ def accelerations(
         c_alpha = math.cos(alpha)
         # the coframe is singular
         if not abs(c_alpha) > 1e-12 * 4.0:
-            raise SingularModelError(1, "accelerations")
+            raise _refuse(abs(c_alpha), 1e-12 * 4.0, 1, "accelerations")
         s_beta = math.sin(beta)
         z1 = c_alpha * s_beta
         mu2 = math.sin(alpha)
@@ -344,7 +355,7 @@ def accelerations(
         z8 = I_a + (z4 + z7)
         # the mass matrix is singular
         if not abs(z8) > 0.0:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(z8), 0.0, 2, "accelerations")
         z9 = z1 * k1
         r1 = z9 * z2
         z10 = r1 * r1
@@ -355,7 +366,7 @@ def accelerations(
         z15 = z11 - z12 * z14
         # the mass matrix is singular
         if not abs(z15) > 1e-14 * z11:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(z15), 1e-14 * z11, 2, "accelerations")
         z16 = I_c + (z7 + z10)
         z17 = r1 * r3
         z18 = z17 * z13
@@ -365,7 +376,7 @@ def accelerations(
         z22 = z16 - z17 * z18 - z19 * z21
         # the mass matrix is singular
         if not abs(z22) > 1e-14 * z16:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(z22), 1e-14 * z16, 2, "accelerations")
         z23 = r3 * w1 - r1 * w3
         u1 = r3 * w2 + z6 * w3
         z24 = r1 * w2 + z6 * w1
@@ -585,7 +596,7 @@ def reactions(
         c_alpha = math.cos(alpha)
         # the coframe is singular
         if not abs(c_alpha) > 1e-12 * 4.0:
-            raise SingularModelError(1, "reactions")
+            raise _refuse(abs(c_alpha), 1e-12 * 4.0, 1, "reactions")
         s_beta = math.sin(beta)
         z1 = c_alpha * s_beta
         mu2 = math.sin(alpha)
@@ -602,7 +613,7 @@ def reactions(
         z8 = I_a + (z4 + z7)
         # the mass matrix is singular
         if not abs(z8) > 0.0:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(z8), 0.0, 2, "reactions")
         z9 = z1 * k1
         r1 = z9 * z2
         z10 = r1 * r1
@@ -613,7 +624,7 @@ def reactions(
         z15 = z11 - z12 * z14
         # the mass matrix is singular
         if not abs(z15) > 1e-14 * z11:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(z15), 1e-14 * z11, 2, "reactions")
         z16 = I_c + (z7 + z10)
         z17 = r1 * r3
         z18 = z17 * z13
@@ -623,7 +634,7 @@ def reactions(
         z22 = z16 - z17 * z18 - z19 * z21
         # the mass matrix is singular
         if not abs(z22) > 1e-14 * z16:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(z22), 1e-14 * z16, 2, "reactions")
         s_gamma = math.sin(gamma)
         z23 = mu2 * s_gamma
         c_gamma = math.cos(gamma)
@@ -779,7 +790,7 @@ def jacobian(
         c_alpha = math.cos(alpha)
         # the coframe is singular
         if not abs(c_alpha) > 1e-12 * 4.0:
-            raise SingularModelError(1, "jacobian")
+            raise _refuse(abs(c_alpha), 1e-12 * 4.0, 1, "jacobian")
         s_beta = math.sin(beta)
         z1 = c_alpha * s_beta
         mu2 = math.sin(alpha)
@@ -796,7 +807,7 @@ def jacobian(
         z8 = I_a + (z4 + z7)
         # the mass matrix is singular
         if not abs(z8) > 0.0:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(z8), 0.0, 2, "jacobian")
         z9 = z1 * k1
         r1 = z9 * z2
         z10 = r1 * r1
@@ -807,7 +818,7 @@ def jacobian(
         z15 = z11 - z12 * z14
         # the mass matrix is singular
         if not abs(z15) > 1e-14 * z11:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(z15), 1e-14 * z11, 2, "jacobian")
         z16 = I_c + (z7 + z10)
         z17 = r1 * r3
         z18 = z17 * z13
@@ -818,7 +829,7 @@ def jacobian(
         z23 = z16 - z17 * z18 - z20 * z22
         # the mass matrix is singular
         if not abs(z23) > 1e-14 * z16:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(z23), 1e-14 * z16, 2, "jacobian")
         s_gamma = math.sin(gamma)
         z24 = r3 * w1
         z25 = r1 * w3
@@ -1263,7 +1274,7 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
         c_alpha = math.cos(alpha)
         # the coframe is singular
         if not abs(c_alpha) > 1e-12 * 4.0:
-            raise SingularModelError(1, "outputs")
+            raise _refuse(abs(c_alpha), 1e-12 * 4.0, 1, "outputs")
         out: list[float] = [
             # spin 53:9
             w3,

@@ -1,5 +1,5 @@
 /*
- * roller_racer.c: roller_racer, emitted by nhc 0.1.0 (nhc:9bdf484108f8ea5e)
+ * roller_racer.c: roller_racer, emitted by nhc 0.1.0 (nhc:2afe8bdf235dde42)
  * Two wheeled bodies with a hinge; it is driven by moving the hinge to and fro.
  * Source: roller_racer.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -67,6 +67,12 @@ static int roller_racer_finish(int count, const double *values)
         }
     }
     return ROLLER_RACER_OK;
+}
+
+/* the status of a block that does not exceed its bound: it is singular, or no number */
+static int roller_racer_refuse(double value, double bound, int singular)
+{
+    return value <= bound && bound <= DBL_MAX ? singular : ROLLER_RACER_NOT_FINITE;
 }
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
@@ -248,15 +254,15 @@ int roller_racer_rhs(double t, const double *y, const double *p, double *dydt)
     if (!(fabs(dydt[0] + dydt[4] + dydt[5]) <= DBL_MAX && fabs(z9) > 1e-14 * z4)) {
         /* the coframe is singular */
         if (!(fabs(d2) > 0.0)) {
-            return ROLLER_RACER_SINGULAR_1;
+            return roller_racer_refuse(fabs(d2), 0.0, ROLLER_RACER_SINGULAR_1);
         }
         /* the mass matrix is singular */
         if (!(fabs(z1) > 0.0)) {
-            return ROLLER_RACER_SINGULAR_2;
+            return roller_racer_refuse(fabs(z1), 0.0, ROLLER_RACER_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(z9) > 1e-14 * z4)) {
-            return ROLLER_RACER_SINGULAR_2;
+            return roller_racer_refuse(fabs(z9), 1e-14 * z4, ROLLER_RACER_SINGULAR_2);
         }
         return roller_racer_finish(6, dydt);
     }
@@ -292,7 +298,7 @@ int roller_racer_velocities(double t, const double *y, const double *p, double *
     if (!(fabs(qdot[0] + qdot[3]) <= DBL_MAX)) {
         /* the coframe is singular */
         if (!(fabs(d2) > 0.0)) {
-            return ROLLER_RACER_SINGULAR_1;
+            return roller_racer_refuse(fabs(d2), 0.0, ROLLER_RACER_SINGULAR_1);
         }
         return roller_racer_finish(4, qdot);
     }
@@ -350,15 +356,15 @@ int roller_racer_accelerations(double t, const double *y, const double *p, doubl
     if (!(fabs(qddot[0] + qddot[1] + qddot[3]) <= DBL_MAX && fabs(z9) > 1e-14 * z4)) {
         /* the coframe is singular */
         if (!(fabs(d2) > 0.0)) {
-            return ROLLER_RACER_SINGULAR_1;
+            return roller_racer_refuse(fabs(d2), 0.0, ROLLER_RACER_SINGULAR_1);
         }
         /* the mass matrix is singular */
         if (!(fabs(z1) > 0.0)) {
-            return ROLLER_RACER_SINGULAR_2;
+            return roller_racer_refuse(fabs(z1), 0.0, ROLLER_RACER_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(z9) > 1e-14 * z4)) {
-            return ROLLER_RACER_SINGULAR_2;
+            return roller_racer_refuse(fabs(z9), 1e-14 * z4, ROLLER_RACER_SINGULAR_2);
         }
         return roller_racer_finish(4, qddot);
     }
@@ -471,15 +477,15 @@ int roller_racer_reactions(double t, const double *y, const double *p, double *l
     if (!(fabs(lambda[0] + lambda[1]) <= DBL_MAX && fabs(z9) > 1e-14 * z4)) {
         /* the coframe is singular */
         if (!(fabs(d2) > 0.0)) {
-            return ROLLER_RACER_SINGULAR_1;
+            return roller_racer_refuse(fabs(d2), 0.0, ROLLER_RACER_SINGULAR_1);
         }
         /* the mass matrix is singular */
         if (!(fabs(z1) > 0.0)) {
-            return ROLLER_RACER_SINGULAR_2;
+            return roller_racer_refuse(fabs(z1), 0.0, ROLLER_RACER_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(z9) > 1e-14 * z4)) {
-            return ROLLER_RACER_SINGULAR_2;
+            return roller_racer_refuse(fabs(z9), 1e-14 * z4, ROLLER_RACER_SINGULAR_2);
         }
         return roller_racer_finish(2, lambda);
     }
@@ -600,15 +606,15 @@ int roller_racer_jacobian(double t, const double *y, const double *p, double *J)
     if (!(fabs(J[2] + J[21] + J[27] + J[28] + J[29] + J[33]) <= DBL_MAX && fabs(z10) > 1e-14 * z5)) {
         /* the coframe is singular */
         if (!(fabs(d2) > 0.0)) {
-            return ROLLER_RACER_SINGULAR_1;
+            return roller_racer_refuse(fabs(d2), 0.0, ROLLER_RACER_SINGULAR_1);
         }
         /* the mass matrix is singular */
         if (!(fabs(z1) > 0.0)) {
-            return ROLLER_RACER_SINGULAR_2;
+            return roller_racer_refuse(fabs(z1), 0.0, ROLLER_RACER_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(z10) > 1e-14 * z5)) {
-            return ROLLER_RACER_SINGULAR_2;
+            return roller_racer_refuse(fabs(z10), 1e-14 * z5, ROLLER_RACER_SINGULAR_2);
         }
         return roller_racer_finish(36, J);
     }
@@ -628,7 +634,7 @@ int roller_racer_outputs(double t, const double *y, const double *p, double *out
     if (!(fabs(out[0]) <= DBL_MAX && fabs(d2) > 0.0)) {
         /* the coframe is singular */
         if (!(fabs(d2) > 0.0)) {
-            return ROLLER_RACER_SINGULAR_1;
+            return roller_racer_refuse(fabs(d2), 0.0, ROLLER_RACER_SINGULAR_1);
         }
         return roller_racer_finish(1, out);
     }

@@ -1,4 +1,4 @@
-"""roller_racer, emitted by nhc 0.1.0 (nhc:02cb297b181c6648).
+"""roller_racer, emitted by nhc 0.1.0 (nhc:f01ecdbb88249650).
 
 Two wheeled bodies with a hinge; it is driven by moving the hinge to and fro.
 Source: roller_racer.yaml
@@ -86,6 +86,17 @@ def _single(function: str, value: float) -> float:
     return value
 
 
+def _refuse(
+    value: float,
+    bound: float,
+    status: int,
+    function: str,
+) -> SingularModelError:
+    """What to raise of a block that does not exceed its bound: it is singular, or no number."""
+    singular = value <= bound < math.inf
+    return SingularModelError(status if singular else NOT_FINITE, function)
+
+
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
     """right-hand side dy/dt = f(t, y; p) (I.2.15)
 
@@ -104,7 +115,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     try:
         # the coframe is singular
         if not abs(d2) > 0.0:
-            raise SingularModelError(1, "rhs")
+            raise _refuse(abs(d2), 0.0, 1, "rhs")
         # parameters only
         k1 = 1.0 / d2
         k2 = I2 * k1
@@ -114,7 +125,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z1 = m + k3 * (s_phi * s_phi)
         # the mass matrix is singular
         if not abs(z1) > 0.0:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(z1), 0.0, 2, "rhs")
         c_phi = math.cos(phi)
         z2 = d1 * c_phi
         z3 = z2 * k1
@@ -126,7 +137,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z9 = z4 - z6 * z8
         # the mass matrix is singular
         if not abs(z9) > 1e-14 * z4:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(z9), 1e-14 * z4, 2, "rhs")
         c_theta = math.cos(theta)
         s_theta = math.sin(theta)
         z10 = k1 * (theta_dot * (d2 + z2) - v * s_phi)
@@ -171,7 +182,7 @@ def velocities(
     try:
         # the coframe is singular
         if not abs(d2) > 0.0:
-            raise SingularModelError(1, "velocities")
+            raise _refuse(abs(d2), 0.0, 1, "velocities")
         # parameters only
         k1 = -1.0 / d2
         # state
@@ -216,7 +227,7 @@ def accelerations(
     try:
         # the coframe is singular
         if not abs(d2) > 0.0:
-            raise SingularModelError(1, "accelerations")
+            raise _refuse(abs(d2), 0.0, 1, "accelerations")
         # parameters only
         k1 = 1.0 / d2
         k2 = I2 * k1
@@ -226,7 +237,7 @@ def accelerations(
         z1 = m + k3 * (s_phi * s_phi)
         # the mass matrix is singular
         if not abs(z1) > 0.0:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(z1), 0.0, 2, "accelerations")
         c_phi = math.cos(phi)
         z2 = d2 + d1 * c_phi
         z3 = 1.0 - z2 * k1
@@ -238,7 +249,7 @@ def accelerations(
         z9 = z4 - z6 * z8
         # the mass matrix is singular
         if not abs(z9) > 1e-14 * z4:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(z9), 1e-14 * z4, 2, "accelerations")
         s_theta = math.sin(theta)
         z10 = theta_dot * v
         c_theta = math.cos(theta)
@@ -360,7 +371,7 @@ def reactions(
     try:
         # the coframe is singular
         if not abs(d2) > 0.0:
-            raise SingularModelError(1, "reactions")
+            raise _refuse(abs(d2), 0.0, 1, "reactions")
         # parameters only
         k1 = 1.0 / d2
         k2 = I2 * k1
@@ -370,7 +381,7 @@ def reactions(
         z1 = m + k3 * (s_phi * s_phi)
         # the mass matrix is singular
         if not abs(z1) > 0.0:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(z1), 0.0, 2, "reactions")
         c_phi = math.cos(phi)
         z2 = d2 + d1 * c_phi
         z3 = 1.0 - z2 * k1
@@ -382,7 +393,7 @@ def reactions(
         z9 = z4 - z6 * z8
         # the mass matrix is singular
         if not abs(z9) > 1e-14 * z4:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(z9), 1e-14 * z4, 2, "reactions")
         z10 = k1 * (theta_dot * z2 - v * s_phi)
         z11 = d1 * (z10 * (theta_dot * s_phi)) + z10 * (c_phi * v)
         z12 = k3 * (s_phi * z11)
@@ -456,7 +467,7 @@ def jacobian(
     try:
         # the coframe is singular
         if not abs(d2) > 0.0:
-            raise SingularModelError(1, "jacobian")
+            raise _refuse(abs(d2), 0.0, 1, "jacobian")
         # parameters only
         k1 = 1.0 / d2
         k2 = I2 * k1
@@ -466,7 +477,7 @@ def jacobian(
         z1 = m + k3 * (s_phi * s_phi)
         # the mass matrix is singular
         if not abs(z1) > 0.0:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(z1), 0.0, 2, "jacobian")
         c_phi = math.cos(phi)
         z2 = d2 + d1 * c_phi
         z3 = z2 * k1
@@ -479,7 +490,7 @@ def jacobian(
         z10 = z5 - z7 * z9
         # the mass matrix is singular
         if not abs(z10) > 1e-14 * z5:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(z10), 1e-14 * z5, 2, "jacobian")
         s_theta = math.sin(theta)
         c_theta = math.cos(theta)
         z11 = theta_dot * d1
@@ -583,7 +594,7 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
     try:
         # the coframe is singular
         if not abs(d2) > 0.0:
-            raise SingularModelError(1, "outputs")
+            raise _refuse(abs(d2), 0.0, 1, "outputs")
         # state
         out: list[float] = [
             # speed 22:10

@@ -1,5 +1,5 @@
 /*
- * rolling_disk.c: rolling_disk, emitted by nhc 0.1.0 (nhc:8b37eb4a889a4a3b)
+ * rolling_disk.c: rolling_disk, emitted by nhc 0.1.0 (nhc:30477929667b087e)
  * A thin disk that rolls on a horizontal plane and may lean and fall (Euler's disk).
  * Source: rolling_disk.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -69,6 +69,12 @@ static int rolling_disk_finish(int count, const double *values)
         }
     }
     return ROLLING_DISK_OK;
+}
+
+/* the status of a block that does not exceed its bound: it is singular, or no number */
+static int rolling_disk_refuse(double value, double bound, int singular)
+{
+    return value <= bound && bound <= DBL_MAX ? singular : ROLLING_DISK_NOT_FINITE;
 }
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
@@ -249,21 +255,21 @@ int rolling_disk_rhs(double t, const double *y, const double *p, double *dydt)
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(dydt[0] + dydt[1] + dydt[4] + dydt[5] + dydt[6] + dydt[7]) <= DBL_MAX
         && fabs(s_theta) > 1e-12)) {
-        /* the coframe is singular */
-        if (!(fabs(s_theta) > 1e-12)) {
-            return ROLLING_DISK_SINGULAR_1;
-        }
-        /* the mass matrix is singular */
-        if (!(fabs(k6) > 0.0)) {
-            return ROLLING_DISK_SINGULAR_2;
-        }
         /* the mass matrix is singular */
         if (!(fabs(A) > 0.0)) {
-            return ROLLING_DISK_SINGULAR_2;
+            return rolling_disk_refuse(fabs(A), 0.0, ROLLING_DISK_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(k3) > 0.0)) {
-            return ROLLING_DISK_SINGULAR_2;
+            return rolling_disk_refuse(fabs(k3), 0.0, ROLLING_DISK_SINGULAR_2);
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(k6) > 0.0)) {
+            return rolling_disk_refuse(fabs(k6), 0.0, ROLLING_DISK_SINGULAR_2);
+        }
+        /* the coframe is singular */
+        if (!(fabs(s_theta) > 1e-12)) {
+            return rolling_disk_refuse(fabs(s_theta), 1e-12, ROLLING_DISK_SINGULAR_1);
         }
         return rolling_disk_finish(8, dydt);
     }
@@ -300,7 +306,7 @@ int rolling_disk_velocities(double t, const double *y, const double *p, double *
     if (!(fabs(qdot[0] + qdot[1] + qdot[4]) <= DBL_MAX && fabs(s_theta) > 1e-12)) {
         /* the coframe is singular */
         if (!(fabs(s_theta) > 1e-12)) {
-            return ROLLING_DISK_SINGULAR_1;
+            return rolling_disk_refuse(fabs(s_theta), 1e-12, ROLLING_DISK_SINGULAR_1);
         }
         return rolling_disk_finish(5, qdot);
     }
@@ -359,21 +365,21 @@ int rolling_disk_accelerations(double t, const double *y, const double *p, doubl
     qddot[4] = z11 + (z3 * (s_theta * w_t) + c_theta * z13); /* psi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qddot[0] + qddot[1] + qddot[3] + qddot[4]) <= DBL_MAX && fabs(s_theta) > 1e-12)) {
-        /* the coframe is singular */
-        if (!(fabs(s_theta) > 1e-12)) {
-            return ROLLING_DISK_SINGULAR_1;
+        /* the mass matrix is singular */
+        if (!(fabs(A) > 0.0)) {
+            return rolling_disk_refuse(fabs(A), 0.0, ROLLING_DISK_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(k2) > 0.0)) {
-            return ROLLING_DISK_SINGULAR_2;
-        }
-        /* the mass matrix is singular */
-        if (!(fabs(A) > 0.0)) {
-            return ROLLING_DISK_SINGULAR_2;
+            return rolling_disk_refuse(fabs(k2), 0.0, ROLLING_DISK_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(k3) > 0.0)) {
-            return ROLLING_DISK_SINGULAR_2;
+            return rolling_disk_refuse(fabs(k3), 0.0, ROLLING_DISK_SINGULAR_2);
+        }
+        /* the coframe is singular */
+        if (!(fabs(s_theta) > 1e-12)) {
+            return rolling_disk_refuse(fabs(s_theta), 1e-12, ROLLING_DISK_SINGULAR_1);
         }
         return rolling_disk_finish(5, qddot);
     }
@@ -485,22 +491,22 @@ int rolling_disk_reactions(double t, const double *y, const double *p, double *l
     /* (I.4.1) 26:5 */
     lambda[1] = (s_phi * z3 - c_phi * z2) * k1; /* reaction of roll_y: Q_i gains lambda_2 a_2i */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(lambda[0] + lambda[1]) <= DBL_MAX && fabs(s_theta) > 1e-12 && fabs(A) > 0.0)) {
-        /* the coframe is singular */
-        if (!(fabs(s_theta) > 1e-12)) {
-            return ROLLING_DISK_SINGULAR_1;
+    if (!(fabs(lambda[0] + lambda[1]) <= DBL_MAX && fabs(A) > 0.0 && fabs(s_theta) > 1e-12)) {
+        /* the mass matrix is singular */
+        if (!(fabs(A) > 0.0)) {
+            return rolling_disk_refuse(fabs(A), 0.0, ROLLING_DISK_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(k3) > 0.0)) {
-            return ROLLING_DISK_SINGULAR_2;
-        }
-        /* the mass matrix is singular */
-        if (!(fabs(A) > 0.0)) {
-            return ROLLING_DISK_SINGULAR_2;
+            return rolling_disk_refuse(fabs(k3), 0.0, ROLLING_DISK_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(k4) > 0.0)) {
-            return ROLLING_DISK_SINGULAR_2;
+            return rolling_disk_refuse(fabs(k4), 0.0, ROLLING_DISK_SINGULAR_2);
+        }
+        /* the coframe is singular */
+        if (!(fabs(s_theta) > 1e-12)) {
+            return rolling_disk_refuse(fabs(s_theta), 1e-12, ROLLING_DISK_SINGULAR_1);
         }
         return rolling_disk_finish(2, lambda);
     }
@@ -603,21 +609,21 @@ int rolling_disk_jacobian(double t, const double *y, const double *p, double *J)
     if (!(fabs(J[2] + J[10] + J[11] + J[15] + J[35] + J[43] + J[46] + J[47] + J[51] + J[53] + J[54] + J[55] +
         J[61] + J[62]) <= DBL_MAX
         && fabs(s_theta) > 1e-12)) {
-        /* the coframe is singular */
-        if (!(fabs(s_theta) > 1e-12)) {
-            return ROLLING_DISK_SINGULAR_1;
+        /* the mass matrix is singular */
+        if (!(fabs(A) > 0.0)) {
+            return rolling_disk_refuse(fabs(A), 0.0, ROLLING_DISK_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(k2) > 0.0)) {
-            return ROLLING_DISK_SINGULAR_2;
-        }
-        /* the mass matrix is singular */
-        if (!(fabs(A) > 0.0)) {
-            return ROLLING_DISK_SINGULAR_2;
+            return rolling_disk_refuse(fabs(k2), 0.0, ROLLING_DISK_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(k3) > 0.0)) {
-            return ROLLING_DISK_SINGULAR_2;
+            return rolling_disk_refuse(fabs(k3), 0.0, ROLLING_DISK_SINGULAR_2);
+        }
+        /* the coframe is singular */
+        if (!(fabs(s_theta) > 1e-12)) {
+            return rolling_disk_refuse(fabs(s_theta), 1e-12, ROLLING_DISK_SINGULAR_1);
         }
         return rolling_disk_finish(64, J);
     }
@@ -651,7 +657,7 @@ int rolling_disk_outputs(double t, const double *y, const double *p, double *out
     if (!(fabs(out[1] + out[2]) <= DBL_MAX && fabs(s_theta) > 1e-12)) {
         /* the coframe is singular */
         if (!(fabs(s_theta) > 1e-12)) {
-            return ROLLING_DISK_SINGULAR_1;
+            return rolling_disk_refuse(fabs(s_theta), 1e-12, ROLLING_DISK_SINGULAR_1);
         }
         return rolling_disk_finish(3, out);
     }

@@ -1,4 +1,4 @@
-"""rolling_disk, emitted by nhc 0.1.0 (nhc:0d663f8523791ea9).
+"""rolling_disk, emitted by nhc 0.1.0 (nhc:14efb6b4178e34fa).
 
 A thin disk that rolls on a horizontal plane and may lean and fall (Euler's disk).
 Source: rolling_disk.yaml
@@ -89,6 +89,17 @@ def _single(function: str, value: float) -> float:
     return value
 
 
+def _refuse(
+    value: float,
+    bound: float,
+    status: int,
+    function: str,
+) -> SingularModelError:
+    """What to raise of a block that does not exceed its bound: it is singular, or no number."""
+    singular = value <= bound < math.inf
+    return SingularModelError(status if singular else NOT_FINITE, function)
+
+
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
     """right-hand side dy/dt = f(t, y; p) (I.2.15)
 
@@ -108,27 +119,27 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     try:
         # the mass matrix is singular
         if not abs(A) > 0.0:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(A), 0.0, 2, "rhs")
         # parameters only
         k1 = m * R
         k2 = R * k1
         k3 = C + k2
         # the mass matrix is singular
         if not abs(k3) > 0.0:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(k3), 0.0, 2, "rhs")
         k4 = g * k1
         k5 = 1.0 / A
         k6 = A + k2
         # the mass matrix is singular
         if not abs(k6) > 0.0:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(k6), 0.0, 2, "rhs")
         k7 = -1.0 / k6
         k8 = k2 / k3
         # state
         s_theta = math.sin(theta)
         # the coframe is singular
         if not abs(s_theta) > 1e-12:
-            raise SingularModelError(1, "rhs")
+            raise _refuse(abs(s_theta), 1e-12, 1, "rhs")
         c_phi = math.cos(phi)
         z1 = R * w_n
         s_phi = math.sin(phi)
@@ -181,7 +192,7 @@ def velocities(
         s_theta = math.sin(theta)
         # the coframe is singular
         if not abs(s_theta) > 1e-12:
-            raise SingularModelError(1, "velocities")
+            raise _refuse(abs(s_theta), 1e-12, 1, "velocities")
         s_phi = math.sin(phi)
         z1 = R * s_theta * w_t
         c_phi = math.cos(phi)
@@ -228,17 +239,17 @@ def accelerations(
     try:
         # the mass matrix is singular
         if not abs(A) > 0.0:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(A), 0.0, 2, "accelerations")
         # parameters only
         k1 = m * R * R
         k2 = A + k1
         # the mass matrix is singular
         if not abs(k2) > 0.0:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(k2), 0.0, 2, "accelerations")
         k3 = C + k1
         # the mass matrix is singular
         if not abs(k3) > 0.0:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(k3), 0.0, 2, "accelerations")
         k4 = g * (m * R)
         k5 = 1.0 / k2
         k6 = 1.0 / A
@@ -247,7 +258,7 @@ def accelerations(
         s_theta = math.sin(theta)
         # the coframe is singular
         if not abs(s_theta) > 1e-12:
-            raise SingularModelError(1, "accelerations")
+            raise _refuse(abs(s_theta), 1e-12, 1, "accelerations")
         z = R * s_theta
         z1 = z * w_t
         c_phi = math.cos(phi)
@@ -382,18 +393,18 @@ def reactions(
     try:
         # the mass matrix is singular
         if not abs(A) > 0.0:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(A), 0.0, 2, "reactions")
         # parameters only
         k1 = m * R
         k2 = m * R * R
         k3 = A + k2
         # the mass matrix is singular
         if not abs(k3) > 0.0:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(k3), 0.0, 2, "reactions")
         k4 = C + k2
         # the mass matrix is singular
         if not abs(k4) > 0.0:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(k4), 0.0, 2, "reactions")
         k5 = g * k1
         k6 = 1.0 / k3
         k7 = 1.0 - k2 / k4
@@ -402,7 +413,7 @@ def reactions(
         s_theta = math.sin(theta)
         # the coframe is singular
         if not abs(s_theta) > 1e-12:
-            raise SingularModelError(1, "reactions")
+            raise _refuse(abs(s_theta), 1e-12, 1, "reactions")
         s_phi = math.sin(phi)
         z1 = s_theta * k6
         c_theta = math.cos(theta)
@@ -474,17 +485,17 @@ def jacobian(
     try:
         # the mass matrix is singular
         if not abs(A) > 0.0:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(A), 0.0, 2, "jacobian")
         # parameters only
         k1 = m * R * R
         k2 = A + k1
         # the mass matrix is singular
         if not abs(k2) > 0.0:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(k2), 0.0, 2, "jacobian")
         k3 = C + k1
         # the mass matrix is singular
         if not abs(k3) > 0.0:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(k3), 0.0, 2, "jacobian")
         k4 = g * (m * R)
         k5 = 1.0 / k2
         k6 = 1.0 / A
@@ -495,7 +506,7 @@ def jacobian(
         s_theta = math.sin(theta)
         # the coframe is singular
         if not abs(s_theta) > 1e-12:
-            raise SingularModelError(1, "jacobian")
+            raise _refuse(abs(s_theta), 1e-12, 1, "jacobian")
         c_phi = math.cos(phi)
         z = R * s_theta
         z1 = z * w_t
@@ -620,7 +631,7 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
         s_theta = math.sin(theta)
         # the coframe is singular
         if not abs(s_theta) > 1e-12:
-            raise SingularModelError(1, "outputs")
+            raise _refuse(abs(s_theta), 1e-12, 1, "outputs")
         s_phi = math.sin(phi)
         c_theta = math.cos(theta)
         z1 = R * c_theta

@@ -1,5 +1,5 @@
 /*
- * routh_sphere.c: routh_sphere, emitted by nhc 0.1.0 (nhc:61a7ca79ae5c3850)
+ * routh_sphere.c: routh_sphere, emitted by nhc 0.1.0 (nhc:4bb9f96743477d69)
  * A ball with its centre of mass off its centre, dynamically symmetric, rolls on a horizontal plane.
  * Source: routh_sphere.yaml
  * Equations of motion: chaplygin (III.3)
@@ -71,6 +71,12 @@ static int routh_sphere_finish(int count, const double *values)
         }
     }
     return ROUTH_SPHERE_OK;
+}
+
+/* the status of a block that does not exceed its bound: it is singular, or no number */
+static int routh_sphere_refuse(double value, double bound, int singular)
+{
+    return value <= bound && bound <= DBL_MAX ? singular : ROUTH_SPHERE_NOT_FINITE;
 }
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
@@ -264,15 +270,15 @@ int routh_sphere_rhs(double t, const double *y, const double *p, double *dydt)
     if (!(fabs(dydt[0] + dydt[1] + dydt[5] + dydt[6]) <= DBL_MAX && fabs(z9) > 1e-14 * z5)) {
         /* the mass matrix is singular */
         if (!(fabs(z2) > 0.0)) {
-            return ROUTH_SPHERE_SINGULAR_2;
+            return routh_sphere_refuse(fabs(z2), 0.0, ROUTH_SPHERE_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(z4) > 0.0)) {
-            return ROUTH_SPHERE_SINGULAR_2;
+            return routh_sphere_refuse(fabs(z4), 0.0, ROUTH_SPHERE_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(z9) > 1e-14 * z5)) {
-            return ROUTH_SPHERE_SINGULAR_2;
+            return routh_sphere_refuse(fabs(z9), 1e-14 * z5, ROUTH_SPHERE_SINGULAR_2);
         }
         return routh_sphere_finish(8, dydt);
     }
@@ -375,15 +381,15 @@ int routh_sphere_accelerations(double t, const double *y, const double *p, doubl
     if (!(fabs(qddot[0] + qddot[1] + qddot[2]) <= DBL_MAX && fabs(z9) > 1e-14 * z5)) {
         /* the mass matrix is singular */
         if (!(fabs(z2) > 0.0)) {
-            return ROUTH_SPHERE_SINGULAR_2;
+            return routh_sphere_refuse(fabs(z2), 0.0, ROUTH_SPHERE_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(z4) > 0.0)) {
-            return ROUTH_SPHERE_SINGULAR_2;
+            return routh_sphere_refuse(fabs(z4), 0.0, ROUTH_SPHERE_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(z9) > 1e-14 * z5)) {
-            return ROUTH_SPHERE_SINGULAR_2;
+            return routh_sphere_refuse(fabs(z9), 1e-14 * z5, ROUTH_SPHERE_SINGULAR_2);
         }
         return routh_sphere_finish(5, qddot);
     }
@@ -516,15 +522,15 @@ int routh_sphere_reactions(double t, const double *y, const double *p, double *l
     if (!(fabs(lambda[0] + lambda[1]) <= DBL_MAX && fabs(z9) > 1e-14 * z5)) {
         /* the mass matrix is singular */
         if (!(fabs(z2) > 0.0)) {
-            return ROUTH_SPHERE_SINGULAR_2;
+            return routh_sphere_refuse(fabs(z2), 0.0, ROUTH_SPHERE_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(z4) > 0.0)) {
-            return ROUTH_SPHERE_SINGULAR_2;
+            return routh_sphere_refuse(fabs(z4), 0.0, ROUTH_SPHERE_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(z9) > 1e-14 * z5)) {
-            return ROUTH_SPHERE_SINGULAR_2;
+            return routh_sphere_refuse(fabs(z9), 1e-14 * z5, ROUTH_SPHERE_SINGULAR_2);
         }
         return routh_sphere_finish(2, lambda);
     }
@@ -674,15 +680,15 @@ int routh_sphere_jacobian(double t, const double *y, const double *p, double *J)
         && fabs(z9) > 1e-14 * z5)) {
         /* the mass matrix is singular */
         if (!(fabs(z2) > 0.0)) {
-            return ROUTH_SPHERE_SINGULAR_2;
+            return routh_sphere_refuse(fabs(z2), 0.0, ROUTH_SPHERE_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(z4) > 0.0)) {
-            return ROUTH_SPHERE_SINGULAR_2;
+            return routh_sphere_refuse(fabs(z4), 0.0, ROUTH_SPHERE_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(z9) > 1e-14 * z5)) {
-            return ROUTH_SPHERE_SINGULAR_2;
+            return routh_sphere_refuse(fabs(z9), 1e-14 * z5, ROUTH_SPHERE_SINGULAR_2);
         }
         return routh_sphere_finish(64, J);
     }

@@ -1,4 +1,4 @@
-"""routh_sphere, emitted by nhc 0.1.0 (nhc:0bc3146c1cf48631).
+"""routh_sphere, emitted by nhc 0.1.0 (nhc:9156882577700c5f).
 
 A ball with its centre of mass off its centre, dynamically symmetric, rolls on a
     horizontal plane.
@@ -90,6 +90,17 @@ def _single(function: str, value: float) -> float:
     return value
 
 
+def _refuse(
+    value: float,
+    bound: float,
+    status: int,
+    function: str,
+) -> SingularModelError:
+    """What to raise of a block that does not exceed its bound: it is singular, or no number."""
+    singular = value <= bound < math.inf
+    return SingularModelError(status if singular else NOT_FINITE, function)
+
+
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
     """right-hand side dy/dt = f(t, y; p) (III.3)
 
@@ -121,14 +132,14 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z2 = I3 - z1 * k5
         # the mass matrix is singular
         if not abs(z2) > 0.0:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(z2), 0.0, 2, "rhs")
         c_theta = math.cos(theta)
         Z = e * c_theta
         z3 = R + 2.0 * Z
         z4 = I1 + m * (k4 + R * z3)
         # the mass matrix is singular
         if not abs(z4) > 0.0:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(z4), 0.0, 2, "rhs")
         z5 = I3 + z1 * k1
         z6 = I3 * c_theta - z1 * k6
         z7 = 1.0 / z2
@@ -136,7 +147,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z9 = z5 - z6 * z8
         # the mass matrix is singular
         if not abs(z9) > 1e-14 * z5:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(z9), 1e-14 * z5, 2, "rhs")
         c_phi = math.cos(phi)
         z10 = s_theta * (psi_dot * R)
         s_phi = math.sin(phi)
@@ -247,14 +258,14 @@ def accelerations(
         z2 = I3 - z1 * k5
         # the mass matrix is singular
         if not abs(z2) > 0.0:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(z2), 0.0, 2, "accelerations")
         c_theta = math.cos(theta)
         Z = e * c_theta
         z3 = R + 2.0 * Z
         z4 = I1 + m * (k4 + R * z3)
         # the mass matrix is singular
         if not abs(z4) > 0.0:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(z4), 0.0, 2, "accelerations")
         z5 = I3 + z1 * k1
         z6 = I3 * c_theta - z1 * k6
         z7 = 1.0 / z2
@@ -262,7 +273,7 @@ def accelerations(
         z9 = z5 - z6 * z8
         # the mass matrix is singular
         if not abs(z9) > 1e-14 * z5:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(z9), 1e-14 * z5, 2, "accelerations")
         c_phi = math.cos(phi)
         z10 = phi_dot * c_phi
         z11 = theta_dot * R
@@ -396,14 +407,14 @@ def reactions(
         z2 = I3 - z1 * k5
         # the mass matrix is singular
         if not abs(z2) > 0.0:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(z2), 0.0, 2, "reactions")
         c_theta = math.cos(theta)
         Z = e * c_theta
         z3 = R + 2.0 * Z
         z4 = I1 + m * (k4 + R * z3)
         # the mass matrix is singular
         if not abs(z4) > 0.0:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(z4), 0.0, 2, "reactions")
         z5 = I3 + z1 * k1
         z6 = I3 * c_theta - z1 * k6
         z7 = 1.0 / z2
@@ -411,7 +422,7 @@ def reactions(
         z9 = z5 - z6 * z8
         # the mass matrix is singular
         if not abs(z9) > 1e-14 * z5:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(z9), 1e-14 * z5, 2, "reactions")
         c_phi = math.cos(phi)
         z10 = s_theta * c_phi
         z11 = theta_dot * s_theta
@@ -519,14 +530,14 @@ def jacobian(
         z2 = I3 - z1 * k5
         # the mass matrix is singular
         if not abs(z2) > 0.0:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(z2), 0.0, 2, "jacobian")
         c_theta = math.cos(theta)
         Z = e * c_theta
         z3 = R + 2.0 * Z
         z4 = I1 + m * (k4 + R * z3)
         # the mass matrix is singular
         if not abs(z4) > 0.0:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(z4), 0.0, 2, "jacobian")
         z5 = I3 + z1 * k1
         z6 = I3 * c_theta - z1 * k6
         z7 = 1.0 / z2
@@ -534,7 +545,7 @@ def jacobian(
         z9 = z5 - z6 * z8
         # the mass matrix is singular
         if not abs(z9) > 1e-14 * z5:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(z9), 1e-14 * z5, 2, "jacobian")
         c_phi = math.cos(phi)
         z10 = theta_dot * R
         s_phi = math.sin(phi)

@@ -1,5 +1,5 @@
 /*
- * skate_incline.c: skate_incline, emitted by nhc 0.1.0 (nhc:3e70ec6559ecfd56)
+ * skate_incline.c: skate_incline, emitted by nhc 0.1.0 (nhc:48b30f7ee0d0aa7e)
  * A skate on an inclined plane with its centre of mass above the edge; it never gets far downhill.
  * Source: skate_incline.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -56,6 +56,12 @@ static int skate_incline_finish(int count, const double *values)
         }
     }
     return SKATE_INCLINE_OK;
+}
+
+/* the status of a block that does not exceed its bound: it is singular, or no number */
+static int skate_incline_refuse(double value, double bound, int singular)
+{
+    return value <= bound && bound <= DBL_MAX ? singular : SKATE_INCLINE_NOT_FINITE;
 }
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
@@ -207,11 +213,11 @@ int skate_incline_rhs(double t, const double *y, const double *p, double *dydt)
     if (!(fabs(dydt[0] + dydt[2] + dydt[3]) <= DBL_MAX && fabs(m) > 0.0 && fabs(J) > 0.0)) {
         /* the mass matrix is singular */
         if (!(fabs(m) > 0.0)) {
-            return SKATE_INCLINE_SINGULAR_2;
+            return skate_incline_refuse(fabs(m), 0.0, SKATE_INCLINE_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(J) > 0.0)) {
-            return SKATE_INCLINE_SINGULAR_2;
+            return skate_incline_refuse(fabs(J), 0.0, SKATE_INCLINE_SINGULAR_2);
         }
         return skate_incline_finish(5, dydt);
     }
@@ -272,11 +278,11 @@ int skate_incline_accelerations(double t, const double *y, const double *p, doub
     if (!(fabs(qddot[0] + qddot[1]) <= DBL_MAX && fabs(m) > 0.0 && fabs(J) > 0.0)) {
         /* the mass matrix is singular */
         if (!(fabs(m) > 0.0)) {
-            return SKATE_INCLINE_SINGULAR_2;
+            return skate_incline_refuse(fabs(m), 0.0, SKATE_INCLINE_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(J) > 0.0)) {
-            return SKATE_INCLINE_SINGULAR_2;
+            return skate_incline_refuse(fabs(J), 0.0, SKATE_INCLINE_SINGULAR_2);
         }
         return skate_incline_finish(3, qddot);
     }
@@ -356,11 +362,11 @@ int skate_incline_reactions(double t, const double *y, const double *p, double *
     if (!(fabs(lambda[0]) <= DBL_MAX && fabs(m) > 0.0 && fabs(J) > 0.0)) {
         /* the mass matrix is singular */
         if (!(fabs(m) > 0.0)) {
-            return SKATE_INCLINE_SINGULAR_2;
+            return skate_incline_refuse(fabs(m), 0.0, SKATE_INCLINE_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(J) > 0.0)) {
-            return SKATE_INCLINE_SINGULAR_2;
+            return skate_incline_refuse(fabs(J), 0.0, SKATE_INCLINE_SINGULAR_2);
         }
         return skate_incline_finish(1, lambda);
     }
@@ -417,11 +423,11 @@ int skate_incline_jacobian(double t, const double *y, const double *p, double *J
     if (!(fabs(J[2] + J[17]) <= DBL_MAX && fabs(m) > 0.0 && fabs(J_2) > 0.0)) {
         /* the mass matrix is singular */
         if (!(fabs(m) > 0.0)) {
-            return SKATE_INCLINE_SINGULAR_2;
+            return skate_incline_refuse(fabs(m), 0.0, SKATE_INCLINE_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(J_2) > 0.0)) {
-            return SKATE_INCLINE_SINGULAR_2;
+            return skate_incline_refuse(fabs(J_2), 0.0, SKATE_INCLINE_SINGULAR_2);
         }
         return skate_incline_finish(25, J);
     }
@@ -502,11 +508,11 @@ int skate_incline_rhs_batch(size_t count, const double *t, const double *y, cons
     const double k1 = g * s_alpha;
     /* the mass matrix is singular */
     if (!(fabs(m) > 0.0)) {
-        return SKATE_INCLINE_SINGULAR_2;
+        return skate_incline_refuse(fabs(m), 0.0, SKATE_INCLINE_SINGULAR_2);
     }
     /* the mass matrix is singular */
     if (!(fabs(J) > 0.0)) {
-        return SKATE_INCLINE_SINGULAR_2;
+        return skate_incline_refuse(fabs(J), 0.0, SKATE_INCLINE_SINGULAR_2);
     }
     const double fixed[] = {k1};
     double check[1 * SKATE_INCLINE_LANES];

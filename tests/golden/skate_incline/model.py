@@ -1,4 +1,4 @@
-"""skate_incline, emitted by nhc 0.1.0 (nhc:1481276145057455).
+"""skate_incline, emitted by nhc 0.1.0 (nhc:f0d571a07c7191bd).
 
 A skate on an inclined plane with its centre of mass above the edge; it never gets
     far downhill.
@@ -84,6 +84,17 @@ def _single(function: str, value: float) -> float:
     return value
 
 
+def _refuse(
+    value: float,
+    bound: float,
+    status: int,
+    function: str,
+) -> SingularModelError:
+    """What to raise of a block that does not exceed its bound: it is singular, or no number."""
+    singular = value <= bound < math.inf
+    return SingularModelError(status if singular else NOT_FINITE, function)
+
+
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
     """right-hand side dy/dt = f(t, y; p) (I.2.15)
 
@@ -100,10 +111,10 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     try:
         # the mass matrix is singular
         if not abs(m) > 0.0:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(m), 0.0, 2, "rhs")
         # the mass matrix is singular
         if not abs(J) > 0.0:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(J), 0.0, 2, "rhs")
         # parameters only
         s_alpha = math.sin(alpha)
         k1 = g * s_alpha
@@ -177,10 +188,10 @@ def accelerations(
     try:
         # the mass matrix is singular
         if not abs(m) > 0.0:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(m), 0.0, 2, "accelerations")
         # the mass matrix is singular
         if not abs(J) > 0.0:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(J), 0.0, 2, "accelerations")
         # parameters only
         s_alpha = math.sin(alpha)
         k1 = g * s_alpha
@@ -277,10 +288,10 @@ def reactions(
     try:
         # the mass matrix is singular
         if not abs(m) > 0.0:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(m), 0.0, 2, "reactions")
         # the mass matrix is singular
         if not abs(J) > 0.0:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(J), 0.0, 2, "reactions")
         # parameters only
         s_alpha = math.sin(alpha)
         k1 = g * s_alpha
@@ -339,10 +350,10 @@ def jacobian(
     try:
         # the mass matrix is singular
         if not abs(m) > 0.0:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(m), 0.0, 2, "jacobian")
         # the mass matrix is singular
         if not abs(J_2) > 0.0:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(J_2), 0.0, 2, "jacobian")
         # parameters only
         s_alpha = math.sin(alpha)
         k1 = -g * s_alpha

@@ -1,5 +1,5 @@
 /*
- * smooth_tippe_top.c: smooth_tippe_top, emitted by nhc 0.1.0 (nhc:d213f267b9ba3598)
+ * smooth_tippe_top.c: smooth_tippe_top, emitted by nhc 0.1.0 (nhc:77e76a07cdea9d08)
  * The ball of routh_sphere on a plane without any friction.
  * Source: smooth_tippe_top.yaml
  * Equations of motion: lagrange (II.3)
@@ -73,6 +73,12 @@ static int smooth_tippe_top_finish(int count, const double *values)
         }
     }
     return SMOOTH_TIPPE_TOP_OK;
+}
+
+/* the status of a block that does not exceed its bound: it is singular, or no number */
+static int smooth_tippe_top_refuse(double value, double bound, int singular)
+{
+    return value <= bound && bound <= DBL_MAX ? singular : SMOOTH_TIPPE_TOP_NOT_FINITE;
 }
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
@@ -282,19 +288,19 @@ int smooth_tippe_top_rhs(double t, const double *y, const double *p, double *dyd
         && fabs(z17) > 1e-14 * I3)) {
         /* the mass matrix is singular */
         if (!(fabs(m) > 0.0)) {
-            return SMOOTH_TIPPE_TOP_SINGULAR_2;
+            return smooth_tippe_top_refuse(fabs(m), 0.0, SMOOTH_TIPPE_TOP_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(-z7) > 1e-14 * z6)) {
-            return SMOOTH_TIPPE_TOP_SINGULAR_2;
+            return smooth_tippe_top_refuse(fabs(-z7), 1e-14 * z6, SMOOTH_TIPPE_TOP_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(-z13) > 1e-14 * k4)) {
-            return SMOOTH_TIPPE_TOP_SINGULAR_2;
+            return smooth_tippe_top_refuse(fabs(-z13), 1e-14 * k4, SMOOTH_TIPPE_TOP_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(z17) > 1e-14 * I3)) {
-            return SMOOTH_TIPPE_TOP_SINGULAR_2;
+            return smooth_tippe_top_refuse(fabs(z17), 1e-14 * I3, SMOOTH_TIPPE_TOP_SINGULAR_2);
         }
         return smooth_tippe_top_finish(10, dydt);
     }
@@ -395,19 +401,19 @@ int smooth_tippe_top_accelerations(double t, const double *y, const double *p, d
         && fabs(z17) > 1e-14 * I3)) {
         /* the mass matrix is singular */
         if (!(fabs(m) > 0.0)) {
-            return SMOOTH_TIPPE_TOP_SINGULAR_2;
+            return smooth_tippe_top_refuse(fabs(m), 0.0, SMOOTH_TIPPE_TOP_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(z7) > 1e-14 * z1)) {
-            return SMOOTH_TIPPE_TOP_SINGULAR_2;
+            return smooth_tippe_top_refuse(fabs(z7), 1e-14 * z1, SMOOTH_TIPPE_TOP_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(-z13) > 1e-14 * k2)) {
-            return SMOOTH_TIPPE_TOP_SINGULAR_2;
+            return smooth_tippe_top_refuse(fabs(-z13), 1e-14 * k2, SMOOTH_TIPPE_TOP_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(z17) > 1e-14 * I3)) {
-            return SMOOTH_TIPPE_TOP_SINGULAR_2;
+            return smooth_tippe_top_refuse(fabs(z17), 1e-14 * I3, SMOOTH_TIPPE_TOP_SINGULAR_2);
         }
         return smooth_tippe_top_finish(5, qddot);
     }
@@ -491,19 +497,20 @@ int smooth_tippe_top_reactions(double t, const double *y, const double *p, doubl
     const double z9 = I3 * c_theta;
     /* the mass matrix is singular */
     if (!(fabs(m) > 0.0)) {
-        return SMOOTH_TIPPE_TOP_SINGULAR_2;
+        return smooth_tippe_top_refuse(fabs(m), 0.0, SMOOTH_TIPPE_TOP_SINGULAR_2);
     }
     /* the mass matrix is singular */
     if (!(fabs(z5) > 1e-14 * z1)) {
-        return SMOOTH_TIPPE_TOP_SINGULAR_2;
+        return smooth_tippe_top_refuse(fabs(z5), 1e-14 * z1, SMOOTH_TIPPE_TOP_SINGULAR_2);
     }
     /* the mass matrix is singular */
     if (!(fabs(k2 - k4 * (z7 * z7) - k4 * (z8 * z8)) > 1e-14 * k2)) {
-        return SMOOTH_TIPPE_TOP_SINGULAR_2;
+        return smooth_tippe_top_refuse(fabs(k2 - k4 * (z7 * z7) - k4 * (z8 * z8)), 1e-14 * k2,
+            SMOOTH_TIPPE_TOP_SINGULAR_2);
     }
     /* the mass matrix is singular */
     if (!(fabs(I3 - z9 * z9 / z5) > 1e-14 * I3)) {
-        return SMOOTH_TIPPE_TOP_SINGULAR_2;
+        return smooth_tippe_top_refuse(fabs(I3 - z9 * z9 / z5), 1e-14 * I3, SMOOTH_TIPPE_TOP_SINGULAR_2);
     }
     (void)lambda;
     return SMOOTH_TIPPE_TOP_OK;
@@ -694,19 +701,19 @@ int smooth_tippe_top_jacobian(double t, const double *y, const double *p, double
         && fabs(z18) > 1e-14 * I3)) {
         /* the mass matrix is singular */
         if (!(fabs(m) > 0.0)) {
-            return SMOOTH_TIPPE_TOP_SINGULAR_2;
+            return smooth_tippe_top_refuse(fabs(m), 0.0, SMOOTH_TIPPE_TOP_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(z7) > 1e-14 * z1)) {
-            return SMOOTH_TIPPE_TOP_SINGULAR_2;
+            return smooth_tippe_top_refuse(fabs(z7), 1e-14 * z1, SMOOTH_TIPPE_TOP_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(z14) > 1e-14 * k2)) {
-            return SMOOTH_TIPPE_TOP_SINGULAR_2;
+            return smooth_tippe_top_refuse(fabs(z14), 1e-14 * k2, SMOOTH_TIPPE_TOP_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(z18) > 1e-14 * I3)) {
-            return SMOOTH_TIPPE_TOP_SINGULAR_2;
+            return smooth_tippe_top_refuse(fabs(z18), 1e-14 * I3, SMOOTH_TIPPE_TOP_SINGULAR_2);
         }
         return smooth_tippe_top_finish(100, J);
     }

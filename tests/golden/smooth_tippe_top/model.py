@@ -1,4 +1,4 @@
-"""smooth_tippe_top, emitted by nhc 0.1.0 (nhc:351d3c775a62b825).
+"""smooth_tippe_top, emitted by nhc 0.1.0 (nhc:d18cd54f1d9a6002).
 
 The ball of routh_sphere on a plane without any friction.
 Source: smooth_tippe_top.yaml
@@ -100,6 +100,17 @@ def _single(function: str, value: float) -> float:
     return value
 
 
+def _refuse(
+    value: float,
+    bound: float,
+    status: int,
+    function: str,
+) -> SingularModelError:
+    """What to raise of a block that does not exceed its bound: it is singular, or no number."""
+    singular = value <= bound < math.inf
+    return SingularModelError(status if singular else NOT_FINITE, function)
+
+
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
     """right-hand side dy/dt = f(t, y; p) (II.3)
 
@@ -121,7 +132,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     try:
         # the mass matrix is singular
         if not abs(m) > 0.0:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(m), 0.0, 2, "rhs")
         # parameters only
         k1 = m * e
         k2 = g * k1
@@ -141,7 +152,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z7 = z2 * z3 + (z4 * z5 - z6)
         # the mass matrix is singular
         if not abs(-z7) > 1e-14 * z6:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(-z7), 1e-14 * z6, 2, "rhs")
         c_theta = math.cos(theta)
         z8 = c_theta * k1
         z9 = c_phi * z8
@@ -151,14 +162,14 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z13 = z9 * z10 - (k4 - z11 * z12)
         # the mass matrix is singular
         if not abs(-z13) > 1e-14 * k4:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(-z13), 1e-14 * k4, 2, "rhs")
         z14 = I3 * c_theta
         z15 = 1.0 / z7
         z16 = z14 * z15
         z17 = I3 + z14 * z16
         # the mass matrix is singular
         if not abs(z17) > 1e-14 * I3:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(z17), 1e-14 * I3, 2, "rhs")
         z18 = theta_dot * s_theta
         z19 = theta_dot * z18
         z20 = phi_dot * s_theta
@@ -258,7 +269,7 @@ def accelerations(
     try:
         # the mass matrix is singular
         if not abs(m) > 0.0:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(m), 0.0, 2, "accelerations")
         # parameters only
         k1 = m * e
         k2 = I1 + m * (e * e)
@@ -278,7 +289,7 @@ def accelerations(
         z7 = z1 - z3 * z4 - z5 * z6
         # the mass matrix is singular
         if not abs(z7) > 1e-14 * z1:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(z7), 1e-14 * z1, 2, "accelerations")
         c_theta = math.cos(theta)
         z8 = c_theta * k1
         z9 = c_phi * z8
@@ -288,14 +299,14 @@ def accelerations(
         z13 = z9 * z10 - (k2 - z11 * z12)
         # the mass matrix is singular
         if not abs(-z13) > 1e-14 * k2:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(-z13), 1e-14 * k2, 2, "accelerations")
         z14 = I3 * c_theta
         z15 = 1.0 / z7
         z16 = z14 * z15
         z17 = I3 - z14 * z16
         # the mass matrix is singular
         if not abs(z17) > 1e-14 * I3:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(z17), 1e-14 * I3, 2, "accelerations")
         z18 = s_theta * theta_dot * theta_dot
         z19 = phi_dot * s_theta
         z20 = theta_dot * c_theta
@@ -406,7 +417,7 @@ def reactions(
     try:
         # the mass matrix is singular
         if not abs(m) > 0.0:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(m), 0.0, 2, "reactions")
         # parameters only
         k1 = m * e
         k2 = I1 + m * (e * e)
@@ -423,7 +434,7 @@ def reactions(
         z5 = z1 - k4 * (z3 * z3) - k4 * (z4 * z4)
         # the mass matrix is singular
         if not abs(z5) > 1e-14 * z1:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(z5), 1e-14 * z1, 2, "reactions")
         c_theta = math.cos(theta)
         z6 = c_theta * k1
         z7 = s_phi * z6
@@ -432,12 +443,12 @@ def reactions(
         s2 = s1 - k4 * (z8 * z8)
         # the mass matrix is singular
         if not abs(s2) > 1e-14 * k2:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(s2), 1e-14 * k2, 2, "reactions")
         z9 = I3 * c_theta
         s3 = I3 - z9 * z9 / z5
         # the mass matrix is singular
         if not abs(s3) > 1e-14 * I3:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(s3), 1e-14 * I3, 2, "reactions")
         lambda_: list[float] = []
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -509,7 +520,7 @@ def jacobian(
     try:
         # the mass matrix is singular
         if not abs(m) > 0.0:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(m), 0.0, 2, "jacobian")
         # parameters only
         k1 = m * e
         k2 = I1 + m * (e * e)
@@ -529,7 +540,7 @@ def jacobian(
         z7 = z1 - z3 * z4 - z5 * z6
         # the mass matrix is singular
         if not abs(z7) > 1e-14 * z1:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(z7), 1e-14 * z1, 2, "jacobian")
         c_theta = math.cos(theta)
         z8 = s_phi * k1
         z9 = c_theta * z8
@@ -540,14 +551,14 @@ def jacobian(
         z14 = k2 - z9 * z10 - z12 * z13
         # the mass matrix is singular
         if not abs(z14) > 1e-14 * k2:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(z14), 1e-14 * k2, 2, "jacobian")
         z15 = I3 * c_theta
         z16 = 1.0 / z7
         z17 = z15 * z16
         z18 = I3 - z15 * z17
         # the mass matrix is singular
         if not abs(z18) > 1e-14 * I3:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(z18), 1e-14 * I3, 2, "jacobian")
         z19 = phi_dot * k1
         z20 = c_theta * z19
         z21 = phi_dot * s_theta

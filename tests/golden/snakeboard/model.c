@@ -1,5 +1,5 @@
 /*
- * snakeboard.c: snakeboard, emitted by nhc 0.1.0 (nhc:ac7d607b1fc480d5)
+ * snakeboard.c: snakeboard, emitted by nhc 0.1.0 (nhc:595ad12d21beeff9)
  * A board on two steerable axles and a rotor; it moves by turning the rotor and the axles to and fro.
  * Source: snakeboard.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -79,6 +79,12 @@ static int snakeboard_finish(int count, const double *values)
         }
     }
     return SNAKEBOARD_OK;
+}
+
+/* the status of a block that does not exceed its bound: it is singular, or no number */
+static int snakeboard_refuse(double value, double bound, int singular)
+{
+    return value <= bound && bound <= DBL_MAX ? singular : SNAKEBOARD_NOT_FINITE;
 }
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
@@ -314,21 +320,21 @@ int snakeboard_rhs(double t, const double *y, const double *p, double *dydt)
     if (!(fabs(dydt[0] + dydt[1] + dydt[3] + dydt[7] + dydt[8] + dydt[9]) <= DBL_MAX
         && fabs(z6) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4))
         && fabs(z21) > 1e-14 * z21)) {
-        /* the coframe is singular */
-        if (!(fabs(z6) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)))) {
-            return SNAKEBOARD_SINGULAR_1;
+        /* the mass matrix is singular */
+        if (!(fabs(J_r) > 0.0)) {
+            return snakeboard_refuse(fabs(J_r), 0.0, SNAKEBOARD_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(J_w) > 0.0)) {
-            return SNAKEBOARD_SINGULAR_2;
+            return snakeboard_refuse(fabs(J_w), 0.0, SNAKEBOARD_SINGULAR_2);
         }
-        /* the mass matrix is singular */
-        if (!(fabs(J_r) > 0.0)) {
-            return SNAKEBOARD_SINGULAR_2;
+        /* the coframe is singular */
+        if (!(fabs(z6) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)))) {
+            return snakeboard_refuse(fabs(z6), 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)), SNAKEBOARD_SINGULAR_1);
         }
         /* the mass matrix is singular */
         if (!(fabs(z21) > 1e-14 * z21)) {
-            return SNAKEBOARD_SINGULAR_2;
+            return snakeboard_refuse(fabs(z21), 1e-14 * z21, SNAKEBOARD_SINGULAR_2);
         }
         return snakeboard_finish(10, dydt);
     }
@@ -386,7 +392,7 @@ int snakeboard_velocities(double t, const double *y, const double *p, double *qd
         && fabs(z4) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)))) {
         /* the coframe is singular */
         if (!(fabs(z4) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)))) {
-            return SNAKEBOARD_SINGULAR_1;
+            return snakeboard_refuse(fabs(z4), 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)), SNAKEBOARD_SINGULAR_1);
         }
         return snakeboard_finish(6, qdot);
     }
@@ -499,21 +505,21 @@ int snakeboard_accelerations(double t, const double *y, const double *p, double 
     if (!(fabs(qddot[0] + qddot[1] + qddot[2] + qddot[3] + qddot[4] + qddot[5]) <= DBL_MAX
         && fabs(z6) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4))
         && fabs(z21) > 1e-14 * z21)) {
-        /* the coframe is singular */
-        if (!(fabs(z6) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)))) {
-            return SNAKEBOARD_SINGULAR_1;
+        /* the mass matrix is singular */
+        if (!(fabs(J_r) > 0.0)) {
+            return snakeboard_refuse(fabs(J_r), 0.0, SNAKEBOARD_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(J_w) > 0.0)) {
-            return SNAKEBOARD_SINGULAR_2;
+            return snakeboard_refuse(fabs(J_w), 0.0, SNAKEBOARD_SINGULAR_2);
         }
-        /* the mass matrix is singular */
-        if (!(fabs(J_r) > 0.0)) {
-            return SNAKEBOARD_SINGULAR_2;
+        /* the coframe is singular */
+        if (!(fabs(z6) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)))) {
+            return snakeboard_refuse(fabs(z6), 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)), SNAKEBOARD_SINGULAR_1);
         }
         /* the mass matrix is singular */
         if (!(fabs(z21) > 1e-14 * z21)) {
-            return SNAKEBOARD_SINGULAR_2;
+            return snakeboard_refuse(fabs(z21), 1e-14 * z21, SNAKEBOARD_SINGULAR_2);
         }
         return snakeboard_finish(6, qddot);
     }
@@ -723,21 +729,21 @@ int snakeboard_reactions(double t, const double *y, const double *p, double *lam
     if (!(fabs(lambda[0] + lambda[1]) <= DBL_MAX
         && fabs(z6) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4))
         && fabs(z21) > 1e-14 * z21)) {
-        /* the coframe is singular */
-        if (!(fabs(z6) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)))) {
-            return SNAKEBOARD_SINGULAR_1;
+        /* the mass matrix is singular */
+        if (!(fabs(J_r) > 0.0)) {
+            return snakeboard_refuse(fabs(J_r), 0.0, SNAKEBOARD_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(J_w) > 0.0)) {
-            return SNAKEBOARD_SINGULAR_2;
+            return snakeboard_refuse(fabs(J_w), 0.0, SNAKEBOARD_SINGULAR_2);
         }
-        /* the mass matrix is singular */
-        if (!(fabs(J_r) > 0.0)) {
-            return SNAKEBOARD_SINGULAR_2;
+        /* the coframe is singular */
+        if (!(fabs(z6) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)))) {
+            return snakeboard_refuse(fabs(z6), 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)), SNAKEBOARD_SINGULAR_1);
         }
         /* the mass matrix is singular */
         if (!(fabs(z21) > 1e-14 * z21)) {
-            return SNAKEBOARD_SINGULAR_2;
+            return snakeboard_refuse(fabs(z21), 1e-14 * z21, SNAKEBOARD_SINGULAR_2);
         }
         return snakeboard_finish(2, lambda);
     }
@@ -1020,25 +1026,25 @@ int snakeboard_jacobian(double t, const double *y, const double *p, double *J)
     J[99] = -z147;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(J[2] + J[12] + J[65] + J[68] + J[75] + J[78] + J[94] + J[96] + J[99]) <= DBL_MAX
-        && fabs(z6) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4))
-        && fabs(J_w) > 0.0
         && fabs(J_r) > 0.0
+        && fabs(J_w) > 0.0
+        && fabs(z6) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4))
         && fabs(z26) > 1e-14 * z26)) {
-        /* the coframe is singular */
-        if (!(fabs(z6) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)))) {
-            return SNAKEBOARD_SINGULAR_1;
+        /* the mass matrix is singular */
+        if (!(fabs(J_r) > 0.0)) {
+            return snakeboard_refuse(fabs(J_r), 0.0, SNAKEBOARD_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(J_w) > 0.0)) {
-            return SNAKEBOARD_SINGULAR_2;
+            return snakeboard_refuse(fabs(J_w), 0.0, SNAKEBOARD_SINGULAR_2);
         }
-        /* the mass matrix is singular */
-        if (!(fabs(J_r) > 0.0)) {
-            return SNAKEBOARD_SINGULAR_2;
+        /* the coframe is singular */
+        if (!(fabs(z6) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)))) {
+            return snakeboard_refuse(fabs(z6), 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)), SNAKEBOARD_SINGULAR_1);
         }
         /* the mass matrix is singular */
         if (!(fabs(z26) > 1e-14 * z26)) {
-            return SNAKEBOARD_SINGULAR_2;
+            return snakeboard_refuse(fabs(z26), 1e-14 * z26, SNAKEBOARD_SINGULAR_2);
         }
         return snakeboard_finish(100, J);
     }
@@ -1077,7 +1083,7 @@ int snakeboard_outputs(double t, const double *y, const double *p, double *out)
     if (!(fabs(out[0]) <= DBL_MAX && fabs(z4) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)))) {
         /* the coframe is singular */
         if (!(fabs(z4) > 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)))) {
-            return SNAKEBOARD_SINGULAR_1;
+            return snakeboard_refuse(fabs(z4), 1e-12 * (k4 * ((2.0 + 4.0 * k3) * k4)), SNAKEBOARD_SINGULAR_1);
         }
         return snakeboard_finish(1, out);
     }

@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""snakeboard, emitted by nhc 0.1.0 (nhc:6ef25dc9c1b84e20).
+"""snakeboard, emitted by nhc 0.1.0 (nhc:cc6a5fe8fe5ec17a).
 
 A board on two steerable axles and a rotor; it moves by turning the rotor and the
     axles to and fro.
@@ -106,6 +106,17 @@ def _single(function: str, value: float) -> float:
     return value
 
 
+def _refuse(
+    value: float,
+    bound: float,
+    status: int,
+    function: str,
+) -> SingularModelError:
+    """What to raise of a block that does not exceed its bound: it is singular, or no number."""
+    singular = value <= bound < math.inf
+    return SingularModelError(status if singular else NOT_FINITE, function)
+
+
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
     """right-hand side dy/dt = f(t, y; p) (I.2.15)
 
@@ -131,10 +142,10 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     try:
         # the mass matrix is singular
         if not abs(J_r) > 0.0:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(J_r), 0.0, 2, "rhs")
         # the mass matrix is singular
         if not abs(J_w) > 0.0:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(J_w), 0.0, 2, "rhs")
         # parameters only
         k1 = l * l
         k2 = 1.0 - k1
@@ -157,7 +168,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         s3 = (2.0 + 4.0 * k3) * k4
         # the coframe is singular
         if not abs(z6) > 1e-12 * (k4 * s3):
-            raise SingularModelError(1, "rhs")
+            raise _refuse(abs(z6), 1e-12 * (k4 * s3), 1, "rhs")
         z7 = 1.0 / z6
         z8 = theta + p_b
         s1 = math.sin(z8)
@@ -177,7 +188,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z21 = J * (z14 * z14) + m * (z7 * (z17 * z18 + z19 * z20))
         # the mass matrix is singular
         if not abs(z21) > 1e-14 * z21:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(z21), 1e-14 * z21, 2, "rhs")
         z22 = v * z7
         z23 = z13 * z22
         z24 = p_b_dot * c_p_b
@@ -276,7 +287,7 @@ def velocities(
         s3 = (2.0 + 4.0 * k3) * k4
         # the coframe is singular
         if not abs(z4) > 1e-12 * (k4 * s3):
-            raise SingularModelError(1, "velocities")
+            raise _refuse(abs(z4), 1e-12 * (k4 * s3), 1, "velocities")
         z5 = theta + p_b
         c1 = math.cos(z5)
         z6 = l * c_p_f
@@ -334,10 +345,10 @@ def accelerations(
     try:
         # the mass matrix is singular
         if not abs(J_r) > 0.0:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(J_r), 0.0, 2, "accelerations")
         # the mass matrix is singular
         if not abs(J_w) > 0.0:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(J_w), 0.0, 2, "accelerations")
         # parameters only
         k1 = l * l
         k2 = 1.0 - k1
@@ -360,7 +371,7 @@ def accelerations(
         s3 = (2.0 + 4.0 * k3) * k4
         # the coframe is singular
         if not abs(z6) > 1e-12 * (k4 * s3):
-            raise SingularModelError(1, "accelerations")
+            raise _refuse(abs(z6), 1e-12 * (k4 * s3), 1, "accelerations")
         z7 = 1.0 / z6
         z8 = theta + p_b
         s1 = math.sin(z8)
@@ -380,7 +391,7 @@ def accelerations(
         z21 = J * (z14 * z14) + m * (z7 * (z17 * z18 + z19 * z20))
         # the mass matrix is singular
         if not abs(z21) > 1e-14 * z21:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(z21), 1e-14 * z21, 2, "accelerations")
         z22 = p_b_dot * c_p_b
         z23 = p_f_dot * c_p_f
         z24 = s_p_f * z23
@@ -563,10 +574,10 @@ def reactions(
     try:
         # the mass matrix is singular
         if not abs(J_r) > 0.0:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(J_r), 0.0, 2, "reactions")
         # the mass matrix is singular
         if not abs(J_w) > 0.0:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(J_w), 0.0, 2, "reactions")
         # parameters only
         k1 = l * l
         k2 = 1.0 - k1
@@ -590,7 +601,7 @@ def reactions(
         s3 = (2.0 + 4.0 * k3) * k4
         # the coframe is singular
         if not abs(z6) > 1e-12 * (k4 * s3):
-            raise SingularModelError(1, "reactions")
+            raise _refuse(abs(z6), 1e-12 * (k4 * s3), 1, "reactions")
         z7 = c_p_b * s_p_f - c_p_f * s_p_b
         z8 = 1.0 / z6
         z9 = z7 * z8
@@ -610,7 +621,7 @@ def reactions(
         z21 = J * (z9 * z9) + m * (z8 * (z16 * z17 + z19 * z20))
         # the mass matrix is singular
         if not abs(z21) > 1e-14 * z21:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(z21), 1e-14 * z21, 2, "reactions")
         z22 = l * c_p_f
         z23 = p_b_dot * c_p_b
         z24 = p_f_dot * c_p_f
@@ -765,10 +776,10 @@ def jacobian(
     try:
         # the mass matrix is singular
         if not abs(J_r) > 0.0:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(J_r), 0.0, 2, "jacobian")
         # the mass matrix is singular
         if not abs(J_w) > 0.0:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(J_w), 0.0, 2, "jacobian")
         # parameters only
         k1 = l * l
         k2 = 1.0 - k1
@@ -789,7 +800,7 @@ def jacobian(
         s3 = (2.0 + 4.0 * k3) * k4
         # the coframe is singular
         if not abs(z6) > 1e-12 * (k4 * s3):
-            raise SingularModelError(1, "jacobian")
+            raise _refuse(abs(z6), 1e-12 * (k4 * s3), 1, "jacobian")
         z7 = 1.0 / z6
         z8 = theta + p_b
         s1 = math.sin(z8)
@@ -814,7 +825,7 @@ def jacobian(
         z26 = J_2 * (z14 * z14) + m * (z7 * z25)
         # the mass matrix is singular
         if not abs(z26) > 1e-14 * z26:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(z26), 1e-14 * z26, 2, "jacobian")
         z27 = v * z7
         z28 = l * s_p_b
         z29 = z16 + z11 * z28
@@ -1127,7 +1138,7 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
         s3 = (2.0 + 4.0 * k3) * k4
         # the coframe is singular
         if not abs(z4) > 1e-12 * (k4 * s3):
-            raise SingularModelError(1, "outputs")
+            raise _refuse(abs(z4), 1e-12 * (k4 * s3), 1, "outputs")
         out: list[float] = [
             # speed 32:10
             2.0 * (l * (z3 * v / z4)),

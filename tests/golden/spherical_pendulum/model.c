@@ -1,5 +1,5 @@
 /*
- * spherical_pendulum.c: spherical_pendulum, emitted by nhc 0.1.0 (nhc:afa226b3bc67285a)
+ * spherical_pendulum.c: spherical_pendulum, emitted by nhc 0.1.0 (nhc:aa951f500afab4de)
  * A pendulum that swings in space.
  * Source: spherical_pendulum.yaml
  * Equations of motion: lagrange (II.3)
@@ -51,6 +51,12 @@ static int spherical_pendulum_finish(int count, const double *values)
         }
     }
     return SPHERICAL_PENDULUM_OK;
+}
+
+/* the status of a block that does not exceed its bound: it is singular, or no number */
+static int spherical_pendulum_refuse(double value, double bound, int singular)
+{
+    return value <= bound && bound <= DBL_MAX ? singular : SPHERICAL_PENDULUM_NOT_FINITE;
 }
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
@@ -211,11 +217,12 @@ int spherical_pendulum_rhs(double t, const double *y, const double *p, double *d
     if (!(fabs(dydt[2] + dydt[3]) <= DBL_MAX && fabs(k1 * (s_theta * s_theta)) > 0.0)) {
         /* the mass matrix is singular */
         if (!(fabs(k1) > 0.0)) {
-            return SPHERICAL_PENDULUM_SINGULAR_2;
+            return spherical_pendulum_refuse(fabs(k1), 0.0, SPHERICAL_PENDULUM_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(k1 * (s_theta * s_theta)) > 0.0)) {
-            return SPHERICAL_PENDULUM_SINGULAR_2;
+            return spherical_pendulum_refuse(fabs(k1 * (s_theta * s_theta)), 0.0,
+                SPHERICAL_PENDULUM_SINGULAR_2);
         }
         return spherical_pendulum_finish(4, dydt);
     }
@@ -266,11 +273,12 @@ int spherical_pendulum_accelerations(double t, const double *y, const double *p,
     if (!(fabs(qddot[0] + qddot[1]) <= DBL_MAX && fabs(k1 * (s_theta * s_theta)) > 0.0)) {
         /* the mass matrix is singular */
         if (!(fabs(k1) > 0.0)) {
-            return SPHERICAL_PENDULUM_SINGULAR_2;
+            return spherical_pendulum_refuse(fabs(k1), 0.0, SPHERICAL_PENDULUM_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(k1 * (s_theta * s_theta)) > 0.0)) {
-            return SPHERICAL_PENDULUM_SINGULAR_2;
+            return spherical_pendulum_refuse(fabs(k1 * (s_theta * s_theta)), 0.0,
+                SPHERICAL_PENDULUM_SINGULAR_2);
         }
         return spherical_pendulum_finish(2, qddot);
     }
@@ -322,11 +330,11 @@ int spherical_pendulum_reactions(double t, const double *y, const double *p, dou
     const double s_theta = sin(theta);
     /* the mass matrix is singular */
     if (!(fabs(k1) > 0.0)) {
-        return SPHERICAL_PENDULUM_SINGULAR_2;
+        return spherical_pendulum_refuse(fabs(k1), 0.0, SPHERICAL_PENDULUM_SINGULAR_2);
     }
     /* the mass matrix is singular */
     if (!(fabs(k1 * (s_theta * s_theta)) > 0.0)) {
-        return SPHERICAL_PENDULUM_SINGULAR_2;
+        return spherical_pendulum_refuse(fabs(k1 * (s_theta * s_theta)), 0.0, SPHERICAL_PENDULUM_SINGULAR_2);
     }
     (void)lambda;
     return SPHERICAL_PENDULUM_OK;
@@ -388,11 +396,11 @@ int spherical_pendulum_jacobian(double t, const double *y, const double *p, doub
     if (!(fabs(J[8] + J[11] + J[12] + J[14] + J[15]) <= DBL_MAX && fabs(k1 * z1) > 0.0)) {
         /* the mass matrix is singular */
         if (!(fabs(k1) > 0.0)) {
-            return SPHERICAL_PENDULUM_SINGULAR_2;
+            return spherical_pendulum_refuse(fabs(k1), 0.0, SPHERICAL_PENDULUM_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(k1 * z1) > 0.0)) {
-            return SPHERICAL_PENDULUM_SINGULAR_2;
+            return spherical_pendulum_refuse(fabs(k1 * z1), 0.0, SPHERICAL_PENDULUM_SINGULAR_2);
         }
         return spherical_pendulum_finish(16, J);
     }

@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""spherical_pendulum, emitted by nhc 0.1.0 (nhc:df3ef383d90ae811).
+"""spherical_pendulum, emitted by nhc 0.1.0 (nhc:b309050094c46421).
 
 A pendulum that swings in space.
 Source: spherical_pendulum.yaml
@@ -78,6 +78,17 @@ def _single(function: str, value: float) -> float:
     return value
 
 
+def _refuse(
+    value: float,
+    bound: float,
+    status: int,
+    function: str,
+) -> SingularModelError:
+    """What to raise of a block that does not exceed its bound: it is singular, or no number."""
+    singular = value <= bound < math.inf
+    return SingularModelError(status if singular else NOT_FINITE, function)
+
+
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
     """right-hand side dy/dt = f(t, y; p) (II.3)
 
@@ -95,14 +106,14 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         k1 = m * l * l
         # the mass matrix is singular
         if not abs(k1) > 0.0:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(k1), 0.0, 2, "rhs")
         k2 = g / l
         # state
         s_theta = math.sin(theta)
         s1 = s_theta * s_theta
         # the mass matrix is singular
         if not abs(k1 * s1) > 0.0:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(k1 * s1), 0.0, 2, "rhs")
         c_theta = math.cos(theta)
         dydt: list[float] = [
             # theta' (II.3)
@@ -165,14 +176,14 @@ def accelerations(
         k1 = m * l * l
         # the mass matrix is singular
         if not abs(k1) > 0.0:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(k1), 0.0, 2, "accelerations")
         k2 = g / l
         # state
         s_theta = math.sin(theta)
         s1 = s_theta * s_theta
         # the mass matrix is singular
         if not abs(k1 * s1) > 0.0:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(k1 * s1), 0.0, 2, "accelerations")
         c_theta = math.cos(theta)
         qddot: list[float] = [
             # theta'' (II.3)
@@ -245,13 +256,13 @@ def reactions(
         k1 = m * l * l
         # the mass matrix is singular
         if not abs(k1) > 0.0:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(k1), 0.0, 2, "reactions")
         # state
         s_theta = math.sin(theta)
         s1 = s_theta * s_theta
         # the mass matrix is singular
         if not abs(k1 * s1) > 0.0:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(k1 * s1), 0.0, 2, "reactions")
         lambda_: list[float] = []
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -304,14 +315,14 @@ def jacobian(
         k1 = m * l * l
         # the mass matrix is singular
         if not abs(k1) > 0.0:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(k1), 0.0, 2, "jacobian")
         k2 = g / l
         # state
         s_theta = math.sin(theta)
         z1 = s_theta * s_theta
         # the mass matrix is singular
         if not abs(k1 * z1) > 0.0:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(k1 * z1), 0.0, 2, "jacobian")
         c_theta = math.cos(theta)
         z2 = phi_dot * c_theta
         z3 = 1.0 / s_theta

@@ -1,5 +1,5 @@
 /*
- * suslov.c: suslov, emitted by nhc 0.1.0 (nhc:e7aa979ec626e600)
+ * suslov.c: suslov, emitted by nhc 0.1.0 (nhc:3671318535821e42)
  * A rigid body with a fixed point that must not turn about one of its own axes.
  * Source: suslov.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -57,6 +57,12 @@ static int suslov_finish(int count, const double *values)
         }
     }
     return SUSLOV_OK;
+}
+
+/* the status of a block that does not exceed its bound: it is singular, or no number */
+static int suslov_refuse(double value, double bound, int singular)
+{
+    return value <= bound && bound <= DBL_MAX ? singular : SUSLOV_NOT_FINITE;
 }
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
@@ -223,17 +229,17 @@ int suslov_rhs(double t, const double *y, const double *p, double *dydt)
     dydt[4] = w1 * z3 * k2; /* w2' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(dydt[1] + dydt[2] + dydt[3] + dydt[4]) <= DBL_MAX && fabs(s_theta) > 1e-12 * 4.0)) {
-        /* the coframe is singular */
-        if (!(fabs(s_theta) > 1e-12 * 4.0)) {
-            return SUSLOV_SINGULAR_1;
-        }
         /* the mass matrix is singular */
         if (!(fabs(I11) > 0.0)) {
-            return SUSLOV_SINGULAR_2;
+            return suslov_refuse(fabs(I11), 0.0, SUSLOV_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(I22) > 0.0)) {
-            return SUSLOV_SINGULAR_2;
+            return suslov_refuse(fabs(I22), 0.0, SUSLOV_SINGULAR_2);
+        }
+        /* the coframe is singular */
+        if (!(fabs(s_theta) > 1e-12 * 4.0)) {
+            return suslov_refuse(fabs(s_theta), 1e-12 * 4.0, SUSLOV_SINGULAR_1);
         }
         return suslov_finish(5, dydt);
     }
@@ -266,7 +272,7 @@ int suslov_velocities(double t, const double *y, const double *p, double *qdot)
     if (!(fabs(qdot[1] + qdot[2]) <= DBL_MAX && fabs(s_theta) > 1e-12 * 4.0)) {
         /* the coframe is singular */
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
-            return SUSLOV_SINGULAR_1;
+            return suslov_refuse(fabs(s_theta), 1e-12 * 4.0, SUSLOV_SINGULAR_1);
         }
         return suslov_finish(3, qdot);
     }
@@ -319,17 +325,17 @@ int suslov_accelerations(double t, const double *y, const double *p, double *qdd
     qddot[2] = z8 * z5 + c_theta * z15; /* psi'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qddot[1] + qddot[2]) <= DBL_MAX && fabs(s_theta) > 1e-12 * 4.0)) {
-        /* the coframe is singular */
-        if (!(fabs(s_theta) > 1e-12 * 4.0)) {
-            return SUSLOV_SINGULAR_1;
-        }
         /* the mass matrix is singular */
         if (!(fabs(I11) > 0.0)) {
-            return SUSLOV_SINGULAR_2;
+            return suslov_refuse(fabs(I11), 0.0, SUSLOV_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(I22) > 0.0)) {
-            return SUSLOV_SINGULAR_2;
+            return suslov_refuse(fabs(I22), 0.0, SUSLOV_SINGULAR_2);
+        }
+        /* the coframe is singular */
+        if (!(fabs(s_theta) > 1e-12 * 4.0)) {
+            return suslov_refuse(fabs(s_theta), 1e-12 * 4.0, SUSLOV_SINGULAR_1);
         }
         return suslov_finish(3, qddot);
     }
@@ -408,17 +414,17 @@ int suslov_reactions(double t, const double *y, const double *p, double *lambda)
     lambda[0] = -(k1 * (w1 * w2) + (w2 * z1 * k2 - w1 * z1 * k3));
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(lambda[0]) <= DBL_MAX && fabs(s_theta) > 1e-12 * 4.0)) {
-        /* the coframe is singular */
-        if (!(fabs(s_theta) > 1e-12 * 4.0)) {
-            return SUSLOV_SINGULAR_1;
-        }
         /* the mass matrix is singular */
         if (!(fabs(I11) > 0.0)) {
-            return SUSLOV_SINGULAR_2;
+            return suslov_refuse(fabs(I11), 0.0, SUSLOV_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(I22) > 0.0)) {
-            return SUSLOV_SINGULAR_2;
+            return suslov_refuse(fabs(I22), 0.0, SUSLOV_SINGULAR_2);
+        }
+        /* the coframe is singular */
+        if (!(fabs(s_theta) > 1e-12 * 4.0)) {
+            return suslov_refuse(fabs(s_theta), 1e-12 * 4.0, SUSLOV_SINGULAR_1);
         }
         return suslov_finish(1, lambda);
     }
@@ -493,17 +499,17 @@ int suslov_jacobian(double t, const double *y, const double *p, double *J)
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(J[2] + J[11] + J[12] + J[14] + J[18] + J[19] + J[23] + J[24]) <= DBL_MAX
         && fabs(s_theta) > 1e-12 * 4.0)) {
-        /* the coframe is singular */
-        if (!(fabs(s_theta) > 1e-12 * 4.0)) {
-            return SUSLOV_SINGULAR_1;
-        }
         /* the mass matrix is singular */
         if (!(fabs(I11) > 0.0)) {
-            return SUSLOV_SINGULAR_2;
+            return suslov_refuse(fabs(I11), 0.0, SUSLOV_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(I22) > 0.0)) {
-            return SUSLOV_SINGULAR_2;
+            return suslov_refuse(fabs(I22), 0.0, SUSLOV_SINGULAR_2);
+        }
+        /* the coframe is singular */
+        if (!(fabs(s_theta) > 1e-12 * 4.0)) {
+            return suslov_refuse(fabs(s_theta), 1e-12 * 4.0, SUSLOV_SINGULAR_1);
         }
         return suslov_finish(25, J);
     }
@@ -527,7 +533,7 @@ int suslov_outputs(double t, const double *y, const double *p, double *out)
     if (!(fabs(out[0]) <= DBL_MAX && fabs(s_theta) > 1e-12 * 4.0)) {
         /* the coframe is singular */
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
-            return SUSLOV_SINGULAR_1;
+            return suslov_refuse(fabs(s_theta), 1e-12 * 4.0, SUSLOV_SINGULAR_1);
         }
         return suslov_finish(1, out);
     }

@@ -1,4 +1,4 @@
-"""suslov, emitted by nhc 0.1.0 (nhc:f2418389aa124762).
+"""suslov, emitted by nhc 0.1.0 (nhc:d97e12de5680c59f).
 
 A rigid body with a fixed point that must not turn about one of its own axes.
 Source: suslov.yaml
@@ -83,6 +83,17 @@ def _single(function: str, value: float) -> float:
     return value
 
 
+def _refuse(
+    value: float,
+    bound: float,
+    status: int,
+    function: str,
+) -> SingularModelError:
+    """What to raise of a block that does not exceed its bound: it is singular, or no number."""
+    singular = value <= bound < math.inf
+    return SingularModelError(status if singular else NOT_FINITE, function)
+
+
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
     """right-hand side dy/dt = f(t, y; p) (I.2.15)
 
@@ -100,10 +111,10 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     try:
         # the mass matrix is singular
         if not abs(I11) > 0.0:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(I11), 0.0, 2, "rhs")
         # the mass matrix is singular
         if not abs(I22) > 0.0:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(I22), 0.0, 2, "rhs")
         # parameters only
         k1 = -1.0 / I11
         k2 = 1.0 / I22
@@ -111,7 +122,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         s_theta = math.sin(theta)
         # the coframe is singular
         if not abs(s_theta) > 1e-12 * 4.0:
-            raise SingularModelError(1, "rhs")
+            raise _refuse(abs(s_theta), 1e-12 * 4.0, 1, "rhs")
         c_psi = math.cos(psi)
         s_psi = math.sin(psi)
         z1 = 1.0 / s_theta
@@ -154,7 +165,7 @@ def velocities(
         s_theta = math.sin(theta)
         # the coframe is singular
         if not abs(s_theta) > 1e-12 * 4.0:
-            raise SingularModelError(1, "velocities")
+            raise _refuse(abs(s_theta), 1e-12 * 4.0, 1, "velocities")
         c_psi = math.cos(psi)
         s_psi = math.sin(psi)
         z1 = 1.0 / s_theta
@@ -194,10 +205,10 @@ def accelerations(
     try:
         # the mass matrix is singular
         if not abs(I11) > 0.0:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(I11), 0.0, 2, "accelerations")
         # the mass matrix is singular
         if not abs(I22) > 0.0:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(I22), 0.0, 2, "accelerations")
         # parameters only
         k1 = 1.0 / I11
         k2 = 1.0 / I22
@@ -205,7 +216,7 @@ def accelerations(
         s_theta = math.sin(theta)
         # the coframe is singular
         if not abs(s_theta) > 1e-12 * 4.0:
-            raise SingularModelError(1, "accelerations")
+            raise _refuse(abs(s_theta), 1e-12 * 4.0, 1, "accelerations")
         c_psi = math.cos(psi)
         s_psi = math.sin(psi)
         z1 = c_psi * w2 + s_psi * w1
@@ -321,10 +332,10 @@ def reactions(
     try:
         # the mass matrix is singular
         if not abs(I11) > 0.0:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(I11), 0.0, 2, "reactions")
         # the mass matrix is singular
         if not abs(I22) > 0.0:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(I22), 0.0, 2, "reactions")
         # parameters only
         k1 = I11 - I22
         k2 = I13 / I11
@@ -333,7 +344,7 @@ def reactions(
         s_theta = math.sin(theta)
         # the coframe is singular
         if not abs(s_theta) > 1e-12 * 4.0:
-            raise SingularModelError(1, "reactions")
+            raise _refuse(abs(s_theta), 1e-12 * 4.0, 1, "reactions")
         z1 = I13 * w1 + I23 * w2
         lambda_: list[float] = [
             # reaction of no_spin: Q_i gains lambda_1 a_1i (I.4.1) 22:5
@@ -383,10 +394,10 @@ def jacobian(
     try:
         # the mass matrix is singular
         if not abs(I11) > 0.0:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(I11), 0.0, 2, "jacobian")
         # the mass matrix is singular
         if not abs(I22) > 0.0:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(I22), 0.0, 2, "jacobian")
         # parameters only
         k1 = 1.0 / I11
         k2 = 1.0 / I22
@@ -396,7 +407,7 @@ def jacobian(
         s_theta = math.sin(theta)
         # the coframe is singular
         if not abs(s_theta) > 1e-12 * 4.0:
-            raise SingularModelError(1, "jacobian")
+            raise _refuse(abs(s_theta), 1e-12 * 4.0, 1, "jacobian")
         c_psi = math.cos(psi)
         s_psi = math.sin(psi)
         z1 = c_psi * w2 + s_psi * w1
@@ -475,7 +486,7 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
         s_theta = math.sin(theta)
         # the coframe is singular
         if not abs(s_theta) > 1e-12 * 4.0:
-            raise SingularModelError(1, "outputs")
+            raise _refuse(abs(s_theta), 1e-12 * 4.0, 1, "outputs")
         out: list[float] = [
             # M3 28:7
             I13 * w1 + I23 * w2,

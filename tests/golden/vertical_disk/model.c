@@ -1,5 +1,5 @@
 /*
- * vertical_disk.c: vertical_disk, emitted by nhc 0.1.0 (nhc:1caeb7aba02b0119)
+ * vertical_disk.c: vertical_disk, emitted by nhc 0.1.0 (nhc:455cf9b2aa005bc3)
  * A disk that stays upright and rolls without slipping.
  * Source: vertical_disk.yaml
  * Equations of motion: chaplygin (III.3)
@@ -57,6 +57,12 @@ static int vertical_disk_finish(int count, const double *values)
         }
     }
     return VERTICAL_DISK_OK;
+}
+
+/* the status of a block that does not exceed its bound: it is singular, or no number */
+static int vertical_disk_refuse(double value, double bound, int singular)
+{
+    return value <= bound && bound <= DBL_MAX ? singular : VERTICAL_DISK_NOT_FINITE;
 }
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
@@ -203,14 +209,14 @@ int vertical_disk_rhs(double t, const double *y, const double *p, double *dydt)
     dydt[4] = 0.0; /* phi'' */
     dydt[5] = 0.0; /* theta'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(dydt[0] + dydt[2]) <= DBL_MAX && fabs(J) > 0.0 && fabs(I + R * (m * R)) > 0.0)) {
-        /* the mass matrix is singular */
-        if (!(fabs(J) > 0.0)) {
-            return VERTICAL_DISK_SINGULAR_2;
-        }
+    if (!(fabs(dydt[0] + dydt[2]) <= DBL_MAX && fabs(I + R * (m * R)) > 0.0 && fabs(J) > 0.0)) {
         /* the mass matrix is singular */
         if (!(fabs(I + R * (m * R)) > 0.0)) {
-            return VERTICAL_DISK_SINGULAR_2;
+            return vertical_disk_refuse(fabs(I + R * (m * R)), 0.0, VERTICAL_DISK_SINGULAR_2);
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(J) > 0.0)) {
+            return vertical_disk_refuse(fabs(J), 0.0, VERTICAL_DISK_SINGULAR_2);
         }
         return vertical_disk_finish(6, dydt);
     }
@@ -266,14 +272,14 @@ int vertical_disk_accelerations(double t, const double *y, const double *p, doub
     qddot[2] = 0.0; /* phi'' */
     qddot[3] = 0.0; /* theta'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(qddot[0]) <= DBL_MAX && fabs(J) > 0.0 && fabs(I + R * (m * R)) > 0.0)) {
-        /* the mass matrix is singular */
-        if (!(fabs(J) > 0.0)) {
-            return VERTICAL_DISK_SINGULAR_2;
-        }
+    if (!(fabs(qddot[0]) <= DBL_MAX && fabs(I + R * (m * R)) > 0.0 && fabs(J) > 0.0)) {
         /* the mass matrix is singular */
         if (!(fabs(I + R * (m * R)) > 0.0)) {
-            return VERTICAL_DISK_SINGULAR_2;
+            return vertical_disk_refuse(fabs(I + R * (m * R)), 0.0, VERTICAL_DISK_SINGULAR_2);
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(J) > 0.0)) {
+            return vertical_disk_refuse(fabs(J), 0.0, VERTICAL_DISK_SINGULAR_2);
         }
         return vertical_disk_finish(4, qddot);
     }
@@ -359,11 +365,11 @@ int vertical_disk_reactions(double t, const double *y, const double *p, double *
     if (!(fabs(lambda[0]) <= DBL_MAX && fabs(J) > 0.0 && fabs(I + R * k1) > 0.0)) {
         /* the mass matrix is singular */
         if (!(fabs(J) > 0.0)) {
-            return VERTICAL_DISK_SINGULAR_2;
+            return vertical_disk_refuse(fabs(J), 0.0, VERTICAL_DISK_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(I + R * k1) > 0.0)) {
-            return VERTICAL_DISK_SINGULAR_2;
+            return vertical_disk_refuse(fabs(I + R * k1), 0.0, VERTICAL_DISK_SINGULAR_2);
         }
         return vertical_disk_finish(2, lambda);
     }
@@ -413,14 +419,14 @@ int vertical_disk_jacobian(double t, const double *y, const double *p, double *J
     J[16] = 1.0;
     J[23] = 1.0;
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
-    if (!(fabs(J[2] + J[8]) <= DBL_MAX && fabs(J_2) > 0.0 && fabs(I + R * (m * R)) > 0.0)) {
-        /* the mass matrix is singular */
-        if (!(fabs(J_2) > 0.0)) {
-            return VERTICAL_DISK_SINGULAR_2;
-        }
+    if (!(fabs(J[2] + J[8]) <= DBL_MAX && fabs(I + R * (m * R)) > 0.0 && fabs(J_2) > 0.0)) {
         /* the mass matrix is singular */
         if (!(fabs(I + R * (m * R)) > 0.0)) {
-            return VERTICAL_DISK_SINGULAR_2;
+            return vertical_disk_refuse(fabs(I + R * (m * R)), 0.0, VERTICAL_DISK_SINGULAR_2);
+        }
+        /* the mass matrix is singular */
+        if (!(fabs(J_2) > 0.0)) {
+            return vertical_disk_refuse(fabs(J_2), 0.0, VERTICAL_DISK_SINGULAR_2);
         }
         return vertical_disk_finish(36, J);
     }
@@ -501,11 +507,11 @@ int vertical_disk_rhs_batch(size_t count, const double *t, const double *y, cons
     const double J = p[3]; /* moment of inertia about the vertical [kg*m^2] */
     /* the mass matrix is singular */
     if (!(fabs(J) > 0.0)) {
-        return VERTICAL_DISK_SINGULAR_2;
+        return vertical_disk_refuse(fabs(J), 0.0, VERTICAL_DISK_SINGULAR_2);
     }
     /* the mass matrix is singular */
     if (!(fabs(I + R * (m * R)) > 0.0)) {
-        return VERTICAL_DISK_SINGULAR_2;
+        return vertical_disk_refuse(fabs(I + R * (m * R)), 0.0, VERTICAL_DISK_SINGULAR_2);
     }
     const double fixed[] = {R};
     double check[1 * VERTICAL_DISK_LANES];

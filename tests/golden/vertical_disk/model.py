@@ -1,5 +1,5 @@
 # ruff: noqa: E741
-"""vertical_disk, emitted by nhc 0.1.0 (nhc:638983a272619322).
+"""vertical_disk, emitted by nhc 0.1.0 (nhc:834fb7eec59de983).
 
 A disk that stays upright and rolls without slipping.
 Source: vertical_disk.yaml
@@ -85,6 +85,17 @@ def _single(function: str, value: float) -> float:
     return value
 
 
+def _refuse(
+    value: float,
+    bound: float,
+    status: int,
+    function: str,
+) -> SingularModelError:
+    """What to raise of a block that does not exceed its bound: it is singular, or no number."""
+    singular = value <= bound < math.inf
+    return SingularModelError(status if singular else NOT_FINITE, function)
+
+
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
     """right-hand side dy/dt = f(t, y; p) (III.3)
 
@@ -102,10 +113,10 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         s1 = I + R * (m * R)
         # the mass matrix is singular
         if not abs(s1) > 0.0:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(s1), 0.0, 2, "rhs")
         # the mass matrix is singular
         if not abs(J) > 0.0:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(J), 0.0, 2, "rhs")
         # state
         c_phi = math.cos(phi)
         v1_x = theta_dot * R
@@ -184,10 +195,10 @@ def accelerations(
         s1 = I + R * (m * R)
         # the mass matrix is singular
         if not abs(s1) > 0.0:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(s1), 0.0, 2, "accelerations")
         # the mass matrix is singular
         if not abs(J) > 0.0:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(J), 0.0, 2, "accelerations")
         # state
         s_phi = math.sin(phi)
         z1 = R * (phi_dot * theta_dot)
@@ -285,12 +296,12 @@ def reactions(
     try:
         # the mass matrix is singular
         if not abs(J) > 0.0:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(J), 0.0, 2, "reactions")
         # parameters only
         k1 = m * R
         # the mass matrix is singular
         if not abs(I + R * k1) > 0.0:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(I + R * k1), 0.0, 2, "reactions")
         # state
         s_phi = math.sin(phi)
         z1 = phi_dot * theta_dot * k1
@@ -348,10 +359,10 @@ def jacobian(
         s1 = I + R * (m * R)
         # the mass matrix is singular
         if not abs(s1) > 0.0:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(s1), 0.0, 2, "jacobian")
         # the mass matrix is singular
         if not abs(J_2) > 0.0:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(J_2), 0.0, 2, "jacobian")
         # state
         s_phi = math.sin(phi)
         z1 = R * s_phi

@@ -1,5 +1,5 @@
 /*
- * veselova.c: veselova, emitted by nhc 0.1.0 (nhc:b0af93f230055479)
+ * veselova.c: veselova, emitted by nhc 0.1.0 (nhc:6538655dae3d6482)
  * A rigid body with a fixed point that must not turn about the vertical.
  * Source: veselova.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -60,6 +60,12 @@ static int veselova_finish(int count, const double *values)
         }
     }
     return VESELOVA_OK;
+}
+
+/* the status of a block that does not exceed its bound: it is singular, or no number */
+static int veselova_refuse(double value, double bound, int singular)
+{
+    return value <= bound && bound <= DBL_MAX ? singular : VESELOVA_NOT_FINITE;
 }
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
@@ -251,15 +257,15 @@ int veselova_rhs(double t, const double *y, const double *p, double *dydt)
         && fabs(-z14) > 1e-14 * z13)) {
         /* the coframe is singular */
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
-            return VESELOVA_SINGULAR_1;
+            return veselova_refuse(fabs(s_theta), 1e-12 * 4.0, VESELOVA_SINGULAR_1);
         }
         /* the mass matrix is singular */
         if (!(fabs(z8) > 0.0)) {
-            return VESELOVA_SINGULAR_2;
+            return veselova_refuse(fabs(z8), 0.0, VESELOVA_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(-z14) > 1e-14 * z13)) {
-            return VESELOVA_SINGULAR_2;
+            return veselova_refuse(fabs(-z14), 1e-14 * z13, VESELOVA_SINGULAR_2);
         }
         return veselova_finish(5, dydt);
     }
@@ -292,7 +298,7 @@ int veselova_velocities(double t, const double *y, const double *p, double *qdot
     if (!(fabs(qdot[0] + qdot[1]) <= DBL_MAX && fabs(s_theta) > 1e-12 * 4.0)) {
         /* the coframe is singular */
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
-            return VESELOVA_SINGULAR_1;
+            return veselova_refuse(fabs(s_theta), 1e-12 * 4.0, VESELOVA_SINGULAR_1);
         }
         return veselova_finish(3, qdot);
     }
@@ -368,15 +374,15 @@ int veselova_accelerations(double t, const double *y, const double *p, double *q
         && fabs(-z14) > 1e-14 * z13)) {
         /* the coframe is singular */
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
-            return VESELOVA_SINGULAR_1;
+            return veselova_refuse(fabs(s_theta), 1e-12 * 4.0, VESELOVA_SINGULAR_1);
         }
         /* the mass matrix is singular */
         if (!(fabs(z8) > 0.0)) {
-            return VESELOVA_SINGULAR_2;
+            return veselova_refuse(fabs(z8), 0.0, VESELOVA_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(-z14) > 1e-14 * z13)) {
-            return VESELOVA_SINGULAR_2;
+            return veselova_refuse(fabs(-z14), 1e-14 * z13, VESELOVA_SINGULAR_2);
         }
         return veselova_finish(3, qddot);
     }
@@ -499,15 +505,15 @@ int veselova_reactions(double t, const double *y, const double *p, double *lambd
     if (!(fabs(lambda[0]) <= DBL_MAX && fabs(s_theta) > 1e-12 * 4.0 && fabs(-z14) > 1e-14 * z13)) {
         /* the coframe is singular */
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
-            return VESELOVA_SINGULAR_1;
+            return veselova_refuse(fabs(s_theta), 1e-12 * 4.0, VESELOVA_SINGULAR_1);
         }
         /* the mass matrix is singular */
         if (!(fabs(z8) > 0.0)) {
-            return VESELOVA_SINGULAR_2;
+            return veselova_refuse(fabs(z8), 0.0, VESELOVA_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(-z14) > 1e-14 * z13)) {
-            return VESELOVA_SINGULAR_2;
+            return veselova_refuse(fabs(-z14), 1e-14 * z13, VESELOVA_SINGULAR_2);
         }
         return veselova_finish(1, lambda);
     }
@@ -693,15 +699,15 @@ int veselova_jacobian(double t, const double *y, const double *p, double *J)
         && fabs(-z17) > 1e-14 * z16)) {
         /* the coframe is singular */
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
-            return VESELOVA_SINGULAR_1;
+            return veselova_refuse(fabs(s_theta), 1e-12 * 4.0, VESELOVA_SINGULAR_1);
         }
         /* the mass matrix is singular */
         if (!(fabs(z11) > 0.0)) {
-            return VESELOVA_SINGULAR_2;
+            return veselova_refuse(fabs(z11), 0.0, VESELOVA_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(-z17) > 1e-14 * z16)) {
-            return VESELOVA_SINGULAR_2;
+            return veselova_refuse(fabs(-z17), 1e-14 * z16, VESELOVA_SINGULAR_2);
         }
         return veselova_finish(25, J);
     }
@@ -746,7 +752,7 @@ int veselova_outputs(double t, const double *y, const double *p, double *out)
     if (!(fabs(out[0] + out[1]) <= DBL_MAX && fabs(s_theta) > 1e-12 * 4.0)) {
         /* the coframe is singular */
         if (!(fabs(s_theta) > 1e-12 * 4.0)) {
-            return VESELOVA_SINGULAR_1;
+            return veselova_refuse(fabs(s_theta), 1e-12 * 4.0, VESELOVA_SINGULAR_1);
         }
         return veselova_finish(2, out);
     }

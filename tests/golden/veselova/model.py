@@ -1,4 +1,4 @@
-"""veselova, emitted by nhc 0.1.0 (nhc:eab4def1cb657c41).
+"""veselova, emitted by nhc 0.1.0 (nhc:5204c7c0080e9840).
 
 A rigid body with a fixed point that must not turn about the vertical.
 Source: veselova.yaml
@@ -82,6 +82,17 @@ def _single(function: str, value: float) -> float:
     return value
 
 
+def _refuse(
+    value: float,
+    bound: float,
+    status: int,
+    function: str,
+) -> SingularModelError:
+    """What to raise of a block that does not exceed its bound: it is singular, or no number."""
+    singular = value <= bound < math.inf
+    return SingularModelError(status if singular else NOT_FINITE, function)
+
+
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
     """right-hand side dy/dt = f(t, y; p) (I.2.15)
 
@@ -104,7 +115,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         s_theta = math.sin(theta)
         # the coframe is singular
         if not abs(s_theta) > 1e-12 * 4.0:
-            raise SingularModelError(1, "rhs")
+            raise _refuse(abs(s_theta), 1e-12 * 4.0, 1, "rhs")
         s_psi = math.sin(psi)
         z1 = s_psi * s_psi
         z2 = 1.0 - z1
@@ -121,7 +132,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z8 = z3 - s_phi * (s_phi * z5 + 2.0 * (c_phi * z7))
         # the mass matrix is singular
         if not abs(z8) > 0.0:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(z8), 0.0, 2, "rhs")
         z9 = c_phi * z5 - 2.0 * (s_phi * z7)
         z10 = z7 + s_phi * z9
         z11 = 1.0 / z8
@@ -130,7 +141,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z14 = z10 * z12 - z13
         # the mass matrix is singular
         if not abs(-z14) > 1e-14 * z13:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(-z14), 1e-14 * z13, 2, "rhs")
         z15 = 1.0 / s_theta
         z16 = s_phi * w_x - c_phi * w_y
         z17 = z15 * z16
@@ -176,7 +187,7 @@ def velocities(
         s_theta = math.sin(theta)
         # the coframe is singular
         if not abs(s_theta) > 1e-12 * 4.0:
-            raise SingularModelError(1, "velocities")
+            raise _refuse(abs(s_theta), 1e-12 * 4.0, 1, "velocities")
         c_theta = math.cos(theta)
         z1 = 1.0 / s_theta
         s_phi = math.sin(phi)
@@ -221,7 +232,7 @@ def accelerations(
         s_theta = math.sin(theta)
         # the coframe is singular
         if not abs(s_theta) > 1e-12 * 4.0:
-            raise SingularModelError(1, "accelerations")
+            raise _refuse(abs(s_theta), 1e-12 * 4.0, 1, "accelerations")
         s_psi = math.sin(psi)
         z1 = s_psi * s_psi
         z2 = 1.0 - z1
@@ -238,7 +249,7 @@ def accelerations(
         z8 = z3 - s_phi * (s_phi * z5 + 2.0 * (c_phi * z7))
         # the mass matrix is singular
         if not abs(z8) > 0.0:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(z8), 0.0, 2, "accelerations")
         z9 = c_phi * z5 - 2.0 * (s_phi * z7)
         z10 = z7 + s_phi * z9
         z11 = 1.0 / z8
@@ -247,7 +258,7 @@ def accelerations(
         z14 = z10 * z12 - z13
         # the mass matrix is singular
         if not abs(-z14) > 1e-14 * z13:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(-z14), 1e-14 * z13, 2, "accelerations")
         z15 = s_theta * s_phi
         z16 = s_theta * c_phi
         z17 = z15 * w_y + z16 * w_x
@@ -369,7 +380,7 @@ def reactions(
         s_theta = math.sin(theta)
         # the coframe is singular
         if not abs(s_theta) > 1e-12 * 4.0:
-            raise SingularModelError(1, "reactions")
+            raise _refuse(abs(s_theta), 1e-12 * 4.0, 1, "reactions")
         s_psi = math.sin(psi)
         z1 = s_psi * s_psi
         z2 = 1.0 - z1
@@ -386,7 +397,7 @@ def reactions(
         z8 = z3 - s_phi * (s_phi * z5 + 2.0 * (c_phi * z7))
         # the mass matrix is singular
         if not abs(z8) > 0.0:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(z8), 0.0, 2, "reactions")
         z9 = c_phi * z5 - 2.0 * (s_phi * z7)
         z10 = z7 + s_phi * z9
         z11 = 1.0 / z8
@@ -395,7 +406,7 @@ def reactions(
         z14 = z10 * z12 - z13
         # the mass matrix is singular
         if not abs(-z14) > 1e-14 * z13:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(-z14), 1e-14 * z13, 2, "reactions")
         z15 = s_theta * s_psi
         z16 = 1.0 / s_theta
         z17 = s_phi * w_x - c_phi * w_y
@@ -493,7 +504,7 @@ def jacobian(
         s_theta = math.sin(theta)
         # the coframe is singular
         if not abs(s_theta) > 1e-12 * 4.0:
-            raise SingularModelError(1, "jacobian")
+            raise _refuse(abs(s_theta), 1e-12 * 4.0, 1, "jacobian")
         s_psi = math.sin(psi)
         z1 = s_psi * s_psi
         z2 = 1.0 - z1
@@ -513,7 +524,7 @@ def jacobian(
         z11 = z3 - s_phi * z10
         # the mass matrix is singular
         if not abs(z11) > 0.0:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(z11), 0.0, 2, "jacobian")
         z12 = c_phi * z6 - 2.0 * (s_phi * z9)
         z13 = z9 + s_phi * z12
         z14 = 1.0 / z11
@@ -522,7 +533,7 @@ def jacobian(
         z17 = z13 * z15 - z16
         # the mass matrix is singular
         if not abs(-z17) > 1e-14 * z16:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(-z17), 1e-14 * z16, 2, "jacobian")
         z18 = 1.0 / s_theta
         z19 = c_phi * w_x + s_phi * w_y
         z20 = z18 * z19
@@ -675,7 +686,7 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
         s_theta = math.sin(theta)
         # the coframe is singular
         if not abs(s_theta) > 1e-12 * 4.0:
-            raise SingularModelError(1, "outputs")
+            raise _refuse(abs(s_theta), 1e-12 * 4.0, 1, "outputs")
         c_phi = math.cos(phi)
         c_psi = math.cos(psi)
         s_phi = math.sin(phi)

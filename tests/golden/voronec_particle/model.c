@@ -1,5 +1,5 @@
 /*
- * voronec_particle.c: voronec_particle, emitted by nhc 0.1.0 (nhc:427ca7ccfcf75171)
+ * voronec_particle.c: voronec_particle, emitted by nhc 0.1.0 (nhc:7afa2759d62b2cbf)
  * A particle whose T, U and constraint depend on the dependent coordinate, so that Caplygin's hypotheses
  *     fail.
  * Source: voronec_particle.yaml
@@ -59,6 +59,12 @@ static int voronec_particle_finish(int count, const double *values)
         }
     }
     return VORONEC_PARTICLE_OK;
+}
+
+/* the status of a block that does not exceed its bound: it is singular, or no number */
+static int voronec_particle_refuse(double value, double bound, int singular)
+{
+    return value <= bound && bound <= DBL_MAX ? singular : VORONEC_PARTICLE_NOT_FINITE;
 }
 
 /* several doubles at once, as many as the machine's vectors hold; one where the compiler has no vectors */
@@ -240,11 +246,11 @@ int voronec_particle_rhs(double t, const double *y, const double *p, double *dyd
     if (!(fabs(dydt[3] + dydt[4]) <= DBL_MAX && fabs(z11) > 1e-14 * z7)) {
         /* the mass matrix is singular */
         if (!(fabs(z5) > 0.0)) {
-            return VORONEC_PARTICLE_SINGULAR_2;
+            return voronec_particle_refuse(fabs(z5), 0.0, VORONEC_PARTICLE_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(z11) > 1e-14 * z7)) {
-            return VORONEC_PARTICLE_SINGULAR_2;
+            return voronec_particle_refuse(fabs(z11), 1e-14 * z7, VORONEC_PARTICLE_SINGULAR_2);
         }
         return voronec_particle_finish(5, dydt);
     }
@@ -328,11 +334,11 @@ int voronec_particle_accelerations(double t, const double *y, const double *p, d
     if (!(fabs(qddot[2]) <= DBL_MAX && fabs(z11) > 1e-14 * z7)) {
         /* the mass matrix is singular */
         if (!(fabs(z5) > 0.0)) {
-            return VORONEC_PARTICLE_SINGULAR_2;
+            return voronec_particle_refuse(fabs(z5), 0.0, VORONEC_PARTICLE_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(z11) > 1e-14 * z7)) {
-            return VORONEC_PARTICLE_SINGULAR_2;
+            return voronec_particle_refuse(fabs(z11), 1e-14 * z7, VORONEC_PARTICLE_SINGULAR_2);
         }
         return voronec_particle_finish(3, qddot);
     }
@@ -438,11 +444,11 @@ int voronec_particle_reactions(double t, const double *y, const double *p, doubl
     if (!(fabs(lambda[0]) <= DBL_MAX && fabs(z12) > 1e-14 * z8)) {
         /* the mass matrix is singular */
         if (!(fabs(z5) > 0.0)) {
-            return VORONEC_PARTICLE_SINGULAR_2;
+            return voronec_particle_refuse(fabs(z5), 0.0, VORONEC_PARTICLE_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(z12) > 1e-14 * z8)) {
-            return VORONEC_PARTICLE_SINGULAR_2;
+            return voronec_particle_refuse(fabs(z12), 1e-14 * z8, VORONEC_PARTICLE_SINGULAR_2);
         }
         return voronec_particle_finish(1, lambda);
     }
@@ -613,11 +619,11 @@ int voronec_particle_jacobian(double t, const double *y, const double *p, double
         && fabs(z12) > 1e-14 * z8)) {
         /* the mass matrix is singular */
         if (!(fabs(z5) > 0.0)) {
-            return VORONEC_PARTICLE_SINGULAR_2;
+            return voronec_particle_refuse(fabs(z5), 0.0, VORONEC_PARTICLE_SINGULAR_2);
         }
         /* the mass matrix is singular */
         if (!(fabs(z12) > 1e-14 * z8)) {
-            return VORONEC_PARTICLE_SINGULAR_2;
+            return voronec_particle_refuse(fabs(z12), 1e-14 * z8, VORONEC_PARTICLE_SINGULAR_2);
         }
         return voronec_particle_finish(25, J);
     }

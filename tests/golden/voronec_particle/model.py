@@ -1,4 +1,4 @@
-"""voronec_particle, emitted by nhc 0.1.0 (nhc:18432db87f351d58).
+"""voronec_particle, emitted by nhc 0.1.0 (nhc:ff5a745dcafc1835).
 
 A particle whose T, U and constraint depend on the dependent coordinate, so that
     Caplygin's hypotheses fail.
@@ -76,6 +76,17 @@ def _single(function: str, value: float) -> float:
     return value
 
 
+def _refuse(
+    value: float,
+    bound: float,
+    status: int,
+    function: str,
+) -> SingularModelError:
+    """What to raise of a block that does not exceed its bound: it is singular, or no number."""
+    singular = value <= bound < math.inf
+    return SingularModelError(status if singular else NOT_FINITE, function)
+
+
 def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[float]:
     """right-hand side dy/dt = f(t, y; p) (I.4.9)
 
@@ -97,7 +108,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z5 = 1.0 + z * z + 0.3 * z2 + z1 * z4
         # the mass matrix is singular
         if not abs(z5) > 0.0:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(z5), 0.0, 2, "rhs")
         s_z = math.sin(z)
         z6 = x * z
         z7 = 2.0 + s_z + 0.25 * (z6 * (z3 * z6))
@@ -107,7 +118,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z11 = z7 - 0.25 * (z8 * z10)
         # the mass matrix is singular
         if not abs(z11) > 1e-14 * z7:
-            raise SingularModelError(2, "rhs")
+            raise _refuse(abs(z11), 1e-14 * z7, 2, "rhs")
         z12 = x_dot * z1 + 0.5 * (y_dot * z6)
         z13 = s_z * z12
         z14 = 0.3 * z13
@@ -199,7 +210,7 @@ def accelerations(
         z5 = 1.0 + z * z + 0.3 * z2 + z1 * z4
         # the mass matrix is singular
         if not abs(z5) > 0.0:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(z5), 0.0, 2, "accelerations")
         s_z = math.sin(z)
         z6 = x * z
         z7 = 2.0 + s_z + 0.25 * (z6 * (z3 * z6))
@@ -209,7 +220,7 @@ def accelerations(
         z11 = z7 - 0.25 * (z8 * z10)
         # the mass matrix is singular
         if not abs(z11) > 1e-14 * z7:
-            raise SingularModelError(2, "accelerations")
+            raise _refuse(abs(z11), 1e-14 * z7, 2, "accelerations")
         z12 = y_dot * c_z
         z13 = x_dot * z1 + 0.5 * (y_dot * z6)
         z14 = s_z * z13
@@ -323,7 +334,7 @@ def reactions(
         z5 = 1.0 + z * z + 0.3 * z2 + z1 * z4
         # the mass matrix is singular
         if not abs(z5) > 0.0:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(z5), 0.0, 2, "reactions")
         s_z = math.sin(z)
         z6 = x * z
         z7 = z3 * z6
@@ -334,7 +345,7 @@ def reactions(
         z12 = z8 - 0.25 * (z9 * z11)
         # the mass matrix is singular
         if not abs(z12) > 1e-14 * z8:
-            raise SingularModelError(2, "reactions")
+            raise _refuse(abs(z12), 1e-14 * z8, 2, "reactions")
         z13 = y_dot * c_z
         z14 = x_dot * z1 + 0.5 * (y_dot * z6)
         z15 = s_z * z14
@@ -422,7 +433,7 @@ def jacobian(
         z5 = 1.0 + z * z + 0.3 * z2 + z1 * z4
         # the mass matrix is singular
         if not abs(z5) > 0.0:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(z5), 0.0, 2, "jacobian")
         s_z = math.sin(z)
         z6 = x * z
         z7 = z3 * z6
@@ -433,7 +444,7 @@ def jacobian(
         z12 = z8 - 0.25 * (z9 * z11)
         # the mass matrix is singular
         if not abs(z12) > 1e-14 * z8:
-            raise SingularModelError(2, "jacobian")
+            raise _refuse(abs(z12), 1e-14 * z8, 2, "jacobian")
         z13 = x_dot * s_z
         z14 = y_dot * c_z
         z15 = x_dot * z1

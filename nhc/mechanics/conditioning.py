@@ -1,4 +1,6 @@
-"""How good a choice of free velocities is at one place, and which would be better there: for a run that has to change."""
+"""How good a choice of free velocities is at one place, and which would be better there: for a run that has to change, and for the
+model of a scene that starts there.
+"""
 
 from __future__ import annotations
 
@@ -9,20 +11,22 @@ from math import comb, sqrt
 from weakref import WeakKeyDictionary
 
 from nhc.algebra.calculus import gradient
+from nhc.algebra.dense import SingularMatrix, factor, resolve
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Graph, Node
 from nhc.mechanics.choose import Formulation, NotApplicable, build, turning_formulations
 from nhc.mechanics.frame import coordinate_form
 from nhc.mechanics.regularity import relative_determinant, sampled_rows
+from nhc.mechanics.scenes import Start
 from nhc.mechanics.singular import symmetric_eigenvalues
 from nhc.mechanics.system import Form, System
 from nhc.records import record
-from nhc.simulate.methods.linear import SingularMatrix, factor, resolve
 
 Place = dict[Node, float]
 Rows = list[list[float]]
 GAIN = 3.0
 """The determinant of a choice that is taken is this many times that of the one it replaces: between the two nothing changes."""
+_NOTHING = 1e-12  # of a determinant, over the lengths of its rows: what the emitted functions refuse
 _REGULAR = 1e-2  # of the kinetic energy of the free velocities, scaled to a diagonal of ones
 _MANY = 250  # choices of dependent velocities that are looked at one by one
 _LENGTHS: WeakKeyDictionary[Graph, dict[tuple[Node, ...], float]] = WeakKeyDictionary()
@@ -31,7 +35,7 @@ _KEPT = 0.5  # a preferred choice is taken down to this part of the best conditi
 
 @record
 class Choice:
-    """A formulation of ``system``, which may have other dependent velocities than the spec's, with its conditioning."""
+    """A formulation of ``system``, which may be in other velocities than the spec's, with its conditioning."""
 
     system: System
     formulation: Formulation
@@ -92,6 +96,43 @@ def find_better(system: System, now: Formulation, place: Place, known: Sequence[
     return None
 
 
+def find_start(system: System, now: Formulation, start: Start) -> Formulation | None:
+    """A formulation that is better than ``now`` where a scene starts, with the reason, or None: as :func:`find_better`, or all
+    velocities where the coframes that are tried are all singular there and the constraints are not.
+    """
+    place = start.values(system)
+    found = find_better(system, now, place, ())
+    why = f"chosen for the start of the scene {start.scene.name}, where {name_of(system, now)} is singular or nearly so"
+    if found is not None and not _is_lost(system, found.value):
+        return replace(found.formulation, reason=why)
+    if not system.l or not _is_lost(system, conditioning(system, now, place)) or not _has_rank(system, place):
+        return None
+    return replace(build(system, "multipliers"), reason=f"{why}, and so are the other coframes that were tried")
+
+
+def _has_rank(system: System, place: Place) -> bool:
+    """Whether some of the constraints' blocks of dependent velocities is regular there."""
+    rows = evaluate_rows(system, system.constraints, place)
+    return not _is_lost(system, relative_determinant(rows, _best_columns(rows, system.n)))
+
+
+def _is_lost(system: System, value: float) -> bool:
+    """Whether a conditioning, an l-th root, is of a determinant that is nothing but rounding."""
+    return value ** max(system.l, 1) <= _NOTHING
+
+
+def name_of(system: System, formulation: Formulation) -> str:
+    """``voronec solved for x'``, ``the coframe with v, phi'``."""
+    if formulation.dependent is not None:
+        names = ", ".join(f"{system.q_names[i]}'" for i in formulation.dependent.dependent)
+        return f"{formulation.name} solved for {names}"
+    if formulation.frame is None:
+        return formulation.name
+    forms = formulation.frame.forms[system.l :]
+    names = ", ".join(f"{form.name}'" if form.name in system.q_names else form.name for form in forms)
+    return f"{formulation.name} with {names}"
+
+
 def _rated(known: Sequence[Choice], place: Place) -> Iterator[Choice]:
     for choice in known:
         yield replace(choice, value=conditioning(choice.system, choice.formulation, place))
@@ -106,7 +147,7 @@ def _dependent(system: System, place: Place) -> Iterator[Choice]:
     columns = _best_columns(rows, system.n)
     chosen = replace(system, dependent=columns)
     try:
-        yield Choice(chosen, build(chosen, "voronec"), relative_determinant(rows, columns))
+        yield Choice(system, build(chosen, "voronec"), relative_determinant(rows, columns))
     except NotApplicable:
         return
 
@@ -137,7 +178,7 @@ def adapted_choices(system: System, place: Place) -> Iterator[Choice]:
         made = build(plain, "euler-lagrange")
     except NotApplicable:
         return
-    yield Choice(plain, made, conditioning(plain, made, place))
+    yield Choice(system, made, conditioning(system, made, place))
 
 
 def _is_definite(choice: Choice, place: Place) -> bool:
