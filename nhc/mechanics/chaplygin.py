@@ -56,6 +56,11 @@ def hypotheses(frame: Frame, dependent: Sequence[int]) -> Hypotheses:
     return Hypotheses(tuple(broken), ())
 
 
+def possible(system: System) -> list[int]:
+    """The coordinates that may be dependent: those that T does not contain."""
+    return [i for i in range(system.n) if not _contains(system, [system.T], i)]
+
+
 def _contains(system: System, nodes: Sequence[Node], i: int) -> bool:
     """Whether one of the nodes depends on q_i (exactly)."""
     g, q = system.graph, system.q[i]
