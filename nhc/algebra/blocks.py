@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from nhc.algebra.angles import normalise_angles
+from nhc.algebra.angles import shorter_of_angles
 from nhc.algebra.calculus import reachable
 from nhc.algebra.graph import ADD, MUL, NEG, POW, SYM, Graph, Node
 from nhc.algebra.modular import are_zero
@@ -106,7 +106,7 @@ def solve_block(
     size = len(block)
     if size > 3 or "Cramer's rule" in graph.off:
         return _eliminate(graph, block, columns, weakness)
-    determinant = normalise_angles(graph, determinant_of(graph, block), 120)
+    determinant = shorter_of_angles(graph, determinant_of(graph, block), 120)
     if are_zero(graph, [determinant])[0]:
         raise Singular
     guards = [] if graph.value(determinant) is not None else [(determinant, scale() if scale else graph.one)]
