@@ -11,6 +11,7 @@ from nhc.diagnostics import Bag, Span
 from nhc.mechanics import chaplygin
 from nhc.mechanics.adapt import complete, turning_choices
 from nhc.mechanics.frame import Frame, coordinate_frame, make_frame
+from nhc.mechanics.reach import becomes_singular
 from nhc.mechanics.regularity import Choice as DependentChoice
 from nhc.mechanics.regularity import choose_dependent, judge, ranked, weak_where_constraints_are_not
 from nhc.mechanics.system import Form, System
@@ -246,6 +247,10 @@ def choose(system: System) -> Formulation:
     if weak_where_constraints_are_not(system, adapted.frame.forms):
         multipliers = build(system, "multipliers")
         why = "every coframe that was tried is singular at an ordinary state; all velocities kept"
+        return replace(multipliers, reason=why)
+    if becomes_singular(system, adapted.frame.forms):
+        multipliers = build(system, "multipliers")
+        why = "every coframe that was tried is singular at positions that the motion can reach; all velocities kept"
         return replace(multipliers, reason=why)
     names = ", ".join(f"{system.q_names[i]}'" for i in choice.dependent)
     whose = "of the spec" if system.dependent else "that nhc would choose"
