@@ -218,7 +218,7 @@ def chaplygin_dependent(system: System, choice: DependentChoice) -> tuple[Depend
     found = chaplygin.hypotheses(frame, choice.dependent)
     if system.dependent or not found.fatal:
         return choice, frame, found
-    for other in ranked(system, chaplygin.possible(system)):
+    for other in ranked(system, chaplygin.possible(system), chaplygin.seem_free(system)):
         others = coordinate_frame(system, other.dependent)
         hypotheses = chaplygin.hypotheses(others, other.dependent)
         if not hypotheses.fatal:

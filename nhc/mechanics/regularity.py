@@ -264,16 +264,16 @@ def _scored(
     )
 
 
-def ranked(system: System, columns: Sequence[int]) -> list[Choice]:
-    """Every choice of dependent velocities among ``columns`` alone that is not singular at all the trial points, in the order of
-    :func:`choose_dependent`; none where there are too many to try.
+def ranked(system: System, columns: Sequence[int], fits: Callable[[Sequence[int]], bool]) -> list[Choice]:
+    """Every choice of dependent velocities among ``columns`` alone that ``fits`` and is not singular at all the trial points, those
+    that never are first, then in the order of :func:`choose_dependent`; none where there are too many to try.
     """
     if math.comb(len(columns), system.l) > _MANY:
         return []
     samples = sampled_rows(system, system.constraints)
     begun = sampled_rows(system, system.constraints, _starts(system))
     scored = _scored([list(c) for c in combinations(columns, system.l)], samples, begun)
-    found = [judge(system, tuple(chosen)) for _, weak, _, chosen in scored if weak < len(samples)]
+    found = [judge(system, tuple(chosen)) for _, weak, _, chosen in scored if weak < len(samples) and fits(chosen)]
     return sorted(found, key=lambda choice: not choice.regular)
 
 
