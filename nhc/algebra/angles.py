@@ -36,6 +36,15 @@ def normalise_angles(graph: Graph, node: Node, limit: int) -> Node:
     return apart if count(graph, [apart]) < count(graph, [whole]) else whole
 
 
+def shorter_of_angles(graph: Graph, node: Node, limit: int) -> Node:
+    """:func:`normalise_angles` where that is not longer than the node itself, which stands for what would be longer.
+
+    (x - y)^2 + (z - w)^2 multiplied out is not only longer: far from the origin it is the small difference of large terms.
+    """
+    made = normalise_angles(graph, node, limit)
+    return node if count(graph, [node]) < count(graph, [made]) else made
+
+
 def add_angles(graph: Graph, pairs: Iterable[Pair]) -> Pair:
     """Sine and cosine of the sum of angles from theirs."""
     g = graph

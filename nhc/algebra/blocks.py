@@ -1,14 +1,14 @@
 """Order and blocks of a linear system over the graph: matching, components, Cramer's rule, elimination.
 
-Blocks up to 3 x 3 are solved by Cramer's rule, whose determinants are brought to canonical form, larger ones by elimination in a
-fixed order.  Each determinant that is not a constant is returned as a guard: it must not vanish.
+Blocks up to 3 x 3 are solved by Cramer's rule, whose determinants are brought to canonical form where that is not longer, larger
+ones by elimination in a fixed order.  Each determinant that is not a constant is returned as a guard: it must not vanish.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from nhc.algebra.angles import normalise_angles
+from nhc.algebra.angles import normalise_angles, shorter_of_angles
 from nhc.algebra.calculus import reachable
 from nhc.algebra.graph import ADD, MUL, NEG, POW, SYM, Graph, Node
 from nhc.algebra.modular import are_zero
@@ -106,7 +106,8 @@ def solve_block(
     size = len(block)
     if size > 3 or "Cramer's rule" in graph.off:
         return _eliminate(graph, block, columns, weakness)
-    determinant = normalise_angles(graph, determinant_of(graph, block), 120)
+    whole = determinant_of(graph, block)
+    determinant = normalise_angles(graph, whole, 120) if size == 1 else shorter_of_angles(graph, whole, 120)
     if are_zero(graph, [determinant])[0]:
         raise Singular
     guards = [] if graph.value(determinant) is not None else [(determinant, scale() if scale else graph.one)]

@@ -10,16 +10,22 @@ The hypotheses: T, the constraints and the forces do not contain the dependent c
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 from nhc.algebra.calculus import derivative, gradient, tangent
+from nhc.algebra.elimination import solve_double
 from nhc.algebra.graph import Node
+from nhc.algebra.linear import Singular
 from nhc.algebra.modular import are_zero
 from nhc.mechanics.frame import Frame, dependent_coefficients
+from nhc.mechanics.regularity import sampled_rows, trial_points
 from nhc.mechanics.system import System
 from nhc.mechanics.voronec import Reduced, applied_force, motion_rate
 from nhc.records import record
 from nhc.thesis import equation
+
+_SHIFT = 0.37
+_ROUNDING = 1e-7
 
 
 @record
@@ -54,6 +60,42 @@ def hypotheses(frame: Frame, dependent: Sequence[int]) -> Hypotheses:
     if not all(are_zero(g, timed)):
         broken.append("the time t occurs in T, U or the constraints")
     return Hypotheses(tuple(broken), ())
+
+
+def possible(system: System) -> list[int]:
+    """The coordinates that may be dependent: those that T does not contain."""
+    return [i for i in range(system.n) if not _contains(system, [system.T], i)]
+
+
+def seem_free(system: System) -> Callable[[Sequence[int]], bool]:
+    """A quick test of dependent velocities in doubles: whether b stays the same where their coordinates change, one at a time."""
+    point = trial_points(system)[-1]
+    base = sampled_rows(system, system.constraints, [dict(point)])
+    moved: dict[int, list[list[list[float]]]] = {}
+
+    def test(dependent: Sequence[int]) -> bool:
+        for alpha in dependent:
+            if alpha not in moved:
+                other = {x: point[x] for x in (*system.q, *system.v, *system.p, system.t)}
+                other[system.q[alpha]] += _SHIFT
+                moved[alpha] = sampled_rows(system, system.constraints, [other])
+        try:
+            before = [_solved(rows, dependent) for rows in base]
+            after = [_solved(rows, dependent) for alpha in dependent for rows in moved[alpha]]
+        except (Singular, ArithmeticError):
+            return True
+        if not before:
+            return True
+        return all(abs(x - y) <= _ROUNDING * (1.0 + abs(y)) for b in after for y, x in zip(before[0], b, strict=True))
+
+    return test
+
+
+def _solved(rows: list[list[float]], dependent: Sequence[int]) -> list[float]:
+    """b at one place, column by column."""
+    block = [[row[j] for j in dependent] for row in rows]
+    others = [j for j in range(len(rows[0])) if j not in dependent]
+    return [x for j in others for x in solve_double([list(r) for r in block], [-row[j] for row in rows])]
 
 
 def _contains(system: System, nodes: Sequence[Node], i: int) -> bool:

@@ -8,10 +8,12 @@ from dataclasses import replace
 from nhc.algebra.linear import Singular
 from nhc.algebra.modular import rank
 from nhc.diagnostics import Bag, Span
+from nhc.mechanics import chaplygin
 from nhc.mechanics.adapt import complete, turning_choices
 from nhc.mechanics.frame import Frame, coordinate_frame, make_frame
+from nhc.mechanics.reach import becomes_singular
 from nhc.mechanics.regularity import Choice as DependentChoice
-from nhc.mechanics.regularity import choose_dependent, judge, weak_where_constraints_are_not
+from nhc.mechanics.regularity import choose_dependent, judge, ranked, weak_where_constraints_are_not
 from nhc.mechanics.system import Form, System
 from nhc.records import record
 
@@ -197,16 +199,31 @@ def _reduced(system: System, name: str) -> Formulation:
     if not system.constraints:
         raise NotApplicable(name, ["the system has no constraints: these are Lagrange's equations"])
     choice = dependent_of(system)
-    frame = coordinate_frame(system, choice.dependent)
     reason = "dependent velocities of the spec" if system.dependent else "dependent velocities chosen by nhc"
     if name == "voronec":
-        return Formulation(name, NUMBERS[name], frame, choice, (), reason)
-    from nhc.mechanics import chaplygin
-
-    found = chaplygin.hypotheses(frame, choice.dependent)
+        return Formulation(name, NUMBERS[name], coordinate_frame(system, choice.dependent), choice, (), reason)
+    choice, frame, found = chaplygin_dependent(system, choice)
     if found.fatal:
         raise NotApplicable(name, found.fatal)
     return Formulation(name, NUMBERS[name], frame, choice, (), reason, found.broken)
+
+
+def chaplygin_dependent(system: System, choice: DependentChoice) -> tuple[DependentChoice, Frame, chaplygin.Hypotheses]:
+    """The dependent velocities of Čaplygin's equations, with their frame and hypotheses.
+
+    They are ``choice`` where it allows these equations and where the spec gives it; else the best of the others that allow them,
+    so that no system is refused for what nhc chose.
+    """
+    frame = coordinate_frame(system, choice.dependent)
+    found = chaplygin.hypotheses(frame, choice.dependent)
+    if system.dependent or not found.fatal:
+        return choice, frame, found
+    for other in ranked(system, chaplygin.possible(system), chaplygin.seem_free(system)):
+        others = coordinate_frame(system, other.dependent)
+        hypotheses = chaplygin.hypotheses(others, other.dependent)
+        if not hypotheses.fatal:
+            return other, others, hypotheses
+    return choice, frame, found
 
 
 def choose(system: System) -> Formulation:
@@ -231,6 +248,10 @@ def choose(system: System) -> Formulation:
         multipliers = build(system, "multipliers")
         why = "every coframe that was tried is singular at an ordinary state; all velocities kept"
         return replace(multipliers, reason=why)
+    if becomes_singular(system, adapted.frame.forms):
+        multipliers = build(system, "multipliers")
+        why = "every coframe that was tried is singular at positions that the motion can reach; all velocities kept"
+        return replace(multipliers, reason=why)
     names = ", ".join(f"{system.q_names[i]}'" for i in choice.dependent)
     whose = "of the spec" if system.dependent else "that nhc would choose"
     return replace(
@@ -240,11 +261,13 @@ def choose(system: System) -> Formulation:
 
 def _reduced_or_voronec(system: System) -> Formulation:
     try:
-        return build(system, "chaplygin")
+        reduced = build(system, "chaplygin")
     except NotApplicable as error:
         if error.code != "E0411":
             raise
         return build(system, "voronec")
+    regular = reduced.dependent is not None and reduced.dependent.regular
+    return reduced if regular else build(system, "voronec")
 
 
 def applicable(system: System) -> list[Formulation]:

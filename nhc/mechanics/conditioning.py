@@ -16,7 +16,7 @@ from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Graph, Node
 from nhc.mechanics.choose import Formulation, NotApplicable, build, turning_formulations
 from nhc.mechanics.frame import coordinate_form
-from nhc.mechanics.regularity import relative_determinant, sampled_rows
+from nhc.mechanics.regularity import relative_determinant, sampled_rows, trial_points
 from nhc.mechanics.scenes import Start
 from nhc.mechanics.singular import symmetric_eigenvalues
 from nhc.mechanics.system import Form, System
@@ -183,21 +183,43 @@ def adapted_choices(system: System, place: Place) -> Iterator[Choice]:
 
 def _is_definite(choice: Choice, place: Place) -> bool:
     """Whether the kinetic energy of the free velocities is well conditioned, scaled to a diagonal of ones."""
-    system, n, lower = choice.system, choice.system.n, choice.system.l
-    frame = choice.formulation.frame
-    forms = frame.forms if frame is not None else [coordinate_form(system, i) for i in range(n)]
-    try:
-        factors = factor(evaluate_rows(system, forms, place))
-    except SingularMatrix:
+    return _is_regular(_free_energy(choice.system, choice.formulation, place))
+
+
+def is_mass_sound(system: System, formulation: Formulation, place: Place) -> bool:
+    """Whether the kinetic energy of the free velocities is well conditioned at a place, and none of its squares has become small
+    against what it is elsewhere (the angle's of polar coordinates near their centre).
+    """
+    here = _free_energy(system, formulation, place)
+    if not _is_regular(here):
         return False
-    vectors = [resolve(factors, [float(i == k) for i in range(n)]) for k in range(lower if frame else 0, n)]
-    momenta = gradient(system.graph, system.T, system.v)
-    flat = [x for p in momenta for x in gradient(system.graph, p, system.v)]
-    values = [float(x) for x in evaluate(system.graph, flat, place)]
-    mass = [values[k * n : (k + 1) * n] for k in range(n)]
-    moved = [[sum(a * x for a, x in zip(row, e, strict=True)) for row in mass] for e in vectors]
-    gram = [[sum(a * b for a, b in zip(e, m, strict=True)) for m in moved] for e in vectors]
-    if any(row[k] <= 0.0 for k, row in enumerate(gram)):
+    elsewhere = [found for point in trial_points(system) if (found := _free_energy(system, formulation, dict(point)))]
+    for k in range(len(here)):
+        usual = sorted(found[k][k] for found in elsewhere)
+        if not usual or here[k][k] < _REGULAR * usual[len(usual) // 2]:
+            return False
+    return True
+
+
+def _is_regular(gram: Rows) -> bool:
+    if not gram or any(row[k] <= 0.0 for k, row in enumerate(gram)):
         return False
     scaled = [[x / sqrt(gram[i][i] * gram[k][k]) for k, x in enumerate(row)] for i, row in enumerate(gram)]
     return min(symmetric_eigenvalues(scaled), default=1.0) >= _REGULAR
+
+
+def _free_energy(system: System, formulation: Formulation, place: Place) -> Rows:
+    """The matrix of the kinetic energy in the free velocities; empty where it has no value."""
+    n, frame = system.n, formulation.frame
+    forms = frame.forms if frame is not None else [coordinate_form(system, i) for i in range(n)]
+    momenta = gradient(system.graph, system.T, system.v)
+    flat = [x for p in momenta for x in gradient(system.graph, p, system.v)]
+    try:
+        factors = factor(evaluate_rows(system, forms, place))
+        values = [float(x) for x in evaluate(system.graph, flat, place)]
+    except (SingularMatrix, ArithmeticError, ValueError):
+        return []
+    vectors = [resolve(factors, [float(i == k) for i in range(n)]) for k in range(system.l if frame else 0, n)]
+    mass = [values[k * n : (k + 1) * n] for k in range(n)]
+    moved = [[sum(a * x for a, x in zip(row, e, strict=True)) for row in mass] for e in vectors]
+    return [[sum(a * b for a, b in zip(e, m, strict=True)) for m in moved] for e in vectors]

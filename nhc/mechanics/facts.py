@@ -14,8 +14,7 @@ from nhc.algebra.linear import degrees
 from nhc.algebra.modular import Unlucky, are_zero
 from nhc.algebra.subdivision import cannot_vanish_together
 from nhc.diagnostics import Bag
-from nhc.mechanics import chaplygin
-from nhc.mechanics.choose import Formulation, applicable, checked_dependent
+from nhc.mechanics.choose import Formulation, applicable, chaplygin_dependent, checked_dependent
 from nhc.mechanics.conserved import Integral, find_conserved
 from nhc.mechanics.constancy import shows_jumps
 from nhc.mechanics.frame import coordinate_frame
@@ -215,7 +214,7 @@ def _spell(integral: Integral) -> str:
 
 
 def _dependent(system: System, formulation: Formulation, facts: Facts, bag: Bag) -> None:
-    choice = checked_dependent(system)
+    choice = formulation.dependent or checked_dependent(system)
     names = ", ".join(f"{system.q_names[i]}'" for i in choice.dependent)
     who = "given" if system.dependent else "chosen"
     if choice.determinant is None:
@@ -241,10 +240,13 @@ def _dependent(system: System, formulation: Formulation, facts: Facts, bag: Bag)
             help=(f"{advice}, or use quasi-velocities that stay regular",),
         )
     try:
-        found = chaplygin.hypotheses(coordinate_frame(system, choice.dependent), choice.dependent)
+        other, _, found = chaplygin_dependent(system, choice)
     except ArithmeticError:
         return
     text = "; ".join(found.broken) if found.broken else "all hold"
+    if other.dependent != choice.dependent:
+        names = ", ".join(f"{system.q_names[i]}'" for i in other.dependent)
+        text = f"with {names} dependent, {text}"
     facts.say("chaplygin", list(found.broken), f"Čaplygin's hypotheses (I.3): {text}")
 
 

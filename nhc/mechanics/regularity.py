@@ -236,11 +236,7 @@ def _choose(system: System) -> Choice:
         ]
         candidates = [list(columns) for columns in dict.fromkeys(map(tuple, chosen))]
     own = _own_columns(system, samples)
-    minors = [relative_minors(matrix, candidates) for matrix in samples]
-    begin = [relative_minors(matrix, candidates) for matrix in begun]
-    lost = [sum(row[k] < _WEAK for row in begin) for k in range(len(candidates))]
-    scored = [(lost[k], *weakness([row[k] for row in minors]), columns) for k, columns in enumerate(candidates)]
-    scored.sort()
+    scored = _scored(candidates, samples, begun)
     best: Choice | None = None
     for first, weak, _, columns in scored[:8]:
         choice = judge(system, tuple(columns))
@@ -252,6 +248,33 @@ def _choose(system: System) -> Choice:
     if own and not all(set(columns) & set(best.dependent) for columns in own):
         return judge(system, tuple(sorted(columns[0] for columns in own)))
     return best
+
+
+def _scored(
+    candidates: Sequence[Sequence[int]],
+    samples: Sequence[Sequence[Sequence[float]]],
+    begun: Sequence[Sequence[Sequence[float]]],
+) -> list[tuple[int, int, float, list[int]]]:
+    """(how often lost at the scenes' starts, how often weak, how weak, columns) of each candidate, the best first."""
+    minors = [relative_minors(matrix, candidates) for matrix in samples]
+    begin = [relative_minors(matrix, candidates) for matrix in begun]
+    lost = [sum(row[k] < _WEAK for row in begin) for k in range(len(candidates))]
+    return sorted(
+        (lost[k], *weakness([row[k] for row in minors]), list(columns)) for k, columns in enumerate(candidates)
+    )
+
+
+def ranked(system: System, columns: Sequence[int], fits: Callable[[Sequence[int]], bool]) -> list[Choice]:
+    """Every choice of dependent velocities among ``columns`` alone that ``fits`` and is not singular at all the trial points, those
+    that never are first, then in the order of :func:`choose_dependent`; none where there are too many to try.
+    """
+    if math.comb(len(columns), system.l) > _MANY:
+        return []
+    samples = sampled_rows(system, system.constraints)
+    begun = sampled_rows(system, system.constraints, _starts(system))
+    scored = _scored([list(c) for c in combinations(columns, system.l)], samples, begun)
+    found = [judge(system, tuple(chosen)) for _, weak, _, chosen in scored if weak < len(samples) and fits(chosen)]
+    return sorted(found, key=lambda choice: not choice.regular)
 
 
 def _own_columns(system: System, samples: Sequence[Sequence[Sequence[float]]]) -> list[list[int]]:

@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 
-from nhc.mechanics.conditioning import Choice, conditioning, find_better, name_of
+from nhc.mechanics.conditioning import Choice, conditioning, find_better, is_mass_sound, name_of
 from nhc.program.planner import SINGULAR_FRAME
 from nhc.records import record
 from nhc.simulate.carrying import carry, is_same, make_job, place_of
@@ -117,7 +117,7 @@ class Follower:
         found = self._find(job, recipe, outcome) if kind in _FRAME and sound else None
         if found is not None:
             return found
-        if weak and kind in _NEAR and _comes_near(leg) and not (kind == "deep" and self._is_sound(leg, recipe)):
+        if weak and kind in _NEAR and _comes_near(leg) and not self._is_sound(leg, recipe, kind):
             self._warn(leg, kind)
         return job if weak else None
 
@@ -145,11 +145,16 @@ class Follower:
         self.jobs.append(made)
         return made
 
-    def _is_sound(self, leg: Leg, recipe: Recipe) -> bool:
-        """Whether the coframe is well conditioned although its determinant is small against what its entries allow."""
-        place = place_of(leg.job, recipe, leg.outcome)
+    def _is_sound(self, leg: Leg, recipe: Recipe, kind: str) -> bool:
+        """Whether the coframe (or the mass matrix) is well conditioned although its determinant (or a pivot) is small against what
+        its entries allow: a rod far from the origin is no less regular.
+        """
+        whole = kind in ("deep", "mass") and leg.job.kept is not None
+        place = place_of(leg.job, recipe, leg.outcome) if whole else None
         if place is None:
             return False
+        if kind == "mass":
+            return is_mass_sound(leg.job.system, leg.job.formulation, place)
         system = leg.job.system
         return conditioning(system, leg.job.formulation, place) ** max(system.l, 1) >= SOUND
 
