@@ -10,6 +10,7 @@ from collections.abc import Callable, Sequence
 
 from nhc.algebra.angles import normalise_angles
 from nhc.algebra.calculus import reachable
+from nhc.algebra.elimination import Singular
 from nhc.algebra.graph import ADD, MUL, NEG, POW, SYM, Graph, Node
 from nhc.algebra.modular import are_zero
 from nhc.algebra.polynomial import normalise
@@ -18,10 +19,6 @@ from nhc.algebra.shorten import shorten
 _FEW_TERMS = 12
 _FEW_FACTORS = 8
 Weakness = Callable[[Sequence[Node], Sequence[Node]], list[int]]
-
-
-class Singular(Exception):
-    """The matrix has no inverse, identically."""
 
 
 def block_order(size: int, nonzero: Callable[[int, int], bool]) -> list[tuple[list[int], list[int]]]:

@@ -10,8 +10,9 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import partial
 
-from nhc.algebra.blocks import Singular, Weakness, block_order, determinant_of, form_size, row_scale, solve_block
+from nhc.algebra.blocks import Weakness, block_order, form_size, row_scale, solve_block
 from nhc.algebra.calculus import gradient, reachable, rebuild, substitute, tangent
+from nhc.algebra.elimination import Singular
 from nhc.algebra.field import INVERSE
 from nhc.algebra.graph import ADD, MUL, NEG, POW, SYM, Graph, Node
 from nhc.algebra.modular import are_zero, is_zero
@@ -20,20 +21,6 @@ from nhc.algebra.probe import probe_of
 from nhc.algebra.shorten import shorten
 from nhc.algebra.signs import STEPS
 from nhc.records import record
-
-__all__ = [
-    "Elimination",
-    "NotLinear",
-    "Singular",
-    "Substitution",
-    "block_order",
-    "depends",
-    "determinant_of",
-    "linear_form",
-    "solve",
-    "solve_rows",
-]
-
 
 _NO_POLYNOMIAL = 99
 _STEPPED = (*STEPS, "sqrt", "powf", *INVERSE)  # angles jump by pi where their arguments pass a pole

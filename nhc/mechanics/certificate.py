@@ -16,7 +16,7 @@ from collections.abc import Sequence
 
 from nhc.algebra.degree import Degrees
 from nhc.algebra.draw import MOST_DRAWS, draw_points
-from nhc.algebra.linear import Singular
+from nhc.algebra.elimination import Singular
 from nhc.algebra.modular import FieldPoint, Unlucky
 from nhc.algebra.primes import primes_of
 from nhc.algebra.signs import MOST, Signs, may_hold, points_for

@@ -148,7 +148,7 @@ def solve_exactly(claim: Claim, point: FieldPoint) -> tuple[list[int], list[int]
     """(q'', lambda) modulo the point's prime.
 
     Raises:
-        nhc.algebra.linear.Singular: the claim determines no motion there.
+        nhc.algebra.elimination.Singular: the claim determines no motion there.
         nhc.algebra.modular.Unlucky: the point lies on a pole.
     """
     p, known = point.prime, point.evaluate(claim.nodes())
@@ -163,7 +163,7 @@ def solve_in_doubles(claim: Claim, graph: Graph, state: dict[Node, float]) -> tu
     """(q'', lambda) in double precision.
 
     Raises:
-        nhc.algebra.linear.Singular, ArithmeticError, ValueError: not at this state.
+        nhc.algebra.elimination.Singular, ArithmeticError, ValueError: not at this state.
     """
     values = [float(x) for x in evaluate(graph, claim.nodes(), state)]
     x = solve_double(*_split(claim, values))

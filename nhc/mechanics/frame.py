@@ -168,7 +168,7 @@ def make_frame(system: System, free: Sequence[Form], symbols: Sequence[Node]) ->
     """The frame whose forms are the system's constraints and ``free``, in this order.
 
     Raises:
-        nhc.algebra.linear.Singular: the forms are no basis.
+        nhc.algebra.elimination.Singular: the forms are no basis.
     """
     g = system.graph
     forms = (*system.constraints, *free)

@@ -13,8 +13,9 @@ from dataclasses import replace
 from fractions import Fraction
 
 from nhc.algebra.calculus import count, gradient, substitute, tangent
+from nhc.algebra.elimination import Singular
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.linear import Singular, depends
+from nhc.algebra.linear import depends
 from nhc.algebra.modular import Unlucky, are_zero
 from nhc.mechanics.flag import Field, growth_vector
 from nhc.mechanics.frame import Frame, coordinate_frame

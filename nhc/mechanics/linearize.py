@@ -14,8 +14,9 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from nhc.algebra.calculus import count, gradient, substitute
+from nhc.algebra.elimination import Singular, solve_columns_modulo, solve_modulo
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.linear import Singular, solve
+from nhc.algebra.linear import solve
 from nhc.algebra.modular import FieldPoint, Unlucky, are_zero, rank
 from nhc.algebra.polynomial import normalise
 from nhc.algebra.primes import primes_of
@@ -65,6 +66,11 @@ class Flow:
         """The state's names: coordinates, then the kept velocities."""
         symbols = [self.graph.symbol_of(node) for node in self.y]
         return tuple(f"{s.name}'" if s.kind == "velocity" else s.name for s in symbols if s is not None)
+
+    @cached_property
+    def flat(self) -> tuple[Node, ...]:
+        """The matrix row by row, then the right side."""
+        return (*(x for row in self.matrix for x in row), *self.right)
 
     @cached_property
     def residual(self) -> tuple[Node, ...]:
@@ -120,7 +126,7 @@ def is_autonomous(flow: Flow, p: Sequence[float]) -> bool:
     """Whether the field is free of the time at these values of the parameters (only those that vanish are looked at)."""
     g = flow.graph
     absent = {symbol: g.zero for symbol, value in zip(flow.system.p, p, strict=True) if value == 0.0}
-    nodes = [*flow.velocities, *(x for row in flow.matrix for x in row), *flow.right]
+    nodes = [*flow.velocities, *flow.flat]
     try:
         nodes = substitute(g, nodes, absent)
     except ZeroDivisionError:
@@ -155,32 +161,22 @@ def jacobian_residues(flow: Flow, point: FieldPoint) -> list[list[int]]:
     if not size:
         return rows
     matrix = [point.evaluate(row) for row in flow.matrix]
-    values = solve_modulo(matrix, [[x] for x in point.evaluate(flow.right)], p)
-    rates = {symbol: value[0] for symbol, value in zip(flow.unknowns, values, strict=True)}
+    rates = dict(zip(flow.unknowns, solve_at(size, point.evaluate(flow.flat), p), strict=True))
     slopes = [point.evaluate(row, rates) for row in flow.residual_slopes]
-    return [*rows[:n], *solve_modulo(matrix, slopes, p)[: flow.kept]]
+    return [*rows[:n], *solve_columns_modulo(matrix, slopes, p)[: flow.kept]]
 
 
-def solve_modulo(matrix: Sequence[Sequence[int]], right: Sequence[Sequence[int]], p: int) -> list[list[int]]:
-    """X with matrix @ X = right in the field of p elements.
+def solve_at(size: int, values: Sequence[int], prime: int) -> list[int]:
+    """x with matrix @ x = right at a point, ``values`` being the residues of the matrix, row by row, and then of the right side.
 
     Raises:
         Unlucky: the matrix is singular there.
     """
-    size = len(matrix)
-    rows = [[*m, *r] for m, r in zip(matrix, right, strict=True)]
-    for k in range(size):
-        pivot = next((i for i in range(k, size) if rows[i][k] % p), None)
-        if pivot is None:
-            raise Unlucky
-        rows[k], rows[pivot] = rows[pivot], rows[k]
-        inverse = pow(rows[k][k], -1, p)
-        rows[k] = [x * inverse % p for x in rows[k]]
-        for i in range(size):
-            factor = rows[i][k]
-            if i != k and factor:
-                rows[i] = [(x - factor * y) % p for x, y in zip(rows[i], rows[k], strict=True)]
-    return [row[size:] for row in rows]
+    matrix = [values[k * size : (k + 1) * size] for k in range(size)]
+    try:
+        return solve_modulo(matrix, values[size * size :], prime)
+    except Singular:
+        raise Unlucky from None
 
 
 def reduced(system: System, formulation: Formulation) -> Formulation:

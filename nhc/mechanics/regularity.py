@@ -8,11 +8,11 @@ from collections.abc import Callable, Sequence
 from itertools import combinations
 from weakref import WeakKeyDictionary
 
+from nhc.algebra.blocks import determinant_of
 from nhc.algebra.calculus import reachable
 from nhc.algebra.evaluate import evaluate, evaluate_into
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.interval import Interval, cannot_vanish
-from nhc.algebra.linear import determinant_of
 from nhc.algebra.polynomial import normalise
 from nhc.mechanics.minors import relative_minors
 from nhc.mechanics.system import Form, System

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from nhc.algebra.calculus import gradient, substitute
+from nhc.algebra.elimination import Singular
 from nhc.algebra.graph import Node
-from nhc.algebra.linear import NotLinear, Singular, linear_form
+from nhc.algebra.linear import NotLinear, linear_form
 from nhc.algebra.modular import FieldPoint, Unlucky, rank
 from nhc.algebra.primes import primes_of
 from nhc.language.spec import Scene

@@ -7,11 +7,11 @@ from collections.abc import Sequence
 from itertools import combinations
 
 from nhc.algebra.angles import normalise_angles
+from nhc.algebra.blocks import determinant_of
 from nhc.algebra.calculus import substitute, tangent
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Node
 from nhc.algebra.interval import cannot_vanish
-from nhc.algebra.linear import determinant_of
 from nhc.algebra.modular import are_zero
 from nhc.algebra.polynomial import normalise
 from nhc.algebra.subdivision import cannot_vanish_together

@@ -14,7 +14,7 @@ from nhc.algebra.modular import FieldPoint, Unlucky
 from nhc.algebra.primes import primes_of
 from nhc.algebra.relations import find_relations
 from nhc.mechanics.frame import Frame
-from nhc.mechanics.linearize import Flow, jacobian_residues, solve_modulo
+from nhc.mechanics.linearize import Flow, jacobian_residues, solve_at
 
 Generator = Mapping[tuple[int, int], Fraction]
 """S by its entries (row, column) over the state."""
@@ -92,10 +92,7 @@ def _defects(flow: Flow, rest: Sequence[int], generators: Sequence[Generator], p
     slopes = jacobian_residues(flow, point)
     y = point.evaluate(flow.y)
     rates = list(point.evaluate(flow.velocities))
-    if size:
-        matrix = [point.evaluate(row) for row in flow.matrix]
-        values = solve_modulo(matrix, [[x] for x in point.evaluate(flow.right)], p)
-        rates += [value[0] for value in values[: flow.kept]]
+    rates += solve_at(size, point.evaluate(flow.flat), p)[: flow.kept]
     columns = []
     for generator in generators:
         moved, turned = dict.fromkeys(range(len(y)), 0), dict.fromkeys(range(len(y)), 0)

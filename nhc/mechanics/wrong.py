@@ -9,9 +9,10 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 
 from nhc.algebra.calculus import derivative, gradient, substitute
+from nhc.algebra.elimination import Singular
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Node
-from nhc.algebra.linear import Singular, linear_form
+from nhc.algebra.linear import linear_form
 from nhc.mechanics import euler_lagrange
 from nhc.mechanics.frame import Frame, total_derivative
 from nhc.mechanics.voronec import Reduced, applied_force, motion_rate
@@ -153,7 +154,7 @@ def accelerations(
     """q''_1..q''_n that rows linear in ``rates`` predict at each state (values of q, the free velocities, p and t).
 
     Raises:
-        nhc.algebra.linear.Singular: the rows do not determine the rates at one of them.
+        nhc.algebra.elimination.Singular: the rows do not determine the rates at one of them.
         nhc.algebra.linear.NotLinear: a row is not linear in the rates.
     """
     g, size = frame.graph, len(rates)

@@ -8,10 +8,9 @@ from collections.abc import Mapping, Sequence
 from fractions import Fraction
 
 from nhc.algebra.calculus import gradient
-from nhc.algebra.elimination import solve_double
+from nhc.algebra.elimination import Singular, solve_double
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Node
-from nhc.algebra.linear import Singular
 from nhc.diagnostics import Bag, SpecError
 from nhc.language.spec import Scene
 from nhc.mechanics.given_rank import find_dependent_as_given, find_dependent_row, given_states

@@ -10,8 +10,8 @@ from typing import TypeVar
 
 import numpy as np
 
+from nhc.algebra.elimination import Singular
 from nhc.algebra.graph import Node
-from nhc.algebra.linear import Singular
 from nhc.algebra.show import to_text
 from nhc.diagnostics import Bag, Source, Span, SpecError, nearest
 from nhc.language.scope import names_in

@@ -20,7 +20,6 @@ from nhc.algebra.graph import Graph
 from nhc.cli import main
 from nhc.diagnostics import SpecError
 from nhc.language import Source, read
-from nhc.mechanics.linearize import solve_modulo
 from nhc.pipeline import Options, linearize, model
 from nhc.study.linearize import eigenvalues, verdict
 from nhc.study.motion import Findings, Request, named_quantity, steady_model
@@ -383,14 +382,6 @@ def test_rare_functions_on_a_tape() -> None:
     ):
         with pytest.raises(ArithmeticError):
             Tape(g, [node])({x: 0.0, y: 0.7})
-
-
-def test_linear_systems_in_a_prime_field() -> None:
-    p = 10_007
-    matrix = [[0, 2, 1], [3, 0, 5], [7, 1, 0]]
-    x = [[5], [11], [13]]
-    right = [[sum(a * b[0] for a, b in zip(row, x, strict=True)) % p] for row in matrix]
-    assert solve_modulo(matrix, right, p) == x
 
 
 def test_a_coframe_that_is_singular_at_the_steady_motion_gives_way_to_multipliers() -> None:

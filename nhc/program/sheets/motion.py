@@ -5,8 +5,9 @@ from __future__ import annotations
 from dataclasses import replace
 
 from nhc.algebra.calculus import count, derivative, substitute
+from nhc.algebra.elimination import Singular
 from nhc.algebra.graph import Node
-from nhc.algebra.linear import Singular, solve
+from nhc.algebra.linear import solve
 from nhc.mechanics.formulate import bordered_system
 from nhc.mechanics.multipliers import multiplier_symbols
 from nhc.mechanics.rotation import moving
