@@ -10,7 +10,7 @@ from collections.abc import Callable, Sequence
 
 from nhc.algebra.angles import normalise_angles
 from nhc.algebra.calculus import reachable
-from nhc.algebra.elimination import Singular
+from nhc.algebra.dense import Singular
 from nhc.algebra.graph import ADD, MUL, NEG, POW, SYM, Graph, Node
 from nhc.algebra.modular import are_zero
 from nhc.algebra.polynomial import normalise

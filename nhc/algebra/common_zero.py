@@ -10,7 +10,7 @@ from collections.abc import Mapping, Sequence
 from operator import mul
 
 from nhc.algebra.calculus import reachable, tangent
-from nhc.algebra.elimination import Singular, solve_double
+from nhc.algebra.dense import Singular, solve_double
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Graph, Node
 

@@ -12,7 +12,7 @@ from functools import partial
 
 from nhc.algebra.blocks import Weakness, block_order, form_size, row_scale, solve_block
 from nhc.algebra.calculus import gradient, reachable, rebuild, substitute, tangent
-from nhc.algebra.elimination import Singular
+from nhc.algebra.dense import Singular
 from nhc.algebra.field import INVERSE
 from nhc.algebra.graph import ADD, MUL, NEG, POW, SYM, Graph, Node
 from nhc.algebra.modular import are_zero, is_zero

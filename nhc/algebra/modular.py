@@ -11,8 +11,8 @@ import random
 from collections.abc import Iterable, Sequence
 from itertools import chain, islice
 
+from nhc.algebra.dense import rank_modulo
 from nhc.algebra.draw import MOST_DRAWS, QuickPoint, draw_points
-from nhc.algebra.elimination import rank_modulo
 from nhc.algebra.evaluate import Mpmath, evaluate
 from nhc.algebra.field import FieldPoint, Unlucky
 from nhc.algebra.graph import Graph, Node

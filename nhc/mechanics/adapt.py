@@ -154,9 +154,9 @@ def complete(system: System) -> tuple[tuple[Form, ...], tuple[str, ...]]:
     """The spec's quasi-velocities, completed to n - l free forms; (forms, names of what was added).
 
     Raises:
-        nhc.algebra.elimination.Singular: they are too many or no basis.
+        nhc.algebra.dense.Singular: they are too many or no basis.
     """
-    from nhc.algebra.elimination import Singular
+    from nhc.algebra.dense import Singular
 
     g, wanted = system.graph, system.n - system.l
     turning = {name for rotation in system.spec.rotations for name in rotation.velocities}

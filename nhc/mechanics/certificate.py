@@ -15,8 +15,8 @@ import math
 from collections.abc import Sequence
 
 from nhc.algebra.degree import Degrees
+from nhc.algebra.dense import Singular
 from nhc.algebra.draw import MOST_DRAWS, draw_points
-from nhc.algebra.elimination import Singular
 from nhc.algebra.modular import FieldPoint, Unlucky
 from nhc.algebra.primes import primes_of
 from nhc.algebra.signs import MOST, Signs, may_hold, points_for

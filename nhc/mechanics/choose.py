@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
-from nhc.algebra.elimination import Singular
+from nhc.algebra.dense import Singular
 from nhc.algebra.modular import rank
 from nhc.diagnostics import Bag, Span
 from nhc.mechanics.adapt import complete, turning_choices

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TypeVar
 
-from nhc.algebra.elimination import solve_double, solve_modulo
+from nhc.algebra.dense import solve_double, solve_modulo
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.linear import linear_form
@@ -148,7 +148,7 @@ def solve_exactly(claim: Claim, point: FieldPoint) -> tuple[list[int], list[int]
     """(q'', lambda) modulo the point's prime.
 
     Raises:
-        nhc.algebra.elimination.Singular: the claim determines no motion there.
+        nhc.algebra.dense.Singular: the claim determines no motion there.
         nhc.algebra.modular.Unlucky: the point lies on a pole.
     """
     p, known = point.prime, point.evaluate(claim.nodes())
@@ -163,7 +163,7 @@ def solve_in_doubles(claim: Claim, graph: Graph, state: dict[Node, float]) -> tu
     """(q'', lambda) in double precision.
 
     Raises:
-        nhc.algebra.elimination.Singular, ArithmeticError, ValueError: not at this state.
+        nhc.algebra.dense.Singular, ArithmeticError, ValueError: not at this state.
     """
     values = [float(x) for x in evaluate(graph, claim.nodes(), state)]
     x = solve_double(*_split(claim, values))

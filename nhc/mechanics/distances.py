@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from nhc.algebra.elimination import Singular
+from nhc.algebra.dense import Singular
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Graph, Node
 from nhc.diagnostics import SpecError

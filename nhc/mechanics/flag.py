@@ -13,8 +13,8 @@ from collections.abc import Sequence
 from operator import mul
 
 from nhc.algebra.calculus import tangent
+from nhc.algebra.dense import Echelon, extend_echelon
 from nhc.algebra.draw import MOST_DRAWS, draw_points
-from nhc.algebra.elimination import Echelon, extend_echelon
 from nhc.algebra.field import FieldPoint, Unlucky
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.jets import JetPlan, Jets, Series, make_box, plan_jets

@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from nhc.algebra.calculus import count
+from nhc.algebra.dense import pivot_signs
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.modular import are_zero
@@ -14,7 +15,7 @@ from nhc.mechanics.associate import Equations, Matrix, Projector, Row
 from nhc.mechanics.choose import Formulation
 from nhc.mechanics.determined import check_determined
 from nhc.mechanics.frame import coordinate_frame, total_derivative
-from nhc.mechanics.kinetic import Kinetic, kinetic_structure, pivot_signs
+from nhc.mechanics.kinetic import Kinetic, kinetic_structure
 from nhc.mechanics.motion import Motion
 from nhc.mechanics.move import move
 from nhc.mechanics.moved import Moved

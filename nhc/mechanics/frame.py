@@ -156,6 +156,7 @@ class Frame:
         return g.add(g.sum(terms), form.constant)
 
 
+@equation("I.1.1")
 def form_value(graph: Graph, form: Form, v: Sequence[Node]) -> Node:
     """a_i v_i + a_0, in the spec's own words where there are any (``v`` are then the velocities' symbols)."""
     if form.value is not None:
@@ -168,7 +169,7 @@ def make_frame(system: System, free: Sequence[Form], symbols: Sequence[Node]) ->
     """The frame whose forms are the system's constraints and ``free``, in this order.
 
     Raises:
-        nhc.algebra.elimination.Singular: the forms are no basis.
+        nhc.algebra.dense.Singular: the forms are no basis.
     """
     g = system.graph
     forms = (*system.constraints, *free)

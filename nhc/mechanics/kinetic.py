@@ -17,6 +17,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 
 from nhc.algebra.calculus import gradient, substitute, tangent
+from nhc.algebra.dense import pivot_signs
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import ADD, MUL, NEG, POW, Graph, Node
 from nhc.algebra.linear import degrees, linear_form
@@ -154,25 +155,6 @@ def _is_positive(graph: Graph, node: Node, values: dict[Node, float]) -> bool:
         return float(evaluate(graph, [node], values)[0]) > 0
     except (ArithmeticError, ValueError, KeyError):
         return False
-
-
-def pivot_signs(matrix: list[list[float]]) -> list[int]:
-    """Signs of the pivots of a symmetric matrix without exchanges; ends at the first one that is zero to rounding.
-
-    Beside a larger entry such a pivot means a negative minor: -1.
-    """
-    size = len(matrix)
-    scale = max((abs(x) for row in matrix for x in row), default=0.0)
-    signs: list[int] = []
-    for k in range(size):
-        pivot = matrix[k][k]
-        if abs(pivot) <= 1e-11 * scale:
-            return [*signs, -1 if any(abs(x) > 1e-5 * scale for x in matrix[k][k + 1 :]) else 0]
-        signs.append(1 if pivot > 0 else -1)
-        for i in range(k + 1, size):
-            factor = matrix[i][k] / pivot
-            matrix[i] = [x - factor * y for x, y in zip(matrix[i], matrix[k], strict=True)]
-    return signs
 
 
 def kinetic_structure(system: System) -> Kinetic:

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from nhc.algebra.calculus import count, gradient, substitute
-from nhc.algebra.elimination import Singular, solve_columns_modulo, solve_modulo
+from nhc.algebra.dense import Singular, solve_columns_modulo, solve_modulo
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.linear import solve
 from nhc.algebra.modular import FieldPoint, Unlucky, are_zero, rank

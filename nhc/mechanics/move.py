@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from nhc.algebra.calculus import substitute, tangent
-from nhc.algebra.elimination import Singular
+from nhc.algebra.dense import Singular
 from nhc.algebra.field import Unlucky
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.linear import NamedBlock, solve_rows

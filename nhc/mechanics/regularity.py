@@ -13,8 +13,8 @@ from nhc.algebra.calculus import reachable
 from nhc.algebra.evaluate import evaluate, evaluate_into
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.interval import Interval, cannot_vanish
+from nhc.algebra.minors import relative_minors
 from nhc.algebra.polynomial import normalise
-from nhc.mechanics.minors import relative_minors
 from nhc.mechanics.system import Form, System
 from nhc.mechanics.values import constant_value, default_values, parameter_ranges
 from nhc.records import record

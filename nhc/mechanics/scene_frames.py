@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from nhc.algebra.calculus import gradient, substitute
-from nhc.algebra.elimination import Singular
+from nhc.algebra.dense import Singular
 from nhc.algebra.graph import Node
 from nhc.algebra.linear import NotLinear, linear_form
 from nhc.algebra.modular import FieldPoint, Unlucky, rank

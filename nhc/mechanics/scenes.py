@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
+from nhc.algebra.dense import RowSpace
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Node
 from nhc.diagnostics import Bag, nearest
@@ -252,41 +253,6 @@ def _free_order(system: System, given: dict[tuple[str, str], float]) -> list[For
     if any(kind == "quasi" for kind, _ in given):
         return [*system.quasi, *coordinates]
     return coordinates
-
-
-class RowSpace:
-    """Linear equations taken one by one; each is reduced by those before it."""
-
-    def __init__(self, size: int) -> None:
-        self.size = size
-        self.rows: list[tuple[int, list[float], float]] = []
-
-    def add(self, row: Sequence[float], value: float) -> float | None:
-        """None if the equation was new; else by how much it contradicts the earlier ones (relative to its terms)."""
-        row, scale = list(row), max((abs(x) for x in row), default=0.0)
-        size = max(scale, abs(value), 1e-300)
-        for column, known, right in self.rows:
-            factor = row[column]
-            if factor:
-                row = [x - factor * y for x, y in zip(row, known, strict=True)]
-                value -= factor * right
-        pivot = max(range(self.size), key=lambda j: abs(row[j]))
-        if abs(row[pivot]) <= 1e-9 * max(scale, 1e-300):
-            return value / size
-        inverse = 1.0 / row[pivot]
-        row, value = [x * inverse for x in row], value * inverse
-        self.rows = [
-            (c, [x - known[pivot] * y for x, y in zip(known, row, strict=True)], right - known[pivot] * value)
-            for c, known, right in self.rows
-        ]
-        self.rows.append((pivot, row, value))
-        return None
-
-    def solution(self) -> list[float]:
-        result = [0.0] * self.size
-        for column, _, value in self.rows:
-            result[column] = value
-        return result
 
 
 def kept_velocities(system: System, forms: Sequence[Form], start: Start) -> list[float]:

@@ -8,14 +8,13 @@ from collections.abc import Mapping, Sequence
 from fractions import Fraction
 
 from nhc.algebra.calculus import gradient
-from nhc.algebra.elimination import Singular, solve_double
+from nhc.algebra.dense import RowSpace, Singular, pivot_signs, solve_double
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Node
 from nhc.diagnostics import Bag, SpecError
 from nhc.language.spec import Scene
 from nhc.mechanics.given_rank import find_dependent_as_given, find_dependent_row, given_states
-from nhc.mechanics.kinetic import pivot_signs
-from nhc.mechanics.scenes import RowSpace, Start, kept_velocities, left_at_zero, place_of
+from nhc.mechanics.scenes import Start, kept_velocities, left_at_zero, place_of
 from nhc.mechanics.system import System
 from nhc.mechanics.undefined import find_undefined
 from nhc.program.build import Planner

@@ -9,12 +9,12 @@ from math import comb, sqrt
 from weakref import WeakKeyDictionary
 
 from nhc.algebra.calculus import gradient
+from nhc.algebra.dense import symmetric_eigenvalues
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Graph, Node
 from nhc.mechanics.choose import Formulation, NotApplicable, build, turning_formulations
 from nhc.mechanics.frame import coordinate_form
 from nhc.mechanics.regularity import relative_determinant, sampled_rows
-from nhc.mechanics.singular import symmetric_eigenvalues
 from nhc.mechanics.system import Form, System
 from nhc.records import record
 from nhc.simulate.methods.linear import SingularMatrix, factor, resolve

@@ -10,7 +10,7 @@ from typing import TypeVar
 
 import numpy as np
 
-from nhc.algebra.elimination import Singular
+from nhc.algebra.dense import Singular
 from nhc.algebra.graph import Node
 from nhc.algebra.show import to_text
 from nhc.diagnostics import Bag, Source, Span, SpecError, nearest

@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 
 from nhc.algebra.blocks import block_order
 from nhc.algebra.calculus import derivative, gradient, substitute, tangent
-from nhc.algebra.elimination import Singular
+from nhc.algebra.dense import Singular
 from nhc.algebra.evaluate import Floats, Mpmath, evaluate
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.linear import NotLinear, linear_form, solve

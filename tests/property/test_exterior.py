@@ -7,7 +7,7 @@ from itertools import combinations
 
 import pytest
 
-from nhc.algebra.elimination import Singular
+from nhc.algebra.dense import Singular
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.linear import solve
 from nhc.algebra.modular import is_zero

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from nhc.algebra.calculus import count, derivative, substitute
-from nhc.algebra.elimination import Singular
+from nhc.algebra.dense import Singular
 from nhc.algebra.graph import Node
 from nhc.algebra.linear import solve
 from nhc.mechanics.formulate import bordered_system

@@ -1,19 +1,24 @@
-"""Small dense linear systems: what comes out is put in again, ranks and kernels are those of SymPy."""
+"""Small dense matrices: solutions are put in again, ranks and kernels are those of SymPy, eigenvalues those of NumPy."""
 
 from __future__ import annotations
 
+import itertools
 import random
 
+import numpy
 import pytest
 import sympy
 
-from nhc.algebra.elimination import (
+from nhc.algebra.dense import (
+    RowSpace,
     Singular,
     null_space,
+    pivot_signs,
     rank_modulo,
     solve_columns_modulo,
     solve_double,
     solve_modulo,
+    symmetric_eigenvalues,
 )
 from nhc.algebra.residues import PRIMES
 
@@ -64,3 +69,32 @@ def test_linear_systems_in_doubles() -> None:
     assert solve_double([[1e-9, 1.0], [1.0, 1.0]], [1.0, 2.0]) == pytest.approx([1.0, 1.0])
     with pytest.raises(Singular):
         solve_double([[1.0, 2.0], [2.0, 4.0]], [1.0, 1.0])
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_symmetric_matrices(seed: int) -> None:
+    rng = random.Random(seed)
+    size = rng.randint(1, 5)
+    half = draw(rng, size, size, size)
+    matrix = [
+        [float(a + b) for a, b in zip(row, column, strict=True)]
+        for row, column in zip(half, zip(*half, strict=True), strict=True)
+    ]
+    expected = numpy.linalg.eigvalsh(matrix)
+    assert sorted(symmetric_eigenvalues(matrix)) == pytest.approx(list(expected), abs=1e-9)
+    signs = pivot_signs(matrix)
+    minors = [round(numpy.linalg.det(numpy.array(matrix)[:k, :k])) for k in range(size + 1)]
+    if all(minors):  # Jacobi: the pivots are quotients of the leading minors
+        assert signs == [1 if a * b > 0 else -1 for a, b in itertools.pairwise(minors)]
+        assert signs.count(-1) == sum(x < 0 for x in expected)  # Sylvester's law of inertia
+    else:
+        assert len(signs) < size or signs[-1] < 1
+
+
+def test_equations_one_by_one() -> None:
+    space = RowSpace(3)
+    assert space.add([1.0, 1.0, 0.0], 3.0) is None
+    assert space.add([1.0, -1.0, 0.0], 1.0) is None
+    assert space.add([2.0, 0.0, 0.0], 4.0) == pytest.approx(0.0)  # the sum of both
+    assert space.add([2.0, 0.0, 0.0], 8.0) == pytest.approx(0.5)  # contradicts it by 4 of 8
+    assert space.solution() == pytest.approx([2.0, 1.0, 0.0])

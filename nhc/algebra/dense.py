@@ -1,7 +1,8 @@
-"""Small dense linear systems over a prime field and over doubles."""
+"""Small dense matrices: linear systems, ranks and kernels modulo a prime; linear systems, signs and eigenvalues in doubles."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 
 Echelon = list[tuple[int, list[int]]]
@@ -10,6 +11,9 @@ Echelon = list[tuple[int, list[int]]]
 
 class Singular(Exception):
     """The matrix has no inverse; of one over a graph: at no state."""
+
+
+# --- modulo a prime ---------------------------------------------------------------------------------------
 
 
 def solve_modulo(matrix: Sequence[Sequence[int]], right: Sequence[int], prime: int) -> list[int]:
@@ -90,6 +94,9 @@ def null_space(matrix: Sequence[Sequence[int]], width: int, prime: int) -> list[
     return basis
 
 
+# --- in doubles ---------------------------------------------------------------------------------------------
+
+
 def solve_double(matrix: Sequence[Sequence[float]], right: Sequence[float]) -> list[float]:
     """x with matrix @ x = right in double precision, by elimination with row pivoting after scaling the rows.
 
@@ -116,3 +123,78 @@ def solve_double(matrix: Sequence[Sequence[float]], right: Sequence[float]) -> l
     for k in reversed(range(size)):
         x[k] = (table[k][size] - sum(table[k][j] * x[j] for j in range(k + 1, size))) / table[k][k]
     return x
+
+
+class RowSpace:
+    """Linear equations taken one by one; each is reduced by those before it."""
+
+    def __init__(self, size: int) -> None:
+        self.size = size
+        self.rows: list[tuple[int, list[float], float]] = []
+        """(column, row, right side): the row is 1 in its own column and 0 in those of the others."""
+
+    def add(self, row: Sequence[float], value: float) -> float | None:
+        """None if the equation was new; else by how much it contradicts the earlier ones (relative to its terms)."""
+        row, scale = list(row), max((abs(x) for x in row), default=0.0)
+        size = max(scale, abs(value), 1e-300)
+        for column, known, right in self.rows:
+            factor = row[column]
+            if factor:
+                row = [x - factor * y for x, y in zip(row, known, strict=True)]
+                value -= factor * right
+        pivot = max(range(self.size), key=lambda j: abs(row[j]))
+        if abs(row[pivot]) <= 1e-9 * max(scale, 1e-300):
+            return value / size
+        inverse = 1.0 / row[pivot]
+        row, value = [x * inverse for x in row], value * inverse
+        self.rows = [
+            (c, [x - known[pivot] * y for x, y in zip(known, row, strict=True)], right - known[pivot] * value)
+            for c, known, right in self.rows
+        ]
+        self.rows.append((pivot, row, value))
+        return None
+
+    def solution(self) -> list[float]:
+        """What solves all equations; unknowns that they leave free are zero."""
+        result = [0.0] * self.size
+        for column, _, value in self.rows:
+            result[column] = value
+        return result
+
+
+def pivot_signs(matrix: Sequence[Sequence[float]]) -> list[int]:
+    """Signs of the pivots of a symmetric matrix without exchanges; ends at the first one that is zero to rounding.
+
+    Beside a larger entry such a pivot means a negative minor: -1.
+    """
+    work, signs = [list(row) for row in matrix], list[int]()
+    scale = max((abs(x) for row in work for x in row), default=0.0)
+    for k, own in enumerate(work):
+        pivot = own[k]
+        if abs(pivot) <= 1e-11 * scale:
+            return [*signs, -1 if any(abs(x) > 1e-5 * scale for x in own[k + 1 :]) else 0]
+        signs.append(1 if pivot > 0 else -1)
+        for i in range(k + 1, len(work)):
+            factor = work[i][k] / pivot
+            work[i] = [x - factor * y for x, y in zip(work[i], own, strict=True)]
+    return signs
+
+
+def symmetric_eigenvalues(matrix: Sequence[Sequence[float]]) -> list[float]:
+    """Eigenvalues of a small symmetric matrix (Jacobi 1846: cyclic rotations until the rest is negligible)."""
+    a, size = [list(row) for row in matrix], len(matrix)
+    for _ in range(60):
+        off = sum(a[i][j] ** 2 for i in range(size) for j in range(size) if i != j)
+        if off <= 1e-30 * sum(a[i][i] ** 2 for i in range(size)):
+            break
+        for p in range(size):
+            for q in range(p + 1, size):
+                if a[p][q] == 0.0:
+                    continue
+                angle = 0.5 * math.atan2(2 * a[p][q], a[q][q] - a[p][p])
+                c, s = math.cos(angle), math.sin(angle)
+                for k in range(size):
+                    a[k][p], a[k][q] = c * a[k][p] - s * a[k][q], s * a[k][p] + c * a[k][q]
+                for k in range(size):
+                    a[p][k], a[q][k] = c * a[p][k] - s * a[q][k], s * a[p][k] + c * a[q][k]
+    return [a[i][i] for i in range(size)]
