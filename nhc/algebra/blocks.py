@@ -12,7 +12,7 @@ from nhc.algebra.angles import normalise_angles
 from nhc.algebra.calculus import reachable
 from nhc.algebra.dense import Singular
 from nhc.algebra.graph import ADD, MUL, NEG, POW, SYM, Graph, Node
-from nhc.algebra.modular import are_zero
+from nhc.algebra.modular import are_zero, is_zero
 from nhc.algebra.polynomial import normalise
 from nhc.algebra.shorten import shorten
 
@@ -27,14 +27,14 @@ def block_order(size: int, nonzero: Callable[[int, int], bool]) -> list[tuple[li
     Raises:
         Singular: there is no perfect matching (structurally singular).
     """
-    match_of_column = _matching(size, nonzero)
-    row_of = match_of_column
+    row_of = _matching(size, nonzero)
     # edge i -> j: the unknown of matched column i needs that of column j
     needs = [[j for j in range(size) if j != i and nonzero(row_of[i], j)] for i in range(size)]
     return [([row_of[j] for j in sorted(part)], sorted(part)) for part in _components(size, needs)]
 
 
 def _matching(size: int, nonzero: Callable[[int, int], bool]) -> list[int]:
+    """For each column the row that it is matched with, by augmenting paths (Kuhn 1955)."""
     row_of = [-1] * size
 
     def augment(row: int, seen: set[int]) -> bool:
@@ -104,7 +104,7 @@ def solve_block(
     if size > 3 or "Cramer's rule" in graph.off:
         return _eliminate(graph, block, columns, weakness)
     determinant = normalise_angles(graph, determinant_of(graph, block), 120)
-    if are_zero(graph, [determinant])[0]:
+    if is_zero(graph, determinant):
         raise Singular
     guards = [] if graph.value(determinant) is not None else [(determinant, scale() if scale else graph.one)]
     solved = []

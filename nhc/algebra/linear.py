@@ -288,9 +288,8 @@ class Substitution:
                 continue
             built = rebuild(g, node, [self._memo.get(c, new.get(c, c)) for c in g.children(node)])
             (new if open_now else self._memo)[node] = built
-            label = g.labels.get(node)
-            if label is not None and not open_now:
-                g.labels.setdefault(built, label)
+            if not open_now:
+                g.pass_label(node, built)
         return self._memo.get(root, new.get(root, root))
 
 

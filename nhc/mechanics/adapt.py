@@ -16,6 +16,7 @@ from itertools import combinations
 
 from nhc.algebra.angles import normalise_angles as normalise
 from nhc.algebra.blocks import determinant_of
+from nhc.algebra.dense import Singular
 from nhc.algebra.graph import Node
 from nhc.algebra.interval import cannot_vanish
 from nhc.algebra.modular import rank
@@ -156,8 +157,6 @@ def complete(system: System) -> tuple[tuple[Form, ...], tuple[str, ...]]:
     Raises:
         nhc.algebra.dense.Singular: they are too many or no basis.
     """
-    from nhc.algebra.dense import Singular
-
     g, wanted = system.graph, system.n - system.l
     turning = {name for rotation in system.spec.rotations for name in rotation.velocities}
     forms = [form for form in system.quasi if form.name not in turning]

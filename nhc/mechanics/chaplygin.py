@@ -14,7 +14,7 @@ from collections.abc import Sequence
 
 from nhc.algebra.calculus import derivative, gradient, tangent
 from nhc.algebra.graph import Node
-from nhc.algebra.modular import are_zero
+from nhc.algebra.modular import are_zero, is_zero
 from nhc.mechanics.frame import Frame, dependent_coefficients
 from nhc.mechanics.system import System
 from nhc.mechanics.voronec import Reduced, applied_force, motion_rate
@@ -69,7 +69,7 @@ def _outside(system: System, b_0: Sequence[Node], alpha: int) -> list[str]:
     if _contains(system, b_0, alpha):
         broken.append(f"the affine part b_alpha of the constraints contains the dependent coordinate `{name}`")
     forces = [system.force(i) for i in range(system.n)]
-    if not are_zero(system.graph, [forces[alpha]])[0]:
+    if not is_zero(system.graph, forces[alpha]):
         broken.append(f"a force acts on the dependent coordinate `{name}`")
     for i, force in enumerate(forces):
         if i != alpha and _contains(system, [force], alpha):

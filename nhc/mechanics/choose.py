@@ -109,7 +109,7 @@ def build(system: System, name: str) -> Formulation:
         NotApplicable: a hypothesis that it cannot do without is broken.
     """
     if name == "newton":
-        from nhc.mechanics import newton
+        from nhc.mechanics import newton  # here, for a command that needs it not starts sooner
 
         reasons = newton.broken_hypotheses(system)
         if reasons:
@@ -201,7 +201,7 @@ def _reduced(system: System, name: str) -> Formulation:
     reason = "dependent velocities of the spec" if system.dependent else "dependent velocities chosen by nhc"
     if name == "voronec":
         return Formulation(name, NUMBERS[name], frame, choice, (), reason)
-    from nhc.mechanics import chaplygin
+    from nhc.mechanics import chaplygin  # likewise
 
     found = chaplygin.hypotheses(frame, choice.dependent)
     if found.fatal:

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TypeVar
 
+from nhc.algebra.calculus import substitute
 from nhc.algebra.dense import solve_double, solve_modulo
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Graph, Node
@@ -19,7 +20,7 @@ from nhc.mechanics import multipliers, voronec, wrong
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choose import Formulation
 from nhc.mechanics.formulate import bordered_system, motion_of, rate_symbols
-from nhc.mechanics.frame import Frame, total_derivative
+from nhc.mechanics.frame import Frame, form_value, total_derivative
 from nhc.mechanics.motion import Motion
 from nhc.mechanics.system import System
 from nhc.records import record
@@ -201,9 +202,6 @@ class Velocities:
 
 def admissible_velocities(system: System, base: Frame | None, formulations: Sequence[Formulation]) -> Velocities:
     """``base`` (None: no constraints) is the frame whose free velocities are drawn."""
-    from nhc.algebra.calculus import substitute
-    from nhc.mechanics.frame import form_value
-
     motion = dict(zip(system.v, base.kinematics if base is not None else system.v, strict=True))
     for formulation in formulations:
         frame = formulation.frame
@@ -212,7 +210,6 @@ def admissible_velocities(system: System, base: Frame | None, formulations: Sequ
         for symbol, form in zip(frame.free, frame.forms[system.l :], strict=True):
             if symbol not in motion:
                 value = form_value(system.graph, form, system.v)
-                motion[symbol] = substitute(system.graph, [value], dict(zip(system.v, motion.values(), strict=False)))[
-                    0
-                ]
+                known = dict(zip(system.v, motion.values(), strict=False))
+                (motion[symbol],) = substitute(system.graph, [value], known)
     return Velocities(tuple(motion), tuple(motion.values()), base.guards if base is not None else ())

@@ -16,7 +16,7 @@ from itertools import combinations
 
 from nhc.algebra.calculus import count, gradient, substitute, tangent
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.modular import Unlucky, are_zero, rank
+from nhc.algebra.modular import Unlucky, are_zero, is_zero, rank
 from nhc.algebra.primes import primes_of
 from nhc.algebra.relations import find_relations, without
 from nhc.mechanics.constancy import are_constant, has_jumps, jumps, rates_of
@@ -84,7 +84,7 @@ def find_conserved(
     sampler = Sampler(system, frame)
     g = system.graph
     generalized = generalized_energy(system)
-    differs = not are_zero(g, [g.sub(generalized, system.energy)])[0]
+    differs = not is_zero(g, g.sub(generalized, system.energy))
     outputs = [Candidate(name, node) for name, node in system.outputs]
     tested = [Candidate("E", system.energy), Candidate("p q' - T + V", generalized), *outputs]
     constant = are_constant(sampler, [c.node for c in tested])
@@ -132,7 +132,7 @@ def power_terms(system: System) -> list[str]:
     work = g.sum([g.mul(q, v) for q, v in zip(system.Q, system.v, strict=True)])
     idle = are_zero(g, gradient(g, work, system.v))
     for i, q in enumerate(system.Q):
-        if i not in turned and not idle[i] and not are_zero(g, [q])[0]:
+        if i not in turned and not idle[i] and not is_zero(g, q):
             terms.append(f"the force on `{system.q_names[i]}`")
     for rotation, torque in zip(system.rotations, system.torques, strict=True):
         if not all(idle[k] for k in rotation.places) and not all(are_zero(g, torque)):
@@ -140,9 +140,9 @@ def power_terms(system: System) -> list[str]:
     explicit = tangent(g, [system.T, system.U], {system.t: g.one})
     terms += [f"{name} contains the time" for name, z in zip(("T", "U"), are_zero(g, explicit), strict=True) if not z]
     for form in system.constraints:
-        if not are_zero(g, [form.constant])[0]:
+        if not is_zero(g, form.constant):
             terms.append(f"the reaction of the moving constraint `{form.name}`")
-    if not are_zero(g, [g.sub(generalized_energy(system), system.energy)])[0]:
+    if not is_zero(g, g.sub(generalized_energy(system), system.energy)):
         terms.append("T is not homogeneous quadratic in the velocities")
     return terms
 

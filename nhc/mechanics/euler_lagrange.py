@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from nhc.algebra.calculus import gradient, substitute
+from nhc.algebra.calculus import gradient, substitute, tangent
 from nhc.algebra.graph import Node
 from nhc.exterior import Coframe, Form, basis_form, d, general_coframe, one_form, pullback, wedge
 from nhc.mechanics.frame import Frame
@@ -143,7 +143,7 @@ def printed_rows(frame: Frame, rates: tuple[Node, ...]) -> list[Node]:
     }
     rows = []
     for mu in range(lower, system.n):
-        row = _rate(frame, momenta_on[mu], seeds)
+        row = tangent(g, [momenta_on[mu]], seeds)[0]
         for i in range(system.n):
             swirl = frame.epsilon(i, mu)
             for nu in range(lower, system.n):
@@ -152,9 +152,3 @@ def printed_rows(frame: Frame, rates: tuple[Node, ...]) -> list[Node]:
         slope, force = substitute(g, [frame.along(energy, mu), forces[mu]], on_constraints)
         rows.append(g.sub(g.sub(row, slope), force))
     return rows
-
-
-def _rate(frame: Frame, node: Node, seeds: dict[Node, Node]) -> Node:
-    from nhc.algebra.calculus import tangent
-
-    return tangent(frame.graph, [node], seeds)[0]

@@ -14,7 +14,7 @@ from nhc.algebra.shorten import shorten
 from nhc.mechanics.associate import Equations, Matrix, Projector, Row
 from nhc.mechanics.choose import Formulation
 from nhc.mechanics.determined import check_determined
-from nhc.mechanics.frame import coordinate_frame, total_derivative
+from nhc.mechanics.frame import coordinate_frame, form_value, total_derivative
 from nhc.mechanics.kinetic import Kinetic, kinetic_structure
 from nhc.mechanics.motion import Motion
 from nhc.mechanics.move import move
@@ -242,7 +242,5 @@ def bordered_system(equations: Equations) -> tuple[list[list[Node]], list[Node]]
     still = {v: zero for v in system.v}
     matrix = [[*equations.mass[i], *(g.neg(c.coefficients[i]) for c in system.constraints)] for i in range(n)]
     matrix += [[*(g.neg(a) for a in c.coefficients), *([zero] * system.l)] for c in system.constraints]
-    from nhc.mechanics.frame import form_value
-
     moved = [total_derivative(system, form_value(g, c, system.v), system.v, still) for c in system.constraints]
     return matrix, [*equations.force, *moved]

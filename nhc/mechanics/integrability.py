@@ -16,7 +16,7 @@ from nhc.algebra.calculus import count, gradient, substitute, tangent
 from nhc.algebra.dense import Singular
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.linear import depends
-from nhc.algebra.modular import Unlucky, are_zero
+from nhc.algebra.modular import Unlucky, are_zero, is_zero
 from nhc.mechanics.flag import Field, growth_vector
 from nhc.mechanics.frame import Frame, coordinate_frame
 from nhc.mechanics.regularity import choose_dependent
@@ -103,7 +103,7 @@ def is_integrable(system: System, form: Form) -> bool:
     """
     g = system.graph
     a = dict(zip((*system.q, system.t), (*form.coefficients, form.constant), strict=True))
-    r = next((v for v, x in a.items() if x != g.zero and not are_zero(g, [x])[0]), None)
+    r = next((v for v, x in a.items() if not is_zero(g, x)), None)
     if r is None:
         return True
     active = [v for v in a if v != r and (a[v] != g.zero or any(g.depends(x, g.deps[v]) for x in a.values()))]

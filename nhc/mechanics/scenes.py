@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from fractions import Fraction
 
 from nhc.algebra.dense import RowSpace
 from nhc.algebra.evaluate import evaluate
@@ -15,6 +16,7 @@ from nhc.algebra.graph import Node
 from nhc.diagnostics import Bag, nearest
 from nhc.language.spec import Scene, Spec
 from nhc.language.syntax import Syntax
+from nhc.mechanics.frame import coordinate_form
 from nhc.mechanics.regularity import choose_dependent
 from nhc.mechanics.system import Form, System
 from nhc.mechanics.values import constant_value
@@ -131,8 +133,6 @@ def _constant(tree: Syntax, names: dict[str, float]) -> float:
 
 
 def _parameters(system: System, scene: Scene, bag: Bag) -> tuple[float, ...]:
-    from fractions import Fraction
-
     override = {entry.name: entry.value for entry in scene.parameters}
     values, names = [], dict[str, float]()
     for parameter in system.spec.parameters:
@@ -205,7 +205,7 @@ def _velocities(
         fixed = len(rows)
         for (kind, name), value in given.items():
             if kind == "velocity":
-                add(_unit(system, name), value, _FOUND_AS[kind].format(name))
+                add(coordinate_form(system, system.q_names.index(name)), value, _FOUND_AS[kind].format(name))
             elif kind == "quasi":
                 add(next(f for f in system.quasi if f.name == name), value, _FOUND_AS[kind].format(name))
     except (ArithmeticError, ValueError):
@@ -235,18 +235,10 @@ def _velocities(
     return tuple(solver.solution())
 
 
-def _unit(system: System, name: str) -> Form:
-    from nhc.mechanics.frame import coordinate_form
-
-    return coordinate_form(system, system.q_names.index(name))
-
-
 def _free_order(system: System, given: dict[tuple[str, str], float]) -> list[Form]:
     """What is set to zero, first come first served: quasi-velocities when the scene speaks in them, else independent
     velocities.
     """
-    from nhc.mechanics.frame import coordinate_form
-
     dependent = system.dependent or choose_dependent(system).dependent
     independent = [i for i in range(system.n) if i not in dependent]
     coordinates = [coordinate_form(system, i) for i in (*independent, *dependent)]

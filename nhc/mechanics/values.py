@@ -6,7 +6,7 @@ from fractions import Fraction
 
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Graph, Node
-from nhc.language.syntax import Syntax
+from nhc.language.syntax import Binary, Call, Name, Negate, Number, Syntax, fold_tree
 from nhc.mechanics.system import System
 
 
@@ -56,8 +56,6 @@ def parameter_ranges(system: System) -> dict[Node, tuple[float, float]]:
 
 def constant_value(tree: Syntax, names: dict[str, float] | None = None) -> float:
     """The double of a constant expression (numbers, pi, and the given names)."""
-    from nhc.language.syntax import fold_tree
-
     graph = Graph()
     known = dict(names or {})
     node = fold_tree(tree, lambda part, operands: _constant(graph, part, operands, known))
@@ -65,8 +63,6 @@ def constant_value(tree: Syntax, names: dict[str, float] | None = None) -> float
 
 
 def _constant(graph: Graph, part: Syntax, operands: tuple[Node, ...], names: dict[str, float]) -> Node:
-    from nhc.language.syntax import Binary, Call, Name, Negate, Number
-
     match part:
         case Number():
             return graph.number(part.value)

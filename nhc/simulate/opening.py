@@ -7,7 +7,7 @@ from dataclasses import replace
 from nhc.algebra.graph import Node
 from nhc.diagnostics import Bag, Source, Span, SpecError, nearest
 from nhc.language import Spec, decode
-from nhc.language.names import ENERGIES
+from nhc.language.names import ENERGIES, fold
 from nhc.language.parser import parse_expression
 from nhc.language.scope import Declared, Scope
 from nhc.language.spec import Definition, Scene
@@ -118,8 +118,6 @@ def list_needs(spec: Spec) -> tuple[str, ...]:
 
 def find_need(spec: Spec, text: str) -> str:
     """The needed name that a text means; ``xdot`` is ``x'`` while nothing else has that name."""
-    from nhc.language.names import fold
-
     name, known = fold(text.replace("\u2032", "'").strip()), list_needs(spec)
     if name in known:
         return name

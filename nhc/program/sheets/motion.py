@@ -6,9 +6,9 @@ from dataclasses import replace
 
 from nhc.algebra.calculus import count, derivative, substitute
 from nhc.algebra.dense import Singular
-from nhc.algebra.graph import Node
 from nhc.algebra.linear import solve
 from nhc.mechanics.formulate import bordered_system
+from nhc.mechanics.lagrange import momenta
 from nhc.mechanics.multipliers import multiplier_symbols
 from nhc.mechanics.rotation import moving
 from nhc.mechanics.rows import ENERGY, MOTION, associated_rows, energy_identity, motion_components
@@ -169,7 +169,7 @@ def energy_theorem_sheet(desk: Desk) -> DraftSheet:
     sheet = DraftSheet("energy", "The energy")
     system, g, motion = desk.system, desk.graph, desk.equations.motion
     on = moving(system, motion.velocities)
-    slope = g.sum([g.mul(p, v) for p, v in zip(_momenta(desk), system.v, strict=True)])
+    slope = g.sum([g.mul(p, v) for p, v in zip(momenta(desk.system), system.v, strict=True)])
     generalized = g.sub(g.sub(slope, system.T), system.U)
     power = g.sum([g.mul(q, v) for q, v in zip(system.Q, system.v, strict=True)])
     change = g.sub(g.sub(power, derivative(g, system.T, system.t)), derivative(g, system.U, system.t))
@@ -208,9 +208,3 @@ def _contains_time(desk: Desk) -> bool:
     system, g = desk.system, desk.graph
     entries = [x for form in system.constraints for x in (*form.coefficients, form.constant)]
     return any(g.depends(node, g.deps[system.t]) for node in (system.T, system.U, *system.Q, *entries))
-
-
-def _momenta(desk: Desk) -> list[Node]:
-    from nhc.mechanics.lagrange import momenta
-
-    return momenta(desk.system)
