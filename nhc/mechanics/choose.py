@@ -9,10 +9,10 @@ from nhc.algebra.dense import Singular
 from nhc.algebra.modular import rank
 from nhc.diagnostics import Bag, Span
 from nhc.mechanics.adapt import complete, turning_choices
-from nhc.mechanics.frame import Frame, coordinate_frame, make_frame
+from nhc.mechanics.frame import Frame, coordinate_frame, make_frame, velocity_symbol
 from nhc.mechanics.regularity import Choice as DependentChoice
 from nhc.mechanics.regularity import choose_dependent, judge, weak_where_constraints_are_not
-from nhc.mechanics.system import Form, System
+from nhc.mechanics.system import System
 from nhc.records import record
 
 FORMULATIONS = ("newton", "lagrange", "euler-lagrange", "chaplygin", "voronec", "multipliers")
@@ -132,7 +132,7 @@ def build(system: System, name: str) -> Formulation:
 def _euler_lagrange(system: System) -> Formulation:
     try:
         forms, added = complete(system)
-        frame = make_frame(system, forms, [_symbol(system, form) for form in forms])
+        frame = make_frame(system, forms, [velocity_symbol(system, form) for form in forms])
     except Singular:
         raise NotApplicable(
             "euler-lagrange",
@@ -158,19 +158,12 @@ def turning_formulations(system: System) -> Iterator[Formulation]:
     """The Euler-Lagrange equations in each set of angular velocities that the constraints may leave (none without rotations)."""
     for forms in turning_choices(system) if system.rotations else ():
         try:
-            frame = make_frame(system, forms, [_symbol(system, form) for form in forms])
+            frame = make_frame(system, forms, [velocity_symbol(system, form) for form in forms])
         except Singular:
             continue
         yield Formulation(
             "euler-lagrange", "I.2.15", frame, None, (), "angular velocities that the constraints leave free"
         )
-
-
-def _symbol(system: System, form: Form) -> int:
-    """A coordinate's differential keeps the velocity's own symbol; other forms get a quasi-velocity's."""
-    if form.name in system.q_names and not any(form is own for own in system.quasi):
-        return system.v[system.q_names.index(form.name)]
-    return system.graph.symbol(form.name, "quasi")
 
 
 def dependent_of(system: System) -> DependentChoice:

@@ -202,6 +202,20 @@ def coordinate_form(system: System, i: int) -> Form:
     )
 
 
+def kept_forms(system: System, frame: Frame | None) -> tuple[Form, ...]:
+    """The forms of the velocities that a motion keeps: those that the constraints leave free, or without a frame all q'."""
+    if frame is None:
+        return tuple(coordinate_form(system, i) for i in range(system.n))
+    return frame.forms[system.l :]
+
+
+def velocity_symbol(system: System, form: Form) -> Node:
+    """A coordinate's differential has the velocity's own symbol, another form that of a quasi-velocity of its name."""
+    if form.name in system.q_names and not any(form is own for own in system.quasi):
+        return system.v[system.q_names.index(form.name)]
+    return system.graph.symbol(form.name, "quasi")
+
+
 @equation("I.3.1")
 def coordinate_frame(system: System, dependent: Sequence[int]) -> Frame:
     """The coframe (omega_alpha, dq_mu) of Čaplygin and Voronec: (I.1.2) solved for the dependent velocities."""

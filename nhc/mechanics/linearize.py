@@ -24,10 +24,10 @@ from nhc.mechanics.associate import Equations
 from nhc.mechanics.choose import Formulation, NotApplicable, build
 from nhc.mechanics.flag import growth_vector
 from nhc.mechanics.formulate import bordered_system
-from nhc.mechanics.frame import Frame, coordinate_form, form_value
+from nhc.mechanics.frame import Frame, form_value
 from nhc.mechanics.integrability import is_integrable, lie_bracket
 from nhc.mechanics.rotation import moving
-from nhc.mechanics.system import Form, System
+from nhc.mechanics.system import System
 from nhc.records import record
 
 _POINTS, _DRAWS = 2, 400
@@ -239,13 +239,6 @@ def leaf_of(system: System, frame: Frame) -> Leaf:
 
 
 # --- names ---------------------------------------------------------------------------------------------------
-
-
-def kept_forms(system: System, frame: Frame | None) -> tuple[Form, ...]:
-    """The velocity forms whose values the state keeps."""
-    if frame is None:
-        return tuple(coordinate_form(system, i) for i in range(system.n))
-    return frame.forms[system.l :]
 
 
 def quantity(flow: Flow, name: str) -> Node | None:

@@ -24,11 +24,11 @@ from weakref import WeakKeyDictionary
 from nhc.algebra.calculus import gradient, substitute, tangent
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.linear import NotLinear, linear_form
+from nhc.mechanics.turns import Vector, cross
 
 if TYPE_CHECKING:
     from nhc.mechanics.system import Form, System
 
-Triple = tuple[Node, Node, Node]
 Turning = tuple[Node, Node, Node, Node]
 """(|e|^2)' and the three components of omega."""
 
@@ -46,10 +46,10 @@ class Rotation:
     sign: int
     e: tuple[Node, ...]
     v: tuple[Node, ...]
-    matrix: tuple[Triple, ...]
-    omega: Triple
+    matrix: tuple[Vector, ...]
+    omega: Vector
     growth: Node
-    sums: Triple
+    sums: Vector
     known: dict[tuple[Node, ...], Turning] = field(default_factory=dict)
 
     # --- velocities -----------------------------------------------------------------------------------------
@@ -79,13 +79,12 @@ class Rotation:
             self.known[tuple(rates)] = found
         return found
 
-    def other_momenta(self, graph: Graph, p: Sequence[Node]) -> Triple:
+    def other_momenta(self, graph: Graph, p: Sequence[Node]) -> Vector:
         """From the momenta of e' those of unit turns about the axes of space, for velocities on the body's, or the reverse."""
-        g, zero = graph, graph.zero
+        g, zero, one = graph, graph.zero, graph.one
         own = []
-        for k in range(3):
-            unit = self.velocities(g, (zero, *(g.one if j == k else zero for j in range(3))))  # type: ignore[arg-type]
-            own.append(g.sum([g.mul(a, b) for a, b in zip(p, unit, strict=True)]))
+        for unit in ((zero, one, zero, zero), (zero, zero, one, zero), (zero, zero, zero, one)):
+            own.append(g.sum([g.mul(a, b) for a, b in zip(p, self.velocities(g, unit), strict=True)]))
         R = self.matrix if self.sign > 0 else tuple(zip(*self.matrix, strict=True))
         x, y, z = (g.sum([g.mul(a, b) for a, b in zip(row, own, strict=True)]) for row in R)
         return x, y, z
@@ -119,20 +118,9 @@ class Rotation:
             put(graph, found, node, value)
         return found
 
-    def curl(self, graph: Graph, x: Sequence[Node], y: Sequence[Node]) -> Triple:
+    def curl(self, graph: Graph, x: Sequence[Node], y: Sequence[Node]) -> Vector:
         """d omega (X, Y) for vectors whose angular velocities are x and y."""
-        a, b, c = cross(graph, y, x) if self.sign > 0 else cross(graph, x, y)
-        return a, b, c
-
-
-def cross(graph: Graph, x: Sequence[Node], y: Sequence[Node]) -> Triple:
-    """x times y."""
-    g = graph
-    return (
-        g.sub(g.mul(x[1], y[2]), g.mul(x[2], y[1])),
-        g.sub(g.mul(x[2], y[0]), g.mul(x[0], y[2])),
-        g.sub(g.mul(x[0], y[1]), g.mul(x[1], y[0])),
-    )
+        return cross(graph, y, x) if self.sign > 0 else cross(graph, x, y)
 
 
 def put(graph: Graph, mapping: dict[Node, Node], node: Node, value: Node) -> None:

@@ -15,7 +15,7 @@ from nhc.mechanics.associate import Equations
 from nhc.mechanics.choose import Formulation, NotApplicable, build
 from nhc.mechanics.constancy import has_jumps, shows_jumps
 from nhc.mechanics.dependence import values_at
-from nhc.mechanics.frame import Frame, coordinate_form, make_frame, total_derivative
+from nhc.mechanics.frame import coordinate_form, kept_forms, make_frame, total_derivative, velocity_symbol
 from nhc.mechanics.kinetic import Kinetic
 from nhc.mechanics.linearize import flow_of
 from nhc.mechanics.rotation import moving
@@ -68,7 +68,7 @@ def _in_frame(system: System, forms: Sequence[Form], reason: str) -> Formulation
     """The Euler-Lagrange formulation on the constraints and these forms."""
     named = _named(system, forms)
     try:
-        frame = make_frame(system, named, [_symbol(system, form) for form in named])
+        frame = make_frame(system, named, [velocity_symbol(system, form) for form in named])
     except Singular:
         return None
     if shows_jumps(
@@ -76,12 +76,6 @@ def _in_frame(system: System, forms: Sequence[Form], reason: str) -> Formulation
     ):  # it would be continuous in place of the velocities
         return None
     return Formulation("euler-lagrange", "I.2.15" if system.l else "I.2.14", frame, None, (), reason)
-
-
-def _symbol(system: System, form: Form) -> Node:
-    if form.name in system.q_names:
-        return system.v[system.q_names.index(form.name)]
-    return system.graph.symbol(form.name, "quasi")
 
 
 def _named(system: System, forms: Sequence[Form]) -> list[Form]:
@@ -102,13 +96,6 @@ def _named(system: System, forms: Sequence[Form]) -> list[Form]:
     return found
 
 
-def free_forms(system: System, frame: Frame | None) -> tuple[Form, ...]:
-    """The forms of the velocities that a formulation keeps."""
-    if frame is None:
-        return tuple(coordinate_form(system, i) for i in range(system.n))
-    return frame.forms[system.l :]
-
-
 def momentum_formulation(equations: Equations, formulation: Formulation) -> Formulation | None:
     """The coframe in which conserved momenta p_mu = e_mu dT/dq' take the place of their velocities (Routh); None without any.
 
@@ -123,7 +110,7 @@ def momentum_formulation(equations: Equations, formulation: Formulation) -> Form
     if not any(conserved):
         return None
     forms, names = [], []
-    for form, momentum, constant in zip(free_forms(system, formulation.frame), momenta, conserved, strict=True):
+    for form, momentum, constant in zip(kept_forms(system, formulation.frame), momenta, conserved, strict=True):
         if not constant:
             forms.append(form)
             continue
