@@ -4,10 +4,9 @@ from __future__ import annotations
 
 import math
 import operator
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from fractions import Fraction
 
-from nhc.algebra.calculus import gradient
 from nhc.algebra.dense import RowSpace, Singular, pivot_signs, solve_double
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Node
@@ -15,8 +14,7 @@ from nhc.diagnostics import Bag, SpecError
 from nhc.language.spec import Scene
 from nhc.mechanics.given_rank import find_dependent_as_given, find_dependent_row, given_states
 from nhc.mechanics.scenes import Start, kept_velocities, left_at_zero, place_of
-from nhc.mechanics.system import System
-from nhc.mechanics.undefined import find_undefined
+from nhc.mechanics.undefined import find_pole, find_undefined
 from nhc.program.build import Planner
 
 _NOTHING: tuple[str, tuple[str, ...]] = ("", ())
@@ -125,21 +123,6 @@ def warn_as_given(planner: Planner, bag: Bag) -> None:
             notes=(f"{names} {'is' if len(zero) == 1 else 'are'} zero",) if zero else (),
             help=(f"give {names} a value" if zero else "give the parameters other values",),
         )
-
-
-def find_pole(system: System, values: Mapping[Node, float]) -> str:
-    """What of T, the potential and the forces has no finite value or slope at a state, in words; empty where all have."""
-    g, moving = system.graph, (*system.q, *system.v)
-    parts = [("`T`", system.T, moving), (f"`{system.spec.potential_kind or 'V'}`", system.U, system.q)]
-    parts += [(f"the force on `{name}`", node, ()) for name, node in zip(system.q_names, system.Q, strict=True)]
-    for name, node, symbols in parts:
-        try:
-            found = [float(x) for x in evaluate(g, [node, *gradient(g, node, symbols)], dict(values))]
-        except (ArithmeticError, ValueError):
-            found = [math.nan]
-        if not all(map(math.isfinite, found)):
-            return f"{name} has no finite value, or slope,"
-    return ""
 
 
 def find_undetermined(planner: Planner, start: Start) -> tuple[str, tuple[str, ...]]:
