@@ -7,7 +7,7 @@ from dataclasses import replace
 from fractions import Fraction
 
 from nhc.algebra.graph import Node
-from nhc.diagnostics import Bag, Source, Span, nearest
+from nhc.diagnostics import Bag, Source, Span, quote, suggest
 from nhc.language import Initial, Name, Override, Prime, Scene, Spec, Syntax, walk
 from nhc.language.names import fold
 from nhc.language.parser import parse_expression
@@ -116,8 +116,7 @@ def _with_pair(spec: Spec, scene: Scene, pair: Pair, bag: Bag) -> Scene:
     if target is None:
         coordinates = [c.name for c in spec.coordinates]
         known = [*coordinates, *(f"{c}'" for c in coordinates), *(d.name for d in spec.quasi_velocities), *parameters]
-        near = nearest(pair.name, known)
-        help = f"did you mean `{near}`?" if near else "known: " + ", ".join(f"`{k}`" for k in known[:12])
+        help = suggest(pair.name, known, f"known: {quote(known[:12])}")
         bag.error(
             "E0419", f"`{pair.name}` is no coordinate, velocity, quasi-velocity or parameter", pair.span, help=(help,)
         )

@@ -13,7 +13,7 @@ from fractions import Fraction
 from nhc.algebra.dense import RowSpace
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Node
-from nhc.diagnostics import Bag, nearest
+from nhc.diagnostics import Bag, quote, suggest
 from nhc.language.spec import Scene, Spec
 from nhc.language.syntax import Syntax
 from nhc.mechanics.frame import coordinate_form
@@ -57,9 +57,8 @@ def check_scene_name(spec: Spec, scene: str) -> None:
     if not scene or scene in names:
         return
     bag = Bag(spec.origin)
-    near = nearest(scene, names)
-    help = f"did you mean `{near}`?" if near else "name one of them after `--scene`, or add it under `scenes:`"
-    known = ", ".join(f"`{name}`" for name in names) or "none"
+    help = suggest(scene, names, "name one of them after `--scene`, or add it under `scenes:`")
+    known = quote(names) or "none"
     bag.error(
         "E0503", f"no scene `{scene}`", spec.key_span("scenes"), notes=(f"the spec's scenes: {known}",), help=(help,)
     )

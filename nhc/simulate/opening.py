@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from nhc.algebra.graph import Node
-from nhc.diagnostics import Bag, Source, Span, SpecError, nearest
+from nhc.diagnostics import Bag, Source, Span, SpecError, suggest
 from nhc.language import Spec, decode
 from nhc.language.names import ENERGIES, fold
 from nhc.language.parser import parse_expression
@@ -123,8 +123,7 @@ def find_need(spec: Spec, text: str) -> str:
         return name
     if name.endswith("dot") and f"{name[:-3]}'" in known:
         return f"{name[:-3]}'"
-    near = nearest(name, known)
-    hint = f"did you mean `{near}`?" if near else f"it can be {', '.join(known)}"
+    hint = suggest(name, known, f"it can be {', '.join(known)}")
     raise RunError(f"no quantity `{text}` in this spec", (hint,))
 
 

@@ -13,7 +13,7 @@ import numpy as np
 from nhc.algebra.dense import Singular
 from nhc.algebra.graph import Node
 from nhc.algebra.show import to_text
-from nhc.diagnostics import Bag, Source, Span, SpecError, nearest
+from nhc.diagnostics import Bag, Source, Span, SpecError, quote, suggest
 from nhc.language.scope import names_in
 from nhc.mechanics.about import Pair, point_of, read_pairs, scene_about, state_of
 from nhc.mechanics.associate import Equations
@@ -266,11 +266,8 @@ def named_quantity(flow: Flow, name: str, option: str) -> Node:
         *(f.name for f in system.quasi),
         *(o for o, _ in system.outputs),
     ]
-    near = nearest(name, known)
     bag = Bag(Source(option, name))
-    help = (
-        f"did you mean `{near}`?" if near else "known: " + ", ".join(f"`{k}`" for k in list(dict.fromkeys(known))[:12])
-    )
+    help = suggest(name, known, f"known: {quote(list(dict.fromkeys(known))[:12])}")
     bag.error(
         "E0419", f"`{name}` is no coordinate, velocity, quasi-velocity or output", Span(0, len(name)), help=(help,)
     )
