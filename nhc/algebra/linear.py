@@ -103,7 +103,7 @@ def linear_form(graph: Graph, node: Node, symbols: Sequence[Node]) -> tuple[tupl
     for symbol, moving in zip(symbols, depends(graph, coefficients, symbols), strict=True):
         if moving:
             raise NotLinear(symbol)
-    rest = graph.sub(node, graph.sum([graph.mul(c, s) for c, s in zip(coefficients, symbols, strict=True)]))
+    rest = graph.sub(node, graph.dot(coefficients, symbols))
     if _has_steps(graph, node, graph.mask(tuple(symbols))):
         stepped = next((s for s in symbols if depends(graph, [rest], [s])[0]), None)
         if stepped is not None:
@@ -145,10 +145,7 @@ class NamedBlock:
     def rates(self, graph: Graph, seeds: Mapping[Node, Node]) -> list[Node]:
         """Derivatives of the symbols along the seeds, by the derivative of the equations and the same solution."""
         g = graph
-        residual = [
-            g.sub(g.sum([g.mul(a, x) for a, x in zip(row, self.symbols, strict=True)]), value)
-            for row, value in zip(self.matrix, self.right, strict=True)
-        ]
+        residual = [g.sub(g.dot(row, self.symbols), value) for row, value in zip(self.matrix, self.right, strict=True)]
         right = [g.neg(node) for node in tangent(g, residual, seeds)]
         return solve_block(g, self.matrix, [right])[0][0]
 

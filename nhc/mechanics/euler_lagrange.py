@@ -34,7 +34,7 @@ def quasi_forces(frame: Frame) -> list[Node]:
         return substitute(g, total, moving(system, frame.all_kinematics))
     forces = [system.force(i) for i in range(system.n)]
     forces = substitute(g, forces, dict(zip(system.v, frame.all_kinematics, strict=True)))
-    return [g.sum([g.mul(b, q) for b, q in zip(e, forces, strict=True)]) for e in frame.vectors]
+    return [g.dot(e, forces) for e in frame.vectors]
 
 
 @equation("I.2.3")
@@ -80,7 +80,7 @@ def kinetic_one_form(frame: Frame) -> Form:
     g, n = frame.graph, frame.system.n
     energy = quasi_energy(frame)
     momenta = gradient(g, energy, frame.omega)
-    hamiltonian = g.sub(g.sum([g.mul(a, b) for a, b in zip(momenta, frame.omega, strict=True)]), energy)
+    hamiltonian = g.sub(g.dot(momenta, frame.omega), energy)
     return one_form(full_coframe(frame), {**dict(enumerate(momenta)), 2 * n: g.neg(hamiltonian)})
 
 

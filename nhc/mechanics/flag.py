@@ -78,10 +78,7 @@ class _Flag:
     def __init__(self, graph: Graph, variables: Sequence[Node], fields: Sequence[Field]) -> None:
         self.graph, self.variables = graph, tuple(variables)
         weights = [graph.symbol(f"weight {k}", "other") for k in range(len(fields))]
-        mixed = tuple(
-            graph.sum([graph.mul(w, x) for w, x in zip(weights, column, strict=True)])
-            for column in zip(*fields, strict=True)
-        )
+        mixed = tuple(graph.dot(weights, column) for column in zip(*fields, strict=True))
         self.fields = (mixed, *fields[1:])
         self.slopes = [self._differentiate(field) for field in self.fields]
         self.nodes = [x for field in self.fields for x in field]

@@ -228,10 +228,7 @@ def reaction_values(equations: Equations) -> tuple[Node, ...]:
     if swept is not None and system.n * system.l > _FEW_ROWS:
         return swept
     rates = equations.motion.rates
-    values = tuple(
-        g.sub(g.sum([g.mul(m, rate) for m, rate in zip(row.mass, rates, strict=True)]), row.force)
-        for row in equations.reactions
-    )
+    values = tuple(g.sub(g.dot(row.mass, rates), row.force) for row in equations.reactions)
     return values if swept is None or count(g, values) <= count(g, swept) else swept
 
 

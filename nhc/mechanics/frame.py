@@ -151,9 +151,7 @@ class Frame:
 
     def velocity_of(self, form: Form) -> Node:
         """The value of a velocity form on the motion's q'."""
-        g = self.graph
-        terms = [g.mul(a, v) for a, v in zip(form.coefficients, self.kinematics, strict=True)]
-        return g.add(g.sum(terms), form.constant)
+        return self.graph.add(self.graph.dot(form.coefficients, self.kinematics), form.constant)
 
 
 @equation("I.1.1")
@@ -161,7 +159,7 @@ def form_value(graph: Graph, form: Form, v: Sequence[Node]) -> Node:
     """a_i v_i + a_0, in the spec's own words where there are any (``v`` are then the velocities' symbols)."""
     if form.value is not None:
         return form.value
-    return graph.add(graph.sum([graph.mul(a, x) for a, x in zip(form.coefficients, v, strict=True)]), form.constant)
+    return graph.add(graph.dot(form.coefficients, v), form.constant)
 
 
 @equation("I.2.1", "I.2.2")

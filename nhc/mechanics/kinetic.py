@@ -195,6 +195,6 @@ def exterior_derivative(system: System, form: Form, x: Sequence[Node], x_time: N
     along_e = dict(zip(system.q, e, strict=True))
     moved = tangent(g, form.coefficients, along_x)
     turned = tangent(g, [*form.coefficients, form.constant], along_e)
-    total = g.sum([g.mul(a, b) for a, b in zip(moved, e, strict=True)])
-    back = g.sum([g.mul(a, b) for a, b in zip(turned, (*x, x_time), strict=True)])
+    total = g.dot(moved, e)
+    back = g.dot(turned, (*x, x_time))
     return g.sub(total, back)

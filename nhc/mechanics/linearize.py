@@ -77,8 +77,7 @@ class Flow:
         """right - matrix @ unknowns, zero on the motion."""
         g = self.graph
         return tuple(
-            g.sub(value, g.sum([g.mul(m, x) for m, x in zip(row, self.unknowns, strict=True)]))
-            for row, value in zip(self.matrix, self.right, strict=True)
+            g.sub(value, g.dot(row, self.unknowns)) for row, value in zip(self.matrix, self.right, strict=True)
         )
 
     @cached_property

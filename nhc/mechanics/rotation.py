@@ -84,9 +84,9 @@ class Rotation:
         g, zero, one = graph, graph.zero, graph.one
         own = []
         for unit in ((zero, one, zero, zero), (zero, zero, one, zero), (zero, zero, zero, one)):
-            own.append(g.sum([g.mul(a, b) for a, b in zip(p, self.velocities(g, unit), strict=True)]))
+            own.append(g.dot(p, self.velocities(g, unit)))
         R = self.matrix if self.sign > 0 else tuple(zip(*self.matrix, strict=True))
-        x, y, z = (g.sum([g.mul(a, b) for a, b in zip(row, own, strict=True)]) for row in R)
+        x, y, z = (g.dot(row, own) for row in R)
         return x, y, z
 
     # --- derivatives ----------------------------------------------------------------------------------------
@@ -261,9 +261,9 @@ def exterior_derivative(system: System, form: Form, x: Sequence[Node], x_time: N
         turned += rotation.curl(g, wx, we)
     moved = tangent(g, coefficients, {**along(system, x), system.t: x_time})
     back = tangent(g, [*coefficients, constant], along(system, e))
-    total = g.sum([g.mul(a, b) for a, b in zip(moved, on_e, strict=True)])
-    total = g.sub(total, g.sum([g.mul(a, b) for a, b in zip(back, (*on_x, x_time), strict=True)]))
-    return g.add(total, g.sum([g.mul(f, c) for f, c in zip(coefficients, turned, strict=True)]))
+    total = g.dot(moved, on_e)
+    total = g.sub(total, g.dot(back, (*on_x, x_time)))
+    return g.add(total, g.dot(coefficients, turned))
 
 
 def rows_in_base(system: System, forms: Sequence[Form]) -> list[list[Node]]:
@@ -272,7 +272,7 @@ def rows_in_base(system: System, forms: Sequence[Form]) -> list[list[Node]]:
     if not system.rotations:
         return [list(form.coefficients) for form in forms]
     base = [g.symbol(name, "base") for name in system.q_names]
-    plain = [g.sum([g.mul(a, v) for a, v in zip(form.coefficients, system.v, strict=True)]) for form in forms]
+    plain = [g.dot(form.coefficients, system.v) for form in forms]
     own = [plain[k] if form.value is None else form.value for k, form in enumerate(forms)]
     values = substitute(g, own, moving(system, from_base(system, base, system.rotations)))
     columns = [tangent(g, values, {symbol: g.one}) for symbol in base]

@@ -105,7 +105,7 @@ def momentum_formulation(equations: Equations, formulation: Formulation) -> Form
     if not equations.motion.w or equations.multipliers:
         return None
     slopes = gradient(g, system.T, system.v)
-    momenta = [g.sum([g.mul(b, p) for b, p in zip(e, slopes, strict=True)]) for e in equations.motion.vectors]
+    momenta = [g.dot(e, slopes) for e in equations.motion.vectors]
     conserved = _conserved(equations, momenta)
     if not any(conserved):
         return None

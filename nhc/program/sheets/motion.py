@@ -169,9 +169,9 @@ def energy_theorem_sheet(desk: Desk) -> DraftSheet:
     sheet = DraftSheet("energy", "The energy")
     system, g, motion = desk.system, desk.graph, desk.equations.motion
     on = moving(system, motion.velocities)
-    slope = g.sum([g.mul(p, v) for p, v in zip(momenta(desk.system), system.v, strict=True)])
+    slope = g.dot(momenta(desk.system), system.v)
     generalized = g.sub(g.sub(slope, system.T), system.U)
-    power = g.sum([g.mul(q, v) for q, v in zip(system.Q, system.v, strict=True)])
+    power = g.dot(system.Q, system.v)
     change = g.sub(g.sub(power, derivative(g, system.T, system.t)), derivative(g, system.U, system.t))
     energy, whole, change = substitute(g, [system.energy, generalized, change], on)
     reactions = [form.constant for form in system.constraints]
