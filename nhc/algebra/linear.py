@@ -82,6 +82,12 @@ def depends(graph: Graph, nodes: Sequence[Node], symbols: Sequence[Node]) -> lis
     return found
 
 
+def steps_with(graph: Graph, nodes: Sequence[Node], symbol: Node) -> bool:
+    """Whether a step in one of the nodes, such as a sign, makes it depend on a symbol by which its slope may be zero."""
+    stepped = [node for node in nodes if _has_steps(graph, node, graph.deps[symbol])]
+    return any(depends(graph, stepped, [symbol]))
+
+
 def _has_steps(graph: Graph, node: Node, mask: int) -> bool:
     """Whether something takes one of the symbols that may differ by a constant on two sides of a point.
 

@@ -16,7 +16,7 @@ from nhc.algebra.graph import Node
 from nhc.algebra.modular import FieldPoint, Unlucky
 from nhc.algebra.primes import primes_of
 from nhc.algebra.signs import Signs, may_hold, points_for
-from nhc.mechanics.linearize import Flow, solve_at
+from nhc.mechanics.flow import Flow, solve_at
 from nhc.records import record
 
 _POINTS, _DRAWS, _CHANGES = 2, 400, 60

@@ -19,7 +19,7 @@ from nhc.language.spec import Scene
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choose import Formulation
 from nhc.mechanics.dependence import Dependence, find_dependence
-from nhc.mechanics.linearize import Flow, flow_of, solve_at
+from nhc.mechanics.flow import Flow, flow_of, solve_at
 from nhc.mechanics.needs import Wanted, list_needs
 from nhc.mechanics.quadrature import Integral, close_integrals, find_integrals, solve_closed
 from nhc.records import record

@@ -15,9 +15,9 @@ from nhc.mechanics.associate import Equations
 from nhc.mechanics.choose import Formulation, NotApplicable, build
 from nhc.mechanics.constancy import has_jumps, shows_jumps
 from nhc.mechanics.dependence import values_at
+from nhc.mechanics.flow import flow_of
 from nhc.mechanics.frame import coordinate_form, kept_forms, make_frame, total_derivative, velocity_symbol
 from nhc.mechanics.kinetic import Kinetic
-from nhc.mechanics.linearize import flow_of
 from nhc.mechanics.rotation import moving
 from nhc.mechanics.system import Form, System
 

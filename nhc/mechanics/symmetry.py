@@ -13,8 +13,8 @@ from fractions import Fraction
 from nhc.algebra.modular import FieldPoint, Unlucky
 from nhc.algebra.primes import primes_of
 from nhc.algebra.relations import find_relations
+from nhc.mechanics.flow import Flow, jacobian_residues, solve_at
 from nhc.mechanics.frame import Frame
-from nhc.mechanics.linearize import Flow, jacobian_residues, solve_at
 
 Generator = Mapping[tuple[int, int], Fraction]
 """S by its entries (row, column) over the state."""

@@ -15,9 +15,9 @@ from nhc.algebra.modular import Unlucky
 from nhc.algebra.shorten import shorten
 from nhc.mechanics.dependence import find_dependence
 from nhc.mechanics.drawing import Sketch, sketch_of
+from nhc.mechanics.flow import flow_of
 from nhc.mechanics.formulate import reaction_values
 from nhc.mechanics.frame import form_value
-from nhc.mechanics.linearize import flow_of
 from nhc.mechanics.rotation import moving
 from nhc.program.build import Planner
 from nhc.program.ir import Function

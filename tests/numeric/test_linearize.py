@@ -289,6 +289,34 @@ def test_what_never_stands_still_is_refused() -> None:
         find("pumped_pendulum", "reference")
 
 
+STEPPED = """nhc: 1
+system: stepped
+coordinates: [x, y]
+parameters: {m: 1, k: 4, f: 2, c: 1}
+T: m/2*(x'^2 + y'^2)
+V: k/2*y^2
+forces:
+  y: f*STEP - c*y'
+"""
+
+
+@pytest.mark.parametrize("step", ["sign(x)", "abs(x)/x", "sqrt(x^2)/x", "x/(abs(x) + 0*y)"])
+def test_a_coordinate_that_only_a_step_contains_is_not_cyclic(step: str) -> None:
+    """y stands at f/k while x > 0 and at -f/k while x < 0: a motion that passes x = 0 is not steady, though no slope tells."""
+    source = Source("stepped.yaml", STEPPED.replace("STEP", step))
+    found = linearize(source, Request("x=1, x'=-1, y=0.5"))
+    assert cyclic(found) == []
+    assert found.linearisation.steady.y == pytest.approx([1.0, 0.5, 0.0, 0.0], abs=1e-9)
+    free = linearize(Source("free.yaml", STEPPED.replace("STEP", "1")), Request("x=1, x'=-1, y=0.5"))
+    assert cyclic(free) == ["x"]
+    assert free.linearisation.steady.y == pytest.approx([1.0, 0.5, -1.0, 0.0], abs=1e-9)
+
+
+def test_a_force_that_is_switched_on_makes_nothing_steady() -> None:
+    with pytest.raises(NotSteady, match="depend on the time"):
+        linearize(Source("switched.yaml", STEPPED.replace("STEP", "sign(t - 1)")), Request("y=0.5"))
+
+
 @pytest.mark.parametrize(
     ("request_", "code"),
     [
