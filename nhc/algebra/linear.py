@@ -23,7 +23,8 @@ from nhc.algebra.signs import STEPS
 from nhc.records import record
 
 _NO_POLYNOMIAL = 99
-_STEPPED = (*STEPS, "sqrt", "powf", *INVERSE)  # angles jump by pi where their arguments pass a pole
+STEPPED = (*STEPS, "sqrt", "powf", *INVERSE)
+"""Operations that may hold a step: signs, roots of squares, and angles, which jump by pi where their arguments pass a pole."""
 
 
 class NotLinear(Exception):
@@ -93,7 +94,7 @@ def _has_steps(graph: Graph, node: Node, mask: int) -> bool:
 
     Signs and what has kinks, roots (of squares), and inverse functions: sums of logarithms are the same on both sides of a pole.
     """
-    return any(graph.op[n] in _STEPPED and graph.deps[n] & mask for n in reachable(graph, [node], mask))
+    return any(graph.op[n] in STEPPED and graph.deps[n] & mask for n in reachable(graph, [node], mask))
 
 
 def linear_form(graph: Graph, node: Node, symbols: Sequence[Node]) -> tuple[tuple[Node, ...], Node]:

@@ -2,7 +2,8 @@
 
 A turn of space about a fixed axis multiplies a quaternion from the left, one about an axis of the body from the right, so both
 are linear in e; angular velocities on the axes that turn are turned with them.  A combination S of such turns is a symmetry of
-y' = f(y) where S f = (df/dy) S y.  All combinations are found by exact linear algebra at random points of a prime field.
+y' = f(y) where S f = (df/dy) S y.  All combinations are found by exact linear algebra at random points of a prime field; those
+that change what a sign is taken of are none.
 """
 
 from __future__ import annotations
@@ -10,7 +11,10 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 
-from nhc.algebra.modular import FieldPoint, Unlucky
+from nhc.algebra.calculus import reachable, tangent
+from nhc.algebra.graph import Node
+from nhc.algebra.linear import STEPPED
+from nhc.algebra.modular import FieldPoint, Unlucky, are_zero
 from nhc.algebra.primes import primes_of
 from nhc.algebra.relations import find_relations
 from nhc.mechanics.flow import Flow, jacobian_residues, solve_at
@@ -35,6 +39,7 @@ def turning_symmetries(flow: Flow, frame: Frame | None, rest: Sequence[int]) -> 
         found = [_symmetries(flow, rest, made) for made in (of_space, [*of_space, *of_bodies])]
     except Unlucky:
         return ()
+    found = [tuple(turn for turn in made if _keeps_steps(flow, turn)) for made in found]
     kept = found if len(found[1]) > len(found[0]) else found[:1]
     return tuple(made for made in kept if made)
 
@@ -84,6 +89,17 @@ def _symmetries(flow: Flow, rest: Sequence[int], generators: Sequence[Generator]
         if kept:
             found.append(kept)
     return tuple(found)
+
+
+def _keeps_steps(flow: Flow, generator: Generator) -> bool:
+    """Whether a turn leaves alone what signs, roots and branches are taken of: their own slopes tell of no step."""
+    g, seeds = flow.graph, dict[Node, Node]()
+    for (row, column), x in generator.items():
+        y = flow.y[row]
+        seeds[y] = g.add(seeds.get(y, g.zero), g.mul(g.number(x), flow.y[column]))
+    nodes = reachable(g, [*flow.velocities, *flow.flat], g.mask(seeds))
+    arguments = dict.fromkeys(kid for node in nodes if g.op[node] in STEPPED for kid in g.kids[node])
+    return all(are_zero(g, tangent(g, list(arguments), seeds)))
 
 
 def _defects(flow: Flow, rest: Sequence[int], generators: Sequence[Generator], point: FieldPoint) -> list[list[int]]:

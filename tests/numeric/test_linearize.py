@@ -312,6 +312,24 @@ def test_a_coordinate_that_only_a_step_contains_is_not_cyclic(step: str) -> None
     assert free.linearisation.steady.y == pytest.approx([1.0, 0.5, -1.0, 0.0], abs=1e-9)
 
 
+SPINNING = """nhc: 1
+system: spinning
+rotation: {R: {velocities: [w1, w2, w3], frame: body}}
+parameters: {I1: 2, I3: 1, f: 3, c: 1}
+T: (I1*(w1^2 + w2^2) + I3*w3^2)/2
+forces: {w3: f*STEP - c*w3, w1: -c*w1, w2: -c*w2}
+"""
+
+
+def test_a_turn_that_a_step_sees_is_no_symmetry() -> None:
+    """About the body's third axis R_x1 changes its sign and with it the torque, R_x1^2 + R_x2^2 does not change at all."""
+    start = "R_0=0.8, R_1=0.6, w3=3"
+    steady = linearize(Source("spinning.yaml", SPINNING.replace("STEP", "sign(R_x1^2 + R_x2^2)")), Request(start))
+    assert steady.linearisation.steady.y[-1] == pytest.approx(3.0) and steady.model.symmetries
+    with pytest.raises(NotSteady):
+        linearize(Source("spinning.yaml", SPINNING.replace("STEP", "sign(R_x1)")), Request(start))
+
+
 def test_a_force_that_is_switched_on_makes_nothing_steady() -> None:
     with pytest.raises(NotSteady, match="depend on the time"):
         linearize(Source("switched.yaml", STEPPED.replace("STEP", "sign(t - 1)")), Request("y=0.5"))
