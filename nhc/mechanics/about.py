@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from fractions import Fraction
 
@@ -43,8 +43,7 @@ def read_pairs(text: str, option: str) -> tuple[Source, tuple[Pair, ...]]:
                 "E0208", f"`{part.strip()}` has no `=`", span, help=("write `name=value`, several parted by commas",)
             )
             continue
-        offset = start + len(name) + 1
-        tree = parse_expression(value, lambda a, b, offset=offset: Span(offset + a, offset + b), bag)  # type: ignore[misc]
+        tree = parse_expression(value, _places_from(start + len(name) + 1), bag)
         wanted = fold(name.replace("\u2032", "'").replace(" ", ""))
         if any(pair.name == wanted for pair in pairs):
             bag.error("E0305", f"`{wanted}` is given twice", span, help=("keep one of them",))
@@ -52,6 +51,11 @@ def read_pairs(text: str, option: str) -> tuple[Source, tuple[Pair, ...]]:
             pairs.append(Pair(wanted, tree, span))
     bag.raise_if_errors()
     return source, tuple(pairs)
+
+
+def _places_from(offset: int) -> Callable[[int, int], Span]:
+    """Places in the whole text by those in a part of it."""
+    return lambda a, b: Span(offset + a, offset + b)
 
 
 def _split(text: str) -> list[tuple[int, str]]:

@@ -18,13 +18,13 @@ def default_values(system: System) -> dict[Node, float]:
     return values
 
 
-def parameter_value(value: object) -> float:
+def parameter_value(value: Fraction | Syntax | None) -> float:
     """A parameter's double; 1 stands for one that each scene has to give."""
     if value is None:
         return 1.0
     if isinstance(value, Fraction):
         return float(value)
-    return constant_value(value)  # type: ignore[arg-type]
+    return constant_value(value)
 
 
 def scene_values(system: System) -> list[dict[Node, float]]:
