@@ -46,16 +46,20 @@ class Dependence:
         return frozenset(found)
 
 
-def values_at(flow: Flow, needs: Sequence[Node], point: FieldPoint) -> list[int]:
-    """Residues of all rates of the state, then of the needs (functions of the state, the rates and the multipliers).
+def find_vanishing(flow: Flow, needs: Sequence[Node]) -> list[bool]:
+    """Which rates of the state, and then which of the needs, vanish identically; wrong as seldom as :func:`find_dependence`.
+
+    The needs are functions of the state, the rates and the multipliers.
 
     Raises:
-        Unlucky: the motion is singular at this point.
+        Unlucky: the motion is singular everywhere, or holds too many signs.
     """
-    solved = solve_at(len(flow.unknowns), point.evaluate(flow.flat), point.prime)
-    found = point.evaluate([*flow.velocities, *needs], dict(zip(flow.unknowns, solved, strict=True)))
-    n = len(flow.velocities)
-    return [*found[:n], *solved[: flow.kept], *found[n:]]
+    whole, primes = _Evaluation(flow, needs), primes_of(flow.graph)
+    zero, seed = [True] * (len(flow.y) + len(needs)), 0
+    for index in range(_count_points(flow, needs)):
+        _, values, seed = _base(whole, seed, primes[index % len(primes)])
+        zero = [z and not value for z, value in zip(zero, values, strict=True)]
+    return zero
 
 
 def find_dependence(flow: Flow, needs: Sequence[Node]) -> Dependence:
@@ -129,7 +133,11 @@ class _Evaluation:
         return point
 
     def values_at(self, point: FieldPoint) -> list[int]:
-        """As :func:`values_at`, where everything else has its value."""
+        """Residues of all rates of the state, then of the needs; everything else has its value at the point.
+
+        Raises:
+            Unlucky: the motion is singular at this point.
+        """
         flow, n = self.flow, len(self.flow.velocities)
         point.fill(self._before)
         solved = solve_at(len(flow.unknowns), [point.values[node] for node in flow.flat], point.prime)

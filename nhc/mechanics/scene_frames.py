@@ -8,13 +8,12 @@ from nhc.algebra.calculus import gradient, substitute
 from nhc.algebra.dense import Singular
 from nhc.algebra.graph import Node
 from nhc.algebra.linear import NotLinear, linear_form
-from nhc.algebra.modular import FieldPoint, Unlucky, rank
-from nhc.algebra.primes import primes_of
+from nhc.algebra.modular import Unlucky, rank
 from nhc.language.spec import Scene
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choose import Formulation, NotApplicable, build
 from nhc.mechanics.constancy import has_jumps, shows_jumps
-from nhc.mechanics.dependence import values_at
+from nhc.mechanics.dependence import find_vanishing
 from nhc.mechanics.flow import flow_of
 from nhc.mechanics.frame import coordinate_form, kept_forms, make_frame, total_derivative, velocity_symbol
 from nhc.mechanics.kinetic import Kinetic
@@ -133,16 +132,9 @@ def _conserved(equations: Equations, momenta: Sequence[Node]) -> list[bool]:
     on = moving(system, motion.velocities)
     rates = dict(zip(motion.w, motion.rates, strict=True))
     nodes = [total_derivative(system, node, motion.velocities, rates) for node in substitute(g, momenta, on)]
-    zero, seen, primes = [True] * len(nodes), 0, primes_of(g)
-    for draw in range(400):
-        point = FieldPoint(g, 11_000_003 + draw, primes[seen])
-        try:
-            found = values_at(flow, nodes, point)
-        except Unlucky:
-            continue
-        own = found[system.n : len(flow.y)]
-        zero = [z and not x and bool(w) for z, x, w in zip(zero, found[len(flow.y) :], own, strict=True)]
-        seen += 1
-        if seen == 2:
-            return zero
-    return [False] * len(nodes)
+    try:
+        zero = find_vanishing(flow, nodes)
+    except Unlucky:
+        return [False] * len(nodes)
+    size = len(flow.y)
+    return [vanishes and not own for vanishes, own in zip(zero[size:], zero[system.n : size], strict=True)]
