@@ -19,7 +19,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import TYPE_CHECKING
-from weakref import WeakKeyDictionary
 
 from nhc.algebra.calculus import gradient, substitute, tangent
 from nhc.algebra.graph import Graph, Node
@@ -223,13 +222,14 @@ def virtual_work(system: System, forces: Sequence[Node], torques: Sequence[Node]
 
 # --- forms --------------------------------------------------------------------------------------------------
 
-_SPREAD: WeakKeyDictionary[Graph, dict[Node, tuple[tuple[Node, ...], Node] | None]] = WeakKeyDictionary()
+Spread = tuple[tuple[Node, ...], Node]
+"""Coefficients of a velocity form, and its constant."""
 
 
-def _spread(system: System, value: Node) -> tuple[tuple[Node, ...], Node] | None:
+def _spread(system: System, value: Node) -> Spread | None:
     """Coefficients of a velocity form by q' and by the rotations' omega, where it is written with these, and its constant."""
     g = system.graph
-    memo = _SPREAD.setdefault(g, {})
+    memo: dict[Node, Spread | None] = g.memory.setdefault("forms by angular velocities", {})
     if value not in memo:
         mapping: dict[Node, Node] = {}
         symbols = [g.symbol(f"{r.name}_turn{k}", "test") for r in system.rotations for k in range(3)]
