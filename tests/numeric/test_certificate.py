@@ -203,3 +203,24 @@ def test_degrees_bound_what_they_should() -> None:
     assert found.over_common([quotient, sine]) == 5
     assert found.roots == 1
     assert found.inflate(3) == 2 * 3 * 4
+
+
+@pytest.mark.parametrize("name", ["f", "g", "h", "u"])
+def test_wrong_derivations_are_told_apart_whatever_sign_the_first_points_have(name: str) -> None:
+    """With K = max(0, f) the constraint z' = K y x' is z' = 0 at every second point, and everything agrees there."""
+    text = f"""nhc: 1
+system: valve
+coordinates: [x, y, z]
+parameters: {{m: 1, {name}: 2}}
+T: m/2*(x'^2 + y'^2 + z'^2)
+constraints:
+  - c: z' = max(0, {name})*y*x'
+"""
+    made = certify(resolve(decode(Source("valve.yaml", text))))
+    told = {one.name for one in made.rejections if one.told_apart}
+    assert made.holds and told == {
+        "lagrange_of_T_star",
+        "boxed_I_3_sign",
+        "III_2_6_as_printed",
+        "III_2_4_doubled_gamma",
+    }
