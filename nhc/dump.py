@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from fractions import Fraction
 
 from nhc import pipeline
 from nhc.algebra.show import to_text
 from nhc.diagnostics import Bag, Source
-from nhc.language import decode, unparse
+from nhc.language import Syntax, decode, unparse
 from nhc.language.nodes import Items, Node, Table, Text
 from nhc.language.yaml_reader import read_nodes
 from nhc.mechanics.system import System
@@ -57,12 +58,10 @@ def dump_decode(source: Source, _: Options) -> str:
     return "\n".join(lines) + "\n"
 
 
-def _value(value: object) -> str:
-    from fractions import Fraction
-
-    if value is None or isinstance(value, Fraction):
-        return "?" if value is None else str(value)
-    return unparse(value)  # type: ignore[arg-type]
+def _value(value: Fraction | Syntax | None) -> str:
+    if value is None:
+        return "?"
+    return str(value) if isinstance(value, Fraction) else unparse(value)
 
 
 def dump_resolve(source: Source, options: Options) -> str:

@@ -10,8 +10,9 @@ from collections.abc import Callable, Sequence
 
 from nhc.algebra.angles import normalise_angles, shorter_of_angles
 from nhc.algebra.calculus import reachable
+from nhc.algebra.dense import Singular
 from nhc.algebra.graph import ADD, MUL, NEG, POW, SYM, Graph, Node
-from nhc.algebra.modular import are_zero
+from nhc.algebra.modular import are_zero, is_zero
 from nhc.algebra.polynomial import normalise
 from nhc.algebra.shorten import shorten
 
@@ -20,24 +21,20 @@ _FEW_FACTORS = 8
 Weakness = Callable[[Sequence[Node], Sequence[Node]], list[int]]
 
 
-class Singular(Exception):
-    """The matrix has no inverse, identically."""
-
-
 def block_order(size: int, nonzero: Callable[[int, int], bool]) -> list[tuple[list[int], list[int]]]:
     """Blocks (rows, columns) in an order in which each needs only the unknowns of earlier ones.
 
     Raises:
         Singular: there is no perfect matching (structurally singular).
     """
-    match_of_column = _matching(size, nonzero)
-    row_of = match_of_column
+    row_of = _matching(size, nonzero)
     # edge i -> j: the unknown of matched column i needs that of column j
     needs = [[j for j in range(size) if j != i and nonzero(row_of[i], j)] for i in range(size)]
     return [([row_of[j] for j in sorted(part)], sorted(part)) for part in _components(size, needs)]
 
 
 def _matching(size: int, nonzero: Callable[[int, int], bool]) -> list[int]:
+    """For each column the row that it is matched with, by augmenting paths (Kuhn 1955)."""
     row_of = [-1] * size
 
     def augment(row: int, seen: set[int]) -> bool:
@@ -108,7 +105,7 @@ def solve_block(
         return _eliminate(graph, block, columns, weakness)
     whole = determinant_of(graph, block)
     determinant = normalise_angles(graph, whole, 120) if size == 1 else shorter_of_angles(graph, whole, 120)
-    if are_zero(graph, [determinant])[0]:
+    if is_zero(graph, determinant):
         raise Singular
     guards = [] if graph.value(determinant) is not None else [(determinant, scale() if scale else graph.one)]
     solved = []

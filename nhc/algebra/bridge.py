@@ -15,12 +15,12 @@ from typing import TYPE_CHECKING, Any
 
 from nhc.algebra.calculus import reachable
 from nhc.algebra.graph import ADD, BINARY, MUL, NEG, NUM, PI, POW, SYM, UNARY, Graph, Node
-from nhc.algebra.modular import Unlucky, are_zero
+from nhc.algebra.modular import Unlucky, is_zero
 
 if TYPE_CHECKING:
     import sympy
 
-_TO = {"asin": "asin", "acos": "acos", "atan": "atan", "abs": "Abs", "min": "Min", "max": "Max", "powf": "Pow"}
+_TO = {"abs": "Abs", "min": "Min", "max": "Max", "powf": "Pow"}
 _FROM = {name: key for key, name in _TO.items() if key != "powf"}
 
 
@@ -112,7 +112,7 @@ class Simplifier:
 
         candidate = from_sympy(self.graph, sympy.simplify(to_sympy(self.graph, node)))
         shorter = self.cost(candidate) < self.cost(node)
-        return candidate if shorter and are_zero(self.graph, [self.graph.sub(candidate, node)])[0] else node
+        return candidate if shorter and is_zero(self.graph, self.graph.sub(candidate, node)) else node
 
 
 def _within(seconds: float, work: Callable[[], Node]) -> Node:

@@ -10,10 +10,9 @@ from collections.abc import Mapping, Sequence
 from operator import mul
 
 from nhc.algebra.calculus import reachable, tangent
-from nhc.algebra.elimination import solve_double
+from nhc.algebra.dense import Singular, solve_double
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.linear import Singular
 
 _STEPS, _TRIES = 40, 8
 _LARGE = 30_000  # nodes of the expressions and their derivatives

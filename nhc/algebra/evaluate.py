@@ -34,7 +34,7 @@ class Mpmath:
         self._mp = mpmath.mp
 
     def __getattr__(self, name: str) -> Any:
-        return getattr(self._mp, {"asin": "asin", "acos": "acos", "atan": "atan"}.get(name, name))
+        return getattr(self._mp, name)
 
     def number(self, numerator: int, denominator: int) -> Any:
         return self._mp.mpf(numerator) / denominator

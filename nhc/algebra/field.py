@@ -341,8 +341,6 @@ class FieldPoint:
             root = k.denominator
             base = x
             while root % 2 == 0:
-                if pow(base, (p - 1) // 2, p) != 1:
-                    raise Unlucky
-                base, root = pow(base, (p + 1) // 4, p), root // 2
+                base, root = self._root(base), root // 2
             result = result * pow(base, k.numerator * pow(root, -1, p - 1) if root > 1 else k.numerator, p) % p
         return result

@@ -155,6 +155,10 @@ class Graph(NodeStore):
             total = self.add(total, term)
         return total
 
+    def dot(self, xs: Iterable[Node], ys: Iterable[Node]) -> Node:
+        """The sum of the products of corresponding terms, of which there must be as many."""
+        return self.sum([self.mul(x, y) for x, y in zip(xs, ys, strict=True)])
+
     # --- products -----------------------------------------------------------------------------------------
 
     def scale(self, k: Rational, x: Node) -> Node:

@@ -10,8 +10,9 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import partial
 
-from nhc.algebra.blocks import Singular, Weakness, block_order, determinant_of, form_size, row_scale, solve_block
+from nhc.algebra.blocks import Weakness, block_order, form_size, row_scale, solve_block
 from nhc.algebra.calculus import gradient, reachable, rebuild, substitute, tangent
+from nhc.algebra.dense import Singular
 from nhc.algebra.field import INVERSE
 from nhc.algebra.graph import ADD, MUL, NEG, POW, SYM, Graph, Node
 from nhc.algebra.modular import are_zero, is_zero
@@ -21,22 +22,9 @@ from nhc.algebra.shorten import shorten
 from nhc.algebra.signs import STEPS
 from nhc.records import record
 
-__all__ = [
-    "Elimination",
-    "NotLinear",
-    "Singular",
-    "Substitution",
-    "block_order",
-    "depends",
-    "determinant_of",
-    "linear_form",
-    "solve",
-    "solve_rows",
-]
-
-
 _NO_POLYNOMIAL = 99
-_STEPPED = (*STEPS, "sqrt", "powf", *INVERSE)  # angles jump by pi where their arguments pass a pole
+STEPPED = (*STEPS, "sqrt", "powf", *INVERSE)
+"""Operations that may hold a step: signs, roots of squares, and angles, which jump by pi where their arguments pass a pole."""
 
 
 class NotLinear(Exception):
@@ -95,12 +83,18 @@ def depends(graph: Graph, nodes: Sequence[Node], symbols: Sequence[Node]) -> lis
     return found
 
 
+def steps_with(graph: Graph, nodes: Sequence[Node], symbol: Node) -> bool:
+    """Whether a step in one of the nodes, such as a sign, makes it depend on a symbol by which its slope may be zero."""
+    stepped = [node for node in nodes if _has_steps(graph, node, graph.deps[symbol])]
+    return any(depends(graph, stepped, [symbol]))
+
+
 def _has_steps(graph: Graph, node: Node, mask: int) -> bool:
     """Whether something takes one of the symbols that may differ by a constant on two sides of a point.
 
     Signs and what has kinks, roots (of squares), and inverse functions: sums of logarithms are the same on both sides of a pole.
     """
-    return any(graph.op[n] in _STEPPED and graph.deps[n] & mask for n in reachable(graph, [node], mask))
+    return any(graph.op[n] in STEPPED and graph.deps[n] & mask for n in reachable(graph, [node], mask))
 
 
 def linear_form(graph: Graph, node: Node, symbols: Sequence[Node]) -> tuple[tuple[Node, ...], Node]:
@@ -116,7 +110,7 @@ def linear_form(graph: Graph, node: Node, symbols: Sequence[Node]) -> tuple[tupl
     for symbol, moving in zip(symbols, depends(graph, coefficients, symbols), strict=True):
         if moving:
             raise NotLinear(symbol)
-    rest = graph.sub(node, graph.sum([graph.mul(c, s) for c, s in zip(coefficients, symbols, strict=True)]))
+    rest = graph.sub(node, graph.dot(coefficients, symbols))
     if _has_steps(graph, node, graph.mask(tuple(symbols))):
         stepped = next((s for s in symbols if depends(graph, [rest], [s])[0]), None)
         if stepped is not None:
@@ -158,10 +152,7 @@ class NamedBlock:
     def rates(self, graph: Graph, seeds: Mapping[Node, Node]) -> list[Node]:
         """Derivatives of the symbols along the seeds, by the derivative of the equations and the same solution."""
         g = graph
-        residual = [
-            g.sub(g.sum([g.mul(a, x) for a, x in zip(row, self.symbols, strict=True)]), value)
-            for row, value in zip(self.matrix, self.right, strict=True)
-        ]
+        residual = [g.sub(g.dot(row, self.symbols), value) for row, value in zip(self.matrix, self.right, strict=True)]
         right = [g.neg(node) for node in tangent(g, residual, seeds)]
         return solve_block(g, self.matrix, [right])[0][0]
 
@@ -301,9 +292,8 @@ class Substitution:
                 continue
             built = rebuild(g, node, [self._memo.get(c, new.get(c, c)) for c in g.children(node)])
             (new if open_now else self._memo)[node] = built
-            label = g.labels.get(node)
-            if label is not None and not open_now:
-                g.labels.setdefault(built, label)
+            if not open_now:
+                g.pass_label(node, built)
         return self._memo.get(root, new.get(root, root))
 
 

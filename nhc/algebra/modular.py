@@ -11,6 +11,7 @@ import random
 from collections.abc import Iterable, Sequence
 from itertools import chain, islice
 
+from nhc.algebra.dense import rank_modulo
 from nhc.algebra.draw import MOST_DRAWS, QuickPoint, draw_points
 from nhc.algebra.evaluate import Mpmath, evaluate
 from nhc.algebra.field import FieldPoint, Unlucky
@@ -193,24 +194,5 @@ def rank(graph: Graph, rows: Sequence[Sequence[Node]], seed: int = 1) -> int:
             break
         for k, values in enumerate(sample(graph, flat, count, at)):
             matrix = [values[i * width : (i + 1) * width] for i in range(len(rows))]
-            found = max(found, _rank_modulo(matrix, primes[k % len(primes)]))
-    return found
-
-
-def _rank_modulo(matrix: list[list[int]], p: int) -> int:
-    matrix = [list(row) for row in matrix]
-    found = 0
-    for column in range(len(matrix[0])):
-        pivot = next((i for i in range(found, len(matrix)) if matrix[i][column] % p), None)
-        if pivot is None:
-            continue
-        matrix[found], matrix[pivot] = matrix[pivot], matrix[found]
-        inverse = pow(matrix[found][column], -1, p)
-        for i in range(found + 1, len(matrix)):
-            factor = matrix[i][column] * inverse % p
-            if factor:
-                matrix[i] = [(x - factor * y) % p for x, y in zip(matrix[i], matrix[found], strict=True)]
-        found += 1
-        if found == len(matrix):
-            break
+            found = max(found, rank_modulo(matrix, primes[k % len(primes)]))
     return found

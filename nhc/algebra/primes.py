@@ -13,9 +13,10 @@ from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from functools import cache
 
+from nhc.algebra.calculus import reachable
 from nhc.algebra.draw import ROOTS
 from nhc.algebra.field import INVERSE, FieldPoint, Unlucky
-from nhc.algebra.graph import NUM, Graph, Node
+from nhc.algebra.graph import Graph, Node
 from nhc.algebra.residues import FULL_TURN, PRIMES, square_root
 
 _ROOTED = (*ROOTS, *INVERSE)
@@ -76,18 +77,9 @@ def _period(graph: Graph, roots: Sequence[Node]) -> int:
 
 
 def _numbers_below(graph: Graph, root: Node) -> set[int]:
-    found, stack, seen = set[int](), [root], set[Node]()
-    while stack:
-        node = stack.pop()
-        if node in seen:
-            continue
-        seen.add(node)
-        if graph.op[node] == NUM:
-            value = graph.value(node)
-            assert value is not None
-            found |= {abs(value.numerator), value.denominator}
-        stack.extend(graph.children(node))
-    return found
+    """Numerators and denominators of the numbers that the root is made of."""
+    values = [graph.value(node) for node in reachable(graph, [root])]
+    return {n for value in values if value is not None for n in (abs(value.numerator), value.denominator)}
 
 
 def _sides(graph: Graph, node: Node) -> tuple[int, ...]:

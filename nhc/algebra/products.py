@@ -11,7 +11,7 @@ from collections.abc import Iterable, Sequence
 from heapq import heapify, heappop, heappush
 from itertools import combinations
 
-from nhc.algebra.calculus import reachable, rebuild
+from nhc.algebra.calculus import reachable, rebuild_over
 from nhc.algebra.graph import MUL, Graph, Node
 
 _MOST_FACTORS = 10
@@ -42,9 +42,8 @@ def share_products(graph: Graph, roots: Sequence[Node], constants: int) -> list[
             moving = graph.product(x for x in found if graph.deps[x] & ~constants)
             new[factor] = graph.mul(fixed, moving)
         else:
-            children = graph.kids[factor]
-            changed = any(new.get(c, c) != c for c in children)
-            new[factor] = rebuild(graph, factor, [new.get(c, c) for c in children]) if changed else factor
+            over = rebuild_over(graph, factor, new)
+            new[factor] = factor if over is None else over
         graph.pass_label(factor, new[factor])
         return new[factor]
 

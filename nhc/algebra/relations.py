@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 
-from nhc.algebra.elimination import null_space
+from nhc.algebra.dense import null_space
 
 _LARGEST = 1 << 20  # a coefficient beyond this is no small rational but noise
 

@@ -23,7 +23,7 @@ def command(subject: str | None) -> int:
     CODE is what a message shows in brackets, such as E0302; EQUATION is a number of the thesis, such as I.4.9.
     Without one, lists all of them.
     """
-    from nhc.diagnostics import TITLES, nearest, page
+    from nhc.diagnostics import TITLES, page, suggest
 
     code = (subject or "").strip().upper()
     if code in TITLES:
@@ -39,8 +39,7 @@ def command(subject: str | None) -> int:
         return 0
     number = next((known for known in EQUATIONS if known.upper() == code.strip("()")), None)
     if number is None:
-        near = nearest(code, [*TITLES, *EQUATIONS])
-        advice = f"did you mean `{near}`?" if near else "`nhc explain` lists all codes and equations"
+        advice = suggest(code, [*TITLES, *EQUATIONS], "`nhc explain` lists all codes and equations")
         raise Failure(f"`{subject}` is no diagnostic code and no equation number", [advice])
     put(equation_page(number))
     return 0

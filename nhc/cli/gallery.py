@@ -36,12 +36,9 @@ def command(name: str | None, output: str | None, force: bool, as_json: bool) ->
     if name.startswith("ladder/"):
         paths = ladder_paths()
     if name not in paths:
-        from nhc.diagnostics import nearest
+        from nhc.diagnostics import suggest
 
-        near = nearest(name, paths)
-        raise Failure(
-            f"no spec `{name}` in the gallery", [f"did you mean `{near}`?" if near else "`nhc gallery` lists it"]
-        )
+        raise Failure(f"no spec `{name}` in the gallery", [suggest(name, paths, "`nhc gallery` lists it")])
     text = paths[name].read_text(encoding="utf-8")
     if as_json:
         put_json("nhc.gallery/1", {"specs": [{"name": name, "about": _about(paths[name]), "text": text}]})

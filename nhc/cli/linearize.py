@@ -7,30 +7,13 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from nhc.cli.options import formulation_option, json_option, spec_argument
+from nhc.cli.options import SweepRange, formulation_option, json_option, spec_argument, sweep_option
 from nhc.cli.specs import open_spec
 from nhc.cli.terminal import Exit, Failure, put, put_json
 
 if TYPE_CHECKING:
     from nhc.study.linearize import Sweep
     from nhc.study.motion import Findings
-
-SweepRange = tuple[str, float, float, int]
-
-
-def _read_sweep(context: click.Context, parameter: click.Parameter, value: str | None) -> SweepRange | None:
-    """``speed=1:8:29``."""
-    if value is None:
-        return None
-    name, _, span = value.partition("=")
-    try:
-        low, high, count = span.split(":")
-        found = (name.strip(), float(low), float(high), int(count))
-    except ValueError:
-        raise click.BadParameter("it takes `NAME=LO:HI:COUNT`, such as `speed=1:8:29`") from None
-    if not (found[0] and found[1] < found[2] and 2 <= found[3] <= 10_000 and math.isfinite(found[2] - found[1])):
-        raise click.BadParameter("LO must be less than HI, and COUNT between 2 and 10000")
-    return found
 
 
 @click.command("linearize")
@@ -40,9 +23,7 @@ def _read_sweep(context: click.Context, parameter: click.Parameter, value: str |
 @click.option(
     "--hold", "holds", metavar="A,B|A=1", multiple=True, help="Look only where these keep their value, or have it."
 )
-@click.option(
-    "--sweep", metavar="NAME=LO:HI:COUNT", callback=_read_sweep, help="Eigenvalues along NAME, and crossings."
-)
+@sweep_option()
 @formulation_option
 @json_option
 def command(

@@ -2,9 +2,15 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Callable
+from typing import Any, TypeVar
+
 import click
 
 from nhc.cli.specs import complete_spec
+
+Command = TypeVar("Command", bound=Callable[..., Any])
 
 # nhc.language.FORMULATIONS again, which takes too long to import for a help text; a test holds them equal
 FORMULATIONS = ("auto", "newton", "lagrange", "euler-lagrange", "chaplygin", "voronec", "multipliers")
@@ -16,6 +22,35 @@ def split_names(context: click.Context, parameter: click.Parameter, value: str |
     if value is not None and not names:
         raise click.BadParameter("it names nothing; leave it out, or write `a,b`", context, parameter)
     return names
+
+
+SweepRange = tuple[str, float, float, int]
+"""Name, least value, largest value, number of values."""
+
+
+def sweep_option(usual: int | None = None) -> Callable[[Command], Command]:
+    """``--sweep speed=1:8:29``; with a ``usual`` count this may be left out."""
+    if usual is None:
+        shape, advice = "NAME=LO:HI:COUNT", "it takes `NAME=LO:HI:COUNT`, such as `speed=1:8:29`"
+    else:
+        shape, advice = "NAME=LO:HI[:COUNT]", "it takes `NAME=LO:HI` or `NAME=LO:HI:COUNT`, such as `speed=0:10`"
+
+    def read(context: click.Context, parameter: click.Parameter, value: str | None) -> SweepRange | None:
+        if value is None:
+            return None
+        name, _, span = value.partition("=")
+        try:
+            low, high, *rest = map(str.strip, span.split(":"))
+            (count,) = map(int, rest) if rest or usual is None else (usual,)
+            found = (name.strip(), float(low), float(high), count)
+        except ValueError:
+            raise click.BadParameter(advice) from None
+        if not (found[0] and found[1] < found[2] and 2 <= count <= 10_000 and math.isfinite(found[2] - found[1])):
+            raise click.BadParameter("LO must be less than HI, and COUNT between 2 and 10000")
+        return found
+
+    about = "Eigenvalues along NAME, and crossings."
+    return click.option("--sweep", metavar=shape, callback=read, help=about)
 
 
 spec_argument = click.argument("spec", shell_complete=complete_spec)

@@ -8,15 +8,12 @@ from typing import TYPE_CHECKING
 
 import click
 
-from nhc.cli.options import formulation_option, json_option
+from nhc.cli.options import SweepRange, formulation_option, json_option, sweep_option
 from nhc.cli.specs import complete_spec, open_spec
 from nhc.cli.terminal import Exit, Failure, put, put_json, say
 
 if TYPE_CHECKING:
     from nhc.study.stability.laboratory import Laboratory, Question
-
-SweepRange = tuple[str, float, float, int]
-_COUNT = 21
 
 
 def _check_number(context: click.Context, parameter: click.Parameter, value: float) -> float:
@@ -26,30 +23,13 @@ def _check_number(context: click.Context, parameter: click.Parameter, value: flo
     return value
 
 
-def _read_sweep(context: click.Context, parameter: click.Parameter, value: str | None) -> SweepRange | None:
-    """``speed=0:10`` or ``speed=0:10:41``."""
-    if value is None:
-        return None
-    name, _, span = value.partition("=")
-    try:
-        low, high, *count = span.split(":")
-        found = (name.strip(), float(low), float(high), int(count[0]) if count else _COUNT)
-    except ValueError:
-        raise click.BadParameter("it takes `NAME=LO:HI` or `NAME=LO:HI:COUNT`, such as `speed=0:10`") from None
-    if not (found[0] and found[1] < found[2] and 2 <= found[3] <= 10_000 and math.isfinite(found[2] - found[1])):
-        raise click.BadParameter("LO must be less than HI, and COUNT between 2 and 10000")
-    return found
-
-
 @click.command("stability")
 @click.argument("spec", required=False, shell_complete=complete_spec)
 @click.option("--scene", metavar="NAME", default="", help="The scene to look at; default: the first.")
 @click.option("--about", metavar="MOTION", default="", help="Where to look for a steady motion; default: the scene.")
 @click.option("--set", "settings", metavar="A=1,...", multiple=True, help="Change values of that motion.")
 @click.option("--hold", "holds", metavar="A,B|A=1", multiple=True, help="What the steady motion must keep, or have.")
-@click.option(
-    "--sweep", metavar="NAME=LO:HI[:COUNT]", callback=_read_sweep, help="Eigenvalues along NAME, and crossings."
-)
+@sweep_option(usual=21)
 @click.option(
     "--long",
     "lengths",

@@ -2,7 +2,7 @@
 
 from .codes import TITLES, codes, page
 from .data import Bag, Diagnostic, Label, Severity, SpecError
-from .nearest import nearest
+from .nearest import nearest, quote, suggest
 from .source import Source, Span
 from .structured import to_json
 from .text import render_concise, render_text
@@ -19,7 +19,9 @@ __all__ = [
     "codes",
     "nearest",
     "page",
+    "quote",
     "render_concise",
     "render_text",
+    "suggest",
     "to_json",
 ]

@@ -1,4 +1,4 @@
-"""What a user may have meant."""
+"""What a user may have meant, and how names are shown."""
 
 from __future__ import annotations
 
@@ -15,3 +15,14 @@ def nearest(name: str, names: Iterable[str]) -> str | None:
 
     found = get_close_matches(name, known, n=1, cutoff=0.6)
     return found[0] if found else None
+
+
+def suggest(name: str, known: Iterable[str], otherwise: str) -> str:
+    """The question for the nearest known name, or what is said where none is near."""
+    near = nearest(name, known)
+    return f"did you mean `{near}`?" if near else otherwise
+
+
+def quote(names: Iterable[str]) -> str:
+    """The names in back-ticks, with commas between them."""
+    return ", ".join(f"`{name}`" for name in names)

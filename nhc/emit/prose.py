@@ -6,6 +6,8 @@ import re
 import textwrap
 import unicodedata
 
+from nhc.program.ir import Origin
+
 PUNCTUATION = {
     "\u2010": "-", "\u2011": "-", "\u2012": "-", "\u2013": "-", "\u2014": "-", "\u2212": "-",
     "\u2018": "'", "\u2019": "'", "\u201c": "'", "\u201d": "'", "\u2032": "'", "\u2033": "''",
@@ -44,6 +46,11 @@ def wrap(text: str, width: int, hanging: str = "") -> list[str]:
     return textwrap.wrap(
         text, width, subsequent_indent=hanging, break_long_words=False, break_on_hyphens=False, expand_tabs=False
     )
+
+
+def show_origin(origin: Origin) -> str:
+    """``(I.2.15) chaplygin_sleigh.yaml:14:4``, or nothing."""
+    return f"({origin.equation}) {origin.place}".rstrip() if origin.equation else origin.place
 
 
 def count_operations(adds: int, multiplications: int, divisions: int, calls: int) -> str:

@@ -6,7 +6,7 @@ import re
 from dataclasses import dataclass, field
 from fractions import Fraction
 
-from nhc.diagnostics import Bag, Source, Span, SpecError, nearest
+from nhc.diagnostics import Bag, Source, Span, SpecError, quote, suggest
 
 from .advice import meant_key
 from .drawing import decode_drawing
@@ -142,10 +142,8 @@ class _Decoder:
         if text is None:
             return "auto"
         if text.value not in FORMULATIONS:
-            near = nearest(text.value, FORMULATIONS)
-            known = ", ".join(f"`{name}`" for name in FORMULATIONS)
-            help = (f"did you mean `{near}`?",) if near else (f"one of {known}",)
-            self.bag.error("E0312", f"unknown formulation `{text.value}`", text.span, help=help)
+            help = suggest(text.value, FORMULATIONS, f"one of {quote(FORMULATIONS)}")
+            self.bag.error("E0312", f"unknown formulation `{text.value}`", text.span, help=(help,))
         return text.value
 
     # --- names ---

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from nhc.diagnostics import quote
+
 from .keys import BODY_KEYS, CIRCLE_KEYS, DRAW_KEYS
 from .nodes import Node, Table, Text
 from .shape import Shapes
@@ -38,7 +40,7 @@ class _Drawing:
         place = table.entries[0][0].span if table.entries else item.span
         meant = self.shapes.check_keys(table, DRAW_KEYS, "a shape of `draw`", place)
         kinds = [(text, value) for text, value in table.entries if text.value in FIGURES]
-        names = ", ".join(f"`{kind}`" for kind in FIGURES)
+        names = quote(FIGURES)
         if not kinds:
             if not any(name in FIGURES for name in meant):
                 help = f"give one of {names}"

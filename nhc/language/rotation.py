@@ -13,7 +13,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 
-from nhc.diagnostics import Bag, Source, Span, nearest
+from nhc.diagnostics import Bag, Source, Span, quote, suggest
 
 from .keys import ROTATION_KEYS
 from .names import fold
@@ -77,8 +77,7 @@ def _frame(node: Node | None, shapes: Shapes) -> str:
     text = shapes.text(node, "`body` or `space`") if node is not None else None
     if text is None or text.value in ROTATION_FRAMES:
         return text.value if text is not None else ROTATION_FRAMES[0]
-    near = nearest(text.value, ROTATION_FRAMES)
-    help = f"did you mean `{near}`?" if near else "write `body` for the body's axes, or `space`"
+    help = suggest(text.value, ROTATION_FRAMES, "write `body` for the body's axes, or `space`")
     shapes.bag.error("E0312", f"unknown frame `{text.value}` of angular velocity", text.span, help=(help,))
     return ROTATION_FRAMES[0]
 
@@ -109,7 +108,7 @@ def pushes_quaternion(text: Text, rotations: Sequence[Rotation], bag: Bag) -> bo
     rotation = next((r for r in rotations if fold(text.value) in r.coordinates), None)
     if rotation is None:
         return False
-    names = ", ".join(f"`{name}`" for name in rotation.velocities)
+    names = quote(rotation.velocities)
     help = f"write the torque by the components {names} of the angular velocity"
     bag.error("E0317", f"a force on `{text.value}`, a part of a quaternion", text.span, help=(help,))
     return True

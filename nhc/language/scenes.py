@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 
-from nhc.diagnostics import nearest
+from nhc.diagnostics import nearest, quote
 
 from .advice import meant_rate
 from .keys import SCENE_KEYS
@@ -99,7 +99,7 @@ class _SceneReader:
         elif near:
             help = f"did you mean `{near}`?"
         elif known:
-            help = "known: " + ", ".join(f"`{other}`" for other in known[:12])
+            help = "known: " + quote(known[:12])
         else:
             help = "the spec declares none"
         self.bag.error("E0419", message, text.span, help=(help,))
@@ -122,7 +122,7 @@ class _SceneReader:
         given = {override.name for override in overrides}
         missing = [p.name for p in self.parameters if p.value is None and p.name not in given]
         if missing:
-            names = ", ".join(f"`{name}`" for name in missing)
+            names = quote(missing)
             plural = "s" if len(missing) > 1 else ""
             help = f"write `parameters: {{{missing[0]}: 1.0}}` in the scene, or give a value under `parameters`"
             message = f"scene `{text.value}` has no value for the parameter{plural} {names}"

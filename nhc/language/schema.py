@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
+from nhc.diagnostics import quote
+
 from .keys import (
     BODY_KEYS,
     CIRCLE_KEYS,
@@ -170,5 +172,5 @@ def reference_table() -> str:
 
 
 def _about(key: Key) -> str:
-    choices = ", ".join(f"`{choice}`" for choice in key.choices)
+    choices = quote(key.choices)
     return f"{key.about}: {choices}" if choices else key.about

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from nhc.diagnostics import Bag, Label, Span, nearest
+from nhc.diagnostics import Bag, Label, Span, nearest, quote, suggest
 from nhc.records import record
 
 from .advice import meant_rate
@@ -93,9 +93,7 @@ class Scope:
             return True
         if not self.open and not self.is_unknown(name, text.span):
             proposed = [*(n for n in self.of_kind("coordinate") if n not in hidden), *also]
-            near = nearest(name, proposed)
-            known = ", ".join(f"`{other}`" for other in proposed)
-            help = f"did you mean `{near}`?" if near else f"the coordinates are {known}"
+            help = suggest(name, proposed, f"the coordinates are {quote(proposed)}")
             self.bag.error("E0302", f"unknown coordinate `{text.value}`", text.span, help=(help,))
         return False
 

@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable, Collection, Sequence
 from fractions import Fraction
 
-from nhc.diagnostics import Bag, Label, Span, nearest
+from nhc.diagnostics import Bag, Label, Span, nearest, quote
 
 from .constant import ConstantError, evaluate
 from .keys import Key
@@ -90,7 +90,7 @@ class Shapes:
             near, help = elsewhere(text.value, present)
             if not help:
                 near = nearest(text.value, known) or ""
-                help = f"did you mean `{near}`?" if near else "known keys: " + ", ".join(f"`{name}`" for name in known)
+                help = f"did you mean `{near}`?" if near else "known keys: " + quote(known)
             meant.extend([near] if near else [])
             self.bag.error("E0303", f"unknown key `{text.value}` in {what}", text.span, help=(help,))
         for key in keys:

@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from fractions import Fraction
 
 from nhc.algebra.graph import Node
-from nhc.diagnostics import Bag, Source, Span, nearest
+from nhc.diagnostics import Bag, Source, Span, quote, suggest
 from nhc.language import Initial, Name, Override, Prime, Scene, Spec, Syntax, walk
 from nhc.language.names import fold
 from nhc.language.parser import parse_expression
-from nhc.mechanics.frame import Frame
-from nhc.mechanics.linearize import Flow, kept_forms
+from nhc.mechanics.flow import Flow
+from nhc.mechanics.frame import Frame, kept_forms
 from nhc.mechanics.resolve import Resolver
 from nhc.mechanics.scenes import Start, kept_velocities
 from nhc.records import record
@@ -43,8 +43,7 @@ def read_pairs(text: str, option: str) -> tuple[Source, tuple[Pair, ...]]:
                 "E0208", f"`{part.strip()}` has no `=`", span, help=("write `name=value`, several parted by commas",)
             )
             continue
-        offset = start + len(name) + 1
-        tree = parse_expression(value, lambda a, b, offset=offset: Span(offset + a, offset + b), bag)  # type: ignore[misc]
+        tree = parse_expression(value, _places_from(start + len(name) + 1), bag)
         wanted = fold(name.replace("\u2032", "'").replace(" ", ""))
         if any(pair.name == wanted for pair in pairs):
             bag.error("E0305", f"`{wanted}` is given twice", span, help=("keep one of them",))
@@ -52,6 +51,11 @@ def read_pairs(text: str, option: str) -> tuple[Source, tuple[Pair, ...]]:
             pairs.append(Pair(wanted, tree, span))
     bag.raise_if_errors()
     return source, tuple(pairs)
+
+
+def _places_from(offset: int) -> Callable[[int, int], Span]:
+    """Places in the whole text by those in a part of it."""
+    return lambda a, b: Span(offset + a, offset + b)
 
 
 def _split(text: str) -> list[tuple[int, str]]:
@@ -116,8 +120,7 @@ def _with_pair(spec: Spec, scene: Scene, pair: Pair, bag: Bag) -> Scene:
     if target is None:
         coordinates = [c.name for c in spec.coordinates]
         known = [*coordinates, *(f"{c}'" for c in coordinates), *(d.name for d in spec.quasi_velocities), *parameters]
-        near = nearest(pair.name, known)
-        help = f"did you mean `{near}`?" if near else "known: " + ", ".join(f"`{k}`" for k in known[:12])
+        help = suggest(pair.name, known, f"known: {quote(known[:12])}")
         bag.error(
             "E0419", f"`{pair.name}` is no coordinate, velocity, quasi-velocity or parameter", pair.span, help=(help,)
         )

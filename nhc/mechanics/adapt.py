@@ -15,9 +15,10 @@ from collections.abc import Sequence
 from itertools import combinations
 
 from nhc.algebra.angles import normalise_angles as normalise
+from nhc.algebra.blocks import determinant_of
+from nhc.algebra.dense import Singular
 from nhc.algebra.graph import Node
 from nhc.algebra.interval import cannot_vanish
-from nhc.algebra.linear import determinant_of
 from nhc.algebra.modular import rank
 from nhc.mechanics.frame import coordinate_form
 from nhc.mechanics.regularity import (
@@ -154,10 +155,8 @@ def complete(system: System) -> tuple[tuple[Form, ...], tuple[str, ...]]:
     """The spec's quasi-velocities, completed to n - l free forms; (forms, names of what was added).
 
     Raises:
-        nhc.algebra.linear.Singular: they are too many or no basis.
+        nhc.algebra.dense.Singular: they are too many or no basis.
     """
-    from nhc.algebra.linear import Singular
-
     g, wanted = system.graph, system.n - system.l
     turning = {name for rotation in system.spec.rotations for name in rotation.velocities}
     forms = [form for form in system.quasi if form.name not in turning]

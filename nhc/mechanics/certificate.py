@@ -15,8 +15,8 @@ import math
 from collections.abc import Sequence
 
 from nhc.algebra.degree import Degrees
+from nhc.algebra.dense import Singular
 from nhc.algebra.draw import MOST_DRAWS, draw_points
-from nhc.algebra.linear import Singular
 from nhc.algebra.modular import FieldPoint, Unlucky
 from nhc.algebra.primes import primes_of
 from nhc.algebra.signs import MOST, Signs, may_hold, points_for
@@ -148,7 +148,7 @@ def certify(system: System, points: int = POINTS, seed: int = 1) -> Certificate:
                 one.claim.name,
                 one.erratum,
                 one.about,
-                _any([look.apart[k] for look in seen[:points]]),
+                _told_apart(one, [look.apart[k] for look in seen[:points]], seen[points:]),
                 measure(system, one.claim, states),
             )
             for k, one in enumerate(wrongs)
@@ -190,6 +190,16 @@ def _base_frame(system: System, known: Sequence[Frame | None]) -> Frame | None:
     return coordinate_frame(system, choose_dependent(system).dependent)
 
 
+def _told_apart(one: Wrong, found: Sequence[bool | None], further: Sequence[_Look]) -> bool | None:
+    """Whether a point shows it: one of the first, or where signs occur, which may hide it there, of the further ones."""
+    known = list(found)
+    for look in further:
+        if True in known:
+            break
+        known.append(look.differs(one.claim))
+    return _any(known)
+
+
 def _any(found: Sequence[bool | None]) -> bool | None:
     known = [x for x in found if x is not None]
     return any(known) if known else None
@@ -226,8 +236,16 @@ class _Look:
             self.equal = [(q == truth[0], r == truth[1]) for q, r in found]
             text = ",".join(str(x) for x in (*truth[0], *truth[1]))
             self.point = Point(prime, self.seed, hashlib.sha256(text.encode()).hexdigest())
+            self._place, self._truth = point, truth[0]
             return
         raise Unlucky
+
+    def differs(self, claim: Claim) -> bool | None:
+        """Whether a wrong claim's accelerations differ here; None where it determines none, or has no value."""
+        try:
+            return _differs(claim, self._place, self._truth)
+        except Unlucky:
+            return None
 
 
 def _differs(claim: Claim, point: FieldPoint, truth: Sequence[int]) -> bool | None:

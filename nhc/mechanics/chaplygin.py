@@ -13,10 +13,10 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from nhc.algebra.calculus import derivative, gradient, tangent
-from nhc.algebra.elimination import solve_double
+from nhc.algebra.dense import Singular, solve_double
 from nhc.algebra.graph import Node
-from nhc.algebra.linear import Singular
-from nhc.algebra.modular import are_zero
+from nhc.algebra.linear import steps_with
+from nhc.algebra.modular import are_zero, is_zero
 from nhc.mechanics.frame import Frame, dependent_coefficients
 from nhc.mechanics.regularity import sampled_rows, trial_points
 from nhc.mechanics.system import System
@@ -57,7 +57,7 @@ def hypotheses(frame: Frame, dependent: Sequence[int]) -> Hypotheses:
     if not all(are_zero(g, b_0)):
         broken.append("the constraints are not homogeneous (b_alpha is not zero)")
     timed = [derivative(g, x, system.t) for x in (system.T, system.U, *entries, *b_0)]
-    if not all(are_zero(g, timed)):
+    if not all(are_zero(g, timed)) or steps_with(g, (system.T, system.U, *entries, *b_0), system.t):
         broken.append("the time t occurs in T, U or the constraints")
     return Hypotheses(tuple(broken), ())
 
@@ -99,10 +99,10 @@ def _solved(rows: list[list[float]], dependent: Sequence[int]) -> list[float]:
 
 
 def _contains(system: System, nodes: Sequence[Node], i: int) -> bool:
-    """Whether one of the nodes depends on q_i (exactly)."""
+    """Whether one of the nodes depends on q_i (exactly; a sign does, though its slope is zero)."""
     g, q = system.graph, system.q[i]
     seen = [node for node in nodes if g.depends(node, g.deps[q])]
-    return not all(are_zero(g, tangent(g, seen, {q: g.one})))
+    return not all(are_zero(g, tangent(g, seen, {q: g.one}))) or steps_with(g, seen, q)
 
 
 def _outside(system: System, b_0: Sequence[Node], alpha: int) -> list[str]:
@@ -111,7 +111,7 @@ def _outside(system: System, b_0: Sequence[Node], alpha: int) -> list[str]:
     if _contains(system, b_0, alpha):
         broken.append(f"the affine part b_alpha of the constraints contains the dependent coordinate `{name}`")
     forces = [system.force(i) for i in range(system.n)]
-    if not are_zero(system.graph, [forces[alpha]])[0]:
+    if not is_zero(system.graph, forces[alpha]):
         broken.append(f"a force acts on the dependent coordinate `{name}`")
     for i, force in enumerate(forces):
         if i != alpha and _contains(system, [force], alpha):

@@ -5,16 +5,16 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
-from nhc.algebra.linear import Singular
+from nhc.algebra.dense import Singular
 from nhc.algebra.modular import rank
 from nhc.diagnostics import Bag, Span
 from nhc.mechanics import chaplygin
 from nhc.mechanics.adapt import complete, turning_choices
-from nhc.mechanics.frame import Frame, coordinate_frame, make_frame
+from nhc.mechanics.frame import Frame, coordinate_frame, make_frame, velocity_symbol
 from nhc.mechanics.reach import becomes_singular
 from nhc.mechanics.regularity import Choice as DependentChoice
 from nhc.mechanics.regularity import choose_dependent, judge, ranked, weak_where_constraints_are_not
-from nhc.mechanics.system import Form, System
+from nhc.mechanics.system import System
 from nhc.records import record
 
 FORMULATIONS = ("newton", "lagrange", "euler-lagrange", "chaplygin", "voronec", "multipliers")
@@ -111,7 +111,7 @@ def build(system: System, name: str) -> Formulation:
         NotApplicable: a hypothesis that it cannot do without is broken.
     """
     if name == "newton":
-        from nhc.mechanics import newton
+        from nhc.mechanics import newton  # here, for a command that needs it not starts sooner
 
         reasons = newton.broken_hypotheses(system)
         if reasons:
@@ -134,7 +134,7 @@ def build(system: System, name: str) -> Formulation:
 def _euler_lagrange(system: System) -> Formulation:
     try:
         forms, added = complete(system)
-        frame = make_frame(system, forms, [_symbol(system, form) for form in forms])
+        frame = make_frame(system, forms, [velocity_symbol(system, form) for form in forms])
     except Singular:
         raise NotApplicable(
             "euler-lagrange",
@@ -160,19 +160,12 @@ def turning_formulations(system: System) -> Iterator[Formulation]:
     """The Euler-Lagrange equations in each set of angular velocities that the constraints may leave (none without rotations)."""
     for forms in turning_choices(system) if system.rotations else ():
         try:
-            frame = make_frame(system, forms, [_symbol(system, form) for form in forms])
+            frame = make_frame(system, forms, [velocity_symbol(system, form) for form in forms])
         except Singular:
             continue
         yield Formulation(
             "euler-lagrange", "I.2.15", frame, None, (), "angular velocities that the constraints leave free"
         )
-
-
-def _symbol(system: System, form: Form) -> int:
-    """A coordinate's differential keeps the velocity's own symbol; other forms get a quasi-velocity's."""
-    if form.name in system.q_names and not any(form is own for own in system.quasi):
-        return system.v[system.q_names.index(form.name)]
-    return system.graph.symbol(form.name, "quasi")
 
 
 def dependent_of(system: System) -> DependentChoice:

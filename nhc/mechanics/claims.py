@@ -10,7 +10,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TypeVar
 
-from nhc.algebra.elimination import solve_double, solve_modulo
+from nhc.algebra.calculus import substitute
+from nhc.algebra.dense import solve_double, solve_modulo
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.linear import linear_form
@@ -19,7 +20,7 @@ from nhc.mechanics import multipliers, voronec, wrong
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choose import Formulation
 from nhc.mechanics.formulate import bordered_system, motion_of, rate_symbols
-from nhc.mechanics.frame import Frame, total_derivative
+from nhc.mechanics.frame import Frame, form_value, total_derivative
 from nhc.mechanics.motion import Motion
 from nhc.mechanics.system import System
 from nhc.records import record
@@ -148,7 +149,7 @@ def solve_exactly(claim: Claim, point: FieldPoint) -> tuple[list[int], list[int]
     """(q'', lambda) modulo the point's prime.
 
     Raises:
-        nhc.algebra.linear.Singular: the claim determines no motion there.
+        nhc.algebra.dense.Singular: the claim determines no motion there.
         nhc.algebra.modular.Unlucky: the point lies on a pole.
     """
     p, known = point.prime, point.evaluate(claim.nodes())
@@ -163,7 +164,7 @@ def solve_in_doubles(claim: Claim, graph: Graph, state: dict[Node, float]) -> tu
     """(q'', lambda) in double precision.
 
     Raises:
-        nhc.algebra.linear.Singular, ArithmeticError, ValueError: not at this state.
+        nhc.algebra.dense.Singular, ArithmeticError, ValueError: not at this state.
     """
     values = [float(x) for x in evaluate(graph, claim.nodes(), state)]
     x = solve_double(*_split(claim, values))
@@ -201,9 +202,6 @@ class Velocities:
 
 def admissible_velocities(system: System, base: Frame | None, formulations: Sequence[Formulation]) -> Velocities:
     """``base`` (None: no constraints) is the frame whose free velocities are drawn."""
-    from nhc.algebra.calculus import substitute
-    from nhc.mechanics.frame import form_value
-
     motion = dict(zip(system.v, base.kinematics if base is not None else system.v, strict=True))
     for formulation in formulations:
         frame = formulation.frame
@@ -212,7 +210,6 @@ def admissible_velocities(system: System, base: Frame | None, formulations: Sequ
         for symbol, form in zip(frame.free, frame.forms[system.l :], strict=True):
             if symbol not in motion:
                 value = form_value(system.graph, form, system.v)
-                motion[symbol] = substitute(system.graph, [value], dict(zip(system.v, motion.values(), strict=False)))[
-                    0
-                ]
+                known = dict(zip(system.v, motion.values(), strict=False))
+                (motion[symbol],) = substitute(system.graph, [value], known)
     return Velocities(tuple(motion), tuple(motion.values()), base.guards if base is not None else ())

@@ -8,17 +8,16 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import combinations
 from math import comb, sqrt
-from weakref import WeakKeyDictionary
 
 from nhc.algebra.calculus import gradient
-from nhc.algebra.dense import SingularMatrix, factor, resolve
+from nhc.algebra.dense import symmetric_eigenvalues
 from nhc.algebra.evaluate import evaluate
-from nhc.algebra.graph import Graph, Node
+from nhc.algebra.graph import Node
+from nhc.algebra.lu import SingularMatrix, factor, resolve
 from nhc.mechanics.choose import Formulation, NotApplicable, build, turning_formulations
 from nhc.mechanics.frame import coordinate_form
 from nhc.mechanics.regularity import relative_determinant, sampled_rows, trial_points
 from nhc.mechanics.scenes import Start
-from nhc.mechanics.singular import symmetric_eigenvalues
 from nhc.mechanics.system import Form, System
 from nhc.records import record
 
@@ -29,7 +28,6 @@ GAIN = 3.0
 _NOTHING = 1e-12  # of a determinant, over the lengths of its rows: what the emitted functions refuse
 _REGULAR = 1e-2  # of the kinetic energy of the free velocities, scaled to a diagonal of ones
 _MANY = 250  # choices of dependent velocities that are looked at one by one
-_LENGTHS: WeakKeyDictionary[Graph, dict[tuple[Node, ...], float]] = WeakKeyDictionary()
 _KEPT = 0.5  # a preferred choice is taken down to this part of the best conditioning
 
 
@@ -64,7 +62,7 @@ def _norm(row: Sequence[float]) -> float:
 
 def _usual_length(system: System, form: Form) -> float:
     """The median of a form's length over the places that regularity is judged by."""
-    known = _LENGTHS.setdefault(system.graph, {})
+    known: dict[tuple[Node, ...], float] = system.graph.memory.setdefault("usual lengths", {})
     if form.coefficients not in known:
         lengths = sorted(_norm(rows[0]) for rows in sampled_rows(system, [form]))
         known[form.coefficients] = lengths[len(lengths) // 2] if lengths else 1.0

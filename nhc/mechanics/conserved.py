@@ -16,7 +16,7 @@ from itertools import combinations
 
 from nhc.algebra.calculus import count, gradient, substitute, tangent
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.modular import Unlucky, are_zero, rank
+from nhc.algebra.modular import Unlucky, are_zero, is_zero, rank
 from nhc.algebra.primes import primes_of
 from nhc.algebra.relations import find_relations, without
 from nhc.mechanics.constancy import are_constant, has_jumps, jumps, rates_of
@@ -84,7 +84,7 @@ def find_conserved(
     sampler = Sampler(system, frame)
     g = system.graph
     generalized = generalized_energy(system)
-    differs = not are_zero(g, [g.sub(generalized, system.energy)])[0]
+    differs = not is_zero(g, g.sub(generalized, system.energy))
     outputs = [Candidate(name, node) for name, node in system.outputs]
     tested = [Candidate("E", system.energy), Candidate("p q' - T + V", generalized), *outputs]
     constant = are_constant(sampler, [c.node for c in tested])
@@ -111,7 +111,7 @@ def generalized_energy(system: System) -> Node:
     """p_i q'_i - T - U: the energy for T homogeneous quadratic in the velocities, Jacobi's function else."""
     g = system.graph
     p = gradient(g, system.T, system.v)
-    return g.sub(g.sum([g.mul(a, v) for a, v in zip(p, system.v, strict=True)]), g.add(system.T, system.U))
+    return g.sub(g.dot(p, system.v), g.add(system.T, system.U))
 
 
 @equation("III.2.2")
@@ -119,9 +119,8 @@ def power(system: System, multipliers: Sequence[Node]) -> Node:
     """d/dt (p q' - T - U) = Q q' - dT/dt - dU/dt - lambda_alpha a_alpha (the dt component of i_X Omega)."""
     g = system.graph
     explicit = tangent(g, [system.T, system.U], {system.t: g.one})
-    work = [g.mul(q, v) for q, v in zip(system.Q, system.v, strict=True)]
     driven = [g.mul(s, form.constant) for s, form in zip(multipliers, system.constraints, strict=True)]
-    return g.sub(g.sum(work), g.sum([*explicit, *driven]))
+    return g.sub(g.dot(system.Q, system.v), g.sum([*explicit, *driven]))
 
 
 def power_terms(system: System) -> list[str]:
@@ -129,10 +128,10 @@ def power_terms(system: System) -> list[str]:
     g = system.graph
     terms = []
     turned = {k for rotation in system.rotations for k in rotation.places}
-    work = g.sum([g.mul(q, v) for q, v in zip(system.Q, system.v, strict=True)])
+    work = g.dot(system.Q, system.v)
     idle = are_zero(g, gradient(g, work, system.v))
     for i, q in enumerate(system.Q):
-        if i not in turned and not idle[i] and not are_zero(g, [q])[0]:
+        if i not in turned and not idle[i] and not is_zero(g, q):
             terms.append(f"the force on `{system.q_names[i]}`")
     for rotation, torque in zip(system.rotations, system.torques, strict=True):
         if not all(idle[k] for k in rotation.places) and not all(are_zero(g, torque)):
@@ -140,9 +139,9 @@ def power_terms(system: System) -> list[str]:
     explicit = tangent(g, [system.T, system.U], {system.t: g.one})
     terms += [f"{name} contains the time" for name, z in zip(("T", "U"), are_zero(g, explicit), strict=True) if not z]
     for form in system.constraints:
-        if not are_zero(g, [form.constant])[0]:
+        if not is_zero(g, form.constant):
             terms.append(f"the reaction of the moving constraint `{form.name}`")
-    if not are_zero(g, [g.sub(generalized_energy(system), system.energy)])[0]:
+    if not is_zero(g, g.sub(generalized_energy(system), system.energy)):
         terms.append("T is not homogeneous quadratic in the velocities")
     return terms
 
@@ -198,7 +197,7 @@ def _quasi(system: System, p: Sequence[Node], frame: Frame | None) -> list[Candi
     for symbol, e in zip(frame.free, frame.free_vectors, strict=True):
         known = g.symbol_of(symbol)
         if known is not None and known.kind == "quasi":
-            found.append(Candidate(f"p*_{known.name}", g.sum([g.mul(a, b) for a, b in zip(p, e, strict=True)])))
+            found.append(Candidate(f"p*_{known.name}", g.dot(p, e)))
     return found
 
 

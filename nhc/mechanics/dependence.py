@@ -16,7 +16,7 @@ from nhc.algebra.graph import Node
 from nhc.algebra.modular import FieldPoint, Unlucky
 from nhc.algebra.primes import primes_of
 from nhc.algebra.signs import Signs, may_hold, points_for
-from nhc.mechanics.linearize import Flow, solve_modulo
+from nhc.mechanics.flow import Flow, solve_at
 from nhc.records import record
 
 _POINTS, _DRAWS, _CHANGES = 2, 400, 60
@@ -46,28 +46,20 @@ class Dependence:
         return frozenset(found)
 
 
-def values_at(flow: Flow, needs: Sequence[Node], point: FieldPoint) -> list[int]:
-    """Residues of all rates of the state, then of the needs (functions of the state, the rates and the multipliers).
+def find_vanishing(flow: Flow, needs: Sequence[Node]) -> list[bool]:
+    """Which rates of the state, and then which of the needs, vanish identically; wrong as seldom as :func:`find_dependence`.
+
+    The needs are functions of the state, the rates and the multipliers.
 
     Raises:
-        Unlucky: the motion is singular at this point.
+        Unlucky: the motion is singular everywhere, or holds too many signs.
     """
-    solved = _solve(flow, point.evaluate(_rows(flow)), point.prime)
-    found = point.evaluate([*flow.velocities, *needs], dict(zip(flow.unknowns, solved, strict=True)))
-    n = len(flow.velocities)
-    return [*found[:n], *solved[: flow.kept], *found[n:]]
-
-
-def _rows(flow: Flow) -> list[Node]:
-    return [*(x for row in flow.matrix for x in row), *flow.right]
-
-
-def _solve(flow: Flow, flat: Sequence[int], prime: int) -> list[int]:
-    """The unknowns from the values of :func:`_rows`."""
-    size = len(flow.unknowns)
-    matrix = [list(flat[k * size : (k + 1) * size]) for k in range(size)]
-    right = [[x] for x in flat[size * size :]]
-    return [row[0] for row in solve_modulo(matrix, right, prime)] if size else []
+    whole, primes = _Evaluation(flow, needs), primes_of(flow.graph)
+    zero, seed = [True] * (len(flow.y) + len(needs)), 0
+    for index in range(_count_points(flow, needs)):
+        _, values, seed = _base(whole, seed, primes[index % len(primes)])
+        zero = [z and not value for z, value in zip(zero, values, strict=True)]
+    return zero
 
 
 def find_dependence(flow: Flow, needs: Sequence[Node]) -> Dependence:
@@ -118,7 +110,7 @@ def _count_points(flow: Flow, needs: Sequence[Node]) -> int:
 
 
 def _roots(flow: Flow, needs: Sequence[Node]) -> list[Node]:
-    return [*flow.velocities, *needs, *_rows(flow)]
+    return [*flow.velocities, *needs, *flow.flat]
 
 
 class _Evaluation:
@@ -126,9 +118,9 @@ class _Evaluation:
 
     def __init__(self, flow: Flow, needs: Sequence[Node], changed: Node | None = None) -> None:
         g, within = flow.graph, -1 if changed is None else flow.graph.deps[changed]
-        self.flow, self.rows, self.results = flow, _rows(flow), [*flow.velocities, *needs]
+        self.flow, self.results = flow, [*flow.velocities, *needs]
         given = {*flow.unknowns, changed}
-        self._before = [node for node in reachable(g, self.rows, within) if node not in given]
+        self._before = [node for node in reachable(g, flow.flat, within) if node not in given]
         given.update(self._before)
         moved = within if within == -1 else within | g.mask(flow.unknowns)
         self._after = [node for node in reachable(g, self.results, moved) if node not in given]
@@ -137,14 +129,18 @@ class _Evaluation:
     def announced(self) -> FieldPoint:
         """A point to which everything has been announced."""
         point = FieldPoint(self.flow.graph, 0)
-        point.prepare([*self.rows, *self.results])
+        point.prepare([*self.flow.flat, *self.results])
         return point
 
     def values_at(self, point: FieldPoint) -> list[int]:
-        """As :func:`values_at`, where everything else has its value."""
+        """Residues of all rates of the state, then of the needs; everything else has its value at the point.
+
+        Raises:
+            Unlucky: the motion is singular at this point.
+        """
         flow, n = self.flow, len(self.flow.velocities)
         point.fill(self._before)
-        solved = _solve(flow, [point.values[node] for node in self.rows], point.prime)
+        solved = solve_at(len(flow.unknowns), [point.values[node] for node in flow.flat], point.prime)
         point.values.update(zip(flow.unknowns, solved, strict=True))
         point.fill(self._after)
         found = [point.values[node] for node in self.results]

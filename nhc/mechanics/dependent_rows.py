@@ -9,7 +9,7 @@ from nhc.algebra.calculus import gradient
 from nhc.algebra.evaluate import Mpmath, evaluate
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.linear import is_clearly_regular
-from nhc.algebra.modular import are_zero, rank
+from nhc.algebra.modular import are_zero, is_zero, rank
 from nhc.diagnostics import Bag
 from nhc.language import Spec
 from nhc.mechanics.given_rank import find_dependent_as_given
@@ -132,6 +132,6 @@ def _is_apart(g: Graph, system: System, form: Form, before: Sequence[Form]) -> b
         slopes, own = gradient(g, other, moving), gradient(g, form.equation, moving)
         ratio = next((g.div(a, b) for a, b in zip(own, slopes, strict=True) if b != g.zero), g.zero)
         rest = g.sub(form.equation, g.mul(ratio, other))
-        if all(are_zero(g, gradient(g, rest, moving))) and not all(are_zero(g, [rest])):
+        if all(are_zero(g, gradient(g, rest, moving))) and not is_zero(g, rest):
             return True
     return False

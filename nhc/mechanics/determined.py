@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from nhc.algebra.calculus import gradient
 from nhc.algebra.graph import Node
 from nhc.algebra.modular import are_zero, rank
-from nhc.diagnostics import Bag
+from nhc.diagnostics import Bag, quote
 from nhc.mechanics.system import System
 
 
@@ -30,7 +30,7 @@ def check_determined(system: System, mass: Sequence[Sequence[Node]], *, bordered
         parts = [f"{name}'" for name in rotation.coordinates]
         if set(parts) <= set(bare):
             bare = [name for name in bare if name not in parts] + list(rotation.velocities)
-    what = ", ".join(f"`{name}`" for name in bare)
+    what = quote(bare)
     bag = Bag(system.spec.origin)
     bag.error(
         "E0404",

@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
+from nhc.algebra.dense import Singular
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.linear import Singular
 from nhc.diagnostics import SpecError
 from nhc.mechanics.claims import Claim, Guards, Velocities, solve_in_doubles
 from nhc.mechanics.regularity import trial_points

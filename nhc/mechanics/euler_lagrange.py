@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from nhc.algebra.calculus import gradient, substitute
+from nhc.algebra.calculus import gradient, substitute, tangent
 from nhc.algebra.graph import Node
 from nhc.exterior import Coframe, Form, basis_form, d, general_coframe, one_form, pullback, wedge
 from nhc.mechanics.frame import Frame
@@ -34,7 +34,7 @@ def quasi_forces(frame: Frame) -> list[Node]:
         return substitute(g, total, moving(system, frame.all_kinematics))
     forces = [system.force(i) for i in range(system.n)]
     forces = substitute(g, forces, dict(zip(system.v, frame.all_kinematics, strict=True)))
-    return [g.sum([g.mul(b, q) for b, q in zip(e, forces, strict=True)]) for e in frame.vectors]
+    return [g.dot(e, forces) for e in frame.vectors]
 
 
 @equation("I.2.3")
@@ -80,7 +80,7 @@ def kinetic_one_form(frame: Frame) -> Form:
     g, n = frame.graph, frame.system.n
     energy = quasi_energy(frame)
     momenta = gradient(g, energy, frame.omega)
-    hamiltonian = g.sub(g.sum([g.mul(a, b) for a, b in zip(momenta, frame.omega, strict=True)]), energy)
+    hamiltonian = g.sub(g.dot(momenta, frame.omega), energy)
     return one_form(full_coframe(frame), {**dict(enumerate(momenta)), 2 * n: g.neg(hamiltonian)})
 
 
@@ -143,7 +143,7 @@ def printed_rows(frame: Frame, rates: tuple[Node, ...]) -> list[Node]:
     }
     rows = []
     for mu in range(lower, system.n):
-        row = _rate(frame, momenta_on[mu], seeds)
+        row = tangent(g, [momenta_on[mu]], seeds)[0]
         for i in range(system.n):
             swirl = frame.epsilon(i, mu)
             for nu in range(lower, system.n):
@@ -152,9 +152,3 @@ def printed_rows(frame: Frame, rates: tuple[Node, ...]) -> list[Node]:
         slope, force = substitute(g, [frame.along(energy, mu), forces[mu]], on_constraints)
         rows.append(g.sub(g.sub(row, slope), force))
     return rows
-
-
-def _rate(frame: Frame, node: Node, seeds: dict[Node, Node]) -> Node:
-    from nhc.algebra.calculus import tangent
-
-    return tangent(frame.graph, [node], seeds)[0]

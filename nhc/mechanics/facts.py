@@ -11,7 +11,7 @@ from nhc.algebra.common_zero import find_common_zero
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Node
 from nhc.algebra.linear import degrees
-from nhc.algebra.modular import Unlucky, are_zero
+from nhc.algebra.modular import Unlucky, are_zero, is_zero
 from nhc.algebra.subdivision import cannot_vanish_together
 from nhc.diagnostics import Bag
 from nhc.mechanics.choose import Formulation, applicable, chaplygin_dependent, checked_dependent
@@ -124,7 +124,7 @@ def _kinds(system: System, found: Integrability) -> list[dict[str, object]]:
     kinds: list[dict[str, object]] = []
     for form in system.constraints:
         timed = any(g.depends(x, g.deps[system.t]) for x in (*form.coefficients, form.constant))
-        affine = not are_zero(g, [form.constant])[0]
+        affine = not is_zero(g, form.constant)
         alone = form.name in found.closed
         kinds.append({"name": form.name, "affine": affine, "time_dependent": timed, "integrable_alone": alone})
     return kinds

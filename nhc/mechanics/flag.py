@@ -13,6 +13,7 @@ from collections.abc import Sequence
 from operator import mul
 
 from nhc.algebra.calculus import tangent
+from nhc.algebra.dense import Echelon, extend_echelon
 from nhc.algebra.draw import MOST_DRAWS, draw_points
 from nhc.algebra.field import FieldPoint, Unlucky
 from nhc.algebra.graph import Graph, Node
@@ -77,10 +78,7 @@ class _Flag:
     def __init__(self, graph: Graph, variables: Sequence[Node], fields: Sequence[Field]) -> None:
         self.graph, self.variables = graph, tuple(variables)
         weights = [graph.symbol(f"weight {k}", "other") for k in range(len(fields))]
-        mixed = tuple(
-            graph.sum([graph.mul(w, x) for w, x in zip(weights, column, strict=True)])
-            for column in zip(*fields, strict=True)
-        )
+        mixed = tuple(graph.dot(weights, column) for column in zip(*fields, strict=True))
         self.fields = (mixed, *fields[1:])
         self.slopes = [self._differentiate(field) for field in self.fields]
         self.nodes = [x for field in self.fields for x in field]
@@ -105,8 +103,10 @@ class _Flag:
         """
         brackets = _Brackets(self, point)
         size, p = len(self.variables), point.prime
-        rows: list[tuple[int, Vector]] = []
-        newest = [Word((), 0, j) for j in range(len(self.fields)) if _reduce(rows, brackets.value(Word((), 0, j)), p)]
+        rows: Echelon = []
+        newest = [
+            Word((), 0, j) for j in range(len(self.fields)) if extend_echelon(rows, brackets.value(Word((), 0, j)), p)
+        ]
         letters = [word.base for word in newest]
         ranks = [len(rows)]
         while ranks[-1] < size:
@@ -116,7 +116,7 @@ class _Flag:
                     if word == Word((), 0, letter):
                         continue
                     bracket = word.under(letter)
-                    if len(rows) < size and _reduce(rows, brackets.value(bracket), p):
+                    if len(rows) < size and extend_echelon(rows, brackets.value(bracket), p):
                         grown.append(bracket)
             if not grown:
                 break
@@ -229,18 +229,3 @@ def _unpack(number: int, count: int) -> list[int]:
     size = max(count * _BYTES, (number.bit_length() + 7) // 8)
     text = number.to_bytes(size, "little")
     return [int.from_bytes(text[k : k + _BYTES], "little") for k in range(0, count * _BYTES, _BYTES)]
-
-
-def _reduce(rows: list[tuple[int, Vector]], row: Sequence[int], p: int) -> bool:
-    """Add what is new of a row; whether there is anything."""
-    work = list(row)
-    for column, known in rows:
-        factor = work[column]
-        if factor:
-            work = [(x - factor * y) % p for x, y in zip(work, known, strict=True)]
-    pivot = next((j for j, x in enumerate(work) if x), -1)
-    if pivot < 0:
-        return False
-    inverse = pow(work[pivot], -1, p)
-    rows.append((pivot, [x * inverse % p for x in work]))
-    return True

@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from nhc.algebra.calculus import count
+from nhc.algebra.dense import pivot_signs
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.modular import are_zero
@@ -13,8 +14,8 @@ from nhc.algebra.shorten import shorten
 from nhc.mechanics.associate import Equations, Matrix, Projector, Row
 from nhc.mechanics.choose import Formulation
 from nhc.mechanics.determined import check_determined
-from nhc.mechanics.frame import coordinate_frame, total_derivative
-from nhc.mechanics.kinetic import Kinetic, kinetic_structure, pivot_signs
+from nhc.mechanics.frame import coordinate_frame, form_value, total_derivative
+from nhc.mechanics.kinetic import Kinetic, kinetic_structure
 from nhc.mechanics.motion import Motion
 from nhc.mechanics.move import move
 from nhc.mechanics.moved import Moved
@@ -227,10 +228,7 @@ def reaction_values(equations: Equations) -> tuple[Node, ...]:
     if swept is not None and system.n * system.l > _FEW_ROWS:
         return swept
     rates = equations.motion.rates
-    values = tuple(
-        g.sub(g.sum([g.mul(m, rate) for m, rate in zip(row.mass, rates, strict=True)]), row.force)
-        for row in equations.reactions
-    )
+    values = tuple(g.sub(g.dot(row.mass, rates), row.force) for row in equations.reactions)
     return values if swept is None or count(g, values) <= count(g, swept) else swept
 
 
@@ -241,7 +239,5 @@ def bordered_system(equations: Equations) -> tuple[list[list[Node]], list[Node]]
     still = {v: zero for v in system.v}
     matrix = [[*equations.mass[i], *(g.neg(c.coefficients[i]) for c in system.constraints)] for i in range(n)]
     matrix += [[*(g.neg(a) for a in c.coefficients), *([zero] * system.l)] for c in system.constraints]
-    from nhc.mechanics.frame import form_value
-
     moved = [total_derivative(system, form_value(g, c, system.v), system.v, still) for c in system.constraints]
     return matrix, [*equations.force, *moved]

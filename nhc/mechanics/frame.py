@@ -151,16 +151,15 @@ class Frame:
 
     def velocity_of(self, form: Form) -> Node:
         """The value of a velocity form on the motion's q'."""
-        g = self.graph
-        terms = [g.mul(a, v) for a, v in zip(form.coefficients, self.kinematics, strict=True)]
-        return g.add(g.sum(terms), form.constant)
+        return self.graph.add(self.graph.dot(form.coefficients, self.kinematics), form.constant)
 
 
+@equation("I.1.1")
 def form_value(graph: Graph, form: Form, v: Sequence[Node]) -> Node:
     """a_i v_i + a_0, in the spec's own words where there are any (``v`` are then the velocities' symbols)."""
     if form.value is not None:
         return form.value
-    return graph.add(graph.sum([graph.mul(a, x) for a, x in zip(form.coefficients, v, strict=True)]), form.constant)
+    return graph.add(graph.dot(form.coefficients, v), form.constant)
 
 
 @equation("I.2.1", "I.2.2")
@@ -168,7 +167,7 @@ def make_frame(system: System, free: Sequence[Form], symbols: Sequence[Node]) ->
     """The frame whose forms are the system's constraints and ``free``, in this order.
 
     Raises:
-        nhc.algebra.linear.Singular: the forms are no basis.
+        nhc.algebra.dense.Singular: the forms are no basis.
     """
     g = system.graph
     forms = (*system.constraints, *free)
@@ -199,6 +198,20 @@ def coordinate_form(system: System, i: int) -> Form:
         coefficients=tuple(g.one if j == i else g.zero for j in range(system.n)),
         constant=g.zero,
     )
+
+
+def kept_forms(system: System, frame: Frame | None) -> tuple[Form, ...]:
+    """The forms of the velocities that a motion keeps: those that the constraints leave free, or without a frame all q'."""
+    if frame is None:
+        return tuple(coordinate_form(system, i) for i in range(system.n))
+    return frame.forms[system.l :]
+
+
+def velocity_symbol(system: System, form: Form) -> Node:
+    """A coordinate's differential has the velocity's own symbol, another form that of a quasi-velocity of its name."""
+    if form.name in system.q_names and not any(form is own for own in system.quasi):
+        return system.v[system.q_names.index(form.name)]
+    return system.graph.symbol(form.name, "quasi")
 
 
 @equation("I.3.1")

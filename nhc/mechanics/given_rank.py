@@ -10,10 +10,10 @@ import math
 from collections.abc import Mapping
 
 from nhc.algebra.common_zero import find_common_zero
+from nhc.algebra.dense import RowSpace
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Node
 from nhc.mechanics.regularity import ordinary_points, trial_points
-from nhc.mechanics.scenes import RowSpace
 from nhc.mechanics.system import Form, System
 
 _STATES = 4

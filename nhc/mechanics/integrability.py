@@ -13,15 +13,15 @@ from dataclasses import replace
 from fractions import Fraction
 
 from nhc.algebra.calculus import count, gradient, substitute, tangent
+from nhc.algebra.dense import Singular
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.linear import Singular, depends
-from nhc.algebra.modular import Unlucky, are_zero
+from nhc.algebra.linear import depends
+from nhc.algebra.modular import Unlucky, are_zero, is_zero
 from nhc.mechanics.flag import Field, growth_vector
 from nhc.mechanics.frame import Frame, coordinate_frame
 from nhc.mechanics.regularity import choose_dependent
 from nhc.mechanics.system import Form, System
 from nhc.records import record
-from nhc.thesis import equation
 
 _LARGE = 250  # operations of the constraints beyond which no second growth vector is asked for
 
@@ -103,7 +103,7 @@ def is_integrable(system: System, form: Form) -> bool:
     """
     g = system.graph
     a = dict(zip((*system.q, system.t), (*form.coefficients, form.constant), strict=True))
-    r = next((v for v, x in a.items() if x != g.zero and not are_zero(g, [x])[0]), None)
+    r = next((v for v, x in a.items() if not is_zero(g, x)), None)
     if r is None:
         return True
     active = [v for v in a if v != r and (a[v] != g.zero or any(g.depends(x, g.deps[v]) for x in a.values()))]
@@ -114,18 +114,6 @@ def is_integrable(system: System, form: Form) -> bool:
             cycle = ((r, j, k), (j, k, r), (k, r, j))
             terms.append(g.sum([g.mul(a[x], g.sub(slopes[z][y], slopes[y][z])) for x, y, z in cycle]))
     return all(are_zero(g, terms))
-
-
-@equation("I.1.1")
-def frobenius_obstruction(frame: Frame) -> list[tuple[int, int, int]]:
-    """(alpha, mu, nu) with gamma^alpha_munu != 0: the brackets that leave ker A; nu = n is the drift (epsilon)."""
-    system, found = frame.system, []
-    for alpha in range(system.l):
-        for mu in range(system.l, system.n):
-            for nu in (*range(mu + 1, system.n), system.n):
-                if not are_zero(frame.graph, [frame.gamma(alpha, nu, mu)])[0]:
-                    found.append((alpha, mu, nu))
-    return found
 
 
 def cyclic_coordinates(system: System) -> list[int]:

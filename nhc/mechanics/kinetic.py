@@ -17,6 +17,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 
 from nhc.algebra.calculus import gradient, substitute, tangent
+from nhc.algebra.dense import pivot_signs
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import ADD, MUL, NEG, POW, Graph, Node
 from nhc.algebra.linear import degrees, linear_form
@@ -156,25 +157,6 @@ def _is_positive(graph: Graph, node: Node, values: dict[Node, float]) -> bool:
         return False
 
 
-def pivot_signs(matrix: list[list[float]]) -> list[int]:
-    """Signs of the pivots of a symmetric matrix without exchanges; ends at the first one that is zero to rounding.
-
-    Beside a larger entry such a pivot means a negative minor: -1.
-    """
-    size = len(matrix)
-    scale = max((abs(x) for row in matrix for x in row), default=0.0)
-    signs: list[int] = []
-    for k in range(size):
-        pivot = matrix[k][k]
-        if abs(pivot) <= 1e-11 * scale:
-            return [*signs, -1 if any(abs(x) > 1e-5 * scale for x in matrix[k][k + 1 :]) else 0]
-        signs.append(1 if pivot > 0 else -1)
-        for i in range(k + 1, size):
-            factor = matrix[i][k] / pivot
-            matrix[i] = [x - factor * y for x, y in zip(matrix[i], matrix[k], strict=True)]
-    return signs
-
-
 def kinetic_structure(system: System) -> Kinetic:
     """T's velocity forms; where T is no polynomial in the velocities they are the velocities themselves."""
     g = system.graph
@@ -213,6 +195,6 @@ def exterior_derivative(system: System, form: Form, x: Sequence[Node], x_time: N
     along_e = dict(zip(system.q, e, strict=True))
     moved = tangent(g, form.coefficients, along_x)
     turned = tangent(g, [*form.coefficients, form.constant], along_e)
-    total = g.sum([g.mul(a, b) for a, b in zip(moved, e, strict=True)])
-    back = g.sum([g.mul(a, b) for a, b in zip(turned, (*x, x_time), strict=True)])
+    total = g.dot(moved, e)
+    back = g.dot(turned, (*x, x_time))
     return g.sub(total, back)

@@ -29,7 +29,7 @@ def momenta(system: System) -> list[Node]:
 def kinetic_one_form(system: System) -> Form:
     """p_i dq_i - (p_i q'_i - T) dt."""
     g, p = system.graph, momenta(system)
-    hamiltonian = g.sub(g.sum([g.mul(a, b) for a, b in zip(p, system.v, strict=True)]), system.T)
+    hamiltonian = g.sub(g.dot(p, system.v), system.T)
     return one_form(phase_coframe(system), {**dict(enumerate(p)), 2 * system.n: g.neg(hamiltonian)})
 
 

@@ -1,4 +1,4 @@
-"""The motion's field near a steady motion, as nodes: what it depends on, its slopes, its leaves, its matrix where it stays short.
+"""A motion's field near a steady motion, as nodes: what it depends on, its leaves, its matrix where it stays short.
 
 A steady motion is a relative equilibrium: the state without its cyclic coordinates stands still, while those run on.
 A coordinate is cyclic here when no rate of what is kept depends on it: a property of the field y' = f(y), tested
@@ -10,92 +10,27 @@ and their brackets (Frobenius, Nagano).
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
-from functools import cached_property
 
-from nhc.algebra.calculus import count, gradient, substitute
+from nhc.algebra.calculus import count, substitute
+from nhc.algebra.dense import Singular
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.linear import Singular, solve
-from nhc.algebra.modular import FieldPoint, Unlucky, are_zero, rank
+from nhc.algebra.linear import depends, solve
+from nhc.algebra.modular import Unlucky, are_zero, rank
 from nhc.algebra.polynomial import normalise
-from nhc.algebra.primes import primes_of
-from nhc.mechanics.associate import Equations
 from nhc.mechanics.choose import Formulation, NotApplicable, build
+from nhc.mechanics.dependence import find_dependence
 from nhc.mechanics.flag import growth_vector
-from nhc.mechanics.formulate import bordered_system
-from nhc.mechanics.frame import Frame, coordinate_form, form_value
+from nhc.mechanics.flow import Flow
+from nhc.mechanics.frame import Frame, form_value
 from nhc.mechanics.integrability import is_integrable, lie_bracket
 from nhc.mechanics.rotation import moving
-from nhc.mechanics.system import Form, System
+from nhc.mechanics.system import System
 from nhc.records import record
 
-_POINTS, _DRAWS = 2, 400
 _READABLE = 60
 """Operations of a matrix entry that a reader still follows."""
 _LARGE = 4000
 """Operations of all entries together beyond which no symbolic matrix is tried."""
-
-
-@dataclass(frozen=True)
-class Flow:
-    """y' = f(y), y = (q, w): q' = ``velocities``, and matrix @ (w', multipliers) = right."""
-
-    equations: Equations
-    y: tuple[Node, ...]
-    velocities: tuple[Node, ...]
-    matrix: tuple[tuple[Node, ...], ...]
-    right: tuple[Node, ...]
-    unknowns: tuple[Node, ...]
-
-    @property
-    def system(self) -> System:
-        return self.equations.system
-
-    @property
-    def graph(self) -> Graph:
-        return self.equations.system.graph
-
-    @property
-    def kept(self) -> int:
-        """How many velocities the state holds."""
-        return len(self.equations.motion.w)
-
-    @cached_property
-    def names(self) -> tuple[str, ...]:
-        """The state's names: coordinates, then the kept velocities."""
-        symbols = [self.graph.symbol_of(node) for node in self.y]
-        return tuple(f"{s.name}'" if s.kind == "velocity" else s.name for s in symbols if s is not None)
-
-    @cached_property
-    def residual(self) -> tuple[Node, ...]:
-        """right - matrix @ unknowns, zero on the motion."""
-        g = self.graph
-        return tuple(
-            g.sub(value, g.sum([g.mul(m, x) for m, x in zip(row, self.unknowns, strict=True)]))
-            for row, value in zip(self.matrix, self.right, strict=True)
-        )
-
-    @cached_property
-    def velocity_slopes(self) -> tuple[tuple[Node, ...], ...]:
-        """d q'_i / d y_j."""
-        return tuple(tuple(gradient(self.graph, node, self.y)) for node in self.velocities)
-
-    @cached_property
-    def residual_slopes(self) -> tuple[tuple[Node, ...], ...]:
-        """d residual_k / d y_j at fixed unknowns; the rates' slopes are matrix^-1 times these."""
-        return tuple(tuple(gradient(self.graph, node, self.y)) for node in self.residual)
-
-
-def flow_of(equations: Equations) -> Flow:
-    """The field of a formulation's equations."""
-    motion = equations.motion
-    if equations.multipliers:
-        matrix, right = bordered_system(equations)
-    else:
-        matrix, right = [list(row) for row in equations.mass], list(equations.force)
-    unknowns = (*motion.rates, *equations.multipliers)
-    rows = tuple(tuple(row) for row in matrix)
-    return Flow(equations, (*equations.system.q, *motion.w), motion.velocities, rows, tuple(right), unknowns)
 
 
 # --- cyclic coordinates --------------------------------------------------------------------------------------
@@ -104,13 +39,19 @@ def flow_of(equations: Equations) -> Flow:
 def cyclic_of(flow: Flow) -> tuple[int, ...]:
     """The largest set of coordinates on which neither the rates of the kept velocities nor those of the other coordinates depend.
 
-    Exact, with the probability of :mod:`nhc.algebra.modular`.
+    Exact, with the probability of :func:`nhc.mechanics.dependence.find_dependence`.
     """
-    n = flow.system.n
-    depends = _dependence(flow)
-    cyclic = [i for i in range(n) if not any(depends[n + k][i] for k in range(flow.kept))]
+    n, size = flow.system.n, len(flow.y)
+    try:
+        rates = find_dependence(flow, ()).rates
+    except Unlucky:  # too many signs, or nested roots: what stands in the equations counts
+        g = flow.graph
+        nodes = (*flow.velocities, *flow.flat)
+        occurring = frozenset(j for j, y in enumerate(flow.y) if any(g.depends(node, g.deps[y]) for node in nodes))
+        rates = (occurring,) * size
+    cyclic = [i for i in range(n) if all(i not in rates[k] for k in range(n, size))]
     while True:
-        left = [i for i in cyclic if not any(depends[j][i] for j in range(n) if j not in cyclic)]
+        left = [i for i in cyclic if all(i not in rates[j] for j in range(n) if j not in cyclic)]
         if left == cyclic:
             return tuple(cyclic)
         cyclic = left
@@ -120,67 +61,12 @@ def is_autonomous(flow: Flow, p: Sequence[float]) -> bool:
     """Whether the field is free of the time at these values of the parameters (only those that vanish are looked at)."""
     g = flow.graph
     absent = {symbol: g.zero for symbol, value in zip(flow.system.p, p, strict=True) if value == 0.0}
-    nodes = [*flow.velocities, *(x for row in flow.matrix for x in row), *flow.right]
+    nodes = [*flow.velocities, *flow.flat]
     try:
         nodes = substitute(g, nodes, absent)
     except ZeroDivisionError:
         return False
-    seen = [node for node in nodes if g.depends(node, g.deps[flow.system.t])]
-    return all(are_zero(g, [gradient(g, node, [flow.system.t])[0] for node in seen]))
-
-
-def _dependence(flow: Flow) -> list[list[bool]]:
-    """[row][column]: whether y'_row depends on y_column, from residues at random points."""
-    size = len(flow.y)
-    found = [[False] * size for _ in range(size)]
-    points, draws, primes = 0, 0, primes_of(flow.graph)
-    while points < _POINTS:
-        draws += 1
-        if draws > _DRAWS:
-            raise Unlucky
-        prime = primes[points % len(primes)]
-        try:
-            rows = jacobian_residues(flow, FieldPoint(flow.graph, 7_000_003 + draws, prime))
-        except Unlucky:
-            continue
-        points += 1
-        found = [[f or bool(x) for f, x in zip(fs, xs, strict=True)] for fs, xs in zip(found, rows, strict=True)]
-    return found
-
-
-def jacobian_residues(flow: Flow, point: FieldPoint) -> list[list[int]]:
-    """df/dy at a point of a prime field, row by row; :class:`Unlucky` on a pole or where the model is singular."""
-    size, n, p = len(flow.unknowns), flow.system.n, point.prime
-    rows = [point.evaluate(row) for row in flow.velocity_slopes]
-    if not size:
-        return rows
-    matrix = [point.evaluate(row) for row in flow.matrix]
-    values = solve_modulo(matrix, [[x] for x in point.evaluate(flow.right)], p)
-    rates = {symbol: value[0] for symbol, value in zip(flow.unknowns, values, strict=True)}
-    slopes = [point.evaluate(row, rates) for row in flow.residual_slopes]
-    return [*rows[:n], *solve_modulo(matrix, slopes, p)[: flow.kept]]
-
-
-def solve_modulo(matrix: Sequence[Sequence[int]], right: Sequence[Sequence[int]], p: int) -> list[list[int]]:
-    """X with matrix @ X = right in the field of p elements.
-
-    Raises:
-        Unlucky: the matrix is singular there.
-    """
-    size = len(matrix)
-    rows = [[*m, *r] for m, r in zip(matrix, right, strict=True)]
-    for k in range(size):
-        pivot = next((i for i in range(k, size) if rows[i][k] % p), None)
-        if pivot is None:
-            raise Unlucky
-        rows[k], rows[pivot] = rows[pivot], rows[k]
-        inverse = pow(rows[k][k], -1, p)
-        rows[k] = [x * inverse % p for x in rows[k]]
-        for i in range(size):
-            factor = rows[i][k]
-            if i != k and factor:
-                rows[i] = [(x - factor * y) % p for x, y in zip(rows[i], rows[k], strict=True)]
-    return [row[size:] for row in rows]
+    return not any(depends(g, nodes, [flow.system.t]))
 
 
 def reduced(system: System, formulation: Formulation) -> Formulation:
@@ -243,13 +129,6 @@ def leaf_of(system: System, frame: Frame) -> Leaf:
 
 
 # --- names ---------------------------------------------------------------------------------------------------
-
-
-def kept_forms(system: System, frame: Frame | None) -> tuple[Form, ...]:
-    """The velocity forms whose values the state keeps."""
-    if frame is None:
-        return tuple(coordinate_form(system, i) for i in range(system.n))
-    return frame.forms[system.l :]
 
 
 def quantity(flow: Flow, name: str) -> Node | None:

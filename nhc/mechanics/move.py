@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from nhc.algebra.calculus import substitute, tangent
+from nhc.algebra.dense import Singular
 from nhc.algebra.field import Unlucky
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.linear import NamedBlock, Singular, solve_rows
+from nhc.algebra.linear import NamedBlock, solve_rows
 from nhc.mechanics.askew import count_from_joint, find_lean
 from nhc.mechanics.frame import Frame, form_value
 from nhc.mechanics.kinetic import Kinetic

@@ -190,10 +190,7 @@ class _Assembly:
         if any(g.depends(entry, mask) for row in hessian for entry in row):
             return None
         at_rest = substitute(g, slopes, dict.fromkeys(symbols, g.zero), named=False)
-        linear = [
-            g.add(rest, g.sum(g.mul(h, u) for h, u in zip(row, symbols, strict=True)))
-            for rest, row in zip(at_rest, hessian, strict=True)
-        ]
+        linear = [g.add(rest, g.dot(row, symbols)) for rest, row in zip(at_rest, hessian, strict=True)]
         made = Kinetic(
             system=kinetic.system,
             atoms=values,

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from nhc.algebra.calculus import gradient
-from nhc.algebra.modular import are_zero
+from nhc.algebra.modular import are_zero, is_zero
 from nhc.exterior import Form, basis_form, one_form, wedge
 from nhc.mechanics.lagrange import momenta, phase_coframe
 from nhc.mechanics.system import System
@@ -23,7 +23,7 @@ def broken_hypotheses(system: System) -> list[str]:
             reasons.append(f"the kinetic energy couples `{system.q_names[i]}'` to another velocity")
         elif g.depends(row[i], moving):
             reasons.append(f"the inertia of `{system.q_names[i]}` is not constant")
-        elif not are_zero(g, [g.sub(momentum, g.mul(row[i], system.v[i]))])[0]:
+        elif not is_zero(g, g.sub(momentum, g.mul(row[i], system.v[i]))):
             reasons.append(f"T is not homogeneous quadratic in `{system.q_names[i]}'`")
     return reasons
 

@@ -14,8 +14,8 @@ from operator import mul
 
 from nhc.algebra.common_zero import find_common_zero
 from nhc.algebra.graph import Node
+from nhc.algebra.minors import float_determinant
 from nhc.mechanics.given_rank import given_states
-from nhc.mechanics.minors import float_determinant
 from nhc.mechanics.regularity import sampled_rows
 from nhc.mechanics.system import Form, System
 

@@ -19,7 +19,7 @@ from nhc.language.spec import Scene
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choose import Formulation
 from nhc.mechanics.dependence import Dependence, find_dependence
-from nhc.mechanics.linearize import Flow, flow_of, solve_modulo
+from nhc.mechanics.flow import Flow, flow_of, solve_at
 from nhc.mechanics.needs import Wanted, list_needs
 from nhc.mechanics.quadrature import Integral, close_integrals, find_integrals, solve_closed
 from nhc.records import record
@@ -141,8 +141,7 @@ def _integrate(
 
 def _fold(flow: Flow, nodes: Sequence[Node], folded: Mapping[Node, Node]) -> tuple[Flow, list[Node]]:
     g, size = flow.graph, len(flow.unknowns)
-    flat = [x for row in flow.matrix for x in row]
-    new = substitute(g, [*flow.velocities, *flat, *flow.right, *nodes], folded)
+    new = substitute(g, [*flow.velocities, *flow.flat, *nodes], folded)
     n = len(flow.velocities)
     matrix = tuple(tuple(new[n + k * size : n + (k + 1) * size]) for k in range(size))
     start = n + size * size
@@ -215,11 +214,10 @@ class _Model:
         """
         size = len(self.unknowns)
         flat = point.evaluate([*self.matrix, *self.right, *self.guards])
-        matrix = [flat[k * size : (k + 1) * size] for k in range(size)]
-        right = [[x] for x in flat[size * size : size * (size + 1)]]
-        if not all(flat[size * (size + 1) :]):
+        count = size * (size + 1)
+        if not all(flat[count:]):
             raise Unlucky
-        solved = [row[0] for row in solve_modulo(matrix, right, point.prime)] if size else []
+        solved = solve_at(size, flat[:count], point.prime)
         found = point.evaluate([*self.velocities, *self.needs], dict(zip(self.unknowns, solved, strict=True)))
         return [*(solved[k] for k in self.rates), *found]
 

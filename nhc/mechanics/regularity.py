@@ -6,15 +6,14 @@ import math
 import random
 from collections.abc import Callable, Sequence
 from itertools import combinations
-from weakref import WeakKeyDictionary
 
+from nhc.algebra.blocks import determinant_of
 from nhc.algebra.calculus import reachable
 from nhc.algebra.evaluate import evaluate, evaluate_into
-from nhc.algebra.graph import Graph, Node
+from nhc.algebra.graph import Node
 from nhc.algebra.interval import Interval, cannot_vanish
-from nhc.algebra.linear import determinant_of
+from nhc.algebra.minors import relative_minors
 from nhc.algebra.polynomial import normalise
-from nhc.mechanics.minors import relative_minors
 from nhc.mechanics.system import Form, System
 from nhc.mechanics.values import constant_value, default_values, parameter_ranges
 from nhc.records import record
@@ -209,14 +208,14 @@ def coframe_weakness(system: System, forms: Sequence[Form]) -> tuple[int, float]
     return weakness([relative_determinant(matrix, every) for matrix in sampled_rows(system, forms)])
 
 
-_CHOICES: WeakKeyDictionary[Graph, Choice] = WeakKeyDictionary()
-
-
 def choose_dependent(system: System) -> Choice:
-    """The l velocities to solve for: never singular where there is such a choice, else singular as rarely as possible."""
-    known = _CHOICES.get(system.graph)
+    """The l velocities to solve for: never singular where there is such a choice, else singular as rarely as possible.
+
+    The graph keeps the choice: a system with other values in the same constraints has the same one.
+    """
+    known: Choice | None = system.graph.memory.get("dependent velocities")
     if known is None:
-        known = _CHOICES[system.graph] = _choose(system)
+        known = system.graph.memory["dependent velocities"] = _choose(system)
     return known
 
 

@@ -192,7 +192,7 @@ class Resolver:
             constant = self.graph.zero
             coefficients = (self.graph.zero,) * len(self.q)
         g = self.graph
-        value = g.add(g.sum([g.mul(a, v) for a, v in zip(coefficients, self.v, strict=True)]), constant)
+        value = g.add(g.dot(coefficients, self.v), constant)
         return Form(name, coefficients, constant, self.place(span), value=value)
 
 

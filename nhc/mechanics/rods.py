@@ -134,7 +134,7 @@ class Rods:
         for rod in self.roots:
             n, d = rod.axes(g)
             ground = self._ground(rod, drift, moving)
-            reach = g.sum(g.mul(x, a) for x, a in zip(d, ground, strict=True))
+            reach = g.dot(d, ground)
             load = g.add(g.mul(rod.stiffness, reach), pushed[rod.rate])
             for i, along, across in zip(rod.foot, d, n, strict=True):
                 if i is not None:
@@ -163,8 +163,8 @@ class Rods:
             foot = [g.add(g.zero if i is None else found[i], a) for i, a in zip(rod.foot, ground, strict=True)]
             n, d = rod.axes(g)
             local[rod.rate] = (
-                g.sum(g.mul(x, a) for x, a in zip(n, foot, strict=True)),
-                g.sum(g.mul(x, a) for x, a in zip(d, foot, strict=True)),
+                g.dot(n, foot),
+                g.dot(d, foot),
             )
         for rod in self.rods:
             across, along = local[rod.rate]

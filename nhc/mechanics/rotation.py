@@ -19,16 +19,15 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import TYPE_CHECKING
-from weakref import WeakKeyDictionary
 
 from nhc.algebra.calculus import gradient, substitute, tangent
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.linear import NotLinear, linear_form
+from nhc.mechanics.turns import Vector, cross
 
 if TYPE_CHECKING:
     from nhc.mechanics.system import Form, System
 
-Triple = tuple[Node, Node, Node]
 Turning = tuple[Node, Node, Node, Node]
 """(|e|^2)' and the three components of omega."""
 
@@ -46,10 +45,10 @@ class Rotation:
     sign: int
     e: tuple[Node, ...]
     v: tuple[Node, ...]
-    matrix: tuple[Triple, ...]
-    omega: Triple
+    matrix: tuple[Vector, ...]
+    omega: Vector
     growth: Node
-    sums: Triple
+    sums: Vector
     known: dict[tuple[Node, ...], Turning] = field(default_factory=dict)
 
     # --- velocities -----------------------------------------------------------------------------------------
@@ -79,15 +78,14 @@ class Rotation:
             self.known[tuple(rates)] = found
         return found
 
-    def other_momenta(self, graph: Graph, p: Sequence[Node]) -> Triple:
+    def other_momenta(self, graph: Graph, p: Sequence[Node]) -> Vector:
         """From the momenta of e' those of unit turns about the axes of space, for velocities on the body's, or the reverse."""
-        g, zero = graph, graph.zero
+        g, zero, one = graph, graph.zero, graph.one
         own = []
-        for k in range(3):
-            unit = self.velocities(g, (zero, *(g.one if j == k else zero for j in range(3))))  # type: ignore[arg-type]
-            own.append(g.sum([g.mul(a, b) for a, b in zip(p, unit, strict=True)]))
+        for unit in ((zero, one, zero, zero), (zero, zero, one, zero), (zero, zero, zero, one)):
+            own.append(g.dot(p, self.velocities(g, unit)))
         R = self.matrix if self.sign > 0 else tuple(zip(*self.matrix, strict=True))
-        x, y, z = (g.sum([g.mul(a, b) for a, b in zip(row, own, strict=True)]) for row in R)
+        x, y, z = (g.dot(row, own) for row in R)
         return x, y, z
 
     # --- derivatives ----------------------------------------------------------------------------------------
@@ -119,20 +117,9 @@ class Rotation:
             put(graph, found, node, value)
         return found
 
-    def curl(self, graph: Graph, x: Sequence[Node], y: Sequence[Node]) -> Triple:
+    def curl(self, graph: Graph, x: Sequence[Node], y: Sequence[Node]) -> Vector:
         """d omega (X, Y) for vectors whose angular velocities are x and y."""
-        a, b, c = cross(graph, y, x) if self.sign > 0 else cross(graph, x, y)
-        return a, b, c
-
-
-def cross(graph: Graph, x: Sequence[Node], y: Sequence[Node]) -> Triple:
-    """x times y."""
-    g = graph
-    return (
-        g.sub(g.mul(x[1], y[2]), g.mul(x[2], y[1])),
-        g.sub(g.mul(x[2], y[0]), g.mul(x[0], y[2])),
-        g.sub(g.mul(x[0], y[1]), g.mul(x[1], y[0])),
-    )
+        return cross(graph, y, x) if self.sign > 0 else cross(graph, x, y)
 
 
 def put(graph: Graph, mapping: dict[Node, Node], node: Node, value: Node) -> None:
@@ -235,13 +222,14 @@ def virtual_work(system: System, forces: Sequence[Node], torques: Sequence[Node]
 
 # --- forms --------------------------------------------------------------------------------------------------
 
-_SPREAD: WeakKeyDictionary[Graph, dict[Node, tuple[tuple[Node, ...], Node] | None]] = WeakKeyDictionary()
+Spread = tuple[tuple[Node, ...], Node]
+"""Coefficients of a velocity form, and its constant."""
 
 
-def _spread(system: System, value: Node) -> tuple[tuple[Node, ...], Node] | None:
+def _spread(system: System, value: Node) -> Spread | None:
     """Coefficients of a velocity form by q' and by the rotations' omega, where it is written with these, and its constant."""
     g = system.graph
-    memo = _SPREAD.setdefault(g, {})
+    memo: dict[Node, Spread | None] = g.memory.setdefault("forms by angular velocities", {})
     if value not in memo:
         mapping: dict[Node, Node] = {}
         symbols = [g.symbol(f"{r.name}_turn{k}", "test") for r in system.rotations for k in range(3)]
@@ -273,9 +261,9 @@ def exterior_derivative(system: System, form: Form, x: Sequence[Node], x_time: N
         turned += rotation.curl(g, wx, we)
     moved = tangent(g, coefficients, {**along(system, x), system.t: x_time})
     back = tangent(g, [*coefficients, constant], along(system, e))
-    total = g.sum([g.mul(a, b) for a, b in zip(moved, on_e, strict=True)])
-    total = g.sub(total, g.sum([g.mul(a, b) for a, b in zip(back, (*on_x, x_time), strict=True)]))
-    return g.add(total, g.sum([g.mul(f, c) for f, c in zip(coefficients, turned, strict=True)]))
+    total = g.dot(moved, on_e)
+    total = g.sub(total, g.dot(back, (*on_x, x_time)))
+    return g.add(total, g.dot(coefficients, turned))
 
 
 def rows_in_base(system: System, forms: Sequence[Form]) -> list[list[Node]]:
@@ -284,7 +272,7 @@ def rows_in_base(system: System, forms: Sequence[Form]) -> list[list[Node]]:
     if not system.rotations:
         return [list(form.coefficients) for form in forms]
     base = [g.symbol(name, "base") for name in system.q_names]
-    plain = [g.sum([g.mul(a, v) for a, v in zip(form.coefficients, system.v, strict=True)]) for form in forms]
+    plain = [g.dot(form.coefficients, system.v) for form in forms]
     own = [plain[k] if form.value is None else form.value for k, form in enumerate(forms)]
     values = substitute(g, own, moving(system, from_base(system, base, system.rotations)))
     columns = [tangent(g, values, {symbol: g.one}) for symbol in base]

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from nhc.algebra.dense import Singular
 from nhc.algebra.draw import MOST_DRAWS, draw_points
 from nhc.algebra.graph import Node
-from nhc.algebra.linear import Singular
 from nhc.algebra.modular import FieldPoint, Unlucky
 from nhc.mechanics.claims import admissible_velocities, reference_claim, solve_exactly
 from nhc.mechanics.formulate import rate_symbols

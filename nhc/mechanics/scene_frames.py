@@ -5,18 +5,18 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from nhc.algebra.calculus import gradient, substitute
+from nhc.algebra.dense import Singular
 from nhc.algebra.graph import Node
-from nhc.algebra.linear import NotLinear, Singular, linear_form
-from nhc.algebra.modular import FieldPoint, Unlucky, rank
-from nhc.algebra.primes import primes_of
+from nhc.algebra.linear import NotLinear, linear_form
+from nhc.algebra.modular import Unlucky, rank
 from nhc.language.spec import Scene
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choose import Formulation, NotApplicable, build
 from nhc.mechanics.constancy import has_jumps, shows_jumps
-from nhc.mechanics.dependence import values_at
-from nhc.mechanics.frame import Frame, coordinate_form, make_frame, total_derivative
+from nhc.mechanics.dependence import find_vanishing
+from nhc.mechanics.flow import flow_of
+from nhc.mechanics.frame import coordinate_form, kept_forms, make_frame, total_derivative, velocity_symbol
 from nhc.mechanics.kinetic import Kinetic
-from nhc.mechanics.linearize import flow_of
 from nhc.mechanics.rotation import moving
 from nhc.mechanics.system import Form, System
 
@@ -67,7 +67,7 @@ def _in_frame(system: System, forms: Sequence[Form], reason: str) -> Formulation
     """The Euler-Lagrange formulation on the constraints and these forms."""
     named = _named(system, forms)
     try:
-        frame = make_frame(system, named, [_symbol(system, form) for form in named])
+        frame = make_frame(system, named, [velocity_symbol(system, form) for form in named])
     except Singular:
         return None
     if shows_jumps(
@@ -75,12 +75,6 @@ def _in_frame(system: System, forms: Sequence[Form], reason: str) -> Formulation
     ):  # it would be continuous in place of the velocities
         return None
     return Formulation("euler-lagrange", "I.2.15" if system.l else "I.2.14", frame, None, (), reason)
-
-
-def _symbol(system: System, form: Form) -> Node:
-    if form.name in system.q_names:
-        return system.v[system.q_names.index(form.name)]
-    return system.graph.symbol(form.name, "quasi")
 
 
 def _named(system: System, forms: Sequence[Form]) -> list[Form]:
@@ -101,13 +95,6 @@ def _named(system: System, forms: Sequence[Form]) -> list[Form]:
     return found
 
 
-def free_forms(system: System, frame: Frame | None) -> tuple[Form, ...]:
-    """The forms of the velocities that a formulation keeps."""
-    if frame is None:
-        return tuple(coordinate_form(system, i) for i in range(system.n))
-    return frame.forms[system.l :]
-
-
 def momentum_formulation(equations: Equations, formulation: Formulation) -> Formulation | None:
     """The coframe in which conserved momenta p_mu = e_mu dT/dq' take the place of their velocities (Routh); None without any.
 
@@ -117,12 +104,12 @@ def momentum_formulation(equations: Equations, formulation: Formulation) -> Form
     if not equations.motion.w or equations.multipliers:
         return None
     slopes = gradient(g, system.T, system.v)
-    momenta = [g.sum([g.mul(b, p) for b, p in zip(e, slopes, strict=True)]) for e in equations.motion.vectors]
+    momenta = [g.dot(e, slopes) for e in equations.motion.vectors]
     conserved = _conserved(equations, momenta)
     if not any(conserved):
         return None
     forms, names = [], []
-    for form, momentum, constant in zip(free_forms(system, formulation.frame), momenta, conserved, strict=True):
+    for form, momentum, constant in zip(kept_forms(system, formulation.frame), momenta, conserved, strict=True):
         if not constant:
             forms.append(form)
             continue
@@ -145,16 +132,9 @@ def _conserved(equations: Equations, momenta: Sequence[Node]) -> list[bool]:
     on = moving(system, motion.velocities)
     rates = dict(zip(motion.w, motion.rates, strict=True))
     nodes = [total_derivative(system, node, motion.velocities, rates) for node in substitute(g, momenta, on)]
-    zero, seen, primes = [True] * len(nodes), 0, primes_of(g)
-    for draw in range(400):
-        point = FieldPoint(g, 11_000_003 + draw, primes[seen])
-        try:
-            found = values_at(flow, nodes, point)
-        except Unlucky:
-            continue
-        own = found[system.n : len(flow.y)]
-        zero = [z and not x and bool(w) for z, x, w in zip(zero, found[len(flow.y) :], own, strict=True)]
-        seen += 1
-        if seen == 2:
-            return zero
-    return [False] * len(nodes)
+    try:
+        zero = find_vanishing(flow, nodes)
+    except Unlucky:
+        return [False] * len(nodes)
+    size = len(flow.y)
+    return [vanishes and not own for vanishes, own in zip(zero[size:], zero[system.n : size], strict=True)]

@@ -8,12 +8,15 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from fractions import Fraction
 
+from nhc.algebra.dense import RowSpace
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Node
-from nhc.diagnostics import Bag, nearest
+from nhc.diagnostics import Bag, quote, suggest
 from nhc.language.spec import Scene, Spec
 from nhc.language.syntax import Syntax
+from nhc.mechanics.frame import coordinate_form
 from nhc.mechanics.regularity import choose_dependent
 from nhc.mechanics.system import Form, System
 from nhc.mechanics.values import constant_value
@@ -54,9 +57,8 @@ def check_scene_name(spec: Spec, scene: str) -> None:
     if not scene or scene in names:
         return
     bag = Bag(spec.origin)
-    near = nearest(scene, names)
-    help = f"did you mean `{near}`?" if near else "name one of them after `--scene`, or add it under `scenes:`"
-    known = ", ".join(f"`{name}`" for name in names) or "none"
+    help = suggest(scene, names, "name one of them after `--scene`, or add it under `scenes:`")
+    known = quote(names) or "none"
     bag.error(
         "E0503", f"no scene `{scene}`", spec.key_span("scenes"), notes=(f"the spec's scenes: {known}",), help=(help,)
     )
@@ -130,8 +132,6 @@ def _constant(tree: Syntax, names: dict[str, float]) -> float:
 
 
 def _parameters(system: System, scene: Scene, bag: Bag) -> tuple[float, ...]:
-    from fractions import Fraction
-
     override = {entry.name: entry.value for entry in scene.parameters}
     values, names = [], dict[str, float]()
     for parameter in system.spec.parameters:
@@ -204,7 +204,7 @@ def _velocities(
         fixed = len(rows)
         for (kind, name), value in given.items():
             if kind == "velocity":
-                add(_unit(system, name), value, _FOUND_AS[kind].format(name))
+                add(coordinate_form(system, system.q_names.index(name)), value, _FOUND_AS[kind].format(name))
             elif kind == "quasi":
                 add(next(f for f in system.quasi if f.name == name), value, _FOUND_AS[kind].format(name))
     except (ArithmeticError, ValueError):
@@ -234,59 +234,16 @@ def _velocities(
     return tuple(solver.solution())
 
 
-def _unit(system: System, name: str) -> Form:
-    from nhc.mechanics.frame import coordinate_form
-
-    return coordinate_form(system, system.q_names.index(name))
-
-
 def _free_order(system: System, given: dict[tuple[str, str], float]) -> list[Form]:
     """What is set to zero, first come first served: quasi-velocities when the scene speaks in them, else independent
     velocities.
     """
-    from nhc.mechanics.frame import coordinate_form
-
     dependent = system.dependent or choose_dependent(system).dependent
     independent = [i for i in range(system.n) if i not in dependent]
     coordinates = [coordinate_form(system, i) for i in (*independent, *dependent)]
     if any(kind == "quasi" for kind, _ in given):
         return [*system.quasi, *coordinates]
     return coordinates
-
-
-class RowSpace:
-    """Linear equations taken one by one; each is reduced by those before it."""
-
-    def __init__(self, size: int) -> None:
-        self.size = size
-        self.rows: list[tuple[int, list[float], float]] = []
-
-    def add(self, row: Sequence[float], value: float) -> float | None:
-        """None if the equation was new; else by how much it contradicts the earlier ones (relative to its terms)."""
-        row, scale = list(row), max((abs(x) for x in row), default=0.0)
-        size = max(scale, abs(value), 1e-300)
-        for column, known, right in self.rows:
-            factor = row[column]
-            if factor:
-                row = [x - factor * y for x, y in zip(row, known, strict=True)]
-                value -= factor * right
-        pivot = max(range(self.size), key=lambda j: abs(row[j]))
-        if abs(row[pivot]) <= 1e-9 * max(scale, 1e-300):
-            return value / size
-        inverse = 1.0 / row[pivot]
-        row, value = [x * inverse for x in row], value * inverse
-        self.rows = [
-            (c, [x - known[pivot] * y for x, y in zip(known, row, strict=True)], right - known[pivot] * value)
-            for c, known, right in self.rows
-        ]
-        self.rows.append((pivot, row, value))
-        return None
-
-    def solution(self) -> list[float]:
-        result = [0.0] * self.size
-        for column, _, value in self.rows:
-            result[column] = value
-        return result
 
 
 def kept_velocities(system: System, forms: Sequence[Form], start: Start) -> list[float]:

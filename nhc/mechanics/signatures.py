@@ -1,16 +1,17 @@
 """Values of expressions at two random points of prime fields: equal expressions have equal signatures.
 
-Two different ones share a signature with a probability of about (degree / 2**61)**2, as in :mod:`nhc.algebra.modular`.
+Two different ones share a signature with a probability of about (degree / 2**61)**2, as in :mod:`nhc.algebra.modular`.  Signs and
+roots are arbitrary functions of what they are taken of: in the field x and abs(x) agree at every second point.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from nhc.algebra.draw import QuickPoint
 from nhc.algebra.field import FieldPoint, Unlucky
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.primes import primes_of
+from nhc.algebra.values import ArbitraryPoint
 
 Signature = tuple[int, ...]
 _TRIES = 20
@@ -27,7 +28,7 @@ class Signatures:
         self._points: list[FieldPoint] = []
         for k, prime in enumerate(primes_of(graph)[:2]):
             for attempt in range(_TRIES):
-                point = QuickPoint(graph, 31 + 977 * k + attempt, prime)
+                point = ArbitraryPoint(graph, 31 + 977 * k + attempt, prime)
                 try:
                     point.evaluate(announced)
                 except Unlucky:

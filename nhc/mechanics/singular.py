@@ -7,11 +7,12 @@ from collections.abc import Sequence
 from itertools import combinations
 
 from nhc.algebra.angles import normalise_angles
+from nhc.algebra.blocks import determinant_of
 from nhc.algebra.calculus import substitute, tangent
+from nhc.algebra.dense import symmetric_eigenvalues
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Node
 from nhc.algebra.interval import cannot_vanish
-from nhc.algebra.linear import determinant_of
 from nhc.algebra.modular import are_zero
 from nhc.algebra.polynomial import normalise
 from nhc.algebra.subdivision import cannot_vanish_together
@@ -103,23 +104,3 @@ def smallest_singular_value(system: System, place: dict[Node, float]) -> float:
     rows = [values[k * system.n : (k + 1) * system.n] for k in range(system.l)]
     gram = [[sum(x * y for x, y in zip(r, s, strict=True)) for s in rows] for r in rows]
     return math.sqrt(max(0.0, min(symmetric_eigenvalues(gram))))
-
-
-def symmetric_eigenvalues(matrix: list[list[float]]) -> list[float]:
-    """Eigenvalues of a small symmetric matrix (Jacobi 1846: cyclic rotations until the rest is negligible)."""
-    a, size = [list(row) for row in matrix], len(matrix)
-    for _ in range(60):
-        off = sum(a[i][j] ** 2 for i in range(size) for j in range(size) if i != j)
-        if off <= 1e-30 * sum(a[i][i] ** 2 for i in range(size)):
-            break
-        for p in range(size):
-            for q in range(p + 1, size):
-                if a[p][q] == 0.0:
-                    continue
-                angle = 0.5 * math.atan2(2 * a[p][q], a[q][q] - a[p][p])
-                c, s = math.cos(angle), math.sin(angle)
-                for k in range(size):
-                    a[k][p], a[k][q] = c * a[k][p] - s * a[k][q], s * a[k][p] + c * a[k][q]
-                for k in range(size):
-                    a[p][k], a[q][k] = c * a[p][k] - s * a[q][k], s * a[p][k] + c * a[q][k]
-    return [a[i][i] for i in range(size)]

@@ -2,7 +2,8 @@
 
 A turn of space about a fixed axis multiplies a quaternion from the left, one about an axis of the body from the right, so both
 are linear in e; angular velocities on the axes that turn are turned with them.  A combination S of such turns is a symmetry of
-y' = f(y) where S f = (df/dy) S y.  All combinations are found by exact linear algebra at random points of a prime field.
+y' = f(y) where S f = (df/dy) S y.  All combinations are found by exact linear algebra at random points of a prime field; those
+that change what a sign is taken of are none.
 """
 
 from __future__ import annotations
@@ -10,11 +11,14 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 
-from nhc.algebra.modular import FieldPoint, Unlucky
+from nhc.algebra.calculus import reachable, tangent
+from nhc.algebra.graph import Node
+from nhc.algebra.linear import STEPPED
+from nhc.algebra.modular import FieldPoint, Unlucky, are_zero
 from nhc.algebra.primes import primes_of
 from nhc.algebra.relations import find_relations
+from nhc.mechanics.flow import Flow, jacobian_residues, solve_at
 from nhc.mechanics.frame import Frame
-from nhc.mechanics.linearize import Flow, jacobian_residues, solve_modulo
 
 Generator = Mapping[tuple[int, int], Fraction]
 """S by its entries (row, column) over the state."""
@@ -35,6 +39,7 @@ def turning_symmetries(flow: Flow, frame: Frame | None, rest: Sequence[int]) -> 
         found = [_symmetries(flow, rest, made) for made in (of_space, [*of_space, *of_bodies])]
     except Unlucky:
         return ()
+    found = [tuple(turn for turn in made if _keeps_steps(flow, turn)) for made in found]
     kept = found if len(found[1]) > len(found[0]) else found[:1]
     return tuple(made for made in kept if made)
 
@@ -86,16 +91,24 @@ def _symmetries(flow: Flow, rest: Sequence[int], generators: Sequence[Generator]
     return tuple(found)
 
 
+def _keeps_steps(flow: Flow, generator: Generator) -> bool:
+    """Whether a turn leaves alone what signs, roots and branches are taken of: their own slopes tell of no step."""
+    g, seeds = flow.graph, dict[Node, Node]()
+    for (row, column), x in generator.items():
+        y = flow.y[row]
+        seeds[y] = g.add(seeds.get(y, g.zero), g.mul(g.number(x), flow.y[column]))
+    nodes = reachable(g, [*flow.velocities, *flow.flat], g.mask(seeds))
+    arguments = dict.fromkeys(kid for node in nodes if g.op[node] in STEPPED for kid in g.kids[node])
+    return all(are_zero(g, tangent(g, list(arguments), seeds)))
+
+
 def _defects(flow: Flow, rest: Sequence[int], generators: Sequence[Generator], point: FieldPoint) -> list[list[int]]:
     """(df/dy S y - S f) for every generator (columns) and entry of ``rest`` (rows), at a point."""
     p, size = point.prime, len(flow.unknowns)
     slopes = jacobian_residues(flow, point)
     y = point.evaluate(flow.y)
     rates = list(point.evaluate(flow.velocities))
-    if size:
-        matrix = [point.evaluate(row) for row in flow.matrix]
-        values = solve_modulo(matrix, [[x] for x in point.evaluate(flow.right)], p)
-        rates += [value[0] for value in values[: flow.kept]]
+    rates += solve_at(size, point.evaluate(flow.flat), p)[: flow.kept]
     columns = []
     for generator in generators:
         moved, turned = dict.fromkeys(range(len(y)), 0), dict.fromkeys(range(len(y)), 0)

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import partial
 
+from nhc.algebra.calculus import derivative
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.linear import linear_form
 from nhc.language import Spec
@@ -126,8 +127,6 @@ class System:
 
     def force(self, i: int) -> Node:
         """Q_i, all of it: dU/dq_i and the forces that have no potential."""
-        from nhc.algebra.calculus import derivative
-
         return self.graph.add(derivative(self.graph, self.U, self.q[i]), self.Q[i])
 
     @property

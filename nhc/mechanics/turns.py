@@ -11,7 +11,7 @@ same plane are joined by one turn by the difference of their angles, which is wh
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 from nhc.algebra.graph import Graph, Node
 from nhc.records import record
@@ -63,7 +63,7 @@ def change_axes(graph: Graph, vector: Vector, source: Path, target: Path) -> Vec
     return vector
 
 
-def cross(graph: Graph, x: Vector, y: Vector) -> Vector:
+def cross(graph: Graph, x: Sequence[Node], y: Sequence[Node]) -> Vector:
     """x times y."""
     g = graph
     return (

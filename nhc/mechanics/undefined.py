@@ -1,12 +1,13 @@
-"""Where an expression of the spec has no real, finite value."""
+"""Expressions of the spec without a real, finite value, or slope, at a state."""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from contextlib import suppress
 
-from nhc.algebra.calculus import reachable
-from nhc.algebra.evaluate import evaluate_into
+from nhc.algebra.calculus import gradient, reachable
+from nhc.algebra.evaluate import evaluate, evaluate_into
 from nhc.algebra.graph import Node
 from nhc.algebra.show import to_text
 from nhc.mechanics.system import System
@@ -28,3 +29,18 @@ def find_undefined(system: System, place: dict[Node, float]) -> str:
         evaluate_into(known, graph, order)
     wrong = next((node for node in order if not math.isfinite(known.get(node, math.nan))), None)
     return to_text(graph, wrong, _LONGEST) if wrong is not None else ""
+
+
+def find_pole(system: System, values: Mapping[Node, float]) -> str:
+    """What of T, the potential and the forces has no finite value or slope at a state, in words; empty where all have."""
+    g, moving = system.graph, (*system.q, *system.v)
+    parts = [("`T`", system.T, moving), (f"`{system.spec.potential_kind or 'V'}`", system.U, system.q)]
+    parts += [(f"the force on `{name}`", node, ()) for name, node in zip(system.q_names, system.Q, strict=True)]
+    for name, node, symbols in parts:
+        try:
+            found = [float(x) for x in evaluate(g, [node, *gradient(g, node, symbols)], dict(values))]
+        except (ArithmeticError, ValueError):
+            found = [math.nan]
+        if not all(map(math.isfinite, found)):
+            return f"{name} has no finite value, or slope,"
+    return ""

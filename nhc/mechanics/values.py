@@ -6,7 +6,7 @@ from fractions import Fraction
 
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Graph, Node
-from nhc.language.syntax import Syntax
+from nhc.language.syntax import Binary, Call, Name, Negate, Number, Syntax, fold_tree
 from nhc.mechanics.system import System
 
 
@@ -18,13 +18,13 @@ def default_values(system: System) -> dict[Node, float]:
     return values
 
 
-def parameter_value(value: object) -> float:
+def parameter_value(value: Fraction | Syntax | None) -> float:
     """A parameter's double; 1 stands for one that each scene has to give."""
     if value is None:
         return 1.0
     if isinstance(value, Fraction):
         return float(value)
-    return constant_value(value)  # type: ignore[arg-type]
+    return constant_value(value)
 
 
 def scene_values(system: System) -> list[dict[Node, float]]:
@@ -56,8 +56,6 @@ def parameter_ranges(system: System) -> dict[Node, tuple[float, float]]:
 
 def constant_value(tree: Syntax, names: dict[str, float] | None = None) -> float:
     """The double of a constant expression (numbers, pi, and the given names)."""
-    from nhc.language.syntax import fold_tree
-
     graph = Graph()
     known = dict(names or {})
     node = fold_tree(tree, lambda part, operands: _constant(graph, part, operands, known))
@@ -65,8 +63,6 @@ def constant_value(tree: Syntax, names: dict[str, float] | None = None) -> float
 
 
 def _constant(graph: Graph, part: Syntax, operands: tuple[Node, ...], names: dict[str, float]) -> Node:
-    from nhc.language.syntax import Binary, Call, Name, Negate, Number
-
     match part:
         case Number():
             return graph.number(part.value)

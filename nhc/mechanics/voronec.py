@@ -49,7 +49,7 @@ class Reduced:
     def velocity(self, a: int) -> Node:
         """q'_alpha = b_alphanu q'_nu + b_alpha for the a-th dependent coordinate."""
         g = self.graph
-        return g.add(g.sum([g.mul(b, v) for b, v in zip(self.b[a], self.v_mu, strict=True)]), self.b_0[a])
+        return g.add(g.dot(self.b[a], self.v_mu), self.b_0[a])
 
 
 @equation("I.4.3", "I.3.3")

@@ -6,12 +6,10 @@ zero, with the rates of the free velocities as given symbols.  The errata they b
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 
 from nhc.algebra.calculus import derivative, gradient, substitute
-from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Node
-from nhc.algebra.linear import Singular, linear_form
 from nhc.mechanics import euler_lagrange
 from nhc.mechanics.frame import Frame, total_derivative
 from nhc.mechanics.voronec import Reduced, applied_force, motion_rate
@@ -112,7 +110,7 @@ def _hamel_rows(frame: Frame, rates: tuple[Node, ...], upper: Sequence[int], tim
     return rows
 
 
-# --- what they predict ------------------------------------------------------------------------------------
+# --- all of them ------------------------------------------------------------------------------------
 
 
 @record
@@ -145,42 +143,3 @@ FRAME = (
     OnFrame("III_2_6_as_printed", "E3", "III.2.6, momenta of the free quasi-velocities only", III_2_6_as_printed),
     OnFrame("III_2_4_doubled_gamma", "E2", "III.2.4, the gamma terms counted twice", III_2_4_doubled_gamma),
 )
-
-
-def accelerations(
-    frame: Frame, rows: Sequence[Node], rates: Sequence[Node], states: Iterable[Mapping[Node, float]]
-) -> list[list[float]]:
-    """q''_1..q''_n that rows linear in ``rates`` predict at each state (values of q, the free velocities, p and t).
-
-    Raises:
-        nhc.algebra.linear.Singular: the rows do not determine the rates at one of them.
-        nhc.algebra.linear.NotLinear: a row is not linear in the rates.
-    """
-    g, size = frame.graph, len(rates)
-    forms = [linear_form(g, row, rates) for row in rows]
-    entries = [entry for coefficients, constant in forms for entry in (*coefficients, constant)]
-    moving = dict(zip(frame.free, rates, strict=True))
-    second = [total_derivative(frame.system, node, frame.kinematics, moving) for node in frame.kinematics]
-    predicted = []
-    for values in states:
-        flat = [float(x) for x in evaluate(g, entries, values)]
-        table = [flat[k * (size + 1) : (k + 1) * (size + 1)] for k in range(size)]
-        solved = _eliminate([[*row[:-1], -row[-1]] for row in table])
-        predicted.append([float(x) for x in evaluate(g, second, {**values, **dict(zip(rates, solved, strict=True))})])
-    return predicted
-
-
-def _eliminate(table: list[list[float]]) -> list[float]:
-    """Gauss and Jordan with row pivoting on the augmented matrix."""
-    size = len(table)
-    for k in range(size):
-        pivot = max(range(k, size), key=lambda i: abs(table[i][k]))
-        if table[pivot][k] == 0.0:
-            raise Singular
-        table[k], table[pivot] = table[pivot], table[k]
-        table[k] = [x / table[k][k] for x in table[k]]
-        for i in range(size):
-            if i != k and table[i][k] != 0.0:
-                factor = table[i][k]
-                table[i] = [x - factor * y for x, y in zip(table[i], table[k], strict=True)]
-    return [row[-1] for row in table]

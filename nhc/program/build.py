@@ -14,7 +14,7 @@ from nhc.algebra.related import relate_angles
 from nhc.algebra.shorten import shorten
 from nhc.algebra.values import share_values
 from nhc.mechanics.formulate import accelerations, reaction_values
-from nhc.mechanics.frame import coordinate_form, form_value
+from nhc.mechanics.frame import form_value, kept_forms
 from nhc.mechanics.system import Form
 from nhc.program.ir import Argument, Function, Origin
 from nhc.program.jacobian import plan_jacobian
@@ -148,10 +148,8 @@ class Planner(PlannerBase):
         )
 
     def kept_forms(self) -> tuple[Form, ...]:
-        frame = self.formulation.frame
-        if frame is None:
-            return tuple(coordinate_form(self.system, i) for i in range(self.system.n))
-        return frame.forms[self.system.l :]
+        """The velocity forms of the full state, in its order."""
+        return kept_forms(self.system, self.formulation.frame)
 
     def _motion_arguments(self) -> tuple[Argument, ...]:
         n = self.system.n

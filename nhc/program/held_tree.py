@@ -12,7 +12,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from nhc.algebra.calculus import substitute
-from nhc.algebra.graph import Graph, Node
+from nhc.algebra.graph import Node
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.frame import form_value, total_derivative
 from nhc.mechanics.motion import Motion
@@ -61,17 +61,13 @@ def _held(equations: Equations, tree: Elimination) -> tuple[list[Node], list[tup
     g, still = system.graph, {v: system.graph.zero for v in system.v}
     rows = [form.coefficients for form in system.constraints]
     answers = [tree.solve(row) for row in rows]
-    matrix = [[_dot(g, row, answer) for answer in answers] for row in rows]
+    matrix = [[g.dot(row, answer) for answer in answers] for row in rows]
     right = []
     for form, row in zip(system.constraints, rows, strict=True):
         moved = total_derivative(system, form_value(g, form, system.v), system.v, still)
-        right.append(g.neg(g.add(moved, _dot(g, row, tree.rates))))
+        right.append(g.neg(g.add(moved, g.dot(row, tree.rates))))
     factors = factor(g, matrix)
     reactions = solve_factored(g, factors, right)
     columns = zip(tree.rates, *answers, strict=True)
     accelerations = [g.sum([a, *(g.mul(x, y) for x, y in zip(reactions, ys, strict=True))]) for a, *ys in columns]
     return accelerations, tree.pivots + [(d, matrix[k][k]) for k, d in enumerate(factors.pivots)]
-
-
-def _dot(graph: Graph, row: tuple[Node, ...], column: list[Node]) -> Node:
-    return graph.sum([graph.mul(a, x) for a, x in zip(row, column, strict=True)])

@@ -21,9 +21,8 @@ from nhc.mechanics.frame import form_value
 from nhc.mechanics.rotation import moving
 from nhc.mechanics.system import Form, System
 from nhc.program.build import Planner
-from nhc.program.ir import Argument, Function, Hold
-from nhc.program.lower import lower_function
-from nhc.program.plan import FunctionPlan, SolvePlan, Target
+from nhc.program.ir import Function, Hold
+from nhc.program.plan import SolvePlan
 
 SINGULAR_HOLD = 3
 SINGULAR = "the constraints, or the masses on them, are singular here, so that a state cannot be brought back"
@@ -106,12 +105,7 @@ def _normalise(planner: Planner) -> Function:
         length = g.function("sqrt", g.sum([g.power(e, 2) for e in rotation.e]))
         scale.update({k: g.inverse(length) for k in rotation.places})
     moved = [g.mul(node, scale[k]) if k in scale else node for k, node in enumerate(state)]
-    inputs = (Argument("t", -1), planner.y, planner.p)
-    targets = tuple(Target(k, node) for k, node in enumerate(moved))
-    output = Argument("out", len(state))
-    about = "quaternions of length 1"
-    plan = FunctionPlan("hold_q", about, "", inputs, output, planner.state_loads, targets)
-    return lower_function(g, plan, system.p)
+    return planner.lower_out("hold_q", "quaternions of length 1", moved)
 
 
 def _function(
@@ -133,8 +127,4 @@ def _function(
     state = [*system.q, *motion.w]
     for k in range(n):
         state[first + k] = g.add(state[first + k], unknowns[k])
-    targets = tuple(Target(k, node) for k, node in enumerate(state))
-    inputs = (Argument("t", -1), planner.y, planner.p)
-    output = Argument("out", len(state))
-    plan = FunctionPlan(name, about, "", inputs, output, planner.state_loads, targets, None, (), (solve,))
-    return lower_function(g, plan, system.p)
+    return planner.lower_out(name, about, state, solves=(solve,))

@@ -121,10 +121,7 @@ def make_residual(planner: Planner, matrix: Sequence[Sequence[Node]], right: Seq
     """right - matrix x, row by row, where x are the rates' symbols and those of the multipliers."""
     g = planner.graph
     unknowns = (*planner.equations.motion.rates, *planner.equations.multipliers)
-    return [
-        g.sub(value, g.sum([g.mul(m, x) for m, x in zip(row, unknowns, strict=True)]))
-        for row, value in zip(matrix, right, strict=True)
-    ]
+    return [g.sub(value, g.dot(row, unknowns)) for row, value in zip(matrix, right, strict=True)]
 
 
 def _solve_densely(planner: Planner) -> Slopes:

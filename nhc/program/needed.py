@@ -16,20 +16,16 @@ from nhc.algebra.modular import Unlucky
 from nhc.algebra.shorten import shorten
 from nhc.mechanics.dependence import find_dependence
 from nhc.mechanics.drawing import Sketch, sketch_of
+from nhc.mechanics.flow import flow_of
 from nhc.mechanics.formulate import reaction_values
 from nhc.mechanics.frame import form_value
-from nhc.mechanics.linearize import flow_of
 from nhc.mechanics.rotation import moving
 from nhc.program.build import Planner
-from nhc.program.ir import Argument, Function, Origin
-from nhc.program.lower import lower_function
-from nhc.program.plan import FunctionPlan, GuardPlan, Target
+from nhc.program.ir import Function
 from nhc.records import record
 
 if TYPE_CHECKING:
     from nhc.program.scene_planner import ScenePlanner  # which needs the model's names, as this module's users do
-
-_T = Argument("t", -1)
 
 
 @record
@@ -115,29 +111,5 @@ def needed_function(planner: Planner, columns: Sequence[Column]) -> Function:
     solves = planner.graph.mask([s for plan in planner.solves for column in plan.symbols for s in column])
     dense = any(planner.graph.depends(node, solves) for node in nodes) if planner.solves else False
     guards = planner.frame_guards() + (planner.mass_guards if "lambda" in " ".join(names) else ())
-    return _function(planner, "needed", "what the run needs, in the order of its columns", nodes, names, guards, dense)
-
-
-def _function(
-    planner: Planner,
-    name: str,
-    about: str,
-    nodes: Sequence[Node],
-    names: Sequence[str],
-    guards: tuple[GuardPlan, ...],
-    dense: bool,
-) -> Function:
-    targets = tuple(Target(k, node, text, Origin()) for k, (node, text) in enumerate(zip(nodes, names, strict=True)))
-    plan = FunctionPlan(
-        name,
-        about,
-        "",
-        (_T, planner.y, planner.p),
-        Argument("out", len(targets)),
-        planner.state_loads,
-        targets,
-        None,
-        guards,
-        planner.solves if dense else (),
-    )
-    return lower_function(planner.graph, plan, planner.system.p)
+    about = "what the run needs, in the order of its columns"
+    return planner.lower_out("needed", about, nodes, names, guards, planner.solves if dense else ())

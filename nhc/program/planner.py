@@ -13,7 +13,8 @@ from nhc.mechanics.choose import Formulation
 from nhc.mechanics.formulate import bordered_system
 from nhc.mechanics.rotation import moving
 from nhc.mechanics.system import System
-from nhc.program.ir import Argument, Origin
+from nhc.program.ir import Argument, Function, Origin
+from nhc.program.lower import lower_function
 from nhc.program.mass_route import mass_route
 from nhc.program.plan import FunctionPlan, GuardPlan, SolvePlan, Target
 
@@ -190,6 +191,22 @@ class PlannerBase:
             guards,
             solves,
         )
+
+    def lower_out(
+        self,
+        name: str,
+        about: str,
+        nodes: Sequence[Node],
+        texts: Sequence[str] = (),
+        guards: tuple[GuardPlan, ...] = (),
+        solves: tuple[SolvePlan, ...] = (),
+    ) -> Function:
+        """A function of (t, y, p) that writes the nodes into ``out``; ``texts`` say what each of them is."""
+        about_each = texts or [""] * len(nodes)
+        targets = tuple(Target(k, node, text) for k, (node, text) in enumerate(zip(nodes, about_each, strict=True)))
+        inputs, output = (T_ARGUMENT, self.y, self.p), Argument("out", len(targets))
+        plan = FunctionPlan(name, about, "", inputs, output, self.state_loads, targets, None, guards, solves)
+        return lower_function(self.graph, plan, self.system.p)
 
     def kept_names(self) -> list[str]:
         found = []

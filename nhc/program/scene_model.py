@@ -14,11 +14,12 @@ from nhc.mechanics.associate import Equations
 from nhc.mechanics.choose import Formulation
 from nhc.mechanics.conditioning import find_start
 from nhc.mechanics.formulate import equations_of
+from nhc.mechanics.frame import kept_forms
 from nhc.mechanics.kinetic import Kinetic, kinetic_structure
 from nhc.mechanics.quadrature import find_closed
 from nhc.mechanics.reduce import Reduction, keep_everything, reduce_equations
 from nhc.mechanics.regularity import intervals
-from nhc.mechanics.scene_frames import free_forms, list_formulations, momentum_formulation
+from nhc.mechanics.scene_frames import list_formulations, momentum_formulation
 from nhc.mechanics.scenes import Start, start_of
 from nhc.mechanics.system import Form, System
 from nhc.program.build import Planner, rewrite
@@ -203,7 +204,7 @@ class _Search:
 
     def _is_known(self, formulation: Formulation) -> bool:
         """Whether its free velocities were tried before, perhaps under another name."""
-        forms = free_forms(self.system, formulation.frame)
+        forms = kept_forms(self.system, formulation.frame)
         key = tuple(Form("", form.coefficients, form.constant) for form in forms)
         known = key in self.seen
         self.seen.add(key)

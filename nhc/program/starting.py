@@ -4,21 +4,17 @@ from __future__ import annotations
 
 import math
 import operator
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from fractions import Fraction
 
-from nhc.algebra.calculus import gradient
-from nhc.algebra.elimination import solve_double
+from nhc.algebra.dense import RowSpace, Singular, pivot_signs, solve_double
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Node
-from nhc.algebra.linear import Singular
-from nhc.diagnostics import Bag, SpecError
+from nhc.diagnostics import Bag, SpecError, quote
 from nhc.language.spec import Scene
 from nhc.mechanics.given_rank import find_dependent_as_given, find_dependent_row, given_states
-from nhc.mechanics.kinetic import pivot_signs
-from nhc.mechanics.scenes import RowSpace, Start, kept_velocities, left_at_zero, place_of
-from nhc.mechanics.system import System
-from nhc.mechanics.undefined import find_undefined
+from nhc.mechanics.scenes import Start, kept_velocities, left_at_zero, place_of
+from nhc.mechanics.undefined import find_pole, find_undefined
 from nhc.program.build import Planner
 
 _NOTHING: tuple[str, tuple[str, ...]] = ("", ())
@@ -57,7 +53,7 @@ def warn_undetermined(planner: Planner, start: Start, bag: Bag) -> None:
         what = find_pole(planner.system, start.values(planner.system))
     if not what:
         return
-    names = ", ".join(f"`{name}`" for name in zero)
+    names = quote(zero)
     notes = (f"{names} {'is' if len(zero) == 1 else 'are'} zero there",) if zero else ()
     help = f"give {names} a value, under `parameters:` or in the scene" if zero else "let it start elsewhere"
     system = planner.system
@@ -119,7 +115,7 @@ def warn_as_given(planner: Planner, bag: Bag) -> None:
         found.append(find_undetermined(planner, Start(scene, (place[system.t], place[system.t] + 1), p, q, v)))
     if found and all(what for what, _ in found):
         what, zero = found[0]
-        names = ", ".join(f"`{name}`" for name in zero)
+        names = quote(zero)
         bag.warning(
             "W0422",
             f"{what} with the values under `parameters:`",
@@ -127,21 +123,6 @@ def warn_as_given(planner: Planner, bag: Bag) -> None:
             notes=(f"{names} {'is' if len(zero) == 1 else 'are'} zero",) if zero else (),
             help=(f"give {names} a value" if zero else "give the parameters other values",),
         )
-
-
-def find_pole(system: System, values: Mapping[Node, float]) -> str:
-    """What of T, the potential and the forces has no finite value or slope at a state, in words; empty where all have."""
-    g, moving = system.graph, (*system.q, *system.v)
-    parts = [("`T`", system.T, moving), (f"`{system.spec.potential_kind or 'V'}`", system.U, system.q)]
-    parts += [(f"the force on `{name}`", node, ()) for name, node in zip(system.q_names, system.Q, strict=True)]
-    for name, node, symbols in parts:
-        try:
-            found = [float(x) for x in evaluate(g, [node, *gradient(g, node, symbols)], dict(values))]
-        except (ArithmeticError, ValueError):
-            found = [math.nan]
-        if not all(map(math.isfinite, found)):
-            return f"{name} has no finite value, or slope,"
-    return ""
 
 
 def find_undetermined(planner: Planner, start: Start) -> tuple[str, tuple[str, ...]]:
@@ -199,7 +180,7 @@ def warn_negative(planner: Planner, start: Start, bag: Bag) -> None:
     if not all(map(math.isfinite, (x for row in matrix for x in row))) or not _is_negative_somewhere(matrix):
         return
     names = _blame(planner, start, *flat, negative=True)
-    shown = ", ".join(f"`{name}`" for name in names)
+    shown = quote(names)
     notes = (f"{shown} {'is' if len(names) == 1 else 'are'} negative there",) if names else ()
     message = "the kinetic energy is negative for some motions where this scene starts"
     help = ("look for a wrong sign in `T`, or in the values of the parameters",)

@@ -17,6 +17,7 @@ from nhc.program.build import Planner
 from nhc.program.ir import Argument, Function
 from nhc.program.lower import lower_function
 from nhc.program.plan import FunctionPlan, Target
+from nhc.program.planner import T_ARGUMENT
 from nhc.records import record
 
 
@@ -72,7 +73,7 @@ def find_lacking(system: System, momenta: Sequence[Node], mass: Sequence[Node]) 
 def _function(planner: Planner, name: str, about: str, nodes: Sequence[Node]) -> Function:
     system = planner.system
     n = system.n
-    inputs = (Argument("t", -1), Argument("q", n), Argument("qdot", n), planner.p)
+    inputs = (T_ARGUMENT, Argument("q", n), Argument("qdot", n), planner.p)
     targets = tuple(Target(k, node) for k, node in enumerate(nodes))
     output = Argument("out", len(nodes))
     return lower_function(

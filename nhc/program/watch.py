@@ -18,9 +18,7 @@ from nhc.algebra.polynomial import normalise
 from nhc.mechanics.regularity import intervals
 from nhc.mechanics.singular import find_rank_loss
 from nhc.program.build import Planner
-from nhc.program.ir import Argument, Function, Lookout, Origin
-from nhc.program.lower import lower_function
-from nhc.program.plan import FunctionPlan, Target
+from nhc.program.ir import Function, Lookout
 from nhc.records import record
 
 NOTHING = Fraction(1, 10**12)
@@ -33,7 +31,6 @@ THIN = (Fraction(1, 10**4),)
 _LARGE = 400  # operations beyond which a pivot is not followed
 _TERMS = 60
 _MOST_ROWS = 4  # of a matrix whose determinant is written out
-_T = Argument("t", -1)
 
 
 @record
@@ -113,7 +110,7 @@ def watch_function(
     if not nodes:
         return None, Watch()
     watch = Watch(tuple(about), tuple(kinds), len(events), len(signs), close)
-    return _function(planner, nodes, about), watch
+    return planner.lower_out("watch", "values whose change of sign ends a run", nodes, about), watch
 
 
 def look_out(planner: Planner, parameters: Sequence[Sequence[float]]) -> Lookout | None:
@@ -188,17 +185,3 @@ def _rank(planner: Planner) -> list[_Measure]:
         return []
     what = "the constraints lose rank"
     return [_Measure(value, size_of(g, value), True, "rank", what)]
-
-
-def _function(planner: Planner, nodes: Sequence[Node], about: Sequence[str]) -> Function:
-    targets = tuple(Target(k, node, text, Origin()) for k, (node, text) in enumerate(zip(nodes, about, strict=True)))
-    plan = FunctionPlan(
-        "watch",
-        "values whose change of sign ends a run",
-        "",
-        (_T, planner.y, planner.p),
-        Argument("out", len(targets)),
-        planner.state_loads,
-        targets,
-    )
-    return lower_function(planner.graph, plan, planner.system.p)

@@ -40,25 +40,48 @@ def load_text(text: str, name: str) -> ModuleType:
     return module
 
 
-class InterpretedModel:
-    """The Python counterpart of ``CompiledModel``."""
+class TextModel:
+    """A program's emitted Python, as a module; a singular point raises an ArithmeticError with its ``status``."""
 
     compiled = False
 
-    def __init__(
-        self, program: Program, events: int, holds: Sequence[Sequence[str]] = (), dips: int | None = None
-    ) -> None:
+    def __init__(self, program: Program) -> None:
         names = tuple(function.name for function in program.functions)
         (text,) = render(program, "python", EmitOptions(only=names)).values()
         self.module: Any = load_text(text, program.system)
-        self.events, self.holds = events, tuple(holds)
-        self.dips = sys.maxsize if dips is None else dips
-        self.watched = "watch" in names
 
     def news(self) -> News:
         return News()
 
-    # the model as the methods see it; a singular point raises an ArithmeticError with its ``status``
+    def quantities(
+        self, times: Sequence[float], states: Sequence[Sequence[float]], p: Sequence[float]
+    ) -> list[list[float]]:
+        """The needed columns at each row.
+
+        Raises:
+            ModelError: they have no value there.
+        """
+        rows: list[list[float]] = []
+        for row, (t, y) in enumerate(zip(times, states, strict=True)):
+            try:
+                rows.append(self.module.needed(t, y, p))
+            except ArithmeticError as error:
+                raise ModelError(row, getattr(error, "status", 0)) from error
+        return rows
+
+
+class InterpretedModel(TextModel):
+    """The Python counterpart of ``CompiledModel``."""
+
+    def __init__(
+        self, program: Program, events: int, holds: Sequence[Sequence[str]] = (), dips: int | None = None
+    ) -> None:
+        super().__init__(program)
+        self.events, self.holds = events, tuple(holds)
+        self.dips = sys.maxsize if dips is None else dips
+        self.watched = any(function.name == "watch" for function in program.functions)
+
+    # --- the model as the methods see it
 
     def rhs(self, t: float, y: Sequence[float], p: Sequence[float]) -> list[float]:
         values: list[float] = self.module.rhs(t, y, p)
@@ -94,19 +117,3 @@ class InterpretedModel:
     def integrate(self, task: Task, method: str, news: News) -> Outcome:
         """Run one method."""
         return integrate(self, RUNGE_KUTTA[method], task, news)
-
-    def quantities(
-        self, times: Sequence[float], states: Sequence[Sequence[float]], p: Sequence[float]
-    ) -> list[list[float]]:
-        """The needed columns at each row.
-
-        Raises:
-            ModelError: they have no value there.
-        """
-        rows: list[list[float]] = []
-        for row, (t, y) in enumerate(zip(times, states, strict=True)):
-            try:
-                rows.append(self.module.needed(t, y, p))
-            except ArithmeticError as error:
-                raise ModelError(row, getattr(error, "status", 0)) from error
-        return rows

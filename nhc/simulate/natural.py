@@ -4,32 +4,23 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import Any
 
-from nhc.algebra.dense import Matrix
-from nhc.emit import EmitOptions, render
+from nhc.algebra.lu import Matrix
 from nhc.program.ir import Program
-from nhc.simulate.interpreted import load_text
+from nhc.simulate.interpreted import TextModel
 from nhc.simulate.methods import STRUCTURE
 from nhc.simulate.methods.step import NoSolution
-from nhc.simulate.task import DONE, NO_SOLUTION, SINGULAR, STOPPED, TOO_MANY, ModelError, News, Outcome, Task
+from nhc.simulate.task import DONE, NO_SOLUTION, SINGULAR, STOPPED, TOO_MANY, News, Outcome, Task
 
 
-class NaturalModel:
+class NaturalModel(TextModel):
     """A natural system; the rows of its outcomes are the program's states, like those of the other models."""
 
-    compiled = False
-
     def __init__(self, program: Program) -> None:
-        names = tuple(function.name for function in program.functions)
-        (text,) = render(program, "python", EmitOptions(only=names)).values()
-        self.module: Any = load_text(text, program.system)
+        super().__init__(program)
         self.n, self.l = len(program.coordinates), len(program.constraints)
         self.p: Sequence[float] = ()
         self.t = 0.0
-
-    def news(self) -> News:
-        return News()
 
     # --- the system as the methods see it
 
@@ -103,22 +94,6 @@ class NaturalModel:
                 return
             q, v = (q1, v1) if x >= 1.0 - 1e-9 else _hermite(x, h, q0, v0, q1, v1)
             outcome.states.append(self.module.state(time, q, v, task.p))
-
-    def quantities(
-        self, times: Sequence[float], states: Sequence[Sequence[float]], p: Sequence[float]
-    ) -> list[list[float]]:
-        """The needed columns at each row.
-
-        Raises:
-            ModelError: they have no value there.
-        """
-        rows: list[list[float]] = []
-        for row, (t, y) in enumerate(zip(times, states, strict=True)):
-            try:
-                rows.append(self.module.needed(t, y, p))
-            except ArithmeticError as error:
-                raise ModelError(row, getattr(error, "status", 0)) from error
-        return rows
 
 
 def _hermite(

@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import replace
 
 from nhc.algebra.graph import Node
-from nhc.diagnostics import Bag, Source, Span, SpecError, nearest
+from nhc.diagnostics import Bag, Source, Span, SpecError, suggest
 from nhc.language import Spec, decode
-from nhc.language.names import ENERGIES
+from nhc.language.names import ENERGIES, fold
 from nhc.language.parser import parse_expression
 from nhc.language.scope import Declared, Scope
 from nhc.language.spec import Definition, Scene
@@ -118,15 +118,12 @@ def list_needs(spec: Spec) -> tuple[str, ...]:
 
 def find_need(spec: Spec, text: str) -> str:
     """The needed name that a text means; ``xdot`` is ``x'`` while nothing else has that name."""
-    from nhc.language.names import fold
-
     name, known = fold(text.replace("\u2032", "'").strip()), list_needs(spec)
     if name in known:
         return name
     if name.endswith("dot") and f"{name[:-3]}'" in known:
         return f"{name[:-3]}'"
-    near = nearest(name, known)
-    hint = f"did you mean `{near}`?" if near else f"it can be {', '.join(known)}"
+    hint = suggest(name, known, f"it can be {', '.join(known)}")
     raise RunError(f"no quantity `{text}` in this spec", (hint,))
 
 

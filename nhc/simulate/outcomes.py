@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from nhc.algebra.graph import Node
+from nhc.mechanics.singular import smallest_singular_value
 from nhc.mechanics.undefined import find_undefined
 from nhc.simulate.prepare import Job
 from nhc.simulate.task import (
@@ -77,8 +78,6 @@ def rank_left(job: Job, outcome: Outcome) -> float | None:
 
     Coordinates that the model does not carry stand at their start: the rank does not depend on them.
     """
-    from nhc.mechanics.singular import smallest_singular_value
-
     if not job.system.constraints:
         return None
     try:

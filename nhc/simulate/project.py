@@ -6,9 +6,9 @@ import operator
 from collections.abc import Sequence
 
 from nhc.algebra.calculus import gradient
-from nhc.algebra.dense import SingularMatrix, solve
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Node
+from nhc.algebra.lu import SingularMatrix, solve
 from nhc.diagnostics import SpecError
 from nhc.language.spec import Scene
 from nhc.mechanics.frame import coordinate_form

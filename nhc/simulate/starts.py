@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
 
-from nhc.diagnostics import SpecError, nearest
+from nhc.diagnostics import SpecError, suggest
 from nhc.language.names import fold
 from nhc.language.spec import Initial, Override, Scene, Spec
 from nhc.language.syntax import Number
@@ -67,8 +67,7 @@ def _find_key(cell: str, known: dict[str, Key]) -> Key:
         name = f"{name.removesuffix('dot')}'"
     if name in known:
         return known[name]
-    near = nearest(name, tuple(known))
-    hint = f"did you mean `{near}`?" if near else f"it can be {', '.join(known)}"
+    hint = suggest(name, known, f"it can be {', '.join(known)}")
     raise RunError(f"no coordinate, velocity or parameter `{cell.strip()}` in this spec", (hint,))
 
 

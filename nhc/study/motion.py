@@ -10,28 +10,19 @@ from typing import TypeVar
 
 import numpy as np
 
+from nhc.algebra.dense import Singular
 from nhc.algebra.graph import Node
-from nhc.algebra.linear import Singular
 from nhc.algebra.show import to_text
-from nhc.diagnostics import Bag, Source, Span, SpecError, nearest
+from nhc.diagnostics import Bag, Source, Span, SpecError, quote, suggest
 from nhc.language.scope import names_in
 from nhc.mechanics.about import Pair, point_of, read_pairs, scene_about, state_of
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choose import Formulation, build
 from nhc.mechanics.conditioning import adapted_choices
+from nhc.mechanics.flow import Flow, flow_of
 from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.frame import coordinate_frame
-from nhc.mechanics.linearize import (
-    Flow,
-    Leaf,
-    cyclic_of,
-    flow_of,
-    is_autonomous,
-    leaf_of,
-    quantity,
-    reduced,
-    symbolic_matrix,
-)
+from nhc.mechanics.linearize import Leaf, cyclic_of, is_autonomous, leaf_of, quantity, reduced, symbolic_matrix
 from nhc.mechanics.regularity import choose_dependent
 from nhc.mechanics.scenes import Start, start_of
 from nhc.mechanics.symmetry import Generator, turning_symmetries
@@ -266,11 +257,8 @@ def named_quantity(flow: Flow, name: str, option: str) -> Node:
         *(f.name for f in system.quasi),
         *(o for o, _ in system.outputs),
     ]
-    near = nearest(name, known)
     bag = Bag(Source(option, name))
-    help = (
-        f"did you mean `{near}`?" if near else "known: " + ", ".join(f"`{k}`" for k in list(dict.fromkeys(known))[:12])
-    )
+    help = suggest(name, known, f"known: {quote(list(dict.fromkeys(known))[:12])}")
     bag.error(
         "E0419", f"`{name}` is no coordinate, velocity, quasi-velocity or output", Span(0, len(name)), help=(help,)
     )

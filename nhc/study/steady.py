@@ -12,8 +12,9 @@ from numpy.typing import NDArray
 
 from nhc.algebra.calculus import gradient
 from nhc.algebra.graph import Node
+from nhc.mechanics.flow import Flow
 from nhc.mechanics.frame import Frame, form_value
-from nhc.mechanics.linearize import Flow, Leaf
+from nhc.mechanics.linearize import Leaf
 from nhc.mechanics.regularity import relative_determinant, sampled_rows
 from nhc.records import record
 from nhc.study.tape import Tapes

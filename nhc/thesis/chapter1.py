@@ -13,7 +13,7 @@ EQUATIONS = (
         "I.1.1",
         "linear nonholonomic constraints",
         r"a_{\alpha i}\dot q_i + a_\alpha = 0",
-        ("nhc.mechanics.integrability.frobenius_obstruction", "nhc.mechanics.multipliers.constraint_rates"),
+        ("nhc.mechanics.frame.form_value", "nhc.mechanics.multipliers.constraint_rates"),
     ),
     Equation(
         "I.1.2",

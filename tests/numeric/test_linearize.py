@@ -20,7 +20,6 @@ from nhc.algebra.graph import Graph
 from nhc.cli import main
 from nhc.diagnostics import SpecError
 from nhc.language import Source, read
-from nhc.mechanics.linearize import solve_modulo
 from nhc.pipeline import Options, linearize, model
 from nhc.study.linearize import eigenvalues, verdict
 from nhc.study.motion import Findings, Request, named_quantity, steady_model
@@ -290,6 +289,52 @@ def test_what_never_stands_still_is_refused() -> None:
         find("pumped_pendulum", "reference")
 
 
+STEPPED = """nhc: 1
+system: stepped
+coordinates: [x, y]
+parameters: {m: 1, k: 4, f: 2, c: 1}
+T: m/2*(x'^2 + y'^2)
+V: k/2*y^2
+forces:
+  y: f*STEP - c*y'
+"""
+
+
+@pytest.mark.parametrize("step", ["sign(x)", "abs(x)/x", "sqrt(x^2)/x", "x/(abs(x) + 0*y)"])
+def test_a_coordinate_that_only_a_step_contains_is_not_cyclic(step: str) -> None:
+    """y stands at f/k while x > 0 and at -f/k while x < 0: a motion that passes x = 0 is not steady, though no slope tells."""
+    source = Source("stepped.yaml", STEPPED.replace("STEP", step))
+    found = linearize(source, Request("x=1, x'=-1, y=0.5"))
+    assert cyclic(found) == []
+    assert found.linearisation.steady.y == pytest.approx([1.0, 0.5, 0.0, 0.0], abs=1e-9)
+    free = linearize(Source("free.yaml", STEPPED.replace("STEP", "1")), Request("x=1, x'=-1, y=0.5"))
+    assert cyclic(free) == ["x"]
+    assert free.linearisation.steady.y == pytest.approx([1.0, 0.5, -1.0, 0.0], abs=1e-9)
+
+
+SPINNING = """nhc: 1
+system: spinning
+rotation: {R: {velocities: [w1, w2, w3], frame: body}}
+parameters: {I1: 2, I3: 1, f: 3, c: 1}
+T: (I1*(w1^2 + w2^2) + I3*w3^2)/2
+forces: {w3: f*STEP - c*w3, w1: -c*w1, w2: -c*w2}
+"""
+
+
+def test_a_turn_that_a_step_sees_is_no_symmetry() -> None:
+    """About the body's third axis R_x1 changes its sign and with it the torque, R_x1^2 + R_x2^2 does not change at all."""
+    start = "R_0=0.8, R_1=0.6, w3=3"
+    steady = linearize(Source("spinning.yaml", SPINNING.replace("STEP", "sign(R_x1^2 + R_x2^2)")), Request(start))
+    assert steady.linearisation.steady.y[-1] == pytest.approx(3.0) and steady.model.symmetries
+    with pytest.raises(NotSteady):
+        linearize(Source("spinning.yaml", SPINNING.replace("STEP", "sign(R_x1)")), Request(start))
+
+
+def test_a_force_that_is_switched_on_makes_nothing_steady() -> None:
+    with pytest.raises(NotSteady, match="depend on the time"):
+        linearize(Source("switched.yaml", STEPPED.replace("STEP", "sign(t - 1)")), Request("y=0.5"))
+
+
 @pytest.mark.parametrize(
     ("request_", "code"),
     [
@@ -383,14 +428,6 @@ def test_rare_functions_on_a_tape() -> None:
     ):
         with pytest.raises(ArithmeticError):
             Tape(g, [node])({x: 0.0, y: 0.7})
-
-
-def test_linear_systems_in_a_prime_field() -> None:
-    p = 10_007
-    matrix = [[0, 2, 1], [3, 0, 5], [7, 1, 0]]
-    x = [[5], [11], [13]]
-    right = [[sum(a * b[0] for a, b in zip(row, x, strict=True)) % p] for row in matrix]
-    assert solve_modulo(matrix, right, p) == x
 
 
 def test_a_coframe_that_is_singular_at_the_steady_motion_gives_way_to_multipliers() -> None:

@@ -23,8 +23,9 @@ from nhc.mechanics.resolve import resolve
 from nhc.mechanics.system import System
 from nhc.mechanics.turns import Turn, add_spin, change_axes, cross
 from nhc.mechanics.vectors import Reader
+from nhc.pipeline import Options, emit
 from nhc.program.model import build_program
-from tests.support import spec_path
+from tests.support import python_model, spec_path
 from tests.trees import planar_tree, robot_arm, spatial_pair
 
 
@@ -204,3 +205,39 @@ def test_reactions_by_one_sweep(text: str) -> None:
         ]
         assert are_equal(g, swept, rows)
     assert swept_count > 0
+
+
+SIGNED = """nhc: 1
+system: signed
+coordinates: [x, y, theta, phi]
+parameters: {m: 2, I: 3, a: 0.5, l: 0.7, K: -1.5, g: 1}
+define:
+  X: x + a*cos(theta)
+  Y: y + a*sin(theta)
+  P: x - l*cos(theta) - l*cos(phi)
+  Q: y - l*sin(theta) - l*sin(phi)
+T: m/2*(X'^2 + Y'^2) + I/2*theta'^2 + m/2*(P'^2 + Q'^2) + I/2*phi'^2
+V: g*x^2 + g*y
+quasi_velocities:
+  v: cos(theta)*x' + sin(theta)*y'
+  u: SIGN*(cos(theta)*y' - sin(theta)*x')
+  w: theta'
+  z: phi'
+"""
+
+
+@pytest.mark.parametrize("sign", ["sign(K)", "abs(K)/K", "sqrt(K^2)/K"])
+@pytest.mark.parametrize("name", ["q1", "p", "r", "b", "kk"])
+def test_a_quasi_velocity_with_a_sign_is_not_taken_for_the_component_without_it(name: str, sign: str) -> None:
+    """In a prime field a sign is 1 at every second point: one name in four lost it, and the velocities came out wrong."""
+    text = SIGNED.replace("SIGN", sign).replace("K", name)
+    files = emit(Source("signed.yaml", text), "python", Options(formulation="euler-lagrange"))
+    model = python_model(files["signed.py"], "signed")
+    plain = python_model(
+        emit(Source("signed.yaml", text), "python", Options(formulation="lagrange"))["signed.py"], "plain"
+    )
+    q, qdot, p = [0.3, -0.4, 0.7, 0.2], [0.5, 0.6, -0.8, 0.3], list(model.DEFAULTS)
+    y = model.state(0.0, q, qdot, p)
+    assert model.velocities(0.0, y, p) == pytest.approx(qdot, rel=1e-12)
+    expected = plain.accelerations(0.0, plain.state(0.0, q, qdot, p), p)
+    assert model.accelerations(0.0, y, p) == pytest.approx(expected, rel=1e-10)

@@ -19,8 +19,8 @@ from nhc.diagnostics import Source
 from nhc.emit import EmitOptions, render
 from nhc.language import decode, read
 from nhc.mechanics.choose import formulate
+from nhc.mechanics.flow import flow_of
 from nhc.mechanics.formulate import equations_of
-from nhc.mechanics.linearize import flow_of
 from nhc.mechanics.reduce import _agree, _Model
 from nhc.mechanics.resolve import resolve
 from nhc.pipeline import Options, emit, program, reduce_scene

@@ -21,8 +21,9 @@ from nhc.diagnostics import Source
 from nhc.language import decode, read
 from nhc.mechanics.certificate import certify
 from nhc.mechanics.choose import formulate
+from nhc.mechanics.flow import flow_of
 from nhc.mechanics.formulate import equations_of
-from nhc.mechanics.linearize import cyclic_of, flow_of
+from nhc.mechanics.linearize import cyclic_of
 from nhc.mechanics.resolve import resolve
 from nhc.mechanics.scenes import start_of
 from nhc.mechanics.symmetry import turning_symmetries

@@ -11,10 +11,12 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
+from nhc.algebra.blocks import block_order
 from nhc.algebra.calculus import derivative, gradient, substitute, tangent
+from nhc.algebra.dense import Singular
 from nhc.algebra.evaluate import Floats, Mpmath, evaluate
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.linear import NotLinear, Singular, block_order, linear_form, solve
+from nhc.algebra.linear import NotLinear, linear_form, solve
 from nhc.algebra.modular import FieldPoint, Unlucky, are_zero, is_zero
 from nhc.algebra.polynomial import normalise
 from tests.property.expressions import (

@@ -7,8 +7,9 @@ from itertools import combinations
 
 import pytest
 
+from nhc.algebra.dense import Singular
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.linear import Singular, solve
+from nhc.algebra.linear import solve
 from nhc.algebra.modular import is_zero
 from nhc.exterior import (
     Coframe,

@@ -12,8 +12,9 @@ from nhc.language import decode
 from nhc.mechanics import rotation as module
 from nhc.mechanics.frame import make_frame
 from nhc.mechanics.resolve import resolve
-from nhc.mechanics.rotation import Rotation, cross
+from nhc.mechanics.rotation import Rotation
 from nhc.mechanics.system import Form, System
+from nhc.mechanics.turns import cross
 
 SPEC = """
 nhc: 1

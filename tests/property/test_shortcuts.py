@@ -12,15 +12,16 @@ from hypothesis import strategies as st
 
 from nhc.algebra.blocks import form_size
 from nhc.algebra.calculus import Derivation, Replacement, substitute, tangent
+from nhc.algebra.dense import Singular
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.expand import Expander, TooLarge
 from nhc.algebra.field import Unlucky
 from nhc.algebra.graph import Graph, Node
-from nhc.algebra.linear import Singular, degrees, is_clearly_linear, is_clearly_regular, linear_form, solve_rows
+from nhc.algebra.linear import degrees, is_clearly_linear, is_clearly_regular, linear_form, solve_rows
+from nhc.algebra.minors import float_determinant, relative_minors
 from nhc.algebra.modular import are_zero, is_zero, rank
 from nhc.algebra.polynomial import normalise
 from nhc.algebra.probe import probe_of
-from nhc.mechanics.minors import float_determinant, relative_minors
 from tests.property.expressions import NAMES, QUIET, Tree, build, build_raw, smooth_trees
 
 X, Y, Z = (("sym", k) for k in range(3))

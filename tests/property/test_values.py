@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
+
+import pytest
 from hypothesis import given
 
 from nhc.algebra.calculus import count, reachable
+from nhc.algebra.evaluate import evaluate
 from nhc.algebra.factors import find_factors
 from nhc.algebra.graph import ADD, POW, Graph, Node
 from nhc.algebra.modular import are_equal
@@ -91,6 +95,20 @@ def test_branches_of_roots_and_signs_are_not_taken_for_granted() -> None:
     assert share_values(g, [square, g.mul(y, g.add(x, y))])[1] == g.mul(y, g.add(x, y))
     same = [g.function("min", x, g.mul(x, g.mul(y, y))), g.function("min", x, g.mul(g.mul(x, y), y))]
     assert len(set(share_values(g, same))) == 1
+
+
+@pytest.mark.parametrize("before", range(12))
+def test_even_roots_by_broken_exponents_have_two_branches(before: int) -> None:
+    """(x^6)^(1/6) is |x|; it was taken for x wherever the field's root happened to be x at both points."""
+    g = Graph()
+    others = [g.symbol(f"d{k}", "coordinate") for k in range(before)]
+    x, y = (g.symbol(name, "coordinate") for name in "xy")
+    for base, plain, n in ((g.power(x, 6), x, 6), (g.power(g.sub(x, y), 6), g.sub(x, y), 6), (g.power(x, 4), x, 4)):
+        root = g.function("powf", base, g.number(Fraction(1, n)))
+        roots = [g.function("cos", other) for other in others]
+        roots += [g.mul(root, g.function("cos", y)), g.mul(plain, g.function("sin", y))]
+        at = {x: -0.7, y: 0.4, **dict.fromkeys(others, 0.1)}
+        assert evaluate(g, share_values(g, roots), at) == pytest.approx(evaluate(g, roots, at), rel=1e-14)
 
 
 def test_names_stay_with_their_values() -> None:

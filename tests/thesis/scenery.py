@@ -17,7 +17,7 @@ from nhc.algebra.linear import linear_form
 from nhc.exterior import Form as ExteriorForm
 from nhc.exterior import interior
 from nhc.language import decode, read
-from nhc.mechanics import multipliers, voronec, wrong
+from nhc.mechanics import multipliers, voronec
 from nhc.mechanics.frame import Frame, coordinate_frame, make_frame, total_derivative
 from nhc.mechanics.regularity import choose_dependent
 from nhc.mechanics.resolve import resolve
@@ -114,9 +114,23 @@ def truth(frame: Frame, states: Iterable[Values]) -> list[list[float]]:
     return found
 
 
+def predict(frame: Frame, rows: Sequence[Node], rates: Sequence[Node], states: Iterable[Values]) -> list[list[float]]:
+    """q'' that rows linear in ``rates`` predict at states (q, free velocities, t)."""
+    system, g = frame.system, frame.graph
+    entries = [x for row in rows for part in [linear_form(g, row, rates)] for x in (*part[0], part[1])]
+    moving = dict(zip(frame.free, rates, strict=True))
+    second = [total_derivative(system, node, frame.kinematics, moving) for node in frame.kinematics]
+    found = []
+    for values in states:
+        table = np.array(evaluate(g, entries, values), dtype=float).reshape(len(rows), len(rates) + 1)
+        solved = [float(x) for x in np.linalg.solve(table[:, :-1], -table[:, -1])]
+        found.append([float(x) for x in evaluate(g, second, {**values, **dict(zip(rates, solved, strict=True))})])
+    return found
+
+
 def error_of(frame: Frame, rows: Sequence[Node], rates: Sequence[Node], states: Sequence[Values]) -> float:
     """Largest relative distance, over the states, of the accelerations that the rows predict from the true ones."""
-    pairs = zip(wrong.accelerations(frame, rows, rates, states), truth(frame, states), strict=True)
+    pairs = zip(predict(frame, rows, rates, states), truth(frame, states), strict=True)
     return max(distance(found, expected) for found, expected in pairs)
 
 

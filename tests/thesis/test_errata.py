@@ -20,6 +20,7 @@ from tests.thesis.scenery import (
     error_of,
     generic_frame,
     kernel,
+    predict,
     projected_truth,
     random_states,
     rates_of,
@@ -258,7 +259,7 @@ def test_E8(name: str, holds: bool) -> None:
     reduced = reduced_of(system_of(name))
     m, states = len(reduced.mu), any_states(reduced.frame, 3)
     rates = rates_of(reduced.graph, m)
-    right = wrong.accelerations(reduced.frame, voronec.printed_rows(reduced, rates), rates, states)
+    right = predict(reduced.frame, voronec.printed_rows(reduced, rates), rates, states)
     worst = [0.0, 0.0]
     for values, expected in zip(states, right, strict=True):
         motion = [*(values[v] for v in reduced.v_mu), *(expected[i] for i in reduced.mu)]

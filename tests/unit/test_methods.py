@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import pytest
 
-from nhc.algebra.dense import solve
+from nhc.algebra.lu import solve
 from nhc.cli.run import METHODS as OFFERED
 from nhc.simulate.interpreted import InterpretedModel, load_text
 from nhc.simulate.methods import METHODS, RUNGE_KUTTA, STRUCTURE, is_adaptive

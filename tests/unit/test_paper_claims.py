@@ -97,6 +97,15 @@ def test_forces_may_contain_the_time_under_caplygins_hypotheses() -> None:
     assert "forces contain neither" not in found
 
 
+def test_caplygins_hypotheses_see_steps() -> None:
+    """A sign depends on its argument, though its slope is zero; I.3 asks that no force contains z."""
+    text = PARTICLE + "dependent: [z]\n"
+    named = "the force on `x` contains the dependent coordinate `z`"
+    assert says(text + "forces: {x: c*sign(y)}\n", "chaplygin").endswith("all hold")
+    assert named in says(text + "forces: {x: c*sign(z)}\n", "chaplygin")
+    assert named in says(text + "forces: {x: c*z}\n", "chaplygin")
+
+
 # --- numbers --------------------------------------------------------------------------------------------------
 
 KINETIC = {  # the thesis numbers the terms of the kinetic part, not their sum, where there are constraints to use

@@ -12,7 +12,7 @@ from nhc.emit.c.names import print_singular
 from nhc.emit.c.pairs import Pair, pair_angles
 from nhc.emit.expressions import ATOM, ExpressionPrinter, Text
 from nhc.emit.names import Scope
-from nhc.emit.prose import wrap
+from nhc.emit.prose import show_origin, wrap
 from nhc.program.ir import (
     Binary,
     Call,
@@ -83,12 +83,6 @@ def bound_test(guard: Guard) -> Expr:
         return guard.scale
     bound = Number(Fraction(guard.tolerance))
     return bound if guard.scale == Number(Fraction(1)) else Binary("*", bound, guard.scale)
-
-
-def print_origin(origin: Origin) -> str:
-    """``(I.2.15) chaplygin_sleigh.yaml:14:4``, or nothing."""
-    equation = f"({origin.equation})" if origin.equation else ""
-    return print_comment(f"{equation} {origin.place}")
 
 
 def wrap_code(text: str, indent: str) -> list[str]:
@@ -168,7 +162,7 @@ class BodyPrinter:
 
     def mark_origin(self, origin: Origin) -> None:
         """Say where the next statements come from, when that changes."""
-        text = print_origin(origin)
+        text = print_comment(show_origin(origin))
         if text and text != self._origin:
             self._origin = text
             self.add_comment(text)

@@ -8,10 +8,11 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from nhc.emit.c.body import HELPERS, bound_test, print_origin, wrap_code
+from nhc.emit.c.body import HELPERS, bound_test, wrap_code
 from nhc.emit.c.literals import PI, print_comment, print_double
 from nhc.emit.expressions import ATOM, ExpressionPrinter, Text
 from nhc.emit.names import Scope
+from nhc.emit.prose import show_origin
 from nhc.emit.statements import iterate_refs
 from nhc.program.ir import Call, Expr, Guard, Let, Load, Statement, Store
 from nhc.records import record
@@ -100,7 +101,7 @@ class LanesPrinter:
 
     def print_store(self, store: Store) -> None:
         """A result, which may enter the sum that tells whether all of them are finite."""
-        text = print_origin(store.origin)
+        text = print_comment(show_origin(store.origin))
         if text and text != self._origin:
             self._origin = text
             self.lines.append(f"    /* {text} */")

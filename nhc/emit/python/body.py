@@ -10,7 +10,7 @@ from fractions import Fraction
 
 from nhc.emit.expressions import ATOM, POWER, ExpressionPrinter, Text, enclose
 from nhc.emit.names import Scope
-from nhc.emit.prose import wrap
+from nhc.emit.prose import show_origin, wrap
 from nhc.emit.python.literals import print_comment, print_float
 from nhc.program.ir import (
     Binary,
@@ -86,12 +86,6 @@ def is_simple(base: Text) -> bool:
     return base.level == ATOM and not base.text.endswith(")")
 
 
-def print_origin(origin: Origin) -> str:
-    """``(I.2.15) chaplygin_sleigh.yaml:14:4``, or nothing."""
-    equation = f"({origin.equation})" if origin.equation else ""
-    return print_comment(f"{equation} {origin.place}")
-
-
 def print_sequence(head: str, items: list[str], brackets: str, indent: str, tail: str = "") -> list[str]:
     """A list or tuple as ruff lays it out: on one line if it fits and holds no comment, else one item per line."""
     opening, closing = brackets[0], brackets[1]
@@ -145,7 +139,7 @@ class BodyPrinter:
 
     def mark_origin(self, origin: Origin) -> None:
         """Say where the next statements come from, when that changes."""
-        text = print_origin(origin)
+        text = print_comment(show_origin(origin))
         if text and text != self._origin:
             self._origin = text
             self.add_comment(text, self.indent)
@@ -201,7 +195,7 @@ class BodyPrinter:
             self.print_solve(statement)
         elif isinstance(statement, Store):
             self.values[statement.index] = self.print_value(statement.value, WIDTH - len(self.indent) - 5)
-            note = " ".join(part for part in (statement.about, print_origin(statement.origin)) if part)
+            note = " ".join(part for part in (statement.about, show_origin(statement.origin)) if part)
             self.remarks[statement.index] = wrap(print_comment(note), WIDTH - len(self.indent) - 6)
         elif isinstance(statement, Result):
             self.mark_origin(statement.origin)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from nhc.algebra.calculus import count
 from nhc.algebra.graph import Node
+from nhc.diagnostics import quote
 from nhc.mechanics.frame import Frame
 from nhc.program.sheets.draft import Desk, Draft, DraftSheet, Part
 from nhc.program.sheets.formulas import GAMMA
@@ -52,7 +53,7 @@ def _coframe_sheet(desk: Desk, frame: Frame) -> DraftSheet:
     system = desk.system
     lower = system.l
     if desk.formulation.added:
-        names = ", ".join(f"`{name}`" for name in desk.formulation.added)
+        names = quote(desk.formulation.added)
         fewer = "fewer quasi-velocities than there are free velocities" if system.quasi else "no quasi-velocities"
         sheet.say(f"The spec gives {fewer}; nhc has completed the coframe with {names}.")
     if lower:

@@ -5,9 +5,10 @@ from __future__ import annotations
 from dataclasses import replace
 
 from nhc.algebra.calculus import count, derivative, substitute
-from nhc.algebra.graph import Node
-from nhc.algebra.linear import Singular, solve
+from nhc.algebra.dense import Singular
+from nhc.algebra.linear import solve
 from nhc.mechanics.formulate import bordered_system
+from nhc.mechanics.lagrange import momenta
 from nhc.mechanics.multipliers import multiplier_symbols
 from nhc.mechanics.rotation import moving
 from nhc.mechanics.rows import ENERGY, MOTION, associated_rows, energy_identity, motion_components
@@ -170,9 +171,9 @@ def energy_theorem_sheet(desk: Desk) -> DraftSheet:
     sheet = DraftSheet("energy", "The energy")
     system, g, motion = desk.system, desk.graph, desk.equations.motion
     on = moving(system, motion.velocities)
-    slope = g.sum([g.mul(p, v) for p, v in zip(_momenta(desk), system.v, strict=True)])
+    slope = g.dot(momenta(desk.system), system.v)
     generalized = g.sub(g.sub(slope, system.T), system.U)
-    power = g.sum([g.mul(q, v) for q, v in zip(system.Q, system.v, strict=True)])
+    power = g.dot(system.Q, system.v)
     change = g.sub(g.sub(power, derivative(g, system.T, system.t)), derivative(g, system.U, system.t))
     energy, whole, change = substitute(g, [system.energy, generalized, change], on)
     reactions = [form.constant for form in system.constraints]
@@ -209,9 +210,3 @@ def _contains_time(desk: Desk) -> bool:
     system, g = desk.system, desk.graph
     entries = [x for form in system.constraints for x in (*form.coefficients, form.constant)]
     return any(g.depends(node, g.deps[system.t]) for node in (system.T, system.U, *system.Q, *entries))
-
-
-def _momenta(desk: Desk) -> list[Node]:
-    from nhc.mechanics.lagrange import momenta
-
-    return momenta(desk.system)

@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable, Sequence
 from typing import Protocol
 
-from nhc.algebra.dense import Matrix, SingularMatrix, factor, resolve, solve
+from nhc.algebra.lu import Matrix, SingularMatrix, factor, resolve, solve
 from nhc.records import record
 from nhc.simulate.methods.step import NoSolution
 

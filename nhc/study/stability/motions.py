@@ -12,8 +12,10 @@ from nhc.algebra.graph import Node
 from nhc.mechanics.about import scene_about, state_of
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.choose import Formulation
+from nhc.mechanics.flow import Flow
 from nhc.mechanics.formulate import equations_of
-from nhc.mechanics.linearize import Flow, kept_forms, reduced
+from nhc.mechanics.frame import kept_forms
+from nhc.mechanics.linearize import reduced
 from nhc.mechanics.scenes import Start, kept_velocities, start_of
 from nhc.mechanics.system import System
 from nhc.records import record

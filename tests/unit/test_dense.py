@@ -1,0 +1,100 @@
+"""Small dense matrices: solutions are put in again, ranks and kernels are those of SymPy, eigenvalues those of NumPy."""
+
+from __future__ import annotations
+
+import itertools
+import random
+
+import numpy
+import pytest
+import sympy
+
+from nhc.algebra.dense import (
+    RowSpace,
+    Singular,
+    null_space,
+    pivot_signs,
+    rank_modulo,
+    solve_columns_modulo,
+    solve_double,
+    solve_modulo,
+    symmetric_eigenvalues,
+)
+from nhc.algebra.residues import PRIMES
+
+P = PRIMES[0]
+Matrix = list[list[int]]
+
+
+def draw(rng: random.Random, rows: int, columns: int, most: int) -> Matrix:
+    """A random matrix of at most that rank."""
+    left = [[rng.randint(-3, 3) for _ in range(most)] for _ in range(rows)]
+    right = [[rng.randint(-3, 3) for _ in range(columns)] for _ in range(most)]
+    return times(left, right)
+
+
+def times(left: Matrix, right: Matrix) -> Matrix:
+    return [
+        [sum(a * b for a, b in zip(row, column, strict=True)) for column in zip(*right, strict=True)] for row in left
+    ]
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_ranks_and_kernels_modulo_a_prime_are_those_of_rational_numbers(seed: int) -> None:
+    rng = random.Random(seed)
+    rows, columns = rng.randint(1, 6), rng.randint(1, 6)
+    matrix = draw(rng, rows, columns, rng.randint(1, 5))
+    expected = sympy.Matrix(matrix).rank()
+    assert rank_modulo(matrix, P) == expected
+    basis = null_space(matrix, columns, P)
+    assert len(basis) == columns - expected
+    for vector in basis:
+        assert all(sum(a * x for a, x in zip(row, vector, strict=True)) % P == 0 for row in matrix)
+        last = max(j for j, x in enumerate(vector) if x)
+        assert vector[last] == 1 and all(other[last] == 0 for other in basis if other is not vector)
+
+
+@pytest.mark.parametrize("prime", [10_007, P])
+def test_linear_systems_modulo_a_prime(prime: int) -> None:
+    matrix, x = [[0, 2, 1], [3, 0, 5], [7, 1, 0]], [[5, 1], [11, 0], [13, 9]]
+    right = times(matrix, x)
+    assert solve_columns_modulo(matrix, right, prime) == x
+    assert solve_modulo(matrix, [row[0] for row in right], prime) == [5, 11, 13]
+    with pytest.raises(Singular):
+        solve_modulo([[1, 2], [2, 4]], [1, 1], prime)
+
+
+def test_linear_systems_in_doubles() -> None:
+    assert solve_double([[0.0, 2.0], [3.0, 1.0]], [4.0, 5.0]) == pytest.approx([1.0, 2.0])
+    assert solve_double([[1e-9, 1.0], [1.0, 1.0]], [1.0, 2.0]) == pytest.approx([1.0, 1.0])
+    with pytest.raises(Singular):
+        solve_double([[1.0, 2.0], [2.0, 4.0]], [1.0, 1.0])
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_symmetric_matrices(seed: int) -> None:
+    rng = random.Random(seed)
+    size = rng.randint(1, 5)
+    half = draw(rng, size, size, size)
+    matrix = [
+        [float(a + b) for a, b in zip(row, column, strict=True)]
+        for row, column in zip(half, zip(*half, strict=True), strict=True)
+    ]
+    expected = numpy.linalg.eigvalsh(matrix)
+    assert sorted(symmetric_eigenvalues(matrix)) == pytest.approx(list(expected), abs=1e-9)
+    signs = pivot_signs(matrix)
+    minors = [round(numpy.linalg.det(numpy.array(matrix)[:k, :k])) for k in range(size + 1)]
+    if all(minors):  # Jacobi: the pivots are quotients of the leading minors
+        assert signs == [1 if a * b > 0 else -1 for a, b in itertools.pairwise(minors)]
+        assert signs.count(-1) == sum(x < 0 for x in expected)  # Sylvester's law of inertia
+    else:
+        assert len(signs) < size or signs[-1] < 1
+
+
+def test_equations_one_by_one() -> None:
+    space = RowSpace(3)
+    assert space.add([1.0, 1.0, 0.0], 3.0) is None
+    assert space.add([1.0, -1.0, 0.0], 1.0) is None
+    assert space.add([2.0, 0.0, 0.0], 4.0) == pytest.approx(0.0)  # the sum of both
+    assert space.add([2.0, 0.0, 0.0], 8.0) == pytest.approx(0.5)  # contradicts it by 4 of 8
+    assert space.solution() == pytest.approx([2.0, 1.0, 0.0])
