@@ -39,9 +39,12 @@ from nhc.mechanics.values import constant_value
 from nhc.records import record
 from nhc.simulate.conditioning import adapted_choices
 from nhc.simulate.switching import SOUND
-from nhc.study.linearize import Branch, Linearisation, Sweep, linearise_at, sweep
-from nhc.study.steady import Hold, Matrix, NotSteady, SingularFrame, Steady, SteadyModel, check_frame, find_steady
+from nhc.study.field import Hold, SteadyModel
+from nhc.study.linearize import Linearisation, linearise_at
+from nhc.study.steady import NotSteady, SingularFrame, Steady, check_frame, find_steady
+from nhc.study.sweep import Branch, Sweep, sweep
 from nhc.study.tape import Tapes
+from nhc.study.units import Matrix
 
 _SNAP = 1e-11
 Found = TypeVar("Found")

@@ -63,6 +63,24 @@ def test_a_model_that_is_no_better_than_a_cheaper_one_is_named() -> None:
     assert text.startswith("on this scene rigid_bicycle is not worth its price: point_mass")
 
 
+def test_two_models_that_are_the_same_are_worth_the_same() -> None:
+    """Only the errors of their runs differ: neither is better for that.  A longer one that is no nearer is not worth its price."""
+    turned = oscillator("turned", "0")
+    turned = Source(turned.path, turned.text.replace("V: x^2/2", "V: (x + 1)^2/2 - x - 1/2"))
+    made = compare_models(
+        [oscillator("free", "0"), turned], oscillator("held", "0"), Grid(tolerances=(1e-6, 1e-9), budget=1e-4)
+    )
+    assert max(rung.error for rung in made.rungs) < 1e-6 and not observations(made)
+    stiff = oscillator("longer", "0")
+    stiff = Source(stiff.path, stiff.text.replace("V: x^2/2", "V: x^2/2 + 1e-30*x^6"))
+    (text,) = observations(
+        compare_models(
+            [oscillator("free", "0"), stiff], oscillator("held", "0.01"), Grid(tolerances=(1e-6, 1e-9), budget=1e-4)
+        )
+    )
+    assert text.startswith("on this scene longer is not worth its price:") and "operations in 2 equations" in text
+
+
 def test_the_error_falls_with_the_tolerance_down_to_the_models_own() -> None:
     made = ladder("lane_change")
     for rung in made.rungs:

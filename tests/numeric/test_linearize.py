@@ -22,10 +22,11 @@ from nhc.diagnostics import SpecError
 from nhc.language import Source, read
 from nhc.mechanics.linearize import solve_modulo
 from nhc.pipeline import Options, linearize, model
+from nhc.study.field import Hold, SteadyModel
 from nhc.study.linearize import eigenvalues, verdict
 from nhc.study.motion import Findings, Request, named_quantity, steady_model
 from nhc.study.stability.motions import Search, steady_motion
-from nhc.study.steady import Hold, NotSteady, SteadyModel, find_steady
+from nhc.study.steady import NotSteady, find_steady
 from nhc.study.tape import Tape
 from tests.support import spec_path
 

@@ -31,7 +31,7 @@ from nhc.simulate.prepare import Job, prepare
 from nhc.simulate.run import LEAST_TOLERANCE, SAFETY, list_times
 from nhc.simulate.source import write_natural, write_source
 from nhc.simulate.task import DONE, Outcome, Task
-from nhc.study.steady import Matrix
+from nhc.study.units import Matrix
 
 ROWS = 201
 MOST, MOST_INTERPRETED, MOST_NATURAL = 2_000_000, 20_000, (20_000, 500)

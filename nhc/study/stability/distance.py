@@ -15,7 +15,7 @@ from nhc.mechanics.choose import NotApplicable, dependent_of
 from nhc.mechanics.regularity import relative_determinant
 from nhc.records import record
 from nhc.study.stability.bench import Bench
-from nhc.study.steady import Matrix
+from nhc.study.units import Matrix
 
 NEAR = 0.03
 """Below this a choice is called weak, as in :mod:`nhc.mechanics.regularity`."""

@@ -17,10 +17,12 @@ from nhc.mechanics.linearize import Flow, kept_forms, reduced
 from nhc.mechanics.scenes import Start, kept_velocities, start_of
 from nhc.mechanics.system import System
 from nhc.records import record
-from nhc.study.linearize import Linearisation, Sweep, linearise_at, sweep
+from nhc.study.field import Hold, SteadyModel
+from nhc.study.linearize import Linearisation, linearise_at
 from nhc.study.motion import branch_of, nearest_of, read_holds, steady_model
 from nhc.study.stability.distance import scaled_least
-from nhc.study.steady import Hold, NotSteady, SingularFrame, Steady, SteadyModel, find_steady
+from nhc.study.steady import NotSteady, SingularFrame, Steady, find_steady
+from nhc.study.sweep import Sweep, sweep
 
 SINGULAR = 1e-6
 SweepRange = tuple[str, float, float, int]

@@ -1,0 +1,121 @@
+"""What a linearisation finds is the same in every unit of length and time, and beside something much faster.
+
+The eigenvalues of a gallery motion are compared with themselves after lengths and times are counted in other units; the orbit of a
+planet, resonators and slow instabilities with their closed forms.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Sequence
+
+import numpy as np
+import pytest
+
+from nhc.language import Source
+from nhc.pipeline import linearize
+from nhc.study.linearize import eigenvalues, verdict
+from nhc.study.motion import Findings, Request
+from nhc.study.steady import NotSteady
+from tests.numeric.test_linearize import find, matches
+
+
+def study(text: str, about: str, sweep: tuple[str, float, float, int] | None = None) -> Findings:
+    return linearize(Source("made.yaml", f"nhc: 1\nsystem: made\n{text}"), Request(about, sweep=sweep))
+
+
+def agree(found: Findings, expected: Sequence[complex], tolerance: float = 1e-9) -> bool:
+    """Each relative to its own size."""
+    values = eigenvalues(found.linearisation)
+    return len(values) == len(expected) and all(
+        min(abs(x - y) for y in values) <= tolerance * max(abs(x), 1e-300) for x in expected
+    )
+
+
+TWO = """
+coordinates: [x, y]
+parameters: {k1: 1, k2: 1, c1: 0, c2: 0}
+T: (x'^2 + y'^2)/2
+V: k1*x^2/2 + k2*y^2/2
+forces: {x: -c1*x', y: -c2*y'}
+"""
+
+
+@pytest.mark.parametrize("k", [1e-24, 1e-18, 1e-9, 1.0, 1e9, 1e12, 1e18])
+@pytest.mark.parametrize("sign", [1, -1])
+def test_an_oscillator_of_any_frequency(k: float, sign: int) -> None:
+    found = study("coordinates: [x]\nparameters: {k: 1}\nT: x'^2/2\nV: k*x^2/2\n", f"x=0.3, k={sign * k!r}")
+    root = cmath.sqrt(-sign * k)
+    assert found.linearisation.family == 0 and agree(found, [root, -root])
+    assert abs(found.linearisation.steady.y[0]) < 1e-9
+    assert verdict(found.linearisation) == ("marginal" if sign > 0 else "unstable")
+
+
+def test_a_slow_mode_beside_a_fast_one() -> None:
+    found = study(TWO, "k1=1e12, k2=1")
+    assert found.linearisation.family == 0 and agree(found, [1e6j, -1e6j, 1j, -1j])
+
+
+@pytest.mark.parametrize("k", [1.0, 1e8, 1e12])
+@pytest.mark.parametrize(("c", "expected"), [(0.01, "stable"), (-0.01, "unstable"), (0.0, "marginal")])
+def test_a_small_damping_beside_a_fast_mode_decides(k: float, c: float, expected: str) -> None:
+    """Real parts of 0.005 are no rounding beside 1e6 rad/s, for they are those of another mode."""
+    found = study(TWO, f"k1={k!r}, c1=0.02, k2=1, c2={c!r}")
+    assert verdict(found.linearisation) == expected
+    slow = cmath.sqrt(c * c / 4 - 1)
+    fast = cmath.sqrt(1e-4 - k)
+    assert agree(found, [-c / 2 + slow, -c / 2 - slow, -0.01 + fast, -0.01 - fast])
+
+
+@pytest.mark.parametrize("force", ["1e-10*x", "100*y + 1e12*x^2/2", "1e-3*y + x^2/2"])
+def test_nothing_stands_still_under_a_constant_force(force: str) -> None:
+    """However small the rate, and however fast the rest: no equilibrium, and no verdict about one."""
+    with pytest.raises(NotSteady):
+        study(f"coordinates: [x, y]\nT: (x'^2 + y'^2)/2\nV: {force}\n", "x=0.1")
+
+
+def test_the_orbit_of_a_planet_in_metres_and_seconds() -> None:
+    """A circle has r^3 phi'^2 = G M; what is near it swings with the same frequency (Kepler)."""
+    text = "coordinates: [r, phi]\nparameters: {GM: 1.32712440018e20}\nT: (r'^2 + r^2*phi'^2)/2\nV: -GM/r\n"
+    found = study(text, "r=1.495978707e11, phi'=1.99e-7")
+    steady = found.linearisation.steady
+    r, rate = steady.y[0], steady.y[3]
+    assert not steady.equilibrium and r == pytest.approx(1.496e11, rel=1e-3)
+    assert r**3 * rate**2 == pytest.approx(1.32712440018e20, rel=1e-12)
+    assert found.linearisation.family == 1 and agree(found, [1j * rate, -1j * rate])
+
+
+def test_a_swept_instability_of_a_slow_system() -> None:
+    """A bead on a hoop of a kilometre that turns once in weeks leaves the bottom at W^2 = g/R."""
+    text = "coordinates: [x]\nparameters: {W: 1e-6, g: 1e-9, R: 1000}\nT: R^2*(x'^2 + W^2*sin(x)^2)/2\nU: g*R*cos(x)\n"
+    found = study(text, "x=0", ("W", 5e-7, 1.4e-6, 4))
+    assert found.swept is not None
+    (crossing,) = found.swept.crossings
+    assert crossing.value == pytest.approx(1e-6, rel=1e-9) and crossing.unstable_above
+
+
+@pytest.mark.parametrize("length", [1e-9, 1.0, 1e9])
+@pytest.mark.parametrize("time", [1e-9, 1.0, 1e9])
+def test_the_disk_in_other_units(length: float, time: float) -> None:
+    """m = 1 kg; lengths are R = 0.5 and times 1 s, counted in other units."""
+    l2, rate = length**2, 1.0 / time
+    pairs = {"R": 0.5 * length, "A": 0.0625 * l2, "C": 0.125 * l2, "g": 9.81 * length * rate**2}
+    settings = ", ".join(f"{name}={value!r}" for name, value in pairs.items())
+    for speed, expected in ((3.0, "marginal"), (2.0, "unstable")):
+        found = find("rolling_disk", f"theta=pi/2, w_n={speed * rate!r}", settings=(settings,))
+        made, same = found.linearisation, find("rolling_disk", f"theta=pi/2, w_n={speed!r}").linearisation
+        assert verdict(made) == verdict(same) == expected
+        assert made.family == same.family and len(made.basis) == len(same.basis)
+        assert matches([x * time for x in eigenvalues(made)], eigenvalues(same), 1e-9)
+        assert np.all(np.isfinite(made.full)) and made.steady.y[3] == pytest.approx(math.pi / 2, abs=1e-9)
+
+
+@pytest.mark.parametrize("time", [1e-7, 1e7])
+def test_the_bicycle_in_another_unit_of_time(time: float) -> None:
+    rate = 1.0 / time
+    about = f"z=-0.3, thR'={-5 * rate!r}/r_R"
+    found = find("bicycle", about, "voronec", settings=(f"g={9.81 * rate**2!r}",)).linearisation
+    same = find("bicycle", "z=-0.3, thR'=-5/r_R", "voronec").linearisation
+    assert verdict(found) == "stable" and found.family == same.family
+    assert matches([x * time for x in eigenvalues(found)], eigenvalues(same), 1e-8)
