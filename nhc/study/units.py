@@ -24,6 +24,7 @@ SMALL = 1e-13
 _NEAR = 1000.0
 _SWEEPS, _GAIN = 200, 0.95
 _TRIALS = 3
+_LEAST_SIZE = 1e-3
 
 
 @record
@@ -122,6 +123,40 @@ def _parts(matrix: Matrix) -> list[list[int]]:
         left -= part
         found.append(sorted(part))
     return found
+
+
+def sizes_of(largest: Vector, slopes: Matrix, duration: float, coordinates: int) -> Vector:
+    """What is large for each entry of a state: ``largest`` is its largest magnitude in a scene of that ``duration``.
+
+    What stays (almost) zero is measured by entries that it goes back and forth with, at a thousandth, in the units in which their
+    ``slopes`` (NY, NY; magnitudes of d rhs / d y) are balanced; what is only integrated from others, by these and the duration.
+    Where all of these stay zero, the smallest other coordinate (of the first ``coordinates`` entries) or velocity is taken.
+    """
+    found, alone = np.array(largest), list[list[int]]()
+    for part in _loops(slopes):
+        scale = balance(slopes[np.ix_(part, part)])
+        found[part] = np.maximum(found[part], _LEAST_SIZE * scale * np.max(found[part] / scale))
+        if not np.all(found[part] > 0.0):
+            alone.append(part)
+    for part in alone * len(alone):
+        if len(part) == 1:
+            found[part] = np.maximum(found[part], _LEAST_SIZE * duration * (slopes[part] @ found))
+    for part in alone:
+        if not np.all(found[part] > 0.0):
+            scale = balance(slopes[np.ix_(part, part)])
+            like = [k for k in range(len(found)) if (k < coordinates) == (part[0] < coordinates) and largest[k] > 0.0]
+            found[part] = _LEAST_SIZE * min((float(largest[k]) for k in like), default=1.0) * scale / scale[0]
+    return found
+
+
+def _loops(slopes: Matrix) -> list[list[int]]:
+    """Entries that depend on each other, directly or through others (strongly connected)."""
+    size = len(slopes)
+    reach = (slopes != 0.0) | np.eye(size, dtype=bool)
+    for _ in range(max(size, 2).bit_length()):
+        reach = (reach.astype(float) @ reach) > 0.0
+    both = reach & reach.T
+    return [[int(j) for j in np.flatnonzero(both[k])] for k in range(size) if not np.any(both[k, :k])]
 
 
 def is_steady(value: Vector, slopes: Matrix, y: Vector, others: Callable[[], Sequence[Vector]]) -> bool:
