@@ -229,8 +229,8 @@ def _spectrum(core: Matrix) -> tuple[Matrix, Matrix]:
     size = float(np.linalg.norm(core, 2))
     error = ROUNDING * len(core) * size
     try:
-        left = np.linalg.inv(right)
-        condition = np.linalg.norm(left, axis=1) * np.linalg.norm(right, axis=0)
+        with np.errstate(over="ignore", invalid="ignore"):  # vectors that are the same have an infinite condition
+            condition = np.linalg.norm(np.linalg.inv(right), axis=1) * np.linalg.norm(right, axis=0)
     except np.linalg.LinAlgError:
         condition = np.full(len(core), np.inf)
     condition = np.where(np.isfinite(condition), condition, np.inf)

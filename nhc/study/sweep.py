@@ -14,6 +14,7 @@ from nhc.study.steady import NotSteady, find_steady
 from nhc.study.units import Matrix
 
 _BISECTIONS = 60
+_ZERO = "an eigenvalue passes zero"
 
 
 @record
@@ -86,6 +87,9 @@ def crossings(branch: Branch, values: Sequence[float], points: Sequence[Linearis
     found = []
     for low, high, a, b in zip(values, values[1:], points, points[1:], strict=False):
         found += [*_static(branch, low, high, a, b), *_oscillatory(branch, low, high, a, b)]
+    for value, before, at, after in zip(values[1:], points, points[1:], points[2:], strict=False):
+        if _sign(at) == 0.0 and _sign(before) * _sign(after) < 0.0:
+            found.append(Crossing(value, _ZERO, 0.0, 0.0, _grow(after) > _grow(before)))
     return tuple(sorted(found, key=lambda crossing: crossing.value))
 
 
@@ -98,8 +102,11 @@ def _static(branch: Branch, low: float, high: float, a: Linearisation, b: Linear
     if first * _sign(b) >= 0:
         return []
     low, high = _bisect(lambda value: _sign(branch(value)) == first, low, high)
-    above = sum(mode.grows for mode in modes(b)) > sum(mode.grows for mode in modes(a))
-    return [Crossing((low + high) / 2, "an eigenvalue passes zero", 0.0, high - low, above)]
+    return [Crossing((low + high) / 2, _ZERO, 0.0, high - low, _grow(b) > _grow(a))]
+
+
+def _grow(made: Linearisation) -> int:
+    return sum(mode.grows for mode in modes(made))
 
 
 def _pairs(made: Linearisation, strict: bool) -> list[complex]:

@@ -72,7 +72,7 @@ def choose_units(jacobian: Matrix, y: Sequence[float], rest: Sequence[int]) -> U
     for part in _parts(own):
         factor = max((abs(y[inner[k]]) / scale[k] for k in part), default=0.0)
         scale[part] *= _power(factor) if factor > _NEAR else 1.0
-    speed = float(np.linalg.norm(own * scale / scale[:, None])) if inner else 0.0
+    speed = float(np.max(np.sum(own * scale / scale[:, None], axis=1))) if inner else 0.0
     fast = speed > 0.0 and not 1.0 / _NEAR <= speed <= _NEAR
     if fast or np.max(np.maximum(scale, 1.0 / scale), initial=1.0) > _NEAR:
         states[inner] = scale
@@ -88,12 +88,12 @@ def _power(x: float) -> float:
 
 def balance(matrix: Matrix) -> Vector:
     """The diagonal D, powers of two, for which D^-1 A D has rows and columns of the same length, as far as there is one."""
-    made, scale = np.array(matrix), np.ones(len(matrix))
+    made, scale = np.abs(matrix), np.ones(len(matrix))
     np.fill_diagonal(made, 0.0)
     for _ in range(_SWEEPS):
         still = True
         for k in range(len(made)):
-            column, row = float(np.linalg.norm(made[:, k])), float(np.linalg.norm(made[k]))
+            column, row = float(np.sum(made[:, k])), float(np.sum(made[k]))
             if column == 0.0 or row == 0.0:
                 continue
             factor = _power(math.sqrt(row / column))

@@ -95,6 +95,25 @@ def test_a_swept_instability_of_a_slow_system() -> None:
     assert crossing.value == pytest.approx(1e-6, rel=1e-9) and crossing.unstable_above
 
 
+@pytest.mark.parametrize("count", [2, 3, 5, 6])
+def test_a_crossing_is_found_also_where_a_value_of_the_sweep_meets_it(count: int) -> None:
+    """k = 0 is the third of five values, and the middle of three: an exact zero is on neither side."""
+    text = "coordinates: [x]\nparameters: {k: 1}\nT: x'^2/2\nV: k*x^2/2\n"
+    found = study(text, "x=0", ("k", -1.0, 1.0, count))
+    assert found.swept is not None
+    (crossing,) = found.swept.crossings
+    assert abs(crossing.value) < 1e-12 and not crossing.unstable_above
+    hoop = "coordinates: [x]\nparameters: {W: 1}\nT: (x'^2 + W^2*sin(x)^2)/2\nU: cos(x)\n"
+    swept = study(hoop, "x=0", ("W", 0.0, 2.0, count)).swept
+    assert swept is not None and [c.value for c in swept.crossings] == pytest.approx([1.0], abs=1e-9)
+
+
+@pytest.mark.parametrize("k", [1e300, -1e150, 1e-300])
+def test_numbers_near_the_ends_of_what_a_double_holds(k: float) -> None:
+    found = study("coordinates: [x]\nparameters: {k: 1}\nT: x'^2/2\nV: k*x^2/2\n", f"x=0, k={k!r}")
+    assert agree(found, [cmath.sqrt(-k), -cmath.sqrt(-k)])
+
+
 @pytest.mark.parametrize("length", [1e-9, 1.0, 1e9])
 @pytest.mark.parametrize("time", [1e-9, 1.0, 1e9])
 def test_the_disk_in_other_units(length: float, time: float) -> None:
