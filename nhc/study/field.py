@@ -20,6 +20,8 @@ from nhc.study.units import Matrix, Units, Vector, choose_units, cleaned, trials
 
 RANK = 1e-9
 """Singular values below this part of the largest one count as zero."""
+SINGULAR = 1e-6
+"""Where the coordinates are less regular than this they fail themselves (gimbal lock), and nothing can be said."""
 
 
 @record
@@ -98,6 +100,22 @@ class SteadyModel:
         size = len(self.flow.unknowns)
         flat = [x for row in self.flow.matrix for x in row]
         return self.tapes.numbers(flat, self.values(y)).reshape(size, size)
+
+    def regularity(self, y: Sequence[float]) -> float:
+        """How far the coordinates are from being singular at y, in [0, 1]: the mass matrix, bordered by the constraints where these
+        are kept (masses may then be zero), scaled to ones on its diagonal.
+        """
+        matrix, kept = self.mass(y), self.flow.kept
+        mass = matrix[:kept, :kept]
+        if len(matrix) == kept:
+            return scaled_least(mass) if kept else 1.0
+        own = np.abs(np.diag(mass))
+        lengths = 1.0 / np.sqrt(np.where(own > 0.0, own, 1.0))
+        rows = matrix[kept:, :kept] * lengths
+        rows = rows / np.maximum(np.linalg.norm(rows, axis=1, keepdims=True), 1e-300)
+        none = np.zeros((len(rows), len(rows)))
+        bordered = np.block([[mass * np.outer(lengths, lengths), rows.T], [rows, none]])
+        return float(np.linalg.svd(bordered, compute_uv=False)[-1])
 
     def lengths(self, y: Sequence[float]) -> list[float]:
         """What each coordinate moves in a time of 1 with half a unit of kinetic energy, at y or where its mass is larger.
@@ -222,3 +240,11 @@ def _solve(matrix: Matrix, right: Matrix) -> Matrix:
         return np.asarray(np.linalg.solve(matrix, right))
     except np.linalg.LinAlgError:
         raise ArithmeticError("the accelerations are not determined") from None
+
+
+def scaled_least(mass: Matrix) -> float:
+    """The smallest eigenvalue of the mass matrix scaled to ones on its diagonal: 0 in a gimbal lock."""
+    scale = np.sqrt(np.abs(np.diag(mass)))
+    if not np.all(scale > 0):
+        return 0.0
+    return float(max(np.linalg.eigvalsh(mass / np.outer(scale, scale))[0], 0.0))

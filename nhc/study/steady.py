@@ -10,7 +10,7 @@ import numpy as np
 
 from nhc.mechanics.regularity import relative_determinant, sampled_rows
 from nhc.study.field import RANK, Hold, SteadyModel
-from nhc.study.units import Matrix, Vector, is_steady
+from nhc.study.units import Matrix, Vector, beside, is_steady
 
 _STEPS, _HALVINGS, _LEAST = 100, 40, 0.05
 _LEAST_FRAME = 0.01  # of the coframe's relative determinant, per constraint
@@ -101,6 +101,27 @@ def check_frame(model: SteadyModel, y: Sequence[float], where: str) -> None:
         )
     if sound < _LEAST_FRAME:
         raise SingularFrame(f"the coframe is singular {where} (conditioning {sound:.2g})", float("inf"))
+
+
+def check_smooth(model: SteadyModel, steady: Steady) -> None:
+    """Nothing where the field has a derivative at the steady motion.
+
+    Raises:
+        NotSteady: it jumps there, or bends (dry friction, stops): what it does to small perturbations is no matrix.
+    """
+    own = replace(model, turning=steady.turning, symmetries=(steady.turns,)).in_units(steady.y)
+    y, rest = own.inside(steady.y), list(model.rest)
+    rates, jacobian = own.field(y)
+    most = 1e-5 * max(1.0, float(np.max(np.abs(jacobian), initial=0.0)))
+    for near in beside(y):
+        try:
+            other, slopes = own.field(near)
+        except ArithmeticError:  # the edge of a domain: nothing is told of the other side
+            continue
+        if max(float(np.max(np.abs(a - b)[rest], initial=0.0)) for a, b in ((other, rates), (slopes, jacobian))) > most:
+            what = "the equations of motion have a jump or a kink at the steady motion: no matrix says what is near it"
+            advice = "round it off (`tanh(v/eps)` for `sign(v)`), or look at a motion on one side of it"
+            raise NotSteady(what, math.inf, steady.y, advice)
 
 
 def _soundness(model: SteadyModel, rows: Sequence[Sequence[Sequence[float]]]) -> float:

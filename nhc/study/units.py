@@ -55,6 +55,17 @@ def trials(y: Sequence[float], p: Sequence[float]) -> list[tuple[list[float], tu
     return found
 
 
+def beside(y: Sequence[float]) -> list[list[float]]:
+    """States all around a given one, as near as they can be told from it: a kink or a jump lies between some of them."""
+    found = []
+    for trial in range(2 * _TRIALS):
+        signs = [1.0 if math.cos((trial // 2 + 1) * (k + 1.0) ** 1.5) > 0.0 else -1.0 for k in range(len(y))]
+        side = 1.0 if trial % 2 else -1.0
+        steps = [SMALL * abs(x) if abs(x) > SMALL else 4.0 * abs(x) + 1e-30 for x in y]
+        found.append([x + side * sign * step for x, sign, step in zip(y, signs, steps, strict=True)])
+    return found
+
+
 def cleaned(matrix: Matrix, others: Sequence[Matrix]) -> Matrix:
     """The matrix without the entries that are no larger than what they change by from one trial to the next."""
     change = np.max([np.abs(other - matrix) for other in others], axis=0, initial=0.0) if others else np.zeros(1)

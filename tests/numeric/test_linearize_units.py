@@ -138,3 +138,20 @@ def test_the_bicycle_in_another_unit_of_time(time: float) -> None:
     same = find("bicycle", "z=-0.3, thR'=-5/r_R", "voronec").linearisation
     assert verdict(found) == "stable" and found.family == same.family
     assert matches([x * time for x in eigenvalues(found)], eigenvalues(same), 1e-8)
+
+
+@pytest.mark.parametrize(
+    "forces", ["-x - sign(x')/10", "-max(x, 0) - x'", "-x - x'*abs(x)/x'^2*x'", "-abs(x) - x", "-x - 3*max(x', 2*x')"]
+)
+def test_no_matrix_where_the_field_jumps_or_bends(forces: str) -> None:
+    """Dry friction, a stop: the derivative by convention is that of neither side, and no verdict rests on it."""
+    with pytest.raises(NotSteady, match="jump or a kink|singular"):
+        study(f'coordinates: [x]\nT: x\'^2/2\nforces: {{x: "{forces}"}}\n', "x=0")
+
+
+def test_rounded_friction_and_short_lengths_have_a_matrix() -> None:
+    found = study("coordinates: [x]\nT: x'^2/2\nforces: {x: -x - tanh(x'/1e-3)}\n", "x=0")
+    assert verdict(found.linearisation) == "stable"
+    atoms = "coordinates: [x]\nparameters: {s: 3e-10}\nT: x'^2/2\nV: ((s/(s + x))^12 - 2*(s/(s + x))^6)\n"
+    near = study(atoms, "x=0")
+    assert agree(near, [1j * math.sqrt(72) / 3e-10, -1j * math.sqrt(72) / 3e-10])
