@@ -145,7 +145,7 @@ def test_the_bicycle_in_another_unit_of_time(time: float) -> None:
 )
 def test_no_matrix_where_the_field_jumps_or_bends(forces: str) -> None:
     """Dry friction, a stop: the derivative by convention is that of neither side, and no verdict rests on it."""
-    with pytest.raises(NotSteady, match="jump or a kink|singular"):
+    with pytest.raises(NotSteady, match=r"jump or a kink|singular"):
         study(f'coordinates: [x]\nT: x\'^2/2\nforces: {{x: "{forces}"}}\n', "x=0")
 
 
