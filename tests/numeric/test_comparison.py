@@ -12,11 +12,12 @@ import pytest
 
 from nhc.cli.entry import main
 from nhc.diagnostics import SpecError
-from nhc.language import Source, read
+from nhc.language import Source, decode, read
 from nhc.report.comparison import draw_comparison
 from nhc.report.comparison_page import make_comparison_file
 from nhc.report.comparison_text import advise_models, observations, to_markdown
 from nhc.resources import find_specs
+from nhc.study.chart.comparable import check_comparable
 from nhc.study.chart.fidelity import Comparison, compare_models, name_models
 from nhc.study.chart.grid import Grid
 
@@ -119,6 +120,26 @@ def test_without_a_compiler_the_emitted_python_is_timed(monkeypatch: pytest.Monk
     made = compare_models([oscillator("free", "0")], oscillator("held", "0.01"), Grid(tolerances=(1e-6,), budget=1e-4))
     assert "no C compiler" in made.notes[0] and made.results[0].case.language == "python"
     assert made.rungs[0].errors[0] == pytest.approx(0.01 * (1 - math.cos(3.0)), rel=1e-3)
+
+
+@pytest.mark.parametrize(
+    ("here", "there", "fits"), [("cm", "m", False), ("deg", "rad", False), ("1", "rad", True), ("m", "", True)]
+)
+def test_centimetres_are_not_held_against_metres(here: str, there: str, fits: bool) -> None:
+    sources = []
+    for name, unit in (("free", here), ("held", there)):
+        source = oscillator(name, "0")
+        said = f"coordinates: {{x: {{unit: '{unit}'}}}}" if unit else "coordinates: [x]"
+        said += "\nparameters: {plain: 1}"  # without a unit, so that the dimensions of V are not asked for
+        sources.append(Source(source.path, source.text.replace("coordinates: {x: {}}", said)))
+    specs = [decode(source) for source in sources]
+    if fits:
+        check_comparable(specs[0], specs[1], specs[1].scenes[0], ("x", "x'"), "free")
+        return
+    with pytest.raises(SpecError) as caught:
+        check_comparable(specs[0], specs[1], specs[1].scenes[0], ("x", "x'"), "free")
+    assert [d.code for d in caught.value.diagnostics] == ["E0505", "E0505"]
+    assert f"in {here} here, in {there}" in caught.value.diagnostics[0].message
 
 
 @pytest.mark.parametrize(
