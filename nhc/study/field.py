@@ -155,6 +155,15 @@ class SteadyModel:
         across = flat.reshape(len(nodes), len(self.flow.y))
         return self.tapes.numbers(nodes, values), across if self.units is None else across * self.units.states
 
+    def held_directions(self, y: Sequence[float]) -> Matrix:
+        """The slopes of the conditions, each beside its length here or a little away: one that vanishes at y alone stays small."""
+        rows = self.conditions(y)[1]
+        lengths = np.linalg.norm(rows, axis=1)
+        with suppress(ArithmeticError):
+            away = [x + 0.1 * math.cos(k + 1.0) for k, x in enumerate(y)]
+            lengths = np.maximum(lengths, np.linalg.norm(self.conditions(away)[1], axis=1))
+        return np.asarray(rows / np.maximum(lengths, 1e-300)[:, None])
+
     def slopes(self, y: Sequence[float], node: Node) -> Vector:
         """The gradient of a function of the state, shape (NY,)."""
         found = self.tapes.slopes(node, self.values(y))
@@ -189,9 +198,11 @@ class SteadyModel:
             ArithmeticError: the model is singular at y.
         """
         try:
-            units = choose_units(self.field(y)[1], y, self.rest)
+            zero = self.flow.graph.zero
+            together = [[k for k, slope in enumerate(row) if slope != zero] for row in self._conditions[1]]
+            units = choose_units(self.field(y)[1], y, self.rest, together)
             if not units.own:  # rounding can look like something slow
-                units = choose_units(self.clean_jacobian(y), y, self.rest)
+                units = choose_units(self.clean_jacobian(y), y, self.rest, together)
         except OverflowError:
             return self
         if units.own:

@@ -123,7 +123,7 @@ def _admissible(model: SteadyModel, y: Sequence[float], full: Matrix) -> tuple[M
     if across is None:
         notes = ("the leaf of the hidden constraints is not regular here: its directions are not left out",)
         across = np.zeros((0, model.flow.system.n))
-    held = model.conditions(y)[1]
+    held = model.held_directions(y)
     basis = _seen(np.vstack([np.hstack([across, np.zeros((len(across), size - across.shape[1]))]), held]), rest)
     if len(across):
         allowed = _seen(held, rest)

@@ -10,7 +10,7 @@ import numpy as np
 
 from nhc.mechanics.regularity import relative_determinant, sampled_rows
 from nhc.study.field import RANK, Hold, SteadyModel
-from nhc.study.units import Matrix, Vector, beside, is_steady
+from nhc.study.units import Matrix, Vector, beside, is_steady, normal
 
 _STEPS, _HALVINGS, _LEAST = 100, 40, 0.05
 _LEAST_FRAME = 0.01  # of the coframe's relative determinant, per constraint
@@ -233,6 +233,10 @@ def _equations(
     rows = [model.slopes(state, hold.node) for hold in holds]
     held = np.array(rows).reshape(len(holds), len(state))
     scale = max(1.0, float(np.max(np.abs(jacobian[rest]), initial=0.0)))
+    for numbers, slopes in ((off, across), (wanted, held)):
+        factors = normal(slopes)
+        numbers *= factors
+        slopes *= factors[:, None]
     slopes = np.vstack([jacobian[rest], across, held])
     by_speed = np.zeros((len(slopes), len(turns)))
     for k, turn in enumerate(turns):

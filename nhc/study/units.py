@@ -22,6 +22,7 @@ Matrix = NDArray[np.float64]
 SMALL = 1e-13
 """By how much, relative to its size, a state or a parameter is taken to be uncertain."""
 _NEAR = 1000.0
+_ZERO = 1e-12  # what is smaller is a zero that was rounded
 _SWEEPS, _GAIN = 200, 0.95
 _TRIALS = 3
 _LEAST_SIZE = 1e-3
@@ -72,17 +73,24 @@ def cleaned(matrix: Matrix, others: Sequence[Matrix]) -> Matrix:
     return np.where(np.abs(matrix) <= 8.0 * change, 0.0, matrix)
 
 
-def choose_units(jacobian: Matrix, y: Sequence[float], rest: Sequence[int]) -> Units:
+def choose_units(
+    jacobian: Matrix, y: Sequence[float], rest: Sequence[int], together: Sequence[Sequence[int]] = ()
+) -> Units:
     """Units for a state ``y``; ``rest`` are the entries that matter.
 
-    ``jacobian`` (NY, NY) holds no rounding that looks like a number.
+    ``jacobian`` (NY, NY) holds no rounding that looks like a number.  ``together``: entries that stand in one condition on the
+    state, so that the size of one tells that of the others.
     """
     states, inner = np.ones(len(y)), list(rest)
     own = np.abs(jacobian[np.ix_(inner, inner)])
     scale = balance(own)
-    for part in _parts(own):
+    met = np.array(own)
+    for group in together:
+        places = [inner.index(k) for k in group if k in inner]
+        met[np.ix_(places, places)] += 1.0
+    for part in _parts(met):
         factor = max((abs(y[inner[k]]) / scale[k] for k in part), default=0.0)
-        scale[part] *= _power(factor) if factor > _NEAR else 1.0
+        scale[part] *= _power(factor) if factor > _NEAR or _ZERO < factor < 1.0 / _NEAR else 1.0
     speed = float(np.max(np.sum(own * scale / scale[:, None], axis=1))) if inner else 0.0
     fast = speed > 0.0 and not 1.0 / _NEAR <= speed <= _NEAR
     if fast or np.max(np.maximum(scale, 1.0 / scale), initial=1.0) > _NEAR:
@@ -90,6 +98,13 @@ def choose_units(jacobian: Matrix, y: Sequence[float], rest: Sequence[int]) -> U
     for k in set(range(len(y))) - set(inner):
         states[k] = _power(y[k]) if abs(y[k]) > _NEAR else 1.0
     return Units(tuple(float(x) for x in states), _power(1.0 / speed) if fast else 1.0)
+
+
+def normal(rows: Matrix) -> Vector:
+    """Factors that bring rows of slopes to about 1, as far as they are not near it."""
+    lengths = np.max(np.abs(rows), axis=1, initial=0.0)
+    far = (lengths > _NEAR) | ((lengths < 1.0 / _NEAR) & (lengths > 0.0))
+    return np.asarray(1.0 / np.where(far, lengths, 1.0))
 
 
 def _power(x: float) -> float:

@@ -155,3 +155,13 @@ def test_rounded_friction_and_short_lengths_have_a_matrix() -> None:
     atoms = "coordinates: [x]\nparameters: {s: 3e-10}\nT: x'^2/2\nV: ((s/(s + x))^12 - 2*(s/(s + x))^6)\n"
     near = study(atoms, "x=0")
     assert agree(near, [1j * math.sqrt(72) / 3e-10, -1j * math.sqrt(72) / 3e-10])
+
+
+@pytest.mark.parametrize("length", [1e-9, 1e-6, 1.0, 1e6, 1e9])
+def test_a_pendulum_on_a_circle_of_any_size(length: float) -> None:
+    """A holonomic constraint: x^2 + y^2 is 1e-18 or 1e18 of the spec's units."""
+    about = f"x={0.6 * length!r}, y={-0.8 * length!r}, l={length!r}"
+    made = find("holonomic_pendulum", about, "multipliers").linearisation
+    root = 1j * math.sqrt(9.81 / length)
+    assert made.steady.y[1] == pytest.approx(-length, rel=1e-9) and len(made.basis) == 2 and made.family == 0
+    assert matches([x / abs(root) for x in eigenvalues(made)], [1j, -1j], 1e-8)
