@@ -88,7 +88,7 @@ def crossings(branch: Branch, values: Sequence[float], points: Sequence[Linearis
     for low, high, a, b in zip(values, values[1:], points, points[1:], strict=False):
         found += [*_static(branch, low, high, a, b), *_oscillatory(branch, low, high, a, b)]
     for value, before, at, after in zip(values[1:], points, points[1:], points[2:], strict=False):
-        if _sign(at) == 0.0 and _sign(before) * _sign(after) < 0.0:
+        if _told(at) == 0.0 and _told(before) * _told(after) < 0.0:
             found.append(Crossing(value, _ZERO, 0.0, 0.0, _grow(after) > _grow(before)))
     return tuple(sorted(found, key=lambda crossing: crossing.value))
 
@@ -97,9 +97,15 @@ def _sign(made: Linearisation) -> float:
     return float(np.linalg.slogdet(made.core)[0]) if len(made.core) else 1.0
 
 
+def _told(made: Linearisation) -> float:
+    """The sign of the core's determinant; 0 where it is singular up to rounding, for there the sign is that of rounding."""
+    sizes = np.linalg.svd(made.core, compute_uv=False) if len(made.core) else np.ones(1)
+    return _sign(made) if sizes[-1] > 100.0 * ROUNDING * sizes[0] else 0.0
+
+
 def _static(branch: Branch, low: float, high: float, a: Linearisation, b: Linearisation) -> list[Crossing]:
-    first = _sign(a)
-    if first * _sign(b) >= 0:
+    first = _told(a)
+    if first * _told(b) >= 0:
         return []
     low, high = _bisect(lambda value: _sign(branch(value)) == first, low, high)
     return [Crossing((low + high) / 2, _ZERO, 0.0, high - low, _grow(b) > _grow(a))]

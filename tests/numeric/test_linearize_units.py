@@ -108,6 +108,13 @@ def test_a_crossing_is_found_also_where_a_value_of_the_sweep_meets_it(count: int
     assert swept is not None and [c.value for c in swept.crossings] == pytest.approx([1.0], abs=1e-9)
 
 
+def test_a_frequency_that_touches_zero_at_a_value_of_the_sweep_is_no_crossing() -> None:
+    """In axes that turn with the top one frequency is zero at w3 = 2 and comes back: the determinant does not change its sign."""
+    found = find("heavy_top_quaternion", "w3=1.5", sweep=("w3", 1.5, 2.5, 5))
+    assert found.swept is not None
+    assert [c.value for c in found.swept.crossings] == pytest.approx([math.sqrt(32) / 3], abs=1e-7)
+
+
 @pytest.mark.parametrize("k", [1e300, -1e150, 1e-300])
 def test_numbers_near_the_ends_of_what_a_double_holds(k: float) -> None:
     found = study("coordinates: [x]\nparameters: {k: 1}\nT: x'^2/2\nV: k*x^2/2\n", f"x=0, k={k!r}")
