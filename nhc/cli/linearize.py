@@ -12,8 +12,9 @@ from nhc.cli.specs import open_spec
 from nhc.cli.terminal import Exit, Failure, put, put_json
 
 if TYPE_CHECKING:
-    from nhc.study.linearize import Sweep
+    from nhc.study.linearize import Mode
     from nhc.study.motion import Findings
+    from nhc.study.sweep import Sweep
 
 
 @click.command("linearize")
@@ -127,12 +128,11 @@ def _matrix_lines(found: Findings) -> list[str]:
     made = found.linearisation
     names = [found.flow.names[i] for i in made.rest]
     lines = [f"matrix of perturbations of ({', '.join(names)}), entries that are not zero"]
-    size = max(1.0, float(abs(made.full).max(initial=0.0)))
     entries = []
     for r, row in enumerate(names):
         for c, column in enumerate(names):
             value = float(made.full[r, c])
-            if abs(value) > 1e-13 * size:
+            if value:
                 paper = f"  {found.paper[r][c]}" if found.paper else ""
                 entries.append((f"{row} <- {column}", f"{value:.12g}", paper))
     left, right = (max((len(e[k]) for e in entries), default=0) for k in (0, 1))
@@ -145,13 +145,13 @@ def _matrix_lines(found: Findings) -> list[str]:
 
 
 def _eigenvalue_lines(found: Findings) -> list[str]:
-    from nhc.study.linearize import eigenvalues, verdict
+    from nhc.study.linearize import modes, verdict
 
     made = found.linearisation
     left_out = len(made.rest) - len(made.basis) - made.turns
     lines = ["eigenvalues"]
-    for x in eigenvalues(made):
-        lines.append("  " + _eigenvalue(x))
+    for mode in modes(made):
+        lines.append("  " + _eigenvalue(mode))
     if made.family:
         lines.append(f"  {made.family} structural zero(s), left out: the steady motions form a family")
     if left_out:
@@ -163,31 +163,27 @@ def _eigenvalue_lines(found: Findings) -> list[str]:
     return [*lines, f"verdict: {told[verdict(made)]}"]
 
 
-def _eigenvalue(x: complex) -> str:
+def _eigenvalue(mode: Mode) -> str:
+    real, x = f"{_clean(mode) + 0.0:.12g}", mode.value
     if x.imag == 0:
-        return f"{_rounded(x.real, x):>20}"
-    text = f"{_rounded(x.real, x):>20} {'+' if x.imag > 0 else '-'} {abs(x.imag):.12g} i"
-    return f"{text}  damping ratio {-_clean(x.real, x) / abs(x) + 0.0:.6g}, period {2 * math.pi / abs(x.imag):.6g}"
+        return f"{real:>20}"
+    text = f"{real:>20} {'+' if x.imag > 0 else '-'} {abs(x.imag):.12g} i"
+    return f"{text}  damping ratio {-_clean(mode) / abs(x) + 0.0:.6g}, period {2 * math.pi / abs(x.imag):.6g}"
 
 
-def _clean(part: float, x: complex) -> float:
-    """Rounding beside the other part shows as zero."""
-    return 0.0 if abs(part) <= 1e-12 * max(1.0, abs(x)) else part
-
-
-def _rounded(part: float, x: complex) -> str:
-    return f"{_clean(part, x) + 0.0:.12g}"
+def _clean(mode: Mode) -> float:
+    """The real part; rounding shows as zero."""
+    return mode.value.real if mode.grows or mode.decays else 0.0
 
 
 def _sweep_lines(name: str, swept: Sweep) -> list[str]:
-    from nhc.study.linearize import eigenvalues
+    from nhc.study.linearize import modes
 
     lines = [f"along {name}: number of growing and of all eigenvalues, the largest real part"]
     for value, point in zip(swept.values, swept.points, strict=True):
-        parts = [_clean(x.real, x) for x in eigenvalues(point)]
-        growing = sum(part > 1e-9 for part in parts)
-        largest = f"{max(parts) + 0.0:.10g}" if parts else "none"
-        lines.append(f"  {value:<14.10g} {growing} of {len(parts)}  {largest}")
+        found = modes(point)
+        largest = f"{max(_clean(mode) for mode in found) + 0.0:.10g}" if found else "none"
+        lines.append(f"  {value:<14.10g} {sum(mode.grows for mode in found)} of {len(found)}  {largest}")
     lines.append("crossings")
     for c in swept.crossings:
         period = f", frequency {c.frequency:.10g}" if c.frequency else ""

@@ -53,28 +53,37 @@ def _words(made: Comparison, best: Result, target: float) -> str:
 
 
 def observations(made: Comparison) -> list[str]:
-    """Models that are not worth their price: another one is nearer to the finest and not dearer."""
+    """Models that are not worth their price: another one is nearer to the finest and not dearer, or as near and cheaper."""
     found = []
     for rung in made.rungs:
         if rung.name == made.finest or not math.isfinite(rung.error):
             continue
-        better = [
-            other
-            for other in made.rungs
-            if other is not rung and other.error <= rung.error and _is_smaller(other, rung)
-        ]
+        better = [other for other in made.rungs if other is not rung and _beats(other, rung)]
         if better:
             best = min(better, key=lambda other: (other.error, other.operations))
             found.append(
                 f"on this scene {rung.name} is not worth its price: {best.name} errs by {best.error:.1e} against "
-                f"{rung.error:.1e}, with {duration(best.rhs)} against {duration(rung.rhs)} for one right-hand side"
+                f"{rung.error:.1e}, with {_size(best)} against {_size(rung)}"
             )
     return found
 
 
-def _is_smaller(a: Rung, b: Rung) -> bool:
+def _size(rung: Rung) -> str:
+    return f"{rung.operations} operations in {rung.states} equation{'s' if rung.states != 1 else ''}"
+
+
+def _beats(a: Rung, b: Rung) -> bool:
     """By what is counted, not by what is timed."""
-    return a.operations <= b.operations and a.states <= b.states
+    smaller = a.operations <= b.operations and a.states <= b.states
+    as_near = a.error == b.error or (_is_integration(a) and _is_integration(b))
+    if as_near:
+        return smaller and (a.operations, a.states) != (b.operations, b.states)
+    return smaller and a.error < b.error
+
+
+def _is_integration(rung: Rung) -> bool:
+    """Whether what is seen of a model's error is that of its runs."""
+    return not rung.own <= NOT_ITS_OWN * rung.error
 
 
 def to_data(made: Comparison) -> dict[str, object]:

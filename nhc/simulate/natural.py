@@ -20,7 +20,7 @@ class NaturalModel(TextModel):
         super().__init__(program)
         self.n, self.l = len(program.coordinates), len(program.constraints)
         self.p: Sequence[float] = ()
-        self.t = 0.0
+        self.t, self.calls = 0.0, 0
 
     # --- the system as the methods see it
 
@@ -31,6 +31,7 @@ class NaturalModel(TextModel):
         return self._block(self.module.rows(self.t, q, self._still, self.p), self.l)
 
     def slope(self, q: Sequence[float], v: Sequence[float]) -> list[float]:
+        self.calls += 1
         values: list[float] = self.module.slope(self.t, q, v, self.p)
         return values
 
@@ -50,7 +51,7 @@ class NaturalModel(TextModel):
     def integrate(self, task: Task, method: str, news: News) -> Outcome:
         """Fixed steps to the end; rows between them by Hermite's cubic."""
         scheme, (start, end) = STRUCTURE[method], (task.times[0], task.times[-1])
-        self.p = task.p
+        self.p, self.calls = task.p, 0
         count = max(1, math.ceil(abs(end - start) / task.step - 1e-9))
         h = (end - start) / count
         outcome = Outcome(DONE, 0, start, list(task.y), h, states=[list(task.y)])
@@ -73,6 +74,7 @@ class NaturalModel(TextModel):
             outcome.kind = NO_SOLUTION
         except ArithmeticError as error:
             outcome.kind, outcome.status = SINGULAR, getattr(error, "status", 0)
+        outcome.calls = self.calls
         outcome.y = self.module.state(outcome.t, q, v, task.p)
         return outcome
 

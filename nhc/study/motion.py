@@ -30,9 +30,12 @@ from nhc.mechanics.system import System
 from nhc.mechanics.values import constant_value
 from nhc.records import record
 from nhc.simulate.switching import SOUND
-from nhc.study.linearize import Branch, Linearisation, Sweep, linearise_at, sweep
-from nhc.study.steady import Hold, Matrix, NotSteady, SingularFrame, Steady, SteadyModel, check_frame, find_steady
+from nhc.study.field import SINGULAR, Hold, SteadyModel
+from nhc.study.linearize import Linearisation, linearise_at
+from nhc.study.steady import NotSteady, SingularFrame, Steady, check_frame, check_smooth, find_steady
+from nhc.study.sweep import Branch, Sweep, sweep
 from nhc.study.tape import Tapes
+from nhc.study.units import Matrix
 
 _SNAP = 1e-11
 Found = TypeVar("Found")
@@ -90,8 +93,11 @@ def _matrix(turn: Generator, size: int) -> Matrix:
     return made
 
 
-def linearise(equations: Equations, formulation: Formulation, request: Request) -> Findings:
+def linearise(equations: Equations, formulation: Formulation, request: Request, start: Start | None = None) -> Findings:
     """Find the steady motion, linearise about it, and sweep if asked.
+
+    ``start`` is where the search begins, if it is not to be read from the request: its names may be those of quasi-velocities that
+    this formulation does not have.
 
     Raises:
         nhc.diagnostics.SpecError: unknown names, or a guess that violates the constraints.
@@ -99,12 +105,14 @@ def linearise(equations: Equations, formulation: Formulation, request: Request) 
     """
     system = equations.system
     scene = scene_about(system.spec, request.about, request.settings)
-    start = start_of(system, scene)
+    start = start or start_of(system, scene)
     model = steady_model(equations, formulation, start.p)
     flow = model.flow
     guess = state_of(flow, formulation.frame, start)
     holds = tuple(hold for text in request.holds for hold in read_holds(model, text, guess))
     steady = find_steady(model, guess, holds)
+    _check_coordinates(model, steady)
+    check_smooth(model, steady)
     made = linearise_at(model, steady)
     point = point_of(flow, scene)
     place = _exact_place(flow, point, model.values(guess), steady)
@@ -115,6 +123,23 @@ def linearise(equations: Equations, formulation: Formulation, request: Request) 
     rows = tuple(tuple(to_text(flow.graph, node) for node in row) for row in paper.entries)
     held = tuple((name, to_text(flow.graph, node)) for name, node in paper.held)
     return Findings(flow, formulation, model, made, rows, held, "", swept)
+
+
+def _check_coordinates(model: SteadyModel, steady: Steady) -> None:
+    """Nothing where the coordinates are regular.
+
+    Raises:
+        NotSteady: they are not (Euler's angles in their lock): rates and slopes there are worth nothing.
+    """
+    regularity = model.regularity(steady.y)
+    if regularity <= SINGULAR:
+        raise NotSteady(
+            f"the coordinates are singular at the steady motion that is found (conditioning {regularity:.2g}), as angles are in a "
+            "gimbal lock",
+            math.inf,
+            steady.y,
+            "give the orientation as a `rotation`, take other angles, or look near another motion",
+        )
 
 
 def linearise_whole(equations: Equations, formulation: Formulation, request: Request) -> Findings:
@@ -131,7 +156,7 @@ def linearise_whole(equations: Equations, formulation: Formulation, request: Req
     except SingularFrame:
         start = start_of(system, scene_about(system.spec, request.about, request.settings))
         return nearest_of(
-            system, start, lambda own, other: linearise(equations_of(own, other), other, request), found_at
+            system, start, lambda own, other: linearise(equations_of(own, other), other, request, start), found_at
         )
 
 

@@ -1,29 +1,17 @@
-"""Steady motions as numbers: the field of a model at a point, and the nearest steady motion to a guess."""
+"""The nearest steady motion to a guess."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
-from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
-from nhc.algebra.calculus import gradient
-from nhc.algebra.graph import Node
-from nhc.mechanics.flow import Flow
-from nhc.mechanics.frame import Frame, form_value
-from nhc.mechanics.linearize import Leaf
 from nhc.mechanics.regularity import relative_determinant, sampled_rows
-from nhc.records import record
-from nhc.study.tape import Tapes
+from nhc.study.field import RANK, Hold, SteadyModel
+from nhc.study.units import Matrix, Vector, beside, is_steady, normal
 
-Vector = NDArray[np.float64]
-Matrix = NDArray[np.float64]
-
-RANK = 1e-9
-"""Singular values below this part of the largest one count as zero."""
 _STEPS, _HALVINGS, _LEAST = 100, 40, 0.05
 _LEAST_FRAME = 0.01  # of the coframe's relative determinant, per constraint
 
@@ -46,128 +34,12 @@ class SingularFrame(NotSteady):
     """The coframe is singular at the steady motion, which its equations can neither find nor judge, or on the way to it."""
 
 
-@record
-class Hold:
-    """A quantity that a steady motion shall have: ``node`` over the state equals ``value``."""
-
-    name: str
-    node: Node
-    value: float
-
-
-@dataclass(frozen=True)
-class SteadyModel:
-    """A field with its parameters' values; ``rest`` are the entries of the state that are not cyclic.
-
-    ``symmetries`` are groups of turns, matrices over the state, that a steady motion may go along: it stands still in axes
-    that turn with it, by ``turning``.
-    """
-
-    flow: Flow
-    frame: Frame | None
-    leaf: Leaf
-    cyclic: tuple[int, ...]
-    p: tuple[float, ...]
-    tapes: Tapes
-    symmetries: tuple[tuple[Matrix, ...], ...] = ()
-    turning: Matrix | None = None
-
-    @cached_property
-    def rest(self) -> tuple[int, ...]:
-        return tuple(i for i in range(len(self.flow.y)) if i not in self.cyclic)
-
-    def with_parameter(self, index: int, value: float) -> SteadyModel:
-        return replace(self, p=(*self.p[:index], value, *self.p[index + 1 :]))
-
-    def values(self, y: Sequence[float]) -> dict[Node, float]:
-        """Each symbol of the state, the parameters and the time with its value."""
-        system = self.flow.system
-        return {
-            system.t: 0.0,  # the field does not depend on it
-            **dict(zip(system.p, self.p, strict=True)),
-            **{node: float(x) for node, x in zip(self.flow.y, y, strict=True)},
-        }
-
-    def field(self, y: Sequence[float]) -> tuple[Vector, Matrix]:
-        """f(y) of shape (NY,) and df/dy of shape (NY, NY) on turning axes, exact but for rounding.
-
-        Raises:
-            ArithmeticError: the model is singular at y.
-        """
-        flow, values = self.flow, self.values(y)
-        size, unknowns, kept = len(flow.y), len(flow.unknowns), flow.kept
-        heads = [*flow.velocities, *flow.right, *(x for row in flow.matrix for x in row)]
-        numbers = self.tapes.numbers(heads, values)
-        n = len(flow.velocities)
-        matrix = numbers[n + unknowns :].reshape(unknowns, unknowns)
-        solution = _solve(matrix, numbers[n : n + unknowns])
-        values.update(zip(flow.unknowns, (float(x) for x in solution), strict=True))
-        tails = [x for row in (*flow.velocity_slopes, *flow.residual_slopes) for x in row]
-        slopes = self.tapes.numbers(tails, values).reshape(n + unknowns, size)
-        rates = _solve(matrix, slopes[n:])[:kept]
-        field, jacobian = np.concatenate([numbers[:n], solution[:kept]]), np.vstack([slopes[:n], rates])
-        if self.turning is not None:
-            field, jacobian = field - self.turning @ np.asarray(y), jacobian - self.turning
-        return field, jacobian
-
-    def mass(self, y: Sequence[float]) -> Matrix:
-        """The matrix of the kept velocities' rates at y (with multipliers: the bordered one)."""
-        size = len(self.flow.unknowns)
-        flat = [x for row in self.flow.matrix for x in row]
-        return self.tapes.numbers(flat, self.values(y)).reshape(size, size)
-
-    def value(self, y: Sequence[float], node: Node) -> float:
-        """A function of the state."""
-        return float(self.tapes.numbers([node], self.values(y))[0])
-
-    @cached_property
-    def _conditions(self) -> tuple[tuple[Node, ...], tuple[tuple[Node, ...], ...]]:
-        """Constraints that the state itself has to meet: positions, and velocities where all of them are kept."""
-        flow, system = self.flow, self.flow.system
-        nodes = [form.equation for form in system.constraints if form.equation is not None]
-        if self.frame is None:
-            nodes += [form_value(flow.graph, form, system.v) for form in system.constraints]
-        return tuple(nodes), tuple(tuple(gradient(flow.graph, node, flow.y)) for node in nodes)
-
-    def conditions(self, y: Sequence[float]) -> tuple[Vector, Matrix]:
-        """Residuals of shape (K,) of the constraints on the state, and their slopes (K, NY)."""
-        nodes, slopes = self._conditions
-        values = self.values(y)
-        flat = self.tapes.numbers([x for row in slopes for x in row], values)
-        return self.tapes.numbers(nodes, values), flat.reshape(len(nodes), len(self.flow.y))
-
-    def normals(self, y: Sequence[float]) -> Matrix | None:
-        """Orthonormal rows (over q) across the leaf through y; None where the brackets do not span the leaf there."""
-        n, leaf = self.flow.system.n, self.leaf
-        if leaf.dimension == n:
-            return np.zeros((0, n))
-        rows = leaf.normals or leaf.fields
-        try:
-            flat = self.tapes.numbers([x for row in rows for x in row], self.values(y)).reshape(len(rows), n)
-        except ArithmeticError:
-            return None
-        lengths = np.linalg.norm(flat, axis=1, keepdims=True)
-        _, sizes, right = np.linalg.svd(flat / np.maximum(lengths, 1e-300))
-        found = int(np.sum(sizes > 1e-8 * sizes[0]))
-        if leaf.normals:
-            return right[:found] if found == n - leaf.dimension else None
-        return right[found:] if found == leaf.dimension else None
-
-
-def _solve(matrix: Matrix, right: Matrix) -> Matrix:
-    if not matrix.size:
-        return right
-    try:
-        return np.asarray(np.linalg.solve(matrix, right))
-    except np.linalg.LinAlgError:
-        raise ArithmeticError("the accelerations are not determined") from None
-
-
 @dataclass(frozen=True)
 class Steady:
     """A steady motion: the state, the largest rate that is left of what should stand still, the steps taken.
 
-    ``turning`` is the turn that goes with it, made of ``turns``; both are matrices over the state.
+    ``turning`` is the turn that goes with it, made of ``turns``; both are matrices over the state.  ``residual`` is in the
+    units of :mod:`nhc.study.units`.
     """
 
     y: tuple[float, ...]
@@ -188,18 +60,22 @@ def find_steady(model: SteadyModel, guess: Sequence[float], holds: Sequence[Hold
     Raises:
         NotSteady: the iteration ends elsewhere, or the model is singular on the way, or at the motion itself.
     """
-    y = np.array(guess, dtype=float)
     found: list[tuple[float, Steady]] = []
     failed: list[NotSteady] = []
-    for turns in model.symmetries or ((),):
+    try:
+        own = model.in_units(guess)
+    except ArithmeticError:
+        own = model  # the iteration says why
+    y = np.array(own.inside(guess))
+    for turns in own.symmetries or ((),):
         try:
-            made = _iterate(model, turns, np.concatenate([y, _first_turn(model, turns, y)]), holds)
+            made = _iterate(own, turns, np.concatenate([y, _first_turn(own, turns, y)]), holds)
         except ArithmeticError as error:
             # only the guess itself can have no equations: steps keep to where there are some
-            told = NotSteady(f"the model is singular on the way: {error}", float("inf"), y)
+            told = NotSteady(f"the model is singular on the way: {error}", float("inf"), own.outside(y))
             failed.append(error if isinstance(error, NotSteady) else told)
             continue
-        found.append((round(float(np.linalg.norm(np.array(made.y) - y)), 6), made))
+        found.append((round(float(np.linalg.norm(np.array(own.inside(made.y)) - y)), 6), made))
     if not found:
         check_frame(model, failed[0].place, "where the search for a steady motion ends")
         raise failed[0] from None
@@ -217,10 +93,42 @@ def check_frame(model: SteadyModel, y: Sequence[float], where: str) -> None:
     if model.frame is None or not y:
         return
     rows = sampled_rows(model.flow.system, model.frame.forms, [model.values(y)])
-    power = len(model.frame.forms) / max(model.flow.system.l, 1)
-    sound = min((relative_determinant(row, range(len(row))) ** power for row in rows), default=0.0)
+    sound = _soundness(model, rows)
+    if sound < _LEAST_FRAME:  # lengths in millimetres and angles in radians look alike only beside their masses
+        lengths = model.lengths(y)
+        sound = max(
+            sound, _soundness(model, [[[x * d for x, d in zip(row, lengths, strict=True)] for row in m] for m in rows])
+        )
     if sound < _LEAST_FRAME:
         raise SingularFrame(f"the coframe is singular {where} (conditioning {sound:.2g})", float("inf"))
+
+
+def check_smooth(model: SteadyModel, steady: Steady) -> None:
+    """Nothing where the field has a derivative at the steady motion.
+
+    Raises:
+        NotSteady: it jumps there, or bends (dry friction, stops): what it does to small perturbations is no matrix.
+    """
+    own = replace(model, turning=steady.turning, symmetries=(steady.turns,)).in_units(steady.y)
+    y, rest = own.inside(steady.y), list(model.rest)
+    rates, jacobian = own.field(y)
+    most = 1e-5 * max(1.0, float(np.max(np.abs(jacobian), initial=0.0)))
+    for near in beside(y):
+        try:
+            other, slopes = own.field(near)
+        except ArithmeticError:  # the edge of a domain: nothing is told of the other side
+            continue
+        if max(float(np.max(np.abs(a - b)[rest], initial=0.0)) for a, b in ((other, rates), (slopes, jacobian))) > most:
+            what = "the equations of motion have a jump or a kink at the steady motion: no matrix says what is near it"
+            advice = "round it off (`tanh(v/eps)` for `sign(v)`), or look at a motion on one side of it"
+            raise NotSteady(what, math.inf, steady.y, advice)
+
+
+def _soundness(model: SteadyModel, rows: Sequence[Sequence[Sequence[float]]]) -> float:
+    """The determinant of the coframe beside what its rows allow, for each constraint."""
+    assert model.frame is not None
+    power = len(model.frame.forms) / max(model.flow.system.l, 1)
+    return min((relative_determinant(row, range(len(row))) ** power for row in rows), default=0.0)
 
 
 def _first_turn(model: SteadyModel, turns: Sequence[Matrix], y: Vector) -> Vector:
@@ -240,7 +148,7 @@ def _iterate(model: SteadyModel, turns: Sequence[Matrix], y: Vector, holds: Sequ
         size = float(np.max(np.abs(value), initial=0.0))
         move = _step(value, slopes, _bound(model, y, slopes[len(model.rest) :]), damping)
         if size == 0.0 or float(np.linalg.norm(move)) <= 1e-14 * (1.0 + float(np.linalg.norm(y))):
-            return _accept(model, turns, y, size, scale, step)
+            return _accept(model, turns, y, holds, step)
         factor = 2.0 if _halves(before, move) else 1.0
         for _ in range(_HALVINGS):
             trial = y + factor * move
@@ -254,14 +162,14 @@ def _iterate(model: SteadyModel, turns: Sequence[Matrix], y: Vector, holds: Sequ
             factor /= 2
         else:
             if damping == 0.0 or size <= 1e-12 * scale:
-                return _accept(model, turns, y, size, scale, step)
+                return _accept(model, turns, y, holds, step)
             damping = 0.0  # what is left lies along weak directions: plain Gauss-Newton from here on
             continue
         before = move
         if damping:
             damping = max(damping / 3, _LEAST) if factor >= 1.0 else min(damping * 3, 1.0)
         y, value, slopes, scale = trial, next_value, next_slopes, next_scale
-    raise NotSteady(f"no steady motion after {_STEPS} steps from there", size, y[: len(model.flow.y)])
+    raise NotSteady(f"no steady motion after {_STEPS} steps from there", size, model.outside(y[: len(model.flow.y)]))
 
 
 def _step(value: Vector, slopes: Matrix, across: Matrix, damping: float) -> Vector:
@@ -283,14 +191,25 @@ def _halves(before: Vector, move: Vector) -> bool:
     return 0.45 * last < size < 0.55 * last and float(before @ move) > 0.99 * size * last
 
 
-def _accept(model: SteadyModel, turns: Sequence[Matrix], y: Vector, size: float, scale: float, steps: int) -> Steady:
+def _accept(model: SteadyModel, turns: Sequence[Matrix], y: Vector, holds: Sequence[Hold], steps: int) -> Steady:
     """The iteration can do no better: either rounding is all that is left, or there is nothing to find."""
-    if size > 1e-9 * scale:
-        raise NotSteady("the iteration stops where the motion is not steady", size, y[: len(model.flow.y)])
-    n = model.flow.system.n
+    value, slopes, scale = _equations(model, turns, y, holds)
     state, turning = _parted(model, turns, y)
+    own = model if turning is None else replace(model, turning=turning)
+    size, rest = float(np.max(np.abs(value), initial=0.0)), list(model.rest)
+
+    def others() -> list[Vector]:
+        return [np.concatenate([rates[rest], value[len(rest) :]]) for rates, _ in own.nearby(state)]
+
+    if size > 1e-9 * scale or not is_steady(value, slopes, y, others):
+        raise NotSteady("the iteration stops where the motion is not steady", size, model.outside(state))
+    n = model.flow.system.n
     still = bool(np.max(np.abs(model.field(state)[0][:n]), initial=0.0) <= 1e-9 * scale)
-    return Steady(tuple(state), size, steps, still, turning, tuple(turns))
+    if model.units is not None:
+        states, time = np.array(model.units.states), model.units.time
+        turning = None if turning is None else turning * states[:, None] / states / time
+        turns = [turn * states[:, None] / states for turn in turns]
+    return Steady(model.outside(state), size, steps, still, turning, tuple(turns))
 
 
 def _parted(model: SteadyModel, turns: Sequence[Matrix], y: Vector) -> tuple[list[float], Matrix | None]:
@@ -310,11 +229,14 @@ def _equations(
     rates, jacobian = (model if turning is None else replace(model, turning=turning)).field(state)
     off, across = model.conditions(state)
     rest = list(model.rest)
-    values = model.values(state)
     wanted = np.array([model.value(state, hold.node) - hold.value for hold in holds])
-    rows = [model.tapes.slopes(hold.node, values) for hold in holds]
+    rows = [model.slopes(state, hold.node) for hold in holds]
     held = np.array(rows).reshape(len(holds), len(state))
     scale = max(1.0, float(np.max(np.abs(jacobian[rest]), initial=0.0)))
+    for numbers, slopes in ((off, across), (wanted, held)):
+        factors = normal(slopes)
+        numbers *= factors
+        slopes *= factors[:, None]
     slopes = np.vstack([jacobian[rest], across, held])
     by_speed = np.zeros((len(slopes), len(turns)))
     for k, turn in enumerate(turns):

@@ -242,6 +242,15 @@ def test_structure_preserving_methods_stand_in_the_chart_where_they_apply() -> N
     assert energies["energy"] < 1e-10 < energies["rk4"]
 
 
+def test_structure_preserving_methods_count_the_same_in_both_languages() -> None:
+    grid = replace(SMALL, languages=("c", "python"), tolerances=(1e-4,), methods=("leapfrog", "energy"))
+    calls: dict[str, set[int]] = {}
+    for result in chart(gallery("contact_oscillator"), grid).results:
+        calls.setdefault(result.case.method, set()).add(result.calls)
+    assert calls.keys() == {"leapfrog", "energy"}
+    assert all(max(counts) - min(counts) <= 0.02 * min(counts) and min(counts) > 20 for counts in calls.values())
+
+
 def test_where_they_do_not_apply_it_says_why() -> None:
     sleigh_ = chart(gallery("chaplygin_sleigh"), replace(SMALL, methods=("perlmutter",), tolerances=(1e-2,)))
     assert (

@@ -12,11 +12,12 @@ import pytest
 
 from nhc.cli.entry import main
 from nhc.diagnostics import SpecError
-from nhc.language import Source, read
+from nhc.language import Source, decode, read
 from nhc.report.comparison import draw_comparison
 from nhc.report.comparison_page import make_comparison_file
 from nhc.report.comparison_text import advise_models, observations, to_markdown
 from nhc.resources import find_specs
+from nhc.study.chart.comparable import check_comparable
 from nhc.study.chart.fidelity import Comparison, compare_models, name_models
 from nhc.study.chart.grid import Grid
 
@@ -63,6 +64,24 @@ def test_a_model_that_is_no_better_than_a_cheaper_one_is_named() -> None:
     assert text.startswith("on this scene rigid_bicycle is not worth its price: point_mass")
 
 
+def test_two_models_that_are_the_same_are_worth_the_same() -> None:
+    """Only the errors of their runs differ: neither is better for that.  A longer one that is no nearer is not worth its price."""
+    turned = oscillator("turned", "0")
+    turned = Source(turned.path, turned.text.replace("V: x^2/2", "V: (x + 1)^2/2 - x - 1/2"))
+    made = compare_models(
+        [oscillator("free", "0"), turned], oscillator("held", "0"), Grid(tolerances=(1e-6, 1e-9), budget=1e-4)
+    )
+    assert max(rung.error for rung in made.rungs) < 1e-6 and not observations(made)
+    stiff = oscillator("longer", "0")
+    stiff = Source(stiff.path, stiff.text.replace("V: x^2/2", "V: x^2/2 + 1e-30*x^6"))
+    (text,) = observations(
+        compare_models(
+            [oscillator("free", "0"), stiff], oscillator("held", "0.01"), Grid(tolerances=(1e-6, 1e-9), budget=1e-4)
+        )
+    )
+    assert text.startswith("on this scene longer is not worth its price:") and "operations in 2 equations" in text
+
+
 def test_the_error_falls_with_the_tolerance_down_to_the_models_own() -> None:
     made = ladder("lane_change")
     for rung in made.rungs:
@@ -101,6 +120,26 @@ def test_without_a_compiler_the_emitted_python_is_timed(monkeypatch: pytest.Monk
     made = compare_models([oscillator("free", "0")], oscillator("held", "0.01"), Grid(tolerances=(1e-6,), budget=1e-4))
     assert "no C compiler" in made.notes[0] and made.results[0].case.language == "python"
     assert made.rungs[0].errors[0] == pytest.approx(0.01 * (1 - math.cos(3.0)), rel=1e-3)
+
+
+@pytest.mark.parametrize(
+    ("here", "there", "fits"), [("cm", "m", False), ("deg", "rad", False), ("1", "rad", True), ("m", "", True)]
+)
+def test_centimetres_are_not_held_against_metres(here: str, there: str, fits: bool) -> None:
+    sources = []
+    for name, unit in (("free", here), ("held", there)):
+        source = oscillator(name, "0")
+        said = f"coordinates: {{x: {{unit: '{unit}'}}}}" if unit else "coordinates: [x]"
+        said += "\nparameters: {plain: 1}"  # without a unit, so that the dimensions of V are not asked for
+        sources.append(Source(source.path, source.text.replace("coordinates: {x: {}}", said)))
+    specs = [decode(source) for source in sources]
+    if fits:
+        check_comparable(specs[0], specs[1], specs[1].scenes[0], ("x", "x'"), "free")
+        return
+    with pytest.raises(SpecError) as caught:
+        check_comparable(specs[0], specs[1], specs[1].scenes[0], ("x", "x'"), "free")
+    assert [d.code for d in caught.value.diagnostics] == ["E0505", "E0505"]
+    assert f"in {here} here, in {there}" in caught.value.diagnostics[0].message
 
 
 @pytest.mark.parametrize(

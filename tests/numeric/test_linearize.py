@@ -21,10 +21,11 @@ from nhc.cli import main
 from nhc.diagnostics import SpecError
 from nhc.language import Source, read
 from nhc.pipeline import Options, linearize, model
+from nhc.study.field import Hold, SteadyModel
 from nhc.study.linearize import eigenvalues, verdict
 from nhc.study.motion import Findings, Request, named_quantity, steady_model
 from nhc.study.stability.motions import Search, steady_motion
-from nhc.study.steady import Hold, NotSteady, SteadyModel, find_steady
+from nhc.study.steady import NotSteady, find_steady
 from nhc.study.tape import Tape
 from tests.support import spec_path
 
@@ -352,6 +353,28 @@ def test_requests_are_checked(request_: Request, code: str) -> None:
     with pytest.raises(SpecError) as caught:
         linearize(read(str(spec_path("pendulum"))), request_)
     assert [d.code for d in caught.value.diagnostics] == [code]
+
+
+@pytest.mark.parametrize("start", ["theta=0.5, psi'=6, phi'=2", "theta=1, psi'=6, phi'=2"])
+def test_no_verdict_where_the_coordinates_are_singular(start: str) -> None:
+    """The top upright in Euler's angles: its slopes were printed, with a frequency that is rounding."""
+    with pytest.raises(NotSteady, match="coordinates are singular") as caught:
+        find("heavy_top", start)
+    assert "rotation" in caught.value.advice
+
+
+def test_a_lock_in_quasi_velocities_that_other_formulations_do_not_have() -> None:
+    """The start is read once: other coframes do not know the name `w1`."""
+    with pytest.raises(NotSteady):
+        find("suslov", "w1=1")
+
+
+def test_coordinates_without_mass_are_not_singular() -> None:
+    """Wheels without inertia are determined by their constraints: the bordered matrix is regular where M is not."""
+    about = "x=0"
+    settings = ("J_w=0, tau_R=0, tau_L=0",)
+    found = find("diff_drive", about, "multipliers", settings=settings)
+    assert found.model.regularity(found.linearisation.steady.y) > 1e-3
 
 
 def test_a_hold_that_nothing_meets_is_refused() -> None:

@@ -160,6 +160,19 @@ def test_energy_over_long_times(name: str, method: str, low: float, high: float)
     assert final <= 1.25 * max(first, 1e-13) + 1e-13
 
 
+@pytest.mark.parametrize("step", [2e-3, 6.25e-4, 2e-4])
+def test_short_steps_keep_the_energy_too(step: float) -> None:
+    """The discrete gradient divides a difference of energies by the square of the step: its rounding must not stop Newton's
+    iteration.  The end is the catalogue's closed form.
+    """
+    job = job_of("chaplygin_sleigh", "energy", 10.0, needs=("x", "y", "theta", "energy"))
+    found = run(job, Settings("energy", step=step, points=3))
+    assert found.ended == "done"
+    end = (-10.9308426171971, 5.14045341778171, 2.84991153461490)
+    assert max(abs(a - b) for a, b in zip(found.rows[-1], end, strict=False)) < 10.0 * step**2
+    assert abs(found.rows[-1][3] - found.rows[0][3]) < 1e-12
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("method", ["leapfrog", "dla", "perlmutter", "midpoint"])
 def test_energy_does_not_drift(method: str) -> None:

@@ -280,3 +280,51 @@ scenes: {turn: {initial: {s: 3, c': 4}, time: [0, 3]}}
     assert not found.failed and found.bench.formulation.name == "multipliers"
     assert any("studied with multipliers: the scene ends at t = " in note for note in found.bench.notes)
     assert any("the run goes on with" in note for note in found.conduct)
+
+
+ORBIT = """
+nhc: 1
+system: orbit
+coordinates: [r, phi, z]
+parameters: {{GM: {gm!r}}}
+T: (r'^2 + r^2*phi'^2 + z'^2)/2
+V: -GM/r*(1 - z^2/(2*r^2))
+scenes: {{go: {{initial: {{r: {r!r}, phi': {rate!r}}}, time: [0, {end!r}]}}}}
+"""
+
+
+def test_an_orbit_is_the_same_in_metres_and_in_radii(tmp_path: Path) -> None:
+    """Sizes of components that differ by 1e18, and two that stay zero, make no growth and hide no drift."""
+    found = []
+    for length, time in ((1.0, 1.0), (1.5e11, 5e6), (1e-9, 1e-9)):
+        numbers = {"gm": length**3 / time**2, "r": length, "rate": 1.1 / time, "end": 9.0 * time}
+        spec = tmp_path / "orbit.yaml"
+        spec.write_text(ORBIT.format(**numbers))
+        source = read(str(spec))
+        found.append((stability(source, Question(), Options()), time))
+    first, _ = found[0]
+    assert first.sensitivity is not None
+    for other, time in found[1:]:
+        assert other.sensitivity is not None and other.motion is not None and first.motion is not None
+        assert other.sensitivity.norms == pytest.approx(first.sensitivity.norms, rel=1e-3)
+        assert other.sensitivity.law == first.sensitivity.law
+        assert other.sensitivity.horizon / time == pytest.approx(first.sensitivity.horizon, rel=1e-2)
+        assert other.stiffness == pytest.approx(first.stiffness, rel=1e-3, abs=1e-9)
+        by_step = {limit.method: limit for limit in first.limits}
+        assert all(
+            x.measured / time == pytest.approx(by_step[x.method].measured, rel=0.05)
+            for x in other.limits
+            if x.method in ("dop853", "dopri5", "rk4")
+        )
+        for a, b in zip(first.runs[1].drifts, other.runs[1].drifts, strict=True):
+            assert a.what == b.what and 0.3 < max(b.series) / max(a.series) < 3 and max(a.series) > 1e-9
+        made, r = other.motion.linearisation, other.motion.linearisation.steady.y[0]
+        swings = {round(abs(x) * math.sqrt(r**3 / other.bench.job.p[0]), 9) for x in eigenvalues(made)}
+        assert swings == {1.0} and made.family == 1
+
+
+def test_growth_of_a_slow_scene_and_of_one_that_is_over_at_once() -> None:
+    t = [0.25e9 * k for k in range(41)]
+    law, rate, horizon = fit(t, [1 + 0.1 * math.exp(1.5e-9 * x) for x in t])
+    assert law == "exponential" and rate == pytest.approx(1.5e-9, rel=0.05) and 20e9 < horizon < 26e9
+    assert fit([1e-300 * k for k in range(41)], [1.0] * 41)[2] == math.inf

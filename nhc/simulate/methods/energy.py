@@ -54,7 +54,11 @@ class EnergyPreserving:
             return [*ends, *times(rows, gp)]
 
         guess = [*v0, *system.slope(q0, v0), *[0.0] * len(system.rows(q0))]
-        q1, p1, _ = split(find_root(residual, guess, size_of(guess)))
+        # the difference of two energies is rounding over the square of a short step, which the multipliers feel
+        length = sum((h * a) ** 2 for a in guess[: 2 * n])
+        work = abs(before) + sum(abs(a * b) for a, b in zip(v0, p0, strict=True))
+        floor = min(max(1e-10, 2e-14 * work / length if length > 0.0 else 0.0), 1e-6)
+        q1, p1, _ = split(find_root(residual, guess, size_of(guess), floor))
         return Point(q1, p1)
 
     def read(self, system: Natural, point: Point, h: float) -> tuple[Vector, Vector]:

@@ -74,8 +74,8 @@ def velocity(system: Natural, q: Vector, p: Vector) -> Vector:
     return solve(system.mass(q), p)
 
 
-def find_root(residual: Callable[[Vector], Vector], x: Vector, scale: float) -> Vector:
-    """Newton's method with the derivative by differences, down to rounding.
+def find_root(residual: Callable[[Vector], Vector], x: Vector, scale: float, floor: float = 1e-10) -> Vector:
+    """Newton's method with the derivative by differences, down to rounding; ``floor``: changes that may only come and go, relative.
 
     Raises:
         NoSolution: it does not converge.
@@ -90,7 +90,7 @@ def find_root(residual: Callable[[Vector], Vector], x: Vector, scale: float) -> 
         norm = max(map(abs, change), default=0.0) / max(scale, 1e-300)
         if not math.isfinite(norm):
             break
-        if norm <= 4e-16 or (norm <= 1e-10 and norm >= 0.3 * former):
+        if norm <= 4e-16 or (norm <= floor and norm >= 0.3 * former):
             return x
         former = norm
     raise NoSolution

@@ -11,9 +11,10 @@ from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.scenes import Start, start_of
 from nhc.mechanics.system import System
 from nhc.study.atlas.scenario import Measure, Scenario, Verdict, open_runner, open_system
+from nhc.study.field import SteadyModel
 from nhc.study.linearize import eigenvalues, linearise_at
 from nhc.study.motion import steady_model
-from nhc.study.steady import SteadyModel, find_steady
+from nhc.study.steady import find_steady
 
 END, NUDGE = 6.0, 1e-5
 SPEEDS = (4.2, 4.4, 6.1)  # below and above the weave speed, above the capsize speed

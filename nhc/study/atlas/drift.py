@@ -6,7 +6,7 @@ import numpy as np
 
 from nhc.simulate.task import DONE
 from nhc.study.atlas.scenario import Measure, Scenario, Verdict, grid, open_runner, open_system
-from nhc.study.steady import Matrix
+from nhc.study.units import Matrix
 
 
 def run() -> Verdict:

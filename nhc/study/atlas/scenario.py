@@ -24,7 +24,7 @@ from nhc.simulate.methods.tableau import Collocation
 from nhc.simulate.prepare import Job, prepare
 from nhc.simulate.run import Model, load
 from nhc.simulate.task import Outcome, Task
-from nhc.study.steady import Matrix
+from nhc.study.units import Matrix
 
 
 @record

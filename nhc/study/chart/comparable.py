@@ -7,6 +7,7 @@ from pathlib import PurePath
 
 from nhc.diagnostics import Bag
 from nhc.language.spec import Scene, Spec
+from nhc.language.units import parse_unit
 from nhc.simulate.opening import list_needs
 
 
@@ -39,6 +40,16 @@ def check_comparable(spec: Spec, finest: Spec, scene: Scene, needs: Sequence[str
             notes=("errors are taken at the same times in all models",),
             help=("give both scenes the same `time`",),
         )
+    for need in needs:
+        here, base_unit = _unit(spec, need), _unit(finest, need)
+        if here and base_unit and not _same(here, base_unit):
+            bag.error(
+                "E0505",
+                f"`{need}` is in {here} here, in {base_unit} in `{base}`",
+                spec.key_span("coordinates"),
+                notes=("nhc converts no units: the numbers would be compared as they stand",),
+                help=("write both models in the same units",),
+            )
     there = list_needs(spec)
     missing = [need for need in needs if need not in there]
     if missing:
@@ -51,3 +62,14 @@ def check_comparable(spec: Spec, finest: Spec, scene: Scene, needs: Sequence[str
             help=("declare it under `outputs`, or name what all models have after `--need`",),
         )
     bag.raise_if_errors()
+
+
+def _unit(spec: Spec, need: str) -> str:
+    """What a coordinate, or the one whose velocity it is, is measured in; nothing where that is not said."""
+    return next((c.unit for c in spec.coordinates if c.name == need.removesuffix("'")), "")
+
+
+def _same(a: str, b: str) -> bool:
+    """Whether two units are one, as far as their texts say: radians need no name, other scales (cm, deg) must be the same."""
+    plain = [text.replace(" ", "").replace("·", "*") for text in (a, b)]
+    return plain[0] == plain[1] or (parse_unit(a) == parse_unit(b) and set(plain) <= {"1", "rad", "sr"})

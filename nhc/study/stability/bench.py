@@ -31,7 +31,7 @@ from nhc.simulate.prepare import Job, prepare
 from nhc.simulate.run import LEAST_TOLERANCE, SAFETY, list_times
 from nhc.simulate.source import write_natural, write_source
 from nhc.simulate.task import DONE, Outcome, Task
-from nhc.study.steady import Matrix
+from nhc.study.units import Matrix, sizes_of
 
 ROWS = 201
 MOST, MOST_INTERPRETED, MOST_NATURAL = 2_000_000, 20_000, (20_000, 500)
@@ -145,9 +145,10 @@ class Bench:
 
     @cached_property
     def sizes(self) -> Matrix:
-        """The size of each component of the state in the scene; what stays zero has that of the largest times 1e-3."""
-        found = np.max(np.abs(self.reference), axis=0)
-        return np.asarray(np.maximum(found, 1e-3 * max(float(found.max(initial=0.0)), 1e-12)))
+        """The size of each component of the state in the scene; see :func:`nhc.study.units.sizes_of`."""
+        picked = range(0, ROWS, ROWS // 8)
+        slopes = np.max([np.abs(self.jacobian(self.times[k], self.reference[k].tolist())) for k in picked], axis=0)
+        return sizes_of(np.max(np.abs(self.reference), axis=0), slopes, self.duration, self.equations.system.n)
 
     @cached_property
     def column_sizes(self) -> Matrix:

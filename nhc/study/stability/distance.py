@@ -14,8 +14,9 @@ import numpy as np
 from nhc.mechanics.choose import NotApplicable, dependent_of
 from nhc.mechanics.regularity import relative_determinant
 from nhc.records import record
+from nhc.study.field import scaled_least
 from nhc.study.stability.bench import Bench
-from nhc.study.steady import Matrix
+from nhc.study.units import Matrix
 
 NEAR = 0.03
 """Below this a choice is called weak, as in :mod:`nhc.mechanics.regularity`."""
@@ -84,14 +85,6 @@ def smallest_singular(matrix: Matrix) -> float:
     """Of the matrix with its rows scaled to length 1."""
     lengths = np.linalg.norm(matrix, axis=1, keepdims=True)
     return float(np.linalg.svd(matrix / np.maximum(lengths, 1e-300), compute_uv=False)[-1])
-
-
-def scaled_least(mass: Matrix) -> float:
-    """The smallest eigenvalue of the mass matrix scaled to ones on its diagonal: 0 in a gimbal lock."""
-    scale = np.sqrt(np.abs(np.diag(mass)))
-    if not np.all(scale > 0):
-        return 0.0
-    return float(max(np.linalg.eigvalsh(mass / np.outer(scale, scale))[0], 0.0))
 
 
 def _of(bench: Bench, what: str, kind: str, series: Sequence[float]) -> Distance:

@@ -19,12 +19,12 @@ from nhc.mechanics.linearize import reduced
 from nhc.mechanics.scenes import Start, kept_velocities, start_of
 from nhc.mechanics.system import System
 from nhc.records import record
-from nhc.study.linearize import Linearisation, Sweep, linearise_at, sweep
+from nhc.study.field import SINGULAR, Hold, SteadyModel
+from nhc.study.linearize import Linearisation, linearise_at
 from nhc.study.motion import branch_of, nearest_of, read_holds, steady_model
-from nhc.study.stability.distance import scaled_least
-from nhc.study.steady import Hold, NotSteady, SingularFrame, Steady, SteadyModel, find_steady
+from nhc.study.steady import NotSteady, SingularFrame, Steady, check_smooth, find_steady
+from nhc.study.sweep import Sweep, sweep
 
-SINGULAR = 1e-6
 SweepRange = tuple[str, float, float, int]
 
 
@@ -70,32 +70,37 @@ def steady_motion(
     """
     system = equations.system
     better = reduced(system, formulation)
+    start = start_of(system, scene_about(system.spec, search.about, search.settings))
     try:
-        return _motion(equations if better is formulation else equations_of(system, better), better, search, beside)
+        return _motion(
+            equations if better is formulation else equations_of(system, better), better, search, start, beside
+        )
     except SingularFrame:
-        start = start_of(system, scene_about(system.spec, search.about, search.settings))
 
         def study(own: System, other: Formulation) -> Motion:
-            return _motion(equations_of(own, other), other, search, beside)
+            return _motion(equations_of(own, other), other, search, start, beside)
 
         return nearest_of(system, start, study, lambda made: (made.model, made.linearisation.steady))
 
 
-def _motion(equations: Equations, better: Formulation, search: Search, beside: Sequence[tuple[float, Start]]) -> Motion:
-    system = equations.system
-    start = start_of(system, scene_about(system.spec, search.about, search.settings))
+def _motion(
+    equations: Equations, better: Formulation, search: Search, start: Start, beside: Sequence[tuple[float, Start]]
+) -> Motion:
     model = steady_model(equations, better, start.p)
     guess = state_of(model.flow, better.frame, start)
     held = tuple(Hold(text, node, model.value(guess, node)) for text, node in search.hidden)
     holds = tuple(hold for text in search.holds for hold in read_holds(model, text, guess))
     steady, holds, place = _find(model, guess, (holds, held), beside)
-    made, kept = linearise_at(model, steady), model.flow.kept
+    regularity = model.regularity(steady.y)
+    if regularity > SINGULAR:
+        check_smooth(model, steady)
+    made = linearise_at(model, steady)
     swept = None
     if search.sweep is not None:
         name, low, high, count = search.sweep
         values = [low + (high - low) * k / (count - 1) for k in range(count)]
         swept = sweep(branch_of(model, steady.y, _spelled(model.flow, name), holds), values)
-    return Motion(better, model, made, swept, place, scaled_least(model.mass(steady.y)[:kept, :kept]) if kept else 1.0)
+    return Motion(better, model, made, swept, place, regularity)
 
 
 def _spelled(flow: Flow, name: str) -> str:

@@ -14,7 +14,7 @@ import numpy as np
 from nhc.records import record
 from nhc.simulate.task import DONE
 from nhc.study.stability.bench import Bench
-from nhc.study.steady import Matrix
+from nhc.study.units import Matrix
 
 _SEGMENTS = 40
 _NUDGE = 3e-6  # of a component's size: central differences of a run at 1e-13 are good to about 1e-7
@@ -105,8 +105,8 @@ def _segment(bench: Bench, first: int, last: int) -> Matrix:
 
 def fit(times: list[float], norms: list[float]) -> tuple[str, float, float]:
     """(law, rate, horizon): the straight line in t or in log t that lies closer to log norm over the last two thirds."""
-    start = times[0]
-    t = np.array([x - start for x in times])[len(times) // 3 :]
+    start, duration = times[0], times[-1] - times[0]
+    t = np.array([(x - start) / duration for x in times])[len(times) // 3 :]
     y = np.log(np.maximum(np.array(norms), 1e-300))[len(times) // 3 :]
     lines = {}
     for name, x in (("exponential", t), ("power", np.log(t))):
@@ -114,12 +114,10 @@ def fit(times: list[float], norms: list[float]) -> tuple[str, float, float]:
         lines[name] = (float(np.sum((y - slope * x - base) ** 2)), float(slope), float(base))
     law = "exponential" if lines["exponential"][0] < lines["power"][0] and lines["exponential"][1] > 0 else "power"
     _, slope, base = lines[law]
-    wanted = math.log(0.01 / _ROUNDING)
+    rate = slope / duration if law == "exponential" else slope
     if slope <= 1e-3:
-        return law, slope, math.inf
-    if law == "exponential":
-        reach = (wanted - base) / slope
-    else:
-        exponent = (wanted - base) / slope
-        reach = math.exp(exponent) if exponent < 300 else math.inf
-    return law, slope, start + reach if reach < 1e6 * float(t[-1]) else math.inf
+        return law, rate, math.inf
+    reach = (math.log(0.01 / _ROUNDING) - base) / slope
+    if law == "power":
+        reach = math.exp(min(reach, 300.0))
+    return law, rate, start + duration * reach if reach < 1e6 else math.inf

@@ -20,7 +20,7 @@ from nhc.simulate.methods.tableau import Explicit, Tableau
 from nhc.simulate.outcomes import name_outcome
 from nhc.simulate.task import DONE
 from nhc.study.stability.bench import Bench
-from nhc.study.steady import Matrix
+from nhc.study.units import Matrix
 
 GROWTH = 10.0
 _PLACES = 25  # Jacobians along the scene

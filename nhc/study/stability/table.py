@@ -6,12 +6,14 @@ import math
 from typing import Any
 
 from nhc.records import record
-from nhc.study.linearize import Sweep, eigenvalues, verdict
+from nhc.study.field import SINGULAR
+from nhc.study.linearize import Mode, eigenvalues, modes, verdict
 from nhc.study.stability.distance import NEAR, Distance
 from nhc.study.stability.drift import Drift, LongRun
 from nhc.study.stability.laboratory import STIFF, Laboratory
-from nhc.study.stability.motions import SINGULAR, Motion
+from nhc.study.stability.motions import Motion
 from nhc.study.stability.sensitivity import Sensitivity
+from nhc.study.sweep import Sweep
 
 
 @record
@@ -70,7 +72,7 @@ def _motion(found: Motion) -> list[Row]:
     ]
     told = verdict(made) if found.regularity > SINGULAR else "not told"
     rows = [Row(kind, told, ", ".join(state) or "all of the rest zero")]
-    rows += [Row("eigenvalue", _complex(x), _kind(x)) for x in eigenvalues(made) if x.imag >= 0]
+    rows += [Row("eigenvalue", _complex(mode), _kind(mode)) for mode in modes(made) if mode.value.imag >= 0]
     rows.append(Row("found from", found.place))
     if found.regularity <= SINGULAR:
         advice = "the coordinates are singular here (gimbal lock): take others, or another motion"
@@ -80,17 +82,18 @@ def _motion(found: Motion) -> list[Row]:
     return rows
 
 
-def _complex(x: complex) -> str:
-    real = 0.0 if abs(x.real) <= 1e-12 * max(1.0, abs(x)) else x.real
+def _complex(mode: Mode) -> str:
+    x = mode.value
+    real = x.real if mode.grows or mode.decays else 0.0
     return f"{real:.9g} +- {x.imag:.9g} i" if x.imag else f"{real:.9g}"
 
 
-def _kind(x: complex) -> str:
+def _kind(mode: Mode) -> str:
+    x = mode.value
     period = f", period {2 * math.pi / x.imag:.6g}" if x.imag else ""
-    if abs(x.real) <= 1e-9 * max(1.0, abs(x)):
+    if not (mode.grows or mode.decays):
         return f"neither grows nor decays{period}"
-    word = "grows" if x.real > 0 else "decays"
-    return f"{word} by e in {1 / abs(x.real):.4g}{period}"
+    return f"{'grows' if mode.grows else 'decays'} by e in {1 / abs(x.real):.4g}{period}"
 
 
 def _sweep(found: Sweep) -> list[Row]:
