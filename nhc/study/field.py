@@ -12,8 +12,8 @@ import numpy as np
 
 from nhc.algebra.calculus import gradient
 from nhc.algebra.graph import Node
-from nhc.mechanics.frame import Frame, form_value
 from nhc.mechanics.flow import Flow
+from nhc.mechanics.frame import Frame, form_value
 from nhc.mechanics.linearize import Leaf
 from nhc.records import record
 from nhc.study.tape import Tapes
