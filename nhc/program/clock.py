@@ -66,6 +66,11 @@ def list_special(system: System, symbols: Sequence[Node]) -> list[Node]:
     ]
 
 
+def is_corner(graph: Graph, node: Node) -> bool:
+    """Whether a special function has corners or jumps, and not peaks."""
+    return graph.op[node] in _CORNERS
+
+
 def join_stops(stops: Iterable[Stop]) -> tuple[Stop, ...]:
     """In their order; those that touch are one."""
     joined: list[Stop] = []
@@ -117,11 +122,6 @@ class Search:
             places = (*zeros, *turns) if kind in _STEPS else turns
             found = self._around([place.middle for place in places], self._function(node))
         return [stop for stop in found if self.low < stop[0] and stop[1] < self.high]
-
-    @staticmethod
-    def is_corner(graph: Graph, node: Node) -> bool:
-        """Whether a function has corners or jumps, and not peaks."""
-        return graph.op[node] in _CORNERS
 
     # --- functions of time ----------------------------------------------------------------------------------
 

@@ -17,7 +17,7 @@ from math import inf, nan
 from nhc.algebra.calculus import reachable
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Node
-from nhc.program.clock import Search, Stop, join_stops, list_special
+from nhc.program.clock import Search, Stop, is_corner, join_stops, list_special
 from nhc.simulate.prepare import Job
 from nhc.simulate.task import STOPPED, TOO_MANY, Outcome, Task
 
@@ -30,7 +30,11 @@ _AT_ONCE = 4  # rows from the one to the other where something was passed over; 
 
 
 def watch_passing(job: Job, task: Task, integrate: Callable[[Task], Outcome]) -> tuple[tuple[Stop, ...], str]:
-    """(stops of the task, with those along its motion that change it; what was passed over, or nothing)."""
+    """(stops of the task, with those along its motion that change it; what was passed over, or nothing).
+
+    Raises:
+        KeyboardInterrupt: it was stopped.
+    """
     system, deps = job.system, job.system.graph.deps
     moving = (*job.symbols, *(system.v if job.kept is not None else ()))
     outside = ~system.graph.mask((*moving, *system.p, system.t))
@@ -42,7 +46,9 @@ def watch_passing(job: Job, task: Task, integrate: Callable[[Task], Outcome]) ->
     scout = replace(task, times=times, most=min(task.most, MOST))
     found, first = integrate(scout), inf
     for _ in range(_TURNS):
-        if found.kind in (STOPPED, TOO_MANY) or len(found.states) < 8:
+        if found.kind == STOPPED:
+            raise KeyboardInterrupt
+        if found.kind == TOO_MANY or len(found.states) < 8:
             break
         stops = join_stops((*scout.stops, *_list_stops(job, special, times, found.states)))
         if len(stops) == len(scout.stops):
@@ -55,12 +61,11 @@ def watch_passing(job: Job, task: Task, integrate: Callable[[Task], Outcome]) ->
         if far is not None and far - near <= _AT_ONCE:
             first = min(first, times[near])
         task, found = replace(task, stops=stops), other
-    note = (
-        ""
-        if first == inf
-        else f"at t = {first:.6g} the motion passes what its own steps would leap over: steps end there"
-    )
-    return tuple(task.stops), note
+    if first == inf:
+        return tuple(task.stops), ""
+    return tuple(
+        task.stops
+    ), f"at t = {first:.6g} the motion passes what its own steps would leap over: steps end there"
 
 
 def _list_stops(
@@ -73,7 +78,7 @@ def _list_stops(
     corners = list[Stop]()
     for node in special:
         stops = search.list_stops(node)
-        (corners if Search.is_corner(job.system.graph, node) else found).extend(stops)
+        (corners if is_corner(job.system.graph, node) else found).extend(stops)
     corners.sort()
     near = _CLOSE * (high - low)
     for k, stop in enumerate(corners):
@@ -129,7 +134,7 @@ class _Path:
 def _find_parting(one: Sequence[Sequence[float]], other: Sequence[Sequence[float]], bound: float) -> int | None:
     """The row at which two motions are no longer the same, by a part of each quantity's size; None where they are to the end."""
     sizes = [max(map(abs, column)) for column in zip(*one, strict=True)]
-    least = 1e-3 * max(sizes, default=0.0)
+    least = 1e-9 * max(sizes, default=0.0)  # what is zero but for rounding
     for k, (a, b) in enumerate(zip(one, other, strict=False)):
         if any(abs(x - y) > bound * max(size, least) for x, y, size in zip(a, b, sizes, strict=True)):
             return k
