@@ -33,6 +33,17 @@ INTERRUPTIBLE = (sys.executable, "-c", _RESTORE, sys.executable, "-m", "nhc")
 COMPILER = shutil.which("cc") or shutil.which("gcc") or shutil.which("clang") or "cc"
 
 
+def hide_numpy(monkeypatch: pytest.MonkeyPatch) -> None:
+    """As where NumPy is not installed: studies are imported anew, and later tests get back the modules that they had."""
+    import nhc
+    import nhc.study
+
+    for name in [name for name in sys.modules if name.startswith("nhc.study")]:
+        monkeypatch.delitem(sys.modules, name)
+    monkeypatch.setattr(nhc, "study", nhc.study)  # an import puts the new module there, too
+    monkeypatch.setitem(sys.modules, "numpy", None)
+
+
 def reference(name: str) -> list[dict[str, Any]]:
     return json.loads((ROOT / "tests" / "reference" / f"{name}.json").read_text())
 

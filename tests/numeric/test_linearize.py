@@ -9,7 +9,6 @@ from __future__ import annotations
 import cmath
 import json
 import math
-import sys
 from functools import cache
 
 import numpy as np
@@ -27,7 +26,7 @@ from nhc.study.motion import Findings, Request, named_quantity, steady_model
 from nhc.study.stability.motions import Search, steady_motion
 from nhc.study.steady import NotSteady, find_steady
 from nhc.study.tape import Tape
-from tests.support import spec_path
+from tests.support import hide_numpy, spec_path
 
 
 @cache
@@ -425,9 +424,7 @@ def test_the_command_line_gives_the_same_in_full(capsys: pytest.CaptureFixture[s
 
 
 def test_without_numpy_the_extra_is_named(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
-    for name in [name for name in sys.modules if name.startswith("nhc.study")]:
-        monkeypatch.delitem(sys.modules, name)
-    monkeypatch.setitem(sys.modules, "numpy", None)
+    hide_numpy(monkeypatch)
     assert main(["linearize", "pendulum", "--about", "theta=0"]) == 2
     error = capsys.readouterr().err
     assert "needs numpy" in error and "nhc[sim]" in error

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import math
-import sys
 from functools import cache
 from pathlib import Path
 
@@ -25,7 +24,7 @@ from nhc.study.stability.stepsize import amplification, predict
 from nhc.study.stability.table import lines, tree
 from tests.numeric.test_stiffness import SYRUP
 from tests.numeric.test_switching import SKATER, forced
-from tests.support import ROOT, spec_path
+from tests.support import ROOT, hide_numpy, spec_path
 
 PLAIN = Question()
 
@@ -240,9 +239,7 @@ def test_json_and_page(tmp_path_factory: pytest.TempPathFactory, capsys: pytest.
 def test_without_numpy_the_extra_is_named(
     arguments: list[str], monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    for name in [name for name in sys.modules if name.startswith("nhc.study")]:
-        monkeypatch.delitem(sys.modules, name)
-    monkeypatch.setitem(sys.modules, "numpy", None)
+    hide_numpy(monkeypatch)
     assert main(["stability", *arguments]) == 2
     error = capsys.readouterr().err
     assert "needs numpy" in error and "nhc[sim]" in error
