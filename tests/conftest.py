@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
+import importlib
+import importlib.util
 import shutil
+import sys
+import types
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
+import numpy
 import pytest
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -33,6 +38,19 @@ def own_cache(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("NHC_CACHE", str(folder))
         yield folder
+
+
+@pytest.fixture
+def jax_is_numpy(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Where JAX is not installed its array functions are NumPy's, which mean the same for what emitted modules call."""
+    if importlib.util.find_spec("jax") is None:
+        stand_in = types.ModuleType("jax")
+        stand_in.Array = numpy.ndarray  # type: ignore[attr-defined]
+        stand_in.numpy = numpy  # type: ignore[attr-defined]
+        monkeypatch.setitem(sys.modules, "jax", stand_in)
+        monkeypatch.setitem(sys.modules, "jax.numpy", numpy)
+    else:
+        importlib.import_module("jax").config.update("jax_enable_x64", True)
 
 
 @pytest.fixture

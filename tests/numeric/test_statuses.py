@@ -123,9 +123,8 @@ def test_an_infinite_state_is_no_singular_block(name: str, formulation: str, tmp
 
 
 @pytest.mark.parametrize("formulation", ["euler-lagrange", "multipliers"])
+@pytest.mark.usefixtures("jax_is_numpy")
 def test_what_jax_does_not_give_is_what_the_others_refuse(formulation: str) -> None:
-    jax = pytest.importorskip("jax")
-    jax.config.update("jax_enable_x64", True)
     module, traced = (emitted_python("chaplygin_sleigh", formulation, kind) for kind in ("", "jax"))
     for function in list_functions(module):
         start = make_start(module, function, random.Random(function))

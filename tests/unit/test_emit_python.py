@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import copy
-import importlib.util
 import math
 import pickle
 import subprocess
@@ -50,17 +49,6 @@ def load(program: Program, array: str = "", only: tuple[str, ...] = ()) -> Any:
     module = types.ModuleType("emitted")
     exec(compile(emit(program, array, only), "emitted", "exec"), module.__dict__)
     return module
-
-
-@pytest.fixture
-def jax_is_numpy(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Where JAX is not installed its array functions are NumPy's, which mean the same for what the module calls."""
-    if importlib.util.find_spec("jax") is None:
-        stand_in = types.ModuleType("jax")
-        stand_in.Array = numpy.ndarray  # type: ignore[attr-defined]
-        stand_in.numpy = numpy  # type: ignore[attr-defined]
-        monkeypatch.setitem(sys.modules, "jax", stand_in)
-        monkeypatch.setitem(sys.modules, "jax.numpy", numpy)
 
 
 def make_wide() -> Program:
