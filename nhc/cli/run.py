@@ -24,7 +24,6 @@ METHODS = (
     *("leapfrog", "dla", "perlmutter", "energy"),
     *("scipy-dop853", "scipy-rk45", "scipy-radau", "scipy-bdf", "scipy-lsoda", "cvode-adams", "cvode-bdf"),
 )
-EXTRAS = {"numpy": "sim", "scipy": "sim", "sksundae": "sundials"}
 LOST = 1e-5
 """Smallest singular value of constraints that are taken to have lost their rank."""
 KINDS = (".csv", ".npz", ".svg", ".html")
@@ -144,18 +143,11 @@ def _check_steps(step: float, start: float, end: float) -> None:
 
 
 def _integrate(job: Job, settings: Settings) -> Trajectory:
-    """The run, with its progress on a terminal; a missing extra is named."""
+    """The run, with its progress on a terminal."""
     from nhc.simulate.run import run
 
     bar = Progress(*job.time)
-    try:
-        found = run(job, settings, bar.show)
-    except ModuleNotFoundError as error:
-        extra = EXTRAS.get((error.name or "").split(".")[0])
-        if extra is None:
-            raise
-        advice = [f"install it with `pip install 'nhc[{extra}]'`"]
-        raise Failure(f"`{settings.method}` needs {error.name}, which is not installed", advice) from error
+    found = run(job, settings, bar.show)
     bar.clear()
     return found
 
