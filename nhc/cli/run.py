@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 import sys
 import time
 from pathlib import Path
@@ -38,6 +39,11 @@ def _positive(context: click.Context, parameter: click.Parameter, value: float |
 def _expression(context: click.Context, parameter: click.Parameter, value: str | None) -> str:
     if value is not None and not value.strip():
         raise click.BadParameter("it holds no expression; leave it out, or write one such as `theta - 1`")
+    sides = [side.strip() for side in re.split("[<>=]+", value or "")]
+    if len(sides) == 2 and all(sides):
+        right = f"({sides[1]})" if re.search("[-+]", sides[1]) else sides[1]
+        wanted = sides[0] if right == "0" else f"{sides[0]} - {right}"
+        raise click.BadParameter(f"it takes an expression, and the run ends where that crosses zero; write `{wanted}`")
     return value or ""
 
 
