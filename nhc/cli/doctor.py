@@ -18,12 +18,12 @@ from nhc.cli.terminal import Exit, put, put_json
 from nhc.version import __version__
 
 REQUIRED = ("sympy", "click", "pyyaml", "jinja2")
+# extra -> package -> what needs it
 EXTRAS = {
-    "sim": ("numpy", "scipy"),
-    "plot": ("matplotlib",),
-    "reference": ("heyoka",),
-    "sundials": ("scikit-sundae",),
-    "bench": ("pydy", "casadi", "symengine"),
+    "sim": {"numpy": "`nhc linearize`, `nhc stability`", "scipy": "`nhc stability`, SciPy's methods of `nhc run`"},
+    "reference": {"heyoka": "a peer in `nhc chart`"},
+    "sundials": {"scikit-sundae": "SUNDIALS's methods of `nhc run`"},
+    "bench": {"pydy": "a peer of `make bench`", "casadi": "a peer of `make bench`"},
 }
 TOOLS = {"cc": "compiles emitted C", "clang": "a second opinion on emitted C", "pdflatex": "typesets emitted LaTeX"}
 
@@ -43,7 +43,10 @@ def command(as_json: bool) -> int:
         *_folders(),
     ]
     optional = [_tool(name, purpose) for name, purpose in TOOLS.items()] + _runs()
-    optional += [(f"{extra}: {row[0]}", *row[1:]) for extra, names in EXTRAS.items() for row in map(_package, names)]
+    for extra, packages in EXTRAS.items():
+        for package, purpose in packages.items():
+            _, found, detail = _package(package)
+            optional.append((f"{extra}: {package}", found, detail if found else f"for {purpose}"))
     well = all(found for _, found, _ in needed)
     if as_json:
         rows = {"needed": needed, "optional": optional}

@@ -35,6 +35,10 @@ VERBS = {
 }
 
 
+# What some verbs need besides, module -> what a package index calls it.  The packages are named and not an extra of nhc's, for on
+# the index another project has this name.
+OPTIONAL = {"numpy": "numpy scipy", "scipy": "numpy scipy", "sksundae": "scikit-sundae"}
+
 _RARE_COLLECTION = (
     50_000,
     20,
@@ -123,6 +127,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except Failure as failure:
         say(str(failure))
         return failure.exit
+    except ModuleNotFoundError as error:
+        package = OPTIONAL.get((error.name or "").partition(".")[0])
+        if package is None:
+            return _report(error)
+        say(f"error: this needs {error.name}, which is not installed")
+        say(f"  = help: `python -m pip install {package}`, with the Python that runs nhc (`nhc doctor` names it)")
+        return Exit.USAGE
     except Exception as error:
         return _report(error)
 

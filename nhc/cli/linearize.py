@@ -42,15 +42,9 @@ def command(
     eigenvalues.  A motion is steady when all of its state but the cyclic coordinates stands still.
     """
     source = open_spec(spec)
-    try:
-        from nhc.study.motion import Request
-        from nhc.study.steady import NotSteady
-    except ModuleNotFoundError as error:
-        if (error.name or "").split(".")[0] not in ("numpy", "scipy"):
-            raise
-        advice = ["install it with `pip install 'nhc[sim]'`"]
-        raise Failure(f"`nhc linearize` needs {error.name}, which is not installed", advice) from error
     from nhc.pipeline import Options, linearize
+    from nhc.study.motion import Request
+    from nhc.study.steady import NotSteady
 
     try:
         request = Request(about, settings, holds, sweep)

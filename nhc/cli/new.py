@@ -18,7 +18,7 @@ from nhc.cli.write import deliver
 def command(name: str, output: str | None, force: bool) -> int:
     """Write a first spec to start from.
 
-    The spec is called NAME and stands in NAME.yaml; it compiles as it is.
+    The spec is called NAME and stands in NAME.yaml; it compiles and runs as it is.
     """
     if not re.fullmatch(r"[a-z][a-z0-9_]*", name):
         proposal = re.sub(r"[^a-z0-9]+", "_", name.lower()).strip("_0123456789") or "my_system"
@@ -33,5 +33,7 @@ def command(name: str, output: str | None, force: bool) -> int:
         target = str(Path(target) / f"{name}.yaml")
     deliver(template(name), target, force=force)
     if target != "-":
-        say("`nhc schema -o nhc.schema.json` beside it lets an editor complete and check it")
+        page = Path(target).with_suffix(".html")
+        say(f"next: `nhc check {target}`, `nhc run {target} -o {page}`")
+        say("`nhc schema -o nhc.schema.json`, in the same folder, lets an editor complete and check it")
     return 0

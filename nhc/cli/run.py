@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 import sys
 import time
 from pathlib import Path
@@ -24,7 +25,6 @@ METHODS = (
     *("leapfrog", "dla", "perlmutter", "energy"),
     *("scipy-dop853", "scipy-rk45", "scipy-radau", "scipy-bdf", "scipy-lsoda", "cvode-adams", "cvode-bdf"),
 )
-EXTRAS = {"numpy": "sim", "scipy": "sim", "sksundae": "sundials"}
 LOST = 1e-5
 """Smallest singular value of constraints that are taken to have lost their rank."""
 KINDS = (".csv", ".npz", ".svg", ".html")
@@ -39,6 +39,11 @@ def _positive(context: click.Context, parameter: click.Parameter, value: float |
 def _expression(context: click.Context, parameter: click.Parameter, value: str | None) -> str:
     if value is not None and not value.strip():
         raise click.BadParameter("it holds no expression; leave it out, or write one such as `theta - 1`")
+    sides = [side.strip() for side in re.split("[<>=]+", value or "")]
+    if len(sides) == 2 and all(sides):
+        right = f"({sides[1]})" if re.search("[-+]", sides[1]) else sides[1]
+        wanted = sides[0] if right == "0" else f"{sides[0]} - {right}"
+        raise click.BadParameter(f"it takes an expression, and the run ends where that crosses zero; write `{wanted}`")
     return value or ""
 
 
@@ -144,18 +149,11 @@ def _check_steps(step: float, start: float, end: float) -> None:
 
 
 def _integrate(job: Job, settings: Settings) -> Trajectory:
-    """The run, with its progress on a terminal; a missing extra is named."""
+    """The run, with its progress on a terminal."""
     from nhc.simulate.run import run
 
     bar = Progress(*job.time)
-    try:
-        found = run(job, settings, bar.show)
-    except ModuleNotFoundError as error:
-        extra = EXTRAS.get((error.name or "").split(".")[0])
-        if extra is None:
-            raise
-        advice = [f"install it with `pip install 'nhc[{extra}]'`"]
-        raise Failure(f"`{settings.method}` needs {error.name}, which is not installed", advice) from error
+    found = run(job, settings, bar.show)
     bar.clear()
     return found
 

@@ -74,12 +74,9 @@ def command(
         raise click.UsageError("`--slow` belongs to `--atlas`")
     target = _check_target(output, force)
     source = open_spec(spec)
-    try:
-        from nhc.study.stability.laboratory import Question
-    except ModuleNotFoundError as error:
-        raise lacking(error) from error
     from nhc.pipeline import Options, stability
     from nhc.simulate.opening import RunError
+    from nhc.study.stability.laboratory import Question
 
     question = Question(scene, about, settings, holds, sweep, lengths)
     try:
@@ -100,25 +97,14 @@ def command(
 
 def _run_atlas(slow: bool, as_json: bool) -> int:
     """Every scenario; 1 where one does not pass."""
-    try:
-        from nhc.study.atlas.table import lines, run_all, tree
-    except ModuleNotFoundError as error:
-        raise lacking(error) from error
+    from nhc.study.atlas.table import lines, run_all, tree
+
     results = run_all(slow, say)
     if as_json:
         put_json("nhc.atlas/1", tree(results))
     else:
         put("\n".join(lines(results)))
     return Exit.DONE if all(verdict.passed for _, verdict in results) else Exit.FAILED
-
-
-def lacking(error: ModuleNotFoundError) -> Failure:
-    """The message for a package of the extra; any other module that is missing is a defect."""
-    if (error.name or "").split(".")[0] not in ("numpy", "scipy"):
-        raise error
-    return Failure(
-        f"`nhc stability` needs {error.name}, which is not installed", ["install it with `pip install 'nhc[sim]'`"]
-    )
 
 
 def _check_target(output: str | None, force: bool) -> Path | None:

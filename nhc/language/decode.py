@@ -13,7 +13,7 @@ from .drawing import decode_drawing
 from .extend import merge_bases
 from .keys import SPEC_KEYS, SYSTEM_PATTERN, VERSION
 from .names import fold, is_name
-from .nodes import Node, Table, Text
+from .nodes import Items, Node, Table, Text
 from .one_forms import check_form
 from .order import order_definitions
 from .parser import parse_equation, parse_expression
@@ -30,6 +30,8 @@ from .yaml_reader import is_empty, read_nodes
 _KEYS = frozenset(key.name for key in SPEC_KEYS)
 _DECLARING = ("coordinates", "rotation", "parameters", "define", "quasi_velocities", "outputs")
 _Equation = tuple[str, Span, Syntax, Syntax]
+
+_VECTOR = "write one expression: a vector takes one name for each component, such as `X` and `Y`"
 
 
 @dataclass(slots=True)
@@ -202,7 +204,7 @@ class _Decoder:
     # --- expressions ---
 
     def _parse(self, node: Node) -> Syntax | None:
-        text = self.shapes.text(node, "an expression")
+        text = self.shapes.text(node, "an expression", _VECTOR if isinstance(node, Items) else "")
         return parse_expression(text.value, text.locate, self.bag) if text else None
 
     def _check(self, tree: Syntax, place: str) -> Syntax:

@@ -64,6 +64,8 @@ class Shapes:
         """Return a mapping."""
         if isinstance(node, Table):
             return node
+        if isinstance(node, Items) and node.items and all(isinstance(item, Table) for item in node.items):
+            help = "leave out the `-` before each entry"  # a list of mappings: what it holds is right
         self._wrong(node, wanted, help)
         return None
 

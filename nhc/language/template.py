@@ -35,6 +35,9 @@ quasi_velocities:                       # what the constraints leave free
 outputs:
   speed: abs(v)
 
+draw:                                   # what the page of a run draws and moves
+  - body: {{at: [x, y], angle: theta, shape: [[-0.2, -0.2], [0.6, -0.2], [0.6, 0.2], [-0.2, 0.2]]}}
+  - {{point: [x, y], trace: true, name: edge}}
 scenes:
   glide:
     about: starts straight with a little spin

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Callable, Sequence
 from html import escape
 
@@ -16,6 +17,7 @@ from nhc.version import __version__
 
 WIDTH, LEFT, TOP = 1060, 70, 66
 PLOT_WIDTH, PLOT_HEIGHT, SECOND = 420, 290, 606
+HEADROOM = 1.08  # above the largest model, for its number
 LEAST = 1e-16  # errors that are zero stand here on the logarithmic axis
 MODEL, LIMIT = "#0072b2", "#d55e00"
 BOLD = ' font-weight="bold"'
@@ -38,6 +40,11 @@ def draw_ladder(ladder: Ladder) -> str:
     return "\n".join([head, draw_box(0, 0, WIDTH, total, "#ffffff"), *parts, "</svg>\n"])
 
 
+def _mark_code(text: str) -> str:
+    """The text as HTML, with what stands between back-ticks in typewriter."""
+    return re.sub(r"`([^`]*)`", r"<code>\1</code>", escape(text))
+
+
 def _unit(seconds: float) -> tuple[float, str]:
     return next(((s, u) for s, u in ((1.0, "s"), (1e-3, "ms"), (1e-6, "µs")) if seconds >= s), (1e-9, "ns"))
 
@@ -46,7 +53,7 @@ def _draw_plot(ladder: Ladder, left: float, label: str, value: Callable[[Rung], 
     errors = [max(rung.error, LEAST) for rung in ladder.rungs]
     values = [value(rung) for rung in ladder.rungs]
     x = log_scale(min(errors), max(*errors, ladder.tolerance), PLOT_WIDTH, 8)
-    y = linear_scale(0.0, max(values), PLOT_HEIGHT, 6)
+    y = linear_scale(0.0, max(values) * HEADROOM, PLOT_HEIGHT, 6)
     bottom = TOP + PLOT_HEIGHT
     parts = [*_draw_frame(left, x, y), draw_text(left, TOP - 9, label, more=BOLD)]
     limit = left + x.place(ladder.tolerance)
@@ -105,10 +112,10 @@ def make_ladder_page(ladder: Ladder) -> str:
         "chart": draw_ladder(ladder),
         "needs": [escape(need) for need in ladder.needs],
         "rungs": [
-            ([escape(cell) for cell in row], [f"{error:.1e}" for error in rung.errors])
+            ([_mark_code(cell) for cell in row], [f"{error:.1e}" for error in rung.errors])
             for row, rung in zip(list_rungs(ladder), ladder.rungs, strict=True)
         ],
-        "kept": [(escape(kept.about), escape(kept.reason)) for kept in ladder.kept],
+        "kept": [(_mark_code(kept.about), _mark_code(kept.reason)) for kept in ladder.kept],
         "spec": escape(reduced_spec(ladder)),
         "data": json.dumps(_readings(ladder.rungs, ladder.needs), ensure_ascii=False).replace("<", "\\u003c"),
         "version": __version__,

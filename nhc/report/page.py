@@ -7,8 +7,10 @@ import math
 from html import escape
 
 from nhc.emit.environment import create_environment
+from nhc.mechanics.conserved import power_terms
 from nhc.report.drawing import describe_drawing
 from nhc.report.svg import Axis, Chart, Series, draw, draw_inside, find_frame, legend_rows, time_axis
+from nhc.simulate.prepare import Job
 from nhc.simulate.run import Trajectory, energy_change
 from nhc.version import __version__
 
@@ -83,11 +85,11 @@ def make_page(found: Trajectory) -> str:
         ("scene", f"{job.scene.name}{': ' + job.scene.about if job.scene.about else ''}"),
         ("equations", f"{job.program.formulation} ({job.program.equation})"),
         ("method", f"{found.method} as {'compiled C' if found.compiled else 'Python'}; {steps}"),
-        ("time", f"{found.times[0]!r} to {found.times[-1]!r}, {len(found.times)} rows"),
         (
-            "parameters",
-            ", ".join(f"{q.name} = {v!r}" for q, v in zip(job.program.parameters, job.p, strict=True)) or "none",
+            "time",
+            f"{_number(found.times[0])} to {_number(found.times[-1], job.system.spec.time_unit)}, {len(found.times)} rows",
         ),
+        ("parameters", _list_parameters(job) or "none"),
         *_summary(found),
         *(("note", note) for note in found.notes),
     ]
@@ -109,6 +111,17 @@ def make_page(found: Trajectory) -> str:
     return create_environment().get_template("html/run.html.jinja").render(context)
 
 
+def _number(value: float, unit: str = "") -> str:
+    """The shortest decimal that reads back as the same double, without a `.0`; its unit after it."""
+    text = repr(value).removesuffix(".0")
+    return f"{text} {unit}" if unit not in ("", "1") else text
+
+
+def _list_parameters(job: Job) -> str:
+    values = zip(job.program.parameters, job.p, strict=True)
+    return ", ".join(f"{parameter.name} = {_number(value, parameter.unit)}" for parameter, value in values)
+
+
 def _embed(data: object) -> str:
     """JSON that ends no element of the page."""
     return json.dumps(data, separators=(",", ":"), allow_nan=False).replace("<", "\\u003c")
@@ -125,8 +138,13 @@ def _summary(found: Trajectory) -> list[tuple[str, str]]:
         if group == "energy":
             columns = [energy_change(found)]
         worst = max(abs(x) for column in columns for x in column)
-        what = "relative change at most" if group == "energy" else "off by at most"
-        facts.append((name, f"{what} {worst:.3g}"))
+        text = f"off by at most {worst:.3g}"
+        if group == "energy":
+            text = f"relative change at most {worst:.3g}"
+            terms = power_terms(found.job.system)
+            if terms and worst > 0:  # a number that is no error
+                text += f"; it need not be constant: {', '.join(terms).replace('`', '')}"
+        facts.append((name, text))
     return facts
 
 

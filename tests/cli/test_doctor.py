@@ -28,6 +28,15 @@ def test_the_text_names_what_the_tree_names(capsys: pytest.CaptureFixture[str]) 
     assert all(row["name"] in text for row in tree["needed"] + tree["optional"])
 
 
+def test_a_missing_package_says_what_needs_it(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setitem(EXTRAS, "sim", {"no-such-package": "`nhc linearize`"})
+    assert main(["doctor"]) == 0
+    line = next(line for line in capsys.readouterr().out.splitlines() if "no-such-package" in line)
+    assert line.split() == ["missing", "sim:", "no-such-package", "for", "`nhc", "linearize`"]
+
+
 def test_a_missing_folder_is_said_and_fails(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -423,11 +423,13 @@ def test_the_command_line_gives_the_same_in_full(capsys: pytest.CaptureFixture[s
     assert [point["value"] for point in tree["sweep"]] == [1.0, 4.0]
 
 
-def test_without_numpy_the_extra_is_named(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+def test_without_numpy_the_packages_are_named(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
     hide_numpy(monkeypatch)
     assert main(["linearize", "pendulum", "--about", "theta=0"]) == 2
     error = capsys.readouterr().err
-    assert "needs numpy" in error and "nhc[sim]" in error
+    assert "needs numpy" in error and "`python -m pip install numpy scipy`" in error
 
 
 def test_rare_functions_on_a_tape() -> None:

@@ -450,3 +450,20 @@ def test_a_lost_rank_is_told_with_its_singular_value(tmp_path: Path) -> None:
     assert done.stdout == ""
     assert "smallest singular value of the constraints there: " in done.stderr
     assert "lose rank" in done.stderr
+
+
+def test_a_page_names_units_and_says_where_a_change_of_energy_is_no_error(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    spec = tmp_path / "pushed.yaml"
+    spec.write_text(
+        "nhc: 1\nsystem: pushed\ncoordinates: {x: {unit: m}}\nparameters: {m: {value: 2, unit: kg}, F: {value: 0.5, unit: N}}\n"
+        "T: m/2*x'^2\nforces: {x: F}\nscenes: {go: {time: [0, 4]}, idle: {time: [0, 4], parameters: {F: 0}}}\n"
+    )
+    assert call(capsys, str(spec), "-o", str(tmp_path / "go.html"))[0] == 0
+    page = (tmp_path / "go.html").read_text()
+    assert "<td>0 to 4 s, 201 rows</td>" in page
+    assert "<td>m = 2 kg, F = 0.5 N</td>" in page
+    assert "<td>relative change at most 1; it need not be constant: the force on x</td>" in page
+    assert call(capsys, "double_pendulum", "-o", str(tmp_path / "double.html"))[0] == 0
+    assert "need not be constant" not in (tmp_path / "double.html").read_text()

@@ -331,7 +331,15 @@ def test_the_ladder_has_prices_and_a_second_measurement() -> None:
     assert [e.get("data-k") for e in root.iter() if e.get("class") == "point"] == ["0", "1", "2"] * 2
     words = " ".join(e.text or "" for e in root.iter())
     assert "tolerance" in words and "term `-k*theta^9` of `forces.theta`" in words and "machine:" in words
+    numbers = [e for e in root.iter() if e.text in ("0", "1", "2") and e.get("font-weight") == "bold"]
+    assert len(numbers) >= 4 and all(
+        float(e.get("y", "0")) > 66 for e in numbers
+    )  # inside the plots, below their titles
     page = make_ladder_page(ladder)
+    assert (
+        "<code>-k*theta^9</code>" in page
+        and "`" not in page.split("<svg")[0] + page.split("</svg>")[1].split("<pre>")[0]
+    )
     assert "What stays, and why" in page and 'src="' not in page and "Left out, with the error after it" in page
 
 

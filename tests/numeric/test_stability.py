@@ -236,13 +236,13 @@ def test_json_and_page(tmp_path_factory: pytest.TempPathFactory, capsys: pytest.
 
 
 @pytest.mark.parametrize("arguments", [["pendulum"], ["--atlas"]])
-def test_without_numpy_the_extra_is_named(
+def test_without_numpy_the_packages_are_named(
     arguments: list[str], monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     hide_numpy(monkeypatch)
     assert main(["stability", *arguments]) == 2
     error = capsys.readouterr().err
-    assert "needs numpy" in error and "nhc[sim]" in error
+    assert "needs numpy" in error and "`python -m pip install numpy scipy`" in error
 
 
 def test_the_interpreted_model_gives_the_same() -> None:

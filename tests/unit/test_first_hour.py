@@ -45,6 +45,8 @@ SLIPS = [
     ("coordinates: [x, θ]", "coordinates: {x: m, θ: {}}", "E0301", "`x: {unit: m}`", "coordinates: {x: {unit: m}, θ: {}}"),
     ("V: -m*g*l*cos(θ)", "potential: -m*g*l*cos(θ)", "E0303", "write `V: ...`", "V: -m*g*l*cos(θ)"),
     ("define:", "where:", "E0303", "write `define`", "define:"),
+    ("V: -m*g*l*cos(θ)", "V: 0\nforces:\n  - x: -x\n  - θ: 1", "E0301", "leave out the `-`", "V: 0\nforces:\n  x: -x\n  θ: 1"),
+    ("define: {X: x + l*sin(θ)}", "define: {X: x, P: [x, 1]}", "E0301", "one name for each", "define: {X: x, P1: x, P2: 1}"),
     ("scenes:", "time: [0, 1]\nscenes:", "E0303", "it belongs into a scene", "scenes:"),
 ]  # fmt: skip
 
@@ -76,6 +78,7 @@ def test_one_slip_one_diagnostic_and_a_help_that_helps(
     [
         ("T: m/2*X'^2 + m/2*(l*cos(θ))'^2 + x'^2\nV:", "L:", "a Lagrangian is given by its energies"),
         ("coordinates: [x, θ]", "coordinates: x", "write `[x]`"),
+        ("coordinates: [x, θ]", "coordinates:\n  - x: {unit: m}\n  - θ: {}", "leave out the `-`"),
         ("parameters: {m: 2, l: 0.5, g: 9.81}", "parameters:\n  m = 2", "write one name per line with its value: `m: 1`"),
     ],
 )  # fmt: skip
