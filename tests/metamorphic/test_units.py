@@ -14,10 +14,13 @@ from nhc.language import Spec, decode
 from nhc.language.units import parse_unit
 from nhc.mechanics.choose import formulate
 from nhc.mechanics.conditioning import conditioning
+from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.regularity import choose_dependent
 from nhc.mechanics.resolve import resolve
 from nhc.mechanics.scenes import Start, start_of
 from nhc.mechanics.system import System
+from nhc.program.model import build_program
+from nhc.simulate.interpreted import TextModel
 from nhc.simulate.project import projected_start
 from tests.support import SPECS
 
@@ -117,3 +120,20 @@ def test_balanced_minors_do_not_depend_on_units() -> None:
         return relative_minors(made, [(0, 1), (0, 2), (1, 2), (1, 3)])
 
     assert minors(scaled) == pytest.approx(minors(rows), rel=1e-9)
+
+
+@pytest.mark.parametrize("length", (MM, Fraction(10**6), MEGA), ids=("mm", "um", "nm"))
+def test_emitted_guards_stay(length: Fraction) -> None:
+    def angular(length: Fraction, back: float) -> list[float]:
+        """Velocities of the snakeboard for given rates of its angles, from functions solved for x', y'."""
+        system = resolve(replace(in_lengths("snakeboard", length), outputs=()))
+        form = formulate(system, "voronec")
+        program = build_program(system, form, equations_of(system, form), ("velocities",), scenes=False)
+        model = TextModel(program).module
+        found = model.velocities(0.0, [0.0, 0.0, 0.3, 0.1, back, -0.4, 0.7, -0.2, 0.4, 0.9], model.DEFAULTS)
+        return [x / float(scale) for x, scale in zip(found, (length, length, 1, 1, 1, 1), strict=True)]
+
+    assert angular(length, 0.5) == pytest.approx(angular(Fraction(1), 0.5), rel=1e-9)
+    for one in (Fraction(1), length):
+        with pytest.raises(ArithmeticError):
+            angular(one, -0.4 + 1e-14)  # the axles are parallel

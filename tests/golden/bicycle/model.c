@@ -1,5 +1,5 @@
 /*
- * bicycle.c: bicycle, emitted by nhc 0.1.0 (nhc:8d0b47d7ca01954d)
+ * bicycle.c: bicycle, emitted by nhc 0.1.0 (nhc:25d595404c02eb4c)
  * Whipple's bicycle, nonlinear; two wheels, rear frame with rider, front frame; x ahead, y right, z down.
  * Source: bicycle.yaml
  * Equations of motion: euler-lagrange (I.2.15)
@@ -711,12 +711,12 @@ int bicycle_rhs(double t, const double *y, const double *p, double *dydt)
     dydt[11] = -z260; /* thR'' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(dydt[0] + dydt[1] + dydt[9] + dydt[11]) <= DBL_MAX
-        && fabs(z36) > 1e-12 * (k22 * ((z37 + k24) * (z37 + k25)))
+        && fabs(z36) > 1e-15 * (k22 * ((z37 + k24) * (z37 + k25)))
         && fabs(z110) > 1e-14 * z105
         && fabs(z143) > 1e-14 * z132)) {
         /* the coframe is singular */
-        if (!(fabs(z36) > 1e-12 * (k22 * ((z37 + k24) * (z37 + k25))))) {
-            return bicycle_refuse(fabs(z36), 1e-12 * (k22 * ((z37 + k24) * (z37 + k25))), BICYCLE_SINGULAR_1);
+        if (!(fabs(z36) > 1e-15 * (k22 * ((z37 + k24) * (z37 + k25))))) {
+            return bicycle_refuse(fabs(z36), 1e-15 * (k22 * ((z37 + k24) * (z37 + k25))), BICYCLE_SINGULAR_1);
         }
         /* the mass matrix is singular */
         if (!(fabs(z74) > 0.0)) {
@@ -837,10 +837,10 @@ int bicycle_velocities(double t, const double *y, const double *p, double *qdot)
     qdot[8] = -z27 * (z12 * z41 + z11 * z39 + z24 * z37); /* thF' */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(qdot[0] + qdot[1] + qdot[5] + qdot[8]) <= DBL_MAX
-        && fabs(z25) > 1e-12 * (k10 * ((z26 + k12) * (z26 + k13))))) {
+        && fabs(z25) > 1e-15 * (k10 * ((z26 + k12) * (z26 + k13))))) {
         /* the coframe is singular */
-        if (!(fabs(z25) > 1e-12 * (k10 * ((z26 + k12) * (z26 + k13))))) {
-            return bicycle_refuse(fabs(z25), 1e-12 * (k10 * ((z26 + k12) * (z26 + k13))), BICYCLE_SINGULAR_1);
+        if (!(fabs(z25) > 1e-15 * (k10 * ((z26 + k12) * (z26 + k13))))) {
+            return bicycle_refuse(fabs(z25), 1e-15 * (k10 * ((z26 + k12) * (z26 + k13))), BICYCLE_SINGULAR_1);
         }
         return bicycle_finish(9, qdot);
     }
@@ -3033,8 +3033,8 @@ BICYCLE_SLOW static int bicycle_jacobian_part3(double t, const double *y, const 
     const double z36 = kept[74];
     const double z37 = kept[75];
     /* the coframe is singular */
-    if (!(fabs(z36) > 1e-12 * ((z37 + k25) * (k22 * (z37 + k24))))) {
-        return bicycle_refuse(fabs(z36), 1e-12 * ((z37 + k25) * (k22 * (z37 + k24))), BICYCLE_SINGULAR_1);
+    if (!(fabs(z36) > 1e-15 * ((z37 + k25) * (k22 * (z37 + k24))))) {
+        return bicycle_refuse(fabs(z36), 1e-15 * ((z37 + k25) * (k22 * (z37 + k24))), BICYCLE_SINGULAR_1);
     }
     const double z83 = kept[118];
     /* the mass matrix is singular */
@@ -4497,13 +4497,13 @@ int bicycle_outputs(double t, const double *y, const double *p, double *out)
     out[2] = z26 + z8 * (z7 * z25); /* front_height */
     /* an infinity, a NaN or a division by zero anywhere above stays in this sum */
     if (!(fabs(out[0] + out[1] + out[2]) <= DBL_MAX
-        && fabs((s_steer * z2 * z11 + e2z * z15) * (z16 * z19) - z15 * (z16 * z21) - z23) > 1e-12 * (k10 *
+        && fabs((s_steer * z2 * z11 + e2z * z15) * (z16 * z19) - z15 * (z16 * z21) - z23) > 1e-15 * (k10 *
         ((z24 + k12) * (z24 + k13))))) {
         /* the coframe is singular */
-        if (!(fabs((s_steer * z2 * z11 + e2z * z15) * (z16 * z19) - z15 * (z16 * z21) - z23) > 1e-12 * (k10 *
+        if (!(fabs((s_steer * z2 * z11 + e2z * z15) * (z16 * z19) - z15 * (z16 * z21) - z23) > 1e-15 * (k10 *
             ((z24 + k12) * (z24 + k13))))) {
             return bicycle_refuse(fabs((s_steer * z2 * z11 + e2z * z15) * (z16 * z19) - z15 * (z16 * z21) -
-                z23), 1e-12 * (k10 * ((z24 + k12) * (z24 + k13))), BICYCLE_SINGULAR_1);
+                z23), 1e-15 * (k10 * ((z24 + k12) * (z24 + k13))), BICYCLE_SINGULAR_1);
         }
         return bicycle_finish(3, out);
     }
@@ -4607,7 +4607,7 @@ static __attribute__((noinline)) void bicycle_rhs_lanes(const double *fixed, siz
     const bicycle_lanes z36 = z16 * z24 - z15 * z29 - z7 * z35;
     const bicycle_lanes z37 = k17 * (9.0 + bicycle_size(BICYCLE_SPREAD(z11)));
     /* the coframe is singular */
-    bad |= bicycle_misses(bicycle_size(BICYCLE_SPREAD(z36)), 1e-12 * (k22 * ((z37 + k24) * (z37 + k25))));
+    bad |= bicycle_misses(bicycle_size(BICYCLE_SPREAD(z36)), 1e-15 * (k22 * ((z37 + k24) * (z37 + k25))));
     const bicycle_lanes z38 = r_R * z11;
     const bicycle_lanes z39 = c_roll * z38;
     const bicycle_lanes z40 = 1.0 / z36;

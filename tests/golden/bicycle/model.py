@@ -1,4 +1,4 @@
-"""bicycle, emitted by nhc 0.1.0 (nhc:ba991a9c3629fcff).
+"""bicycle, emitted by nhc 0.1.0 (nhc:81bd3b5bd817e83d).
 
 Whipple's bicycle, nonlinear; two wheels, rear frame with rider, front frame; x
     ahead, y right, z down.
@@ -372,8 +372,8 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         z37 = k17 * (9.0 + abs(z11))
         s4 = (z37 + k24) * (z37 + k25)
         # the coframe is singular
-        if not abs(z36) > 1e-12 * (k22 * s4):
-            raise _refuse(abs(z36), 1e-12 * (k22 * s4), 1, "rhs")
+        if not abs(z36) > 1e-15 * (k22 * s4):
+            raise _refuse(abs(z36), 1e-15 * (k22 * s4), 1, "rhs")
         z38 = r_R * z11
         z39 = c_roll * z38
         z40 = 1.0 / z36
@@ -765,8 +765,8 @@ def velocities(
         z26 = k5 * (9.0 + abs(z8))
         s3 = (z26 + k12) * (z26 + k13)
         # the coframe is singular
-        if not abs(z25) > 1e-12 * (k10 * s3):
-            raise _refuse(abs(z25), 1e-12 * (k10 * s3), 1, "velocities")
+        if not abs(z25) > 1e-15 * (k10 * s3):
+            raise _refuse(abs(z25), 1e-15 * (k10 * s3), 1, "velocities")
         c_yaw = math.cos(yaw)
         z27 = 1.0 / z25
         z28 = roll_dot * s1
@@ -1976,8 +1976,8 @@ def jacobian(
         s2 = k22 * (z37 + k24)
         s3 = (z37 + k25) * s2
         # the coframe is singular
-        if not abs(z36) > 1e-12 * s3:
-            raise _refuse(abs(z36), 1e-12 * s3, 1, "jacobian")
+        if not abs(z36) > 1e-15 * s3:
+            raise _refuse(abs(z36), 1e-15 * s3, 1, "jacobian")
         z38 = 1.0 / z36
         z39 = s_steer * c1
         z40 = z8 * z39
@@ -3150,8 +3150,8 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
         s7 = s6 - s5 - z23
         s8 = (z24 + k12) * (z24 + k13)
         # the coframe is singular
-        if not abs(s7) > 1e-12 * (k10 * s8):
-            raise _refuse(abs(s7), 1e-12 * (k10 * s8), 1, "outputs")
+        if not abs(s7) > 1e-15 * (k10 * s8):
+            raise _refuse(abs(s7), 1e-15 * (k10 * s8), 1, "outputs")
         z25 = r_F * z7
         s9 = z - s_pitch * c_roll * k1 + r_R * (c_pitch * c_roll)
         z26 = s9 - c * z6 - z25 + z6 * (z6 * z9)
