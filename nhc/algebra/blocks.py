@@ -11,6 +11,7 @@ from collections.abc import Callable, Sequence
 from nhc.algebra.angles import normalise_angles, shorter_of_angles
 from nhc.algebra.calculus import reachable
 from nhc.algebra.dense import Singular
+from nhc.algebra.digits import keep_digits
 from nhc.algebra.graph import ADD, MUL, NEG, POW, SYM, Graph, Node
 from nhc.algebra.modular import are_zero, is_zero
 from nhc.algebra.polynomial import normalise
@@ -104,7 +105,8 @@ def solve_block(
     if size > 3 or "Cramer's rule" in graph.off:
         return _eliminate(graph, block, columns, weakness)
     whole = determinant_of(graph, block)
-    determinant = normalise_angles(graph, whole, 120) if size == 1 else shorter_of_angles(graph, whole, 120)
+    short = normalise_angles(graph, whole, 120) if size == 1 else shorter_of_angles(graph, whole, 120)
+    (determinant,) = keep_digits(graph, [whole], [short])
     if is_zero(graph, determinant):
         raise Singular
     guards = [] if graph.value(determinant) is not None else [(determinant, scale() if scale else graph.one)]

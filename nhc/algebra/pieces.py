@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Container, Mapping, Sequence
 
 from nhc.algebra.calculus import count, reachable, rebuild, rebuild_over, substitute
+from nhc.algebra.digits import keep_digits
 from nhc.algebra.graph import ADD, MUL, NEG, NUM, POW, Graph, Node
 from nhc.algebra.polynomial import normalise
 
@@ -87,7 +88,11 @@ def _shorten(graph: Graph, node: Node, whole: Container[Node], new: Mapping[Node
     places = {leaf: graph.symbol(f"piece {k}") for k, leaf in enumerate(opaque)}
     tree = _copy(graph, node, whole, places)
     made = normalise(graph, tree, _TERMS)
-    if count(graph, [made]) >= count(graph, [tree]) or not _is_over(graph, made, {places.get(x, x) for x in distinct}):
+    if (
+        count(graph, [made]) >= count(graph, [tree])
+        or keep_digits(graph, [tree], [made]) == [tree]
+        or not _is_over(graph, made, {places.get(x, x) for x in distinct})
+    ):
         return None
     back = {places.get(leaf, leaf): new.get(leaf, leaf) for leaf in distinct if leaf in places or leaf in new}
     return substitute(graph, [made], back)[0] if back else made

@@ -10,7 +10,7 @@ Each node of a graph is evaluated once, in the order of the numbers.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from hashlib import blake2b
 from zlib import crc32
 
@@ -61,9 +61,16 @@ class Probe:
         return all(_take_pivot(work, step) for step in range(min(len(work), len(work[0][0]))))
 
     def _extend(self) -> None:
+        self._fill(range(len(self.values), len(self._graph_lists[0])))
+
+    def _fill(self, nodes: Iterable[Node]) -> None:
+        """Values and bounds of these nodes, operands first."""
         op, first, second = self._graph_lists
         v, e = self.values, self.errors
-        for node in range(len(v), len(op)):
+        more = [math.nan] * (len(op) - len(v))
+        v += more
+        e += more
+        for node in nodes:
             kind, a = op[node], first[node]
             if kind == ADD:
                 b = second[node]
@@ -75,16 +82,16 @@ class Probe:
                 x = p * q
                 bound = (abs(p) + e[a]) * e[b] + abs(q) * e[a]
             elif kind == NEG:
-                v.append(-v[a])
-                e.append(e[a])
+                v[node] = -v[a]
+                e[node] = e[a]
                 continue
             else:
                 try:
                     x, bound = self._other(kind, node, a, second[node])
                 except (ArithmeticError, ValueError):
                     x, bound = math.nan, math.nan
-            v.append(x)
-            e.append(bound + abs(x) * _UNIT)
+            v[node] = x
+            e[node] = bound + abs(x) * _UNIT
 
     def _other(self, kind: str, node: Node, a: int, b: int) -> tuple[float, float]:
         if kind == NUM:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from nhc.algebra.calculus import count
+from nhc.algebra.digits import keep_digits
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.polynomial import normalise_all
 
@@ -26,7 +27,7 @@ def shorten(graph: Graph, nodes: Sequence[Node], beside: Sequence[Node] = ()) ->
     before = count(graph, nodes)
     if before == 0 or before > _LARGE or "canonical forms" in graph.off:
         return list(nodes)
-    canonical = normalise_all(graph, nodes, _TERMS, _SWOLLEN)
+    canonical = keep_digits(graph, nodes, normalise_all(graph, nodes, _TERMS, _SWOLLEN))
     if canonical == list(nodes):
         return canonical
     total, other = count(graph, [*nodes, *beside]), count(graph, [*canonical, *beside])

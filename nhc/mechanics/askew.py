@@ -14,8 +14,8 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from nhc.algebra.calculus import Derivation, Replacement, count
+from nhc.algebra.digits import normalise_kept
 from nhc.algebra.graph import ADD, NEG, POW, Graph, Node
-from nhc.algebra.polynomial import normalise
 from nhc.mechanics.frame import Frame, make_frame
 from nhc.mechanics.kinetic import Kinetic
 from nhc.mechanics.system import Form, System
@@ -79,7 +79,7 @@ class Counted(Replacement):
         made = super().make(node, children)
         if made == node or not self._is_direction_sum(made):
             return made
-        short = normalise(self.graph, made, _TERMS)
+        short = normalise_kept(self.graph, made, _TERMS)
         return short if count(self.graph, [short]) < count(self.graph, [made]) else made
 
     def differentiate(self, system: System) -> None:

@@ -88,6 +88,9 @@ def find_conserved(
     outputs = [Candidate(name, node) for name, node in system.outputs]
     tested = [Candidate("E", system.energy), Candidate("p q' - T + V", generalized), *outputs]
     constant = are_constant(sampler, [c.node for c in tested])
+    terms = power_terms(system)
+    if not terms:  # the theorem of energy: its terms hold fewer signs than the rate on the motion
+        constant[:2] = [True, True]
     candidates, tried = list_candidates(system, sampler, adapted)
     found = _search(sampler, candidates, frame, known)
     zero = [symbol for symbol, value in default_values(system).items() if value == 0.0]
@@ -99,7 +102,7 @@ def find_conserved(
     constant = [holds and not jumps(sampler, c.node) for c, holds in zip(tested, constant, strict=True)]
     return Conserved(
         energy=constant[0],
-        power=() if constant[0] else (*power_terms(system), *stepping),
+        power=() if constant[0] else (*terms, *stepping),
         jacobi=constant[1] if differs else None,
         integrals=tuple(found),
         outputs=tuple(c.text for c, holds in zip(outputs, constant[2:], strict=True) if holds),

@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from nhc.algebra.calculus import Replacement, count, gradient, reachable, substitute
+from nhc.algebra.digits import normalise_kept
 from nhc.algebra.graph import ADD, Graph, Node
-from nhc.algebra.polynomial import normalise
 from nhc.mechanics.moving import Scene
 from nhc.mechanics.turns import Path, Vector, change_axes, turn_in, turn_out
 
@@ -59,10 +59,10 @@ def _by_velocities(graph: Graph, node: Node, velocities: Sequence[Node]) -> Node
     rest = substitute(g, [node], dict.fromkeys(velocities, g.zero), named=False)[0]
     behind: dict[Node, Node] = {}
     for slope, velocity in zip(gradient(g, node, velocities), velocities, strict=True):
-        k, factor = g.split_coefficient(normalise(g, slope, _TERMS))
+        k, factor = g.split_coefficient(normalise_kept(g, slope, _TERMS))
         if k:
             behind[factor] = g.add(behind.get(factor, g.zero), g.mul(g.number(k), velocity))
-    return g.add(g.sum(g.mul(factor, total) for factor, total in behind.items()), normalise(g, rest, _TERMS))
+    return g.add(g.sum(g.mul(factor, total) for factor, total in behind.items()), normalise_kept(g, rest, _TERMS))
 
 
 class _Shortened(Replacement):
@@ -80,4 +80,4 @@ class _Shortened(Replacement):
         g, made = self.graph, super().make(node, children)
         if made == node or g.op[made] != ADD:
             return made
-        return min(made, normalise(g, made, _TERMS), key=lambda n: count(g, [n, *self._beside]))
+        return min(made, normalise_kept(g, made, _TERMS), key=lambda n: count(g, [n, *self._beside]))

@@ -12,11 +12,11 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from nhc.algebra.calculus import substitute
+from nhc.algebra.digits import normalise_kept
 from nhc.algebra.graph import Node
 from nhc.algebra.interval import Interval, cannot_vanish
 from nhc.algebra.linear import NotLinear, linear_form
 from nhc.algebra.modular import Unlucky, are_zero
-from nhc.algebra.polynomial import normalise
 from nhc.algebra.show import to_text
 from nhc.mechanics.constancy import has_jumps
 from nhc.mechanics.frame import coordinate_frame
@@ -118,7 +118,7 @@ def solve_closed(
         free = [i for i in held if all(i != integral.index for integral in made)]
         others = g.mask([q for i, q in enumerate(system.q) if i not in free])
         known_ones = {system.q[integral.index]: g.add(integral.symbol, integral.rest) for integral in made}
-        f = normalise(g, substitute(g, [node], known_ones)[0], _TERMS)
+        f = normalise_kept(g, substitute(g, [node], known_ones)[0], _TERMS)
         if g.depends(f, others) or has_jumps(system, [node]):  # a coordinate goes on where the branch of an angle ends
             continue
         for i in sorted(free, key=lambda i: (i in first, -i)):
@@ -137,7 +137,7 @@ def solve_closed(
 def _clean(system: System, nodes: Sequence[Node]) -> list[Node]:
     g = system.graph
     zero = are_zero(g, nodes)
-    return [g.zero if z else normalise(g, node, _TERMS) for z, node in zip(zero, nodes, strict=True)]
+    return [g.zero if z else normalise_kept(g, node, _TERMS) for z, node in zip(zero, nodes, strict=True)]
 
 
 def _reduce(system: System, row: _Row, rows: Sequence[_Row]) -> _Row:

@@ -12,9 +12,9 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 
 from nhc.algebra.calculus import gradient, list_terms, reachable, substitute
+from nhc.algebra.digits import normalise_kept
 from nhc.algebra.graph import MUL, NEG, Graph, Node
 from nhc.algebra.modular import are_zero
-from nhc.algebra.polynomial import normalise
 from nhc.mechanics.turns import Path, Turn, Vector, add_vectors, change_axes, turn_in, turn_out
 from nhc.records import identity_record, record
 
@@ -259,7 +259,7 @@ class Reader:
         return None
 
     def _short(self, vector: Vector) -> Vector:
-        x, y, z = (normalise(self.graph, node, 60) for node in vector)
+        x, y, z = (normalise_kept(self.graph, node, 60) for node in vector)
         return x, y, z
 
     def angles_of(self, components: Sequence[Node]) -> list[Node]:

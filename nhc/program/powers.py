@@ -85,7 +85,9 @@ def _part(graph: Graph, base: Node, exponents: set[int]) -> dict[Node, tuple[Nod
     found |= {power(base, n): (power(base, k), power(base, m)) for n, (k, m) in chain(above).items()}
     found = {node: factors for node, factors in found.items() if graph.a[node] == base and graph.op[node] == POW}
     if graph.op[base] == "sqrt" and (1 in below or len(below) > 1):
-        found[power(graph.a[base], -1)] = (power(base, -1),) * 2
+        under = graph.a[base]
+        if graph.op[under] != POW or graph.b[under] > 0:  # 1/z under the root is made of z, which is its reciprocal
+            found[power(under, -1)] = (power(base, -1),) * 2
     return found
 
 

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import math
 import random
+import subprocess
+import sys
 from fractions import Fraction
 from pathlib import Path
 
@@ -106,3 +108,22 @@ def test_two_atoms_in_c(tmp_path: Path) -> None:
         along = [force * (y[0] - y[2]) / r / m, force * (y[1] - y[3]) / r / m]
         expected = [*y[4:], *along, -along[0], -along[1]]
         assert compiled(0.0, y, values) == pytest.approx(expected, rel=1e-12)
+
+
+def test_a_reciprocal_under_a_root_that_is_divided_by(tmp_path: Path) -> None:
+    """1/sqrt(1/z) is the root of z, however z is made; its parts were made of each other, and nhc did not come to an end."""
+    path = tmp_path / "roots.yaml"
+    outputs = "{a: 1/sqrt(1/x), b: x^2 + (x^(-2))^(-1/2), c: (cos(x)^(-4))^(-3/2)*cos(x)^4, d: 1/sqrt(2/x) + x}"
+    path.write_text(f"nhc: 1\nsystem: roots\ncoordinates: [x]\nT: x'^2/2*(1 + 1/sqrt(1/x))\noutputs: {outputs}\n")
+    done = subprocess.run(
+        [sys.executable, "-m", "nhc", "emit", str(path), "--lang", "python", "--stdout"],
+        capture_output=True,
+        text=True,
+        timeout=60,
+        check=True,
+    )
+    model, x, v = python_model(done.stdout, "roots"), 0.83, 1.7
+    expected = [math.sqrt(x), x**2 + x, math.cos(x) ** 10, math.sqrt(x / 2) + x]
+    assert model.outputs(0.0, [x, v]) == pytest.approx(expected, rel=1e-13)
+    mass, slope = 1 + math.sqrt(x), 0.5 / math.sqrt(x)
+    assert model.rhs(0.0, [x, v]) == pytest.approx([v, -slope * v * v / (2 * mass)], rel=1e-13)

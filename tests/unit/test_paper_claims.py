@@ -280,3 +280,17 @@ def test_a_matrix_is_called_positive_for_the_values_in_the_spec(sign: str, wante
         "for the values of the parameters in the spec and its scenes, positive wherever the motion is regular" in words
     ) is wanted
     assert ("not positive everywhere for the values of the parameters" in words) is not wanted
+
+
+def test_a_derivation_says_where_an_energy_with_jumps_is_constant() -> None:
+    assert "the energy E is constant where it does not jump." in said(derive(PLANE + "U: atan(tan(x)) - x + y^2\n"))
+    assert QUADRATIC in said(derive(PLANE + "U: abs(x) + y^2\n"))
+
+
+def test_the_theorem_of_energy_holds_for_many_signs() -> None:
+    """The rate on the motion holds too many of them to be tested there: it was said not to vanish, for no reason."""
+    text = (
+        SPACE
+        + "U: sqrt((x - y)^2) - max(x, y) + min(x, y)\nconstraints: [slip: z' - (x^2)^(1/2)*y' + abs(x + c)*y' = 0]\n"
+    )
+    assert says(text, "energy") == "energy: T + V is conserved"

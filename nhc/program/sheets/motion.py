@@ -7,6 +7,7 @@ from dataclasses import replace
 from nhc.algebra.calculus import count, derivative, substitute
 from nhc.algebra.dense import Singular
 from nhc.algebra.linear import solve
+from nhc.mechanics.constancy import has_jumps
 from nhc.mechanics.formulate import bordered_system
 from nhc.mechanics.lagrange import momenta
 from nhc.mechanics.multipliers import multiplier_symbols
@@ -181,16 +182,18 @@ def energy_theorem_sheet(desk: Desk) -> DraftSheet:
     changes, differs, mixed = desk.nonzero([change, g.sub(energy, whole), g.sub(g.sub(slope, system.T), system.T)])
     sheet.add(Draft(desk.name(desk.own("E")), desk.value(energy)))
     constant = not changes and not reactions_matter and not differs
+    where = " where it does not jump" if constant and has_jumps(system, [system.energy], undecided=False) else ""
     if constant and not mixed and not _contains_time(desk) and not any(desk.nonzero(system.Q)):
         sheet.say(
-            "T is homogeneous quadratic in the velocities and nothing depends on the time: the energy E is constant."
+            "T is homogeneous quadratic in the velocities and nothing depends on the time:"
+            f" the energy E is constant{where}."
         )
         return sheet
     sheet.add(ENERGY_THEOREM)
     if constant:
         sheet.say(
             f"{'On the constraints the' if mixed else 'The'} left side is the rate of E, and on the right side no term is left"
-            " on the motion: the energy E is constant."
+            f" on the motion: the energy E is constant{where}."
         )
         return sheet
     mark = desk.own("E")
