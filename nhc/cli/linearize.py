@@ -10,6 +10,7 @@ import click
 from nhc.cli.options import SweepRange, formulation_option, json_option, spec_argument, sweep_option
 from nhc.cli.specs import open_spec
 from nhc.cli.terminal import Exit, Failure, put, put_json
+from nhc.diagnostics import several
 
 if TYPE_CHECKING:
     from nhc.study.linearize import Mode
@@ -147,11 +148,13 @@ def _eigenvalue_lines(found: Findings) -> list[str]:
     for mode in modes(made):
         lines.append("  " + _eigenvalue(mode))
     if made.family:
-        lines.append(f"  {made.family} structural zero(s), left out: the steady motions form a family")
+        lines.append(f"  {several(made.family, 'structural zero')}, left out: the steady motions form a family")
     if left_out:
-        lines.append(f"  {left_out} direction(s) left out: the constraints, open or hidden, do not allow them")
+        lines.append(f"  {several(left_out, 'direction')} left out: the constraints, open or hidden, do not allow them")
     if made.turns:
-        lines.append(f"  {made.turns} direction(s) left out: turns of the whole motion, on which nothing depends")
+        lines.append(
+            f"  {several(made.turns, 'direction')} left out: turns of the whole motion, on which nothing depends"
+        )
     lines += [f"  note: {note}" for note in made.notes]
     told = {"stable": "stable to first order", "unstable": "unstable", "marginal": "marginal: undecided to first order"}
     return [*lines, f"verdict: {told[verdict(made)]}"]

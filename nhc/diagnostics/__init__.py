@@ -2,7 +2,7 @@
 
 from .codes import TITLES, codes, page
 from .data import Bag, Diagnostic, Label, Severity, SpecError
-from .nearest import nearest, quote, suggest
+from .nearest import nearest, quote, several, suggest
 from .source import Source, Span
 from .structured import to_json
 from .text import render_concise, render_text
@@ -22,6 +22,7 @@ __all__ = [
     "quote",
     "render_concise",
     "render_text",
+    "several",
     "suggest",
     "to_json",
 ]

@@ -23,6 +23,11 @@ def suggest(name: str, known: Iterable[str], otherwise: str) -> str:
     return f"did you mean `{near}`?" if near else otherwise
 
 
+def several(count: int, noun: str) -> str:
+    """``1 constraint``, ``2 constraints``."""
+    return f"{count} {noun}" if count == 1 else f"{count} {noun}s"
+
+
 def quote(names: Iterable[str]) -> str:
     """The names in back-ticks, with commas between them."""
     return ", ".join(f"`{name}`" for name in names)

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from nhc.algebra.dense import Singular
 from nhc.algebra.modular import rank
-from nhc.diagnostics import Bag, Span
+from nhc.diagnostics import Bag, Span, several
 from nhc.mechanics import chaplygin
 from nhc.mechanics.adapt import complete, turning_choices
 from nhc.mechanics.frame import Frame, coordinate_frame, make_frame, velocity_symbol
@@ -139,7 +139,7 @@ def _euler_lagrange(system: System) -> Formulation:
         raise NotApplicable(
             "euler-lagrange",
             [
-                f"these quasi-velocities are no basis together with the {system.l} constraint(s)"
+                f"these quasi-velocities are no basis together with the {several(system.l, 'constraint')}"
                 if system.l
                 else "these quasi-velocities are no basis"
             ],

@@ -10,7 +10,7 @@ from nhc.algebra.evaluate import Mpmath, evaluate
 from nhc.algebra.graph import Graph, Node
 from nhc.algebra.linear import is_clearly_regular
 from nhc.algebra.modular import are_zero, is_zero, rank
-from nhc.diagnostics import Bag
+from nhc.diagnostics import Bag, several
 from nhc.language import Spec
 from nhc.mechanics.given_rank import find_dependent_as_given
 from nhc.mechanics.system import Form, System
@@ -72,9 +72,10 @@ def check_freedom(bag: Bag, spec: Spec, system: System) -> None:
             help=("remove it",),
         )
         return
+    leave = "leaves" if system.l == 1 else "leave"
     bag.error(
         "E0420",
-        f"{system.l} constraints leave no free velocity in {system.n} coordinate(s)",
+        f"{several(system.l, 'constraint')} {leave} no free velocity in {several(system.n, 'coordinate')}",
         spec.key_span("constraints" if spec.constraints else "holonomic"),
         help=("remove a constraint, or declare the coordinate that is missing",),
     )

@@ -13,7 +13,7 @@ from nhc.algebra.graph import Node
 from nhc.algebra.linear import degrees
 from nhc.algebra.modular import Unlucky, are_zero, is_zero
 from nhc.algebra.subdivision import cannot_vanish_together
-from nhc.diagnostics import Bag
+from nhc.diagnostics import Bag, several
 from nhc.mechanics.choose import Formulation, applicable, chaplygin_dependent, checked_dependent
 from nhc.mechanics.conserved import Integral, find_conserved
 from nhc.mechanics.constancy import shows_jumps
@@ -164,11 +164,11 @@ def _warn_integrable(
         )
     combined = found.hidden - len(written) - len(named)
     if combined > 0:
-        growth = ", ".join(str(r) for r in found.growth)
+        growth, verb = ", ".join(str(r) for r in found.growth), "is" if combined == 1 else "are"
         texts = [f"an integral is `{i.text} = const`" for i in integrals if len(i.names) > 1]
         bag.warning(
             "W0410",
-            f"{combined} combination(s) of the constraints are integrable{given} (holonomic in disguise)",
+            f"{several(combined, 'combination')} of the constraints {verb} integrable{given} (holonomic in disguise)",
             system.spec.key_span("constraints"),
             notes=(f"the growth vector of the allowed directions is ({growth}) in {system.n} coordinates", *texts),
             help=("positions are not held to the integral by the velocities alone: watch the drift",),

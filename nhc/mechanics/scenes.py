@@ -13,7 +13,7 @@ from fractions import Fraction
 from nhc.algebra.dense import RowSpace
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Node
-from nhc.diagnostics import Bag, quote, suggest
+from nhc.diagnostics import Bag, quote, several, suggest
 from nhc.language.spec import Scene, Spec
 from nhc.language.syntax import Syntax
 from nhc.mechanics.frame import coordinate_form
@@ -227,7 +227,7 @@ def _velocities(
             "E0409",
             f"the initial velocities of the scene `{scene.name}` violate the constraints by {abs(off):.3g}",
             next((e.span for e in scene.initial if names[k] == _FOUND_AS.get(e.kind, "").format(e.name)), scene.span),
-            notes=(f"{names[k]} does not fit the {fixed} constraint(s) and the values before it",),
+            notes=(f"{names[k]} does not fit the {several(fixed, 'constraint')} and the values before it",),
             help=("leave the dependent velocities out: they follow from the constraints",),
         )
     for form in order:
