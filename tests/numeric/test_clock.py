@@ -100,7 +100,7 @@ def test_starts_with_parameters_of_their_own() -> None:
     assert_struck(second.rows[-1], 0.25, 70.35)
 
 
-@pytest.mark.parametrize("force", [PAIR, "5*exp(-((t - at)/0.05)^2)"])
+@pytest.mark.parametrize("force", [PAIR, "5*exp(-((t - at)/0.05)^2)", "5*(1 - tanh(100*(t - at))^2)"])
 def test_the_emitted_driver(force: str, tmp_path: Path) -> None:
     program = compile_c(emit(write(force), "c", Options(driver=True)), tmp_path, "struck", ("-O1",), library=False)
     for scene, middle in (("go", PULSES[force][1]), ("late", PULSES[force][1] + 30.3)):
