@@ -10,11 +10,17 @@ import pytest
 from scipy.integrate import quad, solve_ivp
 
 from nhc.diagnostics import Source
+from nhc.language import decode
+from nhc.mechanics.choose import formulate
+from nhc.mechanics.formulate import equations_of
+from nhc.mechanics.resolve import resolve
+from nhc.mechanics.scenes import start_of
 from nhc.simulate.opening import open_scene
 from nhc.simulate.run import Settings, Trajectory, look_ahead, run
 from nhc.study.chart.grid import Grid
 from nhc.study.chart.model import LongModel, compile_long
 from nhc.study.chart.study import chart
+from nhc.study.stability.bench import open_bench
 
 pytestmark = pytest.mark.usefixtures("own_cache")
 
@@ -126,3 +132,12 @@ def make_reference_end(text: str) -> tuple[float, ...]:
         "dop853", job.time, 1e-14, 0.0, 100_000
     )
     return tuple(rows.rows[-1][:2])
+
+
+def test_the_laboratory_knows_it_too() -> None:
+    """Its reference motion comes back from the wall, and its energy is that of the start."""
+    text = f"{HEAD}{SCENE}coordinates: [x]\nT: x'^2/2\nV: h*exp(-((x - 50)/w)^2)\n"
+    system = resolve(decode(Source("passer.yaml", text)))
+    formulation = formulate(system)
+    bench = open_bench(equations_of(system, formulation), formulation, start_of(system, system.spec.scenes[0]))
+    assert bench.reference[-1].tolist() == pytest.approx(reference(bump(10.0, 50.0)), rel=1e-8)

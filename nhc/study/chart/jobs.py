@@ -11,7 +11,7 @@ from nhc.mechanics.formulate import equations_of
 from nhc.mechanics.reduce import Reduction
 from nhc.mechanics.scenes import start_of
 from nhc.mechanics.system import System
-from nhc.program.clock import Stop
+from nhc.program.ir import Stop
 from nhc.program.scene_model import reduce_one, scene_model
 from nhc.records import record
 from nhc.simulate.prepare import Job, prepare
