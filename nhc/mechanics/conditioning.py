@@ -10,10 +10,9 @@ from itertools import combinations
 from math import comb, sqrt
 
 from nhc.algebra.calculus import gradient
-from nhc.algebra.dense import symmetric_eigenvalues
+from nhc.algebra.dense import Singular, solve_double, symmetric_eigenvalues
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Node
-from nhc.algebra.lu import SingularMatrix, factor, resolve
 from nhc.mechanics.choose import Formulation, NotApplicable, build, turning_formulations
 from nhc.mechanics.frame import coordinate_form
 from nhc.mechanics.regularity import relative_determinant, sampled_rows, trial_points
@@ -213,11 +212,12 @@ def _free_energy(system: System, formulation: Formulation, place: Place) -> Rows
     momenta = gradient(system.graph, system.T, system.v)
     flat = [x for p in momenta for x in gradient(system.graph, p, system.v)]
     try:
-        factors = factor(evaluate_rows(system, forms, place))
+        rows = evaluate_rows(system, forms, place)
         values = [float(x) for x in evaluate(system.graph, flat, place)]
-    except (SingularMatrix, ArithmeticError, ValueError):
+        first = system.l if frame else 0
+        vectors = [solve_double(rows, [float(i == k) for i in range(n)]) for k in range(first, n)]
+    except (Singular, ArithmeticError, ValueError):
         return []
-    vectors = [resolve(factors, [float(i == k) for i in range(n)]) for k in range(system.l if frame else 0, n)]
     mass = [values[k * n : (k + 1) * n] for k in range(n)]
     moved = [[sum(a * x for a, x in zip(row, e, strict=True)) for row in mass] for e in vectors]
     return [[sum(a * b for a, b in zip(e, m, strict=True)) for m in moved] for e in vectors]

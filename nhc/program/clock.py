@@ -20,10 +20,8 @@ from nhc.algebra.calculus import reachable
 from nhc.algebra.evaluate import evaluate_into
 from nhc.algebra.graph import POW, Graph, Node
 from nhc.mechanics.system import System
+from nhc.program.ir import Stop
 from nhc.records import record
-
-Stop = tuple[float, float]
-"""The last time before a jump and the first after it; the same time twice where there is none."""
 
 GRID = 1024
 _CORNERS = frozenset({"sign", "abs", "min", "max", "atan2"})

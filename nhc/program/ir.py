@@ -227,11 +227,15 @@ class Quantity:
     default: Fraction | float | None = None
 
 
+Stop = tuple[float, float]
+"""Where a step has to end: the last time before a jump and the first after it, or the same time twice where nothing jumps."""
+
+
 @record
 class SceneData:
     """What a driver needs: a consistent start. ``y`` and ``p`` are doubles in the program's order.
 
-    ``stops``: (time before, time after) where its steps have to end.
+    ``stops``: in the order of the time.
     """
 
     name: str
@@ -241,7 +245,7 @@ class SceneData:
     time: tuple[float, float]
     need: tuple[str, ...]
     tolerance: float
-    stops: tuple[tuple[float, float], ...] = ()
+    stops: tuple[Stop, ...] = ()
 
 
 @record

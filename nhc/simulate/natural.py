@@ -5,10 +5,10 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from nhc.algebra.lu import Matrix
 from nhc.program.ir import Program
 from nhc.simulate.interpreted import TextModel
 from nhc.simulate.methods import STRUCTURE
+from nhc.simulate.methods.linear import Matrix
 from nhc.simulate.methods.step import NoSolution
 from nhc.simulate.task import DONE, NO_SOLUTION, SINGULAR, STOPPED, TOO_MANY, News, Outcome, Task
 

@@ -17,7 +17,8 @@ from math import inf, nan
 from nhc.algebra.calculus import reachable
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Node
-from nhc.program.clock import Search, Stop, is_corner, join_stops, list_special
+from nhc.program.clock import Search, is_corner, join_stops, list_special
+from nhc.program.ir import Stop
 from nhc.simulate.prepare import Job
 from nhc.simulate.task import STOPPED, TOO_MANY, Outcome, Task
 

@@ -14,9 +14,9 @@ from nhc.mechanics.drawing import Sketch
 from nhc.mechanics.scenes import Start, kept_velocities
 from nhc.mechanics.system import Form, System
 from nhc.program.build import Planner, build_functions
-from nhc.program.clock import Stop, find_stops
+from nhc.program.clock import find_stops
 from nhc.program.hold import TORN, TORN_HOLD, hold_functions
-from nhc.program.ir import Program
+from nhc.program.ir import Program, Stop
 from nhc.program.model import build_program
 from nhc.program.needed import Column, list_checks, list_columns, needed_function, planned_sketch
 from nhc.program.structure import Structure, structure_of

@@ -8,13 +8,13 @@ from collections.abc import Sequence
 from nhc.algebra.calculus import gradient
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Node
-from nhc.algebra.lu import SingularMatrix, solve
 from nhc.diagnostics import SpecError
 from nhc.language.spec import Scene
 from nhc.mechanics.frame import coordinate_form
 from nhc.mechanics.scenes import Start, start_of
 from nhc.mechanics.system import Form, System
 from nhc.mechanics.values import constant_value
+from nhc.simulate.methods.linear import SingularMatrix, solve
 
 SHOWN = 8  # changed velocities in a report
 

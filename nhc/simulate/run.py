@@ -7,7 +7,7 @@ import time
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
-from nhc.program.clock import Stop
+from nhc.program.ir import Stop
 from nhc.records import record
 from nhc.simulate.compile import CompileError, build, loop_flags
 from nhc.simulate.compiled import CompiledModel

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
+from nhc.program.ir import Stop
 from nhc.records import record
 
 DONE, SINGULAR, UNDERFLOW, STOPPED, EVENT, TOO_MANY, NO_SOLUTION, CROSSED, STALLED = range(9)
@@ -18,8 +19,8 @@ PATIENCE = 50
 @record
 class Task:
     """``times``: the rows wanted, from the start to the end.  ``tolerance``: relative to each component's size so far;
-    ``step``: fixed steps of at most that length, where positive.  ``stops``: (time before, time after) where adaptive steps have
-    to end (:mod:`nhc.program.clock`), in the order of the run.
+    ``step``: fixed steps of at most that length, where positive.  ``stops``: where adaptive steps have to end
+    (:mod:`nhc.program.clock`), in the order of the run.
     """
 
     p: Sequence[float]
@@ -28,7 +29,7 @@ class Task:
     tolerance: float
     step: float = 0.0
     most: int = MOST_STEPS
-    stops: Sequence[tuple[float, float]] = ()
+    stops: Sequence[Stop] = ()
 
 
 @dataclass(slots=True)

@@ -7,10 +7,10 @@ from dataclasses import dataclass
 
 import pytest
 
-from nhc.algebra.lu import solve
 from nhc.cli.run import METHODS as OFFERED
 from nhc.simulate.interpreted import InterpretedModel, load_text
 from nhc.simulate.methods import METHODS, RUNGE_KUTTA, STRUCTURE, is_adaptive
+from nhc.simulate.methods.linear import solve
 from nhc.simulate.methods.loop import integrate
 from nhc.simulate.methods.tableau import Collocation, Explicit
 from nhc.simulate.peers import PEERS

@@ -82,9 +82,8 @@ def name_document(derivation: Derivation) -> Names:
         listed |= dict.fromkeys([first, *others])
         changed |= {name: _typewriter(name) for name in others}
     made = {_look(mark, Names(changed)) for mark in marks if mark.prefix or not _is_name(mark)} | {"d"}
-    for (
-        name
-    ) in bases:  # d times x' beside the differential dx', dx beside x, Delta_1 beside the first of nhc's determinants
+    # d times x' looks like the differential dx', dx stands beside x, Delta_1 beside the first of nhc's determinants
+    for name in bases:
         if name in given and name not in changed and _look(Mark(name)) in made:
             changed[name], listed[name] = _typewriter(name), None
     wide = [name for name in {**bases, **indices} if estimate(Names(changed).print_mark(Mark(name))) > WIDEST]

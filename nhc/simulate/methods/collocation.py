@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from math import sqrt
 
-from nhc.algebra.lu import SingularMatrix, factor, resolve
+from nhc.simulate.methods.linear import SingularMatrix, factor, resolve
 from nhc.simulate.methods.step import NoSolution, Step, Vector, combine
 from nhc.simulate.methods.tableau import Collocation
 

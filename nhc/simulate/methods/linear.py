@@ -1,4 +1,4 @@
-"""Small dense linear systems in Python: L U with row pivoting."""
+"""L U with row pivoting, operation for operation as ``templates/c/methods/linear.c.jinja`` has it."""
 
 from __future__ import annotations
 

@@ -6,8 +6,8 @@ import math
 from collections.abc import Callable, Sequence
 from typing import Protocol
 
-from nhc.algebra.lu import Matrix, SingularMatrix, factor, resolve, solve
 from nhc.records import record
+from nhc.simulate.methods.linear import Matrix, SingularMatrix, factor, resolve, solve
 from nhc.simulate.methods.step import NoSolution
 
 Vector = list[float]
