@@ -95,7 +95,7 @@ def _solved(rows: list[list[float]], dependent: Sequence[int]) -> list[float]:
     """b at one place, column by column."""
     block = [[row[j] for j in dependent] for row in rows]
     others = [j for j in range(len(rows[0])) if j not in dependent]
-    return [x for j in others for x in solve_double([list(r) for r in block], [-row[j] for row in rows])]
+    return [x for j in others for x in solve_double(block, [-row[j] for row in rows])]
 
 
 def _contains(system: System, nodes: Sequence[Node], i: int) -> bool:
