@@ -134,9 +134,8 @@ class RowSpace:
         """(column, row, right side): the row is 1 in its own column and 0 in those of the others."""
 
     def add(self, row: Sequence[float], value: float) -> float | None:
-        """None if the equation was new; else by how much it contradicts the earlier ones (relative to its terms)."""
+        """None if the equation was new; else by how much its right side contradicts the earlier ones."""
         row, scale = list(row), max((abs(x) for x in row), default=0.0)
-        size = max(scale, abs(value), 1e-300)
         for column, known, right in self.rows:
             factor = row[column]
             if factor:
@@ -144,7 +143,7 @@ class RowSpace:
                 value -= factor * right
         pivot = max(range(self.size), key=lambda j: abs(row[j]))
         if abs(row[pivot]) <= 1e-9 * max(scale, 1e-300):
-            return value / size
+            return value
         inverse = 1.0 / row[pivot]
         row, value = [x * inverse for x in row], value * inverse
         self.rows = [

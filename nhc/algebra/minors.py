@@ -1,9 +1,11 @@
-"""All maximal minors of a small matrix of doubles from one elimination."""
+"""All maximal minors of a small matrix of doubles from one elimination, and units in which they can be compared."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+
+_PASSES = 20  # of the means of rows and columns
 
 
 def relative_minors(matrix: Sequence[Sequence[float]], subsets: Sequence[Sequence[int]]) -> list[float]:
@@ -81,3 +83,45 @@ def float_determinant(block: Sequence[Sequence[float]]) -> float:
             tail = row[1:]
             rows[i] = [x - factor * y for x, y in zip(tail, rest, strict=True)] if factor else tail
     return det
+
+
+def balance_columns(matrix: Sequence[Sequence[float]], width: int) -> list[float]:
+    """Factors of the columns for which there are factors of the rows that bring the entries near 1, in the mean of the logarithms.
+
+    Columns in other units get the same products, up to a factor for all columns of a part that no row joins to the others: what
+    the first pass meets first has the factor 1, and each pass takes means of what was there before (Curtis and Reid 1972, with a
+    few passes in place of the least squares' solution).
+    """
+    logs = [{j: math.log(abs(x)) for j, x in enumerate(row) if x != 0.0 and math.isfinite(x)} for row in matrix]
+    columns: list[float | None] = [None] * width
+    for j in range(width):
+        if columns[j] is None:
+            columns[j] = 0.0
+            _spread_out(logs, columns)
+    found = [x or 0.0 for x in columns]
+    members = [[(i, row[j]) for i, row in enumerate(logs) if j in row] for j in range(width)]
+    for _ in range(_PASSES):
+        rows = [sum(x + found[j] for j, x in row.items()) / max(len(row), 1) for row in logs]
+        found = [
+            sum(rows[i] - x for i, x in met) / len(met) if met else value
+            for met, value in zip(members, found, strict=True)
+        ]
+    return [math.exp(x) for x in found]
+
+
+def _spread_out(logs: Sequence[dict[int, float]], columns: list[float | None]) -> None:
+    """Factors for all columns that rows join to those that have one."""
+    waiting = [k for k, row in enumerate(logs) if row]
+    while waiting:
+        later = []
+        for k in waiting:
+            known = [x + value for j, x in logs[k].items() if (value := columns[j]) is not None]
+            if not known:
+                later.append(k)
+                continue
+            for j, x in logs[k].items():
+                if columns[j] is None:
+                    columns[j] = sum(known) / len(known) - x
+        if len(later) == len(waiting):
+            break
+        waiting = later

@@ -15,7 +15,7 @@ from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Node
 from nhc.mechanics.choose import Formulation, NotApplicable, build, turning_formulations
 from nhc.mechanics.frame import coordinate_form
-from nhc.mechanics.regularity import relative_determinant, sampled_rows, trial_points
+from nhc.mechanics.regularity import relative_determinant, sampled_rows, trial_points, velocity_units
 from nhc.mechanics.scenes import Start
 from nhc.mechanics.system import Form, System
 from nhc.records import record
@@ -47,7 +47,7 @@ def conditioning(system: System, formulation: Formulation, place: Place) -> floa
     if formulation.frame is None:
         return 1.0
     forms = formulation.frame.forms
-    rows = evaluate_rows(system, forms, place)
+    rows = balanced_rows(system, forms, place)
     value = relative_determinant(rows, range(len(rows))) ** len(rows)
     for form, row in zip(forms[system.l :], rows[system.l :], strict=True):
         length = _norm(row)
@@ -72,6 +72,12 @@ def evaluate_rows(system: System, forms: Sequence[Form], place: Place) -> Rows:
     """The coefficients of forms at a place."""
     flat = [float(x) for x in evaluate(system.graph, [a for form in forms for a in form.coefficients], place)]
     return [flat[k * system.n : (k + 1) * system.n] for k in range(len(forms))]
+
+
+def balanced_rows(system: System, forms: Sequence[Form], place: Place) -> Rows:
+    """The same in the units of the velocities in which regularity is judged."""
+    units = velocity_units(system)
+    return [[a * u for a, u in zip(row, units, strict=True)] for row in evaluate_rows(system, forms, place)]
 
 
 def find_better(system: System, now: Formulation, place: Place, known: Sequence[Choice]) -> Choice | None:
@@ -109,7 +115,7 @@ def find_start(system: System, now: Formulation, start: Start) -> Formulation | 
 
 def _has_rank(system: System, place: Place) -> bool:
     """Whether some of the constraints' blocks of dependent velocities is regular there."""
-    rows = evaluate_rows(system, system.constraints, place)
+    rows = balanced_rows(system, system.constraints, place)
     return not _is_lost(system, relative_determinant(rows, _best_columns(rows, system.n)))
 
 
@@ -140,7 +146,7 @@ def _dependent(system: System, place: Place) -> Iterator[Choice]:
     if not system.l:
         yield Choice(system, build(system, "lagrange"), 1.0)
         return
-    rows = evaluate_rows(system, system.constraints, place)
+    rows = balanced_rows(system, system.constraints, place)
     columns = _best_columns(rows, system.n)
     chosen = replace(system, dependent=columns)
     try:

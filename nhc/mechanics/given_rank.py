@@ -13,7 +13,7 @@ from nhc.algebra.common_zero import find_common_zero
 from nhc.algebra.dense import RowSpace
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Node
-from nhc.mechanics.regularity import ordinary_points, trial_points
+from nhc.mechanics.regularity import ordinary_points, trial_points, velocity_units
 from nhc.mechanics.system import Form, System
 
 _STATES = 4
@@ -43,7 +43,7 @@ def find_dependent_row(system: System, place: Mapping[Node, float]) -> Form | No
 
     Holonomic ones come first: what repeats them is what can be left out.
     """
-    space = RowSpace(system.n)
+    space, units = RowSpace(system.n), velocity_units(system)
     for form in sorted(system.constraints, key=lambda form: form.equation is None):
         try:
             row = [float(x) for x in evaluate(system.graph, form.coefficients, dict(place))]
@@ -51,7 +51,7 @@ def find_dependent_row(system: System, place: Mapping[Node, float]) -> Form | No
             return None
         if not all(map(math.isfinite, row)):
             return None
-        if space.add(row, 0.0) is not None:
+        if space.add([a * u for a, u in zip(row, units, strict=True)], 0.0) is not None:
             return form
     return None
 

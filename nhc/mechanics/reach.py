@@ -16,7 +16,7 @@ from nhc.algebra.common_zero import find_common_zero
 from nhc.algebra.graph import Node
 from nhc.algebra.minors import float_determinant
 from nhc.mechanics.given_rank import given_states
-from nhc.mechanics.regularity import sampled_rows
+from nhc.mechanics.regularity import sampled_rows, velocity_units
 from nhc.mechanics.system import Form, System
 
 _MOST = 8
@@ -60,8 +60,7 @@ def _changes_sign(system: System, forms: Sequence[Form], start: Point, rng: rand
         before = now
         heading = _along([x + 0.4 * rng.gauss(0, 1) for x in heading], across)
         step = _length(system, forms, place, rows, heading)
-        moved = {**place, **{x: place[x] + step * d for x, d in zip(system.q, heading, strict=True)}}
-        place = find_common_zero(system.graph, equations, system.q, [moved])
+        place = find_common_zero(system.graph, equations, system.q, [_moved(system, place, heading, step)])
     return False
 
 
@@ -73,15 +72,21 @@ def _rows(system: System, forms: Sequence[Form], place: Point) -> Rows | None:
 
 def _length(system: System, forms: Sequence[Form], place: Point, rows: Rows, heading: Sequence[float]) -> float:
     """How far to go along a unit vector: until the constraints' rows have turned by a part of a radian; at most 1."""
-    probe = _PROBE * (1.0 + max(abs(place[x]) for x in system.q))
-    near = {**place, **{x: place[x] + probe * d for x, d in zip(system.q, heading, strict=True)}}
-    other = _rows(system, forms, near)
+    units = velocity_units(system)
+    probe = _PROBE * (1.0 + max(abs(place[x]) / u for x, u in zip(system.q, units, strict=True)))
+    other = _rows(system, forms, _moved(system, place, heading, probe))
     if other is None:
         return 0.0
     turned = 0.0
     for row, new in zip(rows[: system.l], other[: system.l], strict=True):
         turned = max(turned, math.dist(row, new) / (math.hypot(*row) or 1.0))
     return min(1.0, _TURN * probe / turned) if turned else 1.0
+
+
+def _moved(system: System, place: Point, heading: Sequence[float], step: float) -> Point:
+    """The place a step along a vector in the units of the rows."""
+    units = velocity_units(system)
+    return {**place, **{x: place[x] + step * d * u for x, d, u in zip(system.q, heading, units, strict=True)}}
 
 
 def _orthonormal(rows: Rows) -> Rows | None:

@@ -12,7 +12,7 @@ from nhc.algebra.calculus import reachable
 from nhc.algebra.evaluate import evaluate, evaluate_into
 from nhc.algebra.graph import Node
 from nhc.algebra.interval import Interval, cannot_vanish
-from nhc.algebra.minors import relative_minors
+from nhc.algebra.minors import balance_columns, relative_minors
 from nhc.algebra.polynomial import normalise
 from nhc.mechanics.system import Form, System
 from nhc.mechanics.values import constant_value, default_values, parameter_ranges
@@ -109,13 +109,19 @@ def sampled_rows(
     *,
     ordinary: bool = False,
 ) -> list[list[list[float]]]:
-    """The matrix of the forms' coefficients at each of the points (trial points, or ordinary ones, by default) where it can be
-    evaluated; the points are told what was evaluated at them.
+    """The matrix of the forms' coefficients, in the units of :func:`velocity_units`, at each of the points (trial points, or
+    ordinary ones, by default) where it can be evaluated; the points are told what was evaluated at them.
     """
+    chosen = _kept_points(system, ordinary=ordinary) if points is None else points
+    units = velocity_units(system)
+    return [[[a * u for a, u in zip(row, units, strict=True)] for row in rows] for rows in _rows(system, forms, chosen)]
+
+
+def _rows(system: System, forms: Sequence[Form], points: Sequence[dict[Node, float]]) -> list[list[list[float]]]:
     g = system.graph
     flat = [a for form in forms for a in form.coefficients]
     order, result = reachable(g, flat), []
-    for known in _kept_points(system, ordinary=ordinary) if points is None else points:
+    for known in points:
         try:
             evaluate_into(known, g, order)
         except (ArithmeticError, ValueError):
@@ -123,6 +129,22 @@ def sampled_rows(
         values = [float(known[x]) for x in flat]
         result.append([values[r * system.n : (r + 1) * system.n] for r in range(len(forms))])
     return result
+
+
+def velocity_units(system: System) -> list[float]:
+    """Units of the velocities in which the coefficients of the constraints and of the spec's quasi-velocities are near 1, whatever
+    the spec's units of lengths and of angles are: how singular a choice is does not hang on those.
+
+    The largest coefficients over the trial points are what is balanced (see :func:`nhc.algebra.minors.balance_columns`).
+    """
+    forms = (*system.constraints, *system.quasi)
+    known: dict[tuple[tuple[Node, ...], ...], list[float]] = system.graph.memory.setdefault("velocity units", {})
+    key = tuple(form.coefficients for form in forms)
+    if key not in known:
+        rows = _rows(system, forms, _kept_points(system, ordinary=False))
+        largest = [[max((abs(m[i][j]) for m in rows), default=0.0) for j in range(system.n)] for i in range(len(forms))]
+        known[key] = balance_columns(largest, system.n)
+    return known[key]
 
 
 def _kept_points(system: System, *, ordinary: bool) -> list[dict[Node, float]]:

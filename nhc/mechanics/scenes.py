@@ -17,7 +17,7 @@ from nhc.diagnostics import Bag, quote, several, suggest
 from nhc.language.spec import Scene, Spec
 from nhc.language.syntax import Syntax
 from nhc.mechanics.frame import coordinate_form
-from nhc.mechanics.regularity import choose_dependent
+from nhc.mechanics.regularity import choose_dependent, velocity_units
 from nhc.mechanics.system import Form, System
 from nhc.mechanics.values import constant_value
 from nhc.records import record
@@ -217,9 +217,11 @@ def _velocities(
         return (0.0,) * system.n
     order = _free_order(system, given)
     solver = RowSpace(system.n)
+    units = velocity_units(system)
+    sizes = term_sizes(system, rows, right)
     for k, (row, value) in enumerate(zip(rows, right, strict=True)):
-        off = solver.add(row, value)
-        if off is None or abs(off) <= TOLERANCE:
+        off = solver.add([a * u for a, u in zip(row, units, strict=True)], value)
+        if off is None or abs(off) <= TOLERANCE * sizes[k]:
             continue
         bag.error(
             "E0409",
@@ -230,8 +232,23 @@ def _velocities(
         )
     for form in order:
         numbers = [float(x) for x in evaluate(system.graph, [*form.coefficients, form.constant], place)]
-        solver.add(numbers[:-1], -numbers[-1])
-    return tuple(solver.solution())
+        solver.add([a * u for a, u in zip(numbers[:-1], units, strict=True)], -numbers[-1])
+    return tuple(x * u for x, u in zip(solver.solution(), units, strict=True))
+
+
+def term_sizes(system: System, rows: Sequence[Sequence[float]], right: Sequence[float]) -> list[float]:
+    """How large the terms of each equation of velocities can be: its largest coefficient times the largest speed that any of the
+    equations gives which share velocities with it, directly or through others, in the units in which coefficients are near 1.
+    """
+    units = velocity_units(system)
+    lengths = [max((abs(a) * u for a, u in zip(row, units, strict=True)), default=0.0) for row in rows]
+    speeds = [abs(value) / length if length else 0.0 for value, length in zip(right, lengths, strict=True)]
+    part = list(range(len(rows)))
+    for j in range(system.n):
+        joined = {part[k] for k, row in enumerate(rows) if row[j]}
+        part = [min(joined) if p in joined else p for p in part]
+    fastest = {p: max(speed for speed, other in zip(speeds, part, strict=True) if other == p) for p in part}
+    return [length * fastest[p] for length, p in zip(lengths, part, strict=True)]
 
 
 def _free_order(system: System, given: dict[tuple[str, str], float]) -> list[Form]:

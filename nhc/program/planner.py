@@ -13,13 +13,14 @@ from nhc.mechanics.choose import Formulation
 from nhc.mechanics.formulate import bordered_system
 from nhc.mechanics.rotation import moving
 from nhc.mechanics.system import System
+from nhc.mechanics.usual import usual_digits
 from nhc.program.ir import Argument, Function, Origin
 from nhc.program.lower import lower_function
 from nhc.program.mass_route import mass_route
 from nhc.program.plan import FunctionPlan, GuardPlan, SolvePlan, Target
 
 SINGULAR_FRAME, SINGULAR_MASS = 1, 2
-_FRAME_TOLERANCE, _MASS_TOLERANCE, _BORDERED_TOLERANCE = 1e-12, 1e-14, 1e-13
+_FRAME_DIGITS, _MASS_TOLERANCE, _BORDERED_TOLERANCE = 12, 1e-14, 1e-13
 T_ARGUMENT = Argument("t", -1)
 
 
@@ -139,7 +140,8 @@ class PlannerBase:
             size = g.a[value] if g.op[value] == NEG else value
             # a constant determinant is only held against zero: its scale would be work for nothing
             limit = g.zero if self._is_constant(value) else scale
-            once.setdefault(size, GuardPlan(size, limit, _FRAME_TOLERANCE, SINGULAR_FRAME, what))
+            tolerance = float(f"1e-{_FRAME_DIGITS + usual_digits(self.system, size, limit)}")
+            once.setdefault(size, GuardPlan(size, limit, tolerance, SINGULAR_FRAME, what))
         return tuple(once.values())
 
     def _is_constant(self, node: Node) -> bool:

@@ -13,6 +13,7 @@ from nhc.algebra.graph import Node
 from nhc.diagnostics import Bag, SpecError, quote
 from nhc.language.spec import Scene
 from nhc.mechanics.given_rank import find_dependent_as_given, find_dependent_row, given_states
+from nhc.mechanics.regularity import velocity_units
 from nhc.mechanics.scenes import Start, kept_velocities, left_at_zero, place_of
 from nhc.mechanics.undefined import find_pole, find_undefined
 from nhc.program.build import Planner
@@ -191,9 +192,10 @@ def warn_negative(planner: Planner, start: Start, bag: Bag) -> None:
 def _admissible(planner: Planner, values: dict[Node, float]) -> list[list[float]]:
     """Vectors that span the motions which the constraints allow."""
     system = planner.system
-    space = RowSpace(system.n)
+    space, units = RowSpace(system.n), velocity_units(system)
     for form in system.constraints:
-        space.add([float(x) for x in evaluate(planner.graph, form.coefficients, values)], 0.0)
+        row = [float(x) for x in evaluate(planner.graph, form.coefficients, values)]
+        space.add([a * u for a, u in zip(row, units, strict=True)], 0.0)
     dependent = [column for column, _, _ in space.rows]
     basis = []
     for j in range(system.n):
@@ -201,7 +203,7 @@ def _admissible(planner: Planner, values: dict[Node, float]) -> list[list[float]
             vector = [float(k == j) for k in range(system.n)]
             for column, row, _ in space.rows:
                 vector[column] = -row[j]
-            basis.append(vector)
+            basis.append([x * u for x, u in zip(vector, units, strict=True)])
     return basis
 
 

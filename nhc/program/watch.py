@@ -17,6 +17,7 @@ from nhc.algebra.interval import cannot_vanish
 from nhc.algebra.polynomial import normalise
 from nhc.mechanics.regularity import intervals
 from nhc.mechanics.singular import find_rank_loss
+from nhc.mechanics.usual import usual_digits
 from nhc.program.build import Planner
 from nhc.program.ir import Function, Lookout
 from nhc.records import record
@@ -140,7 +141,9 @@ def _frames(planner: Planner) -> list[_Measure]:
     seen: dict[Node, _Measure] = {}
     for guard in planner.frame_guards():
         if not planner._is_constant(guard.value):
-            seen.setdefault(guard.value, _Measure(guard.value, guard.scale, False, "frame", guard.what))
+            usual = Fraction(1, 10 ** usual_digits(planner.system, guard.value, guard.scale))
+            scale = planner.graph.mul(planner.graph.number(usual), guard.scale)
+            seen.setdefault(guard.value, _Measure(guard.value, scale, False, "frame", guard.what))
     return list(seen.values())
 
 

@@ -11,7 +11,8 @@ from nhc.algebra.graph import Node
 from nhc.diagnostics import SpecError
 from nhc.language.spec import Scene
 from nhc.mechanics.frame import coordinate_form
-from nhc.mechanics.scenes import Start, start_of
+from nhc.mechanics.regularity import velocity_units
+from nhc.mechanics.scenes import Start, start_of, term_sizes
 from nhc.mechanics.system import Form, System
 from nhc.mechanics.values import constant_value
 from nhc.simulate.methods.linear import SingularMatrix, solve
@@ -43,10 +44,12 @@ def projected_start(system: System, scene: Scene) -> tuple[Start, tuple[str, ...
             v = _nearest(system, place, wanted)
         except (ArithmeticError, ValueError):
             raise refused from None
+    units = velocity_units(system)
+    speed = max(abs(x) / unit for x, unit in zip((*wanted, *v), (*units, *units), strict=True))
     changed = [
         f"{name}' {a:.9g} -> {b:.9g}"
-        for name, a, b in zip(system.q_names, wanted, v, strict=True)
-        if abs(a - b) > 1e-12 * max(1.0, abs(a))
+        for name, a, b, unit in zip(system.q_names, wanted, v, units, strict=True)
+        if abs(a - b) > 1e-12 * max(abs(a), abs(b), speed * unit)
     ]
     more = ", ..." if len(changed) > SHOWN else ""
     energy = [_energy(system, place, velocities) for velocities in (wanted, v)]
@@ -72,32 +75,41 @@ def _given_velocities(system: System, scene: Scene, base: Start, place: dict[Nod
         numbers = _numbers(system, [*form.coefficients, form.constant], place)
         rows.append(numbers[:-1])
         right.append(value - numbers[-1])
-    return _least_change(rows, right, [[float(i == j) for j in range(system.n)] for i in range(system.n)], system.n)
+    return _least_change(system, place, rows, right)
 
 
 def _nearest(system: System, place: dict[Node, float], v: Sequence[float]) -> list[float]:
-    g, n = system.graph, system.n
-    momenta = gradient(g, system.T, system.v)
-    flat = _numbers(system, [x for p in momenta for x in gradient(g, p, system.v)], place)
-    mass = [flat[k * n : (k + 1) * n] for k in range(n)]
     rows, right = [], []
     for form in system.constraints:
         numbers = _numbers(system, [*form.coefficients, form.constant], place)
         rows.append(numbers[:-1])
         right.append(-sum(a * x for a, x in zip(numbers[:-1], v, strict=True)) - numbers[-1])
-    return [a + b for a, b in zip(v, _least_change(rows, right, mass, n), strict=True)]
+    return [a + b for a, b in zip(v, _least_change(system, place, rows, right), strict=True)]
 
 
-def _least_change(rows: list[list[float]], right: list[float], mass: list[list[float]], n: int) -> list[float]:
-    """d with rows d = right and the least d M d; rows that follow from others are left to the later check."""
-    size = len(rows)
-    matrix = [[*mass[i], *(row[i] for row in rows)] for i in range(n)]
-    matrix += [[*row, *([0.0] * size)] for row in rows]
-    found = solve(matrix, [*([0.0] * n), *right])
-    gaps = [abs(sum(map(operator.mul, row, found)) - value) for row, value in zip(rows, right, strict=True)]
-    if not max(gaps, default=0.0) <= 1e-9 * max(1.0, *map(abs, found[:n])):
-        raise SingularMatrix("the rows contradict one another")
-    return found[:n]
+def _least_change(
+    system: System, place: dict[Node, float], rows: Sequence[Sequence[float]], right: Sequence[float]
+) -> list[float]:
+    """d with rows d = right and the least kinetic energy; rows that follow from others are left to the later check.
+
+    Velocities, rows and energy are measured in units in which they are near 1, so that pivots can be compared.
+    """
+    g, n, units = system.graph, system.n, velocity_units(system)
+    sizes = [size or 1.0 for size in term_sizes(system, rows, right)]
+    flat = _numbers(system, [x for p in gradient(g, system.T, system.v) for x in gradient(g, p, system.v)], place)
+    mass = [[flat[i * n + j] * units[i] * units[j] for j in range(n)] for i in range(n)]
+    most = max((abs(x) for row in mass for x in row), default=0.0) or 1.0
+    made = [[a * u for a, u in zip(row, units, strict=True)] for row in rows]
+    lengths = [max(map(abs, row), default=0.0) or 1.0 for row in made]
+    scaled = [[a / length for a in row] for row, length in zip(made, lengths, strict=True)]
+    matrix = [[*(x / most for x in mass[i]), *(row[i] for row in scaled)] for i in range(n)]
+    matrix += [[*row, *([0.0] * len(rows))] for row in scaled]
+    values = [value / length for value, length in zip(right, lengths, strict=True)]
+    found = solve(matrix, [*([0.0] * n), *values])[:n]
+    for row, value, size in zip(made, right, sizes, strict=True):
+        if not abs(sum(map(operator.mul, row, found)) - value) <= 1e-9 * size:
+            raise SingularMatrix("the rows contradict one another")
+    return [x * u for x, u in zip(found, units, strict=True)]
 
 
 def _numbers(system: System, nodes: Sequence[Node], place: dict[Node, float]) -> list[float]:

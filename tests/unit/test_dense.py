@@ -96,5 +96,5 @@ def test_equations_one_by_one() -> None:
     assert space.add([1.0, 1.0, 0.0], 3.0) is None
     assert space.add([1.0, -1.0, 0.0], 1.0) is None
     assert space.add([2.0, 0.0, 0.0], 4.0) == pytest.approx(0.0)  # the sum of both
-    assert space.add([2.0, 0.0, 0.0], 8.0) == pytest.approx(0.5)  # contradicts it by 4 of 8
+    assert space.add([2.0, 0.0, 0.0], 8.0) == pytest.approx(4.0)  # contradicts it by 4
     assert space.solution() == pytest.approx([2.0, 1.0, 0.0])

@@ -12,7 +12,7 @@ from dataclasses import replace
 import numpy as np
 
 from nhc.mechanics.choose import NotApplicable, dependent_of
-from nhc.mechanics.regularity import relative_determinant
+from nhc.mechanics.regularity import relative_determinant, velocity_units
 from nhc.records import record
 from nhc.study.field import scaled_least
 from nhc.study.stability.bench import Bench
@@ -43,12 +43,13 @@ def distances(bench: Bench) -> tuple[Distance, ...]:
     found, table = [], bench.table
     n, lower = bench.equations.system.n, bench.equations.system.l
     if lower:
-        rows = table[:, bench.group("row")].reshape(-1, lower, n)
+        units = np.array(velocity_units(bench.equations.system))
+        rows = table[:, bench.group("row")].reshape(-1, lower, n) * units
         found.append(_of(bench, "rank of the constraints", "constraints", [smallest_singular(a) for a in rows]))
         found += _dependent(bench, rows)
         free = bench.group("free")
         if free:
-            frames = np.concatenate([rows, table[:, free].reshape(-1, n - lower, n)], axis=1)
+            frames = np.concatenate([rows, table[:, free].reshape(-1, n - lower, n) * units], axis=1)
             what = f"coframe of {bench.formulation.name}"
             found.append(_of(bench, what, "frame", [smallest_singular(a) for a in frames]))
     guards = zip(bench.group("guard"), bench.group("scale"), strict=True)

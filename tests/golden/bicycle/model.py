@@ -1,10 +1,10 @@
-"""bicycle, emitted by nhc 0.1.0 (nhc:66ddb3a9bcd7fdf5).
+"""bicycle, emitted by nhc 0.1.0 (nhc:81bd3b5bd817e83d).
 
 Whipple's bicycle, nonlinear; two wheels, rear frame with rider, front frame; x
     ahead, y right, z down.
 Source: bicycle.yaml
 Equations of motion: euler-lagrange (I.2.15)
-Why: coframe completed by nhc with roll', steer', thF': the dependent velocities of
+Why: coframe completed by nhc with roll', steer', thR': the dependent velocities of
     the spec (x', y', z', yaw', pitch', thF') are singular somewhere
 
 State y:
@@ -19,7 +19,7 @@ y[7] = thR [rad]: rear wheel against rear frame
 y[8] = thF [rad]: front wheel against front frame
 y[9] = roll'
 y[10] = steer'
-y[11] = thF'
+y[11] = thR'
 
 Parameters p:
 p[0]: w = 1.02 [m]: wheelbase
@@ -63,15 +63,15 @@ out[1] = rear_height
 out[2] = front_height
 
 Operations:
-rhs: 455 +-, 699 *, 6 /, 17 calls
-velocities: 56 +-, 99 *, 3 /, 17 calls
-accelerations: 153 +-, 264 *, 3 /, 12 calls
+rhs: 476 +-, 729 *, 6 /, 17 calls
+velocities: 58 +-, 102 *, 3 /, 17 calls
+accelerations: 160 +-, 272 *, 3 /, 12 calls
 state: 0 +-, 0 *, 0 /, 0 calls
 residuals: 108 +-, 183 *, 2 /, 12 calls
-reactions: 402 +-, 616 *, 3 /, 12 calls
-energy: 168 +-, 278 *, 3 /, 12 calls
-jacobian: 3688 +-, 5104 *, 7 /, 17 calls
-outputs: 57 +-, 101 *, 3 /, 15 calls
+reactions: 409 +-, 629 *, 3 /, 12 calls
+energy: 170 +-, 281 *, 3 /, 12 calls
+jacobian: 3678 +-, 5099 *, 7 /, 17 calls
+outputs: 43 +-, 76 *, 2 /, 15 calls
 
 A singular point raises SingularModelError.
 """
@@ -104,7 +104,7 @@ STATE: tuple[str, ...] = (
     "thF",
     "roll'",
     "steer'",
-    "thF'",
+    "thR'",
 )
 PARAMETERS: tuple[str, ...] = (
     "w",
@@ -227,7 +227,7 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
     steer = float(y[6])  # front frame against rear frame [rad]
     roll_dot = float(y[9])
     steer_dot = float(y[10])
-    thF_dot = float(y[11])
+    thR_dot = float(y[11])
     w = float(p[0])  # wheelbase [m]
     c = float(p[1])  # trail [m]
     lam = float(p[2])  # tilt of the steering axis, 18 degrees [rad]
@@ -328,349 +328,362 @@ def rhs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list[flo
         k66 = k9 * k59 - k4 * k58
         # state
         c_roll = math.cos(roll)
-        z1 = 1.0 / abs(c_roll)
-        z2 = pitch + lam
-        s1 = math.sin(z2)
-        z3 = c_roll * s1
-        z4 = r_R * z3
-        z5 = z1 * z4
-        z6 = k10 + z5
-        c_steer = math.cos(steer)
-        c1 = math.cos(z2)
-        z7 = c_roll * c1
-        e2z = math.sin(roll)
+        z1 = pitch + lam
+        s1 = math.sin(z1)
         s_steer = math.sin(steer)
-        z8 = e2z * s_steer - c_steer * z3
-        z9 = 1.0 / math.sqrt(z7 * z7 + z8 * z8)
-        z10 = r_F * z8
-        z11 = z9 * z10
-        z12 = k4 + z11
-        z13 = z6 + c_steer * z12
-        z14 = r_R * z7
-        z15 = z1 * z14
-        z16 = c_steer * z15
-        z17 = r_F * z7
-        z18 = z9 * z17
-        z19 = k16 + z18
-        z20 = c_steer * z19
-        z21 = c_steer * k10
-        z22 = z21 + z12
-        z23 = s1 * z20 + c1 * z22
-        z24 = z15 - z19
-        z25 = s_steer * z24
-        z26 = c_roll * z23 + e2z * z25
-        z27 = s_steer * z19
-        z28 = s_steer * k10
-        z29 = s1 * z27 + c1 * z28
-        z30 = c_steer * z24
-        z31 = c_roll * z29 - e2z * z30
-        z32 = s_steer * z15
-        z33 = z16 * z26 + z31 * z32
-        z34 = z30 * z26 + z31 * z25
-        z35 = z13 * z33 - z5 * z34
-        z36 = k17 * (9.0 + abs(z1))
-        s4 = (z36 + k24) * (z36 + k25)
+        c1 = math.cos(z1)
+        z2 = c_roll * c1
+        e2z = math.sin(roll)
+        c_steer = math.cos(steer)
+        z3 = c_roll * s1
+        z4 = e2z * s_steer - c_steer * z3
+        z5 = 1.0 / math.sqrt(z2 * z2 + z4 * z4)
+        z6 = r_F * z4
+        z7 = z5 * z6
+        z8 = k4 + z7
+        z9 = s_steer * z8
+        z10 = s1 * z9
+        z11 = 1.0 / abs(c_roll)
+        z12 = r_R * z3
+        z13 = z11 * z12
+        z14 = k10 + z13
+        z15 = z14 + c_steer * z8
+        z16 = c_roll * z10 + e2z * z15
+        z17 = r_F * z2
+        z18 = z5 * z17
+        z19 = r_R * z2
+        z20 = z11 * z19
+        z21 = k16 + z18
+        z22 = z20 - z21
+        z23 = s_steer * z22
+        z24 = z18 * z23
+        z25 = c_steer * z21
+        z26 = c_steer * k10 + z8
+        z27 = s1 * z25 + c1 * z26
+        z28 = c_roll * z27 + e2z * z23
+        z29 = z18 * z28
+        z30 = c_steer * z22
+        z31 = s_steer * z21
+        z32 = s_steer * k10
+        z33 = s1 * z31 + c1 * z32
+        z34 = c_roll * z33 - e2z * z30
+        z35 = z30 * z28 + z34 * z23
+        z36 = z16 * z24 - z15 * z29 - z7 * z35
+        z37 = k17 * (9.0 + abs(z11))
+        s4 = (z37 + k24) * (z37 + k25)
         # the coframe is singular
-        if not abs(-z35) > 1e-12 * (k22 * s4):
-            raise _refuse(abs(-z35), 1e-12 * (k22 * s4), 1, "rhs")
-        z37 = r_R * z1
-        z38 = c_roll * z37
-        z39 = 1.0 / z35
-        z40 = k10 * s1 + z38
-        z41 = s1 * z12 + (c_steer * z40 - c1 * z20)
-        z42 = s_steer * c1
-        z43 = z19 * z42 - s_steer * z40
-        z44 = z16 * z41 - z32 * z43
-        z45 = z39 * (z13 * z44 - z5 * (z30 * z41 - z25 * z43))
-        z46 = c_roll * z45
-        z47 = s1 - c1 * z46
-        z48 = c1 + s1 * z46
-        z49 = s_steer * z12
-        z50 = s1 * z49
-        z51 = c_roll * z50 + e2z * z13
-        s5 = z42 * (z12 * z33) + z51 * z44 + z5 * (z26 * z43 + z31 * z41)
-        z52 = z39 * s5 - e2z * z45
-        z53 = c_steer * z52 - s_steer * z48
-        z54 = z15 * z52
-        z55 = z38 + k10 * z47
-        z56 = c_steer * z54 - s_steer * z55
-        z57 = z6 * z52
-        z58 = k56 * z53 - (k42 * z56 - k45 * z57)
-        z59 = F_yy * z53
-        z60 = k38 * z47 + (k28 * z38 - k35 * z48)
-        z61 = c_steer * z55 + s_steer * z54
-        z62 = s_steer * z52 + c_steer * z48
-        z63 = k57 * z47 + (k45 * z61 - k53 * z62)
-        z64 = z60 + z63
-        z65 = k53 * z47 + (k42 * z61 - k52 * z62)
-        z66 = k40 * z57 + k45 * z53
-        z67 = k45 * z47 + (k40 * z61 - k42 * z62)
-        z68 = k40 * z56 - k42 * z53
-        z69 = z5 * z52
-        z70 = k37 * z52 - (k27 * z54 - k28 * z69)
-        z71 = k26 * z69 + k28 * z52
-        z72 = k26 * z54 - k27 * z52
-        z73 = k35 * z47 + (k27 * z38 - k34 * z48)
-        s6 = z69 * z71 + (z54 * z72 - (z48 * z73 - R_yy * (z52 * z52)))
-        z74 = z56 * z68 + (z52 * z70 + s6)
-        s7 = z47 * z64 - (z62 * z65 - (z57 * z66 + (z61 * z67 + z74)))
-        z75 = z53 * (z58 + z59) + s7
-        z76 = z38 * (k28 * z47 + (k26 * z38 - k27 * z48)) + z75
+        if not abs(z36) > 1e-15 * (k22 * s4):
+            raise _refuse(abs(z36), 1e-15 * (k22 * s4), 1, "rhs")
+        z38 = r_R * z11
+        z39 = c_roll * z38
+        z40 = 1.0 / z36
+        z41 = s_steer * c1
+        z42 = z8 * z41
+        z43 = k10 * s1 + z39
+        z44 = s1 * z8 + (c_steer * z43 - c1 * z25)
+        z45 = z18 * z44
+        z46 = z21 * z41 - s_steer * z43
+        z47 = z40 * (z24 * z42 + z15 * z45 + z7 * (z30 * z44 - z23 * z46))
+        z48 = c_roll * z47
+        z49 = s1 + c1 * z48
+        z50 = c1 - s1 * z48
+        s5 = z40 * (z29 * z42 + z16 * z45 - z7 * (z28 * z46 + z34 * z44))
+        z51 = s5 - e2z * z47
+        z52 = z20 * z51
+        z53 = z13 * z51
+        z54 = k37 * z51 - (k27 * z52 - k28 * z53)
+        z55 = z54 + R_yy * z51
+        z56 = k38 * z49 + (k28 * z39 - k35 * z50)
+        z57 = z39 + k10 * z49
+        z58 = c_steer * z57 - s_steer * z52
+        z59 = s_steer * z51 - c_steer * z50
+        z60 = k57 * z49 + (k45 * z58 + k53 * z59)
+        z61 = z56 + z60
+        z62 = c_steer * z51 + s_steer * z50
+        z63 = c_steer * z52 + s_steer * z57
+        z64 = z14 * z51
+        z65 = k56 * z62 - (k42 * z63 - k45 * z64)
+        z66 = k53 * z49 + (k42 * z58 + k52 * z59)
+        z67 = k40 * z64 + k45 * z62
+        z68 = k45 * z49 + (k40 * z58 + k42 * z59)
+        z69 = k40 * z63 - k42 * z62
+        z70 = k26 * z53 + k28 * z51
+        z71 = k26 * z52 - k27 * z51
+        z72 = k35 * z49 + (k27 * z39 - k34 * z50)
+        s6 = z53 * z70 + (z52 * z71 - (z50 * z72 - F_yy * (z62 * z62)))
+        z73 = z58 * z68 + (z63 * z69 + s6)
+        s7 = z49 * z61 + (z62 * z65 + (z59 * z66 + (z64 * z67 + z73)))
+        z74 = z39 * (k28 * z49 + (k26 * z39 - k27 * z50)) + (z51 * z55 + s7)
         # the mass matrix is singular
-        if not abs(z76) > 0.0:
-            raise _refuse(abs(z76), 0.0, 2, "rhs")
-        z77 = z16 * z12
-        z78 = z30 * z12
-        z79 = (z13 * z77 - z5 * z78) * z39
-        z80 = c_roll * z79
-        z81 = c1 * z80
-        z82 = 1.0 - z81
-        z83 = z31 * z12
-        z84 = (z51 * z77 + z5 * z83) * z39 - e2z * z79
-        z85 = s1 * z80
-        z86 = s_steer * z84 + c_steer * z85
-        z87 = (z51 * z78 + z13 * z83) * z39 - z84
-        z88 = z15 * z87
-        z89 = s_steer * z88 + z21 * z81
-        z90 = k57 * z82 - (k53 * z86 + k45 * z89)
-        z91 = k53 * z82 - (k52 * z86 + k42 * z89)
-        z92 = k35 * z85 + k38 * z81
-        z93 = z5 * z87
-        z94 = k37 * z84 + (k27 * z88 - k28 * z93)
-        z95 = k34 * z85 + k35 * z81
-        z96 = k26 * z88 + k27 * z84
-        z97 = k26 * z93 - k28 * z84
-        s8 = z85 * z95 + (z88 * z96 + (z93 * z97 + R_yy * (z87 * z87)))
-        z98 = z81 * z92 + (z84 * z94 + s8)
-        z99 = k45 * z82 - (k42 * z86 + k40 * z89)
-        z100 = z82 * z90 - (z86 * z91 - (z98 - z89 * z99))
-        s9 = z85 * z73 + (z88 * z72 + (z93 * z71 + R_yy * (z87 * z52)))
-        z101 = z81 * z60 - (z84 * z70 - s9)
-        z102 = z82 * z63 - (z86 * z65 + (z89 * z67 + z101))
-        z103 = 1.0 / z76
-        z104 = z102 * z103
-        z105 = z100 - z102 * z104
+        if not abs(z74) > 0.0:
+            raise _refuse(abs(z74), 0.0, 2, "rhs")
+        z75 = z18 * z8
+        z76 = z34 * z8
+        z77 = z30 * z8
+        z78 = z40 * (z15 * z75 + z7 * z77)
+        z79 = z40 * (z16 * z75 - z7 * z76) - e2z * z78
+        z80 = z20 * z79
+        z81 = z13 * z79
+        z82 = z79 * k37 - (z80 * k27 - z81 * k28)
+        z83 = c_roll * z78
+        z84 = c1 * z83
+        z85 = 1.0 + z84
+        z86 = k10 * z84
+        z87 = c_steer * z86 - s_steer * z80
+        z88 = s1 * z83
+        z89 = s_steer * z79 + c_steer * z88
+        z90 = k57 * z85 + (k45 * z87 + k53 * z89)
+        z91 = c_steer * z79 - s_steer * z88
+        z92 = c_steer * z80 + s_steer * z86
+        z93 = z14 * z79
+        z94 = k56 * z91 - (k42 * z92 - k45 * z93)
+        z95 = k53 * z85 + (k42 * z87 + k52 * z89)
+        z96 = k40 * z93 + k45 * z91
+        z97 = k45 * z85 + (k40 * z87 + k42 * z89)
+        z98 = k40 * z92 - k42 * z91
+        z99 = k34 * z88 + k35 * z84
+        z100 = z80 * k26 - z79 * k27
+        z101 = z81 * k26 + z79 * k28
+        z102 = z40 * (z16 * z77 + z15 * z76) + z91
+        z103 = k38 * z84 + k35 * z88
+        s8 = z88 * z99 + (z80 * z100 + (z81 * z101 + F_yy * (z102 * z102)))
+        z104 = z92 * z98 + (s8 + z84 * z103)
+        s9 = z91 * z94 + (z89 * z95 + (z93 * z96 + (z87 * z97 + z104)))
+        z105 = z79 * (z82 + R_yy * z79) + (z85 * z90 + s9)
+        s10 = z88 * z72 + (z80 * z71 + (z81 * z70 + F_yy * (z102 * z62)))
+        z106 = z92 * z69 + (z84 * z56 + s10)
+        s11 = z91 * z65 + (z89 * z66 + (z93 * z67 + (z87 * z68 + z106)))
+        z107 = z79 * z55 + (z85 * z60 + s11)
+        z108 = 1.0 / z74
+        z109 = z107 * z108
+        z110 = z105 - z107 * z109
         # the mass matrix is singular
-        if not abs(z105) > 1e-14 * z100:
-            raise _refuse(abs(z105), 1e-14 * z100, 2, "rhs")
-        z106 = z18 * z25
-        z107 = z18 * z13
-        z108 = z39 * (z5 * z106 - z32 * z107)
-        z109 = c_roll * z108
-        z110 = c1 * z109
-        z111 = k10 * z110
-        z112 = e2z * z108
-        z113 = z39 * (z11 * z34 - (z51 * z106 - z26 * z107)) + z112
-        z114 = z15 * z113
-        z115 = c_steer * z111 + s_steer * z114
-        z116 = s1 * z109
-        z117 = s_steer * z112 - c_steer * z116
-        z118 = c_steer * z112 + s_steer * z116
-        z119 = c_steer * z114 - s_steer * z111
-        z120 = z5 * z113
-        z121 = z120 + k10 * z112
-        s10 = z114 * (k26 * z114 - k27 * z112)
-        s11 = s10 + z120 * (k26 * z120 + k28 * z112)
-        z122 = z116 * (k34 * z116 + k35 * z110) + s11
-        s12 = z112 * (k37 * z112 - (k27 * z114 - k28 * z120)) + z122
-        z123 = z110 * (k35 * z116 + k38 * z110) + s12
-        s13 = z115 * (k45 * z110 + (k40 * z115 - k42 * z117))
-        z124 = s13 + (z119 * (k40 * z119 - k42 * z118) + z123)
-        s14 = z117 * (k53 * z110 + (k42 * z115 - k52 * z117))
-        z125 = s14 - (z121 * (k40 * z121 + k45 * z118) + z124)
-        s15 = z118 * (k56 * z118 - (k42 * z119 - k45 * z121)) - z125
-        z126 = z110 * (k57 * z110 + (k45 * z115 - k53 * z117)) + s15
-        z127 = 1.0 + z118
-        z128 = z126 + R_yy * (z113 * z113) + F_yy * (z127 * z127)
-        z129 = R_yy * z113
-        s16 = z114 * z72 + (z120 * z71 + (z129 * z52 + z127 * z59))
-        z130 = z112 * z70 + (z116 * z73 + s16)
-        s17 = z117 * z65 - (z121 * z66 + (z115 * z67 + (z119 * z68 + z130)))
-        z131 = z110 * z64 + (z118 * z58 - s17)
-        z132 = z131 * z103
-        s18 = z96 * z114 + (z97 * z120 + (z102 * z132 + z87 * z129))
-        z133 = z94 * z112 - (z95 * z116 + s18)
-        z134 = z110 * (z92 - z90) + (z117 * z91 - (z115 * z99 + z133))
-        z135 = 1.0 / z105
-        z136 = z134 * z135
-        z137 = z128 - z131 * z132 - z134 * z136
+        if not abs(z110) > 1e-14 * z105:
+            raise _refuse(abs(z110), 1e-14 * z105, 2, "rhs")
+        z111 = s_steer * z20
+        z112 = z40 * (z13 * z24 - z15 * (z18 * z111))
+        z113 = c_roll * z112
+        z114 = c1 * z113
+        z115 = k10 * z114
+        z116 = e2z * z112
+        z117 = 1.0 - z116
+        z118 = z20 * z117
+        z119 = c_steer * z115 - s_steer * z118
+        z120 = s1 * z113
+        z121 = s_steer * z116 - c_steer * z120
+        z122 = c_steer * z116 + s_steer * z120
+        z123 = c_steer * z118 + s_steer * z115
+        z124 = z13 * z117
+        z125 = z124 - k10 * z116
+        s12 = z118 * (k26 * z118 + k27 * z116)
+        s13 = s12 + z124 * (k26 * z124 - k28 * z116)
+        z126 = z120 * (k34 * z120 + k35 * z114) + s13
+        s14 = z116 * (k37 * z116 + (k27 * z118 - k28 * z124)) + z126
+        z127 = z114 * (k35 * z120 + k38 * z114) + s14
+        s15 = z119 * (k45 * z114 + (k40 * z119 - k42 * z121))
+        z128 = s15 + (z123 * (k40 * z123 + k42 * z122) + z127)
+        s16 = z121 * (k53 * z114 + (k42 * z119 - k52 * z121))
+        z129 = s16 - (z125 * (k40 * z125 - k45 * z122) + z128)
+        s17 = z122 * (k56 * z122 + (k42 * z123 - k45 * z125)) - z129
+        z130 = z114 * (k57 * z114 + (k45 * z119 - k53 * z121)) + s17
+        s18 = z40 * (z15 * (c_steer * z20 * z28 + z34 * z111) - z13 * z35)
+        z131 = s18 + z122
+        z132 = z130 + R_yy * (z117 * z117) + F_yy * (z131 * z131)
+        z133 = F_yy * z131
+        z134 = R_yy * z117
+        s19 = z118 * z71 + (z124 * z70 - (z133 * z62 - z134 * z51))
+        z135 = z116 * z54 - (z120 * z72 + s19)
+        s20 = z121 * z66 - (z125 * z67 + (z119 * z68 + (z123 * z69 - z135)))
+        z136 = z114 * z61 - (z122 * z65 + s20)
+        z137 = z136 * z108
+        s21 = z101 * z124 + (z79 * z134 - z102 * z133 - z107 * z137)
+        z138 = z99 * z120 + (z100 * z118 + s21)
+        s22 = z96 * z125 + (z97 * z119 + (z98 * z123 - (z82 * z116 - z138)))
+        z139 = z94 * z122 + (z95 * z121 - s22)
+        z140 = z114 * (z103 + z90) - z139
+        z141 = 1.0 / z110
+        z142 = z140 * z141
+        z143 = z132 - z136 * z137 - z140 * z142
         # the mass matrix is singular
-        if not abs(z137) > 1e-14 * z128:
-            raise _refuse(abs(z137), 1e-14 * z128, 2, "rhs")
+        if not abs(z143) > 1e-14 * z132:
+            raise _refuse(abs(z143), 1e-14 * z132, 2, "rhs")
         c_yaw = math.cos(yaw)
-        z138 = roll_dot * c1
-        z139 = s_steer * z138
-        z140 = thF_dot - z139
-        z141 = k4 * z139 - z11 * z140
-        z142 = roll_dot * s1
-        v2_x = roll_dot * z38
-        z143 = k10 * z142 + v2_x
-        z144 = z18 * z140 - (k16 * z139 - s_steer * z143)
-        z145 = steer_dot + z142
-        z146 = c_steer * z138
-        z147 = z145 * z12 - (z19 * z146 - c_steer * z143)
-        z148 = z25 * z144 + z30 * z147
-        z149 = z26 * z144 - z31 * z147
-        z150 = z39 * (z34 * z141 + (z51 * z148 - z13 * z149))
-        z151 = z32 * z144 + z16 * z147
-        z152 = z39 * (z33 * z141 + z51 * z151 - z5 * z149)
-        z153 = z39 * (z13 * z151 - z5 * z148)
-        w2 = z152 - e2z * z153
-        z154 = z150 - w2
-        z155 = z5 * z154
-        z156 = z15 * z154
-        z157 = s1 * z155 + c1 * z156
+        z144 = roll_dot * c1
+        z145 = s_steer * z144
+        z146 = thR_dot * z13 - z8 * z145
+        z147 = roll_dot * s1
+        z148 = steer_dot + z147
+        z149 = c_steer * z144
+        z150 = thR_dot * z20
+        v2_x = roll_dot * z39
+        z151 = k10 * z147 + v2_x
+        z152 = z148 * z8 - (z21 * z149 - (s_steer * z150 + c_steer * z151))
+        z153 = z18 * z152
+        z154 = z21 * z145 + (c_steer * z150 - s_steer * z151)
+        z155 = z28 * z154 + z34 * z152
+        z156 = z40 * (z29 * z146 - z16 * z153 + z7 * z155)
+        z157 = z30 * z152 - z23 * z154
+        z158 = z40 * (z24 * z146 - z15 * z153 - z7 * z157)
+        w2 = z156 - e2z * z158
+        z159 = thR_dot + w2
+        z160 = z13 * z159
+        z161 = z20 * z159
+        z162 = s1 * z160 + c1 * z161
         s_yaw = math.sin(yaw)
-        z158 = c_roll * v2_x
-        z159 = c1 * z152
-        z160 = roll_dot * z159
-        z161 = c_roll * z153
-        z162 = s1 * z152
-        z163 = roll_dot * e2z
-        z164 = steer_dot * s_steer
-        z165 = z163 * c1 + c_roll * z162
-        z166 = roll_dot * c_roll
-        z167 = steer_dot * c_steer
-        z168 = z163 * s1 - c_roll * z159
-        z169 = s_steer * z166 + e2z * z167 + (z164 * z3 + c_steer * z168)
-        z170 = (z7 * z165 - z8 * z169) * (z9 * (z9 * z9))
-        z171 = r_F * z9
-        z172 = z17 * z170 - z171 * z165
-        z173 = z10 * z170 + z171 * z169
-        s19 = c1 * (z164 * k10 - z173) - (z20 * z159 - z22 * z162)
-        z174 = s1 * (z164 * z19 - c_steer * z172) + s19
-        z175 = z1 * (c_roll * z163) * (z1 * z1)
-        z176 = z14 * z175 - z37 * z165
-        z177 = z176 - z172
-        z178 = z167 * z24 + s_steer * z177
-        z179 = roll_dot * z162
-        z180 = k10 * z160
-        s20 = z164 * z143 - (z145 * z173 + (c_steer * z180 + z152 * z178))
-        z181 = z19 * (z164 * z138 + c_steer * z179) - (z146 * z172 + s20)
-        s21 = c_roll * z174 + (z163 * z23 - (z166 * z25 + e2z * z178))
-        s22 = z150 * (z167 * z15 + s_steer * z176) - (z12 * z160 + z181)
-        z182 = z153 * s21 - s22
-        s23 = z27 * z159 + (k10 * (z167 * c1) - z28 * z162)
-        z183 = s1 * (z167 * z19 + s_steer * z172) + s23
-        z184 = z164 * z24 - c_steer * z177
-        z185 = z167 * z138 - s_steer * z179
-        s24 = z140 * z172 + (z167 * z143 + (s_steer * z180 + z152 * z184))
-        z186 = z150 * (z164 * z15 - c_steer * z176) + (z19 * z185 - s24)
-        s25 = c_roll * z183 - (z163 * z29 + (z166 * z30 - e2z * z184))
-        z187 = z153 * s25 + z186
-        z188 = z16 * z182 - z32 * z187
-        z189 = z30 * z182 - z25 * z187
-        z190 = z39 * (z13 * z188 - z5 * z189)
-        z191 = z163 * z153 - c_roll * z190
-        z192 = z160 + (z161 * z162 + c1 * z191)
-        z193 = z142 - c1 * z161
-        z194 = z138 + s1 * z161
-        z195 = z156 * z193 - z155 * z194
-        z196 = z179 - (z161 * z159 - s1 * z191)
-        z197 = k27 * w2
-        z198 = k28 * w2
-        s26 = k27 * z196 + (z193 * z197 - (e2z * k61 - z194 * z198))
-        z199 = k28 * z192 + (k26 * z195 + s26)
-        z200 = z4 * z175 - z37 * z168
-        z201 = z200 - (z164 * z12 - c_steer * z173)
-        s27 = c_roll * (z49 * z159 + s1 * (z167 * z12 + s_steer * z173))
-        z202 = s27 - (z163 * z50 - (z166 * z13 + e2z * z201))
-        s28 = z12 * z185 + (z150 * z200 - (z140 * z173 + z152 * z201))
-        z203 = z153 * z202 + s28
-        z204 = z26 * z187 + z31 * z182
-        s29 = z39 * (z51 * z188 + z33 * z203 + z5 * z204)
-        z205 = s29 - (z166 * z153 + e2z * z190)
-        z206 = z164 * w2 - c_steer * z205 + (z167 * z194 - s_steer * z196)
-        z207 = z39 * (z51 * z189 + z13 * z204 + z34 * z203) - z205
-        z208 = z154 * z176 + z15 * z207 + (w2 * z155 - v2_x * z193)
-        z209 = k10 * w2
-        z210 = k10 * z193
-        z211 = z208 - (w2 * z209 + z193 * z210)
-        z212 = z195 + (k10 * z192 + z209 * z194)
-        z213 = c_steer * z211 + s_steer * z212
-        z214 = z154 * z200 + z5 * z207 + (v2_x * z194 - w2 * z156)
-        z215 = z214 - (k10 * z205 - z194 * z210)
-        w3_steer = steer_dot + z193
-        z216 = s_steer * w2 + c_steer * z194
-        z217 = k52 * z216 - k53 * w3_steer
-        z218 = k53 * z216 - k57 * w3_steer
-        s30 = k42 * z213 - (k45 * z215 - (w3_steer * z217 + z216 * z218))
-        z219 = z8 * k65 + (k56 * z206 - s30)
-        z220 = z7 * k66 + z219
-        z221 = F_yy * z206
-        z222 = R_yy * z154 - k37 * w2
-        z223 = k34 * z194 - k35 * z193
-        s31 = k38 * z192 + (k28 * z195 + k35 * z196)
-        z224 = e2z * k62 - (s31 - (z194 * z222 + w2 * z223))
+        z163 = c_roll * v2_x
+        z164 = z40 * (z35 * z146 - (z16 * z157 + z15 * z155))
+        z165 = c1 * z156
+        z166 = roll_dot * z165
+        z167 = c_roll * z158
+        z168 = s1 * z156
+        z169 = roll_dot * e2z
+        z170 = steer_dot * c_steer
+        z171 = z169 * c1 + c_roll * z168
+        z172 = roll_dot * c_roll
+        z173 = steer_dot * s_steer
+        z174 = z169 * s1 - c_roll * z165
+        z175 = s_steer * z172 + e2z * z170 + (z173 * z3 + c_steer * z174)
+        z176 = (z2 * z171 - z4 * z175) * (z5 * (z5 * z5))
+        z177 = r_F * z5
+        z178 = z6 * z176 + z177 * z175
+        z179 = z11 * (c_roll * z169) * (z11 * z11)
+        z180 = z12 * z179 - z38 * z174
+        z181 = z180 - (z173 * z8 - c_steer * z178)
+        s23 = c_roll * (z9 * z165 + s1 * (z170 * z8 + s_steer * z178))
+        z182 = s23 - (z169 * z10 - (z172 * z15 + e2z * z181))
+        z183 = z145 - z164
+        z184 = roll_dot * z168
+        z185 = z170 * z144 - s_steer * z184
+        s24 = z178 * z183 + (z8 * z185 - (thR_dot * z180 + z156 * z181))
+        z186 = z158 * z182 + s24
+        z187 = z17 * z176 - z177 * z171
+        s25 = c1 * (z173 * k10 - z178) - (z25 * z165 - z26 * z168)
+        z188 = s1 * (z173 * z21 - c_steer * z187) + s25
+        z189 = z19 * z179 - z38 * z171
+        z190 = z189 - z187
+        z191 = z170 * z22 + s_steer * z190
+        z192 = thR_dot * z189
+        z193 = k10 * z166
+        s26 = z156 * z191 + (s_steer * z192 + c_steer * z193)
+        z194 = z149 * z187 + (z173 * z151 - (z148 * z178 + s26))
+        s27 = c_roll * z188 + (z169 * z27 - (z172 * z23 + e2z * z191))
+        s28 = z21 * (z173 * z144 + c_steer * z184) + (z170 * z150 - z194)
+        z195 = z158 * s27 + (z8 * z166 + s28)
+        z196 = z18 * z195
+        s29 = z31 * z165 - (z32 * z168 - k10 * (z170 * c1))
+        z197 = s1 * (z170 * z21 + s_steer * z187) + s29
+        z198 = z173 * z22 - c_steer * z190
+        s30 = z156 * z198 - (c_steer * z192 - s_steer * z193)
+        z199 = z21 * z185 - (z173 * z150 + (z170 * z151 + s30))
+        s31 = c_roll * z197 - (z169 * z33 + (z172 * z30 - e2z * z198))
+        z200 = z158 * s31 + (z187 * z183 + z199)
+        z201 = z30 * z195 - z23 * z200
+        z202 = z40 * (z24 * z186 + z15 * z196 + z7 * z201)
+        z203 = z169 * z158 + c_roll * z202
+        z204 = z166 + (z167 * z168 + c1 * z203)
+        z205 = z147 - c1 * z167
+        z206 = z144 + s1 * z167
+        z207 = z161 * z205 - z160 * z206
+        z208 = k27 * w2
+        z209 = k28 * w2
+        z210 = z184 - (z167 * z165 - s1 * z203)
+        s32 = z205 * z208 - (e2z * k61 - z206 * z209) + k27 * z210
+        z211 = k28 * z204 - (k26 * z207 - s32)
+        z212 = z28 * z200 + z34 * z195
+        s33 = z40 * (z29 * z186 + z16 * z196 - z7 * z212)
+        z213 = s33 + (z172 * z158 - e2z * z202)
+        z214 = z159 * z189 - z20 * z213 + (w2 * z160 + v2_x * z205)
+        z215 = z159 * z180 - z13 * z213 - (w2 * z161 + v2_x * z206)
+        z216 = k34 * z206 - k35 * z205
+        z217 = k38 * z205 - k35 * z206
+        s34 = k37 * z213 + (k27 * z214 - k28 * z215)
+        z218 = z3 * k63 + z2 * k62 - (s34 - (z205 * z216 - z206 * z217))
+        z219 = R_yy * z213
+        z220 = z218 - z219
+        z221 = R_yy * z159 + k37 * w2
+        s35 = k38 * z204 - (k28 * z207 - k35 * z210)
+        z222 = e2z * k62 - (z206 * z221 - w2 * z216 + s35)
         h2z = e2z * c_steer + s_steer * z3
-        z225 = c_steer * z212 - s_steer * z211
-        z226 = z167 * w2 + s_steer * z205 - (z164 * z194 + c_steer * z196)
-        z227 = c_steer * w2 - s_steer * z194
-        z228 = F_yy * (thF_dot + z227) + k56 * z227
-        s32 = k57 * z192 + (k45 * z225 - k53 * z226)
-        z229 = h2z * k66 + (s32 + (z216 * z228 - z227 * z217))
-        z230 = z224 - z229
-        s33 = k53 * z192 + (k42 * z225 - k52 * z226)
-        z231 = h2z * k65 - (s33 + (z227 * z218 + w3_steer * z228))
-        z232 = k42 * z216 - k45 * w3_steer
-        z233 = k42 * z227
-        s34 = k40 * z215 + k45 * z206 - (z216 * z232 + z227 * z233)
-        z234 = z7 * k64 - s34
-        z235 = k45 * z227
-        s35 = k45 * z192 + (k40 * z225 - k42 * z226)
-        z236 = h2z * k64 - (s35 + (w3_steer * z233 + z216 * z235))
-        s36 = k40 * z213 - k42 * z206 - (z227 * z235 - w3_steer * z232)
-        z237 = z8 * k64 - s36
-        z238 = k35 * z194 - k38 * z193
-        s37 = k37 * z205 + (k27 * z208 - k28 * z214)
-        z239 = z3 * k63 + z7 * k62 + (s37 + (z193 * z223 + z194 * z238))
-        s38 = k35 * z192 + (k27 * z195 + k34 * z196)
-        z240 = e2z * k63 - (s38 + (w2 * z238 - z193 * z222))
-        z241 = k27 * z194 - k28 * z193
-        s39 = k26 * z214 - k28 * z205 - (z194 * z241 + w2 * z197)
-        z242 = z7 * k61 - s39
-        s40 = k26 * z208 + k27 * z205 - (w2 * z198 - z193 * z241)
-        z243 = z3 * k61 + s40
-        z244 = R_yy * z207
-        s41 = z48 * z240 + (z69 * z242 - (z54 * z243 + z52 * z244))
-        z245 = z56 * z237 + (z52 * z239 + s41)
-        s42 = z47 * z230 - (z62 * z231 + (z57 * z234 - (z61 * z236 - z245)))
-        z246 = z53 * (z220 + z221) + s42
-        z247 = z38 * z199 - z246
-        s43 = z88 * z243 - (z93 * z242 + (z247 * z104 - z87 * z244))
-        z248 = z84 * z239 + (z85 * z240 + s43)
-        z249 = z82 * z229 + (z86 * z231 + (z89 * z236 + (z81 * z224 + z248)))
-        s44 = z247 * z132 - (z136 * z249 - (z113 * z244 + z127 * z221))
-        z250 = z114 * z243 - (z120 * z242 - s44)
-        s45 = z119 * z237 + (z112 * z239 - (z116 * z240 + z250))
-        z251 = z117 * z231 + (z121 * z234 - (z115 * z236 - s45))
-        z252 = (z110 * z230 + (z118 * z220 - z251)) / z137
-        z253 = z135 * z249 - z136 * z252
+        z223 = s_steer * w2 + c_steer * z206
+        z224 = c_steer * w2 - s_steer * z206
+        z225 = F_yy * (z164 + z224) + k56 * z224
+        w3_steer = steer_dot + z205
+        z226 = k52 * z223 - k53 * w3_steer
+        z227 = k10 * w2
+        z228 = z207 - (z227 * z206 + k10 * z204)
+        z229 = k10 * z205
+        z230 = w2 * z227 + z205 * z229 + z214
+        z231 = c_steer * z228 - s_steer * z230
+        z232 = z170 * w2 - s_steer * z213 - (z173 * z206 + c_steer * z210)
+        s36 = k57 * z204 - (k45 * z231 + k53 * z232)
+        z233 = h2z * k66 + (z223 * z225 - z224 * z226 + s36)
+        z234 = z222 - z233
+        z235 = z173 * w2 + c_steer * z213 + (z170 * z206 - s_steer * z210)
+        z236 = c_steer * z230 + s_steer * z228
+        z237 = z215 - (z206 * z229 + k10 * z213)
+        z238 = k57 * w3_steer - k53 * z223
+        s37 = k42 * z236 - (k45 * z237 + (w3_steer * z226 - z223 * z238))
+        z239 = z4 * k65 + (k56 * z235 + s37)
+        z240 = z2 * k66 + z239
+        s38 = k53 * z204 - (k42 * z231 + k52 * z232)
+        z241 = h2z * k65 - (s38 + (w3_steer * z225 - z224 * z238))
+        z242 = k42 * z223 - k45 * w3_steer
+        z243 = k42 * z224
+        s39 = z223 * z242 + z224 * z243 + (k40 * z237 - k45 * z235)
+        z244 = z2 * k64 + s39
+        z245 = k45 * z224
+        s40 = k45 * z204 - (k40 * z231 + k42 * z232)
+        z246 = h2z * k64 - (w3_steer * z243 + z223 * z245 + s40)
+        s41 = z224 * z245 - w3_steer * z242 + (k40 * z236 + k42 * z235)
+        z247 = z4 * k64 + s41
+        s42 = k35 * z204 - (k27 * z207 - k34 * z210)
+        z248 = e2z * k63 - (s42 + (z205 * z221 - w2 * z217))
+        z249 = k27 * z206 - k28 * z205
+        s43 = z206 * z249 + w2 * z208 + (k26 * z215 - k28 * z213)
+        z250 = z2 * k61 + s43
+        s44 = w2 * z209 - z205 * z249 + (k26 * z214 + k27 * z213)
+        z251 = z3 * k61 - s44
+        z252 = F_yy * (z40 * (z35 * z186 + (z16 * z201 + z15 * z212)) + z235)
+        s45 = z50 * z248 - (z53 * z250 - (z52 * z251 + z62 * z252))
+        z253 = z58 * z246 + (z63 * z247 - s45)
+        s46 = z49 * z234 - (z62 * z240 - (z59 * z241 + (z64 * z244 + z253)))
+        z254 = z39 * z211 - (z51 * z220 + s46)
+        s47 = z80 * z251 - (z81 * z250 + (z254 * z109 - z102 * z252))
+        z255 = z84 * z222 + (z88 * z248 - s47)
+        s48 = z89 * z241 + (z93 * z244 + (z87 * z246 + (z92 * z247 + z255)))
+        z256 = z85 * z233 + (z91 * z240 - s48)
+        z257 = z79 * z220 - z256
+        s49 = z254 * z137 - (z142 * z257 + (z117 * z219 - z131 * z252))
+        z258 = z118 * z251 - (z124 * z250 + s49)
+        s50 = z123 * z247 - (z116 * z218 - (z120 * z248 - z258))
+        z259 = z121 * z241 - (z125 * z244 + (z119 * z246 + s50))
+        z260 = (z114 * z234 + (z122 * z240 - z259)) / z143
+        z261 = z141 * z257 - z142 * z260
         dydt: list[float] = [
             # x' (I.2.15)
-            c_yaw * z157 - s_yaw * z158,
+            -(c_yaw * z162 + s_yaw * z163),
             # y' (I.2.15)
-            s_yaw * z157 + c_yaw * z158,
+            c_yaw * z163 - s_yaw * z162,
             # z' (I.2.15)
             e2z * v2_x,
             # yaw' (I.2.15)
-            -z153,
+            -z158,
             # roll' (I.2.15)
             roll_dot,
             # pitch' (I.2.15)
-            z152,
+            z156,
             # steer' (I.2.15)
             steer_dot,
             # thR' (I.2.15)
-            -z150,
+            thR_dot,
             # thF' (I.2.15)
-            thF_dot,
+            z164,
             # roll'' (I.2.15) 112:4
-            -(z247 * z103 - z104 * z253 + z132 * z252),
+            -(z254 * z108 + z109 * z261 + z137 * z260),
             # steer'' (I.2.15) 112:4
-            -z253,
-            # thF'' (I.2.15) 112:4
-            z252,
+            z261,
+            # thR'' (I.2.15) 112:4
+            -z260,
         ]
         return _finish("rhs", dydt)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -693,7 +706,7 @@ def velocities(
     steer = float(y[6])  # front frame against rear frame [rad]
     roll_dot = float(y[9])
     steer_dot = float(y[10])
-    thF_dot = float(y[11])
+    thR_dot = float(y[11])
     w = float(p[0])  # wheelbase [m]
     c = float(p[1])  # trail [m]
     lam = float(p[2])  # tilt of the steering axis, 18 degrees [rad]
@@ -717,85 +730,84 @@ def velocities(
         k12 = 13.0 * k8 + (14.0 * k6 + k11)
         k13 = 10.0 * k8 + (k9 + k11)
         # state
+        s_steer = math.sin(steer)
         c_roll = math.cos(roll)
         z1 = pitch + lam
         s1 = math.sin(z1)
         z2 = c_roll * s1
-        z3 = 1.0 / abs(c_roll)
-        z4 = r_R * z3
-        z5 = z2 * z4
-        c_steer = math.cos(steer)
         e2z = math.sin(roll)
-        s_steer = math.sin(steer)
-        z6 = e2z * s_steer - c_steer * z2
+        c_steer = math.cos(steer)
+        z3 = e2z * s_steer - c_steer * z2
         c1 = math.cos(z1)
-        z7 = c_roll * c1
-        z8 = r_F / math.sqrt(z7 * z7 + z6 * z6)
-        z9 = z6 * z8
-        z10 = k2 + z9
-        z11 = k3 + z5 + c_steer * z10
-        z12 = z7 * z4
-        z13 = c_steer * z12
-        z14 = z7 * z8
-        z15 = k4 + z14
-        z16 = s1 * z15
-        z17 = z12 - z15
-        z18 = s_steer * z17
-        s2 = c_roll * (c_steer * z16 + c1 * (c_steer * k3 + z10))
-        z19 = s2 + e2z * z18
-        z20 = c_steer * z17
-        z21 = c_roll * (s_steer * z16 + k3 * (s_steer * c1)) - e2z * z20
-        z22 = s_steer * z12
-        z23 = z13 * z19 + z21 * z22
-        z24 = z20 * z19 + z21 * z18
-        z25 = z11 * z23 - z5 * z24
-        z26 = k5 * (9.0 + abs(z3))
+        z4 = c_roll * c1
+        z5 = r_F / math.sqrt(z4 * z4 + z3 * z3)
+        z6 = z3 * z5
+        z7 = k2 + z6
+        z8 = 1.0 / abs(c_roll)
+        z9 = r_R * z8
+        z10 = z2 * z9
+        z11 = k3 + z10 + c_steer * z7
+        z12 = s_steer * z2 * z7 + e2z * z11
+        z13 = z4 * z5
+        z14 = z4 * z9
+        z15 = k4 + z13
+        z16 = z14 - z15
+        z17 = s_steer * z16
+        z18 = z13 * z17
+        z19 = s1 * z15
+        s2 = c_roll * (c_steer * z19 + c1 * (c_steer * k3 + z7))
+        z20 = s2 + e2z * z17
+        z21 = z13 * z20
+        z22 = c_steer * z16
+        z23 = c_roll * (s_steer * z19 + k3 * (s_steer * c1)) - e2z * z22
+        z24 = z22 * z20 + z23 * z17
+        z25 = z12 * z18 - z11 * z21 - z6 * z24
+        z26 = k5 * (9.0 + abs(z8))
         s3 = (z26 + k12) * (z26 + k13)
         # the coframe is singular
-        if not abs(-z25) > 1e-12 * (k10 * s3):
-            raise _refuse(abs(-z25), 1e-12 * (k10 * s3), 1, "velocities")
-        s_yaw = math.sin(yaw)
-        v2_x = c_roll * (roll_dot * z4)
-        z27 = c_roll * v2_x
+        if not abs(z25) > 1e-15 * (k10 * s3):
+            raise _refuse(abs(z25), 1e-15 * (k10 * s3), 1, "velocities")
         c_yaw = math.cos(yaw)
-        z28 = s_steer * z2 * z10 + e2z * z11
-        z29 = roll_dot * s1
-        z30 = steer_dot + z29
-        z31 = roll_dot * c1
-        z32 = c_steer * z31
-        z33 = k3 * z29 + v2_x
-        z34 = z30 * z9 - z32 * z14 - (k4 * z32 - k2 * z30 - c_steer * z33)
-        z35 = s_steer * z31
-        z36 = thF_dot - z35
-        z37 = z36 * z14 - (k4 * z35 - s_steer * z33)
-        z38 = z20 * z34 + z18 * z37
-        z39 = z19 * z37 - z21 * z34
-        z40 = k2 * z35 - z36 * z9
-        z41 = 1.0 / z25
-        z42 = (z28 * z38 - z11 * z39 + z24 * z40) * z41
-        z43 = z13 * z34 + z22 * z37
-        z44 = (z28 * z43 + z23 * z40 - z5 * z39) * z41
-        z45 = z41 * (z11 * z43 - z5 * z38)
-        z46 = (z42 - (z44 - e2z * z45)) * (s1 * z5 + c1 * z12)
+        z27 = 1.0 / z25
+        z28 = roll_dot * s1
+        z29 = steer_dot + z28
+        z30 = roll_dot * c1
+        z31 = c_steer * z30
+        z32 = thR_dot * z14
+        v2_x = c_roll * (roll_dot * z9)
+        z33 = k3 * z28 + v2_x
+        s4 = k4 * z31 - k2 * z29 - (s_steer * z32 + c_steer * z33)
+        z34 = z29 * z6 - z31 * z13 - s4
+        z35 = z13 * z34
+        z36 = s_steer * z30
+        z37 = z36 * z6 + (k2 * z36 - thR_dot * z10)
+        z38 = z36 * z13 + (k4 * z36 - (s_steer * z33 - c_steer * z32))
+        z39 = z20 * z38 + z23 * z34
+        z40 = z27 * (z12 * z35 + z21 * z37 - z6 * z39)
+        z41 = z22 * z34 - z17 * z38
+        z42 = z27 * (z18 * z37 + z11 * z35 + z6 * z41)
+        z43 = (thR_dot - (z40 - e2z * z42)) * (s1 * z10 + c1 * z14)
+        s_yaw = math.sin(yaw)
+        z44 = c_roll * v2_x
         qdot: list[float] = [
             # x' (I.2.4)
-            c_yaw * z46 - s_yaw * z27,
+            -(c_yaw * z43 + s_yaw * z44),
             # y' (I.2.4)
-            c_yaw * z27 + s_yaw * z46,
+            c_yaw * z44 - s_yaw * z43,
             # z' (I.2.4)
             e2z * v2_x,
             # yaw' (I.2.4)
-            -z45,
+            z42,
             # roll' (I.2.4)
             roll_dot,
             # pitch' (I.2.4)
-            z44,
+            -z40,
             # steer' (I.2.4)
             steer_dot,
             # thR' (I.2.4)
-            -z42,
+            thR_dot,
             # thF' (I.2.4)
-            thF_dot,
+            -z27 * (z12 * z41 + z11 * z39 + z24 * z37),
         ]
         return _finish("velocities", qdot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -819,7 +831,7 @@ def accelerations(
     steer = float(y[6])  # front frame against rear frame [rad]
     roll_dot = float(y[9])
     steer_dot = float(y[10])
-    thF_dot = float(y[11])
+    thR_dot = float(y[11])
     w = float(p[0])  # wheelbase [m]
     c = float(p[1])  # trail [m]
     lam = float(p[2])  # tilt of the steering axis, 18 degrees [rad]
@@ -827,7 +839,7 @@ def accelerations(
     r_F = float(p[22])  # radius of the front wheel [m]
     roll_ddot = float(dydt[9])  # roll''
     steer_ddot = float(dydt[10])  # steer''
-    thF_ddot = float(dydt[11])  # thF''
+    thR_ddot = float(dydt[11])  # thR''
     try:
         # parameters only
         s_lam = math.sin(lam)
@@ -837,159 +849,161 @@ def accelerations(
         k3 = c_lam * k1 - r_R * s_lam
         k4 = s_lam * k1 - (r_F * c_lam + c * s_lam - r_R * c_lam)
         # state
-        s_yaw = math.sin(yaw)
         c_roll = math.cos(roll)
         z1 = 1.0 / abs(c_roll)
-        z2 = pitch + lam
-        s1 = math.sin(z2)
-        z3 = c_roll * s1
-        z4 = r_R * z3
-        z5 = z1 * z4
-        c_steer = math.cos(steer)
-        c1 = math.cos(z2)
+        z2 = roll_dot * r_R
+        z3 = c_roll * z2
+        v2_x = z1 * z3
+        z4 = c_roll * v2_x
+        c_yaw = math.cos(yaw)
+        z5 = pitch + lam
+        s1 = math.sin(z5)
+        s_steer = math.sin(steer)
+        c1 = math.cos(z5)
         z6 = c_roll * c1
         e2z = math.sin(roll)
-        s_steer = math.sin(steer)
-        z7 = e2z * s_steer - c_steer * z3
-        z8 = 1.0 / math.sqrt(z6 * z6 + z7 * z7)
-        z9 = r_F * z7
-        z10 = z8 * z9
-        z11 = k2 + z10
-        z12 = k3 + z5 + c_steer * z11
-        z13 = r_R * z6
-        z14 = z1 * z13
-        z15 = c_steer * z14
-        z16 = r_F * z6
-        z17 = z8 * z16
-        z18 = k4 + z17
-        z19 = c_steer * z18
-        z20 = c_steer * k3 + z11
-        z21 = s1 * z19 + c1 * z20
-        z22 = z14 - z18
-        z23 = s_steer * z22
-        z24 = c_roll * z21 + e2z * z23
-        z25 = s_steer * z18
-        z26 = s_steer * k3
-        z27 = s1 * z25 + c1 * z26
-        z28 = c_steer * z22
-        z29 = c_roll * z27 - e2z * z28
-        z30 = s_steer * z14
-        z31 = z15 * z24 + z29 * z30
-        z32 = z28 * z24 + z29 * z23
-        z33 = 1.0 / (z12 * z31 - z5 * z32)
-        z34 = roll_dot * s1
-        z35 = steer_dot + z34
-        z36 = roll_dot * c1
-        z37 = c_steer * z36
-        z38 = roll_dot * r_R
-        z39 = c_roll * z38
-        v2_x = z1 * z39
-        z40 = v2_x + k3 * z34
-        z41 = z10 * z35 - z17 * z37 - (k4 * z37 - k2 * z35 - c_steer * z40)
-        z42 = s_steer * z36
-        z43 = thF_dot - z42
-        z44 = z17 * z43 - (k4 * z42 - s_steer * z40)
-        z45 = z15 * z41 + z30 * z44
-        z46 = z28 * z41 + z23 * z44
-        z47 = z12 * z45 - z5 * z46
-        z48 = z33 * z47
-        z49 = s_yaw * z48
-        z50 = s_steer * z11
-        z51 = s1 * z50
-        z52 = c_roll * z51 + e2z * z12
-        z53 = z24 * z44 - z29 * z41
-        z54 = k2 * z42 - z10 * z43
-        z55 = z52 * z46 - z12 * z53 + z32 * z54
-        z56 = z52 * z45 + z31 * z54 - z5 * z53
-        z57 = z56 * z33
-        z58 = z55 * z33 - (z57 - e2z * z48)
-        z59 = z5 * z58
-        z60 = s1 * z59 + z58 * (c1 * z14)
-        c_yaw = math.cos(yaw)
-        z61 = c1 * z57
-        z62 = z59 * z61
-        z63 = roll_dot * e2z
-        z64 = z1 * (c_roll * z63) * (z1 * z1)
-        z65 = r_R * z1
-        z66 = z63 * s1 - c_roll * z61
-        z67 = z4 * z64 - z65 * z66
-        z68 = steer_dot * s_steer
-        z69 = s1 * z57
-        z70 = z63 * c1 + c_roll * z69
-        z71 = roll_dot * c_roll
-        z72 = steer_dot * c_steer
-        z73 = s_steer * z71 + e2z * z72 + (z68 * z3 + c_steer * z66)
-        z74 = z8 * (z8 * z8) * (z6 * z70 - z7 * z73)
-        z75 = r_F * z8
-        z76 = z9 * z74 + z75 * z73
-        z77 = z67 - (z68 * z11 - c_steer * z76)
-        z78 = z13 * z64 - z65 * z70
-        z79 = z68 * z14 - c_steer * z78
-        z80 = z16 * z74 - z75 * z70
-        s2 = z19 * z61 - s1 * (z68 * z18 - c_steer * z80)
-        z81 = s2 - (z20 * z69 + c1 * (z68 * k3 - z76))
-        z82 = z78 - z80
-        z83 = z72 * z22 + s_steer * z82
-        z84 = z63 * z21 - c_roll * z81 - (z71 * z23 + e2z * z83)
-        s3 = z25 * z61 + s1 * (z72 * z18 + s_steer * z80)
-        z85 = s3 + (k3 * (z72 * c1) - z26 * z69)
-        z86 = z68 * z22 - c_steer * z82
-        z87 = z63 * z27 - c_roll * z85 + (z71 * z28 - e2z * z86)
-        z88 = z72 * z14 + s_steer * z78
-        z89 = z24 * z79 + z15 * z84 + (z30 * z87 - z29 * z88)
-        z90 = z24 * z86 + z28 * z84 + (z23 * z87 - z29 * z83)
-        z91 = z33 * z33 * (z31 * z77 - z12 * z89 - (z32 * z67 - z5 * z90))
-        s4 = c_roll * (z50 * z61 + s1 * (z72 * z11 + s_steer * z76))
-        z92 = z63 * z51 - s4 - (z71 * z12 + e2z * z77)
-        z93 = s1 * roll_ddot + roll_dot * z61
-        z94 = steer_ddot + z93
-        z95 = c1 * roll_ddot - roll_dot * z69
-        z96 = z68 * z36 - c_steer * z95
-        z97 = z39 * z64 - z1 * (z63 * z38 - r_R * (c_roll * roll_ddot))
-        z98 = k3 * z93 + z97
-        s5 = k4 * z96 + k2 * z94 - (z68 * z40 - c_steer * z98)
-        z99 = z10 * z94 + z35 * z76 + (z17 * z96 - z37 * z80) + s5
-        z100 = z72 * z36 + s_steer * z95
-        z101 = thF_ddot - z100
-        s6 = k4 * z100 - (z72 * z40 + s_steer * z98)
-        z102 = z17 * z101 + z43 * z80 - s6
-        z103 = z41 * z86 - z28 * z99 - (z44 * z83 + z23 * z102)
-        z104 = z44 * z84 - z24 * z102 - (z41 * z87 - z29 * z99)
-        z105 = k2 * z100 - (z10 * z101 + z43 * z76)
-        s7 = z46 * z92 + z52 * z103 + (z53 * z77 - z12 * z104)
-        z106 = s7 + (z54 * z90 - z32 * z105)
-        z107 = z55 * z91 + z33 * z106
-        z108 = z41 * z79 - z15 * z99 - (z44 * z88 + z30 * z102)
-        s8 = z45 * z92 + z52 * z108 + (z54 * z89 - z31 * z105)
-        z109 = s8 + (z53 * z67 - z5 * z104)
-        z110 = z56 * z91 + z33 * z109
-        s9 = z33 * (z45 * z77 - z12 * z108 - (z46 * z67 - z5 * z103))
-        z111 = z47 * z91 - s9
-        z112 = z107 - (z110 + (z71 * z48 - e2z * z111))
-        s10 = z62 - c1 * (z58 * z78 - z14 * z112)
-        z113 = z62 + s1 * (z58 * z67 - z5 * z112) - s10
-        z114 = c_roll * v2_x
-        z115 = c_yaw * z48
-        z116 = z63 * v2_x - c_roll * z97
+        c_steer = math.cos(steer)
+        z7 = c_roll * s1
+        z8 = e2z * s_steer - c_steer * z7
+        z9 = 1.0 / math.sqrt(z6 * z6 + z8 * z8)
+        z10 = r_F * z8
+        z11 = z9 * z10
+        z12 = k2 + z11
+        z13 = s_steer * z12
+        z14 = s1 * z13
+        z15 = r_R * z7
+        z16 = z1 * z15
+        z17 = k3 + z16 + c_steer * z12
+        z18 = c_roll * z14 + e2z * z17
+        z19 = r_F * z6
+        z20 = z9 * z19
+        z21 = r_R * z6
+        z22 = z1 * z21
+        z23 = k4 + z20
+        z24 = z22 - z23
+        z25 = s_steer * z24
+        z26 = z20 * z25
+        z27 = c_steer * z23
+        z28 = c_steer * k3 + z12
+        z29 = s1 * z27 + c1 * z28
+        z30 = c_roll * z29 + e2z * z25
+        z31 = z20 * z30
+        z32 = c_steer * z24
+        z33 = s_steer * z23
+        z34 = s_steer * k3
+        z35 = s1 * z33 + c1 * z34
+        z36 = c_roll * z35 - e2z * z32
+        z37 = z32 * z30 + z36 * z25
+        z38 = 1.0 / (z18 * z26 - z17 * z31 - z11 * z37)
+        z39 = roll_dot * c1
+        z40 = s_steer * z39
+        z41 = z11 * z40 + (k2 * z40 - thR_dot * z16)
+        z42 = roll_dot * s1
+        z43 = steer_dot + z42
+        z44 = c_steer * z39
+        z45 = thR_dot * z22
+        z46 = v2_x + k3 * z42
+        s2 = k4 * z44 - k2 * z43 - (s_steer * z45 + c_steer * z46)
+        z47 = z11 * z43 - z20 * z44 - s2
+        z48 = z20 * z47
+        z49 = z20 * z40 + (k4 * z40 - (s_steer * z46 - c_steer * z45))
+        z50 = z32 * z47 - z25 * z49
+        z51 = z26 * z41 + z17 * z48 + z11 * z50
+        z52 = z38 * z51
+        z53 = c_yaw * z52
+        s_yaw = math.sin(yaw)
+        z54 = roll_dot * e2z
+        z55 = z1 * (c_roll * z54) * (z1 * z1)
+        z56 = z3 * z55 - z1 * (z54 * z2 - r_R * (c_roll * roll_ddot))
+        z57 = z54 * v2_x - c_roll * z56
+        z58 = s_yaw * z52
+        z59 = z30 * z49 + z36 * z47
+        z60 = z18 * z48 + z31 * z41 - z11 * z59
+        z61 = z38 * z60
+        z62 = thR_dot - (z61 - e2z * z52)
+        z63 = z16 * z62
+        z64 = s1 * z63 + z62 * (c1 * z22)
+        z65 = c1 * z61
+        z66 = z63 * z65
+        z67 = z54 * s1 + c_roll * z65
+        z68 = r_R * z1
+        z69 = z15 * z55 - z67 * z68
+        z70 = steer_dot * c_steer
+        z71 = s1 * z61
+        z72 = z54 * c1 - c_roll * z71
+        z73 = roll_dot * c_roll
+        z74 = steer_dot * s_steer
+        z75 = s_steer * z73 + e2z * z70 + (z74 * z7 + c_steer * z67)
+        z76 = (z6 * z72 - z8 * z75) * (z9 * (z9 * z9))
+        z77 = r_F * z9
+        z78 = z10 * z76 + z77 * z75
+        z79 = z69 - (z74 * z12 - c_steer * z78)
+        s3 = c_roll * (z13 * z65 - s1 * (z70 * z12 + s_steer * z78))
+        z80 = z54 * z14 + s3 - (z73 * z17 + e2z * z79)
+        z81 = z19 * z76 - z77 * z72
+        z82 = z21 * z55 - z72 * z68
+        z83 = z82 - z81
+        z84 = z70 * z24 + s_steer * z83
+        z85 = z25 * z81 + z20 * z84
+        s4 = z27 * z65 + s1 * (z74 * z23 - c_steer * z81)
+        z86 = s4 - (z28 * z71 - c1 * (z74 * k3 - z78))
+        z87 = z54 * z29 + c_roll * z86 - (z73 * z25 + e2z * z84)
+        z88 = z30 * z81 - z20 * z87
+        z89 = z74 * z24 - c_steer * z83
+        s5 = z33 * z65 - s1 * (z70 * z23 + s_steer * z81)
+        z90 = s5 - (z34 * z71 + k3 * (z70 * c1))
+        z91 = z54 * z35 + c_roll * z90 + (z73 * z32 - e2z * z89)
+        z92 = z30 * z89 + z32 * z87 + (z25 * z91 - z36 * z84)
+        s6 = z26 * z80 - z18 * z85 + (z31 * z79 + z17 * z88)
+        z93 = s6 + (z37 * z78 - z11 * z92)
+        z94 = z38 * z38 * z93
+        z95 = roll_dot * z65 - s1 * roll_ddot
+        z96 = steer_ddot - z95
+        z97 = roll_dot * z71 + c1 * roll_ddot
+        z98 = z74 * z39 - c_steer * z97
+        z99 = z22 * thR_ddot + thR_dot * z82
+        z100 = k3 * z95 - z56
+        s7 = z70 * z45 + s_steer * z99 - (z74 * z46 + c_steer * z100)
+        z101 = k4 * z98 + k2 * z96 + s7
+        z102 = z11 * z96 + z43 * z78 + (z20 * z98 - z44 * z81) + z101
+        z103 = z47 * z81 + z20 * z102
+        z104 = z70 * z39 + s_steer * z97
+        s8 = k2 * z104 - (z16 * thR_ddot + thR_dot * z69)
+        z105 = z11 * z104 + z40 * z78 + s8
+        s9 = z70 * z46 - s_steer * z100 + (z74 * z45 - c_steer * z99)
+        z106 = z20 * z104 + z40 * z81 + (k4 * z104 - s9)
+        z107 = z49 * z87 - z30 * z106 + (z47 * z91 - z36 * z102)
+        s10 = z48 * z80 - z18 * z103 - (z41 * z88 + z31 * z105)
+        z108 = s10 + (z59 * z78 - z11 * z107)
+        z109 = z60 * z94 - z38 * z108
+        z110 = z47 * z89 - z32 * z102 + (z49 * z84 + z25 * z106)
+        s11 = z41 * z85 + z26 * z105 + (z48 * z79 + z17 * z103)
+        z111 = s11 + (z50 * z78 - z11 * z110)
+        z112 = z51 * z94 + z38 * z111
+        z113 = thR_ddot - (z109 - (z73 * z52 + e2z * z112))
+        s12 = z66 - s1 * (z62 * z69 + z16 * z113)
+        z114 = s12 - (z66 + c1 * (z62 * z82 + z22 * z113))
+        s13 = z50 * z80 + z18 * z110 - (z59 * z79 - z17 * z107)
+        z115 = s13 + (z41 * z92 - z37 * z105)
         qddot: list[float] = [
             # x'' (I.2.15)
-            z49 * z60 + c_yaw * z113 + (z114 * z115 + s_yaw * z116),
+            z58 * z64 + c_yaw * z114 - (z4 * z53 - s_yaw * z57),
             # y'' (I.2.15)
-            z114 * z49 - c_yaw * z116 - (z115 * z60 - s_yaw * z113),
+            -(z53 * z64 - s_yaw * z114 + (z4 * z58 + c_yaw * z57)),
             # z'' (I.2.15)
-            z71 * v2_x + e2z * z97,
+            z73 * v2_x + e2z * z56,
             # yaw'' (I.2.15)
-            z111,
+            z112,
             # roll'' (I.2.15)
             roll_ddot,
             # pitch'' (I.2.15)
-            -z110,
+            -z109,
             # steer'' (I.2.15)
             steer_ddot,
             # thR'' (I.2.15)
-            z107,
+            thR_ddot,
             # thF'' (I.2.15)
-            thF_ddot,
+            z38 * z115 - (z18 * z50 + z17 * z59 + z37 * z41) * z94,
         ]
         return _finish("accelerations", qddot)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -1018,7 +1032,7 @@ def state(
     thF = float(q[8])  # front wheel against front frame [rad]
     roll_dot = float(qdot[4])
     steer_dot = float(qdot[6])
-    thF_dot = float(qdot[8])
+    thR_dot = float(qdot[7])
     try:
         # state
         y: list[float] = [
@@ -1033,7 +1047,7 @@ def state(
             thF,
             roll_dot,
             steer_dot,
-            thF_dot,
+            thR_dot,
         ]
         return _finish("state", y)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -1204,7 +1218,7 @@ def reactions(
     steer = float(y[6])  # front frame against rear frame [rad]
     roll_dot = float(y[9])
     steer_dot = float(y[10])
-    thF_dot = float(y[11])
+    thR_dot = float(y[11])
     w = float(p[0])  # wheelbase [m]
     c = float(p[1])  # trail [m]
     lam = float(p[2])  # tilt of the steering axis, 18 degrees [rad]
@@ -1233,7 +1247,7 @@ def reactions(
     F_yy = float(p[25])  # front wheel, about the axle [kg*m^2]
     roll_ddot = float(dydt[9])  # roll''
     steer_ddot = float(dydt[10])  # steer''
-    thF_ddot = float(dydt[11])  # thF''
+    thR_ddot = float(dydt[11])  # thR''
     try:
         # parameters only
         s_lam = math.sin(lam)
@@ -1308,288 +1322,289 @@ def reactions(
         s1 = math.sin(z1)
         c_roll = math.cos(roll)
         z2 = c_roll * s1
-        z3 = 1.0 / abs(c_roll)
-        z4 = r_R * z2
-        z5 = z3 * z4
-        z6 = k10 + z5
-        c_steer = math.cos(steer)
-        c1 = math.cos(z1)
-        z7 = c_roll * c1
         s_steer = math.sin(steer)
-        z8 = e2z * s_steer - c_steer * z2
-        z9 = 1.0 / math.sqrt(z7 * z7 + z8 * z8)
-        z10 = r_F * z8
-        z11 = z9 * z10
-        z12 = k4 + z11
-        z13 = z6 + c_steer * z12
-        z14 = r_R * z7
-        z15 = z3 * z14
-        z16 = c_steer * z15
-        z17 = r_F * z7
-        z18 = z9 * z17
-        z19 = k16 + z18
-        z20 = c_steer * z19
-        z21 = c_steer * k10
-        z22 = z21 + z12
-        z23 = s1 * z20 + c1 * z22
-        z24 = z15 - z19
-        z25 = s_steer * z24
-        z26 = c_roll * z23 + e2z * z25
-        z27 = s_steer * z19
-        z28 = s_steer * k10
-        z29 = s1 * z27 + c1 * z28
-        z30 = c_steer * z24
-        z31 = c_roll * z29 - e2z * z30
-        z32 = s_steer * z15
-        z33 = z16 * z26 + z31 * z32
-        z34 = z30 * z26 + z31 * z25
-        z35 = 1.0 / (z13 * z33 - z5 * z34)
-        z36 = roll_dot * c1
-        z37 = s_steer * z36
-        z38 = thF_dot - z37
-        z39 = k4 * z37 - z11 * z38
-        z40 = s_steer * z12
-        z41 = s1 * z40
-        z42 = c_roll * z41 + e2z * z13
-        z43 = roll_dot * s1
-        z44 = r_R * z3
+        c1 = math.cos(z1)
+        z3 = c_roll * c1
+        c_steer = math.cos(steer)
+        z4 = e2z * s_steer - c_steer * z2
+        z5 = 1.0 / math.sqrt(z3 * z3 + z4 * z4)
+        z6 = r_F * z4
+        z7 = z5 * z6
+        z8 = k4 + z7
+        z9 = s_steer * z8
+        z10 = s1 * z9
+        z11 = 1.0 / abs(c_roll)
+        z12 = r_R * z2
+        z13 = z11 * z12
+        z14 = k10 + z13
+        z15 = z14 + c_steer * z8
+        z16 = c_roll * z10 + e2z * z15
+        z17 = r_F * z3
+        z18 = z5 * z17
+        z19 = r_R * z3
+        z20 = z11 * z19
+        z21 = k16 + z18
+        z22 = z20 - z21
+        z23 = s_steer * z22
+        z24 = z18 * z23
+        z25 = c_steer * z21
+        z26 = c_steer * k10 + z8
+        z27 = s1 * z25 + c1 * z26
+        z28 = c_roll * z27 + e2z * z23
+        z29 = z18 * z28
+        z30 = c_steer * z22
+        z31 = s_steer * z21
+        z32 = s_steer * k10
+        z33 = s1 * z31 + c1 * z32
+        z34 = c_roll * z33 - e2z * z30
+        z35 = z30 * z28 + z34 * z23
+        z36 = 1.0 / (z16 * z24 - z15 * z29 - z7 * z35)
+        z37 = roll_dot * c1
+        z38 = s_steer * z37
+        z39 = z7 * z38 + (k4 * z38 - thR_dot * z13)
+        z40 = roll_dot * s1
+        z41 = steer_dot + z40
+        z42 = c_steer * z37
+        z43 = thR_dot * z20
+        z44 = r_R * z11
         z45 = c_roll * z44
         v2_x = roll_dot * z45
-        z46 = k10 * z43 + v2_x
-        z47 = z18 * z38 - (k16 * z37 - s_steer * z46)
-        z48 = steer_dot + z43
-        z49 = c_steer * z36
-        z50 = z11 * z48 - z18 * z49 - (k16 * z49 - k4 * z48 - c_steer * z46)
-        z51 = z25 * z47 + z30 * z50
-        z52 = z26 * z47 - z31 * z50
-        z53 = z35 * (z34 * z39 + (z42 * z51 - z13 * z52))
-        z54 = z32 * z47 + z16 * z50
-        z55 = z35 * (z33 * z39 + z42 * z54 - z5 * z52)
-        z56 = z35 * (z13 * z54 - z5 * z51)
-        w2 = z55 - e2z * z56
-        z57 = z53 - w2
-        z58 = roll_dot * e2z
-        z59 = z3 * (c_roll * z58) * (z3 * z3)
-        z60 = s1 * z55
-        z61 = z58 * c1 + c_roll * z60
-        z62 = z14 * z59 - z44 * z61
-        z63 = roll_dot * c_roll
-        z64 = steer_dot * c_steer
-        z65 = steer_dot * s_steer
-        z66 = c1 * z55
-        z67 = z58 * s1 - c_roll * z66
-        z68 = s_steer * z63 + e2z * z64 + (z65 * z2 + c_steer * z67)
-        z69 = z9 * (z9 * z9) * (z7 * z61 - z8 * z68)
-        z70 = r_F * z9
-        z71 = z10 * z69 + z70 * z68
-        z72 = roll_dot * z66
-        z73 = z17 * z69 - z70 * z61
-        z74 = roll_dot * z60
-        z75 = z65 * z36 + c_steer * z74
-        z76 = k10 * z72
-        s4 = k16 * z75 + k4 * z72 - (z65 * z46 - c_steer * z76)
-        z77 = z48 * z71 + z11 * z72 - (z49 * z73 - z18 * z75) + s4
-        s5 = z20 * z66 - s1 * (z65 * z19 - c_steer * z73)
-        z78 = s5 - (z22 * z60 + c1 * (z65 * k10 - z71))
-        z79 = z62 - z73
-        z80 = z64 * z24 + s_steer * z79
-        s6 = z56 * (z58 * z23 - c_roll * z78 - (z63 * z25 + e2z * z80))
-        z81 = z53 * (z64 * z15 + s_steer * z62) - (s6 + z55 * z80)
-        z82 = z77 - z81
-        z83 = z64 * z36 - s_steer * z74
-        s7 = z27 * z66 + s1 * (z64 * z19 + s_steer * z73)
-        z84 = s7 + (k10 * (z64 * c1) - z28 * z60)
-        z85 = z65 * z24 - c_steer * z79
-        s8 = z56 * (z58 * z29 - c_roll * z84 + (z63 * z30 - e2z * z85))
-        z86 = z53 * (z65 * z15 - c_steer * z62) - (s8 + z55 * z85)
-        s9 = k16 * z83 - (z64 * z46 + s_steer * z76)
-        z87 = z38 * z73 - z18 * z83 - s9 - z86
-        z88 = z30 * z82 + z25 * z87
-        z89 = z26 * z87 - z31 * z82
-        z90 = z4 * z59 - z44 * z67
-        z91 = z90 - (z65 * z12 - c_steer * z71)
-        s10 = c_roll * (z40 * z66 + s1 * (z64 * z12 + s_steer * z71))
-        z92 = z58 * z41 - s10 - (z63 * z13 + e2z * z91)
-        s11 = z53 * z90 - (z56 * z92 + z55 * z91)
-        z93 = k4 * z83 - (z38 * z71 - z11 * z83) + s11
-        z94 = z16 * z82 + z32 * z87
-        z95 = z35 * (z13 * z94 - z5 * z88)
-        s12 = z35 * (z42 * z94 + z33 * z93 - z5 * z89)
-        z96 = s12 - (z63 * z56 + e2z * z95)
-        z97 = z35 * (z42 * z88 - z13 * z89 + z34 * z93) - z96
-        z98 = z5 * z57
-        z99 = c_roll * z56
-        z100 = z43 - c1 * z99
-        z101 = z57 * z62 + z15 * z97 + (w2 * z98 - v2_x * z100)
-        z102 = k19 * w2
-        z103 = z36 + s1 * z99
-        z104 = k18 * z103 - k19 * z100
-        z105 = z18 * z25
-        z106 = z18 * z13
-        z107 = z35 * (z5 * z105 - z32 * z106)
-        z108 = e2z * z107
-        z109 = z35 * (z11 * z34 - (z42 * z105 - z26 * z106)) + z108
-        z110 = z15 * z109
-        z111 = z30 * z12
-        z112 = z31 * z12
-        z113 = z16 * z12
-        z114 = (z13 * z113 - z5 * z111) * z35
-        z115 = (z42 * z113 + z5 * z112) * z35 - e2z * z114
-        z116 = (z42 * z111 + z13 * z112) * z35 - z115
-        z117 = z15 * z116
-        z118 = s_steer * c1
-        z119 = c_steer * c1
-        z120 = k10 * s1 + z45
-        s13 = k16 * z119 - k4 * s1 - c_steer * z120
-        z121 = s1 * z11 - z18 * z119 - s13
-        z122 = z18 * z118 + (k16 * z118 - s_steer * z120)
-        z123 = z16 * z121 - z32 * z122
-        z124 = z35 * (z13 * z123 - z5 * (z30 * z121 - z25 * z122))
-        s14 = z118 * (z12 * z33) + z42 * z123
-        z125 = z35 * (s14 + z5 * (z26 * z122 + z31 * z121)) - e2z * z124
-        z126 = z15 * z125
-        z127 = thF_ddot * z110 - (steer_ddot * z117 - roll_ddot * z126)
-        z128 = roll_ddot * z125
-        z129 = thF_ddot * z108 + (steer_ddot * z115 + z128)
-        s15 = k17 * z101 + k18 * z96 - (w2 * z102 - z100 * z104)
-        z130 = z2 * k52 + s15 - (k17 * z127 - k18 * z129)
+        z46 = k10 * z40 + v2_x
+        s4 = k16 * z42 - k4 * z41 - (s_steer * z43 + c_steer * z46)
+        z47 = z7 * z41 - z18 * z42 - s4
+        z48 = z18 * z47
+        z49 = z18 * z38 + (k16 * z38 + (c_steer * z43 - s_steer * z46))
+        z50 = z28 * z49 + z34 * z47
+        z51 = z36 * (z29 * z39 + z16 * z48 - z7 * z50)
+        z52 = z30 * z47 - z23 * z49
+        z53 = z36 * (z24 * z39 + z15 * z48 + z7 * z52)
+        z54 = z51 - e2z * z53
+        z55 = k19 * z54
+        z56 = c_roll * z53
+        z57 = z40 + c1 * z56
+        z58 = z37 - s1 * z56
+        z59 = k18 * z58 - k19 * z57
+        z60 = thR_dot - z54
+        z61 = roll_dot * e2z
+        z62 = z11 * (c_roll * z61) * (z11 * z11)
+        z63 = s1 * z51
+        z64 = z61 * c1 - c_roll * z63
+        z65 = z19 * z62 - z44 * z64
+        z66 = roll_dot * c_roll
+        z67 = steer_dot * c_steer
+        z68 = steer_dot * s_steer
+        z69 = c1 * z51
+        z70 = z61 * s1 + c_roll * z69
+        z71 = s_steer * z66 + e2z * z67 + (z68 * z2 + c_steer * z70)
+        z72 = z5 * (z5 * z5) * (z3 * z64 - z4 * z71)
+        z73 = r_F * z5
+        z74 = z6 * z72 + z73 * z71
+        z75 = roll_dot * z63
+        z76 = z67 * z37 + s_steer * z75
+        z77 = z12 * z62 - z44 * z70
+        z78 = z36 * (z35 * z39 + (z16 * z52 + z15 * z50))
+        z79 = z77 - (z68 * z8 - c_steer * z74)
+        s5 = c_roll * (z9 * z69 - s1 * (z67 * z8 + s_steer * z74))
+        z80 = z61 * z10 + s5 - (z66 * z15 + e2z * z79)
+        s6 = z38 * z74 + z7 * z76 + (k4 * z76 - thR_dot * z77)
+        z81 = s6 + (z78 * z74 + (z53 * z80 + z51 * z79))
+        z82 = z17 * z72 - z73 * z64
+        s7 = z25 * z69 + s1 * (z68 * z21 - c_steer * z82)
+        z83 = s7 - (z26 * z63 - c1 * (z68 * k10 - z74))
+        z84 = z65 - z82
+        z85 = z67 * z22 + s_steer * z84
+        z86 = roll_dot * z69
+        z87 = z68 * z37 - c_steer * z75
+        z88 = thR_dot * z65
+        z89 = k10 * z86
+        s8 = z67 * z43 + s_steer * z88 - (z68 * z46 + c_steer * z89)
+        z90 = k16 * z87 - k4 * z86 + s8
+        s9 = z53 * (z61 * z27 + c_roll * z83 - (z66 * z23 + e2z * z85))
+        s10 = z41 * z74 - z7 * z86 - (z42 * z82 - z18 * z87) + z90
+        z91 = s9 + z51 * z85 - s10
+        z92 = z18 * z91
+        s11 = z31 * z69 - s1 * (z67 * z21 + s_steer * z82)
+        z93 = s11 - (k10 * (z67 * c1) + z32 * z63)
+        z94 = z68 * z22 - c_steer * z84
+        s12 = z53 * (z61 * z33 + c_roll * z93 + (z66 * z30 - e2z * z94))
+        z95 = z78 * z82 + (s12 + z51 * z94)
+        s13 = z68 * z43 - c_steer * z88 + (z67 * z46 - s_steer * z89)
+        z96 = z38 * z82 + z18 * z76 + (k16 * z76 - s13)
+        z97 = z95 + z96
+        z98 = z28 * z97 - z34 * z91
+        z99 = z30 * z91 + z23 * z97
+        z100 = z36 * (z24 * z81 - z15 * z92 - z7 * z99)
+        s14 = z36 * (z29 * z81 - z16 * z92 - z7 * z98)
+        z101 = s14 - (z66 * z53 + e2z * z100)
+        z102 = z13 * z60
+        z103 = z60 * z65 - z20 * z101 - (z54 * z102 - v2_x * z57)
+        z104 = s_steer * z20
+        z105 = z36 * (z13 * z24 - z15 * (z18 * z104))
+        z106 = e2z * z105
+        z107 = 1.0 - z106
+        z108 = z20 * z107
+        z109 = z18 * z8
+        z110 = z34 * z8
+        z111 = z30 * z8
+        z112 = z36 * (z15 * z109 + z7 * z111)
+        z113 = z36 * (z16 * z109 - z7 * z110) - e2z * z112
+        z114 = z20 * z113
+        z115 = s_steer * c1
+        z116 = z8 * z115
+        z117 = c_steer * c1
+        z118 = k10 * s1 + z45
+        z119 = s1 * z7 - z18 * z117 - (k16 * z117 - k4 * s1 - c_steer * z118)
+        z120 = z18 * z119
+        z121 = z18 * z115 + (k16 * z115 - s_steer * z118)
+        s15 = z24 * z116 + z15 * z120 + z7 * (z30 * z119 - z23 * z121)
+        z122 = z36 * s15
+        s16 = z29 * z116 + z16 * z120 - z7 * (z28 * z121 + z34 * z119)
+        z123 = z36 * s16 - e2z * z122
+        z124 = z20 * z123
+        z125 = thR_ddot * z108 - (z114 * steer_ddot + roll_ddot * z124)
+        z126 = z113 * steer_ddot + roll_ddot * z123
+        z127 = thR_ddot * z106 + z126
+        s17 = z2 * k52 - (z54 * z55 - z57 * z59 + (k17 * z103 + k18 * z101))
+        z128 = s17 - (k17 * z125 + k18 * z127)
         h2z = e2z * c_steer + s_steer * z2
-        z131 = z58 * z56 - c_roll * z95
-        z132 = z72 + (z60 * z99 + c1 * z131)
-        z133 = z15 * z57
-        z134 = z133 * z100 - z98 * z103
-        z135 = k10 * w2
-        z136 = z134 + (k10 * z132 + z135 * z103)
-        z137 = k10 * z100
-        z138 = z101 - (w2 * z135 + z100 * z137)
-        z139 = c_steer * z136 - s_steer * z138
-        z140 = z74 - (z66 * z99 - s1 * z131)
-        z141 = z64 * w2 + s_steer * z96 - (z65 * z103 + c_steer * z140)
-        w3_steer = steer_dot + z100
-        z142 = c_steer * w2 - s_steer * z103
-        z143 = k33 * z142
-        z144 = s_steer * w2 + c_steer * z103
-        z145 = k36 * z142
-        s16 = k36 * z132 + (k31 * z139 - k33 * z141)
-        z146 = h2z * k57 - (s16 + (w3_steer * z143 + z144 * z145))
-        z147 = c_roll * z107
-        z148 = c1 * z147
-        z149 = thF_ddot * z148
-        z150 = c_roll * z114
-        z151 = c1 * z150
-        z152 = c_roll * z124
-        z153 = s1 - c1 * z152
-        z154 = roll_ddot * z153
-        z155 = z149 + (steer_ddot * (1.0 - z151) + z154)
-        z156 = k10 * z148
-        z157 = z45 + k10 * z153
-        s17 = roll_ddot * (c_steer * z157 + s_steer * z126)
-        s18 = s17 - steer_ddot * (s_steer * z117 + z21 * z151)
-        z158 = thF_ddot * (c_steer * z156 + s_steer * z110) + s18
-        z159 = s1 * z147
-        z160 = s1 * z150
-        z161 = c1 + s1 * z152
-        s19 = steer_ddot * (s_steer * z115 + c_steer * z160)
-        s20 = s19 + roll_ddot * (s_steer * z125 + c_steer * z161)
-        z162 = thF_ddot * (s_steer * z108 - c_steer * z159) + s20
-        z163 = z146 - (k36 * z155 + (k31 * z158 - k33 * z162))
-        z164 = c_steer * z138 + s_steer * z136
-        z165 = z65 * w2 - c_steer * z96 + (z64 * z103 - s_steer * z140)
-        z166 = k33 * z144 - k36 * w3_steer
-        s21 = roll_ddot * (c_steer * z126 - s_steer * z157)
-        z167 = s21 + thF_ddot * (c_steer * z110 - s_steer * z156)
-        z168 = roll_ddot * (c_steer * z125 - s_steer * z161)
-        z169 = c_steer * z108 + s_steer * z159
-        z170 = z168 + thF_ddot * z169
-        s22 = k31 * z164 - k33 * z165 - (z142 * z145 - w3_steer * z166)
-        z171 = z8 * k57 - s22 + (k31 * z167 - k33 * z170)
-        z172 = z130 + s_steer * z163 - c_steer * z171
-        z173 = steer_ddot * z116 - z128
-        z174 = z57 * z90 + z5 * z97 + (v2_x * z103 - w2 * z133)
-        z175 = k18 * w2
-        z176 = z5 * z109
-        z177 = thF_ddot * z176 - z5 * z173
-        s23 = k17 * z174 - k19 * z96 - (z103 * z104 + w2 * z175)
-        z178 = z7 * k52 - s23 + (k17 * z177 + k19 * z129)
-        z179 = z174 - (k10 * z96 - z103 * z137)
-        z180 = z6 * z128 + thF_ddot * (z176 + k10 * z108)
-        s24 = k31 * z179 + k36 * z165 - (z144 * z166 + z142 * z143)
-        z181 = z7 * k57 - s24 + (k31 * z180 + k36 * z170)
-        z182 = z178 + z181
-        s25 = R_yy * (z97 + (z173 - thF_ddot * z109)) - z5 * z182
-        z183 = s25 + z15 * z172
-        z184 = z35 * z183
-        z185 = k25 * z103 - k26 * z100
-        z186 = k26 * z103 - k29 * z100
-        s26 = k28 * z96 + (k18 * z101 - k19 * z174)
-        z187 = z2 * k54 + z7 * k53 + (s26 + (z100 * z185 + z103 * z186))
-        z188 = k43 * z144 - k44 * w3_steer
-        z189 = k44 * z144 - k48 * w3_steer
-        s27 = k47 * z165 - (k33 * z164 - k36 * z179)
-        s28 = z8 * k56 + z7 * k55 + (z8 * k59 - z7 * k58)
-        z190 = s28 + (s27 - (w3_steer * z188 + z144 * z189))
-        s29 = F_yy * (z165 - (z168 + thF_ddot * (1.0 + z169)))
-        z191 = z190 - (k47 * z170 - (k33 * z167 - k36 * z180)) + s29
-        z192 = F_yy * (thF_dot + z142) + k47 * z142
-        s30 = k44 * z132 + (k33 * z139 - k43 * z141)
-        z193 = h2z * k60 - (s30 + (z142 * z189 + w3_steer * z192))
-        z194 = z193 - (k44 * z155 + (k33 * z158 - k43 * z162))
-        s31 = z187 + (k28 * z129 - (k18 * z127 - k19 * z177)) + k10 * z181
-        z195 = s31 - c_steer * z191 + s_steer * z194
-        z196 = z195 - z183
-        z197 = z35 * z196
-        z198 = z13 * z184 + z5 * z197
-        z199 = R_yy * z57 - k28 * w2
-        s32 = k26 * z132 + (k18 * z134 + k25 * z140)
-        z200 = e2z * k54 - (s32 + (w2 * z186 - z100 * z199))
-        z201 = z149 - (steer_ddot * z151 - z154)
+        w3_steer = steer_dot + z57
+        z129 = c_steer * z54 + s_steer * z58
+        z130 = k33 * z129
+        z131 = s_steer * z54 - c_steer * z58
+        z132 = k36 * z129
+        z133 = z61 * z53 - c_roll * z100
+        z134 = z86 - (z56 * z63 - c1 * z133)
+        z135 = z20 * z60
+        z136 = z135 * z57 - z102 * z58
+        z137 = k10 * z54
+        z138 = z136 + (z137 * z58 + k10 * z134)
+        z139 = k10 * z57
+        z140 = z54 * z137 + z57 * z139 + z103
+        z141 = c_steer * z138 - s_steer * z140
+        z142 = z75 + (z56 * z69 + s1 * z133)
+        z143 = z67 * z54 + s_steer * z101 + (z68 * z58 - c_steer * z142)
+        s18 = k36 * z134 + (k31 * z141 - k33 * z143)
+        z144 = h2z * k57 + (w3_steer * z130 - z131 * z132 + s18)
+        z145 = c_roll * z105
+        z146 = c1 * z145
+        z147 = thR_ddot * z146
+        z148 = c_roll * z112
+        z149 = c1 * z148
+        z150 = c_roll * z122
+        z151 = s1 + c1 * z150
+        z152 = roll_ddot * z151
+        z153 = z147 - ((1.0 + z149) * steer_ddot + z152)
+        z154 = k10 * z146
+        z155 = k10 * z149
+        z156 = z45 + k10 * z151
+        s19 = (c_steer * z155 - s_steer * z114) * steer_ddot
+        s20 = s19 + roll_ddot * (c_steer * z156 - s_steer * z124)
+        z157 = thR_ddot * (c_steer * z154 - s_steer * z108) - s20
+        z158 = s1 * z145
+        z159 = s1 * z148
+        z160 = c1 - s1 * z150
+        s21 = (s_steer * z113 + c_steer * z159) * steer_ddot
+        s22 = s21 + roll_ddot * (s_steer * z123 - c_steer * z160)
+        z161 = thR_ddot * (s_steer * z106 - c_steer * z158) + s22
+        z162 = z144 + (k36 * z153 + (k31 * z157 - k33 * z161))
+        z163 = k33 * z131 + k36 * w3_steer
+        z164 = c_steer * z140 + s_steer * z138
+        z165 = z68 * z54 - c_steer * z101 - (z67 * z58 + s_steer * z142)
+        s23 = (c_steer * z114 + s_steer * z155) * steer_ddot
+        s24 = s23 + roll_ddot * (c_steer * z124 + s_steer * z156)
+        z166 = thR_ddot * (c_steer * z108 + s_steer * z154) - s24
+        z167 = c_steer * z106 + s_steer * z158
+        z168 = c_steer * z113 - s_steer * z159
+        z169 = roll_ddot * (c_steer * z123 + s_steer * z160)
+        z170 = thR_ddot * z167 + (z168 * steer_ddot + z169)
+        s25 = z129 * z132 + w3_steer * z163 + (k31 * z164 - k33 * z165)
+        z171 = z4 * k57 + s25 + (k31 * z166 + k33 * z170)
+        z172 = z128 + s_steer * z162 - c_steer * z171
+        s26 = z36 * (z15 * (c_steer * z20 * z28 + z34 * z104) - z13 * z35)
+        s27 = (z36 * (z16 * z111 + z15 * z110) + z168) * steer_ddot + z169
+        z173 = thR_ddot * (s26 + z167) + s27
+        s28 = z36 * (z35 * z81 - (z16 * z99 - z15 * z98)) - z165 + z173
+        z174 = F_yy * s28
+        z175 = z36 * z174
+        z176 = z60 * z77 - z13 * z101 + (z54 * z135 - v2_x * z58)
+        z177 = k25 * z58 - k26 * z57
+        z178 = k29 * z57 - k26 * z58
+        s29 = k28 * z101 + (k18 * z103 - k19 * z176)
+        z179 = z2 * k54 + z3 * k53 - (s29 - (z57 * z177 - z58 * z178))
+        z180 = z13 * z107
+        z181 = thR_ddot * z180 - z13 * z126
+        z182 = z176 - (z58 * z139 + k10 * z101)
+        z183 = thR_ddot * (z180 - k10 * z106) - z14 * z126
+        s30 = z131 * z163 + z129 * z130 + (k31 * z182 + k36 * z165)
+        z184 = z3 * k57 + s30 + (k31 * z183 - k36 * z170)
+        z185 = k43 * z131 + k44 * w3_steer
+        z186 = k48 * w3_steer + k44 * z131
+        s31 = k47 * z165 - (k33 * z164 - k36 * z182)
+        s32 = z4 * k56 + z3 * k55 + (z4 * k59 - z3 * k58)
+        z187 = s32 - (s31 - (w3_steer * z185 - z131 * z186))
+        z188 = z187 + (k47 * z170 + (k33 * z166 - k36 * z183)) + z174
+        z189 = F_yy * (z78 + z129) + k47 * z129
+        s33 = k44 * z134 + (k33 * z141 - k43 * z143)
+        z190 = h2z * k60 + (s33 + (w3_steer * z189 - z129 * z186))
+        z191 = z190 + (k44 * z153 + (k33 * z157 - k43 * z161))
+        s34 = z179 - (k28 * z127 + (k18 * z125 - k19 * z181)) + k10 * z184
+        z192 = s34 - c_steer * z188 + s_steer * z191
+        z193 = k18 * z54
+        s35 = z58 * z59 + z54 * z193 + (k17 * z176 - k19 * z101)
+        z194 = z3 * k52 + s35 + (k17 * z181 - k19 * z127)
+        z195 = z194 + z184
+        s36 = R_yy * (z101 - (thR_ddot * z107 - z126)) - z13 * z195
+        z196 = z192 - (s36 + z20 * z172)
+        z197 = z36 * z196
+        z198 = z15 * z175 + z7 * z197
+        z199 = R_yy * z60 - k28 * z54
+        s37 = k26 * z134 + (k18 * z136 + k25 * z142)
+        z200 = e2z * k54 + (s37 - (z57 * z199 + z54 * z178))
+        z201 = z147 - (z149 * steer_ddot + z152)
         z202 = roll_ddot * z45
-        z203 = thF_ddot * z159 - (steer_ddot * z160 + roll_ddot * z161)
-        s33 = z200 - (k26 * z201 + (k18 * z202 + k25 * z203))
-        z204 = s1 * (s33 + s_steer * z191 + c_steer * z194)
-        s34 = k48 * z132 + (k36 * z139 - k44 * z141)
-        z205 = h2z * k61 + (s34 + (z144 * z192 - z142 * z188))
-        s35 = k29 * z132 + (k19 * z134 + k26 * z140)
-        z206 = e2z * k53 - (s35 - (z103 * z199 + w2 * z185))
-        z207 = c_steer * z163 + s_steer * z171
-        s36 = z206 - (k29 * z201 + (k19 * z202 + k26 * z203)) + k10 * z207
-        z208 = z205 + (k48 * z155 + (k36 * z158 - k44 * z162)) - s36
-        z209 = z35 * (c_roll * (z204 - c1 * z208) - e2z * z196)
-        z210 = z42 * z184 - z5 * z209
-        z211 = z42 * z197 + z13 * z209
-        z212 = z26 * z198 - z25 * z210 - z32 * z211
-        z213 = c_steer * z212
-        z214 = z31 * z198 + z30 * z210 + z16 * z211
-        z215 = s_steer * z214
-        z216 = z172 - z213 - z215
-        z217 = z34 * z184 + z33 * z197
-        z218 = z182 - z217
-        z219 = s1 * z216 + c1 * z218
-        s37 = k19 * z132 + (k17 * z134 + k18 * z140)
-        z220 = e2z * k52 - (s37 + (z100 * z175 + z103 * z102))
-        z221 = s_steer * z212 - c_steer * z214
-        s38 = z220 - (k19 * z201 + (k17 * z202 + k18 * z203)) + z207
-        z222 = s38 + z221
-        z223 = e2z * z219 - c_roll * z222
+        z203 = thR_ddot * z158 - (z159 * steer_ddot - roll_ddot * z160)
+        s38 = z200 + (k26 * z201 - (k18 * z202 - k25 * z203))
+        z204 = s1 * (s38 + s_steer * z188 + c_steer * z191)
+        s39 = k48 * z134 + (k36 * z141 - k44 * z143)
+        z205 = h2z * k61 + (z131 * z189 - z129 * z185 - s39)
+        s40 = k29 * z134 + (k19 * z136 + k26 * z142)
+        z206 = e2z * k53 - (z58 * z199 + z54 * z177 - s40)
+        z207 = c_steer * z162 + s_steer * z171
+        s41 = z206 + (k29 * z201 - (k19 * z202 - k26 * z203)) + k10 * z207
+        z208 = z205 - (k48 * z153 + (k36 * z157 - k44 * z161)) - s41
+        z209 = z36 * (c_roll * (z204 - c1 * z208) - e2z * z196)
+        z210 = z16 * z175 - z7 * z209
+        z211 = z28 * z198 - z23 * z210
+        z212 = z34 * z198 + z30 * z210 - z18 * (z16 * z197 + z15 * z209)
+        z213 = c_steer * z211 + s_steer * z212
+        z214 = z172 - z213
+        z215 = z35 * z175 - z29 * z197 - z24 * z209
+        z216 = z195 - z215
+        z217 = s1 * z214 + c1 * z216
+        s42 = k19 * z134 + (k17 * z136 + k18 * z142)
+        z218 = e2z * k52 + (z57 * z193 + z58 * z55 + s42)
+        z219 = s_steer * z211 - c_steer * z212
+        s43 = z218 + (k19 * z201 - (k17 * z202 - k18 * z203)) + z207
+        z220 = s43 + z219
+        z221 = e2z * z217 - c_roll * z220
         c_yaw = math.cos(yaw)
-        z224 = c1 * z216 - s1 * z218
-        z225 = z213 + z215
-        z226 = s1 * z225 + c1 * z217
-        z227 = e2z * z226 + c_roll * z221
-        z228 = c1 * z225 - s1 * z217
+        z222 = c1 * z214 - s1 * z216
+        z223 = s1 * z213 + c1 * z215
+        z224 = e2z * z223 + c_roll * z219
+        z225 = c1 * z213 - s1 * z215
         lambda_: list[float] = [
             # reaction of rear_x: Q_i gains lambda_1 a_1i (I.4.1) 115:5
-            c_yaw * z224 - s_yaw * z223,
+            c_yaw * z222 - s_yaw * z221,
             # reaction of rear_y: Q_i gains lambda_2 a_2i (I.4.1) 116:5
-            c_yaw * z223 + s_yaw * z224,
+            c_yaw * z221 + s_yaw * z222,
             # reaction of rear_z: Q_i gains lambda_3 a_3i (I.4.1) 117:5
-            -(c_roll * z219 + e2z * z222),
+            -(c_roll * z217 + e2z * z220),
             # reaction of front_x: Q_i gains lambda_4 a_4i (I.4.1) 118:5
-            c_yaw * z228 - s_yaw * z227,
+            c_yaw * z225 - s_yaw * z224,
             # reaction of front_y: Q_i gains lambda_5 a_5i (I.4.1) 119:5
-            c_yaw * z227 + s_yaw * z228,
+            c_yaw * z224 + s_yaw * z225,
             # reaction of front_z: Q_i gains lambda_6 a_6i (I.4.1) 120:5
-            e2z * z221 - c_roll * z226,
+            e2z * z219 - c_roll * z223,
         ]
         return _finish("reactions", lambda_)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -1609,7 +1624,7 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
     steer = float(y[6])  # front frame against rear frame [rad]
     roll_dot = float(y[9])
     steer_dot = float(y[10])
-    thF_dot = float(y[11])
+    thR_dot = float(y[11])
     w = float(p[0])  # wheelbase [m]
     c = float(p[1])  # trail [m]
     lam = float(p[2])  # tilt of the steering axis, 18 degrees [rad]
@@ -1665,127 +1680,127 @@ def energy(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> float
         z8 = c_lam * z6 - s_lam * z4
         s1 = z * m_R + m_B * (z - x_B * z1 + e3z * k1)
         z9 = s1 + m_H * (Sz - k3 * z7 + z_H * z8)
-        s_yaw = math.sin(yaw)
-        z10 = roll_dot * c_roll
-        z11 = r_R / abs(c_roll)
-        v2_x = z10 * z11
-        z12 = c_roll * v2_x
-        c_yaw = math.cos(yaw)
-        z13 = r_F / math.sqrt(z6 * z6 + z4 * z4)
-        z14 = z4 * z13
-        z15 = k4 + z14
-        z16 = z3 * z11
-        z17 = k5 + z16 + c_steer * z15
-        z18 = z15 * (s_steer * z3) + e2z * z17
-        z19 = z6 * z11
-        z20 = z6 * z13
-        z21 = k6 + z20
-        z22 = z19 - z21
-        z23 = c_steer * z22
-        z24 = roll_dot * z2
-        z25 = steer_dot + z24
-        z26 = roll_dot * z5
-        z27 = c_steer * z26
-        z28 = k5 * z24 + v2_x
-        z29 = z25 * z14 - z27 * z20 - (k6 * z27 - k4 * z25 - c_steer * z28)
-        z30 = s_steer * z22
-        z31 = s_steer * z26
-        z32 = thF_dot - z31
-        z33 = z32 * z20 - (k6 * z31 - s_steer * z28)
-        z34 = z23 * z29 + z30 * z33
-        z35 = z2 * z21
-        s2 = c_roll * (c_steer * z35 + z5 * (c_steer * k5 + z15))
-        z36 = s2 + e2z * z30
-        z37 = c_roll * (s_steer * z35 + k5 * (s_steer * z5)) - e2z * z23
-        z38 = z36 * z33 - z37 * z29
-        z39 = z23 * z36 + z37 * z30
-        z40 = k4 * z31 - z32 * z14
-        z41 = c_steer * z19
-        z42 = s_steer * z19
-        z43 = z41 * z36 + z37 * z42
-        z44 = 1.0 / (z17 * z43 - z16 * z39)
-        z45 = z41 * z29 + z42 * z33
-        z46 = (z18 * z45 + z43 * z40 - z16 * z38) * z44
-        z47 = z44 * (z17 * z45 - z16 * z34)
-        w2 = z46 - e2z * z47
-        z48 = (z18 * z34 - z17 * z38 + z39 * z40) * z44 - w2
-        z49 = z48 * (z2 * z16 + z5 * z19)
-        z50 = s_yaw * z12 - c_yaw * z49
-        z51 = s_yaw * z47
-        z52 = s_pitch * z46
-        z53 = c_yaw * z47
-        z54 = s_yaw * z10 - e2z * z53
-        z55 = s_yaw * e2z
-        z56 = c_pitch * z46
-        z57 = c_pitch * z51 - c_yaw * z52 - (s_pitch * z54 + z55 * z56)
-        z58 = s_pitch * z51 + c_yaw * z56 - (z55 * z52 - c_pitch * z54)
-        z59 = z50 - k2 * z57 - r_R * z58
-        z60 = steer_dot * s_steer
-        s3 = (c_yaw * c_pitch - z55 * s_pitch) * c_lam
-        s4 = (s3 - (c_yaw * s_pitch + c_pitch * z55) * s_lam) * z60
-        z61 = s4 - c_steer * (c_lam * z57 - s_lam * z58)
-        z62 = steer_dot * c_steer
-        z63 = c_roll * z62
-        z64 = roll_dot * e2z
-        z65 = z61 + (s_yaw * z63 - s_steer * (s_yaw * z64 + c_roll * z53))
-        z66 = s_lam * z57 + c_lam * z58
-        z67 = c_lam * z65 - s_lam * z66
-        z68 = c_lam * z66 + s_lam * z65
-        z69 = z59 - c * z67 + r_F * z68
-        z70 = c_yaw * z12 + s_yaw * z49
-        z71 = c_yaw * e2z
-        z72 = c_yaw * z10 + e2z * z51
-        z73 = s_yaw * z52 + c_pitch * z53 - (z71 * z56 + s_pitch * z72)
-        z74 = s_pitch * z53 - s_yaw * z56 - (z71 * z52 - c_pitch * z72)
-        z75 = z70 - k2 * z73 - r_R * z74
-        s5 = (c_pitch * s_yaw + s_pitch * z71) * c_lam
-        s6 = (s5 - (s_yaw * s_pitch - c_pitch * z71) * s_lam) * z60
-        z76 = s6 + c_steer * (c_lam * z73 - s_lam * z74)
-        z77 = z76 - (c_yaw * z63 - s_steer * (c_yaw * z64 - c_roll * z51))
-        z78 = s_lam * z73 + c_lam * z74
-        z79 = c_lam * z77 + s_lam * z78
-        z80 = c_lam * z78 - s_lam * z77
-        z81 = z75 + c * z79 + r_F * z80
-        z82 = e2z * v2_x
-        z83 = s_pitch * z64 - c_roll * z56
-        z84 = c_pitch * z64 + c_roll * z52
-        z85 = z82 + k2 * z83 - r_R * z84
-        s7 = z60 * z3 + c_steer * (c_lam * z83 + s_lam * z84)
-        z86 = s_steer * z10 + e2z * z62 + s7
-        z87 = s_lam * z83 - c_lam * z84
-        z88 = c_lam * z86 + s_lam * z87
-        z89 = c_lam * z87 - s_lam * z86
-        Fz_dot = z85 - c * z88 - r_F * z89
-        w1 = roll_dot * c_pitch + z1 * z47
-        w3 = roll_dot * s_pitch - e3z * z47
-        z90 = c_lam * w1 - s_lam * w3
-        z91 = s_steer * w2 + c_steer * z90
+        z10 = r_F / math.sqrt(z6 * z6 + z4 * z4)
+        z11 = z4 * z10
+        z12 = k4 + z11
+        z13 = r_R / abs(c_roll)
+        z14 = z3 * z13
+        z15 = k5 + z14 + c_steer * z12
+        z16 = z12 * (s_steer * z3) + e2z * z15
+        z17 = z6 * z10
+        z18 = z6 * z13
+        z19 = k6 + z17
+        z20 = z18 - z19
+        z21 = s_steer * z20
+        z22 = z17 * z21
+        z23 = z2 * z19
+        s2 = c_roll * (c_steer * z23 + z5 * (c_steer * k5 + z12))
+        z24 = s2 + e2z * z21
+        z25 = z17 * z24
+        z26 = c_steer * z20
+        z27 = c_roll * (s_steer * z23 + k5 * (s_steer * z5)) - e2z * z26
+        z28 = z26 * z24 + z27 * z21
+        z29 = 1.0 / (z16 * z22 - z15 * z25 - z11 * z28)
+        z30 = roll_dot * z2
+        z31 = steer_dot + z30
+        z32 = roll_dot * z5
+        z33 = c_steer * z32
+        z34 = thR_dot * z18
+        z35 = roll_dot * c_roll
+        v2_x = z35 * z13
+        z36 = k5 * z30 + v2_x
+        s3 = k6 * z33 - k4 * z31 - (s_steer * z34 + c_steer * z36)
+        z37 = z31 * z11 - z33 * z17 - s3
+        z38 = s_steer * z32
+        z39 = z38 * z17 + (k6 * z38 - (s_steer * z36 - c_steer * z34))
+        z40 = z26 * z37 - z21 * z39
+        z41 = z24 * z39 + z27 * z37
+        z42 = z38 * z11 + (k4 * z38 - thR_dot * z14)
+        z43 = z17 * z37
+        z44 = z29 * (z16 * z43 + z25 * z42 - z11 * z41)
+        z45 = z29 * (z22 * z42 + z15 * z43 + z11 * z40)
+        z46 = z44 - e2z * z45
+        w1 = roll_dot * c_pitch - z1 * z45
+        w3 = roll_dot * s_pitch + e3z * z45
+        z47 = c_lam * w1 - s_lam * w3
+        z48 = c_steer * z46 + s_steer * z47
+        z49 = z29 * (z16 * z40 + z15 * z41 + z28 * z42) + z48
+        z50 = s_steer * z46 - c_steer * z47
         ws = steer_dot + (s_lam * w1 + c_lam * w3)
-        z92 = c_lam * z91 + s_lam * ws
-        z93 = z92 * z92
-        o3 = c_lam * ws - s_lam * z91
-        z94 = o3 * o3
-        o2 = c_steer * w2 - s_steer * z90
-        z95 = thF_dot + o2
-        s8 = m_F * (z69 * z69 + z81 * z81 + Fz_dot * Fz_dot)
-        z96 = s8 + F_xx * (z93 + z94) + F_yy * (z95 * z95)
-        z97 = z59 - k3 * z67 - z_H * z68
-        z98 = z75 + k3 * z79 - z_H * z80
-        Hz_dot = z85 - k3 * z88 + z_H * z89
-        s9 = m_H * (z97 * z97 + z98 * z98 + Hz_dot * Hz_dot)
-        z99 = s9 + (H_xx * z93 + H_yy * (o2 * o2) + H_zz * z94)
-        z100 = w1 * w1
-        z101 = w3 * w3
-        s10 = m_R * (z50 * z50 + z70 * z70 + z82 * z82)
-        z102 = s10 + R_xx * (z100 + z101) + R_yy * (z48 * z48)
-        z103 = z50 - x_B * z57 - k1 * z58
-        z104 = z70 - x_B * z73 - k1 * z74
-        Bz_dot = z82 + x_B * z83 - k1 * z84
-        s11 = m_B * (z103 * z103 + z104 * z104 + Bz_dot * Bz_dot)
-        z105 = s11 + (B_xx * z100 + B_yy * (w2 * w2) + B_zz * z101)
-        s12 = 0.5 * z102 + (0.5 * z105 + B_xz * (w1 * w3))
-        z106 = 0.5 * z99 + H_xz * (z92 * o3) + s12
-        value1 = 0.5 * z96 + z106 - g * (z9 + m_F * (Sz - c * z7 - r_F * z8))
+        z51 = c_lam * z50 - s_lam * ws
+        z52 = z51 * z51
+        o3 = c_lam * ws + s_lam * z50
+        z53 = o3 * o3
+        s_yaw = math.sin(yaw)
+        z54 = s_yaw * z45
+        c_yaw = math.cos(yaw)
+        z55 = s_pitch * z44
+        z56 = c_yaw * z45
+        z57 = s_yaw * z35 + e2z * z56
+        z58 = s_yaw * e2z
+        z59 = c_pitch * z44
+        z60 = c_pitch * z54 - c_yaw * z55 + (s_pitch * z57 - z58 * z59)
+        z61 = s_pitch * z54 + c_yaw * z59 - (z58 * z55 + c_pitch * z57)
+        z62 = s_lam * z60 + c_lam * z61
+        z63 = steer_dot * s_steer
+        s4 = (c_yaw * c_pitch - z58 * s_pitch) * c_lam
+        s5 = (s4 - (c_yaw * s_pitch + c_pitch * z58) * s_lam) * z63
+        z64 = s5 + c_steer * (c_lam * z60 - s_lam * z61)
+        z65 = steer_dot * c_steer
+        z66 = c_roll * z65
+        z67 = roll_dot * e2z
+        z68 = z64 + (s_yaw * z66 - s_steer * (s_yaw * z67 - c_roll * z56))
+        z69 = c_lam * z62 - s_lam * z68
+        z70 = c_lam * z68 + s_lam * z62
+        z71 = c_roll * v2_x
+        z72 = thR_dot - z46
+        z73 = z72 * (z2 * z14 + z5 * z18)
+        z74 = s_yaw * z71 + c_yaw * z73
+        z75 = r_R * z61 + (k2 * z60 + z74)
+        z76 = r_F * z69 + (c * z70 - z75)
+        z77 = c_yaw * e2z
+        z78 = c_yaw * z35 - e2z * z54
+        z79 = s_yaw * z55 + c_pitch * z56 - (z77 * z59 - s_pitch * z78)
+        z80 = s_pitch * z56 - s_yaw * z59 - (z77 * z55 + c_pitch * z78)
+        z81 = s_lam * z79 + c_lam * z80
+        s6 = (c_pitch * s_yaw + s_pitch * z77) * c_lam
+        s7 = (s6 - (s_yaw * s_pitch - c_pitch * z77) * s_lam) * z63
+        z82 = s7 - c_steer * (c_lam * z79 - s_lam * z80)
+        z83 = z82 - (c_yaw * z66 - s_steer * (c_yaw * z67 + c_roll * z54))
+        z84 = c_lam * z81 + s_lam * z83
+        z85 = c_lam * z83 - s_lam * z81
+        z86 = c_yaw * z71 - s_yaw * z73
+        z87 = r_R * z80 + (k2 * z79 + z86)
+        z88 = r_F * z84 - (c * z85 + z87)
+        z89 = c_pitch * z67 - c_roll * z55
+        z90 = e2z * v2_x
+        z91 = s_pitch * z67 + c_roll * z59
+        z92 = r_R * z89 - (z90 + k2 * z91)
+        z93 = s_lam * z91 - c_lam * z89
+        s8 = z63 * z3 + c_steer * (c_lam * z91 + s_lam * z89)
+        z94 = s_steer * z35 + e2z * z65 + s8
+        z95 = s_lam * z93 + c_lam * z94
+        z96 = c_lam * z93 - s_lam * z94
+        z97 = z92 + c * z95 + r_F * z96
+        s9 = m_F * (z76 * z76 + z88 * z88 + z97 * z97)
+        z98 = F_yy * (z49 * z49) + (F_xx * (z52 + z53) + s9)
+        z99 = z_H * z69 - (k3 * z70 - z75)
+        z100 = z_H * z84 + (k3 * z85 + z87)
+        z101 = z92 + k3 * z95 - z_H * z96
+        s10 = m_H * (z99 * z99 + z100 * z100 + z101 * z101)
+        z102 = H_xx * z52 + H_yy * (z48 * z48) + H_zz * z53 + s10
+        z103 = w1 * w1
+        z104 = w3 * w3
+        s11 = m_R * (z74 * z74 + z86 * z86 + z90 * z90)
+        z105 = R_yy * (z72 * z72) + (R_xx * (z103 + z104) + s11)
+        z106 = k1 * z61 + (x_B * z60 + z74)
+        z107 = k1 * z80 + (x_B * z79 + z86)
+        z108 = k1 * z89 - (z90 + x_B * z91)
+        s12 = m_B * (z106 * z106 + z107 * z107 + z108 * z108)
+        z109 = B_xx * z103 + B_yy * (z46 * z46) + B_zz * z104 + s12
+        s13 = 0.5 * z105 + (B_xz * (w1 * w3) + 0.5 * z109)
+        z110 = H_xz * (z51 * o3) - 0.5 * z102 - s13
+        value1 = 0.5 * z98 - z110 - g * (z9 + m_F * (Sz - c * z7 - r_F * z8))
         return _single("energy", value1)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
         raise SingularModelError(NOT_FINITE, "energy") from error
@@ -1807,7 +1822,7 @@ def jacobian(
     steer = float(y[6])  # front frame against rear frame [rad]
     roll_dot = float(y[9])
     steer_dot = float(y[10])
-    thF_dot = float(y[11])
+    thR_dot = float(y[11])
     w = float(p[0])  # wheelbase [m]
     c = float(p[1])  # trail [m]
     lam = float(p[2])  # tilt of the steering axis, 18 degrees [rad]
@@ -1934,384 +1949,386 @@ def jacobian(
         z11 = 1.0 / abs(c_roll)
         z12 = r_R * z3
         z13 = z11 * z12
-        z14 = k10 + z13 + c_steer * z8
-        z15 = c_roll * z10 + e2z * z14
-        z16 = r_R * z2
-        z17 = z11 * z16
-        z18 = c_steer * z17
-        z19 = r_F * z2
-        z20 = z5 * z19
-        z21 = k16 + z20
-        z22 = z17 - z21
+        z14 = k10 + z13
+        z15 = z14 + c_steer * z8
+        z16 = c_roll * z10 + e2z * z15
+        z17 = r_F * z2
+        z18 = z5 * z17
+        z19 = r_R * z2
+        z20 = z11 * z19
+        z21 = k16 + z18
+        z22 = z20 - z21
         z23 = s_steer * z22
-        z24 = c_steer * z22
-        z25 = s_steer * z17
-        z26 = z18 * z23 - z24 * z25
-        z27 = c_steer * z21
-        z28 = c_steer * k10 + z8
-        z29 = s1 * z27 + c1 * z28
-        z30 = c_roll * z29 + e2z * z23
+        z24 = z18 * z23
+        z25 = c_steer * z21
+        z26 = c_steer * k10 + z8
+        z27 = s1 * z25 + c1 * z26
+        z28 = c_roll * z27 + e2z * z23
+        z29 = z18 * z28
+        z30 = c_steer * z22
         z31 = s_steer * z21
         z32 = s_steer * k10
         z33 = s1 * z31 + c1 * z32
-        z34 = c_roll * z33 - e2z * z24
-        z35 = z18 * z30 + z34 * z25
-        z36 = z24 * z30 + z34 * z23
-        z37 = z15 * z26 - z14 * z35 + z13 * z36
-        z38 = k17 * (9.0 + abs(z11))
-        s2 = k22 * (z38 + k24)
-        s3 = (z38 + k25) * s2
+        z34 = c_roll * z33 - e2z * z30
+        z35 = z30 * z28 + z34 * z23
+        z36 = z16 * z24 - z15 * z29 - z7 * z35
+        z37 = k17 * (9.0 + abs(z11))
+        s2 = k22 * (z37 + k24)
+        s3 = (z37 + k25) * s2
         # the coframe is singular
-        if not abs(z37) > 1e-12 * s3:
-            raise _refuse(abs(z37), 1e-12 * s3, 1, "jacobian")
-        z39 = 1.0 / z37
-        z40 = s_steer * c1
-        z41 = z8 * z40
-        z42 = c_steer * c1
-        z43 = r_R * c_roll
-        z44 = z43 * z11
-        z45 = k10 * s1 + z44
-        z46 = s1 * z7 - z20 * z42 - (k16 * z42 - k4 * s1 - c_steer * z45)
-        z47 = z20 * z40 + (k16 * z40 - s_steer * z45)
-        z48 = z18 * z46 - z25 * z47
-        z49 = z24 * z46 - z23 * z47
-        z50 = z26 * z41 + z14 * z48 - z13 * z49
-        z51 = z39 * z50
-        z52 = c_roll * z51
-        z53 = s1 + c1 * z52
-        z54 = z44 + k10 * z53
-        z55 = z30 * z47 + z34 * z46
-        z56 = z15 * z49 + z14 * z55 + z36 * z41
-        z57 = z39 * z56
-        z58 = z15 * z48 + z35 * z41 + z13 * z55
-        z59 = z39 * z58
-        z60 = z59 - e2z * z51
-        z61 = z57 - z60
-        z62 = z17 * z61
-        z63 = c_steer * z54 + s_steer * z62
-        z64 = c1 - s1 * z52
-        z65 = s_steer * z60 - c_steer * z64
-        z66 = k63 * z53 + (k48 * z63 + k62 * z65)
-        z67 = c_steer * z60 + s_steer * z64
-        z68 = c_steer * z62 - s_steer * z54
-        z69 = z13 * z61
-        z70 = z69 - k10 * z60
-        z71 = k59 * z67 + (k45 * z68 - k48 * z70)
-        z72 = k56 * z53 + (k45 * z63 + k55 * z65)
-        z73 = k43 * z70 - k48 * z67
-        z74 = k48 * z53 + (k43 * z63 + k45 * z65)
-        z75 = k43 * z68 + k45 * z67
-        z76 = k41 * z53 + (z44 * k28 - k40 * z64)
-        z77 = z60 * k37 + (z62 * k27 - z69 * k28)
-        z78 = k35 * z53 + (z44 * k27 - k34 * z64)
-        z79 = z69 * k26 - z60 * k28
-        z80 = z62 * k26 + z60 * k27
-        z81 = k28 * z53 + (z44 * k26 - k27 * z64)
-        s4 = z64 * z78 - (z69 * z79 + (z62 * z80 + z44 * z81))
-        z82 = z53 * z76 + (z60 * z77 - s4)
-        s5 = z65 * z72 + (z70 * z73 + (z63 * z74 + (z68 * z75 + z82)))
-        z83 = z53 * z66 + (z67 * z71 + s5)
-        z84 = z83 + R_yy * (z61 * z61) + F_yy * (z67 * z67)
+        if not abs(z36) > 1e-15 * s3:
+            raise _refuse(abs(z36), 1e-15 * s3, 1, "jacobian")
+        z38 = 1.0 / z36
+        z39 = s_steer * c1
+        z40 = z8 * z39
+        z41 = c_steer * c1
+        z42 = r_R * c_roll
+        z43 = z42 * z11
+        z44 = k10 * s1 + z43
+        z45 = s1 * z7 - z18 * z41 - (k16 * z41 - k4 * s1 - c_steer * z44)
+        z46 = z18 * z45
+        z47 = z18 * z39 + (k16 * z39 - s_steer * z44)
+        z48 = z30 * z45 - z23 * z47
+        z49 = z24 * z40 + z15 * z46 + z7 * z48
+        z50 = z38 * z49
+        z51 = c_roll * z50
+        z52 = s1 + c1 * z51
+        z53 = z43 + k10 * z52
+        z54 = z28 * z47 + z34 * z45
+        z55 = z16 * z46 + z29 * z40 - z7 * z54
+        z56 = z38 * z55
+        z57 = z56 - e2z * z50
+        z58 = z20 * z57
+        z59 = c_steer * z53 - s_steer * z58
+        z60 = c1 - s1 * z51
+        z61 = s_steer * z57 - c_steer * z60
+        z62 = k63 * z52 + (k48 * z59 + k62 * z61)
+        z63 = c_steer * z57 + s_steer * z60
+        z64 = c_steer * z58 + s_steer * z53
+        z65 = z14 * z57
+        z66 = k59 * z63 - (k45 * z64 - k48 * z65)
+        z67 = k56 * z52 + (k45 * z59 + k55 * z61)
+        z68 = k43 * z65 + k48 * z63
+        z69 = k48 * z52 + (k43 * z59 + k45 * z61)
+        z70 = k43 * z64 - k45 * z63
+        z71 = k41 * z52 + (z43 * k28 - k40 * z60)
+        z72 = z13 * z57
+        z73 = z57 * k37 - (z58 * k27 - z72 * k28)
+        z74 = k35 * z52 + (z43 * k27 - k34 * z60)
+        z75 = z72 * k26 + z57 * k28
+        z76 = z58 * k26 - z57 * k27
+        z77 = k28 * z52 + (z43 * k26 - k27 * z60)
+        s4 = z60 * z74 - (z72 * z75 + (z58 * z76 + z43 * z77))
+        z78 = z52 * z71 + (z57 * z73 - s4)
+        s5 = z61 * z67 + (z65 * z68 + (z59 * z69 + (z64 * z70 + z78)))
+        z79 = z52 * z62 + (z63 * z66 + s5)
+        z80 = z16 * z48 + z15 * z54 + z35 * z40
+        z81 = z38 * z80
+        z82 = z81 + z63
+        z83 = z79 + R_yy * (z57 * z57) + F_yy * (z82 * z82)
         # the mass matrix is singular
-        if not abs(z84) > 0.0:
-            raise _refuse(abs(z84), 0.0, 2, "jacobian")
-        z85 = z18 * z8
-        z86 = z24 * z8
-        z87 = z14 * z85 - z13 * z86
-        z88 = z39 * z87
-        z89 = c_roll * z88
-        z90 = c1 * z89
-        z91 = 1.0 + z90
-        z92 = k10 * z90
-        z93 = z34 * z8
-        z94 = z15 * z86 + z14 * z93
-        z95 = z39 * z94
-        z96 = z15 * z85 + z13 * z93
-        z97 = z39 * z96
-        z98 = z97 - e2z * z88
-        z99 = z95 - z98
-        z100 = z17 * z99
-        z101 = c_steer * z92 + s_steer * z100
-        z102 = s1 * z89
-        z103 = s_steer * z98 + c_steer * z102
-        z104 = k63 * z91 + (k48 * z101 + k62 * z103)
-        z105 = c_steer * z98 - s_steer * z102
-        z106 = c_steer * z100 - s_steer * z92
-        z107 = z13 * z99
-        z108 = z107 - k10 * z98
-        z109 = k59 * z105 + (k45 * z106 - k48 * z108)
-        z110 = k56 * z91 + (k45 * z101 + k55 * z103)
-        z111 = k43 * z108 - k48 * z105
-        z112 = k48 * z91 + (k43 * z101 + k45 * z103)
-        z113 = k43 * z106 + k45 * z105
-        z114 = k40 * z102 + k41 * z90
-        z115 = z98 * k37 + (z100 * k27 - z107 * k28)
-        z116 = k34 * z102 + k35 * z90
-        z117 = z100 * k26 + z98 * k27
-        z118 = z107 * k26 - z98 * k28
-        s6 = z98 * z115 + (z102 * z116 + (z100 * z117 + z107 * z118))
-        z119 = z106 * z113 + (z90 * z114 + s6)
-        s7 = z103 * z110 + (z108 * z111 + (z101 * z112 + z119))
-        z120 = z91 * z104 + (z105 * z109 + s7) + R_yy * (z99 * z99)
-        z121 = z120 + F_yy * (z105 * z105)
-        s8 = z98 * z77 + (z102 * z78 + (z100 * z80 + z107 * z79))
-        z122 = z106 * z75 + (z90 * z76 + s8)
-        s9 = z105 * z71 + (z103 * z72 + (z108 * z73 + (z101 * z74 + z122)))
-        z123 = z91 * z66 + s9 + R_yy * (z61 * z99)
-        z124 = z123 + F_yy * (z67 * z105)
-        z125 = 1.0 / z84
-        z126 = z124 * z125
-        z127 = z121 - z124 * z126
+        if not abs(z83) > 0.0:
+            raise _refuse(abs(z83), 0.0, 2, "jacobian")
+        z84 = z18 * z8
+        z85 = z30 * z8
+        z86 = z15 * z84 + z7 * z85
+        z87 = z38 * z86
+        z88 = c_roll * z87
+        z89 = c1 * z88
+        z90 = 1.0 + z89
+        z91 = k10 * z89
+        z92 = z34 * z8
+        z93 = z16 * z84 - z7 * z92
+        z94 = z38 * z93
+        z95 = z94 - e2z * z87
+        z96 = z20 * z95
+        z97 = c_steer * z91 - s_steer * z96
+        z98 = s1 * z88
+        z99 = s_steer * z95 + c_steer * z98
+        z100 = k63 * z90 + (k48 * z97 + k62 * z99)
+        z101 = c_steer * z95 - s_steer * z98
+        z102 = c_steer * z96 + s_steer * z91
+        z103 = z14 * z95
+        z104 = k59 * z101 - (k45 * z102 - k48 * z103)
+        z105 = k56 * z90 + (k45 * z97 + k55 * z99)
+        z106 = k43 * z103 + k48 * z101
+        z107 = k48 * z90 + (k43 * z97 + k45 * z99)
+        z108 = k43 * z102 - k45 * z101
+        z109 = k40 * z98 + k41 * z89
+        z110 = z13 * z95
+        z111 = z95 * k37 - (z96 * k27 - z110 * k28)
+        z112 = k34 * z98 + k35 * z89
+        z113 = z96 * k26 - z95 * k27
+        z114 = z110 * k26 + z95 * k28
+        s6 = z95 * z111 + (z98 * z112 + (z96 * z113 + z110 * z114))
+        z115 = z102 * z108 + (z89 * z109 + s6)
+        s7 = z99 * z105 + (z103 * z106 + (z97 * z107 + z115))
+        z116 = z90 * z100 + (z101 * z104 + s7) + R_yy * (z95 * z95)
+        z117 = z16 * z85 + z15 * z92
+        z118 = z38 * z117
+        z119 = z118 + z101
+        z120 = z116 + F_yy * (z119 * z119)
+        s8 = z95 * z73 + (z98 * z74 + (z96 * z76 + z110 * z75))
+        z121 = z102 * z70 + (z89 * z71 + s8)
+        s9 = z101 * z66 + (z99 * z67 + (z103 * z68 + (z97 * z69 + z121)))
+        z122 = z90 * z62 + s9 + R_yy * (z57 * z95)
+        z123 = z122 + F_yy * (z82 * z119)
+        z124 = 1.0 / z83
+        z125 = z123 * z124
+        z126 = z120 - z123 * z125
         # the mass matrix is singular
-        if not abs(z127) > 1e-14 * z121:
-            raise _refuse(abs(z127), 1e-14 * z121, 2, "jacobian")
-        z128 = z20 * z25
-        z129 = z20 * z23
-        z130 = z7 * z26 - z14 * z128 + z13 * z129
-        z131 = z39 * z130
-        z132 = c_roll * z131
-        z133 = c1 * z132
-        z134 = k10 * z133
-        z135 = z20 * z30
-        z136 = z15 * z129 - z14 * z135 - z7 * z36
-        z137 = z39 * z136
-        z138 = z15 * z128 - z7 * z35 - z13 * z135
-        z139 = z39 * z138
-        z140 = z139 + e2z * z131
-        z141 = z137 - z140
-        z142 = z17 * z141
-        z143 = c_steer * z134 - s_steer * z142
-        z144 = s1 * z132
-        z145 = s_steer * z140 - c_steer * z144
-        z146 = k63 * z133 + (k48 * z143 - k62 * z145)
-        z147 = c_steer * z140 + s_steer * z144
-        z148 = c_steer * z142 + s_steer * z134
-        z149 = z13 * z141
-        z150 = z149 - k10 * z140
-        z151 = k59 * z147 + (k45 * z148 - k48 * z150)
-        z152 = k56 * z133 + (k45 * z143 - k55 * z145)
-        z153 = k43 * z150 - k48 * z147
-        z154 = k48 * z133 + (k43 * z143 - k45 * z145)
-        z155 = k43 * z148 + k45 * z147
-        z156 = k40 * z144 + k41 * z133
-        z157 = z140 * k37 + (z142 * k27 - z149 * k28)
-        z158 = k34 * z144 + k35 * z133
-        z159 = z142 * k26 + z140 * k27
-        z160 = z149 * k26 - z140 * k28
-        s10 = z140 * z157 + (z144 * z158 + (z142 * z159 + z149 * z160))
-        z161 = z148 * z155 + (z133 * z156 + s10)
-        s11 = z145 * z152 - (z150 * z153 + (z143 * z154 + z161))
-        z162 = z133 * z146 + (z147 * z151 - s11) + R_yy * (z141 * z141)
-        z163 = 1.0 - z147
-        z164 = z162 + F_yy * (z163 * z163)
-        s12 = z140 * z77 - (z144 * z78 - (z142 * z80 + z149 * z79))
-        z165 = z148 * z75 - (z133 * z76 - s12)
-        s13 = z147 * z71 + (z145 * z72 + (z150 * z73 - (z143 * z74 - z165)))
-        z166 = z133 * z66 - s13 - R_yy * (z61 * z141)
-        z167 = z166 + F_yy * (z67 * z163)
-        z168 = z167 * z125
-        s14 = z140 * z115 - (z144 * z116 - (z142 * z117 + z149 * z118))
-        z169 = z148 * z113 - (z133 * z114 - s14)
-        s15 = z145 * z110 + (z150 * z111 - (z143 * z112 - z169))
-        z170 = z133 * z104 - (z147 * z109 + s15) - R_yy * (z99 * z141)
-        z171 = z170 + F_yy * (z105 * z163) - z124 * z168
-        z172 = 1.0 / z127
-        z173 = z171 * z172
-        z174 = z164 - z167 * z168 - z171 * z173
+        if not abs(z126) > 1e-14 * z120:
+            raise _refuse(abs(z126), 1e-14 * z120, 2, "jacobian")
+        z127 = s_steer * z20
+        z128 = z18 * z127
+        z129 = c_steer * z20
+        z130 = z30 * z127 - z129 * z23
+        z131 = z13 * z24 - z15 * z128 - z7 * z130
+        z132 = z38 * z131
+        z133 = c_roll * z132
+        z134 = c1 * z133
+        z135 = k10 * z134
+        z136 = z129 * z28 + z34 * z127
+        z137 = z16 * z128 - z13 * z29 - z7 * z136
+        z138 = z38 * z137
+        z139 = z138 + e2z * z132
+        z140 = 1.0 - z139
+        z141 = z20 * z140
+        z142 = c_steer * z135 - s_steer * z141
+        z143 = s1 * z133
+        z144 = s_steer * z139 - c_steer * z143
+        z145 = k63 * z134 + (k48 * z142 - k62 * z144)
+        z146 = c_steer * z139 + s_steer * z143
+        z147 = c_steer * z141 + s_steer * z135
+        z148 = z13 * z140
+        z149 = z148 - k10 * z139
+        z150 = k59 * z146 + (k45 * z147 - k48 * z149)
+        z151 = k56 * z134 + (k45 * z142 - k55 * z144)
+        z152 = k43 * z149 - k48 * z146
+        z153 = k48 * z134 + (k43 * z142 - k45 * z144)
+        z154 = k43 * z147 + k45 * z146
+        z155 = k40 * z143 + k41 * z134
+        z156 = z139 * k37 + (z141 * k27 - z148 * k28)
+        z157 = k34 * z143 + k35 * z134
+        z158 = z141 * k26 + z139 * k27
+        z159 = z148 * k26 - z139 * k28
+        s10 = z139 * z156 + (z143 * z157 + (z141 * z158 + z148 * z159))
+        z160 = z147 * z154 + (z134 * z155 + s10)
+        s11 = z144 * z151 - (z149 * z152 + (z142 * z153 + z160))
+        z161 = z134 * z145 + (z146 * z150 - s11) + R_yy * (z140 * z140)
+        z162 = z16 * z130 + z15 * z136 - z13 * z35
+        z163 = z38 * z162
+        z164 = z163 + z146
+        z165 = z161 + F_yy * (z164 * z164)
+        s12 = z139 * z73 - (z143 * z74 + (z141 * z76 + z148 * z75))
+        z166 = z147 * z70 + (z134 * z71 - s12)
+        s13 = z146 * z66 + (z144 * z67 - (z149 * z68 + (z142 * z69 + z166)))
+        z167 = z134 * z62 - s13 + R_yy * (z57 * z140)
+        z168 = z167 - F_yy * (z82 * z164)
+        z169 = z168 * z124
+        s14 = z139 * z111 - (z143 * z112 + (z141 * z113 + z148 * z114))
+        z170 = z147 * z108 + (z134 * z109 - s14)
+        s15 = z144 * z105 - (z149 * z106 + (z142 * z107 + z170))
+        z171 = z134 * z100 - (z146 * z104 + s15) + R_yy * (z95 * z140)
+        z172 = z171 - F_yy * (z119 * z164) - z123 * z169
+        z173 = 1.0 / z126
+        z174 = z172 * z173
+        z175 = z165 - z168 * z169 - z172 * z174
         # the mass matrix is singular
-        if not abs(z174) > 1e-14 * z164:
-            raise _refuse(abs(z174), 1e-14 * z164, 2, "jacobian")
+        if not abs(z175) > 1e-14 * z165:
+            raise _refuse(abs(z175), 1e-14 * z165, 2, "jacobian")
         s_yaw = math.sin(yaw)
-        z175 = s1 * z62 - c1 * z69
-        z176 = e2z * z175 - c_roll * z44
+        z176 = s1 * z58 - c1 * z72
+        z177 = e2z * z176 + c_roll * z43
         c_yaw = math.cos(yaw)
-        z177 = s1 * z69 + c1 * z62
-        z178 = s1 * z100 - c1 * z107
-        z179 = e2z * z178
-        z180 = s1 * z107 + c1 * z100
-        z181 = s1 * z142 - c1 * z149
-        z182 = e2z * z181
-        z183 = s1 * z149 + c1 * z142
-        z184 = z11 * z11
-        z185 = roll_dot * r_R
-        z186 = c_roll * z185
-        z187 = z5 * z5
-        v2_x = z11 * z186
-        z188 = z39 * z39
-        z189 = roll_dot * c1
-        z190 = s_steer * z189
-        z191 = thF_dot - z190
+        z178 = s1 * z72 + c1 * z58
+        z179 = s1 * z96 - c1 * z110
+        z180 = e2z * z179
+        z181 = s1 * z110 + c1 * z96
+        z182 = s1 * z141 - c1 * z148
+        z183 = e2z * z182
+        z184 = s1 * z148 + c1 * z141
+        z185 = z11 * z11
+        z186 = roll_dot * r_R
+        z187 = c_roll * z186
+        z188 = z5 * z5
+        v2_x = z11 * z187
+        z189 = z38 * z38
+        z190 = roll_dot * c1
+        z191 = s_steer * z190
         z192 = roll_dot * s1
         z193 = steer_dot + z192
-        z194 = c_steer * z189
-        z195 = v2_x + k10 * z192
-        z196 = k4 * z190 - z7 * z191
-        s16 = k16 * z194 - k4 * z193 - c_steer * z195
-        z197 = z7 * z193 - z20 * z194 - s16
-        z198 = z20 * z191 - (k16 * z190 - s_steer * z195)
-        z199 = z18 * z197 + z25 * z198
-        z200 = z24 * z197 + z23 * z198
-        z201 = z26 * z196 + z14 * z199 - z13 * z200
-        z202 = z30 * z198 - z34 * z197
-        z203 = z15 * z199 + z35 * z196 - z13 * z202
-        z204 = z15 * z200 - z14 * z202 + z36 * z196
-        z205 = z39 * z201
-        z206 = z39 * z204
-        z207 = z39 * z203
-        z208 = z207 - e2z * z205
-        z209 = z206 - z208
-        z210 = z17 * z209
+        z194 = c_steer * z190
+        z195 = thR_dot * z20
+        z196 = v2_x + k10 * z192
+        z197 = z7 * z191 + (k4 * z191 - thR_dot * z13)
+        s16 = k16 * z194 - k4 * z193 - (s_steer * z195 + c_steer * z196)
+        z198 = z7 * z193 - z18 * z194 - s16
+        z199 = z18 * z198
+        z200 = z18 * z191 + (k16 * z191 - (s_steer * z196 - c_steer * z195))
+        z201 = z30 * z198 - z23 * z200
+        z202 = z24 * z197 + z15 * z199 + z7 * z201
+        z203 = z28 * z200 + z34 * z198
+        z204 = z16 * z199 + z29 * z197 - z7 * z203
+        z205 = z16 * z201 + z15 * z203 + z35 * z197
+        z206 = z38 * z202
+        z207 = z38 * z204
+        z208 = z207 - e2z * z206
+        z209 = thR_dot - z208
+        z210 = z20 * z209
         z211 = z13 * z209
         z212 = s1 * z210 - c1 * z211
-        z213 = s1 * z211 + c1 * z210
-        z214 = c_roll * v2_x - e2z * z212
-        z272 = 1.0 / z174
-        z273 = steer_dot * s_steer
-        z274 = roll_dot * e2z
-        z275 = s1 * z207
-        z276 = z274 * c1 - c_roll * z275
-        z277 = roll_dot * c_roll
-        z278 = steer_dot * c_steer
-        z279 = c1 * z207
-        z280 = z274 * s1 + c_roll * z279
-        z281 = s_steer * z277 + e2z * z278 + (z273 * z3 + c_steer * z280)
-        z282 = z2 * z276 - z4 * z281
-        z283 = z5 * z282
-        z284 = z187 * z283
-        z285 = r_F * z281
-        z286 = z6 * z284 + z5 * z285
-        z287 = roll_dot * z279
-        z288 = r_F * z276
-        z289 = z19 * z284 - z5 * z288
-        z290 = roll_dot * z275
-        z291 = z273 * z189 - c_steer * z290
-        z292 = c_roll * z274
-        z293 = z11 * z292
-        z294 = z293 * z184
-        z295 = z274 * z185
-        z296 = z186 * z294 - z11 * z295 - k10 * z287
-        s17 = k16 * z291 - k4 * z287 - (z273 * z195 - c_steer * z296)
-        z297 = z193 * z286 - z7 * z287 - (z194 * z289 - z20 * z291) + s17
-        z298 = r_R * z276
-        z299 = z16 * z294 - z11 * z298
-        z300 = z278 * z17 + s_steer * z299
-        z301 = z273 * z21 - c_steer * z289
-        z302 = z273 * k10 - z286
-        z303 = z27 * z279 + s1 * z301 - (z28 * z275 - c1 * z302)
-        z304 = z299 - z289
-        z305 = z278 * z22 + s_steer * z304
-        z306 = z274 * z29 + c_roll * z303 - (z277 * z23 + e2z * z305)
-        z307 = z297 + (z206 * z300 - (z205 * z306 + z207 * z305))
-        z308 = z278 * z189 + s_steer * z290
-        z309 = z273 * z17 - c_steer * z299
-        z310 = z278 * z21 + s_steer * z289
-        z311 = z278 * k10
-        z312 = z31 * z279 - s1 * z310 - (c1 * z311 + z32 * z275)
-        z313 = z273 * z22 - c_steer * z304
-        z314 = z274 * z33 + c_roll * z312 + (z277 * z24 - e2z * z313)
-        s18 = k16 * z308 - (z278 * z195 + s_steer * z296)
-        s19 = z206 * z309 - (z205 * z314 + z207 * z313)
-        z315 = z191 * z289 - z20 * z308 - s18 + s19
-        z316 = z18 * z307 + z25 * z315
-        z317 = r_R * z280
-        z318 = z12 * z294 - z11 * z317
-        z319 = z278 * z8 + s_steer * z286
-        z320 = z9 * z279 - s1 * z319
-        z321 = z318 - (z273 * z8 - c_steer * z286)
-        z322 = z274 * z10 + c_roll * z320 - (z277 * z14 + e2z * z321)
-        s20 = z206 * z318 - (z205 * z322 + z207 * z321)
-        z323 = k4 * z308 - (z191 * z286 - z7 * z308) - s20
-        z324 = z30 * z315 - z34 * z307
-        z325 = z15 * z316 + z35 * z323 - z13 * z324
-        z326 = z24 * z307 + z23 * z315
-        z327 = z26 * z323 + z14 * z316 - z13 * z326
-        z328 = z39 * z327
-        z329 = z39 * z325 - (z277 * z205 + e2z * z328)
-        z330 = c_roll * z205
-        z331 = z189 - s1 * z330
-        z332 = z274 * z205 - c_roll * z328
-        z333 = z290 + (z330 * z279 + s1 * z332)
-        z334 = z273 * z208 - c_steer * z329 - (z278 * z331 + s_steer * z333)
-        z335 = z15 * z326 - z14 * z324 + z36 * z323
-        z336 = z39 * z335 - z329
-        v2_x_2 = roll_dot * z44
-        z337 = z192 + c1 * z330
-        z338 = z209 * z299 + z17 * z336 - (z208 * z211 - v2_x_2 * z337)
+        z213 = c_roll * v2_x - e2z * z212
+        z214 = s1 * z211 + c1 * z210
+        z271 = 1.0 / z175
+        z272 = roll_dot * e2z
+        z273 = s1 * z207
+        z274 = z272 * c1 - c_roll * z273
+        z275 = roll_dot * c_roll
+        z276 = steer_dot * c_steer
+        z277 = steer_dot * s_steer
+        z278 = c1 * z207
+        z279 = z272 * s1 + c_roll * z278
+        z280 = s_steer * z275 + e2z * z276 + (z277 * z3 + c_steer * z279)
+        z281 = z2 * z274 - z4 * z280
+        z282 = z5 * z281
+        z283 = z188 * z282
+        z284 = r_F * z280
+        z285 = z6 * z283 + z5 * z284
+        z286 = roll_dot * z278
+        z287 = r_F * z274
+        z288 = z17 * z283 - z5 * z287
+        z289 = roll_dot * z273
+        z290 = z277 * z190 - c_steer * z289
+        z291 = c_roll * z272
+        z292 = z11 * z291
+        z293 = z292 * z185
+        z294 = r_R * z274
+        z295 = z19 * z293 - z11 * z294
+        z296 = thR_dot * z295
+        z297 = z272 * z186
+        z298 = z187 * z293 - z11 * z297 - k10 * z286
+        s17 = z276 * z195 + s_steer * z296 - (z277 * z196 - c_steer * z298)
+        z299 = k16 * z290 - k4 * z286 + s17
+        z300 = z277 * z21 - c_steer * z288
+        z301 = z277 * k10 - z285
+        z302 = z25 * z278 + s1 * z300 - (z26 * z273 - c1 * z301)
+        z303 = z295 - z288
+        z304 = z276 * z22 + s_steer * z303
+        z305 = z272 * z27 + c_roll * z302 - (z275 * z23 + e2z * z304)
+        s18 = z193 * z285 - z7 * z286 - (z194 * z288 - z18 * z290) + z299
+        z306 = s18 - (z206 * z305 + z207 * z304)
+        z307 = z276 * z190 + s_steer * z289
+        s19 = z276 * z196 + s_steer * z298 + (z277 * z195 - c_steer * z296)
+        z308 = z191 * z288 + z18 * z307 + (k16 * z307 - s19)
+        z309 = z38 * z205
+        z310 = z276 * z21 + s_steer * z288
+        z311 = z276 * k10
+        z312 = z31 * z278 - s1 * z310 - (c1 * z311 + z32 * z273)
+        z313 = z277 * z22 - c_steer * z303
+        z314 = z272 * z33 + c_roll * z312 + (z275 * z30 - e2z * z313)
+        z315 = z308 + (z309 * z288 + (z206 * z314 + z207 * z313))
+        z316 = z30 * z306 - z23 * z315
+        z317 = z28 * z315 + z34 * z306
+        z318 = r_R * z279
+        z319 = z12 * z293 - z11 * z318
+        z320 = z276 * z8 + s_steer * z285
+        z321 = z9 * z278 - s1 * z320
+        z322 = z319 - (z277 * z8 - c_steer * z285)
+        z323 = z272 * z10 + c_roll * z321 - (z275 * z15 + e2z * z322)
+        s20 = z191 * z285 + z7 * z307 + (k4 * z307 - thR_dot * z319)
+        z324 = s20 + (z309 * z285 + (z206 * z323 + z207 * z322))
+        z325 = z16 * z316 + z15 * z317 + z35 * z324
+        z326 = z18 * z306
+        z327 = z16 * z326 + z29 * z324 - z7 * z317
+        z328 = z24 * z324 + z15 * z326 + z7 * z316
+        z329 = z38 * z328
+        z330 = z38 * z327 - (z275 * z206 + e2z * z329)
+        z331 = c_roll * z206
+        z332 = z190 - s1 * z331
+        z333 = z272 * z206 - c_roll * z329
+        z334 = z289 + (z331 * z278 + s1 * z333)
+        z335 = z277 * z208 - c_steer * z330 - (z276 * z332 + s_steer * z334)
+        z336 = z38 * z325 - z335
+        v2_x_2 = roll_dot * z43
+        z337 = z192 + c1 * z331
+        z338 = z209 * z295 - z20 * z330 - (z208 * z211 - v2_x_2 * z337)
         z339 = k10 * z208
         z340 = k10 * z337
         z341 = z338 + (z208 * z339 + z337 * z340)
-        z342 = r_R * z274
-        z343 = z11 * z342 - z43 * z294
-        z344 = roll_dot * z343 + (z210 * z337 - z211 * z331)
-        z345 = z287 - (z330 * z275 - c1 * z332)
-        z346 = z344 + (k10 * z345 + z339 * z331)
+        z342 = r_R * z272
+        z343 = z11 * z342 - z42 * z293
+        z344 = roll_dot * z343 + (z210 * z337 - z211 * z332)
+        z345 = z286 - (z331 * z273 - c1 * z333)
+        z346 = z344 + (k10 * z345 + z339 * z332)
         z347 = c_steer * z341 + s_steer * z346
-        z348 = z209 * z318 + z13 * z336 - (v2_x_2 * z331 - z208 * z210)
-        z349 = z348 - (k10 * z329 + z331 * z340)
+        z348 = z209 * z319 - z13 * z330 - (v2_x_2 * z332 - z208 * z210)
+        z349 = z348 - (k10 * z330 + z332 * z340)
         w3_steer = steer_dot + z337
-        z350 = s_steer * z208 - c_steer * z331
+        z350 = s_steer * z208 - c_steer * z332
         z351 = k55 * z350 + k56 * w3_steer
         z352 = k62 * z350 + k63 * w3_steer
-        s21 = k59 * z334 - (k45 * z347 - k48 * z349)
+        s21 = k59 * z335 - (k45 * z347 - k48 * z349)
         s22 = z4 * k71 + z2 * k70 + (z4 * k74 - z2 * k73)
         z353 = s22 - (s21 - (w3_steer * z351 - z350 * z352))
         h2z = e2z * c_steer + s_steer * z3
         z354 = c_steer * z346 - s_steer * z341
-        z355 = z278 * z208 + s_steer * z329 + (z273 * z331 - c_steer * z333)
-        z356 = c_steer * z208 + s_steer * z331
-        z357 = F_yy * (thF_dot - z356) - k59 * z356
+        z355 = z276 * z208 + s_steer * z330 + (z277 * z332 - c_steer * z334)
+        z356 = c_steer * z208 + s_steer * z332
+        z357 = F_yy * (z309 + z356) + k59 * z356
         s23 = k56 * z345 + (k45 * z354 - k55 * z355)
-        z358 = h2z * k75 + (s23 - (z356 * z352 + w3_steer * z357))
+        z358 = h2z * k75 + (s23 - (z356 * z352 - w3_steer * z357))
         z359 = k45 * z350 + k48 * w3_steer
         z360 = k45 * z356
-        s24 = k43 * z349 + k48 * z334 + (z350 * z359 + z356 * z360)
+        s24 = k43 * z349 + k48 * z335 + (z350 * z359 + z356 * z360)
         z361 = z2 * k72 + s24
         z362 = k48 * z356
         s25 = k48 * z345 + (k43 * z354 - k45 * z355)
         z363 = h2z * k72 + (s25 + (w3_steer * z360 - z350 * z362))
-        s26 = k43 * z347 - k45 * z334 + (z356 * z362 + w3_steer * z359)
+        s26 = k43 * z347 - k45 * z335 + (z356 * z362 + w3_steer * z359)
         z364 = z4 * k72 + s26
         z365 = R_yy * z209 - k37 * z208
-        z366 = k34 * z331 - k35 * z337
-        s27 = k41 * z345 + (k28 * z344 + k40 * z333)
-        z367 = e2z * k68 + (s27 - (z331 * z365 + z208 * z366))
+        z366 = k34 * z332 - k35 * z337
+        s27 = k41 * z345 + (k28 * z344 + k40 * z334)
+        z367 = e2z * k68 + (s27 - (z332 * z365 + z208 * z366))
         s28 = k63 * z345 + (k48 * z354 - k62 * z355)
-        z368 = h2z * k76 - (s28 + (z350 * z357 + z356 * z351))
+        z368 = h2z * k76 - (s28 - (z350 * z357 - z356 * z351))
         z369 = z367 - z368
-        z370 = k40 * z331 - k41 * z337
-        s29 = k37 * z329 + (k27 * z338 - k28 * z348)
-        z371 = z3 * k69 + z2 * k68 - (s29 - (z337 * z366 + z331 * z370))
-        s30 = k35 * z345 + (k27 * z344 + k34 * z333)
+        z370 = k40 * z332 - k41 * z337
+        s29 = k37 * z330 + (k27 * z338 - k28 * z348)
+        z371 = z3 * k69 + z2 * k68 - (s29 - (z337 * z366 + z332 * z370))
+        s30 = k35 * z345 + (k27 * z344 + k34 * z334)
         z372 = e2z * k69 + (s30 + (z208 * z370 - z337 * z365))
-        z373 = k27 * z331 - k28 * z337
+        z373 = k27 * z332 - k28 * z337
         z374 = k27 * z208
-        s31 = k26 * z348 - k28 * z329 + (z331 * z373 + z208 * z374)
+        s31 = k26 * z348 - k28 * z330 + (z332 * z373 + z208 * z374)
         z375 = z2 * k67 + s31
         z376 = k28 * z208
-        s32 = k26 * z338 + k27 * z329 + (z208 * z376 - z337 * z373)
+        s32 = k26 * z338 + k27 * z330 + (z208 * z376 - z337 * z373)
         z377 = z3 * k67 - s32
-        s33 = k28 * z345 + (k26 * z344 + k27 * z333)
-        z378 = e2z * k67 + (s33 + (z337 * z374 + z331 * z376))
-        z379 = z187 * z187
-        z380 = z184 * (1.0 / c_roll)
-        s34 = z140 * z371 - (z144 * z372 - (z142 * z377 - z149 * z375))
-        z381 = z148 * z364 + (z133 * z367 - s34)
-        s35 = z145 * z358 - (z150 * z361 + (z143 * z363 + z381))
-        z382 = z133 * z368 - (z147 * z353 - s35) - R_yy * (z141 * z336)
-        s36 = z64 * z372 + (z69 * z375 - (z62 * z377 + z44 * z378))
-        z383 = z53 * z367 + (z60 * z371 - s36)
-        s37 = z65 * z358 - (z70 * z361 - (z63 * z363 - (z68 * z364 - z383)))
-        z384 = z53 * z368 + (z67 * z353 - s37)
-        z385 = z384 + R_yy * (z61 * z336) - F_yy * (z67 * z334)
-        s38 = z98 * z371 + (z102 * z372 + (z100 * z377 - z107 * z375))
-        z386 = z106 * z364 - (z90 * z367 + s38)
-        s39 = z103 * z358 - (z108 * z361 - (z101 * z363 - z386))
-        z387 = z91 * z368 + (z105 * z353 - s39) + R_yy * (z99 * z336)
-        z388 = z387 - F_yy * (z105 * z334) - z385 * z126
-        s40 = z382 - F_yy * (z163 * z334) - z385 * z168 - z173 * z388
-        z389 = z272 * s40
-        z390 = z172 * z388 - z173 * z389
-        z391 = z385 * z125 - z126 * z390 - z168 * z389
+        s33 = k28 * z345 + (k26 * z344 + k27 * z334)
+        z378 = e2z * k67 + (s33 + (z337 * z374 + z332 * z376))
+        z379 = z191 + z309
+        z380 = z188 * z188
+        z381 = z185 * (1.0 / c_roll)
+        s34 = z139 * z371 - (z143 * z372 - (z141 * z377 - z148 * z375))
+        z382 = z147 * z364 + (z134 * z367 - s34)
+        s35 = z144 * z358 - (z149 * z361 + (z142 * z363 + z382))
+        z383 = z134 * z368 - (z146 * z353 - s35) + R_yy * (z140 * z330)
+        s36 = z60 * z372 - (z72 * z375 - (z58 * z377 - z43 * z378))
+        z384 = z52 * z367 + (z57 * z371 - s36)
+        s37 = z61 * z358 + (z65 * z361 + (z59 * z363 + (z64 * z364 + z384)))
+        z385 = z52 * z368 + (z63 * z353 - s37)
+        z386 = z385 + R_yy * (z57 * z330) + F_yy * (z82 * z336)
+        s38 = z95 * z371 + (z98 * z372 - (z96 * z377 - z110 * z375))
+        z387 = z102 * z364 + (z89 * z367 + s38)
+        s39 = z99 * z358 + (z103 * z361 + (z97 * z363 + z387))
+        z388 = z90 * z368 + (z101 * z353 - s39) + R_yy * (z95 * z330)
+        z389 = z388 + F_yy * (z119 * z336) - z386 * z125
+        s40 = z383 - F_yy * (z164 * z336) - z386 * z169 - z174 * z389
+        z390 = z271 * s40
+        z391 = z173 * z389 - z174 * z390
+        z392 = z386 * z124 - z125 * z391 - z169 * z390
         J: list[float] = [
             0.0,
             0.0,
@@ -2323,26 +2340,11 @@ def jacobian(
             0.0,
             0.0,
             # (I.2.15)
-            s_yaw * z176 - c_yaw * z177,
+            c_yaw * z178 - s_yaw * z177,
             # (I.2.15)
-            s_yaw * z179 - c_yaw * z180,
+            c_yaw * z181 - s_yaw * z180,
             # (I.2.15)
-            s_yaw * z182 - c_yaw * z183,
-            0.0,
-            0.0,
-            0.0,
-            0.0,
-            0.0,
-            0.0,
-            0.0,
-            0.0,
-            0.0,
-            # (I.2.15)
-            -(s_yaw * z177 + c_yaw * z176),
-            # (I.2.15)
-            -(s_yaw * z180 + c_yaw * z179),
-            # (I.2.15)
-            -(s_yaw * z183 + c_yaw * z182),
+            s_yaw * z183 - c_yaw * z184,
             0.0,
             0.0,
             0.0,
@@ -2353,11 +2355,11 @@ def jacobian(
             0.0,
             0.0,
             # (I.2.15)
-            e2z * z44 + c_roll * z175,
+            s_yaw * z178 + c_yaw * z177,
             # (I.2.15)
-            c_roll * z178,
+            s_yaw * z181 + c_yaw * z180,
             # (I.2.15)
-            c_roll * z181,
+            -(s_yaw * z184 + c_yaw * z183),
             0.0,
             0.0,
             0.0,
@@ -2368,11 +2370,55 @@ def jacobian(
             0.0,
             0.0,
             # (I.2.15)
-            z51,
+            e2z * z43 - c_roll * z176,
             # (I.2.15)
-            z88,
+            -c_roll * z179,
             # (I.2.15)
-            -z131,
+            c_roll * z182,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            # (I.2.15)
+            z50,
+            # (I.2.15)
+            z87,
+            # (I.2.15)
+            -z132,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            # (I.2.15)
+            1.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            # (I.2.15)
+            -z56,
+            # (I.2.15)
+            -z94,
+            # (I.2.15)
+            -z138,
+            0.0,
             0.0,
             0.0,
             0.0,
@@ -2395,21 +2441,6 @@ def jacobian(
             0.0,
             0.0,
             0.0,
-            # (I.2.15)
-            -z59,
-            # (I.2.15)
-            -z97,
-            # (I.2.15)
-            -z139,
-            0.0,
-            0.0,
-            0.0,
-            0.0,
-            0.0,
-            0.0,
-            0.0,
-            0.0,
-            0.0,
             0.0,
             # (I.2.15)
             1.0,
@@ -2422,26 +2453,12 @@ def jacobian(
             0.0,
             0.0,
             0.0,
-            0.0,
             # (I.2.15)
-            z57,
+            -z81,
             # (I.2.15)
-            z95,
+            -z118,
             # (I.2.15)
-            z137,
-            0.0,
-            0.0,
-            0.0,
-            0.0,
-            0.0,
-            0.0,
-            0.0,
-            0.0,
-            0.0,
-            0.0,
-            0.0,
-            # (I.2.15)
-            1.0,
+            -z163,
             0.0,
             0.0,
             0.0,
@@ -2486,572 +2503,574 @@ def jacobian(
             turn_4 = 1.0 if k77 == 1 else 0.0
             turn_5 = 1.0 if k77 == 2 else 0.0
             turn_6 = 1.0 if k77 == 3 else 0.0
-            z215 = s_yaw * turn_3
-            z216 = c1 * turn_5
-            z217 = e2z * turn_4
-            z218 = z184 * (z11 * (c_roll * z217))
-            z219 = s1 * z217 - c_roll * z216
-            z220 = z12 * z218 - z11 * (r_R * z219)
-            z221 = c_steer * turn_6
-            z222 = s1 * turn_5
-            z223 = c1 * z217 + c_roll * z222
-            z224 = c_roll * turn_4
+            z215 = c_yaw * turn_3
+            z216 = e2z * turn_4
+            z217 = z185 * (z11 * (c_roll * z216))
+            z218 = z187 * z217 - z11 * (z186 * z216)
+            z219 = c_roll * turn_4
+            z220 = c1 * turn_5
+            z221 = s1 * turn_5
+            z222 = c1 * z216 + c_roll * z221
+            z223 = z19 * z217 - z11 * (r_R * z222)
+            z224 = c_steer * turn_6
             z225 = s_steer * turn_6
-            z226 = s_steer * z224 + e2z * z221 + (z3 * z225 + c_steer * z219)
-            z227 = z187 * (z5 * (z2 * z223 - z4 * z226))
-            z228 = z6 * z227 + z5 * (r_F * z226)
-            z229 = z220 - (z8 * z225 - c_steer * z228)
-            s41 = c_roll * (z9 * z216 + s1 * (z8 * z221 + s_steer * z228))
-            z230 = z10 * z217 - s41 - (z14 * z224 + e2z * z229)
-            z231 = z16 * z218 - z11 * (r_R * z223)
-            z232 = z17 * z225 - c_steer * z231
-            z233 = z19 * z227 - z5 * (r_F * z223)
-            z234 = z231 - z233
-            z235 = z22 * z221 + s_steer * z234
-            z236 = z22 * z225 - c_steer * z234
-            z237 = z17 * z221 + s_steer * z231
-            z238 = z23 * z232 - z18 * z235 - (z25 * z236 - z24 * z237)
-            s42 = z27 * z216 - s1 * (z21 * z225 - c_steer * z233)
-            z239 = s42 - (z28 * z222 - c1 * (z228 - k10 * z225))
-            z240 = z29 * z217 - c_roll * z239 - (z23 * z224 + e2z * z235)
-            s43 = z31 * z216 + s1 * (z21 * z221 + s_steer * z233)
-            z241 = s43 - (z32 * z222 - c1 * (k10 * z221))
-            z242 = z33 * z217 - c_roll * z241 + (z24 * z224 - e2z * z236)
-            z243 = z30 * z232 + z18 * z240 + (z25 * z242 - z34 * z237)
-            z244 = z30 * z236 + z24 * z240 + (z23 * z242 - z34 * z235)
-            s44 = z26 * z230 + z15 * z238 + (z35 * z229 - z14 * z243)
-            z245 = s44 - (z36 * z220 - z13 * z244)
-            z246 = z188 * z245
-            z247 = roll_dot * z216
-            z248 = roll_dot * z222
-            z249 = z189 * z225 + c_steer * z248
-            z250 = z186 * z218 - z11 * (z185 * z217)
-            z251 = z250 + k10 * z247
-            s45 = k16 * z249 + k4 * z247 - (z195 * z225 - c_steer * z251)
-            z252 = z193 * z228 + z7 * z247 - (z194 * z233 - z20 * z249) + s45
-            z253 = z189 * z221 - s_steer * z248
-            s46 = k16 * z253 - (z195 * z221 + s_steer * z251)
-            z254 = z191 * z233 - z20 * z253 - s46
-            z255 = z197 * z236 - z24 * z252 - (z198 * z235 + z23 * z254)
-            z256 = z198 * z240 - z30 * z254 - (z197 * z242 - z34 * z252)
-            z257 = k4 * z253 - (z191 * z228 - z7 * z253)
-            s47 = z200 * z230 + z15 * z255 + (z202 * z229 - z14 * z256)
-            z258 = s47 + (z196 * z244 - z36 * z257)
-            z259 = z204 * z246 - z39 * z258
-            z260 = z197 * z232 - z18 * z252 - (z198 * z237 + z25 * z254)
-            s48 = z199 * z230 + z15 * z260 + (z196 * z243 - z35 * z257)
-            z261 = s48 + (z202 * z220 - z13 * z256)
-            z262 = z203 * z246 - z39 * z261
-            s49 = z196 * z238 - z26 * z257 - (z199 * z229 - z14 * z260)
-            z263 = s49 + (z200 * z220 - z13 * z255)
-            z264 = z201 * z246 - z39 * z263
-            z265 = z259 - (z262 - (z205 * z224 + e2z * z264))
-            z266 = z209 * z220 + z13 * z265
-            z267 = z209 * z231 + z17 * z265
-            z268 = z211 * z216 + s1 * z266 - (z210 * z222 - c1 * z267)
-            z269 = c_yaw * turn_3
-            z270 = z210 * z216 + s1 * z267 + (z211 * z222 - c1 * z266)
-            z271 = v2_x * z217 - c_roll * z250 + (z212 * z224 + e2z * z270)
-            J[offset1] = z213 * z215 - c_yaw * z268 - (z214 * z269 - s_yaw * z271)
-            s50 = z213 * z269 + s_yaw * z268
-            J[offset1 + 12] = -(s50 + (z214 * z215 + c_yaw * z271))
-            s51 = z212 * z217 - c_roll * z270
-            J[offset1 + 24] = v2_x * z224 + e2z * z250 - s51
-            J[offset1 + 36] = z264
-            J[offset1 + 60] = -z262
-            J[offset1 + 84] = z259
+            z226 = s1 * z216 - c_roll * z220
+            z227 = s_steer * z219 + e2z * z224 + (z3 * z225 + c_steer * z226)
+            z228 = z188 * (z5 * (z2 * z222 - z4 * z227))
+            z229 = z6 * z228 + z5 * (r_F * z227)
+            z230 = z12 * z217 - z11 * (r_R * z226)
+            z231 = z230 - (z8 * z225 - c_steer * z229)
+            s41 = c_roll * (z9 * z220 + s1 * (z8 * z224 + s_steer * z229))
+            z232 = z10 * z216 - s41 - (z15 * z219 + e2z * z231)
+            z233 = z17 * z228 - z5 * (r_F * z222)
+            z234 = z223 - z233
+            z235 = z22 * z224 + s_steer * z234
+            z236 = z23 * z233 + z18 * z235
+            s42 = z25 * z220 - s1 * (z21 * z225 - c_steer * z233)
+            z237 = s42 - (z26 * z221 - c1 * (z229 - k10 * z225))
+            z238 = z27 * z216 - c_roll * z237 - (z23 * z219 + e2z * z235)
+            z239 = z28 * z233 - z18 * z238
+            z240 = z22 * z225 - c_steer * z234
+            s43 = z31 * z220 + s1 * (z21 * z224 + s_steer * z233)
+            z241 = s43 - (z32 * z221 - c1 * (k10 * z224))
+            z242 = z33 * z216 - c_roll * z241 + (z30 * z219 - e2z * z240)
+            z243 = z28 * z240 + z30 * z238 + (z23 * z242 - z34 * z235)
+            s44 = z24 * z232 - z16 * z236 + (z29 * z231 + z15 * z239)
+            z244 = s44 + (z35 * z229 - z7 * z243)
+            z245 = z189 * z244
+            z246 = roll_dot * z220
+            z247 = roll_dot * z221
+            z248 = z190 * z225 + c_steer * z247
+            z249 = thR_dot * z223
+            z250 = z218 + k10 * z246
+            s45 = z195 * z224 + s_steer * z249 - (z196 * z225 - c_steer * z250)
+            z251 = k16 * z248 + k4 * z246 + s45
+            z252 = z193 * z229 + z7 * z246 - (z194 * z233 - z18 * z248) + z251
+            z253 = z198 * z233 + z18 * z252
+            z254 = z190 * z224 - s_steer * z247
+            z255 = z191 * z229 + z7 * z254 + (k4 * z254 - thR_dot * z230)
+            s46 = z196 * z224 + s_steer * z250 + (z195 * z225 - c_steer * z249)
+            z256 = z191 * z233 + z18 * z254 + (k16 * z254 - s46)
+            z257 = z200 * z238 - z28 * z256 + (z198 * z242 - z34 * z252)
+            s47 = z199 * z232 - z16 * z253 - (z197 * z239 + z29 * z255)
+            z258 = s47 + (z203 * z229 - z7 * z257)
+            z259 = z204 * z245 - z38 * z258
+            z260 = z198 * z240 - z30 * z252 + (z200 * z235 + z23 * z256)
+            s48 = z197 * z236 + z24 * z255 + (z199 * z231 + z15 * z253)
+            z261 = s48 + (z201 * z229 - z7 * z260)
+            z262 = z202 * z245 + z38 * z261
+            z263 = z259 - (z206 * z219 + e2z * z262)
+            z264 = z209 * z223 - z20 * z263
+            z265 = z209 * z230 - z13 * z263
+            z266 = z210 * z220 + s1 * z264 + (z211 * z221 - c1 * z265)
+            z267 = v2_x * z216 - c_roll * z218 + (z212 * z219 + e2z * z266)
+            z268 = s_yaw * turn_3
+            z269 = z211 * z220 + s1 * z265 - (z210 * z221 - c1 * z264)
+            J[offset1] = z214 * z268 - c_yaw * z269 - (z213 * z215 - s_yaw * z267)
+            s49 = z214 * z215 + s_yaw * z269
+            J[offset1 + 12] = -(s49 + (z213 * z268 + c_yaw * z267))
+            s50 = z212 * z216 - c_roll * z266
+            J[offset1 + 24] = v2_x * z219 + e2z * z218 - s50
+            J[offset1 + 36] = z262
+            J[offset1 + 60] = -z259
+            s51 = z201 * z232 + z16 * z260 - (z203 * z231 - z15 * z257)
+            z270 = s51 + (z197 * z243 - z35 * z255)
+            J[offset1 + 96] = z38 * z270 - z205 * z245
         # one rate in each pass: its row of the matrix
         offsets2 = (108, 120, 132)
         for k78, offset2 in enumerate(offsets2):
             row_0 = 1.0 if k78 == 0 else 0.0
             row_1 = 1.0 if k78 == 1 else 0.0
             row_2 = 1.0 if k78 == 2 else 0.0
-            z392 = row_1 - z126 * row_0
-            z393 = z272 * (row_2 + z168 * row_0 + z173 * z392)
-            z394 = z172 * z392 + z173 * z393
-            z395 = z125 * row_0 - z126 * z394 + z168 * z393
-            z396 = z140 * z393 + z98 * z394 + z60 * z395
-            z397 = z149 * z393 + z107 * z394 + z69 * z395
-            z398 = z142 * z393 + z100 * z394 + z62 * z395
-            z399 = z147 * z393 + z105 * z394 + z67 * z395
-            z400 = z150 * z393 + z108 * z394 + z70 * z395
-            z401 = k48 * z399 - k43 * z400
-            z402 = F_yy * z393
-            z403 = F_yy * z394
-            z404 = F_yy * z395
-            z405 = z148 * z393 + z106 * z394 + z68 * z395
-            s52 = z163 * z402 - z105 * z403 - z67 * z404 - k59 * z399
-            z406 = s52 + k48 * z400 - k45 * z405
-            z407 = z133 * z393
-            z408 = z53 * z395
-            z409 = z407 - z91 * z394 - z408
-            z410 = z145 * z393 + z103 * z394 + z65 * z395
-            z411 = z143 * z393 - z101 * z394 - z63 * z395
-            z412 = k62 * z409 - k55 * z410 + k45 * z411
-            s53 = k37 * z396 - k28 * z397 + k27 * z398 + k10 * z401
-            z413 = s53 - c_steer * z406 - s_steer * z412
-            z414 = R_yy * z393
-            z415 = R_yy * z394
-            z416 = R_yy * z395
-            z417 = z401 + (k28 * z396 - k26 * z397)
-            z418 = k48 * z409 - k45 * z410 + k43 * z411
-            z419 = k45 * z399 + k43 * z405
-            z420 = s_steer * z418 - c_steer * z419
-            z421 = k27 * z396 + k26 * z398 - z420
-            s54 = z141 * z414 + z99 * z415 + z61 * z416 - z13 * z417
-            z422 = s54 + z17 * z421
-            z423 = z413 - z422
-            z424 = z39 * z422
-            z425 = z39 * z423
-            z426 = z407 - z90 * z394 - z408
-            z427 = z144 * z393 - z102 * z394 + z64 * z395
-            z428 = z44 * z395
-            s55 = k40 * z426 + k34 * z427 - k27 * z428 - s_steer * z406
-            z429 = s55 + c_steer * z412
-            s56 = k63 * z409 - k56 * z410 + k48 * z411 + k41 * z426
-            z430 = s56 + k35 * z427 - k28 * z428
-            z431 = c_steer * z418 + s_steer * z419
-            z432 = z430 + k10 * z431
-            z433 = s1 * z429 + c1 * z432
-            z434 = c_roll * z433 + e2z * z423
-            z435 = z39 * z434
-            z436 = z36 * z424 + z35 * z425 - z26 * z435
-            z437 = z205 * z436
-            z438 = z14 * z424 + z13 * z425
-            z439 = z15 * z424 + z13 * z435
-            z440 = z15 * z425 - z14 * z435
-            z441 = z34 * z438 + z24 * z439 + z18 * z440
-            z442 = z205 * z441
-            z443 = z30 * z438 - z23 * z439 - z25 * z440
-            z444 = z205 * z443
-            z445 = z207 * z436 - e2z * z437
-            z446 = c_roll * z437
-            z447 = s1 * z446
-            z448 = c_roll * z442
-            z449 = c1 * z448
-            s57 = z193 * z441 - z191 * z436 + c_steer * z445 - s_steer * z447
-            z450 = s57 + z449
-            z451 = z207 * z441 - e2z * z442
-            z452 = z207 * z443 - e2z * z444
-            z453 = s_steer * z451 + c_steer * z452
-            z454 = s1 * z448
-            z455 = c_roll * z444
-            z456 = s1 * z455
-            s58 = z191 * z443 + z194 * z441 - c_steer * z454 + s_steer * z456
-            z457 = z453 - s58
-            z458 = z6 * z450 + z19 * z457
-            z459 = z187 * z458
-            z460 = z5 * z459
-            z461 = r_F * (z5 * z450) - z4 * z460
-            s59 = z205 * z423 + z14 * z437 - z23 * z442 - z24 * z444
-            z462 = s59 - s_steer * z461
-            z463 = s_steer * z443 - c_steer * z441
-            z464 = z331 * z426 + z337 * z427
-            z465 = k28 * z426 + k27 * z427 - k26 * z428 + z431
-            z466 = z331 * z465 + z208 * z421
-            z467 = z208 * z417 - z337 * z465
-            s60 = R_yy * z464 + z318 * z417 - z299 * z421 + z13 * z466
-            z468 = s60 + z17 * z467
-            z469 = z309 * z443 - z300 * z441 + z318 * z436 + z468
-            z470 = z39 * z469
-            z471 = z21 * z441
-            z472 = z21 * z443 + z7 * z436 + k4 * z436
-            z473 = z429 - c_steer * z471 + s_steer * z472
-            z474 = z206 * z441
-            z475 = z206 * z443
-            z476 = z209 * z421 + s_steer * z474 - z453 + c_steer * z475
-            z477 = r_F * (z5 * z457) + r_R * (z11 * z476) - z2 * z460
-            s61 = z330 * z432 - z28 * z448 + z32 * z455 - roll_dot * z473
-            z478 = s61 - c_roll * z477
-            z479 = z432 - z7 * z441 - k4 * z441 + k10 * z463
-            z480 = z209 * z417 + z206 * z436 - z445
-            z481 = r_R * (z11 * z480) + c_steer * z461
-            s62 = z330 * z429 + z9 * z446 - z27 * z448 + z31 * z455
-            z482 = s62 + roll_dot * z479 + c_roll * z481
-            s63 = z374 * z397 + z376 * z398 - z366 * z426 + z370 * z427
-            z483 = s63 + k37 * z464 - k28 * (z331 * z428 - z208 * z398)
-            s64 = z483 + k27 * (z208 * z397 - z337 * z428) - z339 * z420
-            z484 = s64 - z210 * z417 - z211 * z421
-            z485 = z350 * z409 + w3_steer * z410
-            s65 = z360 * z400 + z362 * z405 + z351 * z409 + z352 * z410
-            z486 = s65 - k59 * z485 - k48 * (z350 * z411 - z356 * z405)
-            z487 = F_yy * z485
-            z488 = z486 + k45 * (z356 * z400 + w3_steer * z411) - z487
-            s66 = k10 * (z331 * z431 - z208 * z420)
-            z489 = z484 + z273 * z406 - z278 * z412 + s66 + c_steer * z488
-            z490 = z350 * z399 - z356 * z410
-            z491 = z356 * z409 + w3_steer * z399
-            s67 = z359 * z400 - z362 * z411 + z357 * z409 - z352 * z399
-            z492 = s67 - k62 * z490 + k55 * z491
-            z493 = z350 * z400 + w3_steer * z405
-            z494 = z492 + k45 * z493
-            z495 = z489 + s_steer * z494 + z468
-            s68 = z313 * z443 - z305 * z441 + z321 * z436 - s1 * z478
-            z496 = s68 + c1 * z482 + z495
-            z497 = z39 * z496
-            z498 = z14 * z470 - z13 * z497
-            z499 = z331 * z396 - z208 * z427
-            z500 = z208 * z426 + z337 * z396
-            s69 = z373 * z397 - z376 * z428 - z365 * z426 - z370 * z396
-            z501 = s69 - k40 * z499 - k34 * z500
-            z502 = z331 * z397 - z337 * z398
-            s70 = z501 + k27 * z502 + z340 * z401 + z339 * z431
-            z503 = s70 + v2_x_2 * z417 - z211 * z465 - z278 * z406
-            z504 = z503 - z273 * z412 + s_steer * z488 - c_steer * z494
-            s71 = z360 * z411 + z359 * z405 + z351 * z399 + z357 * z410
-            z505 = s71 - k63 * z490 + k56 * z491
-            z506 = z505 + k48 * z493
-            s72 = z374 * z428 + z373 * z398 + z366 * z396 + z365 * z427
-            z507 = s72 - k41 * z499 - k35 * z500
-            s73 = z507 + k28 * z502 + z340 * z420 - z210 * z465
-            z508 = s73 - v2_x_2 * z421 - k10 * (z331 * z401 - z337 * z420)
-            z509 = z506 - z508
-            z510 = z279 * z429 - z275 * z432 - s1 * z504 + c1 * z509
-            s74 = z274 * z433 - z277 * z423 + z314 * z443 - z306 * z441
-            z511 = s74 + z322 * z436 + c_roll * z510
-            z512 = z511 - e2z * z495
-            z513 = z39 * z512
-            z514 = z15 * z470 + z13 * z513
-            z515 = z15 * z497 + z14 * z513
-            z516 = z30 * z498 - z23 * z514 + z25 * z515
-            z517 = z34 * z498 + z24 * z514 - z18 * z515
-            z518 = z278 * z443 + z273 * z441 - s_steer * z516 + c_steer * z517
-            z519 = z294 * z463 + z11 * z518
-            z520 = roll_dot * z465
-            z521 = z43 * z520 + z186 * z463 + z12 * z480 - z16 * z476
-            z522 = z184 * z521
-            z523 = z11 * z522
-            s75 = z328 * z433 - z320 * z437 + z303 * z442 - z312 * z444
-            z524 = s75 - z279 * z481 - z275 * z477
-            z525 = z389 * z393
-            z526 = z133 * z525
-            z527 = z145 * z525
-            z528 = z143 * z525
-            s76 = z393 * z369 + z146 * z525 + z156 * z525 + k63 * z526
-            z529 = s76 - k56 * z527 + k48 * z528
-            z530 = z144 * z525
-            z531 = z390 * z393 - z389 * z394
-            z532 = z391 * z393 - z389 * z395
-            s77 = z529 + k41 * z526 + k35 * z530 + z104 * z531 + z114 * z531
-            z533 = s77 + z66 * z532 + z76 * z532
-            s78 = z363 * z393 + z154 * z525 + k48 * z526 - k45 * z527
-            z534 = s78 + k43 * z528 + z112 * z531
-            z535 = z534 + z74 * z532
-            z536 = z147 * z525
-            z537 = z148 * z525
-            s79 = z364 * z393 + z155 * z525 + k45 * z536 + k43 * z537
-            z538 = s79 - z113 * z531 - z75 * z532
-            z539 = z533 + k10 * (c_steer * z535 + s_steer * z538)
-            s80 = z372 * z393 + z158 * z525 + k40 * z526 + k34 * z530
-            z540 = s80 + z116 * z531 + z78 * z532
-            z541 = F_yy * z531
-            z542 = F_yy * z532
-            z543 = z150 * z525
-            s81 = z353 * z393 + z151 * z525 + k59 * z536 - k48 * z543
-            z544 = s81 + k45 * z537 - z109 * z531
-            s82 = z334 * z402 + 2.0 * (z163 * (F_yy * z525)) + z105 * z541
-            z545 = s82 + z67 * z542 - (z544 - z71 * z532)
-            s83 = z358 * z393 + z152 * z525 + k62 * z526 - k55 * z527
-            z546 = s83 + k45 * z528 + z110 * z531
-            z547 = z546 + z72 * z532
-            z548 = z540 - s_steer * z545 + c_steer * z547
-            z549 = c1 * z539 + s1 * z548
-            z550 = z390 * z394
-            z551 = z133 * z531
-            z552 = z551 - z91 * z550
-            z553 = z145 * z531 + z103 * z550
-            z554 = z143 * z531 - z101 * z550
-            z555 = z391 * z394 + z390 * z395
-            s84 = z368 * z394 - z104 * z550 + k63 * z552 - k56 * z553
-            z556 = s84 + k48 * z554 - z66 * z555
-            z557 = z551 - z90 * z550
-            z558 = z144 * z531 - z102 * z550
-            s85 = z363 * z394 + z112 * z550 - k48 * z552 + k45 * z553
-            z559 = s85 - k43 * z554 + z74 * z555
-            z560 = z147 * z531 + z105 * z550
-            z561 = z148 * z531 + z106 * z550
-            s86 = z364 * z394 - z113 * z550 - k45 * z560 - k43 * z561
-            z562 = s86 - z75 * z555
-            s87 = z367 * z394 + z114 * z550 - k41 * z557 - k35 * z558
-            s88 = k10 * (c_steer * z559 + s_steer * z562)
-            z563 = z556 - (s87 + z76 * z555) - s88
-            s89 = z334 * z403 - z353 * z394 - z163 * z541
-            z564 = s89 + 2.0 * (z105 * (F_yy * z550)) + z109 * z550
-            z565 = z150 * z531 + z108 * z550
-            z566 = F_yy * z555
-            s90 = z564 + k59 * z560 - k48 * z565 + k45 * z561 + z67 * z566
-            z567 = s90 + z71 * z555
-            s91 = z372 * z394 + z116 * z550 - k40 * z557 - k34 * z558
-            z568 = s91 + z78 * z555 - s_steer * z567
-            s92 = z358 * z394 + z110 * z550 - k62 * z552 + k55 * z553
-            z569 = s92 - k45 * z554 + z72 * z555
-            z570 = z568 + c_steer * z569
-            z571 = c1 * z563 - s1 * z570
-            z572 = z391 * z395
-            z573 = z133 * z532
-            z574 = z53 * z572
-            z575 = z573 - z91 * z555 - z574
-            z576 = z145 * z532 + z103 * z555 + z65 * z572
-            z577 = z143 * z532 - z101 * z555 - z63 * z572
-            s93 = z395 * z369 + z66 * z572 + z76 * z572 - k63 * z575
-            z578 = s93 + k56 * z576 - k48 * z577
-            z579 = z573 - z90 * z555 - z574
-            z580 = z144 * z532 - z102 * z555 + z64 * z572
-            z581 = z44 * z572
-            s94 = z363 * z395 + z74 * z572 - k48 * z575 + k45 * z576
-            z582 = s94 - k43 * z577
-            z583 = z147 * z532 + z105 * z555 + z67 * z572
-            z584 = z148 * z532 + z106 * z555 + z68 * z572
-            z585 = z364 * z395 - z75 * z572 - k45 * z583 - k43 * z584
-            z586 = c_steer * z582 + s_steer * z585
-            z587 = z578 - k41 * z579 - k35 * z580 + k28 * z581 + k10 * z586
-            s95 = z334 * z404 - z353 * z395 - z163 * z542 + z105 * z566
-            z588 = s95 + 2.0 * (z67 * (F_yy * z572))
-            z589 = z150 * z532 + z108 * z555 + z70 * z572
-            z590 = z588 + z71 * z572 + k59 * z583 - k48 * z589 + k45 * z584
-            s96 = z372 * z395 + z78 * z572 - k40 * z579 - k34 * z580
-            z591 = s96 + k27 * z581 - s_steer * z590
-            s97 = z358 * z395 + z72 * z572 - k62 * z575 + k55 * z576
-            z592 = s97 - k45 * z577
-            z593 = z591 + c_steer * z592
-            z594 = c1 * z587 + s1 * z593
-            s98 = z524 - z205 * z510 - z131 * z549 - z88 * z571 + z51 * z594
-            z595 = 2.0 * (z293 * z521 * z380) - s98
-            z596 = R_yy * z531
-            z597 = R_yy * z532
-            s99 = z361 * z393 + z153 * z525 - k48 * z536 + k43 * z543
-            z598 = s99 - z111 * z531 - z73 * z532
-            z599 = z140 * z525
-            z600 = z149 * z525
-            s100 = z375 * z393 + z160 * z525 - k28 * z599 + k26 * z600
-            z601 = s100 - z118 * z531 - z79 * z532
-            z602 = z598 + z601
-            s101 = z336 * z414 + 2.0 * (z141 * (R_yy * z525)) - z99 * z596
-            z603 = s101 - z61 * z597 + z13 * z602
-            z604 = z142 * z525
-            s102 = z377 * z393 - z159 * z525 - k27 * z599 - k26 * z604
-            z605 = s102 + z117 * z531 + z80 * z532
-            z606 = z605 + s_steer * z535 - c_steer * z538
-            z607 = z603 - z17 * z606
-            z608 = z39 * z607
-            s103 = z371 * z393 - z157 * z525 - k37 * z599 + k28 * z600
-            z609 = s103 - k27 * z604 + z115 * z531
-            s104 = z609 + z77 * z532 + c_steer * z545 + s_steer * z547
-            z610 = s104 + k10 * z598 + z607
-            z611 = z39 * z610
-            s105 = z326 * z424 + z316 * z425 - z200 * z470 + z199 * z497
-            z612 = s105 + z129 * z608 - z128 * z611
-            z613 = R_yy * z555
-            s106 = z361 * z394 - z111 * z550 + k48 * z560 - k43 * z565
-            z614 = s106 - z73 * z555
-            z615 = z140 * z531 + z98 * z550
-            z616 = z149 * z531 + z107 * z550
-            s107 = z375 * z394 - z118 * z550 + k28 * z615 - k26 * z616
-            z617 = z614 + (s107 - z79 * z555)
-            s108 = z336 * z415 - z141 * z596 - 2.0 * (z99 * (R_yy * z550))
-            z618 = s108 - z61 * z613 + z13 * z617
-            z619 = z142 * z531 + z100 * z550
-            s109 = z377 * z394 + z117 * z550 + k27 * z615 + k26 * z619
-            z620 = s109 + z80 * z555 + s_steer * z559
-            z621 = z620 - c_steer * z562
-            z622 = z618 - z17 * z621
-            z623 = z39 * z622
-            s110 = z371 * z394 + z115 * z550 + k37 * z615 - k28 * z616
-            z624 = s110 + k27 * z619 + z77 * z555
-            z625 = z624 + c_steer * z567 + s_steer * z569 + k10 * z614 + z622
-            z626 = z39 * z625
-            z627 = z361 * z395 - z73 * z572 + k48 * z583 - k43 * z589
-            z628 = z140 * z532 + z98 * z555 + z60 * z572
-            z629 = z149 * z532 + z107 * z555 + z69 * z572
-            z630 = z627 + (z375 * z395 - z79 * z572 + k28 * z628 - k26 * z629)
-            s111 = z336 * z416 - z141 * z597 - z99 * z613
-            z631 = s111 - 2.0 * (z61 * (R_yy * z572)) + z13 * z630
-            z632 = z142 * z532 + z100 * z555 + z62 * z572
-            s112 = z377 * z395 + z80 * z572 + k27 * z628 + k26 * z632
-            z633 = s112 + s_steer * z582 - c_steer * z585
-            z634 = z631 - z17 * z633
-            z635 = z39 * z634
-            s113 = z371 * z395 + z77 * z572 + k37 * z628 - k28 * z629
-            z636 = s113 + k27 * z632 + c_steer * z590
-            z637 = z636 + s_steer * z592 + k10 * z627 + z634
-            z638 = z39 * z637
-            s114 = z335 * z422 + z325 * z423 - z327 * z434 - z204 * z469
-            z639 = s114 + z203 * z496 + z201 * z512
-            z640 = c_roll * z549 - e2z * z610
-            z641 = c_roll * z571 + e2z * z625
-            s115 = z639 + z136 * z607 - z138 * z610 + z130 * z640 + z94 * z622
-            z642 = s115 - z96 * z625 + z87 * z641
-            z643 = c_roll * z594 - e2z * z637
-            z644 = z188 * (z642 + z56 * z634 - z58 * z637 - z50 * z643)
-            s116 = z612 + z86 * z623 - z85 * z626 + z49 * z635 - z48 * z638
-            z645 = s116 - z26 * z644
-            z646 = z14 * z608 - z13 * z611
-            z647 = z14 * z635 - z13 * z638
-            s117 = z323 * z424 - z196 * z470 - z7 * z608 + z41 * z635
-            z648 = s117 - z13 * z644
-            s118 = z323 * z425 + z196 * z497 + z7 * z611 - z41 * z638
-            z649 = s118 + z14 * z644
-            s119 = z315 * z438 - z198 * z498 + z20 * z646 - z47 * z647
-            z650 = s119 - z24 * z648 - z18 * z649
-            z651 = z14 * z623 - z13 * z626
-            s120 = z307 * z438 - z197 * z498 + z8 * z651 + z46 * z647
-            z652 = s120 + z23 * z648 + z25 * z649
-            z653 = z331 * z417 + z337 * z421
-            s121 = z378 * z395 + z81 * z572 - k28 * z579 - k27 * z580
-            z654 = roll_dot * z653 - (s121 + k26 * z581)
-            z655 = z39 * z643
-            z656 = z15 * z635 + z13 * z655
-            z657 = z15 * z638 + z14 * z655
-            z658 = z30 * z647 - z23 * z656 + z25 * z657
-            z659 = z34 * z647 + z24 * z656 - z18 * z657
-            z660 = s_steer * z658 - c_steer * z659
-            z661 = z654 - z586 - z660
-            s122 = z317 * z480 - z298 * z476 + z342 * z520 + z295 * z463
-            z662 = s122 - z292 * z522 + z43 * z661
-            s123 = z336 * z417 + z324 * z425 - z326 * z435 + z209 * z466
-            z663 = s123 + z202 * z497 + z200 * z513
-            z664 = z39 * z640
-            z665 = z39 * z641
-            s124 = z663 - z141 * z602 - z135 * z611 - z129 * z664 - z99 * z617
-            z666 = s124 + z93 * z626 + z86 * z665
-            s125 = z324 * z424 + z316 * z435 + z277 * z437 - z202 * z470
-            z667 = s125 - z199 * z513 + z135 * z608
-            s126 = z667 + z128 * z664 - z93 * z623 - z85 * z665 - z55 * z635
-            z668 = s126 + z48 * z655 - z35 * z644
-            z669 = z668 - e2z * z645
-            s127 = z666 - z61 * z630 + z55 * z638 - z49 * z655 + z36 * z644
-            z670 = s127 + z669
-            s128 = z336 * z421 - z209 * z467 + z278 * z474 - z273 * z475
-            z671 = s128 - z141 * z606 - z99 * z621
-            z672 = z15 * z611 + z14 * z664
-            s129 = z323 * z435 - z196 * z513 - z7 * z664 + z41 * z655
-            z673 = s129 + z15 * z644
-            s130 = z315 * z440 + z198 * z515 - z20 * z672 + z47 * z657
-            z674 = s130 + z34 * z649 + z24 * z673
-            z675 = z15 * z608 + z13 * z664
-            s131 = z315 * z439 + z277 * z442 - z198 * z514 + z20 * z675
-            z676 = s131 - z47 * z656 + z34 * z648
-            z677 = z676 - z18 * z673 - e2z * z650
-            z678 = z15 * z623 - z13 * z665
-            s132 = z307 * z439 + z277 * z444 - z197 * z514 + z8 * z678
-            z679 = s132 + z46 * z656 + z30 * z648
-            z680 = z679 + z25 * z673 - e2z * z652
-            z681 = z278 * z451 - z273 * z452 - s_steer * z677 - c_steer * z680
-            z682 = z15 * z626 - z14 * z665
-            s133 = z307 * z440 + z197 * z515 - z8 * z682 - z46 * z657
-            z683 = s133 + z30 * z649 - z23 * z673
-            z684 = z671 - z61 * z633 + s_steer * z674 - z681 + c_steer * z683
-            s134 = z274 * z523 - z595 - z10 * z645 + z29 * z650 - z33 * z652
-            s135 = z11 * (z184 * (z186 * z518 - z662 + z12 * z670 - z16 * z684))
-            z685 = z185 * z519 + s134 - c_roll * s135
-            z686 = k76 * z409 + k75 * z410 - k72 * z411
-            s136 = k69 * z396 + k67 * z398 + r_R * (z294 * z480 + z11 * z670)
-            z687 = z273 * z461 - (s_steer * z686 + s136)
-            z688 = z36 * z470 - z35 * z497 - z26 * z513
-            s137 = z287 * z441 - z308 * z436 + z193 * z517 - z191 * z688
-            z689 = s137 + z36 * z608 - z35 * z611
-            z690 = z36 * z635 - z35 * z638 - z26 * z655
-            s138 = z273 * z445 + z278 * z447 - z34 * z651 - z24 * z678
-            z691 = s138 + z18 * z682 - z40 * z690
-            z692 = z274 * z437 + c_roll * z645
-            z693 = z279 * z446 + s1 * z692
-            z694 = z274 * z442 + c_roll * z650
-            z695 = z275 * z448 - c1 * z694
-            s139 = z691 + c_steer * z669 - s_steer * z693 - z695
-            z696 = z689 - z26 * z664 - s1 * z659 + s139
-            s140 = z281 * z460 - k74 * z399 - k72 * z405 - k71 * z399
-            z697 = s140 - r_F * (z284 * z450 - z5 * z696)
-            s141 = z308 * z443 + z291 * z441 + z191 * z516 + z194 * z517
-            z698 = s141 - z30 * z646 + z23 * z675
-            z699 = z279 * z448 + s1 * z694
-            z700 = z274 * z444 + c_roll * z652
-            z701 = z279 * z455 + s1 * z700
-            s142 = z273 * z454 + z278 * z456 + c_steer * z699 - s_steer * z701
-            z702 = z698 - z25 * z672 + z40 * z658 - z42 * z659 + (z681 - s142)
-            s143 = z285 * z450 - z288 * z457 + z282 * z459 - z6 * z696
-            z703 = z5 * (z187 * (s143 + z19 * z702))
-            z704 = z283 * z458 * z379 + 0.5 * z703
-            z705 = z697 + 2.0 * (z4 * z704)
-            z706 = z687 + c_steer * z705
-            s144 = z276 * z460 - k73 * z399 + k72 * z400 + k70 * z399
-            z707 = s144 - k68 * z396 + k67 * z397
-            s145 = z707 + r_F * (z284 * z457 + z5 * z702)
-            z708 = s145 + r_R * (z294 * z476 + z11 * z684) - 2.0 * (z2 * z704)
-            s146 = z685 + r_R * (z294 * z520 - z11 * z661) - s1 * z706
-            z709 = roll_dot * z462 + (s146 - c1 * z708)
-            z710 = z11 * z463
-            s147 = z205 * z433 + r_R * (z11 * z520) + z10 * z437 - z29 * z442
-            z711 = s147 + z33 * z444 + z185 * z710
-            z712 = z711 - c_roll * z523 + s1 * z481 - c1 * z477
-            s148 = z328 * z423 + z321 * z437 - z305 * z442 + z313 * z444
-            z713 = s148 + z205 * z495 - k68 * z426
-            s149 = z713 - k69 * z427 + k67 * z428 + z131 * z610 - z88 * z625
-            z714 = s149 - z51 * z637 - z14 * z645
-            s150 = z278 * z461 - (z714 + z23 * z650 + z24 * z652)
-            z715 = c_steer * z686 - (roll_dot * z712 + s150) + s_steer * z705
-            J[offset2 + 4] = c_roll * z715 - e2z * z709
-            z716 = z289 * z441 - z20 * z517 - k16 * z517
-            z717 = z289 * z443 + z286 * z436 - z20 * z516 - z7 * z688
-            z718 = z717 - (k16 * z516 + k4 * z688)
-            s151 = z504 + z273 * z471 + z278 * z472 - c_steer * z716
-            z719 = s151 + s_steer * z718
-            s152 = z332 * z432 - z302 * z448 + z207 * z482 + z330 * z509
-            z720 = s152 + z132 * z539 + z89 * z563
-            z721 = z21 * z659
-            z722 = z8 * z690 + z20 * z658 + k16 * z658
-            s153 = z311 * z455 - (z593 + (z720 - z52 * z587)) + c_steer * z721
-            z723 = s153 - s_steer * z722 + z28 * z694
-            z724 = z286 * z441 - z7 * z517 - k4 * z517
-            z725 = z724 + (z509 - k10 * z518)
-            s154 = z332 * z429 - z319 * z446 - z301 * z448 - z310 * z455
-            z726 = s154 - z207 * z478 - z330 * z504
-            s155 = z726 + z132 * z548 - z89 * z570 - z587 - z52 * z593
-            z727 = s155 + z7 * z659 + k4 * z659
-            s156 = roll_dot * z725 + (z727 + z9 * z692 - z27 * z694 + z31 * z700)
-            z728 = z274 * z481 + (s156 - k10 * z660)
-            s157 = z274 * z477 - (roll_dot * z719 - (z723 - z32 * z700))
-            z729 = s1 * (s157 - c_roll * z708) + c1 * (z728 + c_roll * z706)
-            J[offset2 + 5] = -z729
-            s158 = z331 * z412 - z208 * z406 + z195 * z441 - z189 * z471
-            z730 = s158 + z8 * z445 + k10 * z449
-            z731 = z730 - z22 * z452 + z21 * z454 + z17 * z475 - z3 * z461
-            s159 = z341 * z418 - z346 * z419 + z333 * z406 + z329 * z412
-            z732 = s159 - z331 * z488 + z296 * z443
-            s160 = z732 - z290 * z472 + z286 * z447 + z304 * z451 - z299 * z474
-            z733 = s160 + z289 * z456 - z208 * z494
-            s161 = z733 + z144 * z545 + z140 * z547 + z142 * z535 - z134 * z538
-            z734 = s161 - z102 * z567 + z98 * z569
-            s162 = z734 + z100 * z559 + z92 * z562 + z64 * z590 + z60 * z592
-            z735 = s162 + z62 * z582 + z54 * z585
-            s163 = z189 * z718 + (z195 * z516 - z735) - z45 * z658 + c1 * z722
-            z736 = s163 + z8 * z693 + z22 * z677
-            s164 = k10 * (z275 * z455 - c1 * z700)
-            z737 = z3 * z686 - (z736 + z17 * z674 + z21 * z701 - s164)
-            s165 = z331 * z406 + z208 * z412 + z195 * z443 - z189 * z472
-            z738 = s165 + z8 * z447 + z22 * z451
-            s166 = z738 - z17 * z474 + z21 * z456 + k10 * (c1 * z455)
-            z739 = s166 - e2z * z461
-            s167 = z346 * z418 + z341 * z419 + z333 * z412 - z329 * z406
-            z740 = s167 - z331 * z494 + z296 * z441
-            s168 = z740 - z290 * z471 + z286 * z445 - z304 * z452 + z289 * z454
-            z741 = s168 + z299 * z475 + z280 * z461
-            s169 = z741 + z208 * z488 - z140 * z545 + z144 * z547 + z134 * z535
-            z742 = s169 + z142 * z538 - z98 * z567
-            s170 = z742 - z102 * z569 - z92 * z559 + z100 * z562 - z60 * z590
-            z743 = s170 + z64 * z592 - z54 * z582
-            s171 = z189 * z716 + (z195 * z517 - (z743 + z62 * z585))
-            z744 = s171 - z45 * z659 + c1 * z721 + z8 * z669
-            s172 = z744 - k10 * z695 - z22 * z680 + z21 * z699 - z17 * z683
-            z745 = steer_dot * z739 + (s172 - z3 * z705)
-            s173 = steer_dot * z731 - (z277 * z461 - z737) + e2z * z705
-            z746 = c_steer * s173 - s_steer * (e2z * z686 + z745)
-            J[offset2 + 6] = z746
-            s174 = z275 * z473 + z279 * z479 + z343 * z465 + z44 * z653
-            z747 = s174 + r_R * (z274 * z710 - c_roll * z519)
-            s175 = z747 + c1 * z719 + s1 * z725 + e2z * z712
-            J[offset2 + 9] = c_roll * z462 - s175
-            J[offset2 + 10] = s_steer * z731 - (z506 + z724 - c_steer * z739)
-            J[offset2 + 11] = z717 - z487
+            z393 = row_1 - z125 * row_0
+            z394 = z271 * (row_2 + z169 * row_0 + z174 * z393)
+            z395 = R_yy * z394
+            z396 = z173 * z393 + z174 * z394
+            z397 = R_yy * z396
+            z398 = z124 * row_0 - z125 * z396 + z169 * z394
+            z399 = R_yy * z398
+            z400 = z139 * z394 + z95 * z396 + z57 * z398
+            z401 = z148 * z394 - z110 * z396 - z72 * z398
+            z402 = z141 * z394 - z96 * z396 - z58 * z398
+            s52 = z140 * z395 - z95 * z397 - z57 * z399 - k37 * z400
+            z403 = s52 + k28 * z401 - k27 * z402
+            z404 = z146 * z394 + z101 * z396 + z63 * z398
+            z405 = z149 * z394 - z103 * z396 - z65 * z398
+            z406 = k48 * z404 - k43 * z405
+            z407 = F_yy * z394
+            z408 = F_yy * z396
+            z409 = F_yy * z398
+            z410 = z164 * z407 + z119 * z408 + z82 * z409
+            z411 = z147 * z394 - z102 * z396 - z64 * z398
+            z412 = z410 + (k59 * z404 - k48 * z405 + k45 * z411)
+            z413 = z134 * z394
+            z414 = z52 * z398
+            z415 = z413 - z90 * z396 - z414
+            z416 = z144 * z394 + z99 * z396 + z61 * z398
+            z417 = z142 * z394 - z97 * z396 - z59 * z398
+            z418 = k62 * z415 - k55 * z416 + k45 * z417
+            z419 = z406 + (k28 * z400 - k26 * z401)
+            z420 = k48 * z415 - k45 * z416 + k43 * z417
+            z421 = k45 * z404 + k43 * z411
+            z422 = s_steer * z420 - c_steer * z421
+            z423 = k27 * z400 + k26 * z402 - z422
+            s53 = z403 - k10 * z406 - c_steer * z412 + s_steer * z418
+            z424 = s53 - z13 * z419 + z20 * z423
+            z425 = z38 * z410
+            z426 = z38 * z424
+            z427 = z413 - z89 * z396 - z414
+            z428 = z143 * z394 - z98 * z396 + z60 * z398
+            z429 = z43 * z398
+            s54 = k40 * z427 + k34 * z428 - k27 * z429 + s_steer * z412
+            z430 = s54 + c_steer * z418
+            s55 = k63 * z415 - k56 * z416 + k48 * z417 + k41 * z427
+            z431 = s55 + k35 * z428 - k28 * z429
+            z432 = c_steer * z420 + s_steer * z421
+            z433 = z431 + k10 * z432
+            z434 = s1 * z430 + c1 * z433
+            z435 = c_roll * z434 - e2z * z424
+            z436 = z38 * z435
+            z437 = z35 * z425 - z29 * z426 - z24 * z436
+            z438 = z206 * z437
+            z439 = z15 * z425 + z7 * z426
+            z440 = z16 * z425 - z7 * z436
+            z441 = z16 * z426 + z15 * z436
+            z442 = z34 * z439 + z30 * z440 - z18 * z441
+            z443 = z206 * z442
+            z444 = z28 * z439 - z23 * z440
+            z445 = z206 * z444
+            z446 = z207 * z437 - e2z * z438
+            z447 = c_roll * z438
+            z448 = s1 * z447
+            z449 = c_roll * z443
+            z450 = c1 * z449
+            s56 = z309 * z437 + z193 * z442 + z191 * z437 + c_steer * z446
+            z451 = s56 - s_steer * z448 + z450
+            z452 = z207 * z442 - e2z * z443
+            z453 = z207 * z444 - e2z * z445
+            z454 = s_steer * z452 + c_steer * z453
+            z455 = s1 * z449
+            z456 = c_roll * z445
+            z457 = s1 * z456
+            s57 = z444 * z379 - z194 * z442 + c_steer * z455 - s_steer * z457
+            z458 = z454 + s57
+            z459 = z6 * z451 + z17 * z458
+            z460 = z188 * z459
+            z461 = z5 * z460
+            z462 = r_F * (z5 * z451) - z4 * z461
+            s58 = z206 * z424 - z15 * z438 + z23 * z443 + z30 * z445
+            z463 = s58 + s_steer * z462
+            z464 = s_steer * z444 - c_steer * z442
+            z465 = z350 * z415 + w3_steer * z416
+            z466 = F_yy * z465
+            z467 = z288 * z444
+            z468 = z285 * z437
+            z469 = z466 - z467 - z468
+            z470 = z38 * z469
+            z471 = z21 * z442
+            z472 = z21 * z444 + z7 * z437 + k4 * z437
+            z473 = z430 - c_steer * z471 + s_steer * z472
+            z474 = c_steer * z444 + s_steer * z442
+            z475 = z209 * z423 + thR_dot * z474 - z454
+            z476 = r_F * (z5 * z458) + r_R * (z11 * z475) - z2 * z461
+            s59 = z331 * z433 - z26 * z449 + z32 * z456 - roll_dot * z473
+            z477 = s59 - c_roll * z476
+            z478 = z433 - z7 * z442 - k4 * z442 + k10 * z464
+            z479 = z209 * z419 + thR_dot * z437 - z446
+            z480 = r_R * (z11 * z479) + c_steer * z462
+            s60 = z331 * z430 + z9 * z447 - z25 * z449 + z31 * z456
+            z481 = s60 + roll_dot * z478 + c_roll * z480
+            z482 = z332 * z427 + z337 * z428
+            s61 = z374 * z401 + z376 * z402 - z366 * z427 + z370 * z428
+            z483 = s61 + k37 * z482 - k28 * (z332 * z429 - z208 * z402)
+            s62 = z483 + k27 * (z208 * z401 - z337 * z429) - z339 * z422
+            z484 = s62 - z210 * z419 - z211 * z423
+            s63 = z360 * z405 + z362 * z411 + z351 * z415 + z352 * z416
+            z485 = s63 - k59 * z465 - k48 * (z350 * z417 - z356 * z411)
+            z486 = z485 + k45 * (z356 * z405 + w3_steer * z417) - z466
+            s64 = k10 * (z332 * z432 - z208 * z422)
+            z487 = z484 - z277 * z412 - z276 * z418 + s64 + c_steer * z486
+            z488 = z350 * z404 - z356 * z416
+            z489 = z356 * z415 + w3_steer * z404
+            s65 = z359 * z405 - z362 * z417 - z357 * z415 - z352 * z404
+            z490 = s65 - k62 * z488 + k55 * z489
+            z491 = z350 * z405 + w3_steer * z411
+            z492 = z490 + k45 * z491
+            z493 = k28 * z427 + k27 * z428 - k26 * z429 + z432
+            z494 = z332 * z493 + z208 * z423
+            z495 = z208 * z419 - z337 * z493
+            s66 = R_yy * z482 + z319 * z419 - z295 * z423 + z13 * z494
+            z496 = s66 + z20 * z495
+            z497 = z487 + s_steer * z492 + z496
+            s67 = z313 * z444 - z304 * z442 + z322 * z437 - s1 * z477
+            z498 = s67 + c1 * z481 + z497
+            z499 = z38 * z498
+            z500 = z15 * z470 + z7 * z499
+            z501 = z332 * z400 - z208 * z428
+            z502 = z208 * z427 + z337 * z400
+            s68 = z373 * z401 - z376 * z429 - z365 * z427 - z370 * z400
+            z503 = s68 - k40 * z501 - k34 * z502
+            z504 = z332 * z401 - z337 * z402
+            s69 = z503 + k27 * z504 + z340 * z406 + z339 * z432
+            z505 = s69 + v2_x_2 * z419 - z211 * z493 + z276 * z412
+            z506 = z505 - z277 * z418 + s_steer * z486 - c_steer * z492
+            s70 = z360 * z417 + z359 * z411 + z351 * z404 - z357 * z416
+            z507 = s70 - k63 * z488 + k56 * z489
+            z508 = z507 + k48 * z491
+            s71 = z374 * z429 + z373 * z402 + z366 * z400 + z365 * z428
+            z509 = s71 - k41 * z501 - k35 * z502
+            s72 = z509 + k28 * z504 + z340 * z422 - z210 * z493
+            z510 = s72 - v2_x_2 * z423 - k10 * (z332 * z406 - z337 * z422)
+            z511 = z508 - z510
+            z512 = z278 * z430 - z273 * z433 - s1 * z506 + c1 * z511
+            s73 = z272 * z434 + z275 * z424 + z314 * z444 - z305 * z442
+            z513 = s73 + z323 * z437 + c_roll * z512
+            z514 = z513 - e2z * z497
+            z515 = z38 * z514
+            z516 = z16 * z470 - z7 * z515
+            z517 = z28 * z500 - z23 * z516
+            z518 = z16 * z499 + z15 * z515
+            z519 = z34 * z500 + z30 * z516 - z18 * z518
+            z520 = z276 * z444 + z277 * z442 - s_steer * z517 + c_steer * z519
+            z521 = z293 * z464 + z11 * z520
+            z522 = roll_dot * z493
+            z523 = z42 * z522 + z187 * z464 + z12 * z479 - z19 * z475
+            z524 = z185 * z523
+            z525 = z11 * z524
+            s74 = z329 * z434 - z321 * z438 + z302 * z443 - z312 * z445
+            z526 = s74 - z278 * z480 - z273 * z476
+            z527 = z390 * z394
+            z528 = z134 * z527
+            z529 = z144 * z527
+            z530 = z142 * z527
+            s75 = z394 * z369 + z145 * z527 + z155 * z527 + k63 * z528
+            z531 = s75 - k56 * z529 + k48 * z530
+            z532 = z143 * z527
+            z533 = z391 * z394 - z390 * z396
+            z534 = z392 * z394 - z390 * z398
+            s76 = z531 + k41 * z528 + k35 * z532 + z100 * z533 + z109 * z533
+            z535 = s76 + z62 * z534 + z71 * z534
+            s77 = z363 * z394 + z153 * z527 + k48 * z528 - k45 * z529
+            z536 = s77 + k43 * z530 + z107 * z533
+            z537 = z536 + z69 * z534
+            z538 = z146 * z527
+            z539 = z147 * z527
+            s78 = z364 * z394 + z154 * z527 + k45 * z538 + k43 * z539
+            z540 = s78 + z108 * z533 + z70 * z534
+            z541 = z535 + k10 * (c_steer * z537 + s_steer * z540)
+            s79 = z372 * z394 + z157 * z527 + k40 * z528 + k34 * z532
+            z542 = s79 + z112 * z533 + z74 * z534
+            z543 = F_yy * z533
+            z544 = F_yy * z534
+            s80 = z336 * z407 + 2.0 * (z164 * (F_yy * z527)) - z119 * z543
+            z545 = s80 - z82 * z544
+            z546 = z149 * z527
+            s81 = z353 * z394 + z150 * z527 + k59 * z538 - k48 * z546
+            z547 = s81 + k45 * z539 - z104 * z533
+            z548 = z545 + (z547 - z66 * z534)
+            s82 = z358 * z394 + z151 * z527 + k62 * z528 - k55 * z529
+            z549 = s82 + k45 * z530 + z105 * z533
+            z550 = z549 + z67 * z534
+            z551 = z542 + s_steer * z548 + c_steer * z550
+            z552 = c1 * z541 + s1 * z551
+            z553 = z391 * z396
+            z554 = z134 * z533
+            z555 = z554 - z90 * z553
+            z556 = z144 * z533 + z99 * z553
+            z557 = z142 * z533 - z97 * z553
+            z558 = z392 * z396 + z391 * z398
+            s83 = z368 * z396 - z100 * z553 + k63 * z555 - k56 * z556
+            z559 = s83 + k48 * z557 - z62 * z558
+            z560 = z554 - z89 * z553
+            z561 = z143 * z533 - z98 * z553
+            s84 = z363 * z396 + z107 * z553 - k48 * z555 + k45 * z556
+            z562 = s84 - k43 * z557 + z69 * z558
+            z563 = z146 * z533 + z101 * z553
+            z564 = z147 * z533 - z102 * z553
+            s85 = z364 * z396 + z108 * z553 - k45 * z563 - k43 * z564
+            z565 = s85 + z70 * z558
+            s86 = z367 * z396 + z109 * z553 - k41 * z560 - k35 * z561
+            s87 = k10 * (c_steer * z562 + s_steer * z565)
+            z566 = z559 - (s86 + z71 * z558) - s87
+            z567 = F_yy * z558
+            s88 = z336 * z408 - z164 * z543 - 2.0 * (z119 * (F_yy * z553))
+            z568 = s88 - z82 * z567
+            z569 = z149 * z533 - z103 * z553
+            s89 = z353 * z396 - z104 * z553 - k59 * z563 + k48 * z569
+            z570 = s89 - k45 * z564 - z66 * z558
+            z571 = z568 + z570
+            s90 = z372 * z396 + z112 * z553 - k40 * z560 - k34 * z561
+            z572 = s90 + z74 * z558 + s_steer * z571
+            s91 = z358 * z396 + z105 * z553 - k62 * z555 + k55 * z556
+            z573 = s91 - k45 * z557 + z67 * z558
+            z574 = z572 + c_steer * z573
+            z575 = c1 * z566 - s1 * z574
+            z576 = z392 * z398
+            z577 = z134 * z534
+            z578 = z52 * z576
+            z579 = z577 - z90 * z558 - z578
+            z580 = z144 * z534 + z99 * z558 + z61 * z576
+            z581 = z142 * z534 - z97 * z558 - z59 * z576
+            s92 = z398 * z369 + z62 * z576 + z71 * z576 - k63 * z579
+            z582 = s92 + k56 * z580 - k48 * z581
+            z583 = z577 - z89 * z558 - z578
+            z584 = z143 * z534 - z98 * z558 + z60 * z576
+            z585 = z43 * z576
+            s93 = z363 * z398 + z69 * z576 - k48 * z579 + k45 * z580
+            z586 = s93 - k43 * z581
+            z587 = z146 * z534 + z101 * z558 + z63 * z576
+            z588 = z147 * z534 - z102 * z558 - z64 * z576
+            z589 = z364 * z398 + z70 * z576 - k45 * z587 - k43 * z588
+            z590 = c_steer * z586 + s_steer * z589
+            z591 = z582 - k41 * z583 - k35 * z584 + k28 * z585 + k10 * z590
+            s94 = z336 * z409 - z164 * z544 - z119 * z567
+            z592 = s94 - 2.0 * (z82 * (F_yy * z576))
+            z593 = z149 * z534 - z103 * z558 - z65 * z576
+            s95 = z353 * z398 - z66 * z576 - k59 * z587 + k48 * z593
+            z594 = z592 + (s95 - k45 * z588)
+            s96 = z372 * z398 + z74 * z576 - k40 * z583 - k34 * z584
+            z595 = s96 + k27 * z585 + s_steer * z594
+            s97 = z358 * z398 + z67 * z576 - k62 * z579 + k55 * z580
+            z596 = s97 - k45 * z581
+            z597 = z595 + c_steer * z596
+            z598 = c1 * z591 + s1 * z597
+            s98 = z526 - z206 * z512 - z132 * z552 - z87 * z575 + z50 * z598
+            z599 = 2.0 * (z292 * z523 * z381) - s98
+            z600 = z38 * z545
+            z601 = z139 * z527
+            z602 = z148 * z527
+            z603 = z141 * z527
+            s99 = z371 * z394 - z156 * z527 - k37 * z601 + k28 * z602
+            z604 = s99 - k27 * z603 + z111 * z533
+            s100 = z361 * z394 + z152 * z527 - k48 * z538 + k43 * z546
+            z605 = s100 + z106 * z533 + z68 * z534
+            z606 = R_yy * z533
+            z607 = R_yy * z534
+            s101 = z375 * z394 + z159 * z527 - k28 * z601 + k26 * z602
+            z608 = s101 + z114 * z533 + z75 * z534
+            z609 = z605 + z608
+            s102 = z330 * z395 - 2.0 * (z140 * (R_yy * z527)) - z95 * z606
+            z610 = s102 - z57 * z607 - z13 * z609
+            s103 = z377 * z394 - z158 * z527 - k27 * z601 - k26 * z603
+            z611 = s103 - z113 * z533 - z76 * z534
+            z612 = z611 + s_steer * z537 - c_steer * z540
+            s104 = z604 + z73 * z534 - c_steer * z548 + s_steer * z550
+            z613 = s104 + k10 * z605 - (z610 + z20 * z612)
+            z614 = z38 * z613
+            s105 = z316 * z425 - z326 * z426 - z201 * z470 + z199 * z499
+            z615 = s105 + z130 * z600 - z128 * z614
+            z616 = z38 * z568
+            s106 = z330 * z397 - z371 * z396 + z140 * z606
+            z617 = s106 - 2.0 * (z95 * (R_yy * z553)) - z111 * z553
+            z618 = z139 * z533 + z95 * z553
+            z619 = z148 * z533 - z110 * z553
+            z620 = z141 * z533 - z96 * z553
+            z621 = R_yy * z558
+            s107 = z617 - k37 * z618 + k28 * z619 - k27 * z620 - z57 * z621
+            z622 = s107 - z73 * z558 + c_steer * z571
+            s108 = z361 * z396 + z106 * z553 + k48 * z563 - k43 * z569
+            z623 = s108 + z68 * z558
+            s109 = z375 * z396 + z114 * z553 + k28 * z618 - k26 * z619
+            z624 = s109 + z75 * z558
+            s110 = z377 * z396 - z113 * z553 + k27 * z618 + k26 * z620
+            z625 = s110 - z76 * z558 + s_steer * z562
+            z626 = z625 - c_steer * z565
+            z627 = z622 - s_steer * z573 - z14 * z623 - z13 * z624 + z20 * z626
+            z628 = z38 * z627
+            z629 = z38 * z592
+            s111 = z330 * z399 - z371 * z398 + z140 * z607 - z95 * z621
+            z630 = s111 - 2.0 * (z57 * (R_yy * z576))
+            z631 = z139 * z534 + z95 * z558 + z57 * z576
+            z632 = z148 * z534 - z110 * z558 - z72 * z576
+            z633 = z141 * z534 - z96 * z558 - z58 * z576
+            s112 = z630 - z73 * z576 - k37 * z631 + k28 * z632 - k27 * z633
+            z634 = s112 + c_steer * z594 - s_steer * z596
+            z635 = z361 * z398 + z68 * z576 + k48 * z587 - k43 * z593
+            z636 = z375 * z398 + z75 * z576 + k28 * z631 - k26 * z632
+            s113 = z377 * z398 - z76 * z576 + k27 * z631 + k26 * z633
+            z637 = s113 + s_steer * z586 - c_steer * z589
+            z638 = z634 - z14 * z635 - z13 * z636 + z20 * z637
+            z639 = z38 * z638
+            s114 = z325 * z410 - z327 * z424 - z328 * z435 - z205 * z469
+            z640 = s114 + z204 * z498 + z202 * z514
+            z641 = c_roll * z552 - e2z * z613
+            z642 = c_roll * z575 - e2z * z627
+            s115 = z640 + z162 * z545 - z137 * z613 + z131 * z641 + z117 * z568
+            z643 = s115 + z93 * z627 + z86 * z642
+            z644 = c_roll * z598 + e2z * z638
+            z645 = z189 * (z643 + z80 * z592 + z55 * z638 - z49 * z644)
+            s116 = z615 + z85 * z616 + z84 * z628 + z48 * z629 + z46 * z639
+            z646 = s116 - z24 * z645
+            z647 = z15 * z600 + z7 * z614
+            z648 = z15 * z629 - z7 * z639
+            s117 = z324 * z425 - z197 * z470 - z13 * z600 + z40 * z629
+            z649 = s117 + z7 * z645
+            s118 = z324 * z426 - z197 * z499 - z13 * z614 - z40 * z639
+            z650 = s118 - z15 * z645
+            s119 = z315 * z439 - z200 * z500 + z129 * z647 + z47 * z648
+            z651 = s119 + z30 * z649 - z18 * z650
+            z652 = z15 * z616 - z7 * z628
+            s120 = z306 * z439 - z198 * z500 + z127 * z647 + z8 * z652
+            z653 = s120 + z45 * z648 + z23 * z649
+            z654 = z332 * z419 + z337 * z423
+            s121 = z378 * z398 + z77 * z576 - k28 * z583 - k27 * z584
+            z655 = roll_dot * z654 - (s121 + k26 * z585)
+            z656 = z38 * z644
+            z657 = z16 * z629 - z7 * z656
+            z658 = z28 * z648 - z23 * z657
+            z659 = z16 * z639 - z15 * z656
+            z660 = z34 * z648 + z30 * z657 + z18 * z659
+            z661 = s_steer * z658 - c_steer * z660
+            z662 = z655 - z590 - z661
+            s122 = z318 * z479 - z294 * z475 + z342 * z522 + z297 * z464
+            z663 = s122 - z291 * z524 + z42 * z662
+            z664 = z35 * z470 - z29 * z499 - z24 * z515
+            s123 = z330 * z419 - z209 * z494 + thR_dot * z664 + z140 * z609
+            z665 = s123 - z35 * z600 + z29 * z614
+            z666 = z38 * z641
+            s124 = z317 * z425 - z326 * z436 - z275 * z438 - z203 * z470
+            z667 = s124 + z199 * z515 + z136 * z600
+            z668 = z38 * z642
+            s125 = z667 - z128 * z666 + z92 * z616 + z84 * z668 + z54 * z629
+            z669 = s125 - z46 * z656 + z29 * z645
+            z670 = z669 + e2z * z646
+            s126 = z665 + z24 * z666 - z95 * z624 - z57 * z636
+            z671 = s126 - (z95 * z623 + z57 * z635 - z670)
+            z672 = z277 * z444 - z276 * z442 + c_steer * z517 + s_steer * z519
+            s127 = z330 * z423 + z209 * z495 + thR_dot * z672 + z140 * z612
+            z673 = s127 - z95 * z626 - z57 * z637
+            z674 = z16 * z600 - z7 * z666
+            z675 = z16 * z614 + z15 * z666
+            z676 = z34 * z647 + z30 * z674 - z18 * z675
+            s128 = z315 * z440 - z275 * z443 - z200 * z516 + z129 * z674
+            z677 = s128 + z47 * z657 - z34 * z649
+            s129 = z324 * z436 - z197 * z515 - z13 * z666 + z40 * z656
+            z678 = s129 + z16 * z645
+            z679 = z677 + z18 * z678 - e2z * z651
+            z680 = z16 * z616 + z7 * z668
+            s130 = z306 * z440 + z275 * z445 - z198 * z516 + z127 * z674
+            z681 = s130 + z8 * z680 + z45 * z657
+            z682 = z681 + z28 * z649 - e2z * z653
+            z683 = z276 * z452 - z277 * z453 + s_steer * z679 - c_steer * z682
+            z684 = z28 * z647 - z23 * z674
+            z685 = z673 - s_steer * z676 + z683 - c_steer * z684
+            s131 = z272 * z525 - z599 - z10 * z646 - z27 * z651 - z33 * z653
+            s132 = z11 * (z185 * (z187 * z520 - z663 - z12 * z671 + z19 * z685))
+            z686 = z186 * z521 + s131 - c_roll * s132
+            z687 = k76 * z415 + k75 * z416 - k72 * z417
+            s133 = k69 * z400 + k67 * z402 + r_R * (z293 * z479 - z11 * z671)
+            z688 = z277 * z462 - (s_steer * z687 + s133)
+            s134 = z317 * z426 - z316 * z436 - z286 * z442 + z307 * z437
+            z689 = s134 - z203 * z499 + z201 * z515
+            s135 = z689 - z193 * z519 - z191 * z664 + z136 * z614 - z130 * z666
+            z690 = s135 - z92 * z628 + z85 * z668
+            z691 = z16 * z628 + z15 * z668
+            z692 = z35 * z629 + z29 * z639 - z24 * z656
+            s136 = z277 * z446 + z276 * z448 - z34 * z652 - z30 * z680
+            z693 = s136 - z18 * z691 - z39 * z692
+            z694 = z272 * z438 + c_roll * z646
+            z695 = z278 * z447 + s1 * z694
+            z696 = z272 * z443 - c_roll * z651
+            z697 = z273 * z449 - c1 * z696
+            s137 = z690 - z54 * z639 - z48 * z656 + s1 * z660 + z35 * z645
+            z698 = s137 - (z693 - c_steer * z670 - s_steer * z695 - z697)
+            s138 = z280 * z461 - k74 * z404 - k72 * z411 - k71 * z404
+            z699 = s138 - r_F * (z283 * z451 + z5 * z698)
+            s139 = z306 * z441 - z307 * z444 - z290 * z442 - z198 * z518
+            z700 = s139 + z191 * z517 - z194 * z519
+            s140 = z700 + z127 * z675 - z8 * z691 - z45 * z659 - z39 * z658
+            z701 = s140 + z41 * z660 + z28 * z650
+            z702 = z278 * z449 + s1 * z696
+            z703 = z272 * z445 + c_roll * z653
+            z704 = z278 * z456 + s1 * z703
+            s141 = z277 * z455 + z276 * z457 + c_steer * z702 - s_steer * z704
+            z705 = z701 + z23 * z678 - (z683 - s141)
+            s142 = z284 * z451 - z287 * z458 + z281 * z460 + z6 * z698
+            z706 = z5 * (z188 * (s142 - z17 * z705))
+            z707 = z282 * z459 * z380 + 0.5 * z706
+            z708 = z699 + 2.0 * (z4 * z707)
+            z709 = z688 + c_steer * z708
+            s143 = z274 * z461 - k73 * z404 + k72 * z405 + k70 * z404
+            z710 = s143 - k68 * z400 + k67 * z401
+            s144 = z710 + r_F * (z283 * z458 - z5 * z705)
+            z711 = s144 + r_R * (z293 * z475 - z11 * z685) - 2.0 * (z2 * z707)
+            s145 = z686 + r_R * (z293 * z522 - z11 * z662) - s1 * z709
+            z712 = roll_dot * z463 - (s145 - c1 * z711)
+            z713 = z11 * z464
+            s146 = z206 * z434 + r_R * (z11 * z522) + z10 * z438 - z27 * z443
+            z714 = s146 + z33 * z445 + z186 * z713
+            z715 = z714 - c_roll * z525 + s1 * z480 - c1 * z476
+            s147 = z329 * z424 - z322 * z438 + z304 * z443 - z313 * z445
+            z716 = s147 - z206 * z497 + k68 * z427
+            s148 = z716 + k69 * z428 - k67 * z429 - z132 * z613 - z87 * z627
+            z717 = s148 - z50 * z638 + z15 * z646
+            s149 = z276 * z462 + (z717 + z23 * z651 - z30 * z653)
+            z718 = c_steer * z687 - (roll_dot * z715 + s149) + s_steer * z708
+            J[offset2 + 4] = e2z * z712 + c_roll * z718
+            z719 = z288 * z442 - z18 * z519 - k16 * z519
+            s150 = z467 + z468 - z18 * z517 - k16 * z517 - z7 * z664
+            z720 = s150 - k4 * z664
+            s151 = z506 + z277 * z471 + z276 * z472 - c_steer * z719
+            z721 = s151 + s_steer * z720
+            s152 = z333 * z433 - z301 * z449 + z207 * z481 + z331 * z511
+            z722 = s152 + z133 * z541 + z88 * z566
+            z723 = z21 * z660
+            z724 = z8 * z692 + z18 * z658 + k16 * z658
+            s153 = z311 * z456 - (z597 + (z722 - z51 * z591)) + c_steer * z723
+            z725 = s153 - s_steer * z724 + z26 * z696
+            z726 = z285 * z442 - z7 * z519 - k4 * z519
+            z727 = z726 + (z511 - k10 * z520)
+            s154 = z333 * z430 - z320 * z447 - z300 * z449 - z310 * z456
+            z728 = s154 - z207 * z477 - z331 * z506
+            s155 = z728 + z133 * z551 - z88 * z574 - z591 - z51 * z597
+            z729 = s155 + z7 * z660 + k4 * z660
+            s156 = roll_dot * z727 + (z729 + z9 * z694 - z25 * z696 + z31 * z703)
+            z730 = z272 * z480 + (s156 - k10 * z661)
+            s157 = z272 * z476 - (roll_dot * z721 - (z725 - z32 * z703))
+            z731 = s1 * (s157 - c_roll * z711) + c1 * (z730 + c_roll * z709)
+            J[offset2 + 5] = -z731
+            s158 = z332 * z418 + z208 * z412 + z195 * z444 + z196 * z442
+            z732 = s158 - z190 * z471 + z8 * z446
+            z733 = z732 + k10 * z450 - z22 * z453 + z21 * z455 - z3 * z462
+            s159 = z341 * z420 - z346 * z421 - z334 * z412 + z330 * z418
+            z734 = s159 - z332 * z486 + z298 * z444
+            s160 = z734 - z296 * z442 - z289 * z472 + z285 * z448 + z303 * z452
+            z735 = s160 + z288 * z457 - z208 * z492
+            s161 = z735 - z143 * z548 + z139 * z550 + z141 * z537 - z135 * z540
+            z736 = s161 + z98 * z571 + z95 * z573
+            s162 = z736 - z96 * z562 + z91 * z565 - z60 * z594 + z57 * z596
+            z737 = s162 - z58 * z586 + z53 * z589
+            s163 = z190 * z720 - (z195 * z519 - (z196 * z517 - z737))
+            z738 = s163 - z44 * z658 + c1 * z724 + z8 * z695
+            s164 = z738 - z22 * z679 + z20 * z676 + z21 * z704
+            z739 = s164 - k10 * (z273 * z456 - c1 * z703)
+            s165 = z332 * z412 - z208 * z418 - z196 * z444 + z195 * z442
+            z740 = s165 + z190 * z472 - z8 * z448
+            s166 = z740 - z22 * z452 - z21 * z457 - k10 * (c1 * z456)
+            z741 = s166 + e2z * z462
+            s167 = z346 * z420 + z341 * z421 + z334 * z418 + z330 * z412
+            z742 = s167 - z332 * z492 + z296 * z444
+            s168 = z742 + z298 * z442 - z289 * z471 + z285 * z446 - z303 * z453
+            z743 = s168 + z288 * z455 + z279 * z462
+            s169 = z743 + z208 * z486 + z139 * z548 + z143 * z550 + z135 * z537
+            z744 = s169 + z141 * z540 + z95 * z571
+            s170 = z744 - z98 * z573 - z91 * z562 - z96 * z565 + z57 * z594
+            z745 = s170 + z60 * z596 - z53 * z586
+            s171 = z196 * z519 + (z195 * z517 - (z745 - z58 * z589))
+            z746 = z190 * z719 + s171 - z44 * z660 + c1 * z723
+            s172 = z746 - z8 * z670 - k10 * z697 - z22 * z682 + z21 * z702
+            z747 = s172 - z20 * z684 - z3 * z708
+            s173 = steer_dot * z733 - (z275 * z462 - (z3 * z687 - z739))
+            s174 = s_steer * (e2z * z687 - (steer_dot * z741 - z747))
+            z748 = c_steer * (s173 + e2z * z708) - s174
+            J[offset2 + 6] = z748
+            s175 = z273 * z473 + z278 * z478 + z343 * z493 + z43 * z654
+            z749 = s175 + r_R * (z272 * z713 - c_roll * z521)
+            s176 = z749 + c1 * z721 + s1 * z727 + e2z * z715
+            J[offset2 + 9] = -(s176 + c_roll * z463)
+            J[offset2 + 10] = s_steer * z733 - (z508 + z726 + c_steer * z741)
+            s177 = z295 * z474 - z319 * z437 - z496 - z20 * z672
+            J[offset2 + 11] = -(s177 + z13 * z664)
         _finish("jacobian", J)
         return [J[k79 : k79 + 12] for k79 in range(0, 144, 12)]
     except (ValueError, ZeroDivisionError, OverflowError) as error:
@@ -3068,9 +3087,7 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
     roll = float(y[4])  # second turn, about x [rad]
     pitch = float(y[5])  # third turn, about y [rad]
     steer = float(y[6])  # front frame against rear frame [rad]
-    roll_dot = float(y[9])
-    steer_dot = float(y[10])
-    thF_dot = float(y[11])
+    thR_dot = float(y[11])
     w = float(p[0])  # wheelbase [m]
     c = float(p[1])  # trail [m]
     lam = float(p[2])  # tilt of the steering axis, 18 degrees [rad]
@@ -3094,66 +3111,57 @@ def outputs(t: float, y: Sequence[float], p: Sequence[float] = DEFAULTS) -> list
         k12 = 13.0 * k8 + (14.0 * k6 + k11)
         k13 = 10.0 * k8 + (k9 + k11)
         # state
+        s_steer = math.sin(steer)
         c_roll = math.cos(roll)
         s_pitch = math.sin(pitch)
         c_pitch = math.cos(pitch)
         z1 = s_pitch * c_lam + c_pitch * s_lam
         z2 = c_roll * z1
-        z3 = c_roll * c_roll
-        z4 = 1.0 / math.sqrt(z3)
-        z5 = r_R * z4
-        z6 = z2 * z5
-        c_steer = math.cos(steer)
         e2z = math.sin(roll)
-        s_steer = math.sin(steer)
-        z7 = e2z * s_steer - c_steer * z2
-        z8 = c_pitch * c_lam - s_pitch * s_lam
-        z9 = c_roll * z8
-        z10 = c_lam * z7 + s_lam * z9
-        z11 = c_lam * z9 - s_lam * z7
-        z12 = 1.0 / math.sqrt(z10 * z10 + z11 * z11)
-        z13 = r_F * z12
-        z14 = z7 * z13
-        z15 = k2 + z14
-        z16 = k3 + z6 + c_steer * z15
-        z17 = z9 * z5
-        z18 = z9 * z13
-        z19 = k4 + z18
-        z20 = z1 * z19
-        z21 = z17 - z19
-        z22 = s_steer * z21
-        s1 = c_roll * (c_steer * z20 + z8 * (c_steer * k3 + z15))
-        z23 = s1 + e2z * z22
-        z24 = c_steer * z21
-        z25 = c_roll * (k3 * (s_steer * z8) + s_steer * z20) - e2z * z24
-        z26 = z24 * z23 + z25 * z22
-        z27 = z16 * (c_steer * z17 * z23 + s_steer * z17 * z25) - z6 * z26
-        z28 = k5 * (9.0 + abs(z4))
-        s2 = (z28 + k12) * (z28 + k13)
+        c_steer = math.cos(steer)
+        z3 = e2z * s_steer - c_steer * z2
+        z4 = c_pitch * c_lam - s_pitch * s_lam
+        z5 = c_roll * z4
+        z6 = c_lam * z3 + s_lam * z5
+        z7 = c_lam * z5 - s_lam * z3
+        z8 = 1.0 / math.sqrt(z6 * z6 + z7 * z7)
+        z9 = r_F * z8
+        z10 = z3 * z9
+        z11 = k2 + z10
+        z12 = c_roll * c_roll
+        z13 = 1.0 / math.sqrt(z12)
+        z14 = r_R * z13
+        z15 = k3 + z2 * z14 + c_steer * z11
+        z16 = z5 * z9
+        z17 = k4 + z16
+        z18 = z5 * z14 - z17
+        z19 = s_steer * z18
+        z20 = z1 * z17
+        s1 = c_roll * (c_steer * z20 + z4 * (c_steer * k3 + z11))
+        z21 = s1 + e2z * z19
+        z22 = c_steer * z18
+        s2 = c_roll * (k3 * (s_steer * z4) + s_steer * z20) - e2z * z22
+        z23 = z10 * (z22 * z21 + s2 * z19)
+        z24 = k5 * (9.0 + abs(z13))
+        s3 = s_steer * z2 * z11
+        s4 = s3 + e2z * z15
+        s5 = z15 * (z16 * z21)
+        s6 = s4 * (z16 * z19)
+        s7 = s6 - s5 - z23
+        s8 = (z24 + k12) * (z24 + k13)
         # the coframe is singular
-        if not abs(-z27) > 1e-12 * (k10 * s2):
-            raise _refuse(abs(-z27), 1e-12 * (k10 * s2), 1, "outputs")
-        z29 = roll_dot * z8
-        z30 = c_steer * z29
-        z31 = roll_dot * z1
-        z32 = steer_dot + z31
-        z33 = c_roll * (roll_dot * z5) + k3 * z31
-        z34 = k4 * z30 - k2 * z32 - c_steer * z33 - (z32 * z14 - z30 * z18)
-        z35 = s_steer * z29
-        z36 = thF_dot - z35
-        z37 = k4 * z35 - s_steer * z33 - z36 * z18
-        s3 = (s_steer * z2 * z15 + e2z * z16) * (z24 * z34 + z22 * z37)
-        z38 = s3 - z16 * (z23 * z37 - z25 * z34)
-        z39 = r_F * z11
-        s4 = z - s_pitch * c_roll * k1 + r_R * (c_pitch * c_roll)
-        z40 = s4 - c * z10 - z39 + z10 * (z10 * z13)
+        if not abs(s7) > 1e-15 * (k10 * s8):
+            raise _refuse(abs(s7), 1e-15 * (k10 * s8), 1, "outputs")
+        z25 = r_F * z7
+        s9 = z - s_pitch * c_roll * k1 + r_R * (c_pitch * c_roll)
+        z26 = s9 - c * z6 - z25 + z6 * (z6 * z9)
         out: list[float] = [
             # speed 123:10
-            -r_R * ((z38 - z26 * (k2 * z35 - z36 * z14)) / z27),
+            -thR_dot * r_R,
             # rear_height 124:16
-            z + z3 * z5,
+            z + z12 * z14,
             # front_height 125:17
-            z40 + z12 * (z11 * z39),
+            z26 + z8 * (z7 * z25),
         ]
         return _finish("outputs", out)
     except (ValueError, ZeroDivisionError, OverflowError) as error:
