@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
+import contextlib
 import ctypes
 import importlib.util
 import json
+import os
+import pty
+import re
 import shutil
+import signal
 import subprocess
 import sys
 from dataclasses import dataclass
@@ -30,7 +35,25 @@ _RESTORE = (
     "import os, signal, sys; signal.signal(signal.SIGINT, signal.SIG_DFL); os.execv(sys.executable, sys.argv[1:])"
 )
 INTERRUPTIBLE = (sys.executable, "-c", _RESTORE, sys.executable, "-m", "nhc")
+MOVED = re.compile(rb"\r\[#+\.+\] ")
 COMPILER = shutil.which("cc") or shutil.which("gcc") or shutil.which("clang") or "cc"
+
+
+def interrupt(*arguments: str) -> tuple[int, str]:
+    """(exit code, what the terminal shows) of nhc, interrupted by a SIGINT as soon as its bar has moved."""
+    screen, terminal = pty.openpty()
+    with subprocess.Popen([*INTERRUPTIBLE, *arguments], cwd=ROOT, stderr=terminal) as process:
+        os.close(terminal)
+        seen = b""
+        while not MOVED.search(seen):
+            seen += os.read(screen, 4096)  # ends with an error if the run ends first
+        process.send_signal(signal.SIGINT)
+        with contextlib.suppress(OSError):  # the terminal's end
+            while more := os.read(screen, 4096):
+                seen += more
+        code = process.wait(timeout=60)
+    os.close(screen)
+    return code, seen.decode()
 
 
 def hide_numpy(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -5,10 +5,6 @@ from __future__ import annotations
 import csv
 import io
 import math
-import os
-import signal
-import subprocess
-import time
 from pathlib import Path
 
 import pytest
@@ -21,7 +17,7 @@ from nhc.simulate.opening import open_scene
 from nhc.simulate.prepare import move_start
 from nhc.simulate.run import Settings, run
 from nhc.simulate.starts import list_starts, read_starts
-from tests.support import INTERRUPTIBLE, ROOT, spec_path
+from tests.support import interrupt, spec_path
 
 SLEIGH = "theta,w,m\n0,1.3,1\n0.5,1.2,2\n1,,1.5\n"
 
@@ -161,12 +157,8 @@ def test_an_interrupt_keeps_the_starts_that_are_done(how: tuple[str, ...], tmp_p
     spec.write_text(BLOW_UP.replace("-k*x^4", "k*x^4").replace("1.8]", "100]" if how else "100000]"))
     count = 2_000
     table.write_text("x\n" + "".join(f"{1 + k / count!r}\n" for k in range(count)))
-    command = [*INTERRUPTIBLE, "run", str(spec), "--ensemble", str(table), "-o", str(target), *how]
-    process = subprocess.Popen(command, cwd=ROOT, stderr=subprocess.PIPE, text=True, env={**os.environ})
-    time.sleep(8)
-    process.send_signal(signal.SIGINT)
-    _, err = process.communicate(timeout=120)
-    assert process.returncode == 130 and f"of {count} starts" in err and "interrupted after" in err, err
+    code, err = interrupt("run", str(spec), "--ensemble", str(table), "-o", str(target), *how)
+    assert code == 130 and f"of {count} starts" in err and "interrupted after" in err, err
     assert not target.exists()
     _, rows = rows_of((tmp_path / "out.partial.csv").read_text())
     done = int(err.split("interrupted after ")[1].split()[0])

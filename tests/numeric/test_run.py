@@ -6,13 +6,9 @@ import csv
 import io
 import json
 import math
-import os
-import pty
 import re
-import signal
 import subprocess
 import sys
-import time
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -29,7 +25,7 @@ from nhc.simulate.peers import SCIPY
 from nhc.simulate.prepare import Job
 from nhc.simulate.run import Settings, Trajectory, run
 from nhc.simulate.source import write_natural, write_source
-from tests.support import COMPILER, INTERRUPTIBLE, ROOT, STRICT, formulations, reference, spec_path
+from tests.support import COMPILER, STRICT, formulations, interrupt, reference, spec_path
 
 pytestmark = pytest.mark.usefixtures("own_cache")
 
@@ -367,34 +363,13 @@ def test_files_of_each_kind(tmp_path: Path, capsys: pytest.CaptureFixture[str]) 
 def test_an_interrupt_keeps_what_there_is(tmp_path: Path) -> None:
     spec = tmp_path / "long.yaml"
     spec.write_text(BLOW_UP.replace("-x^4", "x^4"))
-    command = [*INTERRUPTIBLE, "run", str(spec), "--scene", "long", "-o", str(tmp_path / "a.csv")]
-    command += ["--points", "100000", "--method", "rk4", "--step", "0.1"]
-    process = subprocess.Popen(command, cwd=ROOT, stderr=subprocess.PIPE, text=True, env={**os.environ})
-    time.sleep(3)
-    process.send_signal(signal.SIGINT)
-    _, err = process.communicate(timeout=60)
-    assert process.returncode == 130 and "interrupted at t = " in err
+    how = ("--points", "100000", "--method", "rk4", "--step", "0.1")
+    code, seen = interrupt("run", str(spec), "--scene", "long", "-o", str(tmp_path / "a.csv"), *how)
+    assert code == 130
+    assert re.search(r"\r\[#+\.+\] +[1-9]\d* %  t = [\d.e+]+", seen)
     assert not (tmp_path / "a.csv").exists()
     _, rows = table((tmp_path / "a.partial.csv").read_text())
-    assert 2 <= len(rows) < 100000 and f"t = {rows[-1][0]!r}" in err
-
-
-def test_a_bar_shows_on_a_terminal_how_far_a_long_run_is(tmp_path: Path) -> None:
-    spec = tmp_path / "long.yaml"
-    spec.write_text(BLOW_UP.replace("-x^4", "x^4"))
-    command = [*INTERRUPTIBLE, "run", str(spec), "--scene", "long", "-o", str(tmp_path / "a.csv")]
-    command += ["--points", "100", "--method", "rk4", "--step", "0.1"]
-    screen, terminal = pty.openpty()
-    with subprocess.Popen(command, cwd=ROOT, stderr=terminal, env={**os.environ}) as process:
-        os.close(terminal)
-        seen = b""
-        while not re.search(rb"\r\[#+\.+\] +[1-9]\d* %  t = [\d.e+]+ ", seen):
-            seen += os.read(screen, 4096)  # ends with an error if the run ends first
-        process.send_signal(signal.SIGINT)
-        while b"interrupted at t = " not in seen:
-            seen += os.read(screen, 4096)
-        assert process.wait(timeout=60) == 130
-    os.close(screen)
+    assert 2 <= len(rows) < 100000 and f"interrupted at t = {rows[-1][0]!r}" in seen
 
 
 # --- the cache ----------------------------------------------------------------------------------------------
