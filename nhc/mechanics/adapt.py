@@ -21,16 +21,10 @@ from nhc.algebra.graph import Node
 from nhc.algebra.interval import cannot_vanish
 from nhc.algebra.modular import rank
 from nhc.mechanics.frame import coordinate_form
-from nhc.mechanics.regularity import (
-    choose_dependent,
-    coframe_weakness,
-    intervals,
-    ordinary_points,
-    relative_determinant,
-    sampled_rows,
-)
+from nhc.mechanics.regularity import choose_dependent, coframe_weakness, intervals, relative_determinant
 from nhc.mechanics.rotation import rows_in_base
 from nhc.mechanics.system import Form, System
+from nhc.mechanics.trials import ordinary_points, sampled_rows
 
 _MOST_ROWS = 3
 _WEAK = 0.03  # of the largest determinant that rows of these lengths can have (per constraint)

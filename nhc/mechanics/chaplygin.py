@@ -18,8 +18,8 @@ from nhc.algebra.graph import Node
 from nhc.algebra.linear import steps_with
 from nhc.algebra.modular import are_zero, is_zero
 from nhc.mechanics.frame import Frame, dependent_coefficients
-from nhc.mechanics.regularity import sampled_rows, trial_points
 from nhc.mechanics.system import System
+from nhc.mechanics.trials import sampled_rows, trial_points
 from nhc.mechanics.voronec import Reduced, applied_force, motion_rate
 from nhc.records import record
 from nhc.thesis import equation

@@ -10,9 +10,9 @@ from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Graph, Node
 from nhc.diagnostics import SpecError
 from nhc.mechanics.claims import Claim, Guards, Velocities, solve_in_doubles
-from nhc.mechanics.regularity import trial_points
 from nhc.mechanics.scenes import start_of
 from nhc.mechanics.system import System
+from nhc.mechanics.trials import trial_points
 from nhc.records import record
 
 _SPECIAL = 4  # the first of the trial points stand where careless choices are singular

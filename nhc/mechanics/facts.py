@@ -21,9 +21,10 @@ from nhc.mechanics.frame import coordinate_frame
 from nhc.mechanics.integrability import Integrability, classify, classify_as_given, cyclic_coordinates
 from nhc.mechanics.integrals import PositionIntegral, find_position_integrals
 from nhc.mechanics.named import named_text
-from nhc.mechanics.regularity import choose_dependent, intervals, trial_points
+from nhc.mechanics.regularity import choose_dependent, intervals
 from nhc.mechanics.singular import find_rank_loss, never_changes
 from nhc.mechanics.system import System
+from nhc.mechanics.trials import trial_points
 
 _ROUNDING = 1e-12
 

@@ -20,10 +20,10 @@ from nhc.mechanics.motion import Motion
 from nhc.mechanics.move import move
 from nhc.mechanics.moved import Moved
 from nhc.mechanics.multipliers import multiplier_symbols
-from nhc.mechanics.regularity import trial_points
 from nhc.mechanics.system import System
 from nhc.mechanics.tree import Elimination
 from nhc.mechanics.tree_choice import FEW, worthwhile_tree
+from nhc.mechanics.trials import trial_points
 from nhc.mechanics.values import scene_values
 from nhc.mechanics.whole_forms import whole_kinetic
 from nhc.records import record

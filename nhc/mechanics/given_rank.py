@@ -13,8 +13,8 @@ from nhc.algebra.common_zero import find_common_zero
 from nhc.algebra.dense import RowSpace
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Node
-from nhc.mechanics.regularity import ordinary_points, trial_points, velocity_units
 from nhc.mechanics.system import Form, System
+from nhc.mechanics.trials import ordinary_points, trial_points, velocity_units
 
 _STATES = 4
 _OF_NO_SCENE = 2  # of the ordinary points, the last

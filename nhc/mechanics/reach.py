@@ -16,8 +16,8 @@ from nhc.algebra.common_zero import find_common_zero
 from nhc.algebra.graph import Node
 from nhc.algebra.minors import float_determinant
 from nhc.mechanics.given_rank import given_states
-from nhc.mechanics.regularity import sampled_rows, velocity_units
 from nhc.mechanics.system import Form, System
+from nhc.mechanics.trials import sampled_rows, velocity_units
 
 _MOST = 8
 _WALKS, _STEPS = 2, 30

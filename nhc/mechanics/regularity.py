@@ -1,25 +1,22 @@
-"""Where a choice is regular: sampling at ordinary and at special points, bounds, and the choice of dependent velocities."""
+"""Where a choice is regular: bounds, measures at trial points, and the choice of dependent velocities."""
 
 from __future__ import annotations
 
 import math
-import random
 from collections.abc import Callable, Sequence
 from itertools import combinations
 
 from nhc.algebra.blocks import determinant_of
-from nhc.algebra.calculus import reachable
-from nhc.algebra.evaluate import evaluate, evaluate_into
+from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Node
 from nhc.algebra.interval import Interval, cannot_vanish
-from nhc.algebra.minors import balance_columns, relative_minors
+from nhc.algebra.minors import relative_minors
 from nhc.algebra.polynomial import normalise
 from nhc.mechanics.system import Form, System
-from nhc.mechanics.values import constant_value, default_values, parameter_ranges
+from nhc.mechanics.trials import sampled_rows, scattered_points, start_points, trial_points
+from nhc.mechanics.values import parameter_ranges
 from nhc.records import record
 
-_TRIALS = 12
-_LATEST = 2.0  # time of states that are in no scene
 _WEAK = 0.03  # of the largest determinant that rows of these lengths can have (per row)
 _NOTHING = 1e-9  # what rounding leaves of a pivot
 _MANY = 250  # subsets of columns that are tried one by one
@@ -41,125 +38,6 @@ def intervals(system: System) -> dict[Node, Interval]:
         if coordinate.range is not None:
             known[symbol] = (float(coordinate.range[0]), float(coordinate.range[1]))
     return known
-
-
-def trial_points(system: System) -> list[dict[Node, float]]:
-    """Ordinary states, the special ones (quarter turns) where careless choices are singular, and random ones.
-
-    Velocities are random throughout.
-    """
-    rng, defaults = random.Random(11), default_values(system)
-    quarter = (0.0, math.pi / 2, math.pi / 4, math.pi)
-    turned = [[quarter[(k + j * (k > 1)) % 4] for j in range(system.n)] for k in range(1, 4)]
-    special = [_state_at(system, defaults, rng, angles, 0.0) for angles in turned]
-    drawn = [_state_at(system, defaults, rng, [0.0] * system.n, 3.0) for _ in range(_TRIALS - 4)]
-    return ordinary_points(system) + special + drawn
-
-
-def ordinary_points(system: System) -> list[dict[Node, float]]:
-    """The scenes' own starts, each with its neighbourhood at some time of the scene, and zero."""
-    rng, defaults = random.Random(7), default_values(system)
-    found = []
-    for start, (begin, end) in _scene_starts(system):
-        found.append({**_state_at(system, defaults, rng, start, 0.0), system.t: begin})
-        near = _state_at(system, defaults, rng, start, 0.2)
-        found.append({**near, system.t: begin + (end - begin) * near[system.t] / _LATEST})
-    zero = [float(c.start) for c in system.spec.coordinates]
-    return [*found, *(_state_at(system, defaults, rng, zero, spread) for spread in (0.0, 0.2))]
-
-
-def _starts(system: System) -> list[dict[Node, float]]:
-    """The scenes' own starts among the trial points."""
-    return _kept_points(system, ordinary=False)[: 2 * len(_scene_starts(system)) : 2]
-
-
-def _scene_starts(system: System) -> list[tuple[list[float], tuple[float, float]]]:
-    """Initial coordinates and time of the first scenes (velocities play no part in regularity)."""
-    starts = []
-    parameters = dict(zip((p.name for p in system.spec.parameters), default_values(system).values(), strict=True))
-    for scene in system.spec.scenes[:3]:
-        try:
-            given = {e.name: constant_value(e.value, parameters) for e in scene.initial if e.kind == "coordinate"}
-        except (ArithmeticError, ValueError):
-            continue  # said of the scene itself
-        start = [given.get(c.name, float(c.start)) for c in system.spec.coordinates]
-        starts.append((start, (float(scene.time[0]), float(scene.time[1]))))
-    return starts
-
-
-def _state_at(
-    system: System, defaults: dict[Node, float], rng: random.Random, centre: Sequence[float], spread: float
-) -> dict[Node, float]:
-    point = dict(defaults)
-    for symbol, coordinate, middle in zip(system.q, system.spec.coordinates, centre, strict=True):
-        value = middle + rng.uniform(-spread, spread)
-        if coordinate.range is not None and spread > 1.0:
-            value = rng.uniform(float(coordinate.range[0]), float(coordinate.range[1]))
-        point[symbol] = value
-    for symbol in system.v:
-        point[symbol] = rng.uniform(-1, 1)
-    point[system.t] = rng.uniform(0, _LATEST)
-    return point
-
-
-def sampled_rows(
-    system: System,
-    forms: Sequence[Form],
-    points: Sequence[dict[Node, float]] | None = None,
-    *,
-    ordinary: bool = False,
-) -> list[list[list[float]]]:
-    """The matrix of the forms' coefficients, in the units of :func:`velocity_units`, at each of the points (trial points, or
-    ordinary ones, by default) where it can be evaluated; the points are told what was evaluated at them.
-    """
-    chosen = _kept_points(system, ordinary=ordinary) if points is None else points
-    units = velocity_units(system)
-    return [[[a * u for a, u in zip(row, units, strict=True)] for row in rows] for rows in _rows(system, forms, chosen)]
-
-
-def _rows(system: System, forms: Sequence[Form], points: Sequence[dict[Node, float]]) -> list[list[list[float]]]:
-    g = system.graph
-    flat = [a for form in forms for a in form.coefficients]
-    order, result = reachable(g, flat), []
-    for known in points:
-        try:
-            evaluate_into(known, g, order)
-        except (ArithmeticError, ValueError):
-            continue
-        values = [float(known[x]) for x in flat]
-        result.append([values[r * system.n : (r + 1) * system.n] for r in range(len(forms))])
-    return result
-
-
-def velocity_units(system: System) -> list[float]:
-    """Units of the velocities in which the coefficients of the constraints and of the spec's quasi-velocities are near 1, whatever
-    the spec's units of lengths and of angles are: how singular a choice is does not hang on those.
-
-    The largest coefficients over the trial points are what is balanced (see :func:`nhc.algebra.minors.balance_columns`).
-    """
-    forms = (*system.constraints, *system.quasi)
-    known: dict[tuple[tuple[Node, ...], ...], list[float]] = system.graph.memory.setdefault("velocity units", {})
-    key = tuple(form.coefficients for form in forms)
-    if key not in known:
-        rows = _rows(system, forms, _kept_points(system, ordinary=False))
-        largest = [[max((abs(m[i][j]) for m in rows), default=0.0) for j in range(system.n)] for i in range(len(forms))]
-        known[key] = balance_columns(largest, system.n)
-    return known[key]
-
-
-def _kept_points(system: System, *, ordinary: bool) -> list[dict[Node, float]]:
-    """The points with everything that was evaluated at them before."""
-    name = "ordinary points" if ordinary else "trial points"
-    found: list[dict[Node, float]] | None = system.graph.memory.get(name)
-    if found is None:
-        found = system.graph.memory[name] = ordinary_points(system) if ordinary else trial_points(system)
-    return found
-
-
-def _scattered(system: System) -> list[dict[Node, float]]:
-    """The trial points with other values of the parameters: those of the spec may make rows equal that are independent."""
-    rng = random.Random(5)
-    return [point | {symbol: rng.uniform(0.4, 1.6) for symbol in system.p} for point in trial_points(system)]
 
 
 def relative_determinant(matrix: Sequence[Sequence[float]], columns: Sequence[int]) -> float:
@@ -246,9 +124,9 @@ def _choose(system: System) -> Choice:
     if lower == 0:
         return Choice((), system.graph.one, True)
     samples = sampled_rows(system, system.constraints)
-    begun = sampled_rows(system, system.constraints, _starts(system))
+    begun = sampled_rows(system, system.constraints, start_points(system))
     if not any(_full_rank(matrix, _NOTHING) for matrix in samples):
-        samples, begun = sampled_rows(system, system.constraints, _scattered(system)), []
+        samples, begun = sampled_rows(system, system.constraints, scattered_points(system)), []
     if math.comb(n, lower) <= _MANY:
         candidates = [list(c) for c in combinations(range(n), lower)]
     else:
@@ -292,7 +170,7 @@ def ranked(system: System, columns: Sequence[int], fits: Callable[[Sequence[int]
     if math.comb(len(columns), system.l) > _MANY:
         return []
     samples = sampled_rows(system, system.constraints)
-    begun = sampled_rows(system, system.constraints, _starts(system))
+    begun = sampled_rows(system, system.constraints, start_points(system))
     scored = _scored([list(c) for c in combinations(columns, system.l)], samples, begun)
     found = [judge(system, tuple(chosen)) for _, weak, _, chosen in scored if weak < len(samples) and fits(chosen)]
     return sorted(found, key=lambda choice: not choice.regular)

@@ -13,7 +13,7 @@ from nhc.mechanics.choose import Formulation
 from nhc.mechanics.formulate import bordered_system
 from nhc.mechanics.rotation import moving
 from nhc.mechanics.system import System
-from nhc.mechanics.usual import usual_digits
+from nhc.mechanics.trials import usual_digits
 from nhc.program.ir import Argument, Function, Origin
 from nhc.program.lower import lower_function
 from nhc.program.mass_route import mass_route

@@ -17,7 +17,7 @@ from nhc.algebra.interval import cannot_vanish
 from nhc.algebra.polynomial import normalise
 from nhc.mechanics.regularity import intervals
 from nhc.mechanics.singular import find_rank_loss
-from nhc.mechanics.usual import usual_digits
+from nhc.mechanics.trials import usual_digits
 from nhc.program.build import Planner
 from nhc.program.ir import Function, Lookout
 from nhc.records import record

@@ -9,7 +9,8 @@ import pytest
 
 from nhc.diagnostics import Source
 from nhc.mechanics.certificate import certify
-from nhc.mechanics.regularity import choose_dependent, ordinary_points, relative_determinant, sampled_rows
+from nhc.mechanics.regularity import choose_dependent, relative_determinant
+from nhc.mechanics.trials import ordinary_points, sampled_rows
 from nhc.pipeline import Options, check, emit, model, program
 from tests.support import compile_c
 

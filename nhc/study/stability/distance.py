@@ -12,7 +12,8 @@ from dataclasses import replace
 import numpy as np
 
 from nhc.mechanics.choose import NotApplicable, dependent_of
-from nhc.mechanics.regularity import relative_determinant, velocity_units
+from nhc.mechanics.regularity import relative_determinant
+from nhc.mechanics.trials import velocity_units
 from nhc.records import record
 from nhc.study.field import scaled_least
 from nhc.study.stability.bench import Bench

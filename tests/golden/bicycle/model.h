@@ -1,9 +1,9 @@
 /*
- * bicycle.h: bicycle, emitted by nhc 0.1.0 (nhc:8fd102c968291ed1)
+ * bicycle.h: bicycle, emitted by nhc 0.1.0 (nhc:7653f1e32326b1a0)
  * Whipple's bicycle, nonlinear; two wheels, rear frame with rider, front frame; x ahead, y right, z down.
  * Source: bicycle.yaml
  * Equations of motion: euler-lagrange (I.2.15)
- * Why: coframe completed by nhc with roll', steer', thR': the dependent velocities of the spec (x', y', z',
+ * Why: coframe completed by nhc with roll', steer', thF': the dependent velocities of the spec (x', y', z',
  *     yaw', pitch', thF') are singular somewhere
  *
  * State y:
@@ -18,7 +18,7 @@
  * y[8] = thF [rad]: front wheel against front frame
  * y[9] = roll'
  * y[10] = steer'
- * y[11] = thR'
+ * y[11] = thF'
  *
  * Parameters p:
  * p[0]: w = 1.02 [m]: wheelbase
@@ -62,15 +62,15 @@
  * out[2] = front_height
  *
  * Operations:
- * rhs: 476 +-, 729 *, 6 /, 17 calls
- * velocities: 58 +-, 102 *, 3 /, 17 calls
- * accelerations: 160 +-, 272 *, 3 /, 12 calls
+ * rhs: 455 +-, 699 *, 6 /, 17 calls
+ * velocities: 56 +-, 99 *, 3 /, 17 calls
+ * accelerations: 153 +-, 264 *, 3 /, 12 calls
  * state: 0 +-, 0 *, 0 /, 0 calls
  * residuals: 108 +-, 183 *, 2 /, 12 calls
- * reactions: 409 +-, 629 *, 3 /, 12 calls
- * energy: 170 +-, 281 *, 3 /, 12 calls
- * jacobian: 3678 +-, 5099 *, 7 /, 17 calls
- * outputs: 43 +-, 76 *, 2 /, 15 calls
+ * reactions: 402 +-, 616 *, 3 /, 12 calls
+ * energy: 168 +-, 278 *, 3 /, 12 calls
+ * jacobian: 3688 +-, 5104 *, 7 /, 17 calls
+ * outputs: 57 +-, 101 *, 3 /, 15 calls
  *
  * Every array is the caller's; an output must not overlap an input. Nothing is kept between calls.
  */
