@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable, Sequence
 
 from nhc.records import record
-from nhc.report.marks import SHAPES, draw_box, draw_line, draw_marker, draw_text
+from nhc.report.marks import SHAPES, draw_axes, draw_box, draw_marker, draw_text
 from nhc.report.svg import COLOURS
 from nhc.report.ticks import Scale, log_scale
 from nhc.study.chart.advice import NAMES
@@ -128,16 +128,9 @@ def _draw_line(panel: Panel, style: Style, line: Sequence[tuple[int, Result]], x
 
 
 def _draw_frame(panel: Panel, x: Scale, y: Scale) -> list[str]:
-    right, bottom = panel.left + panel.width, panel.top + panel.height
-    parts = [draw_text(panel.left, panel.top - 9, panel.title, "start", ' font-weight="bold"')]
-    for place, text in x.ticks:
-        parts.append(draw_line(panel.left + place, panel.top, panel.left + place, bottom, "#e4e4e4"))
-        parts.append(draw_text(panel.left + place, bottom + 16, text, "middle"))
-    for place, text in y.ticks:
-        parts.append(draw_line(panel.left, bottom - place, right, bottom - place, "#e4e4e4"))
-        parts.append(draw_text(panel.left - 6, bottom - place + 4, text, "end"))
-    parts.append(draw_box(panel.left, panel.top, panel.width, panel.height, "none", "#555555"))
-    parts.append(draw_text(panel.left + panel.width / 2, bottom + 33, panel.x_label, "middle"))
+    parts = [draw_text(panel.left, panel.top - 9, panel.title, more=' font-weight="bold"')]
+    parts += draw_axes(panel.left, panel.top, x, y)
+    parts.append(draw_text(panel.left + panel.width / 2, panel.top + panel.height + 33, panel.x_label, "middle"))
     middle, side = panel.top + panel.height / 2, panel.left - 48
     turned = f' transform="rotate(-90 {side:.2f} {middle:.2f})"'
     return [*parts, draw_text(side, middle, panel.y_label, "middle", turned)]

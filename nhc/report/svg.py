@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from html import escape
 
 from nhc.records import record
+from nhc.report.marks import draw_axes, draw_text
 from nhc.report.ticks import Scale, linear_scale, log_scale
 
 # Okabe and Ito: told apart by most eyes
@@ -80,7 +80,7 @@ def draw_inside(chart: Chart) -> str:
     """The chart's elements without the ``svg`` around them."""
     legend = legend_rows(chart)
     frame = find_frame(chart, len(legend))
-    parts = [_text(chart.width / 2, 18, chart.title, "middle", ' font-size="14" font-weight="bold"')]
+    parts = [draw_text(chart.width / 2, 18, chart.title, "middle", ' font-size="14" font-weight="bold"')]
     parts += _draw_axes(chart, frame)
     for k, series in enumerate(chart.series):
         parts += _draw_series(series, frame, k)
@@ -154,24 +154,11 @@ def _draw_series(series: Series, frame: Frame, index: int) -> list[str]:
 
 def _draw_axes(chart: Chart, frame: Frame) -> list[str]:
     x, y = frame.x, frame.y
-    right, bottom = frame.left + x.length, frame.top + y.length
-    parts = []
-    for place, text in x.ticks:
-        at = frame.left + place
-        parts.append(_line(at, frame.top, at, bottom, "#e4e4e4"))
-        parts.append(_text(at, bottom + 16, text, "middle"))
-    for place, text in y.ticks:
-        at = bottom - place
-        parts.append(_line(frame.left, at, right, at, "#e4e4e4"))
-        parts.append(_text(frame.left - 6, at + 4, text, "end"))
-    parts.append(
-        f'<rect x="{frame.left:.2f}" y="{frame.top:.2f}" width="{x.length:.2f}" height="{y.length:.2f}" '
-        'fill="none" stroke="#555555"/>'
-    )
-    parts.append(_text(frame.left + x.length / 2, bottom + 34, chart.x.label, "middle"))
+    parts = draw_axes(frame.left, frame.top, x, y)
+    parts.append(draw_text(frame.left + x.length / 2, frame.top + y.length + 34, chart.x.label, "middle"))
     middle = frame.top + y.length / 2
     if chart.y.label:
-        parts.append(_text(14, middle, chart.y.label, "middle", f' transform="rotate(-90 14 {middle:.2f})"'))
+        parts.append(draw_text(14, middle, chart.y.label, "middle", f' transform="rotate(-90 14 {middle:.2f})"'))
     return parts
 
 
@@ -202,13 +189,5 @@ def _draw_legend(chart: Chart, rows: list[list[tuple[int, str, float]]]) -> list
             style = f' stroke-dasharray="{dash}"' if dash else ""
             ends = f'x1="{x:.2f}" y1="{y - 4:.2f}" x2="{x + 20:.2f}" y2="{y - 4:.2f}"'
             parts.append(f'<line {ends} stroke="{colour}" stroke-width="2"{style}/>')
-            parts.append(_text(x + 25, y, text, "start"))
+            parts.append(draw_text(x + 25, y, text))
     return parts
-
-
-def _line(x1: float, y1: float, x2: float, y2: float, colour: str) -> str:
-    return f'<line x1="{x1:.2f}" y1="{y1:.2f}" x2="{x2:.2f}" y2="{y2:.2f}" stroke="{colour}"/>'
-
-
-def _text(x: float, y: float, text: str, anchor: str, more: str = "") -> str:
-    return f'<text x="{x:.2f}" y="{y:.2f}" text-anchor="{anchor}" fill="#222222"{more}>{escape(text)}</text>'

@@ -6,8 +6,9 @@ from collections.abc import Sequence
 from pathlib import PurePath
 
 from nhc.diagnostics import Bag
+from nhc.language.derived_units import derive_units
 from nhc.language.spec import Scene, Spec
-from nhc.language.units import parse_unit
+from nhc.language.units import UnitError, base_words, parse_unit
 from nhc.simulate.opening import list_needs
 
 
@@ -40,8 +41,9 @@ def check_comparable(spec: Spec, finest: Spec, scene: Scene, needs: Sequence[str
             notes=("errors are taken at the same times in all models",),
             help=("give both scenes the same `time`",),
         )
+    units, wanted = derive_units(spec), derive_units(finest)
     for need in needs:
-        here, base_unit = _unit(spec, need), _unit(finest, need)
+        here, base_unit = units.get(need, ""), wanted.get(need, "")
         if here and base_unit and not _same(here, base_unit):
             bag.error(
                 "E0505",
@@ -64,12 +66,11 @@ def check_comparable(spec: Spec, finest: Spec, scene: Scene, needs: Sequence[str
     bag.raise_if_errors()
 
 
-def _unit(spec: Spec, need: str) -> str:
-    """What a coordinate, or the one whose velocity it is, is measured in; nothing where that is not said."""
-    return next((c.unit for c in spec.coordinates if c.name == need.removesuffix("'")), "")
-
-
 def _same(a: str, b: str) -> bool:
-    """Whether two units are one, as far as their texts say: radians need no name, other scales (cm, deg) must be the same."""
+    """Whether two units are one: the same text, or the same product of the same base units (radians need no name)."""
     plain = [text.replace(" ", "").replace("·", "*") for text in (a, b)]
-    return plain[0] == plain[1] or (parse_unit(a) == parse_unit(b) and set(plain) <= {"1", "rad", "sr"})
+    try:
+        alike = parse_unit(a) == parse_unit(b) and base_words([a]) == base_words([b]) is not None
+    except UnitError:  # the root of a unit
+        alike = False
+    return plain[0] == plain[1] or alike

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from nhc.diagnostics import Source, SpecError
 from nhc.language import Spec
+from nhc.language.derived_units import derive_units
 from nhc.program.scene_model import count_operations_of
 from nhc.records import record
 from nhc.simulate.auto import choose_method
@@ -198,7 +199,7 @@ def size_of(found: Trajectory) -> Size:
 
 def ranges_of(source: Source, spec: Spec, meter: Meter) -> tuple[tuple[str, float, float, str], ...]:
     """(name, least, largest, unit) of each coordinate and velocity of the full model on the output grid."""
-    units = {c.name: c.unit for c in spec.coordinates}
+    units = derive_units(spec)
     needs = tuple(name for c in spec.coordinates for name in (c.name, f"{c.name}'"))
     found = _complete(
         run(open_scene(source, meter.scene, meter.formulation, needs, method=meter.method), meter.settings)
