@@ -31,7 +31,7 @@ def list_charts(found: Trajectory) -> list[Chart]:
         label = names[0] if len(names) == 1 and len(names[0]) <= LONGEST else "value"
         series = tuple(Series(found.headings[k], found.times, [row[k] for row in found.rows]) for k in indices)
         title = f"{found.job.program.system}: {found.job.scene.name}" if not charts else ""
-        y = Axis(f"{label} [{unit}]" if unit else label)
+        y = Axis(f"{label} [{unit}]" if unit not in ("", "1") else label)
         charts.append(Chart(title, time_axis(found.job.system.spec.time_unit), y, series, WIDTH, PANEL))
     return charts
 

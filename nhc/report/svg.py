@@ -6,24 +6,24 @@ import math
 from collections.abc import Sequence
 
 from nhc.records import record
-from nhc.report.marks import draw_axes, draw_text
+from nhc.report.marks import draw_axes, draw_line, draw_text
 from nhc.report.ticks import Scale, linear_scale, log_scale
 
 # Okabe and Ito: told apart by most eyes
 COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000", "#8c6d1f")
-DASHES = ("", "6 3", "2 3", "9 3 2 3")
+DASHES = ("", "7 3", "2 2", "9 3 2 3", "12 4")  # colours are not all that tells lines apart: on paper they may be grey
 MOST = 2000  # points of a line; more do not show
 LEFT, RIGHT, TOP, BOTTOM, ROW = 68, 16, 30, 46, 17
 
 
 @record
 class Series:
-    """A line; ``markers`` puts a dot on each point."""
+    """A line, or ``dots`` alone."""
 
     label: str
     x: Sequence[float]
     y: Sequence[float]
-    markers: bool = False
+    dots: bool = False
 
 
 @record
@@ -130,8 +130,19 @@ def thin(xs: Sequence[float], ys: Sequence[float], most: int = MOST) -> list[tup
     return kept
 
 
+def colour_of(index: int) -> str:
+    """That of a chart's line."""
+    return COLOURS[index % len(COLOURS)]
+
+
+def dash_of(index: int) -> str:
+    """The ``stroke-dasharray`` of a chart's line, as an attribute with a blank before it; nothing for a solid one."""
+    dash = DASHES[index % len(DASHES)]
+    return f' stroke-dasharray="{dash}"' if dash else ""
+
+
 def _draw_series(series: Series, frame: Frame, index: int) -> list[str]:
-    colour, dash = COLOURS[index % len(COLOURS)], DASHES[index // len(COLOURS) % len(DASHES)]
+    colour, style = colour_of(index), dash_of(index)
     runs: list[list[tuple[float, float]]] = [[]]
     for x, y in thin(series.x, series.y):
         place = frame.point(x, y)
@@ -139,15 +150,14 @@ def _draw_series(series: Series, frame: Frame, index: int) -> list[str]:
             runs[-1].append(place)
         elif runs[-1]:
             runs.append([])
-    style = f' stroke-dasharray="{dash}"' if dash else ""
     parts = []
     for run in runs:
-        if len(run) > 1:
+        if len(run) > 1 and not series.dots:
             path = " ".join(f"{x:.2f},{y:.2f}" for x, y in run)
             parts.append(
                 f'<polyline points="{path}" fill="none" stroke="{colour}" stroke-width="1.6" stroke-linejoin="round"{style}/>'
             )
-        if series.markers or len(run) == 1:
+        else:
             parts += [f'<circle cx="{x:.2f}" cy="{y:.2f}" r="2.8" fill="{colour}"/>' for x, y in run]
     return parts
 
@@ -171,7 +181,7 @@ def legend_rows(chart: Chart) -> list[list[tuple[int, str, float]]]:
     for k, series in enumerate(chart.series):
         if not series.label:  # its colour is explained elsewhere
             continue
-        width = 34 + 7.2 * len(series.label)
+        width = 44 + 6.6 * len(series.label)
         if rows[-1] and at + width > chart.width - RIGHT:
             rows.append([])
             at = float(LEFT)
@@ -185,9 +195,9 @@ def _draw_legend(chart: Chart, rows: list[list[tuple[int, str, float]]]) -> list
     for r, row in enumerate(rows):
         y = chart.height - ROW * (len(rows) - r) + 8
         for k, text, x in row:
-            colour, dash = COLOURS[k % len(COLOURS)], DASHES[k // len(COLOURS) % len(DASHES)]
-            style = f' stroke-dasharray="{dash}"' if dash else ""
-            ends = f'x1="{x:.2f}" y1="{y - 4:.2f}" x2="{x + 20:.2f}" y2="{y - 4:.2f}"'
-            parts.append(f'<line {ends} stroke="{colour}" stroke-width="2"{style}/>')
-            parts.append(draw_text(x + 25, y, text))
+            if chart.series[k].dots:
+                parts.append(f'<circle cx="{x + 13:.2f}" cy="{y - 4:.2f}" r="2.8" fill="{colour_of(k)}"/>')
+            else:
+                parts.append(draw_line(x, y - 4, x + 26, y - 4, colour_of(k), f' stroke-width="2"{dash_of(k)}'))
+            parts.append(draw_text(x + 31, y, text))
     return parts

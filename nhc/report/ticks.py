@@ -11,6 +11,7 @@ _LEAST_SPAN = 1e-12
 """Of the size of the values: what moves by less is rounding, and shows as a constant."""
 _MOST_STEPS = 5e3  # from zero: further away, labels tell the distance from a number near them
 _LARGE, _SMALL = 1e5, 1e-2
+_FEW_DECADES = 2  # of an axis that has ticks between them
 _LARGEST = 1e300  # beyond it spans overflow
 
 
@@ -59,12 +60,14 @@ def linear_scale(low: float, high: float, length: float, count: int = 6, exact: 
 
 
 def log_scale(low: float, high: float, length: float, count: int = 10) -> Scale:
-    """A logarithmic axis with whole decades; ``low`` and ``high`` are positive."""
+    """A logarithmic axis with whole decades, at 2 and 5 too where these are few; ``low`` and ``high`` are positive."""
     first, last = math.floor(math.log10(low) + 1e-9), math.ceil(math.log10(high) - 1e-9)
     last = max(last, first + 1)
     stride = max(1, math.ceil((last - first) / count))
     scale = Scale(float(first), float(last), True, length, ())
-    ticks = tuple((length * (k - first) / (last - first), f"1e{k}") for k in range(first, last + 1, stride))
+    steps = (1, 2, 5) if last - first <= _FEW_DECADES else (1,)
+    values = [(m, k) for k in range(first, last + 1, stride) for m in steps if k < last or m == 1]
+    ticks = tuple((scale.place(float(f"{m}e{k}")), f"{m}e{k}") for m, k in values)
     return Scale(scale.low, scale.high, True, length, ticks)
 
 
