@@ -64,7 +64,8 @@ def run() -> Verdict:
     return Verdict(
         Measure(f"RK4: last tenth over first {', '.join(f'{x:.2g}' for x in naive)}", max(naive)),
         Measure("last tenth over first: " + "; ".join(told), grown),
-        "at most 1.1 on reversible problems for every method (on a chaotic one for energy); on cvt_eps dla and perlmutter are told to grow, and do",
+        "at most 1.1 on reversible problems for every method (on a chaotic one for energy); on cvt_eps dla and perlmutter "
+        "are told to grow, and do",
         right and min(naive) > 3.0,
     )
 

@@ -9,6 +9,7 @@ from nhc.diagnostics import Bag
 from nhc.language.derived_units import derive_units
 from nhc.language.spec import Scene, Spec
 from nhc.language.units import UnitError, base_words, parse_unit
+from nhc.mechanics.scenes import report_scene
 from nhc.simulate.opening import list_needs
 
 
@@ -24,14 +25,9 @@ def check_comparable(spec: Spec, finest: Spec, scene: Scene, needs: Sequence[str
     base = PurePath(finest.origin.path).name
     own = next((s for s in spec.scenes if s.name == scene.name), None)
     if own is None:
-        known = ", ".join(f"`{s.name}`" for s in spec.scenes) or "none"
-        bag.error(
-            "E0503",
-            f"no scene `{scene.name}`",
-            spec.key_span("scenes"),
-            notes=(f"the spec's scenes: {known}", f"it is compared on the scene `{scene.name}` of `{base}`"),
-            help=("models are compared on a scene that all of them have: add it, or name another after `--scene`",),
-        )
+        help = "models are compared on a scene that all of them have: add it, or name another after `--scene`"
+        note = f"it is compared on the scene `{scene.name}` of `{base}`"
+        report_scene(bag, spec.key_span("scenes"), scene.name, spec, help, note)
     elif own.time != scene.time:
         bag.error(
             "E0505",
