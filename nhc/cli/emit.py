@@ -125,16 +125,11 @@ def _emit(
     trig: str,
     fold: bool,
 ) -> Answer:
-    from nhc.emit import EmitError
     from nhc.pipeline import Options, emit
 
     options = Options(formulation, scene, only=only, driver=driver, array=array, trig=trig, fold=fold)
     warnings: list[str] = []
-    try:
-        files = emit(source, language, options, warnings.append)
-    except EmitError as error:
-        raise Failure(str(error), [error.help], "E0504") from error
-    return files | ({_WARNINGS: "\n".join(warnings)} if warnings else {})
+    return emit(source, language, options, warnings.append) | ({_WARNINGS: "\n".join(warnings)} if warnings else {})
 
 
 def _print(files: Mapping[str, str], *, titled: bool) -> None:

@@ -156,7 +156,12 @@ def _report(error: Exception) -> Exit:
         say(render_text(error.source, error.diagnostics, wants_colour(sys.stderr)))
         return Exit.FAILED
     from nhc.algebra.field import Unlucky
+    from nhc.emit.options import EmitError
 
+    if isinstance(error, EmitError):
+        failure = Failure(str(error), [error.help], "E0504")
+        say(str(failure))
+        return failure.exit
     if isinstance(error, Unlucky):
         say("error: the exact test found no point for this system: too many nested roots, or singular everywhere")
         say("  = help: give a square root a coordinate of its own with a `holonomic:` equation, or write its square")

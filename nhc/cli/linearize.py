@@ -156,7 +156,12 @@ def _eigenvalue_lines(found: Findings) -> list[str]:
             f"  {several(made.turns, 'direction')} left out: turns of the whole motion, on which nothing depends"
         )
     lines += [f"  note: {note}" for note in made.notes]
-    told = {"stable": "stable to first order", "unstable": "unstable", "marginal": "marginal: undecided to first order"}
+    told = {
+        "stable": "stable to first order",
+        "unstable": "unstable",
+        "marginal": "marginal: undecided to first order",
+        "none": "none: no eigenvalue is left to judge by",
+    }
     return [*lines, f"verdict: {told[verdict(made)]}"]
 
 

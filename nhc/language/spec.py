@@ -205,8 +205,9 @@ class Spec:
 
     @property
     def time_unit(self) -> str:
-        """Seconds where something has a unit; else none."""
-        units = [*(c.unit for c in self.coordinates), *(p.unit for p in self.parameters)]
+        """Seconds where something has a unit of its own; else none."""
+        turned = {name for rotation in self.rotations for name in rotation.coordinates}
+        units = [*(c.unit for c in self.coordinates if c.name not in turned), *(p.unit for p in self.parameters)]
         return "s" if any(units) else ""
 
     @property

@@ -23,7 +23,7 @@ _KINETIC = (ENERGY, multiply(raise_to(parse_unit("m"), 2), _PER_SECOND_2), _PER_
 
 
 @record
-class _Quantity:
+class Quantity:
     """``dimension`` is None where it is not known; ``any`` marks the number 0, which fits everything.
 
     ``number`` is the value of an expression of numbers.
@@ -34,37 +34,39 @@ class _Quantity:
     number: Fraction | None = None
 
 
-_UNKNOWN = _Quantity(None)
+_UNKNOWN = Quantity(None)
 
 
-class _Checker:
+class Checker:
+    """Measures expressions of a spec; what does not fit goes into the bag."""
+
     def __init__(self, spec: Spec, bag: Bag) -> None:
         self.bag = bag
         self.loose = False  # in starts, where a number beside a quantity has that one's unit
         self.seen: set[int] = set()  # angles of rotations, each of which stands in several parts of a quaternion
         self.rotations = spec.rotations
-        self.names: dict[str, _Quantity] = {TIME: _Quantity(SECOND), PI: _Quantity(ONE)}
-        for name, unit in _units(spec):
-            self.names[name] = _Quantity(parse_unit(unit))
+        self.names: dict[str, Quantity] = {TIME: Quantity(SECOND), PI: Quantity(ONE)}
+        for name, unit in list_units(spec):
+            self.names[name] = Quantity(parse_unit(unit)) if unit else _UNKNOWN
         for rotation in spec.rotations:
-            self.names.update(dict.fromkeys(rotation.entries, _Quantity(ONE)))
-            self.names.update(dict.fromkeys(rotation.velocities, _Quantity(_PER_SECOND)))
+            self.names.update(dict.fromkeys(rotation.entries, Quantity(ONE)))
+            self.names.update(dict.fromkeys(rotation.velocities, Quantity(_PER_SECOND)))
 
-    def measure(self, tree: Syntax) -> _Quantity:
+    def measure(self, tree: Syntax) -> Quantity:
         """Return the quantity of an expression; what does not fit in it is reported once, where it stands."""
         return fold_tree(tree, self._visit)
 
-    def _visit(self, node: Syntax, parts: tuple[_Quantity, ...]) -> _Quantity:
+    def _visit(self, node: Syntax, parts: tuple[Quantity, ...]) -> Quantity:
         match node:
             case Number():
-                return _Quantity(ONE, any=node.value == 0, number=node.value)
+                return Quantity(ONE, any=node.value == 0, number=node.value)
             case Name():
                 return self.names.get(node.name, _UNKNOWN)
             case Differential():
                 return self.names[node.name]
             case Negate():
                 number = parts[0].number
-                return _Quantity(parts[0].dimension, parts[0].any, -number if number is not None else None)
+                return Quantity(parts[0].dimension, parts[0].any, -number if number is not None else None)
             case Prime():
                 return self._scale(parts[0], _PER_SECOND)
             case Call():
@@ -73,10 +75,10 @@ class _Checker:
                 return self._binary(node, parts[0], parts[1])
 
     @staticmethod
-    def _scale(quantity: _Quantity, by: Dimension) -> _Quantity:
-        return _UNKNOWN if quantity.dimension is None else _Quantity(multiply(quantity.dimension, by), quantity.any)
+    def _scale(quantity: Quantity, by: Dimension) -> Quantity:
+        return _UNKNOWN if quantity.dimension is None else Quantity(multiply(quantity.dimension, by), quantity.any)
 
-    def _binary(self, node: Binary, left: _Quantity, right: _Quantity) -> _Quantity:
+    def _binary(self, node: Binary, left: Quantity, right: Quantity) -> Quantity:
         if node.op in "+-":
             result = self._common(node, left, right)
         elif node.op == "^":
@@ -85,10 +87,10 @@ class _Checker:
             result = _UNKNOWN
         else:
             other = right.dimension if node.op == "*" else raise_to(right.dimension, -1)
-            result = _Quantity(multiply(left.dimension, other), left.any or (right.any and node.op == "*"))
-        return _Quantity(result.dimension, result.any, _combine(node.op, left.number, right.number))
+            result = Quantity(multiply(left.dimension, other), left.any or (right.any and node.op == "*"))
+        return Quantity(result.dimension, result.any, _combine(node.op, left.number, right.number))
 
-    def _common(self, node: Binary, left: _Quantity, right: _Quantity) -> _Quantity:
+    def _common(self, node: Binary, left: Quantity, right: Quantity) -> Quantity:
         if left.any or right.any:
             return left if right.any else right
         if self.loose and (left.number is None) != (right.number is None):
@@ -104,9 +106,9 @@ class _Checker:
             help = ("a bare number has no unit: make it a parameter with its unit" if bare else missing,)
             self.bag.error("E0413", f"units do not fit: {what}", node.operator, labels=labels, help=help)
             return _UNKNOWN
-        return _Quantity(left.dimension)
+        return Quantity(left.dimension)
 
-    def _power(self, node: Binary, base: _Quantity, exponent: _Quantity) -> _Quantity:
+    def _power(self, node: Binary, base: Quantity, exponent: Quantity) -> Quantity:
         if exponent.dimension not in (None, ONE) and not exponent.any:
             self._report(node.right, exponent, "an exponent must have no unit", _RATIO)
             return _UNKNOWN
@@ -116,11 +118,11 @@ class _Checker:
             help = "divide the base by a parameter of its unit, or write the exponent as a number"
             self._report(node.left, base, "what has a unit takes constant exponents only", help)
             return _UNKNOWN
-        return _Quantity(raise_to(base.dimension, exponent.number), base.any)
+        return Quantity(raise_to(base.dimension, exponent.number), base.any)
 
-    def _call(self, node: Call, parts: tuple[_Quantity, ...]) -> _Quantity:
+    def _call(self, node: Call, parts: tuple[Quantity, ...]) -> Quantity:
         if node.function == "sqrt":
-            return _UNKNOWN if parts[0].dimension is None else _Quantity(raise_to(parts[0].dimension, Fraction(1, 2)))
+            return _UNKNOWN if parts[0].dimension is None else Quantity(raise_to(parts[0].dimension, Fraction(1, 2)))
         if node.function in (*_SAME, "atan2"):
             known = [(part, tree) for part, tree in zip(parts, node.arguments, strict=True) if not part.any]
             for part, tree in known[1:]:
@@ -129,19 +131,19 @@ class _Checker:
                     self._report(tree, part, rule, _lack(known[0][0].dimension or ONE, part.dimension or ONE))
                     return _UNKNOWN
             if node.function == "atan2":
-                return _Quantity(ONE)
+                return Quantity(ONE)
             return known[0][0] if known else parts[0]
         if node.function != "sign":
             for part, tree in zip(parts, node.arguments, strict=True):
                 if part.dimension not in (None, ONE) and not part.any:
                     self._report(tree, part, f"the argument of `{node.function}` must have no unit", _RATIO)
-        return _Quantity(ONE)
+        return Quantity(ONE)
 
-    def _report(self, tree: Syntax, quantity: _Quantity, rule: str, help: str) -> None:
+    def _report(self, tree: Syntax, quantity: Quantity, rule: str, help: str) -> None:
         shown = show(quantity.dimension or ONE)
         self.bag.error("E0413", f"units do not fit: {rule}, found {shown}", tree.span, shown, help=(help,))
 
-    def demand(self, tree: Syntax, wanted: tuple[Dimension, ...], what: str) -> _Quantity:
+    def demand(self, tree: Syntax, wanted: tuple[Dimension, ...], what: str) -> Quantity:
         """Measure an expression and report one of another dimension than those wanted."""
         found = self.measure(tree)
         if wanted and found.dimension is not None and not found.any and found.dimension not in wanted:
@@ -184,7 +186,8 @@ def _combine(op: str, left: Fraction | None, right: Fraction | None) -> Fraction
             return left / right
 
 
-def _units(spec: Spec) -> list[tuple[str, str]]:
+def list_units(spec: Spec) -> list[tuple[str, str]]:
+    """Coordinates and parameters with their units' texts, empty where none is declared."""
     coordinates = [(coordinate.name, coordinate.unit) for coordinate in spec.coordinates]
     return [*coordinates, *((parameter.name, parameter.unit) for parameter in spec.parameters)]
 
@@ -196,10 +199,10 @@ def check_units(spec: Spec, bag: Bag) -> None:
     moment of inertia), U and V the same as T, and a force times its coordinate too.
     """
     turned = {name for rotation in spec.rotations for name in rotation.coordinates}
-    units = [unit for name, unit in _units(spec) if name not in turned]
+    units = [unit for name, unit in list_units(spec) if name not in turned]
     if not units or not all(units):
         return
-    checker = _Checker(spec, bag)
+    checker = Checker(spec, bag)
     values: dict[str, Syntax] = {item.name: item.value for item in (*spec.definitions, *spec.quasi_velocities)}
     for name in spec.named_order:
         checker.names[name] = checker.measure(values[name])
@@ -214,7 +217,7 @@ def check_units(spec: Spec, bag: Bag) -> None:
     for holonomic in spec.holonomic:
         checker.equate(holonomic)
     for name in ENERGIES:
-        checker.names.setdefault(name, _Quantity(energy))
+        checker.names.setdefault(name, Quantity(energy))
     for output in spec.outputs:
         checker.measure(output.value)
     checker.loose = True
@@ -223,7 +226,7 @@ def check_units(spec: Spec, bag: Bag) -> None:
             _check_start(checker, start)
 
 
-def _check_start(checker: _Checker, start: Initial) -> None:
+def _check_start(checker: Checker, start: Initial) -> None:
     """A start that speaks of parameters has the unit of what starts; one of numbers is in that unit already."""
     if any(start.name in rotation.coordinates for rotation in checker.rotations):
         for angle in angles_in(start.value):
@@ -239,7 +242,7 @@ def _check_start(checker: _Checker, start: Initial) -> None:
     checker.demand(start.value, (wanted,), f"the start of `{start.name}{chr(39) if velocity else ''}`")
 
 
-def _check_force(checker: _Checker, force: Definition, energy: Dimension | None) -> None:
+def _check_force(checker: Checker, force: Definition, energy: Dimension | None) -> None:
     turning = any(force.name in rotation.velocities for rotation in checker.rotations)
     coordinate = ONE if turning else checker.names[force.name].dimension
     wanted: tuple[Dimension, ...] = ()

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
+from types import MappingProxyType
 
 _BASE = ("m", "kg", "s", "A", "K", "mol", "cd")
 Dimension = tuple[int | Fraction, ...]  # the powers of metre, kilogram, second, ampere, kelvin, mole, candela
@@ -53,6 +55,24 @@ _UNITS: dict[str, Dimension] = {
     "l": _dimension(m=3),
     "t": _dimension(kg=1),
 }
+_COHERENT = (
+    "1",
+    "rad",
+    "sr",
+    "N",
+    "J",
+    "W",
+    "Pa",
+    "Hz",
+    "C",
+    "V",
+    "F",
+    "ohm",
+    "S",
+    "Wb",
+    "T",
+    "H",
+)  # products of base units
 _PREFIXES = ("da", *"QRYZEPTGMkhdcmunpfazyrq", "\u00b5", "\u03bc")
 _UNPREFIXED = ("1", "min", "h", "deg")
 _LETTERS = r"[A-Za-z\u00b5\u03bc\u03a9\u2126]+|1"
@@ -86,11 +106,11 @@ def raise_to(base: Dimension, power: int | Fraction) -> Dimension:
     return tuple(part.numerator if part.denominator == 1 else part for part in raised)
 
 
-def show(dimension: Dimension) -> str:
-    """Return a dimension as a product of base units: ``kg*m^2/s^2``; ``1`` for none."""
+def show(dimension: Dimension, words: Mapping[str, str] = MappingProxyType({})) -> str:
+    """Return a dimension as a product of base units: ``kg*m^2/s^2``; ``1`` for none.  ``words``: other words for some of these."""
     named = sorted(zip(_BASE, dimension, strict=True), key=lambda item: _ORDER.get(item[0], 2))
-    above = [_power(name, power) for name, power in named if power > 0]
-    below = [_power(name, -power) for name, power in named if power < 0]
+    above = [_power(words.get(name, name), power) for name, power in named if power > 0]
+    below = [_power(words.get(name, name), -power) for name, power in named if power < 0]
     return "/".join(["*".join(above) or "1", *below])
 
 
@@ -139,6 +159,26 @@ def _split(text: str) -> list[_Word]:
         words.append(_Word(kind, found.group(group), found.start(group), found.end(group)))
         at = found.end()
     return words
+
+
+def base_words(texts: Sequence[str]) -> dict[str, str] | None:
+    """The words that units have for the base units: those of ``km/s`` and ``g`` are {"m": "km", "s": "s", "kg": "g"}.
+
+    None where two differ (``m`` and ``cm``), where time is not in seconds, and where one is no product of base units (``kN``).
+    """
+    found: dict[str, str] = {"s": "s"}
+    bases = {_UNITS[base]: base for base in _BASE if base != "kg"} | {_UNITS["g"]: "kg"}
+    for name in {word.text for text in texts for word in _split(text) if word.kind == "unit"}:
+        dimension = _unit(name, 0)
+        if dimension in bases:
+            own = {bases[dimension]: name}
+        elif name in _COHERENT:
+            own = {base: base for base, power in zip(_BASE, dimension, strict=True) if power}
+        else:
+            return None
+        if any(found.setdefault(base, word) != word for base, word in own.items()):
+            return None
+    return found
 
 
 def _may_stand(before: list[_Word], power: str = "^") -> bool:

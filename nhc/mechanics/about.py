@@ -14,7 +14,7 @@ from nhc.language.parser import parse_expression
 from nhc.mechanics.flow import Flow
 from nhc.mechanics.frame import Frame, kept_forms
 from nhc.mechanics.resolve import Resolver
-from nhc.mechanics.scenes import Start, kept_velocities
+from nhc.mechanics.scenes import Start, kept_velocities, report_scene
 from nhc.records import record
 
 
@@ -78,15 +78,8 @@ def scene_about(spec: Spec, about: str, settings: Sequence[str] = ()) -> Scene:
     chosen = next((scene for scene in spec.scenes if scene.name == about.strip()), None)
     base = chosen or Scene("about", Span(0, 0), "", (), (), (Fraction(0), Fraction(1)), (), Fraction(1, 10**8))
     if chosen is None and about.strip() and "=" not in about:
-        bag = Bag(Source("--about", about))
-        known = ", ".join(f"`{scene.name}`" for scene in spec.scenes) or "none"
-        bag.error(
-            "E0503",
-            f"no scene `{about.strip()}`",
-            Span(0, len(about)),
-            notes=(f"the spec's scenes: {known}",),
-            help=("name one of them, or write `name=value` pairs",),
-        )
+        bag, help = Bag(Source("--about", about)), "name one of them, or write `name=value` pairs"
+        report_scene(bag, Span(0, len(about)), about.strip(), spec, help)
         bag.raise_if_errors()
     texts = [*([("--about", about)] if chosen is None else []), *(("--set", text) for text in settings)]
     for option, text in texts:

@@ -83,8 +83,8 @@ def find_dependence(flow: Flow, needs: Sequence[Node]) -> Dependence:
         zero = [z and not value for z, value in zip(zero, values, strict=True)]
         others = base.values.keys() - planned  # what the point needed besides: factors of arguments in canonical form
         for j, change in enumerate(changes):
-            if change is None:
-                continue
+            if change is None or (compared[j] and all(depends[k][j] for k in change.open)):
+                continue  # nothing is left to be found
             changed = change.compare(base, others, random.Random(1_000_003 * seed + j), values)
             compared[j] = compared[j] or bool(changed)
             for row, differs in zip(depends, changed, strict=bool(changed)):
@@ -159,11 +159,13 @@ def _base(whole: _Evaluation, seed: int, prime: int) -> tuple[FieldPoint, list[i
 
 
 class _Change:
-    """Another value for one entry of the state."""
+    """Another value for one entry of the state; ``open`` are the rates and needs that may depend on it."""
 
     def __init__(self, flow: Flow, needs: Sequence[Node], j: int) -> None:
         g, self._entry = flow.graph, flow.y[j]
         self._mask = g.mask((self._entry, *flow.unknowns))
+        rows = [*flow.velocities, *flow.unknowns[: flow.kept], *needs]
+        self.open = [k for k, node in enumerate(rows) if g.deps[node] & self._mask]
         self._dependent = _Evaluation(flow, needs, self._entry)
 
     def compare(

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from nhc.algebra.calculus import substitute
 from nhc.algebra.graph import Node
+from nhc.language.derived_units import derive_units
 from nhc.language.spec import Need, Scene
 from nhc.mechanics.associate import Equations
 from nhc.mechanics.formulate import reaction_values
@@ -24,7 +27,9 @@ class Wanted:
 
 def list_needs(equations: Equations, scene: Scene) -> list[Wanted]:
     """The columns of a trajectory of the scene, in the order of its ``need``."""
-    return [column for need in scene.need for column in _columns(equations, need)]
+    columns = [column for need in scene.need for column in _columns(equations, need)]
+    units = derive_units(equations.system.spec)
+    return [replace(column, unit=units.get(column.name, "")) for column in columns]
 
 
 def _columns(equations: Equations, need: Need) -> list[Wanted]:
@@ -32,8 +37,7 @@ def _columns(equations: Equations, need: Need) -> list[Wanted]:
     on = moving(system, equations.motion.velocities)
     if need.kind == "coordinate":
         i = system.q_names.index(need.name)
-        declared = system.spec.coordinates[i]
-        return [Wanted(need.name, system.q[i], declared.unit, declared.about)]
+        return [Wanted(need.name, system.q[i], about=system.spec.coordinates[i].about)]
     if need.kind == "velocity":
         return [Wanted(need.name, equations.motion.velocities[system.q_names.index(need.name.removesuffix("'"))])]
     if need.kind == "reactions":
@@ -45,4 +49,4 @@ def _columns(equations: Equations, need: Need) -> list[Wanted]:
         node, about = form_value(g, next(f for f in system.quasi if f.name == need.name), system.v), ""
     else:
         node, about = dict(system.outputs)[need.name], ""
-    return [Wanted(need.name, substitute(g, [node], on)[0], "", about)]
+    return [Wanted(need.name, substitute(g, [node], on)[0], about=about)]

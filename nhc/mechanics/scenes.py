@@ -13,7 +13,7 @@ from fractions import Fraction
 from nhc.algebra.dense import RowSpace
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Node
-from nhc.diagnostics import Bag, quote, several, suggest
+from nhc.diagnostics import Bag, Span, quote, several, suggest
 from nhc.language.spec import Scene, Spec
 from nhc.language.syntax import Syntax
 from nhc.mechanics.frame import coordinate_form
@@ -57,13 +57,16 @@ def check_scene_name(spec: Spec, scene: str) -> None:
     names = [s.name for s in spec.scenes]
     if not scene or scene in names:
         return
-    bag = Bag(spec.origin)
     help = suggest(scene, names, "name one of them after `--scene`, or add it under `scenes:`")
-    known = quote(names) or "none"
-    bag.error(
-        "E0503", f"no scene `{scene}`", spec.key_span("scenes"), notes=(f"the spec's scenes: {known}",), help=(help,)
-    )
+    bag = Bag(spec.origin)
+    report_scene(bag, spec.key_span("scenes"), scene, spec, help)
     bag.raise_if_errors()
+
+
+def report_scene(bag: Bag, span: Span, scene: str, spec: Spec, help: str, *notes: str) -> None:
+    """E0503: a scene that the spec does not have, with those that it has and further notes."""
+    known = f"the spec's scenes: {quote(s.name for s in spec.scenes) or 'none'}"
+    bag.error("E0503", f"no scene `{scene}`", span, notes=(known, *notes), help=(help,))
 
 
 def start_of(system: System, scene: Scene) -> Start:

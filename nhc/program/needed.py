@@ -14,6 +14,7 @@ from nhc.algebra.calculus import substitute
 from nhc.algebra.graph import Node
 from nhc.algebra.modular import Unlucky
 from nhc.algebra.shorten import shorten
+from nhc.language.derived_units import derive_units
 from nhc.mechanics.dependence import find_dependence
 from nhc.mechanics.drawing import Sketch, sketch_of
 from nhc.mechanics.flow import flow_of
@@ -30,7 +31,7 @@ if TYPE_CHECKING:
 
 @record
 class Column:
-    """``heading`` as a CSV has it; ``group`` is need, energy, kinetic, residual or position; ``unit`` where the spec gives one."""
+    """``heading`` as a CSV has it; ``group`` is need, energy, kinetic, residual or position; ``unit`` where it is known."""
 
     heading: str
     group: str
@@ -45,7 +46,7 @@ def list_columns(planner: Planner, needs: Sequence[str]) -> list[Column]:
         KeyError: a name that the spec does not have.
     """
     system = planner.system
-    units = {c.name: c.unit for c in system.spec.coordinates}
+    units = derive_units(system.spec)
     named: dict[str, Node] = dict(zip(system.q_names, system.q, strict=True))
     moving: dict[str, Node] = {f"{name}'": v for name, v in zip(system.q_names, system.v, strict=True)}
     moving.update((form.name, form_value(system.graph, form, system.v)) for form in system.quasi)
@@ -58,7 +59,8 @@ def list_columns(planner: Planner, needs: Sequence[str]) -> list[Column]:
         if need == "reactions" and need not in named:
             values = reactions_of(planner)
             rows = zip(system.constraints, values, strict=True)
-            found += [Column(f"lambda_{form.name}", "need", value) for form, value in rows]
+            named_rows = [(f"lambda_{form.name}", value) for form, value in rows]
+            found += [Column(name, "need", value, units.get(name, "")) for name, value in named_rows]
         else:
             found.append(Column(need, "need", named[need], units.get(need, "")))
     return found

@@ -8,7 +8,7 @@ from dataclasses import replace
 from nhc.report.comparison_text import run_of
 from nhc.report.marks import draw_box, draw_cross, draw_line, draw_marker, draw_text
 from nhc.report.panel import Panel, Style, draw_panel, style_of
-from nhc.report.svg import Axis, Chart, Series, draw_inside
+from nhc.report.svg import Axis, Chart, Series, dash_of, draw_inside, time_axis
 from nhc.study.chart.advice import duration
 from nhc.study.chart.case import RESOLVED, Result
 from nhc.study.chart.fidelity import Comparison
@@ -23,7 +23,7 @@ MOST_CURVES = 12
 def draw_comparison(made: Comparison) -> str:
     """The whole SVG document: time against error, then the needed quantities of all models."""
     results = swap_names(made)
-    style = style_of(results)
+    style = replace(style_of(results), single=True)
     legend, below = _draw_models(made, style, 54)
     main = Panel(
         f"time against error, held against {made.finest}",
@@ -78,8 +78,9 @@ def _draw_models(made: Comparison, style: Style, top: float) -> tuple[list[str],
             duration(rung.rhs),
             "-" if run is None else duration(run.best),
         )
-        parts.append(draw_line(LEFT, at - 4, LEFT + 24, at - 4, colour, ' stroke-width="3"'))
-        parts.append(draw_text(LEFT + 32, at, rung.name))
+        dash = dash_of(style.methods.index(rung.name))
+        parts.append(draw_line(LEFT, at - 4, LEFT + 30, at - 4, colour, f' stroke-width="2.5"{dash}'))
+        parts.append(draw_text(LEFT + 38, at, rung.name))
         parts += [draw_text(x, at, text) for x, text in zip(columns[1:], cells, strict=True)]
         parts.append(draw_text(worst, at, error if math.isfinite(rung.error) else "-"))
         at += 19
@@ -113,7 +114,8 @@ def _draw_curves(made: Comparison, top: float) -> tuple[list[str], float]:
     bottom = top
     for k, need in enumerate(made.needs[:MOST_CURVES]):
         series = tuple(Series("", made.times[: len(rung.rows)], [row[k] for row in rung.rows]) for rung in made.rungs)
-        chart = Chart(need, Axis("t", exact=True), Axis(""), series, CURVE_WIDTH, CURVE_HEIGHT)
+        label = f"{need} [{made.units[k]}]" if made.units[k] not in ("", "1") else need
+        chart = Chart(label, time_axis(made.time_unit), Axis(""), series, CURVE_WIDTH, CURVE_HEIGHT)
         x, y = 12 + (k % 2) * (CURVE_WIDTH + 14), top + (k // 2) * (CURVE_HEIGHT + 8)
         parts.append(f'<g transform="translate({x:.0f} {y:.0f})">\n{draw_inside(chart)}\n</g>')
         bottom = y + CURVE_HEIGHT

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Sequence
+
 from nhc.report.svg import COLOURS
 from nhc.simulate.run import Trajectory
 
@@ -21,7 +24,7 @@ def describe_drawing(found: Trajectory) -> dict[str, object] | None:
     rows = found.drawn[::stride]
     columns: list[float | list[float]] = []
     for k in range(len(sketch.nodes)):
-        values = [_short(row[k]) for row in rows]
+        values = shorten([row[k] for row in rows])
         columns.append(values[0] if all(value == values[0] for value in values) else values)
     shapes = [
         {
@@ -33,10 +36,12 @@ def describe_drawing(found: Trajectory) -> dict[str, object] | None:
         }
         for k, outline in enumerate(sketch.outlines)
     ]
-    times = [_short(t) for t in found.times[::stride]]
-    return {"spatial": sketch.spatial, "times": times, "columns": columns, "shapes": shapes}
+    return {"spatial": sketch.spatial, "times": shorten(found.times[::stride]), "columns": columns, "shapes": shapes}
 
 
-def _short(value: float) -> float:
-    """Nine digits show no difference."""
-    return float(f"{value:.9g}")
+def shorten(values: Sequence[float]) -> list[float]:
+    """The values to nine digits of what they range over: more show no difference."""
+    good = [value for value in values if math.isfinite(value)]
+    size, span = max(map(abs, good), default=0.0), max(good, default=0.0) - min(good, default=0.0)
+    digits = 9 if span <= 1e-12 * size else 9 + max(0, math.ceil(math.log10(size) - math.log10(span)))
+    return [float(f"{value:.{min(digits, 17)}g}") for value in values]

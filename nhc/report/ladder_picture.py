@@ -5,12 +5,13 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from html import escape
 
 from nhc.emit.environment import create_environment
 from nhc.report.ladder import list_rungs, print_how, reduced_spec
-from nhc.report.marks import draw_box, draw_line, draw_marker, draw_text
-from nhc.report.ticks import Scale, linear_scale, log_scale
+from nhc.report.marks import draw_axes, draw_box, draw_line, draw_marker, draw_text
+from nhc.report.ticks import linear_scale, log_scale
 from nhc.study.chart.advice import duration
 from nhc.study.simplify.ladder import Ladder, Rung
 from nhc.version import __version__
@@ -55,7 +56,10 @@ def _draw_plot(ladder: Ladder, left: float, label: str, value: Callable[[Rung], 
     x = log_scale(min(errors), max(*errors, ladder.tolerance), PLOT_WIDTH, 8)
     y = linear_scale(0.0, max(values) * HEADROOM, PLOT_HEIGHT, 6)
     bottom = TOP + PLOT_HEIGHT
-    parts = [*_draw_frame(left, x, y), draw_text(left, TOP - 9, label, more=BOLD)]
+    label = f"{label} ({y.note})" if y.note else label
+    parts = [*draw_axes(left, TOP, x, replace(y, note="")), draw_text(left, TOP - 9, label, more=BOLD)]
+    below = "largest error of what is needed, relative"
+    parts.append(draw_text(left + PLOT_WIDTH / 2, bottom + 34, below, "middle"))
     limit = left + x.place(ladder.tolerance)
     parts.append(draw_line(limit, TOP, limit, bottom, LIMIT, ' stroke-width="1.6" stroke-dasharray="6 3"'))
     parts.append(draw_text(limit - 5, TOP + 14, "tolerance", "end", colour=LIMIT))
@@ -71,19 +75,6 @@ def _draw_plot(ladder: Ladder, left: float, label: str, value: Callable[[Rung], 
 
 def _is_apart(a: tuple[float, float], b: tuple[float, float]) -> bool:
     return abs(a[0] - b[0]) + abs(a[1] - b[1]) > 12
-
-
-def _draw_frame(left: float, x: Scale, y: Scale) -> list[str]:
-    bottom, parts = TOP + PLOT_HEIGHT, []
-    for place, text in x.ticks:
-        parts.append(draw_line(left + place, TOP, left + place, bottom, "#e4e4e4"))
-        parts.append(draw_text(left + place, bottom + 16, text, "middle"))
-    for place, text in y.ticks:
-        parts.append(draw_line(left, bottom - place, left + PLOT_WIDTH, bottom - place, "#e4e4e4"))
-        parts.append(draw_text(left - 6, bottom - place + 4, text, "end"))
-    parts.append(draw_box(left, TOP, PLOT_WIDTH, PLOT_HEIGHT, "none", "#555555"))
-    middle = left + PLOT_WIDTH / 2
-    return [*parts, draw_text(middle, bottom + 34, "largest error of what is needed, relative", "middle")]
 
 
 def _draw_list(ladder: Ladder, top: float) -> tuple[list[str], float]:

@@ -1,8 +1,10 @@
-"""Markers that are told apart by their shape, and small SVG elements."""
+"""Markers that are told apart by their shape, axes, and small SVG elements."""
 
 from __future__ import annotations
 
 from html import escape
+
+from nhc.report.ticks import Scale
 
 SHAPES = ("circle", "square", "up", "diamond", "down", "hexagon")
 _POINTS = {
@@ -45,3 +47,18 @@ def draw_box(x: float, y: float, width: float, height: float, fill: str, stroke:
     """A rectangle."""
     place = f'x="{x:.2f}" y="{y:.2f}" width="{width:.2f}" height="{height:.2f}"'
     return f'<rect {place} fill="{fill}" stroke="{stroke}"{more}/>'
+
+
+def draw_axes(left: float, top: float, x: Scale, y: Scale) -> list[str]:
+    """A plot's grid, its ticks' labels, its frame, and what makes values of the labels."""
+    right, bottom = left + x.length, top + y.length
+    parts = []
+    for place, text in x.ticks:
+        parts.append(draw_line(left + place, top, left + place, bottom, "#e4e4e4"))
+        parts.append(draw_text(left + place, bottom + 16, text, "middle"))
+    for place, text in y.ticks:
+        parts.append(draw_line(left, bottom - place, right, bottom - place, "#e4e4e4"))
+        parts.append(draw_text(left - 6, bottom - place + 4, text, "end"))
+    parts.append(draw_box(left, top, x.length, y.length, "none", "#555555"))
+    notes = ((left, top - 5, y.note, "start"), (right, bottom + 34, x.note, "end"))
+    return [*parts, *(draw_text(a, b, text, anchor) for a, b, text, anchor in notes if text)]

@@ -8,7 +8,7 @@ from html import escape
 
 from nhc.emit.environment import create_environment
 from nhc.mechanics.conserved import power_terms
-from nhc.report.drawing import describe_drawing
+from nhc.report.drawing import describe_drawing, shorten
 from nhc.report.svg import Axis, Chart, Series, draw, draw_inside, find_frame, legend_rows, time_axis
 from nhc.simulate.prepare import Job
 from nhc.simulate.run import Trajectory, energy_change
@@ -16,6 +16,7 @@ from nhc.version import __version__
 
 WIDTH, PANEL = 760, 340
 TINY = 1e-20
+LONGEST = 32  # letters of a name beside an axis
 MOST_READ = 2000  # rows that the page carries as numbers
 
 
@@ -27,10 +28,10 @@ def list_charts(found: Trajectory) -> list[Chart]:
     charts: list[Chart] = []
     for unit, indices in units.items():
         names = [found.headings[k] for k in indices]
-        label = names[0] if len(names) == 1 else "value"
+        label = names[0] if len(names) == 1 and len(names[0]) <= LONGEST else "value"
         series = tuple(Series(found.headings[k], found.times, [row[k] for row in found.rows]) for k in indices)
         title = f"{found.job.program.system}: {found.job.scene.name}" if not charts else ""
-        y = Axis(f"{label} [{unit}]" if unit else label)
+        y = Axis(f"{label} [{unit}]" if unit not in ("", "1") else label)
         charts.append(Chart(title, time_axis(found.job.system.spec.time_unit), y, series, WIDTH, PANEL))
     return charts
 
@@ -161,6 +162,6 @@ def _readable(chart: Chart) -> dict[str, object]:
         "low": frame.x.low,
         "high": frame.x.high,
         "names": [series.label for series in chart.series],
-        "x": [float(f"{x:.9g}") for x in times[::stride]],
-        "y": [[None if math.isnan(y) else float(f"{y:.9g}") for y in s.y[::stride]] for s in chart.series],
+        "x": shorten(times[::stride]),
+        "y": [[None if math.isnan(y) else y for y in shorten(s.y[::stride])] for s in chart.series],
     }

@@ -6,11 +6,11 @@ import math
 from collections.abc import Callable, Sequence
 
 from nhc.records import record
-from nhc.report.marks import SHAPES, draw_box, draw_line, draw_marker, draw_text
-from nhc.report.svg import COLOURS
+from nhc.report.marks import SHAPES, draw_axes, draw_box, draw_marker, draw_text
+from nhc.report.svg import COLOURS, dash_of
 from nhc.report.ticks import Scale, log_scale
 from nhc.study.chart.advice import NAMES
-from nhc.study.chart.case import Result
+from nhc.study.chart.case import Case, Result
 
 DASHES = {"c": "", "python": "7 4", "scipy": "2 3", "heyoka": "9 3 2 3", "sundials": "4 3", "diffrax": "1 3 5 3"}
 OTHER_DASH = "1 5"
@@ -22,12 +22,16 @@ Value = Callable[[Result], float]
 
 @record
 class Style:
-    """Colours say the method, shapes the formulation, dashes the language; ``foreign`` are (method, its maker)."""
+    """Colours say the method, shapes the formulation, dashes the language; ``foreign`` are (method, its maker).
+
+    ``single``: dashes say the method, too, as those of a chart's lines do.
+    """
 
     methods: tuple[str, ...]
     formulations: tuple[str, ...]
     languages: tuple[str, ...]
     foreign: tuple[tuple[str, str], ...]
+    single: bool = False
 
     def colour(self, method: str) -> str:
         return METHOD_COLOURS[self.methods.index(method) % len(METHOD_COLOURS)]
@@ -41,6 +45,13 @@ class Style:
 
     def dash(self, language: str) -> str:
         return DASHES.get(language, OTHER_DASH)
+
+    def line(self, case: Case) -> str:
+        """The attribute that dashes a line of cases."""
+        if self.single:
+            return dash_of(self.methods.index(case.method))
+        dash = self.dash(case.language)
+        return f' stroke-dasharray="{dash}"' if dash else ""
 
     def classes(self, result: Result) -> str:
         """Class names by which a page shows and hides."""
@@ -113,13 +124,12 @@ def _place(panel: Panel, result: Result, x: Scale, y: Scale) -> tuple[float, flo
 
 def _draw_line(panel: Panel, style: Style, line: Sequence[tuple[int, Result]], x: Scale, y: Scale) -> list[str]:
     first = line[0][1].case
-    colour, dash = style.colour(first.method), style.dash(first.language)
+    colour = style.colour(first.method)
     places = [_place(panel, result, x, y) for _, result in line]
     parts = [f'<g class="{style.classes(line[0][1])}">']
     if len(places) > 1:
         path = " ".join(f"{a:.2f},{b:.2f}" for a, b in places)
-        dashes = f' stroke-dasharray="{dash}"' if dash else ""
-        look = f'fill="none" stroke="{colour}" stroke-width="1.4" stroke-linejoin="round"{dashes}'
+        look = f'fill="none" stroke="{colour}" stroke-width="1.4" stroke-linejoin="round"{style.line(first)}'
         parts.append(f'<polyline points="{path}" {look}/>')
     for (k, result), (a, b) in zip(line, places, strict=True):
         more = f' class="point" data-k="{k}"'
@@ -128,16 +138,9 @@ def _draw_line(panel: Panel, style: Style, line: Sequence[tuple[int, Result]], x
 
 
 def _draw_frame(panel: Panel, x: Scale, y: Scale) -> list[str]:
-    right, bottom = panel.left + panel.width, panel.top + panel.height
-    parts = [draw_text(panel.left, panel.top - 9, panel.title, "start", ' font-weight="bold"')]
-    for place, text in x.ticks:
-        parts.append(draw_line(panel.left + place, panel.top, panel.left + place, bottom, "#e4e4e4"))
-        parts.append(draw_text(panel.left + place, bottom + 16, text, "middle"))
-    for place, text in y.ticks:
-        parts.append(draw_line(panel.left, bottom - place, right, bottom - place, "#e4e4e4"))
-        parts.append(draw_text(panel.left - 6, bottom - place + 4, text, "end"))
-    parts.append(draw_box(panel.left, panel.top, panel.width, panel.height, "none", "#555555"))
-    parts.append(draw_text(panel.left + panel.width / 2, bottom + 33, panel.x_label, "middle"))
+    parts = [draw_text(panel.left, panel.top - 9, panel.title, more=' font-weight="bold"')]
+    parts += draw_axes(panel.left, panel.top, x, y)
+    parts.append(draw_text(panel.left + panel.width / 2, panel.top + panel.height + 33, panel.x_label, "middle"))
     middle, side = panel.top + panel.height / 2, panel.left - 48
     turned = f' transform="rotate(-90 {side:.2f} {middle:.2f})"'
     return [*parts, draw_text(side, middle, panel.y_label, "middle", turned)]

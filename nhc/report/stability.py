@@ -24,8 +24,10 @@ ROUNDING = 1e-13
 
 def list_charts(lab: Laboratory, parameter: str = "") -> list[Chart]:
     """The pictures, in the order of the table; ``parameter`` names what was swept."""
-    charts = [*_sweep(lab, parameter), *_spectrum(lab)]
-    t = time_axis(lab.bench.job.system.spec.time_unit)
+    unit = lab.bench.job.system.spec.time_unit
+    rate = f" [1/{unit}]" if unit else ""
+    charts = [*_sweep(lab, parameter, rate), *_spectrum(lab, rate)]
+    t = time_axis(unit)
     for run in lab.runs:
         chosen = [d for d in run.drifts if max(d.series, default=0.0) > 0.0]
         chosen = [d for d in chosen if max(d.series) > ROUNDING] or chosen[:1]
@@ -61,7 +63,7 @@ def _positive(values: Iterable[float]) -> list[float]:
     return [max(abs(v), _TINY) if v else math.nan for v in values]
 
 
-def _sweep(lab: Laboratory, parameter: str) -> list[Chart]:
+def _sweep(lab: Laboratory, parameter: str, rate: str) -> list[Chart]:
     """Real and imaginary parts over what was swept; each line is the k-th eigenvalue by real part."""
     swept = lab.motion.swept if lab.motion is not None else None
     if swept is None:
@@ -69,26 +71,28 @@ def _sweep(lab: Laboratory, parameter: str) -> list[Chart]:
     found = [eigenvalues(point) for point in swept.points]
     most = max(map(len, found))
     charts = []
-    for title, part in (("real parts: growth", False), ("imaginary parts: frequency", True)):
+    for kind, title, part in (("real", "real parts: growth", False), ("imaginary", "imaginary parts: frequency", True)):
         xs, ys = [], []
         for k in range(most):
             for value, row in zip(swept.values, found, strict=True):
                 if k < len(row):
-                    xs += [value, value]  # the gap keeps the points apart: which belongs to which is not known
-                    ys += [row[k].imag if part else row[k].real, math.nan]
-        lines = [Series("eigenvalues", xs, ys, markers=True)]
+                    xs.append(value)  # no lines: which belongs to which is not known
+                    ys.append(row[k].imag if part else row[k].real)
+        lines = [Series("eigenvalues", xs, ys, dots=True)]
         if not part:
             reach = max((y for y in ys if math.isfinite(y)), default=0.0)
             if reach > 0.0:  # what decays fast would press the crossings flat
                 xs, ys = _at_least(-_BELOW * reach, xs, ys)
                 title = f"{title}, from {-_BELOW * reach:.3g}"
-                lines = [Series("eigenvalues", xs, ys, markers=True)]
+                lines = [Series("eigenvalues", xs, ys, dots=True)]
             else:
                 reach = max((abs(y) for y in ys if math.isfinite(y)), default=1.0)
             lines += [
                 Series(f"crossing at {c.value:.5g}", [c.value, c.value], [-reach, reach]) for c in swept.crossings
             ]
-        charts.append(_chart(title, Axis(parameter or "parameter", exact=True), Axis("1/time"), tuple(lines)))
+        charts.append(
+            _chart(title, Axis(parameter or "parameter", exact=True), Axis(f"{kind} part{rate}"), tuple(lines))
+        )
     return charts
 
 
@@ -97,16 +101,13 @@ def _at_least(low: float, xs: list[float], ys: list[float]) -> tuple[list[float]
     return [x for x, _ in kept], [y for _, y in kept]
 
 
-def _spectrum(lab: Laboratory) -> list[Chart]:
+def _spectrum(lab: Laboratory, rate: str) -> list[Chart]:
     if lab.spectrum is None:
         return []
     flat = [complex(x) for row in lab.spectrum.values for x in row]
-    xs, ys = [], []
-    for value in flat:
-        xs += [value.real, value.real]
-        ys += [value.imag, math.nan]
     title = "eigenvalues of the Jacobian along the scene"
-    return [_chart(title, Axis("real part"), Axis("imaginary part"), (Series("", xs, ys, markers=True),))]
+    points = (Series("", [x.real for x in flat], [x.imag for x in flat], dots=True),)
+    return [_chart(title, Axis(f"real part{rate}"), Axis(f"imaginary part{rate}"), points)]
 
 
 def make_page(lab: Laboratory, parameter: str = "") -> str:

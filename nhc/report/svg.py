@@ -4,26 +4,26 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from html import escape
 
 from nhc.records import record
+from nhc.report.marks import draw_axes, draw_line, draw_text
 from nhc.report.ticks import Scale, linear_scale, log_scale
 
 # Okabe and Ito: told apart by most eyes
 COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000", "#8c6d1f")
-DASHES = ("", "6 3", "2 3", "9 3 2 3")
+DASHES = ("", "7 3", "2 2", "9 3 2 3", "12 4")  # colours are not all that tells lines apart: on paper they may be grey
 MOST = 2000  # points of a line; more do not show
 LEFT, RIGHT, TOP, BOTTOM, ROW = 68, 16, 30, 46, 17
 
 
 @record
 class Series:
-    """A line; ``markers`` puts a dot on each point."""
+    """A line, or ``dots`` alone."""
 
     label: str
     x: Sequence[float]
     y: Sequence[float]
-    markers: bool = False
+    dots: bool = False
 
 
 @record
@@ -80,7 +80,7 @@ def draw_inside(chart: Chart) -> str:
     """The chart's elements without the ``svg`` around them."""
     legend = legend_rows(chart)
     frame = find_frame(chart, len(legend))
-    parts = [_text(chart.width / 2, 18, chart.title, "middle", ' font-size="14" font-weight="bold"')]
+    parts = [draw_text(chart.width / 2, 18, chart.title, "middle", ' font-size="14" font-weight="bold"')]
     parts += _draw_axes(chart, frame)
     for k, series in enumerate(chart.series):
         parts += _draw_series(series, frame, k)
@@ -130,8 +130,19 @@ def thin(xs: Sequence[float], ys: Sequence[float], most: int = MOST) -> list[tup
     return kept
 
 
+def colour_of(index: int) -> str:
+    """That of a chart's line."""
+    return COLOURS[index % len(COLOURS)]
+
+
+def dash_of(index: int) -> str:
+    """The ``stroke-dasharray`` of a chart's line, as an attribute with a blank before it; nothing for a solid one."""
+    dash = DASHES[index % len(DASHES)]
+    return f' stroke-dasharray="{dash}"' if dash else ""
+
+
 def _draw_series(series: Series, frame: Frame, index: int) -> list[str]:
-    colour, dash = COLOURS[index % len(COLOURS)], DASHES[index // len(COLOURS) % len(DASHES)]
+    colour, style = colour_of(index), dash_of(index)
     runs: list[list[tuple[float, float]]] = [[]]
     for x, y in thin(series.x, series.y):
         place = frame.point(x, y)
@@ -139,39 +150,25 @@ def _draw_series(series: Series, frame: Frame, index: int) -> list[str]:
             runs[-1].append(place)
         elif runs[-1]:
             runs.append([])
-    style = f' stroke-dasharray="{dash}"' if dash else ""
     parts = []
     for run in runs:
-        if len(run) > 1:
+        if len(run) > 1 and not series.dots:
             path = " ".join(f"{x:.2f},{y:.2f}" for x, y in run)
             parts.append(
                 f'<polyline points="{path}" fill="none" stroke="{colour}" stroke-width="1.6" stroke-linejoin="round"{style}/>'
             )
-        if series.markers or len(run) == 1:
+        else:
             parts += [f'<circle cx="{x:.2f}" cy="{y:.2f}" r="2.8" fill="{colour}"/>' for x, y in run]
     return parts
 
 
 def _draw_axes(chart: Chart, frame: Frame) -> list[str]:
     x, y = frame.x, frame.y
-    right, bottom = frame.left + x.length, frame.top + y.length
-    parts = []
-    for place, text in x.ticks:
-        at = frame.left + place
-        parts.append(_line(at, frame.top, at, bottom, "#e4e4e4"))
-        parts.append(_text(at, bottom + 16, text, "middle"))
-    for place, text in y.ticks:
-        at = bottom - place
-        parts.append(_line(frame.left, at, right, at, "#e4e4e4"))
-        parts.append(_text(frame.left - 6, at + 4, text, "end"))
-    parts.append(
-        f'<rect x="{frame.left:.2f}" y="{frame.top:.2f}" width="{x.length:.2f}" height="{y.length:.2f}" '
-        'fill="none" stroke="#555555"/>'
-    )
-    parts.append(_text(frame.left + x.length / 2, bottom + 34, chart.x.label, "middle"))
+    parts = draw_axes(frame.left, frame.top, x, y)
+    parts.append(draw_text(frame.left + x.length / 2, frame.top + y.length + 34, chart.x.label, "middle"))
     middle = frame.top + y.length / 2
     if chart.y.label:
-        parts.append(_text(14, middle, chart.y.label, "middle", f' transform="rotate(-90 14 {middle:.2f})"'))
+        parts.append(draw_text(14, middle, chart.y.label, "middle", f' transform="rotate(-90 14 {middle:.2f})"'))
     return parts
 
 
@@ -184,7 +181,7 @@ def legend_rows(chart: Chart) -> list[list[tuple[int, str, float]]]:
     for k, series in enumerate(chart.series):
         if not series.label:  # its colour is explained elsewhere
             continue
-        width = 34 + 7.2 * len(series.label)
+        width = 44 + 6.6 * len(series.label)
         if rows[-1] and at + width > chart.width - RIGHT:
             rows.append([])
             at = float(LEFT)
@@ -198,17 +195,9 @@ def _draw_legend(chart: Chart, rows: list[list[tuple[int, str, float]]]) -> list
     for r, row in enumerate(rows):
         y = chart.height - ROW * (len(rows) - r) + 8
         for k, text, x in row:
-            colour, dash = COLOURS[k % len(COLOURS)], DASHES[k // len(COLOURS) % len(DASHES)]
-            style = f' stroke-dasharray="{dash}"' if dash else ""
-            ends = f'x1="{x:.2f}" y1="{y - 4:.2f}" x2="{x + 20:.2f}" y2="{y - 4:.2f}"'
-            parts.append(f'<line {ends} stroke="{colour}" stroke-width="2"{style}/>')
-            parts.append(_text(x + 25, y, text, "start"))
+            if chart.series[k].dots:
+                parts.append(f'<circle cx="{x + 13:.2f}" cy="{y - 4:.2f}" r="2.8" fill="{colour_of(k)}"/>')
+            else:
+                parts.append(draw_line(x, y - 4, x + 26, y - 4, colour_of(k), f' stroke-width="2"{dash_of(k)}'))
+            parts.append(draw_text(x + 31, y, text))
     return parts
-
-
-def _line(x1: float, y1: float, x2: float, y2: float, colour: str) -> str:
-    return f'<line x1="{x1:.2f}" y1="{y1:.2f}" x2="{x2:.2f}" y2="{y2:.2f}" stroke="{colour}"/>'
-
-
-def _text(x: float, y: float, text: str, anchor: str, more: str = "") -> str:
-    return f'<text x="{x:.2f}" y="{y:.2f}" text-anchor="{anchor}" fill="#222222"{more}>{escape(text)}</text>'

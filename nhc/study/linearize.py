@@ -244,8 +244,10 @@ def eigenvalues(made: Linearisation) -> list[complex]:
 
 
 def verdict(made: Linearisation) -> str:
-    """stable, unstable or marginal, to first order."""
+    """stable, unstable or marginal, to first order; ``none`` where every direction was left out and nothing is left to judge."""
     found = modes(made)
+    if not found:
+        return "none"
     if any(mode.grows for mode in found):
         return "unstable"
     return "stable" if all(mode.decays for mode in found) else "marginal"

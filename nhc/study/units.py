@@ -41,11 +41,6 @@ class Units:
         return self.time == 1.0 and set(self.states) <= {1.0}
 
 
-def spec_units(size: int) -> Units:
-    """Those in which nothing changes."""
-    return Units((1.0,) * size, 1.0)
-
-
 def trials(y: Sequence[float], p: Sequence[float]) -> list[tuple[list[float], tuple[float, ...]]]:
     """States and parameters that differ from the given ones by what rounding may have done to them."""
     found = []

@@ -77,6 +77,21 @@ def test_a_defect_shows_its_place_when_asked(
     assert "Traceback" in capsys.readouterr().err
 
 
+@pytest.mark.parametrize("verb", [("emit", "--lang", "c"), ("run",)])
+def test_a_number_beyond_doubles_is_the_users(
+    verb: tuple[str, ...], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A model that cannot be printed is refused by every verb that prints one."""
+    path = tmp_path / "big.yaml"
+    path.write_text(
+        "nhc: 1\nsystem: big\ncoordinates: [x]\nT: x'^2/2\noutputs: {big: 1e300*(1 + x)^2*1e10}\n"
+        "scenes: {go: {time: [0, 1], need: [big]}}\n",
+        encoding="utf-8",
+    )
+    assert main([verb[0], str(path), *verb[1:]]) == 2
+    assert "error[E0504]: a number of the spec is too large for a double" in capsys.readouterr().err
+
+
 def test_deep_recursion_is_a_defect_not_a_crash(monkeypatch: pytest.MonkeyPatch) -> None:
     assert _raise(monkeypatch, RecursionError("too deep")) == 70
 

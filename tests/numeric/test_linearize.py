@@ -10,6 +10,7 @@ import cmath
 import json
 import math
 from functools import cache
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -279,6 +280,24 @@ def _spin_name(axis: int) -> str:
 
 
 # --- what is refused --------------------------------------------------------------------------------------------
+
+
+def test_no_verdict_where_no_eigenvalue_is_left(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    """Every motion of a free particle and of a sleigh about its edge is steady: nothing decays, nothing grows."""
+    sleigh = """coordinates: [x, y, theta]
+T: (x'^2 + y'^2 + theta'^2)/2
+constraints: [cos(theta)*y' - sin(theta)*x' = 0]
+quasi_velocities: {v: cos(theta)*x' + sin(theta)*y', w: theta'}
+scenes: {go: {initial: {v: 1, w: 0.2}, time: [0, 1]}}
+"""
+    particle = "coordinates: [x]\nT: x'^2/2\nscenes: {go: {initial: {x': 1}, time: [0, 1]}}\n"
+    for text in (sleigh, particle):
+        path = tmp_path / "free.yaml"
+        path.write_text(f"nhc: 1\nsystem: free\n{text}", encoding="utf-8")
+        assert main(["linearize", str(path), "--about", "go"]) == 0
+        assert "verdict: none: no eigenvalue is left to judge by" in capsys.readouterr().out
+    assert main(["stability", str(path), "--json"]) == 0
+    assert json.loads(capsys.readouterr().out)["steady"]["verdict"] == "none"
 
 
 def test_what_never_stands_still_is_refused() -> None:

@@ -6,8 +6,10 @@ from collections.abc import Sequence
 from pathlib import PurePath
 
 from nhc.diagnostics import Bag
+from nhc.language.derived_units import derive_units
 from nhc.language.spec import Scene, Spec
-from nhc.language.units import parse_unit
+from nhc.language.units import UnitError, base_words, parse_unit
+from nhc.mechanics.scenes import report_scene
 from nhc.simulate.opening import list_needs
 
 
@@ -23,14 +25,9 @@ def check_comparable(spec: Spec, finest: Spec, scene: Scene, needs: Sequence[str
     base = PurePath(finest.origin.path).name
     own = next((s for s in spec.scenes if s.name == scene.name), None)
     if own is None:
-        known = ", ".join(f"`{s.name}`" for s in spec.scenes) or "none"
-        bag.error(
-            "E0503",
-            f"no scene `{scene.name}`",
-            spec.key_span("scenes"),
-            notes=(f"the spec's scenes: {known}", f"it is compared on the scene `{scene.name}` of `{base}`"),
-            help=("models are compared on a scene that all of them have: add it, or name another after `--scene`",),
-        )
+        help = "models are compared on a scene that all of them have: add it, or name another after `--scene`"
+        note = f"it is compared on the scene `{scene.name}` of `{base}`"
+        report_scene(bag, spec.key_span("scenes"), scene.name, spec, help, note)
     elif own.time != scene.time:
         bag.error(
             "E0505",
@@ -40,8 +37,9 @@ def check_comparable(spec: Spec, finest: Spec, scene: Scene, needs: Sequence[str
             notes=("errors are taken at the same times in all models",),
             help=("give both scenes the same `time`",),
         )
+    units, wanted = derive_units(spec), derive_units(finest)
     for need in needs:
-        here, base_unit = _unit(spec, need), _unit(finest, need)
+        here, base_unit = units.get(need, ""), wanted.get(need, "")
         if here and base_unit and not _same(here, base_unit):
             bag.error(
                 "E0505",
@@ -64,12 +62,11 @@ def check_comparable(spec: Spec, finest: Spec, scene: Scene, needs: Sequence[str
     bag.raise_if_errors()
 
 
-def _unit(spec: Spec, need: str) -> str:
-    """What a coordinate, or the one whose velocity it is, is measured in; nothing where that is not said."""
-    return next((c.unit for c in spec.coordinates if c.name == need.removesuffix("'")), "")
-
-
 def _same(a: str, b: str) -> bool:
-    """Whether two units are one, as far as their texts say: radians need no name, other scales (cm, deg) must be the same."""
+    """Whether two units are one: the same text, or the same product of the same base units (radians need no name)."""
     plain = [text.replace(" ", "").replace("·", "*") for text in (a, b)]
-    return plain[0] == plain[1] or (parse_unit(a) == parse_unit(b) and set(plain) <= {"1", "rad", "sr"})
+    try:
+        alike = parse_unit(a) == parse_unit(b) and base_words([a]) == base_words([b]) is not None
+    except UnitError:  # the root of a unit
+        alike = False
+    return plain[0] == plain[1] or alike

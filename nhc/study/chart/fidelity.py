@@ -78,6 +78,8 @@ class Comparison:
     time: tuple[float, float]
     tolerance: float
     needs: tuple[str, ...]
+    units: tuple[str, ...]
+    time_unit: str
     times: tuple[float, ...]
     truth: tuple[tuple[float, ...], ...]
     sizes: tuple[float, ...]
@@ -140,6 +142,8 @@ def compare_models(sources: Sequence[Source], finest: Source, grid: Grid, show: 
         time=best.job.time,
         tolerance=best.job.tolerance,
         needs=tuple(column.heading for column in best.job.columns),
+        units=tuple(column.unit for column in best.job.columns),
+        time_unit=truth.time_unit,
         times=times,
         truth=tuple(tuple(row[:width]) for row in solution.rows),
         sizes=tuple(solution.sizes),

@@ -70,7 +70,7 @@ class Laboratory:
         """The fastest decay against the slowest thing that matters: the smallest other rate, but nothing slower than the scene."""
         if self.spectrum is None:
             return None
-        return (self.spectrum.decay + 0.0) / max(self.spectrum.slowest, 1.0 / self.bench.duration)
+        return self.spectrum.decay / max(self.spectrum.slowest, 1.0 / self.bench.duration)
 
 
 def examine(equations: Equations, formulation: Formulation, question: Question) -> Laboratory:

@@ -60,7 +60,7 @@ class Spectrum:
     @property
     def decay(self) -> float:
         """The largest rate of decay."""
-        return float(np.max(-self.values.real, initial=0.0))
+        return float(np.max(-self.values.real, initial=0.0)) + 0.0  # no -0
 
     @property
     def slowest(self) -> float:

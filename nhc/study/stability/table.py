@@ -118,7 +118,7 @@ def _spectrum(lab: Laboratory) -> list[Row]:
     # adding zero takes the sign off a zero
     return [
         Row("fastest |lambda|", f"{found.fastest:.4g}", f"{found.fastest * lab.bench.duration:.4g} per scene"),
-        Row("fastest decay", f"{found.decay + 0.0:.4g}"),
+        Row("fastest decay", f"{found.decay:.4g}"),
         Row("stiffness ratio", f"{stiff:.4g}", remark),
     ]
 

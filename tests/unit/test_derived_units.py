@@ -1,0 +1,98 @@
+"""Units of velocities, quasi-velocities, outputs, the energy and the reactions, where the spec gives units."""
+
+from __future__ import annotations
+
+import pytest
+
+from nhc.diagnostics import Source
+from nhc.language import decode, read
+from nhc.language.derived_units import derive_units
+from nhc.language.units import parse_unit
+from tests.support import GALLERY, spec_path
+
+SLEIGH = """nhc: 1
+system: sleigh
+coordinates: {x: {unit: LENGTH}, y: {unit: LENGTH}, theta: {unit: rad}}
+parameters:
+  m: {value: 1, unit: MASS}
+  I: {value: 1, unit: MASS*LENGTH^2}
+  a: {value: 1, unit: LENGTH}
+define: {spin: v/a}
+T: m/2*(x'^2 + y'^2) + I/2*theta'^2
+constraints:
+  - slip: -sin(theta)*x' + cos(theta)*y' = 0
+quasi_velocities: {v: cos(theta)*x' + sin(theta)*y', w: theta' + sin(theta)*theta'}
+outputs:
+  heading: atan2(y', x')
+  slope: y'/x'
+  turns: theta - 2*theta
+  both: w + spin
+  lost: a*w
+  work: T - U
+  torque: I*(v/a)^2
+  root: sqrt(a*v*1)
+  nothing: 0
+"""
+
+
+def units(text: str) -> dict[str, str]:
+    return derive_units(decode(Source("s.yaml", text)))
+
+
+def test_units_follow_from_the_declared_ones() -> None:
+    found = units(SLEIGH.replace("LENGTH", "m").replace("MASS", "kg"))
+    assert found == {
+        **{"x": "m", "y": "m", "theta": "rad", "x'": "m/s", "y'": "m/s", "theta'": "rad/s", "v": "m/s", "w": "rad/s"},
+        **{"energy": "J", "lambda_slip": "N", "heading": "rad", "slope": "1", "turns": "rad", "both": "rad/s"},
+        **{"lost": "m/s", "work": "J", "torque": "kg*m^2/s^2", "root": "m/s^(1/2)"},
+    }
+
+
+def test_base_units_keep_the_spelling_of_the_spec() -> None:
+    found = units(SLEIGH.replace("LENGTH", "cm").replace("MASS", "g"))
+    assert (found["v"], found["lambda_slip"], found["energy"]) == ("cm/s", "g*cm/s^2", "g*cm^2/s^2")
+
+
+@pytest.mark.parametrize(("length", "mass"), [("mm", "J*s^2/m^2"), ("m", "kN*s^2/m"), ("m", "kg*h/s")])
+def test_mixed_scales_give_no_unit(length: str, mass: str) -> None:
+    """1 mm times 1 J s^2/m^2 over 1 s is no millimetre kilogram per second: a factor is missing."""
+    text = SLEIGH.replace("unit: LENGTH}, y: {unit: LENGTH}", f"unit: {length}}}, y: {{unit: {length}}}")
+    found = units(text.replace("LENGTH", "m").replace("MASS", mass))
+    assert (found["x'"], found["theta'"]) == (f"{length}/s", "rad/s")
+    assert not {"v", "w", "energy", "lambda_slip", "lost"} & found.keys()
+
+
+def test_without_units_there_are_none() -> None:
+    text = "nhc: 1\nsystem: s\ncoordinates: [x]\nparameters: {m: 1}\nT: m*x'^2/2\noutputs: {f: m*x', g: sin(t)}\n"
+    assert units(text) == {}
+    some = units(text.replace("[x]", "{x: {unit: m}}"))  # m, the mass, has none
+    assert some == {"x": "m", "x'": "m/s", "g": "1"}
+    turned = "nhc: 1\nsystem: s\nrotation: {R: {velocities: [w1, w2, w3]}}\nparameters: {I: 1}\nT: I*(w1^2 + w2^2 + w3^2)/2\n"
+    assert units(turned) == {} and decode(Source("s.yaml", turned)).time_unit == ""
+
+
+@pytest.mark.parametrize(
+    ("row", "unit"),
+    [
+        ("constraints: [c: x*x' + y*y' = 0]", "kg/s^2"),
+        ("constraints: [c: x*dx + y*dy = 0]", "kg/s^2"),
+        ("constraints: [c: theta' = 0]", "N*m"),
+        ("constraints: [c: dy - a*dtheta = 0]", "N"),
+        ("holonomic: [c: x^2 + y^2 = a^2]", "kg/s^2"),
+        ("holonomic: [c: theta - 1 = 0]", "N*m"),
+    ],
+)
+def test_a_reaction_makes_a_force_of_its_row(row: str, unit: str) -> None:
+    """Q_i gains lambda a_i: [lambda] = [Q_i]/[a_i] = [T]/([q_i] [a_i]), by hand."""
+    head, rest = SLEIGH.replace("LENGTH", "m").replace("MASS", "kg").split("constraints:")
+    outputs = rest[rest.index("outputs:") :].replace("  both: w + spin\n", "").replace("  lost: a*w\n", "")
+    text = (
+        head.replace("define: {spin: v/a}\n", "") + row + "\n" + outputs.replace("I*(v/a)^2", "0").replace("a*v*1", "a")
+    )
+    assert units(text)["lambda_c"] == unit
+
+
+@pytest.mark.parametrize("name", GALLERY)
+def test_units_of_the_gallery_are_units(name: str) -> None:
+    for unit in derive_units(decode(read(str(spec_path(name))))).values():
+        parse_unit(unit)

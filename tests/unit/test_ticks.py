@@ -1,0 +1,68 @@
+"""Axes tell their values: labels and note together give back each tick, and every label has room."""
+
+from __future__ import annotations
+
+import math
+from fractions import Fraction
+
+import pytest
+
+from nhc.report.drawing import shorten
+from nhc.report.svg import LEFT, Axis, Chart, Series, draw
+from nhc.report.ticks import Scale, linear_scale
+
+LENGTH = 600.0
+MOST = 6  # letters beside an axis: they do not reach its name
+RANGES = [
+    *((0.0, 1.0), (0.0, 1e5), (0.0, 99999.0), (-1e200, 1e200), (1e-9, 3e-9), (-0.07, 0.0), (20.0, 21.0), (-4.0, 1e-30)),
+    *((1.05499998, 1.05500004), (1e6, 1e6 + 1e-3), (9.99999956e-8, 9.999999995e-8), (-1.0000001, -1.0)),
+    *((123456.0, 123460.0), (99999.0, 100001.0), (-1e-290, 1e-280), (1e22, 1.0001e22)),
+]
+
+
+def told(scale: Scale) -> list[Fraction]:
+    """The values that a reader takes from the labels and the note."""
+    power, added = 0, Fraction(0)
+    for part in scale.note.replace("- ", "-").replace("+ ", "").split():
+        if part.startswith("×1e"):
+            power = int(part[3:])
+        else:
+            added = Fraction(part)
+    return [Fraction(text) * Fraction(10) ** power + added for _, text in scale.ticks]
+
+
+@pytest.mark.parametrize("exact", [False, True])
+@pytest.mark.parametrize("ends", RANGES)
+def test_labels_tell_the_values(ends: tuple[float, float], exact: bool) -> None:
+    scale = linear_scale(*ends, LENGTH, 6, exact)
+    values = told(scale)
+    assert len(values) >= 3 and values == sorted(set(values))
+    span = scale.high - scale.low
+    for (place, text), value in zip(scale.ticks, values, strict=True):
+        assert len(text) <= MOST
+        assert abs(place / LENGTH - float((value - Fraction(scale.low)) / Fraction(span))) < 1e-3  # half a pixel
+
+
+@pytest.mark.parametrize("value", [0.0, -0.0, 5.0, 1e-7, -3e-300, 5e-324, 1e300, 0.1])
+def test_a_constant_stands_inside(value: float) -> None:
+    """Also one that rounding moves: its steps of a unit in the last place are no picture."""
+    for end in (value, math.nextafter(value, math.inf)):
+        scale = linear_scale(value, end, LENGTH)
+        assert scale.low < value < scale.high and 0.2 < scale.place(value) / LENGTH < 0.8
+        assert len(scale.ticks) >= 3
+
+
+def test_what_overflows_leaves_an_axis() -> None:
+    scale = linear_scale(-1.7e308, 1.7e308, LENGTH)
+    assert math.isfinite(scale.low) and len(scale.ticks) >= 3
+
+
+def test_a_note_is_drawn() -> None:
+    chart = Chart("c", Axis("t", exact=True), Axis("energy [J]"), (Series("energy", [0, 1], [1.05499998, 1.05500004]),))
+    assert f'<text x="{LEFT:.2f}" y="25.00" text-anchor="start" fill="#222222">×1e-8 + 1.055</text>' in draw(chart)
+
+
+def test_readings_keep_apart_what_the_picture_keeps_apart() -> None:
+    late = [1e6 + 1e-5 * k for k in range(100)]
+    assert len(set(shorten(late))) == 100 and max(abs(a - b) for a, b in zip(late, shorten(late), strict=True)) < 1e-9
+    assert len(set(shorten([0.5, 0.5 + 1e-16, 0.5 - 1e-16]))) == 1  # rounding
