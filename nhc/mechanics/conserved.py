@@ -131,8 +131,7 @@ def power_terms(system: System) -> list[str]:
     g = system.graph
     terms = []
     turned = {k for rotation in system.rotations for k in rotation.places}
-    work = g.dot(system.Q, system.v)
-    idle = are_zero(g, gradient(g, work, system.v))
+    idle = _idle_forces(system)
     for i, q in enumerate(system.Q):
         if i not in turned and not idle[i] and not is_zero(g, q):
             terms.append(f"the force on `{system.q_names[i]}`")
@@ -147,6 +146,22 @@ def power_terms(system: System) -> list[str]:
     if not is_zero(g, g.sub(generalized_energy(system), system.energy)):
         terms.append("T is not homogeneous quadratic in the velocities")
     return terms
+
+
+def _idle_forces(system: System) -> list[bool]:
+    """Which forces do no work that others do not cancel: all work is done without their velocities.
+
+    That the work has no slope along these is not enough: an engine of constant power, Q = P/q', does work at every speed.
+    """
+    g = system.graph
+    work = g.dot(system.Q, system.v)
+    idle = are_zero(g, gradient(g, work, system.v))
+    others = g.sum([g.mul(q, v) for q, v, none in zip(system.Q, system.v, idle, strict=True) if not none])
+    try:
+        (others,) = substitute(g, [others], {v: g.zero for v, none in zip(system.v, idle, strict=True) if none})
+    except ZeroDivisionError:
+        return [False] * system.n
+    return idle if is_zero(g, g.sub(work, others)) else [False] * system.n
 
 
 def _stepping(system: System) -> list[str]:

@@ -330,6 +330,28 @@ def test_a_force_with_a_hidden_sign_takes_energy(s: str, a: str, b: str) -> None
     assert (found.energy, found.power) == (False, (f"the force on `{s}`",))
 
 
+@pytest.mark.parametrize(
+    ("coordinates", "forces", "power"),
+    [
+        ("x", "{x: P/x'}", ("x",)),
+        ("x, y", "{x: P*x'/(x'^2 + y'^2), y: P*y'/(x'^2 + y'^2)}", ("x", "y")),
+        ("x, y", "{x: P/x', y: -P/y'}", ()),
+        ("x, y", "{x: P/x', y: -P/y' - c*y'}", ("x", "y")),
+        ("x, y", "{x: P*y', y: -P*x' - c*y'}", ("y",)),
+        ("x, y", "{x: P/x', y: P*y'/(2 + y'^2)}", ("x", "y")),
+        ("x, y", "{x: P*sign(x')/x'}", ("x",)),
+    ],
+)
+def test_a_force_of_constant_power_takes_energy(coordinates: str, forces: str, power: tuple[str, ...]) -> None:
+    """The work of an engine has no slope along the velocity, but it is work: d/dt (m q'^2/2) = P."""
+    head = f"nhc: 1\nsystem: engine\ncoordinates: [{coordinates}]\nparameters: {{P: 2, c: 0.1}}\n"
+    squares = " + ".join(f"{name}'^2/2" for name in coordinates.split(", "))
+    found = find_conserved(resolve(decode(Source("e.yaml", f"{head}T: {squares}\nforces: {forces}\n"))), None)
+    assert found.power == tuple(f"the force on `{name}`" for name in power)
+    assert found.energy == (not power)
+    assert not (power and any(integral.text == "E" for integral in found.integrals))
+
+
 def test_outputs_that_jump_are_not_constant() -> None:
     """All have rate zero where they have one; what holds constants of the motion only, or is continuous, does not jump."""
     jumping = (
