@@ -91,7 +91,7 @@ def _print(made: Certificate) -> None:
         put("wrong derivations, and how far their accelerations are from the truth (relative):")
     width = max((len(r.name) for r in made.rejections), default=0)
     for r in made.rejections:
-        put(f"  {r.name:{width}}  {_fate(r)}")
+        put(f"  {r.name:{width}}  {_fate(r, made.is_far(r))}")
 
 
 def _why(made: Certificate) -> str:
@@ -100,10 +100,12 @@ def _why(made: Certificate) -> str:
     return f"signs occur: {2**made.signs - 1}/{2**made.signs} at each point"
 
 
-def _fate(r: Rejection) -> str:
+def _fate(r: Rejection, far: bool) -> str:
     number = f" (erratum {r.erratum})" if r.erratum else ""
     if r.told_apart is None:
         return f"determines no motion: {r.about}{number}"
     if not r.told_apart:
         return f"this system cannot tell it apart: {r.about}{number}"
+    if not far:  # other values of the parameters show it, or states where its frame exists
+        return f"wrong, but not seen in doubles at {r.distance.states} states: {r.about}{number}"
     return f"{r.distance.accelerations:.2g} off: {r.about}{number}"

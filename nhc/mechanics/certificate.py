@@ -41,6 +41,9 @@ from nhc.records import record
 
 POINTS = 3
 _MOST_POINTS = 64
+_ROUNDING = 1e-15
+_CLEAR = 10.0
+"""Times the rounding: a distance that is no rounding."""
 
 
 @record
@@ -95,6 +98,11 @@ class Certificate:
     def holds(self) -> bool:
         """Whether every formulation agrees exactly in accelerations and reactions."""
         return all(a.accelerations and a.reactions for a in self.agreements)
+
+    def is_far(self, rejection: Rejection) -> bool:
+        """Whether double precision shows a wrong derivation's distance: by more than rounding parts the right ones."""
+        rounding = max([_ROUNDING, *(a.distance.accelerations for a in self.agreements)])
+        return rejection.distance.accelerations > _CLEAR * rounding
 
     @property
     def signed(self) -> bool:

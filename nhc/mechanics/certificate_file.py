@@ -55,7 +55,7 @@ def to_data(certificate: Certificate, spec_text: str) -> dict[str, Any]:
                 "name": r.name,
                 "erratum": r.erratum,
                 "told_apart": r.told_apart,
-                "distance": f"{r.distance.accelerations:.1e}" if r.told_apart else "0",
+                "distance": f"{r.distance.accelerations:.1e}" if r.told_apart and certificate.is_far(r) else "0",
             }
             for r in certificate.rejections
         ],
@@ -87,7 +87,7 @@ def verify(text: str, system: System, spec_text: str) -> tuple[list[str], Certif
     """
     try:
         old = json.loads(text)
-    except ValueError:
+    except (ValueError, RecursionError):  # lists within lists without end
         return ["it is not JSON"], None
     if not isinstance(old, dict) or old.get("schema") != SCHEMA:
         return [f"it is not a certificate of the kind `{SCHEMA}`"], None
@@ -141,9 +141,10 @@ def _near(x: float | None, y: float | None) -> bool:
 
 def _number(text: object) -> float | None:
     try:
-        return float(text) if isinstance(text, str) else None
+        number = float(text) if isinstance(text, str) else math.nan
     except ValueError:
         return None
+    return number if math.isfinite(number) else None
 
 
 def is_sound(certificate: Certificate) -> bool:

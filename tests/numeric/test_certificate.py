@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from dataclasses import replace
 from functools import cache
 
@@ -150,6 +151,7 @@ def test_a_written_certificate_holds_and_a_changed_one_does_not() -> None:
         (lambda d: d["formulations"].pop(), "`formulations`"),
         (lambda d: d["formulations"][1].update(reactions="different"), "`formulations`"),
         (lambda d: d["formulations"][1]["double"].update(states=1), "`formulations`"),
+        (lambda d: d["formulations"][1]["double"].update(accelerations="inf"), "`formulations`"),
         (lambda d: d["wrong_derivations"][0].update(told_apart=False), "`wrong_derivations`"),
         (lambda d: d["wrong_derivations"][0].update(distance="1.0e-9"), "`wrong_derivations`"),
         (lambda d: d.update(points=7), "its points"),
@@ -159,7 +161,23 @@ def test_a_written_certificate_holds_and_a_changed_one_does_not() -> None:
         change(changed)
         found = verify(json.dumps(changed), system, system.spec.origin.text)[0]
         assert any(complaint in line for line in found), (complaint, found)
-    assert verify("[", system, "")[0] == ["it is not JSON"]
+    for text in ("[", "[" * 100_000, "[]"):
+        assert verify(text, system, "")[0][0].startswith("it is not ")
+
+
+def test_rounding_is_no_distance() -> None:
+    """A sleigh whose mass lies above its edge (a = 0) does not show the errors E2 and E3; another a does."""
+    text = spec_path("chaplygin_sleigh").read_text()
+    changed = re.sub(r"^  a: .*$", "  a: 0", text, count=1, flags=re.M)
+    assert changed != text
+    system = resolve(decode(Source("sleigh.yaml", changed)))
+    found = certify(system)
+    hidden = [r for r in found.rejections if r.told_apart and not found.is_far(r)]
+    assert [r.erratum for r in hidden] == ["E3", "E2"]
+    data = json.loads(write(found, changed))["wrong_derivations"]
+    assert [d["distance"] for d in data if d["name"] in [r.name for r in hidden]] == ["0", "0"]
+    known = certificate_of("chaplygin_sleigh")
+    assert all(known.is_far(r) for r in known.rejections if r.told_apart)
 
 
 def test_signs_are_right_by_chance_at_every_second_point() -> None:
