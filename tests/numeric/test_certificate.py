@@ -192,15 +192,31 @@ def test_signs_are_right_by_chance_at_every_second_point() -> None:
 
 
 def test_signs_that_are_multiplied_weaken_the_bound() -> None:
-    """The inside of a box of six faces is met at one point of 64; a root that hides a sign counts as one."""
+    """The inside of a box of six faces is met at one point of 64, so that more are taken; a hidden sign of a root counts."""
     head = "nhc: 1\nsystem: region\ncoordinates: [x, y, z]\nparameters: {a: 1, b: 2, k: 3}\nT: (x'^2 + y'^2 + z'^2)/2\n"
     faces = "*".join(f"(1 + sign({s} - a))*(1 + sign(b - {s}))" for s in "xyz")
     found = certify(resolve(decode(Source("region.yaml", f"{head}forces: {{x: k*{faces}}}\n"))))
-    assert (found.holds, found.signs, len(found.points)) == (True, 6, 64)
-    assert -0.5 < found.log10_bound < -0.4
+    assert (found.holds, found.signs, len(found.points)) == (True, 6, 1536)
+    assert -11 < found.log10_bound < -10 and found.is_sure
+    data = json.loads(write(found, ""))
+    assert (data["count"], len(data["points"])) == (1536, 64)
+    names = [f"x{k}" for k in range(10)]
+    corner = "*".join(f"(1 + sign({s} - a))*(1 + sign(b - {s}))" for s in names)
+    squares = " + ".join(f"{s}'^2/2" for s in names)
+    wide = f"nhc: 1\nsystem: region\ncoordinates: [{', '.join(names)}]\nparameters: {{a: 1, b: 2}}\nT: {squares}\n"
+    found = certify(resolve(decode(Source("region.yaml", f"{wide}forces: {{x0: {corner}}}\n"))))
+    assert (found.holds, found.signs, found.is_sure) == (True, 20, False)
     for force, signs in (("k*(sqrt((a*x)^2 + (b*x)^2) - x*sqrt(a^2 + b^2))", 1), ("k*sqrt(x^2 + y^2)", 0)):
         found = certify(resolve(decode(Source("region.yaml", f"{head}forces: {{x: {force}}}\n"))))
         assert (found.holds, found.signs) == (True, signs)
+
+
+@pytest.mark.parametrize("force", ["3", "sign(x)", "0"])
+def test_accelerations_that_are_numbers(force: str) -> None:
+    """Of degree zero: two numbers that differ do so modulo a prime, but where it divides their difference."""
+    text = f"nhc: 1\nsystem: falling\ncoordinates: [x]\nT: x'^2/2\nforces: {{x: {force}}}\n"
+    found = certify(resolve(decode(Source("falling.yaml", text))))
+    assert found.holds and found.degree == 0 and found.log10_bound < -14
 
 
 def test_power_of_ten_rounds_up() -> None:
