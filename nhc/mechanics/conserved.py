@@ -21,6 +21,7 @@ from nhc.algebra.primes import primes_of
 from nhc.algebra.relations import find_relations, without
 from nhc.mechanics.constancy import are_constant, has_jumps, jumps, rates_of
 from nhc.mechanics.frame import Frame, form_value
+from nhc.mechanics.named import energy_name, momentum_name
 from nhc.mechanics.rotation import moving
 from nhc.mechanics.sampling import Sampler
 from nhc.mechanics.system import System
@@ -182,7 +183,7 @@ def list_candidates(system: System, sampler: Sampler, frame: Frame | None) -> tu
     p = gradient(g, system.T, system.v)
     cost = max(1, count(g, sampler.reference.nodes()))
     budget = min(_MOST, _BUDGET // cost)
-    momenta = [Candidate(f"p_{name}", p[i], MOMENTUM) for i, name in enumerate(system.q_names)]
+    momenta = [Candidate(momentum_name(system, name), p[i], MOMENTUM) for i, name in enumerate(system.q_names)]
     turns = _rotations(system, p)
     scaled = [
         Candidate(f"{system.symbol_name(s)} {c.text}", g.mul(s, c.node), MOMENTUM)
@@ -202,7 +203,8 @@ def list_candidates(system: System, sampler: Sampler, frame: Frame | None) -> tu
         if group and (not words or len(kept) + len(group) <= budget):
             kept += group
             words.append(word)
-    kept += [Candidate("E", system.energy, ENERGY), Candidate("(p q' - T + V)", generalized_energy(system), ENERGY)]
+    kept.append(Candidate(energy_name(system), system.energy, ENERGY))
+    kept.append(Candidate("(p q' - T + V)", generalized_energy(system), ENERGY))
     return kept, "constant combinations of " + ", ".join(words)
 
 
@@ -228,8 +230,9 @@ def _rotations(system: System, p: Sequence[Node]) -> list[Candidate]:
         if units[i] != units[j] or units[i] in ("rad", "deg"):
             continue
         x, y = system.q_names[i], system.q_names[j]
+        p_x, p_y = momentum_name(system, x), momentum_name(system, y)
         turn = g.sub(g.mul(system.q[i], p[j]), g.mul(system.q[j], p[i]))
-        found.append(Candidate(f"({x} p_{y} - {y} p_{x})", turn, MOMENTUM))
+        found.append(Candidate(f"({x} {p_y} - {y} {p_x})", turn, MOMENTUM))
     return found
 
 
@@ -297,7 +300,10 @@ def _is_independent(sampler: Sampler, frame: Frame | None, known: Sequence[Node]
     if frame is not None:
         nodes = substitute(g, nodes, moving(system, frame.kinematics))
     nodes = substitute(g, nodes, dict.fromkeys(sampler.zeroed, g.zero), named=False)
-    return rank(g, [gradient(g, x, (*system.q, *free, system.t)) for x in nodes]) == len(nodes)
+    rows = [gradient(g, x, (*system.q, *free, system.t)) for x in nodes]
+    if not sampler.leaf.steps:
+        return rank(g, rows) == len(nodes)
+    return sampler.rank(rows) == len(nodes)
 
 
 def combine(graph: Graph, vector: Sequence[Fraction], candidates: Sequence[Candidate]) -> Node:

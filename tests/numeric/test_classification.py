@@ -306,6 +306,16 @@ def test_further_integrals() -> None:
     assert facts_of("veselova").data["constant_outputs"] == ["L_x", "L_y"]
 
 
+def test_names_of_constants_are_nothing_elses() -> None:
+    """A sleigh on a turntable whose rate is called E, with a parameter p_th."""
+    system = build(
+        "nhc: 1\nsystem: table\ncoordinates: [x, y, th]\nparameters: {E: 2, p_th: 1, m: 1}\nT: m/2*(x'^2 + y'^2) + p_th/2*th'^2\n"
+        "constraints: [\"-sin(th)*(x' + E*y) + cos(th)*(y' - E*x) = 0\"]\n"
+    )
+    found = find_conserved(system, frame_of(system), formulate(system).frame)
+    assert [i.text for i in found.integrals] == ["dT/dth'", "(T + V) - E (x p_y - y p_x)"]
+
+
 def test_the_generalized_energy_of_a_bead_on_a_rod() -> None:
     data = facts_of("bead_on_rod").data["energy"]
     assert (data["conserved"], data["generalized"]) == (False, True)
