@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 
 from nhc.algebra.calculus import reachable
 from nhc.algebra.field import FieldPoint, Unlucky
@@ -21,16 +21,19 @@ def draw_points(
     fixed: Mapping[Node, int] | None = None,
     later: int = 0,
     kind: type[FieldPoint] = FieldPoint,
+    settle: Callable[[FieldPoint], object] | None = None,
 ) -> Iterator[tuple[int, FieldPoint]]:
     """(seed, point) for the seeds at which the square roots under the nodes exist; poles may still be met.
 
-    ``fixed`` gives symbols a value; roots of what contains a symbol of the mask ``later`` are not looked at.  Each point is
+    ``fixed`` gives symbols a value; roots of what contains a symbol of the mask ``later`` are not looked at; ``settle`` gives
+    symbols their values at a point before, and raises Unlucky where there are none.  Each point is
     prepared for the nodes, so that they may be evaluated in several calls.  Roots for which thousands of seeds had no point are
     not drawn for again.
     """
     radicals = [n for n in reachable(graph, roots) if graph.op[n] in ROOTS and not graph.deps[n] & later]
     hopeless: list[frozenset[Node]] = graph.memory.setdefault("roots without points", [])
-    if not fixed and any(together <= set(radicals) for together in hopeless):
+    free = not fixed and settle is None
+    if free and any(together <= set(radicals) for together in hopeless):
         return
     known, announced = dict(fixed or {}), kind(graph, 0, prime)
     announced.prepare(roots)
@@ -41,13 +44,15 @@ def draw_points(
         point.prepare_like(announced)
         point.evaluate([], known)
         try:
+            if settle is not None:
+                settle(point)
             for node in radicals:
                 point.evaluate([node])
         except Unlucky:
             continue
         found = True
         yield seed, point
-    if radicals and not fixed and not found and tried >= MOST_DRAWS:
+    if radicals and free and not found and tried >= MOST_DRAWS:
         hopeless.append(frozenset(radicals))
 
 

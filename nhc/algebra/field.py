@@ -238,6 +238,8 @@ class FieldPoint:
         for monomial, k in argument.items():
             if _is_atom(monomial) and self.graph.op[monomial[0][0]] == PI and _HALF_TURN % k.denominator == 0:
                 ck, sk = part_of_turn(int(_HALF_TURN * k) % FULL_TURN, self.prime)
+            elif not all(self._at(factor) for factor, _ in monomial):
+                continue  # a symbol in it was given the value 0
             else:
                 denominator = self._denominator("angle", monomial)
                 point = self.known_point(monomial[0][0]) if denominator == 1 and _is_atom(monomial) else None
@@ -276,6 +278,8 @@ class FieldPoint:
                 e = pow(generator, sign, p)
         else:
             for monomial, k in self._argument(argument).items():
+                if not all(self._at(factor) for factor, _ in monomial):
+                    continue
                 denominator = self._denominator("exponent", monomial)
                 if denominator == 1 and _is_atom(monomial) and self.graph.op[monomial[0][0]] == "log":
                     e = e * self._power(self._at(self.graph.a[monomial[0][0]]), int(k)) % p

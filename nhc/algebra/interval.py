@@ -1,7 +1,7 @@
 """Interval bounds on nodes: a sound answer to "can this vanish?".
 
-Coordinates range over given intervals (all reals when unknown), parameters are points.  Outward rounding is replaced by a relative
-margin, since the question is whether a bound is clearly away from zero.
+Coordinates range over given intervals (all reals when unknown), parameters are points.  What is rounded is rounded outwards: sums
+that cancel leave bounds of the size of their rounding, where no relative margin tells zero from what is near it.
 """
 
 from __future__ import annotations
@@ -47,14 +47,14 @@ def _bound(g: Graph, node: Node, value: Mapping[Node, Interval], known: Mapping[
     if op == NUM:
         number = g.value(node)
         assert number is not None
-        return float(number), float(number)
+        near = float(number)
+        return (near, near) if near == number else _outwards(near, near)
     if op == SYM:
         return known.get(node, EVERYTHING)
     if op == PI:
-        return math.pi, math.pi
+        return _outwards(math.pi, math.pi)
     if op == ADD:
-        (p, q), (r, s) = value[a], value[b]
-        return p + r, q + s
+        return _sum(value[a], value[b])
     if op == NEG:
         p, q = value[a]
         return -q, -p
@@ -65,16 +65,31 @@ def _bound(g: Graph, node: Node, value: Mapping[Node, Interval], known: Mapping[
     return _function(op, value[a])
 
 
+def _outwards(low: float, high: float) -> Interval:
+    """The next doubles outwards; zero is exact wherever it comes up."""
+    return (math.nextafter(low, -math.inf) if low else low), (math.nextafter(high, math.inf) if high else high)
+
+
+def _sum(x: Interval, y: Interval) -> Interval:
+    (p, q), (r, s) = x, y
+    low, high = p + r, q + s
+    if low - p != r or low - r != p:  # rounded, or infinite
+        low = math.nextafter(low, -math.inf)
+    if high - q != s or high - s != q:
+        high = math.nextafter(high, math.inf)
+    return low, high
+
+
 def _product(x: Interval, y: Interval) -> Interval:
     corners = [0.0 if 0.0 in (p, q) else p * q for p in x for q in y]
-    return min(corners), max(corners)
+    return _outwards(min(corners), max(corners))
 
 
 def _power(x: Interval, n: int) -> Interval:
     if n < 0:
         low, high = _power(x, -n)
         if low > 0 or high < 0:
-            return 1 / high, 1 / low
+            return _outwards(1 / high, 1 / low)
         return (0.0 if low >= 0 else -math.inf), math.inf
     try:
         corners = [end**n for end in x]
@@ -82,7 +97,7 @@ def _power(x: Interval, n: int) -> Interval:
         return (0.0, math.inf) if n % 2 == 0 else EVERYTHING
     if n % 2 == 0 and x[0] < 0 < x[1]:
         corners.append(0.0)
-    return min(corners), max(corners)
+    return _outwards(min(corners), max(corners))
 
 
 def _function(op: str, x: Interval) -> Interval:
@@ -90,7 +105,7 @@ def _function(op: str, x: Interval) -> Interval:
     if op in ("sin", "cos"):
         if low == high and math.isfinite(low):
             at = math.sin(low) if op == "sin" else math.cos(low)
-            return at, at
+            return _outwards(at, at)
         return _wave(op, low, high)
     if op == "tanh" or op == "sign":
         return -1.0, 1.0
@@ -99,7 +114,7 @@ def _function(op: str, x: Interval) -> Interval:
     if op == "exp":
         return (0.0 if low == -math.inf else math.exp(min(low, 700)) * (1 - 1e-12)), math.inf
     if op == "sqrt":
-        return math.sqrt(max(low, 0.0)), math.sqrt(high) if high >= 0 else math.inf
+        return _outwards(math.sqrt(max(low, 0.0)), math.sqrt(high) if high >= 0 else math.inf)
     if op == "abs":
         return (0.0 if low <= 0 <= high else min(abs(low), abs(high))), max(abs(low), abs(high))
     if op in ("asin", "atan"):
@@ -112,9 +127,10 @@ def _wave(op: str, low: float, high: float) -> Interval:
         return -1.0, 1.0
     shift = 0.0 if op == "cos" else -math.pi / 2  # sin x = cos(x - pi/2)
     p, q = low + shift, high + shift
-    ends = [math.cos(p), math.cos(q)]
+    ends = [math.sin(low), math.sin(high)] if op == "sin" else [math.cos(low), math.cos(high)]
     top = 1.0 if math.floor(q / (2 * math.pi)) > math.floor(p / (2 * math.pi)) or p <= 0 <= q else max(ends)
     bottom = (
         -1.0 if math.floor((q - math.pi) / (2 * math.pi)) > math.floor((p - math.pi) / (2 * math.pi)) else min(ends)
     )
-    return bottom, top
+    bottom, top = _outwards(bottom, top)
+    return max(-1.0, bottom), min(1.0, top)

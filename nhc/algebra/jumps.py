@@ -18,8 +18,12 @@ from nhc.algebra.evaluate import Floats, evaluate
 from nhc.algebra.graph import POW, Graph, Node
 from nhc.algebra.interval import cannot_vanish
 
-_LINES = 6  # the last two through the origin, where small closed surfaces lie
+_LINES = 6
+_CENTRAL = (4, 5)  # those through the origin, where small closed surfaces lie
 _GRID = 120  # places on each, even so that the middle is one of them
+_NEAR = tuple(math.tan(math.pi * (k / _GRID - 0.5)) for k in range(1, _GRID))
+_FAR = tuple(sorted(sign * 10.0 ** (k / 4) for sign in (-1, 1) for k in range(4, 49)))
+"""Places from 10 to 10^12 at both sides, on two lines more, where no zero was met on the others."""
 _MOST = 12  # zeros that are looked at on a line
 _HALVINGS = 80
 _GOLDEN = (math.sqrt(5.0) - 1.0) / 2.0
@@ -81,11 +85,13 @@ def jumps(
 
 def _jumps_at(lines: _Lines, root: Node, node: Node, hard: bool) -> bool:
     rng, met, moving = random.Random(17), False, lines.moving
-    for line in range(_LINES):
-        base = [rng.gauss(0.0, 1.0) * (1.0 if line < _LINES - 2 else 1e-9) for _ in moving]
+    for line in range(_LINES + 2):
+        if line >= _LINES and met:
+            break
+        base = [rng.gauss(0.0, 1.0) * (1e-9 if line in _CENTRAL else 1.0) for _ in moving]
         way = [rng.gauss(0.0, 1.0) for _ in moving]
         inner, outer = (lines.along(each, base, way) for each in (node, root))
-        for place in _zeros(inner):
+        for place in _zeros(inner, _NEAR if line < _LINES else _FAR):
             met = True
             if _differs(outer, place):
                 return True
@@ -119,9 +125,8 @@ class _Lines:
         return value
 
 
-def _zeros(value: Value) -> Iterator[float]:
-    """Places where the value changes its sign, or touches zero; the first ones from one end of the line."""
-    places = [math.tan(math.pi * (k / _GRID - 0.5)) for k in range(1, _GRID)]
+def _zeros(value: Value, places: Sequence[float]) -> Iterator[float]:
+    """Where the value changes its sign, or touches zero, between neighbouring places; the first ones from one end of the line."""
     heights = [value(s) for s in places]
     count = 0
     for k, height in enumerate(heights):

@@ -69,6 +69,6 @@ def _turns(graph: Graph, roots: Sequence[Node], symbol: Node) -> int:
         if number is None:
             return 0
         turns = math.lcm(turns, number.denominator)
-    bare = substitute(g, roots, dict.fromkeys(waves, g.one), named=False)
+    bare = substitute(g, roots, {wave: g.symbol(f"wave {k}", "other") for k, wave in enumerate(waves)}, named=False)
     outside = any(g.depends(root, g.deps[symbol]) for root in bare)
     return 0 if outside or turns > _LONGEST_PERIOD else turns

@@ -32,6 +32,8 @@ def command(spec: str, certificate: str | None, old: str | None, force: bool, as
     """
     if old is not None and (certificate is not None or as_json):
         raise click.UsageError("`--check-certificate` excludes `--certificate` and `--json`")
+    if as_json and certificate == "-":
+        raise click.UsageError("`--json` and `--certificate -` cannot both go to stdout")
     source = open_spec(spec)
     from nhc import pipeline
     from nhc.mechanics.certificate_file import is_sound, to_data, write
@@ -73,7 +75,7 @@ def _print(made: Certificate) -> None:
 
     names = len(made.agreements)
     verdict = f"{names} formulations agree" if made.holds else "the formulations disagree"
-    put(f"{made.system}: {verdict}, for all values of the parameters")
+    put(f"{made.system}: {verdict}{_where(made)}")
     width = max(len(a.name) for a in made.agreements)
     for a in made.agreements:
         exact = [
@@ -86,12 +88,22 @@ def _print(made: Certificate) -> None:
             doubles = "not tried in doubles: singular at every state that was looked at"
         put(f"  {a.name:{width}}  {a.number:6}  {', '.join(exact)}; {doubles}")
     put(f"exact: {len(made.points)} points modulo primes of 61 bits against I.4.1 straight from T;")
-    put(f"  a difference passes unseen with a probability below 10^{ceil(made.log10_bound)} ({_why(made)})")
+    put(f"  a difference passes unseen with a probability below {_bound(made)} ({_why(made)})")
     if made.rejections:
         put("wrong derivations, and how far their accelerations are from the truth (relative):")
     width = max((len(r.name) for r in made.rejections), default=0)
     for r in made.rejections:
-        put(f"  {r.name:{width}}  {_fate(r)}")
+        put(f"  {r.name:{width}}  {_fate(r, made.is_far(r))}")
+
+
+def _bound(made: Certificate) -> str:
+    return f"10^{ceil(made.log10_bound)}" if made.log10_bound <= -1.0 else f"{ceil(100 * 10**made.log10_bound) / 100:g}"
+
+
+def _where(made: Certificate) -> str:
+    if made.is_sure or not made.holds:
+        return ", for all values of the parameters"
+    return f" at {len(made.points)} points; elsewhere they need not, with so many signs"
 
 
 def _why(made: Certificate) -> str:
@@ -100,10 +112,12 @@ def _why(made: Certificate) -> str:
     return f"signs occur: {2**made.signs - 1}/{2**made.signs} at each point"
 
 
-def _fate(r: Rejection) -> str:
+def _fate(r: Rejection, far: bool) -> str:
     number = f" (erratum {r.erratum})" if r.erratum else ""
     if r.told_apart is None:
         return f"determines no motion: {r.about}{number}"
     if not r.told_apart:
         return f"this system cannot tell it apart: {r.about}{number}"
+    if not far:  # other values of the parameters show it, or states where its frame exists
+        return f"wrong, but not seen in doubles at {r.distance.states} states: {r.about}{number}"
     return f"{r.distance.accelerations:.2g} off: {r.about}{number}"

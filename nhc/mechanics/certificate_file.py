@@ -17,6 +17,7 @@ from nhc.mechanics.system import System
 from nhc.version import __version__
 
 SCHEMA = "nhc.certificate/1"
+_MOST_POINTS = 64  # that are written; more are looked at where signs are multiplied
 _LARGEST_DIFFERENCE = 1e-6
 """Double precision may lose this much to a badly conditioned state; more is a defect, whatever the exact test says."""
 
@@ -34,7 +35,8 @@ def to_data(certificate: Certificate, spec_text: str) -> dict[str, Any]:
         "signed": certificate.signed,
         "log10_bound": math.ceil(certificate.log10_bound),
         "seed": certificate.seed,
-        "points": [{"prime": p.prime, "seed": p.seed, "sha256": p.digest} for p in certificate.points],
+        "count": len(certificate.points),
+        "points": [{"prime": p.prime, "seed": p.seed, "sha256": p.digest} for p in certificate.points[:_MOST_POINTS]],
         "states": certificate.states,
         "formulations": [
             {
@@ -55,7 +57,7 @@ def to_data(certificate: Certificate, spec_text: str) -> dict[str, Any]:
                 "name": r.name,
                 "erratum": r.erratum,
                 "told_apart": r.told_apart,
-                "distance": f"{r.distance.accelerations:.1e}" if r.told_apart else "0",
+                "distance": f"{r.distance.accelerations:.1e}" if r.told_apart and certificate.is_far(r) else "0",
             }
             for r in certificate.rejections
         ],
@@ -87,14 +89,14 @@ def verify(text: str, system: System, spec_text: str) -> tuple[list[str], Certif
     """
     try:
         old = json.loads(text)
-    except ValueError:
+    except (ValueError, RecursionError):  # lists within lists without end
         return ["it is not JSON"], None
     if not isinstance(old, dict) or old.get("schema") != SCHEMA:
         return [f"it is not a certificate of the kind `{SCHEMA}`"], None
     if old.get("spec_sha256") != hash_text(spec_text):
         return ["it was written for another text of the spec"], None
     points, seed = old.get("points"), old.get("seed")
-    if not isinstance(points, list) or not 1 <= len(points) <= 64 or type(seed) is not int:
+    if not isinstance(points, list) or not 1 <= len(points) <= _MOST_POINTS or type(seed) is not int:
         return ["its points are missing or malformed"], None
     again = certify(system, min(len(points), POINTS), seed)
     fresh = certify(system, 1, seed + 1)
@@ -107,7 +109,7 @@ def verify(text: str, system: System, spec_text: str) -> tuple[list[str], Certif
 def differences(old: Mapping[str, Any], new: Mapping[str, Any]) -> list[str]:
     """Where two certificates differ, beyond rounding; the version of nhc that wrote them may differ."""
     found = []
-    for key in ("system", "holds", "reference", "degree", "signed", "log10_bound", "points", "states"):
+    for key in ("system", "holds", "reference", "degree", "signed", "log10_bound", "count", "points", "states"):
         if old.get(key) != new[key]:
             found.append(f"`{key}` is not what is found now")
     for key in ("formulations", "wrong_derivations"):
@@ -141,9 +143,10 @@ def _near(x: float | None, y: float | None) -> bool:
 
 def _number(text: object) -> float | None:
     try:
-        return float(text) if isinstance(text, str) else None
+        number = float(text) if isinstance(text, str) else math.nan
     except ValueError:
         return None
+    return number if math.isfinite(number) else None
 
 
 def is_sound(certificate: Certificate) -> bool:

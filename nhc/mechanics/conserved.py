@@ -21,6 +21,7 @@ from nhc.algebra.primes import primes_of
 from nhc.algebra.relations import find_relations, without
 from nhc.mechanics.constancy import are_constant, has_jumps, jumps, rates_of
 from nhc.mechanics.frame import Frame, form_value
+from nhc.mechanics.named import energy_name, momentum_name
 from nhc.mechanics.rotation import moving
 from nhc.mechanics.sampling import Sampler
 from nhc.mechanics.system import System
@@ -131,8 +132,7 @@ def power_terms(system: System) -> list[str]:
     g = system.graph
     terms = []
     turned = {k for rotation in system.rotations for k in rotation.places}
-    work = g.dot(system.Q, system.v)
-    idle = are_zero(g, gradient(g, work, system.v))
+    idle = _idle_forces(system)
     for i, q in enumerate(system.Q):
         if i not in turned and not idle[i] and not is_zero(g, q):
             terms.append(f"the force on `{system.q_names[i]}`")
@@ -147,6 +147,22 @@ def power_terms(system: System) -> list[str]:
     if not is_zero(g, g.sub(generalized_energy(system), system.energy)):
         terms.append("T is not homogeneous quadratic in the velocities")
     return terms
+
+
+def _idle_forces(system: System) -> list[bool]:
+    """Which forces do no work that others do not cancel: all work is done without their velocities.
+
+    That the work has no slope along these is not enough: an engine of constant power, Q = P/q', does work at every speed.
+    """
+    g = system.graph
+    work = g.dot(system.Q, system.v)
+    idle = are_zero(g, gradient(g, work, system.v))
+    others = g.sum([g.mul(q, v) for q, v, none in zip(system.Q, system.v, idle, strict=True) if not none])
+    try:
+        (others,) = substitute(g, [others], {v: g.zero for v, none in zip(system.v, idle, strict=True) if none})
+    except ZeroDivisionError:
+        return [False] * system.n
+    return idle if is_zero(g, g.sub(work, others)) else [False] * system.n
 
 
 def _stepping(system: System) -> list[str]:
@@ -167,7 +183,7 @@ def list_candidates(system: System, sampler: Sampler, frame: Frame | None) -> tu
     p = gradient(g, system.T, system.v)
     cost = max(1, count(g, sampler.reference.nodes()))
     budget = min(_MOST, _BUDGET // cost)
-    momenta = [Candidate(f"p_{name}", p[i], MOMENTUM) for i, name in enumerate(system.q_names)]
+    momenta = [Candidate(momentum_name(system, name), p[i], MOMENTUM) for i, name in enumerate(system.q_names)]
     turns = _rotations(system, p)
     scaled = [
         Candidate(f"{system.symbol_name(s)} {c.text}", g.mul(s, c.node), MOMENTUM)
@@ -187,7 +203,8 @@ def list_candidates(system: System, sampler: Sampler, frame: Frame | None) -> tu
         if group and (not words or len(kept) + len(group) <= budget):
             kept += group
             words.append(word)
-    kept += [Candidate("E", system.energy, ENERGY), Candidate("(p q' - T + V)", generalized_energy(system), ENERGY)]
+    kept.append(Candidate(energy_name(system), system.energy, ENERGY))
+    kept.append(Candidate("(p q' - T + V)", generalized_energy(system), ENERGY))
     return kept, "constant combinations of " + ", ".join(words)
 
 
@@ -213,8 +230,9 @@ def _rotations(system: System, p: Sequence[Node]) -> list[Candidate]:
         if units[i] != units[j] or units[i] in ("rad", "deg"):
             continue
         x, y = system.q_names[i], system.q_names[j]
+        p_x, p_y = momentum_name(system, x), momentum_name(system, y)
         turn = g.sub(g.mul(system.q[i], p[j]), g.mul(system.q[j], p[i]))
-        found.append(Candidate(f"({x} p_{y} - {y} p_{x})", turn, MOMENTUM))
+        found.append(Candidate(f"({x} {p_y} - {y} {p_x})", turn, MOMENTUM))
     return found
 
 
@@ -282,7 +300,10 @@ def _is_independent(sampler: Sampler, frame: Frame | None, known: Sequence[Node]
     if frame is not None:
         nodes = substitute(g, nodes, moving(system, frame.kinematics))
     nodes = substitute(g, nodes, dict.fromkeys(sampler.zeroed, g.zero), named=False)
-    return rank(g, [gradient(g, x, (*system.q, *free, system.t)) for x in nodes]) == len(nodes)
+    rows = [gradient(g, x, (*system.q, *free, system.t)) for x in nodes]
+    if not sampler.leaf.steps:
+        return rank(g, rows) == len(nodes)
+    return sampler.rank(rows) == len(nodes)
 
 
 def combine(graph: Graph, vector: Sequence[Fraction], candidates: Sequence[Candidate]) -> Node:

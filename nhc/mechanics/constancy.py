@@ -44,7 +44,7 @@ def _degrees_in_signs(sampler: Sampler, rates: Sequence[Node]) -> list[int]:
     nodes = [*rates, *reference.nodes(), *sampler.velocities.nodes]
     if not rates or not may_hold(g, nodes):
         return [0] * len(rates)
-    signs = Signs(g, nodes, sampler.settle, sampler.moving | g.mask(sampler.zeroed))
+    signs = Signs(g, nodes, sampler.settle, sampler.moving | g.mask((*sampler.zeroed, *sampler.leaf.solved)))
     signs.stand(sampler.velocities.standing())
     mask, solved = signs.solve([x for row in reference.matrix for x in row], reference.right)
     affine = [signs.mask_and_degree([*c, d]) for c, d in (*reference.accelerations, *reference.reactions)]

@@ -9,7 +9,7 @@ another field costs a variable (:mod:`nhc.algebra.jets`).
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from operator import mul
 
 from nhc.algebra.calculus import tangent
@@ -50,8 +50,15 @@ class Word:
         return Word(((letter, 1), *self.runs), self.power, self.base)
 
 
-def growth_vector(graph: Graph, variables: Sequence[Node], fields: Sequence[Field]) -> tuple[int, ...]:
+def growth_vector(
+    graph: Graph,
+    variables: Sequence[Node],
+    fields: Sequence[Field],
+    settle: Callable[[FieldPoint], object] | None = None,
+) -> tuple[int, ...]:
     """The ranks until they stop growing or fill the space; of several points, where signs occur, the largest.
+
+    ``settle`` puts a point on a leaf that the fields do not leave.
 
     One point is enough but where signs occur (the root of a square), which may be the wrong ones at every second point.
     """
@@ -59,7 +66,7 @@ def growth_vector(graph: Graph, variables: Sequence[Node], fields: Sequence[Fiel
     found: list[tuple[int, ...]] = []
     count = min(_MOST_POINTS, enough_points(graph, flag.nodes, 1))
     seeds = range(_FIRST_SEED, _FIRST_SEED + MOST_DRAWS)
-    for _, point in draw_points(graph, flag.closed, primes_of(graph)[0], seeds):
+    for _, point in draw_points(graph, flag.closed, primes_of(graph)[0], seeds, settle=settle):
         try:
             found.append(flag.ranks(point))
         except Unlucky:

@@ -19,6 +19,7 @@ from nhc.algebra.linear import depends
 from nhc.algebra.modular import Unlucky, are_zero, is_zero
 from nhc.mechanics.flag import Field, growth_vector
 from nhc.mechanics.frame import Frame, coordinate_frame
+from nhc.mechanics.leaf import leaf_of
 from nhc.mechanics.regularity import choose_dependent
 from nhc.mechanics.system import Form, System
 from nhc.records import record
@@ -49,11 +50,12 @@ def classify(system: System, frame: Frame | None = None) -> Integrability:
     affine = not all(are_zero(g, frame.drift))
     entries = [x for form in system.constraints for x in (*form.coefficients, form.constant)]
     rheonomic = any(g.depends(x, g.deps[system.t]) for x in entries)
-    growth = growth_vector(g, system.q, frame.free_vectors)
+    settle = leaf_of(system, [x for e in (*frame.free_vectors, frame.drift) for x in e]).settle
+    growth = growth_vector(g, system.q, frame.free_vectors, settle)
     hidden = n - growth[-1]
     if affine or rheonomic:
         fields = [(*e, g.zero) for e in frame.free_vectors] + [(*frame.drift, g.one)]
-        hidden = n + 1 - growth_vector(g, (*system.q, system.t), fields)[-1]
+        hidden = n + 1 - growth_vector(g, (*system.q, system.t), fields, settle)[-1]
     closed = tuple(form.name for form in system.constraints if is_integrable(system, form))
     return Integrability(growth, hidden, closed, affine, rheonomic)
 
@@ -68,7 +70,10 @@ def as_given(system: System) -> System | None:
         old = [*form.coefficients, form.constant]
         new = substitute(g, old, values, named=False)
         changed = changed or new != old
-        forms.append(Form(form.name, tuple(new[:-1]), new[-1], form.place, form.equation))
+        equation = form.equation
+        if equation is not None:
+            (equation,) = substitute(g, [equation], values, named=False)
+        forms.append(Form(form.name, tuple(new[:-1]), new[-1], form.place, equation))
     return replace(system, constraints=tuple(forms)) if changed else None
 
 

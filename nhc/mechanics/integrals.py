@@ -15,11 +15,12 @@ from itertools import combinations_with_replacement
 from nhc.algebra.calculus import gradient, reachable, tangent
 from nhc.algebra.draw import MOST_DRAWS, draw_points
 from nhc.algebra.graph import ADD, MUL, NEG, POW, SYM, Graph, Node
-from nhc.algebra.modular import Unlucky, are_zero, rank
+from nhc.algebra.modular import Unlucky, are_zero
 from nhc.algebra.primes import primes_of
 from nhc.algebra.relations import find_relations, without
 from nhc.mechanics.conserved import Candidate, combine
 from nhc.mechanics.frame import Frame
+from nhc.mechanics.leaf import Leaf, has_values, leaf_of, rank_on
 from nhc.mechanics.named import named_text
 from nhc.mechanics.system import Form, System
 from nhc.records import record
@@ -47,15 +48,16 @@ def find_position_integrals(
     ``closed`` are names of constraints that are integrable by themselves.
     """
     found: list[PositionIntegral] = []
+    leaf = leaf_of(system, [x for e in (*frame.free_vectors, frame.drift) for x in e])
     for form in system.constraints:
-        if form.equation is not None and _is_new(system, found, form.equation):
+        if form.equation is not None and _is_new(system, leaf, found, form.equation):
             found.append(PositionIntegral(form.equation, _text(system, form.equation), (form.name,)))
     for candidates in _stages(system, closed):
         if len(found) >= hidden:
             break
-        for node in _search(system, frame, candidates):
-            if len(found) < hidden and _is_new(system, found, node):
-                names = tuple(form.name for form in system.constraints if _is_used(system, node, form))
+        for node in _search(system, leaf, frame, candidates):
+            if len(found) < hidden and _is_new(system, leaf, found, node):
+                names = tuple(form.name for form in system.constraints if _is_used(system, leaf, node, form))
                 found.append(PositionIntegral(node, _text(system, node), names))
     return tuple(found)
 
@@ -64,17 +66,17 @@ def _text(system: System, node: Node) -> str:
     return named_text(system, system.graph.split_coefficient(node)[1], _LONGEST)
 
 
-def _is_new(system: System, found: Sequence[PositionIntegral], node: Node) -> bool:
+def _is_new(system: System, leaf: Leaf, found: Sequence[PositionIntegral], node: Node) -> bool:
     rows = [gradient(system.graph, x, (*system.q, system.t)) for x in (*(f.node for f in found), node)]
-    return rank(system.graph, rows) == len(rows)
+    return rank_on(system.graph, rows, leaf) == len(rows)
 
 
-def _is_used(system: System, node: Node, form: Form) -> bool:
+def _is_used(system: System, leaf: Leaf, node: Node, form: Form) -> bool:
     """Whether df needs this constraint: it is no combination of the others."""
     g = system.graph
     others = [[*f.coefficients, f.constant] for f in system.constraints if f is not form]
     slope = gradient(g, node, (*system.q, system.t))
-    return rank(g, [*others, slope]) > len(others)
+    return rank_on(g, [*others, slope], leaf) > len(others)
 
 
 # --- candidates -------------------------------------------------------------------------------------------
@@ -158,34 +160,45 @@ def _unique(graph: Graph, nodes: Sequence[Node]) -> list[Node]:
 # --- the search -------------------------------------------------------------------------------------------
 
 
-def _search(system: System, frame: Frame, candidates: Sequence[Candidate]) -> list[Node]:
+def _search(system: System, leaf: Leaf, frame: Frame, candidates: Sequence[Candidate]) -> list[Node]:
     """Constant combinations that every allowed motion leaves constant, less those that are constants anyway."""
-    g, width = system.graph, len(candidates)
-    nodes = [c.node for c in candidates]
+    g, places = system.graph, (*system.q, system.t)
+    if leaf.steps:
+        candidates = [c for c in candidates if has_values(g, leaf, gradient(g, c.node, places))]
+    nodes, width = [c.node for c in candidates], len(candidates)
     along = [tangent(g, nodes, dict(zip(system.q, e, strict=True))) for e in frame.free_vectors]
     along.append(tangent(g, nodes, {**dict(zip(system.q, frame.drift, strict=True)), system.t: g.one}))
-    slopes = [tangent(g, nodes, {x: g.one}) for x in (*system.q, system.t)]
+    slopes = [tangent(g, nodes, {x: g.one}) for x in places]
     prime = primes_of(g)[0]
-    rows = _rows(g, along, width)
+    rows = _rows(g, leaf, along, width)
     constant = find_relations(rows, width, prime)
     if not constant:
         return []
-    trivial = find_relations(_rows(g, slopes, width), width, prime)
+    trivial = find_relations(_rows(g, leaf, slopes, width), width, prime)
     found = []
     for vector in without(constant, trivial):
         node = combine(g, vector, candidates)
         rates = [tangent(g, [node], dict(zip(system.q, e, strict=True)))[0] for e in frame.free_vectors]
         rates += tangent(g, [node], {**dict(zip(system.q, frame.drift, strict=True)), system.t: g.one})
-        if all(are_zero(g, rates)):
+        if _vanish(g, leaf, rates):
             found.append(node)
     return found
 
 
-def _rows(graph: Graph, directions: Sequence[Sequence[Node]], width: int) -> list[list[int]]:
+def _vanish(graph: Graph, leaf: Leaf, rates: Sequence[Node]) -> bool:
+    """Whether all rates are zero where the constraints allow positions; tested modulo another prime than they were found with."""
+    if not leaf.steps:
+        return all(are_zero(graph, rates))
+    return rank_on(graph, [rates], leaf, primes_of(graph)[1]) == 0
+
+
+def _rows(graph: Graph, leaf: Leaf, directions: Sequence[Sequence[Node]], width: int) -> list[list[int]]:
     """Values of every candidate's derivatives at enough points: one row for each direction and point."""
     rows: list[list[int]] = []
     flat = [node for row in directions for node in row]
-    for _, point in draw_points(graph, flat, primes_of(graph)[0], range(7_000_003, 7_000_003 + MOST_DRAWS)):
+    for _, point in draw_points(
+        graph, flat, primes_of(graph)[0], range(7_000_003, 7_000_003 + MOST_DRAWS), settle=leaf.settle
+    ):
         try:
             values = point.evaluate(flat)
         except Unlucky:

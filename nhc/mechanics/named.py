@@ -24,3 +24,20 @@ def named_text(system: System, node: Node, longest: int = 200) -> str:
 def _defined(system: System) -> frozenset[str]:
     spec = system.spec
     return frozenset(entry.name for entry in (*spec.definitions, *spec.quasi_velocities))
+
+
+def energy_name(system: System) -> str:
+    """E, where the spec has no other E (a modulus)."""
+    return "(T + V)" if "E" in _declared(system) else "E"
+
+
+def momentum_name(system: System, coordinate: str) -> str:
+    """p_x, where nothing in the spec is called so."""
+    name = f"p_{coordinate}"
+    return f"dT/d{coordinate}'" if name in _declared(system) else name
+
+
+def _declared(system: System) -> set[str]:
+    spec = system.spec
+    names = {entry.name for entry in (*spec.definitions, *spec.quasi_velocities, *spec.outputs)}
+    return names | {c.name for c in spec.coordinates} | {p.name for p in spec.parameters}

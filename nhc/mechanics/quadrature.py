@@ -24,6 +24,7 @@ from nhc.mechanics.integrability import classify
 from nhc.mechanics.integrals import find_position_integrals
 from nhc.mechanics.regularity import choose_dependent
 from nhc.mechanics.system import System
+from nhc.mechanics.undefined import are_defined
 from nhc.records import record
 
 _TERMS = 40
@@ -88,8 +89,12 @@ def find_integrals(
     return found
 
 
-def find_closed(system: System) -> tuple[Node, ...]:
-    """Integrals f(q, t) of the constraints, those that are declared and those that are found; nothing for large systems."""
+def find_closed(system: System, place: Mapping[Node, float]) -> tuple[Node, ...]:
+    """Integrals f(q, t) of the constraints, those that are declared and those that are found; nothing for large systems.
+
+    Those without a value at the ``place`` where a motion starts are left out: x' = x*y' holds at x <= 0 too, and its integral
+    y - log(x) tells of the motions at the other side only.  Along a motion that starts where it has a value it stays what it is.
+    """
     if not system.constraints or system.n > MOST_COORDINATES:
         return tuple(form.equation for form in system.constraints if form.equation is not None)
     try:
@@ -97,9 +102,10 @@ def find_closed(system: System) -> tuple[Node, ...]:
         if not found.hidden:
             return ()
         frame = coordinate_frame(system, choose_dependent(system).dependent)
-        return tuple(integral.node for integral in find_position_integrals(system, frame, found.hidden, found.closed))
+        nodes = [integral.node for integral in find_position_integrals(system, frame, found.hidden, found.closed)]
     except Unlucky:
         return ()
+    return tuple(node for node, defined in zip(nodes, are_defined(system, nodes, place), strict=True) if defined)
 
 
 def solve_closed(

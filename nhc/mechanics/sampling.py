@@ -4,19 +4,23 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from nhc.algebra.dense import Singular
+from nhc.algebra.dense import Singular, rank_modulo
 from nhc.algebra.draw import MOST_DRAWS, draw_points
 from nhc.algebra.graph import Node
 from nhc.algebra.modular import FieldPoint, Unlucky
+from nhc.algebra.primes import primes_of
 from nhc.mechanics.claims import admissible_velocities, reference_claim, solve_exactly
 from nhc.mechanics.formulate import rate_symbols
 from nhc.mechanics.frame import Frame
+from nhc.mechanics.leaf import leaf_of
 from nhc.mechanics.multipliers import multiplier_symbols
 from nhc.mechanics.system import System
 
+_RANK_POINTS = 4
+
 
 class Sampler:
-    """Draws points on the motion; parameters in ``zeroed`` are zero, all others are random."""
+    """Draws points on the motion, at positions that the constraints allow; parameters in ``zeroed`` are zero, all others random."""
 
     def __init__(self, system: System, frame: Frame | None, zeroed: Sequence[Node] = ()) -> None:
         self.system, self.zeroed = system, tuple(zeroed)
@@ -24,6 +28,7 @@ class Sampler:
         self.velocities = admissible_velocities(system, frame, [])
         self.rates = rate_symbols(system, system.v)
         self.multipliers = multiplier_symbols(system)
+        self.leaf = leaf_of(system, [*self.velocities.nodes, *self.reference.nodes()])
         self.moving = system.graph.mask((*system.v, *self.rates, *self.multipliers))
 
     def residues(self, roots: Sequence[Node], count: int, prime: int, seed: int = 1) -> list[list[int]]:
@@ -36,7 +41,9 @@ class Sampler:
         everything = [*self.velocities.nodes, *self.reference.nodes(), *roots]
         zeros = dict.fromkeys(self.zeroed, 0)
         seeds = range(seed * 1_000_033, seed * 1_000_033 + MOST_DRAWS)
-        for _, point in draw_points(self.system.graph, everything, prime, seeds, zeros, self.moving):
+        for _, point in draw_points(
+            self.system.graph, everything, prime, seeds, zeros, self.moving, settle=self.leaf.settle
+        ):
             try:
                 found.append(self._at(point, roots))
             except Unlucky:
@@ -44,6 +51,19 @@ class Sampler:
             if len(found) == count:
                 return found
         raise Unlucky
+
+    def rank(self, rows: Sequence[Sequence[Node]]) -> int:
+        """The generic rank of a matrix on the motion.
+
+        Raises:
+            Unlucky: no regular point was found.
+        """
+        prime, width = primes_of(self.system.graph)[0], len(rows[0])
+        ranks = []
+        for flat in self.residues([x for row in rows for x in row], _RANK_POINTS, prime, seed=3):
+            matrix = [flat[k : k + width] for k in range(0, len(flat), width)]
+            ranks.append(rank_modulo(matrix, prime))
+        return max(ranks)
 
     def _at(self, point: FieldPoint, roots: Sequence[Node]) -> list[int]:
         self.settle(point)
@@ -56,6 +76,7 @@ class Sampler:
             Unlucky: they have none there.
         """
         point.evaluate([], dict.fromkeys(self.zeroed, 0))
+        self.leaf.settle(point)
         velocities = point.evaluate(self.velocities.nodes)
         point.evaluate([], dict(zip(self.velocities.symbols, velocities, strict=True)))
         try:

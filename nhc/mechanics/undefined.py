@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
 
 from nhc.algebra.calculus import gradient, reachable
@@ -29,6 +29,22 @@ def find_undefined(system: System, place: dict[Node, float]) -> str:
         evaluate_into(known, graph, order)
     wrong = next((node for node in order if not math.isfinite(known.get(node, math.nan))), None)
     return to_text(graph, wrong, _LONGEST) if wrong is not None else ""
+
+
+def are_defined(system: System, nodes: Sequence[Node], place: Mapping[Node, float]) -> list[bool]:
+    """Which functions of (q, t) have a finite value and finite slopes at a place: log(x) has none where x is not positive.
+
+    ``place`` gives every symbol in them its value.
+    """
+    g, moving = system.graph, (*system.q, system.t)
+    found = []
+    for node in nodes:
+        try:
+            values = [float(x) for x in evaluate(g, [node, *gradient(g, node, moving)], place)]
+        except (ArithmeticError, ValueError):
+            values = [math.nan]
+        found.append(all(map(math.isfinite, values)))
+    return found
 
 
 def find_pole(system: System, values: Mapping[Node, float]) -> str:

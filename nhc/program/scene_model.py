@@ -156,7 +156,7 @@ class _Search:
         self.system, self.scene, self.start, self.kinetic, self.folded = system, scene, start, kinetic, folded
         values = dict(zip(system.p, start.p, strict=True))
         self.known = {**intervals(system), **{symbol: (value, value) for symbol, value in values.items()}}
-        self.closed = find_closed(system)
+        self.closed = find_closed(system, start.values(system))
         self.found: list[_Found] = []
         self.tried: list[Tried] = []
         self.seen: set[tuple[Form, ...]] = set()

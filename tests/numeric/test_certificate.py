@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from dataclasses import replace
 from functools import cache
 
@@ -150,6 +151,7 @@ def test_a_written_certificate_holds_and_a_changed_one_does_not() -> None:
         (lambda d: d["formulations"].pop(), "`formulations`"),
         (lambda d: d["formulations"][1].update(reactions="different"), "`formulations`"),
         (lambda d: d["formulations"][1]["double"].update(states=1), "`formulations`"),
+        (lambda d: d["formulations"][1]["double"].update(accelerations="inf"), "`formulations`"),
         (lambda d: d["wrong_derivations"][0].update(told_apart=False), "`wrong_derivations`"),
         (lambda d: d["wrong_derivations"][0].update(distance="1.0e-9"), "`wrong_derivations`"),
         (lambda d: d.update(points=7), "its points"),
@@ -159,7 +161,23 @@ def test_a_written_certificate_holds_and_a_changed_one_does_not() -> None:
         change(changed)
         found = verify(json.dumps(changed), system, system.spec.origin.text)[0]
         assert any(complaint in line for line in found), (complaint, found)
-    assert verify("[", system, "")[0] == ["it is not JSON"]
+    for text in ("[", "[" * 100_000, "[]"):
+        assert verify(text, system, "")[0][0].startswith("it is not ")
+
+
+def test_rounding_is_no_distance() -> None:
+    """A sleigh whose mass lies above its edge (a = 0) does not show the errors E2 and E3; another a does."""
+    text = spec_path("chaplygin_sleigh").read_text()
+    changed = re.sub(r"^  a: .*$", "  a: 0", text, count=1, flags=re.M)
+    assert changed != text
+    system = resolve(decode(Source("sleigh.yaml", changed)))
+    found = certify(system)
+    hidden = [r for r in found.rejections if r.told_apart and not found.is_far(r)]
+    assert [r.erratum for r in hidden] == ["E3", "E2"]
+    data = json.loads(write(found, changed))["wrong_derivations"]
+    assert [d["distance"] for d in data if d["name"] in [r.name for r in hidden]] == ["0", "0"]
+    known = certificate_of("chaplygin_sleigh")
+    assert all(known.is_far(r) for r in known.rejections if r.told_apart)
 
 
 def test_signs_are_right_by_chance_at_every_second_point() -> None:
@@ -174,15 +192,31 @@ def test_signs_are_right_by_chance_at_every_second_point() -> None:
 
 
 def test_signs_that_are_multiplied_weaken_the_bound() -> None:
-    """The inside of a box of six faces is met at one point of 64; a root that hides a sign counts as one."""
+    """The inside of a box of six faces is met at one point of 64, so that more are taken; a hidden sign of a root counts."""
     head = "nhc: 1\nsystem: region\ncoordinates: [x, y, z]\nparameters: {a: 1, b: 2, k: 3}\nT: (x'^2 + y'^2 + z'^2)/2\n"
     faces = "*".join(f"(1 + sign({s} - a))*(1 + sign(b - {s}))" for s in "xyz")
     found = certify(resolve(decode(Source("region.yaml", f"{head}forces: {{x: k*{faces}}}\n"))))
-    assert (found.holds, found.signs, len(found.points)) == (True, 6, 64)
-    assert -0.5 < found.log10_bound < -0.4
+    assert (found.holds, found.signs, len(found.points)) == (True, 6, 1536)
+    assert -11 < found.log10_bound < -10 and found.is_sure
+    data = json.loads(write(found, ""))
+    assert (data["count"], len(data["points"])) == (1536, 64)
+    names = [f"x{k}" for k in range(10)]
+    corner = "*".join(f"(1 + sign({s} - a))*(1 + sign(b - {s}))" for s in names)
+    squares = " + ".join(f"{s}'^2/2" for s in names)
+    wide = f"nhc: 1\nsystem: region\ncoordinates: [{', '.join(names)}]\nparameters: {{a: 1, b: 2}}\nT: {squares}\n"
+    found = certify(resolve(decode(Source("region.yaml", f"{wide}forces: {{x0: {corner}}}\n"))))
+    assert (found.holds, found.signs, found.is_sure) == (True, 20, False)
     for force, signs in (("k*(sqrt((a*x)^2 + (b*x)^2) - x*sqrt(a^2 + b^2))", 1), ("k*sqrt(x^2 + y^2)", 0)):
         found = certify(resolve(decode(Source("region.yaml", f"{head}forces: {{x: {force}}}\n"))))
         assert (found.holds, found.signs) == (True, signs)
+
+
+@pytest.mark.parametrize("force", ["3", "sign(x)", "0"])
+def test_accelerations_that_are_numbers(force: str) -> None:
+    """Of degree zero: two numbers that differ do so modulo a prime, but where it divides their difference."""
+    text = f"nhc: 1\nsystem: falling\ncoordinates: [x]\nT: x'^2/2\nforces: {{x: {force}}}\n"
+    found = certify(resolve(decode(Source("falling.yaml", text))))
+    assert found.holds and found.degree == 0 and found.log10_bound < -14
 
 
 def test_power_of_ten_rounds_up() -> None:

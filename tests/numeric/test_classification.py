@@ -306,6 +306,16 @@ def test_further_integrals() -> None:
     assert facts_of("veselova").data["constant_outputs"] == ["L_x", "L_y"]
 
 
+def test_names_of_constants_are_nothing_elses() -> None:
+    """A sleigh on a turntable whose rate is called E, with a parameter p_th."""
+    system = build(
+        "nhc: 1\nsystem: table\ncoordinates: [x, y, th]\nparameters: {E: 2, p_th: 1, m: 1}\nT: m/2*(x'^2 + y'^2) + p_th/2*th'^2\n"
+        "constraints: [\"-sin(th)*(x' + E*y) + cos(th)*(y' - E*x) = 0\"]\n"
+    )
+    found = find_conserved(system, frame_of(system), formulate(system).frame)
+    assert [i.text for i in found.integrals] == ["dT/dth'", "(T + V) - E (x p_y - y p_x)"]
+
+
 def test_the_generalized_energy_of_a_bead_on_a_rod() -> None:
     data = facts_of("bead_on_rod").data["energy"]
     assert (data["conserved"], data["generalized"]) == (False, True)
@@ -330,6 +340,28 @@ def test_a_force_with_a_hidden_sign_takes_energy(s: str, a: str, b: str) -> None
     assert (found.energy, found.power) == (False, (f"the force on `{s}`",))
 
 
+@pytest.mark.parametrize(
+    ("coordinates", "forces", "power"),
+    [
+        ("x", "{x: P/x'}", ("x",)),
+        ("x, y", "{x: P*x'/(x'^2 + y'^2), y: P*y'/(x'^2 + y'^2)}", ("x", "y")),
+        ("x, y", "{x: P/x', y: -P/y'}", ()),
+        ("x, y", "{x: P/x', y: -P/y' - c*y'}", ("x", "y")),
+        ("x, y", "{x: P*y', y: -P*x' - c*y'}", ("y",)),
+        ("x, y", "{x: P/x', y: P*y'/(2 + y'^2)}", ("x", "y")),
+        ("x, y", "{x: P*sign(x')/x'}", ("x",)),
+    ],
+)
+def test_a_force_of_constant_power_takes_energy(coordinates: str, forces: str, power: tuple[str, ...]) -> None:
+    """The work of an engine has no slope along the velocity, but it is work: d/dt (m q'^2/2) = P."""
+    head = f"nhc: 1\nsystem: engine\ncoordinates: [{coordinates}]\nparameters: {{P: 2, c: 0.1}}\n"
+    squares = " + ".join(f"{name}'^2/2" for name in coordinates.split(", "))
+    found = find_conserved(resolve(decode(Source("e.yaml", f"{head}T: {squares}\nforces: {forces}\n"))), None)
+    assert found.power == tuple(f"the force on `{name}`" for name in power)
+    assert found.energy == (not power)
+    assert not (power and any(integral.text == "E" for integral in found.integrals))
+
+
 def test_outputs_that_jump_are_not_constant() -> None:
     """All have rate zero where they have one; what holds constants of the motion only, or is continuous, does not jump."""
     jumping = (
@@ -342,6 +374,8 @@ def test_outputs_that_jump_are_not_constant() -> None:
         "atan(tan(x)) - x",
         "sign(x)*z'",
         "atan(x') + atan(1/x')",
+        "(x - 77)/abs(x - 77)",
+        "sqrt((x + 2.5e6)^2)/(x + 2.5e6)",
     )
     constant = (
         "atan2(z', a)",

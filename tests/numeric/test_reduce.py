@@ -284,6 +284,52 @@ def test_a_dependence_that_cancels_does_not_count() -> None:
     assert made.reduction.state == ("x", "x'")
 
 
+SIDES = """nhc: 1
+system: sides
+coordinates: [x, y]
+T: (x'^2 + y'^2)/2
+U: -y^2/2
+constraints: ["{row}"]
+scenes:
+  one: {{initial: {{x: {x}, y: 0.2, y': 1}}, time: [0, 0.5], need: [x, y, energy]}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("row", "slope", "x", "entries"),
+    [
+        ("x' - x*y' = 0", lambda x: x, 0.7, 2),
+        ("x' - x*y' = 0", lambda x: x, 0, 3),
+        ("x' - x*y' = 0", lambda x: x, -0.7, 3),
+        ("x' + x^2*y' = 0", lambda x: -x * x, 0.7, 2),
+        ("x' + x^2*y' = 0", lambda x: -x * x, 0, 3),
+        ("x' + x^2*y' = 0", lambda x: -x * x, -0.7, 2),
+    ],
+)
+def test_an_integral_without_a_value_at_the_start_gives_no_coordinate(
+    row: str, slope: Any, x: float, entries: int
+) -> None:
+    """The integrals y - log(x) and y - 1/x do not tell of all motions that x' = b(x) y' allows; against y'' written by hand."""
+    source = Source("sides.yaml", SIDES.format(row=row, x=x))
+    made = reduce_scene(source, Options(scene="one"))
+    assert len(made.reduction.kept) == entries
+    built = build_scene_program(made)
+    (text,) = render(built, "python", EmitOptions(scene="one")).values()
+    small, scene = python_model(text, "sides"), built.scenes[0]
+    _, states = integrate(small, scene.y, scene.p, 0, 0.5)
+
+    def by_hand(
+        t: float, s: Any
+    ) -> list[float]:  # Lagrange's equation of the leaf: (1 + b^2) y'' + b b_x b y'^2 + y = 0
+        b, step = slope(s[0]), 1e-6
+        bend = (slope(s[0] + step) - slope(s[0] - step)) / (2 * step)
+        return [b * s[2], s[2], -(b * bend * b * s[2] ** 2 + s[1]) / (1 + b * b)]
+
+    end = solve_ivp(by_hand, (0, 0.5), [x, 0.2, 1], "DOP853", rtol=1e-11, atol=1e-12).y[:, -1]
+    energy = (1 + slope(end[0]) ** 2) * end[2] ** 2 / 2 + end[1] ** 2 / 2
+    assert error(small.outputs(0.5, states[-1], scene.p), [end[0], end[1], energy]) < 1e-8
+
+
 def test_folded_values_reduce_further() -> None:
     text = FRICTION.replace("-sign(y)*k", "-x")
     source = Source("dry.yaml", text)

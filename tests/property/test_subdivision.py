@@ -63,6 +63,42 @@ def test_what_also_stands_outside_a_sine_has_no_period() -> None:
     assert cannot_vanish_together(g, [g.add(g.div(X, g.number(4)), g.number(9)), X], {X: (-1.0, 1.0)})
 
 
+def power(n: int) -> Node:
+    return GRAPH.power(X, n)
+
+
+@pytest.mark.parametrize(
+    "roots",
+    [
+        (GRAPH.function("sin", power(4)), power(2)),
+        (GRAPH.function("sin", GRAPH.function("abs", power(3))), GRAPH.sub(GRAPH.function("cosh", X), GRAPH.one)),
+        (GRAPH.function("sin", GRAPH.mul(GRAPH.number(8), power(4))), GRAPH.function("sin", X)),
+        (GRAPH.sub(GRAPH.one, GRAPH.function("cos", power(4))), GRAPH.function("tanh", X)),
+    ],
+)
+def test_zeros_of_a_high_order_are_seen(roots: tuple[Node, ...]) -> None:
+    """All vanish at x = 0, so flatly that a bound's rounding is larger than the values nearby."""
+    for known in ({}, {X: (-5.0, 5.0)}, {X: (-0.0, 0.3)}, {X: (-1.0, 3.0)}):
+        assert not cannot_vanish_together(GRAPH, roots, known)
+
+
+def test_sums_that_cancel_are_rounded_outwards() -> None:
+    """x^4 + a + b - c - d is x^4 for a = c = 0.1, b = d = 0.2, and more where doubles add up."""
+    g = GRAPH
+    a, b, c, d = (g.symbol(name) for name in "abcd")
+    node = g.sub(g.sub(g.add(g.add(power(4), a), b), c), d)
+    known = {a: (0.1, 0.1), b: (0.2, 0.2), c: (0.1, 0.1), d: (0.2, 0.2), X: (-5.0, 5.0)}
+    assert 0.1 + 0.2 - 0.1 - 0.2 > 1e-17
+    assert not cannot_vanish_together(g, [node, g.function("sin", X)], known)
+    assert cannot_vanish_together(g, [g.add(node, g.div(g.one, g.number(1000))), g.function("sin", X)], known)
+
+
+def test_a_pole_at_a_full_turn_is_no_mistake() -> None:
+    g = GRAPH
+    pole = g.inverse(g.sub(g.one, g.function("cos", X)))
+    assert cannot_vanish_together(g, [g.add(pole, g.one)], {})
+
+
 def test_what_only_tends_to_zero_has_none() -> None:
     g = GRAPH
     assert find_common_zero(g, [g.function("exp", X)], [X], [{X: 0.0}, {X: -3.0}]) is None

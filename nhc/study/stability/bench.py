@@ -18,6 +18,7 @@ from nhc.mechanics.integrals import find_position_integrals
 from nhc.mechanics.regularity import choose_dependent
 from nhc.mechanics.rotation import mass_matrix
 from nhc.mechanics.scenes import Start
+from nhc.mechanics.undefined import are_defined
 from nhc.program.build import Planner, build_functions
 from nhc.program.needed import Column, needed_function, reactions_of
 from nhc.program.structure import structure_of
@@ -175,7 +176,9 @@ def open_bench(equations: Equations, formulation: Formulation, start: Start, com
     hidden = find_position_integrals(system, frame, found.hidden, found.closed) if found and frame else ()
     kept = find_conserved(system, frame, formulation.frame, [i.node for i in hidden])
     nonzero = {q.name for q, value in zip(system.spec.parameters, start.p, strict=True) if value != 0.0}
-    columns = _list_columns(planner, kept, [(i.text, i.node) for i in hidden], nonzero)
+    shown = are_defined(system, [i.node for i in hidden], start.values(system))
+    watched = [(i.text, i.node) for i, defined in zip(hidden, shown, strict=True) if defined]
+    columns = _list_columns(planner, kept, watched, nonzero)
     needed = needed_function(planner, columns)
     functions = tuple(needed if f.name == "needed" else f for f in job.program.functions)
     job = replace(job, program=replace(job.program, functions=functions), columns=tuple(columns), checks=())

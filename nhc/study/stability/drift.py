@@ -107,7 +107,7 @@ def drifts_of(bench: Bench, times: Sequence[float], table: Matrix) -> list[Drift
     for group in ("integral", "hidden"):
         for k in bench.group(group):
             heading = bench.columns[k].heading
-            if heading not in ("E", "(p q' - T + V)"):
+            if heading not in ("E", "(T + V)", "(p q' - T + V)"):
                 found.append(_relative(bench, k, heading, group, table[:, k]))
     for group in ("residual", "position"):
         for k in bench.group(group):
