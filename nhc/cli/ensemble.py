@@ -48,13 +48,19 @@ def run_starts(
     from nhc.cli.run import Progress
     from nhc.language import decode
     from nhc.simulate.ensemble import run_ensemble
-    from nhc.simulate.opening import RunError, open_scene
-    from nhc.simulate.starts import list_starts, read_starts
+    from nhc.simulate.opening import RunError, find_scene, open_scene
+    from nhc.simulate.starts import extreme_scenes, list_starts, read_starts
 
     text = _read_table(table)
     try:
-        job = open_scene(source, scene, formulation, needs, method=settings.method, hold=hold, whole=True)
-        starts = list_starts(job.system, job.scene, read_starts(text, decode(source)))
+        spec = decode(source)
+        chosen = find_scene(spec, scene)
+        rows = read_starts(text, spec)
+        beside = extreme_scenes(chosen, rows)
+        job = open_scene(
+            source, scene, formulation, needs, method=settings.method, hold=hold, whole=True, beside=beside
+        )
+        starts = list_starts(job.system, job.scene, rows)
     except RunError as error:
         raise Failure(str(error), error.help, exit=Exit.FAILED) from error
     if not scene:

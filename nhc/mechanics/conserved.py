@@ -63,7 +63,7 @@ class Conserved:
 
     ``energy``: whether T + V is constant; ``power``: the terms of its rate, as texts; ``jacobi``: whether p q' - T + V is, where
     that is another function; ``integrals``: functionally independent; ``outputs``: the spec's own that are constant;
-    ``tried``: in words.
+    ``tried``: in words; ``torn``: what of T + V, which is constant, jumps for other values of the parameters.
     """
 
     energy: bool
@@ -72,6 +72,7 @@ class Conserved:
     integrals: tuple[Integral, ...]
     outputs: tuple[str, ...]
     tried: str
+    torn: tuple[str, ...] = ()
 
 
 def find_conserved(
@@ -100,6 +101,7 @@ def find_conserved(
         special = _search(Sampler(system, frame, zero), candidates, frame, [*known, *(i.node for i in found)])
         found += [replace(i, where=names) for i in special]
     stepping = _stepping(system) if constant[0] and jumps(sampler, system.energy) else []
+    torn = _list_jumps(system, elsewhere=True) if constant[0] and not stepping else []
     constant = [holds and not jumps(sampler, c.node) for c, holds in zip(tested, constant, strict=True)]
     return Conserved(
         energy=constant[0],
@@ -108,6 +110,7 @@ def find_conserved(
         integrals=tuple(found),
         outputs=tuple(c.text for c, holds in zip(outputs, constant[2:], strict=True) if holds),
         tried=tried,
+        torn=tuple(torn),
     )
 
 
@@ -167,8 +170,12 @@ def _idle_forces(system: System) -> list[bool]:
 
 def _stepping(system: System) -> list[str]:
     """The energies that jump, in words: no force stands for what pushes there."""
+    return [f"{name} jumps" for name in _list_jumps(system)] or ["T + V may jump"]
+
+
+def _list_jumps(system: System, *, elsewhere: bool = False) -> list[str]:
     parts = (("T", system.T), (system.spec.potential_kind or "U", system.U))
-    return [f"{name} jumps" for name, node in parts if has_jumps(system, [node], undecided=False)] or ["T + V may jump"]
+    return [name for name, node in parts if has_jumps(system, [node], undecided=False, elsewhere=elsewhere)]
 
 
 # --- candidates -------------------------------------------------------------------------------------------

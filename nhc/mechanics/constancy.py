@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import random
 from collections.abc import Sequence
 
 from nhc.algebra.calculus import reachable
@@ -14,10 +15,11 @@ from nhc.algebra.signs import Signs, may_hold, points_for
 from nhc.mechanics.frame import total_derivative
 from nhc.mechanics.sampling import Sampler
 from nhc.mechanics.system import System
-from nhc.mechanics.values import default_values
+from nhc.mechanics.values import scene_values
 
 _OPEN = frozenset(("sign", "abs", "min", "max", "atan2", "atan", "asin", "acos", "tanh", "exp", "sinh", "cosh"))
 _MOST_POINTS = 96  # modulo each of two primes, where signs occur
+_DRAWN = 6  # sets of values that a spec may give its parameters elsewhere
 
 
 def are_constant(sampler: Sampler, nodes: Sequence[Node]) -> list[bool]:
@@ -63,37 +65,46 @@ def rates_of(sampler: Sampler, nodes: Sequence[Node]) -> list[Node]:
 
 
 def jumps(sampler: Sampler, node: Node) -> bool:
-    """Whether the node, whose rate is zero, may change in steps along the motion; also where that is too long to decide.
+    """Whether the node, whose rate is zero, may change in steps along the motion, for the parameters' values in the spec or one of
+    its scenes; also where that is too long to decide.
 
     Where it is continuous it cannot; nor can a sign, the branch of an angle or a quotient while what they are taken of is a
     constant of the motion.
     """
-    system = sampler.system
-    values = default_values(system)
-    known = {symbol: value if value and math.isfinite(value) else 0.7 for symbol, value in values.items()}
-    known.update(dict.fromkeys(sampler.zeroed, 0.0))
+    system, still = sampler.system, dict.fromkeys(sampler.zeroed, 0.0)
+    given = [{p: x if x and math.isfinite(x) else 0.7 for p, x in values.items()} for values in scene_values(system)]
     moving = (*system.q, *system.v, system.t)
     try:
-        return find_jumps(system.graph, node, moving, known, lambda inner: are_constant(sampler, [inner])[0])
+        return any(
+            find_jumps(system.graph, node, moving, values | still, lambda inner: are_constant(sampler, [inner])[0])
+            for values in given
+        )
     except TooLong:
         return True
 
 
-def has_jumps(system: System, nodes: Sequence[Node], *, undecided: bool = True) -> bool:
-    """Whether one of the functions of (q, q', t) jumps somewhere, on a motion or not; ``undecided`` where that takes too long."""
+def has_jumps(system: System, nodes: Sequence[Node], *, undecided: bool = True, elsewhere: bool = False) -> bool:
+    """Whether one of the functions of (q, q', t) jumps somewhere, on a motion or not, for the parameters' values in the spec or one
+    of its scenes; ``undecided`` where that takes too long.
+
+    ``elsewhere``: for other values, too: of either sign, as somebody may give them to what was emitted.
+    """
     g, moving = system.graph, (*system.q, *system.v, system.t)
     if not find_breaks(g, nodes, g.mask(moving)):
         return False
-    values = default_values(system)
+    rng, given = random.Random(23), scene_values(system)
+    if elsewhere and system.p:
+        given += [{p: rng.choice((-1.0, 1.0)) * rng.uniform(0.4, 1.6) for p in system.p} for _ in range(_DRAWN)]
     try:
-        return any(find_jumps(g, node, moving, values, lambda inner: False) for node in dict.fromkeys(nodes))
+        roots = dict.fromkeys(nodes)
+        return any(find_jumps(g, node, moving, values, lambda inner: False) for values in given for node in roots)
     except TooLong:
         return undecided
 
 
-def shows_jumps(system: System, nodes: Sequence[Node], *, undecided: bool = True) -> bool:
+def shows_jumps(system: System, nodes: Sequence[Node], *, undecided: bool = True, elsewhere: bool = False) -> bool:
     """The same for jumps in the open: square roots alone change their branch where coordinates are singular (a wheel lies flat)."""
     g = system.graph
     moving = g.mask((*system.q, *system.v, system.t))
     shown = any(g.op[node] in _OPEN for node in reachable(g, nodes, moving))
-    return shown and has_jumps(system, nodes, undecided=undecided)
+    return shown and has_jumps(system, nodes, undecided=undecided, elsewhere=elsewhere)

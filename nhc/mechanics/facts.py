@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from dataclasses import dataclass, field
 from typing import Any
 
 from nhc.algebra.angles import normalise_angles
-from nhc.algebra.calculus import reachable
 from nhc.algebra.common_zero import find_common_zero
 from nhc.algebra.evaluate import evaluate
 from nhc.algebra.graph import Node
@@ -16,12 +16,12 @@ from nhc.algebra.subdivision import cannot_vanish_together
 from nhc.diagnostics import Bag, several
 from nhc.mechanics.choose import Formulation, applicable, chaplygin_dependent, checked_dependent
 from nhc.mechanics.conserved import Integral, find_conserved
-from nhc.mechanics.constancy import shows_jumps
 from nhc.mechanics.frame import coordinate_frame
 from nhc.mechanics.integrability import Integrability, classify, classify_as_given, cyclic_coordinates
 from nhc.mechanics.integrals import PositionIntegral, find_position_integrals
 from nhc.mechanics.named import named_text
 from nhc.mechanics.regularity import choose_dependent, intervals
+from nhc.mechanics.rough import list_torn, warn_rough
 from nhc.mechanics.singular import find_rank_loss, never_changes
 from nhc.mechanics.system import System
 from nhc.mechanics.trials import trial_points
@@ -54,8 +54,9 @@ def describe(system: System, formulation: Formulation, bag: Bag, *, explain: boo
     facts.say("degrees", {"n": n, "l": lower}, text)
     _kinetic(system, facts)
     integrals: tuple[PositionIntegral, ...] = ()
+    torn = list_torn(system)
     if lower:
-        integrals = _constraints(system, formulation, facts, bag)
+        integrals = _constraints(system, formulation, facts, torn, bag)
         _dependent(system, formulation, facts, bag)
     _quasi(system, formulation, bag)
     cyclic = [system.q_names[i] for i in cyclic_coordinates(system)]
@@ -73,7 +74,7 @@ def describe(system: System, formulation: Formulation, bag: Bag, *, explain: boo
     facts.say(
         "formulation", {"name": formulation.name, "number": formulation.number, "reason": formulation.reason}, line
     )
-    _nonsmooth(system, bag)
+    warn_rough(system, torn, bag)
     return facts
 
 
@@ -88,7 +89,9 @@ def _kinetic(system: System, facts: Facts) -> None:
     facts.say("rheonomic", timed, f"T: {text}{', contains the time' if timed else ''}")
 
 
-def _constraints(system: System, formulation: Formulation, facts: Facts, bag: Bag) -> tuple[PositionIntegral, ...]:
+def _constraints(
+    system: System, formulation: Formulation, facts: Facts, torn: Collection[str], bag: Bag
+) -> tuple[PositionIntegral, ...]:
     found = classify(system, formulation.frame)
     kinds = [word for word, holds in (("affine", found.affine), ("time-dependent", found.rheonomic)) if holds]
     kind = ", ".join(kinds) or "homogeneous, scleronomic"
@@ -99,14 +102,17 @@ def _constraints(system: System, formulation: Formulation, facts: Facts, bag: Ba
     text = _count_hidden(system, found)
     if special:
         text += f" (for arbitrary parameters; with their values in the spec: {_count_hidden(*special)})"
+    apart = [form.name for form in system.constraints if form.name in torn]
+    if apart and (found.hidden or special):
+        text += f"; at each side of where {', '.join(apart)} {'jumps' if len(apart) == 1 else 'jump'}"
     facts.say("hidden", found.hidden, f"integrability: {text}")
     integrals = _integrals(system, found, facts)
     if special:
         own = _integrals(*special, facts, "_as_given")
         facts.data["hidden_as_given"] = special[1].hidden
-        _warn_integrable(special[0], special[1], own, bag, " with the values under `parameters:`")
+        _warn_integrable(special[0], special[1], own, torn, bag, " with the values under `parameters:`")
     else:
-        _warn_integrable(system, found, integrals, bag)
+        _warn_integrable(system, found, integrals, torn, bag)
     _rank_loss(system, facts)
     return integrals
 
@@ -148,13 +154,31 @@ def _integrals(system: System, found: Integrability, facts: Facts, given: str = 
 
 
 def _warn_integrable(
-    system: System, found: Integrability, integrals: tuple[PositionIntegral, ...], bag: Bag, given: str = ""
+    system: System,
+    found: Integrability,
+    integrals: tuple[PositionIntegral, ...],
+    torn: Collection[str],
+    bag: Bag,
+    given: str = "",
 ) -> None:
-    """Integrable constraints that the spec does not give under ``holonomic:``; ``given``: with which values they are."""
+    """Integrable constraints that the spec does not give under ``holonomic:``; ``given``: with which values they are.
+
+    Those that are ``torn`` are so at each side of a jump only, with a constant of its own: there is nothing to be held to.
+    """
     spans = {c.name: c.span for c in system.spec.constraints}
     written = {form.name for form in system.constraints if form.equation is not None}
     named = [name for name in found.closed if name not in written]
     for name in named:
+        if name in torn:
+            bag.warning(
+                "W0410",
+                f"the constraint `{name}` is integrable{given}, but it jumps: its integral is another one at each side",
+                spans[name],
+                help=(
+                    "write it with continuous functions, or as one constraint for the side that the motion keeps to",
+                ),
+            )
+            continue
         own = [i.text for i in integrals if i.names == (name,)]
         bag.warning(
             "W0410",
@@ -166,10 +190,11 @@ def _warn_integrable(
     combined = found.hidden - len(written) - len(named)
     if combined > 0:
         growth, verb = ", ".join(str(r) for r in found.growth), "is" if combined == 1 else "are"
+        aside = " where they do not jump" if any(name in torn for name in spans if name not in found.closed) else ""
         texts = [f"an integral is `{i.text} = const`" for i in integrals if len(i.names) > 1]
         bag.warning(
             "W0410",
-            f"{several(combined, 'combination')} of the constraints {verb} integrable{given} (holonomic in disguise)",
+            f"{several(combined, 'combination')} of the constraints {verb} integrable{given}{aside} (holonomic in disguise)",
             system.spec.key_span("constraints"),
             notes=(f"the growth vector of the allowed directions is ({growth}) in {system.n} coordinates", *texts),
             help=("positions are not held to the integral by the velocities alone: watch the drift",),
@@ -196,11 +221,22 @@ def _conserved(system: System, formulation: Formulation, integrals: tuple[Positi
     found = find_conserved(system, frame, formulation.frame, [i.node for i in integrals])
     if found.energy:
         line = "energy: T + V is conserved"
+        if found.torn:
+            line += f" (for the parameters' values in the spec and its scenes; {' and '.join(found.torn)} may jump for others)"
     else:
         line = f"energy: T + V is not conserved: {', '.join(found.power)}"
     if found.jacobi is not None:
         line += f"; p q' - T + V is{'' if found.jacobi else ' not'}"
-    facts.say("energy", {"conserved": found.energy, "power": list(found.power), "generalized": found.jacobi}, line)
+    facts.say(
+        "energy",
+        {
+            "conserved": found.energy,
+            "power": list(found.power),
+            "generalized": found.jacobi,
+            "torn_elsewhere": list(found.torn),
+        },
+        line,
+    )
     data = [{"integral": i.text, "where_zero": list(i.where), "moving_energy": i.moving} for i in found.integrals]
     texts = [_spell(i) for i in found.integrals]
     facts.say("conserved", data, f"constants of the motion: {', '.join(texts) or 'none'} (sought among {found.tried})")
@@ -301,39 +337,3 @@ def _entry_text(system: System, node: Node) -> str:
             if found:
                 return sign + found[0]
     return ""
-
-
-def _nonsmooth(system: System, bag: Bag) -> None:
-    """Kinks and jumps: what a derivative leaves out, and what motions cannot cross."""
-    rough = {"abs", "sign", "min", "max"}
-    g, spec = system.graph, system.spec
-    for key, node in (("T", system.T), (spec.potential_kind or "U", system.U)):
-        if shows_jumps(system, [node], undecided=False):
-            bag.warning(
-                "W0416",
-                f"`{key}` jumps: no force stands for what pushes across the jump, and the energy changes there",
-                spec.key_span(key),
-                help=("use a continuous function, or keep the motion at one side",),
-            )
-            continue
-        found = sorted({g.op[n] for n in reachable(g, [node])} & rough)
-        if found:
-            bag.warning(
-                "W0416",
-                f"`{key}` contains {', '.join(found)}: differentiated almost everywhere",
-                spec.key_span(key),
-                help=("use a smooth function if the motion crosses the kink",),
-            )
-    spans = {entry.name: entry.span for entry in spec.constraints}
-    spans |= {entry.name: entry.span for entry in spec.holonomic}
-    spans |= {entry.name: entry.span for entry in spec.quasi_velocities}
-    forms = [("constraint", form) for form in system.constraints] + [("quasi-velocity", form) for form in system.quasi]
-    for kind, form in forms:
-        held = (*form.coefficients, form.constant, *(() if form.equation is None else (form.equation,)))
-        if form.name in spans and shows_jumps(system, held, undecided=False):
-            bag.warning(
-                "W0416",
-                f"the {kind} `{form.name}` jumps: no motion follows it across the jump",
-                spans[form.name],
-                help=("write it with continuous functions, or keep the motion at one side",),
-            )

@@ -71,7 +71,7 @@ def _in_frame(system: System, forms: Sequence[Form], reason: str) -> Formulation
     except Singular:
         return None
     if shows_jumps(
-        system, [x for form in named for x in (*form.coefficients, form.constant)]
+        system, [x for form in named for x in (*form.coefficients, form.constant)], elsewhere=True
     ):  # it would be continuous in place of the velocities
         return None
     return Formulation("euler-lagrange", "I.2.15" if system.l else "I.2.14", frame, None, (), reason)
@@ -119,7 +119,8 @@ def momentum_formulation(equations: Equations, formulation: Formulation) -> Form
             return None
         forms.append(Form(f"p_{form.name}", coefficients, rest, form.place, None, momentum))
         names.append(f"p_{form.name}")
-    if has_jumps(system, [form.value for form in forms if form.value is not None and form.name in names]):
+    values = [form.value for form in forms if form.value is not None and form.name in names]
+    if has_jumps(system, values, elsewhere=True):
         return None
     what = "conserved momentum" if len(names) == 1 else "conserved momenta"
     return _in_frame(system, forms, f"{what} {', '.join(names)} in place of the velocity (Routh)")

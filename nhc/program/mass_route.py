@@ -19,7 +19,10 @@ from nhc.program.plan import Factors, factor, solve_factored
 
 @dataclass
 class MassRoute:
-    """``values`` of the rates; (pivot, scale) pairs that must not vanish; a tree's results get ``put_in`` put into them."""
+    """``values`` of the rates; (pivot, scale) pairs that must not vanish; a tree's results get ``put_in`` put into them.
+
+    ``held``: those of the reactions' matrix of a held tree, which tell how many digits are left.
+    """
 
     graph: Graph
     equations: Equations
@@ -27,6 +30,7 @@ class MassRoute:
     pivots: list[tuple[Node, Node]]
     tree: Elimination | None = None
     put_in: Mapping[Node, Node] = field(default_factory=dict)
+    held: list[tuple[Node, Node]] = field(default_factory=list)
     _factors: Factors | None = None
 
     def solve(self, right: Sequence[Node]) -> list[Node]:
@@ -52,7 +56,9 @@ def mass_route(equations: Equations, full: Equations, put_in: Mapping[Node, Node
         found.append(_along(equations, tree.rates, tree.pivots, put_in, tree))
     held = held_tree(full, kept)
     if held is not None:
-        found.append(_along(equations, held.rates, held.pivots, put_in))
+        way = _along(equations, held.rates, [*held.pivots, *held.held], put_in)
+        way.pivots, way.held = way.pivots[: len(held.pivots)], way.pivots[len(held.pivots) :]
+        found.append(way)
     return min(found, key=lambda way: work(g, way.values) + (0 if way is found[0] else CHAINED * size))
 
 
@@ -83,4 +89,4 @@ def _dense(equations: Equations) -> MassRoute:
     factors = factor(g, equations.mass)
     values = shorten(g, solve_factored(g, factors, equations.force))
     pivots = [(pivot, equations.mass[k][k]) for k, pivot in enumerate(factors.pivots)]
-    return MassRoute(g, equations, values, pivots, None, {}, factors)
+    return MassRoute(g, equations, values, pivots, None, {}, _factors=factors)

@@ -21,6 +21,7 @@ from nhc.program.plan import FunctionPlan, GuardPlan, SolvePlan, Target
 
 SINGULAR_FRAME, SINGULAR_MASS = 1, 2
 _FRAME_DIGITS, _MASS_TOLERANCE, _BORDERED_TOLERANCE = 12, 1e-14, 1e-13
+_HELD_TOLERANCE = 1e-10  # six digits are left
 T_ARGUMENT = Argument("t", -1)
 
 
@@ -92,16 +93,22 @@ class PlannerBase:
             kept = frame.forms[self.system.l :] if frame is not None else ()
             self.route = mass_route(equations, self.full_equations, self.put_in, kept)
             self.solved = dict(zip(rates, self.route.values, strict=True))
-            what = "the mass matrix is singular"
-            self.mass_guards = tuple(
-                GuardPlan(pivot, self._mass_scale(pivot, scale), _MASS_TOLERANCE, SINGULAR_MASS, what)
-                for pivot, scale in self.route.pivots
-                if not self._constant_positive(pivot)
+            self.mass_guards = (
+                *self._guard_pivots(self.route.pivots, _MASS_TOLERANCE),
+                *self._guard_pivots(self.route.held, _HELD_TOLERANCE),
             )
             return
         matrix, right = self._dense()
         unknowns = (*rates, *equations.multipliers)
         self.solves = (self._dense_solve(matrix, [right], [unknowns]),)
+
+    def _guard_pivots(self, pivots: Sequence[tuple[Node, Node]], tolerance: float) -> list[GuardPlan]:
+        what = "the mass matrix is singular"
+        return [
+            GuardPlan(pivot, self._mass_scale(pivot, scale), tolerance, SINGULAR_MASS, what)
+            for pivot, scale in pivots
+            if not self._constant_positive(pivot)
+        ]
 
     def _mass_scale(self, pivot: Node, entry: Node) -> Node:
         """The diagonal entry that a pivot came from; zero where they are the same (then only zero is refused)."""

@@ -49,10 +49,12 @@ def open_scene(
     whole: bool = False,
     draw: bool = False,
     stay: bool = False,
+    beside: tuple[Scene, ...] = (),
 ) -> Job:
     """The job of a scene (default: the first); ``until`` is an expression in the spec's names whose zero ends the run;
     ``whole`` keeps states that this start alone does not need; ``draw`` computes what the spec draws as well; ``stay`` keeps to
-    the formulation where it becomes singular (an ensemble, which is whole, always does).
+    the formulation where it becomes singular (an ensemble, which is whole, always does); ``beside``: scenes that the spec does not
+    have, whose values of the parameters the job must be right for, too.
 
     Raises:
         nhc.diagnostics.SpecError: the spec or the expression has errors.
@@ -61,6 +63,7 @@ def open_scene(
     spec = decode(source)
     chosen = find_scene(spec, scene)
     wanted = tuple(dict.fromkeys(find_need(spec, need) for need in needs))
+    spec = replace(spec, scenes=(*spec.scenes, *beside))
     if until and (method in STRUCTURE or method in SUNDIALS):
         raise RunError(f"the method `{method}` does not look for events", ("take dop853 with `--until`",))
     system, event = resolve_event(spec, until) if until else (resolve(spec), None)
@@ -77,7 +80,7 @@ def open_scene(
     if reduced is not None:
         job = replace(reduced, recipe=Recipe(equations, jacobian=implicit, hold=hold, weak=weak))
     else:
-        job = prepare(equations, form, start, wanted, event, implicit, natural, hold, checks, draw, weak)
+        job = prepare(equations, form, start, wanted, event, implicit, natural, hold, checks, draw, weak, not beside)
     job = replace(job, notes=notes)
     lacking = job.structure.lacking
     if natural and not lacking and STRUCTURE[method].constant_mass and not job.structure.constant_mass:

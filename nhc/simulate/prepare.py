@@ -100,8 +100,10 @@ def prepare(
     checks: bool = False,
     draw: bool = False,
     weak: bool = False,
+    fixed: bool = True,
 ) -> Job:
-    """The job of a scene; ``needs`` are names (default: the scene's own); ``weak``: watched for weakness, too.
+    """The job of a scene; ``needs`` are names (default: the scene's own); ``weak``: watched for weakness, too; ``fixed``: for the
+    scene's values of the parameters, else for all between those that the system's scenes have.
 
     Raises:
         KeyError: a need that the spec does not have.
@@ -113,7 +115,7 @@ def prepare(
     sketch = planned_sketch(planner) if draw else _NOTHING
     drawn = [Column(f"drawn {k}", "drawn", node) for k, node in enumerate(sketch.nodes)]
     known = {symbol: (value, value) for symbol, value in zip(system.p, start.p, strict=True)}
-    watch, watched = watch_function(planner, event, weak, known)
+    watch, watched = watch_function(planner, event, weak, known if fixed else {})
     functions = build_functions(planner, ("rhs", "jacobian") if jacobian else ("rhs",))
     functions += (needed_function(planner, [*columns, *checked, *drawn]),)
     functions += () if watch is None else (watch,)

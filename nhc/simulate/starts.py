@@ -104,6 +104,17 @@ def list_starts(system: System, scene: Scene, table: Table) -> list[Start]:
     return found
 
 
+def extreme_scenes(scene: Scene, table: Table) -> tuple[Scene, ...]:
+    """The scene at the rows that have the least or the largest value of a parameter; each row once, none without parameters."""
+    found = dict[int, Scene]()
+    for k, (kind, _) in enumerate(table.keys):
+        given = [(value, number) for number, row in enumerate(table.rows) if (value := row[k]) is not None]
+        if kind == "parameter" and given:
+            for _, number in (min(given), max(given)):
+                found[number] = vary(scene, table.keys, table.rows[number])
+    return tuple(found.values())
+
+
 def vary(scene: Scene, keys: Sequence[Key], row: Sequence[float | None]) -> Scene:
     """The scene with a row's values in place of its own."""
     given = {key: value for key, value in zip(keys, row, strict=True) if value is not None}

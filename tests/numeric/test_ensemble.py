@@ -31,6 +31,27 @@ scenes:
   away: {initial: {x: 1}, time: [0, 1.8]}
 """
 
+LOSES_RANK = """nhc: 1
+system: row_that_vanishes
+coordinates: [x, y, z]
+parameters: {a: 2}
+T: (x'^2 + y'^2 + z'^2)/2
+V: z
+formulation: multipliers
+constraints: ["(a - cos(z))*x' + (a - cos(z))*y' = 0"]
+scenes:
+  fall: {time: [0, 5], initial: {x': 1, y': -1, z: 2.5, z': -1}, need: [x, z]}
+"""
+
+TURNS_ITS_SIGN = """nhc: 1
+system: mass_that_vanishes
+coordinates: [z, x, y]
+parameters: {a: 4, h: 1}
+T: (z'^2 + a*x'^2 + y'^2)/2 + cos(z)*x'*y'
+scenes:
+  fall: {time: [0, 3], initial: {z: 2.5, z': -1}, need: [x, z]}
+"""
+
 
 pytestmark = pytest.mark.usefixtures("own_cache")
 
@@ -175,3 +196,23 @@ def test_columns_have_names_of_their_own(tmp_path: Path, capsys: pytest.CaptureF
     table.write_text("start\n1_0\n")
     assert main(["run", str(spec), "--ensemble", str(table)]) == 1
     assert "`1_0` for `start` is not a finite number" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("text", "says"),
+    [(LOSES_RANK, "the constraints lose rank"), (TURNS_ITS_SIGN, "the mass matrix is singular")],
+)
+def test_what_only_a_row_can_lose_is_watched(
+    text: str, says: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """With the spec's a nothing is singular anywhere; with the second row's the motion passes z = pi/3, where a run ends."""
+    spec, starts = tmp_path / "s.yaml", tmp_path / "a.csv"
+    spec.write_text(text.replace("a: 2", "a: 0.5").replace("a: 4", "a: 0.25"))
+    alone = main(["run", str(spec), "--points", "2", "--stay"])
+    told = capsys.readouterr().err
+    assert alone == 3 and says in told
+    spec.write_text(text)
+    starts.write_text("a\n4\n0.5\n".replace("0.5", "0.25" if "a: 4" in text else "0.5"))
+    assert main(["run", str(spec), "--points", "2", "--ensemble", str(starts)]) == 3
+    rows = capsys.readouterr().err
+    assert "start 2 fails" in rows and "start 1 fails" not in rows and says in rows

@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import pytest
 
 from nhc.algebra.jumps import jumps
+from nhc.diagnostics import Bag, Diagnostic
 from nhc.language import Source, decode
+from nhc.mechanics.choose import formulate
 from nhc.mechanics.conserved import find_conserved
+from nhc.mechanics.facts import describe
 from nhc.mechanics.resolve import resolve
 from nhc.mechanics.system import System
 from nhc.pipeline import Options, check, reduce_scene
@@ -157,3 +161,46 @@ def test_a_run_ends_soon_where_dry_friction_sticks(
     assert found.outcome.steps + found.outcome.rejected < (2_000_000 if compiled else 100_000)
     assert found.outcome.t == pytest.approx(10 / 3, abs=1e-4)
     assert found.rows[-1][0] == pytest.approx(found.times[-1] - 0.15 * found.times[-1] ** 2, rel=1e-7)
+
+
+STEPS = """nhc: 1
+system: steps
+coordinates: [x, y, z]
+parameters: {a: 1, b: 0.4}
+T: (x'^2 + y'^2 + z'^2)/2
+V: V_OF
+constraints: [row: "ROW"]
+"""
+
+
+def described(text: str) -> tuple[dict[str, Any], str, list[Diagnostic]]:
+    system = resolve(decode(Source("steps.yaml", text)))
+    bag = Bag(system.spec.origin)
+    facts = describe(system, formulate(system), bag)
+    return facts.data, "\n".join(facts.lines), list(bag.diagnostics)
+
+
+def test_a_row_that_jumps_is_integrable_at_each_side_only() -> None:
+    """z + sign(x) y is constant at each side of x = 0, with two values that nothing ties: there is nothing to be held to."""
+    _, lines, told = described(STEPS.replace("V_OF", "0").replace("ROW", "sign(x)*y' + z' = 0"))
+    assert "at each side of where row jumps" in lines
+    (found,) = [d for d in told if d.code == "W0410"]
+    assert "it jumps" in found.message and "disguise" not in found.message
+    assert not any("holonomic:" in text for text in found.help)
+    assert [d.code for d in told].count("W0416") == 1
+    _, lines, told = described(STEPS.replace("V_OF", "0").replace("ROW", "x*y' + y*x' + z' = 0"))
+    assert "jump" not in lines and "in disguise" in told[0].message
+
+
+def test_claims_about_jumps_are_for_values_that_are_given() -> None:
+    """atan(b/(x^2 + a)) has a pole in its argument for negative a only; a scene may be the one that has it."""
+    smooth = STEPS.replace("V_OF", "atan(b/(x^2 + a))").replace("ROW", "z' = y*x'")
+    data, lines, told = described(smooth)
+    assert data["energy"]["conserved"] and data["energy"]["torn_elsewhere"] == ["V"]
+    assert "V may jump for others" in lines
+    assert "W0416" not in [d.code for d in told]
+    data, lines, told = described(smooth + "scenes: {deep: {time: [0, 1], parameters: {a: -0.5}}}\n")
+    assert not data["energy"]["conserved"] and data["energy"]["power"] == ["V jumps"]
+    assert "W0416" in [d.code for d in told]
+    data, _, _ = described(STEPS.replace("V_OF", "a*atan(b*x)").replace("ROW", "z' = y*x'"))
+    assert data["energy"]["conserved"] and data["energy"]["torn_elsewhere"] == []
