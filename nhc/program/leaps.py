@@ -46,9 +46,12 @@ def find_leaps(planner: PlannerBase, known: Mapping[Node, Interval] | None = Non
     """
     system, g = planner.system, planner.graph
     moved = (system.t, *system.q, *system.v)
+    held = {g.sum([g.power(e, 2) for e in rotation.e]) for rotation in system.rotations}  # to 1, after each step
     wanted = dict[tuple[Node, tuple[float, float]], None]()
     for node in list_reached(system, moved):
         op = g.op[node]
+        if g.a[node] in held:
+            continue
         part = _PARTS.get(op)
         if part is None or (op == POW and g.b[node] > 0) or (op in _RELATIVE and not _is_plain(g, g.a[node], moved)):
             continue
